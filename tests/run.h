@@ -1,0 +1,29 @@
+/*
+ * run.h   what every suite shares with the one main program that runs it
+ */
+#ifndef COULOMBTETHER_TESTS_RUN_H
+#define COULOMBTETHER_TESTS_RUN_H
+
+#include <math.h>
+#include <stddef.h>
+
+#include <check.h>
+
+/* The tests of a file: the one thing that a test_*.c exports. */
+Suite *suite(void);
+
+/* Within so many roundings (2^-53, relative) of an expected value that is not zero. NaN fails. */
+#define assert_close(actual, expected, roundings) \
+    ck_assert_double_eq_tol(actual, expected, (roundings) * 0x1p-53 * fabs((double)(expected)))
+
+/* A function with its inputs in a row x and its outputs in a row y; it returns their number, MOST_OUTPUTS or less. */
+typedef size_t flat_function(const double x[], double y[]);
+enum { MOST_OUTPUTS = 16 };
+
+/*
+ * All outputs are numbers inside the domain, and all are NaN where one input, whichever, leaves it. The domain is a letter
+ * an input: '+' finite and above zero, '0' finite and not below zero, 'i' above zero, infinite too, 'r' any finite number.
+ */
+void assert_rejects_outside(flat_function *f, const char *domain, const double inside[]);
+
+#endif
