@@ -1,0 +1,226 @@
+# The Coulomb tether, checked by machine. `make help` lists what there is to make.
+
+VERSION := $(shell sed -n 's/^\#define CT_VERSION "\(.*\)"$$/\1/p' ref/coulombtether.h)
+
+### Where things go
+BUILD        ?= build
+DATA         ?= data
+prefix       ?= /usr/local
+exec_prefix  ?= $(prefix)
+bindir       ?= $(exec_prefix)/bin
+libdir       ?= $(exec_prefix)/lib
+pkgconfigdir ?= $(libdir)/pkgconfig
+includedir   ?= $(prefix)/include
+mandir       ?= $(prefix)/share/man
+
+### Tools and flags
+CC         ?= cc
+CFLAGS     ?= -O2 -g
+INSTALL    ?= install
+PKG_CONFIG ?= pkg-config
+
+# A product and a sum fused into one rounding would differ from machine to machine: no contraction.
+STANDARD := -std=c11 -Wall -Wextra -Wpedantic -ffp-contract=off -D_POSIX_C_SOURCE=200809L
+
+package      = $(shell $(PKG_CONFIG) $(1) 2>/dev/null)
+GSL_CFLAGS   := $(call package,--cflags gsl)
+GSL_LIBS     := $(call package,--libs gsl)
+YAML_CFLAGS  := $(call package,--cflags yaml-0.1)
+YAML_LIBS    := $(call package,--libs yaml-0.1)
+CHECK_CFLAGS := $(call package,--cflags check)
+CHECK_LIBS   := $(call package,--libs check)
+# FLINT 3 contains Arb and has a .pc file. Before it they were two libraries, and neither had one.
+FLINT_CFLAGS := $(call package,--cflags flint)
+FLINT_LIBS   := $(or $(call package,--libs flint),-lflint-arb -lflint)
+
+VERIFY_CFLAGS = -Iref $(GSL_CFLAGS) $(FLINT_CFLAGS) $(YAML_CFLAGS) -DCT_VERSION='"$(VERSION)"' \
+  -DCT_SHEET_PATH='"paper/equations.yaml"' -DCT_DERIVATIONS_PATH='"paper/derivations.yaml"'
+VERIFY_LIBS   = $(FLINT_LIBS) -lmpfr -lgmp $(YAML_LIBS) $(GSL_LIBS) -lm
+
+# Every processor is used unasked, and what one job prints stays together.
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN) --output-sync=target
+endif
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+.DELETE_ON_ERROR:
+
+### What there is
+objects  = $(patsubst %.c,$(BUILD)/%.o,$(1))
+SOURCES := $(wildcard ref/*.c verify/*.c tests/*.c)
+REF     := $(call objects,$(wildcard ref/*.c))
+EMBED   := $(BUILD)/verify/embedded.o
+VERIFY  := $(filter-out %/main.o %/sheet_check.o $(EMBED),$(call objects,$(wildcard verify/*.c)))
+SUITES  := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c))
+SCRIPTS := $(wildcard tests/test_*.sh)
+
+LIBRARY := $(BUILD)/libcoulombtether.a
+SHARED  := $(BUILD)/libcoulombtether.so
+ENGINE  := $(BUILD)/libverify.a
+PROGRAM := $(BUILD)/coulomb-tether
+SONAME  := libcoulombtether.so.$(firstword $(subst ., ,$(VERSION)))
+
+TABLES  := $(DATA)/table1.csv $(patsubst %,$(DATA)/figure%.csv,4 5a 5b 6 7a 7b)
+DRAWN   := $(patsubst paper/figures/%.gp,%,$(wildcard paper/figures/figure*.gp))
+FIGURES := $(foreach kind,svg png,$(patsubst %,$(BUILD)/figures/%.$(kind),$(DRAWN)))
+
+## all: the library, static and shared, and the program
+all: $(LIBRARY) $(SHARED) $(PROGRAM)
+
+### Compiling
+COMPILE = @mkdir -p $(@D)$(newline)$(CC) $(STANDARD) $(CPPFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
+define newline
+
+
+endef
+
+$(BUILD)/ref/%.o: ref/%.c | $(BUILD)/packages.found
+	$(COMPILE) -fPIC $(GSL_CFLAGS)
+
+$(BUILD)/verify/%.o: verify/%.c | $(BUILD)/packages.found
+	$(COMPILE) $(VERIFY_CFLAGS)
+
+$(BUILD)/tests/%.o: tests/%.c | $(BUILD)/packages.found
+	$(COMPILE) -I. -Iverify $(VERIFY_CFLAGS) $(CHECK_CFLAGS)
+
+$(BUILD)/packages.found:
+	@$(PKG_CONFIG) --exists gsl mpfr yaml-0.1 || { echo 'Packages are missing: run "make deps".' >&2; exit 1; }
+	@mkdir -p $(@D) && touch $@
+
+# The sheet becomes part of the program once it has been found free of mistakes.
+$(EMBED): $(BUILD)/sheet.checked $(wildcard paper/equations.yaml paper/derivations.yaml)
+
+$(BUILD)/sheet.checked: $(BUILD)/sheet-check paper/equations.yaml
+	$^
+	@touch $@
+
+### Linking
+$(LIBRARY): $(REF)
+$(ENGINE): $(VERIFY)
+$(LIBRARY) $(ENGINE):
+	@rm -f $@.tmp
+	$(AR) rcs $@.tmp $^
+	@mv $@.tmp $@
+
+$(SHARED): $(REF)
+	$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -o $@.tmp $^ $(GSL_LIBS) -lm
+	@mv $@.tmp $@.$(VERSION)
+	@ln -sf $(@F).$(VERSION) $(@D)/$(SONAME)
+	@ln -sf $(SONAME) $@
+
+LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@.tmp $(filter %.o,$^) $(filter %.a,$^) $(1) $(VERIFY_LIBS)$(newline)@mv $@.tmp $@
+
+$(PROGRAM): $(BUILD)/verify/main.o $(EMBED) $(ENGINE) $(LIBRARY)
+	$(call LINK)
+
+$(BUILD)/sheet-check: $(BUILD)/verify/sheet_check.o $(ENGINE) $(LIBRARY)
+	$(call LINK)
+
+$(SUITES): %: %.o $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
+	$(call LINK,$(CHECK_LIBS))
+
+### Checking
+## check: every test, on all processors; the last line is "N passed, N failed"
+check: all $(SUITES)
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SUITES) $(SCRIPTS)
+
+## coverage: the tests' coverage of ref/ and verify/, with its gate; the report is build/coverage/index.html
+coverage:
+	@rm -rf $(BUILD)/coverage
+	$(MAKE) BUILD=$(BUILD)/coverage/build CFLAGS='-O0 -g --coverage' check
+	coverage/report.sh $(BUILD)/coverage
+
+# cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar).
+## lint: clang-tidy and cppcheck, without findings
+lint: $(patsubst %.c,$(BUILD)/lint/%.tidied,$(SOURCES))
+	cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,performance,portability \
+	  --inline-suppr --suppress=missingIncludeSystem --suppress=ctuuninitvar -Iref -Iverify ref verify tests
+
+$(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*.h tests/*.h)
+	clang-tidy --quiet $< -- $(STANDARD) -I. -Iverify $(VERIFY_CFLAGS) $(CHECK_CFLAGS)
+	@mkdir -p $(@D) && touch $@
+
+### The paper's table and figures
+## data: Table 1, printed, and the numbers of it and of every figure in data/
+data: $(TABLES)
+	@printf 'wrote %s\n' $(TABLES)
+	@$(PROGRAM) table1
+
+$(DATA)/table1.csv: $(PROGRAM)
+	@mkdir -p $(@D)
+	$(PROGRAM) table1 --csv >$@.tmp
+	@mv $@.tmp $@
+
+# Beside the motion itself stands what the paper's own method makes of it: Runge-Kutta, 100 s a step.
+$(DATA)/figure%.csv: $(PROGRAM)
+	@mkdir -p $(@D)
+	$(PROGRAM) figure $* $(if $(filter-out 4,$*),--rk4 100) >$@.tmp
+	@mv $@.tmp $@
+
+## figures: the figures, as SVG and PNG, in build/figures/
+figures: $(FIGURES)
+
+$(FIGURES): paper/figures/style.gp $(wildcard paper/figures/figure*.gp) $(TABLES)
+	@mkdir -p $(@D)
+	gnuplot -e "data='$(DATA)'; picture='$@.tmp'; kind='$(patsubst .%,%,$(suffix $@))'" \
+	  paper/figures/style.gp paper/figures/$(basename $(@F)).gp
+	@mv $@.tmp $@
+
+## pictures: the two figures that README shows, drawn anew
+pictures: $(patsubst %,$(BUILD)/figures/%.svg,figure4 figure6)
+	cp $^ paper/figures/
+
+### Packages
+BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libyaml-dev
+CHECK_PACKAGES = check lcov gnuplot-nox graphviz
+CI_PACKAGES    = clang clang-tidy cppcheck valgrind debootstrap parallel python3 octave gfortran nodejs
+
+## deps: install what building and checking need, where apt-get is at hand; name it elsewhere
+deps:
+	@.ci/packages.sh $(BUILD_PACKAGES) $(CHECK_PACKAGES)
+
+## deps-ci: install what .ci/run needs beyond that
+deps-ci:
+	@.ci/packages.sh $(CI_PACKAGES)
+
+### Installing
+## install: library, header, pkg-config file, program and manual page, below prefix (and DESTDIR)
+install: all
+	@sed -e 's|@prefix@|$(prefix)|; s|@exec_prefix@|$(exec_prefix)|; s|@libdir@|$(libdir)|' \
+	  -e 's|@includedir@|$(includedir)|; s|@version@|$(VERSION)|' ref/coulombtether.pc.in >$(BUILD)/coulombtether.pc
+	$(INSTALL) -d $(foreach dir,$(bindir) $(pkgconfigdir) $(includedir) $(mandir)/man1,'$(DESTDIR)$(dir)')
+	$(INSTALL) -m 755 $(PROGRAM) '$(DESTDIR)$(bindir)/'
+	$(INSTALL) -m 644 $(LIBRARY) $(SHARED).$(VERSION) '$(DESTDIR)$(libdir)/'
+	ln -sf $(notdir $(SHARED)).$(VERSION) '$(DESTDIR)$(libdir)/$(SONAME)'
+	ln -sf $(SONAME) '$(DESTDIR)$(libdir)/$(notdir $(SHARED))'
+	$(INSTALL) -m 644 $(BUILD)/coulombtether.pc '$(DESTDIR)$(pkgconfigdir)/'
+	$(INSTALL) -m 644 ref/coulombtether.h '$(DESTDIR)$(includedir)/'
+	$(INSTALL) -m 644 verify/coulomb-tether.1 '$(DESTDIR)$(mandir)/man1/'
+
+## uninstall: take all of that away again
+uninstall:
+	rm -f $(foreach file,$(notdir $(LIBRARY) $(SHARED) $(SHARED).$(VERSION)) $(SONAME),'$(DESTDIR)$(libdir)/$(file)') \
+	  '$(DESTDIR)$(bindir)/coulomb-tether' '$(DESTDIR)$(pkgconfigdir)/coulombtether.pc' \
+	  '$(DESTDIR)$(includedir)/coulombtether.h' '$(DESTDIR)$(mandir)/man1/coulomb-tether.1'
+
+## dist: the committed tree as build/coulomb-tether-VERSION.tar.gz
+dist:
+	@mkdir -p $(BUILD)
+	git archive --format=tar.gz --prefix=coulomb-tether-$(VERSION)/ -o $(BUILD)/dist.tmp HEAD
+	@mv $(BUILD)/dist.tmp $(BUILD)/coulomb-tether-$(VERSION).tar.gz
+
+### Housekeeping
+## clean: remove what was built
+clean:
+	rm -rf $(BUILD)
+
+## distclean: clean, and the unfinished files of interrupted runs
+distclean: clean
+	rm -f $(DATA)/*.tmp
+
+## help: this list
+help:
+	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
+	  printf '%-11s %s\n' "$$target" "$$text"; done
+
+.PHONY: all check coverage lint data figures pictures deps deps-ci install uninstall dist clean distclean help
+-include $(wildcard $(BUILD)/*/*.d)

@@ -1,0 +1,56 @@
+#!/bin/sh
+# Runs the suites that it is given, as many at once as there are processors, and adds up what they say.
+#
+# A suite is any executable that ends with Check's line of totals,
+#     100%: Checks: 12, Failures: 0, Errors: 0
+# and exits 0 when nothing failed. What a failing suite printed is shown in full. A suite that dies,
+# hangs or says nothing counts as one failure more. Suites start at the project's root and find what was
+# built in CT_BUILD, the program in CT_PROGRAM. Called by make, which gives BUILD.
+set -eu
+
+CT_BUILD=$(cd "$BUILD" && pwd)
+CT_PROGRAM=$CT_BUILD/coulomb-tether
+export CT_BUILD CT_PROGRAM
+records=$CT_BUILD/tests
+numbers='s/^ *[0-9]*%: Checks: \([0-9]*\), Failures: \([0-9]*\), Errors: \([0-9]*\).*/\1 \2 \3/p'
+
+run_one() {
+    name=$(basename "$1" .sh)
+    log=$records/$name.log
+    status=0
+    CK_TAP_LOG_FILE_NAME=$records/$name.tap timeout --foreground 600 "$1" >"$log" 2>&1 </dev/null || status=$?
+
+    # shellcheck disable=SC2046
+    set -- $(sed -n "$numbers" "$log" | tail -n 1)
+    if [ $# -ne 3 ] || [ "$1" -eq 0 ]; then
+        verdict="no result (exit status $status)"; passed=0 failed=1
+    else
+        verdict="Checks: $1, Failures: $2, Errors: $3"; passed=$(($1 - $2 - $3)) failed=$(($2 + $3))
+        if [ "$failed" -eq 0 ] && [ "$status" -ne 0 ]; then
+            verdict="$verdict, yet exit status $status"; failed=1
+        fi
+    fi
+    echo "$passed $failed" >"$records/$name.count"
+
+    percent=$((100 * passed / (passed + failed)))
+    report=$(printf '%-24s %3d%%: %s' "$name" "$percent" "$verdict")
+    if [ "$failed" -ne 0 ]; then
+        report=$report$(printf '\n'; sed 's/^/    /' "$log")
+    fi
+    printf '%s\n' "$report"
+}
+
+if [ "${1-}" = --one ]; then
+    run_one "$2"
+    exit
+fi
+
+mkdir -p "$records"
+rm -f "$records"/*.count "$records"/*.log "$records"/*.tap
+if [ $# -gt 0 ]; then
+    printf '%s\0' "$@" | xargs -0 -n 1 -P "$(getconf _NPROCESSORS_ONLN)" "$0" --one
+fi
+
+cat "$records"/*.count 2>/dev/null | awk '
+    { passed += $1; failed += $2 }
+    END { printf "%d passed, %d failed\n", passed, failed; exit !(passed > 0 && failed == 0) }'

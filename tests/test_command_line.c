@@ -1,0 +1,309 @@
+/* The command line as its users meet it: what it prints, where, and with which exit code. */
+#include "run.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { MOST_TEXT = 1 << 20, MOST_WORDS = 40 };
+
+static char output[MOST_TEXT], errors[MOST_TEXT];
+
+static void read_back(FILE *file, char *text)
+{
+    rewind(file);
+    size_t length = fread(text, 1, MOST_TEXT - 1, file);
+    text[length] = '\0';
+    fclose(file);
+}
+
+/* Runs the program with the words of a line, '' being an empty one; returns its exit status, -1 for a signal. */
+static int run_to(const char *line, int out)
+{
+    static char words[4096];
+    char *arguments[MOST_WORDS + 2] = {getenv("CT_PROGRAM")}, *rest = NULL;
+    FILE *error_file = tmpfile();
+    int count = 1, status;
+    ck_assert_ptr_nonnull(arguments[0]);
+    ck_assert_ptr_nonnull(error_file);
+    snprintf(words, sizeof words, "%s", line);
+    for (char *word = strtok_r(words, " ", &rest); word && count <= MOST_WORDS; word = strtok_r(NULL, " ", &rest))
+        arguments[count++] = strcmp(word, "''") == 0 ? word + 2 : word;
+    pid_t child = fork();
+    ck_assert_int_ge(child, 0);
+    if (child == 0) {
+        dup2(out, 1);
+        dup2(fileno(error_file), 2);
+        execv(arguments[0], arguments);
+        _exit(127);
+    }
+    ck_assert_int_eq(waitpid(child, &status, 0), child);
+    read_back(error_file, errors);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static int run(const char *line)
+{
+    FILE *file = tmpfile();
+    ck_assert_ptr_nonnull(file);
+    int status = run_to(line, fileno(file));
+    read_back(file, output);
+    return status;
+}
+
+static int lines(const char *text)
+{
+    int count = 0;
+    for (; *text != '\0'; text++)
+        count += *text == '\n';
+    return count;
+}
+
+#define TABLE1 "Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=10"
+
+/* Wrong lines: the status, and a word that the one line on standard error has to say. */
+static const struct {
+    const char *line;
+    int status;
+    const char *says;
+} mistakes[] = {
+    {"", 2, "subcommand"},
+    {"''", 2, "subcommand"},
+    {"evil", 2, "eval"},
+    {"equations eq1", 2, "unknown operation 'eq1'"},
+    {"equations eq07 eq09", 2, "eq09"},
+    {"equations --jsn", 2, "--json"},
+    {"equations x=1", 2, "x=1"},
+    {"eval", 2, "operation"},
+    {"eval eq077", 2, "did you mean 'eq07'"},
+    {"eval eq08", 2, "definition"},
+    {"eval eq07 " TABLE1 " extra", 2, "extra"},
+    {"eval eq07 " TABLE1 " ''", 2, "empty"},
+    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150", 2, "missing L"},
+    {"eval eq07 " TABLE1 " L=11", 2, "L: given twice"},
+    {"eval eq07 " TABLE1 " m3=11", 2, "unknown name 'm3', did you mean 'm1'"},
+    {"eval eq07 Omega=fast k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
+    {"eval eq07 Omega= k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
+    {"eval eq07 Omega=7,2915e-5 k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
+    {"eval eq07 Omega=nan k_c=8.99e9 m1=150 m2=150 L=10", 1, "Omega"},
+    {"eval eq07 Omega=inf k_c=8.99e9 m1=150 m2=150 L=10", 1, "Omega"},
+    {"eval eq07 Omega=-inf k_c=8.99e9 m1=150 m2=150 L=10", 1, "Omega"},
+    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=-150 m2=150 L=10", 1, "m1"},
+    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=0", 1, "L"},
+    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=1e400", 1, "binary64"},
+    {"eval eq07 Omega=1e400 k_c=8.99e9 m1=word m2=150 L=1", 2, "m1"},
+    {"eval eq07 " TABLE1 " --digits 0", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --digits 10001", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --digits -1", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --digits many", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --digits", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --json --json", 2, "twice"},
+    {"eval eq07 " TABLE1 " --json=yes", 2, "no value"},
+    {"eval eq44 Omega=7.2915e-5 n=8.999", 1, "n >= 9"},
+    {"eval eq43 Omega=7.2915e-5 n=0", 1, "n > 0"},
+    {"eval eq21 Q_ref=-1e-13 dQ=2e-13", 1, "Q_ref + dQ < 0"},
+    {"eval eq12 x1=1 y1=2 z1=3 x2=1 y2=2 z2=3", 1, "eq12"},
+    {"table1 extra", 2, "extra"},
+    {"table1 --digits 3", 2, "--digits"},
+    {"figure", 2, "figure"},
+    {"figure 8", 2, "8"},
+    {"figure 4 psi=0.1", 2, "psi"},
+    {"figure 4 --rk4 100", 2, "--rk4"},
+    {"figure 5a n=8", 1, "n"},
+    {"figure 5a n=10 C1=1 C2=1", 2, "n"},
+    {"figure 5a --rk4 0", 1, "--rk4"},
+    {"figure 5a --rk4 30", 1, "--rk4"},
+    {"trajectory", 2, "linear or nonlinear"},
+    {"trajectory circular", 2, "circular"},
+    {"trajectory linear x1=5", 2, "x1"},
+    {"trajectory nonlinear x1=5", 2, "all six"},
+    {"trajectory linear C1=1e-8", 2, "C2"},
+    {"trajectory linear m1=0", 1, "m1"},
+    {"trajectory nonlinear dL=-10", 1, "apart"},
+    {"trajectory linear --at 0,1 --every 5", 2, "--at"},
+    {"trajectory linear --at ,1", 2, "--at"},
+    {"trajectory linear --at 0,one", 2, "--at"},
+    {"trajectory linear --at 0,nan", 1, "--at"},
+    {"trajectory linear --at 5,1", 2, "--at"},
+    {"trajectory linear --at -1,1", 2, "--at"},
+    {"trajectory linear --every 0", 1, "--every"},
+    {"trajectory linear --every -1", 1, "--every"},
+    {"trajectory linear --every 1e-9", 1, "rows"},
+    {"trajectory linear --at 150 --rk4 100", 1, "multiples"},
+    {"trajectory linear --at -100 --rk4 100", 1, "multiples"},
+    {"trajectory linear psi=0.1 psi=0.1", 2, "twice"},
+    {"trajectory linear phi=0.1", 2, "psi"},
+};
+
+START_TEST(a_mistake_gets_one_line_and_its_exit_code)
+{
+    ck_assert_msg(run(mistakes[_i].line) == mistakes[_i].status, "%s: %s", mistakes[_i].line, errors);
+    ck_assert_msg(lines(errors) == 1, "%s: %s", mistakes[_i].line, errors);
+    ck_assert_msg(strstr(errors, mistakes[_i].says) != NULL, "%s: %s", mistakes[_i].line, errors);
+    ck_assert_msg(output[0] == '\0', "%s: %s", mistakes[_i].line, output);
+}
+END_TEST
+
+/* Lines that work, and all that they print. */
+static const struct {
+    const char *line, *prints;
+} uses[] = {
+    /* -3 (1/2)^2 2^3/1 (1*3/(1 + 3)) = -9/2 */
+    {"eval eq07 Omega=0.5 k_c=1 m1=1 m2=3 L=2 --digits 5", "Q_ref = -4.5000e+00 C^2\n"},
+    /* the decimal is not its binary64: 3 (1/10)^2 = 3/100 */
+    {"eval eq07 Omega=0.1 k_c=1 m1=2 m2=2 L=1 --digits 20 --exact", "Q_ref = -3.0000000000000000000e-02 C^2\n"},
+    /* 0.1 in binary64 is 0.1000000000000000055511151231257827...; its square times 3 */
+    {"eval eq07 Omega=0.1 k_c=1 m1=2 m2=2 L=1 --digits 20", "Q_ref = -3.0000000000000003331e-02 C^2\n"},
+    {"eval eq07 Omega=1e400 k_c=1e400 m1=1 m2=1 L=1e-300 --exact --digits 3", "Q_ref = -1.50e-500 C^2\n"},
+    /* a tie, to the even digit: 2.5 and 3.5 */
+    {"eval eq43 Omega=0.5 n=10 --digits 1", "C1 = 2e+00 1/s^2\n"},
+    {"eval eq43 Omega=0.5 n=14 --digits 1", "C1 = 4e+00 1/s^2\n"},
+    /* zero, though sin(1) is no rational number: -sin 1 (psi_dot + Omega) */
+    {"eval eq27 Omega=1 theta=1 psi_dot=-1 theta_dot=0.5 --digits 3",
+     "w_1 = 0 rad/s\nw_2 = 5.00e-01 rad/s\nw_3 = 0 rad/s\n"},
+    {"eval eq42 Omega=1 C1=9 C2=1 --digits 2", "margin1 = 0 1/s^2\nmargin2 = 1.0e+00 1/s\nstable = 0 -\n"},
+    {"eval eq42 Omega=1 C1=9.5 C2=1 --digits 2",
+     "margin1 = 5.0e-01 1/s^2\nmargin2 = 1.0e+00 1/s\nstable = 1.0e+00 -\n"},
+    {"eval eq38 GM=8 R_c=2 --digits 4", "Omega = 1.000e+00 rad/s\n"},
+    {"eval eq38 GM=3 R_c=1 --as-printed --digits 4", "Omega = 3.000e+00 rad/s\n"},
+    {"eval eq21 Q_ref=4 dQ=5 --as-printed --digits 2", "q1 = 3.0e+00 C\nq2 = -3.0e+00 C\n"},
+    {"eval eq38 GM=8 R_c=2 --digits 4 --json",
+     "{\"id\": \"eq38\", \"as_printed\": false, \"digits\": 4, \"outputs\": "
+     "[{\"name\": \"Omega\", \"value\": \"1.000e+00\", \"unit\": \"rad/s\"}]}\n"},
+    /* the double root 0 of s^4 + 7 s^2, n = 9, and +-i sqrt(7): 2.645751311... */
+    {"eval eq41roots Omega=1 C1=9 C2=0 --digits 4",
+     "re1 = 0 1/s\nim1 = -2.646e+00 1/s\nre2 = 0 1/s\nim2 = 0 1/s\n"
+     "re3 = 0 1/s\nim3 = 0 1/s\nre4 = 0 1/s\nim4 = 2.646e+00 1/s\n"},
+    /* pitch alone: theta = cos(2 tau), at tau = 1: -0.41614683654714238700 */
+    {"eval flow_linear Omega=1 L_ref=10 C1=10 C2=2 t=1 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 --digits 10",
+     "psi = 0 rad\ntheta = -4.161468365e-01 rad\ndL = 0 m\npsi_dot = 0 rad/s\n"
+     "theta_dot = -1.818594854e+00 rad/s\ndL_dot = 0 m/s\n"},
+    /* at rest at the static place, 1/3 of 3 m from the centre of mass: for ever */
+    {"eval flow_nonlinear Omega=1 k_c=1 m1=2 m2=1 L_ref=3 C1=10 C2=2 t=7 x1=1 y1=0 z1=0 x1_dot=0 y1_dot=0 z1_dot=0 --digits 3",
+     "x1 = 1.00e+00 m\ny1 = 0 m\nz1 = 0 m\nx1_dot = 0 m/s\ny1_dot = 0 m/s\nz1_dot = 0 m/s\n"},
+    /* one step h = 1/2 of theta'' = -4 theta from 1: 1 - 2 h^2 + (2/3) h^4 = 0.541666... */
+    {"eval rk4_linear Omega=1 L_ref=10 C1=10 C2=2 t=0.5 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=0.5 --digits 10",
+     "psi = 0 rad\ntheta = 5.416666667e-01 rad\ndL = 0 m\npsi_dot = 0 rad/s\n"
+     "theta_dot = -1.666666667e+00 rad/s\ndL_dot = 0 m/s\n"},
+    {"trajectory linear --at 0 --digits 3",
+     "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,1.00e-02,1.00e-02,1.00e-01,0,0,0\n"},
+    {"trajectory linear --every 50 --until 100 --digits 3 psi=0 theta=0 dL=0",
+     "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n50,0,0,0,0,0,0\n100,0,0,0,0,0,0\n"},
+    {"trajectory linear --every 50 --until -50 --digits 3 psi=0 theta=0 dL=0",
+     "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n-50,0,0,0,0,0,0\n"},
+};
+
+START_TEST(a_use_prints_exactly_this)
+{
+    ck_assert_msg(run(uses[_i].line) == 0, "%s: %s", uses[_i].line, errors);
+    ck_assert_str_eq(output, uses[_i].prints);
+    ck_assert_str_eq(errors, "");
+}
+END_TEST
+
+START_TEST(table1_rounds_in_every_row)
+{
+    ck_assert_int_eq(run("table1 --csv"), 0);
+    ck_assert_int_eq(lines(output), 7);
+    ck_assert_ptr_nonnull(strstr(output, "name,printed,computed,unit,rounds\n"));
+    ck_assert_ptr_nonnull(strstr(output, "Q_ref,-1.3306e-1,-1.33062778"));
+    ck_assert_ptr_null(strstr(output, ",no\n"));
+}
+END_TEST
+
+START_TEST(figure4_runs_from_9_to_40)
+{
+    ck_assert_int_eq(run("figure 4"), 0);
+    ck_assert_int_eq(lines(output), 312);
+    ck_assert_ptr_nonnull(strstr(output, "n,re1,im1,re2,im2\n9,0,0,0,"));
+    ck_assert_ptr_nonnull(strstr(output, "\n40,"));
+}
+END_TEST
+
+START_TEST(figures_have_a_row_every_100_s_for_3_days)
+{
+    static const char *const lines_of[] = {"figure 5a", "figure 5b", "figure 6", "figure 7a", "figure 7b"};
+    static const char *const heads[] = {"t,psi,theta,dL\n", "t,x1,y1,z1\n", "t,x1,y1,z1\n", "t,q1_uC\n", "t,q2_uC\n"};
+    ck_assert_int_eq(run(lines_of[_i]), 0);
+    ck_assert_int_eq(lines(output), 2594);
+    ck_assert_int_eq(strncmp(output, heads[_i], strlen(heads[_i])), 0);
+    ck_assert_ptr_nonnull(strstr(output, "\n259200,"));
+}
+END_TEST
+
+START_TEST(help_and_version_go_to_standard_output)
+{
+    static const char *const asks[] = {"--help", "--version", "equations --help", "eval --help",
+                                       "table1 --help", "figure --help", "trajectory --help"};
+    ck_assert_int_eq(run(asks[_i]), 0);
+    ck_assert_ptr_nonnull(strstr(output, "coulomb-tether"));
+    ck_assert_str_eq(errors, "");
+}
+END_TEST
+
+START_TEST(equations_lists_every_section_and_shows_one)
+{
+    ck_assert_int_eq(run("equations"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "flow_nonlinear"));
+    ck_assert_int_eq(run("equations eq30"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "printed"));
+    ck_assert_int_eq(run("equations --json"), 0);
+    ck_assert_int_eq(output[0], '[');
+}
+END_TEST
+
+START_TEST(a_full_disk_is_said_and_exits_1)
+{
+    static const char *const asks[] = {"table1", "figure 4", "equations", "trajectory linear",
+                                       "eval eq38 GM=8 R_c=2", "--help"};
+    int full = open("/dev/full", O_WRONLY);
+    ck_assert_int_ge(full, 0);
+    ck_assert_int_eq(run_to(asks[_i], full), 1);
+    close(full);
+    ck_assert_int_eq(lines(errors), 1);
+    ck_assert_ptr_nonnull(strstr(errors, "standard output"));
+}
+END_TEST
+
+START_TEST(a_closed_pipe_ends_quietly_with_1)
+{
+    int ends[2];
+    ck_assert_int_eq(pipe(ends), 0);
+    close(ends[0]);
+    ck_assert_int_eq(run_to("trajectory linear", ends[1]), 1);
+    close(ends[1]);
+    ck_assert_str_eq(errors, "");
+}
+END_TEST
+
+START_TEST(rows_proved_before_the_charge_law_ends_are_kept)
+{
+    /* hardly damped, and moving inwards towards the law's edge: dL = -3 Omega^2 L_ref/C1 = -3 m */
+    ck_assert_int_eq(run("trajectory nonlinear C1=5.3165972e-8 C2=1e-9 psi=0 theta=0 dL=-2.9 dL_dot=-3e-4"), 1);
+    ck_assert_int_ge(lines(output), 2);
+    ck_assert_ptr_nonnull(strstr(errors, "Q_ref + dQ >= 0 at t = "));
+    ck_assert_int_eq(lines(errors), 1);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *s = suite_create("command line");
+    TCase *c = tcase_create("command line");
+    tcase_set_timeout(c, 60);
+    tcase_add_loop_test(c, a_mistake_gets_one_line_and_its_exit_code, 0, sizeof mistakes / sizeof *mistakes);
+    tcase_add_loop_test(c, a_use_prints_exactly_this, 0, sizeof uses / sizeof *uses);
+    tcase_add_test(c, table1_rounds_in_every_row);
+    tcase_add_test(c, figure4_runs_from_9_to_40);
+    tcase_add_loop_test(c, figures_have_a_row_every_100_s_for_3_days, 0, 5);
+    tcase_add_loop_test(c, help_and_version_go_to_standard_output, 0, 7);
+    tcase_add_test(c, equations_lists_every_section_and_shows_one);
+    tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 6);
+    tcase_add_test(c, a_closed_pipe_ends_quietly_with_1);
+    tcase_add_test(c, rows_proved_before_the_charge_law_ends_are_kept);
+    suite_add_tcase(s, c);
+    return s;
+}

@@ -1,0 +1,57 @@
+/*
+ * The ledger: every claim of the paper that can be decided, with its verdict and the evidence.
+ *
+ * A claim is decided by a function that computes its evidence and from it the verdict: nothing here
+ * holds because it was written down. Evidence speaks in enclosures, exact values or derivation steps;
+ * what was only measured is printed as a bound rounded outward, so that every machine prints the same.
+ */
+#ifndef CT_CLAIMS_H
+#define CT_CLAIMS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum verdict {
+    VERDICT_NONE, /* the computation did not decide: a failure */
+    HOLDS,
+    HOLDS_AS_CORRECTED,
+    QUALIFIED,
+    REFUTED,
+    DEFINITION,
+    NOT_DECIDABLE
+};
+
+enum how { EXACT, CERTIFIED, MEASURED };
+
+struct evidence {
+    enum verdict verdict;
+    enum how how;
+    char text[1600]; /* one line, no line break */
+};
+
+struct claim {
+    const char *id;    /* lower case, dashes: routh-sufficient        */
+    const char *where; /* Eq. (42), Table 1, section Numerical simulation */
+    const char *claim; /* in our words                                */
+    void (*decide)(struct evidence *e);
+};
+
+/* A list of claims, ended by one without id. */
+extern const struct claim claims_equations[]; /* each equation as printed          */
+extern const struct claim claims_statics[];   /* equilibria, charges, plasma       */
+extern const struct claim claims_stability[]; /* the linear model, roots, optima   */
+extern const struct claim claims_motion[];    /* the simulation, linear and not    */
+
+/* Appends to the evidence, printf-like. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+void evidence_add(struct evidence *e, const char *format, ...);
+
+/* The verdict if every condition held that was claimed on the way to it; else VERDICT_NONE. */
+void evidence_decide(struct evidence *e, enum verdict verdict, enum how how, bool proved);
+
+extern const char *const verdict_names[]; /* "holds", "holds as corrected", ... */
+extern const char *const how_names[];     /* "exact", "certified", "measured"   */
+
+#endif

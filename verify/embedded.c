@@ -1,0 +1,40 @@
+/* The text files are part of the program: it runs from any folder. */
+#include "embedded.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "sheet.h"
+
+__asm__(".section .rodata\n"
+        "ct_sheet_begin: .incbin \"" CT_SHEET_PATH "\"\n"
+        "ct_sheet_end:\n"
+        ".previous\n");
+
+extern const char ct_sheet_begin[], ct_sheet_end[];
+
+const char *embedded_sheet(size_t *length)
+{
+    *length = (size_t)(ct_sheet_end - ct_sheet_begin);
+    return ct_sheet_begin;
+}
+
+static struct sheet compiled_in; /* read when first asked for */
+
+const struct sheet *sheet(void)
+{
+    struct message why;
+    size_t length;
+    const char *text = embedded_sheet(&length);
+    if (compiled_in.sections == NULL &&
+        sheet_read(&compiled_in, text, length, "paper/equations.yaml", &why) != 0) {
+        fprintf(stderr, "coulomb-tether: %s\n", why.text); /* the build has checked the sheet */
+        exit(1);
+    }
+    return &compiled_in;
+}
+
+void sheet_close(void)
+{
+    sheet_clear(&compiled_in);
+}

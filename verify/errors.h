@@ -1,0 +1,41 @@
+/*
+ * How wrong a floating-point answer is, in the unit in which it could not help being wrong:
+ *
+ *     E = |y - y*| / (u (|y*| + S)),  S = sum over the inputs of |x_i dy / dx_i|,  u = 2^-significand
+ *
+ * S is what one relative rounding of each input does to the output. E stays small for a backward
+ * stable implementation even where y* is the small difference of large numbers.
+ */
+#ifndef CT_ERRORS_H
+#define CT_ERRORS_H
+
+#include <stdint.h>
+
+#include "operation.h"
+
+enum { BINARY32 = 24, BINARY64 = 53, BINARY128 = 113 };
+
+/*
+ * Enclosures of S for every output. Of roots: for each the modulus, on its real and its imaginary
+ * part alike. False for an operation that has no S: a motion.
+ */
+bool operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S);
+
+/* An upper bound on E, rounded up; 0 where y = y*, infinity where y is no number or y* = S = 0. */
+double error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand);
+
+/* All outputs of an operation at once, roots matched as a set: the worst E, and which output. */
+double worst_error(const struct section *s, const double *y, arb_srcptr exact, arb_srcptr S, int *output);
+
+/* ref/ against the truth on random inputs, a line an operation. */
+struct measured {
+    const struct section *section;
+    long inputs;
+    double worst;       /* largest E of an output, over all inputs                 */
+    long index;         /* the random vector it came from                          */
+    long outside;       /* MPFR values outside the ball's enclosure: there is none */
+};
+
+void measure_errors(struct measured *m, const struct section *s, long count, uint64_t seed);
+
+#endif

@@ -1,0 +1,82 @@
+/* coulomb-tether: the program's door. */
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "command.h"
+
+static const struct subcommand {
+    const char *name;
+    int (*run)(int count, char **arguments);
+    const char *usage;
+} subcommands[] = {
+    {"equations", command_equations,
+     "equations [ID] [--json]\n"
+     "    what there is: title, formula, inputs with units and domains\n"},
+    {"eval", command_eval,
+     "eval ID NAME=VALUE ... [--digits 40] [--exact] [--as-printed] [--json]\n"
+     "    the outputs of one operation, every digit proved\n"},
+    {"table1", command_table1,
+     "table1 [--csv]\n"
+     "    the paper's Table 1: printed, computed, and whether it rounds to the printed digits\n"},
+    {"figure", command_figure,
+     "figure 4|5a|5b|6|7a|7b [NAME=VALUE ...] [--digits 17] [--exact] [--rk4 H]\n"
+     "    the data of a figure as CSV; --rk4 adds the classical Runge-Kutta method's columns\n"},
+    {"trajectory", command_trajectory,
+     "trajectory linear|nonlinear [--at T,...|--every S --until S] [--rk4 H] [NAME=VALUE ...]\n"
+     "           [--digits D] [--exact]\n"
+     "    a motion as CSV; names: m1 m2 L_ref k_c Omega n C1 C2 psi theta dL psi_dot theta_dot\n"
+     "    dL_dot, and for nonlinear x1 y1 z1 x1_dot y1_dot z1_dot in place of the angles\n"},
+};
+
+enum { SUBCOMMANDS = sizeof subcommands / sizeof *subcommands };
+
+static int help(void)
+{
+    fputs("coulomb-tether: a machine-checked edition of the equations of a Coulomb tether formation\n\n",
+          stdout);
+    for (int i = 0; i < SUBCOMMANDS; i++)
+        printf("coulomb-tether %s", subcommands[i].usage);
+    fputs("coulomb-tether --help | --version | SUBCOMMAND --help\n\n"
+          "Exit: 0 done; 1 a check failed, a value outside its domain, input or output failed;\n"
+          "2 wrong usage.\n",
+          stdout);
+    return output_finished();
+}
+
+static int run(int count, char **arguments)
+{
+    if (count < 2)
+        return complain(EXIT_USAGE, "expected a subcommand, see coulomb-tether --help");
+    if (strcmp(arguments[1], "--help") == 0)
+        return help();
+    if (strcmp(arguments[1], "--version") == 0) {
+        puts("coulomb-tether " CT_VERSION);
+        return output_finished();
+    }
+    const char *known[SUBCOMMANDS];
+    for (int i = 0; i < SUBCOMMANDS; i++) {
+        known[i] = subcommands[i].name;
+        if (strcmp(arguments[1], known[i]) != 0)
+            continue;
+        for (int k = 2; k < count && strcmp(arguments[k], "--") != 0; k++)
+            if (strcmp(arguments[k], "--help") == 0) {
+                printf("coulomb-tether %s", subcommands[i].usage);
+                return output_finished();
+            }
+        return subcommands[i].run(count - 2, arguments + 2);
+    }
+    char hint[80];
+    suggest(hint, arguments[1], known, SUBCOMMANDS);
+    return complain(EXIT_USAGE, "unknown subcommand '%s'%s", arguments[1], hint);
+}
+
+int main(int count, char **arguments)
+{
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error like others */
+    int status = run(count, arguments);
+    sheet_close();
+    flint_cleanup();
+    mpfr_free_cache();
+    return status;
+}

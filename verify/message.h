@@ -1,0 +1,23 @@
+/* One clear line about what went wrong. */
+#ifndef CT_MESSAGE_H
+#define CT_MESSAGE_H
+
+#include <stddef.h>
+
+struct message {
+    char text[512];
+};
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+void message_set(struct message *m, const char *format, ...);
+
+/* The known name nearest to a mistaken one (edit distance), NULL when none is near. */
+const char *nearest_name(const char *mistaken, const char *const *known, size_t count);
+
+/* Memory that is there, or one line on standard error and exit status 1. */
+void *memory(void *old, size_t count, size_t size);
+char *text_copy(const char *text);
+
+#endif

@@ -1,0 +1,363 @@
+#include "operation.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "decimal.h"
+#include "exact.h"
+#include "motion.h"
+#include "roots.h"
+
+enum { MOST_OUTPUTS = 16, GUARD_BITS = 64 };
+
+/* Beyond this no formula of the sheet should need to go; it is the end of a loop that has none else. */
+static const slong MOST_BITS = 400000;
+
+struct input *inputs_new(int count)
+{
+    struct input *inputs = memory(NULL, (size_t)count, sizeof *inputs);
+    for (int i = 0; i < count; i++) {
+        fmpq_init(&inputs[i].value);
+        inputs[i].infinite = false;
+    }
+    return inputs;
+}
+
+void inputs_free(struct input *inputs, int count)
+{
+    for (int i = 0; i < count; i++)
+        fmpq_clear(&inputs[i].value);
+    free(inputs);
+}
+
+void operation_init(struct operation *o, const struct section *s, bool as_printed)
+{
+    *o = (struct operation){.section = s};
+    o->formulas = as_printed && s->differs ? &s->printed : &s->corrected;
+    machine_init(&o->machine, &o->formulas->program, &arithmetic_ball, 2 * GUARD_BITS);
+}
+
+void operation_clear(struct operation *o)
+{
+    machine_clear(&o->machine);
+}
+
+/* ---- formulas in balls and in exact sums ---- */
+
+static void set_inputs(struct machine *m, const struct input *inputs)
+{
+    for (int i = 0; i < m->program->inputs; i++) {
+        if (inputs[i].infinite)
+            m->arithmetic->set_infinity(machine_value(m, i));
+        else
+            m->arithmetic->set_rational(machine_value(m, i), &inputs[i].value, m->prec);
+    }
+}
+
+static void run_balls(struct operation *o, const struct input *inputs, slong prec)
+{
+    if (o->machine.prec < prec) {
+        machine_clear(&o->machine);
+        machine_init(&o->machine, &o->formulas->program, &arithmetic_ball, prec);
+    }
+    o->machine.prec = prec;
+    set_inputs(&o->machine, inputs);
+    machine_run(&o->machine);
+}
+
+static void run_sums(struct machine *m, const struct operation *o, const struct input *inputs)
+{
+    machine_init(m, &o->formulas->program, &arithmetic_sums, 0);
+    set_inputs(m, inputs);
+    machine_run(m);
+}
+
+void section_enclose(const struct section *s, arb_srcptr inputs, slong prec, arb_ptr outputs)
+{
+    struct machine m;
+    machine_init(&m, &s->corrected.program, &arithmetic_ball, prec);
+    for (int i = 0; i < s->input_count; i++)
+        arb_set(machine_value(&m, i), inputs + i);
+    machine_run(&m);
+    for (int i = 0; i < s->output_count; i++)
+        arb_set(outputs + i, machine_value(&m, s->corrected.outputs[i]));
+    machine_clear(&m);
+}
+
+/* ---- the domain ---- */
+
+static bool in_domain(enum domain domain, const struct input *x)
+{
+    if (x->infinite)
+        return domain == DOMAIN_POSITIVE_OR_INFINITE;
+    switch (domain) {
+    case DOMAIN_POSITIVE:
+    case DOMAIN_POSITIVE_OR_INFINITE:
+        return fmpq_sgn(&x->value) > 0;
+    case DOMAIN_NOT_NEGATIVE:
+        return fmpq_sgn(&x->value) >= 0;
+    case DOMAIN_FINITE:
+        break;
+    }
+    return true;
+}
+
+static const char *domain_text(enum domain domain)
+{
+    switch (domain) {
+    case DOMAIN_POSITIVE:
+        return "finite and > 0";
+    case DOMAIN_POSITIVE_OR_INFINITE:
+        return "> 0 or inf";
+    case DOMAIN_NOT_NEGATIVE:
+        return "finite and >= 0";
+    case DOMAIN_FINITE:
+        break;
+    }
+    return "finite";
+}
+
+static bool compares(int sign, enum comparison comparison)
+{
+    return comparison == LESS ? sign < 0 : comparison == GREATER ? sign > 0 : sign >= 0;
+}
+
+/* The sign of a node: by its enclosure where that is clear of zero, else exactly. */
+static int node_sign(const struct operation *o, const struct input *inputs, int node)
+{
+    arb_srcptr ball = machine_value(&o->machine, node);
+    if (!arb_contains_zero(ball))
+        return arf_sgn(arb_midref(ball));
+    struct machine sums;
+    fmpq_t value;
+    run_sums(&sums, o, inputs);
+    fmpq_init(value);
+    exact_is_rational(value, machine_value(&sums, node)); /* conditions are rational in their inputs */
+    int sign = fmpq_sgn(value);
+    fmpq_clear(value);
+    machine_clear(&sums);
+    return sign;
+}
+
+static const fmpq *input_named(const struct operation *o, const struct input *inputs, const char *name)
+{
+    return &inputs[program_find(&o->formulas->program, name)].value;
+}
+
+static bool steps_fit(struct operation *o, const struct input *inputs)
+{
+    fmpq_t steps;
+    fmpq_init(steps);
+    fmpq_div(steps, input_named(o, inputs, "t"), input_named(o, inputs, "h"));
+    bool whole = fmpz_is_one(fmpq_denref(steps));
+    fmpq_clear(steps);
+    if (!whole)
+        message_set(&o->why, "t: expected a multiple of h");
+    return whole;
+}
+
+bool operation_valid(struct operation *o, const struct input *inputs)
+{
+    const struct section *s = o->section;
+    for (int i = 0; i < s->input_count; i++)
+        if (!in_domain(s->inputs[i]->domain, &inputs[i])) {
+            message_set(&o->why, "%s: expected a number %s", s->inputs[i]->name,
+                        domain_text(s->inputs[i]->domain));
+            return false;
+        }
+    if (o->formulas->count > 0)
+        run_balls(o, inputs, 2 * GUARD_BITS);
+    for (int i = 0; i < o->formulas->count; i++) {
+        const struct condition *c = &o->formulas->conditions[i];
+        if (!compares(node_sign(o, inputs, c->node), c->comparison)) {
+            message_set(&o->why, "%s: expected %s", s->id, c->text);
+            return false;
+        }
+    }
+    return (s->method != METHOD_RK4_LINEAR && s->method != METHOD_RK4_NONLINEAR) ||
+           steps_fit(o, inputs);
+}
+
+/* ---- enclosures ---- */
+
+static enum outcome enclose_roots(struct operation *o, const struct input *inputs, slong prec,
+                                  arb_ptr outputs)
+{
+    acb_ptr roots = _acb_vec_init(4);
+    bool isolated = roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
+    for (slong i = 0; i < 4; i++) {
+        arb_set(outputs + 2 * i, acb_realref(roots + i));
+        arb_set(outputs + 2 * i + 1, acb_imagref(roots + i));
+    }
+    _acb_vec_clear(roots, 4);
+    if (!isolated)
+        message_set(&o->why, "the roots could not be isolated");
+    return isolated ? OUTCOME_PROVED : OUTCOME_UNDECIDED;
+}
+
+static int take_state(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    (void)k;
+    (void)t;
+    _arb_vec_set(context, state, FLOW_STATE);
+    return 0;
+}
+
+static enum outcome enclose_flow(struct operation *o, const struct input *inputs, slong digits,
+                                 slong prec, arb_ptr outputs)
+{
+    const enum method method = o->section->method;
+    const bool linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
+    const struct input *in = inputs;
+    struct flow_parameters p;
+    arb_ptr initial = _arb_vec_init(FLOW_STATE);
+    double reached = 0.0;
+    flow_parameters_init(&p);
+    arb_set_fmpq(p.Omega, &in++->value, prec);
+    if (!linear) {
+        arb_set_fmpq(p.k_c, &in++->value, prec);
+        arb_set_fmpq(p.m1, &in++->value, prec);
+        arb_set_fmpq(p.m2, &in++->value, prec);
+    }
+    arb_set_fmpq(p.L_ref, &in++->value, prec);
+    arb_set_fmpq(p.C1, &in++->value, prec);
+    arb_set_fmpq(p.C2, &in++->value, prec);
+    const fmpq *t = &in++->value;
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_fmpq(initial + i, &in++->value, prec);
+    enum flow_status status = FLOW_DONE;
+    if (method == METHOD_FLOW_LINEAR)
+        status = flow_linear(&p, initial, t, 1, prec, take_state, outputs, &reached);
+    else if (method == METHOD_FLOW_NONLINEAR)
+        status = flow_nonlinear(&p, initial, t, 1, digits, prec, take_state, outputs, &reached);
+    else if (method == METHOD_RK4_LINEAR)
+        status = rk4_linear(&p, initial, &in->value, t, 1, prec, take_state, outputs, &reached);
+    else
+        status = rk4_nonlinear(&p, initial, &in->value, t, 1, prec, take_state, outputs, &reached);
+    if (!linear && status == FLOW_DONE)
+        flow_settle(initial,
+                    is_static_place(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
+                                    input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1")),
+                    outputs);
+    flow_parameters_clear(&p);
+    _arb_vec_clear(initial, FLOW_STATE);
+    if (status != FLOW_DONE)
+        message_set(&o->why, "%s, last proved time %.6g s", flow_status_text(status), reached);
+    return status == FLOW_DONE ? OUTCOME_PROVED : OUTCOME_UNDECIDED;
+}
+
+/* Radians of orbit that a motion covers: what its loss of digits grows with. */
+static double flow_radians(const struct operation *o, const struct input *inputs)
+{
+    return fabs(fmpq_get_d(input_named(o, inputs, "Omega")) * fmpq_get_d(input_named(o, inputs, "t")));
+}
+
+static slong first_precision(const struct operation *o, const struct input *inputs, slong digits)
+{
+    switch (o->section->method) {
+    case METHOD_FLOW_LINEAR:
+    case METHOD_FLOW_NONLINEAR:
+        return flow_precision(digits, flow_radians(o, inputs));
+    case METHOD_RK4_LINEAR:
+    case METHOD_RK4_NONLINEAR:
+        return rk4_precision(digits, flow_radians(o, inputs));
+    default:
+        return (slong)((double)digits * 3.33) + GUARD_BITS; /* 3.33 > log2(10) */
+    }
+}
+
+static enum outcome enclose(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                            arb_ptr outputs)
+{
+    if (o->section->method == METHOD_ROOTS)
+        return enclose_roots(o, inputs, prec, outputs);
+    if (o->section->method != METHOD_FORMULA)
+        return enclose_flow(o, inputs, digits, prec, outputs);
+    run_balls(o, inputs, prec);
+    for (int i = 0; i < o->section->output_count; i++)
+        arb_set(outputs + i, machine_value(&o->machine, o->formulas->outputs[i]));
+    return OUTCOME_PROVED;
+}
+
+enum outcome operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs)
+{
+    return enclose(o, inputs, (slong)((double)prec / 3.33), prec, outputs);
+}
+
+/* ---- digits ---- */
+
+static void decide_rational_roots(const struct input *inputs, slong digits, slong prec, char **texts)
+{
+    const fmpq *Omega = &inputs[0].value, *C1 = &inputs[1].value, *C2 = &inputs[2].value;
+    acb_ptr roots = _acb_vec_init(4);
+    fmpq_t value;
+    fmpq_init(value);
+    roots41(roots, Omega, C1, C2, prec);
+    for (int i = 0; i < 8; i++)
+        if (texts[i] == NULL && roots41_rational(value, roots, i / 2, i % 2, Omega, C1, C2))
+            texts[i] = decimal_of_rational(value, digits);
+    fmpq_clear(value);
+    _acb_vec_clear(roots, 4);
+}
+
+/* Rational outputs, zeros and ties among them, may have no enclosure that ever decides them. */
+static void decide_exactly(const struct operation *o, const struct input *inputs, slong digits,
+                           slong prec, char **texts)
+{
+    if (o->section->method == METHOD_ROOTS)
+        decide_rational_roots(inputs, digits, prec, texts);
+    if (o->section->method != METHOD_FORMULA)
+        return;
+    struct machine sums;
+    fmpq_t value;
+    run_sums(&sums, o, inputs);
+    fmpq_init(value);
+    for (int i = 0; i < o->section->output_count; i++)
+        if (texts[i] == NULL && exact_is_rational(value, machine_value(&sums, o->formulas->outputs[i])))
+            texts[i] = decimal_of_rational(value, digits);
+    fmpq_clear(value);
+    machine_clear(&sums);
+}
+
+static int unset(char *const *texts, int count)
+{
+    int left = 0;
+    for (int i = 0; i < count; i++)
+        left += texts[i] == NULL;
+    return left;
+}
+
+enum outcome operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs)
+{
+    const int count = o->section->output_count;
+    char *texts[MOST_OUTPUTS] = {NULL};
+    if (!operation_valid(o, inputs))
+        return OUTCOME_INVALID;
+    arb_ptr balls = _arb_vec_init(count);
+    slong prec = first_precision(o, inputs, digits);
+    const slong most = 8 * prec + MOST_BITS / 8;
+    int left = count;
+    enum outcome outcome = OUTCOME_PROVED;
+    for (bool first = true; left > 0 && outcome == OUTCOME_PROVED; first = false, prec *= 2) {
+        outcome = prec > most ? OUTCOME_UNDECIDED : enclose(o, inputs, digits, prec, balls);
+        if (prec > most)
+            message_set(&o->why, "%s: %ld bits do not decide every digit", o->section->id, (long)most);
+        for (int i = 0; i < count && outcome == OUTCOME_PROVED; i++)
+            if (texts[i] == NULL)
+                texts[i] = decimal_of_ball(balls + i, digits);
+        left = unset(texts, count);
+        if (left > 0 && outcome == OUTCOME_PROVED && (first || o->section->method == METHOD_ROOTS)) {
+            decide_exactly(o, inputs, digits, prec, texts);
+            left = unset(texts, count);
+        }
+    }
+    _arb_vec_clear(balls, count);
+    for (int i = 0; i < count; i++) {
+        if (outcome == OUTCOME_PROVED)
+            outputs[i] = texts[i];
+        else
+            free(texts[i]);
+    }
+    return outcome;
+}

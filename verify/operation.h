@@ -1,0 +1,50 @@
+/*
+ * An operation at work: exact inputs, their domain, and outputs of which every digit is proved.
+ */
+#ifndef CT_OPERATION_H
+#define CT_OPERATION_H
+
+#include "sheet.h"
+
+struct input {
+    fmpq value;
+    bool infinite; /* only where the domain lets it be */
+};
+
+enum outcome {
+    OUTCOME_PROVED,
+    OUTCOME_INVALID,  /* the inputs lie outside the domain                          */
+    OUTCOME_UNDECIDED /* no certified value: the reason is in the operation's `why` */
+};
+
+struct operation {
+    const struct section *section;
+    const struct formulas *formulas;
+    struct machine machine; /* in balls; of a section with formulas */
+    struct message why;
+};
+
+/* As printed: the print's own formulas, where they differ. */
+void operation_init(struct operation *o, const struct section *s, bool as_printed);
+void operation_clear(struct operation *o);
+
+/* Whether the inputs lie in the domain; if not, `why` names the first that does not. */
+bool operation_valid(struct operation *o, const struct input *inputs);
+
+/* Enclosures of all outputs from prec bits of working precision. */
+enum outcome operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs);
+
+/*
+ * All outputs as decimals with that many significant digits, each correctly rounded; the caller frees
+ * them. Nothing is set unless all are proved.
+ */
+enum outcome operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs);
+
+/* A section's corrected formulas for inputs that are enclosures themselves. */
+void section_enclose(const struct section *s, arb_srcptr inputs, slong prec, arb_ptr outputs);
+
+/* Inputs by the dozen. */
+struct input *inputs_new(int count);
+void inputs_free(struct input *inputs, int count);
+
+#endif
