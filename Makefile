@@ -37,9 +37,9 @@ VERIFY_CFLAGS = -Iref $(GSL_CFLAGS) $(FLINT_CFLAGS) $(YAML_CFLAGS) -DCT_VERSION=
   -DCT_SHEET_PATH='"paper/equations.yaml"' -DCT_DERIVATIONS_PATH='"paper/derivations.yaml"'
 VERIFY_LIBS   = $(FLINT_LIBS) -lmpfr -lgmp $(YAML_LIBS) $(GSL_LIBS) -lm
 
-# Every processor is used unasked, and what one job prints stays together.
+# Every processor is used unasked.
 ifeq ($(MAKELEVEL),0)
-MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN) --output-sync=target
+MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN)
 endif
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
@@ -136,8 +136,9 @@ lint: $(patsubst %.c,$(BUILD)/lint/%.tidied,$(SOURCES))
 	  --inline-suppr --suppress=missingIncludeSystem --suppress=ctuuninitvar -Iref -Iverify ref verify tests
 
 $(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*.h tests/*.h)
-	clang-tidy --quiet $< -- $(STANDARD) -I. -Iverify $(VERIFY_CFLAGS) $(CHECK_CFLAGS)
-	@mkdir -p $(@D) && touch $@
+	@mkdir -p $(@D)
+	clang-tidy --quiet $< -- $(STANDARD) -I. -Iverify $(VERIFY_CFLAGS) $(CHECK_CFLAGS) 2>$@.tmp || { cat $@.tmp >&2; exit 1; }
+	@mv $@.tmp $@
 
 ### The paper's table and figures
 ## data: Table 1, printed, and the numbers of it and of every figure in data/
@@ -161,7 +162,7 @@ figures: $(FIGURES)
 
 $(FIGURES): paper/figures/style.gp $(wildcard paper/figures/figure*.gp) $(TABLES)
 	@mkdir -p $(@D)
-	gnuplot -e "data='$(DATA)'; picture='$@.tmp'; kind='$(patsubst .%,%,$(suffix $@))'" \
+	LC_ALL=C.UTF-8 gnuplot -e "data='$(DATA)'; picture='$@.tmp'; kind='$(patsubst .%,%,$(suffix $@))'" \
 	  paper/figures/style.gp paper/figures/$(basename $(@F)).gp
 	@mv $@.tmp $@
 
@@ -187,7 +188,7 @@ deps-ci:
 install: all
 	@sed -e 's|@prefix@|$(prefix)|; s|@exec_prefix@|$(exec_prefix)|; s|@libdir@|$(libdir)|' \
 	  -e 's|@includedir@|$(includedir)|; s|@version@|$(VERSION)|' ref/coulombtether.pc.in >$(BUILD)/coulombtether.pc
-	$(INSTALL) -d $(foreach dir,$(bindir) $(pkgconfigdir) $(includedir) $(mandir)/man1,'$(DESTDIR)$(dir)')
+	$(INSTALL) -d $(foreach dir,$(bindir) $(libdir) $(pkgconfigdir) $(includedir) $(mandir)/man1,'$(DESTDIR)$(dir)')
 	$(INSTALL) -m 755 $(PROGRAM) '$(DESTDIR)$(bindir)/'
 	$(INSTALL) -m 644 $(LIBRARY) $(SHARED).$(VERSION) '$(DESTDIR)$(libdir)/'
 	ln -sf $(notdir $(SHARED)).$(VERSION) '$(DESTDIR)$(libdir)/$(SONAME)'

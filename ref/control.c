@@ -50,8 +50,8 @@ double ct_closed_loop_acceleration(struct ct_params p, struct ct_gains g, double
  * Returned  q        q1 > 0, q2 < 0 [C]
  * Status    CT_OK or CT_DOMAIN
  *
- * Note      (20) asks for q1 q2 = Q_ref + dQ and (22) for opposite signs, which no real charges give where the sum is not
- *           negative. The print takes sqrt(|Q_ref + dQ|) there, and so would attract where the law commands to repel.
+ * Note      (20) asks for q1 q2 = Q_ref + dQ and (22) for opposite signs, which no real charges give where the sum is
+ *           not negative. The print takes sqrt(|Q_ref + dQ|) there, and so would attract where the law commands to repel.
  */
 int ct_charges(double Q_ref, double dQ, struct ct_charge_pair *q)
 {

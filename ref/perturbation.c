@@ -89,8 +89,8 @@ struct ct_vector ct_position_small_angles(struct ct_params p, struct ct_spherica
  *           r1       position of craft 1 [m]   off the origin
  * Returns   L [m], psi [rad] in (-pi, pi], theta [rad] in [-pi/2, pi/2]
  *
- * Note      A zero counts as positive whatever its sign, and on the z axis, where every yaw is right, psi = 0. The added
- *           zero is what turns -0 into +0.
+ * Note      A zero counts as positive whatever its sign, and on the z axis, where every yaw is right, psi = 0. It is the
+ *           added zero that turns -0 into +0.
  */
 struct ct_spherical ct_spherical_coordinates(struct ct_params p, struct ct_vector r1)
 {

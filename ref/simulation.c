@@ -93,8 +93,8 @@ static void record(const struct motion *m, int status, size_t i, void *states)
 }
 
 /*
- * A step may err by noise + tolerance (|y| + |h dy/dtau|) in each component: no halt where one passes through zero. What lies
- * on the way back to t = 0 starts there anew, for backwards a stable motion amplifies what it has lost.
+ * A step may err by noise + tolerance (|y| + |h dy/dtau|) in each component: no halt where one passes through zero. A time
+ * on the way back to t = 0 is approached from there anew, for backwards a stable motion amplifies its errors.
  */
 static int adaptive_flow(struct motion *m, int status, double noise, double tolerance, size_t count, const double t[],
                          void *states)
@@ -189,14 +189,15 @@ static int fixed_step_flow(struct motion *m, int status, double h, size_t count,
  * Given     p          orbit rate [rad/s], reference distance [m]
  *           g          gains C1 [1/s^2], C2 [1/s]
  *           initial    state at t = 0
- *           tolerance  error per step, relative   2.3e-16 ... 1
+ *           tolerance  relative error of a step   >= 2^-52 and < 1
  *           count      number of times
  *           t          times [s]                  any finite values in any order
  * Returned  states     states at these times; NaN from the first one that was not reached
  * Status    CT_OK, CT_DOMAIN, CT_MEMORY, or CT_CONVERGENCE where the state outgrows double
  *
- * Note      Method: the Prince-Dormand pair of orders 8 and 9 (GSL's rk8pd). GSL calls its error handler, which by default
- *           aborts, where memory is exhausted.
+ * Note 1    Method: the Prince-Dormand pair of orders 8 and 9, GSL's rk8pd. In the paper's case a tolerance of 1e-13 leaves
+ *           twelve digits after three days; below it roundings take over.
+ * Note 2    GSL calls its error handler, which by default aborts, where memory is exhausted.
  */
 int ct_linear_flow(struct ct_params p, struct ct_gains g, struct ct_tether_state initial, double tolerance, size_t count,
                    const double *t, struct ct_tether_state *states)
@@ -215,14 +216,14 @@ int ct_linear_flow(struct ct_params p, struct ct_gains g, struct ct_tether_state
  * Given     p          the formation
  *           g          gains C1 [1/s^2], C2 [1/s]
  *           initial    state at t = 0, off the origin
- *           tolerance  error per step, relative   2.3e-16 ... 1
+ *           tolerance  relative error of a step   >= 2^-52 and < 1
  *           count      number of times
  *           t          times [s]                  any finite values in any order
  * Returned  states     states at these times; NaN from the first one that was not reached
  * Status    CT_OK, CT_DOMAIN, CT_MEMORY, or CT_CONVERGENCE where the craft collide or the state outgrows double
  *
- * Note      Q takes the sign that the law commands. Charges (21) exist only while it is negative: see ct_commanded_charges.
- *           Method and memory as for the linear model.
+ * Note      Q takes the sign that the law commands. Charges (21) exist only while it is negative, and ct_commanded_charges
+ *           gives them. Method and memory as for the linear model.
  */
 int ct_nonlinear_flow(struct ct_params p, struct ct_gains g, struct ct_hill_state initial, double tolerance, size_t count,
                       const double *t, struct ct_hill_state *states)

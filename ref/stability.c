@@ -57,8 +57,8 @@ struct ct_quartic ct_characteristic_polynomial(double Omega, struct ct_gains g)
 }
 
 /*
- * Newton's method on one root, for as long as it lowers |p|. True where what is left solves a polynomial that differs from p
- * by a few roundings of each term: of a multiple root, which has half its digits or fewer, there is no more to ask.
+ * Newton's method on one root, for as long as it lowers |p|. True where what is left solves a polynomial that differs from
+ * p by a few roundings of each term: of a multiple root, which has half its digits or fewer, there is no more to ask.
  */
 static bool polish(size_t degree, const double a[], struct ct_root *root)
 {
@@ -130,8 +130,8 @@ static int by_real_then_imaginary_part(const void *left, const void *right)
  * Returned  root     the four roots [1/s]
  * Status    CT_OK, CT_DOMAIN, CT_MEMORY or CT_CONVERGENCE
  *
- * Note 1    Solved in units of Omega, where the coefficients are near one; in SI they span twenty orders of magnitude. Each
- *           root gets a Newton polish. A root at zero, on the boundary C1 = 9 Omega^2 of (42), is exact.
+ * Note 1    Solved in units of Omega, where the coefficients are near one; in SI they span twenty orders of magnitude.
+ *           Each root gets a Newton polish. A root at zero, on the boundary C1 = 9 Omega^2 of (42), is exact.
  * Note 2    GSL calls its error handler, which by default aborts, where memory is exhausted.
  */
 int ct_characteristic_roots(double Omega, struct ct_gains g, struct ct_root root[4])

@@ -23,7 +23,7 @@ START_TEST(eq40_whole_numbers)
     const struct ct_tether_acceleration a = ct_linear_acceleration(p, (struct ct_gains){40, -6}, s);
 
     ck_assert_double_eq(a.theta_ddot, 4 * 4 * 5);
-    ck_assert_double_eq(a.psi_ddot, -2 * 2 * 2 / 4 - 3 * 4 * 3);
+    ck_assert_double_eq(a.psi_ddot, -2.0 * 2 * 2 / 4 - 3 * 4 * 3);
     ck_assert_double_eq(a.dL_ddot, -(40 - 36) * 7 + 6 * 2 - 2 * 2 * 4);
 }
 END_TEST

@@ -372,6 +372,33 @@ START_TEST(eq41_refuses_a_rate_that_is_not_positive)
 }
 END_TEST
 
+/*
+ * Near C1 = 17, C2 = 6 both pairs have nearly one imaginary part. With a root at -0.236090695597
+ * + 1.532144487233 i exactly, the other pair's differs by 1.1e-11.
+ */
+START_TEST(eq41_rational_part_is_not_taken_for_its_neighbour)
+{
+    struct fixture f;
+    fmpq_t value;
+    fmpq_init(value);
+    open_fixture(&f, "1",
+                 "2178187514374146658552225676244405744032183114752112835750523001723681549/"
+                 "128128677316210747462701217412660291605389819900500000000000000000000000",
+                 "768772063898015500985432866463067393678754684829303196656197/"
+                 "128128677316210747462701217412660291605389819900500000000000");
+    ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 2));
+    for (int k = 0; k < 4; k++)
+        ck_assert(!roots41_rational(value, f.roots, k, true, f.Omega, f.C1, f.C2));
+    ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 100));
+    int rational = 0;
+    for (int k = 0; k < 4; k++)
+        rational += roots41_rational(value, f.roots, k, true, f.Omega, f.C1, f.C2);
+    ck_assert_int_eq(rational, 2);
+    fmpq_clear(value);
+    close_fixture(&f);
+}
+END_TEST
+
 START_TEST(eq41_rational_part_needs_a_finite_enclosure)
 {
     struct fixture f;
@@ -482,6 +509,7 @@ Suite *suite(void)
     tcase_add_test(cases, eq41_roots_beyond_the_range_of_double);
     tcase_add_test(cases, eq42_tells_the_sign_of_the_greatest_real_part);
     tcase_add_test(cases, eq41_refuses_a_rate_that_is_not_positive);
+    tcase_add_test(cases, eq41_rational_part_is_not_taken_for_its_neighbour);
     tcase_add_test(cases, eq41_rational_part_needs_a_finite_enclosure);
     tcase_add_test(cases, eq44_gains_have_certified_roots);
     tcase_add_test(cases, eq41_wide_gains_enclose_exact_roots);

@@ -2,9 +2,10 @@
  * Exact power series in an infinitesimal epsilon with rational coefficients, `prec` terms of them.
  *
  * An angle may have a finite part: it is then known by a rational point (c, s) of the unit circle, its
- * cosine and sine, and the series is what comes on top. Nothing here rounds, nothing is approximate;
- * what has no such value (a pole, the root of no square, an angle used as a number) is a fault, which
- * every later result inherits.
+ * cosine and sine, and the series is what comes on top. A number that grows beyond all bounds as
+ * epsilon vanishes is known by its reciprocal; one may divide by it. Nothing here rounds, nothing is
+ * approximate; what has no such value (a pole, the root of no square, an angle used as a number) is a
+ * fault, which every later result inherits.
  */
 #include "series.h"
 
@@ -16,6 +17,7 @@ void series_init(void *x, slong prec)
     fmpq_init(z->c);
     fmpq_init(z->s);
     fmpq_one(z->c);
+    z->large = false;
     z->fault = SERIES_FINE;
 }
 
@@ -34,22 +36,41 @@ static void series_set(void *z, const void *x)
     fmpq_poly_set(to->p, from->p);
     fmpq_set(to->c, from->c);
     fmpq_set(to->s, from->s);
+    to->large = from->large;
     to->fault = from->fault;
+}
+
+/* The series becomes a number, whatever it was; p is left to the caller. */
+static void set_number(struct series *z)
+{
+    fmpq_one(z->c);
+    fmpq_zero(z->s);
+    z->large = false;
+    z->fault = SERIES_FINE;
 }
 
 static void set_rational(void *z, const fmpq_t q, slong prec)
 {
-    struct series *to = z;
     (void)prec;
-    fmpq_poly_set_fmpq(to->p, q);
-    fmpq_one(to->c);
-    fmpq_zero(to->s);
-    to->fault = SERIES_FINE;
+    set_number(z);
+    fmpq_poly_set_fmpq(((struct series *)z)->p, q);
 }
 
 static void set_infinity(void *z)
 {
-    ((struct series *)z)->fault = SERIES_POLE;
+    struct series *to = z;
+    set_number(to);
+    fmpq_poly_zero(to->p);
+    to->fault = SERIES_POLE;
+    to->large = true;
+}
+
+void series_set_monomial(void *z, const fmpz_t v, slong power)
+{
+    struct series *to = z;
+    set_number(to);
+    fmpq_poly_zero(to->p);
+    fmpq_poly_set_coeff_fmpz(to->p, power, v);
 }
 
 void series_get_fmpq(fmpq_t q, const void *x, slong k)
@@ -60,15 +81,34 @@ void series_get_fmpq(fmpq_t q, const void *x, slong k)
 void series_set_angle(void *z, const fmpq_t c, const fmpq_t s)
 {
     struct series *to = z;
+    set_number(to);
     fmpq_poly_zero(to->p);
     fmpq_set(to->c, c);
     fmpq_set(to->s, s);
-    to->fault = SERIES_FINE;
 }
 
 static bool is_angle(const struct series *x)
 {
     return !fmpq_is_one(x->c);
+}
+
+enum series_fault series_state(const void *x)
+{
+    const struct series *z = x;
+    return z->fault == SERIES_FINE && is_angle(z) ? SERIES_ANGLE_AS_NUMBER : z->fault;
+}
+
+const char *series_fault_text(enum series_fault fault)
+{
+    static const char *const texts[] = {
+        [SERIES_FINE] = "fine",
+        [SERIES_POLE] = "division by what is zero at epsilon = 0",
+        [SERIES_NO_SQUARE] = "the square root of no rational square",
+        [SERIES_NUMBER_AS_ANGLE] = "the sine or cosine of a number that is no angle",
+        [SERIES_ANGLE_AS_NUMBER] = "a finite angle outside sine and cosine",
+        [SERIES_TRANSCENDENTAL] = "a value that is no rational series",
+    };
+    return texts[fault];
 }
 
 /* The point of the sum of two angles; negative: of their difference. */
@@ -114,8 +154,6 @@ static void sine_and_cosine(struct series *z, const struct series *x, bool sine,
         fmpq_poly_scalar_mul_fmpq(cosp, cosp, by_cos);
         fmpq_poly_scalar_mul_fmpq(sinp, sinp, by_sin);
         fmpq_poly_add(z->p, cosp, sinp);
-        fmpq_one(z->c);
-        fmpq_zero(z->s);
     }
     fmpq_clear(by_cos);
     fmpq_clear(by_sin);
@@ -124,30 +162,66 @@ static void sine_and_cosine(struct series *z, const struct series *x, bool sine,
     fmpq_poly_clear(sinp);
 }
 
-/* FLINT's square root wants the constant term 1: divide by it, and multiply by its rational root. */
+/* The positive root of a rational square; false for anything else. */
+static bool rational_root(fmpq_t root, const fmpq_t square)
+{
+    if (fmpq_sgn(square) < 0 || !fmpz_is_square(fmpq_numref(square)) ||
+        !fmpz_is_square(fmpq_denref(square)))
+        return false;
+    fmpz_sqrt(fmpq_numref(root), fmpq_numref(square));
+    fmpz_sqrt(fmpq_denref(root), fmpq_denref(square));
+    return true;
+}
+
+/*
+ * FLINT's square root wants the constant term 1: divide by it, and multiply by its rational root. A
+ * constant term of zero has no such root, unless it is all there is (zero up to a higher power of
+ * epsilon is not enough: the root of epsilon^2 is epsilon).
+ */
 static void square_root(struct series *z, const struct series *x, slong prec)
 {
-    fmpq_t constant;
-    fmpz_t num, den;
+    fmpq_t constant, root;
     fmpq_init(constant);
-    fmpz_init(num);
-    fmpz_init(den);
+    fmpq_init(root);
     fmpq_poly_get_coeff_fmpq(constant, x->p, 0);
-    if (fmpq_sgn(constant) <= 0 || !fmpz_is_square(fmpq_numref(constant)) ||
-        !fmpz_is_square(fmpq_denref(constant))) {
-        z->fault = fmpq_poly_is_zero(x->p) ? SERIES_FINE : SERIES_NO_SQUARE;
+    if (!rational_root(root, constant) || (fmpq_is_zero(root) && prec > 1)) {
+        z->fault = SERIES_NO_SQUARE;
+    } else if (fmpq_is_zero(root)) {
         fmpq_poly_zero(z->p);
     } else {
         fmpq_poly_scalar_div_fmpq(z->p, x->p, constant);
         fmpq_poly_sqrt_series(z->p, z->p, prec);
-        fmpz_sqrt(num, fmpq_numref(constant));
-        fmpz_sqrt(den, fmpq_denref(constant));
-        fmpq_set_fmpz_frac(constant, num, den);
-        fmpq_poly_scalar_mul_fmpq(z->p, z->p, constant);
+        fmpq_poly_scalar_mul_fmpq(z->p, z->p, root);
     }
     fmpq_clear(constant);
-    fmpz_clear(num);
-    fmpz_clear(den);
+    fmpq_clear(root);
+}
+
+/* The angle of a point off the circle: of constants, and with a rational distance from the origin. */
+static void arc_tangent(struct series *z, const struct series *y, const struct series *x, slong prec)
+{
+    fmpq_t c, s, r;
+    fmpq_init(c);
+    fmpq_init(s);
+    fmpq_init(r);
+    fmpq_poly_get_coeff_fmpq(c, x->p, 0);
+    fmpq_poly_get_coeff_fmpq(s, y->p, 0);
+    fmpq_mul(r, c, c);
+    fmpq_addmul(r, s, s);
+    if (prec > 1) {
+        z->fault = SERIES_TRANSCENDENTAL;
+    } else if (!rational_root(r, r)) {
+        z->fault = SERIES_NO_SQUARE;
+    } else if (fmpq_is_zero(r)) {
+        z->fault = SERIES_POLE;
+    } else {
+        fmpq_div(c, c, r);
+        fmpq_div(s, s, r);
+        series_set_angle(z, c, s);
+    }
+    fmpq_clear(c);
+    fmpq_clear(s);
+    fmpq_clear(r);
 }
 
 static bool starts_with_zero(const fmpq_poly_t p)
@@ -157,10 +231,19 @@ static bool starts_with_zero(const fmpq_poly_t p)
 
 static void divide(struct series *z, const struct series *x, const struct series *y, slong prec)
 {
-    if (starts_with_zero(y->p))
-        z->fault = SERIES_POLE;
-    else
+    const bool by_large = y->large;
+    z->large = false;
+    if (by_large) {
+        fmpq_poly_mullow(z->p, x->p, y->p, prec);
+    } else if (!starts_with_zero(y->p)) {
         fmpq_poly_div_series(z->p, x->p, y->p, prec);
+    } else if (!starts_with_zero(x->p)) {
+        fmpq_poly_div_series(z->p, y->p, x->p, prec);
+        z->fault = SERIES_POLE;
+        z->large = true;
+    } else {
+        z->fault = SERIES_POLE;
+    }
 }
 
 static void power(struct series *z, const struct series *x, slong exponent, slong prec)
@@ -190,17 +273,24 @@ static bool takes_angles(enum operator op)
            op == OPERATOR_SIN || op == OPERATOR_COS;
 }
 
+static enum series_fault operand_fault(enum operator op, const struct series *x)
+{
+    return x->fault == SERIES_FINE && is_angle(x) && !takes_angles(op) ? SERIES_ANGLE_AS_NUMBER : x->fault;
+}
+
 static void apply(enum operator op, void *result, const void *left, const void *right, slong exponent,
                   slong prec)
 {
     struct series *z = result;
     const struct series *x = left, *y = right;
-    enum series_fault fault = x->fault != SERIES_FINE ? x->fault : y != NULL ? y->fault : SERIES_FINE;
-    if (fault == SERIES_FINE && !takes_angles(op) && (is_angle(x) || (y != NULL && is_angle(y))))
-        fault = SERIES_ANGLE_AS_NUMBER;
+    enum series_fault fault = operand_fault(op, x);
+    if (fault == SERIES_FINE && y != NULL && !(op == OPERATOR_DIVIDE && y->large))
+        fault = operand_fault(op, y);
     z->fault = fault;
-    if (fault != SERIES_FINE)
+    if (fault != SERIES_FINE) {
+        z->large = false;
         return;
+    }
     switch (op) {
     case OPERATOR_NEGATE:
         fmpq_poly_neg(z->p, x->p);
@@ -235,6 +325,8 @@ static void apply(enum operator op, void *result, const void *left, const void *
         exponential(z, x, prec);
         break;
     case OPERATOR_ATAN2:
+        arc_tangent(z, x, y, prec);
+        break;
     case OPERATOR_POSITIVE:
         z->fault = SERIES_TRANSCENDENTAL;
         break;

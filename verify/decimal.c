@@ -110,11 +110,9 @@ static const char *read_exponent(slong *exponent, const char *text)
     return text;
 }
 
-/* x = the nearest binary64 >= 0, ties to even; false when that overflows. */
+/* x > 0 becomes the nearest binary64, ties to even; false when that overflows. */
 static bool round_to_binary64(fmpq_t x)
 {
-    if (fmpq_is_zero(x))
-        return true;
     fmpz_t p, q, n;
     fmpz_init(p);
     fmpz_init(q);
@@ -431,10 +429,8 @@ static slong shortest_digits(fmpz_t digits, slong mantissa, slong exponent)
     }
     on_grid(p, q, 4 * mantissa, exponent, k);
     nearest(digits, p, q);
-    if (fmpz_cmp(digits, low) < 0)
+    if (fmpz_cmp(digits, low) < 0) /* below a power of two; above, the neighbourhood is as wide */
         fmpz_set(digits, low);
-    if (fmpz_cmp(digits, high) > 0)
-        fmpz_set(digits, high);
     fmpz_clear(p);
     fmpz_clear(q);
     fmpz_clear(low);

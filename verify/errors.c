@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "exact.h"
 #include "reference.h"
 #include "roots.h"
 #include "sample.h"
@@ -85,13 +86,18 @@ static void roots_sensitivity(const struct input *inputs, slong prec, arb_ptr S)
     _arb_vec_clear(gradients, 15);
 }
 
-bool operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S)
+bool operation_has_sensitivity(const struct section *s)
+{
+    return s->method == METHOD_FORMULA || s->method == METHOD_ROOTS;
+}
+
+void operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S)
 {
     const struct section *s = o->section;
-    if (s->method == METHOD_ROOTS)
+    if (s->method == METHOD_ROOTS) {
         roots_sensitivity(inputs, prec, S);
-    if (s->method != METHOD_FORMULA)
-        return s->method == METHOD_ROOTS;
+        return;
+    }
     struct machine adjoint;
     arb_ptr values = _arb_vec_init(s->output_count);
     operation_enclose(o, inputs, prec, values); /* fills the machine */
@@ -104,7 +110,37 @@ bool operation_sensitivity(struct operation *o, const struct input *inputs, slon
     }
     machine_clear(&adjoint);
     _arb_vec_clear(values, s->output_count);
-    return true;
+}
+
+void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
+                                   arb_t S)
+{
+    const struct section *s = o->section;
+    if (s->method == METHOD_ROOTS) {
+        arb_pos_inf(S); /* of a multiple root, which moves like the root of a change */
+        return;
+    }
+    struct machine sums, exact, balls;
+    arb_ptr values = _arb_vec_init(s->output_count);
+    const int node = o->formulas->outputs[output];
+    operation_enclose(o, inputs, prec, values);
+    operation_sums(&sums, o, inputs);
+    machine_init(&exact, sums.program, &arithmetic_sums, 0);
+    machine_init(&balls, sums.program, &arithmetic_ball, prec);
+    machine_gradient(&sums, node, &exact);
+    machine_gradient(&o->machine, node, &balls);
+    arb_zero(S);
+    for (int i = 0; i < s->input_count; i++) {
+        const struct exact *derivative = machine_value(&exact, i);
+        if (derivative->pole)
+            arb_pos_inf(S);
+        else if (!exact_is_zero(derivative) && arb_is_finite(S))
+            add_term(S, &inputs[i], machine_value(&balls, i), prec);
+    }
+    machine_clear(&sums);
+    machine_clear(&exact);
+    machine_clear(&balls);
+    _arb_vec_clear(values, s->output_count);
 }
 
 /* ---- the unit of error ---- */

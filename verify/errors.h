@@ -15,11 +15,18 @@
 
 enum { BINARY32 = 24, BINARY64 = 53, BINARY128 = 113 };
 
+/* A motion has no S: its vectors are judged by digits. */
+bool operation_has_sensitivity(const struct section *s);
+
 /*
  * Enclosures of S for every output. Of roots: for each the modulus, on its real and its imaginary
- * part alike. False for an operation that has no S: a motion.
+ * part alike. One that no enclosure settles (it is zero, or infinite) is settled by the second function.
  */
-bool operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S);
+void operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S);
+
+/* S of one output, where a derivative that is exactly zero adds nothing and a pole makes it infinite. */
+void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
+                                   arb_t S);
 
 /* An upper bound on E, rounded up; 0 where y = y*, infinity where y is no number or y* = S = 0. */
 double error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand);

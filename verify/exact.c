@@ -222,20 +222,23 @@ static bool unsafe(const struct exact *x)
     return x->kind == EXACT_INFINITE || x->pole;
 }
 
-/* z = factor x, the factor not zero */
-static void scale(struct exact *z, const struct exact *x, slong factor)
+/* z = factor x, the factor not zero: no two terms to merge */
+static void scale(struct exact *z, const struct exact *x, const struct surd *factor)
 {
-    struct exact r = {.kind = x->kind, .pole = x->pole};
+    struct exact r = {.kind = x->kind, .pole = x->pole, .length = x->length};
+    if (x->length > 0)
+        r.terms = flint_calloc((size_t)x->length, sizeof *r.terms);
     for (slong k = 0; k < x->length; k++) {
-        add_term(&r, &x->terms[k].factor, &x->terms[k].exponent, &NOTHING);
-        fmpq_mul_si(r.terms[k].factor.c, r.terms[k].factor.c, factor);
+        surd_init(&r.terms[k].factor);
+        surd_mul(&r.terms[k].factor, &x->terms[k].factor, factor);
+        surds_addmul(&r.terms[k].exponent, &x->terms[k].exponent, &ONE);
     }
     become(z, &r);
 }
 
 void exact_set(struct exact *z, const struct exact *x)
 {
-    scale(z, x, 1);
+    scale(z, x, &ONE);
 }
 
 void exact_set_fmpq(struct exact *z, const fmpq_t q)
@@ -272,11 +275,12 @@ void exact_neg(struct exact *z, const struct exact *x)
     if (x->kind == EXACT_INFINITE)
         become_unknown(z, true);
     else
-        scale(z, x, -1);
+        scale(z, x, &MINUS_ONE);
 }
 
 /* z = x + sign y */
-static void combine(struct exact *z, const struct exact *x, const struct exact *y, slong sign)
+static void combine(struct exact *z, const struct exact *x, const struct exact *y,
+                    const struct surd *sign)
 {
     if (x->kind != EXACT_SUM || y->kind != EXACT_SUM || x->length + y->length > MOST_TERMS) {
         become_unknown(z, unsafe(x) || unsafe(y));
@@ -295,12 +299,12 @@ static void combine(struct exact *z, const struct exact *x, const struct exact *
 
 void exact_add(struct exact *z, const struct exact *x, const struct exact *y)
 {
-    combine(z, x, y, 1);
+    combine(z, x, y, &ONE);
 }
 
 void exact_sub(struct exact *z, const struct exact *x, const struct exact *y)
 {
-    combine(z, x, y, -1);
+    combine(z, x, y, &MINUS_ONE);
 }
 
 void exact_mul(struct exact *z, const struct exact *x, const struct exact *y)

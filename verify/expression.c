@@ -24,7 +24,7 @@ void program_clear(struct program *p)
     program_init(p);
 }
 
-static int append(struct program *p, enum operator op, int left, int right, slong exponent)
+int program_append(struct program *p, enum operator op, int left, int right, slong exponent)
 {
     p->nodes = memory(p->nodes, (size_t)p->count + 1, sizeof *p->nodes);
     struct node *node = &p->nodes[p->count];
@@ -35,7 +35,7 @@ static int append(struct program *p, enum operator op, int left, int right, slon
 
 static int append_integer(struct program *p, slong value)
 {
-    int node = append(p, OPERATOR_NUMBER, -1, -1, 0);
+    int node = program_append(p, OPERATOR_NUMBER, -1, -1, 0);
     fmpq_set_si(&p->nodes[node].number, value, 1);
     return node;
 }
@@ -45,7 +45,7 @@ void program_copy(struct program *to, const struct program *from)
     program_init(to);
     for (int i = 0; i < from->count; i++) {
         const struct node *node = &from->nodes[i];
-        append(to, node->op, node->left, node->right, node->exponent);
+        program_append(to, node->op, node->left, node->right, node->exponent);
         fmpq_set(&to->nodes[i].number, &node->number);
     }
     for (int i = 0; i < from->named; i++)
@@ -55,7 +55,7 @@ void program_copy(struct program *to, const struct program *from)
 
 int program_input(struct program *p, const char *name)
 {
-    int node = append(p, OPERATOR_INPUT, -1, -1, 0);
+    int node = program_append(p, OPERATOR_INPUT, -1, -1, 0);
     program_name(p, node, name);
     p->inputs = p->count;
     return node;
@@ -77,7 +77,7 @@ void program_name(struct program *p, int node, const char *name)
 
 int program_difference(struct program *p, int left, int right)
 {
-    return append(p, OPERATOR_SUBTRACT, left, right, 0);
+    return program_append(p, OPERATOR_SUBTRACT, left, right, 0);
 }
 
 void program_needs(const struct program *p, int node, const int *stand_in, char *needed)
@@ -104,7 +104,7 @@ int program_inline(struct program *p, const struct program *from, int node, cons
         copy[i] = stand_in[i];
         if (!needed[i] || copy[i] >= 0)
             continue;
-        copy[i] = append(p, n->op, n->left < 0 ? -1 : copy[n->left],
+        copy[i] = program_append(p, n->op, n->left < 0 ? -1 : copy[n->left],
                          n->right < 0 ? -1 : copy[n->right], n->exponent);
         fmpq_set(&p->nodes[copy[i]].number, &n->number);
     }
@@ -155,7 +155,7 @@ static int parse_number(struct parser *s)
         return parse_refuse(s, "a number of less than 64 characters");
     memcpy(literal, s->at, n);
     literal[n] = '\0';
-    int node = append(s->program, OPERATOR_NUMBER, -1, -1, 0);
+    int node = program_append(s->program, OPERATOR_NUMBER, -1, -1, 0);
     if (literal_read(&s->program->nodes[node].number, literal, true) != LITERAL_FINITE)
         return parse_refuse(s, "a decimal number");
     s->at += n;
@@ -175,12 +175,13 @@ static int parse_call(struct parser *s, enum operator op)
     }
     if (!parse_symbol(s, ')'))
         return parse_refuse(s, "')' or an operator");
-    return append(s->program, op, left, right, 0);
+    return program_append(s->program, op, left, right, 0);
 }
 
 bool parse_word(struct parser *s, char word[LONGEST_NAME + 1])
 {
     size_t n = 0;
+    skip_blanks(s);
     while (isalnum((unsigned char)s->at[n]) || s->at[n] == '_')
         n++;
     if (n == 0 || n > LONGEST_NAME) {
@@ -257,7 +258,7 @@ static int parse_power(struct parser *s)
         return parse_refuse(s, "an integer exponent of at most three digits");
     slong exponent = strtol(s->at, NULL, 10);
     s->at += n;
-    return append(s->program, OPERATOR_POWER, base, -1, negative ? -exponent : exponent);
+    return program_append(s->program, OPERATOR_POWER, base, -1, negative ? -exponent : exponent);
 }
 
 static int parse_sign(struct parser *s)
@@ -268,7 +269,7 @@ static int parse_sign(struct parser *s)
         return parse_refuse(s, "less nesting");
     int operand = parse_sign(s);
     s->depth--;
-    return operand < 0 ? -1 : append(s->program, OPERATOR_NEGATE, operand, -1, 0);
+    return operand < 0 ? -1 : program_append(s->program, OPERATOR_NEGATE, operand, -1, 0);
 }
 
 static int parse_product(struct parser *s)
@@ -281,7 +282,7 @@ static int parse_product(struct parser *s)
         if (op == OPERATOR_INPUT)
             break;
         int right = parse_sign(s);
-        left = right < 0 ? -1 : append(s->program, op, left, right, 0);
+        left = right < 0 ? -1 : program_append(s->program, op, left, right, 0);
     }
     return left;
 }
@@ -298,7 +299,7 @@ int parse_sum(struct parser *s)
         if (op == OPERATOR_INPUT)
             break;
         int right = parse_product(s);
-        left = right < 0 ? -1 : append(s->program, op, left, right, 0);
+        left = right < 0 ? -1 : program_append(s->program, op, left, right, 0);
     }
     s->depth--;
     return left;
@@ -325,22 +326,22 @@ int program_parse_with(struct program *p, const char *text, reference_reader *re
 
 static int product(struct program *p, int a, int b)
 {
-    return a < 0 || b < 0 ? -1 : append(p, OPERATOR_MULTIPLY, a, b, 0);
+    return a < 0 || b < 0 ? -1 : program_append(p, OPERATOR_MULTIPLY, a, b, 0);
 }
 
 static int negative(struct program *p, int a)
 {
-    return a < 0 ? -1 : append(p, OPERATOR_NEGATE, a, -1, 0);
+    return a < 0 ? -1 : program_append(p, OPERATOR_NEGATE, a, -1, 0);
 }
 
 static int sum(struct program *p, int a, int b)
 {
-    return a < 0 ? b : b < 0 ? a : append(p, OPERATOR_ADD, a, b, 0);
+    return a < 0 ? b : b < 0 ? a : program_append(p, OPERATOR_ADD, a, b, 0);
 }
 
 static int quotient(struct program *p, int a, int b)
 {
-    return a < 0 ? -1 : append(p, OPERATOR_DIVIDE, a, b, 0);
+    return a < 0 ? -1 : program_append(p, OPERATOR_DIVIDE, a, b, 0);
 }
 
 /* The rate of node i, given the rates a of its left and b of its right operand; -1 stands for zero. */
@@ -362,13 +363,13 @@ static int node_rate(struct program *p, int i, int a, int b)
         if (a < 0 || node.exponent == 0)
             return -1;
         return product(p, a, product(p, append_integer(p, node.exponent),
-                                     append(p, OPERATOR_POWER, node.left, -1, node.exponent - 1)));
+                                     program_append(p, OPERATOR_POWER, node.left, -1, node.exponent - 1)));
     case OPERATOR_SQRT:
         return a < 0 ? -1 : quotient(p, a, product(p, append_integer(p, 2), i));
     case OPERATOR_SIN:
-        return a < 0 ? -1 : product(p, a, append(p, OPERATOR_COS, node.left, -1, 0));
+        return a < 0 ? -1 : product(p, a, program_append(p, OPERATOR_COS, node.left, -1, 0));
     case OPERATOR_COS:
-        return a < 0 ? -1 : negative(p, product(p, a, append(p, OPERATOR_SIN, node.left, -1, 0)));
+        return a < 0 ? -1 : negative(p, product(p, a, program_append(p, OPERATOR_SIN, node.left, -1, 0)));
     case OPERATOR_EXP:
         return product(p, a, i);
     case OPERATOR_ATAN2: /* (x y' - y x') / (x^2 + y^2) */

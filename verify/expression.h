@@ -84,6 +84,9 @@ int program_inline(struct program *p, const struct program *from, int node, cons
 /* needed[i]: the node rests on node i, and not by way of a node that stand_in (NULL: none) replaces. */
 void program_needs(const struct program *p, int node, const int *stand_in, char *needed);
 
+/* One more node; operands that an operator does not have are -1. */
+int program_append(struct program *p, enum operator op, int left, int right, slong exponent);
+
 /* The node of left - right. */
 int program_difference(struct program *p, int left, int right);
 

@@ -434,5 +434,6 @@ enum flow_status flow_nonlinear_unproved(const struct flow_parameters *p, arb_sr
 
 slong flow_precision(slong digits, double radians)
 {
-    return (slong)(log2(10) * (double)digits + 42 + 0.5 * fabs(radians));
+    /* 36 bits go to rests, to growth in the first day, and to coordinates smaller than r_ref and its speed */
+    return (slong)(log2(10) * (double)digits + 60 + 0.1 * fabs(radians));
 }

@@ -44,31 +44,43 @@ void lohner_to_box(arb_ptr box, const struct lohner *set)
     mag_clear(entry);
 }
 
-/* Householder: an orthogonal basis whose first k columns span the first k of `a`, each k; `a` is lost. */
-static void orthogonalise(matrix basis, matrix a)
+/* v less its parts along the first k columns, twice for the sake of rounding; returns what length is left */
+static double project(double v[N], matrix basis, int k)
 {
+    double norm = 0;
+    for (int pass = 0; pass < 2; pass++)
+        for (int m = 0; m < k; m++) {
+            double dot = 0;
+            for (int i = 0; i < N; i++)
+                dot += v[i] * basis[i][m];
+            for (int i = 0; i < N; i++)
+                v[i] -= dot * basis[i][m];
+        }
     for (int i = 0; i < N; i++)
-        for (int j = 0; j < N; j++)
-            basis[i][j] = i == j;
-    for (int k = 0; k < N - 1; k++) {
-        double v[N] = {0}, norm = 0;
-        for (int i = k; i < N; i++) {
-            v[i] = a[i][k];
-            norm = hypot(norm, v[i]);
+        norm = hypot(norm, v[i]);
+    return norm;
+}
+
+/*
+ * An orthonormal basis whose first k columns span the first k of `a`, each k. Gram and Schmidt's way leaves
+ * coordinates alone that the motion leaves alone: a pair in the orbit plane stays there exactly.
+ */
+static void orthonormalise(matrix basis, matrix a)
+{
+    for (int k = 0; k < N; k++) {
+        double v[N], length = 0, left;
+        for (int i = 0; i < N; i++)
+            length = hypot(length, v[i] = a[i][k]);
+        for (int i = 0; i < N; i++)
+            v[i] /= length;
+        left = project(v, basis, k);
+        for (int axis = 0; axis < N && !(left > 1e-10); axis++) { /* a column lost to the others */
+            memset(v, 0, sizeof v);
+            v[axis] = 1;
+            left = project(v, basis, k);
         }
-        v[k] += copysign(norm, v[k]);
-        double half = norm * fabs(v[k]); /* v.v / 2, so the mirror is 1 - v v'/half */
-        for (int j = 0; j < N && half > 0; j++) {
-            double left = 0, right = 0;
-            for (int i = k; i < N; i++) {
-                left += v[i] * a[i][j] / half;
-                right += basis[j][i] * v[i] / half;
-            }
-            for (int i = k; i < N; i++) {
-                a[i][j] -= left * v[i];
-                basis[j][i] -= right * v[i];
-            }
-        }
+        for (int i = 0; i < N; i++)
+            basis[i][k] = v[i] / left;
     }
 }
 
@@ -92,7 +104,7 @@ static void choose_basis(struct lohner *set, const arb_mat_t derivative)
         for (int j = 0; j < N; j++)
             sorted[i][place[j]] =
                 arf_get_d(arb_midref(arb_mat_entry(derivative, i, j)), ARF_RND_NEAR);
-    orthogonalise(set->basis, sorted);
+    orthonormalise(set->basis, sorted);
     mag_clear(entry);
     _mag_vec_clear(length, N);
 }
@@ -117,9 +129,10 @@ static void add_absolute(mag_ptr sum, const arb_mat_t a, mag_srcptr x)
  */
 bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivative, mag_srcptr error)
 {
-    arb_mat_t basis, inverse, turned;
+    arb_mat_t basis, unit, inverse, turned;
     mag_ptr loose = _mag_vec_init(N), reach = _mag_vec_init(N);
     arb_mat_init(basis, N, N);
+    arb_mat_init(unit, N, N);
     arb_mat_init(inverse, N, N);
     arb_mat_init(turned, N, N);
 
@@ -130,7 +143,8 @@ bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivativ
         mag_add(loose + i, arb_radref(image + i), error + i);
         arb_get_mid_arb(set->centre + i, image + i);
     }
-    bool bounded = arb_mat_inv(inverse, basis, LOHNER_BITS);
+    arb_mat_one(unit);
+    bool bounded = arb_mat_solve_lu(inverse, basis, unit, LOHNER_BITS); /* elimination keeps zeros */
     arb_mat_mul(turned, inverse, derivative, LOHNER_BITS);
     add_absolute(reach, turned, set->reach);
     add_absolute(reach, inverse, loose);
@@ -140,6 +154,7 @@ bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivativ
     }
 
     arb_mat_clear(basis);
+    arb_mat_clear(unit);
     arb_mat_clear(inverse);
     arb_mat_clear(turned);
     _mag_vec_clear(loose, N);

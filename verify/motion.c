@@ -213,6 +213,8 @@ const char *flow_status_text(enum flow_status status)
         return "the two craft meet (L = 0)";
     case FLOW_DOMAIN:
         return "a parameter lies outside the domain";
+    case FLOW_STALLED:
+        return "too many steps, no end in sight";
     case FLOW_DONE:
     case FLOW_STOPPED:
         break;
@@ -224,10 +226,10 @@ struct pass {
     const struct motion *motion;
     struct flow_parameters parameters;
     arb_ptr initial;
-    slong prec, done; /* rows that the receiver has */
+    slong prec, most; /* working precision, and where trying ends */
+    slong done;       /* rows that the receiver has               */
     bool static_place, undecided, stopped;
-    double uncharged; /* a time at which (21) gave no charges, if any */
-    bool outside;
+    bool outside;     /* Q_ref + dQ >= 0 at the row behind those      */
     row_receiver *receive;
     void *context;
 };
@@ -274,8 +276,6 @@ static int take_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
         numbers[i] = decimal_of_ball(row + i, p->motion->digits);
         p->undecided |= numbers[i] == NULL;
     }
-    if (p->outside)
-        p->uncharged = fmpq_get_d(t);
     if (!p->outside && !p->undecided) {
         p->stopped = p->receive(p->context, k, t, numbers) != 0;
         p->done++;
@@ -316,30 +316,97 @@ static bool starts_in_place(const struct setting *s)
                            &s->value[SET_L_ref].value, &s->value[SET_x1].value);
 }
 
+static int ignore_row(void *context, slong k, const fmpq_t t, char *const *numbers)
+{
+    (void)context;
+    (void)k;
+    (void)t;
+    (void)numbers;
+    return 0;
+}
+
+static enum flow_status passes(struct pass *p, const fmpq *times, slong count, double *reached);
+
+/*
+ * When Q_ref + dQ stops being negative: it is so at `before` and not at `after`, and six times over the
+ * interval between such times is cut into tenths. Only a motion has times in between, a method has none.
+ */
+static void find_crossing(const struct pass *found, fmpq_t before, fmpq_t after)
+{
+    struct motion m = *found->motion;
+    fmpq *times = _fmpq_vec_init(11);
+    fmpq_t tenth;
+    fmpq_init(tenth);
+    m.digits = 9; /* a millionth of a step and some to spare */
+    for (int cut = 0; cut < 6 && m.h == NULL; cut++) {
+        struct pass p = {.motion = &m, .static_place = found->static_place, .receive = ignore_row};
+        double reached;
+        for (int i = 0; i <= 10; i++) {
+            fmpq_sub(times + i, after, before);
+            fmpq_set_si(tenth, i, 10);
+            fmpq_mul(times + i, times + i, tenth);
+            fmpq_add(times + i, times + i, before);
+        }
+        passes(&p, times, 11, &reached);
+        if (!p.outside || p.done == 0)
+            break;
+        fmpq_set(before, times + p.done - 1);
+        fmpq_set(after, times + p.done);
+    }
+    fmpq_clear(tenth);
+    _fmpq_vec_clear(times, 11);
+}
+
+static void say_crossing(const struct pass *p, const fmpq *times, struct message *why)
+{
+    if (p->done == 0) {
+        message_set(why, "Q_ref + dQ >= 0 at t = %.9g s: Eq. (21) has no charges there",
+                    fmpq_get_d(times));
+        return;
+    }
+    fmpq_t before, after;
+    fmpq_init(before);
+    fmpq_init(after);
+    fmpq_set(before, times + p->done - 1);
+    fmpq_set(after, times + p->done);
+    find_crossing(p, before, after);
+    message_set(why, "Q_ref + dQ >= 0 from t = %.9g s, proved < 0 at t = %.9g s: Eq. (21) has no charges there",
+                fmpq_get_d(after), fmpq_get_d(before));
+    fmpq_clear(before);
+    fmpq_clear(after);
+}
+
+/* Passes at rising precision until every row is proved, or nothing more can be. */
+static enum flow_status passes(struct pass *p, const fmpq *times, slong count, double *reached)
+{
+    const struct motion *m = p->motion;
+    const double Omega = fmpq_get_d(&m->setting->value[SET_Omega].value);
+    const double radians = count == 0 ? 0.0 : fabs(Omega * fmpq_get_d(times + count - 1));
+    enum flow_status status;
+    flow_parameters_init(&p->parameters);
+    p->initial = _arb_vec_init(FLOW_STATE);
+    p->prec = m->h ? rk4_precision(m->digits, radians) : flow_precision(m->digits, radians);
+    p->most = 8 * p->prec; /* three tries at twice the bits: more than rounding ever needs */
+    do {
+        status = one_pass(p, times, count, reached);
+        p->prec *= 2;
+    } while ((p->undecided || status == FLOW_WIDE) && !p->outside && !p->stopped && p->prec <= p->most);
+    flow_parameters_clear(&p->parameters);
+    _arb_vec_clear(p->initial, FLOW_STATE);
+    return status;
+}
+
 int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
                 void *context, struct message *why)
 {
     struct pass p = {.motion = m, .static_place = starts_in_place(m->setting), .receive = receive,
                      .context = context};
     double reached = 0.0;
-    double radians = count == 0 ? 0.0
-                                : fabs(fmpq_get_d(&m->setting->value[SET_Omega].value) *
-                                       fmpq_get_d(times + count - 1));
-    enum flow_status status = FLOW_DONE;
-    flow_parameters_init(&p.parameters);
-    p.initial = _arb_vec_init(FLOW_STATE);
-    p.prec = m->h ? rk4_precision(m->digits, radians) : flow_precision(m->digits, radians);
-    const slong most = 8 * p.prec; /* three tries at twice the bits: more than rounding ever needs */
-    do {
-        status = one_pass(&p, times, count, &reached);
-        p.prec *= 2;
-    } while ((p.undecided || status == FLOW_WIDE) && !p.outside && !p.stopped && p.prec <= most);
-    flow_parameters_clear(&p.parameters);
-    _arb_vec_clear(p.initial, FLOW_STATE);
+    enum flow_status status = passes(&p, times, count, &reached);
     if (p.outside)
-        message_set(why, "Q_ref + dQ >= 0 at t = %.17g s: Eq. (21) has no charges there", p.uncharged);
+        say_crossing(&p, times, why);
     else if (p.undecided)
-        message_set(why, "%ld bits do not decide every digit of row %ld", (long)most, (long)p.done + 1);
+        message_set(why, "%ld bits do not decide every digit of row %ld", (long)p.most, (long)p.done + 1);
     else if (status != FLOW_DONE && !p.stopped)
         message_set(why, "%s, last proved time %.9g s", flow_status_text(status), reached);
     return p.outside || p.undecided || (status != FLOW_DONE && !p.stopped) ? -1 : 0;

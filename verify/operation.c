@@ -66,7 +66,7 @@ static void run_balls(struct operation *o, const struct input *inputs, slong pre
     machine_run(&o->machine);
 }
 
-static void run_sums(struct machine *m, const struct operation *o, const struct input *inputs)
+void operation_sums(struct machine *m, const struct operation *o, const struct input *inputs)
 {
     machine_init(m, &o->formulas->program, &arithmetic_sums, 0);
     set_inputs(m, inputs);
@@ -131,7 +131,7 @@ static int node_sign(const struct operation *o, const struct input *inputs, int 
         return arf_sgn(arb_midref(ball));
     struct machine sums;
     fmpq_t value;
-    run_sums(&sums, o, inputs);
+    operation_sums(&sums, o, inputs);
     fmpq_init(value);
     exact_is_rational(value, machine_value(&sums, node)); /* conditions are rational in their inputs */
     int sign = fmpq_sgn(value);
@@ -311,7 +311,7 @@ static void decide_exactly(const struct operation *o, const struct input *inputs
         return;
     struct machine sums;
     fmpq_t value;
-    run_sums(&sums, o, inputs);
+    operation_sums(&sums, o, inputs);
     fmpq_init(value);
     for (int i = 0; i < o->section->output_count; i++)
         if (texts[i] == NULL && exact_is_rational(value, machine_value(&sums, o->formulas->outputs[i])))

@@ -248,8 +248,7 @@ static void on_horizontal(fmpq_poly_t f, fmpq_poly_t g, fmpq_poly_t taylor[DEGRE
     fmpq_poly_clear(term);
 }
 
-/* How many different conjugate pairs have the real part t, or the imaginary parts +-t, t not zero.
- */
+/* How many different conjugate pairs have the real part t, or the imaginary parts +-t. */
 static int pairs_with(const fmpq_poly_t p, const fmpq_t t, bool imaginary)
 {
     fmpq_poly_t taylor[DEGREE], f, g;
@@ -567,7 +566,7 @@ bool roots41_rational(fmpq_t value, acb_srcptr roots, int k, bool imaginary, con
         proved = is_root(p, t);
     } else {
         /* as many pairs have the part t as may have it: then this one has it */
-        int pairs = fmpq_is_zero(t) && imaginary ? 0 : pairs_with(p, t, imaginary);
+        int pairs = pairs_with(p, t, imaginary);
         proved = pairs > 0 && pairs == candidates(roots, t, imaginary);
     }
     fmpq_clear(t);

@@ -163,7 +163,8 @@ static bool read_range(struct reader *r, const yaml_node_t *mapping, struct quan
 
 static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_node_t *node)
 {
-    static const char *const known[] = {"unit", "domain", "range", "sign", "value", "meaning", NULL};
+    static const char *const known[] = {"unit",  "domain",  "range",   "sign",
+                                        "value", "example", "meaning", NULL};
     struct quantity q = {0};
     if (!is_mapping(r, node, known))
         return false;
@@ -176,6 +177,7 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
         return false;
     q.either_sign = child(r, node, "sign") != NULL;
     q.value = text_of(r, node, "value", false);
+    q.example = text_of(r, node, "example", false);
     char *names = text_copy(scalar(key)), *rest = NULL;
     bool fine = true;
     for (char *name = strtok_r(names, " ", &rest); name && fine; name = strtok_r(NULL, " ", &rest)) {
@@ -412,6 +414,43 @@ static bool read_relations(struct reader *r, const yaml_node_t *node, struct sec
     return true;
 }
 
+/* name: {INPUT: literal, ..., flags: what it is there for} */
+static bool read_special(struct reader *r, const yaml_node_t *key, const yaml_node_t *node,
+                         struct section *s)
+{
+    if (!is_mapping(r, node, NULL))
+        return false;
+    struct special special = {.name = keep(r->sheet, scalar(key))};
+    special.flags = text_of(r, node, "flags", true);
+    if (special.flags == NULL)
+        return false;
+    for (yaml_node_pair_t *p = node->data.mapping.pairs.start; p < node->data.mapping.pairs.top; p++) {
+        const yaml_node_t *name = tree(r, p->key), *value = tree(r, p->value);
+        int i = 0;
+        while (i < s->input_count && strcmp(s->inputs[i]->name, scalar(name)) != 0)
+            i++;
+        if (i == s->input_count && strcmp(scalar(name), "flags") != 0)
+            return complain(r, name, 0, "'%s' is no input of %s", scalar(name), s->id);
+        if (scalar(value) == NULL)
+            return complain(r, value, 0, "expected a number");
+        if (i < s->input_count)
+            special.texts[i] = keep(r->sheet, scalar(value));
+    }
+    s->specials = memory(s->specials, (size_t)s->special_count + 1, sizeof special);
+    s->specials[s->special_count++] = special;
+    return true;
+}
+
+static bool read_specials(struct reader *r, const yaml_node_t *node, struct section *s)
+{
+    if (!is_mapping(r, node, NULL))
+        return false;
+    for (yaml_node_pair_t *p = node->data.mapping.pairs.start; p < node->data.mapping.pairs.top; p++)
+        if (!read_special(r, tree(r, p->key), tree(r, p->value), s))
+            return false;
+    return true;
+}
+
 static bool read_numbers(struct reader *r, const yaml_node_t *section, struct section *s)
 {
     const yaml_node_t *items[8], *node = child(r, section, "equations");
@@ -455,7 +494,7 @@ static bool read_domain_alone(struct reader *r, const yaml_node_t *domain, struc
 static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_node_t *node)
 {
     static const char *const known[] = {"title",   "equations", "inputs",  "let",    "outputs", "domain",
-                                        "printed", "relations", "reason", "method", "note",    NULL};
+                                        "printed", "relations", "reason", "method", "note",   "vectors", NULL};
     struct sheet *sheet = r->sheet;
     if (!is_mapping(r, node, known))
         return false;
@@ -463,12 +502,13 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
     struct section *s = &sheet->sections[sheet->section_count++];
     *s = (struct section){.id = keep(sheet, scalar(key))};
     const yaml_node_t *domain = child(r, node, "domain"), *printed = child(r, node, "printed");
-    const yaml_node_t *relations = child(r, node, "relations");
+    const yaml_node_t *relations = child(r, node, "relations"), *specials = child(r, node, "vectors");
     s->title = text_of(r, node, "title", true);
     s->note = text_of(r, node, "note", false);
     s->reason = text_of(r, node, "reason", printed != NULL);
     if (s->title == NULL || (printed != NULL && s->reason == NULL) || !read_numbers(r, node, s) ||
-        !read_method(r, node, s) || (relations != NULL && !read_relations(r, relations, s)))
+        !read_method(r, node, s) || (relations != NULL && !read_relations(r, relations, s)) ||
+        (specials != NULL && !read_specials(r, specials, s)))
         return false;
     if (s->method != METHOD_FORMULA)
         return read_domain_alone(r, domain, s);
@@ -546,6 +586,7 @@ void sheet_clear(struct sheet *s)
         formulas_clear(&s->sections[i].corrected);
         formulas_clear(&s->sections[i].printed);
         free(s->sections[i].relations);
+        free(s->sections[i].specials);
     }
     for (int i = 0; i < s->text_count; i++)
         free(s->texts[i]);

@@ -15,6 +15,7 @@ struct quantity {
     double low, high;       /* random vectors: the magnitude is drawn between these, evenly in its logarithm */
     bool either_sign;       /* ... and the sign too                                                          */
     const char *value;      /* Table 1 and the initial values of the simulation; NULL for the rest           */
+    const char *example;    /* what the paper's case makes of it otherwise                                   */
 };
 
 /* A row of Table 1: scale times the printed number is in SI. */
@@ -47,6 +48,12 @@ struct relation {
     const char *text, *printed; /* "left = right"; as printed, or NULL */
 };
 
+/* A golden vector of its own: the paper's case with some inputs replaced, NULL where not. */
+struct special {
+    const char *name, *flags;
+    const char *texts[40];      /* literals, of t several with blanks between: a vector each */
+};
+
 /* How a section's outputs come about: by its formulas, or by an algorithm. */
 enum method { METHOD_NONE, METHOD_FORMULA, METHOD_ROOTS, METHOD_FLOW_LINEAR, METHOD_FLOW_NONLINEAR,
               METHOD_RK4_LINEAR, METHOD_RK4_NONLINEAR };
@@ -61,7 +68,8 @@ struct section {
     struct formulas corrected, printed;
     bool differs;               /* the print differs: `printed` is filled, `reason` says why */
     struct relation *relations;
-    int relation_count;
+    struct special *specials;
+    int relation_count, special_count;
 };
 
 struct sheet {

@@ -1,0 +1,215 @@
+/* Vectors: what is certified, counted, flagged; and ref/ against it. */
+#include "run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "errors.h"
+#include "reference.h"
+#include "sample.h"
+#include "vectors.h"
+
+/* Largest E of ref/ that a test lets pass, and why: see worst_error_of_ref_stays_below_the_bound. */
+enum { BOUND = 4, INPUTS = 1000, SEED = 1 };
+
+static const struct section *operation_at(int i)
+{
+    return &sheet()->sections[i];
+}
+
+/*
+ * A formula of k operations, each of relative error u, has E <= k to first order; the longest of the
+ * sheet has some thirty, but their errors are random and the worst of 10^5 inputs is below 2.5 (make
+ * errors). 4 leaves room for another libm's sin, cos and exp, and catches a lost digit.
+ */
+START_TEST(worst_error_of_ref_stays_below_the_bound)
+{
+    const struct section *s = operation_at(_i);
+    struct measured m;
+    if (!operation_has_sensitivity(s))
+        return;
+    measure_errors(&m, s, INPUTS, SEED);
+    ck_assert_msg(m.worst > 0.0 && m.worst <= BOUND, "%s: E = %g at %ld", s->id, m.worst, m.index);
+    ck_assert_msg(m.outside == 0, "%s: %ld MPFR values outside the ball", s->id, m.outside);
+}
+END_TEST
+
+START_TEST(every_operation_has_a_reference)
+{
+    const struct section *s = operation_at(_i);
+    ck_assert_msg((reference_find(s->id) != NULL) == (s->method != METHOD_NONE), "%s", s->id);
+}
+END_TEST
+
+START_TEST(E_of_one_rounding_is_below_one)
+{
+    /* y* = 1/3 and S = 0: the nearest double is at most u |y*| away, and its neighbour more than u/2 |y*| */
+    arb_t exact, S;
+    arf_t y;
+    arb_init(exact);
+    arb_init(S);
+    arf_init(y);
+    arb_set_ui(exact, 1);
+    arb_div_ui(exact, exact, 3, 200);
+    arf_set_d(y, 1.0 / 3.0);
+    double nearest = error_in_roundings(y, exact, S, BINARY64);
+    arf_set_d(y, nextafter(1.0 / 3.0, 1.0));
+    double next = error_in_roundings(y, exact, S, BINARY64);
+    arf_set_d(y, 1.0f / 3.0f);
+    double single = error_in_roundings(y, exact, S, BINARY32);
+    arf_nan(y);
+    double none = error_in_roundings(y, exact, S, BINARY64);
+    arb_clear(exact);
+    arb_clear(S);
+    arf_clear(y);
+    ck_assert(nearest > 0.0 && nearest <= 1.0);
+    ck_assert(next > 0.5 && next <= 2.5);
+    ck_assert(single > 0.0 && single <= 1.0);
+    ck_assert_double_infinite(none);
+}
+END_TEST
+
+START_TEST(E_is_zero_for_equality_and_infinite_where_nothing_may_be_off)
+{
+    arb_t exact, S;
+    arf_t y;
+    arb_init(exact);
+    arb_init(S);
+    arf_init(y);
+    ck_assert_double_eq(error_in_roundings(y, exact, S, BINARY64), 0.0);
+    arf_set_d(y, 5e-324);
+    ck_assert_double_infinite(error_in_roundings(y, exact, S, BINARY64));
+    arb_clear(exact);
+    arb_clear(S);
+    arf_clear(y);
+}
+END_TEST
+
+START_TEST(a_sample_depends_on_seed_and_index_alone)
+{
+    const struct section *s = section_find(sheet(), "eq27");
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    double first[4], again[4], other[4], seeded[4];
+    operation_init(&o, s, false);
+    sample(&o, 7, 3, first, inputs);
+    sample(&o, 7, 4, other, inputs);
+    sample(&o, 8, 3, seeded, inputs);
+    sample(&o, 7, 3, again, inputs);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    ck_assert_mem_eq(first, again, sizeof first);
+    ck_assert_mem_ne(first, other, sizeof first);
+    ck_assert_mem_ne(first, seeded, sizeof first);
+}
+END_TEST
+
+START_TEST(samples_lie_in_their_ranges)
+{
+    const struct section *s = section_find(sheet(), "eq02");
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    double values[40];
+    int negative = 0;
+    operation_init(&o, s, false);
+    for (uint64_t k = 0; k < 200; k++) {
+        sample(&o, 1, k, values, inputs);
+        for (int i = 0; i < s->input_count; i++) {
+            const struct quantity *q = s->inputs[i];
+            ck_assert(fabs(values[i]) >= q->low && fabs(values[i]) <= q->high);
+            ck_assert(values[i] > 0.0 || q->either_sign);
+            negative += values[i] < 0.0;
+        }
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    ck_assert_int_gt(negative, 200 * 8); /* of 200 * 21 signed ones about half */
+}
+END_TEST
+
+/* ---- the program's vectors ---- */
+
+static char *printed(const char *arguments)
+{
+    static char text[1 << 20];
+    char line[256];
+    snprintf(line, sizeof line, "\"$CT_PROGRAM\" vectors %s", arguments);
+    FILE *pipe = popen(line, "r");
+    ck_assert_ptr_nonnull(pipe);
+    size_t length = fread(text, 1, sizeof text - 1, pipe);
+    text[length] = '\0';
+    ck_assert_int_eq(pclose(pipe), 0);
+    return text;
+}
+
+START_TEST(four_shards_are_one_run)
+{
+    char *whole = text_copy(printed("eq14 --count 11 --seed 5")), *end = whole;
+    for (int k = 1; k <= 4; k++) {
+        char arguments[64];
+        snprintf(arguments, sizeof arguments, "eq14 --count 11 --seed 5 --shard %d/4", k);
+        const char *part = printed(arguments);
+        ck_assert_int_eq(strncmp(end, part, strlen(part)), 0);
+        end += strlen(part);
+    }
+    ck_assert_int_eq(*end, '\0');
+    free(whole);
+}
+END_TEST
+
+START_TEST(golden_lines_have_their_flags)
+{
+    const char *text = printed("eq44 --golden");
+    ck_assert_int_eq(strncmp(text, "id,Omega,n,C2,S_C2,flags\n", 25), 0);
+    ck_assert_ptr_nonnull(strstr(text, "\neq44-boundary,7.2915e-5,9,0,inf,edge\n"));
+    ck_assert_ptr_nonnull(strstr(text, "\neq44-boundary-below,7.2915e-5,8.999999999999998,,,invalid\n"));
+    ck_assert_ptr_nonnull(strstr(text, "\neq44-nan-Omega,nan,10,,,invalid\n"));
+    ck_assert_ptr_nonnull(strstr(text, ",paper\n"));
+}
+END_TEST
+
+START_TEST(a_subexpression_out_of_range_is_flagged)
+{
+    struct operation o;
+    const struct section *s = section_find(sheet(), "eq32"); /* m1 m2/(m1 + m2) L^2 */
+    const char *texts[] = {"1e-200", "1e-200", "1e100"};
+    char line[200];
+    FILE *file = tmpfile();
+    ck_assert_ptr_nonnull(file);
+    operation_init(&o, s, false);
+    fflush(stdout);
+    int kept = dup(1);
+    dup2(fileno(file), 1);
+    bool fine = vector_print(&o, "x", texts, "here");
+    fflush(stdout);
+    dup2(kept, 1);
+    close(kept);
+    operation_clear(&o);
+    rewind(file);
+    ck_assert(fine);
+    ck_assert_ptr_nonnull(fgets(line, sizeof line, file));
+    fclose(file);
+    ck_assert_ptr_nonnull(strstr(line, ",range here\n"));
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *s = suite_create("vectors");
+    TCase *c = tcase_create("vectors");
+    const int sections = sheet()->section_count;
+    tcase_set_timeout(c, 120);
+    tcase_add_loop_test(c, worst_error_of_ref_stays_below_the_bound, 0, sections);
+    tcase_add_loop_test(c, every_operation_has_a_reference, 0, sections);
+    tcase_add_test(c, E_of_one_rounding_is_below_one);
+    tcase_add_test(c, E_is_zero_for_equality_and_infinite_where_nothing_may_be_off);
+    tcase_add_test(c, a_sample_depends_on_seed_and_index_alone);
+    tcase_add_test(c, samples_lie_in_their_ranges);
+    tcase_add_test(c, four_shards_are_one_run);
+    tcase_add_test(c, golden_lines_have_their_flags);
+    tcase_add_test(c, a_subexpression_out_of_range_is_flagged);
+    suite_add_tcase(s, c);
+    return s;
+}

@@ -1,0 +1,98 @@
+/* coulomb-tether vectors: random certified vectors of an operation, and the golden ones, as CSV. */
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command.h"
+#include "vectors.h"
+
+/* A whole number below 2^63 in decimal digits. */
+static int whole_number(const char *name, const char *text, uint64_t *value)
+{
+    char *end;
+    errno = 0;
+    *value = strtoull(text, &end, 10);
+    if (strspn(text, "0123456789") != strlen(text) || *text == '\0' || errno != 0 || *value >> 63)
+        return complain(EXIT_USAGE, "%s: expected a whole number, got '%.40s'", name, text);
+    return EXIT_DONE;
+}
+
+/* K/N: the K-th of N contiguous parts, as even as can be. */
+static int take_shard(const char *text, uint64_t *first, uint64_t *count, bool *header)
+{
+    uint64_t k, n;
+    char *copy = text_copy(text), *slash = strchr(copy, '/');
+    if (slash != NULL)
+        *slash = '\0';
+    int status = slash == NULL ? complain(EXIT_USAGE, "--shard: expected K/N, got '%.40s'", text)
+                               : whole_number("--shard", copy, &k);
+    if (status == EXIT_DONE)
+        status = whole_number("--shard", slash + 1, &n);
+    if (status == EXIT_DONE && (k < 1 || k > n || n > 1000000))
+        status = complain(EXIT_USAGE, "--shard: expected K/N with 1 <= K <= N <= 1000000, got '%.40s'", text);
+    free(copy);
+    if (status != EXIT_DONE)
+        return status;
+    const uint64_t all = *count, part = all / n, more = all % n; /* the first `more` parts have one more */
+    *first = (k - 1) * part + (k - 1 < more ? k - 1 : more);
+    *count = part + (k - 1 < more);
+    *header = k == 1;
+    return EXIT_DONE;
+}
+
+static int take_section(const struct arguments *a, const struct section **s)
+{
+    if (a->assignment_count > 0)
+        return complain(EXIT_USAGE, "vectors: unexpected argument '%s'", a->assignments[0]);
+    if (a->word_count == 0)
+        return complain(EXIT_USAGE, "vectors: expected the id of an operation");
+    if ((*s = section_argument(a->words[0])) == NULL)
+        return EXIT_USAGE;
+    if ((*s)->method == METHOD_NONE)
+        return complain(EXIT_USAGE, "%s is a definition, it computes nothing", (*s)->id);
+    return EXIT_DONE;
+}
+
+static int random_vectors(const struct arguments *a, const struct section *s)
+{
+    const char *count_text = option_value(a, "--count"), *seed_text = option_value(a, "--seed");
+    uint64_t first = 0, count = 0, seed = 0;
+    bool header = true;
+    if (count_text == NULL || seed_text == NULL)
+        return complain(EXIT_USAGE, "vectors: expected --count N and --seed S, or --golden");
+    int status = whole_number("--count", count_text, &count);
+    if (status == EXIT_DONE)
+        status = whole_number("--seed", seed_text, &seed);
+    if (status == EXIT_DONE && option_given(a, "--shard"))
+        status = take_shard(option_value(a, "--shard"), &first, &count, &header);
+    if (status != EXIT_DONE)
+        return status;
+    if (header)
+        vectors_header(s);
+    return vectors_random(s, seed, first, count) ? EXIT_DONE : EXIT_FAILED_CHECK;
+}
+
+int command_vectors(int count, char **texts)
+{
+    struct option options[] = {{"--count", true, NULL}, {"--seed", true, NULL}, {"--shard", true, NULL}, {"--golden", false, NULL}};
+    struct arguments a = {.subcommand = "vectors", .options = options, .option_count = 4};
+    int status = arguments_split(&a, count, texts, 1);
+    if (status != EXIT_DONE)
+        return status;
+    const struct section *s = NULL;
+    status = take_section(&a, &s);
+    const bool golden = option_given(&a, "--golden");
+    if (status == EXIT_DONE && golden && (option_given(&a, "--count") || option_given(&a, "--seed") || option_given(&a, "--shard")))
+        status = complain(EXIT_USAGE, "--golden: expected without --count, --seed and --shard");
+    if (status == EXIT_DONE && golden)
+        status = vectors_golden(s) ? EXIT_DONE : EXIT_FAILED_CHECK;
+    else if (status == EXIT_DONE)
+        status = random_vectors(&a, s);
+    free(a.assignments);
+    if (status == EXIT_USAGE)
+        return status;
+    int written = output_finished();
+    return status != EXIT_DONE ? status : written;
+}

@@ -1,0 +1,158 @@
+#include "vectors.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "decimal.h"
+#include "errors.h"
+#include "exact.h"
+#include "sample.h"
+
+enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
+
+void vectors_header(const struct section *s)
+{
+    fputs("id", stdout);
+    for (int i = 0; i < s->input_count; i++)
+        printf(",%s", s->inputs[i]->name);
+    for (int i = 0; i < s->output_count; i++)
+        printf(",%s", s->outputs[i]->name);
+    for (int i = 0; i < s->output_count && operation_has_sensitivity(s); i++)
+        printf(",S_%s", s->outputs[i]->name);
+    puts(",flags");
+}
+
+/* Whether |x| is neither zero nor in binary64's normal range, 2^-1022 to just below 2^1024. */
+static bool leaves_range(const arb_t x)
+{
+    arf_t bound;
+    bool leaves = false;
+    if (arb_contains_zero(x))
+        return false; /* zero, or as good as: what underflows to it is seen in its operands */
+    arf_init(bound);
+    arb_get_abs_lbound_arf(bound, x, 64);
+    leaves = arf_cmpabs_2exp_si(bound, -1022) < 0 || arf_cmpabs_2exp_si(bound, 1024) >= 0;
+    arf_clear(bound);
+    return leaves;
+}
+
+/* The formula in its written order: any subexpression, the inputs themselves included. */
+static bool is_out_of_range(struct operation *o, const struct input *inputs)
+{
+    arb_ptr outputs = _arb_vec_init(MOST_OUTPUTS);
+    bool leaves = false;
+    operation_enclose(o, inputs, 256, outputs);
+    for (int i = 0; i < o->machine.program->count && !leaves; i++)
+        leaves = leaves_range(machine_value(&o->machine, i));
+    _arb_vec_clear(outputs, MOST_OUTPUTS);
+    return leaves;
+}
+
+/* Digits of S, or "inf"; NULL while undecided. */
+static char *sensitivity_text(const arb_t S)
+{
+    return arb_is_finite(S) || mag_is_inf(arb_radref(S)) ? decimal_of_ball(S, SENSITIVITY_DIGITS)
+                                                         : text_copy("inf");
+}
+
+static bool sensitivity_texts(struct operation *o, const struct input *inputs, char **texts)
+{
+    const int count = o->section->output_count;
+    arb_ptr S = _arb_vec_init(count);
+    int left = count;
+    for (slong prec = 192; left > 0 && prec <= 16384; prec *= 2) {
+        operation_sensitivity(o, inputs, prec, S);
+        left = 0;
+        for (int i = 0; i < count; i++) {
+            if (texts[i] == NULL)
+                texts[i] = sensitivity_text(S + i);
+            if (texts[i] == NULL) {
+                operation_sensitivity_settled(o, inputs, prec, i, S + i);
+                texts[i] = sensitivity_text(S + i);
+            }
+            left += texts[i] == NULL;
+        }
+    }
+    _arb_vec_clear(S, count);
+    if (left > 0)
+        message_set(&o->why, "%s: a sensitivity is undecided", o->section->id);
+    return left == 0;
+}
+
+static void print_line(const char *id, const struct section *s, const char *const *texts, char *const *outputs,
+                       char *const *S, const char *flag, const char *flags)
+{
+    fputs(id, stdout);
+    for (int i = 0; i < s->input_count; i++)
+        printf(",%s", texts[i]);
+    for (int i = 0; i < s->output_count; i++)
+        printf(",%s", outputs[i] ? outputs[i] : "");
+    for (int i = 0; i < s->output_count && operation_has_sensitivity(s); i++)
+        printf(",%s", S[i] ? S[i] : "");
+    printf(",%s%s%s\n", flag, *flag && *flags ? " " : "", flags);
+}
+
+/* Reads the texts; false where one is no finite number and may not be infinite either. */
+static bool read_texts(const struct section *s, const char *const *texts, struct input *inputs)
+{
+    bool finite = true;
+    for (int i = 0; i < s->input_count; i++) {
+        enum literal literal = literal_read(&inputs[i].value, texts[i], false);
+        inputs[i].infinite = literal == LITERAL_INFINITE;
+        finite = finite && (literal == LITERAL_FINITE || inputs[i].infinite);
+    }
+    return finite;
+}
+
+bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags)
+{
+    const struct section *s = o->section;
+    char *outputs[MOST_OUTPUTS] = {NULL}, *S[MOST_OUTPUTS] = {NULL};
+    struct input *inputs = inputs_new(s->input_count);
+    const char *flag = "";
+    bool fine = true;
+    if (!read_texts(s, texts, inputs) || !operation_valid(o, inputs)) {
+        flag = "invalid";
+    } else {
+        fine = operation_digits(o, inputs, VECTOR_DIGITS, outputs) == OUTCOME_PROVED &&
+               (!operation_has_sensitivity(s) || sensitivity_texts(o, inputs, S));
+        if (fine && s->method == METHOD_FORMULA && is_out_of_range(o, inputs))
+            flag = "range";
+    }
+    if (fine)
+        print_line(id, s, texts, outputs, S, flag, flags);
+    for (int i = 0; i < s->output_count; i++) {
+        free(outputs[i]);
+        free(S[i]);
+    }
+    inputs_free(inputs, s->input_count);
+    return fine;
+}
+
+bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint64_t count)
+{
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    double values[MOST_INPUTS];
+    char decimals[MOST_INPUTS][32], id[96];
+    const char *texts[MOST_INPUTS];
+    bool fine = true;
+    operation_init(&o, s, false);
+    for (uint64_t k = first; k - first < count && fine && !ferror(stdout); k++) {
+        sample(&o, seed, k, values, inputs);
+        for (int i = 0; i < s->input_count; i++) {
+            decimal_shortest(decimals[i], values[i]);
+            texts[i] = decimals[i];
+        }
+        snprintf(id, sizeof id, "%s-%" PRIu64 "-%" PRIu64, s->id, seed, k);
+        fine = vector_print(&o, id, texts, "");
+    }
+    if (!fine)
+        fprintf(stderr, "coulomb-tether: %s\n", o.why.text);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    return fine;
+}

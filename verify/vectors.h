@@ -1,0 +1,33 @@
+/*
+ * Vectors: an operation's inputs with outputs of which every digit is proved, as lines of CSV.
+ *
+ *     id,INPUTS,OUTPUTS,S_OUTPUT...,flags
+ *
+ * Inputs are written as the shortest decimals that read back as the same binary64; outputs have 40
+ * digits, sensitivities 17. A motion has no S. Outside the domain outputs are empty, the flag is invalid.
+ */
+#ifndef CT_VECTORS_H
+#define CT_VECTORS_H
+
+#include <stdint.h>
+
+#include "operation.h"
+
+enum { VECTOR_DIGITS = 40, SENSITIVITY_DIGITS = 17 };
+
+void vectors_header(const struct section *s);
+
+/*
+ * One line. The texts are literals, each meaning its nearest binary64; `flags` (may be empty) stand
+ * behind "invalid" and "range", which are found here. False and a reason in o->why when a value in the
+ * domain cannot be certified; nothing is printed then.
+ */
+bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags);
+
+/* Random vectors index first ... first + count - 1 of a seed, ids ID-SEED-INDEX. */
+bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint64_t count);
+
+/* The golden vectors of an operation. */
+bool vectors_golden(const struct section *s);
+
+#endif
