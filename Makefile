@@ -60,6 +60,10 @@ PROGRAM := $(BUILD)/coulomb-tether
 SONAME  := libcoulombtether.so.$(firstword $(subst ., ,$(VERSION)))
 
 TABLES  := $(DATA)/table1.csv $(patsubst %,$(DATA)/figure%.csv,4 5a 5b 6 7a 7b)
+# The operations: every section of the sheet that has outputs.
+OPERATIONS := $(shell awk '/^equations:/ { on = 1 } on && /^  [a-z0-9_]+:$$/ { id = $$1; sub(":", "", id) } \
+  on && /^    outputs:/ { print id }' paper/equations.yaml)
+GOLDEN  := $(patsubst %,$(DATA)/golden/%.csv,$(OPERATIONS))
 DRAWN   := $(patsubst paper/figures/%.gp,%,$(wildcard paper/figures/figure*.gp))
 FIGURES := $(foreach kind,svg png,$(patsubst %,$(BUILD)/figures/%.$(kind),$(DRAWN)))
 
@@ -86,10 +90,10 @@ $(BUILD)/packages.found:
 	@$(PKG_CONFIG) --exists gsl mpfr yaml-0.1 || { echo 'Packages are missing: run "make deps".' >&2; exit 1; }
 	@mkdir -p $(@D) && touch $@
 
-# The sheet becomes part of the program once it has been found free of mistakes.
-$(EMBED): $(BUILD)/sheet.checked $(wildcard paper/equations.yaml paper/derivations.yaml)
+# The sheet and the steps become part of the program once they have been found free of mistakes.
+$(EMBED): $(BUILD)/sheet.checked
 
-$(BUILD)/sheet.checked: $(BUILD)/sheet-check paper/equations.yaml
+$(BUILD)/sheet.checked: $(BUILD)/sheet-check paper/equations.yaml paper/derivations.yaml
 	$^
 	@touch $@
 
@@ -141,9 +145,9 @@ $(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*.h tests/*.h)
 	@mv $@.tmp $@
 
 ### The paper's table and figures
-## data: Table 1, printed, and the numbers of it and of every figure in data/
-data: $(TABLES)
-	@printf 'wrote %s\n' $(TABLES)
+## data: everything below data/: table, figures, golden vectors, their description; prints Table 1
+data: $(TABLES) $(GOLDEN) $(DATA)/datapackage.json
+	@printf 'wrote %s\n' $(TABLES) '$(DATA)/golden/ ($(words $(GOLDEN)) files)' $(DATA)/datapackage.json
 	@$(PROGRAM) table1
 
 $(DATA)/table1.csv: $(PROGRAM)
@@ -155,6 +159,15 @@ $(DATA)/table1.csv: $(PROGRAM)
 $(DATA)/figure%.csv: $(PROGRAM)
 	@mkdir -p $(@D)
 	$(PROGRAM) figure $* $(if $(filter-out 4,$*),--rk4 100) >$@.tmp
+	@mv $@.tmp $@
+
+$(DATA)/golden/%.csv: $(PROGRAM)
+	@mkdir -p $(@D)
+	$(PROGRAM) vectors $* --golden >$@.tmp
+	@mv $@.tmp $@
+
+$(DATA)/datapackage.json: $(TABLES) $(GOLDEN)
+	sha256sum $(sort $^) | $(PROGRAM) datapackage >$@.tmp
 	@mv $@.tmp $@
 
 ## figures: the figures, as SVG and PNG, in build/figures/

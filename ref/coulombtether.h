@@ -1,7 +1,7 @@
 /*
  * coulombtether.h   the equations of a Coulomb tether formation, one function an equation
  *
- * Two charged craft fly in line with the orbit nadir; the electrostatic force holds their distance, the gravity gradient their
+ * Two charged craft fly in line with the local vertical; the electrostatic force holds their distance, the gravity gradient their
  * attitude. The number before a function is the equation that it computes; its formula, units and domain stand above its definition.
  *
  * Units are SI. Every input must be finite, lambda_d excepted. Outside its domain
@@ -46,7 +46,7 @@ struct ct_gains {
     double C2; /* on its rate [1/s] */
 };
 
-/* Craft 1 in the rotating Hill frame: x along the orbit nadir direction, y along the velocity, z along the orbit normal. */
+/* Craft 1 in the rotating Hill frame: x radially outwards, y along the velocity, z along the orbit normal. */
 struct ct_hill_state {
     double x1, y1, z1;             /* [m] */
     double x1_dot, y1_dot, z1_dot; /* [m/s] */
@@ -74,7 +74,7 @@ struct ct_craft {
 
 struct ct_spherical { double L, psi, theta; };                     /* [m], [rad], [rad] */
 struct ct_spherical_rate { double L_dot, psi_dot, theta_dot; };    /* [m/s], [rad/s], [rad/s] */
-struct ct_nadir_positions { double x1, x2; };                      /* [m] */
+struct ct_static_places { double x1, x2; };                      /* [m] */
 struct ct_charge_pair { double q1, q2; };                          /* [C] */
 struct ct_quartic { double a0, a1, a2, a3, a4; };                  /* of lambda^k: [1/s^(4-k)] */
 struct ct_root { double re, im; };                                 /* [1/s] */
@@ -84,7 +84,7 @@ struct ct_routh_margins { double margin1, margin2; int stable; };  /* [1/s^2], [
 /* (2)  */ int ct_formation_acceleration(double Omega, double k_c, double lambda_d, size_t N, const struct ct_craft *craft, struct ct_vector *acceleration);
 /* (3)  */ struct ct_vector ct_hill_acceleration(struct ct_params p, struct ct_hill_state s, double Q);
 /* (4)  */ struct ct_vector ct_second_position(struct ct_params p, struct ct_vector r1);
-/* (5)  */ struct ct_nadir_positions ct_static_positions(struct ct_params p, double L);
+/* (5)  */ struct ct_static_places ct_static_positions(struct ct_params p, double L);
 /* (7)  */ double ct_reference_charge_product(struct ct_params p, double L);
 
 /* Attitude angles, distance, and how they move: perturbation.c */

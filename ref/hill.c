@@ -112,7 +112,7 @@ struct ct_vector ct_second_position(struct ct_params p, struct ct_vector r1)
 }
 
 /*
- * Eqs. (5c)-(5d)   places of the two craft at rest on the orbit nadir line
+ * Eqs. (5c)-(5d)   places of the two craft at rest on the orbit radius
  *
  *     x1 = m2/(m1 + m2) L,  x2 = -m1/(m1 + m2) L
  *
@@ -120,11 +120,11 @@ struct ct_vector ct_second_position(struct ct_params p, struct ct_vector r1)
  *           L        distance of the craft [m]   > 0
  * Returns   x1, x2   [m]
  */
-struct ct_nadir_positions ct_static_positions(struct ct_params p, double L)
+struct ct_static_places ct_static_positions(struct ct_params p, double L)
 {
     if (!POSITIVE(p.m1, p.m2, L))
-        return (struct ct_nadir_positions){NAN, NAN};
-    return (struct ct_nadir_positions){p.m2 / (p.m1 + p.m2) * L, -p.m1 / (p.m1 + p.m2) * L};
+        return (struct ct_static_places){NAN, NAN};
+    return (struct ct_static_places){p.m2 / (p.m1 + p.m2) * L, -p.m1 / (p.m1 + p.m2) * L};
 }
 
 /*

@@ -15,7 +15,7 @@
 enum {
     DIMENSION = 6,       /* three coordinates, then their rates: both state structures, member by member */
     COORDINATES = 3,
-    MOST_STEPS = 200000 /* between two times asked for; the paper's three days take a few hundred */
+    MOST_STEPS = 200000  /* between two times asked for; the paper's three days take a few hundred */
 };
 _Static_assert(sizeof(struct ct_tether_state) == DIMENSION * sizeof(double), "a state is six doubles");
 _Static_assert(sizeof(struct ct_hill_state) == DIMENSION * sizeof(double), "a state is six doubles");
@@ -93,8 +93,8 @@ static void record(const struct motion *m, int status, size_t i, void *states)
 }
 
 /*
- * A step may err by noise + tolerance (|y| + |h dy/dtau|) in each component: no halt where one passes through zero. A time
- * on the way back to t = 0 is approached from there anew, for backwards a stable motion amplifies its errors.
+ * A step may err by noise + tolerance (|y| + |h dy/dtau|) in each component: no halt where one passes through zero. A
+ * time on the way back to t = 0 is approached from there anew, for backwards a stable motion amplifies its errors.
  */
 static int adaptive_flow(struct motion *m, int status, double noise, double tolerance, size_t count, const double t[],
                          void *states)
@@ -164,7 +164,7 @@ static int runge_kutta_step(struct motion *m, double h)
     }
     for (size_t k = 0; k < DIMENSION; k++)
         m->y[k] += increment[k];
-    return CT_OK;
+    return all_within(-INFINITY, m->y, DIMENSION) ? CT_OK : CT_CONVERGENCE;
 }
 
 static int fixed_step_flow(struct motion *m, int status, double h, size_t count, const double t[], void *states)
@@ -195,8 +195,8 @@ static int fixed_step_flow(struct motion *m, int status, double h, size_t count,
  * Returned  states     states at these times; NaN from the first one that was not reached
  * Status    CT_OK, CT_DOMAIN, CT_MEMORY, or CT_CONVERGENCE where the state outgrows double
  *
- * Note 1    Method: the Prince-Dormand pair of orders 8 and 9, GSL's rk8pd. In the paper's case a tolerance of 1e-13 leaves
- *           twelve digits after three days; below it roundings take over.
+ * Note 1    Method: the Prince-Dormand pair of orders 8 and 9, GSL's rk8pd. In the paper's case a tolerance of 1e-13
+ *           leaves twelve digits after three days; below it roundings take over.
  * Note 2    GSL calls its error handler, which by default aborts, where memory is exhausted.
  */
 int ct_linear_flow(struct ct_params p, struct ct_gains g, struct ct_tether_state initial, double tolerance, size_t count,
@@ -222,7 +222,7 @@ int ct_linear_flow(struct ct_params p, struct ct_gains g, struct ct_tether_state
  * Returned  states     states at these times; NaN from the first one that was not reached
  * Status    CT_OK, CT_DOMAIN, CT_MEMORY, or CT_CONVERGENCE where the craft collide or the state outgrows double
  *
- * Note      Q takes the sign that the law commands. Charges (21) exist only while it is negative, and ct_commanded_charges
+ * Note      Q takes the sign that the law commands. Charges (21) exist only while it is negative: ct_commanded_charges
  *           gives them. Method and memory as for the linear model.
  */
 int ct_nonlinear_flow(struct ct_params p, struct ct_gains g, struct ct_hill_state initial, double tolerance, size_t count,

@@ -57,14 +57,15 @@ struct ct_quartic ct_characteristic_polynomial(double Omega, struct ct_gains g)
 }
 
 /*
- * Newton's method on one root, for as long as it lowers |p|. True where what is left solves a polynomial that differs from
+ * Newton's method on one root, for as long as it halves |p|. True where what is left solves a polynomial that differs from
  * p by a few roundings of each term: of a multiple root, which has half its digits or fewer, there is no more to ask.
  */
 static bool polish(size_t degree, const double a[], struct ct_root *root)
 {
-    double lowest = INFINITY, terms = 0;
+    double complex z = root->re + root->im * I;
+    double residual = INFINITY, terms = 0;
 
-    for (double complex z = root->re + root->im * I;;) {
+    for (bool halved = true; halved;) {
         double complex p = a[degree], slope = 0;
         double magnitude = fabs(a[degree]);
         for (size_t k = degree; k-- > 0;) {
@@ -72,14 +73,15 @@ static bool polish(size_t degree, const double a[], struct ct_root *root)
             p = p * z + a[k];
             magnitude = magnitude * cabs(z) + fabs(a[k]);
         }
-        if (!(cabs(p) < lowest))
-            break;
-        *root = (struct ct_root){creal(z), cimag(z)};
-        lowest = cabs(p);
-        terms = magnitude;
-        z -= p / slope;
+        halved = cabs(p) < residual / 2;
+        if (halved) {
+            *root = (struct ct_root){creal(z), cimag(z)};
+            residual = cabs(p);
+            terms = magnitude;
+            z -= p / slope;
+        }
     }
-    return lowest <= 16 * DBL_EPSILON * terms; /* a complex Horner scheme of degree 4 errs by less than half of that */
+    return residual <= 16 * DBL_EPSILON * terms; /* a complex Horner scheme of degree 4 errs by less than half of that */
 }
 
 /* Whether no root was found twice: then the product of all -z is a_0. Loose, as double roots have half their digits. */
@@ -132,7 +134,8 @@ static int by_real_then_imaginary_part(const void *left, const void *right)
  *
  * Note 1    Solved in units of Omega, where the coefficients are near one; in SI they span twenty orders of magnitude.
  *           Each root gets a Newton polish. A root at zero, on the boundary C1 = 9 Omega^2 of (42), is exact.
- * Note 2    GSL calls its error handler, which by default aborts, where memory is exhausted.
+ * Note 2    GSL calls its error handler, which by default aborts, where memory is exhausted or its QR iteration does not
+ *           end; no gains are known that bring the latter about.
  */
 int ct_characteristic_roots(double Omega, struct ct_gains g, struct ct_root root[4])
 {

@@ -21,8 +21,8 @@ typedef size_t flat_function(const double x[], double y[]);
 enum { MOST_OUTPUTS = 16 };
 
 /*
- * All outputs are numbers inside the domain, and all are NaN where one input, whichever, leaves it. The domain is a letter
- * an input: '+' finite and above zero, '0' finite and not below zero, 'i' above zero, infinite too, 'r' any finite number.
+ * All outputs are numbers inside the domain, and all are NaN where one input, whichever, leaves it. The domain is a
+ * letter an input: '+' finite and above zero, '0' finite and not below zero, 'i' above zero, infinite too, 'r' finite.
  */
 void assert_rejects_outside(flat_function *f, const char *domain, const double inside[]);
 

@@ -178,7 +178,7 @@ START_TEST(eq29_rejects_each_input_outside_its_domain)
 }
 END_TEST
 
-/* Summed over 2 kg at (1, 2, 3) and 5 kg at (-1, 0, 2); m1 in the second place, as printed, would give 2*(13 + 4) for I_11. */
+/* 2 kg at (1, 2, 3) and 5 kg at (-1, 0, 2); m1 in the second place, as printed, would give 2*(13 + 4) for I_11. */
 START_TEST(eq30_whole_numbers)
 {
     const struct ct_matrix inertia =
@@ -206,7 +206,7 @@ END_TEST
 
 START_TEST(eq30_of_the_tether_has_the_inertia_of_eq32)
 {
-    const struct ct_nadir_positions at = ct_static_positions(unequal, 23);
+    const struct ct_static_places at = ct_static_positions(unequal, 23);
     const struct ct_matrix inertia =
         ct_inertia_matrix(unequal, (struct ct_vector){at.x1, 0, 0}, (struct ct_vector){at.x2, 0, 0});
 

@@ -240,7 +240,7 @@ END_TEST
 
 START_TEST(eq05_lighter_craft_is_farther_out)
 {
-    const struct ct_nadir_positions at = ct_static_positions((struct ct_params){.m1 = 1, .m2 = 3}, 8);
+    const struct ct_static_places at = ct_static_positions((struct ct_params){.m1 = 1, .m2 = 3}, 8);
 
     ck_assert_double_eq(at.x1, 6);
     ck_assert_double_eq(at.x2, -2);
@@ -249,7 +249,7 @@ END_TEST
 
 START_TEST(eq05_paper_formation_is_symmetric)
 {
-    const struct ct_nadir_positions at = ct_static_positions(paper, paper.L_ref);
+    const struct ct_static_places at = ct_static_positions(paper, paper.L_ref);
 
     ck_assert_double_eq(at.x1, 5);
     ck_assert_double_eq(at.x2, -5);
@@ -258,7 +258,7 @@ END_TEST
 
 static size_t eq05(const double x[], double y[])
 {
-    const struct ct_nadir_positions at = ct_static_positions((struct ct_params){NAN, NAN, x[0], x[1], NAN}, x[2]);
+    const struct ct_static_places at = ct_static_positions((struct ct_params){NAN, NAN, x[0], x[1], NAN}, x[2]);
 
     memcpy(y, &at, sizeof at);
     return 2;

@@ -9,7 +9,7 @@
 
 static const struct ct_params unequal = {7.2915e-5, 8.99e9, 120, 410, 23};
 
-/* Craft of 2 kg and 1 kg where Omega = k_c = 1: craft 1 keeps a third of the distance, and (3, 4, 12) is 13 m from the origin. */
+/* Craft of 2 kg and 1 kg where Omega = k_c = 1: craft 1 is a third of the distance from the origin; (3, 4, 12) is 13 m. */
 static const struct ct_params whole = {1, 1, 2, 1, NAN};
 
 static const double quarter_turn = 1.57079632679489661923;
@@ -380,7 +380,8 @@ END_TEST
 START_TEST(eq13_rate_comes_back_from_eq11)
 {
     const struct ct_spherical c = {23.5, angles[_i][0], angles[_i][1]};
-    const struct ct_vector r = ct_position(unequal, c), v = ct_velocity(unequal, c, (struct ct_spherical_rate){-2, 0.1, 0.2});
+    const struct ct_spherical_rate c_dot = {-2, 0.1, 0.2};
+    const struct ct_vector r = ct_position(unequal, c), v = ct_velocity(unequal, c, c_dot);
     const struct ct_hill_state s = {r.x, r.y, r.z, v.x, v.y, v.z};
 
     /* r.v takes up to sixteen roundings of r |v|, and with L = 23.5 m |v| is up to three times L_dot */

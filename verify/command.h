@@ -73,6 +73,7 @@ int command_eval(int count, char **arguments);
 int command_table1(int count, char **arguments);
 int command_figure(int count, char **arguments);
 int command_trajectory(int count, char **arguments);
+int command_verify(int count, char **arguments);
 int command_vectors(int count, char **arguments);
 int command_datapackage(int count, char **arguments);
 

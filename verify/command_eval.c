@@ -76,7 +76,7 @@ int command_eval(int count, char **texts)
     struct option options[] = {
         {"--digits", true, NULL}, {"--exact", false, NULL}, {"--as-printed", false, NULL}, {"--json", false, NULL}};
     struct arguments a = {.subcommand = "eval", .options = options, .option_count = 4};
-    long digits;
+    long digits = 40;
     int status = arguments_split(&a, count, texts, 1);
     if (status != EXIT_DONE)
         return status;
@@ -89,7 +89,7 @@ int command_eval(int count, char **texts)
         status = complain(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
     else
         status = option_digits(&a, 40, &digits);
-    if (status == EXIT_DONE)
+    if (status == EXIT_DONE && s != NULL)
         status = evaluate(&a, s, digits);
     free(a.assignments);
     return status;

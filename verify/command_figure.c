@@ -53,7 +53,8 @@ static void print_heads(const struct figure *f, bool rk4)
     putchar('\n');
 }
 
-static int print_figure(const struct figure *f, const struct setting *s, const struct arguments *a, long digits)
+static int print_motion_figure(const struct figure *f, const struct setting *s,
+                               const struct arguments *a, long digits)
 {
     struct motion m = {.setting = s, .nonlinear = f->nonlinear, .charges = f->charges,
                        .small_angles = f->small_angles, .digits = digits, .microcoulomb = f->charges};
@@ -82,6 +83,14 @@ static int print_figure(const struct figure *f, const struct setting *s, const s
     times_clear(&times);
     fmpq_clear(h);
     return status;
+}
+
+static const struct figure *motion_figure(const char *name)
+{
+    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++)
+        if (strcmp(figures[i].name, name) == 0)
+            return &figures[i];
+    return NULL;
 }
 
 /* ---- Figure 4: the characteristic roots against n ---- */
@@ -215,13 +224,10 @@ int command_figure(int count, char **texts)
     int status = arguments_split(&a, count, texts, 1);
     if (status != EXIT_DONE)
         return status;
-    const struct figure *f = NULL;
-    for (size_t i = 0; i < sizeof figures / sizeof *figures && a.word_count > 0; i++)
-        if (strcmp(figures[i].name, a.words[0]) == 0)
-            f = &figures[i];
+    const struct figure *f = a.word_count > 0 ? motion_figure(a.words[0]) : NULL;
     const bool roots = a.word_count > 0 && strcmp(a.words[0], "4") == 0;
     struct setting s;
-    long digits;
+    long digits = 17;
     setting_init(&s, option_given(&a, "--exact"));
     if (f == NULL && !roots)
         status = complain(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
@@ -232,8 +238,10 @@ int command_figure(int count, char **texts)
         status = read_settings(&s, &a, f != NULL && f->nonlinear);
     if (status == EXIT_DONE && roots)
         status = check_figure4(&a, &s);
-    if (status == EXIT_DONE)
-        status = roots ? print_figure4(&s, digits) : print_figure(f, &s, &a, digits);
+    if (status == EXIT_DONE && roots)
+        status = print_figure4(&s, digits);
+    else if (status == EXIT_DONE && f != NULL)
+        status = print_motion_figure(f, &s, &a, digits);
     setting_clear(&s);
     free(a.assignments);
     return status;

@@ -22,14 +22,17 @@ static int whole_number(const char *name, const char *text, uint64_t *value)
 /* K/N: the K-th of N contiguous parts, as even as can be. */
 static int take_shard(const char *text, uint64_t *first, uint64_t *count, bool *header)
 {
-    uint64_t k, n;
+    uint64_t k = 0, n = 0;
     char *copy = text_copy(text), *slash = strchr(copy, '/');
-    if (slash != NULL)
+    int status = EXIT_USAGE;
+    if (slash == NULL) {
+        complain(EXIT_USAGE, "--shard: expected K/N, got '%.40s'", text);
+    } else {
         *slash = '\0';
-    int status = slash == NULL ? complain(EXIT_USAGE, "--shard: expected K/N, got '%.40s'", text)
-                               : whole_number("--shard", copy, &k);
-    if (status == EXIT_DONE)
-        status = whole_number("--shard", slash + 1, &n);
+        status = whole_number("--shard", copy, &k);
+        if (status == EXIT_DONE)
+            status = whole_number("--shard", slash + 1, &n);
+    }
     if (status == EXIT_DONE && (k < 1 || k > n || n > 1000000))
         status = complain(EXIT_USAGE, "--shard: expected K/N with 1 <= K <= N <= 1000000, got '%.40s'", text);
     free(copy);
@@ -60,13 +63,16 @@ static int random_vectors(const struct arguments *a, const struct section *s)
     const char *count_text = option_value(a, "--count"), *seed_text = option_value(a, "--seed");
     uint64_t first = 0, count = 0, seed = 0;
     bool header = true;
+    int status = EXIT_USAGE;
     if (count_text == NULL || seed_text == NULL)
-        return complain(EXIT_USAGE, "vectors: expected --count N and --seed S, or --golden");
-    int status = whole_number("--count", count_text, &count);
-    if (status == EXIT_DONE)
+        complain(EXIT_USAGE, "vectors: expected --count N and --seed S, or --golden");
+    else
+        status = whole_number("--count", count_text, &count);
+    if (status == EXIT_DONE && seed_text != NULL)
         status = whole_number("--seed", seed_text, &seed);
-    if (status == EXIT_DONE && option_given(a, "--shard"))
-        status = take_shard(option_value(a, "--shard"), &first, &count, &header);
+    const char *shard = option_value(a, "--shard");
+    if (status == EXIT_DONE && shard != NULL)
+        status = take_shard(shard, &first, &count, &header);
     if (status != EXIT_DONE)
         return status;
     if (header)
@@ -84,9 +90,10 @@ int command_vectors(int count, char **texts)
     const struct section *s = NULL;
     status = take_section(&a, &s);
     const bool golden = option_given(&a, "--golden");
-    if (status == EXIT_DONE && golden && (option_given(&a, "--count") || option_given(&a, "--seed") || option_given(&a, "--shard")))
+    const bool random = option_given(&a, "--count") || option_given(&a, "--seed") || option_given(&a, "--shard");
+    if (status == EXIT_DONE && golden && random)
         status = complain(EXIT_USAGE, "--golden: expected without --count, --seed and --shard");
-    if (status == EXIT_DONE && golden)
+    else if (status == EXIT_DONE && golden)
         status = vectors_golden(s) ? EXIT_DONE : EXIT_FAILED_CHECK;
     else if (status == EXIT_DONE)
         status = random_vectors(&a, s);

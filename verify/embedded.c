@@ -9,14 +9,24 @@
 __asm__(".section .rodata\n"
         "ct_sheet_begin: .incbin \"" CT_SHEET_PATH "\"\n"
         "ct_sheet_end:\n"
+        "ct_derivations_begin: .incbin \"" CT_DERIVATIONS_PATH "\"\n"
+        "ct_derivations_end:\n"
         ".previous\n");
 
-extern const char ct_sheet_begin[], ct_sheet_end[];
+extern const char ct_sheet_begin[], ct_sheet_end[], ct_derivations_begin[], ct_derivations_end[];
 
 const char *embedded_sheet(size_t *length)
 {
+    /* cppcheck-suppress comparePointers ; the two labels bound one object */
     *length = (size_t)(ct_sheet_end - ct_sheet_begin);
     return ct_sheet_begin;
+}
+
+const char *embedded_derivations(size_t *length)
+{
+    /* cppcheck-suppress comparePointers ; the two labels bound one object */
+    *length = (size_t)(ct_derivations_end - ct_derivations_begin);
+    return ct_derivations_begin;
 }
 
 static struct sheet compiled_in; /* read when first asked for */

@@ -5,5 +5,6 @@
 #include <stddef.h>
 
 const char *embedded_sheet(size_t *length);
+const char *embedded_derivations(size_t *length);
 
 #endif

@@ -11,13 +11,6 @@
 enum { PSI, THETA, DL, PSI_DOT, THETA_DOT, DL_DOT };
 enum { COUPLED = 4 };
 
-bool flow_linear_domain(const struct flow_parameters *p, arb_srcptr initial)
-{
-    return arb_is_positive(p->Omega) && arb_is_positive(p->L_ref) && arb_is_finite(p->Omega)
-           && arb_is_finite(p->L_ref) && arb_is_finite(p->C1) && arb_is_finite(p->C2)
-           && _arb_vec_is_finite(initial, FLOW_STATE);
-}
-
 /* A */
 static void set_rates(arb_mat_t a, const struct flow_parameters *p, slong prec)
 {

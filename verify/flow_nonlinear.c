@@ -1,51 +1,55 @@
 /*
- * The nonlinear flow: Taylor steps (taylor.h) of a set of states (lohner.h).
+ * The nonlinear flow: Taylor steps (taylor.h) that carry a set of states (lohner.h).
  *
- * Theorem (a step of length h). Let J(s) hold, for every state of a box around the set, the derivatives of
- * the flow over the time s in the directions of the basis. The flow takes centre + basis e into
- * path(s) + J(s) e, where path is the motion from the centre: the mean value theorem entry by entry,
- * for the box is convex and an enclosure of derivatives encloses their averages. Hence
- *   within the step, |s| <= h, a state lies in path(s) +- (rest of the path + sum_j ||J_ij|| reach_j);
- *   at its end the set moves by path(h), J(h), and both their rests.
- * The box needs no room to move: derivatives are taken at its points as initial states, and the rests
- * are proved for them all (taylor.c).
+ * Theorem (a step of length h). From every state of the set, and at every |s| <= h, the motion lies in
+ *
+ *     path(s) + J(s) e,   |e_j| <= reach_j,
+ *
+ * where path is the motion from the set's centre, and J(s) encloses the derivatives of the motion along the
+ * set's basis from all the states of a box around the set. This is the mean value theorem, entry by entry: the box is
+ * convex, and what encloses derivatives encloses their averages. So at its end the set moves by path(h) and
+ * J(h); and within the step a state lies within sum_j ||J_ij|| reach_j of the path. Both series end at some
+ * degree, and majorant_prove bounds what they leave out, for all the box and for all parameters within their
+ * balls. No guess at where the motion goes is needed.
  */
+#include "flow.h"
+
 #include <math.h>
 
-#include "flow.h"
 #include "lohner.h"
 #include "taylor.h"
 
 enum {
-    GUARD = 12,          /* bits: rounding in one step takes eight, see test_flow                       */
-    TUBE_ORDER = 12,     /* of the derivatives, which only steer the set: ...                           */
-    STEADY = 10,         /* ... they need be known to 2^-10 only                                        */
-    LEAST_STEP = -32,    /* log2 of radians; shorter steps ...                                          */
-    CLOSE = -8,          /* ... with the craft this close, log2 of r / r_ref, lead into a collision     */
-    MOST_HALVINGS = 32,  /* of a step that was too long to prove: beyond that the set is the reason     */
-    MOST_STEPS = 100000, /* 30 days of Table 1 take some 500                                            */
-    HALF = FLOW_STATE / 2 /* positions, then velocities */
+    GUARD = 12,           /* bits: by then rounding adds 4 per cent to what the steps leave out, measured */
+    TUBE_ORDER = 12,      /* of the derivatives, which only steer the set: ...                            */
+    STEADY = 10,          /* ... to know them to 2^-10 will do                                            */
+    LEAST_STEP = -32,     /* log2 of radians: shorter steps ...                                           */
+    CLOSE = -8,           /* ... where r < 2^-8 r_ref are a collision                                     */
+    MOST_HALVINGS = 32,   /* of a step too long to prove: beyond that the set is too wide                 */
+    MOST_STEPS = 100000,  /* 30 days of Table 1 take some 500                                             */
+    HALF = FLOW_STATE / 2 /* positions, then velocities                                                   */
 };
 
 struct flow {
-    arb_t Omega, c1, c2, r_ref, speed;           /* speed = Omega r_ref                            */
-    slong prec, bits;                            /* a step leaves out 2^-bits of the distance      */
-    int direction;                               /* of time, 1 or -1                               */
+    arb_t Omega, c1, c2, r_ref, speed; /* speed = Omega r_ref                                    */
+    slong prec, bits;                  /* a step leaves out 2^-bits of the distance, roughly     */
+    int direction;                     /* of time, 1 or -1                                       */
     bool proving;
-    arf_t now;                                   /* radians of orbit at the step's start; exact    */
+    arf_t now;                         /* radians of orbit where the step starts; exact          */
     struct lohner set;
-    struct jet path, tube, column[FLOW_STATE];   /* from the centre, the box, and its derivatives  */
-    struct majorant path_bound, tube_bound, spread_bound; /* spread: columns under their reach     */
-    arb_ptr power;                               /* of the time since the step's start             */
-    arb_ptr state;                               /* handed on at the time s of the step            */
-    arb_t s;
+    struct jet path, tube, column[FLOW_STATE]; /* from the centre, from the box, and its derivatives */
+    struct majorant path_bound, tube_bound, spread_bound; /* spread: |J| reach                   */
+    arb_ptr power;                     /* s^k                                                    */
+    arb_ptr state;                     /* the answer at s, ...                                   */
+    arb_t s;                           /* ... radians after now                                  */
 };
 
 static void flow_init(struct flow *f, slong prec)
 {
     f->prec = prec;
     f->bits = FLINT_MAX(prec - GUARD, 16);
-    slong order = (slong)(0.5 * log(2) * (double)f->bits) + 4; /* least work where (h/R)^n = e^-2n = 2^-bits */
+    /* Work n^2/h for n terms is least at h = R/e^2, R the radius of convergence: e^-2n = 2^-bits. */
+    slong order = (slong)(0.5 * log(2) * (double)f->bits) + 4;
     arb_init(f->Omega);
     arb_init(f->c1);
     arb_init(f->c2);
@@ -84,18 +88,6 @@ static void flow_clear(struct flow *f)
     arb_clear(f->c2);
     arb_clear(f->c1);
     arb_clear(f->Omega);
-}
-
-bool flow_nonlinear_domain(const struct flow_parameters *p, arb_srcptr initial)
-{
-    arb_t square;
-    arb_init(square);
-    arb_dot(square, NULL, 0, initial, 1, initial, 1, HALF, 64);
-    bool valid = flow_linear_domain(p, initial) && arb_is_positive(square)
-                 && arb_is_positive(p->k_c) && arb_is_positive(p->m1) && arb_is_positive(p->m2)
-                 && arb_is_finite(p->k_c) && arb_is_finite(p->m1) && arb_is_finite(p->m2);
-    arb_clear(square);
-    return valid;
 }
 
 /* Into radians of orbit and units of r_ref. A quotient that is exact stays so. */
@@ -185,7 +177,7 @@ static double position_size(const struct flow *f, slong k)
 /* The step at which the last two coefficients fall to 2^-bits of the distance: a dyadic of 8 bits. */
 static double step_length(const struct flow *f)
 {
-    double step = 0, r = position_size(f, 0); /* log2, so that 1 radian is the longest: at rest */
+    double step = 0, r = position_size(f, 0); /* log2: at rest the step is one radian */
     for (slong k = f->path.order - 1; k <= f->path.order; k++)
         step = fmin(step, (r - (double)f->bits - position_size(f, k)) / (double)k);
     int exponent;
@@ -193,7 +185,7 @@ static double step_length(const struct flow *f)
     return ldexp(floor(ldexp(fraction, 8)), exponent - 8);
 }
 
-/* Whether the derivatives are known well enough to steer by: a step would else inflate the set. */
+/* Whether the derivatives are known well enough to steer by; else each step would inflate the set. */
 static bool steady(const struct majorant *spread)
 {
     mag_t all, rest;
@@ -292,26 +284,7 @@ static bool advance(struct flow *f, double step)
     return bounded;
 }
 
-bool flow_wide(arb_srcptr state, slong bits)
-{
-    mag_t radius, size, m;
-    mag_init(radius);
-    mag_init(size);
-    mag_init(m);
-    for (int i = 0; i < FLOW_STATE; i++) {
-        mag_max(radius, radius, arb_radref(state + i));
-        arb_get_mag(m, state + i);
-        mag_max(size, size, m);
-    }
-    mag_mul_2exp_si(size, size, -bits);
-    bool wide = mag_is_inf(radius) || mag_cmp(radius, size) > 0;
-    mag_clear(radius);
-    mag_clear(size);
-    mag_clear(m);
-    return wide;
-}
-
-/* Whether so many digits of the set are lost; no later step could mend that. */
+/* Whether the set has lost so many digits. */
 static bool lost(const struct flow *f, slong digits)
 {
     arb_ptr box = _arb_vec_init(FLOW_STATE);
@@ -351,7 +324,7 @@ static bool within(const struct flow *f, arb_t s, const fmpq_t t, double step)
     return inside;
 }
 
-/* Times monotone away from 0? */
+/* Whether the times go away from 0. */
 static bool ordered(const fmpq *times, slong count, int direction)
 {
     for (slong k = 0; k < count; k++)
@@ -400,9 +373,9 @@ static enum flow_status run(struct flow *f, arb_srcptr initial, const fmpq *time
     return FLOW_DONE;
 }
 
-static enum flow_status flow(bool proving, const struct flow_parameters *p, arb_srcptr initial,
-                             const fmpq *times, slong count, slong digits, slong prec,
-                             flow_receiver *receive, void *context, double *reached)
+static enum flow_status integrate(bool proving, const struct flow_parameters *p, arb_srcptr initial,
+                                  const fmpq *times, slong count, slong digits, slong prec,
+                                  flow_receiver *receive, void *context, double *reached)
 {
     int direction = count > 0 && fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
     *reached = 0;
@@ -422,18 +395,12 @@ enum flow_status flow_nonlinear(const struct flow_parameters *p, arb_srcptr init
                                 const fmpq *times, slong count, slong digits, slong prec,
                                 flow_receiver *receive, void *context, double *reached)
 {
-    return flow(true, p, initial, times, count, digits, prec, receive, context, reached);
+    return integrate(true, p, initial, times, count, digits, prec, receive, context, reached);
 }
 
 enum flow_status flow_nonlinear_unproved(const struct flow_parameters *p, arb_srcptr initial,
                                          const fmpq *times, slong count, slong digits, slong prec,
                                          flow_receiver *receive, void *context, double *reached)
 {
-    return flow(false, p, initial, times, count, digits, prec, receive, context, reached);
-}
-
-slong flow_precision(slong digits, double radians)
-{
-    /* 36 bits go to rests, to growth in the first day, and to coordinates smaller than r_ref and its speed */
-    return (slong)(log2(10) * (double)digits + 60 + 0.1 * fabs(radians));
+    return integrate(false, p, initial, times, count, digits, prec, receive, context, reached);
 }

@@ -102,7 +102,7 @@ static void random_vectors(struct golden *g)
     struct input *inputs = inputs_new(s->input_count);
     double values[MOST_INPUTS];
     char decimals[MOST_INPUTS][32], name[32];
-    const char *texts[MOST_INPUTS];
+    const char *texts[MOST_INPUTS] = {NULL};
     for (int k = 1; k <= RANDOM; k++) {
         sample(&g->o, 0, (uint64_t)k, values, inputs);
         for (int i = 0; i < s->input_count; i++) {

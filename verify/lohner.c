@@ -1,3 +1,6 @@
+/*
+ * Lohner's set: the basis is chosen in double precision, what depends on it is enclosed.
+ */
 #include "lohner.h"
 
 #include <math.h>
@@ -68,13 +71,14 @@ static double project(double v[N], matrix basis, int k)
 static void orthonormalise(matrix basis, matrix a)
 {
     for (int k = 0; k < N; k++) {
-        double v[N], length = 0, left;
+        double v[N], length = 0, left, enough = 1e-10;
         for (int i = 0; i < N; i++)
-            length = hypot(length, v[i] = a[i][k]);
+            length = hypot(length, a[i][k]);
         for (int i = 0; i < N; i++)
-            v[i] /= length;
+            v[i] = a[i][k] / length;
         left = project(v, basis, k);
-        for (int axis = 0; axis < N && !(left > 1e-10); axis++) { /* a column lost to the others */
+        for (int axis = 0; axis < N && !(left > enough); axis++) { /* a column lost to those before it, or 0/0 */
+            enough = 0.4; /* less than 1/sqrt 6: some axis has that much left */
             memset(v, 0, sizeof v);
             v[axis] = 1;
             left = project(v, basis, k);

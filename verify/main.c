@@ -27,6 +27,9 @@ static const struct subcommand {
      "           [--digits D] [--exact]\n"
      "    a motion as CSV; names: m1 m2 L_ref k_c Omega n C1 C2 psi theta dL psi_dot theta_dot\n"
      "    dL_dot, and for nonlinear x1 y1 z1 x1_dot y1_dot z1_dot in place of the angles\n"},
+    {"verify", command_verify,
+     "verify [derivations] [--json] [--graph] [--seed N]\n"
+     "    the derivation steps, each proved by exact evaluation at random points; --graph draws them for dot\n"},
     {"vectors", command_vectors,
      "vectors ID --count N --seed S [--shard K/N] | vectors ID --golden\n"
      "    random certified vectors, or the golden ones, as CSV\n"},

@@ -74,7 +74,7 @@ static void eq04(const double *in, double *out)
 
 static void eq05(const double *in, double *out)
 {
-    const struct ct_nadir_positions x = ct_static_positions(masses(in), in[2]);
+    const struct ct_static_places x = ct_static_positions(masses(in), in[2]);
     out[0] = x.x1;
     out[1] = x.x2;
 }

@@ -6,8 +6,6 @@
  * give the steps that an implementer takes in SI, exactly. Plain balls lose a fixed number of bits per
  * radian, whatever the step; rk4_precision pays for that beforehand.
  */
-#include <math.h>
-
 #include "flow.h"
 
 enum {
@@ -210,10 +208,4 @@ enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initi
     arb_clear(r_ref);
     arb_clear(mass);
     return status;
-}
-
-slong rk4_precision(slong digits, double radians)
-{
-    /* n = 10 loses 10 bits per radian of orbit, n = 40 loses 23, whatever h */
-    return (slong)(log2(10) * (double)digits + 40 + 24 * radians);
 }

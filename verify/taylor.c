@@ -63,15 +63,15 @@ void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
     arb_set(jet->c[C2], c2);
 }
 
-/* coefficients from ... to - 1 of the rates, and what they need */
-static void extend(arb_ptr const *c, slong from, slong to, slong prec, double fall)
+/* The rates' coefficients from `first` to `last` - 1, and the states' above them. */
+static void extend(arb_ptr const *c, slong first, slong last, slong prec, double fall)
 {
-    for (slong k = from; k < to; k++) {
+    for (slong k = first; k < last; k++) {
         slong bits = FLINT_MAX(prec - (slong)(fall * (double)k), 32);
         for (int t = 0; t < JET_TERMS; t++) {
             const struct term *f = &closed_loop[t];
-            arb_ptr target = c[f->to] + k + (f->to < JET_STATES);
-            arb_dot(target, first_of_sum(t) ? NULL : target, f->sign < 0, c[f->a], 1, c[f->b] + k, -1,
+            arb_ptr to = c[f->to] + k + (f->to < JET_STATES);
+            arb_dot(to, first_of_sum(t) ? NULL : to, f->sign < 0, c[f->a], 1, c[f->b] + k, -1,
                     constant(f->a) ? 1 : k + 1, bits);
         }
         for (int v = 0; v < JET_STATES; v++)
@@ -79,13 +79,18 @@ static void extend(arb_ptr const *c, slong from, slong to, slong prec, double fa
     }
 }
 
-/* Once 120 bits are enough, work goes on with copies of 128: arb_dot is twice as fast on two limbs. */
+/*
+ * Two limbs are twice as fast in arb_dot as three or more. So from where 120 bits are enough, work goes on
+ * with copies of 128.
+ */
 void jet_extend(struct jet *jet, slong prec, double fall)
 {
     slong n = jet->order, split = 0;
-    while (split < n && prec - (slong)(fall * (double)split) > 120)
+    while (split < n && (prec <= 128 || prec - (slong)(fall * (double)split) > 120))
         split++;
     extend(jet->c, 0, split, prec, fall);
+    if (split == n)
+        return;
     arb_ptr copy[JET_ALL];
     for (int v = 0; v < JET_ALL; v++) {
         copy[v] = _arb_vec_init(n + 1);
@@ -93,7 +98,7 @@ void jet_extend(struct jet *jet, slong prec, double fall)
     }
     extend(copy, split, n, prec, fall);
     for (int v = 0; v < JET_ALL; v++) {
-        for (slong k = v < JET_STATES ? split + 1 : split; k <= n && v < JET_SERIES; k++)
+        for (slong k = split + (v < JET_STATES); k <= n && !constant(v); k++)
             arb_swap(jet->c[v] + k, copy[v] + k);
         _arb_vec_clear(copy[v], n + 1);
     }
@@ -233,7 +238,7 @@ static bool below(mag_srcptr image, mag_srcptr rest)
  */
 bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t h)
 {
-    enum { ATTEMPTS = 24 }; /* doublings: from the image of 0, some more than the largest part of it */
+    enum { ATTEMPTS = 24 }; /* a step that is short enough takes two or three */
     mag_ptr image = _mag_vec_init(JET_STATES);
     mag_t factor;
     mag_init(factor);

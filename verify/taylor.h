@@ -21,10 +21,10 @@
 #include "flint.h"
 
 enum {
-    JET_STATES = 7,   /* x y z u v w q                                       */
-    JET_SERIES = 13,  /* and what is built from them: G = q^2, S, A, D, R, P */
-    JET_ALL = 18,     /* and the constants 1, 2, 3, c1, c2                   */
-    JET_TERMS = 22    /* the products of which the system consists           */
+    JET_STATES = 7,  /* x y z u v w q */
+    JET_SERIES = 13, /* and G = q^2, S = xu + yv + zw, A = G S, D = q - 1, R = c1 D - 3 q - c2 A, P = G R */
+    JET_ALL = 18,    /* and the constants 1, 2, 3, c1, c2 */
+    JET_TERMS = 22   /* the products of which the system consists */
 };
 
 /* Taylor coefficients about the start of a step: c[v][k] of s^k; states to degree n, the others to n - 1. */
@@ -41,11 +41,11 @@ struct majorant {
     slong order;
     mag_ptr size[JET_ALL];   /* size[v][k] >= |a_k| h^k                   */
     mag_ptr suffix[JET_ALL]; /* suffix[v][k] >= sum of size[v][k ... n-1] */
+    mag_ptr cross;           /* of a product: what its known terms make from degree n on */
     mag_ptr tail, rest;
-    mag_ptr cross; /* a term's products of known coefficients from degree n on */
 };
 
-/* n >= 1 */
+/* order >= 1 */
 void jet_init(struct jet *jet, slong order);
 void jet_clear(struct jet *jet);
 void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2);
@@ -72,7 +72,7 @@ void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights,
  */
 bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t h);
 
-/* The rates of x y z u v w q in exact arithmetic, for the proof that this system is the paper's. */
+/* The rates of x y z u v w q in fractions, by the same table: for the proof that it is the paper's closed loop. */
 void closed_loop_rates(fmpq *rates, const fmpq *state, const fmpq_t c1, const fmpq_t c2);
 
 #endif

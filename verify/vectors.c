@@ -138,7 +138,7 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
     struct input *inputs = inputs_new(s->input_count);
     double values[MOST_INPUTS];
     char decimals[MOST_INPUTS][32], id[96];
-    const char *texts[MOST_INPUTS];
+    const char *texts[MOST_INPUTS] = {NULL};
     bool fine = true;
     operation_init(&o, s, false);
     for (uint64_t k = first; k - first < count && fine && !ferror(stdout); k++) {

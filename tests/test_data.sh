@@ -1,0 +1,21 @@
+#!/bin/sh
+# data/ holds facts: regenerated here, every file has to be the committed one, byte for byte.
+set -u
+
+again=$CT_BUILD/data
+passed=0 failed=0
+rm -rf "$again"
+if ! ${MAKE:-make} BUILD="${BUILD:-build}" DATA="$again" data >"$CT_BUILD/tests/data.make" 2>&1; then
+    cat "$CT_BUILD/tests/data.make"
+    failed=1
+fi
+for file in $( (cd data && find . -type f ! -name '*.tmp'; cd "$again" && find . -type f) | sort -u); do
+    if cmp "data/$file" "$again/$file"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+    fi
+done
+all=$((passed + failed))
+echo "$((100 * passed / (all > 0 ? all : 1)))%: Checks: $all, Failures: $failed, Errors: 0"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

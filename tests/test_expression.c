@@ -1,0 +1,628 @@
+/*
+ * Formulas: the parser, exact series, derivatives and gradients. Expected values are exact rationals,
+ * worked out in the comment beside them or by another road: the derivative of a program against the first
+ * coefficient of its series, the gradient against the derivative.
+ */
+#include "run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "degree.h"
+#include "expression.h"
+#include "series.h"
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+/* ---- the parser ---- */
+
+/* A formula without inputs, as an exact rational; "" and the mistake's text when it has none. */
+static void evaluate(const char *formula, char text[200], size_t *where)
+{
+    struct program p;
+    struct message why = {""};
+    program_init(&p);
+    int node = program_parse(&p, formula, where, &why);
+    if (node < 0) {
+        snprintf(text, 200, "%.199s", why.text);
+    } else {
+        struct machine m;
+        machine_init(&m, &p, &arithmetic_series, 1);
+        machine_run(&m);
+        fmpq_t value;
+        fmpq_init(value);
+        series_get_fmpq(value, machine_value(&m, node), 0);
+        char *digits = fmpq_get_str(NULL, 10, value);
+        enum series_fault fault = series_state(machine_value(&m, node));
+        snprintf(text, 200, "%.199s", fault == SERIES_FINE ? digits : series_fault_text(fault));
+        flint_free(digits);
+        fmpq_clear(value);
+        machine_clear(&m);
+    }
+    program_clear(&p);
+}
+
+static const struct {
+    const char *formula, *value;
+} values[] = {
+    {"2 + 3*4", "14"},
+    {"(2 + 3)*4", "20"},
+    {"2 - 3 - 4", "-5"},       /* from the left */
+    {"12/3/2", "2"},           /* from the left */
+    {"12/(3/2)", "8"},
+    {"2*-3", "-6"},
+    {"2 - -3", "5"},
+    {"--3", "3"},
+    {"-2^2", "-4"},            /* the power binds closer than the sign */
+    {"(-2)^2", "4"},
+    {"2^-2", "1/4"},
+    {"2*3^2", "18"},
+    {"0^0", "1"},
+    {"1.5e1 - .5 + 5.", "39/2"},
+    {"1e-3", "1/1000"},
+    {"0.1 + 0.2", "3/10"},     /* decimals, not doubles */
+    {"sqrt(16/9)", "4/3"},
+    {"sqrt(0)", "0"},
+    {"exp(0) + cos(0) + sin(0)", "2"},
+    {"cos(atan2(4, 3))", "3/5"}, /* 3, 4, 5 */
+    {"sin(atan2(4, 3) + atan2(4, 3))", "24/25"},
+    {"cos(atan2(0, -1))", "-1"},
+    {"1/(1/0)", "0"},          /* a pole may be divided by */
+    {"((((1))))", "1"},
+    {" 1\n + 1\t", "2"},
+    {"1/0", "division by what is zero at epsilon = 0"},
+    {"0/0", "division by what is zero at epsilon = 0"},
+    {"1/0 + 1", "division by what is zero at epsilon = 0"},
+    {"0^-1", "division by what is zero at epsilon = 0"},
+    {"atan2(0, 0)", "division by what is zero at epsilon = 0"},
+    {"sqrt(2)", "the square root of no rational square"},
+    {"sqrt(-4)", "the square root of no rational square"},
+    {"atan2(1, 1)", "the square root of no rational square"},
+    {"sin(1)", "the sine or cosine of a number that is no angle"},
+    {"atan2(4, 3)", "a finite angle outside sine and cosine"},
+    {"2*atan2(4, 3)", "a finite angle outside sine and cosine"},
+    {"exp(1)", "a value that is no rational series"},
+    {"positive(1)", "a value that is no rational series"},
+};
+
+START_TEST(formula_has_its_value)
+{
+    char text[200];
+    size_t where;
+    evaluate(values[_i].formula, text, &where);
+    ck_assert_str_eq(text, values[_i].value);
+}
+END_TEST
+
+static const struct {
+    const char *formula;
+    size_t where;
+    const char *expected;
+} mistakes[] = {
+    {"", 0, "expected a number, a symbol or '(', the formula ends here"},
+    {"1 +", 3, "expected a number, a symbol or '(', the formula ends here"},
+    {"1 + *2", 4, "expected a number, a symbol or '(', found '*'"},
+    {"(1 + 2", 6, "expected ')' or an operator, the formula ends here"},
+    {"1 + 2)", 5, "expected an operator or the end of the formula, found ')'"},
+    {"1 2", 2, "expected an operator or the end of the formula, found '2'"},
+    {"2x", 1, "expected an operator or the end of the formula, found 'x'"},
+    {"1.2.3", 0, "expected a decimal number, found '1'"},
+    {"1e", 0, "expected a decimal number, found '1'"},
+    {"2^0.5", 3, "expected an operator or the end of the formula, found '.'"},
+    {"2^n", 2, "expected an integer exponent of at most three digits, found 'n'"},
+    {"2^1000", 2, "expected an integer exponent of at most three digits, found '1'"},
+    {"1 + Omga", 4, "unknown symbol 'Omga', expected an input or a named subexpression"},
+    {"sin 1", 4, "expected '(', found '1'"},
+    {"sin(1", 5, "expected ')' or an operator, the formula ends here"},
+    {"atan2(1)", 7, "expected ',' and the second argument of atan2, found ')'"},
+    {"rate(1)", 0, "unknown symbol 'rate', expected an input or a named subexpression"},
+    {"1 # 2", 2, "expected an operator or the end of the formula, found '#'"},
+};
+
+START_TEST(mistake_is_told_with_its_place)
+{
+    char text[200];
+    size_t where;
+    evaluate(mistakes[_i].formula, text, &where);
+    ck_assert_str_eq(text, mistakes[_i].expected);
+    ck_assert_uint_eq(where, mistakes[_i].where);
+}
+END_TEST
+
+START_TEST(unknown_symbol_has_a_suggestion)
+{
+    struct program p;
+    struct message why;
+    size_t where;
+    program_init(&p);
+    program_input(&p, "Omega");
+    ck_assert_int_lt(program_parse(&p, "2*Omga", &where, &why), 0);
+    ck_assert_ptr_nonnull(strstr(why.text, "did you mean 'Omega'?"));
+    program_clear(&p);
+}
+END_TEST
+
+/* 10,000 brackets would take the C stack, were they not refused. */
+START_TEST(deep_nesting_is_refused)
+{
+    enum { DEPTH = 10000 };
+    static char brackets[DEPTH + 1], signs[DEPTH + 1];
+    char text[200];
+    size_t where;
+    memset(brackets, '(', DEPTH);
+    memset(signs, '-', DEPTH);
+    evaluate(brackets, text, &where);
+    ck_assert_ptr_nonnull(strstr(text, "expected less nesting"));
+    evaluate(signs, text, &where);
+    ck_assert_ptr_nonnull(strstr(text, "expected less nesting"));
+}
+END_TEST
+
+START_TEST(long_words_are_refused)
+{
+    char word[80], text[200];
+    size_t where;
+    memset(word, 'a', 64);
+    word[64] = '\0';
+    evaluate(word, text, &where);
+    ck_assert_ptr_nonnull(strstr(text, "expected a name of less than 64 characters"));
+    memset(word, '1', 64);
+    evaluate(word, text, &where);
+    ck_assert_ptr_nonnull(strstr(text, "expected a number of less than 64 characters"));
+}
+END_TEST
+
+START_TEST(later_name_shadows_earlier)
+{
+    struct program p;
+    program_init(&p);
+    int x = program_input(&p, "x"), y = program_input(&p, "y");
+    ck_assert_int_eq(program_find(&p, "x"), x);
+    program_name(&p, y, "x");
+    ck_assert_int_eq(program_find(&p, "x"), y);
+    program_clear(&p);
+}
+END_TEST
+
+START_TEST(copy_is_independent)
+{
+    struct program p, copy;
+    struct message why;
+    size_t where;
+    program_init(&p);
+    program_input(&p, "x");
+    int node = program_parse(&p, "x^3 + 1.25", &where, &why);
+    program_copy(&copy, &p);
+    program_clear(&p);
+    ck_assert_int_eq(copy.inputs, 1);
+    ck_assert_int_eq(program_find(&copy, "x"), 0);
+    struct machine m;
+    machine_init(&m, &copy, &arithmetic_series, 1);
+    fmpq_t value;
+    fmpq_init(value);
+    fmpq_set_si(value, 2, 1);
+    arithmetic_series.set_rational(machine_value(&m, 0), value, 1);
+    machine_run(&m);
+    series_get_fmpq(value, machine_value(&m, node), 0);
+    fmpq_mul_si(value, value, 4);
+    ck_assert_int_eq(fmpq_cmp_si(value, 37), 0); /* 4 (8 + 5/4) */
+    fmpq_clear(value);
+    machine_clear(&m);
+    program_clear(&copy);
+}
+END_TEST
+
+/* ---- programs over two inputs ---- */
+
+/* x = 9/4 + epsilon, y = 5/3 - 2 epsilon; a the angle of cosine 3/5, sine 4/5, turning by 7 epsilon; e = epsilon */
+static void set_inputs(struct machine *m)
+{
+    fmpq_t number, slope;
+    fmpq_init(number);
+    fmpq_init(slope);
+    const slong start[] = {9, 4, 1, 5, 3, -2};
+    for (int i = 0; i < 2; i++) {
+        struct series *x = machine_value(m, i);
+        fmpq_set_si(number, start[3 * i], (ulong)start[3 * i + 1]);
+        fmpq_set_si(slope, start[3 * i + 2], 1);
+        arithmetic_series.set_rational(x, number, 1);
+        if (m->prec > 1)
+            fmpq_poly_set_coeff_fmpq(x->p, 1, slope);
+    }
+    struct series *a = machine_value(m, 2);
+    fmpq_set_si(number, 3, 5);
+    fmpq_set_si(slope, 4, 5);
+    series_set_angle(a, number, slope);
+    fmpz_t v;
+    fmpz_init_set_si(v, 7);
+    if (m->prec > 1)
+        fmpq_poly_set_coeff_fmpz(a->p, 1, v);
+    fmpz_set_si(v, 1);
+    series_set_monomial(machine_value(m, 3), v, 1);
+    fmpz_clear(v);
+    fmpq_clear(number);
+    fmpq_clear(slope);
+}
+
+static int parse_inputs(struct program *p, const char *formula)
+{
+    struct message why = {""};
+    size_t where;
+    program_init(p);
+    program_input(p, "x");
+    program_input(p, "y");
+    program_input(p, "a");
+    program_input(p, "e");
+    int node = program_parse(p, formula, &where, &why);
+    ck_assert_msg(node >= 0, "%s: %s", formula, why.text);
+    return node;
+}
+
+static void expand(const char *formula, slong terms, char text[200])
+{
+    struct program p;
+    struct machine m;
+    int node = parse_inputs(&p, formula);
+    machine_init(&m, &p, &arithmetic_series, terms);
+    set_inputs(&m);
+    machine_run(&m);
+    const enum series_fault fault = series_state(machine_value(&m, node));
+    size_t length = 0;
+    text[0] = '\0';
+    for (slong k = 0; k < terms && fault == SERIES_FINE; k++) {
+        fmpq_t value;
+        fmpq_init(value);
+        series_get_fmpq(value, machine_value(&m, node), k);
+        char *digits = fmpq_get_str(NULL, 10, value);
+        length += (size_t)snprintf(text + length, 200 - length, "%s%s", k ? " " : "", digits);
+        flint_free(digits);
+        fmpq_clear(value);
+    }
+    if (fault != SERIES_FINE)
+        snprintf(text, 200, "%s", series_fault_text(fault));
+    machine_clear(&m);
+    program_clear(&p);
+}
+
+static const struct {
+    const char *formula;
+    slong terms;
+    const char *series;
+} expansions[] = {
+    {"1/(1 - e)", 4, "1 1 1 1"},
+    {"(1 + e)^-2", 4, "1 -2 3 -4"},
+    {"e/(1/e)", 4, "0 0 1 0"},                 /* 1/e is large: e times e */
+    {"1/(1/(e + e^2))", 4, "0 1 1 0"},
+    {"exp(e)", 4, "1 1 1/2 1/6"},
+    {"sin(e)", 4, "0 1 0 -1/6"},
+    {"cos(2*e)", 4, "1 0 -2 0"},               /* 1 - (2e)^2/2 */
+    {"sqrt(1 + e)", 4, "1 1/2 -1/8 1/16"},     /* binomial coefficients of 1/2 */
+    {"sqrt(x*4)", 3, "3 2/3 -2/27"},           /* sqrt(9 + 4 e) = 3 (1 + 4/9 e)^(1/2) */
+    {"cos(a)", 3, "3/5 -28/5 -147/10"},        /* cos(a + 7 e) = c - 7 s e - 49/2 c e^2 */
+    {"sin(a)", 3, "4/5 21/5 -98/5"},           /* s + 7 c e - 49/2 s e^2 */
+    {"cos(a - a)", 3, "1 0 0"},
+    {"sin(-a)", 2, "-4/5 -21/5"},
+    {"sin(a + a)", 1, "24/25"},                /* 2 s c */
+    {"sin(a)^2 + cos(a)^2", 5, "1 0 0 0 0"},
+    {"x*y", 3, "15/4 -17/6 -2"},               /* (9/4 + e)(5/3 - 2 e) */
+    {"sqrt(e^2)", 2, "the square root of no rational square"},      /* e, but e^2 is lost among two terms */
+    {"sqrt(e^2)", 3, "the square root of no rational square"},
+    {"1/e", 3, "division by what is zero at epsilon = 0"},
+    {"1/e - 1/e", 3, "division by what is zero at epsilon = 0"},
+    {"e/e", 3, "division by what is zero at epsilon = 0"},
+    {"sin(x)", 2, "the sine or cosine of a number that is no angle"},
+    {"a*x", 2, "a finite angle outside sine and cosine"},
+    {"sqrt(a)", 1, "a finite angle outside sine and cosine"},
+    {"exp(x)", 2, "a value that is no rational series"},
+    {"atan2(e, 1)", 2, "a value that is no rational series"},
+};
+
+START_TEST(series_is_exact)
+{
+    char text[200];
+    expand(expansions[_i].formula, expansions[_i].terms, text);
+    ck_assert_str_eq(text, expansions[_i].series);
+}
+END_TEST
+
+/* Every operator, alone and composed; the rates are those of set_inputs: x 1, y -2, a 7. */
+static const char *const differentiable[] = {
+    "-x", "x + y", "x - y", "x*y", "x/y", "y/x", "x^3", "x^-2", "x^0", "x^1", "sqrt(x)", "sqrt(x^3)",
+    "sin(a)", "cos(a)", "exp(x - 9/4)", "sqrt(x)^3*cos(a)/(y + sin(a)) - exp(y - 5/3)^2",
+    "(x + y)*(x - y)/(x^2 + y^2)", "((x/y)^2 - 1/x)^-3", "cos(a + a)*sin(a - a + a)", "7", "x - x",
+};
+
+START_TEST(derivative_is_the_first_coefficient)
+{
+    struct program p;
+    struct machine m;
+    fmpq_t expected, value;
+    int node = parse_inputs(&p, differentiable[_i]), rate[4];
+    fmpq_init(expected);
+    fmpq_init(value);
+    const slong rates[] = {1, -2, 7};
+    const int count = p.count;
+    for (int i = 0; i < 4; i++)
+        rate[i] = -1;
+    for (int i = 0; i < 3; i++) {
+        rate[i] = program_append(&p, OPERATOR_NUMBER, -1, -1, 0);
+        fmpq_set_si(&p.nodes[rate[i]].number, rates[i], 1);
+    }
+    int derivative = program_derivative(&p, node, rate, 4);
+    ck_assert_int_ge(derivative, count);
+    machine_init(&m, &p, &arithmetic_series, 2);
+    set_inputs(&m);
+    machine_run(&m);
+    series_get_fmpq(expected, machine_value(&m, node), 1);
+    series_get_fmpq(value, machine_value(&m, derivative), 0);
+    ck_assert_int_eq(series_state(machine_value(&m, node)), SERIES_FINE);
+    ck_assert_int_eq(series_state(machine_value(&m, derivative)), SERIES_FINE);
+    ck_assert(fmpq_equal(value, expected));
+    machine_clear(&m);
+    program_clear(&p);
+    fmpq_clear(expected);
+    fmpq_clear(value);
+}
+END_TEST
+
+/* d atan2(y, x) = (x dy - y dx)/(x^2 + y^2): at x = 9/4, y = 5/3 with dx = 1, dy = -2 it is -888/1129. */
+START_TEST(derivative_of_an_arc_tangent)
+{
+    struct program p;
+    struct machine m;
+    fmpq_t value, expected;
+    int node = parse_inputs(&p, "atan2(y, x)"), rate[2];
+    fmpq_init(value);
+    fmpq_init(expected);
+    for (int i = 0; i < 2; i++) {
+        rate[i] = program_append(&p, OPERATOR_NUMBER, -1, -1, 0);
+        fmpq_set_si(&p.nodes[rate[i]].number, i ? -2 : 1, 1);
+    }
+    int derivative = program_derivative(&p, node, rate, 2);
+    machine_init(&m, &p, &arithmetic_series, 1);
+    set_inputs(&m);
+    machine_run(&m);
+    series_get_fmpq(value, machine_value(&m, derivative), 0);
+    /* (9/4 (-2) - 5/3)/(81/16 + 25/9) = (-37/6)/(1129/144) */
+    fmpq_set_si(expected, -888, 1129);
+    ck_assert(fmpq_equal(value, expected));
+    machine_clear(&m);
+    program_clear(&p);
+    fmpq_clear(value);
+    fmpq_clear(expected);
+}
+END_TEST
+
+START_TEST(derivative_follows_a_named_node)
+{
+    struct program p;
+    int node = parse_inputs(&p, "x*x"); /* x x, when x x itself is said to move by y */
+    int *rate = malloc((size_t)p.count * sizeof *rate);
+    for (int i = 0; i < p.count; i++)
+        rate[i] = -1;
+    rate[node] = 1;
+    ck_assert_int_eq(program_derivative(&p, node, rate, p.count), 1);
+    free(rate);
+    program_clear(&p);
+}
+END_TEST
+
+START_TEST(gradient_is_the_derivative_by_every_input)
+{
+    struct program p;
+    struct machine m, adjoint;
+    fmpq_t expected, value;
+    int node = parse_inputs(&p, differentiable[_i]), derivative[3];
+    fmpq_init(expected);
+    fmpq_init(value);
+    for (int i = 0; i < 3; i++) {
+        int rate[3] = {-1, -1, -1};
+        rate[i] = program_append(&p, OPERATOR_NUMBER, -1, -1, 0);
+        fmpq_one(&p.nodes[rate[i]].number);
+        derivative[i] = program_derivative(&p, node, rate, 3);
+    }
+    machine_init(&m, &p, &arithmetic_series, 1);
+    machine_init(&adjoint, &p, &arithmetic_series, 1);
+    set_inputs(&m);
+    machine_run(&m);
+    machine_gradient(&m, node, &adjoint);
+    for (int i = 0; i < 3; i++) {
+        series_get_fmpq(expected, machine_value(&m, derivative[i]), 0);
+        series_get_fmpq(value, machine_value(&adjoint, i), 0);
+        ck_assert_int_eq(series_state(machine_value(&adjoint, i)), SERIES_FINE);
+        ck_assert(fmpq_equal(value, expected));
+    }
+    machine_clear(&adjoint);
+    machine_clear(&m);
+    program_clear(&p);
+    fmpq_clear(expected);
+    fmpq_clear(value);
+}
+END_TEST
+
+/* by y x/(x^2 + y^2) = 324/1129, by x -y/(x^2 + y^2) = -240/1129 */
+START_TEST(gradient_of_an_arc_tangent)
+{
+    struct program p;
+    struct machine m, adjoint;
+    fmpq_t value, expected;
+    int node = parse_inputs(&p, "atan2(y, x)");
+    fmpq_init(value);
+    fmpq_init(expected);
+    machine_init(&m, &p, &arithmetic_series, 1);
+    machine_init(&adjoint, &p, &arithmetic_series, 1);
+    set_inputs(&m);
+    machine_run(&m);
+    machine_gradient(&m, node, &adjoint);
+    series_get_fmpq(value, machine_value(&adjoint, 0), 0);
+    fmpq_set_si(expected, -240, 1129);
+    ck_assert(fmpq_equal(value, expected));
+    series_get_fmpq(value, machine_value(&adjoint, 1), 0);
+    fmpq_set_si(expected, 324, 1129);
+    ck_assert(fmpq_equal(value, expected));
+    machine_clear(&adjoint);
+    machine_clear(&m);
+    program_clear(&p);
+    fmpq_clear(value);
+    fmpq_clear(expected);
+}
+END_TEST
+
+/* f(x) = x^2 + 1 with y - 1 in the place of x, beside what p has already */
+START_TEST(inlined_program_takes_the_place_of_its_inputs)
+{
+    struct program p, other;
+    struct machine m;
+    struct message why;
+    size_t where;
+    fmpq_t value, expected;
+    int y = parse_inputs(&p, "y - 1");
+    program_init(&other);
+    program_input(&other, "x");
+    int f = program_parse(&other, "x^2 + 1", &where, &why);
+    int stand_in[8] = {y, -1, -1, -1, -1, -1, -1, -1};
+    ck_assert_int_le(other.count, 8);
+    int node = program_inline(&p, &other, f, stand_in);
+    program_clear(&other);
+    fmpq_init(value);
+    fmpq_init(expected);
+    machine_init(&m, &p, &arithmetic_series, 1);
+    set_inputs(&m);
+    machine_run(&m);
+    series_get_fmpq(value, machine_value(&m, node), 0);
+    fmpq_set_si(expected, 13, 9); /* (5/3 - 1)^2 + 1 */
+    ck_assert(fmpq_equal(value, expected));
+    machine_clear(&m);
+    program_clear(&p);
+    fmpq_clear(value);
+    fmpq_clear(expected);
+}
+END_TEST
+
+/* ---- the arithmetics agree ---- */
+
+START_TEST(ball_and_mpfr_agree_with_the_exact_value)
+{
+    struct program p;
+    struct machine exact, ball, multiple;
+    int node = parse_inputs(&p, "sqrt(x)^3/(y - 1/7)^2 - x*y + exp(x - 9/4)");
+    fmpq_t value;
+    mpfr_t difference;
+    fmpq_init(value);
+    mpfr_init2(difference, 100);
+    machine_init(&exact, &p, &arithmetic_series, 1);
+    machine_init(&ball, &p, &arithmetic_ball, 100);
+    machine_init(&multiple, &p, &arithmetic_mpfr, 100);
+    set_inputs(&exact);
+    for (int i = 0; i < 2; i++) {
+        series_get_fmpq(value, machine_value(&exact, i), 0);
+        arithmetic_ball.set_rational(machine_value(&ball, i), value, 100);
+        arithmetic_mpfr.set_rational(machine_value(&multiple, i), value, 100);
+    }
+    machine_run(&exact);
+    machine_run(&ball);
+    machine_run(&multiple);
+    series_get_fmpq(value, machine_value(&exact, node), 0);
+    ck_assert(arb_contains_fmpq(machine_value(&ball, node), value));
+    arb_t known;
+    arb_init(known);
+    arb_set_fmpq(known, value, 200);
+    arf_get_mpfr(difference, arb_midref(known), MPFR_RNDN);
+    mpfr_sub(difference, difference, machine_value(&multiple, node), MPFR_RNDN);
+    ck_assert_double_le(fabs(mpfr_get_d(difference, MPFR_RNDN)), 0x1p-90); /* a dozen roundings of values below 4 */
+    arb_clear(known);
+    mpfr_clear(difference);
+    fmpq_clear(value);
+    machine_clear(&exact);
+    machine_clear(&ball);
+    machine_clear(&multiple);
+    program_clear(&p);
+}
+END_TEST
+
+/* ---- degrees ---- */
+
+/* num and den for x, y drawn numbers, a a drawn angle, e a small drawn number, K = terms - 1 */
+static const struct {
+    const char *formula;
+    slong terms;
+    ulong num, den;
+} degrees[] = {
+    {"3", 1, 0, 0},
+    {"x*y^2", 1, 3, 0},
+    {"x + y^3", 1, 3, 0},
+    {"1/x + 1/y", 1, 1, 2},                  /* (y + x)/(x y) */
+    {"x/y/(y/x)", 1, 2, 2},
+    {"(x/y^2)^-3", 1, 6, 3},
+    {"cos(a)", 1, 2, 2},                     /* of t */
+    {"sin(a + a - a)", 1, 6, 6},
+    {"sin(e)", 4, 3, 0},                     /* e - e^3/6 */
+    {"cos(e/x)", 4, 3, 3},
+    {"sqrt(x^4/y^2)", 1, 2, 1},
+    {"sqrt(x^2 + e)", 2, 3, 2},              /* x (1 + e/(2 x^2)): K = 1 adds num + den = 2 to both */
+    {"x/(1/e)", 2, 2, 0},
+};
+
+START_TEST(degree_is_bounded)
+{
+    struct program p;
+    struct machine m;
+    int node = parse_inputs(&p, degrees[_i].formula);
+    machine_init(&m, &p, &arithmetic_degree, degrees[_i].terms);
+    for (int i = 0; i < 4; i++)
+        *(struct degree *)machine_value(&m, i) = i == 2 ? (struct degree){.point_num = 2, .point_den = 2}
+                                                        : (struct degree){.num = 1};
+    machine_run(&m);
+    const struct degree *d = machine_value(&m, node);
+    ck_assert_uint_eq(d->num, degrees[_i].num);
+    ck_assert_uint_eq(d->den, degrees[_i].den);
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+/* 999^5 is beyond 2^40 */
+START_TEST(degree_saturates)
+{
+    struct program p;
+    struct machine m;
+    int node = parse_inputs(&p, "(((((x^999)^999)^999)^999)^999)/y");
+    machine_init(&m, &p, &arithmetic_degree, 1);
+    for (int i = 0; i < 4; i++)
+        *(struct degree *)machine_value(&m, i) = (struct degree){.num = 1};
+    machine_run(&m);
+    ck_assert_uint_eq(((const struct degree *)machine_value(&m, node))->num, DEGREE_LIMIT);
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    TCase *parser = tcase_create("parser");
+    tcase_add_loop_test(parser, formula_has_its_value, 0, COUNT(values));
+    tcase_add_loop_test(parser, mistake_is_told_with_its_place, 0, COUNT(mistakes));
+    tcase_add_test(parser, unknown_symbol_has_a_suggestion);
+    tcase_add_test(parser, deep_nesting_is_refused);
+    tcase_add_test(parser, long_words_are_refused);
+    tcase_add_test(parser, later_name_shadows_earlier);
+    tcase_add_test(parser, copy_is_independent);
+    tcase_add_test(parser, inlined_program_takes_the_place_of_its_inputs);
+
+    TCase *arithmetic = tcase_create("arithmetic");
+    tcase_add_loop_test(arithmetic, series_is_exact, 0, COUNT(expansions));
+    tcase_add_loop_test(arithmetic, derivative_is_the_first_coefficient, 0, COUNT(differentiable));
+    tcase_add_test(arithmetic, derivative_of_an_arc_tangent);
+    tcase_add_test(arithmetic, derivative_follows_a_named_node);
+    tcase_add_loop_test(arithmetic, gradient_is_the_derivative_by_every_input, 0, COUNT(differentiable));
+    tcase_add_test(arithmetic, gradient_of_an_arc_tangent);
+    tcase_add_test(arithmetic, ball_and_mpfr_agree_with_the_exact_value);
+    tcase_add_loop_test(arithmetic, degree_is_bounded, 0, COUNT(degrees));
+    tcase_add_test(arithmetic, degree_saturates);
+
+    Suite *s = suite_create("expression");
+    suite_add_tcase(s, parser);
+    suite_add_tcase(s, arithmetic);
+    return s;
+}

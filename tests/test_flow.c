@@ -1,0 +1,1261 @@
+/*
+ * verify/flow.h and what it stands on: the series and their tails, the set of states, the four motions
+ */
+#include "run.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include "flow.h"
+#include "lohner.h"
+#include "taylor.h"
+
+enum { DAY = 86400, PREC = 256, MOST_TIMES = 64 };
+
+/* ---- scenes: parameters, and a state to start from ---- */
+
+struct scene {
+    struct flow_parameters p;
+    arb_ptr start;
+    slong prec;
+};
+
+static void scene_close(struct scene *s)
+{
+    arb_ptr value[] = {s->p.Omega, s->p.L_ref, s->p.C1, s->p.C2, s->p.k_c, s->p.m1, s->p.m2};
+    for (size_t i = 0; i < sizeof value / sizeof value[0]; i++)
+        arb_clear(value[i]);
+    _arb_vec_clear(s->start, FLOW_STATE);
+    flint_cleanup();
+}
+
+/* Gains c1 Omega^2 and c2 Omega; at rest at the origin. */
+static struct scene scene_of(double Omega, double m1, double m2, double L_ref, double c1, double c2)
+{
+    struct scene s = {.prec = PREC, .start = _arb_vec_init(FLOW_STATE)};
+    arb_ptr value[] = {s.p.Omega, s.p.L_ref, s.p.C1, s.p.C2, s.p.k_c, s.p.m1, s.p.m2};
+    const double given[] = {Omega, L_ref, c1, c2, 8.99e9, m1, m2};
+    for (size_t i = 0; i < sizeof value / sizeof value[0]; i++) {
+        arb_init(value[i]);
+        arb_set_d(value[i], given[i]);
+    }
+    arb_mul(s.p.C2, s.p.C2, s.p.Omega, PREC);
+    arb_mul(s.p.C1, s.p.C1, s.p.Omega, PREC);
+    arb_mul(s.p.C1, s.p.C1, s.p.Omega, PREC);
+    return s;
+}
+
+static struct scene paper(void)
+{
+    return scene_of(7.2915e-5, 150, 150, 10, 10, 2);
+}
+
+static void start_at(struct scene *s, double a, double b, double c, double a_dot, double b_dot, double c_dot)
+{
+    const double given[FLOW_STATE] = {a, b, c, a_dot, b_dot, c_dot};
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_d(s->start + i, given[i]);
+}
+
+/* Eq. (10), exact: craft 1 at rest in the frame at these angles and this distance. */
+static void start_at_angles(struct scene *s, double psi, double theta, double dL)
+{
+    arb_t r, sine, cosine;
+    arb_init(r);
+    arb_init(sine);
+    arb_init(cosine);
+    arb_set_d(r, dL);
+    arb_add(r, r, s->p.L_ref, s->prec);
+    arb_mul(r, r, s->p.m2, s->prec);
+    arb_add(sine, s->p.m1, s->p.m2, s->prec);
+    arb_div(r, r, sine, s->prec);
+    _arb_vec_zero(s->start, FLOW_STATE);
+    arb_set_d(cosine, theta);
+    arb_sin_cos(sine, cosine, cosine, s->prec);
+    arb_mul(s->start + 2, r, sine, s->prec);
+    arb_neg(s->start + 2, s->start + 2);
+    arb_mul(r, r, cosine, s->prec);
+    arb_set_d(cosine, psi);
+    arb_sin_cos(sine, cosine, cosine, s->prec);
+    arb_mul(s->start + 1, r, sine, s->prec);
+    arb_mul(s->start, r, cosine, s->prec);
+    arb_clear(r);
+    arb_clear(sine);
+    arb_clear(cosine);
+}
+
+static struct scene paper_nonlinear(void)
+{
+    struct scene s = paper();
+    start_at_angles(&s, 0.01, 0.01, 0.1);
+    return s;
+}
+
+/* ---- running a flow ---- */
+
+struct record {
+    arb_ptr states;
+    slong rows, stop_after; /* 0: never */
+};
+
+static int keep(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    struct record *record = context;
+    (void)t;
+    _arb_vec_set(record->states + k * FLOW_STATE, state, FLOW_STATE);
+    record->rows++;
+    return record->rows == record->stop_after;
+}
+
+enum method { LINEAR, NONLINEAR, UNPROVED, RK4_LINEAR, RK4_NONLINEAR };
+
+struct run {
+    enum flow_status status;
+    double reached;
+    arb_ptr states;
+    slong rows;
+};
+
+static void run_close(struct run *r)
+{
+    _arb_vec_clear(r->states, MOST_TIMES * FLOW_STATE);
+}
+
+/* At `count` times in seconds; h is for Runge and Kutta. */
+static struct run run_through(const struct scene *s, enum method method, const slong *seconds, slong count,
+                              slong digits, slong h, slong stop_after)
+{
+    struct run r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
+    struct record record = {r.states, 0, stop_after};
+    fmpq *times = _fmpq_vec_init(count);
+    fmpq_t step;
+    fmpq_init(step);
+    fmpq_set_si(step, h, 1);
+    for (slong k = 0; k < count; k++)
+        fmpq_set_si(times + k, seconds[k], 1);
+    if (method == LINEAR)
+        r.status = flow_linear(&s->p, s->start, times, count, s->prec, keep, &record, &r.reached);
+    else if (method == NONLINEAR)
+        r.status = flow_nonlinear(&s->p, s->start, times, count, digits, s->prec, keep, &record, &r.reached);
+    else if (method == UNPROVED)
+        r.status = flow_nonlinear_unproved(&s->p, s->start, times, count, digits, s->prec, keep, &record,
+                                           &r.reached);
+    else if (method == RK4_LINEAR)
+        r.status = rk4_linear(&s->p, s->start, step, times, count, s->prec, keep, &record, &r.reached);
+    else
+        r.status = rk4_nonlinear(&s->p, s->start, step, times, count, s->prec, keep, &record, &r.reached);
+    r.rows = record.rows;
+    _fmpq_vec_clear(times, count);
+    fmpq_clear(step);
+    return r;
+}
+
+static struct run run_to(const struct scene *s, enum method method, slong seconds)
+{
+    return run_through(s, method, &seconds, 1, 17, 100, 0);
+}
+
+/* ---- judging ---- */
+
+static void assert_overlap(arb_srcptr a, arb_srcptr b)
+{
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_msg(arb_overlaps(a + i, b + i), "coordinate %d: %.17g and %.17g", i,
+                      arf_get_d(arb_midref(a + i), ARF_RND_NEAR), arf_get_d(arb_midref(b + i), ARF_RND_NEAR));
+}
+
+static void assert_same(arb_srcptr a, arb_srcptr b)
+{
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_msg(arb_equal(a + i, b + i), "coordinate %d differs", i);
+}
+
+static void assert_holds(arb_srcptr set, arb_srcptr member)
+{
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_msg(arb_contains(set + i, member + i), "coordinate %d: %.17g +- %.3g lacks %.17g", i,
+                      arf_get_d(arb_midref(set + i), ARF_RND_NEAR), mag_get_d(arb_radref(set + i)),
+                      arf_get_d(arb_midref(member + i), ARF_RND_NEAR));
+}
+
+/* Overlap proves nothing where balls are wide: no radius above 2^-bits of the largest position or, per radian, rate. */
+static void assert_sharp(arb_srcptr state, slong bits)
+{
+    enum { RADIAN = 14 }; /* log2 of 1/Omega, in all these scenes */
+    mag_t size, m;
+    mag_init(size);
+    mag_init(m);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        arb_get_mag(m, state + i);
+        mag_mul_2exp_si(m, m, i < 3 ? -bits : RADIAN - bits);
+        mag_max(size, size, m);
+    }
+    for (int i = 0; i < FLOW_STATE; i++) {
+        mag_mul_2exp_si(m, arb_radref(state + i), i < 3 ? 0 : RADIAN);
+        ck_assert_msg(mag_cmp(m, size) <= 0, "coordinate %d: radius %g", i, mag_get_d(arb_radref(state + i)));
+    }
+    mag_clear(size);
+    mag_clear(m);
+}
+
+static double number(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+/* ---- an integrator of another kind, in double precision and in SI but for the rates, per radian ---- */
+
+struct pair {
+    double Omega, k_c, m1, m2, L_ref, C1, C2;
+};
+
+/* Eq. (3), closed by (4), (7), (13) and (18), as they are printed */
+static int pair_rates(double tau, const double y[], double rate[], void *parameters)
+{
+    const struct pair *p = parameters;
+    const double kappa = (p->m1 + p->m2) / p->m2;
+    const double r = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
+    const double L = kappa * r, L_dot = kappa * (y[0] * y[3] + y[1] * y[4] + y[2] * y[5]) / r * p->Omega;
+    const double reduced = p->m1 * p->m2 / (p->m1 + p->m2);
+    const double Q_ref = -3 * p->Omega * p->Omega * pow(p->L_ref, 3) / p->k_c * reduced;
+    const double dQ = reduced * p->L_ref * p->L_ref / p->k_c * (-p->C1 * (L - p->L_ref) - p->C2 * L_dot);
+    const double force = p->k_c / p->m1 * kappa / pow(L, 3) * (Q_ref + dQ) / (p->Omega * p->Omega);
+    (void)tau;
+    for (int i = 0; i < 3; i++)
+        rate[i] = y[i + 3];
+    rate[3] = 2 * y[4] + 3 * y[0] + force * y[0];
+    rate[4] = -2 * y[3] + force * y[1];
+    rate[5] = -y[2] + force * y[2];
+    return GSL_SUCCESS;
+}
+
+static struct pair pair_of(const struct scene *s)
+{
+    return (struct pair){number(s->p.Omega), number(s->p.k_c), number(s->p.m1), number(s->p.m2),
+                         number(s->p.L_ref), number(s->p.C1), number(s->p.C2)};
+}
+
+static void pair_state(const struct scene *s, double y[])
+{
+    for (int i = 0; i < FLOW_STATE; i++)
+        y[i] = number(s->start + i) / (i < 3 ? 1 : number(s->p.Omega));
+}
+
+static void assert_agrees_with_rk8pd(const struct scene *s, double seconds, double tolerance)
+{
+    struct pair p = pair_of(s);
+    double y[FLOW_STATE], tau = 0;
+    pair_state(s, y);
+    gsl_odeiv2_system system = {pair_rates, NULL, FLOW_STATE, &p};
+    gsl_odeiv2_driver *driver =
+        gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14 * p.L_ref, 1e-14);
+    ck_assert_int_eq(gsl_odeiv2_driver_apply(driver, &tau, p.Omega * seconds, y), GSL_SUCCESS);
+    gsl_odeiv2_driver_free(driver);
+    struct run r = run_to(s, NONLINEAR, (slong)seconds);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_double_eq_tol(number(r.states + i) / (i < 3 ? 1 : p.Omega), y[i], tolerance * p.L_ref);
+    run_close(&r);
+}
+
+/* ---- the linear flow ---- */
+
+/*
+ * lambda = -1 solves (41) where 4 c1 = 4 c2 + 28; with c1 = 10, c2 = 3 the mode psi = 1, dL = 2 L_ref decays
+ * as exp(-tau). Pitch goes as cos 2 tau.
+ */
+START_TEST(eq40_flow_follows_an_exact_mode)
+{
+    struct scene s = scene_of(0x1p-14, 150, 150, 8, 10, 3);
+    start_at(&s, 0.5, 0.25, 8, -0x1p-15, 0, -0x1p-11);
+    struct run r = run_to(&s, LINEAR, 5 * DAY);
+    arb_t tau, factor;
+    arb_init(tau);
+    arb_init(factor);
+    arb_mul_si(tau, s.p.Omega, -5 * DAY, PREC);
+    arb_exp(factor, tau, PREC);
+    _arb_vec_scalar_mul(s.start, s.start, FLOW_STATE, factor, PREC);
+    arb_mul_2exp_si(tau, tau, 1);
+    arb_sin_cos(s.start + 4, s.start + 1, tau, PREC);
+    arb_mul_2exp_si(s.start + 1, s.start + 1, -2);
+    arb_mul_2exp_si(s.start + 4, s.start + 4, -15); /* -2 Omega / 4 sin(2 tau), tau negative here */
+    assert_overlap(r.states, s.start);
+    assert_sharp(r.states, 180); /* exp(-26) takes 38 bits of 256, the exponential some more */
+    arb_clear(tau);
+    arb_clear(factor);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(eq40_flow_composes)
+{
+    struct scene s = paper();
+    start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
+    struct run whole = run_to(&s, LINEAR, 3 * DAY), part = run_to(&s, LINEAR, 2 * DAY);
+    _arb_vec_set(s.start, part.states, FLOW_STATE);
+    struct run rest = run_to(&s, LINEAR, DAY);
+    assert_overlap(rest.states, whole.states);
+    assert_sharp(rest.states, 200);
+    run_close(&whole);
+    run_close(&part);
+    run_close(&rest);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(eq40_flow_returns)
+{
+    struct scene s = paper();
+    start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
+    struct run there = run_to(&s, LINEAR, 2 * DAY);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_swap(there.states + i, s.start + i);
+    struct run back = run_to(&s, LINEAR, -2 * DAY);
+    assert_holds(back.states, there.states);
+    assert_sharp(back.states, 180);
+    ck_assert_double_eq(back.reached, -2 * DAY);
+    run_close(&there);
+    run_close(&back);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(eq40_flow_keeps_what_is_zero)
+{
+    struct scene s = paper();
+    start_at(&s, 0, 1, 0, 0, 0, 0);
+    struct run pitch = run_to(&s, LINEAR, DAY);
+    for (int i = 0; i < FLOW_STATE; i++)
+        if (i % 3 != 1)
+            ck_assert(arb_is_zero(pitch.states + i));
+    start_at(&s, 1, 0, 0, 0, 0, 0);
+    struct run yaw = run_to(&s, LINEAR, DAY);
+    ck_assert(arb_is_zero(yaw.states + 1) && arb_is_zero(yaw.states + 4));
+    run_close(&pitch);
+    run_close(&yaw);
+    scene_close(&s);
+}
+END_TEST
+
+/* ---- the nonlinear flow, against other roads ---- */
+
+/*
+ * mpmath 1.2.1, mp.dps = 50, in radians and units of 5 m:
+ *   odefun(f, 0, x0)(Omega * 172800), f(t, s): x, y, z, u, v, w = s; q = 1/sqrt(x*x + y*y + z*z)
+ *   A = (x*u + y*v + z*w)*q*q; P = q*q*(10*(q - 1) - 3*q - 2*A)
+ *   return [u, v, w, 2*v + 3*x + P*x, -2*u + P*y, -z + P*z]
+ * from 1.01 (cos t cos p, cos t sin p, -sin t), t = p = mpf(0.01), Omega = mpf(7.2915e-5), then in SI.
+ */
+START_TEST(eq03_flow_of_the_paper)
+{
+    static const char *const expected[FLOW_STATE] = {
+        "4.9999437953916800220567873796713413968112114937463 +/- 1e-47",
+        "0.00011197034262656221835285960551679100563548384869875 +/- 1e-47",
+        "-0.050440264158965645123414510332210992532229395699998 +/- 1e-47",
+        "-0.000000031711580383845685955411698211653547390313061381107 +/- 1e-51",
+        "0.0000000027597638630855129232732471038931165846453228454936 +/- 1e-51",
+        "0.00000045779311177627257314565526507035347304561916236798 +/- 1e-51"};
+    struct scene s = paper_nonlinear();
+    struct run r = run_to(&s, NONLINEAR, 2 * DAY);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_str(s.start + i, expected[i], PREC);
+    assert_overlap(r.states, s.start);
+    assert_sharp(r.states, 200);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+/* rk8pd's local error of 1e-14 in some thousand steps of a motion that does not diverge */
+START_TEST(eq03_flow_of_unequal_craft_agrees_with_rk8pd)
+{
+    struct scene s = scene_of(0x1p-14, 120, 410, 23, 12, 4);
+    start_at_angles(&s, 0.3, -0.4, 2);
+    assert_agrees_with_rk8pd(&s, 3 * DAY, 1e-10);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_flow_at_large_angles_agrees_with_rk8pd)
+{
+    struct scene s = scene_of(7.2915e-5, 1, 1000, 10, 10, 2);
+    start_at_angles(&s, 1.2, 0.9, -3);
+    assert_agrees_with_rk8pd(&s, DAY, 1e-10);
+    scene_close(&s);
+}
+END_TEST
+
+/* ... and a motion that does: errors grow like exp(3 tau) until the craft part after two days */
+START_TEST(eq03_flow_that_grows_agrees_with_rk8pd)
+{
+    struct scene s = scene_of(7.2915e-5, 150, 150, 10, 8, 1);
+    start_at_angles(&s, 0.01, 0.01, 0.1);
+    assert_agrees_with_rk8pd(&s, 2 * DAY, 1e-7);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_flow_returns)
+{
+    struct scene s = paper_nonlinear();
+    struct run there = run_to(&s, NONLINEAR, DAY);
+    arb_ptr start = _arb_vec_init(FLOW_STATE);
+    _arb_vec_set(start, s.start, FLOW_STATE);
+    _arb_vec_set(s.start, there.states, FLOW_STATE);
+    struct run back = run_to(&s, NONLINEAR, -DAY);
+    assert_holds(back.states, start);
+    assert_sharp(back.states, 150); /* what decays forward grows backward */
+    ck_assert_double_eq(back.reached, -DAY);
+    _arb_vec_clear(start, FLOW_STATE);
+    run_close(&there);
+    run_close(&back);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_flow_composes)
+{
+    struct scene s = paper_nonlinear();
+    struct run whole = run_to(&s, NONLINEAR, 100000), part = run_to(&s, NONLINEAR, 61803);
+    _arb_vec_set(s.start, part.states, FLOW_STATE);
+    struct run rest = run_to(&s, NONLINEAR, 100000 - 61803);
+    assert_overlap(rest.states, whole.states);
+    assert_sharp(rest.states, 200);
+    run_close(&whole);
+    run_close(&part);
+    run_close(&rest);
+    scene_close(&s);
+}
+END_TEST
+
+/* Two precisions are two integrations: other orders, other steps. */
+START_TEST(eq03_flow_at_two_precisions_overlaps)
+{
+    struct scene s = paper_nonlinear();
+    struct run fine = run_to(&s, NONLINEAR, 5 * DAY);
+    s.prec = 120;
+    struct run coarse = run_to(&s, NONLINEAR, 5 * DAY);
+    assert_holds(coarse.states, fine.states);
+    assert_sharp(coarse.states, 75);
+    run_close(&fine);
+    run_close(&coarse);
+    scene_close(&s);
+}
+END_TEST
+
+/* At 48 bits what a step leaves out outweighs its rounding: without its rest the fine states would stand outside. */
+START_TEST(what_steps_leave_out_is_in_the_enclosure)
+{
+    enum { ROWS = 60 };
+    slong times[ROWS];
+    for (slong k = 0; k < ROWS; k++)
+        times[k] = 250 * (k + 1);
+    struct scene s = paper();
+    start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
+    struct run fine = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
+    s.prec = 48;
+    struct run coarse = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
+    ck_assert_int_eq(coarse.rows, ROWS);
+    for (slong k = 0; k < ROWS; k++)
+        assert_holds(coarse.states + k * FLOW_STATE, fine.states + k * FLOW_STATE);
+    run_close(&fine);
+    run_close(&coarse);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(dense_output_is_the_flow)
+{
+    enum { ROWS = 40 };
+    slong times[ROWS];
+    for (slong k = 0; k < ROWS; k++)
+        times[k] = 1000 * k;
+    struct scene s = paper_nonlinear();
+    struct run dense = run_through(&s, NONLINEAR, times, ROWS, 17, 0, 0);
+    ck_assert_int_eq(dense.rows, ROWS);
+    assert_same(dense.states, s.start); /* at 0 the initial state itself */
+    for (slong k = 1; k < ROWS; k += 6) {
+        struct run one = run_to(&s, NONLINEAR, times[k]);
+        assert_overlap(one.states, dense.states + k * FLOW_STATE);
+        run_close(&one);
+    }
+    run_close(&dense);
+    scene_close(&s);
+}
+END_TEST
+
+/* ---- the nonlinear flow, exact cases ---- */
+
+START_TEST(eq05_static_formation_stays_exactly)
+{
+    struct scene s = scene_of(7.2915e-5, 100, 150, 10, 10, 2);
+    start_at(&s, 6, 0, 0, 0, 0, 0); /* m2 L_ref / (m1 + m2) */
+    struct run r = run_to(&s, NONLINEAR, 30 * DAY);
+    assert_same(r.states, s.start);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_plane_motion_stays_in_the_plane)
+{
+    struct scene s = paper();
+    start_at_angles(&s, 0.5, 0, 0.1);
+    struct run r = run_to(&s, NONLINEAR, 5 * DAY);
+    ck_assert(arb_is_zero(r.states + 2) && arb_is_zero(r.states + 5));
+    assert_sharp(r.states, 200);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_flow_commutes_with_reflections)
+{
+    struct scene s = paper();
+    start_at_angles(&s, 0.3, 0.2, 0.1);
+    struct run one = run_to(&s, NONLINEAR, DAY);
+    for (int i = 0; i < FLOW_STATE; i++) /* craft 1 in the place of craft 2, and below the plane */
+        if (i % 3 != 2)
+            arb_neg(s.start + i, s.start + i);
+    struct run other = run_to(&s, NONLINEAR, DAY);
+    for (int i = 0; i < FLOW_STATE; i++)
+        if (i % 3 != 2)
+            arb_neg(other.states + i, other.states + i);
+    assert_overlap(one.states, other.states);
+    run_close(&one);
+    run_close(&other);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_masses_only_scale)
+{
+    struct scene s = scene_of(7.2915e-5, 150, 150, 10, 10, 2);
+    struct scene t = scene_of(7.2915e-5, 1, 1023, 10, 10, 2); /* m2/(m1 + m2) = 1023/1024 */
+    start_at_angles(&s, 0.3, 0.2, 0.1);
+    start_at_angles(&t, 0.3, 0.2, 0.1);
+    arb_set_d(t.p.k_c, 1); /* and k_c cancels against the charges */
+    struct run one = run_to(&s, NONLINEAR, DAY), other = run_to(&t, NONLINEAR, DAY);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        arb_mul_ui(one.states + i, one.states + i, 1023, PREC);
+        arb_mul_2exp_si(one.states + i, one.states + i, -9);
+    }
+    assert_overlap(one.states, other.states);
+    run_close(&one);
+    run_close(&other);
+    scene_close(&t);
+    scene_close(&s);
+}
+END_TEST
+
+/* ---- enclosures ---- */
+
+START_TEST(five_days_at_50_digits_end_within_1e_49)
+{
+    struct scene s = paper_nonlinear();
+    slong t = 5 * DAY;
+    s.prec = flow_precision(50, 7.2915e-5 * (double)t);
+    struct run r = run_through(&s, NONLINEAR, &t, 1, 50, 0, 0);
+    mag_t bound;
+    mag_init(bound);
+    mag_set_d(bound, 1e-49);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_int_le(mag_cmp(arb_radref(r.states + i), bound), 0);
+    mag_clear(bound);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+/* Wide initial balls, and a gain that is not known: what they hold, the enclosure holds, corners included. */
+START_TEST(an_enclosure_holds_the_motions_from_a_box)
+{
+    enum { CORNERS = 1 << FLOW_STATE };
+    struct scene s = paper(), box = paper();
+    start_at_angles(&s, 0.05, 0.05, 0.1);
+    start_at_angles(&box, 0.05, 0.05, 0.1);
+    for (int i = 0; i < FLOW_STATE; i++)
+        mag_set_d(arb_radref(box.start + i), i < 3 ? 1e-5 : 1e-9);
+    mag_set_d(arb_radref(box.p.C1), 1e-13);
+    const slong t = DAY;
+    struct run all = run_through(&box, NONLINEAR, &t, 1, 2, 0, 0);
+    ck_assert_int_eq(all.status, FLOW_DONE);
+    for (int corner = 0; corner < CORNERS; corner += 3) {
+        struct scene one = paper();
+        for (int i = 0; i < FLOW_STATE; i++)
+            arb_set_d(one.start + i, number(s.start + i) + (corner >> i & 1 ? 1 : -1) * (i < 3 ? .99e-5 : .99e-9));
+        arb_set_d(one.p.C1, number(s.p.C1) + (corner & 1 ? .99e-13 : -.99e-13));
+        struct run r = run_to(&one, NONLINEAR, t);
+        assert_holds(all.states, r.states);
+        run_close(&r);
+        scene_close(&one);
+    }
+    assert_sharp(all.states, 5); /* the box itself grows by the motion, a hundredfold at the most */
+    run_close(&all);
+    scene_close(&box);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(motions_that_grow_are_followed)
+{
+    struct scene s = scene_of(7.2915e-5, 150, 150, 10, 10, -0.5);
+    start_at_angles(&s, 0.01, 0.01, 0.1);
+    struct run r = run_to(&s, NONLINEAR, 5 * DAY);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    assert_sharp(r.states, 150);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(stiff_gains_do_not_inflate_the_set)
+{
+    struct scene s = scene_of(7.2915e-5, 150, 150, 10, 1e6, 2000);
+    start_at_angles(&s, 0.01, 0.01, 0.1);
+    struct run r = run_to(&s, NONLINEAR, 4000);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    assert_sharp(r.states, 200);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+/* ---- ends ---- */
+
+START_TEST(an_enclosure_past_use_is_reported)
+{
+    struct scene s = paper_nonlinear();
+    const slong times[] = {DAY, 5 * DAY};
+    s.prec = 186;
+    struct run r = run_through(&s, NONLINEAR, times, 2, 50, 0, 0);
+    ck_assert_int_eq(r.status, FLOW_WIDE);
+    ck_assert_int_eq(r.rows, 1);
+    ck_assert_double_gt(r.reached, DAY);
+    ck_assert_double_lt(r.reached, 5 * DAY);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+/* Omega t known to half a radian: no step holds all of that. */
+START_TEST(a_vague_time_is_reported)
+{
+    struct scene s = scene_of(0x1p-14, 150, 150, 10, 0, 0);
+    start_at(&s, 6, 0, 0, 0, 0, 0);
+    mag_set_d(arb_radref(s.p.Omega), 0x1p-17);
+    struct run r = run_to(&s, NONLINEAR, 1 << 16);
+    ck_assert_int_eq(r.status, FLOW_WIDE);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+/*
+ * From rest on the orbit normal at r_ref, no gains: z'' = -z - 3/z^2, so z'^2 = 6/z - 6 + 1 - z^2, and z = sin^2 a
+ * makes the time of the fall the integral of 2 sin^2 a / sqrt(sin^4 a + sin^2 a + 6) over a from 0 to pi/2;
+ * mpmath 1.2.1, mp.dps = 40: quad(lambda a: 2*sin(a)**2/sqrt(sin(a)**4 + sin(a)**2 + 6), [0, pi/2]).
+ */
+START_TEST(a_collision_is_reported_with_its_time)
+{
+    const double fall = 0.57976169347716177911871646922770217;
+    struct scene s = scene_of(0x1p-14, 150, 150, 10, 0, 0);
+    start_at(&s, 0, 0, 5, 0, 0, 0);
+    struct run r = run_to(&s, NONLINEAR, DAY);
+    ck_assert_int_eq(r.status, FLOW_COLLISION);
+    ck_assert_int_eq(r.rows, 0);
+    ck_assert_double_lt(r.reached, fall * 0x1p14);
+    ck_assert_double_gt(r.reached, fall * 0x1p14 * (1 - 1e-7)); /* steps end 2^-32 radians long */
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+/* Without attraction enough to meet, craft that nearly do are followed through. */
+START_TEST(a_near_miss_is_no_collision)
+{
+    struct scene s = scene_of(0x1p-14, 150, 150, 10, 0, 0);
+    start_at(&s, 0.5, 0, 5, 0, 0, 0);
+    struct run r = run_to(&s, NONLINEAR, DAY / 4);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(a_receiver_stops_a_flow)
+{
+    static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
+    const slong times[] = {0, 100, 200, 300};
+    struct scene s = paper_nonlinear();
+    struct run r = run_through(&s, methods[_i], times, 4, 17, 100, 2);
+    ck_assert_int_eq(r.status, FLOW_STOPPED);
+    ck_assert_int_eq(r.rows, 2);
+    ck_assert_double_eq(r.reached, 100);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(outside_the_domain_no_flow_starts)
+{
+    struct scene s = paper_nonlinear();
+    arb_ptr positive[] = {s.p.Omega, s.p.L_ref, s.p.k_c, s.p.m1, s.p.m2};
+    for (int m = NONLINEAR; m <= RK4_NONLINEAR; m++)
+        for (int i = 0; i < (m == RK4_LINEAR ? 2 : 5); i++) {
+            arb_neg(positive[i], positive[i]);
+            struct run r = run_to(&s, (enum method)m, 100);
+            ck_assert_int_eq(r.status, FLOW_DOMAIN);
+            ck_assert_int_eq(r.rows, 0);
+            run_close(&r);
+            arb_neg(positive[i], positive[i]);
+        }
+    start_at(&s, 0, 0, 0, 1, 1, 1); /* L = 0 */
+    struct run together = run_to(&s, NONLINEAR, 100);
+    ck_assert_int_eq(together.status, FLOW_DOMAIN);
+    arb_indeterminate(s.start);
+    struct run vague = run_to(&s, LINEAR, 100);
+    ck_assert_int_eq(vague.status, FLOW_DOMAIN);
+    run_close(&together);
+    run_close(&vague);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(times_out_of_order_are_refused)
+{
+    const slong back[] = {200, 100}, both[] = {100, -100};
+    struct scene s = paper_nonlinear();
+    struct run a = run_through(&s, NONLINEAR, back, 2, 17, 0, 0), b = run_through(&s, NONLINEAR, both, 2, 17, 0, 0);
+    ck_assert_int_eq(a.status, FLOW_DOMAIN);
+    ck_assert_int_eq(b.status, FLOW_DOMAIN);
+    run_close(&a);
+    run_close(&b);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(steps_without_proof_are_the_same_steps)
+{
+    struct scene s = paper_nonlinear();
+    struct run proved = run_to(&s, NONLINEAR, DAY), bare = run_to(&s, UNPROVED, DAY);
+    for (int i = 0; i < FLOW_STATE; i++)
+        mag_zero(arb_radref(bare.states + i));
+    assert_holds(proved.states, bare.states);
+    run_close(&proved);
+    run_close(&bare);
+    scene_close(&s);
+}
+END_TEST
+
+/* ---- what the flow stands on ---- */
+
+/* Pythagorean points make every quantity rational: the table's rates against (3), (7), (13), (18) in fractions. */
+START_TEST(the_quadratic_system_is_the_closed_loop)
+{
+    static const int point[][4] = {{2, 3, 6, 7}, {1, -2, 2, 3}, {-4, 4, 7, 9}, {1, 0, 0, 1}, {6, -6, -3, 9}};
+    fmpq *state = _fmpq_vec_init(JET_STATES), *rate = _fmpq_vec_init(JET_STATES), *x = state, *u = state + 3;
+    fmpq_t c1, c2, r, r_dot, p, expected;
+    fmpq_init(c1);
+    fmpq_init(c2);
+    fmpq_init(r);
+    fmpq_init(r_dot);
+    fmpq_init(p);
+    fmpq_init(expected);
+    fmpq_set_si(c1, 31, 3);
+    fmpq_set_si(c2, -7, 5);
+    for (int i = 0; i < 3; i++) {
+        fmpq_set_si(x + i, point[_i][i], 5);
+        fmpq_set_si(u + i, 3 * i - 2, 11);
+        fmpq_addmul(r_dot, x + i, u + i);
+    }
+    fmpq_set_si(r, point[_i][3], 5);
+    fmpq_div(r_dot, r_dot, r);
+    fmpq_inv(state + 6, r);
+    closed_loop_rates(rate, state, c1, c2);
+
+    /* p = (-3 - c1 (r - 1) - c2 r_dot) / r^3, in units of Omega and r_ref */
+    fmpq_sub_si(p, r, 1);
+    fmpq_mul(p, p, c1);
+    fmpq_addmul(p, c2, r_dot);
+    fmpq_add_si(p, p, 3);
+    fmpq_neg(p, p);
+    for (int i = 0; i < 3; i++)
+        fmpq_div(p, p, r);
+    for (int i = 0; i < 3; i++) {
+        static const int own[] = {3, 0, -1};
+        ck_assert(fmpq_equal(rate + i, u + i));
+        fmpq_add_si(expected, p, own[i]);
+        fmpq_mul(expected, expected, x + i);
+        if (i < 2) {
+            fmpq_set_si(c1, i == 0 ? 2 : -2, 1);
+            fmpq_addmul(expected, c1, u + 1 - i);
+        }
+        ck_assert(fmpq_equal(rate + 3 + i, expected));
+    }
+    fmpq_div(expected, r_dot, r);
+    fmpq_div(expected, expected, r);
+    fmpq_neg(expected, expected);
+    ck_assert(fmpq_equal(rate + 6, expected)); /* (1/r)' = -r_dot/r^2 */
+    _fmpq_vec_clear(state, JET_STATES);
+    _fmpq_vec_clear(rate, JET_STATES);
+    fmpq_clear(c1);
+    fmpq_clear(c2);
+    fmpq_clear(r);
+    fmpq_clear(r_dot);
+    fmpq_clear(p);
+    fmpq_clear(expected);
+}
+END_TEST
+
+static void jet_at(struct jet *jet, slong order, slong prec)
+{
+    static const double start[JET_STATES] = {0.75, 0.5, -0.5, 0.125, -0.25, 0.0625, 0};
+    arb_t c1, c2;
+    arb_init(c1);
+    arb_init(c2);
+    arb_set_ui(c1, 10);
+    arb_set_ui(c2, 2);
+    jet_init(jet, order);
+    jet_constants(jet, c1, c2);
+    for (int v = 0; v < JET_STATES; v++)
+        arb_set_d(jet->c[v], start[v]);
+    arb_set_d(jet->c[6], 1.0625); /* 0.75^2 + 2 0.5^2 */
+    arb_rsqrt(jet->c[6], jet->c[6], prec);
+    jet_extend(jet, prec, 0);
+    arb_clear(c1);
+    arb_clear(c2);
+}
+
+/* Beyond degree 12 the rest holds what degrees 13 to 59 bring, and is no more than ten times that, at the largest. */
+static void assert_rest(const struct majorant *m, const struct jet *longer)
+{
+    double most_rest = 0, most_sum = 0;
+    for (int v = 0; v < JET_STATES; v++) {
+        double sum = 0, rest = mag_get_d(m->rest + v);
+        for (slong k = 13; k <= 59; k++)
+            sum += fabs(ldexp(number(longer->c[v] + k), (int)(-4 * k))); /* h = 1/16 */
+        ck_assert_double_gt(rest, sum);
+        most_rest = fmax(most_rest, rest);
+        most_sum = fmax(most_sum, sum);
+    }
+    ck_assert_double_lt(most_rest, 10 * most_sum);
+}
+
+START_TEST(a_proved_rest_bounds_the_series_beyond)
+{
+    struct jet shorter, longer, column, longer_column;
+    struct majorant of_jet, of_column;
+    mag_t h, one;
+    jet_at(&shorter, 12, PREC);
+    jet_at(&longer, 59, PREC);
+    jet_init(&column, 12);
+    jet_init(&longer_column, 59);
+    for (int v = 0; v < JET_STATES; v++) {
+        arb_set_si(column.c[v], 1 - v % 3);
+        arb_set(longer_column.c[v], column.c[v]);
+    }
+    jet_extend_column(&column, &shorter, PREC);
+    jet_extend_column(&longer_column, &longer, PREC);
+    majorant_init(&of_jet, 12);
+    majorant_init(&of_column, 12);
+    mag_init(h);
+    mag_init(one);
+    mag_one(one);
+    mag_set_d(h, 0.0625);
+    majorant_of(&of_jet, &shorter, one, 1, h);
+    majorant_of(&of_column, &column, one, 1, h);
+    ck_assert(majorant_prove(&of_jet, NULL, h));
+    ck_assert(majorant_prove(&of_column, &of_jet, h));
+    assert_rest(&of_jet, &longer);
+    assert_rest(&of_column, &longer_column);
+    mag_set_d(h, 2); /* beyond the circle of convergence */
+    majorant_of(&of_jet, &shorter, one, 1, h);
+    ck_assert(!majorant_prove(&of_jet, NULL, h));
+    mag_clear(h);
+    mag_clear(one);
+    majorant_clear(&of_jet);
+    majorant_clear(&of_column);
+    jet_clear(&shorter);
+    jet_clear(&longer);
+    jet_clear(&column);
+    jet_clear(&longer_column);
+    flint_cleanup();
+}
+END_TEST
+
+/* d(ab) = da b + a db: where da is a and db is b, twice the products of a and b stand beyond degree n. */
+START_TEST(a_column_bounds_both_halves_of_a_product)
+{
+    struct jet jet;
+    struct majorant of_jet, of_column;
+    mag_t one;
+    jet_at(&jet, 12, PREC);
+    majorant_init(&of_jet, 12);
+    majorant_init(&of_column, 12);
+    mag_init(one);
+    mag_one(one);
+    majorant_of(&of_jet, &jet, one, 1, one);
+    majorant_of(&of_column, &jet, one, 1, one);
+    (void)majorant_prove(&of_jet, NULL, one); /* proved or not, the products are there */
+    (void)majorant_prove(&of_column, &of_jet, one);
+    ck_assert_double_gt(mag_get_d(of_jet.cross), 0);
+    for (int t = 0; t < JET_TERMS; t++)
+        ck_assert_double_le(fabs(mag_get_d(of_column.cross + t) - 2 * mag_get_d(of_jet.cross + t)),
+                            1e-6 * mag_get_d(of_jet.cross + t)); /* mag_t has thirty bits */
+    mag_clear(one);
+    majorant_clear(&of_jet);
+    majorant_clear(&of_column);
+    jet_clear(&jet);
+    flint_cleanup();
+}
+END_TEST
+
+/* The column along the motion itself is the jet's derivative: of x(s + e), coefficient k is (k + 1) x_{k+1}. */
+START_TEST(a_column_along_the_motion_is_its_derivative)
+{
+    struct jet jet, column;
+    arb_t expected;
+    arb_init(expected);
+    jet_at(&jet, 20, PREC);
+    jet_init(&column, 19);
+    for (int v = 0; v < JET_STATES; v++)
+        arb_set(column.c[v], jet.c[v] + 1);
+    jet_extend_column(&column, &jet, PREC);
+    for (int v = 0; v < JET_STATES; v++)
+        for (slong k = 0; k < 20; k++) {
+            arb_mul_ui(expected, jet.c[v] + k + 1, (ulong)k + 1, PREC);
+            ck_assert(arb_overlaps(column.c[v] + k, expected));
+            ck_assert_int_gt(arb_rel_accuracy_bits(column.c[v] + k), 150);
+        }
+    arb_clear(expected);
+    jet_clear(&column);
+    jet_clear(&jet);
+    flint_cleanup();
+}
+END_TEST
+
+/* Falling precision and two-limb copies give the same series, as sharp as the fall says. */
+START_TEST(coefficients_may_be_computed_to_falling_precision)
+{
+    struct jet full, falling;
+    jet_at(&full, 60, PREC);
+    jet_at(&falling, 60, PREC);
+    jet_extend(&falling, PREC, 3);
+    for (int v = 0; v < JET_STATES; v++)
+        for (slong k = 0; k <= 60; k++) {
+            ck_assert(arb_contains(falling.c[v] + k, full.c[v] + k));
+            ck_assert_int_gt(arb_rel_accuracy_bits(falling.c[v] + k), PREC - 3 * k - 60);
+        }
+    jet_clear(&full);
+    jet_clear(&falling);
+    flint_cleanup();
+}
+END_TEST
+
+/* A thousand turns by one radian in each plane (i, i + 3): boxes would grow by 1.38 a turn, to 1e140. */
+START_TEST(a_set_turns_without_growing)
+{
+    struct lohner set;
+    arb_ptr box = _arb_vec_init(LOHNER_SIZE), image = _arb_vec_init(LOHNER_SIZE);
+    arb_mat_t turn, derivative;
+    arb_t angle;
+    mag_ptr error = _mag_vec_init(LOHNER_SIZE);
+    arb_init(angle);
+    arb_mat_init(turn, LOHNER_SIZE, LOHNER_SIZE);
+    arb_mat_init(derivative, LOHNER_SIZE, LOHNER_SIZE);
+    arb_one(angle);
+    for (int i = 0; i < 3; i++) {
+        arb_sin_cos(arb_mat_entry(turn, i, i + 3), arb_mat_entry(turn, i, i), angle, 64);
+        arb_set(arb_mat_entry(turn, i + 3, i + 3), arb_mat_entry(turn, i, i));
+        arb_neg(arb_mat_entry(turn, i + 3, i), arb_mat_entry(turn, i, i + 3));
+        mag_set_d(arb_radref(box + i), i + 1);
+    }
+    lohner_init(&set);
+    lohner_from_box(&set, box);
+    for (int step = 0; step < 1000; step++) {
+        for (int i = 0; i < LOHNER_SIZE; i++)
+            for (int j = 0; j < LOHNER_SIZE; j++)
+                arb_set_d(arb_mat_entry(derivative, i, j), set.basis[i][j]);
+        arb_mat_mul(derivative, turn, derivative, 64);
+        ck_assert(lohner_move(&set, image, derivative, error));
+    }
+    lohner_to_box(box, &set);
+    arb_mul_ui(angle, angle, 1000, 64);
+    arb_sin_cos(image, image + 1, angle, 64);
+    for (int i = 0; i < LOHNER_SIZE; i++) { /* (radius cos, radius sin) are the ends of the set */
+        const double end = fabs(number(image + (i < 3))) * (i % 3 + 1), radius = mag_get_d(arb_radref(box + i));
+        ck_assert_double_ge(radius, end * (1 - 0x1p-50));
+        ck_assert_double_le(radius, end * (1 + 1e-4)); /* mag_t rounds up by 2^-30, often, a thousand times */
+    }
+    _arb_vec_clear(box, LOHNER_SIZE);
+    _arb_vec_clear(image, LOHNER_SIZE);
+    _mag_vec_clear(error, LOHNER_SIZE);
+    arb_mat_clear(turn);
+    arb_mat_clear(derivative);
+    arb_clear(angle);
+    lohner_clear(&set);
+    flint_cleanup();
+}
+END_TEST
+
+START_TEST(a_set_under_a_singular_map_stays_bounded)
+{
+    struct lohner set;
+    arb_ptr box = _arb_vec_init(LOHNER_SIZE), image = _arb_vec_init(LOHNER_SIZE);
+    mag_ptr error = _mag_vec_init(LOHNER_SIZE);
+    arb_mat_t derivative;
+    arb_mat_init(derivative, LOHNER_SIZE, LOHNER_SIZE);
+    arb_one(arb_mat_entry(derivative, 3, 1)); /* all but the second direction vanish */
+    for (int i = 0; i < LOHNER_SIZE; i++)
+        mag_one(arb_radref(box + i));
+    lohner_init(&set);
+    lohner_from_box(&set, box);
+    ck_assert(lohner_move(&set, image, derivative, error));
+    lohner_to_box(box, &set);
+    for (int i = 0; i < LOHNER_SIZE; i++)
+        ck_assert_double_eq_tol(mag_get_d(arb_radref(box + i)), i == 3, 1e-6);
+    arb_mat_zero(derivative);
+    mag_set_ui(error + 2, 5); /* what the map leaves open is in the image */
+    ck_assert(lohner_move(&set, image, derivative, error));
+    lohner_to_box(box, &set);
+    for (int i = 0; i < LOHNER_SIZE; i++)
+        ck_assert_double_eq_tol(mag_get_d(arb_radref(box + i)), i == 2 ? 5 : 0, 1e-6);
+    arb_indeterminate(arb_mat_entry(derivative, 0, 0));
+    ck_assert(!lohner_move(&set, image, derivative, error));
+    _arb_vec_clear(box, LOHNER_SIZE);
+    _arb_vec_clear(image, LOHNER_SIZE);
+    _mag_vec_clear(error, LOHNER_SIZE);
+    arb_mat_clear(derivative);
+    lohner_clear(&set);
+    flint_cleanup();
+}
+END_TEST
+
+/* ---- Runge and Kutta ---- */
+
+/* One step of y' = A y is y + Z y + Z^2 y/2 + Z^3 y/6 + Z^4 y/24, Z = h A: fractions, Omega = 1, L_ref = 1, h = 1. */
+START_TEST(rk4_step_of_the_linear_model_is_its_polynomial)
+{
+    static const int rates[FLOW_STATE][FLOW_STATE] = {{0, 0, 0, 1, 0, 0},  {0, 0, 0, 0, 1, 0},  {0, 0, 0, 0, 0, 1},
+                                                      {-3, 0, 0, 0, 0, -2}, {0, -4, 0, 0, 0, 0}, {0, 0, -1, 2, 0, -3}};
+    static const int start[FLOW_STATE] = {1, 2, -3, 4, -5, 6};
+    struct scene s = scene_of(1, 150, 150, 1, 10, 3);
+    fmpq_mat_t Z, y, sum;
+    fmpq_mat_init(Z, FLOW_STATE, FLOW_STATE);
+    fmpq_mat_init(y, FLOW_STATE, 1);
+    fmpq_mat_init(sum, FLOW_STATE, 1);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        arb_set_si(s.start + i, start[i]);
+        fmpq_set_si(fmpq_mat_entry(y, i, 0), start[i], 1);
+        for (int j = 0; j < FLOW_STATE; j++)
+            fmpq_set_si(fmpq_mat_entry(Z, i, j), rates[i][j], 1);
+    }
+    fmpq_mat_set(sum, y);
+    for (slong k = 1; k <= 4; k++) {
+        fmpz_t divisor;
+        fmpz_init_set_si(divisor, k);
+        fmpq_mat_mul(y, Z, y);
+        fmpq_mat_scalar_div_fmpz(y, y, divisor);
+        fmpq_mat_add(sum, sum, y);
+        fmpz_clear(divisor);
+    }
+    const slong t = 1;
+    struct run r = run_through(&s, RK4_LINEAR, &t, 1, 17, 1, 0);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert(arb_contains_fmpq(r.states + i, fmpq_mat_entry(sum, i, 0)));
+    assert_sharp(r.states, 240);
+    run_close(&r);
+    fmpq_mat_clear(Z);
+    fmpq_mat_clear(y);
+    fmpq_mat_clear(sum);
+    scene_close(&s);
+}
+END_TEST
+
+/* A hundred steps of it in doubles, from the equations in SI: a hundred times some roundings. */
+START_TEST(rk4_steps_of_the_nonlinear_model_are_an_implementers)
+{
+    enum { STEPS = 100, H = 100 };
+    struct scene s = scene_of(7.2915e-5, 120, 410, 23, 12, 4);
+    start_at_angles(&s, 0.3, -0.4, 2);
+    struct pair p = pair_of(&s);
+    double y[FLOW_STATE], at[FLOW_STATE], k[5][FLOW_STATE] = {{0}};
+    pair_state(&s, y);
+    for (int step = 0; step < STEPS; step++) {
+        for (int stage = 1; stage <= 4; stage++) {
+            for (int i = 0; i < FLOW_STATE; i++)
+                at[i] = y[i] + p.Omega * H * (stage == 1 ? 0 : stage == 4 ? 1 : 0.5) * k[stage - 1][i];
+            pair_rates(0, at, k[stage], &p);
+        }
+        for (int i = 0; i < FLOW_STATE; i++)
+            y[i] += p.Omega * H / 6 * (k[1][i] + 2 * k[2][i] + 2 * k[3][i] + k[4][i]);
+    }
+    struct run r = run_to(&s, RK4_NONLINEAR, STEPS * H);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_double_eq_tol(number(r.states + i) / (i < 3 ? 1 : p.Omega), y[i], 1e-12 * p.L_ref);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+/* Largest error in psi, theta, dL or in x1, y1, z1 after a day with that step */
+static double rk4_error(const struct scene *s, enum method rk4, enum method flow, slong h)
+{
+    const slong t = DAY;
+    struct run a = run_through(s, rk4, &t, 1, 17, h, 0), b = run_to(s, flow, t);
+    double error = 0;
+    assert_sharp(a.states, 60);
+    for (int i = 0; i < 3; i++) {
+        arb_sub(a.states + i, a.states + i, b.states + i, PREC);
+        error = fmax(error, fabs(number(a.states + i)));
+    }
+    run_close(&a);
+    run_close(&b);
+    return error;
+}
+
+/* The error is C h^4 + D h^5 ..., so halving h near a hundredth of a radian divides it by 16 within some per cent. */
+START_TEST(rk4_is_of_order_four)
+{
+    struct scene s = paper_nonlinear();
+    const double nonlinear = rk4_error(&s, RK4_NONLINEAR, NONLINEAR, 100) / rk4_error(&s, RK4_NONLINEAR, NONLINEAR, 50);
+    start_at(&s, 0.01, 0.01, 0.1, 0, 0, 0);
+    const double linear = rk4_error(&s, RK4_LINEAR, LINEAR, 100) / rk4_error(&s, RK4_LINEAR, LINEAR, 50);
+    ck_assert_double_eq_tol(nonlinear, 16, 0.5);
+    ck_assert_double_eq_tol(linear, 16, 0.5);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(rk4_keeps_the_static_formation_exactly)
+{
+    struct scene s = scene_of(7.2915e-5, 100, 150, 10, 10, 2);
+    start_at(&s, 6, 0, 0, 0, 0, 0);
+    struct run r = run_to(&s, RK4_NONLINEAR, DAY);
+    assert_same(r.states, s.start);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(rk4_takes_whole_steps_forward)
+{
+    static const slong wrong[][2] = {{150, 100}, {-100, 100}, {100, 0}, {100, -100}};
+    struct scene s = paper_nonlinear();
+    for (int m = RK4_LINEAR; m <= RK4_NONLINEAR; m++) {
+        struct run r = run_through(&s, (enum method)m, &wrong[_i][0], 1, 17, wrong[_i][1], 0);
+        ck_assert_int_eq(r.status, FLOW_DOMAIN);
+        ck_assert_int_eq(r.rows, 0);
+        run_close(&r);
+    }
+    scene_close(&s);
+}
+END_TEST
+
+START_TEST(rk4_reports_an_enclosure_past_use)
+{
+    struct scene s = paper_nonlinear();
+    s.prec = 128; /* ten bits a radian last for two days */
+    struct run r = run_to(&s, RK4_NONLINEAR, 5 * DAY);
+    ck_assert_int_eq(r.status, FLOW_WIDE);
+    ck_assert_double_gt(r.reached, DAY);
+    ck_assert_double_lt(r.reached, 3 * DAY);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+/* ---- working precisions ---- */
+
+/* At the precision that is foretold, every coordinate has its digits: five days, n = 10 and n = 40. */
+START_TEST(foretold_precision_is_enough)
+{
+    static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
+    const enum method m = methods[_i / 2];
+    const double n = _i % 2 == 0 ? 10 : 40, radians = 7.2915e-5 * 5 * DAY;
+    const slong digits = 40, t = 5 * DAY;
+    struct scene s = scene_of(7.2915e-5, 150, 150, 10, n, 2 * sqrt(n - 9));
+    s.prec = m == LINEAR || m == NONLINEAR ? flow_precision(digits, radians) : rk4_precision(digits, radians);
+    if (m == LINEAR || m == RK4_LINEAR)
+        start_at(&s, 0.01, 0.01, 0.1, 0, 0, 0);
+    else
+        start_at_angles(&s, 0.01, 0.01, 0.1);
+    struct run r = run_through(&s, m, &t, 1, digits, 100, 0);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_double_gt((double)arb_rel_accuracy_bits(r.states + i), log2(10) * (double)digits + 1);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
+static TCase *add_case(Suite *all, const char *name)
+{
+    TCase *tests = tcase_create(name);
+    tcase_set_timeout(tests, 60); /* under valgrind, on a busy machine */
+    suite_add_tcase(all, tests);
+    return tests;
+}
+
+Suite *suite(void)
+{
+    Suite *all = suite_create("flow");
+    TCase *tests = add_case(all, "linear");
+    tcase_add_test(tests, eq40_flow_follows_an_exact_mode);
+    tcase_add_test(tests, eq40_flow_composes);
+    tcase_add_test(tests, eq40_flow_returns);
+    tcase_add_test(tests, eq40_flow_keeps_what_is_zero);
+
+    tests = add_case(all, "nonlinear");
+    tcase_add_test(tests, eq03_flow_of_the_paper);
+    tcase_add_test(tests, eq03_flow_of_unequal_craft_agrees_with_rk8pd);
+    tcase_add_test(tests, eq03_flow_at_large_angles_agrees_with_rk8pd);
+    tcase_add_test(tests, eq03_flow_that_grows_agrees_with_rk8pd);
+    tcase_add_test(tests, eq03_flow_returns);
+    tcase_add_test(tests, eq03_flow_composes);
+    tcase_add_test(tests, eq03_flow_at_two_precisions_overlaps);
+    tcase_add_test(tests, what_steps_leave_out_is_in_the_enclosure);
+    tcase_add_test(tests, dense_output_is_the_flow);
+    tcase_add_test(tests, eq05_static_formation_stays_exactly);
+    tcase_add_test(tests, eq03_plane_motion_stays_in_the_plane);
+    tcase_add_test(tests, eq03_flow_commutes_with_reflections);
+    tcase_add_test(tests, eq03_masses_only_scale);
+
+    tests = add_case(all, "enclosures");
+    tcase_add_test(tests, five_days_at_50_digits_end_within_1e_49);
+    tcase_add_test(tests, an_enclosure_holds_the_motions_from_a_box);
+    tcase_add_test(tests, motions_that_grow_are_followed);
+    tcase_add_test(tests, stiff_gains_do_not_inflate_the_set);
+    tcase_add_loop_test(tests, foretold_precision_is_enough, 0, 8);
+
+    tests = add_case(all, "ends");
+    tcase_add_test(tests, an_enclosure_past_use_is_reported);
+    tcase_add_test(tests, a_vague_time_is_reported);
+    tcase_add_test(tests, a_collision_is_reported_with_its_time);
+    tcase_add_test(tests, a_near_miss_is_no_collision);
+    tcase_add_loop_test(tests, a_receiver_stops_a_flow, 0, 4);
+    tcase_add_test(tests, outside_the_domain_no_flow_starts);
+    tcase_add_test(tests, times_out_of_order_are_refused);
+    tcase_add_test(tests, steps_without_proof_are_the_same_steps);
+
+    tests = add_case(all, "foundations");
+    tcase_add_loop_test(tests, the_quadratic_system_is_the_closed_loop, 0, 5);
+    tcase_add_test(tests, a_proved_rest_bounds_the_series_beyond);
+    tcase_add_test(tests, a_column_bounds_both_halves_of_a_product);
+    tcase_add_test(tests, a_column_along_the_motion_is_its_derivative);
+    tcase_add_test(tests, coefficients_may_be_computed_to_falling_precision);
+    tcase_add_test(tests, a_set_turns_without_growing);
+    tcase_add_test(tests, a_set_under_a_singular_map_stays_bounded);
+
+    tests = add_case(all, "Runge-Kutta");
+    tcase_add_test(tests, rk4_step_of_the_linear_model_is_its_polynomial);
+    tcase_add_test(tests, rk4_steps_of_the_nonlinear_model_are_an_implementers);
+    tcase_add_test(tests, rk4_is_of_order_four);
+    tcase_add_test(tests, rk4_keeps_the_static_formation_exactly);
+    tcase_add_loop_test(tests, rk4_takes_whole_steps_forward, 0, 4);
+    tcase_add_test(tests, rk4_reports_an_enclosure_past_use);
+    return all;
+}

@@ -1,0 +1,210 @@
+/*
+ * The formula sheet: what a sheet says is what the program has, and each mistake in it stops with the
+ * file, the line, the column and what was expected there.
+ */
+#include "run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sheet.h"
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+/* A sheet in small, without a mistake; the numbers of its lines stand beside it. */
+static const char good[] =
+    "quantities:\n"                                                                   /*  1 */
+    "  Omega: {unit: rad/s, domain: \"> 0\", range: [1, 2], meaning: rate}\n"         /*  2 */
+    "  x1 y1: {unit: m, domain: finite, range: [1, 9], sign: either, meaning: place}\n" /* 3 */
+    "  L: {unit: m, domain: \">= 0\", value: 10, meaning: distance}\n"                /*  4 */
+    "  lambda_d: {unit: m, domain: \"> 0 or inf\", meaning: length}\n"                /*  5 */
+    "table1:\n"                                                                       /*  6 */
+    "  - {name: L, printed: \"10\", unit: m, scale: 1}\n"                             /*  7 */
+    "equations:\n"                                                                    /*  8 */
+    "  eq1:\n"                                                                        /*  9 */
+    "    title: a definition\n"                                                       /* 10 */
+    "    equations: [\"1\"]\n"                                                        /* 11 */
+    "    relations:\n"                                                                /* 12 */
+    "      - {equation: \"1\", holds: \"x1 = 2*L\", printed: \"x1 = L\"}\n"           /* 13 */
+    "  eq2:\n"                                                                        /* 14 */
+    "    title: a formula\n"                                                          /* 15 */
+    "    equations: [2a, 2b]\n"                                                       /* 16 */
+    "    inputs: [Omega, x1, y1]\n"                                                   /* 17 */
+    "    let:\n"                                                                      /* 18 */
+    "      r: sqrt(x1^2 + y1^2)\n"                                                    /* 19 */
+    "    outputs:\n"                                                                  /* 20 */
+    "      L: Omega*r\n"                                                              /* 21 */
+    "    domain: [x1 + y1 > 0, Omega >= y1, y1 < 4]\n"                                /* 22 */
+    "    printed:\n"                                                                  /* 23 */
+    "      outputs:\n"                                                                /* 24 */
+    "        L: Omega*x1\n"                                                           /* 25 */
+    "    reason: the root is missing\n"                                               /* 26 */
+    "  eq3:\n"                                                                        /* 27 */
+    "    title: an algorithm\n"                                                       /* 28 */
+    "    equations: [\"3\"]\n"                                                        /* 29 */
+    "    method: roots\n"                                                             /* 30 */
+    "    inputs: [L]\n"                                                               /* 31 */
+    "    outputs: [x1, y1]\n";                                                        /* 32 */
+
+/* The good sheet with one text in place of another; malloc'ed. */
+static char *changed(const char *from, const char *to)
+{
+    const char *at = strstr(good, from);
+    ck_assert_msg(at != NULL, "the sheet has no '%s'", from);
+    char *text = malloc(sizeof good + strlen(to));
+    sprintf(text, "%.*s%s%s", (int)(at - good), good, to, at + strlen(from));
+    return text;
+}
+
+START_TEST(sheet_is_read)
+{
+    struct sheet s;
+    struct message why = {""};
+    ck_assert_msg(sheet_read(&s, good, strlen(good), "t", &why) == 0, "%s", why.text);
+    ck_assert_int_eq(s.quantity_count, 5);
+    ck_assert_int_eq(s.row_count, 1);
+    ck_assert_int_eq(s.section_count, 3);
+    const struct quantity *x1 = quantity_find(&s, "x1"), *y1 = quantity_find(&s, "y1");
+    ck_assert_str_eq(x1->unit, "m");
+    ck_assert_str_eq(y1->meaning, "place");
+    ck_assert(x1->either_sign);
+    ck_assert_int_eq(quantity_find(&s, "lambda_d")->domain, DOMAIN_POSITIVE_OR_INFINITE);
+    ck_assert_ptr_null(quantity_find(&s, "x2"));
+    const struct section *definition = section_find(&s, "eq1"), *formula = section_find(&s, "eq2");
+    ck_assert_int_eq(definition->method, METHOD_NONE);
+    ck_assert_str_eq(definition->relations[0].text, "x1 = 2*L");
+    ck_assert_str_eq(definition->relations[0].printed, "x1 = L");
+    ck_assert_int_eq(formula->method, METHOD_FORMULA);
+    ck_assert_int_eq(formula->numbers, 2);
+    ck_assert_str_eq(formula->equations[1], "2b");
+    ck_assert_int_eq(formula->input_count, 3);
+    ck_assert_ptr_eq(formula->outputs[0], quantity_find(&s, "L"));
+    ck_assert_int_eq(formula->corrected.count, 3);
+    ck_assert(formula->differs);
+    ck_assert_str_eq(formula->printed.text[0], "Omega*x1");
+    ck_assert_int_eq(formula->printed.count, 3); /* the domain is that of the corrected one */
+    ck_assert_int_eq(section_find(&s, "eq3")->method, METHOD_ROOTS);
+    ck_assert_ptr_null(section_find(&s, "eq4"));
+    sheet_clear(&s);
+}
+END_TEST
+
+/* In place of `from`, `to`; the message begins with the place and has this text. */
+static const struct {
+    const char *from, *to, *place, *expected;
+} mistakes[] = {
+    {"quantities:", "quantity:", "1:1: ", "unknown key 'quantity', expected perhaps quantities"},
+    {"table1:", "table2:", "6:1: ", "unknown key 'table2', expected perhaps table1"},
+    {"domain: finite", "domain: infinite", "3:28: ", "expected a domain: finite, > 0, >= 0 or > 0 or inf"},
+    {"domain: finite", "domain: [finite]", "3:28: ", "expected a domain"},
+    {"domain: finite, ", "", "3:10: ", "missing domain of 'x1 y1'"},
+    {"unit: rad/s, ", "", "2:10: ", "missing unit, expected a text"},
+    {", meaning: rate", "", "2:10: ", "missing meaning, expected a text"},
+    {"unit: rad/s", "units: rad/s", "2:11: ", "unknown key 'units', expected perhaps unit"},
+    {"  L: {", "  x1: {", "4:3: ", "duplicate quantity 'x1', expected each name once"},
+    {"  L: {", "  Omega: {", "4:3: ", "duplicate 'Omega', expected each key once"},
+    {"[1, 2]", "[2, 1]", "2:46: ", "expected low < high"},
+    {"[1, 2]", "[1]", "2:46: ", "expected two bounds, [low, high]"},
+    {"[1, 2]", "[]", "2:46: ", "expected two bounds, [low, high]"},
+    {"[1, 2]", "[1, 2, 3]", "2:53: ", "expected a list of at most 2 texts"},
+    {"[1, 2]", "[1, two]", "2:50: ", "expected a positive number"},
+    {"[1, 2]", "[-1, 2]", "2:47: ", "expected a positive number"},
+    {"[1, 2]", "[nan, 2]", "2:47: ", "expected a positive number"},
+    {"[1, 2]", "1 to 2", "2:46: ", "expected a list"},
+    {"{name: L, ", "{name: M, ", "7:5: ", "unknown quantity 'M'"},
+    {"scale: 1}", "scale: 1, scale: 2}", "7:49: ", "duplicate 'scale', expected each key once"},
+    {", scale: 1", "", "7:5: ", "missing scale, expected a text"},
+    {"  - {name: L, printed: \"10\", unit: m, scale: 1}\n", "  L: 10\n", "7:3: ", "expected a list of rows"},
+    {"  eq2:", "  eq1:", "14:3: ", "duplicate 'eq1', expected each key once"},
+    {"title: a formula", "titel: a formula", "15:5: ", "unknown key 'titel', expected perhaps title"},
+    {"    title: a formula\n", "", "15:5: ", "missing title, expected a text"},
+    {"    equations: [2a, 2b]\n", "", "15:5: ", "missing equations: the numbers this section stands for"},
+    {"[2a, 2b]", "[]", "16:16: ", "expected at least one equation number"},
+    {"[Omega, x1, y1]", "[Omga, x1, y1]", "17:14: ",
+     "unknown symbol 'Omga', expected a quantity of the sheet (did you mean 'Omega'?)"},
+    {"[Omega, x1, y1]", "[Omega, x1, x1]", "17:25: ", "'x1' twice, expected it once"},
+    {"[Omega, x1, y1]", "[Omega, x1]", "19:22: ", "unknown symbol 'y1'"},
+    {"      r: sqrt", "      x1: sqrt", "19:7: ", "'x1' is an input already, expected a new name"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 + y1^2", "19:26: ", "expected ')' or an operator, the formula ends here"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 + y1^2))", "19:27: ", "expected an operator or the end of the formula, found ')'"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 ++ y1^2)", "19:21: ", "expected a number, a symbol or '(', found '+'"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^k + y1^2)", "19:18: ", "expected an integer exponent"},
+    {"sqrt(x1^2 + y1^2)", "[x1, y1]", "19:10: ", "expected a formula"},
+    {"L: Omega*r\n", "L: Omega*R\n", "21:16: ", "unknown symbol 'R'"},
+    {"L: Omega*r\n", "L: \"Omega*R\"\n", "21:17: ", "unknown symbol 'R'"},
+    {"L: Omega*r\n", "M: Omega*r\n", "21:7: ", "unknown symbol 'M', expected a quantity of the sheet"},
+    {"L: Omega*r\n", "L: {a: b}\n", "21:10: ", "expected a formula"},
+    {"x1 + y1 > 0", "x1 + y1", "22:14: ", "expected a condition with >, >= or <"},
+    {"x1 + y1 > 0", "x1 + z1 > 0", "22:19: ", "unknown symbol 'z1'"},
+    {"x1 + y1 > 0", "x1 + y1 > z1", "22:24: ", "unknown symbol 'z1'"},
+    {"        L: Omega*x1\n", "        x1: Omega*x1\n", "25:9: ",
+     "expected the outputs of the corrected equation, in its order"},
+    {"        L: Omega*x1\n", "        L: Omega*x1\n        x1: \"1\"\n", "26:9: ",
+     "expected the outputs of the corrected equation, in its order"},
+    {"    reason: the root is missing\n", "", "15:5: ", "missing reason, expected a text"},
+    {"      outputs:\n        L: Omega*x1\n", "      domain: []\n", "24:7: ", "missing outputs"},
+    {"      outputs:\n        L: Omega*x1\n", "      output:\n        L: Omega*x1\n", "24:7: ",
+     "unknown key 'output', expected perhaps outputs"},
+    {"x1 = 2*L", "x1 - 2*L", "13:32: ", "expected left = right"},
+    {"x1 = 2*L", "x1 = 2*M", "13:40: ", "unknown symbol 'M'"},
+    {"x1 = L\"", "x1 = L + \"", "13:63: ", "expected a number, a symbol or '(', the formula ends here"},
+    {"equation: \"1\", ", "", "13:9: ", "missing equation, expected a text"},
+    {"method: roots", "method: root", "30:13: ", "expected a method: roots, flow_ or rk4_ linear or nonlinear"},
+    {"    inputs: [L]\n", "", "28:5: ", "missing inputs"},
+    {"    outputs: [x1, y1]\n", "", "28:5: ", "missing outputs"},
+    {"[x1, y1]\n", "[x1, z1]\n", "32:19: ", "unknown symbol 'z1'"},
+    {"[2a, 2b]", "[2a, 2b", "", "expected YAML: "},
+    {"equations:\n  eq1:", "equations:\n\teq1:", "", "expected YAML: "},
+};
+
+START_TEST(mistake_is_told_with_its_place)
+{
+    struct sheet s;
+    struct message why = {""};
+    char place[40];
+    char *text = changed(mistakes[_i].from, mistakes[_i].to);
+    ck_assert_int_ne(sheet_read(&s, text, strlen(text), "t.yaml", &why), 0);
+    snprintf(place, sizeof place, "t.yaml:%s", mistakes[_i].place);
+    ck_assert_msg(strncmp(why.text, place, strlen(place)) == 0, "'%s' is not at %s", why.text, place);
+    ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "'%s' has no '%s'", why.text,
+                  mistakes[_i].expected);
+    free(text);
+}
+END_TEST
+
+START_TEST(empty_sheet_is_refused)
+{
+    struct sheet s;
+    struct message why = {""};
+    ck_assert_int_ne(sheet_read(&s, "", 0, "t.yaml", &why), 0);
+    ck_assert_msg(strncmp(why.text, "t.yaml:1:1: expected", 20) == 0, "%s", why.text);
+}
+END_TEST
+
+/* Whatever byte of the sheet is lost, it is read or refused in words, never worse. */
+START_TEST(cut_sheet_is_read_or_refused)
+{
+    for (size_t length = 0; length < strlen(good); length++) {
+        struct sheet s;
+        struct message why = {""};
+        if (sheet_read(&s, good, length, "t.yaml", &why) == 0)
+            sheet_clear(&s);
+        else
+            ck_assert_msg(strncmp(why.text, "t.yaml:", 7) == 0, "%s", why.text);
+    }
+}
+END_TEST
+
+Suite *suite(void)
+{
+    TCase *reading = tcase_create("reading");
+    tcase_add_test(reading, sheet_is_read);
+    tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
+    tcase_add_test(reading, empty_sheet_is_refused);
+    tcase_add_test(reading, cut_sheet_is_read_or_refused);
+
+    Suite *s = suite_create("sheet");
+    suite_add_tcase(s, reading);
+    return s;
+}

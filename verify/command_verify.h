@@ -1,0 +1,13 @@
+/* The parts of coulomb-tether verify: each prints its proofs and returns whether all of them hold. */
+#ifndef CT_COMMAND_VERIFY_H
+#define CT_COMMAND_VERIFY_H
+
+#include "proofs.h"
+
+enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV };
+
+void print_proofs(const struct proofs *p, enum format format);
+bool print_claims(const struct proofs *p, enum format format);
+bool print_errors(long inputs, enum format format);
+
+#endif

@@ -1,0 +1,134 @@
+#include "document.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+bool document_open(struct document *d, const char *text, size_t length, const char *file,
+                   struct message *why)
+{
+    yaml_parser_t parser;
+    *d = (struct document){.file = file, .why = why};
+    if (!yaml_parser_initialize(&parser)) {
+        message_set(why, "%s: out of memory", file);
+        return false;
+    }
+    yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
+    bool fine = yaml_parser_load(&parser, &d->yaml);
+    if (!fine) {
+        message_set(why, "%s:%zu:%zu: expected YAML: %s", file, parser.problem_mark.line + 1,
+                    parser.problem_mark.column + 1, parser.problem ? parser.problem : "broken text");
+    } else if (document_root(d) == NULL) {
+        message_set(why, "%s:1:1: expected a mapping, the file is empty", file);
+        document_close(d);
+        fine = false;
+    }
+    yaml_parser_delete(&parser);
+    return fine;
+}
+
+void document_close(struct document *d)
+{
+    yaml_document_delete(&d->yaml);
+}
+
+bool mistake(const struct document *d, const yaml_node_t *at, size_t offset, const char *format, ...)
+{
+    char text[384];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    if (scalar(at) != NULL && at->data.scalar.style != YAML_PLAIN_SCALAR_STYLE && offset > 0)
+        offset++; /* the quotation mark */
+    message_set(d->why, "%s:%zu:%zu: %s", d->file, at->start_mark.line + 1,
+                at->start_mark.column + 1 + offset, text);
+    return false;
+}
+
+const yaml_node_t *document_root(const struct document *d)
+{
+    return d->yaml.nodes.start < d->yaml.nodes.top ? d->yaml.nodes.start : NULL;
+}
+
+/* Nodes are known to each other by their number, from 1. */
+static const yaml_node_t *node_by_number(const struct document *d, int index)
+{
+    return d->yaml.nodes.start + (index - 1);
+}
+
+const char *scalar(const yaml_node_t *node)
+{
+    return node->type == YAML_SCALAR_NODE ? (const char *)node->data.scalar.value : NULL;
+}
+
+const yaml_node_t *child(const struct document *d, const yaml_node_t *mapping, const char *key)
+{
+    for (int i = 0; i < length_of(mapping); i++)
+        if (strcmp(scalar(key_of(d, mapping, i)), key) == 0)
+            return value_of(d, mapping, i);
+    return NULL;
+}
+
+int length_of(const yaml_node_t *node)
+{
+    if (node->type == YAML_MAPPING_NODE)
+        return (int)(node->data.mapping.pairs.top - node->data.mapping.pairs.start);
+    if (node->type == YAML_SEQUENCE_NODE)
+        return (int)(node->data.sequence.items.top - node->data.sequence.items.start);
+    return 0;
+}
+
+const yaml_node_t *key_of(const struct document *d, const yaml_node_t *mapping, int i)
+{
+    return node_by_number(d, mapping->data.mapping.pairs.start[i].key);
+}
+
+const yaml_node_t *value_of(const struct document *d, const yaml_node_t *mapping, int i)
+{
+    return node_by_number(d, mapping->data.mapping.pairs.start[i].value);
+}
+
+const yaml_node_t *item_of(const struct document *d, const yaml_node_t *list, int i)
+{
+    return node_by_number(d, list->data.sequence.items.start[i]);
+}
+
+static bool is_known(const struct document *d, const yaml_node_t *key, const char *const *known)
+{
+    size_t k = 0;
+    while (known[k] != NULL && strcmp(known[k], scalar(key)) != 0)
+        k++;
+    if (known[k] != NULL)
+        return true;
+    const char *near = nearest_name(scalar(key), known, k);
+    return mistake(d, key, 0, "unknown key '%s', expected %s%s", scalar(key),
+                   near ? "perhaps " : "one of this kind of entry", near ? near : "");
+}
+
+bool is_mapping(const struct document *d, const yaml_node_t *node, const char *const *known)
+{
+    if (node->type != YAML_MAPPING_NODE)
+        return mistake(d, node, 0, "expected a mapping, key: value");
+    for (int i = 0; i < length_of(node); i++) {
+        const yaml_node_t *key = key_of(d, node, i);
+        if (scalar(key) == NULL)
+            return mistake(d, key, 0, "expected a plain key");
+        for (int k = 0; k < i; k++)
+            if (strcmp(scalar(key_of(d, node, k)), scalar(key)) == 0)
+                return mistake(d, key, 0, "duplicate '%s', expected each key once", scalar(key));
+        if (known != NULL && !is_known(d, key, known))
+            return false;
+    }
+    return true;
+}
+
+bool is_list(const struct document *d, const yaml_node_t *node, int most)
+{
+    if (node->type != YAML_SEQUENCE_NODE)
+        return mistake(d, node, 0, "expected a list");
+    for (int i = 0; i < length_of(node); i++)
+        if (scalar(item_of(d, node, i)) == NULL || i == most)
+            return mistake(d, item_of(d, node, i), 0, "expected a list of at most %d texts", most);
+    return true;
+}

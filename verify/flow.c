@@ -1,0 +1,56 @@
+/*
+ * What the motions have in common: their domains, an enclosure's use, the precision to start with.
+ */
+#include "flow.h"
+
+#include <math.h>
+
+bool flow_linear_domain(const struct flow_parameters *p, arb_srcptr initial)
+{
+    return arb_is_positive(p->Omega) && arb_is_positive(p->L_ref) && arb_is_finite(p->Omega)
+           && arb_is_finite(p->L_ref) && arb_is_finite(p->C1) && arb_is_finite(p->C2)
+           && _arb_vec_is_finite(initial, FLOW_STATE);
+}
+
+bool flow_nonlinear_domain(const struct flow_parameters *p, arb_srcptr initial)
+{
+    arb_t square;
+    arb_init(square);
+    arb_dot(square, NULL, 0, initial, 1, initial, 1, FLOW_STATE / 2, 64);
+    bool valid = flow_linear_domain(p, initial) && arb_is_positive(square)
+                 && arb_is_positive(p->k_c) && arb_is_positive(p->m1) && arb_is_positive(p->m2)
+                 && arb_is_finite(p->k_c) && arb_is_finite(p->m1) && arb_is_finite(p->m2);
+    arb_clear(square);
+    return valid;
+}
+
+bool flow_wide(arb_srcptr state, slong bits)
+{
+    mag_t radius, size, m;
+    mag_init(radius);
+    mag_init(size);
+    mag_init(m);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        mag_max(radius, radius, arb_radref(state + i));
+        arb_get_mag(m, state + i);
+        mag_max(size, size, m);
+    }
+    mag_mul_2exp_si(size, size, -bits);
+    bool wide = mag_is_inf(radius) || mag_cmp(radius, size) > 0;
+    mag_clear(radius);
+    mag_clear(size);
+    mag_clear(m);
+    return wide;
+}
+
+slong flow_precision(slong digits, double radians)
+{
+    /* Table 1 takes some 35 of the 60 bits (rests, growth, small coordinates); the others are for near zeros */
+    return (slong)(log2(10) * (double)digits + 60 + 0.1 * fabs(radians));
+}
+
+slong rk4_precision(slong digits, double radians)
+{
+    /* plain balls lose 10 bits per radian of orbit at n = 10, 23 at n = 40, whatever the step */
+    return (slong)(log2(10) * (double)digits + 40 + 24 * fabs(radians));
+}

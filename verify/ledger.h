@@ -1,0 +1,21 @@
+/*
+ * The ledger as a whole: a row for every equation number of the sheet, and one for every claim.
+ */
+#ifndef CT_LEDGER_H
+#define CT_LEDGER_H
+
+#include "claims.h"
+#include "proofs.h"
+
+struct ledger_row {
+    const char *id, *where, *claim;
+    struct evidence evidence;
+};
+
+/* Called for each row, in the order of the ledger. */
+typedef void ledger_receiver(void *context, const struct ledger_row *row);
+
+/* Decides everything; `proofs` are the derivation steps, proved. False when a row stays undecided. */
+bool ledger_rows(const struct proofs *proofs, ledger_receiver *receive, void *context);
+
+#endif

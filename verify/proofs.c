@@ -1,0 +1,50 @@
+#include "proofs.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "embedded.h"
+
+bool proofs_step_holds(const struct proofs *p, int i)
+{
+    return p->corrected[i].finding == FOUND_EQUAL &&
+           (!p->derivations.steps[i].differs || p->printed[i].finding == FOUND_DIFFERENT);
+}
+
+void proofs_init(struct proofs *p, ulong seed)
+{
+    struct message why;
+    size_t length;
+    const char *text = embedded_derivations(&length);
+    *p = (struct proofs){.fine = true};
+    if (derivations_read(&p->derivations, sheet(), text, length, "paper/derivations.yaml", &why) != 0) {
+        fprintf(stderr, "coulomb-tether: %s\n", why.text); /* the build has checked the steps */
+        exit(1);
+    }
+    const size_t count = (size_t)p->derivations.step_count;
+    p->corrected = memory(NULL, count, sizeof *p->corrected);
+    p->printed = memory(NULL, count, sizeof *p->printed);
+    for (int i = 0; i < p->derivations.step_count; i++) {
+        const struct step *s = &p->derivations.steps[i];
+        trial_prove(&s->corrected, seed, &p->corrected[i]);
+        if (s->differs)
+            trial_prove(&s->printed, seed, &p->printed[i]);
+        p->points += p->corrected[i].points;
+        p->degree = FLINT_MAX(p->degree, s->corrected.degree);
+        p->fine = p->fine && proofs_step_holds(p, i);
+    }
+    p->gap = derivations_gap(&p->derivations);
+    p->fine = p->fine && p->gap == NULL;
+}
+
+void proofs_clear(struct proofs *p)
+{
+    for (int i = 0; i < p->derivations.step_count; i++) {
+        proof_clear(&p->corrected[i]);
+        if (p->derivations.steps[i].differs)
+            proof_clear(&p->printed[i]);
+    }
+    free(p->corrected);
+    free(p->printed);
+    derivations_clear(&p->derivations);
+}
