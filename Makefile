@@ -63,6 +63,7 @@ TABLES  := $(DATA)/table1.csv $(patsubst %,$(DATA)/figure%.csv,4 5a 5b 6 7a 7b)
 # The operations: every section of the sheet that has outputs.
 OPERATIONS := $(shell awk '/^equations:/ { on = 1 } on && /^  [a-z0-9_]+:$$/ { id = $$1; sub(":", "", id) } \
   on && /^    outputs:/ { print id }' paper/equations.yaml)
+VERDICTS := $(DATA)/verdicts.csv
 GOLDEN  := $(patsubst %,$(DATA)/golden/%.csv,$(OPERATIONS))
 DRAWN   := $(patsubst paper/figures/%.gp,%,$(wildcard paper/figures/figure*.gp))
 FIGURES := $(foreach kind,svg png,$(patsubst %,$(BUILD)/figures/%.$(kind),$(DRAWN)))
@@ -144,10 +145,18 @@ $(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*.h tests/*.h)
 	clang-tidy --quiet $< -- $(STANDARD) -I. -Iverify $(VERIFY_CFLAGS) $(CHECK_CFLAGS) 2>$@.tmp || { cat $@.tmp >&2; exit 1; }
 	@mv $@.tmp $@
 
+## verify: every proof, every verdict, and ref's measured error
+verify: $(PROGRAM)
+	$(PROGRAM) verify
+
+## errors: ref's largest error on 100,000 random inputs of every operation
+errors: $(PROGRAM)
+	$(PROGRAM) verify errors --count 100000
+
 ### The paper's table and figures
-## data: everything below data/: table, figures, golden vectors, their description; prints Table 1
-data: $(TABLES) $(GOLDEN) $(DATA)/datapackage.json
-	@printf 'wrote %s\n' $(TABLES) '$(DATA)/golden/ ($(words $(GOLDEN)) files)' $(DATA)/datapackage.json
+## data: everything below data/: table, figures, verdicts, golden vectors; prints Table 1
+data: $(TABLES) $(VERDICTS) $(GOLDEN) $(DATA)/datapackage.json
+	@printf 'wrote %s\n' $(TABLES) $(VERDICTS) '$(DATA)/golden/ ($(words $(GOLDEN)) files)' $(DATA)/datapackage.json
 	@$(PROGRAM) table1
 
 $(DATA)/table1.csv: $(PROGRAM)
@@ -161,22 +170,33 @@ $(DATA)/figure%.csv: $(PROGRAM)
 	$(PROGRAM) figure $* $(if $(filter-out 4,$*),--rk4 100) >$@.tmp
 	@mv $@.tmp $@
 
+$(VERDICTS): $(PROGRAM)
+	@mkdir -p $(@D)
+	$(PROGRAM) verify claims --csv >$@.tmp
+	@mv $@.tmp $@
+
 $(DATA)/golden/%.csv: $(PROGRAM)
 	@mkdir -p $(@D)
 	$(PROGRAM) vectors $* --golden >$@.tmp
 	@mv $@.tmp $@
 
-$(DATA)/datapackage.json: $(TABLES) $(GOLDEN)
+$(DATA)/datapackage.json: $(TABLES) $(VERDICTS) $(GOLDEN)
 	sha256sum $(sort $^) | $(PROGRAM) datapackage >$@.tmp
 	@mv $@.tmp $@
 
-## figures: the figures, as SVG and PNG, in build/figures/
-figures: $(FIGURES)
+## figures: the figures and the graph of derivations, as SVG and PNG, in build/figures/
+figures: $(FIGURES) $(BUILD)/figures/derivations.svg $(BUILD)/figures/derivations.png
 
 $(FIGURES): paper/figures/style.gp $(wildcard paper/figures/figure*.gp) $(TABLES)
 	@mkdir -p $(@D)
 	LC_ALL=C.UTF-8 gnuplot -e "data='$(DATA)'; picture='$@.tmp'; kind='$(patsubst .%,%,$(suffix $@))'" \
 	  paper/figures/style.gp paper/figures/$(basename $(@F)).gp
+	@mv $@.tmp $@
+
+# Boxes are equations and the arrows between them steps; what is first is marked by its shape.
+$(BUILD)/figures/derivations.%: $(PROGRAM)
+	@mkdir -p $(@D)
+	$(PROGRAM) verify derivations --graph | dot -T$* >$@.tmp
 	@mv $@.tmp $@
 
 ## pictures: the two figures that README shows, drawn anew
@@ -236,5 +256,5 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check coverage lint data figures pictures deps deps-ci install uninstall dist clean distclean help
+.PHONY: all check coverage lint verify errors data figures pictures deps deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d)

@@ -74,7 +74,7 @@ struct ct_craft {
 
 struct ct_spherical { double L, psi, theta; };                     /* [m], [rad], [rad] */
 struct ct_spherical_rate { double L_dot, psi_dot, theta_dot; };    /* [m/s], [rad/s], [rad/s] */
-struct ct_static_places { double x1, x2; };                      /* [m] */
+struct ct_static_places { double x1, x2; };                        /* [m] */
 struct ct_charge_pair { double q1, q2; };                          /* [C] */
 struct ct_quartic { double a0, a1, a2, a3, a4; };                  /* of lambda^k: [1/s^(4-k)] */
 struct ct_root { double re, im; };                                 /* [1/s] */

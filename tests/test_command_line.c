@@ -120,7 +120,6 @@ static const struct {
     {"trajectory circular", 2, "circular"},
     {"trajectory linear x1=5", 2, "x1"},
     {"trajectory nonlinear x1=5", 2, "all six"},
-    {"trajectory linear C1=1e-8", 2, "C2"},
     {"trajectory linear m1=0", 1, "m1"},
     {"trajectory nonlinear dL=-10", 1, "apart"},
     {"trajectory linear --at 0,1 --every 5", 2, "--at"},

@@ -133,7 +133,7 @@ END_TEST
 START_TEST(unknown_symbol_has_a_suggestion)
 {
     struct program p;
-    struct message why;
+    struct message why = {""};
     size_t where;
     program_init(&p);
     program_input(&p, "Omega");
@@ -188,7 +188,7 @@ END_TEST
 START_TEST(copy_is_independent)
 {
     struct program p, copy;
-    struct message why;
+    struct message why = {""};
     size_t where;
     program_init(&p);
     program_input(&p, "x");
@@ -474,7 +474,7 @@ START_TEST(inlined_program_takes_the_place_of_its_inputs)
 {
     struct program p, other;
     struct machine m;
-    struct message why;
+    struct message why = {""};
     size_t where;
     fmpq_t value, expected;
     int y = parse_inputs(&p, "y - 1");

@@ -37,10 +37,11 @@ struct claim {
 };
 
 /* A list of claims, ended by one without id. */
-extern const struct claim claims_equations[]; /* each equation as printed          */
 extern const struct claim claims_statics[];   /* equilibria, charges, plasma       */
 extern const struct claim claims_stability[]; /* the linear model, roots, optima   */
-extern const struct claim claims_motion[];    /* the simulation, linear and not    */
+extern const struct claim claims_motion[];    /* the simulation, the linear model   */
+extern const struct claim claims_convergence[]; /* the nonlinear motion, the charges */
+extern const struct claim claims_forced[];    /* what pitch forces, in closed form  */
 
 /* Appends to the evidence, printf-like. */
 #if defined(__GNUC__)

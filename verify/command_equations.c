@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "ledger.h"
 
 static const char *const domains[] = {
     [DOMAIN_FINITE] = "finite",
@@ -37,7 +38,16 @@ static void print_formulas(const char *heading, const struct section *s, const s
         printf("  %-8s %s\n", i ? "" : "domain", f->conditions[i].text);
 }
 
-static void print_section(const struct section *s)
+static void print_verdicts(const struct proofs *p, const struct section *s)
+{
+    for (int i = 0; i < s->numbers; i++) {
+        struct evidence e = {.text = ""};
+        ledger_equation(&e, p, s, s->equations[i]);
+        printf("  %-8s (%s) %s: %s\n", i ? "" : "verdict", s->equations[i], verdict_names[e.verdict], e.text);
+    }
+}
+
+static void print_section(const struct proofs *p, const struct section *s)
 {
     printf("%s  Eq. ", s->id);
     print_numbers(s, 0);
@@ -53,6 +63,7 @@ static void print_section(const struct section *s)
     }
     if (s->note != NULL)
         printf("  %-8s %s\n", "note", s->note);
+    print_verdicts(p, s);
 }
 
 static void json_quantities(const char *key, const struct quantity *const *quantities, int count)
@@ -92,7 +103,7 @@ static void json_formulas(const char *key, const struct section *s, const struct
     printf("]}");
 }
 
-static void json_section(const struct section *s)
+static void json_section(const struct proofs *p, const struct section *s)
 {
     printf("{\"id\": \"%s\", \"equations\": [", s->id);
     for (int i = 0; i < s->numbers; i++)
@@ -106,7 +117,32 @@ static void json_section(const struct section *s)
         json_formulas("formula", s, &s->corrected);
     if (s->differs)
         json_formulas("printed", s, &s->printed);
-    putchar('}');
+    printf(", \"verdicts\": {");
+    for (int i = 0; i < s->numbers; i++) {
+        struct evidence e = {.text = ""};
+        ledger_equation(&e, p, s, s->equations[i]);
+        printf("%s\"%s\": \"%s\"", i ? ", " : "", s->equations[i], verdict_names[e.verdict]);
+    }
+    printf("}}");
+}
+
+static void json_sections(const struct proofs *p)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        fputs(i ? ",\n " : "[", stdout);
+        json_section(p, &sheet()->sections[i]);
+    }
+    putchar(']');
+}
+
+static void print_sections(void)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        printf("%-15s ", s->id);
+        print_numbers(s, 14);
+        printf("  %s%s\n", s->title, s->differs ? " (misprinted)" : "");
+    }
 }
 
 int command_equations(int count, char **texts)
@@ -124,23 +160,16 @@ int command_equations(int count, char **texts)
     free(a.assignments);
     if (status != EXIT_DONE)
         return status;
-    const struct section *all = sheet()->sections;
     const bool json = option_given(&a, "--json");
-    if (one != NULL) {
-        (json ? json_section : print_section)(one);
-    } else if (json) {
-        for (int i = 0; i < sheet()->section_count; i++) {
-            fputs(i ? ",\n " : "[", stdout);
-            json_section(&all[i]);
-        }
-        putchar(']');
-    } else {
-        for (int i = 0; i < sheet()->section_count; i++) {
-            printf("%-15s ", all[i].id);
-            print_numbers(&all[i], 14);
-            printf("  %s%s\n", all[i].title, all[i].differs ? " (misprinted)" : "");
-        }
-    }
+    struct proofs proofs;
+    proofs_init(&proofs, 1);
+    if (one != NULL)
+        (json ? json_section : print_section)(&proofs, one);
+    else if (json)
+        json_sections(&proofs);
+    else
+        print_sections();
+    proofs_clear(&proofs);
     if (json)
         putchar('\n');
     return output_finished();

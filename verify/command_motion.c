@@ -117,10 +117,7 @@ static int check_combination(const struct setting *s, bool nonlinear)
     for (int i = SET_x1; i <= SET_z1_dot; i++)
         cartesian += s->given[i];
     if (s->given[SET_n] && (s->given[SET_C1] || s->given[SET_C2]))
-        return complain(EXIT_USAGE, "n: expected either n or C1 and C2");
-    if (s->given[SET_C1] != s->given[SET_C2])
-        return complain(EXIT_USAGE, "%s: expected C1 and C2 together",
-                        s->given[SET_C1] ? "C1" : "C2");
+        return complain(EXIT_USAGE, "n: expected either n, or C1 and C2");
     if (cartesian > 0 && !nonlinear)
         return complain(EXIT_USAGE, "x1 ... z1_dot: expected for nonlinear motions alone");
     if (cartesian > 0 && (cartesian < FLOW_STATE || angles))

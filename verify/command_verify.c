@@ -2,47 +2,71 @@
 #include "command_verify.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "command.h"
 
-enum { SEED = 1 }; /* of the points of derivation steps; --seed draws others */
+enum {
+    SEED = 1,     /* of the points of derivation steps; --seed draws others   */
+    INPUTS = 1000 /* for each operation of verify errors; --count takes other */
+};
 
 /* What was asked for. */
 struct request {
     const char *part; /* NULL: all */
-    bool json, graph;
+    bool graph;
+    enum format format;
     ulong seed;
+    long count;
 };
 
-static bool verify_derivations(const struct request *request)
+static bool verify_derivations(const struct proofs *p, const struct request *request)
 {
-    struct proofs p;
-    proofs_init(&p, request->seed);
     if (request->graph)
-        derivations_graph(&p.derivations);
+        derivations_graph(&p->derivations);
     else
-        print_proofs(&p, request->json ? FORMAT_JSON : FORMAT_TABLE);
-    const bool fine = p.fine;
-    proofs_clear(&p);
-    return fine;
+        print_proofs(p, request->format);
+    return p->fine;
+}
+
+static bool verify_claims(const struct proofs *p, const struct request *request)
+{
+    return print_claims(p, request->format);
+}
+
+static bool verify_errors(const struct proofs *p, const struct request *request)
+{
+    (void)p;
+    return print_errors(request->count, request->format);
 }
 
 static const struct part {
     const char *name;
-    bool (*verify)(const struct request *request); /* prints, and whether all of it holds */
-} parts[] = {{"derivations", verify_derivations}};
+    bool (*verify)(const struct proofs *p, const struct request *request); /* whether all of it holds */
+} parts[] = {{"derivations", verify_derivations}, {"claims", verify_claims}, {"errors", verify_errors}};
 
 enum { PARTS = sizeof parts / sizeof *parts };
 
-static int read_request(const struct arguments *a, struct request *r)
+/* An integer from 0, at most 20 digits of it. */
+static int read_integer(const char *name, const char *text, ulong *value)
 {
-    const char *known[PARTS], *seed = option_value(a, "--seed");
-    char *end = NULL, hint[80];
-    *r = (struct request){a->word_count > 0 ? a->words[0] : NULL, option_given(a, "--json"),
-                          option_given(a, "--graph"), SEED};
+    char *end = NULL;
+    if (text == NULL)
+        return EXIT_DONE;
+    errno = 0;
+    *value = strtoul(text, &end, 10);
+    if (*text < '0' || *text > '9' || *end != '\0' || errno != 0)
+        return complain(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
+    return EXIT_DONE;
+}
+
+static int check_request(const struct arguments *a, const struct request *r)
+{
+    const char *known[PARTS];
+    char hint[80];
     bool found = r->part == NULL;
     for (int i = 0; i < PARTS; i++) {
         known[i] = parts[i].name;
@@ -53,15 +77,30 @@ static int read_request(const struct arguments *a, struct request *r)
         return complain(EXIT_USAGE, "verify: unexpected argument '%s'", a->assignments[0]);
     if (!found)
         return complain(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
-    if (r->graph && (r->json || r->part == NULL || strcmp(r->part, "derivations") != 0))
+    if (r->graph && (r->format != FORMAT_TABLE || r->part == NULL || strcmp(r->part, "derivations") != 0))
         return complain(EXIT_USAGE, "--graph: expected verify derivations before it, and no --json");
-    if (seed == NULL)
-        return EXIT_DONE;
-    errno = 0;
-    r->seed = strtoul(seed, &end, 10);
-    if (*seed < '0' || *seed > '9' || *end != '\0' || errno != 0)
-        return complain(EXIT_USAGE, "--seed: expected an integer from 0 to 2^64 - 1, got '%s'", seed);
+    if (r->format == FORMAT_CSV && (r->part == NULL || strcmp(r->part, "claims") != 0))
+        return complain(EXIT_USAGE, "--csv: expected verify claims before it");
+    if (r->count < 1 || r->count > 100000000)
+        return complain(EXIT_USAGE, "--count: expected from 1 to 100000000 inputs");
     return EXIT_DONE;
+}
+
+static int read_request(const struct arguments *a, struct request *r)
+{
+    const bool json = option_given(a, "--json"), csv = option_given(a, "--csv");
+    ulong count = INPUTS;
+    *r = (struct request){.part = a->word_count > 0 ? a->words[0] : NULL,
+                          .graph = option_given(a, "--graph"),
+                          .format = json ? FORMAT_JSON : csv ? FORMAT_CSV : FORMAT_TABLE,
+                          .seed = SEED};
+    if (json && csv)
+        return complain(EXIT_USAGE, "--json: expected without --csv");
+    int status = read_integer("--seed", option_value(a, "--seed"), &r->seed);
+    if (status == EXIT_DONE)
+        status = read_integer("--count", option_value(a, "--count"), &count);
+    r->count = count > LONG_MAX ? LONG_MAX : (long)count;
+    return status != EXIT_DONE ? status : check_request(a, r);
 }
 
 /* What was asked for; as JSON, an object with a member a part. */
@@ -69,24 +108,28 @@ static int verify(const struct request *request)
 {
     int status = EXIT_DONE;
     const char *separator = "{";
+    struct proofs p;
+    proofs_init(&p, request->seed);
     for (int i = 0; i < PARTS; i++) {
         if (request->part != NULL && strcmp(request->part, parts[i].name) != 0)
             continue;
-        if (request->json)
+        if (request->format == FORMAT_JSON)
             printf("%s\"%s\": ", separator, parts[i].name);
         separator = ",";
-        if (!parts[i].verify(request))
+        if (!parts[i].verify(&p, request))
             status = EXIT_FAILED_CHECK;
     }
-    if (request->json)
+    proofs_clear(&p);
+    if (request->format == FORMAT_JSON)
         puts("}");
     return status;
 }
 
 int command_verify(int count, char **texts)
 {
-    struct option options[] = {{"--json", false, NULL}, {"--graph", false, NULL}, {"--seed", true, NULL}};
-    struct arguments a = {.subcommand = "verify", .options = options, .option_count = 3};
+    struct option options[] = {{"--json", false, NULL}, {"--csv", false, NULL}, {"--graph", false, NULL},
+                               {"--seed", true, NULL},  {"--count", true, NULL}};
+    struct arguments a = {.subcommand = "verify", .options = options, .option_count = 5};
     struct request request;
     int status = arguments_split(&a, count, texts, 1);
     if (status != EXIT_DONE)

@@ -4,8 +4,8 @@
  *
  * Let x = (x_1 ... x_m) be the integers that are drawn. Every value is, up to epsilon^K, a quotient
  * N(x, epsilon)/D(x, epsilon) of polynomials with rational coefficients, D(x, 0) not zero wherever the
- * point is accepted. num and den bound the total degree in x of N and D; epsilon counts nothing. By
- * the operations:
+ * point is accepted (or, of what is only divided by, N(x, 0)). num and den bound the total degree in x of
+ * N and D; epsilon counts nothing. By the operations:
  *
  *   drawn number        x_i epsilon^p = N/1                                            1, 0
  *   drawn angle t       cosine (t^2 - 1)/(t^2 + 1), sine 2t/(t^2 + 1)                  2, 2
@@ -25,7 +25,7 @@
  * coefficients is a polynomial other than zero, of a degree g that num and den bound, and vanishes at a
  * point with coordinates drawn evenly from 2^64 integers with a chance of g/2^64 at most (Schwartz,
  * Zippel). Points are drawn again where a divisor vanishes. The product of all divisors has a degree
- * below 2^63 (degree_limit), so at least half the points are accepted: the chance that an accepted
+ * below 2^63 (DEGREE_LIMIT), so at least half the points are accepted: the chance that an accepted
  * point hides the fault is g/2^63 at most, and independent points multiply.
  */
 #ifndef CT_DEGREE_H
@@ -42,8 +42,9 @@ struct degree {
     enum sign sign;
 };
 
-/* Degrees saturate here; a program of fewer than 2^22 nodes with smaller ones keeps the promise above. */
+/* Degrees saturate at 2^40. Fewer than 2^22 divisors below that keep the promise above. */
 #define DEGREE_LIMIT ((ulong)1 << 40)
+#define NODE_LIMIT (1 << 22)
 
 extern const struct arithmetic arithmetic_degree; /* prec = number of terms, K + 1 */
 

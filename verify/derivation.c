@@ -1,4 +1,4 @@
-/* The proof of a derivation step, and what the steps together reach. */
+/* The proof of a derivation step. */
 #include "derivation.h"
 
 #include <stdint.h>
@@ -64,6 +64,11 @@ void trial_prepare(struct trial *t)
     for (int i = 0; i < t->program.inputs; i++)
         *(struct degree *)machine_value(&degrees, i) = drawn_degree(&t->variables[i]);
     machine_run(&degrees);
+    for (int i = 0; i < t->program.count; i++) { /* no divisor may be beyond the limit */
+        const struct degree *d = machine_value(&degrees, i);
+        if (FLINT_MAX(d->num, d->den) >= DEGREE_LIMIT || t->program.count >= NODE_LIMIT)
+            t->degree = DEGREE_LIMIT;
+    }
     for (int i = 0; i < t->shown_count; i++) {
         struct equality *e = &t->shown[i];
         e->degree = degree_of_difference(machine_value(&degrees, e->left), machine_value(&degrees, e->right));
@@ -83,7 +88,7 @@ void trial_prepare(struct trial *t)
 
 /* ---- points ---- */
 
-/* splitmix64 (Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators"; constants: its mix64 variant 13) */
+/* splitmix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014 */
 static uint64_t next_random(uint64_t *state)
 {
     uint64_t z = *state += UINT64_C(0x9e3779b97f4a7c15);
@@ -349,61 +354,4 @@ void proof_clear(struct proof *p)
 {
     _fmpz_vec_clear(p->drawn, p->allocated);
     free(p->evidence);
-}
-
-/* ---- what the steps together reach ---- */
-
-bool stands_for(const char *entry, const char *equation)
-{
-    const size_t length = strlen(entry);
-    return strncmp(entry, equation, length) == 0 && (equation[length] < '0' || equation[length] > '9');
-}
-
-struct ground {
-    const char *equation;
-    bool reached;
-};
-
-/* An entry of `from` is firm when all equations that it stands for are reached; a principle always is. */
-static bool is_firm(const struct ground *g, int count, const char *entry)
-{
-    for (int i = 0; i < count; i++)
-        if (stands_for(entry, g[i].equation) && !g[i].reached)
-            return false;
-    return true;
-}
-
-static bool advance(const struct step *s, struct ground *g, int count)
-{
-    bool news = false;
-    for (int i = 0; i < s->from_count; i++)
-        if (!is_firm(g, count, s->from[i]))
-            return false;
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < s->to_count && !g[i].reached; k++)
-            news |= g[i].reached = stands_for(s->to[k], g[i].equation);
-    return news;
-}
-
-const char *derivations_gap(const struct derivations *d)
-{
-    struct ground *g = NULL;
-    const char *gap = NULL;
-    int count = 0;
-    for (int i = 0; i < d->sheet->section_count; i++) {
-        const struct section *s = &d->sheet->sections[i];
-        for (int k = 0; k < s->numbers; k++) {
-            g = memory(g, (size_t)count + 1, sizeof *g);
-            g[count++] = (struct ground){s->equations[k], s->method == METHOD_NONE};
-        }
-    }
-    for (bool news = true; news;) {
-        news = false;
-        for (int i = 0; i < d->step_count; i++)
-            news |= advance(&d->steps[i], g, count);
-    }
-    for (int i = 0; i < count && gap == NULL; i++)
-        gap = g[i].reached ? NULL : g[i].equation;
-    free(g);
-    return gap;
 }

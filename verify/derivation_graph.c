@@ -1,10 +1,68 @@
-/* The graph of equations and steps, for Graphviz. Shapes tell what a node is, colours nothing. */
-#include <ctype.h>
+/* The graph of equations and steps: what it reaches, and how it looks. Shapes tell what a node is, not colours. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "derivation.h"
+
+/* ---- what the steps together reach ---- */
+
+bool stands_for(const char *entry, const char *equation)
+{
+    const size_t length = strlen(entry);
+    return strncmp(entry, equation, length) == 0 && (equation[length] < '0' || equation[length] > '9');
+}
+
+struct ground {
+    const char *equation;
+    bool reached;
+};
+
+/* An entry of `from` is firm when all equations that it stands for are reached; a principle always is. */
+static bool is_firm(const struct ground *g, int count, const char *entry)
+{
+    for (int i = 0; i < count; i++)
+        if (stands_for(entry, g[i].equation) && !g[i].reached)
+            return false;
+    return true;
+}
+
+static bool advance(const struct step *s, struct ground *g, int count)
+{
+    bool news = false;
+    for (int i = 0; i < s->from_count; i++)
+        if (!is_firm(g, count, s->from[i]))
+            return false;
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < s->to_count && !g[i].reached; k++)
+            news |= g[i].reached = stands_for(s->to[k], g[i].equation);
+    return news;
+}
+
+const char *derivations_gap(const struct derivations *d)
+{
+    struct ground *g = NULL;
+    const char *gap = NULL;
+    int count = 0;
+    for (int i = 0; i < d->sheet->section_count; i++) {
+        const struct section *s = &d->sheet->sections[i];
+        for (int k = 0; k < s->numbers; k++) {
+            g = memory(g, (size_t)count + 1, sizeof *g);
+            g[count++] = (struct ground){s->equations[k], s->method == METHOD_NONE};
+        }
+    }
+    for (bool news = true; news;) {
+        news = false;
+        for (int i = 0; i < d->step_count; i++)
+            news |= advance(&d->steps[i], g, count);
+    }
+    for (int i = 0; i < count && gap == NULL; i++)
+        gap = g[i].reached ? NULL : g[i].equation;
+    free(g);
+    return gap;
+}
+
+/* ---- for Graphviz ---- */
 
 /* "6a" and "6b" are the node 6; a principle is its own. */
 static int node_name_length(const char *entry)
@@ -41,7 +99,7 @@ static void print_equations(const struct sheet *sheet)
 {
     enum { MOST = 100 };
     for (int number = 1; number < MOST; number++) {
-        char text[8];
+        char text[16];
         snprintf(text, sizeof text, "%d", number);
         const struct section *s = section_of(sheet, text);
         if (s == NULL)

@@ -9,7 +9,6 @@
  *     left(6a), right(24, 2)    a side of a relation of the sheet: of (6a), of the second that (24) has
  *     rate(x1)                  the derivative by time: what the step's `rates` names moves
  */
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -44,13 +43,17 @@ static int read_rate(struct parser *s)
     return node;
 }
 
-/* The relation of that number, the first, second ... (1, 2 ...) of them; NULL when there is none. */
-static const struct relation *find_relation(const struct sheet *sheet, const char *number, long index)
+/* The relation of that number, the first, second ... ("1", "2" ...) of them; NULL when there is none. */
+static const struct relation *find_relation(const struct sheet *sheet, const char *number, const char *index)
 {
+    char *end;
+    long left = strtol(index, &end, 10);
+    if (*end != '\0')
+        return NULL;
     for (int i = 0; i < sheet->section_count; i++)
         for (int k = 0; k < sheet->sections[i].relation_count; k++) {
             const struct relation *relation = &sheet->sections[i].relations[k];
-            if (strcmp(relation->equation, number) == 0 && --index == 0)
+            if (strcmp(relation->equation, number) == 0 && --left == 0)
                 return relation;
         }
     return NULL;
@@ -59,6 +62,7 @@ static const struct relation *find_relation(const struct sheet *sheet, const cha
 static int read_side(struct parser *s, bool right)
 {
     const struct reader *r = s->context;
+    const char *begin = s->at;
     char number[LONGEST_NAME + 1], index[LONGEST_NAME + 1] = "1";
     if (!parse_symbol(s, '('))
         return parse_refuse(s, "'('");
@@ -66,8 +70,9 @@ static int read_side(struct parser *s, bool right)
         return -1;
     if (!parse_symbol(s, ')'))
         return parse_refuse(s, "',' or ')'");
-    const struct relation *relation = find_relation(r->sheet, number, strtol(index, NULL, 10));
+    const struct relation *relation = find_relation(r->sheet, number, index);
     if (relation == NULL) {
+        s->at = begin;
         message_set(s->why, "unknown relation %s of (%s), expected one of the sheet", index, number);
         return -1;
     }
@@ -103,8 +108,9 @@ static void bind_names(const struct reader *r, const struct program *from, int *
     const struct program *p = &r->trial->program;
     for (int i = 0; i < from->named; i++) {
         int node = from->names[i].node, here = program_find(p, from->names[i].text);
-        bool is_free = here >= r->sheet->quantity_count && here < p->inputs;
-        if (stand_in[node] < 0 && (node < from->inputs || is_free))
+        const bool is_input = node < from->inputs;
+        const bool is_free = here >= r->sheet->quantity_count && here < p->inputs;
+        if ((is_input || is_free) && stand_in[node] < 0)
             stand_in[node] = here;
     }
 }
@@ -176,7 +182,7 @@ static int read_reference(struct parser *s, const char *name)
 /* The formula that stands `shift` characters into a scalar. */
 static int read_text(struct reader *r, const yaml_node_t *node, const char *text, size_t shift)
 {
-    struct message expected;
+    struct message expected = {""};
     size_t where;
     int result = program_parse_with(&r->trial->program, text, read_reference, r, &where, &expected);
     if (result < 0)

@@ -313,7 +313,8 @@ int program_parse(struct program *p, const char *text, size_t *where, struct mes
 int program_parse_with(struct program *p, const char *text, reference_reader *reference, void *context,
                        size_t *where, struct message *why)
 {
-    struct parser s = {p, text, text, why, 0, reference, context};
+    struct parser s = {.program = p, .text = text, .at = text, .reference = reference, .context = context};
+    s.why = why;
     int node = parse_sum(&s);
     skip_blanks(&s);
     if (node >= 0 && *s.at != '\0')

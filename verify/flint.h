@@ -14,6 +14,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz.h>
 #include <flint/fmpz_poly.h>
+#include <flint/fmpz_vec.h>
 
 #if __FLINT_RELEASE >= 30000
 #include <flint/acb.h>

@@ -74,14 +74,16 @@ static bool steps_to(struct evidence *e, const struct proofs *p, const char *equ
     return fine;
 }
 
-static void decide_equation(struct evidence *e, const struct proofs *p, const struct section *s, const char *equation)
+void ledger_equation(struct evidence *e, const struct proofs *p, const struct section *s, const char *equation)
 {
     int steps;
     bool proved = steps_to(e, p, equation, &steps);
     if (s->differs) {
-        evidence_add(e, "; %s", s->reason);
+        evidence_add(e, "; %.*s", (int)strlen(s->reason) - 1, s->reason); /* but for its full stop */
         bool differs = compare(e, s, "the paper's case", NULL, NULL);
-        differs = compare(e, s, "m1 = 100 kg, m2 = 300 kg", "100", "300") || differs;
+        for (int i = 0; i < s->input_count; i++)
+            if (strcmp(s->inputs[i]->name, "m2") == 0)
+                differs = compare(e, s, "m1 = 100 kg, m2 = 300 kg", "100", "300") || differs;
         /* (21) differs where it has no value of its own: its domain is what the print lacks */
         evidence_decide(e, HOLDS_AS_CORRECTED, EXACT, proved && steps > 0 && (differs || s->corrected.count > 0));
         return;
@@ -121,7 +123,7 @@ static bool equation_rows(const struct proofs *p, ledger_receiver *receive, void
             snprintf(id, sizeof id, "equation-%s", s->equations[k]);
             snprintf(where, sizeof where, "Eq. (%s)", s->equations[k]);
             struct ledger_row row = {.id = id, .where = where, .claim = s->title};
-            decide_equation(&row.evidence, p, s, s->equations[k]);
+            ledger_equation(&row.evidence, p, s, s->equations[k]);
             decided = decided && row.evidence.verdict != VERDICT_NONE;
             receive(context, &row);
         }
@@ -133,7 +135,8 @@ static bool equation_rows(const struct proofs *p, ledger_receiver *receive, void
 
 bool ledger_rows(const struct proofs *proofs, ledger_receiver *receive, void *context)
 {
-    static const struct claim *const lists[] = {claims_stability};
+    static const struct claim *const lists[] = {claims_statics, claims_stability, claims_motion,
+                                               claims_convergence, claims_forced};
     bool decided = equation_rows(proofs, receive, context);
     for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
         for (const struct claim *c = lists[l]; c->id != NULL; c++) {

@@ -12,6 +12,9 @@ struct ledger_row {
     struct evidence evidence;
 };
 
+/* The verdict on one equation number of a section, as printed. */
+void ledger_equation(struct evidence *e, const struct proofs *p, const struct section *s, const char *equation);
+
 /* Called for each row, in the order of the ledger. */
 typedef void ledger_receiver(void *context, const struct ledger_row *row);
 

@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "embedded.h"
 
@@ -11,16 +12,33 @@ bool proofs_step_holds(const struct proofs *p, int i)
            (!p->derivations.steps[i].differs || p->printed[i].finding == FOUND_DIFFERENT);
 }
 
-void proofs_init(struct proofs *p, ulong seed)
+void derivations_open(struct derivations *d)
 {
     struct message why;
     size_t length;
     const char *text = embedded_derivations(&length);
-    *p = (struct proofs){.fine = true};
-    if (derivations_read(&p->derivations, sheet(), text, length, "paper/derivations.yaml", &why) != 0) {
+    if (derivations_read(d, sheet(), text, length, "paper/derivations.yaml", &why) != 0) {
         fprintf(stderr, "coulomb-tether: %s\n", why.text); /* the build has checked the steps */
         exit(1);
     }
+}
+
+const struct step *step_named(const struct derivations *d, const char *id)
+{
+    int i = 0;
+    while (i < d->step_count && strcmp(d->steps[i].id, id) != 0)
+        i++;
+    if (i == d->step_count) {
+        fprintf(stderr, "coulomb-tether: no derivation step '%s'\n", id);
+        exit(1);
+    }
+    return &d->steps[i];
+}
+
+void proofs_init(struct proofs *p, ulong seed)
+{
+    *p = (struct proofs){.fine = true};
+    derivations_open(&p->derivations);
     const size_t count = (size_t)p->derivations.step_count;
     p->corrected = memory(NULL, count, sizeof *p->corrected);
     p->printed = memory(NULL, count, sizeof *p->printed);

@@ -13,6 +13,12 @@ struct proofs {
     bool fine;                         /* everything holds, and there is no gap */
 };
 
+/* Reads the steps that were compiled into the program. */
+void derivations_open(struct derivations *d);
+
+/* The step of that id; a program that asks for one that is not there ends. */
+const struct step *step_named(const struct derivations *d, const char *id);
+
 /* The steps that were compiled into the program, at points drawn from the seed. */
 void proofs_init(struct proofs *p, ulong seed);
 void proofs_clear(struct proofs *p);

@@ -1,83 +1,18 @@
 #include "sheet.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <yaml.h>
 
 #include "decimal.h"
+#include "document.h"
 
 struct reader {
-    yaml_document_t document;
-    const char *file;
+    struct document document;
     struct sheet *sheet;
-    struct message *why;
 };
 
 enum { MOST_OUTPUTS = 16, MOST_INPUTS = 40 };
-
-/* ---- the YAML tree ---- */
-
-/* "file:line:column: ..."; false, so that a caller can return it */
-#if defined(__GNUC__)
-__attribute__((format(printf, 4, 5)))
-#endif
-static bool complain(struct reader *r, const yaml_node_t *at, size_t offset, const char *format, ...)
-{
-    char text[384];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    message_set(r->why, "%s:%zu:%zu: %s", r->file, at->start_mark.line + 1,
-                at->start_mark.column + 1 + offset, text);
-    return false;
-}
-
-static yaml_node_t *tree(struct reader *r, int index)
-{
-    return yaml_document_get_node(&r->document, index);
-}
-
-static const char *scalar(const yaml_node_t *node)
-{
-    return node->type == YAML_SCALAR_NODE ? (const char *)node->data.scalar.value : NULL;
-}
-
-/* The value of a key, NULL when it is not there. */
-static yaml_node_t *child(struct reader *r, const yaml_node_t *mapping, const char *key)
-{
-    for (yaml_node_pair_t *p = mapping->data.mapping.pairs.start;
-         p < mapping->data.mapping.pairs.top; p++)
-        if (strcmp(scalar(tree(r, p->key)), key) == 0)
-            return tree(r, p->value);
-    return NULL;
-}
-
-/* A mapping with scalar keys, no key twice and, where `known` ends in NULL, no other key than those. */
-static bool is_mapping(struct reader *r, const yaml_node_t *node, const char *const *known)
-{
-    if (node->type != YAML_MAPPING_NODE)
-        return complain(r, node, 0, "expected a mapping, key: value");
-    for (yaml_node_pair_t *p = node->data.mapping.pairs.start; p < node->data.mapping.pairs.top; p++) {
-        const yaml_node_t *key = tree(r, p->key);
-        if (scalar(key) == NULL)
-            return complain(r, key, 0, "expected a plain key");
-        for (yaml_node_pair_t *q = node->data.mapping.pairs.start; q < p; q++)
-            if (strcmp(scalar(tree(r, q->key)), scalar(key)) == 0)
-                return complain(r, key, 0, "duplicate '%s', expected each key once", scalar(key));
-        size_t k = 0;
-        while (known != NULL && known[k] != NULL && strcmp(known[k], scalar(key)) != 0)
-            k++;
-        if (known != NULL && known[k] == NULL) {
-            const char *near = nearest_name(scalar(key), known, k);
-            return complain(r, key, 0, "unknown key '%s', expected %s%s", scalar(key),
-                            near ? "perhaps " : "one of this kind of entry", near ? near : "");
-        }
-    }
-    return true;
-}
 
 static const char *keep(struct sheet *s, const char *text)
 {
@@ -88,11 +23,11 @@ static const char *keep(struct sheet *s, const char *text)
 /* A scalar under a key: kept; NULL and a complaint when it has to be there and is not. */
 static const char *text_of(struct reader *r, const yaml_node_t *mapping, const char *key, bool required)
 {
-    const yaml_node_t *node = child(r, mapping, key);
+    const yaml_node_t *node = child(&r->document, mapping, key);
     if (node == NULL && !required)
         return NULL;
     if (node == NULL || scalar(node) == NULL || *scalar(node) == '\0') {
-        complain(r, node ? node : mapping, 0, "missing %s, expected a text", key);
+        mistake(&r->document, node ? node : mapping, 0, "missing %s, expected a text", key);
         return NULL;
     }
     return keep(r->sheet, scalar(node));
@@ -101,19 +36,11 @@ static const char *text_of(struct reader *r, const yaml_node_t *mapping, const c
 /* The items of a list of scalars; -1 and a complaint for anything else. */
 static int list_of(struct reader *r, const yaml_node_t *node, const yaml_node_t **items, int most)
 {
-    if (node->type != YAML_SEQUENCE_NODE) {
-        complain(r, node, 0, "expected a list");
+    if (!is_list(&r->document, node, most))
         return -1;
-    }
-    int count = 0;
-    for (yaml_node_item_t *i = node->data.sequence.items.start; i < node->data.sequence.items.top; i++) {
-        const yaml_node_t *item = tree(r, *i);
-        if (scalar(item) == NULL || count == most) {
-            complain(r, item, 0, "expected a list of at most %d texts", most);
-            return -1;
-        }
-        items[count++] = item;
-    }
+    const int count = length_of(node);
+    for (int i = 0; i < count; i++)
+        items[i] = item_of(&r->document, node, i);
     return count;
 }
 
@@ -133,7 +60,7 @@ static bool read_domain(struct reader *r, const yaml_node_t *node, enum domain *
             *domain = domains[i].domain;
             return true;
         }
-    return complain(r, node, 0, "expected a domain: finite, > 0, >= 0 or > 0 or inf");
+    return mistake(&r->document, node, 0, "expected a domain: finite, > 0, >= 0 or > 0 or inf");
 }
 
 static bool read_double(struct reader *r, const yaml_node_t *node, double *value)
@@ -142,23 +69,23 @@ static bool read_double(struct reader *r, const yaml_node_t *node, double *value
     const char *text = scalar(node);
     *value = text != NULL ? strtod(text, &end) : 0.0;
     if (text == NULL || end == text || *end != '\0' || !(*value > 0.0))
-        return complain(r, node, 0, "expected a positive number");
+        return mistake(&r->document, node, 0, "expected a positive number");
     return true;
 }
 
 static bool read_range(struct reader *r, const yaml_node_t *mapping, struct quantity *q)
 {
-    const yaml_node_t *range = child(r, mapping, "range"), *bounds[2];
+    const yaml_node_t *range = child(&r->document, mapping, "range"), *bounds[2];
     if (range == NULL)
         return true;
     int count = list_of(r, range, bounds, 2);
     if (count < 0)
         return false;
     if (count != 2)
-        return complain(r, range, 0, "expected two bounds, [low, high]");
+        return mistake(&r->document, range, 0, "expected two bounds, [low, high]");
     if (!read_double(r, bounds[0], &q->low) || !read_double(r, bounds[1], &q->high))
         return false;
-    return q->low < q->high || complain(r, range, 0, "expected low < high");
+    return q->low < q->high || mistake(&r->document, range, 0, "expected low < high");
 }
 
 static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_node_t *node)
@@ -166,16 +93,16 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
     static const char *const known[] = {"unit",  "domain",  "range",   "sign",
                                         "value", "example", "meaning", NULL};
     struct quantity q = {0};
-    if (!is_mapping(r, node, known))
+    if (!is_mapping(&r->document, node, known))
         return false;
-    if (child(r, node, "domain") == NULL)
-        return complain(r, node, 0, "missing domain of '%s'", scalar(key));
+    if (child(&r->document, node, "domain") == NULL)
+        return mistake(&r->document, node, 0, "missing domain of '%s'", scalar(key));
     q.unit = text_of(r, node, "unit", true);
     q.meaning = q.unit ? text_of(r, node, "meaning", true) : NULL;
-    if (q.meaning == NULL || !read_domain(r, child(r, node, "domain"), &q.domain) ||
+    if (q.meaning == NULL || !read_domain(r, child(&r->document, node, "domain"), &q.domain) ||
         !read_range(r, node, &q))
         return false;
-    q.either_sign = child(r, node, "sign") != NULL;
+    q.either_sign = child(&r->document, node, "sign") != NULL;
     q.value = text_of(r, node, "value", false);
     q.example = text_of(r, node, "example", false);
     char *names = text_copy(scalar(key)), *rest = NULL;
@@ -183,7 +110,7 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
     for (char *name = strtok_r(names, " ", &rest); name && fine; name = strtok_r(NULL, " ", &rest)) {
         struct sheet *s = r->sheet;
         if (quantity_find(s, name) != NULL)
-            fine = complain(r, key, 0, "duplicate quantity '%s', expected each name once", name);
+            fine = mistake(&r->document, key, 0, "duplicate quantity '%s', expected each name once", name);
         q.name = keep(s, name);
         s->quantities = memory(s->quantities, (size_t)s->quantity_count + 1, sizeof q);
         s->quantities[s->quantity_count++] = q;
@@ -194,10 +121,10 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
 
 static bool read_quantities(struct reader *r, const yaml_node_t *node)
 {
-    if (!is_mapping(r, node, NULL))
+    if (!is_mapping(&r->document, node, NULL))
         return false;
-    for (yaml_node_pair_t *p = node->data.mapping.pairs.start; p < node->data.mapping.pairs.top; p++)
-        if (!read_quantity(r, tree(r, p->key), tree(r, p->value)))
+    for (int n = 0; n < length_of(node); n++)
+        if (!read_quantity(r, key_of(&r->document, node, n), value_of(&r->document, node, n)))
             return false;
     return true;
 }
@@ -207,17 +134,17 @@ static bool read_table1(struct reader *r, const yaml_node_t *node)
     static const char *const known[] = {"name", "printed", "unit", "scale", NULL};
     struct sheet *s = r->sheet;
     if (node->type != YAML_SEQUENCE_NODE)
-        return complain(r, node, 0, "expected a list of rows");
-    for (yaml_node_item_t *i = node->data.sequence.items.start; i < node->data.sequence.items.top; i++) {
-        const yaml_node_t *row = tree(r, *i);
+        return mistake(&r->document, node, 0, "expected a list of rows");
+    for (int n = 0; n < length_of(node); n++) {
+        const yaml_node_t *row = item_of(&r->document, node, n);
         struct table_row t;
-        if (!is_mapping(r, row, known) || (t.name = text_of(r, row, "name", true)) == NULL ||
+        if (!is_mapping(&r->document, row, known) || (t.name = text_of(r, row, "name", true)) == NULL ||
             (t.printed = text_of(r, row, "printed", true)) == NULL ||
             (t.unit = text_of(r, row, "unit", true)) == NULL ||
             (t.scale = text_of(r, row, "scale", true)) == NULL)
             return false;
         if (quantity_find(s, t.name) == NULL)
-            return complain(r, row, 0, "unknown quantity '%s'", t.name);
+            return mistake(&r->document, row, 0, "unknown quantity '%s'", t.name);
         s->table1 = memory(s->table1, (size_t)s->row_count + 1, sizeof t);
         s->table1[s->row_count++] = t;
     }
@@ -235,7 +162,7 @@ static const struct quantity *known_quantity(struct reader *r, const yaml_node_t
         for (int i = 0; i < s->quantity_count; i++)
             names[i] = s->quantities[i].name;
         const char *near = nearest_name(scalar(node), names, (size_t)s->quantity_count);
-        complain(r, node, 0, "unknown symbol '%s', expected a quantity of the sheet%s%s%s",
+        mistake(&r->document, node, 0, "unknown symbol '%s', expected a quantity of the sheet%s%s%s",
                  scalar(node), near ? " (did you mean '" : "", near ? near : "", near ? "'?)" : "");
         free(names);
     }
@@ -250,21 +177,21 @@ static int read_formula(struct reader *r, struct program *p, const yaml_node_t *
     size_t where;
     int result = program_parse(p, text, &where, &expected);
     if (result < 0)
-        complain(r, node, shift + where + (node->data.scalar.style != YAML_PLAIN_SCALAR_STYLE), "%s",
+        mistake(&r->document, node, shift + where, "%s",
                  expected.text);
     return result;
 }
 
 static bool read_let(struct reader *r, const yaml_node_t *node, struct formulas *f)
 {
-    if (!is_mapping(r, node, NULL))
+    if (!is_mapping(&r->document, node, NULL))
         return false;
-    for (yaml_node_pair_t *p = node->data.mapping.pairs.start; p < node->data.mapping.pairs.top; p++) {
-        const yaml_node_t *key = tree(r, p->key), *value = tree(r, p->value);
+    for (int n = 0; n < length_of(node); n++) {
+        const yaml_node_t *key = key_of(&r->document, node, n), *value = value_of(&r->document, node, n);
         if (program_find(&f->program, scalar(key)) >= 0)
-            return complain(r, key, 0, "'%s' is an input already, expected a new name", scalar(key));
+            return mistake(&r->document, key, 0, "'%s' is an input already, expected a new name", scalar(key));
         if (scalar(value) == NULL)
-            return complain(r, value, 0, "expected a formula");
+            return mistake(&r->document, value, 0, "expected a formula");
         int result = read_formula(r, &f->program, value, scalar(value), 0);
         if (result < 0)
             return false;
@@ -279,26 +206,26 @@ static bool read_let(struct reader *r, const yaml_node_t *node, struct formulas 
 
 static bool read_outputs(struct reader *r, const yaml_node_t *node, struct section *s, struct formulas *f)
 {
-    if (!is_mapping(r, node, NULL))
+    if (!is_mapping(&r->document, node, NULL))
         return false;
     int count = 0;
-    for (yaml_node_pair_t *p = node->data.mapping.pairs.start; p < node->data.mapping.pairs.top; p++) {
-        const yaml_node_t *key = tree(r, p->key), *value = tree(r, p->value);
+    for (int n = 0; n < length_of(node); n++) {
+        const yaml_node_t *key = key_of(&r->document, node, n), *value = value_of(&r->document, node, n);
         const struct quantity *q = known_quantity(r, key);
         if (q == NULL)
             return false;
         if (count == MOST_OUTPUTS || scalar(value) == NULL)
-            return complain(r, value, 0, "expected a formula, and at most %d of them", MOST_OUTPUTS);
+            return mistake(&r->document, value, 0, "expected a formula, and at most %d of them", MOST_OUTPUTS);
         if (f == &s->corrected)
             s->outputs[s->output_count++] = q;
         else if (count >= s->output_count || s->outputs[count] != q)
-            return complain(r, key, 0, "expected the outputs of the corrected equation, in its order");
+            return mistake(&r->document, key, 0, "expected the outputs of the corrected equation, in its order");
         f->text[count] = keep(r->sheet, scalar(value));
         f->outputs[count] = read_formula(r, &f->program, value, scalar(value), 0);
         if (f->outputs[count++] < 0)
             return false;
     }
-    return count == s->output_count || complain(r, node, 0, "expected %d outputs", s->output_count);
+    return count == s->output_count || mistake(&r->document, node, 0, "expected %d outputs", s->output_count);
 }
 
 /* "formula > formula" becomes the node of left - right, compared with zero. */
@@ -314,7 +241,7 @@ static bool read_condition(struct reader *r, const yaml_node_t *node, struct for
         sign = strstr(text, signs[i].sign);
     if (sign == NULL) {
         free(text);
-        return complain(r, node, 0, "expected a condition with >, >= or <");
+        return mistake(&r->document, node, 0, "expected a condition with >, >= or <");
     }
     size_t right_at = (size_t)(sign - text) + strlen(signs[i - 1].sign);
     *sign = '\0';
@@ -344,13 +271,13 @@ static bool read_conditions(struct reader *r, const yaml_node_t *node, struct fo
 static bool read_formulas(struct reader *r, const yaml_node_t *node, const yaml_node_t *domain,
                           struct section *s, struct formulas *f)
 {
-    const yaml_node_t *let = child(r, node, "let"), *outputs = child(r, node, "outputs");
+    const yaml_node_t *let = child(&r->document, node, "let"), *outputs = child(&r->document, node, "outputs");
     for (int i = 0; i < s->input_count; i++)
         program_input(&f->program, s->inputs[i]->name);
     if (let != NULL && !read_let(r, let, f))
         return false;
     if (outputs == NULL)
-        return complain(r, node, 0, "missing outputs");
+        return mistake(&r->document, node, 0, "missing outputs");
     if (!read_outputs(r, outputs, s, f))
         return false;
     return domain == NULL || read_conditions(r, domain, f);
@@ -366,7 +293,7 @@ static bool read_names(struct reader *r, const yaml_node_t *node, const struct q
             return false;
         for (int k = 0; k < i; k++)
             if (names[k] == names[i])
-                return complain(r, items[i], 0, "'%s' twice, expected it once", names[i]->name);
+                return mistake(&r->document, items[i], 0, "'%s' twice, expected it once", names[i]->name);
     }
     *count = found < 0 ? 0 : found;
     return found >= 0;
@@ -377,7 +304,7 @@ static bool check_relation(struct reader *r, const yaml_node_t *node)
 {
     const char *equal = scalar(node) ? strchr(scalar(node), '=') : NULL;
     if (equal == NULL)
-        return complain(r, node, 0, "expected left = right");
+        return mistake(&r->document, node, 0, "expected left = right");
     struct program p;
     program_init(&p);
     for (int i = 0; i < r->sheet->quantity_count; i++)
@@ -396,17 +323,17 @@ static bool read_relations(struct reader *r, const yaml_node_t *node, struct sec
 {
     static const char *const known[] = {"equation", "holds", "printed", NULL};
     if (node->type != YAML_SEQUENCE_NODE)
-        return complain(r, node, 0, "expected a list of relations");
-    for (yaml_node_item_t *i = node->data.sequence.items.start; i < node->data.sequence.items.top; i++) {
-        const yaml_node_t *item = tree(r, *i);
+        return mistake(&r->document, node, 0, "expected a list of relations");
+    for (int n = 0; n < length_of(node); n++) {
+        const yaml_node_t *item = item_of(&r->document, node, n);
         struct relation relation;
-        if (!is_mapping(r, item, known) ||
+        if (!is_mapping(&r->document, item, known) ||
             (relation.equation = text_of(r, item, "equation", true)) == NULL ||
             (relation.text = text_of(r, item, "holds", true)) == NULL ||
-            !check_relation(r, child(r, item, "holds")))
+            !check_relation(r, child(&r->document, item, "holds")))
             return false;
         relation.printed = text_of(r, item, "printed", false);
-        if (relation.printed != NULL && !check_relation(r, child(r, item, "printed")))
+        if (relation.printed != NULL && !check_relation(r, child(&r->document, item, "printed")))
             return false;
         s->relations = memory(s->relations, (size_t)s->relation_count + 1, sizeof relation);
         s->relations[s->relation_count++] = relation;
@@ -418,21 +345,21 @@ static bool read_relations(struct reader *r, const yaml_node_t *node, struct sec
 static bool read_special(struct reader *r, const yaml_node_t *key, const yaml_node_t *node,
                          struct section *s)
 {
-    if (!is_mapping(r, node, NULL))
+    if (!is_mapping(&r->document, node, NULL))
         return false;
     struct special special = {.name = keep(r->sheet, scalar(key))};
     special.flags = text_of(r, node, "flags", true);
     if (special.flags == NULL)
         return false;
-    for (yaml_node_pair_t *p = node->data.mapping.pairs.start; p < node->data.mapping.pairs.top; p++) {
-        const yaml_node_t *name = tree(r, p->key), *value = tree(r, p->value);
+    for (int n = 0; n < length_of(node); n++) {
+        const yaml_node_t *name = key_of(&r->document, node, n), *value = value_of(&r->document, node, n);
         int i = 0;
         while (i < s->input_count && strcmp(s->inputs[i]->name, scalar(name)) != 0)
             i++;
         if (i == s->input_count && strcmp(scalar(name), "flags") != 0)
-            return complain(r, name, 0, "'%s' is no input of %s", scalar(name), s->id);
+            return mistake(&r->document, name, 0, "'%s' is no input of %s", scalar(name), s->id);
         if (scalar(value) == NULL)
-            return complain(r, value, 0, "expected a number");
+            return mistake(&r->document, value, 0, "expected a number");
         if (i < s->input_count)
             special.texts[i] = keep(r->sheet, scalar(value));
     }
@@ -443,31 +370,31 @@ static bool read_special(struct reader *r, const yaml_node_t *key, const yaml_no
 
 static bool read_specials(struct reader *r, const yaml_node_t *node, struct section *s)
 {
-    if (!is_mapping(r, node, NULL))
+    if (!is_mapping(&r->document, node, NULL))
         return false;
-    for (yaml_node_pair_t *p = node->data.mapping.pairs.start; p < node->data.mapping.pairs.top; p++)
-        if (!read_special(r, tree(r, p->key), tree(r, p->value), s))
+    for (int n = 0; n < length_of(node); n++)
+        if (!read_special(r, key_of(&r->document, node, n), value_of(&r->document, node, n), s))
             return false;
     return true;
 }
 
 static bool read_numbers(struct reader *r, const yaml_node_t *section, struct section *s)
 {
-    const yaml_node_t *items[8], *node = child(r, section, "equations");
+    const yaml_node_t *items[8], *node = child(&r->document, section, "equations");
     if (node == NULL)
-        return complain(r, section, 0, "missing equations: the numbers this section stands for");
+        return mistake(&r->document, section, 0, "missing equations: the numbers this section stands for");
     s->numbers = list_of(r, node, items, 8);
     for (int i = 0; i < s->numbers; i++)
         s->equations[i] = keep(r->sheet, scalar(items[i]));
-    return s->numbers > 0 || complain(r, node, 0, "expected at least one equation number");
+    return s->numbers > 0 || mistake(&r->document, node, 0, "expected at least one equation number");
 }
 
 static bool read_method(struct reader *r, const yaml_node_t *section, struct section *s)
 {
     static const char *const names[] = {"roots",          "flow_linear", "flow_nonlinear",
                                         "rk4_linear", "rk4_nonlinear"};
-    const yaml_node_t *node = child(r, section, "method"), *inputs = child(r, section, "inputs");
-    const yaml_node_t *outputs = child(r, section, "outputs");
+    const yaml_node_t *node = child(&r->document, section, "method"), *inputs = child(&r->document, section, "inputs");
+    const yaml_node_t *outputs = child(&r->document, section, "outputs");
     if (inputs != NULL && !read_names(r, inputs, s->inputs, MOST_INPUTS, &s->input_count))
         return false;
     if (node == NULL) {
@@ -478,9 +405,9 @@ static bool read_method(struct reader *r, const yaml_node_t *section, struct sec
         if (scalar(node) != NULL && strcmp(scalar(node), names[i]) == 0)
             s->method = (enum method)(METHOD_ROOTS + (int)i);
     if (s->method == METHOD_NONE)
-        return complain(r, node, 0, "expected a method: roots, flow_ or rk4_ linear or nonlinear");
+        return mistake(&r->document, node, 0, "expected a method: roots, flow_ or rk4_ linear or nonlinear");
     if (outputs == NULL || inputs == NULL)
-        return complain(r, section, 0, "missing %s", inputs ? "outputs" : "inputs");
+        return mistake(&r->document, section, 0, "missing %s", inputs ? "outputs" : "inputs");
     return read_names(r, outputs, s->outputs, MOST_OUTPUTS, &s->output_count);
 }
 
@@ -496,13 +423,13 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
     static const char *const known[] = {"title",   "equations", "inputs",  "let",    "outputs", "domain",
                                         "printed", "relations", "reason", "method", "note",   "vectors", NULL};
     struct sheet *sheet = r->sheet;
-    if (!is_mapping(r, node, known))
+    if (!is_mapping(&r->document, node, known))
         return false;
     sheet->sections = memory(sheet->sections, (size_t)sheet->section_count + 1, sizeof *sheet->sections);
     struct section *s = &sheet->sections[sheet->section_count++];
     *s = (struct section){.id = keep(sheet, scalar(key))};
-    const yaml_node_t *domain = child(r, node, "domain"), *printed = child(r, node, "printed");
-    const yaml_node_t *relations = child(r, node, "relations"), *specials = child(r, node, "vectors");
+    const yaml_node_t *domain = child(&r->document, node, "domain"), *printed = child(&r->document, node, "printed");
+    const yaml_node_t *relations = child(&r->document, node, "relations"), *specials = child(&r->document, node, "vectors");
     s->title = text_of(r, node, "title", true);
     s->note = text_of(r, node, "note", false);
     s->reason = text_of(r, node, "reason", printed != NULL);
@@ -518,56 +445,39 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
         return true;
     s->differs = true;
     static const char *const variant[] = {"let", "outputs", "domain", NULL};
-    if (!is_mapping(r, printed, variant))
+    if (!is_mapping(&r->document, printed, variant))
         return false;
-    const yaml_node_t *own = child(r, printed, "domain");
+    const yaml_node_t *own = child(&r->document, printed, "domain");
     return read_formulas(r, printed, own ? own : domain, s, &s->printed);
 }
 
 static bool read_sheet(struct reader *r)
 {
     static const char *const known[] = {"quantities", "table1", "equations", NULL};
-    yaml_node_t *root = yaml_document_get_root_node(&r->document);
-    if (root == NULL) {
-        message_set(r->why, "%s:1:1: expected quantities, table1 and equations, the file is empty",
-                    r->file);
-        return false;
-    }
-    if (!is_mapping(r, root, known))
+    const yaml_node_t *root = document_root(&r->document);
+    if (!is_mapping(&r->document, root, known))
         return false;
     for (int i = 0; known[i] != NULL; i++)
-        if (child(r, root, known[i]) == NULL)
-            return complain(r, root, 0, "missing %s", known[i]);
-    const yaml_node_t *equations = child(r, root, "equations");
-    if (!read_quantities(r, child(r, root, "quantities")) ||
-        !read_table1(r, child(r, root, "table1")) || !is_mapping(r, equations, NULL))
+        if (child(&r->document, root, known[i]) == NULL)
+            return mistake(&r->document, root, 0, "missing %s", known[i]);
+    const yaml_node_t *equations = child(&r->document, root, "equations");
+    if (!read_quantities(r, child(&r->document, root, "quantities")) ||
+        !read_table1(r, child(&r->document, root, "table1")) || !is_mapping(&r->document, equations, NULL))
         return false;
-    for (yaml_node_pair_t *p = equations->data.mapping.pairs.start;
-         p < equations->data.mapping.pairs.top; p++)
-        if (!read_section(r, tree(r, p->key), tree(r, p->value)))
+    for (int n = 0; n < length_of(equations); n++)
+        if (!read_section(r, key_of(&r->document, equations, n), value_of(&r->document, equations, n)))
             return false;
     return true;
 }
 
 int sheet_read(struct sheet *s, const char *text, size_t length, const char *name, struct message *why)
 {
-    struct reader r = {.file = name, .sheet = s, .why = why};
-    yaml_parser_t parser;
+    struct reader r = {.sheet = s};
     *s = (struct sheet){0};
-    if (!yaml_parser_initialize(&parser)) {
-        message_set(why, "%s: out of memory", name);
+    if (!document_open(&r.document, text, length, name, why))
         return -1;
-    }
-    yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
-    bool fine = false;
-    if (!yaml_parser_load(&parser, &r.document)) {
-        message_set(why, "%s:%zu:%zu: expected YAML: %s", name, parser.problem_mark.line + 1,
-                    parser.problem_mark.column + 1, parser.problem ? parser.problem : "broken text");
-    } else {
-        fine = read_sheet(&r);
-        yaml_document_delete(&r.document);
-    }
-    yaml_parser_delete(&parser);
+    bool fine = read_sheet(&r);
+    document_close(&r.document);
     if (!fine)
         sheet_clear(s);
     return fine ? 0 : -1;

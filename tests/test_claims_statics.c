@@ -1,0 +1,282 @@
+/*
+ * The claims about static formations. Digits come from mpmath 1.3.0, mp.dps = 30; the expressions stand
+ * beside them, with
+ *
+ *     W = lambda n, r: -mpf(3)/2*r**2 + (n - 3)/r + n*log(r)
+ *     r2 = lambda n: (-3 + sqrt(12*n - 27))/6
+ *     rest = lambda f, near: 10*(findroot(f, near) - 1)
+ *     fold = lambda s, n, near: findroot(lambda r, u: [f(s, n, r, u), diff(lambda q: f(s, n, q, u), r)], near)
+ *     f = lambda s, n, r, u: s(u*r)*(3 + n*(r - 1)) - 3*r**3
+ *
+ * Motions are checked by the reference's Runge-Kutta method, which shares nothing with the certified flow.
+ */
+#include <check.h>
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "coulombtether.h"
+#include "tests/run.h"
+#include "verify/algebra.h"
+#include "verify/claims_statics.h"
+#include "verify/enclosure.h"
+#include "verify/sheet.h"
+#include "verify/well.h"
+
+static void close_all(void)
+{
+    sheet_close();
+    flint_cleanup();
+}
+
+/* ---- the verdicts ---- */
+
+static const struct {
+    const char *id;
+    enum verdict verdict;
+    enum how how;
+    const char *says; /* a number of the evidence, by another road */
+} expected[] = {
+    {"static-only-place", REFUTED, EXACT, "t = 3, 0, -1"}, /* Hill's tide */
+    {"static-only-place", REFUTED, EXACT, "orbit normal Q/Q_ref(L) = -1/3"}, /* L/L_1 = Q/Q_1: z balances at a third */
+    {"static-unstable", HOLDS, EXACT, "2.50829;"}, /* sqrt(1 + 2*sqrt(7)) */
+    {"static-unstable", HOLDS, EXACT, "1.11803;"}, /* max(re(s) for s in polyroots([1, 0, -1, 0, 4])) */
+    {"equal-distances", QUALIFIED, EXACT, "x1 = 2 m, x2 = -1 m"},
+    {"nadir-axis", QUALIFIED, EXACT, "zenith"},
+    {"opposite-charges", HOLDS, EXACT, "-1.330627782e-13 C^2"}, /* -3*7.2915e-5**2*1000/8.99e9*75 */
+    {"non-keplerian-periods", HOLDS, CERTIFIED, "1.7787e-07 slower"}, /* 1 - (1 + 5/R)**-1.5 */
+    {"non-keplerian-periods", HOLDS, CERTIFIED, "42166.54 km"},       /* R = cbrt(3.986004418e14/7.2915e-5**2) */
+    {"sum-bounds", HOLDS_AS_CORRECTED, EXACT, "exactly"},
+    {"cosines-cited", HOLDS_AS_CORRECTED, EXACT, "(9)"},
+    {"masses-cancel", HOLDS, EXACT, "neither masses nor k_c"},
+    {"zero-charge-orbit", QUALIFIED, CERTIFIED, "7.6284 and 5.2658 after a quarter"}, /* cosh(sqrt(3)*pi/2), */
+    {"zero-charge-orbit", QUALIFIED, CERTIFIED, "26626 and 37.712 after an orbit"},   /* sqrt(1 + 144*pi**2) */
+    {"constant-charge-separates", QUALIFIED, CERTIFIED, "61.361 m after 12 h and 399.65 m"}, /* below */
+    {"tension-compression", QUALIFIED, EXACT, "q1 q2 = -4"}, /* -|5 - 1| */
+    {"other-rests", QUALIFIED, EXACT, "11.072751 m (n = 10), 13.027756 m (n = 12)"}, /* 10*r2(10), 10*r2(12) */
+    {"other-rests", QUALIFIED, EXACT, "7.0 m, 7.5 m"},
+    {"other-rests", QUALIFIED, EXACT, "6.69933 m, 7.19023 m"}, /* 10*findroot(lambda r: r**3 + n*r - n + 3, 0.7) */
+    {"basin-at-rest", QUALIFIED, CERTIFIED, "-0.502684 m and 1.0727513 m"}, /* rest(lambda r: W(10, r) - W(10, r2(10)), .95) */
+    {"basin-at-rest", QUALIFIED, CERTIFIED, "-1.27303 m and 3.0277564 m"},
+    {"printed-charges", QUALIFIED, CERTIFIED, "6.26300 m, 6.73593 m"}, /* 10*findroot(lambda r: 3*r**3 + n*r - n + 3, 0.65) */
+    {"product-negative", QUALIFIED, CERTIFIED, "-3.0 m (n = 10), -2.5 m (n = 12)"},
+    {"product-negative", QUALIFIED, CERTIFIED, "5.501760"}, /* W(10, r2(10)) */
+    {"variation-small", HOLDS_AS_CORRECTED, CERTIFIED, "1/30"}, /* 10*0.1/(3*10) */
+    {"charge-error", QUALIFIED, CERTIFIED, "+0.00825 m (n = 10), +0.00273 m (n = 12)"}, /* rest(f...), u = 0, */
+    {"charge-error", QUALIFIED, CERTIFIED, "-0.2298 m, -0.09363 m"}, /* s = 1 + d */
+    {"charge-error", QUALIFIED, CERTIFIED, "+0.1078 m at n = 12"},
+    {"charge-error", QUALIFIED, CERTIFIED, "0.7750 % too little (n = 10), 5.078 %"}, /* 1 - 81*49/4000, 1 - 81*81/6912 */
+    {"screened-force", QUALIFIED, EXACT, "1.0071 to 1.1 "},
+    {"debye-order", QUALIFIED, EXACT, "0.09516"}, /* 1 - exp(-0.1) */
+    {"debye-order", QUALIFIED, EXACT, "0.004679"}, /* 1 - 1.1*exp(-0.1) */
+    {"debye-neglect", QUALIFIED, CERTIFIED, "0.007117 ... 0.09516 as printed, 2.539e-05 ... 0.004679"},
+    {"debye-neglect", QUALIFIED, CERTIFIED, "0.06894 ... 0.6321 and 0.002433 ... 0.2642"}, /* 1 - 2*exp(-1) */
+    {"debye-escape", QUALIFIED, CERTIFIED, "1348.7 m (n = 10), 214.94 m"}, /* 10/fold(s, n, near)[1], s = exp(-u), */
+    {"debye-escape", QUALIFIED, CERTIFIED, "80.681 m, 31.143 m"},          /* s = (1 + u)*exp(-u) */
+    {"debye-escape", QUALIFIED, CERTIFIED, "0.386 m, 0.0756 m"}, /* rest(lambda r: f(s, n, r, 1/140), 1) */
+    {"debye-escape", QUALIFIED, CERTIFIED, "0.186 m, 0.0489 m"}, /* u = 1/10 */
+    {"low-orbit", HOLDS, CERTIFIED, "3.72e-44"}, /* exp(-100) */
+    {"debye-lengths", NOT_DECIDABLE, CERTIFIED, "5526"}, /* 8.8541878188e-12/1.602176634e-19/1e4 */
+    {"coulomb-constant", HOLDS, CERTIFIED, "8.9875518e+09"}, /* 1/(4*pi*8.8541878188e-12) */
+    {"orbit-rate", QUALIFIED, CERTIFIED, "8.43e-05"}, /* 1 - 7.2915/7.292115 */
+    {"orbit-rate", QUALIFIED, CERTIFIED, "42164.173 km"},
+    {"microcoulomb", HOLDS, CERTIFIED, "0.3647777106 uC"}, /* sqrt(1.330627782...e-1) */
+    {"reach", QUALIFIED, CERTIFIED, "11.54 uC at 100 m; 1 uC a craft holds 19.59 m"},
+    {"own-gravity", QUALIFIED, CERTIFIED, "36.5 mm (n = 10), 12.5 mm"}, /* -rest(lambda r: 3*r**3 - 3 - n*(r-1) - 3*g, 1) */
+};
+
+enum { EXPECTED = sizeof expected / sizeof expected[0] };
+
+static const struct claim *claim_find(const char *id)
+{
+    const struct claim *c = claims_statics;
+    while (c->id != NULL && strcmp(c->id, id) != 0)
+        c++;
+    ck_assert_msg(c->id != NULL, "no claim %s", id);
+    return c;
+}
+
+START_TEST(claims_yield_their_verdicts)
+{
+    struct evidence e = {0};
+    claim_find(expected[_i].id)->decide(&e);
+    ck_assert_str_eq(verdict_names[e.verdict], verdict_names[expected[_i].verdict]);
+    ck_assert_str_eq(how_names[e.how], how_names[expected[_i].how]);
+    ck_assert_msg(strstr(e.text, expected[_i].says) != NULL, "no '%s' in: %s", expected[_i].says, e.text);
+}
+END_TEST
+
+START_TEST(claims_are_well_formed)
+{
+    for (const struct claim *c = claims_statics; c->id != NULL; c++) {
+        struct evidence e = {0};
+        int listed = 0;
+        c->decide(&e);
+        for (int i = 0; i < EXPECTED; i++)
+            listed += strcmp(expected[i].id, c->id) == 0;
+        ck_assert_msg(listed > 0, "%s is not tested here", c->id);
+        ck_assert_ptr_eq(claim_find(c->id), c); /* no id twice */
+        ck_assert_uint_eq(strspn(c->id, "abcdefghijklmnopqrstuvwxyz0123456789-"), strlen(c->id));
+        ck_assert_uint_lt(strlen(e.text), sizeof e.text - 1); /* not cut */
+        ck_assert_uint_gt(strlen(c->where), 0);
+        ck_assert_uint_gt(strlen(c->claim), 0);
+        for (const char *at = e.text; *at != '\0'; at++)
+            ck_assert_msg(isprint((unsigned char)*at), "%s: byte %d", c->id, *at);
+    }
+}
+END_TEST
+
+/* ---- the same motions by another method ---- */
+
+/* The distance over L_ref after `tau` radians, from rest on the radius; n = 0: constant charge. */
+static double length_after(double n, double start, double tau)
+{
+    const struct ct_params p = {1, 1, 1, 1, 2};
+    const struct ct_gains g = {n, n > 9 ? 2 * sqrt(n - 9) : 0};
+    struct ct_hill_state s = {start, 0, 0, 0, 0, 0};
+    ck_assert_int_eq(ct_nonlinear_flow(p, g, s, 1e-12, 1, &tau, &s), CT_OK);
+    return hypot(s.x1, s.y1);
+}
+
+START_TEST(eq03_constant_charge_agrees_with_gsl)
+{
+    const double day = 7.2915e-5 * 86400;
+    /* five digits stand in the evidence; the growth e^(2.5 tau) of the method's 1e-12 stays below 1e-5 */
+    ck_assert_double_eq_tol(10 * length_after(0, 1.01, day / 2), 61.361, 0.0005);
+    ck_assert_double_eq_tol(10 * length_after(0, 1.01, day), 399.65, 0.005);
+    ck_assert_double_eq_tol(10 * length_after(0, 0.99, day / 2), 3.2397, 0.00005);
+    ck_assert_double_eq_tol(10 * length_after(0, 0.99, day), 8.8297, 0.00005);
+}
+END_TEST
+
+/* the slowest mode decays as e^(-0.42 tau), n = 10: 1e-3 is far below what 30 radians leave of a return */
+START_TEST(eq18_returns_agree_with_gsl)
+{
+    ck_assert_double_eq_tol(length_after(10, 0.76, 30), 1, 1e-3);
+    ck_assert_double_eq_tol(length_after(12, 0.2, 30), 1, 1e-3);
+    ck_assert_double_eq_tol(length_after(12, 0.5, 30), 1, 1e-3);
+    ck_assert_double_eq_tol(length_after(10, 1 + 0.107, 60), 1, 1e-3); /* just inside the outer place of rest */
+}
+END_TEST
+
+START_TEST(eq18_escapes_agree_with_gsl)
+{
+    ck_assert_double_gt(length_after(10, 0.75, 30), 2);
+    ck_assert_double_gt(length_after(12, 0.15, 30), 2);
+    ck_assert_double_gt(length_after(10, 0.5, 30), 2);
+    ck_assert_double_gt(length_after(10, 1 + 0.108, 60), 2); /* just outside */
+}
+END_TEST
+
+/* ---- what the proofs refuse ---- */
+
+START_TEST(eq18_no_fate_is_claimed_outside_the_well)
+{
+    struct well w;
+    well_init(&w, 10);
+    ck_assert(w.proved);
+    arb_set_ui(w.rim, 5); /* a well without depth: nothing may be said to be in it */
+    ck_assert_int_eq(well_fate(&w, 0), FATE_OPEN);
+    well_clear(&w);
+}
+END_TEST
+
+START_TEST(eq03_polynomials_of_other_systems_are_refused)
+{
+    ck_assert(static_polynomial(RADIUS, RADIAL));
+    ck_assert(!static_polynomial(RADIUS, "(x^2 + 4)*(x^4 + k2*x^3 + (k1 - 2)*x^2 + 3*k2*x + 3*(k1 - 8))"));
+    ck_assert(!static_polynomial(RADIUS, "(x^2 + 4)*(x^4 + k2*x^3 + (k1 - 2)*x^2 + 2*k2*x + 3*(k1 - 9))"));
+    ck_assert(!static_polynomial(NORMAL, ALONG));
+    ck_assert(!static_polynomial(VELOCITY, "no polynomial"));
+    ck_assert_int_eq(positive_roots("(x - 1)^2*(x - 2)*(x + 3)"), 2);
+    ck_assert_int_eq(positive_roots("0"), -1);
+}
+END_TEST
+
+/* ---- enclosures ---- */
+
+START_TEST(enclosures_know_the_sheet_and_the_caller)
+{
+    arb_t x;
+    arb_init(x);
+    enclose(x, "m1 + m2", NOTHING);
+    ck_assert(arb_equal_si(x, 300));
+    arb_set_ui(x, 7);
+    ck_assert(positive_at("8 - m1", KNOWN({"m1", x}))); /* the caller's m1 */
+    arb_one(x);
+    ck_assert(positive_at("1e-30 - ln_x^2", KNOWN({"x", x})));
+    ck_assert(!positive_at("x -", KNOWN({"x", x})));
+    ck_assert(!positive_at("nowhere", NOTHING));
+    ck_assert(!positive_at("sqrt(0 - 1)", NOTHING));
+    arb_clear(x);
+}
+END_TEST
+
+START_TEST(signs_hold_on_whole_intervals_or_not_at_all)
+{
+    arb_t x;
+    arb_init(x);
+    ck_assert(positive_on("x^2 - x + 0.2501", "0", "1", NOTHING));  /* least 0.0001 at 1/2 */
+    ck_assert(!positive_on("x^2 - x + 0.2499", "0", "1", NOTHING)); /* -0.0001 */
+    ck_assert(!positive_on("x^2 - x + 0.25", "0", "1", NOTHING));   /* touches zero */
+    ck_assert(!positive_on("1", "0", "1/(1 - 1)", NOTHING));
+    ck_assert(change_of_sign(x, "x^2 - 2", "1", "2", NOTHING));
+    ck_assert(positive_at("1e-50 - (x^2 - 2)^2", KNOWN({"x", x})));
+    ck_assert(change_of_sign(x, "3/2 - x", "1", "2", NOTHING)); /* met exactly by halving */
+    ck_assert(positive_at("1e-50 - (x - 3/2)^2", KNOWN({"x", x})));
+    ck_assert(!change_of_sign(x, "x^2 - 2", "2", "3", NOTHING));
+    ck_assert(!arb_is_finite(x));
+    arb_clear(x);
+}
+END_TEST
+
+START_TEST(numbers_are_written_positionally)
+{
+    static const struct {
+        slong digits;
+        const char *value, *text;
+    } written[] = {{3, "1/800", "0.00125"},     {3, "0.125", "0.125"},   {3, "-1.25", "-1.25"},
+                   {3, "1.25e-4", "0.000125"},  {3, "1.25e-5", "1.25e-05"}, {3, "1250000", "1250000"},
+                   {3, "12500000", "1.25e+07"}, {3, "125", "125"},        {4, "-12.5", "-12.50"},
+                   {1, "2", "2"},               {3, "0", "0"}};
+    struct numbers n = {.proved = true};
+    for (size_t i = 0; i < sizeof written / sizeof written[0]; i++)
+        ck_assert_str_eq(number_of(&n, written[i].digits, written[i].value, NOTHING), written[i].text);
+    ck_assert(n.proved);
+}
+END_TEST
+
+START_TEST(numbers_admit_what_is_not_proved)
+{
+    struct numbers n = {.proved = true};
+    arb_t x;
+    arb_init(x);
+    arb_set_str(x, "1.2 +/- 0.1", 64);
+    ck_assert_str_eq(number(&n, x, 1), "1");
+    ck_assert(n.proved);
+    ck_assert_str_eq(number(&n, x, 3), "undecided");
+    ck_assert(!n.proved);
+    arb_clear(x);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *s = suite_create("claims_statics");
+    TCase *c = tcase_create("statics");
+    tcase_add_unchecked_fixture(c, NULL, close_all);
+    tcase_set_timeout(c, 120);
+    tcase_add_loop_test(c, claims_yield_their_verdicts, 0, EXPECTED);
+    tcase_add_test(c, claims_are_well_formed);
+    tcase_add_test(c, eq03_constant_charge_agrees_with_gsl);
+    tcase_add_test(c, eq18_returns_agree_with_gsl);
+    tcase_add_test(c, eq18_escapes_agree_with_gsl);
+    tcase_add_test(c, eq18_no_fate_is_claimed_outside_the_well);
+    tcase_add_test(c, eq03_polynomials_of_other_systems_are_refused);
+    tcase_add_test(c, enclosures_know_the_sheet_and_the_caller);
+    tcase_add_test(c, signs_hold_on_whole_intervals_or_not_at_all);
+    tcase_add_test(c, numbers_are_written_positionally);
+    tcase_add_test(c, numbers_admit_what_is_not_proved);
+    suite_add_tcase(s, c);
+    return s;
+}

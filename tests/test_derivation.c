@@ -1,0 +1,637 @@
+/*
+ * Derivation steps: those of the paper hold, and hold every formula of the sheet; false ones are found,
+ * with the coefficient that differs; broken files stop with file, line, column and what was expected.
+ */
+#include "run.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "embedded.h"
+#include "proofs.h"
+#include "series.h"
+#include "taylor.h"
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+enum { SEED = 1 };
+
+/* ---- the paper's steps ---- */
+
+START_TEST(every_step_holds_and_fails_as_printed)
+{
+    struct proofs p;
+    proofs_init(&p, SEED);
+    for (int i = 0; i < p.derivations.step_count; i++)
+        ck_assert_msg(proofs_step_holds(&p, i), "%s: %s", p.derivations.steps[i].id,
+                      p.corrected[i].evidence ? p.corrected[i].evidence : "holds as printed");
+    ck_assert_int_ge(p.derivations.step_count, 40);
+    proofs_clear(&p);
+}
+END_TEST
+
+/* degree/2^63 < 2^-49 for degrees below 2^14: two points are below 2^-98, three below 2^-100; 2^13 needs two */
+START_TEST(points_are_enough)
+{
+    struct proofs p;
+    proofs_init(&p, SEED);
+    for (int i = 0; i < p.derivations.step_count; i++) {
+        const double chance = (double)p.derivations.steps[i].corrected.degree * 0x1p-63;
+        ck_assert_double_lt(pow(chance, p.corrected[i].points), 0x1p-100);
+        ck_assert_int_ge(p.corrected[i].bits, 100);
+    }
+    proofs_clear(&p);
+}
+END_TEST
+
+START_TEST(other_points_show_the_same)
+{
+    struct proofs p, q;
+    proofs_init(&p, 12345);
+    proofs_init(&q, SEED);
+    ck_assert(p.fine);
+    ck_assert(!fmpz_equal(p.corrected[0].drawn, q.corrected[0].drawn)); /* Omega, the first quantity */
+    proofs_clear(&p);
+    proofs_clear(&q);
+}
+END_TEST
+
+START_TEST(every_equation_is_reached)
+{
+    struct proofs p;
+    bool numbers[45] = {false};
+    proofs_init(&p, SEED);
+    ck_assert_ptr_null(p.gap);
+    for (int i = 0; i < sheet()->section_count; i++)
+        for (int k = 0; k < sheet()->sections[i].numbers; k++)
+            numbers[atoi(sheet()->sections[i].equations[k])] = true;
+    for (int i = 1; i <= 44; i++)
+        ck_assert_msg(numbers[i], "equation %d is not in the sheet", i);
+    proofs_clear(&p);
+}
+END_TEST
+
+/* The misprints that steps show. */
+START_TEST(misprints_are_these)
+{
+    struct proofs p;
+    char ids[400] = "";
+    size_t length = 0;
+    proofs_init(&p, SEED);
+    for (int i = 0; i < p.derivations.step_count; i++)
+        if (p.derivations.steps[i].differs)
+            length += (size_t)snprintf(ids + length, sizeof ids - length, "%s ", p.derivations.steps[i].id);
+    ck_assert_str_eq(ids, "kepler charges inertia inertia_of_the_pair torque_small ");
+    proofs_clear(&p);
+}
+END_TEST
+
+/* ---- steps hold the sheet ---- */
+
+/* Whether every step of the paper holds over another sheet. */
+static bool steps_hold(const char *sheet_text)
+{
+    struct sheet s;
+    struct derivations d;
+    struct message why = {""};
+    size_t length;
+    const char *steps = embedded_derivations(&length);
+    ck_assert_msg(sheet_read(&s, sheet_text, strlen(sheet_text), "sheet", &why) == 0, "%s", why.text);
+    bool hold = derivations_read(&d, &s, steps, length, "steps", &why) == 0;
+    if (hold) {
+        for (int i = 0; i < d.step_count && hold; i++) {
+            struct proof p;
+            trial_prove(&d.steps[i].corrected, SEED, &p);
+            hold = p.finding == FOUND_EQUAL;
+            proof_clear(&p);
+        }
+        derivations_clear(&d);
+    }
+    sheet_clear(&s);
+    return hold;
+}
+
+static char *sheet_copy(void)
+{
+    size_t length;
+    const char *text = embedded_sheet(&length);
+    char *copy = malloc(length + 100);
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    return copy;
+}
+
+/* The line of the sheet that gives an output of a section its formula. */
+static char *formula_line(char *text, const char *section, const char *output)
+{
+    char name[64];
+    snprintf(name, sizeof name, "\n  %s:\n", section);
+    char *at = strstr(text, name);
+    at = at ? strstr(at, "\n    outputs:\n") : NULL;
+    snprintf(name, sizeof name, "\n      %s: ", output);
+    at = at ? strstr(at, name) : NULL;
+    return at ? at + strlen(name) : NULL;
+}
+
+/* Every output doubled (or 1 instead of 0) breaks a step, but for what is no rational function, or zero anyway. */
+START_TEST(every_formula_of_the_sheet_is_held)
+{
+    int held = 0;
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        for (int k = 0; k < s->output_count && s->method == METHOD_FORMULA; k++) {
+            const char *output = s->outputs[k]->name;
+            bool exempt = strcmp(output, "stable") == 0 || (strcmp(s->id, "eq37") == 0 && strcmp(output, "L_G1") == 0);
+            char *text = sheet_copy(), *line = formula_line(text, s->id, output);
+            ck_assert_msg(line != NULL, "no formula of %s in %s", output, s->id);
+            char *rest = text_copy(line + strcspn(line, "\n"));
+            sprintf(line, strcmp(s->corrected.text[k], "0") == 0 ? "\"1\"" : "2*(%s)", s->corrected.text[k]);
+            memmove(line + strlen(line), rest, strlen(rest) + 1);
+            ck_assert_msg(steps_hold(text) == exempt, "%s of %s is held by no step", output, s->id);
+            held += !exempt;
+            free(rest);
+            free(text);
+        }
+    }
+    ck_assert_int_gt(held, 80);
+}
+END_TEST
+
+/* ---- the integrator's own form ---- */
+
+/* The closed loop's table in taylor.c, at a rational point, against Eq. (3) with (7) and (18) as the sheet has them. */
+START_TEST(eq03_closed_by_eq07_eq18_is_the_quadratic_system)
+{
+    /* x = 2, y = -3, z = 6, r = 7; Omega = 1 and r_ref = 1 by L_ref = 7/2, m1 = 5, m2 = 2 */
+    static const slong start[] = {2, -3, 6, 4, 1, -1};
+    static const char *const names[] = {"x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
+    static const char text[] =
+        "principles: {}\nsteps:\n  loop:\n    title: loop\n    from: []\n    to: []\n    roots: [L_ref]\n    let:\n"
+        "      s: (x1*x1_dot + y1*y1_dot + z1*z1_dot)/L_ref\n" /* only to have L_ref positive as a root */
+        "      a: eq03.x1_ddot(Q = eq07.Q_ref(L = L_ref) + eq18.dQ)\n"
+        "      b: eq03.y1_ddot(Q = eq07.Q_ref(L = L_ref) + eq18.dQ)\n"
+        "      c: eq03.z1_ddot(Q = eq07.Q_ref(L = L_ref) + eq18.dQ)\n"
+        "    show: [s + a + b + c = 0]\n";
+    struct derivations d;
+    struct message why = {""};
+    struct machine m;
+    fmpq_t value, c1, c2;
+    fmpq *state = _fmpq_vec_init(JET_STATES), *rates = _fmpq_vec_init(JET_STATES);
+    ck_assert_msg(derivations_read(&d, sheet(), text, strlen(text), "t", &why) == 0, "%s", why.text);
+    const struct program *p = &d.steps[0].corrected.program;
+    fmpq_init(value);
+    fmpq_init(c1);
+    fmpq_init(c2);
+    fmpq_set_si(c1, 13, 1);
+    fmpq_set_si(c2, 3, 1);
+    machine_init(&m, p, &arithmetic_series, 1);
+    for (int i = 0; i < sheet()->quantity_count; i++) {
+        fmpq_one(value); /* Omega, k_c */
+        arithmetic_series.set_rational(machine_value(&m, i), value, 1);
+    }
+    const struct {
+        const char *name;
+        slong num;
+        ulong den;
+    } settings[] = {{"m1", 5, 1}, {"m2", 2, 1},   {"L_ref", 7, 2}, {"C1", 13, 1},
+                    {"C2", 3, 1}, {"dL", 21, 1}, {"dL_dot", -1, 2}}; /* L = 7/2 * 7, L_dot = 7/2 (8 - 3 - 6)/7 */
+    for (int i = 0; i < COUNT(settings); i++) {
+        fmpq_set_si(value, settings[i].num, settings[i].den);
+        arithmetic_series.set_rational(machine_value(&m, program_find(p, settings[i].name)), value, 1);
+    }
+    for (int i = 0; i < 6; i++) {
+        fmpq_set_si(state + i, start[i], 1);
+        arithmetic_series.set_rational(machine_value(&m, program_find(p, names[i])), state + i, 1);
+    }
+    fmpq_set_si(state + 6, 1, 7);
+    machine_run(&m);
+    closed_loop_rates(rates, state, c1, c2);
+    static const char *const accelerations[] = {"a", "b", "c"};
+    for (int i = 0; i < 3; i++) {
+        series_get_fmpq(value, machine_value(&m, program_find(p, accelerations[i])), 0);
+        ck_assert(fmpq_equal(value, rates + 3 + i));
+        ck_assert(fmpq_equal(rates + i, state + 3 + i));
+    }
+    fmpq_set_si(value, 1, 343); /* q' = -q A, A = -1/49 */
+    ck_assert(fmpq_equal(value, rates + 6));
+    machine_clear(&m);
+    _fmpq_vec_clear(state, JET_STATES);
+    _fmpq_vec_clear(rates, JET_STATES);
+    fmpq_clear(value);
+    fmpq_clear(c1);
+    fmpq_clear(c2);
+    derivations_clear(&d);
+}
+END_TEST
+
+/* ---- the checker ---- */
+
+static void read_one(struct derivations *d, const char *step)
+{
+    static char text[2000];
+    struct message why = {""};
+    snprintf(text, sizeof text, "principles: {}\nsteps:\n  one:\n    title: one\n    from: []\n    to: []\n%s", step);
+    ck_assert_msg(derivations_read(d, sheet(), text, strlen(text), "t", &why) == 0, "%s", why.text);
+}
+
+/* What the checker finds of a step, and how its evidence begins. */
+static const struct {
+    const char *step;
+    enum finding finding;
+    const char *evidence;
+} findings[] = {
+    {"    show: [(m1 + m2)^2 = m1^2 + 2*m1*m2 + m2^2]", FOUND_EQUAL, ""},
+    {"    show: [m1*m2 = m2*m1, m1 = m2]", FOUND_DIFFERENT, "m1 = m2: "},
+    {"    show: [2 + 2 = 5]", FOUND_DIFFERENT, "2 + 2 = 5: 4 is not 5"},
+    /* zero at all small points */
+    {"    free: [k]\n    let:\n      p: (k^2 - 1)*(k^2 - 4)*(k^2 - 9)*(k^2 - 16)*(k^2 - 25)\n"
+     "      q: (k^2 - 36)*(k^2 - 49)*(k^2 - 64)*(k^2 - 81)\n    show: [p*q = 0]",
+     FOUND_DIFFERENT, "p*q = 0: "},
+    {"    small: [psi]\n    order: 2\n    show: [sin(psi) = psi]", FOUND_EQUAL, ""},
+    {"    small: [psi]\n    order: 3\n    show: [sin(psi) = psi]", FOUND_DIFFERENT, "sin(psi) = psi: "},
+    {"    angles: [psi]\n    show: [sin(psi)^2 = 1 - cos(psi)^2]", FOUND_EQUAL, ""},
+    {"    angles: [psi]\n    show: [sin(psi)^2 = cos(psi)^2]", FOUND_DIFFERENT, ""},
+    {"    angles: [psi, theta]\n    show: [sin(psi + theta) = sin(psi)*cos(theta) + cos(psi)*sin(theta)]",
+     FOUND_EQUAL, ""},
+    {"    angles: [psi]\n    rates: {psi: psi_dot}\n    show: [rate(sin(psi)) = psi_dot*cos(psi)]", FOUND_EQUAL, ""},
+    {"    rates: {L: L_dot, L_dot: L_ddot}\n    show: [rate(rate(L^2)) = 2*L_dot^2 + 2*L*L_ddot]", FOUND_EQUAL, ""},
+    {"    rates: {L: L_dot}\n    show: [rate(m1*L) = m1*L_dot]", FOUND_EQUAL, ""},
+    {"    roots: [L*m1]\n    show: [sqrt(L^2*m1^2) = m1*L]", FOUND_EQUAL, ""},
+    {"    roots: [m1, L]\n    show: [sqrt(L^2) + sqrt(m1^2) = m1 + L]", FOUND_EQUAL, ""},
+    {"    roots: [2*L]\n    show: [sqrt(L^2) = L]", FOUND_NOTHING, "a square root is "},
+    {"    roots: [L]\n    show: [sqrt(L) = L]",
+     FOUND_NOTHING, "sqrt(L) = L: no value, the square root of no rational square"},
+    {"    small: [dL]\n    order: 2\n    roots: [L_ref]\n"
+     "    show: [sqrt(L_ref^2 + dL) = L_ref + dL/(2*L_ref) - dL^2/(8*L_ref^3)]",
+     FOUND_EQUAL, ""},
+    {"    show: [sin(L) = L]", FOUND_NOTHING, "sin(L) = L: no value, the sine or cosine of a number that is no angle"},
+    {"    show: [exp(L) = L]", FOUND_NOTHING, "exp(L) = L: no value, a value that is no rational series"},
+    {"    angles: [psi]\n    show: [psi = psi]",
+     FOUND_NOTHING, "psi = psi: no value, a finite angle outside sine and cosine"},
+    {"    show: [1/(L - L) = 1]", FOUND_NOTHING, "1/(L - L) = 1: no value, division by what is zero at epsilon = 0"},
+    {"    positive: [k]\n    small: [k]\n    order: 1\n    let:\n      lambda_d: 1/k\n"
+     "    show: [exp(-L/lambda_d) = 1 - L*k]",
+     FOUND_EQUAL, ""},
+    {"    angles: [psi]\n    roots: [L]\n    show: [\"cos(atan2(L*sin(psi), L*cos(psi))) = cos(psi)\"]",
+     FOUND_EQUAL, ""},
+    {"    show: [eq05.x1 - eq05.x2 = L]", FOUND_EQUAL, ""},
+    {"    show: [eq05.x1(m1 = m2) = L/2]", FOUND_EQUAL, ""},
+    {"    show: [eq30.I_12 = eq30.I_12@printed]", FOUND_DIFFERENT, ""},
+    {"    show: [eq30.I_12(m2 = m1) = eq30.I_12@printed]", FOUND_EQUAL, ""},
+    {"    show: [left(5b) - right(5b) = x1 - x2 - L]", FOUND_EQUAL, ""},
+    {"    show: [\"left(24, 3) = I*w_dot_3 + I_dot*w_3 + I*w_1*w_2\"]", FOUND_EQUAL, ""},
+    {"    free: [f_12, f_13]\n    show: [eq02.z1_ddot = (f_12*(z1 - z2) + f_13*(z1 - z3))/m1 - Omega^2*z1]",
+     FOUND_EQUAL, ""},
+};
+
+START_TEST(checker_finds)
+{
+    struct derivations d;
+    struct proof p;
+    read_one(&d, findings[_i].step);
+    trial_prove(&d.steps[0].corrected, SEED, &p);
+    ck_assert_msg(p.finding == findings[_i].finding, "%s", p.evidence ? p.evidence : "holds");
+    const char *begin = findings[_i].evidence;
+    ck_assert_msg(strncmp(p.evidence ? p.evidence : "", begin, strlen(begin)) == 0, "%s", p.evidence);
+    proof_clear(&p);
+    derivations_clear(&d);
+}
+END_TEST
+
+/* dL = k epsilon: the first coefficient that differs is that of epsilon^2, k^2 against 2 k^2 */
+START_TEST(evidence_is_the_first_coefficient_that_differs)
+{
+    struct derivations d;
+    struct proof p;
+    long k, left, right;
+    char end;
+    read_one(&d, "    small: [dL]\n    order: 3\n    show: [1 + dL + dL^2 = 1 + dL + 2*dL^2 + dL^3]");
+    trial_prove(&d.steps[0].corrected, SEED, &p);
+    ck_assert_int_eq(p.finding, FOUND_DIFFERENT);
+    const char *shape = ": %ld is not %ld, the coefficients of epsilon^2, where dL = %ld epsilo%c";
+    ck_assert_int_eq(sscanf(strchr(p.evidence, ':'), shape, &left, &right, &k, &end), 4);
+    ck_assert_int_eq(left, k * k);
+    ck_assert_int_eq(right, 2 * k * k);
+    proof_clear(&p);
+    derivations_clear(&d);
+}
+END_TEST
+
+/* A pole at the very point that is drawn first: it is replaced by another, and counted. */
+START_TEST(pole_is_replaced_by_another_point)
+{
+    struct derivations d;
+    struct proof p;
+    char step[200];
+    read_one(&d, "    free: [k]\n    show: [k = k]");
+    trial_prove(&d.steps[0].corrected, SEED, &p);
+    char *number = fmpz_get_str(NULL, 10, p.drawn + d.steps[0].corrected.program.inputs - 1);
+    ck_assert_int_eq(p.retries, 0);
+    snprintf(step, sizeof step, "    free: [k]\n    show: [k/(k - (%s)) = 1/(1 - (%s)/k)]", number, number);
+    flint_free(number);
+    proof_clear(&p);
+    derivations_clear(&d);
+    read_one(&d, step);
+    trial_prove(&d.steps[0].corrected, SEED, &p);
+    ck_assert_int_eq(p.finding, FOUND_EQUAL);
+    ck_assert_int_eq(p.retries, 1);
+    ck_assert_int_eq(p.points, 2);
+    proof_clear(&p);
+    derivations_clear(&d);
+}
+END_TEST
+
+/* Degree 999^2 < 2^20, for all that the checker knows: 43 bits a point, three of them for 2^-100 */
+START_TEST(high_degree_takes_more_points)
+{
+    struct derivations d;
+    struct proof p;
+    read_one(&d, "    show: [((L/L)^999)^999 = 1]");
+    trial_prove(&d.steps[0].corrected, SEED, &p);
+    ck_assert_uint_eq(d.steps[0].corrected.degree, 998001);
+    ck_assert_int_eq(p.points, 3);
+    ck_assert_int_eq(p.bits, 129);
+    proof_clear(&p);
+    derivations_clear(&d);
+}
+END_TEST
+
+START_TEST(entry_stands_for_its_parts)
+{
+    ck_assert(stands_for("6", "6a"));
+    ck_assert(stands_for("6a", "6a"));
+    ck_assert(stands_for("6", "6"));
+    ck_assert(!stands_for("6a", "6b"));
+    ck_assert(!stands_for("6a", "6"));
+    ck_assert(!stands_for("4", "40a"));
+    ck_assert(!stands_for("40", "4"));
+}
+END_TEST
+
+/* Nothing is reached from what is not reached itself: (25) rests on (9). */
+START_TEST(gap_is_found)
+{
+    static const char text[] =
+        "principles: {}\nsteps:\n  orbit_rate:\n    title: t\n    from: [\"9\", \"23\"]\n    to: [\"25\", 2]\n"
+        "    show: [L = L]\n";
+    struct derivations d;
+    struct message why = {""};
+    ck_assert_msg(derivations_read(&d, sheet(), text, strlen(text), "t", &why) == 0, "%s", why.text);
+    ck_assert_str_eq(derivations_gap(&d), "2a");
+    derivations_clear(&d);
+}
+END_TEST
+
+/* ---- broken files ---- */
+
+static const char good[] =
+    "principles:\n"                                    /*  1 */
+    "  force: a push\n"                                /*  2 */
+    "steps:\n"                                         /*  3 */
+    "  one:\n"                                         /*  4 */
+    "    title: a step\n"                              /*  5 */
+    "    from: [force, \"10\"]\n"                      /*  6 */
+    "    to: [6a]\n"                                   /*  7 */
+    "    free: [u]\n"                                  /*  8 */
+    "    positive: [k]\n"                              /*  9 */
+    "    angles: [psi]\n"                              /* 10 */
+    "    small: [theta]\n"                             /* 11 */
+    "    order: 1\n"                                   /* 12 */
+    "    rates: {psi: psi_dot}\n"                      /* 13 */
+    "    roots: [k]\n"                                 /* 14 */
+    "    let:\n"                                       /* 15 */
+    "      a: sqrt(k^2)*u\n"                           /* 16 */
+    "      b: rate(sin(psi)) + eq10.x1(L = 2*m1)\n"    /* 17 */
+    "    show:\n"                                      /* 18 */
+    "      - a + b*theta = theta*b + a\n"              /* 19 */
+    "    printed:\n"                                   /* 20 */
+    "      let:\n"                                     /* 21 */
+    "        a: k*u + 1\n"                             /* 22 */
+    "      show:\n"                                    /* 23 */
+    "        - a = k*u\n"                              /* 24 */
+    "  two:\n"                                         /* 25 */
+    "    title: another\n"                             /* 26 */
+    "    from: [\"6\"]\n"                              /* 27 */
+    "    to: []\n"                                     /* 28 */
+    "    show: [\"left(24, 2) = left(24, 2)\"]\n";     /* 29 */
+
+START_TEST(good_file_is_read)
+{
+    struct derivations d;
+    struct message why = {""};
+    ck_assert_msg(derivations_read(&d, sheet(), good, strlen(good), "t", &why) == 0, "%s", why.text);
+    ck_assert_int_eq(d.step_count, 2);
+    ck_assert_str_eq(d.principles[0].text, "a push");
+    ck_assert_int_eq(d.steps[0].from_count, 2);
+    ck_assert_str_eq(d.steps[0].to[0], "6a");
+    ck_assert_int_eq(d.steps[0].order, 1);
+    ck_assert_int_eq(d.steps[1].order, -1);
+    ck_assert(d.steps[0].differs);
+    ck_assert_int_eq(d.steps[0].corrected.radical_count, 1);
+    derivations_clear(&d);
+}
+END_TEST
+
+static const struct {
+    const char *from, *to, *place, *expected;
+} mistakes[] = {
+    {"principles:", "principle:", "1:1: ", "unknown key 'principle', expected perhaps principles"},
+    {"principles:\n  force: a push\n", "", "1:1: ", "missing principles"},
+    {"  force: a push\n", "  force: [a, push]\n", "2:10: ", "expected a text"},
+    {"    title: a step\n", "", "5:5: ", "missing title, expected a text"},
+    {"title: a step", "titel: a step", "5:5: ", "unknown key 'titel', expected perhaps title"},
+    {"title: a step", "title: [a, step]", "5:12: ", "missing title, expected a text"},
+    {"    from: [force, \"10\"]\n", "", "5:5: ", "missing from, expected a list of equation numbers"},
+    {"[force, \"10\"]", "[forces, \"10\"]", "6:12: ", "unknown 'forces', expected an equation number or a principle"},
+    {"[force, \"10\"]", "[force, \"45\"]", "6:19: ", "unknown '45', expected an equation number or a principle"},
+    {"[force, \"10\"]", "force", "6:11: ", "expected a list"},
+    {"to: [6a]", "to: [6c]", "7:10: ", "unknown '6c', expected an equation number"},
+    {"to: [6a]", "to: [force]", "7:10: ", "unknown 'force', expected an equation number"},
+    {"to: [6a]", "from: [6a]", "7:5: ", "duplicate 'from', expected each key once"},
+    {"free: [u]", "free: [u, L]", "8:15: ", "'L' is known already, expected a new name"},
+    {"free: [u]", "free: [u, v]", "8:15: ", "nothing shown rests on 'v'"},
+    {"free: [u]", "free: u", "8:11: ", "expected a list"},
+    {"positive: [k]", "positive: [k, x1]", "9:19: ", "nothing shown rests on 'x1'"},
+    {"positive: [k]", "positive: []", "16:15: ", "unknown symbol 'k'"},
+    {"angles: [psi]", "angles: [psi, psi]", "10:19: ", "'psi' is an angle or small already"},
+    {"small: [theta]", "small: [theta, psi]", "11:20: ", "'psi' is an angle or small already"},
+    {"small: [theta]", "small: [theta, thta]", "11:20: ", "unknown symbol 'thta', expected a free quantity"},
+    {"    order: 1\n", "", "5:5: ", "missing order: up to which power of the small quantities"},
+    {"order: 1", "order: 10", "12:12: ", "expected an order from 0 to 9"},
+    {"order: 1", "order: first", "12:12: ", "expected an order from 0 to 9"},
+    {"order: 1", "order: -1", "12:12: ", "expected an order from 0 to 9"},
+    {"{psi: psi_dot}", "{phi: psi_dot}", "13:13: ", "unknown symbol 'phi', expected name: its rate"},
+    {"{psi: psi_dot}", "{psi: psi_dt}", "13:18: ", "unknown symbol 'psi_dt', expected name: its rate"},
+    {"{psi: psi_dot}", "[psi, psi_dot]", "13:12: ", "expected a mapping, key: value"},
+    {"    roots: [k]\n", "", "5:5: ", "missing roots: what the square roots are equal to"},
+    {"roots: [k]", "roots: [u]", "14:13: ", "expected a root that is positive by its form"},
+    {"roots: [k]", "roots: [m1 - k]", "14:13: ", "expected a root that is positive by its form"},
+    {"roots: [k]", "roots: [theta]", "14:13: ", "expected a root that is positive by its form"},
+    {"roots: [k]", "roots: [k +]", "14:16: ", "expected a number, a symbol or '(', the formula ends here"},
+    {"sqrt(k^2)", "k", "14:12: ", "expected no roots, nothing shown rests on a square root"},
+    {"      a: sqrt", "      c: 2*k\n      a: sqrt", "16:7: ", "nothing shown rests on 'c'"},
+    {"      b: rate", "      a: rate", "17:7: ", "duplicate 'a', expected each key once"},
+    {"sqrt(k^2)*u", "sqrt(k^2)*w", "16:20: ", "unknown symbol 'w'"},
+    {"sqrt(k^2)*u", "sqrt(k^2)*\n        u", "16:10: ", "expected a formula, on one line"},
+    {"sqrt(k^2)*u", "[k, u]", "16:10: ", "expected a text"},
+    {"rate(sin(psi))", "rates(sin(psi))", "17:10: ", "unknown function 'rates', expected rate, left, right, sqrt"},
+    {"rate(sin(psi))", "rate sin(psi)", "17:10: ", "unknown symbol 'rate'"},
+    {"rate(sin(psi))", "rate(sin(psi)", "17:43: ", "expected ')' or an operator, the formula ends here"},
+    {"eq10.x1(", "eq99.x1(", "17:27: ", "unknown section 'eq99', expected one of the sheet that has formulas"},
+    {"eq10.x1(", "eq20.x1(", "17:27: ", "unknown section 'eq20', expected one of the sheet that has formulas"},
+    {"eq10.x1(", "eq10.x2(", "17:32: ", "unknown output 'x2', expected an output or a named subexpression"},
+    {"eq10.x1(", "eq10.(", "17:32: ", "expected a name, found '('"},
+    {"eq10.x1(", "eq10.x1@printed(", "17:35: ", "unknown variant 'printed'"},
+    {"eq10.x1(", "eq30.I_11@print(", "17:37: ", "unknown variant 'print'"},
+    {"(L = 2*m1)", "(M = 2*m1)", "17:35: ", "unknown name 'M', expected an input or a named subexpression"},
+    {"(L = 2*m1)", "(L 2*m1)", "17:37: ", "expected '=', found '2'"},
+    {"(L = 2*m1)", "(L = 2*m9)", "17:41: ", "unknown symbol 'm9'"},
+    {"(L = 2*m1)", "(L = 2*m1", "17:43: ", "expected an operator, ',' or ')', the formula ends here"},
+    {"(L = 2*m1)", "()", "17:35: ", "expected a name, found ')'"},
+    {"      - a + b*theta = theta*b + a\n", "      - a + b*theta\n", "19:9: ", "expected left = right"},
+    {"      - a + b*theta = theta*b + a\n", "      - a + b*theta =\n", "19:22: ", "expected a number, a symbol or '('"},
+    {"      - a + b*theta = theta*b + a\n", "      - a + b* = theta*b + a\n", "19:16: ",
+     "expected a number, a symbol or '(', the formula ends here"},
+    {"      - a + b*theta = theta*b + a\n", "      - a + b*theta = theta*b + q\n", "19:33: ", "unknown symbol 'q'"},
+    {"    show:\n      - a + b*theta = theta*b + a\n", "    show: []\n", "18:11: ",
+     "expected at least one left = right"},
+    {"    show:\n      - a + b*theta = theta*b + a\n", "", "5:5: ", "missing show, expected a list of left = right"},
+    {"        a: k*u + 1\n", "        c: k*u + 1\n", "22:9: ", "unknown name 'c', expected one of the step's let"},
+    {"        a: k*u + 1\n", "        a: k*u + \n", "22:17: ", "expected a number, a symbol or '('"},
+    {"      show:\n        - a = k*u\n", "", "21:7: ", "missing show, expected a list of left = right"},
+    {"      show:\n        - a = k*u\n", "      shown:\n        - a = k*u\n", "23:7: ",
+     "unknown key 'shown', expected perhaps show"},
+    {"  two:", "  one:", "25:3: ", "duplicate 'one', expected each key once"},
+    {"\"left(24, 2) = left", "\"left(24, 4) = left", "29:17: ",
+     "unknown relation 4 of (24), expected one of the sheet"},
+    {"\"left(24, 2) = left", "\"left(24, 2x) = left", "29:17: ", "unknown relation 2x of (24)"},
+    {"\"left(24, 2) = left", "\"left(24; 2) = left", "29:20: ", "expected ',' or ')', found ';'"},
+    {"\"left(24, 2) = left", "\"left() = left", "29:18: ", "expected a name, found ')'"},
+    {"sqrt(k^2)*u", "sqrt(k^2)*((((u^999)^999)^999)^999)^999", "5:5: ", "expected a simpler step"},
+    {"    to: []\n", "    to: []\n    order: 1\n", "29:12: ", "expected no order where no quantities are small"},
+    {"[force, \"10\"]", "[force, \"10\"", "", "expected YAML: "},
+};
+
+START_TEST(mistake_is_told_with_its_place)
+{
+    struct derivations d;
+    struct message why = {""};
+    const char *at = strstr(good, mistakes[_i].from);
+    char *text = malloc(sizeof good + strlen(mistakes[_i].to)), place[40];
+    ck_assert_msg(at != NULL, "no '%s'", mistakes[_i].from);
+    sprintf(text, "%.*s%s%s", (int)(at - good), good, mistakes[_i].to, at + strlen(mistakes[_i].from));
+    ck_assert_int_ne(derivations_read(&d, sheet(), text, strlen(text), "t.yaml", &why), 0);
+    snprintf(place, sizeof place, "t.yaml:%s", mistakes[_i].place);
+    ck_assert_msg(strncmp(why.text, place, strlen(place)) == 0, "'%s' is not at %s", why.text, place);
+    ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "'%s' has no '%s'", why.text, mistakes[_i].expected);
+    free(text);
+}
+END_TEST
+
+/* Wherever the file ends too early, it is read or refused in words, never worse. */
+START_TEST(cut_file_is_read_or_refused)
+{
+    for (size_t length = 0; length < strlen(good); length++) {
+        struct derivations d;
+        struct message why = {""};
+        if (derivations_read(&d, sheet(), good, length, "t.yaml", &why) == 0)
+            derivations_clear(&d);
+        else
+            ck_assert_msg(strncmp(why.text, "t.yaml:", 7) == 0, "%s", why.text);
+    }
+}
+END_TEST
+
+/* ---- the command ---- */
+
+/* The program's exit status; what it prints goes where the line says. */
+static int shell(const char *line)
+{
+    int status = system(line);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static const struct {
+    const char *line;
+    int status;
+} commands[] = {
+    {"\"$CT_PROGRAM\" verify derivations | grep -q 'steps hold'", 0},
+    {"\"$CT_PROGRAM\" verify derivations >/dev/null", 0},
+    {"\"$CT_PROGRAM\" verify derivations --seed 7 >/dev/null", 0},
+    {"\"$CT_PROGRAM\" verify derivations --graph | dot -Tsvg | grep -q '</svg>'", 0},
+    {"\"$CT_PROGRAM\" verify derivations --graph --json 2>/dev/null", 2},
+    {"\"$CT_PROGRAM\" verify derivation 2>/dev/null", 2},
+    {"\"$CT_PROGRAM\" verify derivations --seed x 2>/dev/null", 2},
+    {"\"$CT_PROGRAM\" verify derivations --seed 18446744073709551616 2>/dev/null", 2},
+    {"\"$CT_PROGRAM\" verify derivations >/dev/full 2>/dev/null", 1},
+};
+
+/* Brackets that close what was opened, outside texts: what goes wrong where JSON is printed by hand. */
+START_TEST(json_is_balanced)
+{
+    FILE *out = popen("\"$CT_PROGRAM\" verify derivations --json", "r");
+    char open[16];
+    int depth = 0, opened = 0;
+    ck_assert_ptr_nonnull(out);
+    for (int c = getc(out), quoted = 0; c != EOF; c = getc(out)) {
+        if (c == '"')
+            quoted = !quoted;
+        else if (c == '\\')
+            getc(out);
+        else if (!quoted && (c == '{' || c == '[')) {
+            ck_assert_int_lt(depth, COUNT(open));
+            open[depth++] = (char)c;
+            opened++;
+        } else if (!quoted && (c == '}' || c == ']')) {
+            ck_assert_int_gt(depth, 0);
+            ck_assert_int_eq(open[--depth], c == '}' ? '{' : '[');
+        }
+    }
+    ck_assert_int_eq(pclose(out), 0);
+    ck_assert_int_eq(depth, 0);
+    ck_assert_int_gt(opened, 400);
+}
+END_TEST
+
+START_TEST(command_has_its_status)
+{
+    ck_assert_int_eq(shell(commands[_i].line), commands[_i].status);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    TCase *paper = tcase_create("paper");
+    tcase_set_timeout(paper, 60); /* a hundred sheets, each against all steps: 3 s */
+    tcase_add_test(paper, every_step_holds_and_fails_as_printed);
+    tcase_add_test(paper, points_are_enough);
+    tcase_add_test(paper, other_points_show_the_same);
+    tcase_add_test(paper, every_equation_is_reached);
+    tcase_add_test(paper, misprints_are_these);
+    tcase_add_test(paper, every_formula_of_the_sheet_is_held);
+    tcase_add_test(paper, eq03_closed_by_eq07_eq18_is_the_quadratic_system);
+
+    TCase *checker = tcase_create("checker");
+    tcase_add_loop_test(checker, checker_finds, 0, COUNT(findings));
+    tcase_add_test(checker, evidence_is_the_first_coefficient_that_differs);
+    tcase_add_test(checker, pole_is_replaced_by_another_point);
+    tcase_add_test(checker, high_degree_takes_more_points);
+    tcase_add_test(checker, entry_stands_for_its_parts);
+    tcase_add_test(checker, gap_is_found);
+
+    TCase *reading = tcase_create("reading");
+    tcase_add_test(reading, good_file_is_read);
+    tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
+    tcase_add_test(reading, cut_file_is_read_or_refused);
+    tcase_add_test(reading, json_is_balanced);
+    tcase_add_loop_test(reading, command_has_its_status, 0, COUNT(commands));
+
+    Suite *s = suite_create("derivation");
+    suite_add_tcase(s, paper);
+    suite_add_tcase(s, checker);
+    suite_add_tcase(s, reading);
+    return s;
+}
