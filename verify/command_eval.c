@@ -1,11 +1,9 @@
-/* coulomb-tether eval and table1: values of operations, every digit proved. */
+/* coulomb-tether eval: values of an operation, every digit proved. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "command.h"
 #include "decimal.h"
-#include "series.h"
 
 enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
 
@@ -93,81 +91,4 @@ int command_eval(int count, char **texts)
         status = evaluate(&a, s, digits);
     free(a.assignments);
     return status;
-}
-
-/* ---- Table 1 ---- */
-
-/* Significant digits of a printed number: those of its mantissa, leading zeros apart. */
-static long printed_digits(const char *printed)
-{
-    long digits = 0;
-    for (; *printed != '\0' && *printed != 'e'; printed++)
-        if (*printed >= '0' && *printed <= '9' && (digits > 0 || *printed != '0'))
-            digits++;
-    return digits;
-}
-
-/* What the simulation uses: a value of the sheet, or Q_ref of Eq. (7) from the others; in SI. */
-static void table_value(fmpq_t value, const struct table_row *row)
-{
-    const struct section *s = section_find(sheet(), "eq07");
-    const char *given = quantity_find(sheet(), row->name)->value;
-    if (given != NULL) {
-        literal_read(value, given, true);
-        return;
-    }
-    struct machine sums;
-    machine_init(&sums, &s->corrected.program, &arithmetic_series, 1);
-    for (int i = 0; i < s->input_count; i++) {
-        const char *name = s->inputs[i]->name;
-        literal_read(value, quantity_find(sheet(), strcmp(name, "L") == 0 ? "L_ref" : name)->value, true);
-        arithmetic_series.set_rational(machine_value(&sums, i), value, 1);
-    }
-    machine_run(&sums);
-    series_get_fmpq(value, machine_value(&sums, s->corrected.outputs[0]), 0);
-    machine_clear(&sums);
-}
-
-static int print_row(const struct table_row *row, bool csv)
-{
-    fmpq_t value, scale, printed;
-    fmpq_init(value);
-    fmpq_init(scale);
-    fmpq_init(printed);
-    literal_read(scale, row->scale, true);
-    literal_read(printed, row->printed, true);
-    table_value(value, row);
-    fmpq_div(value, value, scale);
-    char *computed = decimal_of_rational(value, 17);
-    char *rounded = decimal_of_rational(value, printed_digits(row->printed));
-    literal_read(value, rounded, true);
-    const bool rounds = fmpq_equal(value, printed);
-    printf(csv ? "%s,%s,%s,%s,%s\n" : "%-6s %-12s %-24s %-10s %s\n", row->name, row->printed, computed,
-           row->unit, rounds ? "yes" : "no");
-    free(rounded);
-    free(computed);
-    fmpq_clear(value);
-    fmpq_clear(scale);
-    fmpq_clear(printed);
-    return rounds ? EXIT_DONE : EXIT_FAILED_CHECK;
-}
-
-int command_table1(int count, char **texts)
-{
-    struct option options[] = {{"--csv", false, NULL}};
-    struct arguments a = {.subcommand = "table1", .options = options, .option_count = 1};
-    int status = arguments_split(&a, count, texts, 0);
-    if (status == EXIT_DONE && a.assignment_count > 0)
-        status = complain(EXIT_USAGE, "table1: unexpected argument '%s'", a.assignments[0]);
-    free(a.assignments);
-    if (status != EXIT_DONE)
-        return status;
-    const bool csv = option_given(&a, "--csv");
-    printf(csv ? "%s,%s,%s,%s,%s\n" : "%-6s %-12s %-24s %-10s %s\n", "name", "printed", "computed",
-           "unit", "rounds");
-    for (int i = 0; i < sheet()->row_count; i++)
-        if (print_row(&sheet()->table1[i], csv) != EXIT_DONE)
-            status = EXIT_FAILED_CHECK;
-    int written = output_finished();
-    return written != EXIT_DONE ? written : status;
 }

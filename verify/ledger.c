@@ -6,6 +6,7 @@
 
 #include "decimal.h"
 #include "operation.h"
+#include "table1.h"
 
 /* ---- each equation as printed ---- */
 
@@ -131,6 +132,31 @@ static bool equation_rows(const struct proofs *p, ledger_receiver *receive, void
     return decided;
 }
 
+/* ---- Table 1 ---- */
+
+static bool table_rows(ledger_receiver *receive, void *context)
+{
+    bool decided = true;
+    for (int i = 0; i < sheet()->row_count; i++) {
+        const struct table_row *t = &sheet()->table1[i];
+        char id[64], claim[96];
+        bool rounds;
+        snprintf(id, sizeof id, "table1-%s", t->name);
+        snprintf(claim, sizeof claim, "%s = %s %s", t->name, t->printed, t->unit);
+        struct ledger_row row = {.id = id, .where = "Table 1", .claim = claim};
+        char *value = table_row_value(t, &rounds);
+        if (table_row_is_computed(t))
+            evidence_add(&row.evidence, "by (7) from the other rows: %s %s, which rounds to the print", value, t->unit);
+        else
+            evidence_add(&row.evidence, "an input of the simulation, used as printed: %s %s", value, t->unit);
+        evidence_decide(&row.evidence, table_row_is_computed(t) ? HOLDS : DEFINITION, EXACT, rounds);
+        decided = decided && rounds;
+        free(value);
+        receive(context, &row);
+    }
+    return decided;
+}
+
 /* ---- all rows ---- */
 
 bool ledger_rows(const struct proofs *proofs, ledger_receiver *receive, void *context)
@@ -138,6 +164,7 @@ bool ledger_rows(const struct proofs *proofs, ledger_receiver *receive, void *co
     static const struct claim *const lists[] = {claims_statics, claims_stability, claims_motion,
                                                claims_convergence, claims_forced};
     bool decided = equation_rows(proofs, receive, context);
+    decided = table_rows(receive, context) && decided;
     for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
         for (const struct claim *c = lists[l]; c->id != NULL; c++) {
             struct ledger_row row = {.id = c->id, .where = c->where, .claim = c->claim};
