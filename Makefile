@@ -199,6 +199,13 @@ $(BUILD)/figures/derivations.%: $(PROGRAM)
 	$(PROGRAM) verify derivations --graph | dot -T$* >$@.tmp
 	@mv $@.tmp $@
 
+## readme: README's findings and table of errors, made anew
+readme: $(PROGRAM)
+	$(PROGRAM) verify claims --markdown >$(BUILD)/findings.md
+	$(PROGRAM) verify errors --count 100000 --markdown >$(BUILD)/errors.md
+	paper/readme.sh README.md findings=$(BUILD)/findings.md errors=$(BUILD)/errors.md >$(BUILD)/README.tmp
+	@mv $(BUILD)/README.tmp README.md
+
 ## pictures: the two figures that README shows, drawn anew
 pictures: $(patsubst %,$(BUILD)/figures/%.svg,figure4 figure6)
 	cp $^ paper/figures/
@@ -256,5 +263,5 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check coverage lint verify errors data figures pictures deps deps-ci install uninstall dist clean distclean help
+.PHONY: all check coverage lint verify errors readme data figures pictures deps deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d)

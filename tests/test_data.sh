@@ -16,6 +16,14 @@ for file in $( (cd data && find . -type f ! -name '*.tmp'; cd "$again" && find .
         failed=$((failed + 1))
     fi
 done
+# README's findings are those of the ledger.
+"$CT_PROGRAM" verify claims --markdown >"$CT_BUILD/tests/findings.md"
+if paper/readme.sh README.md findings="$CT_BUILD/tests/findings.md" | cmp - README.md; then
+    passed=$((passed + 1))
+else
+    failed=$((failed + 1))
+fi
+
 all=$((passed + failed))
 echo "$((100 * passed / (all > 0 ? all : 1)))%: Checks: $all, Failures: $failed, Errors: 0"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

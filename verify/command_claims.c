@@ -28,6 +28,18 @@ static void csv_field(const char *text)
     putchar('"');
 }
 
+/* A line of README's table: the claim unfolds to its evidence. */
+static void print_markdown(const struct ledger_row *row)
+{
+    const enum verdict verdict = row->evidence.verdict;
+    if (verdict == HOLDS || verdict == DEFINITION)
+        return;
+    printf("| %s | <details><summary>%s</summary>", row->where, row->claim);
+    for (const char *c = row->evidence.text; *c != '\0'; c++)
+        fputs(*c == '<' ? "&lt;" : *c == '|' ? "\\|" : *c == '*' ? "\\*" : *c == '_' ? "\\_" : (char[]){*c, '\0'}, stdout);
+    printf("</details> | %s |\n", verdict_names[verdict]);
+}
+
 static void print_row(void *context, const struct ledger_row *row)
 {
     struct printer *p = context;
@@ -38,6 +50,8 @@ static void print_row(void *context, const struct ledger_row *row)
     if (p->format == FORMAT_TABLE)
         printf("%-22s %-20s %-10s %s\n    %s\n    %s\n", row->id, verdict_names[e->verdict],
                how_names[e->how], row->where, row->claim, e->text);
+    if (p->format == FORMAT_MARKDOWN)
+        print_markdown(row);
     if (p->format == FORMAT_JSON)
         fputs(p->rows ? ",\n {" : "[{", stdout);
     for (int i = 0; i < 6 && p->format == FORMAT_CSV; i++) {
@@ -59,6 +73,8 @@ bool print_claims(const struct proofs *proofs, enum format format)
     struct printer p = {.format = format};
     if (format == FORMAT_CSV)
         puts("id,where,claim,verdict,how,evidence");
+    if (format == FORMAT_MARKDOWN)
+        puts("| where | claim, and why | verdict |\n|---|---|---|");
     bool decided = ledger_rows(proofs, print_row, &p);
     if (format == FORMAT_JSON)
         puts("]");

@@ -21,6 +21,8 @@ static void bound_text(char text[32], double E)
 bool print_errors(long inputs, enum format format)
 {
     bool fine = true, first = true;
+    if (format == FORMAT_MARKDOWN)
+        puts("| operation | inputs | E at most |\n|---|---|---|");
     if (format == FORMAT_TABLE)
         printf("%-10s %8s %10s  %s\n", "operation", "inputs", "E <=", "MPFR value in the enclosure");
     for (int i = 0; i < sheet()->section_count; i++) {
@@ -35,6 +37,8 @@ bool print_errors(long inputs, enum format format)
         if (format == FORMAT_JSON)
             printf("%s{\"id\": \"%s\", \"inputs\": %ld, \"worst_E\": %s, \"vector\": \"%s-%d-%ld\", \"outside\": %ld}",
                    first ? "[" : ",\n ", s->id, inputs, text, s->id, SEED, m.index, m.outside);
+        else if (format == FORMAT_MARKDOWN)
+            printf("| %s | %ld | %s |\n", s->id, inputs, text);
         else
             printf("%-10s %8ld %10s  %s\n", s->id, inputs, text,
                    s->method != METHOD_FORMULA ? "-" : m.outside == 0 ? "always" : "NO");

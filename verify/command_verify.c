@@ -79,6 +79,8 @@ static int check_request(const struct arguments *a, const struct request *r)
         return complain(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
     if (r->graph && (r->format != FORMAT_TABLE || r->part == NULL || strcmp(r->part, "derivations") != 0))
         return complain(EXIT_USAGE, "--graph: expected verify derivations before it, and no --json");
+    if (r->format == FORMAT_MARKDOWN && (r->part == NULL || strcmp(r->part, "derivations") == 0))
+        return complain(EXIT_USAGE, "--markdown: expected verify claims or verify errors before it");
     if (r->format == FORMAT_CSV && (r->part == NULL || strcmp(r->part, "claims") != 0))
         return complain(EXIT_USAGE, "--csv: expected verify claims before it");
     if (r->count < 1 || r->count > 100000000)
@@ -89,13 +91,17 @@ static int check_request(const struct arguments *a, const struct request *r)
 static int read_request(const struct arguments *a, struct request *r)
 {
     const bool json = option_given(a, "--json"), csv = option_given(a, "--csv");
+    const bool markdown = option_given(a, "--markdown");
     ulong count = INPUTS;
     *r = (struct request){.part = a->word_count > 0 ? a->words[0] : NULL,
                           .graph = option_given(a, "--graph"),
-                          .format = json ? FORMAT_JSON : csv ? FORMAT_CSV : FORMAT_TABLE,
+                          .format = json       ? FORMAT_JSON
+                                    : csv      ? FORMAT_CSV
+                                    : markdown ? FORMAT_MARKDOWN
+                                               : FORMAT_TABLE,
                           .seed = SEED};
-    if (json && csv)
-        return complain(EXIT_USAGE, "--json: expected without --csv");
+    if (json + csv + markdown > 1)
+        return complain(EXIT_USAGE, "--json, --csv, --markdown: expected one of them");
     int status = read_integer("--seed", option_value(a, "--seed"), &r->seed);
     if (status == EXIT_DONE)
         status = read_integer("--count", option_value(a, "--count"), &count);
@@ -127,9 +133,9 @@ static int verify(const struct request *request)
 
 int command_verify(int count, char **texts)
 {
-    struct option options[] = {{"--json", false, NULL}, {"--csv", false, NULL}, {"--graph", false, NULL},
-                               {"--seed", true, NULL},  {"--count", true, NULL}};
-    struct arguments a = {.subcommand = "verify", .options = options, .option_count = 5};
+    struct option options[] = {{"--json", false, NULL}, {"--csv", false, NULL}, {"--markdown", false, NULL},
+                               {"--graph", false, NULL}, {"--seed", true, NULL}, {"--count", true, NULL}};
+    struct arguments a = {.subcommand = "verify", .options = options, .option_count = 6};
     struct request request;
     int status = arguments_split(&a, count, texts, 1);
     if (status != EXIT_DONE)

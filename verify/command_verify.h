@@ -4,7 +4,8 @@
 
 #include "proofs.h"
 
-enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV };
+/* Markdown is README's: of the claims those that do not simply hold. */
+enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN };
 
 void print_proofs(const struct proofs *p, enum format format);
 bool print_claims(const struct proofs *p, enum format format);

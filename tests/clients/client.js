@@ -1,0 +1,432 @@
+#!/usr/bin/env node
+'use strict';
+
+// The equations of a Coulomb tether formation in JavaScript, as a client of the oracle:
+//
+//     coulomb-tether conform -- node tests/clients/client.js
+//
+// An operation is a string and a function. The string has a letter for each input, saying what it may be:
+// '+' positive, '0' not negative, '.' any finite number, 'i' positive or infinite. Units are SI. A function
+// returns a number or an array of them, and throws OutsideDomain where the letters do not say all.
+
+const { sin, cos, sqrt, exp, hypot, atan2, abs, sign, min, max, round } = Math;
+
+class OutsideDomain extends Error {}
+
+const require_ = (condition) => { if (!condition) throw new OutsideDomain(); };
+
+const dot = (a, b) => a.reduce((sum, a_i, i) => sum + a_i * b[i], 0);
+const minus = (a, b) => a.map((a_i, i) => a_i - b[i]);
+const cross = ([a1, a2, a3], [b1, b2, b3]) => [a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1];
+
+const operations = {};
+const equation = (id, letters, compute) => { operations[id] = { letters, compute }; return compute; };
+
+
+// ---- the static formation ----
+
+// (2) craft on the Clohessy-Wiltshire-Hill equations, their charges shielded by the plasma
+const hill = (Omega, [x, , z], [x_dot, y_dot]) =>
+  [2 * Omega * y_dot + 3 * Omega ** 2 * x, -2 * Omega * x_dot, -(Omega ** 2) * z];
+
+equation('eq02', '++i+.......+.......+.......', (Omega, k_c, lambda_d, ...numbers) => {
+  const craft = [0, 8, 16].map((i) => {
+    const [m, q, ...state] = numbers.slice(i, i + 8);
+    return { m, q, r: state.slice(0, 3), v: state.slice(3) };
+  });
+  return craft.flatMap((one) => {
+    const a = hill(Omega, one.r, one.v);
+    for (const other of craft.filter((c) => c !== one)) {
+      const away = minus(one.r, other.r);
+      const d = hypot(...away);
+      require_(d > 0);
+      const force = k_c * one.q * other.q * exp(-d / lambda_d) / d ** 3;
+      away.forEach((component, i) => { a[i] += force / one.m * component; });
+    }
+    return a;
+  });
+});
+
+// (4) the centre of mass is the origin
+const eq04 = equation('eq04', '++...', (m1, m2, ...r1) => r1.map((component) => -m1 / m2 * component));
+
+// (13) the distance from craft 1 alone
+const eq13 = equation('eq13', '++...', (m1, m2, ...r1) => {
+  const L = (m1 + m2) / m2 * hypot(...r1);
+  require_(L > 0);
+  return L;
+});
+
+// (3) craft 1 of a pair, with craft 2 from (4)
+const eq03 = equation('eq03', '++++.......', (Omega, k_c, m1, m2, Q, ...state) => {
+  const r1 = state.slice(0, 3);
+  const away = minus(r1, eq04(m1, m2, ...r1));
+  const force = k_c / m1 * Q / eq13(m1, m2, ...r1) ** 3;
+  return hill(Omega, r1, state.slice(3)).map((a, i) => a + force * away[i]);
+});
+
+// (5), (7) where the static formation stands, and the charge product that holds it there
+equation('eq05', '+++', (m1, m2, L) => [m2 / (m1 + m2) * L, -m1 / (m1 + m2) * L]);
+const eq07 = equation('eq07', '+++++', (Omega, k_c, m1, m2, L) =>
+  -3 * Omega ** 2 * L ** 3 / k_c * m1 * m2 / (m1 + m2));
+
+
+// ---- the perturbed formation ----
+
+// (9) rows of direction cosines
+equation('eq09', '..', (psi, theta) => [
+  cos(theta) * cos(psi), cos(theta) * sin(psi), -sin(theta),
+  -sin(psi), cos(psi), 0,
+  sin(theta) * cos(psi), sin(theta) * sin(psi), cos(theta),
+]);
+
+// (10), (11) craft 1 and its velocity, rho being its distance from the origin: exactly, then for small angles
+equation('eq10', '+++..', (m1, m2, L, psi, theta) => {
+  const rho = m2 / (m1 + m2) * L;
+  return [rho * cos(theta) * cos(psi), rho * cos(theta) * sin(psi), -rho * sin(theta)];
+});
+
+equation('eq10lin', '+++..', (m1, m2, L, psi, theta) => {
+  const rho = m2 / (m1 + m2) * L;
+  return [rho, psi * rho, -theta * rho];
+});
+
+equation('eq11exact', '+++.....', (m1, m2, L, psi, theta, L_dot, psi_dot, theta_dot) => {
+  const share = m2 / (m1 + m2), rho = share * L, rho_dot = share * L_dot;
+  const level = rho_dot * cos(theta) - rho * theta_dot * sin(theta);
+  return [
+    level * cos(psi) - rho * psi_dot * cos(theta) * sin(psi),
+    level * sin(psi) + rho * psi_dot * cos(theta) * cos(psi),
+    -rho_dot * sin(theta) - rho * theta_dot * cos(theta),
+  ];
+});
+
+equation('eq11', '+++.....', (m1, m2, L, psi, theta, L_dot, psi_dot, theta_dot) => {
+  const share = m2 / (m1 + m2);
+  return [share * L_dot, share * (psi * L_dot + psi_dot * L), -share * (theta * L_dot + theta_dot * L)];
+});
+
+// (10) the other way. Zero added makes -0 a 0: psi is pi, not -pi, on the negative x axis, and 0 on the z axis.
+equation('eq10inv', '++...', (m1, m2, x1, y1, z1) =>
+  [eq13(m1, m2, x1, y1, z1), atan2(y1 + 0, x1 + 0), atan2(-z1, hypot(x1, y1))]);
+
+// (12) the distance between two craft
+equation('eq12', '......', (...r) => {
+  const L = hypot(...minus(r.slice(0, 3), r.slice(3)));
+  require_(L > 0);
+  return L;
+});
+
+// (14) solved for L_ddot, in which r^2 v^2 - (r.v)^2 is |r x v|^2
+equation('eq14', '++++.......', (Omega, k_c, m1, m2, Q, ...state) => {
+  const r1 = state.slice(0, 3), r = hypot(...r1);
+  const v_across = hypot(...cross(r1, state.slice(3))) / r;
+  return (m1 + m2) / m2 * (v_across ** 2 + dot(r1, eq03(Omega, k_c, m1, m2, Q, ...state))) / r;
+});
+
+// (15), (17) the distance and its error to first order
+equation('eq15', '+++++..', (Omega, k_c, m1, m2, L, psi_dot, Q) =>
+  (2 * Omega * psi_dot + 3 * Omega ** 2) * L + k_c / m1 * Q / L ** 2 * (m1 + m2) / m2);
+equation('eq17', '+++++...', (Omega, k_c, m1, m2, L_ref, psi_dot, dL, dQ) =>
+  2 * Omega * L_ref * psi_dot + 9 * Omega ** 2 * dL + k_c / m1 / L_ref ** 2 * (m1 + m2) / m2 * dQ);
+
+
+// ---- the control law ----
+
+// (18), (19) the charge product commanded, and what becomes of (17)
+const eq18 = equation('eq18', '++++....', (k_c, m1, m2, L_ref, C1, C2, dL, dL_dot) =>
+  m1 * m2 * L_ref ** 2 / ((m1 + m2) * k_c) * (-C1 * dL - C2 * dL_dot));
+const eq19 = equation('eq19', '++.....', (Omega, L_ref, C1, C2, dL, dL_dot, psi_dot) =>
+  -(C1 - 9 * Omega ** 2) * dL - C2 * dL_dot + 2 * Omega * L_ref * psi_dot);
+
+// (20)-(22) charges; the absolute value in print would attract where the law commands to repel
+equation('eq21', '..', (Q_ref, dQ) => {
+  const Q = Q_ref + dQ;
+  require_(Q < 0);
+  return [sqrt(-Q), -sqrt(-Q)];
+});
+
+
+// ---- attitude ----
+
+// (25)-(29) angular velocities and accelerations, in the body frame
+equation('eq25', '+.', (Omega, theta) => [-Omega * sin(theta), 0, Omega * cos(theta)]);
+equation('eq26', '...', (theta, psi_dot, theta_dot) => [-sin(theta) * psi_dot, theta_dot, cos(theta) * psi_dot]);
+equation('eq27', '+...', (Omega, theta, psi_dot, theta_dot) =>
+  [-sin(theta) * (psi_dot + Omega), theta_dot, cos(theta) * (psi_dot + Omega)]);
+equation('eq28', '+...', (Omega, theta, psi_dot, theta_dot) => [-Omega * theta, theta_dot, psi_dot + Omega]);
+equation('eq29', '+...', (Omega, theta_dot, theta_ddot, psi_ddot) => [-Omega * theta_dot, theta_ddot, psi_ddot]);
+
+// (30) inertia of both craft, each with its own mass: the print has m1 in both terms
+equation('eq30', '++......', (m1, m2, ...r) => {
+  const inertia = (m, [x, y, z]) =>
+    [m * (y * y + z * z), -m * x * y, -m * x * z, m * (x * x + z * z), -m * y * z, m * (x * x + y * y)];
+  const second = inertia(m2, r.slice(3));
+  return inertia(m1, r.slice(0, 3)).map((first, i) => first + second[i]);
+});
+
+// (32), (34) about an axis across the line of the craft, and its rate
+equation('eq32', '+++', (m1, m2, L) => m1 * m2 / (m1 + m2) * L ** 2);
+equation('eq34', '+++.', (m1, m2, L, L_dot) => 2 * m1 * m2 / (m1 + m2) * L * L_dot);
+
+// (36)-(39) the centre of mass in the body frame, and the gravity gradient there with the inertia of (31)
+equation('eq36', '+..', (R_c, psi, theta) =>
+  [R_c * cos(theta) * cos(psi), -R_c * sin(psi), R_c * sin(theta) * cos(psi)]);
+equation('eq37', '+...0', (GM, R_c1, R_c2, R_c3, I) => {
+  const R_c = hypot(R_c1, R_c2, R_c3);
+  require_(R_c > 0);
+  const torque = 3 * GM / R_c ** 5 * I * R_c1;
+  return [0, -torque * R_c3, torque * R_c2];
+});
+equation('eq38', '++', (GM, R_c) => sqrt(GM / R_c ** 3)); // Kepler's; the 3 in print belongs to (39)
+equation('eq39', '+0..', (Omega, I, psi, theta) => [0, -3 * Omega ** 2 * I * theta, -3 * Omega ** 2 * I * psi]);
+
+
+// ---- the linear model and its stability ----
+
+// (40)
+const eq40 = equation('eq40', '++.......', (Omega, L_ref, C1, C2, psi, theta, dL, dL_dot, psi_dot) => [
+  -4 * Omega ** 2 * theta,
+  -2 * Omega / L_ref * dL_dot - 3 * Omega ** 2 * psi,
+  eq19(Omega, L_ref, C1, C2, dL, dL_dot, psi_dot),
+]);
+
+// (41) coefficients of the characteristic polynomial, ascending
+const eq41 = equation('eq41', '+..', (Omega, C1, C2) =>
+  [3 * Omega ** 2 * (C1 - 9 * Omega ** 2), 3 * C2 * Omega ** 2, C1 - 2 * Omega ** 2, C2, 1]);
+
+// Complex numbers, as many of them as roots need.
+const add = ([a, b], [c, d]) => [a + c, b + d];
+const times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
+const scaled = (k, [a, b]) => [k * a, k * b];
+const over = (z, w) => scaled(1 / hypot(...w), times(z, scaled(1 / hypot(...w), [w[0], -w[1]])));
+const root = ([a, b]) => {
+  const re = sqrt((hypot(a, b) + abs(a)) / 2), im = re && b / (2 * re);
+  return a >= 0 ? [re, im] : [abs(im), b < 0 ? -re : re];
+};
+
+// The polynomial a at z with its first two derivatives, and the sum of its terms' moduli.
+const horner = (a, z) => {
+  let p = [0, 0], slope = [0, 0], bend = [0, 0], terms = 0;
+  for (const a_k of [...a].reverse()) {
+    bend = add(times(bend, z), scaled(2, slope));
+    slope = add(times(slope, z), p);
+    p = add(times(p, z), [a_k[0], a_k[1]]);
+    terms = terms * hypot(...z) + hypot(...a_k);
+  }
+  return { p, slope, bend, size: hypot(...p), terms };
+};
+
+// Laguerre's method, from the origin: the smallest root comes first, as deflation wants it.
+const laguerre = (a) => {
+  const n = a.length - 1;
+  let z = [0, 0];
+  for (let i = 0; i < 100; i++) {
+    const { p, slope, bend, size, terms } = horner(a, z);
+    if (size <= Number.EPSILON * terms) break;
+    const g = over(slope, p), g2 = times(g, g);
+    const h = add(g2, scaled(-1, over(bend, p)));
+    const spread = root(scaled(n - 1, add(scaled(n, h), scaled(-1, g2))));
+    const [wide, narrow] = [add(g, spread), add(g, scaled(-1, spread))].sort((u, v) => hypot(...v) - hypot(...u));
+    if (hypot(...wide) === 0 && hypot(...narrow) === 0) z = add(z, [0.5, 0.5]);
+    else z = add(z, scaled(-n, over([1, 0], wide)));
+  }
+  return z;
+};
+
+const newton = (a, z) => {
+  for (let now = horner(a, z); ;) {
+    const next = add(z, scaled(-1, over(now.p, now.slope)));
+    const then = horner(a, next);
+    if (!(then.size < now.size / 2)) return z;
+    [z, now] = [next, then];
+  }
+};
+
+// (41) roots, in units of Omega, where the coefficients are near one
+equation('eq41roots', '+..', (Omega, C1, C2) => {
+  const polynomial = eq41(1, C1 / Omega / Omega, C2 / Omega).map((a_k) => [a_k, 0]);
+  const roots = [];
+  for (let rest = polynomial; rest.length > 1;) {
+    const z = laguerre(rest);
+    roots.push(scaled(Omega, newton(polynomial, z)));
+    const quotient = [];
+    rest.reduceRight((carried, a_k) => { quotient.unshift(carried); return add(a_k, times(carried, z)); }, [0, 0]);
+    rest = quotient.slice(0, -1);
+  }
+  return roots.sort((z, w) => z[0] - w[0] || z[1] - w[1]).flat();
+});
+
+// (42)-(44) what stability asks of the gains, and the gains
+equation('eq42', '+..', (Omega, C1, C2) => {
+  const margin1 = C1 - 9 * Omega ** 2, margin2 = C2;
+  return [margin1, margin2, margin1 > 0 && margin2 > 0 ? 1 : 0];
+});
+equation('eq43', '++', (Omega, n) => n * Omega ** 2);
+equation('eq44', '+.', (Omega, n) => {
+  require_(n >= 9);
+  return 2 * Omega * sqrt(n - 9);
+});
+
+
+// ---- motions ----
+
+// A model, in units of time in which Omega = 1: its slope at a state, and its Taylor series from a state on.
+// The series are six arrays of coefficients, found degree by degree; position's follow from velocity's.
+const DEGREE = 24;
+
+const series = (state, accelerations) => {
+  const coefficients = state.map((y) => [y]);
+  const next = accelerations(coefficients);
+  for (let k = 0; k < DEGREE; k++) {
+    const a = next(k);
+    for (let i = 0; i < 3; i++) {
+      coefficients[i][k + 1] = coefficients[i + 3][k] / (k + 1);
+      coefficients[i + 3][k + 1] = a[i] / (k + 1);
+    }
+  }
+  return coefficients;
+};
+
+// (40): linear, so that the coefficients of each degree obey it by themselves
+const linearModel = (Omega, L_ref, C1, C2) => {
+  const acceleration = ([psi, theta, dL, psi_dot, , dL_dot]) => {
+    const [theta_ddot, psi_ddot, dL_ddot] =
+      eq40(1, L_ref, C1 / Omega / Omega, C2 / Omega, psi, theta, dL, dL_dot, psi_dot);
+    return [psi_ddot, theta_ddot, dL_ddot];
+  };
+  return {
+    slope: (state) => [...state.slice(3), ...acceleration(state)],
+    series: (state) => series(state, (y) => (k) => acceleration(y.map((y_i) => y_i[k]))),
+  };
+};
+
+// The coefficient of degree k of a product, from all terms or from all but those with the first factor's constant.
+const product = (a, b, k, from = 0) => {
+  let sum = 0;
+  for (let j = from; j <= k; j++) sum += a[j] * b[k - j];
+  return sum;
+};
+
+// (3) with the charge product of (7) and (18)
+const nonlinearModel = (Omega, k_c, m1, m2, L_ref, C1, C2) => {
+  const [kc, c1, c2, whole] = [k_c / Omega / Omega, C1 / Omega / Omega, C2 / Omega, (m1 + m2) / m2];
+  const Q_ref = eq07(1, kc, m1, m2, L_ref);
+  const slope = (state) => {
+    const r1 = state.slice(0, 3), v1 = state.slice(3);
+    const L = eq13(m1, m2, ...r1), L_dot = whole ** 2 * dot(r1, v1) / L;
+    const Q = Q_ref + eq18(kc, m1, m2, L_ref, c1, c2, L - L_ref, L_dot);
+    return [...v1, ...eq03(1, kc, m1, m2, Q, ...state)];
+  };
+  const accelerations = ([x, y, z, x_dot, y_dot, z_dot]) => {
+    const [L, L_dot, inverse_cube, Q, force] = [[], [], [], [], []];
+    return (k) => {
+      const r2 = product(x, x, k) + product(y, y, k) + product(z, z, k);
+      const rv = product(x, x_dot, k) + product(y, y_dot, k) + product(z, z_dot, k);
+      if (k === 0) {
+        L[0] = whole * sqrt(r2);
+        inverse_cube[0] = L[0] ** -3;
+      } else {
+        L[k] = 0;
+        L[k] = (whole ** 2 * r2 - product(L, L, k, 1)) / (2 * L[0]);
+        inverse_cube[k] = 0;
+        for (let j = 1; j <= k; j++) inverse_cube[k] -= (2 * j + k) / k * L[j] * inverse_cube[k - j] / L[0];
+      }
+      L_dot[k] = (whole ** 2 * rv - product(L, L_dot, k, 1)) / L[0];
+      Q[k] = k ? eq18(kc, m1, m2, L_ref, c1, c2, L[k], L_dot[k])
+        : Q_ref + eq18(kc, m1, m2, L_ref, c1, c2, L[0] - L_ref, L_dot[0]);
+      force[k] = kc / m1 * whole * product(inverse_cube, Q, k);
+      return [
+        2 * y_dot[k] + 3 * x[k] + product(force, x, k),
+        -2 * x_dot[k] + product(force, y, k),
+        -z[k] + product(force, z, k),
+      ];
+    };
+  };
+  return { slope, series: (state) => series(state, accelerations) };
+};
+
+// Along the Taylor series, as far at a time as the last coefficients allow.
+const followed = (model, state, tau) => {
+  let y = state;
+  for (let now = 0, steps = 0; now !== tau; steps++) {
+    if (!(steps < 1e5 && y.every(Number.isFinite))) throw new RangeError('the motion cannot be followed');
+    const coefficients = model.series(y);
+    const size = (k) => max(...coefficients.map((y_i) => abs(y_i[k])));
+    const radius = min((size(0) / size(DEGREE)) ** (1 / DEGREE), (size(0) / size(DEGREE - 1)) ** (1 / (DEGREE - 1)));
+    const h = radius * exp(-2) < abs(tau - now) ? sign(tau) * radius * exp(-2) : tau - now;
+    y = coefficients.map((y_i) => y_i.reduceRight((sum, y_k) => sum * h + y_k, 0));
+    now = h === tau - now ? tau : now + h;
+  }
+  return y;
+};
+
+// t/h steps of the classical Runge-Kutta method
+const rungeKutta = ({ slope }, state, t, h) => {
+  const along = (y, step, k) => y.map((y_i, i) => y_i + step * k[i]);
+  let y = state;
+  for (let n = round(t / h); n > 0; n--) {
+    const k1 = slope(y);
+    const k2 = slope(along(y, h / 2, k1));
+    const k3 = slope(along(y, h / 2, k2));
+    const k4 = slope(along(y, h, k3));
+    y = y.map((y_i, i) => y_i + h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]));
+  }
+  return y;
+};
+
+const inRadians = (Omega, motion, model, state, ...times) =>
+  motion(model, state.map((y, i) => (i < 3 ? y : y / Omega)), ...times.map((t) => Omega * t))
+    .map((y, i) => (i < 3 ? y : Omega * y));
+
+equation('flow_linear', '++.........', (Omega, L_ref, C1, C2, t, ...state) =>
+  inRadians(Omega, followed, linearModel(Omega, L_ref, C1, C2), state, t));
+
+equation('flow_nonlinear', '+++++.........', (Omega, k_c, m1, m2, L_ref, C1, C2, t, ...state) => {
+  eq13(m1, m2, ...state.slice(0, 3));
+  return inRadians(Omega, followed, nonlinearModel(Omega, k_c, m1, m2, L_ref, C1, C2), state, t);
+});
+
+equation('rk4_linear', '++.........+', (Omega, L_ref, C1, C2, t, ...rest) => {
+  const state = rest.slice(0, 6), h = rest[6];
+  require_(t >= 0 && t % h === 0);
+  return inRadians(Omega, rungeKutta, linearModel(Omega, L_ref, C1, C2), state, t, h);
+});
+
+equation('rk4_nonlinear', '+++++.........+', (Omega, k_c, m1, m2, L_ref, C1, C2, t, ...rest) => {
+  const state = rest.slice(0, 6), h = rest[6];
+  require_(t >= 0 && t % h === 0);
+  eq13(m1, m2, ...state.slice(0, 3));
+  return inRadians(Omega, rungeKutta, nonlinearModel(Omega, k_c, m1, m2, L_ref, C1, C2), state, t, h);
+});
+
+
+// ---- the protocol ----
+
+const allows = {
+  '+': (x) => x > 0 && x < Infinity,
+  '0': (x) => x >= 0 && x < Infinity,
+  '.': Number.isFinite,
+  i: (x) => x > 0,
+};
+
+const number = (word) => ({ inf: Infinity, '-inf': -Infinity })[word] ?? Number(word);
+
+const answer = (id, words) => {
+  if (!Object.hasOwn(operations, id)) return 'skip unknown operation';
+  const { letters, compute } = operations[id];
+  const inputs = words.map(number);
+  if (!inputs.every((x, i) => allows[letters[i]](x))) return 'invalid';
+  try {
+    return [compute(...inputs)].flat().join(' ');
+  } catch (error) {
+    if (error instanceof OutsideDomain) return 'invalid';
+    if (error instanceof RangeError) return `skip ${error.message}`;
+    throw error;
+  }
+};
+
+require('node:readline').createInterface({ input: process.stdin }).on('line', (line) => {
+  const [id, vector, ...words] = line.trim().split(/\s+/);
+  process.stdout.write(`${vector} ${answer(id, words)}\n`);
+});
