@@ -11,7 +11,7 @@
 #include "sample.h"
 #include "vectors.h"
 
-enum { MOST_INPUTS = 40, RANDOM = 12 };
+enum { MOST_INPUTS = 40, RANDOM = 10 };
 
 struct golden {
     struct operation o;

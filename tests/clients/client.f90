@@ -1,0 +1,730 @@
+! The equations of a Coulomb tether formation in Fortran, as a client of the oracle:
+!
+!     gfortran -O2 -o client tests/clients/client.f90
+!     coulomb-tether conform -- ./client
+!
+! A function bears the number of its equation, its arguments the paper's symbols, in SI units;
+! r1, v1, a1 are the position, velocity and acceleration of craft 1 in the Hill frame.
+
+module coulomb_tether
+    use, intrinsic :: iso_fortran_env, only: dp => real64
+    implicit none
+
+    ! A model in units of time in which Omega = 1: three coordinates and their rates, and their slope.
+    type, abstract :: model
+    contains
+        procedure(slope_of), deferred :: slope
+    end type
+
+    abstract interface
+        pure function slope_of(self, y) result(slope)
+            import :: model, dp
+            class(model), intent(in) :: self
+            real(dp), intent(in) :: y(6)
+            real(dp) :: slope(6)
+        end function
+    end interface
+
+    type, extends(model) :: linear_model
+        real(dp) :: L_ref, C1, C2
+    contains
+        procedure :: slope => linear_slope
+    end type
+
+    type, extends(model) :: nonlinear_model
+        real(dp) :: k_c, m1, m2, L_ref, C1, C2
+    contains
+        procedure :: slope => nonlinear_slope
+    end type
+
+contains
+
+    ! ---- the static formation ----
+
+    ! (2) any number of craft, the columns of x: mass, charge, position, velocity; charges shielded by the plasma
+    pure function eq02(Omega, k_c, lambda_d, x) result(a)
+        real(dp), intent(in) :: Omega, k_c, lambda_d, x(:, :)
+        real(dp) :: a(3, size(x, 2)), away(3), d
+        integer :: i, j
+
+        do i = 1, size(x, 2)
+            a(:, i) = hill(Omega, x(3:5, i), x(6:8, i))
+            do j = 1, size(x, 2)
+                if (j == i) cycle
+                away = x(3:5, i) - x(3:5, j)
+                d = norm2(away)
+                a(:, i) = a(:, i) + k_c/x(1, i)*x(2, i)*x(2, j)*exp(-d/lambda_d)/d**3*away
+            end do
+        end do
+    end function
+
+    ! the left-hand sides of (2) and (3), solved for the acceleration of a craft without charge
+    pure function hill(Omega, r, v) result(a)
+        real(dp), intent(in) :: Omega, r(3), v(3)
+        real(dp) :: a(3)
+
+        a = [2*Omega*v(2) + 3*Omega**2*r(1), -2*Omega*v(1), -Omega**2*r(3)]
+    end function
+
+    ! (3) craft 1 of a pair
+    pure function eq03(Omega, k_c, m1, m2, Q, r1, v1) result(a1)
+        real(dp), intent(in) :: Omega, k_c, m1, m2, Q, r1(3), v1(3)
+        real(dp) :: a1(3)
+
+        a1 = hill(Omega, r1, v1) + k_c/m1*Q/eq13(m1, m2, r1)**3*(r1 - eq04(m1, m2, r1))
+    end function
+
+    pure function eq04(m1, m2, r1) result(r2)
+        real(dp), intent(in) :: m1, m2, r1(3)
+        real(dp) :: r2(3)
+
+        r2 = -m1/m2*r1
+    end function
+
+    pure function eq05(m1, m2, L) result(x)
+        real(dp), intent(in) :: m1, m2, L
+        real(dp) :: x(2)
+
+        x = [m2, -m1]/(m1 + m2)*L
+    end function
+
+    pure real(dp) function eq07(Omega, k_c, m1, m2, L) result(Q_ref)
+        real(dp), intent(in) :: Omega, k_c, m1, m2, L
+
+        Q_ref = -3*Omega**2*L**3/k_c*(m1*m2/(m1 + m2))
+    end function
+
+    ! ---- the perturbed formation ----
+
+    pure function eq09(psi, theta) result(BO)
+        real(dp), intent(in) :: psi, theta
+        real(dp) :: BO(3, 3)
+
+        BO(1, :) = [cos(theta)*cos(psi), cos(theta)*sin(psi), -sin(theta)]
+        BO(2, :) = [-sin(psi), cos(psi), 0.0_dp]
+        BO(3, :) = [sin(theta)*cos(psi), sin(theta)*sin(psi), cos(theta)]
+    end function
+
+    ! (10) the exact rotation of (8)
+    pure function eq10(m1, m2, L, psi, theta) result(r1)
+        real(dp), intent(in) :: m1, m2, L, psi, theta
+        real(dp) :: r1(3), BO(3, 3)
+
+        BO = eq09(psi, theta)
+        r1 = m2/(m1 + m2)*L*BO(1, :)
+    end function
+
+    pure function eq10lin(m1, m2, L, psi, theta) result(r1)
+        real(dp), intent(in) :: m1, m2, L, psi, theta
+        real(dp) :: r1(3)
+
+        r1 = m2/(m1 + m2)*L*[1.0_dp, psi, -theta]
+    end function
+
+    ! (10) the other way; psi is pi behind the origin, and 0 on the orbit normal, whatever the signs of zeros
+    pure function eq10inv(m1, m2, r1) result(c)
+        real(dp), intent(in) :: m1, m2, r1(3)
+        real(dp) :: c(3)
+
+        c = [eq13(m1, m2, r1), 0.0_dp, atan2(-r1(3), norm2(r1(1:2)))]
+        if (any(r1(1:2) /= 0)) c(2) = merge(acos(sign(1.0_dp, r1(1))), atan2(r1(2), r1(1)), r1(2) == 0)
+    end function
+
+    ! (11) the exact derivative: the rates of the spherical coordinates along the directions in which they point
+    pure function eq11exact(m1, m2, L, psi, theta, L_dot, psi_dot, theta_dot) result(v1)
+        real(dp), intent(in) :: m1, m2, L, psi, theta, L_dot, psi_dot, theta_dot
+        real(dp) :: v1(3), BO(3, 3)
+
+        BO = eq09(psi, theta)
+        v1 = m2/(m1 + m2)*(L_dot*BO(1, :) + L*psi_dot*cos(theta)*BO(2, :) - L*theta_dot*BO(3, :))
+    end function
+
+    pure function eq11(m1, m2, L, psi, theta, L_dot, psi_dot, theta_dot) result(v1)
+        real(dp), intent(in) :: m1, m2, L, psi, theta, L_dot, psi_dot, theta_dot
+        real(dp) :: v1(3)
+
+        v1 = m2/(m1 + m2)*[L_dot, psi*L_dot + psi_dot*L, -theta*L_dot - theta_dot*L]
+    end function
+
+    pure real(dp) function eq12(r1, r2) result(L)
+        real(dp), intent(in) :: r1(3), r2(3)
+
+        L = norm2(r1 - r2)
+    end function
+
+    pure real(dp) function eq13(m1, m2, r1) result(L)
+        real(dp), intent(in) :: m1, m2, r1(3)
+
+        L = (m1 + m2)/m2*norm2(r1)
+    end function
+
+    ! (13), its rate
+    pure real(dp) function eq13_dot(m1, m2, r1, v1) result(L_dot)
+        real(dp), intent(in) :: m1, m2, r1(3), v1(3)
+
+        L_dot = (m1 + m2)/m2*dot_product(r1, v1)/norm2(r1)
+    end function
+
+    ! (14) solved for L_ddot, where r^2 v^2 - (r . v)^2 = |r x v|^2
+    pure real(dp) function eq14(Omega, k_c, m1, m2, Q, r1, v1) result(L_ddot)
+        real(dp), intent(in) :: Omega, k_c, m1, m2, Q, r1(3), v1(3)
+        real(dp) :: r, across(3)
+
+        r = norm2(r1)
+        across = (cshift(r1, 1)*cshift(v1, 2) - cshift(r1, 2)*cshift(v1, 1))/r
+        L_ddot = (m1 + m2)/m2*(sum(across**2) + dot_product(r1, eq03(Omega, k_c, m1, m2, Q, r1, v1)))/r
+    end function
+
+    pure real(dp) function eq15(Omega, k_c, m1, m2, L, psi_dot, Q) result(L_ddot)
+        real(dp), intent(in) :: Omega, k_c, m1, m2, L, psi_dot, Q
+
+        L_ddot = (2*Omega*psi_dot + 3*Omega**2)*L + k_c/m1*Q/L**2*((m1 + m2)/m2)
+    end function
+
+    pure real(dp) function eq17(Omega, k_c, m1, m2, L_ref, psi_dot, dL, dQ) result(dL_ddot)
+        real(dp), intent(in) :: Omega, k_c, m1, m2, L_ref, psi_dot, dL, dQ
+
+        dL_ddot = 2*Omega*L_ref*psi_dot + 9*Omega**2*dL + k_c/m1/L_ref**2*((m1 + m2)/m2)*dQ
+    end function
+
+    ! ---- the control law ----
+
+    pure real(dp) function eq18(k_c, m1, m2, L_ref, C1, C2, dL, dL_dot) result(dQ)
+        real(dp), intent(in) :: k_c, m1, m2, L_ref, C1, C2, dL, dL_dot
+
+        dQ = m1*m2*L_ref**2/((m1 + m2)*k_c)*(-C1*dL - C2*dL_dot)
+    end function
+
+    pure real(dp) function eq19(Omega, L_ref, C1, C2, dL, dL_dot, psi_dot) result(dL_ddot)
+        real(dp), intent(in) :: Omega, L_ref, C1, C2, dL, dL_dot, psi_dot
+
+        dL_ddot = -(C1 - 9*Omega**2)*dL - C2*dL_dot + 2*Omega*L_ref*psi_dot
+    end function
+
+    ! (21) for attraction, Q_ref + dQ < 0; the absolute value in print would answer repulsion with attraction
+    pure function eq21(Q_ref, dQ) result(q)
+        real(dp), intent(in) :: Q_ref, dQ
+        real(dp) :: q(2)
+
+        q = [1, -1]*sqrt(-(Q_ref + dQ))
+    end function
+
+    ! ---- attitude ----
+
+    pure function eq25(Omega, theta) result(w)
+        real(dp), intent(in) :: Omega, theta
+        real(dp) :: w(3)
+
+        w = Omega*[-sin(theta), 0.0_dp, cos(theta)]
+    end function
+
+    pure function eq26(theta, psi_dot, theta_dot) result(w)
+        real(dp), intent(in) :: theta, psi_dot, theta_dot
+        real(dp) :: w(3)
+
+        w = [-sin(theta)*psi_dot, theta_dot, cos(theta)*psi_dot]
+    end function
+
+    pure function eq27(Omega, theta, psi_dot, theta_dot) result(w)
+        real(dp), intent(in) :: Omega, theta, psi_dot, theta_dot
+        real(dp) :: w(3)
+
+        w = eq26(theta, psi_dot, theta_dot) + eq25(Omega, theta)
+    end function
+
+    pure function eq28(Omega, theta, psi_dot, theta_dot) result(w)
+        real(dp), intent(in) :: Omega, theta, psi_dot, theta_dot
+        real(dp) :: w(3)
+
+        w = [-Omega*theta, theta_dot, psi_dot + Omega]
+    end function
+
+    pure function eq29(Omega, theta_dot, theta_ddot, psi_ddot) result(w_dot)
+        real(dp), intent(in) :: Omega, theta_dot, theta_ddot, psi_ddot
+        real(dp) :: w_dot(3)
+
+        w_dot = [-Omega*theta_dot, theta_ddot, psi_ddot]
+    end function
+
+    ! (30) with m2 in the second term, where the print repeats m1; the upper triangle by rows
+    pure function eq30(m1, m2, r1, r2) result(I)
+        real(dp), intent(in) :: m1, m2, r1(3), r2(3)
+        real(dp) :: I(6)
+
+        I = m1*minus_tilde_squared(r1) + m2*minus_tilde_squared(r2)
+    end function
+
+    pure function minus_tilde_squared(r) result(t)
+        real(dp), intent(in) :: r(3)
+        real(dp) :: t(6)
+
+        t = [r(2)**2 + r(3)**2, -r(1)*r(2), -r(1)*r(3), r(1)**2 + r(3)**2, -r(2)*r(3), r(1)**2 + r(2)**2]
+    end function
+
+    pure real(dp) function eq32(m1, m2, L) result(I)
+        real(dp), intent(in) :: m1, m2, L
+
+        I = m1*m2/(m1 + m2)*L**2
+    end function
+
+    pure real(dp) function eq34(m1, m2, L, L_dot) result(I_dot)
+        real(dp), intent(in) :: m1, m2, L, L_dot
+
+        I_dot = 2*(m1*m2/(m1 + m2))*L*L_dot
+    end function
+
+    pure function eq36(R_c, psi, theta) result(R)
+        real(dp), intent(in) :: R_c, psi, theta
+        real(dp) :: R(3), BO(3, 3)
+
+        BO = eq09(psi, theta)
+        R = R_c*BO(:, 1)
+    end function
+
+    ! (37) with the inertia of (31): 0, I, I
+    pure function eq37(GM, R, I) result(L_G)
+        real(dp), intent(in) :: GM, R(3), I
+        real(dp) :: L_G(3)
+
+        L_G = 3*GM/norm2(R)**5*R(1)*I*[0.0_dp, -R(3), R(2)]
+    end function
+
+    ! (38) is Kepler's third law; the factor of 3 in print is that of (37) and (39)
+    pure real(dp) function eq38(GM, R_c) result(Omega)
+        real(dp), intent(in) :: GM, R_c
+
+        Omega = sqrt(GM/R_c**3)
+    end function
+
+    pure function eq39(Omega, I, psi, theta) result(L_G)
+        real(dp), intent(in) :: Omega, I, psi, theta
+        real(dp) :: L_G(3)
+
+        L_G = -3*Omega**2*I*[0.0_dp, theta, psi]
+    end function
+
+    ! ---- the linear model and its stability ----
+
+    ! (40) theta_ddot, psi_ddot, dL_ddot
+    pure function eq40(Omega, L_ref, C1, C2, psi, theta, dL, dL_dot, psi_dot) result(a)
+        real(dp), intent(in) :: Omega, L_ref, C1, C2, psi, theta, dL, dL_dot, psi_dot
+        real(dp) :: a(3)
+
+        a = [-4*Omega**2*theta, &
+             -2*Omega/L_ref*dL_dot - 3*Omega**2*psi, &
+             eq19(Omega, L_ref, C1, C2, dL, dL_dot, psi_dot)]
+    end function
+
+    pure function eq41(Omega, C1, C2) result(a)
+        real(dp), intent(in) :: Omega, C1, C2
+        real(dp) :: a(0:4)
+
+        a = [3*Omega**2*(C1 - 9*Omega**2), 3*C2*Omega**2, C1 - 2*Omega**2, C2, 1.0_dp]
+    end function
+
+    ! (41) all roots at once, by Aberth's method: Newton's on the quotient of p and the other roots' factors.
+    ! In units of Omega, where the coefficients are near one.
+    pure function eq41roots(Omega, C1, C2) result(z)
+        real(dp), intent(in) :: Omega, C1, C2
+        real(dp) :: a(0:4)
+        complex(dp) :: z(4), newton, step
+        logical :: others(4), moving
+        integer :: i, iteration
+
+        a = eq41(1.0_dp, C1/Omega/Omega, C2/Omega)
+        z = (1 + maxval(abs(a)))*exp((0.0_dp, 1.0_dp)*[(0.4_dp + 1.6_dp*i, i=1, 4)])
+        moving = .true.
+        do iteration = 1, 500
+            if (.not. moving) exit
+            moving = .false.
+            do i = 1, 4
+                newton = (((z(i) + a(3))*z(i) + a(2))*z(i) + a(1))*z(i) + a(0)
+                if (newton == 0) cycle
+                newton = newton/(((4*z(i) + 3*a(3))*z(i) + 2*a(2))*z(i) + a(1))
+                others = z /= z(i)
+                step = newton/(1 - newton*sum(1/(z(i) - z), mask=others))
+                z(i) = z(i) - step
+                moving = moving .or. abs(step) > epsilon(1.0_dp)*abs(z(i))
+            end do
+        end do
+        z = Omega*sorted(z)
+    end function
+
+    ! by real part, then by imaginary part
+    pure function sorted(z) result(s)
+        complex(dp), intent(in) :: z(:)
+        complex(dp) :: s(size(z)), low
+        integer :: i, j
+
+        s = z
+        do i = 2, size(s)
+            low = s(i)
+            do j = i - 1, 1, -1
+                if (s(j)%re < low%re .or. (s(j)%re == low%re .and. s(j)%im <= low%im)) exit
+                s(j + 1) = s(j)
+            end do
+            s(j + 1) = low
+        end do
+    end function
+
+    ! (42) what each gain has to spare, and 1 where both have something
+    pure function eq42(Omega, C1, C2) result(margins)
+        real(dp), intent(in) :: Omega, C1, C2
+        real(dp) :: margins(3)
+
+        margins = [C1 - 9*Omega**2, C2, 0.0_dp]
+        if (all(margins(1:2) > 0)) margins(3) = 1
+    end function
+
+    pure real(dp) function eq43(Omega, n) result(C1)
+        real(dp), intent(in) :: Omega, n
+
+        C1 = n*Omega**2
+    end function
+
+    pure real(dp) function eq44(Omega, n) result(C2)
+        real(dp), intent(in) :: Omega, n
+
+        C2 = 2*Omega*sqrt(n - 9)
+    end function
+
+    ! ---- motions ----
+
+    ! (40)
+    pure function linear_slope(self, y) result(slope)
+        class(linear_model), intent(in) :: self
+        real(dp), intent(in) :: y(6)
+        real(dp) :: slope(6), a(3)
+
+        associate (psi => y(1), theta => y(2), dL => y(3), psi_dot => y(4), dL_dot => y(6))
+            a = eq40(1.0_dp, self%L_ref, self%C1, self%C2, psi, theta, dL, dL_dot, psi_dot)
+        end associate
+        slope = [y(4:6), a(2), a(1), a(3)]
+    end function
+
+    ! (3) with the charge product of (7) and (18)
+    pure function nonlinear_slope(self, y) result(slope)
+        class(nonlinear_model), intent(in) :: self
+        real(dp), intent(in) :: y(6)
+        real(dp) :: slope(6), dL, L_dot, Q
+
+        associate (k_c => self%k_c, m1 => self%m1, m2 => self%m2, L_ref => self%L_ref, r1 => y(1:3), v1 => y(4:6))
+            dL = eq13(m1, m2, r1) - L_ref
+            L_dot = eq13_dot(m1, m2, r1, v1)
+            Q = eq07(1.0_dp, k_c, m1, m2, L_ref) + eq18(k_c, m1, m2, L_ref, self%C1, self%C2, dL, L_dot)
+            slope = [v1, eq03(1.0_dp, k_c, m1, m2, Q, r1, v1)]
+        end associate
+    end function
+
+    ! y after tau by Fehlberg's pair of orders 7 and 8, NASA TR R-287 (1968), Table X; empty where the step vanishes
+    pure function fehlberg(m, y0, tau) result(y)
+        class(model), intent(in) :: m
+        real(dp), intent(in) :: y0(6), tau
+        real(dp), allocatable :: y(:)
+        real(dp), parameter :: tolerance = 1e-14_dp, o = 0
+        real(dp), parameter :: b(*) = [ &
+            2/27._dp, &
+            1/36._dp, 1/12._dp, &
+            1/24._dp, o, 1/8._dp, &
+            5/12._dp, o, -25/16._dp, 25/16._dp, &
+            1/20._dp, o, o, 1/4._dp, 1/5._dp, &
+            -25/108._dp, o, o, 125/108._dp, -65/27._dp, 125/54._dp, &
+            31/300._dp, o, o, o, 61/225._dp, -2/9._dp, 13/900._dp, &
+            2._dp, o, o, -53/6._dp, 704/45._dp, -107/9._dp, 67/90._dp, 3._dp, &
+            -91/108._dp, o, o, 23/108._dp, -976/135._dp, 311/54._dp, -19/60._dp, 17/6._dp, -1/12._dp, &
+            2383/4100._dp, o, o, -341/164._dp, 4496/1025._dp, -301/82._dp, 2133/4100._dp, 45/82._dp, 45/164._dp, &
+            18/41._dp, &
+            3/205._dp, o, o, o, o, -6/41._dp, -3/205._dp, -3/41._dp, 3/41._dp, 6/41._dp, o, &
+            -1777/4100._dp, o, o, -341/164._dp, 4496/1025._dp, -289/82._dp, 2193/4100._dp, 51/82._dp, 33/164._dp, &
+            12/41._dp, o, 1._dp]
+        real(dp), parameter :: c(13) = [ &
+            o, o, o, o, o, 34/105._dp, 9/35._dp, 9/35._dp, 9/280._dp, 9/280._dp, o, 41/840._dp, 41/840._dp]
+        real(dp) :: k(6, 13), now, h, error
+        logical :: last
+        integer :: i, row
+
+        y = y0
+        now = 0
+        h = sign(0.1_dp, tau)
+        do while (now /= tau)
+            last = abs(tau - now) <= abs(h)
+            if (last) h = tau - now
+            k(:, 1) = m%slope(y)
+            do i = 2, 13
+                row = (i - 1)*(i - 2)/2
+                k(:, i) = m%slope(y + h*matmul(k(:, 1:i - 1), b(row + 1:row + i - 1)))
+            end do
+            error = 41/840._dp*abs(h)*norm2(k(:, 1) + k(:, 11) - k(:, 12) - k(:, 13))/max(norm2(y), tiny(h))
+            if (error <= tolerance) then
+                y = y + h*matmul(k, c)
+                now = merge(tau, now + h, last)
+            else if (now + h == now) then
+                deallocate (y)
+                allocate (y(0))
+                return
+            end if
+            h = h*min(2.0_dp, max(0.2_dp, 0.9_dp*(tolerance/max(error, tiny(h)))**(1/8._dp)))
+        end do
+    end function
+
+    ! the classical method
+    pure function runge_kutta(m, y0, h, steps) result(y)
+        class(model), intent(in) :: m
+        real(dp), intent(in) :: y0(6), h
+        integer, intent(in) :: steps
+        real(dp) :: y(6), k1(6), k2(6), k3(6), k4(6)
+        integer :: n
+
+        y = y0
+        do n = 1, steps
+            k1 = m%slope(y)
+            k2 = m%slope(y + h/2*k1)
+            k3 = m%slope(y + h/2*k2)
+            k4 = m%slope(y + h*k3)
+            y = y + h/6*(k1 + 2*k2 + 2*k3 + k4)
+        end do
+    end function
+
+end module coulomb_tether
+
+program client
+    use, intrinsic :: iso_fortran_env, only: input_unit, output_unit
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use coulomb_tether
+    implicit none
+
+    integer, parameter :: symbol_length = 10, id_length = 32
+    character(len=*), parameter :: positive = ' Omega k_c lambda_d m1 m2 m3 L L_ref GM R_c h ', not_negative = ' I '
+    character(len=*), parameter :: hill_state = ' x1 y1 z1 x1_dot y1_dot z1_dot'
+    character(len=*), parameter :: tether_state = ' psi theta dL psi_dot theta_dot dL_dot'
+    character(len=4096) :: line
+    character(len=512) :: vector_id
+    character(len=id_length) :: id
+    integer :: status
+
+    do
+        read (input_unit, '(a)', iostat=status) line
+        if (status /= 0) exit
+        read (line, *, iostat=status) id, vector_id
+        if (status == 0) call answer(trim(id), trim(vector_id), line)
+    end do
+
+contains
+
+    ! what an operation asks for, in this order; empty for an unknown one
+    pure function inputs_of(id) result(symbols)
+        character(len=*), intent(in) :: id
+        character(len=:), allocatable :: symbols
+
+        select case (id)
+        case ('eq02')
+            symbols = 'Omega k_c lambda_d m1 q1'//hill_state// &
+                      ' m2 q2 x2 y2 z2 x2_dot y2_dot z2_dot m3 q3 x3 y3 z3 x3_dot y3_dot z3_dot'
+        case ('eq03', 'eq14');        symbols = 'Omega k_c m1 m2 Q'//hill_state
+        case ('eq04', 'eq10inv', 'eq13'); symbols = 'm1 m2 x1 y1 z1'
+        case ('eq05', 'eq32');        symbols = 'm1 m2 L'
+        case ('eq07');                symbols = 'Omega k_c m1 m2 L'
+        case ('eq09');                symbols = 'psi theta'
+        case ('eq10', 'eq10lin');     symbols = 'm1 m2 L psi theta'
+        case ('eq11', 'eq11exact');   symbols = 'm1 m2 L psi theta L_dot psi_dot theta_dot'
+        case ('eq12');                symbols = 'x1 y1 z1 x2 y2 z2'
+        case ('eq15');                symbols = 'Omega k_c m1 m2 L psi_dot Q'
+        case ('eq17');                symbols = 'Omega k_c m1 m2 L_ref psi_dot dL dQ'
+        case ('eq18');                symbols = 'k_c m1 m2 L_ref C1 C2 dL dL_dot'
+        case ('eq19');                symbols = 'Omega L_ref C1 C2 dL dL_dot psi_dot'
+        case ('eq21');                symbols = 'Q_ref dQ'
+        case ('eq25');                symbols = 'Omega theta'
+        case ('eq26');                symbols = 'theta psi_dot theta_dot'
+        case ('eq27', 'eq28');        symbols = 'Omega theta psi_dot theta_dot'
+        case ('eq29');                symbols = 'Omega theta_dot theta_ddot psi_ddot'
+        case ('eq30');                symbols = 'm1 m2 x1 y1 z1 x2 y2 z2'
+        case ('eq34');                symbols = 'm1 m2 L L_dot'
+        case ('eq36');                symbols = 'R_c psi theta'
+        case ('eq37');                symbols = 'GM R_c1 R_c2 R_c3 I'
+        case ('eq38');                symbols = 'GM R_c'
+        case ('eq39');                symbols = 'Omega I psi theta'
+        case ('eq40');                symbols = 'Omega L_ref C1 C2 psi theta dL dL_dot psi_dot'
+        case ('eq41', 'eq41roots', 'eq42'); symbols = 'Omega C1 C2'
+        case ('eq43', 'eq44');        symbols = 'Omega n'
+        case ('flow_linear');         symbols = 'Omega L_ref C1 C2 t'//tether_state
+        case ('flow_nonlinear');      symbols = 'Omega k_c m1 m2 L_ref C1 C2 t'//hill_state
+        case ('rk4_linear');          symbols = 'Omega L_ref C1 C2 t'//tether_state//' h'
+        case ('rk4_nonlinear');       symbols = 'Omega k_c m1 m2 L_ref C1 C2 t'//hill_state//' h'
+        case default;                 symbols = ''
+        end select
+    end function
+
+    subroutine answer(id, vector_id, line)
+        character(len=*), intent(in) :: id, vector_id, line
+        character(len=id_length) :: first, second
+        character(len=symbol_length), allocatable :: symbols(:)
+        character(len=:), allocatable :: list
+        real(dp), allocatable :: x(:), y(:)
+        integer :: i, status
+
+        list = inputs_of(id)
+        allocate (symbols(merge(0, 1 + count([(list(i:i) == ' ', i=1, len(list))]), len(list) == 0)))
+        allocate (x(size(symbols)))
+        if (size(symbols) == 0) then
+            write (output_unit, '(2a)') vector_id, ' skip unknown operation'
+            return
+        end if
+        read (list, *) symbols
+        read (line, *, iostat=status) first, second, x
+        if (status /= 0) then
+            write (output_unit, '(2a)') vector_id, ' skip unreadable inputs'
+            return
+        end if
+
+        allocate (y(0))
+        if (all([(inside(symbols(i), x(i)), i=1, size(x))])) y = outputs(id, x)
+        if (size(y) == 0) then
+            write (output_unit, '(2a)') vector_id, ' invalid'
+        else
+            write (output_unit, '(a, *(1x, g0))') vector_id, y
+        end if
+    end subroutine
+
+    pure logical function inside(symbol, x)
+        character(len=*), intent(in) :: symbol
+        real(dp), intent(in) :: x
+
+        inside = ieee_is_finite(x) .or. (symbol == 'lambda_d' .and. x > 0)
+        if (index(positive, ' '//trim(symbol)//' ') > 0) inside = inside .and. x > 0
+        if (index(not_negative, ' '//trim(symbol)//' ') > 0) inside = inside .and. x >= 0
+    end function
+
+    ! empty where the inputs are outside the domain though each is inside its own
+    function outputs(id, x) result(y)
+        character(len=*), intent(in) :: id
+        real(dp), intent(in) :: x(:)
+        real(dp), allocatable :: y(:)
+        complex(dp) :: z(4)
+
+        allocate (y(0))
+        select case (id)
+        case ('eq02')
+            associate (craft => reshape(x(4:27), [8, 3]))
+                if (any(craft(3:5, 1) /= craft(3:5, 2)) .and. any(craft(3:5, 2) /= craft(3:5, 3)) .and. &
+                    any(craft(3:5, 3) /= craft(3:5, 1))) y = [eq02(x(1), x(2), x(3), craft)]
+            end associate
+        case ('eq03'); if (any(x(6:8) /= 0)) y = eq03(x(1), x(2), x(3), x(4), x(5), x(6:8), x(9:11))
+        case ('eq04'); y = eq04(x(1), x(2), x(3:5))
+        case ('eq05'); y = eq05(x(1), x(2), x(3))
+        case ('eq07'); y = [eq07(x(1), x(2), x(3), x(4), x(5))]
+        case ('eq09'); y = [transpose(eq09(x(1), x(2)))]
+        case ('eq10'); y = eq10(x(1), x(2), x(3), x(4), x(5))
+        case ('eq10lin'); y = eq10lin(x(1), x(2), x(3), x(4), x(5))
+        case ('eq10inv'); if (any(x(3:5) /= 0)) y = eq10inv(x(1), x(2), x(3:5))
+        case ('eq11exact'); y = eq11exact(x(1), x(2), x(3), x(4), x(5), x(6), x(7), x(8))
+        case ('eq11'); y = eq11(x(1), x(2), x(3), x(4), x(5), x(6), x(7), x(8))
+        case ('eq12'); if (any(x(1:3) /= x(4:6))) y = [eq12(x(1:3), x(4:6))]
+        case ('eq13'); if (any(x(3:5) /= 0)) y = [eq13(x(1), x(2), x(3:5))]
+        case ('eq14'); if (any(x(6:8) /= 0)) y = [eq14(x(1), x(2), x(3), x(4), x(5), x(6:8), x(9:11))]
+        case ('eq15'); y = [eq15(x(1), x(2), x(3), x(4), x(5), x(6), x(7))]
+        case ('eq17'); y = [eq17(x(1), x(2), x(3), x(4), x(5), x(6), x(7), x(8))]
+        case ('eq18'); y = [eq18(x(1), x(2), x(3), x(4), x(5), x(6), x(7), x(8))]
+        case ('eq19'); y = [eq19(x(1), x(2), x(3), x(4), x(5), x(6), x(7))]
+        case ('eq21'); if (x(1) + x(2) < 0) y = eq21(x(1), x(2))
+        case ('eq25'); y = eq25(x(1), x(2))
+        case ('eq26'); y = eq26(x(1), x(2), x(3))
+        case ('eq27'); y = eq27(x(1), x(2), x(3), x(4))
+        case ('eq28'); y = eq28(x(1), x(2), x(3), x(4))
+        case ('eq29'); y = eq29(x(1), x(2), x(3), x(4))
+        case ('eq30'); y = eq30(x(1), x(2), x(3:5), x(6:8))
+        case ('eq32'); y = [eq32(x(1), x(2), x(3))]
+        case ('eq34'); y = [eq34(x(1), x(2), x(3), x(4))]
+        case ('eq36'); y = eq36(x(1), x(2), x(3))
+        case ('eq37'); if (any(x(2:4) /= 0)) y = eq37(x(1), x(2:4), x(5))
+        case ('eq38'); y = [eq38(x(1), x(2))]
+        case ('eq39'); y = eq39(x(1), x(2), x(3), x(4))
+        case ('eq40'); y = eq40(x(1), x(2), x(3), x(4), x(5), x(6), x(7), x(8), x(9))
+        case ('eq41'); y = eq41(x(1), x(2), x(3))
+        case ('eq41roots')
+            z = eq41roots(x(1), x(2), x(3))
+            y = [transpose(reshape([z%re, z%im], [4, 2]))]
+        case ('eq42'); y = eq42(x(1), x(2), x(3))
+        case ('eq43'); if (x(2) > 0) y = [eq43(x(1), x(2))]
+        case ('eq44'); if (x(2) >= 9) y = [eq44(x(1), x(2))]
+        case ('flow_linear'); y = flow_linear(x)
+        case ('flow_nonlinear'); if (any(x(9:11) /= 0)) y = flow_nonlinear(x)
+        case ('rk4_linear'); if (whole_steps(x(5), x(12))) y = rk4_linear(x)
+        case ('rk4_nonlinear'); if (any(x(9:11) /= 0) .and. whole_steps(x(8), x(15))) y = rk4_nonlinear(x)
+        end select
+    end function
+
+    ! mod is exact
+    pure logical function whole_steps(t, h)
+        real(dp), intent(in) :: t, h
+
+        whole_steps = t >= 0 .and. mod(t, h) == 0
+    end function
+
+    ! From SI units to those in which Omega = 1, and back
+    pure function in_radians(Omega, state) result(y)
+        real(dp), intent(in) :: Omega, state(6)
+        real(dp) :: y(6)
+
+        y = [state(1:3), state(4:6)/Omega]
+    end function
+
+    pure function in_seconds(Omega, y) result(state)
+        real(dp), intent(in) :: Omega, y(:)
+        real(dp) :: state(size(y))
+
+        state = y
+        state(4:) = Omega*state(4:)
+    end function
+
+    pure function linear(x) result(m)
+        real(dp), intent(in) :: x(:)
+        type(linear_model) :: m
+
+        m = linear_model(L_ref=x(2), C1=x(3)/x(1)/x(1), C2=x(4)/x(1))
+    end function
+
+    pure function nonlinear(x) result(m)
+        real(dp), intent(in) :: x(:)
+        type(nonlinear_model) :: m
+
+        m = nonlinear_model(k_c=x(2)/x(1)/x(1), m1=x(3), m2=x(4), L_ref=x(5), C1=x(6)/x(1)/x(1), C2=x(7)/x(1))
+    end function
+
+    ! Pitch (40a) goes its own way, and would outlast what decays: it has a formula, the rest is integrated.
+    pure function flow_linear(x) result(state)
+        real(dp), intent(in) :: x(:)
+        real(dp), allocatable :: state(:)
+        real(dp) :: y(6), pitch, pitch_dot
+
+        associate (tau => x(1)*x(5))
+            y = in_radians(x(1), x(6:11))
+            pitch = cos(2*tau)*y(2) + sin(2*tau)/2*y(5)
+            pitch_dot = cos(2*tau)*y(5) - 2*sin(2*tau)*y(2)
+            y([2, 5]) = 0
+            state = in_seconds(x(1), fehlberg(linear(x), y, tau))
+            if (size(state) > 0) state([2, 5]) = [pitch, x(1)*pitch_dot]
+        end associate
+    end function
+
+    pure function flow_nonlinear(x) result(state)
+        real(dp), intent(in) :: x(:)
+        real(dp), allocatable :: state(:)
+
+        state = in_seconds(x(1), fehlberg(nonlinear(x), in_radians(x(1), x(9:14)), x(1)*x(8)))
+    end function
+
+    pure function rk4_linear(x) result(state)
+        real(dp), intent(in) :: x(:)
+        real(dp) :: state(6)
+
+        state = in_seconds(x(1), runge_kutta(linear(x), in_radians(x(1), x(6:11)), x(1)*x(12), nint(x(5)/x(12))))
+    end function
+
+    pure function rk4_nonlinear(x) result(state)
+        real(dp), intent(in) :: x(:)
+        real(dp) :: state(6)
+
+        state = in_seconds(x(1), runge_kutta(nonlinear(x), in_radians(x(1), x(9:14)), x(1)*x(15), nint(x(8)/x(15))))
+    end function
+
+end program client
