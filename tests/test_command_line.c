@@ -135,6 +135,37 @@ static const struct {
     {"trajectory linear --at -100 --rk4 100", 1, "multiples"},
     {"trajectory linear psi=0.1 psi=0.1", 2, "twice"},
     {"trajectory linear phi=0.1", 2, "psi"},
+    {"trajectory linear n=10 C2=1", 2, "n"},
+    /* on the orbit normal two attracting craft fall straight into each other */
+    {"eval flow_nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 t=10 x1=0 y1=0 z1=1 x1_dot=0 y1_dot=0 z1_dot=0", 1,
+     "meet (L = 0), last proved time 0.5"},
+    {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=0.55 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=0.5", 1, "multiple"},
+    {"vectors", 2, "operation"},
+    {"vectors eq7 --count 1 --seed 1", 2, "eq07"},
+    {"vectors eq08 --count 1 --seed 1", 2, "definition"},
+    {"vectors eq07", 2, "--count"},
+    {"vectors eq07 --count 5", 2, "--seed"},
+    {"vectors eq07 --count five --seed 1", 2, "--count"},
+    {"vectors eq07 --count 5 --seed -1", 2, "--seed"},
+    {"vectors eq07 --count 5 --seed 99999999999999999999", 2, "--seed"},
+    {"vectors eq07 --count 5 --seed 1 --shard 1", 2, "K/N"},
+    {"vectors eq07 --count 5 --seed 1 --shard 0/4", 2, "K/N"},
+    {"vectors eq07 --count 5 --seed 1 --shard 5/4", 2, "K/N"},
+    {"vectors eq07 --count 5 --seed 1 --shard a/4", 2, "--shard"},
+    {"vectors eq07 --golden --seed 1", 2, "--golden"},
+    {"vectors eq07 --golden x=1", 2, "x=1"},
+    {"verify proofs", 2, "proofs"},
+    {"verify derivation", 2, "did you mean 'derivations'"},
+    {"verify claims x=1", 2, "x=1"},
+    {"verify --csv", 2, "--csv"},
+    {"verify --graph", 2, "--graph"},
+    {"verify derivations --markdown", 2, "--markdown"},
+    {"verify claims --json --csv", 2, "--json"},
+    {"verify errors --count 0", 2, "--count"},
+    {"verify errors --count few", 2, "--count"},
+    {"verify derivations --seed few", 2, "--seed"},
+    {"datapackage data/table1.csv", 2, "data/table1.csv"},
+    {"datapackage x=1", 2, "x=1"},
 };
 
 START_TEST(a_mistake_gets_one_line_and_its_exit_code)
@@ -236,7 +267,8 @@ END_TEST
 START_TEST(help_and_version_go_to_standard_output)
 {
     static const char *const asks[] = {"--help", "--version", "equations --help", "eval --help",
-                                       "table1 --help", "figure --help", "trajectory --help"};
+                                       "table1 --help", "figure --help", "trajectory --help",
+                                       "verify --help", "vectors --help", "datapackage --help"};
     ck_assert_int_eq(run(asks[_i]), 0);
     ck_assert_ptr_nonnull(strstr(output, "coulomb-tether"));
     ck_assert_str_eq(errors, "");
@@ -254,10 +286,32 @@ START_TEST(equations_lists_every_section_and_shows_one)
 }
 END_TEST
 
+START_TEST(verify_speaks_json_of_every_part)
+{
+    static const char *const parts[] = {"derivations", "claims", "errors --count 2"};
+    char line[64];
+    snprintf(line, sizeof line, "verify %s --json", parts[_i]);
+    ck_assert_int_eq(run(line), 0);
+    ck_assert_int_eq(strncmp(output, "{\"", 2), 0);
+    ck_assert_str_eq(output + strlen(output) - 2, "}\n");
+    ck_assert_str_eq(errors, "");
+}
+END_TEST
+
+START_TEST(verify_prints_tables)
+{
+    static const char *const lines_of[] = {"verify claims", "verify errors --count 2", "verify errors --count 2 --markdown"};
+    static const char *const says[] = {"n12-optimal            refuted", "eq44", "| eq44 | 2 |"};
+    ck_assert_int_eq(run(lines_of[_i]), 0);
+    ck_assert_ptr_nonnull(strstr(output, says[_i]));
+}
+END_TEST
+
 START_TEST(a_full_disk_is_said_and_exits_1)
 {
     static const char *const asks[] = {"table1", "figure 4", "equations", "trajectory linear",
-                                       "eval eq38 GM=8 R_c=2", "--help"};
+                                       "eval eq38 GM=8 R_c=2", "--help", "vectors eq43 --golden",
+                                       "verify derivations"};
     int full = open("/dev/full", O_WRONLY);
     ck_assert_int_ge(full, 0);
     ck_assert_int_eq(run_to(asks[_i], full), 1);
@@ -298,9 +352,11 @@ Suite *suite(void)
     tcase_add_test(c, table1_rounds_in_every_row);
     tcase_add_test(c, figure4_runs_from_9_to_40);
     tcase_add_loop_test(c, figures_have_a_row_every_100_s_for_3_days, 0, 5);
-    tcase_add_loop_test(c, help_and_version_go_to_standard_output, 0, 7);
+    tcase_add_loop_test(c, help_and_version_go_to_standard_output, 0, 10);
     tcase_add_test(c, equations_lists_every_section_and_shows_one);
-    tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 6);
+    tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 8);
+    tcase_add_loop_test(c, verify_speaks_json_of_every_part, 0, 3);
+    tcase_add_loop_test(c, verify_prints_tables, 0, 3);
     tcase_add_test(c, a_closed_pipe_ends_quietly_with_1);
     tcase_add_test(c, rows_proved_before_the_charge_law_ends_are_kept);
     suite_add_tcase(s, c);

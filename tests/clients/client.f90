@@ -8,6 +8,7 @@
 
 module coulomb_tether
     use, intrinsic :: iso_fortran_env, only: dp => real64
+    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
     implicit none
 
     ! A model in units of time in which Omega = 1: three coordinates and their rates, and their slope.
@@ -58,7 +59,7 @@ contains
         end do
     end function
 
-    ! the left-hand sides of (2) and (3), solved for the acceleration of a craft without charge
+    ! (2), (3) without charges
     pure function hill(Omega, r, v) result(a)
         real(dp), intent(in) :: Omega, r(3), v(3)
         real(dp) :: a(3)
@@ -121,13 +122,12 @@ contains
         r1 = m2/(m1 + m2)*L*[1.0_dp, psi, -theta]
     end function
 
-    ! (10) the other way; psi is pi behind the origin, and 0 on the orbit normal, whatever the signs of zeros
+    ! (10) the other way. Zero added makes +0 of -0: psi is pi, not -pi, behind the origin, and 0 on the orbit normal.
     pure function eq10inv(m1, m2, r1) result(c)
         real(dp), intent(in) :: m1, m2, r1(3)
         real(dp) :: c(3)
 
-        c = [eq13(m1, m2, r1), 0.0_dp, atan2(-r1(3), norm2(r1(1:2)))]
-        if (any(r1(1:2) /= 0)) c(2) = merge(acos(sign(1.0_dp, r1(1))), atan2(r1(2), r1(1)), r1(2) == 0)
+        c = [eq13(m1, m2, r1), atan2(r1(2) + 0.0_dp, r1(1) + 0.0_dp), atan2(-r1(3), norm2(r1(1:2)))]
     end function
 
     ! (11) the exact derivative: the rates of the spherical coordinates along the directions in which they point
@@ -347,7 +347,7 @@ contains
                 moving = moving .or. abs(step) > epsilon(1.0_dp)*abs(z(i))
             end do
         end do
-        z = Omega*sorted(z)
+        z = sorted(Omega*z)
     end function
 
     ! by real part, then by imaginary part
@@ -416,11 +416,11 @@ contains
         end associate
     end function
 
-    ! y after tau by Fehlberg's pair of orders 7 and 8, NASA TR R-287 (1968), Table X; empty where the step vanishes
+    ! y after tau by Fehlberg's pair of orders 7 and 8, NASA TR R-287 (1968); NaN where the step shrinks to nothing
     pure function fehlberg(m, y0, tau) result(y)
         class(model), intent(in) :: m
         real(dp), intent(in) :: y0(6), tau
-        real(dp), allocatable :: y(:)
+        real(dp) :: y(6)
         real(dp), parameter :: tolerance = 1e-14_dp, o = 0
         real(dp), parameter :: b(*) = [ &
             2/27._dp, &
@@ -459,8 +459,7 @@ contains
                 y = y + h*matmul(k, c)
                 now = merge(tau, now + h, last)
             else if (now + h == now) then
-                deallocate (y)
-                allocate (y(0))
+                y = ieee_value(y, ieee_quiet_nan)
                 return
             end if
             h = h*min(2.0_dp, max(0.2_dp, 0.9_dp*(tolerance/max(error, tiny(h)))**(1/8._dp)))
@@ -489,112 +488,86 @@ end module coulomb_tether
 
 program client
     use, intrinsic :: iso_fortran_env, only: input_unit, output_unit
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use coulomb_tether
     implicit none
 
-    integer, parameter :: symbol_length = 10, id_length = 32
-    character(len=*), parameter :: positive = ' Omega k_c lambda_d m1 m2 m3 L L_ref GM R_c h ', not_negative = ' I '
-    character(len=*), parameter :: hill_state = ' x1 y1 z1 x1_dot y1_dot z1_dot'
-    character(len=*), parameter :: tether_state = ' psi theta dL psi_dot theta_dot dL_dot'
-    character(len=4096) :: line
-    character(len=512) :: vector_id
-    character(len=id_length) :: id
+    ! A letter for each input says what it may be:
+    ! '+' positive, '0' not negative, '.' any finite number, 'i' positive or infinite.
+    type :: operation
+        character(16) :: id
+        character(32) :: domain
+    end type
+
+    type(operation), parameter :: operations(*) = [ &
+        operation('eq02', '++i+.......+.......+.......'), &
+        operation('eq03', '++++.......'), operation('eq04', '++...'), operation('eq05', '+++'), &
+        operation('eq07', '+++++'), operation('eq09', '..'), operation('eq10', '+++..'), &
+        operation('eq10lin', '+++..'), operation('eq10inv', '++...'), operation('eq11exact', '+++.....'), &
+        operation('eq11', '+++.....'), operation('eq12', '......'), operation('eq13', '++...'), &
+        operation('eq14', '++++.......'), operation('eq15', '+++++..'), operation('eq17', '+++++...'), &
+        operation('eq18', '++++....'), operation('eq19', '++.....'), operation('eq21', '..'), &
+        operation('eq25', '+.'), operation('eq26', '...'), operation('eq27', '+...'), operation('eq28', '+...'), &
+        operation('eq29', '+...'), operation('eq30', '++......'), operation('eq32', '+++'), &
+        operation('eq34', '+++.'), operation('eq36', '+..'), operation('eq37', '+...0'), operation('eq38', '++'), &
+        operation('eq39', '+0..'), operation('eq40', '++.......'), operation('eq41', '+..'), &
+        operation('eq41roots', '+..'), operation('eq42', '+..'), operation('eq43', '++'), operation('eq44', '+.'), &
+        operation('flow_linear', '++.........'), operation('flow_nonlinear', '+++++.........'), &
+        operation('rk4_linear', '++.........+'), operation('rk4_nonlinear', '+++++.........+')]
+
+    character(4096) :: line
+    character(512) :: id, vector
     integer :: status
 
     do
         read (input_unit, '(a)', iostat=status) line
         if (status /= 0) exit
-        read (line, *, iostat=status) id, vector_id
-        if (status == 0) call answer(trim(id), trim(vector_id), line)
+        read (line, *) id, vector
+        write (output_unit, '(a)', advance='no') trim(vector)
+        call answer(line, findloc(operations%id, id, dim=1))
     end do
 
 contains
 
-    ! what an operation asks for, in this order; empty for an unknown one
-    pure function inputs_of(id) result(symbols)
-        character(len=*), intent(in) :: id
-        character(len=:), allocatable :: symbols
-
-        select case (id)
-        case ('eq02')
-            symbols = 'Omega k_c lambda_d m1 q1'//hill_state// &
-                      ' m2 q2 x2 y2 z2 x2_dot y2_dot z2_dot m3 q3 x3 y3 z3 x3_dot y3_dot z3_dot'
-        case ('eq03', 'eq14');        symbols = 'Omega k_c m1 m2 Q'//hill_state
-        case ('eq04', 'eq10inv', 'eq13'); symbols = 'm1 m2 x1 y1 z1'
-        case ('eq05', 'eq32');        symbols = 'm1 m2 L'
-        case ('eq07');                symbols = 'Omega k_c m1 m2 L'
-        case ('eq09');                symbols = 'psi theta'
-        case ('eq10', 'eq10lin');     symbols = 'm1 m2 L psi theta'
-        case ('eq11', 'eq11exact');   symbols = 'm1 m2 L psi theta L_dot psi_dot theta_dot'
-        case ('eq12');                symbols = 'x1 y1 z1 x2 y2 z2'
-        case ('eq15');                symbols = 'Omega k_c m1 m2 L psi_dot Q'
-        case ('eq17');                symbols = 'Omega k_c m1 m2 L_ref psi_dot dL dQ'
-        case ('eq18');                symbols = 'k_c m1 m2 L_ref C1 C2 dL dL_dot'
-        case ('eq19');                symbols = 'Omega L_ref C1 C2 dL dL_dot psi_dot'
-        case ('eq21');                symbols = 'Q_ref dQ'
-        case ('eq25');                symbols = 'Omega theta'
-        case ('eq26');                symbols = 'theta psi_dot theta_dot'
-        case ('eq27', 'eq28');        symbols = 'Omega theta psi_dot theta_dot'
-        case ('eq29');                symbols = 'Omega theta_dot theta_ddot psi_ddot'
-        case ('eq30');                symbols = 'm1 m2 x1 y1 z1 x2 y2 z2'
-        case ('eq34');                symbols = 'm1 m2 L L_dot'
-        case ('eq36');                symbols = 'R_c psi theta'
-        case ('eq37');                symbols = 'GM R_c1 R_c2 R_c3 I'
-        case ('eq38');                symbols = 'GM R_c'
-        case ('eq39');                symbols = 'Omega I psi theta'
-        case ('eq40');                symbols = 'Omega L_ref C1 C2 psi theta dL dL_dot psi_dot'
-        case ('eq41', 'eq41roots', 'eq42'); symbols = 'Omega C1 C2'
-        case ('eq43', 'eq44');        symbols = 'Omega n'
-        case ('flow_linear');         symbols = 'Omega L_ref C1 C2 t'//tether_state
-        case ('flow_nonlinear');      symbols = 'Omega k_c m1 m2 L_ref C1 C2 t'//hill_state
-        case ('rk4_linear');          symbols = 'Omega L_ref C1 C2 t'//tether_state//' h'
-        case ('rk4_nonlinear');       symbols = 'Omega k_c m1 m2 L_ref C1 C2 t'//hill_state//' h'
-        case default;                 symbols = ''
-        end select
-    end function
-
-    subroutine answer(id, vector_id, line)
-        character(len=*), intent(in) :: id, vector_id, line
-        character(len=id_length) :: first, second
-        character(len=symbol_length), allocatable :: symbols(:)
-        character(len=:), allocatable :: list
+    subroutine answer(line, number)
+        character(*), intent(in) :: line
+        integer, intent(in) :: number
+        character(512) :: id, vector
         real(dp), allocatable :: x(:), y(:)
-        integer :: i, status
 
-        list = inputs_of(id)
-        allocate (symbols(merge(0, 1 + count([(list(i:i) == ' ', i=1, len(list))]), len(list) == 0)))
-        allocate (x(size(symbols)))
-        if (size(symbols) == 0) then
-            write (output_unit, '(2a)') vector_id, ' skip unknown operation'
-            return
-        end if
-        read (list, *) symbols
-        read (line, *, iostat=status) first, second, x
-        if (status /= 0) then
-            write (output_unit, '(2a)') vector_id, ' skip unreadable inputs'
+        if (number == 0) then
+            write (output_unit, '(a)') ' skip unknown operation'
             return
         end if
 
-        allocate (y(0))
-        if (all([(inside(symbols(i), x(i)), i=1, size(x))])) y = outputs(id, x)
+        associate (domain => trim(operations(number)%domain))
+            allocate (x(len(domain)), y(0))
+            read (line, *) id, vector, x
+            if (all(inside([(domain(number:number), number=1, size(x))], x))) y = outputs(trim(id), x)
+        end associate
+
         if (size(y) == 0) then
-            write (output_unit, '(2a)') vector_id, ' invalid'
+            write (output_unit, '(a)') ' invalid'
+        else if (any(ieee_is_nan(y))) then
+            write (output_unit, '(a)') ' skip no convergence'
         else
-            write (output_unit, '(a, *(1x, g0))') vector_id, y
+            write (output_unit, '(*(1x, g0))') y
         end if
     end subroutine
 
-    pure logical function inside(symbol, x)
-        character(len=*), intent(in) :: symbol
+    elemental logical function inside(letter, x)
+        character, intent(in) :: letter
         real(dp), intent(in) :: x
 
-        inside = ieee_is_finite(x) .or. (symbol == 'lambda_d' .and. x > 0)
-        if (index(positive, ' '//trim(symbol)//' ') > 0) inside = inside .and. x > 0
-        if (index(not_negative, ' '//trim(symbol)//' ') > 0) inside = inside .and. x >= 0
+        select case (letter)
+        case ('+'); inside = x > 0 .and. ieee_is_finite(x)
+        case ('0'); inside = x >= 0 .and. ieee_is_finite(x)
+        case ('i'); inside = x > 0
+        case default; inside = ieee_is_finite(x)
+        end select
     end function
 
-    ! empty where the inputs are outside the domain though each is inside its own
+    ! Empty where inputs are outside the domain together, though each is inside by itself.
     function outputs(id, x) result(y)
         character(len=*), intent(in) :: id
         real(dp), intent(in) :: x(:)
@@ -604,10 +577,8 @@ contains
         allocate (y(0))
         select case (id)
         case ('eq02')
-            associate (craft => reshape(x(4:27), [8, 3]))
-                if (any(craft(3:5, 1) /= craft(3:5, 2)) .and. any(craft(3:5, 2) /= craft(3:5, 3)) .and. &
-                    any(craft(3:5, 3) /= craft(3:5, 1))) y = [eq02(x(1), x(2), x(3), craft)]
-            end associate
+            if (any(x(6:8) /= x(14:16)) .and. any(x(14:16) /= x(22:24)) .and. any(x(22:24) /= x(6:8))) &
+                y = [eq02(x(1), x(2), x(3), reshape(x(4:27), [8, 3]))]
         case ('eq03'); if (any(x(6:8) /= 0)) y = eq03(x(1), x(2), x(3), x(4), x(5), x(6:8), x(9:11))
         case ('eq04'); y = eq04(x(1), x(2), x(3:5))
         case ('eq05'); y = eq05(x(1), x(2), x(3))
@@ -644,7 +615,7 @@ contains
             z = eq41roots(x(1), x(2), x(3))
             y = [transpose(reshape([z%re, z%im], [4, 2]))]
         case ('eq42'); y = eq42(x(1), x(2), x(3))
-        case ('eq43'); if (x(2) > 0) y = [eq43(x(1), x(2))]
+        case ('eq43'); y = [eq43(x(1), x(2))]
         case ('eq44'); if (x(2) >= 9) y = [eq44(x(1), x(2))]
         case ('flow_linear'); y = flow_linear(x)
         case ('flow_nonlinear'); if (any(x(9:11) /= 0)) y = flow_nonlinear(x)
@@ -660,71 +631,72 @@ contains
         whole_steps = t >= 0 .and. mod(t, h) == 0
     end function
 
-    ! From SI units to those in which Omega = 1, and back
-    pure function in_radians(Omega, state) result(y)
-        real(dp), intent(in) :: Omega, state(6)
-        real(dp) :: y(6)
-
-        y = [state(1:3), state(4:6)/Omega]
-    end function
-
-    pure function in_seconds(Omega, y) result(state)
-        real(dp), intent(in) :: Omega, y(:)
-        real(dp) :: state(size(y))
-
-        state = y
-        state(4:) = Omega*state(4:)
-    end function
-
-    pure function linear(x) result(m)
-        real(dp), intent(in) :: x(:)
+    pure function linear(Omega, L_ref, C1, C2) result(m)
+        real(dp), intent(in) :: Omega, L_ref, C1, C2
         type(linear_model) :: m
 
-        m = linear_model(L_ref=x(2), C1=x(3)/x(1)/x(1), C2=x(4)/x(1))
+        m = linear_model(L_ref, C1/Omega/Omega, C2/Omega)
     end function
 
-    pure function nonlinear(x) result(m)
-        real(dp), intent(in) :: x(:)
+    pure function nonlinear(Omega, k_c, m1, m2, L_ref, C1, C2) result(m)
+        real(dp), intent(in) :: Omega, k_c, m1, m2, L_ref, C1, C2
         type(nonlinear_model) :: m
 
-        m = nonlinear_model(k_c=x(2)/x(1)/x(1), m1=x(3), m2=x(4), L_ref=x(5), C1=x(6)/x(1)/x(1), C2=x(7)/x(1))
+        m = nonlinear_model(k_c/Omega/Omega, m1, m2, L_ref, C1/Omega/Omega, C2/Omega)
+    end function
+
+    ! what a state is multiplied by to become one in which Omega = 1
+    pure function per_radian(Omega) result(unit)
+        real(dp), intent(in) :: Omega
+        real(dp) :: unit(6)
+
+        unit = [1.0_dp, 1.0_dp, 1.0_dp, 1/Omega, 1/Omega, 1/Omega]
     end function
 
     ! Pitch (40a) goes its own way, and would outlast what decays: it has a formula, the rest is integrated.
-    pure function flow_linear(x) result(state)
+    pure function flow_linear(x) result(y)
         real(dp), intent(in) :: x(:)
-        real(dp), allocatable :: state(:)
-        real(dp) :: y(6), pitch, pitch_dot
+        real(dp) :: y(6), theta, theta_dot
 
-        associate (tau => x(1)*x(5))
-            y = in_radians(x(1), x(6:11))
-            pitch = cos(2*tau)*y(2) + sin(2*tau)/2*y(5)
-            pitch_dot = cos(2*tau)*y(5) - 2*sin(2*tau)*y(2)
+        associate (Omega => x(1), tau => x(1)*x(5))
+            y = x(6:11)*per_radian(Omega)
+            theta = cos(2*tau)*y(2) + sin(2*tau)/2*y(5)
+            theta_dot = cos(2*tau)*y(5) - 2*sin(2*tau)*y(2)
             y([2, 5]) = 0
-            state = in_seconds(x(1), fehlberg(linear(x), y, tau))
-            if (size(state) > 0) state([2, 5]) = [pitch, x(1)*pitch_dot]
+            y = fehlberg(linear(Omega, x(2), x(3), x(4)), y, tau)
+            y([2, 5]) = [theta, theta_dot]
+            y = y/per_radian(Omega)
         end associate
     end function
 
-    pure function flow_nonlinear(x) result(state)
+    pure function flow_nonlinear(x) result(y)
         real(dp), intent(in) :: x(:)
-        real(dp), allocatable :: state(:)
+        real(dp) :: y(6)
 
-        state = in_seconds(x(1), fehlberg(nonlinear(x), in_radians(x(1), x(9:14)), x(1)*x(8)))
+        associate (Omega => x(1), t => x(8))
+            y = x(9:14)*per_radian(Omega)
+            y = fehlberg(nonlinear(Omega, x(2), x(3), x(4), x(5), x(6), x(7)), y, Omega*t)/per_radian(Omega)
+        end associate
     end function
 
-    pure function rk4_linear(x) result(state)
+    pure function rk4_linear(x) result(y)
         real(dp), intent(in) :: x(:)
-        real(dp) :: state(6)
+        real(dp) :: y(6)
 
-        state = in_seconds(x(1), runge_kutta(linear(x), in_radians(x(1), x(6:11)), x(1)*x(12), nint(x(5)/x(12))))
+        associate (Omega => x(1), t => x(5), h => x(12))
+            y = x(6:11)*per_radian(Omega)
+            y = runge_kutta(linear(Omega, x(2), x(3), x(4)), y, Omega*h, nint(t/h))/per_radian(Omega)
+        end associate
     end function
 
-    pure function rk4_nonlinear(x) result(state)
+    pure function rk4_nonlinear(x) result(y)
         real(dp), intent(in) :: x(:)
-        real(dp) :: state(6)
+        real(dp) :: y(6)
 
-        state = in_seconds(x(1), runge_kutta(nonlinear(x), in_radians(x(1), x(9:14)), x(1)*x(15), nint(x(8)/x(15))))
+        associate (Omega => x(1), t => x(8), h => x(15))
+            y = x(9:14)*per_radian(Omega)
+            y = runge_kutta(nonlinear(Omega, x(2), x(3), x(4), x(5), x(6), x(7)), y, Omega*h, nint(t/h))/per_radian(Omega)
+        end associate
     end function
 
 end program client
