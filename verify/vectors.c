@@ -30,8 +30,8 @@ static bool leaves_range(const arb_t x)
 {
     arf_t bound;
     bool leaves = false;
-    if (arb_contains_zero(x))
-        return false; /* zero, or as good as: what underflows to it is seen in its operands */
+    if (arb_contains_zero(x) || !arb_is_finite(x))
+        return false; /* zero: what underflows to it is seen in its operands; infinity: an input that may be */
     arf_init(bound);
     arb_get_abs_lbound_arf(bound, x, 64);
     leaves = arf_cmpabs_2exp_si(bound, -1022) < 0 || arf_cmpabs_2exp_si(bound, 1024) >= 0;
