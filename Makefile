@@ -59,6 +59,8 @@ ENGINE  := $(BUILD)/libverify.a
 PROGRAM := $(BUILD)/coulomb-tether
 SONAME  := libcoulombtether.so.$(firstword $(subst ., ,$(VERSION)))
 
+# What the gate reads of the proofs and of the measured errors.
+EVIDENCE := $(BUILD)/derivations.json $(BUILD)/errors.json
 TABLES  := $(DATA)/table1.csv $(patsubst %,$(DATA)/figure%.csv,4 5a 5b 6 7a 7b)
 # The operations: every section of the sheet that has outputs.
 OPERATIONS := $(shell awk '/^equations:/ { on = 1 } on && /^  [a-z0-9_]+:$$/ { id = $$1; sub(":", "", id) } \
@@ -125,8 +127,12 @@ $(SUITES): %: %.o $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
 
 ### Checking
 ## check: every test, on all processors; the last line is "N passed, N failed"
-check: all $(SUITES)
+check: all $(SUITES) $(EVIDENCE)
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SUITES) $(SCRIPTS)
+
+## gate: whether each equation has its function, test, error, proof, vectors, verdict and place, after make check
+gate:
+	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh
 
 ## coverage: the tests' coverage of ref/ and verify/, with its gate; the report is build/coverage/index.html
 coverage:
@@ -210,14 +216,58 @@ readme: $(PROGRAM)
 pictures: $(patsubst %,$(BUILD)/figures/%.svg,figure4 figure6)
 	cp $^ paper/figures/
 
+### The literate edition
+EDITION  := $(BUILD)/paper
+PROSE    := $(wildcard paper/*.tex)
+PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard paper/figures/plot-*.gp)))
+
+## paper: the literate edition, build/coulomb-tether.pdf
+paper: $(BUILD)/coulomb-tether.pdf
+
+$(BUILD)/coulomb-tether.pdf: $(patsubst paper/%,$(EDITION)/%,$(PROSE)) $(PLOTS:%=$(EDITION)/plot-%.tex) \
+  $(EDITION)/derivations.pdf paper/typeset.sh
+	paper/typeset.sh $(EDITION) $@
+
+$(BUILD)/derivations.json $(BUILD)/errors.json: $(BUILD)/%.json: $(PROGRAM)
+	$(PROGRAM) verify $* --json >$@.tmp
+	@mv $@.tmp $@
+
+$(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(TABLES) \
+  $(GOLDEN) $(BUILD)/gate.csv
+	@mkdir -p $(@D)
+	@LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program=$(PROGRAM) -v data=$(DATA) -v build=$(BUILD) \
+	  -v plots='$(PLOTS)' $< >$@.tmp
+	@mv $@.tmp $@
+
+# gnuplot names its pictures as it is told to, and so is told without a folder.
+$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(VERDICTS)
+	@mkdir -p $(@D)
+	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" $(abspath paper/figures/plot-style.gp $<)
+
+$(EDITION)/derivations.pdf: $(PROGRAM) paper/graph.sed
+	@mkdir -p $(@D)
+	$(PROGRAM) verify derivations --graph | sed -f paper/graph.sed | dot -Tpdf >$@.tmp
+	@mv $@.tmp $@
+
+# What the gate finds in the tests' logs, for the index: they have to have run.
+$(BUILD)/gate.csv: tests/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
+  $(filter check,$(MAKECMDGOALS))
+	@ls $(BUILD)/tests/*.tap >/dev/null 2>&1 || $(MAKE) check
+	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
+
 ### Packages
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libyaml-dev
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
+PAPER_PACKAGES = gnuplot-nox graphviz texlive-latex-base texlive-latex-recommended lmodern
 CI_PACKAGES    = clang clang-tidy cppcheck valgrind debootstrap parallel python3 octave gfortran nodejs
 
 ## deps: install what building and checking need, where apt-get is at hand; name it elsewhere
 deps:
 	@.ci/packages.sh $(BUILD_PACKAGES) $(CHECK_PACKAGES)
+
+## deps-paper: install what the literate edition needs beyond that
+deps-paper:
+	@.ci/packages.sh $(PAPER_PACKAGES)
 
 ## deps-ci: install what .ci/run needs beyond that
 deps-ci:
@@ -263,5 +313,5 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check coverage lint verify errors readme data figures pictures deps deps-ci install uninstall dist clean distclean help
+.PHONY: all check gate coverage lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d)

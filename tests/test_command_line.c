@@ -268,7 +268,8 @@ START_TEST(help_and_version_go_to_standard_output)
 {
     static const char *const asks[] = {"--help", "--version", "equations --help", "eval --help",
                                        "table1 --help", "figure --help", "trajectory --help",
-                                       "verify --help", "vectors --help", "datapackage --help"};
+                                       "verify --help", "vectors --help", "typeset --help",
+                                       "datapackage --help"};
     ck_assert_int_eq(run(asks[_i]), 0);
     ck_assert_ptr_nonnull(strstr(output, "coulomb-tether"));
     ck_assert_str_eq(errors, "");
@@ -352,7 +353,7 @@ Suite *suite(void)
     tcase_add_test(c, table1_rounds_in_every_row);
     tcase_add_test(c, figure4_runs_from_9_to_40);
     tcase_add_loop_test(c, figures_have_a_row_every_100_s_for_3_days, 0, 5);
-    tcase_add_loop_test(c, help_and_version_go_to_standard_output, 0, 10);
+    tcase_add_loop_test(c, help_and_version_go_to_standard_output, 0, 11);
     tcase_add_test(c, equations_lists_every_section_and_shows_one);
     tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 8);
     tcase_add_loop_test(c, verify_speaks_json_of_every_part, 0, 3);

@@ -76,5 +76,6 @@ int command_trajectory(int count, char **arguments);
 int command_verify(int count, char **arguments);
 int command_vectors(int count, char **arguments);
 int command_datapackage(int count, char **arguments);
+int command_typeset(int count, char **arguments);
 
 #endif

@@ -34,6 +34,9 @@ static const struct subcommand {
     {"vectors", command_vectors,
      "vectors ID --count N --seed S [--shard K/N] | vectors ID --golden\n"
      "    random certified vectors, or the golden ones, as CSV\n"},
+    {"typeset", command_typeset,
+     "typeset [ID]\n"
+     "    the sheet's formulas as LaTeX, a line each, for the weaver of the literate edition\n"},
     {"datapackage", command_datapackage,
      "datapackage < LINES-OF-SHA256SUM\n"
      "    the description of the data files, datapackage.json\n"},

@@ -27,8 +27,14 @@ static struct ct_vector vector(const double r[]) { return (struct ct_vector){r[0
 static struct ct_spherical spherical(const double c[]) { return (struct ct_spherical){c[0], c[1], c[2]}; }
 static struct ct_spherical_rate rate(const double c[]) { return (struct ct_spherical_rate){c[0], c[1], c[2]}; }
 static struct ct_craft craft(const double x[]) { return (struct ct_craft){x[0], x[1], vector(x + 2), vector(x + 5)}; }
-static struct ct_hill_state hill(const double s[]) { return (struct ct_hill_state){s[0], s[1], s[2], s[3], s[4], s[5]}; }
-static struct ct_tether_state tether(const double s[]) { return (struct ct_tether_state){s[0], s[1], s[2], s[3], s[4], s[5]}; }
+static struct ct_hill_state hill(const double s[])
+{
+    return (struct ct_hill_state){s[0], s[1], s[2], s[3], s[4], s[5]};
+}
+static struct ct_tether_state tether(const double s[])
+{
+    return (struct ct_tether_state){s[0], s[1], s[2], s[3], s[4], s[5]};
+}
 
 /* How many doubles were put into y. */
 static int put(double y[], const void *results, size_t size)

@@ -533,18 +533,19 @@ contains
         character(*), intent(in) :: line
         integer, intent(in) :: number
         character(512) :: id, vector
+        character(:), allocatable :: domain
         real(dp), allocatable :: x(:), y(:)
+        integer :: i
 
         if (number == 0) then
             write (output_unit, '(a)') ' skip unknown operation'
             return
         end if
 
-        associate (domain => trim(operations(number)%domain))
-            allocate (x(len(domain)), y(0))
-            read (line, *) id, vector, x
-            if (all(inside([(domain(number:number), number=1, size(x))], x))) y = outputs(trim(id), x)
-        end associate
+        domain = trim(operations(number)%domain)
+        allocate (x(len(domain)), y(0))
+        read (line, *) id, vector, x
+        if (all(inside([(domain(i:i), i=1, size(x))], x))) y = outputs(trim(id), x)
 
         if (size(y) == 0) then
             write (output_unit, '(a)') ' invalid'

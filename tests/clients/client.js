@@ -13,7 +13,7 @@ const { sin, cos, sqrt, exp, hypot, atan2, abs, sign, min, max, round } = Math;
 
 class OutsideDomain extends Error {}
 
-const require_ = (condition) => { if (!condition) throw new OutsideDomain(); };
+const demand = (condition) => { if (!condition) throw new OutsideDomain(); };
 
 const dot = (a, b) => a.reduce((sum, a_i, i) => sum + a_i * b[i], 0);
 const minus = (a, b) => a.map((a_i, i) => a_i - b[i]);
@@ -39,7 +39,7 @@ equation('eq02', '++i+.......+.......+.......', (Omega, k_c, lambda_d, ...number
     for (const other of craft.filter((c) => c !== one)) {
       const away = minus(one.r, other.r);
       const d = hypot(...away);
-      require_(d > 0);
+      demand(d > 0);
       const force = k_c * one.q * other.q * exp(-d / lambda_d) / d ** 3;
       away.forEach((component, i) => { a[i] += force / one.m * component; });
     }
@@ -53,7 +53,7 @@ const eq04 = equation('eq04', '++...', (m1, m2, ...r1) => r1.map((component) => 
 // (13) the distance from craft 1 alone
 const eq13 = equation('eq13', '++...', (m1, m2, ...r1) => {
   const L = (m1 + m2) / m2 * hypot(...r1);
-  require_(L > 0);
+  demand(L > 0);
   return L;
 });
 
@@ -113,7 +113,7 @@ equation('eq10inv', '++...', (m1, m2, x1, y1, z1) =>
 // (12) the distance between two craft
 equation('eq12', '......', (...r) => {
   const L = hypot(...minus(r.slice(0, 3), r.slice(3)));
-  require_(L > 0);
+  demand(L > 0);
   return L;
 });
 
@@ -142,7 +142,7 @@ const eq19 = equation('eq19', '++.....', (Omega, L_ref, C1, C2, dL, dL_dot, psi_
 // (20)-(22) charges; the absolute value in print would attract where the law commands to repel
 equation('eq21', '..', (Q_ref, dQ) => {
   const Q = Q_ref + dQ;
-  require_(Q < 0);
+  demand(Q < 0);
   return [sqrt(-Q), -sqrt(-Q)];
 });
 
@@ -174,7 +174,7 @@ equation('eq36', '+..', (R_c, psi, theta) =>
   [R_c * cos(theta) * cos(psi), -R_c * sin(psi), R_c * sin(theta) * cos(psi)]);
 equation('eq37', '+...0', (GM, R_c1, R_c2, R_c3, I) => {
   const R_c = hypot(R_c1, R_c2, R_c3);
-  require_(R_c > 0);
+  demand(R_c > 0);
   const torque = 3 * GM / R_c ** 5 * I * R_c1;
   return [0, -torque * R_c3, torque * R_c2];
 });
@@ -195,66 +195,63 @@ const eq40 = equation('eq40', '++.......', (Omega, L_ref, C1, C2, psi, theta, dL
 const eq41 = equation('eq41', '+..', (Omega, C1, C2) =>
   [3 * Omega ** 2 * (C1 - 9 * Omega ** 2), 3 * C2 * Omega ** 2, C1 - 2 * Omega ** 2, C2, 1]);
 
-// Complex numbers, as many of them as roots need.
-const add = ([a, b], [c, d]) => [a + c, b + d];
-const times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
+// As much of complex numbers, [re, im], as roots need.
+const plus = ([a, b], [c, d]) => [a + c, b + d];
+const less = ([a, b], [c, d]) => [a - c, b - d];
 const scaled = (k, [a, b]) => [k * a, k * b];
-const over = (z, w) => scaled(1 / hypot(...w), times(z, scaled(1 / hypot(...w), [w[0], -w[1]])));
-const root = ([a, b]) => {
-  const re = sqrt((hypot(a, b) + abs(a)) / 2), im = re && b / (2 * re);
-  return a >= 0 ? [re, im] : [abs(im), b < 0 ? -re : re];
+const times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
+const over = (z, [c, d]) => scaled(1 / hypot(c, d), times(z, scaled(1 / hypot(c, d), [c, -d])));
+const modulus = (z) => hypot(...z);
+const squareRoot = ([a, b]) => {
+  const large = sqrt((hypot(a, b) + abs(a)) / 2), small = large && b / (2 * large);
+  return a >= 0 ? [large, small] : [abs(small), b < 0 ? -large : large];
 };
 
-// The polynomial a at z with its first two derivatives, and the sum of its terms' moduli.
-const horner = (a, z) => {
-  let p = [0, 0], slope = [0, 0], bend = [0, 0], terms = 0;
-  for (const a_k of [...a].reverse()) {
-    bend = add(times(bend, z), scaled(2, slope));
-    slope = add(times(slope, z), p);
-    p = add(times(p, z), [a_k[0], a_k[1]]);
-    terms = terms * hypot(...z) + hypot(...a_k);
+// A polynomial at z, with its first two derivatives and the sum of its terms' moduli.
+const horner = (coefficients, z) => {
+  let [p, slope, bend, terms] = [[0, 0], [0, 0], [0, 0], 0];
+  for (const a of [...coefficients].reverse()) {
+    bend = plus(times(bend, z), scaled(2, slope));
+    slope = plus(times(slope, z), p);
+    p = plus(times(p, z), a);
+    terms = terms * modulus(z) + modulus(a);
   }
-  return { p, slope, bend, size: hypot(...p), terms };
+  return { p, slope, bend, terms };
 };
 
-// Laguerre's method, from the origin: the smallest root comes first, as deflation wants it.
-const laguerre = (a) => {
-  const n = a.length - 1;
+// Laguerre's method. It starts from the origin, since deflation wants the small roots first.
+const laguerre = (coefficients) => {
+  const n = coefficients.length - 1;
   let z = [0, 0];
   for (let i = 0; i < 100; i++) {
-    const { p, slope, bend, size, terms } = horner(a, z);
-    if (size <= Number.EPSILON * terms) break;
-    const g = over(slope, p), g2 = times(g, g);
-    const h = add(g2, scaled(-1, over(bend, p)));
-    const spread = root(scaled(n - 1, add(scaled(n, h), scaled(-1, g2))));
-    const [wide, narrow] = [add(g, spread), add(g, scaled(-1, spread))].sort((u, v) => hypot(...v) - hypot(...u));
-    if (hypot(...wide) === 0 && hypot(...narrow) === 0) z = add(z, [0.5, 0.5]);
-    else z = add(z, scaled(-n, over([1, 0], wide)));
+    const { p, slope, bend, terms } = horner(coefficients, z);
+    if (modulus(p) <= Number.EPSILON * terms) break;
+    const g = over(slope, p), g2 = times(g, g), h = less(g2, over(bend, p));
+    const spread = squareRoot(scaled(n - 1, less(scaled(n, h), g2)));
+    const [one, other] = [plus(g, spread), less(g, spread)];
+    z = less(z, over([n, 0], modulus(one) > modulus(other) ? one : other));
   }
   return z;
 };
 
-const newton = (a, z) => {
-  for (let now = horner(a, z); ;) {
-    const next = add(z, scaled(-1, over(now.p, now.slope)));
-    const then = horner(a, next);
-    if (!(then.size < now.size / 2)) return z;
-    [z, now] = [next, then];
-  }
+// The quotient by x - z; the remainder is nothing.
+const deflated = (coefficients, z) => {
+  let carried = [0, 0];
+  return [...coefficients].reverse().map((a) => (carried = plus(times(carried, z), a))).slice(0, -1).reverse();
+};
+
+// Newton's method, for as long as it helps.
+const polished = (coefficients, z) => {
+  const { p, slope } = horner(coefficients, z), next = less(z, over(p, slope));
+  return modulus(horner(coefficients, next).p) < modulus(p) / 2 ? polished(coefficients, next) : z;
 };
 
 // (41) roots, in units of Omega, where the coefficients are near one
 equation('eq41roots', '+..', (Omega, C1, C2) => {
-  const polynomial = eq41(1, C1 / Omega / Omega, C2 / Omega).map((a_k) => [a_k, 0]);
+  const coefficients = eq41(1, C1 / Omega / Omega, C2 / Omega).map((a) => [a, 0]);
   const roots = [];
-  for (let rest = polynomial; rest.length > 1;) {
-    const z = laguerre(rest);
-    roots.push(scaled(Omega, newton(polynomial, z)));
-    const quotient = [];
-    rest.reduceRight((carried, a_k) => { quotient.unshift(carried); return add(a_k, times(carried, z)); }, [0, 0]);
-    rest = quotient.slice(0, -1);
-  }
-  return roots.sort((z, w) => z[0] - w[0] || z[1] - w[1]).flat();
+  for (let rest = coefficients; rest.length > 1; rest = deflated(rest, roots.at(-1))) roots.push(laguerre(rest));
+  return roots.map((z) => scaled(Omega, polished(coefficients, z))).sort((z, w) => z[0] - w[0] || z[1] - w[1]).flat();
 });
 
 // (42)-(44) what stability asks of the gains, and the gains
@@ -264,31 +261,28 @@ equation('eq42', '+..', (Omega, C1, C2) => {
 });
 equation('eq43', '++', (Omega, n) => n * Omega ** 2);
 equation('eq44', '+.', (Omega, n) => {
-  require_(n >= 9);
+  demand(n >= 9);
   return 2 * Omega * sqrt(n - 9);
 });
 
 
 // ---- motions ----
 
-// A model, in units of time in which Omega = 1: its slope at a state, and its Taylor series from a state on.
-// The series are six arrays of coefficients, found degree by degree; position's follow from velocity's.
+// A model tells its slope at a state, in units of time in which Omega = 1, and the Taylor series of its motion
+// from there: an array of coefficients for each of the three coordinates and their rates, grown degree by degree.
 const DEGREE = 24;
 
-const series = (state, accelerations) => {
-  const coefficients = state.map((y) => [y]);
-  const next = accelerations(coefficients);
+const taylor = (state, accelerations) => {
+  const y = state.map((value) => [value]);
+  const nextCoefficients = accelerations(y);
   for (let k = 0; k < DEGREE; k++) {
-    const a = next(k);
-    for (let i = 0; i < 3; i++) {
-      coefficients[i][k + 1] = coefficients[i + 3][k] / (k + 1);
-      coefficients[i + 3][k + 1] = a[i] / (k + 1);
-    }
+    const next = [y[3][k], y[4][k], y[5][k], ...nextCoefficients(k)];
+    next.forEach((slope, i) => y[i].push(slope / (k + 1)));
   }
-  return coefficients;
+  return y;
 };
 
-// (40): linear, so that the coefficients of each degree obey it by themselves
+// (40) is linear: coefficients of one degree obey it by themselves.
 const linearModel = (Omega, L_ref, C1, C2) => {
   const acceleration = ([psi, theta, dL, psi_dot, , dL_dot]) => {
     const [theta_ddot, psi_ddot, dL_ddot] =
@@ -297,66 +291,71 @@ const linearModel = (Omega, L_ref, C1, C2) => {
   };
   return {
     slope: (state) => [...state.slice(3), ...acceleration(state)],
-    series: (state) => series(state, (y) => (k) => acceleration(y.map((y_i) => y_i[k]))),
+    series: (state) => taylor(state, (y) => (k) => acceleration(y.map((coefficients) => coefficients[k]))),
   };
 };
 
-// The coefficient of degree k of a product, from all terms or from all but those with the first factor's constant.
-const product = (a, b, k, from = 0) => {
+// The coefficient of degree k of a product, and of a power from its lower ones.
+const product = (a, b, k) => {
   let sum = 0;
-  for (let j = from; j <= k; j++) sum += a[j] * b[k - j];
+  for (let j = 0; j <= k; j++) sum += a[j] * b[k - j];
   return sum;
 };
 
+const power = (a, exponent, lower, k) => {
+  if (k === 0) return a[0] ** exponent;
+  let sum = 0;
+  for (let j = 1; j <= k; j++) sum += (exponent * j - k + j) * a[j] * lower[k - j];
+  return sum / (k * a[0]);
+};
+
 // (3) with the charge product of (7) and (18)
-const nonlinearModel = (Omega, k_c, m1, m2, L_ref, C1, C2) => {
-  const [kc, c1, c2, whole] = [k_c / Omega / Omega, C1 / Omega / Omega, C2 / Omega, (m1 + m2) / m2];
-  const Q_ref = eq07(1, kc, m1, m2, L_ref);
+const nonlinearModel = (Omega, k_c_SI, m1, m2, L_ref, C1_SI, C2_SI) => {
+  const [k_c, C1, C2] = [k_c_SI / Omega / Omega, C1_SI / Omega / Omega, C2_SI / Omega];
+  const Q_ref = eq07(1, k_c, m1, m2, L_ref);
+  const whole = (m1 + m2) / m2; // L/r
+
   const slope = (state) => {
     const r1 = state.slice(0, 3), v1 = state.slice(3);
     const L = eq13(m1, m2, ...r1), L_dot = whole ** 2 * dot(r1, v1) / L;
-    const Q = Q_ref + eq18(kc, m1, m2, L_ref, c1, c2, L - L_ref, L_dot);
-    return [...v1, ...eq03(1, kc, m1, m2, Q, ...state)];
+    const Q = Q_ref + eq18(k_c, m1, m2, L_ref, C1, C2, L - L_ref, L_dot);
+    return [...v1, ...eq03(1, k_c, m1, m2, Q, ...state)];
   };
-  const accelerations = ([x, y, z, x_dot, y_dot, z_dot]) => {
-    const [L, L_dot, inverse_cube, Q, force] = [[], [], [], [], []];
+
+  const series = (state) => taylor(state, ([x, y, z, x_dot, y_dot, z_dot]) => {
+    const [r2, rv, inverse, inverse2, inverse3, Q, force] = Array.from({ length: 7 }, () => []);
     return (k) => {
-      const r2 = product(x, x, k) + product(y, y, k) + product(z, z, k);
-      const rv = product(x, x_dot, k) + product(y, y_dot, k) + product(z, z_dot, k);
-      if (k === 0) {
-        L[0] = whole * sqrt(r2);
-        inverse_cube[0] = L[0] ** -3;
-      } else {
-        L[k] = 0;
-        L[k] = (whole ** 2 * r2 - product(L, L, k, 1)) / (2 * L[0]);
-        inverse_cube[k] = 0;
-        for (let j = 1; j <= k; j++) inverse_cube[k] -= (2 * j + k) / k * L[j] * inverse_cube[k - j] / L[0];
-      }
-      L_dot[k] = (whole ** 2 * rv - product(L, L_dot, k, 1)) / L[0];
-      Q[k] = k ? eq18(kc, m1, m2, L_ref, c1, c2, L[k], L_dot[k])
-        : Q_ref + eq18(kc, m1, m2, L_ref, c1, c2, L[0] - L_ref, L_dot[0]);
-      force[k] = kc / m1 * whole * product(inverse_cube, Q, k);
+      r2.push(product(x, x, k) + product(y, y, k) + product(z, z, k));
+      rv.push(product(x, x_dot, k) + product(y, y_dot, k) + product(z, z_dot, k));
+      inverse.push(power(r2, -1 / 2, inverse, k)); // 1/r, 1/r^2, 1/r^3
+      inverse2.push(product(inverse, inverse, k));
+      inverse3.push(product(inverse, inverse2, k));
+      const L = whole * product(r2, inverse, k), L_dot = whole * product(rv, inverse, k);
+      Q.push(k === 0 ? Q_ref + eq18(k_c, m1, m2, L_ref, C1, C2, L - L_ref, L_dot)
+        : eq18(k_c, m1, m2, L_ref, C1, C2, L, L_dot));
+      force.push(k_c / m1 / whole ** 2 * product(inverse3, Q, k));
       return [
         2 * y_dot[k] + 3 * x[k] + product(force, x, k),
         -2 * x_dot[k] + product(force, y, k),
         -z[k] + product(force, z, k),
       ];
     };
-  };
-  return { slope, series: (state) => series(state, accelerations) };
+  });
+  return { slope, series };
 };
 
-// Along the Taylor series, as far at a time as the last coefficients allow.
-const followed = (model, state, tau) => {
+// Along the Taylor series, each time as far as its last coefficients allow: exp(-2) of the radius of convergence.
+const followed = ({ series }, state, tau) => {
   let y = state;
   for (let now = 0, steps = 0; now !== tau; steps++) {
     if (!(steps < 1e5 && y.every(Number.isFinite))) throw new RangeError('the motion cannot be followed');
-    const coefficients = model.series(y);
-    const size = (k) => max(...coefficients.map((y_i) => abs(y_i[k])));
-    const radius = min((size(0) / size(DEGREE)) ** (1 / DEGREE), (size(0) / size(DEGREE - 1)) ** (1 / (DEGREE - 1)));
-    const h = radius * exp(-2) < abs(tau - now) ? sign(tau) * radius * exp(-2) : tau - now;
-    y = coefficients.map((y_i) => y_i.reduceRight((sum, y_k) => sum * h + y_k, 0));
-    now = h === tau - now ? tau : now + h;
+    const coefficients = series(y);
+    const size = (k) => max(...coefficients.map((a) => abs(a[k])));
+    const radius = min(...[DEGREE - 1, DEGREE].map((k) => (size(0) / size(k)) ** (1 / k)));
+    const last = !(radius * exp(-2) < abs(tau - now)); // at rest there is no radius
+    const h = last ? tau - now : sign(tau) * radius * exp(-2);
+    y = coefficients.map((a) => a.reduceRight((sum, a_k) => sum * h + a_k, 0));
+    now = last ? tau : now + h;
   }
   return y;
 };
@@ -389,13 +388,13 @@ equation('flow_nonlinear', '+++++.........', (Omega, k_c, m1, m2, L_ref, C1, C2,
 
 equation('rk4_linear', '++.........+', (Omega, L_ref, C1, C2, t, ...rest) => {
   const state = rest.slice(0, 6), h = rest[6];
-  require_(t >= 0 && t % h === 0);
+  demand(t >= 0 && t % h === 0);
   return inRadians(Omega, rungeKutta, linearModel(Omega, L_ref, C1, C2), state, t, h);
 });
 
 equation('rk4_nonlinear', '+++++.........+', (Omega, k_c, m1, m2, L_ref, C1, C2, t, ...rest) => {
   const state = rest.slice(0, 6), h = rest[6];
-  require_(t >= 0 && t % h === 0);
+  demand(t >= 0 && t % h === 0);
   eq13(m1, m2, ...state.slice(0, 3));
   return inRadians(Omega, rungeKutta, nonlinearModel(Omega, k_c, m1, m2, L_ref, C1, C2), state, t, h);
 });

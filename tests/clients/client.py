@@ -9,7 +9,8 @@ Outside its domain it raises ValueError.
 import sys
 from cmath import rect
 from inspect import signature
-from math import atan2, copysign, cos, dist, exp, fmod, hypot, inf, isfinite, sin, sqrt
+from itertools import zip_longest
+from math import atan2, copysign, cos, dist, exp, fmod, hypot, isfinite, prod, sin, sqrt
 
 POSITIVE = {"Omega", "k_c", "lambda_d", "m1", "m2", "L", "L_ref", "GM", "R_c", "h"}
 
@@ -220,11 +221,13 @@ def eq41roots(Omega, C1, C2):
         return ((4*z + 3*a[3])*z + 2*a[2])*z + a[1]
 
     roots = [rect(1 + max(map(abs, a)), 0.4 + 1.6*k) for k in range(4)]
-    for _ in range(300):  # a double root, approached by halves, takes the most
+    for _ in range(300):  # a double root takes the most, as each step halves the distance
+        before = roots[:]
         for i, z in enumerate(roots):
-            others = roots[:i] + roots[i + 1:]
-            spread = (z - others[0])*(z - others[1])*(z - others[2])
+            spread = prod(z - other for other in roots[:i] + roots[i + 1:])
             roots[i] -= p(z)/spread if spread else 0
+        if all(abs(z - old) <= 1e-15*abs(z) for z, old in zip(roots, before)):
+            break
 
     for i, z in enumerate(roots):
         while p_slope(z) and abs(p(z - p(z)/p_slope(z))) < abs(p(z))/2:
@@ -364,11 +367,12 @@ def answer(operation, *words):
     if operation not in OPERATIONS:
         return "skip unknown operation"
     function = OPERATIONS[operation]
+    symbols = [*signature(function).parameters]
     inputs = [float(word) for word in words]
     try:
-        for name, x in zip(signature(function).parameters, inputs):
-            require(x > 0 or name not in POSITIVE)
-        require(all(isfinite(x) or x == inf and i == 2 and function is eq02 for i, x in enumerate(inputs)))
+        for symbol, x in zip_longest(symbols, inputs, fillvalue=symbols[-1]):
+            require(isfinite(x) or symbol == "lambda_d")
+            require(x > 0 or symbol not in POSITIVE)
         outputs = function(*inputs)
     except ValueError:
         return "invalid"

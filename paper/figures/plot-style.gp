@@ -1,0 +1,38 @@
+# What the plots of the literate edition share: LaTeX sets their text, in the fonts of the page.
+# From the command line: `data`, the folder of the CSV files; `name`, the plot. Lines differ by dash or width as
+# well as by shade: nothing is lost in grayscale.
+set encoding utf8
+set datafile separator ','
+set datafile columnheaders
+tall(height) = sprintf("set terminal cairolatex pdf size 15.2cm,%.2fcm font ',9' linewidth 1 dashlength 1.1 butt", height)
+open = "set output 'plot-'.name.'.tex'"
+eval tall(7.4)
+eval open
+
+set style line 1 linewidth 2.2 linecolor '#1b4f8a' dashtype solid
+set style line 2 linewidth 2.2 linecolor '#c2571a' dashtype (8, 3)
+set style line 3 linewidth 2.2 linecolor '#2f7a3d' dashtype (8, 2, 2, 2)
+set style line 4 linewidth 1.2 linecolor '#333333' dashtype solid    # outlines of drawings
+set style line 5 linewidth 1.0 linecolor '#777777' dashtype (5, 4)   # what is only thought of
+set style line 7 linewidth 11 linecolor '#c8c8c8' dashtype solid    # broad and pale: what lies beneath
+set style line 8 linewidth 1.1 linecolor '#555555' dashtype (6, 4)   # a value to compare with
+set style line 9 linewidth 0.6 linecolor '#dddddd' dashtype solid    # the grid
+
+set border 3 linewidth 0.9 linecolor '#333333'
+set tics nomirror out scale 0.6
+set grid linestyle 9
+set key noautotitle horizontal samplen 2.4 width 1 at graph 1, 1.03 bottom right
+set lmargin at screen 0.13
+set rmargin at screen 0.985
+
+# A motion against days, in panels one above the other: `eval panels(N)`, then `eval next` before each.
+days(t) = t / 86400.0
+time_axis = "set xrange [0:3]; set xtics 0.5; set xlabel 'time [days]'"
+panels(N) = sprintf("count = %d; panel = 0; %s; set multiplot", N, time_axis)
+next = "height = 0.86 / count; panel = panel + 1; base = 0.135 + (count - panel) * height; \
+        set tmargin at screen base + height - 0.075; set bmargin at screen base; \
+        if (panel < count) { set format x ''; unset xlabel } \
+        else { set format x '$%h$'; set xlabel 'time [days]' }"
+
+# A drawing has neither axes nor key, and one scale for both directions.
+drawing = "unset border; unset tics; unset grid; unset key; set margins 0, 0, 0, 0; set size ratio -1"
