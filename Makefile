@@ -18,6 +18,7 @@ CC         ?= cc
 CFLAGS     ?= -O2 -g
 INSTALL    ?= install
 PKG_CONFIG ?= pkg-config
+PYTHON     ?= /usr/bin/python3
 
 # A product and a sum fused into one rounding would differ from machine to machine: no contraction.
 STANDARD := -std=c11 -Wall -Wextra -Wpedantic -ffp-contract=off -D_POSIX_C_SOURCE=200809L
@@ -46,7 +47,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 
 ### What there is
 objects  = $(patsubst %.c,$(BUILD)/%.o,$(1))
-SOURCES := $(wildcard ref/*.c verify/*.c tests/*.c)
+SOURCES := $(wildcard ref/*.c verify/*.c tests/*.c tests/bench/*.c)
 REF     := $(call objects,$(wildcard ref/*.c))
 EMBED   := $(BUILD)/verify/embedded.o
 VERIFY  := $(filter-out %/main.o %/sheet_check.o $(EMBED),$(call objects,$(wildcard verify/*.c)))
@@ -62,12 +63,13 @@ SONAME  := libcoulombtether.so.$(firstword $(subst ., ,$(VERSION)))
 # What the gate reads of the proofs and of the measured errors.
 EVIDENCE := $(BUILD)/derivations.json $(BUILD)/errors.json
 TABLES  := $(DATA)/table1.csv $(patsubst %,$(DATA)/figure%.csv,4 5a 5b 6 7a 7b)
+STUDIES := $(patsubst %,$(DATA)/%.csv,convergence forced pitch)
 # The operations: every section of the sheet that has outputs.
 OPERATIONS := $(shell awk '/^equations:/ { on = 1 } on && /^  [a-z0-9_]+:$$/ { id = $$1; sub(":", "", id) } \
   on && /^    outputs:/ { print id }' paper/equations.yaml)
 VERDICTS := $(DATA)/verdicts.csv
 GOLDEN  := $(patsubst %,$(DATA)/golden/%.csv,$(OPERATIONS))
-DRAWN   := $(patsubst paper/figures/%.gp,%,$(wildcard paper/figures/figure*.gp))
+DRAWN   := $(patsubst paper/figures/%.gp,%,$(wildcard paper/figures/figure*.gp)) convergence forced pitch
 FIGURES := $(foreach kind,svg png,$(patsubst %,$(BUILD)/figures/%.$(kind),$(DRAWN)))
 
 ## all: the library, static and shared, and the program
@@ -161,8 +163,8 @@ errors: $(PROGRAM)
 
 ### The paper's table and figures
 ## data: everything below data/: table, figures, verdicts, golden vectors; prints Table 1
-data: $(TABLES) $(VERDICTS) $(GOLDEN) $(DATA)/datapackage.json
-	@printf 'wrote %s\n' $(TABLES) $(VERDICTS) '$(DATA)/golden/ ($(words $(GOLDEN)) files)' $(DATA)/datapackage.json
+data: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/datapackage.json
+	@printf 'wrote %s\n' $(TABLES) $(STUDIES) $(VERDICTS) '$(DATA)/golden/ ($(words $(GOLDEN)) files)' $(DATA)/datapackage.json
 	@$(PROGRAM) table1
 
 $(DATA)/table1.csv: $(PROGRAM)
@@ -176,6 +178,11 @@ $(DATA)/figure%.csv: $(PROGRAM)
 	$(PROGRAM) figure $* $(if $(filter-out 4,$*),--rk4 100) >$@.tmp
 	@mv $@.tmp $@
 
+$(STUDIES): $(DATA)/%.csv: $(PROGRAM)
+	@mkdir -p $(@D)
+	$(PROGRAM) study $* >$@.tmp
+	@mv $@.tmp $@
+
 $(VERDICTS): $(PROGRAM)
 	@mkdir -p $(@D)
 	$(PROGRAM) verify claims --csv >$@.tmp
@@ -186,14 +193,14 @@ $(DATA)/golden/%.csv: $(PROGRAM)
 	$(PROGRAM) vectors $* --golden >$@.tmp
 	@mv $@.tmp $@
 
-$(DATA)/datapackage.json: $(TABLES) $(VERDICTS) $(GOLDEN)
+$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN)
 	sha256sum $(sort $^) | $(PROGRAM) datapackage >$@.tmp
 	@mv $@.tmp $@
 
 ## figures: the figures and the graph of derivations, as SVG and PNG, in build/figures/
 figures: $(FIGURES) $(BUILD)/figures/derivations.svg $(BUILD)/figures/derivations.png
 
-$(FIGURES): paper/figures/style.gp $(wildcard paper/figures/figure*.gp) $(TABLES)
+$(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES)
 	@mkdir -p $(@D)
 	LC_ALL=C.UTF-8 gnuplot -e "data='$(DATA)'; picture='$@.tmp'; kind='$(patsubst .%,%,$(suffix $@))'" \
 	  paper/figures/style.gp paper/figures/$(basename $(@F)).gp
@@ -204,6 +211,14 @@ $(BUILD)/figures/derivations.%: $(PROGRAM)
 	@mkdir -p $(@D)
 	$(PROGRAM) verify derivations --graph | dot -T$* >$@.tmp
 	@mv $@.tmp $@
+
+# Ratios to mpmath, which Debian's python3 has: not every python3 on the path.
+## bench: speed, as ratios with what is required of them; needs python3-mpmath and python3-gmpy2
+bench: $(BUILD)/tests/bench/bench
+	$(PYTHON) tests/bench/bench.py $<
+
+$(BUILD)/tests/bench/bench: $(BUILD)/tests/bench/bench.o $(EMBED) $(ENGINE) $(LIBRARY)
+	$(call LINK)
 
 ## readme: README's findings and table of errors, made anew
 readme: $(PROGRAM)
@@ -259,7 +274,7 @@ $(BUILD)/gate.csv: tests/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libyaml-dev
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
 PAPER_PACKAGES = gnuplot-nox graphviz texlive-latex-base texlive-latex-recommended lmodern
-CI_PACKAGES    = clang clang-tidy cppcheck valgrind debootstrap parallel python3 octave gfortran nodejs
+CI_PACKAGES    = clang clang-tidy cppcheck valgrind debootstrap parallel python3 python3-mpmath python3-gmpy2 octave gfortran nodejs
 
 ## deps: install what building and checking need, where apt-get is at hand; name it elsewhere
 deps:
@@ -313,5 +328,5 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check gate coverage lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
--include $(wildcard $(BUILD)/*/*.d)
+.PHONY: all check bench gate coverage lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
+-include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

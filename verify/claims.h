@@ -42,6 +42,7 @@ extern const struct claim claims_stability[]; /* the linear model, roots, optima
 extern const struct claim claims_motion[];    /* the simulation, the linear model   */
 extern const struct claim claims_convergence[]; /* the nonlinear motion, the charges */
 extern const struct claim claims_forced[];    /* what pitch forces, in closed form  */
+extern const struct claim claims_beyond[];    /* orders of the approximations, the end of pitch */
 
 /* Appends to the evidence, printf-like. */
 #if defined(__GNUC__)

@@ -1,6 +1,6 @@
 /*
- * What a small pitch does to yaw, to the length and, through them, to itself: one closed form, proved as a derivation
- * step, evaluated from that step's own program, and held against certified motions.
+ * What a small pitch does to yaw, to the length and, through them, to itself: the closed form of second_order.h, held
+ * against certified motions.
  *
  * At second order pitch alone drives the length by theta'^2 - 4 theta^2 = -4 a^2 cos 2 phi and yaw by 2 theta theta' =
  * -2 a^2 sin 2 phi (radians of orbit, theta = a cos phi); neither has a mean. Yaw and length answer at 2 phi, and at
@@ -9,70 +9,19 @@
 #include "algebra.h"
 #include "decimal.h"
 #include "proofs.h"
+#include "second_order.h"
 #include "track.h"
 
 enum { BITS = 192 };
 
-/* The step's program at work in balls, in units of 1/Omega. */
-struct response {
-    struct derivations derivations;
-    struct machine machine;
-};
-
-static arb_ptr value(const struct response *r, const char *name)
-{
-    return machine_value(&r->machine, program_find(r->machine.program, name));
-}
-
-/* s from the sheet's (44) for that n; a = 1, phi = 0. */
-static bool response_init(struct response *r, const char *n)
+/* For the gains (43), (44) of that n. */
+static bool response_init(struct second_order *o, const char *n)
 {
     struct track t;
-    derivations_open(&r->derivations);
     bool ready = track_run(&t, &(struct scene){.n = n}, 0, 1, 0);
-    if (ready) {
-        machine_init(&r->machine, &step_named(&r->derivations, "pitch_forces")->corrected.program, &arithmetic_ball, BITS);
-        arb_mul_2exp_si(value(r, "s"), t.c2, -1); /* c2 = 2 sqrt(n - 9) */
-        arb_one(value(r, "Omega"));
-        arb_one(value(r, "a"));
-        machine_run(&r->machine);
-    }
+    second_order_init(o, t.c1, t.c2, BITS);
     track_clear(&t);
     return ready;
-}
-
-static void response_clear(struct response *r)
-{
-    machine_clear(&r->machine);
-    derivations_clear(&r->derivations);
-}
-
-/* The closed form's row at tau, for a pitch of amplitude a and phase 0 at tau = 0. */
-static void response_row(arb_ptr row, struct response *r, const arb_t a, const arb_t tau)
-{
-    static const char *const names[] = {"psi", "theta", "eta", "psi_dot", "theta_dot", "eta_dot"};
-    arb_t growth, phi;
-    arb_init(growth);
-    arb_init(phi);
-    /* 1/a^2 grows by 2 decay tau; phi falls behind 2 tau by the integral of shift a^2 */
-    arb_sqr(growth, a, BITS);
-    arb_mul(growth, growth, tau, BITS);
-    arb_mul(growth, growth, value(r, "decay"), BITS);
-    arb_mul_2exp_si(growth, growth, 1);
-    arb_log1p(phi, growth, BITS);
-    arb_mul(phi, phi, value(r, "shift"), BITS);
-    arb_div(phi, phi, value(r, "decay"), BITS);
-    arb_mul_2exp_si(phi, phi, -1);
-    arb_submul_ui(phi, tau, 2, BITS);
-    arb_neg(value(r, "phi"), phi);
-    arb_add_ui(growth, growth, 1, BITS);
-    arb_rsqrt(growth, growth, BITS);
-    arb_mul(value(r, "a"), a, growth, BITS);
-    machine_run(&r->machine);
-    for (int i = 0; i < FLOW_STATE; i++)
-        arb_set(row + i, value(r, names[i]));
-    arb_clear(phi);
-    arb_clear(growth);
 }
 
 static bool add_proof(struct evidence *e, const struct derivations *d, const char *step)
@@ -85,11 +34,11 @@ static bool add_proof(struct evidence *e, const struct derivations *d, const cha
     return proved;
 }
 
-static bool add_size(struct evidence *e, const char *before, struct response *r, const char *re, const char *im)
+static bool add_size(struct evidence *e, const char *before, struct second_order *o, const char *re, const char *im)
 {
     arb_t size;
     arb_init(size);
-    arb_hypot(size, value(r, re), value(r, im), BITS);
+    arb_hypot(size, second_order_get(o, re), second_order_get(o, im), BITS);
     bool decided = evidence_number(e, before, size, 4, "");
     arb_clear(size);
     return decided;
@@ -104,21 +53,18 @@ static void forced_response(struct evidence *e)
                     "constant parts; in radians of orbit a' = -(5184 s/N) a^3, phi' = 2 - (9/2) s^2 (13 s^2 + 688)/N "
                     "a^2");
     for (int i = 0; i < 3; i++) {
-        struct response r;
-        if (!response_init(&r, gains[i])) {
-            proved = false;
-            break;
-        }
+        struct second_order o;
+        proved = response_init(&o, gains[i]) && proved;
         if (i == 0) {
             evidence_add(e, ": solves (3) with (7) and (18) up to a^3");
-            proved = add_proof(e, &r.derivations, "pitch_forces");
+            proved = add_proof(e, &o.derivations, "second_order") && proved;
             evidence_add(e, "; |h|, |g| and the coefficients of a' and phi' for n =");
         }
         evidence_add(e, "%s %s", i ? ";" : "", gains[i]);
-        proved = add_size(e, ": ", &r, "h_r", "h_i") && add_size(e, ", ", &r, "g_r", "g_i") && proved;
-        proved = evidence_number(e, ", -", value(&r, "decay"), 4, "") && proved;
-        proved = evidence_number(e, ", -", value(&r, "shift"), 4, "") && proved;
-        response_clear(&r);
+        proved = add_size(e, ": ", &o, "A_re", "A_im") && add_size(e, ", ", &o, "B_re", "B_im") && proved;
+        proved = evidence_number(e, ", -", second_order_get(&o, "decay"), 4, "") && proved;
+        proved = evidence_number(e, ", ", second_order_get(&o, "shift"), 4, "") && proved;
+        second_order_clear(&o);
     }
     evidence_decide(e, HOLDS, EXACT, proved);
 }
@@ -126,7 +72,7 @@ static void forced_response(struct evidence *e)
 /* What a certified motion, started on the closed form, differs from it by after so many seconds. */
 static bool response_error(arb_ptr error, const char *n, const char *amplitude, long last)
 {
-    struct response r;
+    struct second_order o;
     struct track t;
     arb_ptr row = _arb_vec_init(FLOW_STATE);
     arb_t a, tau;
@@ -136,19 +82,17 @@ static bool response_error(arb_ptr error, const char *n, const char *amplitude, 
     fmpq_init(exact);
     literal_read(exact, amplitude, true);
     arb_set_fmpq(a, exact, BITS);
-    bool run = response_init(&r, n);
-    if (run) {
-        response_row(row, &r, a, tau);
-        run = track_run(&t, &(struct scene){.nonlinear = true, .n = n, .start = row}, last, 1, last);
-        arb_mul_si(tau, t.Omega, last, BITS);
-        response_row(row, &r, a, tau);
-        for (int i = PSI; i <= ETA; i++) {
-            arb_sub(error + i, track_row(&t, 0) + i, row + i, BITS);
-            arb_abs(error + i, error + i);
-        }
-        track_clear(&t);
-        response_clear(&r);
+    bool run = response_init(&o, n);
+    second_order_after(row, &o, a, tau);
+    run = track_run(&t, &(struct scene){.nonlinear = true, .n = n, .start = row}, last, 1, last) && run;
+    arb_mul_si(tau, t.Omega, last, BITS);
+    second_order_after(row, &o, a, tau);
+    for (int i = PSI; i <= ETA; i++) {
+        arb_sub(error + i, track_row(&t, 0) + i, row + i, BITS);
+        arb_abs(error + i, error + i);
     }
+    track_clear(&t);
+    second_order_clear(&o);
     fmpq_clear(exact);
     arb_clear(tau);
     arb_clear(a);
@@ -206,40 +150,39 @@ static void nonlinear_energy(struct evidence *e)
 }
 
 /* E = 2 a^2 + O(a^4), so 1/E grows by decay tau; a halves in 3/(2 decay a^2) */
-static void slow_law(struct evidence *e)
+static void pitch_slow_law(struct evidence *e)
 {
     enum { FIRST = 5 * 86400, SPAN = 8 * 86400 };
-    struct response r;
+    struct second_order o;
     struct track t;
     arb_ptr x = _arb_vec_init(3);
     arb_ptr before = x, after = x + 1, tau = x + 2;
-    bool proved = response_init(&r, NULL);
-    proved = proved && track_run(&t, &(struct scene){.nonlinear = true}, FIRST, SPAN, FIRST + SPAN);
-    if (proved) {
-        track_energy(before, &t, 0);
-        track_energy(after, &t, 1);
-        arb_inv(before, before, BITS);
-        arb_inv(after, after, BITS);
-        arb_sub(after, after, before, BITS);
-        arb_mul_si(tau, t.Omega, SPAN, BITS);
-        arb_div(after, after, tau, BITS);
-        evidence_add(e, "once yaw and length rest but for what pitch forces, E = 2 a^2 + O(a^4); in the simulation "
-                        "(n = 10) 1/E grows between days 5 and 13");
-        proved = evidence_number(e, " by ", after, 3, " per radian of orbit");
-        proved = evidence_number(e, ", by the closed form ", value(&r, "decay"), 3, "") && proved;
-        arb_div(after, after, value(&r, "decay"), BITS);
-        arb_sub_ui(after, after, 1, BITS);
-        arb_abs(after, after);
-        proved = proved && is_below(after, 0.01);
-        arb_mul_ui(tau, before, 3, BITS);
-        arb_div(tau, tau, value(&r, "decay"), BITS);
-        arb_div(tau, tau, t.Omega, BITS);
-        arb_div_ui(tau, tau, 365 * 86400 + 86400 / 4, BITS);
-        proved = evidence_number(e, "; at that rate pitch halves in ", tau, 3, " years") && proved;
-        evidence_add(e, ": damped by the charges after all, but only at third order, like 1/sqrt(t)");
-        track_clear(&t);
-        response_clear(&r);
-    }
+    bool proved = response_init(&o, NULL);
+    arb_srcptr decay = second_order_get(&o, "decay");
+    proved = track_run(&t, &(struct scene){.nonlinear = true}, FIRST, SPAN, FIRST + SPAN) && proved;
+    track_energy(before, &t, 0);
+    track_energy(after, &t, 1);
+    arb_inv(before, before, BITS);
+    arb_inv(after, after, BITS);
+    arb_sub(after, after, before, BITS);
+    arb_mul_si(tau, t.Omega, SPAN, BITS);
+    arb_div(after, after, tau, BITS);
+    evidence_add(e, "once yaw and length rest but for what pitch forces, E = 2 a^2 + O(a^4); in the simulation "
+                    "(n = 10) 1/E grows between days 5 and 13");
+    proved = evidence_number(e, " by ", after, 3, " per radian of orbit") && proved;
+    proved = evidence_number(e, ", by the closed form ", decay, 3, "") && proved;
+    arb_div(after, after, decay, BITS);
+    arb_sub_ui(after, after, 1, BITS);
+    arb_abs(after, after);
+    proved = proved && is_below(after, 0.01);
+    arb_mul_ui(tau, before, 3, BITS);
+    arb_div(tau, tau, decay, BITS);
+    arb_div(tau, tau, t.Omega, BITS);
+    arb_div_ui(tau, tau, 365 * 86400 + 86400 / 4, BITS);
+    proved = evidence_number(e, "; at that rate pitch halves in ", tau, 3, " years") && proved;
+    evidence_add(e, ": damped by the charges after all, but only at third order, like 1/sqrt(t)");
+    track_clear(&t);
+    second_order_clear(&o);
     evidence_decide(e, HOLDS, CERTIFIED, proved);
     _arb_vec_clear(x, 3);
 }
@@ -250,6 +193,6 @@ const struct claim claims_forced[] = {
     {"forced-response", "Figure 6", "beyond the paper: what pitch forces on length, yaw and itself, in closed form",
      forced_response},
     {"forced-response-flow", "Figure 6", "beyond the paper: the closed form against certified motions", forced_flow},
-    {"pitch-slow-law", "Figure 6", "beyond the paper: pitch is damped after all, slowly", slow_law},
+    {"pitch-slow-law", "Figure 6", "beyond the paper: pitch is damped after all, slowly", pitch_slow_law},
     {NULL, NULL, NULL, NULL},
 };

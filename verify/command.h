@@ -75,6 +75,7 @@ int command_figure(int count, char **arguments);
 int command_trajectory(int count, char **arguments);
 int command_verify(int count, char **arguments);
 int command_vectors(int count, char **arguments);
+int command_study(int count, char **arguments);
 int command_datapackage(int count, char **arguments);
 int command_typeset(int count, char **arguments);
 

@@ -25,6 +25,7 @@ static const struct {
     {"verdicts", "Verdicts: every equation and claim of the paper, with the evidence"},
     {"convergence", "Convergence: observed orders, linear against nonlinear, Runge-Kutta, two-body motion"},
     {"forced", "Forced response: what pitch leaves in length and yaw, against its closed form"},
+    {"pitch", "Pitch of 0.2 rad over 30 days: its amplitude, against the slow law"},
 };
 
 static const char *title_of(const char *path)
@@ -47,20 +48,28 @@ static const char *unit_of(const char *column)
 {
     char name[64];
     snprintf(name, sizeof name, "%s", strncmp(column, "S_", 2) == 0 ? column + 2 : column);
-    char *method = strstr(name, "_rk4");
-    if (method != NULL)
-        *method = '\0';
+    static const char *const suffixes[] = {"_rk4", "_linear", "_forced"};
+    for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++) {
+        char *suffix = strstr(name, suffixes[i]);
+        if (suffix != NULL)
+            *suffix = '\0';
+    }
+    if (strncmp(name, "amplitude", strlen("amplitude")) == 0)
+        return "rad";
     if (strcmp(name, "q1_uC") == 0 || strcmp(name, "q2_uC") == 0)
         return "uC";
     const struct quantity *q = quantity_find(sheet(), name);
     return q ? q->unit : NULL;
 }
 
-/* Numbers have a unit, but for Table 1's two, whose unit stands in a column of its own. */
+/* Numbers have a unit, but for those of which it depends on the row. */
 static void print_field(const char *column)
 {
     const char *unit = unit_of(column);
-    const bool number = unit != NULL || strcmp(column, "printed") == 0 || strcmp(column, "computed") == 0;
+    static const char *const numbers[] = {"printed", "computed", "parameter", "difference", "order", "constant"};
+    bool number = unit != NULL;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        number = number || strcmp(column, numbers[i]) == 0;
     printf("{\"name\": ");
     json_text(column);
     printf(", \"type\": \"%s\"", number ? "number" : "string");

@@ -191,7 +191,7 @@ static bool table_rows(ledger_receiver *receive, void *context)
 bool ledger_rows(const struct proofs *proofs, ledger_receiver *receive, void *context)
 {
     static const struct claim *const lists[] = {claims_statics, claims_stability, claims_motion,
-                                               claims_convergence, claims_forced};
+                                               claims_convergence, claims_forced, claims_beyond};
     bool decided = equation_rows(proofs, receive, context);
     decided = table_rows(receive, context) && decided;
     for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)

@@ -31,6 +31,10 @@ static const struct subcommand {
      "verify [derivations|claims|errors] [--json] [--csv] [--graph] [--seed S] [--count N]\n"
      "    the proofs of the derivation steps, the verdicts, ref's measured error; --graph draws the steps for\n"
      "    dot, --csv prints the verdicts as CSV, --count sets the random inputs of errors\n"},
+    {"study", command_study,
+     "study convergence|forced|pitch\n"
+     "    beyond the paper, as CSV: orders of its approximations; what pitch leaves in yaw and length, and\n"
+     "    how it decays, beside their closed forms\n"},
     {"vectors", command_vectors,
      "vectors ID --count N --seed S [--shard K/N] | vectors ID --golden\n"
      "    random certified vectors, or the golden ones, as CSV\n"},

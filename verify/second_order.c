@@ -1,59 +1,7 @@
 #include "second_order.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 #include "flow.h"
-
-/*
- * x1 and y1 hold psi and dL and are even in z, z1 holds theta and is odd: what is left of (3) is of the fourth order
- * in the first two and of the fifth in the last.
- */
-static const char step_text[] =
-    "principles: {}\n"
-    "steps:\n"
-    "  second_order:\n"
-    "    title: the motion that a pitch oscillation leaves, z = u + i v\n"
-    "    from: ['3', '7', '10', '11', '18']\n"
-    "    to: []\n"
-    "    note: A factor u, small itself, makes the fourth order of the first two equalities the third order of (3).\n"
-    "    free: [c1, c2, u, v]\n"
-    "    small: [u, v]\n"
-    "    order: 4\n"
-    "    roots: [L_ref]\n"
-    "    rates: {u: u_dot, v: v_dot}\n"
-    "    let:\n"
-    "      C1: c1*Omega^2\n"
-    "      C2: c2*Omega\n"
-    "      N: (13*c1 - 261)^2 + (52*c2)^2\n"
-    "      B_re: -1152*c2/N\n"
-    "      B_im: -2*((c1 - 9)*(13*c1 - 261) + 208*c2^2)/N\n"
-    "      A_re: (2 + 13*B_im)/8\n"
-    "      A_im: -13*B_re/8\n"
-    "      T_re: (-51*B_im - 8)/96\n"
-    "      T_im: 51*B_re/96\n"
-    "      decay: 2592*c2/N\n"
-    "      shift: -9/2*((c1 - 9)*(13*c1 - 261) + 208*c2^2)/N\n"
-    "      u_dot: Omega*(-2*v - (u^2 + v^2)*(decay*u + shift*v))\n"
-    "      v_dot: Omega*(2*u + (u^2 + v^2)*(shift*u - decay*v))\n"
-    "      psi: B_re*(u^2 - v^2) - 2*B_im*u*v\n"
-    "      dL: L_ref*(A_re*(u^2 - v^2) - 2*A_im*u*v)\n"
-    "      theta: u + T_re*(u^3 - 3*u*v^2) - T_im*(3*u^2*v - v^3)\n"
-    "      psi_dot: rate(psi)\n"
-    "      dL_dot: rate(dL)\n"
-    "      theta_dot: rate(theta)\n"
-    "      L: L_ref + dL\n"
-    "      Q: eq07.Q_ref(L = L_ref) + eq18.dQ\n"
-    "      x1: eq10.x1\n"
-    "      y1: eq10.y1\n"
-    "      z1: eq10.z1\n"
-    "      x1_dot: eq11exact.x1_dot(L_dot = dL_dot)\n"
-    "      y1_dot: eq11exact.y1_dot(L_dot = dL_dot)\n"
-    "      z1_dot: eq11exact.z1_dot(L_dot = dL_dot)\n"
-    "    show:\n"
-    "      - u*rate(x1_dot) = u*eq03.x1_ddot\n"
-    "      - u*rate(y1_dot) = u*eq03.y1_ddot\n"
-    "      - rate(z1_dot) = eq03.z1_ddot\n";
+#include "proofs.h"
 
 static arb_ptr value(const struct second_order *o, const char *name)
 {
@@ -63,10 +11,8 @@ static arb_ptr value(const struct second_order *o, const char *name)
 void second_order_init(struct second_order *o, const arb_t c1, const arb_t c2, slong prec)
 {
     static const char *const units[] = {"Omega", "L_ref", "m1", "m2", "k_c"};
-    struct message why;
-    if (derivations_read(&o->derivations, sheet(), step_text, strlen(step_text), "second_order", &why) != 0)
-        abort(); /* a constant of the program, which its test reads */
-    machine_init(&o->machine, &o->derivations.steps[0].corrected.program, &arithmetic_ball, prec);
+    derivations_open(&o->derivations);
+    machine_init(&o->machine, &step_named(&o->derivations, "second_order")->corrected.program, &arithmetic_ball, prec);
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
         arb_one(value(o, units[i]));
     arb_set(value(o, "c1"), c1);
@@ -83,7 +29,7 @@ void second_order_clear(struct second_order *o)
 int second_order_proof(const struct second_order *o)
 {
     struct proof p;
-    trial_prove(&o->derivations.steps[0].corrected, 1, &p);
+    trial_prove(&step_named(&o->derivations, "second_order")->corrected, 1, &p);
     int bits = p.finding == FOUND_EQUAL ? p.bits : 0;
     proof_clear(&p);
     return bits;

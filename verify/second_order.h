@@ -14,7 +14,9 @@
  *
  *     k = 2592 c2/N     s = -9/2 ((c1 - 9)(13 c1 - 261) + 208 c2^2)/N     N = (13 c1 - 261)^2 + (52 c2)^2
  *
- * The formulas stand once, in a derivation step, which is proved exactly; its program runs in balls for their values.
+ * The formulas stand once, as the step second_order of paper/derivations.yaml: x1 and y1 hold psi and dL and are even
+ * in z, z1 holds theta and is odd, so that what is left of (3) is of the fourth order in the first two, of the fifth in
+ * the last. Its program runs in balls for their values.
  */
 #ifndef CT_SECOND_ORDER_H
 #define CT_SECOND_ORDER_H
