@@ -52,6 +52,7 @@ REF     := $(call objects,$(wildcard ref/*.c))
 EMBED   := $(BUILD)/verify/embedded.o
 VERIFY  := $(filter-out %/main.o %/sheet_check.o $(EMBED),$(call objects,$(wildcard verify/*.c)))
 SUITES  := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c))
+FAULTY  := $(BUILD)/tests/faulty
 SCRIPTS := $(wildcard tests/test_*.sh)
 
 LIBRARY := $(BUILD)/libcoulombtether.a
@@ -127,9 +128,12 @@ $(BUILD)/sheet-check: $(BUILD)/verify/sheet_check.o $(ENGINE) $(LIBRARY)
 $(SUITES): %: %.o $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
 	$(call LINK,$(CHECK_LIBS))
 
+$(FAULTY): $(BUILD)/tests/faulty.o $(ENGINE) $(LIBRARY)
+	$(call LINK)
+
 ### Checking
 ## check: every test, on all processors; the last line is "N passed, N failed"
-check: all $(SUITES) $(EVIDENCE)
+check: all $(SUITES) $(FAULTY) $(EVIDENCE)
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SUITES) $(SCRIPTS)
 
 ## gate: whether each equation has its function, test, error, proof, vectors, verdict and place, after make check
@@ -163,7 +167,7 @@ errors: $(PROGRAM)
 
 ### The paper's table and figures
 ## data: everything below data/: table, figures, verdicts, golden vectors; prints Table 1
-data: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/datapackage.json
+data: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/errata.csv $(DATA)/datapackage.json
 	@printf 'wrote %s\n' $(TABLES) $(STUDIES) $(VERDICTS) '$(DATA)/golden/ ($(words $(GOLDEN)) files)' $(DATA)/datapackage.json
 	@$(PROGRAM) table1
 
@@ -192,6 +196,17 @@ $(DATA)/golden/%.csv: $(PROGRAM)
 	@mkdir -p $(@D)
 	$(PROGRAM) vectors $* --golden >$@.tmp
 	@mv $@.tmp $@
+
+# Which golden vector tells which mistake from the truth. Fails where one tells none, or a mistake survives all.
+$(DATA)/kills.csv: $(PROGRAM)
+	@mkdir -p $(@D)
+	$(PROGRAM) conform --kills >$@.tmp
+	@mv $@.tmp $@
+
+# Written by hand, should a vector ever prove wrong.
+$(DATA)/errata.csv:
+	@mkdir -p $(@D)
+	cp data/errata.csv $@
 
 $(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN)
 	sha256sum $(sort $^) | $(PROGRAM) datapackage >$@.tmp

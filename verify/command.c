@@ -103,6 +103,16 @@ int option_digits(const struct arguments *a, long otherwise, long *digits)
     return EXIT_DONE;
 }
 
+int whole_number(const char *name, const char *text, uint64_t *value)
+{
+    char *end;
+    errno = 0;
+    *value = strtoull(text, &end, 10);
+    if (strspn(text, "0123456789") != strlen(text) || *text == '\0' || errno != 0 || *value >> 63)
+        return complain(EXIT_USAGE, "%s: expected a whole number, got '%.40s'", name, text);
+    return EXIT_DONE;
+}
+
 int literal_argument(const char *name, const char *text, bool exact, bool may_be_infinite,
                      struct input *value)
 {

@@ -5,6 +5,7 @@
 #define CT_COMMAND_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "operation.h"
 
@@ -45,6 +46,9 @@ const char *option_value(const struct arguments *a, const char *name); /* NULL: 
 /* --digits, 1 ... 10000. */
 int option_digits(const struct arguments *a, long otherwise, long *digits);
 
+/* A whole number below 2^63 in decimal digits. */
+int whole_number(const char *name, const char *text, uint64_t *value);
+
 /*
  * The value of one literal called `name`. A malformed one is wrong usage, one that is no finite number
  * (nan, inf, past binary64) lies outside the domain; +inf passes where it may be.
@@ -75,6 +79,7 @@ int command_figure(int count, char **arguments);
 int command_trajectory(int count, char **arguments);
 int command_verify(int count, char **arguments);
 int command_vectors(int count, char **arguments);
+int command_conform(int count, char **arguments);
 int command_study(int count, char **arguments);
 int command_datapackage(int count, char **arguments);
 int command_typeset(int count, char **arguments);

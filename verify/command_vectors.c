@@ -1,5 +1,4 @@
 /* coulomb-tether vectors: random certified vectors of an operation, and the golden ones, as CSV. */
-#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,17 +6,6 @@
 
 #include "command.h"
 #include "vectors.h"
-
-/* A whole number below 2^63 in decimal digits. */
-static int whole_number(const char *name, const char *text, uint64_t *value)
-{
-    char *end;
-    errno = 0;
-    *value = strtoull(text, &end, 10);
-    if (strspn(text, "0123456789") != strlen(text) || *text == '\0' || errno != 0 || *value >> 63)
-        return complain(EXIT_USAGE, "%s: expected a whole number, got '%.40s'", name, text);
-    return EXIT_DONE;
-}
 
 /* K/N: the K-th of N contiguous parts, as even as can be. */
 static int take_shard(const char *text, uint64_t *first, uint64_t *count, bool *header)

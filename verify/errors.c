@@ -60,12 +60,11 @@ static void root_sensitivity(arb_t S, acb_srcptr z, arb_srcptr coefficients, arb
     arb_clear(modulus);
 }
 
-static void roots_sensitivity(const struct input *inputs, slong prec, arb_ptr S)
+/* Coefficients of (41) and what each input does to them. */
+static void polynomial41(const struct input *inputs, slong prec, arb_ptr coefficients, arb_ptr gradients)
 {
     struct operation polynomial;
     struct machine adjoint;
-    acb_ptr roots = _acb_vec_init(4);
-    arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
     operation_init(&polynomial, section_find(sheet(), "eq41"), false);
     operation_enclose(&polynomial, inputs, prec, coefficients);
     machine_init(&adjoint, polynomial.machine.program, &arithmetic_ball, prec);
@@ -74,13 +73,20 @@ static void roots_sensitivity(const struct input *inputs, slong prec, arb_ptr S)
         for (int i = 0; i < 3; i++)
             arb_set(gradients + 5 * i + k, machine_value(&adjoint, i));
     }
+    machine_clear(&adjoint);
+    operation_clear(&polynomial);
+}
+
+static void roots_sensitivity(const struct input *inputs, slong prec, arb_ptr S)
+{
+    acb_ptr roots = _acb_vec_init(4);
+    arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
+    polynomial41(inputs, prec, coefficients, gradients);
     roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
     for (int k = 0; k < 4; k++) {
         root_sensitivity(S + 2 * k, roots + k, coefficients, gradients, inputs, prec);
         arb_set(S + 2 * k + 1, S + 2 * k);
     }
-    machine_clear(&adjoint);
-    operation_clear(&polynomial);
     _acb_vec_clear(roots, 4);
     _arb_vec_clear(coefficients, 5);
     _arb_vec_clear(gradients, 15);
@@ -145,95 +151,169 @@ void operation_sensitivity_settled(struct operation *o, const struct input *inpu
 
 /* ---- the unit of error ---- */
 
-double error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand)
+/* Bounds on distance / (u weight). */
+static struct bounds roundings(const arb_t distance, const arb_t weight, int significand)
 {
-    const slong prec = 64;
-    arb_t difference, unit;
+    struct bounds E = {0.0, 0.0};
+    arb_t quotient;
     arf_t bound;
-    if (!arf_is_finite(y) || !arb_is_finite(exact) || !arb_is_finite(S))
-        return INFINITY;
-    arb_init(difference);
-    arb_init(unit);
+    if (arb_is_zero(distance))
+        return E;
+    E.upper = INFINITY;
+    if (arb_is_zero(weight) || (arf_is_pos_inf(arb_midref(weight)) && !arb_contains_zero(distance)))
+        E.lower = arb_contains_zero(distance) ? 0.0 : INFINITY;
+    if (!arb_is_finite(distance) || !arb_is_finite(weight) || arb_contains_zero(weight))
+        return E;
+    arb_init(quotient);
     arf_init(bound);
-    arb_sub_arf(difference, exact, y, TRUTH_BITS);
-    arb_abs(unit, exact);
-    arb_add(unit, unit, S, prec);
-    arb_mul_2exp_si(unit, unit, -significand);
-    double E = 0.0;
-    if (!arb_is_zero(difference)) {
-        arb_abs(difference, difference);
-        arb_div(difference, difference, unit, prec);
-        arb_get_ubound_arf(bound, difference, prec);
-        E = arf_is_nan(bound) ? INFINITY : arf_get_d(bound, ARF_RND_UP);
-    }
-    arb_clear(difference);
-    arb_clear(unit);
+    arb_mul_2exp_si(quotient, weight, -significand);
+    arb_div(quotient, distance, quotient, 64);
+    arb_get_ubound_arf(bound, quotient, 64);
+    E.upper = arf_get_d(bound, ARF_RND_UP);
+    arb_get_lbound_arf(bound, quotient, 64);
+    E.lower = fmax(arf_get_d(bound, ARF_RND_DOWN), 0.0);
+    arb_clear(quotient);
     arf_clear(bound);
     return E;
 }
 
-/* |y - z| against u (|z| + S) for a complex root. */
-static double root_error(const double *y, arb_srcptr z, const arb_t S)
+struct bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand)
 {
-    arb_t re, im, modulus;
-    arf_t none;
-    double E = INFINITY;
-    if (!isfinite(y[0]) || !isfinite(y[1]))
-        return E;
-    arb_init(re);
-    arb_init(im);
-    arb_init(modulus);
-    arf_init(none);
-    arb_set_d(re, y[0]);
-    arb_set_d(im, y[1]);
-    arb_sub(re, re, z, TRUTH_BITS);
-    arb_sub(im, im, z + 1, TRUTH_BITS);
-    arb_hypot(re, re, im, TRUTH_BITS); /* the distance, compared with zero on the scale of |z| + S */
-    arb_hypot(modulus, z, z + 1, TRUTH_BITS);
-    arb_add(modulus, modulus, S, TRUTH_BITS);
-    arb_mul_2exp_si(modulus, modulus, -BINARY64);
-    arb_div(re, re, modulus, TRUTH_BITS);
-    arb_get_ubound_arf(none, re, 64);
-    E = arf_is_nan(none) ? INFINITY : arf_get_d(none, ARF_RND_UP);
-    arb_clear(re);
-    arb_clear(im);
-    arb_clear(modulus);
-    arf_clear(none);
+    arb_t distance, weight;
+    if (!arf_is_finite(y))
+        return (struct bounds){INFINITY, INFINITY};
+    arb_init(distance);
+    arb_init(weight);
+    arb_sub_arf(distance, exact, y, TRUTH_BITS);
+    arb_abs(distance, distance);
+    arb_abs(weight, exact);
+    arb_add(weight, weight, S, 64);
+    const struct bounds E = roundings(distance, weight, significand);
+    arb_clear(distance);
+    arb_clear(weight);
     return E;
 }
 
-/* Roots are a set: of all 24 ways to match them, the one with the least worst error. */
-static double matched_error(const double *y, arb_srcptr exact, arb_srcptr S)
+/* ---- roots, complex numbers of which S is a modulus too ---- */
+
+/* |y - z| against u (|z| + S) */
+static struct bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S, int significand)
 {
-    double E[4][4], least = INFINITY;
+    arb_t re, im;
+    arb_init(re);
+    arb_init(im);
+    arb_sub(re, y, z, TRUTH_BITS);
+    arb_sub(im, y + 1, z + 1, TRUTH_BITS);
+    arb_hypot(re, re, im, TRUTH_BITS);
+    arb_hypot(im, z, z + 1, TRUTH_BITS);
+    arb_add(im, im, S, TRUTH_BITS);
+    const struct bounds E = roundings(re, im, significand);
+    arb_clear(re);
+    arb_clear(im);
+    return E;
+}
+
+/*
+ * A multiple root moves like a root of the change and has no S: what counts is the polynomial's value there,
+ * |p(y)| against u times what one rounding of each coefficient and of each input does to it.
+ */
+static struct bounds residual_error(arb_srcptr y, const struct input *inputs, int significand)
+{
+    arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
+    acb_t z, power, sum, moved[3];
+    arb_t weight, modulus;
+    acb_init(z);
+    acb_init(power);
+    acb_init(sum);
+    arb_init(weight);
+    arb_init(modulus);
+    for (int i = 0; i < 3; i++)
+        acb_init(moved[i]);
+    polynomial41(inputs, TRUTH_BITS, coefficients, gradients);
+    acb_set_arb_arb(z, y, y + 1);
+    acb_one(power);
+    for (int k = 0; k < 5; k++) {
+        acb_addmul_arb(sum, power, coefficients + k, TRUTH_BITS);
+        acb_abs(modulus, power, TRUTH_BITS);
+        arb_mul(modulus, modulus, coefficients + k, TRUTH_BITS);
+        arb_abs(modulus, modulus);
+        arb_add(weight, weight, modulus, TRUTH_BITS);
+        for (int i = 0; i < 3; i++)
+            acb_addmul_arb(moved[i], power, gradients + 5 * i + k, TRUTH_BITS);
+        acb_mul(power, power, z, TRUTH_BITS);
+    }
+    for (int i = 0; i < 3; i++) {
+        acb_abs(modulus, moved[i], TRUTH_BITS);
+        add_term(weight, &inputs[i], modulus, TRUTH_BITS);
+        acb_clear(moved[i]);
+    }
+    acb_abs(modulus, sum, TRUTH_BITS);
+    const struct bounds E = roundings(modulus, weight, significand);
+    acb_clear(z);
+    acb_clear(power);
+    acb_clear(sum);
+    arb_clear(weight);
+    arb_clear(modulus);
+    _arb_vec_clear(coefficients, 5);
+    _arb_vec_clear(gradients, 15);
+    return E;
+}
+
+static double distance(arb_srcptr y, arb_srcptr z)
+{
+    return hypot(arf_get_d(arb_midref(y), ARF_RND_NEAR) - arf_get_d(arb_midref(z), ARF_RND_NEAR),
+                 arf_get_d(arb_midref(y + 1), ARF_RND_NEAR) - arf_get_d(arb_midref(z + 1), ARF_RND_NEAR));
+}
+
+/* Root j of the four for y; a multiple one by the residual, as long as no other root is nearer. */
+static struct bounds one_of_four(arb_srcptr y, arb_srcptr exact, arb_srcptr S, int j, const struct input *inputs,
+                          int significand)
+{
+    bool multiple = false, nearest = true;
+    for (int k = 0; k < 4; k++) {
+        const bool same = arb_equal(exact + 2 * k, exact + 2 * j) && arb_equal(exact + 2 * k + 1, exact + 2 * j + 1);
+        multiple = multiple || (same && k != j);
+        nearest = nearest && (same || distance(y, exact + 2 * j) < distance(y, exact + 2 * k));
+    }
+    if (!multiple)
+        return root_error(y, exact + 2 * j, S + 2 * j, significand);
+    return nearest ? residual_error(y, inputs, significand) : (struct bounds){INFINITY, INFINITY};
+}
+
+/* Roots are a set: of all 24 ways to match them, the one with the least worst E. */
+static struct bounds matched_error(const struct input *inputs, arb_srcptr y, arb_srcptr exact, arb_srcptr S,
+                            int significand)
+{
+    struct bounds E[4][4], least = {INFINITY, INFINITY};
     for (int i = 0; i < 16; i++)
-        E[i / 4][i % 4] = root_error(y + 2 * (i / 4), exact + 2 * (i % 4), S + 2 * (i % 4));
+        E[i / 4][i % 4] = one_of_four(y + 2 * (i / 4), exact, S, i % 4, inputs, significand);
     for (int code = 0; code < 256; code++) {
         const int to[4] = {code & 3, (code >> 2) & 3, (code >> 4) & 3, (code >> 6) & 3};
         if (((1 << to[0]) | (1 << to[1]) | (1 << to[2]) | (1 << to[3])) != 15)
             continue;
-        double worst = 0.0;
-        for (int i = 0; i < 4; i++)
-            worst = fmax(worst, E[i][to[i]]);
-        least = fmin(least, worst);
+        struct bounds worst = {0.0, 0.0};
+        for (int i = 0; i < 4; i++) {
+            worst.lower = fmax(worst.lower, E[i][to[i]].lower);
+            worst.upper = fmax(worst.upper, E[i][to[i]].upper);
+        }
+        least.lower = fmin(least.lower, worst.lower);
+        least.upper = fmin(least.upper, worst.upper);
     }
     return least;
 }
 
-double worst_error(const struct section *s, const double *y, arb_srcptr exact, arb_srcptr S, int *output)
+struct bounds worst_error(const struct section *s, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
+                          arb_srcptr S, int significand, int *output)
 {
-    double worst = -1.0;
+    struct bounds worst = {0.0, -1.0};
     *output = 0;
     if (s->method == METHOD_ROOTS)
-        return matched_error(y, exact, S);
+        return matched_error(inputs, y, exact, S, significand);
     for (int i = 0; i < s->output_count; i++) {
-        arf_t value;
-        arf_init(value);
-        arf_set_d(value, y[i]);
-        double E = error_in_roundings(value, exact + i, S + i, BINARY64);
-        arf_clear(value);
-        if (E > worst) {
-            worst = E;
+        const struct bounds E = error_in_roundings(arb_midref(y + i), exact + i, S + i, significand);
+        worst.lower = fmax(worst.lower, E.lower);
+        if (E.upper > worst.upper) {
+            worst.upper = E.upper;
             *output = i;
         }
     }
@@ -274,7 +354,7 @@ void measure_errors(struct measured *m, const struct section *s, long count, uin
 {
     double values[MOST_INPUTS], answers[MOST_OUTPUTS];
     struct input *inputs = inputs_new(s->input_count);
-    arb_ptr exact = _arb_vec_init(MOST_OUTPUTS), S = _arb_vec_init(MOST_OUTPUTS);
+    arb_ptr y = _arb_vec_init(MOST_OUTPUTS), exact = _arb_vec_init(MOST_OUTPUTS), S = _arb_vec_init(MOST_OUTPUTS);
     reference_function *function = reference_find(s->id);
     struct operation o;
     operation_init(&o, s, false);
@@ -285,7 +365,9 @@ void measure_errors(struct measured *m, const struct section *s, long count, uin
         function(values, answers);
         operation_sensitivity(&o, inputs, TRUTH_BITS, S);
         operation_enclose(&o, inputs, TRUTH_BITS, exact);
-        double E = worst_error(s, answers, exact, S, &output);
+        for (int i = 0; i < s->output_count; i++)
+            arb_set_d(y + i, answers[i]);
+        const double E = worst_error(s, inputs, y, exact, S, BINARY64, &output).upper;
         if (E > m->worst) {
             m->worst = E;
             m->index = index;
@@ -295,6 +377,7 @@ void measure_errors(struct measured *m, const struct section *s, long count, uin
     }
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
+    _arb_vec_clear(y, MOST_OUTPUTS);
     _arb_vec_clear(exact, MOST_OUTPUTS);
     _arb_vec_clear(S, MOST_OUTPUTS);
 }

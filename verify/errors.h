@@ -28,11 +28,19 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
 void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
                                    arb_t S);
 
-/* An upper bound on E, rounded up; 0 where y = y*, infinity where y is no number or y* = S = 0. */
-double error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand);
+struct bounds {
+    double lower, upper; /* rounded outward */
+};
 
-/* All outputs of an operation at once, roots matched as a set: the worst E, and which output. */
-double worst_error(const struct section *s, const double *y, arb_srcptr exact, arb_srcptr S, int *output);
+/* Bounds on E; 0 where y = y*, infinity where y is no number, y* = S = 0 or S is infinite. */
+struct bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand);
+
+/*
+ * All outputs of an operation at once, y exact balls: the worst E, and which output. Roots are matched as a
+ * set, multiple ones judged by their residual.
+ */
+struct bounds worst_error(const struct section *s, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
+                          arb_srcptr S, int significand, int *output);
 
 /* ref/ against the truth on random inputs, a line an operation. */
 struct measured {

@@ -16,14 +16,16 @@ enum { MOST_INPUTS = 40, RANDOM = 10 };
 struct golden {
     struct operation o;
     const char *base[MOST_INPUTS]; /* the paper's case */
+    golden_receiver *receive;
+    void *context;
     bool fine;
 };
 
-static void print(struct golden *g, const char *name, const char *const *texts, const char *flags)
+static void hand_on(struct golden *g, const char *name, const char *const *texts, const char *flags)
 {
     char id[96];
     snprintf(id, sizeof id, "%s-%s", g->o.section->id, name);
-    g->fine = g->fine && vector_print(&g->o, id, texts, flags);
+    g->fine = g->fine && g->receive(g->context, &g->o, id, texts, flags);
 }
 
 /* The base with one input replaced, or two masses. */
@@ -34,7 +36,7 @@ static void replaced(struct golden *g, const char *how, int i, const char *text,
     memcpy(texts, g->base, sizeof texts);
     texts[i] = text;
     snprintf(name, sizeof name, "%s-%s", how, g->o.section->inputs[i]->name);
-    print(g, name, texts, flags);
+    hand_on(g, name, texts, flags);
 }
 
 static int place(const struct section *s, const char *name)
@@ -56,7 +58,7 @@ static void unequal_masses(struct golden *g)
         memcpy(texts, g->base, sizeof texts);
         texts[m1] = ratios[k][1];
         texts[m2] = ratios[k][2];
-        print(g, ratios[k][0], texts, "unequal-masses");
+        hand_on(g, ratios[k][0], texts, "unequal-masses");
     }
 }
 
@@ -110,7 +112,7 @@ static void random_vectors(struct golden *g)
             texts[i] = decimals[i];
         }
         snprintf(name, sizeof name, "random-%d", k);
-        print(g, name, texts, "random");
+        hand_on(g, name, texts, "random");
     }
     inputs_free(inputs, s->input_count);
 }
@@ -123,27 +125,26 @@ static void special(struct golden *g, const struct special *special)
     for (int i = 0; i < g->o.section->input_count; i++)
         texts[i] = special->texts[i] ? special->texts[i] : g->base[i];
     if (t < 0 || special->texts[t] == NULL || strchr(special->texts[t], ' ') == NULL) {
-        print(g, special->name, texts, strcmp(special->flags, "invalid") == 0 ? "" : special->flags);
+        hand_on(g, special->name, texts, strcmp(special->flags, "invalid") == 0 ? "" : special->flags);
         return;
     }
     char *times = text_copy(special->texts[t]), *rest = NULL, name[80];
     for (char *time = strtok_r(times, " ", &rest); time; time = strtok_r(NULL, " ", &rest)) {
         texts[t] = time;
         snprintf(name, sizeof name, "%s-%s", special->name, time);
-        print(g, name, texts, special->flags);
+        hand_on(g, name, texts, special->flags);
     }
     free(times);
 }
 
-bool vectors_golden(const struct section *s)
+bool golden_each(const struct section *s, golden_receiver *receive, void *context)
 {
-    struct golden g = {.fine = true};
+    struct golden g = {.receive = receive, .context = context, .fine = true};
     operation_init(&g.o, s, false);
     for (int i = 0; i < s->input_count; i++)
         g.base[i] = s->inputs[i]->value ? s->inputs[i]->value : s->inputs[i]->example;
-    vectors_header(s);
     if (s->method == METHOD_FORMULA || s->method == METHOD_ROOTS) {
-        print(&g, "paper", g.base, "paper");
+        hand_on(&g, "paper", g.base, "paper");
         unequal_masses(&g);
         random_vectors(&g);
         for (int i = 0; i < s->input_count; i++)
@@ -157,4 +158,16 @@ bool vectors_golden(const struct section *s)
         fprintf(stderr, "coulomb-tether: %s\n", g.o.why.text);
     operation_clear(&g.o);
     return g.fine;
+}
+
+static bool print(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
+{
+    (void)context;
+    return vector_print(o, id, texts, flags);
+}
+
+bool vectors_golden(const struct section *s)
+{
+    vectors_header(s);
+    return golden_each(s, print, NULL);
 }

@@ -38,6 +38,11 @@ static const struct subcommand {
     {"vectors", command_vectors,
      "vectors ID --count N --seed S [--shard K/N] | vectors ID --golden\n"
      "    random certified vectors, or the golden ones, as CSV\n"},
+    {"conform", command_conform,
+     "conform [--only ID|LEVEL,...] [--random N --seed S] [--digits ID=D] ... [--timeout SECONDS]\n"
+     "        [--significand 24|53|113] [--range] [--report FILE.xml|FILE.json] -- CLIENT ARGS...\n"
+     "conform --answers FILE.csv ID | conform --kills [--only ID|LEVEL,...]\n"
+     "    is an implementation right, by how much is it wrong, and which mistake does it look like\n"},
     {"typeset", command_typeset,
      "typeset [ID]\n"
      "    the sheet's formulas as LaTeX, a line each, for the weaver of the literate edition\n"},

@@ -253,7 +253,7 @@ static double flow_radians(const struct operation *o, const struct input *inputs
     return fabs(fmpq_get_d(input_named(o, inputs, "Omega")) * fmpq_get_d(input_named(o, inputs, "t")));
 }
 
-static slong first_precision(const struct operation *o, const struct input *inputs, slong digits)
+slong operation_precision(const struct operation *o, const struct input *inputs, slong digits)
 {
     switch (o->section->method) {
     case METHOD_FLOW_LINEAR:
@@ -283,6 +283,12 @@ static enum outcome enclose(struct operation *o, const struct input *inputs, slo
 enum outcome operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs)
 {
     return enclose(o, inputs, (slong)((double)prec / 3.33), prec, outputs);
+}
+
+enum outcome operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                              arb_ptr outputs)
+{
+    return enclose(o, inputs, digits, prec, outputs);
 }
 
 /* ---- digits ---- */
@@ -335,7 +341,7 @@ enum outcome operation_digits(struct operation *o, const struct input *inputs, s
     if (!operation_valid(o, inputs))
         return OUTCOME_INVALID;
     arb_ptr balls = _arb_vec_init(count);
-    slong prec = first_precision(o, inputs, digits);
+    slong prec = operation_precision(o, inputs, digits);
     const slong most = 8 * prec + MOST_BITS / 8;
     int left = count;
     enum outcome outcome = OUTCOME_PROVED;

@@ -31,8 +31,15 @@ void operation_clear(struct operation *o);
 /* Whether the inputs lie in the domain; if not, `why` names the first that does not. */
 bool operation_valid(struct operation *o, const struct input *inputs);
 
+/* Bits of working precision that so many digits are expected to take. */
+slong operation_precision(const struct operation *o, const struct input *inputs, slong digits);
+
 /* Enclosures of all outputs from prec bits of working precision. */
 enum outcome operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs);
+
+/* The same of a motion, given up where it gets wider than so many digits of its largest coordinate. */
+enum outcome operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                              arb_ptr outputs);
 
 /*
  * All outputs as decimals with that many significant digits, each correctly rounded; the caller frees

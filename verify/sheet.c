@@ -6,13 +6,14 @@
 
 #include "decimal.h"
 #include "document.h"
+#include "slip.h"
 
 struct reader {
     struct document document;
     struct sheet *sheet;
 };
 
-enum { MOST_OUTPUTS = 16, MOST_INPUTS = 40 };
+enum { MOST_OUTPUTS = 16, MOST_INPUTS = 40, MOST_CHANGES = 12 };
 
 static const char *keep(struct sheet *s, const char *text)
 {
@@ -378,6 +379,86 @@ static bool read_specials(struct reader *r, const yaml_node_t *node, struct sect
     return true;
 }
 
+/* K: {bound: 8, reason: ...}; as it was where there is none */
+static bool read_K(struct reader *r, const yaml_node_t *node, double *K, const char **reason)
+{
+    static const char *const known[] = {"bound", "reason", NULL};
+    if (node == NULL)
+        return true;
+    if (!is_mapping(&r->document, node, known))
+        return false;
+    const yaml_node_t *bound = child(&r->document, node, "bound");
+    *reason = text_of(r, node, "reason", true);
+    if (*reason == NULL)
+        return false;
+    return bound == NULL ? mistake(&r->document, node, 0, "missing bound, expected a positive number")
+                         : read_double(r, bound, K);
+}
+
+/* NAME: formula, under inputs, let or outputs of a mistake */
+static bool read_changes(struct reader *r, const yaml_node_t *node, enum place place, struct slip *slip)
+{
+    if (!is_mapping(&r->document, node, NULL))
+        return false;
+    for (int n = 0; n < length_of(node); n++) {
+        const yaml_node_t *value = value_of(&r->document, node, n);
+        if (scalar(value) == NULL || slip->count == MOST_CHANGES)
+            return mistake(&r->document, value, 0, "expected a formula, and at most %d of them", MOST_CHANGES);
+        slip->changes[slip->count].place = place;
+        slip->changes[slip->count].name = keep(r->sheet, scalar(key_of(&r->document, node, n)));
+        slip->changes[slip->count++].formula = keep(r->sheet, scalar(value));
+    }
+    return true;
+}
+
+/* name: {inputs: {...}, let: {...}, outputs: {...}, as: SECTION} */
+static bool read_slip(struct reader *r, const char *name, const yaml_node_t *node, struct slip *slip)
+{
+    static const char *const known[] = {"inputs", "let", "outputs", "as", NULL};
+    *slip = (struct slip){.name = keep(r->sheet, name)};
+    if (!is_mapping(&r->document, node, known))
+        return false;
+    for (int place = PLACE_INPUT; place <= PLACE_OUTPUT; place++) {
+        const yaml_node_t *changes = child(&r->document, node, known[place]);
+        if (changes != NULL && !read_changes(r, changes, (enum place)place, slip))
+            return false;
+    }
+    slip->as = text_of(r, node, "as", false);
+    return true;
+}
+
+static bool read_slips(struct reader *r, const yaml_node_t *node, struct slip **slips, int *count)
+{
+    if (node == NULL)
+        return true;
+    if (!is_mapping(&r->document, node, NULL))
+        return false;
+    for (int n = 0; n < length_of(node); n++) {
+        *slips = memory(*slips, (size_t)*count + 1, sizeof **slips);
+        if (!read_slip(r, scalar(key_of(&r->document, node, n)), value_of(&r->document, node, n), &(*slips)[(*count)++]))
+            return false;
+    }
+    return true;
+}
+
+/* A section's own mistakes make sense in it; `as` may name a section that stands further down. */
+static bool check_slips(struct reader *r, const yaml_node_t *equations)
+{
+    for (int i = 0; i < r->sheet->section_count; i++) {
+        const struct section *s = &r->sheet->sections[i];
+        for (int k = 0; k < s->slip_count; k++) {
+            const yaml_node_t *section = child(&r->document, equations, s->id);
+            const yaml_node_t *at = child(&r->document, child(&r->document, section, "mistakes"), s->slips[k].name);
+            struct alternative a;
+            struct message why;
+            if (!alternative_init(&a, r->sheet, s, &s->slips[k], true, &why))
+                return mistake(&r->document, at, 0, "%.300s", why.text);
+            alternative_clear(&a);
+        }
+    }
+    return true;
+}
+
 static bool read_numbers(struct reader *r, const yaml_node_t *section, struct section *s)
 {
     const yaml_node_t *items[8], *node = child(&r->document, section, "equations");
@@ -421,13 +502,13 @@ static bool read_domain_alone(struct reader *r, const yaml_node_t *domain, struc
 static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_node_t *node)
 {
     static const char *const known[] = {"title",   "equations", "inputs",  "let",    "outputs", "domain",
-                                        "printed", "relations", "reason", "method", "note",   "vectors", NULL};
+                                        "printed", "relations", "reason", "method", "note",   "vectors", "K", "mistakes", NULL};
     struct sheet *sheet = r->sheet;
     if (!is_mapping(&r->document, node, known))
         return false;
     sheet->sections = memory(sheet->sections, (size_t)sheet->section_count + 1, sizeof *sheet->sections);
     struct section *s = &sheet->sections[sheet->section_count++];
-    *s = (struct section){.id = keep(sheet, scalar(key))};
+    *s = (struct section){.id = keep(sheet, scalar(key)), .K = sheet->K, .K_reason = sheet->K_reason};
     const yaml_node_t *domain = child(&r->document, node, "domain"), *printed = child(&r->document, node, "printed");
     const yaml_node_t *relations = child(&r->document, node, "relations"), *specials = child(&r->document, node, "vectors");
     s->title = text_of(r, node, "title", true);
@@ -435,7 +516,9 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
     s->reason = text_of(r, node, "reason", printed != NULL);
     if (s->title == NULL || (printed != NULL && s->reason == NULL) || !read_numbers(r, node, s) ||
         !read_method(r, node, s) || (relations != NULL && !read_relations(r, relations, s)) ||
-        (specials != NULL && !read_specials(r, specials, s)))
+        (specials != NULL && !read_specials(r, specials, s)) ||
+        !read_K(r, child(&r->document, node, "K"), &s->K, &s->K_reason) ||
+        !read_slips(r, child(&r->document, node, "mistakes"), &s->slips, &s->slip_count))
         return false;
     if (s->method != METHOD_FORMULA)
         return read_domain_alone(r, domain, s);
@@ -453,21 +536,23 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
 
 static bool read_sheet(struct reader *r)
 {
-    static const char *const known[] = {"quantities", "table1", "equations", NULL};
+    static const char *const known[] = {"quantities", "table1", "equations", "K", "mistakes", NULL};
     const yaml_node_t *root = document_root(&r->document);
     if (!is_mapping(&r->document, root, known))
         return false;
-    for (int i = 0; known[i] != NULL; i++)
+    for (int i = 0; i < 3; i++) /* the oracle's keys need not be there */
         if (child(&r->document, root, known[i]) == NULL)
             return mistake(&r->document, root, 0, "missing %s", known[i]);
     const yaml_node_t *equations = child(&r->document, root, "equations");
     if (!read_quantities(r, child(&r->document, root, "quantities")) ||
-        !read_table1(r, child(&r->document, root, "table1")) || !is_mapping(&r->document, equations, NULL))
+        !read_table1(r, child(&r->document, root, "table1")) || !is_mapping(&r->document, equations, NULL) ||
+        !read_K(r, child(&r->document, root, "K"), &r->sheet->K, &r->sheet->K_reason) ||
+        !read_slips(r, child(&r->document, root, "mistakes"), &r->sheet->slips, &r->sheet->slip_count))
         return false;
     for (int n = 0; n < length_of(equations); n++)
         if (!read_section(r, key_of(&r->document, equations, n), value_of(&r->document, equations, n)))
             return false;
-    return true;
+    return check_slips(r, equations);
 }
 
 int sheet_read(struct sheet *s, const char *text, size_t length, const char *name, struct message *why)
@@ -497,11 +582,13 @@ void sheet_clear(struct sheet *s)
         formulas_clear(&s->sections[i].printed);
         free(s->sections[i].relations);
         free(s->sections[i].specials);
+        free(s->sections[i].slips);
     }
     for (int i = 0; i < s->text_count; i++)
         free(s->texts[i]);
     free(s->texts);
     free(s->table1);
+    free(s->slips);
     free(s->sections);
     free(s->quantities);
     *s = (struct sheet){0};

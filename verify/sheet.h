@@ -54,6 +54,22 @@ struct special {
     const char *texts[40];      /* literals, of t several with blanks between: a vector each */
 };
 
+/*
+ * A slip that implementations make: an input, a subexpression or an output is something else, written in
+ * the names of the section as it should be; or another section stands in its place.
+ */
+enum place { PLACE_INPUT, PLACE_LET, PLACE_OUTPUT };
+
+struct slip {
+    const char *name;
+    const char *as;             /* the other section, NULL: none */
+    struct {
+        enum place place;
+        const char *name, *formula;
+    } changes[12];
+    int count;
+};
+
 /* How a section's outputs come about: by its formulas, or by an algorithm. */
 enum method { METHOD_NONE, METHOD_FORMULA, METHOD_ROOTS, METHOD_FLOW_LINEAR, METHOD_FLOW_NONLINEAR,
               METHOD_RK4_LINEAR, METHOD_RK4_NONLINEAR };
@@ -69,14 +85,20 @@ struct section {
     bool differs;               /* the print differs: `printed` is filled, `reason` says why */
     struct relation *relations;
     struct special *specials;
-    int relation_count, special_count;
+    struct slip *slips;
+    int relation_count, special_count, slip_count;
+    double K;                   /* the largest E that the oracle lets pass */
+    const char *K_reason;
 };
 
 struct sheet {
     struct quantity *quantities;
     struct section *sections;
     struct table_row *table1;
-    int quantity_count, section_count, row_count;
+    struct slip *slips;         /* of every section that has the names they change */
+    int quantity_count, section_count, row_count, slip_count;
+    double K;                   /* of every section that says nothing of its own */
+    const char *K_reason;
     char **texts;               /* everything the above points into */
     int text_count;
 };

@@ -25,8 +25,8 @@ void vectors_header(const struct section *s)
     puts(",flags");
 }
 
-/* Whether |x| is neither zero nor in binary64's normal range, 2^-1022 to just below 2^1024. */
-static bool leaves_range(const arb_t x)
+/* Whether |x| is neither zero nor in a normal range, of binary64 2^-1022 to just below 2^1024. */
+static bool leaves_range(const arb_t x, slong exponent)
 {
     arf_t bound;
     bool leaves = false;
@@ -34,19 +34,19 @@ static bool leaves_range(const arb_t x)
         return false; /* zero: what underflows to it is seen in its operands; infinity: an input that may be */
     arf_init(bound);
     arb_get_abs_lbound_arf(bound, x, 64);
-    leaves = arf_cmpabs_2exp_si(bound, -1022) < 0 || arf_cmpabs_2exp_si(bound, 1024) >= 0;
+    leaves = arf_cmpabs_2exp_si(bound, 2 - exponent) < 0 || arf_cmpabs_2exp_si(bound, exponent) >= 0;
     arf_clear(bound);
     return leaves;
 }
 
-/* The formula in its written order: any subexpression, the inputs themselves included. */
-static bool is_out_of_range(struct operation *o, const struct input *inputs)
+bool vector_leaves_range(struct operation *o, const struct input *inputs, int significand)
 {
+    const slong exponent = significand == BINARY32 ? 128 : significand == BINARY64 ? 1024 : 16384;
     arb_ptr outputs = _arb_vec_init(MOST_OUTPUTS);
     bool leaves = false;
     operation_enclose(o, inputs, 256, outputs);
     for (int i = 0; i < o->machine.program->count && !leaves; i++)
-        leaves = leaves_range(machine_value(&o->machine, i));
+        leaves = leaves_range(machine_value(&o->machine, i), exponent);
     _arb_vec_clear(outputs, MOST_OUTPUTS);
     return leaves;
 }
@@ -95,8 +95,7 @@ static void print_line(const char *id, const struct section *s, const char *cons
     printf(",%s%s%s\n", flag, *flag && *flags ? " " : "", flags);
 }
 
-/* Reads the texts; false where one is no finite number and may not be infinite either. */
-static bool read_texts(const struct section *s, const char *const *texts, struct input *inputs)
+bool vector_read(const struct section *s, const char *const *texts, struct input *inputs)
 {
     bool finite = true;
     for (int i = 0; i < s->input_count; i++) {
@@ -114,12 +113,12 @@ bool vector_print(struct operation *o, const char *id, const char *const *texts,
     struct input *inputs = inputs_new(s->input_count);
     const char *flag = "";
     bool fine = true;
-    if (!read_texts(s, texts, inputs) || !operation_valid(o, inputs)) {
+    if (!vector_read(s, texts, inputs) || !operation_valid(o, inputs)) {
         flag = "invalid";
     } else {
         fine = operation_digits(o, inputs, VECTOR_DIGITS, outputs) == OUTCOME_PROVED &&
                (!operation_has_sensitivity(s) || sensitivity_texts(o, inputs, S));
-        if (fine && s->method == METHOD_FORMULA && is_out_of_range(o, inputs))
+        if (fine && s->method == METHOD_FORMULA && vector_leaves_range(o, inputs, BINARY64))
             flag = "range";
     }
     if (fine)

@@ -30,4 +30,18 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
 /* The golden vectors of an operation. */
 bool vectors_golden(const struct section *s);
 
+/* The same one by one, as literals; "invalid" and "range" are not yet among the flags. False ends it. */
+typedef bool golden_receiver(void *context, struct operation *o, const char *id, const char *const *texts,
+                             const char *flags);
+bool golden_each(const struct section *s, golden_receiver *receive, void *context);
+
+/* Reads literals; false where one is no finite number and may not be infinite either. */
+bool vector_read(const struct section *s, const char *const *texts, struct input *inputs);
+
+/*
+ * Whether the inputs, or a subexpression of the formulas in their written order, leave the normal range of
+ * a format with that significand: BINARY32, 64 or 128 of errors.h.
+ */
+bool vector_leaves_range(struct operation *o, const struct input *inputs, int significand);
+
 #endif

@@ -1,0 +1,486 @@
+/* The oracle: what a client can do wrong, each with its own outcome, and no process left behind. */
+#include "run.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "conform.h"
+#include "diagnosis.h"
+#include "slip.h"
+
+static char said[1 << 20]; /* both outputs of the program's last run */
+
+/* conform with those arguments, FAULTY standing for the test's own client; its exit status, -1 for a signal. */
+static int conform(const char *arguments)
+{
+    char line[1024];
+    const char *client = strstr(arguments, "FAULTY");
+    const int before = client ? (int)(client - arguments) : (int)strlen(arguments);
+    snprintf(line, sizeof line, "exec 2>&1; \"$CT_PROGRAM\" conform %.*s%s%s", before, arguments,
+             client ? "\"$CT_BUILD/tests/faulty\"" : "", client ? client + strlen("FAULTY") : "");
+    FILE *pipe = popen(line, "r");
+    ck_assert_ptr_nonnull(pipe);
+    const size_t length = fread(said, 1, sizeof said - 1, pipe);
+    said[length] = '\0';
+    const int status = pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static void assert_says(const char *text)
+{
+    ck_assert_msg(strstr(said, text) != NULL, "'%s' is not in:\n%s", text, said);
+}
+
+/* ---- faults ---- */
+
+/* eq07, eq09 and eq44 have 44, 25 and 28 golden vectors; faults begin with the eleventh question. */
+#define THREE "--only eq07,eq09,eq44 --timeout 1 -- FAULTY "
+
+static const struct {
+    const char *arguments;
+    int status;
+    const char *says;
+} faults[] = {
+    {THREE "none", 0, " 0 failed"},
+    {THREE "crlf", 0, " 0 failed"},
+    {THREE "nan", 1, " NaN\n"},
+    {THREE "inf", 1, " infinite\n"},
+    {THREE "wrong", 1, " wrong\n"},
+    {THREE "count", 1, " wrong count\n"},
+    {THREE "invalid", 1, " invalid where a value is due\n"},
+    {THREE "value", 1, " a value where invalid is due\n"},
+    {THREE "wrong-id", 1, "eq09: 25 wrong id\n"},
+    {THREE "malformed", 1, "eq07: 1 malformed\n"},
+    {THREE "binary", 1, "eq07: 1 malformed\n"},
+    {THREE "too-long", 1, "eq07: 1 too long\n"},
+    {THREE "missing", 1, "eq07: 1 missing\n"},
+    {THREE "repeated", 1, "eq07: 1 repeated\n"},
+    {THREE "reordered", 1, "eq07: 1 reordered\n"},
+    {THREE "truncated", 1, "eq07: 1 truncated, "},
+    {THREE "extra", 1, "client: 2 extra line\n"},
+    {THREE "empty", 1, "eq09: 25 missing\n"},
+    {THREE "hang", 1, " 1 time-out\n"},
+    {THREE "crash", 1, " 1 crash\n"},
+    {THREE "exit-3", 1, "client: 1 exit status\n"},
+    {THREE "flood", 1, ", 1 too many lines out of place\n"},
+    {THREE "skip", 1, "every vector was skipped\n"},
+    {THREE "dies", 2, "exit status 9 before its first answer\n"},
+    {"--only algebra -- FAULTY early", 1, "eq44: 1 early\n"}, /* more questions than both buffers hold */
+    {"--only eq07 --random 300 --seed 1 -- FAULTY invalid", 1, " failed"}, /* not 300 mod 256 = 44 */
+    {"--only eq38 -- FAULTY printed", 1, "looks like: as printed\n"},
+    {"--only eq12,eq38 -- FAULTY float", 1, "looks like: computed in single precision\n"},
+    {"--significand 24 --only eq12,eq38 -- FAULTY float", 0, " 0 failed"},
+    {"--significand 113 --only eq12,eq38 -- FAULTY none", 1, " wrong\n"},
+    {"--only flow_linear --digits flow_linear=15 -- FAULTY none", 1, " wrong\n"},
+};
+
+START_TEST(a_fault_has_its_own_outcome)
+{
+    const int status = conform(faults[_i].arguments);
+    ck_assert_msg(status == faults[_i].status, "%s: exit %d\n%s", faults[_i].arguments, status, said);
+    assert_says(faults[_i].says);
+}
+END_TEST
+
+START_TEST(a_right_client_passes_everything)
+{
+    ck_assert_int_eq(conform("-- FAULTY none"), 0);
+    assert_says(" 0 failed, 0 skipped\n");
+    assert_says("\nrk4_nonlinear ");
+}
+END_TEST
+
+START_TEST(random_vectors_of_every_level_pass)
+{
+    ck_assert_int_eq(conform("--random 300 --seed 11 -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--only flow_linear,rk4_linear --random 20 --seed 11 -- FAULTY none"), 0);
+}
+END_TEST
+
+START_TEST(much_in_flight_both_ways_does_not_deadlock)
+{
+    /* a client that answers at once, one that hears everything first, one with a megabyte to complain */
+    ck_assert_int_eq(conform("--only eq07 --random 20000 --seed 1 -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--only eq07 --random 20000 --seed 1 -- sh -c 'cat >\"$CT_BUILD/tests/asked\" && "
+                             "exec \"$CT_BUILD/tests/faulty\" <\"$CT_BUILD/tests/asked\"'"), 0);
+    ck_assert_int_eq(conform("--only eq07 -- sh -c 'head -c 1000000 /dev/zero >&2; exec \"$CT_BUILD/tests/faulty\"'"), 0);
+}
+END_TEST
+
+/* ---- wrong usage ---- */
+
+static const struct {
+    const char *arguments, *says;
+} mistakes[] = {
+    {"", "expected -- CLIENT"},
+    {"--", "behind --"},
+    {"FAULTY", "expected -- CLIENT"},
+    {"-- /nowhere/client", "/nowhere/client': No such file"},
+    {"-- ./Makefile", "Permission denied"},
+    {"-- false", "exit status 1 before its first answer"},
+    {"-- sh -c 'kill -SEGV $$'", "signal 11 before its first answer"},
+    {"--only eq7 -- FAULTY", "did you mean 'eq07'"},
+    {"--only eq01 -- FAULTY", "definition"},
+    {"--only , -- FAULTY", "--only"},
+    {"--random 5 -- FAULTY", "--seed"},
+    {"--random some --seed 1 -- FAULTY", "--random"},
+    {"--timeout 0 -- FAULTY", "--timeout"},
+    {"--digits eq07=9 -- FAULTY", "judged by E"},
+    {"--digits flow_linear -- FAULTY", "ID=DIGITS"},
+    {"--digits flow_linear=0 -- FAULTY", "from 1 to 30"},
+    {"--digits", "--digits"},
+    {"--significand 64 -- FAULTY", "24, 53 or 113"},
+    {"--report report.txt -- FAULTY", ".xml or .json"},
+    {"--answers data/golden/eq07.csv", "id of an operation"},
+    {"--answers data/golden/eq07.csv eq07 -- FAULTY", "expected -- CLIENT"},
+    {"--answers data/golden/eq07.csv eq09", "missing column 'BO_11'"},
+    {"--answers data/nothing.csv eq07", "No such file"},
+    {"--answers /dev/null eq07", "header"},
+    {"--answers data/golden/eq07.csv --random 1 --seed 1 eq07", "--random"},
+};
+
+START_TEST(wrong_usage_is_one_line_and_exit_2)
+{
+    const int status = conform(mistakes[_i].arguments);
+    ck_assert_msg(status == 2, "%s: exit %d\n%s", mistakes[_i].arguments, status, said);
+    assert_says(mistakes[_i].says);
+    ck_assert_ptr_eq(strchr(said, '\n') + 1, said + strlen(said));
+}
+END_TEST
+
+/* ---- files ---- */
+
+START_TEST(golden_files_are_right_answers)
+{
+    static const char *const files[] = {"eq07", "eq27", "eq41roots", "eq42", "flow_linear"};
+    char arguments[100];
+    snprintf(arguments, sizeof arguments, "--answers data/golden/%s.csv %s", files[_i], files[_i]);
+    ck_assert_msg(conform(arguments) == 0, "%s", said);
+}
+END_TEST
+
+START_TEST(answers_in_a_file_may_stand_in_any_order)
+{
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; echo 'Q_ref,id' >$f; "
+                            "sed 1d data/golden/eq07.csv | cut -d, -f1,7 | sed 's/\\(.*\\),\\(.*\\)/\"\\2\",\\1/' | "
+                            "sort -r >>$f"), 0);
+    ck_assert_msg(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07") == 0, "%s", said);
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; sed -i '/eq07-paper/d' $f; echo '1,stranger' >>$f; "
+                            "tail -n 2 $f | head -n 1 >>$f"), 0);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07"), 1);
+    assert_says("eq07: 1 repeated, 1 missing\n");
+    assert_says("client: 1 wrong id\n");
+}
+END_TEST
+
+static const char *file_text(const char *name)
+{
+    static char text[1 << 16];
+    char path[512];
+    snprintf(path, sizeof path, "%s/tests/%s", getenv("CT_BUILD"), name);
+    FILE *file = fopen(path, "r");
+    ck_assert_ptr_nonnull(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
+    return text;
+}
+
+START_TEST(reports_for_machines_say_the_same)
+{
+    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.xml\" -- FAULTY printed"), 1);
+    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"0\""));
+    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "looks like: as printed\n</failure></testcase>"));
+    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- "
+                             "sh -c 'echo \"a <word>\" >&2; exec \"$0\" printed' FAULTY"), 1);
+    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"diagnosis\": \"as printed\""));
+    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"errors\": \"a <word>\\n\""));
+    ck_assert_int_eq(conform("--only eq07 --report /nowhere/report.json -- FAULTY none"), 1);
+    assert_says("/nowhere/report.json: No such file");
+}
+END_TEST
+
+/* ---- an interrupt ---- */
+
+/* Whether a process still runs: one that only waits to be asked for its status does not. */
+static bool runs(long pid)
+{
+    char name[64], state = 'Z';
+    snprintf(name, sizeof name, "/proc/%ld/stat", pid);
+    FILE *file = fopen(name, "r");
+    if (file == NULL)
+        return false;
+    if (fscanf(file, "%*d %*s %c", &state) != 1)
+        state = 'Z';
+    fclose(file);
+    return state != 'Z';
+}
+
+static void nap(void)
+{
+    nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
+}
+
+START_TEST(an_interrupt_leaves_no_process_behind)
+{
+    static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
+    char client[512], pids[512];
+    const char *program = getenv("CT_PROGRAM");
+    long process = 0, child = 0;
+    int status;
+    ck_assert_ptr_nonnull(program);
+    snprintf(client, sizeof client, "%s/tests/faulty", getenv("CT_BUILD"));
+    snprintf(pids, sizeof pids, "%s/tests/pids.%d", getenv("CT_BUILD"), _i);
+    remove(pids);
+    const pid_t oracle = fork();
+    ck_assert_int_ge(oracle, 0);
+    if (oracle == 0) {
+        ck_assert_ptr_nonnull(freopen("/dev/null", "w", stdout));
+        execl(program, "coulomb-tether", "conform", "--only", "eq07", "--", client, "hang", pids, (char *)NULL);
+        _exit(127);
+    }
+    for (int i = 0; i < 500 && child == 0; i++) {
+        FILE *file = fopen(pids, "r");
+        if (file != NULL && fscanf(file, "%ld %ld", &process, &child) != 2)
+            child = 0;
+        if (file != NULL)
+            fclose(file);
+        nap();
+    }
+    ck_assert(runs(process) && runs(child));
+    kill(oracle, interrupts[_i]);
+    ck_assert_int_eq(waitpid(oracle, &status, 0), oracle);
+    ck_assert(WIFSIGNALED(status) && WTERMSIG(status) == interrupts[_i]);
+    for (int i = 0; i < 500 && (runs(process) || runs(child)); i++)
+        nap();
+    ck_assert(!runs(process) && !runs(child));
+}
+END_TEST
+
+/* ---- mistakes and what finds them ---- */
+
+/* An examination of one operation, the client a function in this process. */
+static struct exam *exam_of(const struct section *s)
+{
+    struct exam *e = calloc(1, sizeof *e);
+    const double digits = 9;
+    ck_assert_ptr_nonnull(e);
+    e->significand = BINARY64;
+    questions_add(&e->questions, s, 0, BINARY64, false);
+    exam_begin(e, &digits);
+    return e;
+}
+
+static void say(struct exam *e, const char *line)
+{
+    exam_hear(e, line, strlen(line));
+}
+
+/* Answers every question with those formulas, rounded to binary64. */
+static void answer_with(struct exam *e, const struct formulas *formulas)
+{
+    struct question q;
+    struct operation o = {.section = e->judges[0].operation->section, .formulas = formulas};
+    arb_ptr y = _arb_vec_init(MOST_ANSWERS);
+    machine_init(&o.machine, &formulas->program, &arithmetic_ball, 128);
+    question_init(&q);
+    e->asked = e->questions.total;
+    for (uint64_t p = 0; p < e->questions.total; p++) {
+        char line[1000];
+        question_make(&q, &e->questions, p);
+        int used = snprintf(line, sizeof line, "%s", q.id);
+        if (!q.numbers || !operation_valid(&o, q.inputs)) {
+            snprintf(line + used, sizeof line - (size_t)used, " invalid\n");
+        } else {
+            operation_enclose(&o, q.inputs, 256, y);
+            for (int i = 0; i < o.section->output_count; i++)
+                used += snprintf(line + used, sizeof line - (size_t)used, " %.17g",
+                                 arf_get_d(arb_midref(y + i), ARF_RND_NEAR));
+            snprintf(line + used, sizeof line - (size_t)used, "\n");
+        }
+        say(e, line);
+    }
+    exam_end(e, FOUND_MISSING);
+    diagnose(e);
+    question_clear(&q);
+    operation_clear(&o);
+    _arb_vec_clear(y, MOST_ANSWERS);
+}
+
+static void close_exam(struct exam *e)
+{
+    exam_clear(e);
+    free(e);
+}
+
+/* Every mistake of the sheet that the operation can make, all its formulas in turn. */
+START_TEST(a_known_mistake_is_called_by_its_name)
+{
+    const struct section *s = &sheet()->sections[_i];
+    if (s->method != METHOD_FORMULA)
+        return;
+    for (int k = 0; k < s->slip_count + sheet()->slip_count; k++) {
+        const struct slip *slip = k < s->slip_count ? &s->slips[k] : &sheet()->slips[k - s->slip_count];
+        struct alternative a;
+        struct message why;
+        if (!alternative_init(&a, sheet(), s, slip, false, &why))
+            continue;
+        struct exam *e = exam_of(s);
+        answer_with(e, &a.formulas);
+        ck_assert_msg(tally_failed(&e->tallies[0]) == 0 || strstr(e->tallies[0].diagnosis, slip->name) != NULL,
+                      "%s: %s is taken for: %s", s->id, slip->name, e->tallies[0].diagnosis);
+        close_exam(e);
+        alternative_clear(&a);
+    }
+    if (s->differs) {
+        struct exam *e = exam_of(s);
+        answer_with(e, &s->printed);
+        ck_assert_uint_gt(tally_failed(&e->tallies[0]), 0);
+        ck_assert_int_eq(strncmp(e->tallies[0].diagnosis, "as printed", 10), 0);
+        close_exam(e);
+    }
+    struct exam *e = exam_of(s);
+    answer_with(e, &s->corrected);
+    ck_assert_uint_eq(tally_failed(&e->tallies[0]), 0);
+    close_exam(e);
+}
+END_TEST
+
+START_TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
+{
+    for (int k = 0; k < sheet()->slip_count; k++) {
+        int places = 0;
+        for (int i = 0; i < sheet()->section_count; i++) {
+            struct alternative a;
+            struct message why;
+            if (sheet()->sections[i].method == METHOD_NONE ||
+                !alternative_init(&a, sheet(), &sheet()->sections[i], &sheet()->slips[k], false, &why))
+                continue;
+            places++;
+            alternative_clear(&a);
+        }
+        ck_assert_msg(places > 0, "%s", sheet()->slips[k].name);
+    }
+}
+END_TEST
+
+/* ---- judgement ---- */
+
+/* The finding on one answer to a vector of an operation. */
+static enum finding finding_on(const char *operation, const char *id, const char *outputs)
+{
+    struct exam *e = exam_of(section_find(sheet(), operation));
+    const uint64_t position = questions_find(&e->questions, id);
+    char line[1000];
+    enum finding finding = FOUND_RIGHT;
+    ck_assert_msg(position != UINT64_MAX, "%s", id);
+    e->asked = e->questions.total;
+    snprintf(line, sizeof line, "%s %s\n", id, outputs);
+    say(e, line);
+    while (finding < FINDINGS && e->tallies[0].counts[finding] == 0)
+        finding++;
+    close_exam(e);
+    return finding;
+}
+
+/* Omega = 1, C1 = 12, C2 = 4: (s^2 + 2 s + 3)^2, the roots -1 +- i sqrt(2) twice; sqrt(2) = 1.41421356237309505 */
+START_TEST(eq41roots_multiple_roots_are_judged_by_their_residual)
+{
+    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-free-gains", /* off by 1e-9, as a good solver may be */
+                                "-1.000000001 -1.414213562 -0.999999999 -1.414213562 "
+                                "-1.000000001 1.414213562 -0.999999999 1.414213562"), FOUND_RIGHT);
+    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-free-gains",
+                                "-1.000001 -1.414213562 -0.999999 -1.414213562 "
+                                "-1.000001 1.414213562 -0.999999 1.414213562"), FOUND_WRONG);
+    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-free-gains", /* one of them four times */
+                                "-1 1.4142135623730951 -1 1.4142135623730951 "
+                                "-1 1.4142135623730951 -1 1.4142135623730951"), FOUND_WRONG);
+}
+END_TEST
+
+START_TEST(eq41roots_come_in_any_order)
+{
+    /* Omega = 1, C1 = 9, C2 = 0: s^2 (s^2 + 7), sqrt(7) = 2.6457513110645906 */
+    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 -2.6457513110645906 0 0"),
+                     FOUND_RIGHT);
+    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 2.6457513110645906 0 0"),
+                     FOUND_WRONG);
+}
+END_TEST
+
+START_TEST(eq42_stability_on_the_boundary_is_either)
+{
+    ck_assert_int_eq(finding_on("eq42", "eq42-boundary", "0 1 0"), FOUND_RIGHT);
+    ck_assert_int_eq(finding_on("eq42", "eq42-boundary", "0 1 1"), FOUND_RIGHT);
+    ck_assert_int_eq(finding_on("eq42", "eq42-boundary-above", "1.7763568394002505e-15 1 0"), FOUND_RIGHT);
+    ck_assert_int_eq(finding_on("eq42", "eq42-paper", "5.3165972250000061e-09 1.4583e-4 0"), FOUND_WRONG);
+}
+END_TEST
+
+START_TEST(eq44_an_infinite_sensitivity_excuses_nothing)
+{
+    ck_assert_int_eq(finding_on("eq44", "eq44-boundary", "0"), FOUND_RIGHT);
+    ck_assert_int_eq(finding_on("eq44", "eq44-boundary", "-0.0"), FOUND_RIGHT);
+    ck_assert_int_eq(finding_on("eq44", "eq44-boundary", "1e-300"), FOUND_WRONG);
+}
+END_TEST
+
+START_TEST(eq10inv_on_the_normal_theta_is_no_number_but_pi_2)
+{
+    /* S of theta is infinite there, |z| by |z| over zero; pi/2 = 1.5707963267948966192 */
+    ck_assert_int_eq(finding_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.5707963267948966"), FOUND_RIGHT);
+    ck_assert_int_eq(finding_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.570796326794890"), FOUND_WRONG);
+}
+END_TEST
+
+START_TEST(a_motion_is_judged_on_the_scale_of_its_largest_coordinate)
+{
+    /* at rest: exactly so, for ever */
+    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-at-rest-43200", "0 0 0 0 0 0"), FOUND_RIGHT);
+    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-at-rest-43200", "0 0 1e-30 0 0 0"), FOUND_WRONG);
+    /* theta = 0.5 cos(2 tau) is the scale of psi's error: 4e-10 of 0.5 are 9 digits, 4e-9 are not */
+    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-pitch-alone-0", "4e-10 0.5 0 0 0 0"), FOUND_RIGHT);
+    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-pitch-alone-0", "4e-9 0.5 0 0 0 0"), FOUND_WRONG);
+}
+END_TEST
+
+/* ---- the kill table ---- */
+
+START_TEST(every_mistake_is_killed_and_every_vector_kills_or_pins_an_edge)
+{
+    ck_assert_msg(conform("--kills --only algebra,roots") == 0, "%s", said);
+    ck_assert_int_eq(strncmp(said, "id,mistakes\n", 12), 0);
+    assert_says("\neq38-paper,as printed; the square of it\n");
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *s = suite_create("conform");
+    TCase *c = tcase_create("conform");
+    tcase_set_timeout(c, 120);
+    tcase_add_loop_test(c, a_fault_has_its_own_outcome, 0, sizeof faults / sizeof *faults);
+    tcase_add_test(c, a_right_client_passes_everything);
+    tcase_add_test(c, random_vectors_of_every_level_pass);
+    tcase_add_test(c, much_in_flight_both_ways_does_not_deadlock);
+    tcase_add_loop_test(c, wrong_usage_is_one_line_and_exit_2, 0, sizeof mistakes / sizeof *mistakes);
+    tcase_add_loop_test(c, golden_files_are_right_answers, 0, 5);
+    tcase_add_test(c, answers_in_a_file_may_stand_in_any_order);
+    tcase_add_test(c, reports_for_machines_say_the_same);
+    tcase_add_loop_test(c, an_interrupt_leaves_no_process_behind, 0, 3);
+    tcase_add_loop_test(c, a_known_mistake_is_called_by_its_name, 0, sheet()->section_count);
+    tcase_add_test(c, every_mistake_of_the_sheet_can_be_made_somewhere);
+    tcase_add_test(c, eq41roots_multiple_roots_are_judged_by_their_residual);
+    tcase_add_test(c, eq41roots_come_in_any_order);
+    tcase_add_test(c, eq42_stability_on_the_boundary_is_either);
+    tcase_add_test(c, eq44_an_infinite_sensitivity_excuses_nothing);
+    tcase_add_test(c, eq10inv_on_the_normal_theta_is_no_number_but_pi_2);
+    tcase_add_test(c, a_motion_is_judged_on_the_scale_of_its_largest_coordinate);
+    tcase_add_test(c, every_mistake_is_killed_and_every_vector_kills_or_pins_an_edge);
+    suite_add_tcase(s, c);
+    return s;
+}

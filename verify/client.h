@@ -1,0 +1,41 @@
+/*
+ * A client: any executable, started without a shell in a process group of its own. Questions go in and
+ * answers come out at the same time, however much of either is under way; what it says on standard error
+ * is passed on. Nothing of its group is left when it is closed.
+ */
+#ifndef CT_CLIENT_H
+#define CT_CLIENT_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <sys/types.h>
+
+enum { CLIENT_TAIL = 2000 };
+
+struct client {
+    pid_t pid;
+    int to, from, errors;        /* -1: closed */
+    sigset_t signals;            /* the mask to return to: an interrupt waits until the client is closed */
+    char tail[CLIENT_TAIL + 1];  /* the last of its standard error */
+    size_t tail_length;
+};
+
+struct conversation {
+    void *context;
+    size_t (*ask)(void *context, char *room, size_t size);      /* the next bytes; 0: that was all         */
+    bool (*hear)(void *context, const char *bytes, size_t size); /* false: more of this need not be heard */
+};
+
+enum ending { ENDING_EXIT, ENDING_TIMEOUT, ENDING_STOPPED, ENDING_INTERRUPTED };
+
+/* 0, or the errno that says why there is none. */
+int client_start(struct client *c, char *const *arguments);
+
+/* Until it has ended, or for so many seconds has neither taken a question nor given an answer. */
+enum ending client_converse(struct client *c, const struct conversation *talk, double timeout);
+
+/* Ends its process group and returns its status as waitpid() has it. A pending interrupt arrives now. */
+int client_close(struct client *c);
+
+#endif

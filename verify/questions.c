@@ -1,0 +1,142 @@
+#include "questions.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "decimal.h"
+#include "sample.h"
+#include "vectors.h"
+
+/* ---- golden vectors ---- */
+
+struct collection {
+    struct course *course;
+    struct input *inputs;
+    int significand;
+    bool range;
+};
+
+static bool collect(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
+{
+    struct collection *c = context;
+    const struct section *s = o->section;
+    (void)flags;
+    const bool range = s->method == METHOD_FORMULA && vector_read(s, texts, c->inputs) &&
+                       operation_valid(o, c->inputs) && vector_leaves_range(o, c->inputs, c->significand);
+    if (range && !c->range)
+        return true;
+    struct course *course = c->course;
+    course->golden = memory(course->golden, (size_t)course->golden_count + 1, sizeof *course->golden);
+    struct golden_vector *v = &course->golden[course->golden_count++];
+    *v = (struct golden_vector){.id = text_copy(id), .range = range};
+    for (int i = 0; i < s->input_count; i++)
+        v->texts[i] = text_copy(texts[i]);
+    return true;
+}
+
+void questions_add(struct questions *q, const struct section *s, uint64_t random, int significand, bool range)
+{
+    q->courses = memory(q->courses, (size_t)q->count + 1, sizeof *q->courses);
+    struct course *course = &q->courses[q->count++];
+    *course = (struct course){.random = random, .first = q->total};
+    operation_init(&course->operation, s, false);
+    struct collection c = {course, inputs_new(s->input_count), significand, range};
+    golden_each(s, collect, &c);
+    inputs_free(c.inputs, s->input_count);
+    q->total += (uint64_t)course->golden_count + random;
+}
+
+void questions_clear(struct questions *q)
+{
+    for (int k = 0; k < q->count; k++) {
+        for (int i = 0; i < q->courses[k].golden_count; i++) {
+            free(q->courses[k].golden[i].id);
+            for (int n = 0; n < MOST_INPUTS; n++)
+                free(q->courses[k].golden[i].texts[n]);
+        }
+        free(q->courses[k].golden);
+        operation_clear(&q->courses[k].operation);
+    }
+    free(q->courses);
+    *q = (struct questions){0};
+}
+
+/* ---- one question ---- */
+
+void question_init(struct question *question)
+{
+    *question = (struct question){.inputs = inputs_new(MOST_INPUTS)};
+}
+
+void question_clear(struct question *question)
+{
+    inputs_free(question->inputs, MOST_INPUTS);
+}
+
+struct course *question_course(const struct questions *q, uint64_t position)
+{
+    int k = 0;
+    while (k + 1 < q->count && q->courses[k + 1].first <= position)
+        k++;
+    return &q->courses[k];
+}
+
+void question_make(struct question *question, const struct questions *q, uint64_t position)
+{
+    struct course *course = question_course(q, position);
+    const struct section *s = course->operation.section;
+    const uint64_t at = position - course->first;
+    question->course = course;
+    if (at < (uint64_t)course->golden_count) {
+        question->golden = &course->golden[at];
+        snprintf(question->id, sizeof question->id, "%s", question->golden->id);
+        question->numbers = vector_read(s, (const char *const *)question->golden->texts, question->inputs);
+        return;
+    }
+    const uint64_t number = at - (uint64_t)course->golden_count;
+    question->golden = NULL;
+    question->numbers = true;
+    snprintf(question->id, sizeof question->id, "%.40s-%" PRIu64 "-%" PRIu64, s->id, q->seed, number);
+    for (int i = 0; i < s->input_count; i++)
+        question->inputs[i].infinite = false;
+    sample(&course->operation, q->seed, number, question->values, question->inputs);
+}
+
+const char *question_text(const struct question *question, int input, char decimal[32])
+{
+    if (question->golden != NULL)
+        return question->golden->texts[input];
+    decimal_shortest(decimal, question->values[input]);
+    return decimal;
+}
+
+/* The number behind ID-SEED-, when it is written as the oracle writes it. */
+static bool random_number(const struct questions *q, const struct course *course, const char *rest, uint64_t *number)
+{
+    char text[LONGEST_ID + 1];
+    uint64_t seed = 0;
+    if (sscanf(rest, "%" SCNu64 "-%" SCNu64, &seed, number) != 2 || seed != q->seed || *number >= course->random)
+        return false;
+    snprintf(text, sizeof text, "%" PRIu64 "-%" PRIu64, seed, *number);
+    return strcmp(text, rest) == 0;
+}
+
+uint64_t questions_find(const struct questions *q, const char *id)
+{
+    const size_t length = strcspn(id, "-");
+    for (int k = 0; k < q->count; k++) {
+        const struct course *course = &q->courses[k];
+        uint64_t number;
+        const char *operation = course->operation.section->id;
+        if (strlen(operation) != length || strncmp(operation, id, length) != 0 || id[length] == '\0')
+            continue;
+        for (int i = 0; i < course->golden_count; i++)
+            if (strcmp(course->golden[i].id, id) == 0)
+                return course->first + (uint64_t)i;
+        if (random_number(q, course, id + length + 1, &number))
+            return course->first + (uint64_t)course->golden_count + number;
+    }
+    return UINT64_MAX;
+}
