@@ -134,7 +134,7 @@ $(FAULTY): $(BUILD)/tests/faulty.o $(ENGINE) $(LIBRARY)
 ### Checking
 ## check: every test, on all processors; the last line is "N passed, N failed"
 check: all $(SUITES) $(FAULTY) $(EVIDENCE)
-	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SUITES) $(SCRIPTS)
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SCRIPTS) $(SUITES)
 
 ## gate: whether each equation has its function, test, error, proof, vectors, verdict and place, after make check
 gate:

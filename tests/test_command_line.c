@@ -352,14 +352,18 @@ Suite *suite(void)
     tcase_add_loop_test(c, a_use_prints_exactly_this, 0, sizeof uses / sizeof *uses);
     tcase_add_test(c, table1_rounds_in_every_row);
     tcase_add_test(c, figure4_runs_from_9_to_40);
-    tcase_add_loop_test(c, figures_have_a_row_every_100_s_for_3_days, 0, 5);
     tcase_add_loop_test(c, help_and_version_go_to_standard_output, 0, 11);
     tcase_add_test(c, equations_lists_every_section_and_shows_one);
     tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 8);
-    tcase_add_loop_test(c, verify_speaks_json_of_every_part, 0, 3);
-    tcase_add_loop_test(c, verify_prints_tables, 0, 3);
     tcase_add_test(c, a_closed_pipe_ends_quietly_with_1);
     tcase_add_test(c, rows_proved_before_the_charge_law_ends_are_kept);
     suite_add_tcase(s, c);
+
+    TCase *long_work = tcase_create("long work"); /* a case of its own: under valgrind it takes too long */
+    tcase_set_timeout(long_work, 60);
+    tcase_add_loop_test(long_work, figures_have_a_row_every_100_s_for_3_days, 0, 5);
+    tcase_add_loop_test(long_work, verify_speaks_json_of_every_part, 0, 3);
+    tcase_add_loop_test(long_work, verify_prints_tables, 0, 3);
+    suite_add_tcase(s, long_work);
     return s;
 }

@@ -28,15 +28,23 @@ static void csv_field(const char *text)
     putchar('"');
 }
 
+/* What would be mark-up is escaped. */
+static void markdown_text(const char *text)
+{
+    for (const char *c = text; *c != '\0'; c++)
+        fputs(*c == '<' ? "&lt;" : *c == '|' ? "\\|" : *c == '*' ? "\\*" : *c == '_' ? "\\_" : (char[]){*c, '\0'}, stdout);
+}
+
 /* A line of README's table: the claim unfolds to its evidence. */
 static void print_markdown(const struct ledger_row *row)
 {
     const enum verdict verdict = row->evidence.verdict;
     if (verdict == HOLDS || verdict == DEFINITION)
         return;
-    printf("| %s | <details><summary>%s</summary>", row->where, row->claim);
-    for (const char *c = row->evidence.text; *c != '\0'; c++)
-        fputs(*c == '<' ? "&lt;" : *c == '|' ? "\\|" : *c == '*' ? "\\*" : *c == '_' ? "\\_" : (char[]){*c, '\0'}, stdout);
+    printf("| %s | <details><summary>", row->where);
+    markdown_text(row->claim);
+    fputs("</summary>", stdout);
+    markdown_text(row->evidence.text);
     printf("</details> | %s |\n", verdict_names[verdict]);
 }
 
