@@ -160,7 +160,8 @@ int command_datapackage(int count, char **texts)
         if (sscanf(line, "%64[0-9a-f]  %8000[^\n]", hash, path) == 2)
             status = print_resource(hash, path, first);
         else
-            status = complain(EXIT_FAILED_CHECK, "standard input: expected HASH  FILE, got '%.60s'", line);
+            status = complain(EXIT_FAILED_CHECK, "standard input: expected HASH  FILE, got '%.*s'",
+                              (int)strcspn(line, "\n"), line);
     }
     printf("\n ]}\n");
     int written = output_finished();
