@@ -208,7 +208,7 @@ $(DATA)/errata.csv:
 	@mkdir -p $(@D)
 	cp data/errata.csv $@
 
-$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN)
+$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/errata.csv
 	sha256sum $(sort $^) | $(PROGRAM) datapackage >$@.tmp
 	@mv $@.tmp $@
 
