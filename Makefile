@@ -140,6 +140,10 @@ check: all $(SUITES) $(FAULTY) $(EVIDENCE)
 gate:
 	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh
 
+## reproduce: whether gcc and clang, from -O0 to -O3 -march=native, make the same data
+reproduce:
+	coverage/reproduce.sh $(BUILD)/reproduce
+
 ## coverage: the tests' coverage of ref/ and verify/, with its gate; the report is build/coverage/index.html
 coverage:
 	@rm -rf $(BUILD)/coverage
@@ -343,5 +347,5 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check bench gate coverage lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
+.PHONY: all check bench reproduce pictures gate coverage lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
