@@ -95,6 +95,15 @@ START_TEST(a_right_client_passes_everything)
 }
 END_TEST
 
+START_TEST(inputs_in_every_form_are_the_same_numbers)
+{
+    ck_assert_int_eq(conform("--only algebra --inputs exact -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--only algebra --inputs hex -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--only eq38 --inputs hex -- FAULTY printed"), 1);
+    assert_says("GM         0x");
+}
+END_TEST
+
 START_TEST(random_vectors_of_every_level_pass)
 {
     ck_assert_int_eq(conform("--random 300 --seed 11 -- FAULTY none"), 0);
@@ -130,6 +139,7 @@ static const struct {
     {"--random 5 -- FAULTY", "--seed"},
     {"--random some --seed 1 -- FAULTY", "--random"},
     {"--timeout 0 -- FAULTY", "--timeout"},
+    {"--inputs octal -- FAULTY", "expected shortest, exact or hex, got 'octal'"},
     {"--digits eq07=9 -- FAULTY", "judged by E"},
     {"--digits flow_linear -- FAULTY", "ID=DIGITS"},
     {"--digits flow_linear=0 -- FAULTY", "from 1 to 30"},
@@ -465,6 +475,7 @@ Suite *suite(void)
     tcase_set_timeout(c, 120);
     tcase_add_loop_test(c, a_fault_has_its_own_outcome, 0, sizeof faults / sizeof *faults);
     tcase_add_test(c, a_right_client_passes_everything);
+    tcase_add_test(c, inputs_in_every_form_are_the_same_numbers);
     tcase_add_test(c, random_vectors_of_every_level_pass);
     tcase_add_test(c, much_in_flight_both_ways_does_not_deadlock);
     tcase_add_loop_test(c, wrong_usage_is_one_line_and_exit_2, 0, sizeof mistakes / sizeof *mistakes);

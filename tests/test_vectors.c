@@ -170,6 +170,42 @@ START_TEST(golden_lines_have_their_flags)
 }
 END_TEST
 
+/* 0.1 and the least number above zero in full, by hand: 3602879701896397/2^55 and 2^-1074. */
+static const struct {
+    const char *literal;
+    enum input_form form;
+    const char *written;
+} forms[] = {
+    {"0.1", INPUTS_SHORTEST, "0.1"},
+    {"0.1", INPUTS_EXACT, "0.1000000000000000055511151231257827021181583404541015625"},
+    {"0.1", INPUTS_HEX, "0x1.999999999999ap-4"},
+    {"8.99e+9", INPUTS_EXACT, "8990000000"},
+    {"-150", INPUTS_HEX, "-0x1.2cp+7"},
+    {"0", INPUTS_HEX, "0x0p+0"},
+    {"nan", INPUTS_HEX, "nan"},
+    {"inf", INPUTS_EXACT, "inf"},
+    {"1e400", INPUTS_EXACT, "1e400"},
+};
+
+START_TEST(inputs_are_written_in_every_form)
+{
+    char text[LONGEST_INPUT];
+    input_write(text, forms[_i].literal, forms[_i].form);
+    ck_assert_str_eq(text, forms[_i].written);
+}
+END_TEST
+
+START_TEST(the_longest_input_has_all_its_digits)
+{
+    char text[LONGEST_INPUT], exponent[] = "e-308";
+    input_write(text, "2.2250738585072009e-308", INPUTS_EXACT); /* the largest number below the normal ones */
+    const size_t length = strlen(text);
+    ck_assert_uint_eq(length, 767 + strlen(".") + strlen(exponent));
+    ck_assert_str_eq(text + length - strlen(exponent), exponent);
+    ck_assert(strtod(text, NULL) == 2.2250738585072009e-308);
+}
+END_TEST
+
 START_TEST(a_subexpression_out_of_range_is_flagged)
 {
     struct operation o;
@@ -182,7 +218,7 @@ START_TEST(a_subexpression_out_of_range_is_flagged)
     fflush(stdout);
     int kept = dup(1);
     dup2(fileno(file), 1);
-    bool fine = vector_print(&o, "x", texts, "here");
+    bool fine = vector_print(&o, "x", texts, "here", INPUTS_SHORTEST);
     fflush(stdout);
     dup2(kept, 1);
     close(kept);
@@ -209,6 +245,8 @@ Suite *suite(void)
     tcase_add_test(c, samples_lie_in_their_ranges);
     tcase_add_test(c, four_shards_are_one_run);
     tcase_add_test(c, golden_lines_have_their_flags);
+    tcase_add_loop_test(c, inputs_are_written_in_every_form, 0, sizeof forms / sizeof *forms);
+    tcase_add_test(c, the_longest_input_has_all_its_digits);
     tcase_add_test(c, a_subexpression_out_of_range_is_flagged);
     suite_add_tcase(s, c);
     return s;

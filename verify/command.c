@@ -103,6 +103,20 @@ int option_digits(const struct arguments *a, long otherwise, long *digits)
     return EXIT_DONE;
 }
 
+int option_inputs(const struct arguments *a, enum input_form *form)
+{
+    const char *text = option_value(a, "--inputs");
+    *form = INPUTS_SHORTEST;
+    if (text == NULL)
+        return EXIT_DONE;
+    for (int i = 0; i < 3; i++)
+        if (strcmp(text, input_forms[i]) == 0) {
+            *form = (enum input_form)i;
+            return EXIT_DONE;
+        }
+    return complain(EXIT_USAGE, "--inputs: expected shortest, exact or hex, got '%.40s'", text);
+}
+
 int whole_number(const char *name, const char *text, uint64_t *value)
 {
     char *end;

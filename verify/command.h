@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "operation.h"
+#include "vectors.h"
 
 enum { EXIT_DONE = 0, EXIT_FAILED_CHECK = 1, EXIT_USAGE = 2 };
 
@@ -45,6 +46,9 @@ const char *option_value(const struct arguments *a, const char *name); /* NULL: 
 
 /* --digits, 1 ... 10000. */
 int option_digits(const struct arguments *a, long otherwise, long *digits);
+
+/* --inputs shortest|exact|hex. */
+int option_inputs(const struct arguments *a, enum input_form *form);
 
 /* A whole number below 2^63 in decimal digits. */
 int whole_number(const char *name, const char *text, uint64_t *value);

@@ -109,6 +109,8 @@ static int take_questions(struct exam *e, const struct arguments *a, const struc
     if (status == EXIT_DONE)
         status = take_number(a, "--seed", &e->questions.seed);
     if (status == EXIT_DONE)
+        status = option_inputs(a, &e->questions.form);
+    if (status == EXIT_DONE)
         status = take_number(a, "--significand", &significand);
     if (status == EXIT_DONE && option_given(a, "--random") != option_given(a, "--seed"))
         status = complain(EXIT_USAGE, "conform: expected --random N and --seed S together");
@@ -350,8 +352,9 @@ int command_conform(int count, char **texts)
 {
     struct option options[] = {{"--only", true, NULL},    {"--random", true, NULL},  {"--seed", true, NULL},
                                {"--timeout", true, NULL}, {"--report", true, NULL},  {"--answers", true, NULL},
-                               {"--range", false, NULL},  {"--kills", false, NULL},  {"--significand", true, NULL}};
-    struct arguments a = {.subcommand = "conform", .options = options, .option_count = 9};
+                               {"--range", false, NULL},  {"--kills", false, NULL},  {"--significand", true, NULL},
+                               {"--inputs", true, NULL}};
+    struct arguments a = {.subcommand = "conform", .options = options, .option_count = 10};
     const size_t sections = (size_t)sheet()->section_count;
     struct choice c = {.chosen = memory(NULL, sections, sizeof *c.chosen),
                        .digits = memory(NULL, sections, sizeof *c.digits)};

@@ -305,15 +305,17 @@ bool exam_hear(void *exam, const char *bytes, size_t size)
 size_t exam_ask(void *exam, char *room, size_t size)
 {
     struct exam *e = exam;
-    const size_t longest = 2 * LONGEST_ID + 32 * (size_t)MOST_INPUTS; /* a golden literal is no longer than a decimal */
+    const size_t longest = 2 * LONGEST_ID + LONGEST_INPUT * (size_t)MOST_INPUTS;
     size_t used = 0;
     while (e->asked < e->questions.total && size - used > longest) {
-        char decimal[32];
+        char text[LONGEST_INPUT];
         question_make(&e->asking, &e->questions, e->asked);
         const struct section *s = e->asking.course->operation.section;
         used += (size_t)snprintf(room + used, size - used, "%s %s", s->id, e->asking.id);
-        for (int i = 0; i < s->input_count; i++)
-            used += (size_t)snprintf(room + used, size - used, " %s", question_text(&e->asking, i, decimal));
+        for (int i = 0; i < s->input_count; i++) {
+            question_text(&e->asking, i, e->questions.form, text);
+            used += (size_t)snprintf(room + used, size - used, " %s", text);
+        }
         room[used++] = '\n';
         e->asked++;
     }

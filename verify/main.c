@@ -36,11 +36,13 @@ static const struct subcommand {
      "    beyond the paper, as CSV: orders of its approximations; what pitch leaves in yaw and length, and\n"
      "    how it decays, beside their closed forms\n"},
     {"vectors", command_vectors,
-     "vectors ID --count N --seed S [--shard K/N] | vectors ID --golden\n"
-     "    random certified vectors, or the golden ones, as CSV\n"},
+     "vectors ID --count N --seed S [--shard K/N] [--inputs shortest|exact|hex] | vectors ID --golden\n"
+     "    random certified vectors, or the golden ones, as CSV; inputs as shortest decimals of their binary64, with\n"
+     "    all its digits, or in C99 hexadecimal\n"},
     {"conform", command_conform,
      "conform [--only ID|LEVEL,...] [--random N --seed S] [--digits ID=D] ... [--timeout SECONDS]\n"
-     "        [--significand 24|53|113] [--range] [--report FILE.xml|FILE.json] -- CLIENT ARGS...\n"
+     "        [--significand 24|53|113] [--inputs shortest|exact|hex] [--range] [--report FILE.xml|FILE.json]\n"
+     "        -- CLIENT ARGS...\n"
      "conform --answers FILE.csv ID | conform --kills [--only ID|LEVEL,...]\n"
      "    is an implementation right, by how much is it wrong, and which mistake does it look like\n"},
     {"typeset", command_typeset,

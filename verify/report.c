@@ -77,8 +77,7 @@ static void findings_text(const struct tally *t, char *text, size_t size)
 /* A vector with what was due, each as text; made for reports only. */
 struct exhibit {
     struct question question;
-    char decimals[MOST_INPUTS][32];
-    const char *inputs[MOST_INPUTS];
+    char inputs[MOST_INPUTS][LONGEST_INPUT];
     char *expected[MOST_ANSWERS]; /* NULL: none was due, or none could be proved */
     bool invalid;
 };
@@ -90,7 +89,7 @@ static void exhibit_init(struct exhibit *x, const struct exam *e, uint64_t posit
     question_make(&x->question, &e->questions, position);
     struct operation *o = &x->question.course->operation;
     for (int i = 0; i < o->section->input_count; i++)
-        x->inputs[i] = question_text(&x->question, i, x->decimals[i]);
+        question_text(&x->question, i, e->questions.form, x->inputs[i]);
     x->invalid = !x->question.numbers ||
                  operation_digits(o, x->question.inputs, SHOWN_DIGITS, x->expected) == OUTCOME_INVALID;
 }
