@@ -1,4 +1,6 @@
 /* The command line as its users meet it: what it prints, where, and with which exit code. */
+#define _XOPEN_SOURCE 700 /* for a terminal */
+
 #include "run.h"
 
 #include <fcntl.h>
@@ -107,17 +109,26 @@ static const struct {
     {"eval eq21 Q_ref=-1e-13 dQ=2e-13", 1, "Q_ref + dQ < 0"},
     {"eval eq12 x1=1 y1=2 z1=3 x2=1 y2=2 z2=3", 1, "eq12"},
     {"table1 extra", 2, "extra"},
+    {"table1 x=1", 2, "x=1"},
     {"table1 --digits 3", 2, "--digits"},
     {"figure", 2, "figure"},
     {"figure 8", 2, "8"},
+    {"figure 5", 2, "5a, 5b, 6, 7a or 7b, got 5"},
+    {"figure --rk", 2, "did you mean '--rk4'"},
     {"figure 4 psi=0.1", 2, "psi"},
     {"figure 4 --rk4 100", 2, "--rk4"},
     {"figure 5a n=8", 1, "n"},
     {"figure 5a n=10 C1=1 C2=1", 2, "n"},
     {"figure 5a --rk4 0", 1, "--rk4"},
     {"figure 5a --rk4 30", 1, "--rk4"},
+    {"figure 7a dL=-4 --rk4 100", 1, "Q_ref + dQ >= 0 at t = 0 s"}, /* a push: dL < -3 L_ref/n */
     {"trajectory", 2, "linear or nonlinear"},
     {"trajectory circular", 2, "circular"},
+    {"trajectory linear --untl 5", 2, "did you mean '--until'"},
+    {"trajectory linear --every", 2, "--every: expected a value behind it"},
+    {"trajectory linear --every=", 2, "--every: expected a value behind it"},
+    {"trajectory linear --until many", 2, "--until"},
+    {"trajectory nonlinear x1=0 y1=0 z1=0 x1_dot=0 y1_dot=0 z1_dot=0", 1, "x1 y1 z1: expected the two craft apart"},
     {"trajectory linear x1=5", 2, "x1"},
     {"trajectory nonlinear x1=5", 2, "all six"},
     {"trajectory linear m1=0", 1, "m1"},
@@ -140,7 +151,15 @@ static const struct {
     {"eval flow_nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 t=10 x1=0 y1=0 z1=1 x1_dot=0 y1_dot=0 z1_dot=0", 1,
      "meet (L = 0), last proved time 0.5"},
     {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=0.55 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=0.5", 1, "multiple"},
+    {"study", 2, "expected convergence, forced or pitch"},
+    {"study force", 2, "did you mean 'forced'"},
+    {"study x=1", 2, "x=1"},
+    {"study --pitch", 2, "--pitch"},
+    {"typeset x=1", 2, "x=1"},
+    {"typeset eq1", 2, "unknown operation 'eq1'"},
+    {"typeset --pdf", 2, "--pdf"},
     {"vectors", 2, "operation"},
+    {"vectors eq07 --cuont 1 --seed 1", 2, "did you mean '--count'"},
     {"vectors eq7 --count 1 --seed 1", 2, "eq07"},
     {"vectors eq08 --count 1 --seed 1", 2, "definition"},
     {"vectors eq07", 2, "--count"},
@@ -157,6 +176,10 @@ static const struct {
     {"verify proofs", 2, "proofs"},
     {"verify derivation", 2, "did you mean 'derivations'"},
     {"verify claims x=1", 2, "x=1"},
+    {"verify --jsno", 2, "did you mean '--json'"},
+    {"verify derivations --graph --json", 2, "--graph"},
+    {"verify errors --count 100000001", 2, "--count"},
+    {"verify errors --count 99999999999999999999", 2, "--count"},
     {"verify --csv", 2, "--csv"},
     {"verify --graph", 2, "--graph"},
     {"verify derivations --markdown", 2, "--markdown"},
@@ -207,6 +230,11 @@ static const struct {
     {"eval eq41roots Omega=1 C1=9 C2=0 --digits 4",
      "re1 = 0 1/s\nim1 = -2.646e+00 1/s\nre2 = 0 1/s\nim2 = 0 1/s\n"
      "re3 = 0 1/s\nim3 = 0 1/s\nre4 = 0 1/s\nim4 = 2.646e+00 1/s\n"},
+    /* (s + 3/2)(s^3 + ...): a tie of its digit, to the even one. Over Omega: (s + 1)(s^3 + 3 s^2 + 6 s + 6), the roots
+       -1, -1.5961 and -0.70196 +- 1.8073i; times 3/2 -1.5, -2.3941 and -1.0529 +- 2.7110i */
+    {"eval eq41roots Omega=1.5 C1=24.75 C2=6 --digits 1",
+     "re1 = -2e+00 1/s\nim1 = 0 1/s\nre2 = -2e+00 1/s\nim2 = 0 1/s\n"
+     "re3 = -1e+00 1/s\nim3 = -3e+00 1/s\nre4 = -1e+00 1/s\nim4 = 3e+00 1/s\n"},
     /* pitch alone: theta = cos(2 tau), at tau = 1: -0.41614683654714238700 */
     {"eval flow_linear Omega=1 L_ref=10 C1=10 C2=2 t=1 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 --digits 10",
      "psi = 0 rad\ntheta = -4.161468365e-01 rad\ndL = 0 m\npsi_dot = 0 rad/s\n"
@@ -222,6 +250,10 @@ static const struct {
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,1.00e-02,1.00e-02,1.00e-01,0,0,0\n"},
     {"trajectory linear --every 50 --until 100 --digits 3 psi=0 theta=0 dL=0",
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n50,0,0,0,0,0,0\n100,0,0,0,0,0,0\n"},
+    /* at rest where (5) says, Q = -1.3306e-13 C^2: q = sqrt(1.3306e-13) C = 3.65e-7 C */
+    {"trajectory nonlinear --at 0,100 --digits 3 x1=5 y1=0 z1=0 x1_dot=0 y1_dot=0 z1_dot=0",
+     "t,x1,y1,z1,x1_dot,y1_dot,z1_dot,q1,q2\n0,5.00e+00,0,0,0,0,0,3.65e-07,-3.65e-07\n"
+     "100,5.00e+00,0,0,0,0,0,3.65e-07,-3.65e-07\n"},
     {"trajectory linear --every 50 --until -50 --digits 3 psi=0 theta=0 dL=0",
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n-50,0,0,0,0,0,0\n"},
 };
@@ -282,6 +314,14 @@ START_TEST(equations_lists_every_section_and_shows_one)
     ck_assert_ptr_nonnull(strstr(output, "flow_nonlinear"));
     ck_assert_int_eq(run("equations eq30"), 0);
     ck_assert_ptr_nonnull(strstr(output, "printed"));
+    ck_assert_int_eq(run("equations eq30 --json"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "\"printed\": {\"let\": {}, \"outputs\": {\"I_11\": "));
+    ck_assert_int_eq(run("equations eq02"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "  let      r_12 = sqrt((x1 - x2)^2"));
+    ck_assert_ptr_nonnull(strstr(output, "  domain   (x1 - x2)^2"));
+    ck_assert_ptr_nonnull(strstr(output, "  note     "));
+    ck_assert_int_eq(run("equations eq05"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "  relation (5a) m1*x1 + m2*x2 = 0\n           (5b) x1 - x2 = L\n"));
     ck_assert_int_eq(run("equations --json"), 0);
     ck_assert_int_eq(output[0], '[');
 }
@@ -343,6 +383,83 @@ START_TEST(rows_proved_before_the_charge_law_ends_are_kept)
 }
 END_TEST
 
+START_TEST(what_ends_a_motion_is_said_behind_the_rows_proved)
+{
+    static const struct {
+        const char *line;
+        int lines;
+        const char *says;
+    } ends[] = {
+        {"trajectory nonlinear dL=-4", 1, "Q_ref + dQ >= 0 at t = 0 s"},
+        /* Kepler's fall along the orbit normal, and the tide beside it: after 0.58 s the craft are at one place */
+        {"trajectory nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 x1=0 y1=0 z1=1 x1_dot=0 y1_dot=0 z1_dot=0 "
+         "--every 0.25 --until 10 --digits 4", 4, "the two craft meet (L = 0), last proved time 0.579"},
+        /* y1 = 0.3125 (1/3) 12 m = 1.25 m, a tie that an enclosure of 1/3 leaves undecided */
+        {"figure 5b m1=100 m2=50 dL=2 psi=0.3125 --digits 2", 1, "bits do not decide every digit of row 1"},
+    };
+    ck_assert_int_eq(run(ends[_i].line), 1);
+    ck_assert_int_eq(lines(output), ends[_i].lines);
+    ck_assert_msg(strstr(errors, ends[_i].says) != NULL, "%s", errors);
+    ck_assert_int_eq(lines(errors), 1);
+}
+END_TEST
+
+/* At rest, L = 2 L_ref, n = 21: 3 r^2 + 3 r + 3 = n for r = 2; but 0.1 and 0.21 are no binary fractions, and so the
+   zeros around which the enclosures shrink are never known to be such. */
+START_TEST(what_no_number_of_bits_decides_is_said)
+{
+    ck_assert_int_eq(run("eval flow_nonlinear Omega=0.1 k_c=1 m1=1 m2=1 L_ref=1 C1=0.21 C2=0.1 t=1 x1=1 y1=0 z1=0 "
+                         "x1_dot=0 y1_dot=0 z1_dot=0 --exact --digits 3"), 1);
+    ck_assert_ptr_nonnull(strstr(errors, "bits do not decide every digit"));
+    ck_assert_int_eq(lines(errors), 1);
+    ck_assert_str_eq(output, "");
+}
+END_TEST
+
+/* The craft fall past each other, very close: more bits are taken when the first rows are out already. */
+START_TEST(rows_are_printed_once_however_many_bits_they_take)
+{
+    ck_assert_int_eq(run("trajectory nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 x1=0.05 y1=0 z1=1 "
+                         "x1_dot=0 y1_dot=0 z1_dot=0 --every 1 --until 3 --digits 3"), 0);
+    ck_assert_int_eq(lines(output), 5);
+    ck_assert_ptr_nonnull(strstr(output, "\n3,"));
+}
+END_TEST
+
+/* The program on a terminal of its own, its standard output elsewhere: what the terminal shows. */
+static const char *on_a_terminal(const char *line)
+{
+    static char shown[MOST_TEXT];
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    const char *name = terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0 ? NULL : ptsname(terminal);
+    const int end = name != NULL ? open(name, O_RDWR | O_NOCTTY) : -1;
+    if (end < 0) /* a bare system may have no terminals */
+        return NULL;
+    char command[1024];
+    snprintf(command, sizeof command, "\"$CT_PROGRAM\" %s >/dev/null 2>%s", line, name);
+    ck_assert_int_eq(system(command), 0);
+    ck_assert_int_eq(fcntl(terminal, F_SETFL, O_NONBLOCK), 0);
+    const ssize_t length = read(terminal, shown, sizeof shown - 1);
+    shown[length > 0 ? length : 0] = '\0';
+    close(end);
+    close(terminal);
+    return shown;
+}
+
+START_TEST(a_terminal_sees_how_far_it_is_and_nothing_in_the_end)
+{
+    static const struct {
+        const char *line, *shows, *last;
+    } runs[] = {{"trajectory linear --every 100 --until 12800", "\r 50 %", "\r     \r"},
+                {"conform --only eq07 -- sh -c 'sleep 2; exec \"$CT_BUILD/tests/faulty\"'", " of 44", "\r\033[K"}};
+    const char *shown = on_a_terminal(runs[_i].line);
+    if (shown == NULL)
+        return;
+    ck_assert_msg(strstr(shown, runs[_i].shows) != NULL, "%s", shown);
+    ck_assert_str_eq(shown + strlen(shown) - strlen(runs[_i].last), runs[_i].last);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *s = suite_create("command line");
@@ -357,6 +474,8 @@ Suite *suite(void)
     tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 8);
     tcase_add_test(c, a_closed_pipe_ends_quietly_with_1);
     tcase_add_test(c, rows_proved_before_the_charge_law_ends_are_kept);
+    tcase_add_loop_test(c, what_ends_a_motion_is_said_behind_the_rows_proved, 0, 3);
+    tcase_add_loop_test(c, a_terminal_sees_how_far_it_is_and_nothing_in_the_end, 0, 2);
     suite_add_tcase(s, c);
 
     TCase *long_work = tcase_create("long work"); /* a case of its own: under valgrind it takes too long */
@@ -364,6 +483,8 @@ Suite *suite(void)
     tcase_add_loop_test(long_work, figures_have_a_row_every_100_s_for_3_days, 0, 5);
     tcase_add_loop_test(long_work, verify_speaks_json_of_every_part, 0, 3);
     tcase_add_loop_test(long_work, verify_prints_tables, 0, 3);
+    tcase_add_test(long_work, rows_are_printed_once_however_many_bits_they_take);
+    tcase_add_test(long_work, what_no_number_of_bits_decides_is_said);
     suite_add_tcase(s, long_work);
     return s;
 }

@@ -11,6 +11,7 @@
 
 #include "conform.h"
 #include "diagnosis.h"
+#include "report.h"
 #include "slip.h"
 
 static char said[1 << 20]; /* both outputs of the program's last run */
@@ -143,7 +144,14 @@ static const struct {
     {"--digits eq07=9 -- FAULTY", "judged by E"},
     {"--digits flow_linear -- FAULTY", "ID=DIGITS"},
     {"--digits flow_linear=0 -- FAULTY", "from 1 to 30"},
+    {"--digits eq1=9 -- FAULTY", "did you mean 'eq01'"},
+    {"--digits=flow_linear=x -- FAULTY", "from 1 to 30"},
+    {"--digits=flow_linear=15", "expected -- CLIENT"},
     {"--digits", "--digits"},
+    {"x=1 -- FAULTY", "unexpected argument 'x=1'"},
+    {"eq07 -- FAULTY", "unexpected argument 'eq07'"},
+    {"--seed 1 --random 5 --significand x -- FAULTY", "--significand"},
+    {"--report report -- FAULTY", ".xml or .json"},
     {"--significand 64 -- FAULTY", "24, 53 or 113"},
     {"--report report.txt -- FAULTY", ".xml or .json"},
     {"--answers data/golden/eq07.csv", "id of an operation"},
@@ -167,7 +175,7 @@ END_TEST
 
 START_TEST(golden_files_are_right_answers)
 {
-    static const char *const files[] = {"eq07", "eq27", "eq41roots", "eq42", "flow_linear"};
+    static const char *const files[] = {"eq02", "eq07", "eq27", "eq41roots", "eq42", "flow_linear"};
     char arguments[100];
     snprintf(arguments, sizeof arguments, "--answers data/golden/%s.csv %s", files[_i], files[_i]);
     ck_assert_msg(conform(arguments) == 0, "%s", said);
@@ -211,6 +219,56 @@ START_TEST(reports_for_machines_say_the_same)
     ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"errors\": \"a <word>\\n\""));
     ck_assert_int_eq(conform("--only eq07 --report /nowhere/report.json -- FAULTY none"), 1);
     assert_says("/nowhere/report.json: No such file");
+}
+END_TEST
+
+/* A full disk, and a name that is taken by a folder: no report, and nothing of it left. */
+START_TEST(a_report_is_there_whole_or_not_at_all)
+{
+    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -rf full.json* taken.xml* && ln -s /dev/full full.json.tmp && mkdir taken.xml"), 0);
+    ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/full.json\" -- FAULTY none"), 1);
+    assert_says("/tests/full.json: No space left on device\n");
+    ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/taken.xml\" -- FAULTY none"), 1);
+    assert_says("/tests/taken.xml: Is a directory\n");
+    ck_assert_int_ne(system("cd \"$CT_BUILD/tests\" && ls full.json* taken.xml.tmp 2>/dev/null | grep ."), 0);
+}
+END_TEST
+
+START_TEST(what_a_client_says_breaks_no_report)
+{
+    static const char *const clients[] = {"report.xml", "report.json"};
+    static const char *const escaped[] = {"&#60;&#62;&#38;&#34;'\\?\n", "<>&\\\"'\\\\?\\n"};
+    char line[400];
+    snprintf(line, sizeof line, "--only eq07,eq38 --report \"$CT_BUILD/tests/%s\" -- sh -c "
+             "'printf \"<>&\\042\\047\\134\\001\\n\" >&2; exec \"$0\" skip' FAULTY", clients[_i]);
+    ck_assert_msg(conform(line) == 1, "%s", said);
+    ck_assert_msg(strstr(file_text(clients[_i]), escaped[_i]) != NULL, "%s", file_text(clients[_i]));
+    if (_i == 0)
+        ck_assert_ptr_nonnull(strstr(file_text(clients[_i]), "name=\"eq07\"><skipped/></testcase>"));
+}
+END_TEST
+
+/* Each pipe to the client takes two descriptors, and some more the program: with fewer it says so. */
+START_TEST(a_client_is_not_started_without_descriptors)
+{
+    for (int most = 4; most < 11; most++) {
+        char line[300];
+        snprintf(line, sizeof line, "exec 2>&1 </dev/null 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-; ulimit -n %d; "
+                 "exec \"$CT_PROGRAM\" conform --only eq07 -- true", most);
+        FILE *pipe = popen(line, "r");
+        ck_assert_ptr_nonnull(pipe);
+        said[fread(said, 1, sizeof said - 1, pipe)] = '\0';
+        ck_assert_int_eq(WEXITSTATUS(pclose(pipe)), 2);
+        assert_says("client 'true': Too many open files\n");
+    }
+}
+END_TEST
+
+/* A file that can be opened and not be read: a folder. */
+START_TEST(answers_that_cannot_be_read_are_no_answers)
+{
+    ck_assert_int_eq(conform("--answers data eq07"), 2);
+    assert_says("data: expected a header");
 }
 END_TEST
 
@@ -273,16 +331,22 @@ END_TEST
 
 /* ---- mistakes and what finds them ---- */
 
-/* An examination of one operation, the client a function in this process. */
-static struct exam *exam_of(const struct section *s)
+/* An examination, so many random questions of seed 1 behind the golden ones; the client is a function in this process. */
+static struct exam *long_exam_of(const struct section *s, uint64_t random)
 {
     struct exam *e = calloc(1, sizeof *e);
     const double digits = 9;
     ck_assert_ptr_nonnull(e);
     e->significand = BINARY64;
-    questions_add(&e->questions, s, 0, BINARY64, false);
+    e->questions.seed = 1;
+    questions_add(&e->questions, s, random, BINARY64, false);
     exam_begin(e, &digits);
     return e;
+}
+
+static struct exam *exam_of(const struct section *s)
+{
+    return long_exam_of(s, 0);
 }
 
 static void say(struct exam *e, const char *line)
@@ -290,8 +354,8 @@ static void say(struct exam *e, const char *line)
     exam_hear(e, line, strlen(line));
 }
 
-/* Answers every question with those formulas, rounded to binary64. */
-static void answer_with(struct exam *e, const struct formulas *formulas)
+/* Answers every question with those formulas, in so many digits; 17 are binary64. */
+static void answer_in_digits(struct exam *e, const struct formulas *formulas, int digits)
 {
     struct question q;
     struct operation o = {.section = e->judges[0].operation->section, .formulas = formulas};
@@ -308,7 +372,7 @@ static void answer_with(struct exam *e, const struct formulas *formulas)
         } else {
             operation_enclose(&o, q.inputs, 256, y);
             for (int i = 0; i < o.section->output_count; i++)
-                used += snprintf(line + used, sizeof line - (size_t)used, " %.17g",
+                used += snprintf(line + used, sizeof line - (size_t)used, " %.*g", digits,
                                  arf_get_d(arb_midref(y + i), ARF_RND_NEAR));
             snprintf(line + used, sizeof line - (size_t)used, "\n");
         }
@@ -319,6 +383,11 @@ static void answer_with(struct exam *e, const struct formulas *formulas)
     question_clear(&q);
     operation_clear(&o);
     _arb_vec_clear(y, MOST_ANSWERS);
+}
+
+static void answer_with(struct exam *e, const struct formulas *formulas)
+{
+    answer_in_digits(e, formulas, 17);
 }
 
 static void close_exam(struct exam *e)
@@ -375,6 +444,124 @@ START_TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
         }
         ck_assert_msg(places > 0, "%s", sheet()->slips[k].name);
     }
+}
+END_TEST
+
+START_TEST(right_but_for_the_digits_written_is_called_that)
+{
+    const struct section *s = section_find(sheet(), "eq12");
+    struct exam *e = exam_of(s);
+    answer_in_digits(e, &s->corrected, 6);
+    ck_assert_str_eq(e->tallies[0].diagnosis, "written with only 6 digits");
+    close_exam(e);
+}
+END_TEST
+
+/* A line that is no answer has nothing against a mistake that explains all the others. */
+START_TEST(a_mistake_explains_numbers_and_not_lines)
+{
+    const struct section *s = section_find(sheet(), "eq38");
+    struct exam *e = exam_of(s);
+    e->asked = 1;
+    say(e, "eq38-paper 7.3e-5 oops\n");
+    answer_with(e, &s->printed);
+    ck_assert_uint_eq(e->tallies[0].counts[FOUND_MALFORMED], 1);
+    ck_assert_int_eq(strncmp(e->tallies[0].diagnosis, "as printed", 10), 0);
+    close_exam(e);
+}
+END_TEST
+
+/* ---- order ---- */
+
+/* The number-th random question of eq43, skipped. */
+static void skip(struct exam *e, int number)
+{
+    char line[64];
+    snprintf(line, sizeof line, "eq43-1-%d skip\n", number);
+    say(e, line);
+}
+
+/*
+ * Each 4th question answered, and three passed over: more holes than are kept. Those that begin to be forgotten, and
+ * the rest of a hole that is split where there is no room for two, are missing at once; the others may still come.
+ */
+START_TEST(holes_that_are_too_many_are_missing)
+{
+    enum { ASKED = 4 * (MOST_SPANS + 2) };
+    struct exam *e = long_exam_of(section_find(sheet(), "eq43"), ASKED);
+    const struct tally *t = &e->tallies[0];
+    e->asked = e->questions.total;
+    for (int k = 3; k < ASKED; k += 4)
+        skip(e, k);
+    /* the first hole has the golden questions too, before the first random one; the second one has three */
+    ck_assert_uint_eq(t->counts[FOUND_MISSING], e->questions.total - ASKED + 3 + 3);
+    skip(e, ASKED - 3); /* in the middle of the last one: what is behind it, one, is missing */
+    ck_assert_uint_eq(t->counts[FOUND_MISSING], e->questions.total - ASKED + 3 + 3 + 1);
+    ck_assert_uint_eq(t->counts[FOUND_REORDERED], 1);
+    skip(e, ASKED - 3);
+    ck_assert_uint_eq(t->counts[FOUND_REPEATED], 1);
+    exam_end(e, FOUND_MISSING);
+    ck_assert_uint_eq(t->counts[FOUND_MISSING], e->questions.total - ASKED + 3 * (MOST_SPANS + 2) - 1);
+    ck_assert_uint_eq(t->counts[FOUND_SKIPPED], MOST_SPANS + 2);
+    close_exam(e);
+}
+END_TEST
+
+START_TEST(an_id_is_the_one_that_was_sent_to_the_letter)
+{
+    static const char *const strangers[] = {"eq43", "eq43-", "eq43-1", "eq43-1-", "eq43-1-5", "eq43-01-4", "eq43-1-04",
+                                            "eq43-2-4", "eq43-1-4x", "eq44-1-4", "eq4-1-4", "eq43-papers"};
+    struct exam *e = long_exam_of(section_find(sheet(), "eq43"), 5);
+    ck_assert_uint_eq(questions_find(&e->questions, "eq43-paper"), 0);
+    ck_assert_uint_eq(questions_find(&e->questions, "eq43-1-4"), e->questions.total - 1);
+    ck_assert_uint_eq(questions_find(&e->questions, strangers[_i]), UINT64_MAX);
+    close_exam(e);
+}
+END_TEST
+
+/* ---- what the table says ---- */
+
+/* The report on two operations, each with a few answers. */
+static const char *table_of(const char *const *answers, int significand)
+{
+    struct exam *e = calloc(1, sizeof *e);
+    const double digits[] = {9, 9};
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    ck_assert(e != NULL && file != NULL);
+    e->significand = significand;
+    questions_add(&e->questions, section_find(sheet(), "eq42"), 0, significand, false);
+    questions_add(&e->questions, section_find(sheet(), "eq43"), 0, significand, false);
+    exam_begin(e, digits);
+    e->asked = e->questions.total;
+    for (; *answers != NULL; answers++)
+        say(e, *answers);
+    const struct report r = {e, "client", "", 0.0};
+    report_text(&r, file);
+    ck_assert_int_eq(fclose(file), 0);
+    snprintf(said, sizeof said, "%s", text);
+    free(text);
+    close_exam(e);
+    return said;
+}
+
+START_TEST(the_table_knows_exact_and_infinitely_wrong)
+{
+    /* 0 is margin1 at C1 = 9, Omega = 1; margin2 and stable of n = 10 have E = 0 or infinity */
+    static const char *const exact[] = {"eq42-boundary 0 1 0\n", NULL};
+    static const char *const wrong[] = {"eq42-no-damping 1 1e-300 0\n", NULL};
+    ck_assert_ptr_nonnull(strstr(table_of(exact, BINARY64), "        0   exact  eq42-boundary\n"));
+    ck_assert_ptr_nonnull(strstr(table_of(wrong, BINARY64), "      inf     0.0  eq42-no-damping\n"));
+}
+END_TEST
+
+START_TEST(each_reason_for_a_skip_is_said_once)
+{
+    static const char *const two[] = {"eq42-paper skip not yet\n", "eq43-paper skip never\n", NULL};
+    static const char *const one[] = {"eq42-paper skip not yet\n", "eq43-paper skip not yet\n", NULL};
+    ck_assert_ptr_nonnull(strstr(table_of(two, BINARY64), "\nskipped, not yet: eq42\n\nskipped, never: eq43\n"));
+    ck_assert_ptr_nonnull(strstr(table_of(one, BINARY64), "\nskipped, not yet: eq42 eq43\n"));
 }
 END_TEST
 
@@ -479,9 +666,19 @@ Suite *suite(void)
     tcase_add_test(c, random_vectors_of_every_level_pass);
     tcase_add_test(c, much_in_flight_both_ways_does_not_deadlock);
     tcase_add_loop_test(c, wrong_usage_is_one_line_and_exit_2, 0, sizeof mistakes / sizeof *mistakes);
-    tcase_add_loop_test(c, golden_files_are_right_answers, 0, 5);
+    tcase_add_loop_test(c, golden_files_are_right_answers, 0, 6);
     tcase_add_test(c, answers_in_a_file_may_stand_in_any_order);
     tcase_add_test(c, reports_for_machines_say_the_same);
+    tcase_add_test(c, a_report_is_there_whole_or_not_at_all);
+    tcase_add_loop_test(c, what_a_client_says_breaks_no_report, 0, 2);
+    tcase_add_test(c, a_client_is_not_started_without_descriptors);
+    tcase_add_test(c, answers_that_cannot_be_read_are_no_answers);
+    tcase_add_test(c, right_but_for_the_digits_written_is_called_that);
+    tcase_add_test(c, a_mistake_explains_numbers_and_not_lines);
+    tcase_add_test(c, holes_that_are_too_many_are_missing);
+    tcase_add_loop_test(c, an_id_is_the_one_that_was_sent_to_the_letter, 0, 12);
+    tcase_add_test(c, the_table_knows_exact_and_infinitely_wrong);
+    tcase_add_test(c, each_reason_for_a_skip_is_said_once);
     tcase_add_loop_test(c, an_interrupt_leaves_no_process_behind, 0, 3);
     tcase_add_loop_test(c, a_known_mistake_is_called_by_its_name, 0, sheet()->section_count);
     tcase_add_test(c, every_mistake_of_the_sheet_can_be_made_somewhere);

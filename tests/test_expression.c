@@ -116,6 +116,7 @@ static const struct {
     {"sin 1", 4, "expected '(', found '1'"},
     {"sin(1", 5, "expected ')' or an operator, the formula ends here"},
     {"atan2(1)", 7, "expected ',' and the second argument of atan2, found ')'"},
+    {"atan2(1, )", 9, "expected a number, a symbol or '(', found ')'"},
     {"rate(1)", 0, "unknown symbol 'rate', expected an input or a named subexpression"},
     {"1 # 2", 2, "expected an operator or the end of the formula, found '#'"},
 };
@@ -506,7 +507,7 @@ START_TEST(ball_and_mpfr_agree_with_the_exact_value)
 {
     struct program p;
     struct machine exact, ball, multiple;
-    int node = parse_inputs(&p, "sqrt(x)^3/(y - 1/7)^2 - x*y + exp(x - 9/4)");
+    int node = parse_inputs(&p, "sqrt(x)^3*(y - 1/7)^-2 - x*y + exp(x - 9/4)");
     fmpq_t value;
     mpfr_t difference;
     fmpq_init(value);
@@ -541,6 +542,26 @@ START_TEST(ball_and_mpfr_agree_with_the_exact_value)
 }
 END_TEST
 
+/* 1 for [1/2, 1], 0 for [-1, -1/2] and 0, anything for [-1/2, 1] */
+START_TEST(ball_on_both_sides_of_zero_is_neither_positive_nor_not)
+{
+    static const struct {
+        double middle, radius, positive;
+    } balls[] = {{0.75, 0.25, 1}, {-0.75, 0.25, 0}, {0, 0, 0}, {0.25, 0.75, NAN}};
+    struct program p;
+    struct machine m;
+    int node = parse_inputs(&p, "positive(x)");
+    machine_init(&m, &p, &arithmetic_ball, 64);
+    arb_ptr x = machine_value(&m, 0), y = machine_value(&m, node);
+    arb_set_d(x, balls[_i].middle);
+    mag_set_d(arb_radref(x), balls[_i].radius);
+    machine_run(&m);
+    ck_assert(isnan(balls[_i].positive) ? !arb_is_finite(y) : arb_equal_si(y, (slong)balls[_i].positive));
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
 /* ---- degrees ---- */
 
 /* num and den for x, y drawn numbers, a a drawn angle, e a small drawn number, K = terms - 1 */
@@ -562,6 +583,7 @@ static const struct {
     {"sqrt(x^4/y^2)", 1, 2, 1},
     {"sqrt(x^2 + e)", 2, 3, 2},              /* x (1 + e/(2 x^2)): K = 1 adds num + den = 2 to both */
     {"x/(1/e)", 2, 2, 0},
+    {"x*y*positive(x)", 1, 3, 0},            /* no rational function, and never proved: any bound will do */
 };
 
 START_TEST(degree_is_bounded)
@@ -618,6 +640,7 @@ Suite *suite(void)
     tcase_add_loop_test(arithmetic, gradient_is_the_derivative_by_every_input, 0, COUNT(differentiable));
     tcase_add_test(arithmetic, gradient_of_an_arc_tangent);
     tcase_add_test(arithmetic, ball_and_mpfr_agree_with_the_exact_value);
+    tcase_add_loop_test(arithmetic, ball_on_both_sides_of_zero_is_neither_positive_nor_not, 0, 4);
     tcase_add_loop_test(arithmetic, degree_is_bounded, 0, COUNT(degrees));
     tcase_add_test(arithmetic, degree_saturates);
 

@@ -26,7 +26,7 @@ static const char good[] =
     "    title: a definition\n"                                                       /* 10 */
     "    equations: [\"1\"]\n"                                                        /* 11 */
     "    relations:\n"                                                                /* 12 */
-    "      - {equation: \"1\", holds: \"x1 = 2*L\", printed: \"x1 = L\"}\n"           /* 13 */
+    "      - {equation: \"1\", holds: \"x1 = 2*L\"}\n"                               /* 13 */
     "  eq2:\n"                                                                        /* 14 */
     "    title: a formula\n"                                                          /* 15 */
     "    equations: [2a, 2b]\n"                                                       /* 16 */
@@ -45,7 +45,23 @@ static const char good[] =
     "    equations: [\"3\"]\n"                                                        /* 29 */
     "    method: roots\n"                                                             /* 30 */
     "    inputs: [L]\n"                                                               /* 31 */
-    "    outputs: [x1, y1]\n";                                                        /* 32 */
+    "    outputs: [x1, y1]\n"                                                         /* 32 */
+    "  eq4:\n"                                                                        /* 33 */
+    "    title: a formula for the oracle\n"                                           /* 34 */
+    "    equations: [\"4\"]\n"                                                        /* 35 */
+    "    inputs: [Omega, x1]\n"                                                       /* 36 */
+    "    let:\n"                                                                      /* 37 */
+    "      half: x1/2\n"                                                              /* 38 */
+    "    outputs:\n"                                                                  /* 39 */
+    "      y1: Omega*half\n"                                                          /* 40 */
+    "    vectors:\n"                                                                  /* 41 */
+    "      three: {x1: 3, flags: edge}\n"                                             /* 42 */
+    "    mistakes:\n"                                                                 /* 43 */
+    "      not halved: {let: {half: x1}}\n"                                           /* 44 */
+    "    K: {bound: 20, reason: it may}\n"                                            /* 45 */
+    "K: {bound: 8, reason: all may}\n"                                                /* 46 */
+    "mistakes:\n"                                                                     /* 47 */
+    "  another rate: {inputs: {Omega: 2*Omega}}\n";                                   /* 48 */
 
 /* The good sheet with one text in place of another; malloc'ed. */
 static char *changed(const char *from, const char *to)
@@ -64,7 +80,7 @@ START_TEST(sheet_is_read)
     ck_assert_msg(sheet_read(&s, good, strlen(good), "t", &why) == 0, "%s", why.text);
     ck_assert_int_eq(s.quantity_count, 5);
     ck_assert_int_eq(s.row_count, 1);
-    ck_assert_int_eq(s.section_count, 3);
+    ck_assert_int_eq(s.section_count, 4);
     const struct quantity *x1 = quantity_find(&s, "x1"), *y1 = quantity_find(&s, "y1");
     ck_assert_str_eq(x1->unit, "m");
     ck_assert_str_eq(y1->meaning, "place");
@@ -74,7 +90,6 @@ START_TEST(sheet_is_read)
     const struct section *definition = section_find(&s, "eq1"), *formula = section_find(&s, "eq2");
     ck_assert_int_eq(definition->method, METHOD_NONE);
     ck_assert_str_eq(definition->relations[0].text, "x1 = 2*L");
-    ck_assert_str_eq(definition->relations[0].printed, "x1 = L");
     ck_assert_int_eq(formula->method, METHOD_FORMULA);
     ck_assert_int_eq(formula->numbers, 2);
     ck_assert_str_eq(formula->equations[1], "2b");
@@ -85,7 +100,17 @@ START_TEST(sheet_is_read)
     ck_assert_str_eq(formula->printed.text[0], "Omega*x1");
     ck_assert_int_eq(formula->printed.count, 3); /* the domain is that of the corrected one */
     ck_assert_int_eq(section_find(&s, "eq3")->method, METHOD_ROOTS);
-    ck_assert_ptr_null(section_find(&s, "eq4"));
+    ck_assert_ptr_null(section_find(&s, "eq5"));
+    const struct section *asked = section_find(&s, "eq4");
+    ck_assert_int_eq(asked->special_count, 1);
+    ck_assert_str_eq(asked->specials[0].flags, "edge");
+    ck_assert_ptr_null(asked->specials[0].texts[0]); /* as in the paper's case */
+    ck_assert_str_eq(asked->specials[0].texts[1], "3");
+    ck_assert_int_eq(asked->slip_count, 1);
+    ck_assert_str_eq(asked->slips[0].changes[0].formula, "x1");
+    ck_assert_double_eq(asked->K, 20);
+    ck_assert_double_eq(formula->K, 8);
+    ck_assert_int_eq(s.slip_count, 1);
     sheet_clear(&s);
 }
 END_TEST
@@ -148,12 +173,41 @@ static const struct {
      "unknown key 'output', expected perhaps outputs"},
     {"x1 = 2*L", "x1 - 2*L", "13:32: ", "expected left = right"},
     {"x1 = 2*L", "x1 = 2*M", "13:40: ", "unknown symbol 'M'"},
-    {"x1 = L\"", "x1 = L + \"", "13:63: ", "expected a number, a symbol or '(', the formula ends here"},
+    {"x1 = 2*L", "x1 = 2* ", "13:41: ", "expected a number, a symbol or '(', the formula ends here"},
     {"equation: \"1\", ", "", "13:9: ", "missing equation, expected a text"},
     {"method: roots", "method: root", "30:13: ", "expected a method: roots, flow_ or rk4_ linear or nonlinear"},
     {"    inputs: [L]\n", "", "28:5: ", "missing inputs"},
     {"    outputs: [x1, y1]\n", "", "28:5: ", "missing outputs"},
     {"[x1, y1]\n", "[x1, z1]\n", "32:19: ", "unknown symbol 'z1'"},
+    {"table1:", "[table1]:", "6:1: ", "expected a plain key"},
+    {"unit: rad/s", "unit: \"\"", "2:17: ", "missing unit, expected a text"},
+    {"    let:\n      r: sqrt(x1^2 + y1^2)\n", "    let: r\n", "18:10: ", "expected a mapping, key: value"},
+    {"      outputs:\n        L: Omega*x1\n", "      outputs: {}\n", "24:16: ", "expected 1 outputs"},
+    {"      three: {x1: 3, flags: edge}\n", "      - three\n", "42:7: ", "expected a mapping, key: value"},
+    {"{x1: 3, flags: edge}", "3", "42:14: ", "expected a mapping, key: value"},
+    {", flags: edge", "", "42:14: ", "missing flags, expected a text"},
+    {"{x1: 3", "{y1: 3", "42:15: ", "'y1' is no input of eq4"},
+    {"{x1: 3", "{x1: [3]", "42:19: ", "expected a number"},
+    {"{let: {half: x1}}", "x1", "44:19: ", "expected a mapping, key: value"},
+    {"{let: {half: x1}}", "{lets: {half: x1}}", "44:20: ", "unknown key 'lets', expected perhaps let"},
+    {"{half: x1}", "half", "44:25: ", "expected a mapping, key: value"},
+    {"{half: x1}", "{half: [x1]}", "44:32: ", "expected a formula, and at most 12 of them"},
+    {"{half: x1}", "{hlf: x1}", "44:19: ", "'hlf' is not there to be changed"},
+    {"{half: x1}", "{Omega: x1}", "44:19: ", "'Omega' is not there to be changed"},
+    {"{half: x1}", "{half: x9}", "44:19: ", "half: unknown symbol 'x9'"},
+    {"{let: {half: x1}}", "{}", "44:19: ", "nothing is changed"},
+    {"{let: {half: x1}}", "{as: eq1}", "44:19: ", "as: expected an operation with as many outputs"},
+    {"{let: {half: x1}}", "{as: eq3}", "44:19: ", "as: expected an operation with as many outputs"},
+    {"{let: {half: x1}}", "{as: eq5}", "44:19: ", "as: expected an operation with as many outputs"},
+    {"{let: {half: x1}}", "{as: eq2}", "44:19: ", "eq2 needs y1"},
+    {"{bound: 20, reason: it may}", "20", "45:8: ", "expected a mapping, key: value"},
+    {", reason: it may", "", "45:8: ", "missing reason, expected a text"},
+    {"bound: 20, ", "", "45:8: ", "missing bound, expected a positive number"},
+    {"bound: 20", "bound: 0", "45:16: ", "expected a positive number"},
+    {"bound: 20", "bound: [20]", "45:16: ", "expected a positive number"},
+    {"bound: 8, ", "", "46:4: ", "missing bound, expected a positive number"},
+    {"  another rate: {inputs: {Omega: 2*Omega}}\n", "  - another\n", "48:3: ", "expected a mapping, key: value"},
+    {"{inputs: {Omega: 2*Omega}}", "2*Omega", "48:17: ", "expected a mapping, key: value"},
     {"[2a, 2b]", "[2a, 2b", "", "expected YAML: "},
     {"equations:\n  eq1:", "equations:\n\teq1:", "", "expected YAML: "},
 };

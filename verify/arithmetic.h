@@ -38,9 +38,9 @@ struct arithmetic {
     size_t size; /* of a number, in bytes */
     void (*init)(void *x, slong prec);
     void (*clear)(void *x);
-    void (*set)(void *z, const void *x);
+    void (*set)(void *z, const void *x); /* NULL where no gradient is taken */
     void (*set_rational)(void *z, const fmpq_t q, slong prec);
-    void (*set_infinity)(void *z);
+    void (*set_infinity)(void *z); /* NULL where no input is infinite */
     /* z = x op y; a unary operator ignores y, only a power reads the exponent; z may be x or y */
     void (*apply)(enum operator op, void *z, const void *x, const void *y, slong exponent, slong prec);
 };

@@ -100,11 +100,10 @@ static void ball_apply(enum operator op, void *z, const void *x, const void *y, 
     case OPERATOR_ATAN2:
         ball_atan2(z, x, y, prec);
         break;
+    case OPERATOR_INPUT: /* no operations, these two: never asked for */
+    case OPERATOR_NUMBER:
     case OPERATOR_POSITIVE:
         ball_positive(z, x);
-        break;
-    case OPERATOR_INPUT:
-    case OPERATOR_NUMBER:
         break;
     }
 }

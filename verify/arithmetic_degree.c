@@ -12,22 +12,12 @@ static void clear(void *x)
     (void)x;
 }
 
-static void set(void *z, const void *x)
-{
-    *(struct degree *)z = *(const struct degree *)x;
-}
-
 static void set_rational(void *z, const fmpq_t q, slong prec)
 {
     init(z, prec);
     ((struct degree *)z)->sign = fmpq_is_zero(q)   ? SIGN_ZERO
                                  : fmpq_sgn(q) > 0 ? SIGN_POSITIVE
                                                    : SIGN_UNKNOWN;
-}
-
-static void set_infinity(void *z)
-{
-    init(z, 0);
 }
 
 static ulong most(ulong a, ulong b)
@@ -144,7 +134,7 @@ static void apply(enum operator op, void *result, const void *left, const void *
     case OPERATOR_ATAN2:
         arc_tangent(z, &x, &y);
         break;
-    case OPERATOR_INPUT:
+    case OPERATOR_INPUT: /* no operations, these two: never asked for */
     case OPERATOR_NUMBER:
     case OPERATOR_POSITIVE:
         z->sign = SIGN_UNKNOWN;
@@ -157,8 +147,6 @@ const struct arithmetic arithmetic_degree = {
     .size = sizeof(struct degree),
     .init = init,
     .clear = clear,
-    .set = set,
     .set_rational = set_rational,
-    .set_infinity = set_infinity,
     .apply = apply,
 };

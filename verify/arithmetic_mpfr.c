@@ -11,20 +11,10 @@ static void mpfr_number_clear(void *x)
     mpfr_clear(x);
 }
 
-static void mpfr_number_set(void *z, const void *x)
-{
-    mpfr_set(z, x, MPFR_RNDN);
-}
-
 static void mpfr_number_set_rational(void *z, const fmpq_t q, slong prec)
 {
     (void)prec;
     fmpq_get_mpfr(z, q, MPFR_RNDN);
-}
-
-static void mpfr_number_set_infinity(void *z)
-{
-    mpfr_set_inf(z, 1);
 }
 
 static void mpfr_number_apply(enum operator op, void *z, const void *x, const void *y,
@@ -65,11 +55,10 @@ static void mpfr_number_apply(enum operator op, void *z, const void *x, const vo
     case OPERATOR_ATAN2:
         mpfr_atan2(z, x, y, MPFR_RNDN);
         break;
+    case OPERATOR_INPUT: /* no operations, these two: never asked for */
+    case OPERATOR_NUMBER:
     case OPERATOR_POSITIVE:
         mpfr_set_si(z, mpfr_sgn((mpfr_srcptr)x) > 0, MPFR_RNDN);
-        break;
-    case OPERATOR_INPUT:
-    case OPERATOR_NUMBER:
         break;
     }
 }
@@ -79,8 +68,6 @@ const struct arithmetic arithmetic_mpfr = {
     .size = sizeof(mpfr_t),
     .init = mpfr_number_init,
     .clear = mpfr_number_clear,
-    .set = mpfr_number_set,
     .set_rational = mpfr_number_set_rational,
-    .set_infinity = mpfr_number_set_infinity,
     .apply = mpfr_number_apply,
 };

@@ -56,15 +56,6 @@ static void set_rational(void *z, const fmpq_t q, slong prec)
     fmpq_poly_set_fmpq(((struct series *)z)->p, q);
 }
 
-static void set_infinity(void *z)
-{
-    struct series *to = z;
-    set_number(to);
-    fmpq_poly_zero(to->p);
-    to->fault = SERIES_POLE;
-    to->large = true;
-}
-
 void series_set_monomial(void *z, const fmpz_t v, slong power)
 {
     struct series *to = z;
@@ -327,11 +318,10 @@ static void apply(enum operator op, void *result, const void *left, const void *
     case OPERATOR_ATAN2:
         arc_tangent(z, x, y, prec);
         break;
+    case OPERATOR_INPUT: /* no operations, these two: never asked for */
+    case OPERATOR_NUMBER:
     case OPERATOR_POSITIVE:
         z->fault = SERIES_TRANSCENDENTAL;
-        break;
-    case OPERATOR_INPUT:
-    case OPERATOR_NUMBER:
         break;
     }
 }
@@ -343,6 +333,5 @@ const struct arithmetic arithmetic_series = {
     .clear = series_clear,
     .set = series_set,
     .set_rational = set_rational,
-    .set_infinity = set_infinity,
     .apply = apply,
 };

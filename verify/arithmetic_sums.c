@@ -67,11 +67,10 @@ static void sums_apply(enum operator op, void *z, const void *x, const void *y, 
     case OPERATOR_ATAN2:
         exact_atan2(z, x, y);
         break;
+    case OPERATOR_INPUT: /* no operations, these two: never asked for */
+    case OPERATOR_NUMBER:
     case OPERATOR_POSITIVE:
         exact_positive(z, x);
-        break;
-    case OPERATOR_INPUT:
-    case OPERATOR_NUMBER:
         break;
     }
 }

@@ -40,9 +40,7 @@ static void become(char *const *arguments, int in, int out, int errors, int fail
     if (dup2(in, 0) >= 0 && dup2(out, 1) >= 0 && dup2(errors, 2) >= 0)
         execvp(arguments[0], arguments);
     const int why = errno;
-    if (write(failure, &why, sizeof why) < 0)
-        _exit(126);
-    _exit(127);
+    _exit(write(failure, &why, sizeof why) < 0 ? 126 : 127);
 }
 
 /* Waits for exec's close of the failure pipe; 0, or the errno that came instead. */

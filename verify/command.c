@@ -78,10 +78,10 @@ int arguments_split(struct arguments *a, int count, char **texts, int words)
 
 const char *option_value(const struct arguments *a, const char *name)
 {
-    for (int k = 0; k < a->option_count; k++)
-        if (strcmp(a->options[k].name, name) == 0)
-            return a->options[k].value;
-    return NULL;
+    int k = 0;
+    while (strcmp(a->options[k].name, name) != 0)
+        k++;
+    return a->options[k].value;
 }
 
 bool option_given(const struct arguments *a, const char *name)

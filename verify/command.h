@@ -42,7 +42,7 @@ void suggest(char text[80], const char *mistaken, const char *const *known, int 
 /* Splits what stands behind the subcommand; at most `words` plain words. EXIT_DONE or EXIT_USAGE. */
 int arguments_split(struct arguments *a, int count, char **texts, int words);
 bool option_given(const struct arguments *a, const char *name);
-const char *option_value(const struct arguments *a, const char *name); /* NULL: not given */
+const char *option_value(const struct arguments *a, const char *name); /* of the options; NULL: not given */
 
 /* --digits, 1 ... 10000. */
 int option_digits(const struct arguments *a, long otherwise, long *digits);

@@ -129,34 +129,33 @@ static bool gain_roots(acb_ptr roots, const fmpq_t n, slong prec)
     return isolated;
 }
 
-/* Of each conjugate pair the root above the axis, the slower pair first: its place among the four. */
-static bool pairs(int place[2], acb_srcptr roots)
+/* Of each conjugate pair the root above the axis, the slower pair first: its place among the four. Isolated roots
+   are two such pairs, of which a real one has both on the axis. */
+static void pairs(int place[2], acb_srcptr roots)
 {
     int count = 0, real = 0;
     for (int k = 3; k >= 0; k--) { /* they ascend */
         const bool on_axis = arb_is_zero(acb_imagref(roots + k));
         if (arb_is_negative(acb_imagref(roots + k)) || (on_axis && real++ % 2 == 1))
             continue;
-        if (count == 2)
-            return false;
         place[count++] = k;
     }
-    if (count == 2 && arb_equal(acb_realref(roots + place[0]), acb_realref(roots + place[1])) &&
+    if (arb_equal(acb_realref(roots + place[0]), acb_realref(roots + place[1])) &&
         arb_gt(acb_imagref(roots + place[0]), acb_imagref(roots + place[1]))) {
         int first = place[0]; /* equal real parts: the slower oscillation first */
         place[0] = place[1];
         place[1] = first;
     }
-    return count == 2;
 }
 
 /* re1 im1 re2 im2, false while a digit is undecided */
 static bool root_texts(char *texts[4], acb_srcptr roots, const arb_t Omega, slong digits, slong prec)
 {
     int place[2];
-    bool decided = pairs(place, roots);
+    bool decided = true;
     arb_t x;
     arb_init(x);
+    pairs(place, roots);
     for (int i = 0; i < 4 && decided; i++) {
         acb_srcptr root = roots + place[i / 2];
         arb_mul(x, i % 2 ? acb_imagref(root) : acb_realref(root), Omega, prec);

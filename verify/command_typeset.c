@@ -12,29 +12,25 @@
 #include "command.h"
 #include "typeset.h"
 
-/* One side of something, with every name that it may hold as a symbol. False where it is no formula. */
-static bool add_formula(struct tex *t, struct program *symbols, const char *text)
+/* One side of something: a formula that was understood when the sheet was read. */
+static void add_formula(struct tex *t, struct program *symbols, const char *text)
 {
     struct message why;
     size_t where;
-    const int node = program_parse(symbols, text, &where, &why);
-    if (node >= 0)
-        typeset_formula(t, symbols, node);
-    return node >= 0;
+    typeset_formula(t, symbols, program_parse(symbols, text, &where, &why));
 }
 
 /* "left SIGN right" with an alignment mark; the sign is the first of = > >= < in it. */
-static bool add_comparison(struct tex *t, struct program *symbols, const char *text)
+static void add_comparison(struct tex *t, struct program *symbols, const char *text)
 {
     const size_t left = strcspn(text, "=<>");
     const size_t sign = strspn(text + left, "=<>");
     char *copy = text_copy(text);
     copy[left] = '\0';
-    bool fine = add_formula(t, symbols, copy);
+    add_formula(t, symbols, copy);
     tex_add(t, " &%s ", sign == 2 ? "\\ge" : (const char[]){text[left], '\0'});
-    fine = fine && add_formula(t, symbols, copy + left + sign);
+    add_formula(t, symbols, copy + left + sign);
     free(copy);
-    return fine;
 }
 
 static void print_record(const char *id, const char *kind, const char *number, const char *name, const char *text)
@@ -43,26 +39,24 @@ static void print_record(const char *id, const char *kind, const char *number, c
 }
 
 /* NAME = formula */
-static bool print_definition(const struct section *s, const char *kind, const char *number, struct program *symbols,
+static void print_definition(const struct section *s, const char *kind, const char *number, struct program *symbols,
                              const char *name, const char *formula)
 {
     struct tex t = {NULL, 0};
     typeset_symbol(&t, name);
     tex_add(&t, " &= ");
-    const bool fine = add_formula(&t, symbols, formula);
+    add_formula(&t, symbols, formula);
     print_record(s->id, kind, number, name, t.text);
     tex_clear(&t);
-    return fine;
 }
 
-static bool print_comparison(const struct section *s, const char *kind, const char *number, struct program *symbols,
+static void print_comparison(const struct section *s, const char *kind, const char *number, struct program *symbols,
                              const char *text)
 {
     struct tex t = {NULL, 0};
-    const bool fine = add_comparison(&t, symbols, text);
+    add_comparison(&t, symbols, text);
     print_record(s->id, kind, number, "", t.text);
     tex_clear(&t);
-    return fine;
 }
 
 /* The numbers that no relation has are the outputs': one each where they are as many, else all of them at once. */
@@ -80,53 +74,47 @@ static const char *output_number(const struct section *s, int output)
     return count == s->output_count ? free_numbers[output] : "";
 }
 
-static bool print_formulas(const struct section *s, const char *kind, struct program *symbols, const struct formulas *f)
+static void print_formulas(const struct section *s, const char *kind, struct program *symbols, const struct formulas *f)
 {
-    bool fine = true;
     for (int i = 0; i < s->output_count; i++)
-        fine = print_definition(s, kind, output_number(s, i), symbols, s->outputs[i]->name, f->text[i]) && fine;
-    return fine;
+        print_definition(s, kind, output_number(s, i), symbols, s->outputs[i]->name, f->text[i]);
 }
 
 /* Symbols are all quantities, and the section's own named subexpressions. */
 static void symbols_init(struct program *symbols, const struct section *s)
 {
+    const struct formulas *const own[] = {&s->corrected, &s->printed};
     program_init(symbols);
     for (int i = 0; i < sheet()->quantity_count; i++)
         program_input(symbols, sheet()->quantities[i].name);
-    for (int i = 0; i < s->corrected.lets; i++)
-        program_input(symbols, s->corrected.let[2 * i]);
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < own[k]->lets; i++)
+            program_input(symbols, own[k]->let[2 * i]);
 }
 
-static bool print_section(const struct section *s)
+static void print_section(const struct section *s)
 {
     struct program symbols;
-    bool fine = true;
     symbols_init(&symbols, s);
     print_record(s->id, "title", "", "", s->title);
     for (int i = 0; i < s->numbers; i++)
         print_record(s->id, "number", s->equations[i], "", "");
-    for (int i = 0; i < s->relation_count; i++) {
-        const struct relation *r = &s->relations[i];
-        fine = print_comparison(s, "relation", r->equation, &symbols, r->text) && fine;
-        if (r->printed != NULL)
-            fine = print_comparison(s, "printed", r->equation, &symbols, r->printed) && fine;
-    }
+    for (int i = 0; i < s->relation_count; i++)
+        print_comparison(s, "relation", s->relations[i].equation, &symbols, s->relations[i].text);
     if (s->method == METHOD_FORMULA) {
-        fine = print_formulas(s, "output", &symbols, &s->corrected) && fine;
+        print_formulas(s, "output", &symbols, &s->corrected);
         for (int i = 0; i < s->corrected.lets; i++)
-            fine = print_definition(s, "let", "", &symbols, s->corrected.let[2 * i], s->corrected.let[2 * i + 1]) && fine;
+            print_definition(s, "let", "", &symbols, s->corrected.let[2 * i], s->corrected.let[2 * i + 1]);
         for (int i = 0; i < s->corrected.count; i++)
-            fine = print_comparison(s, "domain", "", &symbols, s->corrected.conditions[i].text) && fine;
+            print_comparison(s, "domain", "", &symbols, s->corrected.conditions[i].text);
     }
     if (s->differs) {
-        fine = print_formulas(s, "printed", &symbols, &s->printed) && fine;
+        print_formulas(s, "printed", &symbols, &s->printed);
         print_record(s->id, "reason", "", "", s->reason);
     }
     if (s->note != NULL)
         print_record(s->id, "note", "", "", s->note);
     program_clear(&symbols);
-    return fine;
 }
 
 static void print_symbols(void)
@@ -153,10 +141,8 @@ int command_typeset(int count, char **texts)
     free(a.assignments);
     if (status == EXIT_DONE && one == NULL)
         print_symbols();
-    for (int i = 0; i < sheet()->section_count && status == EXIT_DONE; i++) {
-        const struct section *s = &sheet()->sections[i];
-        if ((one == NULL || one == s) && !print_section(s))
-            status = complain(EXIT_FAILED_CHECK, "%s: a formula that cannot be typeset", s->id);
-    }
+    for (int i = 0; i < sheet()->section_count && status == EXIT_DONE; i++)
+        if (one == NULL || one == &sheet()->sections[i])
+            print_section(&sheet()->sections[i]);
     return status != EXIT_DONE ? status : output_finished();
 }

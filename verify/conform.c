@@ -33,7 +33,7 @@ static struct tally *tally_at(struct exam *e, uint64_t position)
 }
 
 /* Wrong numbers before everything else, the further off the worse. */
-bool failure_is_worse(const struct failure *a, const struct failure *b)
+static bool failure_is_worse(const struct failure *a, const struct failure *b)
 {
     if ((a->finding == FOUND_WRONG) != (b->finding == FOUND_WRONG))
         return a->finding == FOUND_WRONG;

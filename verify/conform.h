@@ -71,8 +71,7 @@ void exam_end(struct exam *e, enum finding why);
 /* A finding about the client itself. */
 void exam_note(struct exam *e, enum finding finding);
 
-/* Failures of a tally, and questions of a course. */
+/* Failures of a tally. */
 uint64_t tally_failed(const struct tally *t);
-bool failure_is_worse(const struct failure *a, const struct failure *b);
 
 #endif

@@ -26,7 +26,8 @@ static int read_rate(struct parser *s)
 {
     const struct reader *r = s->context;
     const yaml_node_t *rates = child(r->document, r->step, "rates");
-    int node = parse_symbol(s, '(') ? parse_sum(s) : parse_refuse(s, "'('");
+    s->at++; /* the bracket, without which it were a name */
+    int node = parse_sum(s);
     if (node < 0 || !parse_symbol(s, ')'))
         return node < 0 ? -1 : parse_refuse(s, "')' or an operator");
     const int count = s->program->count;
@@ -64,8 +65,7 @@ static int read_side(struct parser *s, bool right)
     const struct reader *r = s->context;
     const char *begin = s->at;
     char number[LONGEST_NAME + 1], index[LONGEST_NAME + 1] = "1";
-    if (!parse_symbol(s, '('))
-        return parse_refuse(s, "'('");
+    s->at++;
     if (!parse_word(s, number) || (parse_symbol(s, ',') && !parse_word(s, index)))
         return -1;
     if (!parse_symbol(s, ')'))
@@ -148,14 +148,15 @@ static int read_output(struct parser *s, const char *id)
     s->at++;
     if (!parse_word(s, name))
         return -1;
-    if (find_output(section, &section->corrected, name) < 0)
-        return unknown_name(s, name, "output", "an output or a named subexpression of that section");
+    const char *behind = s->at;
     const struct formulas *f = read_variant(s, section);
-    const int wanted = f != NULL ? find_output(section, f, name) : -1;
-    if (f != NULL && wanted < 0)
-        message_set(s->why, "unknown name '%s' in %s as printed, expected an output", name, id);
-    if (wanted < 0)
+    if (f == NULL)
         return -1;
+    const int wanted = find_output(section, f, name);
+    if (wanted < 0) {
+        s->at = behind;
+        return unknown_name(s, name, "output", "an output or a named subexpression of that section");
+    }
     int *stand_in = memory(NULL, (size_t)f->program.count, sizeof *stand_in);
     for (int i = 0; i < f->program.count; i++)
         stand_in[i] = -1;

@@ -9,10 +9,7 @@ bool document_open(struct document *d, const char *text, size_t length, const ch
 {
     yaml_parser_t parser;
     *d = (struct document){.file = file, .why = why};
-    if (!yaml_parser_initialize(&parser)) {
-        message_set(why, "%s: out of memory", file);
-        return false;
-    }
+    granted(yaml_parser_initialize(&parser) ? &parser : NULL);
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
     bool fine = yaml_parser_load(&parser, &d->yaml);
     if (!fine) {
@@ -74,9 +71,7 @@ int length_of(const yaml_node_t *node)
 {
     if (node->type == YAML_MAPPING_NODE)
         return (int)(node->data.mapping.pairs.top - node->data.mapping.pairs.start);
-    if (node->type == YAML_SEQUENCE_NODE)
-        return (int)(node->data.sequence.items.top - node->data.sequence.items.start);
-    return 0;
+    return node->type == YAML_SEQUENCE_NODE ? (int)(node->data.sequence.items.top - node->data.sequence.items.start) : 0;
 }
 
 const yaml_node_t *key_of(const struct document *d, const yaml_node_t *mapping, int i)

@@ -372,8 +372,7 @@ void measure_errors(struct measured *m, const struct section *s, long count, uin
             m->worst = E;
             m->index = index;
         }
-        if (s->method == METHOD_FORMULA && !mpfr_inside(&o, inputs, exact, S))
-            m->outside++;
+        m->outside += s->method == METHOD_FORMULA && !mpfr_inside(&o, inputs, exact, S);
     }
     operation_clear(&o);
     inputs_free(inputs, s->input_count);

@@ -16,7 +16,8 @@ void message_set(struct message *m, const char *format, ...);
 /* The known name nearest to a mistaken one (edit distance), NULL when none is near. */
 const char *nearest_name(const char *mistaken, const char *const *known, size_t count);
 
-/* Memory that is there, or one line on standard error and exit status 1. */
+/* What asked for memory got it, or the program ends with one line on standard error and exit status 1. */
+void *granted(void *block);
 void *memory(void *old, size_t count, size_t size);
 char *text_copy(const char *text);
 

@@ -206,20 +206,13 @@ bool is_static_place(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const
 
 const char *flow_status_text(enum flow_status status)
 {
-    switch (status) {
-    case FLOW_WIDE:
-        return "the enclosure grew past use";
-    case FLOW_COLLISION:
-        return "the two craft meet (L = 0)";
-    case FLOW_DOMAIN:
-        return "a parameter lies outside the domain";
-    case FLOW_STALLED:
-        return "too many steps, no end in sight";
-    case FLOW_DONE:
-    case FLOW_STOPPED:
-        break;
-    }
-    return "stopped";
+    static const char *const texts[] = {[FLOW_DONE] = "done",
+                                        [FLOW_STOPPED] = "stopped",
+                                        [FLOW_WIDE] = "the enclosure grew past use",
+                                        [FLOW_COLLISION] = "the two craft meet (L = 0)",
+                                        [FLOW_DOMAIN] = "a parameter lies outside the domain",
+                                        [FLOW_STALLED] = "too many steps, no end in sight"};
+    return texts[status];
 }
 
 struct pass {

@@ -242,12 +242,9 @@ static void put_failure(const struct exam *e, int k, FILE *file)
 {
     char *text = NULL;
     size_t size;
-    FILE *stream = open_memstream(&text, &size);
-    if (stream == NULL)
-        return;
+    FILE *stream = granted(open_memstream(&text, &size));
     failure_text(e, k, stream);
-    if (fclose(stream) == 0)
-        put_text(file, text, true);
+    put_text(file, granted(fclose(stream) == 0 ? text : NULL), true);
     free(text);
 }
 

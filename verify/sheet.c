@@ -322,7 +322,7 @@ static bool check_relation(struct reader *r, const yaml_node_t *node)
 
 static bool read_relations(struct reader *r, const yaml_node_t *node, struct section *s)
 {
-    static const char *const known[] = {"equation", "holds", "printed", NULL};
+    static const char *const known[] = {"equation", "holds", NULL};
     if (node->type != YAML_SEQUENCE_NODE)
         return mistake(&r->document, node, 0, "expected a list of relations");
     for (int n = 0; n < length_of(node); n++) {
@@ -332,9 +332,6 @@ static bool read_relations(struct reader *r, const yaml_node_t *node, struct sec
             (relation.equation = text_of(r, item, "equation", true)) == NULL ||
             (relation.text = text_of(r, item, "holds", true)) == NULL ||
             !check_relation(r, child(&r->document, item, "holds")))
-            return false;
-        relation.printed = text_of(r, item, "printed", false);
-        if (relation.printed != NULL && !check_relation(r, child(&r->document, item, "printed")))
             return false;
         s->relations = memory(s->relations, (size_t)s->relation_count + 1, sizeof relation);
         s->relations[s->relation_count++] = relation;

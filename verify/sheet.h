@@ -45,7 +45,7 @@ struct formulas {
 
 struct relation {
     const char *equation;       /* "6a" */
-    const char *text, *printed; /* "left = right"; as printed, or NULL */
+    const char *text; /* "left = right" */
 };
 
 /* A golden vector of its own: the paper's case with some inputs replaced, NULL where not. */

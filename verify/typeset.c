@@ -18,8 +18,6 @@ void tex_add(struct tex *t, const char *format, ...)
     va_start(arguments, format);
     const int length = vsnprintf(NULL, 0, format, arguments);
     va_end(arguments);
-    if (length < 0)
-        return;
     t->text = memory(t->text, t->length + (size_t)length + 1, 1);
     va_start(arguments, format);
     vsnprintf(t->text + t->length, (size_t)length + 1, format, arguments);
@@ -128,10 +126,10 @@ static bool is_function(const struct program *p, int node)
 
 static const char *input_name(const struct program *p, int node)
 {
-    for (int i = 0; i < p->named; i++)
-        if (p->names[i].node == node)
-            return p->names[i].text;
-    return "?";
+    int i = 0;
+    while (p->names[i].node != node)
+        i++;
+    return p->names[i].text;
 }
 
 /* In brackets as high as what they hold. */
