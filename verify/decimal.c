@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "message.h"
+
 static const slong LARGEST_EXPONENT = 100000; /* of an exact literal; keeps 10^e a small matter */
 static const slong MANTISSA_BITS = DBL_MANT_DIG;                /* 53: a binary64's significand */
 static const slong LEAST_EXPONENT = DBL_MIN_EXP - DBL_MANT_DIG; /* -1074: its subnormals' ulp   */
@@ -73,9 +75,7 @@ static bool spells(const char *text, const char *word)
 static const char *read_digits(fmpz_t mantissa, slong *fraction, const char *text, int base)
 {
     size_t span = strspn(text, "0123456789abcdefABCDEF.");
-    char *digits = malloc(span + 1);
-    if (digits == NULL)
-        flint_abort(); /* as FLINT does when memory runs out */
+    char *digits = memory(NULL, span + 1, 1);
     size_t count = 0;
     bool point = false;
     *fraction = 0;
@@ -216,20 +216,10 @@ static void write_scientific(char *text, const fmpz_t digits, slong exponent)
 
 static char *scientific(bool negative, const fmpz_t digits, slong exponent)
 {
-    char *text = malloc(fmpz_sizeinbase(digits, 10) + BESIDE_DIGITS);
-    if (text == NULL)
-        flint_abort();
+    char *text = memory(NULL, fmpz_sizeinbase(digits, 10) + BESIDE_DIGITS, 1);
     text[0] = '-';
     write_scientific(text + negative, digits, exponent);
     return text;
-}
-
-static char *zero(void)
-{
-    char *text = malloc(sizeof "0");
-    if (text == NULL)
-        flint_abort();
-    return memcpy(text, "0", sizeof "0");
 }
 
 /*
@@ -275,7 +265,7 @@ static slong leading_digits(fmpz_t n, const fmpq_t x, slong digits, bool upward)
 char *decimal_of_rational(const fmpq_t x, slong digits)
 {
     if (fmpq_is_zero(x))
-        return zero();
+        return text_copy("0");
     fmpz_t n;
     fmpz_init(n);
     slong exponent = leading_digits(n, x, digits, false);

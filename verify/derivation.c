@@ -260,7 +260,7 @@ static char *evidence(const struct trial *t, const struct machine *m, const stru
     size_t size;
     FILE *out = open_memstream(&text, &size);
     if (out == NULL)
-        return text_copy("out of memory");
+        out_of_memory();
     if (radical >= 0) {
         fputs("a square root is ", out);
         print_coefficient(out, m, t->radicals[radical], 0);
@@ -276,10 +276,9 @@ static char *evidence(const struct trial *t, const struct machine *m, const stru
         fprintf(out, "%s: no value, %s", o->at->text, series_fault_text(o->fault));
     }
     print_point(out, t, m);
-    if (fclose(out) == 0)
-        return text;
-    free(text);
-    return text_copy("out of memory");
+    if (fclose(out) != 0)
+        out_of_memory();
+    return text;
 }
 
 /* ---- proofs ---- */

@@ -1,9 +1,12 @@
 /* coulomb-tether: the program's door. */
+#include <gsl/gsl_errno.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "command.h"
+#include "flint.h"
 
 static const struct subcommand {
     const char *name;
@@ -93,9 +96,56 @@ static int run(int count, char **arguments)
     return complain(EXIT_USAGE, "unknown subcommand '%s'%s", arguments[1], hint);
 }
 
+/* ---- memory: where it runs out the libraries would end by a signal ---- */
+
+static void *allocate(size_t size)
+{
+    return memory(NULL, size, 1);
+}
+
+static void *allocate_zeros(size_t count, size_t size)
+{
+    return memset(memory(NULL, count, size), 0, count * size);
+}
+
+static void *reallocate(void *old, size_t size)
+{
+    return memory(old, size, 1);
+}
+
+static void *reallocate_sized(void *old, size_t old_size, size_t size)
+{
+    (void)old_size;
+    return memory(old, size, 1);
+}
+
+static void release_sized(void *block, size_t size)
+{
+    (void)size;
+    free(block);
+}
+
+/* What else GSL reports is the status of its caller. */
+static void gsl_failed(const char *reason, const char *file, int line, int code)
+{
+    (void)reason;
+    (void)file;
+    (void)line;
+    if (code == GSL_ENOMEM)
+        out_of_memory();
+}
+
+static void guard_memory(void)
+{
+    mp_set_memory_functions(allocate, reallocate_sized, release_sized);
+    __flint_set_memory_functions(allocate, allocate_zeros, reallocate, free);
+    gsl_set_error_handler(gsl_failed);
+}
+
 int main(int count, char **arguments)
 {
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error like others */
+    guard_memory();
     int status = run(count, arguments);
     sheet_close();
     flint_cleanup();

@@ -14,13 +14,17 @@ void message_set(struct message *m, const char *format, ...)
     va_end(arguments);
 }
 
+void out_of_memory(void)
+{
+    fputs("coulomb-tether: out of memory\n", stderr);
+    exit(1);
+}
+
 void *memory(void *old, size_t count, size_t size)
 {
     void *block = count > SIZE_MAX / size ? NULL : realloc(old, count > 0 ? count * size : size);
-    if (block == NULL) {
-        fputs("coulomb-tether: out of memory\n", stderr);
-        exit(1);
-    }
+    if (block == NULL)
+        out_of_memory();
     return block;
 }
 

@@ -245,10 +245,11 @@ static void put_failure(const struct exam *e, int k, FILE *file)
     size_t size;
     FILE *stream = open_memstream(&text, &size);
     if (stream == NULL)
-        return;
+        out_of_memory();
     failure_text(e, k, stream);
-    if (fclose(stream) == 0)
-        put_text(file, text, true);
+    if (fclose(stream) != 0)
+        out_of_memory();
+    put_text(file, text, true);
     free(text);
 }
 
