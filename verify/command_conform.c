@@ -211,6 +211,8 @@ static int examine_client(struct exam *e, const struct arguments *a, char **clie
     const int status = client_close(&c); /* an interrupt ends the program here */
     if (w.terminal)
         fputs("\r\033[K", stderr);
+    if (ending == ENDING_BROKEN)
+        return complain(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why));
     const int concluded = conclude(e, ending, status, client[0]);
     c.tail[c.tail_length] = '\0';
     return concluded != EXIT_DONE ? concluded : report(e, a, client[0], c.tail);

@@ -1,4 +1,6 @@
 /* coulomb-tether: the program's door. */
+#include <errno.h>
+#include <fcntl.h>
 #include <gsl/gsl_errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -142,10 +144,24 @@ static void guard_memory(void)
     gsl_set_error_handler(gsl_failed);
 }
 
+/* ---- what the caller hands over ---- */
+
+/* Standard streams that are closed: no pipe or file may take their numbers, and using them stays an error. */
+static bool guard_streams(void)
+{
+    for (int file = 0; file <= 2; file++)
+        if (fcntl(file, F_GETFD) < 0 && open("/dev/null", file == 0 ? O_WRONLY : O_RDONLY) != file)
+            return false;
+    return true;
+}
+
 int main(int count, char **arguments)
 {
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error like others */
+    signal(SIGCHLD, SIG_DFL); /* ignored, it would take away how a client ended */
     guard_memory();
+    if (!guard_streams())
+        return complain(EXIT_FAILED_CHECK, "/dev/null: %s", strerror(errno));
     int status = run(count, arguments);
     sheet_close();
     flint_cleanup();
