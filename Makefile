@@ -13,6 +13,9 @@ pkgconfigdir ?= $(libdir)/pkgconfig
 includedir   ?= $(prefix)/include
 mandir       ?= $(prefix)/share/man
 
+# Blanks separate the names of files here. The project's own folder is not among them: it may have any name.
+$(foreach name,BUILD DATA,$(if $(filter-out 1,$(words $($(name)))),$(error $(name)='$($(name))': expected a name without blanks)))
+
 ### Tools and flags
 CC         ?= cc
 CFLAGS     ?= -O2 -g
@@ -206,10 +209,13 @@ $(DATA)/kills.csv: $(PROGRAM)
 # Written by hand, should a vector ever prove wrong.
 $(DATA)/errata.csv:
 	@mkdir -p $(@D)
-	cp data/errata.csv $@
+	cp data/errata.csv $@.tmp
+	@mv $@.tmp $@
 
 $(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN)
-	sha256sum $(sort $^) | $(PROGRAM) datapackage >$@.tmp
+	sha256sum $(sort $^) >$@.sums.tmp
+	$(PROGRAM) datapackage <$@.sums.tmp >$@.tmp
+	@rm $@.sums.tmp
 	@mv $@.tmp $@
 
 ## figures: the figures and the graph of derivations, as SVG and PNG, in build/figures/
@@ -222,9 +228,13 @@ $(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES)
 	@mv $@.tmp $@
 
 # Boxes are equations and the arrows between them steps; what is first is marked by its shape.
-$(BUILD)/figures/derivations.%: $(PROGRAM)
+$(BUILD)/figures/derivations.%: $(BUILD)/derivations.gv
 	@mkdir -p $(@D)
-	$(PROGRAM) verify derivations --graph | dot -T$* >$@.tmp
+	dot -T$* $< >$@.tmp
+	@mv $@.tmp $@
+
+$(BUILD)/derivations.gv: $(PROGRAM)
+	$(PROGRAM) verify derivations --graph >$@.tmp
 	@mv $@.tmp $@
 
 # Ratios to mpmath, which Debian's python3 has: not every python3 on the path.
@@ -272,11 +282,11 @@ $(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c)
 # gnuplot names its pictures as it is told to, and so is told without a folder.
 $(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(VERDICTS)
 	@mkdir -p $(@D)
-	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" $(abspath paper/figures/plot-style.gp $<)
+	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
 
-$(EDITION)/derivations.pdf: $(PROGRAM) paper/graph.sed
+$(EDITION)/derivations.pdf: $(BUILD)/derivations.gv paper/graph.sed
 	@mkdir -p $(@D)
-	$(PROGRAM) verify derivations --graph | sed -f paper/graph.sed | dot -Tpdf >$@.tmp
+	sed -f paper/graph.sed $< | dot -Tpdf >$@.tmp
 	@mv $@.tmp $@
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
