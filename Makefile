@@ -70,7 +70,8 @@ TABLES  := $(DATA)/table1.csv $(patsubst %,$(DATA)/figure%.csv,4 5a 5b 6 7a 7b)
 STUDIES := $(patsubst %,$(DATA)/%.csv,convergence forced pitch)
 # The operations: every section of the sheet that has outputs.
 OPERATIONS := $(shell awk '/^equations:/ { on = 1 } on && /^  [a-z0-9_]+:$$/ { id = $$1; sub(":", "", id) } \
-  on && /^    outputs:/ { print id }' paper/equations.yaml)
+  on && /^    outputs:/ { print id }' paper/equations.yaml 2>/dev/null)
+$(if $(OPERATIONS),,$(error paper/equations.yaml: cannot be read, or holds no operation))
 VERDICTS := $(DATA)/verdicts.csv
 GOLDEN  := $(patsubst %,$(DATA)/golden/%.csv,$(OPERATIONS))
 DRAWN   := $(patsubst paper/figures/%.gp,%,$(wildcard paper/figures/figure*.gp)) convergence forced pitch
