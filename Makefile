@@ -56,6 +56,7 @@ EMBED   := $(BUILD)/verify/embedded.o
 VERIFY  := $(filter-out %/main.o %/sheet_check.o $(EMBED),$(call objects,$(wildcard verify/*.c)))
 SUITES  := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c))
 FAULTY  := $(BUILD)/tests/faulty
+FAULTS  := $(BUILD)/tests/faults.so
 SCRIPTS := $(wildcard tests/test_*.sh)
 
 LIBRARY := $(BUILD)/libcoulombtether.a
@@ -135,9 +136,15 @@ $(SUITES): %: %.o $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
 $(FAULTY): $(BUILD)/tests/faulty.o $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
+# Without CFLAGS: its allocations are counted, those of a sanitizer or of coverage are none of them.
+$(FAULTS): tests/faults.c
+	@mkdir -p $(@D)
+	$(CC) $(STANDARD) -O2 -g -fPIC -shared -o $@.tmp $<
+	@mv $@.tmp $@
+
 ### Checking
 ## check: every test, on all processors; the last line is "N passed, N failed"
-check: all $(SUITES) $(FAULTY) $(EVIDENCE)
+check: all $(SUITES) $(FAULTY) $(FAULTS) $(EVIDENCE)
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SCRIPTS) $(SUITES)
 
 ## gate: whether each equation has its function, test, error, proof, vectors, verdict and place, after make check
@@ -149,6 +156,14 @@ coverage:
 	@rm -rf $(BUILD)/coverage
 	$(MAKE) BUILD=$(BUILD)/coverage/build CFLAGS='-O0 -g --coverage' check
 	coverage/report.sh $(BUILD)/coverage
+
+INJECTIONS := $(patsubst tests/faults/%.sh,faults-%,$(filter-out %/harness.sh,$(wildcard tests/faults/*.sh)))
+
+## faults: every allocation and every system call made to fail, signals, full disks, strange places
+faults: $(INJECTIONS)
+
+$(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS)
+	@BUILD='$(BUILD)' CT_BUILD='$(abspath $(BUILD))' CT_PROGRAM='$(abspath $(PROGRAM))' $<
 
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar).
 ## lint: clang-tidy and cppcheck, without findings
@@ -354,5 +369,5 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check bench gate coverage lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
+.PHONY: all check bench gate coverage faults $(INJECTIONS) lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

@@ -9,11 +9,11 @@
  * FOLDER/expected holds the program's output without faults, to which standard output, a file, is compared. What came
  * of it is written to FOLDER/report: a line a child that ended otherwise, and a line of counts at the end.
  *
- * FAULTS_FROM=N      those before number N do not fail
- * FAULTS_FIRST=N     of the others first N fail, and behind them one in ever larger steps, by 1/256 of their number;
+ * FAULTS_FROM=N      the allocations before number N do not fail
+ * FAULTS_STEP=N      of the others the first N fail, and then one in ever larger steps, by 1/N of those passed;
  *                    without it all of them
  * FAULTS_AT=N        no forks: only the allocation number N fails, in the program itself (0: none)
- * FAULTS_SHORT=1     no forks: a read() or write() of the program transfers one byte
+ * FAULTS_SHORT=1     no forks: a read() or write() that the program calls itself transfers one byte
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -34,11 +34,11 @@ void *__libc_realloc(void *old, size_t size);    /* NOLINT(bugprone-reserved-ide
 ssize_t __read(int file, void *bytes, size_t size);         /* NOLINT(bugprone-reserved-identifier) */
 ssize_t __write(int file, const void *bytes, size_t size);  /* NOLINT(bugprone-reserved-identifier) */
 
-enum { SECONDS = 20 /* after which a child hangs */, STEP = 256, MOST_FILES = 16, LONGEST = 4096 };
+enum { SECONDS = 20 /* after which a child hangs */, MOST_FILES = 16, LONGEST = 4096 };
 
 static enum { ABSENT, FORKING, GRANTING, FAILING } role;
 static bool child, from_then_on, shorten;
-static unsigned long calls, next = 1, from = 1, first = ULONG_MAX, refused, survived, wrong;
+static unsigned long calls, next = 1, from = 1, step = ULONG_MAX, refused, survived, wrong;
 static int expected = -1, out = -1, errors = -1, report = -1;
 
 static int open_in(const char *folder, const char *name, int flags)
@@ -59,7 +59,7 @@ __attribute__((constructor)) static void begin(void)
     const char *folder = getenv("FAULTS");
     if (folder == NULL)
         return;
-    first = number_in("FAULTS_FIRST", ULONG_MAX);
+    step = number_in("FAULTS_STEP", ULONG_MAX);
     shorten = getenv("FAULTS_SHORT") != NULL;
     report = open_in(folder, "report", O_WRONLY | O_CREAT | O_TRUNC);
     expected = open_in(folder, "expected", O_RDONLY);
@@ -184,7 +184,7 @@ static bool fails(void)
             break;
     }
     role = FORKING;
-    next += 1 + (next - from > first ? (next - from - first) / STEP : 0);
+    next += 1 + (next - from) / step;
     return false;
 }
 
