@@ -13,6 +13,9 @@ pkgconfigdir ?= $(libdir)/pkgconfig
 includedir   ?= $(prefix)/include
 mandir       ?= $(prefix)/share/man
 
+# Blanks separate the names of files here. The project's own folder is not among them: it may have any name.
+$(foreach name,BUILD DATA,$(if $(filter-out 1,$(words $($(name)))),$(error $(name)='$($(name))': expected a name without blanks)))
+
 ### Tools and flags
 CC         ?= cc
 CFLAGS     ?= -O2 -g
@@ -53,6 +56,7 @@ EMBED   := $(BUILD)/verify/embedded.o
 VERIFY  := $(filter-out %/main.o %/sheet_check.o $(EMBED),$(call objects,$(wildcard verify/*.c)))
 SUITES  := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c))
 FAULTY  := $(BUILD)/tests/faulty
+FAULTS  := $(BUILD)/tests/faults.so
 SCRIPTS := $(wildcard tests/test_*.sh)
 
 LIBRARY := $(BUILD)/libcoulombtether.a
@@ -67,7 +71,8 @@ TABLES  := $(DATA)/table1.csv $(patsubst %,$(DATA)/figure%.csv,4 5a 5b 6 7a 7b)
 STUDIES := $(patsubst %,$(DATA)/%.csv,convergence forced pitch)
 # The operations: every section of the sheet that has outputs.
 OPERATIONS := $(shell awk '/^equations:/ { on = 1 } on && /^  [a-z0-9_]+:$$/ { id = $$1; sub(":", "", id) } \
-  on && /^    outputs:/ { print id }' paper/equations.yaml)
+  on && /^    outputs:/ { print id }' paper/equations.yaml 2>/dev/null)
+$(if $(OPERATIONS),,$(error paper/equations.yaml: cannot be read, or holds no operation))
 VERDICTS := $(DATA)/verdicts.csv
 GOLDEN  := $(patsubst %,$(DATA)/golden/%.csv,$(OPERATIONS))
 DRAWN   := $(patsubst paper/figures/%.gp,%,$(wildcard paper/figures/figure*.gp)) convergence forced pitch
@@ -131,9 +136,15 @@ $(SUITES): %: %.o $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
 $(FAULTY): $(BUILD)/tests/faulty.o $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
+# Without CFLAGS: its allocations are counted, those of a sanitizer or of coverage are none of them.
+$(FAULTS): tests/faults.c
+	@mkdir -p $(@D)
+	$(CC) $(STANDARD) -O2 -g -fPIC -shared -o $@.tmp $<
+	@mv $@.tmp $@
+
 ### Checking
 ## check: every test, on all processors; the last line is "N passed, N failed"
-check: all $(SUITES) $(FAULTY) $(EVIDENCE)
+check: all $(SUITES) $(FAULTY) $(FAULTS) $(EVIDENCE)
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SCRIPTS) $(SUITES)
 
 ## gate: whether each equation has its function, test, error, proof, vectors, verdict and place, after make check
@@ -149,6 +160,14 @@ coverage:
 	@rm -rf $(BUILD)/coverage
 	$(MAKE) BUILD=$(BUILD)/coverage/build CFLAGS='-O0 -g --coverage' check
 	coverage/report.sh $(BUILD)/coverage
+
+INJECTIONS := $(patsubst tests/faults/%.sh,faults-%,$(filter-out %/harness.sh,$(wildcard tests/faults/*.sh)))
+
+## faults: every allocation and every system call made to fail, signals, full disks, strange places
+faults: $(INJECTIONS)
+
+$(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS)
+	@BUILD='$(BUILD)' CT_BUILD='$(abspath $(BUILD))' CT_PROGRAM='$(abspath $(PROGRAM))' $<
 
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar).
 ## lint: clang-tidy and cppcheck, without findings
@@ -210,10 +229,13 @@ $(DATA)/kills.csv: $(PROGRAM)
 # Written by hand, should a vector ever prove wrong.
 $(DATA)/errata.csv:
 	@mkdir -p $(@D)
-	cp data/errata.csv $@
+	cp data/errata.csv $@.tmp
+	@mv $@.tmp $@
 
 $(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/errata.csv
-	sha256sum $(sort $^) | $(PROGRAM) datapackage >$@.tmp
+	sha256sum $(sort $^) >$@.sums.tmp
+	$(PROGRAM) datapackage <$@.sums.tmp >$@.tmp
+	@rm $@.sums.tmp
 	@mv $@.tmp $@
 
 ## figures: the figures and the graph of derivations, as SVG and PNG, in build/figures/
@@ -226,9 +248,13 @@ $(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES)
 	@mv $@.tmp $@
 
 # Boxes are equations and the arrows between them steps; what is first is marked by its shape.
-$(BUILD)/figures/derivations.%: $(PROGRAM)
+$(BUILD)/figures/derivations.%: $(BUILD)/derivations.gv
 	@mkdir -p $(@D)
-	$(PROGRAM) verify derivations --graph | dot -T$* >$@.tmp
+	dot -T$* $< >$@.tmp
+	@mv $@.tmp $@
+
+$(BUILD)/derivations.gv: $(PROGRAM)
+	$(PROGRAM) verify derivations --graph >$@.tmp
 	@mv $@.tmp $@
 
 # Ratios to mpmath, which Debian's python3 has: not every python3 on the path.
@@ -276,11 +302,11 @@ $(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c)
 # gnuplot names its pictures as it is told to, and so is told without a folder.
 $(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(VERDICTS)
 	@mkdir -p $(@D)
-	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" $(abspath paper/figures/plot-style.gp $<)
+	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
 
-$(EDITION)/derivations.pdf: $(PROGRAM) paper/graph.sed
+$(EDITION)/derivations.pdf: $(BUILD)/derivations.gv paper/graph.sed
 	@mkdir -p $(@D)
-	$(PROGRAM) verify derivations --graph | sed -f paper/graph.sed | dot -Tpdf >$@.tmp
+	sed -f paper/graph.sed $< | dot -Tpdf >$@.tmp
 	@mv $@.tmp $@
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
@@ -347,5 +373,5 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check bench reproduce pictures gate coverage lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
+.PHONY: all check bench reproduce gate coverage faults $(INJECTIONS) lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

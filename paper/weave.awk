@@ -33,7 +33,7 @@ function stop(text) {
 # ---- reading ----
 
 function read_sheet(    command, line, part, id) {
-    command = program " typeset"
+    command = "'" program "' typeset"
     while ((command | getline line) > 0) {
         split(line, part, "\t")
         id = part[1]
@@ -404,7 +404,7 @@ function verbatim(text) {
 # The build's folders stay out of what the reader sees.
 function weave_run(arguments,    command, line, text) {
     text = "$ coulomb-tether " arguments "\n"
-    command = program " " arguments " || echo '<<failed>>'"
+    command = "'" program "' " arguments " || echo '<<failed>>'"
     while ((command | getline line) > 0) {
         if (line == "<<failed>>")
             stop("coulomb-tether " arguments " failed")

@@ -2,10 +2,10 @@
 # data/ holds facts: regenerated here, every file has to be the committed one, byte for byte.
 set -u
 
-again=$CT_BUILD/data
+again=$BUILD/data # as make was given it: a target's name holds no blank
 passed=0 failed=0
 rm -rf "$again"
-if ! ${MAKE:-make} BUILD="${BUILD:-build}" DATA="$again" data >"$CT_BUILD/tests/data.make" 2>&1; then
+if ! ${MAKE:-make} BUILD="$BUILD" DATA="$again" data >"$CT_BUILD/tests/data.make" 2>&1; then
     cat "$CT_BUILD/tests/data.make"
     failed=1
 fi

@@ -18,6 +18,7 @@ fresh() {
     cp -r "$project/data/golden" "$project/data/verdicts.csv" data/
     cp "$work/derivations.json" "$work/errors.json" build/
     cp "$work/all.tap" build/tests/
+    chmod -R u+w . # whatever the project's own files allow
 }
 
 gate() { make --silent BUILD=build DATA=data gate >"$work/table" 2>&1; }

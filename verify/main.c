@@ -1,9 +1,14 @@
 /* coulomb-tether: the program's door. */
+#include <errno.h>
+#include <fcntl.h>
+#include <gsl/gsl_errno.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "command.h"
+#include "flint.h"
 
 static const struct subcommand {
     const char *name;
@@ -95,9 +100,70 @@ static int run(int count, char **arguments)
     return complain(EXIT_USAGE, "unknown subcommand '%s'%s", arguments[1], hint);
 }
 
+/* ---- memory: where it runs out the libraries would end by a signal ---- */
+
+static void *allocate(size_t size)
+{
+    return memory(NULL, size, 1);
+}
+
+static void *allocate_zeros(size_t count, size_t size)
+{
+    return memset(memory(NULL, count, size), 0, count * size);
+}
+
+static void *reallocate(void *old, size_t size)
+{
+    return memory(old, size, 1);
+}
+
+static void *reallocate_sized(void *old, size_t old_size, size_t size)
+{
+    (void)old_size;
+    return memory(old, size, 1);
+}
+
+static void release_sized(void *block, size_t size)
+{
+    (void)size;
+    free(block);
+}
+
+/* What else GSL reports is the status of its caller. */
+static void gsl_failed(const char *reason, const char *file, int line, int code)
+{
+    (void)reason;
+    (void)file;
+    (void)line;
+    if (code == GSL_ENOMEM)
+        out_of_memory();
+}
+
+static void guard_memory(void)
+{
+    mp_set_memory_functions(allocate, reallocate_sized, release_sized);
+    __flint_set_memory_functions(allocate, allocate_zeros, reallocate, free);
+    gsl_set_error_handler(gsl_failed);
+}
+
+/* ---- what the caller hands over ---- */
+
+/* Standard streams that are closed: no pipe or file may take their numbers, and using them stays an error. */
+static bool guard_streams(void)
+{
+    for (int file = 0; file <= 2; file++)
+        if (fcntl(file, F_GETFD) < 0 && open("/dev/null", file == 0 ? O_WRONLY : O_RDONLY) != file)
+            return false;
+    return true;
+}
+
 int main(int count, char **arguments)
 {
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error like others */
+    signal(SIGCHLD, SIG_DFL); /* ignored, it would take away how a client ended */
+    guard_memory();
+    if (!guard_streams())
+        return complain(EXIT_FAILED_CHECK, "/dev/null: %s", strerror(errno));
     int status = run(count, arguments);
     sheet_close();
     flint_cleanup();

@@ -14,12 +14,16 @@ void message_set(struct message *m, const char *format, ...)
     va_end(arguments);
 }
 
+void out_of_memory(void)
+{
+    fputs("coulomb-tether: out of memory\n", stderr);
+    exit(1);
+}
+
 void *granted(void *block)
 {
-    if (block == NULL) {
-        fputs("coulomb-tether: out of memory\n", stderr);
-        exit(1);
-    }
+    if (block == NULL)
+        out_of_memory();
     return block;
 }
 
