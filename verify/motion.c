@@ -214,7 +214,7 @@ const char *flow_status_text(enum flow_status status)
     case FLOW_DOMAIN:
         return "a parameter lies outside the domain";
     case FLOW_STALLED:
-        return "too many steps, no end in sight";
+        return "too many steps or orbits, no end in sight";
     case FLOW_DONE:
     case FLOW_STOPPED:
         break;
