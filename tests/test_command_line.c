@@ -66,6 +66,8 @@ static int lines(const char *text)
 
 #define TABLE1 "Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=10"
 
+#define REST " psi=0.01 theta=0.01 dL=0 psi_dot=0 theta_dot=0 dL_dot=0"
+
 /* Wrong lines: the status, and a word that the one line on standard error has to say. */
 static const struct {
     const char *line;
@@ -75,6 +77,7 @@ static const struct {
     {"", 2, "subcommand"},
     {"''", 2, "subcommand"},
     {"evil", 2, "eval"},
+    {"ev\nil", 2, "unknown subcommand 'ev?il'"},
     {"equations eq1", 2, "unknown operation 'eq1'"},
     {"equations eq07 eq09", 2, "eq09"},
     {"equations --jsn", 2, "--json"},
@@ -104,6 +107,10 @@ static const struct {
     {"eval eq07 " TABLE1 " --digits", 2, "--digits"},
     {"eval eq07 " TABLE1 " --json --json", 2, "twice"},
     {"eval eq07 " TABLE1 " --json=yes", 2, "no value"},
+    {"eval eq07 Omega=nan m1=150", 2, "missing k_c"},
+    {"eval flow_linear Omega=7e-5 L_ref=10 C1=6e-8 C2=1e-4 t=1e300" REST, 1, "no end in sight"},
+    {"eval flow_linear Omega=7e-5 L_ref=10 C1=6e-8 C2=1e-4 t=1e15" REST, 1, "no end in sight"},
+    {"eval rk4_linear Omega=7e-5 L_ref=10 C1=6e-8 C2=1e-4 h=1 t=1e18" REST, 1, "no end in sight"},
     {"eval eq44 Omega=7.2915e-5 n=8.999", 1, "n >= 9"},
     {"eval eq43 Omega=7.2915e-5 n=0", 1, "n > 0"},
     {"eval eq21 Q_ref=-1e-13 dQ=2e-13", 1, "Q_ref + dQ < 0"},
@@ -142,6 +149,7 @@ static const struct {
     {"trajectory linear --every 0", 1, "--every"},
     {"trajectory linear --every -1", 1, "--every"},
     {"trajectory linear --every 1e-9", 1, "rows"},
+    {"trajectory linear psi=inf n=10 C1=1", 2, "either n, or C1 and C2"},
     {"trajectory linear --at 150 --rk4 100", 1, "multiples"},
     {"trajectory linear --at -100 --rk4 100", 1, "multiples"},
     {"trajectory linear psi=0.1 psi=0.1", 2, "twice"},

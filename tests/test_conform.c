@@ -70,6 +70,8 @@ static const struct {
     {THREE "exit-3", 1, "client: 1 exit status\n"},
     {THREE "flood", 1, ", 1 too many lines out of place\n"},
     {THREE "skip", 1, "every vector was skipped\n"},
+    {"--only eq38 -- sh -c 'printf %150s; echo \"eq38-paper skip it\"; cat >/dev/null'", 1, "  22        1\n"},
+    {"--only eq38 -- sh -c 'printf \"eq38-paper\\\\t\\\\033[1m\\\\n\"; cat >/dev/null'", 1, "got        eq38-paper??[1m\n"},
     {THREE "dies", 2, "exit status 9 before its first answer\n"},
     {"--only algebra -- FAULTY early", 1, "eq44: 1 early\n"}, /* more questions than both buffers hold */
     {"--only eq07 --random 300 --seed 1 -- FAULTY invalid", 1, " failed"}, /* not 300 mod 256 = 44 */
@@ -139,6 +141,7 @@ static const struct {
     {"--only , -- FAULTY", "--only"},
     {"--random 5 -- FAULTY", "--seed"},
     {"--random some --seed 1 -- FAULTY", "--random"},
+    {"--random 100000001 --seed 1 -- FAULTY", "at most 100000000"},
     {"--timeout 0 -- FAULTY", "--timeout"},
     {"--inputs octal -- FAULTY", "expected shortest, exact or hex, got 'octal'"},
     {"--digits eq07=9 -- FAULTY", "judged by E"},
@@ -193,6 +196,15 @@ START_TEST(answers_in_a_file_may_stand_in_any_order)
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07"), 1);
     assert_says("eq07: 1 repeated, 1 missing\n");
     assert_says("client: 1 wrong id\n");
+}
+END_TEST
+
+START_TEST(a_row_longer_than_a_line_is_too_long)
+{
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/long.csv\"; { echo 'id,Q_ref'; head -c 70000 /dev/zero | tr '\\0' a; "
+                            "echo ',1'; } >$f"), 0);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/long.csv\" eq07"), 1);
+    assert_says("client: 1 too long\n");
 }
 END_TEST
 
@@ -668,6 +680,7 @@ Suite *suite(void)
     tcase_add_loop_test(c, wrong_usage_is_one_line_and_exit_2, 0, sizeof mistakes / sizeof *mistakes);
     tcase_add_loop_test(c, golden_files_are_right_answers, 0, 6);
     tcase_add_test(c, answers_in_a_file_may_stand_in_any_order);
+    tcase_add_test(c, a_row_longer_than_a_line_is_too_long);
     tcase_add_test(c, reports_for_machines_say_the_same);
     tcase_add_test(c, a_report_is_there_whole_or_not_at_all);
     tcase_add_loop_test(c, what_a_client_says_breaks_no_report, 0, 2);

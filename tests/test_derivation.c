@@ -387,6 +387,8 @@ END_TEST
 
 /* ---- broken files ---- */
 
+#define TWENTY_RATES "rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate"
+
 static const char good[] =
     "principles:\n"                                    /*  1 */
     "  force: a push\n"                                /*  2 */
@@ -515,6 +517,7 @@ static const struct {
     {"\"left(24, 2) = left", "\"left(24; 2) = left", "29:20: ", "expected ',' or ')', found ';'"},
     {"\"left(24, 2) = left", "\"left() = left", "29:18: ", "expected a name, found ')'"},
     {"sqrt(k^2)*u", "sqrt(k^2)*((((u^999)^999)^999)^999)^999", "5:5: ", "expected a simpler step"},
+    {"rate(sin(psi))", TWENTY_RATES "(sin(psi)^2)))))))))))))))))))))", "17:", "expected fewer rates of rates, found ')'"},
     {"    to: []\n", "    to: []\n    order: 1\n", "29:12: ", "expected no order where no quantities are small"},
     {"[force, \"10\"]", "[force, \"10\"", "", "expected YAML: "},
 };

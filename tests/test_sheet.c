@@ -208,6 +208,10 @@ static const struct {
     {"bound: 8, ", "", "46:4: ", "missing bound, expected a positive number"},
     {"  another rate: {inputs: {Omega: 2*Omega}}\n", "  - another\n", "48:3: ", "expected a mapping, key: value"},
     {"{inputs: {Omega: 2*Omega}}", "2*Omega", "48:17: ", "expected a mapping, key: value"},
+    {"value: 10", "value: [10]", "4:39: ", "missing value, expected a text"},
+    {"unit: rad/s", "\"un\\nit\": rad/s", "2:11: ", "unknown key 'un?it', expected perhaps unit"},
+    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n---\nmore: 1\n", "33:1: ", "expected one document, another follows"},
+    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n...\n]\n", "33:1: ", "expected one document, another follows"},
     {"[2a, 2b]", "[2a, 2b", "", "expected YAML: "},
     {"equations:\n  eq1:", "equations:\n\teq1:", "", "expected YAML: "},
 };
@@ -236,6 +240,29 @@ START_TEST(empty_sheet_is_refused)
 }
 END_TEST
 
+/* Its inputs take the places of outputs, of which there are no more than 16. */
+START_TEST(mistake_in_a_method_of_17_inputs_is_refused)
+{
+    static const char text[] =
+        "quantities:\n"
+        "  a b c d e f g h i j k l m n o p q: {unit: m, domain: finite, meaning: place}\n"
+        "table1: []\n"
+        "equations:\n"
+        "  eq1:\n"
+        "    title: an algorithm\n"
+        "    equations: [\"1\"]\n"
+        "    method: roots\n"
+        "    inputs: [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q]\n"
+        "    outputs: [a]\n"
+        "    mistakes:\n"
+        "      twice: {inputs: {a: 2*a}}\n";
+    struct sheet s;
+    struct message why = {""};
+    ck_assert_int_ne(sheet_read(&s, text, strlen(text), "t.yaml", &why), 0);
+    ck_assert_str_eq(why.text, "t.yaml:12:14: expected a formula, or a method of at most 16 inputs");
+}
+END_TEST
+
 /* Whatever byte of the sheet is lost, it is read or refused in words, never worse. */
 START_TEST(cut_sheet_is_read_or_refused)
 {
@@ -256,6 +283,7 @@ Suite *suite(void)
     tcase_add_test(reading, sheet_is_read);
     tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
     tcase_add_test(reading, empty_sheet_is_refused);
+    tcase_add_test(reading, mistake_in_a_method_of_17_inputs_is_refused);
     tcase_add_test(reading, cut_sheet_is_read_or_refused);
 
     Suite *s = suite_create("sheet");

@@ -17,6 +17,8 @@
 /* Digits that a motion has to reach unless --digits says otherwise; PROTOCOL.md has the reasons. */
 static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;
 
+enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered is counted one by one */
+
 /* What is asked for: a number a section of the sheet. */
 struct choice {
     bool *chosen, some;      /* some: --only has been given */
@@ -114,6 +116,8 @@ static int take_questions(struct exam *e, const struct arguments *a, const struc
         status = take_number(a, "--significand", &significand);
     if (status == EXIT_DONE && option_given(a, "--random") != option_given(a, "--seed"))
         status = complain(EXIT_USAGE, "conform: expected --random N and --seed S together");
+    if (status == EXIT_DONE && random > MOST_RANDOM)
+        status = complain(EXIT_USAGE, "--random: expected at most %d vectors an operation", MOST_RANDOM);
     if (status == EXIT_DONE && significand != BINARY32 && significand != BINARY64 && significand != BINARY128)
         status = complain(EXIT_USAGE, "--significand: expected 24, 53 or 113");
     if (status != EXIT_DONE)
@@ -262,22 +266,26 @@ static bool take_header(char *line, const struct section *s, const char *name, i
     return true;
 }
 
+static void say(struct exam *e, const char *text)
+{
+    exam_hear(e, text, strlen(text));
+}
+
 /* A row as a client would say it; blank outputs mean `invalid`. */
 static void hear_row(struct exam *e, char *line, const int *columns, int outputs)
 {
-    char *cells[MOST_CELLS], said[LONGEST_LINE];
+    char *cells[MOST_CELLS];
     const int count = cells_of(line, cells);
-    size_t used = (size_t)snprintf(said, sizeof said, "%s", columns[0] < count ? cells[columns[0]] : "");
-    const size_t id = used;
-    for (int i = 1; i <= outputs && used < sizeof said; i++)
-        if (columns[i] < count && *cells[columns[i]] != '\0')
-            used += (size_t)snprintf(said + used, sizeof said - used, " %s", cells[columns[i]]);
-    if (used == id)
-        used += (size_t)snprintf(said + used, sizeof said - used, " invalid");
-    if (used < sizeof said - 1) {
-        said[used++] = '\n';
-        exam_hear(e, said, used);
+    bool blank = true;
+    say(e, columns[0] < count ? cells[columns[0]] : "");
+    for (int i = 1; i <= outputs; i++) {
+        if (columns[i] >= count || *cells[columns[i]] == '\0')
+            continue;
+        say(e, " ");
+        say(e, cells[columns[i]]);
+        blank = false;
     }
+    say(e, blank ? " invalid\n" : "\n");
 }
 
 /* A line more; false at the end, and after a complaint. */

@@ -129,10 +129,14 @@ int read_settings(struct setting *s, const struct arguments *a, bool nonlinear)
 {
     static const bool never_infinite[SETTINGS] = {false};
     struct message why;
-    int values = read_assignments(a, setting_names, SETTINGS, s->exact, never_infinite, s->given, s->value);
-    int status = values == EXIT_USAGE ? values : check_combination(s, nonlinear);
-    if (status != EXIT_DONE || values != EXIT_DONE)
-        return status != EXIT_DONE ? status : values;
+    const char *refused;
+    int status = read_assignments(a, setting_names, SETTINGS, s->exact, never_infinite, s->given, s->value, &refused);
+    if (status == EXIT_DONE)
+        status = check_combination(s, nonlinear);
+    if (status != EXIT_DONE)
+        return status;
+    if (refused != NULL)
+        return refuse_assignment(refused, s->exact);
     return setting_valid(s, nonlinear, &why) ? EXIT_DONE
                                              : complain(EXIT_FAILED_CHECK, "%s", why.text);
 }

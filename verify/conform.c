@@ -203,8 +203,9 @@ static void answer(struct exam *e, const struct question *q, uint64_t position, 
     const bool inside = q->golden == NULL || (q->numbers && operation_valid(j->operation, q->inputs));
     if (count > 0 && strcmp(words[0], "skip") == 0) {
         char *reason = tally_at(e, position)->reason;
-        if (*reason == '\0')
-            snprintf(reason, sizeof e->tallies->reason, "%s", strstr(line, "skip") + 4);
+        const size_t behind = (size_t)(words[0] - e->line) + strlen("skip");
+        if (*reason == '\0' && behind < strlen(line)) /* of which there is the beginning alone */
+            snprintf(reason, sizeof e->tallies->reason, "%s", line + behind);
         f.finding = FOUND_SKIPPED;
     } else if (count == 1 && strcmp(words[0], "invalid") == 0) {
         f.finding = inside ? FOUND_INVALID : FOUND_RIGHT;
@@ -250,6 +251,7 @@ static void hear_line(struct exam *e, char *line, bool ended)
     uint64_t position = e->next;
     e->heard++;
     snprintf(shown, sizeof shown, "%s", line);
+    message_printable(shown);
     int count = split(line, words, MOST_ANSWERS + 2);
     if (!ended || count == 0 || !is_id(words[0])) {
         stray(e, ended ? FOUND_MALFORMED : FOUND_TRUNCATED, shown);

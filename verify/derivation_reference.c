@@ -22,6 +22,8 @@ static int unknown_name(struct parser *s, const char *name, const char *kind, co
     return -1;
 }
 
+enum { MOST_MOVING = 100000 }; /* nodes: a rate of so many has some times as many */
+
 static int read_rate(struct parser *s)
 {
     const struct reader *r = s->context;
@@ -31,6 +33,8 @@ static int read_rate(struct parser *s)
     if (node < 0 || !parse_symbol(s, ')'))
         return node < 0 ? -1 : parse_refuse(s, "')' or an operator");
     const int count = s->program->count;
+    if (count > MOST_MOVING)
+        return parse_refuse(s, "fewer rates of rates");
     int *rate = memory(NULL, (size_t)count, sizeof *rate);
     for (int i = 0; i < count; i++)
         rate[i] = -1;

@@ -4,6 +4,17 @@
 #include <stdio.h>
 #include <string.h>
 
+/* What stands behind the first document would go unread. */
+static bool ends_here(yaml_parser_t *parser)
+{
+    yaml_document_t rest;
+    if (!yaml_parser_load(parser, &rest))
+        return false;
+    const bool ends = yaml_document_get_root_node(&rest) == NULL;
+    yaml_document_delete(&rest);
+    return ends;
+}
+
 bool document_open(struct document *d, const char *text, size_t length, const char *file,
                    struct message *why)
 {
@@ -19,6 +30,10 @@ bool document_open(struct document *d, const char *text, size_t length, const ch
                     parser.problem_mark.column + 1, parser.problem);
     } else if (document_root(d) == NULL) {
         message_set(why, "%s:1:1: expected a mapping, the file is empty", file);
+        document_close(d);
+        fine = false;
+    } else if (!ends_here(&parser)) {
+        message_set(why, "%s:%zu:1: expected one document, another follows", file, d->yaml.end_mark.line + 1);
         document_close(d);
         fine = false;
     }
