@@ -258,19 +258,19 @@ $(BUILD)/coulomb-tether.pdf: $(patsubst paper/%,$(EDITION)/%,$(PROSE)) $(PLOTS:%
   $(EDITION)/derivations.pdf paper/typeset.sh
 	paper/typeset.sh $(EDITION) $@
 
-$(BUILD)/derivations.json $(BUILD)/errors.json: $(BUILD)/%.json: $(PROGRAM)
+$(EVIDENCE) $(BUILD)/claims.json: $(BUILD)/%.json: $(PROGRAM)
 	$(PROGRAM) verify $* --json >$@.tmp
 	@mv $@.tmp $@
 
-$(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(TABLES) \
-  $(GOLDEN) $(BUILD)/gate.csv
+$(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c) $(EVIDENCE) $(BUILD)/claims.json \
+  $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv
 	@mkdir -p $(@D)
 	@LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program=$(PROGRAM) -v data=$(DATA) -v build=$(BUILD) \
 	  -v plots='$(PLOTS)' $< >$@.tmp
 	@mv $@.tmp $@
 
 # gnuplot names its pictures as it is told to, and so is told without a folder.
-$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(VERDICTS)
+$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(STUDIES) $(VERDICTS)
 	@mkdir -p $(@D)
 	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" $(abspath paper/figures/plot-style.gp $<)
 

@@ -25,6 +25,7 @@ for pass in 1 2 3 4; do
 done
 
 awk -v name="$log" '
+    seen[$0]++ { next }
     /LaTeX Warning: (Reference|Citation|Hyper reference).*undefined/ { print name ": " $0; bad = 1 }
     /name\{.*\} has been referenced but does not exist/ { print name ": " $0; bad = 1 }
     /^Overfull .[hv]box \(/ { if (substr($3, 2) + 0 > 5) { print name ": " $0; bad = 1 } }
