@@ -215,7 +215,7 @@ $(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN)
 ## figures: the figures and the graph of derivations, as SVG and PNG, in build/figures/
 figures: $(FIGURES) $(BUILD)/figures/derivations.svg $(BUILD)/figures/derivations.png
 
-$(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES)
+$(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES) $(VERDICTS)
 	@mkdir -p $(@D)
 	LC_ALL=C.UTF-8 gnuplot -e "data='$(DATA)'; picture='$@.tmp'; kind='$(patsubst .%,%,$(suffix $@))'" \
 	  paper/figures/style.gp paper/figures/$(basename $(@F)).gp
@@ -228,18 +228,21 @@ $(BUILD)/figures/derivations.%: $(PROGRAM)
 	@mv $@.tmp $@
 
 # Ratios to mpmath, which Debian's python3 has: not every python3 on the path.
-## bench: speed, as ratios with what is required of them; needs python3-mpmath and python3-gmpy2
+## bench: speed, as ratios with what is required of them, for readme too; needs python3-mpmath and python3-gmpy2
 bench: $(BUILD)/tests/bench/bench
-	$(PYTHON) tests/bench/bench.py $<
+	$(PYTHON) tests/bench/bench.py $< $(BUILD)/bench.tmp
+	@mv $(BUILD)/bench.tmp $(BUILD)/bench.md
 
 $(BUILD)/tests/bench/bench: $(BUILD)/tests/bench/bench.o $(EMBED) $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
-## readme: README's findings and table of errors, made anew
+## readme: README's tables, made anew; that of speed where make bench has been run
 readme: $(PROGRAM)
+	{ echo '```'; $(PROGRAM) table1; echo '```'; } >$(BUILD)/table1.md
 	$(PROGRAM) verify claims --markdown >$(BUILD)/findings.md
 	$(PROGRAM) verify errors --count 100000 --markdown >$(BUILD)/errors.md
-	paper/readme.sh README.md findings=$(BUILD)/findings.md errors=$(BUILD)/errors.md >$(BUILD)/README.tmp
+	paper/readme.sh README.md table1=$(BUILD)/table1.md findings=$(BUILD)/findings.md errors=$(BUILD)/errors.md \
+	  $(patsubst %,bench=%,$(wildcard $(BUILD)/bench.md)) >$(BUILD)/README.tmp
 	@mv $(BUILD)/README.tmp README.md
 
 ## pictures: the two figures that README shows, drawn anew

@@ -20,8 +20,7 @@
 #   <<value ID OUTPUT DIGITS NAME=VALUE ...>>   what `coulomb-tether eval` finds
 #   <<quote ID before|text|after>>    `text`, provided that the evidence of a verdict reads so
 #   <<error ID>>                      the measured error of a function of ref/, in roundings; of ID worst: the largest
-#   <<ruling ID>>                     the verdict alone
-#   <<count WHAT>>                    steps, vectors, inputs, functions, verdicts, or one kind of verdict
+#   <<count WHAT>>                    steps, vectors, inputs, misprints, verdicts, or one kind of verdict
 #   <<doubt>>                         the largest chance that a step which holds is false
 # \eq{7} refers to an equation, and has to be one of the sheet.
 
@@ -69,6 +68,7 @@ function read_sheet(    command, line, part, id) {
     split("c1 c2 k1 q0 n_e", part, " ")
     for (id in part)
         symbol[part[id]] = substr(part[id], 1, 1) "_" substr(part[id], length(part[id]))
+    symbol["V_dot"] = "\\dot V"
     symbol["rho1"] = "\\rho_1"
     symbol["eps0"] = "\\varepsilon_0"
     symbol["q_ref"] = "q_{\\mathrm{ref}}"
@@ -573,16 +573,16 @@ function error_of(id,    line, found) {
     return decimal(found, 2)
 }
 
-function count(what,    line, n, command) {
+function count(what,    line, n, command, i) {
     if (what == "steps")
         return steps
     if (what == "verdicts")
         return verdicts
     if (what in kinds_of_verdict)
         return kinds_of_verdict[what]
-    if (what == "functions") {
-        for (line in functions_of)
-            n += functions_of[line]
+    if (what == "misprints") {
+        for (i = 1; i <= verdicts; i++)
+            n += verdict[i] ~ /^equation-/ && ledger[verdict[i], "verdict"] == "holds as corrected"
         return n
     }
     if (what == "inputs") {
@@ -592,7 +592,7 @@ function count(what,    line, n, command) {
         return n
     }
     if (what != "vectors")
-        stop("cannot count '" what "', expected steps, vectors, inputs, functions, verdicts or a kind of verdict")
+        stop("cannot count '" what "', expected steps, vectors, inputs, misprints, verdicts or a kind of verdict")
     command = "cat " data "/golden/*.csv | grep -vc '^id,'"
     command | getline n
     close(command)
@@ -617,10 +617,6 @@ function one(rest,    words, n) {
         return quote(rest)
     if (words[1] == "doubt")
         return doubt()
-    if (words[1] == "ruling") {
-        known_verdict(words[2])
-        return ledger[words[2], "verdict"]
-    }
     if (words[1] == "error")
         return error_of(words[2])
     if (words[1] == "count") {

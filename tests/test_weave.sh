@@ -38,6 +38,7 @@ stops() {
 
 "$CT_PROGRAM" verify derivations --json >"$work/derivations.json"
 "$CT_PROGRAM" verify errors --json >"$work/errors.json"
+"$CT_PROGRAM" verify claims --json >"$work/claims.json"
 cat >"$work/gate.csv" <<'END'
 id,equations,function,tests,error,vectors,steps,verdict,edition
 eq07,6a 6b 7,ct_reference_charge_product,4,5.9e-01,46,static_charge_1 static_charge_2,"holds, definition",paper/03-statics.tex:17
@@ -55,15 +56,23 @@ gives '<<helper arm>>' 'return p.m2 / (p.m1 + p.m2) * L;'
 gives '<<step reference_charge>>' '{\eq{6a}, \eq{6b}}{$\;\rightarrow\;$\eq{7}}{exactly; degree 12, 2 points'
 gives '<<step kepler>>' '\stepprinted{rate(rate(X))'
 gives '<<verdict equation-7>>' '{holds}{exact}{proved by reference\_charge}'
+gives '<<verdict reach>>' '{qualified}{certified}{no length is set by (7) alone: $\vert Q_{\mathrm{ref}}\vert $ grows as $L^{3}$,'
+gives '<<verdict basin-at-rest>>' '{$E$ = $v^{2}$/2 $-$ (3 $x^{2}$ $-$ $z^{2}$)/2'
+gives '<<findings refuted>>' '\finding{n12-optimal}{Section Stability analysis, after Eq. (44)}{$n$ = 12 is the best choice of $n$}{The slower'
 gives '<<plot 4 At $n=12$.>>' '\plot{4}{At $n=12$.}'
 gives '<<run eval eq43 Omega=2 n=3 --digits 2>>' 'C1 = 1.2e+01 1/s^2'
+gives '<<show paper/derivations.yaml reference_charge>>' '    to: ["7"]'
 gives '<<index>>' '\indexed{eq07}{\eq{6a}--\eq{7}}{ct\_reference\_charge\_product}{4}'
 gives 'It is <<number table1.csv Omega computed 3>>.' 'It is \ensuremath{7.29\times 10^{-5}}.'
 gives '<<number golden/eq43.csv eq43-tiny n 1>>' '\ensuremath{1\times 10^{-300}}'
 gives '<<number figure4.csv 9 im2 3 1e4>>' '\ensuremath{1.93}'
+gives '<<number convergence.csv hill_43200s,psi,1.000e-05 order 3>>' '\ensuremath{2.00}'
+gives '<<value eq44 C2 3 Omega=2 n=10>>' '\ensuremath{4.00}'
+gives 'Below <<doubt>>.' 'Below \ensuremath{2^{-1'
 gives 'So <<quote equation-7 proved by |reference_charge|>>.' 'So reference\_charge.'
-gives 'It <<ruling equation-7>>.' 'It holds.'
 gives 'By \eq{40a}.' 'By \eq{40a}.'
+gives '<<count inputs>>' '1000'
+gives '<<count misprints>>' '3'
 gives '<<count steps>>' "$(grep -c '{"id": ' "$work/derivations.json")"
 
 stops '<<equatoin eq07>>' "unknown directive 'equatoin'"
@@ -79,14 +88,20 @@ stops '<<function eq20>>' 'no function in ref/ with the header Eq. (20)'
 stops '<<helper leg>>' "unknown function 'leg'"
 stops '<<step keppler>>' "unknown derivation step 'keppler'"
 stops '<<verdict equation-99>>' "unknown verdict 'equation-99'"
-stops '<<rows believed>>' "no verdict 'believed'"
+stops '<<findings believed>>' "no verdict 'believed'"
 stops '<<plot 9 What is not there.>>' "unknown plot '9', expected one of: 4 5a"
 stops '<<plot 4>>' "plot '4' has no caption"
 stops '<<run eval eq07>>' 'coulomb-tether eval eq07 failed'
 stops '<<show paper/none>>' "no text in 'paper/none'"
+stops '<<show paper/derivations.yaml keppler>>' "no 'keppler:' in 'paper/derivations.yaml'"
 stops '<<number table2.csv Omega computed 3>>' "no file 'data/table2.csv'"
 stops '<<number table1.csv Omega calculated 3>>' "'data/table1.csv' has no column 'calculated'"
 stops '<<number table1.csv omega computed 3>>' "'data/table1.csv' has no row 'omega'"
+stops '<<number convergence.csv hill_43200s,psi order 3>>' "'data/convergence.csv' has 3 rows 'hill_43200s,psi'"
+stops '<<value eq99 C2 3 Omega=2 n=10>>' "unknown equation 'eq99'"
+stops '<<value eq44 C1 3 Omega=2 n=10>>' "coulomb-tether eval eq44 gives no 'C1'"
+stops '<<value eq44 C2 3 Omega=2 n=8>>' "coulomb-tether eval eq44 gives no 'C2'"
+stops '<<value eq44 C2 3>>' 'expected <<value ID OUTPUT DIGITS NAME=VALUE ...>>'
 stops '<<number table1.csv Omega unit 3>>' "'rad/s' in 'data/table1.csv' is no number"
 stops '<<quote equation-7 proved by |magic|>>' "the evidence of 'equation-7' does not read 'proved by magic'"
 stops '<<count sheep>>' "cannot count 'sheep'"
