@@ -464,6 +464,7 @@ function weave_show(path, key,    line, text, on) {
     close(path)
     if (text == "")
         stop("no " (key == "" ? "text" : "'" key ":'") " in '" path "', expected a file of the project")
+    sub(/.*\//, "", path)   # the margin is narrow
     emit("\\begin{code}{" escape(path) "}\n\\begin{lstlisting}\n" text "\\end{lstlisting}\n\\end{code}\n")
 }
 

@@ -106,8 +106,8 @@ stops '<<number table1.csv Omega unit 3>>' "'rad/s' in 'data/table1.csv' is no n
 stops '<<quote equation-7 proved by |magic|>>' "the evidence of 'equation-7' does not read 'proved by magic'"
 stops '<<count sheep>>' "cannot count 'sheep'"
 stops '<<error eq01>>' "no measured error of 'eq01'"
-stops 'By \eq{45}.' "unknown equation '45'"
-stops 'By \eq{45} and <<count steps>>.' "unknown equation '45'"
+stops 'By \eq{99}.' "unknown equation '99'"
+stops 'By \eq{99} and <<count steps>>.' "unknown equation '99'"
 
 # An equation and its code are one block, prose is none.
 checks=$((checks + 1))

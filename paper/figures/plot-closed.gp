@@ -14,7 +14,7 @@ set ytics 1e6
 eval 'plot '.difference('forced_43200s', 'dL', 1, '$\delta L$').', '.difference('forced_43200s', 'psi', 3, '$\psi$').', '.difference('forced_43200s', 'theta', 2, '$\theta$')
 eval beside(2)
 unset logscale
-set format '%g'
+set format '$%g$'
 set title 'pitch, from 0.2\,rad' offset 0, -0.6
 set xlabel 'time [days]'
 set ylabel '$\theta$ [rad]' offset 0, 0
