@@ -265,26 +265,31 @@ $(EVIDENCE) $(BUILD)/claims.json: $(BUILD)/%.json: $(PROGRAM)
 	$(PROGRAM) verify $* --json >$@.tmp
 	@mv $@.tmp $@
 
+# What is missing is told before the long work.
+$(EDITION)/tools.found: paper/typeset.sh
+	@paper/typeset.sh
+	@mkdir -p $(@D) && touch $@
+
 $(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c) $(EVIDENCE) $(BUILD)/claims.json \
-  $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv
+  $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv | $(EDITION)/tools.found
 	@mkdir -p $(@D)
 	@LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program=$(PROGRAM) -v data=$(DATA) -v build=$(BUILD) \
 	  -v plots='$(PLOTS)' $< >$@.tmp
 	@mv $@.tmp $@
 
 # gnuplot names its pictures as it is told to, and so is told without a folder.
-$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(STUDIES) $(VERDICTS)
+$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(STUDIES) $(VERDICTS) | $(EDITION)/tools.found
 	@mkdir -p $(@D)
 	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" $(abspath paper/figures/plot-style.gp $<)
 
-$(EDITION)/derivations.pdf: $(PROGRAM) paper/graph.sed
+$(EDITION)/derivations.pdf: $(PROGRAM) paper/graph.sed | $(EDITION)/tools.found
 	@mkdir -p $(@D)
 	$(PROGRAM) verify derivations --graph | sed -f paper/graph.sed | dot -Tpdf >$@.tmp
 	@mv $@.tmp $@
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
 $(BUILD)/gate.csv: tests/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
-  $(filter check,$(MAKECMDGOALS))
+  $(filter check,$(MAKECMDGOALS)) | $(EDITION)/tools.found
 	@ls $(BUILD)/tests/*.tap >/dev/null 2>&1 || $(MAKE) check
 	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
 
