@@ -241,7 +241,7 @@ $(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kil
 ## figures: the figures and the graph of derivations, as SVG and PNG, in build/figures/
 figures: $(FIGURES) $(BUILD)/figures/derivations.svg $(BUILD)/figures/derivations.png
 
-$(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES)
+$(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES) $(VERDICTS)
 	@mkdir -p $(@D)
 	LC_ALL=C.UTF-8 gnuplot -e "data='$(DATA)'; picture='$@.tmp'; kind='$(patsubst .%,%,$(suffix $@))'" \
 	  paper/figures/style.gp paper/figures/$(basename $(@F)).gp
@@ -258,18 +258,21 @@ $(BUILD)/derivations.gv: $(PROGRAM)
 	@mv $@.tmp $@
 
 # Ratios to mpmath, which Debian's python3 has: not every python3 on the path.
-## bench: speed, as ratios with what is required of them; needs python3-mpmath and python3-gmpy2
+## bench: speed, as ratios with what is required of them, for readme too; needs python3-mpmath and python3-gmpy2
 bench: $(BUILD)/tests/bench/bench
-	$(PYTHON) tests/bench/bench.py $<
+	$(PYTHON) tests/bench/bench.py $< $(BUILD)/bench.tmp
+	@mv $(BUILD)/bench.tmp $(BUILD)/bench.md
 
 $(BUILD)/tests/bench/bench: $(BUILD)/tests/bench/bench.o $(EMBED) $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
-## readme: README's findings and table of errors, made anew
+## readme: README's tables, made anew; that of speed where make bench has been run
 readme: $(PROGRAM)
+	{ echo '```'; $(PROGRAM) table1; echo '```'; } >$(BUILD)/table1.md
 	$(PROGRAM) verify claims --markdown >$(BUILD)/findings.md
 	$(PROGRAM) verify errors --count 100000 --markdown >$(BUILD)/errors.md
-	paper/readme.sh README.md findings=$(BUILD)/findings.md errors=$(BUILD)/errors.md >$(BUILD)/README.tmp
+	paper/readme.sh README.md table1=$(BUILD)/table1.md findings=$(BUILD)/findings.md errors=$(BUILD)/errors.md \
+	  $(patsubst %,bench=%,$(wildcard $(BUILD)/bench.md)) >$(BUILD)/README.tmp
 	@mv $(BUILD)/README.tmp README.md
 
 ## pictures: the two figures that README shows, drawn anew
@@ -288,30 +291,35 @@ $(BUILD)/coulomb-tether.pdf: $(patsubst paper/%,$(EDITION)/%,$(PROSE)) $(PLOTS:%
   $(EDITION)/derivations.pdf paper/typeset.sh
 	paper/typeset.sh $(EDITION) $@
 
-$(BUILD)/derivations.json $(BUILD)/errors.json: $(BUILD)/%.json: $(PROGRAM)
+$(EVIDENCE) $(BUILD)/claims.json: $(BUILD)/%.json: $(PROGRAM)
 	$(PROGRAM) verify $* --json >$@.tmp
 	@mv $@.tmp $@
 
-$(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(TABLES) \
-  $(GOLDEN) $(BUILD)/gate.csv
+# What is missing is told before the long work.
+$(EDITION)/tools.found: paper/typeset.sh
+	@paper/typeset.sh
+	@mkdir -p $(@D) && touch $@
+
+$(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c) $(EVIDENCE) $(BUILD)/claims.json \
+  $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv | $(EDITION)/tools.found
 	@mkdir -p $(@D)
 	@LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program=$(PROGRAM) -v data=$(DATA) -v build=$(BUILD) \
 	  -v plots='$(PLOTS)' $< >$@.tmp
 	@mv $@.tmp $@
 
 # gnuplot names its pictures as it is told to, and so is told without a folder.
-$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(VERDICTS)
+$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(STUDIES) $(VERDICTS) | $(EDITION)/tools.found
 	@mkdir -p $(@D)
 	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
 
-$(EDITION)/derivations.pdf: $(BUILD)/derivations.gv paper/graph.sed
+$(EDITION)/derivations.pdf: $(BUILD)/derivations.gv paper/graph.sed | $(EDITION)/tools.found
 	@mkdir -p $(@D)
 	sed -f paper/graph.sed $< | dot -Tpdf >$@.tmp
 	@mv $@.tmp $@
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
 $(BUILD)/gate.csv: tests/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
-  $(filter check,$(MAKECMDGOALS))
+  $(filter check,$(MAKECMDGOALS)) | $(EDITION)/tools.found
 	@ls $(BUILD)/tests/*.tap >/dev/null 2>&1 || $(MAKE) check
 	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
 

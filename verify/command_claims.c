@@ -1,6 +1,7 @@
 /* coulomb-tether verify claims: the ledger of verdicts. */
 #include "command_verify.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -35,17 +36,17 @@ static void markdown_text(const char *text)
         fputs(*c == '<' ? "&lt;" : *c == '|' ? "\\|" : *c == '*' ? "\\*" : *c == '_' ? "\\_" : (char[]){*c, '\0'}, stdout);
 }
 
-/* A line of README's table: the claim unfolds to its evidence. */
+/* A line of README's table. */
 static void print_markdown(const struct ledger_row *row)
 {
     const enum verdict verdict = row->evidence.verdict;
     if (verdict == HOLDS || verdict == DEFINITION)
         return;
-    printf("| %s | <details><summary>", row->where);
+    printf("| %c%s | ", toupper((unsigned char)row->where[0]), row->where + 1);
     markdown_text(row->claim);
-    fputs("</summary>", stdout);
-    markdown_text(row->evidence.text);
-    printf("</details> | %s |\n", verdict_names[verdict]);
+    printf(" | %s | ", verdict_names[verdict]);
+    markdown_text(row->evidence.why);
+    puts(" |");
 }
 
 static void print_row(void *context, const struct ledger_row *row)
@@ -70,6 +71,10 @@ static void print_row(void *context, const struct ledger_row *row)
         printf("%s\"%s\": ", i ? ", " : "", keys[i]);
         json_text(fields[i]);
     }
+    if (p->format == FORMAT_JSON && e->why != NULL) {
+        fputs(", \"why\": ", stdout);
+        json_text(e->why);
+    }
     if (p->format == FORMAT_JSON)
         putchar('}');
     p->rows++;
@@ -82,7 +87,7 @@ bool print_claims(const struct proofs *proofs, enum format format)
     if (format == FORMAT_CSV)
         puts("id,where,claim,verdict,how,evidence");
     if (format == FORMAT_MARKDOWN)
-        puts("| where | claim, and why | verdict |\n|---|---|---|");
+        puts("| where | claim | verdict | why |\n|---|---|---|---|");
     bool decided = ledger_rows(proofs, print_row, &p);
     if (format == FORMAT_JSON)
         puts("]");

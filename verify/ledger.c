@@ -115,6 +115,7 @@ void ledger_equation(struct evidence *e, const struct proofs *p, const struct se
     if (s->differs) {
         evidence_add(e, "; %.*s", (int)strlen(s->reason) - 1, s->reason); /* but for its full stop */
         const bool differs = compare_instances(e, s);
+        e->why = s->reason;
         evidence_decide(e, HOLDS_AS_CORRECTED, EXACT, proved && steps > 0 && differs);
         return;
     }
