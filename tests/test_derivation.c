@@ -201,6 +201,45 @@ START_TEST(each_step_leads_from_these_to_those)
 }
 END_TEST
 
+/* Whether an equality has that side of a relation: "left(31, 2)", or "left(20)" where there is but one. */
+static bool has_side(const char *equality, const char *side, const struct section *s, int relation)
+{
+    const char *equation = s->relations[relation].equation;
+    int before = 0, all = 0;
+    char text[40];
+    for (int i = 0; i < s->relation_count; i++) {
+        const bool same = strcmp(s->relations[i].equation, equation) == 0;
+        before += same && i <= relation;
+        all += same;
+    }
+    if (all > 1)
+        snprintf(text, sizeof text, "%s(%s, %d)", side, equation, before);
+    else
+        snprintf(text, sizeof text, "%s(%s)", side, equation);
+    return strstr(equality, text) != NULL;
+}
+
+/* Nothing is proved of a relation whose side is compared with itself, or with that of another. */
+START_TEST(both_sides_of_each_relation_are_compared)
+{
+    struct derivations d;
+    derivations_open(&d);
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        const bool definition = strcmp(s->id, "eq16") == 0 || strcmp(s->id, "eq23") == 0;
+        for (int r = 0; r < s->relation_count && !definition; r++) {
+            int together = 0;
+            for (int k = 0; k < d.step_count; k++)
+                for (int e = 0; e < d.steps[k].corrected.shown_count; e++)
+                    together += has_side(d.steps[k].corrected.shown[e].text, "left", s, r) &&
+                                has_side(d.steps[k].corrected.shown[e].text, "right", s, r);
+            ck_assert_msg(together > 0, "%s: %s", s->relations[r].equation, s->relations[r].text);
+        }
+    }
+    derivations_clear(&d);
+}
+END_TEST
+
 /* ---- steps hold the sheet ---- */
 
 /* Whether every step of the paper holds over another sheet. */
@@ -724,6 +763,7 @@ Suite *suite(void)
     tcase_add_test(paper, every_equation_is_reached);
     tcase_add_test(paper, misprints_are_these);
     tcase_add_test(paper, each_step_leads_from_these_to_those);
+    tcase_add_test(paper, both_sides_of_each_relation_are_compared);
     tcase_add_test(paper, every_formula_of_the_sheet_is_held);
     tcase_add_test(paper, eq03_closed_by_eq07_eq18_is_the_quadratic_system);
 
