@@ -252,11 +252,38 @@ START_TEST(ranges_are_these)
 }
 END_TEST
 
+/* Table 1, the gains and the initial values: what commands fall back on, and the user may override. */
+START_TEST(values_of_the_simulation_are_these)
+{
+    static const char names[] = " Omega k_c m1 m2 L_ref dL dL_dot psi theta psi_dot theta_dot n ";
+    for (int i = 0; i < sheet()->quantity_count; i++) {
+        const struct quantity *q = &sheet()->quantities[i];
+        char name[40];
+        snprintf(name, sizeof name, " %s ", q->name);
+        ck_assert_msg((q->value != NULL) == (strstr(names, name) != NULL), "%s", q->name);
+        ck_assert_msg(q->value == NULL || q->example == NULL, "%s", q->name);
+    }
+}
+END_TEST
+
+START_TEST(no_relation_stands_twice)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        for (int k = 0; k < s->relation_count; k++)
+            for (int r = 0; r < k; r++)
+                ck_assert_str_ne(s->relations[k].text, s->relations[r].text);
+    }
+}
+END_TEST
+
 Suite *suite(void)
 {
     TCase *reading = tcase_create("reading");
     tcase_add_test(reading, sheet_is_read);
     tcase_add_test(reading, ranges_are_these);
+    tcase_add_test(reading, values_of_the_simulation_are_these);
+    tcase_add_test(reading, no_relation_stands_twice);
     tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
     tcase_add_test(reading, empty_sheet_is_refused);
     tcase_add_test(reading, cut_sheet_is_read_or_refused);
