@@ -761,11 +761,13 @@ Suite *suite(void)
     tcase_add_test(paper, points_are_enough);
     tcase_add_test(paper, other_points_show_the_same);
     tcase_add_test(paper, every_equation_is_reached);
-    tcase_add_test(paper, misprints_are_these);
-    tcase_add_test(paper, each_step_leads_from_these_to_those);
-    tcase_add_test(paper, both_sides_of_each_relation_are_compared);
     tcase_add_test(paper, every_formula_of_the_sheet_is_held);
     tcase_add_test(paper, eq03_closed_by_eq07_eq18_is_the_quadratic_system);
+
+    TCase *logic = tcase_create("logic");
+    tcase_add_test(logic, misprints_are_these);
+    tcase_add_test(logic, each_step_leads_from_these_to_those);
+    tcase_add_test(logic, both_sides_of_each_relation_are_compared);
 
     TCase *checker = tcase_create("checker");
     tcase_add_loop_test(checker, checker_finds, 0, COUNT(findings));
@@ -784,6 +786,7 @@ Suite *suite(void)
 
     Suite *s = suite_create("derivation");
     suite_add_tcase(s, paper);
+    suite_add_tcase(s, logic);
     suite_add_tcase(s, checker);
     suite_add_tcase(s, reading);
     return s;
