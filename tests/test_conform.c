@@ -166,12 +166,12 @@ END_TEST
 
 START_TEST(answers_in_a_file_may_stand_in_any_order)
 {
-    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; echo 'Q_ref,id' >$f; "
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; echo 'Q_ref,id' >\"$f\"; "
                             "sed 1d data/golden/eq07.csv | cut -d, -f1,7 | sed 's/\\(.*\\),\\(.*\\)/\"\\2\",\\1/' | "
-                            "sort -r >>$f"), 0);
+                            "sort -r >>\"$f\""), 0);
     ck_assert_msg(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07") == 0, "%s", said);
-    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; sed -i '/eq07-paper/d' $f; echo '1,stranger' >>$f; "
-                            "tail -n 2 $f | head -n 1 >>$f"), 0);
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; sed -i '/eq07-paper/d' \"$f\"; echo '1,stranger' >>\"$f\"; "
+                            "tail -n 2 \"$f\" | head -n 1 >>\"$f\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07"), 1);
     assert_says("eq07: 1 repeated, 1 missing\n");
     assert_says("client: 1 wrong id\n");

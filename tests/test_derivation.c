@@ -240,6 +240,72 @@ START_TEST(both_sides_of_each_relation_are_compared)
 }
 END_TEST
 
+/* The steps line by line, as they are written. */
+static bool next_line(const char **at, char line[], size_t size)
+{
+    size_t all;
+    const char *begin = embedded_derivations(&all), *from = *at ? *at : begin;
+    if (from >= begin + all)
+        return false;
+    const char *end = memchr(from, '\n', (size_t)(begin + all - from));
+    const size_t length = (size_t)((end ? end : begin + all) - from);
+    ck_assert_uint_lt(length, size);
+    memcpy(line, from, length);
+    line[length] = '\0';
+    *at = from + length + 1;
+    return true;
+}
+
+/*
+ * What is called by the name of an output is the formula of that output, and the rate of L is L_dot: that of another
+ * name may be the same number by chance, as I_22 and I_33 are on the radius.
+ */
+START_TEST(names_stand_for_what_they_name)
+{
+    const char *at = NULL;
+    char line[600], name[40], id[20], output[40];
+    int seen = 0;
+    while (next_line(&at, line, sizeof line)) {
+        if (sscanf(line, " %39[A-Za-z0-9_]: %19[a-z0-9].%39[A-Za-z0-9_]", name, id, output) == 3) {
+            const struct section *s = section_find(sheet(), id);
+            for (int i = 0; s != NULL && i < s->output_count; i++)
+                ck_assert_msg(strcmp(s->outputs[i]->name, name) != 0 || strcmp(output, name) == 0, "%s", line);
+            seen++;
+        }
+        if (strncmp(line, "    rates: {", 12) != 0)
+            continue;
+        for (char *rest = NULL, *pair = strtok_r(line + 12, ",}", &rest); pair; pair = strtok_r(NULL, ",}", &rest)) {
+            char rate[60];
+            const size_t length = sscanf(pair, " %39[A-Za-z0-9_]: %39s", name, output) == 2 ? strlen(name) : 0;
+            if (length > 4 && strcmp(name + length - 4, "_dot") == 0)
+                snprintf(rate, sizeof rate, "%.*s_ddot", (int)length - 4, name);
+            else
+                snprintf(rate, sizeof rate, "%s_dot", name);
+            ck_assert_msg(quantity_find(sheet(), rate) == NULL || strcmp(rate, output) == 0, "%s", pair);
+            seen++;
+        }
+    }
+    ck_assert_int_gt(seen, 100);
+}
+END_TEST
+
+/* left(5a) = right(5a), and not two sides of one's own, or of two relations that hold both. */
+START_TEST(a_relation_is_shown_as_it_stands)
+{
+    const char *at = NULL;
+    char line[600], left[8], right[8], first[20], second[20], more;
+    int seen = 0;
+    while (next_line(&at, line, sizeof line)) {
+        if (sscanf(line, " - %7[a-z](%19[^)]) = %7[a-z](%19[^)])%c", left, first, right, second, &more) != 4)
+            continue;
+        const bool sides = strcmp(right, "right") == 0 || strcmp(right, "left") == 0;
+        ck_assert_msg(!sides || (strcmp(left, "left") == 0 && strcmp(right, "right") == 0 && strcmp(first, second) == 0), "%s", line);
+        seen += sides;
+    }
+    ck_assert_int_gt(seen, 20);
+}
+END_TEST
+
 /* ---- steps hold the sheet ---- */
 
 /* Whether every step of the paper holds over another sheet. */
@@ -768,6 +834,8 @@ Suite *suite(void)
     tcase_add_test(logic, misprints_are_these);
     tcase_add_test(logic, each_step_leads_from_these_to_those);
     tcase_add_test(logic, both_sides_of_each_relation_are_compared);
+    tcase_add_test(logic, names_stand_for_what_they_name);
+    tcase_add_test(logic, a_relation_is_shown_as_it_stands);
 
     TCase *checker = tcase_create("checker");
     tcase_add_loop_test(checker, checker_finds, 0, COUNT(findings));
