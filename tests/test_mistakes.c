@@ -272,23 +272,30 @@ static int numbers(const struct section *s, const struct alternative *a)
     return a->formulas_end ? s->output_count : a->section->input_count;
 }
 
-static void sheet_says(const struct section *s, const struct alternative *a, const double *x, double *y)
+static void compute(const struct formulas *f, int inputs, const double *x, int outputs, double *y)
 {
     struct machine m;
-    machine_init(&m, &a->formulas.program, &arithmetic_ball, 256);
-    for (int i = 0; i < s->input_count; i++)
+    machine_init(&m, &f->program, &arithmetic_ball, 256);
+    for (int i = 0; i < inputs; i++)
         arb_set_d(machine_value(&m, i), x[i]);
     machine_run(&m);
-    for (int i = 0; i < numbers(s, a); i++)
-        y[i] = arf_get_d(arb_midref((arb_ptr)machine_value(&m, a->formulas.outputs[i])), ARF_RND_NEAR);
+    for (int i = 0; i < outputs; i++)
+        y[i] = arf_get_d(arb_midref((arb_ptr)machine_value(&m, f->outputs[i])), ARF_RND_NEAR);
     machine_clear(&m);
 }
 
-/* A generic number: what the simulation has, changed a little, and 0 for nothing; by point some of the signs turned. */
+/*
+ * A generic number: what the simulation has, changed a little, and 0 for nothing; by point some of the signs turned. The
+ * last point lies just outside the boundary C1 = 9 Omega^2.
+ */
+static int points(const struct section *s) { return s->input_count + 3; }
+
 static double input(const struct section *s, int i, int point)
 {
     const struct quantity *q = s->inputs[i];
     double value = strtod(q->value ? q->value : q->example, NULL);
+    if (point == points(s) - 1 && strcmp(q->name, "C1") == 0)
+        return 8.5 * pow(input(s, 0, 0), 2); /* whoever has C1 and Omega has Omega first */
     value = (value != 0 ? value : sqrt(q->low * q->high)) * (1.1 + 0.01 * i);
     return q->either_sign && (point == 1 || point == i + 2) ? -value : value;
 }
@@ -306,7 +313,7 @@ static bool same(double a, double b)
 static int compare(const struct section *s, const struct slip *slip, const struct alternative *a)
 {
     int tried = 0;
-    for (int point = 0; point < s->input_count + 2; point++) {
+    for (int point = 0; point < points(s); point++) {
         struct wrong w = {.section = s->id, .mistake = slip->name, .other = s->id};
         double x[MOST], y[MOST];
         for (int i = 0; i < s->input_count; i++)
@@ -319,7 +326,7 @@ static int compare(const struct section *s, const struct slip *slip, const struc
             return 0;
         const double *due = a->formulas_end ? w.y : w.x;
         ck_assert_str_eq(a->formulas_end ? s->id : w.other, a->formulas_end ? s->id : a->section->id);
-        sheet_says(s, a, x, y);
+        compute(&a->formulas, s->input_count, x, numbers(s, a), y);
         for (int i = 0; i < numbers(s, a); i++)
             ck_assert_msg(same(y[i], due[i]), "%s, %s: number %d is %g, expected %g", s->id, slip->name, i + 1, y[i], due[i]);
         tried++;
@@ -363,12 +370,55 @@ START_TEST(every_mistake_made_anywhere_is_made_right)
 }
 END_TEST
 
+/* ---- and nothing mistaken ---- */
+
+/* What is printed, by hand: one mass for both, the absolute value, three times GM. */
+static void as_printed(const struct section *s, double *x, double *y)
+{
+    if (strcmp(s->id, "eq30") == 0)
+        for (int i = 2; i < 8; i += 3) { /* each craft with the mass of the first, the other one at the origin */
+            double at[8] = {x[0], x[0]}, part[6];
+            memcpy(at + 2, x + i, 3 * sizeof *x);
+            reference_find("eq30")(at, part);
+            for (int k = 0; k < 6; k++)
+                y[k] = part[k] + (i > 2 ? y[k] : 0);
+        }
+    if (strcmp(s->id, "eq21") == 0) {
+        y[0] = sqrt(fabs(x[0] + x[1]));
+        y[1] = -y[0];
+    }
+    if (strcmp(s->id, "eq38") == 0)
+        y[0] = sqrt(3 * x[0] / pow(x[1], 3));
+}
+
+START_TEST(formulas_are_right_and_misprints_wrong_in_their_way)
+{
+    const struct section *s = &sheet()->sections[_i];
+    double x[MOST], y[MOST], due[MOST] = {0};
+    for (int point = 0; point < points(s) && s->method == METHOD_FORMULA; point++) {
+        for (int i = 0; i < s->input_count; i++)
+            x[i] = input(s, i, point);
+        reference_find(s->id)(x, due);
+        compute(&s->corrected, s->input_count, x, s->output_count, y);
+        for (int i = 0; i < s->output_count && !isnan(due[0]); i++)
+            ck_assert_msg(same(y[i], due[i]), "%s: %s is %g, expected %g", s->id, s->outputs[i]->name, y[i], due[i]);
+        if (!s->differs)
+            continue;
+        as_printed(s, x, due);
+        compute(&s->printed, s->input_count, x, s->output_count, y);
+        for (int i = 0; i < s->output_count; i++)
+            ck_assert_msg(same(y[i], due[i]), "%s printed: %s is %g, expected %g", s->id, s->outputs[i]->name, y[i], due[i]);
+    }
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("mistakes");
     TCase *mistakes = tcase_create("mistakes");
     tcase_add_loop_test(mistakes, every_mistake_of_an_equation_is_made_right, 0, sheet()->section_count);
     tcase_add_loop_test(mistakes, every_mistake_made_anywhere_is_made_right, 0, sheet()->slip_count);
+    tcase_add_loop_test(mistakes, formulas_are_right_and_misprints_wrong_in_their_way, 0, sheet()->section_count);
     suite_add_tcase(suite, mistakes);
     return suite;
 }

@@ -266,6 +266,35 @@ START_TEST(values_of_the_simulation_are_these)
 }
 END_TEST
 
+/* eq10lin stands for Eq. (10); a motion for the equations that it obeys. */
+START_TEST(sections_stand_for_the_equation_in_their_name)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        const bool linear = strstr(s->id, "_linear") != NULL, motion = strchr(s->id, '_') != NULL;
+        const int number = motion ? (linear ? 40 : 3) : atoi(s->id + 2);
+        bool found = false;
+        for (int k = 0; k < s->numbers; k++)
+            found |= atoi(s->equations[k]) == number;
+        ck_assert_msg(found, "%s", s->id);
+        ck_assert_msg(!motion || (s->numbers == 3 && s->equations[0][strlen(s->equations[0]) - 1] == 'a' &&
+                                  s->equations[1][strlen(s->equations[1]) - 1] == 'b' &&
+                                  s->equations[2][strlen(s->equations[2]) - 1] == 'c'), "%s", s->id);
+    }
+}
+END_TEST
+
+/* Nothing follows a definition, so that nothing holds it: it is written twice. */
+START_TEST(definitions_are_these)
+{
+    static const char *const texts[][5] = {{"L = L_ref + dL", "Q = Q_ref + dQ"}, {"w_1 = 0", "w_2 = 0", "w_3 = Omega"}};
+    const struct section *sections[] = {section_find(sheet(), "eq16"), section_find(sheet(), "eq23")};
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < sections[i]->relation_count; k++)
+            ck_assert_str_eq(sections[i]->relations[k].text, texts[i][k]);
+}
+END_TEST
+
 START_TEST(no_relation_stands_twice)
 {
     for (int i = 0; i < sheet()->section_count; i++) {
@@ -284,6 +313,8 @@ Suite *suite(void)
     tcase_add_test(reading, ranges_are_these);
     tcase_add_test(reading, values_of_the_simulation_are_these);
     tcase_add_test(reading, no_relation_stands_twice);
+    tcase_add_test(reading, definitions_are_these);
+    tcase_add_test(reading, sections_stand_for_the_equation_in_their_name);
     tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
     tcase_add_test(reading, empty_sheet_is_refused);
     tcase_add_test(reading, cut_sheet_is_read_or_refused);
