@@ -103,6 +103,40 @@ START_TEST(eq40_flow_takes_times_in_any_order)
 }
 END_TEST
 
+/* Backwards, what this motion forgets within a hundredth of an orbit would come back e^80 and e^160 times as large. */
+START_TEST(eq40_flow_does_not_go_back_on_its_way)
+{
+    const struct ct_gains strong = {1e4, 200};
+    const double t[] = {0.9, 0.1, -0.1, -0.05}, direct[] = {0.1, -0.05};
+    struct ct_tether_state s[4], d[2];
+
+    ck_assert_int_eq(ct_linear_flow(unit, strong, growing_start, fine, 4, t, s), CT_OK);
+    for (int i = 0; i < 2; i++) {
+        ck_assert_int_eq(ct_linear_flow(unit, strong, growing_start, fine, 1, direct + i, d + i), CT_OK);
+        assert_close(s[2 * i + 1].psi, d[i].psi, 1e-11 * 0x1p53);
+        assert_close(s[2 * i + 1].dL, d[i].dL, 1e-11 * 0x1p53);
+    }
+}
+END_TEST
+
+/* The model is linear, powers of 2 round nothing, and an error is measured by the state: all is to scale. */
+START_TEST(eq40_flow_is_to_scale)
+{
+    const double t = 3, scale[] = {0x1p-40, 0x1p40};
+    const struct ct_tether_state start = {1, -2, 3, -4, 5, -6};
+    struct ct_tether_state one, s;
+
+    ck_assert_int_eq(ct_linear_flow(unit, growing, start, 1e-9, 1, &t, &one), CT_OK);
+    for (int i = 0; i < 2; i++) {
+        const double k = scale[i];
+        const struct ct_tether_state scaled = {k, -2 * k, 3 * k, -4 * k, 5 * k, -6 * k};
+        ck_assert_int_eq(ct_linear_flow(unit, growing, scaled, 1e-9, 1, &t, &s), CT_OK);
+        ck_assert_double_eq(s.psi, k * one.psi);
+        ck_assert_double_eq(s.dL_dot, k * one.dL_dot);
+    }
+}
+END_TEST
+
 START_TEST(eq40_flow_at_rest_stays_at_rest)
 {
     const struct ct_tether_state rest = {0};
@@ -169,6 +203,26 @@ START_TEST(eq40_flow_rejects_tolerances_beyond_double)
 
     ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, tolerance[_i], 1, &t, &s), CT_DOMAIN);
     ck_assert_double_nan(s.theta);
+}
+END_TEST
+
+START_TEST(eq40_flow_takes_the_tolerance_of_a_rounding)
+{
+    const double t = 1;
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, 0x1p-52, 1, &t, &s), CT_OK);
+}
+END_TEST
+
+START_TEST(eq40_flow_outside_its_domain_leaves_no_state_unset)
+{
+    const double t[] = {1, 2, 3};
+    struct ct_tether_state s[3] = {{0}};
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, 1, 3, t, s), CT_DOMAIN);
+    for (int i = 0; i < 3; i++)
+        ck_assert_double_nan(s[i].theta);
 }
 END_TEST
 
@@ -477,6 +531,10 @@ static TCase *linear_motion(void)
     tcase_add_test(c, eq40_flow_pitch_is_an_oscillator_of_twice_the_orbit_rate);
     tcase_add_test(c, eq40_flow_along_an_eigenvector_grows_exponentially);
     tcase_add_test(c, eq40_flow_takes_times_in_any_order);
+    tcase_add_test(c, eq40_flow_does_not_go_back_on_its_way);
+    tcase_add_test(c, eq40_flow_is_to_scale);
+    tcase_add_test(c, eq40_flow_takes_the_tolerance_of_a_rounding);
+    tcase_add_test(c, eq40_flow_outside_its_domain_leaves_no_state_unset);
     tcase_add_test(c, eq40_flow_at_rest_stays_at_rest);
     tcase_add_test(c, eq40_flow_of_no_times_is_no_error);
     tcase_add_test(c, eq40_flow_keeps_the_states_before_it_overflows);

@@ -39,6 +39,7 @@ END_TEST
 START_TEST(every_operation_has_a_reference)
 {
     const struct section *s = operation_at(_i);
+    ck_assert_double_eq(s->K, BOUND); /* what the oracle asks of others is what is asked here of ref/ */
     ck_assert_msg((reference_find(s->id) != NULL) == (s->method != METHOD_NONE), "%s", s->id);
 }
 END_TEST
@@ -126,6 +127,45 @@ START_TEST(samples_lie_in_their_ranges)
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
     ck_assert_int_gt(negative, 200 * 8); /* of 200 * 21 signed ones about half */
+}
+END_TEST
+
+/*
+ * A sheet's operation is valid where ref/ gives numbers, and nowhere else. So few values make craft meet, angles vanish
+ * and n reach 9 by themselves, and every sign turn up. Flows stay where they begin, for craft may meet on the way.
+ */
+START_TEST(domain_of_the_sheet_is_that_of_ref)
+{
+    static const double values[] = {-9, -2, -1, 0, 1, 2, 9, 9.000000000000002, 1, -1};
+    const struct section *s = &sheet()->sections[_i];
+    const bool flow = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_FLOW_NONLINEAR;
+    const bool motion = s->method != METHOD_FORMULA && s->method != METHOD_ROOTS;
+    uint64_t random = 1;
+    if (s->method == METHOD_NONE)
+        return;
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    for (int k = 0; k < (motion ? 300 : 6000); k++) {
+        double in[40], out[16] = {0};
+        for (int i = 0; i < s->input_count; i++) {
+            random = random * UINT64_C(6364136223846793005) + 1442695040888963407; /* Knuth's */
+            in[i] = values[(random >> 33) % (sizeof values / sizeof *values)];
+            if (!motion && in[i] == -9 && s->inputs[i]->domain == DOMAIN_POSITIVE_OR_INFINITE)
+                in[i] = INFINITY;
+            if (flow && strcmp(s->inputs[i]->name, "t") == 0)
+                in[i] = 0;
+            if (s->inputs[i]->domain != DOMAIN_FINITE && random % 16 != 0)
+                in[i] = fabs(in[i]);
+            inputs[i].infinite = isinf(in[i]);
+            fmpq_set_double(&inputs[i].value, isinf(in[i]) ? 1 : in[i]);
+        }
+        reference_find(s->id)(in, out);
+        ck_assert_msg(operation_valid(&o, inputs) != (bool)isnan(out[0]), "%s: %s, ref/ gives %g", s->id,
+                      isnan(out[0]) ? "valid" : o.why.text, out[0]);
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
 }
 END_TEST
 
@@ -243,6 +283,7 @@ Suite *suite(void)
     tcase_add_test(c, E_is_zero_for_equality_and_infinite_where_nothing_may_be_off);
     tcase_add_test(c, a_sample_depends_on_seed_and_index_alone);
     tcase_add_test(c, samples_lie_in_their_ranges);
+    tcase_add_loop_test(c, domain_of_the_sheet_is_that_of_ref, 0, sections);
     tcase_add_test(c, four_shards_are_one_run);
     tcase_add_test(c, golden_lines_have_their_flags);
     tcase_add_loop_test(c, inputs_are_written_in_every_form, 0, sizeof forms / sizeof *forms);

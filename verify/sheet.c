@@ -104,7 +104,10 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
     if (q.meaning == NULL || !read_domain(r, child(&r->document, node, "domain"), &q.domain) ||
         !read_range(r, node, &q))
         return false;
-    q.either_sign = child(&r->document, node, "sign") != NULL;
+    const yaml_node_t *sign = child(&r->document, node, "sign");
+    if (sign != NULL && (scalar(sign) == NULL || strcmp(scalar(sign), "either") != 0))
+        return mistake(&r->document, sign, 0, "expected 'either'");
+    q.either_sign = sign != NULL;
     q.value = text_of(r, node, "value", false);
     q.example = text_of(r, node, "example", false);
     char *names = text_copy(scalar(key)), *rest = NULL;
