@@ -81,17 +81,17 @@ static void print_row(void *context, const struct ledger_row *row)
     p->verdicts[e->verdict]++;
 }
 
-bool print_claims(const struct proofs *proofs, enum format format)
+bool print_claims(const struct proofs *proofs, const char *only, enum format format)
 {
     struct printer p = {.format = format};
     if (format == FORMAT_CSV)
         puts("id,where,claim,verdict,how,evidence");
     if (format == FORMAT_MARKDOWN)
         puts("| where | claim | verdict | why |\n|---|---|---|---|");
-    bool decided = ledger_rows(proofs, print_row, &p);
+    bool decided = ledger_rows(proofs, only, print_row, &p);
     if (format == FORMAT_JSON)
         puts("]");
-    if (format == FORMAT_TABLE) {
+    if (format == FORMAT_TABLE && only == NULL) {
         printf("%d verdicts:", p.rows);
         for (int v = NOT_DECIDABLE; v >= 0; v--)
             if (p.verdicts[v] > 0)
