@@ -1,17 +1,16 @@
 /* coulomb-tether conform: is an implementation of these equations, in whatever language, right? */
 #include <errno.h>
-#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "client.h"
 #include "command.h"
 #include "diagnosis.h"
+#include "progress.h"
 #include "report.h"
 
 /* Digits that a motion has to reach unless --digits says otherwise; PROTOCOL.md has the reasons. */
@@ -160,8 +159,7 @@ static int report(struct exam *e, const struct arguments *a, const char *client,
 /* The examination, with its progress on a terminal. */
 struct watched {
     struct exam *exam;
-    bool terminal;
-    time_t shown;
+    struct progress progress;
 };
 
 static size_t ask(void *context, char *room, size_t size)
@@ -173,10 +171,7 @@ static bool hear(void *context, const char *bytes, size_t size)
 {
     struct watched *w = context;
     const bool on = exam_hear(w->exam, bytes, size);
-    if (w->terminal && time(NULL) != w->shown) {
-        w->shown = time(NULL);
-        fprintf(stderr, "\r%" PRIu64 " of %" PRIu64, w->exam->next, w->exam->questions.total);
-    }
+    progress_show(&w->progress, w->exam->next, w->exam->questions.total);
     return on;
 }
 
@@ -208,15 +203,14 @@ static int examine_client(struct exam *e, const struct arguments *a, char **clie
     if (text != NULL && (*end != '\0' || !(timeout > 0.0 && timeout <= 1e6)))
         return complain(EXIT_USAGE, "--timeout: expected seconds, more than 0, got '%.40s'", text);
     struct client c;
-    struct watched w = {e, isatty(2) == 1, time(NULL)};
+    struct watched w = {e, progress_begin(false)};
     const struct conversation talk = {&w, ask, hear};
     const int why = client_start(&c, client);
     if (why != 0)
         return complain(status_of_name(why), "client '%s': %s", client[0], strerror(why));
     const enum ending ending = client_converse(&c, &talk, timeout);
     const int status = client_close(&c); /* an interrupt ends the program here */
-    if (w.terminal)
-        fputs("\r\033[K", stderr);
+    progress_end(&w.progress);
     if (ending == ENDING_BROKEN)
         return complain(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why));
     const int concluded = conclude(e, ending, status, client[0]);

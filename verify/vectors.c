@@ -9,6 +9,7 @@
 #include "decimal.h"
 #include "errors.h"
 #include "exact.h"
+#include "progress.h"
 #include "sample.h"
 
 enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
@@ -154,6 +155,7 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
     char decimals[MOST_INPUTS][32], id[96];
     const char *texts[MOST_INPUTS] = {NULL};
     bool fine = true;
+    struct progress progress = progress_begin(true);
     operation_init(&o, s, false);
     for (uint64_t k = first; k - first < count && fine && !ferror(stdout); k++) {
         sample(&o, seed, k, values, inputs);
@@ -163,7 +165,9 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
         }
         snprintf(id, sizeof id, "%s-%" PRIu64 "-%" PRIu64, s->id, seed, k);
         fine = vector_print(&o, id, texts, "", form);
+        progress_show(&progress, k - first + 1, count);
     }
+    progress_end(&progress);
     if (!fine)
         fprintf(stderr, "coulomb-tether: %s\n", o.why.text);
     operation_clear(&o);
