@@ -143,8 +143,12 @@ gate:
 ## coverage: the tests' coverage of ref/ and verify/, with its gate; the report is build/coverage/index.html
 coverage:
 	@rm -rf $(BUILD)/coverage
-	$(MAKE) BUILD=$(BUILD)/coverage/build CFLAGS='-O0 -g --coverage' check
+	$(MAKE) BUILD=$(BUILD)/coverage/build CFLAGS='-O0 -g --coverage -std=gnu11' check
 	coverage/report.sh $(BUILD)/coverage
+
+## mcdc: condition coverage (MC/DC) of ref/, where the compiler can count it: gcc from version 14 on
+mcdc:
+	@CC='$(CC)' MAKE='$(MAKE)' coverage/mcdc.sh $(BUILD)/mcdc
 
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar).
 ## lint: clang-tidy and cppcheck, without findings
@@ -343,5 +347,5 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check bench gate coverage lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
+.PHONY: all check bench gate coverage mcdc lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

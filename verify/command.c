@@ -19,6 +19,12 @@ int complain(int status, const char *format, ...)
     return status;
 }
 
+int status_of_name(int why)
+{
+    const bool out_of_means = why == ENOMEM || why == EAGAIN || why == EMFILE || why == ENFILE || why == EIO;
+    return out_of_means ? EXIT_FAILED_CHECK : EXIT_USAGE;
+}
+
 void suggest(char text[80], const char *mistaken, const char *const *known, int count)
 {
     const char *near = nearest_name(mistaken, known, (size_t)count);

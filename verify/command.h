@@ -38,6 +38,9 @@ int complain(int status, const char *format, ...);
 /* ", did you mean 'x'?" or "". */
 void suggest(char text[80], const char *mistaken, const char *const *known, int count);
 
+/* Of a name that could not be opened or run: wrong usage, unless the machine is out of means. */
+int status_of_name(int why);
+
 /* Splits what stands behind the subcommand; at most `words` plain words. EXIT_DONE or EXIT_USAGE. */
 int arguments_split(struct arguments *a, int count, char **texts, int words);
 bool option_given(const struct arguments *a, const char *name);

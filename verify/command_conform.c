@@ -206,7 +206,7 @@ static int examine_client(struct exam *e, const struct arguments *a, char **clie
     const struct conversation talk = {&w, ask, hear};
     const int why = client_start(&c, client);
     if (why != 0)
-        return complain(EXIT_USAGE, "client '%s': %s", client[0], strerror(why));
+        return complain(status_of_name(why), "client '%s': %s", client[0], strerror(why));
     const enum ending ending = client_converse(&c, &talk, timeout);
     const int status = client_close(&c); /* an interrupt ends the program here */
     if (w.terminal)
@@ -276,6 +276,16 @@ static void hear_row(struct exam *e, char *line, const int *columns, int outputs
     }
 }
 
+/* A line more; false at the end, and after a complaint. */
+static bool read_line(char **line, size_t *room, FILE *file, const char *name, int *status)
+{
+    if (*status != EXIT_DONE || getline(line, room, file) >= 0)
+        return *status == EXIT_DONE;
+    if (!feof(file))
+        *status = complain(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
+    return false;
+}
+
 static int examine_file(struct exam *e, const struct arguments *a, const struct section *s)
 {
     const char *name = option_value(a, "--answers");
@@ -284,17 +294,15 @@ static int examine_file(struct exam *e, const struct arguments *a, const struct 
     int columns[MOST_ANSWERS + 1] = {0};
     FILE *file = fopen(name, "r");
     if (file == NULL)
-        return complain(EXIT_USAGE, "%s: %s", name, strerror(errno));
+        return complain(status_of_name(errno), "%s: %s", name, strerror(errno));
     int status = EXIT_DONE;
     e->asked = e->questions.total;
-    if (getline(&line, &room, file) < 0)
+    if (read_line(&line, &room, file, name, &status))
+        status = take_header(line, s, name, columns) ? EXIT_DONE : EXIT_USAGE;
+    else if (status == EXIT_DONE)
         status = complain(EXIT_USAGE, "%s: expected a header, id and every output of %s", name, s->id);
-    else if (!take_header(line, s, name, columns))
-        status = EXIT_USAGE;
-    while (status == EXIT_DONE && getline(&line, &room, file) >= 0)
+    while (read_line(&line, &room, file, name, &status))
         hear_row(e, line, columns, s->output_count);
-    if (status == EXIT_DONE && ferror(file))
-        status = complain(EXIT_FAILED_CHECK, "%s: cannot be read", name);
     fclose(file);
     free(line);
     if (status != EXIT_DONE)

@@ -87,10 +87,11 @@ static int read_head(const char *path, char head[LONGEST], long *size)
     if (file == NULL)
         return complain(EXIT_FAILED_CHECK, "%s: %s", path, strerror(errno));
     int status = EXIT_DONE;
-    if (fgets(head, LONGEST, file) == NULL || strchr(head, '\n') == NULL)
-        status = complain(EXIT_FAILED_CHECK, "%s: expected a header line", path);
-    else if (fseek(file, 0, SEEK_END) != 0 || (*size = ftell(file)) < 0)
+    *head = '\0';
+    if ((fgets(head, LONGEST, file) == NULL && ferror(file)) || fseek(file, 0, SEEK_END) != 0 || (*size = ftell(file)) < 0)
         status = complain(EXIT_FAILED_CHECK, "%s: %s", path, strerror(errno));
+    else if (strchr(head, '\n') == NULL)
+        status = complain(EXIT_FAILED_CHECK, "%s: expected a header line", path);
     fclose(file);
     head[strcspn(head, "\r\n")] = '\0';
     return status;
@@ -163,7 +164,10 @@ int command_datapackage(int count, char **texts)
             status = complain(EXIT_FAILED_CHECK, "standard input: expected HASH  FILE, got '%.*s'",
                               (int)strcspn(line, "\n"), line);
     }
-    printf("\n ]}\n");
+    if (status == EXIT_DONE && !feof(stdin))
+        status = complain(EXIT_FAILED_CHECK, "standard input: %s", strerror(errno));
+    if (status == EXIT_DONE)
+        puts("\n ]}");
     int written = output_finished();
     return status != EXIT_DONE ? status : written;
 }

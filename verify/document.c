@@ -9,12 +9,15 @@ bool document_open(struct document *d, const char *text, size_t length, const ch
 {
     yaml_parser_t parser;
     *d = (struct document){.file = file, .why = why};
-    granted(yaml_parser_initialize(&parser) ? &parser : NULL);
+    if (!yaml_parser_initialize(&parser))
+        out_of_memory();
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
     bool fine = yaml_parser_load(&parser, &d->yaml);
+    if (!fine && parser.problem == NULL) /* everything but exhausted memory libyaml gives a name */
+        out_of_memory();
     if (!fine) {
         message_set(why, "%s:%zu:%zu: expected YAML: %s", file, parser.problem_mark.line + 1,
-                    parser.problem_mark.column + 1, parser.problem ? parser.problem : "broken text");
+                    parser.problem_mark.column + 1, parser.problem);
     } else if (document_root(d) == NULL) {
         message_set(why, "%s:1:1: expected a mapping, the file is empty", file);
         document_close(d);

@@ -14,18 +14,18 @@ void message_set(struct message *m, const char *format, ...)
     va_end(arguments);
 }
 
-void *granted(void *block)
+void out_of_memory(void)
 {
-    if (block == NULL) {
-        fputs("coulomb-tether: out of memory\n", stderr);
-        exit(1);
-    }
-    return block;
+    fputs("coulomb-tether: out of memory\n", stderr);
+    exit(1);
 }
 
 void *memory(void *old, size_t count, size_t size)
 {
-    return granted(count > SIZE_MAX / size ? NULL : realloc(old, count > 0 ? count * size : size));
+    void *block = count > SIZE_MAX / size ? NULL : realloc(old, count > 0 ? count * size : size);
+    if (block == NULL)
+        out_of_memory();
+    return block;
 }
 
 char *text_copy(const char *text)

@@ -3,6 +3,7 @@
 #define CT_MESSAGE_H
 
 #include <stddef.h>
+#include <stdnoreturn.h>
 
 struct message {
     char text[512];
@@ -16,8 +17,10 @@ void message_set(struct message *m, const char *format, ...);
 /* The known name nearest to a mistaken one (edit distance), NULL when none is near. */
 const char *nearest_name(const char *mistaken, const char *const *known, size_t count);
 
-/* What asked for memory got it, or the program ends with one line on standard error and exit status 1. */
-void *granted(void *block);
+/* One line on standard error and exit status 1. */
+noreturn void out_of_memory(void);
+
+/* Memory that is there, or the end. */
 void *memory(void *old, size_t count, size_t size);
 char *text_copy(const char *text);
 
