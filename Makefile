@@ -158,7 +158,7 @@ reproduce:
 ## coverage: the tests' coverage of ref/ and verify/, with its gate; the report is build/coverage/index.html
 coverage:
 	@rm -rf $(BUILD)/coverage
-	$(MAKE) BUILD=$(BUILD)/coverage/build CFLAGS='-O0 -g --coverage' check
+	$(MAKE) BUILD=$(BUILD)/coverage/build CFLAGS='-O0 -g --coverage -std=gnu11' check
 	coverage/report.sh $(BUILD)/coverage
 
 INJECTIONS := $(patsubst tests/faults/%.sh,faults-%,$(filter-out %/harness.sh,$(wildcard tests/faults/*.sh)))
@@ -168,6 +168,10 @@ faults: $(INJECTIONS)
 
 $(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS)
 	@BUILD='$(BUILD)' CT_BUILD='$(abspath $(BUILD))' CT_PROGRAM='$(abspath $(PROGRAM))' $<
+
+## mcdc: condition coverage (MC/DC) of ref/, where the compiler can count it: gcc from version 14 on
+mcdc:
+	@CC='$(CC)' MAKE='$(MAKE)' coverage/mcdc.sh $(BUILD)/mcdc
 
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar).
 ## lint: clang-tidy and cppcheck, without findings
@@ -381,5 +385,5 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check bench reproduce gate coverage faults $(INJECTIONS) lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
+.PHONY: all check bench reproduce gate coverage mcdc faults $(INJECTIONS) lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

@@ -108,6 +108,7 @@ START_TEST(identities_hold_or_not)
     ck_assert(identity("a b", "(a + b)^2", "a^2 + 2*a*b + b^2"));
     ck_assert(!identity("a b", "(a + b)^2", "a^2 + b^2"));
     ck_assert(identity("a b", "1/a - 1/b", "(b - a)/(a*b)"));
+    ck_assert(identity("a b", "a^-2*(a + b)^3", "a + 3*b + 3*b^2/a + b^3*a^-2"));
     ck_assert(!identity("a", "1/(a - 2)", "1/(a - 2)")); /* a pole on the grid proves nothing */
     ck_assert(!identity("a", "sqrt(a^2)", "a"));         /* no rational function */
     ck_assert(!identity("a", "b", "b"));                 /* an unknown name */
@@ -155,6 +156,31 @@ START_TEST(roots_are_counted_once_and_strictly_beyond)
     ck_assert_int_eq(beyond("x^3", 0), 0);
     ck_assert_int_eq(beyond("x^3", -1), 1);
     ck_assert_int_eq(beyond("7", 0), 0);
+}
+END_TEST
+
+static bool signed_beyond(const char *text, slong point, int sign)
+{
+    fmpq_poly_t f;
+    fmpq_t x;
+    fmpq_poly_init(f);
+    fmpq_init(x);
+    fmpq_set_si(x, point, 1);
+    polynomial(f, text);
+    bool has = has_sign_beyond(f, x, sign);
+    fmpq_poly_clear(f);
+    fmpq_clear(x);
+    return has;
+}
+
+START_TEST(a_sign_beyond_a_point_is_strict)
+{
+    ck_assert(signed_beyond("x^2 - 1", 1, 1)); /* the root itself is not beyond */
+    ck_assert(!signed_beyond("x^2 - 1", 0, 1));
+    ck_assert(!signed_beyond("x^2 - 1", 1, -1));
+    ck_assert(signed_beyond("1 - x^2", 1, -1));
+    ck_assert(!signed_beyond("0", 1, 1));
+    ck_assert(!signed_beyond("0", 1, -1));
 }
 END_TEST
 
@@ -426,6 +452,7 @@ Suite *suite(void)
     tcase_add_test(c, identities_look_at_enough_points);
     tcase_add_test(c, identities_know_the_sheet);
     tcase_add_test(c, roots_are_counted_once_and_strictly_beyond);
+    tcase_add_test(c, a_sign_beyond_a_point_is_strict);
     tcase_add_test(c, eq40_energy_is_lost_through_the_length_rate);
     tcase_add_test(c, eq40_charge_controls_the_plane);
     tcase_add_test(c, eq42_agrees_with_the_roots);

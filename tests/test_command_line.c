@@ -166,6 +166,8 @@ static const struct {
     {"typeset x=1", 2, "x=1"},
     {"typeset eq1", 2, "unknown operation 'eq1'"},
     {"typeset --pdf", 2, "--pdf"},
+    {"eval flow_linear Omega=1 L_ref=1 C1=-1e300 C2=1e300 t=1 psi=1 theta=1 dL=1 psi_dot=0 theta_dot=0 dL_dot=0", 1,
+     "the enclosure grew past use"}, /* e^(1e150) */
     {"vectors", 2, "operation"},
     {"vectors eq07 --cuont 1 --seed 1", 2, "did you mean '--count'"},
     {"vectors eq7 --count 1 --seed 1", 2, "eq07"},
@@ -176,6 +178,7 @@ static const struct {
     {"vectors eq07 --count 5 --seed -1", 2, "--seed"},
     {"vectors eq07 --count 5 --seed 99999999999999999999", 2, "--seed"},
     {"vectors eq07 --count 5 --seed 1 --shard 1", 2, "K/N"},
+    {"vectors eq07 --count 5 --seed 1 --shard 1/", 2, "--shard"},
     {"vectors eq07 --count 5 --seed 1 --shard 0/4", 2, "K/N"},
     {"vectors eq07 --count 5 --seed 1 --shard 5/4", 2, "K/N"},
     {"vectors eq07 --count 5 --seed 1 --shard a/4", 2, "--shard"},
@@ -431,6 +434,15 @@ START_TEST(what_no_number_of_bits_decides_is_said)
 }
 END_TEST
 
+START_TEST(random_vectors_end_before_one_that_cannot_be_certified)
+{
+    ck_assert_int_eq(run("vectors flow_nonlinear --count 5 --seed 5"), 1); /* the fourth falls together */
+    ck_assert_int_eq(lines(output), 4);
+    ck_assert_ptr_nonnull(strstr(errors, "the two craft meet"));
+    ck_assert_int_eq(lines(errors), 1);
+}
+END_TEST
+
 /* The craft fall past each other, very close: more bits are taken when the first rows are out already. */
 START_TEST(rows_are_printed_once_however_many_bits_they_take)
 {
@@ -501,6 +513,7 @@ Suite *suite(void)
     tcase_add_loop_test(long_work, verify_speaks_json_of_every_part, 0, 3);
     tcase_add_loop_test(long_work, verify_prints_tables, 0, 5);
     tcase_add_test(long_work, rows_are_printed_once_however_many_bits_they_take);
+    tcase_add_test(long_work, random_vectors_end_before_one_that_cannot_be_certified);
     tcase_add_test(long_work, what_no_number_of_bits_decides_is_said);
     suite_add_tcase(s, long_work);
     return s;

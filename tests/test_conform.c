@@ -13,6 +13,7 @@
 #include "diagnosis.h"
 #include "report.h"
 #include "slip.h"
+#include "vectors.h"
 
 static char said[1 << 20]; /* both outputs of the program's last run */
 
@@ -270,7 +271,7 @@ START_TEST(a_client_is_not_started_without_descriptors)
         FILE *pipe = popen(line, "r");
         ck_assert_ptr_nonnull(pipe);
         said[fread(said, 1, sizeof said - 1, pipe)] = '\0';
-        ck_assert_int_eq(WEXITSTATUS(pclose(pipe)), 2);
+        ck_assert_int_eq(WEXITSTATUS(pclose(pipe)), 1);
         assert_says("client 'true': Too many open files\n");
     }
 }
@@ -279,8 +280,8 @@ END_TEST
 /* A file that can be opened and not be read: a folder. */
 START_TEST(answers_that_cannot_be_read_are_no_answers)
 {
-    ck_assert_int_eq(conform("--answers data eq07"), 2);
-    assert_says("data: expected a header");
+    ck_assert_int_eq(conform("--answers data eq07"), 1);
+    assert_says("data: Is a directory\n");
 }
 END_TEST
 
@@ -657,6 +658,26 @@ START_TEST(a_motion_is_judged_on_the_scale_of_its_largest_coordinate)
 }
 END_TEST
 
+/* The craft fall into each other after 0.58 s, whatever is answered for 10 s. */
+START_TEST(a_motion_that_cannot_be_followed_is_not_judged)
+{
+    /* Omega k_c m1 m2 L_ref C1 C2 t, and at rest on the orbit normal */
+    static const char *const texts[] = {"1", "1", "1", "1", "2", "0", "0", "10", "0", "0", "1", "0", "0", "0"};
+    const struct section *s = section_find(sheet(), "flow_nonlinear");
+    struct operation o;
+    struct judge j;
+    struct score score;
+    struct input *inputs = inputs_new(s->input_count);
+    ck_assert(vector_read(s, texts, inputs));
+    operation_init(&o, s, false);
+    judge_init(&j, &o, BINARY64, 9);
+    ck_assert_int_eq(judge_answer(&j, inputs, &score), FOUND_SKIPPED);
+    judge_clear(&j);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+END_TEST
+
 /* ---- the kill table ---- */
 
 START_TEST(every_mistake_is_killed_and_every_vector_kills_or_pins_an_edge)
@@ -700,6 +721,7 @@ Suite *suite(void)
     tcase_add_test(c, eq42_stability_on_the_boundary_is_either);
     tcase_add_test(c, eq44_an_infinite_sensitivity_excuses_nothing);
     tcase_add_test(c, eq10inv_on_the_normal_theta_is_no_number_but_pi_2);
+    tcase_add_test(c, a_motion_that_cannot_be_followed_is_not_judged);
     tcase_add_test(c, a_motion_is_judged_on_the_scale_of_its_largest_coordinate);
     tcase_add_test(c, every_mistake_is_killed_and_every_vector_kills_or_pins_an_edge);
     suite_add_tcase(s, c);

@@ -191,8 +191,6 @@ bool section_at(const char *id, const slong *inputs, fmpq *outputs)
     struct machine m;
     fmpq_t q;
     bool rational = true;
-    if (s == NULL)
-        return false;
     fmpq_init(q);
     machine_init(&m, &s->corrected.program, &arithmetic_series, 1);
     for (int i = 0; i < s->input_count; i++) {

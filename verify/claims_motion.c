@@ -249,11 +249,9 @@ static int sign_changes(const struct track *t, int which)
         if (bounded && kept_sign(now, next, room, t->prec) != 0)
             continue;
         track_room(room, t, &b, which + PSI_DOT);
-        if (!bounded || kept_sign(now + PSI_DOT, next + PSI_DOT, room, t->prec) == 0 || arb_contains_zero(now)
-            || arb_contains_zero(next))
-            changes = -1;
-        else
-            changes += arb_is_positive(now) != arb_is_positive(next);
+        const bool certain = bounded && kept_sign(now + PSI_DOT, next + PSI_DOT, room, t->prec) != 0
+                             && !arb_contains_zero(now) && !arb_contains_zero(next);
+        changes = certain ? changes + (arb_is_positive(now) != arb_is_positive(next)) : -1;
     }
     bounds_clear(&b);
     arb_clear(room);

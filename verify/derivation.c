@@ -258,7 +258,9 @@ static char *evidence(const struct trial *t, const struct machine *m, const stru
 {
     char *text = NULL;
     size_t size;
-    FILE *out = granted(open_memstream(&text, &size));
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        out_of_memory();
     if (radical >= 0) {
         fputs("a square root is ", out);
         print_coefficient(out, m, t->radicals[radical], 0);
@@ -274,7 +276,9 @@ static char *evidence(const struct trial *t, const struct machine *m, const stru
         fprintf(out, "%s: no value, %s", o->at->text, series_fault_text(o->fault));
     }
     print_point(out, t, m);
-    return granted(fclose(out) == 0 ? text : NULL);
+    if (fclose(out) != 0)
+        out_of_memory();
+    return text;
 }
 
 /* ---- proofs ---- */

@@ -20,7 +20,8 @@ bool document_open(struct document *d, const char *text, size_t length, const ch
 {
     yaml_parser_t parser;
     *d = (struct document){.file = file, .why = why};
-    granted(yaml_parser_initialize(&parser) ? &parser : NULL);
+    if (!yaml_parser_initialize(&parser))
+        out_of_memory();
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
     bool fine = yaml_parser_load(&parser, &d->yaml);
     if (!fine && parser.problem == NULL) /* everything but exhausted memory libyaml gives a name */

@@ -223,10 +223,10 @@ static bool prove(struct flow *f, double step)
 /* The longest of step, step/2, ... that can be proved, or 0 */
 static double proved_step(struct flow *f, double step)
 {
-    for (int halvings = 0; halvings < MOST_HALVINGS; halvings++, step /= 2)
-        if (!f->proving || prove(f, step))
-            return step;
-    return 0;
+    int halvings = 0;
+    for (; halvings < MOST_HALVINGS && f->proving && !prove(f, step); halvings++)
+        step /= 2;
+    return halvings < MOST_HALVINGS ? step : 0;
 }
 
 /* The motion from the centre at s, |s| <= h. */

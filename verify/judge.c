@@ -61,8 +61,6 @@ static void settle(struct judge *j, const struct input *inputs, slong prec)
     const struct operation *o = j->operation;
     struct machine sums;
     fmpq_t value;
-    if (o->section->method != METHOD_FORMULA)
-        return;
     operation_sums(&sums, o, inputs);
     fmpq_init(value);
     for (int i = 0; i < o->section->output_count; i++) {
@@ -90,13 +88,12 @@ static enum finding judge_in_roundings(struct judge *j, const struct input *inpu
     const slong most = 16384;
     struct bounds E = {0.0, INFINITY};
     for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most; prec *= 4) {
-        if (operation_enclose(j->operation, inputs, prec, j->exact) != OUTCOME_PROVED)
-            return FOUND_SKIPPED;
+        operation_enclose(j->operation, inputs, prec, j->exact);
         _arb_vec_zero(j->S, s->output_count);
         if (s->method == METHOD_FORMULA && error_of(j, inputs, score).upper <= fmin(j->K, j->worst))
             return FOUND_RIGHT; /* without S already, and no new worst */
         operation_sensitivity(j->operation, inputs, prec, j->S);
-        if (4 * prec > most)
+        if (4 * prec > most && s->method == METHOD_FORMULA)
             settle(j, inputs, prec);
         if (strcmp(s->outputs[s->output_count - 1]->name, "stable") == 0 && on_the_boundary(j))
             arb_set(j->exact + s->output_count - 1, j->y + s->output_count - 1);

