@@ -69,13 +69,23 @@ fi
 check 'a client where the caller ignores the end of children' without_child_signals
 check 'a client without a standard input of our own' without_standard_input
 
-# TERM comes while the client hangs, its complaints read by nobody.
-dies_of_term() {
-    mkfifo "$work/unread"
-    exec 3<>"$work/unread"
-    without_orphans timeout --preserve-status -k 5 -s TERM 0.3 sh -c "exec $* 2>&3 3>&-"
-    [ $? -eq 143 ]
+# TERM comes while the client, and a child of it, hang, and nobody reads its complaints.
+mkfifo "$work/unread"
+term_in_conversation() {
+    # shellcheck disable=SC2016
+    timeout -k 5 60 "$program" conform -- sh -c 'sleep 60 & echo >"$0"; exec yes >&2' "$work/started" 2>&3 3>&- &
+    until [ -e "$work/started" ]; do sleep 0.05; done
+    sleep 0.2
+    kill -TERM $!
+    wait $!
 }
-check 'SIGTERM ends program and client' dies_of_term "'$program' conform -- sh -c 'sleep 9 & yes >&2'"
+dies_of_term() {
+    exec 3<>"$work/unread"
+    without_orphans term_in_conversation
+    status=$?
+    echo "exit status $status"
+    [ $status -eq 143 ]
+}
+check 'SIGTERM ends program and client' dies_of_term
 
 finish
