@@ -331,7 +331,7 @@ $(BUILD)/gate.csv: tests/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libyaml-dev
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
 PAPER_PACKAGES = gnuplot-nox graphviz texlive-latex-base texlive-latex-recommended lmodern
-CI_PACKAGES    = clang clang-tidy cppcheck valgrind debootstrap parallel python3 python3-mpmath python3-gmpy2 octave gfortran nodejs
+CI_PACKAGES    = clang clang-tidy cppcheck valgrind strace locales debootstrap parallel python3 python3-mpmath python3-gmpy2 octave gfortran nodejs
 
 ## deps: install what building and checking need, where apt-get is at hand; name it elsewhere
 deps:

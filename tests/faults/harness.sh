@@ -72,10 +72,11 @@ allocations_of() {
 
 # ---- clients ----
 
-# COMMAND...: runs it; its exit status, or 124 where a process that it started is still there seconds after its end.
+# COMMAND...: runs it; its exit status, or 124 where after $patience seconds a process is still there that it started.
+patience=10
 without_orphans() {
     # The pipe's end comes when the last process that holds it has gone.
     { status=0; "$@" 9>&1 >"$work/out" 2>"$work/err" || status=$?; echo $status >"$work/status"; } |
-        timeout 10 cat >"$work/held" || return 124
+        timeout "$patience" cat >"$work/held" || return 124
     return "$(cat "$work/status")"
 }
