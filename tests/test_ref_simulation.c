@@ -431,6 +431,7 @@ START_TEST(eq40_runge_kutta_rejects_more_steps_than_can_be_counted)
     struct ct_tether_state s;
 
     ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0x1p-60, 1, &t, &s), CT_DOMAIN);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0x1p-53, 1, &t, &s), CT_DOMAIN);
 }
 END_TEST
 
