@@ -173,6 +173,16 @@ $(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS)
 mcdc:
 	@CC='$(CC)' MAKE='$(MAKE)' coverage/mcdc.sh $(BUILD)/mcdc
 
+# Everything is compiled for shared libraries, so that a mutant is one library made anew.
+## mutants: wrong programs, one point away from the right one, and whether the tests notice; SAMPLE=200 SEED=... a sample
+mutants:
+	$(MAKE) BUILD=$(BUILD)/mutants CFLAGS='-O1 -fPIC' mutants-objects
+	@CC='$(CC)' MUTANT_FLAGS='-fPIC $(STANDARD) -I. -Iverify $(subst ','\'',$(VERIFY_CFLAGS)) $(CHECK_CFLAGS)' \
+	  MUTANT_LIBS='$(CHECK_LIBS) $(VERIFY_LIBS)' PYTHONDONTWRITEBYTECODE=1 \
+	  $(PYTHON) coverage/mutants.py $(BUILD)/mutants $(addprefix --sample ,$(SAMPLE)) $(addprefix --seed ,$(SEED)) $(addprefix --only ,$(ONLY))
+
+mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/main verify/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c)))
+
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar).
 ## lint: clang-tidy and cppcheck, without findings
 lint: $(patsubst %.c,$(BUILD)/lint/%.tidied,$(SOURCES))
@@ -385,5 +395,6 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check bench reproduce gate coverage mcdc faults $(INJECTIONS) lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
+.PHONY: all check bench reproduce gate coverage mcdc mutants mutants-objects faults $(INJECTIONS) lint verify errors readme data figures \
+  pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

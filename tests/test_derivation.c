@@ -289,6 +289,22 @@ START_TEST(names_stand_for_what_they_name)
 }
 END_TEST
 
+/* On the radius nothing pulls along the velocity, nor along the normal: two claims, and not one of them twice. */
+START_TEST(no_output_is_shown_twice_to_vanish)
+{
+    struct derivations d;
+    derivations_open(&d);
+    const struct trial *t = &step_named(&d, "static_axes")->corrected;
+    bool y1 = false, z1 = false;
+    for (int i = 0; i < t->shown_count; i++) {
+        y1 |= strncmp(t->shown[i].text, "eq03.y1_ddot(", 13) == 0;
+        z1 |= strncmp(t->shown[i].text, "eq03.z1_ddot(", 13) == 0;
+    }
+    ck_assert(y1 && z1);
+    derivations_clear(&d);
+}
+END_TEST
+
 /* left(5a) = right(5a), and not two sides of one's own, or of two relations that hold both. */
 START_TEST(a_relation_is_shown_as_it_stands)
 {
@@ -843,6 +859,7 @@ Suite *suite(void)
     tcase_add_test(logic, both_sides_of_each_relation_are_compared);
     tcase_add_test(logic, names_stand_for_what_they_name);
     tcase_add_test(logic, a_relation_is_shown_as_it_stands);
+    tcase_add_test(logic, no_output_is_shown_twice_to_vanish);
 
     TCase *checker = tcase_create("checker");
     tcase_add_loop_test(checker, checker_finds, 0, COUNT(findings));

@@ -254,6 +254,27 @@ START_TEST(eq03_flow_of_the_paper)
 }
 END_TEST
 
+/* All forces grow as the lengths do, and the noise is measured by them: with powers of 2 all is to scale. */
+START_TEST(eq03_flow_is_to_scale)
+{
+    const double t = 50000, scale[] = {0x1p-20, 0x1p20};
+    const struct ct_hill_state start = in_hill_frame(unequal, paper_start);
+    struct ct_hill_state one, s;
+
+    ck_assert_int_eq(ct_nonlinear_flow(unequal, unequal_gains, start, 1e-9, 1, &t, &one), CT_OK);
+    for (int i = 0; i < 2; i++) {
+        const double k = scale[i];
+        const struct ct_hill_state scaled = {k * start.x1, k * start.y1, k * start.z1, k * start.x1_dot, k * start.y1_dot,
+                                             k * start.z1_dot};
+        struct ct_params p = unequal;
+        p.L_ref *= k;
+        ck_assert_int_eq(ct_nonlinear_flow(p, unequal_gains, scaled, 1e-9, 1, &t, &s), CT_OK);
+        ck_assert_double_eq(s.x1, k * one.x1);
+        ck_assert_double_eq(s.z1_dot, k * one.z1_dot);
+    }
+}
+END_TEST
+
 START_TEST(eq03_flow_rests_where_eq05_says)
 {
     const struct ct_hill_state rest = {.x1 = ct_static_positions(unequal, unequal.L_ref).x1};
@@ -431,6 +452,21 @@ START_TEST(eq40_runge_kutta_rejects_more_steps_than_can_be_counted)
     struct ct_tether_state s;
 
     ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0x1p-60, 1, &t, &s), CT_DOMAIN);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0x1p-53, 1, &t, &s), CT_DOMAIN);
+
+    const double most = 0x1p52; /* can be counted; this motion overflows long before */
+    ck_assert_int_eq(ct_linear_runge_kutta(unit, growing, growing_start, 1, 1, &most, &s), CT_CONVERGENCE);
+}
+END_TEST
+
+START_TEST(eq40_runge_kutta_compares_each_time_with_the_last)
+{
+    const double back[] = {200, 400, 300}, before[] = {-0.5, 0}, around[] = {1e9, 100, 100, 300};
+    struct ct_tether_state s[3];
+
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 3, back, s), CT_DOMAIN);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0.5, 2, before, s), CT_DOMAIN);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 3, around + 1, s), CT_OK);
 }
 END_TEST
 
@@ -550,6 +586,7 @@ static TCase *nonlinear_motion(void)
 
     tcase_add_test(c, eq03_flow_of_the_paper);
     tcase_add_test(c, eq03_flow_rests_where_eq05_says);
+    tcase_add_test(c, eq03_flow_is_to_scale);
     tcase_add_test(c, eq03_flow_without_gains_conserves_the_jacobi_integral);
     tcase_add_test(c, eq03_flow_of_small_errors_is_that_of_eq40);
     tcase_add_test(c, eq03_flow_reports_a_collision);
@@ -569,6 +606,7 @@ static TCase *fixed_steps(void)
     tcase_add_test(c, eq40_runge_kutta_reports_overflow_of_the_last_step);
     tcase_add_loop_test(c, eq40_runge_kutta_rejects_times_off_its_steps, 0, 7);
     tcase_add_test(c, eq40_runge_kutta_rejects_more_steps_than_can_be_counted);
+    tcase_add_test(c, eq40_runge_kutta_compares_each_time_with_the_last);
     tcase_add_test(c, eq40_runge_kutta_rejects_each_input_outside_its_domain);
     tcase_add_test(c, eq03_runge_kutta_is_that_of_exact_arithmetic);
     tcase_add_test(c, eq03_runge_kutta_of_the_paper_is_good_to_a_micrometre);

@@ -271,6 +271,37 @@ START_TEST(a_subexpression_out_of_range_is_flagged)
 }
 END_TEST
 
+/* ---- golden files ---- */
+
+/* The next line has that id, those inputs as they are written, and ends with those flags. Nothing is computed. */
+static bool is_next_line(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
+{
+    char line[4096], due[2048];
+    int used = snprintf(due, sizeof due, "%s", id);
+    for (int i = 0; i < o->section->input_count; i++)
+        used += snprintf(due + used, sizeof due - (size_t)used, ",%s", texts[i]);
+    ck_assert_msg(fgets(line, sizeof line, context) != NULL, "%s is not in the file", id);
+    line[strcspn(line, "\n")] = '\0';
+    ck_assert_msg(strncmp(line, due, (size_t)used) == 0 && line[used] == ',', "expected %s in the line %s", due, line);
+    ck_assert_msg(strlen(line) >= strlen(flags) && strcmp(line + strlen(line) - strlen(flags), flags) == 0, "%s: expected %s", id, flags);
+    return true;
+}
+
+START_TEST(golden_files_have_these_inputs)
+{
+    const struct section *s = operation_at(_i);
+    char name[80], line[4096];
+    if (s->method == METHOD_NONE)
+        return;
+    snprintf(name, sizeof name, "data/golden/%s.csv", s->id);
+    FILE *file = fopen(name, "r");
+    ck_assert_msg(file != NULL && fgets(line, sizeof line, file) != NULL, "%s", name);
+    golden_each(s, is_next_line, file);
+    ck_assert_msg(fgets(line, sizeof line, file) == NULL, "%s has more: %s", name, line);
+    fclose(file);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *s = suite_create("vectors");
@@ -283,12 +314,17 @@ Suite *suite(void)
     tcase_add_test(c, E_is_zero_for_equality_and_infinite_where_nothing_may_be_off);
     tcase_add_test(c, a_sample_depends_on_seed_and_index_alone);
     tcase_add_test(c, samples_lie_in_their_ranges);
-    tcase_add_loop_test(c, domain_of_the_sheet_is_that_of_ref, 0, sections);
     tcase_add_test(c, four_shards_are_one_run);
     tcase_add_test(c, golden_lines_have_their_flags);
     tcase_add_loop_test(c, inputs_are_written_in_every_form, 0, sizeof forms / sizeof *forms);
     tcase_add_test(c, the_longest_input_has_all_its_digits);
     tcase_add_test(c, a_subexpression_out_of_range_is_flagged);
+    suite_add_tcase(s, c);
+    c = tcase_create("golden");
+    tcase_add_loop_test(c, golden_files_have_these_inputs, 0, sections);
+    suite_add_tcase(s, c);
+    c = tcase_create("domains");
+    tcase_add_loop_test(c, domain_of_the_sheet_is_that_of_ref, 0, sections);
     suite_add_tcase(s, c);
     return s;
 }
