@@ -92,6 +92,8 @@ breaks 'a verdict on no equation' 'verdicts: equation-99 is a verdict on an equa
     "sed -i 's/^equation-18,/equation-99,/' data/verdicts.csv"
 breaks 'no place' 'eq18: no place in the edition, expected <<equation eq18>> in paper/*.tex' \
     "sed -i '/^<<equation eq18>>/d' paper/06-control.tex"
+breaks 'a chapter left out' 'eq18: no place in the edition, expected <<equation eq18>> in paper/*.tex' \
+    "sed -i '/06-control/d' paper/coulomb-tether.tex"
 breaks 'code left out' 'eq18: its function is not in the edition, expected <<function eq18>> in paper/*.tex' \
     "sed -i '/^<<function eq18>>/d' paper/06-control.tex"
 breaks 'a place of no equation' 'names eq99, which the sheet lacks' \
