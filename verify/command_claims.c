@@ -36,15 +36,14 @@ static void markdown_text(const char *text)
         fputs(*c == '<' ? "&lt;" : *c == '|' ? "\\|" : *c == '*' ? "\\*" : *c == '_' ? "\\_" : (char[]){*c, '\0'}, stdout);
 }
 
-/* A line of README's table. */
+/* A line of README's table: what does not simply hold, and why. */
 static void print_markdown(const struct ledger_row *row)
 {
-    const enum verdict verdict = row->evidence.verdict;
-    if (verdict == HOLDS || verdict == DEFINITION)
+    if (row->evidence.why == NULL)
         return;
     printf("| %c%s | ", toupper((unsigned char)row->where[0]), row->where + 1);
     markdown_text(row->claim);
-    printf(" | %s | ", verdict_names[verdict]);
+    printf(" | %s | ", verdict_names[row->evidence.verdict]);
     markdown_text(row->evidence.why);
     puts(" |");
 }
