@@ -145,7 +145,7 @@ package 'an empty file' '/dev/null: expected a header line' 'abc  /dev/null'
 echo 'id,x' >"$work/pipe" &
 package 'a file without a size' '/pipe: Illegal seek' "abc  $work/pipe"
 wait
-check 'a folder for the list' ends 1 sh -c '"$CT_PROGRAM" datapackage <data'
+check 'a folder for the list' ends 1 sh -c "\"\$CT_PROGRAM\" datapackage <data"
 check 'a folder for the list' says 'standard input: Is a directory'
 echo 'id,x' >"$work/other.csv"
 printf 'abc  %s\n' "$work/other.csv" >"$work/in"

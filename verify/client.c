@@ -50,7 +50,7 @@ static void become(char *const *arguments, int in, int out, int errors, int fail
     signal(SIGPIPE, SIG_DFL);
     sigprocmask(SIG_SETMASK, signals, NULL);
     if (dup2(in, 0) >= 0 && dup2(out, 1) >= 0 && dup2(errors, 2) >= 0)
-        execvp(arguments[0], arguments);
+        execvp(arguments[0], arguments);                     /* LCOV_EXCL_LINE: exec ends what counts */
     const int why = errno;                                   /* LCOV_EXCL_LINE: _exit() writes no counts */
     _exit(write(failure, &why, sizeof why) < 0 ? 126 : 127); /* LCOV_EXCL_LINE: _exit() writes no counts */
 }

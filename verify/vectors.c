@@ -79,7 +79,7 @@ static bool sensitivity_texts(struct operation *o, const struct input *inputs, c
     }
     _arb_vec_clear(S, count);
     if (left > 0)
-        message_set(&o->why, "%s: a sensitivity is undecided", o->section->id); /* LCOV_EXCL_LINE: 16384 bits decide all known */
+        message_set(&o->why, "%s: a sensitivity is undecided", o->section->id); /* LCOV_EXCL_LINE: known inputs need fewer bits */
     return left == 0;
 }
 
