@@ -50,7 +50,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 
 ### What there is
 objects  = $(patsubst %.c,$(BUILD)/%.o,$(1))
-SOURCES := $(wildcard ref/*.c verify/*.c tests/*.c tests/bench/*.c)
+SOURCES := $(wildcard ref/*.c verify/*.c tests/*.c tests/bench/*.c tests/fuzz/*.c)
 REF     := $(call objects,$(wildcard ref/*.c))
 EMBED   := $(BUILD)/verify/embedded.o
 VERIFY  := $(filter-out %/main.o %/sheet_check.o $(EMBED),$(call objects,$(wildcard verify/*.c)))
@@ -87,6 +87,7 @@ define newline
 
 
 endef
+comma := ,
 
 $(BUILD)/ref/%.o: ref/%.c | $(BUILD)/packages.found
 	$(COMPILE) -fPIC $(GSL_CFLAGS)
@@ -142,6 +143,33 @@ $(FAULTS): tests/faults.c
 	$(CC) $(STANDARD) -O2 -g -fPIC -shared -o $@.tmp $<
 	@mv $@.tmp $@
 
+### Fuzzing
+# The program as a function, apart from what it must not do (tests/fuzz/apart.c).
+APART   := fopen rename client_start sheet_close flint_cleanup ledger_rows measure_errors kills_print command_study \
+  vectors_random roots41_gains flow_linear flow_nonlinear rk4_linear rk4_nonlinear
+TARGETS := $(addprefix $(BUILD)/tests/fuzz/,main.o targets.o readers.o program.o apart.o)
+CORPORA := $(notdir $(wildcard tests/fuzz/corpus/*))
+FUZZERS := $(CORPORA:%=$(BUILD)/tests/fuzz/%)
+SECONDS_EACH ?= 60
+
+$(BUILD)/tests/fuzz/main.o: verify/main.c | $(BUILD)/packages.found
+	$(COMPILE) $(VERIFY_CFLAGS) -Dmain=program_main
+
+$(BUILD)/tests/test_corpora: $(TARGETS)
+$(BUILD)/tests/test_corpora: private LDFLAGS += $(APART:%=-Wl,--wrap=%)
+
+$(FUZZERS): $(BUILD)/tests/fuzz/libfuzzer.o $(TARGETS) $(EMBED) $(ENGINE) $(LIBRARY)
+	$(call LINK,-fsanitize=fuzzer $(APART:%=-Wl$(comma)--wrap=%))
+
+# float-cast-overflow is none of `undefined`, yet undefined.
+## fuzz: each target of tests/fuzz/ for SECONDS_EACH seconds, with clang's libFuzzer and sanitizers
+fuzz:
+	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang CFLAGS='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
+	  -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow' fuzzers
+	tests/fuzz/fuzz.sh $(BUILD)/fuzz/tests/fuzz $(SECONDS_EACH) $(CORPORA)
+
+fuzzers: $(FUZZERS)
+
 ### Checking
 ## check: every test, on all processors; the last line is "N passed, N failed"
 check: all $(SUITES) $(FAULTY) $(FAULTS) $(EVIDENCE)
@@ -189,10 +217,16 @@ lint: $(patsubst %.c,$(BUILD)/lint/%.tidied,$(SOURCES))
 	cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,performance,portability \
 	  --inline-suppr --suppress=missingIncludeSystem --suppress=ctuuninitvar -Iref -Iverify ref verify tests
 
-$(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*.h tests/*.h)
+$(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*.h tests/*.h tests/fuzz/*.h)
 	@mkdir -p $(@D)
 	clang-tidy --quiet $< -- $(STANDARD) -I. -Iverify $(VERIFY_CFLAGS) $(CHECK_CFLAGS) 2>$@.tmp || { cat $@.tmp >&2; exit 1; }
 	@mv $@.tmp $@
+
+## analyze: gcc's -fanalyzer over ref/ and verify/, without findings
+analyze:
+	$(MAKE) BUILD=$(BUILD)/analyze CC=gcc CFLAGS='-O2 -g -fanalyzer -Werror' analyzed
+
+analyzed: $(call objects,$(wildcard ref/*.c verify/*.c))
 
 ## verify: every proof, every verdict, and ref's measured error
 verify: $(PROGRAM)
@@ -341,7 +375,8 @@ $(BUILD)/gate.csv: tests/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libyaml-dev
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
 PAPER_PACKAGES = gnuplot-nox graphviz texlive-latex-base texlive-latex-recommended lmodern
-CI_PACKAGES    = clang clang-tidy cppcheck valgrind strace locales debootstrap parallel python3 python3-mpmath python3-gmpy2 octave gfortran nodejs
+CI_PACKAGES    = clang libclang-rt-dev? clang-tidy cppcheck valgrind strace locales debootstrap parallel python3 python3-mpmath python3-gmpy2 \
+  octave gfortran nodejs
 
 ## deps: install what building and checking need, where apt-get is at hand; name it elsewhere
 deps:
@@ -395,6 +430,6 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check bench reproduce gate coverage mcdc mutants mutants-objects faults $(INJECTIONS) lint verify errors readme data figures \
-  pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
+.PHONY: all check bench reproduce gate coverage mcdc mutants mutants-objects faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
+  verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

@@ -80,10 +80,10 @@ static int read_side(struct parser *s, bool right)
         message_set(s->why, "unknown relation %s of (%s), expected one of the sheet", index, number);
         return -1;
     }
-    char *side = text_copy(relation->text), *equal = strchr(side, '=');
-    size_t where;
-    *equal = '\0';
-    int node = program_parse(s->program, right ? equal + 1 : side, &where, s->why);
+    char *side = text_copy(relation->text);
+    size_t where, left = strcspn(side, "="); /* every relation has one */
+    side[left] = '\0';
+    int node = program_parse(s->program, right ? side + left + 1 : side, &where, s->why);
     free(side);
     return node;
 }

@@ -77,10 +77,16 @@ const char *scalar(const yaml_node_t *node)
     return node->type == YAML_SCALAR_NODE ? (const char *)node->data.scalar.value : NULL;
 }
 
+static bool is_key(const struct document *d, const yaml_node_t *mapping, int i, const char *key)
+{
+    const char *text = scalar(key_of(d, mapping, i));
+    return text != NULL && strcmp(text, key) == 0;
+}
+
 const yaml_node_t *child(const struct document *d, const yaml_node_t *mapping, const char *key)
 {
     for (int i = 0; i < length_of(mapping); i++)
-        if (strcmp(scalar(key_of(d, mapping, i)), key) == 0)
+        if (is_key(d, mapping, i, key))
             return value_of(d, mapping, i);
     return NULL;
 }
@@ -107,15 +113,15 @@ const yaml_node_t *item_of(const struct document *d, const yaml_node_t *list, in
     return node_by_number(d, list->data.sequence.items.start[i]);
 }
 
-static bool is_known(const struct document *d, const yaml_node_t *key, const char *const *known)
+static bool is_known(const struct document *d, const yaml_node_t *key, const char *text, const char *const *known)
 {
     size_t k = 0;
-    while (known[k] != NULL && strcmp(known[k], scalar(key)) != 0)
+    while (known[k] != NULL && strcmp(known[k], text) != 0)
         k++;
     if (known[k] != NULL)
         return true;
-    const char *near = nearest_name(scalar(key), known, k);
-    return mistake(d, key, 0, "unknown key '%s', expected %s%s", scalar(key),
+    const char *near = nearest_name(text, known, k);
+    return mistake(d, key, 0, "unknown key '%s', expected %s%s", text,
                    near ? "perhaps " : "one of this kind of entry", near ? near : "");
 }
 
@@ -125,12 +131,13 @@ bool is_mapping(const struct document *d, const yaml_node_t *node, const char *c
         return mistake(d, node, 0, "expected a mapping, key: value");
     for (int i = 0; i < length_of(node); i++) {
         const yaml_node_t *key = key_of(d, node, i);
-        if (scalar(key) == NULL)
+        const char *text = scalar(key);
+        if (text == NULL)
             return mistake(d, key, 0, "expected a plain key");
         for (int k = 0; k < i; k++)
-            if (strcmp(scalar(key_of(d, node, k)), scalar(key)) == 0)
-                return mistake(d, key, 0, "duplicate '%s', expected each key once", scalar(key));
-        if (known != NULL && !is_known(d, key, known))
+            if (is_key(d, node, k, text))
+                return mistake(d, key, 0, "duplicate '%s', expected each key once", text);
+        if (known != NULL && !is_known(d, key, text, known))
             return false;
     }
     return true;
