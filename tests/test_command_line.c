@@ -330,6 +330,9 @@ START_TEST(equations_lists_every_section_and_shows_one)
     ck_assert_ptr_nonnull(strstr(output, "flow_nonlinear"));
     ck_assert_int_eq(run("equations eq30"), 0);
     ck_assert_ptr_nonnull(strstr(output, "printed"));
+    ck_assert_ptr_nonnull(strstr(output, "\n  given    m1 "));
+    ck_assert_ptr_nonnull(strstr(output, "\n  returns  I_11 "));
+    ck_assert_ptr_nonnull(strstr(output, "\n  formula  I_11 = "));
     ck_assert_int_eq(run("equations eq30 --json"), 0);
     ck_assert_ptr_nonnull(strstr(output, "\"printed\": {\"let\": {}, \"outputs\": {\"I_11\": "));
     ck_assert_int_eq(run("equations eq02"), 0);
