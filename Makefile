@@ -181,7 +181,7 @@ gate:
 
 ## reproduce: whether gcc and clang, from -O0 to -O3 -march=native, make the same data
 reproduce:
-	coverage/reproduce.sh $(BUILD)/reproduce
+	+coverage/reproduce.sh $(BUILD)/reproduce
 
 ## coverage: the tests' coverage of ref/ and verify/, with its gate; the report is build/coverage/index.html
 coverage:
