@@ -183,6 +183,7 @@ gate:
 reproduce:
 	+coverage/reproduce.sh $(BUILD)/reproduce
 
+# With c11 gcc would not see an exec, before which the counts have to be written.
 ## coverage: the tests' coverage of ref/ and verify/, with its gate; the report is build/coverage/index.html
 coverage:
 	@rm -rf $(BUILD)/coverage

@@ -87,7 +87,10 @@ static void spoil(struct asked *a, const char *fault)
         snprintf(a->id, sizeof a->id, "somebody");
     else if (strcmp(fault, "printed") == 0 && strcmp(a->operation, "eq38") == 0)
         a->out[0] = sqrt(3.0 * a->in[0] / (a->in[1] * a->in[1] * a->in[1]));
-    else if (strcmp(fault, "float") == 0)
+    else if (strcmp(fault, "backwards") == 0 && strcmp(a->operation, "flow_linear") == 0) {
+        a->in[4] = -a->in[4]; /* t */
+        compute(a);
+    } else if (strcmp(fault, "float") == 0)
         for (int i = 0; i < a->outputs; i++)
             a->out[i] = (double)(float)a->out[i];
 }

@@ -1,5 +1,5 @@
 /* The command line as its users meet it: what it prints, where, and with which exit code. */
-#define _XOPEN_SOURCE 700 /* for a terminal */
+#define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): the name is POSIX's, and needed for a terminal */
 
 #include "run.h"
 

@@ -3,7 +3,6 @@
 #define CT_MESSAGE_H
 
 #include <stddef.h>
-#include <stdnoreturn.h>
 
 struct message {
     char text[512];
@@ -21,7 +20,7 @@ void message_printable(char *text);
 const char *nearest_name(const char *mistaken, const char *const *known, size_t count);
 
 /* One line on standard error and exit status 1. */
-noreturn void out_of_memory(void);
+__attribute__((noreturn)) void out_of_memory(void);
 
 /* Memory that is there, or the end. */
 void *memory(void *old, size_t count, size_t size);
