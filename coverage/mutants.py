@@ -12,6 +12,7 @@ no check can kill, each with its reason. Run by `make mutants`, which builds BUI
 import argparse
 import atexit
 import collections
+import concurrent.futures
 import contextlib
 import csv
 import functools
@@ -28,6 +29,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 
@@ -130,7 +132,8 @@ class Place:
 
     def __init__(self, linked, name):
         self.linked, self.base = linked, linked.parent
-        self.root = self.base / 'places' / f'{os.getpid()}-{name}'
+        (self.base / 'places').mkdir(exist_ok=True)
+        self.root = pathlib.Path(tempfile.mkdtemp(prefix=f'{name}-', dir=self.base / 'places'))
         self.build = self.root / 'build'
         atexit.register(shutil.rmtree, self.root, ignore_errors=True)
         for file in FILES:
@@ -487,11 +490,8 @@ def judge(linked, chosen, checks, results, last, workers):
             if verdict in ('survived', 'undecided'):
                 print(f'{verdict}: {mutant.file}:{mutant.line}: {mutant.shown}', flush=True)
 
-    threads = [threading.Thread(target=work, args=(f'{k}',), daemon=True) for k in range(workers)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        list(pool.map(work, map(str, range(workers))))
     if sys.stderr.isatty() and asked:
         print(file=sys.stderr)
 
