@@ -205,6 +205,7 @@ mcdc:
 # Everything is compiled for shared libraries, so that a mutant is one library made anew.
 ## mutants: wrong programs, one point away from the right one, and whether the tests notice; SAMPLE=200 SEED=... a sample
 mutants:
+	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) coverage/mutants.py --self-test
 	$(MAKE) BUILD=$(BUILD)/mutants CFLAGS='-O1 -fPIC' mutants-objects
 	@CC='$(CC)' MUTANT_FLAGS='-fPIC $(STANDARD) -I. -Iverify $(subst ','\'',$(VERIFY_CFLAGS)) $(CHECK_CFLAGS)' \
 	  MUTANT_LIBS='$(CHECK_LIBS) $(VERIFY_LIBS)' PYTHONDONTWRITEBYTECODE=1 \

@@ -179,10 +179,9 @@ static const struct {
 static void assert_words(const char *id, const char *const *entries, int count, const char *words)
 {
     char all[200] = "";
-    for (int i = 0; i < count; i++) {
-        strcat(all, i > 0 ? " " : "");
-        strcat(all, entries[i]);
-    }
+    size_t used = 0;
+    for (int i = 0; i < count; i++)
+        used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", i > 0 ? " " : "", entries[i]);
     ck_assert_msg(strcmp(all, words) == 0, "%s: %s, expected %s", id, all, words);
 }
 

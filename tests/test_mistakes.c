@@ -315,7 +315,7 @@ static int compare(const struct section *s, const struct slip *slip, const struc
     int tried = 0;
     for (int point = 0; point < points(s); point++) {
         struct wrong w = {.section = s->id, .mistake = slip->name, .other = s->id};
-        double x[MOST], y[MOST];
+        double x[MOST] = {0}, y[MOST] = {0};
         for (int i = 0; i < s->input_count; i++)
             x[i] = w.x[i] = input(s, i, point);
         reference_find(s->id)(x, y);
@@ -394,7 +394,7 @@ static void as_printed(const struct section *s, double *x, double *y)
 START_TEST(formulas_are_right_and_misprints_wrong_in_their_way)
 {
     const struct section *s = &sheet()->sections[_i];
-    double x[MOST], y[MOST], due[MOST] = {0};
+    double x[MOST] = {0}, y[MOST] = {0}, due[MOST] = {0};
     for (int point = 0; point < points(s) && s->method == METHOD_FORMULA; point++) {
         for (int i = 0; i < s->input_count; i++)
             x[i] = input(s, i, point);

@@ -320,7 +320,7 @@ START_TEST(ranges_are_these)
     int with_range = 0;
     for (int k = 0; k < COUNT(ranges); k++) {
         char names[80], *rest = NULL;
-        strcpy(names, ranges[k].names);
+        snprintf(names, sizeof names, "%s", ranges[k].names);
         for (char *name = strtok_r(names, " ", &rest); name; name = strtok_r(NULL, " ", &rest), with_range++) {
             const struct quantity *q = quantity_find(sheet(), name);
             ck_assert_msg(q != NULL && q->low == ranges[k].low && q->high == ranges[k].high &&
