@@ -41,8 +41,7 @@ breaks() {
     failures=$((failures + 1))
 }
 
-"$CT_PROGRAM" verify derivations --json >"$work/derivations.json"
-"$CT_PROGRAM" verify errors --json >"$work/errors.json"
+cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$work" || exit 1
 : >"$work/all.tap"
 fresh
 gate

@@ -36,9 +36,7 @@ stops() {
     fi
 }
 
-"$CT_PROGRAM" verify derivations --json >"$work/derivations.json"
-"$CT_PROGRAM" verify errors --json >"$work/errors.json"
-"$CT_PROGRAM" verify claims --json >"$work/claims.json"
+cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$CT_BUILD/claims.json" "$work" || exit 1
 cat >"$work/gate.csv" <<'END'
 id,equations,function,tests,error,vectors,steps,verdict,edition
 eq07,6a 6b 7,ct_reference_charge_product,4,5.9e-01,46,static_charge_1 static_charge_2,"holds, definition",paper/03-statics.tex:17

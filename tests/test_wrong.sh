@@ -109,13 +109,13 @@ undecided 'equations' '
     s/(-C1\*dL - C2\*dL_dot)/(-C1*dL + C2*dL_dot)/' \
     equation-2a equation-7 equation-41 routh n12-optimal wiggle frequencies pitch-decoupled yaw-energy opposite-charges \
     static-unstable nadir-axis masses-cancel cosines-cited
-undecided 'gains' "
+undecided 'gains and start' "
     s/Kepler's third/Kepler\"s third/
-    s/C1: n\*Omega^2/C1: n*Omega^3/" equation-43 simulation-gains critical-damping settling-nonlinear figure-6
-check 'a quotation mark in CSV' says 'Kepler""s third'
-undecided 'the start' '
+    s/C1: n\*Omega^2/C1: n*Omega^3/
     s/value: 0\.1, meaning: length/value: 9.1, meaning: length/
-    s/value: 8\.99e+9/value: 8.89e+9/' coulomb-constant variation-small settling-linear charges-opposite
+    s/value: 8\.99e+9/value: 8.89e+9/" equation-43 simulation-gains critical-damping settling-nonlinear figure-6 \
+    coulomb-constant variation-small settling-linear charges-opposite
+check 'a quotation mark in CSV' says 'Kepler""s third'
 
 stops 'a step that is wrong' 's/dL_dot - 3\*Omega^2\*psi$/dL_dot - 4*Omega^2*psi/' 1 'BROKEN' verify derivations
 check 'the same as JSON' ends 1 "$wrong" verify derivations --json

@@ -1,7 +1,6 @@
 /* coulomb-tether verify claims: the ledger of verdicts. */
 #include "command_verify.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -29,25 +28,6 @@ static void csv_field(const char *text)
     putchar('"');
 }
 
-/* What would be mark-up is escaped. */
-static void markdown_text(const char *text)
-{
-    for (const char *c = text; *c != '\0'; c++)
-        fputs(*c == '<' ? "&lt;" : *c == '|' ? "\\|" : *c == '*' ? "\\*" : *c == '_' ? "\\_" : (char[]){*c, '\0'}, stdout);
-}
-
-/* A line of README's table: what does not simply hold, and why. */
-static void print_markdown(const struct ledger_row *row)
-{
-    if (row->evidence.why == NULL)
-        return;
-    printf("| %c%s | ", toupper((unsigned char)row->where[0]), row->where + 1);
-    markdown_text(row->claim);
-    printf(" | %s | ", verdict_names[row->evidence.verdict]);
-    markdown_text(row->evidence.why);
-    puts(" |");
-}
-
 static void print_row(void *context, const struct ledger_row *row)
 {
     struct printer *p = context;
@@ -58,8 +38,6 @@ static void print_row(void *context, const struct ledger_row *row)
     if (p->format == FORMAT_TABLE)
         printf("%-22s %-20s %-10s %s\n    %s\n    %s\n", row->id, verdict_names[e->verdict],
                how_names[e->how], row->where, row->claim, e->text);
-    if (p->format == FORMAT_MARKDOWN)
-        print_markdown(row);
     if (p->format == FORMAT_JSON)
         fputs(p->rows ? ",\n {" : "[{", stdout);
     for (int i = 0; i < 6 && p->format == FORMAT_CSV; i++) {
@@ -85,8 +63,6 @@ bool print_claims(const struct proofs *proofs, const char *only, enum format for
     struct printer p = {.format = format};
     if (format == FORMAT_CSV)
         puts("id,where,claim,verdict,how,evidence");
-    if (format == FORMAT_MARKDOWN)
-        puts("| where | claim | verdict | why |\n|---|---|---|---|");
     bool decided = ledger_rows(proofs, only, print_row, &p);
     if (format == FORMAT_JSON)
         puts("]");

@@ -106,8 +106,8 @@ static int check_request(const struct arguments *a, const struct request *r)
     }
     if (r->graph && (r->format != FORMAT_TABLE || r->part == NULL || strcmp(r->part, "derivations") != 0))
         return complain(EXIT_USAGE, "--graph: expected verify derivations before it, and no --json");
-    if (r->format == FORMAT_MARKDOWN && (r->part == NULL || strcmp(r->part, "derivations") == 0))
-        return complain(EXIT_USAGE, "--markdown: expected verify claims or verify errors before it");
+    if (r->format == FORMAT_MARKDOWN && (r->part == NULL || strcmp(r->part, "errors") != 0))
+        return complain(EXIT_USAGE, "--markdown: expected verify errors before it");
     if (r->format == FORMAT_CSV && (r->part == NULL || strcmp(r->part, "claims") != 0))
         return complain(EXIT_USAGE, "--csv: expected verify claims before it");
     if (r->count < 1 || r->count > 100000000)

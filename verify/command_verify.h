@@ -4,7 +4,7 @@
 
 #include "proofs.h"
 
-/* Markdown is README's: of the claims those that do not simply hold. */
+/* Markdown is README's, for the errors alone. */
 enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN };
 
 void print_proofs(const struct proofs *p, enum format format);
