@@ -22,7 +22,7 @@ static int unknown_name(struct parser *s, const char *name, const char *kind, co
     return -1;
 }
 
-enum { MOST_MOVING = 100000 }; /* nodes: a rate of so many has some times as many */
+enum { MOST_MOVING = 10000 }; /* nodes: a rate of so many has some times as many */
 
 static int read_rate(struct parser *s)
 {
