@@ -492,7 +492,12 @@ def judge(linked, chosen, checks, results, last, workers):
                 print(f'{verdict}: {mutant.file}:{mutant.line}: {mutant.shown}', flush=True)
 
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-        list(pool.map(work, map(str, range(workers))))
+        try:
+            list(pool.map(work, map(str, range(workers))))
+        except BaseException:
+            while not left.empty():  # nobody begins another
+                left.get()
+            raise
     if sys.stderr.isatty() and asked:
         print(file=sys.stderr)
 
