@@ -97,7 +97,7 @@ static int check_request(const struct arguments *a, const struct request *r)
         return complain(EXIT_USAGE, "verify: unexpected argument '%s'", a->assignments[0]);
     if (!found)
         return complain(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
-    if (r->claim != NULL && strcmp(r->part, "claims") != 0)
+    if (r->claim != NULL && (r->part == NULL || strcmp(r->part, "claims") != 0))
         return complain(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
     if (r->claim != NULL && !is_claim(r->claim)) {
         const char *claims[MOST_CLAIMS];
