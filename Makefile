@@ -13,6 +13,9 @@ pkgconfigdir ?= $(libdir)/pkgconfig
 includedir   ?= $(prefix)/include
 mandir       ?= $(prefix)/share/man
 
+# Blanks separate the names of files here. The project's own folder is not among them: it may have any name.
+$(foreach name,BUILD DATA,$(if $(filter-out 1,$(words $($(name)))),$(error $(name)='$($(name))': expected a name without blanks)))
+
 ### Tools and flags
 CC         ?= cc
 CFLAGS     ?= -O2 -g
@@ -47,12 +50,13 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 
 ### What there is
 objects  = $(patsubst %.c,$(BUILD)/%.o,$(1))
-SOURCES := $(wildcard ref/*.c verify/*.c tests/*.c tests/bench/*.c)
+SOURCES := $(wildcard ref/*.c verify/*.c tests/*.c tests/bench/*.c tests/fuzz/*.c)
 REF     := $(call objects,$(wildcard ref/*.c))
 EMBED   := $(BUILD)/verify/embedded.o
 VERIFY  := $(filter-out %/main.o %/sheet_check.o $(EMBED),$(call objects,$(wildcard verify/*.c)))
 SUITES  := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c))
 FAULTY  := $(BUILD)/tests/faulty
+FAULTS  := $(BUILD)/tests/faults.so
 SCRIPTS := $(wildcard tests/test_*.sh)
 
 LIBRARY := $(BUILD)/libcoulombtether.a
@@ -61,13 +65,14 @@ ENGINE  := $(BUILD)/libverify.a
 PROGRAM := $(BUILD)/coulomb-tether
 SONAME  := libcoulombtether.so.$(firstword $(subst ., ,$(VERSION)))
 
-# What the gate reads of the proofs and of the measured errors.
-EVIDENCE := $(BUILD)/derivations.json $(BUILD)/errors.json
+# What gate, weaver and README read of the proofs, of the measured errors and of the verdicts.
+EVIDENCE := $(BUILD)/derivations.json $(BUILD)/errors.json $(BUILD)/claims.json
 TABLES  := $(DATA)/table1.csv $(patsubst %,$(DATA)/figure%.csv,4 5a 5b 6 7a 7b)
 STUDIES := $(patsubst %,$(DATA)/%.csv,convergence forced pitch)
 # The operations: every section of the sheet that has outputs.
 OPERATIONS := $(shell awk '/^equations:/ { on = 1 } on && /^  [a-z0-9_]+:$$/ { id = $$1; sub(":", "", id) } \
-  on && /^    outputs:/ { print id }' paper/equations.yaml)
+  on && /^    outputs:/ { print id }' paper/equations.yaml 2>/dev/null)
+$(if $(OPERATIONS),,$(error paper/equations.yaml: cannot be read, or holds no operation))
 VERDICTS := $(DATA)/verdicts.csv
 GOLDEN  := $(patsubst %,$(DATA)/golden/%.csv,$(OPERATIONS))
 DRAWN   := $(patsubst paper/figures/%.gp,%,$(wildcard paper/figures/figure*.gp)) convergence forced pitch
@@ -82,6 +87,7 @@ define newline
 
 
 endef
+comma := ,
 
 $(BUILD)/ref/%.o: ref/%.c | $(BUILD)/packages.found
 	$(COMPILE) -fPIC $(GSL_CFLAGS)
@@ -131,14 +137,51 @@ $(SUITES): %: %.o $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
 $(FAULTY): $(BUILD)/tests/faulty.o $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
+# Without CFLAGS: its allocations are counted, those of a sanitizer or of coverage are none of them.
+$(FAULTS): tests/faults.c
+	@mkdir -p $(@D)
+	$(CC) $(STANDARD) -O2 -g -fPIC -shared -o $@.tmp $<
+	@mv $@.tmp $@
+
+### Fuzzing
+# The program as a function, apart from what it must not do (tests/fuzz/apart.c).
+APART   := fopen rename client_start sheet_close flint_cleanup ledger_rows measure_errors kills_print command_study \
+  vectors_random roots41_gains flow_linear flow_nonlinear rk4_linear rk4_nonlinear
+TARGETS := $(addprefix $(BUILD)/tests/fuzz/,main.o targets.o readers.o program.o apart.o)
+CORPORA := $(notdir $(wildcard tests/fuzz/corpus/*))
+FUZZERS := $(CORPORA:%=$(BUILD)/tests/fuzz/%)
+SECONDS_EACH ?= 60
+
+$(BUILD)/tests/fuzz/main.o: verify/main.c | $(BUILD)/packages.found
+	$(COMPILE) $(VERIFY_CFLAGS) -Dmain=program_main
+
+$(BUILD)/tests/test_corpora: $(TARGETS)
+$(BUILD)/tests/test_corpora: private LDFLAGS += $(APART:%=-Wl,--wrap=%)
+
+$(FUZZERS): $(BUILD)/tests/fuzz/libfuzzer.o $(TARGETS) $(EMBED) $(ENGINE) $(LIBRARY)
+	$(call LINK,-fsanitize=fuzzer $(APART:%=-Wl$(comma)--wrap=%))
+
+# float-cast-overflow is none of `undefined`, yet undefined.
+## fuzz: each target of tests/fuzz/ for SECONDS_EACH seconds, with clang's libFuzzer and sanitizers
+fuzz:
+	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang CFLAGS='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
+	  -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow' fuzzers
+	tests/fuzz/fuzz.sh $(BUILD)/fuzz/tests/fuzz $(SECONDS_EACH) $(CORPORA)
+
+fuzzers: $(FUZZERS)
+
 ### Checking
 ## check: every test, on all processors; the last line is "N passed, N failed"
-check: all $(SUITES) $(FAULTY) $(EVIDENCE)
+check: all $(SUITES) $(FAULTY) $(FAULTS) $(EVIDENCE)
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SCRIPTS) $(SUITES)
 
 ## gate: whether each equation has its function, test, error, proof, vectors, verdict and place, after make check
 gate:
 	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh
+
+## reproduce: whether gcc and clang, from -O0 to -O3 -march=native, make the same data
+reproduce:
+	+coverage/reproduce.sh $(BUILD)/reproduce
 
 # With c11 gcc would not see an exec, before which the counts have to be written.
 ## coverage: the tests' coverage of ref/ and verify/, with its gate; the report is build/coverage/index.html
@@ -147,9 +190,28 @@ coverage:
 	$(MAKE) BUILD=$(BUILD)/coverage/build CFLAGS='-O0 -g --coverage -std=gnu11' check
 	coverage/report.sh $(BUILD)/coverage
 
+INJECTIONS := $(patsubst tests/faults/%.sh,faults-%,$(filter-out %/harness.sh,$(wildcard tests/faults/*.sh)))
+
+## faults: every allocation and every system call made to fail, signals, full disks, strange places
+faults: $(INJECTIONS)
+
+$(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS)
+	@BUILD='$(BUILD)' CT_BUILD='$(abspath $(BUILD))' CT_PROGRAM='$(abspath $(PROGRAM))' $<
+
 ## mcdc: condition coverage (MC/DC) of ref/, where the compiler can count it: gcc from version 14 on
 mcdc:
 	@CC='$(CC)' MAKE='$(MAKE)' coverage/mcdc.sh $(BUILD)/mcdc
+
+# Everything is compiled for shared libraries, so that a mutant is one library made anew.
+## mutants: wrong programs, one point away from the right one, and whether the tests notice; SAMPLE=200 SEED=... a sample
+mutants:
+	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) coverage/mutants.py --self-test
+	$(MAKE) BUILD=$(BUILD)/mutants CFLAGS='-O1 -fPIC' mutants-objects
+	@CC='$(CC)' MUTANT_FLAGS='-fPIC $(STANDARD) -I. -Iverify $(subst ','\'',$(VERIFY_CFLAGS)) $(CHECK_CFLAGS)' \
+	  MUTANT_LIBS='$(CHECK_LIBS) $(VERIFY_LIBS)' PYTHONDONTWRITEBYTECODE=1 \
+	  $(PYTHON) coverage/mutants.py $(BUILD)/mutants $(addprefix --sample ,$(SAMPLE)) $(addprefix --seed ,$(SEED)) $(addprefix --only ,$(ONLY))
+
+mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/main verify/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c)))
 
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar).
 ## lint: clang-tidy and cppcheck, without findings
@@ -157,10 +219,16 @@ lint: $(patsubst %.c,$(BUILD)/lint/%.tidied,$(SOURCES))
 	cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,performance,portability \
 	  --inline-suppr --suppress=missingIncludeSystem --suppress=ctuuninitvar -Iref -Iverify ref verify tests
 
-$(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*.h tests/*.h)
+$(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*.h tests/*.h tests/fuzz/*.h)
 	@mkdir -p $(@D)
 	clang-tidy --quiet $< -- $(STANDARD) -I. -Iverify $(VERIFY_CFLAGS) $(CHECK_CFLAGS) 2>$@.tmp || { cat $@.tmp >&2; exit 1; }
 	@mv $@.tmp $@
+
+## analyze: gcc's -fanalyzer over ref/ and verify/, without findings
+analyze:
+	$(MAKE) BUILD=$(BUILD)/analyze CC=gcc CFLAGS='-O2 -g -fanalyzer -Werror' analyzed
+
+analyzed: $(call objects,$(wildcard ref/*.c verify/*.c))
 
 ## verify: every proof, every verdict, and ref's measured error
 verify: $(PROGRAM)
@@ -211,40 +279,50 @@ $(DATA)/kills.csv: $(PROGRAM)
 # Written by hand, should a vector ever prove wrong.
 $(DATA)/errata.csv:
 	@mkdir -p $(@D)
-	cp data/errata.csv $@
+	cp data/errata.csv $@.tmp
+	@mv $@.tmp $@
 
-$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN)
-	sha256sum $(sort $^) | $(PROGRAM) datapackage >$@.tmp
+$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/errata.csv
+	sha256sum $(sort $^) >$@.sums.tmp
+	$(PROGRAM) datapackage <$@.sums.tmp >$@.tmp
+	@rm $@.sums.tmp
 	@mv $@.tmp $@
 
 ## figures: the figures and the graph of derivations, as SVG and PNG, in build/figures/
 figures: $(FIGURES) $(BUILD)/figures/derivations.svg $(BUILD)/figures/derivations.png
 
-$(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES)
+$(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES) $(VERDICTS)
 	@mkdir -p $(@D)
 	LC_ALL=C.UTF-8 gnuplot -e "data='$(DATA)'; picture='$@.tmp'; kind='$(patsubst .%,%,$(suffix $@))'" \
 	  paper/figures/style.gp paper/figures/$(basename $(@F)).gp
 	@mv $@.tmp $@
 
 # Boxes are equations and the arrows between them steps; what is first is marked by its shape.
-$(BUILD)/figures/derivations.%: $(PROGRAM)
+$(BUILD)/figures/derivations.%: $(BUILD)/derivations.gv
 	@mkdir -p $(@D)
-	$(PROGRAM) verify derivations --graph | dot -T$* >$@.tmp
+	dot -T$* $< >$@.tmp
+	@mv $@.tmp $@
+
+$(BUILD)/derivations.gv: $(PROGRAM)
+	$(PROGRAM) verify derivations --graph >$@.tmp
 	@mv $@.tmp $@
 
 # Ratios to mpmath, which Debian's python3 has: not every python3 on the path.
-## bench: speed, as ratios with what is required of them; needs python3-mpmath and python3-gmpy2
+## bench: speed, as ratios with what is required of them, for readme too; needs python3-mpmath and python3-gmpy2
 bench: $(BUILD)/tests/bench/bench
-	$(PYTHON) tests/bench/bench.py $<
+	$(PYTHON) tests/bench/bench.py $< $(BUILD)/bench.tmp
+	@mv $(BUILD)/bench.tmp $(BUILD)/bench.md
 
 $(BUILD)/tests/bench/bench: $(BUILD)/tests/bench/bench.o $(EMBED) $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
-## readme: README's findings and table of errors, made anew
-readme: $(PROGRAM)
-	$(PROGRAM) verify claims --markdown >$(BUILD)/findings.md
+## readme: README's tables, made anew; that of speed where make bench has been run
+readme: $(PROGRAM) $(BUILD)/claims.json
+	{ echo '```'; $(PROGRAM) table1; echo '```'; } >$(BUILD)/table1.md
+	LC_ALL=C awk -f paper/read.awk -f paper/findings.awk $(BUILD)/claims.json >$(BUILD)/findings.md
 	$(PROGRAM) verify errors --count 100000 --markdown >$(BUILD)/errors.md
-	paper/readme.sh README.md findings=$(BUILD)/findings.md errors=$(BUILD)/errors.md >$(BUILD)/README.tmp
+	paper/readme.sh README.md table1=$(BUILD)/table1.md findings=$(BUILD)/findings.md errors=$(BUILD)/errors.md \
+	  $(patsubst %,bench=%,$(wildcard $(BUILD)/bench.md)) >$(BUILD)/README.tmp
 	@mv $(BUILD)/README.tmp README.md
 
 ## pictures: the two figures that README shows, drawn anew
@@ -263,30 +341,35 @@ $(BUILD)/coulomb-tether.pdf: $(patsubst paper/%,$(EDITION)/%,$(PROSE)) $(PLOTS:%
   $(EDITION)/derivations.pdf paper/typeset.sh
 	paper/typeset.sh $(EDITION) $@
 
-$(BUILD)/derivations.json $(BUILD)/errors.json: $(BUILD)/%.json: $(PROGRAM)
+$(EVIDENCE): $(BUILD)/%.json: $(PROGRAM)
 	$(PROGRAM) verify $* --json >$@.tmp
 	@mv $@.tmp $@
 
-$(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(TABLES) \
-  $(GOLDEN) $(BUILD)/gate.csv
+# What is missing is told before the long work.
+$(EDITION)/tools.found: paper/typeset.sh
+	@paper/typeset.sh
+	@mkdir -p $(@D) && touch $@
+
+$(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c) $(EVIDENCE) \
+  $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv | $(EDITION)/tools.found
 	@mkdir -p $(@D)
 	@LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program=$(PROGRAM) -v data=$(DATA) -v build=$(BUILD) \
 	  -v plots='$(PLOTS)' $< >$@.tmp
 	@mv $@.tmp $@
 
 # gnuplot names its pictures as it is told to, and so is told without a folder.
-$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(VERDICTS)
+$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(STUDIES) $(VERDICTS) | $(EDITION)/tools.found
 	@mkdir -p $(@D)
-	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" $(abspath paper/figures/plot-style.gp $<)
+	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
 
-$(EDITION)/derivations.pdf: $(PROGRAM) paper/graph.sed
+$(EDITION)/derivations.pdf: $(BUILD)/derivations.gv paper/graph.sed | $(EDITION)/tools.found
 	@mkdir -p $(@D)
-	$(PROGRAM) verify derivations --graph | sed -f paper/graph.sed | dot -Tpdf >$@.tmp
+	sed -f paper/graph.sed $< | dot -Tpdf >$@.tmp
 	@mv $@.tmp $@
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
 $(BUILD)/gate.csv: tests/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
-  $(filter check,$(MAKECMDGOALS))
+  $(filter check,$(MAKECMDGOALS)) | $(EDITION)/tools.found
 	@ls $(BUILD)/tests/*.tap >/dev/null 2>&1 || $(MAKE) check
 	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
 
@@ -294,7 +377,8 @@ $(BUILD)/gate.csv: tests/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libyaml-dev
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
 PAPER_PACKAGES = gnuplot-nox graphviz texlive-latex-base texlive-latex-recommended lmodern
-CI_PACKAGES    = clang clang-tidy cppcheck valgrind debootstrap parallel python3 python3-mpmath python3-gmpy2 octave gfortran nodejs
+CI_PACKAGES    = clang libclang-rt-dev? clang-tidy cppcheck valgrind strace locales debootstrap parallel python3 python3-mpmath python3-gmpy2 \
+  octave gfortran nodejs
 
 ## deps: install what building and checking need, where apt-get is at hand; name it elsewhere
 deps:
@@ -348,5 +432,6 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check bench gate coverage mcdc lint verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
+.PHONY: all check bench reproduce gate coverage mcdc mutants mutants-objects faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
+  verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

@@ -1,16 +1,20 @@
 #!/bin/sh
 # typeset.sh FOLDER PDF: LaTeX on the woven edition in FOLDER, until its references stand. Fails where one stays
-# undefined, or a box sticks out by more than 5 points. Installs nothing.
+# undefined, or a box sticks out by more than 5 points. Without arguments it only looks whether all that the edition
+# needs is there. Installs nothing.
 set -eu
 
 missing() {
     echo "$1 is missing: run \"make deps-paper\"." >&2
     exit 1
 }
-command -v pdflatex >/dev/null || missing LaTeX
+for tool in gnuplot dot pdflatex kpsewhich; do
+    command -v "$tool" >/dev/null || missing "$tool"
+done
 for file in lmodern.sty microtype.sty listings.sty booktabs.sty; do
     kpsewhich "$file" >/dev/null || missing "LaTeX's $file"
 done
+[ $# -gt 0 ] || exit 0
 
 cd "$1"
 name=coulomb-tether
@@ -25,6 +29,7 @@ for pass in 1 2 3 4; do
 done
 
 awk -v name="$log" '
+    seen[$0]++ { next }
     /LaTeX Warning: (Reference|Citation|Hyper reference).*undefined/ { print name ": " $0; bad = 1 }
     /name\{.*\} has been referenced but does not exist/ { print name ": " $0; bad = 1 }
     /^Overfull .[hv]box \(/ { if (substr($3, 2) + 0 > 5) { print name ": " $0; bad = 1 } }

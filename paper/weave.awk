@@ -10,17 +10,18 @@
 #   <<function ID>>                   the function of ref/ that carries the equation's number
 #   <<helper NAME>>                   a function of ref/ that carries none, by its name
 #   <<step ID>>                       a derivation step with order, points and bound
-#   <<verdict ID>>                    a row of the verdicts;  <<rows VERDICT>>  all that have it, <<claims VERDICT>> in brief
+#   <<verdict ID>>                    a row of the ledger;  <<findings VERDICT>>  a table of those that have it, and why
 #   <<plot NAME CAPTION>>             a plot, drawn from data/
 #   <<run ARGUMENT ...>>              a command of the program, and what it prints
-#   <<show FILE>>                     a text file as it is
+#   <<show FILE [KEY]>>               a text file as it is, or what stands under KEY: in it
 #   <<index>>                         the index of equations
 # Within a line:
-#   <<number FILE ROW COLUMN DIGITS [SCALE]>>   from data/FILE, the row by its first column
+#   <<number FILE ROW COLUMN DIGITS [SCALE]>>   from data/FILE, the row by its first column, or columns: A,B
+#   <<value ID OUTPUT DIGITS NAME=VALUE ...>>   what `coulomb-tether eval` finds
 #   <<quote ID before|text|after>>    `text`, provided that the evidence of a verdict reads so
 #   <<error ID>>                      the measured error of a function of ref/, in roundings; of ID worst: the largest
-#   <<ruling ID>>                     the verdict alone
-#   <<count WHAT>>                    steps, vectors, functions, verdicts, or one kind of verdict
+#   <<count WHAT>>                    steps, vectors, inputs, misprints, verdicts, or one kind of verdict
+#   <<doubt>>                         the largest chance that a step which holds is false
 # \eq{7} refers to an equation, and has to be one of the sheet.
 
 function stop(text) {
@@ -33,7 +34,7 @@ function stop(text) {
 # ---- reading ----
 
 function read_sheet(    command, line, part, id) {
-    command = program " typeset"
+    command = "'" program "' typeset"
     while ((command | getline line) > 0) {
         split(line, part, "\t")
         id = part[1]
@@ -61,12 +62,17 @@ function read_sheet(    command, line, part, id) {
     split("pi lambda mu phi kappa epsilon rho omega", part, " ")
     for (id in part)
         symbol[part[id]] = "\\" part[id] " "
-    split("r u i j V E", part, " ")
+    split("r u v w x y z i j V E", part, " ")
     for (id in part)
         symbol[part[id]] = part[id]
+    split("c1 c2 k1 q0 n_e", part, " ")
+    for (id in part)
+        symbol[part[id]] = substr(part[id], 1, 1) "_" substr(part[id], length(part[id]))
+    symbol["V_dot"] = "\\dot V"
     symbol["rho1"] = "\\rho_1"
-    symbol["q0"] = "q_0"
+    symbol["eps0"] = "\\varepsilon_0"
     symbol["q_ref"] = "q_{\\mathrm{ref}}"
+    symbol["uC"] = "\\text{\\textmu C}"
 }
 
 function read_all(    line, command, i) {
@@ -76,15 +82,20 @@ function read_all(    line, command, i) {
     read_steps(build "/derivations.json")
     for (i = 1; i <= steps; i++)
         is_step[step[i]] = 1
-    while ((getline line < (data "/verdicts.csv")) > 0) {
-        csv(line, field)
-        if (field[1] == "id")
+    read_ledger(build "/claims.json")
+}
+
+function read_ledger(path,    line, id, keys, i) {
+    split("where claim verdict how evidence why", keys, " ")
+    while ((getline line < path) > 0) {
+        if ((id = member(line, "id")) == "")
             continue
-        verdict[++verdicts] = field[1]
-        kinds_of_verdict[field[4]]++
-        for (i = 2; i <= 6; i++)
-            verdict_field[field[1], i] = field[i]
+        verdict[++verdicts] = id
+        kinds_of_verdict[member(line, "verdict")]++
+        for (i in keys)
+            ledger[id, keys[i]] = member(line, keys[i])
     }
+    close(path)
 }
 
 # ---- plain text as TeX ----
@@ -95,6 +106,10 @@ function escape(text) {
     gsub(/\^/, "\\^{}", text)
     gsub(/~/, "\\textasciitilde ", text)
     return text
+}
+
+function capital(text) {
+    return toupper(substr(text, 1, 1)) substr(text, 2)
 }
 
 # Exponents, in brackets or bare, behind a piece of text.
@@ -121,8 +136,25 @@ function mathematics(text,    out, token) {
     return out text
 }
 
+# A letter by itself is a variable where it is raised, primed or given a value; behind a number or a bar it is a unit.
+function is_variable(letter, last, rest) {
+    if (length(letter) > 1 || last == "/")
+        return 0
+    return letter !~ /[mCN]/ && rest ~ /^\^/ || rest ~ /^('+[^a-z]| =)/ || last == "|" && rest ~ /^\|/
+}
+
+# The length of what stands in brackets at the beginning.
+function bracket(text,    i, depth) {
+    for (i = 1; i <= length(text); i++) {
+        depth += (substr(text, i, 1) == "(") - (substr(text, i, 1) == ")")
+        if (depth == 0)
+            return i
+    }
+    return 0
+}
+
 # A text of the sheet or the ledger: symbols, powers and signs of its formulas become mathematics.
-function prose(text,    out, token, up, last) {
+function prose(text,    out, token, up, last, n) {
     out = ""
     last = " "
     while (text != "") {
@@ -133,12 +165,15 @@ function prose(text,    out, token, up, last) {
         } else if (match(text, /^[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*/)) {
             token = substr(text, 1, RLENGTH)
             text = substr(text, RLENGTH + 1)
-            if (token == "sqrt" && match(text, /^( [0-9]+|\([^()^]*\))/)) {
-                up = substr(text, 2, RLENGTH - 1)
-                sub(/\)/, "", up)
+            if (token == "sqrt" && match(text, /^ [0-9]+/)) {
+                out = out "$\\sqrt{" substr(text, 2, RLENGTH - 1) "}$"
                 text = substr(text, RLENGTH + 1)
-                out = out "$\\sqrt{" mathematics(up) "}$"
-            } else
+            } else if (token == "sqrt" && text ~ /^\(/ && (n = bracket(text))) {
+                out = out "$\\sqrt{" mathematics(substr(text, 2, n - 2)) "}$"
+                text = substr(text, n + 1)
+            } else if (is_variable(token, last, text))
+                out = out "$" token "$"
+            else
                 out = out (token in symbol ? "$" symbol[token] "$" : escape(token))
         } else if (match(text, /^[0-9]+(\.[0-9]+)?/)) {
             out = out substr(text, 1, RLENGTH)
@@ -147,16 +182,19 @@ function prose(text,    out, token, up, last) {
             match(text, /^\^(\([^()]*\)|-?[0-9a-z]+)/)
             text = substr(text, RLENGTH + 1)
             out = out "$^{" up "}$"
-        } else if (match(text, /^(<=|>=|<<|\+-|-\+|->|\*)/)) {
+        } else if (match(text, /^(<=|>=|<<|\+-|-\+|->|\.\.\.|\*)/)) {
             token = substr(text, 1, RLENGTH)
             text = substr(text, RLENGTH + 1)
             out = out (token == "*" && text ~ /^[ ,;.)]/ ? "$^*$" : sign[token])
         } else {
             token = substr(text, 1, 1)
             text = substr(text, 2)
-            if (token == "-" && (text ~ /^ / && last == " " || last ~ /[ (=,|<>]/ && text ~ /^[0-9A-Z(]/ ||
-                last ~ /[(=]/ && text ~ /^[a-z]/ || out ~ /\}\$$/ && text ~ /^[0-9]/))
+            if (token ~ /[-+]/ && out ~ /\$$/ && text ~ /^[0-9]/)
+                out = out "$" token "$\\allowbreak{}"
+            else if (token == "-" && (last == " " && text ~ /^[ 0-9A-Za-z(]/ || last ~ /[(=,|<>]/ && text ~ /^[0-9A-Za-z(]/))
                 out = out "$-$"
+            else if (token == "-" && last == ")" && text ~ /^\(/)
+                out = out "--"
             else if (token == "<" || token == ">" || token == "|")
                 out = out "$" (token == "|" ? "\\vert " : token) "$"
             else
@@ -257,9 +295,13 @@ function lay_out(lines, suffix,    i, out, aligned) {
     return aligned ? "\\begin{align}\n" out "\\end{align}\n" : "\\begin{gather}\n" out "\\end{gather}\n"
 }
 
+# Where a section stands for the index, and its numbers for references.
 function targets(id,    n, part, i, out, base) {
+    if (!(id in placed))
+        out = "\\place{" id "}"
+    placed[id] = 1
     if (id !~ /^eq[0-9]+$/)
-        return ""
+        return out "%\n"
     n = split(numbers[id], part, " ")
     base = ""
     for (i = 1; i <= n; i++) {
@@ -336,6 +378,8 @@ function weave_function(id,    key) {
     if (functions_of[key] != 1)
         stop((functions_of[key] ? functions_of[key] " functions" : "no function") " in ref/ with the header Eq. (" key \
              "), expected one for '" id "'")
+    if (rows[id] == 0)
+        emit(targets(id))
     list_function(function_of[key])
 }
 
@@ -362,30 +406,26 @@ function weave_step(id,    how) {
 }
 
 function known_verdict(id) {
-    if (!((id, 4) in verdict_field))
+    if (!((id, "verdict") in ledger))
         stop("unknown verdict '" id "', expected an id of " data "/verdicts.csv")
 }
 
 function weave_verdict(id) {
     known_verdict(id)
-    emit("\\verdict{" escape(id) "}{" prose(verdict_field[id, 2]) "}{" prose(verdict_field[id, 3]) "}{" \
-         verdict_field[id, 4] "}{" verdict_field[id, 5] "}{" prose(verdict_field[id, 6]) "}\n")
+    emit("\\verdict{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" prose(ledger[id, "claim"]) "}{" \
+         ledger[id, "verdict"] "}{" ledger[id, "how"] "}{" prose(ledger[id, "evidence"]) "}\n")
 }
 
-function weave_rows(kind, brief,    i, out) {
+function weave_findings(kind,    i, id, out) {
     if (!(kind in kinds_of_verdict))
         stop("no verdict '" kind "', expected one that " data "/verdicts.csv has")
     for (i = 1; i <= verdicts; i++) {
-        if (verdict_field[verdict[i], 4] != kind)
-            continue
-        if (!brief)
-            weave_verdict(verdict[i])
-        else
-            out = out "\\brief{" escape(verdict[i]) "}{" prose(verdict_field[verdict[i], 2]) "}{" \
-                  prose(verdict_field[verdict[i], 3]) "}\n"
+        id = verdict[i]
+        if (ledger[id, "verdict"] == kind)
+            out = out "\\finding{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" prose(ledger[id, "claim"]) "}{" \
+                  prose(ledger[id, "why"]) "}\n"
     }
-    if (brief)
-        emit("\\begin{briefs}\n" out "\\end{briefs}\n")
+    emit("\\begin{findings}\n" out "\\end{findings}\n")
 }
 
 function weave_plot(name, caption) {
@@ -404,7 +444,7 @@ function verbatim(text) {
 # The build's folders stay out of what the reader sees.
 function weave_run(arguments,    command, line, text) {
     text = "$ coulomb-tether " arguments "\n"
-    command = program " " arguments " || echo '<<failed>>'"
+    command = "'" program "' " arguments " || echo '<<failed>>'"
     while ((command | getline line) > 0) {
         if (line == "<<failed>>")
             stop("coulomb-tether " arguments " failed")
@@ -414,12 +454,17 @@ function weave_run(arguments,    command, line, text) {
     emit(verbatim(text))
 }
 
-function weave_show(path,    line, text) {
-    while ((getline line < path) > 0)
-        text = text line "\n"
+# All of it, or from the line `  KEY:` to the next empty one.
+function weave_show(path, key,    line, text, on) {
+    while ((getline line < path) > 0) {
+        on = key == "" || line == "  " key ":" || on && line != ""
+        if (on)
+            text = text line "\n"
+    }
     close(path)
     if (text == "")
-        stop("no text in '" path "', expected a file of the project")
+        stop("no " (key == "" ? "text" : "'" key ":'") " in '" path "', expected a file of the project")
+    sub(/.*\//, "", path)   # the margin is narrow
     emit("\\begin{code}{" escape(path) "}\n\\begin{lstlisting}\n" text "\\end{lstlisting}\n\\end{code}\n")
 }
 
@@ -431,7 +476,7 @@ function weave_index(    line, n, i, out, list) {
             continue
         list = field[7]
         gsub(/ /, ", ", list)
-        out = out "\\indexed{" escape(field[1]) "}{" indexed_numbers(field[2]) "}{" escape(field[3]) "}{" escape(field[4]) "}{" \
+        out = out "\\indexed{" field[1] "}{" indexed_numbers(field[1], field[2]) "}{" escape(field[3]) "}{" escape(field[4]) "}{" \
               (field[5] ~ /^[0-9]/ ? decimal(field[5], 2) : field[5]) "}{" escape(field[6]) "}{" escape(list) "}{" escape(field[8]) "}{" \
               escape(field[9]) "}\n"
     }
@@ -441,9 +486,11 @@ function weave_index(    line, n, i, out, list) {
     emit("\\begin{equationindex}\n" out "\\end{equationindex}\n")
 }
 
-function indexed_numbers(list,    n, part) {
+function indexed_numbers(id, list,    n, part, key) {
     n = split(list, part, " ")
-    return (n == 1 ? "\\eq{" part[1] "}" : "\\eq{" part[1] "}" (n == 2 ? ", " : "--") "\\eq{" part[n] "}")
+    key = function_key(id, list)
+    return (n == 1 ? "" : "\\eq{" part[1] "}" (n == 2 ? ", " : "--")) "\\eq{" part[n] "}" \
+           (index(key, ", ") ? " " substr(key, index(key, ", ") + 2) : "")
 }
 
 # ---- within a line ----
@@ -460,17 +507,36 @@ function number_of(words, n,    path, line, columns, i, column, found, value) {
             column = i
     if (!column)
         stop("'" path "' has no column '" words[4] "'")
-    while (!found && (getline line < path) > 0) {
-        csv(line, field)
-        found = field[1] == words[3]
-        value = field[column]
-    }
+    while ((getline line < path) > 0)
+        if (index(line, words[3] ",") == 1) {
+            found++
+            csv(line, field)
+            value = field[column]
+        }
     close(path)
-    if (!found)
-        stop("'" path "' has no row '" words[3] "'")
+    if (found != 1)
+        stop("'" path "' has " (found ? found " rows" : "no row") " '" words[3] "'")
     if (value !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/)
         stop("'" value "' in '" path "' is no number")
     return decimal(value * (n == 6 ? words[6] : 1), words[5])
+}
+
+# `eval` says NAME = DIGITS UNIT a line.
+function value_of(words, n,    command, line, part, found, i) {
+    if (n < 5)
+        stop("expected <<value ID OUTPUT DIGITS NAME=VALUE ...>>")
+    section_named(words[2])
+    command = program " eval " words[2]
+    for (i = 5; i <= n; i++)
+        command = command " " words[i]
+    while ((command | getline line) > 0) {
+        split(line, part, " ")
+        if (part[1] == words[3])
+            found = part[3]
+    }
+    if (close(command) != 0 || found == "")
+        stop("coulomb-tether eval " words[2] " gives no '" words[3] "'")
+    return decimal(found, words[4])
 }
 
 # So many significant digits, with a power of ten where the number is far from one.
@@ -493,7 +559,7 @@ function quote(rest,    id, part, n) {
     n = split(substr(rest, RLENGTH + 1), part, "|")
     if (n < 2 || part[2] == "")
         stop("expected <<quote ID before|text|after>>")
-    if (index(verdict_field[id, 6], part[1] part[2] part[3]) == 0)
+    if (index(ledger[id, "evidence"], part[1] part[2] part[3]) == 0)
         stop("the evidence of '" id "' does not read '" part[1] part[2] part[3] "'")
     return prose(part[2])
 }
@@ -508,36 +574,50 @@ function error_of(id,    line, found) {
     return decimal(found, 2)
 }
 
-function count(what,    line, n, command) {
+function count(what,    line, n, command, i) {
     if (what == "steps")
         return steps
     if (what == "verdicts")
         return verdicts
     if (what in kinds_of_verdict)
         return kinds_of_verdict[what]
-    if (what == "functions") {
-        for (line in functions_of)
-            n += functions_of[line]
+    if (what == "misprints") {
+        for (i = 1; i <= verdicts; i++)
+            n += verdict[i] ~ /^equation-/ && ledger[verdict[i], "verdict"] == "holds as corrected"
+        return n
+    }
+    if (what == "inputs") {
+        while (n == "" && (getline line < (build "/errors.json")) > 0)
+            n = member(line, "inputs")
+        close(build "/errors.json")
         return n
     }
     if (what != "vectors")
-        stop("cannot count '" what "', expected steps, vectors, functions, verdicts or a kind of verdict")
+        stop("cannot count '" what "', expected steps, vectors, inputs, misprints, verdicts or a kind of verdict")
     command = "cat " data "/golden/*.csv | grep -vc '^id,'"
     command | getline n
     close(command)
     return n + 0
 }
 
+# Bounds are powers of two, as text: 2^-104.
+function doubt(    i, largest) {
+    for (i = 1; i <= steps; i++)
+        if (largest == "" || substr(bound[step[i], "step"], 3) + 0 > largest)
+            largest = substr(bound[step[i], "step"], 3) + 0
+    return "\\ensuremath{2^{" largest "}}"
+}
+
 function one(rest,    words, n) {
     n = split(rest, words, " ")
     if (words[1] == "number")
         return number_of(words, n)
+    if (words[1] == "value")
+        return value_of(words, n)
     if (words[1] == "quote")
         return quote(rest)
-    if (words[1] == "ruling") {
-        known_verdict(words[2])
-        return verdict_field[words[2], 4]
-    }
+    if (words[1] == "doubt")
+        return doubt()
     if (words[1] == "error")
         return error_of(words[2])
     if (words[1] == "count") {
@@ -585,9 +665,9 @@ function flush_block() {
 function weave_line(rest,    words, n) {
     n = split(rest, words, " ")
     # one function a block: more would not always fit a page
-    if (words[1] !~ /^(equation|definition|printed|function)$/ || words[1] != "printed" && has_code)
+    if (words[1] !~ /^(equation|definition|printed|function)$/ || has_code)
         flush_block()
-    kept = kept || words[1] ~ /^(equation|definition|printed|function|helper)$/
+    kept = kept || words[1] ~ /^(equation|definition|printed|function|helper|show)$/
     has_code = has_code || words[1] ~ /^(function|helper)$/
     if (words[1] == "equation")
         weave_equation(words, n)
@@ -605,14 +685,14 @@ function weave_line(rest,    words, n) {
         weave_step(words[2])
     else if (words[1] == "verdict")
         weave_verdict(words[2])
-    else if (words[1] == "rows" || words[1] == "claims")
-        weave_rows(substr(rest, length(words[1]) + 2), words[1] == "claims")
+    else if (words[1] == "findings")
+        weave_findings(substr(rest, 10))
     else if (words[1] == "plot")
         weave_plot(words[2], substr(rest, 6 + length(words[2]) + 1))
     else if (words[1] == "run")
         weave_run(substr(rest, 5))
     else if (words[1] == "show")
-        weave_show(words[2])
+        weave_show(words[2], words[3])
     else
         weave_index()
     if (!kept)
@@ -622,10 +702,11 @@ function weave_line(rest,    words, n) {
 BEGIN {
     sign["<="] = "$\\le $"; sign[">="] = "$\\ge $"; sign["<<"] = "$\\ll $"; sign["->"] = "$\\to $"
     sign["+-"] = "$\\pm $"; sign["-+"] = "$\\mp $"; sign["*"] = "$\\cdot $"
+    sign["..."] = "\\dots{}"
     read_all()
 }
 
-/^<<(equation|definition|printed|function|helper|step|verdict|rows|claims|plot|run|show|index)( .*)?>>$/ {
+/^<<(equation|definition|printed|function|helper|step|verdict|findings|plot|run|show|index)( .*)?>>$/ {
     weave_line(substr($0, 3, length($0) - 4))
     next
 }

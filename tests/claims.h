@@ -47,6 +47,10 @@ START_TEST(claims_yield_their_verdicts)
     ck_assert_str_eq(how_names[e.how], how_names[expected[_i].how]);
     ck_assert_msg(strstr(e.text, expected[_i].says) != NULL, "no '%s' in: %s", expected[_i].says, e.text);
     ck_assert_uint_lt(strlen(e.text), sizeof e.text - 1); /* not cut */
+    if (e.verdict == HOLDS || e.verdict == DEFINITION)
+        ck_assert_ptr_null(e.why);
+    else
+        ck_assert_ptr_nonnull(e.why);
     for (const char *at = e.text; *at != '\0'; at++)
         ck_assert_msg(isprint((unsigned char)*at), "byte %d in: %s", *at, e.text);
 }

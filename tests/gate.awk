@@ -241,8 +241,10 @@ function read_verdicts(    line, i, k, n, part, id, number, path) {
 
 # ---- the edition ----
 
-function read_edition(    line, path, id, part, at, i) {
-    while (("ls paper/*.tex" | getline path) > 0) {
+# The chapters are those that coulomb-tether.tex takes in.
+function read_edition(    line, path, id, part, at, i, chapters) {
+    chapters = "sed -n 's|^.input{\\([0-9].*\\.tex\\)}$|paper/\\1|p' paper/coulomb-tether.tex"
+    while ((chapters | getline path) > 0) {
         at = 0
         while ((getline line < path) > 0) {
             at++
@@ -259,7 +261,7 @@ function read_edition(    line, path, id, part, at, i) {
         }
         close(path)
     }
-    close("ls paper/*.tex")
+    close(chapters)
     for (i = 1; i <= sections; i++) {
         id = section[i]
         if (place[id] == "" && !algorithm[id])

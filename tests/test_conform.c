@@ -71,6 +71,8 @@ static const struct {
     {THREE "exit-3", 1, "client: 1 exit status\n"},
     {THREE "flood", 1, ", 1 too many lines out of place\n"},
     {THREE "skip", 1, "every vector was skipped\n"},
+    {"--only eq38 -- sh -c 'printf %150s; echo \"eq38-paper skip it\"; cat >/dev/null'", 1, "  22        1\n"},
+    {"--only eq38 -- sh -c 'printf \"eq38-paper\\\\t\\\\033[1m\\\\n\"; cat >/dev/null'", 1, "got        eq38-paper??[1m\n"},
     {THREE "dies", 2, "exit status 9 before its first answer\n"},
     {"--only algebra -- FAULTY early", 1, "eq44: 1 early\n"}, /* more questions than both buffers hold */
     {"--only eq07 --random 300 --seed 1 -- FAULTY invalid", 1, " failed"}, /* not 300 mod 256 = 44 */
@@ -100,9 +102,18 @@ START_TEST(a_right_client_passes_everything)
 }
 END_TEST
 
+START_TEST(inputs_in_every_form_are_the_same_numbers)
+{
+    ck_assert_int_eq(conform("--only algebra --inputs exact -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--only algebra --inputs hex -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--only eq38 --inputs hex -- FAULTY printed"), 1);
+    assert_says("GM         0x");
+}
+END_TEST
+
 START_TEST(random_vectors_of_every_level_pass)
 {
-    ck_assert_int_eq(conform("--random 300 --seed 11 -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--random 50 --seed 11 -- FAULTY none"), 0);
     ck_assert_int_eq(conform("--only flow_linear,rk4_linear --random 20 --seed 11 -- FAULTY none"), 0);
 }
 END_TEST
@@ -134,7 +145,9 @@ static const struct {
     {"--only , -- FAULTY", "--only"},
     {"--random 5 -- FAULTY", "--seed"},
     {"--random some --seed 1 -- FAULTY", "--random"},
+    {"--random 100000001 --seed 1 -- FAULTY", "at most 100000000"},
     {"--timeout 0 -- FAULTY", "--timeout"},
+    {"--inputs octal -- FAULTY", "expected shortest, exact or hex, got 'octal'"},
     {"--digits eq07=9 -- FAULTY", "judged by E"},
     {"--digits flow_linear -- FAULTY", "ID=DIGITS"},
     {"--digits flow_linear=0 -- FAULTY", "from 1 to 30"},
@@ -178,15 +191,24 @@ END_TEST
 
 START_TEST(answers_in_a_file_may_stand_in_any_order)
 {
-    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; echo 'Q_ref,id' >$f; "
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; echo 'Q_ref,id' >\"$f\"; "
                             "sed 1d data/golden/eq07.csv | cut -d, -f1,7 | sed 's/\\(.*\\),\\(.*\\)/\"\\2\",\\1/' | "
-                            "sort -r >>$f"), 0);
+                            "sort -r >>\"$f\""), 0);
     ck_assert_msg(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07") == 0, "%s", said);
-    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; sed -i '/eq07-paper/d' $f; echo '1,stranger' >>$f; "
-                            "tail -n 2 $f | head -n 1 >>$f"), 0);
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; sed -i '/eq07-paper/d' \"$f\"; echo '1,stranger' >>\"$f\"; "
+                            "tail -n 2 \"$f\" | head -n 1 >>\"$f\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07"), 1);
     assert_says("eq07: 1 repeated, 1 missing\n");
     assert_says("client: 1 wrong id\n");
+}
+END_TEST
+
+START_TEST(a_row_longer_than_a_line_is_too_long)
+{
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/long.csv\"; { echo 'id,Q_ref'; head -c 70000 /dev/zero | tr '\\0' a; "
+                            "echo ',1'; } >$f"), 0);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/long.csv\" eq07"), 1);
+    assert_says("client: 1 too long\n");
 }
 END_TEST
 
@@ -255,6 +277,14 @@ START_TEST(a_client_is_not_started_without_descriptors)
         ck_assert_int_eq(WEXITSTATUS(pclose(pipe)), 1);
         assert_says("client 'true': Too many open files\n");
     }
+}
+END_TEST
+
+/* Nobody hears what a client complains of, and the client is judged by its answers none the less. */
+START_TEST(complaints_that_find_no_place_do_no_harm)
+{
+    ck_assert_int_eq(system("\"$CT_PROGRAM\" conform --only eq07 -- sh -c 'echo oh >&2; exec \"$CT_BUILD/tests/faulty\"' "
+                            ">/dev/null 2>/dev/full"), 0);
 }
 END_TEST
 
@@ -656,8 +686,8 @@ END_TEST
 /* The craft fall into each other after 0.58 s, whatever is answered for 10 s. */
 START_TEST(a_motion_that_cannot_be_followed_is_not_judged)
 {
-    /* Omega k_c m1 m2 L_ref C1 C2 t, and at rest on the orbit normal */
-    static const char *const texts[] = {"1", "1", "1", "1", "2", "0", "0", "10", "0", "0", "1", "0", "0", "0"};
+    /* Omega k_c m1 m2 L_ref C1 C2 t, past the most radians that are followed, and at rest on the orbit normal */
+    static const char *const texts[] = {"1", "1", "1", "1", "2", "0", "0", "1e7", "0", "0", "1", "0", "0", "0"};
     const struct section *s = section_find(sheet(), "flow_nonlinear");
     struct operation o;
     struct judge j;
@@ -690,15 +720,18 @@ Suite *suite(void)
     tcase_set_timeout(c, 120);
     tcase_add_loop_test(c, a_fault_has_its_own_outcome, 0, sizeof faults / sizeof *faults);
     tcase_add_test(c, a_right_client_passes_everything);
+    tcase_add_test(c, inputs_in_every_form_are_the_same_numbers);
     tcase_add_test(c, random_vectors_of_every_level_pass);
     tcase_add_test(c, much_in_flight_both_ways_does_not_deadlock);
     tcase_add_loop_test(c, wrong_usage_is_one_line_and_exit_2, 0, sizeof mistakes / sizeof *mistakes);
     tcase_add_loop_test(c, golden_files_are_right_answers, 0, 6);
     tcase_add_test(c, answers_in_a_file_may_stand_in_any_order);
+    tcase_add_test(c, a_row_longer_than_a_line_is_too_long);
     tcase_add_test(c, reports_for_machines_say_the_same);
     tcase_add_test(c, a_report_is_there_whole_or_not_at_all);
     tcase_add_loop_test(c, what_a_client_says_breaks_no_report, 0, 2);
     tcase_add_test(c, a_client_is_not_started_without_descriptors);
+    tcase_add_test(c, complaints_that_find_no_place_do_no_harm);
     tcase_add_test(c, answers_that_cannot_be_read_are_no_answers);
     tcase_add_test(c, right_but_for_the_digits_written_is_called_that);
     tcase_add_test(c, a_mistake_explains_numbers_and_not_lines);

@@ -145,9 +145,9 @@ static const struct {
     {"0x1.fffffffffffff8p1023", LITERAL_OVERFLOW, LITERAL_FINITE},  /* that tie itself     */
     {"0x1p1024", LITERAL_OVERFLOW, LITERAL_FINITE},
     {"0x1p99999999", LITERAL_OVERFLOW, LITERAL_OVERFLOW},
-    {"1e-100000", LITERAL_FINITE, LITERAL_FINITE},
-    {"1e-100001", LITERAL_FINITE, LITERAL_OVERFLOW},
-    {"-1e100001", LITERAL_OVERFLOW, LITERAL_OVERFLOW},
+    {"1e-5000", LITERAL_FINITE, LITERAL_FINITE},
+    {"1e-5001", LITERAL_FINITE, LITERAL_OVERFLOW},
+    {"-1e5001", LITERAL_OVERFLOW, LITERAL_OVERFLOW},
     {"1e99999999999999999999", LITERAL_OVERFLOW, LITERAL_OVERFLOW},
     {"0e99999999999999999999", LITERAL_FINITE, LITERAL_FINITE},
 };
@@ -190,6 +190,23 @@ START_TEST(exact_literal_is_its_own_value)
     ck_assert(fmpq_equal(value, expected));
     fmpq_clear(value);
     fmpq_clear(expected);
+}
+END_TEST
+
+START_TEST(exact_literal_of_giant_length_is_refused)
+{
+    static char text[20000];
+    fmpq_t value;
+    fmpq_init(value);
+    memset(text, '0', sizeof text - 1);
+    text[0] = '1';
+    ck_assert_int_eq(literal_read(value, text, true), LITERAL_OVERFLOW);
+    text[1] = '.';
+    text[sizeof text - 2] = '1';
+    ck_assert_int_eq(literal_read(value, text, true), LITERAL_OVERFLOW);
+    ck_assert_int_eq(literal_read(value, text, false), LITERAL_FINITE);
+    ck_assert(fmpq_is_one(value));
+    fmpq_clear(value);
 }
 END_TEST
 
@@ -524,6 +541,7 @@ Suite *suite(void)
     tcase_add_loop_test(reading, literal_kind_is_told, 0, COUNT(kinds));
     tcase_add_loop_test(reading, exact_literal_kind_is_told, 0, COUNT(kinds));
     tcase_add_loop_test(reading, exact_literal_is_its_own_value, 0, COUNT(exact_values));
+    tcase_add_test(reading, exact_literal_of_giant_length_is_refused);
     tcase_add_test(reading, literal_of_thousands_of_digits_is_not_cut);
 
     TCase *writing = tcase_create("writing");

@@ -724,6 +724,34 @@ START_TEST(outside_the_domain_no_flow_starts)
 }
 END_TEST
 
+START_TEST(no_time_at_all_is_in_reach)
+{
+    struct scene s = paper();
+    ck_assert(flow_in_reach(&s.p, NULL, 0));
+    ck_assert(rk4_in_reach(&s.p, NULL, 0));
+    scene_close(&s);
+}
+END_TEST
+
+/* A million radians for a flow, ten thousand and ten million steps for the method: none of them starts. */
+START_TEST(beyond_reach_no_motion_starts)
+{
+    static const struct {
+        enum method method;
+        slong t, h;
+    } beyond[] = {{LINEAR, 14000000000, 0}, {NONLINEAR, 14000000000, 0}, {NONLINEAR, -14000000000, 0},
+                  {RK4_LINEAR, 140000000, 1000}, {RK4_NONLINEAR, 140000000, 1000}, {RK4_LINEAR, 10000001, 1}};
+    struct scene s = paper_nonlinear();
+    struct run r = run_through(&s, beyond[_i].method, &beyond[_i].t, 1, 17, beyond[_i].h, 0);
+    ck_assert_int_eq(r.status, FLOW_STALLED);
+    ck_assert_int_eq(r.rows, 0);
+    ck_assert_int_le(flow_precision(17, INFINITY), 200000);
+    ck_assert_int_le(rk4_precision(17, INFINITY), 300000);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
 START_TEST(times_out_of_order_are_refused)
 {
     const slong back[] = {200, 100}, both[] = {100, -100};
@@ -1239,6 +1267,8 @@ Suite *suite(void)
     tcase_add_loop_test(tests, a_receiver_stops_a_flow, 0, 4);
     tcase_add_test(tests, outside_the_domain_no_flow_starts);
     tcase_add_test(tests, times_out_of_order_are_refused);
+    tcase_add_test(tests, no_time_at_all_is_in_reach);
+    tcase_add_loop_test(tests, beyond_reach_no_motion_starts, 0, 6);
     tcase_add_test(tests, steps_without_proof_are_the_same_steps);
 
     tests = add_case(all, "foundations");

@@ -308,6 +308,9 @@ START_TEST(eq37_whole_numbers)
     ck_assert_double_eq(torque.x, 0);
     assert_close(torque.y, -10, 8);
     assert_close(torque.z, -10, 8);
+
+    /* a quarter of the distance, a 64th of GM: the domain begins at 0, not at a metre */
+    assert_close(ct_gravity_gradient(81. / 64, (struct ct_vector){0.25, -0.5, 0.5}, 5).y, -10, 8);
 }
 END_TEST
 
@@ -390,6 +393,15 @@ START_TEST(eq39_whole_numbers)
 }
 END_TEST
 
+START_TEST(eq39_turns_nothing_without_inertia)
+{
+    const struct ct_vector torque = ct_gravity_gradient_small_angles(2, 0, 7, -3);
+
+    ck_assert_double_eq(torque.y, 0);
+    ck_assert_double_eq(torque.z, 0);
+}
+END_TEST
+
 START_TEST(eq39_is_eq37_of_eq36_to_first_order)
 {
     const double GM = 4e14, R_c = 4.2e7, I = 1e4, psi = -2e-5, theta = 1e-5;
@@ -458,6 +470,7 @@ static TCase *inertia_and_torque(void)
     tcase_add_test(c, eq38_does_not_overflow_with_the_cube);
     tcase_add_test(c, eq38_rejects_each_input_outside_its_domain);
     tcase_add_test(c, eq39_whole_numbers);
+    tcase_add_test(c, eq39_turns_nothing_without_inertia);
     tcase_add_test(c, eq39_is_eq37_of_eq36_to_first_order);
     tcase_add_test(c, eq39_rejects_each_input_outside_its_domain);
     return c;

@@ -118,12 +118,16 @@ START_TEST(eq02_rejects_two_craft_in_one_place)
         {1, 1, {0, 0, 0}, {0, 0, 0}},
         {1, 1, {1, 2, 3}, {1, 1, 1}},
     };
-    struct ct_vector a[3];
+    struct ct_vector a[4] = {0}; /* one more than there are craft, which nobody may touch */
 
     ck_assert_int_eq(ct_formation_acceleration(1, 1, 1, 3, craft, a), CT_DOMAIN);
     ck_assert_double_nan(a[0].x);
     ck_assert_double_nan(a[1].y);
     ck_assert_double_nan(a[2].z);
+    ck_assert_double_eq(a[3].x, 0);
+
+    const struct ct_craft last_two[3] = {craft[1], craft[0], craft[2]};
+    ck_assert_int_eq(ct_formation_acceleration(1, 1, 1, 3, last_two, a), CT_DOMAIN);
 }
 END_TEST
 

@@ -103,6 +103,40 @@ START_TEST(eq40_flow_takes_times_in_any_order)
 }
 END_TEST
 
+/* Backwards, what this motion forgets within a hundredth of an orbit would come back e^80 and e^160 times as large. */
+START_TEST(eq40_flow_does_not_go_back_on_its_way)
+{
+    const struct ct_gains strong = {1e4, 200};
+    const double t[] = {0.9, 0.1, -0.1, -0.05}, direct[] = {0.1, -0.05};
+    struct ct_tether_state s[4], d[2];
+
+    ck_assert_int_eq(ct_linear_flow(unit, strong, growing_start, fine, 4, t, s), CT_OK);
+    for (int i = 0; i < 2; i++) {
+        ck_assert_int_eq(ct_linear_flow(unit, strong, growing_start, fine, 1, direct + i, d + i), CT_OK);
+        assert_close(s[2 * i + 1].psi, d[i].psi, 1e-11 * 0x1p53);
+        assert_close(s[2 * i + 1].dL, d[i].dL, 1e-11 * 0x1p53);
+    }
+}
+END_TEST
+
+/* The model is linear, powers of 2 round nothing, and an error is measured by the state: all is to scale. */
+START_TEST(eq40_flow_is_to_scale)
+{
+    const double t = 3, scale[] = {0x1p-40, 0x1p40};
+    const struct ct_tether_state start = {1, -2, 3, -4, 5, -6};
+    struct ct_tether_state one, s;
+
+    ck_assert_int_eq(ct_linear_flow(unit, growing, start, 1e-9, 1, &t, &one), CT_OK);
+    for (int i = 0; i < 2; i++) {
+        const double k = scale[i];
+        const struct ct_tether_state scaled = {k, -2 * k, 3 * k, -4 * k, 5 * k, -6 * k};
+        ck_assert_int_eq(ct_linear_flow(unit, growing, scaled, 1e-9, 1, &t, &s), CT_OK);
+        ck_assert_double_eq(s.psi, k * one.psi);
+        ck_assert_double_eq(s.dL_dot, k * one.dL_dot);
+    }
+}
+END_TEST
+
 START_TEST(eq40_flow_at_rest_stays_at_rest)
 {
     const struct ct_tether_state rest = {0};
@@ -172,6 +206,26 @@ START_TEST(eq40_flow_rejects_tolerances_beyond_double)
 }
 END_TEST
 
+START_TEST(eq40_flow_takes_the_tolerance_of_a_rounding)
+{
+    const double t = 1;
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, 0x1p-52, 1, &t, &s), CT_OK);
+}
+END_TEST
+
+START_TEST(eq40_flow_outside_its_domain_leaves_no_state_unset)
+{
+    const double t[] = {1, 2, 3};
+    struct ct_tether_state s[3] = {{0}};
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, 1, 3, t, s), CT_DOMAIN);
+    for (int i = 0; i < 3; i++)
+        ck_assert_double_nan(s[i].theta);
+}
+END_TEST
+
 static struct ct_hill_state in_hill_frame(struct ct_params p, struct ct_tether_state s)
 {
     const struct ct_spherical c = {p.L_ref + s.dL, s.psi, s.theta};
@@ -197,6 +251,27 @@ START_TEST(eq03_flow_of_the_paper)
     ck_assert_double_eq_tol(s.x1_dot, 1.1979559166174463e-7, 1e-12 * velocity);
     ck_assert_double_eq_tol(s.y1_dot, 6.6342043836361531e-8, 1e-12 * velocity);
     ck_assert_double_eq_tol(s.z1_dot, 2.1027810076321075e-7, 1e-12 * velocity);
+}
+END_TEST
+
+/* All forces grow as the lengths do, and the noise is measured by them: with powers of 2 all is to scale. */
+START_TEST(eq03_flow_is_to_scale)
+{
+    const double t = 50000, scale[] = {0x1p-20, 0x1p20};
+    const struct ct_hill_state start = in_hill_frame(unequal, paper_start);
+    struct ct_hill_state one, s;
+
+    ck_assert_int_eq(ct_nonlinear_flow(unequal, unequal_gains, start, 1e-9, 1, &t, &one), CT_OK);
+    for (int i = 0; i < 2; i++) {
+        const double k = scale[i];
+        const struct ct_hill_state scaled = {k * start.x1, k * start.y1, k * start.z1, k * start.x1_dot, k * start.y1_dot,
+                                             k * start.z1_dot};
+        struct ct_params p = unequal;
+        p.L_ref *= k;
+        ck_assert_int_eq(ct_nonlinear_flow(p, unequal_gains, scaled, 1e-9, 1, &t, &s), CT_OK);
+        ck_assert_double_eq(s.x1, k * one.x1);
+        ck_assert_double_eq(s.z1_dot, k * one.z1_dot);
+    }
 }
 END_TEST
 
@@ -377,6 +452,21 @@ START_TEST(eq40_runge_kutta_rejects_more_steps_than_can_be_counted)
     struct ct_tether_state s;
 
     ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0x1p-60, 1, &t, &s), CT_DOMAIN);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0x1p-53, 1, &t, &s), CT_DOMAIN);
+
+    const double most = 0x1p52; /* can be counted; this motion overflows long before */
+    ck_assert_int_eq(ct_linear_runge_kutta(unit, growing, growing_start, 1, 1, &most, &s), CT_CONVERGENCE);
+}
+END_TEST
+
+START_TEST(eq40_runge_kutta_compares_each_time_with_the_last)
+{
+    const double back[] = {200, 400, 300}, before[] = {-0.5, 0}, around[] = {1e9, 100, 100, 300};
+    struct ct_tether_state s[3];
+
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 3, back, s), CT_DOMAIN);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0.5, 2, before, s), CT_DOMAIN);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 3, around + 1, s), CT_OK);
 }
 END_TEST
 
@@ -477,6 +567,10 @@ static TCase *linear_motion(void)
     tcase_add_test(c, eq40_flow_pitch_is_an_oscillator_of_twice_the_orbit_rate);
     tcase_add_test(c, eq40_flow_along_an_eigenvector_grows_exponentially);
     tcase_add_test(c, eq40_flow_takes_times_in_any_order);
+    tcase_add_test(c, eq40_flow_does_not_go_back_on_its_way);
+    tcase_add_test(c, eq40_flow_is_to_scale);
+    tcase_add_test(c, eq40_flow_takes_the_tolerance_of_a_rounding);
+    tcase_add_test(c, eq40_flow_outside_its_domain_leaves_no_state_unset);
     tcase_add_test(c, eq40_flow_at_rest_stays_at_rest);
     tcase_add_test(c, eq40_flow_of_no_times_is_no_error);
     tcase_add_test(c, eq40_flow_keeps_the_states_before_it_overflows);
@@ -492,6 +586,7 @@ static TCase *nonlinear_motion(void)
 
     tcase_add_test(c, eq03_flow_of_the_paper);
     tcase_add_test(c, eq03_flow_rests_where_eq05_says);
+    tcase_add_test(c, eq03_flow_is_to_scale);
     tcase_add_test(c, eq03_flow_without_gains_conserves_the_jacobi_integral);
     tcase_add_test(c, eq03_flow_of_small_errors_is_that_of_eq40);
     tcase_add_test(c, eq03_flow_reports_a_collision);
@@ -511,6 +606,7 @@ static TCase *fixed_steps(void)
     tcase_add_test(c, eq40_runge_kutta_reports_overflow_of_the_last_step);
     tcase_add_loop_test(c, eq40_runge_kutta_rejects_times_off_its_steps, 0, 7);
     tcase_add_test(c, eq40_runge_kutta_rejects_more_steps_than_can_be_counted);
+    tcase_add_test(c, eq40_runge_kutta_compares_each_time_with_the_last);
     tcase_add_test(c, eq40_runge_kutta_rejects_each_input_outside_its_domain);
     tcase_add_test(c, eq03_runge_kutta_is_that_of_exact_arithmetic);
     tcase_add_test(c, eq03_runge_kutta_of_the_paper_is_good_to_a_micrometre);

@@ -284,6 +284,34 @@ START_TEST(eq42_rejects_each_input_outside_its_domain)
 }
 END_TEST
 
+START_TEST(eq41_roots_reject_coefficients_that_overflow)
+{
+    const struct ct_gains gains[] = {{1e308, 1}, {1, 1e308}}; /* finite, but not three times as much */
+    struct ct_root r[4];
+
+    ck_assert_int_eq(ct_characteristic_roots(1, gains[_i], r), CT_DOMAIN);
+    ck_assert_double_nan(r[0].re);
+}
+END_TEST
+
+/* Pairs of which the real part is the greater, and the smaller, of either sign, and real roots; whatever order GSL finds them in. */
+START_TEST(eq41_roots_are_in_order_for_all_gains)
+{
+    int strong = 0;
+    for (int n = -60; n <= 60; n++) {
+        for (int c = -60; c <= 60; c++) {
+            struct ct_root r[4];
+            ck_assert_int_eq(ct_characteristic_roots(1, (struct ct_gains){0.7 * n, 0.3 * c}, r), CT_OK);
+            for (int k = 0; k < 3; k++) {
+                ck_assert(r[k].re < r[k + 1].re || (r[k].re == r[k + 1].re && r[k].im <= r[k + 1].im));
+                strong += r[k].re == r[k + 1].re && fabs(r[k].re) > fabs(r[k].im) && r[k].im != 0;
+            }
+        }
+    }
+    ck_assert_int_gt(strong, 100);
+}
+END_TEST
+
 START_TEST(eq43_whole_numbers)
 {
     ck_assert_double_eq(ct_proportional_gain(3, 10), 90);
@@ -374,6 +402,8 @@ static TCase *gain_choice(void)
     tcase_add_test(c, eq42_rejects_each_input_outside_its_domain);
     tcase_add_test(c, eq43_whole_numbers);
     tcase_add_test(c, eq43_rejects_each_input_outside_its_domain);
+    tcase_add_loop_test(c, eq41_roots_reject_coefficients_that_overflow, 0, 2);
+    tcase_add_test(c, eq41_roots_are_in_order_for_all_gains);
     tcase_add_test(c, eq44_whole_numbers);
     tcase_add_test(c, eq44_vanishes_at_nine);
     tcase_add_test(c, eq44_rejects_n_below_nine);

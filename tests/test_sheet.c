@@ -130,6 +130,8 @@ static const struct {
     {"  L: {", "  x1: {", "4:3: ", "duplicate quantity 'x1', expected each name once"},
     {"  L: {", "  Omega: {", "4:3: ", "duplicate 'Omega', expected each key once"},
     {"[1, 2]", "[2, 1]", "2:46: ", "expected low < high"},
+    {"sign: either", "sign: neither", "3:57: ", "expected 'either'"},
+    {"sign: either", "sign: [either]", "3:57: ", "expected 'either'"},
     {"[1, 2]", "[1]", "2:46: ", "expected two bounds, [low, high]"},
     {"[1, 2]", "[]", "2:46: ", "expected two bounds, [low, high]"},
     {"[1, 2]", "[1, 2, 3]", "2:53: ", "expected a list of at most 2 texts"},
@@ -208,6 +210,10 @@ static const struct {
     {"bound: 8, ", "", "46:4: ", "missing bound, expected a positive number"},
     {"  another rate: {inputs: {Omega: 2*Omega}}\n", "  - another\n", "48:3: ", "expected a mapping, key: value"},
     {"{inputs: {Omega: 2*Omega}}", "2*Omega", "48:17: ", "expected a mapping, key: value"},
+    {"value: 10", "value: [10]", "4:39: ", "missing value, expected a text"},
+    {"unit: rad/s", "\"un\\nit\": rad/s", "2:11: ", "unknown key 'un?it', expected perhaps unit"},
+    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n---\nmore: 1\n", "33:1: ", "expected one document, another follows"},
+    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n...\n]\n", "33:1: ", "expected one document, another follows"},
     {"[2a, 2b]", "[2a, 2b", "", "expected YAML: "},
     {"equations:\n  eq1:", "equations:\n\teq1:", "", "expected YAML: "},
 };
@@ -236,6 +242,29 @@ START_TEST(empty_sheet_is_refused)
 }
 END_TEST
 
+/* Its inputs take the places of outputs, of which there are no more than 16. */
+START_TEST(mistake_in_a_method_of_17_inputs_is_refused)
+{
+    static const char text[] =
+        "quantities:\n"
+        "  a b c d e f g h i j k l m n o p q: {unit: m, domain: finite, meaning: place}\n"
+        "table1: []\n"
+        "equations:\n"
+        "  eq1:\n"
+        "    title: an algorithm\n"
+        "    equations: [\"1\"]\n"
+        "    method: roots\n"
+        "    inputs: [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q]\n"
+        "    outputs: [a]\n"
+        "    mistakes:\n"
+        "      twice: {inputs: {a: 2*a}}\n";
+    struct sheet s;
+    struct message why = {""};
+    ck_assert_int_ne(sheet_read(&s, text, strlen(text), "t.yaml", &why), 0);
+    ck_assert_str_eq(why.text, "t.yaml:12:14: expected a formula, or a method of at most 16 inputs");
+}
+END_TEST
+
 /* Whatever byte of the sheet is lost, it is read or refused in words, never worse. */
 START_TEST(cut_sheet_is_read_or_refused)
 {
@@ -250,12 +279,126 @@ START_TEST(cut_sheet_is_read_or_refused)
 }
 END_TEST
 
+/* ---- the paper's sheet ---- */
+
+/*
+ * Where random vectors come from is a choice, which nothing else in the sheet depends on: it is made twice. Formations
+ * of metres to a kilometre, in orbits from a quarter of an hour of rad/Omega to a day, charges up to ten microcoulombs.
+ */
+static const struct {
+    const char *names;
+    double low, high;
+    bool either_sign;
+} ranges[] = {
+    {"Omega", 1e-5, 1e-3, false},
+    {"k_c", 8e9, 1e10, false},
+    {"lambda_d", 10, 1e4, false},
+    {"GM", 1e13, 1e15, false},
+    {"m1 m2 m3 L L_ref", 1, 1000, false},
+    {"L_dot", 1e-7, 0.1, true},
+    {"dL", 1e-4, 10, true},
+    {"dL_dot", 1e-8, 1e-2, true},
+    {"psi theta", 1e-4, 3, true},
+    {"psi_dot theta_dot", 1e-8, 1e-3, true},
+    {"psi_ddot theta_ddot", 1e-12, 1e-6, true},
+    {"Q Q_ref dQ", 1e-16, 1e-10, true},
+    {"q1 q2 q3", 1e-8, 1e-5, true},
+    {"x1 y1 z1 x2 y2 z2 x3 y3 z3", 0.1, 100, true},
+    {"x1_dot y1_dot z1_dot x2_dot y2_dot z2_dot x3_dot y3_dot z3_dot", 1e-7, 0.1, true},
+    {"I", 1, 1e9, false},
+    {"R_c", 6.5e6, 1e8, false},
+    {"R_c1 R_c2 R_c3", 1e5, 1e8, true},
+    {"C1", 1e-10, 1e-5, true},
+    {"C2", 1e-6, 1e-2, true},
+    {"n", 9, 100, false},
+    {"t", 1, 1e5, true},
+    {"h", 1, 1000, false},
+};
+
+START_TEST(ranges_are_these)
+{
+    int with_range = 0;
+    for (int k = 0; k < COUNT(ranges); k++) {
+        char names[80], *rest = NULL;
+        snprintf(names, sizeof names, "%s", ranges[k].names);
+        for (char *name = strtok_r(names, " ", &rest); name; name = strtok_r(NULL, " ", &rest), with_range++) {
+            const struct quantity *q = quantity_find(sheet(), name);
+            ck_assert_msg(q != NULL && q->low == ranges[k].low && q->high == ranges[k].high &&
+                          q->either_sign == ranges[k].either_sign, "%s", name);
+        }
+    }
+    for (int i = 0; i < sheet()->quantity_count; i++)
+        with_range -= sheet()->quantities[i].high > 0;
+    ck_assert_int_eq(with_range, 0);
+}
+END_TEST
+
+/* Table 1, the gains and the initial values: what commands fall back on, and the user may override. */
+START_TEST(values_of_the_simulation_are_these)
+{
+    static const char names[] = " Omega k_c m1 m2 L_ref dL dL_dot psi theta psi_dot theta_dot n ";
+    for (int i = 0; i < sheet()->quantity_count; i++) {
+        const struct quantity *q = &sheet()->quantities[i];
+        char name[40];
+        snprintf(name, sizeof name, " %s ", q->name);
+        ck_assert_msg((q->value != NULL) == (strstr(names, name) != NULL), "%s", q->name);
+        ck_assert_msg(q->value == NULL || q->example == NULL, "%s", q->name);
+    }
+}
+END_TEST
+
+/* eq10lin stands for Eq. (10); a motion for the equations that it obeys. */
+START_TEST(sections_stand_for_the_equation_in_their_name)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        const bool linear = strstr(s->id, "_linear") != NULL, motion = strchr(s->id, '_') != NULL;
+        const int number = motion ? (linear ? 40 : 3) : atoi(s->id + 2);
+        bool found = false;
+        for (int k = 0; k < s->numbers; k++)
+            found |= atoi(s->equations[k]) == number;
+        ck_assert_msg(found, "%s", s->id);
+        ck_assert_msg(!motion || (s->numbers == 3 && s->equations[0][strlen(s->equations[0]) - 1] == 'a' &&
+                                  s->equations[1][strlen(s->equations[1]) - 1] == 'b' &&
+                                  s->equations[2][strlen(s->equations[2]) - 1] == 'c'), "%s", s->id);
+    }
+}
+END_TEST
+
+/* Nothing follows a definition, so that nothing holds it: it is written twice. */
+START_TEST(definitions_are_these)
+{
+    static const char *const texts[][5] = {{"L = L_ref + dL", "Q = Q_ref + dQ"}, {"w_1 = 0", "w_2 = 0", "w_3 = Omega"}};
+    const struct section *sections[] = {section_find(sheet(), "eq16"), section_find(sheet(), "eq23")};
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < sections[i]->relation_count; k++)
+            ck_assert_str_eq(sections[i]->relations[k].text, texts[i][k]);
+}
+END_TEST
+
+START_TEST(no_relation_stands_twice)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        for (int k = 0; k < s->relation_count; k++)
+            for (int r = 0; r < k; r++)
+                ck_assert_str_ne(s->relations[k].text, s->relations[r].text);
+    }
+}
+END_TEST
+
 Suite *suite(void)
 {
     TCase *reading = tcase_create("reading");
     tcase_add_test(reading, sheet_is_read);
+    tcase_add_test(reading, ranges_are_these);
+    tcase_add_test(reading, values_of_the_simulation_are_these);
+    tcase_add_test(reading, no_relation_stands_twice);
+    tcase_add_test(reading, definitions_are_these);
+    tcase_add_test(reading, sections_stand_for_the_equation_in_their_name);
     tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
     tcase_add_test(reading, empty_sheet_is_refused);
+    tcase_add_test(reading, mistake_in_a_method_of_17_inputs_is_refused);
     tcase_add_test(reading, cut_sheet_is_read_or_refused);
 
     Suite *s = suite_create("sheet");

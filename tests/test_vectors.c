@@ -39,6 +39,7 @@ END_TEST
 START_TEST(every_operation_has_a_reference)
 {
     const struct section *s = operation_at(_i);
+    ck_assert_double_eq(s->K, BOUND); /* what the oracle asks of others is what is asked here of ref/ */
     ck_assert_msg((reference_find(s->id) != NULL) == (s->method != METHOD_NONE), "%s", s->id);
 }
 END_TEST
@@ -129,6 +130,45 @@ START_TEST(samples_lie_in_their_ranges)
 }
 END_TEST
 
+/*
+ * A sheet's operation is valid where ref/ gives numbers, and nowhere else. So few values make craft meet, angles vanish
+ * and n reach 9 by themselves, and every sign turn up. Flows stay where they begin, for craft may meet on the way.
+ */
+START_TEST(domain_of_the_sheet_is_that_of_ref)
+{
+    static const double values[] = {-9, -2, -1, 0, 1, 2, 9, 9.000000000000002, 1, -1};
+    const struct section *s = &sheet()->sections[_i];
+    const bool flow = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_FLOW_NONLINEAR;
+    const bool motion = s->method != METHOD_FORMULA && s->method != METHOD_ROOTS;
+    uint64_t random = 1;
+    if (s->method == METHOD_NONE)
+        return;
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    for (int k = 0; k < 6000; k++) {
+        double in[40], out[16] = {0};
+        for (int i = 0; i < s->input_count; i++) {
+            random = random * UINT64_C(6364136223846793005) + 1442695040888963407; /* Knuth's */
+            in[i] = values[(random >> 33) % (sizeof values / sizeof *values)];
+            if (!motion && in[i] == -9 && s->inputs[i]->domain == DOMAIN_POSITIVE_OR_INFINITE)
+                in[i] = INFINITY;
+            if (flow && strcmp(s->inputs[i]->name, "t") == 0)
+                in[i] = 0;
+            if (s->inputs[i]->domain != DOMAIN_FINITE && random % 16 != 0)
+                in[i] = fabs(in[i]);
+            inputs[i].infinite = isinf(in[i]);
+            fmpq_set_double(&inputs[i].value, isinf(in[i]) ? 1 : in[i]);
+        }
+        reference_find(s->id)(in, out);
+        ck_assert_msg(operation_valid(&o, inputs) != (bool)isnan(out[0]), "%s: %s, ref/ gives %g", s->id,
+                      isnan(out[0]) ? "valid" : o.why.text, out[0]);
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+END_TEST
+
 /* ---- the program's vectors ---- */
 
 static char *printed(const char *arguments)
@@ -170,6 +210,42 @@ START_TEST(golden_lines_have_their_flags)
 }
 END_TEST
 
+/* 0.1 and the least number above zero in full, by hand: 3602879701896397/2^55 and 2^-1074. */
+static const struct {
+    const char *literal;
+    enum input_form form;
+    const char *written;
+} forms[] = {
+    {"0.1", INPUTS_SHORTEST, "0.1"},
+    {"0.1", INPUTS_EXACT, "0.1000000000000000055511151231257827021181583404541015625"},
+    {"0.1", INPUTS_HEX, "0x1.999999999999ap-4"},
+    {"8.99e+9", INPUTS_EXACT, "8990000000"},
+    {"-150", INPUTS_HEX, "-0x1.2cp+7"},
+    {"0", INPUTS_HEX, "0x0p+0"},
+    {"nan", INPUTS_HEX, "nan"},
+    {"inf", INPUTS_EXACT, "inf"},
+    {"1e400", INPUTS_EXACT, "1e400"},
+};
+
+START_TEST(inputs_are_written_in_every_form)
+{
+    char text[LONGEST_INPUT];
+    input_write(text, forms[_i].literal, forms[_i].form);
+    ck_assert_str_eq(text, forms[_i].written);
+}
+END_TEST
+
+START_TEST(the_longest_input_has_all_its_digits)
+{
+    char text[LONGEST_INPUT], exponent[] = "e-308";
+    input_write(text, "2.2250738585072009e-308", INPUTS_EXACT); /* the largest number below the normal ones */
+    const size_t length = strlen(text);
+    ck_assert_uint_eq(length, 767 + strlen(".") + strlen(exponent));
+    ck_assert_str_eq(text + length - strlen(exponent), exponent);
+    ck_assert(strtod(text, NULL) == 2.2250738585072009e-308);
+}
+END_TEST
+
 START_TEST(a_subexpression_out_of_range_is_flagged)
 {
     struct operation o;
@@ -182,7 +258,7 @@ START_TEST(a_subexpression_out_of_range_is_flagged)
     fflush(stdout);
     int kept = dup(1);
     dup2(fileno(file), 1);
-    bool fine = vector_print(&o, "x", texts, "here");
+    bool fine = vector_print(&o, "x", texts, "here", INPUTS_SHORTEST);
     fflush(stdout);
     dup2(kept, 1);
     close(kept);
@@ -192,6 +268,37 @@ START_TEST(a_subexpression_out_of_range_is_flagged)
     ck_assert_ptr_nonnull(fgets(line, sizeof line, file));
     fclose(file);
     ck_assert_ptr_nonnull(strstr(line, ",range here\n"));
+}
+END_TEST
+
+/* ---- golden files ---- */
+
+/* The next line has that id, those inputs as they are written, and ends with those flags. Nothing is computed. */
+static bool is_next_line(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
+{
+    char line[4096], due[2048];
+    int used = snprintf(due, sizeof due, "%s", id);
+    for (int i = 0; i < o->section->input_count; i++)
+        used += snprintf(due + used, sizeof due - (size_t)used, ",%s", texts[i]);
+    ck_assert_msg(fgets(line, sizeof line, context) != NULL, "%s is not in the file", id);
+    line[strcspn(line, "\n")] = '\0';
+    ck_assert_msg(strncmp(line, due, (size_t)used) == 0 && line[used] == ',', "expected %s in the line %s", due, line);
+    ck_assert_msg(strlen(line) >= strlen(flags) && strcmp(line + strlen(line) - strlen(flags), flags) == 0, "%s: expected %s", id, flags);
+    return true;
+}
+
+START_TEST(golden_files_have_these_inputs)
+{
+    const struct section *s = operation_at(_i);
+    char name[80], line[4096];
+    if (s->method == METHOD_NONE)
+        return;
+    snprintf(name, sizeof name, "data/golden/%s.csv", s->id);
+    FILE *file = fopen(name, "r");
+    ck_assert_msg(file != NULL && fgets(line, sizeof line, file) != NULL, "%s", name);
+    golden_each(s, is_next_line, file);
+    ck_assert_msg(fgets(line, sizeof line, file) == NULL, "%s has more: %s", name, line);
+    fclose(file);
 }
 END_TEST
 
@@ -209,7 +316,15 @@ Suite *suite(void)
     tcase_add_test(c, samples_lie_in_their_ranges);
     tcase_add_test(c, four_shards_are_one_run);
     tcase_add_test(c, golden_lines_have_their_flags);
+    tcase_add_loop_test(c, inputs_are_written_in_every_form, 0, sizeof forms / sizeof *forms);
+    tcase_add_test(c, the_longest_input_has_all_its_digits);
     tcase_add_test(c, a_subexpression_out_of_range_is_flagged);
+    suite_add_tcase(s, c);
+    c = tcase_create("golden");
+    tcase_add_loop_test(c, golden_files_have_these_inputs, 0, sections);
+    suite_add_tcase(s, c);
+    c = tcase_create("domains");
+    tcase_add_loop_test(c, domain_of_the_sheet_is_that_of_ref, 0, sections);
     suite_add_tcase(s, c);
     return s;
 }

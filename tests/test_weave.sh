@@ -36,8 +36,7 @@ stops() {
     fi
 }
 
-"$CT_PROGRAM" verify derivations --json >"$work/derivations.json"
-"$CT_PROGRAM" verify errors --json >"$work/errors.json"
+cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$CT_BUILD/claims.json" "$work" || exit 1
 cat >"$work/gate.csv" <<'END'
 id,equations,function,tests,error,vectors,steps,verdict,edition
 eq07,6a 6b 7,ct_reference_charge_product,4,5.9e-01,46,static_charge_1 static_charge_2,"holds, definition",paper/03-statics.tex:17
@@ -55,15 +54,23 @@ gives '<<helper arm>>' 'return p.m2 / (p.m1 + p.m2) * L;'
 gives '<<step reference_charge>>' '{\eq{6a}, \eq{6b}}{$\;\rightarrow\;$\eq{7}}{exactly; degree 12, 2 points'
 gives '<<step kepler>>' '\stepprinted{rate(rate(X))'
 gives '<<verdict equation-7>>' '{holds}{exact}{proved by reference\_charge}'
+gives '<<verdict reach>>' '{qualified}{certified}{no length is set by (7) alone: $\vert Q_{\mathrm{ref}}\vert $ grows as $L^{3}$,'
+gives '<<verdict basin-at-rest>>' '{$E$ = $v^{2}$/2 $-$ (3 $x^{2}$ $-$ $z^{2}$)/2'
+gives '<<findings refuted>>' '\finding{n12-optimal}{Section Stability analysis, after Eq. (44)}{$n$ = 12 is the best choice of $n$}{The slower'
 gives '<<plot 4 At $n=12$.>>' '\plot{4}{At $n=12$.}'
 gives '<<run eval eq43 Omega=2 n=3 --digits 2>>' 'C1 = 1.2e+01 1/s^2'
+gives '<<show paper/derivations.yaml reference_charge>>' '    to: ["7"]'
 gives '<<index>>' '\indexed{eq07}{\eq{6a}--\eq{7}}{ct\_reference\_charge\_product}{4}'
 gives 'It is <<number table1.csv Omega computed 3>>.' 'It is \ensuremath{7.29\times 10^{-5}}.'
 gives '<<number golden/eq43.csv eq43-tiny n 1>>' '\ensuremath{1\times 10^{-300}}'
 gives '<<number figure4.csv 9 im2 3 1e4>>' '\ensuremath{1.93}'
+gives '<<number convergence.csv hill_43200s,psi,1.000e-05 order 3>>' '\ensuremath{2.00}'
+gives '<<value eq44 C2 3 Omega=2 n=10>>' '\ensuremath{4.00}'
+gives 'Below <<doubt>>.' 'Below \ensuremath{2^{-1'
 gives 'So <<quote equation-7 proved by |reference_charge|>>.' 'So reference\_charge.'
-gives 'It <<ruling equation-7>>.' 'It holds.'
 gives 'By \eq{40a}.' 'By \eq{40a}.'
+gives '<<count inputs>>' '1000'
+gives '<<count misprints>>' '3'
 gives '<<count steps>>' "$(grep -c '{"id": ' "$work/derivations.json")"
 
 stops '<<equatoin eq07>>' "unknown directive 'equatoin'"
@@ -79,20 +86,26 @@ stops '<<function eq20>>' 'no function in ref/ with the header Eq. (20)'
 stops '<<helper leg>>' "unknown function 'leg'"
 stops '<<step keppler>>' "unknown derivation step 'keppler'"
 stops '<<verdict equation-99>>' "unknown verdict 'equation-99'"
-stops '<<rows believed>>' "no verdict 'believed'"
+stops '<<findings believed>>' "no verdict 'believed'"
 stops '<<plot 9 What is not there.>>' "unknown plot '9', expected one of: 4 5a"
 stops '<<plot 4>>' "plot '4' has no caption"
 stops '<<run eval eq07>>' 'coulomb-tether eval eq07 failed'
 stops '<<show paper/none>>' "no text in 'paper/none'"
+stops '<<show paper/derivations.yaml keppler>>' "no 'keppler:' in 'paper/derivations.yaml'"
 stops '<<number table2.csv Omega computed 3>>' "no file 'data/table2.csv'"
 stops '<<number table1.csv Omega calculated 3>>' "'data/table1.csv' has no column 'calculated'"
 stops '<<number table1.csv omega computed 3>>' "'data/table1.csv' has no row 'omega'"
+stops '<<number convergence.csv hill_43200s,psi order 3>>' "'data/convergence.csv' has 3 rows 'hill_43200s,psi'"
+stops '<<value eq99 C2 3 Omega=2 n=10>>' "unknown equation 'eq99'"
+stops '<<value eq44 C1 3 Omega=2 n=10>>' "coulomb-tether eval eq44 gives no 'C1'"
+stops '<<value eq44 C2 3 Omega=2 n=8>>' "coulomb-tether eval eq44 gives no 'C2'"
+stops '<<value eq44 C2 3>>' 'expected <<value ID OUTPUT DIGITS NAME=VALUE ...>>'
 stops '<<number table1.csv Omega unit 3>>' "'rad/s' in 'data/table1.csv' is no number"
 stops '<<quote equation-7 proved by |magic|>>' "the evidence of 'equation-7' does not read 'proved by magic'"
 stops '<<count sheep>>' "cannot count 'sheep'"
 stops '<<error eq01>>' "no measured error of 'eq01'"
-stops 'By \eq{45}.' "unknown equation '45'"
-stops 'By \eq{45} and <<count steps>>.' "unknown equation '45'"
+stops 'By \eq{99}.' "unknown equation '99'"
+stops 'By \eq{99} and <<count steps>>.' "unknown equation '99'"
 
 # An equation and its code are one block, prose is none.
 checks=$((checks + 1))
@@ -105,14 +118,35 @@ fi
 rm "$work/gate.csv"
 stops '<<index>>' 'no index of equations'
 
-# Without LaTeX its make target is named.
-checks=$((checks + 1))
+# What is missing for the edition is named, with the make target that installs it; here all is missing, one by one.
 mkdir "$work/bin"
 ln -s "$(command -v sh)" "$work/bin/sh"
-if PATH=$work/bin sh paper/typeset.sh "$work" "$work/out.pdf" >"$work/out" 2>"$work/err" ||
-    ! grep -q 'LaTeX is missing: run "make deps-paper"' "$work/err"; then
-    fail 'without LaTeX: expected: run "make deps-paper"'
-fi
+for tool in gnuplot dot pdflatex kpsewhich "LaTeX's lmodern.sty"; do
+    checks=$((checks + 1))
+    if PATH=$work/bin sh paper/typeset.sh >"$work/out" 2>"$work/err" ||
+        [ "$(cat "$work/err")" != "$tool is missing: run \"make deps-paper\"." ]; then
+        fail "without $tool: expected: run \"make deps-paper\""
+    fi
+    printf '#!/bin/sh\nexit 1\n' >"$work/bin/$tool"
+    chmod +x "$work/bin/$tool"
+done
+
+# What LaTeX has to say about the pages decides: here it says the given line, and no more.
+printf '#!/bin/sh\nexit 0\n' >"$work/bin/kpsewhich"
+printf '#!/bin/sh\ncp said coulomb-tether.log && : >coulomb-tether.pdf\necho "Output written on coulomb-tether.pdf (1 pages"\n' \
+    >"$work/bin/pdflatex"
+pages() {
+    checks=$((checks + 1))
+    printf '%s\n' "$2" >"$work/said"
+    status=pass
+    PATH=$work/bin:$PATH paper/typeset.sh "$work" "$work/out.pdf" >"$work/out" 2>"$work/err" || status=fail
+    [ "$status" = "$1" ] || fail "LaTeX's \"$2\": the edition $status"
+}
+pages pass 'Overfull \hbox (4.99pt too wide) in paragraph at lines 1--2'
+pages fail 'Overfull \hbox (5.01pt too wide) in paragraph at lines 1--2'
+pages fail 'Overfull \vbox (20.0pt too high) has occurred while \output is active'
+pages fail "LaTeX Warning: Reference \`fig:9' on page 3 undefined on input line 7."
+pages fail 'pdfTeX warning (dest): name{eq:45} has been referenced but does not exist, replaced by a fixed one'
 
 echo "$((100 * (checks - failures) / checks))%: Checks: $checks, Failures: $failures, Errors: 0"
 [ "$failures" -eq 0 ]

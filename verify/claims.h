@@ -26,6 +26,7 @@ enum how { EXACT, CERTIFIED, MEASURED };
 struct evidence {
     enum verdict verdict;
     enum how how;
+    const char *why; /* a sentence, of a verdict other than holds and definition; else NULL */
     char text[1600]; /* one line, no line break */
 };
 

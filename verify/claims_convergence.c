@@ -219,6 +219,7 @@ static void rest_unpitched(struct evidence *e)
     arb_div(one, one, two, BITS);
     arb_sub_ui(one, one, 1, BITS);
     arb_abs(one, one);
+    e->why = "Without pitch the nonlinear motion is no slower than the linear one.";
     evidence_decide(e, REFUTED, CERTIFIED, proved && is_below(one, 0.01));
     arb_clear(two);
     arb_clear(one);
@@ -257,6 +258,7 @@ static void rest_pitched(struct evidence *e)
     evidence_add(e, ": pitch forces yaw and length at twice its frequency, at second order (claim forced-response). "
                     "Not the approach is slower, it ends in a small oscillation, and only where the start has pitch");
     proved = proved && is_above(x, 5e-4) && is_above(x + 1, 1e-3) && is_below(x + 2, 1e-6) && is_below(x + 3, 1e-6);
+    e->why = "The approach is no slower: it ends in a small oscillation, which pitch forces.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved);
     _arb_vec_clear(x, 4);
 }
@@ -296,6 +298,7 @@ static void pitch_nonlinear(struct evidence *e)
     track_gap(x, &t, &linear, THETA, 0, t.count - 1);
     evidence_bound(e, "; theta differs from the linear model's 0.01 cos(2 Omega t) by at most ", x, " rad");
     evidence_add(e, ": stable, and nearly a sinusoid; it loses amplitude as the cube of it (claim pitch-slow-law)");
+    e->why = "Nearly: it loses amplitude, slowly, as the cube of it.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved && is_below(x, 1e-3) && is_above(x, 1e-5));
     _arb_vec_clear(x, 2);
     track_clear(&linear);
@@ -327,6 +330,7 @@ static void figure_6(struct evidence *e)
     arb_mul(x, x, t.arm, t.prec);
     proved = evidence_number(e, ", |z1| up to ", x, 3, " m") && proved;
     evidence_add(e, ", as at the start: x1 and y1 converge but for what pitch leaves; z1, which is pitch, does not");
+    e->why = "But for what pitch forces on x1 and y1; z1 is pitch, and swings on.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved && is_above(x, 0.05));
     _arb_vec_clear(x, 2);
     track_clear(&t);
@@ -473,6 +477,7 @@ static void charges_converge(struct evidence *e)
     evidence_bound(e, "; without pitch <= ", x + 2, "");
     evidence_bound(e, " and ", x + 3, ": there they converge");
     proved = proved && is_below(x, 1e-3) && is_above(x + 1, 1e-5) && is_below(x + 3, 1e-8);
+    e->why = "But for what pitch forces; without pitch they do.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved);
     _arb_vec_clear(x, 4);
 }
@@ -481,6 +486,7 @@ static void figures_lost(struct evidence *e)
 {
     evidence_add(e, "the curves are lost, what the text says of them is left and decided here; their data are "
                     "computed anew, every digit proved, the motion itself beside the Runge-Kutta steps of 100 s");
+    e->why = "The curves are lost; what the text says of them is decided, and their data computed anew.";
     evidence_decide(e, NOT_DECIDABLE, EXACT, true);
 }
 

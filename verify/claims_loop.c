@@ -54,6 +54,7 @@ void decide_separation(struct evidence *e)
     arb_clear(start);
     _fmpq_vec_clear(times, TIMES);
     _arb_vec_clear(lengths, 2 * TIMES);
+    e->why = "One that starts too long does; one that starts too short falls together.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved && n.proved);
 }
 
@@ -102,6 +103,7 @@ void decide_other_rests(struct evidence *e)
                  "velocity a characteristic polynomial ends in -3 k1 < 0; on the normal s^4 - s^2 + 4 stays "
                  "whatever the gains. Off the axes nothing rests",
                  said[0][0], said[1][0], said[0][1], said[1][1], said[0][2], said[1][2]);
+    e->why = "There is a second place of rest on the radius, and others off it; all are unstable.";
     evidence_decide(e, QUALIFIED, EXACT, proved && n.proved);
 }
 
@@ -127,5 +129,6 @@ void decide_basin(struct evidence *e)
         well_clear(&w);
     }
     evidence_add(e, " (certified flows until E is below the rim of the well, inside or outside it)");
+    e->why = "Only from within a basin, which is narrow for n = 10; beyond its rim the pair is lost.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved && n.proved);
 }

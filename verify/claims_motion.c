@@ -145,6 +145,7 @@ static void which_method(struct evidence *e)
         proved = proved && is_below(error, methods[k].most) && is_above(error, methods[k].least);
     }
     evidence_add(e, ". All of order 3 and more draw the same picture; the classical fourth-order one stands in for it");
+    e->why = "Neither order nor kind is given; from the third order on all draw the same picture.";
     evidence_decide(e, NOT_DECIDABLE, CERTIFIED, proved);
     track_clear(&t);
     _arb_vec_clear(error, 2);

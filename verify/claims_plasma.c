@@ -43,6 +43,7 @@ void decide_shielding(struct evidence *e)
                  "The decay is exponential either way",
                  number_of(&n, 5, "1 + 10/1400", NOTHING), number_of(&n, 2, "1 + 10/100", NOTHING),
                  number_of(&n, 5, "1 + 100/1400", NOTHING), number_of(&n, 1, "1 + 100/100", NOTHING));
+    e->why = "The force of a screened potential has a factor 1 + r/lambda_d more.";
     evidence_decide(e, QUALIFIED, EXACT, proved && n.proved);
 }
 
@@ -71,6 +72,7 @@ void decide_shielding_order(struct evidence *e)
                  "the force of a screened potential: %s",
                  number_of(&n, 4, "1 - " PRINTED("1/10"), NOTHING),
                  number_of(&n, 4, "1 - " SCREENED("1/10"), NOTHING));
+    e->why = "It is in the force of a screened potential; in (2) as printed the term is of first order.";
     evidence_decide(e, QUALIFIED, EXACT, first && second && n.proved);
 }
 
@@ -93,6 +95,7 @@ void decide_debye_neglect(struct evidence *e)
                  "that the paper gives, %s ... %s and %s ... %s. What it does to the pair: see debye-escape",
                  said[0][0], said[0][1], said[1][0], said[1][1], said[0][2], said[0][3], said[1][2],
                  said[1][3]);
+    e->why = "To a tenth of the force for craft 10 m apart, not for the 100 m that are allowed for.";
     evidence_decide(e, QUALIFIED, CERTIFIED, monotone && n.proved);
 }
 
@@ -162,6 +165,7 @@ void decide_debye_escape(struct evidence *e)
                  "m, %s m",
                  printed[0], printed[1], printed_far[0], printed_far[1], screened[0], screened[1],
                  screened_near[0], screened_near[1]);
+    e->why = "Not at n = 10 with the shielding of (2): in almost all of that range the pair is lost.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved && n.proved);
 }
 
@@ -188,6 +192,7 @@ void decide_debye_lengths(struct evidence *e)
                  number_of(&n, 4, "8.8541878188e-12/1.602176634e-19/(1/100)^2", NOTHING),
                  number_of(&n, 4, "8.8541878188e-12/1.602176634e-19/100^2", NOTHING),
                  number_of(&n, 4, "8.8541878188e-12/1.602176634e-19/1400^2", NOTHING));
+    e->why = "Neither density nor temperature of the plasma is given.";
     evidence_decide(e, NOT_DECIDABLE, CERTIFIED, n.proved);
 }
 
@@ -242,6 +247,7 @@ void decide_orbit_rate(struct evidence *e)
     arb_clear(rate);
     arb_clear(R);
     arb_clear(R_earth);
+    e->why = "To three digits; the last two that are printed are not the Earth's.";
     evidence_decide(e, QUALIFIED, CERTIFIED, differs && n.proved);
 }
 
@@ -278,6 +284,7 @@ void decide_reach(struct evidence *e)
                  number_of(&n, 4, "1000000*sqrt(1000)*" CHARGE, NOTHING),
                  number_of(&n, 4, "L_ref*L", KNOWN({"L", L})));
     arb_clear(L);
+    e->why = "(7) sets no length; what does is the charge that a craft can bear, which is not given.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved && n.proved);
 }
 
@@ -312,5 +319,6 @@ void decide_own_gravity(struct evidence *e)
     arb_clear(gamma);
     arb_clear(gain);
     arb_clear(r);
+    e->why = "The craft's own gravity is small, yet shortens the pair by some centimetres.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved && n.proved);
 }

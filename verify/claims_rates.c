@@ -218,6 +218,7 @@ void decide_complex_pairs_any(struct evidence *e)
     evidence_add(e, " with %ld real roots", (long)real);
     fmpq_poly_clear(f);
     fmpq_clear(left);
+    e->why = "While C2^2 <= 4 (C1 - 9 Omega^2), so under (44); not for all gains of (42).";
     evidence_decide(e, QUALIFIED, EXACT, squares && real > 0);
 }
 
@@ -243,6 +244,7 @@ void decide_limits(struct evidence *e)
         proved = say(e, " and -", m.fast, 10) && proved;
         modes_clear(&m);
     }
+    e->why = "At the ends, n = 9 and n without bound, not next to 12.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved);
 }
 
@@ -310,6 +312,7 @@ void decide_n12(struct evidence *e)
     modes_clear(&twelve);
     modes_clear(&ten);
     optimum_clear(&o);
+    e->why = "The slower pair decays fastest at n = 11.81; n = 12 is within half a percent of it.";
     evidence_decide(e, REFUTED, CERTIFIED, proved);
 }
 
@@ -374,6 +377,7 @@ void decide_both_gains(struct evidence *e)
     modes_clear(&ten);
     optimum_clear(&o);
     arb_clear(one);
+    e->why = "True of C1 once C2 is free too; and then C2 = 4 Omega, which is not (44).";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved);
 }
 

@@ -129,6 +129,7 @@ static void decide_zero_charge(struct evidence *e)
                     "oscillation. That needs psi_dot held at 0: the free motion (3) has the roots 0, 0, +- i "
                     "Omega twice, the double 0 with one eigenvector: the craft do drift apart, but linearly in "
                     "time, not exponentially");
+    e->why = "Only with the yaw rate held at zero; free craft drift apart linearly in time.";
     evidence_decide(e, QUALIFIED, EXACT, proved);
 }
 
@@ -190,6 +191,7 @@ static void decide_coupling_damps(struct evidence *e)
                     "charge removes it, at any n and not only at n = 12. dL_dot = 0 for ever leaves rest alone "
                     "(observability determinant 36 (c1 - 9) in size), so yaw is damped too (LaSalle): a second "
                     "proof that (42) suffices");
+    e->why = "At any n, not at matching frequencies alone: it carries yaw's energy to the length, where C2 takes it.";
     evidence_decide(e, QUALIFIED, EXACT, proved);
 }
 
@@ -205,6 +207,7 @@ static void decide_gains_reference(struct evidence *e)
                   section_identity("eq40", "dL_ddot", "-C2*dL_dot + 2*Omega*L_ref*psi_dot - (C1 - 9*Omega^2)*dL");
     evidence_add(e, "(17) holds neither gain; the equation of dL with C1 and C2 is (19), again (40c). None of "
                     "them contains psi: what is left out is the term of psi_dot");
+    e->why = "The gains stand in (19), not in (17), and what is left out there is the term of psi_dot.";
     evidence_decide(e, HOLDS_AS_CORRECTED, EXACT, proved);
 }
 
@@ -309,6 +312,7 @@ static void decide_attitude(struct evidence *e)
                     "swings, at sqrt(3) Omega: the torque turns, the charge damps, through dL_dot; neither "
                     "makes yaw asymptotically stable alone, and pitch is not so at all",
                  (long)rank, PLANE);
+    e->why = "Neither does so alone: the torque turns yaw back, the charge damps it; pitch is damped by neither, to first order.";
     evidence_decide(e, QUALIFIED, EXACT, proved);
 }
 

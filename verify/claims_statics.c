@@ -64,6 +64,7 @@ static void decide_static_places(struct evidence *e)
     evidence_add(e, ". Two craft of like charges on the orbit normal, and two without charge one behind the "
                     "other, rest as well; (5) is the only one that attraction holds, and either craft may be "
                     "above");
+    e->why = "Two like charges on the orbit normal, and two craft without charge one behind the other, rest as well.";
     evidence_decide(e, REFUTED, EXACT, proved);
 }
 
@@ -179,6 +180,7 @@ static void decide_equal_distances(struct evidence *e)
     flint_free(x1);
     flint_free(x2);
     _fmpq_vec_clear(x, 2);
+    e->why = "Only where the masses are equal.";
     evidence_decide(e, QUALIFIED, EXACT, proved);
 }
 
@@ -209,6 +211,7 @@ static void decide_nadir(struct evidence *e)
     fmpq_poly_clear(rate);
     fmpq_clear(kepler);
     _fmpq_vec_clear(a, 3);
+    e->why = "The line is right, the direction is not: by the signs of (2) the axis points to the zenith.";
     evidence_decide(e, QUALIFIED, EXACT, steady && upward);
 }
 
@@ -296,6 +299,7 @@ static void decide_sum_bounds(struct evidence *e)
     _fmpq_vec_clear(apart, 9);
     _fmpq_vec_clear(chief, 9);
     _fmpq_vec_clear(pair, 3);
+    e->why = "The craft are numbered from 1, and so is the sum.";
     evidence_decide(e, HOLDS_AS_CORRECTED, EXACT, proved && differs);
 }
 
@@ -336,6 +340,7 @@ static void decide_cosines_reference(struct evidence *e)
     fmpq_clear(s);
     evidence_add(e, "before (25) the text calls (10) the definition of [BO]; the nine cosines are defined in "
                     "(9), (10) uses them: Omega times the third column of (9) is (25)");
+    e->why = "(9) defines it, (10) uses it.";
     evidence_decide(e, HOLDS_AS_CORRECTED, EXACT, proved && no_matrix);
 }
 
@@ -386,6 +391,7 @@ static void decide_zero_charge_orbit(struct evidence *e)
     arb_clear(t);
     arb_clear(hill);
     arb_clear(printed);
+    e->why = "At the start alone: free craft turn, and part linearly in time, not exponentially.";
     evidence_decide(e, QUALIFIED, CERTIFIED, proved && n.proved);
 }
 

@@ -3,14 +3,15 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
-enum { QUESTIONS = 1 << 16, ANSWERS = 1 << 12 };
+enum { QUESTIONS = 1 << 16, ANSWERS = 1 << 12 }; /* a pipe that polls as ready takes 4096 bytes at once */
 
-static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
+static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 enum { INTERRUPTS = sizeof interrupts / sizeof *interrupts };
 
 static void close_end(int *end)
@@ -23,13 +24,24 @@ static void close_end(int *end)
 /* A pipe of which neither end survives an exec; the parent's, ends[own], never blocks. */
 static bool open_pipe(int ends[2], int own)
 {
-    if (pipe(ends) != 0)
-        return false;
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    if (own >= 0)
-        fcntl(ends[own], F_SETFL, O_NONBLOCK);
-    return true;
+    return pipe(ends) == 0 && fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 && fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0 &&
+           (own < 0 || fcntl(ends[own], F_SETFL, O_NONBLOCK) == 0);
+}
+
+static bool is_passing(int error)
+{
+    return error == EAGAIN || error == EINTR;
+}
+
+/* The client that exit() ends: only one is open at a time. */
+static pid_t running;
+
+static void end_group(void)
+{
+    if (running <= 0)
+        return;
+    kill(running, SIGKILL);
+    kill(-running, SIGKILL); /* not yet waited for, the client keeps its group's number */
 }
 
 static void become(char *const *arguments, int in, int out, int errors, int failure, const sigset_t *signals)
@@ -51,12 +63,13 @@ static int exec_failure(int failure)
     do
         got = read(failure, &why, sizeof why);
     while (got < 0 && errno == EINTR);
-    return got == (ssize_t)sizeof why ? why : 0;
+    return got < 0 ? errno : got == (ssize_t)sizeof why ? why : 0;
 }
 
 int client_start(struct client *c, char *const *arguments)
 {
     int in[2] = {-1, -1}, out[2] = {-1, -1}, errors[2] = {-1, -1}, failure[2] = {-1, -1};
+    static bool at_exit;
     sigset_t blocked;
     *c = (struct client){.pid = -1, .to = -1, .from = -1, .errors = -1};
     sigemptyset(&blocked);
@@ -64,7 +77,10 @@ int client_start(struct client *c, char *const *arguments)
         sigaddset(&blocked, interrupts[i]);
     sigprocmask(SIG_BLOCK, &blocked, &c->signals);
     int why = 0;
-    if (open_pipe(in, 1) && open_pipe(out, 0) && open_pipe(errors, 0) && open_pipe(failure, -1))
+    at_exit = at_exit || atexit(end_group) == 0;
+    if (!at_exit)
+        errno = ENOMEM; /* LCOV_EXCL_LINE: only where memory runs out, make faults */
+    else if (open_pipe(in, 1) && open_pipe(out, 0) && open_pipe(errors, 0) && open_pipe(failure, -1))
         c->pid = fork();
     if (c->pid == 0)
         become(arguments, in[0], out[1], errors[1], failure[1], &c->signals);
@@ -72,6 +88,7 @@ int client_start(struct client *c, char *const *arguments)
         why = errno;
     else
         setpgid(c->pid, c->pid); /* here too: whoever comes first */
+    running = c->pid;
     close_end(&in[0]);
     close_end(&out[1]);
     close_end(&errors[1]);
@@ -87,18 +104,41 @@ int client_start(struct client *c, char *const *arguments)
     return why;
 }
 
+static bool is_interrupted(const struct client *c)
+{
+    sigset_t pending;
+    bool any = false;
+    sigpending(&pending);
+    for (int i = 0; i < INTERRUPTS; i++)
+        any = any || (sigismember(&pending, interrupts[i]) == 1 && sigismember(&c->signals, interrupts[i]) == 0);
+    return any;
+}
+
+/* On to our standard error; an interrupt need not wait until somebody reads it. */
+static void pass_on(const struct client *c, const char *bytes, size_t size)
+{
+    struct pollfd end = {2, POLLOUT, 0};
+    while (size > 0 && !is_interrupted(c)) {
+        const int ready = poll(&end, 1, 100);
+        const ssize_t step = ready > 0 ? write(2, bytes, size) : 0;
+        if (step < 0 || (ready < 0 && !is_passing(errno)))
+            return;
+        bytes += step;
+        size -= (size_t)step;
+    }
+}
+
 /* Standard error: on to ours, its last part kept. */
 static void hear_errors(struct client *c)
 {
     char bytes[ANSWERS];
     for (int pipeful = 0; c->errors >= 0 && pipeful < 16; pipeful++) {
         ssize_t got = read(c->errors, bytes, sizeof bytes);
-        if (got == 0)
+        if (got == 0 || (got < 0 && !is_passing(errno)))
             close_end(&c->errors);
         if (got <= 0)
             return;
-        for (ssize_t done = 0, step; done < got && (step = write(2, bytes + done, (size_t)(got - done))) > 0;)
-            done += step;
+        pass_on(c, bytes, (size_t)got);
         const size_t size = (size_t)got > CLIENT_TAIL ? CLIENT_TAIL : (size_t)got;
         const size_t keep = c->tail_length + size > CLIENT_TAIL ? CLIENT_TAIL - size : c->tail_length;
         memmove(c->tail, c->tail + c->tail_length - keep, keep);
@@ -112,16 +152,6 @@ static double seconds(void)
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static bool is_interrupted(const struct client *c)
-{
-    sigset_t pending;
-    bool any = false;
-    sigpending(&pending);
-    for (int i = 0; i < INTERRUPTS; i++)
-        any = any || (sigismember(&pending, interrupts[i]) == 1 && sigismember(&c->signals, interrupts[i]) == 0);
-    return any;
 }
 
 static bool has_ended(const struct client *c)
@@ -146,8 +176,10 @@ static bool send_questions(struct client *c, const struct conversation *talk, st
     ssize_t sent = o->begin < o->end ? write(c->to, o->room + o->begin, o->end - o->begin) : -1;
     if (sent > 0)
         o->begin += (size_t)sent;
-    else if (o->begin == o->end || (errno != EAGAIN && errno != EINTR)) /* all asked, or it listens no more */
+    else if (o->begin == o->end || errno == EPIPE) /* all asked, or it listens no more */
         close_end(&c->to);
+    else if (!is_passing(errno)) /* LCOV_EXCL_LINE: a failing system call, make faults */
+        c->why = errno;         /* LCOV_EXCL_LINE: a failing system call, make faults */
     return sent > 0;
 }
 
@@ -158,8 +190,10 @@ static bool hear_answers(struct client *c, const struct conversation *talk, bool
     ssize_t got = read(c->from, bytes, sizeof bytes);
     if (got > 0)
         *enough = !talk->hear(talk->context, bytes, (size_t)got);
-    else if (got == 0 || (errno != EAGAIN && errno != EINTR))
+    else if (got == 0)
         close_end(&c->from);
+    else if (!is_passing(errno)) /* LCOV_EXCL_LINE: a failing system call, make faults */
+        c->why = errno;         /* LCOV_EXCL_LINE: a failing system call, make faults */
     return got > 0;
 }
 
@@ -168,12 +202,13 @@ enum ending client_converse(struct client *c, const struct conversation *talk, d
     struct outgoing o = {.begin = 0, .end = 0};
     double idle = 0.0; /* seconds in which only the client could have done something, and did not */
     bool enough = false;
-    while (idle < timeout && !enough && !is_interrupted(c)) {
+    while (idle < timeout && !enough && c->why == 0 && !is_interrupted(c)) {
         struct pollfd ends[] = {{c->to, POLLOUT, 0}, {c->from, POLLIN, 0}, {c->errors, POLLIN, 0}};
         const double before = seconds();
         const int slice = c->from >= 0 ? 100 : 10; /* ms until the next look for an interrupt or the end */
         bool moved = false;
-        poll(ends, 3, slice);
+        if (poll(ends, 3, slice) < 0 && !is_passing(errno))
+            c->why = errno; /* LCOV_EXCL_LINE: a failing system call, make faults */
         idle += seconds() - before;
         if (ends[0].revents != 0)
             moved = send_questions(c, talk, &o);
@@ -189,18 +224,19 @@ enum ending client_converse(struct client *c, const struct conversation *talk, d
         }
     }
     hear_errors(c);
-    return is_interrupted(c) ? ENDING_INTERRUPTED : enough ? ENDING_STOPPED : ENDING_TIMEOUT;
+    return is_interrupted(c) ? ENDING_INTERRUPTED
+           : c->why != 0     ? ENDING_BROKEN
+           : enough          ? ENDING_STOPPED
+                             : ENDING_TIMEOUT;
 }
 
 int client_close(struct client *c)
 {
     int status = 0;
-    if (c->pid > 0) {
-        kill(c->pid, SIGKILL);
-        kill(-c->pid, SIGKILL); /* not yet waited for, the client keeps its group's number */
-        while (waitpid(c->pid, &status, 0) < 0 && errno == EINTR)
-            ;
-    }
+    end_group();
+    while (c->pid > 0 && waitpid(c->pid, &status, 0) < 0 && errno == EINTR)
+        ;
+    running = 0;
     close_end(&c->to);
     close_end(&c->from);
     close_end(&c->errors);

@@ -1,7 +1,7 @@
 /*
  * A client: any executable, started without a shell in a process group of its own. Questions go in and
  * answers come out at the same time, however much of either is under way; what it says on standard error
- * is passed on. Nothing of its group is left when it is closed.
+ * is passed on. Nothing of its group is left when it is closed, or when the program exits before.
  */
 #ifndef CT_CLIENT_H
 #define CT_CLIENT_H
@@ -19,6 +19,7 @@ struct client {
     sigset_t signals;            /* the mask to return to: an interrupt waits until the client is closed */
     char tail[CLIENT_TAIL + 1];  /* the last of its standard error */
     size_t tail_length;
+    int why;                     /* the errno that broke the conversation on our side */
 };
 
 struct conversation {
@@ -27,7 +28,7 @@ struct conversation {
     bool (*hear)(void *context, const char *bytes, size_t size); /* false: more of this need not be heard */
 };
 
-enum ending { ENDING_EXIT, ENDING_TIMEOUT, ENDING_STOPPED, ENDING_INTERRUPTED };
+enum ending { ENDING_EXIT, ENDING_TIMEOUT, ENDING_STOPPED, ENDING_INTERRUPTED, ENDING_BROKEN };
 
 /* 0, or the errno that says why there is none. */
 int client_start(struct client *c, char *const *arguments);

@@ -10,12 +10,13 @@
 
 int complain(int status, const char *format, ...)
 {
+    char text[8192]; /* as long as a path is */
     va_list arguments;
     va_start(arguments, format);
-    fputs("coulomb-tether: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    message_printable(text);
+    fprintf(stderr, "coulomb-tether: %s\n", text);
     return status;
 }
 
@@ -109,6 +110,20 @@ int option_digits(const struct arguments *a, long otherwise, long *digits)
     return EXIT_DONE;
 }
 
+int option_inputs(const struct arguments *a, enum input_form *form)
+{
+    const char *text = option_value(a, "--inputs");
+    *form = INPUTS_SHORTEST;
+    if (text == NULL)
+        return EXIT_DONE;
+    for (int i = 0; i < 3; i++)
+        if (strcmp(text, input_forms[i]) == 0) {
+            *form = (enum input_form)i;
+            return EXIT_DONE;
+        }
+    return complain(EXIT_USAGE, "--inputs: expected shortest, exact or hex, got '%.40s'", text);
+}
+
 int whole_number(const char *name, const char *text, uint64_t *value)
 {
     char *end;
@@ -135,7 +150,7 @@ int literal_argument(const char *name, const char *text, bool exact, bool may_be
         return complain(EXIT_FAILED_CHECK, "%s: expected a finite number, got '%s'", name, text);
     case LITERAL_OVERFLOW:
         return complain(EXIT_FAILED_CHECK, "%s: '%.40s' is too large%s", name, text,
-                        exact ? ", expected an exponent within +-100000"
+                        exact ? ", expected an exponent within +-5000 and at most 10000 digits"
                               : " for binary64, --exact takes it as it is");
     case LITERAL_MALFORMED:
         break;
@@ -165,9 +180,9 @@ static int assignment_index(const char *assignment, const char *const *known, in
 }
 
 int read_assignments(const struct arguments *a, const char *const *known, int count, bool exact,
-                     const bool *may_be_infinite, bool *seen, struct input *values)
+                     const bool *may_be_infinite, bool *seen, struct input *values, const char **refused)
 {
-    int refused = -1, place = 0;
+    *refused = NULL;
     for (int k = 0; k < a->assignment_count; k++) {
         int i = assignment_index(a->assignments[k], known, count, seen);
         if (i < 0)
@@ -178,15 +193,22 @@ int read_assignments(const struct arguments *a, const char *const *known, int co
         if (literal == LITERAL_MALFORMED)
             return literal_argument(known[i], text, exact, may_be_infinite[i], &values[i]);
         values[i].infinite = literal == LITERAL_INFINITE && may_be_infinite[i];
-        if (refused < 0 && literal != LITERAL_FINITE && !values[i].infinite) {
-            refused = k;
-            place = i;
-        }
+        if (*refused == NULL && literal != LITERAL_FINITE && !values[i].infinite)
+            *refused = a->assignments[k];
     }
-    if (refused < 0)
-        return EXIT_DONE;
-    const char *text = strchr(a->assignments[refused], '=') + 1;
-    return literal_argument(known[place], text, exact, may_be_infinite[place], &values[place]);
+    return EXIT_DONE;
+}
+
+int refuse_assignment(const char *assignment, bool exact)
+{
+    const char *equals = strchr(assignment, '=');
+    char name[64];
+    struct input value = {.infinite = false};
+    snprintf(name, sizeof name, "%.*s", (int)(equals - assignment), assignment);
+    fmpq_init(&value.value);
+    int status = literal_argument(name, equals + 1, exact, false, &value);
+    fmpq_clear(&value.value);
+    return status;
 }
 
 void json_text(const char *text)

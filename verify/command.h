@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "operation.h"
+#include "vectors.h"
 
 enum { EXIT_DONE = 0, EXIT_FAILED_CHECK = 1, EXIT_USAGE = 2 };
 
@@ -49,6 +50,9 @@ const char *option_value(const struct arguments *a, const char *name); /* of the
 /* --digits, 1 ... 10000. */
 int option_digits(const struct arguments *a, long otherwise, long *digits);
 
+/* --inputs shortest|exact|hex. */
+int option_inputs(const struct arguments *a, enum input_form *form);
+
 /* A whole number below 2^63 in decimal digits. */
 int whole_number(const char *name, const char *text, uint64_t *value);
 
@@ -60,11 +64,13 @@ int literal_argument(const char *name, const char *text, bool exact, bool may_be
                      struct input *value);
 
 /*
- * All NAME=VALUE of an argument list into values[i] for known[i], and which were seen. Every name and
- * every number is read before the first value is refused: wrong usage weighs more than a domain.
+ * All NAME=VALUE of an argument list into values[i] for known[i], and which were seen: EXIT_DONE or EXIT_USAGE. Wrong
+ * usage weighs more than a domain, and so the first value that is no finite number is only kept in *refused (NULL:
+ * there is none), to be refused once everything else has been found in order.
  */
 int read_assignments(const struct arguments *a, const char *const *known, int count, bool exact,
-                     const bool *may_be_infinite, bool *seen, struct input *values);
+                     const bool *may_be_infinite, bool *seen, struct input *values, const char **refused);
+int refuse_assignment(const char *assignment, bool exact);
 
 /* A text as a JSON string, quotes and all. */
 void json_text(const char *text);

@@ -28,26 +28,6 @@ static void csv_field(const char *text)
     putchar('"');
 }
 
-/* What would be mark-up is escaped. */
-static void markdown_text(const char *text)
-{
-    for (const char *c = text; *c != '\0'; c++)
-        fputs(*c == '<' ? "&lt;" : *c == '|' ? "\\|" : *c == '*' ? "\\*" : *c == '_' ? "\\_" : (char[]){*c, '\0'}, stdout);
-}
-
-/* A line of README's table: the claim unfolds to its evidence. */
-static void print_markdown(const struct ledger_row *row)
-{
-    const enum verdict verdict = row->evidence.verdict;
-    if (verdict == HOLDS || verdict == DEFINITION)
-        return;
-    printf("| %s | <details><summary>", row->where);
-    markdown_text(row->claim);
-    fputs("</summary>", stdout);
-    markdown_text(row->evidence.text);
-    printf("</details> | %s |\n", verdict_names[verdict]);
-}
-
 static void print_row(void *context, const struct ledger_row *row)
 {
     struct printer *p = context;
@@ -58,8 +38,6 @@ static void print_row(void *context, const struct ledger_row *row)
     if (p->format == FORMAT_TABLE)
         printf("%-22s %-20s %-10s %s\n    %s\n    %s\n", row->id, verdict_names[e->verdict],
                how_names[e->how], row->where, row->claim, e->text);
-    if (p->format == FORMAT_MARKDOWN)
-        print_markdown(row);
     if (p->format == FORMAT_JSON)
         fputs(p->rows ? ",\n {" : "[{", stdout);
     for (int i = 0; i < 6 && p->format == FORMAT_CSV; i++) {
@@ -70,23 +48,25 @@ static void print_row(void *context, const struct ledger_row *row)
         printf("%s\"%s\": ", i ? ", " : "", keys[i]);
         json_text(fields[i]);
     }
+    if (p->format == FORMAT_JSON && e->why != NULL) {
+        fputs(", \"why\": ", stdout);
+        json_text(e->why);
+    }
     if (p->format == FORMAT_JSON)
         putchar('}');
     p->rows++;
     p->verdicts[e->verdict]++;
 }
 
-bool print_claims(const struct proofs *proofs, enum format format)
+bool print_claims(const struct proofs *proofs, const char *only, enum format format)
 {
     struct printer p = {.format = format};
     if (format == FORMAT_CSV)
         puts("id,where,claim,verdict,how,evidence");
-    if (format == FORMAT_MARKDOWN)
-        puts("| where | claim, and why | verdict |\n|---|---|---|");
-    bool decided = ledger_rows(proofs, print_row, &p);
+    bool decided = ledger_rows(proofs, only, print_row, &p);
     if (format == FORMAT_JSON)
         puts("]");
-    if (format == FORMAT_TABLE) {
+    if (format == FORMAT_TABLE && only == NULL) {
         printf("%d verdicts:", p.rows);
         for (int v = NOT_DECIDABLE; v >= 0; v--)
             if (p.verdicts[v] > 0)

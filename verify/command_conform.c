@@ -1,21 +1,22 @@
 /* coulomb-tether conform: is an implementation of these equations, in whatever language, right? */
 #include <errno.h>
-#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "client.h"
 #include "command.h"
 #include "diagnosis.h"
+#include "progress.h"
 #include "report.h"
 
 /* Digits that a motion has to reach unless --digits says otherwise; PROTOCOL.md has the reasons. */
 static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;
+
+enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered is counted one by one */
 
 /* What is asked for: a number a section of the sheet. */
 struct choice {
@@ -109,9 +110,13 @@ static int take_questions(struct exam *e, const struct arguments *a, const struc
     if (status == EXIT_DONE)
         status = take_number(a, "--seed", &e->questions.seed);
     if (status == EXIT_DONE)
+        status = option_inputs(a, &e->questions.form);
+    if (status == EXIT_DONE)
         status = take_number(a, "--significand", &significand);
     if (status == EXIT_DONE && option_given(a, "--random") != option_given(a, "--seed"))
         status = complain(EXIT_USAGE, "conform: expected --random N and --seed S together");
+    if (status == EXIT_DONE && random > MOST_RANDOM)
+        status = complain(EXIT_USAGE, "--random: expected at most %d vectors an operation", MOST_RANDOM);
     if (status == EXIT_DONE && significand != BINARY32 && significand != BINARY64 && significand != BINARY128)
         status = complain(EXIT_USAGE, "--significand: expected 24, 53 or 113");
     if (status != EXIT_DONE)
@@ -154,8 +159,7 @@ static int report(struct exam *e, const struct arguments *a, const char *client,
 /* The examination, with its progress on a terminal. */
 struct watched {
     struct exam *exam;
-    bool terminal;
-    time_t shown;
+    struct progress progress;
 };
 
 static size_t ask(void *context, char *room, size_t size)
@@ -167,10 +171,7 @@ static bool hear(void *context, const char *bytes, size_t size)
 {
     struct watched *w = context;
     const bool on = exam_hear(w->exam, bytes, size);
-    if (w->terminal && time(NULL) != w->shown) {
-        w->shown = time(NULL);
-        fprintf(stderr, "\r%" PRIu64 " of %" PRIu64, w->exam->next, w->exam->questions.total);
-    }
+    progress_show(&w->progress, w->exam->next, w->exam->questions.total);
     return on;
 }
 
@@ -202,15 +203,16 @@ static int examine_client(struct exam *e, const struct arguments *a, char **clie
     if (text != NULL && (*end != '\0' || !(timeout > 0.0 && timeout <= 1e6)))
         return complain(EXIT_USAGE, "--timeout: expected seconds, more than 0, got '%.40s'", text);
     struct client c;
-    struct watched w = {e, isatty(2) == 1, time(NULL)};
+    struct watched w = {e, progress_begin(false)};
     const struct conversation talk = {&w, ask, hear};
     const int why = client_start(&c, client);
     if (why != 0)
         return complain(status_of_name(why), "client '%s': %s", client[0], strerror(why));
     const enum ending ending = client_converse(&c, &talk, timeout);
     const int status = client_close(&c); /* an interrupt ends the program here */
-    if (w.terminal)
-        fputs("\r\033[K", stderr);
+    progress_end(&w.progress);
+    if (ending == ENDING_BROKEN) /* LCOV_EXCL_BR_LINE: a failing system call, make faults */
+        return complain(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why)); /* LCOV_EXCL_LINE: the same */
     const int concluded = conclude(e, ending, status, client[0]);
     c.tail[c.tail_length] = '\0';
     return concluded != EXIT_DONE ? concluded : report(e, a, client[0], c.tail);
@@ -258,22 +260,26 @@ static bool take_header(char *line, const struct section *s, const char *name, i
     return true;
 }
 
+static void say(struct exam *e, const char *text)
+{
+    exam_hear(e, text, strlen(text));
+}
+
 /* A row as a client would say it; blank outputs mean `invalid`. */
 static void hear_row(struct exam *e, char *line, const int *columns, int outputs)
 {
-    char *cells[MOST_CELLS], said[LONGEST_LINE];
+    char *cells[MOST_CELLS];
     const int count = cells_of(line, cells);
-    size_t used = (size_t)snprintf(said, sizeof said, "%s", columns[0] < count ? cells[columns[0]] : "");
-    const size_t id = used;
-    for (int i = 1; i <= outputs && used < sizeof said; i++)
-        if (columns[i] < count && *cells[columns[i]] != '\0')
-            used += (size_t)snprintf(said + used, sizeof said - used, " %s", cells[columns[i]]);
-    if (used == id)
-        used += (size_t)snprintf(said + used, sizeof said - used, " invalid");
-    if (used < sizeof said - 1) {
-        said[used++] = '\n';
-        exam_hear(e, said, used);
+    bool blank = true;
+    say(e, columns[0] < count ? cells[columns[0]] : "");
+    for (int i = 1; i <= outputs; i++) {
+        if (columns[i] >= count || *cells[columns[i]] == '\0')
+            continue;
+        say(e, " ");
+        say(e, cells[columns[i]]);
+        blank = false;
     }
+    say(e, blank ? " invalid\n" : "\n");
 }
 
 /* A line more; false at the end, and after a complaint. */
@@ -358,8 +364,9 @@ int command_conform(int count, char **texts)
 {
     struct option options[] = {{"--only", true, NULL},    {"--random", true, NULL},  {"--seed", true, NULL},
                                {"--timeout", true, NULL}, {"--report", true, NULL},  {"--answers", true, NULL},
-                               {"--range", false, NULL},  {"--kills", false, NULL},  {"--significand", true, NULL}};
-    struct arguments a = {.subcommand = "conform", .options = options, .option_count = 9};
+                               {"--range", false, NULL},  {"--kills", false, NULL},  {"--significand", true, NULL},
+                               {"--inputs", true, NULL}};
+    struct arguments a = {.subcommand = "conform", .options = options, .option_count = 10};
     const size_t sections = (size_t)sheet()->section_count;
     struct choice c = {.chosen = memory(NULL, sections, sizeof *c.chosen),
                        .digits = memory(NULL, sections, sizeof *c.digits)};

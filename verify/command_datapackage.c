@@ -25,6 +25,8 @@ static const struct {
     {"verdicts", "Verdicts: every equation and claim of the paper, with the evidence"},
     {"convergence", "Convergence: observed orders, linear against nonlinear, Runge-Kutta, two-body motion"},
     {"forced", "Forced response: what pitch leaves in length and yaw, against its closed form"},
+    {"kills", "Kill table: the mistakes that each golden vector tells from the truth; motions of up to ten hours"},
+    {"errata", "Errata: golden vectors that were wrong, with the old value and the new"},
     {"pitch", "Pitch of 0.2 rad over 30 days: its amplitude, against the slow law"},
 };
 

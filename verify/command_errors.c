@@ -3,8 +3,10 @@
 
 #include <stdio.h>
 
+#include "command.h"
 #include "decimal.h"
 #include "errors.h"
+#include "reference.h"
 
 enum { SEED = 1, PASS = 8 }; /* E beyond 8 is no rounding of a formula of the sheet: see the oracle's rule */
 
@@ -31,6 +33,11 @@ bool print_errors(long inputs, enum format format)
         char text[32];
         if (!operation_has_sensitivity(s))
             continue;
+        if (reference_find(s->id) == NULL) {
+            complain(EXIT_FAILED_CHECK, "verify errors: no '%s' in verify/reference.c", s->id);
+            fine = false;
+            continue;
+        }
         measure_errors(&m, s, inputs, SEED);
         bound_text(text, m.worst);
         fine = fine && m.worst <= PASS && m.outside == 0;

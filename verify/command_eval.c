@@ -16,14 +16,15 @@ static int read_inputs(const struct arguments *a, const struct section *s, bool 
         known[i] = s->inputs[i]->name;
         may_be_infinite[i] = s->inputs[i]->domain == DOMAIN_POSITIVE_OR_INFINITE;
     }
-    int status = read_assignments(a, known, s->input_count, exact, may_be_infinite, seen, inputs);
-    if (status == EXIT_USAGE)
+    const char *refused;
+    int status = read_assignments(a, known, s->input_count, exact, may_be_infinite, seen, inputs, &refused);
+    if (status != EXIT_DONE)
         return status;
     for (int i = 0; i < s->input_count; i++)
         if (!seen[i])
             return complain(EXIT_USAGE, "%s: missing %s, expected %s=VALUE [%s]", s->id, known[i],
                             known[i], s->inputs[i]->unit);
-    return status;
+    return refused != NULL ? refuse_assignment(refused, exact) : EXIT_DONE;
 }
 
 static void print_outputs(const struct section *s, char *const *digits)

@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "decimal.h"
+#include "progress.h"
 
 enum { MOST_ROWS = 1000000 };
 
@@ -129,10 +129,14 @@ int read_settings(struct setting *s, const struct arguments *a, bool nonlinear)
 {
     static const bool never_infinite[SETTINGS] = {false};
     struct message why;
-    int values = read_assignments(a, setting_names, SETTINGS, s->exact, never_infinite, s->given, s->value);
-    int status = values == EXIT_USAGE ? values : check_combination(s, nonlinear);
-    if (status != EXIT_DONE || values != EXIT_DONE)
-        return status != EXIT_DONE ? status : values;
+    const char *refused;
+    int status = read_assignments(a, setting_names, SETTINGS, s->exact, never_infinite, s->given, s->value, &refused);
+    if (status == EXIT_DONE)
+        status = check_combination(s, nonlinear);
+    if (status != EXIT_DONE)
+        return status;
+    if (refused != NULL)
+        return refuse_assignment(refused, s->exact);
     return setting_valid(s, nonlinear, &why) ? EXIT_DONE
                                              : complain(EXIT_FAILED_CHECK, "%s", why.text);
 }
@@ -144,12 +148,12 @@ struct printer {
     const int *columns; /* which numbers of a row */
     int count;
     const char *const *beside; /* further columns, a line each; NULL for none */
-    bool progress;
+    struct progress progress;
 };
 
 static int print_row(void *context, slong k, const fmpq_t t, char *const *numbers)
 {
-    const struct printer *p = context;
+    struct printer *p = context;
     (void)t;
     fputs(p->times->texts[k], stdout);
     for (int i = 0; i < p->count; i++)
@@ -157,8 +161,7 @@ static int print_row(void *context, slong k, const fmpq_t t, char *const *number
     if (p->beside != NULL)
         fputs(p->beside[k], stdout);
     putchar('\n');
-    if (p->progress && k % 64 == 0)
-        fprintf(stderr, "\r%3ld %%", (long)(100 * (k + 1) / p->times->count));
+    progress_show(&p->progress, (uint64_t)k + 1, (uint64_t)p->times->count);
     return ferror(stdout);
 }
 
@@ -166,10 +169,9 @@ int print_motion(const struct motion *m, const struct times *times, const int *c
                         const char *const *beside)
 {
     struct message why;
-    struct printer p = {times, columns, count, beside, isatty(2) && isatty(1) == 0};
+    struct printer p = {times, columns, count, beside, progress_begin(true)};
     int failed = motion_rows(m, times->t, times->count, print_row, &p, &why);
-    if (p.progress)
-        fputs("\r     \r", stderr);
+    progress_end(&p.progress);
     int written = output_finished();
     return written != EXIT_DONE ? written
            : failed             ? complain(EXIT_FAILED_CHECK, "%s", why.text)

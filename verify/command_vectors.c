@@ -46,7 +46,7 @@ static int take_section(const struct arguments *a, const struct section **s)
     return EXIT_DONE;
 }
 
-static int random_vectors(const struct arguments *a, const struct section *s)
+static int random_vectors(const struct arguments *a, const struct section *s, enum input_form form)
 {
     const char *count_text = option_value(a, "--count"), *seed_text = option_value(a, "--seed");
     uint64_t first = 0, count = 0, seed = 0;
@@ -65,26 +65,30 @@ static int random_vectors(const struct arguments *a, const struct section *s)
         return status;
     if (header)
         vectors_header(s);
-    return vectors_random(s, seed, first, count) ? EXIT_DONE : EXIT_FAILED_CHECK;
+    return vectors_random(s, seed, first, count, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
 }
 
 int command_vectors(int count, char **texts)
 {
-    struct option options[] = {{"--count", true, NULL}, {"--seed", true, NULL}, {"--shard", true, NULL}, {"--golden", false, NULL}};
-    struct arguments a = {.subcommand = "vectors", .options = options, .option_count = 4};
+    struct option options[] = {{"--count", true, NULL}, {"--seed", true, NULL}, {"--shard", true, NULL}, {"--golden", false, NULL},
+                               {"--inputs", true, NULL}};
+    struct arguments a = {.subcommand = "vectors", .options = options, .option_count = 5};
     int status = arguments_split(&a, count, texts, 1);
     if (status != EXIT_DONE)
         return status;
     const struct section *s = NULL;
     status = take_section(&a, &s);
+    enum input_form form = INPUTS_SHORTEST;
+    if (status == EXIT_DONE)
+        status = option_inputs(&a, &form);
     const bool golden = option_given(&a, "--golden");
     const bool random = option_given(&a, "--count") || option_given(&a, "--seed") || option_given(&a, "--shard");
     if (status == EXIT_DONE && golden && random)
         status = complain(EXIT_USAGE, "--golden: expected without --count, --seed and --shard");
     else if (status == EXIT_DONE && golden)
-        status = vectors_golden(s) ? EXIT_DONE : EXIT_FAILED_CHECK;
+        status = vectors_golden(s, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
     else if (status == EXIT_DONE)
-        status = random_vectors(&a, s);
+        status = random_vectors(&a, s, form);
     free(a.assignments);
     if (status == EXIT_USAGE)
         return status;

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "ledger.h"
 
 enum {
     SEED = 1,     /* of the points of derivation steps; --seed draws others   */
@@ -17,6 +18,7 @@ enum {
 /* What was asked for. */
 struct request {
     const char *part; /* NULL: all */
+    const char *claim; /* its id; NULL: all */
     bool graph;
     enum format format;
     ulong seed;
@@ -34,7 +36,7 @@ static bool verify_derivations(const struct proofs *p, const struct request *req
 
 static bool verify_claims(const struct proofs *p, const struct request *request)
 {
-    return print_claims(p, request->format);
+    return print_claims(p, request->claim, request->format);
 }
 
 static bool verify_errors(const struct proofs *p, const struct request *request)
@@ -63,6 +65,24 @@ static int read_integer(const char *name, const char *text, ulong *value)
     return EXIT_DONE;
 }
 
+/* Of the ledger, the rows of the equations and of Table 1 included. */
+static bool is_claim(const char *id)
+{
+    const char *claims[MOST_CLAIMS];
+    const int count = ledger_claims(claims);
+    for (int i = 0; i < count; i++)
+        if (strcmp(claims[i], id) == 0)
+            return true;
+    for (int i = 0; i < sheet()->row_count; i++)
+        if (strncmp(id, "table1-", 7) == 0 && strcmp(sheet()->table1[i].name, id + 7) == 0)
+            return true;
+    for (int i = 0; i < sheet()->section_count; i++)
+        for (int k = 0; k < sheet()->sections[i].numbers; k++)
+            if (strncmp(id, "equation-", 9) == 0 && strcmp(sheet()->sections[i].equations[k], id + 9) == 0)
+                return true;
+    return false;
+}
+
 static int check_request(const struct arguments *a, const struct request *r)
 {
     const char *known[PARTS];
@@ -77,10 +97,17 @@ static int check_request(const struct arguments *a, const struct request *r)
         return complain(EXIT_USAGE, "verify: unexpected argument '%s'", a->assignments[0]);
     if (!found)
         return complain(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
+    if (r->claim != NULL && strcmp(r->part, "claims") != 0)
+        return complain(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
+    if (r->claim != NULL && !is_claim(r->claim)) {
+        const char *claims[MOST_CLAIMS];
+        suggest(hint, r->claim, claims, ledger_claims(claims));
+        return complain(EXIT_USAGE, "unknown claim '%s'%s", r->claim, hint);
+    }
     if (r->graph && (r->format != FORMAT_TABLE || r->part == NULL || strcmp(r->part, "derivations") != 0))
         return complain(EXIT_USAGE, "--graph: expected verify derivations before it, and no --json");
-    if (r->format == FORMAT_MARKDOWN && (r->part == NULL || strcmp(r->part, "derivations") == 0))
-        return complain(EXIT_USAGE, "--markdown: expected verify claims or verify errors before it");
+    if (r->format == FORMAT_MARKDOWN && (r->part == NULL || strcmp(r->part, "errors") != 0))
+        return complain(EXIT_USAGE, "--markdown: expected verify errors before it");
     if (r->format == FORMAT_CSV && (r->part == NULL || strcmp(r->part, "claims") != 0))
         return complain(EXIT_USAGE, "--csv: expected verify claims before it");
     if (r->count < 1 || r->count > 100000000)
@@ -94,6 +121,7 @@ static int read_request(const struct arguments *a, struct request *r)
     const bool markdown = option_given(a, "--markdown");
     ulong count = INPUTS;
     *r = (struct request){.part = a->word_count > 0 ? a->words[0] : NULL,
+                          .claim = a->word_count > 1 ? a->words[1] : NULL,
                           .graph = option_given(a, "--graph"),
                           .format = json       ? FORMAT_JSON
                                     : csv      ? FORMAT_CSV
@@ -137,7 +165,7 @@ int command_verify(int count, char **texts)
                                {"--graph", false, NULL}, {"--seed", true, NULL}, {"--count", true, NULL}};
     struct arguments a = {.subcommand = "verify", .options = options, .option_count = 6};
     struct request request;
-    int status = arguments_split(&a, count, texts, 1);
+    int status = arguments_split(&a, count, texts, 2);
     if (status != EXIT_DONE)
         return status;
     status = read_request(&a, &request);

@@ -4,11 +4,11 @@
 
 #include "proofs.h"
 
-/* Markdown is README's: of the claims those that do not simply hold. */
+/* Markdown is README's, for the errors alone. */
 enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN };
 
 void print_proofs(const struct proofs *p, enum format format);
-bool print_claims(const struct proofs *p, enum format format);
+bool print_claims(const struct proofs *p, const char *only, enum format format); /* NULL: all */
 bool print_errors(long inputs, enum format format);
 
 #endif

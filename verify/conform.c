@@ -203,8 +203,9 @@ static void answer(struct exam *e, const struct question *q, uint64_t position, 
     const bool inside = q->golden == NULL || (q->numbers && operation_valid(j->operation, q->inputs));
     if (count > 0 && strcmp(words[0], "skip") == 0) {
         char *reason = tally_at(e, position)->reason;
-        if (*reason == '\0')
-            snprintf(reason, sizeof e->tallies->reason, "%s", strstr(line, "skip") + 4);
+        const size_t behind = (size_t)(words[0] - e->line) + strlen("skip");
+        if (*reason == '\0' && behind < strlen(line)) /* of which there is the beginning alone */
+            snprintf(reason, sizeof e->tallies->reason, "%s", line + behind);
         f.finding = FOUND_SKIPPED;
     } else if (count == 1 && strcmp(words[0], "invalid") == 0) {
         f.finding = inside ? FOUND_INVALID : FOUND_RIGHT;
@@ -250,6 +251,7 @@ static void hear_line(struct exam *e, char *line, bool ended)
     uint64_t position = e->next;
     e->heard++;
     snprintf(shown, sizeof shown, "%s", line);
+    message_printable(shown);
     int count = split(line, words, MOST_ANSWERS + 2);
     if (!ended || count == 0 || !is_id(words[0])) {
         stray(e, ended ? FOUND_MALFORMED : FOUND_TRUNCATED, shown);
@@ -305,15 +307,17 @@ bool exam_hear(void *exam, const char *bytes, size_t size)
 size_t exam_ask(void *exam, char *room, size_t size)
 {
     struct exam *e = exam;
-    const size_t longest = 2 * LONGEST_ID + 32 * (size_t)MOST_INPUTS; /* a golden literal is no longer than a decimal */
+    const size_t longest = 2 * LONGEST_ID + LONGEST_INPUT * (size_t)MOST_INPUTS;
     size_t used = 0;
     while (e->asked < e->questions.total && size - used > longest) {
-        char decimal[32];
+        char text[LONGEST_INPUT];
         question_make(&e->asking, &e->questions, e->asked);
         const struct section *s = e->asking.course->operation.section;
         used += (size_t)snprintf(room + used, size - used, "%s %s", s->id, e->asking.id);
-        for (int i = 0; i < s->input_count; i++)
-            used += (size_t)snprintf(room + used, size - used, " %s", question_text(&e->asking, i, decimal));
+        for (int i = 0; i < s->input_count; i++) {
+            question_text(&e->asking, i, e->questions.form, text);
+            used += (size_t)snprintf(room + used, size - used, " %s", text);
+        }
         room[used++] = '\n';
         e->asked++;
     }

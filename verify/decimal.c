@@ -12,7 +12,8 @@
 
 #include "message.h"
 
-static const slong LARGEST_EXPONENT = 100000; /* of an exact literal; keeps 10^e a small matter */
+/* Of an exact literal, beyond binary128's 10^+-4966: there certified roots still take but a second. */
+static const slong LARGEST_EXPONENT = 5000, MOST_DIGITS = 10000;
 static const slong MANTISSA_BITS = DBL_MANT_DIG;                /* 53: a binary64's significand */
 static const slong LEAST_EXPONENT = DBL_MIN_EXP - DBL_MANT_DIG; /* -1074: its subnormals' ulp   */
 
@@ -186,7 +187,9 @@ enum literal literal_read(fmpq_t value, const char *text, bool exact)
 
     enum literal what = LITERAL_MALFORMED;
     if (text != NULL && *text == '\0') {
-        if (exact && labs(exponent) > LARGEST_EXPONENT && !fmpz_is_zero(mantissa))
+        const bool giant = labs(exponent) > LARGEST_EXPONENT || fraction > MOST_DIGITS ||
+                           (slong)fmpz_bits(mantissa) > 4 * MOST_DIGITS;
+        if (exact && giant && !fmpz_is_zero(mantissa))
             what = LITERAL_OVERFLOW;
         else
             what = place(value, mantissa, hexadecimal ? 2 : 10,

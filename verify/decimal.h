@@ -14,7 +14,7 @@ enum literal {
     LITERAL_MALFORMED,  /* no number: text, empty, trailing letters */
     LITERAL_NAN,
     LITERAL_NEGATIVE_INFINITE,
-    LITERAL_OVERFLOW    /* overflows binary64 (or, exact, an exponent beyond +-100,000) */
+    LITERAL_OVERFLOW    /* overflows binary64 (or, exact, an exponent beyond +-5000, some 10,000 digits) */
 };
 
 /*

@@ -22,6 +22,8 @@ static int unknown_name(struct parser *s, const char *name, const char *kind, co
     return -1;
 }
 
+enum { MOST_MOVING = 10000 }; /* nodes: a rate of so many has some times as many */
+
 static int read_rate(struct parser *s)
 {
     const struct reader *r = s->context;
@@ -31,6 +33,8 @@ static int read_rate(struct parser *s)
     if (node < 0 || !parse_symbol(s, ')'))
         return node < 0 ? -1 : parse_refuse(s, "')' or an operator");
     const int count = s->program->count;
+    if (count > MOST_MOVING)
+        return parse_refuse(s, "fewer rates of rates");
     int *rate = memory(NULL, (size_t)count, sizeof *rate);
     for (int i = 0; i < count; i++)
         rate[i] = -1;
@@ -76,10 +80,10 @@ static int read_side(struct parser *s, bool right)
         message_set(s->why, "unknown relation %s of (%s), expected one of the sheet", index, number);
         return -1;
     }
-    char *side = text_copy(relation->text), *equal = strchr(side, '=');
-    size_t where;
-    *equal = '\0';
-    int node = program_parse(s->program, right ? equal + 1 : side, &where, s->why);
+    char *side = text_copy(relation->text);
+    size_t where, left = strcspn(side, "="); /* every relation has one */
+    side[left] = '\0';
+    int node = program_parse(s->program, right ? side + left + 1 : side, &where, s->why);
     free(side);
     return node;
 }

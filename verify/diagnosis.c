@@ -90,12 +90,12 @@ static const struct input *inputs_of(struct suspect *x, const struct input *inpu
     return rational ? x->inputs : NULL;
 }
 
-/* Beyond a day a motion tells the same mistakes at a higher price; such vectors show what errors grow to. */
+/* Beyond ten hours a motion tells the same mistakes at a higher price; such vectors show what errors grow to. */
 static bool is_long(const struct section *s, const struct input *inputs)
 {
     for (int i = 0; i < s->input_count; i++)
         if (strcmp(s->inputs[i]->name, "t") == 0 && is_motion(s))
-            return fabs(fmpq_get_d(&inputs[i].value)) > 86400.0;
+            return fabs(fmpq_get_d(&inputs[i].value)) > 36000.0;
     return false;
 }
 
@@ -252,6 +252,14 @@ struct kills {
     bool fine;
 };
 
+static bool are_equal(const struct input *a, const struct input *b, int count)
+{
+    bool equal = true;
+    for (int i = 0; i < count; i++)
+        equal = equal && a[i].infinite == b[i].infinite && fmpq_equal(&a[i].value, &b[i].value);
+    return equal;
+}
+
 /* Whether a vector tells a suspect from the truth. */
 static bool tells(struct kills *k, int i, bool inside)
 {
@@ -262,17 +270,18 @@ static bool tells(struct kills *k, int i, bool inside)
     struct score score;
     if (inputs == NULL || operation_valid(&x->o, inputs) != inside)
         return inside || inputs != NULL;
-    if (!inside)
+    if (!inside || (x->o.section == k->o.section && x->transforms && are_equal(inputs, k->inputs, k->o.section->input_count)))
         return false;
     const slong digits = is_motion(k->o.section) ? (slong)j->digits + 8 : 60;
     const slong prec = operation_precision(&x->o, inputs, digits);
     if (operation_follow(&x->o, inputs, digits, prec, j->y) != OUTCOME_PROVED || !_arb_vec_is_finite(j->y, count))
         return true;
     j->worst = INFINITY;
-    const bool told = judge_answer(j, k->inputs, &score) == FOUND_WRONG;
+    const enum finding finding = judge_answer(j, k->inputs, &score);
+    j->followed = is_motion(k->o.section) && finding != FOUND_SKIPPED; /* the next suspect is held against the same motion */
     for (int n = 0; n < count; n++)
         k->differs[i] = k->differs[i] || !arb_overlaps(j->exact + n, j->y + n);
-    return told;
+    return finding == FOUND_WRONG;
 }
 
 static bool pins_an_edge(const char *flags)
@@ -290,6 +299,7 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
     const bool numbers = vector_read(o->section, texts, k->inputs);
     const bool inside = numbers && operation_valid(&k->o, k->inputs);
     int killed = 0;
+    k->judge.followed = false;
     if (inside && is_long(o->section, k->inputs))
         return true;
     for (int i = 0; i < k->suspects.count && numbers; i++)

@@ -4,6 +4,17 @@
 #include <stdio.h>
 #include <string.h>
 
+/* What stands behind the first document would go unread. */
+static bool ends_here(yaml_parser_t *parser)
+{
+    yaml_document_t rest;
+    if (!yaml_parser_load(parser, &rest))
+        return false;
+    const bool ends = yaml_document_get_root_node(&rest) == NULL;
+    yaml_document_delete(&rest);
+    return ends;
+}
+
 bool document_open(struct document *d, const char *text, size_t length, const char *file,
                    struct message *why)
 {
@@ -20,6 +31,10 @@ bool document_open(struct document *d, const char *text, size_t length, const ch
                     parser.problem_mark.column + 1, parser.problem);
     } else if (document_root(d) == NULL) {
         message_set(why, "%s:1:1: expected a mapping, the file is empty", file);
+        document_close(d);
+        fine = false;
+    } else if (!ends_here(&parser)) {
+        message_set(why, "%s:%zu:1: expected one document, another follows", file, d->yaml.end_mark.line + 1);
         document_close(d);
         fine = false;
     }
@@ -62,10 +77,16 @@ const char *scalar(const yaml_node_t *node)
     return node->type == YAML_SCALAR_NODE ? (const char *)node->data.scalar.value : NULL;
 }
 
+static bool is_key(const struct document *d, const yaml_node_t *mapping, int i, const char *key)
+{
+    const char *text = scalar(key_of(d, mapping, i));
+    return text != NULL && strcmp(text, key) == 0;
+}
+
 const yaml_node_t *child(const struct document *d, const yaml_node_t *mapping, const char *key)
 {
     for (int i = 0; i < length_of(mapping); i++)
-        if (strcmp(scalar(key_of(d, mapping, i)), key) == 0)
+        if (is_key(d, mapping, i, key))
             return value_of(d, mapping, i);
     return NULL;
 }
@@ -92,15 +113,15 @@ const yaml_node_t *item_of(const struct document *d, const yaml_node_t *list, in
     return node_by_number(d, list->data.sequence.items.start[i]);
 }
 
-static bool is_known(const struct document *d, const yaml_node_t *key, const char *const *known)
+static bool is_known(const struct document *d, const yaml_node_t *key, const char *text, const char *const *known)
 {
     size_t k = 0;
-    while (known[k] != NULL && strcmp(known[k], scalar(key)) != 0)
+    while (known[k] != NULL && strcmp(known[k], text) != 0)
         k++;
     if (known[k] != NULL)
         return true;
-    const char *near = nearest_name(scalar(key), known, k);
-    return mistake(d, key, 0, "unknown key '%s', expected %s%s", scalar(key),
+    const char *near = nearest_name(text, known, k);
+    return mistake(d, key, 0, "unknown key '%s', expected %s%s", text,
                    near ? "perhaps " : "one of this kind of entry", near ? near : "");
 }
 
@@ -110,12 +131,13 @@ bool is_mapping(const struct document *d, const yaml_node_t *node, const char *c
         return mistake(d, node, 0, "expected a mapping, key: value");
     for (int i = 0; i < length_of(node); i++) {
         const yaml_node_t *key = key_of(d, node, i);
-        if (scalar(key) == NULL)
+        const char *text = scalar(key);
+        if (text == NULL)
             return mistake(d, key, 0, "expected a plain key");
         for (int k = 0; k < i; k++)
-            if (strcmp(scalar(key_of(d, node, k)), scalar(key)) == 0)
-                return mistake(d, key, 0, "duplicate '%s', expected each key once", scalar(key));
-        if (known != NULL && !is_known(d, key, known))
+            if (is_key(d, node, k, text))
+                return mistake(d, key, 0, "duplicate '%s', expected each key once", text);
+        if (known != NULL && !is_known(d, key, text, known))
             return false;
     }
     return true;

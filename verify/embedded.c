@@ -6,7 +6,9 @@
 
 #include "sheet.h"
 
+/* Global labels: aarch64's linker takes two local ones of a section for one place. */
 __asm__(".section .rodata\n"
+        ".globl ct_sheet_begin, ct_sheet_end, ct_derivations_begin, ct_derivations_end\n"
         "ct_sheet_begin: .incbin \"" CT_SHEET_PATH "\"\n"
         "ct_sheet_end:\n"
         "ct_derivations_begin: .incbin \"" CT_DERIVATIONS_PATH "\"\n"

@@ -65,6 +65,13 @@ enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initi
 slong flow_precision(slong digits, double radians);
 slong rk4_precision(slong digits, double radians);
 
+/*
+ * Whether the last time is no more radians of orbit away than a flow, or the method, can be followed. What lies
+ * further is FLOW_STALLED at once, and the precisions above grow no more.
+ */
+bool flow_in_reach(const struct flow_parameters *p, const fmpq *times, slong count);
+bool rk4_in_reach(const struct flow_parameters *p, const fmpq *times, slong count);
+
 /* Omega, L_ref (and k_c, m1, m2) > 0, all finite, and the nonlinear model's craft apart. */
 bool flow_linear_domain(const struct flow_parameters *p, arb_srcptr initial);
 bool flow_nonlinear_domain(const struct flow_parameters *p, arb_srcptr initial);

@@ -381,6 +381,8 @@ static enum flow_status integrate(bool proving, const struct flow_parameters *p,
     *reached = 0;
     if (!flow_nonlinear_domain(p, initial) || !ordered(times, count, direction))
         return FLOW_DOMAIN;
+    if (!flow_in_reach(p, times, count))
+        return FLOW_STALLED;
     struct flow f;
     flow_init(&f, prec);
     f.proving = proving;

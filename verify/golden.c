@@ -162,12 +162,12 @@ bool golden_each(const struct section *s, golden_receiver *receive, void *contex
 
 static bool print(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
 {
-    (void)context;
-    return vector_print(o, id, texts, flags);
+    const enum input_form *form = context;
+    return vector_print(o, id, texts, flags, *form);
 }
 
-bool vectors_golden(const struct section *s)
+bool vectors_golden(const struct section *s, enum input_form form)
 {
     vectors_header(s);
-    return golden_each(s, print, NULL);
+    return golden_each(s, print, &form);
 }

@@ -147,6 +147,8 @@ static enum finding judge_in_digits(struct judge *j, const struct input *inputs,
     const slong digits = (slong)j->digits + 8; /* enough to see a client do better than it says */
     const slong first = operation_precision(j->operation, inputs, digits);
     double lost = INFINITY;
+    if (j->followed)
+        score->digits = digits_reached(j, inputs, &lost);
     for (slong prec = first; prec <= 8 * first && !(lost <= pow(10.0, -j->digits - 5.0)); prec *= 2)
         if (operation_follow(j->operation, inputs, digits, prec, j->exact) == OUTCOME_PROVED)
             score->digits = digits_reached(j, inputs, &lost);

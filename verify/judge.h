@@ -44,6 +44,7 @@ struct judge {
     double K, digits;     /* what passes: E of at most K, digits of at least so many */
     double worst;         /* E below this need not be known exactly                  */
     arb_ptr y, exact, S;  /* the answer; its truth                                   */
+    bool followed;        /* exact holds the truth of this motion from the last time */
 };
 
 struct score {

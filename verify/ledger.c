@@ -115,6 +115,7 @@ void ledger_equation(struct evidence *e, const struct proofs *p, const struct se
     if (s->differs) {
         evidence_add(e, "; %.*s", (int)strlen(s->reason) - 1, s->reason); /* but for its full stop */
         const bool differs = compare_instances(e, s);
+        e->why = s->reason;
         evidence_decide(e, HOLDS_AS_CORRECTED, EXACT, proved && steps > 0 && differs);
         return;
     }
@@ -137,8 +138,13 @@ static bool has_equation(const struct section *s, const char *equation)
     return false;
 }
 
+static bool wanted(const char *only, const char *id)
+{
+    return only == NULL || strcmp(only, id) == 0;
+}
+
 /* The first section of each equation number speaks for it. */
-static bool equation_rows(const struct proofs *p, ledger_receiver *receive, void *context)
+static bool equation_rows(const struct proofs *p, const char *only, ledger_receiver *receive, void *context)
 {
     bool decided = true;
     for (int i = 0; i < sheet()->section_count; i++) {
@@ -147,10 +153,10 @@ static bool equation_rows(const struct proofs *p, ledger_receiver *receive, void
             bool earlier = false;
             for (int j = 0; j < i; j++)
                 earlier = earlier || has_equation(&sheet()->sections[j], s->equations[k]);
-            if (earlier)
-                continue;
             char id[32], where[32];
             snprintf(id, sizeof id, "equation-%s", s->equations[k]);
+            if (earlier || !wanted(only, id))
+                continue;
             snprintf(where, sizeof where, "Eq. (%s)", s->equations[k]);
             struct ledger_row row = {.id = id, .where = where, .claim = s->title};
             ledger_equation(&row.evidence, p, s, s->equations[k]);
@@ -163,7 +169,7 @@ static bool equation_rows(const struct proofs *p, ledger_receiver *receive, void
 
 /* ---- Table 1 ---- */
 
-static bool table_rows(ledger_receiver *receive, void *context)
+static bool table_rows(const char *only, ledger_receiver *receive, void *context)
 {
     bool decided = true;
     for (int i = 0; i < sheet()->row_count; i++) {
@@ -171,6 +177,8 @@ static bool table_rows(ledger_receiver *receive, void *context)
         char id[64], claim[96];
         bool rounds;
         snprintf(id, sizeof id, "table1-%s", t->name);
+        if (!wanted(only, id))
+            continue;
         snprintf(claim, sizeof claim, "%s = %s %s", t->name, t->printed, t->unit);
         struct ledger_row row = {.id = id, .where = "Table 1", .claim = claim};
         char *value = table_row_value(t, &rounds);
@@ -188,14 +196,27 @@ static bool table_rows(ledger_receiver *receive, void *context)
 
 /* ---- all rows ---- */
 
-bool ledger_rows(const struct proofs *proofs, ledger_receiver *receive, void *context)
+static const struct claim *const lists[] = {claims_statics,     claims_stability, claims_motion,
+                                            claims_convergence, claims_forced,    claims_beyond};
+enum { LISTS = sizeof lists / sizeof *lists };
+
+int ledger_claims(const char *ids[MOST_CLAIMS])
 {
-    static const struct claim *const lists[] = {claims_statics, claims_stability, claims_motion,
-                                               claims_convergence, claims_forced, claims_beyond};
-    bool decided = equation_rows(proofs, receive, context);
-    decided = table_rows(receive, context) && decided;
-    for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
+    int count = 0;
+    for (int l = 0; l < LISTS; l++)
+        for (const struct claim *c = lists[l]; c->id != NULL && count < MOST_CLAIMS; c++)
+            ids[count++] = c->id;
+    return count;
+}
+
+bool ledger_rows(const struct proofs *proofs, const char *only, ledger_receiver *receive, void *context)
+{
+    bool decided = equation_rows(proofs, only, receive, context);
+    decided = table_rows(only, receive, context) && decided;
+    for (int l = 0; l < LISTS; l++)
         for (const struct claim *c = lists[l]; c->id != NULL; c++) {
+            if (!wanted(only, c->id))
+                continue;
             struct ledger_row row = {.id = c->id, .where = c->where, .claim = c->claim};
             c->decide(&row.evidence);
             decided = decided && row.evidence.verdict != VERDICT_NONE;

@@ -18,7 +18,14 @@ void ledger_equation(struct evidence *e, const struct proofs *p, const struct se
 /* Called for each row, in the order of the ledger. */
 typedef void ledger_receiver(void *context, const struct ledger_row *row);
 
-/* Decides everything; `proofs` are the derivation steps, proved. False when a row stays undecided. */
-bool ledger_rows(const struct proofs *proofs, ledger_receiver *receive, void *context);
+/*
+ * Decides everything, or the row of that id alone; `proofs` are the derivation steps, proved. False when a
+ * row stays undecided.
+ */
+bool ledger_rows(const struct proofs *proofs, const char *only, ledger_receiver *receive, void *context);
+
+/* The ids of the claims, without those of the equations and of Table 1; their number. */
+enum { MOST_CLAIMS = 200 };
+int ledger_claims(const char *ids[MOST_CLAIMS]);
 
 #endif

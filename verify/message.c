@@ -12,6 +12,14 @@ void message_set(struct message *m, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(m->text, sizeof m->text, format, arguments);
     va_end(arguments);
+    message_printable(m->text);
+}
+
+void message_printable(char *text)
+{
+    for (; *text != '\0'; text++)
+        if ((unsigned char)*text < 0x20 || *text == 0x7f)
+            *text = '?';
 }
 
 void out_of_memory(void)

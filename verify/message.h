@@ -13,6 +13,9 @@ __attribute__((format(printf, 2, 3)))
 #endif
 void message_set(struct message *m, const char *format, ...);
 
+/* What would move a cursor or end the line becomes a question mark. */
+void message_printable(char *text);
+
 /* The known name nearest to a mistaken one (edit distance), NULL when none is near. */
 const char *nearest_name(const char *mistaken, const char *const *known, size_t count);
 

@@ -211,7 +211,7 @@ const char *flow_status_text(enum flow_status status)
                                         [FLOW_WIDE] = "the enclosure grew past use",
                                         [FLOW_COLLISION] = "the two craft meet (L = 0)",
                                         [FLOW_DOMAIN] = "a parameter lies outside the domain",
-                                        [FLOW_STALLED] = "too many steps, no end in sight"};
+                                        [FLOW_STALLED] = "too many steps or orbits, no end in sight"};
     return texts[status];
 }
 

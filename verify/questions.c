@@ -104,12 +104,12 @@ void question_make(struct question *question, const struct questions *q, uint64_
     sample(&course->operation, q->seed, number, question->values, question->inputs);
 }
 
-const char *question_text(const struct question *question, int input, char decimal[32])
+void question_text(const struct question *question, int input, enum input_form form, char text[LONGEST_INPUT])
 {
-    if (question->golden != NULL)
-        return question->golden->texts[input];
-    decimal_shortest(decimal, question->values[input]);
-    return decimal;
+    char decimal[32];
+    if (question->golden == NULL)
+        decimal_shortest(decimal, question->values[input]);
+    input_write(text, question->golden != NULL ? question->golden->texts[input] : decimal, form);
 }
 
 /* The number behind ID-SEED-, when it is written as the oracle writes it. */

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "operation.h"
+#include "vectors.h"
 
 enum { MOST_INPUTS = 40, LONGEST_ID = 95 };
 
@@ -28,6 +29,7 @@ struct questions {
     struct course *courses;
     int count;
     uint64_t seed, total;
+    enum input_form form;
 };
 
 struct question {
@@ -50,8 +52,8 @@ void question_clear(struct question *question);
 void question_make(struct question *question, const struct questions *q, uint64_t position);
 struct course *question_course(const struct questions *q, uint64_t position);
 
-/* The literal of an input: as in the golden file, or the shortest decimal. */
-const char *question_text(const struct question *question, int input, char decimal[32]);
+/* An input as it is asked. */
+void question_text(const struct question *question, int input, enum input_form form, char text[LONGEST_INPUT]);
 
 /* The position of an id, UINT64_MAX for a stranger's. */
 uint64_t questions_find(const struct questions *q, const char *id);

@@ -77,8 +77,7 @@ static void findings_text(const struct tally *t, char *text, size_t size)
 /* A vector with what was due, each as text; made for reports only. */
 struct exhibit {
     struct question question;
-    char decimals[MOST_INPUTS][32];
-    const char *inputs[MOST_INPUTS];
+    char inputs[MOST_INPUTS][LONGEST_INPUT];
     char *expected[MOST_ANSWERS]; /* NULL: none was due, or none could be proved */
     bool invalid;
 };
@@ -90,7 +89,7 @@ static void exhibit_init(struct exhibit *x, const struct exam *e, uint64_t posit
     question_make(&x->question, &e->questions, position);
     struct operation *o = &x->question.course->operation;
     for (int i = 0; i < o->section->input_count; i++)
-        x->inputs[i] = question_text(&x->question, i, x->decimals[i]);
+        question_text(&x->question, i, e->questions.form, x->inputs[i]);
     x->invalid = !x->question.numbers ||
                  operation_digits(o, x->question.inputs, SHOWN_DIGITS, x->expected) == OUTCOME_INVALID;
 }
@@ -267,17 +266,16 @@ static void write_xml(const struct report *r, FILE *file)
     fprintf(file, "\" tests=\"%d\" failures=\"%d\" errors=\"0\" skipped=\"%d\">\n", e->questions.count + 1,
             failures, skipped);
     for (int k = 0; k <= e->questions.count; k++) {
-        const bool own = k == e->questions.count;
-        const struct section *s = own ? NULL : e->judges[k].operation->section;
-        fprintf(file, "<testcase classname=\"%s\" name=\"%s\">", own ? "client" : level_names[level_of(s)],
-                own ? "client" : s->id);
+        const struct section *s = k < e->questions.count ? e->judges[k].operation->section : NULL;
+        fprintf(file, "<testcase classname=\"%s\" name=\"%s\">", s ? level_names[level_of(s)] : "client",
+                s ? s->id : "client");
         if (tally_failed(&e->tallies[k]) > 0) {
             char text[512];
             findings_text(&e->tallies[k], text, sizeof text);
             fprintf(file, "<failure message=\"%s\">", text);
             put_failure(e, k, file);
             fputs("</failure>", file);
-        } else if (!own && e->tallies[k].counts[FOUND_RIGHT] == 0) {
+        } else if (s != NULL && e->tallies[k].counts[FOUND_RIGHT] == 0) {
             fputs("<skipped/>", file);
         }
         fputs("</testcase>\n", file);

@@ -10,7 +10,8 @@
 
 enum {
     HALF = FLOW_STATE / 2,
-    USEFUL_BITS = 16 /* balls wider than 2^-16 of the state widen at once */
+    USEFUL_BITS = 16,     /* balls wider than 2^-16 of the state widen at once */
+    MOST_STEPS = 10000000 /* an hour                                           */
 };
 
 struct gains {
@@ -159,6 +160,8 @@ static enum flow_status march(struct march *m, arb_srcptr initial, const fmpq_t 
         slong n = steps_to(times + k, h);
         if (n < done)
             return FLOW_DOMAIN;
+        if (n > MOST_STEPS)
+            return FLOW_STALLED;
         for (; done < n; done++) {
             *reached = fmpq_get_d(h) * (double)done;
             step(m->state, m->h, m->rates, &m->gains, prec);
@@ -181,6 +184,8 @@ enum flow_status rk4_linear(const struct flow_parameters *p, arb_srcptr initial,
     *reached = 0;
     if (!flow_linear_domain(p, initial) || fmpq_sgn(h) <= 0)
         return FLOW_DOMAIN;
+    if (!rk4_in_reach(p, times, count))
+        return FLOW_STALLED;
     struct march m;
     march_init(&m, linear_rates, 2, p->L_ref, p, h, prec);
     enum flow_status status = march(&m, initial, h, times, count, prec, receive, context, reached);
@@ -195,6 +200,8 @@ enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initi
     *reached = 0;
     if (!flow_nonlinear_domain(p, initial) || fmpq_sgn(h) <= 0)
         return FLOW_DOMAIN;
+    if (!rk4_in_reach(p, times, count))
+        return FLOW_STALLED;
     struct march m;
     arb_t r_ref, mass;
     arb_init(r_ref);

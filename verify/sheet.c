@@ -11,6 +11,7 @@
 struct reader {
     struct document document;
     struct sheet *sheet;
+    bool refused; /* something that need not be there is there and no text: the reading goes on, in vain */
 };
 
 enum { MOST_OUTPUTS = 16, MOST_INPUTS = 40, MOST_CHANGES = 12 };
@@ -28,7 +29,7 @@ static const char *text_of(struct reader *r, const yaml_node_t *mapping, const c
     if (node == NULL && !required)
         return NULL;
     if (node == NULL || scalar(node) == NULL || *scalar(node) == '\0') {
-        mistake(&r->document, node ? node : mapping, 0, "missing %s, expected a text", key);
+        r->refused = !mistake(&r->document, node ? node : mapping, 0, "missing %s, expected a text", key);
         return NULL;
     }
     return keep(r->sheet, scalar(node));
@@ -103,7 +104,10 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
     if (q.meaning == NULL || !read_domain(r, child(&r->document, node, "domain"), &q.domain) ||
         !read_range(r, node, &q))
         return false;
-    q.either_sign = child(&r->document, node, "sign") != NULL;
+    const yaml_node_t *sign = child(&r->document, node, "sign");
+    if (sign != NULL && (scalar(sign) == NULL || strcmp(scalar(sign), "either") != 0))
+        return mistake(&r->document, sign, 0, "expected 'either'");
+    q.either_sign = sign != NULL;
     q.value = text_of(r, node, "value", false);
     q.example = text_of(r, node, "example", false);
     char *names = text_copy(scalar(key)), *rest = NULL;
@@ -549,7 +553,7 @@ static bool read_sheet(struct reader *r)
     for (int n = 0; n < length_of(equations); n++)
         if (!read_section(r, key_of(&r->document, equations, n), value_of(&r->document, equations, n)))
             return false;
-    return check_slips(r, equations);
+    return check_slips(r, equations) && !r->refused;
 }
 
 int sheet_read(struct sheet *s, const char *text, size_t length, const char *name, struct message *why)

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_CHANGES = 12 };
+enum { MOST_CHANGES = 12, MOST_OUTPUTS = 16 };
 
 /* A mistake at work in a section: what each change is about, and the value that it puts there. */
 struct change {
@@ -116,6 +116,10 @@ bool alternative_init(struct alternative *a, const struct sheet *sheet, const st
         return false;
     }
     a->formulas_end = end->method == METHOD_FORMULA;
+    if (!a->formulas_end && end->input_count > MOST_OUTPUTS) { /* they take the outputs' places */
+        message_set(why, "expected a formula, or a method of at most %d inputs", MOST_OUTPUTS);
+        return false;
+    }
     for (int i = 0; i < s->input_count; i++)
         program_input(&a->formulas.program, s->inputs[i]->name);
     program_copy(&right, &s->corrected.program);

@@ -9,6 +9,7 @@
 #include "decimal.h"
 #include "errors.h"
 #include "exact.h"
+#include "progress.h"
 #include "sample.h"
 
 enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
@@ -82,12 +83,26 @@ static bool sensitivity_texts(struct operation *o, const struct input *inputs, c
     return left == 0;
 }
 
-static void print_line(const char *id, const struct section *s, const char *const *texts, char *const *outputs,
-                       char *const *S, const char *flag, const char *flags)
+const char *const input_forms[] = {"shortest", "exact", "hex"};
+
+void input_write(char text[LONGEST_INPUT], const char *literal, enum input_form form)
 {
+    const double x = strtod(literal, NULL);
+    if (form == INPUTS_SHORTEST || !isfinite(x))
+        snprintf(text, LONGEST_INPUT, "%s", literal);
+    else
+        snprintf(text, LONGEST_INPUT, form == INPUTS_HEX ? "%a" : "%.767g", x); /* no binary64 has more digits */
+}
+
+static void print_line(const char *id, const struct section *s, const char *const *texts, char *const *outputs,
+                       char *const *S, const char *flag, const char *flags, enum input_form form)
+{
+    char input[LONGEST_INPUT];
     fputs(id, stdout);
-    for (int i = 0; i < s->input_count; i++)
-        printf(",%s", texts[i]);
+    for (int i = 0; i < s->input_count; i++) {
+        input_write(input, texts[i], form);
+        printf(",%s", input);
+    }
     for (int i = 0; i < s->output_count; i++)
         printf(",%s", outputs[i] ? outputs[i] : "");
     for (int i = 0; i < s->output_count && operation_has_sensitivity(s); i++)
@@ -106,7 +121,8 @@ bool vector_read(const struct section *s, const char *const *texts, struct input
     return finite;
 }
 
-bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags)
+bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags,
+                  enum input_form form)
 {
     const struct section *s = o->section;
     char *outputs[MOST_OUTPUTS] = {NULL}, *S[MOST_OUTPUTS] = {NULL};
@@ -122,7 +138,7 @@ bool vector_print(struct operation *o, const char *id, const char *const *texts,
             flag = "range";
     }
     if (fine)
-        print_line(id, s, texts, outputs, S, flag, flags);
+        print_line(id, s, texts, outputs, S, flag, flags, form);
     for (int i = 0; i < s->output_count; i++) {
         free(outputs[i]);
         free(S[i]);
@@ -131,7 +147,7 @@ bool vector_print(struct operation *o, const char *id, const char *const *texts,
     return fine;
 }
 
-bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint64_t count)
+bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint64_t count, enum input_form form)
 {
     struct operation o;
     struct input *inputs = inputs_new(s->input_count);
@@ -139,6 +155,7 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
     char decimals[MOST_INPUTS][32], id[96];
     const char *texts[MOST_INPUTS] = {NULL};
     bool fine = true;
+    struct progress progress = progress_begin(true);
     operation_init(&o, s, false);
     for (uint64_t k = first; k - first < count && fine && !ferror(stdout); k++) {
         sample(&o, seed, k, values, inputs);
@@ -147,8 +164,10 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
             texts[i] = decimals[i];
         }
         snprintf(id, sizeof id, "%s-%" PRIu64 "-%" PRIu64, s->id, seed, k);
-        fine = vector_print(&o, id, texts, "");
+        fine = vector_print(&o, id, texts, "", form);
+        progress_show(&progress, k - first + 1, count);
     }
+    progress_end(&progress);
     if (!fine)
         fprintf(stderr, "coulomb-tether: %s\n", o.why.text);
     operation_clear(&o);

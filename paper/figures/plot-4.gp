@@ -5,6 +5,7 @@ set ylabel 'real part [$10^{-5}\,\mathrm{s}^{-1}$]' offset -1.2, 0
 set xrange [9:40]
 set xtics (9, 12, 15, 20, 25, 30, 35, 40)
 set yrange [*:0.5]
+set key samplen 3
 set arrow from 12, graph 0 to 12, graph 1 nohead linestyle 8
 set arrow from best, graph 0 to best, graph 1 nohead linestyle 4 dashtype (1, 3)
 set label sprintf('$n = 12$ (dashed) and the optimum $n = %.4f$ (dotted)', best) at 12.5, graph 0.07

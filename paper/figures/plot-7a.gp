@@ -5,6 +5,6 @@ eval open
 eval time_axis
 set bmargin at screen 0.21
 set ylabel '$q_1$ [$\mu$C]' offset -1.2, 0
-set format y '%.3f'
+set format y '$%.3f$'
 plot sqrt(-Q_ref) with lines linestyle 8 title 'at rest', \
      data.'/figure7a.csv' every 6 using (days(column('t'))):'q1_uC' with lines linestyle 1 title '$q_1$'

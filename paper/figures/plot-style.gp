@@ -4,7 +4,7 @@
 set encoding utf8
 set datafile separator ','
 set datafile columnheaders
-tall(height) = sprintf("set terminal cairolatex pdf size 15.2cm,%.2fcm font ',9' linewidth 1 dashlength 1.1 butt", height)
+tall(height) = sprintf("set terminal cairolatex pdf size 15.2cm,%.2fcm font ',9' linewidth 1.6 dashlength 1 butt", height)
 open = "set output 'plot-'.name.'.tex'"
 eval tall(7.4)
 eval open
@@ -24,6 +24,7 @@ set grid linestyle 9
 set key noautotitle horizontal samplen 2.4 width 1 at graph 1, 1.03 bottom right
 set lmargin at screen 0.13
 set rmargin at screen 0.985
+set tmargin at screen 0.9
 
 # A motion against days, in panels one above the other: `eval panels(N)`, then `eval next` before each.
 days(t) = t / 86400.0
@@ -33,6 +34,15 @@ next = "height = 0.86 / count; panel = panel + 1; base = 0.135 + (count - panel)
         set tmargin at screen base + height - 0.075; set bmargin at screen base; \
         if (panel < count) { set format x ''; unset xlabel } \
         else { set format x '$%h$'; set xlabel 'time [days]' }"
+
+# Two plots beside each other: `eval besides`, then `eval beside(K)` before each. How fast differences vanish:
+# those of data/convergence.csv against what is made small, and a line of slope p through a point.
+besides = "set multiplot; set logscale xy; set format y '$10^{%T}$'; set bmargin at screen 0.19; set tmargin at screen 0.89; \
+           set key at graph 0.03, 0.99 top left vertical Left reverse width 0 samplen 2; set ylabel offset -0.6, 0"
+beside(k) = sprintf("set lmargin at screen %g; set rmargin at screen %g", k == 1 ? 0.105 : 0.625, k == 1 ? 0.465 : 0.985)
+difference(study, variable, style, title) = sprintf("data.'/convergence.csv' using (strcol('study') eq '%s' && \
+  strcol('variable') eq '%s' ? column('parameter') : NaN):'difference' with linespoints linestyle %d pointtype %d \
+  pointsize 0.7 title '%s'", study, variable, style, 3 + 2 * (style % 4), title)
 
 # A drawing has neither axes nor key, and one scale for both directions.
 drawing = "unset border; unset tics; unset grid; unset key; set margins 0, 0, 0, 0; set size ratio -1"

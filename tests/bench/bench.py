@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Speed, as ratios measured in one run: bench.py PATH-OF-BENCH [ROUNDS]. Exit 1 when a ratio falls short.
+"""Speed, as ratios measured in one run: bench.py PATH-OF-BENCH TABLE.md [ROUNDS]. Exit 1 when a ratio
+falls short.
 
 Every figure is a median over the rounds, of processor time. Both sides compute the same: mpmath from a
 right-hand side that is written for it (radians of orbit, units of L_ref; in SI its steps stall).
@@ -91,12 +92,22 @@ def show(rows):
 
 
 def costs(title, points, unit):
-    print(f'\n{title}: seconds ~ {unit}^{exponent(points):.2f}')
+    power = f'{unit}^{exponent(points):.2f}'
+    print(f'\n{title}: seconds ~ {power}')
     print('  '.join(f'{size}: {seconds:.3g}' for size, seconds in points))
+    return f'{power} ({points[0][0]} to {points[-1][0]})'
+
+
+def write_markdown(path, rows, powers):
+    with open(path, 'w', encoding='utf-8') as out:
+        print('| what | measured | required |\n|---|---|---|', file=out)
+        for what, figure, required, _ in rows:
+            print(f'| {what} | {figure} | {required} |', file=out)
+        print(f'\nThe time grows as {" and as ".join(powers)}.', file=out)
 
 
 def main():
-    rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 5
+    rounds = int(sys.argv[3]) if len(sys.argv) > 3 else 5
     t, radius = measure(rounds)
     print(f'mpmath {mpmath.__version__} ({mpmath.libmp.BACKEND}), medians of {rounds} rounds\n')
     print(f'{"":<66} {"measured":>9} {"required":>10}')
@@ -115,13 +126,15 @@ def main():
                      radius[name] <= most))
     fine = show(rows)
     print('\nmilliseconds: ' + ', '.join(f'{name} {1e3*seconds:.3g}' for name, seconds in t.items()))
-    costs('digits, over 6 hours', [(d, program('flow', d, 0.25)[0]) for d in (16, 50, 100, 200, 500, 1000)], 'digits')
-    costs('days, 50 digits', [(d, program('flow', 50, d)[0]) for d in (2, 4, 8, 16, 30)], 'days')
+    powers = [
+        costs('digits, over 6 hours', [(d, program('flow', d, 0.25)[0]) for d in (16, 50, 100, 200, 500, 1000)], 'digits'),
+        costs('days, 50 digits', [(d, program('flow', 50, d)[0]) for d in (2, 4, 8, 16, 30)], 'days')]
+    write_markdown(sys.argv[2], rows, powers)
     return 0 if fine else 1
 
 
 if __name__ == '__main__':
-    if len(sys.argv) < 2:
-        sys.exit('bench.py: expected the path of the program bench')
+    if len(sys.argv) < 3:
+        sys.exit('bench.py: expected the path of the program bench and that of the table to write')
     BENCH = sys.argv[1]
     sys.exit(main())

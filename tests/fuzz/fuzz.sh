@@ -1,0 +1,34 @@
+#!/bin/sh
+# Fuzzes targets two at a time, from the inputs that tests/fuzz/corpus/ keeps: FOLDER SECONDS TARGET...
+#
+# FOLDER has the executables. What is new goes to FOLDER/found/TARGET/, an input that fails to FOLDER/failed/; the last
+# lines say how to see it again. A case may take CASE_SECONDS (10: a trajectory of a million rows takes 5) and 2 GB.
+set -eu
+
+fuzz() {
+    target=$1
+    log=$folder/$target.log
+    mkdir -p "$folder/found/$target" "$folder/failed"
+    status=0
+    "$folder/$target" -max_total_time="$seconds" -timeout="${CASE_SECONDS:-10}" -rss_limit_mb=2048 -max_len=4096 \
+        -dict=tests/fuzz/words.dict -artifact_prefix="$folder/failed/$target-" -print_final_stats=1 \
+        "$folder/found/$target" "tests/fuzz/corpus/$target" >"$log" 2>&1 || status=$?
+    awk -v target="$target" -v status="$status" '
+        { for (i = 1; i < NF; i++) if ($i == "cov:") edges = $(i + 1) }
+        /^stat::number_of_executed_units/ { runs = $2 }
+        END { printf "%-14s %10d runs %7d edges  %s\n", target, runs, edges, status ? "FAILED" : "fine" }' "$log"
+    if [ "$status" -ne 0 ]; then
+        tail -n 40 "$log"
+        echo "again: $folder/$target FILE, with the FILE that was written to $folder/failed/"
+    fi
+    return "$status"
+}
+
+if [ "$1" = --one ]; then
+    folder=$2 seconds=$3
+    fuzz "$4"
+    exit
+fi
+folder=$1 seconds=$2
+shift 2
+printf '%s\0' "$@" | xargs -0 -n 1 -P 2 "$0" --one "$folder" "$seconds"
