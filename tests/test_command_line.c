@@ -139,6 +139,7 @@ static const struct {
     {"trajectory linear x1=5", 2, "x1"},
     {"trajectory nonlinear x1=5", 2, "all six"},
     {"trajectory linear m1=0", 1, "m1"},
+    {"trajectory linear m1=inf", 1, "m1"},
     {"trajectory nonlinear dL=-10", 1, "apart"},
     {"trajectory linear --at 0,1 --every 5", 2, "--at"},
     {"trajectory linear --at ,1", 2, "--at"},

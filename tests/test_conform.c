@@ -280,6 +280,14 @@ START_TEST(a_client_is_not_started_without_descriptors)
 }
 END_TEST
 
+/* Nobody hears what a client complains of, and the client is judged by its answers none the less. */
+START_TEST(complaints_that_find_no_place_do_no_harm)
+{
+    ck_assert_int_eq(system("\"$CT_PROGRAM\" conform --only eq07 -- sh -c 'echo oh >&2; exec \"$CT_BUILD/tests/faulty\"' "
+                            ">/dev/null 2>/dev/full"), 0);
+}
+END_TEST
+
 /* A file that can be opened and not be read: a folder. */
 START_TEST(answers_that_cannot_be_read_are_no_answers)
 {
@@ -723,6 +731,7 @@ Suite *suite(void)
     tcase_add_test(c, a_report_is_there_whole_or_not_at_all);
     tcase_add_loop_test(c, what_a_client_says_breaks_no_report, 0, 2);
     tcase_add_test(c, a_client_is_not_started_without_descriptors);
+    tcase_add_test(c, complaints_that_find_no_place_do_no_harm);
     tcase_add_test(c, answers_that_cannot_be_read_are_no_answers);
     tcase_add_test(c, right_but_for_the_digits_written_is_called_that);
     tcase_add_test(c, a_mistake_explains_numbers_and_not_lines);

@@ -724,6 +724,15 @@ START_TEST(outside_the_domain_no_flow_starts)
 }
 END_TEST
 
+START_TEST(no_time_at_all_is_in_reach)
+{
+    struct scene s = paper();
+    ck_assert(flow_in_reach(&s.p, NULL, 0));
+    ck_assert(rk4_in_reach(&s.p, NULL, 0));
+    scene_close(&s);
+}
+END_TEST
+
 /* A million radians for a flow, ten thousand and ten million steps for the method: none of them starts. */
 START_TEST(beyond_reach_no_motion_starts)
 {
@@ -1258,6 +1267,7 @@ Suite *suite(void)
     tcase_add_loop_test(tests, a_receiver_stops_a_flow, 0, 4);
     tcase_add_test(tests, outside_the_domain_no_flow_starts);
     tcase_add_test(tests, times_out_of_order_are_refused);
+    tcase_add_test(tests, no_time_at_all_is_in_reach);
     tcase_add_loop_test(tests, beyond_reach_no_motion_starts, 0, 6);
     tcase_add_test(tests, steps_without_proof_are_the_same_steps);
 
