@@ -153,16 +153,16 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
     struct input *inputs = inputs_new(s->input_count);
     double values[MOST_INPUTS];
     char decimals[MOST_INPUTS][32], id[96];
-    const char *texts[MOST_INPUTS] = {NULL};
+    const char *texts[MOST_INPUTS];
     bool fine = true;
     struct progress progress = progress_begin(true);
+    for (int i = 0; i < MOST_INPUTS; i++)
+        texts[i] = strcpy(decimals[i], "");
     operation_init(&o, s, false);
     for (uint64_t k = first; k - first < count && fine && !ferror(stdout); k++) {
         sample(&o, seed, k, values, inputs);
-        for (int i = 0; i < s->input_count; i++) {
+        for (int i = 0; i < s->input_count; i++)
             decimal_shortest(decimals[i], values[i]);
-            texts[i] = decimals[i];
-        }
         snprintf(id, sizeof id, "%s-%" PRIu64 "-%" PRIu64, s->id, seed, k);
         fine = vector_print(&o, id, texts, "", form);
         progress_show(&progress, k - first + 1, count);
