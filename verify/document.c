@@ -4,11 +4,19 @@
 #include <stdio.h>
 #include <string.h>
 
+static bool load(yaml_parser_t *parser, yaml_document_t *document)
+{
+    const bool fine = yaml_parser_load(parser, document);
+    if (!fine && parser->problem == NULL) /* everything but exhausted memory libyaml gives a name */
+        out_of_memory();
+    return fine;
+}
+
 /* What stands behind the first document would go unread. */
 static bool ends_here(yaml_parser_t *parser)
 {
     yaml_document_t rest;
-    if (!yaml_parser_load(parser, &rest))
+    if (!load(parser, &rest))
         return false;
     const bool ends = yaml_document_get_root_node(&rest) == NULL;
     yaml_document_delete(&rest);
@@ -23,9 +31,7 @@ bool document_open(struct document *d, const char *text, size_t length, const ch
     if (!yaml_parser_initialize(&parser))
         out_of_memory();
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
-    bool fine = yaml_parser_load(&parser, &d->yaml);
-    if (!fine && parser.problem == NULL) /* everything but exhausted memory libyaml gives a name */
-        out_of_memory();
+    bool fine = load(&parser, &d->yaml);
     if (!fine) {
         message_set(why, "%s:%zu:%zu: expected YAML: %s", file, parser.problem_mark.line + 1,
                     parser.problem_mark.column + 1, parser.problem);

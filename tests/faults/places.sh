@@ -76,7 +76,8 @@ chmod 777 "$work/build" "$work/data"
 suites='test_clients.sh test_gate.sh test_install.sh test_weave.sh test_conform test_expression'
 checks_in_the_copy() (
     cd "$copy" && mkdir build && chmod 777 build || exit
-    nobody make --silent all build/tests/faulty build/tests/test_conform build/tests/test_expression || exit
+    nobody make --silent all build/tests/faulty build/tests/test_conform build/tests/test_expression \
+        build/derivations.json build/errors.json build/claims.json || exit
     for suite in $suites; do
         case $suite in
             *.sh) suite=tests/$suite ;;
