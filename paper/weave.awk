@@ -526,7 +526,7 @@ function value_of(words, n,    command, line, part, found, i) {
     if (n < 5)
         stop("expected <<value ID OUTPUT DIGITS NAME=VALUE ...>>")
     section_named(words[2])
-    command = program " eval " words[2]
+    command = "'" program "' eval " words[2]
     for (i = 5; i <= n; i++)
         command = command " " words[i]
     while ((command | getline line) > 0) {
