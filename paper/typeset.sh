@@ -3,6 +3,7 @@
 # undefined, or a box sticks out by more than 5 points. Without arguments it only looks whether all that the edition
 # needs is there. Installs nothing.
 set -eu
+export LC_ALL=C # a comma is no decimal point here
 
 missing() {
     echo "$1 is missing: run \"make deps-paper\"." >&2
