@@ -102,6 +102,26 @@ START_TEST(functions_have_their_own_notation)
 }
 END_TEST
 
+/* As many factors as one writes, each in its place. */
+START_TEST(products_are_as_long_as_one_writes_them)
+{
+    struct tex formula = {NULL, 0}, expected = {NULL, 0};
+    tex_add(&formula, "L");
+    tex_add(&expected, "L");
+    for (int i = 1; i < 500; i++) {
+        tex_add(&formula, i < 250 ? "*m%d" : "/m%d", 1 + i % 2);
+        tex_add(&expected, i == 250 ? "}{m_{%d}" : "m_{%d}", 1 + i % 2);
+    }
+    struct tex fraction = {NULL, 0};
+    tex_add(&fraction, "\\frac{%s}", expected.text);
+    const struct pair pair = {formula.text, fraction.text};
+    assert_typeset(&pair);
+    tex_clear(&formula);
+    tex_clear(&expected);
+    tex_clear(&fraction);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *s = suite_create("typeset");
@@ -110,6 +130,7 @@ Suite *suite(void)
     tcase_add_loop_test(t, brackets_stand_where_they_are_needed, 0, 13);
     tcase_add_loop_test(t, each_division_is_a_line, 0, 11);
     tcase_add_loop_test(t, functions_have_their_own_notation, 0, 10);
+    tcase_add_test(t, products_are_as_long_as_one_writes_them);
     suite_add_tcase(s, t);
     return s;
 }

@@ -145,8 +145,10 @@ static void write_brackets(const struct writer *w, int node, const char *left, c
 
 /* A product or quotient, taken apart: its factors from left to right, each above or below the line. */
 struct factors {
-    int node[64];
-    bool below[64];
+    struct factor {
+        int node;
+        bool below;
+    } *list;
     int count;
     bool negative;
 };
@@ -155,15 +157,15 @@ static void collect(const struct program *p, int node, bool below, struct factor
 {
     const struct node *n = &p->nodes[node];
     const bool quotient = n->op == OPERATOR_DIVIDE;
-    if ((n->op == OPERATOR_MULTIPLY || (quotient && !below)) && f->count < 62) {
+    if ((n->op == OPERATOR_MULTIPLY || (quotient && !below))) {
         collect(p, n->left, below, f);
         collect(p, n->right, below || quotient, f);
     } else if (n->op == OPERATOR_NEGATE && f->count == 0) {
         f->negative = true;
         collect(p, n->left, below, f);
     } else {
-        f->node[f->count] = node;
-        f->below[f->count++] = below;
+        f->list = memory(f->list, (size_t)f->count + 1, sizeof *f->list);
+        f->list[f->count++] = (struct factor){node, below};
     }
 }
 
@@ -171,12 +173,12 @@ static void collect(const struct program *p, int node, bool below, struct factor
 static void write_factors(const struct writer *w, const struct factors *f, int first, int last, enum binding least)
 {
     for (int i = first; i < last; i++) {
-        const bool function = is_function(w->program, f->node[i]);
-        if (i > first && w->program->nodes[f->node[i]].op == OPERATOR_NUMBER)
+        const bool function = is_function(w->program, f->list[i].node);
+        if (i > first && w->program->nodes[f->list[i].node].op == OPERATOR_NUMBER)
             tex_add(w->tex, "\\cdot ");
-        else if (i > first && !function && is_function(w->program, f->node[i - 1]))
+        else if (i > first && !function && is_function(w->program, f->list[i - 1].node))
             tex_add(w->tex, "\\,");
-        write_node(w, f->node[i], function ? SUM : least);
+        write_node(w, f->list[i].node, function ? SUM : least);
     }
 }
 
@@ -201,22 +203,23 @@ static void write_fraction(const struct writer *w, const struct factors *f, int 
 /* k_c/m1*(x1 - x2)/L^3*Q is two fractions and a factor: a line ends where a factor stands above it again. */
 static void write_product(const struct writer *w, int node)
 {
-    struct factors f = {.count = 0};
+    struct factors f = {.list = NULL};
     collect(w->program, node, false, &f);
     if (f.negative)
         tex_add(w->tex, "-");
     for (int first = 0, last; first < f.count; first = last) {
         int line = first;
-        while (line < f.count && !f.below[line])
+        while (line < f.count && !f.list[line].below)
             line++;
         last = line;
-        while (last < f.count && f.below[last])
+        while (last < f.count && f.list[last].below)
             last++;
         if (last > line)
             write_fraction(w, &f, first, line, last);
         else
             write_factors(w, &f, first, line, POWER);
     }
+    free(f.list);
 }
 
 static void write_call(const struct writer *w, const char *name, int argument)
