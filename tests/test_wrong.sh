@@ -82,22 +82,18 @@ verdicts() { # the ids and verdicts of a ledger, in CSV or as a table
 }
 verdicts <data/verdicts.csv >"$work/right"
 
-undecided() { # NAME SED-SCRIPT CLAIM...: these at least are undecided, and nothing is decided otherwise
-    check "$1: made" make_wrong "$2"
-    name=$1
-    shift 2
-    # shellcheck disable=SC2086
-    check "$name" ends 1 "$wrong" verify claims $format
+# The whole ledger: these claims at least are undecided, and nothing is decided otherwise.
+undecided() { # CLAIM...
+    check 'equations' ends 1 "$wrong" verify claims
     verdicts <"$work/said" >"$work/wrong"
-    check "$name: all claims" [ "$(wc -l <"$work/wrong")" -eq "$(wc -l <"$work/right")" ]
+    check 'all claims' [ "$(wc -l <"$work/wrong")" -eq "$(wc -l <"$work/right")" ]
     grep -v ' undecided$' "$work/wrong" | grep -vxFf "$work/right" >"$work/otherwise"
-    check "$name: another verdict" nothing_in "$work/otherwise"
-    for claim in "$@"; do
-        check "$name: $claim" grep -qx "$claim undecided" "$work/wrong"
+    check 'another verdict' nothing_in "$work/otherwise"
+    for claim; do
+        check "$claim" grep -qx "$claim undecided" "$work/wrong"
     done
 }
-format=
-undecided 'equations' '
+check 'equations: made' make_wrong '
     s/dL_dot - 3\*Omega^2\*psi$/dL_dot - 4*Omega^2*psi/
     s/theta_ddot: -4\*Omega^2/theta_ddot: -5*Omega^2/
     s/dL_ddot: -(C1 - 9\*Omega^2)/dL_ddot: -(C1 - 8*Omega^2)/
@@ -109,17 +105,21 @@ undecided 'equations' '
     s/L_ddot: (2\*Omega/L_ddot: (4*Omega/
     s/BO_12: cos(theta)/BO_12: sin(theta)/
     s/w_1: -Omega\*sin(theta)$/w_1: -Omega*cos(theta)/
-    s/(-C1\*dL - C2\*dL_dot)/(-C1*dL + C2*dL_dot)/' \
-    equation-2a equation-7 equation-41 routh n12-optimal wiggle frequencies pitch-decoupled yaw-energy opposite-charges \
+    s/(-C1\*dL - C2\*dL_dot)/(-C1*dL + C2*dL_dot)/'
+undecided equation-2a equation-7 equation-41 routh n12-optimal wiggle frequencies pitch-decoupled yaw-energy opposite-charges \
     static-unstable nadir-axis masses-cancel cosines-cited
 check 'the sum' says ", $(grep -c ' undecided$' "$work/wrong") undecided"
-format=--csv
-undecided 'gains and start' "
+check 'gains and start: made' make_wrong "
     s/Kepler's third/Kepler\"s third/
     s/C1: n\*Omega^2/C1: n*Omega^3/
     s/value: 0\.1, meaning: length/value: 9.1, meaning: length/
-    s/value: 8\.99e+9/value: 8.89e+9/" equation-43 simulation-gains critical-damping settling-nonlinear figure-6 \
-    coulomb-constant variation-small settling-linear charges-opposite
+    s/value: 8\.99e+9/value: 8.89e+9/"
+for claim in equation-43 simulation-gains critical-damping settling-nonlinear figure-6 coulomb-constant variation-small \
+    settling-linear charges-opposite; do
+    check "$claim" ends 1 "$wrong" verify claims "$claim" --csv
+    check "$claim" [ "$(verdicts <"$work/said")" = "$claim undecided" ]
+done
+check 'a title with a quotation mark' ends 0 "$wrong" verify claims equation-38 --csv
 check 'a quotation mark in CSV' says 'Kepler""s third'
 
 stops 'a step that is wrong' 's/dL_dot - 3\*Omega^2\*psi$/dL_dot - 4*Omega^2*psi/' 1 'BROKEN' verify derivations
