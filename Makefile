@@ -163,10 +163,11 @@ $(FUZZERS): $(BUILD)/tests/fuzz/libfuzzer.o $(TARGETS) $(EMBED) $(ENGINE) $(LIBR
 	$(call LINK,-fsanitize=fuzzer $(APART:%=-Wl$(comma)--wrap=%))
 
 # float-cast-overflow is none of `undefined`, yet undefined.
+SANITIZE := -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=address,undefined,float-cast-overflow
+
 ## fuzz: each target of tests/fuzz/ for SECONDS_EACH seconds, with clang's libFuzzer and sanitizers
 fuzz:
-	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang CFLAGS='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
-	  -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow' fuzzers
+	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang CFLAGS='-O1 -g -fsanitize=fuzzer-no-link $(SANITIZE)' fuzzers
 	tests/fuzz/fuzz.sh $(BUILD)/fuzz/tests/fuzz $(SECONDS_EACH) $(CORPORA)
 
 fuzzers: $(FUZZERS)
@@ -208,8 +209,9 @@ mcdc:
 mutants:
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) coverage/mutants.py --self-test
 	$(MAKE) BUILD=$(BUILD)/mutants CFLAGS='-O1 -fPIC' mutants-objects
+	$(MAKE) BUILD=$(BUILD)/mutants/sanitized CFLAGS='-O1 -fPIC $(SANITIZE)' mutants-objects
 	@CC='$(CC)' MUTANT_FLAGS='-fPIC $(STANDARD) -I. -Iverify $(subst ','\'',$(VERIFY_CFLAGS)) $(CHECK_CFLAGS)' \
-	  MUTANT_LIBS='$(CHECK_LIBS) $(VERIFY_LIBS)' PYTHONDONTWRITEBYTECODE=1 \
+	  MUTANT_LIBS='$(CHECK_LIBS) $(VERIFY_LIBS)' MUTANT_SANITIZE='$(SANITIZE)' PYTHONDONTWRITEBYTECODE=1 \
 	  $(PYTHON) coverage/mutants.py $(BUILD)/mutants $(addprefix --sample ,$(SAMPLE)) $(addprefix --seed ,$(SEED)) $(addprefix --only ,$(ONLY))
 
 mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/main verify/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c)))

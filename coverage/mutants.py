@@ -4,10 +4,11 @@
     python3 coverage/mutants.py --self-test
 
 Every mutant of ref/ and of the two sheets, and a sample of verify/, is built and put before the fastest check that should
-notice it; what survives, before all. A mutant is one shared library made anew, in a shadow of the source tree whose files
-are links. Verdicts are kept in BUILD/results.csv, by the mutant's content: a run that was cut short goes on, a kill stands,
-a survivor is asked again once anything in the project has changed. coverage/survivors.csv lists the mutants that
-no check can kill, each with its reason. Run by `make mutants`, which builds BUILD and hands the commands over.
+notice it; what passes of verify/, before the same under the sanitizers; what survives, before all. A mutant is one shared
+library made anew, in a shadow of the source tree whose files are links. Verdicts are kept in BUILD/results.csv, by the
+mutant's content: a run that was cut short goes on, a kill stands, a survivor is asked again once anything in the project
+has changed. coverage/survivors.csv lists the mutants that no check can kill, each with its reason. Run by `make mutants`,
+which builds BUILD and BUILD/sanitized, and hands the commands over.
 """
 import argparse
 import atexit
@@ -22,7 +23,6 @@ import math
 import os
 import pathlib
 import queue
-import random
 import re
 import shlex
 import shutil
@@ -42,6 +42,7 @@ LIKELY_LEAST = 0.75  # of the mutants of verify/ that the likely checks alone ha
 CC = shlex.split(os.environ.get('CC', 'cc'))
 FLAGS = shlex.split(os.environ.get('MUTANT_FLAGS', ''))
 LIBS = shlex.split(os.environ.get('MUTANT_LIBS', ''))
+SANITIZE = shlex.split(os.environ.get('MUTANT_SANITIZE', ''))
 STRICT = ['-O2', '-Wall', '-Wextra', '-Wpedantic', '-Werror']
 ALONE = {'verify/main.c': 'coulomb-tether', 'verify/sheet_check.c': 'sheet-check'}
 SHEETS = ('paper/equations.yaml', 'paper/derivations.yaml')
@@ -133,6 +134,7 @@ class Place:
 
     def __init__(self, linked, name):
         self.linked, self.base = linked, linked.parent
+        self.flags = FLAGS + SANITIZE * (self.base.name == 'sanitized')
         (self.base / 'places').mkdir(exist_ok=True)
         self.root = pathlib.Path(tempfile.mkdtemp(prefix=f'{name}-', dir=self.base / 'places'))
         self.build = self.root / 'build'
@@ -145,7 +147,7 @@ class Place:
         self.fresh()
         self.environment = dict(
             os.environ, BUILD='build', CT_BUILD=str(self.build), CT_PROGRAM=str(self.build / 'coulomb-tether'),
-            LD_LIBRARY_PATH=f'{self.build}/made:{linked}', CK_TIMEOUT_MULTIPLIER='2', LC_ALL='C')
+            LD_LIBRARY_PATH=f'{self.build}/made:{linked}', CK_TIMEOUT_MULTIPLIER='10', LC_ALL='C')
 
     def fresh(self):
         shutil.rmtree(self.build / 'made', ignore_errors=True)
@@ -157,7 +159,7 @@ class Place:
                 link.symlink_to(file)
 
     def compiler(self, *arguments):
-        return run([*CC, *FLAGS, *arguments], 120, cwd=self.root) == 0
+        return run([*CC, *self.flags, *arguments], 120, cwd=self.root) == 0
 
     def compiled(self, file, *flags, into='mutant'):
         """The objects of a file, or of all that includes it."""
@@ -186,7 +188,14 @@ class Place:
             'libembedded.so' if mutant.file == 'verify/embedded.c' else 'libverify.so'
         others = {'libcoulombtether.so': objects(self.base / 'ref', stems), 'libembedded.so': [],
                   'libverify.so': objects(self.base / 'verify', stems | NOT_IN_LIBRARY)}[library]
-        return self.compiler('-shared', *changed, *others, '-o', str(made / library))
+        return self.compiler('-shared', *changed, *others, '-o', str(made / library)) and self.whole(stems, changed)
+
+    def whole(self, stems, changed):
+        """The program in one piece, which tests/test_wrong.sh writes wrong sheets into."""
+        program = self.build / WHOLE
+        program.unlink()
+        return self.compiler(*changed, *objects(self.base / 'ref', stems), *objects(self.base / 'verify', stems | {'sheet_check'}),
+                             '-o', str(program), *LIBS)
 
     def same_code(self, mutant):
         """Whether the compiler makes the same of the mutant: then nothing can tell them apart."""
@@ -220,6 +229,7 @@ class Place:
         return status == 0 and (check.expected is None or output.read_bytes() == check.expected)
 
 
+WHOLE = 'whole'
 LINKED = ['-lverify', '-lembedded', '-lcoulombtether', *LIBS]
 OTHERWISE_LINKED = {'test_corpora'}  # asks that nothing crashes, not that anything is right
 NOT_IN_LIBRARY = {'main', 'sheet_check', 'embedded'}
@@ -233,9 +243,10 @@ def link_all(base):
         return linked
     final, linked = linked, base / f'linked-{os.getpid()}'
     linked.mkdir()
+    flags = FLAGS + SANITIZE * (base.name == 'sanitized')
 
     def compiler(*arguments):
-        subprocess.run([*CC, *FLAGS, *arguments], check=True)
+        subprocess.run([*CC, *flags, *arguments], check=True)
 
     compiler('-shared', *objects(base / 'ref'), '-o', str(linked / 'libcoulombtether.so'))
     compiler('-shared', *objects(base / 'verify', NOT_IN_LIBRARY), '-o', str(linked / 'libverify.so'))
@@ -250,6 +261,7 @@ def link_all(base):
     (linked / 'tests').mkdir(exist_ok=True)
     for name, parts in programs.items():
         compiler(*(str(base / part) for part in parts), '-o', str(linked / name), f'-L{linked}', *LINKED)
+    compiler(*objects(base / 'ref'), *objects(base / 'verify', {'sheet_check'}), '-o', str(linked / WHOLE), *LIBS)
     # The gate wants the names of the tests that passed; the suites are checks of their own.
     names = [name for file in sorted((ROOT / 'tests').glob('test_*.c'))
              for name in re.findall(r'^START_TEST\((\w+)\)', file.read_text(), re.M)]
@@ -280,6 +292,7 @@ def available_checks():
               'oracle scalar': ([program, 'conform', '--only', SCALAR, '--', 'build/client'], None),
               'gate': (['sh', '-c', 'rm -f build/derivations.json && build/coulomb-tether verify derivations --json '
                                     '>build/derivations.json && tests/gate.sh'], None),
+              'wrong': (['sh', '-c', f'CT_PROGRAM=$CT_BUILD/{WHOLE} tests/test_wrong.sh'], None),
               'errors': ([program, 'verify', 'errors'], None),
               'verdicts': ([program, 'verify', 'claims', '--csv'], data('verdicts.csv')),
               'table1': ([program, 'table1', '--csv'], data('table1.csv')),
@@ -303,7 +316,7 @@ REF = ('hill', 'perturbation', 'control', 'attitude', 'stability', 'simulation',
 # What takes more than a second, and about how many; the order of the checks alone depends on it.
 SLOW = {'golden flow_nonlinear': 1.3, 'golden rk4_nonlinear': 1, 'golden rk4_linear': 0.4, 'study convergence': 2.3, 'study pitch': 0.5,
         'kills flow_nonlinear': 8, 'kills rk4_nonlinear': 8, 'kills rk4_linear': 4, 'kills flow_linear': 4,
-        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'test_claims_motion': 6, 'test_claims_statics': 1.3,
+        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'wrong': 10, 'test_claims_motion': 6, 'test_claims_statics': 1.3,
         'test_command_line': 24, 'test_conform': 18, 'test_convergence': 10, 'test_derivation': 5, 'test_flow': 6, 'test_vectors': 3}
 
 
@@ -358,13 +371,13 @@ arithmetic test_expression, golden eq14, test_vectors
 arithmetic_degree test_expression, derivations, test_derivation
 arithmetic_mpfr test_expression, errors, test_vectors
 arithmetic_series test_expression, derivations, test_derivation
-claims test_claims_statics, verdicts, test_claims_motion
-claims_loop test_claims_stability, verdicts
-claims_rates test_claims_stability, verdicts
-claims_stability test_claims_stability, verdicts
+claims test_claims_statics, verdicts, test_claims_motion, wrong
+claims_loop test_claims_stability, verdicts, wrong
+claims_rates test_claims_stability, verdicts, wrong
+claims_stability test_claims_stability, verdicts, wrong
 client test_conform
 command test_command_line, test_conform
-command_derivations test_derivation, test_command_line
+command_derivations test_derivation, wrong, test_command_line
 command_figure figure6, figure5b, figure4, test_command_line
 command_motion figure6, test_command_line
 command_study study forced, study pitch, study convergence, test_command_line
@@ -378,17 +391,17 @@ diagnosis kills eq07, kills eq14, test_conform
 document test_sheet, test_derivation
 embedded derivations
 enclosure test_claims_statics, verdicts
-errors test_vectors, errors, test_command_line
+errors test_vectors, golden eq41roots, errors, test_command_line
 exact test_exact, golden eq41roots
 expression test_expression, golden eq14, test_vectors
 flow golden flow_linear, test_flow, golden flow_nonlinear, figure6
 golden golden eq14, golden flow_linear
 judge kills eq21, test_conform
-ledger test_claims_statics, verdicts, test_command_line
+ledger test_claims_statics, wrong, verdicts, test_command_line
 lohner test_flow, golden flow_nonlinear, verdicts
 main test_command_line
 message test_sheet, test_command_line
-motion test_claims_motion, verdicts
+motion figure6, golden flow_nonlinear, test_claims_motion, test_command_line, verdicts
 operation golden eq14, golden eq41roots, test_vectors
 optimum test_claims_stability, verdicts
 proofs derivations, test_derivation
@@ -400,7 +413,7 @@ roots test_roots, golden eq41roots, test_claims_stability
 sample test_vectors, golden eq14
 second_order test_convergence, study convergence, verdicts
 sheet test_sheet, golden eq14
-sheet_check test_command_line
+sheet_check wrong
 slip test_mistakes, test_conform
 table1 table1, test_command_line
 taylor test_flow, golden flow_nonlinear, figure6
@@ -425,23 +438,27 @@ def likely(mutant):
     return NOTICED_BY[max((name for name in NOTICED_BY if stem.startswith(name)), key=len)]
 
 
-def verdict_on(place, mutant, checks, last):
-    """(killed, survived, same code or not viable; and by what); undecided where the checks that should notice it are through."""
+STAGES = ('', 'passed', 'clean', 'survived')  # what comes of a mutant that nothing notices
+
+
+def verdict_on(place, mutant, checks, stage):
+    """(killed, same code, not viable, or where nothing notices the stage; and by what)."""
     place.fresh()
     first = [name for name in dict.fromkeys(likely(mutant)) if name in checks.commands]
     try:
         if not place.make(mutant):
             return ('killed', 'sheet-check') if mutant.file in SHEETS else ('not viable', 'compiler')
         reached = re.compile(REACHED.get(part_of(mutant.file), ''))
-        for number, name in enumerate([n for n in checks.names if n not in first and reached.match(n)] if last else first):
-            if number == 1 and not last and place.same_code(mutant):
+        others = [n for n in checks.names if n not in first and reached.match(n)]
+        for number, name in enumerate(others if stage == 'survived' else first):
+            if number == 1 and stage == 'passed' and place.same_code(mutant):
                 return 'same code', 'compiler'
             passed = place.passes(checks[name])
             if not passed:
-                return 'killed', name + (' (time)' if passed is None else '')
-        if last:
-            return 'survived', ''
-        return ('not viable', 'compiler, warnings are errors') if place.refused(mutant) else ('undecided', '')
+                return 'killed', name + (' (time)' if passed is None else ' (sanitizers)' * (stage == 'clean'))
+        if stage == 'passed' and place.refused(mutant):
+            return 'not viable', 'compiler, warnings are errors'
+        return stage, ''
     finally:
         place.restore(mutant)
 
@@ -460,7 +477,7 @@ class Results:
         self.world = world.hexdigest()[:20]
         if path.exists():
             for row in csv.reader(path.open(newline='')):
-                if len(row) == 4 and (row[1] not in ('survived', 'undecided') or row[3] == self.world):
+                if len(row) == 4 and (row[1] not in STAGES or row[3] == self.world):
                     self.known[row[0]] = (row[1], row[2])
                 self.before.add(row[0])
 
@@ -471,10 +488,11 @@ class Results:
                 csv.writer(file).writerow([mutant.key, verdict, by, self.world])
 
 
-def judge(linked, chosen, checks, results, last, workers):
-    """Every processor takes the next mutant."""
-    left = queue.SimpleQueue()
-    asked = [mutant for mutant in chosen if results.known.get(mutant.key, ('', ''))[0] == ('undecided' if last else '')]
+def judge(linked, chosen, results, stage, workers):
+    """Every processor takes the next mutant of those that the stages before have left."""
+    left, checks = queue.SimpleQueue(), Checks(linked)
+    before = STAGES[:STAGES.index(stage)]
+    asked = [mutant for mutant in chosen if results.known.get(mutant.key, ('', ''))[0] in before]
     for mutant in sorted(asked, key=lambda mutant: mutant.key in results.before):  # the new ones first
         left.put(mutant)
     began, done = time.monotonic(), itertools.count(1)
@@ -486,13 +504,13 @@ def judge(linked, chosen, checks, results, last, workers):
                 mutant = left.get_nowait()
             except queue.Empty:
                 return
-            verdict, by = verdict_on(place, mutant, checks, last)
+            verdict, by = verdict_on(place, mutant, checks, stage)
             results.add(mutant, verdict, by)
             number = next(done)
             if sys.stderr.isatty():
                 rest = (time.monotonic() - began) / number * (len(asked) - number)
                 print(f'\r{number} of {len(asked)} mutants, {rest / 60:.0f} min left \x1b[K', end='', file=sys.stderr)
-            if verdict in ('survived', 'undecided'):
+            if verdict == stage:
                 print(f'{verdict}: {mutant.file}:{mutant.line}: {mutant.shown}', flush=True)
 
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
@@ -537,7 +555,7 @@ def summary(parts, results, known, complete):
             verdict, by = results.known.get(mutant.key, ('unknown', ''))
             count[verdict] += 1
             count['time'] += by.endswith('(time)')
-            if verdict in ('survived', 'undecided'):
+            if verdict in STAGES:
                 name = (mutant.file, mutant.shown)
                 if stale[name] > 0:
                     stale[name] -= 1
@@ -550,7 +568,7 @@ def summary(parts, results, known, complete):
               f"{count['listed'] + count['same code']:12}{len(survivors):10}{math.floor(1000 * score) / 10:7.1f} %")
         if part != 'verify/':
             unlisted += survivors
-        elif len(survivors) > (len(chosen) * (1 - VERIFY_LEAST) if complete else most_survivors(judged)):
+        elif len(survivors) > (judged * (1 - VERIFY_LEAST) if complete else most_survivors(judged)):
             unlisted += survivors
     for mutant in unlisted:
         print(f'survives, and is not in coverage/survivors.csv: {mutant.file}:{mutant.line}: {mutant.shown}')
@@ -562,23 +580,23 @@ def summary(parts, results, known, complete):
     return status
 
 
+def draw(chosen, number, seed):
+    """So many of the mutants, by lot. A change elsewhere leaves them drawn: the lot of each is its own."""
+    def lot(mutant):
+        return hashlib.sha256(f'{seed}\0{mutant.file}\0{mutant.shown}'.encode()).digest()
+    return sorted(chosen, key=lot)[:number]
+
+
 def choose(parts, arguments, known):
     """All of ref/ and the sheets and a sample of verify/; or of each part a sample of what is not listed.
 
     A mutant of verify/ takes as long as a dozen others, for its checks follow motions, and so a tenth of the sample is of it.
     """
     if not arguments.sample:
-        draw = random.Random(VERIFY_SEED)
-        if 'verify/' in parts:
-            parts['verify/'] = draw.sample(parts['verify/'], min(VERIFY_SAMPLE, len(parts['verify/'])))
-        return parts
-    draw = random.Random(arguments.seed)
-    sample = {}
-    for part, chosen in parts.items():
-        share = math.ceil(arguments.sample * (0.1 if part == 'verify/' else 0.3))
-        free = [mutant for mutant in draw.sample(chosen, min(2 * share, len(chosen))) if (mutant.file, mutant.shown) not in known]
-        sample[part] = free[:share]
-    return sample
+        return {part: draw(chosen, VERIFY_SAMPLE, VERIFY_SEED) if part == 'verify/' else chosen for part, chosen in parts.items()}
+    return {part: draw([mutant for mutant in chosen if (mutant.file, mutant.shown) not in known],
+                       math.ceil(arguments.sample * (0.1 if part == 'verify/' else 0.3)), arguments.seed)
+            for part, chosen in parts.items()}
 
 
 def self_test():
@@ -621,13 +639,15 @@ def main():
     parts = choose(all_mutants(arguments.only), arguments, known)
     results = Results(base / 'results.csv')
     linked = link_all(base)
-    chosen, checks = list(itertools.chain(*parts.values())), Checks(linked)
-    judge(linked, chosen, checks, results, False, arguments.workers)
+    chosen = list(itertools.chain(*parts.values()))
+    judge(linked, chosen, results, 'passed', arguments.workers)
     # What is listed is equivalent, and so no check will kill it; what a sample of verify/ survives is counted, not pursued.
     chosen = [mutant for mutant in chosen if (mutant.file, mutant.shown) not in known]
+    judge(link_all(base / 'sanitized'), [mutant for mutant in chosen if mutant.file.startswith('verify/')], results, 'clean',
+          arguments.workers)
     if arguments.sample:
         chosen = [mutant for mutant in chosen if not mutant.file.startswith('verify/')]
-    judge(linked, chosen, checks, results, True, arguments.workers)
+    judge(linked, chosen, results, 'survived', arguments.workers)
     return summary(parts, results, known, not arguments.sample)
 
 

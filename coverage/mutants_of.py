@@ -59,6 +59,8 @@ CONTROL = {'if', 'for', 'while', 'switch', 'return', 'sizeof', 'else', 'do', 'ca
 TYPES = {'const', 'static', 'inline', 'struct', 'enum', 'union', 'double', 'int', 'char', 'bool', 'void', 'unsigned', 'long',
          'signed', 'float', 'size_t', 'complex', 'FILE', 'extern', 'typedef', 'uint64_t', 'ulong', 'slong'}
 ORDERLESS = {'POSITIVE', 'FINITE', 'sum', 'dot', 'hypot', 'sizeof'}
+COMMUTATIVE = re.compile('(arb|acb|arf|mag|fmpq|fmpz|mpfr|arb_poly|acb_poly|fmpq_poly|arb_mat|nmod)_(add|f?max|min)|'
+                         '(arb|acb|arf|mag|fmpq|fmpz|mpfr|arb_poly|acb_poly|fmpq_poly|nmod)_(mul|mullow)')  # (z, x, y, ...)
 TRANSPARENT = {'sqrt', 'exp', 'sin', 'cos', 'fabs', 'cabs'}
 
 
@@ -265,7 +267,9 @@ class C:
                     first, last = (first - 1, last) if k else (first, last + 1)
                     yield self.replace(first, last, '')
         elif called not in ORDERLESS:
-            for (a, b), (c, d) in zip(parts, parts[1:]):
+            for number, ((a, b), (c, d)) in enumerate(zip(parts, parts[1:])):
+                if number == 1 and COMMUTATIVE.fullmatch(called):
+                    continue
                 if self.source(a, b) != self.source(c, d) and self.word(a) != '.':
                     yield self.replace(a, d, f'{self.source(c, d)}, {self.source(a, b)}')
 

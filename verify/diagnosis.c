@@ -206,8 +206,10 @@ static const char *format_mistake(const struct exam *e, int course, char text[48
     snprintf(text, 48, "written with only %d digits", digits);
     if (digits < 17 && worst <= 10.0 * pow(10.0, -digits))
         return text;
+    if (!(worst < LOST))
+        return NULL;
     snprintf(text, 48, "right in %d digits, the others are lost", (int)-log10(worst));
-    return worst < LOST ? text : NULL;
+    return text;
 }
 
 static void add_name(struct tally *t, const char *name, const char *joint)
