@@ -3,8 +3,8 @@
  * It keeps off files (between apart_begin() and apart_end()) and processes, and out of work that is long by its nature.
  */
 #include <errno.h>
-#include <string.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "client.h"
 #include "errors.h"
