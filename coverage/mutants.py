@@ -402,7 +402,7 @@ lohner test_flow, golden flow_nonlinear, verdicts
 main test_command_line
 message test_sheet, test_command_line
 motion figure6, golden flow_nonlinear, test_claims_motion, test_command_line, verdicts
-operation golden eq14, golden eq41roots, test_vectors
+operation golden eq14, golden eq41roots, test_vectors, test_command_line
 optimum test_claims_stability, verdicts
 proofs derivations, test_derivation
 questions kills eq21, test_conform

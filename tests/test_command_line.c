@@ -148,6 +148,8 @@ static const struct {
     {"trajectory linear --at 5,1", 2, "--at"},
     {"trajectory linear --at -1,1", 2, "--at"},
     {"trajectory linear --every 0", 1, "--every"},
+    {"trajectory linear --every inf", 1, "--every: expected a finite number"},
+    {"trajectory linear --until inf", 1, "--until: expected a finite number"},
     {"trajectory linear --every -1", 1, "--every"},
     {"trajectory linear --every 1e-9", 1, "rows"},
     {"trajectory linear psi=inf n=10 C1=1", 2, "either n, or C1 and C2"},
@@ -331,7 +333,7 @@ START_TEST(equations_lists_every_section_and_shows_one)
     ck_assert_ptr_nonnull(strstr(output, "flow_nonlinear"));
     ck_assert_int_eq(run("equations eq30"), 0);
     ck_assert_ptr_nonnull(strstr(output, "printed"));
-    ck_assert_ptr_nonnull(strstr(output, "\n  given    m1 "));
+    ck_assert_ptr_nonnull(strstr(output, "\n  given    m1         kg         > 0        mass of a craft\n"));
     ck_assert_ptr_nonnull(strstr(output, "\n  returns  I_11 "));
     ck_assert_ptr_nonnull(strstr(output, "\n  formula  I_11 = "));
     ck_assert_int_eq(run("equations eq30 --json"), 0);

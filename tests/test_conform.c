@@ -77,6 +77,7 @@ static const struct {
     {"--only algebra -- FAULTY early", 1, "eq44: 1 early\n"}, /* more questions than both buffers hold */
     {"--only eq07 --random 300 --seed 1 -- FAULTY invalid", 1, " failed"}, /* not 300 mod 256 = 44 */
     {"--only eq38 -- FAULTY printed", 1, "looks like: as printed\n"},
+    {"--only eq38 -- FAULTY printed", 1, "     0.6  eq38-"}, /* S = 2 Omega: -log10((sqrt(3) - 1)/3) = 0.61 digits */
     {"--only eq12,eq38 -- FAULTY float", 1, "looks like: computed in single precision\n"},
     {"--significand 24 --only eq12,eq38 -- FAULTY float", 0, " 0 failed"},
     /* R_c^5 leaves binary32's range for the larger of 200 orbits; 23 golden vectors without such */
@@ -235,6 +236,22 @@ START_TEST(reports_for_machines_say_the_same)
     ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"errors\": \"a <word>\\n\""));
     ck_assert_int_eq(conform("--only eq07 --report /nowhere/report.json -- FAULTY none"), 1);
     assert_says("/nowhere/report.json: No such file");
+}
+END_TEST
+
+/* In however many pieces it comes, its last 2000 bytes. */
+START_TEST(the_end_of_standard_error_is_kept)
+{
+    ck_assert_int_eq(conform("--only eq38 --report \"$CT_BUILD/tests/pieces.json\" -- "
+                             "sh -c 'echo one >&2; sleep 0.1; echo two >&2; exec \"$0\" none' FAULTY"), 0);
+    ck_assert_ptr_nonnull(strstr(file_text("pieces.json"), "\"errors\": \"one\\ntwo\\n\""));
+    ck_assert_int_eq(conform("--only eq38 --report \"$CT_BUILD/tests/pieces.json\" -- "
+                             "sh -c 'printf %3000s >&2; sleep 0.1; echo end >&2; exec \"$0\" none' FAULTY"), 0);
+    const char *end = strstr(file_text("pieces.json"), "\"errors\": \"");
+    ck_assert_ptr_nonnull(end);
+    end += strlen("\"errors\": \"");
+    ck_assert_uint_eq(strspn(end, " "), 2000 - strlen("end\n"));
+    ck_assert_int_eq(strncmp(end + strspn(end, " "), "end\\n\"", 6), 0);
 }
 END_TEST
 
@@ -729,6 +746,7 @@ Suite *suite(void)
     tcase_add_test(c, answers_in_a_file_may_stand_in_any_order);
     tcase_add_test(c, a_row_longer_than_a_line_is_too_long);
     tcase_add_test(c, reports_for_machines_say_the_same);
+    tcase_add_test(c, the_end_of_standard_error_is_kept);
     tcase_add_test(c, a_report_is_there_whole_or_not_at_all);
     tcase_add_loop_test(c, what_a_client_says_breaks_no_report, 0, 2);
     tcase_add_test(c, a_client_is_not_started_without_descriptors);

@@ -712,6 +712,17 @@ START_TEST(outside_the_domain_no_flow_starts)
             run_close(&r);
             arb_neg(positive[i], positive[i]);
         }
+    for (int i = 0; i < 2; i++) {
+        arb_t value;
+        arb_init(value);
+        arb_swap(value, positive[i]);
+        arb_pos_inf(positive[i]);
+        struct run endless = run_to(&s, LINEAR, 100);
+        ck_assert_int_eq(endless.status, FLOW_DOMAIN);
+        run_close(&endless);
+        arb_swap(value, positive[i]);
+        arb_clear(value);
+    }
     start_at(&s, 0, 0, 0, 1, 1, 1); /* L = 0 */
     struct run together = run_to(&s, NONLINEAR, 100);
     ck_assert_int_eq(together.status, FLOW_DOMAIN);
