@@ -2,7 +2,8 @@
 # Fuzzes targets two at a time, from the inputs that tests/fuzz/corpus/ keeps: FOLDER SECONDS TARGET...
 #
 # FOLDER has the executables. What is new goes to FOLDER/found/TARGET/, an input that fails to FOLDER/failed/; the last
-# lines say how to see it again. A case may take CASE_SECONDS (10: a trajectory of a million rows takes 5) and 2 GB.
+# lines say how to see it again. SEED fixes where the search begins, which is elsewhere each time without it. A case may
+# take CASE_SECONDS (10: a trajectory of a million rows takes 5) and 2 GB.
 set -eu
 
 fuzz() {
@@ -10,7 +11,7 @@ fuzz() {
     log=$folder/$target.log
     mkdir -p "$folder/found/$target" "$folder/failed"
     status=0
-    "$folder/$target" -max_total_time="$seconds" -timeout="${CASE_SECONDS:-10}" -rss_limit_mb=2048 -max_len=4096 \
+    "$folder/$target" -seed="${SEED:-0}" -max_total_time="$seconds" -timeout="${CASE_SECONDS:-10}" -rss_limit_mb=2048 -max_len=4096 \
         -dict=tests/fuzz/words.dict -artifact_prefix="$folder/failed/$target-" -print_final_stats=1 \
         "$folder/found/$target" "tests/fuzz/corpus/$target" >"$log" 2>&1 || status=$?
     awk -v target="$target" -v status="$status" '
