@@ -577,6 +577,16 @@ START_TEST(pole_is_replaced_by_another_point)
 END_TEST
 
 /* Degree 999^2 < 2^20, for all that the checker knows: 43 bits a point, three of them for 2^-100 */
+/* A square root may be any of the roots, whose squares all count: of degree 10 is (L^5)^2 - L^2. */
+START_TEST(a_root_counts_twice)
+{
+    struct derivations d;
+    read_one(&d, "    positive: [L]\n    roots: [L, L^5]\n    show: [sqrt(L^2) = L]");
+    ck_assert_uint_eq(d.steps[0].corrected.degree, 10);
+    derivations_clear(&d);
+}
+END_TEST
+
 START_TEST(high_degree_takes_more_points)
 {
     struct derivations d;
@@ -867,6 +877,7 @@ Suite *suite(void)
     tcase_add_loop_test(checker, checker_finds, 0, COUNT(findings));
     tcase_add_test(checker, evidence_is_the_first_coefficient_that_differs);
     tcase_add_test(checker, pole_is_replaced_by_another_point);
+    tcase_add_test(checker, a_root_counts_twice);
     tcase_add_test(checker, high_degree_takes_more_points);
     tcase_add_test(checker, entry_stands_for_its_parts);
     tcase_add_test(checker, gap_is_found);

@@ -640,13 +640,17 @@ START_TEST(an_enclosure_past_use_is_reported)
 }
 END_TEST
 
-/* Omega t known to half a radian: no step holds all of that. */
+/* Omega t known to half a radian: no step holds all of that. And no exponential one of all gains. */
 START_TEST(a_vague_time_is_reported)
 {
     struct scene s = scene_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 6, 0, 0, 0, 0, 0);
     mag_set_d(arb_radref(s.p.Omega), 0x1p-17);
     struct run r = run_to(&s, NONLINEAR, 1 << 16);
+    ck_assert_int_eq(r.status, FLOW_WIDE);
+    run_close(&r);
+    mag_set_d(arb_radref(s.p.C1), 1e300);
+    r = run_to(&s, LINEAR, 100);
     ck_assert_int_eq(r.status, FLOW_WIDE);
     run_close(&r);
     scene_close(&s);
