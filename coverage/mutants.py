@@ -293,6 +293,8 @@ def available_checks():
               'gate': (['sh', '-c', 'rm -f build/derivations.json && build/coulomb-tether verify derivations --json '
                                     '>build/derivations.json && tests/gate.sh'], None),
               'wrong': (['sh', '-c', f'CT_PROGRAM=$CT_BUILD/{WHOLE} tests/test_wrong.sh'], None),
+              'package': (['sh', '-c', 'find data -name "*.csv" | LC_ALL=C sort | xargs sha256sum | build/coulomb-tether datapackage'],
+                          data('datapackage.json')),
               'errors': ([program, 'verify', 'errors'], None),
               'verdicts': ([program, 'verify', 'claims', '--csv'], data('verdicts.csv')),
               'table1': ([program, 'table1', '--csv'], data('table1.csv')),
@@ -376,8 +378,10 @@ claims_loop test_claims_stability, verdicts, wrong
 claims_rates test_claims_stability, verdicts, wrong
 claims_stability test_claims_stability, verdicts, wrong
 client test_conform
-command test_command_line, test_conform
+command test_command_line, test_conform, wrong
+command_datapackage package, wrong
 command_derivations test_derivation, wrong, test_command_line
+command_errors errors, wrong, test_command_line
 command_figure figure6, figure5b, figure4, test_command_line
 command_motion figure6, test_command_line
 command_study study forced, study pitch, study convergence, test_command_line
