@@ -43,6 +43,7 @@ CC = shlex.split(os.environ.get('CC', 'cc'))
 FLAGS = shlex.split(os.environ.get('MUTANT_FLAGS', ''))
 LIBS = shlex.split(os.environ.get('MUTANT_LIBS', ''))
 SANITIZE = shlex.split(os.environ.get('MUTANT_SANITIZE', ''))
+WRAP = shlex.split(os.environ.get('MUTANT_WRAP', ''))  # what tests/test_evidence.c puts in the place of others
 STRICT = ['-O2', '-Wall', '-Wextra', '-Wpedantic', '-Werror']
 ALONE = {'verify/main.c': 'coulomb-tether', 'verify/sheet_check.c': 'sheet-check'}
 SHEETS = ('paper/equations.yaml', 'paper/derivations.yaml')
@@ -188,14 +189,17 @@ class Place:
             'libembedded.so' if mutant.file == 'verify/embedded.c' else 'libverify.so'
         others = {'libcoulombtether.so': objects(self.base / 'ref', stems), 'libembedded.so': [],
                   'libverify.so': objects(self.base / 'verify', stems | NOT_IN_LIBRARY)}[library]
-        return self.compiler('-shared', *changed, *others, '-o', str(made / library)) and self.whole(stems, changed)
+        return self.compiler('-shared', *changed, *others, '-o', str(made / library)) and \
+            (mutant.file.startswith('ref/') or self.whole(stems, changed))
 
     def whole(self, stems, changed):
-        """The program in one piece, which tests/test_wrong.sh writes wrong sheets into."""
-        program = self.build / WHOLE
-        program.unlink()
-        return self.compiler(*changed, *objects(self.base / 'ref', stems), *objects(self.base / 'verify', stems | {'sheet_check'}),
-                             '-o', str(program), *LIBS)
+        """What is in one piece: the program that wrong sheets are written into, and the test in which proofs are made to fail."""
+        fine = True
+        for name, others, left_out, flags in in_one_piece(self.base):
+            (self.build / name).unlink()
+            fine = fine and self.compiler(*changed, *others, *objects(self.base / 'ref', stems),
+                                          *objects(self.base / 'verify', stems | left_out), '-o', str(self.build / name), *flags, *LIBS)
+        return fine
 
     def same_code(self, mutant):
         """Whether the compiler makes the same of the mutant: then nothing can tell them apart."""
@@ -229,10 +233,15 @@ class Place:
         return status == 0 and (check.expected is None or output.read_bytes() == check.expected)
 
 
-WHOLE = 'whole'
 LINKED = ['-lverify', '-lembedded', '-lcoulombtether', *LIBS]
-OTHERWISE_LINKED = {'test_corpora'}  # asks that nothing crashes, not that anything is right
+OTHERWISE_LINKED = {'test_corpora', 'test_evidence'}  # the first asks that nothing crashes, not that anything is right
 NOT_IN_LIBRARY = {'main', 'sheet_check', 'embedded'}
+
+
+def in_one_piece(base):
+    """(name, objects besides, what is left out of verify/, flags)"""
+    return (('whole', [], {'sheet_check'}, []),
+            ('tests/test_evidence', [str(base / 'tests' / name) for name in ('test_evidence.o', 'run.o')], {'sheet_check', 'main'}, WRAP))
 
 
 def link_all(base):
@@ -261,7 +270,8 @@ def link_all(base):
     (linked / 'tests').mkdir(exist_ok=True)
     for name, parts in programs.items():
         compiler(*(str(base / part) for part in parts), '-o', str(linked / name), f'-L{linked}', *LINKED)
-    compiler(*objects(base / 'ref'), *objects(base / 'verify', {'sheet_check'}), '-o', str(linked / WHOLE), *LIBS)
+    for name, others, left_out, more in in_one_piece(base):
+        compiler(*others, *objects(base / 'ref'), *objects(base / 'verify', left_out), '-o', str(linked / name), *more, *LIBS)
     # The gate wants the names of the tests that passed; the suites are checks of their own.
     names = [name for file in sorted((ROOT / 'tests').glob('test_*.c'))
              for name in re.findall(r'^START_TEST\((\w+)\)', file.read_text(), re.M)]
@@ -292,7 +302,9 @@ def available_checks():
               'oracle scalar': ([program, 'conform', '--only', SCALAR, '--', 'build/client'], None),
               'gate': (['sh', '-c', 'rm -f build/derivations.json && build/coulomb-tether verify derivations --json '
                                     '>build/derivations.json && tests/gate.sh'], None),
-              'wrong': (['sh', '-c', f'CT_PROGRAM=$CT_BUILD/{WHOLE} tests/test_wrong.sh'], None),
+              'wrong': (['sh', '-c', 'CT_PROGRAM=$CT_BUILD/whole tests/test_wrong.sh'], None),
+              'evidence': (['build/tests/test_evidence'], None),
+              'evidence all': (['env', 'CT_ALL=1', 'build/tests/test_evidence'], None),
               'package': (['sh', '-c', 'find data -name "*.csv" | LC_ALL=C sort | xargs sha256sum | build/coulomb-tether datapackage'],
                           data('datapackage.json')),
               'errors': ([program, 'verify', 'errors'], None),
@@ -318,7 +330,7 @@ REF = ('hill', 'perturbation', 'control', 'attitude', 'stability', 'simulation',
 # What takes more than a second, and about how many; the order of the checks alone depends on it.
 SLOW = {'golden flow_nonlinear': 1.3, 'golden rk4_nonlinear': 1, 'golden rk4_linear': 0.4, 'study convergence': 2.3, 'study pitch': 0.5,
         'kills flow_nonlinear': 8, 'kills rk4_nonlinear': 8, 'kills rk4_linear': 4, 'kills flow_linear': 4,
-        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'wrong': 10, 'test_claims_motion': 6, 'test_claims_statics': 1.3,
+        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'wrong': 10, 'evidence': 3, 'evidence all': 70, 'test_claims_motion': 6, 'test_claims_statics': 1.3,
         'test_command_line': 24, 'test_conform': 18, 'test_convergence': 10, 'test_derivation': 5, 'test_flow': 6, 'test_vectors': 3}
 
 
@@ -373,10 +385,14 @@ arithmetic test_expression, golden eq14, test_vectors
 arithmetic_degree test_expression, derivations, test_derivation
 arithmetic_mpfr test_expression, errors, test_vectors
 arithmetic_series test_expression, derivations, test_derivation
-claims test_claims_statics, verdicts, test_claims_motion, wrong
-claims_loop test_claims_stability, verdicts, wrong
-claims_rates test_claims_stability, verdicts, wrong
-claims_stability test_claims_stability, verdicts, wrong
+claims test_claims_statics, verdicts, evidence, test_claims_motion, wrong
+claims_beyond verdicts, test_convergence, evidence all
+claims_convergence verdicts, test_claims_motion, evidence all
+claims_forced verdicts, test_convergence, evidence all
+claims_motion verdicts, test_claims_motion, evidence all
+claims_loop test_claims_stability, verdicts, evidence, wrong
+claims_rates test_claims_stability, verdicts, evidence, wrong
+claims_stability test_claims_stability, verdicts, evidence, wrong
 client test_conform
 command test_command_line, test_conform, wrong
 command_datapackage package, wrong
@@ -388,13 +404,13 @@ command_study study forced, study pitch, study convergence, test_command_line
 command_typeset test_typeset, test_command_line
 command_vectors golden eq44, test_vectors, test_command_line
 conform test_conform
-convergence test_convergence, study convergence, verdicts
+convergence test_convergence, study convergence, verdicts, evidence all
 decimal test_decimal, golden eq14, golden eq41roots
 derivation derivations, test_derivation
 diagnosis kills eq07, kills eq14, test_conform
 document test_sheet, test_derivation
 embedded derivations
-enclosure test_claims_statics, verdicts
+enclosure test_claims_statics, verdicts, evidence
 errors test_vectors, golden eq41roots, errors, test_command_line
 exact test_exact, golden eq41roots
 expression test_expression, golden eq14, test_vectors
@@ -406,7 +422,7 @@ lohner test_flow, golden flow_nonlinear, verdicts
 main test_command_line
 message test_sheet, test_command_line
 motion figure6, golden flow_nonlinear, test_claims_motion, test_command_line, verdicts
-operation golden eq14, golden eq41roots, test_vectors, test_command_line
+operation golden eq14, golden eq41roots, golden flow_linear, golden rk4_nonlinear, test_vectors, test_command_line
 optimum test_claims_stability, verdicts
 proofs derivations, test_derivation
 questions kills eq21, test_conform
@@ -425,7 +441,7 @@ track test_claims_motion, verdicts
 two_body test_convergence, verdicts
 typeset test_typeset
 vectors golden eq44, test_vectors
-well test_claims_stability, test_convergence, verdicts""".strip().split('\n'))
+well test_claims_stability, test_convergence, verdicts, evidence""".strip().split('\n'))
 
 
 def likely(mutant):
@@ -442,6 +458,7 @@ def likely(mutant):
     return NOTICED_BY[max((name for name in NOTICED_BY if stem.startswith(name)), key=len)]
 
 
+MOST_SANITIZED = 30  # seconds
 STAGES = ('', 'passed', 'clean', 'survived')  # what comes of a mutant that nothing notices
 
 
@@ -449,6 +466,8 @@ def verdict_on(place, mutant, checks, stage):
     """(killed, same code, not viable, or where nothing notices the stage; and by what)."""
     place.fresh()
     first = [name for name in dict.fromkeys(likely(mutant)) if name in checks.commands]
+    if stage == 'clean':  # the sanitizers multiply what they look at
+        first = [name for name in first if SLOW.get(name, 0) < MOST_SANITIZED]
     try:
         if not place.make(mutant):
             return ('killed', 'sheet-check') if mutant.file in SHEETS else ('not viable', 'compiler')

@@ -268,6 +268,7 @@ void decide_charge_error(struct evidence *e)
     for (int i = 0; i < GAINS; i++) {
         struct well w;
         well_init(&w, well_gains[i]);
+        proved = w.proved && proved;
         fold[i] = number_of(&n, 4, "100*(1 - 81*(n - 3)^2/(4*n^3))", KNOWN({"n", w.n}));
         proved = shifted(&n, &more[i], 4, w.n, "0.01") && proved;
         proved = shifted(&n, &rounded[i], 3, w.n, k_c_error) && proved;

@@ -35,25 +35,28 @@ static bool gap_until(arb_t gap, const struct track *a, const struct track *b, i
     return bounded;
 }
 
-/* The first row at which two tracks differ by a tenth of what the linear one may still reach, in hours; false: none. */
-static bool first_parting(arb_t hours, const struct track *linear, const struct track *b, int which)
+/* The first row at which two tracks differ by a tenth of what the linear one may still reach, in hours; false where a
+   bound fails before. */
+static bool first_parting(bool *parted, arb_t hours, const struct track *linear, const struct track *b, int which)
 {
     struct bounds left;
     arb_t gap;
     slong k = -1;
-    bool parted = false;
+    bool bounded = true;
     arb_init(gap);
     bounds_init(&left);
-    while (!parted && ++k < linear->count && track_bounds(&left, linear, k)) {
+    *parted = false;
+    while (!*parted && ++k < linear->count && bounded) {
+        bounded = track_bounds(&left, linear, k);
         track_gap(gap, linear, b, which, k, k);
         arb_mul_ui(gap, gap, 10, BITS);
-        parted = arb_gt(gap, left.of[which]);
+        *parted = bounded && arb_gt(gap, left.of[which]);
     }
     arb_set_si(hours, k * linear->step);
     arb_div_ui(hours, hours, 3600, BITS);
     bounds_clear(&left);
     arb_clear(gap);
-    return parted;
+    return bounded;
 }
 
 static bool compare_models(struct evidence *e, bool planar)
@@ -78,7 +81,8 @@ static bool compare_models(struct evidence *e, bool planar)
     evidence_add(e, "%s", planar ? "" : " (until 3 h | 12 h | 3 days)");
     evidence_add(e, "; a tenth of what the linear motion may still reach is exceeded");
     for (int which = PSI; which <= ETA; which += ETA) {
-        const bool parted = first_parting(x, &linear, &other, which);
+        bool parted;
+        proved = first_parting(&parted, x, &linear, &other, which) && proved;
         evidence_add(e, "%s %s", which ? ", in dL" : " in psi", parted ? "first" : "never");
         if (parted)
             proved = evidence_number(e, " after ", x, 3, " h") && proved;

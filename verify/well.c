@@ -80,20 +80,23 @@ static int take_fate(void *context, slong k, const fmpq_t t, arb_srcptr state)
 {
     struct watch *watch = context;
     const struct well *w = watch->well;
-    arb_t r;
+    arb_t r, room;
     (void)k;
     (void)t;
     arb_init(r);
+    arb_init(room);
     enclose(r, "sqrt(X^2 + Y^2)", KNOWN({"X", state}, {"Y", state + 1}));
     const struct known *known =
         KNOWN({"x", r}, {"X", state}, {"u", state + 3}, {"v", state + 4}, {"n", w->n}, {"rim", w->rim});
-    if (positive_at("rim - (u^2 + v^2)/2 + 3/2*X^2 - " SIDE, known)) {
+    enclose(room, "rim - (u^2 + v^2)/2 + 3/2*X^2 - " SIDE, known);
+    if (arb_is_positive(room)) {
         if (arb_lt(r, w->outer) && arb_is_positive(state))
             watch->fate = FATE_RETURNS;
         else if (arb_gt(r, w->outer))
             watch->fate = FATE_ESCAPES;
     }
     arb_clear(r);
+    arb_clear(room);
     return watch->fate != FATE_OPEN;
 }
 
