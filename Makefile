@@ -200,10 +200,10 @@ coverage:
 
 INJECTIONS := $(patsubst tests/faults/%.sh,faults-%,$(filter-out %/harness.sh,$(wildcard tests/faults/*.sh)))
 
-## faults: every allocation and every system call made to fail, signals, full disks, strange places
+## faults: every allocation, system call and proof made to fail, signals, full disks, strange places
 faults: $(INJECTIONS)
 
-$(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS)
+$(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS) $(BUILD)/tests/test_evidence
 	@BUILD='$(BUILD)' CT_BUILD='$(abspath $(BUILD))' CT_PROGRAM='$(abspath $(PROGRAM))' $<
 
 ## mcdc: condition coverage (MC/DC) of ref/, where the compiler can count it: gcc from version 14 on
