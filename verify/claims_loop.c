@@ -91,7 +91,7 @@ void decide_other_rests(struct evidence *e)
     for (int i = 0; i < GAINS; i++) {
         struct well w;
         well_init(&w, well_gains[i]);
-        proved = w.proved && rests(&n, said[i], &w) && proved;
+        proved = rests(&n, said[i], &w) && w.proved && proved;
         well_clear(&w);
     }
     evidence_add(e,
