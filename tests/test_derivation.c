@@ -494,6 +494,7 @@ static const struct {
     {"    roots: [L*m1]\n    show: [sqrt(L^2*m1^2) = m1*L]", FOUND_EQUAL, ""},
     {"    roots: [m1, L]\n    show: [sqrt(L^2) + sqrt(m1^2) = m1 + L]", FOUND_EQUAL, ""},
     {"    roots: [2*L]\n    show: [sqrt(L^2) = L]", FOUND_NOTHING, "a square root is "},
+    {"    roots: [2*L]\n    show: [sqrt(9/4 + 0*L) = 3/2]", FOUND_NOTHING, "a square root is 3/2, none of the roots"},
     {"    roots: [L]\n    show: [sqrt(2*L^2) = L]",
      FOUND_NOTHING, "sqrt(2*L^2) = L: no value, the square root of no rational square"},
     {"    small: [dL]\n    order: 2\n    roots: [L_ref]\n"
