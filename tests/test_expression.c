@@ -562,6 +562,22 @@ START_TEST(ball_on_both_sides_of_zero_is_neither_positive_nor_not)
 }
 END_TEST
 
+START_TEST(a_number_is_positive_or_not)
+{
+    static const int signs[][2] = {{-2, 0}, {0, 0}, {3, 1}}; /* of x, and what is said of it */
+    struct program p;
+    struct machine m;
+    int node = parse_inputs(&p, "positive(x)");
+    machine_init(&m, &p, &arithmetic_mpfr, 64);
+    mpfr_set_si(machine_value(&m, 0), signs[_i][0], MPFR_RNDN);
+    mpfr_set_si(machine_value(&m, node), 7, MPFR_RNDN);
+    machine_run(&m);
+    ck_assert_int_eq(mpfr_cmp_si(machine_value(&m, node), signs[_i][1]), 0);
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
 /* ---- degrees ---- */
 
 /* num and den for x, y drawn numbers, a a drawn angle, e a small drawn number, K = terms - 1 */
@@ -640,6 +656,7 @@ Suite *suite(void)
     tcase_add_loop_test(arithmetic, gradient_is_the_derivative_by_every_input, 0, COUNT(differentiable));
     tcase_add_test(arithmetic, gradient_of_an_arc_tangent);
     tcase_add_test(arithmetic, ball_and_mpfr_agree_with_the_exact_value);
+    tcase_add_loop_test(arithmetic, a_number_is_positive_or_not, 0, 3);
     tcase_add_loop_test(arithmetic, ball_on_both_sides_of_zero_is_neither_positive_nor_not, 0, 4);
     tcase_add_loop_test(arithmetic, degree_is_bounded, 0, COUNT(degrees));
     tcase_add_test(arithmetic, degree_saturates);

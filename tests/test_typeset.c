@@ -80,7 +80,8 @@ START_TEST(each_division_is_a_line)
         {"L*(m1/m2)", "\\frac{Lm_{1}}{m_{2}}"},
         {"(m1/m2)^2", "\\left(\\frac{m_{1}}{m_{2}}\\right)^{2}"},
         {"m1/m2*(x1 + x2)", "\\frac{m_{1}}{m_{2}}(x_{1} + x_{2})"},
-        {"0.5*L", "\\frac{1}{2}L"}};
+        {"0.5*L", "\\frac{1}{2}L"},
+        {"sin(psi)/m1", "\\frac{\\sin \\psi }{m_{1}}"}};
     assert_typeset(&pairs[_i]);
 }
 END_TEST
@@ -128,7 +129,7 @@ Suite *suite(void)
     TCase *t = tcase_create("formulas");
     tcase_add_loop_test(t, symbols_carry_index_and_accent, 0, 16);
     tcase_add_loop_test(t, brackets_stand_where_they_are_needed, 0, 13);
-    tcase_add_loop_test(t, each_division_is_a_line, 0, 11);
+    tcase_add_loop_test(t, each_division_is_a_line, 0, 12);
     tcase_add_loop_test(t, functions_have_their_own_notation, 0, 10);
     tcase_add_test(t, products_are_as_long_as_one_writes_them);
     suite_add_tcase(s, t);
