@@ -157,7 +157,7 @@ static void collect(const struct program *p, int node, bool below, struct factor
 {
     const struct node *n = &p->nodes[node];
     const bool quotient = n->op == OPERATOR_DIVIDE;
-    if ((n->op == OPERATOR_MULTIPLY || (quotient && !below))) {
+    if (n->op == OPERATOR_MULTIPLY || (quotient && !below)) {
         collect(p, n->left, below, f);
         collect(p, n->right, below || quotient, f);
     } else if (n->op == OPERATOR_NEGATE && f->count == 0) {
