@@ -180,7 +180,7 @@ fuzzers: $(FUZZERS)
 
 ### Checking
 ## check: every test, on all processors; the last line is "N passed, N failed"
-check: all $(SUITES) $(FAULTY) $(FAULTS) $(EVIDENCE)
+check: all $(EVIDENCE) $(SUITES) $(FAULTY) $(FAULTS)
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SCRIPTS) $(SUITES)
 
 ## gate: whether each equation has its function, test, error, proof, vectors, verdict and place, after make check
