@@ -14,23 +14,6 @@ enum { MOST_OUTPUTS = 16, GUARD_BITS = 64 };
 /* Beyond this no formula of the sheet should need to go; it is the end of a loop that has none else. */
 static const slong MOST_BITS = 400000;
 
-struct input *inputs_new(int count)
-{
-    struct input *inputs = memory(NULL, (size_t)count, sizeof *inputs);
-    for (int i = 0; i < count; i++) {
-        fmpq_init(&inputs[i].value);
-        inputs[i].infinite = false;
-    }
-    return inputs;
-}
-
-void inputs_free(struct input *inputs, int count)
-{
-    for (int i = 0; i < count; i++)
-        fmpq_clear(&inputs[i].value);
-    free(inputs);
-}
-
 void operation_init(struct operation *o, const struct section *s, bool as_printed)
 {
     *o = (struct operation){.section = s};
@@ -71,18 +54,6 @@ void operation_sums(struct machine *m, const struct operation *o, const struct i
     machine_init(m, &o->formulas->program, &arithmetic_sums, 0);
     set_inputs(m, inputs);
     machine_run(m);
-}
-
-void section_enclose(const struct section *s, arb_srcptr inputs, slong prec, arb_ptr outputs)
-{
-    struct machine m;
-    machine_init(&m, &s->corrected.program, &arithmetic_ball, prec);
-    for (int i = 0; i < s->input_count; i++)
-        arb_set(machine_value(&m, i), inputs + i);
-    machine_run(&m);
-    for (int i = 0; i < s->output_count; i++)
-        arb_set(outputs + i, machine_value(&m, s->corrected.outputs[i]));
-    machine_clear(&m);
 }
 
 /* ---- the domain ---- */
