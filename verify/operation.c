@@ -43,7 +43,7 @@ void operation_clear(struct operation *o)
     machine_clear(&o->machine);
 }
 
-/* ---- formulas in balls and in exact sums ---- */
+/* ---- formulas in balls and in exact numbers ---- */
 
 static void set_inputs(struct machine *m, const struct input *inputs)
 {
@@ -66,9 +66,9 @@ static void run_balls(struct operation *o, const struct input *inputs, slong pre
     machine_run(&o->machine);
 }
 
-void operation_sums(struct machine *m, const struct operation *o, const struct input *inputs)
+void operation_exact(struct machine *m, const struct operation *o, const struct input *inputs)
 {
-    machine_init(m, &o->formulas->program, &arithmetic_sums, 0);
+    machine_init(m, &o->formulas->program, &arithmetic_exact, 0);
     set_inputs(m, inputs);
     machine_run(m);
 }
@@ -129,14 +129,14 @@ static int node_sign(const struct operation *o, const struct input *inputs, int 
     arb_srcptr ball = machine_value(&o->machine, node);
     if (!arb_contains_zero(ball))
         return arf_sgn(arb_midref(ball));
-    struct machine sums;
+    struct machine values;
     fmpq_t value;
-    operation_sums(&sums, o, inputs);
+    operation_exact(&values, o, inputs);
     fmpq_init(value);
-    exact_is_rational(value, machine_value(&sums, node)); /* conditions are rational in their inputs */
+    exact_is_rational(value, machine_value(&values, node)); /* conditions are rational in their inputs */
     int sign = fmpq_sgn(value);
     fmpq_clear(value);
-    machine_clear(&sums);
+    machine_clear(&values);
     return sign;
 }
 
@@ -313,15 +313,15 @@ static void decide_exactly(const struct operation *o, const struct input *inputs
         decide_rational_roots(inputs, digits, prec, texts);
     if (o->section->method != METHOD_FORMULA)
         return;
-    struct machine sums;
+    struct machine values;
     fmpq_t value;
-    operation_sums(&sums, o, inputs);
+    operation_exact(&values, o, inputs);
     fmpq_init(value);
     for (int i = 0; i < o->section->output_count; i++)
-        if (texts[i] == NULL && exact_is_rational(value, machine_value(&sums, o->formulas->outputs[i])))
+        if (texts[i] == NULL && exact_is_rational(value, machine_value(&values, o->formulas->outputs[i])))
             texts[i] = decimal_of_rational(value, digits);
     fmpq_clear(value);
-    machine_clear(&sums);
+    machine_clear(&values);
 }
 
 static int unset(char *const *texts, int count)
