@@ -4,8 +4,8 @@
  *
  * Calcium computes in the field that the numbers met so far span, and says of a predicate true, false or unknown. What
  * it cannot decide is not decided here either: unknown is neither zero nor rational. Numbers are real; what is none is
- * undefined and stays so: a root of what is negative or of unknown sign, a quotient by zero. Of an infinite input
- * (lambda_d) any finite number over it is zero, and nothing else is a number.
+ * undefined and stays so: a root of what is negative or of unknown sign, zero over zero. An infinite input (lambda_d) is
+ * Calcium's positive infinity: a finite number over it is zero, and zero times it is undefined.
  */
 #ifndef CT_EXACT_H
 #define CT_EXACT_H
