@@ -318,15 +318,19 @@ static bool reads_back(const char *digits, slong exponent, double x)
 
 /*
  * The fewest digits that read back as x, the nearest of them. What reads back as a power of two reaches twice as far
- * above it as below: there the next decimal above may do where the nearest does not.
+ * above it as below: there the next decimal above may do where the nearest does not. Of a normal number no decimal of
+ * fewer than DBL_DIG = 15 digits is lost on the way, so that it stands in the 15 digits, zeros behind it.
  */
 static slong shortest_digits(char digits[24], double x)
 {
-    for (size_t count = 1;; count++)
+    for (size_t count = x < DBL_MIN ? 1 : DBL_DIG;; count++)
         for (int above = 0; above < 2; above++) {
             const slong exponent = digits_of(digits, x, count, above ? MPFR_RNDU : MPFR_RNDN);
-            if (reads_back(digits, exponent, x))
-                return exponent;
+            if (!reads_back(digits, exponent, x))
+                continue;
+            while (count > 1 && digits[count - 1] == '0')
+                digits[--count] = '\0';
+            return exponent;
         }
 }
 
