@@ -28,6 +28,7 @@
 #include <flint/ca.h>
 #include <flint/fmpz_mpoly_q.h>
 #include <flint/mag.h>
+#include <flint/qqbar.h>
 #else
 #include <acb.h>
 #include <acb_poly.h>
@@ -38,6 +39,7 @@
 #include <arf.h>
 #include <calcium/ca.h>
 #include <calcium/fmpz_mpoly_q.h>
+#include <calcium/qqbar.h>
 #include <mag.h>
 #endif
 

@@ -291,26 +291,22 @@ enum outcome operation_follow(struct operation *o, const struct input *inputs, s
 
 /* ---- digits ---- */
 
-static void decide_rational_roots(const struct input *inputs, slong digits, slong prec, char **texts)
+static void decide_rational_roots(const struct input *inputs, slong digits, char **texts)
 {
-    const fmpq *Omega = &inputs[0].value, *C1 = &inputs[1].value, *C2 = &inputs[2].value;
-    acb_ptr roots = _acb_vec_init(4);
     fmpq_t value;
     fmpq_init(value);
-    roots41(roots, Omega, C1, C2, prec);
     for (int i = 0; i < 8; i++)
-        if (texts[i] == NULL && roots41_rational(value, roots, i / 2, i % 2, Omega, C1, C2))
+        if (texts[i] == NULL &&
+            roots41_rational(value, i / 2, i % 2, &inputs[0].value, &inputs[1].value, &inputs[2].value))
             texts[i] = decimal_of_rational(value, digits);
     fmpq_clear(value);
-    _acb_vec_clear(roots, 4);
 }
 
 /* Rational outputs, zeros and ties among them, may have no enclosure that ever decides them. */
-static void decide_exactly(const struct operation *o, const struct input *inputs, slong digits,
-                           slong prec, char **texts)
+static void decide_exactly(const struct operation *o, const struct input *inputs, slong digits, char **texts)
 {
     if (o->section->method == METHOD_ROOTS)
-        decide_rational_roots(inputs, digits, prec, texts);
+        decide_rational_roots(inputs, digits, texts);
     if (o->section->method != METHOD_FORMULA)
         return;
     struct machine values;
@@ -351,8 +347,8 @@ enum outcome operation_digits(struct operation *o, const struct input *inputs, s
             if (texts[i] == NULL)
                 texts[i] = decimal_of_ball(balls + i, digits);
         left = unset(texts, count);
-        if (left > 0 && outcome == OUTCOME_PROVED && (first || o->section->method == METHOD_ROOTS)) {
-            decide_exactly(o, inputs, digits, prec, texts);
+        if (left > 0 && outcome == OUTCOME_PROVED && first) {
+            decide_exactly(o, inputs, digits, texts);
             left = unset(texts, count);
         }
     }
