@@ -42,7 +42,7 @@ enum outcome operation_follow(struct operation *o, const struct input *inputs, s
  */
 enum outcome operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs);
 
-/* The formulas in exact sums: initialises the machine and runs it. */
-void operation_sums(struct machine *m, const struct operation *o, const struct input *inputs);
+/* The formulas in exact numbers: initialises the machine and runs it. */
+void operation_exact(struct machine *m, const struct operation *o, const struct input *inputs);
 
 #endif

@@ -24,16 +24,16 @@ static void table_value(fmpq_t value, const struct table_row *row)
         literal_read(value, quantity_find(sheet(), row->name)->value, true);
         return;
     }
-    struct machine sums;
-    machine_init(&sums, &s->corrected.program, &arithmetic_series, 1);
+    struct machine values;
+    machine_init(&values, &s->corrected.program, &arithmetic_series, 1);
     for (int i = 0; i < s->input_count; i++) {
         const char *name = s->inputs[i]->name;
         literal_read(value, quantity_find(sheet(), strcmp(name, "L") == 0 ? "L_ref" : name)->value, true);
-        arithmetic_series.set_rational(machine_value(&sums, i), value, 1);
+        arithmetic_series.set_rational(machine_value(&values, i), value, 1);
     }
-    machine_run(&sums);
-    series_get_fmpq(value, machine_value(&sums, s->corrected.outputs[0]), 0);
-    machine_clear(&sums);
+    machine_run(&values);
+    series_get_fmpq(value, machine_value(&values, s->corrected.outputs[0]), 0);
+    machine_clear(&values);
 }
 
 bool table_row_is_computed(const struct table_row *row)
