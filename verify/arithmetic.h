@@ -29,6 +29,7 @@ enum operator
     OPERATOR_SIN,
     OPERATOR_COS,
     OPERATOR_EXP,
+    OPERATOR_LOG,
     OPERATOR_ATAN2,
     OPERATOR_POSITIVE /* 1 where the argument is > 0, else 0 */
 };

@@ -320,6 +320,7 @@ static void apply(enum operator op, void *result, const void *left, const void *
         break;
     case OPERATOR_INPUT: /* no operations, these two: never asked for */
     case OPERATOR_NUMBER:
+    case OPERATOR_LOG:
     case OPERATOR_POSITIVE:
         z->fault = SERIES_TRANSCENDENTAL;
         break;

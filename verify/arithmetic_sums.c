@@ -64,6 +64,10 @@ static void sums_apply(enum operator op, void *z, const void *x, const void *y, 
     case OPERATOR_EXP:
         exact_exp(z, x);
         break;
+    case OPERATOR_LOG: /* unknown, as 0/0 is */
+        exact_sub(z, x, x);
+        exact_div(z, z, z);
+        break;
     case OPERATOR_ATAN2:
         exact_atan2(z, x, y);
         break;

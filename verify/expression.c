@@ -212,7 +212,7 @@ static int parse_name(struct parser *s)
         const char *name;
         enum operator op;
     } functions[] = {{"sqrt", OPERATOR_SQRT},   {"sin", OPERATOR_SIN},
-                     {"cos", OPERATOR_COS},     {"exp", OPERATOR_EXP},
+                     {"cos", OPERATOR_COS},     {"exp", OPERATOR_EXP},     {"log", OPERATOR_LOG},
                      {"atan2", OPERATOR_ATAN2}, {"positive", OPERATOR_POSITIVE}};
     const char *begin = s->at;
     char name[LONGEST_NAME + 1];
@@ -373,6 +373,8 @@ static int node_rate(struct program *p, int i, int a, int b)
         return a < 0 ? -1 : negative(p, product(p, a, program_append(p, OPERATOR_SIN, node.left, -1, 0)));
     case OPERATOR_EXP:
         return product(p, a, i);
+    case OPERATOR_LOG:
+        return quotient(p, a, node.left);
     case OPERATOR_ATAN2: /* (x y' - y x') / (x^2 + y^2) */
         return quotient(p, sum(p, product(p, node.right, a), negative(p, product(p, node.left, b))),
                         sum(p, product(p, node.left, node.left), product(p, node.right, node.right)));
@@ -490,6 +492,9 @@ static void partial(const struct machine *m, int i, bool right, void *d, void *e
         break;
     case OPERATOR_EXP:
         a->set(d, z);
+        break;
+    case OPERATOR_LOG:
+        compute(m, OPERATOR_DIVIDE, d, d, x);
         break;
     case OPERATOR_ATAN2: /* by y: x / (x^2 + y^2), by x: -y / (x^2 + y^2); here x is y, and y is x */
         compute(m, OPERATOR_MULTIPLY, d, x, x);

@@ -44,7 +44,7 @@ int program_find(const struct program *p, const char *name);
 void program_name(struct program *p, int node, const char *name);
 
 /*
- * Parses one formula, + - * / ^ ( ) sqrt sin cos exp atan2 positive, over the names the program knows.
+ * Parses one formula, + - * / ^ ( ) sqrt sin cos exp log atan2 positive, over the names the program knows.
  * Returns its node; or -1, with what was expected in `why` and the offset into the text in *where.
  */
 int program_parse(struct program *p, const char *text, size_t *where, struct message *why);

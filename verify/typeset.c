@@ -110,6 +110,7 @@ static enum binding binding_of(const struct program *p, int node)
     case OPERATOR_DIVIDE:
     case OPERATOR_SIN: /* sin x has to be bracketed to be raised, as a product has */
     case OPERATOR_COS:
+    case OPERATOR_LOG:
         return PRODUCT;
     case OPERATOR_POWER:
     case OPERATOR_EXP:
@@ -121,7 +122,8 @@ static enum binding binding_of(const struct program *p, int node)
 
 static bool is_function(const struct program *p, int node)
 {
-    return p->nodes[node].op == OPERATOR_SIN || p->nodes[node].op == OPERATOR_COS;
+    const enum operator op = p->nodes[node].op;
+    return op == OPERATOR_SIN || op == OPERATOR_COS || op == OPERATOR_LOG;
 }
 
 static const char *input_name(const struct program *p, int node)
@@ -306,6 +308,9 @@ static void write_operator(const struct writer *w, int node)
     case OPERATOR_SIN:
     case OPERATOR_COS:
         write_call(w, n->op == OPERATOR_SIN ? "sin" : "cos", n->left);
+        break;
+    case OPERATOR_LOG:
+        write_call(w, "ln", n->left);
         break;
     case OPERATOR_EXP:
         tex_add(w->tex, "e^{");
