@@ -62,7 +62,6 @@ static void add_pair(struct document *d, int mapping, const char *key, int value
 struct entry {
     struct document *document;
     int own, given, mapping;
-    const char *text; /* the equality, and all abbreviations that it needs */
 };
 
 static int context_of(const struct entry *e, const char *key)
@@ -73,27 +72,8 @@ static int context_of(const struct entry *e, const char *key)
     return id_of(e->document, found);
 }
 
-/* Those names of a list that the text has; their number. */
-static int add_names(const struct entry *e, const char *key)
-{
-    struct document *d = e->document;
-    const int names = context_of(e, key);
-    int list = 0, count = 0;
-    for (int i = 0; names != 0 && i < length_of(node_of(d, names)); i++) {
-        const yaml_node_t *name = item_of(d, node_of(d, names), i);
-        if (node_of(d, names)->type != YAML_SEQUENCE_NODE || scalar(name) == NULL || !mentions(e->text, scalar(name)))
-            continue;
-        const int id = id_of(d, name);
-        if (count++ == 0) {
-            list = checked(yaml_document_add_sequence(&d->yaml, NULL, YAML_FLOW_SEQUENCE_STYLE));
-            add_pair(d, e->mapping, key, list);
-        }
-        checked(yaml_document_append_sequence_item(&d->yaml, list, id));
-    }
-    return count;
-}
-
-static void add_abbreviations(const struct entry *e, int let, const bool *needed)
+/* Those pairs of a mapping that are needed. */
+static void add_pairs(const struct entry *e, const char *key, int let, const bool *needed)
 {
     struct document *d = e->document;
     int list = 0;
@@ -103,35 +83,51 @@ static void add_abbreviations(const struct entry *e, int let, const bool *needed
             continue;
         if (list == 0) {
             list = checked(yaml_document_add_mapping(&d->yaml, NULL, YAML_FLOW_MAPPING_STYLE));
-            add_pair(d, e->mapping, "let", list);
+            add_pair(d, e->mapping, key, list);
         }
         checked(yaml_document_append_mapping_pair(&d->yaml, list, pair.key, pair.value));
     }
 }
 
+/* The rates of what the text has, in the document: `moves` tells which. The text, and the names of these rates. */
+static char *with_rates(const struct entry *e, int rates, const char *text, bool moves[MOST_ABBREVIATIONS])
+{
+    const struct document *d = e->document;
+    struct tex all = {NULL, 0};
+    tex_add(&all, "%s", text);
+    for (int i = 0; rates != 0 && strstr(text, "rate(") != NULL && i < length_of(node_of(d, rates)) && i < MOST_ABBREVIATIONS; i++) {
+        const char *name = scalar(key_of(d, node_of(d, rates), i)), *rate = scalar(value_of(d, node_of(d, rates), i));
+        moves[i] = name != NULL && rate != NULL && mentions(text, name);
+        if (moves[i])
+            tex_add(&all, " %s", rate);
+    }
+    return all.text;
+}
+
 /* The mapping for the equality with that number, its text being given. */
 static int add_identity(struct entry *e, int equality)
 {
-    static const char *const lists[] = {"free", "angles", "positive"};
+    static const char *const lists[] = {"free", "angles", "positive", "small", "order"};
     struct document *d = e->document;
-    bool needed[MOST_ABBREVIATIONS] = {false};
-    const int let = context_of(e, "let"), rates = context_of(e, "rates"), order = context_of(e, "order"), roots = context_of(e, "square roots");
+    bool needed[MOST_ABBREVIATIONS] = {false}, moves[MOST_ABBREVIATIONS] = {false};
+    const int let = context_of(e, "let"), rates = context_of(e, "rates"), roots = context_of(e, "square roots");
     const yaml_mark_t begin = node_of(d, equality)->start_mark, end = node_of(d, equality)->end_mark;
-    char *all = with_abbreviations(d, let != 0 ? node_of(d, let) : NULL, scalar(node_of(d, equality)), needed);
-    e->text = all;
+    const yaml_node_t *abbreviations = let != 0 ? node_of(d, let) : NULL;
+    char *first = with_abbreviations(d, abbreviations, scalar(node_of(d, equality)), needed);
+    char *moving = with_rates(e, rates, first, moves), *all = with_abbreviations(d, abbreviations, moving, needed);
+    free(first);
+    free(moving);
     e->mapping = checked(yaml_document_add_mapping(&d->yaml, NULL, YAML_FLOW_MAPPING_STYLE));
     const int show = checked(yaml_document_add_sequence(&d->yaml, NULL, YAML_FLOW_SEQUENCE_STYLE));
     checked(yaml_document_append_sequence_item(&d->yaml, show, equality));
     node_of(d, e->mapping)->start_mark = begin;
     node_of(d, e->mapping)->end_mark = end;
     for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
-        add_names(e, lists[k]);
-    if (add_names(e, "small") > 0 && order != 0)
-        add_pair(d, e->mapping, "order", order);
-    add_abbreviations(e, let, needed);
-    if (rates != 0 && strstr(all, "rate(") != NULL)
-        add_pair(d, e->mapping, "rates", rates);
-    if (roots != 0 && strstr(all, "sqrt(") != NULL)
+        if (context_of(e, lists[k]) != 0)
+            add_pair(d, e->mapping, lists[k], context_of(e, lists[k]));
+    add_pairs(e, "let", let, needed);
+    add_pairs(e, "rates", rates, moves);
+    if (roots != 0)
         add_pair(d, e->mapping, "roots", roots);
     add_pair(d, e->mapping, "show", show);
     free(all);
