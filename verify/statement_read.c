@@ -109,7 +109,7 @@ static ulong uses_of(const struct reading *r, const struct program *p, int node)
         }
         for (int k = 0; needed[i] && r->at != NULL && k < r->at->count; k++)
             if (strcmp(r->at->list[k].name, name) == 0)
-                uses |= r->at->list[k].formula.uses;
+                uses |= r->at->list[k].formula.uses | r->at->list[k].radius.uses;
     }
     free(needed);
     return uses;
@@ -481,6 +481,8 @@ static bool read_prove(struct reading *r, const yaml_node_t *prove)
         if (!read_assertion(r, a))
             return false;
         a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
+        for (int k = 0; k < a->each_names * MOST_TURNS; k++)
+            a->uses |= a->each_of[k / MOST_TURNS][k % MOST_TURNS].uses;
     }
     r->known = s->assertion_count;
     return true;
