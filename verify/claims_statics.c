@@ -13,7 +13,7 @@
 #include "enclosure.h"
 #include "exact.h"
 #include "operation.h"
-#include "series.h"
+#include "symbolic.h"
 
 /* ---- where two craft can rest ---- */
 
@@ -303,41 +303,32 @@ static void decide_sum_bounds(struct evidence *e)
     evidence_decide(e, HOLDS_AS_CORRECTED, EXACT, proved && differs);
 }
 
-/* Trigonometric polynomials of first degree, linear in Omega: equal everywhere where they are at three angles. */
 static void decide_cosines_reference(struct evidence *e)
 {
-    static const slong circle[][3] = {{3, 4, 5}, {5, -12, 13}, {-8, 15, 17}}; /* cosine, sine over the last */
     const struct section *matrix = section_find(sheet(), "eq09"), *rate = section_find(sheet(), "eq25");
     struct machine m, w;
-    fmpq_t c, s;
-    fmpq_init(c);
-    fmpq_init(s);
-    machine_init(&m, &matrix->corrected.program, &arithmetic_series, 1);
-    machine_init(&w, &rate->corrected.program, &arithmetic_series, 1);
     bool proved = true;
-    for (int k = 0; k < 3; k++) {
-        fmpq_set_si(c, circle[k][0], (ulong)circle[k][2]);
-        fmpq_set_si(s, circle[k][1], (ulong)circle[k][2]);
-        series_set_angle(machine_value(&m, 0), c, s);
-        series_set_angle(machine_value(&m, 1), c, s);
-        series_set_angle(machine_value(&w, 1), c, s);
-        fmpq_one(c);
-        w.arithmetic->set_rational(machine_value(&w, 0), c, 1);
-        machine_run(&m);
-        machine_run(&w);
-        for (int i = 0; i < 3; i++) {
-            const struct series *left = machine_value(&w, rate->corrected.outputs[i]);
-            const struct series *right = machine_value(&m, matrix->corrected.outputs[3 * i + 2]);
-            proved = proved && left->fault == SERIES_FINE && right->fault == SERIES_FINE &&
-                     fmpq_poly_equal(left->p, right->p);
-        }
+    symbolic_begin(3, 0, false);
+    machine_init(&m, &matrix->corrected.program, &arithmetic_symbolic, 1);
+    machine_init(&w, &rate->corrected.program, &arithmetic_symbolic, 1);
+    symbolic_set_angle(machine_value(&m, 0), 0);
+    symbolic_set_angle(machine_value(&m, 1), 1);
+    symbolic_set_variable(machine_value(&w, 0), 2, 0);
+    symbolic_set_angle(machine_value(&w, 1), 1);
+    machine_run(&m);
+    machine_run(&w);
+    for (int i = 0; i < 3; i++) {
+        struct symbolic *column = machine_value(&m, matrix->corrected.outputs[3 * i + 2]);
+        const struct symbolic *left = machine_value(&w, rate->corrected.outputs[i]);
+        arithmetic_symbolic.apply(OPERATOR_MULTIPLY, column, column, machine_value(&w, 0), 0, 1);
+        proved = proved && left->fault == SYMBOLIC_FINE && column->fault == SYMBOLIC_FINE &&
+                 fmpz_mpoly_q_equal(left->a, column->a, symbolic_context());
     }
     const struct section *cited = section_find(sheet(), "eq10");
     bool no_matrix = cited->output_count == 3 && matrix->output_count == 9;
     machine_clear(&m);
     machine_clear(&w);
-    fmpq_clear(c);
-    fmpq_clear(s);
+    symbolic_end();
     evidence_add(e, "before (25) the text calls (10) the definition of [BO]; the nine cosines are defined in "
                     "(9), (10) uses them: Omega times the third column of (9) is (25)");
     e->why = "(9) defines it, (10) uses it.";

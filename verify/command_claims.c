@@ -58,7 +58,7 @@ static void print_row(void *context, const struct ledger_row *row)
     p->verdicts[e->verdict]++;
 }
 
-bool print_claims(const struct proofs *proofs, const char *only, enum format format)
+bool print_claims(const struct proof_results *proofs, const char *only, enum format format)
 {
     struct printer p = {.format = format};
     if (format == FORMAT_CSV)

@@ -88,7 +88,7 @@ static bool compare_instances(struct evidence *e, const struct section *s)
 }
 
 /* Which steps lead to an equation, and whether all of them hold, and fail as printed where they should. */
-static bool steps_to(struct evidence *e, const struct proofs *p, const char *equation, int *count)
+static bool steps_to(struct evidence *e, const struct proof_results *p, const char *equation, int *count)
 {
     bool fine = true;
     *count = 0;
@@ -96,19 +96,19 @@ static bool steps_to(struct evidence *e, const struct proofs *p, const char *equ
         const struct step *step = &p->derivations.steps[i];
         bool leads = false;
         for (int k = 0; k < step->to_count; k++)
-            leads = leads || stands_for(step->to[k], equation);
+            leads = leads || entry_leads_to(&p->derivations, step->to[k], equation);
         if (!leads)
             continue;
         evidence_add(e, "%s%s", *count ? ", " : "proved by ", step->id);
-        if (step->order >= 0)
-            evidence_add(e, " (to order %d)", step->order);
+        if (step->corrected.order >= 0)
+            evidence_add(e, " (to order %d)", step->corrected.order);
         (*count)++;
-        fine = fine && proofs_step_holds(p, i);
+        fine = fine && step_holds(p, i);
     }
     return fine;
 }
 
-void ledger_equation(struct evidence *e, const struct proofs *p, const struct section *s, const char *equation)
+void ledger_equation(struct evidence *e, const struct proof_results *p, const struct section *s, const char *equation)
 {
     int steps;
     bool proved = steps_to(e, p, equation, &steps);
@@ -144,7 +144,7 @@ static bool wanted(const char *only, const char *id)
 }
 
 /* The first section of each equation number speaks for it. */
-static bool equation_rows(const struct proofs *p, const char *only, ledger_receiver *receive, void *context)
+static bool equation_rows(const struct proof_results *p, const char *only, ledger_receiver *receive, void *context)
 {
     bool decided = true;
     for (int i = 0; i < sheet()->section_count; i++) {
@@ -209,7 +209,7 @@ int ledger_claims(const char *ids[MOST_CLAIMS])
     return count;
 }
 
-bool ledger_rows(const struct proofs *proofs, const char *only, ledger_receiver *receive, void *context)
+bool ledger_rows(const struct proof_results *proofs, const char *only, ledger_receiver *receive, void *context)
 {
     bool decided = equation_rows(proofs, only, receive, context);
     decided = table_rows(only, receive, context) && decided;
