@@ -323,6 +323,9 @@ static bool output_is_bound(struct table *table, int to, const struct entry_part
     if (any == 0)
         return refuse(table, item(table, "to", to), "%s stands in no equality%s", part->name, "");
     note(table, holds, any);
+    note(table, holds, broken(table, CHANGE_RESULT, &result, -1, holds));
+    if (part->equation == NULL) /* the formula of a property says what is shown, and claims nothing */
+        return true;
     return all_changes_tell(table, to, part, p, part->node, formula);
 }
 

@@ -115,7 +115,7 @@ static int node_name_length(const char *entry)
 static const char *number_of(const struct derivations *d, const char *entry)
 {
     struct entry_part parts[MOST_PARTS];
-    return entry_parts(d, entry, parts) > 0 && parts[0].equation != NULL ? parts[0].equation : entry;
+    return entry_parts(d, entry, parts) == 0 ? entry : parts[0].equation ? parts[0].equation : parts[0].section->id;
 }
 
 static bool same_node(const char *a, const char *b)

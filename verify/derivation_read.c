@@ -16,9 +16,12 @@ static bool read_formulas(struct document *d, const yaml_node_t *mapping, struct
         size_t where = 0;
         if (scalar(formula) == NULL)
             return mistake(d, formula, 0, "expected a formula");
-        const int node = program_parse(&f->program, scalar(formula), &where, &expected);
+        const int count = f->program.count;
+        int node = program_parse(&f->program, scalar(formula), &where, &expected);
         if (node < 0)
             return mistake(d, formula, where, "%s", expected.text);
+        for (int k = 0; k < 2 && node < count + k; k++) /* a name alone: the output is a node of its own */
+            node = program_append(&f->program, OPERATOR_NEGATE, node, -1, 0);
         program_name(&f->program, node, scalar(key_of(d, mapping, i)));
         if (output) {
             f->outputs[i] = node;
