@@ -20,6 +20,31 @@ static const char *fault_of(const struct proof_results *p, int i)
     return p->bindings != NULL && p->bindings[i].fault.text[0] != '\0' ? p->bindings[i].fault.text : NULL;
 }
 
+/* NAME = VALUE, or NAME LOW ... HIGH: the states that a bound is proved on. */
+static void print_states(FILE *out, const struct document *d, const yaml_node_t *on)
+{
+    for (int i = 0; i < length_of(on); i++) {
+        const yaml_node_t *range = value_of(d, on, i);
+        fprintf(out, "%s%s ", i ? ", " : "", scalar(key_of(d, on, i)));
+        if (scalar(range) != NULL)
+            fprintf(out, "= %s", scalar(range));
+        else
+            fprintf(out, "%s ... %s", scalar(item_of(d, range, 0)), scalar(item_of(d, range, 1)));
+    }
+}
+
+static void print_remainder(const struct document *d, const struct remainder *r, const struct remainder_proof *proof)
+{
+    static const char *const states[] = {[REMAINDER_PROVED] = "certified",
+                                         [REMAINDER_EXCEEDED] = "BROKEN: it is exceeded",
+                                         [REMAINDER_TOO_WIDE] = "BROKEN: more than twice too wide",
+                                         [REMAINDER_UNDECIDED] = "BROKEN: not proved"};
+    printf("    (%s) drops at most %s %s: %s with %d boxes, %d %% of it reached, on ", r->equation, r->at_most, r->unit,
+           states[proof->state], proof->boxes, proof->percent);
+    print_states(stdout, d, r->on);
+    putchar('\n');
+}
+
 static void print_step(const struct proof_results *p, int i)
 {
     const struct step *s = &p->derivations.steps[i];
@@ -44,6 +69,8 @@ static void print_step(const struct proof_results *p, int i)
     else if (s->differs)
         printf("    BROKEN: expected to differ as printed: %s\n",
                p->printed[i].result == IDENTITY_HOLDS ? "it holds" : p->printed[i].evidence);
+    for (int k = 0; k < s->remainder_count; k++)
+        print_remainder(&p->derivations.document, &s->remainders[k], &p->remainders[i][k]);
 }
 
 static void table_proofs(const struct proof_results *p)

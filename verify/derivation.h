@@ -6,6 +6,7 @@
 #define CT_DERIVATION_H
 
 #include "identities.h"
+#include "remainder.h"
 
 enum { MOST_EQUATIONS = 16 }; /* that a step leads from, or to */
 
@@ -16,6 +17,8 @@ struct step {
     const yaml_node_t *node, *let;  /* let: NULL, there is none */
     struct identities corrected, printed;
     bool differs;                   /* `printed` is there, and must not hold */
+    struct remainder *remainders;   /* what is dropped, and how large that may be */
+    int remainder_count;
 };
 
 struct derivations {
@@ -33,6 +36,9 @@ void derivations_clear(struct derivations *d);
 
 /* What the formulas of a step may name; as altered, NULL: as they are. */
 struct scope step_scope(const struct derivations *d, const struct step *s, const struct alteration *a);
+
+/* `remainders`, when the identities have been read; false after a complaint. */
+bool step_read_remainders(struct step *step, const struct scope *s);
 
 /* Its identities once more, altered; false where they cannot be read so. */
 bool step_read_altered(struct identities *t, const struct derivations *d, const struct step *s,

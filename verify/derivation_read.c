@@ -157,7 +157,7 @@ bool step_read_altered(struct identities *t, const struct derivations *d, const 
 
 static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_node_t *node)
 {
-    static const char *const own[] = {"title", "from", "to", "also", "printed", "note", "remainders", NULL};
+    static const char *const own[] = {"title", "from", "to", "also", "printed", "remainders", "note", NULL};
     static const char *const variant[] = {"let", "square roots", "show", NULL};
     const char *known[32];
     int count = 0;
@@ -178,7 +178,7 @@ static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_
         return false;
     s->let = child(document, node, "let");
     struct scope scope = step_scope(d, s, NULL);
-    if (!read_identities(&s->corrected, &scope))
+    if (!read_identities(&s->corrected, &scope) || !step_read_remainders(s, &scope))
         return false;
     scope.variant = child(document, node, "printed");
     s->differs = scope.variant != NULL;
@@ -224,6 +224,9 @@ void derivations_clear(struct derivations *d)
     for (int i = 0; i < d->step_count; i++) {
         identities_clear(&d->steps[i].corrected);
         identities_clear(&d->steps[i].printed);
+        for (int k = 0; k < d->steps[i].remainder_count; k++)
+            remainder_clear(&d->steps[i].remainders[k]);
+        free(d->steps[i].remainders);
     }
     for (int i = 0; i < d->definitions.count; i++) {
         struct section *s = &d->definitions.sections[i];

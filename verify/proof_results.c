@@ -9,6 +9,9 @@
 
 bool step_holds(const struct proof_results *p, int i)
 {
+    for (int k = 0; k < p->derivations.steps[i].remainder_count; k++)
+        if (p->remainders[i][k].state != REMAINDER_PROVED)
+            return false;
     return p->corrected[i].result == IDENTITY_HOLDS &&
            (!p->derivations.steps[i].differs || p->printed[i].result == IDENTITY_DIFFERS);
 }
@@ -69,10 +72,14 @@ void proof_results_of(struct proof_results *p, bool bindings)
     *p = (struct proof_results){.derivations = d, .fine = true};
     p->corrected = memory(NULL, count, sizeof *p->corrected);
     p->printed = memory(NULL, count, sizeof *p->printed);
+    p->remainders = memory(NULL, count, sizeof *p->remainders);
     for (int i = 0; i < d.step_count; i++) {
         identities_prove(&d.steps[i].corrected, &p->corrected[i]);
         if (d.steps[i].differs)
             identities_prove(&d.steps[i].printed, &p->printed[i]);
+        p->remainders[i] = memory(NULL, (size_t)d.steps[i].remainder_count, sizeof **p->remainders);
+        for (int k = 0; k < d.steps[i].remainder_count; k++)
+            remainder_prove(&d.steps[i].remainders[k], &p->remainders[i][k]);
         p->fine = p->fine && step_holds(p, i);
     }
     p->seconds = seconds_since(start);
@@ -88,9 +95,11 @@ void proof_results_clear(struct proof_results *p)
         proof_clear(&p->corrected[i]);
         if (p->derivations.steps[i].differs)
             proof_clear(&p->printed[i]);
+        free(p->remainders[i]);
     }
     free(p->corrected);
     free(p->printed);
+    free(p->remainders);
     free(p->bindings);
     derivations_clear(&p->derivations);
 }

@@ -7,6 +7,7 @@
 struct proof_results {
     struct derivations derivations;
     struct proof *corrected, *printed; /* a proof a step; printed: of those that differ            */
+    struct remainder_proof **remainders; /* of each step, one a remainder                         */
     struct binding *bindings;          /* NULL where they were not asked for                       */
     const char *gap;                   /* an equation that no step reaches, or NULL                */
     int mutants;
@@ -27,7 +28,7 @@ void proof_results_init(struct proof_results *p, bool bindings);
 void proof_results_of(struct proof_results *p, bool bindings);
 void proof_results_clear(struct proof_results *p);
 
-/* The step holds, and what is printed instead does not. */
+/* The step holds, what is printed instead does not, and what is dropped is bounded. */
 bool step_holds(const struct proof_results *p, int i);
 
 #endif
