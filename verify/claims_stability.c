@@ -7,7 +7,7 @@
 
 #include "algebra.h"
 #include "optimum.h"
-#include "series.h"
+#include "symbolic.h"
 #include "sheet.h"
 
 /* ---- stability -------------------------------------------------------- */
@@ -361,28 +361,22 @@ static bool axis_stays(const char *angle, int axis)
 {
     const struct section *s = section_find(sheet(), "eq09");
     struct machine m;
-    fmpq_t c, d, x;
+    fmpq_t zero;
     bool stays = true;
-    fmpq_init(c);
-    fmpq_init(d);
-    fmpq_init(x);
-    machine_init(&m, &s->corrected.program, &arithmetic_series, 1);
-    for (slong k = 1; k <= 3; k++) { /* sine and cosine enter the row by degree 1: three points of the circle */
-        m.arithmetic->set_rational(machine_value(&m, 0), x, 1);
-        m.arithmetic->set_rational(machine_value(&m, 1), x, 1);
-        fmpq_set_si(c, 1 - k * k, (ulong)(1 + k * k));
-        fmpq_set_si(d, 2 * k, (ulong)(1 + k * k));
-        series_set_angle(machine_value(&m, program_find(m.program, angle)), c, d);
-        machine_run(&m);
-        for (int j = 0; j < 3; j++) {
-            series_get_fmpq(c, machine_value(&m, s->corrected.outputs[3 * axis + j]), 0);
-            stays = stays && fmpq_cmp_si(c, j == axis) == 0;
-        }
+    fmpq_init(zero);
+    symbolic_begin(1, 0, false);
+    machine_init(&m, &s->corrected.program, &arithmetic_symbolic, 1);
+    for (int i = 0; i < 2; i++)
+        m.arithmetic->set_rational(machine_value(&m, i), zero, 1);
+    symbolic_set_angle(machine_value(&m, program_find(m.program, angle)), 0);
+    machine_run(&m);
+    for (int j = 0; j < 3; j++) {
+        const struct symbolic *x = machine_value(&m, s->corrected.outputs[3 * axis + j]);
+        stays = stays && (j == axis ? fmpz_mpoly_q_is_one : fmpz_mpoly_q_is_zero)(x->a, symbolic_context());
     }
     machine_clear(&m);
-    fmpq_clear(c);
-    fmpq_clear(d);
-    fmpq_clear(x);
+    symbolic_end();
+    fmpq_clear(zero);
     return stays;
 }
 
