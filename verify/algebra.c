@@ -109,14 +109,6 @@ slong roots_beyond(const fmpq_poly_t f, const fmpq_t point)
     return positive;
 }
 
-bool has_sign_beyond(const fmpq_poly_t f, const fmpq_t point, int sign)
-{
-    if (fmpq_poly_is_zero(f))
-        return false;
-    int leading = fmpz_sgn(fmpq_poly_numref(f) + fmpq_poly_degree(f));
-    return leading == sign && roots_beyond(f, point) == 0;
-}
-
 /* ---- the sheet at rational points ------------------------------------- */
 
 bool section_at(const char *id, const slong *inputs, fmpq *outputs)
@@ -139,51 +131,6 @@ bool section_at(const char *id, const slong *inputs, fmpq *outputs)
     symbolic_end();
     fmpq_clear(q);
     return rational;
-}
-
-bool linear_model(fmpq_mat_t A, const slong parameters[4])
-{
-    static const int column[STATE] = {4, 5, 6, 8, -1, 7}; /* the inputs of eq40; it has no theta_dot */
-    static const int row[3] = {4, 3, 5};                  /* theta_ddot psi_ddot dL_ddot             */
-    fmpq *accelerations = _fmpq_vec_init(3);
-    bool rational = true;
-    fmpq_mat_zero(A);
-    for (int j = 0; j < STATE; j++) {
-        slong inputs[9] = {parameters[0], parameters[1], parameters[2], parameters[3]};
-        if (column[j] >= 0)
-            inputs[column[j]] = 1;
-        rational = section_at("eq40", inputs, accelerations) && rational;
-        for (int i = 0; i < 3; i++)
-            fmpq_set(fmpq_mat_entry(A, row[i], j), accelerations + i);
-        if (j >= 3)
-            fmpq_one(fmpq_mat_entry(A, j - 3, j));
-    }
-    _fmpq_vec_clear(accelerations, 3);
-    return rational;
-}
-
-bool plane_model(fmpq_mat_t B, const slong parameters[4])
-{
-    static const int part[PLANE] = {0, 2, 3, 5};
-    fmpq_mat_t A;
-    fmpq_mat_init(A, STATE, STATE);
-    bool rational = linear_model(A, parameters);
-    for (int i = 0; i < PLANE; i++)
-        for (int j = 0; j < PLANE; j++)
-            fmpq_set(fmpq_mat_entry(B, i, j), fmpq_mat_entry(A, part[i], part[j]));
-    fmpq_mat_clear(A);
-    return rational;
-}
-
-void krylov(fmpq_mat_t K, const fmpq_mat_t A)
-{
-    const slong size = fmpq_mat_nrows(A);
-    fmpq_mat_zero(K);
-    fmpq_one(fmpq_mat_entry(K, size - 1, 0));
-    for (slong k = 1; k < size; k++)
-        for (slong i = 0; i < size; i++)
-            for (slong j = 0; j < size; j++)
-                fmpq_addmul(fmpq_mat_entry(K, i, k), fmpq_mat_entry(A, i, j), fmpq_mat_entry(K, j, k - 1));
 }
 
 bool characteristic_is(const fmpq_mat_t A, const char *text)

@@ -1,6 +1,5 @@
 /*
- * Exact algebra over the formula sheet: identities, polynomials and their real roots, the matrix of the
- * linear model.
+ * Exact algebra over the formula sheet: identities, polynomials and their real roots, matrices.
  */
 #ifndef CT_ALGEBRA_H
 #define CT_ALGEBRA_H
@@ -34,24 +33,9 @@ void polynomial(fmpq_poly_t f, const char *text);
 /* How many different roots a polynomial, not zero, has beyond a point. */
 slong roots_beyond(const fmpq_poly_t f, const fmpq_t point);
 
-/* True when it has none, and that sign there. */
-bool has_sign_beyond(const fmpq_poly_t f, const fmpq_t point, int sign);
+/* ---- matrices ---- */
 
-/* ---- the linear model ---- */
-
-enum { STATE = 6, PLANE = 4 };
-
-/* The matrix of (40) over psi theta dL psi_dot theta_dot dL_dot, for integers Omega L_ref C1 C2. */
-bool linear_model(fmpq_mat_t A, const slong parameters[4]);
-
-/* Its part in the orbit plane: psi dL psi_dot dL_dot. */
-bool plane_model(fmpq_mat_t B, const slong parameters[4]);
-
-/*
- * K = (b, A b, A^2 b, ...), b being the unit vector of dL_dot, the last state: the one equation that dQ
- * acts in, and the one state whose loss C2 measures.
- */
-void krylov(fmpq_mat_t K, const fmpq_mat_t A);
+enum { STATE = 6 };
 
 /* True when the characteristic polynomial of a matrix is that text in x. */
 bool characteristic_is(const fmpq_mat_t A, const char *text);

@@ -480,7 +480,7 @@ static void prove(const struct identities *t, bool loose, bool tells, struct pro
         if (f.result == IDENTITY_HOLDS)
             f = one;
     }
-    for (int i = 0; i < t->root_count && f.result == IDENTITY_HOLDS; i++)
+    for (int i = 0; i < t->root_count && f.result == IDENTITY_HOLDS && !t->shared; i++)
         if (!symbolic_root_used(i))
             f = (struct finding){.result = IDENTITY_UNDECIDED, .root = &t->roots[i], .why = "is the root of nothing shown"};
     if (f.result != IDENTITY_HOLDS && tells)

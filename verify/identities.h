@@ -52,6 +52,7 @@ struct identities {
     int shown_count, root_count, use_count;
     int first_pair, pairs;      /* inputs that an alteration takes up */
     int order;                  /* the highest power of epsilon that is compared; -1: exact */
+    bool shared;                /* what is given serves others too: not all need serve here */
     char *needed;               /* needed[i]: something shown rests on node i */
 };
 

@@ -677,7 +677,7 @@ static bool are_texts(const struct scope *s, const char *key)
 
 bool identities_open(struct identities *t, const struct scope *s)
 {
-    *t = (struct identities){0};
+    *t = (struct identities){.shared = s->shared != NULL};
     program_init(&t->program);
     return are_texts(s, "rates") && are_texts(s, "let") && read_order(t, s) && read_declarations(t, s) &&
            read_let(t, s) && read_roots(t, s);

@@ -15,7 +15,6 @@ struct reading {
     struct document *document;
     struct statement *statement;
     const yaml_node_t *entry; /* a mapping of `prove`; NULL: none */
-    int known;                /* assertions whose numbers may be used: those before */
     struct values *at;        /* read so far */
 };
 
@@ -73,35 +72,32 @@ static void add_keys(const struct reading *r, struct names *n, const yaml_node_t
         add_name(r, n, scalar(key_of(r->document, mapping, i)));
 }
 
-static void add_numbers(const struct reading *r, struct names *n, const struct assertion *a)
+/* What an entry of `prove` names: its root, the numbers of its computation; its values, what moves, what takes values. */
+static void add_entry(const struct reading *r, struct names *n, const char *key, const yaml_node_t *entry)
 {
+    static const char *const keys[] = {"at", "on", "for"};
+    const yaml_node_t *of = child(r->document, entry, "of"), *compute = child(r->document, entry, "compute");
+    const struct computed *c = compute != NULL && scalar(compute) != NULL ? computed_find(r->all, scalar(compute)) : NULL;
     char name[2 * LONGEST_NAME + 2], word[LONGEST_NAME + 1];
-    if (a->kind == ASSERT_ROOT)
-        add_name(r, n, a->name);
-    if (a->kind != ASSERT_COMPUTE)
-        return;
-    for (const char *at = computation_of(a->computed)->numbers; sscanf(at, " %63s", word) == 1; at = strstr(at, word) + strlen(word)) {
-        snprintf(name, sizeof name, "%.63s.%s", a->name, word);
+    for (size_t k = 0; k < 3; k++)
+        add_keys(r, n, child(r->document, entry, keys[k]));
+    add_name(r, n, of != NULL ? scalar(of) : NULL);
+    add_name(r, n, child(r->document, entry, "root") != NULL ? key : NULL);
+    for (const char *at = c != NULL ? computation_of(c)->numbers : ""; sscanf(at, " %63s", word) == 1; at = strstr(at, word) + strlen(word)) {
+        snprintf(name, sizeof name, "%.63s.%s", key, word);
         add_name(r, n, keep(r->all, name, strlen(name)));
     }
 }
 
-/* Of all entries: values, what moves, what takes values; and the numbers of those before. */
 static void collect_names(const struct reading *r, struct names *n)
 {
-    static const char *const keys[] = {"at", "on", "for"};
+    const yaml_node_t *prove = r->statement->prove;
     *n = (struct names){{"pi"}, 1};
     if (r->statement->given != NULL)
         add_keys(r, n, child(r->document, r->statement->given, "at"));
-    for (int i = 0; r->statement->prove != NULL && i < length_of(r->statement->prove); i++) {
-        const yaml_node_t *entry = value_of(r->document, r->statement->prove, i);
-        for (size_t k = 0; k < 3 && entry->type == YAML_MAPPING_NODE; k++)
-            add_keys(r, n, child(r->document, entry, keys[k]));
-        const yaml_node_t *of = entry->type == YAML_MAPPING_NODE ? child(r->document, entry, "of") : NULL;
-        add_name(r, n, of != NULL ? scalar(of) : NULL);
-    }
-    for (int i = 0; i < r->known; i++)
-        add_numbers(r, n, &r->statement->assertions[i]);
+    for (int i = 0; prove != NULL && prove->type == YAML_MAPPING_NODE && i < length_of(prove); i++)
+        if (value_of(r->document, prove, i)->type == YAML_MAPPING_NODE && scalar(key_of(r->document, prove, i)) != NULL)
+            add_entry(r, n, scalar(key_of(r->document, prove, i)), value_of(r->document, prove, i));
 }
 
 /* ---- formulas ---- */
@@ -114,7 +110,14 @@ static struct scope scope_of(const struct reading *r, const struct names *n)
                           .names = n->list, .name_count = n->count};
 }
 
-/* Which assertions a node takes numbers of. */
+/* Whether a name is the number of an entry: ENTRY or ENTRY.number. */
+static bool is_number_of(const char *name, const char *entry)
+{
+    const size_t length = strlen(entry);
+    return strncmp(name, entry, length) == 0 && strchr(".", name[length]) != NULL;
+}
+
+/* Which assertions a node takes numbers of; those that stand after it are open, and with them the node. */
 static ulong uses_of(const struct reading *r, const struct program *p, int node)
 {
     char *needed = memory(NULL, (size_t)node + 1, 1);
@@ -122,11 +125,9 @@ static ulong uses_of(const struct reading *r, const struct program *p, int node)
     program_needs(p, node, NULL, needed);
     for (int i = 0; i < p->inputs && i <= node; i++) {
         const char *name = p->names[i].text;
-        for (int k = 0; needed[i] && k < r->known; k++) {
-            const char *own = r->statement->assertions[k].name;
-            if (strncmp(name, own, strlen(own)) == 0 && strchr(".", name[strlen(own)]) != NULL)
+        for (int k = 0; needed[i] && r->statement->prove != NULL && k < length_of(r->statement->prove); k++)
+            if (is_number_of(name, scalar(key_of(r->document, r->statement->prove, k))))
                 uses |= UWORD(1) << k;
-        }
         for (int k = 0; needed[i] && r->at != NULL && k < r->at->count; k++)
             if (strcmp(r->at->list[k].name, name) == 0)
                 uses |= r->at->list[k].formula.uses | r->at->list[k].radius.uses;
@@ -501,15 +502,17 @@ static bool read_prove(struct reading *r, const yaml_node_t *prove)
         struct assertion *a = &s->assertions[i];
         a->name = scalar(key_of(r->document, prove, i));
         a->node = value_of(r->document, prove, i);
-        r->known = i;
         s->assertion_count = i + 1;
         if (!read_assertion(r, a))
             return false;
         a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
         for (int k = 0; k < a->each_names * MOST_TURNS; k++)
             a->uses |= a->each_of[k / MOST_TURNS][k % MOST_TURNS].uses;
+        if (a->kind == ASSERT_ROOT && strcmp(a->variable, a->name) == 0)
+            a->uses &= ~(UWORD(1) << i); /* the unknown itself */
+        if (a->uses >> i != 0)
+            return mistake(r->document, a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
     }
-    r->known = s->assertion_count;
     return true;
 }
 
