@@ -378,7 +378,6 @@ REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform
 
 # The checks that should notice a mutant of a file in verify/, by the longest beginning of its name.
 NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in """
-algebra test_exact, test_algebra, test_statement, verdicts
 arithmetic test_expression, golden eq14, test_vectors
 arithmetic_degree test_expression, derivations, test_derivation
 arithmetic_mpfr test_expression, errors, test_vectors

@@ -20,25 +20,22 @@
 
 #include "flow.h"
 
-#define WELL "(-3/2*x^2 + (n - 3)/x + n*ln_x)" /* E at rest on the radius, x = r        */
-#define SIDE "((n - 3)/x + n*ln_x)"            /* the same in the plane across it, x = 0 */
+#define WELL "(-3/2*x^2 + (n - 3)/x + n*log(x))" /* E at rest on the radius, x = r        */
+#define SIDE "((n - 3)/x + n*log(x))"            /* the same in the plane across it, x = 0 */
 
 /* The simulation's n, and the one that the paper calls optimal. */
 enum { GAINS = 2 };
 extern const ulong well_gains[GAINS];
 
-/* The well about L_ref for one n: it reaches from r = inner to outer, both at the height of the rim. */
+/* The well about L_ref for one n: it reaches out to r = outer, at the height of the rim. */
 struct well {
     ulong gain; /* n */
-    arb_t n, inner, outer, rim;
+    arb_t n, outer, rim;
     bool proved; /* the rim is the lowest way out */
 };
 
 void well_init(struct well *w, ulong n);
 void well_clear(struct well *w);
-
-/* E' = -c2 r'^2/r^2, for any n and c2 */
-bool energy_decays(void);
 
 /* Follows the pair from rest on the radius at r = start; n = 0: at constant charge. */
 enum flow_status follow(ulong n, const arb_t start, const fmpq *times, slong count, flow_receiver *receive,
