@@ -383,6 +383,7 @@ arithmetic test_expression, golden eq14, test_vectors
 arithmetic_degree test_expression, derivations, test_derivation
 arithmetic_mpfr test_expression, errors, test_vectors
 arithmetic_series test_expression, derivations, test_derivation
+basin verdicts, test_verdicts
 claims verdicts, test_verdicts, wrong
 computation test_statement, verdicts
 condition test_statement, verdicts
@@ -441,7 +442,6 @@ two_body test_convergence, verdicts
 typeset test_typeset, test_statement
 vectors golden eq44, test_vectors
 verdicts verdicts, wrong, test_command_line
-well test_verdicts, test_statement, verdicts""".strip().split('\n'))
 
 
 def likely(mutant):
