@@ -35,7 +35,7 @@ CHECK_CFLAGS := $(call package,--cflags check)
 CHECK_LIBS   := $(call package,--libs check)
 # FLINT 3 contains Arb and has a .pc file. Before it they were two libraries, and neither had one.
 FLINT_CFLAGS := $(call package,--cflags flint)
-FLINT_LIBS   := $(or $(call package,--libs flint),-lflint-arb -lflint)
+FLINT_LIBS   := $(or $(call package,--libs flint),-lcalcium -lflint-arb -lflint)
 
 VERIFY_CFLAGS = -Iref $(GSL_CFLAGS) $(FLINT_CFLAGS) $(YAML_CFLAGS) -DCT_VERSION='"$(VERSION)"' \
   -DCT_SHEET_PATH='"paper/equations.yaml"' -DCT_DERIVATIONS_PATH='"paper/derivations.yaml"' \

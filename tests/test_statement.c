@@ -10,16 +10,16 @@
 #include "statement.h"
 #include "typeset.h"
 
-static struct proofs proofs;
+static struct proof_results proofs;
 
 static void open_all(void)
 {
-    proofs_init(&proofs, 1);
+    proof_results_init(&proofs, false);
 }
 
 static void close_all(void)
 {
-    proofs_clear(&proofs);
+    proof_results_clear(&proofs);
     sheet_close();
     flint_cleanup();
 }

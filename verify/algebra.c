@@ -4,87 +4,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "series.h"
-#include "sheet.h"
+#include "identities.h"
+#include "symbolic.h"
 
 /* ---- identities ------------------------------------------------------- */
 
-/* A bound on the degree of a node's numerator and denominator in one of the inputs. */
-struct degrees {
-    int over, under;
-};
-
-static int most(int a, int b)
-{
-    return a > b ? a : b;
-}
-
-/* The degree of a node in that input; negative when it is no rational function. */
-static struct degrees degree_of(const struct program *p, int node, int input)
-{
-    struct degrees *d = memory(NULL, (size_t)node + 1, sizeof *d), a, b, result;
-    for (int i = 0; i <= node; i++) {
-        const struct node *at = &p->nodes[i];
-        a = at->left < 0 ? (struct degrees){0, 0} : d[at->left];
-        b = at->right < 0 ? (struct degrees){0, 0} : d[at->right];
-        d[i] = (struct degrees){i == input, 0};
-        if (at->op == OPERATOR_NEGATE)
-            d[i] = a;
-        else if (at->op == OPERATOR_ADD || at->op == OPERATOR_SUBTRACT)
-            d[i] = (struct degrees){most(a.over + b.under, b.over + a.under), a.under + b.under};
-        else if (at->op == OPERATOR_MULTIPLY)
-            d[i] = (struct degrees){a.over + b.over, a.under + b.under};
-        else if (at->op == OPERATOR_DIVIDE)
-            d[i] = (struct degrees){a.over + b.under, a.under + b.over};
-        else if (at->op == OPERATOR_POWER && at->exponent >= 0)
-            d[i] = (struct degrees){a.over * (int)at->exponent, a.under * (int)at->exponent};
-        else if (at->op == OPERATOR_POWER)
-            d[i] = (struct degrees){-a.under * (int)at->exponent, -a.over * (int)at->exponent};
-        else if (at->op != OPERATOR_INPUT && at->op != OPERATOR_NUMBER)
-            d[i] = (struct degrees){-1, -1};
-        if (a.over < 0 || b.over < 0)
-            d[i] = (struct degrees){-1, -1};
-    }
-    result = d[node];
-    free(d);
-    return result;
-}
-
-/* At 1, 2, ... degree + 1 of every input, and so everywhere. */
 bool vanishes(const struct program *p, int node)
 {
-    int *at = memory(NULL, (size_t)p->inputs, sizeof *at);
-    int *last = memory(NULL, (size_t)p->inputs, sizeof *last);
-    bool zero = node >= 0, done = false;
-    struct machine m;
-    fmpq_t x;
-    fmpq_init(x);
-    machine_init(&m, p, &arithmetic_series, 1);
-    for (int i = 0; i < p->inputs; i++) {
-        at[i] = 1;
-        last[i] = zero ? degree_of(p, node, i).over + 1 : 0;
-        zero = zero && last[i] > 0;
-    }
-    while (zero && !done) {
-        for (int i = 0; i < p->inputs; i++) {
-            fmpq_set_si(x, at[i], 1);
-            m.arithmetic->set_rational(machine_value(&m, i), x, 1);
-        }
-        machine_run(&m);
-        const struct series *value = machine_value(&m, node);
-        zero = value->fault == SERIES_FINE && fmpq_poly_is_zero(value->p);
-        int i = 0;
-        while (i < p->inputs && at[i] == last[i])
-            at[i++] = 1;
-        done = i == p->inputs;
-        if (!done)
-            at[i]++;
-    }
-    machine_clear(&m);
-    fmpq_clear(x);
-    free(at);
-    free(last);
-    return zero;
+    struct program difference;
+    program_copy(&difference, p);
+    const int zero = formula(&difference, "0");
+    const bool holds = node >= 0 && nodes_equal(&difference, node, zero, false);
+    program_clear(&difference);
+    return holds;
 }
 
 int formula(struct program *p, const char *text)
@@ -136,15 +68,17 @@ void polynomial(fmpq_poly_t f, const char *text)
 {
     struct program p;
     program_init(&p);
-    int x = program_input(&p, "x"), node = formula(&p, text);
+    const int x = program_input(&p, "x"), node = formula(&p, text);
     fmpq_poly_zero(f);
     if (node >= 0) {
         struct machine m;
-        machine_init(&m, &p, &arithmetic_series, degree_of(&p, node, x).over + 1);
-        fmpq_poly_set_coeff_si(((struct series *)machine_value(&m, x))->p, 1, 1);
+        symbolic_begin(1, 0, false);
+        machine_init(&m, &p, &arithmetic_symbolic, 1);
+        symbolic_set_variable(machine_value(&m, x), 0, 0);
         machine_run(&m);
-        fmpq_poly_set(f, ((struct series *)machine_value(&m, node))->p);
+        symbolic_get_polynomial(f, machine_value(&m, node));
         machine_clear(&m);
+        symbolic_end();
     }
     program_clear(&p);
 }
@@ -184,18 +118,17 @@ bool section_at(const char *id, const slong *inputs, fmpq *outputs)
     fmpq_t q;
     bool rational = true;
     fmpq_init(q);
-    machine_init(&m, &s->corrected.program, &arithmetic_series, 1);
+    symbolic_begin(0, 0, false);
+    machine_init(&m, &s->corrected.program, &arithmetic_symbolic, 1);
     for (int i = 0; i < s->input_count; i++) {
         fmpq_set_si(q, inputs[i], 1);
         m.arithmetic->set_rational(machine_value(&m, i), q, 1);
     }
     machine_run(&m);
-    for (int i = 0; i < s->output_count; i++) {
-        const struct series *value = machine_value(&m, s->corrected.outputs[i]);
-        rational = rational && value->fault == SERIES_FINE;
-        series_get_fmpq(outputs + i, value, 0);
-    }
+    for (int i = 0; i < s->output_count; i++)
+        rational = symbolic_get_rational(outputs + i, machine_value(&m, s->corrected.outputs[i])) && rational;
     machine_clear(&m);
+    symbolic_end();
     fmpq_clear(q);
     return rational;
 }

@@ -10,10 +10,7 @@
 
 /* ---- identities ---- */
 
-/*
- * True when a node is zero for all values of the inputs. It must be a rational function; a polynomial of
- * degree d in an input that vanishes at d + 1 values of it is zero. Exact; no sampling.
- */
+/* True when a node, a rational function, is zero for all values of the inputs: when its normal form is. */
 bool vanishes(const struct program *p, int node);
 
 /* The node of a formula, -1 when it does not parse. */

@@ -13,7 +13,7 @@
 #include "enclosure.h"
 #include "exact.h"
 #include "operation.h"
-#include "series.h"
+#include "symbolic.h"
 
 /* ---- where two craft can rest ---- */
 

@@ -13,6 +13,7 @@
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz.h>
+#include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_vec.h>
 
@@ -25,6 +26,7 @@
 #include <flint/arb_mat.h>
 #include <flint/arb_poly.h>
 #include <flint/arf.h>
+#include <flint/fmpz_mpoly_q.h>
 #include <flint/mag.h>
 #else
 #include <acb.h>
@@ -35,6 +37,7 @@
 #include <arb_mat.h>
 #include <arb_poly.h>
 #include <arf.h>
+#include <calcium/fmpz_mpoly_q.h>
 #include <mag.h>
 #endif
 

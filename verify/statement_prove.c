@@ -4,8 +4,8 @@
 
 #include "algebra.h"
 #include "computation.h"
-#include "series.h"
 #include "statement.h"
+#include "symbolic.h"
 
 enum { BITS = 128, MOST_BITS = 1024, DEEPEST = 16 };
 
@@ -285,20 +285,16 @@ static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const ch
     struct bindings b = *at;
     struct machine m;
     b.moving = variable;
-    machine_init(&m, &formula->program, &arithmetic_series, 64);
+    symbolic_begin(1, 0, false);
+    machine_init(&m, &formula->program, &arithmetic_symbolic, 1);
     bool known = is_polynomial(formula, variable) && machine_bind_exact(&m, formula->node, &b);
     if (known) {
-        fmpz_t one;
-        fmpz_init(one);
-        fmpz_one(one);
-        series_set_monomial(machine_value(&m, program_find(&formula->program, variable)), one, 1);
+        symbolic_set_variable(machine_value(&m, program_find(&formula->program, variable)), 0, 0);
         machine_run(&m);
-        const struct series *value = machine_value(&m, formula->node);
-        known = value->fault == SERIES_FINE && fmpq_poly_degree(value->p) < 63;
-        fmpq_poly_set(f, value->p);
-        fmpz_clear(one);
+        known = symbolic_get_polynomial(f, machine_value(&m, formula->node));
     }
     machine_clear(&m);
+    symbolic_end();
     return known;
 }
 
@@ -437,20 +433,20 @@ static enum truth rank_found(const struct assertion *a, const struct bindings *b
 /* ---- assertions ---- */
 
 /* The prover's word on an equality for all values. */
-static enum truth identity_found(const struct trial *t)
+static enum truth identity_found(const struct identities *t)
 {
     struct proof p;
-    trial_prove(t, 1, &p);
-    const enum truth truth = p.finding == FOUND_EQUAL ? FOUND_TRUE : p.finding == FOUND_DIFFERENT ? FOUND_FALSE : UNDECIDED;
+    identities_prove(t, &p);
+    const enum truth truth = p.result == IDENTITY_HOLDS ? FOUND_TRUE : p.result == IDENTITY_DIFFERS ? FOUND_FALSE : UNDECIDED;
     proof_clear(&p);
     return truth;
 }
 
-static enum truth step_found(const struct proofs *p, const char *id)
+static enum truth step_found(const struct proof_results *p, const char *id)
 {
     for (int i = 0; i < p->derivations.step_count; i++)
         if (strcmp(p->derivations.steps[i].id, id) == 0)
-            return proved_or_open(proofs_step_holds(p, i));
+            return proved_or_open(step_holds(p, i));
     return UNDECIDED;
 }
 
@@ -506,7 +502,7 @@ void assertion_find(struct statements *all, struct statement *s, struct assertio
     a->done = true;
     a->how = EXACT;
     if (a->kind == ASSERT_SHOW && a->everywhere)
-        a->truth = identity_found(&a->trial);
+        a->truth = identity_found(&a->identity);
     else if (a->kind == ASSERT_ROOT)
         a->truth = root_found(all, s, a, &a->how);
     else if (a->kind == ASSERT_STEP)
