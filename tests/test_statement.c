@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "embedded.h"
-#include "enclosure.h"
 #include "statement.h"
 #include "typeset.h"
 
@@ -312,28 +311,6 @@ START_TEST(mathematics_is_set_token_by_token)
 }
 END_TEST
 
-/* ---- enclosures ---- */
-
-START_TEST(enclosures_know_the_sheet_and_the_caller)
-{
-    arb_t x, z;
-    arb_init(x);
-    arb_init(z);
-    enclose(z, "m1 + m2", NOTHING);
-    ck_assert(arb_equal_si(z, 300));
-    arb_set_ui(x, 7);
-    enclose(z, "8 - m1", KNOWN({"m1", x})); /* the caller's m1 */
-    ck_assert(arb_is_one(z));
-    static const char *const nothing[] = {"x -", "nowhere", "sqrt(0 - 1)", "log(0 - 1)"};
-    for (size_t i = 0; i < sizeof nothing / sizeof *nothing; i++) {
-        enclose(z, nothing[i], NOTHING);
-        ck_assert(!arb_is_finite(z));
-    }
-    arb_clear(x);
-    arb_clear(z);
-}
-END_TEST
-
 #define LOOP(test, table) tcase_add_loop_test(c, test, 0, sizeof table / sizeof table[0])
 
 Suite *suite(void)
@@ -349,7 +326,6 @@ Suite *suite(void)
     tcase_add_test(c, evidence_is_written_in_both_forms);
     LOOP(mistakes_are_told_with_their_place, mistakes);
     tcase_add_test(c, mathematics_is_set_token_by_token);
-    tcase_add_test(c, enclosures_know_the_sheet_and_the_caller);
     suite_add_tcase(s, c);
     return s;
 }

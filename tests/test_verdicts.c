@@ -13,9 +13,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "basin.h"
 #include "coulombtether.h"
 #include "run.h"
-#include "well.h"
 
 static const struct {
     const char *id, *says;
@@ -184,14 +184,14 @@ END_TEST
 
 /* ---- what the proofs refuse ---- */
 
-START_TEST(eq18_no_fate_is_claimed_outside_the_well)
+START_TEST(eq18_nothing_is_claimed_without_a_basin)
 {
-    struct well w;
-    well_init(&w, 10);
-    ck_assert(w.proved);
-    arb_set_ui(w.rim, 5); /* a well without depth: nothing may be said to be in it */
-    ck_assert_int_eq(well_fate(&w, 0), FATE_OPEN);
-    well_clear(&w);
+    struct basin b;
+    basin_init(&b, 10);
+    ck_assert(b.closed);
+    arb_set_ui(b.level, 5); /* below V at the equilibrium: no motion is below it */
+    ck_assert_int_eq(basin_release(&b, 0), RELEASE_OPEN);
+    basin_clear(&b);
 }
 END_TEST
 
@@ -204,7 +204,7 @@ Suite *suite(void)
     tcase_add_test(c, eq03_constant_charge_agrees_with_gsl);
     tcase_add_test(c, eq18_returns_agree_with_gsl);
     tcase_add_test(c, eq18_escapes_agree_with_gsl);
-    tcase_add_test(c, eq18_no_fate_is_claimed_outside_the_well);
+    tcase_add_test(c, eq18_nothing_is_claimed_without_a_basin);
     suite_add_tcase(s, c);
     return s;
 }
