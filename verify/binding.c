@@ -74,6 +74,11 @@ int entry_parts(const struct derivations *d, const char *entry, struct entry_par
     return count;
 }
 
+bool same_part(const struct entry_part *a, const struct entry_part *b)
+{
+    return a->section == b->section && a->relation == b->relation && a->node == b->node;
+}
+
 bool entry_concerns(const struct derivations *d, const char *entry, const struct use *u)
 {
     const char *name;
@@ -217,10 +222,7 @@ static bool nothing_beyond(struct table *table)
     const struct identities *t = &table->s->corrected;
     for (int i = 0; i < t->use_count; i++) {
         const struct use *u = &t->uses[i];
-        bool needed = false;
-        for (int k = u->first; k <= u->last; k++)
-            needed = needed || t->needed[k];
-        if (needed && !is_named(table, u))
+        if (!is_named(table, u))
             return refuse(table, table->s->node, "it rests on %s%s, which neither from nor to names, nor also with a reason",
                           u->relation ? "a relation of " : "", u->section->id);
     }
@@ -329,6 +331,19 @@ static bool output_is_bound(struct table *table, int to, const struct entry_part
     return all_changes_tell(table, to, part, p, part->node, formula);
 }
 
+/* What a step starts from it cannot lead to. */
+static bool is_new(struct table *table, int to, const struct entry_part *part)
+{
+    struct entry_part from[MOST_PARTS];
+    for (int i = 0; i < table->s->from_count; i++) {
+        const int count = entry_parts(table->d, table->s->from[i], from);
+        for (int k = 0; k < count; k++)
+            if (same_part(&from[k], part))
+                return refuse(table, item(table, "to", to), "%s is in from already%s", part->name, "");
+    }
+    return true;
+}
+
 static bool all_shown(struct table *table)
 {
     if (table->s->to_count == 0)
@@ -337,7 +352,8 @@ static bool all_shown(struct table *table)
         struct entry_part parts[MOST_PARTS];
         const int count = entry_parts(table->d, table->s->to[i], parts);
         for (int k = 0; k < count; k++)
-            if (!(parts[k].relation != NULL ? relation_is_bound : output_is_bound)(table, i, &parts[k]))
+            if (!is_new(table, i, &parts[k]) ||
+                !(parts[k].relation != NULL ? relation_is_bound : output_is_bound)(table, i, &parts[k]))
                 return false;
     }
     return true;

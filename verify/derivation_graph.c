@@ -12,11 +12,6 @@ struct ground {
     bool reached;
 };
 
-static bool same_part(const struct entry_part *a, const struct entry_part *b)
-{
-    return a->section == b->section && a->relation == b->relation && a->node == b->node;
-}
-
 /* An entry of `from` is firm when all that it stands for is reached; a principle always is. */
 static bool is_firm(const struct derivations *d, const struct ground *g, int count, const char *entry)
 {

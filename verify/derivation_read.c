@@ -94,6 +94,11 @@ static int read_ends(struct derivations *d, const yaml_node_t *step, const char 
     for (int i = 0; i < length_of(list); i++) {
         const yaml_node_t *item = item_of(document, list, i);
         ends[i] = scalar(item);
+        for (int k = 0; k < i; k++)
+            if (strcmp(ends[k], ends[i]) == 0) {
+                mistake(document, item, 0, "duplicate '%s', expected each once", ends[i]);
+                return -1;
+            }
         bool known = entry_parts(d, ends[i], parts) > 0;
         for (int k = 0; k < d->principle_count && strcmp(key, "to") == 0; k++)
             known = known && strcmp(d->definitions.sections[k].id, ends[i]) != 0;

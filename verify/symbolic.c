@@ -447,13 +447,11 @@ static void square_root(struct symbolic *z, const struct symbolic *x)
 {
     const slong terms = x->terms;
     quotient *r = series_new(terms);
-    bool strict = false, zero = true;
+    bool strict = false;
     enum symbolic_fault fault = find_root(r, x->a, &strict);
-    for (slong k = 0; k < terms; k++)
-        zero = zero && is_zero(x->a + k);
-    if (fault == SYMBOLIC_FINE && terms > 1 && !strict && !zero)
+    if (fault == SYMBOLIC_FINE && terms > 1 && !strict) /* zero to this order is not enough: that of epsilon^2 is epsilon */
         fault = is_zero(r) ? SYMBOLIC_NO_SQUARE : SYMBOLIC_ZERO_ROOT;
-    for (slong k = 1; k < terms && fault == SYMBOLIC_FINE && !zero; k++) {
+    for (slong k = 1; k < terms && fault == SYMBOLIC_FINE; k++) {
         fmpz_mpoly_q_set(r + k, x->a + k, CTX);
         for (slong j = 1; j < k; j++)
             add_product(r + k, r + j, r + k - j, -1, 1);
@@ -529,7 +527,7 @@ static void arc_tangent(struct symbolic *z, const struct symbolic *y, const stru
     add_product(square, y->a, y->a, 1, 1);
     enum symbolic_fault fault = x->terms > 1 ? SYMBOLIC_TRANSCENDENTAL : find_root(r, square, &strict);
     if (fault == SYMBOLIC_FINE && !strict)
-        fault = SYMBOLIC_ZERO_ROOT;
+        fault = is_zero(r) ? SYMBOLIC_POLE : SYMBOLIC_ZERO_ROOT;
     if (fault == SYMBOLIC_FINE) {
         fmpz_mpoly_q_t s;
         fmpz_mpoly_q_init(s, CTX);
