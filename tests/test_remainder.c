@@ -93,45 +93,47 @@ END_TEST
     "  s:\n" \
     "    title: t\n" \
     "    from: [a]\n" \
-    "    to: [b]\n"
+    "    to: [b, 5a]\n"
 #define AFTER "    show: [a.o = b.o]\n"
 
 static const struct {
     const char *remainders, *message;
 } files[] = {
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n", NULL},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n", NULL},
+    {"    remainders: [{equation: \"5b\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n",
+     "f:8:29: expected an equation that the step leads to"},
     {"    remainders: all\n", "f:8:17: expected a list of what is dropped"},
     {"    remainders: []\n", "f:8:17: expected a list of what is dropped"},
     {"    remainders: [all]\n", "f:8:18: expected a mapping"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3}]\n",
      "f:8:18: missing unit"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: [m]}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: [m]}]\n",
      "f:8:92: expected a text"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, atmost: 3, unit: m}]\n", "f:8:74: unknown key"},
-    {"    remainders: [{equation: \"15\", of: a.q, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, atmost: 3, unit: m}]\n", "f:8:74: unknown key"},
+    {"    remainders: [{equation: \"5a\", of: a.q, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n",
      "f:8:41: unknown output 'q'"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: much, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: much, unit: m}]\n",
      "f:8:83: expected a number"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 0, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 0, unit: m}]\n",
      "f:8:83: expected a bound above zero"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: [L, psi], at_most: 3, unit: m}]\n", "f:8:48: expected"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: 2}, at_most: 3, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: [L, psi], at_most: 3, unit: m}]\n", "f:8:48: expected"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2}, at_most: 3, unit: m}]\n",
      "f:8:48: missing 'psi', which is not in Table 1"}, /* its initial value there is no bound of it */
-    {"    remainders: [{equation: \"15\", of: a.o, on: {psi: [0, 1]}, at_most: 3, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {psi: [0, 1]}, at_most: 3, unit: m}]\n",
      "f:8:48: missing 'L', which is not in Table 1"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: 2, psi: 1, theta: 1}, at_most: 3, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: 1, theta: 1}, at_most: 3, unit: m}]\n",
      "f:8:63: what is dropped does not rest on 'theta'"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: two, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected a number"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: {}, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected a list"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: [1], psi: 1}, at_most: 3, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: two, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected a number"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: {}, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected a list"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [1], psi: 1}, at_most: 3, unit: m}]\n",
      "f:8:52: expected [LOW, HIGH]"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: [2, 1], psi: 1}, at_most: 3, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [2, 1], psi: 1}, at_most: 3, unit: m}]\n",
      "f:8:52: expected [LOW, HIGH] with LOW below HIGH"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: [a, 1], psi: 1}, at_most: 3, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [a, 1], psi: 1}, at_most: 3, unit: m}]\n",
      "f:8:53: expected a number"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: [1, nan], psi: 1}, at_most: 3, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [1, nan], psi: 1}, at_most: 3, unit: m}]\n",
      "f:8:56: expected a number"},
-    {"    remainders: [{equation: \"15\", of: a.o, on: {L: [1, inf], psi: 1}, at_most: 3, unit: m}]\n",
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [1, inf], psi: 1}, at_most: 3, unit: m}]\n",
      "f:8:56: expected a number"},
 };
 
