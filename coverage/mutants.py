@@ -408,6 +408,7 @@ conform test_conform
 convergence test_convergence, study convergence, verdicts, evidence all
 decimal test_decimal, golden eq14, golden eq41roots
 derivation derivations, test_derivation
+derivation_remainder test_remainder, derivations
 diagnosis kills eq07, kills eq14, test_conform
 document test_sheet, test_derivation
 embedded derivations
@@ -428,6 +429,7 @@ optimum test_claims_stability, verdicts
 proofs derivations, test_derivation
 questions kills eq21, test_conform
 reference test_units, test_mistakes, test_vectors
+remainder test_remainder, derivations
 report test_conform
 rk4 golden rk4_linear, golden rk4_nonlinear, test_flow
 roots test_roots, golden eq41roots, test_claims_stability

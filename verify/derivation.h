@@ -39,7 +39,7 @@ void derivations_clear(struct derivations *d);
 struct scope step_scope(const struct derivations *d, const struct step *s, const struct alteration *a);
 
 /* `remainders`, when the identities have been read; false after a complaint. */
-bool step_read_remainders(struct step *step, const struct scope *s);
+bool step_read_remainders(const struct derivations *d, struct step *step, const struct scope *s);
 
 /* Its identities once more, altered; false where they cannot be read so. */
 bool step_read_altered(struct identities *t, const struct derivations *d, const struct step *s,

@@ -178,7 +178,7 @@ static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_
         return false;
     s->let = child(document, node, "let");
     struct scope scope = step_scope(d, s, NULL);
-    if (!read_identities(&s->corrected, &scope) || !step_read_remainders(s, &scope))
+    if (!read_identities(&s->corrected, &scope) || !step_read_remainders(d, s, &scope))
         return false;
     scope.variant = child(document, node, "printed");
     s->differs = scope.variant != NULL;
