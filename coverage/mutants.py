@@ -375,7 +375,7 @@ def of_quantity(names):
 
 
 # The checks that a part reaches at all, as regular expressions: verify/ calls ref/ in reference.c alone, and reads the steps
-# in proofs.c alone.
+# in proof_results.c alone.
 REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform|test_claims_statics|test_command|oracle|errors|gate',
            SHEETS[1]: 'derivations|logic|gate|test_derivation|verdicts|test_claims|test_convergence|study|test_command|test_typeset'}
 
@@ -383,9 +383,7 @@ REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform
 NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in """
 algebra test_exact, test_claims_stability, test_claims_statics, verdicts
 arithmetic test_expression, golden eq14, test_vectors
-arithmetic_degree test_expression, derivations, test_derivation
 arithmetic_mpfr test_expression, errors, test_vectors
-arithmetic_series test_expression, derivations, test_derivation
 claims test_claims_statics, verdicts, evidence, test_claims_motion, wrong
 claims_beyond verdicts, test_convergence, evidence all
 claims_convergence verdicts, test_claims_motion, evidence all
@@ -407,7 +405,9 @@ command_vectors golden eq44, test_vectors, test_command_line
 conform test_conform
 convergence test_convergence, study convergence, verdicts, evidence all
 decimal test_decimal, golden eq14, golden eq41roots
+binding test_derivation
 derivation derivations, test_derivation
+identities derivations, test_derivation
 derivation_remainder test_remainder, derivations
 diagnosis kills eq07, kills eq14, test_conform
 document test_sheet, test_derivation
@@ -426,7 +426,8 @@ message test_sheet, test_command_line
 motion figure6, golden flow_nonlinear, test_claims_motion, test_command_line, verdicts
 operation golden eq14, golden eq41roots, golden flow_linear, golden rk4_nonlinear, test_vectors, test_command_line
 optimum test_claims_stability, verdicts
-proofs derivations, test_derivation
+proof_results derivations, test_derivation
+symbolic test_expression, derivations, test_derivation
 questions kills eq21, test_conform
 reference test_units, test_mistakes, test_vectors
 remainder test_remainder, derivations
