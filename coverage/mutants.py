@@ -296,7 +296,6 @@ def available_checks():
     def data(file):
         return (ROOT / 'data' / file).read_bytes()
     checks = {'derivations': ([program, 'verify', 'derivations'], None),
-              'logic': (['env', 'CK_RUN_CASE=logic', 'build/tests/test_derivation'], None),
               'golden inputs': (['env', 'CK_RUN_CASE=golden', 'build/tests/test_vectors'], None),
               'domains': (['env', 'CK_RUN_CASE=domains', 'build/tests/test_vectors'], None),
               'oracle': ([program, 'conform', '--', 'build/client'], None),
@@ -377,7 +376,7 @@ def of_quantity(names):
 # The checks that a part reaches at all, as regular expressions: verify/ calls ref/ in reference.c alone, and reads the steps
 # in proof_results.c alone.
 REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform|test_claims_statics|test_command|oracle|errors|gate',
-           SHEETS[1]: 'derivations|logic|gate|test_derivation|verdicts|test_claims|test_convergence|study|test_command|test_typeset'}
+           SHEETS[1]: 'derivations|gate|test_derivation|verdicts|test_claims|test_convergence|study|test_command|test_typeset'}
 
 # The checks that should notice a mutant of a file in verify/, by the longest beginning of its name.
 NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in """
@@ -453,10 +452,10 @@ def likely(mutant):
     stem = pathlib.Path(mutant.file).stem
     if mutant.file == SHEETS[0]:
         section = section_at(mutant)
-        return ['golden inputs', 'golden ' + section, *of_quantity(section), 'test_units', 'test_mistakes', 'derivations', 'logic', 'test_sheet',
+        return ['golden inputs', 'golden ' + section, *of_quantity(section), 'test_units', 'test_mistakes', 'derivations', 'test_sheet',
                 'domains', 'gate', 'table1']
     if mutant.file == SHEETS[1]:
-        return ['derivations', 'logic', 'gate']
+        return ['derivations', 'gate']
     if mutant.file.startswith('ref/'):
         return [f'test_ref_{stem}', 'oracle scalar', *(f'test_ref_{other}' for other in REF)]
     return NOTICED_BY[max((name for name in NOTICED_BY if stem.startswith(name)), key=len)]
