@@ -214,6 +214,16 @@ static const struct {
     {"    small: [dL]\n    order: 2\n    square roots: [L_ref]\n"
      "    show: [sqrt(L_ref^2 + dL) = L_ref + dL/(2*L_ref) - dL^2/(8*L_ref^3)]",
      IDENTITY_HOLDS, ""},
+    {"    square roots: [m1^2 - 2*m1*m2 + m2^2]\n    show: [sqrt((m1 - m2)^4) = m1^2 - 2*m1*m2 + m2^2]", IDENTITY_HOLDS, ""},
+    {"    square roots: [-(-L)]\n    show: [sqrt(L^2) = L]", IDENTITY_HOLDS, ""},
+    {"    square roots: [L*exp(0)]\n    show: [sqrt(L^2) = L]", IDENTITY_HOLDS, ""},
+    {"    square roots: [L, sqrt(L^2)*m1]\n    show: [sqrt(L^2*m1^2) = L*m1]", IDENTITY_HOLDS, ""},
+    {"    square roots: [L*(2 - positive(L))]\n    show: [sqrt(L^2) = L]", IDENTITY_HOLDS, ""},
+    {"    small: [dL]\n    order: 1\n    square roots: [L + L/(1/dL)]\n    show: [sqrt(L^2 + 2*L^2*dL) = L + L*dL]", IDENTITY_HOLDS, ""},
+    {"    not negative: [s]\n    square roots: [s]\n    show: [sqrt(s^2) = s]", IDENTITY_HOLDS, ""},
+    {"    not negative: [s]\n    small: [dL]\n    order: 1\n    square roots: [s]\n    show: [sqrt(s^2 + dL) = s]",
+     IDENTITY_UNDECIDED, "sqrt(s^2 + dL) = s: no value, a series of a square root that may be zero"},
+    {"    angles: {psi: quarter turn}\n    square roots: [cos(psi)]\n    show: [sqrt(cos(psi)^2) = cos(psi)]", IDENTITY_HOLDS, ""},
     {"    show: [sin(L) = L]", IDENTITY_UNDECIDED, "sin(L) = L: no value, the sine or cosine of a number that is no angle"},
     {"    show: [exp(L) = L]", IDENTITY_UNDECIDED, "exp(L) = L: no value, a value that is no rational series"},
     {"    angles: [psi]\n    show: [psi = psi]",
@@ -328,6 +338,21 @@ static const struct {
      "holds whatever the formulas are: it shows nothing"},
     {"    from: [\"17\"]\n    to: [\"17\"]\n    show: [\"eq17.dL_ddot(dQ = 0) = eq17.dL_ddot - eq17.dL_ddot(dL = 0, psi_dot = 0)\"]",
      "dL_ddot is in from already"},
+    {"    from: [\"17\", \"18\"]\n    to: [\"19\"]\n    also: {\"9\": no reason}\n    show: [eq17.dL_ddot(dQ = eq18.dQ) = eq19.dL_ddot]",
+     "'9' is not used"},
+    {"    from: [\"7\"]\n    to: [\"15\"]\n    where: at rest\n    let:\n      psi_dot: 0\n      Q: eq07.Q_ref\n    show: [eq15.L_ddot = 0]",
+     "L_ddot may have the other sign"},
+    {"    from: [\"18\"]\n    to: [\"17\"]\n    where: at rest\n    let:\n      psi_dot: 0\n      dQ: eq18.dQ\n"
+     "    show: [eq17.dL_ddot = 9*Omega^2*dL - C1*dL - C2*dL_dot]",
+     "dL_ddot may be altered ("},
+    {"    from: [\"21\"]\n    to: [\"20\"]\n    positive: [s]\n    square roots: [s]\n    let:\n      dQ: -s^2 - Q_ref\n"
+     "      q1: eq21.q1\n      q2: eq21.q2\n    show: [left(20) = -s^2]",
+     "q1*q2 = Q_ref + dQ stands in no equality as a whole: a side is not shown"},
+    {"    from: [\"17\"]\n    to: []\n    show: [\"eq17.dL_ddot(dQ = 0, psi_dot = 0) = 9*Omega^2*dL\"]",
+     "expected an equation or a property in 'to'"},
+    {"    from: [\"17\", \"18\"]\n    to: [\"19\"]\n    let:\n      a: eq17.dL_ddot(dQ = eq18.dQ)\n      b: eq19.dL_ddot\n    show: [a = b, 2*a = 2*b]",
+     "could be left out: nothing in from and to needs it"},
+    {"    from: [geometry]\n    to: [\"7\"]\n    show: [geometry.dot = 0]", "nothing here is called 'p_1', expected p_1 = ... in brackets"},
     {"    from: [\"9\"]\n    to: [eq10]\n    let:\n      x1: eq10.y1\n    show: [x1 = x1]", "eq10 has x1 itself"},
 };
 
@@ -518,6 +543,8 @@ static const struct {
     const char *from, *to, *place, *expected;
 } mistakes[] = {
     {"principles:", "principle:", "1:1: ", "unknown key 'principle', expected perhaps principles"},
+    {"principles: {force: {text: a push, inputs: [b, c], outputs: {F: b*c}}}", "principles: force", "1:13: ",
+     "expected a mapping, key: value"},
     {"properties:", "steps:", "3:1: ", "duplicate 'steps', expected each key once"},
     {"{text: a push, inputs", "{inputs", "1:21: ", "missing text, expected text, inputs and outputs"},
     {"text: a push", "text: [a, push]", "1:28: ", "expected a text"},
