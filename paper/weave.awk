@@ -9,7 +9,7 @@
 #   <<printed ID [only NAME ...]>>    what the paper has instead, and why it cannot be
 #   <<function ID>>                   the function of ref/ that carries the equation's number
 #   <<helper NAME>>                   a function of ref/ that carries none, by its name
-#   <<step ID>>                       a derivation step with order, points and bound
+#   <<step ID>>                       a derivation step with its order, where it holds, and what is dropped
 #   <<verdict ID>>                    a row of the ledger;  <<findings VERDICT>>  a table of those that have it, and why
 #   <<plot NAME CAPTION>>             a plot, drawn from data/
 #   <<run ARGUMENT ...>>              a command of the program, and what it prints
@@ -21,7 +21,6 @@
 #   <<quote ID before|text|after>>    `text`, provided that the evidence of a verdict reads so
 #   <<error ID>>                      the measured error of a function of ref/, in roundings; of ID worst: the largest
 #   <<count WHAT>>                    steps, vectors, inputs, misprints, verdicts, or one kind of verdict
-#   <<doubt>>                         the largest chance that a step which holds is false
 # \eq{7} refers to an equation, and has to be one of the sheet.
 
 function stop(text) {
@@ -62,16 +61,9 @@ function read_sheet(    command, line, part, id) {
     split("pi lambda mu phi kappa epsilon rho omega", part, " ")
     for (id in part)
         symbol[part[id]] = "\\" part[id] " "
-    split("r u v w x y z i j V E", part, " ")
-    for (id in part)
-        symbol[part[id]] = part[id]
-    split("c1 c2 k1 q0 n_e", part, " ")
-    for (id in part)
-        symbol[part[id]] = substr(part[id], 1, 1) "_" substr(part[id], length(part[id]))
-    symbol["V_dot"] = "\\dot V"
-    symbol["rho1"] = "\\rho_1"
-    symbol["eps0"] = "\\varepsilon_0"
-    symbol["q_ref"] = "q_{\\mathrm{ref}}"
+    for (id in symbol) # a letter by itself may be any word
+        if (length(id) == 1)
+            delete symbol[id]
     symbol["uC"] = "\\text{\\textmu C}"
 }
 
@@ -85,15 +77,21 @@ function read_all(    line, command, i) {
     read_ledger(build "/claims.json")
 }
 
+# What JSON has two backslashes for.
+function unescaped(text) {
+    gsub(/\\\\/, "\\", text)
+    return text
+}
+
 function read_ledger(path,    line, id, keys, i) {
-    split("where claim verdict how evidence why", keys, " ")
+    split("where verdict how evidence claim_tex evidence_tex why_tex", keys, " ")
     while ((getline line < path) > 0) {
         if ((id = member(line, "id")) == "")
             continue
         verdict[++verdicts] = id
         kinds_of_verdict[member(line, "verdict")]++
         for (i in keys)
-            ledger[id, keys[i]] = member(line, keys[i])
+            ledger[id, keys[i]] = unescaped(member(line, keys[i]))
     }
     close(path)
 }
@@ -112,95 +110,25 @@ function capital(text) {
     return toupper(substr(text, 1, 1)) substr(text, 2)
 }
 
-# Exponents, in brackets or bare, behind a piece of text.
-function power(rest) {
-    if (match(rest, /^\^\([^()]*\)/))
-        return mathematics(substr(rest, 3, RLENGTH - 3))
-    if (match(rest, /^\^-?[0-9a-z]+/))
-        return substr(rest, 2, RLENGTH - 1)
-    return ""
-}
-
-# What stands in an exponent or under a root: symbols, numbers and signs alone.
-function mathematics(text,    out, token) {
-    while (match(text, /[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*/)) {
-        token = substr(text, RSTART, RLENGTH)
-        out = out substr(text, 1, RSTART - 1)
-        text = substr(text, RSTART + RLENGTH)
-        if (token == "sqrt" && match(text, /^ [0-9]+/)) {
-            token = "\\sqrt{" substr(text, 2, RLENGTH - 1) "}"
-            text = substr(text, RLENGTH + 1)
-        }
-        out = out (token in symbol ? symbol[token] : token)
-    }
-    return out text
-}
-
-# A letter by itself is a variable where it is raised, primed or given a value; behind a number or a bar it is a unit.
-function is_variable(letter, last, rest) {
-    if (length(letter) > 1 || last == "/")
-        return 0
-    return letter !~ /[mCN]/ && rest ~ /^\^/ || rest ~ /^('+[^a-z]| =)/ || last == "|" && rest ~ /^\|/
-}
-
-# The length of what stands in brackets at the beginning.
-function bracket(text,    i, depth) {
-    for (i = 1; i <= length(text); i++) {
-        depth += (substr(text, i, 1) == "(") - (substr(text, i, 1) == ")")
-        if (depth == 0)
-            return i
-    }
-    return 0
-}
-
-# A text of the sheet or the ledger: symbols, powers and signs of its formulas become mathematics.
-function prose(text,    out, token, up, last, n) {
-    out = ""
-    last = " "
+# A text of the sheet or of a step, without marks: its symbols, its signs and powers that are numbers become mathematics.
+function prose(text,    out, token) {
     while (text != "") {
         if (match(text, /^[0-9.]+e[-+]?[0-9]+/)) {
-            token = substr(text, 1, RLENGTH)
-            text = substr(text, RLENGTH + 1)
-            out = out scientific(token)
+            token = scientific(substr(text, 1, RLENGTH))
         } else if (match(text, /^[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*/)) {
             token = substr(text, 1, RLENGTH)
-            text = substr(text, RLENGTH + 1)
-            if (token == "sqrt" && match(text, /^ [0-9]+/)) {
-                out = out "$\\sqrt{" substr(text, 2, RLENGTH - 1) "}$"
-                text = substr(text, RLENGTH + 1)
-            } else if (token == "sqrt" && text ~ /^\(/ && (n = bracket(text))) {
-                out = out "$\\sqrt{" mathematics(substr(text, 2, n - 2)) "}$"
-                text = substr(text, n + 1)
-            } else if (is_variable(token, last, text))
-                out = out "$" token "$"
-            else
-                out = out (token in symbol ? "$" symbol[token] "$" : escape(token))
-        } else if (match(text, /^[0-9]+(\.[0-9]+)?/)) {
-            out = out substr(text, 1, RLENGTH)
-            text = substr(text, RLENGTH + 1)
-        } else if ((up = power(text)) != "") {
-            match(text, /^\^(\([^()]*\)|-?[0-9a-z]+)/)
-            text = substr(text, RLENGTH + 1)
-            out = out "$^{" up "}$"
+            token = token in symbol ? "$" symbol[token] "$" : escape(token)
+        } else if (match(text, /^\^-?[0-9]+/)) {
+            token = "$^{" substr(text, 2, RLENGTH - 1) "}$"
         } else if (match(text, /^(<=|>=|<<|\+-|-\+|->|\.\.\.|\*)/)) {
-            token = substr(text, 1, RLENGTH)
-            text = substr(text, RLENGTH + 1)
-            out = out (token == "*" && text ~ /^[ ,;.)]/ ? "$^*$" : sign[token])
+            token = sign[substr(text, 1, RLENGTH)]
         } else {
+            match(text, /^./)
             token = substr(text, 1, 1)
-            text = substr(text, 2)
-            if (token ~ /[-+]/ && out ~ /\$$/ && text ~ /^[0-9]/)
-                out = out "$" token "$\\allowbreak{}"
-            else if (token == "-" && (last == " " && text ~ /^[ 0-9A-Za-z(]/ || last ~ /[(=,|<>]/ && text ~ /^[0-9A-Za-z(]/))
-                out = out "$-$"
-            else if (token == "-" && last == ")" && text ~ /^\(/)
-                out = out "--"
-            else if (token == "<" || token == ">" || token == "|")
-                out = out "$" (token == "|" ? "\\vert " : token) "$"
-            else
-                out = out escape(token)
+            token = token ~ /[<>]/ ? "$" token "$" : escape(token)
         }
-        last = token == "" ? " " : substr(token, length(token))
+        out = out token
+        text = substr(text, RLENGTH + 1)
     }
     gsub(/\$\$/, "", out)
     return out
@@ -383,10 +311,27 @@ function weave_function(id,    key) {
     list_function(function_of[key])
 }
 
+# An equation number, a section or one formula of it, or a principle or property.
+function reference(entry,    part, number, name) {
+    split(entry, part, ".")
+    if (entry in is_number)
+        return "\\eq{" entry "}"
+    if (!(part[1] in numbers))
+        return escape(entry)
+    number = numbers[part[1]]
+    sub(/[a-z]? .*|[a-z]$/, "", number)
+    name = part[2]
+    if (name in symbol)
+        name = symbol[name]
+    else if (sub(/_/, "_{", name))
+        name = name "}"
+    return "\\eq{" number "}" (name == "" ? "" : "~$" name "$")
+}
+
 function references(list,    n, part, i, out) {
     n = split(list, part, ", ")
     for (i = 1; i <= n; i++)
-        out = out (i > 1 ? ", " : "") (part[i] in is_number ? "\\eq{" part[i] "}" : escape(part[i]))
+        out = out (i > 1 ? ", " : "") reference(part[i])
     return out
 }
 
@@ -395,14 +340,14 @@ function weave_step(id,    how) {
         stop("unknown derivation step '" id "', expected one of paper/derivations.yaml")
     if (finding[id, "step"] != "holds")
         stop("step '" id "' does not hold: " evidence[id, "step"])
-    how = (step_order[id] == "" ? "exactly" : "to order " step_order[id]) "; degree " degree[id, "step"] ", " \
-          points[id, "step"] " points, doubt below $" bound[id, "step"] "$"
-    sub(/\^-/, "^{-", how)
-    sub(/\$$/, "}$", how)
+    how = (step_order[id] == "" ? "exactly" : "to order " step_order[id]) ", for " prose(step_domain[id])
     emit("\\step{" escape(id) "}{" prose(step_title[id]) "}{" references(step_from[id]) "}{" \
          (step_to[id] == "" ? "" : "$\\;\\rightarrow\\;$" references(step_to[id])) "}{" how "}\n")
     if ((id, "printed") in finding)
-        emit("\\stepprinted{" prose(evidence[id, "printed"]) "}\n")
+        emit("\\stepprinted{" (difference[id, "printed"] == "" ? prose(evidence[id, "printed"]) : \
+             "the sides differ by a multiple of $" difference[id, "printed"] "$") "}\n")
+    if (step_dropped[id] != "")
+        emit("\\stepdropped{" prose(step_dropped[id]) "}\n")
 }
 
 function known_verdict(id) {
@@ -412,8 +357,8 @@ function known_verdict(id) {
 
 function weave_verdict(id) {
     known_verdict(id)
-    emit("\\verdict{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" prose(ledger[id, "claim"]) "}{" \
-         ledger[id, "verdict"] "}{" ledger[id, "how"] "}{" prose(ledger[id, "evidence"]) "}\n")
+    emit("\\verdict{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" ledger[id, "claim_tex"] "}{" \
+         ledger[id, "verdict"] "}{" ledger[id, "how"] "}{" ledger[id, "evidence_tex"] "}\n")
 }
 
 function weave_findings(kind,    i, id, out) {
@@ -422,8 +367,8 @@ function weave_findings(kind,    i, id, out) {
     for (i = 1; i <= verdicts; i++) {
         id = verdict[i]
         if (ledger[id, "verdict"] == kind)
-            out = out "\\finding{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" prose(ledger[id, "claim"]) "}{" \
-                  prose(ledger[id, "why"]) "}\n"
+            out = out "\\finding{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" ledger[id, "claim_tex"] "}{" \
+                  ledger[id, "why_tex"] "}\n"
     }
     emit("\\begin{findings}\n" out "\\end{findings}\n")
 }
@@ -600,14 +545,6 @@ function count(what,    line, n, command, i) {
     return n + 0
 }
 
-# Bounds are powers of two, as text: 2^-104.
-function doubt(    i, largest) {
-    for (i = 1; i <= steps; i++)
-        if (largest == "" || substr(bound[step[i], "step"], 3) + 0 > largest)
-            largest = substr(bound[step[i], "step"], 3) + 0
-    return "\\ensuremath{2^{" largest "}}"
-}
-
 function one(rest,    words, n) {
     n = split(rest, words, " ")
     if (words[1] == "number")
@@ -616,8 +553,6 @@ function one(rest,    words, n) {
         return value_of(words, n)
     if (words[1] == "quote")
         return quote(rest)
-    if (words[1] == "doubt")
-        return doubt()
     if (words[1] == "error")
         return error_of(words[2])
     if (words[1] == "count") {

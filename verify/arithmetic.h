@@ -4,8 +4,8 @@
  *
  *     mpfr      correctly rounded multiple precision       prec = bits
  *     ball      rigorous enclosures (Arb)                  prec = bits
- *     series    exact power series in epsilon              prec = number of terms
- *     exact     exact numbers (Calcium)                     prec = unused
+ *     symbolic  rational functions, series in epsilon      prec = number of terms
+ *     exact     exact numbers (Calcium)                    prec = unused
  */
 #ifndef CT_ARITHMETIC_H
 #define CT_ARITHMETIC_H
@@ -29,6 +29,7 @@ enum operator
     OPERATOR_SIN,
     OPERATOR_COS,
     OPERATOR_EXP,
+    OPERATOR_LOG,
     OPERATOR_ATAN2,
     OPERATOR_POSITIVE /* 1 where the argument is > 0, else 0 */
 };
@@ -45,6 +46,6 @@ struct arithmetic {
     void (*apply)(enum operator op, void *z, const void *x, const void *y, slong exponent, slong prec);
 };
 
-extern const struct arithmetic arithmetic_mpfr, arithmetic_ball, arithmetic_series, arithmetic_exact;
+extern const struct arithmetic arithmetic_mpfr, arithmetic_ball, arithmetic_symbolic, arithmetic_exact;
 
 #endif

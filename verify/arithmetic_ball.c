@@ -97,6 +97,9 @@ static void ball_apply(enum operator op, void *z, const void *x, const void *y, 
     case OPERATOR_EXP:
         arb_exp(z, x, prec);
         break;
+    case OPERATOR_LOG:
+        arb_log(z, x, prec);
+        break;
     case OPERATOR_ATAN2:
         ball_atan2(z, x, y, prec);
         break;

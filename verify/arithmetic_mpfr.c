@@ -52,6 +52,9 @@ static void mpfr_number_apply(enum operator op, void *z, const void *x, const vo
     case OPERATOR_EXP:
         mpfr_exp(z, x, MPFR_RNDN);
         break;
+    case OPERATOR_LOG:
+        mpfr_log(z, x, MPFR_RNDN);
+        break;
     case OPERATOR_ATAN2:
         mpfr_atan2(z, x, y, MPFR_RNDN);
         break;

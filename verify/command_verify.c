@@ -8,10 +8,9 @@
 #include <string.h>
 
 #include "command.h"
-#include "ledger.h"
+#include "verdicts.h"
 
 enum {
-    SEED = 1,     /* of the points of derivation steps; --seed draws others   */
     INPUTS = 1000 /* for each operation of verify errors; --count takes other */
 };
 
@@ -21,11 +20,10 @@ struct request {
     const char *claim; /* its id; NULL: all */
     bool graph;
     enum format format;
-    ulong seed;
     long count;
 };
 
-static bool verify_derivations(const struct proofs *p, const struct request *request)
+static bool verify_derivations(const struct proof_results *p, const struct request *request)
 {
     if (request->graph)
         derivations_graph(&p->derivations);
@@ -34,12 +32,12 @@ static bool verify_derivations(const struct proofs *p, const struct request *req
     return p->fine;
 }
 
-static bool verify_claims(const struct proofs *p, const struct request *request)
+static bool verify_claims(const struct proof_results *p, const struct request *request)
 {
     return print_claims(p, request->claim, request->format);
 }
 
-static bool verify_errors(const struct proofs *p, const struct request *request)
+static bool verify_errors(const struct proof_results *p, const struct request *request)
 {
     (void)p;
     return print_errors(request->count, request->format);
@@ -47,7 +45,7 @@ static bool verify_errors(const struct proofs *p, const struct request *request)
 
 static const struct part {
     const char *name;
-    bool (*verify)(const struct proofs *p, const struct request *request); /* whether all of it holds */
+    bool (*verify)(const struct proof_results *p, const struct request *request); /* whether all of it holds */
 } parts[] = {{"derivations", verify_derivations}, {"claims", verify_claims}, {"errors", verify_errors}};
 
 enum { PARTS = sizeof parts / sizeof *parts };
@@ -63,24 +61,6 @@ static int read_integer(const char *name, const char *text, ulong *value)
     if (*text < '0' || *text > '9' || *end != '\0' || errno != 0)
         return complain(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
     return EXIT_DONE;
-}
-
-/* Of the ledger, the rows of the equations and of Table 1 included. */
-static bool is_claim(const char *id)
-{
-    const char *claims[MOST_CLAIMS];
-    const int count = ledger_claims(claims);
-    for (int i = 0; i < count; i++)
-        if (strcmp(claims[i], id) == 0)
-            return true;
-    for (int i = 0; i < sheet()->row_count; i++)
-        if (strncmp(id, "table1-", 7) == 0 && strcmp(sheet()->table1[i].name, id + 7) == 0)
-            return true;
-    for (int i = 0; i < sheet()->section_count; i++)
-        for (int k = 0; k < sheet()->sections[i].numbers; k++)
-            if (strncmp(id, "equation-", 9) == 0 && strcmp(sheet()->sections[i].equations[k], id + 9) == 0)
-                return true;
-    return false;
 }
 
 static int check_request(const struct arguments *a, const struct request *r)
@@ -99,11 +79,6 @@ static int check_request(const struct arguments *a, const struct request *r)
         return complain(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
     if (r->claim != NULL && (r->part == NULL || strcmp(r->part, "claims") != 0))
         return complain(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
-    if (r->claim != NULL && !is_claim(r->claim)) {
-        const char *claims[MOST_CLAIMS];
-        suggest(hint, r->claim, claims, ledger_claims(claims));
-        return complain(EXIT_USAGE, "unknown claim '%s'%s", r->claim, hint);
-    }
     if (r->graph && (r->format != FORMAT_TABLE || r->part == NULL || strcmp(r->part, "derivations") != 0))
         return complain(EXIT_USAGE, "--graph: expected verify derivations before it, and no --json");
     if (r->format == FORMAT_MARKDOWN && (r->part == NULL || strcmp(r->part, "errors") != 0))
@@ -126,15 +101,28 @@ static int read_request(const struct arguments *a, struct request *r)
                           .format = json       ? FORMAT_JSON
                                     : csv      ? FORMAT_CSV
                                     : markdown ? FORMAT_MARKDOWN
-                                               : FORMAT_TABLE,
-                          .seed = SEED};
+                                               : FORMAT_TABLE};
     if (json + csv + markdown > 1)
         return complain(EXIT_USAGE, "--json, --csv, --markdown: expected one of them");
-    int status = read_integer("--seed", option_value(a, "--seed"), &r->seed);
-    if (status == EXIT_DONE)
-        status = read_integer("--count", option_value(a, "--count"), &count);
+    int status = read_integer("--count", option_value(a, "--count"), &count);
     r->count = count > LONG_MAX ? LONG_MAX : (long)count;
     return status != EXIT_DONE ? status : check_request(a, r);
+}
+
+/* Of a row of the verdicts: those of equations and of Table 1 included. */
+static int check_claim(const struct proof_results *p, const char *id)
+{
+    struct statements claims;
+    char hint[80];
+    claims_open(&claims, p);
+    const char **ids = memory(NULL, (size_t)claims.count + 1, sizeof *ids);
+    for (int i = 0; i < claims.count; i++)
+        ids[i] = claims.list[i].id;
+    suggest(hint, id, ids, (size_t)claims.count);
+    const bool known = verdict_known(&claims, id);
+    free(ids);
+    statements_clear(&claims);
+    return known ? EXIT_DONE : complain(EXIT_USAGE, "unknown claim '%s'%s", id, hint);
 }
 
 /* What was asked for; as JSON, an object with a member a part. */
@@ -142,9 +130,11 @@ static int verify(const struct request *request)
 {
     int status = EXIT_DONE;
     const char *separator = "{";
-    struct proofs p;
-    proofs_init(&p, request->seed);
-    for (int i = 0; i < PARTS; i++) {
+    struct proof_results p;
+    proof_results_init(&p, !request->graph && (request->part == NULL || strcmp(request->part, parts[0].name) == 0));
+    if (request->claim != NULL)
+        status = check_claim(&p, request->claim);
+    for (int i = 0; i < PARTS && status != EXIT_USAGE; i++) {
         if (request->part != NULL && strcmp(request->part, parts[i].name) != 0)
             continue;
         if (request->format == FORMAT_JSON)
@@ -153,8 +143,8 @@ static int verify(const struct request *request)
         if (!parts[i].verify(&p, request))
             status = EXIT_FAILED_CHECK;
     }
-    proofs_clear(&p);
-    if (request->format == FORMAT_JSON)
+    proof_results_clear(&p);
+    if (request->format == FORMAT_JSON && status != EXIT_USAGE)
         puts("}");
     return status;
 }
@@ -162,8 +152,8 @@ static int verify(const struct request *request)
 int command_verify(int count, char **texts)
 {
     struct option options[] = {{"--json", false, NULL}, {"--csv", false, NULL}, {"--markdown", false, NULL},
-                               {"--graph", false, NULL}, {"--seed", true, NULL}, {"--count", true, NULL}};
-    struct arguments a = {.subcommand = "verify", .options = options, .option_count = 6};
+                               {"--graph", false, NULL}, {"--count", true, NULL}};
+    struct arguments a = {.subcommand = "verify", .options = options, .option_count = 5};
     struct request request;
     int status = arguments_split(&a, count, texts, 2);
     if (status != EXIT_DONE)

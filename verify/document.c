@@ -27,7 +27,7 @@ bool document_open(struct document *d, const char *text, size_t length, const ch
                    struct message *why)
 {
     yaml_parser_t parser;
-    *d = (struct document){.file = file, .why = why};
+    *d = (struct document){.file = file, .text = text, .why = why};
     if (!yaml_parser_initialize(&parser))
         out_of_memory();
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
@@ -53,6 +53,35 @@ void document_close(struct document *d)
     yaml_document_delete(&d->yaml);
 }
 
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+
+/* Where a scalar's character at `offset` stands. One of several lines is folded: blanks differ there, and nothing else. */
+static yaml_mark_t place(const struct document *d, const yaml_node_t *at, size_t offset)
+{
+    yaml_mark_t mark = at->start_mark;
+    const char *value = scalar(at);
+    const bool plain = value == NULL || at->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
+    if (value == NULL || offset == 0 || mark.line == at->end_mark.line) {
+        mark.column += offset + (!plain && offset > 0); /* the quotation mark */
+        return mark;
+    }
+    size_t ahead = 0; /* characters that are no blanks */
+    for (size_t i = 0; i < offset && value[i] != '\0'; i++)
+        ahead += !is_blank(value[i]);
+    bool header = !plain; /* the quotation mark, or > and - */
+    for (const char *text = d->text + mark.index; *text != '\0'; text++) {
+        header = header && strchr("\"'>|-+", *text) != NULL;
+        if (!header && !is_blank(*text) && ahead-- == 0)
+            break;
+        mark.column = *text == '\n' ? 0 : mark.column + 1;
+        mark.line += *text == '\n';
+    }
+    return mark;
+}
+
 bool mistake(const struct document *d, const yaml_node_t *at, size_t offset, const char *format, ...)
 {
     char text[384];
@@ -60,10 +89,8 @@ bool mistake(const struct document *d, const yaml_node_t *at, size_t offset, con
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    if (scalar(at) != NULL && at->data.scalar.style != YAML_PLAIN_SCALAR_STYLE && offset > 0)
-        offset++; /* the quotation mark */
-    message_set(d->why, "%s:%zu:%zu: %s", d->file, at->start_mark.line + 1,
-                at->start_mark.column + 1 + offset, text);
+    const yaml_mark_t mark = place(d, at, offset);
+    message_set(d->why, "%s:%zu:%zu: %s", d->file, mark.line + 1, mark.column + 1, text);
     return false;
 }
 

@@ -10,7 +10,7 @@
 
 struct document {
     yaml_document_t yaml;
-    const char *file;
+    const char *file, *text; /* the text: as long as mistakes are told */
     struct message *why;
 };
 
@@ -19,7 +19,7 @@ bool document_open(struct document *d, const char *text, size_t length, const ch
                    struct message *why);
 void document_close(struct document *d);
 
-/* The mistake stands `offset` characters into a node (of which only a scalar's own are counted). False. */
+/* The mistake stands `offset` characters into a node (of which only a scalar's own are counted, folded as it is). False. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))
 #endif

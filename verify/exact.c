@@ -82,6 +82,17 @@ static void positive(ca_ptr z, ca_srcptr x)
     ca_clear(zero, context);
 }
 
+static void logarithm(ca_ptr z, ca_srcptr x)
+{
+    ca_t zero;
+    ca_init(zero, context);
+    if (ca_check_gt(x, zero, context) == T_TRUE)
+        ca_log(z, x, context);
+    else
+        ca_unknown(z, context);
+    ca_clear(zero, context);
+}
+
 static void apply(enum operator op, void *z, const void *x, const void *y, slong exponent, slong prec)
 {
     (void)prec;
@@ -113,6 +124,9 @@ static void apply(enum operator op, void *z, const void *x, const void *y, slong
         break;
     case OPERATOR_EXP:
         ca_exp(z, x, context);
+        break;
+    case OPERATOR_LOG:
+        logarithm(z, x);
         break;
     case OPERATOR_ATAN2:
         angle(z, x, y);

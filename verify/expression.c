@@ -94,6 +94,16 @@ void program_needs(const struct program *p, int node, const int *stand_in, char 
     }
 }
 
+void program_redirect(struct program *p, int node, int instead, int *wanted)
+{
+    for (int i = node + 1; i < p->count; i++) {
+        p->nodes[i].left = p->nodes[i].left == node ? instead : p->nodes[i].left;
+        p->nodes[i].right = p->nodes[i].right == node ? instead : p->nodes[i].right;
+    }
+    if (*wanted == node)
+        *wanted = instead;
+}
+
 int program_inline(struct program *p, const struct program *from, int node, const int *stand_in)
 {
     int *copy = memory(NULL, (size_t)node + 1, sizeof *copy);
@@ -212,7 +222,7 @@ static int parse_name(struct parser *s)
         const char *name;
         enum operator op;
     } functions[] = {{"sqrt", OPERATOR_SQRT},   {"sin", OPERATOR_SIN},
-                     {"cos", OPERATOR_COS},     {"exp", OPERATOR_EXP},
+                     {"cos", OPERATOR_COS},     {"exp", OPERATOR_EXP},     {"log", OPERATOR_LOG},
                      {"atan2", OPERATOR_ATAN2}, {"positive", OPERATOR_POSITIVE}};
     const char *begin = s->at;
     char name[LONGEST_NAME + 1];
@@ -373,6 +383,8 @@ static int node_rate(struct program *p, int i, int a, int b)
         return a < 0 ? -1 : negative(p, product(p, a, program_append(p, OPERATOR_SIN, node.left, -1, 0)));
     case OPERATOR_EXP:
         return product(p, a, i);
+    case OPERATOR_LOG:
+        return quotient(p, a, node.left);
     case OPERATOR_ATAN2: /* (x y' - y x') / (x^2 + y^2) */
         return quotient(p, sum(p, product(p, node.right, a), negative(p, product(p, node.left, b))),
                         sum(p, product(p, node.left, node.left), product(p, node.right, node.right)));
@@ -490,6 +502,9 @@ static void partial(const struct machine *m, int i, bool right, void *d, void *e
         break;
     case OPERATOR_EXP:
         a->set(d, z);
+        break;
+    case OPERATOR_LOG:
+        compute(m, OPERATOR_DIVIDE, d, d, x);
         break;
     case OPERATOR_ATAN2: /* by y: x / (x^2 + y^2), by x: -y / (x^2 + y^2); here x is y, and y is x */
         compute(m, OPERATOR_MULTIPLY, d, x, x);

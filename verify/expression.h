@@ -44,7 +44,7 @@ int program_find(const struct program *p, const char *name);
 void program_name(struct program *p, int node, const char *name);
 
 /*
- * Parses one formula, + - * / ^ ( ) sqrt sin cos exp atan2 positive, over the names the program knows.
+ * Parses one formula, + - * / ^ ( ) sqrt sin cos exp log atan2 positive, over the names the program knows.
  * Returns its node; or -1, with what was expected in `why` and the offset into the text in *where.
  */
 int program_parse(struct program *p, const char *text, size_t *where, struct message *why);
@@ -80,6 +80,9 @@ int parse_refuse(struct parser *s, const char *expected);          /* -1, and "e
  * the place of node i of the other (all inputs that it needs have one). Returns the copy.
  */
 int program_inline(struct program *p, const struct program *from, int node, const int *stand_in);
+
+/* What rests on a node rests on another, earlier one instead; so does *wanted. */
+void program_redirect(struct program *p, int node, int instead, int *wanted);
 
 /* needed[i]: the node rests on node i, and not by way of a node that stand_in (NULL: none) replaces. */
 void program_needs(const struct program *p, int node, const int *stand_in, char *needed);

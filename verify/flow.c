@@ -27,7 +27,7 @@ const char *flow_status_text(enum flow_status status)
     static const char *const texts[] = {[FLOW_DONE] = "done",
                                         [FLOW_STOPPED] = "stopped",
                                         [FLOW_WIDE] = "the enclosure grew past use",
-                                        [FLOW_COLLISION] = "the two craft meet (L = 0)",
+                                        [FLOW_CLOSE] = "the craft come closer than L_ref/128, nothing is proved beyond",
                                         [FLOW_DOMAIN] = "a parameter lies outside the domain",
                                         [FLOW_STALLED] = "too many steps or orbits, no end in sight"};
     return texts[status];

@@ -26,7 +26,8 @@ enum flow_status {
     FLOW_DONE,
     FLOW_STOPPED,   /* the receiver asked to stop                                               */
     FLOW_WIDE,      /* the enclosure grew past use: more precision may help                     */
-    FLOW_COLLISION, /* the craft meet (L = 0) shortly after `reached`                           */
+    FLOW_CLOSE,     /* at `reached` L < L_ref/128, proved, and steps become too short to go on: whether
+                       the craft meet is not known                                              */
     FLOW_DOMAIN,    /* a parameter, the initial state or a time lies outside the domain         */
     FLOW_STALLED    /* too many steps: gains so stiff, or a time so late, that no end is in sight */
 };
