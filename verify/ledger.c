@@ -101,7 +101,7 @@ static bool steps_to(struct evidence *e, const struct proof_results *p, const ch
             continue;
         evidence_add(e, "%s%s", *count ? ", " : "proved by ", step->id);
         if (step->corrected.order >= 0)
-            evidence_add(e, " (to order %d)", step->corrected.order);
+            evidence_add(e, " (terms to order %d)", step->corrected.order);
         (*count)++;
         fine = fine && step_holds(p, i);
     }
