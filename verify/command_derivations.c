@@ -58,7 +58,7 @@ static void print_step(const struct proof_results *p, int i)
         printf("  exact  ");
     else
         printf("  order %d", s->corrected.order);
-    printf("  for %s\n", domain);
+    printf("  for %s%s%s\n", domain, s->where ? "; " : "", s->where ? s->where : "");
     free(domain);
     if (proof->result != IDENTITY_HOLDS)
         printf("    BROKEN: %s\n", proof->evidence);
@@ -171,6 +171,7 @@ static void json_step(const struct proof_results *p, int i)
     json_variables("small", &s->corrected, true);
     json_variables("angles", &s->corrected, false);
     json_member("domain", domain);
+    json_member("where", s->where);
     json_member("unbound", fault_of(p, i));
     free(domain);
     json_dropped(&p->derivations.document, s);

@@ -12,6 +12,7 @@ enum { MOST_EQUATIONS = 16 }; /* that a step leads from, or to */
 
 struct step {
     const char *id, *title, *note;
+    const char *where; /* of special values alone: which; NULL: of all */
     const char *from[MOST_EQUATIONS], *to[MOST_EQUATIONS]; /* see the head of derivations.yaml */
     int from_count, to_count;
     const yaml_node_t *node, *let;  /* let: NULL, there is none */

@@ -105,6 +105,8 @@ static int signs(struct run *r, int i)
         result = SIGN_POSITIVE;
     else if (n->op == OPERATOR_POSITIVE)
         result = a == SIGN_POSITIVE ? SIGN_POSITIVE : a & SIGN_POSITIVE ? SIGN_ZERO | SIGN_POSITIVE : SIGN_ZERO;
+    if (result == 0) /* division by what is zero: no sign at all */
+        result = SIGN_ANY;
     if (result == SIGN_ANY && n->op != OPERATOR_INPUT) {
         const struct symbolic *x = value(r, i);
         if (x->fault == SYMBOLIC_FINE && !x->angle)
@@ -183,6 +185,9 @@ static void run_end(struct run *r)
 static const char **variable_names(const struct run *r)
 {
     const char **names = memory(NULL, (size_t)r->variables + 1, sizeof *names);
+    names[r->variables] = NULL;
+    if (r->variables == 0) /* FLINT has one variable at least */
+        names[0] = text_copy("none");
     for (int i = 0; i < r->t->program.inputs; i++) {
         const char *name = r->t->program.names[i].text;
         if (r->variable[i] < 0)
@@ -349,7 +354,7 @@ static void print_difference(FILE *out, const struct run *r, const fmpz_mpoly_q_
     p->difference = polynomial_tex(over, names, r->variables, length > SHOWN_TERMS);
     flint_free(over);
     fmpz_mpoly_q_clear(difference, ctx);
-    free_names(names, r->variables);
+    free_names(names, FLINT_MAX(r->variables, 1));
 }
 
 /* ---- the proof ---- */
@@ -552,6 +557,10 @@ char *identities_domain(const struct identities *t)
         fprintf(out, "%s%s%s", separator, t->program.names[i].text, v->angle ? "" : bounds[v->signs]);
         fputs(v->quarter_turn ? " within a quarter turn" : v->angle ? " any angle" : "", out);
         fputs(v->power > 0 ? " small" : "", out);
+        separator = ", ";
+    }
+    for (int i = 0; i < t->sheet_lets; i++) {
+        fprintf(out, "%s%s", separator, t->lets[i]);
         separator = ", ";
     }
     if (*separator == '\0')
