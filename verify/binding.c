@@ -104,9 +104,16 @@ bool entry_leads_to(const struct derivations *d, const char *entry, const char *
 {
     struct entry_part parts[MOST_PARTS];
     const int count = entry_parts(d, entry, parts);
-    for (int i = 0; i < count; i++)
-        if (parts[i].equation != NULL && strcmp(parts[i].equation, equation) == 0)
+    for (int i = 0; i < count; i++) {
+        const struct section *s = parts[i].section;
+        bool output = parts[i].relation != NULL, leads = false;
+        for (int k = 0; k < s->output_count; k++)
+            output = output || strcmp(s->outputs[k]->name, parts[i].name) == 0;
+        for (int k = 0; k < s->numbers; k++) /* a named subexpression is of all the section's equations */
+            leads = leads || strcmp(output ? parts[i].equation : s->equations[k], equation) == 0;
+        if (leads)
             return true;
+    }
     return false;
 }
 

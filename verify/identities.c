@@ -47,7 +47,7 @@ static int signs_power(int a, ulong exponent)
 static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    const slong all = ctx->minfo->nvars;
+    const slong all = fmpz_mpoly_ctx_nvars(ctx);
     ulong *exponents = memory(NULL, (size_t)all, sizeof *exponents);
     int signs = SIGN_ZERO;
     fmpz_t c;
@@ -209,7 +209,7 @@ static void free_names(const char **names, slong count)
 static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, const fmpq *point)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    ulong *exponents = memory(NULL, (size_t)ctx->minfo->nvars, sizeof *exponents);
+    ulong *exponents = memory(NULL, (size_t)fmpz_mpoly_ctx_nvars(ctx), sizeof *exponents);
     fmpq_t term, factor;
     fmpq_init(term);
     fmpq_init(factor);
@@ -218,7 +218,7 @@ static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, const fmpq *poin
         fmpz_one(fmpq_denref(term));
         fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(term), f, i, ctx);
         fmpz_mpoly_get_term_exp_ui(exponents, f, i, ctx);
-        for (slong k = 0; k < ctx->minfo->nvars; k++)
+        for (slong k = 0; k < fmpz_mpoly_ctx_nvars(ctx); k++)
             if (exponents[k] > 0) {
                 fmpq_pow_si(factor, point + k, (slong)exponents[k]);
                 fmpq_mul(term, term, factor);
