@@ -47,7 +47,7 @@ static void complex_of(acb_t z, const struct second_order *o, const char *re, co
 START_TEST(second_order_solves_eq03_exactly)
 {
     struct second_order o = response(10, 2);
-    ck_assert_int_ge(second_order_proof(&o), 100);
+    ck_assert(second_order_holds(&o));
     second_order_clear(&o);
 }
 END_TEST
