@@ -20,7 +20,7 @@ static bool printed_product(fmpq_t product)
     struct machine m;
     fmpq_t q;
     fmpq_init(q);
-    machine_init(&m, &f->program, &arithmetic_sums, 0);
+    machine_init(&m, &f->program, &arithmetic_exact, 0);
     for (int i = 0; i < 2; i++) {
         fmpq_set_si(q, i == 0 ? -1 : 5, 1);
         m.arithmetic->set_rational(machine_value(&m, i), q, 0);

@@ -83,8 +83,8 @@ static bool static_matrix(fmpq_mat_t A, int axis, slong t, slong k1, slong k2)
     fmpq_t q;
     bool rational = true;
     fmpq_init(q);
-    machine_init(&m, p, &arithmetic_sums, 0);
-    machine_init(&slope, p, &arithmetic_sums, 0);
+    machine_init(&m, p, &arithmetic_exact, 0);
+    machine_init(&slope, p, &arithmetic_exact, 0);
     const slong inputs[5] = {1, 1, 1, 2, -18 * t}; /* -t L^3 m1 m2/(m1 + m2) */
     for (int i = 0; i < p->inputs; i++) {
         fmpq_set_si(q, i < 5 ? inputs[i] : 2 * (i - 5 == axis), 1);
@@ -260,7 +260,7 @@ static bool section_exact(const char *id, const char *values, fmpq *outputs)
     char word[32] = "";
     bool rational = true;
     fmpq_init(q);
-    machine_init(&m, &s->corrected.program, &arithmetic_sums, 0);
+    machine_init(&m, &s->corrected.program, &arithmetic_exact, 0);
     for (int i = 0; i < s->input_count; i++) {
         int length = 0;
         sscanf(values, "%31s%n", word, &length);
