@@ -177,12 +177,26 @@ function check_ends(name, list,    n, part, i) {
             broken("derivations", "step " name " names (" part[i] "), which the sheet lacks")
 }
 
+# "eq10lin" and "eq42.margin1" among equation numbers: the numbers of their sections. Which of these an output has, and
+# that every one is reached, the verifier says.
+function numbers_of(list,    n, part, i, id, out) {
+    n = split(list, part, ", ")
+    for (i = 1; i <= n; i++) {
+        id = part[i]
+        sub(/\..*/, "", id)
+        id = id in numbers ? numbers[id] : part[i]
+        gsub(/ /, ", ", id)
+        out = out ", " id
+    }
+    return out ", "
+}
+
 # The steps that lead to a number, or to all of the equation that it is part of.
 function steps_to(number,    i, base, out, list) {
     base = number
     sub(/[a-z]$/, "", base)
     for (i = 1; i <= steps; i++) {
-        list = ", " step_to[step[i]] ", "
+        list = numbers_of(step_to[step[i]])
         if (finding[step[i], "step"] == "holds" && (index(list, ", " number ", ") || index(list, ", " base ", ")))
             out = out (out == "" ? "" : " ") step[i]
     }

@@ -86,7 +86,7 @@ static bool read_remainder(const struct scope *s, const struct identities *t, co
         nodes[i] = child(d, item, keys[i]);
         if (nodes[i] == NULL)
             return mistake(d, item, 0, "missing %s", keys[i]);
-        if (scalar(nodes[i]) == NULL && i < 4)
+        if (i < 4 && scalar(nodes[i]) == NULL)
             return mistake(d, nodes[i], 0, "expected a text");
     }
     if (!read_dropped(s, t, nodes[1], m))
