@@ -378,11 +378,8 @@ REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform
 
 # The checks that should notice a mutant of a file in verify/, by the longest beginning of its name.
 NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in """
-algebra test_exact, test_algebra, test_statement, verdicts
 arithmetic test_expression, golden eq14, test_vectors
-arithmetic_degree test_expression, derivations, test_derivation
 arithmetic_mpfr test_expression, errors, test_vectors
-arithmetic_series test_expression, derivations, test_derivation
 basin verdicts, test_verdicts
 claims verdicts, test_verdicts, wrong
 computation test_statement, verdicts
@@ -409,7 +406,6 @@ derivation derivations, test_derivation
 diagnosis kills eq07, kills eq14, test_conform
 document test_sheet, test_derivation, test_statement
 embedded derivations
-enclosure test_statement, verdicts
 errors test_vectors, golden eq41roots, errors, test_command_line
 exact test_exact, golden eq41roots
 expression test_expression, golden eq14, test_vectors

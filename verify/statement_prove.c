@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "algebra.h"
 #include "computation.h"
 #include "statement.h"
 #include "symbolic.h"
@@ -298,6 +297,33 @@ static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const ch
     return known;
 }
 
+/* How many different roots a polynomial, not zero, has beyond a point. */
+static slong roots_beyond(const fmpq_poly_t f, const fmpq_t point)
+{
+    slong negative = 0, positive = 0, zeros = 0;
+    fmpq_poly_t g, h;
+    fmpz_poly_t simple;
+    fmpq_poly_init(g);
+    fmpq_poly_init(h);
+    fmpz_poly_init(simple);
+    fmpq_poly_set_coeff_fmpq(h, 0, point);
+    fmpq_poly_set_coeff_si(h, 1, 1);
+    fmpq_poly_compose(g, f, h); /* Sturm's chain wants no multiple root, and none at 0 */
+    fmpq_poly_derivative(h, g);
+    fmpq_poly_gcd(h, g, h);
+    fmpq_poly_div(g, g, h);
+    fmpq_poly_get_numerator(simple, g);
+    while (zeros < simple->length && fmpz_is_zero(simple->coeffs + zeros))
+        zeros++;
+    fmpz_poly_shift_right(simple, simple, zeros);
+    if (fmpz_poly_degree(simple) > 0)
+        _fmpz_poly_num_real_roots_sturm(&negative, &positive, simple->coeffs, simple->length);
+    fmpq_poly_clear(g);
+    fmpq_poly_clear(h);
+    fmpz_poly_clear(simple);
+    return positive;
+}
+
 /* Minus one and the sum of the coefficients' sizes, over the leading one (Cauchy). */
 static void left_of_roots(fmpq_t point, const fmpq_poly_t f)
 {
@@ -422,7 +448,7 @@ static enum truth rank_found(const struct assertion *a, const struct bindings *b
         }
         if (l->control < 0 && l->observe < 0)
             fmpq_mat_set(K, A);
-        truth = rank_of(K) == a->count ? FOUND_TRUE : FOUND_FALSE;
+        truth = fmpq_mat_rref(K, K) == a->count ? FOUND_TRUE : FOUND_FALSE; /* the rank */
     }
     fmpq_mat_clear(A);
     fmpq_mat_clear(K);

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims.h"
 #include "decimal.h"
 #include "embedded.h"
 #include "operation.h"
@@ -314,43 +313,18 @@ static void statement_rows(struct giving *g)
     }
 }
 
-/* ---- claims that are still decided and worded in C ---- */
-
-static const struct claim *const lists[] = {claims_statics};
-
-static void old_rows(struct giving *g)
-{
-    for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
-        for (const struct claim *c = lists[l]; c->id != NULL; c++) {
-            if (!wanted(g, c->id) || statement_find(g->claims, c->id) != NULL)
-                continue;
-            struct evidence e = {VERDICT_NONE, EXACT, NULL, ""};
-            c->decide(&e);
-            struct verdict_row row = {.id = c->id, .where = c->where, .kind = "statement", .verdict = e.verdict, .how = e.how};
-            write_words(&row.claim, c->claim, strlen(c->claim));
-            if (e.why != NULL)
-                write_words(&row.why, e.why, strlen(e.why));
-            write_words(&row.evidence, e.text, strlen(e.text));
-            give_row(g, &row);
-        }
-}
-
 bool verdict_rows(const struct proof_results *proofs, struct statements *claims, const char *only, verdict_receiver *receive, void *context)
 {
     struct giving g = {proofs, claims, only, receive, context, true};
     equation_rows(&g);
     table_rows(&g);
     statement_rows(&g);
-    old_rows(&g);
     return g.decided;
 }
 
 bool verdict_known(const struct statements *claims, const char *id)
 {
     bool known = statement_find(claims, id) != NULL;
-    for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
-        for (const struct claim *c = lists[l]; c->id != NULL; c++)
-            known = known || strcmp(c->id, id) == 0;
     for (int i = 0; i < sheet()->row_count; i++)
         known = known || (strncmp(id, "table1-", 7) == 0 && strcmp(sheet()->table1[i].name, id + 7) == 0);
     for (int i = 0; i < sheet()->section_count; i++)
