@@ -113,7 +113,7 @@ check 'equations: made' make_wrong '
     s/BO_12: cos(theta)/BO_12: sin(theta)/
     s/w_1: -Omega\*sin(theta)$/w_1: -Omega*cos(theta)/
     s/(-C1\*dL - C2\*dL_dot)/(-C1*dL + C2*dL_dot)/'
-not_so equation-2a equation-7 equation-41 routh n12-optimal wiggle frequencies pitch-decoupled yaw-energy opposite-charges \
+not_so equation-2a equation-7 equation-41 routh n12-optimal length-wiggle frequencies pitch-decoupled yaw-energy opposite-charges \
     static-unstable nadir-axis masses-cancel cosines-cited
 check 'the sum' says ", $(grep -c ' undecided$' "$work/wrong") undecided"
 check 'gains and start: made' make_wrong "

@@ -288,17 +288,3 @@ arb_srcptr convergence_constant(const struct convergence *c, int variable)
 {
     return c->constants + (c->study->rows - 1) * VARIABLES + variable;
 }
-
-bool convergence_as_expected(const struct convergence *c, double tolerance)
-{
-    bool expected = true;
-    arb_t x;
-    arb_init(x);
-    for (int i = 0; i < c->study->count; i++) {
-        arb_sub_si(x, convergence_order(c, i), c->study->order[i], PREC);
-        arb_abs(x, x);
-        expected = expected && is_below(x, tolerance);
-    }
-    arb_clear(x);
-    return expected;
-}

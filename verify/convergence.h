@@ -54,6 +54,5 @@ void convergence_clear(struct convergence *c);
 /* Of the last row. */
 arb_srcptr convergence_order(const struct convergence *c, int variable);
 arb_srcptr convergence_constant(const struct convergence *c, int variable);
-bool convergence_as_expected(const struct convergence *c, double tolerance);
 
 #endif
