@@ -1,5 +1,4 @@
 /* derivations.yaml: principles, properties and steps. */
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,7 +57,10 @@ static bool read_definition(struct derivations *d, const yaml_node_t *key, const
     for (int i = 0; i < length_of(inputs); i++)
         program_input(&s->corrected.program, scalar(item_of(document, inputs, i)));
     for (; s->output_count < length_of(outputs); s->output_count++) {
+        struct definitions *all = &d->definitions;
         struct quantity *q = memory(NULL, 1, sizeof *q);
+        all->outputs = memory(all->outputs, (size_t)all->output_count + 1, sizeof *all->outputs);
+        all->outputs[all->output_count++] = q;
         *q = (struct quantity){.name = scalar(key_of(document, outputs, s->output_count))};
         s->outputs[s->output_count] = q;
     }
@@ -69,7 +71,7 @@ static bool read_definitions(struct derivations *d, const yaml_node_t *mapping)
 {
     if (!is_mapping(&d->document, mapping, NULL))
         return false;
-    d->definitions.sections = memory(d->definitions.sections, (size_t)(d->definitions.count + length_of(mapping)),
+    d->definitions.sections = memory(d->definitions.sections, (size_t)d->definitions.count + (size_t)length_of(mapping),
                                      sizeof *d->definitions.sections);
     for (int i = 0; i < length_of(mapping); i++)
         if (!read_definition(d, key_of(&d->document, mapping, i), value_of(&d->document, mapping, i)))
@@ -229,11 +231,11 @@ void derivations_clear(struct derivations *d)
         free(d->steps[i].remainders);
     }
     for (int i = 0; i < d->definitions.count; i++) {
-        struct section *s = &d->definitions.sections[i];
-        for (int k = 0; k < s->output_count; k++)
-            free((struct quantity *)(uintptr_t)s->outputs[k]);
-        program_clear(&s->corrected.program);
+        program_clear(&d->definitions.sections[i].corrected.program);
     }
+    for (int i = 0; i < d->definitions.output_count; i++)
+        free(d->definitions.outputs[i]);
+    free(d->definitions.outputs);
     free(d->definitions.sections);
     free(d->steps);
     document_close(&d->document);

@@ -1,7 +1,6 @@
 /* The proof of identities: signs, normal forms, and what they show where they differ. */
 #include "identities.h"
 
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -98,10 +97,9 @@ static int signs(struct run *r, int i)
         result = signs_power(n->exponent < 0 ? a & ~SIGN_ZERO : a, (ulong)FLINT_ABS(n->exponent));
     else if (n->op == OPERATOR_SQRT)
         result = a & ~SIGN_NEGATIVE;
-    else if (n->op == OPERATOR_EXP)
-        result = SIGN_POSITIVE;
-    else if (n->op == OPERATOR_COS && n->left < r->t->program.inputs &&
-             (r->t->variables[n->left].quarter_turn || r->t->variables[n->left].power > 0))
+    else if (n->op == OPERATOR_EXP ||
+             (n->op == OPERATOR_COS && n->left < r->t->program.inputs &&
+              (r->t->variables[n->left].quarter_turn || r->t->variables[n->left].power > 0)))
         result = SIGN_POSITIVE;
     else if (n->op == OPERATOR_POSITIVE)
         result = a == SIGN_POSITIVE ? SIGN_POSITIVE : a & SIGN_POSITIVE ? SIGN_ZERO | SIGN_POSITIVE : SIGN_ZERO;
@@ -182,9 +180,9 @@ static void run_end(struct run *r)
 /* ---- evidence ---- */
 
 /* Of the inputs that are variables, in their order; an angle is known by t, the tangent of its half. */
-static const char **variable_names(const struct run *r)
+static char **variable_names(const struct run *r)
 {
-    const char **names = memory(NULL, (size_t)r->variables + 1, sizeof *names);
+    char **names = memory(NULL, (size_t)r->variables + 1, sizeof *names);
     names[r->variables] = NULL;
     if (r->variables == 0) /* FLINT has one variable at least */
         names[0] = text_copy("none");
@@ -199,10 +197,10 @@ static const char **variable_names(const struct run *r)
     return names;
 }
 
-static void free_names(const char **names, slong count)
+static void free_names(char **names, slong count)
 {
     for (slong i = 0; i < count; i++)
-        free((char *)(uintptr_t)names[i]);
+        free(names[i]);
     free(names);
 }
 
@@ -302,7 +300,7 @@ static void print_example(FILE *out, const struct run *r, const fmpz_mpoly_q_str
 enum { SHOWN_TERMS = 6 };
 
 /* The leading terms of a polynomial, in the names of the inputs. */
-static char *polynomial_text(const fmpz_mpoly_t f, const char **names)
+static char *polynomial_text(const fmpz_mpoly_t f, char **names)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
     fmpz_mpoly_t head;
@@ -310,12 +308,12 @@ static char *polynomial_text(const fmpz_mpoly_t f, const char **names)
     fmpz_mpoly_set(head, f, ctx);
     if (fmpz_mpoly_length(head, ctx) > SHOWN_TERMS)
         fmpz_mpoly_resize(head, SHOWN_TERMS, ctx);
-    char *text = fmpz_mpoly_get_str_pretty(head, names, ctx);
+    char *text = fmpz_mpoly_get_str_pretty(head, (const char **)names, ctx);
     fmpz_mpoly_clear(head, ctx);
     return text;
 }
 
-static char *polynomial_tex(const char *text, const char **names, slong count, bool cut)
+static char *polynomial_tex(const char *text, char *const *names, slong count, bool cut)
 {
     struct program p;
     struct tex t = {NULL, 0};
@@ -338,7 +336,7 @@ static void print_difference(FILE *out, const struct run *r, const fmpz_mpoly_q_
                              const fmpz_mpoly_q_struct *y, struct proof *p)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    const char **names = variable_names(r);
+    char **names = variable_names(r);
     fmpz_mpoly_q_t difference;
     fmpz_mpoly_q_init(difference, ctx);
     fmpz_mpoly_q_sub(difference, x, y, ctx);
@@ -527,7 +525,7 @@ bool nodes_equal(const struct program *p, int left, int right, bool loose)
 {
     struct equality e = {.text = "", .left = left, .right = right};
     struct identities t = {.program = *p, .shown = &e, .shown_count = 1, .order = -1};
-    bool holds[MOST_SHOWN];
+    bool holds[MOST_SHOWN] = {false};
     t.needed = memory(NULL, (size_t)p->count, 1);
     t.variables = memory(NULL, (size_t)p->inputs + 1, sizeof *t.variables);
     memset(t.needed, 1, (size_t)p->count);

@@ -62,7 +62,8 @@ struct identities {
 /* Principles and properties: sections that have formulas, but no equation number. */
 struct definitions {
     struct section *sections;
-    int count;
+    struct quantity **outputs; /* what the sections' outputs point to */
+    int count, output_count;
 };
 
 /*

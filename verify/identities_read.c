@@ -262,14 +262,12 @@ static bool change_node(struct program *p, enum change change, int i, int *inste
     struct node *n = &p->nodes[i];
     const bool pair = n->left >= 0 && n->right >= 0;
     *instead = -1;
-    if (change == CHANGE_SIGN && n->op == OPERATOR_NEGATE)
-        *instead = n->left;
+    if ((change == CHANGE_SIGN && n->op == OPERATOR_NEGATE) || (change == CHANGE_LEFT && n->left >= 0))
+        *instead = n->left; /* a term, a factor, a divisor, a function is dropped */
     else if (change == CHANGE_SIGN && (n->op == OPERATOR_ADD || n->op == OPERATOR_SUBTRACT))
         n->op = n->op == OPERATOR_ADD ? OPERATOR_SUBTRACT : OPERATOR_ADD;
     else if (change == CHANGE_SIGN && (n->op == OPERATOR_SIN || n->op == OPERATOR_COS))
         n->op = n->op == OPERATOR_SIN ? OPERATOR_COS : OPERATOR_SIN;
-    else if (change == CHANGE_LEFT && n->left >= 0) /* a term, a factor, a divisor, a function is dropped */
-        *instead = n->left;
     else if (change == CHANGE_RIGHT && pair && n->op != OPERATOR_DIVIDE)
         *instead = n->right;
     else if (change == CHANGE_RIGHT && n->op == OPERATOR_DIVIDE)

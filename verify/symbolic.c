@@ -603,9 +603,9 @@ static enum symbolic_fault operand_fault(enum operator op, const struct symbolic
 static void apply(enum operator op, void *result, const void *left, const void *right, slong exponent, slong terms)
 {
     struct symbolic *z = result;
-    const struct symbolic *x = left, *y = right;
+    const struct symbolic *x = left, *y = right != NULL ? right : left;
     z->fault = operand_fault(op, x);
-    if (z->fault == SYMBOLIC_FINE && y != NULL && !(op == OPERATOR_DIVIDE && y->large))
+    if (z->fault == SYMBOLIC_FINE && !(op == OPERATOR_DIVIDE && y->large))
         z->fault = operand_fault(op, y);
     z->large = false;
     if (z->fault != SYMBOLIC_FINE)
