@@ -21,9 +21,9 @@ static const struct {
     const char *id, *says;
 } expected[] = {
     {"other-static-places", "t = 3, 0, -1"}, /* Hill's tide */
-    {"other-static-places", "along the orbit normal -1/3"}, /* L/L_1 = Q/Q_1: z balances at a third */
-    {"static-unstable", "2.50829;"}, /* sqrt(1 + 2*sqrt(7)) */
-    {"static-unstable", "1.11803;"}, /* max(re(s) for s in polyroots([1, 0, -1, 0, 4])) */
+    {"other-static-places", "orbit normal -1/3"}, /* L/L_1 = Q/Q_1: z balances at a third */
+    {"static-unstable", "2.50829"}, /* sqrt(1 + 2*sqrt(7)) */
+    {"static-unstable", "1.11803"}, /* max(re(s) for s in polyroots([1, 0, -1, 0, 4])) */
     {"equal-distances", "x1 = 2 m, x2 = -1 m"},
     {"nadir-axis", "zenith"},
     {"opposite-charges", "-1.330627782e-13 C^2"}, /* -3*7.2915e-5**2*1000/8.99e9*75 */
