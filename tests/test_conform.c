@@ -421,7 +421,7 @@ static void answer_in_digits(struct exam *e, const struct formulas *formulas, in
         say(e, line);
     }
     exam_end(e, FOUND_MISSING);
-    diagnose(e);
+    diagnose(e, 0);
     question_clear(&q);
     operation_clear(&o);
     _arb_vec_clear(y, MOST_ANSWERS);
@@ -593,7 +593,7 @@ static const char *table_of(const char *const *answers, int significand)
     e->asked = e->questions.total;
     for (; *answers != NULL; answers++)
         say(e, *answers);
-    const struct report r = {e, "client", "", 0.0};
+    const struct report r = {e, "client", "", 0.0, NULL};
     report_text(&r, file);
     ck_assert_int_eq(fclose(file), 0);
     snprintf(said, sizeof said, "%s", text);

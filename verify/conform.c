@@ -281,25 +281,31 @@ static void hear_line(struct exam *e, char *line, bool ended)
 
 /* ---- the stream ---- */
 
+static bool is_too_long(const struct exam *e)
+{
+    return e->unended > LONGEST_LINE;
+}
+
 bool exam_hear(void *exam, const char *bytes, size_t size)
 {
     struct exam *e = exam;
     for (size_t i = 0; i < size; i++) {
         if (bytes[i] != '\n') {
-            e->too_long = e->too_long || e->length == LONGEST_LINE;
-            if (!e->too_long)
+            if (e->length < LONGEST_LINE)
                 e->line[e->length++] = bytes[i] == '\0' ? '\1' : bytes[i]; /* neither has business in a line */
+            if (++e->unended == LONGEST_UNENDED)
+                return false;
             continue;
         }
         if (e->length > 0 && e->line[e->length - 1] == '\r')
             e->length--;
         e->line[e->length] = '\0';
-        if (e->too_long)
+        if (is_too_long(e))
             stray(e, FOUND_TOO_LONG, "");
         else
             hear_line(e, e->line, true);
         e->length = 0;
-        e->too_long = false;
+        e->unended = 0;
     }
     return e->out_of_place < MOST_OUT_OF_PLACE || e->out_of_place < 2 * e->questions.total;
 }
@@ -341,9 +347,9 @@ void exam_begin(struct exam *e, const double *digits)
 
 void exam_end(struct exam *e, enum finding why)
 {
-    if (e->length > 0 || e->too_long) {
+    if (e->unended > 0) {
         e->line[e->length] = '\0';
-        if (e->too_long)
+        if (is_too_long(e))
             stray(e, FOUND_TOO_LONG, "");
         else
             hear_line(e, e->line, false);

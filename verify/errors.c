@@ -149,6 +149,31 @@ void operation_sensitivity_settled(struct operation *o, const struct input *inpu
     _arb_vec_clear(values, s->output_count);
 }
 
+bool operation_sensitivity_rational(struct operation *o, const struct input *inputs, int output, fmpq_t S)
+{
+    struct machine sums, derivatives;
+    fmpq_t term;
+    bool rational = true;
+    operation_sums(&sums, o, inputs);
+    machine_init(&derivatives, sums.program, &arithmetic_sums, 0);
+    machine_gradient(&sums, o->formulas->outputs[output], &derivatives);
+    fmpq_init(term);
+    fmpq_zero(S);
+    for (int i = 0; i < o->section->input_count; i++) {
+        const struct exact *derivative = machine_value(&derivatives, i);
+        rational = rational && !derivative->pole && exact_is_rational(term, derivative);
+        if (!rational || inputs[i].infinite)
+            continue;
+        fmpq_mul(term, term, &inputs[i].value);
+        fmpq_abs(term, term);
+        fmpq_add(S, S, term);
+    }
+    fmpq_clear(term);
+    machine_clear(&derivatives);
+    machine_clear(&sums);
+    return rational;
+}
+
 /* ---- the unit of error ---- */
 
 /* Bounds on distance / (u weight). */

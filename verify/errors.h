@@ -28,6 +28,9 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
 void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
                                    arb_t S);
 
+/* The same where every derivative of a formula is rational; false elsewhere. */
+bool operation_sensitivity_rational(struct operation *o, const struct input *inputs, int output, fmpq_t S);
+
 struct bounds {
     double lower, upper; /* rounded outward */
 };

@@ -192,12 +192,39 @@ static void enclose_roots(const struct input *inputs, slong prec, arb_ptr output
     _acb_vec_clear(roots, 4);
 }
 
+/* A motion is looked at so often on its way, where it may take too long. */
+enum { LOOKS = 256 };
+
+struct followed {
+    arb_ptr state;
+    clock_t until;
+};
+
+/* The last one stays. */
 static int take_state(void *context, slong k, const fmpq_t t, arb_srcptr state)
 {
+    struct followed *f = context;
     (void)k;
     (void)t;
-    _arb_vec_set(context, state, FLOW_STATE);
-    return 0;
+    _arb_vec_set(f->state, state, FLOW_STATE);
+    return f->until != 0 && clock() > f->until;
+}
+
+/* LOOKS times up to t, of a Runge-Kutta method multiples of its step h (NULL: any). */
+static void look_times(fmpq *times, const fmpq_t t, const fmpq *h)
+{
+    fmpz_t whole;
+    fmpz_init(whole);
+    for (slong k = 0; k < LOOKS; k++) {
+        fmpq_div_fmpz(times + k, t, (fmpz[]){LOOKS});
+        fmpq_mul_si(times + k, times + k, k + 1);
+        if (h == NULL)
+            continue;
+        fmpq_div(times + k, times + k, h);
+        fmpz_fdiv_q(whole, fmpq_numref(times + k), fmpq_denref(times + k));
+        fmpq_mul_fmpz(times + k, h, whole);
+    }
+    fmpz_clear(whole);
 }
 
 static enum outcome enclose_flow(struct operation *o, const struct input *inputs, slong digits,
@@ -222,15 +249,23 @@ static enum outcome enclose_flow(struct operation *o, const struct input *inputs
     const fmpq *t = &in++->value;
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_fmpq(initial + i, &in++->value, prec);
+    const bool steps = method == METHOD_RK4_LINEAR || method == METHOD_RK4_NONLINEAR;
+    const slong looks = o->until != 0 ? LOOKS : 1;
+    struct followed f = {outputs, o->until};
+    fmpq *times = _fmpq_vec_init(looks);
+    fmpq_set(times, t);
+    if (o->until != 0)
+        look_times(times, t, steps ? &in->value : NULL);
     enum flow_status status = FLOW_DONE;
     if (method == METHOD_FLOW_LINEAR)
-        status = flow_linear(&p, initial, t, 1, prec, take_state, outputs, &reached);
+        status = flow_linear(&p, initial, times, looks, prec, take_state, &f, &reached);
     else if (method == METHOD_FLOW_NONLINEAR)
-        status = flow_nonlinear(&p, initial, t, 1, digits, prec, take_state, outputs, &reached);
+        status = flow_nonlinear(&p, initial, times, looks, digits, prec, take_state, &f, &reached);
     else if (method == METHOD_RK4_LINEAR)
-        status = rk4_linear(&p, initial, &in->value, t, 1, prec, take_state, outputs, &reached);
+        status = rk4_linear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
     else
-        status = rk4_nonlinear(&p, initial, &in->value, t, 1, prec, take_state, outputs, &reached);
+        status = rk4_nonlinear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
+    _fmpq_vec_clear(times, looks);
     if (!linear && status == FLOW_DONE)
         flow_settle(initial,
                     is_static_place(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
@@ -257,7 +292,7 @@ slong operation_precision(const struct operation *o, const struct input *inputs,
         return flow_precision(digits, flow_radians(o, inputs));
     case METHOD_RK4_LINEAR:
     case METHOD_RK4_NONLINEAR:
-        return rk4_precision(digits, flow_radians(o, inputs));
+        return rk4_precision(digits, rk4_radians(input_named(o, inputs, "Omega"), input_named(o, inputs, "t"), input_named(o, inputs, "h")));
     default:
         return (slong)((double)digits * 3.33) + GUARD_BITS; /* 3.33 > log2(10) */
     }

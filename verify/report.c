@@ -1,10 +1,12 @@
 #include "report.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "decimal.h"
 
@@ -156,8 +158,14 @@ static void failure_text(const struct exam *e, int k, FILE *file)
     exhibit_init(&x, e, t->worst_failure.position);
     exhibit_text(&x, t, file);
     exhibit_clear(&x);
+}
+
+static void diagnosis_text(const struct tally *t, FILE *file)
+{
     if (t->diagnosis[0] != '\0')
         fprintf(file, "  looks like: %s\n", t->diagnosis);
+    if (t->hurried)
+        fputs("  not all known mistakes were tried, it would take too long\n", file);
 }
 
 /* ---- text ---- */
@@ -202,7 +210,7 @@ static void skips_text(const struct exam *e, FILE *file)
 
 void report_text(const struct report *r, FILE *file)
 {
-    const struct exam *e = r->exam;
+    struct exam *e = r->exam;
     const struct totals sum = report_totals(e);
     fputs("operation        vectors   passed  failed  skipped   worst E  digits  worst vector\n", file);
     for (int k = 0; k < e->questions.count; k++)
@@ -211,6 +219,10 @@ void report_text(const struct report *r, FILE *file)
         if (tally_failed(&e->tallies[k]) > 0) {
             fputc('\n', file);
             failure_text(e, k, file);
+            fflush(file); /* an error stays with the file */
+            if (r->diagnose != NULL && k < e->questions.count)
+                r->diagnose(e, k);
+            diagnosis_text(&e->tallies[k], file);
         }
     skips_text(e, file);
     fprintf(file, "\n%" PRIu64 " vectors: %" PRIu64 " passed, %" PRIu64 " failed, %" PRIu64 " skipped\n",
@@ -246,6 +258,7 @@ static void put_failure(const struct exam *e, int k, FILE *file)
     if (stream == NULL)
         out_of_memory();
     failure_text(e, k, stream);
+    diagnosis_text(&e->tallies[k], stream);
     if (fclose(stream) != 0)
         out_of_memory();
     put_text(file, text, true);
@@ -371,15 +384,39 @@ static void write_json(const struct report *r, FILE *file)
     fputs("\"\n}\n", file);
 }
 
+enum report_format report_format(const char *name)
+{
+    const char *end = strrchr(name, '.');
+    return end == NULL ? REPORT_NONE : strcmp(end, ".xml") == 0 ? REPORT_XML : strcmp(end, ".json") == 0 ? REPORT_JSON : REPORT_NONE;
+}
+
+/* A new file beside that name, and never one that is there: that is somebody else's, or leads elsewhere. */
+static FILE *open_beside(const char *name, char *unfinished, size_t size)
+{
+    int end = -1;
+    for (int k = 0; k < 100 && end < 0; k++) {
+        snprintf(unfinished, size, "%s.%ld.%d.tmp", name, (long)getpid(), k);
+        end = open(unfinished, O_WRONLY | O_CREAT | O_EXCL, 0666);
+        if (end < 0 && errno != EEXIST)
+            return NULL;
+    }
+    FILE *file = end < 0 ? NULL : fdopen(end, "w");
+    if (end >= 0 && file == NULL) { /* LCOV_EXCL_START: only where memory runs out, make faults */
+        close(end);
+        remove(unfinished);
+        errno = ENOMEM;
+    } /* LCOV_EXCL_STOP */
+    return file;
+}
+
 int report_write(const struct report *r, const char *name)
 {
-    const size_t length = strlen(name);
-    char *unfinished = memory(NULL, length + 5, 1);
-    snprintf(unfinished, length + 5, "%s.tmp", name);
-    FILE *file = fopen(unfinished, "w");
+    const size_t size = strlen(name) + 40;
+    char *unfinished = memory(NULL, size, 1);
+    FILE *file = open_beside(name, unfinished, size);
     int why = file == NULL ? errno : 0;
     if (file != NULL) {
-        if (length > 4 && strcmp(name + length - 4, ".xml") == 0)
+        if (report_format(name) == REPORT_XML)
             write_xml(r, file);
         else
             write_json(r, file);
