@@ -367,6 +367,26 @@ static int unset(char *const *texts, int count)
     return left;
 }
 
+/* A number other than zero of which no decimal is written: its exponent alone would have fifteen digits and more. */
+static bool is_beyond_decimals(struct operation *o, arb_srcptr balls, int i)
+{
+    enum { EXPONENT_BITS = 50 }; /* as decimal_of_ball has it */
+    arf_t bound;
+    bool tiny, huge;
+    if (arb_contains_zero(balls + i) || !arb_is_finite(balls + i))
+        return false;
+    arf_init(bound);
+    arb_get_abs_ubound_arf(bound, balls + i, 64);
+    tiny = fmpz_bits(ARF_EXPREF(bound)) >= EXPONENT_BITS && fmpz_sgn(ARF_EXPREF(bound)) < 0;
+    arb_get_abs_lbound_arf(bound, balls + i, 64);
+    huge = fmpz_bits(ARF_EXPREF(bound)) >= EXPONENT_BITS && fmpz_sgn(ARF_EXPREF(bound)) > 0;
+    arf_clear(bound);
+    if (tiny || huge)
+        message_set(&o->why, "%s: not zero, but %s 2^%s(2^49), of which no decimal is written", o->section->outputs[i]->name,
+                    tiny ? "below" : "above", tiny ? "-" : "");
+    return tiny || huge;
+}
+
 enum outcome operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs)
 {
     const int count = o->section->output_count;
@@ -385,6 +405,9 @@ enum outcome operation_digits(struct operation *o, const struct input *inputs, s
         for (int i = 0; i < count && outcome == OUTCOME_PROVED; i++)
             if (texts[i] == NULL)
                 texts[i] = decimal_of_ball(balls + i, digits);
+        for (int i = 0; i < count && outcome == OUTCOME_PROVED; i++)
+            if (texts[i] == NULL && is_beyond_decimals(o, balls, i))
+                outcome = OUTCOME_UNDECIDED;
         left = unset(texts, count);
         if (left > 0 && outcome == OUTCOME_PROVED && (first || o->section->method == METHOD_ROOTS)) {
             decide_exactly(o, inputs, digits, prec, texts);
