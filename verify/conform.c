@@ -200,7 +200,7 @@ static void answer(struct exam *e, const struct question *q, uint64_t position, 
 {
     struct judge *j = &e->judges[q->course - e->questions.courses];
     struct failure f = {.position = position, .score = {0.0, INFINITY, 0}};
-    const bool inside = q->golden == NULL || (q->numbers && operation_valid(j->operation, q->inputs));
+    const bool inside = q->drawn_inside || (q->numbers && operation_valid(j->operation, q->inputs));
     if (count > 0 && strcmp(words[0], "skip") == 0) {
         char *reason = tally_at(e, position)->reason;
         const size_t behind = (size_t)(words[0] - e->line) + strlen("skip");

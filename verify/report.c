@@ -178,7 +178,7 @@ static void row_text(const struct exam *e, int k, FILE *file)
     char E[NUMBER], digits[NUMBER];
     struct question q;
     fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, s->id,
-            (uint64_t)c->golden_count + c->random, t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
+            course_total(c), t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
     if (t->worst == UINT64_MAX) {
         fputc('\n', file);
         return;
@@ -344,7 +344,7 @@ static void write_row(const struct exam *e, int k, FILE *file)
     const struct course *c = &e->questions.courses[k];
     fprintf(file, "    {\"id\": \"%s\", \"level\": \"%s\", \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64
             ", \"failed\": %" PRIu64 ", \"skipped\": %" PRIu64 ", ", s->id, level_names[level_of(s)],
-            (uint64_t)c->golden_count + c->random, t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
+            course_total(c), t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
     if (t->worst != UINT64_MAX) {
         struct question q;
         question_init(&q);
