@@ -347,9 +347,7 @@ struct bounds worst_error(const struct section *s, const struct input *inputs, a
 
 /* ---- ref/ on random inputs ---- */
 
-/* The same formulas in MPFR lie inside the enclosures, widened by what MPFR itself rounds. */
-static bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact,
-                        arb_srcptr S)
+bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact, arb_srcptr S)
 {
     struct machine m;
     arb_t value, room;

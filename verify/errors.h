@@ -45,6 +45,12 @@ struct bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S
 struct bounds worst_error(const struct section *s, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
                           arb_srcptr S, int significand, int *output);
 
+/*
+ * Whether the formulas in MPFR, with twice the bits of the enclosures that errors are measured by, lie within these; room is
+ * for what MPFR itself rounds.
+ */
+bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact, arb_srcptr S);
+
 /* ref/ against the truth on random inputs, a line an operation. */
 struct measured {
     const struct section *section;
