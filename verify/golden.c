@@ -194,7 +194,8 @@ bool golden_each(const struct section *s, golden_receiver *receive, void *contex
             extremes_of(&g, i, false);
         extremes_of(&g, i, true);
     }
-    domain_edges(&g);
+    if (g.fine)
+        domain_edges(&g);
     if (!g.fine)
         fprintf(stderr, "coulomb-tether: %s\n", g.o.why.text);
     operation_clear(&g.o);
