@@ -37,18 +37,24 @@ static void close_exam(struct exam *e)
     free(e);
 }
 
-/* The finding on what is said in place of an answer. */
-static enum finding finding_on(struct exam *e, uint64_t position, const char *words)
+/* Those words for an answer to a question. */
+static void answer(struct exam *e, uint64_t position, const char *words)
 {
     char line[LONG];
-    enum finding finding = FOUND_RIGHT;
-    memset(e->tallies[0].counts, 0, sizeof e->tallies[0].counts);
     e->next = position;
     e->span_count = 0;
     question_make(&e->judging, &e->questions, position);
     const int size = snprintf(line, sizeof line, "%s %s\n", e->judging.id, words);
     ck_assert_int_lt(size, LONG);
     exam_hear(e, line, (size_t)size);
+}
+
+/* The finding on what is said in place of an answer. */
+static enum finding finding_on(struct exam *e, uint64_t position, const char *words)
+{
+    enum finding finding = FOUND_RIGHT;
+    memset(e->tallies[0].counts, 0, sizeof e->tallies[0].counts);
+    answer(e, position, words);
     while (finding < FINDINGS && e->tallies[0].counts[finding] == 0)
         finding++;
     return finding;
@@ -338,6 +344,47 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     free_all(outputs, 6);
     question_clear(&q);
     close_exam(e);
+}
+END_TEST
+
+/* Yaw of 0.1 rad dies away in five days, to 1e-7 and less; what is off is held against what there was. */
+START_TEST(a_motion_that_dies_away_is_judged_by_what_there_was)
+{
+    static const char *const texts[] = {"7.2915e-5", "10", "5.316597225e-8", "1.4583e-4", "432000", "0.1", "0", "0", "0", "0", "0"};
+    const struct section *s = section_find(sheet(), "flow_linear");
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    char *outputs[MOST_ANSWERS] = {NULL}, text[40];
+    ck_assert(vector_read(s, texts, inputs));
+    operation_init(&o, s, false);
+    ck_assert_int_eq(operation_digits(&o, inputs, DIGITS, outputs), OUTCOME_PROVED);
+    ck_assert_double_lt(fabs(strtod(outputs[0], NULL)), 1e-6);
+    for (int i = 0; i < 2; i++) {
+        const char *const answers[] = {text, outputs[1], outputs[2], outputs[3], outputs[4], outputs[5]};
+        snprintf(text, sizeof text, "%.17g", strtod(outputs[0], NULL) + (i ? 1.001e-10 : 0.999e-10));
+        ck_assert_int_eq(judged("flow_linear", texts, answers, BINARY64), i ? FOUND_WRONG : FOUND_RIGHT);
+    }
+    free_all(outputs, s->output_count);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+END_TEST
+
+/* Of several failures the one that is shown: the furthest off, in whichever order they come, and numbers before lines. */
+START_TEST(the_worst_failure_is_shown)
+{
+    static const char *const words[] = {"1e-7", "1e-3", "x"}; /* for C1 = 5e-8, 7e-7 ...: the second is the furthest off */
+    for (int order = 0; order < 6; order++) {
+        struct exam *e = exam_of(section_find(sheet(), "eq43"), RANDOM, BINARY64);
+        const int first = order % 3, second = (first + 1 + order / 3) % 3, third = 3 - first - second;
+        const int turns[] = {first, second, third};
+        for (int k = 0; k < 3; k++)
+            answer(e, (uint64_t)k + 1, words[turns[k]]);
+        for (int k = 0; k < 3; k++)
+            if (turns[k] == 1)
+                ck_assert_uint_eq(e->tallies[0].worst_failure.position, (uint64_t)k + 1);
+        close_exam(e);
+    }
 }
 END_TEST
 
@@ -678,6 +725,8 @@ Suite *suite(void)
     tcase_add_loop_test(c, eq42_stable_is_judged_beyond_roundings, 0, sizeof boundary / sizeof *boundary);
     tcase_add_test(c, eq41roots_residual_of_a_double_root_is_within_K_roundings);
     tcase_add_loop_test(c, a_motion_passes_with_the_digits_due_and_no_fewer, 0, 4);
+    tcase_add_test(c, a_motion_that_dies_away_is_judged_by_what_there_was);
+    tcase_add_test(c, the_worst_failure_is_shown);
     tcase_add_loop_test(c, a_line_has_the_outcome_that_it_says, 0, sections);
     tcase_add_loop_test(c, random_questions_are_those_of_the_seed, 0, sections);
     tcase_add_loop_test(c, random_questions_from_outside_have_every_defect, 0, sections);
