@@ -395,17 +395,17 @@ static FILE *open_beside(const char *name, char *unfinished, size_t size)
 {
     int end = -1;
     for (int k = 0; k < 100 && end < 0; k++) {
-        snprintf(unfinished, size, "%s.%ld.%d.tmp", name, (long)getpid(), k);
+        snprintf(unfinished, size, k == 0 ? "%s.tmp" : "%s.%d.tmp", name, k);
         end = open(unfinished, O_WRONLY | O_CREAT | O_EXCL, 0666);
         if (end < 0 && errno != EEXIST)
             return NULL;
     }
     FILE *file = end < 0 ? NULL : fdopen(end, "w");
-    if (end >= 0 && file == NULL) { /* LCOV_EXCL_START: only where memory runs out, make faults */
-        close(end);
-        remove(unfinished);
-        errno = ENOMEM;
-    } /* LCOV_EXCL_STOP */
+    if (end >= 0 && file == NULL) { /* LCOV_EXCL_BR_LINE: only where memory runs out, make faults */
+        close(end);         /* LCOV_EXCL_LINE: the same */
+        remove(unfinished); /* LCOV_EXCL_LINE: the same */
+        errno = ENOMEM;     /* LCOV_EXCL_LINE: the same */
+    }
     return file;
 }
 
