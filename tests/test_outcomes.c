@@ -11,6 +11,7 @@
 
 #include "conform.h"
 #include "domain.h"
+#include "hints.h"
 #include "sample.h"
 #include "vectors.h"
 
@@ -633,6 +634,37 @@ START_TEST(a_line_begins_with_a_vectors_name)
 }
 END_TEST
 
+static const struct {
+    const char *line, *hint;
+    enum finding finding;
+} hints[] = {
+    {"Loading model...", "its first word 'Loading' names no vector", FOUND_STRANGER},
+    {"debug: n = 10", "its first word 'debug:' names no vector: no name has a ':'", FOUND_MALFORMED},
+    {"eq44 eq44-paper 1", "'eq44' is an operation, the vector's name alone stands first", FOUND_STRANGER},
+    {"1.4e-4", "'1.4e-4' is a number, the vector's name stands first", FOUND_STRANGER},
+    {"\357\273\277eq44-paper 1", "a byte order mark stands before 'eq44-paper'", FOUND_MALFORMED},
+    {"eq44-paper: 1", "its first word 'eq44-paper:' names no vector: no name has a ':'", FOUND_MALFORMED},
+    {"eq42-paper 1 1 true", "'true' is no number, 1 or 0 is due", FOUND_MALFORMED},
+    {"eq42-paper INVALID", "'INVALID': did you mean invalid, alone and in small letters?", FOUND_MALFORMED},
+    {"eq42-paper Skip", "'Skip': did you mean skip, alone and in small letters?", FOUND_MALFORMED},
+    {"eq44-paper 1.2d-13", "'1.2d-13' has Fortran's D exponent, E is due", FOUND_MALFORMED},
+    {"eq44-paper 0,00014", "'0,00014' has a decimal comma, a point is due", FOUND_MALFORMED},
+    {"eq25-paper 1 [2 3]", "'[2' is no number for its '['", FOUND_MALFORMED},
+    {"eq25-paper 1, 2, 3", "'1,' is no number for its ','", FOUND_MALFORMED},
+    {"eq44-paper oops", "'oops' is no number", FOUND_MALFORMED},
+    {"eq44-paper 1.2", "the last line has no LF", FOUND_TRUNCATED},
+    {"", "an empty line", FOUND_MALFORMED},
+    {"eq44-paper 1 2", "", FOUND_COUNT},
+};
+
+START_TEST(a_line_that_is_no_answer_is_told_in_words)
+{
+    char hint[240];
+    line_hint(hints[_i].line, hints[_i].finding, hint, sizeof hint);
+    ck_assert_str_eq(hint, hints[_i].hint);
+}
+END_TEST
+
 START_TEST(the_last_line_has_an_end)
 {
     for (int ended = 0; ended < 2; ended++) {
@@ -734,6 +766,7 @@ Suite *suite(void)
     tcase_add_test(c, a_line_may_have_65536_bytes);
     tcase_add_test(c, a_line_without_an_end_is_heard_for_64_MiB);
     tcase_add_loop_test(c, a_line_begins_with_a_vectors_name, 0, sizeof lines / sizeof *lines);
+    tcase_add_loop_test(c, a_line_that_is_no_answer_is_told_in_words, 0, sizeof hints / sizeof *hints);
     tcase_add_test(c, the_last_line_has_an_end);
     tcase_add_test(c, an_answer_is_due_once_its_question_is_sent);
     tcase_add_test(c, so_many_lines_out_of_place_are_heard);

@@ -1,5 +1,6 @@
 /* coulomb-tether conform: is an implementation of these equations, in whatever language, right? */
 #include <errno.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -182,6 +183,10 @@ static int conclude(struct exam *e, enum ending ending, int status, const char *
     if (ending == ENDING_EXIT && status != 0 && e->heard == 0)
         return complain(EXIT_USAGE, "client '%s': ended with %s %d before its first answer", name,
                         signalled ? "signal" : "exit status", signalled ? WTERMSIG(status) : WEXITSTATUS(status));
+    const uint64_t answered = e->next, total = e->questions.total;
+    if (ending == ENDING_EXIT && (status != 0 || answered < total))
+        snprintf(e->ended, sizeof e->ended, "with %s %d after %" PRIu64 " of %" PRIu64 " answers", signalled ? "signal" : "exit status",
+                 signalled ? WTERMSIG(status) : WEXITSTATUS(status), answered, total);
     if (ending == ENDING_TIMEOUT)
         exam_end(e, FOUND_TIMEOUT);
     else

@@ -51,6 +51,11 @@ static void record(struct exam *e, const struct failure *f, const char *line)
         t->worst_failure = *f;
         snprintf(t->got, sizeof t->got, "%s", line);
     }
+    const bool is_line = f->finding >= FOUND_COUNT && f->finding <= FOUND_EXTRA && *line != '\0';
+    if (is_line && *t->line == '\0') {
+        t->line_finding = f->finding;
+        snprintf(t->line, sizeof t->line, "%s", line);
+    }
     if (t->failure_count < MOST_FAILURES)
         t->failures[t->failure_count++] = *f;
 }

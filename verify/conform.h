@@ -28,6 +28,8 @@ struct tally {
     uint64_t worst;                  /* the vector that they come from; UINT64_MAX: none                       */
     struct failure worst_failure;
     char got[120], reason[120];      /* the line of the worst failure, the first reason for a skip             */
+    char line[120];                  /* the first line that is no answer, and what was found of it             */
+    enum finding line_finding;
     struct failure failures[MOST_FAILURES];
     int failure_count;
     char diagnosis[240];             /* what they look like, "" when nothing known */
@@ -52,6 +54,7 @@ struct exam {
     int span_count;
     struct question asking, judging; /* the questions at `asked` and `next`       */
     char line[LONGEST_LINE + 1];
+    char ended[80];                  /* how the client ended, where that was too soon */
     size_t length, unended;          /* bytes kept of the line, and heard of it   */
 };
 

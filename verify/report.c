@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "decimal.h"
+#include "hints.h"
 
 enum { SHOWN_DIGITS = 20, NUMBER = 40 };
 
@@ -143,6 +144,18 @@ static void exhibit_text(const struct exhibit *x, const struct tally *t, FILE *f
         fprintf(file, "    got        %s\n", *t->got ? t->got : "nothing");
 }
 
+/* The first line that is no answer, and why it is none. */
+static void line_text(const struct tally *t, FILE *file)
+{
+    char hint[240];
+    if (*t->line == '\0')
+        return;
+    line_hint(t->line, t->line_finding, hint, sizeof hint);
+    fprintf(file, "  first %s: %s\n", finding_names[t->line_finding], t->line);
+    if (*hint != '\0')
+        fprintf(file, "    %s\n", hint);
+}
+
 static void failure_text(const struct exam *e, int k, FILE *file)
 {
     const struct tally *t = &e->tallies[k];
@@ -150,14 +163,14 @@ static void failure_text(const struct exam *e, int k, FILE *file)
     findings_text(t, text, sizeof text);
     fprintf(file, "%s: %s\n", k < e->questions.count ? e->judges[k].operation->section->id : "client", text);
     if (k == e->questions.count) {
-        if (*t->got != '\0')
-            fprintf(file, "    got        %s\n", t->got);
+        line_text(t, file);
         return;
     }
     struct exhibit x;
     exhibit_init(&x, e, t->worst_failure.position);
     exhibit_text(&x, t, file);
     exhibit_clear(&x);
+    line_text(t, file);
 }
 
 static void diagnosis_text(const struct tally *t, FILE *file)
@@ -225,6 +238,8 @@ void report_text(const struct report *r, FILE *file)
             diagnosis_text(&e->tallies[k], file);
         }
     skips_text(e, file);
+    if (*e->ended != '\0')
+        fprintf(file, "\nthe client ended %s\n", e->ended);
     fprintf(file, "\n%" PRIu64 " vectors: %" PRIu64 " passed, %" PRIu64 " failed, %" PRIu64 " skipped\n",
             e->questions.total, sum.passed, sum.failed, sum.skipped);
 }
@@ -355,6 +370,15 @@ static void write_row(const struct exam *e, int k, FILE *file)
         question_clear(&q);
     }
     write_findings(t, file);
+    if (*t->line != '\0') {
+        char hint[240];
+        line_hint(t->line, t->line_finding, hint, sizeof hint);
+        fprintf(file, ", \"line\": {\"finding\": \"%s\", \"text\": \"", finding_names[t->line_finding]);
+        put_text(file, t->line, false);
+        fputs("\", \"hint\": \"", file);
+        put_text(file, hint, false);
+        fputs("\"}", file);
+    }
     if (tally_failed(t) > 0) {
         fputs(", \"diagnosis\": \"", file);
         put_text(file, t->diagnosis, false);
