@@ -49,6 +49,15 @@ endif
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
 
+# Two at once would write the same files: the second one says so. What the first one starts knows of it.
+ifeq ($(MAKELEVEL)$(filter help deps deps-paper deps-ci,$(MAKECMDGOALS)),0)
+OTHER := $(shell mkdir -p $(BUILD) 2>/dev/null; lock=$(BUILD)/make.lock; (set -C; echo $$PPID >"$$lock") 2>/dev/null || { \
+  read -r other <"$$lock"; if [ "$$other" != "$$PPID" ] && [ "$$other" != "$$CT_MAKE" ] && kill -0 "$$other"; then echo "$$other"; \
+  elif [ "$$other" != "$$CT_MAKE" ]; then echo $$PPID >"$$lock"; fi; } 2>/dev/null)
+$(if $(OTHER),$(error another make, process $(OTHER), is at work in $(BUILD): wait for it (or remove $(BUILD)/make.lock, if it is none)))
+export CT_MAKE := $(or $(CT_MAKE),$(shell echo $$PPID))
+endif
+
 ### What there is
 objects  = $(patsubst %.c,$(BUILD)/%.o,$(1))
 SOURCES := $(wildcard ref/*.c verify/*.c tests/*.c tests/bench/*.c tests/fuzz/*.c)
@@ -199,7 +208,7 @@ INJECTIONS := $(patsubst tests/faults/%.sh,faults-%,$(filter-out %/harness.sh,$(
 faults: $(INJECTIONS)
 
 $(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS)
-	@BUILD='$(BUILD)' CT_BUILD='$(abspath $(BUILD))' CT_PROGRAM='$(abspath $(PROGRAM))' $<
+	@CT_BUILD=$$(cd $(BUILD) && pwd) && export CT_BUILD && BUILD='$(BUILD)' CT_PROGRAM=$$CT_BUILD/coulomb-tether $<
 
 ## mcdc: condition coverage (MC/DC) of ref/, where the compiler can count it: gcc from version 14 on
 mcdc:
@@ -398,24 +407,30 @@ deps-ci:
 	@.ci/packages.sh $(CI_PACKAGES)
 
 ### Installing
+# Any name may stand in prefix and DESTDIR: a word of the shell; a value in a .pc file, for sed.
+word_of  = '$(subst ','\'',$(1))'
+into     = $(call word_of,$(DESTDIR)$(1))
+blank   := $() $()
+pc_value = $(subst $(blank),\\ ,$(1))
+
 ## install: library, header, pkg-config file, program and manual page, below prefix (and DESTDIR)
 install: all
-	@sed -e 's|@prefix@|$(prefix)|; s|@exec_prefix@|$(exec_prefix)|; s|@libdir@|$(libdir)|' \
-	  -e 's|@includedir@|$(includedir)|; s|@version@|$(VERSION)|' ref/coulombtether.pc.in >$(BUILD)/coulombtether.pc
-	$(INSTALL) -d $(foreach dir,$(bindir) $(libdir) $(pkgconfigdir) $(includedir) $(mandir)/man1,'$(DESTDIR)$(dir)')
-	$(INSTALL) -m 755 $(PROGRAM) '$(DESTDIR)$(bindir)/'
-	$(INSTALL) -m 644 $(LIBRARY) $(SHARED).$(VERSION) '$(DESTDIR)$(libdir)/'
-	ln -sf $(notdir $(SHARED)).$(VERSION) '$(DESTDIR)$(libdir)/$(SONAME)'
-	ln -sf $(SONAME) '$(DESTDIR)$(libdir)/$(notdir $(SHARED))'
-	$(INSTALL) -m 644 $(BUILD)/coulombtether.pc '$(DESTDIR)$(pkgconfigdir)/'
-	$(INSTALL) -m 644 ref/coulombtether.h '$(DESTDIR)$(includedir)/'
-	$(INSTALL) -m 644 verify/coulomb-tether.1 '$(DESTDIR)$(mandir)/man1/'
+	@sed $(foreach name,prefix exec_prefix libdir includedir,-e $(call word_of,s|@$(name)@|$(call pc_value,$($(name)))|)) \
+	  -e 's|@version@|$(VERSION)|' ref/coulombtether.pc.in >$(BUILD)/coulombtether.pc
+	$(INSTALL) -d $(call into,$(bindir)) $(call into,$(libdir)) $(call into,$(pkgconfigdir)) $(call into,$(includedir)) $(call into,$(mandir)/man1)
+	$(INSTALL) -m 755 $(PROGRAM) $(call into,$(bindir)/)
+	$(INSTALL) -m 644 $(LIBRARY) $(SHARED).$(VERSION) $(call into,$(libdir)/)
+	ln -sf $(notdir $(SHARED)).$(VERSION) $(call into,$(libdir)/$(SONAME))
+	ln -sf $(SONAME) $(call into,$(libdir)/$(notdir $(SHARED)))
+	$(INSTALL) -m 644 $(BUILD)/coulombtether.pc $(call into,$(pkgconfigdir)/)
+	$(INSTALL) -m 644 ref/coulombtether.h $(call into,$(includedir)/)
+	$(INSTALL) -m 644 verify/coulomb-tether.1 $(call into,$(mandir)/man1/)
 
 ## uninstall: take all of that away again
 uninstall:
-	rm -f $(foreach file,$(notdir $(LIBRARY) $(SHARED) $(SHARED).$(VERSION)) $(SONAME),'$(DESTDIR)$(libdir)/$(file)') \
-	  '$(DESTDIR)$(bindir)/coulomb-tether' '$(DESTDIR)$(pkgconfigdir)/coulombtether.pc' \
-	  '$(DESTDIR)$(includedir)/coulombtether.h' '$(DESTDIR)$(mandir)/man1/coulomb-tether.1'
+	rm -f $(foreach file,$(notdir $(LIBRARY) $(SHARED) $(SHARED).$(VERSION)) $(SONAME),$(call into,$(libdir)/$(file))) \
+	  $(call into,$(bindir)/coulomb-tether) $(call into,$(pkgconfigdir)/coulombtether.pc) \
+	  $(call into,$(includedir)/coulombtether.h) $(call into,$(mandir)/man1/coulomb-tether.1)
 
 ## dist: the committed tree as build/coulomb-tether-VERSION.tar.gz
 dist:

@@ -33,7 +33,7 @@ function stop(text) {
 # ---- reading ----
 
 function read_sheet(    command, line, part, id) {
-    command = "'" program "' typeset"
+    command = quoted(program) " typeset"
     while ((command | getline line) > 0) {
         split(line, part, "\t")
         id = part[1]
@@ -389,7 +389,7 @@ function verbatim(text) {
 # The build's folders stay out of what the reader sees.
 function weave_run(arguments,    command, line, text) {
     text = "$ coulomb-tether " arguments "\n"
-    command = "'" program "' " arguments " || echo '<<failed>>'"
+    command = quoted(program) " " arguments " || echo '<<failed>>'"
     while ((command | getline line) > 0) {
         if (line == "<<failed>>")
             stop("coulomb-tether " arguments " failed")
@@ -471,7 +471,7 @@ function value_of(words, n,    command, line, part, found, i) {
     if (n < 5)
         stop("expected <<value ID OUTPUT DIGITS NAME=VALUE ...>>")
     section_named(words[2])
-    command = "'" program "' eval " words[2]
+    command = quoted(program) " eval " words[2]
     for (i = 5; i <= n; i++)
         command = command " " words[i]
     while ((command | getline line) > 0) {
@@ -655,4 +655,11 @@ END {
     if (!failed)
         flush_block()
     exit failed
+}
+
+# A text as one word of the shell.
+function quoted(text)
+{
+    gsub(/'/, "'\\''", text)
+    return "'" text "'"
 }

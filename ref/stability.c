@@ -115,6 +115,15 @@ static int solve(size_t degree, const double a[], struct ct_root root[])
     return complete(degree, a, root) ? CT_OK : CT_CONVERGENCE;
 }
 
+/*
+ * Without damping lambda^2 solves a quadratic of discriminant (C1 - 8)^2 + 48 > 0, so it is real: the root lies on an axis,
+ * and roundings beside it would decide on the order.
+ */
+static struct ct_root on_axis(struct ct_root z)
+{
+    return fabs(z.re) < fabs(z.im) ? (struct ct_root){0, z.im} : (struct ct_root){z.re, 0};
+}
+
 static int by_real_then_imaginary_part(const void *left, const void *right)
 {
     const struct ct_root *a = left, *b = right;
@@ -150,6 +159,8 @@ int ct_characteristic_roots(double Omega, struct ct_gains g, struct ct_root root
             root[zeros++] = (struct ct_root){0, 0};
         status = solve(DEGREE - zeros, a + zeros, root + zeros);
     }
+    for (size_t i = 0; i < DEGREE && g.C2 == 0 && !status; i++)
+        root[i] = on_axis(root[i]);
     for (size_t i = 0; i < DEGREE; i++)
         root[i] = status ? (struct ct_root){NAN, NAN} : (struct ct_root){Omega * root[i].re, Omega * root[i].im};
     qsort(root, DEGREE, sizeof root[0], by_real_then_imaginary_part);

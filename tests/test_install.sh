@@ -72,5 +72,36 @@ check static_program_runs          prints_exact_value "$work/static"
 check uninstalls                   make_quietly uninstall prefix="$work/usr"
 check nothing_is_left              nothing_in "$work/usr"
 
+# A name with blanks and a quotation mark.
+odd="$work/it's a \"prefix\""
+odd_program_builds() {
+    eval "${CC:-cc} ${CFLAGS-} \"\$work/user.c\" -o \"\$work/odd\" $(PKG_CONFIG_PATH="$work/a prefix/lib/pkgconfig" pkg-config --cflags --libs coulombtether) ${LDFLAGS-}"
+}
+odd_program_runs() { LD_LIBRARY_PATH="$work/a prefix/lib" prints_exact_value "$work/odd"; }
+check odd_prefix_installs          make_quietly install prefix="$odd"
+files_of "$odd" >"$work/staged"
+check odd_prefix_installs_the_same cmp "$work/plain" "$work/staged"
+check odd_prefix_uninstalls        make_quietly uninstall prefix="$odd"
+check odd_prefix_is_left_empty     nothing_in "$odd"
+check blank_prefix_installs        make_quietly install prefix="$work/a prefix"
+check blank_prefix_builds          odd_program_builds
+check blank_prefix_runs            odd_program_runs
+
+# Another make at work in the same folder is told apart from one that has ended.
+mkdir "$work/busy"
+sleep 60 &
+other=$!
+echo "$other" >"$work/busy/make.lock"
+says_who_is_at_work() {
+    if make -n BUILD="$work/busy" all >"$work/said" 2>&1; then return 1; fi
+    cat "$work/said"
+    [ "$(wc -l <"$work/said")" -eq 1 ] && grep -q "another make, process $other, is at work in $work/busy: wait for it" "$work/said"
+}
+goes_on() { make -n BUILD="$work/busy" all >/dev/null && ! grep -qx "$other" "$work/busy/make.lock"; }
+check a_second_make_waits_in_words says_who_is_at_work
+kill "$other"
+wait "$other" 2>/dev/null
+check an_ended_make_is_no_obstacle goes_on
+
 echo "$((100 * (checks - failures) / checks))%: Checks: $checks, Failures: $failures, Errors: 0"
 [ "$failures" -eq 0 ]

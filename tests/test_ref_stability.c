@@ -143,6 +143,22 @@ START_TEST(eq41_roots_are_the_known_ones)
 }
 END_TEST
 
+/* lambda^2 is real then: four roots on the imaginary axis where C1 > 9, two on either axis below. The order is exact. */
+START_TEST(eq41_roots_without_damping_lie_on_the_axes)
+{
+    struct ct_root r[4];
+    const double c1 = 9 + 0.37 * (_i < 40 ? _i + 1 : 39 - _i);
+
+    ck_assert_int_eq(ct_characteristic_roots(Omega, gains(c1, 0), r), CT_OK);
+    for (int k = 0; k < 4; k++)
+        ck_assert((r[k].re == 0) != (r[k].im == 0));
+    if (c1 > 9)
+        ck_assert(r[0].im < r[1].im && r[1].im < 0 && 0 < r[2].im && r[2].im < r[3].im);
+    else
+        ck_assert(r[0].re < 0 && r[1].im < 0 && r[2].im > 0 && r[3].re > 0);
+}
+END_TEST
+
 START_TEST(eq41_roots_sum_and_multiply_to_the_coefficients)
 {
     const double c[][2] = {
@@ -382,6 +398,7 @@ static TCase *linear_model(void)
     tcase_add_loop_test(c, eq41_is_the_determinant_of_eq40, -3, 4);
     tcase_add_test(c, eq41_rejects_each_input_outside_its_domain);
     tcase_add_loop_test(c, eq41_roots_are_the_known_ones, 0, KNOWN);
+    tcase_add_loop_test(c, eq41_roots_without_damping_lie_on_the_axes, 0, 80);
     tcase_add_loop_test(c, eq41_roots_sum_and_multiply_to_the_coefficients, 0, 9);
     tcase_add_test(c, eq41_root_at_zero_on_the_stability_boundary_is_exact);
     tcase_add_test(c, eq41_roots_scale_with_the_orbit_rate);

@@ -199,6 +199,23 @@ START_TEST(four_shards_are_one_run)
 }
 END_TEST
 
+START_TEST(a_seed_has_64_bits)
+{
+    ck_assert_ptr_nonnull(strstr(printed("eq43 --count 1 --seed 18446744073709551615"), "\neq43-18446744073709551615-0,"));
+}
+END_TEST
+
+/* Omega > 0 and n > 0 of (43), each from just outside and just inside, behind what was there before. */
+START_TEST(golden_lines_ask_each_condition)
+{
+    const char *text = printed("eq43 --golden");
+    ck_assert_ptr_nonnull(strstr(text, "\neq43-minus-inf-Omega,-inf,10,,,invalid\neq43-domain-1-outside,7.2915e-5,0,,,invalid\n"
+                                       "eq43-domain-1-inside,7.2915e-5,7.888609052210118e-31,")); /* 2^-100 */
+    ck_assert_ptr_nonnull(strstr(printed("eq39 --golden"), ",-2.2250738585072014e-308,0.01,0.01,,,,,,,invalid\neq39-zero-I,7.2915e-5,0,0.01,0.01,0,0,0,"));
+    ck_assert_ptr_nonnull(strstr(printed("rk4_linear --golden"), "\nrk4_linear-between-steps,7.2915e-5,10,5.316597225e-8,1.4583e-4,43200.00000000001,"));
+}
+END_TEST
+
 START_TEST(golden_lines_have_their_flags)
 {
     const char *text = printed("eq44 --golden");
@@ -271,6 +288,33 @@ START_TEST(a_subexpression_out_of_range_is_flagged)
 }
 END_TEST
 
+/* Omega^2 of (43) at the least and the greatest normal numbers, 2^-1022 and 2^1024 (of floats 2^-126 and 2^128), and beside them. */
+START_TEST(the_normal_range_is_that_of_the_format)
+{
+    static const struct {
+        const char *Omega;
+        int significand;
+        bool leaves;
+    } edges[] = {
+        {"0x1p-511", BINARY64, false}, {"0x1.fffffffffffffp-512", BINARY64, true},
+        {"0x1.fffffffffffffp511", BINARY64, false}, {"0x1p512", BINARY64, true},
+        {"0x1p-63", BINARY32, false}, {"0x1.fffffffffffffp-64", BINARY32, true},
+        {"0x1.fffffffffffffp63", BINARY32, false}, {"0x1p64", BINARY32, true},
+        {"0x1p-512", BINARY128, false}, {"0x1p512", BINARY128, false},
+    };
+    const struct section *s = section_find(sheet(), "eq43");
+    const char *texts[] = {edges[_i].Omega, "1"};
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    ck_assert(vector_read(s, texts, inputs));
+    const bool leaves = vector_leaves_range(&o, inputs, edges[_i].significand);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    ck_assert_msg(leaves == edges[_i].leaves, "%s", edges[_i].Omega);
+}
+END_TEST
+
 /* ---- golden files ---- */
 
 /* The next line has that id, those inputs as they are written, and ends with those flags. Nothing is computed. */
@@ -316,6 +360,9 @@ Suite *suite(void)
     tcase_add_test(c, samples_lie_in_their_ranges);
     tcase_add_test(c, four_shards_are_one_run);
     tcase_add_test(c, golden_lines_have_their_flags);
+    tcase_add_test(c, golden_lines_ask_each_condition);
+    tcase_add_test(c, a_seed_has_64_bits);
+    tcase_add_loop_test(c, the_normal_range_is_that_of_the_format, 0, 10);
     tcase_add_loop_test(c, inputs_are_written_in_every_form, 0, sizeof forms / sizeof *forms);
     tcase_add_test(c, the_longest_input_has_all_its_digits);
     tcase_add_test(c, a_subexpression_out_of_range_is_flagged);

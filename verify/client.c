@@ -114,37 +114,45 @@ static bool is_interrupted(const struct client *c)
     return any;
 }
 
-/* On to our standard error; an interrupt need not wait until somebody reads it. */
-static void pass_on(const struct client *c, const char *bytes, size_t size)
+/* On to our standard error; an interrupt need not wait until somebody reads it. Seconds in which nobody did. */
+static double pass_on(const struct client *c, const char *bytes, size_t size)
 {
+    enum { SLICE = 100 }; /* ms */
     struct pollfd end = {2, POLLOUT, 0};
+    double blocked = 0.0;
     while (size > 0 && !is_interrupted(c)) {
-        const int ready = poll(&end, 1, 100);
+        const int ready = poll(&end, 1, SLICE);
         const ssize_t step = ready > 0 ? write(2, bytes, size) : 0;
         if (step < 0 || (ready < 0 && !is_passing(errno)))
-            return;
+            break;
+        blocked += ready == 0 ? 1e-3 * SLICE : 0.0;
         bytes += step;
         size -= (size_t)step;
     }
+    return blocked;
 }
 
-/* Standard error: on to ours, its last part kept. */
-static void hear_errors(struct client *c)
+/* Standard error: on to ours, its last part kept as text. Seconds in which ours was not read. */
+static double hear_errors(struct client *c)
 {
     char bytes[ANSWERS];
+    double blocked = 0.0;
     for (int pipeful = 0; c->errors >= 0 && pipeful < 16; pipeful++) {
         ssize_t got = read(c->errors, bytes, sizeof bytes);
         if (got == 0 || (got < 0 && !is_passing(errno)))
             close_end(&c->errors);
         if (got <= 0)
-            return;
-        pass_on(c, bytes, (size_t)got);
+            return blocked;
+        blocked += pass_on(c, bytes, (size_t)got);
+        for (ssize_t i = 0; i < got; i++)
+            bytes[i] = bytes[i] == '\0' ? '\1' : bytes[i]; /* which would end the text; neither is printable */
         const size_t size = (size_t)got > CLIENT_TAIL ? CLIENT_TAIL : (size_t)got;
         const size_t keep = c->tail_length + size > CLIENT_TAIL ? CLIENT_TAIL - size : c->tail_length;
         memmove(c->tail, c->tail + c->tail_length - keep, keep);
         memcpy(c->tail + keep, bytes + got - size, size);
         c->tail_length = keep + size;
     }
+    return blocked;
 }
 
 static double seconds(void)
@@ -183,13 +191,13 @@ static bool send_questions(struct client *c, const struct conversation *talk, st
     return sent > 0;
 }
 
-/* Takes what there is; *enough when nobody wants to hear more of it. */
-static bool hear_answers(struct client *c, const struct conversation *talk, bool *enough)
+/* Takes what there is; *enough when nobody wants to hear more of it, *answered when a line ended in it. */
+static bool hear_answers(struct client *c, const struct conversation *talk, bool *enough, bool *answered)
 {
     char bytes[ANSWERS];
     ssize_t got = read(c->from, bytes, sizeof bytes);
     if (got > 0)
-        *enough = !talk->hear(talk->context, bytes, (size_t)got);
+        *enough = !talk->hear(talk->context, bytes, (size_t)got, answered);
     else if (got == 0)
         close_end(&c->from);
     else if (!is_passing(errno)) /* LCOV_EXCL_LINE: a failing system call, make faults */
@@ -197,36 +205,44 @@ static bool hear_answers(struct client *c, const struct conversation *talk, bool
     return got > 0;
 }
 
+/* What an ended client has left in its pipe, which somebody else may still hold open. */
+static void hear_the_rest(struct client *c, const struct conversation *talk, bool *enough)
+{
+    bool answered;
+    while (c->from >= 0 && !*enough && c->why == 0 && hear_answers(c, talk, enough, &answered))
+        ;
+    hear_errors(c);
+}
+
 enum ending client_converse(struct client *c, const struct conversation *talk, double timeout)
 {
     struct outgoing o = {.begin = 0, .end = 0};
-    double idle = 0.0; /* seconds in which only the client could have done something, and did not */
-    bool enough = false;
-    while (idle < timeout && !enough && c->why == 0 && !is_interrupted(c)) {
+    double moved = seconds(); /* since when only the client could have done something, and did not */
+    bool enough = false, ended = false;
+    while (!ended && seconds() - moved < timeout && !enough && c->why == 0 && !is_interrupted(c)) {
         struct pollfd ends[] = {{c->to, POLLOUT, 0}, {c->from, POLLIN, 0}, {c->errors, POLLIN, 0}};
-        const double before = seconds();
         const int slice = c->from >= 0 ? 100 : 10; /* ms until the next look for an interrupt or the end */
-        bool moved = false;
+        bool taken = false, answered = false;
         if (poll(ends, 3, slice) < 0 && !is_passing(errno))
             c->why = errno; /* LCOV_EXCL_LINE: a failing system call, make faults */
-        idle += seconds() - before;
         if (ends[0].revents != 0)
-            moved = send_questions(c, talk, &o);
+            taken = send_questions(c, talk, &o);
         if (ends[1].revents != 0)
-            moved = hear_answers(c, talk, &enough) || moved;
+            hear_answers(c, talk, &enough, &answered);
         if (ends[2].revents != 0)
-            hear_errors(c);
-        if (moved)
-            idle = 0.0;
-        if (c->from < 0 && has_ended(c)) {
-            hear_errors(c);
-            return ENDING_EXIT;
-        }
+            moved += hear_errors(c);
+        if (taken || answered)
+            moved = seconds();
+        ended = ends[1].revents == 0 && has_ended(c);
     }
-    hear_errors(c);
+    if (ended)
+        hear_the_rest(c, talk, &enough);
+    else
+        hear_errors(c);
     return is_interrupted(c) ? ENDING_INTERRUPTED
            : c->why != 0     ? ENDING_BROKEN
            : enough          ? ENDING_STOPPED
+           : ended           ? ENDING_EXIT
                              : ENDING_TIMEOUT;
 }
 

@@ -24,8 +24,9 @@ struct client {
 
 struct conversation {
     void *context;
-    size_t (*ask)(void *context, char *room, size_t size);      /* the next bytes; 0: that was all         */
-    bool (*hear)(void *context, const char *bytes, size_t size); /* false: more of this need not be heard */
+    size_t (*ask)(void *context, char *room, size_t size); /* the next bytes; 0: that was all */
+    /* false: more of this need not be heard; *answered where a line ended */
+    bool (*hear)(void *context, const char *bytes, size_t size, bool *answered);
 };
 
 enum ending { ENDING_EXIT, ENDING_TIMEOUT, ENDING_STOPPED, ENDING_INTERRUPTED, ENDING_BROKEN };
@@ -33,7 +34,10 @@ enum ending { ENDING_EXIT, ENDING_TIMEOUT, ENDING_STOPPED, ENDING_INTERRUPTED, E
 /* 0, or the errno that says why there is none. */
 int client_start(struct client *c, char *const *arguments);
 
-/* Until it has ended, or for so many seconds has neither taken a question nor given an answer. */
+/*
+ * Until it has ended, or for so many seconds has neither taken a question nor ended a line of an answer. Whoever has
+ * inherited its standard output and holds it open is not waited for.
+ */
 enum ending client_converse(struct client *c, const struct conversation *talk, double timeout);
 
 /* Ends its process group and returns its status as waitpid() has it. A pending interrupt arrives now. */

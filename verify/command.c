@@ -129,8 +129,8 @@ int whole_number(const char *name, const char *text, uint64_t *value)
     char *end;
     errno = 0;
     *value = strtoull(text, &end, 10);
-    if (strspn(text, "0123456789") != strlen(text) || *text == '\0' || errno != 0 || *value >> 63)
-        return complain(EXIT_USAGE, "%s: expected a whole number, got '%.40s'", name, text);
+    if (strspn(text, "0123456789") != strlen(text) || *text == '\0' || errno != 0)
+        return complain(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
     return EXIT_DONE;
 }
 

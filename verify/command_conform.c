@@ -1,5 +1,6 @@
 /* coulomb-tether conform: is an implementation of these equations, in whatever language, right? */
 #include <errno.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -142,8 +143,7 @@ static int report(struct exam *e, const struct arguments *a, const char *client,
 {
     const struct totals sum = report_totals(e);
     const char *name = option_value(a, "--report");
-    diagnose(e);
-    const struct report r = {e, client, errors, (double)clock() / CLOCKS_PER_SEC};
+    const struct report r = {e, client, errors, (double)clock() / CLOCKS_PER_SEC, diagnose};
     report_text(&r, stdout);
     int status = output_finished();
     const int why = name != NULL ? report_write(&r, name) : 0;
@@ -167,10 +167,11 @@ static size_t ask(void *context, char *room, size_t size)
     return exam_ask(((struct watched *)context)->exam, room, size);
 }
 
-static bool hear(void *context, const char *bytes, size_t size)
+static bool hear(void *context, const char *bytes, size_t size, bool *answered)
 {
     struct watched *w = context;
     const bool on = exam_hear(w->exam, bytes, size);
+    *answered = memchr(bytes, '\n', size) != NULL;
     progress_show(&w->progress, w->exam->next, w->exam->questions.total);
     return on;
 }
@@ -182,11 +183,15 @@ static int conclude(struct exam *e, enum ending ending, int status, const char *
     if (ending == ENDING_EXIT && status != 0 && e->heard == 0)
         return complain(EXIT_USAGE, "client '%s': ended with %s %d before its first answer", name,
                         signalled ? "signal" : "exit status", signalled ? WTERMSIG(status) : WEXITSTATUS(status));
+    const uint64_t answered = e->next, total = e->questions.total;
+    if (ending == ENDING_EXIT && (status != 0 || answered < total))
+        snprintf(e->ended, sizeof e->ended, "with %s %d after %" PRIu64 " of %" PRIu64 " answers", signalled ? "signal" : "exit status",
+                 signalled ? WTERMSIG(status) : WEXITSTATUS(status), answered, total);
     if (ending == ENDING_TIMEOUT)
         exam_end(e, FOUND_TIMEOUT);
     else
         exam_end(e, ending == ENDING_EXIT && signalled ? FOUND_CRASH : FOUND_MISSING);
-    if (ending == ENDING_STOPPED)
+    if (ending == ENDING_STOPPED && e->unended < LONGEST_UNENDED)
         exam_note(e, FOUND_FLOOD);
     else if (ending == ENDING_EXIT && !signalled && status != 0)
         exam_note(e, FOUND_EXIT);
@@ -222,21 +227,53 @@ static int examine_client(struct exam *e, const struct arguments *a, char **clie
 
 enum { MOST_CELLS = 64 };
 
-/* The cells of a line, quotes taken off; their number. */
+struct answers_file {
+    FILE *file;
+    const char *name;
+    unsigned long row;
+    char line[LONGEST_LINE + 2];
+    bool too_long;
+    int status;
+};
+
+/* A line more, without its end, and at most what is too long for an answer; false at the end, and after a complaint. */
+static bool read_line(struct answers_file *f)
+{
+    size_t length = 0, heard = 0;
+    int c = f->status == EXIT_DONE ? getc(f->file) : EOF;
+    f->row++;
+    for (; c != EOF && c != '\n' && heard < LONGEST_UNENDED; c = getc(f->file), heard++)
+        if (length <= LONGEST_LINE)
+            f->line[length++] = c == '\0' ? '\1' : (char)c;
+    f->line[length] = '\0';
+    f->too_long = length > LONGEST_LINE;
+    if (heard == LONGEST_UNENDED)
+        f->status = complain(EXIT_USAGE, "%s: line %lu does not end", f->name, f->row);
+    else if (f->status == EXIT_DONE && c == EOF && ferror(f->file))
+        f->status = complain(EXIT_FAILED_CHECK, "%s: %s", f->name, strerror(errno));
+    return f->status == EXIT_DONE && (c != EOF || length > 0);
+}
+
+/* The cells of a line, as RFC 4180 quotes them; their number. */
 static int cells_of(char *line, char **cells)
 {
     int count = 0;
-    line[strcspn(line, "\r\n")] = '\0';
-    for (char *at = line; at != NULL && count < MOST_CELLS; count++) {
-        char *comma = strchr(at, ',');
-        if (comma != NULL)
-            *comma = '\0';
-        const size_t length = strlen(at);
-        const bool quoted = length >= 2 && at[0] == '"' && at[length - 1] == '"';
-        if (quoted)
-            at[length - 1] = '\0';
-        cells[count] = at + quoted;
-        at = comma != NULL ? comma + 1 : NULL;
+    const size_t length = strlen(line);
+    if (length > 0 && line[length - 1] == '\r')
+        line[length - 1] = '\0';
+    for (char *from = line; from != NULL && count < MOST_CELLS;) {
+        char *to = from;
+        bool quoted = false;
+        cells[count++] = to;
+        for (; *from != '\0' && (quoted || *from != ','); from++) {
+            const bool mark = *from == '"', twice = mark && quoted && from[1] == '"';
+            from += twice;
+            quoted = mark && !twice ? !quoted : quoted;
+            if (!mark || twice)
+                *to++ = *from;
+        }
+        from = *from == ',' ? from + 1 : NULL;
+        *to = '\0';
     }
     return count;
 }
@@ -282,39 +319,46 @@ static void hear_row(struct exam *e, char *line, const int *columns, int outputs
     say(e, blank ? " invalid\n" : "\n");
 }
 
-/* A line more; false at the end, and after a complaint. */
-static bool read_line(char **line, size_t *room, FILE *file, const char *name, int *status)
+/* The header's columns; then row after row. */
+static void hear_file(struct exam *e, struct answers_file *f, const struct section *s)
 {
-    if (*status != EXIT_DONE || getline(line, room, file) >= 0)
-        return *status == EXIT_DONE;
-    if (!feof(file))
-        *status = complain(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
-    return false;
+    int columns[MOST_ANSWERS + 1] = {0};
+    if (!read_line(f))
+        f->status = f->status != EXIT_DONE ? f->status
+                                           : complain(EXIT_USAGE, "%s: expected a header, id and every output of %s", f->name, s->id);
+    else if (f->too_long)
+        f->status = complain(EXIT_USAGE, "%s: line 1 is longer than %d bytes, expected a header", f->name, LONGEST_LINE);
+    else if (!take_header(f->line, s, f->name, columns))
+        f->status = EXIT_USAGE;
+    while (f->status == EXIT_DONE && read_line(f)) {
+        if (!f->too_long) {
+            hear_row(e, f->line, columns, s->output_count);
+            continue;
+        }
+        say(e, f->line);
+        say(e, "\n");
+    }
 }
 
 static int examine_file(struct exam *e, const struct arguments *a, const struct section *s)
 {
-    const char *name = option_value(a, "--answers");
-    char *line = NULL;
-    size_t room = 0;
-    int columns[MOST_ANSWERS + 1] = {0};
-    FILE *file = fopen(name, "r");
-    if (file == NULL)
-        return complain(status_of_name(errno), "%s: %s", name, strerror(errno));
-    int status = EXIT_DONE;
-    e->asked = e->questions.total;
-    if (read_line(&line, &room, file, name, &status))
-        status = take_header(line, s, name, columns) ? EXIT_DONE : EXIT_USAGE;
-    else if (status == EXIT_DONE)
-        status = complain(EXIT_USAGE, "%s: expected a header, id and every output of %s", name, s->id);
-    while (read_line(&line, &room, file, name, &status))
-        hear_row(e, line, columns, s->output_count);
-    fclose(file);
-    free(line);
-    if (status != EXIT_DONE)
-        return status;
-    exam_end(e, FOUND_MISSING);
-    return report(e, a, name, "");
+    struct answers_file *f = memory(NULL, 1, sizeof *f);
+    *f = (struct answers_file){.name = option_value(a, "--answers"), .status = EXIT_DONE};
+    f->file = fopen(f->name, "r");
+    if (f->file == NULL) {
+        f->status = complain(status_of_name(errno), "%s: %s", f->name, strerror(errno));
+    } else {
+        e->asked = e->questions.total;
+        hear_file(e, f, s);
+        fclose(f->file);
+    }
+    if (f->status == EXIT_DONE) {
+        exam_end(e, FOUND_MISSING);
+        f->status = report(e, a, f->name, "");
+    }
+    const int status = f->status;
+    free(f);
+    return status;
 }
 
 /* ---- the command ---- */
@@ -340,10 +384,12 @@ static int run(const struct arguments *a, struct choice *c, char **client)
     if (file != (a->word_count == 1))
         return complain(EXIT_USAGE, file ? "--answers: expected the id of an operation behind the file"
                                          : "conform: unexpected argument '%s', a client stands behind --", a->words[0]);
+    if (file && section_argument(a->words[0]) == NULL) /* of several operations no header tells whose outputs it has */
+        return EXIT_USAGE;
     if (file && (option_given(a, "--only") || option_given(a, "--random")))
         return complain(EXIT_USAGE, "--answers: expected without --only and --random");
-    const char *name = option_value(a, "--report"), *end = name ? strrchr(name, '.') : NULL;
-    if (name != NULL && (end == NULL || (strcmp(end, ".xml") != 0 && strcmp(end, ".json") != 0)))
+    const char *name = option_value(a, "--report");
+    if (name != NULL && report_format(name) == REPORT_NONE)
         return complain(EXIT_USAGE, "--report: expected a file .xml or .json, got '%.100s'", name);
     int status = take_only(c, file ? a->words[0] : option_value(a, "--only"));
     if (status != EXIT_DONE || kills)

@@ -51,6 +51,11 @@ static void record(struct exam *e, const struct failure *f, const char *line)
         t->worst_failure = *f;
         snprintf(t->got, sizeof t->got, "%s", line);
     }
+    const bool is_line = f->finding >= FOUND_COUNT && f->finding <= FOUND_EXTRA && *line != '\0';
+    if (is_line && *t->line == '\0') {
+        t->line_finding = f->finding;
+        snprintf(t->line, sizeof t->line, "%s", line);
+    }
     if (t->failure_count < MOST_FAILURES)
         t->failures[t->failure_count++] = *f;
 }
@@ -200,7 +205,7 @@ static void answer(struct exam *e, const struct question *q, uint64_t position, 
 {
     struct judge *j = &e->judges[q->course - e->questions.courses];
     struct failure f = {.position = position, .score = {0.0, INFINITY, 0}};
-    const bool inside = q->golden == NULL || (q->numbers && operation_valid(j->operation, q->inputs));
+    const bool inside = q->drawn_inside || (q->numbers && operation_valid(j->operation, q->inputs));
     if (count > 0 && strcmp(words[0], "skip") == 0) {
         char *reason = tally_at(e, position)->reason;
         const size_t behind = (size_t)(words[0] - e->line) + strlen("skip");
@@ -281,25 +286,31 @@ static void hear_line(struct exam *e, char *line, bool ended)
 
 /* ---- the stream ---- */
 
+static bool is_too_long(const struct exam *e)
+{
+    return e->unended > LONGEST_LINE;
+}
+
 bool exam_hear(void *exam, const char *bytes, size_t size)
 {
     struct exam *e = exam;
     for (size_t i = 0; i < size; i++) {
         if (bytes[i] != '\n') {
-            e->too_long = e->too_long || e->length == LONGEST_LINE;
-            if (!e->too_long)
+            if (e->length < LONGEST_LINE)
                 e->line[e->length++] = bytes[i] == '\0' ? '\1' : bytes[i]; /* neither has business in a line */
+            if (++e->unended == LONGEST_UNENDED)
+                return false;
             continue;
         }
         if (e->length > 0 && e->line[e->length - 1] == '\r')
             e->length--;
         e->line[e->length] = '\0';
-        if (e->too_long)
+        if (is_too_long(e))
             stray(e, FOUND_TOO_LONG, "");
         else
             hear_line(e, e->line, true);
         e->length = 0;
-        e->too_long = false;
+        e->unended = 0;
     }
     return e->out_of_place < MOST_OUT_OF_PLACE || e->out_of_place < 2 * e->questions.total;
 }
@@ -341,9 +352,9 @@ void exam_begin(struct exam *e, const double *digits)
 
 void exam_end(struct exam *e, enum finding why)
 {
-    if (e->length > 0 || e->too_long) {
+    if (e->unended > 0) {
         e->line[e->length] = '\0';
-        if (e->too_long)
+        if (is_too_long(e))
             stray(e, FOUND_TOO_LONG, "");
         else
             hear_line(e, e->line, false);

@@ -10,7 +10,7 @@
 #include "judge.h"
 #include "questions.h"
 
-enum { LONGEST_LINE = 1 << 16, MOST_FAILURES = 32, MOST_SPANS = 1000 };
+enum { LONGEST_LINE = 1 << 16, LONGEST_UNENDED = 1 << 26, MOST_FAILURES = 32, MOST_SPANS = 1000 };
 
 /* A failing answer, kept for the diagnosis. */
 struct failure {
@@ -28,9 +28,12 @@ struct tally {
     uint64_t worst;                  /* the vector that they come from; UINT64_MAX: none                       */
     struct failure worst_failure;
     char got[120], reason[120];      /* the line of the worst failure, the first reason for a skip             */
+    char line[120];                  /* the first line that is no answer, and what was found of it             */
+    enum finding line_finding;
     struct failure failures[MOST_FAILURES];
     int failure_count;
     char diagnosis[240];             /* what they look like, "" when nothing known */
+    bool hurried;                    /* ... and not all that is known was tried    */
 };
 
 /* Questions first ... last that later ones were answered before. */
@@ -51,8 +54,8 @@ struct exam {
     int span_count;
     struct question asking, judging; /* the questions at `asked` and `next`       */
     char line[LONGEST_LINE + 1];
-    size_t length;
-    bool too_long;
+    char ended[80];                  /* how the client ended, where that was too soon */
+    size_t length, unended;          /* bytes kept of the line, and heard of it   */
 };
 
 /* All questions are in; digits[k] is what course k declares. */
@@ -62,7 +65,7 @@ void exam_clear(struct exam *e);
 /* The lines of the next questions, as many as the room takes; 0 when all are asked. */
 size_t exam_ask(void *exam, char *room, size_t size);
 
-/* Any piece of the answers; false once they are hopeless. */
+/* Any piece of the answers; false once they are hopeless: lines out of place, or one without an end. */
 bool exam_hear(void *exam, const char *bytes, size_t size);
 
 /* No more will come: what is unanswered is missing, the first of it for the reason given (or missing too). */

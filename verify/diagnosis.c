@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "exact.h"
 #include "slip.h"
@@ -101,6 +102,8 @@ static bool is_long(const struct section *s, const struct input *inputs)
 
 /* ---- diagnosis ---- */
 
+static const double PATIENCE = 1.0; /* seconds of processor time for an operation */
+
 /* Whether the suspect makes of the question what was answered. */
 static bool explains(struct suspect *x, const struct exam *e, const struct failure *f, const struct question *q,
                      double digits)
@@ -112,6 +115,7 @@ static bool explains(struct suspect *x, const struct exam *e, const struct failu
     if (f->finding == FOUND_INVALID || !inside)
         return f->finding == FOUND_INVALID && !inside;
     judge_init(&j, &x->o, e->significand, digits);
+    j.once = true; /* what is to explain the answer cannot need more than the truth */
     for (int i = 0; i < x->o.section->output_count; i++)
         arb_set_d(j.y + i, f->values[i]);
     bool right = false;
@@ -143,12 +147,13 @@ static bool explains_all(struct suspect *x, const struct exam *e, const struct t
     for (int pass = 0; pass < 2 && explained == 0 && all; pass++)
         for (int i = 0; i < t->failure_count && all; i++) {
             const struct failure *f = &t->failures[i];
+
             if (f->finding < FOUND_WRONG || f->finding > last)
                 continue;
             question_make(&q, &e->questions, f->position);
             if (pass == 0 && q.numbers && is_long(q.course->operation.section, q.inputs))
                 continue;
-            all = explains(x, e, f, &q, digits);
+            all = clock() <= x->o.until && explains(x, e, f, &q, digits);
             explained++;
         }
     question_clear(&q);
@@ -218,28 +223,25 @@ static void add_name(struct tally *t, const char *name, const char *joint)
     snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s", used ? joint : "", name);
 }
 
-static void diagnose_course(struct exam *e, int course)
+void diagnose(struct exam *e, int course)
 {
     struct tally *t = &e->tallies[course];
     const struct judge *j = &e->judges[course];
     struct suspects list = suspects_of(j->operation->section);
+    const clock_t until = clock() + (clock_t)(PATIENCE * CLOCKS_PER_SEC);
     char written[48];
-    for (int i = 0; i < list.count; i++)
+    for (int i = 0; i < list.count; i++) {
+        list.all[i].o.until = until;
         if (explains_all(&list.all[i], e, t, j->digits))
             add_name(t, list.all[i].name, "; or ");
+    }
+    t->hurried = clock() > until;
     const char *format = t->diagnosis[0] == '\0' ? format_mistake(e, course, written) : NULL;
     if (format != NULL)
         add_name(t, format, "");
     if (t->counts[FOUND_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
         add_name(t, "inputs outside the domain are not refused", "; and ");
     suspects_clear(&list);
-}
-
-void diagnose(struct exam *e)
-{
-    for (int k = 0; k < e->questions.count; k++)
-        if (tally_failed(&e->tallies[k]) > 0)
-            diagnose_course(e, k);
 }
 
 /* ---- the kill table ---- */

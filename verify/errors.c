@@ -149,6 +149,31 @@ void operation_sensitivity_settled(struct operation *o, const struct input *inpu
     _arb_vec_clear(values, s->output_count);
 }
 
+bool operation_sensitivity_rational(struct operation *o, const struct input *inputs, int output, fmpq_t S)
+{
+    struct machine exact, derivatives;
+    fmpq_t term;
+    bool rational = true;
+    operation_exact(&exact, o, inputs);
+    machine_init(&derivatives, exact.program, &arithmetic_exact, 0);
+    machine_gradient(&exact, o->formulas->outputs[output], &derivatives);
+    fmpq_init(term);
+    fmpq_zero(S);
+    for (int i = 0; i < o->section->input_count; i++) {
+        const struct exact *derivative = machine_value(&derivatives, i);
+        rational = rational && exact_is_rational(term, derivative);
+        if (!rational || inputs[i].infinite)
+            continue;
+        fmpq_mul(term, term, &inputs[i].value);
+        fmpq_abs(term, term);
+        fmpq_add(S, S, term);
+    }
+    fmpq_clear(term);
+    machine_clear(&derivatives);
+    machine_clear(&exact);
+    return rational;
+}
+
 /* ---- the unit of error ---- */
 
 /* Bounds on distance / (u weight). */
@@ -322,9 +347,7 @@ struct bounds worst_error(const struct section *s, const struct input *inputs, a
 
 /* ---- ref/ on random inputs ---- */
 
-/* The same formulas in MPFR lie inside the enclosures, widened by what MPFR itself rounds. */
-static bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact,
-                        arb_srcptr S)
+bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact, arb_srcptr S)
 {
     struct machine m;
     arb_t value, room;

@@ -28,6 +28,9 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
 void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
                                    arb_t S);
 
+/* The same where every derivative of a formula is rational; false elsewhere. */
+bool operation_sensitivity_rational(struct operation *o, const struct input *inputs, int output, fmpq_t S);
+
 struct bounds {
     double lower, upper; /* rounded outward */
 };
@@ -41,6 +44,12 @@ struct bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S
  */
 struct bounds worst_error(const struct section *s, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
                           arb_srcptr S, int significand, int *output);
+
+/*
+ * Whether the formulas in MPFR, with twice the bits of the enclosures that errors are measured by, lie within these; room is
+ * for what MPFR itself rounds.
+ */
+bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact, arb_srcptr S);
 
 /* ref/ against the truth on random inputs, a line an operation. */
 struct measured {

@@ -71,6 +71,9 @@ enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initi
 slong flow_precision(slong digits, double radians);
 slong rk4_precision(slong digits, double radians);
 
+/* Radians up to t, or what few long steps of h cost as if they were radians, whichever is less. */
+double rk4_radians(const fmpq_t Omega, const fmpq_t t, const fmpq_t h);
+
 /*
  * Whether the last time is no more radians of orbit away than a flow, or the method, can be followed. What lies
  * further is FLOW_STALLED at once, and the precisions above grow no more.

@@ -1,6 +1,6 @@
 /*
- * Golden vectors: the paper's case, the same with each input changed in turn, random ones, the sheet's
- * own, and one defect each. Their ids never change: new ones may join, none is renamed.
+ * Golden vectors: the paper's case, the same with each input changed in turn, random ones, the sheet's own, and each
+ * condition of the domain from just outside and just inside. Their ids never change: new ones may join, none is renamed.
  */
 #include <math.h>
 #include <stdio.h>
@@ -8,6 +8,8 @@
 #include <string.h>
 
 #include "decimal.h"
+#include "domain.h"
+#include "errors.h"
 #include "sample.h"
 #include "vectors.h"
 
@@ -82,20 +84,53 @@ static void one_changed(struct golden *g, int i)
     replaced(g, "small", i, text, "small");
 }
 
-/* What the domain has to refuse, one defect at a time. */
-static void defects(struct golden *g, int i)
+/* What the domain has to refuse, one defect at a time; and what it must not. */
+static void extremes_of(struct golden *g, int i, bool late)
 {
-    const struct quantity *q = g->o.section->inputs[i];
-    replaced(g, "nan", i, "nan", "");
-    if (q->domain != DOMAIN_POSITIVE_OR_INFINITE)
-        replaced(g, "inf", i, "inf", "");
-    if (q->domain == DOMAIN_FINITE) {
-        replaced(g, "minus-inf", i, "-inf", "");
-        return;
+    char text[32];
+    for (int n = 0; n < EXTREMES; n++) {
+        if (extremes[n].late != late || !extreme_of(&extremes[n], g->o.section->inputs[i]))
+            continue;
+        value_text(text, extremes[n].value);
+        replaced(g, extremes[n].name, i, text, extremes[n].outside ? "" : "edge");
     }
-    replaced(g, "negative", i, "-1", "");
-    if (q->domain != DOMAIN_NOT_NEGATIVE)
-        replaced(g, "zero", i, "0", "");
+}
+
+static void hand_on_values(struct golden *g, const char *name, const double *values, const char *flags)
+{
+    char decimals[MOST_INPUTS][32];
+    const char *texts[MOST_INPUTS] = {NULL};
+    for (int i = 0; i < g->o.section->input_count; i++) {
+        value_text(decimals[i], values[i]);
+        texts[i] = strtod(g->base[i], NULL) == values[i] ? g->base[i] : decimals[i];
+    }
+    hand_on(g, name, texts, flags);
+}
+
+/* Each condition of the domain just violated, and just kept; craft that all but touch do so at t = 0, and part by then. */
+static void domain_edges(struct golden *g)
+{
+    const struct section *s = g->o.section;
+    const int t = place(s, "t");
+    double base[MOST_INPUTS], values[MOST_INPUTS];
+    char name[40];
+    for (int i = 0; i < s->input_count; i++)
+        base[i] = strtod(g->base[i], NULL);
+    for (int k = 0; k < 2 * g->o.formulas->count; k++) {
+        const bool outside = k % 2 == 0;
+        memcpy(values, base, sizeof values);
+        if (t >= 0 && !outside)
+            values[t] = 0.0;
+        if (!domain_edge(&g->o, k / 2, outside, values)) {
+            message_set(&g->o.why, "%s: no edge found of %s", s->id, g->o.formulas->conditions[k / 2].text);
+            g->fine = false;
+            return;
+        }
+        snprintf(name, sizeof name, "domain-%d-%s", k / 2 + 1, outside ? "outside" : "inside");
+        hand_on_values(g, name, values, outside ? "" : "edge");
+    }
+    if (domain_between_steps(s, base))
+        hand_on_values(g, "between-steps", base, "");
 }
 
 static void random_vectors(struct golden *g)
@@ -150,10 +185,17 @@ bool golden_each(const struct section *s, golden_receiver *receive, void *contex
         for (int i = 0; i < s->input_count; i++)
             one_changed(&g, i);
         for (int i = 0; i < s->input_count; i++)
-            defects(&g, i);
+            extremes_of(&g, i, false);
     }
     for (int i = 0; i < s->special_count && g.fine; i++)
         special(&g, &s->specials[i]);
+    for (int i = 0; i < s->input_count; i++) {
+        if (!operation_has_sensitivity(s))
+            extremes_of(&g, i, false);
+        extremes_of(&g, i, true);
+    }
+    if (g.fine)
+        domain_edges(&g);
     if (!g.fine)
         fprintf(stderr, "coulomb-tether: %s\n", g.o.why.text);
     operation_clear(&g.o);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "exact.h"
+#include "sample.h"
 
 const char *const finding_names[FINDINGS] = {
     "right",     "skipped",       "wrong",     "NaN",     "infinite",  "invalid where a value is due",
@@ -33,26 +34,42 @@ void judge_clear(struct judge *j)
 
 /* ---- algebra and roots ---- */
 
+/* K u S: what roundings of the inputs may do to an output. */
+static void rounding_reach(arb_t reach, const struct judge *j, int output)
+{
+    arb_set_d(reach, j->K);
+    arb_mul(reach, reach, j->S + output, 64);
+    arb_mul_2exp_si(reach, reach, -j->significand);
+}
+
 /*
- * Whether a margin of (42) is within what roundings of the inputs may do to it: then either verdict on
- * stability is right.
+ * Whether roundings of the inputs decide on stability by (42): no margin is negative beyond them, and one is within them.
+ * A margin that no rounding moves, S = 0, is what it is.
  */
 static bool on_the_boundary(const struct judge *j)
 {
-    bool on = false;
-    arb_t reach, margin;
+    bool within = false, unstable = false;
+    arb_t reach, size;
     arb_init(reach);
-    arb_init(margin);
+    arb_init(size);
     for (int i = 0; i < 2; i++) {
-        arb_set_d(reach, j->K);
-        arb_mul(reach, reach, j->S + i, 64);
-        arb_mul_2exp_si(reach, reach, -j->significand);
-        arb_abs(margin, j->exact + i);
-        on = on || !arb_gt(margin, reach);
+        rounding_reach(reach, j, i);
+        arb_abs(size, j->exact + i);
+        const bool beyond = arb_gt(size, reach) || arb_is_zero(j->S + i);
+        within = within || !beyond;
+        unstable = unstable || (beyond && !arb_is_positive(j->exact + i));
     }
     arb_clear(reach);
-    arb_clear(margin);
-    return on;
+    arb_clear(size);
+    return within && !unstable;
+}
+
+/* On the boundary either verdict on stability is right, and nothing else is. */
+static void allow_either(struct judge *j)
+{
+    const int stable = j->operation->section->output_count - 1;
+    if ((arb_is_zero(j->y + stable) || arb_is_one(j->y + stable)) && on_the_boundary(j))
+        arb_set(j->exact + stable, j->y + stable);
 }
 
 /* An exact zero that enclosures only shrink around; a pole of a derivative, where S is infinite and excuses nothing. */
@@ -82,12 +99,66 @@ static struct bounds error_of(struct judge *j, const struct input *inputs, struc
     return E;
 }
 
+enum finding finding_of_bounds(struct bounds E, double K)
+{
+    return E.upper <= K ? FOUND_RIGHT : E.lower > K ? FOUND_WRONG : FOUND_SKIPPED;
+}
+
+/* |y - y*| 2^significand against K (|y*| + S) in rational numbers: E = K passes, and no enclosure sees that it does. */
+static enum finding compare_exactly(struct judge *j, const struct input *inputs, const fmpq_t exact, int output)
+{
+    fmpq_t S, off, allowed;
+    enum finding finding = FOUND_SKIPPED;
+    fmpq_init(S);
+    fmpq_init(off);
+    fmpq_init(allowed);
+    if (operation_sensitivity_rational(j->operation, inputs, output, S)) {
+        arf_get_fmpq(off, arb_midref(j->y + output));
+        fmpq_sub(off, off, exact);
+        fmpq_abs(off, off);
+        fmpq_mul_2exp(off, off, (ulong)j->significand);
+        fmpq_abs(allowed, exact);
+        fmpq_add(allowed, allowed, S);
+        fmpq_set_double(S, j->K);
+        fmpq_mul(allowed, allowed, S);
+        finding = fmpq_cmp(off, allowed) <= 0 ? FOUND_RIGHT : FOUND_WRONG;
+    }
+    fmpq_clear(S);
+    fmpq_clear(off);
+    fmpq_clear(allowed);
+    return finding;
+}
+
+/* Outputs that enclosures leave undecided, one by one. */
+static enum finding judge_exactly(struct judge *j, const struct input *inputs, struct score *score)
+{
+    const struct operation *o = j->operation;
+    enum finding all = FOUND_RIGHT;
+    struct machine exact;
+    fmpq_t truth;
+    operation_exact(&exact, o, inputs);
+    fmpq_init(truth);
+    for (int i = 0; i < o->section->output_count && all != FOUND_WRONG; i++) {
+        enum finding one = finding_of_bounds(
+            error_in_roundings(arb_midref(j->y + i), j->exact + i, j->S + i, j->significand), j->K);
+        if (one == FOUND_SKIPPED && exact_is_rational(truth, machine_value(&exact, o->formulas->outputs[i])))
+            one = compare_exactly(j, inputs, truth, i);
+        all = one == FOUND_RIGHT ? all : one;
+    }
+    fmpq_clear(truth);
+    machine_clear(&exact);
+    if (all == FOUND_RIGHT)
+        score->E = j->K;
+    return all;
+}
+
 static enum finding judge_in_roundings(struct judge *j, const struct input *inputs, struct score *score)
 {
     const struct section *s = j->operation->section;
+    const bool judges_stability = strcmp(s->outputs[s->output_count - 1]->name, "stable") == 0;
     const slong most = 16384;
-    struct bounds E = {0.0, INFINITY};
-    for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most; prec *= 4) {
+    enum finding finding = FOUND_SKIPPED;
+    for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most && finding == FOUND_SKIPPED; prec *= 4) {
         operation_enclose(j->operation, inputs, prec, j->exact);
         _arb_vec_zero(j->S, s->output_count);
         if (s->method == METHOD_FORMULA && error_of(j, inputs, score).upper <= fmin(j->K, j->worst))
@@ -95,13 +166,11 @@ static enum finding judge_in_roundings(struct judge *j, const struct input *inpu
         operation_sensitivity(j->operation, inputs, prec, j->S);
         if (4 * prec > most && s->method == METHOD_FORMULA)
             settle(j, inputs, prec);
-        if (strcmp(s->outputs[s->output_count - 1]->name, "stable") == 0 && on_the_boundary(j))
-            arb_set(j->exact + s->output_count - 1, j->y + s->output_count - 1);
-        E = error_of(j, inputs, score);
-        if (E.upper <= j->K || E.lower > j->K)
-            break;
+        if (judges_stability)
+            allow_either(j);
+        finding = finding_of_bounds(error_of(j, inputs, score), j->K);
     }
-    return E.upper <= j->K ? FOUND_RIGHT : FOUND_WRONG;
+    return finding == FOUND_SKIPPED && s->method == METHOD_FORMULA ? judge_exactly(j, inputs, score) : finding;
 }
 
 /* ---- motions ---- */
@@ -119,7 +188,7 @@ static int place_of(const struct section *s, const char *name)
     return i;
 }
 
-/* Digits of the largest coordinate; `lost` gets what the enclosures are wide, on the same scale. */
+/* Digits of the largest coordinate; `lost` gets what the truth's enclosures are wide, on the same scale. */
 static double digits_reached(const struct judge *j, const struct input *inputs, double *lost)
 {
     const struct section *s = j->operation->section;
@@ -128,18 +197,22 @@ static double digits_reached(const struct judge *j, const struct input *inputs, 
     const double L_ref = fmpq_get_d(&inputs[place_of(s, "L_ref")].value);
     const struct input *initial = inputs + place_of(s, "t") + 1;
     double scale = 0.0, off = 0.0, wide = 0.0;
+    arb_t difference;
+    mag_t most;
+    arb_init(difference);
+    mag_init(most);
     for (int i = 0; i < s->output_count; i++) {
         const double unit = (linear && i % 3 != 2 ? 1.0 : 1.0 / L_ref) / (i < 3 ? 1.0 : Omega);
-        arb_t difference;
-        arb_init(difference);
         arb_sub(difference, j->y + i, j->exact + i, 256);
+        arb_get_mag(most, difference);
         scale = fmax(scale, unit * fmax(fabs(fmpq_get_d(&initial[i].value)), fabs(midpoint(j->exact + i))));
-        off = fmax(off, unit * fabs(midpoint(difference)));
-        wide = fmax(wide, unit * mag_get_d(arb_radref(difference)));
-        arb_clear(difference);
+        off = fmax(off, unit * mag_get_d(most));
+        wide = fmax(wide, unit * mag_get_d(arb_radref(j->exact + i))); /* whatever the answer is: more bits make no other */
     }
+    arb_clear(difference);
+    mag_clear(most);
     *lost = scale > 0.0 ? wide / scale : wide;
-    return off + wide == 0.0 ? INFINITY : scale > 0.0 ? -log10((off + wide) / scale) : 0.0;
+    return off == 0.0 ? INFINITY : scale > 0.0 ? -log10(off / scale) : 0.0;
 }
 
 static enum finding judge_in_digits(struct judge *j, const struct input *inputs, struct score *score)
@@ -149,7 +222,8 @@ static enum finding judge_in_digits(struct judge *j, const struct input *inputs,
     double lost = INFINITY;
     if (j->followed)
         score->digits = digits_reached(j, inputs, &lost);
-    for (slong prec = first; prec <= 8 * first && !(lost <= pow(10.0, -j->digits - 5.0)); prec *= 2)
+    const slong most = j->once ? first : 8 * first;
+    for (slong prec = first; prec <= most && !(lost <= pow(10.0, -j->digits - 5.0)); prec *= 2)
         if (operation_follow(j->operation, inputs, digits, prec, j->exact) == OUTCOME_PROVED)
             score->digits = digits_reached(j, inputs, &lost);
     if (isinf(lost))

@@ -45,6 +45,7 @@ struct judge {
     double worst;         /* E below this need not be known exactly                  */
     arb_ptr y, exact, S;  /* the answer; its truth                                   */
     bool followed;        /* exact holds the truth of this motion from the last time */
+    bool once;            /* a motion is followed with the first precision alone     */
 };
 
 struct score {
@@ -60,5 +61,8 @@ void judge_clear(struct judge *j);
 
 /* The finding on j->y, for inputs in the domain: right or wrong; skipped where the truth cannot be certified. */
 enum finding judge_answer(struct judge *j, const struct input *inputs, struct score *score);
+
+/* What bounds on E come to: E <= K is right, E > K wrong; skipped where neither is proved, which is not the client's fault. */
+enum finding finding_of_bounds(struct bounds E, double K);
 
 #endif

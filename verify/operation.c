@@ -163,12 +163,39 @@ static void enclose_roots(const struct input *inputs, slong prec, arb_ptr output
     _acb_vec_clear(roots, 4);
 }
 
+/* A motion is looked at so often on its way, where it may take too long. */
+enum { LOOKS = 256 };
+
+struct followed {
+    arb_ptr state;
+    clock_t until;
+};
+
+/* The last one stays. */
 static int take_state(void *context, slong k, const fmpq_t t, arb_srcptr state)
 {
+    struct followed *f = context;
     (void)k;
     (void)t;
-    _arb_vec_set(context, state, FLOW_STATE);
-    return 0;
+    _arb_vec_set(f->state, state, FLOW_STATE);
+    return f->until != 0 && clock() > f->until;
+}
+
+/* LOOKS times up to t, of a Runge-Kutta method multiples of its step h (NULL: any). */
+static void look_times(fmpq *times, const fmpq_t t, const fmpq *h)
+{
+    fmpz_t whole;
+    fmpz_init(whole);
+    for (slong k = 0; k < LOOKS; k++) {
+        fmpq_div_fmpz(times + k, t, (fmpz[]){LOOKS});
+        fmpq_mul_si(times + k, times + k, k + 1);
+        if (h == NULL)
+            continue;
+        fmpq_div(times + k, times + k, h);
+        fmpz_fdiv_q(whole, fmpq_numref(times + k), fmpq_denref(times + k));
+        fmpq_mul_fmpz(times + k, h, whole);
+    }
+    fmpz_clear(whole);
 }
 
 static enum outcome enclose_flow(struct operation *o, const struct input *inputs, slong digits,
@@ -193,15 +220,23 @@ static enum outcome enclose_flow(struct operation *o, const struct input *inputs
     const fmpq *t = &in++->value;
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_fmpq(initial + i, &in++->value, prec);
+    const bool steps = method == METHOD_RK4_LINEAR || method == METHOD_RK4_NONLINEAR;
+    const slong looks = o->until != 0 ? LOOKS : 1;
+    struct followed f = {outputs, o->until};
+    fmpq *times = _fmpq_vec_init(looks);
+    fmpq_set(times, t);
+    if (o->until != 0)
+        look_times(times, t, steps ? &in->value : NULL);
     enum flow_status status = FLOW_DONE;
     if (method == METHOD_FLOW_LINEAR)
-        status = flow_linear(&p, initial, t, 1, prec, take_state, outputs, &reached);
+        status = flow_linear(&p, initial, times, looks, prec, take_state, &f, &reached);
     else if (method == METHOD_FLOW_NONLINEAR)
-        status = flow_nonlinear(&p, initial, t, 1, digits, prec, take_state, outputs, &reached);
+        status = flow_nonlinear(&p, initial, times, looks, digits, prec, take_state, &f, &reached);
     else if (method == METHOD_RK4_LINEAR)
-        status = rk4_linear(&p, initial, &in->value, t, 1, prec, take_state, outputs, &reached);
+        status = rk4_linear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
     else
-        status = rk4_nonlinear(&p, initial, &in->value, t, 1, prec, take_state, outputs, &reached);
+        status = rk4_nonlinear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
+    _fmpq_vec_clear(times, looks);
     if (!linear && status == FLOW_DONE)
         flow_settle(initial,
                     is_static_place(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
@@ -228,7 +263,7 @@ slong operation_precision(const struct operation *o, const struct input *inputs,
         return flow_precision(digits, flow_radians(o, inputs));
     case METHOD_RK4_LINEAR:
     case METHOD_RK4_NONLINEAR:
-        return rk4_precision(digits, flow_radians(o, inputs));
+        return rk4_precision(digits, rk4_radians(input_named(o, inputs, "Omega"), input_named(o, inputs, "t"), input_named(o, inputs, "h")));
     default:
         return (slong)((double)digits * 3.33) + GUARD_BITS; /* 3.33 > log2(10) */
     }
@@ -299,6 +334,26 @@ static int unset(char *const *texts, int count)
     return left;
 }
 
+/* A number other than zero of which no decimal is written: its exponent alone would have fifteen digits and more. */
+static bool is_beyond_decimals(struct operation *o, arb_srcptr balls, int i)
+{
+    enum { EXPONENT_BITS = 50 }; /* as decimal_of_ball has it */
+    arf_t bound;
+    bool tiny, huge;
+    if (arb_contains_zero(balls + i) || !arb_is_finite(balls + i))
+        return false;
+    arf_init(bound);
+    arb_get_abs_ubound_arf(bound, balls + i, 64);
+    tiny = fmpz_bits(ARF_EXPREF(bound)) >= EXPONENT_BITS && fmpz_sgn(ARF_EXPREF(bound)) < 0;
+    arb_get_abs_lbound_arf(bound, balls + i, 64);
+    huge = fmpz_bits(ARF_EXPREF(bound)) >= EXPONENT_BITS && fmpz_sgn(ARF_EXPREF(bound)) > 0;
+    arf_clear(bound);
+    if (tiny || huge)
+        message_set(&o->why, "%s: not zero, but %s 2^%s(2^49), of which no decimal is written", o->section->outputs[i]->name,
+                    tiny ? "below" : "above", tiny ? "-" : "");
+    return tiny || huge;
+}
+
 enum outcome operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs)
 {
     const int count = o->section->output_count;
@@ -317,6 +372,9 @@ enum outcome operation_digits(struct operation *o, const struct input *inputs, s
         for (int i = 0; i < count && outcome == OUTCOME_PROVED; i++)
             if (texts[i] == NULL)
                 texts[i] = decimal_of_ball(balls + i, digits);
+        for (int i = 0; i < count && outcome == OUTCOME_PROVED; i++)
+            if (texts[i] == NULL && is_beyond_decimals(o, balls, i))
+                outcome = OUTCOME_UNDECIDED;
         left = unset(texts, count);
         if (left > 0 && outcome == OUTCOME_PROVED && first) {
             decide_exactly(o, inputs, digits, texts);

@@ -4,6 +4,8 @@
 #ifndef CT_OPERATION_H
 #define CT_OPERATION_H
 
+#include <time.h>
+
 #include "input.h"
 
 enum outcome {
@@ -16,6 +18,7 @@ struct operation {
     const struct section *section;
     const struct formulas *formulas;
     struct machine machine; /* in balls; of a section with formulas */
+    clock_t until;          /* of processor time, when a motion is given up; 0: never */
     struct message why;
 };
 

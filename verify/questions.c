@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "decimal.h"
+#include "domain.h"
 #include "sample.h"
 #include "vectors.h"
 
@@ -45,7 +46,7 @@ void questions_add(struct questions *q, const struct section *s, uint64_t random
     struct collection c = {course, inputs_new(s->input_count), significand, range};
     golden_each(s, collect, &c);
     inputs_free(c.inputs, s->input_count);
-    q->total += (uint64_t)course->golden_count + random;
+    q->total += course_total(course);
 }
 
 void questions_clear(struct questions *q)
@@ -61,6 +62,16 @@ void questions_clear(struct questions *q)
     }
     free(q->courses);
     *q = (struct questions){0};
+}
+
+uint64_t course_defects(const struct course *course)
+{
+    return course->random / 16 + (course->random % 16 != 0);
+}
+
+uint64_t course_total(const struct course *course)
+{
+    return (uint64_t)course->golden_count + course->random + course_defects(course);
 }
 
 /* ---- one question ---- */
@@ -83,6 +94,14 @@ struct course *question_course(const struct questions *q, uint64_t position)
     return &q->courses[k];
 }
 
+/* The word in the names of random questions from outside the domain. */
+static const char OUTSIDE[] = "outside-";
+
+static void random_id(char id[LONGEST_ID + 1], const struct section *s, uint64_t seed, const char *outside, uint64_t number)
+{
+    snprintf(id, LONGEST_ID + 1, "%.40s-%" PRIu64 "-%s%" PRIu64, s->id, seed, outside, number);
+}
+
 void question_make(struct question *question, const struct questions *q, uint64_t position)
 {
     struct course *course = question_course(q, position);
@@ -91,36 +110,45 @@ void question_make(struct question *question, const struct questions *q, uint64_
     question->course = course;
     if (at < (uint64_t)course->golden_count) {
         question->golden = &course->golden[at];
+        question->drawn_inside = false;
         snprintf(question->id, sizeof question->id, "%s", question->golden->id);
         question->numbers = vector_read(s, (const char *const *)question->golden->texts, question->inputs);
         return;
     }
     const uint64_t number = at - (uint64_t)course->golden_count;
     question->golden = NULL;
-    question->numbers = true;
-    snprintf(question->id, sizeof question->id, "%.40s-%" PRIu64 "-%" PRIu64, s->id, q->seed, number);
-    for (int i = 0; i < s->input_count; i++)
-        question->inputs[i].infinite = false;
-    sample(&course->operation, q->seed, number, question->values, question->inputs);
+    question->drawn_inside = number < course->random;
+    if (question->drawn_inside) {
+        random_id(question->id, s, q->seed, "", number);
+        sample(&course->operation, q->seed, number, question->values, question->inputs);
+    } else {
+        const uint64_t k = number - course->random;
+        random_id(question->id, s, q->seed, OUTSIDE, k);
+        sample(&course->operation, q->seed, k, question->values, question->inputs);
+        domain_defect(&course->operation, q->seed + k, question->values);
+    }
+    question->numbers = inputs_of_values(s, question->values, question->inputs);
 }
 
 void question_text(const struct question *question, int input, enum input_form form, char text[LONGEST_INPUT])
 {
     char decimal[32];
     if (question->golden == NULL)
-        decimal_shortest(decimal, question->values[input]);
+        value_text(decimal, question->values[input]);
     input_write(text, question->golden != NULL ? question->golden->texts[input] : decimal, form);
 }
 
-/* The number behind ID-SEED-, when it is written as the oracle writes it. */
-static bool random_number(const struct questions *q, const struct course *course, const char *rest, uint64_t *number)
+/* The number behind ID-SEED-, and the word for questions from outside; UINT64_MAX where the oracle would write it otherwise. */
+static uint64_t random_number(const struct questions *q, const struct course *course, const char *id)
 {
+    const char *digits = strrchr(id, '-') + 1;
+    const uint64_t number = strtoull(digits, NULL, 10);
     char text[LONGEST_ID + 1];
-    uint64_t seed = 0;
-    if (sscanf(rest, "%" SCNu64 "-%" SCNu64, &seed, number) != 2 || seed != q->seed || *number >= course->random)
-        return false;
-    snprintf(text, sizeof text, "%" PRIu64 "-%" PRIu64, seed, *number);
-    return strcmp(text, rest) == 0;
+    random_id(text, course->operation.section, q->seed, "", number);
+    if (strcmp(text, id) == 0 && number < course->random)
+        return number;
+    random_id(text, course->operation.section, q->seed, OUTSIDE, number);
+    return strcmp(text, id) == 0 && number < course_defects(course) ? course->random + number : UINT64_MAX;
 }
 
 uint64_t questions_find(const struct questions *q, const char *id)
@@ -128,14 +156,14 @@ uint64_t questions_find(const struct questions *q, const char *id)
     const size_t length = strcspn(id, "-");
     for (int k = 0; k < q->count; k++) {
         const struct course *course = &q->courses[k];
-        uint64_t number;
         const char *operation = course->operation.section->id;
         if (strlen(operation) != length || strncmp(operation, id, length) != 0 || id[length] == '\0')
             continue;
         for (int i = 0; i < course->golden_count; i++)
             if (strcmp(course->golden[i].id, id) == 0)
                 return course->first + (uint64_t)i;
-        if (random_number(q, course, id + length + 1, &number))
+        const uint64_t number = random_number(q, course, id);
+        if (number != UINT64_MAX)
             return course->first + (uint64_t)course->golden_count + number;
     }
     return UINT64_MAX;

@@ -22,8 +22,12 @@ struct course {
     struct operation operation;
     struct golden_vector *golden;
     int golden_count;
-    uint64_t random, first; /* how many random ones; the position of the first of all */
+    uint64_t random, first; /* how many random ones inside the domain; the position of the first of all */
 };
+
+/* Random questions from outside the domain, behind those from inside: one to sixteen. */
+uint64_t course_defects(const struct course *course);
+uint64_t course_total(const struct course *course);
 
 struct questions {
     struct course *courses;
@@ -36,6 +40,7 @@ struct question {
     struct course *course;
     const struct golden_vector *golden; /* NULL: a random one                              */
     bool numbers;                       /* the inputs are numbers, infinite where they may */
+    bool drawn_inside;                  /* a random one that needs no look at the domain   */
     char id[LONGEST_ID + 1];
     struct input *inputs;
     double values[MOST_INPUTS];         /* of a random one */

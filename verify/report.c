@@ -1,12 +1,15 @@
 #include "report.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "decimal.h"
+#include "hints.h"
 
 enum { SHOWN_DIGITS = 20, NUMBER = 40 };
 
@@ -141,6 +144,18 @@ static void exhibit_text(const struct exhibit *x, const struct tally *t, FILE *f
         fprintf(file, "    got        %s\n", *t->got ? t->got : "nothing");
 }
 
+/* The first line that is no answer, and why it is none. */
+static void line_text(const struct tally *t, FILE *file)
+{
+    char hint[240];
+    if (*t->line == '\0')
+        return;
+    line_hint(t->line, t->line_finding, hint, sizeof hint);
+    fprintf(file, "  first %s: %s\n", finding_names[t->line_finding], t->line);
+    if (*hint != '\0')
+        fprintf(file, "    %s\n", hint);
+}
+
 static void failure_text(const struct exam *e, int k, FILE *file)
 {
     const struct tally *t = &e->tallies[k];
@@ -148,16 +163,22 @@ static void failure_text(const struct exam *e, int k, FILE *file)
     findings_text(t, text, sizeof text);
     fprintf(file, "%s: %s\n", k < e->questions.count ? e->judges[k].operation->section->id : "client", text);
     if (k == e->questions.count) {
-        if (*t->got != '\0')
-            fprintf(file, "    got        %s\n", t->got);
+        line_text(t, file);
         return;
     }
     struct exhibit x;
     exhibit_init(&x, e, t->worst_failure.position);
     exhibit_text(&x, t, file);
     exhibit_clear(&x);
+    line_text(t, file);
+}
+
+static void diagnosis_text(const struct tally *t, FILE *file)
+{
     if (t->diagnosis[0] != '\0')
         fprintf(file, "  looks like: %s\n", t->diagnosis);
+    if (t->hurried)
+        fputs("  not all known mistakes were tried, it would take too long\n", file);
 }
 
 /* ---- text ---- */
@@ -170,7 +191,7 @@ static void row_text(const struct exam *e, int k, FILE *file)
     char E[NUMBER], digits[NUMBER];
     struct question q;
     fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, s->id,
-            (uint64_t)c->golden_count + c->random, t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
+            course_total(c), t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
     if (t->worst == UINT64_MAX) {
         fputc('\n', file);
         return;
@@ -202,7 +223,7 @@ static void skips_text(const struct exam *e, FILE *file)
 
 void report_text(const struct report *r, FILE *file)
 {
-    const struct exam *e = r->exam;
+    struct exam *e = r->exam;
     const struct totals sum = report_totals(e);
     fputs("operation        vectors   passed  failed  skipped   worst E  digits  worst vector\n", file);
     for (int k = 0; k < e->questions.count; k++)
@@ -211,8 +232,14 @@ void report_text(const struct report *r, FILE *file)
         if (tally_failed(&e->tallies[k]) > 0) {
             fputc('\n', file);
             failure_text(e, k, file);
+            fflush(file); /* an error stays with the file */
+            if (r->diagnose != NULL && k < e->questions.count)
+                r->diagnose(e, k);
+            diagnosis_text(&e->tallies[k], file);
         }
     skips_text(e, file);
+    if (*e->ended != '\0')
+        fprintf(file, "\nthe client ended %s\n", e->ended);
     fprintf(file, "\n%" PRIu64 " vectors: %" PRIu64 " passed, %" PRIu64 " failed, %" PRIu64 " skipped\n",
             e->questions.total, sum.passed, sum.failed, sum.skipped);
 }
@@ -246,6 +273,7 @@ static void put_failure(const struct exam *e, int k, FILE *file)
     if (stream == NULL)
         out_of_memory();
     failure_text(e, k, stream);
+    diagnosis_text(&e->tallies[k], stream);
     if (fclose(stream) != 0)
         out_of_memory();
     put_text(file, text, true);
@@ -331,7 +359,7 @@ static void write_row(const struct exam *e, int k, FILE *file)
     const struct course *c = &e->questions.courses[k];
     fprintf(file, "    {\"id\": \"%s\", \"level\": \"%s\", \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64
             ", \"failed\": %" PRIu64 ", \"skipped\": %" PRIu64 ", ", s->id, level_names[level_of(s)],
-            (uint64_t)c->golden_count + c->random, t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
+            course_total(c), t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
     if (t->worst != UINT64_MAX) {
         struct question q;
         question_init(&q);
@@ -342,6 +370,15 @@ static void write_row(const struct exam *e, int k, FILE *file)
         question_clear(&q);
     }
     write_findings(t, file);
+    if (*t->line != '\0') {
+        char hint[240];
+        line_hint(t->line, t->line_finding, hint, sizeof hint);
+        fprintf(file, ", \"line\": {\"finding\": \"%s\", \"text\": \"", finding_names[t->line_finding]);
+        put_text(file, t->line, false);
+        fputs("\", \"hint\": \"", file);
+        put_text(file, hint, false);
+        fputs("\"}", file);
+    }
     if (tally_failed(t) > 0) {
         fputs(", \"diagnosis\": \"", file);
         put_text(file, t->diagnosis, false);
@@ -371,15 +408,39 @@ static void write_json(const struct report *r, FILE *file)
     fputs("\"\n}\n", file);
 }
 
+enum report_format report_format(const char *name)
+{
+    const char *end = strrchr(name, '.');
+    return end == NULL ? REPORT_NONE : strcmp(end, ".xml") == 0 ? REPORT_XML : strcmp(end, ".json") == 0 ? REPORT_JSON : REPORT_NONE;
+}
+
+/* A new file beside that name, and never one that is there: that is somebody else's, or leads elsewhere. */
+static FILE *open_beside(const char *name, char *unfinished, size_t size)
+{
+    int end = -1;
+    for (int k = 0; k < 100 && end < 0; k++) {
+        snprintf(unfinished, size, k == 0 ? "%s.tmp" : "%s.%d.tmp", name, k);
+        end = open(unfinished, O_WRONLY | O_CREAT | O_EXCL, 0666);
+        if (end < 0 && errno != EEXIST)
+            return NULL;
+    }
+    FILE *file = end < 0 ? NULL : fdopen(end, "w");
+    if (end >= 0 && file == NULL) { /* LCOV_EXCL_BR_LINE: only where memory runs out, make faults */
+        close(end);         /* LCOV_EXCL_LINE: the same */
+        remove(unfinished); /* LCOV_EXCL_LINE: the same */
+        errno = ENOMEM;     /* LCOV_EXCL_LINE: the same */
+    }
+    return file;
+}
+
 int report_write(const struct report *r, const char *name)
 {
-    const size_t length = strlen(name);
-    char *unfinished = memory(NULL, length + 5, 1);
-    snprintf(unfinished, length + 5, "%s.tmp", name);
-    FILE *file = fopen(unfinished, "w");
+    const size_t size = strlen(name) + 40;
+    char *unfinished = memory(NULL, size, 1);
+    FILE *file = open_beside(name, unfinished, size);
     int why = file == NULL ? errno : 0;
     if (file != NULL) {
-        if (length > 4 && strcmp(name + length - 4, ".xml") == 0)
+        if (report_format(name) == REPORT_XML)
             write_xml(r, file);
         else
             write_json(r, file);

@@ -7,10 +7,11 @@
 #include "conform.h"
 
 struct report {
-    const struct exam *exam;
+    struct exam *exam;
     const char *client;          /* its name, or the answers file's                    */
     const char *errors;          /* the last of its standard error                     */
     double seconds;              /* of processor time that the oracle took for itself  */
+    void (*diagnose)(struct exam *exam, int course); /* asked once what failed is written; NULL: nobody */
 };
 
 enum { LEVELS = 4 };
@@ -25,7 +26,11 @@ struct totals report_totals(const struct exam *e);
 
 void report_text(const struct report *r, FILE *file);
 
-/* JUnit XML or JSON by the name's end (.xml, .json); whole or not at all. 0, or the errno that says why not. */
+/* By the name's end: .xml is JUnit's. */
+enum report_format { REPORT_NONE, REPORT_XML, REPORT_JSON };
+enum report_format report_format(const char *name);
+
+/* A file of that name, whole or not at all. 0, or the errno that says why not. */
 int report_write(const struct report *r, const char *name);
 
 #endif

@@ -8,10 +8,13 @@
  */
 #include "flow.h"
 
+#include <math.h>
+
 enum {
     HALF = FLOW_STATE / 2,
-    USEFUL_BITS = 16,     /* balls wider than 2^-16 of the state widen at once */
-    MOST_STEPS = 10000000 /* an hour                                           */
+    USEFUL_BITS = 16,      /* balls wider than 2^-16 of the state widen at once */
+    MOST_STEPS = 10000000, /* an hour                                          */
+    FEW_STEPS = 8          /* however long: each may lose all bits of a binary64's range, four times over */
 };
 
 struct gains {
@@ -94,17 +97,30 @@ static void step(arb_ptr state, const arb_t h, rates_function *rates, const stru
     _arb_vec_clear(sum, FLOW_STATE);
 }
 
-/* t / h, or -1 where that is no number of steps */
+/* t / h, at most WORD_MAX; -1 where that is no number of steps */
 static slong steps_to(const fmpq_t t, const fmpq_t h)
 {
     slong n = -1;
     fmpq_t ratio;
     fmpq_init(ratio);
     fmpq_div(ratio, t, h);
-    if (fmpz_is_one(fmpq_denref(ratio)) && fmpq_sgn(ratio) >= 0 && fmpz_fits_si(fmpq_numref(ratio)))
-        n = fmpz_get_si(fmpq_numref(ratio));
+    if (fmpz_is_one(fmpq_denref(ratio)) && fmpq_sgn(ratio) >= 0)
+        n = fmpz_fits_si(fmpq_numref(ratio)) ? fmpz_get_si(fmpq_numref(ratio)) : WORD_MAX;
     fmpq_clear(ratio);
     return n;
+}
+
+double rk4_radians(const fmpq_t Omega, const fmpq_t t, const fmpq_t h)
+{
+    const double step = fabs(fmpq_get_d(Omega) * fmpq_get_d(h)), steps = (double)steps_to(t, h);
+    return fmin(fabs(fmpq_get_d(Omega) * fmpq_get_d(t)), steps < 0 ? INFINITY : steps * (2 + log2(1 + step)));
+}
+
+/* Whether there are few enough orbits, or few enough steps, up to the last of the times. */
+static bool in_reach(const struct flow_parameters *p, const fmpq_t h, const fmpq *times, slong count)
+{
+    const slong n = count > 0 ? steps_to(times + count - 1, h) : 0;
+    return rk4_in_reach(p, times, count) || (n >= 0 && n <= FEW_STEPS);
 }
 
 struct march {
@@ -184,7 +200,7 @@ enum flow_status rk4_linear(const struct flow_parameters *p, arb_srcptr initial,
     *reached = 0;
     if (!flow_linear_domain(p, initial) || fmpq_sgn(h) <= 0)
         return FLOW_DOMAIN;
-    if (!rk4_in_reach(p, times, count))
+    if (!in_reach(p, h, times, count))
         return FLOW_STALLED;
     struct march m;
     march_init(&m, linear_rates, 2, p->L_ref, p, h, prec);
@@ -200,7 +216,7 @@ enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initi
     *reached = 0;
     if (!flow_nonlinear_domain(p, initial) || fmpq_sgn(h) <= 0)
         return FLOW_DOMAIN;
-    if (!rk4_in_reach(p, times, count))
+    if (!in_reach(p, h, times, count))
         return FLOW_STALLED;
     struct march m;
     arb_t r_ref, mass;

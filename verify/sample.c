@@ -69,8 +69,10 @@ void sample(struct operation *o, uint64_t seed, uint64_t index, double *values, 
         for (int i = 0; i < s->input_count; i++)
             values[i] = draw(s->inputs[i], mix(key ^ mix((uint64_t)i)));
         fit_steps(s, values, key);
-        for (int i = 0; i < s->input_count; i++)
+        for (int i = 0; i < s->input_count; i++) {
             fmpq_set_double(&inputs[i].value, values[i]);
+            inputs[i].infinite = false; /* which the last inputs may have been */
+        }
         key = mix(key);
     } while (!operation_valid(o, inputs));
 }

@@ -1,5 +1,6 @@
 #include "sheet.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -70,8 +71,8 @@ static bool read_double(struct reader *r, const yaml_node_t *node, double *value
     char *end = NULL;
     const char *text = scalar(node);
     *value = text != NULL ? strtod(text, &end) : 0.0;
-    if (text == NULL || end == text || *end != '\0' || !(*value > 0.0))
-        return mistake(&r->document, node, 0, "expected a positive number");
+    if (text == NULL || end == text || *end != '\0' || !(*value > 0.0) || isinf(*value))
+        return mistake(&r->document, node, 0, "expected a positive number, finite in binary64");
     return true;
 }
 
@@ -88,6 +89,27 @@ static bool read_range(struct reader *r, const yaml_node_t *mapping, struct quan
     if (!read_double(r, bounds[0], &q->low) || !read_double(r, bounds[1], &q->high))
         return false;
     return q->low < q->high || mistake(&r->document, range, 0, "expected low < high");
+}
+
+/* Whether a literal is a number of that domain. */
+static bool lies_in_domain(const char *text, enum domain domain)
+{
+    fmpq_t value;
+    fmpq_init(value);
+    const enum literal literal = literal_read(value, text, false);
+    const int sign = literal == LITERAL_FINITE ? fmpq_sgn(value) : 1;
+    fmpq_clear(value);
+    if (literal == LITERAL_INFINITE)
+        return domain == DOMAIN_POSITIVE_OR_INFINITE;
+    return literal == LITERAL_FINITE && (domain == DOMAIN_FINITE || sign > 0 || (sign == 0 && domain == DOMAIN_NOT_NEGATIVE));
+}
+
+/* `value` or `example`, which are numbers of the quantity's own domain; NULL where there is none. */
+static bool read_own_value(struct reader *r, const yaml_node_t *node, const char *key, enum domain domain, const char **text)
+{
+    *text = text_of(r, node, key, false);
+    return *text == NULL || lies_in_domain(*text, domain) ||
+           mistake(&r->document, child(&r->document, node, key), 0, "expected a number of the quantity's own domain");
 }
 
 static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_node_t *node)
@@ -108,8 +130,10 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
     if (sign != NULL && (scalar(sign) == NULL || strcmp(scalar(sign), "either") != 0))
         return mistake(&r->document, sign, 0, "expected 'either'");
     q.either_sign = sign != NULL;
-    q.value = text_of(r, node, "value", false);
-    q.example = text_of(r, node, "example", false);
+    if (q.either_sign && q.domain != DOMAIN_FINITE)
+        return mistake(&r->document, sign, 0, "expected no sign where the domain has but one");
+    if (!read_own_value(r, node, "value", q.domain, &q.value) || !read_own_value(r, node, "example", q.domain, &q.example))
+        return false;
     char *names = text_copy(scalar(key)), *rest = NULL;
     bool fine = true;
     for (char *name = strtok_r(names, " ", &rest); name && fine; name = strtok_r(NULL, " ", &rest)) {
@@ -343,6 +367,23 @@ static bool read_relations(struct reader *r, const yaml_node_t *node, struct sec
     return true;
 }
 
+/* Numbers between blanks, at least one; nan and the infinities are for what the domain has to refuse. */
+static bool is_literals(const char *texts)
+{
+    char *copy = text_copy(texts), *rest = NULL;
+    fmpq_t value;
+    bool fine = true;
+    int count = 0;
+    fmpq_init(value);
+    for (char *text = strtok_r(copy, " ", &rest); text != NULL; text = strtok_r(NULL, " ", &rest), count++) {
+        const enum literal literal = literal_read(value, text, false);
+        fine = fine && literal != LITERAL_MALFORMED && literal != LITERAL_OVERFLOW;
+    }
+    fmpq_clear(value);
+    free(copy);
+    return fine && count > 0;
+}
+
 /* name: {INPUT: literal, ..., flags: what it is there for} */
 static bool read_special(struct reader *r, const yaml_node_t *key, const yaml_node_t *node,
                          struct section *s)
@@ -361,6 +402,8 @@ static bool read_special(struct reader *r, const yaml_node_t *key, const yaml_no
         if (i == s->input_count && strcmp(scalar(name), "flags") != 0)
             return mistake(&r->document, name, 0, "'%s' is no input of %s", scalar(name), s->id);
         if (scalar(value) == NULL)
+            return mistake(&r->document, value, 0, "expected a number");
+        if (i < s->input_count && !is_literals(scalar(value)))
             return mistake(&r->document, value, 0, "expected a number");
         if (i < s->input_count)
             special.texts[i] = keep(r->sheet, scalar(value));

@@ -83,6 +83,14 @@ static bool sensitivity_texts(struct operation *o, const struct input *inputs, c
     return left == 0;
 }
 
+void value_text(char text[32], double value)
+{
+    if (isfinite(value))
+        decimal_shortest(text, value);
+    else
+        snprintf(text, 32, "%s", isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
+}
+
 const char *const input_forms[] = {"shortest", "exact", "hex"};
 
 void input_write(char text[LONGEST_INPUT], const char *literal, enum input_form form)

@@ -18,6 +18,9 @@ enum { VECTOR_DIGITS = 40, SENSITIVITY_DIGITS = 17, LONGEST_INPUT = 800 };
 enum input_form { INPUTS_SHORTEST, INPUTS_EXACT, INPUTS_HEX };
 extern const char *const input_forms[3];
 
+/* The shortest decimal of a binary64; nan, inf, -inf. */
+void value_text(char text[32], double value);
+
 /* A literal, which means its nearest binary64, in a form; one that is no finite number stays as it is. */
 void input_write(char text[LONGEST_INPUT], const char *literal, enum input_form form);
 

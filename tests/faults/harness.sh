@@ -5,10 +5,12 @@
 set -u
 unset MAKEFLAGS MAKELEVEL
 program=$CT_PROGRAM
-shim=$CT_BUILD/tests/faults.so
 client=$CT_BUILD/tests/faulty
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
+# Where it is preloaded from no name may hold a blank or a colon.
+shim=$work/faults.so
+cp "$CT_BUILD/tests/faults.so" "$shim" || exit 1
 trap 'exit 1' HUP INT TERM
 checks=0 failures=0 refused=0 survived=0
 : >"$work/none"

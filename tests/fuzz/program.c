@@ -106,8 +106,7 @@ void protocol(const char *bytes, size_t size)
             exam_hear(&e, bytes + half, size - half);
     }
     exam_end(&e, FOUND_MISSING);
-    diagnose(&e);
-    const struct report r = {&e, "client", "", 0.0};
+    const struct report r = {&e, "client", "", 0.0, diagnose};
     FILE *stream = open_memstream(&text, &length);
     report_text(&r, stream);
     fclose(stream);
