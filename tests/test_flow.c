@@ -725,15 +725,15 @@ END_TEST
 /* To degree 1 again, but v' = -2u and u' grows with x: the width of x is one of v over s^2. */
 START_TEST(F4_a_spread_has_its_remainder)
 {
-    assert_box_holds((double[]){1, 0, 0, 0, 0, 0}, (double[]){0x1p-6, 0, 0, 0, 0, 0}, 10, 0,
+    assert_box_holds((double[]){0.75, 0, 0, 0, 0, 0}, (double[]){0x1p-12, 0, 0, 0, 0, 0}, 10, 0,
                      &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-8);
 }
 END_TEST
 
-/* The same at the end of steps: the second begins with a width of v that the first left out. */
+/* The same two steps later: of its width of v, 4 h^2, the second step's bound has 3, and the first left out the fourth. */
 START_TEST(F5_a_set_moves_by_the_remainder_too)
 {
-    assert_box_holds((double[]){1, 0, 0, 0, 0, 0}, (double[]){0x1p-6, 0, 0, 0, 0, 0}, 10, 0,
+    assert_box_holds((double[]){0.75, 0, 0, 0, 0, 0}, (double[]){0x1p-12, 0, 0, 0, 0, 0}, 10, 0,
                      &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-7);
 }
 END_TEST
@@ -791,6 +791,87 @@ START_TEST(F9_a_row_is_within_its_step_for_certain)
     _arb_vec_clear(end, FLOW_STATE);
     scene_close(&s);
     scene_close(&fine);
+}
+END_TEST
+
+/* All rows to an eighth of a radian, by a step of one that no series here bears: it is halved until all three do. */
+static void assert_halved(const struct flow_steps *how, double width)
+{
+    struct scene s = plain_scene(10, 1);
+    start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
+    mag_set_d(arb_radref(s.start), width);
+    s.prec = 60;
+    struct run r = run_steps(&s, how, 0x1p-3);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    for (int i = 0; i < FLOW_STATE * ROWS; i++)
+        ck_assert_double_lt(mag_get_d(arb_radref(r.states + i)), 0.0625); /* what fails to be proved is doubled 24 times */
+    run_close(&r);
+    scene_close(&s);
+}
+
+START_TEST(F8_a_step_is_one_that_the_path_bears)
+{
+    assert_halved(&(struct flow_steps){.order = _i, .derivative_order = 12, .step = 1}, 0);
+}
+END_TEST
+
+START_TEST(F8_a_step_is_one_that_the_derivatives_bear)
+{
+    assert_halved(&(struct flow_steps){.order = 24, .derivative_order = _i, .step = 1}, 0x1p-20);
+}
+END_TEST
+
+/* A gain of anything to 1e300 bears no step of 2^-37 radians: no row, not even one that soon. */
+START_TEST(F8_what_no_halving_proves_is_no_step)
+{
+    struct scene s = plain_scene(10, 1);
+    const struct flow_steps how = {.step = 0x1p-5};
+    double reached;
+    fmpq_t t;
+    fmpq_init(t);
+    fmpq_set_si(t, 1, 1);
+    fmpq_div_2exp(t, t, 60);
+    start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
+    mag_set_d(arb_radref(s.p.C1), 1e300);
+    struct record none = {NULL, 0, 0};
+    ck_assert_int_eq(flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, 60, keep, &none, &reached), FLOW_WIDE);
+    fmpq_clear(t);
+    scene_close(&s);
+}
+END_TEST
+
+/* Steps are a fraction of 2^-5 radians, over an Omega that makes no double of them: none goes beyond what was proved. */
+START_TEST(what_is_reached_is_rounded_towards_the_start)
+{
+    struct scene s = scene_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
+    const struct flow_steps how = {.step = 0x1p-5};
+    fmpq_t t, reached, Omega;
+    double seconds;
+    arf_t x;
+    arf_init(x);
+    fmpq_init(t);
+    fmpq_init(reached);
+    fmpq_init(Omega);
+    fmpq_set_si(t, DAY, 1);
+    start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
+    for (int i = 0; i < 3; i++)
+        mag_set_d(arb_radref(s.start + i), 0x1p-5);
+    struct record none = {NULL, 0, 0};
+    ck_assert_int_eq(flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, 60, keep, &none, &seconds), FLOW_WIDE);
+    arf_set_d(x, seconds);
+    arf_get_fmpq(reached, x);
+    arf_get_fmpq(Omega, arb_midref(s.p.Omega));
+    fmpq_mul(reached, reached, Omega);
+    const double steps = ldexp(fmpq_get_d(reached), 20); /* the last ones are halved */
+    ck_assert_double_gt(steps, 0);
+    ck_assert_double_eq_tol(steps, (double)lround(steps), 1e-6);
+    fmpq_set_si(t, lround(steps), 1 << 20);
+    ck_assert(fmpq_cmp(reached, t) <= 0);
+    arf_clear(x);
+    fmpq_clear(t);
+    fmpq_clear(reached);
+    fmpq_clear(Omega);
+    scene_close(&s);
 }
 END_TEST
 
@@ -1170,7 +1251,11 @@ Suite *suite(void)
     tcase_add_test(tests, F6_derivatives_are_those_of_all_the_box);
     tcase_add_test(tests, F7_the_path_has_every_gain);
     tcase_add_test(tests, F7_derivatives_have_every_gain);
+    tcase_add_loop_test(tests, F8_a_step_is_one_that_the_path_bears, 2, 5);
+    tcase_add_loop_test(tests, F8_a_step_is_one_that_the_derivatives_bear, 1, 5);
+    tcase_add_test(tests, F8_what_no_halving_proves_is_no_step);
     tcase_add_test(tests, F9_a_row_is_within_its_step_for_certain);
+    tcase_add_loop_test(tests, what_is_reached_is_rounded_towards_the_start, 0, 4);
 
     tests = add_case(all, "ends");
     tcase_add_test(tests, an_enclosure_past_use_is_reported);
