@@ -256,6 +256,25 @@ START_TEST(L4_the_map_has_an_error)
 }
 END_TEST
 
+/* Along the axes nothing else is rounded than their sum, whose last bits a mag_t cannot hold. */
+START_TEST(L3_L4_radius_and_error_add_up)
+{
+    struct lohner set;
+    struct map m;
+    map_init(&m);
+    arb_mat_one(m.derivative);
+    for (int i = 0; i < N; i++) {
+        mag_set_d(arb_radref(m.image + i), 1 + fabs(scattered(_i * N + i)));
+        mag_set_d(m.error + i, 0.01 * fabs(scattered(_i * N - i)));
+    }
+    box_of(&set, 0);
+    ck_assert(move_and_compare(&set, &m, LOHNER_BITS, ROUNDED));
+    lohner_clear(&set);
+    map_clear(&m);
+    flint_cleanup();
+}
+END_TEST
+
 /* In eight bits the inverse is rounded more than all else, in two it may not be found. */
 START_TEST(L5_the_inverse_is_rounded)
 {
@@ -439,6 +458,7 @@ Suite *suite(void)
     tcase_add_loop_test(tests, L2_the_derivative_is_a_ball, 0, MAPS);
     tcase_add_loop_test(tests, L3_the_image_has_a_radius, 0, MAPS);
     tcase_add_loop_test(tests, L4_the_map_has_an_error, 0, MAPS);
+    tcase_add_loop_test(tests, L3_L4_radius_and_error_add_up, 0, MAPS);
     tcase_add_loop_test(tests, L5_the_inverse_is_rounded, 0, MAPS);
     tcase_add_test(tests, L6_a_set_has_the_radii_of_its_box);
     tcase_add_loop_test(tests, L7_a_box_has_all_of_its_set, 0, 2 * N);
