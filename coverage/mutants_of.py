@@ -72,8 +72,8 @@ arb_gt:arb_ge arb_contains:arb_overlaps ARF_RND_UP:ARF_RND_DOWN ARF_RND_CEIL:ARF
 MPFR_RNDU:MPFR_RNDD MPFR_RNDD:MPFR_RNDU""".split())
 ADDS = re.compile(r'\w*(?:add|max|union|error|absolute)\w*')
 BALL = re.compile(r'arb_(?!get|is|init|clear|swap|const|mat|poly|zero|one|set_(?:d|[su]i|arf)$)\w+')
-# These decide how sharp a bound is, never whether it holds: directions of a set, lengths of steps.
-GUIDES = {'project', 'orthonormalise', 'choose_basis', 'position_size', 'step_length', 'steady'}
+# These decide how sharp a bound is, never whether it holds: directions of a set, lengths of steps. And room is made here.
+GUIDES = re.compile(r'project|orthonormalise|choose_basis|position_size|step_length|steady|\w+_(?:init|clear)')
 MOST_FACTOR = 16  # what is larger are bits
 NUMERIC = re.compile(r'(?:arb|acb|arf|mag|fmpq|fmpz|mpfr)_(?!dot)\w+')
 TRANSPARENT = {'sqrt', 'exp', 'sin', 'cos', 'fabs', 'cabs'}
@@ -306,7 +306,7 @@ class C:
     def guides(self):
         """The tokens of functions that guide, and bound nothing."""
         return {k for i, end in self.partner.items() if self.word(i) == '{' and self.word(i - 1) == ')'
-                and self.word(self.partner[i - 1] - 1) in GUIDES for k in range(i, end)}
+                and GUIDES.fullmatch(self.word(self.partner[i - 1] - 1)) for k in range(i, end)}
 
     def soundness(self):
         """An error not added, a radius cleared, a bound exchanged or off by one, a proof or a refusal not asked for."""
@@ -327,11 +327,12 @@ class C:
             elif kind == 'number' and word.isdigit() and NUMERIC.fullmatch(caller) and int(word) < MOST_FACTOR and \
                     self.word(i - 1) not in ('+', '-'):
                 yield from self.constants(i)
-            elif kind == 'number' and word.isdigit() and self.in_list(i) and self.word(i - 1) in ('=', '-'):
+            elif kind == 'number' and word.isdigit() and self.in_list(i) and '=' in (self.word(i - 1), self.word(i - 2)):
                 yield start, end, f'(2 * {word})'
-            elif word in ('<', '>', '<=', '>=') and self.operand_before(i) and caller != 'for':
+            elif word in ('<', '>', '<=', '>=') and self.operand_before(i) and caller != 'for' and \
+                    not re.fullmatch('[A-Z_]+', self.word(i + 1)):  # by which an index is classified
                 yield start, end, OPERATOR[word][0]
-            elif word in ('&&', '||') or word in ('+', '-') and self.operand_before(i) and not re.match('[a-z]', caller):
+            elif word == '&&' or word == '||' and caller in CONTROL or word in ('+', '-') and self.operand_before(i) and not re.match('[a-z_]', caller):
                 yield from self.drops(i)
             elif word == '!' and self.kind(i + 1) == 'name':
                 yield start, end, 'false && !'

@@ -543,33 +543,34 @@ static void series_of_motion(fmpq_poly_struct *x, const struct exact_motion *e)
     fmpq_poly_clear(inverse);
 }
 
-static void jet_of_exact(struct jet *jet, const struct exact_motion *e, slong order, slong prec)
+/* A ball about another number, that reaches back */
+static void move_and_widen(arb_t x, double wide)
+{
+    arb_t shift;
+    arb_init(shift);
+    arb_set_d(shift, wide);
+    arb_add(x, x, shift, PREC);
+    arb_add_error(x, shift);
+    arb_clear(shift);
+}
+
+static void jet_of_exact(struct jet *jet, const struct exact_motion *e, slong order, slong prec, double wide)
 {
     arb_t c1, c2;
     arb_init(c1);
     arb_init(c2);
     arb_set_fmpq(c1, e->c1, prec);
     arb_set_fmpq(c2, e->c2, prec);
+    move_and_widen(c1, wide);
+    move_and_widen(c2, wide);
     jet_init(jet, order);
     jet_constants(jet, c1, c2);
-    for (int v = 0; v < JET_STATES; v++)
+    for (int v = 0; v < JET_STATES; v++) {
         arb_set_fmpq(jet->c[v], e->state + v, prec);
+        move_and_widen(jet->c[v], wide);
+    }
     arb_clear(c1);
     arb_clear(c2);
-}
-
-/* Every number of the start moved by `wide`, and a ball that reaches back */
-static void widen(struct jet *jet, double wide)
-{
-    arb_t shift;
-    arb_init(shift);
-    arb_set_d(shift, wide);
-    for (int v = 0; v < JET_ALL; v++)
-        if (v < JET_STATES || v >= C1) {
-            arb_add(jet->c[v], jet->c[v], shift, PREC);
-            arb_add_error(jet->c[v], shift);
-        }
-    arb_clear(shift);
 }
 
 /* In 32 bits, in falling precision, and where copies of 128 bits take over, the balls hold the fractions. */
@@ -589,8 +590,7 @@ START_TEST(T13_coefficients_in_balls_hold_the_exact_ones)
     series_of_motion(x, &e);
     for (size_t run = 0; run < sizeof runs / sizeof *runs; run++) {
         struct jet jet;
-        jet_of_exact(&jet, &e, EXACT_TERMS - 1, runs[run].prec);
-        widen(&jet, runs[run].wide);
+        jet_of_exact(&jet, &e, EXACT_TERMS - 1, runs[run].prec, runs[run].wide);
         jet_extend(&jet, runs[run].prec, runs[run].fall);
         for (int i = 0; i < 6; i++)
             for (slong k = 0; k < EXACT_TERMS; k++) {
@@ -632,7 +632,7 @@ START_TEST(T13_columns_in_balls_hold_the_exact_derivatives)
         fmpq_addmul(moved.state + 3 + i, c, delta);
     }
     fmpq_addmul(moved.r, moved.r, delta);
-    jet_of_exact(&jet, &e, TERMS, BITS);
+    jet_of_exact(&jet, &e, TERMS, BITS, 0);
     jet_init(&column, TERMS);
     for (int i = 0; i < 3; i++) {
         arb_set(column.c[i], jet.c[i]);
@@ -697,7 +697,7 @@ START_TEST(T11_rests_of_the_closed_loop_hold_up_to_the_longest_step)
             fmpq_abs(c, c);
             fmpq_poly_set_coeff_fmpq(x + i, k, c);
         }
-    jet_of_exact(&jet, &e, n, PREC);
+    jet_of_exact(&jet, &e, n, PREC, 0);
     jet_extend(&jet, PREC, 0);
     majorant_init(&m, n);
     double step = 0x1p-14;
