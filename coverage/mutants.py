@@ -610,7 +610,7 @@ def main():
     chosen = list(itertools.chain(*parts.values()))
     judge(linked, chosen, results, 'passed', arguments.workers)
     if arguments.kind:
-        return summary(parts, results, known, not arguments.sample, True)
+        return summary(parts, results, known, not arguments.sample, not arguments.sample)
     # What is listed is equivalent, and so no check will kill it; what a sample of verify/ survives is counted, not pursued.
     chosen = [mutant for mutant in chosen if (mutant.file, mutant.shown) not in known]
     judge(link_all(base / 'sanitized'), [mutant for mutant in chosen if mutant.file.startswith('verify/')], results, 'clean',
