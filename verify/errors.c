@@ -151,6 +151,14 @@ void operation_sensitivity_settled(struct operation *o, const struct input *inpu
 
 /* ---- the unit of error ---- */
 
+/*
+ * Theorem. Whatever y* and S are in their balls, E = |y - y*| / (u (|y*| + S)) lies between lower and upper. The error terms,
+ * each with a test of its name in tests/test_errors.c:
+ *   (E1) the radius of |y - y*|, up and down          (E2) the radii of |y*| and S in the weight
+ *   (E3) a weight that may be zero has no upper bound  (E4) the quotient is rounded outward
+ *   (E5) of several outputs the worst, of several ways to match roots the best, in both bounds
+ *   (E6) MPFR's value lies in the ball widened by 2^16 of its own roundings, for every output  (mpfr_inside)
+ */
 /* Bounds on distance / (u weight). */
 static struct bounds roundings(const arb_t distance, const arb_t weight, int significand)
 {
@@ -322,9 +330,7 @@ struct bounds worst_error(const struct section *s, const struct input *inputs, a
 
 /* ---- ref/ on random inputs ---- */
 
-/* The same formulas in MPFR lie inside the enclosures, widened by what MPFR itself rounds. */
-static bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact,
-                        arb_srcptr S)
+bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact, arb_srcptr S)
 {
     struct machine m;
     arb_t value, room;
