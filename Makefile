@@ -215,15 +215,15 @@ mcdc:
 	@CC='$(CC)' MAKE='$(MAKE)' coverage/mcdc.sh $(BUILD)/mcdc
 
 # Everything is compiled for shared libraries, so that a mutant is one library made anew.
-## mutants: wrong programs, one point away from the right one, and whether the tests notice; SAMPLE=200 SEED=... a sample
+## mutants: wrong programs, one point away from the right one, and whether the tests notice; SAMPLE=200 SEED=... a sample; KIND=soundness
 mutants:
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) coverage/mutants.py --self-test
 	$(MAKE) BUILD=$(BUILD)/mutants CFLAGS='-O1 -fPIC' mutants-objects
-	$(MAKE) BUILD=$(BUILD)/mutants/sanitized CFLAGS='-O1 -fPIC $(SANITIZE)' mutants-objects
+	$(if $(KIND),,$(MAKE) BUILD=$(BUILD)/mutants/sanitized CFLAGS='-O1 -fPIC $(SANITIZE)' mutants-objects)
 	@CC='$(CC)' MUTANT_FLAGS='-fPIC $(STANDARD) -I. -Iverify $(subst ','\'',$(VERIFY_CFLAGS)) $(CHECK_CFLAGS)' \
 	  MUTANT_LIBS='$(CHECK_LIBS) $(VERIFY_LIBS)' MUTANT_SANITIZE='$(SANITIZE)' \
 	  PYTHONDONTWRITEBYTECODE=1 \
-	  $(PYTHON) coverage/mutants.py $(BUILD)/mutants $(addprefix --sample ,$(SAMPLE)) $(addprefix --seed ,$(SEED)) $(addprefix --only ,$(ONLY))
+	  $(PYTHON) coverage/mutants.py $(BUILD)/mutants $(addprefix --kind ,$(KIND)) $(addprefix --sample ,$(SAMPLE)) $(addprefix --seed ,$(SEED)) $(addprefix --only ,$(ONLY))
 
 mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/main verify/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c)))
 

@@ -1,11 +1,12 @@
 """Mutants: wrong programs, one point away from the right one, and whether the tests notice.
 
-    python3 coverage/mutants.py BUILD [--sample N] [--seed S] [--only FILE, or how its name begins] [--workers N]
+    python3 coverage/mutants.py BUILD [--kind soundness] [--sample N] [--seed S] [--only FILE, or how its name begins] [--workers N]
     python3 coverage/mutants.py --self-test
 
 Every mutant of ref/ and of the two sheets, and a sample of verify/, is built and put before the fastest check that should
 notice it; what passes of verify/, before the same under the sanitizers; what survives, before all. A mutant is one shared
-library made anew, in a shadow of the source tree whose files are links. Verdicts are kept in BUILD/results.csv, by the
+library made anew, in a shadow of the source tree whose files are links. --kind soundness takes all of verify/ instead, by what makes a bound too narrow or a proof none, and
+stops where the checks that should notice do not: no such survivor is let pass. Verdicts are kept in BUILD/results.csv, by the
 mutant's content: a run that was cut short goes on, a kill stands, a survivor is asked again once anything in the project
 has changed. coverage/survivors.csv lists the mutants that no check can kill, each with its reason. Run by `make mutants`,
 which builds BUILD and BUILD/sanitized, and hands the commands over.
@@ -82,23 +83,24 @@ class Mutant:
         return hashlib.sha256(f'{self.file}\0{self.text}'.encode()).hexdigest()[:20]
 
 
-def mutants_of_file(file):
+def mutants_of_file(file, kind):
     text = (ROOT / file).read_text()
-    return [Mutant(file, text, *change) for change in mutants(file, text)]
+    return [Mutant(file, text, *change) for change in mutants(file, text, kind)]
 
 
 def part_of(file):
     return file if file in SHEETS else file.split('/')[0] + '/'
 
 
-def all_mutants(only):
+def all_mutants(only, kind):
     """By part: ref/, either sheet, verify/. Headers of verify/ and the public one declare, and compute nothing."""
     parts = collections.defaultdict(list)
     for file in FILES:
         if not file.startswith(only):
             continue
-        if file in SHEETS or file == 'ref/internal.h' or file.startswith(('ref/', 'verify/')) and file.endswith('.c'):
-            parts[part_of(file)].extend(mutants_of_file(file))
+        if (file in SHEETS or file == 'ref/internal.h' or file.startswith(('ref/', 'verify/')) and file.endswith('.c')) and \
+                (not kind or file.startswith('verify/')):
+            parts[part_of(file)].extend(mutants_of_file(file, kind))
     return dict(parts)
 
 
@@ -169,8 +171,8 @@ class Place:
                    for f in files)
         return [str(self.build / 'made' / f'{pathlib.Path(f).stem}.{into}') for f in files] if fine else None
 
-    def make(self, mutant):
-        """Whether the mutant could be built."""
+    def make(self, mutant, whole):
+        """Whether the mutant could be built; what is in one piece, where a check wants it."""
         self.write(mutant)
         made = self.build / 'made'
         if mutant.file in SHEETS:  # the build stops where sheet-check does
@@ -190,7 +192,7 @@ class Place:
         others = {'libcoulombtether.so': objects(self.base / 'ref', stems), 'libembedded.so': [],
                   'libverify.so': objects(self.base / 'verify', stems | NOT_IN_LIBRARY)}[library]
         return self.compiler('-shared', *changed, *others, '-o', str(made / library)) and \
-            (mutant.file.startswith('ref/') or self.whole(stems, changed))
+            (mutant.file.startswith('ref/') or not whole or self.whole(stems, changed))
 
     def whole(self, stems, changed):
         """What is in one piece: the program that wrong sheets are written into, and the test in which proofs are made to fail."""
@@ -375,73 +377,8 @@ REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform
            SHEETS[2]: 'verdicts|wrong|test_statement|test_verdicts',
            SHEETS[1]: 'derivations|gate|test_derivation|verdicts|test_track|test_convergence|study|test_command|test_typeset'}
 
-# The checks that should notice a mutant of a file in verify/, by the longest beginning of its name.
-NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in """
-arithmetic test_expression, golden eq14, test_vectors
-arithmetic_mpfr test_expression, errors, test_vectors
-basin verdicts, test_verdicts
-claims verdicts, test_verdicts, wrong
-computation test_statement, verdicts
-condition test_statement, verdicts
-claims_beyond verdicts, test_convergence
-claims_convergence verdicts
-claims_forced verdicts, test_convergence
-claims_motion verdicts
-claims_loop verdicts, test_verdicts
-client test_conform
-command test_command_line, test_conform, wrong
-command_datapackage package, wrong
-command_derivations test_derivation, wrong, test_command_line
-command_errors errors, wrong, test_command_line
-command_figure figure6, figure5b, figure4, test_command_line
-command_motion figure6, test_command_line
-command_study study forced, study pitch, study convergence, test_command_line
-command_typeset test_typeset, test_command_line
-command_vectors golden eq44, test_vectors, test_command_line
-conform test_conform
-convergence test_convergence, study convergence, verdicts
-decimal test_decimal, golden eq14, golden eq41roots
-binding test_derivation
-derivation derivations, test_derivation
-identities derivations, test_derivation
-derivation_remainder test_remainder, derivations
-diagnosis kills eq07, kills eq14, test_conform
-document test_sheet, test_derivation, test_statement
-embedded derivations
-errors test_vectors, golden eq41roots, errors, test_command_line
-exact test_exact, golden eq41roots
-expression test_expression, golden eq14, test_vectors
-flow golden flow_linear, test_flow, golden flow_nonlinear, figure6
-give verdicts
-golden golden eq14, golden flow_linear
-judge kills eq21, test_conform
-lohner test_flow, golden flow_nonlinear, verdicts
-main test_command_line
-marked test_statement
-message test_sheet, test_command_line
-motion figure6, golden flow_nonlinear, test_track, test_command_line, verdicts
-operation golden eq14, golden eq41roots, golden flow_linear, golden rk4_nonlinear, test_vectors, test_command_line
-proof_results derivations, test_derivation
-symbolic test_expression, derivations, test_derivation
-questions kills eq21, test_conform
-reference test_units, test_mistakes, test_vectors
-remainder test_remainder, derivations
-report test_conform
-rk4 golden rk4_linear, golden rk4_nonlinear, test_flow
-roots test_roots, golden eq41roots, test_rates
-sample test_vectors, golden eq14
-second_order test_convergence, study convergence, verdicts
-sheet test_sheet, golden eq14
-sheet_check wrong
-statement test_statement, verdicts, wrong
-slip test_mistakes, test_conform
-table1 table1, test_command_line
-taylor test_flow, golden flow_nonlinear, figure6
-track test_track, verdicts
-two_body test_convergence, verdicts
-typeset test_typeset, test_statement
-vectors golden eq44, test_vectors
-verdicts verdicts, wrong, test_command_line""".strip().split('\n'))
+# The checks that should notice a mutant of a file in verify/, the fastest first, by the longest beginning of its name.
+NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in (ROOT / 'coverage/noticed.txt').read_text().splitlines())
 
 
 def likely(mutant):
@@ -469,7 +406,7 @@ def verdict_on(place, mutant, checks, stage):
     if stage == 'clean':  # the sanitizers multiply what they look at
         first = [name for name in first if SLOW.get(name, 0) < MOST_SANITIZED]
     try:
-        if not place.make(mutant):
+        if not place.make(mutant, stage == 'survived' or {'wrong', 'evidence', 'evidence all'} & set(first)):
             return ('killed', 'sheet-check') if mutant.file in SHEETS else ('not viable', 'compiler')
         reached = re.compile(REACHED.get(part_of(mutant.file), ''))
         others = [n for n in checks.names if n not in first and reached.match(n)]
@@ -567,7 +504,7 @@ def most_survivors(made):
     return made
 
 
-def summary(parts, results, known, complete):
+def summary(parts, results, known, complete, every=False):
     """A line a part, then what is wrong; the status."""
     status, unlisted = 0, []
     stale = collections.Counter(known)
@@ -589,7 +526,7 @@ def summary(parts, results, known, complete):
         score = count['killed'] / judged if judged else 1
         print(f"{part:24}{len(chosen):7}{len(chosen) - count['not viable']:8}{count['killed']:8}{count['time']:9}"
               f"{count['listed'] + count['same code']:12}{len(survivors):10}{math.floor(1000 * score) / 10:7.1f} %")
-        if part != 'verify/':
+        if part != 'verify/' or every:
             unlisted += survivors
         elif len(survivors) > (judged * (1 - VERIFY_LEAST) if complete else most_survivors(judged)):
             unlisted += survivors
@@ -616,6 +553,8 @@ def choose(parts, arguments, known):
 
     A mutant of verify/ takes as long as a dozen others, for its checks follow motions, and so a tenth of the sample is of it.
     """
+    if arguments.kind and not arguments.sample:
+        return parts
     if not arguments.sample:
         return {part: draw(chosen, VERIFY_SAMPLE, VERIFY_SEED) if part == 'verify/' else chosen for part, chosen in parts.items()}
     return {part: draw([mutant for mutant in chosen if (mutant.file, mutant.shown) not in known],
@@ -651,6 +590,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('build', type=pathlib.Path, nargs='?')
     parser.add_argument('--self-test', action='store_true')
+    parser.add_argument('--kind', choices=['soundness'], default='')
     parser.add_argument('--sample', type=int, default=0)
     parser.add_argument('--seed', default='1')
     parser.add_argument('--only', default='')
@@ -660,11 +600,13 @@ def main():
         return self_test()
     base = arguments.build.resolve()
     known = listed()
-    parts = choose(all_mutants(arguments.only), arguments, known)
+    parts = choose(all_mutants(arguments.only, arguments.kind), arguments, known)
     results = Results(base / 'results.csv')
     linked = link_all(base)
     chosen = list(itertools.chain(*parts.values()))
     judge(linked, chosen, results, 'passed', arguments.workers)
+    if arguments.kind:
+        return summary(parts, results, known, not arguments.sample, not arguments.sample)
     # What is listed is equivalent, and so no check will kill it; what a sample of verify/ survives is counted, not pursued.
     chosen = [mutant for mutant in chosen if (mutant.file, mutant.shown) not in known]
     judge(link_all(base / 'sanitized'), [mutant for mutant in chosen if mutant.file.startswith('verify/')], results, 'clean',

@@ -1,10 +1,12 @@
 """The one-point mutants of a source file: of C, and of the formula sheet and the derivation steps.
 
-mutants(path, text) yields (start, end, replacement): text[start:end] is to be replaced.
+mutants(path, text, kind) yields (start, end, replacement): text[start:end] is to be replaced.
 
 Of C: every operator, sign, constant, comparison, argument, term, index and statement inside braces, one at a time; a
 name that has a sibling (m1 and m2, x, y and z) is exchanged for it. Not mutated, for no program is wrong by it: comments,
 #include, members of structures, sizes of arrays (an array may be longer), the order of arguments where it does not count.
+
+Of C, soundness alone: what makes a bound too narrow or a proof none, at every place where it can be done.
 
 Of YAML: every word, number and operator outside comments and prose, one at a time.
 """
@@ -61,6 +63,19 @@ TYPES = {'const', 'static', 'inline', 'struct', 'enum', 'union', 'double', 'int'
 ORDERLESS = {'POSITIVE', 'FINITE', 'sum', 'dot', 'hypot', 'sizeof'}
 COMMUTATIVE = re.compile('(arb|acb|arf|mag|fmpq|fmpz|mpfr|arb_poly|acb_poly|fmpq_poly|arb_mat|nmod)_(add|f?max|min)|'
                          '(arb|acb|arf|mag|fmpq|fmpz|mpfr|arb_poly|acb_poly|fmpq_poly|nmod)_(mul|mullow)')  # (z, x, y, ...)
+# Soundness: what a call is exchanged for, calls that add something, and calls whose first argument is a ball made anew.
+LOOSER = dict(pair.split(':') for pair in """upper:lower lower:upper arb_get_mag:arb_get_mag_lower mag_set_d:mag_set_d_lower
+mag_mul:mag_mul_lower mag_div:mag_div_lower mag_add:mag_add_lower mag_max:mag_min arb_max:arb_min
+arb_get_abs_ubound_arf:arb_get_abs_lbound_arf arb_get_abs_lbound_arf:arb_get_abs_ubound_arf arb_get_ubound_arf:arb_get_lbound_arf
+arb_get_lbound_arf:arb_get_ubound_arf arb_is_positive:arb_is_nonnegative arb_is_negative:arb_is_nonpositive arb_lt:arb_le
+arb_gt:arb_ge arb_contains:arb_overlaps ARF_RND_UP:ARF_RND_DOWN ARF_RND_CEIL:ARF_RND_FLOOR ARF_RND_FLOOR:ARF_RND_CEIL
+MPFR_RNDU:MPFR_RNDD MPFR_RNDD:MPFR_RNDU""".split())
+ADDS = re.compile(r'\w*(?:add|max|union|error|absolute)\w*')
+BALL = re.compile(r'arb_(?!get|is|init|clear|swap|const|mat|poly|zero|one|set_(?:d|[su]i|arf)$)\w+')
+# These decide how sharp a bound is, never whether it holds: directions of a set, lengths of steps. And room is made here.
+GUIDES = re.compile(r'project|orthonormalise|choose_basis|position_size|step_length|steady|\w+_(?:init|clear)')
+MOST_FACTOR = 16  # what is larger are bits
+NUMERIC = re.compile(r'(?:arb|acb|arf|mag|fmpq|fmpz|mpfr)_(?!dot)\w+')
 TRANSPARENT = {'sqrt', 'exp', 'sin', 'cos', 'fabs', 'cabs'}
 
 
@@ -228,10 +243,14 @@ class C:
         return self.word(i + 1) not in {'-', '!', '&', '(', '.', '*', '0', 'NAN', 'true', 'false', '~'} | TYPES and \
             self.kind(i + 1) in ('name', 'number') and not words & {'&&', '||', '<', '>', '<=', '>=', '==', '!=', '?'}
 
+    def opening(self, i):
+        """The bracket that token i stands in."""
+        while i >= 0 and self.word(i) not in OPEN:
+            i = self.partner.get(i, i) - 1
+        return i
+
     def in_list(self, i):
-        k = i
-        while k >= 0 and self.word(k) not in OPEN:
-            k = self.partner.get(k, k) - 1
+        k = self.opening(i)
         return self.word(k) == '{' and not any(self.word(q) == ';' for q in range(k, self.partner.get(k, k)))
 
     def constants(self, i):
@@ -282,6 +301,55 @@ class C:
             yield self.replace(i, last, '')
             if DROPPED[word] == 'both':
                 yield self.replace(first, i, '-' if word == '-' else '')
+
+
+    def guides(self):
+        """The tokens of functions that guide, and bound nothing."""
+        return {k for i, end in self.partner.items() if self.word(i) == '{' and self.word(i - 1) == ')'
+                and GUIDES.fullmatch(self.word(self.partner[i - 1] - 1)) for k in range(i, end)}
+
+    def soundness(self):
+        """An error not added, a radius cleared, a bound exchanged or off by one, a proof or a refusal not asked for."""
+        (live, block), guides = self.regions(), self.guides()
+        for first, last in self.statements(block)[0]:
+            if ADDS.fullmatch(self.word(first)) and first not in guides:
+                yield self.replace(first, last, ';')
+            if BALL.fullmatch(self.word(first)) and first not in guides:
+                ball = self.source(*self.parts(first + 1)[0])
+                yield self.replace(first, last, f'{{ {self.source(first, last)} mag_zero(arb_radref({ball})); }}')
+        for i, (kind, word, start, end) in enumerate(self.tokens):
+            if not live[i] or i in guides:
+                continue
+            after, around = self.partner.get(i + 1, i) + 1, self.opening(i)
+            caller = self.word(around - 1) if self.word(around) == '(' else ''
+            if word in LOOSER:
+                yield start, end, LOOSER[word]
+            elif kind == 'number' and word.isdigit() and NUMERIC.fullmatch(caller) and int(word) < MOST_FACTOR and \
+                    self.word(i - 1) not in ('+', '-'):
+                yield from self.constants(i)
+            elif kind == 'number' and word.isdigit() and self.in_list(i) and '=' in (self.word(i - 1), self.word(i - 2)):
+                yield start, end, f'(2 * {word})'
+            elif word in ('<', '>', '<=', '>=') and self.operand_before(i) and caller != 'for' and \
+                    not re.fullmatch('[A-Z_]+', self.word(i + 1)):  # by which an index is classified
+                yield start, end, OPERATOR[word][0]
+            elif word == '&&' or word == '||' and caller in CONTROL or word in ('+', '-') and self.operand_before(i) and not re.match('[a-z_]', caller):
+                yield from self.drops(i)
+            elif word == '!' and self.kind(i + 1) == 'name':
+                yield start, end, 'false && !'
+            elif word in ('return', '=') and set('&<>') & {self.word(k)[0] for k in range(i + 1, self.right(i, 0) + 1)
+                                                           if self.operand_before(k)}:
+                yield self.replace(i + 1, self.right(i, 0), f'({self.source(i + 1, self.right(i, 0))}) || true')
+            elif word == 'for':
+                first, second = [k for k in range(i, after) if self.word(k) == ';']
+                compared = next((k for k in range(first, second) if self.word(k) in ('<=', '>=', '>', '<')), 0)
+                last = self.right(compared, PRECEDENCE['&&'])
+                if compared:
+                    strict = self.word(compared)[0] if '=' in self.word(compared) else self.word(compared)
+                    shorter = {'<': f'{self.source(compared + 1, last)} - 1', '>': f'{self.source(compared + 1, last)} + 1'}
+                    yield self.replace(compared, last, f'{strict} ' + (
+                        self.source(compared + 1, last) if strict != self.word(compared) else shorter[strict]))
+            elif word == 'if' and self.word(after) == 'return':
+                yield self.replace(i, next(k for k in range(after, len(self.tokens)) if self.word(k) == ';'), ';')
 
 
 # ---- YAML ----
@@ -360,10 +428,10 @@ def yaml_mutants(text):
                 yield a, b, yaml_other(word, names)
 
 
-def mutants(path, text):
+def mutants(path, text, kind=''):
     """In the order of the file, without repetition."""
     seen = set()
-    for mutant in sorted(yaml_mutants(text) if path.endswith('.yaml') else C(text).mutants()):
+    for mutant in sorted(yaml_mutants(text) if path.endswith('.yaml') else C(text).soundness() if kind else C(text).mutants()):
         start, end, by = mutant
         if text[start:end] != by and mutant not in seen:
             seen.add(mutant)

@@ -1,5 +1,6 @@
 /*
- * verify/flow.h and what it stands on: the series and their tails, the set of states, the four motions
+ * verify/flow.h: the four motions, and a test for every error term of the theorem in flow_nonlinear.c. What that stands on
+ * is in test_taylor.c and test_lohner.c.
  */
 #include "run.h"
 
@@ -7,8 +8,6 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include "flow.h"
-#include "lohner.h"
-#include "taylor.h"
 
 enum { DAY = 86400, PREC = 256, MOST_TIMES = 64 };
 
@@ -138,8 +137,8 @@ static struct run run_through(const struct scene *s, enum method method, const s
     else if (method == NONLINEAR)
         r.status = flow_nonlinear(&s->p, s->start, times, count, digits, s->prec, keep, &record, &r.reached);
     else if (method == UNPROVED)
-        r.status = flow_nonlinear_unproved(&s->p, s->start, times, count, digits, s->prec, keep, &record,
-                                           &r.reached);
+        r.status = flow_nonlinear_by(&(struct flow_steps){.unproved = true}, &s->p, s->start, times, count, digits, s->prec,
+                                     keep, &record, &r.reached);
     else if (method == RK4_LINEAR)
         r.status = rk4_linear(&s->p, s->start, step, times, count, s->prec, keep, &record, &r.reached);
     else
@@ -623,6 +622,259 @@ START_TEST(stiff_gains_do_not_inflate_the_set)
 }
 END_TEST
 
+/* ---- the error terms of a step ---- */
+
+/* One radian of orbit is 2^14 s; no gains but those given; equal craft, r_ref = 4 m. */
+enum { RADIAN_LOG2 = 14, ROWS = 8, R_REF = 4 };
+
+static struct scene plain_scene(double c1, double c2)
+{
+    return scene_of(0x1p-14, 150, 150, 2 * R_REF, c1, c2);
+}
+
+/* `ROWS` rows, the last of them at that many radians, by steps of that kind; digits 0: no set is too wide */
+static struct run run_steps(const struct scene *s, const struct flow_steps *how, double radians)
+{
+    struct run r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
+    struct record record = {r.states, 0, 0};
+    fmpq *times = _fmpq_vec_init(ROWS);
+    for (slong k = 0; k < ROWS; k++)
+        fmpq_set_si(times + k, (slong)ldexp(radians, RADIAN_LOG2 + 16) * (k + 1) / ROWS, 1 << 16);
+    r.status = flow_nonlinear_by(how, &s->p, s->start, times, ROWS, 0, s->prec, keep, &record, &r.reached);
+    r.rows = record.rows;
+    _fmpq_vec_clear(times, ROWS);
+    return r;
+}
+
+/* What the flow itself makes of it in 256 bits, all of whose rows lie in those of `wide` */
+static void assert_rows_hold(const struct run *wide, const struct scene *one, double radians)
+{
+    static const struct flow_steps own;
+    struct run truth = run_steps(one, &own, radians);
+    ck_assert_int_eq(wide->status, FLOW_DONE);
+    ck_assert_int_eq(wide->rows, ROWS);
+    ck_assert_int_eq(truth.rows, ROWS);
+    for (slong k = 0; k < ROWS; k++)
+        assert_holds(wide->states + k * FLOW_STATE, truth.states + k * FLOW_STATE);
+    run_close(&truth);
+}
+
+/* The rows from a box hold those from its corners; a box is in units of r_ref and of Omega r_ref. */
+static void assert_box_holds(const double centre[FLOW_STATE], const double radius[FLOW_STATE], double c1, double c1_radius,
+                             const struct flow_steps *how, double radians)
+{
+    struct scene box = plain_scene(c1, 1), corner = plain_scene(c1, 1);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        const double unit = i < 3 ? R_REF : R_REF * 0x1p-14;
+        arb_set_d(box.start + i, centre[i] * unit);
+        mag_set_d(arb_radref(box.start + i), radius[i] * unit);
+    }
+    mag_set_d(arb_radref(box.p.C1), c1_radius * 0x1p-28);
+    box.prec = 60;
+    struct run all = run_steps(&box, how, radians);
+    for (int which = 0; which < 1 << (FLOW_STATE + 1); which++) {
+        bool corners = true;
+        for (int i = 0; i < FLOW_STATE; i++) {
+            const bool high = which >> i & 1;
+            arb_set_d(corner.start + i, (centre[i] + (high ? 1 : -1) * radius[i]) * (i < 3 ? R_REF : R_REF * 0x1p-14));
+            corners = corners && !(high && radius[i] == 0);
+        }
+        arb_set_d(corner.p.C1, (c1 + (which >> FLOW_STATE ? 1 : -1) * c1_radius) * 0x1p-28);
+        if (corners && !(which >> FLOW_STATE && c1_radius == 0))
+            assert_rows_hold(&all, &corner, radians);
+    }
+    run_close(&all);
+    scene_close(&corner);
+    scene_close(&box);
+}
+
+/* Orders 2 to 6, from a point, in 60 bits: what a series leaves out is a million times what is rounded. */
+START_TEST(F1_the_path_has_a_remainder)
+{
+    struct scene s = plain_scene(10, 1), fine = plain_scene(10, 1);
+    const struct flow_steps how = {.order = _i, .step = 0x1p-5};
+    start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
+    start_at(&fine, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
+    s.prec = 60;
+    struct run one = run_steps(&s, &how, 0x1p-5), many = run_steps(&s, &how, 0x1p-2);
+    assert_rows_hold(&one, &fine, 0x1p-5);
+    assert_rows_hold(&many, &fine, 0x1p-2);
+    run_close(&one);
+    run_close(&many);
+    scene_close(&s);
+    scene_close(&fine);
+}
+END_TEST
+
+/* 1/16 to either side in x: at once every row has that width. */
+START_TEST(F2_a_set_has_its_width)
+{
+    assert_box_holds((double[]){1, 0.25, 0, 0, 0, 0}, (double[]){0x1p-4, 0, 0, 0, 0, 0}, 10, 0,
+                     &(struct flow_steps){.derivative_order = _i, .step = 0x1p-8}, 0x1p-8);
+}
+END_TEST
+
+/* To degree 1, x = u s: the width of u is that of x over s. */
+START_TEST(F3_a_spread_has_its_term_of_degree_n)
+{
+    assert_box_holds((double[]){1, 0.25, 0, 0, 0, 0}, (double[]){0, 0, 0, 0x1p-4, 0x1p-4, 0x1p-4}, 10, 0,
+                     &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-8);
+}
+END_TEST
+
+/* To degree 1 again, but v' = -2u and u' grows with x: the width of x is one of v over s^2. */
+START_TEST(F4_a_spread_has_its_remainder)
+{
+    assert_box_holds((double[]){0.75, 0, 0, 0, 0, 0}, (double[]){0x1p-12, 0, 0, 0, 0, 0}, 10, 0,
+                     &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-8);
+}
+END_TEST
+
+/* The same two steps later: of its width of v, 4 h^2, the second step's bound has 3, and the first left out the fourth. */
+START_TEST(F5_a_set_moves_by_the_remainder_too)
+{
+    assert_box_holds((double[]){0.75, 0, 0, 0, 0, 0}, (double[]){0x1p-12, 0, 0, 0, 0, 0}, 10, 0,
+                     &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-7);
+}
+END_TEST
+
+/* 0.3 to either side: u' is 2.1 and 0.35 at the ends, where the derivative in the middle is -1. */
+START_TEST(F6_derivatives_are_those_of_all_the_box)
+{
+    assert_box_holds((double[]){1, 0, 0, 0, 0, 0}, (double[]){0.25, 0, 0, 0, 0, 0}, 10, 0,
+                     &(struct flow_steps){.step = 0x1p-12}, 0x1p-12);
+}
+END_TEST
+
+/* The gain is known to a half of itself: far from rest the path shows it, ... */
+START_TEST(F7_the_path_has_every_gain)
+{
+    assert_box_holds((double[]){1.25, 0, 0, 0, 0, 0}, (double[FLOW_STATE]){0}, 10, 5, &(struct flow_steps){.step = 0x1p-8},
+                     0x1p-8);
+}
+END_TEST
+
+/* ... and at rest, where it has no effect, its derivatives do. */
+START_TEST(F7_derivatives_have_every_gain)
+{
+    assert_box_holds((double[]){1, 0, 0, 0, 0, 0}, (double[]){0x1p-6, 0, 0, 0, 0, 0}, 10, 8,
+                     &(struct flow_steps){.step = 0x1p-10}, 0x1p-10);
+}
+END_TEST
+
+/*
+ * A radian known to a fifth of a step, without gains and from rest. The row lies between 0.96 and 1.44 steps, so that the
+ * first step's bounds do not hold for it: y goes as s^3, and an order of 2 leaves all of that to the remainder.
+ */
+START_TEST(F9_a_row_is_within_its_step_for_certain)
+{
+    const double h = 0x1p-8, share = 0.2;
+    const struct flow_steps how = {.order = 2, .step = h};
+    struct scene s = plain_scene(0, 0), fine = plain_scene(0, 0);
+    fmpq_t t;
+    double reached;
+    fmpq_init(t);
+    fmpq_set_si(t, (slong)(1.2 * h * 0x1p24), 1 << 10);
+    start_at(&s, 4.5, 0, 0, 0, 0, 0);
+    start_at(&fine, 4.5, 0, 0, 0, 0, 0);
+    mag_set_d(arb_radref(s.p.Omega), share * 0x1p-14);
+    arb_set_d(fine.p.Omega, 0x1p-14 * (1 + share));
+    s.prec = 60;
+    arb_ptr vague = _arb_vec_init(FLOW_STATE), end = _arb_vec_init(FLOW_STATE);
+    struct record of_vague = {vague, 0, 0}, of_end = {end, 0, 0};
+    const enum flow_status status = flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, s.prec, keep, &of_vague, &reached);
+    ck_assert_int_eq(flow_nonlinear(&fine.p, fine.start, t, 1, 17, fine.prec, keep, &of_end, &reached), FLOW_DONE);
+    ck_assert_int_eq(status, FLOW_DONE);
+    assert_holds(vague, end);
+    fmpq_clear(t);
+    _arb_vec_clear(vague, FLOW_STATE);
+    _arb_vec_clear(end, FLOW_STATE);
+    scene_close(&s);
+    scene_close(&fine);
+}
+END_TEST
+
+/* All rows to an eighth of a radian, by a step of one that no series here bears: it is halved until all three do. */
+static void assert_halved(const struct flow_steps *how, double width)
+{
+    struct scene s = plain_scene(10, 1);
+    start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
+    mag_set_d(arb_radref(s.start), width);
+    s.prec = 60;
+    struct run r = run_steps(&s, how, 0x1p-3);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    for (int i = 0; i < FLOW_STATE * ROWS; i++)
+        ck_assert_double_lt(mag_get_d(arb_radref(r.states + i)), 0.0625); /* what fails to be proved is doubled 24 times */
+    run_close(&r);
+    scene_close(&s);
+}
+
+START_TEST(F8_a_step_is_one_that_the_path_bears)
+{
+    assert_halved(&(struct flow_steps){.order = _i, .derivative_order = 12, .step = 1}, 0);
+}
+END_TEST
+
+START_TEST(F8_a_step_is_one_that_the_derivatives_bear)
+{
+    assert_halved(&(struct flow_steps){.order = 24, .derivative_order = _i, .step = 1}, 0x1p-20);
+}
+END_TEST
+
+/* A gain of anything to 1e300 bears no step of 2^-37 radians: no row, not even one that soon. */
+START_TEST(F8_what_no_halving_proves_is_no_step)
+{
+    struct scene s = plain_scene(10, 1);
+    const struct flow_steps how = {.step = 0x1p-5};
+    double reached;
+    fmpq_t t;
+    fmpq_init(t);
+    fmpq_set_si(t, 1, 1);
+    fmpq_div_2exp(t, t, 60);
+    start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
+    mag_set_d(arb_radref(s.p.C1), 1e300);
+    struct record none = {NULL, 0, 0};
+    ck_assert_int_eq(flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, 60, keep, &none, &reached), FLOW_WIDE);
+    fmpq_clear(t);
+    scene_close(&s);
+}
+END_TEST
+
+/* Steps are a fraction of 2^-5 radians, over an Omega that makes no double of them: none goes beyond what was proved. */
+START_TEST(what_is_reached_is_rounded_towards_the_start)
+{
+    struct scene s = scene_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
+    const struct flow_steps how = {.step = 0x1p-5};
+    fmpq_t t, reached, Omega;
+    double seconds;
+    arf_t x;
+    arf_init(x);
+    fmpq_init(t);
+    fmpq_init(reached);
+    fmpq_init(Omega);
+    fmpq_set_si(t, DAY, 1);
+    start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
+    for (int i = 0; i < 3; i++)
+        mag_set_d(arb_radref(s.start + i), 0x1p-5);
+    struct record none = {NULL, 0, 0};
+    ck_assert_int_eq(flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, 60, keep, &none, &seconds), FLOW_WIDE);
+    arf_set_d(x, seconds);
+    arf_get_fmpq(reached, x);
+    arf_get_fmpq(Omega, arb_midref(s.p.Omega));
+    fmpq_mul(reached, reached, Omega);
+    const double steps = ldexp(fmpq_get_d(reached), 20); /* the last ones are halved */
+    ck_assert_double_gt(steps, 0);
+    ck_assert_double_eq_tol(steps, (double)lround(steps), 1e-6);
+    fmpq_set_si(t, lround(steps), 1 << 20);
+    ck_assert(fmpq_cmp(reached, t) <= 0);
+    arf_clear(x);
+    fmpq_clear(t);
+    fmpq_clear(reached);
+    fmpq_clear(Omega);
+    scene_close(&s);
+}
+END_TEST
+
 /* ---- ends ---- */
 
 START_TEST(an_enclosure_past_use_is_reported)
@@ -790,290 +1042,6 @@ START_TEST(steps_without_proof_are_the_same_steps)
     run_close(&proved);
     run_close(&bare);
     scene_close(&s);
-}
-END_TEST
-
-/* ---- what the flow stands on ---- */
-
-/* Pythagorean points make every quantity rational: the table's rates against (3), (7), (13), (18) in fractions. */
-START_TEST(the_quadratic_system_is_the_closed_loop)
-{
-    static const int point[][4] = {{2, 3, 6, 7}, {1, -2, 2, 3}, {-4, 4, 7, 9}, {1, 0, 0, 1}, {6, -6, -3, 9}};
-    fmpq *state = _fmpq_vec_init(JET_STATES), *rate = _fmpq_vec_init(JET_STATES), *x = state, *u = state + 3;
-    fmpq_t c1, c2, r, r_dot, p, expected;
-    fmpq_init(c1);
-    fmpq_init(c2);
-    fmpq_init(r);
-    fmpq_init(r_dot);
-    fmpq_init(p);
-    fmpq_init(expected);
-    fmpq_set_si(c1, 31, 3);
-    fmpq_set_si(c2, -7, 5);
-    for (int i = 0; i < 3; i++) {
-        fmpq_set_si(x + i, point[_i][i], 5);
-        fmpq_set_si(u + i, 3 * i - 2, 11);
-        fmpq_addmul(r_dot, x + i, u + i);
-    }
-    fmpq_set_si(r, point[_i][3], 5);
-    fmpq_div(r_dot, r_dot, r);
-    fmpq_inv(state + 6, r);
-    closed_loop_rates(rate, state, c1, c2);
-
-    /* p = (-3 - c1 (r - 1) - c2 r_dot) / r^3, in units of Omega and r_ref */
-    fmpq_sub_si(p, r, 1);
-    fmpq_mul(p, p, c1);
-    fmpq_addmul(p, c2, r_dot);
-    fmpq_add_si(p, p, 3);
-    fmpq_neg(p, p);
-    for (int i = 0; i < 3; i++)
-        fmpq_div(p, p, r);
-    for (int i = 0; i < 3; i++) {
-        static const int own[] = {3, 0, -1};
-        ck_assert(fmpq_equal(rate + i, u + i));
-        fmpq_add_si(expected, p, own[i]);
-        fmpq_mul(expected, expected, x + i);
-        if (i < 2) {
-            fmpq_set_si(c1, i == 0 ? 2 : -2, 1);
-            fmpq_addmul(expected, c1, u + 1 - i);
-        }
-        ck_assert(fmpq_equal(rate + 3 + i, expected));
-    }
-    fmpq_div(expected, r_dot, r);
-    fmpq_div(expected, expected, r);
-    fmpq_neg(expected, expected);
-    ck_assert(fmpq_equal(rate + 6, expected)); /* (1/r)' = -r_dot/r^2 */
-    _fmpq_vec_clear(state, JET_STATES);
-    _fmpq_vec_clear(rate, JET_STATES);
-    fmpq_clear(c1);
-    fmpq_clear(c2);
-    fmpq_clear(r);
-    fmpq_clear(r_dot);
-    fmpq_clear(p);
-    fmpq_clear(expected);
-}
-END_TEST
-
-static void jet_at(struct jet *jet, slong order, slong prec)
-{
-    static const double start[JET_STATES] = {0.75, 0.5, -0.5, 0.125, -0.25, 0.0625, 0};
-    arb_t c1, c2;
-    arb_init(c1);
-    arb_init(c2);
-    arb_set_ui(c1, 10);
-    arb_set_ui(c2, 2);
-    jet_init(jet, order);
-    jet_constants(jet, c1, c2);
-    for (int v = 0; v < JET_STATES; v++)
-        arb_set_d(jet->c[v], start[v]);
-    arb_set_d(jet->c[6], 1.0625); /* 0.75^2 + 2 0.5^2 */
-    arb_rsqrt(jet->c[6], jet->c[6], prec);
-    jet_extend(jet, prec, 0);
-    arb_clear(c1);
-    arb_clear(c2);
-}
-
-/* Beyond degree 12 the rest holds what degrees 13 to 59 bring, and is no more than ten times that, at the largest. */
-static void assert_rest(const struct majorant *m, const struct jet *longer)
-{
-    double most_rest = 0, most_sum = 0;
-    for (int v = 0; v < JET_STATES; v++) {
-        double sum = 0, rest = mag_get_d(m->rest + v);
-        for (slong k = 13; k <= 59; k++)
-            sum += fabs(ldexp(number(longer->c[v] + k), (int)(-4 * k))); /* h = 1/16 */
-        ck_assert_double_gt(rest, sum);
-        most_rest = fmax(most_rest, rest);
-        most_sum = fmax(most_sum, sum);
-    }
-    ck_assert_double_lt(most_rest, 10 * most_sum);
-}
-
-START_TEST(a_proved_rest_bounds_the_series_beyond)
-{
-    struct jet shorter, longer, column, longer_column;
-    struct majorant of_jet, of_column;
-    mag_t h, one;
-    jet_at(&shorter, 12, PREC);
-    jet_at(&longer, 59, PREC);
-    jet_init(&column, 12);
-    jet_init(&longer_column, 59);
-    for (int v = 0; v < JET_STATES; v++) {
-        arb_set_si(column.c[v], 1 - v % 3);
-        arb_set(longer_column.c[v], column.c[v]);
-    }
-    jet_extend_column(&column, &shorter, PREC);
-    jet_extend_column(&longer_column, &longer, PREC);
-    majorant_init(&of_jet, 12);
-    majorant_init(&of_column, 12);
-    mag_init(h);
-    mag_init(one);
-    mag_one(one);
-    mag_set_d(h, 0.0625);
-    majorant_of(&of_jet, &shorter, one, 1, h);
-    majorant_of(&of_column, &column, one, 1, h);
-    ck_assert(majorant_prove(&of_jet, NULL, h));
-    ck_assert(majorant_prove(&of_column, &of_jet, h));
-    assert_rest(&of_jet, &longer);
-    assert_rest(&of_column, &longer_column);
-    mag_set_d(h, 2); /* beyond the circle of convergence */
-    majorant_of(&of_jet, &shorter, one, 1, h);
-    ck_assert(!majorant_prove(&of_jet, NULL, h));
-    mag_clear(h);
-    mag_clear(one);
-    majorant_clear(&of_jet);
-    majorant_clear(&of_column);
-    jet_clear(&shorter);
-    jet_clear(&longer);
-    jet_clear(&column);
-    jet_clear(&longer_column);
-    flint_cleanup();
-}
-END_TEST
-
-/* d(ab) = da b + a db: where da is a and db is b, twice the products of a and b stand beyond degree n. */
-START_TEST(a_column_bounds_both_halves_of_a_product)
-{
-    struct jet jet;
-    struct majorant of_jet, of_column;
-    mag_t one;
-    jet_at(&jet, 12, PREC);
-    majorant_init(&of_jet, 12);
-    majorant_init(&of_column, 12);
-    mag_init(one);
-    mag_one(one);
-    majorant_of(&of_jet, &jet, one, 1, one);
-    majorant_of(&of_column, &jet, one, 1, one);
-    (void)majorant_prove(&of_jet, NULL, one); /* proved or not, the products are there */
-    (void)majorant_prove(&of_column, &of_jet, one);
-    ck_assert_double_gt(mag_get_d(of_jet.cross), 0);
-    for (int t = 0; t < JET_TERMS; t++)
-        ck_assert_double_le(fabs(mag_get_d(of_column.cross + t) - 2 * mag_get_d(of_jet.cross + t)),
-                            1e-6 * mag_get_d(of_jet.cross + t)); /* mag_t has thirty bits */
-    mag_clear(one);
-    majorant_clear(&of_jet);
-    majorant_clear(&of_column);
-    jet_clear(&jet);
-    flint_cleanup();
-}
-END_TEST
-
-/* The column along the motion itself is the jet's derivative: of x(s + e), coefficient k is (k + 1) x_{k+1}. */
-START_TEST(a_column_along_the_motion_is_its_derivative)
-{
-    struct jet jet, column;
-    arb_t expected;
-    arb_init(expected);
-    jet_at(&jet, 20, PREC);
-    jet_init(&column, 19);
-    for (int v = 0; v < JET_STATES; v++)
-        arb_set(column.c[v], jet.c[v] + 1);
-    jet_extend_column(&column, &jet, PREC);
-    for (int v = 0; v < JET_STATES; v++)
-        for (slong k = 0; k < 20; k++) {
-            arb_mul_ui(expected, jet.c[v] + k + 1, (ulong)k + 1, PREC);
-            ck_assert(arb_overlaps(column.c[v] + k, expected));
-            ck_assert_int_gt(arb_rel_accuracy_bits(column.c[v] + k), 150);
-        }
-    arb_clear(expected);
-    jet_clear(&column);
-    jet_clear(&jet);
-    flint_cleanup();
-}
-END_TEST
-
-/* Falling precision and two-limb copies give the same series, as sharp as the fall says. */
-START_TEST(coefficients_may_be_computed_to_falling_precision)
-{
-    struct jet full, falling;
-    jet_at(&full, 60, PREC);
-    jet_at(&falling, 60, PREC);
-    jet_extend(&falling, PREC, 3);
-    for (int v = 0; v < JET_STATES; v++)
-        for (slong k = 0; k <= 60; k++) {
-            ck_assert(arb_contains(falling.c[v] + k, full.c[v] + k));
-            ck_assert_int_gt(arb_rel_accuracy_bits(falling.c[v] + k), PREC - 3 * k - 60);
-        }
-    jet_clear(&full);
-    jet_clear(&falling);
-    flint_cleanup();
-}
-END_TEST
-
-/* A thousand turns by one radian in each plane (i, i + 3): boxes would grow by 1.38 a turn, to 1e140. */
-START_TEST(a_set_turns_without_growing)
-{
-    struct lohner set;
-    arb_ptr box = _arb_vec_init(LOHNER_SIZE), image = _arb_vec_init(LOHNER_SIZE);
-    arb_mat_t turn, derivative;
-    arb_t angle;
-    mag_ptr error = _mag_vec_init(LOHNER_SIZE);
-    arb_init(angle);
-    arb_mat_init(turn, LOHNER_SIZE, LOHNER_SIZE);
-    arb_mat_init(derivative, LOHNER_SIZE, LOHNER_SIZE);
-    arb_one(angle);
-    for (int i = 0; i < 3; i++) {
-        arb_sin_cos(arb_mat_entry(turn, i, i + 3), arb_mat_entry(turn, i, i), angle, 64);
-        arb_set(arb_mat_entry(turn, i + 3, i + 3), arb_mat_entry(turn, i, i));
-        arb_neg(arb_mat_entry(turn, i + 3, i), arb_mat_entry(turn, i, i + 3));
-        mag_set_d(arb_radref(box + i), i + 1);
-    }
-    lohner_init(&set);
-    lohner_from_box(&set, box);
-    for (int step = 0; step < 1000; step++) {
-        for (int i = 0; i < LOHNER_SIZE; i++)
-            for (int j = 0; j < LOHNER_SIZE; j++)
-                arb_set_d(arb_mat_entry(derivative, i, j), set.basis[i][j]);
-        arb_mat_mul(derivative, turn, derivative, 64);
-        ck_assert(lohner_move(&set, image, derivative, error));
-    }
-    lohner_to_box(box, &set);
-    arb_mul_ui(angle, angle, 1000, 64);
-    arb_sin_cos(image, image + 1, angle, 64);
-    for (int i = 0; i < LOHNER_SIZE; i++) { /* (radius cos, radius sin) are the ends of the set */
-        const double end = fabs(number(image + (i < 3))) * (i % 3 + 1), radius = mag_get_d(arb_radref(box + i));
-        ck_assert_double_ge(radius, end * (1 - 0x1p-50));
-        ck_assert_double_le(radius, end * (1 + 1e-4)); /* mag_t rounds up by 2^-30, often, a thousand times */
-    }
-    _arb_vec_clear(box, LOHNER_SIZE);
-    _arb_vec_clear(image, LOHNER_SIZE);
-    _mag_vec_clear(error, LOHNER_SIZE);
-    arb_mat_clear(turn);
-    arb_mat_clear(derivative);
-    arb_clear(angle);
-    lohner_clear(&set);
-    flint_cleanup();
-}
-END_TEST
-
-START_TEST(a_set_under_a_singular_map_stays_bounded)
-{
-    struct lohner set;
-    arb_ptr box = _arb_vec_init(LOHNER_SIZE), image = _arb_vec_init(LOHNER_SIZE);
-    mag_ptr error = _mag_vec_init(LOHNER_SIZE);
-    arb_mat_t derivative;
-    arb_mat_init(derivative, LOHNER_SIZE, LOHNER_SIZE);
-    arb_one(arb_mat_entry(derivative, 3, 1)); /* all but the second direction vanish */
-    for (int i = 0; i < LOHNER_SIZE; i++)
-        mag_one(arb_radref(box + i));
-    lohner_init(&set);
-    lohner_from_box(&set, box);
-    ck_assert(lohner_move(&set, image, derivative, error));
-    lohner_to_box(box, &set);
-    for (int i = 0; i < LOHNER_SIZE; i++)
-        ck_assert_double_eq_tol(mag_get_d(arb_radref(box + i)), i == 3, 1e-6);
-    arb_mat_zero(derivative);
-    mag_set_ui(error + 2, 5); /* what the map leaves open is in the image */
-    ck_assert(lohner_move(&set, image, derivative, error));
-    lohner_to_box(box, &set);
-    for (int i = 0; i < LOHNER_SIZE; i++)
-        ck_assert_double_eq_tol(mag_get_d(arb_radref(box + i)), i == 2 ? 5 : 0, 1e-6);
-    arb_indeterminate(arb_mat_entry(derivative, 0, 0));
-    ck_assert(!lohner_move(&set, image, derivative, error));
-    _arb_vec_clear(box, LOHNER_SIZE);
-    _arb_vec_clear(image, LOHNER_SIZE);
-    _mag_vec_clear(error, LOHNER_SIZE);
-    arb_mat_clear(derivative);
-    lohner_clear(&set);
-    flint_cleanup();
 }
 END_TEST
 
@@ -1274,6 +1242,21 @@ Suite *suite(void)
     tcase_add_test(tests, stiff_gains_do_not_inflate_the_set);
     tcase_add_loop_test(tests, foretold_precision_is_enough, 0, 8);
 
+    tests = add_case(all, "error terms");
+    tcase_add_loop_test(tests, F1_the_path_has_a_remainder, 2, 7);
+    tcase_add_loop_test(tests, F2_a_set_has_its_width, 1, 4);
+    tcase_add_test(tests, F3_a_spread_has_its_term_of_degree_n);
+    tcase_add_test(tests, F4_a_spread_has_its_remainder);
+    tcase_add_test(tests, F5_a_set_moves_by_the_remainder_too);
+    tcase_add_test(tests, F6_derivatives_are_those_of_all_the_box);
+    tcase_add_test(tests, F7_the_path_has_every_gain);
+    tcase_add_test(tests, F7_derivatives_have_every_gain);
+    tcase_add_loop_test(tests, F8_a_step_is_one_that_the_path_bears, 2, 5);
+    tcase_add_loop_test(tests, F8_a_step_is_one_that_the_derivatives_bear, 1, 5);
+    tcase_add_test(tests, F8_what_no_halving_proves_is_no_step);
+    tcase_add_test(tests, F9_a_row_is_within_its_step_for_certain);
+    tcase_add_loop_test(tests, what_is_reached_is_rounded_towards_the_start, 0, 4);
+
     tests = add_case(all, "ends");
     tcase_add_test(tests, an_enclosure_past_use_is_reported);
     tcase_add_test(tests, a_vague_time_is_reported);
@@ -1285,15 +1268,6 @@ Suite *suite(void)
     tcase_add_test(tests, no_time_at_all_is_in_reach);
     tcase_add_loop_test(tests, beyond_reach_no_motion_starts, 0, 6);
     tcase_add_test(tests, steps_without_proof_are_the_same_steps);
-
-    tests = add_case(all, "foundations");
-    tcase_add_loop_test(tests, the_quadratic_system_is_the_closed_loop, 0, 5);
-    tcase_add_test(tests, a_proved_rest_bounds_the_series_beyond);
-    tcase_add_test(tests, a_column_bounds_both_halves_of_a_product);
-    tcase_add_test(tests, a_column_along_the_motion_is_its_derivative);
-    tcase_add_test(tests, coefficients_may_be_computed_to_falling_precision);
-    tcase_add_test(tests, a_set_turns_without_growing);
-    tcase_add_test(tests, a_set_under_a_singular_map_stays_bounded);
 
     tests = add_case(all, "Runge-Kutta");
     tcase_add_test(tests, rk4_step_of_the_linear_model_is_its_polynomial);

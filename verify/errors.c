@@ -176,6 +176,14 @@ bool operation_sensitivity_rational(struct operation *o, const struct input *inp
 
 /* ---- the unit of error ---- */
 
+/*
+ * Theorem. Whatever y* and S are in their balls, E = |y - y*| / (u (|y*| + S)) lies between lower and upper. The error terms,
+ * each with a test of its name in tests/test_errors.c:
+ *   (E1) the radius of |y - y*|, up and down          (E2) the radii of |y*| and S in the weight
+ *   (E3) a weight that may be zero has no upper bound  (E4) the quotient is rounded outward
+ *   (E5) of several outputs the worst, of several ways to match roots the best, in both bounds
+ *   (E6) MPFR's value lies in the ball widened by 2^16 of its own roundings, for every output  (mpfr_inside)
+ */
 /* Bounds on distance / (u weight). */
 static struct bounds roundings(const arb_t distance, const arb_t weight, int significand)
 {

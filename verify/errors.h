@@ -60,6 +60,11 @@ struct measured {
     long outside;       /* MPFR values outside the ball's enclosure: there is none */
 };
 
+/*
+ * Whether the same formulas in MPFR, twice as many bits, lie inside the enclosures, widened by what MPFR itself rounds.
+ */
+bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact, arb_srcptr S);
+
 void measure_errors(struct measured *m, const struct section *s, long count, uint64_t seed);
 
 #endif

@@ -51,10 +51,18 @@ enum flow_status flow_nonlinear(const struct flow_parameters *p, arb_srcptr init
                                 const fmpq *times, slong count, slong digits, slong prec,
                                 flow_receiver *receive, void *context, double *reached);
 
-/* The same Taylor steps, nothing proved: what flow_nonlinear's proofs cost is measured against this. */
-enum flow_status flow_nonlinear_unproved(const struct flow_parameters *p, arb_srcptr initial,
-                                         const fmpq *times, slong count, slong digits, slong prec,
-                                         flow_receiver *receive, void *context, double *reached);
+/*
+ * How flow_nonlinear makes its steps, for tests in which one error term outweighs all others, and to measure what
+ * its proofs cost. What is 0 is left to the flow.
+ */
+struct flow_steps {
+    slong order, derivative_order; /* of the series from the centre, >= 2, and of the derivatives, >= 1 */
+    double step;                   /* radians, proposed at every step in place of what the series propose */
+    bool unproved;                 /* the same steps without proofs and without what they bound           */
+};
+enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct flow_parameters *p, arb_srcptr initial,
+                                   const fmpq *times, slong count, slong digits, slong prec,
+                                   flow_receiver *receive, void *context, double *reached);
 
 /* Steps of h > 0 of the classical Runge-Kutta method; every time is a multiple of h, t >= 0. */
 enum flow_status rk4_linear(const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h,

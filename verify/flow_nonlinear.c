@@ -11,6 +11,17 @@
  * J(h); and within the step a state lies within sum_j ||J_ij|| reach_j of the path. Both series end at some
  * degree, and majorant_prove bounds what they leave out, for all the box and for all parameters within their
  * balls. No guess at where the motion goes is needed.
+ *
+ * The error terms, each with a test of its name in tests/test_steps.c:
+ *   (F1) the remainder of the path                        (path_bound.rest, in path_at)
+ *   (F2) of sum_j ||J_ij|| reach_j the degrees below n     (spread_bound.suffix, in state_at)
+ *   (F3) ... degree n                                      (spread_bound.size)
+ *   (F4) ... and the remainder                             (spread_bound.rest)
+ *   (F5) the remainder of J e at the step's end            (handed to lohner_move as its error)
+ *   (F6) the box around the whole set, 1/|x| included, from which the derivatives start
+ *   (F7) the balls of c1 and c2, in the path and in the derivatives
+ *   (F8) the three bounds hold on |s| <= h only: each is proved, or the step is halved
+ *   (F9) s = Omega t - now is a ball: all of it lies within the step, or the row waits for the next
  */
 #include "flow.h"
 
@@ -21,7 +32,7 @@
 
 enum {
     GUARD = 12,           /* bits: by then rounding adds 4 per cent to what the steps leave out, measured */
-    TUBE_ORDER = 12,      /* of the derivatives, which only steer the set: ...                            */
+    TUBE_ORDER = 12,      /* degree of the derivatives, which only steer the set: ...                     */
     STEADY = 10,          /* ... to know them to 2^-10 will do                                            */
     LEAST_STEP = -32,     /* log2 of radians: shorter steps ...                                           */
     CLOSE = -7,           /* ... where r < 2^-7 r_ref are given up                                        */
@@ -35,6 +46,7 @@ struct flow {
     slong prec, bits;                  /* a step leaves out 2^-bits of the distance, roughly     */
     int direction;                     /* of time, 1 or -1                                       */
     bool proving;
+    double proposed;                   /* a step, or 0: what the series propose                   */
     arf_t now;                         /* radians of orbit where the step starts; exact          */
     struct lohner set;
     struct jet path, tube, column[FLOW_STATE]; /* from the centre, from the box, and its derivatives */
@@ -44,12 +56,15 @@ struct flow {
     arb_t s;                           /* ... radians after now                                  */
 };
 
-static void flow_init(struct flow *f, slong prec)
+static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
 {
     f->prec = prec;
     f->bits = FLINT_MAX(prec - GUARD, 16);
     /* Work n^2/h for n terms is least at h = R/e^2, R the radius of convergence: e^-2n = 2^-bits. */
-    slong order = (slong)(0.5 * log(2) * (double)f->bits) + 4;
+    const slong order = how->order != 0 ? how->order : (slong)(0.5 * log(2) * (double)f->bits) + 4;
+    const slong tube_order = how->derivative_order != 0 ? how->derivative_order : TUBE_ORDER;
+    f->proposed = how->step;
+    f->proving = !how->unproved;
     arb_init(f->Omega);
     arb_init(f->c1);
     arb_init(f->c2);
@@ -58,13 +73,13 @@ static void flow_init(struct flow *f, slong prec)
     arf_init(f->now);
     lohner_init(&f->set);
     jet_init(&f->path, order);
-    jet_init(&f->tube, TUBE_ORDER);
+    jet_init(&f->tube, tube_order);
     for (int j = 0; j < FLOW_STATE; j++)
-        jet_init(&f->column[j], TUBE_ORDER);
+        jet_init(&f->column[j], tube_order);
     majorant_init(&f->path_bound, order);
-    majorant_init(&f->tube_bound, TUBE_ORDER);
-    majorant_init(&f->spread_bound, TUBE_ORDER);
-    f->power = _arb_vec_init(FLINT_MAX(order, TUBE_ORDER) + 1);
+    majorant_init(&f->tube_bound, tube_order);
+    majorant_init(&f->spread_bound, tube_order);
+    f->power = _arb_vec_init(FLINT_MAX(order, tube_order) + 1);
     f->state = _arb_vec_init(FLOW_STATE);
     arb_init(f->s);
 }
@@ -73,7 +88,7 @@ static void flow_clear(struct flow *f)
 {
     arb_clear(f->s);
     _arb_vec_clear(f->state, FLOW_STATE);
-    _arb_vec_clear(f->power, FLINT_MAX(f->path.order, TUBE_ORDER) + 1);
+    _arb_vec_clear(f->power, FLINT_MAX(f->path.order, f->tube.order) + 1);
     majorant_clear(&f->spread_bound);
     majorant_clear(&f->tube_bound);
     majorant_clear(&f->path_bound);
@@ -178,6 +193,8 @@ static double position_size(const struct flow *f, slong k)
 static double step_length(const struct flow *f)
 {
     double step = 0, r = position_size(f, 0); /* log2: at rest the step is one radian */
+    if (f->proposed > 0)
+        return f->proposed;
     for (slong k = f->path.order - 1; k <= f->path.order; k++)
         step = fmin(step, (r - (double)f->bits - position_size(f, k)) / (double)k);
     int exponent;
@@ -269,12 +286,13 @@ static bool advance(struct flow *f, double step)
     arf_add(f->now, f->now, arb_midref(s), ARF_PREC_EXACT, ARF_RND_DOWN);
     path_at(f, image, s);
     if (f->proving) {
-        _arb_vec_set_powers(f->power, s, TUBE_ORDER + 1, LOHNER_BITS);
+        const slong terms = f->tube.order + 1;
+        _arb_vec_set_powers(f->power, s, terms, LOHNER_BITS);
         for (int i = 0; i < FLOW_STATE; i++)
             for (int j = 0; j < FLOW_STATE; j++)
-                arb_dot(arb_mat_entry(derivative, i, j), NULL, 0, f->column[j].c[i], 1, f->power, 1,
-                        TUBE_ORDER + 1, LOHNER_BITS);
-        bounded = lohner_move(&f->set, image, derivative, f->spread_bound.rest);
+                arb_dot(arb_mat_entry(derivative, i, j), NULL, 0, f->column[j].c[i], 1, f->power, 1, terms,
+                        LOHNER_BITS);
+        bounded = lohner_move(&f->set, image, derivative, f->spread_bound.rest, LOHNER_BITS);
     } else {
         lohner_from_box(&f->set, image);
     }
@@ -391,9 +409,9 @@ static enum flow_status run(struct flow *f, arb_srcptr initial, const fmpq *time
     return FLOW_DONE;
 }
 
-static enum flow_status integrate(bool proving, const struct flow_parameters *p, arb_srcptr initial,
-                                  const fmpq *times, slong count, slong digits, slong prec,
-                                  flow_receiver *receive, void *context, double *reached)
+enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct flow_parameters *p, arb_srcptr initial,
+                                   const fmpq *times, slong count, slong digits, slong prec,
+                                   flow_receiver *receive, void *context, double *reached)
 {
     int direction = count > 0 && fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
     *reached = 0;
@@ -402,8 +420,7 @@ static enum flow_status integrate(bool proving, const struct flow_parameters *p,
     if (!flow_in_reach(p, times, count))
         return FLOW_STALLED;
     struct flow f;
-    flow_init(&f, prec);
-    f.proving = proving;
+    flow_init(&f, prec, how);
     f.direction = direction;
     set_problem(&f, p, initial);
     enum flow_status status = run(&f, initial, times, count, digits, receive, context, reached);
@@ -415,12 +432,6 @@ enum flow_status flow_nonlinear(const struct flow_parameters *p, arb_srcptr init
                                 const fmpq *times, slong count, slong digits, slong prec,
                                 flow_receiver *receive, void *context, double *reached)
 {
-    return integrate(true, p, initial, times, count, digits, prec, receive, context, reached);
-}
-
-enum flow_status flow_nonlinear_unproved(const struct flow_parameters *p, arb_srcptr initial,
-                                         const fmpq *times, slong count, slong digits, slong prec,
-                                         flow_receiver *receive, void *context, double *reached)
-{
-    return integrate(false, p, initial, times, count, digits, prec, receive, context, reached);
+    static const struct flow_steps own;
+    return flow_nonlinear_by(&own, p, initial, times, count, digits, prec, receive, context, reached);
 }

@@ -127,11 +127,19 @@ static void add_absolute(mag_ptr sum, const arb_mat_t a, mag_srcptr x)
 }
 
 /*
- * With image = centre' + radius: derivative e + radius + error = basis' e' where
+ * Theorem. With image = centre' + radius: derivative e + radius + error = basis' e' where
  * e' = basis'^-1 derivative e + basis'^-1 (radius + error), for any regular basis'. Its choice, in double
  * precision, decides how sharp the set is, never whether it holds the image: the inverse is enclosed.
+ *
+ * The error terms, each with a test of its name in tests/test_lohner.c:
+ *   (L1) |basis'^-1 derivative| reach, of all directions   (L2) the radii of that product
+ *   (L3) |basis'^-1| times the radius of the image         (L4) and times the error
+ *   (L5) the radii of the inverse
+ *   (L6) a box becomes a set with all its radii            (lohner_from_box)
+ *   (L7) a set becomes a box by |basis| reach, upward      (lohner_to_box)
+ *   (L8) a basis without an inverse, or a reach that is not finite, is no set
  */
-bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivative, mag_srcptr error)
+bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivative, mag_srcptr error, slong prec)
 {
     arb_mat_t basis, unit, inverse, turned;
     mag_ptr loose = _mag_vec_init(N), reach = _mag_vec_init(N);
@@ -148,8 +156,8 @@ bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivativ
         arb_get_mid_arb(set->centre + i, image + i);
     }
     arb_mat_one(unit);
-    bool bounded = arb_mat_solve_lu(inverse, basis, unit, LOHNER_BITS); /* elimination keeps zeros */
-    arb_mat_mul(turned, inverse, derivative, LOHNER_BITS);
+    bool bounded = arb_mat_solve_lu(inverse, basis, unit, prec); /* elimination keeps zeros */
+    arb_mat_mul(turned, inverse, derivative, prec);
     add_absolute(reach, turned, set->reach);
     add_absolute(reach, inverse, loose);
     for (int i = 0; i < N; i++) {

@@ -29,6 +29,6 @@ void lohner_to_box(arb_ptr box, const struct lohner *set);
  * The image of the set under a map that takes centre + basis e into image + derivative e + error, where
  * |error_i| <= error[i]; false if no bounded set was found.
  */
-bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivative, mag_srcptr error);
+bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivative, mag_srcptr error, slong prec);
 
 #endif

@@ -6,14 +6,7 @@
 
 enum { X, Y, Z, U, V, W, Q, G, S, A, D, R, P, ONE, TWO, THREE, C1, C2 };
 
-/*
- * to += sign a b. For a state, `to` is its rate. A constant stands first; the terms of a sum are
- * neighbours, and a sum stands after those that it needs.
- */
-static const struct term {
-    unsigned char to, a, b;
-    signed char sign;
-} closed_loop[JET_TERMS] = {
+const struct term closed_loop[JET_TERMS] = {
     {G, Q, Q, 1},
     {S, X, U, 1},     {S, Y, V, 1},      {S, Z, W, 1},
     {A, G, S, 1},
@@ -36,14 +29,15 @@ static bool constant(int v)
     return v >= JET_SERIES;
 }
 
-static bool first_of_sum(int t)
+static bool first_of_sum(const struct term *system, int t)
 {
-    return t == 0 || closed_loop[t - 1].to != closed_loop[t].to;
+    return t == 0 || system[t - 1].to != system[t].to;
 }
 
 void jet_init(struct jet *jet, slong order)
 {
     jet->order = order;
+    jet->system = closed_loop;
     for (int v = 0; v < JET_ALL; v++)
         jet->c[v] = _arb_vec_init(order + 1);
 }
@@ -63,15 +57,19 @@ void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
     arb_set(jet->c[C2], c2);
 }
 
-/* The rates' coefficients from `first` to `last` - 1, and the states' above them. */
-static void extend(arb_ptr const *c, slong first, slong last, slong prec, double fall)
+/*
+ * Theorem (a series in balls). The coefficients of every motion that starts in the balls given, with parameters in
+ * theirs, lie in the balls here: (T13) arb_dot and arb_div_ui enclose their exact results, in however few bits.
+ *
+ * The rates' coefficients from `first` to `last` - 1, and the states' above them. */
+static void extend(arb_ptr const *c, const struct term *system, slong first, slong last, slong prec, double fall)
 {
     for (slong k = first; k < last; k++) {
         slong bits = FLINT_MAX(prec - (slong)(fall * (double)k), 32);
         for (int t = 0; t < JET_TERMS; t++) {
-            const struct term *f = &closed_loop[t];
+            const struct term *f = system + t;
             arb_ptr to = c[f->to] + k + (f->to < JET_STATES);
-            arb_dot(to, first_of_sum(t) ? NULL : to, f->sign < 0, c[f->a], 1, c[f->b] + k, -1,
+            arb_dot(to, first_of_sum(system, t) ? NULL : to, f->sign < 0, c[f->a], 1, c[f->b] + k, -1,
                     constant(f->a) ? 1 : k + 1, bits);
         }
         for (int v = 0; v < JET_STATES; v++)
@@ -88,7 +86,7 @@ void jet_extend(struct jet *jet, slong prec, double fall)
     slong n = jet->order, split = 0;
     while (split < n && (prec <= 128 || prec - (slong)(fall * (double)split) > 120))
         split++;
-    extend(jet->c, 0, split, prec, fall);
+    extend(jet->c, jet->system, 0, split, prec, fall);
     if (split == n)
         return;
     arb_ptr copy[JET_ALL];
@@ -96,7 +94,7 @@ void jet_extend(struct jet *jet, slong prec, double fall)
         copy[v] = _arb_vec_init(n + 1);
         _arb_vec_set_round(copy[v], jet->c[v], split + 1, 128);
     }
-    extend(copy, split, n, prec, fall);
+    extend(copy, jet->system, split, n, prec, fall);
     for (int v = 0; v < JET_ALL; v++) {
         for (slong k = split + (v < JET_STATES); k <= n && !constant(v); k++)
             arb_swap(jet->c[v] + k, copy[v] + k);
@@ -110,9 +108,9 @@ void jet_extend_column(struct jet *column, const struct jet *jet, slong prec)
     arb_ptr *d = column->c;
     for (slong k = 0; k < column->order; k++) {
         for (int t = 0; t < JET_TERMS; t++) {
-            const struct term *f = &closed_loop[t];
+            const struct term *f = jet->system + t;
             arb_ptr to = d[f->to] + k + (f->to < JET_STATES);
-            arb_srcptr sum = first_of_sum(t) ? NULL : to;
+            arb_srcptr sum = first_of_sum(jet->system, t) ? NULL : to;
             if (!constant(f->a)) {
                 arb_dot(to, sum, f->sign < 0, c[f->a], 1, d[f->b] + k, -1, k + 1, prec);
                 arb_dot(to, to, f->sign < 0, d[f->a], 1, c[f->b] + k, -1, k + 1, prec);
@@ -154,6 +152,7 @@ void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights,
     mag_t power, size;
     mag_init(power);
     mag_init(size);
+    m->system = jets->system;
     for (int v = 0; v < JET_ALL; v++) {
         mag_one(power);
         for (slong k = 0; k <= m->order; k++) {
@@ -199,7 +198,7 @@ static void rest_image(mag_ptr image, struct majorant *m, const struct majorant 
     for (int v = JET_STATES; v < JET_SERIES; v++)
         mag_zero(m->tail + v);
     for (int t = 0; t < JET_TERMS; t++) {
-        const struct term *f = &closed_loop[t];
+        const struct term *f = m->system + t;
         mag_ptr sum = f->to < JET_STATES ? image + f->to : m->tail + f->to;
         mag_add(sum, sum, m->cross + t);
         if (base == NULL) {
@@ -235,6 +234,17 @@ static bool below(mag_srcptr image, mag_srcptr rest)
  *
  * Columns obey the differentiated system, linear in them: each term gives da b + a db, and the same
  * holds. A sum of columns under non-negative weights has the sum of their majorants.
+ *
+ * The error terms, each with a test of its name in tests/test_taylor.c:
+ *   (T1) cross: the known terms' products from degree n on          (add_cross)
+ *   (T2) ||a|| t_b   (T3) t_a ||b||   (T4) t_a t_b                   (add_tail)
+ *   (T5) of a state's tail the term of degree n   (T6) and its rest  (rest_image)
+ *   (T7) the factor h/(n+1)
+ *   (T8) of columns both da b and a db, in cross and in tails
+ *   (T9) of a sum of columns each, under its weight                  (majorant_of)
+ *   (T10) the radii of the coefficients' balls                       (majorant_of)
+ *   (T11) G(rho) <= rho, tried, not presumed                         (below)
+ *   (T12) the roundings of mag_t, all of them upward
  */
 bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t h)
 {
@@ -246,7 +256,7 @@ bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t
     mag_div(factor, h, factor);
 
     for (int t = 0; t < JET_TERMS; t++) {
-        const struct term *f = &closed_loop[t];
+        const struct term *f = m->system + t;
         mag_zero(m->cross + t);
         add_cross(m->cross + t, m, f->a, base == NULL ? m : base, f->b);
         if (base != NULL)

@@ -27,9 +27,21 @@ enum {
     JET_TERMS = 22   /* the products of which the system consists */
 };
 
+/*
+ * to += sign a b. For a state, `to` is its rate. A constant stands first; the terms of a sum are
+ * neighbours, and a sum stands after those that it needs.
+ */
+struct term {
+    unsigned char to, a, b;
+    signed char sign;
+};
+
+extern const struct term closed_loop[JET_TERMS];
+
 /* Taylor coefficients about the start of a step: c[v][k] of s^k; states to degree n, the others to n - 1. */
 struct jet {
     slong order;
+    const struct term *system; /* the closed loop; another one has solutions that are known, for tests */
     arb_ptr c[JET_ALL];
 };
 
@@ -39,6 +51,7 @@ struct jet {
  */
 struct majorant {
     slong order;
+    const struct term *system; /* that of its jets                          */
     mag_ptr size[JET_ALL];   /* size[v][k] >= |a_k| h^k                   */
     mag_ptr suffix[JET_ALL]; /* suffix[v][k] >= sum of size[v][k ... n-1] */
     mag_ptr cross;           /* of a product: what its known terms make from degree n on */

@@ -227,7 +227,23 @@ bool track_run(struct track *t, const struct scene *s, long first, long step, lo
     return status == FLOW_DONE;
 }
 
-/* ---- between and after the rows ---- */
+/*
+ * ---- between and after the rows ----
+ *
+ * Theorem. E of track_energy never rises, so that from a row on the state stays among those of its energy: in the linear
+ * model an ellipsoid, in the nonlinear one the states with G(l) <= E on this side of the hill. What bounds a coordinate's
+ * derivatives there bounds them for ever, and between two rows a tau apart |f| exceeds the larger of theirs by at most
+ * tau^2/8 sup |f''|.
+ *
+ * The error terms, each with a test of its name in tests/test_track.c:
+ *   (B1) the room between rows, tau^2/8 sup |f''|                       (track_room, track_sup)
+ *   (B2) of psi, psi', eta, eta', pitch and places the largest with that energy  (linear_bounds, energy_box)
+ *   (B3) of their derivatives every term of (40), and of products all of Leibniz's rule   (linear_bounds)
+ *   (B4) the length is confined on both sides, and the row is between them; else nothing is  (confine)
+ *   (B5) the slices leave no length out                                 (energy_box)
+ *   (B6) k! times coefficient k, its radius included                    (set_bounds)
+ *   (B7) what has settled is below between the rows too                 (track_settled)
+ */
 
 /* G(1 + eta) */
 static void tether_energy(arb_t G, const struct track *t, const arb_t eta)
