@@ -38,7 +38,8 @@ FLINT_CFLAGS := $(call package,--cflags flint)
 FLINT_LIBS   := $(or $(call package,--libs flint),-lflint-arb -lflint)
 
 VERIFY_CFLAGS = -Iref $(GSL_CFLAGS) $(FLINT_CFLAGS) $(YAML_CFLAGS) -DCT_VERSION='"$(VERSION)"' \
-  -DCT_SHEET_PATH='"paper/equations.yaml"' -DCT_DERIVATIONS_PATH='"paper/derivations.yaml"'
+  -DCT_SHEET_PATH='"paper/equations.yaml"' -DCT_DERIVATIONS_PATH='"paper/derivations.yaml"' \
+  -DCT_CLAIMS_PATH='"paper/claims.yaml"'
 VERIFY_LIBS   = $(FLINT_LIBS) -lmpfr -lgmp $(YAML_LIBS) $(GSL_LIBS) -lm
 
 # Every processor is used unasked.
@@ -103,10 +104,10 @@ $(BUILD)/packages.found:
 	@$(PKG_CONFIG) --exists gsl mpfr yaml-0.1 || { echo 'Packages are missing: run "make deps".' >&2; exit 1; }
 	@mkdir -p $(@D) && touch $@
 
-# The sheet and the steps become part of the program once they have been found free of mistakes.
+# The sheet, the steps and the claims become part of the program once they have been found free of mistakes.
 $(EMBED): $(BUILD)/sheet.checked
 
-$(BUILD)/sheet.checked: $(BUILD)/sheet-check paper/equations.yaml paper/derivations.yaml
+$(BUILD)/sheet.checked: $(BUILD)/sheet-check paper/equations.yaml paper/derivations.yaml paper/claims.yaml
 	$^
 	@touch $@
 
@@ -152,7 +153,7 @@ $(BUILD)/tests/test_evidence: private LDFLAGS += $(PROVERS:%=-Wl,--wrap=%)
 
 ### Fuzzing
 # The program as a function, apart from what it must not do (tests/fuzz/apart.c).
-APART   := fopen rename client_start sheet_close flint_cleanup ledger_rows measure_errors kills_print command_study \
+APART   := fopen rename client_start sheet_close flint_cleanup verdict_rows measure_errors kills_print command_study \
   vectors_random roots41_gains flow_linear flow_nonlinear rk4_linear rk4_nonlinear
 TARGETS := $(addprefix $(BUILD)/tests/fuzz/,main.o targets.o readers.o program.o apart.o)
 CORPORA := $(notdir $(wildcard tests/fuzz/corpus/*))
@@ -270,9 +271,9 @@ $(STUDIES): $(DATA)/%.csv: $(PROGRAM)
 	$(PROGRAM) study $* >$@.tmp
 	@mv $@.tmp $@
 
-$(VERDICTS): $(PROGRAM)
+$(VERDICTS): $(BUILD)/claims.json paper/verdicts.awk
 	@mkdir -p $(@D)
-	$(PROGRAM) verify claims --csv >$@.tmp
+	LC_ALL=C awk -f paper/read.awk -f paper/verdicts.awk $< >$@.tmp
 	@mv $@.tmp $@
 
 $(DATA)/golden/%.csv: $(PROGRAM)

@@ -16,6 +16,19 @@ enum truth { UNDECIDED, FOUND_TRUE, FOUND_FALSE };
 
 enum how { EXACT, CERTIFIED, MEASURED };
 
+enum verdict {
+    VERDICT_NONE, /* undecided: a failure */
+    HOLDS,
+    HOLDS_AS_CORRECTED,
+    QUALIFIED,
+    REFUTED,
+    DEFINITION,
+    NOT_DECIDABLE
+};
+
+extern const char *const verdict_names[]; /* "undecided", "holds", "holds as corrected", ... */
+extern const char *const how_names[];     /* "exact", "certified", "measured"                */
+
 /* What a computation hands its results to. */
 struct computed;
 

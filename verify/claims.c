@@ -4,10 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *const verdict_names[] = {
-    "undecided", "holds", "holds as corrected", "qualified", "refuted", "definition", "not decidable"};
-const char *const how_names[] = {"exact", "certified", "measured"};
-
 void evidence_add(struct evidence *e, const char *format, ...)
 {
     size_t length = strlen(e->text);

@@ -11,17 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum verdict {
-    VERDICT_NONE, /* the computation did not decide: a failure */
-    HOLDS,
-    HOLDS_AS_CORRECTED,
-    QUALIFIED,
-    REFUTED,
-    DEFINITION,
-    NOT_DECIDABLE
-};
-
-enum how { EXACT, CERTIFIED, MEASURED };
+#include "claim.h"
 
 struct evidence {
     enum verdict verdict;
@@ -53,8 +43,5 @@ void evidence_add(struct evidence *e, const char *format, ...);
 
 /* The verdict if every condition held that was claimed on the way to it; else VERDICT_NONE. */
 void evidence_decide(struct evidence *e, enum verdict verdict, enum how how, bool proved);
-
-extern const char *const verdict_names[]; /* "holds", "holds as corrected", ... */
-extern const char *const how_names[];     /* "exact", "certified", "measured"   */
 
 #endif

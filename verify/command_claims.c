@@ -1,69 +1,114 @@
-/* coulomb-tether verify claims: the ledger of verdicts. */
+/* coulomb-tether verify claims: the verdicts. */
 #include "command_verify.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "command.h"
-#include "ledger.h"
+#include "verdicts.h"
 
 struct printer {
     enum format format;
     int rows, verdicts[NOT_DECIDABLE + 1];
 };
 
-/* RFC 4180: quoted where a comma or a quote stands in it. */
-static void csv_field(const char *text)
+static const char *text_of(const struct tex *t)
 {
-    if (strpbrk(text, ",\"\n") == NULL) {
-        fputs(text, stdout);
-        return;
-    }
-    putchar('"');
+    return t->text != NULL ? t->text : "";
+}
+
+/* RFC 4180: quoted where a comma or a quote stands in it. */
+static void csv_field(const char *text, char after)
+{
+    const bool quoted = strpbrk(text, ",\"\n") != NULL;
+    if (quoted)
+        putchar('"');
     for (; *text != '\0'; text++) {
         if (*text == '"')
             putchar('"');
         putchar(*text);
     }
-    putchar('"');
+    if (quoted)
+        putchar('"');
+    putchar(after);
 }
 
-static void print_row(void *context, const struct ledger_row *row)
+static void member(const char *key, const char *text)
+{
+    printf(", \"%s\": ", key);
+    json_text(text);
+}
+
+/* The numbers of the evidence, as data. */
+static void print_numbers(const struct statement *s)
+{
+    fputs(", \"numbers\": [", stdout);
+    for (int i = 0; s != NULL && i < s->number_count; i++) {
+        static const char *const roundings[] = {"digits", "decimals", "at most", "at least", "exact"};
+        const struct quoted_number *q = &s->numbers[i];
+        fputs(i > 0 ? ", {\"formula\": " : "{\"formula\": ", stdout);
+        json_text(q->text);
+        member("value", q->decimal != NULL ? q->decimal : "undecided");
+        if (q->unit != NULL)
+            member("unit", q->unit);
+        member("how", how_names[q->how]);
+        member("rounding", roundings[q->rounding]);
+        printf(", \"digits\": %ld}", (long)q->digits);
+    }
+    putchar(']');
+}
+
+static void print_json(const struct verdict_row *r, bool first)
+{
+    fputs(first ? "[{\"id\": " : ",\n {\"id\": ", stdout);
+    json_text(r->id);
+    member("where", r->where);
+    member("kind", r->kind);
+    member("claim", text_of(&r->claim.plain));
+    member("verdict", verdict_names[r->verdict]);
+    member("how", how_names[r->how]);
+    member("evidence", text_of(&r->evidence.plain));
+    if (r->why.plain.length > 0) {
+        member("why", text_of(&r->why.plain));
+        member("why_tex", text_of(&r->why.latex));
+    }
+    member("claim_tex", text_of(&r->claim.latex));
+    member("evidence_tex", text_of(&r->evidence.latex));
+    print_numbers(r->statement);
+    putchar('}');
+}
+
+static void print_row(void *context, const struct verdict_row *r)
 {
     struct printer *p = context;
-    const struct evidence *e = &row->evidence;
-    const char *const fields[] = {row->id,  row->where, row->claim, verdict_names[e->verdict],
-                                  how_names[e->how], e->text};
-    static const char *const keys[] = {"id", "where", "claim", "verdict", "how", "evidence"};
+    const char *verdict = verdict_names[r->verdict], *how = how_names[r->how];
+    const char *claim = text_of(&r->claim.plain), *evidence = text_of(&r->evidence.plain);
     if (p->format == FORMAT_TABLE)
-        printf("%-22s %-20s %-10s %s\n    %s\n    %s\n", row->id, verdict_names[e->verdict],
-               how_names[e->how], row->where, row->claim, e->text);
-    if (p->format == FORMAT_JSON)
-        fputs(p->rows ? ",\n {" : "[{", stdout);
-    for (int i = 0; i < 6 && p->format == FORMAT_CSV; i++) {
-        csv_field(fields[i]);
-        putchar(i < 5 ? ',' : '\n');
+        printf("%-22s %-20s %-10s %s\n    %s\n    %s\n", r->id, verdict, how, r->where, claim, evidence);
+    else if (p->format == FORMAT_JSON)
+        print_json(r, p->rows == 0);
+    else {
+        const char *const fields[] = {r->id, r->where, r->kind, claim, verdict, how, evidence};
+        for (int i = 0; i < 7; i++)
+            csv_field(fields[i], i < 6 ? ',' : '\n');
     }
-    for (int i = 0; i < 6 && p->format == FORMAT_JSON; i++) {
-        printf("%s\"%s\": ", i ? ", " : "", keys[i]);
-        json_text(fields[i]);
+    if (r->open.text[0] != '\0') {
+        fflush(stdout);
+        fprintf(stderr, "coulomb-tether: %s\n", r->open.text);
     }
-    if (p->format == FORMAT_JSON && e->why != NULL) {
-        fputs(", \"why\": ", stdout);
-        json_text(e->why);
-    }
-    if (p->format == FORMAT_JSON)
-        putchar('}');
     p->rows++;
-    p->verdicts[e->verdict]++;
+    p->verdicts[r->verdict]++;
 }
 
 bool print_claims(const struct proofs *proofs, const char *only, enum format format)
 {
     struct printer p = {.format = format};
+    struct statements claims;
+    claims_open(&claims, proofs);
     if (format == FORMAT_CSV)
-        puts("id,where,claim,verdict,how,evidence");
-    bool decided = ledger_rows(proofs, only, print_row, &p);
+        puts("id,where,kind,claim,verdict,how,evidence");
+    bool decided = verdict_rows(proofs, &claims, only, print_row, &p);
+    statements_clear(&claims);
     if (format == FORMAT_JSON)
         puts("]");
     if (format == FORMAT_TABLE && only == NULL) {

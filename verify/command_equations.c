@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "command.h"
-#include "ledger.h"
+#include "verdicts.h"
 
 static const char *const domains[] = {
     [DOMAIN_FINITE] = "finite",
@@ -41,9 +41,10 @@ static void print_formulas(const char *heading, const struct section *s, const s
 static void print_verdicts(const struct proofs *p, const struct section *s)
 {
     for (int i = 0; i < s->numbers; i++) {
-        struct evidence e = {.text = ""};
-        ledger_equation(&e, p, s, s->equations[i]);
-        printf("  %-8s (%s) %s: %s\n", i ? "" : "verdict", s->equations[i], verdict_names[e.verdict], e.text);
+        struct verdict_row row = {.id = s->id};
+        verdict_on_equation(&row, p, NULL, s, s->equations[i]);
+        printf("  %-8s (%s) %s: %s\n", i ? "" : "verdict", s->equations[i], verdict_names[row.verdict], row.evidence.plain.text);
+        verdict_row_clear(&row);
     }
 }
 
@@ -119,9 +120,10 @@ static void json_section(const struct proofs *p, const struct section *s)
         json_formulas("printed", s, &s->printed);
     printf(", \"verdicts\": {");
     for (int i = 0; i < s->numbers; i++) {
-        struct evidence e = {.text = ""};
-        ledger_equation(&e, p, s, s->equations[i]);
-        printf("%s\"%s\": \"%s\"", i ? ", " : "", s->equations[i], verdict_names[e.verdict]);
+        struct verdict_row row = {.id = s->id};
+        verdict_on_equation(&row, p, NULL, s, s->equations[i]);
+        printf("%s\"%s\": \"%s\"", i ? ", " : "", s->equations[i], verdict_names[row.verdict]);
+        verdict_row_clear(&row);
     }
     printf("}}");
 }

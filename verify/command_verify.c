@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "command.h"
-#include "ledger.h"
+#include "verdicts.h"
 
 enum {
     SEED = 1,     /* of the points of derivation steps; --seed draws others   */
@@ -65,24 +65,6 @@ static int read_integer(const char *name, const char *text, ulong *value)
     return EXIT_DONE;
 }
 
-/* Of the ledger, the rows of the equations and of Table 1 included. */
-static bool is_claim(const char *id)
-{
-    const char *claims[MOST_CLAIMS];
-    const int count = ledger_claims(claims);
-    for (int i = 0; i < count; i++)
-        if (strcmp(claims[i], id) == 0)
-            return true;
-    for (int i = 0; i < sheet()->row_count; i++)
-        if (strncmp(id, "table1-", 7) == 0 && strcmp(sheet()->table1[i].name, id + 7) == 0)
-            return true;
-    for (int i = 0; i < sheet()->section_count; i++)
-        for (int k = 0; k < sheet()->sections[i].numbers; k++)
-            if (strncmp(id, "equation-", 9) == 0 && strcmp(sheet()->sections[i].equations[k], id + 9) == 0)
-                return true;
-    return false;
-}
-
 static int check_request(const struct arguments *a, const struct request *r)
 {
     const char *known[PARTS];
@@ -99,11 +81,6 @@ static int check_request(const struct arguments *a, const struct request *r)
         return complain(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
     if (r->claim != NULL && (r->part == NULL || strcmp(r->part, "claims") != 0))
         return complain(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
-    if (r->claim != NULL && !is_claim(r->claim)) {
-        const char *claims[MOST_CLAIMS];
-        suggest(hint, r->claim, claims, ledger_claims(claims));
-        return complain(EXIT_USAGE, "unknown claim '%s'%s", r->claim, hint);
-    }
     if (r->graph && (r->format != FORMAT_TABLE || r->part == NULL || strcmp(r->part, "derivations") != 0))
         return complain(EXIT_USAGE, "--graph: expected verify derivations before it, and no --json");
     if (r->format == FORMAT_MARKDOWN && (r->part == NULL || strcmp(r->part, "errors") != 0))
@@ -137,6 +114,22 @@ static int read_request(const struct arguments *a, struct request *r)
     return status != EXIT_DONE ? status : check_request(a, r);
 }
 
+/* Of a row of the verdicts: those of equations and of Table 1 included. */
+static int check_claim(const struct proofs *p, const char *id)
+{
+    struct statements claims;
+    char hint[80];
+    claims_open(&claims, p);
+    const char **ids = memory(NULL, (size_t)claims.count + 1, sizeof *ids);
+    for (int i = 0; i < claims.count; i++)
+        ids[i] = claims.list[i].id;
+    suggest(hint, id, ids, (size_t)claims.count);
+    const bool known = verdict_known(&claims, id);
+    free(ids);
+    statements_clear(&claims);
+    return known ? EXIT_DONE : complain(EXIT_USAGE, "unknown claim '%s'%s", id, hint);
+}
+
 /* What was asked for; as JSON, an object with a member a part. */
 static int verify(const struct request *request)
 {
@@ -144,7 +137,9 @@ static int verify(const struct request *request)
     const char *separator = "{";
     struct proofs p;
     proofs_init(&p, request->seed);
-    for (int i = 0; i < PARTS; i++) {
+    if (request->claim != NULL)
+        status = check_claim(&p, request->claim);
+    for (int i = 0; i < PARTS && status != EXIT_USAGE; i++) {
         if (request->part != NULL && strcmp(request->part, parts[i].name) != 0)
             continue;
         if (request->format == FORMAT_JSON)
@@ -154,7 +149,7 @@ static int verify(const struct request *request)
             status = EXIT_FAILED_CHECK;
     }
     proofs_clear(&p);
-    if (request->format == FORMAT_JSON)
+    if (request->format == FORMAT_JSON && status != EXIT_USAGE)
         puts("}");
     return status;
 }

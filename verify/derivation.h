@@ -97,6 +97,10 @@ struct proof {
     char *evidence;       /* of what does not hold: the first coefficient, the point */
 };
 
+/* What a mapping {angles, positive, free, small, order, rates, let, roots, show} says; false after a complaint. */
+bool trial_read(struct trial *t, const struct sheet *s, struct document *document, const yaml_node_t *mapping);
+void trial_clear(struct trial *t);
+
 /* What is known of a trial as soon as it is read: needed, radicals, degrees, signs of the roots. */
 void trial_prepare(struct trial *t);
 

@@ -225,6 +225,13 @@ static bool read_trial(struct reader *r, struct trial *t, int order)
     return true;
 }
 
+bool trial_read(struct trial *t, const struct sheet *sheet, struct document *document, const yaml_node_t *mapping)
+{
+    const yaml_node_t *order = child(document, mapping, "order");
+    struct reader r = {.document = document, .sheet = sheet, .step = mapping};
+    return read_trial(&r, t, order != NULL && scalar(order) != NULL ? atoi(scalar(order)) : -1);
+}
+
 /* ---- steps ---- */
 
 static bool is_principle(const struct derivations *d, const char *id)
@@ -371,7 +378,7 @@ int derivations_read(struct derivations *d, const struct sheet *s, const char *t
     return -1;
 }
 
-static void trial_clear(struct trial *t)
+void trial_clear(struct trial *t)
 {
     program_clear(&t->program);
     free(t->variables);

@@ -14,6 +14,9 @@ struct reader {
 /* The scalar's formula: its node in the trial's program, or -1 after a complaint. */
 int read_formula(struct reader *r, const yaml_node_t *node);
 
+/* The same of a formula that stands `shift` characters into the scalar. */
+int read_formula_at(struct reader *r, const yaml_node_t *node, const char *text, size_t shift);
+
 /* left = right; false after a complaint */
 bool read_equality(struct reader *r, const yaml_node_t *node, struct equality *e);
 

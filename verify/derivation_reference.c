@@ -147,6 +147,16 @@ static int read_output(struct parser *s, const char *id)
     const struct reader *r = s->context;
     const struct section *section = section_find(r->sheet, id);
     char name[LONGEST_NAME + 1];
+    const char *more = s->at++;
+    if (section == NULL && parse_word(s, name)) { /* a name with a point in it */
+        char *whole = memory(NULL, strlen(id) + strlen(name) + 2, 1);
+        strcat(strcat(strcpy(whole, id), "."), name);
+        const int node = program_find(s->program, whole);
+        free(whole);
+        if (node >= 0)
+            return node;
+    }
+    s->at = more;
     if (section == NULL || section->method != METHOD_FORMULA)
         return unknown_name(s, id, "section", "one of the sheet that has formulas, as eq10");
     s->at++;
@@ -184,8 +194,7 @@ static int read_reference(struct parser *s, const char *name)
     return unknown_name(s, name, "function", "rate, left, right, sqrt, sin, cos, exp or atan2");
 }
 
-/* The formula that stands `shift` characters into a scalar. */
-static int read_text(struct reader *r, const yaml_node_t *node, const char *text, size_t shift)
+int read_formula_at(struct reader *r, const yaml_node_t *node, const char *text, size_t shift)
 {
     struct message expected = {""};
     size_t where;
@@ -205,7 +214,7 @@ static bool on_one_line(struct reader *r, const yaml_node_t *node, const char *e
 
 int read_formula(struct reader *r, const yaml_node_t *node)
 {
-    return on_one_line(r, node, "a formula") ? read_text(r, node, scalar(node), 0) : -1;
+    return on_one_line(r, node, "a formula") ? read_formula_at(r, node, scalar(node), 0) : -1;
 }
 
 /* The sign outside brackets; NULL where there is none. */
@@ -227,8 +236,8 @@ bool read_equality(struct reader *r, const yaml_node_t *node, struct equality *e
     const size_t length = (size_t)(sign - scalar(node));
     char *left = text_copy(scalar(node));
     left[length] = '\0';
-    *e = (struct equality){.text = scalar(node), .left = read_text(r, node, left, 0)};
-    e->right = e->left < 0 ? -1 : read_text(r, node, sign + 1, length + 1);
+    *e = (struct equality){.text = scalar(node), .left = read_formula_at(r, node, left, 0)};
+    e->right = e->left < 0 ? -1 : read_formula_at(r, node, sign + 1, length + 1);
     free(left);
     return e->right >= 0;
 }

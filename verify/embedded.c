@@ -8,14 +8,16 @@
 
 /* Global labels: aarch64's linker takes two local ones of a section for one place. */
 __asm__(".section .rodata\n"
-        ".globl ct_sheet_begin, ct_sheet_end, ct_derivations_begin, ct_derivations_end\n"
+        ".globl ct_sheet_begin, ct_sheet_end, ct_derivations_begin, ct_derivations_end, ct_claims_begin, ct_claims_end\n"
         "ct_sheet_begin: .incbin \"" CT_SHEET_PATH "\"\n"
         "ct_sheet_end:\n"
         "ct_derivations_begin: .incbin \"" CT_DERIVATIONS_PATH "\"\n"
         "ct_derivations_end:\n"
+        "ct_claims_begin: .incbin \"" CT_CLAIMS_PATH "\"\n"
+        "ct_claims_end:\n"
         ".previous\n");
 
-extern const char ct_sheet_begin[], ct_sheet_end[], ct_derivations_begin[], ct_derivations_end[];
+extern const char ct_sheet_begin[], ct_sheet_end[], ct_derivations_begin[], ct_derivations_end[], ct_claims_begin[], ct_claims_end[];
 
 const char *embedded_sheet(size_t *length)
 {
@@ -29,6 +31,13 @@ const char *embedded_derivations(size_t *length)
     /* cppcheck-suppress comparePointers ; the two labels bound one object */
     *length = (size_t)(ct_derivations_end - ct_derivations_begin);
     return ct_derivations_begin;
+}
+
+const char *embedded_claims(size_t *length)
+{
+    /* cppcheck-suppress comparePointers ; the two labels bound one object */
+    *length = (size_t)(ct_claims_end - ct_claims_begin);
+    return ct_claims_begin;
 }
 
 static struct sheet compiled_in; /* read when first asked for */

@@ -6,5 +6,6 @@
 
 const char *embedded_sheet(size_t *length);
 const char *embedded_derivations(size_t *length);
+const char *embedded_claims(size_t *length);
 
 #endif

@@ -20,6 +20,7 @@
 #include <flint/acb.h>
 #include <flint/acb_poly.h>
 #include <flint/arb.h>
+#include <flint/arb_calc.h>
 #include <flint/arb_fmpz_poly.h>
 #include <flint/arb_mat.h>
 #include <flint/arb_poly.h>
@@ -29,6 +30,7 @@
 #include <acb.h>
 #include <acb_poly.h>
 #include <arb.h>
+#include <arb_calc.h>
 #include <arb_fmpz_poly.h>
 #include <arb_mat.h>
 #include <arb_poly.h>

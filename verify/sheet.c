@@ -503,7 +503,7 @@ static bool read_domain_alone(struct reader *r, const yaml_node_t *domain, struc
 static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_node_t *node)
 {
     static const char *const known[] = {"title",   "equations", "inputs",  "let",    "outputs", "domain",
-                                        "printed", "relations", "reason", "method", "note",   "vectors", "K", "mistakes", NULL};
+                                        "printed", "relations", "reason", "method", "note",   "vectors", "K", "mistakes", "defines", NULL};
     struct sheet *sheet = r->sheet;
     if (!is_mapping(&r->document, node, known))
         return false;
@@ -514,6 +514,7 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
     const yaml_node_t *relations = child(&r->document, node, "relations"), *specials = child(&r->document, node, "vectors");
     s->title = text_of(r, node, "title", true);
     s->note = text_of(r, node, "note", false);
+    s->defines = text_of(r, node, "defines", false);
     s->reason = text_of(r, node, "reason", printed != NULL);
     if (s->title == NULL || (printed != NULL && s->reason == NULL) || !read_numbers(r, node, s) ||
         !read_method(r, node, s) || (relations != NULL && !read_relations(r, relations, s)) ||

@@ -76,6 +76,7 @@ enum method { METHOD_NONE, METHOD_FORMULA, METHOD_ROOTS, METHOD_FLOW_LINEAR, MET
 
 struct section {
     const char *id, *title, *note, *reason;
+    const char *defines;        /* the symbol that it is the definition of; NULL: none, or it computes nothing */
     const char *equations[8];   /* the numbers it stands for: "2a", "2b", "2c" */
     int numbers;
     enum method method;         /* METHOD_NONE: a definition, computes nothing */

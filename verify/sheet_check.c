@@ -1,12 +1,25 @@
 /*
- * The build's guard: a mistake in the formula sheet, or in the derivation steps, stops here, with file,
- * line and what was expected.
+ * The build's guard: a mistake in the formula sheet, in the derivation steps or in the claims stops here, with file,
+ * line and what was expected. The files that it reads stand in the place of the embedded ones.
  */
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "derivation.h"
-#include "sheet.h"
+#include "embedded.h"
+#include "statement.h"
+
+static struct sheet read_sheet;
+
+const struct sheet *sheet(void)
+{
+    return &read_sheet;
+}
+
+const char *embedded_derivations(size_t *length)
+{
+    *length = 0;
+    return "";
+}
 
 static char *file_text(const char *name, size_t *length)
 {
@@ -41,15 +54,27 @@ static int check_sheet(struct sheet *s, const char *name)
     return status != 0;
 }
 
-static int check_derivations(const struct sheet *s, const char *name)
+static int check_derivations(struct proofs *p, const char *name)
 {
-    struct derivations d;
     struct message why;
     size_t length;
     char *text = file_text(name, &length);
-    int status = text == NULL ? -1 : derivations_read(&d, s, text, length, name, &why);
+    int status = text == NULL ? -1 : derivations_read(&p->derivations, sheet(), text, length, name, &why);
+    if (status != 0)
+        fprintf(stderr, "%s%s\n", text ? "" : name, text ? why.text : ": cannot be read");
+    free(text);
+    return status != 0;
+}
+
+static int check_claims(const struct proofs *p, const char *name)
+{
+    struct statements s;
+    struct message why;
+    size_t length;
+    char *text = file_text(name, &length);
+    int status = text == NULL ? -1 : statements_read(&s, p, text, length, name, &why);
     if (status == 0)
-        derivations_clear(&d);
+        statements_clear(&s);
     else
         fprintf(stderr, "%s%s\n", text ? "" : name, text ? why.text : ": cannot be read");
     free(text);
@@ -58,14 +83,18 @@ static int check_derivations(const struct sheet *s, const char *name)
 
 int main(int count, char **arguments)
 {
-    struct sheet s;
-    if (count < 2 || count > 3) {
-        fputs("usage: sheet-check EQUATIONS [DERIVATIONS]\n", stderr);
+    struct proofs p = {.fine = false};
+    int status = 0;
+    if (count < 2 || count > 4) {
+        fputs("usage: sheet-check EQUATIONS [DERIVATIONS [CLAIMS]]\n", stderr);
         return 2;
     }
-    if (check_sheet(&s, arguments[1]) != 0)
+    if (check_sheet(&read_sheet, arguments[1]) != 0)
         return 1;
-    int status = count == 3 ? check_derivations(&s, arguments[2]) : 0;
-    sheet_clear(&s);
+    if (count > 2 && (status = check_derivations(&p, arguments[2])) == 0) {
+        status = count > 3 ? check_claims(&p, arguments[3]) : 0;
+        derivations_clear(&p.derivations);
+    }
+    sheet_clear(&read_sheet);
     return status;
 }

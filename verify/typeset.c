@@ -344,3 +344,122 @@ void typeset_formula(struct tex *t, const struct program *p, int node)
     const struct writer w = {t, p, false};
     write_node(&w, node, SUM);
 }
+
+/* ---- mathematics within a sentence ---- */
+
+/* What stands for what, the longest first. */
+static const struct {
+    const char *text, *latex;
+} signs[] = {{"...", "\\dots "}, {"<<", "\\ll "}, {"<=", "\\le "}, {">=", "\\ge "}, {"!=", "\\ne "},   {"->", "\\to "},
+             {"+-", "\\pm "},    {"-+", "\\mp "}, {"|", "\\vert "}, {"%", "\\%"},   {"{", "\\{"},      {"}", "\\}"},
+             {"*", "\\,"},       {"&", "\\&"},    {"#", "\\#"},     {"~", "\\sim "}};
+
+/* The words that are no symbols. */
+static const struct {
+    const char *text, *latex;
+} words[] = {{"sin", "\\sin "}, {"cos", "\\cos "}, {"log", "\\ln "}, {"ln", "\\ln "}, {"exp", "\\exp "}, {"det", "\\det "},
+             {"cosh", "\\cosh "}, {"Re", "\\operatorname{Re}"}, {"infinity", "\\infty "}, {"and", "\\text{ and }"}};
+
+/* The length of what a bracket at the start of a text encloses, itself included; 0 when it is not closed. */
+static size_t bracket(const char *text, size_t length)
+{
+    int depth = 0;
+    for (size_t i = 0; i < length; i++) {
+        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+        if (depth == 0)
+            return i + 1;
+    }
+    return 0;
+}
+
+static size_t word_length(const char *text, size_t length)
+{
+    size_t i = 0;
+    while (i < length && (isalnum((unsigned char)text[i]) || text[i] == '_'))
+        i++;
+    return i;
+}
+
+static size_t inline_number(struct tex *t, const char *text, size_t length)
+{
+    size_t i = 0;
+    while (i < length && (isdigit((unsigned char)text[i]) || (text[i] == '.' && i + 1 < length && isdigit((unsigned char)text[i + 1]))))
+        i++;
+    tex_add(t, "%.*s", (int)i, text);
+    if (i + 1 < length && text[i] == 'e' && (isdigit((unsigned char)text[i + 1]) || strchr("+-", text[i + 1]) != NULL)) {
+        size_t end = i + 2;
+        while (end < length && isdigit((unsigned char)text[end]))
+            end++;
+        tex_add(t, "\\cdot 10^{%ld}", strtol(text + i + 1, NULL, 10));
+        return end;
+    }
+    return i;
+}
+
+static size_t inline_word(struct tex *t, const char *text, size_t length)
+{
+    char name[64];
+    const size_t letters = word_length(text, length), inside = bracket(text + letters, length - letters);
+    snprintf(name, sizeof name, "%.*s", (int)letters, text);
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (strcmp(name, words[k].text) == 0) {
+            tex_add(t, "%s", words[k].latex);
+            return letters;
+        }
+    if (strcmp(name, "sqrt") == 0) { /* sqrt(x), sqrt 7 */
+        const size_t skip = letters < length && text[letters] == ' ', plain = word_length(text + letters + skip, length - letters - skip);
+        const bool round = letters < length && text[letters] == '(' && inside > 0;
+        tex_add(t, "\\sqrt{");
+        typeset_inline(t, text + letters + 1, round ? inside - 2 : plain);
+        tex_add(t, "}");
+        return letters + (round ? inside : skip + plain);
+    }
+    typeset_symbol(t, name);
+    return letters;
+}
+
+/* ^2, ^-2, ^(n + 1), ^k */
+static size_t inline_exponent(struct tex *t, const char *text, size_t length)
+{
+    const size_t minus = length > 1 && text[1] == '-', inside = bracket(text + 1, length - 1);
+    const bool round = length > 1 && text[1] == '(' && inside > 0;
+    const size_t plain = minus + word_length(text + 1 + minus, length - 1 - minus);
+    tex_add(t, "^{");
+    typeset_inline(t, text + 1 + round, round ? inside - 2 : plain);
+    tex_add(t, "}");
+    return 1 + (round ? inside : plain);
+}
+
+/* A blank is a product between what ends a factor and what begins one. */
+static bool is_product(const char *text, size_t at, size_t length)
+{
+    const char before = at > 0 ? text[at - 1] : ' ', after = at + 1 < length ? text[at + 1] : ' ';
+    return (isalnum((unsigned char)before) || strchr(")'", before) != NULL) && (isalnum((unsigned char)after) || after == '(');
+}
+
+static size_t inline_token(struct tex *t, const char *text, size_t at, size_t length)
+{
+    const char *here = text + at;
+    if (isdigit((unsigned char)*here))
+        return inline_number(t, here, length - at);
+    if (isalpha((unsigned char)*here))
+        return inline_word(t, here, length - at);
+    if (*here == '^')
+        return inline_exponent(t, here, length - at);
+    for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
+        if (strlen(signs[k].text) <= length - at && strncmp(here, signs[k].text, strlen(signs[k].text)) == 0) {
+            tex_add(t, "%s", signs[k].latex);
+            return strlen(signs[k].text);
+        }
+    if (*here == ' ')
+        tex_add(t, "%s", is_product(text, at, length) ? "\\," : " ");
+    else
+        tex_add(t, "%c", *here);
+    return 1;
+}
+
+void typeset_inline(struct tex *t, const char *text, size_t length)
+{
+    for (size_t at = 0; at < length;)
+        at += inline_token(t, text, at, length);
+}

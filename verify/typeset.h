@@ -26,4 +26,10 @@ void typeset_symbol(struct tex *t, const char *name);
 /* The formula that ends in this node; an input is written by its name. */
 void typeset_formula(struct tex *t, const struct program *p, int node);
 
+/*
+ * Mathematics within a sentence, token by token, in the sheet's notation and a little more: relations, a blank for a
+ * product, primes, |x|, "...", +- and -+. Fractions stay on the line.
+ */
+void typeset_inline(struct tex *t, const char *text, size_t length);
+
 #endif

@@ -1,0 +1,174 @@
+/*
+ * What the prover reads of an assertion: {show: [equality]}, with as much of the statement's `given` as the equality needs.
+ *
+ * These mappings are added to the document before anything is read of it: as it grows its nodes move, and are known by
+ * their numbers alone.
+ */
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "statement_reader.h"
+
+bool mentions(const char *text, const char *word)
+{
+    const size_t length = strlen(word);
+    for (const char *at = text; (at = strstr(at, word)) != NULL; at++) {
+        const bool begins = at == text || !(isalnum((unsigned char)at[-1]) || strchr("_.", at[-1]) != NULL);
+        if (begins && !isalnum((unsigned char)at[length]) && at[length] != '_')
+            return true;
+    }
+    return false;
+}
+
+char *with_abbreviations(const struct document *d, const yaml_node_t *let, const char *text, bool needed[MOST_ABBREVIATIONS])
+{
+    struct tex all = {NULL, 0};
+    tex_add(&all, "%s", text);
+    for (int i = let == NULL ? 0 : length_of(let); i-- > 0;) {
+        const char *name = scalar(key_of(d, let, i)), *formula = scalar(value_of(d, let, i));
+        needed[i] = i < MOST_ABBREVIATIONS && name != NULL && formula != NULL && mentions(all.text, name);
+        if (needed[i])
+            tex_add(&all, " %s", formula);
+    }
+    return all.text;
+}
+
+static yaml_node_t *node_of(const struct document *d, int id)
+{
+    return d->yaml.nodes.start + id - 1; /* as libyaml numbers them */
+}
+
+static int id_of(const struct document *d, const yaml_node_t *node)
+{
+    return node == NULL ? 0 : (int)(node - d->yaml.nodes.start) + 1;
+}
+
+static int checked(int id)
+{
+    if (id == 0)
+        out_of_memory();
+    return id;
+}
+
+static void add_pair(struct document *d, int mapping, const char *key, int value)
+{
+    const yaml_char_t *text = (const yaml_char_t *)key;
+    const int id = checked(yaml_document_add_scalar(&d->yaml, NULL, text, (int)strlen(key), YAML_PLAIN_SCALAR_STYLE));
+    checked(yaml_document_append_mapping_pair(&d->yaml, mapping, id, value));
+}
+
+/* An entry of `prove`, by numbers: its own mapping or 0, the statement's `given` or 0. */
+struct entry {
+    struct document *document;
+    int own, given, mapping;
+    const char *text; /* the equality, and all abbreviations that it needs */
+};
+
+static int context_of(const struct entry *e, const char *key)
+{
+    const yaml_node_t *found = e->own != 0 ? child(e->document, node_of(e->document, e->own), key) : NULL;
+    if (found == NULL && e->given != 0)
+        found = child(e->document, node_of(e->document, e->given), key);
+    return id_of(e->document, found);
+}
+
+/* Those names of a list that the text has; their number. */
+static int add_names(const struct entry *e, const char *key)
+{
+    struct document *d = e->document;
+    const int names = context_of(e, key);
+    int list = 0, count = 0;
+    for (int i = 0; names != 0 && i < length_of(node_of(d, names)); i++) {
+        const yaml_node_t *name = item_of(d, node_of(d, names), i);
+        if (node_of(d, names)->type != YAML_SEQUENCE_NODE || scalar(name) == NULL || !mentions(e->text, scalar(name)))
+            continue;
+        const int id = id_of(d, name);
+        if (count++ == 0) {
+            list = checked(yaml_document_add_sequence(&d->yaml, NULL, YAML_FLOW_SEQUENCE_STYLE));
+            add_pair(d, e->mapping, key, list);
+        }
+        checked(yaml_document_append_sequence_item(&d->yaml, list, id));
+    }
+    return count;
+}
+
+static void add_abbreviations(const struct entry *e, int let, const bool *needed)
+{
+    struct document *d = e->document;
+    int list = 0;
+    for (int i = 0; let != 0 && i < length_of(node_of(d, let)); i++) {
+        const yaml_node_pair_t pair = node_of(d, let)->data.mapping.pairs.start[i];
+        if (!needed[i])
+            continue;
+        if (list == 0) {
+            list = checked(yaml_document_add_mapping(&d->yaml, NULL, YAML_FLOW_MAPPING_STYLE));
+            add_pair(d, e->mapping, "let", list);
+        }
+        checked(yaml_document_append_mapping_pair(&d->yaml, list, pair.key, pair.value));
+    }
+}
+
+/* The mapping for the equality with that number, its text being given. */
+static int add_identity(struct entry *e, int equality)
+{
+    static const char *const lists[] = {"free", "angles", "positive"};
+    struct document *d = e->document;
+    bool needed[MOST_ABBREVIATIONS] = {false};
+    const int let = context_of(e, "let"), rates = context_of(e, "rates"), order = context_of(e, "order"), roots = context_of(e, "square roots");
+    const yaml_mark_t begin = node_of(d, equality)->start_mark, end = node_of(d, equality)->end_mark;
+    char *all = with_abbreviations(d, let != 0 ? node_of(d, let) : NULL, scalar(node_of(d, equality)), needed);
+    e->text = all;
+    e->mapping = checked(yaml_document_add_mapping(&d->yaml, NULL, YAML_FLOW_MAPPING_STYLE));
+    const int show = checked(yaml_document_add_sequence(&d->yaml, NULL, YAML_FLOW_SEQUENCE_STYLE));
+    checked(yaml_document_append_sequence_item(&d->yaml, show, equality));
+    node_of(d, e->mapping)->start_mark = begin;
+    node_of(d, e->mapping)->end_mark = end;
+    for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
+        add_names(e, lists[k]);
+    if (add_names(e, "small") > 0 && order != 0)
+        add_pair(d, e->mapping, "order", order);
+    add_abbreviations(e, let, needed);
+    if (rates != 0 && strstr(all, "rate(") != NULL)
+        add_pair(d, e->mapping, "rates", rates);
+    if (roots != 0 && strstr(all, "sqrt(") != NULL)
+        add_pair(d, e->mapping, "roots", roots);
+    add_pair(d, e->mapping, "show", show);
+    free(all);
+    return e->mapping;
+}
+
+/* The number of the equality that an entry asserts for all values; 0: another assertion. */
+static int equality_of(const struct document *d, const yaml_node_t *entry)
+{
+    enum ordering ordering = IS_EQUAL;
+    size_t length;
+    const bool mapping = entry->type == YAML_MAPPING_NODE;
+    const yaml_node_t *show = mapping ? child(d, entry, "show") : entry;
+    if (show == NULL || scalar(show) == NULL || find_ordering(scalar(show), &ordering, &length) == NULL || ordering != IS_EQUAL ||
+        (mapping && (child(d, entry, "at") != NULL || child(d, entry, "for") != NULL)))
+        return 0;
+    return id_of(d, show);
+}
+
+int *identities_add(struct document *d)
+{
+    const int old = (int)(d->yaml.nodes.top - d->yaml.nodes.start), claims = length_of(document_root(d));
+    int *identities = memory(NULL, (size_t)old + 1, sizeof *identities);
+    memset(identities, 0, ((size_t)old + 1) * sizeof *identities);
+    for (int i = 0; i < claims; i++) {
+        const yaml_node_t *claim = value_of(d, document_root(d), i);
+        const int prove = claim->type == YAML_MAPPING_NODE ? id_of(d, child(d, claim, "prove")) : 0;
+        const int given = prove != 0 ? id_of(d, child(d, claim, "given")) : 0;
+        for (int k = 0; prove != 0 && k < length_of(node_of(d, prove)) && node_of(d, prove)->type == YAML_MAPPING_NODE; k++) {
+            const yaml_node_t *entry = value_of(d, node_of(d, prove), k);
+            const int own = id_of(d, entry), equality = equality_of(d, entry);
+            struct entry e = {.document = d, .own = equality != own ? own : 0, .given = given};
+            if (given != 0 && node_of(d, given)->type != YAML_MAPPING_NODE)
+                e.given = 0;
+            if (equality != 0)
+                identities[own] = add_identity(&e, equality);
+        }
+    }
+    return identities;
+}

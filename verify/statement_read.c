@@ -1,0 +1,754 @@
+/* paper/claims.yaml: what its statements say, assert and quote; every mistake with its place. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "computation.h"
+#include "condition.h"
+#include "derivation_reader.h"
+#include "statement_reader.h"
+
+/* What is being read. */
+struct reading {
+    struct statements *all;
+    struct document *document;
+    struct statement *statement;
+    const yaml_node_t *entry; /* of `prove`, NULL: the statement itself */
+    const int *identities;    /* identities_add() */
+    int known;                /* assertions whose numbers may be used: those before */
+    struct values *at;        /* read so far */
+    const char *words[6];     /* names of the entry's own: what moves, what takes values */
+};
+
+static const char *keep(struct statements *s, const char *text, size_t length)
+{
+    char *copy = memory(NULL, length + 1, 1);
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    s->texts = memory(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
+    return s->texts[s->text_count++] = copy;
+}
+
+/* What the entry says under a key or, where it says nothing, the statement's `given`. */
+static const yaml_node_t *given(const struct reading *r, const char *key)
+{
+    const yaml_node_t *own = r->entry != NULL && r->entry->type == YAML_MAPPING_NODE ? child(r->document, r->entry, key) : NULL;
+    return own != NULL || r->statement->given == NULL ? own : child(r->document, r->statement->given, key);
+}
+
+/* ---- formulas ---- */
+
+static void declare(struct program *p, const char *name)
+{
+    if (name != NULL && program_find(p, name) < 0)
+        program_input(p, name);
+}
+
+static void declare_list(const struct reading *r, struct program *p, const char *key)
+{
+    const yaml_node_t *names = given(r, key);
+    for (int i = 0; names != NULL && i < length_of(names); i++)
+        declare(p, scalar(names->type == YAML_MAPPING_NODE ? key_of(r->document, names, i) : item_of(r->document, names, i)));
+}
+
+static void declare_numbers(struct program *p, const struct assertion *a)
+{
+    char name[2 * LONGEST_NAME + 2], word[LONGEST_NAME + 1];
+    if (a->kind == ASSERT_ROOT)
+        declare(p, a->name);
+    if (a->kind != ASSERT_COMPUTE)
+        return;
+    for (const char *at = computation_of(a->computed)->numbers; sscanf(at, "%63s", word) == 1; at += strlen(word)) {
+        snprintf(name, sizeof name, "%.63s.%s", a->name, word);
+        declare(p, name);
+        at += strspn(at, " ");
+    }
+}
+
+/* All names that a formula may have; then the abbreviations. */
+static void declare_names(const struct reading *r, struct program *p)
+{
+    static const char *const lists[] = {"free", "angles", "positive"};
+    for (int i = 0; i < r->all->sheet->quantity_count; i++)
+        program_input(p, r->all->sheet->quantities[i].name);
+    declare(p, "pi");
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+        declare_list(r, p, lists[i]);
+    for (int i = 0; r->at != NULL && i < r->at->count; i++)
+        declare(p, r->at->list[i].name);
+    for (size_t i = 0; i < sizeof r->words / sizeof *r->words; i++)
+        declare(p, r->words[i]);
+    for (int i = 0; i < r->known; i++)
+        declare_numbers(p, &r->statement->assertions[i]);
+}
+
+static bool is_let(const struct reading *r, const yaml_node_t *let)
+{
+    if (let == NULL)
+        return true;
+    if (!is_mapping(r->document, let, NULL))
+        return false;
+    for (int i = 0; i < length_of(let); i++)
+        if (scalar(value_of(r->document, let, i)) == NULL || i == MOST_ABBREVIATIONS)
+            return mistake(r->document, value_of(r->document, let, i), 0, "expected a formula, and at most %d of them", MOST_ABBREVIATIONS);
+    return true;
+}
+
+/* Which assertions a node takes numbers of. */
+static ulong uses_of(const struct reading *r, const struct program *p, int node)
+{
+    char *needed = memory(NULL, (size_t)node + 1, 1);
+    ulong uses = 0;
+    program_needs(p, node, NULL, needed);
+    for (int i = 0; i < p->inputs && i <= node; i++)
+        for (int k = 0; needed[i] && k < r->known; k++) {
+            const char *own = r->statement->assertions[k].name;
+            if (strncmp(p->names[i].text, own, strlen(own)) == 0 && strchr(".", p->names[i].text[strlen(own)]) != NULL)
+                uses |= UWORD(1) << k;
+        }
+    free(needed);
+    return uses;
+}
+
+static int parse(struct reading *r, struct program *p, const yaml_node_t *node, const char *text, size_t shift)
+{
+    struct trial trial = {.program = *p};
+    struct reader reader = {.document = r->document, .sheet = r->all->sheet, .trial = &trial};
+    reader.step = r->entry != NULL ? r->entry : r->statement->given;
+    const int result = read_formula_at(&reader, node, text, shift);
+    *p = trial.program;
+    return result;
+}
+
+/* Names and abbreviations, as far as the text needs these. */
+static bool open_program(struct reading *r, struct program *p, const char *text)
+{
+    const yaml_node_t *let = given(r, "let");
+    bool needed[MOST_ABBREVIATIONS] = {false};
+    program_init(p);
+    declare_names(r, p);
+    if (!is_let(r, let))
+        return false;
+    free(with_abbreviations(r->document, let, text, needed));
+    for (int i = 0; let != NULL && i < length_of(let); i++) {
+        const yaml_node_t *value = value_of(r->document, let, i);
+        const int node = needed[i] ? parse(r, p, value, scalar(value), 0) : -1;
+        if (needed[i] && node < 0)
+            return false;
+        if (needed[i])
+            program_name(p, node, scalar(key_of(r->document, let, i)));
+    }
+    return true;
+}
+
+static bool read_formula_text(struct reading *r, struct formula *f, const yaml_node_t *node, const char *text, size_t shift)
+{
+    f->node = open_program(r, &f->program, text) ? parse(r, &f->program, node, text, shift) : -1;
+    f->uses = f->node < 0 ? 0 : uses_of(r, &f->program, f->node);
+    return f->node >= 0;
+}
+
+static bool read_scalar_formula(struct reading *r, struct formula *f, const yaml_node_t *node)
+{
+    if (scalar(node) == NULL)
+        return mistake(r->document, node, 0, "expected a formula");
+    return read_formula_text(r, f, node, scalar(node), 0);
+}
+
+/* ---- values ---- */
+
+static bool read_values(struct reading *r, struct values *at)
+{
+    const yaml_node_t *node = given(r, "at");
+    r->at = at;
+    if (node == NULL)
+        return true;
+    if (!is_mapping(r->document, node, NULL))
+        return false;
+    at->list = memory(NULL, (size_t)length_of(node), sizeof *at->list);
+    for (int i = 0; i < length_of(node); i++) {
+        const yaml_node_t *text = value_of(r->document, node, i);
+        struct value *v = &at->list[i];
+        *v = (struct value){.name = scalar(key_of(r->document, node, i))};
+        at->count = i; /* its own formula may use those before */
+        const char *sign = scalar(text) != NULL ? strstr(scalar(text), "+-") : NULL;
+        v->uncertain = sign != NULL;
+        const bool fine = sign == NULL ? read_scalar_formula(r, &v->formula, text)
+                                       : read_formula_text(r, &v->formula, text, keep(r->all, scalar(text), (size_t)(sign - scalar(text))), 0) &&
+                                             read_formula_text(r, &v->radius, text, sign + 2, (size_t)(sign + 2 - scalar(text)));
+        at->count = i + 1;
+        if (!fine)
+            return false;
+    }
+    return true;
+}
+
+/* {name: [formula, ...]}; its values, their number, or -1 */
+static int read_range(struct reading *r, const yaml_node_t *node, const char **name, struct formula *f, int most)
+{
+    const yaml_node_t *list = node->type == YAML_MAPPING_NODE && length_of(node) == 1 ? value_of(r->document, node, 0) : NULL;
+    if (list == NULL || list->type != YAML_SEQUENCE_NODE || length_of(list) == 0 || length_of(list) > most) {
+        mistake(r->document, node, 0, "expected {name: [at most %d formulas]}", most);
+        return -1;
+    }
+    *name = scalar(key_of(r->document, node, 0));
+    for (int i = 0; i < length_of(list); i++)
+        if (!read_scalar_formula(r, &f[i], item_of(r->document, list, i)))
+            return -1;
+    return length_of(list);
+}
+
+/* ---- assertions ---- */
+
+const char *find_ordering(const char *text, enum ordering *ordering, size_t *length)
+{
+    static const struct {
+        const char *sign;
+        enum ordering ordering;
+    } signs[] = {{"!=", IS_UNEQUAL}, {"<=", IS_AT_MOST}, {">=", IS_AT_LEAST}, {"<", IS_BELOW}, {">", IS_ABOVE}, {"=", IS_EQUAL}};
+    int depth = 0;
+    for (const char *at = text; *at != '\0'; at++) {
+        depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
+        for (size_t k = 0; k < sizeof signs / sizeof *signs && depth == 0; k++)
+            if (strncmp(at, signs[k].sign, strlen(signs[k].sign)) == 0) {
+                *ordering = signs[k].ordering;
+                *length = strlen(signs[k].sign);
+                return at;
+            }
+    }
+    return NULL;
+}
+
+/* left - right of both sides of a relation in a scalar, `sign` between them */
+static bool read_difference(struct reading *r, struct formula *f, const yaml_node_t *node, const char *sign, size_t length)
+{
+    const char *text = scalar(node), *left = keep(r->all, text, (size_t)(sign - text));
+    if (!open_program(r, &f->program, text))
+        return false;
+    const int a = parse(r, &f->program, node, left, 0);
+    const int b = a < 0 ? -1 : parse(r, &f->program, node, sign + length, (size_t)(sign - text) + length);
+    if (b < 0)
+        return false;
+    f->node = program_difference(&f->program, a, b);
+    f->uses = uses_of(r, &f->program, f->node);
+    return true;
+}
+
+
+/* ... for all values: the prover reads its own mapping. */
+static bool read_identity(struct reading *r, struct assertion *a, int mapping)
+{
+    a->everywhere = true;
+    return trial_read(&a->trial, r->all->sheet, r->document, r->document->yaml.nodes.start + mapping - 1);
+}
+
+static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t *show)
+{
+    size_t length;
+    const char *sign = scalar(show) != NULL ? find_ordering(scalar(show), &a->ordering, &length) : NULL;
+    const int entry = (int)(a->node - r->document->yaml.nodes.start) + 1;
+    if (sign == NULL)
+        return mistake(r->document, show, 0, "expected left = right, or another sign of < > <= >= != between them");
+    if (r->identities[entry] != 0)
+        return read_identity(r, a, r->identities[entry]);
+    return read_difference(r, &a->formula, show, sign, length);
+}
+
+static bool read_bound(struct reading *r, const char *key, struct formula *f, bool *there)
+{
+    const yaml_node_t *node = child(r->document, r->entry, key);
+    *there = node != NULL;
+    return node == NULL || read_scalar_formula(r, f, node);
+}
+
+static bool read_count(struct reading *r, const yaml_node_t *node, long *count)
+{
+    char *end = NULL;
+    *count = node != NULL && scalar(node) != NULL ? strtol(scalar(node), &end, 10) : -1;
+    return (end != NULL && *end == '\0' && *count >= 0) || mistake(r->document, node ? node : r->entry, 0, "expected a count: 0, 1, 2 ...");
+}
+
+/* A name that `of` says to be free; NULL after a complaint. */
+static const char *read_variable(struct reading *r)
+{
+    const yaml_node_t *of = child(r->document, r->entry, "of");
+    if (of == NULL || scalar(of) == NULL)
+        mistake(r->document, of ? of : r->entry, 0, "missing of, expected the name of the unknown");
+    return of != NULL ? r->words[0] = scalar(of) : NULL;
+}
+
+static bool read_root(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    const yaml_node_t *in = child(r->document, r->entry, "in");
+    if ((a->variable = read_variable(r)) == NULL || a->variable[0] == '\0' || !read_scalar_formula(r, &a->formula, value))
+        return false;
+    if (in == NULL || in->type != YAML_SEQUENCE_NODE || length_of(in) != 2)
+        return mistake(r->document, in ? in : r->entry, 0, "expected in: [low, high]");
+    return read_scalar_formula(r, &a->low, item_of(r->document, in, 0)) && read_scalar_formula(r, &a->high, item_of(r->document, in, 1));
+}
+
+static bool read_roots(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    return (a->variable = read_variable(r)) != NULL && read_scalar_formula(r, &a->formula, value) &&
+           read_bound(r, "above", &a->low, &a->has_low) && read_bound(r, "below", &a->high, &a->has_high) &&
+           read_count(r, child(r->document, r->entry, "count"), &a->count);
+}
+
+/* `system`: state: rate, and `about`, in one program of the entry's. */
+static bool read_system(struct reading *r, struct assertion *a)
+{
+    const yaml_node_t *system = given(r, "system"), *about = given(r, "about");
+    const yaml_node_t *control = child(r->document, r->entry, "control"), *observe = child(r->document, r->entry, "observe");
+    struct linear_system *l = &a->system;
+    struct tex all = {NULL, 0};
+    if (system == NULL || !is_mapping(r->document, system, NULL) || length_of(system) > 12 || (about != NULL && !is_mapping(r->document, about, NULL)))
+        return mistake(r->document, system ? system : r->entry, 0, "expected a system, {state: its rate, ...} of at most 12 states");
+    for (int i = 0; i < length_of(system); i++)
+        tex_add(&all, " %s", scalar(value_of(r->document, system, i)) ? scalar(value_of(r->document, system, i)) : "");
+    bool fine = open_program(r, &l->program, all.text);
+    tex_clear(&all);
+    l->observe = -1;
+    for (int i = 0; fine && i < length_of(system); i++) {
+        const yaml_node_t *state = key_of(r->document, system, i), *rate = value_of(r->document, system, i);
+        const yaml_node_t *place = about != NULL ? child(r->document, about, scalar(state)) : NULL;
+        l->states[l->size] = program_find(&l->program, scalar(state));
+        if (l->states[l->size] < 0)
+            return mistake(r->document, state, 0, "unknown symbol '%s', expected a quantity or a free name", scalar(state));
+        l->rates[l->size] = scalar(rate) != NULL ? parse(r, &l->program, rate, scalar(rate), 0) : -1;
+        l->about[l->size] = place != NULL && scalar(place) != NULL ? parse(r, &l->program, place, scalar(place), 0) : -1;
+        if (l->rates[l->size] < 0 || (place != NULL && l->about[l->size] < 0))
+            return scalar(rate) != NULL ? false : mistake(r->document, rate, 0, "expected a formula");
+        if (observe != NULL && scalar(observe) != NULL && strcmp(scalar(observe), scalar(state)) == 0)
+            l->observe = i;
+        l->size++;
+    }
+    l->control = control != NULL && scalar(control) != NULL ? program_find(&l->program, scalar(control)) : -1;
+    if (fine && ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0)))
+        return mistake(r->document, control != NULL ? control : observe, 0, "expected control: a quantity, or observe: a state");
+    for (int i = 0; fine && i < l->size; i++)
+        l->uses |= uses_of(r, &l->program, l->rates[i]) | (l->about[i] >= 0 ? uses_of(r, &l->program, l->about[i]) : 0);
+    return fine;
+}
+
+static bool read_characteristic(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    return (a->variable = read_variable(r)) != NULL && read_scalar_formula(r, &a->formula, value) && read_system(r, a);
+}
+
+static bool read_rank(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    return read_count(r, value, &a->count) && read_system(r, a);
+}
+
+static bool read_step(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    const struct derivations *d = &r->all->proofs->derivations;
+    a->reference = scalar(value);
+    for (int i = 0; a->reference != NULL && i < d->step_count; i++)
+        if (strcmp(d->steps[i].id, a->reference) == 0)
+            return true;
+    return mistake(r->document, value, 0, "expected a step of derivations.yaml");
+}
+
+static bool read_cited(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    a->reference = scalar(value);
+    return (a->reference != NULL && statement_find(r->all, a->reference) != NULL) ||
+           mistake(r->document, value, 0, "expected a claim that stands before");
+}
+
+static bool read_compute(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    a->computed = scalar(value) != NULL ? computed_find(r->all, scalar(value)) : NULL;
+    return a->computed != NULL || mistake(r->document, value, 0, "unknown computation, expected one of verify/claims_*.c");
+}
+
+static const struct form {
+    const char *key;
+    enum assertion_kind kind;
+    bool (*read)(struct reading *r, struct assertion *a, const yaml_node_t *value);
+} forms[] = {{"show", ASSERT_SHOW, read_show},       {"root", ASSERT_ROOT, read_root},
+             {"roots", ASSERT_ROOTS, read_roots},    {"characteristic", ASSERT_CHARACTERISTIC, read_characteristic},
+             {"rank", ASSERT_RANK, read_rank},       {"step", ASSERT_STEP, read_step},
+             {"claim", ASSERT_CLAIM, read_cited},    {"compute", ASSERT_COMPUTE, read_compute}};
+
+enum { FORMS = sizeof forms / sizeof *forms };
+
+/* What moves, and what takes several values, before the formulas that use it. */
+static bool read_ranges(struct reading *r, struct assertion *a)
+{
+    static const char *const known[] = {"show", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on",
+                                        "for", "above", "below", "count", "control", "observe", "angles", "positive", "free", "small",
+                                        "order", "rates", "let", "square roots", "at", "system", "about", NULL};
+    if (!is_mapping(r->document, r->entry, known))
+        return false;
+    const yaml_node_t *on = child(r->document, r->entry, "on"), *each = child(r->document, r->entry, "for");
+    struct formula bounds[2];
+    memset(bounds, 0, sizeof bounds);
+    a->each_of = memory(NULL, 8, sizeof *a->each_of);
+    memset(a->each_of, 0, 8 * sizeof *a->each_of);
+    if (each != NULL && (a->each_count = read_range(r, each, &a->each, a->each_of, 8)) < 0)
+        return false;
+    r->words[1] = a->each;
+    if (on != NULL) {
+        const int count = read_range(r, on, &a->variable, bounds, 2);
+        if (count != 2)
+            return count < 0 ? false : mistake(r->document, on, 0, "expected on: {name: [low, high]}");
+        a->low = bounds[0];
+        a->high = bounds[1];
+    }
+    r->words[2] = a->variable;
+    return true;
+}
+
+static bool read_assertion(struct reading *r, struct assertion *a)
+{
+    r->entry = a->node;
+    memset(r->words, 0, sizeof r->words);
+    r->at = NULL;
+    if (!read_values(r, &a->at))
+        return false;
+    if (scalar(a->node) != NULL) {
+        a->kind = ASSERT_SHOW;
+        return read_show(r, a, a->node);
+    }
+    if (!read_ranges(r, a))
+        return false;
+    for (int i = 0; i < FORMS; i++) {
+        const yaml_node_t *value = child(r->document, a->node, forms[i].key);
+        if (value == NULL)
+            continue;
+        a->kind = forms[i].kind;
+        if (!forms[i].read(r, a, value))
+            return false;
+        a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
+        for (int k = 0; k < a->at.count; k++)
+            a->uses |= a->at.list[k].formula.uses;
+        return true;
+    }
+    return mistake(r->document, a->node, 0, "expected left = right, or one of show, root, roots, characteristic, rank, step, claim, compute");
+}
+
+static bool read_prove(struct reading *r, const yaml_node_t *prove)
+{
+    struct statement *s = r->statement;
+    if (prove == NULL)
+        return true;
+    if (!is_mapping(r->document, prove, NULL))
+        return false;
+    if (length_of(prove) > MOST_ASSERTIONS)
+        return mistake(r->document, prove, 0, "expected at most %d assertions", MOST_ASSERTIONS);
+    s->assertions = memory(NULL, (size_t)length_of(prove), sizeof *s->assertions);
+    memset(s->assertions, 0, (size_t)length_of(prove) * sizeof *s->assertions);
+    for (int i = 0; i < length_of(prove); i++) {
+        struct assertion *a = &s->assertions[i];
+        a->name = scalar(key_of(r->document, prove, i));
+        a->node = value_of(r->document, prove, i);
+        r->known = i;
+        s->assertion_count = i + 1;
+        if (!read_assertion(r, a))
+            return false;
+    }
+    r->known = s->assertion_count;
+    return true;
+}
+
+/* ---- verdicts ---- */
+
+/* While a condition is checked: which assertions are named. */
+struct naming {
+    const struct statement *statement;
+    bool *named;
+};
+
+static enum truth check_name(void *context, const char *name, const char *member, bool *known)
+{
+    struct naming *n = context;
+    const struct statement *s = n->statement;
+    *known = false;
+    for (int i = 0; i < s->assertion_count; i++)
+        if (strcmp(s->assertions[i].name, name) == 0) {
+            const struct assertion *a = &s->assertions[i];
+            const bool computed = a->kind == ASSERT_COMPUTE;
+            *known = computed ? member != NULL && mentions(computation_of(a->computed)->truths, member) : member == NULL;
+            n->named[i] = true;
+        }
+    return UNDECIDED;
+}
+
+static bool read_verdict(struct reading *r, const yaml_node_t *key, const char *condition, const yaml_node_t *at, bool *named)
+{
+    struct statement *s = r->statement;
+    struct naming naming = {s, named};
+    struct message why;
+    size_t where;
+    int v = HOLDS;
+    while (v <= NOT_DECIDABLE && (scalar(key) == NULL || strcmp(verdict_names[v], scalar(key)) != 0))
+        v++;
+    if (v > NOT_DECIDABLE || s->verdict_count == MOST_VERDICTS)
+        return mistake(r->document, key, 0, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
+    if (condition == NULL && v != NOT_DECIDABLE)
+        return mistake(r->document, at, 0, "expected {verdict: condition}; only 'not decidable' needs none");
+    if (condition != NULL && !condition_check(condition, check_name, &naming, &where, &why))
+        return mistake(r->document, at, where, "%s", why.text);
+    s->verdicts[s->verdict_count] = (enum verdict)v;
+    s->conditions[s->verdict_count++] = condition;
+    return true;
+}
+
+/* Every assertion serves: a condition names it, a number of the evidence or another assertion is made of it. */
+static bool all_serve(struct reading *r, const bool *named)
+{
+    const struct statement *s = r->statement;
+    ulong used = 0;
+    for (int i = 0; i < s->number_count; i++)
+        used |= s->numbers[i].formula.uses;
+    for (int i = 0; i < s->assertion_count; i++)
+        used |= s->assertions[i].uses;
+    for (int i = 0; i < s->assertion_count; i++)
+        if (!named[i] && (used >> i & 1) == 0)
+            return mistake(r->document, s->assertions[i].node, 0, "'%s' serves no verdict and no number", s->assertions[i].name);
+    return true;
+}
+
+static bool read_verdicts(struct reading *r, const yaml_node_t *node)
+{
+    bool named[MOST_ASSERTIONS] = {false};
+    if (node == NULL)
+        return mistake(r->document, r->entry, 0, "missing verdict");
+    if (scalar(node) != NULL)
+        return read_verdict(r, node, NULL, node, named) && all_serve(r, named);
+    if (!is_mapping(r->document, node, NULL) || length_of(node) == 0)
+        return mistake(r->document, node, 0, "expected verdict: {holds: condition, ...}");
+    for (int i = 0; i < length_of(node); i++) {
+        const yaml_node_t *condition = value_of(r->document, node, i);
+        if (!read_verdict(r, key_of(r->document, node, i), scalar(condition), condition, named))
+            return false;
+    }
+    return all_serve(r, named);
+}
+
+/* ---- evidence ---- */
+
+struct quoting {
+    struct reading *reading;
+    const yaml_node_t *node;
+    bool fine;
+};
+
+static void pass(void *context, const char *at, size_t length)
+{
+    (void)context;
+    (void)at;
+    (void)length;
+}
+
+/* "4", ".2", "exact", "2 up", "2 down" */
+static bool read_rounding(const char *text, struct quoted_number *n)
+{
+    char word[8] = "", end;
+    n->rounding = *text == '.' ? TO_DECIMALS : TO_DIGITS;
+    if (strcmp(text, "exact") == 0) {
+        n->rounding = AS_RATIONAL;
+        return true;
+    }
+    const int count = sscanf(text + (*text == '.'), "%ld %7[a-z]%c", &n->digits, word, &end);
+    if (count == 2 && strcmp(word, "up") == 0)
+        n->rounding = UPWARD;
+    else if (count == 2 && strcmp(word, "down") == 0)
+        n->rounding = DOWNWARD;
+    else if (count != 1)
+        return false;
+    return n->digits >= (*text == '.' ? 0 : 1) && n->digits <= 60 && (count == 1 || *text != '.');
+}
+
+static size_t trimmed(const char **at, size_t length)
+{
+    while (length > 0 && **at == ' ') {
+        ++*at;
+        length--;
+    }
+    while (length > 0 && (*at)[length - 1] == ' ')
+        length--;
+    return length;
+}
+
+static void take_number(void *context, const char *at, size_t length)
+{
+    struct quoting *q = context;
+    struct reading *r = q->reading;
+    struct statement *s = r->statement;
+    const size_t start = (size_t)(at - s->evidence);
+    if (!q->fine)
+        return;
+    s->numbers = memory(s->numbers, (size_t)s->number_count + 1, sizeof *s->numbers);
+    struct quoted_number *n = &s->numbers[s->number_count++];
+    *n = (struct quoted_number){.node = q->node, .offset = start};
+    char *text = memory(NULL, length + 1, 1);
+    memcpy(text, at, length);
+    text[length] = '\0';
+    char *bar = strchr(text, '|'), *unit = bar != NULL ? strchr(bar + 1, '|') : NULL;
+    const char *digits = bar != NULL ? bar + 1 : text, *formula = text, *of = unit != NULL ? unit + 1 : "";
+    const size_t digits_length = trimmed(&digits, bar == NULL ? 0 : unit != NULL ? (size_t)(unit - digits) : strlen(digits));
+    const size_t formula_length = trimmed(&formula, bar != NULL ? (size_t)(bar - text) : 0), of_length = trimmed(&of, strlen(of));
+    n->unit = unit != NULL ? keep(r->all, of, of_length) : NULL;
+    n->text = keep(r->all, formula, formula_length);
+    if (bar == NULL || !read_rounding(keep(r->all, digits, digits_length), n))
+        q->fine = mistake(r->document, q->node, start + (bar != NULL ? (size_t)(bar - text) + 1 : 0),
+                          "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
+    else
+        q->fine = read_formula_text(r, &n->formula, q->node, n->text, start + (size_t)(formula - text));
+    free(text);
+}
+
+static bool read_marks(struct reading *r, const yaml_node_t *node, bool numbers)
+{
+    struct quoting quoting = {r, node, true};
+    const struct marked_parts parts = {&quoting, pass, pass, numbers ? take_number : NULL};
+    struct message why;
+    size_t where;
+    if (!marked_read(scalar(node), &parts, &where, &why))
+        return quoting.fine && mistake(r->document, node, where, "%s", why.text);
+    return quoting.fine;
+}
+
+/* ---- statements ---- */
+
+static bool read_words(struct reading *r, const char *key, bool required, const char **text)
+{
+    const yaml_node_t *node = child(r->document, r->entry, key);
+    *text = node != NULL ? scalar(node) : NULL;
+    if (node == NULL ? required : *text == NULL || **text == '\0')
+        return mistake(r->document, node ? node : r->entry, 0, "missing %s, expected a text", key);
+    return node == NULL || strcmp(key, "evidence") == 0 || read_marks(r, node, false);
+}
+
+static bool read_kind(struct reading *r, struct statement *s)
+{
+    static const char *const kinds[] = {"statement", "implied", "misprint", "number", "beyond"};
+    if (!read_words(r, "kind", true, &s->kind))
+        return false;
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (strcmp(s->kind, kinds[i]) == 0)
+            return true;
+    return mistake(r->document, child(r->document, r->entry, "kind"), 0, "expected a kind: statement, implied, misprint, number or beyond");
+}
+
+static bool read_equations(struct reading *r, struct statement *s)
+{
+    const yaml_node_t *list = child(r->document, r->entry, "equations");
+    if (list == NULL)
+        return true;
+    if (!is_list(r->document, list, 8))
+        return false;
+    for (; s->equation_count < length_of(list); s->equation_count++) {
+        const char *number = scalar(item_of(r->document, list, s->equation_count));
+        bool known = false;
+        for (int i = 0; i < r->all->sheet->section_count; i++)
+            for (int k = 0; k < r->all->sheet->sections[i].numbers; k++)
+                known = known || strcmp(r->all->sheet->sections[i].equations[k], number) == 0;
+        if (!known)
+            return mistake(r->document, item_of(r->document, list, s->equation_count), 0, "unknown '%s', expected an equation number", number);
+        s->equations[s->equation_count] = number;
+    }
+    return true;
+}
+
+static bool read_statement(struct statements *all, const yaml_node_t *key, const yaml_node_t *node, const int *identities)
+{
+    static const char *const known[] = {"where", "kind", "claim", "verdict", "why", "given", "prove", "evidence", "equations", NULL};
+    static const char *const contexts[] = {"angles", "positive", "free", "small", "order", "rates", "let", "square roots",
+                                           "at", "system", "about", NULL};
+    if (!is_mapping(&all->document, node, known))
+        return false;
+    all->list = memory(all->list, (size_t)all->count + 1, sizeof *all->list);
+    struct statement *s = &all->list[all->count++];
+    *s = (struct statement){.id = scalar(key), .given = child(&all->document, node, "given"),
+                            .verdict = child(&all->document, node, "verdict")};
+    struct reading r = {.all = all, .document = &all->document, .statement = s, .entry = node, .identities = identities};
+    const yaml_node_t *evidence = child(&all->document, node, "evidence");
+    if ((s->given != NULL && !is_mapping(&all->document, s->given, contexts)) || !read_words(&r, "where", true, &s->where) ||
+        !read_kind(&r, s) || !read_words(&r, "claim", true, &s->claim) || !read_words(&r, "why", false, &s->why) ||
+        !read_words(&r, "evidence", true, &s->evidence) || !read_equations(&r, s) ||
+        !read_prove(&r, child(&all->document, node, "prove")))
+        return false;
+    r.entry = NULL;
+    memset(r.words, 0, sizeof r.words);
+    if (!read_values(&r, &s->at) || !read_marks(&r, evidence, true))
+        return false;
+    r.entry = node;
+    if (!read_verdicts(&r, child(&all->document, node, "verdict")))
+        return false;
+    const bool plain = s->verdicts[0] == HOLDS || s->verdicts[0] == DEFINITION;
+    return plain || s->why != NULL || mistake(&all->document, node, 0, "missing why, of a verdict other than holds and definition");
+}
+
+struct statement *statement_find(const struct statements *s, const char *id)
+{
+    for (int i = 0; i < s->count; i++)
+        if (strcmp(s->list[i].id, id) == 0)
+            return &s->list[i];
+    return NULL;
+}
+
+int statements_read(struct statements *s, const struct proofs *proofs, const char *text, size_t length, const char *name,
+                    struct message *why)
+{
+    *s = (struct statements){.sheet = sheet(), .proofs = proofs};
+    if (!document_open(&s->document, text, length, name, why))
+        return -1;
+    bool fine = is_mapping(&s->document, document_root(&s->document), NULL);
+    int *identities = fine ? identities_add(&s->document) : NULL;
+    const yaml_node_t *root = document_root(&s->document);
+    for (int i = 0; fine && i < length_of(root); i++)
+        fine = read_statement(s, key_of(&s->document, root, i), value_of(&s->document, root, i), identities);
+    free(identities);
+    if (!fine)
+        statements_clear(s);
+    return fine ? 0 : -1;
+}
+
+static void values_clear(struct values *v)
+{
+    for (int i = 0; i < v->count; i++) {
+        program_clear(&v->list[i].formula.program);
+        program_clear(&v->list[i].radius.program);
+    }
+    free(v->list);
+}
+
+static void assertion_clear(struct assertion *a)
+{
+    for (int i = 0; i < 8 && a->each_of != NULL; i++)
+        program_clear(&a->each_of[i].program);
+    free(a->each_of);
+    program_clear(&a->formula.program);
+    program_clear(&a->low.program);
+    program_clear(&a->high.program);
+    program_clear(&a->system.program);
+    values_clear(&a->at);
+    if (a->everywhere)
+        trial_clear(&a->trial);
+}
+
+void statements_clear(struct statements *s)
+{
+    for (int i = 0; i < s->count; i++) {
+        for (int k = 0; k < s->list[i].assertion_count; k++)
+            assertion_clear(&s->list[i].assertions[k]);
+        for (int k = 0; k < s->list[i].number_count; k++) {
+            program_clear(&s->list[i].numbers[k].formula.program);
+            free(s->list[i].numbers[k].decimal);
+        }
+        values_clear(&s->list[i].at);
+        free(s->list[i].assertions);
+        free(s->list[i].numbers);
+    }
+    for (int i = 0; i < s->text_count; i++)
+        free(s->texts[i]);
+    free(s->texts);
+    free(s->list);
+    computed_clear(s);
+    document_close(&s->document);
+    *s = (struct statements){0};
+}
