@@ -73,15 +73,21 @@ static int context_of(const struct entry *e, const char *key)
     return id_of(e->document, found);
 }
 
-/* Those names of a list that the text has; their number. */
+static bool is_own(const struct entry *e, const char *key)
+{
+    return e->own != 0 && child(e->document, node_of(e->document, e->own), key) != NULL;
+}
+
+/* The names of the entry's own list, those of `given` that the text has; their number. */
 static int add_names(const struct entry *e, const char *key)
 {
     struct document *d = e->document;
     const int names = context_of(e, key);
+    const bool own = is_own(e, key);
     int list = 0, count = 0;
     for (int i = 0; names != 0 && i < length_of(node_of(d, names)); i++) {
         const yaml_node_t *name = item_of(d, node_of(d, names), i);
-        if (node_of(d, names)->type != YAML_SEQUENCE_NODE || scalar(name) == NULL || !mentions(e->text, scalar(name)))
+        if (node_of(d, names)->type != YAML_SEQUENCE_NODE || scalar(name) == NULL || !(own || mentions(e->text, scalar(name))))
             continue;
         const int id = id_of(d, name);
         if (count++ == 0) {
@@ -99,7 +105,7 @@ static void add_abbreviations(const struct entry *e, int let, const bool *needed
     int list = 0;
     for (int i = 0; let != 0 && i < length_of(node_of(d, let)); i++) {
         const yaml_node_pair_t pair = node_of(d, let)->data.mapping.pairs.start[i];
-        if (!needed[i])
+        if (!needed[i] && !is_own(e, "let"))
             continue;
         if (list == 0) {
             list = checked(yaml_document_add_mapping(&d->yaml, NULL, YAML_FLOW_MAPPING_STYLE));
@@ -107,6 +113,19 @@ static void add_abbreviations(const struct entry *e, int let, const bool *needed
         }
         checked(yaml_document_append_mapping_pair(&d->yaml, list, pair.key, pair.value));
     }
+}
+
+/* The text, and what stands for the rates that it takes. */
+static char *with_rates(const struct entry *e, const char *text)
+{
+    struct tex all = {NULL, 0};
+    const int rates = context_of(e, "rates");
+    tex_add(&all, "%s", text);
+    for (int i = 0; strstr(text, "rate(") != NULL && rates != 0 && i < length_of(node_of(e->document, rates)); i++) {
+        const char *rate = scalar(value_of(e->document, node_of(e->document, rates), i));
+        tex_add(&all, " %s", rate != NULL ? rate : "");
+    }
+    return all.text;
 }
 
 /* The mapping for the equality with that number, its text being given. */
@@ -117,7 +136,8 @@ static int add_identity(struct entry *e, int equality)
     bool needed[MOST_ABBREVIATIONS] = {false};
     const int let = context_of(e, "let"), rates = context_of(e, "rates"), order = context_of(e, "order"), roots = context_of(e, "square roots");
     const yaml_mark_t begin = node_of(d, equality)->start_mark, end = node_of(d, equality)->end_mark;
-    char *all = with_abbreviations(d, let != 0 ? node_of(d, let) : NULL, scalar(node_of(d, equality)), needed);
+    char *text = with_rates(e, scalar(node_of(d, equality)));
+    char *all = with_abbreviations(d, let != 0 ? node_of(d, let) : NULL, text, needed);
     e->text = all;
     e->mapping = checked(yaml_document_add_mapping(&d->yaml, NULL, YAML_FLOW_MAPPING_STYLE));
     const int show = checked(yaml_document_add_sequence(&d->yaml, NULL, YAML_FLOW_SEQUENCE_STYLE));
@@ -131,10 +151,11 @@ static int add_identity(struct entry *e, int equality)
     add_abbreviations(e, let, needed);
     if (rates != 0 && strstr(all, "rate(") != NULL)
         add_pair(d, e->mapping, "rates", rates);
-    if (roots != 0 && strstr(all, "sqrt(") != NULL)
+    if (roots != 0 && (is_own(e, "square roots") || strstr(all, "sqrt(") != NULL))
         add_pair(d, e->mapping, "roots", roots);
     add_pair(d, e->mapping, "show", show);
     free(all);
+    free(text);
     return e->mapping;
 }
 
