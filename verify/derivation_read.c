@@ -201,7 +201,7 @@ static bool check_roots(struct reader *r)
     const yaml_node_t *roots = child(r->document, r->step, "roots");
     if (t->radical_count > 0 && t->root_count == 0)
         return mistake(r->document, r->step, 0, "missing roots: what the square roots are equal to");
-    if (t->radical_count == 0 && t->root_count > 0)
+    if (t->radical_count == 0 && t->root_count > 0 && !r->shared)
         return mistake(r->document, roots, 0, "expected no roots, nothing shown rests on a square root");
     for (int i = 0; i < t->root_count; i++)
         if (!t->roots[i].positive)
@@ -218,7 +218,7 @@ static bool read_trial(struct reader *r, struct trial *t, int order)
     if (!read_declarations(r) || !read_let(r) || !read_roots(r) || !read_show(r) || !check_rates(r))
         return false;
     trial_prepare(t);
-    if (r->printed == NULL && (!all_needed(r) || !check_roots(r)))
+    if (r->printed == NULL && ((!r->shared && !all_needed(r)) || !check_roots(r)))
         return false;
     if (t->degree >= DEGREE_LIMIT)
         return mistake(r->document, r->step, 0, "expected a simpler step, its degree is beyond 2^40");
@@ -228,7 +228,7 @@ static bool read_trial(struct reader *r, struct trial *t, int order)
 bool trial_read(struct trial *t, const struct sheet *sheet, struct document *document, const yaml_node_t *mapping)
 {
     const yaml_node_t *order = child(document, mapping, "order");
-    struct reader r = {.document = document, .sheet = sheet, .step = mapping};
+    struct reader r = {.document = document, .sheet = sheet, .step = mapping, .shared = true};
     return read_trial(&r, t, order != NULL && scalar(order) != NULL ? atoi(scalar(order)) : -1);
 }
 

@@ -9,6 +9,7 @@ struct reader {
     const struct sheet *sheet;
     const yaml_node_t *step, *printed; /* printed: NULL while the step itself is read */
     struct trial *trial;
+    bool shared; /* the context is that of other equalities too: not all of it need serve this one */
 };
 
 /* The scalar's formula: its node in the trial's program, or -1 after a complaint. */

@@ -11,7 +11,7 @@
 #include "marked.h"
 #include "proofs.h"
 
-enum { MOST_ASSERTIONS = 40, MOST_VERDICTS = 4 };
+enum { MOST_ASSERTIONS = 40, MOST_VERDICTS = 4, MOST_EACH = 3, MOST_TURNS = 8 };
 
 /* A formula over whatever has a name where it stands. */
 struct formula {
@@ -58,9 +58,9 @@ struct assertion {
     struct formula low, high;
     bool has_low, has_high;
     struct values at;
-    const char *each;             /* `for`: the name that takes one value after another */
-    struct formula *each_of;
-    int each_count;
+    const char *each[MOST_EACH];  /* `for`: names that take one value after another, together */
+    struct formula each_of[MOST_EACH][MOST_TURNS];
+    int each_names, turns;
     long count;
     struct linear_system system;
     const char *reference;        /* the id of a step or a claim */
@@ -147,8 +147,8 @@ struct bindings {
     struct statement *statement;
     const struct values *at;
     int at_count;                      /* of them: those that may be used */
-    const char *fixed;                 /* a name with one value after another, and the value now */
-    const struct formula *fixed_value;
+    const struct assertion *each;      /* whose `for` gives some names one value after another; NULL: none */
+    int turn;                          /* which of these they have now */
     const char *moving;                /* a name that moves */
     arb_srcptr moving_value;
     slong bits;

@@ -62,7 +62,6 @@ static void add_pair(struct document *d, int mapping, const char *key, int value
 struct entry {
     struct document *document;
     int own, given, mapping;
-    const char *text; /* the equality, and all abbreviations that it needs */
 };
 
 static int context_of(const struct entry *e, const char *key)
@@ -73,57 +72,34 @@ static int context_of(const struct entry *e, const char *key)
     return id_of(e->document, found);
 }
 
-static bool is_own(const struct entry *e, const char *key)
-{
-    return e->own != 0 && child(e->document, node_of(e->document, e->own), key) != NULL;
-}
-
-/* The names of the entry's own list, those of `given` that the text has; their number. */
-static int add_names(const struct entry *e, const char *key)
-{
-    struct document *d = e->document;
-    const int names = context_of(e, key);
-    const bool own = is_own(e, key);
-    int list = 0, count = 0;
-    for (int i = 0; names != 0 && i < length_of(node_of(d, names)); i++) {
-        const yaml_node_t *name = item_of(d, node_of(d, names), i);
-        if (node_of(d, names)->type != YAML_SEQUENCE_NODE || scalar(name) == NULL || !(own || mentions(e->text, scalar(name))))
-            continue;
-        const int id = id_of(d, name);
-        if (count++ == 0) {
-            list = checked(yaml_document_add_sequence(&d->yaml, NULL, YAML_FLOW_SEQUENCE_STYLE));
-            add_pair(d, e->mapping, key, list);
-        }
-        checked(yaml_document_append_sequence_item(&d->yaml, list, id));
-    }
-    return count;
-}
-
-static void add_abbreviations(const struct entry *e, int let, const bool *needed)
+/* Those pairs of a mapping that are needed. */
+static void add_pairs(const struct entry *e, const char *key, int let, const bool *needed)
 {
     struct document *d = e->document;
     int list = 0;
     for (int i = 0; let != 0 && i < length_of(node_of(d, let)); i++) {
         const yaml_node_pair_t pair = node_of(d, let)->data.mapping.pairs.start[i];
-        if (!needed[i] && !is_own(e, "let"))
+        if (!needed[i])
             continue;
         if (list == 0) {
             list = checked(yaml_document_add_mapping(&d->yaml, NULL, YAML_FLOW_MAPPING_STYLE));
-            add_pair(d, e->mapping, "let", list);
+            add_pair(d, e->mapping, key, list);
         }
         checked(yaml_document_append_mapping_pair(&d->yaml, list, pair.key, pair.value));
     }
 }
 
-/* The text, and what stands for the rates that it takes. */
-static char *with_rates(const struct entry *e, const char *text)
+/* The rates of what the text has, in the document: `moves` tells which. The text, and the names of these rates. */
+static char *with_rates(const struct entry *e, int rates, const char *text, bool moves[MOST_ABBREVIATIONS])
 {
+    const struct document *d = e->document;
     struct tex all = {NULL, 0};
-    const int rates = context_of(e, "rates");
     tex_add(&all, "%s", text);
-    for (int i = 0; strstr(text, "rate(") != NULL && rates != 0 && i < length_of(node_of(e->document, rates)); i++) {
-        const char *rate = scalar(value_of(e->document, node_of(e->document, rates), i));
-        tex_add(&all, " %s", rate != NULL ? rate : "");
+    for (int i = 0; rates != 0 && strstr(text, "rate(") != NULL && i < length_of(node_of(d, rates)) && i < MOST_ABBREVIATIONS; i++) {
+        const char *name = scalar(key_of(d, node_of(d, rates), i)), *rate = scalar(value_of(d, node_of(d, rates), i));
+        moves[i] = name != NULL && rate != NULL && mentions(text, name);
+        if (moves[i])
+            tex_add(&all, " %s", rate);
     }
     return all.text;
 }
@@ -131,31 +107,33 @@ static char *with_rates(const struct entry *e, const char *text)
 /* The mapping for the equality with that number, its text being given. */
 static int add_identity(struct entry *e, int equality)
 {
-    static const char *const lists[] = {"free", "angles", "positive"};
+    static const char *const lists[] = {"free", "angles", "positive", "small", "order"};
     struct document *d = e->document;
-    bool needed[MOST_ABBREVIATIONS] = {false};
-    const int let = context_of(e, "let"), rates = context_of(e, "rates"), order = context_of(e, "order"), roots = context_of(e, "square roots");
+    bool needed[MOST_ABBREVIATIONS] = {false}, moves[MOST_ABBREVIATIONS] = {false};
+    const int let = context_of(e, "let"), rates = context_of(e, "rates"), roots = context_of(e, "square roots");
     const yaml_mark_t begin = node_of(d, equality)->start_mark, end = node_of(d, equality)->end_mark;
-    char *text = with_rates(e, scalar(node_of(d, equality)));
-    char *all = with_abbreviations(d, let != 0 ? node_of(d, let) : NULL, text, needed);
-    e->text = all;
+    const yaml_node_t *abbreviations = let != 0 ? node_of(d, let) : NULL;
+    char *first = with_abbreviations(d, abbreviations, scalar(node_of(d, equality)), needed);
+    char *moving = with_rates(e, rates, first, moves), *all = with_abbreviations(d, abbreviations, moving, needed);
+    free(first);
+    free(moving);
     e->mapping = checked(yaml_document_add_mapping(&d->yaml, NULL, YAML_FLOW_MAPPING_STYLE));
     const int show = checked(yaml_document_add_sequence(&d->yaml, NULL, YAML_FLOW_SEQUENCE_STYLE));
     checked(yaml_document_append_sequence_item(&d->yaml, show, equality));
     node_of(d, e->mapping)->start_mark = begin;
     node_of(d, e->mapping)->end_mark = end;
     for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
-        add_names(e, lists[k]);
-    if (add_names(e, "small") > 0 && order != 0)
-        add_pair(d, e->mapping, "order", order);
-    add_abbreviations(e, let, needed);
-    if (rates != 0 && strstr(all, "rate(") != NULL)
-        add_pair(d, e->mapping, "rates", rates);
-    if (roots != 0 && (is_own(e, "square roots") || strstr(all, "sqrt(") != NULL))
+        if (context_of(e, lists[k]) != 0)
+            add_pair(d, e->mapping, lists[k], context_of(e, lists[k]));
+    const bool own_let = e->own != 0 && child(d, node_of(d, e->own), "let") != NULL; /* left(24, 2) mentions none of its names */
+    for (int i = 0; own_let && i < length_of(node_of(d, let)) && i < MOST_ABBREVIATIONS; i++)
+        needed[i] = true;
+    add_pairs(e, "let", let, needed);
+    add_pairs(e, "rates", rates, moves);
+    if (roots != 0)
         add_pair(d, e->mapping, "roots", roots);
     add_pair(d, e->mapping, "show", show);
     free(all);
-    free(text);
     return e->mapping;
 }
 

@@ -493,13 +493,9 @@ static enum truth found_at_each(struct statements *all, struct statement *s, str
 {
     struct bindings b = bindings_of(all, s, a);
     enum truth truth = FOUND_TRUE;
-    if (a->each_count == 0)
-        return found_at(a, &b, how);
-    b.fixed = a->each;
-    for (int i = 0; i < a->each_count; i++) {
-        b.fixed_value = &a->each_of[i];
+    b.each = a->each_names > 0 ? a : NULL;
+    for (; b.turn < a->turns || b.turn == 0; b.turn++)
         truth = of_both(truth, found_at(a, &b, how));
-    }
     return truth;
 }
 

@@ -100,12 +100,17 @@ static ulong uses_of(const struct reading *r, const struct program *p, int node)
     char *needed = memory(NULL, (size_t)node + 1, 1);
     ulong uses = 0;
     program_needs(p, node, NULL, needed);
-    for (int i = 0; i < p->inputs && i <= node; i++)
+    for (int i = 0; i < p->inputs && i <= node; i++) {
+        const char *name = p->names[i].text;
         for (int k = 0; needed[i] && k < r->known; k++) {
             const char *own = r->statement->assertions[k].name;
-            if (strncmp(p->names[i].text, own, strlen(own)) == 0 && strchr(".", p->names[i].text[strlen(own)]) != NULL)
+            if (strncmp(name, own, strlen(own)) == 0 && strchr(".", name[strlen(own)]) != NULL)
                 uses |= UWORD(1) << k;
         }
+        for (int k = 0; needed[i] && r->at != NULL && k < r->at->count; k++)
+            if (strcmp(r->at->list[k].name, name) == 0)
+                uses |= r->at->list[k].formula.uses;
+    }
     free(needed);
     return uses;
 }
@@ -157,41 +162,49 @@ static bool read_scalar_formula(struct reading *r, struct formula *f, const yaml
 
 /* ---- values ---- */
 
+/* One `name: value +- uncertainty`; its formulas may use the values before it. */
+static bool read_value(struct reading *r, struct value *v, const yaml_node_t *key, const yaml_node_t *text)
+{
+    *v = (struct value){.name = scalar(key)};
+    const char *sign = scalar(text) != NULL ? strstr(scalar(text), "+-") : NULL;
+    v->uncertain = sign != NULL;
+    if (sign == NULL)
+        return read_scalar_formula(r, &v->formula, text);
+    const size_t length = (size_t)(sign - scalar(text));
+    return read_formula_text(r, &v->formula, text, keep(r->all, scalar(text), length), 0) &&
+           read_formula_text(r, &v->radius, text, sign + 2, length + 2);
+}
+
+/* `at` of the entry, then those of `given` that it does not name. */
 static bool read_values(struct reading *r, struct values *at)
 {
-    const yaml_node_t *node = given(r, "at");
+    const yaml_node_t *entry = r->entry != NULL && r->entry->type == YAML_MAPPING_NODE ? child(r->document, r->entry, "at") : NULL;
+    const yaml_node_t *shared = r->statement->given != NULL ? child(r->document, r->statement->given, "at") : NULL;
+    const yaml_node_t *const both[] = {entry, shared};
     r->at = at;
-    if (node == NULL)
-        return true;
-    if (!is_mapping(r->document, node, NULL))
-        return false;
-    at->list = memory(NULL, (size_t)length_of(node), sizeof *at->list);
-    for (int i = 0; i < length_of(node); i++) {
-        const yaml_node_t *text = value_of(r->document, node, i);
-        struct value *v = &at->list[i];
-        *v = (struct value){.name = scalar(key_of(r->document, node, i))};
-        at->count = i; /* its own formula may use those before */
-        const char *sign = scalar(text) != NULL ? strstr(scalar(text), "+-") : NULL;
-        v->uncertain = sign != NULL;
-        const bool fine = sign == NULL ? read_scalar_formula(r, &v->formula, text)
-                                       : read_formula_text(r, &v->formula, text, keep(r->all, scalar(text), (size_t)(sign - scalar(text))), 0) &&
-                                             read_formula_text(r, &v->radius, text, sign + 2, (size_t)(sign + 2 - scalar(text)));
-        at->count = i + 1;
-        if (!fine)
+    for (int k = 0; k < 2; k++) {
+        if (both[k] != NULL && !is_mapping(r->document, both[k], NULL))
             return false;
+        for (int i = 0; both[k] != NULL && i < length_of(both[k]); i++) {
+            const yaml_node_t *key = key_of(r->document, both[k], i);
+            if (k == 1 && entry != NULL && child(r->document, entry, scalar(key)) != NULL)
+                continue;
+            at->list = memory(at->list, (size_t)at->count + 1, sizeof *at->list);
+            struct value v;
+            const bool fine = read_value(r, &v, key, value_of(r->document, both[k], i));
+            at->list[at->count++] = v;
+            if (!fine)
+                return false;
+        }
     }
     return true;
 }
 
-/* {name: [formula, ...]}; its values, their number, or -1 */
-static int read_range(struct reading *r, const yaml_node_t *node, const char **name, struct formula *f, int most)
+/* A list of formulas; its length, or -1 after a complaint */
+static int read_range(struct reading *r, const yaml_node_t *list, struct formula *f, int most)
 {
-    const yaml_node_t *list = node->type == YAML_MAPPING_NODE && length_of(node) == 1 ? value_of(r->document, node, 0) : NULL;
-    if (list == NULL || list->type != YAML_SEQUENCE_NODE || length_of(list) == 0 || length_of(list) > most) {
-        mistake(r->document, node, 0, "expected {name: [at most %d formulas]}", most);
+    if (!is_list(r->document, list, most))
         return -1;
-    }
-    *name = scalar(key_of(r->document, node, 0));
     for (int i = 0; i < length_of(list); i++)
         if (!read_scalar_formula(r, &f[i], item_of(r->document, list, i)))
             return -1;
@@ -374,7 +387,45 @@ static const struct form {
 
 enum { FORMS = sizeof forms / sizeof *forms };
 
-/* What moves, and what takes several values, before the formulas that use it. */
+/* for: {name: [value, ...], ...}, lists of one length */
+static bool read_turns(struct reading *r, struct assertion *a)
+{
+    const yaml_node_t *each = child(r->document, r->entry, "for");
+    if (each == NULL)
+        return true;
+    if (!is_mapping(r->document, each, NULL) || length_of(each) > MOST_EACH)
+        return mistake(r->document, each, 0, "expected for: {name: [value, ...]} of at most %d names", MOST_EACH);
+    for (int i = 0; i < length_of(each); i++) {
+        const yaml_node_t *list = value_of(r->document, each, i);
+        const int count = read_range(r, list, a->each_of[i], MOST_TURNS);
+        a->each[a->each_names++] = scalar(key_of(r->document, each, i));
+        if (count <= 0 || (i > 0 && count != a->turns))
+            return count < 0 ? false : mistake(r->document, list, 0, "expected lists of one length, of at most %d values", MOST_TURNS);
+        a->turns = count;
+    }
+    for (int i = 0; i < a->each_names; i++)
+        r->words[1 + i] = a->each[i];
+    return true;
+}
+
+/* on: {name: [low, high]} */
+static bool read_interval(struct reading *r, struct assertion *a)
+{
+    const yaml_node_t *on = child(r->document, r->entry, "on");
+    struct formula bounds[2];
+    memset(bounds, 0, sizeof bounds);
+    if (on == NULL)
+        return true;
+    if (!is_mapping(r->document, on, NULL) || length_of(on) != 1)
+        return mistake(r->document, on, 0, "expected on: {name: [low, high]}");
+    const int count = read_range(r, value_of(r->document, on, 0), bounds, 2);
+    a->low = bounds[0];
+    a->high = bounds[1];
+    r->words[5] = a->variable = scalar(key_of(r->document, on, 0));
+    return count == 2 || (count >= 0 && mistake(r->document, on, 0, "expected on: {name: [low, high]}"));
+}
+
+/* What takes several values, and what moves, before the formulas that use it. */
 static bool read_ranges(struct reading *r, struct assertion *a)
 {
     static const char *const known[] = {"show", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on",
@@ -382,23 +433,7 @@ static bool read_ranges(struct reading *r, struct assertion *a)
                                         "order", "rates", "let", "square roots", "at", "system", "about", NULL};
     if (!is_mapping(r->document, r->entry, known))
         return false;
-    const yaml_node_t *on = child(r->document, r->entry, "on"), *each = child(r->document, r->entry, "for");
-    struct formula bounds[2];
-    memset(bounds, 0, sizeof bounds);
-    a->each_of = memory(NULL, 8, sizeof *a->each_of);
-    memset(a->each_of, 0, 8 * sizeof *a->each_of);
-    if (each != NULL && (a->each_count = read_range(r, each, &a->each, a->each_of, 8)) < 0)
-        return false;
-    r->words[1] = a->each;
-    if (on != NULL) {
-        const int count = read_range(r, on, &a->variable, bounds, 2);
-        if (count != 2)
-            return count < 0 ? false : mistake(r->document, on, 0, "expected on: {name: [low, high]}");
-        a->low = bounds[0];
-        a->high = bounds[1];
-    }
-    r->words[2] = a->variable;
-    return true;
+    return read_turns(r, a) && read_interval(r, a);
 }
 
 static bool read_assertion(struct reading *r, struct assertion *a)
@@ -421,9 +456,6 @@ static bool read_assertion(struct reading *r, struct assertion *a)
         a->kind = forms[i].kind;
         if (!forms[i].read(r, a, value))
             return false;
-        a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
-        for (int k = 0; k < a->at.count; k++)
-            a->uses |= a->at.list[k].formula.uses;
         return true;
     }
     return mistake(r->document, a->node, 0, "expected left = right, or one of show, root, roots, characteristic, rank, step, claim, compute");
@@ -448,6 +480,7 @@ static bool read_prove(struct reading *r, const yaml_node_t *prove)
         s->assertion_count = i + 1;
         if (!read_assertion(r, a))
             return false;
+        a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
     }
     r->known = s->assertion_count;
     return true;
@@ -719,9 +752,9 @@ static void values_clear(struct values *v)
 
 static void assertion_clear(struct assertion *a)
 {
-    for (int i = 0; i < 8 && a->each_of != NULL; i++)
-        program_clear(&a->each_of[i].program);
-    free(a->each_of);
+    for (int i = 0; i < MOST_EACH; i++)
+        for (int k = 0; k < MOST_TURNS; k++)
+            program_clear(&a->each_of[i][k].program);
     program_clear(&a->formula.program);
     program_clear(&a->low.program);
     program_clear(&a->high.program);

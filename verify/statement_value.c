@@ -61,8 +61,26 @@ static bool sheet_rational(fmpq_t q, const struct sheet *s, const char *name)
     return quantity != NULL && quantity->value != NULL && literal_read(q, quantity->value, true) == LITERAL_FINITE;
 }
 
+/* The value that `for` gives a name now; NULL: none. Its own formula stands outside of that. */
+static const struct formula *turn_of(const struct bindings *b, const char *name)
+{
+    for (int i = 0; b->each != NULL && i < b->each->each_names; i++)
+        if (strcmp(b->each->each[i], name) == 0)
+            return &b->each->each_of[i][b->turn];
+    return NULL;
+}
+
+static struct bindings without_turns(const struct bindings *b)
+{
+    struct bindings outside = *b;
+    outside.each = NULL;
+    return outside;
+}
+
 static void name_enclose(arb_t z, enum how *how, const struct bindings *b, const char *name)
 {
+    const struct formula *turn = turn_of(b, name);
+    const struct bindings outside = without_turns(b);
     fmpq_t q;
     fmpq_init(q);
     const int index = find_value(b->at, b->at_count, name);
@@ -70,8 +88,8 @@ static void name_enclose(arb_t z, enum how *how, const struct bindings *b, const
     *how = EXACT;
     if (b->moving != NULL && strcmp(name, b->moving) == 0) {
         arb_set(z, b->moving_value);
-    } else if (b->fixed != NULL && strcmp(name, b->fixed) == 0)
-        formula_enclose(z, how, b->fixed_value, &(struct bindings){.all = b->all, .statement = b->statement, .at = b->at, .at_count = b->at_count, .bits = b->bits});
+    } else if (turn != NULL)
+        formula_enclose(z, how, turn, &outside);
     else if (index >= 0)
         value_enclose(z, how, b, index);
     else if (strcmp(name, "pi") == 0)
@@ -112,8 +130,10 @@ static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
     const int index = find_value(b->at, b->at_count, name);
     if (b->moving != NULL && strcmp(name, b->moving) == 0)
         return false;
-    if (b->fixed != NULL && strcmp(name, b->fixed) == 0)
-        return formula_rational(q, b->fixed_value, &(struct bindings){.all = b->all, .statement = b->statement, .at = b->at, .at_count = b->at_count, .bits = b->bits});
+    const struct formula *turn = turn_of(b, name);
+    const struct bindings outside = without_turns(b);
+    if (turn != NULL)
+        return formula_rational(q, turn, &outside);
     if (index >= 0) {
         struct bindings before = *b;
         before.at_count = index;

@@ -113,8 +113,10 @@ static enum difference compare_instances(struct verdict_row *row, const struct s
         masses = masses || unequal.texts[i] != NULL;
     }
     enum difference differs = compare(row, s, &paper);
-    if (masses)
-        differs = FLINT_MAX(differs, compare(row, s, &unequal));
+    if (masses) {
+        const enum difference further = compare(row, s, &unequal);
+        differs = FLINT_MAX(differs, further);
+    }
     for (int k = 0; k < s->special_count && differs == NONE; k++) {
         char name[80] = "";
         struct instance special = {.name = name};
