@@ -145,12 +145,6 @@ $(FAULTS): tests/faults.c
 	$(CC) $(STANDARD) -O2 -g -fPIC -shared -o $@.tmp $<
 	@mv $@.tmp $@
 
-# The checks that claims make, each of which tests/test_evidence.c lets fail in turn.
-PROVERS := positive_at positive_on change_of_sign identity section_identity section_at has_sign_beyond linear_model plane_model \
-  characteristic_is static_polynomial energy_decays rates_proved slow_rate_compares optimum_find convergence_init \
-  convergence_as_expected track_run track_bounds track_sup track_settled is_below is_above evidence_number evidence_order say say_ratio
-$(BUILD)/tests/test_evidence: private LDFLAGS += $(PROVERS:%=-Wl,--wrap=%)
-
 ### Fuzzing
 # The program as a function, apart from what it must not do (tests/fuzz/apart.c).
 APART   := fopen rename client_start sheet_close flint_cleanup verdict_rows measure_errors kills_print command_study \
@@ -201,10 +195,10 @@ coverage:
 
 INJECTIONS := $(patsubst tests/faults/%.sh,faults-%,$(filter-out %/harness.sh,$(wildcard tests/faults/*.sh)))
 
-## faults: every allocation, system call and proof made to fail, signals, full disks, strange places
+## faults: every allocation and system call made to fail, signals, full disks, strange places
 faults: $(INJECTIONS)
 
-$(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS) $(BUILD)/tests/test_evidence
+$(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS)
 	@BUILD='$(BUILD)' CT_BUILD='$(abspath $(BUILD))' CT_PROGRAM='$(abspath $(PROGRAM))' $<
 
 ## mcdc: condition coverage (MC/DC) of ref/, where the compiler can count it: gcc from version 14 on
@@ -219,7 +213,7 @@ mutants:
 	$(MAKE) BUILD=$(BUILD)/mutants/sanitized CFLAGS='-O1 -fPIC $(SANITIZE)' mutants-objects
 	@CC='$(CC)' MUTANT_FLAGS='-fPIC $(STANDARD) -I. -Iverify $(subst ','\'',$(VERIFY_CFLAGS)) $(CHECK_CFLAGS)' \
 	  MUTANT_LIBS='$(CHECK_LIBS) $(VERIFY_LIBS)' MUTANT_SANITIZE='$(SANITIZE)' \
-	  MUTANT_WRAP='$(PROVERS:%=-Wl,--wrap=%)' PYTHONDONTWRITEBYTECODE=1 \
+	  PYTHONDONTWRITEBYTECODE=1 \
 	  $(PYTHON) coverage/mutants.py $(BUILD)/mutants $(addprefix --sample ,$(SAMPLE)) $(addprefix --seed ,$(SEED)) $(addprefix --only ,$(ONLY))
 
 mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/main verify/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c)))

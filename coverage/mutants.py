@@ -43,10 +43,9 @@ CC = shlex.split(os.environ.get('CC', 'cc'))
 FLAGS = shlex.split(os.environ.get('MUTANT_FLAGS', ''))
 LIBS = shlex.split(os.environ.get('MUTANT_LIBS', ''))
 SANITIZE = shlex.split(os.environ.get('MUTANT_SANITIZE', ''))
-WRAP = shlex.split(os.environ.get('MUTANT_WRAP', ''))  # what tests/test_evidence.c puts in the place of others
 STRICT = ['-O2', '-Wall', '-Wextra', '-Wpedantic', '-Werror']
 ALONE = {'verify/main.c': 'coulomb-tether', 'verify/sheet_check.c': 'sheet-check'}
-SHEETS = ('paper/equations.yaml', 'paper/derivations.yaml')
+SHEETS = ('paper/equations.yaml', 'paper/derivations.yaml', 'paper/claims.yaml')
 
 Check = collections.namedtuple('Check', 'name command expected seconds')  # expected: what it has to print, where that counts
 
@@ -235,14 +234,13 @@ class Place:
 
 
 LINKED = ['-lverify', '-lembedded', '-lcoulombtether', *LIBS]
-OTHERWISE_LINKED = {'test_corpora', 'test_evidence'}  # the first asks that nothing crashes, not that anything is right
+OTHERWISE_LINKED = {'test_corpora'}  # asks that nothing crashes, not that anything is right
 NOT_IN_LIBRARY = {'main', 'sheet_check', 'embedded'}
 
 
 def in_one_piece(base):
     """(name, objects besides, what is left out of verify/, flags)"""
-    return (('whole', [], {'sheet_check'}, []),
-            ('tests/test_evidence', [str(base / 'tests' / name) for name in ('test_evidence.o', 'run.o')], {'sheet_check', 'main'}, WRAP))
+    return (('whole', [], {'sheet_check'}, []),)
 
 
 def link_all(base):
@@ -304,8 +302,6 @@ def available_checks():
               'gate': (['sh', '-c', 'rm -f build/derivations.json && build/coulomb-tether verify derivations --json '
                                     '>build/derivations.json && tests/gate.sh'], None),
               'wrong': (['sh', '-c', 'CT_PROGRAM=$CT_BUILD/whole tests/test_wrong.sh'], None),
-              'evidence': (['build/tests/test_evidence'], None),
-              'evidence all': (['env', 'CT_ALL=1', 'build/tests/test_evidence'], None),
               'package': (['sh', '-c', 'find data -name "*.csv" | LC_ALL=C sort | xargs sha256sum | build/coulomb-tether datapackage'],
                           data('datapackage.json')),
               'errors': ([program, 'verify', 'errors'], None),
@@ -331,7 +327,7 @@ REF = ('hill', 'perturbation', 'control', 'attitude', 'stability', 'simulation',
 # What takes more than a second, and about how many; the order of the checks alone depends on it.
 SLOW = {'golden flow_nonlinear': 1.3, 'golden rk4_nonlinear': 1, 'golden rk4_linear': 0.4, 'study convergence': 2.3, 'study pitch': 0.5,
         'kills flow_nonlinear': 8, 'kills rk4_nonlinear': 8, 'kills rk4_linear': 4, 'kills flow_linear': 4,
-        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'wrong': 10, 'evidence': 3, 'evidence all': 70, 'test_claims_motion': 6, 'test_claims_statics': 1.3,
+        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'wrong': 10, 'test_claims_motion': 6, 'test_statement': 1.3,
         'test_command_line': 24, 'test_conform': 18, 'test_convergence': 10, 'test_derivation': 5, 'test_flow': 6, 'test_vectors': 3}
 
 
@@ -376,24 +372,27 @@ def of_quantity(names):
 
 # The checks that a part reaches at all, as regular expressions: verify/ calls ref/ in reference.c alone, and reads the steps
 # in proofs.c alone.
-REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform|test_claims_statics|test_command|oracle|errors|gate',
+REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform|test_verdicts|test_command|oracle|errors|gate',
+           SHEETS[2]: 'verdicts|wrong|test_statement|test_verdicts',
            SHEETS[1]: 'derivations|logic|gate|test_derivation|verdicts|test_claims|test_convergence|study|test_command|test_typeset'}
 
 # The checks that should notice a mutant of a file in verify/, by the longest beginning of its name.
 NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in """
-algebra test_exact, test_claims_stability, test_claims_statics, verdicts
+algebra test_exact, test_claims_stability, test_statement, verdicts
 arithmetic test_expression, golden eq14, test_vectors
 arithmetic_degree test_expression, derivations, test_derivation
 arithmetic_mpfr test_expression, errors, test_vectors
 arithmetic_series test_expression, derivations, test_derivation
-claims test_claims_statics, verdicts, evidence, test_claims_motion, wrong
-claims_beyond verdicts, test_convergence, evidence all
-claims_convergence verdicts, test_claims_motion, evidence all
-claims_forced verdicts, test_convergence, evidence all
-claims_motion verdicts, test_claims_motion, evidence all
-claims_loop test_claims_stability, verdicts, evidence, wrong
-claims_rates test_claims_stability, verdicts, evidence, wrong
-claims_stability test_claims_stability, verdicts, evidence, wrong
+claims verdicts, test_claims_motion, test_verdicts, wrong
+computation test_statement, verdicts
+condition test_statement, verdicts
+claims_beyond verdicts, test_convergence
+claims_convergence verdicts, test_claims_motion
+claims_forced verdicts, test_convergence
+claims_motion verdicts, test_claims_motion
+claims_loop test_claims_stability, verdicts, wrong
+claims_rates test_claims_stability, verdicts, wrong
+claims_stability test_claims_stability, verdicts, wrong
 client test_conform
 command test_command_line, test_conform, wrong
 command_datapackage package, wrong
@@ -405,22 +404,22 @@ command_study study forced, study pitch, study convergence, test_command_line
 command_typeset test_typeset, test_command_line
 command_vectors golden eq44, test_vectors, test_command_line
 conform test_conform
-convergence test_convergence, study convergence, verdicts, evidence all
+convergence test_convergence, study convergence, verdicts
 decimal test_decimal, golden eq14, golden eq41roots
 derivation derivations, test_derivation
 diagnosis kills eq07, kills eq14, test_conform
-document test_sheet, test_derivation
+document test_sheet, test_derivation, test_statement
 embedded derivations
-enclosure test_claims_statics, verdicts, evidence
+enclosure test_statement, verdicts
 errors test_vectors, golden eq41roots, errors, test_command_line
 exact test_exact, golden eq41roots
 expression test_expression, golden eq14, test_vectors
 flow golden flow_linear, test_flow, golden flow_nonlinear, figure6
 golden golden eq14, golden flow_linear
 judge kills eq21, test_conform
-ledger test_claims_statics, wrong, verdicts, test_command_line
 lohner test_flow, golden flow_nonlinear, verdicts
 main test_command_line
+marked test_statement
 message test_sheet, test_command_line
 motion figure6, golden flow_nonlinear, test_claims_motion, test_command_line, verdicts
 operation golden eq14, golden eq41roots, golden flow_linear, golden rk4_nonlinear, test_vectors, test_command_line
@@ -435,14 +434,16 @@ sample test_vectors, golden eq14
 second_order test_convergence, study convergence, verdicts
 sheet test_sheet, golden eq14
 sheet_check wrong
+statement test_statement, verdicts, wrong
 slip test_mistakes, test_conform
 table1 table1, test_command_line
 taylor test_flow, golden flow_nonlinear, figure6
 track test_claims_motion, verdicts
 two_body test_convergence, verdicts
-typeset test_typeset
+typeset test_typeset, test_statement
 vectors golden eq44, test_vectors
-well test_claims_stability, test_convergence, verdicts, evidence""".strip().split('\n'))
+verdicts verdicts, wrong, test_command_line
+well test_verdicts, test_statement, verdicts""".strip().split('\n'))
 
 
 def likely(mutant):

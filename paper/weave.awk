@@ -62,16 +62,9 @@ function read_sheet(    command, line, part, id) {
     split("pi lambda mu phi kappa epsilon rho omega", part, " ")
     for (id in part)
         symbol[part[id]] = "\\" part[id] " "
-    split("r u v w x y z i j V E", part, " ")
-    for (id in part)
-        symbol[part[id]] = part[id]
-    split("c1 c2 k1 q0 n_e", part, " ")
-    for (id in part)
-        symbol[part[id]] = substr(part[id], 1, 1) "_" substr(part[id], length(part[id]))
-    symbol["V_dot"] = "\\dot V"
-    symbol["rho1"] = "\\rho_1"
-    symbol["eps0"] = "\\varepsilon_0"
-    symbol["q_ref"] = "q_{\\mathrm{ref}}"
+    for (id in symbol) # a letter by itself may be any word
+        if (length(id) == 1)
+            delete symbol[id]
     symbol["uC"] = "\\text{\\textmu C}"
 }
 
@@ -85,8 +78,14 @@ function read_all(    line, command, i) {
     read_ledger(build "/claims.json")
 }
 
+# What JSON has two backslashes for.
+function unescaped(text) {
+    gsub(/\\\\/, "\\", text)
+    return text
+}
+
 function read_ledger(path,    line, id, keys, i, words) {
-    split("where claim verdict how evidence why", keys, " ")
+    split("where verdict how evidence claim_tex evidence_tex why_tex", keys, " ")
     verdict_words = "holds, holds as corrected, qualified, refuted, definition, not decidable"
     split(verdict_words, words, ", ")
     for (i in words)
@@ -97,7 +96,7 @@ function read_ledger(path,    line, id, keys, i, words) {
         verdict[++verdicts] = id
         kinds_of_verdict[member(line, "verdict")]++
         for (i in keys)
-            ledger[id, keys[i]] = member(line, keys[i])
+            ledger[id, keys[i]] = unescaped(member(line, keys[i]))
     }
     close(path)
 }
@@ -116,95 +115,25 @@ function capital(text) {
     return toupper(substr(text, 1, 1)) substr(text, 2)
 }
 
-# Exponents, in brackets or bare, behind a piece of text.
-function power(rest) {
-    if (match(rest, /^\^\([^()]*\)/))
-        return mathematics(substr(rest, 3, RLENGTH - 3))
-    if (match(rest, /^\^-?[0-9a-z]+/))
-        return substr(rest, 2, RLENGTH - 1)
-    return ""
-}
-
-# What stands in an exponent or under a root: symbols, numbers and signs alone.
-function mathematics(text,    out, token) {
-    while (match(text, /[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*/)) {
-        token = substr(text, RSTART, RLENGTH)
-        out = out substr(text, 1, RSTART - 1)
-        text = substr(text, RSTART + RLENGTH)
-        if (token == "sqrt" && match(text, /^ [0-9]+/)) {
-            token = "\\sqrt{" substr(text, 2, RLENGTH - 1) "}"
-            text = substr(text, RLENGTH + 1)
-        }
-        out = out (token in symbol ? symbol[token] : token)
-    }
-    return out text
-}
-
-# A letter by itself is a variable where it is raised, primed or given a value; behind a number or a bar it is a unit.
-function is_variable(letter, last, rest) {
-    if (length(letter) > 1 || last == "/")
-        return 0
-    return letter !~ /[mCN]/ && rest ~ /^\^/ || rest ~ /^('+[^a-z]| =)/ || last == "|" && rest ~ /^\|/
-}
-
-# The length of what stands in brackets at the beginning.
-function bracket(text,    i, depth) {
-    for (i = 1; i <= length(text); i++) {
-        depth += (substr(text, i, 1) == "(") - (substr(text, i, 1) == ")")
-        if (depth == 0)
-            return i
-    }
-    return 0
-}
-
-# A text of the sheet or the ledger: symbols, powers and signs of its formulas become mathematics.
-function prose(text,    out, token, up, last, n) {
-    out = ""
-    last = " "
+# A text of the sheet or of a step, without marks: its symbols, its signs and powers that are numbers become mathematics.
+function prose(text,    out, token) {
     while (text != "") {
         if (match(text, /^[0-9.]+e[-+]?[0-9]+/)) {
-            token = substr(text, 1, RLENGTH)
-            text = substr(text, RLENGTH + 1)
-            out = out scientific(token)
+            token = scientific(substr(text, 1, RLENGTH))
         } else if (match(text, /^[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*/)) {
             token = substr(text, 1, RLENGTH)
-            text = substr(text, RLENGTH + 1)
-            if (token == "sqrt" && match(text, /^ [0-9]+/)) {
-                out = out "$\\sqrt{" substr(text, 2, RLENGTH - 1) "}$"
-                text = substr(text, RLENGTH + 1)
-            } else if (token == "sqrt" && text ~ /^\(/ && (n = bracket(text))) {
-                out = out "$\\sqrt{" mathematics(substr(text, 2, n - 2)) "}$"
-                text = substr(text, n + 1)
-            } else if (is_variable(token, last, text))
-                out = out "$" token "$"
-            else
-                out = out (token in symbol ? "$" symbol[token] "$" : escape(token))
-        } else if (match(text, /^[0-9]+(\.[0-9]+)?/)) {
-            out = out substr(text, 1, RLENGTH)
-            text = substr(text, RLENGTH + 1)
-        } else if ((up = power(text)) != "") {
-            match(text, /^\^(\([^()]*\)|-?[0-9a-z]+)/)
-            text = substr(text, RLENGTH + 1)
-            out = out "$^{" up "}$"
+            token = token in symbol ? "$" symbol[token] "$" : escape(token)
+        } else if (match(text, /^\^-?[0-9]+/)) {
+            token = "$^{" substr(text, 2, RLENGTH - 1) "}$"
         } else if (match(text, /^(<=|>=|<<|\+-|-\+|->|\.\.\.|\*)/)) {
-            token = substr(text, 1, RLENGTH)
-            text = substr(text, RLENGTH + 1)
-            out = out (token == "*" && text ~ /^[ ,;.)]/ ? "$^*$" : sign[token])
+            token = sign[substr(text, 1, RLENGTH)]
         } else {
+            match(text, /^./)
             token = substr(text, 1, 1)
-            text = substr(text, 2)
-            if (token ~ /[-+]/ && out ~ /\$$/ && text ~ /^[0-9]/)
-                out = out "$" token "$\\allowbreak{}"
-            else if (token == "-" && (last == " " && text ~ /^[ 0-9A-Za-z(]/ || last ~ /[(=,|<>]/ && text ~ /^[0-9A-Za-z(]/))
-                out = out "$-$"
-            else if (token == "-" && last == ")" && text ~ /^\(/)
-                out = out "--"
-            else if (token == "<" || token == ">" || token == "|")
-                out = out "$" (token == "|" ? "\\vert " : token) "$"
-            else
-                out = out escape(token)
+            token = token ~ /[<>]/ ? "$" token "$" : escape(token)
         }
-        last = token == "" ? " " : substr(token, length(token))
+        out = out token
+        text = substr(text, RLENGTH + 1)
     }
     gsub(/\$\$/, "", out)
     return out
@@ -416,8 +345,8 @@ function known_verdict(id) {
 
 function weave_verdict(id) {
     known_verdict(id)
-    emit("\\verdict{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" prose(ledger[id, "claim"]) "}{" \
-         ledger[id, "verdict"] "}{" ledger[id, "how"] "}{" prose(ledger[id, "evidence"]) "}\n")
+    emit("\\verdict{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" ledger[id, "claim_tex"] "}{" \
+         ledger[id, "verdict"] "}{" ledger[id, "how"] "}{" ledger[id, "evidence_tex"] "}\n")
 }
 
 function weave_findings(kind,    i, id, out) {
@@ -426,8 +355,8 @@ function weave_findings(kind,    i, id, out) {
     for (i = 1; i <= verdicts; i++) {
         id = verdict[i]
         if (ledger[id, "verdict"] == kind)
-            out = out "\\finding{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" prose(ledger[id, "claim"]) "}{" \
-                  prose(ledger[id, "why"]) "}\n"
+            out = out "\\finding{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" ledger[id, "claim_tex"] "}{" \
+                  ledger[id, "why_tex"] "}\n"
     }
     emit(out == "" ? "None.\n" : "\\begin{findings}\n" out "\\end{findings}\n")
 }

@@ -224,7 +224,7 @@ function read_verdicts(    line, i, k, n, part, id, number, path) {
         number = substr(field[1], 10)
         if (!(number in is_number))
             broken("verdicts", field[1] " is a verdict on an equation that the sheet lacks")
-        ruling[number] = field[4]
+        ruling[number] = field[5]
     }
     close(path)
     for (i = 1; i <= sections; i++) {

@@ -54,8 +54,8 @@ gives '<<helper arm>>' 'return p.m2 / (p.m1 + p.m2) * L;'
 gives '<<step reference_charge>>' '{\eq{6a}, \eq{6b}}{$\;\rightarrow\;$\eq{7}}{exactly; degree 12, 2 points'
 gives '<<step kepler>>' '\stepprinted{rate(rate(X))'
 gives '<<verdict equation-7>>' '{holds}{exact}{proved by reference\_charge}'
-gives '<<verdict reach>>' '{qualified}{certified}{no length is set by (7) alone: $\vert Q_{\mathrm{ref}}\vert $ grows as $L^{3}$,'
-gives '<<verdict basin-at-rest>>' '{$E$ = $v^{2}$/2 $-$ (3 $x^{2}$ $-$ $z^{2}$)/2'
+gives '<<verdict product-negative>>' '{qualified}{certified}{$Q_{\mathrm{ref}} + \delta Q < 0$ exactly where'
+gives '<<verdict coulomb-constant>>' 'is $8.9875518\cdot 10^{9}$~N m$^{2}$/C$^{2}$ (CODATA'
 gives '<<findings refuted>>' '\finding{n12-optimal}{Section Stability analysis, after Eq. (44)}{$n$ = 12 is the best choice of $n$}{The slower'
 gives '<<plot 4 At $n=12$.>>' '\plot{4}{At $n=12$.}'
 gives '<<run eval eq43 Omega=2 n=3 --digits 2>>' 'C1 = 1.2e+01 1/s^2'
@@ -70,7 +70,7 @@ gives 'Below <<doubt>>.' 'Below \ensuremath{2^{-1'
 gives 'So <<quote equation-7 proved by |reference_charge|>>.' 'So reference\_charge.'
 gives 'By \eq{40a}.' 'By \eq{40a}.'
 gives '<<count inputs>>' '1000'
-gives '<<count misprints>>' '3'
+gives '<<count misprints>>' "$(grep -c '"id": "equation-.*"verdict": "holds as corrected"' "$work/claims.json")"
 gives '<<count steps>>' "$(grep -c '{"id": ' "$work/derivations.json")"
 
 stops '<<equatoin eq07>>' "unknown directive 'equatoin'"

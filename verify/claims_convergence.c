@@ -1,11 +1,16 @@
 /*
  * The nonlinear motion beside the linear one: how far the linear model carries, how both come to rest, the charges.
- * Rows come from certified flows; what happens between and after them is bounded in track.h.
+ * Samples come from certified flows; what happens between and after them is bounded in track.h.
  */
-#include "operation.h"
-#include "track.h"
+#include <stdio.h>
 
-enum { DAY = 86400, HORIZON = 3 * DAY, BITS = 128 };
+#include "convergence.h"
+#include "give.h"
+
+enum { DAY = 86400, HORIZON = 3 * DAY, HALF_SWING = 10800, BITS = 128 }; /* s; of 4 Omega, pi/(4 Omega) = 10771 s */
+
+static const struct scene linear = {.nonlinear = false}, linear_planar = {.theta = "0"}, nonlinear = {.nonlinear = true},
+                          planar = {.nonlinear = true, .theta = "0"}, at_12 = {.nonlinear = true, .n = "12"};
 
 /* psi, theta and dL/L_ref all start at 0.01, and craft 1 starts 0.01 arms from its place, in x, y and z. */
 static void of_start(arb_t x)
@@ -15,7 +20,7 @@ static void of_start(arb_t x)
 
 /* ---- the linear model beside the nonlinear one ---- */
 
-/* The largest difference of two tracks from t = 0 to a row, between the rows too. */
+/* The largest difference of two tracks from t = 0 to a sample, between the samples too. */
 static bool gap_until(arb_t gap, const struct track *a, const struct track *b, int which, slong row)
 {
     struct bounds one, other;
@@ -35,9 +40,9 @@ static bool gap_until(arb_t gap, const struct track *a, const struct track *b, i
     return bounded;
 }
 
-/* The first row at which two tracks differ by a tenth of what the linear one may still reach, in hours; false where a
+/* The first sample at which two tracks differ by a tenth of what the linear one may still reach, in hours; false where a
    bound fails before. */
-static bool first_parting(bool *parted, arb_t hours, const struct track *linear, const struct track *b, int which)
+static bool first_parting(bool *parted, arb_t hours, const struct track *a, const struct track *b, int which)
 {
     struct bounds left;
     arb_t gap;
@@ -46,228 +51,213 @@ static bool first_parting(bool *parted, arb_t hours, const struct track *linear,
     arb_init(gap);
     bounds_init(&left);
     *parted = false;
-    while (!*parted && ++k < linear->count && bounded) {
-        bounded = track_bounds(&left, linear, k);
-        track_gap(gap, linear, b, which, k, k);
+    while (!*parted && ++k < a->count && bounded) {
+        bounded = track_bounds(&left, a, k);
+        track_gap(gap, a, b, which, k, k);
         arb_mul_ui(gap, gap, 10, BITS);
         *parted = bounded && arb_gt(gap, left.of[which]);
     }
-    arb_set_si(hours, k * linear->step);
+    arb_set_si(hours, k * a->step);
     arb_div_ui(hours, hours, 3600, BITS);
     bounds_clear(&left);
     arb_clear(gap);
     return bounded;
 }
 
-static bool compare_models(struct evidence *e, bool planar)
+/* With and without pitch: differences in the place of craft 1 as fractions of the start, their largest, `worst`; and when
+   psi and dL part, which they do not without pitch. */
+static void compare_models(struct computed *c)
 {
-    static const long until[] = {3 * 3600, 12 * 3600, HORIZON};
+    static const long until[] = {3, 12, 72}; /* h */
     const long step = 200;
-    const char *theta = planar ? "0" : NULL;
-    struct track linear, other;
-    arb_t x;
+    arb_t x, worst;
     arb_init(x);
-    bool proved = track_run(&linear, &(struct scene){.theta = theta}, 0, step, HORIZON);
-    proved = track_run(&other, &(struct scene){.nonlinear = true, .theta = theta}, 0, step, HORIZON) && proved;
-    for (int i = 0; i < 3; i++) {
-        evidence_add(e, "%s", i ? " |" : "");
-        for (int which = PLACE_X; which <= (planar ? PLACE_Y : PLACE_Z); which++) {
-            proved = gap_until(x, &linear, &other, which, until[i] / step) && proved;
-            of_start(x);
-            evidence_bound(e, which > PLACE_X ? ", " : " ", x, "");
-            proved = proved && is_below(x, 0.025);
+    arb_init(worst);
+    bool proved = true;
+    for (int without = 0; without < 2; without++) {
+        const char *name = without ? "planar" : "pitched";
+        struct track a, b;
+        proved = track_run(&a, without ? &linear_planar : &linear, 0, step, HORIZON) && proved;
+        proved = track_run(&b, without ? &planar : &nonlinear, 0, step, HORIZON) && proved;
+        for (int i = 0; i < 3; i++)
+            for (int which = PLACE_X; which <= PLACE_Z; which++) {
+                const bool bounded = gap_until(x, &a, &b, which, until[i] * 3600 / step) && proved;
+                of_start(x);
+                arb_max(worst, worst, x, BITS);
+                give(c, bounded, x, "%s_%ld_%s", name, until[i], variable_names[which]);
+                proved = proved && bounded;
+            }
+        for (int which = PSI; which <= ETA; which += ETA) {
+            bool parted;
+            const bool bounded = first_parting(&parted, x, &a, &b, which) && proved;
+            if (without)
+                give_truth(c, which ? "together_dL" : "together_psi", !bounded ? UNDECIDED : parted ? FOUND_FALSE : FOUND_TRUE, CERTIFIED);
+            else
+                give(c, bounded && parted, x, "parted_%s", variable_names[which]);
         }
+        track_clear(&a);
+        track_clear(&b);
     }
-    evidence_add(e, "%s", planar ? "" : " (until 3 h | 12 h | 3 days)");
-    evidence_add(e, "; a tenth of what the linear motion may still reach is exceeded");
-    for (int which = PSI; which <= ETA; which += ETA) {
-        bool parted;
-        proved = first_parting(&parted, x, &linear, &other, which) && proved;
-        evidence_add(e, "%s %s", which ? ", in dL" : " in psi", parted ? "first" : "never");
-        if (parted)
-            proved = evidence_number(e, " after ", x, 3, " h") && proved;
-        proved = proved && parted == !planar;
-    }
-    track_clear(&linear);
-    track_clear(&other);
+    give(c, proved, worst, "worst");
+    arb_clear(worst);
     arb_clear(x);
-    return proved;
 }
 
-static void first_phase(struct evidence *e)
-{
-    evidence_add(e, "Figures 5(b) and 6 differ, as fractions of the 0.05 m of the start, in x1, y1, z1 by at most");
-    bool proved = compare_models(e, false);
-    evidence_add(e, "; without pitch, in x1, y1");
-    proved = compare_models(e, true) && proved;
-    evidence_decide(e, HOLDS, CERTIFIED, proved);
-}
-
-/* Nonlinear minus linear when every initial value shrinks to a tenth. */
-static void second_order(struct evidence *e)
+/* Nonlinear minus linear when every initial value shrinks from 1e-5 to 1e-6: order p, constant c; the most that a p is off 2. */
+static void second_order(struct computed *c)
 {
     static const int which[] = {PSI, THETA, ETA, PLACE_X, PLACE_Y, PLACE_Z};
     static const char *const angle[] = {"1e-5", "1e-6"}, *const length[] = {"1e-4", "1e-5"};
     bool proved = true;
     arb_ptr gap = _arb_vec_init(2 * 6);
-    arb_t x;
+    arb_t x, worst;
     arb_init(x);
+    arb_init(worst);
     for (int i = 0; i < 2; i++) {
-        struct track linear, other;
+        struct track a, b;
         struct scene s = {.psi = angle[i], .theta = angle[i], .dL = length[i]};
-        proved = track_run(&linear, &s, DAY, 1, DAY) && proved;
+        proved = track_run(&a, &s, DAY, 1, DAY) && proved;
         s.nonlinear = true;
-        proved = track_run(&other, &s, DAY, 1, DAY) && proved;
+        proved = track_run(&b, &s, DAY, 1, DAY) && proved;
         for (int k = 0; k < 6; k++)
-            track_gap(gap + 6 * i + k, &linear, &other, which[k], 0, 0);
-        track_clear(&other);
-        track_clear(&linear);
+            track_gap(gap + 6 * i + k, &a, &b, which[k], 0, 0);
+        track_clear(&b);
+        track_clear(&a);
     }
-    evidence_add(e, "psi = theta = dL/L_ref = d at the start: nonlinear minus linear goes like c d^p, after one day, "
-                    "from d = 1e-5 to 1e-6, in psi, theta, dL/L_ref, x1, y1, z1 (these by 5 m) with p =");
-    for (int k = 0; k < 6; k++)
-        proved = evidence_order(e, k ? ", " : " ", gap + k, gap + 6 + k, 10, 2, 0.005) && proved;
     for (int k = 0; k < 6; k++) {
+        observed_order(x, gap + k, gap + 6 + k, 10);
+        raise_to_difference(worst, x, 2);
+        give(c, proved, x, "p_%s", variable_names[which[k]]);
         arb_set_ui(x, 10);
         arb_pow_ui(x, x, 12, BITS);
         arb_mul(x, x, gap + 6 + k, BITS);
-        proved = evidence_number(e, k ? ", " : " and c = ", x, 3, "") && proved;
+        give(c, proved, x, "c_%s", variable_names[which[k]]);
     }
-    evidence_decide(e, HOLDS, CERTIFIED, proved);
+    give(c, proved, worst, "worst");
+    arb_clear(worst);
     arb_clear(x);
     _arb_vec_clear(gap, 12);
 }
 
 /* ---- coming to rest ---- */
 
-static void settling(struct evidence *e)
+/* The largest |psi| and |dL| between 2 and 3 days, as fractions of the start. */
+static void nonlinear_settling(struct computed *c)
 {
-    static const struct scene scenes[] = {{.nonlinear = true},
-                                          {.nonlinear = true, .theta = "0"},
-                                          {.nonlinear = true, .m1 = "10", .m2 = "1000"},
-                                          {.nonlinear = true, .n = "12"}};
-    static const char *const names[] = {"", "; without pitch", "; masses of 10 and 1000 kg", "; n = 12"};
-    bool proved = true;
+    static const struct scene unequal = {.nonlinear = true, .m1 = "10", .m2 = "1000"};
+    static const struct {
+        const char *name;
+        const struct scene *scene;
+    } runs[] = {{"pitched", &nonlinear}, {"planar", &planar}, {"unequal", &unequal}, {"at_12", &at_12}};
     arb_t x;
     arb_init(x);
-    evidence_add(e, "between 2 and 3 days, as fractions of the start:");
     for (int i = 0; i < 4; i++) {
         struct track t;
-        proved = track_run(&t, &scenes[i], 2 * DAY, 50, HORIZON) && proved;
-        evidence_add(e, "%s", names[i]);
+        const bool run = track_run(&t, runs[i].scene, 2 * DAY, 50, HORIZON);
         for (int which = PSI; which <= ETA; which += ETA) {
-            proved = track_sup(x, &t, which, 0, t.count - 1) && proved;
+            const bool bounded = track_sup(x, &t, which, 0, t.count - 1);
             of_start(x);
-            evidence_bound(e, which ? ", |dL| <= " : " |psi| <= ", x, "");
-            proved = proved && is_below(x, 0.01);
+            give(c, run && bounded, x, "%s_%s", runs[i].name, variable_names[which]);
         }
         track_clear(&t);
     }
-    evidence_decide(e, HOLDS, CERTIFIED, proved);
     arb_clear(x);
 }
 
-/* How fast amplitudes, roots of the energy, shrink between 4 and 8 days, per day. */
-static bool decay_rate(arb_t rate, const struct scene *s)
+/*
+ * When |psi| and |dL| last leave the band of 1/B of the start, until day 8, in hours; of the motion with pitch also whether
+ * they are still outside it in the last half swing of 4 Omega before.
+ */
+static void exits_of(struct computed *c, const char *motion, const char *n, struct scene s)
 {
+    enum { BANDS_OF = 8 };
+    static const ulong bands[BANDS_OF] = {10, 20, 50, 100, 200, 300, 500, 1000};
+    const bool pitched = s.nonlinear && s.theta == NULL;
+    const long step = pitched ? 60 : 240; /* s: what pitch moves does not calm down */
     struct track t;
-    arb_t before;
-    arb_init(before);
-    bool run = track_run(&t, s, 4 * DAY, 4 * DAY, 8 * DAY);
-    track_energy(before, &t, 0);
-    track_energy(rate, &t, 1);
-    arb_div(rate, before, rate, t.prec);
-    arb_log(rate, rate, t.prec);
-    arb_div_ui(rate, rate, 8, t.prec);
-    track_clear(&t);
-    arb_clear(before);
-    return run;
-}
-
-/* When psi and dL come below 1/100 of the start, and 1/1000 where asked, and stay there until the last row. */
-static bool rest_times(struct evidence *e, const struct scene *s, long step, long last, bool finer)
-{
-    struct track t;
-    arb_t x, limit;
-    arb_init(x);
-    arb_init(limit);
-    bool found = track_run(&t, s, 0, step, last);
-    for (int which = PSI; which <= ETA; which += ETA)
-        for (ulong part = 100; part <= (finer ? 1000 : 100); part *= 10) {
-            arb_div_ui(limit, track_row(&t, 0) + which, part, t.prec);
-            found = track_settled(x, &t, which, limit) && found;
-            evidence_add(e, "%s", part > 100 ? ", 1/1000" : which ? "; dL 1/100" : " psi is below 1/100");
-            evidence_bound(e, " within ", x, " h");
+    arb_ptr limits = _arb_vec_init(BANDS_OF), hours = _arb_vec_init(BANDS_OF);
+    arb_t peak;
+    arb_init(peak);
+    s.n = n;
+    const bool run = track_run(&t, &s, 0, step, 8 * DAY);
+    for (int which = PSI; which <= ETA; which += ETA) {
+        for (int k = 0; k < BANDS_OF; k++)
+            arb_div_ui(limits + k, track_row(&t, 0) + which, bands[k], t.prec);
+        const bool bounded = track_exits(hours, &t, which, limits, BANDS_OF) && run;
+        track_peak(peak, &t, which, t.count - 1 - HALF_SWING / step, t.count - 1);
+        for (int k = 0; k < BANDS_OF; k++) {
+            char name[64];
+            const bool out = arb_gt(peak, limits + k);
+            give(c, bounded && !out, hours + k, "%s_%s_%s_%lu", motion, n, variable_names[which], bands[k]);
+            snprintf(name, sizeof name, "out_%s_%s_%lu", n, variable_names[which], bands[k]);
+            if (pitched)
+                give_truth(c, name, run && out ? FOUND_TRUE : bounded && arb_is_finite(hours + k) ? FOUND_FALSE : UNDECIDED, CERTIFIED);
         }
-    arb_clear(limit);
-    arb_clear(x);
+    }
     track_clear(&t);
-    return found;
+    arb_clear(peak);
+    _arb_vec_clear(hours, BANDS_OF);
+    _arb_vec_clear(limits, BANDS_OF);
 }
 
-static void rest_unpitched(struct evidence *e)
+static void last_exits(struct computed *c)
 {
-    static const struct scene linear = {.theta = "0"}, other = {.nonlinear = true, .theta = "0"};
-    arb_t one, two;
-    arb_init(one);
-    arb_init(two);
-    evidence_add(e, "linear:");
-    bool proved = rest_times(e, &linear, 400, 5 * DAY, true);
-    evidence_add(e, "; nonlinear:");
-    proved = rest_times(e, &other, 400, 5 * DAY, true) && proved;
-    proved = decay_rate(one, &linear) && decay_rate(two, &other) && proved;
-    evidence_add(e, "; between 4 and 8 days amplitudes (roots of E) fall at the rates");
-    proved = evidence_number(e, " ", one, 4, "") && proved;
-    proved = evidence_number(e, " and ", two, 4, " a day: with theta = 0 the nonlinear motion is no slower, near rest "
-                                                 "it is the linear one") && proved;
-    arb_div(one, one, two, BITS);
-    arb_sub_ui(one, one, 1, BITS);
-    arb_abs(one, one);
-    e->why = "Without pitch the nonlinear motion is no slower than the linear one.";
-    evidence_decide(e, REFUTED, CERTIFIED, proved && is_below(one, 0.01));
-    arb_clear(two);
-    arb_clear(one);
-}
-
-/* The largest |psi| and |eta| on rows of the last half swing of 4 Omega before so many days. */
-static bool residue(arb_ptr peaks, const struct scene *s, long days)
-{
-    const long half_swing = 10800; /* s, more than pi/(4 Omega) = 10771 */
-    struct track t;
-    bool run = track_run(&t, s, days * DAY - half_swing, 60, days * DAY);
+    static const char *const gains[] = {"10", "12"};
     for (int i = 0; i < 2; i++) {
-        track_peak(peaks + i, &t, i ? ETA : PSI, 0, t.count - 1);
-        of_start(peaks + i);
+        exits_of(c, "linear", gains[i], linear);
+        exits_of(c, "pitched", gains[i], nonlinear);
+        exits_of(c, "planar", gains[i], planar);
     }
-    track_clear(&t);
-    return run;
 }
 
-static void rest_pitched(struct evidence *e)
+/* How fast amplitudes, roots of the energy, shrink without pitch between 4 and 8 days, per day. */
+static void planar_rates(struct computed *c)
 {
-    static const long days[] = {3, 5, 8};
-    static const struct scene linear = {.nonlinear = false}, other = {.nonlinear = true};
-    arb_ptr x = _arb_vec_init(4);
-    evidence_add(e, "nonlinear:");
-    bool proved = rest_times(e, &other, 200, HORIZON, false);
-    evidence_add(e, ", as in the linear model. But there it stops: the largest |psi|, |dL| in the last 3 h before day "
-                    "3, 5, 8 are, as fractions of the start,");
-    for (int i = 0; i < 3; i++) {
-        proved = residue(x, &other, days[i]) && residue(x + 2, &linear, days[i]) && proved;
-        proved = evidence_number(e, i ? "; " : " ", x, 3, ", ") && proved;
-        proved = evidence_number(e, "", x + 1, 3, "") && proved;
-        evidence_bound(e, " (linear ", x + 2, ", ");
-        evidence_bound(e, "", x + 3, ")");
+    arb_t before, rate;
+    arb_init(before);
+    arb_init(rate);
+    for (int m = 0; m < 2; m++) {
+        struct track t;
+        const bool run = track_run(&t, m ? &planar : &linear_planar, 4 * DAY, 4 * DAY, 8 * DAY);
+        track_energy(before, &t, 0);
+        track_energy(rate, &t, 1);
+        arb_div(rate, before, rate, t.prec);
+        arb_log(rate, rate, t.prec);
+        arb_div_ui(rate, rate, 8, t.prec);
+        give(c, run, rate, m ? "nonlinear" : "linear");
+        track_clear(&t);
     }
-    evidence_add(e, ": pitch forces yaw and length at twice its frequency, at second order (claim forced-response). "
-                    "Not the approach is slower, it ends in a small oscillation, and only where the start has pitch");
-    proved = proved && is_above(x, 5e-4) && is_above(x + 1, 1e-3) && is_below(x + 2, 1e-6) && is_below(x + 3, 1e-6);
-    e->why = "The approach is no slower: it ends in a small oscillation, which pitch forces.";
-    evidence_decide(e, QUALIFIED, CERTIFIED, proved);
-    _arb_vec_clear(x, 4);
+    arb_clear(rate);
+    arb_clear(before);
 }
 
-/* The range of sqrt(theta^2 + theta'^2/4) on rows. */
+/* The largest |psi| and |dL| on samples of the last half swing of 4 Omega before so many days, as fractions of the start. */
+static void residue(struct computed *c, const char *name, const struct scene *s, long days)
+{
+    struct track t;
+    arb_t peak;
+    arb_init(peak);
+    const bool run = track_run(&t, s, days * DAY - HALF_SWING, 60, days * DAY);
+    for (int which = PSI; which <= ETA; which += ETA) {
+        arb_zero(peak);
+        track_peak(peak, &t, which, 0, t.count - 1);
+        of_start(peak);
+        give(c, run, peak, "%s_%s_day%ld", name, variable_names[which], days);
+    }
+    arb_clear(peak);
+    track_clear(&t);
+}
+
+static void residues(struct computed *c)
+{
+    for (int i = 0; i < 3; i++) {
+        static const long days[] = {3, 5, 8};
+        residue(c, "nonlinear", &nonlinear, days[i]);
+        residue(c, "linear", &linear, days[i]);
+    }
+}
+
+/* The range of sqrt(theta^2 + theta'^2/4) on samples. */
 static void pitch_range(arb_t low, arb_t high, const struct track *t, slong from)
 {
     arb_t a;
@@ -283,66 +273,54 @@ static void pitch_range(arb_t low, arb_t high, const struct track *t, slong from
     arb_clear(a);
 }
 
-static void pitch_nonlinear(struct evidence *e)
+/* In three days and in the last of them; `apart`: the most that theta differs from the linear model's. */
+static void pitch_amplitude(struct computed *c)
 {
     const long step = 300;
-    struct track t, linear;
+    struct track t, other;
     arb_ptr x = _arb_vec_init(2);
-    bool proved = track_run(&t, &(struct scene){.nonlinear = true}, 0, step, HORIZON);
-    proved = track_run(&linear, &(struct scene){.nonlinear = false}, 0, step, HORIZON) && proved;
+    bool run = track_run(&t, &nonlinear, 0, step, HORIZON);
+    run = track_run(&other, &linear, 0, step, HORIZON) && run;
     for (int later = 0; later < 2; later++) {
         pitch_range(x, x + 1, &t, later ? 2 * DAY / step : 0);
-        evidence_add(e, "%s", later ? ", in the last day of them"
-                                    : "on rows of 300 s the amplitude sqrt(theta^2 + (theta_dot/(2 Omega))^2) lies");
-        proved = evidence_number(e, " between ", x, 5, "") && proved;
-        proved = evidence_number(e, " and ", x + 1, 5, later ? " rad" : " rad in 3 days") && proved;
-        arb_sub(x, x + 1, x, BITS);
-        proved = proved && is_below(x, later ? 1e-5 : 2e-4);
+        give(c, run, x, later ? "late_low" : "low");
+        give(c, run, x + 1, later ? "late_high" : "high");
     }
-    track_gap(x, &t, &linear, THETA, 0, t.count - 1);
-    evidence_bound(e, "; theta differs from the linear model's 0.01 cos(2 Omega t) by at most ", x, " rad");
-    evidence_add(e, ": stable, and nearly a sinusoid; it loses amplitude as the cube of it (claim pitch-slow-law)");
-    e->why = "Nearly: it loses amplitude, slowly, as the cube of it.";
-    evidence_decide(e, QUALIFIED, CERTIFIED, proved && is_below(x, 1e-3) && is_above(x, 1e-5));
+    track_gap(x, &t, &other, THETA, 0, t.count - 1);
+    give(c, run, x, "apart");
     _arb_vec_clear(x, 2);
-    track_clear(&linear);
+    track_clear(&other);
     track_clear(&t);
 }
 
-static void figure_6(struct evidence *e)
+/* Between 2 and 3 days: x1 - 5 m and z1 on samples, y1 between them too [m]. */
+static void figure_6(struct computed *c)
 {
     struct track t;
     arb_ptr x = _arb_vec_init(2);
-    bool proved = track_run(&t, &(struct scene){.nonlinear = true}, 2 * DAY, 50, HORIZON);
+    const bool run = track_run(&t, &nonlinear, 2 * DAY, 50, HORIZON);
     arb_pos_inf(x);
     for (slong k = 0; k < t.count; k++) {
         arb_min(x, x, track_row(&t, k) + PLACE_X, t.prec);
         arb_max(x + 1, x + 1, track_row(&t, k) + PLACE_X, t.prec);
     }
-    evidence_add(e, "between 2 and 3 days, on rows of 50 s, x1 - 5 m lies between");
     for (int i = 0; i < 2; i++) {
         arb_sub_ui(x + i, x + i, 1, t.prec);
         arb_mul(x + i, x + i, t.arm, t.prec);
-        proved = evidence_number(e, i ? " and " : " ", x + i, 2, "") && proved;
+        give(c, run, x + i, i ? "x1_high" : "x1_low");
     }
-    proved = proved && arb_is_negative(x) && arb_is_negative(x + 1);
-    proved = track_sup(x, &t, PLACE_Y, 0, t.count - 1) && proved;
-    arb_mul(x, x, t.arm, t.prec);
-    evidence_bound(e, " m; |y1| <= ", x, " m");
-    proved = proved && is_below(x, 1e-3);
-    track_peak(x, &t, PLACE_Z, 0, t.count - 1);
-    arb_mul(x, x, t.arm, t.prec);
-    proved = evidence_number(e, ", |z1| up to ", x, 3, " m") && proved;
-    evidence_add(e, ", as at the start: x1 and y1 converge but for what pitch leaves; z1, which is pitch, does not");
-    e->why = "But for what pitch forces on x1 and y1; z1 is pitch, and swings on.";
-    evidence_decide(e, QUALIFIED, CERTIFIED, proved && is_above(x, 0.05));
+    const bool bounded = track_sup(x, &t, PLACE_Y, 0, t.count - 1);
+    track_peak(x + 1, &t, PLACE_Z, 0, t.count - 1);
+    _arb_vec_scalar_mul(x, x, 2, t.arm, t.prec);
+    give(c, run && bounded, x, "y1");
+    give(c, run, x + 1, "z1");
     _arb_vec_clear(x, 2);
     track_clear(&t);
 }
 
 /* ---- charges ---- */
 
-/* dQ/Q_ref at a row, by (7) and (18): (c1 eta + c2 eta')/3 */
+/* dQ/Q_ref at a sample, by (7) and (18): (c1 eta + c2 eta')/3 */
 static void charge_product(arb_t x, const struct track *t, slong k)
 {
     arb_mul(x, t->c1, track_row(t, k) + ETA, t->prec);
@@ -350,17 +328,17 @@ static void charge_product(arb_t x, const struct track *t, slong k)
     arb_div_ui(x, x, 3, t->prec);
 }
 
-/* An enclosure of the largest |dQ/Q_ref| of a scene in some time: the rows reach it, between them is room for more. */
-static bool largest_product(arb_t product, const struct scene *s, long first, long step, long last)
+/* The largest |dQ/Q_ref| of a scene in some time: the samples reach it, between them is room for more. */
+static void largest_product(struct computed *c, const char *name, const struct scene *s, long first, long step, long last)
 {
     struct track t;
     struct bounds b;
-    arb_t x, room;
+    arb_t x, product, room;
     arb_init(x);
+    arb_init(product);
     arb_init(room);
     bounds_init(&b);
-    bool proved = track_run(&t, s, first, step, last) && track_bounds(&b, &t, 0);
-    arb_zero(product);
+    const bool proved = track_run(&t, s, first, step, last) && track_bounds(&b, &t, 0);
     for (slong k = 0; k < t.count; k++) {
         charge_product(x, &t, k);
         arb_abs(x, x);
@@ -373,142 +351,55 @@ static bool largest_product(arb_t product, const struct scene *s, long first, lo
     arb_div_ui(room, room, 3, t.prec);
     arb_add(room, room, product, t.prec);
     arb_union(product, product, room, t.prec);
+    give(c, proved, product, "%s", name);
     bounds_clear(&b);
     arb_clear(room);
+    arb_clear(product);
     arb_clear(x);
     track_clear(&t);
-    return proved;
 }
 
-/* |q/q_ref - 1| <= 1 - sqrt(1 - |dQ/Q_ref|), for q = q_ref sqrt(1 + dQ/Q_ref) */
-static bool largest_deviation(arb_t charge, const struct scene *s, long first, long step, long last)
-{
-    bool proved = largest_product(charge, s, first, step, last) && is_below(charge, 1);
-    arb_sub_ui(charge, charge, 1, BITS);
-    arb_neg(charge, charge);
-    arb_sqrt(charge, charge, BITS);
-    arb_sub_ui(charge, charge, 1, BITS);
-    arb_neg(charge, charge);
-    return proved;
-}
-
-typedef bool largest_function(arb_t x, const struct scene *s, long first, long step, long last);
-
-/* What is largest in the 3 days, for three scenes, is below a limit. */
-static bool largest_of_scenes(struct evidence *e, const char *what, largest_function *largest, double limit)
-{
-    static const struct scene scenes[] = {{.nonlinear = true},
-                                          {.nonlinear = true, .theta = "0"},
-                                          {.nonlinear = true, .n = "12"}};
-    static const char *const names[] = {"", ", without pitch ", ", with n = 12 "};
-    bool proved = true;
-    arb_t x;
-    arb_init(x);
-    evidence_add(e, "%s", what);
-    for (int i = 0; i < 3; i++) {
-        proved = largest(x, &scenes[i], 0, 100, HORIZON) && proved;
-        evidence_bound(e, names[i], x, "");
-        proved = proved && is_below(x, limit);
-    }
-    evidence_add(e, " from 0 to 3 days");
-    arb_clear(x);
-    return proved;
-}
-
-static void charges_opposite(struct evidence *e)
-{
-    bool proved = largest_of_scenes(e, "|dQ/Q_ref| <= ", largest_product, 1);
-    evidence_add(e, ": Q_ref + dQ < 0 throughout, so (21) and (22) give q1 > 0 and q2 = -q1");
-    evidence_decide(e, HOLDS, CERTIFIED, proved);
-}
-
-static void small_deviation(struct evidence *e)
-{
-    bool proved = largest_of_scenes(e, "|q/q_ref - 1| <= ", largest_deviation, 0.05);
-    evidence_add(e, "; what linearising costs meanwhile is in claim linear-first-phase");
-    evidence_decide(e, HOLDS, CERTIFIED, proved);
-}
-
-/* sqrt(-Q_ref) of Table 1 in microcoulomb, Eq. (7) */
-static void reference_charge(arb_t q, slong prec)
-{
-    static const char *const names[] = {"Omega", "k_c", "m1", "m2", "L_ref"};
-    arb_ptr in = _arb_vec_init(5);
-    for (int i = 0; i < 5; i++)
-        sheet_value(in + i, names[i], prec);
-    section_enclose(section_find(sheet(), "eq07"), in, prec, q);
-    arb_neg(q, q);
-    arb_sqrt(q, q, prec);
-    arb_mul_ui(q, q, 1000000, prec);
-    _arb_vec_clear(in, 5);
-}
-
-static void charges_microcoulomb(struct evidence *e)
+/* Largest |dQ/Q_ref|: in three days; between 2 and 3 days; in the last half swing of day 8. And dQ/Q_ref after 3 days. */
+static void charge_products(struct computed *c)
 {
     struct track t;
-    arb_t q, x;
-    arb_init(q);
+    arb_t x;
     arb_init(x);
-    bool proved = track_run(&t, &(struct scene){.nonlinear = true}, 0, HORIZON, HORIZON);
-    reference_charge(q, t.prec);
-    proved = evidence_number(e, "q_ref = sqrt(-Q_ref) = ", q, 7, " uC; q1 is ") && proved;
-    for (slong k = 0; k < 2; k++) {
-        charge_product(x, &t, k);
-        arb_add_ui(x, x, 1, t.prec);
-        arb_sqrt(x, x, t.prec);
-        arb_mul(x, x, q, t.prec);
-        proved = evidence_number(e, k ? ", " : "", x, 7, k ? " uC after 3 days" : " uC at the start") && proved;
-        proved = proved && is_below(x, 1) && is_above(x, 0.1);
-    }
-    evidence_add(e, ", q2 its opposite: a third of a microcoulomb");
-    evidence_decide(e, HOLDS, CERTIFIED, proved);
-    arb_clear(x);
-    arb_clear(q);
+    largest_product(c, "pitched", &nonlinear, 0, 100, HORIZON);
+    largest_product(c, "planar", &planar, 0, 100, HORIZON);
+    largest_product(c, "at_12", &at_12, 0, 100, HORIZON);
+    largest_product(c, "pitched_late", &nonlinear, 2 * DAY, 50, HORIZON);
+    largest_product(c, "pitched_day8", &nonlinear, 8 * DAY - HALF_SWING, 10, 8 * DAY);
+    largest_product(c, "planar_late", &planar, 2 * DAY, 50, HORIZON);
+    largest_product(c, "planar_day8", &planar, 8 * DAY - HALF_SWING, 50, 8 * DAY);
+    const bool run = track_run(&t, &nonlinear, HORIZON, 1, HORIZON);
+    charge_product(x, &t, 0);
+    give(c, run, x, "last");
     track_clear(&t);
+    arb_clear(x);
 }
 
-static void charges_converge(struct evidence *e)
-{
-    static const struct scene pitched = {.nonlinear = true}, planar = {.nonlinear = true, .theta = "0"};
-    const long half_swing = 10800; /* s, as above */
-    arb_ptr x = _arb_vec_init(4);
-    bool proved = largest_deviation(x, &pitched, 2 * DAY, 50, HORIZON)
-                  && largest_deviation(x + 1, &pitched, 8 * DAY - half_swing, 10, 8 * DAY)
-                  && largest_deviation(x + 2, &planar, 2 * DAY, 50, HORIZON)
-                  && largest_deviation(x + 3, &planar, 8 * DAY - half_swing, 50, 8 * DAY);
-    evidence_bound(e, "|q/q_ref - 1| <= ", x, " between 2 and 3 days");
-    evidence_bound(e, ", <= ", x + 1, " in the last 3 h of day 8: what pitch forces stays");
-    evidence_bound(e, "; without pitch <= ", x + 2, "");
-    evidence_bound(e, " and ", x + 3, ": there they converge");
-    proved = proved && is_below(x, 1e-3) && is_above(x + 1, 1e-5) && is_below(x + 3, 1e-8);
-    e->why = "But for what pitch forces; without pitch they do.";
-    evidence_decide(e, QUALIFIED, CERTIFIED, proved);
-    _arb_vec_clear(x, 4);
-}
+#define BANDS(of) " " of "_10 " of "_20 " of "_50 " of "_100 " of "_200 " of "_300 " of "_500 " of "_1000"
 
-static void figures_lost(struct evidence *e)
-{
-    evidence_add(e, "the curves are lost, what the text says of them is left and decided here; their data are "
-                    "computed anew, every digit proved, the motion itself beside the Runge-Kutta steps of 100 s");
-    e->why = "The curves are lost; what the text says of them is decided, and their data computed anew.";
-    evidence_decide(e, NOT_DECIDABLE, EXACT, true);
-}
-
-#define SIX "Figure 6"
-#define SEVEN "Figure 7"
-
-const struct claim claims_convergence[] = {
-    {"linear-first-phase", SIX, "the linear model captures the first phase of the nonlinear motion", first_phase},
-    {"linear-second-order", SIX, "the linearisation is right: what it leaves out is of second order", second_order},
-    {"settling-nonlinear", SIX, "nonlinear model: yaw and length are near rest after about two days", settling},
-    {"slower-without-pitch", SIX, "the nonlinear motion comes to rest more slowly: without pitch", rest_unpitched},
-    {"slower-with-pitch", SIX, "the nonlinear motion comes to rest more slowly: with the paper's pitch", rest_pitched},
-    {"pitch-nonlinear", SIX, "pitch is a stable sinusoid in the nonlinear model too", pitch_nonlinear},
-    {"figure-6", SIX, "x1, y1, z1 converge in the nonlinear model", figure_6},
-    {"charges-opposite", SEVEN, "the charges are equal in magnitude and opposite in sign", charges_opposite},
-    {"charges-deviation", SEVEN, "the charges deviate little from their reference values", small_deviation},
-    {"charges-converge", SEVEN, "both charges converge to their reference values", charges_converge},
-    {"charges-microcoulomb", SEVEN, "the control charges are of the order of a microcoulomb", charges_microcoulomb},
-    {"figures-lost", "Figures 4 to 7", "the curves as plotted", figures_lost},
+const struct computation computations_convergence[] = {
+    {"compare_models", compare_models,
+     "worst parted_psi parted_dL" PLACE_OF_1("pitched_3_") PLACE_OF_1("pitched_12_") PLACE_OF_1("pitched_72_")
+         PLACE_OF_1("planar_3_") PLACE_OF_1("planar_12_") PLACE_OF_1("planar_72_"), "together_psi together_dL"},
+    {"second_order", second_order,
+     "worst" ANGLES_AND_LENGTH("p_", "") PLACE_OF_1("p_") ANGLES_AND_LENGTH("c_", "") PLACE_OF_1("c_"), ""},
+    {"nonlinear_settling", nonlinear_settling,
+     "pitched_psi pitched_dL planar_psi planar_dL unequal_psi unequal_dL at_12_psi at_12_dL", ""},
+    {"last_exits", last_exits,
+     BANDS("linear_10_psi") BANDS("linear_10_dL") BANDS("linear_12_psi") BANDS("linear_12_dL")
+     BANDS("pitched_10_psi") BANDS("pitched_10_dL") BANDS("pitched_12_psi") BANDS("pitched_12_dL")
+     BANDS("planar_10_psi") BANDS("planar_10_dL") BANDS("planar_12_psi") BANDS("planar_12_dL"),
+     BANDS("out_10_psi") BANDS("out_10_dL") BANDS("out_12_psi") BANDS("out_12_dL")},
+    {"planar_rates", planar_rates, "linear nonlinear", ""},
+    {"residues", residues,
+     "nonlinear_psi_day3 nonlinear_dL_day3 nonlinear_psi_day5 nonlinear_dL_day5 nonlinear_psi_day8 nonlinear_dL_day8 "
+     "linear_psi_day3 linear_dL_day3 linear_psi_day5 linear_dL_day5 linear_psi_day8 linear_dL_day8", ""},
+    {"pitch_amplitude", pitch_amplitude, "low high late_low late_high apart", ""},
+    {"figure_6", figure_6, "x1_low x1_high y1 z1", ""},
+    {"charge_products", charge_products, "pitched planar at_12 pitched_late pitched_day8 planar_late planar_day8 last", ""},
     {NULL, NULL, NULL, NULL},
 };

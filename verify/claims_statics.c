@@ -187,11 +187,5 @@ const struct claim claims_statics[] = {
      decide_static_places},
     {"static-unstable", "Introduction", "static formations of constant charge are all unstable",
      decide_static_unstable},
-    {"constant-charge-separates", "Section Linearized perturbation",
-     "with constant charge a disturbed pair separates", decide_separation},
-    {"other-rests", "Conclusion", "the law (18) is adequate: under it the pair rests at L_ref and nowhere else",
-     decide_other_rests},
-    {"basin-at-rest", "Conclusion", "the law (18) is adequate: it brings the pair back from any length error",
-     decide_basin},
     {NULL, NULL, NULL, NULL},
 };

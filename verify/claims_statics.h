@@ -23,11 +23,6 @@ bool static_polynomial(int axis, const char *factors);
 /* How many different positive roots a polynomial in x has; -1 for none at all. */
 slong positive_roots(const char *text);
 
-/* claims_loop.c: what becomes of a pair that is not at rest in its place */
-void decide_separation(struct evidence *e);
-void decide_other_rests(struct evidence *e);
-void decide_basin(struct evidence *e);
-
 /* claims_charges.c: the charges that carry the law out */
 void decide_tension(struct evidence *e);
 void decide_printed_charges(struct evidence *e);

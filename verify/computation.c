@@ -21,7 +21,7 @@ struct computed {
 };
 
 static const struct computation *const lists[] = {
-    computations_charges,
+    computations_loop, computations_charges, computations_motion, computations_convergence, computations_forced, computations_beyond,
 };
 
 static int results_of(struct result **results, const char *names)

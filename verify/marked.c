@@ -42,17 +42,34 @@ void written_clear(struct written *w)
     tex_clear(&w->latex);
 }
 
+/* Plain words and units as LaTeX: m^2 is raised, uC has its micro. */
+static void latex_words(struct tex *t, const char *at, size_t length)
+{
+    for (size_t i = 0; i < length; i++) {
+        size_t digits = 0;
+        while (at[i] == '^' && i + 1 + digits < length && strchr("-0123456789", at[i + 1 + digits]) != NULL)
+            digits++;
+        if (digits > 0)
+            tex_add(t, "$^{%.*s}$", (int)digits, at + i + 1);
+        else if (at[i] == 'u' && i + 1 < length && at[i + 1] == 'C' && (i == 0 || at[i - 1] == ' '))
+            tex_add(t, "\\textmu{}");
+        else if (strchr("%&#_", at[i]) != NULL)
+            tex_add(t, "\\%c", at[i]);
+        else if (strchr("<>", at[i]) != NULL)
+            tex_add(t, "$%c$", at[i]);
+        else if (strchr("^~\\", at[i]) != NULL)
+            tex_add(t, at[i] == '~' ? "\\textasciitilde{}" : at[i] == '^' ? "\\textasciicircum{}" : "\\textbackslash{}");
+        else
+            tex_add(t, "%c", at[i]);
+        i += digits;
+    }
+}
+
 void write_words(void *written, const char *at, size_t length)
 {
     struct written *w = written;
     tex_add(&w->plain, "%.*s", (int)length, at);
-    for (size_t i = 0; i < length; i++)
-        if (strchr("%&#_", at[i]) != NULL)
-            tex_add(&w->latex, "\\%c", at[i]);
-        else if (strchr("<>^~\\", at[i]) != NULL)
-            tex_add(&w->latex, at[i] == '~' ? "\\textasciitilde{}" : at[i] == '\\' ? "\\textbackslash{}" : "$%c$", at[i]);
-        else
-            tex_add(&w->latex, "%c", at[i]);
+    latex_words(&w->latex, at, length);
 }
 
 void write_mathematics(void *written, const char *at, size_t length)
@@ -77,7 +94,8 @@ void write_decimal(struct written *w, const char *decimal, const char *unit)
     tex_add(&w->latex, "$");
     if (unit != NULL) {
         tex_add(&w->plain, " %s", unit);
-        tex_add(&w->latex, strcmp(unit, "%") == 0 ? "~\\%s" : "~%s", unit);
+        tex_add(&w->latex, "~");
+        latex_words(&w->latex, unit, strlen(unit));
     }
 }
 

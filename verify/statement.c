@@ -8,6 +8,7 @@
 #include "computation.h"
 #include "condition.h"
 #include "decimal.h"
+#include "statement_reader.h"
 
 const char *const verdict_names[] = {"undecided", "holds", "holds as corrected", "qualified", "refuted", "definition", "not decidable"};
 const char *const how_names[] = {"exact", "certified", "measured"};
@@ -315,6 +316,50 @@ void statement_decide(struct statements *all, struct statement *s, const struct 
     if (!r->as_written && many == 1 && found == 0)
         r->verdict = VERDICT_NONE; /* a number is missing */
     s->deciding = false;
+}
+
+static bool names_truth(const struct statement *s, const char *name, const char *truth)
+{
+    char both[160];
+    bool named = false;
+    snprintf(both, sizeof both, "%.63s.%.63s", name, truth);
+    for (int i = 0; i < s->verdict_count; i++)
+        named = named || (s->conditions[i] != NULL && mentions(s->conditions[i], both));
+    return named;
+}
+
+/* Whether the verdict stands, for all that it is tampered with. */
+static bool stands(struct statements *all, struct statement *s, int assertion, const char *truth, bool negated)
+{
+    const struct tampering t = {assertion, truth, negated};
+    struct ruling ruling;
+    statement_decide(all, s, &t, &ruling);
+    return ruling.as_written;
+}
+
+static bool needs(struct statements *all, struct statement *s, int assertion)
+{
+    const struct assertion *a = &s->assertions[assertion];
+    char word[64];
+    if (a->kind != ASSERT_COMPUTE)
+        return !stands(all, s, assertion, NULL, false) && !stands(all, s, assertion, NULL, true);
+    bool needed = !stands(all, s, assertion, NULL, false);
+    for (const char *at = computation_of(a->computed)->truths; sscanf(at, " %63s", word) == 1; at = strstr(at, word) + strlen(word))
+        if (names_truth(s, a->name, word))
+            needed = needed && !stands(all, s, assertion, word, false) && !stands(all, s, assertion, word, true);
+    return needed;
+}
+
+void statement_rule(struct statements *all, struct statement *s, struct ruling *r)
+{
+    char text[256];
+    statement_decide(all, s, NULL, r);
+    for (int i = 0; i < s->assertion_count && r->as_written; i++)
+        if (!needs(all, s, i)) {
+            snprintf(text, sizeof text, "%s stands without '%s', or with its contrary", s->id, s->assertions[i].name);
+            leave_open(all, r, s->assertions[i].node, 0, text);
+            r->as_written = false;
+        }
 }
 
 /* ---- the evidence ---- */

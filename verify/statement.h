@@ -134,7 +134,10 @@ struct ruling {
     struct message open;  /* what is open, where: "paper/claims.yaml:120:5: ..." */
 };
 
-void statement_decide(struct statements *all, struct statement *s, const struct tampering *t, struct ruling *f);
+void statement_decide(struct statements *all, struct statement *s, const struct tampering *t, struct ruling *r);
+
+/* The same; and false in `as_written` too where the verdict would stand without an assertion, or with its contrary. */
+void statement_rule(struct statements *all, struct statement *s, struct ruling *r);
 
 /* The evidence with its numbers, after the statement was decided. */
 void statement_evidence(const struct statement *s, struct written *w);

@@ -5,6 +5,7 @@
  * their numbers alone.
  */
 #include <ctype.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,15 +22,48 @@ bool mentions(const char *text, const char *word)
     return false;
 }
 
+/* The names that a section's output or subexpression takes its inputs from: they are in scope, though nothing writes them. */
+static void add_inputs(struct tex *all, const struct section *s, const char *name)
+{
+    const struct program *p = &s->corrected.program;
+    int node = program_find(p, name);
+    for (int i = 0; i < s->output_count; i++)
+        if (strcmp(s->outputs[i]->name, name) == 0)
+            node = s->corrected.outputs[i];
+    char *needed = memory(NULL, (size_t)(node < 0 ? 1 : node + 1), 1);
+    if (node >= 0)
+        program_needs(p, node, NULL, needed);
+    for (int i = 0; i <= node; i++)
+        if (needed[i] && i < p->inputs)
+            tex_add(all, " %s", p->names[i].text);
+        else if (needed[i] && p->nodes[i].op == OPERATOR_SQRT)
+            tex_add(all, " sqrt(");
+    free(needed);
+}
+
+/* The same for every eq05.x1 in a text. */
+static void add_implied(struct tex *all, const char *text)
+{
+    char id[16], name[32];
+    for (const char *at = text; (at = strstr(at, "eq")) != NULL; at += 2) {
+        const bool begins = at == text || !(isalnum((unsigned char)at[-1]) || strchr("_.", at[-1]) != NULL);
+        if (begins && sscanf(at, "%15[a-z0-9].%31[A-Za-z0-9_]", id, name) == 2 && section_find(sheet(), id) != NULL)
+            add_inputs(all, section_find(sheet(), id), name);
+    }
+}
+
 char *with_abbreviations(const struct document *d, const yaml_node_t *let, const char *text, bool needed[MOST_ABBREVIATIONS])
 {
     struct tex all = {NULL, 0};
     tex_add(&all, "%s", text);
+    add_implied(&all, text);
     for (int i = let == NULL ? 0 : length_of(let); i-- > 0;) {
         const char *name = scalar(key_of(d, let, i)), *formula = scalar(value_of(d, let, i));
         needed[i] = i < MOST_ABBREVIATIONS && name != NULL && formula != NULL && mentions(all.text, name);
-        if (needed[i])
+        if (needed[i]) {
             tex_add(&all, " %s", formula);
+            add_implied(&all, formula);
+        }
     }
     return all.text;
 }
@@ -113,10 +147,17 @@ static int add_identity(struct entry *e, int equality)
     const int let = context_of(e, "let"), rates = context_of(e, "rates"), roots = context_of(e, "square roots");
     const yaml_mark_t begin = node_of(d, equality)->start_mark, end = node_of(d, equality)->end_mark;
     const yaml_node_t *abbreviations = let != 0 ? node_of(d, let) : NULL;
-    char *first = with_abbreviations(d, abbreviations, scalar(node_of(d, equality)), needed);
-    char *moving = with_rates(e, rates, first, moves), *all = with_abbreviations(d, abbreviations, moving, needed);
-    free(first);
-    free(moving);
+    char *all = with_abbreviations(d, abbreviations, scalar(node_of(d, equality)), needed);
+    for (int before = -1, moving = 0; moving > before;) { /* a rate may bring in what moves, too */
+        char *text = with_rates(e, rates, all, moves);
+        free(all);
+        all = with_abbreviations(d, abbreviations, text, needed);
+        free(text);
+        before = moving;
+        moving = 0;
+        for (int i = 0; i < MOST_ABBREVIATIONS; i++)
+            moving += moves[i];
+    }
     e->mapping = checked(yaml_document_add_mapping(&d->yaml, NULL, YAML_FLOW_MAPPING_STYLE));
     const int show = checked(yaml_document_add_sequence(&d->yaml, NULL, YAML_FLOW_SEQUENCE_STYLE));
     checked(yaml_document_append_sequence_item(&d->yaml, show, equality));

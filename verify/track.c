@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims_stability.h"
 #include "decimal.h"
 #include "motion.h"
 #include "taylor.h"
@@ -13,49 +12,25 @@ enum { X, Y, Z, U, V, W };
 enum {
     SLICES = 24,     /* of a box of states by length: the forces nearly cancel, which one box would not see */
     BOUND_BITS = 64, /* of bounds on derivatives */
-    EVIDENCE_BITS = 128
+    COMPARISON_BITS = 128
 };
 
-/* ---- evidence ---- */
+/* ---- comparisons ---- */
 
-bool evidence_number(struct evidence *e, const char *before, const arb_t x, slong digits, const char *after)
+void observed_order(arb_t order, const arb_t larger, const arb_t smaller, ulong factor)
 {
-    const bool decided = say(e, before, x, digits);
-    evidence_add(e, "%s", after);
-    return decided;
+    arb_div(order, larger, smaller, COMPARISON_BITS);
+    arb_log_base_ui(order, order, factor, COMPARISON_BITS);
 }
 
-void evidence_bound(struct evidence *e, const char *before, const arb_t x, const char *after)
+void raise_to_difference(arb_t worst, const arb_t x, slong expected)
 {
-    char text[32];
-    mag_t bound;
-    mag_init(bound);
-    arb_get_mag(bound, x);
-    decimal_bound(text, bound);
-    const char *mark = strchr(text, 'e');
-    const long exponent = mark != NULL ? strtol(mark + 1, NULL, 10) : 0;
-    if (exponent < 0 && exponent > -4) /* 1.2e-02 as 0.012 */
-        evidence_add(e, "%s0.%.*s%c%c%s", before, (int)-exponent - 1, "00", text[0], text[2], after);
-    else if (exponent == 1)
-        evidence_add(e, "%s%c%c%s", before, text[0], text[2], after);
-    else
-        evidence_add(e, "%s%s%s", before, text, after);
-    mag_clear(bound);
-}
-
-bool evidence_order(struct evidence *e, const char *before, const arb_t larger, const arb_t smaller, ulong factor,
-                    int expected, double tolerance)
-{
-    arb_t order;
-    arb_init(order);
-    arb_div(order, larger, smaller, EVIDENCE_BITS);
-    arb_log_base_ui(order, order, factor, EVIDENCE_BITS);
-    bool proved = say(e, before, order, 3);
-    arb_sub_si(order, order, expected, EVIDENCE_BITS);
-    arb_abs(order, order);
-    proved = proved && is_below(order, tolerance);
-    arb_clear(order);
-    return proved;
+    arb_t difference;
+    arb_init(difference);
+    arb_sub_si(difference, x, expected, COMPARISON_BITS);
+    arb_abs(difference, difference);
+    arb_max(worst, worst, difference, COMPARISON_BITS);
+    arb_clear(difference);
 }
 
 /* ---- scenes ---- */
@@ -584,34 +559,65 @@ void track_gap(arb_t gap, const struct track *a, const struct track *b, int whic
     arb_clear(d);
 }
 
-bool track_settled(arb_t hours, const struct track *t, int which, const arb_t limit)
+/* From the row `below` on |coordinate| is below the limit, between the rows too; `above` is the last row where it is not. */
+struct exit {
+    slong below, above;
+};
+
+static void exit_find(arb_t hours, const struct exit *e, const struct track *t)
 {
-    struct bounds b;
-    arb_t value, room;
-    slong below = t->count, above = t->count; /* from this row on below, between the rows too; the last row above */
-    bool bounded = true;
+    arb_t value;
     arb_init(value);
-    arb_init(room);
-    bounds_init(&b);
-    for (slong k = t->count - 1; k >= 0 && above == t->count; k--) {
-        if (k % 64 == 63 || k == t->count - 1) /* bounds hold on; renewed, they are sharper */
-            bounded = track_bounds(&b, t, k - k % 64) && bounded;
-        arb_abs(value, track_row(t, k) + which);
-        if (arb_gt(value, limit))
-            above = k;
-        track_room(room, t, &b, which);
-        arb_add(value, value, room, t->prec);
-        if (below == k + 1 && arb_lt(value, limit))
-            below = k;
-    }
-    arb_set_si(hours, t->first + above * t->step);
-    arb_set_si(value, t->first + below * t->step);
+    arb_set_si(hours, t->first + e->above * t->step);
+    arb_set_si(value, t->first + e->below * t->step);
     arb_union(hours, hours, value, t->prec);
     arb_div_ui(hours, hours, 3600, t->prec);
-    bounds_clear(&b);
-    arb_clear(room);
+    if (e->above < 0 || e->above >= e->below || e->below >= t->count)
+        arb_indeterminate(hours);
     arb_clear(value);
-    return bounded && above < below && below < t->count;
+}
+
+bool track_exits(arb_ptr hours, const struct track *t, int which, arb_srcptr limits, int count)
+{
+    enum { RENEWED = 256 }; /* rows */
+    struct exit *exits = memory(NULL, (size_t)count, sizeof *exits);
+    struct bounds b;
+    arb_t value, bound;
+    bool bounded = true;
+    arb_init(value);
+    arb_init(bound);
+    bounds_init(&b);
+    for (int i = 0; i < count; i++)
+        exits[i] = (struct exit){t->count, -1};
+    for (slong k = t->count - 1; k >= 0; k--) {
+        if (k % RENEWED == RENEWED - 1 || k == t->count - 1) /* bounds hold on; renewed, they are sharper */
+            bounded = track_bounds(&b, t, k - k % RENEWED) && bounded;
+        arb_abs(value, track_row(t, k) + which);
+        track_room(bound, t, &b, which);
+        arb_add(bound, bound, value, t->prec);
+        bool open = false;
+        for (int i = 0; i < count; i++) {
+            if (exits[i].above < 0 && arb_gt(value, limits + i))
+                exits[i].above = k;
+            if (exits[i].below == k + 1 && arb_lt(bound, limits + i))
+                exits[i].below = k;
+            open = open || exits[i].above < 0;
+        }
+        if (!open)
+            break;
+    }
+    for (int i = 0; i < count; i++)
+        exit_find(hours + i, &exits[i], t);
+    free(exits);
+    bounds_clear(&b);
+    arb_clear(bound);
+    arb_clear(value);
+    return bounded;
+}
+
+bool track_settled(arb_t hours, const struct track *t, int which, const arb_t limit)
+{
+    return track_exits(hours, t, which, limit, 1) && arb_is_finite(hours);
 }
 
 bool is_below(const arb_t x, double limit)

@@ -8,7 +8,6 @@
 #ifndef CT_TRACK_H
 #define CT_TRACK_H
 
-#include "claims.h"
 #include "flow.h"
 
 enum coordinate { PSI, THETA, ETA, PSI_DOT, THETA_DOT, ETA_DOT, PLACE_X, PLACE_Y, PLACE_Z, COORDINATES };
@@ -70,21 +69,23 @@ void track_room(arb_t room, const struct track *t, const struct bounds *b, int w
 bool track_sup(arb_t sup, const struct track *t, int which, slong from, slong to);
 
 /*
- * When |coordinate| falls below a limit and stays so until the last row: the last row above and the first row after
- * which it is below on rows and between them, as an enclosure of the time in hours. False if it does not.
+ * When |coordinate| falls below each of these limits and stays so until the last row: the last row above and the first row
+ * after which it is below on rows and between them, as an enclosure of the time in hours; indeterminate if it does not.
+ * False where there are no bounds.
  */
+bool track_exits(arb_ptr hours, const struct track *t, int which, arb_srcptr limits, int count);
+
+/* The same for one limit; false if it does not. */
 bool track_settled(arb_t hours, const struct track *t, int which, const arb_t limit);
 
 /* For certain. */
 bool is_below(const arb_t x, double limit);
 bool is_above(const arb_t x, double limit);
 
-/* Evidence: x to that many correctly rounded digits, false (and no number) when its enclosure does not decide them; */
-bool evidence_number(struct evidence *e, const char *before, const arb_t x, slong digits, const char *after);
-/* ... and a bound on |x|, two digits, rounded outward. */
-void evidence_bound(struct evidence *e, const char *before, const arb_t x, const char *after);
-/* ... and p, where an error shrinks by factor^p when its cause shrinks by factor; true within the tolerance. */
-bool evidence_order(struct evidence *e, const char *before, const arb_t larger, const arb_t smaller, ulong factor,
-                    int expected, double tolerance);
+/* p, where an error shrinks by factor^p when its cause shrinks by factor. */
+void observed_order(arb_t order, const arb_t larger, const arb_t smaller, ulong factor);
+
+/* Raises `worst` to |x - expected| if that is larger; indeterminate if one of them is. */
+void raise_to_difference(arb_t worst, const arb_t x, slong expected);
 
 #endif

@@ -1,0 +1,152 @@
+/*
+ * The evidence of data/verdicts.csv, which is what the program writes (tests/test_data.sh), says the numbers that were found
+ * by another road. Digits come from mpmath 1.3.0, mp.dps = 30; the expressions stand beside them, with
+ *
+ *     W = lambda n, r: -mpf(3)/2*r**2 + (n - 3)/r + n*log(r)
+ *     r2 = lambda n: (-3 + sqrt(12*n - 27))/6
+ *     rest = lambda f, near: 10*(findroot(f, near) - 1)
+ *     fold = lambda s, n, near: findroot(lambda r, u: [f(s, n, r, u), diff(lambda q: f(s, n, q, u), r)], near)
+ *     f = lambda s, n, r, u: s(u*r)*(3 + n*(r - 1)) - 3*r**3
+ *
+ * Motions are checked by the reference's Runge-Kutta method, which shares nothing with the certified flow.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "coulombtether.h"
+#include "run.h"
+#include "well.h"
+
+static const struct {
+    const char *id, *says;
+} expected[] = {
+    {"static-only-place", "t = 3, 0, -1"}, /* Hill's tide */
+    {"static-only-place", "orbit normal Q/Q_ref(L) = -1/3"}, /* L/L_1 = Q/Q_1: z balances at a third */
+    {"static-unstable", "2.50829;"}, /* sqrt(1 + 2*sqrt(7)) */
+    {"static-unstable", "1.11803;"}, /* max(re(s) for s in polyroots([1, 0, -1, 0, 4])) */
+    {"equal-distances", "x1 = 2 m, x2 = -1 m"},
+    {"nadir-axis", "zenith"},
+    {"opposite-charges", "-1.330627782e-13 C^2"}, /* -3*7.2915e-5**2*1000/8.99e9*75 */
+    {"non-keplerian-periods", "1.7787e-07 slower"}, /* 1 - (1 + 5/R)**-1.5 */
+    {"non-keplerian-periods", "42166.54 km"}, /* R = cbrt(3.986004418e14/7.2915e-5**2) */
+    {"sum-bounds", "exactly"},
+    {"cosines-cited", "(9)"},
+    {"masses-cancel", "neither masses nor k_c"},
+    {"zero-charge-orbit", "7.6284 and 5.2658 after a quarter"}, /* cosh(sqrt(3)*pi/2), */
+    {"zero-charge-orbit", "26626 and 37.712 after an orbit"}, /* sqrt(1 + 144*pi**2) */
+    {"constant-charge-separates", "61.361 m after 12 h and 399.65 m"}, /* below */
+    {"tension-compression", "q1 q2 = -4"}, /* -|5 - 1| */
+    {"other-rests", "11.072751 m (n = 10), 13.027756 m (n = 12)"}, /* 10*r2(10), 10*r2(12) */
+    {"other-rests", "7.0 m, 7.5 m"},
+    {"other-rests", "6.69933 m, 7.19023 m"}, /* 10*findroot(lambda r: r**3 + n*r - n + 3, 0.7) */
+    {"basin-at-rest", "-0.502684 m and 1.0727513 m"}, /* rest(lambda r: W(10, r) - W(10, r2(10)), .95) */
+    {"basin-at-rest", "-1.27303 m and 3.0277564 m"},
+    {"printed-charges", "6.26300 m, 6.73593 m"}, /* 10*findroot(lambda r: 3*r**3 + n*r - n + 3, 0.65) */
+    {"product-negative", "-3.0 m (n = 10), -2.5 m (n = 12)"},
+    {"product-negative", "5.501760"}, /* W(10, r2(10)) */
+    {"variation-small", "1/30"}, /* 10*0.1/(3*10) */
+    {"charge-error", "+0.00825 m (n = 10), +0.00273 m (n = 12)"}, /* rest(f...), u = 0, */
+    {"charge-error", "-0.2298 m, -0.09363 m"}, /* s = 1 + d */
+    {"charge-error", "+0.1078 m at n = 12"},
+    {"charge-error", "0.7750 % too little (n = 10), 5.078 %"}, /* 1 - 81*49/4000, 1 - 81*81/6912 */
+    {"screened-force", "1.0071 to 1.1 "},
+    {"debye-order", "0.09516"}, /* 1 - exp(-0.1) */
+    {"debye-order", "0.004679"}, /* 1 - 1.1*exp(-0.1) */
+    {"debye-neglect", "0.007117 ... 0.09516 as printed, 2.539e-05 ... 0.004679"},
+    {"debye-neglect", "0.06894 ... 0.6321 and 0.002433 ... 0.2642"}, /* 1 - 2*exp(-1) */
+    {"debye-escape", "1348.7 m (n = 10), 214.94 m"}, /* 10/fold(s, n, near)[1], s = exp(-u), */
+    {"debye-escape", "80.681 m, 31.143 m"}, /* s = (1 + u)*exp(-u) */
+    {"debye-escape", "0.386 m, 0.0756 m"}, /* rest(lambda r: f(s, n, r, 1/140), 1) */
+    {"debye-escape", "0.186 m, 0.0489 m"}, /* u = 1/10 */
+    {"low-orbit", "3.72e-44"}, /* exp(-100) */
+    {"debye-lengths", "5526"}, /* 8.8541878188e-12/1.602176634e-19/1e4 */
+    {"coulomb-constant", "8.9875518e+09"}, /* 1/(4*pi*8.8541878188e-12) */
+    {"orbit-rate", "8.43e-05"}, /* 1 - 7.2915/7.292115 */
+    {"orbit-rate", "42164.173 km"},
+    {"reach", "11.54 uC at 100 m; 1 uC a craft holds 19.59 m"},
+    {"own-gravity", "36.5 mm (n = 10), 12.5 mm"}, /* -rest(lambda r: 3*r**3 - 3 - n*(r-1) - 3*g, 1) */
+};
+
+START_TEST(evidence_says_what_another_road_finds)
+{
+    char line[8192];
+    const size_t length = strlen(expected[_i].id);
+    bool found = false;
+    FILE *file = fopen("data/verdicts.csv", "r");
+    ck_assert_ptr_nonnull(file);
+    while (!found && fgets(line, sizeof line, file) != NULL)
+        found = strncmp(line, expected[_i].id, length) == 0 && line[length] == ',';
+    ck_assert_int_eq(fclose(file), 0);
+    ck_assert_msg(found, "no verdict '%s'", expected[_i].id);
+    ck_assert_msg(strstr(line, expected[_i].says) != NULL, "no '%s' in: %s", expected[_i].says, line);
+}
+END_TEST
+
+/* ---- the same motions by another method ---- */
+
+/* The distance over L_ref after `tau` radians, from rest on the radius; n = 0: constant charge. */
+static double length_after(double n, double start, double tau)
+{
+    const struct ct_params p = {1, 1, 1, 1, 2};
+    const struct ct_gains g = {n, n > 9 ? 2 * sqrt(n - 9) : 0};
+    struct ct_hill_state s = {start, 0, 0, 0, 0, 0};
+    ck_assert_int_eq(ct_nonlinear_flow(p, g, s, 1e-12, 1, &tau, &s), CT_OK);
+    return hypot(s.x1, s.y1);
+}
+
+START_TEST(eq03_constant_charge_agrees_with_gsl)
+{
+    const double day = 7.2915e-5 * 86400;
+    /* five digits stand in the evidence; the growth e^(2.5 tau) of the method's 1e-12 stays below 1e-5 */
+    ck_assert_double_eq_tol(10 * length_after(0, 1.01, day / 2), 61.361, 0.0005);
+    ck_assert_double_eq_tol(10 * length_after(0, 1.01, day), 399.65, 0.005);
+    ck_assert_double_eq_tol(10 * length_after(0, 0.99, day / 2), 3.2397, 0.00005);
+    ck_assert_double_eq_tol(10 * length_after(0, 0.99, day), 8.8297, 0.00005);
+}
+END_TEST
+
+/* the slowest mode decays as e^(-0.42 tau), n = 10: 1e-3 is far below what 30 radians leave of a return */
+START_TEST(eq18_returns_agree_with_gsl)
+{
+    ck_assert_double_eq_tol(length_after(10, 0.76, 30), 1, 1e-3);
+    ck_assert_double_eq_tol(length_after(12, 0.2, 30), 1, 1e-3);
+    ck_assert_double_eq_tol(length_after(12, 0.5, 30), 1, 1e-3);
+    ck_assert_double_eq_tol(length_after(10, 1 + 0.107, 60), 1, 1e-3); /* just inside the outer place of rest */
+}
+END_TEST
+
+START_TEST(eq18_escapes_agree_with_gsl)
+{
+    ck_assert_double_gt(length_after(10, 0.75, 30), 2);
+    ck_assert_double_gt(length_after(12, 0.15, 30), 2);
+    ck_assert_double_gt(length_after(10, 0.5, 30), 2);
+    ck_assert_double_gt(length_after(10, 1 + 0.108, 60), 2); /* just outside */
+}
+END_TEST
+
+/* ---- what the proofs refuse ---- */
+
+START_TEST(eq18_no_fate_is_claimed_outside_the_well)
+{
+    struct well w;
+    well_init(&w, 10);
+    ck_assert(w.proved);
+    arb_set_ui(w.rim, 5); /* a well without depth: nothing may be said to be in it */
+    ck_assert_int_eq(well_fate(&w, 0), FATE_OPEN);
+    well_clear(&w);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *s = suite_create("verdicts");
+    TCase *c = tcase_create("verdicts");
+    tcase_set_timeout(c, 120);
+    tcase_add_loop_test(c, evidence_says_what_another_road_finds, 0, sizeof expected / sizeof expected[0]);
+    tcase_add_test(c, eq03_constant_charge_agrees_with_gsl);
+    tcase_add_test(c, eq18_returns_agree_with_gsl);
+    tcase_add_test(c, eq18_escapes_agree_with_gsl);
+    tcase_add_test(c, eq18_no_fate_is_claimed_outside_the_well);
+    suite_add_tcase(s, c);
+    return s;
+}

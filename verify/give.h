@@ -1,0 +1,18 @@
+/* What the files of computations share: numbers that are handed over by the name of what they are of. */
+#ifndef CT_GIVE_H
+#define CT_GIVE_H
+
+#include "claim.h"
+
+/* A certified number, or an indeterminate one where it was not proved; its name is printf-like. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 4, 5)))
+#endif
+void give(struct computed *c, bool proved, const arb_t x, const char *name, ...);
+
+/* Names for `numbers` of a computation, of three and of six coordinates. */
+#define ANGLES_AND_LENGTH(before, after) " " before "psi" after " " before "theta" after " " before "dL" after
+#define TETHER_STATE(before) ANGLES_AND_LENGTH(before, "") ANGLES_AND_LENGTH(before, "_dot")
+#define PLACE_OF_1(before) " " before "x1 " before "y1 " before "z1"
+
+#endif
