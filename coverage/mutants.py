@@ -327,7 +327,7 @@ REF = ('hill', 'perturbation', 'control', 'attitude', 'stability', 'simulation',
 # What takes more than a second, and about how many; the order of the checks alone depends on it.
 SLOW = {'golden flow_nonlinear': 1.3, 'golden rk4_nonlinear': 1, 'golden rk4_linear': 0.4, 'study convergence': 2.3, 'study pitch': 0.5,
         'kills flow_nonlinear': 8, 'kills rk4_nonlinear': 8, 'kills rk4_linear': 4, 'kills flow_linear': 4,
-        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'wrong': 10, 'test_claims_motion': 6, 'test_statement': 1.3,
+        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'wrong': 10, 'test_track': 2, 'test_statement': 1.3,
         'test_command_line': 24, 'test_conform': 18, 'test_convergence': 10, 'test_derivation': 5, 'test_flow': 6, 'test_vectors': 3}
 
 
@@ -374,25 +374,21 @@ def of_quantity(names):
 # in proofs.c alone.
 REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform|test_verdicts|test_command|oracle|errors|gate',
            SHEETS[2]: 'verdicts|wrong|test_statement|test_verdicts',
-           SHEETS[1]: 'derivations|logic|gate|test_derivation|verdicts|test_claims|test_convergence|study|test_command|test_typeset'}
+           SHEETS[1]: 'derivations|logic|gate|test_derivation|verdicts|test_track|test_convergence|study|test_command|test_typeset'}
 
 # The checks that should notice a mutant of a file in verify/, by the longest beginning of its name.
 NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in """
-algebra test_exact, test_claims_stability, test_statement, verdicts
 arithmetic test_expression, golden eq14, test_vectors
-arithmetic_degree test_expression, derivations, test_derivation
 arithmetic_mpfr test_expression, errors, test_vectors
-arithmetic_series test_expression, derivations, test_derivation
-claims verdicts, test_claims_motion, test_verdicts, wrong
+basin verdicts, test_verdicts
+claims verdicts, test_verdicts, wrong
 computation test_statement, verdicts
 condition test_statement, verdicts
 claims_beyond verdicts, test_convergence
-claims_convergence verdicts, test_claims_motion
+claims_convergence verdicts
 claims_forced verdicts, test_convergence
-claims_motion verdicts, test_claims_motion
-claims_loop test_claims_stability, verdicts, wrong
-claims_rates test_claims_stability, verdicts, wrong
-claims_stability test_claims_stability, verdicts, wrong
+claims_motion verdicts
+claims_loop verdicts, test_verdicts
 client test_conform
 command test_command_line, test_conform, wrong
 command_datapackage package, wrong
@@ -410,26 +406,25 @@ derivation derivations, test_derivation
 diagnosis kills eq07, kills eq14, test_conform
 document test_sheet, test_derivation, test_statement
 embedded derivations
-enclosure test_statement, verdicts
 errors test_vectors, golden eq41roots, errors, test_command_line
 exact test_exact, golden eq41roots
 expression test_expression, golden eq14, test_vectors
 flow golden flow_linear, test_flow, golden flow_nonlinear, figure6
+give verdicts
 golden golden eq14, golden flow_linear
 judge kills eq21, test_conform
 lohner test_flow, golden flow_nonlinear, verdicts
 main test_command_line
 marked test_statement
 message test_sheet, test_command_line
-motion figure6, golden flow_nonlinear, test_claims_motion, test_command_line, verdicts
+motion figure6, golden flow_nonlinear, test_track, test_command_line, verdicts
 operation golden eq14, golden eq41roots, golden flow_linear, golden rk4_nonlinear, test_vectors, test_command_line
-optimum test_claims_stability, verdicts
 proofs derivations, test_derivation
 questions kills eq21, test_conform
 reference test_units, test_mistakes, test_vectors
 report test_conform
 rk4 golden rk4_linear, golden rk4_nonlinear, test_flow
-roots test_roots, golden eq41roots, test_claims_stability
+roots test_roots, golden eq41roots, test_rates
 sample test_vectors, golden eq14
 second_order test_convergence, study convergence, verdicts
 sheet test_sheet, golden eq14
@@ -438,12 +433,11 @@ statement test_statement, verdicts, wrong
 slip test_mistakes, test_conform
 table1 table1, test_command_line
 taylor test_flow, golden flow_nonlinear, figure6
-track test_claims_motion, verdicts
+track test_track, verdicts
 two_body test_convergence, verdicts
 typeset test_typeset, test_statement
 vectors golden eq44, test_vectors
 verdicts verdicts, wrong, test_command_line
-well test_verdicts, test_statement, verdicts""".strip().split('\n'))
 
 
 def likely(mutant):

@@ -1,13 +1,19 @@
 /*
- * verify/second_order.h, two_body.h, convergence.h, claims_beyond.c: the closed forms of what pitch leaves, the
+ * verify/second_order.h, two_body.h, convergence.h: the closed forms of what pitch leaves, the
  * pair in the inverse-square field, the observed orders.
  */
-#include "claims.h"
+#include "run.h"
 #include "convergence.h"
 #include "second_order.h"
 #include "two_body.h"
 
 enum { PREC = 192 };
+
+static void close_all(void)
+{
+    sheet_close();
+    flint_cleanup();
+}
 
 /* x holds the number of that text within the tolerance */
 static void assert_number(const arb_t x, const char *text, double tolerance)
@@ -243,6 +249,14 @@ END_TEST
 
 /* ---- observed orders ---- */
 
+/* The motion in the inverse-square field is followed without a bound on what its series leave out. */
+START_TEST(what_two_body_computes_is_measured_and_the_rest_certified)
+{
+    for (const struct study *s = studies; s->name != NULL; s++)
+        ck_assert_msg(s->measured == (strncmp(s->name, "hill", 4) == 0), "%s", s->name);
+}
+END_TEST
+
 static const struct {
     const char *name;
     double tolerance;
@@ -305,22 +319,6 @@ START_TEST(hill_differs_by_what_the_inertial_motion_says)
 }
 END_TEST
 
-/* ---- verdicts ---- */
-
-extern const struct claim claims_beyond[];
-const struct claim *const lists[] = {claims_beyond, NULL};
-
-const struct expected_claim expected[] = {
-    {"approximation-orders", HOLDS, CERTIFIED, "from pitch alone psi 2.00, theta 3.00"},
-    {"hill-orders", HOLDS, MEASURED, "100 and 200 kg, x1 1.00"},
-    /* 5184/27977 and -9*701/(2*27977) */
-    {"pitch-stable", HOLDS, EXACT, "k = 0.185295063802, phase rate 2 + s |z|^2, s = -0.112753333095"},
-    {"pitch-best-gain", HOLDS, EXACT, "= 11.48825648793501,"}, /* 9 + (32*sqrt(133) - 272)/39 */
-    {"slow-law-orders", HOLDS, CERTIFIED, "amplitude 2.0, phase 2.0"},
-    {NULL, VERDICT_NONE, EXACT, NULL}};
-
-enum { EXPECTED = sizeof expected / sizeof *expected - 1 };
-
 Suite *suite(void)
 {
     Suite *s = suite_create("convergence");
@@ -335,9 +333,8 @@ Suite *suite(void)
     tcase_add_test(c, eq02_is_the_limit_of_the_inverse_square);
     tcase_add_loop_test(c, study_shows_its_orders, 0, (int)(sizeof orders / sizeof *orders));
     tcase_add_test(c, every_study_is_tested);
+    tcase_add_test(c, what_two_body_computes_is_measured_and_the_rest_certified);
     tcase_add_test(c, hill_differs_by_what_the_inertial_motion_says);
-    tcase_add_loop_test(c, claims_yield_their_verdicts, 0, EXPECTED);
-    tcase_add_test(c, claims_are_well_formed);
     suite_add_tcase(s, c);
     return s;
 }

@@ -1,5 +1,5 @@
 /*
- * Formulas: the parser, exact series, derivatives and gradients. Expected values are exact rationals,
+ * Formulas: the parser, series and normal forms, derivatives and gradients. Expected values are exact rationals,
  * worked out in the comment beside them or by another road: the derivative of a program against the first
  * coefficient of its series, the gradient against the derivative.
  */
@@ -9,11 +9,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "degree.h"
 #include "expression.h"
-#include "series.h"
+#include "symbolic.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+/* The coefficient of epsilon^k, a number. */
+static void get_coefficient(fmpq_t q, const void *value, slong k)
+{
+    const struct symbolic *x = value;
+    const struct symbolic one = {.a = x->a + k, .terms = 1, .fault = x->fault};
+    symbolic_get_rational(q, &one);
+}
+
+static enum symbolic_fault state(const void *value)
+{
+    const struct symbolic *x = value;
+    return x->fault == SYMBOLIC_FINE && x->angle ? SYMBOLIC_ANGLE_AS_NUMBER : x->fault;
+}
 
 /* ---- the parser ---- */
 
@@ -28,14 +41,14 @@ static void evaluate(const char *formula, char text[200], size_t *where)
         snprintf(text, 200, "%.199s", why.text);
     } else {
         struct machine m;
-        machine_init(&m, &p, &arithmetic_series, 1);
+        machine_init(&m, &p, &arithmetic_symbolic, 1);
         machine_run(&m);
         fmpq_t value;
         fmpq_init(value);
-        series_get_fmpq(value, machine_value(&m, node), 0);
+        get_coefficient(value, machine_value(&m, node), 0);
         char *digits = fmpq_get_str(NULL, 10, value);
-        enum series_fault fault = series_state(machine_value(&m, node));
-        snprintf(text, 200, "%.199s", fault == SERIES_FINE ? digits : series_fault_text(fault));
+        enum symbolic_fault fault = state(machine_value(&m, node));
+        snprintf(text, 200, "%.199s", fault == SYMBOLIC_FINE ? digits : symbolic_fault_text(fault));
         flint_free(digits);
         fmpq_clear(value);
         machine_clear(&m);
@@ -76,14 +89,14 @@ static const struct {
     {"1/0 + 1", "division by what is zero at epsilon = 0"},
     {"0^-1", "division by what is zero at epsilon = 0"},
     {"atan2(0, 0)", "division by what is zero at epsilon = 0"},
-    {"sqrt(2)", "the square root of no rational square"},
-    {"sqrt(-4)", "the square root of no rational square"},
-    {"atan2(1, 1)", "the square root of no rational square"},
+    {"sqrt(2)", "the square root of no square of a rational function"},
+    {"sqrt(-4)", "the square root of no square of a rational function"},
+    {"atan2(1, 1)", "the square root of no square of a rational function"},
     {"sin(1)", "the sine or cosine of a number that is no angle"},
     {"atan2(4, 3)", "a finite angle outside sine and cosine"},
     {"2*atan2(4, 3)", "a finite angle outside sine and cosine"},
-    {"exp(1)", "a value that is no rational series"},
-    {"positive(1)", "a value that is no rational series"},
+    {"exp(1)", "a value that is no rational series, or whose sign is not known"},
+    {"positive(1)", "a value that is no rational series, or whose sign is not known"},
 };
 
 START_TEST(formula_has_its_value)
@@ -199,13 +212,13 @@ START_TEST(copy_is_independent)
     ck_assert_int_eq(copy.inputs, 1);
     ck_assert_int_eq(program_find(&copy, "x"), 0);
     struct machine m;
-    machine_init(&m, &copy, &arithmetic_series, 1);
+    machine_init(&m, &copy, &arithmetic_symbolic, 1);
     fmpq_t value;
     fmpq_init(value);
     fmpq_set_si(value, 2, 1);
-    arithmetic_series.set_rational(machine_value(&m, 0), value, 1);
+    arithmetic_symbolic.set_rational(machine_value(&m, 0), value, 1);
     machine_run(&m);
-    series_get_fmpq(value, machine_value(&m, node), 0);
+    get_coefficient(value, machine_value(&m, node), 0);
     fmpq_mul_si(value, value, 4);
     ck_assert_int_eq(fmpq_cmp_si(value, 37), 0); /* 4 (8 + 5/4) */
     fmpq_clear(value);
@@ -224,24 +237,25 @@ static void set_inputs(struct machine *m)
     fmpq_init(slope);
     const slong start[] = {9, 4, 1, 5, 3, -2};
     for (int i = 0; i < 2; i++) {
-        struct series *x = machine_value(m, i);
+        struct symbolic *x = machine_value(m, i);
         fmpq_set_si(number, start[3 * i], (ulong)start[3 * i + 1]);
         fmpq_set_si(slope, start[3 * i + 2], 1);
-        arithmetic_series.set_rational(x, number, 1);
+        arithmetic_symbolic.set_rational(x, number, m->prec);
         if (m->prec > 1)
-            fmpq_poly_set_coeff_fmpq(x->p, 1, slope);
+            fmpz_mpoly_q_set_fmpq(x->a + 1, slope, symbolic_context());
     }
-    struct series *a = machine_value(m, 2);
+    struct symbolic *a = machine_value(m, 2);
     fmpq_set_si(number, 3, 5);
     fmpq_set_si(slope, 4, 5);
-    series_set_angle(a, number, slope);
-    fmpz_t v;
-    fmpz_init_set_si(v, 7);
-    if (m->prec > 1)
-        fmpq_poly_set_coeff_fmpz(a->p, 1, v);
-    fmpz_set_si(v, 1);
-    series_set_monomial(machine_value(m, 3), v, 1);
-    fmpz_clear(v);
+    fmpz_mpoly_q_set_fmpq(&a->c, number, symbolic_context());
+    fmpz_mpoly_q_set_fmpq(&a->s, slope, symbolic_context());
+    a->angle = true;
+    a->fault = SYMBOLIC_FINE;
+    struct symbolic *e = machine_value(m, 3);
+    if (m->prec > 1) {
+        fmpz_mpoly_q_set_si(a->a + 1, 7, symbolic_context());
+        fmpz_mpoly_q_set_si(e->a + 1, 1, symbolic_context());
+    }
     fmpq_clear(number);
     fmpq_clear(slope);
 }
@@ -265,23 +279,23 @@ static void expand(const char *formula, slong terms, char text[200])
     struct program p;
     struct machine m;
     int node = parse_inputs(&p, formula);
-    machine_init(&m, &p, &arithmetic_series, terms);
+    machine_init(&m, &p, &arithmetic_symbolic, terms);
     set_inputs(&m);
     machine_run(&m);
-    const enum series_fault fault = series_state(machine_value(&m, node));
+    const enum symbolic_fault fault = state(machine_value(&m, node));
     size_t length = 0;
     text[0] = '\0';
-    for (slong k = 0; k < terms && fault == SERIES_FINE; k++) {
+    for (slong k = 0; k < terms && fault == SYMBOLIC_FINE; k++) {
         fmpq_t value;
         fmpq_init(value);
-        series_get_fmpq(value, machine_value(&m, node), k);
+        get_coefficient(value, machine_value(&m, node), k);
         char *digits = fmpq_get_str(NULL, 10, value);
         length += (size_t)snprintf(text + length, 200 - length, "%s%s", k ? " " : "", digits);
         flint_free(digits);
         fmpq_clear(value);
     }
-    if (fault != SERIES_FINE)
-        snprintf(text, 200, "%s", series_fault_text(fault));
+    if (fault != SYMBOLIC_FINE)
+        snprintf(text, 200, "%s", symbolic_fault_text(fault));
     machine_clear(&m);
     program_clear(&p);
 }
@@ -307,16 +321,16 @@ static const struct {
     {"sin(a + a)", 1, "24/25"},                /* 2 s c */
     {"sin(a)^2 + cos(a)^2", 5, "1 0 0 0 0"},
     {"x*y", 3, "15/4 -17/6 -2"},               /* (9/4 + e)(5/3 - 2 e) */
-    {"sqrt(e^2)", 2, "the square root of no rational square"},      /* e, but e^2 is lost among two terms */
-    {"sqrt(e^2)", 3, "the square root of no rational square"},
+    {"sqrt(e^2)", 2, "the square root of no square of a rational function"},      /* e, but e^2 is lost among two terms */
+    {"sqrt(e^2)", 3, "the square root of no square of a rational function"},
     {"1/e", 3, "division by what is zero at epsilon = 0"},
     {"1/e - 1/e", 3, "division by what is zero at epsilon = 0"},
     {"e/e", 3, "division by what is zero at epsilon = 0"},
     {"sin(x)", 2, "the sine or cosine of a number that is no angle"},
     {"a*x", 2, "a finite angle outside sine and cosine"},
     {"sqrt(a)", 1, "a finite angle outside sine and cosine"},
-    {"exp(x)", 2, "a value that is no rational series"},
-    {"atan2(e, 1)", 2, "a value that is no rational series"},
+    {"exp(x)", 2, "a value that is no rational series, or whose sign is not known"},
+    {"atan2(e, 1)", 2, "a value that is no rational series, or whose sign is not known"},
 };
 
 START_TEST(series_is_exact)
@@ -352,13 +366,13 @@ START_TEST(derivative_is_the_first_coefficient)
     }
     int derivative = program_derivative(&p, node, rate, 4);
     ck_assert_int_ge(derivative, count);
-    machine_init(&m, &p, &arithmetic_series, 2);
+    machine_init(&m, &p, &arithmetic_symbolic, 2);
     set_inputs(&m);
     machine_run(&m);
-    series_get_fmpq(expected, machine_value(&m, node), 1);
-    series_get_fmpq(value, machine_value(&m, derivative), 0);
-    ck_assert_int_eq(series_state(machine_value(&m, node)), SERIES_FINE);
-    ck_assert_int_eq(series_state(machine_value(&m, derivative)), SERIES_FINE);
+    get_coefficient(expected, machine_value(&m, node), 1);
+    get_coefficient(value, machine_value(&m, derivative), 0);
+    ck_assert_int_eq(state(machine_value(&m, node)), SYMBOLIC_FINE);
+    ck_assert_int_eq(state(machine_value(&m, derivative)), SYMBOLIC_FINE);
     ck_assert(fmpq_equal(value, expected));
     machine_clear(&m);
     program_clear(&p);
@@ -381,10 +395,10 @@ START_TEST(derivative_of_an_arc_tangent)
         fmpq_set_si(&p.nodes[rate[i]].number, i ? -2 : 1, 1);
     }
     int derivative = program_derivative(&p, node, rate, 2);
-    machine_init(&m, &p, &arithmetic_series, 1);
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
     set_inputs(&m);
     machine_run(&m);
-    series_get_fmpq(value, machine_value(&m, derivative), 0);
+    get_coefficient(value, machine_value(&m, derivative), 0);
     /* (9/4 (-2) - 5/3)/(81/16 + 25/9) = (-37/6)/(1129/144) */
     fmpq_set_si(expected, -888, 1129);
     ck_assert(fmpq_equal(value, expected));
@@ -423,15 +437,15 @@ START_TEST(gradient_is_the_derivative_by_every_input)
         fmpq_one(&p.nodes[rate[i]].number);
         derivative[i] = program_derivative(&p, node, rate, 3);
     }
-    machine_init(&m, &p, &arithmetic_series, 1);
-    machine_init(&adjoint, &p, &arithmetic_series, 1);
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
+    machine_init(&adjoint, &p, &arithmetic_symbolic, 1);
     set_inputs(&m);
     machine_run(&m);
     machine_gradient(&m, node, &adjoint);
     for (int i = 0; i < 3; i++) {
-        series_get_fmpq(expected, machine_value(&m, derivative[i]), 0);
-        series_get_fmpq(value, machine_value(&adjoint, i), 0);
-        ck_assert_int_eq(series_state(machine_value(&adjoint, i)), SERIES_FINE);
+        get_coefficient(expected, machine_value(&m, derivative[i]), 0);
+        get_coefficient(value, machine_value(&adjoint, i), 0);
+        ck_assert_int_eq(state(machine_value(&adjoint, i)), SYMBOLIC_FINE);
         ck_assert(fmpq_equal(value, expected));
     }
     machine_clear(&adjoint);
@@ -451,15 +465,15 @@ START_TEST(gradient_of_an_arc_tangent)
     int node = parse_inputs(&p, "atan2(y, x)");
     fmpq_init(value);
     fmpq_init(expected);
-    machine_init(&m, &p, &arithmetic_series, 1);
-    machine_init(&adjoint, &p, &arithmetic_series, 1);
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
+    machine_init(&adjoint, &p, &arithmetic_symbolic, 1);
     set_inputs(&m);
     machine_run(&m);
     machine_gradient(&m, node, &adjoint);
-    series_get_fmpq(value, machine_value(&adjoint, 0), 0);
+    get_coefficient(value, machine_value(&adjoint, 0), 0);
     fmpq_set_si(expected, -240, 1129);
     ck_assert(fmpq_equal(value, expected));
-    series_get_fmpq(value, machine_value(&adjoint, 1), 0);
+    get_coefficient(value, machine_value(&adjoint, 1), 0);
     fmpq_set_si(expected, 324, 1129);
     ck_assert(fmpq_equal(value, expected));
     machine_clear(&adjoint);
@@ -488,10 +502,10 @@ START_TEST(inlined_program_takes_the_place_of_its_inputs)
     program_clear(&other);
     fmpq_init(value);
     fmpq_init(expected);
-    machine_init(&m, &p, &arithmetic_series, 1);
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
     set_inputs(&m);
     machine_run(&m);
-    series_get_fmpq(value, machine_value(&m, node), 0);
+    get_coefficient(value, machine_value(&m, node), 0);
     fmpq_set_si(expected, 13, 9); /* (5/3 - 1)^2 + 1 */
     ck_assert(fmpq_equal(value, expected));
     machine_clear(&m);
@@ -512,19 +526,19 @@ START_TEST(ball_and_mpfr_agree_with_the_exact_value)
     mpfr_t difference;
     fmpq_init(value);
     mpfr_init2(difference, 100);
-    machine_init(&exact, &p, &arithmetic_series, 1);
+    machine_init(&exact, &p, &arithmetic_symbolic, 1);
     machine_init(&ball, &p, &arithmetic_ball, 100);
     machine_init(&multiple, &p, &arithmetic_mpfr, 100);
     set_inputs(&exact);
     for (int i = 0; i < 2; i++) {
-        series_get_fmpq(value, machine_value(&exact, i), 0);
+        get_coefficient(value, machine_value(&exact, i), 0);
         arithmetic_ball.set_rational(machine_value(&ball, i), value, 100);
         arithmetic_mpfr.set_rational(machine_value(&multiple, i), value, 100);
     }
     machine_run(&exact);
     machine_run(&ball);
     machine_run(&multiple);
-    series_get_fmpq(value, machine_value(&exact, node), 0);
+    get_coefficient(value, machine_value(&exact, node), 0);
     ck_assert(arb_contains_fmpq(machine_value(&ball, node), value));
     arb_t known;
     arb_init(known);
@@ -578,67 +592,86 @@ START_TEST(a_number_is_positive_or_not)
 }
 END_TEST
 
-/* ---- degrees ---- */
+/* ---- normal forms ---- */
 
-/* num and den for x, y drawn numbers, a a drawn angle, e a small drawn number, K = terms - 1 */
+/* In the variables u and v: what is equal, and what is too large to say. */
 static const struct {
     const char *formula;
-    slong terms;
-    ulong num, den;
-} degrees[] = {
-    {"3", 1, 0, 0},
-    {"x*y^2", 1, 3, 0},
-    {"x + y^3", 1, 3, 0},
-    {"1/x + 1/y", 1, 1, 2},                  /* (y + x)/(x y) */
-    {"x/y/(y/x)", 1, 2, 2},
-    {"(x/y^2)^-3", 1, 6, 3},
-    {"cos(a)", 1, 2, 2},                     /* of t */
-    {"sin(a + a - a)", 1, 6, 6},
-    {"sin(e)", 4, 3, 0},                     /* e - e^3/6 */
-    {"cos(e/x)", 4, 3, 3},
-    {"sqrt(x^4/y^2)", 1, 2, 1},
-    {"sqrt(x^2 + e)", 2, 3, 2},              /* x (1 + e/(2 x^2)): K = 1 adds num + den = 2 to both */
-    {"x/(1/e)", 2, 2, 0},
-    {"x*y*positive(x)", 1, 3, 0},            /* no rational function, and never proved: any bound will do */
+    enum symbolic_fault fault;
+} forms[] = {
+    {"(u + v)^2 - u^2 - 2*u*v - v^2", SYMBOLIC_FINE},
+    {"(u^3 - v^3)/(u - v) - u^2 - u*v - v^2", SYMBOLIC_FINE},
+    {"1/u + 1/v - (u + v)/(u*v)", SYMBOLIC_FINE},
+    {"((2^999)^999)^999", SYMBOLIC_TOO_LARGE},
+    {"((u^999)^999)^999", SYMBOLIC_TOO_LARGE},
+    {"((u + v)^999)^999", SYMBOLIC_TOO_LARGE},
+    {"((u/v + 1)^200 + (v/u - 2)^200)^100", SYMBOLIC_TOO_LARGE},
+    {"(((u + 1)^9*(v + 1)^9 + 1)^9 + u)^9/(((u + v)^9 + 7)^9 + v)^9", SYMBOLIC_TOO_LARGE},
+    {"1/(u - u)", SYMBOLIC_POLE},
+    {"sqrt(u^2)", SYMBOLIC_UNKNOWN_ROOT},
+    {"sqrt(u)", SYMBOLIC_NO_SQUARE},
 };
 
-START_TEST(degree_is_bounded)
+START_TEST(normal_form_is_zero_or_refused)
 {
     struct program p;
     struct machine m;
-    int node = parse_inputs(&p, degrees[_i].formula);
-    machine_init(&m, &p, &arithmetic_degree, degrees[_i].terms);
-    for (int i = 0; i < 4; i++)
-        *(struct degree *)machine_value(&m, i) = i == 2 ? (struct degree){.point_num = 2, .point_den = 2}
-                                                        : (struct degree){.num = 1};
+    struct message why;
+    size_t where;
+    symbolic_end();
+    symbolic_begin(2, 0, false);
+    program_init(&p);
+    program_input(&p, "u");
+    program_input(&p, "v");
+    const int node = program_parse(&p, forms[_i].formula, &where, &why);
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
+    for (int i = 0; i < 2; i++)
+        symbolic_set_variable(machine_value(&m, i), i, 0);
     machine_run(&m);
-    const struct degree *d = machine_value(&m, node);
-    ck_assert_uint_eq(d->num, degrees[_i].num);
-    ck_assert_uint_eq(d->den, degrees[_i].den);
+    const struct symbolic *x = machine_value(&m, node);
+    ck_assert_int_eq(x->fault, forms[_i].fault);
+    ck_assert(x->fault != SYMBOLIC_FINE || fmpz_mpoly_q_is_zero(x->a, symbolic_context()));
     machine_clear(&m);
     program_clear(&p);
 }
 END_TEST
 
-/* 999^5 is beyond 2^40 */
-START_TEST(degree_saturates)
+/* A root is the one that was given, of either sign; and the same unknown stands for the same function's value. */
+START_TEST(given_root_is_taken)
 {
-    struct program p;
-    struct machine m;
-    int node = parse_inputs(&p, "(((((x^999)^999)^999)^999)^999)/y");
-    machine_init(&m, &p, &arithmetic_degree, 1);
-    for (int i = 0; i < 4; i++)
-        *(struct degree *)machine_value(&m, i) = (struct degree){.num = 1};
-    machine_run(&m);
-    ck_assert_uint_eq(((const struct degree *)machine_value(&m, node))->num, DEGREE_LIMIT);
-    machine_clear(&m);
-    program_clear(&p);
+    struct symbolic u, z, w;
+    symbolic_end();
+    symbolic_begin(1, 4, true);
+    arithmetic_symbolic.init(&u, 1);
+    arithmetic_symbolic.init(&z, 1);
+    arithmetic_symbolic.init(&w, 1);
+    symbolic_set_variable(&u, 0, 0);
+    arithmetic_symbolic.apply(OPERATOR_NEGATE, &w, &u, NULL, 0, 1);
+    symbolic_root(&w, true);
+    arithmetic_symbolic.apply(OPERATOR_MULTIPLY, &z, &u, &u, 0, 1);
+    arithmetic_symbolic.apply(OPERATOR_SQRT, &z, &z, NULL, 0, 1);
+    ck_assert(fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
+    ck_assert(symbolic_root_used(0));
+    arithmetic_symbolic.apply(OPERATOR_SQRT, &z, &u, NULL, 0, 1);
+    arithmetic_symbolic.apply(OPERATOR_SQRT, &w, &u, NULL, 0, 1);
+    ck_assert(fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
+    arithmetic_symbolic.apply(OPERATOR_EXP, &w, &u, NULL, 0, 1);
+    ck_assert(!fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
+    arithmetic_symbolic.clear(&u);
+    arithmetic_symbolic.clear(&z);
+    arithmetic_symbolic.clear(&w);
 }
 END_TEST
+
+static void begin(void)
+{
+    symbolic_begin(0, 0, false);
+}
 
 Suite *suite(void)
 {
     TCase *parser = tcase_create("parser");
+    tcase_add_checked_fixture(parser, begin, symbolic_end);
     tcase_add_loop_test(parser, formula_has_its_value, 0, COUNT(values));
     tcase_add_loop_test(parser, mistake_is_told_with_its_place, 0, COUNT(mistakes));
     tcase_add_test(parser, unknown_symbol_has_a_suggestion);
@@ -649,6 +682,7 @@ Suite *suite(void)
     tcase_add_test(parser, inlined_program_takes_the_place_of_its_inputs);
 
     TCase *arithmetic = tcase_create("arithmetic");
+    tcase_add_checked_fixture(arithmetic, begin, symbolic_end);
     tcase_add_loop_test(arithmetic, series_is_exact, 0, COUNT(expansions));
     tcase_add_loop_test(arithmetic, derivative_is_the_first_coefficient, 0, COUNT(differentiable));
     tcase_add_test(arithmetic, derivative_of_an_arc_tangent);
@@ -658,8 +692,8 @@ Suite *suite(void)
     tcase_add_test(arithmetic, ball_and_mpfr_agree_with_the_exact_value);
     tcase_add_loop_test(arithmetic, a_number_is_positive_or_not, 0, 3);
     tcase_add_loop_test(arithmetic, ball_on_both_sides_of_zero_is_neither_positive_nor_not, 0, 4);
-    tcase_add_loop_test(arithmetic, degree_is_bounded, 0, COUNT(degrees));
-    tcase_add_test(arithmetic, degree_saturates);
+    tcase_add_loop_test(arithmetic, normal_form_is_zero_or_refused, 0, COUNT(forms));
+    tcase_add_test(arithmetic, given_root_is_taken);
 
     Suite *s = suite_create("expression");
     suite_add_tcase(s, parser);

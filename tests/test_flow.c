@@ -662,13 +662,13 @@ END_TEST
  * makes the time of the fall the integral of 2 sin^2 a / sqrt(sin^4 a + sin^2 a + 6) over a from 0 to pi/2;
  * mpmath 1.2.1, mp.dps = 40: quad(lambda a: 2*sin(a)**2/sqrt(sin(a)**4 + sin(a)**2 + 6), [0, pi/2]).
  */
-START_TEST(a_collision_is_reported_with_its_time)
+START_TEST(craft_too_close_to_follow_are_reported_with_the_time)
 {
     const double fall = 0.57976169347716177911871646922770217;
     struct scene s = scene_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 0, 0, 5, 0, 0, 0);
     struct run r = run_to(&s, NONLINEAR, DAY);
-    ck_assert_int_eq(r.status, FLOW_COLLISION);
+    ck_assert_int_eq(r.status, FLOW_CLOSE);
     ck_assert_int_eq(r.rows, 0);
     ck_assert_double_lt(r.reached, fall * 0x1p14);
     ck_assert_double_gt(r.reached, fall * 0x1p14 * (1 - 1e-7)); /* steps end 2^-32 radians long */
@@ -678,7 +678,7 @@ START_TEST(a_collision_is_reported_with_its_time)
 END_TEST
 
 /* Without attraction enough to meet, craft that nearly do are followed through. */
-START_TEST(a_near_miss_is_no_collision)
+START_TEST(a_near_miss_is_followed_through)
 {
     struct scene s = scene_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 0.5, 0, 5, 0, 0, 0);
@@ -1277,8 +1277,8 @@ Suite *suite(void)
     tests = add_case(all, "ends");
     tcase_add_test(tests, an_enclosure_past_use_is_reported);
     tcase_add_test(tests, a_vague_time_is_reported);
-    tcase_add_test(tests, a_collision_is_reported_with_its_time);
-    tcase_add_test(tests, a_near_miss_is_no_collision);
+    tcase_add_test(tests, craft_too_close_to_follow_are_reported_with_the_time);
+    tcase_add_test(tests, a_near_miss_is_followed_through);
     tcase_add_loop_test(tests, a_receiver_stops_a_flow, 0, 4);
     tcase_add_test(tests, outside_the_domain_no_flow_starts);
     tcase_add_test(tests, times_out_of_order_are_refused);

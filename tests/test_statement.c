@@ -6,20 +6,19 @@
 #include <string.h>
 
 #include "embedded.h"
-#include "enclosure.h"
 #include "statement.h"
 #include "typeset.h"
 
-static struct proofs proofs;
+static struct proof_results proofs;
 
 static void open_all(void)
 {
-    proofs_init(&proofs, 1);
+    proof_results_init(&proofs, false);
 }
 
 static void close_all(void)
 {
-    proofs_clear(&proofs);
+    proof_results_clear(&proofs);
     sheet_close();
     flint_cleanup();
 }
@@ -312,43 +311,6 @@ START_TEST(mathematics_is_set_token_by_token)
 }
 END_TEST
 
-/* ---- enclosures ---- */
-
-START_TEST(enclosures_know_the_sheet_and_the_caller)
-{
-    arb_t x;
-    arb_init(x);
-    enclose(x, "m1 + m2", NOTHING);
-    ck_assert(arb_equal_si(x, 300));
-    arb_set_ui(x, 7);
-    ck_assert(positive_at("8 - m1", KNOWN({"m1", x}))); /* the caller's m1 */
-    arb_one(x);
-    ck_assert(positive_at("1e-30 - ln_x^2", KNOWN({"x", x})));
-    ck_assert(!positive_at("x -", KNOWN({"x", x})));
-    ck_assert(!positive_at("nowhere", NOTHING));
-    ck_assert(!positive_at("sqrt(0 - 1)", NOTHING));
-    arb_clear(x);
-}
-END_TEST
-
-START_TEST(signs_hold_on_whole_intervals_or_not_at_all)
-{
-    arb_t x;
-    arb_init(x);
-    ck_assert(positive_on("x^2 - x + 0.2501", "0", "1", NOTHING));  /* least 0.0001 at 1/2 */
-    ck_assert(!positive_on("x^2 - x + 0.2499", "0", "1", NOTHING)); /* -0.0001 */
-    ck_assert(!positive_on("x^2 - x + 0.25", "0", "1", NOTHING));   /* touches zero */
-    ck_assert(!positive_on("1", "0", "1/(1 - 1)", NOTHING));
-    ck_assert(change_of_sign(x, "x^2 - 2", "1", "2", NOTHING));
-    ck_assert(positive_at("1e-50 - (x^2 - 2)^2", KNOWN({"x", x})));
-    ck_assert(change_of_sign(x, "3/2 - x", "1", "2", NOTHING)); /* met exactly by halving */
-    ck_assert(positive_at("1e-50 - (x - 3/2)^2", KNOWN({"x", x})));
-    ck_assert(!change_of_sign(x, "x^2 - 2", "2", "3", NOTHING));
-    ck_assert(!arb_is_finite(x));
-    arb_clear(x);
-}
-END_TEST
-
 #define LOOP(test, table) tcase_add_loop_test(c, test, 0, sizeof table / sizeof table[0])
 
 Suite *suite(void)
@@ -364,8 +326,6 @@ Suite *suite(void)
     tcase_add_test(c, evidence_is_written_in_both_forms);
     LOOP(mistakes_are_told_with_their_place, mistakes);
     tcase_add_test(c, mathematics_is_set_token_by_token);
-    tcase_add_test(c, enclosures_know_the_sheet_and_the_caller);
-    tcase_add_test(c, signs_hold_on_whole_intervals_or_not_at_all);
     suite_add_tcase(s, c);
     return s;
 }

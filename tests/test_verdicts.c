@@ -13,9 +13,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "basin.h"
 #include "coulombtether.h"
 #include "run.h"
-#include "well.h"
 
 static const struct {
     const char *id, *says;
@@ -65,6 +65,64 @@ static const struct {
     {"orbit-rate", "42164.173 km"},
     {"reach", "11.54 uC at 100 m; 1 uC a craft holds 19.59 m"},
     {"own-gravity", "36.5 mm (n = 10), 12.5 mm"}, /* -rest(lambda r: 3*r**3 - 3 - n*(r-1) - 3*g, 1) */
+    /* roots = lambda n: polyroots([1, 2*sqrt(n-9), n-2, 6*sqrt(n-9), 3*(n-9)], maxsteps=500, extraprec=500), mp.dps = 90;
+       rate = lambda n: min(-re(r) for r in roots(n))
+       best = findroot(lambda n: diff(rate, n, h=mpf(10)**-25), (mpf('11.8'), mpf('11.82')), tol=1e-50) */
+    {"constant-charge-linear", "2.5082867902473156351"}, /* sqrt(1 + 2*sqrt(7)) */
+    {"constant-charge-linear", "5467.72 s"}, /* 1/(7.2915e-5*sqrt(1 + 2*sqrt(7))) = 5467.7157... */
+    {"phase-damps", "171.2852"}, /* arg(-(r**2 + 3))*180/pi, r in roots(10) */
+    {"phase-damps", "45.26008"},
+    {"real-parts-vanish", "-0.1069846374 and -0.1430153626"}, /* roots(9.0625) */
+    {"real-parts-vanish", "-0.04948884256 and -5.518275520"}, /* roots(40) */
+    {"slow-at-the-ends", "11.81160194899945"},
+    {"n12-optimal", "11.8116019489994475627782,"},
+    {"n12-optimal", "0.598916907216339712577893 "},
+    {"n12-optimal", "0.5960704898964056783432 "}, /* rate(12) */
+    {"n12-optimal", "0.4159258382875836439251,"}, /* rate(10) */
+    {"n12-optimal", "0.995247391941 "}, /* rate(12)/rate(best) */
+    {"n12-optimal", "0.694463344207 "}, /* rate(10)/rate(best) */
+    {"matching-optimal", "1.669680699 "}, /* 1/rate(best), 1/rate(12), 1/rate(10) */
+    {"matching-optimal", "1.677653930 "},
+    {"matching-optimal", "2.404274772 "},
+    {"frequencies", "0.532450262801 and 2.49612372429"}, /* im(roots(10)) */
+    {"frequencies", "1.10401859576 and 2.10401859576"}, /* im(roots(12)) */
+    {"length-wiggle", "-0.415925838288 +- 0.532450262801 i"}, /* roots(10) */
+    {"length-wiggle", "-0.584074161712 +- 2.49612372429 i"},
+    {"pitch-decoupled", "43085.6840649 s"}, /* pi/7.2915e-5 */
+    {"pitch-uncontrollable", "rank 4 of 6"},
+    {"step-below-period", "34522.0740827 s"}, /* 2*pi/(7.2915e-5*2.496123724292996301548900) */
+    /* the largest of 2592 steps, R = sum((A(10)*100*Om)**k/k!, k = 0 ... p) against expm(A(10)*100*Om), as in test_track.c:
+       p = 4 has 7.3483986e-12, 1.3625865e-10, 5.8378502e-12 in psi, theta, dL/L_ref */
+    {"step-small-enough", "linear model 7.4e-12, 1.4e-10, 5.9e-12;"},
+    /* p = 1: 6.8761404e-5, 0.0031660532, 7.2604884e-5; 2: 4.1687472e-7, 1.28139e-5; 3: 1.8534135e-9, 4.8746389e-8 */
+    {"runge-kutta-kind", "Euler's 0.32, 0.0073; second order 0.0013, 4.2e-05; third order 4.9e-06, 1.9e-07; fourth order 1.4e-08, 7.4e-10"},
+    {"two-revolutions", "2.00531 revolutions"}, /* 172800*Om/(2*pi) = 2.0053085 */
+    /* psi(2 d) = 3.16895001526e-5 and dL(2 d)/L_ref = 2.76209999640e-5, and less from there on */
+    {"settling-linear", "|psi| <= 0.0032 of its initial value, |dL| <= 0.0028 of its"},
+    {"length-wiggle", "(n = 10) changes sign exactly 3 times"}, /* at 5.31, 28.5, 51.1 h */
+    {"length-wiggle", "n = 12 changes sign exactly 7 times"}, /* 5.31, 16.6, ... 70.7 h */
+    /* 1 - (psi'**2 + 3*psi**2)/(3*0.01**2) after two days, from psi above and psi' = -1.7450238805e-5 */
+    {"yaw-energy", " takes 0.9999889 of "},
+    {"figure-5b", "at most 0.00051,"}, /* 5.05*(1 - cos(0.01)**2) = 5.0498e-4, at the start */
+    /* nonlinear less linear after a day for 1e-6 at the start: 0.10868051e-12, 1.1740994e-12, 0.74260254e-12 in psi,
+       theta, dL/L_ref; in x1 0.24175652e-12 */
+    {"linear-second-order", "c = 0.109, 1.17, 0.743, 0.242, 0.109, 1.17"},
+    /* 0.0964020*a**2/0.01 and 0.2152296*a**2/0.01 for a = 0.0101003, the amplitude of pitch after 8 days */
+    {"slower-with-pitch", "; 0.000984, 0.00220 (linear"},
+    {"charges-opposite", "|dQ/Q_ref| <= 0.034,"}, /* 10*0.01/3 at the start */
+    {"charges-deviation", "|q/q_ref - 1| <= 0.017,"}, /* 1 - sqrt(1 - 10*0.01/3) = 0.01681 */
+    {"charges-microcoulomb", "q_ref = sqrt(-Q_ref) = 0.3647777 uC"}, /* 1e6*Om*sqrt(3e3*75/8.99e9) */
+    {"charges-microcoulomb", "0.3708075 uC at the start"}, /* ... times sqrt(1 + 1/30) */
+    /* 1.5*(1.01*sin(0.01)*cos(0.01))**2 + 2*(1.01*sin(0.01))**2 + 7*(1/1.01 - 1) + 10*log(1.01) - 1.5*(1.01**2 - 1) */
+    {"nonlinear-energy", "E = 0.00040339"},
+    /* s = sqrt(n - 9), D = 13*s**2 - 144 + 104j*s: 36/abs(D), 2*s*abs(s + 8j)/abs(D), 5184*s/abs(D)**2, and
+       4.5*s**2*(13*s**2 + 688)/abs(D)**2 */
+    {"forced-response", "10: 0.2152, 0.09640, -0.1853, -0.1128"},
+    {"forced-response", "11.8: 0.1760, 0.1337, -0.2072, -0.2180"},
+    {"forced-response", "12: 0.1727, 0.1360, -0.2065, -0.2258"},
+    {"pitch-slow-law", "by the closed form 0.185"},
+    {"pitch-stable", "k = 0.185295063802, phase rate 2 + s |z|^2, s = -0.112753333095"}, /* 5184/27977, -9*701/(2*27977) */
+    {"pitch-best-gain", "= 11.48825648793501,"}, /* 9 + (32*sqrt(133) - 272)/39 */
 };
 
 START_TEST(evidence_says_what_another_road_finds)
@@ -126,14 +184,14 @@ END_TEST
 
 /* ---- what the proofs refuse ---- */
 
-START_TEST(eq18_no_fate_is_claimed_outside_the_well)
+START_TEST(eq18_nothing_is_claimed_without_a_basin)
 {
-    struct well w;
-    well_init(&w, 10);
-    ck_assert(w.proved);
-    arb_set_ui(w.rim, 5); /* a well without depth: nothing may be said to be in it */
-    ck_assert_int_eq(well_fate(&w, 0), FATE_OPEN);
-    well_clear(&w);
+    struct basin b;
+    basin_init(&b, 10);
+    ck_assert(b.closed);
+    arb_set_ui(b.level, 5); /* below V at the equilibrium: no motion is below it */
+    ck_assert_int_eq(basin_release(&b, 0), RELEASE_OPEN);
+    basin_clear(&b);
 }
 END_TEST
 
@@ -146,7 +204,7 @@ Suite *suite(void)
     tcase_add_test(c, eq03_constant_charge_agrees_with_gsl);
     tcase_add_test(c, eq18_returns_agree_with_gsl);
     tcase_add_test(c, eq18_escapes_agree_with_gsl);
-    tcase_add_test(c, eq18_no_fate_is_claimed_outside_the_well);
+    tcase_add_test(c, eq18_nothing_is_claimed_without_a_basin);
     suite_add_tcase(s, c);
     return s;
 }

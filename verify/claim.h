@@ -49,9 +49,6 @@ struct computation {
 };
 
 extern const struct computation computations_loop[];        /* claims_loop.c: rests and basins           */
-extern const struct computation computations_charges[];     /* claims_charges.c                          */
-extern const struct computation computations_rates[];       /* claims_rates.c: optimum, modes            */
-extern const struct computation computations_stability[];   /* claims_stability.c                        */
 extern const struct computation computations_motion[];      /* claims_motion.c                           */
 extern const struct computation computations_convergence[]; /* claims_convergence.c                      */
 extern const struct computation computations_forced[];      /* claims_forced.c                           */

@@ -165,21 +165,23 @@ static void nonlinear_settling(struct computed *c)
 }
 
 /*
- * When |psi| and |dL| last leave the band of 1/B of the start, until day 8, in hours; of the motion with pitch also whether
- * they are still outside it in the last half swing of 4 Omega before.
+ * When |psi| and |dL| last leave the band of 1/B of the start, in hours, and of the motion with pitch whether they are
+ * still outside it in the last half swing of 4 Omega before day 8. Without pitch the energy of day 4 keeps them in for ever.
  */
 static void exits_of(struct computed *c, const char *motion, const char *n, struct scene s)
 {
     enum { BANDS_OF = 8 };
     static const ulong bands[BANDS_OF] = {10, 20, 50, 100, 200, 300, 500, 1000};
     const bool pitched = s.nonlinear && s.theta == NULL;
-    const long step = pitched ? 60 : 240; /* s: what pitch moves does not calm down */
+    const long step = pitched ? 60 : 240, last = pitched ? 8 * DAY : 4 * DAY; /* s: what pitch moves does not calm down */
     struct track t;
     arb_ptr limits = _arb_vec_init(BANDS_OF), hours = _arb_vec_init(BANDS_OF);
+    struct bounds later;
     arb_t peak;
     arb_init(peak);
+    bounds_init(&later);
     s.n = n;
-    const bool run = track_run(&t, &s, 0, step, 8 * DAY);
+    const bool run = track_run(&t, &s, 0, step, last) && track_bounds(&later, &t, t.count - 1);
     for (int which = PSI; which <= ETA; which += ETA) {
         for (int k = 0; k < BANDS_OF; k++)
             arb_div_ui(limits + k, track_row(&t, 0) + which, bands[k], t.prec);
@@ -187,13 +189,14 @@ static void exits_of(struct computed *c, const char *motion, const char *n, stru
         track_peak(peak, &t, which, t.count - 1 - HALF_SWING / step, t.count - 1);
         for (int k = 0; k < BANDS_OF; k++) {
             char name[64];
-            const bool out = arb_gt(peak, limits + k);
-            give(c, bounded && !out, hours + k, "%s_%s_%s_%lu", motion, n, variable_names[which], bands[k]);
+            const bool out = arb_gt(peak, limits + k), in = pitched ? !out : arb_lt(later.of[which], limits + k);
+            give(c, bounded && in, hours + k, "%s_%s_%s_%lu", motion, n, variable_names[which], bands[k]);
             snprintf(name, sizeof name, "out_%s_%s_%lu", n, variable_names[which], bands[k]);
             if (pitched)
                 give_truth(c, name, run && out ? FOUND_TRUE : bounded && arb_is_finite(hours + k) ? FOUND_FALSE : UNDECIDED, CERTIFIED);
         }
     }
+    bounds_clear(&later);
     track_clear(&t);
     arb_clear(peak);
     _arb_vec_clear(hours, BANDS_OF);

@@ -2,7 +2,6 @@
  * The paper's simulation and its linear model: the integrator, how the motion settles, its oscillation, its damping.
  * Samples come from certified flows; what happens between and after them is bounded in track.h.
  */
-#include "algebra.h"
 #include "convergence.h"
 #include "give.h"
 #include "operation.h"
@@ -72,20 +71,38 @@ static void step_orders(struct computed *c)
     _arb_vec_clear(gap, 3);
 }
 
+/* The matrix of (40), n = 10, in units of Omega and L_ref, over psi theta eta and their rates. */
+static void linear_model(arb_mat_t a, slong prec)
+{
+    static const int input[FLOW_STATE] = {4, 5, 6, 8, -1, 7}, row[3] = {4, 3, 5}; /* of (40): it has no theta_dot */
+    arb_ptr in = _arb_vec_init(9), out = _arb_vec_init(3);
+    arb_one(in);
+    arb_one(in + 1);
+    arb_set_ui(in + 2, 10);
+    arb_set_ui(in + 3, 2);
+    for (int j = 0; j < FLOW_STATE; j++) {
+        for (int i = 4; i < 9; i++)
+            arb_set_ui(in + i, i == input[j]);
+        section_enclose(section_find(sheet(), "eq40"), in, prec, out);
+        for (int i = 0; i < 3; i++)
+            arb_set(arb_mat_entry(a, row[i], j), out + i);
+        if (j >= 3)
+            arb_one(arb_mat_entry(a, j - 3, j));
+    }
+    _arb_vec_clear(out, 3);
+    _arb_vec_clear(in, 9);
+}
+
 /*
  * A step of a method of order p <= 4 with p stages multiplies the state of a linear system by the terms of exp(h A) up
- * to h^p: Euler's with p = 1, the midpoint rule and Heun's with p = 2. A is the sheet's: (40), n = 10, units of Omega.
+ * to h^p: Euler's with p = 1, the midpoint rule and Heun's with p = 2.
  */
-static bool step_matrix(arb_mat_t step, const arb_t h, slong order, slong prec)
+static void step_matrix(arb_mat_t step, const arb_t h, slong order, slong prec)
 {
-    const slong parameters[4] = {1, 1, 10, 2}; /* Omega L_ref C1 C2 */
-    fmpq_mat_t rates;
     arb_mat_t a, power;
-    fmpq_mat_init(rates, FLOW_STATE, FLOW_STATE);
     arb_mat_init(a, FLOW_STATE, FLOW_STATE);
     arb_mat_init(power, FLOW_STATE, FLOW_STATE);
-    const bool known = linear_model(rates, parameters);
-    arb_mat_set_fmpq_mat(a, rates, prec);
+    linear_model(a, prec);
     arb_mat_scalar_mul_arb(a, a, h, prec);
     arb_mat_one(power);
     arb_mat_one(step);
@@ -96,12 +113,10 @@ static bool step_matrix(arb_mat_t step, const arb_t h, slong order, slong prec)
     }
     arb_mat_clear(power);
     arb_mat_clear(a);
-    fmpq_mat_clear(rates);
-    return known;
 }
 
 /* The largest error in pitch, and in psi and eta, that steps of that order make on the samples. */
-static bool order_error(arb_ptr error, const struct track *t, slong order)
+static void order_error(arb_ptr error, const struct track *t, slong order)
 {
     const slong prec = rk4_precision(TRACK_DIGITS, 20); /* 3 days are 19 radians */
     arb_mat_t step, state;
@@ -110,7 +125,7 @@ static bool order_error(arb_ptr error, const struct track *t, slong order)
     arb_mat_init(step, FLOW_STATE, FLOW_STATE);
     arb_mat_init(state, FLOW_STATE, 1);
     arb_mul_ui(gap, t->Omega, STEP, prec);
-    const bool known = step_matrix(step, gap, order, prec);
+    step_matrix(step, gap, order, prec);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set(arb_mat_entry(state, i, 0), track_row(t, 0) + i);
     _arb_vec_zero(error, 2);
@@ -128,7 +143,6 @@ static bool order_error(arb_ptr error, const struct track *t, slong order)
     arb_mat_clear(state);
     arb_mat_clear(step);
     arb_clear(gap);
-    return known;
 }
 
 /* Of methods of order 1 to 4, in the linear model, as fractions of the initial values. */
@@ -136,11 +150,11 @@ static void method_errors(struct computed *c)
 {
     arb_ptr error = _arb_vec_init(2);
     struct track t;
-    bool proved = track_run(&t, &(struct scene){.nonlinear = false}, 0, 12 * STEP, HORIZON);
+    const bool run = track_run(&t, &(struct scene){.nonlinear = false}, 0, 12 * STEP, HORIZON);
     for (slong order = 1; order <= 4; order++) {
-        proved = order_error(error, &t, order) && proved;
-        give(c, proved, error, "pitch_%ld", (long)order);
-        give(c, proved, error + 1, "rest_%ld", (long)order);
+        order_error(error, &t, order);
+        give(c, run, error, "pitch_%ld", (long)order);
+        give(c, run, error + 1, "rest_%ld", (long)order);
     }
     track_clear(&t);
     _arb_vec_clear(error, 2);

@@ -100,7 +100,7 @@ static void print_row(void *context, const struct verdict_row *r)
     p->verdicts[r->verdict]++;
 }
 
-bool print_claims(const struct proofs *proofs, const char *only, enum format format)
+bool print_claims(const struct proof_results *proofs, const char *only, enum format format)
 {
     struct printer p = {.format = format};
     struct statements claims;

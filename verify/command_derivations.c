@@ -1,7 +1,8 @@
-/* coulomb-tether verify derivations: the steps, each with its proof. */
+/* coulomb-tether verify derivations: the steps, each with its proof and what binds it. */
 #include "command_verify.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "command.h"
 
@@ -14,38 +15,74 @@ static void print_list(const char *const *texts, int count, int width)
     printf("%*s", width > 0 ? width : 0, "");
 }
 
-static void print_step(const struct proofs *p, int i)
+static const char *fault_of(const struct proof_results *p, int i)
+{
+    return p->bindings != NULL && p->bindings[i].fault.text[0] != '\0' ? p->bindings[i].fault.text : NULL;
+}
+
+/* NAME = VALUE, or NAME LOW ... HIGH: the states that a bound is proved on. */
+static void print_states(FILE *out, const struct document *d, const yaml_node_t *on)
+{
+    for (int i = 0; i < length_of(on); i++) {
+        const yaml_node_t *range = value_of(d, on, i);
+        fprintf(out, "%s%s ", i ? ", " : "", scalar(key_of(d, on, i)));
+        if (scalar(range) != NULL)
+            fprintf(out, "= %s", scalar(range));
+        else
+            fprintf(out, "%s ... %s", scalar(item_of(d, range, 0)), scalar(item_of(d, range, 1)));
+    }
+}
+
+static void print_remainder(const struct document *d, const struct remainder *r, const struct remainder_proof *proof)
+{
+    static const char *const states[] = {[REMAINDER_PROVED] = "certified",
+                                         [REMAINDER_EXCEEDED] = "BROKEN: it is exceeded",
+                                         [REMAINDER_TOO_WIDE] = "BROKEN: more than twice too wide",
+                                         [REMAINDER_UNDECIDED] = "BROKEN: not proved"};
+    printf("    (%s) drops at most %s %s: %s with %d boxes, %d %% of it reached, on ", r->equation, r->at_most, r->unit,
+           states[proof->state], proof->boxes, proof->percent);
+    print_states(stdout, d, r->on);
+    putchar('\n');
+}
+
+static void print_step(const struct proof_results *p, int i)
 {
     const struct step *s = &p->derivations.steps[i];
     const struct proof *proof = &p->corrected[i];
+    char *domain = identities_domain(&s->corrected);
     printf("%-24s ", s->id);
     print_list(s->from, s->from_count, 26);
     printf(" -> ");
     print_list(s->to, s->to_count, 12);
-    if (s->order < 0)
+    if (s->corrected.order < 0)
         printf("  exact  ");
     else
-        printf("  order %d", s->order);
-    if (proof->finding == FOUND_EQUAL)
-        printf("  %d points  degree %-5lu  2^-%d\n", proof->points, (unsigned long)s->corrected.degree, proof->bits);
-    else
-        printf("  BROKEN\n    %s\n", proof->evidence);
-    if (s->differs && p->printed[i].finding == FOUND_DIFFERENT)
+        printf("  order %d", s->corrected.order);
+    printf("  for %s\n", domain);
+    free(domain);
+    if (proof->result != IDENTITY_HOLDS)
+        printf("    BROKEN: %s\n", proof->evidence);
+    if (fault_of(p, i) != NULL)
+        printf("    NOT BOUND: %s\n", fault_of(p, i));
+    if (s->differs && p->printed[i].result == IDENTITY_DIFFERS)
         printf("    not as printed: %s\n", p->printed[i].evidence);
     else if (s->differs)
-        printf("    BROKEN: expected to fail as printed: %s\n",
-               p->printed[i].finding == FOUND_EQUAL ? "it holds" : p->printed[i].evidence);
+        printf("    BROKEN: expected to differ as printed: %s\n",
+               p->printed[i].result == IDENTITY_HOLDS ? "it holds" : p->printed[i].evidence);
+    for (int k = 0; k < s->remainder_count; k++)
+        print_remainder(&p->derivations.document, &s->remainders[k], &p->remainders[i][k]);
 }
 
-static void table_proofs(const struct proofs *p)
+static void table_proofs(const struct proof_results *p)
 {
     int holding = 0;
     for (int i = 0; i < p->derivations.step_count; i++) {
         print_step(p, i);
-        holding += proofs_step_holds(p, i);
+        holding += step_holds(p, i) && fault_of(p, i) == NULL;
     }
-    printf("%d of %d steps hold: %d points, largest degree %lu, a false one passes with a chance below 2^-%d\n",
-           holding, p->derivations.step_count, p->points, (unsigned long)p->degree, ENOUGH_BITS);
+    printf("%d of %d steps hold, by normal forms, in %.2f s\n", holding, p->derivations.step_count, p->seconds);
+    if (p->bindings != NULL)
+        printf("%d alterations of their equations were tried, in %.1f s\n", p->mutants, p->binding_seconds);
     if (p->gap != NULL)
         printf("equation %s is reached by no step, and is no definition\n", p->gap);
     else
@@ -64,46 +101,37 @@ static void json_list(const char *key, const char *const *texts, int count)
     putchar(']');
 }
 
-static void json_trial(const char *key, const struct trial *t, const struct proof *p)
+static void json_member(const char *key, const char *text)
 {
-    static const char *const findings[] = {
-        [FOUND_EQUAL] = "holds", [FOUND_DIFFERENT] = "differs", [FOUND_NOTHING] = "undecided"};
-    printf(",\n  \"%s\": {\"show\": [", key);
-    for (int i = 0; i < t->shown_count; i++) {
-        printf("%s{\"equality\": ", i ? ", " : "");
-        json_text(t->shown[i].text);
-        printf(", \"degree\": %lu}", (unsigned long)t->shown[i].degree);
-    }
-    printf("], \"finding\": \"%s\"", findings[p->finding]);
-    if (p->evidence != NULL) {
-        printf(", \"evidence\": ");
-        json_text(p->evidence);
-    }
-    printf(", \"degree\": %lu, \"bound\": \"2^-%d\", \"retries\": %d, \"points\": [", (unsigned long)t->degree,
-           p->bits, p->retries);
-    for (int k = 0; k < p->points; k++) {
-        const char *separator = k ? ", {" : "{";
-        for (int i = 0; i < t->program.inputs; i++) {
-            if (!t->needed[i])
-                continue;
-            char *number = fmpz_get_str(NULL, 10, p->drawn + (slong)k * t->program.inputs + i);
-            printf("%s\"%s\": \"%s\"", separator, t->program.names[i].text, number);
-            separator = ", ";
-            flint_free(number);
-        }
-        putchar('}');
-    }
-    fputs("]}", stdout);
+    if (text == NULL)
+        return;
+    printf(", \"%s\": ", key);
+    json_text(text);
 }
 
-/* The free quantities that are finite angles, the drawn t giving their cosine (t^2 - 1)/(t^2 + 1), or small. */
-static void json_variables(const char *key, const struct trial *t, bool small)
+static void json_identities(const char *key, const struct identities *t, const struct proof *p)
+{
+    static const char *const results[] = {
+        [IDENTITY_HOLDS] = "holds", [IDENTITY_DIFFERS] = "differs", [IDENTITY_UNDECIDED] = "undecided"};
+    printf(",\n  \"%s\": {\"show\": [", key);
+    for (int i = 0; i < t->shown_count; i++) {
+        fputs(i ? ", " : "", stdout);
+        json_text(t->shown[i].text);
+    }
+    printf("], \"finding\": \"%s\"", results[p->result]);
+    json_member("evidence", p->evidence);
+    json_member("difference", p->difference);
+    putchar('}');
+}
+
+/* The free quantities that are small, or finite angles. */
+static void json_variables(const char *key, const struct identities *t, bool small)
 {
     const char *separator = "";
     printf(", \"%s\": [", key);
     for (int i = 0; i < t->program.inputs; i++) {
         const struct variable *v = &t->variables[i];
-        if (!t->needed[i] || !(small ? v->power > 0 : v->kind == KIND_ANGLE))
+        if (!t->needed[i] || !(small ? v->power > 0 : v->angle))
             continue;
         printf("%s\"%s\"", separator, t->program.names[i].text);
         separator = ", ";
@@ -111,30 +139,34 @@ static void json_variables(const char *key, const struct trial *t, bool small)
     putchar(']');
 }
 
-static void json_step(const struct proofs *p, int i)
+static void json_step(const struct proof_results *p, int i)
 {
     const struct step *s = &p->derivations.steps[i];
+    char *domain = identities_domain(&s->corrected);
     printf("{\"id\": \"%s\", \"title\": ", s->id);
     json_text(s->title);
     json_list("from", s->from, s->from_count);
     json_list("to", s->to, s->to_count);
-    if (s->order >= 0)
-        printf(", \"order\": %d", s->order);
+    if (s->corrected.order >= 0)
+        printf(", \"order\": %d", s->corrected.order);
     json_variables("small", &s->corrected, true);
     json_variables("angles", &s->corrected, false);
+    json_member("domain", domain);
+    json_member("unbound", fault_of(p, i));
+    free(domain);
     printf(", \"let\": {");
     for (int k = 0; s->let != NULL && k < length_of(s->let); k++) {
         printf("%s\"%s\": ", k ? ", " : "", scalar(key_of(&p->derivations.document, s->let, k)));
         json_text(scalar(value_of(&p->derivations.document, s->let, k)));
     }
     putchar('}');
-    json_trial("step", &s->corrected, &p->corrected[i]);
+    json_identities("step", &s->corrected, &p->corrected[i]);
     if (s->differs)
-        json_trial("printed", &s->printed, &p->printed[i]);
+        json_identities("printed", &s->printed, &p->printed[i]);
     putchar('}');
 }
 
-static void json_proofs(const struct proofs *p)
+static void json_proofs(const struct proof_results *p)
 {
     printf("{\"fine\": %s, \"steps\": [\n ", p->fine ? "true" : "false");
     for (int i = 0; i < p->derivations.step_count; i++) {
@@ -144,7 +176,7 @@ static void json_proofs(const struct proofs *p)
     puts("]}");
 }
 
-void print_proofs(const struct proofs *p, enum format format)
+void print_proofs(const struct proof_results *p, enum format format)
 {
     (format == FORMAT_JSON ? json_proofs : table_proofs)(p);
 }

@@ -38,7 +38,7 @@ static void print_formulas(const char *heading, const struct section *s, const s
         printf("  %-8s %s\n", i ? "" : "domain", f->conditions[i].text);
 }
 
-static void print_verdicts(const struct proofs *p, const struct section *s)
+static void print_verdicts(const struct proof_results *p, const struct section *s)
 {
     for (int i = 0; i < s->numbers; i++) {
         struct verdict_row row = {.id = s->id};
@@ -48,7 +48,7 @@ static void print_verdicts(const struct proofs *p, const struct section *s)
     }
 }
 
-static void print_section(const struct proofs *p, const struct section *s)
+static void print_section(const struct proof_results *p, const struct section *s)
 {
     printf("%s  Eq. ", s->id);
     print_numbers(s, 0);
@@ -104,7 +104,7 @@ static void json_formulas(const char *key, const struct section *s, const struct
     printf("]}");
 }
 
-static void json_section(const struct proofs *p, const struct section *s)
+static void json_section(const struct proof_results *p, const struct section *s)
 {
     printf("{\"id\": \"%s\", \"equations\": [", s->id);
     for (int i = 0; i < s->numbers; i++)
@@ -128,7 +128,7 @@ static void json_section(const struct proofs *p, const struct section *s)
     printf("}}");
 }
 
-static void json_sections(const struct proofs *p)
+static void json_sections(const struct proof_results *p)
 {
     for (int i = 0; i < sheet()->section_count; i++) {
         fputs(i ? ",\n " : "[", stdout);
@@ -163,15 +163,15 @@ int command_equations(int count, char **texts)
     if (status != EXIT_DONE)
         return status;
     const bool json = option_given(&a, "--json");
-    struct proofs proofs;
-    proofs_init(&proofs, 1);
+    struct proof_results proofs;
+    proof_results_init(&proofs, false);
     if (one != NULL)
         (json ? json_section : print_section)(&proofs, one);
     else if (json)
         json_sections(&proofs);
     else
         print_sections();
-    proofs_clear(&proofs);
+    proof_results_clear(&proofs);
     if (json)
         putchar('\n');
     return output_finished();

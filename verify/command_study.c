@@ -10,18 +10,20 @@
 
 enum { PARAMETER_DIGITS = 4, STUDY_DIGITS = 6, ROW_DIGITS = 12, PREC = 192 };
 
-/* The numbers of a row behind its first, an empty field for NULL; false where digits are not proved. */
+/*
+ * The numbers of a row after its first, an empty field for NULL; false where a ball does not decide its digits. The
+ * balls of a measured study hold what was computed, not what is true.
+ */
 static bool print_numbers(const arb_srcptr *x, int count, slong digits)
 {
-    bool proved = true;
+    bool decided = true;
     for (int i = 0; i < count; i++) {
         char *text = x[i] != NULL ? decimal_of_ball(x[i], digits) : NULL;
         printf(",%s", text != NULL ? text : "");
-        proved = proved && (x[i] == NULL || text != NULL);
+        decided = decided && (x[i] == NULL || text != NULL);
         free(text);
     }
-    putchar('\n');
-    return proved;
+    return decided;
 }
 
 /* ---- convergence ------------------------------------------------------- */
@@ -29,30 +31,31 @@ static bool print_numbers(const arb_srcptr *x, int count, slong digits)
 static bool print_variable(const struct convergence *c, int variable)
 {
     const struct study *s = c->study;
-    bool proved = true;
+    bool decided = true;
     for (int row = 0; row < s->rows; row++) {
         const int at = row * VARIABLES + variable;
         arb_srcptr numbers[] = {c->differences + at, row > 0 ? c->orders + at : NULL, c->constants + at};
         char *parameter = decimal_of_rational(c->parameters + row, PARAMETER_DIGITS);
         printf("%s,%s,%s", s->name, variable_names[s->which[variable]], parameter);
-        proved = print_numbers(numbers, 3, STUDY_DIGITS) && proved;
+        decided = print_numbers(numbers, 3, STUDY_DIGITS) && decided;
+        printf(",%s\n", s->measured ? "measured" : "certified");
         free(parameter);
     }
-    return proved;
+    return decided;
 }
 
 static bool print_convergence(void)
 {
-    bool proved = true;
-    puts("study,variable,parameter,difference,order,constant");
-    for (const struct study *s = studies; s->name != NULL && proved; s++) {
+    bool decided = true;
+    puts("study,variable,parameter,difference,order,constant,how");
+    for (const struct study *s = studies; s->name != NULL && decided; s++) {
         struct convergence c;
-        proved = convergence_init(&c, s);
-        for (int i = 0; i < s->count && proved; i++)
-            proved = print_variable(&c, i);
+        decided = convergence_init(&c, s);
+        for (int i = 0; i < s->count && decided; i++)
+            decided = print_variable(&c, i);
         convergence_clear(&c);
     }
-    return proved;
+    return decided;
 }
 
 /* ---- motions beside the closed forms ----------------------------------- */
@@ -85,6 +88,7 @@ static bool print_forced(void)
         arb_srcptr numbers[] = {row + PSI, dL, other + PSI, dL + 1, forced + PSI, dL + 2};
         printf("%ld", (long)k * STEP);
         proved = print_numbers(numbers, 6, ROW_DIGITS);
+        putchar('\n');
     }
     second_order_clear(&o);
     track_clear(&motion);
@@ -120,6 +124,7 @@ static bool print_pitch(void)
         arb_mul(law, law, a, PREC);
         printf("%ld", (long)k * STEP);
         proved = print_numbers(numbers, 3, ROW_DIGITS);
+        putchar('\n');
     }
     second_order_clear(&o);
     track_clear(&t);

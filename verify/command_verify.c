@@ -11,7 +11,6 @@
 #include "verdicts.h"
 
 enum {
-    SEED = 1,     /* of the points of derivation steps; --seed draws others   */
     INPUTS = 1000 /* for each operation of verify errors; --count takes other */
 };
 
@@ -21,11 +20,10 @@ struct request {
     const char *claim; /* its id; NULL: all */
     bool graph;
     enum format format;
-    ulong seed;
     long count;
 };
 
-static bool verify_derivations(const struct proofs *p, const struct request *request)
+static bool verify_derivations(const struct proof_results *p, const struct request *request)
 {
     if (request->graph)
         derivations_graph(&p->derivations);
@@ -34,12 +32,12 @@ static bool verify_derivations(const struct proofs *p, const struct request *req
     return p->fine;
 }
 
-static bool verify_claims(const struct proofs *p, const struct request *request)
+static bool verify_claims(const struct proof_results *p, const struct request *request)
 {
     return print_claims(p, request->claim, request->format);
 }
 
-static bool verify_errors(const struct proofs *p, const struct request *request)
+static bool verify_errors(const struct proof_results *p, const struct request *request)
 {
     (void)p;
     return print_errors(request->count, request->format);
@@ -47,7 +45,7 @@ static bool verify_errors(const struct proofs *p, const struct request *request)
 
 static const struct part {
     const char *name;
-    bool (*verify)(const struct proofs *p, const struct request *request); /* whether all of it holds */
+    bool (*verify)(const struct proof_results *p, const struct request *request); /* whether all of it holds */
 } parts[] = {{"derivations", verify_derivations}, {"claims", verify_claims}, {"errors", verify_errors}};
 
 enum { PARTS = sizeof parts / sizeof *parts };
@@ -103,19 +101,16 @@ static int read_request(const struct arguments *a, struct request *r)
                           .format = json       ? FORMAT_JSON
                                     : csv      ? FORMAT_CSV
                                     : markdown ? FORMAT_MARKDOWN
-                                               : FORMAT_TABLE,
-                          .seed = SEED};
+                                               : FORMAT_TABLE};
     if (json + csv + markdown > 1)
         return complain(EXIT_USAGE, "--json, --csv, --markdown: expected one of them");
-    int status = read_integer("--seed", option_value(a, "--seed"), &r->seed);
-    if (status == EXIT_DONE)
-        status = read_integer("--count", option_value(a, "--count"), &count);
+    int status = read_integer("--count", option_value(a, "--count"), &count);
     r->count = count > LONG_MAX ? LONG_MAX : (long)count;
     return status != EXIT_DONE ? status : check_request(a, r);
 }
 
 /* Of a row of the verdicts: those of equations and of Table 1 included. */
-static int check_claim(const struct proofs *p, const char *id)
+static int check_claim(const struct proof_results *p, const char *id)
 {
     struct statements claims;
     char hint[80];
@@ -135,8 +130,8 @@ static int verify(const struct request *request)
 {
     int status = EXIT_DONE;
     const char *separator = "{";
-    struct proofs p;
-    proofs_init(&p, request->seed);
+    struct proof_results p;
+    proof_results_init(&p, !request->graph && (request->part == NULL || strcmp(request->part, parts[0].name) == 0));
     if (request->claim != NULL)
         status = check_claim(&p, request->claim);
     for (int i = 0; i < PARTS && status != EXIT_USAGE; i++) {
@@ -148,7 +143,7 @@ static int verify(const struct request *request)
         if (!parts[i].verify(&p, request))
             status = EXIT_FAILED_CHECK;
     }
-    proofs_clear(&p);
+    proof_results_clear(&p);
     if (request->format == FORMAT_JSON && status != EXIT_USAGE)
         puts("}");
     return status;
@@ -157,8 +152,8 @@ static int verify(const struct request *request)
 int command_verify(int count, char **texts)
 {
     struct option options[] = {{"--json", false, NULL}, {"--csv", false, NULL}, {"--markdown", false, NULL},
-                               {"--graph", false, NULL}, {"--seed", true, NULL}, {"--count", true, NULL}};
-    struct arguments a = {.subcommand = "verify", .options = options, .option_count = 6};
+                               {"--graph", false, NULL}, {"--count", true, NULL}};
+    struct arguments a = {.subcommand = "verify", .options = options, .option_count = 5};
     struct request request;
     int status = arguments_split(&a, count, texts, 2);
     if (status != EXIT_DONE)

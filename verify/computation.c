@@ -6,7 +6,7 @@
 
 enum { LONGEST_WORD = 63 };
 
-struct result {
+struct handed {
     char name[LONGEST_WORD + 1];
     arb_t value;
     enum truth truth;
@@ -16,22 +16,22 @@ struct result {
 struct computed {
     const struct computation *of;
     bool done;
-    struct result *numbers, *truths;
+    struct handed *numbers, *truths;
     int number_count, truth_count;
 };
 
 static const struct computation *const lists[] = {
-    computations_loop, computations_charges, computations_motion, computations_convergence, computations_forced, computations_beyond,
+    computations_loop, computations_motion, computations_convergence, computations_forced, computations_beyond,
 };
 
-static int results_of(struct result **results, const char *names)
+static int results_of(struct handed **results, const char *names)
 {
     char word[LONGEST_WORD + 1];
     int count = 0;
     for (int length; sscanf(names, " %63s%n", word, &length) == 1; names += length) {
         *results = memory(*results, (size_t)count + 1, sizeof **results);
-        struct result *r = &(*results)[count++];
-        *r = (struct result){.truth = UNDECIDED};
+        struct handed *r = &(*results)[count++];
+        *r = (struct handed){.truth = UNDECIDED};
         memcpy(r->name, word, sizeof word);
         arb_init(r->value);
         arb_indeterminate(r->value);
@@ -77,7 +77,7 @@ const struct computation *computation_of(const struct computed *c)
     return c->of;
 }
 
-static struct result *result(struct result *results, int count, const char *name)
+static struct handed *result(struct handed *results, int count, const char *name)
 {
     for (int i = 0; i < count; i++)
         if (strcmp(results[i].name, name) == 0)
@@ -94,7 +94,7 @@ static void run_once(struct computed *c)
 
 bool computed_number(struct computed *c, const char *name, arb_t value, enum how *how)
 {
-    const struct result *r = result(c->numbers, c->number_count, name);
+    const struct handed *r = result(c->numbers, c->number_count, name);
     if (r == NULL)
         return false;
     run_once(c);
@@ -105,7 +105,7 @@ bool computed_number(struct computed *c, const char *name, arb_t value, enum how
 
 bool computed_truth(struct computed *c, const char *name, enum truth *truth, enum how *how)
 {
-    const struct result *r = result(c->truths, c->truth_count, name);
+    const struct handed *r = result(c->truths, c->truth_count, name);
     if (r == NULL)
         return false;
     run_once(c);
@@ -115,9 +115,9 @@ bool computed_truth(struct computed *c, const char *name, enum truth *truth, enu
 }
 
 /* A name that the computation does not announce is a mistake of the program. */
-static struct result *announced(struct result *results, int count, const char *name)
+static struct handed *announced(struct handed *results, int count, const char *name)
 {
-    struct result *r = result(results, count, name);
+    struct handed *r = result(results, count, name);
     if (r == NULL) {
         fprintf(stderr, "coulomb-tether: '%s' is not announced by its computation\n", name);
         abort();
@@ -127,14 +127,14 @@ static struct result *announced(struct result *results, int count, const char *n
 
 void give_number(struct computed *c, const char *name, const arb_t value, enum how how)
 {
-    struct result *r = announced(c->numbers, c->number_count, name);
+    struct handed *r = announced(c->numbers, c->number_count, name);
     arb_set(r->value, value);
     r->how = how;
 }
 
 void give_truth(struct computed *c, const char *name, enum truth truth, enum how how)
 {
-    struct result *r = announced(c->truths, c->truth_count, name);
+    struct handed *r = announced(c->truths, c->truth_count, name);
     r->truth = truth;
     r->how = how;
 }

@@ -15,6 +15,17 @@ struct reader_of {
 
 enum { LONGEST = 63, DEEPEST = 50 };
 
+bool mentions(const char *text, const char *word)
+{
+    const size_t length = strlen(word);
+    for (const char *at = text; (at = strstr(at, word)) != NULL; at++) {
+        const bool begins = at == text || !(isalnum((unsigned char)at[-1]) || strchr("_.", at[-1]) != NULL);
+        if (begins && !isalnum((unsigned char)at[length]) && at[length] != '_')
+            return true;
+    }
+    return false;
+}
+
 enum truth truth_not(enum truth t)
 {
     return t == FOUND_TRUE ? FOUND_FALSE : t == FOUND_FALSE ? FOUND_TRUE : UNDECIDED;

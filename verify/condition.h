@@ -16,4 +16,7 @@ enum truth condition_decide(const char *text, condition_value *value, void *cont
 
 enum truth truth_not(enum truth t);
 
+/* Whether a text has that word. */
+bool mentions(const char *text, const char *word);
+
 #endif

@@ -216,9 +216,10 @@ const struct study studies[] = {
     {"rk4_linear_24000s", TETHER, {4, 4, 4, 4, 4, 4}, "320", 2, 7, from_steps, .seconds = 24000},
     {"rk4_nonlinear_24000s", TETHER, {4, 4, 4, 4, 4, 4}, "320", 2, 7, from_steps, .seconds = 24000,
      .nonlinear = true},
-    {"hill_43200s", PAIR, {1, 1, 1, 2, 2, 2}, "0.001", 10, 3, from_inverse_square, .seconds = 43200},
+    {"hill_43200s", PAIR, {1, 1, 1, 2, 2, 2}, "0.001", 10, 3, from_inverse_square, .seconds = 43200,
+     .measured = true},
     {"hill_unequal_43200s", PAIR, {1, 1, 1, 1, 1, 1}, "0.001", 10, 3, from_inverse_square, .seconds = 43200,
-     .m1 = "100", .m2 = "200"},
+     .measured = true, .m1 = "100", .m2 = "200"},
     {"forced_43200s", TETHER, {4, 5, 4, 4, 5, 4}, "0.1", 10, 4, from_forced, .seconds = 43200},
     {"slow_law", PITCH, {2, 2}, "0.2", 2, 3, from_slow_law, .seconds = 0},
     {.name = NULL}};

@@ -10,7 +10,7 @@
  *                       the amplitude a of pitch in rad
  *     slow_law          the same after 1/a^2 radians of orbit: the amplitude, as a fraction, and the phase of pitch
  *
- * All are certified, but hill_*, which is measured.
+ * All are certified, but hill_*, which is measured: its Taylor steps have no proved bound on what they leave out.
  */
 #ifndef CT_CONVERGENCE_H
 #define CT_CONVERGENCE_H
@@ -33,6 +33,7 @@ struct study {
     bool (*differences)(arb_ptr d, const struct study *s, const fmpq_t parameter);
     long seconds;                /* after which motions are compared */
     bool nonlinear, pitch_alone;
+    bool measured;               /* false: certified */
     const char *m1, *m2;         /* where they are not Table 1's */
 };
 

@@ -1,73 +1,30 @@
 /*
- * The derivation steps, paper/derivations.yaml, and their proof.
- *
- * A step is a list of equalities between formulas over free quantities. It is proved by evaluating both
- * sides exactly (arithmetic_series) at random points, until the chance that a false one has passed is
- * below 2^-100; degree.h has the reasoning.
+ * The derivation steps, paper/derivations.yaml: identities that lead from equations and principles to equations, their
+ * proof, and what binds a step to the equations that it names.
  */
 #ifndef CT_DERIVATION_H
 #define CT_DERIVATION_H
 
-#include "document.h"
-#include "sheet.h"
+#include "identities.h"
+#include "remainder.h"
 
-enum {
-    MOST_EQUATIONS = 16, /* that a step leads from, or to               */
-    ENOUGH_BITS = 100    /* a false step passes with a chance below 2^-100 */
-};
-
-/* What a free quantity is drawn from: 2^64 integers, or so many rational points of the circle. */
-enum kind { KIND_ANY, KIND_POSITIVE, KIND_ANGLE };
-
-struct variable {
-    enum kind kind;
-    int power;   /* the drawn number is multiplied by epsilon^power */
-};
-
-struct equality {
-    const char *text;
-    int left, right;
-    ulong degree; /* of the numerator of left - right */
-};
-
-/* What a square root is said to be equal to. */
-struct root {
-    const char *text;
-    int node;
-    bool positive; /* found to be */
-};
-
-/* What is put to the test: the step, or what becomes of it as printed. */
-struct trial {
-    struct program program;
-    struct variable *variables; /* of its inputs */
-    struct equality *shown;
-    struct root *roots;
-    char *needed;               /* needed[i]: something shown rests on node i                       */
-    int *radicals;              /* nodes: the square roots that something shown rests on            */
-    int shown_count, root_count, radical_count;
-    slong terms;                /* of the series: order + 1                                         */
-    ulong degree;               /* the largest of any equality, radicand = root^2 included          */
-};
-
-struct principle {
-    const char *id, *text;
-};
+enum { MOST_EQUATIONS = 16 }; /* that a step leads from, or to */
 
 struct step {
     const char *id, *title, *note;
-    const char *from[MOST_EQUATIONS], *to[MOST_EQUATIONS]; /* equation numbers; `from` principles too */
+    const char *from[MOST_EQUATIONS], *to[MOST_EQUATIONS]; /* see the head of derivations.yaml */
     int from_count, to_count;
-    int order;                  /* the highest power of epsilon that is compared; -1: exact */
-    const yaml_node_t *let;     /* NULL: there is none */
-    struct trial corrected, printed;
-    bool differs;               /* `printed` is there, and must not hold */
+    const yaml_node_t *node, *let;  /* let: NULL, there is none */
+    struct identities corrected, printed;
+    bool differs;                   /* `printed` is there, and must not hold */
+    struct remainder *remainders;   /* what is dropped, and how large that may be */
+    int remainder_count;
 };
 
 struct derivations {
-    struct document document;   /* everything below points into it */
+    struct document document;       /* everything below points into it */
     const struct sheet *sheet;
-    struct principle *principles;
+    struct definitions definitions; /* principles, then properties     */
     struct step *steps;
     int principle_count, step_count;
 };
@@ -77,8 +34,36 @@ int derivations_read(struct derivations *d, const struct sheet *s, const char *t
                      const char *name, struct message *why);
 void derivations_clear(struct derivations *d);
 
-/* Whether an entry of `from` or `to` ("6a", or "6" for all of it) stands for this equation number. */
-bool stands_for(const char *entry, const char *equation);
+/* What the formulas of a step may name; as altered, NULL: as they are. */
+struct scope step_scope(const struct derivations *d, const struct step *s, const struct alteration *a);
+
+/* `remainders`, when the identities have been read; false after a complaint. */
+bool step_read_remainders(struct step *step, const struct scope *s);
+
+/* Its identities once more, altered; false where they cannot be read so. */
+bool step_read_altered(struct identities *t, const struct derivations *d, const struct step *s,
+                       const struct alteration *a);
+
+/* ---- what `from` and `to` name ---- */
+
+/* A formula that an entry stands for: an output or named subexpression of a section, or both sides of a relation. */
+struct entry_part {
+    const struct section *section;
+    const struct relation *relation; /* NULL: none */
+    int node;
+    const char *name, *equation;     /* equation: its number; NULL of a definition */
+};
+
+enum { MOST_PARTS = 64 };
+int entry_parts(const struct derivations *d, const char *entry, struct entry_part *parts);
+
+bool same_part(const struct entry_part *a, const struct entry_part *b);
+
+/* Whether the entry stands for what a formula takes of the sheet. */
+bool entry_concerns(const struct derivations *d, const char *entry, const struct use *u);
+
+/* Whether it stands for an equation of this number ("6" and "6a" do for 6a, eq10lin and eq10.x1 for 10). */
+bool entry_leads_to(const struct derivations *d, const char *entry, const char *equation);
 
 /*
  * The first equation number of the sheet that neither is a definition (a section that computes nothing)
@@ -86,27 +71,15 @@ bool stands_for(const char *entry, const char *equation);
  */
 const char *derivations_gap(const struct derivations *d);
 
-enum finding { FOUND_EQUAL, FOUND_DIFFERENT, FOUND_NOTHING };
+/* ---- what binds a step ---- */
 
-struct proof {
-    enum finding finding;
-    int points, retries;  /* points tried with success, points replaced by others  */
-    int bits;             /* a false step would pass with a chance below 2^-bits   */
-    fmpz *drawn;          /* the numbers drawn: point by point, input by input     */
-    slong allocated;
-    char *evidence;       /* of what does not hold: the first coefficient, the point */
+struct binding {
+    struct message fault; /* empty: the step shows what it says; else file, line, column and what is wrong */
+    int mutants;          /* formulas altered, one at a time */
 };
 
-/* What a mapping {angles, positive, free, small, order, rates, let, roots, show} says; false after a complaint. */
-bool trial_read(struct trial *t, const struct sheet *s, struct document *document, const yaml_node_t *mapping);
-void trial_clear(struct trial *t);
-
-/* What is known of a trial as soon as it is read: needed, radicals, degrees, signs of the roots. */
-void trial_prepare(struct trial *t);
-
-/* The same seed draws the same points. */
-void trial_prove(const struct trial *t, ulong seed, struct proof *p);
-void proof_clear(struct proof *p);
+/* Of a step whose identities hold. */
+void step_bind(const struct derivations *d, const struct step *s, struct binding *b);
 
 /* The graph of equations, principles and steps on standard output, for Graphviz's dot. */
 void derivations_graph(const struct derivations *d);

@@ -94,6 +94,16 @@ void program_needs(const struct program *p, int node, const int *stand_in, char 
     }
 }
 
+void program_redirect(struct program *p, int node, int instead, int *wanted)
+{
+    for (int i = node + 1; i < p->count; i++) {
+        p->nodes[i].left = p->nodes[i].left == node ? instead : p->nodes[i].left;
+        p->nodes[i].right = p->nodes[i].right == node ? instead : p->nodes[i].right;
+    }
+    if (*wanted == node)
+        *wanted = instead;
+}
+
 int program_inline(struct program *p, const struct program *from, int node, const int *stand_in)
 {
     int *copy = memory(NULL, (size_t)node + 1, sizeof *copy);

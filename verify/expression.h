@@ -81,6 +81,9 @@ int parse_refuse(struct parser *s, const char *expected);          /* -1, and "e
  */
 int program_inline(struct program *p, const struct program *from, int node, const int *stand_in);
 
+/* What rests on a node rests on another, earlier one instead; so does *wanted. */
+void program_redirect(struct program *p, int node, int instead, int *wanted);
+
 /* needed[i]: the node rests on node i, and not by way of a node that stand_in (NULL: none) replaces. */
 void program_needs(const struct program *p, int node, const int *stand_in, char *needed);
 

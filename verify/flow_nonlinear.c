@@ -24,7 +24,7 @@ enum {
     TUBE_ORDER = 12,      /* of the derivatives, which only steer the set: ...                            */
     STEADY = 10,          /* ... to know them to 2^-10 will do                                            */
     LEAST_STEP = -32,     /* log2 of radians: shorter steps ...                                           */
-    CLOSE = -8,           /* ... where r < 2^-8 r_ref are a collision                                     */
+    CLOSE = -7,           /* ... where r < 2^-7 r_ref are given up                                        */
     MOST_HALVINGS = 32,   /* of a step too long to prove: beyond that the set is too wide                 */
     MOST_STEPS = 100000,  /* 30 days of Table 1 take some 500                                             */
     HALF = FLOW_STATE / 2 /* positions, then velocities                                                   */
@@ -333,6 +333,24 @@ static bool ordered(const fmpq *times, slong count, int direction)
     return true;
 }
 
+/* Whether the craft are closer than 2^CLOSE L_ref wherever in the set they are. */
+static bool is_close(const struct flow *f)
+{
+    arb_ptr box = _arb_vec_init(FLOW_STATE);
+    arb_t r;
+    arf_t bound;
+    arb_init(r);
+    arf_init(bound);
+    lohner_to_box(box, &f->set);
+    arb_dot(r, NULL, 0, box, 1, box, 1, HALF, f->prec);
+    arb_get_ubound_arf(bound, r, f->prec);
+    bool close = arf_cmp_2exp_si(bound, 2 * CLOSE) < 0;
+    _arb_vec_clear(box, FLOW_STATE);
+    arb_clear(r);
+    arf_clear(bound);
+    return close;
+}
+
 /* Expands about the start of a step and proves its length. */
 static enum flow_status begin_step(struct flow *f, slong digits, double *step)
 {
@@ -340,8 +358,8 @@ static enum flow_status begin_step(struct flow *f, slong digits, double *step)
         return FLOW_WIDE;
     expand(f);
     *step = step_length(f);
-    if (*step < ldexp(1, LEAST_STEP) && position_size(f, 0) < CLOSE)
-        return FLOW_COLLISION;
+    if (*step < ldexp(1, LEAST_STEP) && is_close(f))
+        return FLOW_CLOSE;
     *step = proved_step(f, *step);
     return *step > 0 ? FLOW_DONE : FLOW_WIDE;
 }

@@ -4,11 +4,17 @@
 
 #include "claim.h"
 
-/* A certified number, or an indeterminate one where it was not proved; its name is printf-like. */
 #if defined(__GNUC__)
-__attribute__((format(printf, 4, 5)))
+#define NAMED_LIKE_PRINTF __attribute__((format(printf, 4, 5)))
+#else
+#define NAMED_LIKE_PRINTF
 #endif
-void give(struct computed *c, bool proved, const arb_t x, const char *name, ...);
+
+/* A certified number, or an indeterminate one where it was not proved. */
+NAMED_LIKE_PRINTF void give(struct computed *c, bool proved, const arb_t x, const char *name, ...);
+
+/* The same of a number that is measured. */
+NAMED_LIKE_PRINTF void give_measured(struct computed *c, bool found, const arb_t x, const char *name, ...);
 
 /* Names for `numbers` of a computation, of three and of six coordinates. */
 #define ANGLES_AND_LENGTH(before, after) " " before "psi" after " " before "theta" after " " before "dL" after

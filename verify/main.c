@@ -33,7 +33,7 @@ static const struct subcommand {
      "    a motion as CSV; names: m1 m2 L_ref k_c Omega n C1 C2 psi theta dL psi_dot theta_dot\n"
      "    dL_dot, and for nonlinear x1 y1 z1 x1_dot y1_dot z1_dot in place of the angles\n"},
     {"verify", command_verify,
-     "verify [derivations|claims [ID]|errors] [--json] [--csv] [--graph] [--seed S] [--count N]\n"
+     "verify [derivations|claims [ID]|errors] [--json] [--csv] [--graph] [--count N]\n"
      "    the proofs of the derivation steps, the verdicts, ref's measured error; --graph draws the steps for\n"
      "    dot, --csv prints the verdicts as CSV, --count sets the random inputs of errors\n"},
     {"study", command_study,

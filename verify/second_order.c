@@ -1,7 +1,7 @@
 #include "second_order.h"
 
 #include "flow.h"
-#include "proofs.h"
+#include "proof_results.h"
 
 static arb_ptr value(const struct second_order *o, const char *name)
 {
@@ -26,13 +26,13 @@ void second_order_clear(struct second_order *o)
     derivations_clear(&o->derivations);
 }
 
-int second_order_proof(const struct second_order *o)
+bool second_order_holds(const struct second_order *o)
 {
     struct proof p;
-    trial_prove(&step_named(&o->derivations, "second_order")->corrected, 1, &p);
-    int bits = p.finding == FOUND_EQUAL ? p.bits : 0;
+    identities_prove(&step_named(&o->derivations, "second_order")->corrected, &p);
+    const bool holds = p.result == IDENTITY_HOLDS;
     proof_clear(&p);
-    return bits;
+    return holds;
 }
 
 arb_srcptr second_order_get(const struct second_order *o, const char *name)

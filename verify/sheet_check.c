@@ -54,7 +54,7 @@ static int check_sheet(struct sheet *s, const char *name)
     return status != 0;
 }
 
-static int check_derivations(struct proofs *p, const char *name)
+static int check_derivations(struct proof_results *p, const char *name)
 {
     struct message why;
     size_t length;
@@ -66,7 +66,7 @@ static int check_derivations(struct proofs *p, const char *name)
     return status != 0;
 }
 
-static int check_claims(const struct proofs *p, const char *name)
+static int check_claims(const struct proof_results *p, const char *name)
 {
     struct statements s;
     struct message why;
@@ -83,7 +83,7 @@ static int check_claims(const struct proofs *p, const char *name)
 
 int main(int count, char **arguments)
 {
-    struct proofs p = {.fine = false};
+    struct proof_results p = {.fine = false};
     int status = 0;
     if (count < 2 || count > 4) {
         fputs("usage: sheet-check EQUATIONS [DERIVATIONS [CLAIMS]]\n", stderr);

@@ -8,7 +8,6 @@
 #include "computation.h"
 #include "condition.h"
 #include "decimal.h"
-#include "statement_reader.h"
 
 const char *const verdict_names[] = {"undecided", "holds", "holds as corrected", "qualified", "refuted", "definition", "not decidable"};
 const char *const how_names[] = {"exact", "certified", "measured"};

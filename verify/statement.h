@@ -9,7 +9,7 @@
 
 #include "claim.h"
 #include "marked.h"
-#include "proofs.h"
+#include "proof_results.h"
 
 enum { MOST_ASSERTIONS = 40, MOST_VERDICTS = 4, MOST_EACH = 3, MOST_TURNS = 8 };
 
@@ -51,7 +51,7 @@ struct assertion {
     const yaml_node_t *node;
     enum assertion_kind kind;
     enum ordering ordering;
-    struct trial trial;           /* of an equality for all values                      */
+    struct identities identity;   /* of an equality for all values                      */
     bool everywhere;              /* ... which it is                                    */
     struct formula formula;       /* left - right; whose roots; a polynomial            */
     const char *variable;         /* that moves between low and high; NULL: none        */
@@ -87,7 +87,7 @@ struct quoted_number {
 
 struct statement {
     const char *id, *where, *kind, *claim, *why, *evidence;
-    const yaml_node_t *given, *verdict;
+    const yaml_node_t *given, *prove, *verdict;
     struct assertion *assertions;
     int assertion_count;
     enum verdict verdicts[MOST_VERDICTS];
@@ -104,7 +104,7 @@ struct statement {
 struct statements {
     struct document document;
     const struct sheet *sheet;
-    const struct proofs *proofs;
+    const struct proof_results *proofs;
     struct statement *list;
     int count;
     struct computed **computed;
@@ -114,7 +114,7 @@ struct statements {
 };
 
 /* Reads them; -1 and "name:line:column: expected ..." where the sheet is broken. `proofs` may have proved nothing yet. */
-int statements_read(struct statements *s, const struct proofs *proofs, const char *text, size_t length, const char *name,
+int statements_read(struct statements *s, const struct proof_results *proofs, const char *text, size_t length, const char *name,
                     struct message *why);
 void statements_clear(struct statements *s);
 struct statement *statement_find(const struct statements *s, const char *id);

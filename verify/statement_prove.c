@@ -2,10 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "algebra.h"
 #include "computation.h"
-#include "series.h"
 #include "statement.h"
+#include "symbolic.h"
 
 enum { BITS = 128, MOST_BITS = 1024, DEEPEST = 16 };
 
@@ -285,21 +284,44 @@ static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const ch
     struct bindings b = *at;
     struct machine m;
     b.moving = variable;
-    machine_init(&m, &formula->program, &arithmetic_series, 64);
+    symbolic_begin(1, 0, false);
+    machine_init(&m, &formula->program, &arithmetic_symbolic, 1);
     bool known = is_polynomial(formula, variable) && machine_bind_exact(&m, formula->node, &b);
     if (known) {
-        fmpz_t one;
-        fmpz_init(one);
-        fmpz_one(one);
-        series_set_monomial(machine_value(&m, program_find(&formula->program, variable)), one, 1);
+        symbolic_set_variable(machine_value(&m, program_find(&formula->program, variable)), 0, 0);
         machine_run(&m);
-        const struct series *value = machine_value(&m, formula->node);
-        known = value->fault == SERIES_FINE && fmpq_poly_degree(value->p) < 63;
-        fmpq_poly_set(f, value->p);
-        fmpz_clear(one);
+        known = symbolic_get_polynomial(f, machine_value(&m, formula->node));
     }
     machine_clear(&m);
+    symbolic_end();
     return known;
+}
+
+/* How many different roots a polynomial, not zero, has beyond a point. */
+static slong roots_beyond(const fmpq_poly_t f, const fmpq_t point)
+{
+    slong negative = 0, positive = 0, zeros = 0;
+    fmpq_poly_t g, h;
+    fmpz_poly_t simple;
+    fmpq_poly_init(g);
+    fmpq_poly_init(h);
+    fmpz_poly_init(simple);
+    fmpq_poly_set_coeff_fmpq(h, 0, point);
+    fmpq_poly_set_coeff_si(h, 1, 1);
+    fmpq_poly_compose(g, f, h); /* Sturm's chain wants no multiple root, and none at 0 */
+    fmpq_poly_derivative(h, g);
+    fmpq_poly_gcd(h, g, h);
+    fmpq_poly_div(g, g, h);
+    fmpq_poly_get_numerator(simple, g);
+    while (zeros < simple->length && fmpz_is_zero(simple->coeffs + zeros))
+        zeros++;
+    fmpz_poly_shift_right(simple, simple, zeros);
+    if (fmpz_poly_degree(simple) > 0)
+        _fmpz_poly_num_real_roots_sturm(&negative, &positive, simple->coeffs, simple->length);
+    fmpq_poly_clear(g);
+    fmpq_poly_clear(h);
+    fmpz_poly_clear(simple);
+    return positive;
 }
 
 /* Minus one and the sum of the coefficients' sizes, over the leading one (Cauchy). */
@@ -426,7 +448,7 @@ static enum truth rank_found(const struct assertion *a, const struct bindings *b
         }
         if (l->control < 0 && l->observe < 0)
             fmpq_mat_set(K, A);
-        truth = rank_of(K) == a->count ? FOUND_TRUE : FOUND_FALSE;
+        truth = fmpq_mat_rref(K, K) == a->count ? FOUND_TRUE : FOUND_FALSE; /* the rank */
     }
     fmpq_mat_clear(A);
     fmpq_mat_clear(K);
@@ -437,20 +459,20 @@ static enum truth rank_found(const struct assertion *a, const struct bindings *b
 /* ---- assertions ---- */
 
 /* The prover's word on an equality for all values. */
-static enum truth identity_found(const struct trial *t)
+static enum truth identity_found(const struct identities *t)
 {
     struct proof p;
-    trial_prove(t, 1, &p);
-    const enum truth truth = p.finding == FOUND_EQUAL ? FOUND_TRUE : p.finding == FOUND_DIFFERENT ? FOUND_FALSE : UNDECIDED;
+    identities_prove(t, &p);
+    const enum truth truth = p.result == IDENTITY_HOLDS ? FOUND_TRUE : p.result == IDENTITY_DIFFERS ? FOUND_FALSE : UNDECIDED;
     proof_clear(&p);
     return truth;
 }
 
-static enum truth step_found(const struct proofs *p, const char *id)
+static enum truth step_found(const struct proof_results *p, const char *id)
 {
     for (int i = 0; i < p->derivations.step_count; i++)
         if (strcmp(p->derivations.steps[i].id, id) == 0)
-            return proved_or_open(proofs_step_holds(p, i));
+            return proved_or_open(step_holds(p, i));
     return UNDECIDED;
 }
 
@@ -506,7 +528,7 @@ void assertion_find(struct statements *all, struct statement *s, struct assertio
     a->done = true;
     a->how = EXACT;
     if (a->kind == ASSERT_SHOW && a->everywhere)
-        a->truth = identity_found(&a->trial);
+        a->truth = identity_found(&a->identity);
     else if (a->kind == ASSERT_ROOT)
         a->truth = root_found(all, s, a, &a->how);
     else if (a->kind == ASSERT_STEP)

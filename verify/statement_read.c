@@ -5,19 +5,17 @@
 
 #include "computation.h"
 #include "condition.h"
-#include "derivation_reader.h"
-#include "statement_reader.h"
+#include "statement.h"
+
+enum { MOST_NAMES = 128 };
 
 /* What is being read. */
 struct reading {
     struct statements *all;
     struct document *document;
     struct statement *statement;
-    const yaml_node_t *entry; /* of `prove`, NULL: the statement itself */
-    const int *identities;    /* identities_add() */
-    int known;                /* assertions whose numbers may be used: those before */
+    const yaml_node_t *entry; /* a mapping of `prove`; NULL: none */
     struct values *at;        /* read so far */
-    const char *words[6];     /* names of the entry's own: what moves, what takes values */
 };
 
 static const char *keep(struct statements *s, const char *text, size_t length)
@@ -32,69 +30,94 @@ static const char *keep(struct statements *s, const char *text, size_t length)
 /* What the entry says under a key or, where it says nothing, the statement's `given`. */
 static const yaml_node_t *given(const struct reading *r, const char *key)
 {
-    const yaml_node_t *own = r->entry != NULL && r->entry->type == YAML_MAPPING_NODE ? child(r->document, r->entry, key) : NULL;
+    const yaml_node_t *own = r->entry != NULL ? child(r->document, r->entry, key) : NULL;
     return own != NULL || r->statement->given == NULL ? own : child(r->document, r->statement->given, key);
+}
+
+/* ---- names ---- */
+
+/* The names that formulas may have beside the sheet's and the declared ones. */
+struct names {
+    const char *list[MOST_NAMES];
+    int count;
+};
+
+static bool is_declared(const struct reading *r, const char *name)
+{
+    static const char *const lists[] = {"free", "angles", "positive", "not negative"};
+    for (size_t k = 0; k < sizeof lists / sizeof *lists; k++) {
+        const yaml_node_t *names = given(r, lists[k]);
+        for (int i = 0; names != NULL && i < length_of(names); i++) {
+            const yaml_node_t *item = names->type == YAML_MAPPING_NODE ? key_of(r->document, names, i) : item_of(r->document, names, i);
+            if (scalar(item) != NULL && strcmp(scalar(item), name) == 0)
+                return true;
+        }
+    }
+    return false;
+}
+
+static void add_name(const struct reading *r, struct names *n, const char *name)
+{
+    if (name == NULL || n->count == MOST_NAMES || quantity_find(r->all->sheet, name) != NULL || is_declared(r, name))
+        return;
+    for (int i = 0; i < n->count; i++)
+        if (strcmp(n->list[i], name) == 0)
+            return;
+    n->list[n->count++] = name;
+}
+
+static void add_keys(const struct reading *r, struct names *n, const yaml_node_t *mapping)
+{
+    for (int i = 0; mapping != NULL && mapping->type == YAML_MAPPING_NODE && i < length_of(mapping); i++)
+        add_name(r, n, scalar(key_of(r->document, mapping, i)));
+}
+
+/* What an entry of `prove` names: its root, the numbers of its computation; its values, what moves, what takes values. */
+static void add_entry(const struct reading *r, struct names *n, const char *key, const yaml_node_t *entry)
+{
+    static const char *const keys[] = {"at", "on", "for"};
+    const yaml_node_t *of = child(r->document, entry, "of"), *compute = child(r->document, entry, "compute");
+    const struct computed *c = compute != NULL && scalar(compute) != NULL ? computed_find(r->all, scalar(compute)) : NULL;
+    char name[2 * LONGEST_NAME + 2], word[LONGEST_NAME + 1];
+    for (size_t k = 0; k < 3; k++)
+        add_keys(r, n, child(r->document, entry, keys[k]));
+    add_name(r, n, of != NULL ? scalar(of) : NULL);
+    add_name(r, n, child(r->document, entry, "root") != NULL ? key : NULL);
+    for (const char *at = c != NULL ? computation_of(c)->numbers : ""; sscanf(at, " %63s", word) == 1; at = strstr(at, word) + strlen(word)) {
+        snprintf(name, sizeof name, "%.63s.%s", key, word);
+        add_name(r, n, keep(r->all, name, strlen(name)));
+    }
+}
+
+static void collect_names(const struct reading *r, struct names *n)
+{
+    const yaml_node_t *prove = r->statement->prove;
+    *n = (struct names){{"pi"}, 1};
+    if (r->statement->given != NULL)
+        add_keys(r, n, child(r->document, r->statement->given, "at"));
+    for (int i = 0; prove != NULL && prove->type == YAML_MAPPING_NODE && i < length_of(prove); i++)
+        if (value_of(r->document, prove, i)->type == YAML_MAPPING_NODE && scalar(key_of(r->document, prove, i)) != NULL)
+            add_entry(r, n, scalar(key_of(r->document, prove, i)), value_of(r->document, prove, i));
 }
 
 /* ---- formulas ---- */
 
-static void declare(struct program *p, const char *name)
+static struct scope scope_of(const struct reading *r, const struct names *n)
 {
-    if (name != NULL && program_find(p, name) < 0)
-        program_input(p, name);
+    static const yaml_node_t nothing = {.type = YAML_MAPPING_NODE};
+    return (struct scope){.document = r->document, .sheet = r->all->sheet, .definitions = &r->all->proofs->derivations.definitions,
+                          .given = r->entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
+                          .names = n->list, .name_count = n->count};
 }
 
-static void declare_list(const struct reading *r, struct program *p, const char *key)
+/* Whether a name is the number of an entry: ENTRY or ENTRY.number. */
+static bool is_number_of(const char *name, const char *entry)
 {
-    const yaml_node_t *names = given(r, key);
-    for (int i = 0; names != NULL && i < length_of(names); i++)
-        declare(p, scalar(names->type == YAML_MAPPING_NODE ? key_of(r->document, names, i) : item_of(r->document, names, i)));
+    const size_t length = strlen(entry);
+    return strncmp(name, entry, length) == 0 && strchr(".", name[length]) != NULL;
 }
 
-static void declare_numbers(struct program *p, const struct assertion *a)
-{
-    char name[2 * LONGEST_NAME + 2], word[LONGEST_NAME + 1];
-    if (a->kind == ASSERT_ROOT)
-        declare(p, a->name);
-    if (a->kind != ASSERT_COMPUTE)
-        return;
-    for (const char *at = computation_of(a->computed)->numbers; sscanf(at, "%63s", word) == 1; at += strlen(word)) {
-        snprintf(name, sizeof name, "%.63s.%s", a->name, word);
-        declare(p, name);
-        at += strspn(at, " ");
-    }
-}
-
-/* All names that a formula may have; then the abbreviations. */
-static void declare_names(const struct reading *r, struct program *p)
-{
-    static const char *const lists[] = {"free", "angles", "positive"};
-    for (int i = 0; i < r->all->sheet->quantity_count; i++)
-        program_input(p, r->all->sheet->quantities[i].name);
-    declare(p, "pi");
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
-        declare_list(r, p, lists[i]);
-    for (int i = 0; r->at != NULL && i < r->at->count; i++)
-        declare(p, r->at->list[i].name);
-    for (size_t i = 0; i < sizeof r->words / sizeof *r->words; i++)
-        declare(p, r->words[i]);
-    for (int i = 0; i < r->known; i++)
-        declare_numbers(p, &r->statement->assertions[i]);
-}
-
-static bool is_let(const struct reading *r, const yaml_node_t *let)
-{
-    if (let == NULL)
-        return true;
-    if (!is_mapping(r->document, let, NULL))
-        return false;
-    for (int i = 0; i < length_of(let); i++)
-        if (scalar(value_of(r->document, let, i)) == NULL || i == MOST_ABBREVIATIONS)
-            return mistake(r->document, value_of(r->document, let, i), 0, "expected a formula, and at most %d of them", MOST_ABBREVIATIONS);
-    return true;
-}
-
-/* Which assertions a node takes numbers of. */
+/* Which assertions a node takes numbers of; those that stand after it are open, and with them the node. */
 static ulong uses_of(const struct reading *r, const struct program *p, int node)
 {
     char *needed = memory(NULL, (size_t)node + 1, 1);
@@ -102,53 +125,44 @@ static ulong uses_of(const struct reading *r, const struct program *p, int node)
     program_needs(p, node, NULL, needed);
     for (int i = 0; i < p->inputs && i <= node; i++) {
         const char *name = p->names[i].text;
-        for (int k = 0; needed[i] && k < r->known; k++) {
-            const char *own = r->statement->assertions[k].name;
-            if (strncmp(name, own, strlen(own)) == 0 && strchr(".", name[strlen(own)]) != NULL)
+        for (int k = 0; needed[i] && r->statement->prove != NULL && k < length_of(r->statement->prove); k++)
+            if (is_number_of(name, scalar(key_of(r->document, r->statement->prove, k))))
                 uses |= UWORD(1) << k;
-        }
         for (int k = 0; needed[i] && r->at != NULL && k < r->at->count; k++)
             if (strcmp(r->at->list[k].name, name) == 0)
-                uses |= r->at->list[k].formula.uses;
+                uses |= r->at->list[k].formula.uses | r->at->list[k].radius.uses;
     }
     free(needed);
     return uses;
 }
 
-static int parse(struct reading *r, struct program *p, const yaml_node_t *node, const char *text, size_t shift)
+/* A formula that stands `shift` characters into a scalar: its node, or -1 after a complaint. */
+static int parse(struct reading *r, struct identities *t, const struct scope *s, const yaml_node_t *node, const char *text, size_t shift)
 {
-    struct trial trial = {.program = *p};
-    struct reader reader = {.document = r->document, .sheet = r->all->sheet, .trial = &trial};
-    reader.step = r->entry != NULL ? r->entry : r->statement->given;
-    const int result = read_formula_at(&reader, node, text, shift);
-    *p = trial.program;
+    struct message why;
+    size_t where;
+    const int result = identities_text(t, s, text, &where, &why);
+    if (result < 0)
+        mistake(r->document, node, shift + where, "%s", why.text);
     return result;
 }
 
-/* Names and abbreviations, as far as the text needs these. */
-static bool open_program(struct reading *r, struct program *p, const char *text)
+/* The program is the formula's from then on, all else of the identities goes. */
+static void take_program(struct program *p, struct identities *t)
 {
-    const yaml_node_t *let = given(r, "let");
-    bool needed[MOST_ABBREVIATIONS] = {false};
-    program_init(p);
-    declare_names(r, p);
-    if (!is_let(r, let))
-        return false;
-    free(with_abbreviations(r->document, let, text, needed));
-    for (int i = 0; let != NULL && i < length_of(let); i++) {
-        const yaml_node_t *value = value_of(r->document, let, i);
-        const int node = needed[i] ? parse(r, p, value, scalar(value), 0) : -1;
-        if (needed[i] && node < 0)
-            return false;
-        if (needed[i])
-            program_name(p, node, scalar(key_of(r->document, let, i)));
-    }
-    return true;
+    *p = t->program;
+    program_init(&t->program);
+    identities_clear(t);
 }
 
 static bool read_formula_text(struct reading *r, struct formula *f, const yaml_node_t *node, const char *text, size_t shift)
 {
-    f->node = open_program(r, &f->program, text) ? parse(r, &f->program, node, text, shift) : -1;
+    struct names names;
+    struct identities t = {.order = -1};
+    collect_names(r, &names);
+    const struct scope s = scope_of(r, &names);
+    f->node = identities_open(&t, &s) ? parse(r, &t, &s, node, text, shift) : -1;
+    take_program(&f->program, &t);
     f->uses = f->node < 0 ? 0 : uses_of(r, &f->program, f->node);
     return f->node >= 0;
 }
@@ -178,7 +192,7 @@ static bool read_value(struct reading *r, struct value *v, const yaml_node_t *ke
 /* `at` of the entry, then those of `given` that it does not name. */
 static bool read_values(struct reading *r, struct values *at)
 {
-    const yaml_node_t *entry = r->entry != NULL && r->entry->type == YAML_MAPPING_NODE ? child(r->document, r->entry, "at") : NULL;
+    const yaml_node_t *entry = r->entry != NULL ? child(r->document, r->entry, "at") : NULL;
     const yaml_node_t *shared = r->statement->given != NULL ? child(r->document, r->statement->given, "at") : NULL;
     const yaml_node_t *const both[] = {entry, shared};
     r->at = at;
@@ -213,7 +227,7 @@ static int read_range(struct reading *r, const yaml_node_t *list, struct formula
 
 /* ---- assertions ---- */
 
-const char *find_ordering(const char *text, enum ordering *ordering, size_t *length)
+static const char *find_ordering(const char *text, enum ordering *ordering, size_t *length)
 {
     static const struct {
         const char *sign;
@@ -232,39 +246,43 @@ const char *find_ordering(const char *text, enum ordering *ordering, size_t *len
     return NULL;
 }
 
-/* left - right of both sides of a relation in a scalar, `sign` between them */
-static bool read_difference(struct reading *r, struct formula *f, const yaml_node_t *node, const char *sign, size_t length)
+/* left - right of a relation in a scalar, `sign` between them; their equality, where it is one for all values. */
+static bool read_difference(struct reading *r, struct assertion *a, const yaml_node_t *node, const char *sign, size_t length)
 {
     const char *text = scalar(node), *left = keep(r->all, text, (size_t)(sign - text));
-    if (!open_program(r, &f->program, text))
-        return false;
-    const int a = parse(r, &f->program, node, left, 0);
-    const int b = a < 0 ? -1 : parse(r, &f->program, node, sign + length, (size_t)(sign - text) + length);
-    if (b < 0)
-        return false;
-    f->node = program_difference(&f->program, a, b);
-    f->uses = uses_of(r, &f->program, f->node);
-    return true;
+    struct formula *f = &a->formula;
+    struct names names;
+    struct identities t = {.order = -1};
+    collect_names(r, &names);
+    const struct scope s = scope_of(r, &names);
+    const int one = identities_open(&t, &s) ? parse(r, &t, &s, node, left, 0) : -1;
+    const int other = one < 0 ? -1 : parse(r, &t, &s, node, sign + length, (size_t)(sign - text) + length);
+    if (other >= 0) {
+        f->node = program_difference(&t.program, one, other);
+        f->uses = uses_of(r, &t.program, f->node);
+    }
+    take_program(&f->program, &t);
+    return other >= 0;
 }
 
-
-/* ... for all values: the prover reads its own mapping. */
-static bool read_identity(struct reading *r, struct assertion *a, int mapping)
+/* ... for all values */
+static bool read_identity(struct reading *r, struct assertion *a, const yaml_node_t *node)
 {
+    struct names names;
+    collect_names(r, &names);
+    const struct scope s = scope_of(r, &names);
     a->everywhere = true;
-    return trial_read(&a->trial, r->all->sheet, r->document, r->document->yaml.nodes.start + mapping - 1);
+    return identities_open(&a->identity, &s) && identities_show(&a->identity, &s, node) && identities_close(&a->identity, &s);
 }
 
 static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t *show)
 {
     size_t length;
     const char *sign = scalar(show) != NULL ? find_ordering(scalar(show), &a->ordering, &length) : NULL;
-    const int entry = (int)(a->node - r->document->yaml.nodes.start) + 1;
+    const bool somewhere = r->entry != NULL && (child(r->document, r->entry, "at") != NULL || child(r->document, r->entry, "for") != NULL);
     if (sign == NULL)
         return mistake(r->document, show, 0, "expected left = right, or another sign of < > <= >= != between them");
-    if (r->identities[entry] != 0)
-        return read_identity(r, a, r->identities[entry]);
-    return read_difference(r, &a->formula, show, sign, length);
+    return a->ordering == IS_EQUAL && !somewhere ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
 }
 
 static bool read_bound(struct reading *r, const char *key, struct formula *f, bool *there)
@@ -287,7 +305,7 @@ static const char *read_variable(struct reading *r)
     const yaml_node_t *of = child(r->document, r->entry, "of");
     if (of == NULL || scalar(of) == NULL)
         mistake(r->document, of ? of : r->entry, 0, "missing of, expected the name of the unknown");
-    return of != NULL ? r->words[0] = scalar(of) : NULL;
+    return of != NULL ? scalar(of) : NULL;
 }
 
 static bool read_root(struct reading *r, struct assertion *a, const yaml_node_t *value)
@@ -307,35 +325,44 @@ static bool read_roots(struct reading *r, struct assertion *a, const yaml_node_t
            read_count(r, child(r->document, r->entry, "count"), &a->count);
 }
 
-/* `system`: state: rate, and `about`, in one program of the entry's. */
+/* One state, its rate, and where it is to be taken. */
+static bool read_state(struct reading *r, struct identities *t, const struct scope *s, struct linear_system *l, const yaml_node_t *state,
+                       const yaml_node_t *rate)
+{
+    const yaml_node_t *about = given(r, "about"), *place = about != NULL ? child(r->document, about, scalar(state)) : NULL;
+    l->states[l->size] = program_find(&t->program, scalar(state));
+    if (l->states[l->size] < 0)
+        return mistake(r->document, state, 0, "unknown symbol '%s', expected a quantity or a free name", scalar(state));
+    if (scalar(rate) == NULL || (place != NULL && scalar(place) == NULL))
+        return mistake(r->document, rate, 0, "expected a formula");
+    l->rates[l->size] = parse(r, t, s, rate, scalar(rate), 0);
+    l->about[l->size] = place != NULL ? parse(r, t, s, place, scalar(place), 0) : -1;
+    return l->rates[l->size] >= 0 && (place == NULL || l->about[l->size] >= 0);
+}
+
+/* `system` and `about`, in one program. */
 static bool read_system(struct reading *r, struct assertion *a)
 {
     const yaml_node_t *system = given(r, "system"), *about = given(r, "about");
     const yaml_node_t *control = child(r->document, r->entry, "control"), *observe = child(r->document, r->entry, "observe");
     struct linear_system *l = &a->system;
-    struct tex all = {NULL, 0};
+    struct names names;
+    struct identities t = {.order = -1};
     if (system == NULL || !is_mapping(r->document, system, NULL) || length_of(system) > 12 || (about != NULL && !is_mapping(r->document, about, NULL)))
         return mistake(r->document, system ? system : r->entry, 0, "expected a system, {state: its rate, ...} of at most 12 states");
-    for (int i = 0; i < length_of(system); i++)
-        tex_add(&all, " %s", scalar(value_of(r->document, system, i)) ? scalar(value_of(r->document, system, i)) : "");
-    bool fine = open_program(r, &l->program, all.text);
-    tex_clear(&all);
+    collect_names(r, &names);
+    const struct scope s = scope_of(r, &names);
+    bool fine = identities_open(&t, &s);
     l->observe = -1;
     for (int i = 0; fine && i < length_of(system); i++) {
-        const yaml_node_t *state = key_of(r->document, system, i), *rate = value_of(r->document, system, i);
-        const yaml_node_t *place = about != NULL ? child(r->document, about, scalar(state)) : NULL;
-        l->states[l->size] = program_find(&l->program, scalar(state));
-        if (l->states[l->size] < 0)
-            return mistake(r->document, state, 0, "unknown symbol '%s', expected a quantity or a free name", scalar(state));
-        l->rates[l->size] = scalar(rate) != NULL ? parse(r, &l->program, rate, scalar(rate), 0) : -1;
-        l->about[l->size] = place != NULL && scalar(place) != NULL ? parse(r, &l->program, place, scalar(place), 0) : -1;
-        if (l->rates[l->size] < 0 || (place != NULL && l->about[l->size] < 0))
-            return scalar(rate) != NULL ? false : mistake(r->document, rate, 0, "expected a formula");
+        const yaml_node_t *state = key_of(r->document, system, i);
+        fine = read_state(r, &t, &s, l, state, value_of(r->document, system, i));
         if (observe != NULL && scalar(observe) != NULL && strcmp(scalar(observe), scalar(state)) == 0)
             l->observe = i;
-        l->size++;
+        l->size = i + 1;
     }
-    l->control = control != NULL && scalar(control) != NULL ? program_find(&l->program, scalar(control)) : -1;
+    l->control = control != NULL && scalar(control) != NULL ? program_find(&t.program, scalar(control)) : -1;
+    take_program(&l->program, &t);
     if (fine && ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0)))
         return mistake(r->document, control != NULL ? control : observe, 0, "expected control: a quantity, or observe: a state");
     for (int i = 0; fine && i < l->size; i++)
@@ -403,8 +430,6 @@ static bool read_turns(struct reading *r, struct assertion *a)
             return count < 0 ? false : mistake(r->document, list, 0, "expected lists of one length, of at most %d values", MOST_TURNS);
         a->turns = count;
     }
-    for (int i = 0; i < a->each_names; i++)
-        r->words[1 + i] = a->each[i];
     return true;
 }
 
@@ -421,7 +446,7 @@ static bool read_interval(struct reading *r, struct assertion *a)
     const int count = read_range(r, value_of(r->document, on, 0), bounds, 2);
     a->low = bounds[0];
     a->high = bounds[1];
-    r->words[5] = a->variable = scalar(key_of(r->document, on, 0));
+    a->variable = scalar(key_of(r->document, on, 0));
     return count == 2 || (count >= 0 && mistake(r->document, on, 0, "expected on: {name: [low, high]}"));
 }
 
@@ -430,7 +455,9 @@ static bool read_ranges(struct reading *r, struct assertion *a)
 {
     static const char *const known[] = {"show", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on",
                                         "for", "above", "below", "count", "control", "observe", "angles", "positive", "free", "small",
-                                        "order", "rates", "let", "square roots", "at", "system", "about", NULL};
+                                        "order", "rates", "let", "square roots", "not negative", "at", "system", "about", NULL};
+    if (r->entry == NULL)
+        return mistake(r->document, a->node, 0, "expected left = right, or a mapping");
     if (!is_mapping(r->document, r->entry, known))
         return false;
     return read_turns(r, a) && read_interval(r, a);
@@ -438,8 +465,7 @@ static bool read_ranges(struct reading *r, struct assertion *a)
 
 static bool read_assertion(struct reading *r, struct assertion *a)
 {
-    r->entry = a->node;
-    memset(r->words, 0, sizeof r->words);
+    r->entry = a->node->type == YAML_MAPPING_NODE ? a->node : NULL;
     r->at = NULL;
     if (!read_values(r, &a->at))
         return false;
@@ -476,13 +502,17 @@ static bool read_prove(struct reading *r, const yaml_node_t *prove)
         struct assertion *a = &s->assertions[i];
         a->name = scalar(key_of(r->document, prove, i));
         a->node = value_of(r->document, prove, i);
-        r->known = i;
         s->assertion_count = i + 1;
         if (!read_assertion(r, a))
             return false;
         a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
+        for (int k = 0; k < a->each_names * MOST_TURNS; k++)
+            a->uses |= a->each_of[k / MOST_TURNS][k % MOST_TURNS].uses;
+        if (a->kind == ASSERT_ROOT && strcmp(a->variable, a->name) == 0)
+            a->uses &= ~(UWORD(1) << i); /* the unknown itself */
+        if (a->uses >> i != 0)
+            return mistake(r->document, a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
     }
-    r->known = s->assertion_count;
     return true;
 }
 
@@ -687,26 +717,26 @@ static bool read_equations(struct reading *r, struct statement *s)
     return true;
 }
 
-static bool read_statement(struct statements *all, const yaml_node_t *key, const yaml_node_t *node, const int *identities)
+static bool read_statement(struct statements *all, const yaml_node_t *key, const yaml_node_t *node)
 {
     static const char *const known[] = {"where", "kind", "claim", "verdict", "why", "given", "prove", "evidence", "equations", NULL};
     static const char *const contexts[] = {"angles", "positive", "free", "small", "order", "rates", "let", "square roots",
-                                           "at", "system", "about", NULL};
+                                           "not negative", "at", "system", "about", NULL};
     if (!is_mapping(&all->document, node, known))
         return false;
     all->list = memory(all->list, (size_t)all->count + 1, sizeof *all->list);
     struct statement *s = &all->list[all->count++];
     *s = (struct statement){.id = scalar(key), .given = child(&all->document, node, "given"),
-                            .verdict = child(&all->document, node, "verdict")};
-    struct reading r = {.all = all, .document = &all->document, .statement = s, .entry = node, .identities = identities};
+                            .verdict = child(&all->document, node, "verdict"),
+                            .prove = child(&all->document, node, "prove")};
+    struct reading r = {.all = all, .document = &all->document, .statement = s, .entry = node};
     const yaml_node_t *evidence = child(&all->document, node, "evidence");
     if ((s->given != NULL && !is_mapping(&all->document, s->given, contexts)) || !read_words(&r, "where", true, &s->where) ||
         !read_kind(&r, s) || !read_words(&r, "claim", true, &s->claim) || !read_words(&r, "why", false, &s->why) ||
         !read_words(&r, "evidence", true, &s->evidence) || !read_equations(&r, s) ||
-        !read_prove(&r, child(&all->document, node, "prove")))
+        !read_prove(&r, s->prove))
         return false;
     r.entry = NULL;
-    memset(r.words, 0, sizeof r.words);
     if (!read_values(&r, &s->at) || !read_marks(&r, evidence, true))
         return false;
     r.entry = node;
@@ -724,18 +754,16 @@ struct statement *statement_find(const struct statements *s, const char *id)
     return NULL;
 }
 
-int statements_read(struct statements *s, const struct proofs *proofs, const char *text, size_t length, const char *name,
+int statements_read(struct statements *s, const struct proof_results *proofs, const char *text, size_t length, const char *name,
                     struct message *why)
 {
     *s = (struct statements){.sheet = sheet(), .proofs = proofs};
     if (!document_open(&s->document, text, length, name, why))
         return -1;
     bool fine = is_mapping(&s->document, document_root(&s->document), NULL);
-    int *identities = fine ? identities_add(&s->document) : NULL;
     const yaml_node_t *root = document_root(&s->document);
     for (int i = 0; fine && i < length_of(root); i++)
-        fine = read_statement(s, key_of(&s->document, root, i), value_of(&s->document, root, i), identities);
-    free(identities);
+        fine = read_statement(s, key_of(&s->document, root, i), value_of(&s->document, root, i));
     if (!fine)
         statements_clear(s);
     return fine ? 0 : -1;
@@ -761,7 +789,7 @@ static void assertion_clear(struct assertion *a)
     program_clear(&a->system.program);
     values_clear(&a->at);
     if (a->everywhere)
-        trial_clear(&a->trial);
+        identities_clear(&a->identity);
 }
 
 void statements_clear(struct statements *s)

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "decimal.h"
-#include "series.h"
+#include "symbolic.h"
 
 /* Significant digits of a printed number: those of its mantissa, leading zeros apart. */
 static long printed_digits(const char *printed)
@@ -24,16 +24,18 @@ static void table_value(fmpq_t value, const struct table_row *row)
         literal_read(value, quantity_find(sheet(), row->name)->value, true);
         return;
     }
-    struct machine sums;
-    machine_init(&sums, &s->corrected.program, &arithmetic_series, 1);
+    struct machine m;
+    symbolic_begin(0, 0, false);
+    machine_init(&m, &s->corrected.program, &arithmetic_symbolic, 1);
     for (int i = 0; i < s->input_count; i++) {
         const char *name = s->inputs[i]->name;
         literal_read(value, quantity_find(sheet(), strcmp(name, "L") == 0 ? "L_ref" : name)->value, true);
-        arithmetic_series.set_rational(machine_value(&sums, i), value, 1);
+        arithmetic_symbolic.set_rational(machine_value(&m, i), value, 1);
     }
-    machine_run(&sums);
-    series_get_fmpq(value, machine_value(&sums, s->corrected.outputs[0]), 0);
-    machine_clear(&sums);
+    machine_run(&m);
+    symbolic_get_rational(value, machine_value(&m, s->corrected.outputs[0]));
+    machine_clear(&m);
+    symbolic_end();
 }
 
 bool table_row_is_computed(const struct table_row *row)

@@ -5,13 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims.h"
 #include "decimal.h"
 #include "embedded.h"
 #include "operation.h"
 #include "table1.h"
 
-void claims_open(struct statements *s, const struct proofs *proofs)
+void claims_open(struct statements *s, const struct proof_results *proofs)
 {
     struct message why;
     size_t length;
@@ -132,7 +131,7 @@ static enum difference compare_instances(struct verdict_row *row, const struct s
 }
 
 /* Which steps lead to an equation, and whether all of them hold, and fail as printed where they should. */
-static bool steps_to(struct verdict_row *row, const struct proofs *p, const char *equation, int *count)
+static bool steps_to(struct verdict_row *row, const struct proof_results *p, const char *equation, int *count)
 {
     bool fine = true;
     *count = 0;
@@ -140,14 +139,14 @@ static bool steps_to(struct verdict_row *row, const struct proofs *p, const char
         const struct step *step = &p->derivations.steps[i];
         bool leads = false;
         for (int k = 0; k < step->to_count; k++)
-            leads = leads || stands_for(step->to[k], equation);
+            leads = leads || entry_leads_to(&p->derivations, step->to[k], equation);
         if (!leads)
             continue;
         add(row, "%s%s", *count ? ", " : "proved by ", step->id);
-        if (step->order >= 0)
-            add(row, " (to order %d)", step->order);
+        if (step->corrected.order >= 0)
+            add(row, " (to order %d)", step->corrected.order);
         (*count)++;
-        fine = fine && proofs_step_holds(p, i);
+        fine = fine && step_holds(p, i);
     }
     return fine;
 }
@@ -186,7 +185,7 @@ static void add_claims(struct verdict_row *row, struct statements *claims, const
     }
 }
 
-void verdict_on_equation(struct verdict_row *row, const struct proofs *p, struct statements *claims, const struct section *s,
+void verdict_on_equation(struct verdict_row *row, const struct proof_results *p, struct statements *claims, const struct section *s,
                          const char *equation)
 {
     int steps;
@@ -230,7 +229,7 @@ static bool has_equation(const struct section *s, const char *equation)
 /* ---- the rows ---- */
 
 struct giving {
-    const struct proofs *proofs;
+    const struct proof_results *proofs;
     struct statements *claims;
     const char *only;
     verdict_receiver *receive;
@@ -314,43 +313,18 @@ static void statement_rows(struct giving *g)
     }
 }
 
-/* ---- claims that are still decided and worded in C ---- */
-
-static const struct claim *const lists[] = {claims_statics};
-
-static void old_rows(struct giving *g)
-{
-    for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
-        for (const struct claim *c = lists[l]; c->id != NULL; c++) {
-            if (!wanted(g, c->id) || statement_find(g->claims, c->id) != NULL)
-                continue;
-            struct evidence e = {VERDICT_NONE, EXACT, NULL, ""};
-            c->decide(&e);
-            struct verdict_row row = {.id = c->id, .where = c->where, .kind = "statement", .verdict = e.verdict, .how = e.how};
-            write_words(&row.claim, c->claim, strlen(c->claim));
-            if (e.why != NULL)
-                write_words(&row.why, e.why, strlen(e.why));
-            write_words(&row.evidence, e.text, strlen(e.text));
-            give_row(g, &row);
-        }
-}
-
-bool verdict_rows(const struct proofs *proofs, struct statements *claims, const char *only, verdict_receiver *receive, void *context)
+bool verdict_rows(const struct proof_results *proofs, struct statements *claims, const char *only, verdict_receiver *receive, void *context)
 {
     struct giving g = {proofs, claims, only, receive, context, true};
     equation_rows(&g);
     table_rows(&g);
     statement_rows(&g);
-    old_rows(&g);
     return g.decided;
 }
 
 bool verdict_known(const struct statements *claims, const char *id)
 {
     bool known = statement_find(claims, id) != NULL;
-    for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
-        for (const struct claim *c = lists[l]; c->id != NULL; c++)
-            known = known || strcmp(c->id, id) == 0;
     for (int i = 0; i < sheet()->row_count; i++)
         known = known || (strncmp(id, "table1-", 7) == 0 && strcmp(sheet()->table1[i].name, id + 7) == 0);
     for (int i = 0; i < sheet()->section_count; i++)

@@ -63,7 +63,7 @@ int __wrap_rename(const char *from, const char *to)
 void __wrap_sheet_close(void) {}
 void __wrap_flint_cleanup(void) {}
 
-bool __wrap_verdict_rows(const struct proofs *p, struct statements *claims, const char *only, verdict_receiver *receive,
+bool __wrap_verdict_rows(const struct proof_results *p, struct statements *claims, const char *only, verdict_receiver *receive,
                          void *context)
 {
     (void)p;

@@ -1,5 +1,6 @@
 /*
- * The claims about the simulation, and the tracks that they rest on. Digits come from mpmath 1.2.1 with
+ * verify/track.h: the samples that the claims about the simulation rest on, and what is certain between and after them.
+ * Digits come from mpmath 1.2.1 with
  *
  *     mp.dps = 40; Om = mpf('7.2915e-5')
  *     A = lambda n: the matrix of (40) over psi theta l psi' theta' l', l = dL/L_ref, in radians of orbit
@@ -8,67 +9,19 @@
  *         psi''   = -2*(l'/l - theta'*tan(theta))*(1 + psi') - 3*sin(psi)*cos(psi)
  *         theta'' = -2*l'/l*theta' - sin(theta)*cos(theta)*((1 + psi')**2 + 3*cos(psi)**2)
  *         l''     = l*(theta'**2 + cos(theta)**2*((1 + psi')**2 + 3*cos(psi)**2) - 1) + (c1*(1 - l) - 3 - c2*l')/l**2
- *     with l = 1 + dL/L_ref, Lagrange's equations in the angles, which the flow knows nothing of
- *
- * and the expressions that stand beside them.
+ *     with l = 1 + dL/L_ref, Lagrange's equations in the angles, which the flow knows nothing of.
  */
-#include <stdlib.h>
-#include <string.h>
-
-#include "claims.h"
+#include "run.h"
+#include "verify/sheet.h"
 #include "verify/track.h"
 
 enum { DAY = 86400 };
 
-/* ---- the verdicts ---- */
-
-const struct claim *const lists[] = {claims_motion, claims_convergence, claims_forced, NULL};
-
-const struct expected_claim expected[] = {
-    /* the largest of 2592 steps, R = sum((A(10)*100*Om)**k/k!, k = 0 ... p) against expm(A(10)*100*Om): p = 4 has
-       7.3483986e-12, 1.3625865e-10, 5.8378502e-12 in psi, theta, dL/L_ref */
-    {"step-small-enough", HOLDS, CERTIFIED, "linear model 7.4e-12, 1.4e-10, 5.9e-12;"},
-    {"step-order", HOLDS, CERTIFIED, "4.00, 4.00, 4.00 (linear model)"},
-    /* p = 1: 6.8761404e-5, 0.0031660532, 7.2604884e-5; 2: 4.1687472e-7, 1.28139e-5; 3: 1.8534135e-9, 4.8746389e-8 */
-    {"runge-kutta-kind", NOT_DECIDABLE, CERTIFIED,
-     "Euler's 0.32, 0.0073; second order 0.0013, 4.2e-05; third order 4.9e-06, 1.9e-07; fourth order 1.4e-08, 7.4e-10"},
-    {"two-revolutions", HOLDS, CERTIFIED, "2.00531 revolutions"}, /* 172800*Om/(2*pi) = 2.0053085 */
-    /* psi(2 d) = 3.16895001526e-5 and dL(2 d)/L_ref = 2.76209999640e-5, and less from there on */
-    {"settling-linear", HOLDS, CERTIFIED, "|psi| <= 0.0032 of its initial value, |dL| <= 0.0028 of its"},
-    {"length-wiggle", HOLDS, CERTIFIED, "(n = 10) changes sign exactly 3 times"}, /* at 5.31, 28.5, 51.1 h */
-    {"length-wiggle", HOLDS, CERTIFIED, "n = 12 changes sign exactly 7 times"},   /* 5.31, 16.6, ... 70.7 h */
-    /* 1 - (psi'**2 + 3*psi**2)/(3*0.01**2) after two days, from psi above and psi' = -1.7450238805e-5 */
-    {"yaw-energy", HOLDS, CERTIFIED, " takes 0.9999889 of "},
-    {"figure-5b", HOLDS, CERTIFIED, "at most 5.1e-04,"}, /* 5.05*(1 - cos(0.01)**2) = 5.0498e-4, at the start */
-    {"linear-first-phase", HOLDS, CERTIFIED, "exceeded in psi never, in dL never"},
-    /* nonlinear less linear after a day for 1e-6 at the start: 0.10868051e-12, 1.1740994e-12, 0.74260254e-12 in psi,
-       theta, dL/L_ref; in x1 0.24175652e-12 */
-    {"linear-second-order", HOLDS, CERTIFIED, "c = 0.109, 1.17, 0.743, 0.242, 0.109, 1.17"},
-    {"settling-nonlinear", HOLDS, CERTIFIED, "masses of 10 and 1000 kg |psi| <= 0.0030, |dL| <= 0.0042"},
-    {"slower-without-pitch", REFUTED, CERTIFIED, "no slower"},
-    /* 0.0964020*a**2/0.01 and 0.2152296*a**2/0.01 for a = 0.0101003, the amplitude of pitch after 8 days */
-    {"slower-with-pitch", QUALIFIED, CERTIFIED, "; 9.84e-04, 0.00220 (linear"},
-    {"pitch-nonlinear", QUALIFIED, CERTIFIED, "0.010135 rad"},
-    {"figure-6", QUALIFIED, CERTIFIED, "|z1| up to 0.0505 m"},
-    {"charges-opposite", HOLDS, CERTIFIED, "|dQ/Q_ref| <= 0.034,"}, /* 10*0.01/3 at the start */
-    {"charges-deviation", HOLDS, CERTIFIED, "|q/q_ref - 1| <= 0.017,"}, /* 1 - sqrt(1 - 10*0.01/3) = 0.01681 */
-    {"charges-converge", QUALIFIED, CERTIFIED, "there they converge"},
-    {"charges-microcoulomb", HOLDS, CERTIFIED, "q_ref = sqrt(-Q_ref) = 0.3647777 uC"}, /* 1e6*Om*sqrt(3e3*75/8.99e9) */
-    {"charges-microcoulomb", HOLDS, CERTIFIED, "0.3708075 uC at the start"},           /* ... times sqrt(1 + 1/30) */
-    {"figures-lost", NOT_DECIDABLE, EXACT, "lost"},
-    /* 1.5*(1.01*sin(0.01)*cos(0.01))**2 + 2*(1.01*sin(0.01))**2 + 7*(1/1.01 - 1) + 10*log(1.01) - 1.5*(1.01**2 - 1) */
-    {"nonlinear-energy", HOLDS, CERTIFIED, "E = 4.0339e-04"},
-    /* s = sqrt(n - 9), D = 13*s**2 - 144 + 104j*s: 36/abs(D), 2*s*abs(s + 8j)/abs(D), 5184*s/abs(D)**2, and
-       4.5*s**2*(13*s**2 + 688)/abs(D)**2 */
-    {"forced-response", HOLDS, EXACT, "10: 0.2152, 0.09640, -0.1853, -0.1128"},
-    {"forced-response", HOLDS, EXACT, "11.8: 0.1760, 0.1337, -0.2072, -0.2180"},
-    {"forced-response", HOLDS, EXACT, "12: 0.1727, 0.1360, -0.2065, -0.2258"},
-    {"forced-response-flow", HOLDS, CERTIFIED, "= 4.00, 5.00, 4.00;"},
-    {"pitch-slow-law", HOLDS, CERTIFIED, "by the closed form 0.185"},
-    {NULL, VERDICT_NONE, EXACT, NULL},
-};
-
-enum { EXPECTED = sizeof expected / sizeof expected[0] - 1 };
+static void close_all(void)
+{
+    sheet_close();
+    flint_cleanup();
+}
 
 /* ---- tracks ---- */
 
@@ -263,6 +216,13 @@ START_TEST(settling_is_found_between_rows)
     ck_assert(!track_settled(hours, &t, ETA, limit));
     arb_set_d(limit, 1); /* it was never above */
     ck_assert(!track_settled(hours, &t, ETA, limit));
+    arb_ptr both = _arb_vec_init(2), limits = _arb_vec_init(2); /* one after the other or at once */
+    arb_set_d(limits, 1e-9);
+    arb_set_d(limits + 1, 1e-4);
+    ck_assert(track_exits(both, &t, ETA, limits, 2));
+    ck_assert(!arb_is_finite(both) && track_settled(hours, &t, ETA, limits + 1) && arb_equal(both + 1, hours));
+    _arb_vec_clear(limits, 2);
+    _arb_vec_clear(both, 2);
     track_clear(&t);
     arb_clear(limit);
     arb_clear(hours);
@@ -278,45 +238,27 @@ START_TEST(tracks_end_where_the_pair_turns_over)
 }
 END_TEST
 
-/* ---- evidence ---- */
+/* ---- comparisons ---- */
 
-START_TEST(bounds_are_written_outward)
+START_TEST(orders_are_logarithms)
 {
-    static const struct {
-        slong over;
-        ulong under;
-        const char *text;
-    } written[] = {{1, 800, "x 0.0013 m"}, {1, 8, "x 0.13 m"},       {-429, 10, "x 43 m"},
-                   {431, 10, "x 44 m"},    {29, 20, "x 1.5e+00 m"}, {1, 81000, "x 1.3e-05 m"}};
-    for (size_t i = 0; i < sizeof written / sizeof written[0]; i++) {
-        struct evidence e = {0};
-        arb_t x;
-        arb_init(x);
-        arb_set_si(x, written[i].over);
-        arb_div_ui(x, x, written[i].under, 128);
-        evidence_bound(&e, "x ", x, " m");
-        ck_assert_str_eq(e.text, written[i].text);
-        arb_clear(x);
-    }
-}
-END_TEST
-
-START_TEST(orders_within_their_tolerance)
-{
-    struct evidence e = {0};
-    arb_t larger, smaller;
-    arb_init(larger);
-    arb_init(smaller);
+    arb_ptr x = _arb_vec_init(4);
+    arb_ptr larger = x, smaller = x + 1, order = x + 2, worst = x + 3;
     arb_set_ui(larger, 1005);
     arb_set_ui(smaller, 10);
-    ck_assert(evidence_order(&e, "p = ", larger, smaller, 10, 2, 0.003)); /* log10 100.5 = 2.00217 */
-    ck_assert_str_eq(e.text, "p = 2.00");
-    ck_assert(!evidence_order(&e, "", larger, smaller, 10, 2, 0.002));
-    ck_assert(!evidence_order(&e, "", larger, smaller, 10, 3, 0.003));
+    observed_order(order, larger, smaller, 10); /* log10 100.5 = 2.00217 */
+    ck_assert(is_above(order, 2.00216) && is_below(order, 2.00217));
+    raise_to_difference(worst, order, 2);
+    ck_assert(is_above(worst, 0.00216) && is_below(worst, 0.00217));
+    raise_to_difference(worst, order, 3); /* farther off, and the sign does not matter */
+    ck_assert(is_above(worst, 0.99783) && is_below(worst, 0.99784));
+    raise_to_difference(worst, order, 2); /* nothing lowers it */
+    ck_assert(is_above(worst, 0.99783));
     arb_zero(smaller);
-    ck_assert(!evidence_order(&e, "", larger, smaller, 10, 2, 0.003));
-    arb_clear(smaller);
-    arb_clear(larger);
+    observed_order(order, larger, smaller, 10);
+    raise_to_difference(worst, order, 2);
+    ck_assert(!is_below(worst, 1e300));
+    _arb_vec_clear(x, 4);
 }
 END_TEST
 
@@ -336,11 +278,9 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *s = suite_create("claims_motion");
-    TCase *c = tcase_create("claims");
+    Suite *s = suite_create("track");
+    TCase *c = tcase_create("track");
     tcase_add_checked_fixture(c, NULL, close_all);
-    tcase_add_loop_test(c, claims_yield_their_verdicts, 0, EXPECTED);
-    tcase_add_test(c, claims_are_well_formed);
     tcase_add_loop_test(c, tracks_agree_with_the_equations_in_the_angles, 0, sizeof rows / sizeof rows[0]);
     tcase_add_test(c, tracks_are_the_same_for_all_masses);
     tcase_add_test(c, eq10_tracks_start_where_another_ends);
@@ -350,10 +290,9 @@ Suite *suite(void)
     tcase_add_test(c, suprema_cover_what_rows_miss);
     tcase_add_test(c, settling_is_found_between_rows);
     tcase_add_test(c, tracks_end_where_the_pair_turns_over);
-    tcase_add_test(c, bounds_are_written_outward);
-    tcase_add_test(c, orders_within_their_tolerance);
+    tcase_add_test(c, orders_are_logarithms);
     tcase_add_test(c, comparisons_are_certain);
-    tcase_set_timeout(c, 60); /* s; under a sanitizer a claim takes some 5 */
+    tcase_set_timeout(c, 60); /* s, under a sanitizer too */
     suite_add_tcase(s, c);
     return s;
 }
