@@ -33,7 +33,7 @@ YAML_CFLAGS  := $(call package,--cflags yaml-0.1)
 YAML_LIBS    := $(call package,--libs yaml-0.1)
 CHECK_CFLAGS := $(call package,--cflags check)
 CHECK_LIBS   := $(call package,--libs check)
-# FLINT 3 contains Arb and has a .pc file. Before it they were two libraries, and neither had one.
+# FLINT 3 contains Arb and Calcium and has a .pc file. Before it they were three libraries, and none had one.
 FLINT_CFLAGS := $(call package,--cflags flint)
 FLINT_LIBS   := $(or $(call package,--libs flint),-lcalcium -lflint-arb -lflint)
 
@@ -379,7 +379,7 @@ $(BUILD)/gate.csv: tests/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(
 	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
 
 ### Packages
-BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libyaml-dev
+BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libcalcium-dev? libyaml-dev
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
 PAPER_PACKAGES = gnuplot-nox graphviz texlive-latex-base texlive-latex-recommended lmodern
 CI_PACKAGES    = clang libclang-rt-dev? clang-tidy cppcheck valgrind strace locales debootstrap parallel python3 python3-mpmath python3-gmpy2 \

@@ -5,7 +5,7 @@
  *     mpfr      correctly rounded multiple precision       prec = bits
  *     ball      rigorous enclosures (Arb)                  prec = bits
  *     symbolic  rational functions, series in epsilon      prec = number of terms
- *     sums      exact sums of c sqrt(r) e^b                prec = unused
+ *     exact     exact numbers (Calcium)                    prec = unused
  */
 #ifndef CT_ARITHMETIC_H
 #define CT_ARITHMETIC_H
@@ -46,6 +46,6 @@ struct arithmetic {
     void (*apply)(enum operator op, void *z, const void *x, const void *y, slong exponent, slong prec);
 };
 
-extern const struct arithmetic arithmetic_mpfr, arithmetic_ball, arithmetic_symbolic, arithmetic_sums;
+extern const struct arithmetic arithmetic_mpfr, arithmetic_ball, arithmetic_symbolic, arithmetic_exact;
 
 #endif

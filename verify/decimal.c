@@ -1,6 +1,6 @@
 /*
- * Numbers as text. Every conversion is exact rational arithmetic followed by
- * one rounding to an integer; neither the locale nor libc's conversions take part.
+ * Numbers as text. Rationals go through exact integers, balls through MPFR, which rounds correctly; strtod does, too. No
+ * locale but C's takes part: the program sets none.
  */
 #include "decimal.h"
 
@@ -14,8 +14,7 @@
 
 /* Of an exact literal, beyond binary128's 10^+-4966: there certified roots still take but a second. */
 static const slong LARGEST_EXPONENT = 5000, MOST_DIGITS = 10000;
-static const slong MANTISSA_BITS = DBL_MANT_DIG;                /* 53: a binary64's significand */
-static const slong LEAST_EXPONENT = DBL_MIN_EXP - DBL_MANT_DIG; /* -1074: its subnormals' ulp   */
+static const slong MANTISSA_BITS = DBL_MANT_DIG; /* 53: a binary64's significand */
 
 /* n = p/q rounded to the nearest integer, ties to even; p >= 0, q > 0. */
 static void nearest(fmpz_t n, const fmpz_t p, const fmpz_t q)
@@ -111,64 +110,36 @@ static const char *read_exponent(slong *exponent, const char *text)
     return text;
 }
 
-/* x > 0 becomes the nearest binary64, ties to even; false when that overflows. */
-static bool round_to_binary64(fmpq_t x)
+/* value = mantissa base^exponent */
+static void place(fmpq_t value, const fmpz_t mantissa, ulong base, slong exponent)
 {
-    fmpz_t p, q, n;
-    fmpz_init(p);
-    fmpz_init(q);
-    fmpz_init(n);
-    /* 2^(top - 1) < x < 2^(top + 1); one step down when x lies below 2^top */
-    slong top = (slong)fmpz_bits(fmpq_numref(x)) - (slong)fmpz_bits(fmpq_denref(x));
-    scale(p, q, x, 2, -top);
-    if (fmpz_cmp(p, q) < 0)
-        top--;
-    slong ulp = FLINT_MAX(top - (MANTISSA_BITS - 1), LEAST_EXPONENT);
-    scale(p, q, x, 2, -ulp);
-    nearest(n, p, q);
-    bool fits = (slong)fmpz_bits(n) + ulp <= DBL_MAX_EXP;
-    fmpq_set_fmpz(x, n);
-    if (ulp < 0)
-        fmpq_div_2exp(x, x, (ulong)-ulp);
-    else
-        fmpq_mul_2exp(x, x, (ulong)ulp);
-    fmpz_clear(p);
-    fmpz_clear(q);
-    fmpz_clear(n);
-    return fits;
-}
-
-/* value = mantissa base^exponent, rounded to binary64 unless exact */
-static enum literal place(fmpq_t value, const fmpz_t mantissa, ulong base, slong exponent,
-                          bool exact)
-{
-    fmpq_zero(value);
-    if (fmpz_is_zero(mantissa))
-        return LITERAL_FINITE;
-    if (!exact) {
-        /* far from binary64's range, known without a giant power: 2^-1075 > 10^-324, 2^1024 <
-         * 10^309 */
-        slong size = (slong)fmpz_sizeinbase(mantissa, (int)base) + exponent;
-        if (size > (base == 2 ? 1030 : 315))
-            return LITERAL_OVERFLOW;
-        if (size < (base == 2 ? -1080 : -330))
-            return LITERAL_FINITE;
-    }
     fmpq_t x;
     fmpq_init(x);
     fmpq_set_fmpz(x, mantissa);
     scale(fmpq_numref(x), fmpq_denref(x), x, base, exponent);
     fmpq_canonicalise(x);
-    bool fits = exact || round_to_binary64(x);
-    if (fits)
-        fmpq_swap(value, x);
+    fmpq_swap(value, x);
     fmpq_clear(x);
-    return fits ? LITERAL_FINITE : LITERAL_OVERFLOW;
+}
+
+/* value = the binary64 nearest to the literal, which strtod finds; false where it overflows. */
+static bool round_to_binary64(fmpq_t value, const char *literal)
+{
+    const double nearest = strtod(literal, NULL);
+    if (!isfinite(nearest))
+        return false;
+    arf_t x;
+    arf_init(x);
+    arf_set_d(x, nearest);
+    arf_get_fmpq(value, x);
+    arf_clear(x);
+    return true;
 }
 
 enum literal literal_read(fmpq_t value, const char *text, bool exact)
 {
-    bool negative = *text == '-';
+    const char *const literal = text;
+    const bool negative = *text == '-';
     if (*text == '-' || *text == '+')
         text++;
     if (spells(text, "nan"))
@@ -176,7 +147,7 @@ enum literal literal_read(fmpq_t value, const char *text, bool exact)
     if (spells(text, "inf") || spells(text, "infinity"))
         return negative ? LITERAL_NEGATIVE_INFINITE : LITERAL_INFINITE;
 
-    bool hexadecimal = text[0] == '0' && (text[1] | 0x20) == 'x';
+    const bool hexadecimal = text[0] == '0' && (text[1] | 0x20) == 'x';
     slong fraction = 0, exponent = 0;
     fmpz_t mantissa;
     fmpz_init(mantissa);
@@ -185,18 +156,22 @@ enum literal literal_read(fmpq_t value, const char *text, bool exact)
     if (text != NULL && (*text | 0x20) == (hexadecimal ? 'p' : 'e'))
         text = read_exponent(&exponent, text + 1);
 
-    enum literal what = LITERAL_MALFORMED;
-    if (text != NULL && *text == '\0') {
-        const bool giant = labs(exponent) > LARGEST_EXPONENT || fraction > MOST_DIGITS ||
-                           (slong)fmpz_bits(mantissa) > 4 * MOST_DIGITS;
-        if (exact && giant && !fmpz_is_zero(mantissa))
-            what = LITERAL_OVERFLOW;
-        else
-            what = place(value, mantissa, hexadecimal ? 2 : 10,
-                         exponent - (hexadecimal ? 4 * fraction : fraction), exact);
+    enum literal what = LITERAL_FINITE;
+    const bool giant = labs(exponent) > LARGEST_EXPONENT || fraction > MOST_DIGITS ||
+                       (slong)fmpz_bits(mantissa) > 4 * MOST_DIGITS;
+    if (text == NULL || *text != '\0') {
+        what = LITERAL_MALFORMED;
+    } else if (fmpz_is_zero(mantissa)) {
+        fmpq_zero(value);
+    } else if (!exact) {
+        what = round_to_binary64(value, literal) ? LITERAL_FINITE : LITERAL_OVERFLOW;
+    } else if (giant) {
+        what = LITERAL_OVERFLOW;
+    } else {
+        place(value, mantissa, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 * fraction : fraction));
+        if (negative)
+            fmpq_neg(value, value);
     }
-    if (what == LITERAL_FINITE && negative)
-        fmpq_neg(value, value);
     fmpz_clear(mantissa);
     return what;
 }
@@ -206,22 +181,25 @@ enum literal literal_read(fmpq_t value, const char *text, bool exact)
 /* What a number needs beside its digits: -, ., e, an exponent's sign and 19 digits, the end. */
 enum { BESIDE_DIGITS = 24 };
 
-/* d.ddde-XX from the digits' integer and the exponent of the first. */
-static void write_scientific(char *text, const fmpz_t digits, slong exponent)
+/* d.ddde-XX from the digits and the exponent of the first. */
+static void write_scientific(char *text, const char *digits, slong exponent)
 {
-    fmpz_get_str(text + 1, 10, digits);
-    size_t count = strlen(text + 1);
-    text[0] = text[1];
-    text[1] = '.';
-    char *end = text + (count == 1 ? 1 : count + 1);
-    snprintf(end, BESIDE_DIGITS - 2, "e%c%02ld", exponent < 0 ? '-' : '+', labs(exponent));
+    const size_t more = strlen(digits + 1);
+    *text++ = *digits;
+    if (more > 0)
+        *text++ = '.';
+    memcpy(text, digits + 1, more);
+    snprintf(text + more, BESIDE_DIGITS - 2, "e%c%02ld", exponent < 0 ? '-' : '+', labs(exponent));
 }
 
+/* The same with a sign, from their integer. */
 static char *scientific(bool negative, const fmpz_t digits, slong exponent)
 {
-    char *text = memory(NULL, fmpz_sizeinbase(digits, 10) + BESIDE_DIGITS, 1);
+    char *significand = fmpz_get_str(NULL, 10, digits);
+    char *text = memory(NULL, strlen(significand) + BESIDE_DIGITS, 1);
     text[0] = '-';
-    write_scientific(text + negative, digits, exponent);
+    write_scientific(text + negative, significand, exponent);
+    flint_free(significand);
     return text;
 }
 
@@ -277,158 +255,83 @@ char *decimal_of_rational(const fmpq_t x, slong digits)
     return text;
 }
 
-/* The nearest integers to the two ends of |x| 10^k: what lies between the ends rounds between them.
- */
-static void nearest_ends(fmpz_t low, fmpz_t high, const arb_t x, slong k, slong prec)
+/* The text of a number other than zero, rounded to nearest, ties to even. */
+static char *decimal_of_mpfr(const mpfr_t x, slong digits)
 {
-    arb_t y;
-    arf_t end;
-    arb_init(y);
-    arf_init(end);
-    arb_ui_pow_ui(y, 10, (ulong)labs(k), prec);
-    if (k < 0)
-        arb_div(y, x, y, prec);
-    else
-        arb_mul(y, x, y, prec);
-    arb_get_abs_lbound_arf(end, y, prec);
-    arf_get_fmpz(low, end, ARF_RND_NEAR);
-    arb_get_abs_ubound_arf(end, y, prec);
-    arf_get_fmpz(high, end, ARF_RND_NEAR);
-    arb_clear(y);
-    arf_clear(end);
-}
-
-/* The text of a ball, given a lower bound on the exponent of each of its numbers; NULL when
- * undecided. */
-static char *decided(const arb_t x, slong digits, slong exponent)
-{
-    slong prec = (slong)(3.33 * (double)digits) + 64; /* log2(10) < 3.33, and guard bits */
-    fmpz_t low, high, limit;
-    fmpz_init(low);
-    fmpz_init(high);
-    fmpz_init(limit);
-    fmpz_ui_pow_ui(limit, 10, (ulong)digits);
-    for (;; exponent++) {
-        nearest_ends(low, high, x, digits - 1 - exponent, prec);
-        if (fmpz_cmp(low, limit) < 0)
-            break;
-    }
-    char *text = fmpz_equal(low, high) ? scientific(arb_is_negative(x), low, exponent) : NULL;
-    fmpz_clear(low);
-    fmpz_clear(high);
-    fmpz_clear(limit);
+    mpfr_exp_t exponent;
+    char *significand = mpfr_get_str(NULL, &exponent, 10, (size_t)digits, x, MPFR_RNDN);
+    const bool negative = *significand == '-';
+    char *text = memory(NULL, (size_t)digits + BESIDE_DIGITS, 1);
+    text[0] = '-';
+    write_scientific(text + negative, significand + negative, exponent - 1);
+    mpfr_free_str(significand);
     return text;
 }
 
-/* True when x is a dyadic rational of moderate size, stored in r. */
-static bool exact_dyadic(fmpq_t r, const arb_t x)
-{
-    const slong moderate = 1000000; /* bits: keeps the rational in a few hundred kilobytes */
-    if (!arb_is_exact(x) || !arf_is_finite(arb_midref(x)) ||
-        arf_cmpabs_2exp_si(arb_midref(x), moderate) > 0 ||
-        (!arf_is_zero(arb_midref(x)) && arf_cmpabs_2exp_si(arb_midref(x), -moderate) < 0))
-        return false;
-    arf_get_fmpq(r, arb_midref(x));
-    return true;
-}
-
+/* What both ends round to, all between them rounds to. */
 char *decimal_of_ball(const arb_t x, slong digits)
 {
-    char *text = NULL;
-    fmpq_t r;
-    arf_t low, high;
-    fmpz_t exponent;
-    fmpq_init(r);
-    arf_init(low);
-    arf_init(high);
-    fmpz_init(exponent);
-    arb_get_abs_lbound_arf(low, x, MANTISSA_BITS);
-    arb_get_abs_ubound_arf(high, x, MANTISSA_BITS);
-    arf_mul_2exp_si(high, high, -1);
-    if (exact_dyadic(r, x)) {
-        text = decimal_of_rational(r, digits);
-    } else if (arf_sgn(low) > 0 && arf_cmp(low, high) > 0) {
-        /* Within a factor of two, as all numbers with the same first digit, rounded, are (0.95
-         * to 1.5). */
-        arf_frexp(low, exponent, low);
-        if (fmpz_bits(exponent) < 50)
-            text = decided(x, digits,
-                           decimal_exponent(arf_get_d(low, ARF_RND_DOWN), fmpz_get_si(exponent)));
+    if (arb_is_zero(x))
+        return text_copy("0");
+    if (!arb_is_finite(x) || arb_contains_zero(x) || fmpz_bits(ARF_EXPREF(arb_midref(x))) > 50)
+        return NULL; /* MPFR's exponents end at 2^62 */
+    const slong prec = FLINT_MAX(arf_bits(arb_midref(x)), 4 * digits) + 64; /* 4 > log2(10), and guard bits */
+    const mpfr_exp_t least = mpfr_get_emin(), most = mpfr_get_emax();
+    mpfr_t low, high;
+    mpfr_set_emin(mpfr_get_emin_min());
+    mpfr_set_emax(mpfr_get_emax_max());
+    mpfr_init2(low, prec);
+    mpfr_init2(high, prec);
+    arb_get_interval_mpfr(low, high, x);
+    char *text = decimal_of_mpfr(low, digits), *other = decimal_of_mpfr(high, digits);
+    if (strcmp(text, other) != 0) {
+        free(text);
+        text = NULL;
     }
-    fmpq_clear(r);
-    arf_clear(low);
-    arf_clear(high);
-    fmpz_clear(exponent);
+    free(other);
+    mpfr_clear(low);
+    mpfr_clear(high);
+    mpfr_set_emin(least);
+    mpfr_set_emax(most);
     return text;
 }
 
-/* p/q = quarters 2^exponent/4 10^k */
-static void on_grid(fmpz_t p, fmpz_t q, slong quarters, slong exponent, slong k)
+/* x > 0 to so many digits, without a point; returns the exponent of the first. */
+static slong digits_of(char digits[24], double x, size_t count, mpfr_rnd_t rounding)
 {
-    fmpq_t x;
-    fmpq_init(x);
-    fmpq_set_si(x, quarters, 1);
-    if (exponent < 2)
-        fmpq_div_2exp(x, x, (ulong)(2 - exponent));
-    else
-        fmpq_mul_2exp(x, x, (ulong)(exponent - 2));
-    scale(p, q, x, 10, k);
-    fmpq_clear(x);
+    mpfr_exp_t exponent;
+    mpfr_t y;
+    mpfr_init2(y, MANTISSA_BITS);
+    mpfr_set_d(y, x, MPFR_RNDN);
+    mpfr_get_str(digits, &exponent, 10, count, y, rounding);
+    mpfr_clear(y);
+    return exponent - 1;
+}
+
+static bool reads_back(const char *digits, slong exponent, double x)
+{
+    char text[40];
+    snprintf(text, sizeof text, "%se%ld", digits, exponent + 1 - (long)strlen(digits));
+    const double y = strtod(text, NULL);
+    return !(y < x) && !(y > x);
 }
 
 /*
- * The least and the greatest multiple of 10^-k that read back as x = mantissa 2^exponent: they
- * reach half a step to either side, a quarter below a power of two, ends included when the mantissa
- * is even.
+ * The fewest digits that read back as x, the nearest of them. What reads back as a power of two reaches twice as far
+ * above it as below: there the next decimal above may do where the nearest does not. Of a normal number no decimal of
+ * fewer than DBL_DIG = 15 digits is lost on the way, so that it stands in the 15 digits, zeros behind it.
  */
-static void neighbourhood(fmpz_t low, fmpz_t high, slong mantissa, slong exponent, slong k)
+static slong shortest_digits(char digits[24], double x)
 {
-    fmpz_t p, q;
-    fmpz_init(p);
-    fmpz_init(q);
-    bool least = mantissa == (slong)1 << (MANTISSA_BITS - 1) && exponent > LEAST_EXPONENT;
-    bool even = mantissa % 2 == 0;
-    on_grid(p, q, 4 * mantissa - (least ? 1 : 2), exponent, k);
-    if (!even)
-        fmpz_add_ui(p, p, 1); /* p/q < n says p + 1 <= n q */
-    fmpz_cdiv_q(low, p, q);
-    on_grid(p, q, 4 * mantissa + 2, exponent, k);
-    if (!even)
-        fmpz_sub_ui(p, p, 1);
-    fmpz_fdiv_q(high, p, q);
-    fmpz_clear(p);
-    fmpz_clear(q);
-}
-
-/* The fewest digits that read back as mantissa 2^exponent, the nearest of them; returns the last
- * one's exponent. */
-static slong shortest_digits(fmpz_t digits, slong mantissa, slong exponent)
-{
-    fmpz_t p, q, low, high;
-    fmpz_init(p);
-    fmpz_init(q);
-    fmpz_init(low);
-    fmpz_init(high);
-    /* 17 digits or 18: enough for some multiple to read back (IEEE 754-2019, 5.12.2) */
-    slong k = DBL_DECIMAL_DIG - 1 - decimal_exponent((double)mantissa, exponent);
-    neighbourhood(low, high, mantissa, exponent, k);
-    for (;; k--) {
-        fmpz_cdiv_q_ui(p, low, 10);
-        fmpz_fdiv_q_ui(q, high, 10);
-        if (fmpz_cmp(p, q) > 0)
-            break;
-        fmpz_swap(low, p);
-        fmpz_swap(high, q);
-    }
-    on_grid(p, q, 4 * mantissa, exponent, k);
-    nearest(digits, p, q);
-    if (fmpz_cmp(digits, low) < 0) /* below a power of two; above, the neighbourhood is as wide */
-        fmpz_set(digits, low);
-    fmpz_clear(p);
-    fmpz_clear(q);
-    fmpz_clear(low);
-    fmpz_clear(high);
-    return -k;
+    for (size_t count = x < DBL_MIN ? 1 : DBL_DIG;; count++)
+        for (int above = 0; above < 2; above++) {
+            const slong exponent = digits_of(digits, x, count, above ? MPFR_RNDU : MPFR_RNDN);
+            if (!reads_back(digits, exponent, x))
+                continue;
+            while (count > 1 && digits[count - 1] == '0')
+                digits[--count] = '\0';
+            return exponent;
+        }
 }
 
 void decimal_shortest(char text[32], double x)
@@ -441,25 +344,16 @@ void decimal_shortest(char text[32], double x)
         snprintf(text, room, "%s", isnan(x) ? "nan" : x > 0 ? "inf" : "0");
         return;
     }
-    int exponent;
-    frexp(x, &exponent);
-    exponent = (int)FLINT_MAX(exponent - MANTISSA_BITS, LEAST_EXPONENT);
-    fmpz_t n;
-    fmpz_init(n);
-    slong last = shortest_digits(n, (slong)ldexp(x, -exponent), exponent);
-
-    char digits[24]; /* at most 18 */
-    fmpz_get_str(digits, 10, n);
-    int first = (int)strlen(digits) - 1 + (int)last;
+    char digits[24]; /* at most 17 */
+    const int first = (int)shortest_digits(digits, x), last = first + 1 - (int)strlen(digits);
     if (first < -4 || first >= 16)
-        write_scientific(text, n, first);
+        write_scientific(text, digits, first);
     else if (first < 0)
         snprintf(text, room, "0.%.*s%s", -1 - first, "000", digits);
     else if (last < 0)
         snprintf(text, room, "%.*s.%s", first + 1, digits, digits + first + 1);
     else
         snprintf(text, room, "%ld", (long)x); /* below 10^16: the integer is x itself */
-    fmpz_clear(n);
 }
 
 void decimal_bound(char text[32], const mag_t x)
@@ -479,8 +373,9 @@ void decimal_bound(char text[32], const mag_t x)
     mag_set_ui_2exp_si(bound, 1, least);
     mag_max(bound, bound, x);
     mag_get_fmpq(value, bound);
-    slong exponent = leading_digits(n, value, 2, true);
-    write_scientific(text, n, exponent);
+    const slong exponent = leading_digits(n, value, 2, true);
+    char digits[4]; /* two */
+    write_scientific(text, fmpz_get_str(digits, 10, n), exponent);
     mag_clear(bound);
     fmpq_clear(value);
     fmpz_clear(n);

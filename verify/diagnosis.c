@@ -79,14 +79,14 @@ static const struct input *inputs_of(struct suspect *x, const struct input *inpu
     if (!x->transforms)
         return inputs;
     struct operation transformation = {.section = x->a.section, .formulas = &x->a.formulas};
-    struct machine sums;
+    struct machine values;
     bool rational = true;
-    operation_sums(&sums, &transformation, inputs);
+    operation_exact(&values, &transformation, inputs);
     for (int i = 0; i < x->a.section->input_count; i++) {
-        rational = rational && exact_is_rational(&x->inputs[i].value, machine_value(&sums, x->a.formulas.outputs[i]));
+        rational = rational && exact_is_rational(&x->inputs[i].value, machine_value(&values, x->a.formulas.outputs[i]));
         x->inputs[i].infinite = false;
     }
-    machine_clear(&sums);
+    machine_clear(&values);
     return rational ? x->inputs : NULL;
 }
 

@@ -126,25 +126,25 @@ void operation_sensitivity_settled(struct operation *o, const struct input *inpu
         arb_pos_inf(S); /* of a multiple root, which moves like the root of a change */
         return;
     }
-    struct machine sums, exact, balls;
+    struct machine exact, derivatives, balls;
     arb_ptr values = _arb_vec_init(s->output_count);
     const int node = o->formulas->outputs[output];
     operation_enclose(o, inputs, prec, values);
-    operation_sums(&sums, o, inputs);
-    machine_init(&exact, sums.program, &arithmetic_sums, 0);
-    machine_init(&balls, sums.program, &arithmetic_ball, prec);
-    machine_gradient(&sums, node, &exact);
+    operation_exact(&exact, o, inputs);
+    machine_init(&derivatives, exact.program, &arithmetic_exact, 0);
+    machine_init(&balls, exact.program, &arithmetic_ball, prec);
+    machine_gradient(&exact, node, &derivatives);
     machine_gradient(&o->machine, node, &balls);
     arb_zero(S);
     for (int i = 0; i < s->input_count; i++) {
-        const struct exact *derivative = machine_value(&exact, i);
-        if (derivative->pole)
+        const struct exact *derivative = machine_value(&derivatives, i);
+        if (exact_is_undefined(derivative))
             arb_pos_inf(S);
         else if (!exact_is_zero(derivative) && arb_is_finite(S))
             add_term(S, &inputs[i], machine_value(&balls, i), prec);
     }
-    machine_clear(&sums);
     machine_clear(&exact);
+    machine_clear(&derivatives);
     machine_clear(&balls);
     _arb_vec_clear(values, s->output_count);
 }

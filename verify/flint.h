@@ -1,6 +1,6 @@
 /*
- * FLINT and Arb from where this machine keeps them: FLINT 3 has Arb inside
- * (flint/arb.h), FLINT 2 stands beside a separate Arb (arb.h).
+ * FLINT, Arb and Calcium from where this machine keeps them: FLINT 3 has all three (flint/arb.h, flint/ca.h), FLINT 2
+ * stands beside a separate Arb (arb.h) and Calcium (calcium/ca.h).
  */
 #ifndef CT_FLINT_H
 #define CT_FLINT_H
@@ -26,8 +26,10 @@
 #include <flint/arb_mat.h>
 #include <flint/arb_poly.h>
 #include <flint/arf.h>
+#include <flint/ca.h>
 #include <flint/fmpz_mpoly_q.h>
 #include <flint/mag.h>
+#include <flint/qqbar.h>
 #else
 #include <acb.h>
 #include <acb_poly.h>
@@ -37,7 +39,9 @@
 #include <arb_mat.h>
 #include <arb_poly.h>
 #include <arf.h>
+#include <calcium/ca.h>
 #include <calcium/fmpz_mpoly_q.h>
+#include <calcium/qqbar.h>
 #include <mag.h>
 #endif
 

@@ -8,6 +8,31 @@
 /* Radians: 160,000 orbits of some 10^5 bits, and of the method 1,600 of 240,000: both would take days. */
 static const double FLOW_REACH = 1e6, RK4_REACH = 1e4;
 
+void flow_parameters_init(struct flow_parameters *p)
+{
+    arb_ptr all[] = {p->Omega, p->L_ref, p->C1, p->C2, p->k_c, p->m1, p->m2};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        arb_init(all[i]);
+}
+
+void flow_parameters_clear(struct flow_parameters *p)
+{
+    arb_ptr all[] = {p->Omega, p->L_ref, p->C1, p->C2, p->k_c, p->m1, p->m2};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        arb_clear(all[i]);
+}
+
+const char *flow_status_text(enum flow_status status)
+{
+    static const char *const texts[] = {[FLOW_DONE] = "done",
+                                        [FLOW_STOPPED] = "stopped",
+                                        [FLOW_WIDE] = "the enclosure grew past use",
+                                        [FLOW_CLOSE] = "the craft come closer than L_ref/128, nothing is proved beyond",
+                                        [FLOW_DOMAIN] = "a parameter lies outside the domain",
+                                        [FLOW_STALLED] = "too many steps or orbits, no end in sight"};
+    return texts[status];
+}
+
 bool flow_linear_domain(const struct flow_parameters *p, arb_srcptr initial)
 {
     return arb_is_positive(p->Omega) && arb_is_positive(p->L_ref) && arb_is_finite(p->Omega)
@@ -83,4 +108,35 @@ slong rk4_precision(slong digits, double radians)
 {
     /* plain balls lose 10 bits per radian of orbit at n = 10, 23 at n = 40, whatever the step */
     return (slong)(log2(10) * (double)digits + 40 + 24 * fmin(fabs(radians), RK4_REACH));
+}
+
+/* ---- what symmetry keeps ---- */
+
+void flow_settle(arb_srcptr initial, bool static_place, arb_ptr state)
+{
+    bool zero[3]; /* the pair neither is nor moves off the origin along this axis */
+    for (int i = 0; i < 3; i++)
+        zero[i] = arb_is_zero(initial + i) && arb_is_zero(initial + i + 3);
+    for (int i = 0; i < 3; i++)
+        if (i == 2 ? zero[2] : zero[0] && zero[1]) {
+            arb_zero(state + i);
+            arb_zero(state + i + 3);
+        }
+    if (static_place && zero[1] && zero[2] && arb_is_zero(initial + 3))
+        _arb_vec_set(state, initial, FLOW_STATE);
+}
+
+bool is_static_place(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1)
+{
+    fmpq_t a, b;
+    fmpq_init(a);
+    fmpq_init(b);
+    fmpq_add(a, m1, m2);
+    fmpq_mul(a, a, x1);
+    fmpq_abs(a, a);
+    fmpq_mul(b, m2, L_ref);
+    bool same = fmpq_equal(a, b);
+    fmpq_clear(a);
+    fmpq_clear(b);
+    return same;
 }

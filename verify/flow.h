@@ -19,6 +19,9 @@ struct flow_parameters {
     arb_t k_c, m1, m2;          /* N m^2/C^2, kg, kg: the nonlinear model's                     */
 };
 
+void flow_parameters_init(struct flow_parameters *p);
+void flow_parameters_clear(struct flow_parameters *p);
+
 enum flow_status {
     FLOW_DONE,
     FLOW_STOPPED,   /* the receiver asked to stop                                               */
@@ -28,6 +31,8 @@ enum flow_status {
     FLOW_DOMAIN,    /* a parameter, the initial state or a time lies outside the domain         */
     FLOW_STALLED    /* too many steps: gains so stiff, or a time so late, that no end is in sight */
 };
+
+const char *flow_status_text(enum flow_status status);
 
 /* Called in order of time, once for each requested time; non-zero stops the flow. */
 typedef int flow_receiver(void *context, slong k, const fmpq_t t, arb_srcptr state);
@@ -79,5 +84,12 @@ bool flow_nonlinear_domain(const struct flow_parameters *p, arb_srcptr initial);
 
 /* Whether some radius exceeds 2^-bits of the largest coordinate (all in like units), or is not finite. */
 bool flow_wide(arb_srcptr state, slong bits);
+
+/*
+ * What symmetry keeps for ever, and no enclosure can see: a pair in the orbit plane stays there, one
+ * on the orbit normal too, and one at rest at its static place, x1 = +-L_ref m2/(m1 + m2), stays at rest.
+ */
+bool is_static_place(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1);
+void flow_settle(arb_srcptr initial, bool static_place, arb_ptr state);
 
 #endif

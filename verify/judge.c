@@ -59,19 +59,19 @@ static bool on_the_boundary(const struct judge *j)
 static void settle(struct judge *j, const struct input *inputs, slong prec)
 {
     const struct operation *o = j->operation;
-    struct machine sums;
+    struct machine values;
     fmpq_t value;
-    operation_sums(&sums, o, inputs);
+    operation_exact(&values, o, inputs);
     fmpq_init(value);
     for (int i = 0; i < o->section->output_count; i++) {
-        if (exact_is_rational(value, machine_value(&sums, o->formulas->outputs[i])))
+        if (exact_is_rational(value, machine_value(&values, o->formulas->outputs[i])))
             arb_set_fmpq(j->exact + i, value, prec);
         operation_sensitivity_settled(j->operation, inputs, prec, i, j->S + i);
         if (!arb_is_finite(j->S + i))
             arb_zero(j->S + i);
     }
     fmpq_clear(value);
-    machine_clear(&sums);
+    machine_clear(&values);
 }
 
 static struct bounds error_of(struct judge *j, const struct input *inputs, struct score *score)

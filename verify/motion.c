@@ -69,20 +69,6 @@ bool setting_valid(const struct setting *s, bool nonlinear, struct message *why)
 
 /* ---- parameters and initial states, derived without rounding ---- */
 
-void flow_parameters_init(struct flow_parameters *p)
-{
-    arb_ptr all[] = {p->Omega, p->L_ref, p->C1, p->C2, p->k_c, p->m1, p->m2};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        arb_init(all[i]);
-}
-
-void flow_parameters_clear(struct flow_parameters *p)
-{
-    arb_ptr all[] = {p->Omega, p->L_ref, p->C1, p->C2, p->k_c, p->m1, p->m2};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        arb_clear(all[i]);
-}
-
 static void get(arb_t x, const struct setting *s, enum setting_name name, slong prec)
 {
     arb_set_fmpq(x, &s->value[name].value, prec);
@@ -174,46 +160,6 @@ static void charges(arb_ptr q, arb_t product, const struct flow_parameters *p, a
 }
 
 /* ---- rows ---- */
-
-void flow_settle(arb_srcptr initial, bool static_place, arb_ptr state)
-{
-    bool zero[3]; /* the pair neither is nor moves off the origin along this axis */
-    for (int i = 0; i < 3; i++)
-        zero[i] = arb_is_zero(initial + i) && arb_is_zero(initial + i + 3);
-    for (int i = 0; i < 3; i++)
-        if (i == 2 ? zero[2] : zero[0] && zero[1]) {
-            arb_zero(state + i);
-            arb_zero(state + i + 3);
-        }
-    if (static_place && zero[1] && zero[2] && arb_is_zero(initial + 3))
-        _arb_vec_set(state, initial, FLOW_STATE);
-}
-
-bool is_static_place(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1)
-{
-    fmpq_t a, b;
-    fmpq_init(a);
-    fmpq_init(b);
-    fmpq_add(a, m1, m2);
-    fmpq_mul(a, a, x1);
-    fmpq_abs(a, a);
-    fmpq_mul(b, m2, L_ref);
-    bool same = fmpq_equal(a, b);
-    fmpq_clear(a);
-    fmpq_clear(b);
-    return same;
-}
-
-const char *flow_status_text(enum flow_status status)
-{
-    static const char *const texts[] = {[FLOW_DONE] = "done",
-                                        [FLOW_STOPPED] = "stopped",
-                                        [FLOW_WIDE] = "the enclosure grew past use",
-                                        [FLOW_CLOSE] = "the craft come closer than L_ref/128, nothing is proved beyond",
-                                        [FLOW_DOMAIN] = "a parameter lies outside the domain",
-                                        [FLOW_STALLED] = "too many steps or orbits, no end in sight"};
-    return texts[status];
-}
 
 struct pass {
     const struct motion *motion;

@@ -7,7 +7,7 @@
 #define CT_MOTION_H
 
 #include "flow.h"
-#include "operation.h"
+#include "input.h"
 
 enum setting_name {
     SET_m1, SET_m2, SET_L_ref, SET_k_c, SET_Omega, SET_n, SET_C1, SET_C2,
@@ -49,17 +49,5 @@ struct motion {
 /* Rows at all those times (of one sign, away from 0); 0, or -1 with the reason. */
 int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
                 void *context, struct message *why);
-
-/* Parameters as the flows take them, and what flow_status means in words. */
-void flow_parameters_init(struct flow_parameters *p);
-void flow_parameters_clear(struct flow_parameters *p);
-const char *flow_status_text(enum flow_status status);
-
-/*
- * What symmetry keeps for ever, and no enclosure can see: a pair in the orbit plane stays there, one
- * on the orbit normal too, and one at rest at its static place, x1 = +-L_ref m2/(m1 + m2), stays at rest.
- */
-bool is_static_place(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1);
-void flow_settle(arb_srcptr initial, bool static_place, arb_ptr state);
 
 #endif

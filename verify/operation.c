@@ -14,23 +14,6 @@ enum { MOST_OUTPUTS = 16, GUARD_BITS = 64 };
 /* Beyond this no formula of the sheet should need to go; it is the end of a loop that has none else. */
 static const slong MOST_BITS = 400000;
 
-struct input *inputs_new(int count)
-{
-    struct input *inputs = memory(NULL, (size_t)count, sizeof *inputs);
-    for (int i = 0; i < count; i++) {
-        fmpq_init(&inputs[i].value);
-        inputs[i].infinite = false;
-    }
-    return inputs;
-}
-
-void inputs_free(struct input *inputs, int count)
-{
-    for (int i = 0; i < count; i++)
-        fmpq_clear(&inputs[i].value);
-    free(inputs);
-}
-
 void operation_init(struct operation *o, const struct section *s, bool as_printed)
 {
     *o = (struct operation){.section = s};
@@ -43,7 +26,7 @@ void operation_clear(struct operation *o)
     machine_clear(&o->machine);
 }
 
-/* ---- formulas in balls and in exact sums ---- */
+/* ---- formulas in balls and in exact numbers ---- */
 
 static void set_inputs(struct machine *m, const struct input *inputs)
 {
@@ -66,23 +49,11 @@ static void run_balls(struct operation *o, const struct input *inputs, slong pre
     machine_run(&o->machine);
 }
 
-void operation_sums(struct machine *m, const struct operation *o, const struct input *inputs)
+void operation_exact(struct machine *m, const struct operation *o, const struct input *inputs)
 {
-    machine_init(m, &o->formulas->program, &arithmetic_sums, 0);
+    machine_init(m, &o->formulas->program, &arithmetic_exact, 0);
     set_inputs(m, inputs);
     machine_run(m);
-}
-
-void section_enclose(const struct section *s, arb_srcptr inputs, slong prec, arb_ptr outputs)
-{
-    struct machine m;
-    machine_init(&m, &s->corrected.program, &arithmetic_ball, prec);
-    for (int i = 0; i < s->input_count; i++)
-        arb_set(machine_value(&m, i), inputs + i);
-    machine_run(&m);
-    for (int i = 0; i < s->output_count; i++)
-        arb_set(outputs + i, machine_value(&m, s->corrected.outputs[i]));
-    machine_clear(&m);
 }
 
 /* ---- the domain ---- */
@@ -129,14 +100,14 @@ static int node_sign(const struct operation *o, const struct input *inputs, int 
     arb_srcptr ball = machine_value(&o->machine, node);
     if (!arb_contains_zero(ball))
         return arf_sgn(arb_midref(ball));
-    struct machine sums;
+    struct machine values;
     fmpq_t value;
-    operation_sums(&sums, o, inputs);
+    operation_exact(&values, o, inputs);
     fmpq_init(value);
-    exact_is_rational(value, machine_value(&sums, node)); /* conditions are rational in their inputs */
+    exact_is_rational(value, machine_value(&values, node)); /* conditions are rational in their inputs */
     int sign = fmpq_sgn(value);
     fmpq_clear(value);
-    machine_clear(&sums);
+    machine_clear(&values);
     return sign;
 }
 
@@ -291,37 +262,33 @@ enum outcome operation_follow(struct operation *o, const struct input *inputs, s
 
 /* ---- digits ---- */
 
-static void decide_rational_roots(const struct input *inputs, slong digits, slong prec, char **texts)
+static void decide_rational_roots(const struct input *inputs, slong digits, char **texts)
 {
-    const fmpq *Omega = &inputs[0].value, *C1 = &inputs[1].value, *C2 = &inputs[2].value;
-    acb_ptr roots = _acb_vec_init(4);
     fmpq_t value;
     fmpq_init(value);
-    roots41(roots, Omega, C1, C2, prec);
     for (int i = 0; i < 8; i++)
-        if (texts[i] == NULL && roots41_rational(value, roots, i / 2, i % 2, Omega, C1, C2))
+        if (texts[i] == NULL &&
+            roots41_rational(value, i / 2, i % 2, &inputs[0].value, &inputs[1].value, &inputs[2].value))
             texts[i] = decimal_of_rational(value, digits);
     fmpq_clear(value);
-    _acb_vec_clear(roots, 4);
 }
 
 /* Rational outputs, zeros and ties among them, may have no enclosure that ever decides them. */
-static void decide_exactly(const struct operation *o, const struct input *inputs, slong digits,
-                           slong prec, char **texts)
+static void decide_exactly(const struct operation *o, const struct input *inputs, slong digits, char **texts)
 {
     if (o->section->method == METHOD_ROOTS)
-        decide_rational_roots(inputs, digits, prec, texts);
+        decide_rational_roots(inputs, digits, texts);
     if (o->section->method != METHOD_FORMULA)
         return;
-    struct machine sums;
+    struct machine values;
     fmpq_t value;
-    operation_sums(&sums, o, inputs);
+    operation_exact(&values, o, inputs);
     fmpq_init(value);
     for (int i = 0; i < o->section->output_count; i++)
-        if (texts[i] == NULL && exact_is_rational(value, machine_value(&sums, o->formulas->outputs[i])))
+        if (texts[i] == NULL && exact_is_rational(value, machine_value(&values, o->formulas->outputs[i])))
             texts[i] = decimal_of_rational(value, digits);
     fmpq_clear(value);
-    machine_clear(&sums);
+    machine_clear(&values);
 }
 
 static int unset(char *const *texts, int count)
@@ -351,8 +318,8 @@ enum outcome operation_digits(struct operation *o, const struct input *inputs, s
             if (texts[i] == NULL)
                 texts[i] = decimal_of_ball(balls + i, digits);
         left = unset(texts, count);
-        if (left > 0 && outcome == OUTCOME_PROVED && (first || o->section->method == METHOD_ROOTS)) {
-            decide_exactly(o, inputs, digits, prec, texts);
+        if (left > 0 && outcome == OUTCOME_PROVED && first) {
+            decide_exactly(o, inputs, digits, texts);
             left = unset(texts, count);
         }
     }

@@ -4,12 +4,7 @@
 #ifndef CT_OPERATION_H
 #define CT_OPERATION_H
 
-#include "sheet.h"
-
-struct input {
-    fmpq value;
-    bool infinite; /* only where the domain lets it be */
-};
+#include "input.h"
 
 enum outcome {
     OUTCOME_PROVED,
@@ -47,14 +42,7 @@ enum outcome operation_follow(struct operation *o, const struct input *inputs, s
  */
 enum outcome operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs);
 
-/* The formulas in exact sums: initialises the machine and runs it. */
-void operation_sums(struct machine *m, const struct operation *o, const struct input *inputs);
-
-/* A section's corrected formulas for inputs that are enclosures themselves. */
-void section_enclose(const struct section *s, arb_srcptr inputs, slong prec, arb_ptr outputs);
-
-/* Inputs by the dozen. */
-struct input *inputs_new(int count);
-void inputs_free(struct input *inputs, int count);
+/* The formulas in exact numbers: initialises the machine and runs it. */
+void operation_exact(struct machine *m, const struct operation *o, const struct input *inputs);
 
 #endif

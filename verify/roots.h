@@ -22,12 +22,7 @@ bool roots41(acb_ptr roots, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2
  */
 bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec);
 
-/*
- * True when the real (or imaginary) part of root k of roots41's result is proved to be rational:
- * value. With the precision of the roots rising it finds every rational part, and so the ties of
- * rounding.
- */
-bool roots41_rational(fmpq_t value, acb_srcptr roots, int k, bool imaginary, const fmpq_t Omega,
-                      const fmpq_t C1, const fmpq_t C2);
+/* True when the real (or imaginary) part of root k, in that order, is rational: value. By algebraic numbers, for ties. */
+bool roots41_rational(fmpq_t value, int k, bool imaginary, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2);
 
 #endif

@@ -166,7 +166,7 @@ bool machine_bind_exact(struct machine *m, int node, const struct bindings *b)
 bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *b)
 {
     struct machine m;
-    machine_init(&m, &f->program, &arithmetic_sums, 0);
+    machine_init(&m, &f->program, &arithmetic_exact, 0);
     bool rational = machine_bind_exact(&m, f->node, b);
     if (rational) {
         machine_run(&m);
@@ -179,7 +179,7 @@ bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *
 bool formula_is_zero(const struct formula *f, const struct bindings *b)
 {
     struct machine m;
-    machine_init(&m, &f->program, &arithmetic_sums, 0);
+    machine_init(&m, &f->program, &arithmetic_exact, 0);
     bool zero = machine_bind_exact(&m, f->node, b);
     if (zero) {
         machine_run(&m);
