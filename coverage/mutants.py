@@ -294,7 +294,6 @@ def available_checks():
     def data(file):
         return (ROOT / 'data' / file).read_bytes()
     checks = {'derivations': ([program, 'verify', 'derivations'], None),
-              'logic': (['env', 'CK_RUN_CASE=logic', 'build/tests/test_derivation'], None),
               'golden inputs': (['env', 'CK_RUN_CASE=golden', 'build/tests/test_vectors'], None),
               'domains': (['env', 'CK_RUN_CASE=domains', 'build/tests/test_vectors'], None),
               'oracle': ([program, 'conform', '--', 'build/client'], None),
@@ -371,10 +370,10 @@ def of_quantity(names):
 
 
 # The checks that a part reaches at all, as regular expressions: verify/ calls ref/ in reference.c alone, and reads the steps
-# in proofs.c alone.
+# in proof_results.c alone.
 REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform|test_verdicts|test_command|oracle|errors|gate',
            SHEETS[2]: 'verdicts|wrong|test_statement|test_verdicts',
-           SHEETS[1]: 'derivations|logic|gate|test_derivation|verdicts|test_track|test_convergence|study|test_command|test_typeset'}
+           SHEETS[1]: 'derivations|gate|test_derivation|verdicts|test_track|test_convergence|study|test_command|test_typeset'}
 
 # The checks that should notice a mutant of a file in verify/, by the longest beginning of its name.
 NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in """
@@ -402,7 +401,10 @@ command_vectors golden eq44, test_vectors, test_command_line
 conform test_conform
 convergence test_convergence, study convergence, verdicts
 decimal test_decimal, golden eq14, golden eq41roots
+binding test_derivation
 derivation derivations, test_derivation
+identities derivations, test_derivation
+derivation_remainder test_remainder, derivations
 diagnosis kills eq07, kills eq14, test_conform
 document test_sheet, test_derivation, test_statement
 embedded derivations
@@ -419,9 +421,11 @@ marked test_statement
 message test_sheet, test_command_line
 motion figure6, golden flow_nonlinear, test_track, test_command_line, verdicts
 operation golden eq14, golden eq41roots, golden flow_linear, golden rk4_nonlinear, test_vectors, test_command_line
-proofs derivations, test_derivation
+proof_results derivations, test_derivation
+symbolic test_expression, derivations, test_derivation
 questions kills eq21, test_conform
 reference test_units, test_mistakes, test_vectors
+remainder test_remainder, derivations
 report test_conform
 rk4 golden rk4_linear, golden rk4_nonlinear, test_flow
 roots test_roots, golden eq41roots, test_rates
@@ -437,7 +441,7 @@ track test_track, verdicts
 two_body test_convergence, verdicts
 typeset test_typeset, test_statement
 vectors golden eq44, test_vectors
-verdicts verdicts, wrong, test_command_line
+verdicts verdicts, wrong, test_command_line""".strip().split('\n'))
 
 
 def likely(mutant):
@@ -445,10 +449,10 @@ def likely(mutant):
     stem = pathlib.Path(mutant.file).stem
     if mutant.file == SHEETS[0]:
         section = section_at(mutant)
-        return ['golden inputs', 'golden ' + section, *of_quantity(section), 'test_units', 'test_mistakes', 'derivations', 'logic', 'test_sheet',
+        return ['golden inputs', 'golden ' + section, *of_quantity(section), 'test_units', 'test_mistakes', 'derivations', 'test_sheet',
                 'domains', 'gate', 'table1']
     if mutant.file == SHEETS[1]:
-        return ['derivations', 'logic', 'gate']
+        return ['derivations', 'gate']
     if mutant.file.startswith('ref/'):
         return [f'test_ref_{stem}', 'oracle scalar', *(f'test_ref_{other}' for other in REF)]
     return NOTICED_BY[max((name for name in NOTICED_BY if stem.startswith(name)), key=len)]

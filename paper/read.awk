@@ -102,16 +102,14 @@ function read_steps(path,    line, id, what) {
             step_from[id] = member(line, "from")
             step_to[id] = member(line, "to")
             step_order[id] = member(line, "order")
+            step_domain[id] = member(line, "domain")
+            step_dropped[id] = member(line, "dropped")
         } else if (match(line, /^ +"(step|printed)": /)) {
             what = line ~ /^ +"step"/ ? "step" : "printed"
             finding[id, what] = member(line, "finding")
             evidence[id, what] = member(line, "evidence")
-            degree[id, what] = line
-            sub(/.*"finding"/, "", degree[id, what])
-            bound[id, what] = member(degree[id, what], "bound")
-            points[id, what] = gsub(/[[ ]\{/, "", degree[id, what])
-            sub(/.*"finding"/, "", line)
-            degree[id, what] = member(line, "degree")
+            difference[id, what] = member(line, "difference")
+            gsub(/\\\\/, "\\", difference[id, what])
         }
     }
     close(path)

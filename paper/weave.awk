@@ -9,7 +9,7 @@
 #   <<printed ID [only NAME ...]>>    what the paper has instead, and why it cannot be
 #   <<function ID>>                   the function of ref/ that carries the equation's number
 #   <<helper NAME>>                   a function of ref/ that carries none, by its name
-#   <<step ID>>                       a derivation step with order, points and bound
+#   <<step ID>>                       a derivation step with its order, where it holds, and what is dropped
 #   <<verdict ID>>                    a row of the ledger;  <<findings VERDICT>>  a table of those that have it, and why
 #   <<plot NAME CAPTION>>             a plot, drawn from data/
 #   <<run ARGUMENT ...>>              a command of the program, and what it prints
@@ -21,7 +21,6 @@
 #   <<quote ID before|text|after>>    `text`, provided that the evidence of a verdict reads so
 #   <<error ID>>                      the measured error of a function of ref/, in roundings; of ID worst: the largest
 #   <<count WHAT>>                    steps, vectors, inputs, misprints, verdicts, or one kind of verdict
-#   <<doubt>>                         the largest chance that a step which holds is false
 # \eq{7} refers to an equation, and has to be one of the sheet.
 
 function stop(text) {
@@ -316,10 +315,27 @@ function weave_function(id,    key) {
     list_function(function_of[key])
 }
 
+# An equation number, a section or one formula of it, or a principle or property.
+function reference(entry,    part, number, name) {
+    split(entry, part, ".")
+    if (entry in is_number)
+        return "\\eq{" entry "}"
+    if (!(part[1] in numbers))
+        return escape(entry)
+    number = numbers[part[1]]
+    sub(/[a-z]? .*|[a-z]$/, "", number)
+    name = part[2]
+    if (name in symbol)
+        name = symbol[name]
+    else if (sub(/_/, "_{", name))
+        name = name "}"
+    return "\\eq{" number "}" (name == "" ? "" : "~$" name "$")
+}
+
 function references(list,    n, part, i, out) {
     n = split(list, part, ", ")
     for (i = 1; i <= n; i++)
-        out = out (i > 1 ? ", " : "") (part[i] in is_number ? "\\eq{" part[i] "}" : escape(part[i]))
+        out = out (i > 1 ? ", " : "") reference(part[i])
     return out
 }
 
@@ -328,14 +344,14 @@ function weave_step(id,    how) {
         stop("unknown derivation step '" id "', expected one of paper/derivations.yaml")
     if (finding[id, "step"] != "holds")
         stop("step '" id "' does not hold: " evidence[id, "step"])
-    how = (step_order[id] == "" ? "exactly" : "to order " step_order[id]) "; degree " degree[id, "step"] ", " \
-          points[id, "step"] " points, doubt below $" bound[id, "step"] "$"
-    sub(/\^-/, "^{-", how)
-    sub(/\$$/, "}$", how)
+    how = (step_order[id] == "" ? "exactly" : "to order " step_order[id]) ", for " prose(step_domain[id])
     emit("\\step{" escape(id) "}{" prose(step_title[id]) "}{" references(step_from[id]) "}{" \
          (step_to[id] == "" ? "" : "$\\;\\rightarrow\\;$" references(step_to[id])) "}{" how "}\n")
     if ((id, "printed") in finding)
-        emit("\\stepprinted{" prose(evidence[id, "printed"]) "}\n")
+        emit("\\stepprinted{" (difference[id, "printed"] == "" ? prose(evidence[id, "printed"]) : \
+             "the sides differ by a multiple of $" difference[id, "printed"] "$") "}\n")
+    if (step_dropped[id] != "")
+        emit("\\stepdropped{" prose(step_dropped[id]) "}\n")
 }
 
 function known_verdict(id) {
@@ -533,14 +549,6 @@ function count(what,    line, n, command, i) {
     return n + 0
 }
 
-# Bounds are powers of two, as text: 2^-104.
-function doubt(    i, largest) {
-    for (i = 1; i <= steps; i++)
-        if (largest == "" || substr(bound[step[i], "step"], 3) + 0 > largest)
-            largest = substr(bound[step[i], "step"], 3) + 0
-    return "\\ensuremath{2^{" largest "}}"
-}
-
 function one(rest,    words, n) {
     n = split(rest, words, " ")
     if (words[1] == "number")
@@ -549,8 +557,6 @@ function one(rest,    words, n) {
         return value_of(words, n)
     if (words[1] == "quote")
         return quote(rest)
-    if (words[1] == "doubt")
-        return doubt()
     if (words[1] == "error")
         return error_of(words[2])
     if (words[1] == "count") {

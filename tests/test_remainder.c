@@ -83,6 +83,83 @@ START_TEST(percent_is_what_is_reached)
 }
 END_TEST
 
+/* ---- what is read ---- */
+
+/* A step that drops L*psi^2; its remainders begin in line 8. */
+#define BEFORE \
+    "principles: {a: {text: t, inputs: [L, m1, psi], outputs: {o: L*m1*psi^2}}}\n" \
+    "properties: {b: {text: t, inputs: [L, m1, psi], outputs: {o: m1*L*psi^2}}}\n" \
+    "steps:\n" \
+    "  s:\n" \
+    "    title: t\n" \
+    "    from: [a]\n" \
+    "    to: [b, 5a]\n"
+#define AFTER "    show: [a.o = b.o]\n"
+
+static const struct {
+    const char *remainders, *message;
+} files[] = {
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n", NULL},
+    {"    remainders: [{equation: \"5b\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n",
+     "f:8:29: expected an equation that the step leads to"},
+    {"    remainders: all\n", "f:8:17: expected a list of what is dropped"},
+    {"    remainders: []\n", "f:8:17: expected a list of what is dropped"},
+    {"    remainders: [all]\n", "f:8:18: expected a mapping"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3}]\n",
+     "f:8:18: missing unit"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: [m]}]\n",
+     "f:8:92: expected a text"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, atmost: 3, unit: m}]\n", "f:8:74: unknown key"},
+    {"    remainders: [{equation: \"5a\", of: a.q, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n",
+     "f:8:41: unknown output 'q'"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: much, unit: m}]\n",
+     "f:8:83: expected a number"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 0, unit: m}]\n",
+     "f:8:83: expected a bound above zero"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: [L, psi], at_most: 3, unit: m}]\n", "f:8:48: expected"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2}, at_most: 3, unit: m}]\n",
+     "f:8:48: missing 'psi', which is not in Table 1"}, /* its initial value there is no bound of it */
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {psi: [0, 1]}, at_most: 3, unit: m}]\n",
+     "f:8:48: missing 'L', which is not in Table 1"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: 1, theta: 1}, at_most: 3, unit: m}]\n",
+     "f:8:63: what is dropped does not rest on 'theta'"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: two, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected a number"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: {}, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected a list"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [1], psi: 1}, at_most: 3, unit: m}]\n",
+     "f:8:52: expected [LOW, HIGH]"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [2, 1], psi: 1}, at_most: 3, unit: m}]\n",
+     "f:8:52: expected [LOW, HIGH] with LOW below HIGH"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [a, 1], psi: 1}, at_most: 3, unit: m}]\n",
+     "f:8:53: expected a number"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [1, nan], psi: 1}, at_most: 3, unit: m}]\n",
+     "f:8:56: expected a number"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [1, inf], psi: 1}, at_most: 3, unit: m}]\n",
+     "f:8:56: expected a number"},
+};
+
+START_TEST(what_is_written_is_read_or_the_mistake_told_with_its_place)
+{
+    struct derivations d;
+    struct message why = {""};
+    char text[2000];
+    snprintf(text, sizeof text, BEFORE "%s" AFTER, files[_i].remainders);
+    const int status = derivations_read(&d, sheet(), text, strlen(text), "f", &why);
+    ck_assert_msg(files[_i].message == NULL ? status == 0 : strncmp(why.text, files[_i].message, strlen(files[_i].message)) == 0,
+                  "%s, expected %s", why.text, files[_i].message ? files[_i].message : "no mistake");
+    if (status == 0) {
+        const struct remainder *r = &d.steps[0].remainders[0];
+        const int m1 = program_find(&r->program, "m1"), psi = program_find(&r->program, "psi");
+        ck_assert_int_eq(r->program.inputs, 3);
+        ck_assert_int_eq(fmpq_cmp_si(r->low + m1, 150), 0); /* Table 1's */
+        ck_assert(fmpq_equal(r->low + m1, r->high + m1));
+        ck_assert_int_eq(fmpq_cmp_si(r->high + psi, 1), -1);
+        ck_assert_double_eq_tol(fmpq_get_d(r->low + psi), -0.1, 0x1p-53); /* -1/10, not its binary64 */
+        ck_assert_uint_eq(fmpz_get_ui(fmpq_denref(r->low + psi)), 10);
+        derivations_clear(&d);
+    }
+}
+END_TEST
+
 /* ---- what the steps say ---- */
 
 static const struct remainder *each_remainder(const struct derivations *d, int index)
@@ -221,6 +298,8 @@ Suite *suite(void)
     tcase_set_timeout(c, 60);
     tcase_add_loop_test(c, bound_is_proved_or_the_reason_told, 0, (int)(sizeof cases / sizeof *cases));
     tcase_add_test(c, percent_is_what_is_reached);
+    tcase_add_loop_test(c, what_is_written_is_read_or_the_mistake_told_with_its_place, 0,
+                        (int)(sizeof files / sizeof *files));
     tcase_add_test(c, what_is_dropped_stays_below_its_bound_and_above_half_of_it);
     tcase_add_test(c, a_bound_one_percent_below_what_is_reached_is_refused);
     tcase_add_test(c, every_linearisation_has_its_bound);

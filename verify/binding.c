@@ -104,9 +104,16 @@ bool entry_leads_to(const struct derivations *d, const char *entry, const char *
 {
     struct entry_part parts[MOST_PARTS];
     const int count = entry_parts(d, entry, parts);
-    for (int i = 0; i < count; i++)
-        if (parts[i].equation != NULL && strcmp(parts[i].equation, equation) == 0)
+    for (int i = 0; i < count; i++) {
+        const struct section *s = parts[i].section;
+        bool output = parts[i].relation != NULL, leads = false;
+        for (int k = 0; k < s->output_count; k++)
+            output = output || strcmp(s->outputs[k]->name, parts[i].name) == 0;
+        for (int k = 0; k < s->numbers; k++) /* a named subexpression is of all the section's equations */
+            leads = leads || strcmp(output ? parts[i].equation : s->equations[k], equation) == 0;
+        if (leads)
             return true;
+    }
     return false;
 }
 
@@ -192,6 +199,8 @@ static bool no_tautology(struct table *table)
 
 static bool all_used(struct table *table)
 {
+    if (table->s->from_count == 0)
+        return refuse(table, table->s->node, "expected an equation or a principle in 'from'%s%s", "", "");
     for (int i = 0; i < table->s->from_count; i++) {
         const struct target from = {.d = table->d, .entry = table->s->from[i]};
         bool holds[MOST_SHOWN];
@@ -226,7 +235,89 @@ static bool nothing_beyond(struct table *table)
             return refuse(table, table->s->node, "it rests on %s%s, which neither from nor to names, nor also with a reason",
                           u->relation ? "a relation of " : "", u->section->id);
     }
+    const yaml_node_t *also = child(&table->d->document, table->s->node, "also");
+    for (int i = 0; also != NULL && i < length_of(also); i++) {
+        const yaml_node_t *key = key_of(&table->d->document, also, i);
+        bool used = false;
+        for (int k = 0; k < t->use_count; k++)
+            used = used || entry_concerns(table->d, scalar(key), &t->uses[k]);
+        if (!used)
+            return refuse(table, key, "'%s' is not used%s", scalar(key), "");
+    }
     return true;
+}
+
+/* ---- for which values ---- */
+
+/* Numbers at which nothing here happens to vanish: 1 + 1/2, 1 + 1/3 ... of any domain, and within a quarter turn. */
+static void set_point(struct machine *m, const struct identities *t)
+{
+    for (int i = 0; i < t->program.inputs; i++) {
+        arb_ptr x = machine_value(m, i);
+        arb_set_ui(x, 1);
+        arb_div_ui(x, x, (ulong)i % 23 + 2, m->prec);
+        if (!t->variables[i].angle && t->variables[i].power == 0)
+            arb_add_ui(x, x, 1, m->prec);
+    }
+}
+
+/*
+ * Whether what a formula's inputs are bound to fills an open set: their derivatives by the free quantities are
+ * independent at a point, J J^T having a determinant other than zero there, in balls. An equality of analytic
+ * functions on an open set is one everywhere.
+ */
+static bool fills_open_set(const struct identities *t, const struct use *u)
+{
+    enum { BITS = 256 };
+    const struct program *p = &u->formulas->program;
+    char *needed = memory(NULL, (size_t)p->count, 1);
+    slong rows[MOST_BOUND], count = 0;
+    struct machine m, adjoint;
+    arb_mat_t J, transposed, square;
+    arb_t determinant;
+    program_needs(p, u->part, NULL, needed);
+    for (int i = 0; i < p->inputs && i <= u->part && i < MOST_BOUND; i++)
+        if (needed[i])
+            rows[count++] = u->bound[i];
+    machine_init(&m, &t->program, &arithmetic_ball, BITS);
+    machine_init(&adjoint, &t->program, &arithmetic_ball, BITS);
+    arb_mat_init(J, count, t->program.inputs);
+    arb_mat_init(transposed, t->program.inputs, count);
+    arb_mat_init(square, count, count);
+    arb_init(determinant);
+    set_point(&m, t);
+    machine_run(&m);
+    for (slong i = 0; i < count; i++) {
+        machine_gradient(&m, (int)rows[i], &adjoint);
+        for (slong k = 0; k < t->program.inputs; k++)
+            arb_set(arb_mat_entry(J, i, k), machine_value(&adjoint, (int)k));
+    }
+    arb_mat_transpose(transposed, J);
+    arb_mat_mul(square, J, transposed, BITS);
+    arb_mat_det(determinant, square, BITS);
+    const bool fills = arb_is_finite(determinant) && !arb_contains_zero(determinant);
+    arb_mat_clear(J);
+    arb_mat_clear(transposed);
+    arb_mat_clear(square);
+    arb_clear(determinant);
+    machine_clear(&m);
+    machine_clear(&adjoint);
+    free(needed);
+    return fills;
+}
+
+/* An output is shown for all values of its inputs, not for some alone; or the step says where. */
+static bool is_general(struct table *table, int to, const struct entry_part *part)
+{
+    const struct identities *t = &table->s->corrected;
+    bool general = table->s->where != NULL;
+    for (int i = 0; i < t->use_count && !general; i++)
+        general = t->uses[i].section == part->section && t->uses[i].relation == NULL &&
+                  t->uses[i].formulas == &part->section->corrected && t->uses[i].part == part->node &&
+                  fills_open_set(t, &t->uses[i]);
+    return general || refuse(table, item(table, "to", to),
+                             "%s is shown for some values of its inputs alone, expected free ones, or 'where' to say which%s",
+                             part->name, "");
 }
 
 /* ---- to ---- */
@@ -245,6 +336,16 @@ static bool is_equivalent(const struct program *p, int wanted, enum change chang
     program_clear(&both);
     program_clear(&altered);
     free(stand_in);
+    return same;
+}
+
+static bool is_zero(const struct program *p, int node)
+{
+    struct program copy;
+    program_copy(&copy, p);
+    const int zero = program_append(&copy, OPERATOR_NUMBER, -1, -1, 0);
+    const bool same = nodes_equal(&copy, node, zero, true);
+    program_clear(&copy);
     return same;
 }
 
@@ -325,7 +426,12 @@ static bool output_is_bound(struct table *table, int to, const struct entry_part
     if (any == 0)
         return refuse(table, item(table, "to", to), "%s stands in no equality%s", part->name, "");
     note(table, holds, any);
-    note(table, holds, broken(table, CHANGE_RESULT, &result, -1, holds));
+    const int turned = broken(table, CHANGE_RESULT, &result, -1, holds);
+    note(table, holds, turned);
+    if (part->equation != NULL && turned == 0 && !is_zero(p, part->node))
+        return refuse(table, item(table, "to", to), "%s may have the other sign and every equality holds still%s", part->name, "");
+    if (part->equation != NULL && !is_general(table, to, part))
+        return false;
     if (part->equation == NULL) /* the formula of a property says what is shown, and claims nothing */
         return true;
     return all_changes_tell(table, to, part, p, part->node, formula);

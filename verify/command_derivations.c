@@ -58,7 +58,7 @@ static void print_step(const struct proof_results *p, int i)
         printf("  exact  ");
     else
         printf("  order %d", s->corrected.order);
-    printf("  for %s\n", domain);
+    printf("  for %s%s%s\n", domain, s->where ? "; " : "", s->where ? s->where : "");
     free(domain);
     if (proof->result != IDENTITY_HOLDS)
         printf("    BROKEN: %s\n", proof->evidence);
@@ -139,6 +139,25 @@ static void json_variables(const char *key, const struct identities *t, bool sma
     putchar(']');
 }
 
+/* All that the step's equations drop, as one text. */
+static void json_dropped(const struct document *d, const struct step *s)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = s->remainder_count > 0 ? open_memstream(&text, &size) : NULL;
+    if (s->remainder_count > 0 && out == NULL)
+        out_of_memory();
+    for (int k = 0; k < s->remainder_count; k++) {
+        const struct remainder *r = &s->remainders[k];
+        fprintf(out, "%s(%s) drops at most %s %s for ", k > 0 ? "; " : "", r->equation, r->at_most, r->unit);
+        print_states(out, d, r->on);
+    }
+    if (out != NULL && fclose(out) != 0)
+        out_of_memory();
+    json_member("dropped", text);
+    free(text);
+}
+
 static void json_step(const struct proof_results *p, int i)
 {
     const struct step *s = &p->derivations.steps[i];
@@ -152,8 +171,10 @@ static void json_step(const struct proof_results *p, int i)
     json_variables("small", &s->corrected, true);
     json_variables("angles", &s->corrected, false);
     json_member("domain", domain);
+    json_member("where", s->where);
     json_member("unbound", fault_of(p, i));
     free(domain);
+    json_dropped(&p->derivations.document, s);
     printf(", \"let\": {");
     for (int k = 0; s->let != NULL && k < length_of(s->let); k++) {
         printf("%s\"%s\": ", k ? ", " : "", scalar(key_of(&p->derivations.document, s->let, k)));

@@ -12,6 +12,7 @@ enum { MOST_EQUATIONS = 16 }; /* that a step leads from, or to */
 
 struct step {
     const char *id, *title, *note;
+    const char *where; /* of special values alone: which; NULL: of all */
     const char *from[MOST_EQUATIONS], *to[MOST_EQUATIONS]; /* see the head of derivations.yaml */
     int from_count, to_count;
     const yaml_node_t *node, *let;  /* let: NULL, there is none */
@@ -38,7 +39,7 @@ void derivations_clear(struct derivations *d);
 struct scope step_scope(const struct derivations *d, const struct step *s, const struct alteration *a);
 
 /* `remainders`, when the identities have been read; false after a complaint. */
-bool step_read_remainders(struct step *step, const struct scope *s);
+bool step_read_remainders(const struct derivations *d, struct step *step, const struct scope *s);
 
 /* Its identities once more, altered; false where they cannot be read so. */
 bool step_read_altered(struct identities *t, const struct derivations *d, const struct step *s,

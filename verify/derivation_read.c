@@ -157,7 +157,7 @@ bool step_read_altered(struct identities *t, const struct derivations *d, const 
 
 static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_node_t *node)
 {
-    static const char *const own[] = {"title", "from", "to", "also", "printed", "remainders", "note", NULL};
+    static const char *const own[] = {"title", "from", "to", "also", "printed", "remainders", "note", "where", NULL};
     static const char *const variant[] = {"let", "square roots", "show", NULL};
     const char *known[32];
     int count = 0;
@@ -172,13 +172,13 @@ static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_
     *s = (struct step){.id = scalar(key), .node = node};
     const yaml_node_t *also = node->type == YAML_MAPPING_NODE ? child(document, node, "also") : NULL;
     if (!is_mapping(document, node, known) || !is_text(document, node, "title", true, &s->title) ||
-        !is_text(document, node, "note", false, &s->note) || (also != NULL && !is_mapping(document, also, NULL)) ||
+        !is_text(document, node, "note", false, &s->note) || !is_text(document, node, "where", false, &s->where) || (also != NULL && !is_mapping(document, also, NULL)) ||
         (s->from_count = read_ends(d, node, "from", s->from)) < 0 ||
         (s->to_count = read_ends(d, node, "to", s->to)) < 0)
         return false;
     s->let = child(document, node, "let");
     struct scope scope = step_scope(d, s, NULL);
-    if (!read_identities(&s->corrected, &scope) || !step_read_remainders(s, &scope))
+    if (!read_identities(&s->corrected, &scope) || !step_read_remainders(d, s, &scope))
         return false;
     scope.variant = child(document, node, "printed");
     s->differs = scope.variant != NULL;

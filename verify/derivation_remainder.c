@@ -101,7 +101,16 @@ static bool read_remainder(const struct scope *s, const struct identities *t, co
     return fmpq_sgn(m->bound) > 0 || mistake(d, nodes[2], 0, "expected a bound above zero");
 }
 
-bool step_read_remainders(struct step *step, const struct scope *s)
+/* What drops it is what the step leads to. */
+static bool check_equation(const struct derivations *d, const struct step *step, const yaml_node_t *equation)
+{
+    for (int i = 0; i < step->to_count; i++)
+        if (entry_leads_to(d, step->to[i], scalar(equation)))
+            return true;
+    return mistake(&d->document, equation, 0, "expected an equation that the step leads to");
+}
+
+bool step_read_remainders(const struct derivations *d, struct step *step, const struct scope *s)
 {
     const yaml_node_t *list = child(s->document, step->node, "remainders");
     if (list == NULL)
@@ -113,7 +122,8 @@ bool step_read_remainders(struct step *step, const struct scope *s)
         struct remainder *m = &step->remainders[step->remainder_count];
         const yaml_node_t *item = item_of(s->document, list, step->remainder_count++);
         *m = (struct remainder){.equation = NULL};
-        if (!read_remainder(s, &step->corrected, item, m))
+        if (!read_remainder(s, &step->corrected, item, m) ||
+            !check_equation(d, step, child(&d->document, item, "equation")))
             return false;
     }
     return true;

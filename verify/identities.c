@@ -47,7 +47,7 @@ static int signs_power(int a, ulong exponent)
 static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    const slong all = ctx->minfo->nvars;
+    const slong all = fmpz_mpoly_ctx_nvars(ctx);
     ulong *exponents = memory(NULL, (size_t)all, sizeof *exponents);
     int signs = SIGN_ZERO;
     fmpz_t c;
@@ -105,6 +105,8 @@ static int signs(struct run *r, int i)
         result = SIGN_POSITIVE;
     else if (n->op == OPERATOR_POSITIVE)
         result = a == SIGN_POSITIVE ? SIGN_POSITIVE : a & SIGN_POSITIVE ? SIGN_ZERO | SIGN_POSITIVE : SIGN_ZERO;
+    if (result == 0) /* division by what is zero: no sign at all */
+        result = SIGN_ANY;
     if (result == SIGN_ANY && n->op != OPERATOR_INPUT) {
         const struct symbolic *x = value(r, i);
         if (x->fault == SYMBOLIC_FINE && !x->angle)
@@ -183,6 +185,9 @@ static void run_end(struct run *r)
 static const char **variable_names(const struct run *r)
 {
     const char **names = memory(NULL, (size_t)r->variables + 1, sizeof *names);
+    names[r->variables] = NULL;
+    if (r->variables == 0) /* FLINT has one variable at least */
+        names[0] = text_copy("none");
     for (int i = 0; i < r->t->program.inputs; i++) {
         const char *name = r->t->program.names[i].text;
         if (r->variable[i] < 0)
@@ -204,7 +209,7 @@ static void free_names(const char **names, slong count)
 static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, const fmpq *point)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    ulong *exponents = memory(NULL, (size_t)ctx->minfo->nvars, sizeof *exponents);
+    ulong *exponents = memory(NULL, (size_t)fmpz_mpoly_ctx_nvars(ctx), sizeof *exponents);
     fmpq_t term, factor;
     fmpq_init(term);
     fmpq_init(factor);
@@ -213,7 +218,7 @@ static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, const fmpq *poin
         fmpz_one(fmpq_denref(term));
         fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(term), f, i, ctx);
         fmpz_mpoly_get_term_exp_ui(exponents, f, i, ctx);
-        for (slong k = 0; k < ctx->minfo->nvars; k++)
+        for (slong k = 0; k < fmpz_mpoly_ctx_nvars(ctx); k++)
             if (exponents[k] > 0) {
                 fmpq_pow_si(factor, point + k, (slong)exponents[k]);
                 fmpq_mul(term, term, factor);
@@ -349,7 +354,7 @@ static void print_difference(FILE *out, const struct run *r, const fmpz_mpoly_q_
     p->difference = polynomial_tex(over, names, r->variables, length > SHOWN_TERMS);
     flint_free(over);
     fmpz_mpoly_q_clear(difference, ctx);
-    free_names(names, r->variables);
+    free_names(names, FLINT_MAX(r->variables, 1));
 }
 
 /* ---- the proof ---- */
@@ -552,6 +557,10 @@ char *identities_domain(const struct identities *t)
         fprintf(out, "%s%s%s", separator, t->program.names[i].text, v->angle ? "" : bounds[v->signs]);
         fputs(v->quarter_turn ? " within a quarter turn" : v->angle ? " any angle" : "", out);
         fputs(v->power > 0 ? " small" : "", out);
+        separator = ", ";
+    }
+    for (int i = 0; i < t->sheet_lets; i++) {
+        fprintf(out, "%s%s", separator, t->lets[i]);
         separator = ", ";
     }
     if (*separator == '\0')

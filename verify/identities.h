@@ -11,7 +11,7 @@
 #include "sheet.h"
 
 enum { SIGN_NEGATIVE = 1, SIGN_ZERO = 2, SIGN_POSITIVE = 4, SIGN_ANY = 7 }; /* sets of signs */
-enum { MOST_SHOWN = 32 };
+enum { MOST_SHOWN = 32, MOST_BOUND = 40 };
 
 /* A free quantity: its signs, and what else is said of it. */
 struct variable {
@@ -40,6 +40,7 @@ struct use {
     const struct formulas *formulas;
     int part;                        /* the node in the section's program; 0 left, 1 right */
     int first, last, node;           /* the copy                                 */
+    int bound[MOST_BOUND];           /* what the section's inputs are            */
     int pair;                        /* of the numbers that alter it, -1: none   */
 };
 
@@ -53,6 +54,8 @@ struct identities {
     int first_pair, pairs;      /* inputs that an alteration takes up */
     int order;                  /* the highest power of epsilon that is compared; -1: exact */
     bool shared;                /* what is given serves others too: not all need serve here */
+    char **lets;                /* "C2 = 0": quantities of the sheet that are bound to a formula of their own */
+    int sheet_lets;
     char *needed;               /* needed[i]: something shown rests on node i */
 };
 

@@ -342,6 +342,8 @@ static int take_part(const struct reading *r, struct use u, const struct program
     program_copy(&copy, from);
     if (altered && a->change >= CHANGE_SIGN && stand_in[a->node] < 0)
         wanted = alteration_make(&copy, a->change, a->node, wanted);
+    for (int i = 0; i < from->inputs && i < MOST_BOUND; i++)
+        u.bound[i] = stand_in[i];
     u.first = t->program.count;
     u.pair = -1;
     int node = program_inline(&t->program, &copy, wanted, stand_in);
@@ -590,7 +592,7 @@ static const char *equality_sign(const char *text)
 bool identities_show(struct identities *t, const struct scope *s, const yaml_node_t *node)
 {
     if (t->shown_count == MOST_SHOWN)
-        return mistake(s->document, node, 0, "expected at most %d equalities", MOST_SHOWN);
+        return mistake(s->document, node, 0, "expected at most %d equalities", MOST_SHOWN); /* LCOV_EXCL_LINE: so is the list */
     if (!on_one_line(s, node, "left = right"))
         return false;
     const char *sign = equality_sign(scalar(node));
@@ -622,6 +624,24 @@ static bool check_name(const struct scope *s, const yaml_node_t *key, const yaml
     return true;
 }
 
+/* A definition that is a formula of the sheet: it restricts nothing that the sheet would not. */
+static bool takes_formula(const char *text)
+{
+    return strncmp(text, "eq", 2) == 0 || strncmp(text, "right(", 6) == 0 || strncmp(text, "rate(", 5) == 0;
+}
+
+static void add_let(struct identities *t, const char *name, const char *formula)
+{
+    enum { SHORT = 40 };
+    const size_t size = strlen(name) + SHORT + 24;
+    t->lets = memory(t->lets, (size_t)t->sheet_lets + 1, sizeof *t->lets);
+    t->lets[t->sheet_lets] = memory(NULL, size, 1);
+    if (strlen(formula) < SHORT)
+        snprintf(t->lets[t->sheet_lets++], size, "%s = %s", name, formula);
+    else
+        snprintf(t->lets[t->sheet_lets++], size, "%s by its definition", name);
+}
+
 /* What is printed differs in some definitions: by the same names, so that the order is the step's. */
 static bool read_let(struct identities *t, const struct scope *s)
 {
@@ -641,6 +661,8 @@ static bool read_let(struct identities *t, const struct scope *s)
         if (node < 0 || !check_name(s, key, definition))
             return false;
         program_name(&t->program, node, scalar(key));
+        if (quantity_find(s->sheet, scalar(key)) != NULL && !takes_formula(scalar(definition)))
+            add_let(t, scalar(key), scalar(definition));
     }
     return true;
 }
@@ -754,4 +776,7 @@ void identities_clear(struct identities *t)
     free(t->roots);
     free(t->uses);
     free(t->needed);
+    for (int i = 0; i < t->sheet_lets; i++)
+        free(t->lets[i]);
+    free(t->lets);
 }

@@ -397,7 +397,7 @@ static void fail(struct symbolic *z, enum symbolic_fault fault, enum operator op
 void symbolic_root(const struct symbolic *x, bool strict)
 {
     if (field.root_count == MOST_ROOTS)
-        return;
+        return; /* LCOV_EXCL_LINE: a list of square roots is as long at most */
     fmpz_mpoly_q_init(&field.roots[field.root_count], CTX);
     if (x != NULL)
         fmpz_mpoly_q_set(&field.roots[field.root_count], x->a, CTX);
@@ -646,12 +646,11 @@ static void apply(enum operator op, void *result, const void *left, const void *
     case OPERATOR_ATAN2:
         arc_tangent(z, x, y);
         break;
+    case OPERATOR_INPUT: /* no operations, these two: never asked for */
+    case OPERATOR_NUMBER:
     case OPERATOR_LOG:
     case OPERATOR_POSITIVE: /* a question of signs, which the caller has answered if it could */
         fail(z, SYMBOLIC_TRANSCENDENTAL, op, x, NULL);
-        break;
-    case OPERATOR_INPUT: /* no operations, these two: never asked for */
-    case OPERATOR_NUMBER:
         break;
     }
     if (field.large)
