@@ -249,7 +249,7 @@ static void observe(struct convergence *c, int row, int variable)
     arb_clear(x);
 }
 
-bool convergence_init(struct convergence *c, const struct study *s)
+bool convergence_init(struct convergence *c, const struct study *s, int from)
 {
     const slong size = (slong)s->rows * VARIABLES;
     bool found = true;
@@ -262,6 +262,8 @@ bool convergence_init(struct convergence *c, const struct study *s)
     for (int row = 0; row < s->rows && found; row++) {
         if (row > 0)
             fmpq_div(c->parameters + row, c->parameters + row - 1, ratio);
+        if (row < from)
+            continue;
         found = s->differences(c->differences + row * VARIABLES, s, c->parameters + row);
         for (int i = 0; i < s->count; i++)
             observe(c, row, i);
@@ -287,18 +289,4 @@ arb_srcptr convergence_order(const struct convergence *c, int variable)
 arb_srcptr convergence_constant(const struct convergence *c, int variable)
 {
     return c->constants + (c->study->rows - 1) * VARIABLES + variable;
-}
-
-bool convergence_as_expected(const struct convergence *c, double tolerance)
-{
-    bool expected = true;
-    arb_t x;
-    arb_init(x);
-    for (int i = 0; i < c->study->count; i++) {
-        arb_sub_si(x, convergence_order(c, i), c->study->order[i], PREC);
-        arb_abs(x, x);
-        expected = expected && is_below(x, tolerance);
-    }
-    arb_clear(x);
-    return expected;
 }

@@ -47,13 +47,12 @@ struct convergence {
     arb_ptr differences, orders, constants; /* difference/parameter^expected */
 };
 
-/* False where a difference was not found. */
-bool convergence_init(struct convergence *c, const struct study *s);
+/* Differences from that row on, orders from the next; false where one was not found. */
+bool convergence_init(struct convergence *c, const struct study *s, int from);
 void convergence_clear(struct convergence *c);
 
 /* Of the last row. */
 arb_srcptr convergence_order(const struct convergence *c, int variable);
 arb_srcptr convergence_constant(const struct convergence *c, int variable);
-bool convergence_as_expected(const struct convergence *c, double tolerance);
 
 #endif

@@ -629,13 +629,3 @@ bool is_below(const arb_t x, double limit)
     arb_clear(y);
     return less;
 }
-
-bool is_above(const arb_t x, double limit)
-{
-    arb_t y;
-    arb_init(y);
-    arb_set_d(y, limit);
-    bool more = arb_gt(x, y);
-    arb_clear(y);
-    return more;
-}

@@ -80,7 +80,6 @@ bool track_settled(arb_t hours, const struct track *t, int which, const arb_t li
 
 /* For certain. */
 bool is_below(const arb_t x, double limit);
-bool is_above(const arb_t x, double limit);
 
 /* p, where an error shrinks by factor^p when its cause shrinks by factor. */
 void observed_order(arb_t order, const arb_t larger, const arb_t smaller, ulong factor);
