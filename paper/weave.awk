@@ -83,8 +83,12 @@ function unescaped(text) {
     return text
 }
 
-function read_ledger(path,    line, id, keys, i) {
+function read_ledger(path,    line, id, keys, i, words) {
     split("where verdict how evidence claim_tex evidence_tex why_tex", keys, " ")
+    verdict_words = "holds, holds as corrected, qualified, refuted, definition, not decidable"
+    split(verdict_words, words, ", ")
+    for (i in words)
+        kinds_of_verdict[words[i]] = 0
     while ((getline line < path) > 0) {
         if ((id = member(line, "id")) == "")
             continue
@@ -363,14 +367,14 @@ function weave_verdict(id) {
 
 function weave_findings(kind,    i, id, out) {
     if (!(kind in kinds_of_verdict))
-        stop("no verdict '" kind "', expected one that " data "/verdicts.csv has")
+        stop("no verdict '" kind "', expected " verdict_words)
     for (i = 1; i <= verdicts; i++) {
         id = verdict[i]
         if (ledger[id, "verdict"] == kind)
             out = out "\\finding{" escape(id) "}{" prose(capital(ledger[id, "where"])) "}{" ledger[id, "claim_tex"] "}{" \
                   ledger[id, "why_tex"] "}\n"
     }
-    emit("\\begin{findings}\n" out "\\end{findings}\n")
+    emit(out == "" ? "None.\n" : "\\begin{findings}\n" out "\\end{findings}\n")
 }
 
 function weave_plot(name, caption) {

@@ -21,9 +21,12 @@ static const struct {
     const char *id, *says;
 } expected[] = {
     {"other-static-places", "t = 3, 0, -1"}, /* Hill's tide */
-    {"other-static-places", "orbit normal -1/3"}, /* L/L_1 = Q/Q_1: z balances at a third */
-    {"static-unstable", "2.50829"}, /* sqrt(1 + 2*sqrt(7)) */
-    {"static-unstable", "1.11803"}, /* max(re(s) for s in polyroots([1, 0, -1, 0, 4])) */
+    {"other-static-places", "along the orbit normal -1/3"}, /* L/L_1 = Q/Q_1: z balances at a third */
+    {"reorientation", "turned by -9/28 of"}, /* mpf(1)/4 - mpf(4)/7 */
+    {"power-and-bandwidth", "6559 V and has k_c q^2/(2 R) = 0.001196 J"}, /* 8.99e9*q/0.5, 8.99e9*q**2, q = sqrt(1.330627782e-13) */
+    {"charging-devices", "2.28e+12 electrons"}, /* q/1.602176634e-19 */
+    {"static-unstable", "2.50829;"}, /* sqrt(1 + 2*sqrt(7)) */
+    {"static-unstable", "1.11803;"}, /* max(re(s) for s in polyroots([1, 0, -1, 0, 4])) */
     {"equal-distances", "x1 = 2 m, x2 = -1 m"},
     {"nadir-axis", "zenith"},
     {"opposite-charges", "-1.330627782e-13 C^2"}, /* -3*7.2915e-5**2*1000/8.99e9*75 */
@@ -54,16 +57,15 @@ static const struct {
     {"debye-order", "0.004679"}, /* 1 - 1.1*exp(-0.1) */
     {"debye-neglect", "0.007117 ... 0.09516 as printed, 2.539e-05 ... 0.004679"},
     {"debye-neglect", "0.06894 ... 0.6321 and 0.002433 ... 0.2642"}, /* 1 - 2*exp(-1) */
-    {"debye-escape", "1348.7 m (n = 10), 214.94 m"}, /* 10/fold(s, n, near)[1], s = exp(-u), */
-    {"debye-escape", "80.681 m, 31.143 m"}, /* s = (1 + u)*exp(-u) */
-    {"debye-escape", "0.386 m, 0.0756 m"}, /* rest(lambda r: f(s, n, r, 1/140), 1) */
+    {"debye-escape", "below 1348.7 m, and at 1400 m rest longer by 0.386 m (n = 12: 214.94 m, 0.0756 m)"}, /* 10/fold(s, n, near)[1], s = exp(-u), */
+    {"debye-escape", "the limit is 8.0681 (n = 10), 3.1143 (n = 12)"}, /* 1/fold(s, n, near)[1], s = (1 + u)*exp(-u) */
     {"debye-escape", "0.186 m, 0.0489 m"}, /* u = 1/10 */
     {"low-orbit", "3.72e-44"}, /* exp(-100) */
     {"debye-lengths", "5526"}, /* 8.8541878188e-12/1.602176634e-19/1e4 */
     {"coulomb-constant", "8.9875518e+09"}, /* 1/(4*pi*8.8541878188e-12) */
     {"orbit-rate", "8.43e-05"}, /* 1 - 7.2915/7.292115 */
     {"orbit-rate", "42164.173 km"},
-    {"reach", "11.54 uC 100 m; 1 uC holds 19.59 m"},
+    {"reach", "11.54 uC 100 m; 1 uC holds 19.59 m, 10 uC 90.92 m"},
     {"own-gravity", "36.5 mm (n = 10), 12.5 mm"}, /* -rest(lambda r: 3*r**3 - 3 - n*(r-1) - 3*g, 1) */
     /* roots = lambda n: polyroots([1, 2*sqrt(n-9), n-2, 6*sqrt(n-9), 3*(n-9)], maxsteps=500, extraprec=500), mp.dps = 90;
        rate = lambda n: min(-re(r) for r in roots(n))
@@ -75,12 +77,15 @@ static const struct {
     {"real-parts-vanish", "-0.1069846374 and -0.1430153626"}, /* roots(9.0625) */
     {"real-parts-vanish", "-0.04948884256 and -5.518275520"}, /* roots(40) */
     {"slow-at-the-ends", "11.81160194899945"},
-    {"n12-optimal", "11.8116019489994475627782,"},
-    {"n12-optimal", "0.598916907216339712577893 "},
-    {"n12-optimal", "0.5960704898964056783432 "}, /* rate(12) */
-    {"n12-optimal", "0.4159258382875836439251,"}, /* rate(10) */
-    {"n12-optimal", "0.995247391941 "}, /* rate(12)/rate(best) */
-    {"n12-optimal", "0.694463344207 "}, /* rate(10)/rate(best) */
+    {"n12-optimal", "at n = 12.01656610"}, /* 9 + u**2 at the least x'*P*x, x = [1, 1, 0, 0], A'*P + P*A = -diag(1, 1, 0, 0): sympy 1.14, */
+    {"n12-optimal", "independent at 12.35835627"}, /* at the least P[0, 0] + P[1, 1]; */
+    {"n12-optimal", "least at 10.27554224"}, /* A'*P + P*A = -diag(1, 0, 0, 0) */
+    {"fastest-decay", "11.8116019489994475627782,"},
+    {"fastest-decay", "0.598916907216339712577893 "},
+    {"fastest-decay", "0.5960704898964056783432 "}, /* rate(12) */
+    {"fastest-decay", "0.4159258382875836439251,"}, /* rate(10) */
+    {"fastest-decay", "0.995247391941 "}, /* rate(12)/rate(best) */
+    {"fastest-decay", "0.694463344207 "}, /* rate(10)/rate(best) */
     {"matching-optimal", "1.669680699 "}, /* 1/rate(best), 1/rate(12), 1/rate(10) */
     {"matching-optimal", "1.677653930 "},
     {"matching-optimal", "2.404274772 "},

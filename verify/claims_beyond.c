@@ -10,9 +10,10 @@ enum { BITS = 192 };
 /* Raises `worst` to what an order of a study's last row is off the expected one by; false where that was not found. */
 static bool study_worst(arb_t worst, struct convergence *study, const char *name)
 {
-    const bool found = convergence_init(study, study_find(name));
-    for (int i = 0; i < study->study->count; i++)
-        raise_to_difference(worst, convergence_order(study, i), study->study->order[i]);
+    const struct study *s = study_find(name);
+    const bool found = convergence_init(study, s, s->rows - 2);
+    for (int i = 0; i < s->count; i++)
+        raise_to_difference(worst, convergence_order(study, i), s->order[i]);
     return found;
 }
 

@@ -50,7 +50,7 @@ static bool print_convergence(void)
     puts("study,variable,parameter,difference,order,constant,how");
     for (const struct study *s = studies; s->name != NULL && decided; s++) {
         struct convergence c;
-        decided = convergence_init(&c, s);
+        decided = convergence_init(&c, s, 0);
         for (int i = 0; i < s->count && decided; i++)
             decided = print_variable(&c, i);
         convergence_clear(&c);

@@ -249,7 +249,7 @@ static void observe(struct convergence *c, int row, int variable)
     arb_clear(x);
 }
 
-bool convergence_init(struct convergence *c, const struct study *s)
+bool convergence_init(struct convergence *c, const struct study *s, int from)
 {
     const slong size = (slong)s->rows * VARIABLES;
     bool found = true;
@@ -262,6 +262,8 @@ bool convergence_init(struct convergence *c, const struct study *s)
     for (int row = 0; row < s->rows && found; row++) {
         if (row > 0)
             fmpq_div(c->parameters + row, c->parameters + row - 1, ratio);
+        if (row < from)
+            continue;
         found = s->differences(c->differences + row * VARIABLES, s, c->parameters + row);
         for (int i = 0; i < s->count; i++)
             observe(c, row, i);

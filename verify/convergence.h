@@ -47,8 +47,8 @@ struct convergence {
     arb_ptr differences, orders, constants; /* difference/parameter^expected */
 };
 
-/* False where a difference was not found. */
-bool convergence_init(struct convergence *c, const struct study *s);
+/* Differences from that row on, orders from the next; false where one was not found. */
+bool convergence_init(struct convergence *c, const struct study *s, int from);
 void convergence_clear(struct convergence *c);
 
 /* Of the last row. */
