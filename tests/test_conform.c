@@ -319,6 +319,8 @@ START_TEST(a_report_is_of_the_kind_that_its_name_ends_with)
     ck_assert_int_eq(strncmp(file_text(".xml"), "<?xml ", 6), 0);
     ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/.json\" -- FAULTY none"), 0);
     ck_assert_int_eq(strncmp(file_text(".json"), "{", 1), 0);
+    ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/a-name-of-a-report-that-is-longer-than-most-names-are.json\" -- FAULTY none"), 0);
+    ck_assert_int_eq(strncmp(file_text("a-name-of-a-report-that-is-longer-than-most-names-are.json"), "{", 1), 0);
     ck_assert_int_eq(report_format("a.xml.json"), REPORT_JSON);
     ck_assert_int_eq(report_format("a.json.xml"), REPORT_XML);
     ck_assert_int_eq(report_format("a.xml/b"), REPORT_NONE);
