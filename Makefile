@@ -37,7 +37,7 @@ CHECK_LIBS   := $(call package,--libs check)
 FLINT_CFLAGS := $(call package,--cflags flint)
 FLINT_LIBS   := $(or $(call package,--libs flint),-lcalcium -lantic -lflint-arb -lflint)
 
-VERIFY_CFLAGS = -Iref $(GSL_CFLAGS) $(FLINT_CFLAGS) $(YAML_CFLAGS) -DCT_VERSION='"$(VERSION)"' \
+VERIFY_CFLAGS = -Iverify -Iref $(GSL_CFLAGS) $(FLINT_CFLAGS) $(YAML_CFLAGS) -DCT_VERSION='"$(VERSION)"' \
   -DCT_SHEET_PATH='"paper/equations.yaml"' -DCT_DERIVATIONS_PATH='"paper/derivations.yaml"' \
   -DCT_CLAIMS_PATH='"paper/claims.yaml"'
 VERIFY_LIBS   = $(FLINT_LIBS) -lmpfr -lgmp $(YAML_LIBS) $(GSL_LIBS) -lm
@@ -60,10 +60,10 @@ endif
 
 ### What there is
 objects  = $(patsubst %.c,$(BUILD)/%.o,$(1))
-SOURCES := $(wildcard ref/*.c verify/*.c tests/*.c tests/bench/*.c tests/fuzz/*.c)
+SOURCES := $(wildcard ref/*.c verify/*/*.c tests/*.c tests/bench/*.c tests/fuzz/*.c)
 REF     := $(call objects,$(wildcard ref/*.c))
-EMBED   := $(BUILD)/verify/embedded.o
-VERIFY  := $(filter-out %/main.o %/sheet_check.o $(EMBED),$(call objects,$(wildcard verify/*.c)))
+EMBED   := $(BUILD)/verify/sheet/embedded.o
+VERIFY  := $(filter-out %/main.o %/sheet_check.o $(EMBED),$(call objects,$(wildcard verify/*/*.c)))
 SUITES  := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c))
 FAULTY  := $(BUILD)/tests/faulty
 FAULTS  := $(BUILD)/tests/faults.so
@@ -107,7 +107,7 @@ $(BUILD)/verify/%.o: verify/%.c | $(BUILD)/packages.found
 
 # A suite's own code runs once, in no time: what would be won by optimising it is lost by compiling it.
 $(BUILD)/tests/%.o: tests/%.c | $(BUILD)/packages.found
-	$(COMPILE) -I. -Iverify $(VERIFY_CFLAGS) $(CHECK_CFLAGS) $(if $(filter $(BUILD)/tests/test_%,$@),-O0)
+	$(COMPILE) -I. $(VERIFY_CFLAGS) $(CHECK_CFLAGS) $(if $(filter $(BUILD)/tests/test_%,$@),-O0)
 
 $(BUILD)/packages.found:
 	@$(PKG_CONFIG) --exists gsl mpfr yaml-0.1 || { echo 'Packages are missing: run "make deps".' >&2; exit 1; }
@@ -136,10 +136,10 @@ $(SHARED): $(REF)
 
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@.tmp $(filter %.o,$^) $(filter %.a,$^) $(1) $(VERIFY_LIBS)$(newline)@mv $@.tmp $@
 
-$(PROGRAM): $(BUILD)/verify/main.o $(EMBED) $(ENGINE) $(LIBRARY)
+$(PROGRAM): $(BUILD)/verify/command/main.o $(EMBED) $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
-$(BUILD)/sheet-check: $(BUILD)/verify/sheet_check.o $(ENGINE) $(LIBRARY)
+$(BUILD)/sheet-check: $(BUILD)/verify/command/sheet_check.o $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
 $(SUITES): %: %.o $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
@@ -163,7 +163,7 @@ CORPORA := $(notdir $(wildcard tests/fuzz/corpus/*))
 FUZZERS := $(CORPORA:%=$(BUILD)/tests/fuzz/%)
 SECONDS_EACH ?= 60
 
-$(BUILD)/tests/fuzz/main.o: verify/main.c | $(BUILD)/packages.found
+$(BUILD)/tests/fuzz/main.o: verify/command/main.c | $(BUILD)/packages.found
 	$(COMPILE) $(VERIFY_CFLAGS) -Dmain=program_main
 
 $(BUILD)/tests/test_corpora: $(TARGETS)
@@ -220,12 +220,12 @@ mutants:
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) coverage/mutants.py --self-test
 	$(MAKE) BUILD=$(BUILD)/mutants CFLAGS='-O1 -fPIC' mutants-objects
 	$(if $(KIND),,$(MAKE) BUILD=$(BUILD)/mutants/sanitized CFLAGS='-O1 -fPIC $(SANITIZE)' mutants-objects)
-	@CC='$(CC)' MUTANT_FLAGS='-fPIC $(STANDARD) -I. -Iverify $(subst ','\'',$(VERIFY_CFLAGS)) $(CHECK_CFLAGS)' \
+	@CC='$(CC)' MUTANT_FLAGS='-fPIC $(STANDARD) -I. $(subst ','\'',$(VERIFY_CFLAGS)) $(CHECK_CFLAGS)' \
 	  MUTANT_LIBS='$(CHECK_LIBS) $(VERIFY_LIBS)' MUTANT_SANITIZE='$(SANITIZE)' \
 	  PYTHONDONTWRITEBYTECODE=1 \
 	  $(PYTHON) coverage/mutants.py $(BUILD)/mutants $(addprefix --kind ,$(KIND)) $(addprefix --sample ,$(SAMPLE)) $(addprefix --seed ,$(SEED)) $(addprefix --only ,$(ONLY))
 
-mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/main verify/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c)))
+mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/command/main verify/command/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c)))
 
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar).
 ## lint: clang-tidy and cppcheck, without findings
@@ -233,16 +233,16 @@ lint: $(patsubst %.c,$(BUILD)/lint/%.tidied,$(SOURCES))
 	cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,performance,portability \
 	  --inline-suppr --suppress=missingIncludeSystem --suppress=ctuuninitvar -Iref -Iverify ref verify tests
 
-$(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*.h tests/*.h tests/fuzz/*.h)
+$(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*/*.h tests/*.h tests/fuzz/*.h)
 	@mkdir -p $(@D)
-	clang-tidy --quiet $< -- $(STANDARD) -I. -Iverify $(VERIFY_CFLAGS) $(CHECK_CFLAGS) 2>$@.tmp || { cat $@.tmp >&2; exit 1; }
+	clang-tidy --quiet $< -- $(STANDARD) -I. $(VERIFY_CFLAGS) $(CHECK_CFLAGS) 2>$@.tmp || { cat $@.tmp >&2; exit 1; }
 	@mv $@.tmp $@
 
 ## analyze: gcc's -fanalyzer over ref/ and verify/, without findings
 analyze:
 	$(MAKE) BUILD=$(BUILD)/analyze CC=gcc CFLAGS='-O2 -g -fanalyzer -Werror' analyzed
 
-analyzed: $(call objects,$(wildcard ref/*.c verify/*.c))
+analyzed: $(call objects,$(wildcard ref/*.c verify/*/*.c))
 
 ## verify: every proof, every verdict, and ref's measured error
 verify: $(PROGRAM)
@@ -454,4 +454,4 @@ help:
 
 .PHONY: all check bench reproduce gate coverage mcdc mutants mutants-objects faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
   verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
--include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
+-include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/*/*/*/*.d)

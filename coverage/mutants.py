@@ -45,7 +45,7 @@ FLAGS = shlex.split(os.environ.get('MUTANT_FLAGS', ''))
 LIBS = shlex.split(os.environ.get('MUTANT_LIBS', ''))
 SANITIZE = shlex.split(os.environ.get('MUTANT_SANITIZE', ''))
 STRICT = ['-O2', '-Wall', '-Wextra', '-Wpedantic', '-Werror']
-ALONE = {'verify/main.c': 'coulomb-tether', 'verify/sheet_check.c': 'sheet-check'}
+ALONE = {'verify/command/main.c': 'coulomb-tether', 'verify/command/sheet_check.c': 'sheet-check'}
 SHEETS = ('paper/equations.yaml', 'paper/derivations.yaml', 'paper/claims.yaml')
 
 Check = collections.namedtuple('Check', 'name command expected seconds')  # expected: what it has to print, where that counts
@@ -128,7 +128,7 @@ def run(command, limit, output=subprocess.DEVNULL, **options):
 
 
 def objects(folder, besides=()):
-    return sorted(str(o) for o in folder.glob('*.o') if o.stem not in besides)
+    return sorted(str(o) for o in folder.glob('**/*.o') if o.stem not in besides)
 
 
 class Place:
@@ -188,7 +188,7 @@ class Place:
             program.unlink()
             return self.compiler(*changed, '-o', str(program), f'-L{self.linked}', *LINKED)
         library = 'libcoulombtether.so' if mutant.file.startswith('ref/') else \
-            'libembedded.so' if mutant.file == 'verify/embedded.c' else 'libverify.so'
+            'libembedded.so' if mutant.file == 'verify/sheet/embedded.c' else 'libverify.so'
         others = {'libcoulombtether.so': objects(self.base / 'ref', stems), 'libembedded.so': [],
                   'libverify.so': objects(self.base / 'verify', stems | NOT_IN_LIBRARY)}[library]
         return self.compiler('-shared', *changed, *others, '-o', str(made / library)) and \
@@ -260,9 +260,9 @@ def link_all(base):
 
     compiler('-shared', *objects(base / 'ref'), '-o', str(linked / 'libcoulombtether.so'))
     compiler('-shared', *objects(base / 'verify', NOT_IN_LIBRARY), '-o', str(linked / 'libverify.so'))
-    compiler('-shared', str(base / 'verify/embedded.o'), '-o', str(linked / 'libembedded.so'))
-    compiler('-S', 'verify/embedded.c', '-o', str(linked / 'embedded.s'))
-    programs = {'coulomb-tether': ['verify/main.o'], 'sheet-check': ['verify/sheet_check.o'],
+    compiler('-shared', str(base / 'verify/sheet/embedded.o'), '-o', str(linked / 'libembedded.so'))
+    compiler('-S', 'verify/sheet/embedded.c', '-o', str(linked / 'embedded.s'))
+    programs = {'coulomb-tether': ['verify/command/main.o'], 'sheet-check': ['verify/command/sheet_check.o'],
                 'client': ['tests/clients/client.o'], 'tests/faulty': ['tests/faulty.o']}
     for suite in base.glob('tests/test_*.o'):
         if suite.stem in OTHERWISE_LINKED:

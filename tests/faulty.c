@@ -10,7 +10,7 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-#include "reference.h"
+#include "evaluate/reference.h"
 
 enum { MOST_NUMBERS = 40, OUTPUTS = 16, LONGEST = 4096 };
 

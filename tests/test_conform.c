@@ -9,11 +9,11 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "conform.h"
-#include "diagnosis.h"
-#include "report.h"
-#include "slip.h"
-#include "vectors.h"
+#include "conform/conform.h"
+#include "conform/diagnosis.h"
+#include "conform/report.h"
+#include "sheet/slip.h"
+#include "evaluate/vectors.h"
 
 static char said[1 << 20]; /* both outputs of the program's last run */
 

@@ -1,11 +1,11 @@
 /*
- * verify/second_order.h, two_body.h, convergence.h: the closed forms of what pitch leaves, the
+ * verify/claims/second_order.h, two_body.h, convergence.h: the closed forms of what pitch leaves, the
  * pair in the inverse-square field, the observed orders.
  */
 #include "run.h"
-#include "convergence.h"
-#include "second_order.h"
-#include "two_body.h"
+#include "claims/convergence.h"
+#include "claims/second_order.h"
+#include "motion/two_body.h"
 
 enum { PREC = 192 };
 

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "tests/run.h"
-#include "verify/decimal.h"
+#include "text/decimal.h"
 
 /* xorshift64 (Marsaglia 2003, J. Stat. Soft. 8(14)): the same doubles everywhere. */
 static uint64_t next_random(uint64_t *state)

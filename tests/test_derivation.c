@@ -9,10 +9,10 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "embedded.h"
-#include "proof_results.h"
-#include "symbolic.h"
-#include "taylor.h"
+#include "sheet/embedded.h"
+#include "proof/proof_results.h"
+#include "formula/symbolic.h"
+#include "motion/taylor.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 

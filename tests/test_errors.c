@@ -1,11 +1,11 @@
 /*
- * verify/errors.h: the bounds on E, compared in fractions with E itself at the corners of the balls, and MPFR inside the ball;
+ * verify/evaluate/errors.h: the bounds on E, compared in fractions with E itself at the corners of the balls, and MPFR inside the ball;
  * a test for every error term of the theorem in errors.c.
  */
 #include "run.h"
 
-#include "errors.h"
-#include "sample.h"
+#include "evaluate/errors.h"
+#include "evaluate/sample.h"
 
 enum { PREC = 192, CASES = 64 };
 

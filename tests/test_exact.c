@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "tests/run.h"
-#include "verify/exact.h"
-#include "verify/expression.h"
+#include "formula/exact.h"
+#include "formula/expression.h"
 
 /* z is an input: an exact zero, which no formula shows; inf is +infinity. A result p/q is rational; others are named. */
 static const struct {

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "expression.h"
-#include "symbolic.h"
+#include "formula/expression.h"
+#include "formula/symbolic.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 

@@ -1,5 +1,5 @@
 /*
- * verify/flow.h: the four motions, and a test for every error term of the theorem in flow_nonlinear.c. What that stands on
+ * verify/motion/flow.h: the four motions, and a test for every error term of the theorem in flow_nonlinear.c. What that stands on
  * is in test_taylor.c and test_lohner.c.
  */
 #include "run.h"
@@ -7,7 +7,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
-#include "flow.h"
+#include "motion/flow.h"
 
 enum { DAY = 86400, PREC = 256, MOST_TIMES = 64 };
 

@@ -1,10 +1,10 @@
 /*
- * verify/lohner.h: a set of states under a map, and a test for every error term of the theorem in lohner.c. In fractions
+ * verify/motion/lohner.h: a set of states under a map, and a test for every error term of the theorem in lohner.c. In fractions
  * the theorem's two sides can be compared exactly: reach' against the largest |e'_j| that any point of the image has.
  */
 #include "run.h"
 
-#include "lohner.h"
+#include "motion/lohner.h"
 
 enum { N = LOHNER_SIZE };
 

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "message.h"
+#include "text/message.h"
 
 START_TEST(memory_that_cannot_be_had_ends_the_program)
 {

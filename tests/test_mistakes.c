@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "arithmetic.h"
-#include "flint.h"
-#include "reference.h"
-#include "slip.h"
+#include "formula/arithmetic.h"
+#include "text/flint.h"
+#include "evaluate/reference.h"
+#include "sheet/slip.h"
 
 enum { MOST = 40 };
 

@@ -9,11 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "conform.h"
-#include "domain.h"
-#include "hints.h"
-#include "sample.h"
-#include "vectors.h"
+#include "conform/conform.h"
+#include "evaluate/domain.h"
+#include "conform/hints.h"
+#include "evaluate/sample.h"
+#include "evaluate/vectors.h"
 
 enum { RANDOM = 48, BITS = 256, DIGITS = 40, LONG = 4096 };
 

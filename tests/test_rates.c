@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "run.h"
-#include "verify/roots.h"
+#include "proof/roots.h"
 
 enum { BITS = 256, DEGREE = 4 };
 

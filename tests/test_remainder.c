@@ -1,5 +1,5 @@
 /*
- * verify/remainder.h: what the steps say is dropped is bounded, and not by much more than it becomes; bounds that are
+ * verify/proof/remainder.h: what the steps say is dropped is bounded, and not by much more than it becomes; bounds that are
  * too small or too wide, and formulas that cannot be bounded, are told.
  */
 #include "run.h"
@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "proof_results.h"
-#include "remainder.h"
+#include "proof/proof_results.h"
+#include "proof/remainder.h"
 
 /* ---- formulas whose maximum is known ---- */
 

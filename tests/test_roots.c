@@ -9,7 +9,7 @@
 #include <math.h>
 
 #include "tests/run.h"
-#include "verify/roots.h"
+#include "proof/roots.h"
 
 /* What a test needs: exact parameters and their roots. */
 struct fixture {

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sheet.h"
+#include "sheet/sheet.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "embedded.h"
-#include "statement.h"
-#include "typeset.h"
+#include "sheet/embedded.h"
+#include "claims/statement.h"
+#include "formula/typeset.h"
 
 static struct proof_results proofs;
 

@@ -1,12 +1,12 @@
 /*
- * verify/taylor.h: the closed loop as a quadratic system, its series in balls, and a test for every error term of the
+ * verify/motion/taylor.h: the closed loop as a quadratic system, its series in balls, and a test for every error term of the
  * theorem in taylor.c. Where a term dominates, the system is another one, of which the solution is known in fractions.
  */
 #include "run.h"
 
 #include "coulombtether.h"
-#include "operation.h"
-#include "taylor.h"
+#include "evaluate/operation.h"
+#include "motion/taylor.h"
 
 enum { PREC = 256 };
 

@@ -1,5 +1,5 @@
 /*
- * verify/track.h: the samples that the claims about the simulation rest on, and what is certain between and after them.
+ * verify/claims/track.h: the samples that the claims about the simulation rest on, and what is certain between and after them.
  * Digits come from mpmath 1.2.1 with
  *
  *     mp.dps = 40; Om = mpf('7.2915e-5')
@@ -12,8 +12,8 @@
  *     with l = 1 + dL/L_ref, Lagrange's equations in the angles, which the flow knows nothing of.
  */
 #include "run.h"
-#include "verify/sheet.h"
-#include "verify/track.h"
+#include "sheet/sheet.h"
+#include "claims/track.h"
 
 enum { DAY = 86400 };
 

@@ -1,10 +1,10 @@
 /*
- * verify/track.h: bounds between and after rows, and a test for every error term of the theorem in track.c. Rows are
+ * verify/claims/track.h: bounds between and after rows, and a test for every error term of the theorem in track.c. Rows are
  * written by hand, so that what is true of them is known: the state of a given energy that goes furthest.
  */
 #include "run.h"
 
-#include "verify/track.h"
+#include "claims/track.h"
 
 enum { PREC = 128 };
 

@@ -4,8 +4,8 @@
  */
 #include "run.h"
 
-#include "sheet.h"
-#include "typeset.h"
+#include "sheet/sheet.h"
+#include "formula/typeset.h"
 
 struct pair {
     const char *given, *expected;

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reference.h"
-#include "sheet.h"
+#include "evaluate/reference.h"
+#include "sheet/sheet.h"
 
 enum { MOST = 40, BASES = 4 };
 

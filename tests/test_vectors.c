@@ -6,10 +6,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "errors.h"
-#include "reference.h"
-#include "sample.h"
-#include "vectors.h"
+#include "evaluate/errors.h"
+#include "evaluate/reference.h"
+#include "evaluate/sample.h"
+#include "evaluate/vectors.h"
 
 /* Largest E of ref/ that a test lets pass, and why: see worst_error_of_ref_stays_below_the_bound. */
 enum { BOUND = 8, INPUTS = 1000, SEED = 1 };

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "basin.h"
+#include "claims/basin.h"
 #include "coulombtether.h"
 #include "run.h"
 

@@ -139,7 +139,7 @@ check 'the same as JSON' ends 1 "$wrong" verify derivations --json
 stops 'a bound that is too wide' 's/at_most: 1\.2e-9/at_most: 9.2e-9/' 1 'BROKEN: more than twice too wide' verify derivations
 stops 'a bound on other states' 's/dL: \[-0\.2, 0\.2\]/dL: [-0.9, 0.9]/' 1 'BROKEN: it is exceeded' verify derivations
 stops 'an equation without a step' 's/to: \["38"\]/to: ["37"]/' 1 'NOT BOUND: paper/derivations.yaml:' verify derivations
-stops 'an operation that ref/ does not have' 's/^  eq41roots:/  eq41roops:/' 1 "no 'eq41roops' in verify/reference.c" verify errors --count 1
+stops 'an operation that ref/ does not have' 's/^  eq41roots:/  eq41roops:/' 1 "no 'eq41roops' in verify/evaluate/reference.c" verify errors --count 1
 stops 'a row that rounds otherwise' 's/-1\.3306e-1/-1.3307e-1/' 1 ',no' table1 --csv
 stops 'a mistake that makes no difference' 's/0\.0174532925199432957692369076848861271344/1.0000000000000000000000000000000000000001/g' 1 \
     'eq09: no golden vector kills the mistake: angles taken as degrees' conform --kills --only eq09

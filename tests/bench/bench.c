@@ -12,11 +12,11 @@
 #include <string.h>
 #include <time.h>
 
-#include "decimal.h"
-#include "flow.h"
-#include "motion.h"
-#include "operation.h"
-#include "roots.h"
+#include "text/decimal.h"
+#include "motion/flow.h"
+#include "motion/motion.h"
+#include "evaluate/operation.h"
+#include "proof/roots.h"
 
 /* Processor time: other work on the machine does not count. */
 static double seconds(void)

@@ -6,10 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "client.h"
-#include "errors.h"
-#include "flow.h"
-#include "verdicts.h"
+#include "conform/client.h"
+#include "evaluate/errors.h"
+#include "motion/flow.h"
+#include "claims/verdicts.h"
 #include "targets.h"
 
 /* NOLINTBEGIN(bugprone-reserved-identifier): names that the linker asks for */

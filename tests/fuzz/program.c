@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "diagnosis.h"
-#include "errors.h"
-#include "report.h"
+#include "conform/diagnosis.h"
+#include "evaluate/errors.h"
+#include "conform/report.h"
 #include "targets.h"
 
 int program_main(int count, char **arguments); /* main() of the program, compiled under this name */

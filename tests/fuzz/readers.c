@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "decimal.h"
-#include "derivation.h"
-#include "sample.h"
+#include "text/decimal.h"
+#include "proof/derivation.h"
+#include "evaluate/sample.h"
 #include "targets.h"
-#include "typeset.h"
+#include "formula/typeset.h"
 
 /* ---- literals: the C library reads the same ---- */
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "message.h"
+#include "text/message.h"
 
 const struct target targets[] = {
     {"literal", literal},           {"expression", expression}, {"sheet", sheet_file}, {"derivations", derivations_file},

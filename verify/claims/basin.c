@@ -1,0 +1,122 @@
+#include "claims/basin.h"
+
+#include "motion/motion.h"
+#include "claims/track.h"
+
+const ulong basin_gains[GAINS] = {10, 12};
+
+/* V in the orbit plane, where the craft is at x along the radius and at the distance r. */
+static void potential(arb_t V, ulong n, const arb_t x, const arb_t r)
+{
+    arb_t part;
+    arb_init(part);
+    arb_set_ui(part, n - 3);
+    arb_div(V, part, r, BASIN_BITS);
+    arb_log(part, r, BASIN_BITS);
+    arb_addmul_ui(V, part, n, BASIN_BITS);
+    arb_sqr(part, x, BASIN_BITS);
+    arb_mul_ui(part, part, 3, BASIN_BITS);
+    arb_mul_2exp_si(part, part, -1);
+    arb_sub(V, V, part, BASIN_BITS);
+    arb_clear(part);
+}
+
+void basin_init(struct basin *b, ulong n)
+{
+    arb_ptr a = _arb_vec_init(3);
+    arb_ptr r = a, nowhere = a + 1, V = a + 2;
+    arb_init(b->outer);
+    arb_init(b->level);
+    b->gain = n;
+    arb_sqrt_ui(b->outer, 12 * n - 27, BASIN_BITS); /* 3 r^2 + 3 r + 3 = n */
+    arb_sub_ui(b->outer, b->outer, 3, BASIN_BITS);
+    arb_div_ui(b->outer, b->outer, 6, BASIN_BITS);
+    potential(b->level, n, b->outer, b->outer);
+    arb_set_ui(r, n - 3);
+    arb_div_ui(r, r, n, BASIN_BITS);
+    potential(V, n, nowhere, r);
+    b->closed = arb_gt(V, b->level);
+    _arb_vec_clear(a, 3);
+}
+
+void basin_clear(struct basin *b)
+{
+    arb_clear(b->outer);
+    arb_clear(b->level);
+}
+
+/* ---- motions from rest on the radius ---- */
+
+enum flow_status follow_from_rest(ulong n, const arb_t start, const fmpq *times, slong count, flow_receiver *receive,
+                                  void *context)
+{
+    enum { DIGITS = 8 };
+    struct flow_parameters p;
+    arb_ptr initial = _arb_vec_init(FLOW_STATE);
+    double reached;
+    flow_parameters_init(&p);
+    arb_one(p.Omega);
+    arb_one(p.k_c);
+    arb_one(p.m1);
+    arb_one(p.m2);
+    arb_set_ui(p.L_ref, 2); /* so that r_ref = 1 */
+    arb_set_ui(p.C1, n);
+    arb_zero(p.C2);
+    if (n > 9)
+        arb_sqrt_ui(p.C2, 4 * (n - 9), BASIN_BITS);
+    arb_set(initial, start);
+    enum flow_status status = flow_nonlinear(&p, initial, times, count, DIGITS, BASIN_BITS, receive, context, &reached);
+    flow_parameters_clear(&p);
+    _arb_vec_clear(initial, FLOW_STATE);
+    return status;
+}
+
+struct watch {
+    const struct basin *basin;
+    enum release release;
+};
+
+/* Below the separatrix level, on one side of it: for ever so. */
+static int take_release(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    struct watch *watch = context;
+    const struct basin *b = watch->basin;
+    arb_ptr a = _arb_vec_init(3);
+    arb_ptr r = a, E = a + 1, speed = a + 2;
+    (void)k;
+    (void)t;
+    arb_hypot(r, state, state + 1, BASIN_BITS);
+    arb_dot(speed, NULL, 0, state + 3, 1, state + 3, 1, 2, BASIN_BITS);
+    arb_mul_2exp_si(speed, speed, -1);
+    potential(E, b->gain, state, r);
+    arb_add(E, E, speed, BASIN_BITS);
+    if (arb_lt(E, b->level) && arb_lt(r, b->outer) && arb_is_positive(state))
+        watch->release = RELEASE_RETURNS;
+    else if (arb_lt(E, b->level) && arb_gt(r, b->outer))
+        watch->release = RELEASE_ESCAPES;
+    _arb_vec_clear(a, 3);
+    return watch->release != RELEASE_OPEN;
+}
+
+enum release basin_release(const struct basin *b, slong tenths)
+{
+    enum { TIMES = 200, PER_RADIAN = 10 };
+    struct watch watch = {b, RELEASE_OPEN};
+    fmpq *times = _fmpq_vec_init(TIMES);
+    arb_t start, L_ref;
+    arb_init(start);
+    arb_init(L_ref);
+    for (slong k = 0; k < TIMES; k++)
+        fmpq_set_si(times + k, k + 1, PER_RADIAN);
+    sheet_value(L_ref, "L_ref", BASIN_BITS);
+    arb_set_si(start, tenths);
+    arb_div_ui(start, start, 10, BASIN_BITS);
+    arb_div(start, start, L_ref, BASIN_BITS);
+    arb_add_ui(start, start, 1, BASIN_BITS);
+    if (b->closed)
+        follow_from_rest(b->gain, start, times, TIMES, take_release, &watch);
+    arb_clear(start);
+    arb_clear(L_ref);
+    _fmpq_vec_clear(times, TIMES);
+    return watch.release;
+}

@@ -1,0 +1,17 @@
+/* The computations that claims use, each run once. */
+#ifndef CT_COMPUTATION_H
+#define CT_COMPUTATION_H
+
+#include "claims/statement.h"
+
+/* The computation of that name, not yet run; NULL: there is none. */
+struct computed *computed_find(struct statements *s, const char *name);
+void computed_clear(struct statements *s);
+
+const struct computation *computation_of(const struct computed *c);
+
+/* One of its numbers or truths; the computation runs when the first is asked for. False: it gives none of that name. */
+bool computed_number(struct computed *c, const char *name, arb_t value, enum how *how);
+bool computed_truth(struct computed *c, const char *name, enum truth *truth, enum how *how);
+
+#endif

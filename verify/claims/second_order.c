@@ -1,0 +1,90 @@
+#include "claims/second_order.h"
+
+#include "motion/flow.h"
+#include "proof/proof_results.h"
+
+static arb_ptr value(const struct second_order *o, const char *name)
+{
+    return machine_value(&o->machine, program_find(o->machine.program, name));
+}
+
+void second_order_init(struct second_order *o, const arb_t c1, const arb_t c2, slong prec)
+{
+    static const char *const units[] = {"Omega", "L_ref", "m1", "m2", "k_c"};
+    derivations_open(&o->derivations);
+    machine_init(&o->machine, &step_named(&o->derivations, "second_order")->corrected.program, &arithmetic_ball, prec);
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        arb_one(value(o, units[i]));
+    arb_set(value(o, "c1"), c1);
+    arb_set(value(o, "c2"), c2);
+    machine_run(&o->machine);
+}
+
+void second_order_clear(struct second_order *o)
+{
+    machine_clear(&o->machine);
+    derivations_clear(&o->derivations);
+}
+
+bool second_order_holds(const struct second_order *o)
+{
+    struct proof p;
+    identities_prove(&step_named(&o->derivations, "second_order")->corrected, &p);
+    const bool holds = p.result == IDENTITY_HOLDS;
+    proof_clear(&p);
+    return holds;
+}
+
+arb_srcptr second_order_get(const struct second_order *o, const char *name)
+{
+    return value(o, name);
+}
+
+void second_order_at(arb_ptr row, struct second_order *o, const arb_t z_re, const arb_t z_im)
+{
+    static const char *const names[FLOW_STATE] = {"psi", "theta", "dL", "psi_dot", "theta_dot", "dL_dot"};
+    arb_set(value(o, "u"), z_re);
+    arb_set(value(o, "v"), z_im);
+    machine_run(&o->machine);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set(row + i, value(o, names[i]));
+}
+
+void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_t a, const arb_t tau)
+{
+    const slong prec = o->machine.prec;
+    arb_t growth;
+    arb_init(growth);
+    arb_sqr(growth, a, prec);
+    arb_mul(growth, growth, tau, prec);
+    arb_mul(growth, growth, second_order_get(o, "decay"), prec);
+    arb_mul_2exp_si(growth, growth, 1);
+    arb_log1p(shift, growth, prec);
+    arb_mul(shift, shift, second_order_get(o, "shift"), prec);
+    arb_div(shift, shift, second_order_get(o, "decay"), prec);
+    arb_mul_2exp_si(shift, shift, -1);
+    arb_add_ui(ratio, growth, 1, prec);
+    arb_rsqrt(ratio, ratio, prec);
+    arb_clear(growth);
+}
+
+void second_order_after(arb_ptr row, struct second_order *o, const arb_t a, const arb_t tau)
+{
+    const slong prec = o->machine.prec;
+    arb_t size, angle, z_re, z_im;
+    arb_init(size);
+    arb_init(angle);
+    arb_init(z_re);
+    arb_init(z_im);
+    slow_law(size, angle, o, a, tau);
+    arb_mul(size, size, a, prec);
+    arb_addmul_ui(angle, tau, 2, prec);
+    arb_sin_cos(z_im, z_re, angle, prec);
+    arb_mul(z_re, z_re, size, prec);
+    arb_mul(z_im, z_im, size, prec);
+    second_order_at(row, o, z_re, z_im);
+    arb_clear(size);
+    arb_clear(angle);
+    arb_clear(z_re);
+    arb_clear(z_im);
+}

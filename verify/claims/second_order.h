@@ -1,0 +1,49 @@
+/*
+ * What pitch leaves in the nonlinear motion for ever, in closed form, for any gains.
+ *
+ * The linear model keeps pitch as a free oscillation z = theta - i theta_dot/(2 Omega), z' = 2 i z in radians of
+ * orbit, and brings yaw and length to rest. In the nonlinear motion they come to follow z, whatever the start: with
+ * c1 = C1/Omega^2, c2 = C2/Omega and
+ *
+ *     B = -2 i (c1 - 9 + 4 i c2) / (13 c1 - 261 + 52 i c2)     A = (2 - 13 i B)/8     T = (51 i B - 8)/96
+ *
+ *     psi = Re(B z^2)     dL/L_ref = Re(A z^2)     theta = Re(z + T z^3)     z' = 2 i z + 9/4 B |z|^2 z
+ *
+ * up to terms of the fourth order in z (psi, dL) and of the fifth (theta, z'). So the amplitude a = |z| and the phase
+ * 2 tau + phi of pitch obey the slow law a' = -k a^3, phi' = s a^2 with -k + i s = 9/4 B:
+ *
+ *     k = 2592 c2/N     s = -9/2 ((c1 - 9)(13 c1 - 261) + 208 c2^2)/N     N = (13 c1 - 261)^2 + (52 c2)^2
+ *
+ * The formulas stand once, as the step second_order of paper/derivations.yaml: x1 and y1 hold psi and dL and are even
+ * in z, z1 holds theta and is odd, so that what is left of (3) is of the fourth order in the first two, of the fifth in
+ * the last. Its program runs in balls for their values.
+ */
+#ifndef CT_SECOND_ORDER_H
+#define CT_SECOND_ORDER_H
+
+#include "proof/derivation.h"
+
+struct second_order {
+    struct derivations derivations;
+    struct machine machine; /* of the step, in balls, in radians of orbit and units of L_ref */
+};
+
+void second_order_init(struct second_order *o, const arb_t c1, const arb_t c2, slong prec);
+void second_order_clear(struct second_order *o);
+
+/* Whether the step is proved. */
+bool second_order_holds(const struct second_order *o);
+
+/* By name: B_re B_im A_re A_im T_re T_im, and k and s as decay and shift. */
+arb_srcptr second_order_get(const struct second_order *o, const char *name);
+
+/* psi theta dL and their rates at z, the first six of a track's row; */
+void second_order_at(arb_ptr row, struct second_order *o, const arb_t z_re, const arb_t z_im);
+
+/* ... and at the z that was a, tau radians of orbit before. */
+void second_order_after(arb_ptr row, struct second_order *o, const arb_t a, const arb_t tau);
+
+/* a(tau)/a(0) and phi(tau) - phi(0): (1 + 2 k a^2 tau)^(-1/2), s/(2 k) log(1 + 2 k a^2 tau) */
+void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_t a, const arb_t tau);
+
+#endif

@@ -1,0 +1,400 @@
+/* The verdict on a statement: which of its conditions is true, and whether the numbers of its evidence are proved. */
+#include "claims/statement.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "claims/computation.h"
+#include "claims/condition.h"
+#include "text/decimal.h"
+
+const char *const verdict_names[] = {"undecided", "holds", "holds as corrected", "qualified", "refuted", "definition", "not decidable"};
+const char *const how_names[] = {"exact", "certified", "measured"};
+
+static enum how worse(enum how a, enum how b)
+{
+    return a > b ? a : b;
+}
+
+/* ---- numbers ---- */
+
+/* round(x 10^places), where the enclosure decides it; a bound always. */
+static bool scaled_integer(fmpz_t n, const arb_t x, slong places, enum rounding rounding)
+{
+    arb_t y;
+    arf_t end;
+    fmpz_t power;
+    fmpz_init(power);
+    arf_init(end);
+    arb_init(y);
+    fmpz_ui_pow_ui(power, 10, (ulong)(places < 0 ? -places : places));
+    if (places < 0)
+        arb_div_fmpz(y, x, power, 4096);
+    else
+        arb_mul_fmpz(y, x, power, 4096);
+    bool unique = arb_is_finite(y);
+    if (unique && rounding == UPWARD) {
+        arb_get_ubound_arf(end, y, 4096);
+        arf_get_fmpz(n, end, ARF_RND_CEIL);
+    } else if (unique && rounding == DOWNWARD) {
+        arb_get_lbound_arf(end, y, 4096);
+        arf_get_fmpz(n, end, ARF_RND_FLOOR);
+    } else if (unique) {
+        arf_set_d(end, 0.5);
+        arb_add_arf(y, y, end, 4096);
+        arb_floor(y, y, 4096);
+        unique = arb_get_unique_fmpz(n, y);
+    }
+    fmpz_clear(power);
+    arf_clear(end);
+    arb_clear(y);
+    return unique;
+}
+
+/* n/10^places; with scientific notation where it takes many zeros. */
+static char *decimal_text(const fmpz_t n, slong places)
+{
+    struct tex t = {NULL, 0};
+    char *figures = fmpz_get_str(NULL, 10, n);
+    const char *digits = figures + (*figures == '-'), *sign = *figures == '-' ? "-" : "";
+    const slong count = (slong)strlen(digits), whole = count - places, exponent = whole - 1;
+    if (fmpz_is_zero(n))
+        tex_add(&t, "0");
+    else if (exponent < -4 || exponent > 6)
+        tex_add(&t, "%s%c%s%se%s%02ld", sign, *digits, count > 1 ? "." : "", digits + 1, exponent < 0 ? "-" : "+", labs(exponent));
+    else if (whole <= 0)
+        tex_add(&t, "%s0.%.*s%s", sign, (int)-whole, "0000", digits);
+    else if (whole >= count)
+        tex_add(&t, "%s%s%.*s", sign, digits, (int)(whole - count), "000000");
+    else
+        tex_add(&t, "%s%.*s.%s", sign, (int)whole, digits, digits + whole);
+    flint_free(figures);
+    return t.text;
+}
+
+/* How many digits before the point, less one, an upper or lower bound has. */
+static slong exponent_of(const arb_t x)
+{
+    char *text = NULL;
+    arb_t y;
+    arf_t end;
+    arb_init(y);
+    arf_init(end);
+    arb_get_abs_ubound_arf(end, x, 64);
+    arb_set_arf(y, end);
+    slong exponent = 0;
+    if (arb_is_positive(y) && (text = decimal_of_ball(y, 20)) != NULL)
+        exponent = strtol(strchr(text, 'e') + 1, NULL, 10);
+    free(text);
+    arb_clear(y);
+    arf_clear(end);
+    return exponent;
+}
+
+static char *bound_text(const arb_t x, slong digits, enum rounding rounding)
+{
+    fmpz_t n;
+    fmpz_init(n);
+    const slong places = arb_is_finite(x) ? digits - 1 - exponent_of(x) : 0;
+    char *text = scaled_integer(n, x, places, rounding) ? decimal_text(n, places) : NULL;
+    fmpz_clear(n);
+    return text;
+}
+
+/* A decimal d.ddde-XX as decimal_text writes it. */
+static char *plain_text(char *scientific)
+{
+    fmpz_t n;
+    fmpz_init(n);
+    char *mark = strchr(scientific, 'e'), *figures = memory(NULL, strlen(scientific) + 1, 1), *to = figures;
+    for (const char *at = scientific; at < (mark != NULL ? mark : scientific + strlen(scientific)); at++)
+        if (*at != '.')
+            *to++ = *at;
+    *to = '\0';
+    fmpz_set_str(n, figures, 10);
+    const slong count = (slong)strlen(figures) - (*figures == '-');
+    char *text = decimal_text(n, mark != NULL ? count - 1 - strtol(mark + 1, NULL, 10) : 0);
+    free(figures);
+    free(scientific);
+    fmpz_clear(n);
+    return text;
+}
+
+static char *enclosed_text(const struct quoted_number *q, const arb_t x)
+{
+    char *text = NULL;
+    if (q->rounding == UPWARD || q->rounding == DOWNWARD)
+        return bound_text(x, q->digits, q->rounding);
+    if (q->rounding == TO_DIGITS) {
+        text = arb_is_finite(x) ? decimal_of_ball(x, q->digits) : NULL;
+        return text != NULL ? plain_text(text) : NULL;
+    }
+    fmpz_t n;
+    fmpz_init(n);
+    if (q->rounding == TO_DECIMALS && scaled_integer(n, x, q->digits, TO_DECIMALS)) {
+        struct tex t = {NULL, 0};
+        char *figures = fmpz_get_str(NULL, 10, n);
+        const char *digits = figures + (*figures == '-');
+        const slong whole = (slong)strlen(digits) - q->digits;
+        tex_add(&t, "%s", *figures == '-' ? "-" : "");
+        tex_add(&t, "%.*s", whole > 0 ? (int)whole : 1, whole > 0 ? digits : "0");
+        if (q->digits > 0)
+            tex_add(&t, ".%.*s%s", whole < 0 ? (int)-whole : 0, "000000000000000", digits + (whole > 0 ? whole : 0));
+        flint_free(figures);
+        text = t.text;
+    }
+    fmpz_clear(n);
+    return text;
+}
+
+static char *rational_text(const struct quoted_number *q, const fmpq_t x)
+{
+    char *text = NULL;
+    if (q->rounding == AS_RATIONAL) {
+        char *own = fmpq_get_str(NULL, 10, x);
+        text = text_copy(own);
+        flint_free(own);
+    } else if (q->rounding == TO_DIGITS)
+        text = fmpq_is_zero(x) ? text_copy("0") : plain_text(decimal_of_rational(x, q->digits));
+    return text;
+}
+
+/* Its digits, proved: NULL where that fails. A measured number has none, only bounds. */
+static void number_decide(struct statements *all, struct statement *s, struct quoted_number *q)
+{
+    enum { FIRST = 128, LAST = 2048 };
+    struct bindings b = {.all = all, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = FIRST};
+    fmpq_t exact;
+    arb_t x;
+    fmpq_init(exact);
+    arb_init(x);
+    if (q->decimal == NULL && formula_rational(exact, &q->formula, &b)) {
+        q->how = EXACT;
+        arb_set_fmpq(x, exact, LAST);
+        q->decimal = q->rounding == TO_DIGITS || q->rounding == AS_RATIONAL ? rational_text(q, exact) : enclosed_text(q, x);
+    }
+    for (; q->decimal == NULL && b.bits <= LAST; b.bits *= 4) {
+        formula_enclose(x, &q->how, &q->formula, &b);
+        if (q->how != MEASURED || q->rounding == UPWARD || q->rounding == DOWNWARD)
+            q->decimal = enclosed_text(q, x);
+    }
+    fmpq_clear(exact);
+    arb_clear(x);
+}
+
+/* ---- conditions ---- */
+
+struct deciding {
+    struct statements *all;
+    struct statement *statement;
+    const struct tampering *tampering;
+    enum how how;
+    const char *open; /* the first name that was not decided */
+};
+
+/* Whether an assertion's number cannot be had, as it was taken away, is found to be the contrary, or rests on such a one. */
+static bool is_void(const struct deciding *d, int index)
+{
+    const struct tampering *t = d->tampering;
+    const struct assertion *a = &d->statement->assertions[index];
+    if (t != NULL && t->assertion == index && (a->kind == ASSERT_ROOT || (a->kind == ASSERT_COMPUTE && !t->negated)))
+        return true;
+    for (int k = 0; k < index; k++)
+        if ((a->uses >> k & 1) != 0 && is_void(d, k))
+            return true;
+    if (a->kind != ASSERT_ROOT)
+        return false;
+    assertion_find(d->all, d->statement, &d->statement->assertions[index]);
+    return a->truth != FOUND_TRUE;
+}
+
+static bool any_void(const struct deciding *d, ulong uses)
+{
+    for (int k = 0; k < d->statement->assertion_count; k++)
+        if ((uses >> k & 1) != 0 && is_void(d, k))
+            return true;
+    return false;
+}
+
+static enum truth truth_of(struct deciding *d, int index, const char *member)
+{
+    struct assertion *a = &d->statement->assertions[index];
+    const struct tampering *t = d->tampering;
+    enum truth truth = UNDECIDED;
+    enum how how = EXACT;
+    if (any_void(d, a->uses))
+        return UNDECIDED;
+    if (a->kind == ASSERT_COMPUTE)
+        computed_truth(a->computed, member, &truth, &how);
+    else {
+        assertion_find(d->all, d->statement, a);
+        truth = a->truth;
+        how = a->how;
+    }
+    d->how = worse(d->how, how);
+    if (t != NULL && t->assertion == index && (t->truth == NULL || (member != NULL && strcmp(t->truth, member) == 0)))
+        return t->negated ? truth_not(truth) : UNDECIDED;
+    return truth;
+}
+
+static enum truth value_of_name(void *context, const char *name, const char *member, bool *known)
+{
+    struct deciding *d = context;
+    (void)known;
+    for (int i = 0; i < d->statement->assertion_count; i++)
+        if (strcmp(d->statement->assertions[i].name, name) == 0) {
+            const enum truth truth = truth_of(d, i, member);
+            if (truth == UNDECIDED && d->open == NULL)
+                d->open = d->statement->assertions[i].name;
+            return truth;
+        }
+    return UNDECIDED; /* LCOV_EXCL_LINE: conditions are checked when they are read */
+}
+
+/* ---- the verdict ---- */
+
+static void leave_open(const struct statements *all, struct ruling *r, const yaml_node_t *at, size_t offset, const char *text)
+{
+    struct document d = all->document;
+    if (r->open.text[0] != '\0')
+        return;
+    d.why = &r->open;
+    mistake(&d, at, offset, "%s", text);
+}
+
+static const yaml_node_t *node_of_name(const struct statement *s, const char *name)
+{
+    int i = 0;
+    while (strcmp(s->assertions[i].name, name) != 0)
+        i++;
+    return s->assertions[i].node;
+}
+
+static void decide_numbers(struct deciding *d, struct ruling *r)
+{
+    struct statement *s = d->statement;
+    char text[256];
+    for (int i = 0; i < s->number_count; i++) {
+        struct quoted_number *q = &s->numbers[i];
+        number_decide(d->all, s, q);
+        d->how = worse(d->how, q->how);
+        if (q->decimal == NULL || any_void(d, q->formula.uses)) {
+            snprintf(text, sizeof text, "%s: the digits of %.100s cannot be proved", s->id, q->text);
+            leave_open(d->all, r, q->node, q->offset, text);
+            r->as_written = false;
+        }
+    }
+}
+
+void statement_decide(struct statements *all, struct statement *s, const struct tampering *t, struct ruling *r)
+{
+    struct deciding d = {.all = all, .statement = s, .tampering = t};
+    char text[384];
+    int found = -1, many = 0;
+    *r = (struct ruling){.verdict = VERDICT_NONE, .as_written = true};
+    for (int i = 0; i < s->verdict_count; i++)
+        if (s->conditions[i] == NULL || condition_decide(s->conditions[i], value_of_name, &d) == FOUND_TRUE) {
+            found = found < 0 ? i : found;
+            many++;
+        }
+    if (many == 1)
+        r->verdict = s->verdicts[found];
+    r->as_written = many == 1 && found == 0;
+    if (many != 1 && d.open != NULL)
+        snprintf(text, sizeof text, "%s is undecided: '%s' is found neither true nor false", s->id, d.open);
+    else if (many != 1)
+        snprintf(text, sizeof text, "%s is undecided: %s of its conditions is true", s->id, many == 0 ? "none" : "more than one");
+    else
+        snprintf(text, sizeof text, "%s comes out as '%s', its evidence is written for '%s'", s->id, verdict_names[r->verdict],
+                 verdict_names[s->verdicts[0]]);
+    if (!r->as_written)
+        leave_open(all, r, d.open != NULL && many != 1 ? node_of_name(s, d.open) : s->verdict, 0, text);
+    decide_numbers(&d, r);
+    r->how = d.how;
+    if (!r->as_written && many == 1 && found == 0)
+        r->verdict = VERDICT_NONE; /* a number is missing */
+}
+
+static bool names_truth(const struct statement *s, const char *name, const char *truth)
+{
+    char both[160];
+    bool named = false;
+    snprintf(both, sizeof both, "%.63s.%.63s", name, truth);
+    for (int i = 0; i < s->verdict_count; i++)
+        named = named || (s->conditions[i] != NULL && mentions(s->conditions[i], both));
+    return named;
+}
+
+/* Whether the verdict stands, for all that it is tampered with. */
+static bool stands(struct statements *all, struct statement *s, int assertion, const char *truth, bool negated)
+{
+    const struct tampering t = {assertion, truth, negated};
+    struct ruling ruling;
+    statement_decide(all, s, &t, &ruling);
+    return ruling.as_written;
+}
+
+static bool needs(struct statements *all, struct statement *s, int assertion)
+{
+    const struct assertion *a = &s->assertions[assertion];
+    char word[64];
+    if (a->kind != ASSERT_COMPUTE)
+        return !stands(all, s, assertion, NULL, false) && !stands(all, s, assertion, NULL, true);
+    bool needed = !stands(all, s, assertion, NULL, false);
+    for (const char *at = computation_of(a->computed)->truths; sscanf(at, " %63s", word) == 1; at = strstr(at, word) + strlen(word))
+        if (names_truth(s, a->name, word))
+            needed = needed && !stands(all, s, assertion, word, false) && !stands(all, s, assertion, word, true);
+    return needed;
+}
+
+void statement_rule(struct statements *all, struct statement *s, struct ruling *r)
+{
+    char text[256];
+    statement_decide(all, s, NULL, r);
+    for (int i = 0; i < s->assertion_count && r->as_written; i++)
+        if (!needs(all, s, i)) {
+            snprintf(text, sizeof text, "%s stands without '%s', or with its contrary", s->id, s->assertions[i].name);
+            leave_open(all, r, s->assertions[i].node, 0, text);
+            r->as_written = false;
+        }
+}
+
+/* ---- the evidence ---- */
+
+struct writing {
+    struct written *written;
+    const struct statement *statement;
+    int next;
+};
+
+static void words_of(void *context, const char *at, size_t length)
+{
+    write_words(((struct writing *)context)->written, at, length);
+}
+
+static void mathematics_of(void *context, const char *at, size_t length)
+{
+    write_mathematics(((struct writing *)context)->written, at, length);
+}
+
+static void number_of_it(void *context, const char *at, size_t length)
+{
+    struct writing *w = context;
+    const struct quoted_number *q = &w->statement->numbers[w->next++];
+    (void)at;
+    (void)length;
+    if (q->decimal != NULL)
+        write_decimal(w->written, q->decimal, q->unit);
+    else
+        write_words(w->written, "undecided", 9);
+}
+
+void statement_evidence(const struct statement *s, struct written *w)
+{
+    struct writing writing = {w, s, 0};
+    const struct marked_parts parts = {&writing, words_of, mathematics_of, number_of_it};
+    struct message why;
+    size_t where;
+    marked_read(s->evidence, &parts, &where, &why);
+}

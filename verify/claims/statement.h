@@ -1,0 +1,174 @@
+/*
+ * The statements of paper/claims.yaml, read, and the verdicts on them.
+ *
+ * A statement has assertions, each found true or false or left undecided, and verdicts, each under a condition on them.
+ * No assertion may be missing: one that a condition or a number needs and that is not decided leaves the verdict open.
+ */
+#ifndef CT_STATEMENT_H
+#define CT_STATEMENT_H
+
+#include "claims/claim.h"
+#include "claims/marked.h"
+#include "proof/proof_results.h"
+
+enum { MOST_ASSERTIONS = 40, MOST_VERDICTS = 4, MOST_EACH = 3, MOST_TURNS = 8 };
+
+/* A formula over whatever has a name where it stands. */
+struct formula {
+    struct program program;
+    int node;
+    ulong uses; /* a bit for each assertion that it takes a number of */
+};
+
+/* `at`: name, value, and its uncertainty. */
+struct value {
+    const char *name;
+    struct formula formula, radius;
+    bool uncertain;
+};
+
+struct values {
+    struct value *list;
+    int count;
+};
+
+enum assertion_kind {
+    ASSERT_SHOW, ASSERT_ROOT, ASSERT_ROOTS, ASSERT_CHARACTERISTIC, ASSERT_RANK, ASSERT_STEP, ASSERT_CLAIM, ASSERT_COMPUTE
+};
+enum ordering { IS_EQUAL, IS_UNEQUAL, IS_BELOW, IS_ABOVE, IS_AT_MOST, IS_AT_LEAST };
+
+/* States, their rates, and where the matrix of the two is taken. */
+struct linear_system {
+    int size;
+    struct program program;
+    int states[12], rates[12], about[12]; /* nodes; about -1: wherever */
+    int control, observe;                 /* a node, -1; a state's index, -1 */
+    ulong uses;
+};
+
+struct assertion {
+    const char *name;
+    const yaml_node_t *node;
+    enum assertion_kind kind;
+    enum ordering ordering;
+    struct identities identity;   /* of an equality for all values                      */
+    bool everywhere;              /* ... which it is                                    */
+    struct formula formula;       /* left - right; whose roots; a polynomial            */
+    const char *variable;         /* that moves between low and high; NULL: none        */
+    struct formula low, high;
+    bool has_low, has_high;
+    struct values at;
+    const char *each[MOST_EACH];  /* `for`: names that take one value after another, together */
+    struct formula each_of[MOST_EACH][MOST_TURNS];
+    int each_names, turns;
+    long count;
+    struct linear_system system;
+    const char *reference;        /* the id of a step or a claim */
+    struct computed *computed;
+    ulong uses;                   /* assertions that it takes numbers of */
+    bool done;
+    enum truth truth;
+    enum how how;
+};
+
+/* A number of the evidence. */
+enum rounding { TO_DIGITS, TO_DECIMALS, UPWARD, DOWNWARD, AS_RATIONAL };
+
+struct quoted_number {
+    struct formula formula;
+    const char *text, *unit;
+    enum rounding rounding;
+    slong digits;
+    const yaml_node_t *node;      /* where it stands */
+    size_t offset;
+    char *decimal;                /* NULL: its digits are not proved */
+    enum how how;
+};
+
+struct statement {
+    const char *id, *where, *kind, *claim, *why, *evidence;
+    const yaml_node_t *given, *prove, *verdict;
+    struct assertion *assertions;
+    int assertion_count;
+    enum verdict verdicts[MOST_VERDICTS];
+    const char *conditions[MOST_VERDICTS]; /* NULL: without condition */
+    int verdict_count;
+    const char *equations[8];     /* it is a reason of the verdicts on these, too */
+    int equation_count;
+    struct values at;             /* of `given` */
+    struct quoted_number *numbers;
+    int number_count;
+};
+
+struct statements {
+    struct document document;
+    const struct sheet *sheet;
+    const struct proof_results *proofs;
+    struct statement *list;
+    int count;
+    struct computed **computed;
+    int computed_count;
+    char **texts;
+    int text_count;
+};
+
+/* Reads them; -1 and "name:line:column: expected ..." where the sheet is broken. `proofs` may have proved nothing yet. */
+int statements_read(struct statements *s, const struct proof_results *proofs, const char *text, size_t length, const char *name,
+                    struct message *why);
+void statements_clear(struct statements *s);
+struct statement *statement_find(const struct statements *s, const char *id);
+
+/* An assertion is taken away, or found to be the contrary: what a verdict must not survive. */
+struct tampering {
+    int assertion;        /* its index; -1: none */
+    const char *truth;    /* of a computation: which; NULL: all */
+    bool negated;
+};
+
+/* What comes of a statement. */
+struct ruling {
+    enum verdict verdict; /* VERDICT_NONE: undecided */
+    enum how how;
+    bool as_written;      /* it is the one that the evidence is written for, and all numbers are proved */
+    struct message open;  /* what is open, where: "paper/claims.yaml:120:5: ..." */
+};
+
+void statement_decide(struct statements *all, struct statement *s, const struct tampering *t, struct ruling *r);
+
+/* The same; and false in `as_written` too where the verdict would stand without an assertion, or with its contrary. */
+void statement_rule(struct statements *all, struct statement *s, struct ruling *r);
+
+/* The evidence with its numbers, after the statement was decided. */
+void statement_evidence(const struct statement *s, struct written *w);
+
+/* ---- between the files ---- */
+
+/* What a formula's names stand for. */
+struct bindings {
+    struct statements *all;
+    struct statement *statement;
+    const struct values *at;
+    int at_count;                      /* of them: those that may be used */
+    const struct assertion *each;      /* whose `for` gives some names one value after another; NULL: none */
+    int turn;                          /* which of these they have now */
+    const char *moving;                /* a name that moves */
+    arb_srcptr moving_value;
+    slong bits;
+};
+
+/* The formula's value and how it is known; an indeterminate ball where a name has none. */
+void formula_enclose(arb_t z, enum how *how, const struct formula *f, const struct bindings *b);
+
+/* Its value as an exact number, where all its names have one and it is rational. */
+bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *b);
+
+/* Sets the inputs that a node needs: in balls; or in an exact arithmetic, false where one has no rational value. */
+void machine_bind(struct machine *m, int node, enum how *how, const struct bindings *b);
+bool machine_bind_exact(struct machine *m, int node, const struct bindings *b);
+
+/* The root that an assertion names, once it was found to be the only one there. */
+void root_enclose(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits);
+
+void assertion_find(struct statements *all, struct statement *s, struct assertion *a);
+
+#endif

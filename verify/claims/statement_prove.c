@@ -1,0 +1,535 @@
+/* Whether an assertion is true: by identities, enclosures, Sturm's chains, matrices, steps and computations. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "claims/computation.h"
+#include "claims/statement.h"
+#include "formula/symbolic.h"
+
+enum { BITS = 128, MOST_BITS = 1024, DEEPEST = 16 };
+
+static enum how worse(enum how a, enum how b)
+{
+    return a > b ? a : b;
+}
+
+static enum truth of_both(enum truth a, enum truth b)
+{
+    return a == FOUND_FALSE || b == FOUND_FALSE ? FOUND_FALSE : a == FOUND_TRUE && b == FOUND_TRUE ? FOUND_TRUE : UNDECIDED;
+}
+
+static struct bindings bindings_of(struct statements *all, struct statement *s, const struct assertion *a)
+{
+    return (struct bindings){.all = all, .statement = s, .at = &a->at, .at_count = a->at.count, .bits = BITS};
+}
+
+/* ---- a formula of one unknown ---- */
+
+struct curve {
+    struct program program;
+    struct machine machine;
+    int x, node, slope;
+};
+
+static bool curve_init(struct curve *c, const struct formula *f, const char *variable, const struct bindings *b, enum how *how)
+{
+    struct bindings moving = *b;
+    struct message why;
+    size_t where;
+    arb_t x;
+    program_copy(&c->program, &f->program);
+    c->node = f->node;
+    c->x = program_find(&c->program, variable);
+    int *rate = memory(NULL, (size_t)c->program.inputs, sizeof *rate);
+    for (int i = 0; i < c->program.inputs; i++)
+        rate[i] = -1;
+    const int inputs = c->program.inputs;
+    rate[c->x] = program_parse(&c->program, "1", &where, &why);
+    c->slope = program_derivative(&c->program, c->node, rate, inputs);
+    free(rate);
+    arb_init(x);
+    arb_indeterminate(x);
+    moving.moving = variable;
+    moving.moving_value = x;
+    machine_init(&c->machine, &c->program, &arithmetic_ball, b->bits);
+    machine_bind(&c->machine, c->node, how, &moving); /* the slope needs nothing more */
+    arb_clear(x);
+    return c->x >= 0;
+}
+
+static void curve_clear(struct curve *c)
+{
+    machine_clear(&c->machine);
+    program_clear(&c->program);
+}
+
+static arb_srcptr curve_at(struct curve *c, const arb_t x)
+{
+    arb_set(machine_value(&c->machine, c->x), x);
+    machine_run(&c->machine);
+    return machine_value(&c->machine, c->node);
+}
+
+/* For arb_calc: the value and the derivative. */
+static int curve_series(arb_ptr out, const arb_t x, void *param, slong order, slong prec)
+{
+    struct curve *c = param;
+    (void)prec;
+    arb_set(out, curve_at(c, x));
+    if (order > 1)
+        arb_set(out + 1, machine_value(&c->machine, c->slope));
+    return 0;
+}
+
+static int sign_of(const arb_t z)
+{
+    return arb_is_positive(z) ? 1 : arb_is_negative(z) ? -1 : 0;
+}
+
+/* The same certain sign everywhere between. */
+static bool sign_between(struct curve *c, const arb_t low, const arb_t high, int sign, int depth)
+{
+    arb_t x, middle;
+    arb_init(x);
+    arb_init(middle);
+    arb_union(x, low, high, BITS);
+    bool certain = sign_of(curve_at(c, x)) == sign;
+    if (!certain && depth > 0) {
+        arb_get_mid_arb(middle, x);
+        certain = sign_between(c, low, middle, sign, depth - 1) && sign_between(c, middle, high, sign, depth - 1);
+    }
+    arb_clear(x);
+    arb_clear(middle);
+    return certain;
+}
+
+/* ---- roots ---- */
+
+/* The number of roots between low and high, or -1 where it stays open; *one is the last of them. */
+static slong isolate(arf_interval_t one, struct curve *c, const arb_t low, const arb_t high)
+{
+    enum { EVALUATIONS = 20000, ROOTS = 10 };
+    arf_interval_t block;
+    arf_interval_ptr blocks = NULL;
+    int *flags = NULL;
+    slong count = 0;
+    arf_interval_init(block);
+    arb_get_lbound_arf(&block->a, low, BITS);
+    arb_get_ubound_arf(&block->b, high, BITS);
+    const slong found = arb_calc_isolate_roots(&blocks, &flags, curve_series, c, block, 2 * DEEPEST, EVALUATIONS, ROOTS, BITS);
+    for (slong i = 0; i < found; i++) {
+        count = count < 0 || flags[i] != 1 ? -1 : count + 1;
+        arf_interval_set(one, blocks + i);
+        arf_interval_clear(blocks + i);
+    }
+    flint_free(blocks);
+    flint_free(flags);
+    arf_interval_clear(block);
+    return count;
+}
+
+/* Between a and b, where the signs differ, halved as long as the sign in between is certain. */
+static void refine(arb_t z, struct curve *c, const arf_interval_t one, slong bits)
+{
+    arb_t a, b, x, step;
+    arb_init(a);
+    arb_init(b);
+    arb_init(x);
+    arb_init(step);
+    arb_set_arf(a, &one->a);
+    arb_set_arf(b, &one->b);
+    const int left = sign_of(curve_at(c, a));
+    for (slong i = 0; i < bits; i++) {
+        int sign = 0;
+        arb_sub(step, b, a, 2 * bits);
+        arb_mul_2exp_si(step, step, -3);
+        for (int eighth = 4; eighth < 6 && sign == 0; eighth++) { /* the middle itself may be the root */
+            arb_mul_si(x, step, eighth, 2 * bits);
+            arb_add(x, a, x, 2 * bits);
+            sign = sign_of(curve_at(c, x));
+        }
+        if (sign == 0)
+            break;
+        arb_set(sign == left ? a : b, x);
+    }
+    arb_union(z, a, b, bits);
+    arb_clear(a);
+    arb_clear(b);
+    arb_clear(x);
+    arb_clear(step);
+}
+
+static bool is_polynomial(const struct formula *f, const char *variable)
+{
+    const struct program *p = &f->program;
+    char *moves = memory(NULL, (size_t)f->node + 1, 1), *needed = memory(NULL, (size_t)f->node + 1, 1);
+    bool polynomial = true;
+    program_needs(p, f->node, NULL, needed);
+    for (int i = 0; i <= f->node; i++) {
+        const struct node *n = &p->nodes[i];
+        const bool left = n->left >= 0 && moves[n->left], right = n->right >= 0 && moves[n->right];
+        moves[i] = i == program_find(p, variable) || left || right;
+        if (needed[i] && (left || right))
+            polynomial = polynomial && n->op <= OPERATOR_POWER &&
+                         !(n->op == OPERATOR_DIVIDE && right) && !(n->op == OPERATOR_POWER && n->exponent < 0);
+    }
+    free(moves);
+    free(needed);
+    return polynomial;
+}
+
+/* The root within the bounds; how many there are, -1 where that stays open. */
+static slong root_find(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits)
+{
+    struct bindings b = bindings_of(all, s, a);
+    struct curve c;
+    enum how bound = EXACT;
+    arf_interval_t one;
+    arb_t low, high;
+    arf_interval_init(one);
+    arb_init(low);
+    arb_init(high);
+    formula_enclose(low, &bound, &a->low, &b);
+    formula_enclose(high, &bound, &a->high, &b);
+    b.bits = 2 * bits;
+    bool fine = curve_init(&c, &a->formula, a->variable, &b, how);
+    const slong count = fine && arb_is_finite(low) && arb_is_finite(high) ? isolate(one, &c, low, high) : -1;
+    arb_indeterminate(z);
+    if (count == 1)
+        refine(z, &c, one, bits);
+    if (!is_polynomial(&a->formula, a->variable))
+        *how = worse(*how, CERTIFIED);
+    curve_clear(&c);
+    arf_interval_clear(one);
+    arb_clear(low);
+    arb_clear(high);
+    return count;
+}
+
+void root_enclose(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits)
+{
+    root_find(z, how, all, s, a, bits);
+}
+
+/* ---- signs ---- */
+
+static enum truth by_sign(enum ordering o, int sign)
+{
+    const bool holds = o == IS_EQUAL      ? sign == 0
+                       : o == IS_UNEQUAL  ? sign != 0
+                       : o == IS_BELOW    ? sign < 0
+                       : o == IS_ABOVE    ? sign > 0
+                       : o == IS_AT_MOST  ? sign <= 0
+                                          : sign >= 0;
+    return holds ? FOUND_TRUE : FOUND_FALSE;
+}
+
+static enum truth sign_at(const struct assertion *a, const struct bindings *at, enum how *how)
+{
+    struct bindings b = *at;
+    enum truth truth = UNDECIDED;
+    fmpq_t q;
+    arb_t z;
+    fmpq_init(q);
+    arb_init(z);
+    if (formula_rational(q, &a->formula, &b)) {
+        truth = by_sign(a->ordering, fmpq_sgn(q));
+        *how = worse(*how, EXACT);
+    }
+    for (b.bits = BITS; truth == UNDECIDED && b.bits <= MOST_BITS; b.bits *= 2) {
+        enum how known;
+        formula_enclose(z, &known, &a->formula, &b);
+        if (sign_of(z) != 0)
+            truth = by_sign(a->ordering, sign_of(z));
+        *how = worse(*how, worse(known, CERTIFIED));
+    }
+    fmpq_clear(q);
+    arb_clear(z);
+    return truth;
+}
+
+/* Above or below zero between two bounds. */
+static enum truth sign_on(const struct assertion *a, const struct bindings *b, enum how *how)
+{
+    const int sign = a->ordering == IS_ABOVE || a->ordering == IS_AT_LEAST ? 1 : -1;
+    enum truth truth = UNDECIDED;
+    enum how known = EXACT, curved = EXACT;
+    struct curve c;
+    arb_t low, high;
+    arb_init(low);
+    arb_init(high);
+    formula_enclose(low, &known, &a->low, b);
+    formula_enclose(high, &known, &a->high, b);
+    if (curve_init(&c, &a->formula, a->variable, b, &curved) && arb_is_finite(low) && arb_is_finite(high) && a->ordering >= IS_BELOW) {
+        if (sign_of(curve_at(&c, low)) == -sign || sign_of(curve_at(&c, high)) == -sign)
+            truth = FOUND_FALSE;
+        else if (sign_between(&c, low, high, sign, DEEPEST))
+            truth = FOUND_TRUE;
+    }
+    *how = worse(worse(*how, CERTIFIED), worse(known, curved));
+    curve_clear(&c);
+    arb_clear(low);
+    arb_clear(high);
+    return truth;
+}
+
+/* ---- polynomials and matrices ---- */
+
+/* The coefficients of a polynomial in one unknown whose other names have exact values. */
+static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const char *variable, const struct bindings *at)
+{
+    struct bindings b = *at;
+    struct machine m;
+    b.moving = variable;
+    symbolic_begin(1, 0, false);
+    machine_init(&m, &formula->program, &arithmetic_symbolic, 1);
+    bool known = is_polynomial(formula, variable) && machine_bind_exact(&m, formula->node, &b);
+    if (known) {
+        symbolic_set_variable(machine_value(&m, program_find(&formula->program, variable)), 0, 0);
+        machine_run(&m);
+        known = symbolic_get_polynomial(f, machine_value(&m, formula->node));
+    }
+    machine_clear(&m);
+    symbolic_end();
+    return known;
+}
+
+/* How many different roots a polynomial, not zero, has beyond a point. */
+static slong roots_beyond(const fmpq_poly_t f, const fmpq_t point)
+{
+    slong negative = 0, positive = 0, zeros = 0;
+    fmpq_poly_t g, h;
+    fmpz_poly_t simple;
+    fmpq_poly_init(g);
+    fmpq_poly_init(h);
+    fmpz_poly_init(simple);
+    fmpq_poly_set_coeff_fmpq(h, 0, point);
+    fmpq_poly_set_coeff_si(h, 1, 1);
+    fmpq_poly_compose(g, f, h); /* Sturm's chain wants no multiple root, and none at 0 */
+    fmpq_poly_derivative(h, g);
+    fmpq_poly_gcd(h, g, h);
+    fmpq_poly_div(g, g, h);
+    fmpq_poly_get_numerator(simple, g);
+    while (zeros < simple->length && fmpz_is_zero(simple->coeffs + zeros))
+        zeros++;
+    fmpz_poly_shift_right(simple, simple, zeros);
+    if (fmpz_poly_degree(simple) > 0)
+        _fmpz_poly_num_real_roots_sturm(&negative, &positive, simple->coeffs, simple->length);
+    fmpq_poly_clear(g);
+    fmpq_poly_clear(h);
+    fmpz_poly_clear(simple);
+    return positive;
+}
+
+/* Minus one and the sum of the coefficients' sizes, over the leading one (Cauchy). */
+static void left_of_roots(fmpq_t point, const fmpq_poly_t f)
+{
+    fmpq_t q, leading;
+    fmpq_init(q);
+    fmpq_init(leading);
+    fmpq_poly_get_coeff_fmpq(leading, f, fmpq_poly_degree(f));
+    fmpq_set_si(point, -1, 1);
+    for (slong i = 0; i < fmpq_poly_degree(f); i++) {
+        fmpq_poly_get_coeff_fmpq(q, f, i);
+        fmpq_div(q, q, leading);
+        fmpq_abs(q, q);
+        fmpq_sub(point, point, q);
+    }
+    fmpq_clear(q);
+    fmpq_clear(leading);
+}
+
+static enum truth roots_counted(const struct assertion *a, const struct bindings *b)
+{
+    fmpq_poly_t f;
+    fmpq_t low, high, value;
+    slong count = -1;
+    fmpq_poly_init(f);
+    fmpq_init(low);
+    fmpq_init(high);
+    fmpq_init(value);
+    if (polynomial_of(f, &a->formula, a->variable, b) && !fmpq_poly_is_zero(f) && (!a->has_low || formula_rational(low, &a->low, b)) &&
+        (!a->has_high || formula_rational(high, &a->high, b))) {
+        if (!a->has_low)
+            left_of_roots(low, f);
+        count = roots_beyond(f, low);
+        if (a->has_high) {
+            fmpq_poly_evaluate_fmpq(value, f, high);
+            count -= roots_beyond(f, high) + fmpq_is_zero(value);
+        }
+    }
+    fmpq_poly_clear(f);
+    fmpq_clear(low);
+    fmpq_clear(high);
+    fmpq_clear(value);
+    return count < 0 ? UNDECIDED : count == a->count ? FOUND_TRUE : FOUND_FALSE;
+}
+
+/* A derivative of each rate by each state, and by the control, where the states are what `about` says. */
+static bool system_matrix(fmpq_mat_t A, fmpq_mat_t column, const struct linear_system *l, const struct bindings *b)
+{
+    struct program p;
+    struct message why;
+    size_t where;
+    bool rational = true;
+    int *rate, *place;
+    program_copy(&p, &l->program);
+    const int inputs = p.inputs, one = program_parse(&p, "1", &where, &why);
+    rate = memory(NULL, (size_t)inputs, sizeof *rate);
+    for (int i = 0; i < l->size; i++)
+        for (int j = 0; j <= l->size && rational; j++) {
+            const int by = j < l->size ? l->states[j] : l->control;
+            if (by < 0)
+                continue;
+            for (int k = 0; k < inputs; k++)
+                rate[k] = k == by ? one : -1;
+            const int slope = program_derivative(&p, l->rates[i], rate, inputs);
+            place = memory(NULL, (size_t)p.count, sizeof *place);
+            for (int k = 0; k < p.count; k++)
+                place[k] = k < inputs ? k : -1;
+            for (int k = 0; k < l->size; k++)
+                if (l->about[k] >= 0)
+                    place[l->states[k]] = l->about[k];
+            struct program from;
+            program_copy(&from, &p);
+            const int here = program_inline(&p, &from, slope, place);
+            const struct formula entry = {.program = p, .node = here};
+            rational = formula_rational(j < l->size ? fmpq_mat_entry(A, i, j) : fmpq_mat_entry(column, i, 0), &entry, b);
+            program_clear(&from);
+            free(place);
+        }
+    free(rate);
+    program_clear(&p);
+    return rational;
+}
+
+static enum truth characteristic_found(const struct assertion *a, const struct bindings *b)
+{
+    const slong size = a->system.size;
+    enum truth truth = UNDECIDED;
+    fmpq_poly_t f, g;
+    fmpq_mat_t A, column;
+    fmpq_poly_init(f);
+    fmpq_poly_init(g);
+    fmpq_mat_init(A, size, size);
+    fmpq_mat_init(column, size, 1);
+    if (system_matrix(A, column, &a->system, b) && polynomial_of(g, &a->formula, a->variable, b)) {
+        fmpq_mat_charpoly(f, A);
+        truth = fmpq_poly_equal(f, g) ? FOUND_TRUE : FOUND_FALSE;
+    }
+    fmpq_poly_clear(f);
+    fmpq_poly_clear(g);
+    fmpq_mat_clear(A);
+    fmpq_mat_clear(column);
+    return truth;
+}
+
+/* Of the matrix itself, or of b, A b, A^2 b ...; observing a state: of the transposed matrix, b its unit vector. */
+static enum truth rank_found(const struct assertion *a, const struct bindings *b)
+{
+    const struct linear_system *l = &a->system;
+    enum truth truth = UNDECIDED;
+    fmpq_mat_t A, K, v;
+    fmpq_mat_init(A, l->size, l->size);
+    fmpq_mat_init(K, l->size, l->size);
+    fmpq_mat_init(v, l->size, 1);
+    if (system_matrix(A, v, l, b)) {
+        if (l->observe >= 0) {
+            fmpq_mat_transpose(A, A);
+            fmpq_one(fmpq_mat_entry(v, l->observe, 0));
+        }
+        for (int k = 0; k < l->size && (l->control >= 0 || l->observe >= 0); k++) {
+            for (int i = 0; i < l->size; i++)
+                fmpq_set(fmpq_mat_entry(K, i, k), fmpq_mat_entry(v, i, 0));
+            fmpq_mat_mul(v, A, v);
+        }
+        if (l->control < 0 && l->observe < 0)
+            fmpq_mat_set(K, A);
+        truth = fmpq_mat_rref(K, K) == a->count ? FOUND_TRUE : FOUND_FALSE; /* the rank */
+    }
+    fmpq_mat_clear(A);
+    fmpq_mat_clear(K);
+    fmpq_mat_clear(v);
+    return truth;
+}
+
+/* ---- assertions ---- */
+
+/* The prover's word on an equality for all values. */
+static enum truth identity_found(const struct identities *t)
+{
+    struct proof p;
+    identities_prove(t, &p);
+    const enum truth truth = p.result == IDENTITY_HOLDS ? FOUND_TRUE : p.result == IDENTITY_DIFFERS ? FOUND_FALSE : UNDECIDED;
+    proof_clear(&p);
+    return truth;
+}
+
+static enum truth step_found(const struct proof_results *p, const char *id)
+{
+    for (int i = 0; i < p->derivations.step_count; i++)
+        if (strcmp(p->derivations.steps[i].id, id) == 0)
+            return proved_or_open(step_holds(p, i));
+    return UNDECIDED; /* LCOV_EXCL_LINE: the reader knows the step */
+}
+
+static enum truth claim_found(struct statements *all, const char *id, enum how *how)
+{
+    struct statement *s = statement_find(all, id);
+    struct ruling ruling;
+    statement_decide(all, s, NULL, &ruling);
+    *how = worse(*how, ruling.how);
+    return proved_or_open(ruling.as_written);
+}
+
+static enum truth root_found(struct statements *all, struct statement *s, struct assertion *a, enum how *how)
+{
+    arb_t z;
+    arb_init(z);
+    const slong count = root_find(z, how, all, s, a, BITS);
+    arb_clear(z);
+    return count < 0 ? UNDECIDED : count == 1 ? FOUND_TRUE : FOUND_FALSE;
+}
+
+/* At the values given; with `for` at one of these. */
+static enum truth found_at(struct assertion *a, const struct bindings *b, enum how *how)
+{
+    switch (a->kind) {
+    case ASSERT_SHOW:
+        return a->variable != NULL ? sign_on(a, b, how) : sign_at(a, b, how);
+    case ASSERT_ROOTS:
+        return roots_counted(a, b);
+    case ASSERT_CHARACTERISTIC:
+        return characteristic_found(a, b);
+    default:
+        return rank_found(a, b);
+    }
+}
+
+static enum truth found_at_each(struct statements *all, struct statement *s, struct assertion *a, enum how *how)
+{
+    struct bindings b = bindings_of(all, s, a);
+    enum truth truth = FOUND_TRUE;
+    b.each = a->each_names > 0 ? a : NULL;
+    for (; b.turn < a->turns || b.turn == 0; b.turn++)
+        truth = of_both(truth, found_at(a, &b, how));
+    return truth;
+}
+
+void assertion_find(struct statements *all, struct statement *s, struct assertion *a)
+{
+    if (a->done)
+        return;
+    a->done = true;
+    a->how = EXACT;
+    if (a->kind == ASSERT_SHOW && a->everywhere)
+        a->truth = identity_found(&a->identity);
+    else if (a->kind == ASSERT_ROOT)
+        a->truth = root_found(all, s, a, &a->how);
+    else if (a->kind == ASSERT_STEP)
+        a->truth = step_found(all->proofs, a->reference);
+    else if (a->kind == ASSERT_CLAIM)
+        a->truth = claim_found(all, a->reference, &a->how);
+    else if (a->kind != ASSERT_COMPUTE)
+        a->truth = found_at_each(all, s, a, &a->how);
+}

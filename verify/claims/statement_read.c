@@ -1,0 +1,815 @@
+/* paper/claims.yaml: what its statements say, assert and quote; every mistake with its place. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "claims/computation.h"
+#include "claims/condition.h"
+#include "claims/statement.h"
+
+enum { MOST_NAMES = 128 };
+
+/* What is being read. */
+struct reading {
+    struct statements *all;
+    struct document *document;
+    struct statement *statement;
+    const yaml_node_t *entry; /* a mapping of `prove`; NULL: none */
+    struct values *at;        /* read so far */
+};
+
+static const char *keep(struct statements *s, const char *text, size_t length)
+{
+    char *copy = memory(NULL, length + 1, 1);
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    s->texts = memory(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
+    return s->texts[s->text_count++] = copy;
+}
+
+/* What the entry says under a key or, where it says nothing, the statement's `given`. */
+static const yaml_node_t *given(const struct reading *r, const char *key)
+{
+    const yaml_node_t *own = r->entry != NULL ? child(r->document, r->entry, key) : NULL;
+    return own != NULL || r->statement->given == NULL ? own : child(r->document, r->statement->given, key);
+}
+
+/* ---- names ---- */
+
+/* The names that formulas may have beside the sheet's and the declared ones. */
+struct names {
+    const char *list[MOST_NAMES];
+    int count;
+};
+
+static bool is_declared(const struct reading *r, const char *name)
+{
+    static const char *const lists[] = {"free", "angles", "positive", "not negative"};
+    for (size_t k = 0; k < sizeof lists / sizeof *lists; k++) {
+        const yaml_node_t *names = given(r, lists[k]);
+        for (int i = 0; names != NULL && i < length_of(names); i++) {
+            const yaml_node_t *item = names->type == YAML_MAPPING_NODE ? key_of(r->document, names, i) : item_of(r->document, names, i);
+            if (scalar(item) != NULL && strcmp(scalar(item), name) == 0)
+                return true;
+        }
+    }
+    return false;
+}
+
+static void add_name(const struct reading *r, struct names *n, const char *name)
+{
+    if (name == NULL || n->count == MOST_NAMES || quantity_find(r->all->sheet, name) != NULL || is_declared(r, name))
+        return;
+    for (int i = 0; i < n->count; i++)
+        if (strcmp(n->list[i], name) == 0)
+            return;
+    n->list[n->count++] = name;
+}
+
+static void add_keys(const struct reading *r, struct names *n, const yaml_node_t *mapping)
+{
+    for (int i = 0; mapping != NULL && mapping->type == YAML_MAPPING_NODE && i < length_of(mapping); i++)
+        add_name(r, n, scalar(key_of(r->document, mapping, i)));
+}
+
+/* What an entry of `prove` names: its root, the numbers of its computation; its values, what moves, what takes values. */
+static void add_entry(const struct reading *r, struct names *n, const char *key, const yaml_node_t *entry)
+{
+    static const char *const keys[] = {"at", "on", "for"};
+    const yaml_node_t *of = child(r->document, entry, "of"), *compute = child(r->document, entry, "compute");
+    const struct computed *c = compute != NULL && scalar(compute) != NULL ? computed_find(r->all, scalar(compute)) : NULL;
+    char name[2 * LONGEST_NAME + 2], word[LONGEST_NAME + 1];
+    for (size_t k = 0; k < 3; k++)
+        add_keys(r, n, child(r->document, entry, keys[k]));
+    add_name(r, n, of != NULL ? scalar(of) : NULL);
+    add_name(r, n, child(r->document, entry, "root") != NULL ? key : NULL);
+    for (const char *at = c != NULL ? computation_of(c)->numbers : ""; sscanf(at, " %63s", word) == 1; at = strstr(at, word) + strlen(word)) {
+        snprintf(name, sizeof name, "%.63s.%s", key, word);
+        add_name(r, n, keep(r->all, name, strlen(name)));
+    }
+}
+
+static void collect_names(const struct reading *r, struct names *n)
+{
+    const yaml_node_t *prove = r->statement->prove;
+    *n = (struct names){{"pi"}, 1};
+    if (r->statement->given != NULL)
+        add_keys(r, n, child(r->document, r->statement->given, "at"));
+    for (int i = 0; prove != NULL && prove->type == YAML_MAPPING_NODE && i < length_of(prove); i++)
+        if (value_of(r->document, prove, i)->type == YAML_MAPPING_NODE && scalar(key_of(r->document, prove, i)) != NULL)
+            add_entry(r, n, scalar(key_of(r->document, prove, i)), value_of(r->document, prove, i));
+}
+
+/* ---- formulas ---- */
+
+static struct scope scope_of(const struct reading *r, const struct names *n)
+{
+    static const yaml_node_t nothing = {.type = YAML_MAPPING_NODE};
+    return (struct scope){.document = r->document, .sheet = r->all->sheet, .definitions = &r->all->proofs->derivations.definitions,
+                          .given = r->entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
+                          .names = n->list, .name_count = n->count};
+}
+
+/* Whether a name is the number of an entry: ENTRY or ENTRY.number. */
+static bool is_number_of(const char *name, const char *entry)
+{
+    const size_t length = strlen(entry);
+    return strncmp(name, entry, length) == 0 && strchr(".", name[length]) != NULL;
+}
+
+/* Which assertions a node takes numbers of; those that stand after it are open, and with them the node. */
+static ulong uses_of(const struct reading *r, const struct program *p, int node)
+{
+    char *needed = memory(NULL, (size_t)node + 1, 1);
+    ulong uses = 0;
+    program_needs(p, node, NULL, needed);
+    for (int i = 0; i < p->inputs && i <= node; i++) {
+        const char *name = p->names[i].text;
+        for (int k = 0; needed[i] && r->statement->prove != NULL && k < length_of(r->statement->prove); k++)
+            if (is_number_of(name, scalar(key_of(r->document, r->statement->prove, k))))
+                uses |= UWORD(1) << k;
+        for (int k = 0; needed[i] && r->at != NULL && k < r->at->count; k++)
+            if (strcmp(r->at->list[k].name, name) == 0)
+                uses |= r->at->list[k].formula.uses | r->at->list[k].radius.uses;
+    }
+    free(needed);
+    return uses;
+}
+
+/* A formula that stands `shift` characters into a scalar: its node, or -1 after a complaint. */
+static int parse(struct reading *r, struct identities *t, const struct scope *s, const yaml_node_t *node, const char *text, size_t shift)
+{
+    struct message why;
+    size_t where;
+    const int result = identities_text(t, s, text, &where, &why);
+    if (result < 0)
+        mistake(r->document, node, shift + where, "%s", why.text);
+    return result;
+}
+
+/* The program is the formula's from then on, all else of the identities goes. */
+static void take_program(struct program *p, struct identities *t)
+{
+    *p = t->program;
+    program_init(&t->program);
+    identities_clear(t);
+}
+
+static bool read_formula_text(struct reading *r, struct formula *f, const yaml_node_t *node, const char *text, size_t shift)
+{
+    struct names names;
+    struct identities t = {.order = -1};
+    collect_names(r, &names);
+    const struct scope s = scope_of(r, &names);
+    f->node = identities_open(&t, &s) ? parse(r, &t, &s, node, text, shift) : -1;
+    take_program(&f->program, &t);
+    f->uses = f->node < 0 ? 0 : uses_of(r, &f->program, f->node);
+    return f->node >= 0;
+}
+
+static bool read_scalar_formula(struct reading *r, struct formula *f, const yaml_node_t *node)
+{
+    if (scalar(node) == NULL)
+        return mistake(r->document, node, 0, "expected a formula");
+    return read_formula_text(r, f, node, scalar(node), 0);
+}
+
+/* ---- values ---- */
+
+/* One `name: value +- uncertainty`; its formulas may use the values before it. */
+static bool read_value(struct reading *r, struct value *v, const yaml_node_t *key, const yaml_node_t *text)
+{
+    *v = (struct value){.name = scalar(key)};
+    const char *sign = scalar(text) != NULL ? strstr(scalar(text), "+-") : NULL;
+    v->uncertain = sign != NULL;
+    if (sign == NULL)
+        return read_scalar_formula(r, &v->formula, text);
+    const size_t length = (size_t)(sign - scalar(text));
+    return read_formula_text(r, &v->formula, text, keep(r->all, scalar(text), length), 0) &&
+           read_formula_text(r, &v->radius, text, sign + 2, length + 2);
+}
+
+/* `at` of the entry, then those of `given` that it does not name. */
+static bool read_values(struct reading *r, struct values *at)
+{
+    const yaml_node_t *entry = r->entry != NULL ? child(r->document, r->entry, "at") : NULL;
+    const yaml_node_t *shared = r->statement->given != NULL ? child(r->document, r->statement->given, "at") : NULL;
+    const yaml_node_t *const both[] = {entry, shared};
+    r->at = at;
+    for (int k = 0; k < 2; k++) {
+        if (both[k] != NULL && !is_mapping(r->document, both[k], NULL))
+            return false;
+        for (int i = 0; both[k] != NULL && i < length_of(both[k]); i++) {
+            const yaml_node_t *key = key_of(r->document, both[k], i);
+            if (k == 1 && entry != NULL && child(r->document, entry, scalar(key)) != NULL)
+                continue;
+            at->list = memory(at->list, (size_t)at->count + 1, sizeof *at->list);
+            struct value v;
+            const bool fine = read_value(r, &v, key, value_of(r->document, both[k], i));
+            at->list[at->count++] = v;
+            if (!fine)
+                return false;
+        }
+    }
+    return true;
+}
+
+/* A list of formulas; its length, or -1 after a complaint */
+static int read_range(struct reading *r, const yaml_node_t *list, struct formula *f, int most)
+{
+    if (!is_list(r->document, list, most))
+        return -1;
+    for (int i = 0; i < length_of(list); i++)
+        if (!read_scalar_formula(r, &f[i], item_of(r->document, list, i)))
+            return -1;
+    return length_of(list);
+}
+
+/* ---- assertions ---- */
+
+static const char *find_ordering(const char *text, enum ordering *ordering, size_t *length)
+{
+    static const struct {
+        const char *sign;
+        enum ordering ordering;
+    } signs[] = {{"!=", IS_UNEQUAL}, {"<=", IS_AT_MOST}, {">=", IS_AT_LEAST}, {"<", IS_BELOW}, {">", IS_ABOVE}, {"=", IS_EQUAL}};
+    int depth = 0;
+    for (const char *at = text; *at != '\0'; at++) {
+        depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
+        for (size_t k = 0; k < sizeof signs / sizeof *signs && depth == 0; k++)
+            if (strncmp(at, signs[k].sign, strlen(signs[k].sign)) == 0) {
+                *ordering = signs[k].ordering;
+                *length = strlen(signs[k].sign);
+                return at;
+            }
+    }
+    return NULL;
+}
+
+/* left - right of a relation in a scalar, `sign` between them; their equality, where it is one for all values. */
+static bool read_difference(struct reading *r, struct assertion *a, const yaml_node_t *node, const char *sign, size_t length)
+{
+    const char *text = scalar(node), *left = keep(r->all, text, (size_t)(sign - text));
+    struct formula *f = &a->formula;
+    struct names names;
+    struct identities t = {.order = -1};
+    collect_names(r, &names);
+    const struct scope s = scope_of(r, &names);
+    const int one = identities_open(&t, &s) ? parse(r, &t, &s, node, left, 0) : -1;
+    const int other = one < 0 ? -1 : parse(r, &t, &s, node, sign + length, (size_t)(sign - text) + length);
+    if (other >= 0) {
+        f->node = program_difference(&t.program, one, other);
+        f->uses = uses_of(r, &t.program, f->node);
+    }
+    take_program(&f->program, &t);
+    return other >= 0;
+}
+
+/* ... for all values */
+static bool read_identity(struct reading *r, struct assertion *a, const yaml_node_t *node)
+{
+    struct names names;
+    collect_names(r, &names);
+    const struct scope s = scope_of(r, &names);
+    a->everywhere = true;
+    return identities_open(&a->identity, &s) && identities_show(&a->identity, &s, node) && identities_close(&a->identity, &s);
+}
+
+static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t *show)
+{
+    size_t length;
+    const char *sign = scalar(show) != NULL ? find_ordering(scalar(show), &a->ordering, &length) : NULL;
+    const bool somewhere = r->entry != NULL && (child(r->document, r->entry, "at") != NULL || child(r->document, r->entry, "for") != NULL);
+    if (sign == NULL)
+        return mistake(r->document, show, 0, "expected left = right, or another sign of < > <= >= != between them");
+    return a->ordering == IS_EQUAL && !somewhere ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
+}
+
+static bool read_bound(struct reading *r, const char *key, struct formula *f, bool *there)
+{
+    const yaml_node_t *node = child(r->document, r->entry, key);
+    *there = node != NULL;
+    return node == NULL || read_scalar_formula(r, f, node);
+}
+
+static bool read_count(struct reading *r, const yaml_node_t *node, long *count)
+{
+    char *end = NULL;
+    *count = node != NULL && scalar(node) != NULL ? strtol(scalar(node), &end, 10) : -1;
+    return (end != NULL && *end == '\0' && *count >= 0) || mistake(r->document, node ? node : r->entry, 0, "expected a count: 0, 1, 2 ...");
+}
+
+/* A name that `of` says to be free; NULL after a complaint. */
+static const char *read_variable(struct reading *r)
+{
+    const yaml_node_t *of = child(r->document, r->entry, "of");
+    if (of == NULL || scalar(of) == NULL)
+        mistake(r->document, of ? of : r->entry, 0, "missing of, expected the name of the unknown");
+    return of != NULL ? scalar(of) : NULL;
+}
+
+static bool read_root(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    const yaml_node_t *in = child(r->document, r->entry, "in");
+    if ((a->variable = read_variable(r)) == NULL || a->variable[0] == '\0' || !read_scalar_formula(r, &a->formula, value))
+        return false;
+    if (in == NULL || in->type != YAML_SEQUENCE_NODE || length_of(in) != 2)
+        return mistake(r->document, in ? in : r->entry, 0, "expected in: [low, high]");
+    return read_scalar_formula(r, &a->low, item_of(r->document, in, 0)) && read_scalar_formula(r, &a->high, item_of(r->document, in, 1));
+}
+
+static bool read_roots(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    return (a->variable = read_variable(r)) != NULL && read_scalar_formula(r, &a->formula, value) &&
+           read_bound(r, "above", &a->low, &a->has_low) && read_bound(r, "below", &a->high, &a->has_high) &&
+           read_count(r, child(r->document, r->entry, "count"), &a->count);
+}
+
+/* One state, its rate, and where it is to be taken. */
+static bool read_state(struct reading *r, struct identities *t, const struct scope *s, struct linear_system *l, const yaml_node_t *state,
+                       const yaml_node_t *rate)
+{
+    const yaml_node_t *about = given(r, "about"), *place = about != NULL ? child(r->document, about, scalar(state)) : NULL;
+    l->states[l->size] = program_find(&t->program, scalar(state));
+    if (l->states[l->size] < 0)
+        return mistake(r->document, state, 0, "unknown symbol '%s', expected a quantity or a free name", scalar(state));
+    if (scalar(rate) == NULL || (place != NULL && scalar(place) == NULL))
+        return mistake(r->document, rate, 0, "expected a formula");
+    l->rates[l->size] = parse(r, t, s, rate, scalar(rate), 0);
+    l->about[l->size] = place != NULL ? parse(r, t, s, place, scalar(place), 0) : -1;
+    return l->rates[l->size] >= 0 && (place == NULL || l->about[l->size] >= 0);
+}
+
+/* `system` and `about`, in one program. */
+static bool read_system(struct reading *r, struct assertion *a)
+{
+    const yaml_node_t *system = given(r, "system"), *about = given(r, "about");
+    const yaml_node_t *control = child(r->document, r->entry, "control"), *observe = child(r->document, r->entry, "observe");
+    struct linear_system *l = &a->system;
+    struct names names;
+    struct identities t = {.order = -1};
+    if (system == NULL || !is_mapping(r->document, system, NULL) || length_of(system) > 12 || (about != NULL && !is_mapping(r->document, about, NULL)))
+        return mistake(r->document, system ? system : r->entry, 0, "expected a system, {state: its rate, ...} of at most 12 states");
+    collect_names(r, &names);
+    const struct scope s = scope_of(r, &names);
+    bool fine = identities_open(&t, &s);
+    l->observe = -1;
+    for (int i = 0; fine && i < length_of(system); i++) {
+        const yaml_node_t *state = key_of(r->document, system, i);
+        fine = read_state(r, &t, &s, l, state, value_of(r->document, system, i));
+        if (observe != NULL && scalar(observe) != NULL && strcmp(scalar(observe), scalar(state)) == 0)
+            l->observe = i;
+        l->size = i + 1;
+    }
+    l->control = control != NULL && scalar(control) != NULL ? program_find(&t.program, scalar(control)) : -1;
+    take_program(&l->program, &t);
+    if (fine && ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0)))
+        return mistake(r->document, control != NULL ? control : observe, 0, "expected control: a quantity, or observe: a state");
+    for (int i = 0; fine && i < l->size; i++)
+        l->uses |= uses_of(r, &l->program, l->rates[i]) | (l->about[i] >= 0 ? uses_of(r, &l->program, l->about[i]) : 0);
+    return fine;
+}
+
+static bool read_characteristic(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    return (a->variable = read_variable(r)) != NULL && read_scalar_formula(r, &a->formula, value) && read_system(r, a);
+}
+
+static bool read_rank(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    return read_count(r, value, &a->count) && read_system(r, a);
+}
+
+static bool read_step(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    const struct derivations *d = &r->all->proofs->derivations;
+    a->reference = scalar(value);
+    for (int i = 0; a->reference != NULL && i < d->step_count; i++)
+        if (strcmp(d->steps[i].id, a->reference) == 0)
+            return true;
+    return mistake(r->document, value, 0, "expected a step of derivations.yaml");
+}
+
+static bool read_cited(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    a->reference = scalar(value);
+    return (a->reference != NULL && statement_find(r->all, a->reference) != NULL) ||
+           mistake(r->document, value, 0, "expected a claim that stands before");
+}
+
+static bool read_compute(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    a->computed = scalar(value) != NULL ? computed_find(r->all, scalar(value)) : NULL;
+    return a->computed != NULL || mistake(r->document, value, 0, "unknown computation, expected one of verify/claims_*.c");
+}
+
+static const struct form {
+    const char *key;
+    enum assertion_kind kind;
+    bool (*read)(struct reading *r, struct assertion *a, const yaml_node_t *value);
+} forms[] = {{"show", ASSERT_SHOW, read_show},       {"root", ASSERT_ROOT, read_root},
+             {"roots", ASSERT_ROOTS, read_roots},    {"characteristic", ASSERT_CHARACTERISTIC, read_characteristic},
+             {"rank", ASSERT_RANK, read_rank},       {"step", ASSERT_STEP, read_step},
+             {"claim", ASSERT_CLAIM, read_cited},    {"compute", ASSERT_COMPUTE, read_compute}};
+
+enum { FORMS = sizeof forms / sizeof *forms };
+
+/* for: {name: [value, ...], ...}, lists of one length */
+static bool read_turns(struct reading *r, struct assertion *a)
+{
+    const yaml_node_t *each = child(r->document, r->entry, "for");
+    if (each == NULL)
+        return true;
+    if (!is_mapping(r->document, each, NULL) || length_of(each) > MOST_EACH)
+        return mistake(r->document, each, 0, "expected for: {name: [value, ...]} of at most %d names", MOST_EACH);
+    for (int i = 0; i < length_of(each); i++) {
+        const yaml_node_t *list = value_of(r->document, each, i);
+        const int count = read_range(r, list, a->each_of[i], MOST_TURNS);
+        a->each[a->each_names++] = scalar(key_of(r->document, each, i));
+        if (count <= 0 || (i > 0 && count != a->turns))
+            return count < 0 ? false : mistake(r->document, list, 0, "expected lists of one length, of at most %d values", MOST_TURNS);
+        a->turns = count;
+    }
+    return true;
+}
+
+/* on: {name: [low, high]} */
+static bool read_interval(struct reading *r, struct assertion *a)
+{
+    const yaml_node_t *on = child(r->document, r->entry, "on");
+    struct formula bounds[2];
+    memset(bounds, 0, sizeof bounds);
+    if (on == NULL)
+        return true;
+    if (!is_mapping(r->document, on, NULL) || length_of(on) != 1)
+        return mistake(r->document, on, 0, "expected on: {name: [low, high]}");
+    const int count = read_range(r, value_of(r->document, on, 0), bounds, 2);
+    a->low = bounds[0];
+    a->high = bounds[1];
+    a->variable = scalar(key_of(r->document, on, 0));
+    return count == 2 || (count >= 0 && mistake(r->document, on, 0, "expected on: {name: [low, high]}"));
+}
+
+/* What takes several values, and what moves, before the formulas that use it. */
+static bool read_ranges(struct reading *r, struct assertion *a)
+{
+    static const char *const known[] = {"show", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on",
+                                        "for", "above", "below", "count", "control", "observe", "angles", "positive", "free", "small",
+                                        "order", "rates", "let", "square roots", "not negative", "at", "system", "about", NULL};
+    if (r->entry == NULL)
+        return mistake(r->document, a->node, 0, "expected left = right, or a mapping");
+    if (!is_mapping(r->document, r->entry, known))
+        return false;
+    return read_turns(r, a) && read_interval(r, a);
+}
+
+static bool read_assertion(struct reading *r, struct assertion *a)
+{
+    r->entry = a->node->type == YAML_MAPPING_NODE ? a->node : NULL;
+    r->at = NULL;
+    if (!read_values(r, &a->at))
+        return false;
+    if (scalar(a->node) != NULL) {
+        a->kind = ASSERT_SHOW;
+        return read_show(r, a, a->node);
+    }
+    if (!read_ranges(r, a))
+        return false;
+    for (int i = 0; i < FORMS; i++) {
+        const yaml_node_t *value = child(r->document, a->node, forms[i].key);
+        if (value == NULL)
+            continue;
+        a->kind = forms[i].kind;
+        if (!forms[i].read(r, a, value))
+            return false;
+        return true;
+    }
+    return mistake(r->document, a->node, 0, "expected left = right, or one of show, root, roots, characteristic, rank, step, claim, compute");
+}
+
+static bool read_prove(struct reading *r, const yaml_node_t *prove)
+{
+    struct statement *s = r->statement;
+    if (prove == NULL)
+        return true;
+    if (!is_mapping(r->document, prove, NULL))
+        return false;
+    if (length_of(prove) > MOST_ASSERTIONS)
+        return mistake(r->document, prove, 0, "expected at most %d assertions", MOST_ASSERTIONS);
+    s->assertions = memory(NULL, (size_t)length_of(prove), sizeof *s->assertions);
+    memset(s->assertions, 0, (size_t)length_of(prove) * sizeof *s->assertions);
+    for (int i = 0; i < length_of(prove); i++) {
+        struct assertion *a = &s->assertions[i];
+        a->name = scalar(key_of(r->document, prove, i));
+        a->node = value_of(r->document, prove, i);
+        s->assertion_count = i + 1;
+        if (!read_assertion(r, a))
+            return false;
+        a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
+        for (int k = 0; k < a->each_names * MOST_TURNS; k++)
+            a->uses |= a->each_of[k / MOST_TURNS][k % MOST_TURNS].uses;
+        if (a->kind == ASSERT_ROOT && strcmp(a->variable, a->name) == 0)
+            a->uses &= ~(UWORD(1) << i); /* the unknown itself */
+        if (a->uses >> i != 0)
+            return mistake(r->document, a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
+    }
+    return true;
+}
+
+/* ---- verdicts ---- */
+
+/* While a condition is checked: which assertions are named. */
+struct naming {
+    const struct statement *statement;
+    bool *named;
+};
+
+static enum truth check_name(void *context, const char *name, const char *member, bool *known)
+{
+    struct naming *n = context;
+    const struct statement *s = n->statement;
+    *known = false;
+    for (int i = 0; i < s->assertion_count; i++)
+        if (strcmp(s->assertions[i].name, name) == 0) {
+            const struct assertion *a = &s->assertions[i];
+            const bool computed = a->kind == ASSERT_COMPUTE;
+            *known = computed ? member != NULL && mentions(computation_of(a->computed)->truths, member) : member == NULL;
+            n->named[i] = true;
+        }
+    return UNDECIDED;
+}
+
+static bool read_verdict(struct reading *r, const yaml_node_t *key, const char *condition, const yaml_node_t *at, bool *named)
+{
+    struct statement *s = r->statement;
+    struct naming naming = {s, named};
+    struct message why;
+    size_t where;
+    int v = HOLDS;
+    while (v <= NOT_DECIDABLE && (scalar(key) == NULL || strcmp(verdict_names[v], scalar(key)) != 0))
+        v++;
+    if (v > NOT_DECIDABLE || s->verdict_count == MOST_VERDICTS)
+        return mistake(r->document, key, 0, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
+    if (condition == NULL && v != NOT_DECIDABLE)
+        return mistake(r->document, at, 0, "expected {verdict: condition}; only 'not decidable' needs none");
+    if (condition != NULL && !condition_check(condition, check_name, &naming, &where, &why))
+        return mistake(r->document, at, where, "%s", why.text);
+    s->verdicts[s->verdict_count] = (enum verdict)v;
+    s->conditions[s->verdict_count++] = condition;
+    return true;
+}
+
+/* Every assertion serves: a condition names it, a number of the evidence or another assertion is made of it. */
+static bool all_serve(struct reading *r, const bool *named)
+{
+    const struct statement *s = r->statement;
+    ulong used = 0;
+    for (int i = 0; i < s->number_count; i++)
+        used |= s->numbers[i].formula.uses;
+    for (int i = 0; i < s->assertion_count; i++)
+        used |= s->assertions[i].uses;
+    for (int i = 0; i < s->assertion_count; i++)
+        if (!named[i] && (used >> i & 1) == 0)
+            return mistake(r->document, s->assertions[i].node, 0, "'%s' serves no verdict and no number", s->assertions[i].name);
+    return true;
+}
+
+static bool read_verdicts(struct reading *r, const yaml_node_t *node)
+{
+    bool named[MOST_ASSERTIONS] = {false};
+    if (node == NULL)
+        return mistake(r->document, r->entry, 0, "missing verdict");
+    if (scalar(node) != NULL)
+        return read_verdict(r, node, NULL, node, named) && all_serve(r, named);
+    if (!is_mapping(r->document, node, NULL) || length_of(node) == 0)
+        return mistake(r->document, node, 0, "expected verdict: {holds: condition, ...}");
+    for (int i = 0; i < length_of(node); i++) {
+        const yaml_node_t *condition = value_of(r->document, node, i);
+        if (!read_verdict(r, key_of(r->document, node, i), scalar(condition), condition, named))
+            return false;
+    }
+    return all_serve(r, named);
+}
+
+/* ---- evidence ---- */
+
+struct quoting {
+    struct reading *reading;
+    const yaml_node_t *node;
+    bool fine;
+};
+
+static void pass(void *context, const char *at, size_t length)
+{
+    (void)context;
+    (void)at;
+    (void)length;
+}
+
+/* "4", ".2", "exact", "2 up", "2 down" */
+static bool read_rounding(const char *text, struct quoted_number *n)
+{
+    char word[8] = "", end;
+    n->rounding = *text == '.' ? TO_DECIMALS : TO_DIGITS;
+    if (strcmp(text, "exact") == 0) {
+        n->rounding = AS_RATIONAL;
+        return true;
+    }
+    const int count = sscanf(text + (*text == '.'), "%ld %7[a-z]%c", &n->digits, word, &end);
+    if (count == 2 && strcmp(word, "up") == 0)
+        n->rounding = UPWARD;
+    else if (count == 2 && strcmp(word, "down") == 0)
+        n->rounding = DOWNWARD;
+    else if (count != 1)
+        return false;
+    return n->digits >= (*text == '.' ? 0 : 1) && n->digits <= 60 && (count == 1 || *text != '.');
+}
+
+static size_t trimmed(const char **at, size_t length)
+{
+    while (length > 0 && **at == ' ') {
+        ++*at;
+        length--;
+    }
+    while (length > 0 && (*at)[length - 1] == ' ')
+        length--;
+    return length;
+}
+
+static void take_number(void *context, const char *at, size_t length)
+{
+    struct quoting *q = context;
+    struct reading *r = q->reading;
+    struct statement *s = r->statement;
+    const size_t start = (size_t)(at - s->evidence);
+    if (!q->fine)
+        return;
+    s->numbers = memory(s->numbers, (size_t)s->number_count + 1, sizeof *s->numbers);
+    struct quoted_number *n = &s->numbers[s->number_count++];
+    *n = (struct quoted_number){.node = q->node, .offset = start};
+    char *text = memory(NULL, length + 1, 1);
+    memcpy(text, at, length);
+    text[length] = '\0';
+    char *bar = strchr(text, '|'), *unit = bar != NULL ? strchr(bar + 1, '|') : NULL;
+    const char *digits = bar != NULL ? bar + 1 : text, *formula = text, *of = unit != NULL ? unit + 1 : "";
+    const size_t digits_length = trimmed(&digits, bar == NULL ? 0 : unit != NULL ? (size_t)(unit - digits) : strlen(digits));
+    const size_t formula_length = trimmed(&formula, bar != NULL ? (size_t)(bar - text) : 0), of_length = trimmed(&of, strlen(of));
+    n->unit = unit != NULL ? keep(r->all, of, of_length) : NULL;
+    n->text = keep(r->all, formula, formula_length);
+    if (bar == NULL || !read_rounding(keep(r->all, digits, digits_length), n))
+        q->fine = mistake(r->document, q->node, start + (bar != NULL ? (size_t)(bar - text) + 1 : 0),
+                          "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
+    else
+        q->fine = read_formula_text(r, &n->formula, q->node, n->text, start + (size_t)(formula - text));
+    free(text);
+}
+
+static bool read_marks(struct reading *r, const yaml_node_t *node, bool numbers)
+{
+    struct quoting quoting = {r, node, true};
+    const struct marked_parts parts = {&quoting, pass, pass, numbers ? take_number : NULL};
+    struct message why;
+    size_t where;
+    if (!marked_read(scalar(node), &parts, &where, &why))
+        return quoting.fine && mistake(r->document, node, where, "%s", why.text);
+    return quoting.fine;
+}
+
+/* ---- statements ---- */
+
+static bool read_words(struct reading *r, const char *key, bool required, const char **text)
+{
+    const yaml_node_t *node = child(r->document, r->entry, key);
+    *text = node != NULL ? scalar(node) : NULL;
+    if (node == NULL ? required : *text == NULL || **text == '\0')
+        return mistake(r->document, node ? node : r->entry, 0, "missing %s, expected a text", key);
+    return node == NULL || strcmp(key, "evidence") == 0 || read_marks(r, node, false);
+}
+
+static bool read_kind(struct reading *r, struct statement *s)
+{
+    static const char *const kinds[] = {"statement", "implied", "misprint", "number", "beyond"};
+    if (!read_words(r, "kind", true, &s->kind) || s->kind == NULL)
+        return false;
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (strcmp(s->kind, kinds[i]) == 0)
+            return true;
+    return mistake(r->document, child(r->document, r->entry, "kind"), 0, "expected a kind: statement, implied, misprint, number or beyond");
+}
+
+static bool read_equations(struct reading *r, struct statement *s)
+{
+    const yaml_node_t *list = child(r->document, r->entry, "equations");
+    if (list == NULL)
+        return true;
+    if (!is_list(r->document, list, 8))
+        return false;
+    for (; s->equation_count < length_of(list); s->equation_count++) {
+        const char *number = scalar(item_of(r->document, list, s->equation_count));
+        bool known = false;
+        for (int i = 0; i < r->all->sheet->section_count; i++)
+            for (int k = 0; k < r->all->sheet->sections[i].numbers; k++)
+                known = known || strcmp(r->all->sheet->sections[i].equations[k], number) == 0;
+        if (!known)
+            return mistake(r->document, item_of(r->document, list, s->equation_count), 0, "unknown '%s', expected an equation number", number);
+        s->equations[s->equation_count] = number;
+    }
+    return true;
+}
+
+static bool read_statement(struct statements *all, const yaml_node_t *key, const yaml_node_t *node)
+{
+    static const char *const known[] = {"where", "kind", "claim", "verdict", "why", "given", "prove", "evidence", "equations", NULL};
+    static const char *const contexts[] = {"angles", "positive", "free", "small", "order", "rates", "let", "square roots",
+                                           "not negative", "at", "system", "about", NULL};
+    if (!is_mapping(&all->document, node, known))
+        return false;
+    all->list = memory(all->list, (size_t)all->count + 1, sizeof *all->list);
+    struct statement *s = &all->list[all->count++];
+    *s = (struct statement){.id = scalar(key), .given = child(&all->document, node, "given"),
+                            .verdict = child(&all->document, node, "verdict"),
+                            .prove = child(&all->document, node, "prove")};
+    struct reading r = {.all = all, .document = &all->document, .statement = s, .entry = node};
+    const yaml_node_t *evidence = child(&all->document, node, "evidence");
+    if ((s->given != NULL && !is_mapping(&all->document, s->given, contexts)) || !read_words(&r, "where", true, &s->where) ||
+        !read_kind(&r, s) || !read_words(&r, "claim", true, &s->claim) || !read_words(&r, "why", false, &s->why) ||
+        !read_words(&r, "evidence", true, &s->evidence) || !read_equations(&r, s) ||
+        !read_prove(&r, s->prove))
+        return false;
+    r.entry = NULL;
+    if (!read_values(&r, &s->at) || !read_marks(&r, evidence, true))
+        return false;
+    r.entry = node;
+    if (!read_verdicts(&r, child(&all->document, node, "verdict")))
+        return false;
+    const bool plain = s->verdicts[0] == HOLDS || s->verdicts[0] == DEFINITION;
+    return plain || s->why != NULL || mistake(&all->document, node, 0, "missing why, of a verdict other than holds and definition");
+}
+
+struct statement *statement_find(const struct statements *s, const char *id)
+{
+    for (int i = 0; i < s->count; i++)
+        if (strcmp(s->list[i].id, id) == 0)
+            return &s->list[i];
+    return NULL;
+}
+
+int statements_read(struct statements *s, const struct proof_results *proofs, const char *text, size_t length, const char *name,
+                    struct message *why)
+{
+    *s = (struct statements){.sheet = sheet(), .proofs = proofs};
+    if (!document_open(&s->document, text, length, name, why))
+        return -1;
+    bool fine = is_mapping(&s->document, document_root(&s->document), NULL);
+    const yaml_node_t *root = document_root(&s->document);
+    for (int i = 0; fine && i < length_of(root); i++)
+        fine = read_statement(s, key_of(&s->document, root, i), value_of(&s->document, root, i));
+    if (!fine)
+        statements_clear(s);
+    return fine ? 0 : -1;
+}
+
+static void values_clear(struct values *v)
+{
+    for (int i = 0; i < v->count; i++) {
+        program_clear(&v->list[i].formula.program);
+        program_clear(&v->list[i].radius.program);
+    }
+    free(v->list);
+}
+
+static void assertion_clear(struct assertion *a)
+{
+    for (int i = 0; i < MOST_EACH; i++)
+        for (int k = 0; k < MOST_TURNS; k++)
+            program_clear(&a->each_of[i][k].program);
+    program_clear(&a->formula.program);
+    program_clear(&a->low.program);
+    program_clear(&a->high.program);
+    program_clear(&a->system.program);
+    values_clear(&a->at);
+    if (a->everywhere)
+        identities_clear(&a->identity);
+}
+
+void statements_clear(struct statements *s)
+{
+    for (int i = 0; i < s->count; i++) {
+        for (int k = 0; k < s->list[i].assertion_count; k++)
+            assertion_clear(&s->list[i].assertions[k]);
+        for (int k = 0; k < s->list[i].number_count; k++) {
+            program_clear(&s->list[i].numbers[k].formula.program);
+            free(s->list[i].numbers[k].decimal);
+        }
+        values_clear(&s->list[i].at);
+        free(s->list[i].assertions);
+        free(s->list[i].numbers);
+    }
+    for (int i = 0; i < s->text_count; i++)
+        free(s->texts[i]);
+    free(s->texts);
+    free(s->list);
+    computed_clear(s);
+    document_close(&s->document);
+    *s = (struct statements){0};
+}

@@ -1,0 +1,333 @@
+#include "claims/verdicts.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/decimal.h"
+#include "sheet/embedded.h"
+#include "evaluate/operation.h"
+#include "evaluate/table1.h"
+
+void claims_open(struct statements *s, const struct proof_results *proofs)
+{
+    struct message why;
+    size_t length;
+    const char *text = embedded_claims(&length);
+    if (statements_read(s, proofs, text, length, "paper/claims.yaml", &why) != 0) {
+        fprintf(stderr, "coulomb-tether: %s\n", why.text); /* the build has checked the claims */
+        exit(1);
+    }
+}
+
+void verdict_row_clear(struct verdict_row *row)
+{
+    written_clear(&row->claim);
+    written_clear(&row->why);
+    written_clear(&row->evidence);
+}
+
+/* Adds marked text to the evidence, printf-like. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+static void add(struct verdict_row *row, const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    write_marked(&row->evidence, text);
+}
+
+/* ---- each equation as printed ---- */
+
+enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
+
+/* The paper's case, with some inputs replaced. */
+struct instance {
+    const char *name;
+    const char *texts[MOST_INPUTS]; /* NULL: as in the paper's case */
+};
+
+/* All outputs to six digits; false outside the domain. */
+static bool values(char **texts, const struct section *s, bool as_printed, const struct instance *instance)
+{
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, as_printed);
+    for (int i = 0; i < s->input_count; i++) {
+        const struct quantity *q = s->inputs[i];
+        const char *text = instance->texts[i] ? instance->texts[i] : q->value ? q->value : q->example;
+        literal_read(&inputs[i].value, text, true);
+    }
+    bool fine = operation_digits(&o, inputs, 6, texts) == OUTCOME_PROVED;
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    return fine;
+}
+
+/* "; CASE: NAME = corrected, as printed ..." for the outputs that differ. What there is to say of one case. */
+enum difference { NONE, OUTSIDE, INSIDE };
+
+static enum difference compare(struct verdict_row *row, const struct section *s, const struct instance *instance)
+{
+    char *right[MOST_OUTPUTS] = {NULL}, *printed[MOST_OUTPUTS] = {NULL};
+    enum difference difference = NONE;
+    const bool inside = values(right, s, false, instance);
+    if (values(printed, s, true, instance)) {
+        add(row, "; %s:", instance->name);
+        for (int i = 0; i < s->output_count; i++)
+            if (!inside || strcmp(right[i], printed[i]) != 0) {
+                add(row, "%s $%s$ = ", difference == NONE ? "" : ",", s->outputs[i]->name);
+                if (inside)
+                    write_decimal(&row->evidence, right[i], NULL);
+                else
+                    add(row, "none");
+                add(row, ", as printed ");
+                write_decimal(&row->evidence, printed[i], NULL);
+                difference = inside ? INSIDE : OUTSIDE;
+            }
+        if (difference == NONE)
+            add(row, " no difference");
+    }
+    for (int i = 0; i < s->output_count; i++) {
+        free(right[i]);
+        free(printed[i]);
+    }
+    return difference;
+}
+
+/* In the paper's case, for unequal masses, and where only the print has a value. */
+static enum difference compare_instances(struct verdict_row *row, const struct section *s)
+{
+    struct instance paper = {.name = "the paper's case"}, unequal = {.name = "$m1 = 100$ kg, $m2 = 300$ kg"};
+    bool masses = false;
+    for (int i = 0; i < s->input_count; i++) {
+        unequal.texts[i] = strcmp(s->inputs[i]->name, "m1") == 0   ? "100"
+                           : strcmp(s->inputs[i]->name, "m2") == 0 ? "300"
+                                                                   : NULL;
+        masses = masses || unequal.texts[i] != NULL;
+    }
+    enum difference differs = compare(row, s, &paper);
+    if (masses) {
+        const enum difference further = compare(row, s, &unequal);
+        differs = FLINT_MAX(differs, further);
+    }
+    for (int k = 0; k < s->special_count && differs == NONE; k++) {
+        char name[80] = "";
+        struct instance special = {.name = name};
+        memcpy(special.texts, s->specials[k].texts, sizeof special.texts);
+        for (int i = 0; i < s->input_count; i++)
+            if (special.texts[i] != NULL)
+                snprintf(name + strlen(name), sizeof name - strlen(name), "%s$%s = %s$", *name ? ", " : "",
+                         s->inputs[i]->name, special.texts[i]);
+        if (strcmp(s->specials[k].flags, "invalid") == 0)
+            differs = compare(row, s, &special);
+    }
+    return differs;
+}
+
+/* Which steps lead to an equation, and whether all of them hold, and fail as printed where they should. */
+static bool steps_to(struct verdict_row *row, const struct proof_results *p, const char *equation, int *count)
+{
+    bool fine = true;
+    *count = 0;
+    for (int i = 0; i < p->derivations.step_count; i++) {
+        const struct step *step = &p->derivations.steps[i];
+        bool leads = false;
+        for (int k = 0; k < step->to_count; k++)
+            leads = leads || entry_leads_to(&p->derivations, step->to[k], equation);
+        if (!leads)
+            continue;
+        add(row, "%s%s", *count ? ", " : "proved by ", step->id);
+        if (step->corrected.order >= 0)
+            add(row, " (to order %d)", step->corrected.order);
+        (*count)++;
+        fine = fine && step_holds(p, i);
+    }
+    return fine;
+}
+
+/* How little is left of an equation: the more, the weaker. */
+static int weakness(enum verdict v)
+{
+    static const int order[] = {[VERDICT_NONE] = 9, [DEFINITION] = 0, [HOLDS] = 1, [HOLDS_AS_CORRECTED] = 2, [QUALIFIED] = 3,
+                                [NOT_DECIDABLE] = 4, [REFUTED] = 5};
+    return order[v];
+}
+
+static void add_reason(struct verdict_row *row, const char *reason)
+{
+    write_marked(&row->why, row->why.plain.length > 0 ? " " : "");
+    write_marked(&row->why, reason);
+}
+
+/* Claims of the sheet that are reasons of its verdict. */
+static void add_claims(struct verdict_row *row, struct statements *claims, const char *equation)
+{
+    for (int i = 0; claims != NULL && i < claims->count; i++) {
+        struct statement *s = &claims->list[i];
+        struct ruling ruling;
+        for (int k = 0; k < s->equation_count; k++) {
+            if (strcmp(s->equations[k], equation) != 0)
+                continue;
+            statement_decide(claims, s, NULL, &ruling);
+            add(row, "; claim %s: %s", s->id, verdict_names[ruling.verdict]);
+            if (s->why != NULL && ruling.verdict != HOLDS && ruling.verdict != DEFINITION)
+                add_reason(row, s->why);
+            if (weakness(ruling.verdict) > weakness(row->verdict))
+                row->verdict = ruling.verdict;
+            row->how = FLINT_MAX(row->how, ruling.how);
+        }
+    }
+}
+
+void verdict_on_equation(struct verdict_row *row, const struct proof_results *p, struct statements *claims, const struct section *s,
+                         const char *equation)
+{
+    int steps;
+    const bool proved = steps_to(row, p, equation, &steps);
+    const bool defines = s->method == METHOD_NONE && steps == 0;
+    row->verdict = proved && (steps > 0 || defines) ? (defines || s->defines != NULL) ? DEFINITION : HOLDS : VERDICT_NONE;
+    if (s->differs) {
+        add(row, "; %.*s", (int)strlen(s->reason) - 1, s->reason); /* but for its full stop */
+        const enum difference differs = compare_instances(row, s);
+        if (differs == NONE)
+            row->verdict = VERDICT_NONE; /* what is printed must differ somewhere */
+        else if (differs == INSIDE) {
+            add_reason(row, s->reason);
+            row->verdict = row->verdict == HOLDS ? HOLDS_AS_CORRECTED : VERDICT_NONE;
+        } else
+            add(row, ": outside the condition that the paper states for it");
+    }
+    if (s->method == METHOD_NONE) {
+        const char *before = steps > 0 ? "; " : "a definition, ";
+        for (int i = 0; i < s->relation_count; i++)
+            if (strcmp(s->relations[i].equation, equation) == 0) {
+                add(row, "%s$%s$", before, s->relations[i].text);
+                before = ", ";
+            }
+        if (row->evidence.plain.length == 0)
+            add(row, "a definition");
+    }
+    if (s->defines != NULL)
+        add(row, "; it defines $%s$", s->defines);
+    add_claims(row, claims, equation);
+}
+
+static bool has_equation(const struct section *s, const char *equation)
+{
+    for (int i = 0; i < s->numbers; i++)
+        if (strcmp(s->equations[i], equation) == 0)
+            return true;
+    return false;
+}
+
+/* ---- the rows ---- */
+
+struct giving {
+    const struct proof_results *proofs;
+    struct statements *claims;
+    const char *only;
+    verdict_receiver *receive;
+    void *context;
+    bool decided;
+};
+
+static bool wanted(const struct giving *g, const char *id)
+{
+    return g->only == NULL || strcmp(g->only, id) == 0;
+}
+
+static void give_row(struct giving *g, struct verdict_row *row)
+{
+    if (row->verdict == VERDICT_NONE && row->open.text[0] == '\0')
+        message_set(&row->open, "%s is undecided", row->id);
+    g->decided = g->decided && row->open.text[0] == '\0';
+    g->receive(g->context, row);
+    verdict_row_clear(row);
+}
+
+/* The first section of each equation number speaks for it. */
+static void equation_rows(struct giving *g)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        for (int k = 0; k < s->numbers; k++) {
+            bool earlier = false;
+            for (int j = 0; j < i; j++)
+                earlier = earlier || has_equation(&sheet()->sections[j], s->equations[k]);
+            char id[32], where[32];
+            snprintf(id, sizeof id, "equation-%s", s->equations[k]);
+            if (earlier || !wanted(g, id))
+                continue;
+            snprintf(where, sizeof where, "Eq. (%s)", s->equations[k]);
+            struct verdict_row row = {.id = id, .where = where, .kind = "equation"};
+            write_marked(&row.claim, s->title);
+            verdict_on_equation(&row, g->proofs, g->claims, s, s->equations[k]);
+            give_row(g, &row);
+        }
+    }
+}
+
+static void table_rows(struct giving *g)
+{
+    for (int i = 0; i < sheet()->row_count; i++) {
+        const struct table_row *t = &sheet()->table1[i];
+        char id[64], claim[96];
+        bool rounds;
+        snprintf(id, sizeof id, "table1-%s", t->name);
+        if (!wanted(g, id))
+            continue;
+        snprintf(claim, sizeof claim, "$%s = %s$ %s", t->name, t->printed, t->unit);
+        struct verdict_row row = {.id = id, .where = "Table 1", .kind = "number"};
+        write_marked(&row.claim, claim);
+        char *value = table_row_value(t, &rounds);
+        add(&row, "%s", table_row_is_computed(t) ? "by (7) from the other rows: " : "an input of the simulation, used as printed: ");
+        write_decimal(&row.evidence, value, t->unit);
+        add(&row, "%s", table_row_is_computed(t) ? ", which rounds to the print" : "");
+        row.verdict = !rounds ? VERDICT_NONE : table_row_is_computed(t) ? HOLDS : DEFINITION;
+        give_row(g, &row);
+        free(value);
+    }
+}
+
+static void statement_rows(struct giving *g)
+{
+    for (int i = 0; i < g->claims->count; i++) {
+        struct statement *s = &g->claims->list[i];
+        struct ruling ruling;
+        if (!wanted(g, s->id))
+            continue;
+        statement_rule(g->claims, s, &ruling);
+        struct verdict_row row = {.id = s->id, .where = s->where, .kind = s->kind, .verdict = ruling.verdict, .how = ruling.how,
+                                  .statement = s, .open = ruling.open};
+        write_marked(&row.claim, s->claim);
+        if (s->why != NULL && ruling.as_written)
+            write_marked(&row.why, s->why);
+        statement_evidence(s, &row.evidence);
+        give_row(g, &row);
+    }
+}
+
+bool verdict_rows(const struct proof_results *proofs, struct statements *claims, const char *only, verdict_receiver *receive, void *context)
+{
+    struct giving g = {proofs, claims, only, receive, context, true};
+    equation_rows(&g);
+    table_rows(&g);
+    statement_rows(&g);
+    return g.decided;
+}
+
+bool verdict_known(const struct statements *claims, const char *id)
+{
+    bool known = statement_find(claims, id) != NULL;
+    for (int i = 0; i < sheet()->row_count; i++)
+        known = known || (strncmp(id, "table1-", 7) == 0 && strcmp(sheet()->table1[i].name, id + 7) == 0);
+    for (int i = 0; i < sheet()->section_count; i++)
+        known = known || (strncmp(id, "equation-", 9) == 0 && has_equation(&sheet()->sections[i], id + 9));
+    return known;
+}

@@ -1,0 +1,178 @@
+/* coulomb-tether equations: what the sheet has. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/command.h"
+#include "claims/verdicts.h"
+
+static const char *const domains[] = {
+    [DOMAIN_FINITE] = "finite",
+    [DOMAIN_POSITIVE] = "> 0",
+    [DOMAIN_NOT_NEGATIVE] = ">= 0",
+    [DOMAIN_POSITIVE_OR_INFINITE] = "> 0 or inf",
+};
+
+/* The equation numbers, at least `width` wide. */
+static void print_numbers(const struct section *s, int width)
+{
+    for (int i = 0; i < s->numbers; i++)
+        width -= printf("%s%s", i ? " " : "", s->equations[i]);
+    printf("%*s", width > 0 ? width : 0, "");
+}
+
+static void print_quantities(const char *heading, const struct quantity *const *quantities, int count)
+{
+    for (int i = 0; i < count; i++)
+        printf("  %-8s %-10s %-10s %-10s %s\n", i ? "" : heading, quantities[i]->name,
+               quantities[i]->unit, domains[quantities[i]->domain], quantities[i]->meaning);
+}
+
+static void print_formulas(const char *heading, const struct section *s, const struct formulas *f)
+{
+    for (int i = 0; i < f->lets; i++)
+        printf("  %-8s %s = %s\n", i ? "" : "let", f->let[2 * i], f->let[2 * i + 1]);
+    for (int i = 0; i < s->output_count && s->method == METHOD_FORMULA; i++)
+        printf("  %-8s %s = %s\n", i ? "" : heading, s->outputs[i]->name, f->text[i]);
+    for (int i = 0; i < f->count; i++)
+        printf("  %-8s %s\n", i ? "" : "domain", f->conditions[i].text);
+}
+
+static void print_verdicts(const struct proof_results *p, const struct section *s)
+{
+    for (int i = 0; i < s->numbers; i++) {
+        struct verdict_row row = {.id = s->id};
+        verdict_on_equation(&row, p, NULL, s, s->equations[i]);
+        printf("  %-8s (%s) %s: %s\n", i ? "" : "verdict", s->equations[i], verdict_names[row.verdict], row.evidence.plain.text);
+        verdict_row_clear(&row);
+    }
+}
+
+static void print_section(const struct proof_results *p, const struct section *s)
+{
+    printf("%s  Eq. ", s->id);
+    print_numbers(s, 0);
+    printf("  %s\n", s->title);
+    print_quantities("given", s->inputs, s->input_count);
+    print_quantities("returns", s->outputs, s->output_count);
+    print_formulas("formula", s, &s->corrected);
+    for (int i = 0; i < s->relation_count; i++)
+        printf("  %-8s (%s) %s\n", i ? "" : "relation", s->relations[i].equation, s->relations[i].text);
+    if (s->differs) {
+        print_formulas("printed", s, &s->printed);
+        printf("  %-8s %s\n", "reason", s->reason);
+    }
+    if (s->note != NULL)
+        printf("  %-8s %s\n", "note", s->note);
+    print_verdicts(p, s);
+}
+
+static void json_quantities(const char *key, const struct quantity *const *quantities, int count)
+{
+    printf(", \"%s\": [", key);
+    for (int i = 0; i < count; i++) {
+        printf("%s{\"name\": ", i ? ", " : "");
+        json_text(quantities[i]->name);
+        printf(", \"unit\": ");
+        json_text(quantities[i]->unit);
+        printf(", \"domain\": ");
+        json_text(domains[quantities[i]->domain]);
+        printf(", \"meaning\": ");
+        json_text(quantities[i]->meaning);
+        putchar('}');
+    }
+    putchar(']');
+}
+
+static void json_formulas(const char *key, const struct section *s, const struct formulas *f)
+{
+    printf(", \"%s\": {\"let\": {", key);
+    for (int i = 0; i < f->lets; i++) {
+        printf("%s\"%s\": ", i ? ", " : "", f->let[2 * i]);
+        json_text(f->let[2 * i + 1]);
+    }
+    printf("}, \"outputs\": {");
+    for (int i = 0; i < s->output_count; i++) {
+        printf("%s\"%s\": ", i ? ", " : "", s->outputs[i]->name);
+        json_text(f->text[i]);
+    }
+    printf("}, \"domain\": [");
+    for (int i = 0; i < f->count; i++) {
+        printf("%s", i ? ", " : "");
+        json_text(f->conditions[i].text);
+    }
+    printf("]}");
+}
+
+static void json_section(const struct proof_results *p, const struct section *s)
+{
+    printf("{\"id\": \"%s\", \"equations\": [", s->id);
+    for (int i = 0; i < s->numbers; i++)
+        printf("%s\"%s\"", i ? ", " : "", s->equations[i]);
+    printf("], \"title\": ");
+    json_text(s->title);
+    printf(", \"computes\": %s", s->method == METHOD_NONE ? "false" : "true");
+    json_quantities("inputs", s->inputs, s->input_count);
+    json_quantities("outputs", s->outputs, s->output_count);
+    if (s->method == METHOD_FORMULA)
+        json_formulas("formula", s, &s->corrected);
+    if (s->differs)
+        json_formulas("printed", s, &s->printed);
+    printf(", \"verdicts\": {");
+    for (int i = 0; i < s->numbers; i++) {
+        struct verdict_row row = {.id = s->id};
+        verdict_on_equation(&row, p, NULL, s, s->equations[i]);
+        printf("%s\"%s\": \"%s\"", i ? ", " : "", s->equations[i], verdict_names[row.verdict]);
+        verdict_row_clear(&row);
+    }
+    printf("}}");
+}
+
+static void json_sections(const struct proof_results *p)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        fputs(i ? ",\n " : "[", stdout);
+        json_section(p, &sheet()->sections[i]);
+    }
+    putchar(']');
+}
+
+static void print_sections(void)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        printf("%-15s ", s->id);
+        print_numbers(s, 14);
+        printf("  %s%s\n", s->title, s->differs ? " (misprinted)" : "");
+    }
+}
+
+int command_equations(int count, char **texts)
+{
+    struct option options[] = {{"--json", false, NULL}};
+    struct arguments a = {.subcommand = "equations", .options = options, .option_count = 1};
+    int status = arguments_split(&a, count, texts, 1);
+    if (status != EXIT_DONE)
+        return status;
+    const struct section *one = NULL;
+    if (a.assignment_count > 0)
+        status = complain(EXIT_USAGE, "equations: unexpected argument '%s'", a.assignments[0]);
+    else if (a.word_count > 0 && (one = section_argument(a.words[0])) == NULL)
+        status = EXIT_USAGE;
+    free(a.assignments);
+    if (status != EXIT_DONE)
+        return status;
+    const bool json = option_given(&a, "--json");
+    struct proof_results proofs;
+    proof_results_init(&proofs, false);
+    if (one != NULL)
+        (json ? json_section : print_section)(&proofs, one);
+    else if (json)
+        json_sections(&proofs);
+    else
+        print_sections();
+    proof_results_clear(&proofs);
+    if (json)
+        putchar('\n');
+    return output_finished();
+}

@@ -1,0 +1,57 @@
+/* coulomb-tether verify errors: how wrong ref/ is on random inputs, against certified truth. */
+#include "command/command_verify.h"
+
+#include <stdio.h>
+
+#include "command/command.h"
+#include "text/decimal.h"
+#include "evaluate/errors.h"
+#include "evaluate/reference.h"
+
+enum { SEED = 1, PASS = 8 }; /* E beyond 8 is no rounding of a formula of the sheet: see the oracle's rule */
+
+/* The largest E, rounded up to two digits: the same text wherever libm rounds a little differently. */
+static void bound_text(char text[32], double E)
+{
+    mag_t bound;
+    mag_init(bound);
+    mag_set_d(bound, E);
+    decimal_bound(text, bound);
+    mag_clear(bound);
+}
+
+bool print_errors(long inputs, enum format format)
+{
+    bool fine = true, first = true;
+    if (format == FORMAT_MARKDOWN)
+        puts("| operation | inputs | E at most |\n|---|---|---|");
+    if (format == FORMAT_TABLE)
+        printf("%-10s %8s %10s  %s\n", "operation", "inputs", "E <=", "MPFR value in the enclosure");
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        struct measured m;
+        char text[32];
+        if (!operation_has_sensitivity(s))
+            continue;
+        if (reference_find(s->id) == NULL) {
+            complain(EXIT_FAILED_CHECK, "verify errors: no '%s' in verify/evaluate/reference.c", s->id);
+            fine = false;
+            continue;
+        }
+        measure_errors(&m, s, inputs, SEED);
+        bound_text(text, m.worst);
+        fine = fine && m.worst <= PASS && m.outside == 0;
+        if (format == FORMAT_JSON)
+            printf("%s{\"id\": \"%s\", \"inputs\": %ld, \"worst_E\": %s, \"vector\": \"%s-%d-%ld\", \"outside\": %ld}",
+                   first ? "[" : ",\n ", s->id, inputs, text, s->id, SEED, m.index, m.outside);
+        else if (format == FORMAT_MARKDOWN)
+            printf("| %s | %ld | %s |\n", s->id, inputs, text);
+        else
+            printf("%-10s %8ld %10s  %s\n", s->id, inputs, text,
+                   s->method != METHOD_FORMULA ? "-" : m.outside == 0 ? "always" : "NO");
+        first = false;
+    }
+    if (format == FORMAT_JSON)
+        puts("]");
+    return fine;
+}

@@ -1,0 +1,247 @@
+/* coulomb-tether figure: the data of the paper's figures as CSV, every digit proved. */
+#include "command/command_motion.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/decimal.h"
+#include "proof/roots.h"
+
+/* ---- Figures 5 to 7: motions ---- */
+
+static const struct figure {
+    const char *name;
+    bool nonlinear, charges, small_angles;
+    int columns[3], count;
+    const char *heads[3];
+} figures[] = {
+    {"5a", false, false, false, {0, 1, 2}, 3, {"psi", "theta", "dL"}},
+    {"5b", false, false, true, {0, 1, 2}, 3, {"x1", "y1", "z1"}},
+    {"6", true, false, false, {0, 1, 2}, 3, {"x1", "y1", "z1"}},
+    {"7a", true, true, false, {6}, 1, {"q1_uC"}},
+    {"7b", true, true, false, {7}, 1, {"q2_uC"}},
+};
+
+/* The columns of the Runge-Kutta method, kept as text until the motion's own rows are there. */
+struct collector {
+    const int *columns;
+    int count;
+    char **lines;
+};
+
+static int collect_row(void *context, slong k, const fmpq_t t, char *const *numbers)
+{
+    struct collector *c = context;
+    size_t length = 1;
+    (void)t;
+    for (int i = 0; i < c->count; i++)
+        length += strlen(numbers[c->columns[i]]) + 1;
+    char *line = c->lines[k] = memory(NULL, length, 1);
+    for (int i = 0; i < c->count; i++)
+        line += sprintf(line, ",%s", numbers[c->columns[i]]);
+    return 0;
+}
+
+static void print_heads(const struct figure *f, bool rk4)
+{
+    putchar('t');
+    for (int i = 0; i < f->count; i++)
+        printf(",%s", f->heads[i]);
+    for (int i = 0; i < f->count && rk4; i++)
+        printf(",%s_rk4", f->heads[i]);
+    putchar('\n');
+}
+
+static int print_motion_figure(const struct figure *f, const struct setting *s,
+                               const struct arguments *a, long digits)
+{
+    struct motion m = {.setting = s, .nonlinear = f->nonlinear, .charges = f->charges,
+                       .small_angles = f->small_angles, .digits = digits, .microcoulomb = f->charges};
+    struct times times = {0};
+    struct collector beside = {f->columns, f->count, NULL};
+    struct message why;
+    fmpq_t h;
+    fmpq_init(h);
+    int status = times_every(&times, "100", "259200", false);
+    if (status == EXIT_DONE && option_given(a, "--rk4")) {
+        status = read_rk4(h, a, &times, s->exact);
+        beside.lines = memory(NULL, (size_t)times.count, sizeof *beside.lines);
+        memset(beside.lines, 0, (size_t)times.count * sizeof *beside.lines);
+        m.h = h;
+        if (status == EXIT_DONE && motion_rows(&m, times.t, times.count, collect_row, &beside, &why) != 0)
+            status = complain(EXIT_FAILED_CHECK, "%s", why.text);
+        m.h = NULL;
+    }
+    if (status == EXIT_DONE) {
+        print_heads(f, beside.lines != NULL);
+        status = print_motion(&m, &times, f->columns, f->count, (const char *const *)beside.lines);
+    }
+    for (slong i = 0; i < times.count && beside.lines != NULL; i++)
+        free(beside.lines[i]);
+    free(beside.lines);
+    times_clear(&times);
+    fmpq_clear(h);
+    return status;
+}
+
+static const struct figure *motion_figure(const char *name)
+{
+    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++)
+        if (strcmp(figures[i].name, name) == 0)
+            return &figures[i];
+    return NULL;
+}
+
+/* ---- Figure 4: the characteristic roots against n ---- */
+
+/*
+ * The roots for gains by n, in units of Omega. Where sqrt(n - 9) is rational so are the gains, and
+ * the order of the roots is decided exactly; elsewhere c2 is known by a ball.
+ */
+static bool gain_roots(acb_ptr roots, const fmpq_t n, slong prec)
+{
+    fmpq_t c2, one;
+    arb_t c1, c2_ball;
+    fmpq_init(c2);
+    fmpq_init(one);
+    arb_init(c1);
+    arb_init(c2_ball);
+    bool isolated;
+    fmpq_one(one);
+    fmpq_sub_si(c2, n, 9);
+    if (fmpz_is_square(fmpq_numref(c2)) && fmpz_is_square(fmpq_denref(c2))) {
+        fmpz_sqrt(fmpq_numref(c2), fmpq_numref(c2));
+        fmpz_sqrt(fmpq_denref(c2), fmpq_denref(c2));
+        fmpq_add(c2, c2, c2);
+        isolated = roots41(roots, one, n, c2, prec);
+    } else {
+        arb_set_fmpq(c1, n, prec);
+        arb_set_fmpq(c2_ball, c2, prec);
+        arb_sqrt(c2_ball, c2_ball, prec);
+        arb_mul_2exp_si(c2_ball, c2_ball, 1);
+        isolated = roots41_gains(roots, c1, c2_ball, prec);
+    }
+    fmpq_clear(c2);
+    fmpq_clear(one);
+    arb_clear(c1);
+    arb_clear(c2_ball);
+    return isolated;
+}
+
+/* Of each conjugate pair the root above the axis, the slower pair first: its place among the four. Isolated roots
+   are two such pairs, of which a real one has both on the axis. */
+static void pairs(int place[2], acb_srcptr roots)
+{
+    int count = 0, real = 0;
+    for (int k = 3; k >= 0; k--) { /* they ascend */
+        const bool on_axis = arb_is_zero(acb_imagref(roots + k));
+        if (arb_is_negative(acb_imagref(roots + k)) || (on_axis && real++ % 2 == 1))
+            continue;
+        place[count++] = k;
+    }
+    if (arb_equal(acb_realref(roots + place[0]), acb_realref(roots + place[1])) &&
+        arb_gt(acb_imagref(roots + place[0]), acb_imagref(roots + place[1]))) {
+        int first = place[0]; /* equal real parts: the slower oscillation first */
+        place[0] = place[1];
+        place[1] = first;
+    }
+}
+
+/* re1 im1 re2 im2, false while a digit is undecided */
+static bool root_texts(char *texts[4], acb_srcptr roots, const arb_t Omega, slong digits, slong prec)
+{
+    int place[2];
+    bool decided = true;
+    arb_t x;
+    arb_init(x);
+    pairs(place, roots);
+    for (int i = 0; i < 4 && decided; i++) {
+        acb_srcptr root = roots + place[i / 2];
+        arb_mul(x, i % 2 ? acb_imagref(root) : acb_realref(root), Omega, prec);
+        texts[i] = decimal_of_ball(x, digits);
+        decided = texts[i] != NULL;
+    }
+    arb_clear(x);
+    return decided;
+}
+
+static int print_roots(const fmpq_t n, const char *name, const struct setting *s, long digits)
+{
+    bool decided = false;
+    acb_ptr roots = _acb_vec_init(4);
+    arb_t Omega;
+    arb_init(Omega);
+    for (slong prec = 4 * digits + 64; !decided && prec < 64 * digits + 4096; prec *= 2) {
+        char *texts[4] = {NULL};
+        arb_set_fmpq(Omega, &s->value[SET_Omega].value, prec);
+        decided = gain_roots(roots, n, prec) && root_texts(texts, roots, Omega, digits, prec);
+        if (decided)
+            printf("%s,%s,%s,%s,%s\n", name, texts[0], texts[1], texts[2], texts[3]);
+        for (int i = 0; i < 4; i++)
+            free(texts[i]);
+    }
+    arb_clear(Omega);
+    _acb_vec_clear(roots, 4);
+    return decided ? EXIT_DONE : complain(EXIT_FAILED_CHECK, "figure 4: undecided at n = %s", name);
+}
+
+/* n from 9 to 40 in tenths. */
+static int print_figure4(const struct setting *s, long digits)
+{
+    int status = EXIT_DONE;
+    fmpq_t n;
+    fmpq_init(n);
+    puts("n,re1,im1,re2,im2");
+    for (int tenths = 90; tenths <= 400 && status == EXIT_DONE; tenths++) {
+        char decimal[16], name[32];
+        snprintf(decimal, sizeof decimal, "%d.%d", tenths / 10, tenths % 10);
+        literal_read(n, decimal, s->exact);
+        decimal_shortest(name, tenths / 10.0);
+        status = print_roots(n, name, s, digits);
+    }
+    fmpq_clear(n);
+    int written = output_finished();
+    return status != EXIT_DONE ? status : written;
+}
+
+static int check_figure4(const struct arguments *a, const struct setting *s)
+{
+    if (option_given(a, "--rk4"))
+        return complain(EXIT_USAGE, "--rk4: figure 4 shows no motion");
+    for (int i = 0; i < SETTINGS; i++)
+        if (s->given[i] && i != SET_Omega)
+            return complain(EXIT_USAGE, "%s: figure 4 depends on Omega alone, n runs from 9 to 40",
+                            setting_names[i]);
+    return EXIT_DONE;
+}
+
+int command_figure(int count, char **texts)
+{
+    struct option options[] = {{"--digits", true, NULL}, {"--exact", false, NULL}, {"--rk4", true, NULL}};
+    struct arguments a = {.subcommand = "figure", .options = options, .option_count = 3};
+    int status = arguments_split(&a, count, texts, 1);
+    if (status != EXIT_DONE)
+        return status;
+    const struct figure *f = a.word_count > 0 ? motion_figure(a.words[0]) : NULL;
+    const bool roots = a.word_count > 0 && strcmp(a.words[0], "4") == 0;
+    struct setting s;
+    long digits = 17;
+    setting_init(&s, option_given(&a, "--exact"));
+    if (f == NULL && !roots)
+        status = complain(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
+                          a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
+    if (status == EXIT_DONE)
+        status = option_digits(&a, 17, &digits);
+    if (status == EXIT_DONE)
+        status = read_settings(&s, &a, f != NULL && f->nonlinear);
+    if (status == EXIT_DONE && roots)
+        status = check_figure4(&a, &s);
+    if (status == EXIT_DONE && roots)
+        status = print_figure4(&s, digits);
+    else if (status == EXIT_DONE && f != NULL)
+        status = print_motion_figure(f, &s, &a, digits);
+    setting_clear(&s);
+    free(a.assignments);
+    return status;
+}

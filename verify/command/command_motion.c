@@ -1,0 +1,244 @@
+/* coulomb-tether trajectory: a motion as CSV, every digit proved. */
+#include "command/command_motion.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/decimal.h"
+#include "text/progress.h"
+
+enum { MOST_ROWS = 1000000 };
+
+/* ---- times ---- */
+
+void times_clear(struct times *times)
+{
+    for (slong i = 0; i < times->count; i++)
+        free(times->texts[i]);
+    _fmpq_vec_clear(times->t, times->count);
+    free(times->texts);
+}
+
+/* An exact decimal is printed as such (12.5, 259200), anything else as the binary64 that it is. */
+static char *time_text(const fmpq_t t)
+{
+    char text[32];
+    decimal_shortest(text, fmpq_get_d(t));
+    return text_copy(text);
+}
+
+static int times_at(struct times *times, const char *list, bool exact)
+{
+    char *copy = text_copy(list), *rest = NULL;
+    int status = EXIT_DONE;
+    size_t most = strlen(list) / 2 + 2;
+    times->t = _fmpq_vec_init((slong)most);
+    times->texts = memory(NULL, most, sizeof *times->texts);
+    if (strstr(list, ",,") || *list == ',' || list[strlen(list) - 1] == ',')
+        status = complain(EXIT_USAGE, "--at: expected times between the commas, got '%.40s'", list);
+    for (char *text = strtok_r(copy, ",", &rest); text && status == EXIT_DONE;
+         text = strtok_r(NULL, ",", &rest)) {
+        struct input value = {.infinite = false};
+        fmpq_init(&value.value);
+        status = literal_argument("--at", text, exact, false, &value);
+        fmpq *t = times->t + times->count;
+        fmpq_set(t, &value.value);
+        fmpq_clear(&value.value);
+        if (status != EXIT_DONE)
+            break;
+        times->texts[times->count++] = exact ? text_copy(text) : time_text(t);
+        if (times->count > 1 && (fmpq_cmp(t - 1, t) == 0 || (fmpq_sgn(t - 1) != 0 && fmpq_sgn(t - 1) != fmpq_sgn(t)) ||
+                                 (fmpq_cmp(t - 1, t) < 0) != (fmpq_sgn(t) > 0)))
+            status = complain(EXIT_USAGE, "--at: expected times of one sign, each further from 0 than the last");
+    }
+    free(copy);
+    return status;
+}
+
+int times_every(struct times *times, const char *every, const char *until, bool exact)
+{
+    struct input step = {.infinite = false}, end = {.infinite = false};
+    fmpq_t rows;
+    fmpz_t whole;
+    fmpq_init(&step.value);
+    fmpq_init(&end.value);
+    fmpq_init(rows);
+    fmpz_init(whole);
+    int status = literal_argument("--every", every, exact, false, &step);
+    if (status == EXIT_DONE)
+        status = literal_argument("--until", until, exact, false, &end);
+    if (status == EXIT_DONE && fmpq_sgn(&step.value) <= 0)
+        status = complain(EXIT_FAILED_CHECK, "--every: expected a number > 0, got '%.40s'", every);
+    if (status == EXIT_DONE) {
+        fmpq_div(rows, &end.value, &step.value);
+        fmpz_tdiv_q(whole, fmpq_numref(rows), fmpq_denref(rows));
+        if (fmpz_cmpabs(whole, fmpq_numref(rows)) > 0 || fmpz_cmp_si(whole, MOST_ROWS) > 0 ||
+            fmpz_cmp_si(whole, -MOST_ROWS) < 0)
+            status = complain(EXIT_FAILED_CHECK, "--every: expected at most %d rows", MOST_ROWS);
+    }
+    if (status == EXIT_DONE) {
+        const slong last = fmpz_get_si(whole);
+        times->count = labs(last) + 1;
+        times->t = _fmpq_vec_init(times->count);
+        times->texts = memory(NULL, (size_t)times->count, sizeof *times->texts);
+        for (slong i = 0; i < times->count; i++) {
+            fmpq_set_si(rows, last < 0 ? -i : i, 1);
+            fmpq_mul(times->t + i, &step.value, rows);
+            times->texts[i] = time_text(times->t + i);
+        }
+    }
+    fmpq_clear(&step.value);
+    fmpq_clear(&end.value);
+    fmpq_clear(rows);
+    fmpz_clear(whole);
+    return status;
+}
+
+static int times_option(struct times *times, const struct arguments *a, bool exact)
+{
+    const char *at = option_value(a, "--at"), *every = option_value(a, "--every");
+    const char *until = option_value(a, "--until");
+    if (at != NULL && (every != NULL || until != NULL))
+        return complain(EXIT_USAGE, "--at: expected without --every and --until");
+    if (at != NULL)
+        return times_at(times, at, exact);
+    return times_every(times, every ? every : "100", until ? until : "259200", exact);
+}
+
+/* ---- settings ---- */
+
+static int check_combination(const struct setting *s, bool nonlinear)
+{
+    bool angles = false;
+    int cartesian = 0;
+    for (int i = SET_psi; i <= SET_dL_dot; i++)
+        angles |= s->given[i];
+    for (int i = SET_x1; i <= SET_z1_dot; i++)
+        cartesian += s->given[i];
+    if (s->given[SET_n] && (s->given[SET_C1] || s->given[SET_C2]))
+        return complain(EXIT_USAGE, "n: expected either n, or C1 and C2");
+    if (cartesian > 0 && !nonlinear)
+        return complain(EXIT_USAGE, "x1 ... z1_dot: expected for nonlinear motions alone");
+    if (cartesian > 0 && (cartesian < FLOW_STATE || angles))
+        return complain(EXIT_USAGE, "x1 ... z1_dot: expected all six, and no angles with them");
+    return EXIT_DONE;
+}
+
+int read_settings(struct setting *s, const struct arguments *a, bool nonlinear)
+{
+    static const bool never_infinite[SETTINGS] = {false};
+    struct message why;
+    const char *refused;
+    int status = read_assignments(a, setting_names, SETTINGS, s->exact, never_infinite, s->given, s->value, &refused);
+    if (status == EXIT_DONE)
+        status = check_combination(s, nonlinear);
+    if (status != EXIT_DONE)
+        return status;
+    if (refused != NULL)
+        return refuse_assignment(refused, s->exact);
+    return setting_valid(s, nonlinear, &why) ? EXIT_DONE
+                                             : complain(EXIT_FAILED_CHECK, "%s", why.text);
+}
+
+/* ---- rows ---- */
+
+struct printer {
+    const struct times *times;
+    const int *columns; /* which numbers of a row */
+    int count;
+    const char *const *beside; /* further columns, a line each; NULL for none */
+    struct progress progress;
+};
+
+static int print_row(void *context, slong k, const fmpq_t t, char *const *numbers)
+{
+    struct printer *p = context;
+    (void)t;
+    fputs(p->times->texts[k], stdout);
+    for (int i = 0; i < p->count; i++)
+        printf(",%s", numbers[p->columns[i]]);
+    if (p->beside != NULL)
+        fputs(p->beside[k], stdout);
+    putchar('\n');
+    progress_show(&p->progress, (uint64_t)k + 1, (uint64_t)p->times->count);
+    return ferror(stdout);
+}
+
+int print_motion(const struct motion *m, const struct times *times, const int *columns, int count,
+                        const char *const *beside)
+{
+    struct message why;
+    struct printer p = {times, columns, count, beside, progress_begin(true)};
+    int failed = motion_rows(m, times->t, times->count, print_row, &p, &why);
+    progress_end(&p.progress);
+    int written = output_finished();
+    return written != EXIT_DONE ? written
+           : failed             ? complain(EXIT_FAILED_CHECK, "%s", why.text)
+                                : EXIT_DONE;
+}
+
+int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact)
+{
+    struct input value = {.infinite = false};
+    fmpq_t steps;
+    fmpq_init(&value.value);
+    fmpq_init(steps);
+    const char *text = option_value(a, "--rk4");
+    int status = literal_argument("--rk4", text, exact, false, &value);
+    fmpq_set(h, &value.value);
+    if (status == EXIT_DONE && fmpq_sgn(h) <= 0)
+        status = complain(EXIT_FAILED_CHECK, "--rk4: expected a step > 0, got '%.40s'", text);
+    for (slong i = 0; i < times->count && status == EXIT_DONE; i++) {
+        fmpq_div(steps, times->t + i, h);
+        if (fmpq_sgn(steps) < 0 || !fmpz_is_one(fmpq_denref(steps)))
+            status = complain(EXIT_FAILED_CHECK, "--rk4: expected times >= 0 that are multiples of %s, got %s",
+                              text, times->texts[i]);
+    }
+    fmpq_clear(&value.value);
+    fmpq_clear(steps);
+    return status;
+}
+
+int command_trajectory(int count, char **texts)
+{
+    struct option options[] = {{"--at", true, NULL},  {"--every", true, NULL},  {"--until", true, NULL},
+                               {"--rk4", true, NULL}, {"--digits", true, NULL}, {"--exact", false, NULL}};
+    struct arguments a = {.subcommand = "trajectory", .options = options, .option_count = 6};
+    int status = arguments_split(&a, count, texts, 1);
+    if (status != EXIT_DONE)
+        return status;
+    const bool exact = option_given(&a, "--exact");
+    static const int columns[ROW_NUMBERS] = {0, 1, 2, 3, 4, 5, 6, 7};
+    struct motion m = {0};
+    struct setting s;
+    struct times times = {0};
+    fmpq_t h;
+    fmpq_init(h);
+    setting_init(&s, exact);
+    m.setting = &s;
+    m.nonlinear = m.charges = a.word_count == 1 && strcmp(a.words[0], "nonlinear") == 0;
+    if (!m.nonlinear && (a.word_count == 0 || strcmp(a.words[0], "linear") != 0))
+        status = complain(EXIT_USAGE, "trajectory: expected linear or nonlinear%s%s",
+                          a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
+    if (status == EXIT_DONE)
+        status = option_digits(&a, 17, &m.digits);
+    if (status == EXIT_DONE)
+        status = read_settings(&s, &a, m.nonlinear);
+    if (status == EXIT_DONE)
+        status = times_option(&times, &a, exact);
+    if (status == EXIT_DONE && option_given(&a, "--rk4")) {
+        status = read_rk4(h, &a, &times, exact);
+        m.h = h;
+    }
+    if (status == EXIT_DONE) {
+        puts(m.nonlinear ? "t,x1,y1,z1,x1_dot,y1_dot,z1_dot,q1,q2"
+                         : "t,psi,theta,dL,psi_dot,theta_dot,dL_dot");
+        status = print_motion(&m, &times, columns, m.nonlinear ? ROW_NUMBERS : FLOW_STATE, NULL);
+    }
+    free(a.assignments);
+    times_clear(&times);
+    setting_clear(&s);
+    fmpq_clear(h);
+    return status;
+}

@@ -1,0 +1,159 @@
+/* coulomb-tether study: what the edition adds to the paper's figures, as CSV. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/command.h"
+#include "claims/convergence.h"
+#include "text/decimal.h"
+#include "claims/second_order.h"
+
+enum { PARAMETER_DIGITS = 4, STUDY_DIGITS = 6, ROW_DIGITS = 12, PREC = 192 };
+
+/*
+ * The numbers of a row after its first, an empty field for NULL; false where a ball does not decide its digits. The
+ * balls of a measured study hold what was computed, not what is true.
+ */
+static bool print_numbers(const arb_srcptr *x, int count, slong digits)
+{
+    bool decided = true;
+    for (int i = 0; i < count; i++) {
+        char *text = x[i] != NULL ? decimal_of_ball(x[i], digits) : NULL;
+        printf(",%s", text != NULL ? text : "");
+        decided = decided && (x[i] == NULL || text != NULL);
+        free(text);
+    }
+    return decided;
+}
+
+/* ---- convergence ------------------------------------------------------- */
+
+static bool print_variable(const struct convergence *c, int variable)
+{
+    const struct study *s = c->study;
+    bool decided = true;
+    for (int row = 0; row < s->rows; row++) {
+        const int at = row * VARIABLES + variable;
+        arb_srcptr numbers[] = {c->differences + at, row > 0 ? c->orders + at : NULL, c->constants + at};
+        char *parameter = decimal_of_rational(c->parameters + row, PARAMETER_DIGITS);
+        printf("%s,%s,%s", s->name, variable_names[s->which[variable]], parameter);
+        decided = print_numbers(numbers, 3, STUDY_DIGITS) && decided;
+        printf(",%s\n", s->measured ? "measured" : "certified");
+        free(parameter);
+    }
+    return decided;
+}
+
+static bool print_convergence(void)
+{
+    bool decided = true;
+    puts("study,variable,parameter,difference,order,constant,how");
+    for (const struct study *s = studies; s->name != NULL && decided; s++) {
+        struct convergence c;
+        decided = convergence_init(&c, s, 0);
+        for (int i = 0; i < s->count && decided; i++)
+            decided = print_variable(&c, i);
+        convergence_clear(&c);
+    }
+    return decided;
+}
+
+/* ---- motions beside the closed forms ----------------------------------- */
+
+static void pitch_of(arb_t z_re, arb_t z_im, arb_srcptr row)
+{
+    arb_set(z_re, row + THETA);
+    arb_mul_2exp_si(z_im, row + THETA_DOT, -1);
+    arb_neg(z_im, z_im);
+}
+
+/* The simulation over six days, nonlinear and linear, and what the pitch of the moment leaves of psi and dL. */
+static bool print_forced(void)
+{
+    enum { STEP = 1200, LAST = 6 * 86400 };
+    struct track motion, linear;
+    struct second_order o;
+    arb_ptr forced = _arb_vec_init(FLOW_STATE), dL = _arb_vec_init(3), z = _arb_vec_init(2);
+    bool proved = track_run(&motion, &(struct scene){.nonlinear = true}, 0, STEP, LAST);
+    proved = track_run(&linear, &(struct scene){.nonlinear = false}, 0, STEP, LAST) && proved;
+    second_order_init(&o, motion.c1, motion.c2, PREC);
+    puts("t,psi,dL,psi_linear,dL_linear,psi_forced,dL_forced");
+    for (slong k = 0; k < motion.count && proved; k++) {
+        arb_srcptr row = track_row(&motion, k), other = track_row(&linear, k);
+        pitch_of(z, z + 1, row);
+        second_order_at(forced, &o, z, z + 1);
+        arb_mul(dL, row + ETA, motion.L_ref, PREC);
+        arb_mul(dL + 1, other + ETA, motion.L_ref, PREC);
+        arb_mul(dL + 2, forced + ETA, motion.L_ref, PREC);
+        arb_srcptr numbers[] = {row + PSI, dL, other + PSI, dL + 1, forced + PSI, dL + 2};
+        printf("%ld", (long)k * STEP);
+        proved = print_numbers(numbers, 6, ROW_DIGITS);
+        putchar('\n');
+    }
+    second_order_clear(&o);
+    track_clear(&motion);
+    track_clear(&linear);
+    _arb_vec_clear(forced, FLOW_STATE);
+    _arb_vec_clear(dL, 3);
+    _arb_vec_clear(z, 2);
+    return proved;
+}
+
+/* A pitch of 0.2 rad, started on the closed form, for 30 days: its amplitude, and that of the slow law. */
+static bool print_pitch(void)
+{
+    enum { STEP = 3600, LAST = 30 * 86400 };
+    struct track t;
+    struct second_order o;
+    arb_ptr start = _arb_vec_init(FLOW_STATE), x = _arb_vec_init(6);
+    arb_ptr a = x, tau = x + 1, law = x + 2, shift = x + 3, amplitude = x + 4, other = x + 5;
+    bool proved = track_run(&t, &(struct scene){.nonlinear = true}, 0, 1, 0);
+    second_order_init(&o, t.c1, t.c2, PREC);
+    track_clear(&t);
+    arb_set_ui(a, 5);
+    arb_inv(a, a, PREC);
+    second_order_after(start, &o, a, tau);
+    proved = track_run(&t, &(struct scene){.nonlinear = true, .start = start}, 0, STEP, LAST) && proved;
+    puts("t,theta,amplitude,amplitude_law");
+    for (slong k = 0; k < t.count && proved; k++) {
+        arb_srcptr numbers[] = {track_row(&t, k) + THETA, amplitude, law};
+        pitch_of(amplitude, other, track_row(&t, k));
+        arb_hypot(amplitude, amplitude, other, PREC);
+        arb_mul_si(tau, t.Omega, k * STEP, PREC);
+        slow_law(law, shift, &o, a, tau);
+        arb_mul(law, law, a, PREC);
+        printf("%ld", (long)k * STEP);
+        proved = print_numbers(numbers, 3, ROW_DIGITS);
+        putchar('\n');
+    }
+    second_order_clear(&o);
+    track_clear(&t);
+    _arb_vec_clear(start, FLOW_STATE);
+    _arb_vec_clear(x, 6);
+    return proved;
+}
+
+int command_study(int count, char **texts)
+{
+    static const char *const names[] = {"convergence", "forced", "pitch"};
+    static bool (*const prints[])(void) = {print_convergence, print_forced, print_pitch};
+    struct arguments a = {.subcommand = "study"};
+    char hint[80];
+    int status = arguments_split(&a, count, texts, 1);
+    if (status == EXIT_DONE && a.assignment_count > 0)
+        status = complain(EXIT_USAGE, "study: unexpected argument '%s'", a.assignments[0]);
+    free(a.assignments);
+    if (status != EXIT_DONE)
+        return status;
+    if (a.word_count == 0)
+        return complain(EXIT_USAGE, "study: expected convergence, forced or pitch");
+    for (int i = 0; i < 3; i++)
+        if (strcmp(names[i], a.words[0]) == 0) {
+            bool proved = prints[i]();
+            int written = output_finished();
+            return written != EXIT_DONE || proved ? written
+                                                  : complain(EXIT_FAILED_CHECK, "study %s: digits undecided", names[i]);
+        }
+    suggest(hint, a.words[0], names, 3);
+    return complain(EXIT_USAGE, "study: expected convergence, forced or pitch, got '%s'%s", a.words[0], hint);
+}

@@ -1,0 +1,34 @@
+/* coulomb-tether table1: the paper's Table 1, printed and computed. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "command/command.h"
+#include "evaluate/table1.h"
+
+static bool print_row(const struct table_row *row, const char *format)
+{
+    bool rounds;
+    char *computed = table_row_value(row, &rounds);
+    printf(format, row->name, row->printed, computed, row->unit, rounds ? "yes" : "no");
+    free(computed);
+    return rounds;
+}
+
+int command_table1(int count, char **texts)
+{
+    struct option options[] = {{"--csv", false, NULL}};
+    struct arguments a = {.subcommand = "table1", .options = options, .option_count = 1};
+    int status = arguments_split(&a, count, texts, 0);
+    if (status == EXIT_DONE && a.assignment_count > 0)
+        status = complain(EXIT_USAGE, "table1: unexpected argument '%s'", a.assignments[0]);
+    free(a.assignments);
+    if (status != EXIT_DONE)
+        return status;
+    const char *format = option_given(&a, "--csv") ? "%s,%s,%s,%s,%s\n" : "%-6s %-12s %-24s %-10s %s\n";
+    printf(format, "name", "printed", "computed", "unit", "rounds");
+    for (int i = 0; i < sheet()->row_count; i++)
+        if (!print_row(&sheet()->table1[i], format))
+            status = EXIT_FAILED_CHECK;
+    int written = output_finished();
+    return written != EXIT_DONE ? written : status;
+}

@@ -1,0 +1,148 @@
+/*
+ * coulomb-tether typeset: the sheet's formulas as LaTeX, for the weaver of the literate edition.
+ *
+ * A record a line, of five fields separated by tabs: section, kind, equation number, name, text; what there is
+ * not is empty. Kinds: symbol (of a quantity, in section -); title, note, reason, number; relation, output, printed,
+ * let and domain, in which & stands before the sign.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/command.h"
+#include "formula/typeset.h"
+
+/* One side of something: a formula that was understood when the sheet was read. */
+static void add_formula(struct tex *t, struct program *symbols, const char *text)
+{
+    struct message why;
+    size_t where;
+    typeset_formula(t, symbols, program_parse(symbols, text, &where, &why));
+}
+
+/* "left SIGN right" with an alignment mark; the sign is the first of = > >= < in it. */
+static void add_comparison(struct tex *t, struct program *symbols, const char *text)
+{
+    const size_t left = strcspn(text, "=<>");
+    const size_t sign = strspn(text + left, "=<>");
+    char *copy = text_copy(text);
+    copy[left] = '\0';
+    add_formula(t, symbols, copy);
+    tex_add(t, " &%s ", sign == 2 ? "\\ge" : (const char[]){text[left], '\0'});
+    add_formula(t, symbols, copy + left + sign);
+    free(copy);
+}
+
+static void print_record(const char *id, const char *kind, const char *number, const char *name, const char *text)
+{
+    printf("%s\t%s\t%s\t%s\t%s\n", id, kind, number, name, text);
+}
+
+/* NAME = formula */
+static void print_definition(const struct section *s, const char *kind, const char *number, struct program *symbols,
+                             const char *name, const char *formula)
+{
+    struct tex t = {NULL, 0};
+    typeset_symbol(&t, name);
+    tex_add(&t, " &= ");
+    add_formula(&t, symbols, formula);
+    print_record(s->id, kind, number, name, t.text);
+    tex_clear(&t);
+}
+
+static void print_comparison(const struct section *s, const char *kind, const char *number, struct program *symbols,
+                             const char *text)
+{
+    struct tex t = {NULL, 0};
+    add_comparison(&t, symbols, text);
+    print_record(s->id, kind, number, "", t.text);
+    tex_clear(&t);
+}
+
+/* The numbers that no relation has are the outputs': one each where they are as many, else all of them at once. */
+static const char *output_number(const struct section *s, int output)
+{
+    const char *free_numbers[8] = {NULL};
+    int count = 0;
+    for (int i = 0; i < s->numbers; i++) {
+        bool taken = false;
+        for (int k = 0; k < s->relation_count; k++)
+            taken = taken || strcmp(s->relations[k].equation, s->equations[i]) == 0;
+        if (!taken)
+            free_numbers[count++] = s->equations[i];
+    }
+    return count == s->output_count ? free_numbers[output] : "";
+}
+
+static void print_formulas(const struct section *s, const char *kind, struct program *symbols, const struct formulas *f)
+{
+    for (int i = 0; i < s->output_count; i++)
+        print_definition(s, kind, output_number(s, i), symbols, s->outputs[i]->name, f->text[i]);
+}
+
+/* Symbols are all quantities, and the section's own named subexpressions. */
+static void symbols_init(struct program *symbols, const struct section *s)
+{
+    const struct formulas *const own[] = {&s->corrected, &s->printed};
+    program_init(symbols);
+    for (int i = 0; i < sheet()->quantity_count; i++)
+        program_input(symbols, sheet()->quantities[i].name);
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < own[k]->lets; i++)
+            program_input(symbols, own[k]->let[2 * i]);
+}
+
+static void print_section(const struct section *s)
+{
+    struct program symbols;
+    symbols_init(&symbols, s);
+    print_record(s->id, "title", "", "", s->title);
+    for (int i = 0; i < s->numbers; i++)
+        print_record(s->id, "number", s->equations[i], "", "");
+    for (int i = 0; i < s->relation_count; i++)
+        print_comparison(s, "relation", s->relations[i].equation, &symbols, s->relations[i].text);
+    if (s->method == METHOD_FORMULA) {
+        print_formulas(s, "output", &symbols, &s->corrected);
+        for (int i = 0; i < s->corrected.lets; i++)
+            print_definition(s, "let", "", &symbols, s->corrected.let[2 * i], s->corrected.let[2 * i + 1]);
+        for (int i = 0; i < s->corrected.count; i++)
+            print_comparison(s, "domain", "", &symbols, s->corrected.conditions[i].text);
+    }
+    if (s->differs) {
+        print_formulas(s, "printed", &symbols, &s->printed);
+        print_record(s->id, "reason", "", "", s->reason);
+    }
+    if (s->note != NULL)
+        print_record(s->id, "note", "", "", s->note);
+    program_clear(&symbols);
+}
+
+static void print_symbols(void)
+{
+    for (int i = 0; i < sheet()->quantity_count; i++) {
+        struct tex t = {NULL, 0};
+        typeset_symbol(&t, sheet()->quantities[i].name);
+        print_record("-", "symbol", "", sheet()->quantities[i].name, t.text);
+        tex_clear(&t);
+    }
+}
+
+int command_typeset(int count, char **texts)
+{
+    struct arguments a = {.subcommand = "typeset"};
+    int status = arguments_split(&a, count, texts, 1);
+    if (status != EXIT_DONE)
+        return status;
+    const struct section *one = NULL;
+    if (a.assignment_count > 0)
+        status = complain(EXIT_USAGE, "typeset: unexpected argument '%s'", a.assignments[0]);
+    else if (a.word_count > 0 && (one = section_argument(a.words[0])) == NULL)
+        status = EXIT_USAGE;
+    free(a.assignments);
+    if (status == EXIT_DONE && one == NULL)
+        print_symbols();
+    for (int i = 0; i < sheet()->section_count && status == EXIT_DONE; i++)
+        if (one == NULL || one == &sheet()->sections[i])
+            print_section(&sheet()->sections[i]);
+    return status != EXIT_DONE ? status : output_finished();
+}

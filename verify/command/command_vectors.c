@@ -1,0 +1,97 @@
+/* coulomb-tether vectors: random certified vectors of an operation, and the golden ones, as CSV. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/command.h"
+#include "evaluate/vectors.h"
+
+/* K/N: the K-th of N contiguous parts, as even as can be. */
+static int take_shard(const char *text, uint64_t *first, uint64_t *count, bool *header)
+{
+    uint64_t k = 0, n = 0;
+    char *copy = text_copy(text), *slash = strchr(copy, '/');
+    int status = EXIT_USAGE;
+    if (slash == NULL) {
+        complain(EXIT_USAGE, "--shard: expected K/N, got '%.40s'", text);
+    } else {
+        *slash = '\0';
+        status = whole_number("--shard", copy, &k);
+        if (status == EXIT_DONE)
+            status = whole_number("--shard", slash + 1, &n);
+    }
+    if (status == EXIT_DONE && (k < 1 || k > n || n > 1000000))
+        status = complain(EXIT_USAGE, "--shard: expected K/N with 1 <= K <= N <= 1000000, got '%.40s'", text);
+    free(copy);
+    if (status != EXIT_DONE)
+        return status;
+    const uint64_t all = *count, part = all / n, more = all % n; /* the first `more` parts have one more */
+    *first = (k - 1) * part + (k - 1 < more ? k - 1 : more);
+    *count = part + (k - 1 < more);
+    *header = k == 1;
+    return EXIT_DONE;
+}
+
+static int take_section(const struct arguments *a, const struct section **s)
+{
+    if (a->assignment_count > 0)
+        return complain(EXIT_USAGE, "vectors: unexpected argument '%s'", a->assignments[0]);
+    if (a->word_count == 0)
+        return complain(EXIT_USAGE, "vectors: expected the id of an operation");
+    if ((*s = section_argument(a->words[0])) == NULL)
+        return EXIT_USAGE;
+    if ((*s)->method == METHOD_NONE)
+        return complain(EXIT_USAGE, "%s is a definition, it computes nothing", (*s)->id);
+    return EXIT_DONE;
+}
+
+static int random_vectors(const struct arguments *a, const struct section *s, enum input_form form)
+{
+    const char *count_text = option_value(a, "--count"), *seed_text = option_value(a, "--seed");
+    uint64_t first = 0, count = 0, seed = 0;
+    bool header = true;
+    int status = EXIT_USAGE;
+    if (count_text == NULL || seed_text == NULL)
+        complain(EXIT_USAGE, "vectors: expected --count N and --seed S, or --golden");
+    else
+        status = whole_number("--count", count_text, &count);
+    if (status == EXIT_DONE && seed_text != NULL)
+        status = whole_number("--seed", seed_text, &seed);
+    const char *shard = option_value(a, "--shard");
+    if (status == EXIT_DONE && shard != NULL)
+        status = take_shard(shard, &first, &count, &header);
+    if (status != EXIT_DONE)
+        return status;
+    if (header)
+        vectors_header(s);
+    return vectors_random(s, seed, first, count, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
+}
+
+int command_vectors(int count, char **texts)
+{
+    struct option options[] = {{"--count", true, NULL}, {"--seed", true, NULL}, {"--shard", true, NULL}, {"--golden", false, NULL},
+                               {"--inputs", true, NULL}};
+    struct arguments a = {.subcommand = "vectors", .options = options, .option_count = 5};
+    int status = arguments_split(&a, count, texts, 1);
+    if (status != EXIT_DONE)
+        return status;
+    const struct section *s = NULL;
+    status = take_section(&a, &s);
+    enum input_form form = INPUTS_SHORTEST;
+    if (status == EXIT_DONE)
+        status = option_inputs(&a, &form);
+    const bool golden = option_given(&a, "--golden");
+    const bool random = option_given(&a, "--count") || option_given(&a, "--seed") || option_given(&a, "--shard");
+    if (status == EXIT_DONE && golden && random)
+        status = complain(EXIT_USAGE, "--golden: expected without --count, --seed and --shard");
+    else if (status == EXIT_DONE && golden)
+        status = vectors_golden(s, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
+    else if (status == EXIT_DONE)
+        status = random_vectors(&a, s, form);
+    free(a.assignments);
+    if (status == EXIT_USAGE)
+        return status;
+    int written = output_finished();
+    return status != EXIT_DONE ? status : written;
+}

@@ -1,0 +1,168 @@
+/* coulomb-tether verify: the proofs. */
+#include "command/command_verify.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/command.h"
+#include "claims/verdicts.h"
+
+enum {
+    INPUTS = 1000 /* for each operation of verify errors; --count takes other */
+};
+
+/* What was asked for. */
+struct request {
+    const char *part; /* NULL: all */
+    const char *claim; /* its id; NULL: all */
+    bool graph;
+    enum format format;
+    long count;
+};
+
+static bool verify_derivations(const struct proof_results *p, const struct request *request)
+{
+    if (request->graph)
+        derivations_graph(&p->derivations);
+    else
+        print_proofs(p, request->format);
+    return p->fine;
+}
+
+static bool verify_claims(const struct proof_results *p, const struct request *request)
+{
+    return print_claims(p, request->claim, request->format);
+}
+
+static bool verify_errors(const struct proof_results *p, const struct request *request)
+{
+    (void)p;
+    return print_errors(request->count, request->format);
+}
+
+static const struct part {
+    const char *name;
+    bool (*verify)(const struct proof_results *p, const struct request *request); /* whether all of it holds */
+} parts[] = {{"derivations", verify_derivations}, {"claims", verify_claims}, {"errors", verify_errors}};
+
+enum { PARTS = sizeof parts / sizeof *parts };
+
+/* An integer from 0, at most 20 digits of it. */
+static int read_integer(const char *name, const char *text, ulong *value)
+{
+    char *end = NULL;
+    if (text == NULL)
+        return EXIT_DONE;
+    errno = 0;
+    *value = strtoul(text, &end, 10);
+    if (*text < '0' || *text > '9' || *end != '\0' || errno != 0)
+        return complain(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
+    return EXIT_DONE;
+}
+
+static int check_request(const struct arguments *a, const struct request *r)
+{
+    const char *known[PARTS];
+    char hint[80];
+    bool found = r->part == NULL;
+    for (int i = 0; i < PARTS; i++) {
+        known[i] = parts[i].name;
+        found = found || strcmp(r->part, known[i]) == 0;
+    }
+    suggest(hint, found ? "" : r->part, known, PARTS);
+    if (a->assignment_count > 0)
+        return complain(EXIT_USAGE, "verify: unexpected argument '%s'", a->assignments[0]);
+    if (!found)
+        return complain(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
+    if (r->claim != NULL && (r->part == NULL || strcmp(r->part, "claims") != 0))
+        return complain(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
+    if (r->graph && (r->format != FORMAT_TABLE || r->part == NULL || strcmp(r->part, "derivations") != 0))
+        return complain(EXIT_USAGE, "--graph: expected verify derivations before it, and no --json");
+    if (r->format == FORMAT_MARKDOWN && (r->part == NULL || strcmp(r->part, "errors") != 0))
+        return complain(EXIT_USAGE, "--markdown: expected verify errors before it");
+    if (r->format == FORMAT_CSV && (r->part == NULL || strcmp(r->part, "claims") != 0))
+        return complain(EXIT_USAGE, "--csv: expected verify claims before it");
+    if (r->count < 1 || r->count > 100000000)
+        return complain(EXIT_USAGE, "--count: expected from 1 to 100000000 inputs");
+    return EXIT_DONE;
+}
+
+static int read_request(const struct arguments *a, struct request *r)
+{
+    const bool json = option_given(a, "--json"), csv = option_given(a, "--csv");
+    const bool markdown = option_given(a, "--markdown");
+    ulong count = INPUTS;
+    *r = (struct request){.part = a->word_count > 0 ? a->words[0] : NULL,
+                          .claim = a->word_count > 1 ? a->words[1] : NULL,
+                          .graph = option_given(a, "--graph"),
+                          .format = json       ? FORMAT_JSON
+                                    : csv      ? FORMAT_CSV
+                                    : markdown ? FORMAT_MARKDOWN
+                                               : FORMAT_TABLE};
+    if (json + csv + markdown > 1)
+        return complain(EXIT_USAGE, "--json, --csv, --markdown: expected one of them");
+    int status = read_integer("--count", option_value(a, "--count"), &count);
+    r->count = count > LONG_MAX ? LONG_MAX : (long)count;
+    return status != EXIT_DONE ? status : check_request(a, r);
+}
+
+/* Of a row of the verdicts: those of equations and of Table 1 included. */
+static int check_claim(const struct proof_results *p, const char *id)
+{
+    struct statements claims;
+    char hint[80];
+    claims_open(&claims, p);
+    const char **ids = memory(NULL, (size_t)claims.count + 1, sizeof *ids);
+    for (int i = 0; i < claims.count; i++)
+        ids[i] = claims.list[i].id;
+    suggest(hint, id, ids, (size_t)claims.count);
+    const bool known = verdict_known(&claims, id);
+    free(ids);
+    statements_clear(&claims);
+    return known ? EXIT_DONE : complain(EXIT_USAGE, "unknown claim '%s'%s", id, hint);
+}
+
+/* What was asked for; as JSON, an object with a member a part. */
+static int verify(const struct request *request)
+{
+    int status = EXIT_DONE;
+    const char *separator = "{";
+    struct proof_results p;
+    proof_results_init(&p, !request->graph && (request->part == NULL || strcmp(request->part, parts[0].name) == 0));
+    if (request->claim != NULL)
+        status = check_claim(&p, request->claim);
+    for (int i = 0; i < PARTS && status != EXIT_USAGE; i++) {
+        if (request->part != NULL && strcmp(request->part, parts[i].name) != 0)
+            continue;
+        if (request->format == FORMAT_JSON)
+            printf("%s\"%s\": ", separator, parts[i].name);
+        separator = ",";
+        if (!parts[i].verify(&p, request))
+            status = EXIT_FAILED_CHECK;
+    }
+    proof_results_clear(&p);
+    if (request->format == FORMAT_JSON && status != EXIT_USAGE)
+        puts("}");
+    return status;
+}
+
+int command_verify(int count, char **texts)
+{
+    struct option options[] = {{"--json", false, NULL}, {"--csv", false, NULL}, {"--markdown", false, NULL},
+                               {"--graph", false, NULL}, {"--count", true, NULL}};
+    struct arguments a = {.subcommand = "verify", .options = options, .option_count = 5};
+    struct request request;
+    int status = arguments_split(&a, count, texts, 2);
+    if (status != EXIT_DONE)
+        return status;
+    status = read_request(&a, &request);
+    free(a.assignments);
+    if (status != EXIT_DONE)
+        return status;
+    status = verify(&request);
+    const int output = output_finished();
+    return status != EXIT_DONE ? status : output;
+}

@@ -1,0 +1,14 @@
+/* The parts of coulomb-tether verify: each prints its proofs and returns whether all of them hold. */
+#ifndef CT_COMMAND_VERIFY_H
+#define CT_COMMAND_VERIFY_H
+
+#include "proof/proof_results.h"
+
+/* Markdown is README's, for the errors alone. */
+enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN };
+
+void print_proofs(const struct proof_results *p, enum format format);
+bool print_claims(const struct proof_results *p, const char *only, enum format format); /* NULL: all */
+bool print_errors(long inputs, enum format format);
+
+#endif

@@ -1,0 +1,262 @@
+#include "conform/client.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { QUESTIONS = 1 << 16, ANSWERS = 1 << 12 }; /* a pipe that polls as ready takes 4096 bytes at once */
+
+static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+enum { INTERRUPTS = sizeof interrupts / sizeof *interrupts };
+
+static void close_end(int *end)
+{
+    if (*end >= 0)
+        close(*end);
+    *end = -1;
+}
+
+/* A pipe of which neither end survives an exec; the parent's, ends[own], never blocks. */
+static bool open_pipe(int ends[2], int own)
+{
+    return pipe(ends) == 0 && fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 && fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0 &&
+           (own < 0 || fcntl(ends[own], F_SETFL, O_NONBLOCK) == 0);
+}
+
+static bool is_passing(int error)
+{
+    return error == EAGAIN || error == EINTR;
+}
+
+/* The client that exit() ends: only one is open at a time. */
+static pid_t running;
+
+static void end_group(void)
+{
+    if (running <= 0)
+        return;
+    kill(running, SIGKILL);
+    kill(-running, SIGKILL); /* not yet waited for, the client keeps its group's number */
+}
+
+static void become(char *const *arguments, int in, int out, int errors, int failure, const sigset_t *signals)
+{
+    setpgid(0, 0);
+    signal(SIGPIPE, SIG_DFL);
+    sigprocmask(SIG_SETMASK, signals, NULL);
+    if (dup2(in, 0) >= 0 && dup2(out, 1) >= 0 && dup2(errors, 2) >= 0)
+        execvp(arguments[0], arguments);                     /* LCOV_EXCL_LINE: exec ends what counts */
+    const int why = errno;                                   /* LCOV_EXCL_LINE: _exit() writes no counts */
+    _exit(write(failure, &why, sizeof why) < 0 ? 126 : 127); /* LCOV_EXCL_LINE: _exit() writes no counts */
+}
+
+/* Waits for exec's close of the failure pipe; 0, or the errno that came instead. */
+static int exec_failure(int failure)
+{
+    int why = 0;
+    ssize_t got;
+    do
+        got = read(failure, &why, sizeof why);
+    while (got < 0 && errno == EINTR);
+    return got < 0 ? errno : got == (ssize_t)sizeof why ? why : 0;
+}
+
+int client_start(struct client *c, char *const *arguments)
+{
+    int in[2] = {-1, -1}, out[2] = {-1, -1}, errors[2] = {-1, -1}, failure[2] = {-1, -1};
+    static bool at_exit;
+    sigset_t blocked;
+    *c = (struct client){.pid = -1, .to = -1, .from = -1, .errors = -1};
+    sigemptyset(&blocked);
+    for (int i = 0; i < INTERRUPTS; i++)
+        sigaddset(&blocked, interrupts[i]);
+    sigprocmask(SIG_BLOCK, &blocked, &c->signals);
+    int why = 0;
+    at_exit = at_exit || atexit(end_group) == 0;
+    if (!at_exit)
+        errno = ENOMEM; /* LCOV_EXCL_LINE: only where memory runs out, make faults */
+    else if (open_pipe(in, 1) && open_pipe(out, 0) && open_pipe(errors, 0) && open_pipe(failure, -1))
+        c->pid = fork();
+    if (c->pid == 0)
+        become(arguments, in[0], out[1], errors[1], failure[1], &c->signals);
+    if (c->pid < 0)
+        why = errno;
+    else
+        setpgid(c->pid, c->pid); /* here too: whoever comes first */
+    running = c->pid;
+    close_end(&in[0]);
+    close_end(&out[1]);
+    close_end(&errors[1]);
+    close_end(&failure[1]);
+    c->to = in[1];
+    c->from = out[0];
+    c->errors = errors[0];
+    if (c->pid > 0)
+        why = exec_failure(failure[0]);
+    close_end(&failure[0]);
+    if (why != 0)
+        client_close(c);
+    return why;
+}
+
+static bool is_interrupted(const struct client *c)
+{
+    sigset_t pending;
+    bool any = false;
+    sigpending(&pending);
+    for (int i = 0; i < INTERRUPTS; i++)
+        any = any || (sigismember(&pending, interrupts[i]) == 1 && sigismember(&c->signals, interrupts[i]) == 0);
+    return any;
+}
+
+/* On to our standard error; an interrupt need not wait until somebody reads it. Seconds in which nobody did. */
+static double pass_on(const struct client *c, const char *bytes, size_t size)
+{
+    enum { SLICE = 100 }; /* ms */
+    struct pollfd end = {2, POLLOUT, 0};
+    double blocked = 0.0;
+    while (size > 0 && !is_interrupted(c)) {
+        const int ready = poll(&end, 1, SLICE);
+        const ssize_t step = ready > 0 ? write(2, bytes, size) : 0;
+        if (step < 0 || (ready < 0 && !is_passing(errno)))
+            break;
+        blocked += ready == 0 ? 1e-3 * SLICE : 0.0;
+        bytes += step;
+        size -= (size_t)step;
+    }
+    return blocked;
+}
+
+/* Standard error: on to ours, its last part kept as text. Seconds in which ours was not read. */
+static double hear_errors(struct client *c)
+{
+    char bytes[ANSWERS];
+    double blocked = 0.0;
+    for (int pipeful = 0; c->errors >= 0 && pipeful < 16; pipeful++) {
+        ssize_t got = read(c->errors, bytes, sizeof bytes);
+        if (got == 0 || (got < 0 && !is_passing(errno)))
+            close_end(&c->errors);
+        if (got <= 0)
+            return blocked;
+        blocked += pass_on(c, bytes, (size_t)got);
+        for (ssize_t i = 0; i < got; i++)
+            bytes[i] = bytes[i] == '\0' ? '\1' : bytes[i]; /* which would end the text; neither is printable */
+        const size_t size = (size_t)got > CLIENT_TAIL ? CLIENT_TAIL : (size_t)got;
+        const size_t keep = c->tail_length + size > CLIENT_TAIL ? CLIENT_TAIL - size : c->tail_length;
+        memmove(c->tail, c->tail + c->tail_length - keep, keep);
+        memcpy(c->tail + keep, bytes + got - size, size);
+        c->tail_length = keep + size;
+    }
+    return blocked;
+}
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static bool has_ended(const struct client *c)
+{
+    siginfo_t info = {0};
+    return waitid(P_PID, (id_t)c->pid, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == c->pid;
+}
+
+/* Questions on their way: bytes begin ... end - 1 of the room. */
+struct outgoing {
+    char room[QUESTIONS];
+    size_t begin, end;
+};
+
+/* Sends what the pipe takes; true when it took something. */
+static bool send_questions(struct client *c, const struct conversation *talk, struct outgoing *o)
+{
+    if (o->begin == o->end) {
+        o->begin = 0;
+        o->end = talk->ask(talk->context, o->room, sizeof o->room);
+    }
+    ssize_t sent = o->begin < o->end ? write(c->to, o->room + o->begin, o->end - o->begin) : -1;
+    if (sent > 0)
+        o->begin += (size_t)sent;
+    else if (o->begin == o->end || errno == EPIPE) /* all asked, or it listens no more */
+        close_end(&c->to);
+    else if (!is_passing(errno)) /* LCOV_EXCL_LINE: a failing system call, make faults */
+        c->why = errno;         /* LCOV_EXCL_LINE: a failing system call, make faults */
+    return sent > 0;
+}
+
+/* Takes what there is; *enough when nobody wants to hear more of it, *answered when a line ended in it. */
+static bool hear_answers(struct client *c, const struct conversation *talk, bool *enough, bool *answered)
+{
+    char bytes[ANSWERS];
+    ssize_t got = read(c->from, bytes, sizeof bytes);
+    if (got > 0)
+        *enough = !talk->hear(talk->context, bytes, (size_t)got, answered);
+    else if (got == 0)
+        close_end(&c->from);
+    else if (!is_passing(errno)) /* LCOV_EXCL_LINE: a failing system call, make faults */
+        c->why = errno;         /* LCOV_EXCL_LINE: a failing system call, make faults */
+    return got > 0;
+}
+
+/* What an ended client has left in its pipe, which somebody else may still hold open. */
+static void hear_the_rest(struct client *c, const struct conversation *talk, bool *enough)
+{
+    bool answered;
+    while (c->from >= 0 && !*enough && c->why == 0 && hear_answers(c, talk, enough, &answered))
+        ;
+    hear_errors(c);
+}
+
+enum ending client_converse(struct client *c, const struct conversation *talk, double timeout)
+{
+    struct outgoing o = {.begin = 0, .end = 0};
+    double moved = seconds(); /* since when only the client could have done something, and did not */
+    bool enough = false, ended = false;
+    while (!ended && seconds() - moved < timeout && !enough && c->why == 0 && !is_interrupted(c)) {
+        struct pollfd ends[] = {{c->to, POLLOUT, 0}, {c->from, POLLIN, 0}, {c->errors, POLLIN, 0}};
+        const int slice = c->from >= 0 ? 100 : 10; /* ms until the next look for an interrupt or the end */
+        bool taken = false, answered = false;
+        if (poll(ends, 3, slice) < 0 && !is_passing(errno))
+            c->why = errno; /* LCOV_EXCL_LINE: a failing system call, make faults */
+        if (ends[0].revents != 0)
+            taken = send_questions(c, talk, &o);
+        if (ends[1].revents != 0)
+            hear_answers(c, talk, &enough, &answered);
+        if (ends[2].revents != 0)
+            moved += hear_errors(c);
+        if (taken || answered)
+            moved = seconds();
+        ended = ends[1].revents == 0 && has_ended(c);
+    }
+    if (ended)
+        hear_the_rest(c, talk, &enough);
+    else
+        hear_errors(c);
+    return is_interrupted(c) ? ENDING_INTERRUPTED
+           : c->why != 0     ? ENDING_BROKEN
+           : enough          ? ENDING_STOPPED
+           : ended           ? ENDING_EXIT
+                             : ENDING_TIMEOUT;
+}
+
+int client_close(struct client *c)
+{
+    int status = 0;
+    end_group();
+    while (c->pid > 0 && waitpid(c->pid, &status, 0) < 0 && errno == EINTR)
+        ;
+    running = 0;
+    close_end(&c->to);
+    close_end(&c->from);
+    close_end(&c->errors);
+    c->pid = -1;
+    sigprocmask(SIG_SETMASK, &c->signals, NULL);
+    return status;
+}

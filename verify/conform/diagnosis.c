@@ -1,0 +1,348 @@
+#include "conform/diagnosis.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "formula/exact.h"
+#include "sheet/slip.h"
+#include "evaluate/vectors.h"
+
+/* ---- mistakes at work ---- */
+
+struct suspect {
+    const char *name;
+    bool transforms;       /* the operation is done right, but on other inputs */
+    struct alternative a;
+    struct operation o;
+    struct input *inputs;  /* those others */
+};
+
+struct suspects {
+    struct suspect *all;
+    int count;
+};
+
+static void suspect_add(struct suspects *list, const struct section *s, const struct slip *m)
+{
+    list->all = memory(list->all, (size_t)list->count + 1, sizeof *list->all);
+    struct suspect *x = &list->all[list->count];
+    struct message why;
+    *x = (struct suspect){.name = m ? m->name : "as printed"};
+    if (m != NULL && !alternative_init(&x->a, sheet(), s, m, false, &why))
+        return;
+    x->transforms = m != NULL && !x->a.formulas_end;
+    if (x->transforms)
+        x->inputs = inputs_new(x->a.section->input_count);
+    list->count++;
+}
+
+/* The print's own formulas, the section's own mistakes, and those that every section may make. */
+static struct suspects suspects_of(const struct section *s)
+{
+    struct suspects list = {NULL, 0};
+    if (s->differs)
+        suspect_add(&list, s, NULL);
+    for (int i = 0; i < s->slip_count; i++)
+        suspect_add(&list, s, &s->slips[i]);
+    for (int i = 0; i < sheet()->slip_count; i++)
+        suspect_add(&list, s, &sheet()->slips[i]);
+    for (int i = 0; i < list.count; i++) { /* now that they move no more */
+        struct suspect *x = &list.all[i];
+        operation_init(&x->o, x->transforms ? x->a.section : s, x->a.section == NULL);
+        if (x->a.section == NULL || x->transforms)
+            continue;
+        operation_clear(&x->o);
+        x->o.formulas = &x->a.formulas;
+        machine_init(&x->o.machine, &x->a.formulas.program, &arithmetic_ball, 128);
+    }
+    return list;
+}
+
+static void suspects_clear(struct suspects *list)
+{
+    for (int i = 0; i < list->count; i++) {
+        struct suspect *x = &list->all[i];
+        operation_clear(&x->o);
+        if (x->transforms)
+            inputs_free(x->inputs, x->a.section->input_count);
+        if (x->a.section != NULL)
+            alternative_clear(&x->a);
+    }
+    free(list->all);
+}
+
+/* The inputs that the operation is done on; NULL where they have no exact value. */
+static const struct input *inputs_of(struct suspect *x, const struct input *inputs)
+{
+    if (!x->transforms)
+        return inputs;
+    struct operation transformation = {.section = x->a.section, .formulas = &x->a.formulas};
+    struct machine values;
+    bool rational = true;
+    operation_exact(&values, &transformation, inputs);
+    for (int i = 0; i < x->a.section->input_count; i++) {
+        rational = rational && exact_is_rational(&x->inputs[i].value, machine_value(&values, x->a.formulas.outputs[i]));
+        x->inputs[i].infinite = false;
+    }
+    machine_clear(&values);
+    return rational ? x->inputs : NULL;
+}
+
+/* Beyond ten hours a motion tells the same mistakes at a higher price; such vectors show what errors grow to. */
+static bool is_long(const struct section *s, const struct input *inputs)
+{
+    for (int i = 0; i < s->input_count; i++)
+        if (strcmp(s->inputs[i]->name, "t") == 0 && is_motion(s))
+            return fabs(fmpq_get_d(&inputs[i].value)) > 36000.0;
+    return false;
+}
+
+/* ---- diagnosis ---- */
+
+static const double PATIENCE = 1.0; /* seconds of processor time for an operation */
+
+/* Whether the suspect makes of the question what was answered. */
+static bool explains(struct suspect *x, const struct exam *e, const struct failure *f, const struct question *q,
+                     double digits)
+{
+    struct judge j;
+    struct score score;
+    const struct input *inputs = q->numbers ? inputs_of(x, q->inputs) : NULL;
+    const bool inside = inputs != NULL && operation_valid(&x->o, inputs);
+    if (f->finding == FOUND_INVALID || !inside)
+        return f->finding == FOUND_INVALID && !inside;
+    judge_init(&j, &x->o, e->significand, digits);
+    j.once = true; /* what is to explain the answer cannot need more than the truth */
+    for (int i = 0; i < x->o.section->output_count; i++)
+        arb_set_d(j.y + i, f->values[i]);
+    bool right = false;
+    if (f->finding == FOUND_WRONG || f->finding == FOUND_VALUE)
+        right = judge_answer(&j, inputs, &score) == FOUND_RIGHT;
+    else if (operation_enclose(&x->o, inputs, 128, j.exact) == OUTCOME_PROVED)
+        right = !_arb_vec_is_finite(j.exact, x->o.section->output_count); /* no number there either */
+    judge_clear(&j);
+    return right;
+}
+
+/* No more is wrong than that values stand where `invalid` is due. */
+static bool is_domain_alone(const struct tally *t)
+{
+    for (int i = FOUND_WRONG; i < FOUND_VALUE; i++)
+        if (t->counts[i] > 0)
+            return false;
+    return t->counts[FOUND_VALUE] > 0;
+}
+
+/* All failures that formulas can explain; of a motion the long ones only where there are no others. */
+static bool explains_all(struct suspect *x, const struct exam *e, const struct tally *t, double digits)
+{
+    const enum finding last = is_domain_alone(t) ? FOUND_VALUE : FOUND_INVALID;
+    struct question q;
+    int explained = 0;
+    bool all = true;
+    question_init(&q);
+    for (int pass = 0; pass < 2 && explained == 0 && all; pass++)
+        for (int i = 0; i < t->failure_count && all; i++) {
+            const struct failure *f = &t->failures[i];
+
+            if (f->finding < FOUND_WRONG || f->finding > last)
+                continue;
+            question_make(&q, &e->questions, f->position);
+            if (pass == 0 && q.numbers && is_long(q.course->operation.section, q.inputs))
+                continue;
+            all = clock() <= x->o.until && explains(x, e, f, &q, digits);
+            explained++;
+        }
+    question_clear(&q);
+    return all && explained > 0;
+}
+
+/* The fewest decimal digits (at most 15) that all wrong numbers are written with; 17 for more. */
+static int digits_written(const struct tally *t, int outputs)
+{
+    int digits = 1;
+    for (int i = 0; i < t->failure_count; i++)
+        for (int k = 0; k < outputs && t->failures[i].has_values && digits <= 15; k++) {
+            char text[40];
+            const double value = t->failures[i].values[k];
+            while (digits <= 15 && isfinite(value) &&
+                   (snprintf(text, sizeof text, "%.*e", digits - 1, value), strtod(text, NULL) != value))
+                digits++;
+        }
+    return digits <= 15 ? digits : 17;
+}
+
+static bool are_singles(const struct tally *t, int outputs)
+{
+    bool singles = true;
+    for (int i = 0; i < t->failure_count; i++)
+        for (int k = 0; k < outputs && t->failures[i].has_values; k++) {
+            const double value = t->failures[i].values[k];
+            singles = singles && fabs(value - (double)(float)value) <= 1e-9 * fabs(value); /* 9 digits write a float */
+        }
+    return singles;
+}
+
+/* Right in so many digits no formula is by chance. */
+static const double LOST = 1e-9;
+
+/* Right but for the number format: how it is computed, or how it is written. */
+static const char *format_mistake(const struct exam *e, int course, char text[48])
+{
+    const struct tally *t = &e->tallies[course];
+    const int outputs = e->judges[course].operation->section->output_count;
+    const int digits = digits_written(t, outputs);
+    double worst = 0.0;
+    for (int i = 0; i < t->failure_count; i++) {
+        if (t->failures[i].finding == FOUND_VALUE)
+            continue;
+        if (t->failures[i].finding != FOUND_WRONG)
+            return NULL;
+        worst = fmax(worst, t->failures[i].score.E);
+    }
+    if (worst == 0.0 || is_motion(e->judges[course].operation->section) || e->significand != BINARY64)
+        return NULL;
+    worst = ldexp(worst, -BINARY64); /* relative to |y*| + S */
+    if (are_singles(t, outputs) && worst <= ldexp(e->judges[course].K, -BINARY32))
+        return "computed in single precision";
+    snprintf(text, 48, "written with only %d digits", digits);
+    if (digits < 17 && worst <= 10.0 * pow(10.0, -digits))
+        return text;
+    if (!(worst < LOST))
+        return NULL;
+    snprintf(text, 48, "right in %d digits, the others are lost", (int)-log10(worst));
+    return text;
+}
+
+static void add_name(struct tally *t, const char *name, const char *joint)
+{
+    const size_t used = strlen(t->diagnosis);
+    snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s", used ? joint : "", name);
+}
+
+void diagnose(struct exam *e, int course)
+{
+    struct tally *t = &e->tallies[course];
+    const struct judge *j = &e->judges[course];
+    struct suspects list = suspects_of(j->operation->section);
+    const clock_t until = clock() + (clock_t)(PATIENCE * CLOCKS_PER_SEC);
+    char written[48];
+    for (int i = 0; i < list.count; i++) {
+        list.all[i].o.until = until;
+        if (explains_all(&list.all[i], e, t, j->digits))
+            add_name(t, list.all[i].name, "; or ");
+    }
+    t->hurried = clock() > until;
+    const char *format = t->diagnosis[0] == '\0' ? format_mistake(e, course, written) : NULL;
+    if (format != NULL)
+        add_name(t, format, "");
+    if (t->counts[FOUND_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
+        add_name(t, "inputs outside the domain are not refused", "; and ");
+    suspects_clear(&list);
+}
+
+/* ---- the kill table ---- */
+
+struct kills {
+    struct suspects suspects;
+    struct operation o;
+    struct judge judge;
+    struct input *inputs;
+    int *killed;   /* vectors, of each suspect                */
+    bool *differs; /* so small a difference does no harm here */
+    bool fine;
+};
+
+static bool are_equal(const struct input *a, const struct input *b, int count)
+{
+    bool equal = true;
+    for (int i = 0; i < count; i++)
+        equal = equal && a[i].infinite == b[i].infinite && fmpq_equal(&a[i].value, &b[i].value);
+    return equal;
+}
+
+/* Whether a vector tells a suspect from the truth. */
+static bool tells(struct kills *k, int i, bool inside)
+{
+    struct suspect *x = &k->suspects.all[i];
+    struct judge *j = &k->judge;
+    const int count = k->o.section->output_count;
+    const struct input *inputs = inputs_of(x, k->inputs);
+    struct score score;
+    if (inputs == NULL || operation_valid(&x->o, inputs) != inside)
+        return inside || inputs != NULL;
+    if (!inside || (x->o.section == k->o.section && x->transforms && are_equal(inputs, k->inputs, k->o.section->input_count)))
+        return false;
+    const slong digits = is_motion(k->o.section) ? (slong)j->digits + 8 : 60;
+    const slong prec = operation_precision(&x->o, inputs, digits);
+    if (operation_follow(&x->o, inputs, digits, prec, j->y) != OUTCOME_PROVED || !_arb_vec_is_finite(j->y, count))
+        return true;
+    j->worst = INFINITY;
+    const enum finding finding = judge_answer(j, k->inputs, &score);
+    j->followed = is_motion(k->o.section) && finding != FOUND_SKIPPED; /* the next suspect is held against the same motion */
+    for (int n = 0; n < count; n++)
+        k->differs[i] = k->differs[i] || !arb_overlaps(j->exact + n, j->y + n);
+    return finding == FOUND_WRONG;
+}
+
+static bool pins_an_edge(const char *flags)
+{
+    static const char *const edges[] = {"edge", "zero", "sign", "large", "small", "cancellation", "paper"};
+    bool pins = false;
+    for (size_t i = 0; i < sizeof edges / sizeof *edges; i++)
+        pins = pins || strstr(flags, edges[i]) != NULL;
+    return pins;
+}
+
+static bool print_kills(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
+{
+    struct kills *k = context;
+    const bool numbers = vector_read(o->section, texts, k->inputs);
+    const bool inside = numbers && operation_valid(&k->o, k->inputs);
+    int killed = 0;
+    k->judge.followed = false;
+    if (inside && is_long(o->section, k->inputs))
+        return true;
+    for (int i = 0; i < k->suspects.count && numbers; i++)
+        if (tells(k, i, inside)) {
+            fputs(killed == 0 ? id : "", stdout);
+            printf("%s%s", killed == 0 ? "," : "; ", k->suspects.all[i].name);
+            k->killed[i]++;
+            killed++;
+        }
+    if (killed > 0)
+        putchar('\n');
+    if (killed == 0 && inside && !pins_an_edge(flags)) {
+        fprintf(stderr, "%s: kills no mistake and pins no edge\n", id);
+        k->fine = false;
+    }
+    return true;
+}
+
+bool kills_print(const struct section *s, double digits)
+{
+    struct kills k = {.suspects = suspects_of(s), .inputs = inputs_new(s->input_count), .fine = true};
+    const size_t count = (size_t)k.suspects.count;
+    k.killed = memory(NULL, count, sizeof *k.killed);
+    k.differs = memory(NULL, count, sizeof *k.differs);
+    memset(k.killed, 0, count * sizeof *k.killed);
+    memset(k.differs, 0, count * sizeof *k.differs);
+    operation_init(&k.o, s, false);
+    judge_init(&k.judge, &k.o, BINARY64, digits);
+    golden_each(s, print_kills, &k);
+    for (size_t i = 0; i < count; i++)
+        if (k.killed[i] == 0 && k.differs[i]) {
+            fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, k.suspects.all[i].name);
+            k.fine = false;
+        }
+    judge_clear(&k.judge);
+    operation_clear(&k.o);
+    inputs_free(k.inputs, s->input_count);
+    free(k.killed);
+    free(k.differs);
+    suspects_clear(&k.suspects);
+    return k.fine;
+}

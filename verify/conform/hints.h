@@ -1,0 +1,12 @@
+/* What a line that is no answer looks like, in words for its writer. */
+#ifndef CT_HINTS_H
+#define CT_HINTS_H
+
+#include <stddef.h>
+
+#include "conform/judge.h"
+
+/* Of a line as it is shown, printable; "" where there is nothing to add to the finding. */
+void line_hint(const char *line, enum finding finding, char *hint, size_t size);
+
+#endif

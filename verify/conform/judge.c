@@ -1,0 +1,242 @@
+#include "conform/judge.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "formula/exact.h"
+#include "evaluate/sample.h"
+
+const char *const finding_names[FINDINGS] = {
+    "right",     "skipped",       "wrong",     "NaN",     "infinite",  "invalid where a value is due",
+    "a value where invalid is due", "wrong count", "malformed", "truncated", "too long", "wrong id",
+    "repeated",  "reordered",     "early",     "missing", "extra line", "too many lines out of place",
+    "time-out",  "crash",         "exit status"};
+
+bool is_motion(const struct section *s)
+{
+    return s->method != METHOD_NONE && !operation_has_sensitivity(s);
+}
+
+void judge_init(struct judge *j, struct operation *o, int significand, double digits)
+{
+    *j = (struct judge){.operation = o, .significand = significand, .K = o->section->K, .digits = digits};
+    j->y = _arb_vec_init(MOST_ANSWERS);
+    j->exact = _arb_vec_init(MOST_ANSWERS);
+    j->S = _arb_vec_init(MOST_ANSWERS);
+}
+
+void judge_clear(struct judge *j)
+{
+    _arb_vec_clear(j->y, MOST_ANSWERS);
+    _arb_vec_clear(j->exact, MOST_ANSWERS);
+    _arb_vec_clear(j->S, MOST_ANSWERS);
+}
+
+/* ---- algebra and roots ---- */
+
+/* K u S: what roundings of the inputs may do to an output. */
+static void rounding_reach(arb_t reach, const struct judge *j, int output)
+{
+    arb_set_d(reach, j->K);
+    arb_mul(reach, reach, j->S + output, 64);
+    arb_mul_2exp_si(reach, reach, -j->significand);
+}
+
+/*
+ * Whether roundings of the inputs decide on stability by (42): no margin is negative beyond them, and one is within them.
+ * A margin that no rounding moves, S = 0, is what it is.
+ */
+static bool on_the_boundary(const struct judge *j)
+{
+    bool within = false, unstable = false;
+    arb_t reach, size;
+    arb_init(reach);
+    arb_init(size);
+    for (int i = 0; i < 2; i++) {
+        rounding_reach(reach, j, i);
+        arb_abs(size, j->exact + i);
+        const bool beyond = arb_gt(size, reach) || arb_is_zero(j->S + i);
+        within = within || !beyond;
+        unstable = unstable || (beyond && !arb_is_positive(j->exact + i));
+    }
+    arb_clear(reach);
+    arb_clear(size);
+    return within && !unstable;
+}
+
+/* On the boundary either verdict on stability is right, and nothing else is. */
+static void allow_either(struct judge *j)
+{
+    const int stable = j->operation->section->output_count - 1;
+    if ((arb_is_zero(j->y + stable) || arb_is_one(j->y + stable)) && on_the_boundary(j))
+        arb_set(j->exact + stable, j->y + stable);
+}
+
+/* An exact zero that enclosures only shrink around; a pole of a derivative, where S is infinite and excuses nothing. */
+static void settle(struct judge *j, const struct input *inputs, slong prec)
+{
+    const struct operation *o = j->operation;
+    struct machine values;
+    fmpq_t value;
+    operation_exact(&values, o, inputs);
+    fmpq_init(value);
+    for (int i = 0; i < o->section->output_count; i++) {
+        if (exact_is_rational(value, machine_value(&values, o->formulas->outputs[i])))
+            arb_set_fmpq(j->exact + i, value, prec);
+        operation_sensitivity_settled(j->operation, inputs, prec, i, j->S + i);
+        if (!arb_is_finite(j->S + i))
+            arb_zero(j->S + i);
+    }
+    fmpq_clear(value);
+    machine_clear(&values);
+}
+
+static struct bounds error_of(struct judge *j, const struct input *inputs, struct score *score)
+{
+    const struct section *s = j->operation->section;
+    const struct bounds E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output);
+    score->E = E.upper;
+    return E;
+}
+
+enum finding finding_of_bounds(struct bounds E, double K)
+{
+    return E.upper <= K ? FOUND_RIGHT : E.lower > K ? FOUND_WRONG : FOUND_SKIPPED;
+}
+
+/* |y - y*| 2^significand against K (|y*| + S) in rational numbers: E = K passes, and no enclosure sees that it does. */
+static enum finding compare_exactly(struct judge *j, const struct input *inputs, const fmpq_t exact, int output)
+{
+    fmpq_t S, off, allowed;
+    enum finding finding = FOUND_SKIPPED;
+    fmpq_init(S);
+    fmpq_init(off);
+    fmpq_init(allowed);
+    if (operation_sensitivity_rational(j->operation, inputs, output, S)) {
+        arf_get_fmpq(off, arb_midref(j->y + output));
+        fmpq_sub(off, off, exact);
+        fmpq_abs(off, off);
+        fmpq_mul_2exp(off, off, (ulong)j->significand);
+        fmpq_abs(allowed, exact);
+        fmpq_add(allowed, allowed, S);
+        fmpq_set_double(S, j->K);
+        fmpq_mul(allowed, allowed, S);
+        finding = fmpq_cmp(off, allowed) <= 0 ? FOUND_RIGHT : FOUND_WRONG;
+    }
+    fmpq_clear(S);
+    fmpq_clear(off);
+    fmpq_clear(allowed);
+    return finding;
+}
+
+/* Outputs that enclosures leave undecided, one by one. */
+static enum finding judge_exactly(struct judge *j, const struct input *inputs, struct score *score)
+{
+    const struct operation *o = j->operation;
+    enum finding all = FOUND_RIGHT;
+    struct machine exact;
+    fmpq_t truth;
+    operation_exact(&exact, o, inputs);
+    fmpq_init(truth);
+    for (int i = 0; i < o->section->output_count && all != FOUND_WRONG; i++) {
+        enum finding one = finding_of_bounds(
+            error_in_roundings(arb_midref(j->y + i), j->exact + i, j->S + i, j->significand), j->K);
+        if (one == FOUND_SKIPPED && exact_is_rational(truth, machine_value(&exact, o->formulas->outputs[i])))
+            one = compare_exactly(j, inputs, truth, i);
+        all = one == FOUND_RIGHT ? all : one;
+    }
+    fmpq_clear(truth);
+    machine_clear(&exact);
+    if (all == FOUND_RIGHT)
+        score->E = j->K;
+    return all;
+}
+
+static enum finding judge_in_roundings(struct judge *j, const struct input *inputs, struct score *score)
+{
+    const struct section *s = j->operation->section;
+    const bool judges_stability = strcmp(s->outputs[s->output_count - 1]->name, "stable") == 0;
+    const slong most = 16384;
+    enum finding finding = FOUND_SKIPPED;
+    for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most && finding == FOUND_SKIPPED; prec *= 4) {
+        operation_enclose(j->operation, inputs, prec, j->exact);
+        _arb_vec_zero(j->S, s->output_count);
+        if (s->method == METHOD_FORMULA && error_of(j, inputs, score).upper <= fmin(j->K, j->worst))
+            return FOUND_RIGHT; /* without S already, and no new worst */
+        operation_sensitivity(j->operation, inputs, prec, j->S);
+        if (4 * prec > most && s->method == METHOD_FORMULA)
+            settle(j, inputs, prec);
+        if (judges_stability)
+            allow_either(j);
+        finding = finding_of_bounds(error_of(j, inputs, score), j->K);
+    }
+    return finding == FOUND_SKIPPED && s->method == METHOD_FORMULA ? judge_exactly(j, inputs, score) : finding;
+}
+
+/* ---- motions ---- */
+
+static double midpoint(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+static int place_of(const struct section *s, const char *name)
+{
+    int i = 0;
+    while (i < s->input_count && strcmp(s->inputs[i]->name, name) != 0)
+        i++;
+    return i;
+}
+
+/* Digits of the largest coordinate; `lost` gets what the truth's enclosures are wide, on the same scale. */
+static double digits_reached(const struct judge *j, const struct input *inputs, double *lost)
+{
+    const struct section *s = j->operation->section;
+    const bool linear = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_RK4_LINEAR;
+    const double Omega = fmpq_get_d(&inputs[place_of(s, "Omega")].value);
+    const double L_ref = fmpq_get_d(&inputs[place_of(s, "L_ref")].value);
+    const struct input *initial = inputs + place_of(s, "t") + 1;
+    double scale = 0.0, off = 0.0, wide = 0.0;
+    arb_t difference;
+    mag_t most;
+    arb_init(difference);
+    mag_init(most);
+    for (int i = 0; i < s->output_count; i++) {
+        const double unit = (linear && i % 3 != 2 ? 1.0 : 1.0 / L_ref) / (i < 3 ? 1.0 : Omega);
+        arb_sub(difference, j->y + i, j->exact + i, 256);
+        arb_get_mag(most, difference);
+        scale = fmax(scale, unit * fmax(fabs(fmpq_get_d(&initial[i].value)), fabs(midpoint(j->exact + i))));
+        off = fmax(off, unit * mag_get_d(most));
+        wide = fmax(wide, unit * mag_get_d(arb_radref(j->exact + i))); /* whatever the answer is: more bits make no other */
+    }
+    arb_clear(difference);
+    mag_clear(most);
+    *lost = scale > 0.0 ? wide / scale : wide;
+    return off == 0.0 ? INFINITY : scale > 0.0 ? -log10(off / scale) : 0.0;
+}
+
+static enum finding judge_in_digits(struct judge *j, const struct input *inputs, struct score *score)
+{
+    const slong digits = (slong)j->digits + 8; /* enough to see a client do better than it says */
+    const slong first = operation_precision(j->operation, inputs, digits);
+    double lost = INFINITY;
+    if (j->followed)
+        score->digits = digits_reached(j, inputs, &lost);
+    const slong most = j->once ? first : 8 * first;
+    for (slong prec = first; prec <= most && !(lost <= pow(10.0, -j->digits - 5.0)); prec *= 2)
+        if (operation_follow(j->operation, inputs, digits, prec, j->exact) == OUTCOME_PROVED)
+            score->digits = digits_reached(j, inputs, &lost);
+    if (isinf(lost))
+        return FOUND_SKIPPED;
+    return score->digits >= j->digits ? FOUND_RIGHT : FOUND_WRONG;
+}
+
+enum finding judge_answer(struct judge *j, const struct input *inputs, struct score *score)
+{
+    *score = (struct score){.E = 0.0, .digits = INFINITY};
+    if (is_motion(j->operation->section))
+        return judge_in_digits(j, inputs, score);
+    enum finding finding = judge_in_roundings(j, inputs, score);
+    j->worst = fmax(j->worst, finding == FOUND_RIGHT ? score->E : 0.0);
+    return finding;
+}

@@ -1,0 +1,68 @@
+/*
+ * What an answer is worth. Algebra and roots are judged in roundings, E <= K (errors.h); motions by the
+ * decimal digits reached of the motion's largest coordinate, at 0 or at t, lengths over L_ref and time in
+ * radians of orbit. The truth is certified when it is needed, with no more bits than decide.
+ */
+#ifndef CT_JUDGE_H
+#define CT_JUDGE_H
+
+#include "evaluate/errors.h"
+
+enum { MOST_ANSWERS = 16 };
+
+/* What may come of a question, or of a line that answers none; everything behind SKIPPED is a failure. */
+enum finding {
+    FOUND_RIGHT,
+    FOUND_SKIPPED,
+    FOUND_WRONG,     /* E > K, or too few digits                                       */
+    FOUND_NAN,
+    FOUND_INFINITE,
+    FOUND_INVALID,   /* where a value is due                                           */
+    FOUND_VALUE,     /* where `invalid` is due                                         */
+    FOUND_COUNT,     /* too few or too many outputs                                    */
+    FOUND_MALFORMED, /* no id, or something that is no number                          */
+    FOUND_TRUNCATED, /* the last line has no end                                       */
+    FOUND_TOO_LONG,  /* a line                                                         */
+    FOUND_STRANGER,  /* an id that no question has                                     */
+    FOUND_REPEATED,
+    FOUND_REORDERED, /* behind the answer to a later question                          */
+    FOUND_EARLY,     /* before its question                                            */
+    FOUND_MISSING,
+    FOUND_EXTRA,     /* a line behind the last answer                                  */
+    FOUND_FLOOD,     /* so many lines out of place that the client was stopped         */
+    FOUND_TIMEOUT,
+    FOUND_CRASH,     /* ended by a signal                                              */
+    FOUND_EXIT,      /* an exit status other than 0                                    */
+    FINDINGS
+};
+
+extern const char *const finding_names[FINDINGS];
+
+struct judge {
+    struct operation *operation;
+    int significand;
+    double K, digits;     /* what passes: E of at most K, digits of at least so many */
+    double worst;         /* E below this need not be known exactly                  */
+    arb_ptr y, exact, S;  /* the answer; its truth                                   */
+    bool followed;        /* exact holds the truth of this motion from the last time */
+    bool once;            /* a motion is followed with the first precision alone     */
+};
+
+struct score {
+    double E, digits; /* an upper bound, a lower bound */
+    int output;       /* of the worst E                */
+};
+
+bool is_motion(const struct section *s);
+
+/* The operation stays the caller's. */
+void judge_init(struct judge *j, struct operation *o, int significand, double digits);
+void judge_clear(struct judge *j);
+
+/* The finding on j->y, for inputs in the domain: right or wrong; skipped where the truth cannot be certified. */
+enum finding judge_answer(struct judge *j, const struct input *inputs, struct score *score);
+
+/* What bounds on E come to: E <= K is right, E > K wrong; skipped where neither is proved, which is not the client's fault. */
+enum finding finding_of_bounds(struct bounds E, double K);
+
+#endif

@@ -1,0 +1,36 @@
+/* The report of an examination: a table and what failed as text, or a file for machines. */
+#ifndef CT_REPORT_H
+#define CT_REPORT_H
+
+#include <stdio.h>
+
+#include "conform/conform.h"
+
+struct report {
+    struct exam *exam;
+    const char *client;          /* its name, or the answers file's                    */
+    const char *errors;          /* the last of its standard error                     */
+    double seconds;              /* of processor time that the oracle took for itself  */
+    void (*diagnose)(struct exam *exam, int course); /* asked once what failed is written; NULL: nobody */
+};
+
+enum { LEVELS = 4 };
+extern const char *const level_names[LEVELS]; /* algebra, roots, flows, method */
+int level_of(const struct section *s);
+
+/* The sums of all tallies: questions right, findings that are failures, questions skipped. */
+struct totals {
+    uint64_t passed, failed, skipped;
+};
+struct totals report_totals(const struct exam *e);
+
+void report_text(const struct report *r, FILE *file);
+
+/* By the name's end: .xml is JUnit's. */
+enum report_format { REPORT_NONE, REPORT_XML, REPORT_JSON };
+enum report_format report_format(const char *name);
+
+/* A file of that name, whole or not at all. 0, or the errno that says why not. */
+int report_write(const struct report *r, const char *name);
+
+#endif

@@ -1,0 +1,413 @@
+#include "evaluate/errors.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "formula/exact.h"
+#include "evaluate/reference.h"
+#include "proof/roots.h"
+#include "evaluate/sample.h"
+
+enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16, TRUTH_BITS = 192 };
+
+/* ---- sensitivities ---- */
+
+/* Adds |x dy| to S. */
+static void add_term(arb_t S, const struct input *x, arb_srcptr derivative, slong prec)
+{
+    arb_t term;
+    if (x->infinite)
+        return; /* nothing depends on the last digit of infinity */
+    arb_init(term);
+    arb_set_fmpq(term, &x->value, prec);
+    arb_mul(term, term, derivative, prec);
+    arb_abs(term, term);
+    arb_add(S, S, term, prec);
+    arb_clear(term);
+}
+
+/* Of a root z, from p(z; x) = 0: dz/dx = -p_x(z) / p_z(z), coefficients and their gradients of Eq. (41). */
+static void root_sensitivity(arb_t S, acb_srcptr z, arb_srcptr coefficients, arb_srcptr gradients,
+                             const struct input *inputs, slong prec)
+{
+    acb_t slope, p, power, term;
+    arb_t modulus;
+    acb_init(slope);
+    acb_init(p);
+    acb_init(power);
+    acb_init(term);
+    arb_init(modulus);
+    for (int k = 4; k >= 1; k--) {
+        acb_mul(slope, slope, z, prec);
+        arb_mul_ui(modulus, coefficients + k, (ulong)k, prec);
+        acb_add_arb(slope, slope, modulus, prec);
+    }
+    arb_zero(S);
+    for (int i = 0; i < 3; i++) {
+        acb_zero(p);
+        for (int k = 4; k >= 0; k--) {
+            acb_mul(p, p, z, prec);
+            acb_add_arb(p, p, gradients + 5 * i + k, prec);
+        }
+        acb_div(term, p, slope, prec);
+        acb_abs(modulus, term, prec);
+        add_term(S, &inputs[i], modulus, prec);
+    }
+    acb_clear(slope);
+    acb_clear(p);
+    acb_clear(power);
+    acb_clear(term);
+    arb_clear(modulus);
+}
+
+/* Coefficients of (41) and what each input does to them. */
+static void polynomial41(const struct input *inputs, slong prec, arb_ptr coefficients, arb_ptr gradients)
+{
+    struct operation polynomial;
+    struct machine adjoint;
+    operation_init(&polynomial, section_find(sheet(), "eq41"), false);
+    operation_enclose(&polynomial, inputs, prec, coefficients);
+    machine_init(&adjoint, polynomial.machine.program, &arithmetic_ball, prec);
+    for (int k = 0; k < 5; k++) {
+        machine_gradient(&polynomial.machine, polynomial.formulas->outputs[k], &adjoint);
+        for (int i = 0; i < 3; i++)
+            arb_set(gradients + 5 * i + k, machine_value(&adjoint, i));
+    }
+    machine_clear(&adjoint);
+    operation_clear(&polynomial);
+}
+
+static void roots_sensitivity(const struct input *inputs, slong prec, arb_ptr S)
+{
+    acb_ptr roots = _acb_vec_init(4);
+    arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
+    polynomial41(inputs, prec, coefficients, gradients);
+    roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
+    for (int k = 0; k < 4; k++) {
+        root_sensitivity(S + 2 * k, roots + k, coefficients, gradients, inputs, prec);
+        arb_set(S + 2 * k + 1, S + 2 * k);
+    }
+    _acb_vec_clear(roots, 4);
+    _arb_vec_clear(coefficients, 5);
+    _arb_vec_clear(gradients, 15);
+}
+
+bool operation_has_sensitivity(const struct section *s)
+{
+    return s->method == METHOD_FORMULA || s->method == METHOD_ROOTS;
+}
+
+void operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S)
+{
+    const struct section *s = o->section;
+    if (s->method == METHOD_ROOTS) {
+        roots_sensitivity(inputs, prec, S);
+        return;
+    }
+    struct machine adjoint;
+    arb_ptr values = _arb_vec_init(s->output_count);
+    operation_enclose(o, inputs, prec, values); /* fills the machine */
+    machine_init(&adjoint, o->machine.program, &arithmetic_ball, prec);
+    for (int k = 0; k < s->output_count; k++) {
+        machine_gradient(&o->machine, o->formulas->outputs[k], &adjoint);
+        arb_zero(S + k);
+        for (int i = 0; i < s->input_count; i++)
+            add_term(S + k, &inputs[i], machine_value(&adjoint, i), prec);
+    }
+    machine_clear(&adjoint);
+    _arb_vec_clear(values, s->output_count);
+}
+
+void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
+                                   arb_t S)
+{
+    const struct section *s = o->section;
+    if (s->method == METHOD_ROOTS) {
+        arb_pos_inf(S); /* of a multiple root, which moves like the root of a change */
+        return;
+    }
+    struct machine exact, derivatives, balls;
+    arb_ptr values = _arb_vec_init(s->output_count);
+    const int node = o->formulas->outputs[output];
+    operation_enclose(o, inputs, prec, values);
+    operation_exact(&exact, o, inputs);
+    machine_init(&derivatives, exact.program, &arithmetic_exact, 0);
+    machine_init(&balls, exact.program, &arithmetic_ball, prec);
+    machine_gradient(&exact, node, &derivatives);
+    machine_gradient(&o->machine, node, &balls);
+    arb_zero(S);
+    for (int i = 0; i < s->input_count; i++) {
+        const struct exact *derivative = machine_value(&derivatives, i);
+        if (exact_is_undefined(derivative))
+            arb_pos_inf(S);
+        else if (!exact_is_zero(derivative) && arb_is_finite(S))
+            add_term(S, &inputs[i], machine_value(&balls, i), prec);
+    }
+    machine_clear(&exact);
+    machine_clear(&derivatives);
+    machine_clear(&balls);
+    _arb_vec_clear(values, s->output_count);
+}
+
+bool operation_sensitivity_rational(struct operation *o, const struct input *inputs, int output, fmpq_t S)
+{
+    struct machine exact, derivatives;
+    fmpq_t term;
+    bool rational = true;
+    operation_exact(&exact, o, inputs);
+    machine_init(&derivatives, exact.program, &arithmetic_exact, 0);
+    machine_gradient(&exact, o->formulas->outputs[output], &derivatives);
+    fmpq_init(term);
+    fmpq_zero(S);
+    for (int i = 0; i < o->section->input_count; i++) {
+        const struct exact *derivative = machine_value(&derivatives, i);
+        rational = rational && exact_is_rational(term, derivative);
+        if (!rational || inputs[i].infinite)
+            continue;
+        fmpq_mul(term, term, &inputs[i].value);
+        fmpq_abs(term, term);
+        fmpq_add(S, S, term);
+    }
+    fmpq_clear(term);
+    machine_clear(&derivatives);
+    machine_clear(&exact);
+    return rational;
+}
+
+/* ---- the unit of error ---- */
+
+/*
+ * Theorem. Whatever y* and S are in their balls, E = |y - y*| / (u (|y*| + S)) lies between lower and upper. The error terms,
+ * each with a test of its name in tests/test_errors.c:
+ *   (E1) the radius of |y - y*|, up and down          (E2) the radii of |y*| and S in the weight
+ *   (E3) a weight that may be zero has no upper bound  (E4) the quotient is rounded outward
+ *   (E5) of several outputs the worst, of several ways to match roots the best, in both bounds
+ *   (E6) MPFR's value lies in the ball widened by 2^16 of its own roundings, for every output  (mpfr_inside)
+ */
+/* Bounds on distance / (u weight). */
+static struct bounds roundings(const arb_t distance, const arb_t weight, int significand)
+{
+    struct bounds E = {0.0, 0.0};
+    arb_t quotient;
+    arf_t bound;
+    if (arb_is_zero(distance))
+        return E;
+    E.upper = INFINITY;
+    if (arb_is_zero(weight) || (arf_is_pos_inf(arb_midref(weight)) && !arb_contains_zero(distance)))
+        E.lower = arb_contains_zero(distance) ? 0.0 : INFINITY;
+    if (!arb_is_finite(distance) || !arb_is_finite(weight) || arb_contains_zero(weight))
+        return E;
+    arb_init(quotient);
+    arf_init(bound);
+    arb_mul_2exp_si(quotient, weight, -significand);
+    arb_div(quotient, distance, quotient, 64);
+    arb_get_ubound_arf(bound, quotient, 64);
+    E.upper = arf_get_d(bound, ARF_RND_UP);
+    arb_get_lbound_arf(bound, quotient, 64);
+    E.lower = fmax(arf_get_d(bound, ARF_RND_DOWN), 0.0);
+    arb_clear(quotient);
+    arf_clear(bound);
+    return E;
+}
+
+struct bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand)
+{
+    arb_t distance, weight;
+    if (!arf_is_finite(y))
+        return (struct bounds){INFINITY, INFINITY};
+    arb_init(distance);
+    arb_init(weight);
+    arb_sub_arf(distance, exact, y, TRUTH_BITS);
+    arb_abs(distance, distance);
+    arb_abs(weight, exact);
+    arb_add(weight, weight, S, 64);
+    const struct bounds E = roundings(distance, weight, significand);
+    arb_clear(distance);
+    arb_clear(weight);
+    return E;
+}
+
+/* ---- roots, complex numbers of which S is a modulus too ---- */
+
+/* |y - z| against u (|z| + S) */
+static struct bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S, int significand)
+{
+    arb_t re, im;
+    arb_init(re);
+    arb_init(im);
+    arb_sub(re, y, z, TRUTH_BITS);
+    arb_sub(im, y + 1, z + 1, TRUTH_BITS);
+    arb_hypot(re, re, im, TRUTH_BITS);
+    arb_hypot(im, z, z + 1, TRUTH_BITS);
+    arb_add(im, im, S, TRUTH_BITS);
+    const struct bounds E = roundings(re, im, significand);
+    arb_clear(re);
+    arb_clear(im);
+    return E;
+}
+
+/*
+ * A multiple root moves like a root of the change and has no S: what counts is the polynomial's value there,
+ * |p(y)| against u times what one rounding of each coefficient and of each input does to it.
+ */
+static struct bounds residual_error(arb_srcptr y, const struct input *inputs, int significand)
+{
+    arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
+    acb_t z, power, sum, moved[3];
+    arb_t weight, modulus;
+    acb_init(z);
+    acb_init(power);
+    acb_init(sum);
+    arb_init(weight);
+    arb_init(modulus);
+    for (int i = 0; i < 3; i++)
+        acb_init(moved[i]);
+    polynomial41(inputs, TRUTH_BITS, coefficients, gradients);
+    acb_set_arb_arb(z, y, y + 1);
+    acb_one(power);
+    for (int k = 0; k < 5; k++) {
+        acb_addmul_arb(sum, power, coefficients + k, TRUTH_BITS);
+        acb_abs(modulus, power, TRUTH_BITS);
+        arb_mul(modulus, modulus, coefficients + k, TRUTH_BITS);
+        arb_abs(modulus, modulus);
+        arb_add(weight, weight, modulus, TRUTH_BITS);
+        for (int i = 0; i < 3; i++)
+            acb_addmul_arb(moved[i], power, gradients + 5 * i + k, TRUTH_BITS);
+        acb_mul(power, power, z, TRUTH_BITS);
+    }
+    for (int i = 0; i < 3; i++) {
+        acb_abs(modulus, moved[i], TRUTH_BITS);
+        add_term(weight, &inputs[i], modulus, TRUTH_BITS);
+        acb_clear(moved[i]);
+    }
+    acb_abs(modulus, sum, TRUTH_BITS);
+    const struct bounds E = roundings(modulus, weight, significand);
+    acb_clear(z);
+    acb_clear(power);
+    acb_clear(sum);
+    arb_clear(weight);
+    arb_clear(modulus);
+    _arb_vec_clear(coefficients, 5);
+    _arb_vec_clear(gradients, 15);
+    return E;
+}
+
+static double distance(arb_srcptr y, arb_srcptr z)
+{
+    return hypot(arf_get_d(arb_midref(y), ARF_RND_NEAR) - arf_get_d(arb_midref(z), ARF_RND_NEAR),
+                 arf_get_d(arb_midref(y + 1), ARF_RND_NEAR) - arf_get_d(arb_midref(z + 1), ARF_RND_NEAR));
+}
+
+/* Root j of the four for y; a multiple one by the residual, as long as no other root is nearer. */
+static struct bounds one_of_four(arb_srcptr y, arb_srcptr exact, arb_srcptr S, int j, const struct input *inputs,
+                          int significand)
+{
+    bool multiple = false, nearest = true;
+    for (int k = 0; k < 4; k++) {
+        const bool same = arb_equal(exact + 2 * k, exact + 2 * j) && arb_equal(exact + 2 * k + 1, exact + 2 * j + 1);
+        multiple = multiple || (same && k != j);
+        nearest = nearest && (same || distance(y, exact + 2 * j) < distance(y, exact + 2 * k));
+    }
+    if (!multiple)
+        return root_error(y, exact + 2 * j, S + 2 * j, significand);
+    return nearest ? residual_error(y, inputs, significand) : (struct bounds){INFINITY, INFINITY};
+}
+
+/* Roots are a set: of all 24 ways to match them, the one with the least worst E. */
+static struct bounds matched_error(const struct input *inputs, arb_srcptr y, arb_srcptr exact, arb_srcptr S,
+                            int significand)
+{
+    struct bounds E[4][4], least = {INFINITY, INFINITY};
+    for (int i = 0; i < 16; i++)
+        E[i / 4][i % 4] = one_of_four(y + 2 * (i / 4), exact, S, i % 4, inputs, significand);
+    for (int code = 0; code < 256; code++) {
+        const int to[4] = {code & 3, (code >> 2) & 3, (code >> 4) & 3, (code >> 6) & 3};
+        if (((1 << to[0]) | (1 << to[1]) | (1 << to[2]) | (1 << to[3])) != 15)
+            continue;
+        struct bounds worst = {0.0, 0.0};
+        for (int i = 0; i < 4; i++) {
+            worst.lower = fmax(worst.lower, E[i][to[i]].lower);
+            worst.upper = fmax(worst.upper, E[i][to[i]].upper);
+        }
+        least.lower = fmin(least.lower, worst.lower);
+        least.upper = fmin(least.upper, worst.upper);
+    }
+    return least;
+}
+
+struct bounds worst_error(const struct section *s, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
+                          arb_srcptr S, int significand, int *output)
+{
+    struct bounds worst = {0.0, -1.0};
+    *output = 0;
+    if (s->method == METHOD_ROOTS)
+        return matched_error(inputs, y, exact, S, significand);
+    for (int i = 0; i < s->output_count; i++) {
+        const struct bounds E = error_in_roundings(arb_midref(y + i), exact + i, S + i, significand);
+        worst.lower = fmax(worst.lower, E.lower);
+        if (E.upper > worst.upper) {
+            worst.upper = E.upper;
+            *output = i;
+        }
+    }
+    return worst;
+}
+
+/* ---- ref/ on random inputs ---- */
+
+bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact, arb_srcptr S)
+{
+    struct machine m;
+    arb_t value, room;
+    bool inside = true;
+    machine_init(&m, &o->formulas->program, &arithmetic_mpfr, 2 * TRUTH_BITS);
+    for (int i = 0; i < o->section->input_count; i++)
+        arithmetic_mpfr.set_rational(machine_value(&m, i), &inputs[i].value, m.prec);
+    machine_run(&m);
+    arb_init(value);
+    arb_init(room);
+    for (int i = 0; i < o->section->output_count; i++) {
+        arb_zero(value);
+        arf_set_mpfr(arb_midref(value), machine_value(&m, o->formulas->outputs[i]));
+        arb_abs(room, exact + i);
+        arb_add(room, room, S + i, TRUTH_BITS);
+        arb_mul_2exp_si(room, room, 16 - 2 * TRUTH_BITS); /* 2^16 roundings: far more than a formula has */
+        arb_add_error(value, room);
+        inside = inside && arb_overlaps(value, exact + i);
+    }
+    arb_clear(value);
+    arb_clear(room);
+    machine_clear(&m);
+    return inside;
+}
+
+void measure_errors(struct measured *m, const struct section *s, long count, uint64_t seed)
+{
+    double values[MOST_INPUTS], answers[MOST_OUTPUTS];
+    struct input *inputs = inputs_new(s->input_count);
+    arb_ptr y = _arb_vec_init(MOST_OUTPUTS), exact = _arb_vec_init(MOST_OUTPUTS), S = _arb_vec_init(MOST_OUTPUTS);
+    reference_function *function = reference_find(s->id);
+    struct operation o;
+    operation_init(&o, s, false);
+    *m = (struct measured){.section = s, .inputs = count};
+    for (long index = 0; index < count; index++) {
+        int output;
+        sample(&o, seed, (uint64_t)index, values, inputs);
+        function(values, answers);
+        operation_sensitivity(&o, inputs, TRUTH_BITS, S);
+        operation_enclose(&o, inputs, TRUTH_BITS, exact);
+        for (int i = 0; i < s->output_count; i++)
+            arb_set_d(y + i, answers[i]);
+        const double E = worst_error(s, inputs, y, exact, S, BINARY64, &output).upper;
+        if (E > m->worst) {
+            m->worst = E;
+            m->index = index;
+        }
+        m->outside += s->method == METHOD_FORMULA && !mpfr_inside(&o, inputs, exact, S);
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    _arb_vec_clear(y, MOST_OUTPUTS);
+    _arb_vec_clear(exact, MOST_OUTPUTS);
+    _arb_vec_clear(S, MOST_OUTPUTS);
+}

@@ -1,0 +1,215 @@
+/*
+ * Golden vectors: the paper's case, the same with each input changed in turn, random ones, the sheet's own, and each
+ * condition of the domain from just outside and just inside. Their ids never change: new ones may join, none is renamed.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/decimal.h"
+#include "evaluate/domain.h"
+#include "evaluate/errors.h"
+#include "evaluate/sample.h"
+#include "evaluate/vectors.h"
+
+enum { MOST_INPUTS = 40, RANDOM = 10 };
+
+struct golden {
+    struct operation o;
+    const char *base[MOST_INPUTS]; /* the paper's case */
+    golden_receiver *receive;
+    void *context;
+    bool fine;
+};
+
+static void hand_on(struct golden *g, const char *name, const char *const *texts, const char *flags)
+{
+    char id[96];
+    snprintf(id, sizeof id, "%s-%s", g->o.section->id, name);
+    g->fine = g->fine && g->receive(g->context, &g->o, id, texts, flags);
+}
+
+/* The base with one input replaced, or two masses. */
+static void replaced(struct golden *g, const char *how, int i, const char *text, const char *flags)
+{
+    const char *texts[MOST_INPUTS];
+    char name[80];
+    memcpy(texts, g->base, sizeof texts);
+    texts[i] = text;
+    snprintf(name, sizeof name, "%s-%s", how, g->o.section->inputs[i]->name);
+    hand_on(g, name, texts, flags);
+}
+
+static int place(const struct section *s, const char *name)
+{
+    for (int i = 0; i < s->input_count; i++)
+        if (strcmp(s->inputs[i]->name, name) == 0)
+            return i;
+    return -1;
+}
+
+/* The paper's masses are equal, which hides which is which. */
+static void unequal_masses(struct golden *g)
+{
+    static const char *const ratios[][3] = {
+        {"mass-1-3", "100", "300"}, {"mass-1000-1", "1000", "1"}, {"mass-1-1000", "1", "1000"}};
+    int m1 = place(g->o.section, "m1"), m2 = place(g->o.section, "m2");
+    for (int k = 0; k < 3 && m1 >= 0 && m2 >= 0; k++) {
+        const char *texts[MOST_INPUTS];
+        memcpy(texts, g->base, sizeof texts);
+        texts[m1] = ratios[k][1];
+        texts[m2] = ratios[k][2];
+        hand_on(g, ratios[k][0], texts, "unequal-masses");
+    }
+}
+
+/* One input at a time: its sign, zero, a billion times as large or as small. */
+static void one_changed(struct golden *g, int i)
+{
+    const struct quantity *q = g->o.section->inputs[i];
+    const double value = strtod(g->base[i], NULL);
+    char text[32];
+    if (q->either_sign) {
+        decimal_shortest(text, -value);
+        if (value != 0.0)
+            replaced(g, "sign", i, text, "sign");
+        replaced(g, "zero", i, "0", "zero");
+    }
+    if (value == 0.0)
+        return;
+    decimal_shortest(text, ldexp(value, 30));
+    replaced(g, "large", i, text, "large");
+    decimal_shortest(text, ldexp(value, -30));
+    replaced(g, "small", i, text, "small");
+}
+
+/* What the domain has to refuse, one defect at a time; and what it must not. */
+static void extremes_of(struct golden *g, int i, bool late)
+{
+    char text[32];
+    for (int n = 0; n < EXTREMES; n++) {
+        if (extremes[n].late != late || !extreme_of(&extremes[n], g->o.section->inputs[i]))
+            continue;
+        value_text(text, extremes[n].value);
+        replaced(g, extremes[n].name, i, text, extremes[n].outside ? "" : "edge");
+    }
+}
+
+static void hand_on_values(struct golden *g, const char *name, const double *values, const char *flags)
+{
+    char decimals[MOST_INPUTS][32];
+    const char *texts[MOST_INPUTS] = {NULL};
+    for (int i = 0; i < g->o.section->input_count; i++) {
+        value_text(decimals[i], values[i]);
+        texts[i] = strtod(g->base[i], NULL) == values[i] ? g->base[i] : decimals[i];
+    }
+    hand_on(g, name, texts, flags);
+}
+
+/* Each condition of the domain just violated, and just kept; craft that all but touch do so at t = 0, and part by then. */
+static void domain_edges(struct golden *g)
+{
+    const struct section *s = g->o.section;
+    const int t = place(s, "t");
+    double base[MOST_INPUTS], values[MOST_INPUTS];
+    char name[40];
+    for (int i = 0; i < s->input_count; i++)
+        base[i] = strtod(g->base[i], NULL);
+    for (int k = 0; k < 2 * g->o.formulas->count; k++) {
+        const bool outside = k % 2 == 0;
+        memcpy(values, base, sizeof values);
+        if (t >= 0 && !outside)
+            values[t] = 0.0;
+        if (!domain_edge(&g->o, k / 2, outside, values)) {
+            message_set(&g->o.why, "%s: no edge found of %s", s->id, g->o.formulas->conditions[k / 2].text);
+            g->fine = false;
+            return;
+        }
+        snprintf(name, sizeof name, "domain-%d-%s", k / 2 + 1, outside ? "outside" : "inside");
+        hand_on_values(g, name, values, outside ? "" : "edge");
+    }
+    if (domain_between_steps(s, base))
+        hand_on_values(g, "between-steps", base, "");
+}
+
+static void random_vectors(struct golden *g)
+{
+    const struct section *s = g->o.section;
+    struct input *inputs = inputs_new(s->input_count);
+    double values[MOST_INPUTS];
+    char decimals[MOST_INPUTS][32], name[32];
+    const char *texts[MOST_INPUTS] = {NULL};
+    for (int k = 1; k <= RANDOM; k++) {
+        sample(&g->o, 0, (uint64_t)k, values, inputs);
+        for (int i = 0; i < s->input_count; i++) {
+            decimal_shortest(decimals[i], values[i]);
+            texts[i] = decimals[i];
+        }
+        snprintf(name, sizeof name, "random-%d", k);
+        hand_on(g, name, texts, "random");
+    }
+    inputs_free(inputs, s->input_count);
+}
+
+/* One of the sheet's own; where it names several times, a vector each. */
+static void special(struct golden *g, const struct special *special)
+{
+    const char *texts[MOST_INPUTS];
+    int t = place(g->o.section, "t");
+    for (int i = 0; i < g->o.section->input_count; i++)
+        texts[i] = special->texts[i] ? special->texts[i] : g->base[i];
+    if (t < 0 || special->texts[t] == NULL || strchr(special->texts[t], ' ') == NULL) {
+        hand_on(g, special->name, texts, strcmp(special->flags, "invalid") == 0 ? "" : special->flags);
+        return;
+    }
+    char *times = text_copy(special->texts[t]), *rest = NULL, name[80];
+    for (char *time = strtok_r(times, " ", &rest); time; time = strtok_r(NULL, " ", &rest)) {
+        texts[t] = time;
+        snprintf(name, sizeof name, "%s-%s", special->name, time);
+        hand_on(g, name, texts, special->flags);
+    }
+    free(times);
+}
+
+bool golden_each(const struct section *s, golden_receiver *receive, void *context)
+{
+    struct golden g = {.receive = receive, .context = context, .fine = true};
+    operation_init(&g.o, s, false);
+    for (int i = 0; i < s->input_count; i++)
+        g.base[i] = s->inputs[i]->value ? s->inputs[i]->value : s->inputs[i]->example;
+    if (s->method == METHOD_FORMULA || s->method == METHOD_ROOTS) {
+        hand_on(&g, "paper", g.base, "paper");
+        unequal_masses(&g);
+        random_vectors(&g);
+        for (int i = 0; i < s->input_count; i++)
+            one_changed(&g, i);
+        for (int i = 0; i < s->input_count; i++)
+            extremes_of(&g, i, false);
+    }
+    for (int i = 0; i < s->special_count && g.fine; i++)
+        special(&g, &s->specials[i]);
+    for (int i = 0; i < s->input_count; i++) {
+        if (!operation_has_sensitivity(s))
+            extremes_of(&g, i, false);
+        extremes_of(&g, i, true);
+    }
+    if (g.fine)
+        domain_edges(&g);
+    if (!g.fine)
+        fprintf(stderr, "coulomb-tether: %s\n", g.o.why.text);
+    operation_clear(&g.o);
+    return g.fine;
+}
+
+static bool print(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
+{
+    const enum input_form *form = context;
+    return vector_print(o, id, texts, flags, *form);
+}
+
+bool vectors_golden(const struct section *s, enum input_form form)
+{
+    vectors_header(s);
+    return golden_each(s, print, &form);
+}

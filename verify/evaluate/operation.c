@@ -1,0 +1,392 @@
+#include "evaluate/operation.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/decimal.h"
+#include "formula/exact.h"
+#include "motion/motion.h"
+#include "proof/roots.h"
+
+enum { MOST_OUTPUTS = 16, GUARD_BITS = 64 };
+
+/* Beyond this no formula of the sheet should need to go; it is the end of a loop that has none else. */
+static const slong MOST_BITS = 400000;
+
+void operation_init(struct operation *o, const struct section *s, bool as_printed)
+{
+    *o = (struct operation){.section = s};
+    o->formulas = as_printed && s->differs ? &s->printed : &s->corrected;
+    machine_init(&o->machine, &o->formulas->program, &arithmetic_ball, 2 * GUARD_BITS);
+}
+
+void operation_clear(struct operation *o)
+{
+    machine_clear(&o->machine);
+}
+
+/* ---- formulas in balls and in exact numbers ---- */
+
+static void set_inputs(struct machine *m, const struct input *inputs)
+{
+    for (int i = 0; i < m->program->inputs; i++) {
+        if (inputs[i].infinite)
+            m->arithmetic->set_infinity(machine_value(m, i));
+        else
+            m->arithmetic->set_rational(machine_value(m, i), &inputs[i].value, m->prec);
+    }
+}
+
+static void run_balls(struct operation *o, const struct input *inputs, slong prec)
+{
+    if (o->machine.prec < prec) {
+        machine_clear(&o->machine);
+        machine_init(&o->machine, &o->formulas->program, &arithmetic_ball, prec);
+    }
+    o->machine.prec = prec;
+    set_inputs(&o->machine, inputs);
+    machine_run(&o->machine);
+}
+
+void operation_exact(struct machine *m, const struct operation *o, const struct input *inputs)
+{
+    machine_init(m, &o->formulas->program, &arithmetic_exact, 0);
+    set_inputs(m, inputs);
+    machine_run(m);
+}
+
+/* ---- the domain ---- */
+
+static bool in_domain(enum domain domain, const struct input *x)
+{
+    if (x->infinite)
+        return domain == DOMAIN_POSITIVE_OR_INFINITE;
+    switch (domain) {
+    case DOMAIN_POSITIVE:
+    case DOMAIN_POSITIVE_OR_INFINITE:
+        return fmpq_sgn(&x->value) > 0;
+    case DOMAIN_NOT_NEGATIVE:
+        return fmpq_sgn(&x->value) >= 0;
+    case DOMAIN_FINITE:
+        break;
+    }
+    return true;
+}
+
+static const char *domain_text(enum domain domain)
+{
+    switch (domain) {
+    case DOMAIN_POSITIVE:
+        return "finite and > 0";
+    case DOMAIN_POSITIVE_OR_INFINITE:
+        return "> 0 or inf";
+    case DOMAIN_NOT_NEGATIVE:
+        return "finite and >= 0";
+    case DOMAIN_FINITE:
+        break;
+    }
+    return "finite";
+}
+
+static bool compares(int sign, enum comparison comparison)
+{
+    return comparison == LESS ? sign < 0 : comparison == GREATER ? sign > 0 : sign >= 0;
+}
+
+/* The sign of a node: by its enclosure where that is clear of zero, else exactly. */
+static int node_sign(const struct operation *o, const struct input *inputs, int node)
+{
+    arb_srcptr ball = machine_value(&o->machine, node);
+    if (!arb_contains_zero(ball))
+        return arf_sgn(arb_midref(ball));
+    struct machine values;
+    fmpq_t value;
+    operation_exact(&values, o, inputs);
+    fmpq_init(value);
+    exact_is_rational(value, machine_value(&values, node)); /* conditions are rational in their inputs */
+    int sign = fmpq_sgn(value);
+    fmpq_clear(value);
+    machine_clear(&values);
+    return sign;
+}
+
+static const fmpq *input_named(const struct operation *o, const struct input *inputs, const char *name)
+{
+    return &inputs[program_find(&o->formulas->program, name)].value;
+}
+
+static bool steps_fit(struct operation *o, const struct input *inputs)
+{
+    fmpq_t steps;
+    fmpq_init(steps);
+    fmpq_div(steps, input_named(o, inputs, "t"), input_named(o, inputs, "h"));
+    bool whole = fmpz_is_one(fmpq_denref(steps));
+    fmpq_clear(steps);
+    if (!whole)
+        message_set(&o->why, "t: expected a multiple of h");
+    return whole;
+}
+
+bool operation_valid(struct operation *o, const struct input *inputs)
+{
+    const struct section *s = o->section;
+    for (int i = 0; i < s->input_count; i++)
+        if (!in_domain(s->inputs[i]->domain, &inputs[i])) {
+            message_set(&o->why, "%s: expected a number %s", s->inputs[i]->name,
+                        domain_text(s->inputs[i]->domain));
+            return false;
+        }
+    if (o->formulas->count > 0)
+        run_balls(o, inputs, 2 * GUARD_BITS);
+    for (int i = 0; i < o->formulas->count; i++) {
+        const struct condition *c = &o->formulas->conditions[i];
+        if (!compares(node_sign(o, inputs, c->node), c->comparison)) {
+            message_set(&o->why, "%s: expected %s", s->id, c->text);
+            return false;
+        }
+    }
+    return (s->method != METHOD_RK4_LINEAR && s->method != METHOD_RK4_NONLINEAR) ||
+           steps_fit(o, inputs);
+}
+
+/* ---- enclosures ---- */
+
+static void enclose_roots(const struct input *inputs, slong prec, arb_ptr outputs)
+{
+    acb_ptr roots = _acb_vec_init(4);
+    roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
+    for (slong i = 0; i < 4; i++) {
+        arb_set(outputs + 2 * i, acb_realref(roots + i));
+        arb_set(outputs + 2 * i + 1, acb_imagref(roots + i));
+    }
+    _acb_vec_clear(roots, 4);
+}
+
+/* A motion is looked at so often on its way, where it may take too long. */
+enum { LOOKS = 256 };
+
+struct followed {
+    arb_ptr state;
+    clock_t until;
+};
+
+/* The last one stays. */
+static int take_state(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    struct followed *f = context;
+    (void)k;
+    (void)t;
+    _arb_vec_set(f->state, state, FLOW_STATE);
+    return f->until != 0 && clock() > f->until;
+}
+
+/* LOOKS times up to t, of a Runge-Kutta method multiples of its step h (NULL: any). */
+static void look_times(fmpq *times, const fmpq_t t, const fmpq *h)
+{
+    fmpz_t whole;
+    fmpz_init(whole);
+    for (slong k = 0; k < LOOKS; k++) {
+        fmpq_div_fmpz(times + k, t, (fmpz[]){LOOKS});
+        fmpq_mul_si(times + k, times + k, k + 1);
+        if (h == NULL)
+            continue;
+        fmpq_div(times + k, times + k, h);
+        fmpz_fdiv_q(whole, fmpq_numref(times + k), fmpq_denref(times + k));
+        fmpq_mul_fmpz(times + k, h, whole);
+    }
+    fmpz_clear(whole);
+}
+
+static enum outcome enclose_flow(struct operation *o, const struct input *inputs, slong digits,
+                                 slong prec, arb_ptr outputs)
+{
+    const enum method method = o->section->method;
+    const bool linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
+    const struct input *in = inputs;
+    struct flow_parameters p;
+    arb_ptr initial = _arb_vec_init(FLOW_STATE);
+    double reached = 0.0;
+    flow_parameters_init(&p);
+    arb_set_fmpq(p.Omega, &in++->value, prec);
+    if (!linear) {
+        arb_set_fmpq(p.k_c, &in++->value, prec);
+        arb_set_fmpq(p.m1, &in++->value, prec);
+        arb_set_fmpq(p.m2, &in++->value, prec);
+    }
+    arb_set_fmpq(p.L_ref, &in++->value, prec);
+    arb_set_fmpq(p.C1, &in++->value, prec);
+    arb_set_fmpq(p.C2, &in++->value, prec);
+    const fmpq *t = &in++->value;
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_fmpq(initial + i, &in++->value, prec);
+    const bool steps = method == METHOD_RK4_LINEAR || method == METHOD_RK4_NONLINEAR;
+    const slong looks = o->until != 0 ? LOOKS : 1;
+    struct followed f = {outputs, o->until};
+    fmpq *times = _fmpq_vec_init(looks);
+    fmpq_set(times, t);
+    if (o->until != 0)
+        look_times(times, t, steps ? &in->value : NULL);
+    enum flow_status status = FLOW_DONE;
+    if (method == METHOD_FLOW_LINEAR)
+        status = flow_linear(&p, initial, times, looks, prec, take_state, &f, &reached);
+    else if (method == METHOD_FLOW_NONLINEAR)
+        status = flow_nonlinear(&p, initial, times, looks, digits, prec, take_state, &f, &reached);
+    else if (method == METHOD_RK4_LINEAR)
+        status = rk4_linear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
+    else
+        status = rk4_nonlinear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
+    _fmpq_vec_clear(times, looks);
+    if (!linear && status == FLOW_DONE)
+        flow_settle(initial,
+                    is_static_place(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
+                                    input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1")),
+                    outputs);
+    flow_parameters_clear(&p);
+    _arb_vec_clear(initial, FLOW_STATE);
+    if (status != FLOW_DONE)
+        message_set(&o->why, "%s, last proved time %.6g s", flow_status_text(status), reached);
+    return status == FLOW_DONE ? OUTCOME_PROVED : OUTCOME_UNDECIDED;
+}
+
+/* Radians of orbit that a motion covers: what its loss of digits grows with. */
+static double flow_radians(const struct operation *o, const struct input *inputs)
+{
+    return fabs(fmpq_get_d(input_named(o, inputs, "Omega")) * fmpq_get_d(input_named(o, inputs, "t")));
+}
+
+slong operation_precision(const struct operation *o, const struct input *inputs, slong digits)
+{
+    switch (o->section->method) {
+    case METHOD_FLOW_LINEAR:
+    case METHOD_FLOW_NONLINEAR:
+        return flow_precision(digits, flow_radians(o, inputs));
+    case METHOD_RK4_LINEAR:
+    case METHOD_RK4_NONLINEAR:
+        return rk4_precision(digits, rk4_radians(input_named(o, inputs, "Omega"), input_named(o, inputs, "t"), input_named(o, inputs, "h")));
+    default:
+        return (slong)((double)digits * 3.33) + GUARD_BITS; /* 3.33 > log2(10) */
+    }
+}
+
+static enum outcome enclose(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                            arb_ptr outputs)
+{
+    if (o->section->method != METHOD_FORMULA && o->section->method != METHOD_ROOTS)
+        return enclose_flow(o, inputs, digits, prec, outputs);
+    if (o->section->method == METHOD_ROOTS) {
+        enclose_roots(inputs, prec, outputs);
+        return OUTCOME_PROVED;
+    }
+    run_balls(o, inputs, prec);
+    for (int i = 0; i < o->section->output_count; i++)
+        arb_set(outputs + i, machine_value(&o->machine, o->formulas->outputs[i]));
+    return OUTCOME_PROVED;
+}
+
+enum outcome operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs)
+{
+    return enclose(o, inputs, (slong)((double)prec / 3.33), prec, outputs);
+}
+
+enum outcome operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                              arb_ptr outputs)
+{
+    return enclose(o, inputs, digits, prec, outputs);
+}
+
+/* ---- digits ---- */
+
+static void decide_rational_roots(const struct input *inputs, slong digits, char **texts)
+{
+    fmpq_t value;
+    fmpq_init(value);
+    for (int i = 0; i < 8; i++)
+        if (texts[i] == NULL &&
+            roots41_rational(value, i / 2, i % 2, &inputs[0].value, &inputs[1].value, &inputs[2].value))
+            texts[i] = decimal_of_rational(value, digits);
+    fmpq_clear(value);
+}
+
+/* Rational outputs, zeros and ties among them, may have no enclosure that ever decides them. */
+static void decide_exactly(const struct operation *o, const struct input *inputs, slong digits, char **texts)
+{
+    if (o->section->method == METHOD_ROOTS)
+        decide_rational_roots(inputs, digits, texts);
+    if (o->section->method != METHOD_FORMULA)
+        return;
+    struct machine values;
+    fmpq_t value;
+    operation_exact(&values, o, inputs);
+    fmpq_init(value);
+    for (int i = 0; i < o->section->output_count; i++)
+        if (texts[i] == NULL && exact_is_rational(value, machine_value(&values, o->formulas->outputs[i])))
+            texts[i] = decimal_of_rational(value, digits);
+    fmpq_clear(value);
+    machine_clear(&values);
+}
+
+static int unset(char *const *texts, int count)
+{
+    int left = 0;
+    for (int i = 0; i < count; i++)
+        left += texts[i] == NULL;
+    return left;
+}
+
+/* A number other than zero of which no decimal is written: its exponent alone would have fifteen digits and more. */
+static bool is_beyond_decimals(struct operation *o, arb_srcptr balls, int i)
+{
+    enum { EXPONENT_BITS = 50 }; /* as decimal_of_ball has it */
+    arf_t bound;
+    bool tiny, huge;
+    if (arb_contains_zero(balls + i) || !arb_is_finite(balls + i))
+        return false;
+    arf_init(bound);
+    arb_get_abs_ubound_arf(bound, balls + i, 64);
+    tiny = fmpz_bits(ARF_EXPREF(bound)) >= EXPONENT_BITS && fmpz_sgn(ARF_EXPREF(bound)) < 0;
+    arb_get_abs_lbound_arf(bound, balls + i, 64);
+    huge = fmpz_bits(ARF_EXPREF(bound)) >= EXPONENT_BITS && fmpz_sgn(ARF_EXPREF(bound)) > 0;
+    arf_clear(bound);
+    if (tiny || huge)
+        message_set(&o->why, "%s: not zero, but %s 2^%s(2^49), of which no decimal is written", o->section->outputs[i]->name,
+                    tiny ? "below" : "above", tiny ? "-" : "");
+    return tiny || huge;
+}
+
+enum outcome operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs)
+{
+    const int count = o->section->output_count;
+    char *texts[MOST_OUTPUTS] = {NULL};
+    if (!operation_valid(o, inputs))
+        return OUTCOME_INVALID;
+    arb_ptr balls = _arb_vec_init(count);
+    slong prec = operation_precision(o, inputs, digits);
+    const slong most = 8 * prec + MOST_BITS / 8;
+    int left = count;
+    enum outcome outcome = OUTCOME_PROVED;
+    for (bool first = true; left > 0 && outcome == OUTCOME_PROVED; first = false, prec *= 2) {
+        outcome = prec > most ? OUTCOME_UNDECIDED : enclose(o, inputs, digits, prec, balls);
+        if (prec > most)
+            message_set(&o->why, "%s: %ld bits do not decide every digit", o->section->id, (long)most);
+        for (int i = 0; i < count && outcome == OUTCOME_PROVED; i++)
+            if (texts[i] == NULL)
+                texts[i] = decimal_of_ball(balls + i, digits);
+        for (int i = 0; i < count && outcome == OUTCOME_PROVED; i++)
+            if (texts[i] == NULL && is_beyond_decimals(o, balls, i))
+                outcome = OUTCOME_UNDECIDED;
+        left = unset(texts, count);
+        if (left > 0 && outcome == OUTCOME_PROVED && first) {
+            decide_exactly(o, inputs, digits, texts);
+            left = unset(texts, count);
+        }
+    }
+    _arb_vec_clear(balls, count);
+    for (int i = 0; i < count; i++) {
+        if (outcome == OUTCOME_PROVED)
+            outputs[i] = texts[i];
+        else
+            free(texts[i]);
+    }
+    return outcome;
+}

@@ -1,0 +1,51 @@
+/*
+ * An operation at work: exact inputs, their domain, and outputs of which every digit is proved.
+ */
+#ifndef CT_OPERATION_H
+#define CT_OPERATION_H
+
+#include <time.h>
+
+#include "sheet/input.h"
+
+enum outcome {
+    OUTCOME_PROVED,
+    OUTCOME_INVALID,  /* the inputs lie outside the domain                          */
+    OUTCOME_UNDECIDED /* no certified value: the reason is in the operation's `why` */
+};
+
+struct operation {
+    const struct section *section;
+    const struct formulas *formulas;
+    struct machine machine; /* in balls; of a section with formulas */
+    clock_t until;          /* of processor time, when a motion is given up; 0: never */
+    struct message why;
+};
+
+/* As printed: the print's own formulas, where they differ. */
+void operation_init(struct operation *o, const struct section *s, bool as_printed);
+void operation_clear(struct operation *o);
+
+/* Whether the inputs lie in the domain; if not, `why` names the first that does not. */
+bool operation_valid(struct operation *o, const struct input *inputs);
+
+/* Bits of working precision that so many digits are expected to take. */
+slong operation_precision(const struct operation *o, const struct input *inputs, slong digits);
+
+/* Enclosures of all outputs from prec bits of working precision. */
+enum outcome operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs);
+
+/* The same of a motion, given up where it gets wider than so many digits of its largest coordinate. */
+enum outcome operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                              arb_ptr outputs);
+
+/*
+ * All outputs as decimals with that many significant digits, each correctly rounded; the caller frees
+ * them. Nothing is set unless all are proved.
+ */
+enum outcome operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs);
+
+/* The formulas in exact numbers: initialises the machine and runs it. */
+void operation_exact(struct machine *m, const struct operation *o, const struct input *inputs);
+
+#endif

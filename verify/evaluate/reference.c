@@ -1,0 +1,348 @@
+#include "evaluate/reference.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "coulombtether.h"
+
+static const double tolerance = 1e-14; /* of the adaptive integrator: what double can do */
+
+/* ---- parts of input and output lists ---- */
+
+static struct ct_vector vector(const double *in)
+{
+    return (struct ct_vector){in[0], in[1], in[2]};
+}
+
+static void put(double *out, struct ct_vector v)
+{
+    out[0] = v.x;
+    out[1] = v.y;
+    out[2] = v.z;
+}
+
+static struct ct_params masses(const double *in)
+{
+    return (struct ct_params){.m1 = in[0], .m2 = in[1]};
+}
+
+/* Omega k_c m1 m2 */
+static struct ct_params pair(const double *in)
+{
+    return (struct ct_params){.Omega = in[0], .k_c = in[1], .m1 = in[2], .m2 = in[3]};
+}
+
+static struct ct_hill_state hill_state(const double *in)
+{
+    return (struct ct_hill_state){in[0], in[1], in[2], in[3], in[4], in[5]};
+}
+
+static struct ct_spherical spherical(const double *in)
+{
+    return (struct ct_spherical){in[0], in[1], in[2]};
+}
+
+static struct ct_spherical_rate spherical_rate(const double *in)
+{
+    return (struct ct_spherical_rate){in[0], in[1], in[2]};
+}
+
+/* ---- an operation each ---- */
+
+static void eq02(const double *in, double *out)
+{
+    struct ct_craft craft[3];
+    struct ct_vector acceleration[3];
+    for (int i = 0; i < 3; i++) {
+        const double *c = in + 3 + 8 * i;
+        craft[i] = (struct ct_craft){c[0], c[1], vector(c + 2), vector(c + 5)};
+    }
+    ct_formation_acceleration(in[0], in[1], in[2], 3, craft, acceleration);
+    for (int i = 0; i < 3; i++)
+        put(out + 3 * i, acceleration[i]);
+}
+
+static void eq03(const double *in, double *out)
+{
+    put(out, ct_hill_acceleration(pair(in), hill_state(in + 5), in[4]));
+}
+
+static void eq04(const double *in, double *out)
+{
+    put(out, ct_second_position(masses(in), vector(in + 2)));
+}
+
+static void eq05(const double *in, double *out)
+{
+    const struct ct_static_places x = ct_static_positions(masses(in), in[2]);
+    out[0] = x.x1;
+    out[1] = x.x2;
+}
+
+static void eq07(const double *in, double *out)
+{
+    out[0] = ct_reference_charge_product(pair(in), in[4]);
+}
+
+static void eq09(const double *in, double *out)
+{
+    const struct ct_matrix BO = ct_direction_cosines(in[0], in[1]);
+    for (int i = 0; i < 9; i++)
+        out[i] = BO.e[i / 3][i % 3];
+}
+
+static void eq10(const double *in, double *out)
+{
+    put(out, ct_position(masses(in), spherical(in + 2)));
+}
+
+static void eq10lin(const double *in, double *out)
+{
+    put(out, ct_position_small_angles(masses(in), spherical(in + 2)));
+}
+
+static void eq10inv(const double *in, double *out)
+{
+    const struct ct_spherical c = ct_spherical_coordinates(masses(in), vector(in + 2));
+    out[0] = c.L;
+    out[1] = c.psi;
+    out[2] = c.theta;
+}
+
+static void eq11exact(const double *in, double *out)
+{
+    put(out, ct_velocity(masses(in), spherical(in + 2), spherical_rate(in + 5)));
+}
+
+static void eq11(const double *in, double *out)
+{
+    put(out, ct_velocity_small_angles(masses(in), spherical(in + 2), spherical_rate(in + 5)));
+}
+
+static void eq12(const double *in, double *out)
+{
+    out[0] = ct_distance(vector(in), vector(in + 3));
+}
+
+static void eq13(const double *in, double *out)
+{
+    out[0] = ct_separation(masses(in), vector(in + 2));
+}
+
+static void eq14(const double *in, double *out)
+{
+    out[0] = ct_separation_acceleration(pair(in), hill_state(in + 5), in[4]);
+}
+
+static void eq15(const double *in, double *out)
+{
+    out[0] = ct_separation_acceleration_small_angles(pair(in), in[4], in[5], in[6]);
+}
+
+static void eq17(const double *in, double *out)
+{
+    struct ct_params p = pair(in);
+    p.L_ref = in[4];
+    out[0] = ct_length_error_acceleration(p, in[5], in[6], in[7]);
+}
+
+static void eq18(const double *in, double *out)
+{
+    const struct ct_params p = {.k_c = in[0], .m1 = in[1], .m2 = in[2], .L_ref = in[3]};
+    out[0] = ct_charge_product_variation(p, (struct ct_gains){in[4], in[5]}, in[6], in[7]);
+}
+
+static void eq19(const double *in, double *out)
+{
+    const struct ct_params p = {.Omega = in[0], .L_ref = in[1]};
+    out[0] = ct_closed_loop_acceleration(p, (struct ct_gains){in[2], in[3]}, in[4], in[5], in[6]);
+}
+
+static void eq21(const double *in, double *out)
+{
+    struct ct_charge_pair q;
+    ct_charges(in[0], in[1], &q);
+    out[0] = q.q1;
+    out[1] = q.q2;
+}
+
+static void eq25(const double *in, double *out)
+{
+    put(out, ct_orbit_angular_velocity(in[0], in[1]));
+}
+
+static void eq26(const double *in, double *out)
+{
+    put(out, ct_relative_angular_velocity(in[0], in[1], in[2]));
+}
+
+static void eq27(const double *in, double *out)
+{
+    put(out, ct_angular_velocity(in[0], in[1], in[2], in[3]));
+}
+
+static void eq28(const double *in, double *out)
+{
+    put(out, ct_angular_velocity_small_angles(in[0], in[1], in[2], in[3]));
+}
+
+static void eq29(const double *in, double *out)
+{
+    put(out, ct_angular_acceleration_small_angles(in[0], in[1], in[2], in[3]));
+}
+
+static void eq30(const double *in, double *out)
+{
+    const struct ct_matrix I = ct_inertia_matrix(masses(in), vector(in + 2), vector(in + 5));
+    static const int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
+    for (int i = 0; i < 6; i++)
+        out[i] = I.e[row[i]][column[i]];
+}
+
+static void eq32(const double *in, double *out)
+{
+    out[0] = ct_inertia(masses(in), in[2]);
+}
+
+static void eq34(const double *in, double *out)
+{
+    out[0] = ct_inertia_rate(masses(in), in[2], in[3]);
+}
+
+static void eq36(const double *in, double *out)
+{
+    put(out, ct_centre_position(in[0], in[1], in[2]));
+}
+
+static void eq37(const double *in, double *out)
+{
+    put(out, ct_gravity_gradient(in[0], vector(in + 1), in[4]));
+}
+
+static void eq38(const double *in, double *out)
+{
+    out[0] = ct_orbit_rate(in[0], in[1]);
+}
+
+static void eq39(const double *in, double *out)
+{
+    put(out, ct_gravity_gradient_small_angles(in[0], in[1], in[2], in[3]));
+}
+
+static void eq40(const double *in, double *out)
+{
+    const struct ct_params p = {.Omega = in[0], .L_ref = in[1]};
+    const struct ct_tether_state s = {
+        .psi = in[4], .theta = in[5], .dL = in[6], .dL_dot = in[7], .psi_dot = in[8]};
+    const struct ct_tether_acceleration a = ct_linear_acceleration(p, (struct ct_gains){in[2], in[3]}, s);
+    out[0] = a.theta_ddot;
+    out[1] = a.psi_ddot;
+    out[2] = a.dL_ddot;
+}
+
+static void eq41(const double *in, double *out)
+{
+    const struct ct_quartic a = ct_characteristic_polynomial(in[0], (struct ct_gains){in[1], in[2]});
+    const double coefficients[] = {a.a0, a.a1, a.a2, a.a3, a.a4};
+    memcpy(out, coefficients, sizeof coefficients);
+}
+
+static void eq41roots(const double *in, double *out)
+{
+    struct ct_root root[4];
+    ct_characteristic_roots(in[0], (struct ct_gains){in[1], in[2]}, root);
+    for (int i = 0; i < 4; i++) {
+        out[2 * i] = root[i].re;
+        out[2 * i + 1] = root[i].im;
+    }
+}
+
+static void eq42(const double *in, double *out)
+{
+    const struct ct_routh_margins m = ct_routh_margins(in[0], (struct ct_gains){in[1], in[2]});
+    out[0] = m.margin1;
+    out[1] = m.margin2;
+    out[2] = m.stable;
+}
+
+static void eq43(const double *in, double *out)
+{
+    out[0] = ct_proportional_gain(in[0], in[1]);
+}
+
+static void eq44(const double *in, double *out)
+{
+    out[0] = ct_derivative_gain(in[0], in[1]);
+}
+
+/* Omega L_ref C1 C2 t, six of state, and h behind them where h is not NULL */
+static void linear(const double *in, const double *h, double *out)
+{
+    const struct ct_params p = {.Omega = in[0], .L_ref = in[1]};
+    const struct ct_gains g = {in[2], in[3]};
+    struct ct_tether_state s = {in[5], in[6], in[7], in[8], in[9], in[10]};
+    if (h != NULL)
+        ct_linear_runge_kutta(p, g, s, *h, 1, in + 4, &s);
+    else
+        ct_linear_flow(p, g, s, tolerance, 1, in + 4, &s);
+    const double state[] = {s.psi, s.theta, s.dL, s.psi_dot, s.theta_dot, s.dL_dot};
+    memcpy(out, state, sizeof state);
+}
+
+static void flow_linear(const double *in, double *out)
+{
+    linear(in, NULL, out);
+}
+
+static void rk4_linear(const double *in, double *out)
+{
+    linear(in, in + 11, out);
+}
+
+static void nonlinear(const double *in, const double *h, double *out)
+{
+    struct ct_params p = pair(in);
+    const struct ct_gains g = {in[5], in[6]};
+    struct ct_hill_state s = hill_state(in + 8);
+    p.L_ref = in[4];
+    if (h != NULL)
+        ct_nonlinear_runge_kutta(p, g, s, *h, 1, in + 7, &s);
+    else
+        ct_nonlinear_flow(p, g, s, tolerance, 1, in + 7, &s);
+    const double state[] = {s.x1, s.y1, s.z1, s.x1_dot, s.y1_dot, s.z1_dot};
+    memcpy(out, state, sizeof state);
+}
+
+static void flow_nonlinear(const double *in, double *out)
+{
+    nonlinear(in, NULL, out);
+}
+
+static void rk4_nonlinear(const double *in, double *out)
+{
+    nonlinear(in, in + 14, out);
+}
+
+#define OPERATION(name) {#name, name}
+static const struct {
+    const char *id;
+    reference_function *function;
+} operations[] = {
+    OPERATION(eq02), OPERATION(eq03), OPERATION(eq04), OPERATION(eq05), OPERATION(eq07),
+    OPERATION(eq09), OPERATION(eq10), OPERATION(eq10lin), OPERATION(eq10inv), OPERATION(eq11exact),
+    OPERATION(eq11), OPERATION(eq12), OPERATION(eq13), OPERATION(eq14), OPERATION(eq15),
+    OPERATION(eq17), OPERATION(eq18), OPERATION(eq19), OPERATION(eq21), OPERATION(eq25),
+    OPERATION(eq26), OPERATION(eq27), OPERATION(eq28), OPERATION(eq29), OPERATION(eq30),
+    OPERATION(eq32), OPERATION(eq34), OPERATION(eq36), OPERATION(eq37), OPERATION(eq38),
+    OPERATION(eq39), OPERATION(eq40), OPERATION(eq41), OPERATION(eq41roots), OPERATION(eq42),
+    OPERATION(eq43), OPERATION(eq44), OPERATION(flow_linear), OPERATION(flow_nonlinear),
+    OPERATION(rk4_linear), OPERATION(rk4_nonlinear),
+};
+
+reference_function *reference_find(const char *id)
+{
+    for (size_t i = 0; i < sizeof operations / sizeof *operations; i++)
+        if (strcmp(operations[i].id, id) == 0)
+            return operations[i].function;
+    return NULL;
+}

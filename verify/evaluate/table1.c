@@ -1,0 +1,65 @@
+#include "evaluate/table1.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/decimal.h"
+#include "formula/symbolic.h"
+
+/* Significant digits of a printed number: those of its mantissa, leading zeros apart. */
+static long printed_digits(const char *printed)
+{
+    long digits = 0;
+    for (; *printed != '\0' && *printed != 'e'; printed++)
+        if (*printed >= '0' && *printed <= '9' && (digits > 0 || *printed != '0'))
+            digits++;
+    return digits;
+}
+
+/* What the simulation uses: a value of the sheet, or Q_ref of Eq. (7) from the others; in SI. */
+static void table_value(fmpq_t value, const struct table_row *row)
+{
+    const struct section *s = section_find(sheet(), "eq07");
+    if (!table_row_is_computed(row)) {
+        literal_read(value, quantity_find(sheet(), row->name)->value, true);
+        return;
+    }
+    struct machine m;
+    symbolic_begin(0, 0, false);
+    machine_init(&m, &s->corrected.program, &arithmetic_symbolic, 1);
+    for (int i = 0; i < s->input_count; i++) {
+        const char *name = s->inputs[i]->name;
+        literal_read(value, quantity_find(sheet(), strcmp(name, "L") == 0 ? "L_ref" : name)->value, true);
+        arithmetic_symbolic.set_rational(machine_value(&m, i), value, 1);
+    }
+    machine_run(&m);
+    symbolic_get_rational(value, machine_value(&m, s->corrected.outputs[0]));
+    machine_clear(&m);
+    symbolic_end();
+}
+
+bool table_row_is_computed(const struct table_row *row)
+{
+    return quantity_find(sheet(), row->name)->value == NULL;
+}
+
+char *table_row_value(const struct table_row *row, bool *rounds)
+{
+    fmpq_t value, scale, printed;
+    fmpq_init(value);
+    fmpq_init(scale);
+    fmpq_init(printed);
+    literal_read(scale, row->scale, true);
+    literal_read(printed, row->printed, true);
+    table_value(value, row);
+    fmpq_div(value, value, scale);
+    char *computed = decimal_of_rational(value, 17);
+    char *rounded = decimal_of_rational(value, printed_digits(row->printed));
+    literal_read(value, rounded, true);
+    *rounds = fmpq_equal(value, printed);
+    free(rounded);
+    fmpq_clear(value);
+    fmpq_clear(scale);
+    fmpq_clear(printed);
+    return computed;
+}

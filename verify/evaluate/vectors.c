@@ -1,0 +1,184 @@
+#include "evaluate/vectors.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/decimal.h"
+#include "evaluate/errors.h"
+#include "formula/exact.h"
+#include "text/progress.h"
+#include "evaluate/sample.h"
+
+enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
+
+void vectors_header(const struct section *s)
+{
+    fputs("id", stdout);
+    for (int i = 0; i < s->input_count; i++)
+        printf(",%s", s->inputs[i]->name);
+    for (int i = 0; i < s->output_count; i++)
+        printf(",%s", s->outputs[i]->name);
+    for (int i = 0; i < s->output_count && operation_has_sensitivity(s); i++)
+        printf(",S_%s", s->outputs[i]->name);
+    puts(",flags");
+}
+
+/* Whether |x| is neither zero nor in a normal range, of binary64 2^-1022 to just below 2^1024. */
+static bool leaves_range(const arb_t x, slong exponent)
+{
+    arf_t bound;
+    bool leaves = false;
+    if (arb_contains_zero(x) || !arb_is_finite(x))
+        return false; /* zero: what underflows to it is seen in its operands; infinity: an input that may be */
+    arf_init(bound);
+    arb_get_abs_lbound_arf(bound, x, 64);
+    leaves = arf_cmpabs_2exp_si(bound, 2 - exponent) < 0 || arf_cmpabs_2exp_si(bound, exponent) >= 0;
+    arf_clear(bound);
+    return leaves;
+}
+
+bool vector_leaves_range(struct operation *o, const struct input *inputs, int significand)
+{
+    const slong exponent = significand == BINARY32 ? 128 : significand == BINARY64 ? 1024 : 16384;
+    arb_ptr outputs = _arb_vec_init(MOST_OUTPUTS);
+    bool leaves = false;
+    operation_enclose(o, inputs, 256, outputs);
+    for (int i = 0; i < o->machine.program->count && !leaves; i++)
+        leaves = leaves_range(machine_value(&o->machine, i), exponent);
+    _arb_vec_clear(outputs, MOST_OUTPUTS);
+    return leaves;
+}
+
+/* Digits of S, or "inf"; NULL while undecided. */
+static char *sensitivity_text(const arb_t S)
+{
+    return arb_is_finite(S) || mag_is_inf(arb_radref(S)) ? decimal_of_ball(S, SENSITIVITY_DIGITS)
+                                                         : text_copy("inf");
+}
+
+static bool sensitivity_texts(struct operation *o, const struct input *inputs, char **texts)
+{
+    const int count = o->section->output_count;
+    arb_ptr S = _arb_vec_init(count);
+    int left = count;
+    for (slong prec = 192; left > 0 && prec <= 16384; prec *= 2) {
+        operation_sensitivity(o, inputs, prec, S);
+        left = 0;
+        for (int i = 0; i < count; i++) {
+            if (texts[i] == NULL)
+                texts[i] = sensitivity_text(S + i);
+            if (texts[i] == NULL) {
+                operation_sensitivity_settled(o, inputs, prec, i, S + i);
+                texts[i] = sensitivity_text(S + i);
+            }
+            left += texts[i] == NULL;
+        }
+    }
+    _arb_vec_clear(S, count);
+    if (left > 0)
+        message_set(&o->why, "%s: a sensitivity is undecided", o->section->id); /* LCOV_EXCL_LINE: known inputs need fewer bits */
+    return left == 0;
+}
+
+void value_text(char text[32], double value)
+{
+    if (isfinite(value))
+        decimal_shortest(text, value);
+    else
+        snprintf(text, 32, "%s", isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
+}
+
+const char *const input_forms[] = {"shortest", "exact", "hex"};
+
+void input_write(char text[LONGEST_INPUT], const char *literal, enum input_form form)
+{
+    const double x = strtod(literal, NULL);
+    if (form == INPUTS_SHORTEST || !isfinite(x))
+        snprintf(text, LONGEST_INPUT, "%s", literal);
+    else
+        snprintf(text, LONGEST_INPUT, form == INPUTS_HEX ? "%a" : "%.767g", x); /* no binary64 has more digits */
+}
+
+static void print_line(const char *id, const struct section *s, const char *const *texts, char *const *outputs,
+                       char *const *S, const char *flag, const char *flags, enum input_form form)
+{
+    char input[LONGEST_INPUT];
+    fputs(id, stdout);
+    for (int i = 0; i < s->input_count; i++) {
+        input_write(input, texts[i], form);
+        printf(",%s", input);
+    }
+    for (int i = 0; i < s->output_count; i++)
+        printf(",%s", outputs[i] ? outputs[i] : "");
+    for (int i = 0; i < s->output_count && operation_has_sensitivity(s); i++)
+        printf(",%s", S[i] ? S[i] : "");
+    printf(",%s%s%s\n", flag, *flag && *flags ? " " : "", flags);
+}
+
+bool vector_read(const struct section *s, const char *const *texts, struct input *inputs)
+{
+    bool finite = true;
+    for (int i = 0; i < s->input_count; i++) {
+        enum literal literal = literal_read(&inputs[i].value, texts[i], false);
+        inputs[i].infinite = literal == LITERAL_INFINITE;
+        finite = finite && (literal == LITERAL_FINITE || inputs[i].infinite);
+    }
+    return finite;
+}
+
+bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags,
+                  enum input_form form)
+{
+    const struct section *s = o->section;
+    char *outputs[MOST_OUTPUTS] = {NULL}, *S[MOST_OUTPUTS] = {NULL};
+    struct input *inputs = inputs_new(s->input_count);
+    const char *flag = "";
+    bool fine = true;
+    if (!vector_read(s, texts, inputs) || !operation_valid(o, inputs)) {
+        flag = "invalid";
+    } else {
+        fine = operation_digits(o, inputs, VECTOR_DIGITS, outputs) == OUTCOME_PROVED &&
+               (!operation_has_sensitivity(s) || sensitivity_texts(o, inputs, S));
+        if (fine && s->method == METHOD_FORMULA && vector_leaves_range(o, inputs, BINARY64))
+            flag = "range";
+    }
+    if (fine)
+        print_line(id, s, texts, outputs, S, flag, flags, form);
+    for (int i = 0; i < s->output_count; i++) {
+        free(outputs[i]);
+        free(S[i]);
+    }
+    inputs_free(inputs, s->input_count);
+    return fine;
+}
+
+bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint64_t count, enum input_form form)
+{
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    double values[MOST_INPUTS];
+    char decimals[MOST_INPUTS][32], id[96];
+    const char *texts[MOST_INPUTS];
+    bool fine = true;
+    struct progress progress = progress_begin(true);
+    for (int i = 0; i < MOST_INPUTS; i++)
+        texts[i] = strcpy(decimals[i], "");
+    operation_init(&o, s, false);
+    for (uint64_t k = first; k - first < count && fine && !ferror(stdout); k++) {
+        sample(&o, seed, k, values, inputs);
+        for (int i = 0; i < s->input_count; i++)
+            decimal_shortest(decimals[i], values[i]);
+        snprintf(id, sizeof id, "%s-%" PRIu64 "-%" PRIu64, s->id, seed, k);
+        fine = vector_print(&o, id, texts, "", form);
+        progress_show(&progress, k - first + 1, count);
+    }
+    progress_end(&progress);
+    if (!fine)
+        fprintf(stderr, "coulomb-tether: %s\n", o.why.text);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    return fine;
+}

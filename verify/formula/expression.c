@@ -1,0 +1,550 @@
+#include "formula/expression.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/decimal.h"
+
+/* ---- programs ---- */
+
+void program_init(struct program *p)
+{
+    *p = (struct program){0};
+}
+
+void program_clear(struct program *p)
+{
+    for (int i = 0; i < p->count; i++)
+        fmpq_clear(&p->nodes[i].number);
+    for (int i = 0; i < p->named; i++)
+        free(p->names[i].text);
+    free(p->nodes);
+    free(p->names);
+    program_init(p);
+}
+
+int program_append(struct program *p, enum operator op, int left, int right, slong exponent)
+{
+    p->nodes = memory(p->nodes, (size_t)p->count + 1, sizeof *p->nodes);
+    struct node *node = &p->nodes[p->count];
+    *node = (struct node){.op = op, .left = left, .right = right, .exponent = exponent};
+    fmpq_init(&node->number);
+    return p->count++;
+}
+
+static int append_integer(struct program *p, slong value)
+{
+    int node = program_append(p, OPERATOR_NUMBER, -1, -1, 0);
+    fmpq_set_si(&p->nodes[node].number, value, 1);
+    return node;
+}
+
+void program_copy(struct program *to, const struct program *from)
+{
+    program_init(to);
+    for (int i = 0; i < from->count; i++) {
+        const struct node *node = &from->nodes[i];
+        program_append(to, node->op, node->left, node->right, node->exponent);
+        fmpq_set(&to->nodes[i].number, &node->number);
+    }
+    for (int i = 0; i < from->named; i++)
+        program_name(to, from->names[i].node, from->names[i].text);
+    to->inputs = from->inputs;
+}
+
+int program_input(struct program *p, const char *name)
+{
+    int node = program_append(p, OPERATOR_INPUT, -1, -1, 0);
+    program_name(p, node, name);
+    p->inputs = p->count;
+    return node;
+}
+
+int program_find(const struct program *p, const char *name)
+{
+    for (int i = p->named; i-- > 0;)
+        if (strcmp(p->names[i].text, name) == 0)
+            return p->names[i].node;
+    return -1;
+}
+
+void program_name(struct program *p, int node, const char *name)
+{
+    p->names = memory(p->names, (size_t)p->named + 1, sizeof *p->names);
+    p->names[p->named++] = (struct name){text_copy(name), node};
+}
+
+int program_difference(struct program *p, int left, int right)
+{
+    return program_append(p, OPERATOR_SUBTRACT, left, right, 0);
+}
+
+void program_needs(const struct program *p, int node, const int *stand_in, char *needed)
+{
+    memset(needed, 0, (size_t)node + 1);
+    needed[node] = 1;
+    for (int i = node; i >= 0; i--) {
+        const struct node *n = &p->nodes[i];
+        bool replaced = stand_in != NULL && stand_in[i] >= 0;
+        if (needed[i] && !replaced && n->left >= 0)
+            needed[n->left] = 1;
+        if (needed[i] && !replaced && n->right >= 0)
+            needed[n->right] = 1;
+    }
+}
+
+void program_redirect(struct program *p, int node, int instead, int *wanted)
+{
+    for (int i = node + 1; i < p->count; i++) {
+        p->nodes[i].left = p->nodes[i].left == node ? instead : p->nodes[i].left;
+        p->nodes[i].right = p->nodes[i].right == node ? instead : p->nodes[i].right;
+    }
+    if (*wanted == node)
+        *wanted = instead;
+}
+
+int program_inline(struct program *p, const struct program *from, int node, const int *stand_in)
+{
+    int *copy = memory(NULL, (size_t)node + 1, sizeof *copy);
+    char *needed = memory(NULL, (size_t)node + 1, 1);
+    program_needs(from, node, stand_in, needed);
+    for (int i = 0; i <= node; i++) {
+        const struct node *n = &from->nodes[i];
+        copy[i] = stand_in[i];
+        if (!needed[i] || copy[i] >= 0)
+            continue;
+        copy[i] = program_append(p, n->op, n->left < 0 ? -1 : copy[n->left],
+                         n->right < 0 ? -1 : copy[n->right], n->exponent);
+        fmpq_set(&p->nodes[copy[i]].number, &n->number);
+    }
+    int result = copy[node];
+    free(copy);
+    free(needed);
+    return result;
+}
+
+/* ---- the parser: recursive descent, one function a level of binding ---- */
+
+enum { DEEPEST = 200 }; /* brackets within brackets: far beyond any formula, far below the C stack's end */
+
+static void skip_blanks(struct parser *s)
+{
+    while (*s->at == ' ' || *s->at == '\n' || *s->at == '\t')
+        s->at++;
+}
+
+bool parse_symbol(struct parser *s, char symbol)
+{
+    skip_blanks(s);
+    if (*s->at != symbol)
+        return false;
+    s->at++;
+    return true;
+}
+
+int parse_refuse(struct parser *s, const char *expected)
+{
+    skip_blanks(s);
+    if (*s->at == '\0')
+        message_set(s->why, "expected %s, the formula ends here", expected);
+    else
+        message_set(s->why, "expected %s, found '%c'", expected, *s->at);
+    return -1;
+}
+
+static int parse_number(struct parser *s)
+{
+    char literal[64];
+    size_t n = strspn(s->at, "0123456789.");
+    if (s->at[n] == 'e' || s->at[n] == 'E') {
+        size_t sign = s->at[n + 1] == '+' || s->at[n + 1] == '-';
+        n += 1 + sign + strspn(s->at + n + 1 + sign, "0123456789");
+    }
+    if (n >= sizeof literal)
+        return parse_refuse(s, "a number of less than 64 characters");
+    memcpy(literal, s->at, n);
+    literal[n] = '\0';
+    int node = program_append(s->program, OPERATOR_NUMBER, -1, -1, 0);
+    if (literal_read(&s->program->nodes[node].number, literal, true) != LITERAL_FINITE)
+        return parse_refuse(s, "a decimal number");
+    s->at += n;
+    return node;
+}
+
+static int parse_call(struct parser *s, enum operator op)
+{
+    int left = parse_sum(s), right = -1;
+    if (left < 0)
+        return -1;
+    if (op == OPERATOR_ATAN2) {
+        if (!parse_symbol(s, ','))
+            return parse_refuse(s, "',' and the second argument of atan2");
+        if ((right = parse_sum(s)) < 0)
+            return -1;
+    }
+    if (!parse_symbol(s, ')'))
+        return parse_refuse(s, "')' or an operator");
+    return program_append(s->program, op, left, right, 0);
+}
+
+bool parse_word(struct parser *s, char word[LONGEST_NAME + 1])
+{
+    size_t n = 0;
+    skip_blanks(s);
+    while (isalnum((unsigned char)s->at[n]) || s->at[n] == '_')
+        n++;
+    if (n == 0 || n > LONGEST_NAME) {
+        parse_refuse(s, n ? "a name of less than 64 characters" : "a name");
+        return false;
+    }
+    memcpy(word, s->at, n);
+    word[n] = '\0';
+    s->at += n;
+    return true;
+}
+
+static int unknown_symbol(struct parser *s, const char *name)
+{
+    const char **known = memory(NULL, (size_t)s->program->named, sizeof *known);
+    for (int i = 0; i < s->program->named; i++)
+        known[i] = s->program->names[i].text;
+    const char *near = nearest_name(name, known, (size_t)s->program->named);
+    message_set(s->why, "unknown symbol '%s', expected an input or a named subexpression%s%s%s", name,
+                near ? " (did you mean '" : "", near ? near : "", near ? "'?)" : "");
+    free(known);
+    return -1;
+}
+
+static int parse_name(struct parser *s)
+{
+    static const struct {
+        const char *name;
+        enum operator op;
+    } functions[] = {{"sqrt", OPERATOR_SQRT},   {"sin", OPERATOR_SIN},
+                     {"cos", OPERATOR_COS},     {"exp", OPERATOR_EXP},     {"log", OPERATOR_LOG},
+                     {"atan2", OPERATOR_ATAN2}, {"positive", OPERATOR_POSITIVE}};
+    const char *begin = s->at;
+    char name[LONGEST_NAME + 1];
+    if (!parse_word(s, name))
+        return -1;
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
+        if (strcmp(name, functions[i].name) == 0)
+            return parse_symbol(s, '(') ? parse_call(s, functions[i].op) : parse_refuse(s, "'('");
+    if (s->reference != NULL && (*s->at == '.' || *s->at == '('))
+        return s->reference(s, name);
+    int node = program_find(s->program, name);
+    if (node < 0) {
+        s->at = begin;
+        return unknown_symbol(s, name);
+    }
+    return node;
+}
+
+static int parse_primary(struct parser *s)
+{
+    skip_blanks(s);
+    if (isdigit((unsigned char)*s->at) || *s->at == '.')
+        return parse_number(s);
+    if (isalpha((unsigned char)*s->at))
+        return parse_name(s);
+    if (!parse_symbol(s, '('))
+        return parse_refuse(s, "a number, a symbol or '('");
+    int node = parse_sum(s);
+    if (node >= 0 && !parse_symbol(s, ')'))
+        return parse_refuse(s, "')' or an operator");
+    return node;
+}
+
+static int parse_power(struct parser *s)
+{
+    int base = parse_primary(s);
+    if (base < 0 || !parse_symbol(s, '^'))
+        return base;
+    bool negative = parse_symbol(s, '-');
+    skip_blanks(s);
+    size_t n = strspn(s->at, "0123456789");
+    if (n == 0 || n > 3)
+        return parse_refuse(s, "an integer exponent of at most three digits");
+    slong exponent = strtol(s->at, NULL, 10);
+    s->at += n;
+    return program_append(s->program, OPERATOR_POWER, base, -1, negative ? -exponent : exponent);
+}
+
+static int parse_sign(struct parser *s)
+{
+    if (!parse_symbol(s, '-'))
+        return parse_power(s);
+    if (++s->depth > DEEPEST)
+        return parse_refuse(s, "less nesting");
+    int operand = parse_sign(s);
+    s->depth--;
+    return operand < 0 ? -1 : program_append(s->program, OPERATOR_NEGATE, operand, -1, 0);
+}
+
+static int parse_product(struct parser *s)
+{
+    int left = parse_sign(s);
+    while (left >= 0) {
+        enum operator op = parse_symbol(s, '*')   ? OPERATOR_MULTIPLY
+                           : parse_symbol(s, '/') ? OPERATOR_DIVIDE
+                                            : OPERATOR_INPUT;
+        if (op == OPERATOR_INPUT)
+            break;
+        int right = parse_sign(s);
+        left = right < 0 ? -1 : program_append(s->program, op, left, right, 0);
+    }
+    return left;
+}
+
+int parse_sum(struct parser *s)
+{
+    if (++s->depth > DEEPEST)
+        return parse_refuse(s, "less nesting");
+    int left = parse_product(s);
+    while (left >= 0) {
+        enum operator op = parse_symbol(s, '+')   ? OPERATOR_ADD
+                           : parse_symbol(s, '-') ? OPERATOR_SUBTRACT
+                                            : OPERATOR_INPUT;
+        if (op == OPERATOR_INPUT)
+            break;
+        int right = parse_product(s);
+        left = right < 0 ? -1 : program_append(s->program, op, left, right, 0);
+    }
+    s->depth--;
+    return left;
+}
+
+int program_parse(struct program *p, const char *text, size_t *where, struct message *why)
+{
+    return program_parse_with(p, text, NULL, NULL, where, why);
+}
+
+int program_parse_with(struct program *p, const char *text, reference_reader *reference, void *context,
+                       size_t *where, struct message *why)
+{
+    struct parser s = {.program = p, .text = text, .at = text, .reference = reference, .context = context};
+    s.why = why;
+    int node = parse_sum(&s);
+    skip_blanks(&s);
+    if (node >= 0 && *s.at != '\0')
+        node = parse_refuse(&s, "an operator or the end of the formula");
+    *where = (size_t)(s.at - text);
+    return node;
+}
+
+/* ---- derivatives of programs ---- */
+
+static int product(struct program *p, int a, int b)
+{
+    return a < 0 || b < 0 ? -1 : program_append(p, OPERATOR_MULTIPLY, a, b, 0);
+}
+
+static int negative(struct program *p, int a)
+{
+    return a < 0 ? -1 : program_append(p, OPERATOR_NEGATE, a, -1, 0);
+}
+
+static int sum(struct program *p, int a, int b)
+{
+    return a < 0 ? b : b < 0 ? a : program_append(p, OPERATOR_ADD, a, b, 0);
+}
+
+static int quotient(struct program *p, int a, int b)
+{
+    return a < 0 ? -1 : program_append(p, OPERATOR_DIVIDE, a, b, 0);
+}
+
+/* The rate of node i, given the rates a of its left and b of its right operand; -1 stands for zero. */
+static int node_rate(struct program *p, int i, int a, int b)
+{
+    const struct node node = p->nodes[i];
+    switch (node.op) {
+    case OPERATOR_NEGATE:
+        return negative(p, a);
+    case OPERATOR_ADD:
+        return sum(p, a, b);
+    case OPERATOR_SUBTRACT:
+        return sum(p, a, negative(p, b));
+    case OPERATOR_MULTIPLY:
+        return sum(p, product(p, a, node.right), product(p, node.left, b));
+    case OPERATOR_DIVIDE: /* (l/r)' = (l' - (l/r) r') / r */
+        return quotient(p, sum(p, a, negative(p, product(p, i, b))), node.right);
+    case OPERATOR_POWER:
+        if (a < 0 || node.exponent == 0)
+            return -1;
+        return product(p, a, product(p, append_integer(p, node.exponent),
+                                     program_append(p, OPERATOR_POWER, node.left, -1, node.exponent - 1)));
+    case OPERATOR_SQRT:
+        return a < 0 ? -1 : quotient(p, a, product(p, append_integer(p, 2), i));
+    case OPERATOR_SIN:
+        return a < 0 ? -1 : product(p, a, program_append(p, OPERATOR_COS, node.left, -1, 0));
+    case OPERATOR_COS:
+        return a < 0 ? -1 : negative(p, product(p, a, program_append(p, OPERATOR_SIN, node.left, -1, 0)));
+    case OPERATOR_EXP:
+        return product(p, a, i);
+    case OPERATOR_LOG:
+        return quotient(p, a, node.left);
+    case OPERATOR_ATAN2: /* (x y' - y x') / (x^2 + y^2) */
+        return quotient(p, sum(p, product(p, node.right, a), negative(p, product(p, node.left, b))),
+                        sum(p, product(p, node.left, node.left), product(p, node.right, node.right)));
+    case OPERATOR_INPUT:
+    case OPERATOR_NUMBER:
+    case OPERATOR_POSITIVE: /* flat but for the jump, where the caller has no business */
+        break;
+    }
+    return -1;
+}
+
+int program_derivative(struct program *p, int node, const int *rate, int rates)
+{
+    int *derivative = memory(NULL, (size_t)node + 1, sizeof *derivative);
+    char *needed = memory(NULL, (size_t)node + 1, 1);
+    program_needs(p, node, NULL, needed);
+    for (int i = 0; i <= node; i++) {
+        int left = p->nodes[i].left, right = p->nodes[i].right;
+        derivative[i] = i < rates && rate[i] >= 0 ? rate[i] : -1;
+        if (derivative[i] < 0 && needed[i])
+            derivative[i] = node_rate(p, i, left < 0 ? -1 : derivative[left],
+                                      right < 0 ? -1 : derivative[right]);
+    }
+    int result = derivative[node];
+    free(derivative);
+    free(needed);
+    return result < 0 ? append_integer(p, 0) : result;
+}
+
+/* ---- machines ---- */
+
+enum { SCRATCH = 2 };
+
+void machine_init(struct machine *m, const struct program *p, const struct arithmetic *a, slong prec)
+{
+    *m = (struct machine){p, a, prec, NULL, p->count + SCRATCH};
+    m->values = memory(NULL, (size_t)m->count, a->size);
+    for (int i = 0; i < m->count; i++)
+        a->init(machine_value(m, i), prec);
+    for (int i = 0; i < p->count; i++)
+        if (p->nodes[i].op == OPERATOR_NUMBER)
+            a->set_rational(machine_value(m, i), &p->nodes[i].number, prec);
+}
+
+void machine_clear(struct machine *m)
+{
+    for (int i = 0; i < m->count; i++)
+        m->arithmetic->clear(machine_value(m, i));
+    free(m->values);
+    m->values = NULL;
+}
+
+void *machine_value(const struct machine *m, int node)
+{
+    return m->values + (size_t)node * m->arithmetic->size;
+}
+
+static void compute(const struct machine *m, enum operator op, void *z, const void *x, const void *y)
+{
+    m->arithmetic->apply(op, z, x, y, 0, m->prec);
+}
+
+void machine_run(struct machine *m)
+{
+    for (int i = m->program->inputs; i < m->program->count; i++) {
+        const struct node *node = &m->program->nodes[i];
+        if (node->op != OPERATOR_NUMBER)
+            m->arithmetic->apply(node->op, machine_value(m, i), machine_value(m, node->left),
+                                 node->right < 0 ? NULL : machine_value(m, node->right),
+                                 node->exponent, m->prec);
+    }
+}
+
+/* d = the derivative of node i by its left operand (or its right one); e is scratch. */
+static void partial(const struct machine *m, int i, bool right, void *d, void *e)
+{
+    const struct arithmetic *a = m->arithmetic;
+    const struct node *node = &m->program->nodes[i];
+    void *x = machine_value(m, node->left), *z = machine_value(m, i);
+    void *y = node->right < 0 ? NULL : machine_value(m, node->right);
+    fmpq_t number;
+    fmpq_init(number);
+    fmpq_set_si(number, right && node->op == OPERATOR_SUBTRACT ? -1 : 1, 1);
+    if (node->op == OPERATOR_NEGATE)
+        fmpq_set_si(number, -1, 1);
+    if (node->op == OPERATOR_POSITIVE)
+        fmpq_zero(number);
+    if (node->op == OPERATOR_POWER)
+        fmpq_set_si(number, node->exponent, 1);
+    a->set_rational(d, number, m->prec);
+    fmpq_clear(number);
+    switch (node->op) {
+    case OPERATOR_MULTIPLY:
+        a->set(d, right ? x : y);
+        break;
+    case OPERATOR_DIVIDE:
+        if (right)
+            compute(m, OPERATOR_NEGATE, d, z, NULL);
+        compute(m, OPERATOR_DIVIDE, d, d, y);
+        break;
+    case OPERATOR_POWER:
+        a->apply(OPERATOR_POWER, e, x, NULL, node->exponent - 1, m->prec);
+        compute(m, OPERATOR_MULTIPLY, d, d, e);
+        break;
+    case OPERATOR_SQRT:
+        compute(m, OPERATOR_ADD, e, z, z);
+        compute(m, OPERATOR_DIVIDE, d, d, e);
+        break;
+    case OPERATOR_SIN:
+        compute(m, OPERATOR_COS, d, x, NULL);
+        break;
+    case OPERATOR_COS:
+        compute(m, OPERATOR_SIN, d, x, NULL);
+        compute(m, OPERATOR_NEGATE, d, d, NULL);
+        break;
+    case OPERATOR_EXP:
+        a->set(d, z);
+        break;
+    case OPERATOR_LOG:
+        compute(m, OPERATOR_DIVIDE, d, d, x);
+        break;
+    case OPERATOR_ATAN2: /* by y: x / (x^2 + y^2), by x: -y / (x^2 + y^2); here x is y, and y is x */
+        compute(m, OPERATOR_MULTIPLY, d, x, x);
+        compute(m, OPERATOR_MULTIPLY, e, y, y);
+        compute(m, OPERATOR_ADD, e, d, e);
+        a->set(d, right ? x : y);
+        if (right)
+            compute(m, OPERATOR_NEGATE, d, d, NULL);
+        compute(m, OPERATOR_DIVIDE, d, d, e);
+        break;
+    default:
+        break;
+    }
+}
+
+void machine_gradient(const struct machine *m, int node, struct machine *adjoint)
+{
+    const struct program *p = m->program;
+    void *d = machine_value(adjoint, p->count), *e = machine_value(adjoint, p->count + 1);
+    char *reached = memory(NULL, (size_t)node + 1, 1);
+    fmpq_t number;
+    fmpq_init(number);
+    memset(reached, 0, (size_t)node + 1);
+    for (int i = 0; i < p->count; i++)
+        m->arithmetic->set_rational(machine_value(adjoint, i), number, m->prec);
+    fmpq_one(number);
+    m->arithmetic->set_rational(machine_value(adjoint, node), number, m->prec);
+    fmpq_clear(number);
+    reached[node] = 1;
+    for (int i = node; i >= p->inputs; i--) {
+        const int operands[2] = {p->nodes[i].left, p->nodes[i].right};
+        for (int k = 0; k < 2 && reached[i]; k++) {
+            if (operands[k] < 0)
+                continue;
+            void *sum_so_far = machine_value(adjoint, operands[k]);
+            partial(m, i, k == 1, d, e);
+            compute(m, OPERATOR_MULTIPLY, d, d, machine_value(adjoint, i));
+            compute(m, OPERATOR_ADD, sum_so_far, sum_so_far, d);
+            reached[operands[k]] = 1;
+        }
+    }
+    free(reached);
+}

@@ -1,0 +1,465 @@
+#include "formula/typeset.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void tex_clear(struct tex *t)
+{
+    free(t->text);
+    *t = (struct tex){NULL, 0};
+}
+
+void tex_add(struct tex *t, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const int length = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    t->text = memory(t->text, t->length + (size_t)length + 1, 1);
+    va_start(arguments, format);
+    vsnprintf(t->text + t->length, (size_t)length + 1, format, arguments);
+    va_end(arguments);
+    t->length += (size_t)length;
+}
+
+/* ---- symbols ---- */
+
+static bool is_greek(const char *word, size_t length)
+{
+    static const char *const letters[] = {"Omega", "psi", "theta", "lambda", "phi", "kappa", "mu", "tau", "rho"};
+    for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
+        if (strlen(letters[i]) == length && strncmp(letters[i], word, length) == 0)
+            return true;
+    return false;
+}
+
+/* The letters of a name, before any index and accent. */
+static void add_letters(struct tex *t, const char *letters, int length, const char *accent)
+{
+    const bool variation = length == 2 && letters[0] == 'd' && isupper((unsigned char)letters[1]);
+    if (variation) { /* dL, dQ */
+        tex_add(t, "\\delta ");
+        letters++;
+        length--;
+    }
+    if (*accent != '\0')
+        tex_add(t, "%s", accent);
+    if (is_greek(letters, (size_t)length))
+        tex_add(t, "\\%.*s ", length, letters);
+    else if (length == 1)
+        tex_add(t, "%s", *letters == 'w' ? "\\omega " : (const char[]){*letters, '\0'});
+    else if (length == 2 && isupper((unsigned char)letters[0]))
+        tex_add(t, "{%.*s}", length, letters);
+    else
+        tex_add(t, "\\mathrm{%.*s}", length, letters);
+}
+
+/* One more index: one letter, and digits behind it or not, in italics; a word upright. */
+static void add_index(struct tex *t, const char *index, int length)
+{
+    const bool word = length > 1 && isalpha((unsigned char)index[1]);
+    tex_add(t, word ? "\\mathrm{%.*s}" : "%.*s", length, index);
+}
+
+void typeset_symbol(struct tex *t, const char *name)
+{
+    const int letters = (int)strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    const char *rest = name + letters, *accent = "";
+    struct tex index = {NULL, 0};
+    while (*rest != '\0') {
+        rest += *rest == '_';
+        const int length = (int)strcspn(rest, "_");
+        if (length == 3 && strncmp(rest, "dot", 3) == 0)
+            accent = "\\dot ";
+        else if (length == 4 && strncmp(rest, "ddot", 4) == 0)
+            accent = "\\ddot ";
+        else
+            add_index(&index, rest, length);
+        rest += length;
+    }
+    add_letters(t, name, letters, accent);
+    if (index.length > 0)
+        tex_add(t, "_{%s}", index.text);
+    tex_clear(&index);
+}
+
+/* ---- formulas ---- */
+
+/* What a formula is written into, and how tightly its outermost operator binds. */
+struct writer {
+    struct tex *tex;
+    const struct program *program;
+    bool flat; /* in an exponent: a/b in place of a fraction */
+};
+
+enum binding { SUM, PRODUCT, POWER, ATOM };
+
+static void write_node(const struct writer *w, int node, enum binding least);
+
+static enum binding binding_of(const struct program *p, int node)
+{
+    switch (p->nodes[node].op) {
+    case OPERATOR_ADD:
+    case OPERATOR_SUBTRACT:
+    case OPERATOR_NEGATE:
+        return SUM;
+    case OPERATOR_MULTIPLY:
+    case OPERATOR_DIVIDE:
+    case OPERATOR_SIN: /* sin x has to be bracketed to be raised, as a product has */
+    case OPERATOR_COS:
+    case OPERATOR_LOG:
+        return PRODUCT;
+    case OPERATOR_POWER:
+    case OPERATOR_EXP:
+        return POWER;
+    default:
+        return ATOM;
+    }
+}
+
+static bool is_function(const struct program *p, int node)
+{
+    const enum operator op = p->nodes[node].op;
+    return op == OPERATOR_SIN || op == OPERATOR_COS || op == OPERATOR_LOG;
+}
+
+static const char *input_name(const struct program *p, int node)
+{
+    int i = 0;
+    while (p->names[i].node != node)
+        i++;
+    return p->names[i].text;
+}
+
+/* In brackets as high as what they hold. */
+static void write_brackets(const struct writer *w, int node, const char *left, const char *right)
+{
+    struct tex inside = {NULL, 0};
+    const struct writer inner = {&inside, w->program, w->flat};
+    write_node(&inner, node, SUM);
+    const bool high = strstr(inside.text, "\\frac") != NULL || strstr(inside.text, "\\sqrt") != NULL;
+    tex_add(w->tex, high ? "\\left%s%s\\right%s" : "%s%s%s", left, inside.text, right);
+    tex_clear(&inside);
+}
+
+/* A product or quotient, taken apart: its factors from left to right, each above or below the line. */
+struct factors {
+    struct factor {
+        int node;
+        bool below;
+    } *list;
+    int count;
+    bool negative;
+};
+
+static void collect(const struct program *p, int node, bool below, struct factors *f)
+{
+    const struct node *n = &p->nodes[node];
+    const bool quotient = n->op == OPERATOR_DIVIDE;
+    if (n->op == OPERATOR_MULTIPLY || (quotient && !below)) {
+        collect(p, n->left, below, f);
+        collect(p, n->right, below || quotient, f);
+    } else if (n->op == OPERATOR_NEGATE && f->count == 0) {
+        f->negative = true;
+        collect(p, n->left, below, f);
+    } else {
+        f->list = memory(f->list, (size_t)f->count + 1, sizeof *f->list);
+        f->list[f->count++] = (struct factor){node, below};
+    }
+}
+
+/* Factors from first to last - 1, side by side, in brackets where they bind less than `least`. */
+static void write_factors(const struct writer *w, const struct factors *f, int first, int last, enum binding least)
+{
+    for (int i = first; i < last; i++) {
+        const bool function = is_function(w->program, f->list[i].node);
+        if (i > first && w->program->nodes[f->list[i].node].op == OPERATOR_NUMBER)
+            tex_add(w->tex, "\\cdot ");
+        else if (i > first && !function && is_function(w->program, f->list[i - 1].node))
+            tex_add(w->tex, "\\,");
+        write_node(w, f->list[i].node, function ? SUM : least);
+    }
+}
+
+/* What stands above and below one line; alone on its side, nothing needs brackets. */
+static void write_fraction(const struct writer *w, const struct factors *f, int first, int line, int last)
+{
+    if (w->flat) {
+        write_factors(w, f, first, line, POWER);
+        const bool several = last - line > 1;
+        tex_add(w->tex, several ? "/(" : "/");
+        write_factors(w, f, line, last, several ? POWER : ATOM);
+        tex_add(w->tex, several ? ")" : "");
+        return;
+    }
+    tex_add(w->tex, "\\frac{");
+    write_factors(w, f, first, line, line - first == 1 ? SUM : POWER);
+    tex_add(w->tex, "}{");
+    write_factors(w, f, line, last, last - line == 1 ? SUM : POWER);
+    tex_add(w->tex, "}");
+}
+
+/* k_c/m1*(x1 - x2)/L^3*Q is two fractions and a factor: a line ends where a factor stands above it again. */
+static void write_product(const struct writer *w, int node)
+{
+    struct factors f = {.list = NULL};
+    collect(w->program, node, false, &f);
+    if (f.negative)
+        tex_add(w->tex, "-");
+    for (int first = 0, last; first < f.count; first = last) {
+        int line = first;
+        while (line < f.count && !f.list[line].below)
+            line++;
+        last = line;
+        while (last < f.count && f.list[last].below)
+            last++;
+        if (last > line)
+            write_fraction(w, &f, first, line, last);
+        else
+            write_factors(w, &f, first, line, POWER);
+    }
+    free(f.list);
+}
+
+static void write_call(const struct writer *w, const char *name, int argument)
+{
+    tex_add(w->tex, "\\%s ", name);
+    if (binding_of(w->program, argument) == ATOM)
+        write_node(w, argument, SUM);
+    else
+        write_brackets(w, argument, "(", ")");
+}
+
+static void write_sum(const struct writer *w, const struct node *n)
+{
+    if (n->op == OPERATOR_NEGATE) {
+        tex_add(w->tex, "-");
+        write_node(w, n->left, PRODUCT);
+        return;
+    }
+    write_node(w, n->left, SUM);
+    tex_add(w->tex, n->op == OPERATOR_ADD ? " + " : " - ");
+    write_node(w, n->right, n->op == OPERATOR_ADD && w->program->nodes[n->right].op != OPERATOR_NEGATE ? SUM : PRODUCT);
+}
+
+static void write_power(const struct writer *w, const struct node *n)
+{
+    const char *name = w->program->nodes[n->left].op == OPERATOR_INPUT ? input_name(w->program, n->left) : "";
+    if (*name == 'd' && isupper((unsigned char)name[1])) /* (\delta L)^2 */
+        write_brackets(w, n->left, "(", ")");
+    else
+        write_node(w, n->left, ATOM);
+    tex_add(w->tex, "^{%ld}", (long)n->exponent);
+}
+
+/* The root of a square is the absolute value. */
+static void write_root(const struct writer *w, int argument)
+{
+    const struct node *n = &w->program->nodes[argument];
+    if (n->op == OPERATOR_POWER && n->exponent == 2) {
+        write_brackets(w, n->left, "|", "|");
+        return;
+    }
+    tex_add(w->tex, "\\sqrt{");
+    write_node(w, argument, SUM);
+    tex_add(w->tex, "}");
+}
+
+static void write_number(const struct writer *w, const struct node *n)
+{
+    char *text = fmpq_get_str(NULL, 10, &n->number);
+    char *slash = strchr(text, '/');
+    if (slash == NULL)
+        tex_add(w->tex, "%s", text);
+    else
+        tex_add(w->tex, "\\frac{%.*s}{%s}", (int)(slash - text), text, slash + 1);
+    flint_free(text);
+}
+
+static void write_operator(const struct writer *w, int node)
+{
+    const struct node *n = &w->program->nodes[node];
+    const struct writer exponent = {w->tex, w->program, true};
+    switch (n->op) {
+    case OPERATOR_INPUT:
+        typeset_symbol(w->tex, input_name(w->program, node));
+        break;
+    case OPERATOR_NUMBER:
+        write_number(w, n);
+        break;
+    case OPERATOR_NEGATE:
+    case OPERATOR_ADD:
+    case OPERATOR_SUBTRACT:
+        write_sum(w, n);
+        break;
+    case OPERATOR_MULTIPLY:
+    case OPERATOR_DIVIDE:
+        write_product(w, node);
+        break;
+    case OPERATOR_POWER:
+        write_power(w, n);
+        break;
+    case OPERATOR_SQRT:
+        write_root(w, n->left);
+        break;
+    case OPERATOR_SIN:
+    case OPERATOR_COS:
+        write_call(w, n->op == OPERATOR_SIN ? "sin" : "cos", n->left);
+        break;
+    case OPERATOR_LOG:
+        write_call(w, "ln", n->left);
+        break;
+    case OPERATOR_EXP:
+        tex_add(w->tex, "e^{");
+        write_node(&exponent, n->left, SUM);
+        tex_add(w->tex, "}");
+        break;
+    case OPERATOR_ATAN2:
+        tex_add(w->tex, "\\operatorname{atan2}\\left(");
+        write_node(w, n->left, SUM);
+        tex_add(w->tex, ",\\, ");
+        write_node(w, n->right, SUM);
+        tex_add(w->tex, "\\right)");
+        break;
+    case OPERATOR_POSITIVE: /* Iverson's bracket: 1 where it holds, else 0 */
+        write_brackets(w, n->left, "[", " > 0]");
+        break;
+    }
+}
+
+/* In brackets where it binds less than its place asks for. */
+static void write_node(const struct writer *w, int node, enum binding least)
+{
+    if (binding_of(w->program, node) < least)
+        write_brackets(w, node, "(", ")");
+    else
+        write_operator(w, node);
+}
+
+void typeset_formula(struct tex *t, const struct program *p, int node)
+{
+    const struct writer w = {t, p, false};
+    write_node(&w, node, SUM);
+}
+
+/* ---- mathematics within a sentence ---- */
+
+/* What stands for what, the longest first. */
+static const struct {
+    const char *text, *latex;
+} signs[] = {{"...", "\\dots "}, {"<<", "\\ll "}, {"<=", "\\le "}, {">=", "\\ge "}, {"!=", "\\ne "},   {"->", "\\to "},
+             {"+-", "\\pm "},    {"-+", "\\mp "}, {"|", "\\vert "}, {"%", "\\%"},   {"{", "\\{"},      {"}", "\\}"},
+             {"*", "\\,"},       {"&", "\\&"},    {"#", "\\#"},     {"~", "\\sim "}};
+
+/* The words that are no symbols. */
+static const struct {
+    const char *text, *latex;
+} words[] = {{"sin", "\\sin "}, {"cos", "\\cos "}, {"log", "\\ln "}, {"ln", "\\ln "}, {"exp", "\\exp "}, {"det", "\\det "},
+             {"cosh", "\\cosh "}, {"Re", "\\operatorname{Re}"}, {"infinity", "\\infty "}, {"and", "\\text{ and }"}};
+
+/* The length of what a bracket at the start of a text encloses, itself included; 0 when it is not closed. */
+static size_t bracket(const char *text, size_t length)
+{
+    int depth = 0;
+    for (size_t i = 0; i < length; i++) {
+        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+        if (depth == 0)
+            return i + 1;
+    }
+    return 0;
+}
+
+static size_t word_length(const char *text, size_t length)
+{
+    size_t i = 0;
+    while (i < length && (isalnum((unsigned char)text[i]) || text[i] == '_'))
+        i++;
+    return i;
+}
+
+static size_t inline_number(struct tex *t, const char *text, size_t length)
+{
+    size_t i = 0;
+    while (i < length && (isdigit((unsigned char)text[i]) || (text[i] == '.' && i + 1 < length && isdigit((unsigned char)text[i + 1]))))
+        i++;
+    tex_add(t, "%.*s", (int)i, text);
+    if (i + 1 < length && text[i] == 'e' && (isdigit((unsigned char)text[i + 1]) || strchr("+-", text[i + 1]) != NULL)) {
+        size_t end = i + 2;
+        while (end < length && isdigit((unsigned char)text[end]))
+            end++;
+        tex_add(t, "\\cdot 10^{%ld}", strtol(text + i + 1, NULL, 10));
+        return end;
+    }
+    return i;
+}
+
+static size_t inline_word(struct tex *t, const char *text, size_t length)
+{
+    char name[64];
+    const size_t letters = word_length(text, length), inside = bracket(text + letters, length - letters);
+    snprintf(name, sizeof name, "%.*s", (int)letters, text);
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (strcmp(name, words[k].text) == 0) {
+            tex_add(t, "%s", words[k].latex);
+            return letters;
+        }
+    if (strcmp(name, "sqrt") == 0) { /* sqrt(x), sqrt 7 */
+        const size_t skip = letters < length && text[letters] == ' ', plain = word_length(text + letters + skip, length - letters - skip);
+        const bool round = letters < length && text[letters] == '(' && inside > 0;
+        tex_add(t, "\\sqrt{");
+        typeset_inline(t, text + letters + 1, round ? inside - 2 : plain);
+        tex_add(t, "}");
+        return letters + (round ? inside : skip + plain);
+    }
+    typeset_symbol(t, name);
+    return letters;
+}
+
+/* ^2, ^-2, ^(n + 1), ^k */
+static size_t inline_exponent(struct tex *t, const char *text, size_t length)
+{
+    const size_t minus = length > 1 && text[1] == '-', inside = bracket(text + 1, length - 1);
+    const bool round = length > 1 && text[1] == '(' && inside > 0;
+    const size_t plain = minus + word_length(text + 1 + minus, length - 1 - minus);
+    tex_add(t, "^{");
+    typeset_inline(t, text + 1 + round, round ? inside - 2 : plain);
+    tex_add(t, "}");
+    return 1 + (round ? inside : plain);
+}
+
+/* A blank is a product between what ends a factor and what begins one. */
+static bool is_product(const char *text, size_t at, size_t length)
+{
+    const char before = at > 0 ? text[at - 1] : ' ', after = at + 1 < length ? text[at + 1] : ' ';
+    return (isalnum((unsigned char)before) || strchr(")'", before) != NULL) && (isalnum((unsigned char)after) || after == '(');
+}
+
+static size_t inline_token(struct tex *t, const char *text, size_t at, size_t length)
+{
+    const char *here = text + at;
+    if (isdigit((unsigned char)*here))
+        return inline_number(t, here, length - at);
+    if (isalpha((unsigned char)*here))
+        return inline_word(t, here, length - at);
+    if (*here == '^')
+        return inline_exponent(t, here, length - at);
+    for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
+        if (strlen(signs[k].text) <= length - at && strncmp(here, signs[k].text, strlen(signs[k].text)) == 0) {
+            tex_add(t, "%s", signs[k].latex);
+            return strlen(signs[k].text);
+        }
+    if (*here == ' ')
+        tex_add(t, "%s", is_product(text, at, length) ? "\\," : " ");
+    else
+        tex_add(t, "%c", *here);
+    return 1;
+}
+
+void typeset_inline(struct tex *t, const char *text, size_t length)
+{
+    for (size_t at = 0; at < length;)
+        at += inline_token(t, text, at, length);
+}

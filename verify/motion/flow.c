@@ -1,0 +1,142 @@
+/*
+ * What the motions have in common: their domains, an enclosure's use, the precision to start with.
+ */
+#include "motion/flow.h"
+
+#include <math.h>
+
+/* Radians: 160,000 orbits of some 10^5 bits, and of the method 1,600 of 240,000: both would take days. */
+static const double FLOW_REACH = 1e6, RK4_REACH = 1e4;
+
+void flow_parameters_init(struct flow_parameters *p)
+{
+    arb_ptr all[] = {p->Omega, p->L_ref, p->C1, p->C2, p->k_c, p->m1, p->m2};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        arb_init(all[i]);
+}
+
+void flow_parameters_clear(struct flow_parameters *p)
+{
+    arb_ptr all[] = {p->Omega, p->L_ref, p->C1, p->C2, p->k_c, p->m1, p->m2};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        arb_clear(all[i]);
+}
+
+const char *flow_status_text(enum flow_status status)
+{
+    static const char *const texts[] = {[FLOW_DONE] = "done",
+                                        [FLOW_STOPPED] = "stopped",
+                                        [FLOW_WIDE] = "the enclosure grew past use",
+                                        [FLOW_CLOSE] = "the craft come closer than L_ref/128, nothing is proved beyond",
+                                        [FLOW_DOMAIN] = "a parameter lies outside the domain",
+                                        [FLOW_STALLED] = "too many steps or orbits, no end in sight"};
+    return texts[status];
+}
+
+bool flow_linear_domain(const struct flow_parameters *p, arb_srcptr initial)
+{
+    return arb_is_positive(p->Omega) && arb_is_positive(p->L_ref) && arb_is_finite(p->Omega)
+           && arb_is_finite(p->L_ref) && arb_is_finite(p->C1) && arb_is_finite(p->C2)
+           && _arb_vec_is_finite(initial, FLOW_STATE);
+}
+
+bool flow_nonlinear_domain(const struct flow_parameters *p, arb_srcptr initial)
+{
+    arb_t square;
+    arb_init(square);
+    arb_dot(square, NULL, 0, initial, 1, initial, 1, FLOW_STATE / 2, 64);
+    bool valid = flow_linear_domain(p, initial) && arb_is_positive(square)
+                 && arb_is_positive(p->k_c) && arb_is_positive(p->m1) && arb_is_positive(p->m2)
+                 && arb_is_finite(p->k_c) && arb_is_finite(p->m1) && arb_is_finite(p->m2);
+    arb_clear(square);
+    return valid;
+}
+
+bool flow_wide(arb_srcptr state, slong bits)
+{
+    mag_t radius, size, m;
+    mag_init(radius);
+    mag_init(size);
+    mag_init(m);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        mag_max(radius, radius, arb_radref(state + i));
+        arb_get_mag(m, state + i);
+        mag_max(size, size, m);
+    }
+    mag_mul_2exp_si(size, size, -bits);
+    bool wide = mag_is_inf(radius) || mag_cmp(radius, size) > 0;
+    mag_clear(radius);
+    mag_clear(size);
+    mag_clear(m);
+    return wide;
+}
+
+static bool in_reach(const struct flow_parameters *p, const fmpq *times, slong count, double most)
+{
+    arb_t radians, reach;
+    if (count == 0)
+        return true;
+    arb_init(radians);
+    arb_init(reach);
+    arb_set_fmpq(radians, times + count - 1, 64);
+    arb_mul(radians, radians, p->Omega, 64);
+    arb_abs(radians, radians);
+    arb_set_d(reach, most);
+    bool within = arb_le(radians, reach);
+    arb_clear(radians);
+    arb_clear(reach);
+    return within;
+}
+
+bool flow_in_reach(const struct flow_parameters *p, const fmpq *times, slong count)
+{
+    return in_reach(p, times, count, FLOW_REACH);
+}
+
+bool rk4_in_reach(const struct flow_parameters *p, const fmpq *times, slong count)
+{
+    return in_reach(p, times, count, RK4_REACH);
+}
+
+slong flow_precision(slong digits, double radians)
+{
+    /* Table 1 takes some 35 of the 60 bits (rests, growth, small coordinates); the others are for near zeros */
+    return (slong)(log2(10) * (double)digits + 60 + 0.1 * fmin(fabs(radians), FLOW_REACH));
+}
+
+slong rk4_precision(slong digits, double radians)
+{
+    /* plain balls lose 10 bits per radian of orbit at n = 10, 23 at n = 40, whatever the step */
+    return (slong)(log2(10) * (double)digits + 40 + 24 * fmin(fabs(radians), RK4_REACH));
+}
+
+/* ---- what symmetry keeps ---- */
+
+void flow_settle(arb_srcptr initial, bool static_place, arb_ptr state)
+{
+    bool zero[3]; /* the pair neither is nor moves off the origin along this axis */
+    for (int i = 0; i < 3; i++)
+        zero[i] = arb_is_zero(initial + i) && arb_is_zero(initial + i + 3);
+    for (int i = 0; i < 3; i++)
+        if (i == 2 ? zero[2] : zero[0] && zero[1]) {
+            arb_zero(state + i);
+            arb_zero(state + i + 3);
+        }
+    if (static_place && zero[1] && zero[2] && arb_is_zero(initial + 3))
+        _arb_vec_set(state, initial, FLOW_STATE);
+}
+
+bool is_static_place(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1)
+{
+    fmpq_t a, b;
+    fmpq_init(a);
+    fmpq_init(b);
+    fmpq_add(a, m1, m2);
+    fmpq_mul(a, a, x1);
+    fmpq_abs(a, a);
+    fmpq_mul(b, m2, L_ref);
+    bool same = fmpq_equal(a, b);
+    fmpq_clear(a);
+    fmpq_clear(b);
+    return same;
+}

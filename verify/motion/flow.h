@@ -1,0 +1,106 @@
+/*
+ * Certified motion of the two craft: the linear model (40) by the matrix exponential, the nonlinear
+ * model (3 closed by 7 and 18) by a validated Taylor integrator, and the paper's classical
+ * Runge-Kutta method free of rounding. Every state that leaves here is a proved enclosure: it holds the
+ * exact state for all parameters and initial states within the balls given.
+ */
+#ifndef CT_FLOW_H
+#define CT_FLOW_H
+
+#include <stdbool.h>
+
+#include "text/flint.h"
+
+enum { FLOW_STATE = 6 };
+
+/* Enclosures of the parameters; the caller makes them as sharp as the working precision. */
+struct flow_parameters {
+    arb_t Omega, L_ref, C1, C2; /* rad/s, m, 1/s^2, 1/s: all that the linear model needs        */
+    arb_t k_c, m1, m2;          /* N m^2/C^2, kg, kg: the nonlinear model's                     */
+};
+
+void flow_parameters_init(struct flow_parameters *p);
+void flow_parameters_clear(struct flow_parameters *p);
+
+enum flow_status {
+    FLOW_DONE,
+    FLOW_STOPPED,   /* the receiver asked to stop                                               */
+    FLOW_WIDE,      /* the enclosure grew past use: more precision may help                     */
+    FLOW_CLOSE,     /* at `reached` L < L_ref/128, proved, and steps become too short to go on: whether
+                       the craft meet is not known                                              */
+    FLOW_DOMAIN,    /* a parameter, the initial state or a time lies outside the domain         */
+    FLOW_STALLED    /* too many steps: gains so stiff, or a time so late, that no end is in sight */
+};
+
+const char *flow_status_text(enum flow_status status);
+
+/* Called in order of time, once for each requested time; non-zero stops the flow. */
+typedef int flow_receiver(void *context, slong k, const fmpq_t t, arb_srcptr state);
+
+/*
+ * States are psi theta dL psi_dot theta_dot dL_dot (linear) or x1 y1 z1 x1_dot y1_dot z1_dot
+ * (nonlinear), SI. `times` are exact, monotone away from 0 (all >= 0 ascending or all <= 0 descending);
+ * at 0 the initial state itself is handed on. `prec` is the working precision in bits; `digits` is the
+ * accuracy wanted: an enclosure wider than 10^-digits of the state's largest coordinate is past use.
+ * `reached` gets the last proved time in seconds.
+ */
+enum flow_status flow_linear(const struct flow_parameters *p, arb_srcptr initial, const fmpq *times,
+                             slong count, slong prec, flow_receiver *receive, void *context,
+                             double *reached);
+enum flow_status flow_nonlinear(const struct flow_parameters *p, arb_srcptr initial,
+                                const fmpq *times, slong count, slong digits, slong prec,
+                                flow_receiver *receive, void *context, double *reached);
+
+/*
+ * How flow_nonlinear makes its steps, for tests in which one error term outweighs all others, and to measure what
+ * its proofs cost. What is 0 is left to the flow.
+ */
+struct flow_steps {
+    slong order, derivative_order; /* of the series from the centre, >= 2, and of the derivatives, >= 1 */
+    double step;                   /* radians, proposed at every step in place of what the series propose */
+    bool unproved;                 /* the same steps without proofs and without what they bound           */
+};
+enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct flow_parameters *p, arb_srcptr initial,
+                                   const fmpq *times, slong count, slong digits, slong prec,
+                                   flow_receiver *receive, void *context, double *reached);
+
+/* Steps of h > 0 of the classical Runge-Kutta method; every time is a multiple of h, t >= 0. */
+enum flow_status rk4_linear(const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h,
+                            const fmpq *times, slong count, slong prec, flow_receiver *receive,
+                            void *context, double *reached);
+enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h,
+                               const fmpq *times, slong count, slong prec, flow_receiver *receive,
+                               void *context, double *reached);
+
+/*
+ * Working precision in bits for which `digits` digits at time t (in radians of orbit) are expected, with
+ * gains near the paper's; where an unstable or stiff motion takes more, a second run at twice that.
+ */
+slong flow_precision(slong digits, double radians);
+slong rk4_precision(slong digits, double radians);
+
+/* Radians up to t, or what few long steps of h cost as if they were radians, whichever is less. */
+double rk4_radians(const fmpq_t Omega, const fmpq_t t, const fmpq_t h);
+
+/*
+ * Whether the last time is no more radians of orbit away than a flow, or the method, can be followed. What lies
+ * further is FLOW_STALLED at once, and the precisions above grow no more.
+ */
+bool flow_in_reach(const struct flow_parameters *p, const fmpq *times, slong count);
+bool rk4_in_reach(const struct flow_parameters *p, const fmpq *times, slong count);
+
+/* Omega, L_ref (and k_c, m1, m2) > 0, all finite, and the nonlinear model's craft apart. */
+bool flow_linear_domain(const struct flow_parameters *p, arb_srcptr initial);
+bool flow_nonlinear_domain(const struct flow_parameters *p, arb_srcptr initial);
+
+/* Whether some radius exceeds 2^-bits of the largest coordinate (all in like units), or is not finite. */
+bool flow_wide(arb_srcptr state, slong bits);
+
+/*
+ * What symmetry keeps for ever, and no enclosure can see: a pair in the orbit plane stays there, one
+ * on the orbit normal too, and one at rest at its static place, x1 = +-L_ref m2/(m1 + m2), stays at rest.
+ */
+bool is_static_place(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1);
+void flow_settle(arb_srcptr initial, bool static_place, arb_ptr state);
+
+#endif

@@ -1,0 +1,352 @@
+#include "motion/motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/decimal.h"
+
+const char *const setting_names[SETTINGS] = {
+    "m1",  "m2",    "L_ref", "k_c",     "Omega",     "n",      "C1", "C2", "psi", "theta",
+    "dL", "psi_dot", "theta_dot", "dL_dot", "x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
+
+/* ---- settings ---- */
+
+void setting_init(struct setting *s, bool exact)
+{
+    *s = (struct setting){.exact = exact};
+    for (int i = 0; i < SETTINGS; i++) {
+        const char *value = quantity_find(sheet(), setting_names[i])->value;
+        fmpq_init(&s->value[i].value);
+        if (value != NULL)
+            literal_read(&s->value[i].value, value, exact);
+    }
+}
+
+void setting_clear(struct setting *s)
+{
+    for (int i = 0; i < SETTINGS; i++)
+        fmpq_clear(&s->value[i].value);
+}
+
+static bool is_positive(const struct setting *s, enum setting_name name)
+{
+    return fmpq_sgn(&s->value[name].value) > 0;
+}
+
+static bool cartesian(const struct setting *s)
+{
+    return s->given[SET_x1];
+}
+
+bool setting_valid(const struct setting *s, bool nonlinear, struct message *why)
+{
+    static const enum setting_name positive[] = {SET_Omega, SET_L_ref, SET_k_c, SET_m1, SET_m2};
+    const fmpq *const value = &s->value[SET_n].value;
+    for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
+        if (!is_positive(s, positive[i])) {
+            message_set(why, "%s: expected a number > 0", setting_names[positive[i]]);
+            return false;
+        }
+    if (!s->given[SET_C1] && !s->given[SET_C2] && fmpq_cmp_si(value, 9) < 0) {
+        message_set(why, "n: expected a number >= 9, Eq. (44)");
+        return false;
+    }
+    if (!nonlinear)
+        return true;
+    fmpq_t length;
+    fmpq_init(length);
+    fmpq_add(length, &s->value[SET_L_ref].value, &s->value[SET_dL].value);
+    bool apart = fmpq_sgn(length) > 0;
+    fmpq_clear(length);
+    if (cartesian(s))
+        apart = !(fmpq_is_zero(&s->value[SET_x1].value) && fmpq_is_zero(&s->value[SET_y1].value) &&
+                  fmpq_is_zero(&s->value[SET_z1].value));
+    if (!apart)
+        message_set(why, "%s: expected the two craft apart, L > 0", cartesian(s) ? "x1 y1 z1" : "dL");
+    return apart;
+}
+
+/* ---- parameters and initial states, derived without rounding ---- */
+
+static void get(arb_t x, const struct setting *s, enum setting_name name, slong prec)
+{
+    arb_set_fmpq(x, &s->value[name].value, prec);
+}
+
+static void derive_parameters(struct flow_parameters *p, const struct setting *s, slong prec)
+{
+    arb_ptr gain_inputs = _arb_vec_init(2); /* of Eqs. (43) and (44): Omega, n */
+    get(p->Omega, s, SET_Omega, prec);
+    get(p->L_ref, s, SET_L_ref, prec);
+    get(p->k_c, s, SET_k_c, prec);
+    get(p->m1, s, SET_m1, prec);
+    get(p->m2, s, SET_m2, prec);
+    arb_set(gain_inputs, p->Omega);
+    get(gain_inputs + 1, s, SET_n, prec);
+    if (s->given[SET_C1])
+        get(p->C1, s, SET_C1, prec);
+    else
+        section_enclose(section_find(sheet(), "eq43"), gain_inputs, prec, p->C1);
+    if (s->given[SET_C2])
+        get(p->C2, s, SET_C2, prec);
+    else
+        section_enclose(section_find(sheet(), "eq44"), gain_inputs, prec, p->C2);
+    _arb_vec_clear(gain_inputs, 2);
+}
+
+static void derive_initial(arb_ptr initial, const struct motion *m, slong prec)
+{
+    const struct setting *s = m->setting;
+    if (!m->nonlinear || cartesian(s)) {
+        for (int i = 0; i < FLOW_STATE; i++)
+            get(initial + i, s, (enum setting_name)((m->nonlinear ? SET_x1 : SET_psi) + i), prec);
+        return;
+    }
+    static const enum setting_name order[] = {SET_m1,     SET_m2,      SET_L_ref, SET_psi, SET_theta,
+                                              SET_dL_dot, SET_psi_dot, SET_theta_dot};
+    arb_ptr inputs = _arb_vec_init(8); /* m1 m2 L psi theta, and L_dot psi_dot theta_dot */
+    arb_t dL;
+    arb_init(dL);
+    for (int i = 0; i < 8; i++)
+        get(inputs + i, s, order[i], prec);
+    get(dL, s, SET_dL, prec);
+    arb_add(inputs + 2, inputs + 2, dL, prec);
+    section_enclose(section_find(sheet(), "eq10"), inputs, prec, initial);
+    section_enclose(section_find(sheet(), "eq11exact"), inputs, prec, initial + 3);
+    arb_clear(dL);
+    _arb_vec_clear(inputs, 8);
+}
+
+/* ---- charges along a motion: Eqs. (13), (7), (18), (21) ---- */
+
+/* Eq. (14) names the distance and its rate on its way. */
+static void distance_and_rate(arb_t L, arb_t L_dot, const struct flow_parameters *p, arb_srcptr state,
+                              slong prec)
+{
+    const struct program *program = &section_find(sheet(), "eq14")->corrected.program;
+    static const char *const names[] = {"x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
+    struct machine m;
+    machine_init(&m, program, &arithmetic_ball, prec);
+    arb_set(machine_value(&m, program_find(program, "m1")), p->m1);
+    arb_set(machine_value(&m, program_find(program, "m2")), p->m2);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set(machine_value(&m, program_find(program, names[i])), state + i);
+    machine_run(&m);
+    arb_set(L, machine_value(&m, program_find(program, "L")));
+    arb_set(L_dot, machine_value(&m, program_find(program, "L_dot")));
+    machine_clear(&m);
+}
+
+/* q1 and q2; the charge product Q_ref + dQ itself goes to `product`. */
+static void charges(arb_ptr q, arb_t product, const struct flow_parameters *p, arb_srcptr state, slong prec)
+{
+    arb_ptr in = _arb_vec_init(8);
+    arb_ptr Q = _arb_vec_init(2);
+    arb_srcptr first[] = {p->Omega, p->k_c, p->m1, p->m2, p->L_ref};
+    arb_srcptr second[] = {p->k_c, p->m1, p->m2, p->L_ref, p->C1, p->C2};
+    for (int i = 0; i < 5; i++)
+        arb_set(in + i, first[i]);
+    section_enclose(section_find(sheet(), "eq07"), in, prec, Q);
+    for (int i = 0; i < 6; i++)
+        arb_set(in + i, second[i]);
+    distance_and_rate(in + 6, in + 7, p, state, prec);
+    arb_sub(in + 6, in + 6, p->L_ref, prec);
+    section_enclose(section_find(sheet(), "eq18"), in, prec, Q + 1);
+    arb_add(product, Q, Q + 1, prec);
+    section_enclose(section_find(sheet(), "eq21"), Q, prec, q);
+    _arb_vec_clear(in, 8);
+    _arb_vec_clear(Q, 2);
+}
+
+/* ---- rows ---- */
+
+struct pass {
+    const struct motion *motion;
+    struct flow_parameters parameters;
+    arb_ptr initial;
+    slong prec, most; /* working precision, and where trying ends */
+    slong done;       /* rows that the receiver has               */
+    bool static_place, undecided, stopped;
+    bool outside;     /* Q_ref + dQ >= 0 at the row behind those      */
+    row_receiver *receive;
+    void *context;
+};
+
+static int row_balls(struct pass *p, arb_srcptr state, arb_ptr row)
+{
+    const struct motion *m = p->motion;
+    _arb_vec_set(row, state, FLOW_STATE);
+    if (m->nonlinear)
+        flow_settle(p->initial, p->static_place, row);
+    if (m->charges) {
+        arb_t product;
+        arb_init(product);
+        charges(row + FLOW_STATE, product, &p->parameters, row, p->prec);
+        p->outside = arb_is_nonnegative(product);
+        for (int i = FLOW_STATE; i < ROW_NUMBERS && m->microcoulomb; i++)
+            arb_mul_ui(row + i, row + i, 1000000, p->prec);
+        arb_clear(product);
+        return ROW_NUMBERS;
+    }
+    if (m->small_angles) {
+        arb_ptr in = _arb_vec_init(5);
+        arb_set(in, p->parameters.m1);
+        arb_set(in + 1, p->parameters.m2);
+        arb_add(in + 2, p->parameters.L_ref, state + 2, p->prec);
+        arb_set(in + 3, state);
+        arb_set(in + 4, state + 1);
+        section_enclose(section_find(sheet(), "eq10lin"), in, p->prec, row);
+        _arb_vec_clear(in, 5);
+        return 3;
+    }
+    return FLOW_STATE;
+}
+
+static int take_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    struct pass *p = context;
+    if (k < p->done)
+        return 0;
+    char *numbers[ROW_NUMBERS] = {NULL};
+    arb_ptr row = _arb_vec_init(ROW_NUMBERS);
+    int count = row_balls(p, state, row);
+    for (int i = 0; i < count && !p->outside; i++) {
+        numbers[i] = decimal_of_ball(row + i, p->motion->digits);
+        p->undecided |= numbers[i] == NULL;
+    }
+    if (!p->outside && !p->undecided) {
+        p->stopped = p->receive(p->context, k, t, numbers) != 0;
+        p->done++;
+    }
+    for (int i = 0; i < count; i++)
+        free(numbers[i]);
+    _arb_vec_clear(row, ROW_NUMBERS);
+    return p->outside || p->undecided || p->stopped;
+}
+
+static enum flow_status one_pass(struct pass *p, const fmpq *times, slong count, double *reached)
+{
+    const struct motion *m = p->motion;
+    derive_parameters(&p->parameters, m->setting, p->prec);
+    derive_initial(p->initial, m, p->prec);
+    p->undecided = false;
+    if (m->h != NULL && m->nonlinear)
+        return rk4_nonlinear(&p->parameters, p->initial, m->h, times, count, p->prec, take_row, p,
+                             reached);
+    if (m->h != NULL)
+        return rk4_linear(&p->parameters, p->initial, m->h, times, count, p->prec, take_row, p, reached);
+    if (m->nonlinear)
+        return flow_nonlinear(&p->parameters, p->initial, times, count, m->digits, p->prec, take_row, p,
+                              reached);
+    return flow_linear(&p->parameters, p->initial, times, count, p->prec, take_row, p, reached);
+}
+
+/* Nothing displaced, in the angles; or x1 exactly where the static formation has it. */
+static bool starts_in_place(const struct setting *s)
+{
+    bool same = true;
+    if (!cartesian(s)) {
+        for (int i = SET_psi; i <= SET_dL_dot; i++)
+            same = same && fmpq_is_zero(&s->value[i].value);
+        return same;
+    }
+    return is_static_place(&s->value[SET_m1].value, &s->value[SET_m2].value,
+                           &s->value[SET_L_ref].value, &s->value[SET_x1].value);
+}
+
+static int ignore_row(void *context, slong k, const fmpq_t t, char *const *numbers)
+{
+    (void)context;
+    (void)k;
+    (void)t;
+    (void)numbers;
+    return 0;
+}
+
+static enum flow_status passes(struct pass *p, const fmpq *times, slong count, double *reached);
+
+/*
+ * When Q_ref + dQ stops being negative: it is so at `before` and not at `after`, and six times over the
+ * interval between such times is cut into tenths. Only a motion has times in between, a method has none.
+ */
+static void find_crossing(const struct pass *found, fmpq_t before, fmpq_t after)
+{
+    struct motion m = *found->motion;
+    fmpq *times = _fmpq_vec_init(11);
+    fmpq_t tenth;
+    fmpq_init(tenth);
+    m.digits = 9; /* a millionth of a step and some to spare */
+    for (int cut = 0; cut < 6 && m.h == NULL; cut++) {
+        struct pass p = {.motion = &m, .static_place = found->static_place, .receive = ignore_row};
+        double reached;
+        for (int i = 0; i <= 10; i++) {
+            fmpq_sub(times + i, after, before);
+            fmpq_set_si(tenth, i, 10);
+            fmpq_mul(times + i, times + i, tenth);
+            fmpq_add(times + i, times + i, before);
+        }
+        passes(&p, times, 11, &reached);
+        if (!p.outside || p.done == 0)
+            break;
+        fmpq_set(before, times + p.done - 1);
+        fmpq_set(after, times + p.done);
+    }
+    fmpq_clear(tenth);
+    _fmpq_vec_clear(times, 11);
+}
+
+static void say_crossing(const struct pass *p, const fmpq *times, struct message *why)
+{
+    if (p->done == 0) {
+        message_set(why, "Q_ref + dQ >= 0 at t = %.9g s: Eq. (21) has no charges there",
+                    fmpq_get_d(times));
+        return;
+    }
+    fmpq_t before, after;
+    fmpq_init(before);
+    fmpq_init(after);
+    fmpq_set(before, times + p->done - 1);
+    fmpq_set(after, times + p->done);
+    find_crossing(p, before, after);
+    message_set(why, "Q_ref + dQ >= 0 from t = %.9g s, proved < 0 at t = %.9g s: Eq. (21) has no charges there",
+                fmpq_get_d(after), fmpq_get_d(before));
+    fmpq_clear(before);
+    fmpq_clear(after);
+}
+
+/* Passes at rising precision until every row is proved, or nothing more can be. */
+static enum flow_status passes(struct pass *p, const fmpq *times, slong count, double *reached)
+{
+    const struct motion *m = p->motion;
+    const double Omega = fmpq_get_d(&m->setting->value[SET_Omega].value);
+    const double radians = count == 0 ? 0.0 : fabs(Omega * fmpq_get_d(times + count - 1));
+    enum flow_status status;
+    flow_parameters_init(&p->parameters);
+    p->initial = _arb_vec_init(FLOW_STATE);
+    p->prec = m->h ? rk4_precision(m->digits, radians) : flow_precision(m->digits, radians);
+    p->most = 8 * p->prec; /* three tries at twice the bits: more than rounding ever needs */
+    do {
+        status = one_pass(p, times, count, reached);
+        p->prec *= 2;
+    } while ((p->undecided || status == FLOW_WIDE) && !p->outside && !p->stopped && p->prec <= p->most);
+    flow_parameters_clear(&p->parameters);
+    _arb_vec_clear(p->initial, FLOW_STATE);
+    return status;
+}
+
+int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
+                void *context, struct message *why)
+{
+    struct pass p = {.motion = m, .static_place = starts_in_place(m->setting), .receive = receive,
+                     .context = context};
+    double reached = 0.0;
+    enum flow_status status = passes(&p, times, count, &reached);
+    if (p.outside)
+        say_crossing(&p, times, why);
+    else if (p.undecided)
+        message_set(why, "%ld bits do not decide every digit of row %ld", (long)p.most, (long)p.done + 1);
+    else if (status != FLOW_DONE && !p.stopped)
+        message_set(why, "%s, last proved time %.9g s", flow_status_text(status), reached);
+    return p.outside || p.undecided || (status != FLOW_DONE && !p.stopped) ? -1 : 0;
+}

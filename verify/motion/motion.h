@@ -1,0 +1,53 @@
+/*
+ * A motion of the pair as a user asks for it: the paper's simulation, with some values replaced.
+ * What is derived from the given values (gains from n, the Cartesian state from the angles, the
+ * charges) goes through the sheet's own formulas in balls and is not rounded in between.
+ */
+#ifndef CT_MOTION_H
+#define CT_MOTION_H
+
+#include "motion/flow.h"
+#include "sheet/input.h"
+
+enum setting_name {
+    SET_m1, SET_m2, SET_L_ref, SET_k_c, SET_Omega, SET_n, SET_C1, SET_C2,
+    SET_psi, SET_theta, SET_dL, SET_psi_dot, SET_theta_dot, SET_dL_dot,
+    SET_x1, SET_y1, SET_z1, SET_x1_dot, SET_y1_dot, SET_z1_dot,
+    SETTINGS
+};
+
+struct setting {
+    struct input value[SETTINGS];
+    bool given[SETTINGS];  /* replaced by the user */
+    bool exact;            /* defaults are the decimals themselves, not the nearest binary64 */
+};
+
+extern const char *const setting_names[SETTINGS];
+
+/* The sheet's values: Table 1, n = 10, the initial attitude and length error. */
+void setting_init(struct setting *s, bool exact);
+void setting_clear(struct setting *s);
+
+/* False, and why, where a value lies outside its domain. Wrong combinations are the caller's business. */
+bool setting_valid(const struct setting *s, bool nonlinear, struct message *why);
+
+/* A row holds the state, and for a nonlinear motion q1 and q2 behind it. */
+enum { ROW_NUMBERS = FLOW_STATE + 2 };
+
+/* Takes a row, every digit of it proved; non-zero stops the motion. */
+typedef int row_receiver(void *context, slong k, const fmpq_t t, char *const *numbers);
+
+struct motion {
+    const struct setting *setting;
+    bool nonlinear, charges;  /* q1 and q2 too, */
+    bool microcoulomb;        /* ... in this unit */
+    bool small_angles;        /* a linear motion's x1 y1 z1 through eq10lin, in place of the angles */
+    const fmpq *h;            /* the classical Runge-Kutta method's step, NULL for the motion itself */
+    slong digits;
+};
+
+/* Rows at all those times (of one sign, away from 0); 0, or -1 with the reason. */
+int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
+                void *context, struct message *why);
+
+#endif

@@ -1,0 +1,305 @@
+/*
+ * One table holds the closed loop; everything below interprets it: series coefficients, columns of
+ * derivatives, tails, exact rates. No two of them can disagree about the equations.
+ */
+#include "motion/taylor.h"
+
+enum { X, Y, Z, U, V, W, Q, G, S, A, D, R, P, ONE, TWO, THREE, C1, C2 };
+
+const struct term closed_loop[JET_TERMS] = {
+    {G, Q, Q, 1},
+    {S, X, U, 1},     {S, Y, V, 1},      {S, Z, W, 1},
+    {A, G, S, 1},
+    {D, ONE, Q, 1},   {D, ONE, ONE, -1},
+    {R, C1, D, 1},    {R, THREE, Q, -1}, {R, C2, A, -1},
+    {P, G, R, 1},
+    {X, ONE, U, 1},
+    {Y, ONE, V, 1},
+    {Z, ONE, W, 1},
+    {U, TWO, V, 1},   {U, THREE, X, 1},  {U, P, X, 1},
+    {V, TWO, U, -1},  {V, P, Y, 1},
+    {W, ONE, Z, -1},  {W, P, Z, 1},
+    {Q, Q, A, -1},
+};
+
+_Static_assert(G == (int)JET_STATES && ONE == (int)JET_SERIES && C2 + 1 == JET_ALL, "series in order");
+
+static bool constant(int v)
+{
+    return v >= JET_SERIES;
+}
+
+static bool first_of_sum(const struct term *system, int t)
+{
+    return t == 0 || system[t - 1].to != system[t].to;
+}
+
+void jet_init(struct jet *jet, slong order)
+{
+    jet->order = order;
+    jet->system = closed_loop;
+    for (int v = 0; v < JET_ALL; v++)
+        jet->c[v] = _arb_vec_init(order + 1);
+}
+
+void jet_clear(struct jet *jet)
+{
+    for (int v = 0; v < JET_ALL; v++)
+        _arb_vec_clear(jet->c[v], jet->order + 1);
+}
+
+void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
+{
+    arb_set_ui(jet->c[ONE], 1);
+    arb_set_ui(jet->c[TWO], 2);
+    arb_set_ui(jet->c[THREE], 3);
+    arb_set(jet->c[C1], c1);
+    arb_set(jet->c[C2], c2);
+}
+
+/*
+ * Theorem (a series in balls). The coefficients of every motion that starts in the balls given, with parameters in
+ * theirs, lie in the balls here: (T13) arb_dot and arb_div_ui enclose their exact results, in however few bits.
+ *
+ * The rates' coefficients from `first` to `last` - 1, and the states' above them. */
+static void extend(arb_ptr const *c, const struct term *system, slong first, slong last, slong prec, double fall)
+{
+    for (slong k = first; k < last; k++) {
+        slong bits = FLINT_MAX(prec - (slong)(fall * (double)k), 32);
+        for (int t = 0; t < JET_TERMS; t++) {
+            const struct term *f = system + t;
+            arb_ptr to = c[f->to] + k + (f->to < JET_STATES);
+            arb_dot(to, first_of_sum(system, t) ? NULL : to, f->sign < 0, c[f->a], 1, c[f->b] + k, -1,
+                    constant(f->a) ? 1 : k + 1, bits);
+        }
+        for (int v = 0; v < JET_STATES; v++)
+            arb_div_ui(c[v] + k + 1, c[v] + k + 1, (ulong)(k + 1), bits);
+    }
+}
+
+/*
+ * Two limbs are twice as fast in arb_dot as three or more. So from where 120 bits are enough, work goes on
+ * with copies of 128.
+ */
+void jet_extend(struct jet *jet, slong prec, double fall)
+{
+    slong n = jet->order, split = 0;
+    while (split < n && (prec <= 128 || prec - (slong)(fall * (double)split) > 120))
+        split++;
+    extend(jet->c, jet->system, 0, split, prec, fall);
+    if (split == n)
+        return;
+    arb_ptr copy[JET_ALL];
+    for (int v = 0; v < JET_ALL; v++) {
+        copy[v] = _arb_vec_init(n + 1);
+        _arb_vec_set_round(copy[v], jet->c[v], split + 1, 128);
+    }
+    extend(copy, jet->system, split, n, prec, fall);
+    for (int v = 0; v < JET_ALL; v++) {
+        for (slong k = split + (v < JET_STATES); k <= n && !constant(v); k++)
+            arb_swap(jet->c[v] + k, copy[v] + k);
+        _arb_vec_clear(copy[v], n + 1);
+    }
+}
+
+void jet_extend_column(struct jet *column, const struct jet *jet, slong prec)
+{
+    arb_ptr const *c = jet->c;
+    arb_ptr *d = column->c;
+    for (slong k = 0; k < column->order; k++) {
+        for (int t = 0; t < JET_TERMS; t++) {
+            const struct term *f = jet->system + t;
+            arb_ptr to = d[f->to] + k + (f->to < JET_STATES);
+            arb_srcptr sum = first_of_sum(jet->system, t) ? NULL : to;
+            if (!constant(f->a)) {
+                arb_dot(to, sum, f->sign < 0, c[f->a], 1, d[f->b] + k, -1, k + 1, prec);
+                arb_dot(to, to, f->sign < 0, d[f->a], 1, c[f->b] + k, -1, k + 1, prec);
+            } else if (!constant(f->b)) {
+                arb_dot(to, sum, f->sign < 0, c[f->a], 1, d[f->b] + k, -1, 1, prec);
+            }
+        }
+        for (int v = 0; v < JET_STATES; v++)
+            arb_div_ui(d[v] + k + 1, d[v] + k + 1, (ulong)(k + 1), prec);
+    }
+}
+
+void majorant_init(struct majorant *m, slong order)
+{
+    m->order = order;
+    for (int v = 0; v < JET_ALL; v++) {
+        m->size[v] = _mag_vec_init(order + 1);
+        m->suffix[v] = _mag_vec_init(order + 1);
+    }
+    m->tail = _mag_vec_init(JET_ALL);
+    m->rest = _mag_vec_init(JET_STATES);
+    m->cross = _mag_vec_init(JET_TERMS);
+}
+
+void majorant_clear(struct majorant *m)
+{
+    for (int v = 0; v < JET_ALL; v++) {
+        _mag_vec_clear(m->size[v], m->order + 1);
+        _mag_vec_clear(m->suffix[v], m->order + 1);
+    }
+    _mag_vec_clear(m->tail, JET_ALL);
+    _mag_vec_clear(m->rest, JET_STATES);
+    _mag_vec_clear(m->cross, JET_TERMS);
+}
+
+void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights, slong count,
+                 const mag_t h)
+{
+    mag_t power, size;
+    mag_init(power);
+    mag_init(size);
+    m->system = jets->system;
+    for (int v = 0; v < JET_ALL; v++) {
+        mag_one(power);
+        for (slong k = 0; k <= m->order; k++) {
+            mag_zero(m->size[v] + k);
+            for (slong j = 0; j < count; j++) {
+                arb_get_mag(size, jets[j].c[v] + k);
+                mag_addmul(m->size[v] + k, size, weights + j);
+            }
+            mag_mul(m->size[v] + k, m->size[v] + k, power);
+            mag_mul(power, power, h);
+        }
+        mag_zero(m->suffix[v] + m->order);
+        for (slong k = m->order - 1; k >= 0; k--)
+            mag_add(m->suffix[v] + k, m->suffix[v] + k + 1, m->size[v] + k);
+    }
+    mag_clear(power);
+    mag_clear(size);
+}
+
+/* sum += the part from degree n on of (known terms of a) (known terms of b) */
+static void add_cross(mag_t sum, const struct majorant *ma, int a, const struct majorant *mb, int b)
+{
+    for (slong i = 1; i < ma->order && !constant(a); i++)
+        mag_addmul(sum, ma->size[a] + i, mb->suffix[b] + ma->order - i);
+}
+
+/* sum += what the tails t_a, t_b add to that: ||a|| t_b + t_a ||b|| + t_a t_b, norms of the known terms */
+static void add_tail(mag_t sum, const struct majorant *ma, int a, const struct majorant *mb, int b)
+{
+    mag_addmul(sum, ma->suffix[a], mb->tail + b);
+    mag_addmul(sum, ma->tail + a, mb->suffix[b]);
+    mag_addmul(sum, ma->tail + a, mb->tail + b);
+}
+
+/* Rests of the states such that the solution's keep below `image` wherever they keep below m->rest. */
+static void rest_image(mag_ptr image, struct majorant *m, const struct majorant *base,
+                       const mag_t factor)
+{
+    for (int v = 0; v < JET_STATES; v++) {
+        mag_add(m->tail + v, m->size[v] + m->order, m->rest + v);
+        mag_zero(image + v);
+    }
+    for (int v = JET_STATES; v < JET_SERIES; v++)
+        mag_zero(m->tail + v);
+    for (int t = 0; t < JET_TERMS; t++) {
+        const struct term *f = m->system + t;
+        mag_ptr sum = f->to < JET_STATES ? image + f->to : m->tail + f->to;
+        mag_add(sum, sum, m->cross + t);
+        if (base == NULL) {
+            add_tail(sum, m, f->a, m, f->b);
+        } else {
+            add_tail(sum, m, f->a, base, f->b);
+            add_tail(sum, base, f->a, m, f->b);
+        }
+    }
+    for (int v = 0; v < JET_STATES; v++)
+        mag_mul(image + v, image + v, factor);
+}
+
+static bool below(mag_srcptr image, mag_srcptr rest)
+{
+    for (int v = 0; v < JET_STATES; v++)
+        if (mag_is_inf(image + v) || mag_cmp(image + v, rest + v) > 0)
+            return false;
+    return true;
+}
+
+/*
+ * Theorem (the rest of a series). With ||ab|| <= ||a|| ||b||, the tail of a product is at most
+ * cross + ||a|| t_b + t_a ||b|| + t_a t_b, which does not decrease in t. Coefficient k+1 of a state is
+ * coefficient k of its rate over k+1, so the terms of a state beyond degree n sum to at most h/(n+1) times
+ * the tail of its rate. This takes bounds rho of the rests to bounds G(rho), and G is monotone.
+ *
+ * If G(rho) <= rho, then the rests of the solution are at most G(rho). For let its terms of degrees n+1 ... K
+ * sum to at most rho; those of degrees n+1 ... K+1 come from coefficients of the rates to degree K, thus
+ * from coefficients of the states to degree K, and sum to at most G(rho) <= rho: induction on K, from
+ * K = n where the sum is empty. So the series converge absolutely on |s| <= h, and their sum solves the
+ * equations there. No enclosure of the solution is needed beforehand.
+ *
+ * Columns obey the differentiated system, linear in them: each term gives da b + a db, and the same
+ * holds. A sum of columns under non-negative weights has the sum of their majorants.
+ *
+ * The error terms, each with a test of its name in tests/test_taylor.c:
+ *   (T1) cross: the known terms' products from degree n on          (add_cross)
+ *   (T2) ||a|| t_b   (T3) t_a ||b||   (T4) t_a t_b                   (add_tail)
+ *   (T5) of a state's tail the term of degree n   (T6) and its rest  (rest_image)
+ *   (T7) the factor h/(n+1)
+ *   (T8) of columns both da b and a db, in cross and in tails
+ *   (T9) of a sum of columns each, under its weight                  (majorant_of)
+ *   (T10) the radii of the coefficients' balls                       (majorant_of)
+ *   (T11) G(rho) <= rho, tried, not presumed                         (below)
+ *   (T12) the roundings of mag_t, all of them upward
+ */
+bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t h)
+{
+    enum { ATTEMPTS = 24 }; /* a step that is short enough takes two or three */
+    mag_ptr image = _mag_vec_init(JET_STATES);
+    mag_t factor;
+    mag_init(factor);
+    mag_set_ui(factor, (ulong)(m->order + 1));
+    mag_div(factor, h, factor);
+
+    for (int t = 0; t < JET_TERMS; t++) {
+        const struct term *f = m->system + t;
+        mag_zero(m->cross + t);
+        add_cross(m->cross + t, m, f->a, base == NULL ? m : base, f->b);
+        if (base != NULL)
+            add_cross(m->cross + t, base, f->a, m, f->b);
+    }
+    for (int v = 0; v < JET_STATES; v++)
+        mag_zero(m->rest + v);
+
+    bool proved = false;
+    for (int attempt = 0; attempt < ATTEMPTS && !proved; attempt++) {
+        rest_image(image, m, base, factor);
+        proved = below(image, m->rest);
+        for (int v = 0; v < JET_STATES; v++)
+            mag_mul_2exp_si(m->rest + v, image + v, proved ? 0 : 1);
+    }
+    _mag_vec_clear(image, JET_STATES);
+    mag_clear(factor);
+    return proved;
+}
+
+void closed_loop_rates(fmpq *rates, const fmpq *state, const fmpq_t c1, const fmpq_t c2)
+{
+    fmpq *value = _fmpq_vec_init(JET_ALL);
+    fmpq_t product;
+    fmpq_init(product);
+    for (int v = 0; v < JET_STATES; v++) {
+        fmpq_set(value + v, state + v);
+        fmpq_zero(rates + v);
+    }
+    fmpq_set_si(value + ONE, 1, 1);
+    fmpq_set_si(value + TWO, 2, 1);
+    fmpq_set_si(value + THREE, 3, 1);
+    fmpq_set(value + C1, c1);
+    fmpq_set(value + C2, c2);
+    for (int t = 0; t < JET_TERMS; t++) {
+        const struct term *f = &closed_loop[t];
+        fmpq *to = f->to < JET_STATES ? rates + f->to : value + f->to;
+        fmpq_mul(product, value + f->a, value + f->b);
+        if (f->sign < 0)
+            fmpq_sub(to, to, product);
+        else
+            fmpq_add(to, to, product);
+    }
+    _fmpq_vec_clear(value, JET_ALL);
+    fmpq_clear(product);
+}

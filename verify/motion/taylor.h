@@ -1,0 +1,91 @@
+/*
+ * The closed loop as a quadratic system; its Taylor series in balls; bounds for what series leave out.
+ *
+ * Units inside: time in radians of orbit (tau = Omega t), lengths in r_ref = m2 L_ref / (m1 + m2), the
+ * distance of craft 1 from the centre of mass at rest. Masses and k_c cancel, and with q = 1/r,
+ * c1 = C1/Omega^2, c2 = C2/Omega equation (3), closed by (7) and (18), reads
+ *
+ *     x' = u   u' =  2v + 3x + P x      A = (xu + yv + zw) q^2                  (= r'/r)
+ *     y' = v   v' = -2u      + P y      P = q^2 (c1 (q - 1) - 3 q - c2 A)
+ *     z' = w   w' =     -  z + P z      q' = -q A
+ *
+ * P is k_c Q / (m1 L^3) (1 + m1/m2) in units of Omega^2; it is written so that the equilibrium
+ * x = q = 1, all else 0, has rates that are zero exactly in balls too. q is one more unknown: q |x| stays
+ * 1 when it starts there, for (q^2 |x|^2)' = 2A (1 - q^2 |x|^2).
+ */
+#ifndef CT_TAYLOR_H
+#define CT_TAYLOR_H
+
+#include <stdbool.h>
+
+#include "text/flint.h"
+
+enum {
+    JET_STATES = 7,  /* x y z u v w q */
+    JET_SERIES = 13, /* and G = q^2, S = xu + yv + zw, A = G S, D = q - 1, R = c1 D - 3 q - c2 A, P = G R */
+    JET_ALL = 18,    /* and the constants 1, 2, 3, c1, c2 */
+    JET_TERMS = 22   /* the products of which the system consists */
+};
+
+/*
+ * to += sign a b. For a state, `to` is its rate. A constant stands first; the terms of a sum are
+ * neighbours, and a sum stands after those that it needs.
+ */
+struct term {
+    unsigned char to, a, b;
+    signed char sign;
+};
+
+extern const struct term closed_loop[JET_TERMS];
+
+/* Taylor coefficients about the start of a step: c[v][k] of s^k; states to degree n, the others to n - 1. */
+struct jet {
+    slong order;
+    const struct term *system; /* the closed loop; another one has solutions that are known, for tests */
+    arb_ptr c[JET_ALL];
+};
+
+/*
+ * Bounds on |s| <= h in the norm ||a|| = sum |a_k| h^k. Known are the terms below degree n (of states,
+ * degree n too); tail bounds those from n on, rest those of a state beyond n.
+ */
+struct majorant {
+    slong order;
+    const struct term *system; /* that of its jets                          */
+    mag_ptr size[JET_ALL];   /* size[v][k] >= |a_k| h^k                   */
+    mag_ptr suffix[JET_ALL]; /* suffix[v][k] >= sum of size[v][k ... n-1] */
+    mag_ptr cross;           /* of a product: what its known terms make from degree n on */
+    mag_ptr tail, rest;
+};
+
+/* order >= 1 */
+void jet_init(struct jet *jet, slong order);
+void jet_clear(struct jet *jet);
+void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2);
+
+/*
+ * From the coefficients 0 of the states to all others. Coefficient k is computed to prec - fall k bits
+ * (32 at least): where a_k h^k falls by `fall` bits a degree, nothing is lost by it and half the time is won.
+ */
+void jet_extend(struct jet *jet, slong prec, double fall);
+
+/* The same for a column: a derivative, in some direction, of the jet with respect to its initial state. */
+void jet_extend_column(struct jet *column, const struct jet *jet, slong prec);
+
+void majorant_init(struct majorant *m, slong order);
+void majorant_clear(struct majorant *m);
+
+/* The majorant of sum_j weight_j |jet_j|; one jet of weight 1, or columns under the reach of each. */
+void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights, slong count,
+                 const mag_t h);
+
+/*
+ * Proves a bound on the rests; false when h is too long for it. `base` is NULL for a jet, and for columns
+ * the majorant of the jet that they belong to, its rests proved.
+ */
+bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t h);
+
+/* The rates of x y z u v w q in fractions, by the same table: for the proof that it is the paper's closed loop. */
+void closed_loop_rates(fmpq *rates, const fmpq *state, const fmpq_t c1, const fmpq_t c2);
+
+#endif

@@ -1,0 +1,88 @@
+/*
+ * The derivation steps, paper/derivations.yaml: identities that lead from equations and principles to equations, their
+ * proof, and what binds a step to the equations that it names.
+ */
+#ifndef CT_DERIVATION_H
+#define CT_DERIVATION_H
+
+#include "proof/identities.h"
+#include "proof/remainder.h"
+
+enum { MOST_EQUATIONS = 16 }; /* that a step leads from, or to */
+
+struct step {
+    const char *id, *title, *note;
+    const char *where; /* of special values alone: which; NULL: of all */
+    const char *from[MOST_EQUATIONS], *to[MOST_EQUATIONS]; /* see the head of derivations.yaml */
+    int from_count, to_count;
+    const yaml_node_t *node, *let;  /* let: NULL, there is none */
+    struct identities corrected, printed;
+    bool differs;                   /* `printed` is there, and must not hold */
+    struct remainder *remainders;   /* what is dropped, and how large that may be */
+    int remainder_count;
+};
+
+struct derivations {
+    struct document document;       /* everything below points into it */
+    const struct sheet *sheet;
+    struct definitions definitions; /* principles, then properties     */
+    struct step *steps;
+    int principle_count, step_count;
+};
+
+/* Reads the steps, and their formulas. -1 and "name:line:column: expected ..." where it is broken. */
+int derivations_read(struct derivations *d, const struct sheet *s, const char *text, size_t length,
+                     const char *name, struct message *why);
+void derivations_clear(struct derivations *d);
+
+/* What the formulas of a step may name; as altered, NULL: as they are. */
+struct scope step_scope(const struct derivations *d, const struct step *s, const struct alteration *a);
+
+/* `remainders`, when the identities have been read; false after a complaint. */
+bool step_read_remainders(const struct derivations *d, struct step *step, const struct scope *s);
+
+/* Its identities once more, altered; false where they cannot be read so. */
+bool step_read_altered(struct identities *t, const struct derivations *d, const struct step *s,
+                       const struct alteration *a);
+
+/* ---- what `from` and `to` name ---- */
+
+/* A formula that an entry stands for: an output or named subexpression of a section, or both sides of a relation. */
+struct entry_part {
+    const struct section *section;
+    const struct relation *relation; /* NULL: none */
+    int node;
+    const char *name, *equation;     /* equation: its number; NULL of a definition */
+};
+
+enum { MOST_PARTS = 64 };
+int entry_parts(const struct derivations *d, const char *entry, struct entry_part *parts);
+
+bool same_part(const struct entry_part *a, const struct entry_part *b);
+
+/* Whether the entry stands for what a formula takes of the sheet. */
+bool entry_concerns(const struct derivations *d, const char *entry, const struct use *u);
+
+/* Whether it stands for an equation of this number ("6" and "6a" do for 6a, eq10lin and eq10.x1 for 10). */
+bool entry_leads_to(const struct derivations *d, const char *entry, const char *equation);
+
+/*
+ * The first equation number of the sheet that neither is a definition (a section that computes nothing)
+ * nor is reached, by steps, from definitions and principles; NULL: there is none.
+ */
+const char *derivations_gap(const struct derivations *d);
+
+/* ---- what binds a step ---- */
+
+struct binding {
+    struct message fault; /* empty: the step shows what it says; else file, line, column and what is wrong */
+    int mutants;          /* formulas altered, one at a time */
+};
+
+/* Of a step whose identities hold. */
+void step_bind(const struct derivations *d, const struct step *s, struct binding *b);
+
+/* The graph of equations, principles and steps on standard output, for Graphviz's dot. */
+void derivations_graph(const struct derivations *d);
+
+#endif

@@ -1,0 +1,780 @@
+/*
+ * Reading identities: what is free, what is defined, and formulas that beside the names in scope may say
+ *
+ *     eq10.x1                   an output of a section of the sheet or of a principle, or a named subexpression of it;
+ *                               inputs are bound by name to what is in scope, and a free name of one's own takes the
+ *                               place of a named subexpression of that name
+ *     eq40.psi_ddot(psi = 1)    ... with other values for some of them
+ *     eq30.I_22@printed         ... as the paper has it
+ *     left(6a), right(24, 2)    a side of a relation of the sheet: of (6a), of the second that (24) has
+ *     rate(x1)                  the derivative by time: what `rates` names moves
+ */
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "proof/identities.h"
+
+enum { MOST_NAMES = 64, HIGHEST_ORDER = 9, MOST_MOVING = 10000, PAIRS = 96 };
+
+/* Both halves of what a formula is read with. */
+struct reading {
+    struct identities *t;
+    const struct scope *scope;
+};
+
+static const yaml_node_t *given(const struct scope *s, const char *key)
+{
+    const yaml_node_t *own = s->given != NULL ? child(s->document, s->given, key) : NULL;
+    return own != NULL || s->shared == NULL ? own : child(s->document, s->shared, key);
+}
+
+/* ---- free quantities ---- */
+
+/* The lists that name free quantities, and what they say of them. */
+static const struct declaration {
+    const char *key;
+    int signs;
+    bool angle, small;
+} declarations[] = {{"free", SIGN_ANY, false, false},
+                    {"positive", SIGN_POSITIVE, false, false},
+                    {"not negative", SIGN_ZERO | SIGN_POSITIVE, false, false},
+                    {"angles", SIGN_ANY, true, false},
+                    {"small", SIGN_ANY, false, true}};
+
+enum { DECLARATIONS = sizeof declarations / sizeof *declarations };
+
+const char *const identities_keys[] = {"free",  "positive", "not negative", "angles", "small", "order",
+                                       "rates", "let",      "square roots", "show",   NULL};
+
+static int find_input(const struct program *p, const char *name)
+{
+    for (int i = 0; i < p->inputs; i++)
+        if (strcmp(p->names[i].text, name) == 0)
+            return i;
+    return -1;
+}
+
+/* Angles may be a mapping: their names are its keys. */
+static const yaml_node_t *name_of(const struct document *d, const yaml_node_t *names, int i)
+{
+    return names->type == YAML_MAPPING_NODE ? key_of(d, names, i) : item_of(d, names, i);
+}
+
+/* Names beyond the sheet's become inputs; `free` are new ones, `small` are known. */
+static bool declare_names(struct identities *t, const struct scope *s, const struct declaration *declared)
+{
+    const yaml_node_t *names = given(s, declared->key);
+    if (names == NULL)
+        return true;
+    const bool mapping = declared->angle && names->type == YAML_MAPPING_NODE;
+    if (mapping ? !is_mapping(s->document, names, NULL) : !is_list(s->document, names, MOST_NAMES))
+        return false;
+    for (int i = 0; i < length_of(names); i++) {
+        const yaml_node_t *name = name_of(s->document, names, i);
+        const bool known = find_input(&t->program, scalar(name)) >= 0;
+        if (known && strcmp(declared->key, "free") == 0)
+            return mistake(s->document, name, 0, "'%s' is known already, expected a new name", scalar(name));
+        if (!known && declared->small)
+            return mistake(s->document, name, 0, "unknown symbol '%s', expected a free quantity", scalar(name));
+        if (!known)
+            program_input(&t->program, scalar(name));
+    }
+    return true;
+}
+
+static bool read_turn(const struct scope *s, const yaml_node_t *names, int i, struct variable *v)
+{
+    const yaml_node_t *range = names->type == YAML_MAPPING_NODE ? value_of(s->document, names, i) : NULL;
+    if (range != NULL && scalar(range) != NULL && strcmp(scalar(range), "quarter turn") == 0)
+        v->quarter_turn = true;
+    else if (range != NULL && (scalar(range) == NULL || strcmp(scalar(range), "any") != 0))
+        return mistake(s->document, range, 0, "expected 'any' or 'quarter turn'");
+    return true;
+}
+
+static bool qualify_names(struct identities *t, const struct scope *s, const struct declaration *declared)
+{
+    const yaml_node_t *names = given(s, declared->key);
+    for (int i = 0; names != NULL && i < length_of(names); i++) {
+        const yaml_node_t *name = name_of(s->document, names, i);
+        const int input = find_input(&t->program, scalar(name));
+        struct variable *v = &t->variables[input];
+        if (v->angle || v->power > 0)
+            return mistake(s->document, name, 0, "'%s' is an angle or small already", scalar(name));
+        if (input < s->sheet->quantity_count && (v->signs & ~declared->signs) != 0)
+            return mistake(s->document, name, 0, "'%s' may be %s in the sheet, expected a name of its own", scalar(name),
+                           v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
+        v->power = declared->small;
+        v->angle = declared->angle;
+        v->signs &= declared->signs;
+        if (declared->angle && !read_turn(s, names, i, v))
+            return false;
+    }
+    return true;
+}
+
+static int signs_of(enum domain domain)
+{
+    return domain == DOMAIN_FINITE ? SIGN_ANY : domain == DOMAIN_NOT_NEGATIVE ? SIGN_ZERO | SIGN_POSITIVE : SIGN_POSITIVE;
+}
+
+static bool read_declarations(struct identities *t, const struct scope *s)
+{
+    struct program *p = &t->program;
+    for (int i = 0; i < s->sheet->quantity_count; i++)
+        program_input(p, s->sheet->quantities[i].name);
+    for (int i = 0; i < s->name_count; i++)
+        program_input(p, s->names[i]);
+    for (int i = 0; i < DECLARATIONS; i++)
+        if (!declare_names(t, s, &declarations[i]))
+            return false;
+    t->first_pair = p->inputs;
+    for (int i = 0; s->alteration != NULL && s->alteration->change == CHANGE_ANY && i < 2 * PAIRS; i++)
+        program_input(p, " "); /* no formula can name it */
+    t->variables = memory(NULL, (size_t)p->inputs, sizeof *t->variables);
+    for (int i = 0; i < p->inputs; i++)
+        t->variables[i] = (struct variable){
+            .signs = i < s->sheet->quantity_count ? signs_of(s->sheet->quantities[i].domain) : SIGN_ANY};
+    for (int i = 0; i < DECLARATIONS; i++)
+        if (!qualify_names(t, s, &declarations[i]))
+            return false;
+    return true;
+}
+
+/* -1 where there is none; it has to be there where quantities are small. */
+static bool read_order(struct identities *t, const struct scope *s)
+{
+    const yaml_node_t *node = given(s, "order");
+    const bool small = given(s, "small") != NULL;
+    t->order = -1;
+    if (node == NULL && small)
+        return mistake(s->document, s->given, 0, "missing order: up to which power of the small quantities");
+    if (node == NULL)
+        return true;
+    if (!small)
+        return mistake(s->document, node, 0, "expected no order where no quantities are small");
+    if (scalar(node) == NULL || strlen(scalar(node)) != 1 || scalar(node)[0] < '0' ||
+        scalar(node)[0] > '0' + HIGHEST_ORDER)
+        return mistake(s->document, node, 0, "expected an order from 0 to %d", HIGHEST_ORDER);
+    t->order = scalar(node)[0] - '0';
+    return true;
+}
+
+/* ---- rates ---- */
+
+/* The name that the sheet has for the rate of a quantity: x1_dot of x1, w_dot_2 of w_2; false where it has none. */
+static bool rate_name(const struct sheet *s, const char *name, char rate[LONGEST_NAME + 8])
+{
+    const size_t length = strlen(name);
+    size_t stem = length;
+    while (stem > 0 && isdigit((unsigned char)name[stem - 1]))
+        stem--;
+    if (length > 4 && strcmp(name + length - 4, "_dot") == 0)
+        snprintf(rate, LONGEST_NAME + 8, "%.*s_ddot", (int)length - 4, name);
+    else if (stem > 0 && stem < length && name[stem - 1] == '_')
+        snprintf(rate, LONGEST_NAME + 8, "%.*s_dot%s", (int)stem - 1, name, name + stem - 1);
+    else
+        snprintf(rate, LONGEST_NAME + 8, "%s_dot", name);
+    return quantity_find(s, rate) != NULL;
+}
+
+/* Every name that moves, and what it moves by, is known in the end, and goes by its own name. */
+static bool check_rates(const struct identities *t, const struct scope *s)
+{
+    const yaml_node_t *rates = given(s, "rates");
+    char rate[LONGEST_NAME + 8];
+    for (int i = 0; rates != NULL && i < length_of(rates); i++) {
+        const yaml_node_t *pair[] = {key_of(s->document, rates, i), value_of(s->document, rates, i)};
+        const bool constant = strcmp(scalar(pair[1]), "0") == 0;
+        for (int k = 0; k < (constant ? 1 : 2); k++)
+            if (program_find(&t->program, scalar(pair[k])) < 0)
+                return mistake(s->document, pair[k], 0, "unknown symbol '%s', expected name: its rate", scalar(pair[k]));
+        if (!constant && strlen(scalar(pair[0])) <= LONGEST_NAME && rate_name(s->sheet, scalar(pair[0]), rate) &&
+            strcmp(rate, scalar(pair[1])) != 0)
+            return mistake(s->document, pair[1], 0, "the rate of %s is %s in the sheet", scalar(pair[0]), rate);
+    }
+    return true;
+}
+
+static int read_rate(struct parser *p)
+{
+    const struct reading *r = p->context;
+    const struct scope *s = r->scope;
+    const yaml_node_t *rates = given(s, "rates");
+    const char *begin = p->at;
+    char name[LONGEST_NAME + 8];
+    p->at++; /* the bracket, without which it were a name */
+    int node = parse_sum(p);
+    if (node < 0 || !parse_symbol(p, ')'))
+        return node < 0 ? -1 : parse_refuse(p, "')' or an operator");
+    const int count = p->program->count;
+    if (count > MOST_MOVING)
+        return parse_refuse(p, "fewer rates of rates");
+    int *rate = memory(NULL, (size_t)count, sizeof *rate), still = -1;
+    char *needed = memory(NULL, (size_t)count, 1), *constant = memory(NULL, (size_t)count, 1);
+    memset(constant, 0, (size_t)count);
+    for (int i = 0; i < count; i++)
+        rate[i] = -1;
+    for (int i = 0; rates != NULL && i < length_of(rates); i++) {
+        const int moving = program_find(p->program, scalar(key_of(s->document, rates, i)));
+        const char *by = scalar(value_of(s->document, rates, i));
+        if (moving >= 0 && strcmp(by, "0") == 0)
+            constant[moving] = 1;
+        else if (moving >= 0)
+            rate[moving] = program_find(p->program, by);
+    }
+    program_needs(p->program, node, rate, needed);
+    for (int i = 0; i <= node && i < s->sheet->quantity_count; i++)
+        if (needed[i] && rate[i] < 0 && !constant[i] && rate_name(s->sheet, s->sheet->quantities[i].name, name))
+            still = i;
+    if (still >= 0) {
+        p->at = begin;
+        rate_name(s->sheet, s->sheet->quantities[still].name, name);
+        message_set(p->why, "rate() of what rests on %s, expected %s: %s among the rates, or %s: 0",
+                    s->sheet->quantities[still].name, s->sheet->quantities[still].name, name,
+                    s->sheet->quantities[still].name);
+    }
+    const int result = still >= 0 ? -1 : program_derivative(p->program, node, rate, count);
+    free(rate);
+    free(needed);
+    free(constant);
+    return result;
+}
+
+/* ---- what a formula takes of the sheet ---- */
+
+/* -1, the mistake being the name that was just passed. */
+static int unknown_name(struct parser *p, const char *name, const char *kind, const char *expected)
+{
+    p->at -= strlen(name);
+    message_set(p->why, "unknown %s '%s', expected %s", kind, name, expected);
+    return -1;
+}
+
+/*
+ * Changes a node of a program (a copy of a section's, before it is used) so that what rests on it becomes something
+ * else: the last nodes are new. False where this change is none of this node.
+ */
+static bool change_node(struct program *p, enum change change, int i, int *instead)
+{
+    struct node *n = &p->nodes[i];
+    const bool pair = n->left >= 0 && n->right >= 0;
+    *instead = -1;
+    if ((change == CHANGE_SIGN && n->op == OPERATOR_NEGATE) || (change == CHANGE_LEFT && n->left >= 0))
+        *instead = n->left; /* a term, a factor, a divisor, a function is dropped */
+    else if (change == CHANGE_SIGN && (n->op == OPERATOR_ADD || n->op == OPERATOR_SUBTRACT))
+        n->op = n->op == OPERATOR_ADD ? OPERATOR_SUBTRACT : OPERATOR_ADD;
+    else if (change == CHANGE_SIGN && (n->op == OPERATOR_SIN || n->op == OPERATOR_COS))
+        n->op = n->op == OPERATOR_SIN ? OPERATOR_COS : OPERATOR_SIN;
+    else if (change == CHANGE_RIGHT && pair && n->op != OPERATOR_DIVIDE)
+        *instead = n->right;
+    else if (change == CHANGE_RIGHT && n->op == OPERATOR_DIVIDE)
+        n->op = OPERATOR_MULTIPLY;
+    else if (change == CHANGE_NUMBER && n->op == OPERATOR_POWER)
+        n->exponent++;
+    else if (change == CHANGE_NUMBER && n->op == OPERATOR_NUMBER)
+        fmpq_add_si(&n->number, &n->number, 1);
+    else
+        return false;
+    return true;
+}
+
+bool alteration_applies(const struct program *p, enum change change, int node)
+{
+    struct program copy;
+    int instead;
+    program_copy(&copy, p);
+    const bool applies = change_node(&copy, change, node, &instead);
+    program_clear(&copy);
+    return applies;
+}
+
+int alteration_make(struct program *p, enum change change, int node, int wanted)
+{
+    int instead;
+    if (change_node(p, change, node, &instead) && instead >= 0)
+        program_redirect(p, node, instead, &wanted);
+    return wanted;
+}
+
+/* The pair of free numbers that this use's part has for itself; -1: there is no room. */
+static int pair_of(struct identities *t, const struct use *u)
+{
+    int pair = t->pairs;
+    for (int i = 0; i < t->use_count; i++) {
+        const struct use *other = &t->uses[i];
+        if (other->formulas == u->formulas && other->relation == u->relation && other->part == u->part && other->pair >= 0)
+            return other->pair;
+    }
+    if (pair == PAIRS)
+        return -1;
+    t->pairs++;
+    return pair;
+}
+
+/* The copy, altered: a F + b, of an angle F + b, or -F. */
+static int alter_result(struct identities *t, const struct alteration *a, struct use *u, int node)
+{
+    struct program *p = &t->program;
+    if (a->change == CHANGE_RESULT)
+        return program_append(p, OPERATOR_NEGATE, node, -1, 0);
+    if (a->change != CHANGE_ANY || (u->pair = pair_of(t, u)) < 0)
+        return node;
+    const int factor = t->first_pair + 2 * u->pair, shift = factor + 1;
+    if (p->nodes[node].op == OPERATOR_ATAN2)
+        t->variables[shift].angle = true;
+    else
+        node = program_append(p, OPERATOR_MULTIPLY, node, factor, 0);
+    return program_append(p, OPERATOR_ADD, node, shift, 0);
+}
+
+/* Copies the part of a program into the identities', remembers it, and alters it where that is wanted. */
+static int take_part(const struct reading *r, struct use u, const struct program *from, int wanted, const int *stand_in)
+{
+    struct identities *t = r->t;
+    const struct alteration *a = r->scope->alteration;
+    const bool altered = a != NULL && a->concerns(a->context, &u);
+    struct program copy;
+    program_copy(&copy, from);
+    if (altered && a->change >= CHANGE_SIGN && stand_in[a->node] < 0)
+        wanted = alteration_make(&copy, a->change, a->node, wanted);
+    for (int i = 0; i < from->inputs && i < MOST_BOUND; i++)
+        u.bound[i] = stand_in[i];
+    u.first = t->program.count;
+    u.pair = -1;
+    int node = program_inline(&t->program, &copy, wanted, stand_in);
+    if (node < u.first) /* a name alone: it shall be a node of its own */
+        for (int i = 0; i < 2; i++)
+            node = program_append(&t->program, OPERATOR_NEGATE, node, -1, 0);
+    if (altered)
+        node = alter_result(t, a, &u, node);
+    u.last = u.node = node;
+    t->uses = memory(t->uses, (size_t)t->use_count + 1, sizeof *t->uses);
+    t->uses[t->use_count++] = u;
+    program_clear(&copy);
+    return node;
+}
+
+/* The relation of that number, the first, second ... ("1", "2" ...) of them; NULL when there is none. */
+static const struct relation *find_relation(const struct sheet *sheet, const char *number, const char *index,
+                                            const struct section **section)
+{
+    char *end;
+    long left = strtol(index, &end, 10);
+    if (*end != '\0')
+        return NULL;
+    for (int i = 0; i < sheet->section_count; i++)
+        for (int k = 0; k < sheet->sections[i].relation_count; k++) {
+            const struct relation *relation = &sheet->sections[i].relations[k];
+            *section = &sheet->sections[i];
+            if (strcmp(relation->equation, number) == 0 && --left == 0)
+                return relation;
+        }
+    return NULL;
+}
+
+int relation_program(struct program *p, const struct sheet *sheet, const struct relation *relation, bool right)
+{
+    struct message why;
+    size_t where, left = strcspn(relation->text, "="); /* every relation has one */
+    char *side = text_copy(relation->text);
+    side[left] = '\0';
+    program_init(p);
+    for (int i = 0; i < sheet->quantity_count; i++)
+        program_input(p, sheet->quantities[i].name);
+    const int node = program_parse(p, right ? side + left + 1 : side, &where, &why);
+    free(side);
+    return node;
+}
+
+static int read_side(struct parser *p, bool right)
+{
+    const struct reading *r = p->context;
+    const char *begin = p->at;
+    char number[LONGEST_NAME + 1], index[LONGEST_NAME + 1] = "1";
+    struct use u = {.part = right};
+    struct program side;
+    p->at++;
+    if (!parse_word(p, number) || (parse_symbol(p, ',') && !parse_word(p, index)))
+        return -1;
+    if (!parse_symbol(p, ')'))
+        return parse_refuse(p, "',' or ')'");
+    u.relation = find_relation(r->scope->sheet, number, index, &u.section);
+    if (u.relation == NULL) {
+        p->at = begin;
+        message_set(p->why, "unknown relation %s of (%s), expected one of the sheet", index, number);
+        return -1;
+    }
+    const int wanted = relation_program(&side, r->scope->sheet, u.relation, right);
+    int *stand_in = memory(NULL, (size_t)side.count, sizeof *stand_in);
+    for (int i = 0; i < side.count; i++)
+        stand_in[i] = i < side.inputs ? program_find(p->program, side.names[i].text) : -1;
+    const int node = take_part(r, u, &side, wanted, stand_in);
+    free(stand_in);
+    program_clear(&side);
+    return node;
+}
+
+/* (name = formula, ...) */
+static bool read_bindings(struct parser *p, const struct program *from, int *stand_in)
+{
+    char name[LONGEST_NAME + 1];
+    do {
+        if (!parse_word(p, name))
+            return false;
+        int node = program_find(from, name);
+        if (node < 0)
+            return unknown_name(p, name, "name", "an input or a named subexpression of that section") >= 0;
+        if (!parse_symbol(p, '='))
+            return parse_refuse(p, "'='") >= 0;
+        if ((stand_in[node] = parse_sum(p)) < 0)
+            return false;
+    } while (parse_symbol(p, ','));
+    return parse_symbol(p, ')') || parse_refuse(p, "an operator, ',' or ')'") >= 0;
+}
+
+/*
+ * What no binding names: inputs by what is in scope, named subexpressions by free names of one's own. The first input
+ * that is wanted and that nothing is bound to; NULL: there is none.
+ */
+static const char *bind_names(const struct reading *r, const struct program *from, int wanted, int *stand_in)
+{
+    const struct program *p = &r->t->program;
+    const char *missing = NULL;
+    for (int i = 0; i < from->named; i++) {
+        const int node = from->names[i].node, here = program_find(p, from->names[i].text);
+        const bool is_input = node < from->inputs;
+        const bool is_free = here >= r->scope->sheet->quantity_count && here < p->inputs;
+        if ((is_input || is_free) && stand_in[node] < 0)
+            stand_in[node] = here;
+    }
+    char *needed = memory(NULL, (size_t)from->count, 1);
+    program_needs(from, wanted, stand_in, needed);
+    for (int i = 0; i < from->inputs && i <= wanted && missing == NULL; i++)
+        missing = needed[i] && stand_in[i] < 0 ? from->names[i].text : NULL;
+    free(needed);
+    return missing;
+}
+
+static int find_output(const struct section *section, const struct formulas *f, const char *name)
+{
+    for (int i = 0; i < section->output_count; i++)
+        if (strcmp(section->outputs[i]->name, name) == 0)
+            return f->outputs[i];
+    return program_find(&f->program, name);
+}
+
+/* @printed, if it stands there; NULL after a complaint */
+static const struct formulas *read_variant(struct parser *p, const struct section *section)
+{
+    char variant[LONGEST_NAME + 1];
+    if (*p->at != '@')
+        return &section->corrected;
+    p->at++;
+    if (!parse_word(p, variant))
+        return NULL;
+    if (strcmp(variant, "printed") == 0 && section->differs)
+        return &section->printed;
+    unknown_name(p, variant, "variant", "'printed', of a section that the sheet has as printed too");
+    return NULL;
+}
+
+static const struct section *find_section(const struct scope *s, const char *id)
+{
+    for (int i = 0; s->definitions != NULL && i < s->definitions->count; i++)
+        if (strcmp(s->definitions->sections[i].id, id) == 0)
+            return &s->definitions->sections[i];
+    return section_find(s->sheet, id);
+}
+
+/* A name with a point in it, as further names may have: passed if it is one; -1. */
+static int find_dotted(struct parser *p, const char *id)
+{
+    char whole[2 * LONGEST_NAME + 2];
+    const size_t length = 1 + strspn(p->at + 1, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
+    snprintf(whole, sizeof whole, "%.63s%.*s", id, (int)FLINT_MIN(length, LONGEST_NAME), p->at);
+    const int node = program_find(p->program, whole);
+    p->at += node >= 0 ? length : 0;
+    return node;
+}
+
+static int read_output(struct parser *p, const char *id)
+{
+    const struct reading *r = p->context;
+    struct use u = {.section = find_section(r->scope, id)};
+    char name[LONGEST_NAME + 1];
+    const int dotted = u.section == NULL ? find_dotted(p, id) : -1;
+    if (dotted >= 0)
+        return dotted;
+    if (u.section == NULL || u.section->method != METHOD_FORMULA)
+        return unknown_name(p, id, "section", "one of the sheet that has formulas, as eq10");
+    p->at++;
+    if (!parse_word(p, name))
+        return -1;
+    const char *behind = p->at;
+    u.formulas = read_variant(p, u.section);
+    if (u.formulas == NULL)
+        return -1;
+    const struct program *from = &u.formulas->program;
+    u.part = find_output(u.section, u.formulas, name);
+    if (u.part < 0) {
+        p->at = behind;
+        return unknown_name(p, name, "output", "an output or a named subexpression of that section");
+    }
+    int node = -1, *stand_in = memory(NULL, (size_t)from->count, sizeof *stand_in);
+    for (int i = 0; i < from->count; i++)
+        stand_in[i] = -1;
+    if (*p->at != '(' || (p->at++, read_bindings(p, from, stand_in))) {
+        const char *missing = bind_names(r, from, u.part, stand_in);
+        if (missing == NULL)
+            node = take_part(r, u, from, u.part, stand_in);
+        else
+            message_set(p->why, "nothing here is called '%s', expected %s = ... in brackets after %s", missing, missing, name);
+    }
+    free(stand_in);
+    return node;
+}
+
+static int read_reference(struct parser *p, const char *name)
+{
+    if (*p->at == '.')
+        return read_output(p, name);
+    if (strcmp(name, "rate") == 0)
+        return read_rate(p);
+    if (strcmp(name, "left") == 0 || strcmp(name, "right") == 0)
+        return read_side(p, name[0] == 'r');
+    return unknown_name(p, name, "function", "rate, left, right, sqrt, sin, cos, exp or atan2");
+}
+
+int identities_text(struct identities *t, const struct scope *s, const char *text, size_t *where, struct message *why)
+{
+    struct reading r = {t, s};
+    return program_parse_with(&t->program, text, read_reference, &r, where, why);
+}
+
+/* The formula that stands `shift` characters into a scalar. */
+static int read_text(struct identities *t, const struct scope *s, const yaml_node_t *node, const char *text, size_t shift)
+{
+    struct message expected = {""};
+    size_t where;
+    const int result = identities_text(t, s, text, &where, &expected);
+    if (result < 0)
+        mistake(s->document, node, shift + where, "%s", expected.text);
+    return result;
+}
+
+/* Only then is a place in the text a place in the file. */
+static bool on_one_line(const struct scope *s, const yaml_node_t *node, const char *expected)
+{
+    if (scalar(node) == NULL || node->start_mark.line != node->end_mark.line)
+        return mistake(s->document, node, 0, "expected %s, on one line", expected);
+    return true;
+}
+
+int identities_formula(struct identities *t, const struct scope *s, const yaml_node_t *node)
+{
+    return on_one_line(s, node, "a formula") ? read_text(t, s, node, scalar(node), 0) : -1;
+}
+
+/* The sign outside brackets; NULL where there is none. */
+static const char *equality_sign(const char *text)
+{
+    int depth = 0;
+    for (; *text != '\0' && (*text != '=' || depth > 0); text++)
+        depth += *text == '(' ? 1 : *text == ')' ? -1 : 0;
+    return *text == '=' ? text : NULL;
+}
+
+bool identities_show(struct identities *t, const struct scope *s, const yaml_node_t *node)
+{
+    if (t->shown_count == MOST_SHOWN)
+        return mistake(s->document, node, 0, "expected at most %d equalities", MOST_SHOWN); /* LCOV_EXCL_LINE: so is the list */
+    if (!on_one_line(s, node, "left = right"))
+        return false;
+    const char *sign = equality_sign(scalar(node));
+    if (sign == NULL)
+        return mistake(s->document, node, 0, "expected left = right");
+    const size_t length = (size_t)(sign - scalar(node));
+    char *left = text_copy(scalar(node));
+    left[length] = '\0';
+    struct equality e = {.text = scalar(node), .at = node, .left = read_text(t, s, node, left, 0)};
+    e.right = e.left < 0 ? -1 : read_text(t, s, node, sign + 1, length + 1);
+    free(left);
+    t->shown = memory(t->shown, (size_t)t->shown_count + 1, sizeof *t->shown);
+    t->shown[t->shown_count++] = e;
+    return e.right >= 0;
+}
+
+/* ---- definitions ---- */
+
+/* What bears the name of an output of a section is that output, where it is one of that section. */
+static bool check_name(const struct scope *s, const yaml_node_t *key, const yaml_node_t *value)
+{
+    char id[LONGEST_NAME + 1], output[LONGEST_NAME + 1];
+    if (sscanf(scalar(value), "%63[a-z0-9].%63[A-Za-z0-9_]", id, output) != 2)
+        return true;
+    const struct section *section = find_section(s, id);
+    for (int i = 0; section != NULL && i < section->output_count; i++)
+        if (strcmp(section->outputs[i]->name, scalar(key)) == 0 && strcmp(output, scalar(key)) != 0)
+            return mistake(s->document, value, 0, "%s has %s itself, expected another name than that", id, scalar(key));
+    return true;
+}
+
+/* A definition that is a formula of the sheet: it restricts nothing that the sheet would not. */
+static bool takes_formula(const char *text)
+{
+    return strncmp(text, "eq", 2) == 0 || strncmp(text, "right(", 6) == 0 || strncmp(text, "rate(", 5) == 0;
+}
+
+static void add_let(struct identities *t, const char *name, const char *formula)
+{
+    enum { SHORT = 40 };
+    const size_t size = strlen(name) + SHORT + 24;
+    t->lets = memory(t->lets, (size_t)t->sheet_lets + 1, sizeof *t->lets);
+    t->lets[t->sheet_lets] = memory(NULL, size, 1);
+    if (strlen(formula) < SHORT)
+        snprintf(t->lets[t->sheet_lets++], size, "%s = %s", name, formula);
+    else
+        snprintf(t->lets[t->sheet_lets++], size, "%s by its definition", name);
+}
+
+/* What is printed differs in some definitions: by the same names, so that the order is the step's. */
+static bool read_let(struct identities *t, const struct scope *s)
+{
+    const yaml_node_t *let = given(s, "let"), *variant = s->variant ? child(s->document, s->variant, "let") : NULL;
+    if ((let != NULL && !is_mapping(s->document, let, NULL)) || (variant != NULL && !is_mapping(s->document, variant, NULL)))
+        return false;
+    for (int i = 0; variant != NULL && i < length_of(variant); i++) {
+        const yaml_node_t *key = key_of(s->document, variant, i);
+        if (let == NULL || child(s->document, let, scalar(key)) == NULL)
+            return mistake(s->document, key, 0, "unknown name '%s', expected one of the step's let", scalar(key));
+    }
+    for (int i = 0; let != NULL && i < length_of(let); i++) {
+        const yaml_node_t *key = key_of(s->document, let, i);
+        const yaml_node_t *other = variant ? child(s->document, variant, scalar(key)) : NULL;
+        const yaml_node_t *definition = other ? other : value_of(s->document, let, i);
+        const int node = identities_formula(t, s, definition);
+        if (node < 0 || !check_name(s, key, definition))
+            return false;
+        program_name(&t->program, node, scalar(key));
+        if (quantity_find(s->sheet, scalar(key)) != NULL && !takes_formula(scalar(definition)))
+            add_let(t, scalar(key), scalar(definition));
+    }
+    return true;
+}
+
+static bool read_roots(struct identities *t, const struct scope *s)
+{
+    const yaml_node_t *other = s->variant ? child(s->document, s->variant, "square roots") : NULL;
+    const yaml_node_t *roots = other ? other : given(s, "square roots");
+    if (roots == NULL)
+        return true;
+    if (!is_list(s->document, roots, MOST_NAMES))
+        return false;
+    t->roots = memory(NULL, (size_t)length_of(roots), sizeof *t->roots);
+    for (; t->root_count < length_of(roots); t->root_count++) {
+        const yaml_node_t *item = item_of(s->document, roots, t->root_count);
+        struct root *root = &t->roots[t->root_count];
+        *root = (struct root){.text = scalar(item), .at = item, .node = identities_formula(t, s, item)};
+        if (root->node < 0)
+            return false;
+    }
+    return true;
+}
+
+static bool are_texts(const struct scope *s, const char *key)
+{
+    const yaml_node_t *node = given(s, key);
+    if (node != NULL && !is_mapping(s->document, node, NULL))
+        return false;
+    for (int i = 0; node != NULL && i < length_of(node); i++)
+        if (scalar(value_of(s->document, node, i)) == NULL)
+            return mistake(s->document, value_of(s->document, node, i), 0, "expected a text");
+    return true;
+}
+
+bool identities_open(struct identities *t, const struct scope *s)
+{
+    *t = (struct identities){.shared = s->shared != NULL};
+    program_init(&t->program);
+    return are_texts(s, "rates") && are_texts(s, "let") && read_order(t, s) && read_declarations(t, s) &&
+           read_let(t, s) && read_roots(t, s);
+}
+
+/* ---- what serves nothing ---- */
+
+static void mark_needed(struct identities *t)
+{
+    const size_t count = (size_t)t->program.count;
+    char *one = memory(NULL, count, 1);
+    t->needed = memory(NULL, count, 1);
+    memset(t->needed, 0, count);
+    for (int i = 0; i < 2 * t->shown_count + t->root_count; i++) {
+        const int k = i - 2 * t->shown_count, node = k >= 0    ? t->roots[k].node
+                                                     : i % 2 ? t->shown[i / 2].left
+                                                             : t->shown[i / 2].right;
+        program_needs(&t->program, node, NULL, one);
+        for (int j = 0; j <= node; j++)
+            t->needed[j] |= one[j];
+    }
+    free(one);
+}
+
+static bool all_needed(const struct identities *t, const struct scope *s)
+{
+    const struct program *p = &t->program;
+    for (int i = 0; i < DECLARATIONS; i++) {
+        const yaml_node_t *names = given(s, declarations[i].key);
+        for (int k = 0; names != NULL && k < length_of(names); k++) {
+            const yaml_node_t *name = name_of(s->document, names, k);
+            if (!t->needed[find_input(p, scalar(name))])
+                return mistake(s->document, name, 0, "nothing shown rests on '%s'", scalar(name));
+        }
+    }
+    const yaml_node_t *let = given(s, "let");
+    for (int k = 0, first = p->inputs; let != NULL && k < length_of(let); k++) {
+        const int last = p->names[p->inputs + k].node; /* its formula: nodes first ... last, or an older one */
+        bool serves = t->needed[last];
+        for (; first <= last; first++) /* rate() may take up parts of it alone */
+            serves = serves || t->needed[first];
+        if (!serves)
+            return mistake(s->document, key_of(s->document, let, k), 0, "nothing shown rests on '%s'",
+                           p->names[p->inputs + k].text);
+    }
+    return true;
+}
+
+static bool check_roots(const struct identities *t, const struct scope *s)
+{
+    bool radical = false;
+    for (int i = 0; i < t->program.count; i++)
+        radical = radical || (t->needed[i] && (t->program.nodes[i].op == OPERATOR_SQRT ||
+                                               t->program.nodes[i].op == OPERATOR_ATAN2));
+    if (!radical && t->root_count > 0)
+        return mistake(s->document, given(s, "square roots"), 0,
+                       "expected no square roots, nothing shown rests on one");
+    return true;
+}
+
+bool identities_close(struct identities *t, const struct scope *s)
+{
+    if (!check_rates(t, s))
+        return false;
+    mark_needed(t);
+    return s->variant != NULL || s->alteration != NULL || s->shared != NULL || (all_needed(t, s) && check_roots(t, s));
+}
+
+void identities_clear(struct identities *t)
+{
+    program_clear(&t->program);
+    free(t->variables);
+    free(t->shown);
+    free(t->roots);
+    free(t->uses);
+    free(t->needed);
+    for (int i = 0; i < t->sheet_lets; i++)
+        free(t->lets[i]);
+    free(t->lets);
+}

@@ -1,0 +1,173 @@
+#include "proof/remainder.h"
+
+#include <stdlib.h>
+
+enum { BITS = 128, MOST_BOXES = 20000, DEEPEST = 200, MOST_MOVING = 12 };
+
+void remainder_init(struct remainder *r, const struct program *p, int node)
+{
+    char *needed = memory(NULL, (size_t)node + 1, 1);
+    int *stand_in = memory(NULL, (size_t)node + 1, sizeof *stand_in);
+    program_init(&r->program);
+    program_needs(p, node, NULL, needed);
+    for (int i = 0; i <= node; i++)
+        stand_in[i] = i < p->inputs && needed[i] ? program_input(&r->program, p->names[i].text) : -1;
+    r->node = program_inline(&r->program, p, node, stand_in);
+    r->low = _fmpq_vec_init(r->program.inputs);
+    r->high = _fmpq_vec_init(r->program.inputs);
+    fmpq_init(r->bound);
+    free(needed);
+    free(stand_in);
+}
+
+void remainder_clear(struct remainder *r)
+{
+    _fmpq_vec_clear(r->low, r->program.inputs);
+    _fmpq_vec_clear(r->high, r->program.inputs);
+    fmpq_clear(r->bound);
+    program_clear(&r->program);
+}
+
+/* A box is its low ends, then its high ones, thin balls all. */
+struct search {
+    const struct remainder *of;
+    struct machine value, slope;
+    arb_t bound, reached; /* |formula| is at least `reached` somewhere in the set */
+    int inputs, boxes;
+};
+
+/* The formula for states within these balls. */
+static void evaluate(struct search *s, arb_t z, arb_srcptr state)
+{
+    arb_t least;
+    arb_init(least);
+    for (int i = 0; i < s->inputs; i++)
+        arb_set(machine_value(&s->value, i), state + i);
+    machine_run(&s->value);
+    arb_set(z, machine_value(&s->value, s->of->node));
+    arb_get_abs_lbound_arf(arb_midref(least), z, BITS);
+    if (arb_gt(least, s->reached))
+        arb_set(s->reached, least);
+    arb_clear(least);
+}
+
+/*
+ * An upper bound z of sign * formula on a box. An input that it is monotonic in stands at the end where it is
+ * largest, which narrows the box; by each of the others it changes by at most |slope| * radius from the centre.
+ * Returns the one of these that changes it most, -1: there is none.
+ */
+static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
+{
+    const int inputs = s->inputs;
+    arb_ptr low = box, high = box + inputs, state = _arb_vec_init(inputs);
+    mag_t change, most, all;
+    int widest = -1;
+    mag_init(change);
+    mag_init(most);
+    mag_init(all);
+    for (int i = 0; i < inputs; i++)
+        arb_union(state + i, low + i, high + i, BITS);
+    evaluate(s, z, state);
+    machine_gradient(&s->value, s->of->node, &s->slope);
+    for (int i = 0; i < inputs; i++) {
+        arb_mul_si(z, machine_value(&s->slope, i), sign, BITS);
+        if (arb_is_finite(z) && arb_is_nonnegative(z)) {
+            arb_set(low + i, high + i);
+        } else if (arb_is_finite(z) && arb_is_nonpositive(z)) {
+            arb_set(high + i, low + i);
+        } else {
+            arb_get_mag(change, z);
+            mag_mul(change, change, arb_radref(state + i));
+            mag_add(all, all, change);
+            if (widest < 0 || mag_cmp(change, most) > 0) {
+                mag_set(most, change);
+                widest = i;
+            }
+        }
+        arb_add(state + i, low + i, high + i, BITS);
+        arb_mul_2exp_si(state + i, state + i, -1);
+    }
+    evaluate(s, z, state);
+    arb_mul_si(z, z, sign, BITS);
+    arb_add_error_mag(z, all);
+    _arb_vec_clear(state, inputs);
+    mag_clear(change);
+    mag_clear(most);
+    mag_clear(all);
+    return widest;
+}
+
+/* False as soon as a value above the bound was found, or too many boxes were needed. */
+static bool is_below(struct search *s, arb_srcptr box, int sign, int depth)
+{
+    arb_ptr part = _arb_vec_init(2 * s->inputs), low = part, high = part + s->inputs;
+    arb_t z, end;
+    arb_init(z);
+    arb_init(end);
+    _arb_vec_set(part, box, 2 * s->inputs);
+    const int i = bound_above(s, z, part, sign);
+    bool below = arb_le(z, s->bound);
+    if (!below && i >= 0 && depth < DEEPEST && ++s->boxes < MOST_BOXES && !arb_gt(s->reached, s->bound)) {
+        arb_set(end, high + i);
+        arb_add(high + i, low + i, high + i, BITS);
+        arb_mul_2exp_si(high + i, high + i, -1);
+        below = is_below(s, part, sign, depth + 1);
+        arb_set(low + i, high + i);
+        arb_set(high + i, end);
+        below = below && is_below(s, part, sign, depth + 1);
+    }
+    arb_clear(z);
+    arb_clear(end);
+    _arb_vec_clear(part, 2 * s->inputs);
+    return below;
+}
+
+/* What is dropped is mostly largest at a corner: a bound below it is found out at once. */
+static void try_corners(struct search *s, arb_srcptr box)
+{
+    int moving[MOST_MOVING], count = 0;
+    arb_ptr corner = _arb_vec_init(s->inputs);
+    arb_t z;
+    arb_init(z);
+    _arb_vec_set(corner, box, s->inputs);
+    for (int i = 0; i < s->inputs && count < MOST_MOVING; i++)
+        if (!fmpq_equal(s->of->low + i, s->of->high + i))
+            moving[count++] = i;
+    for (int k = 0; k < 1 << count; k++) {
+        for (int j = 0; j < count; j++)
+            arb_set(corner + moving[j], box + moving[j] + (k >> j & 1 ? s->inputs : 0));
+        evaluate(s, z, corner);
+    }
+    arb_clear(z);
+    _arb_vec_clear(corner, s->inputs);
+}
+
+void remainder_prove(const struct remainder *r, struct remainder_proof *proof)
+{
+    struct search s = {.of = r, .inputs = r->program.inputs};
+    arb_ptr box = _arb_vec_init(2 * s.inputs);
+    machine_init(&s.value, &r->program, &arithmetic_ball, BITS);
+    machine_init(&s.slope, &r->program, &arithmetic_ball, BITS);
+    arb_init(s.bound);
+    arb_init(s.reached);
+    arb_set_fmpq(s.bound, r->bound, BITS);
+    for (int i = 0; i < s.inputs; i++) {
+        arb_set_fmpq(box + i, r->low + i, BITS);
+        arb_set_fmpq(box + s.inputs + i, r->high + i, BITS);
+    }
+    try_corners(&s, box);
+    const bool below = is_below(&s, box, 1, 0) && is_below(&s, box, -1, 0), above = arb_gt(s.reached, s.bound);
+    arb_div(s.reached, s.reached, s.bound, BITS);
+    arb_mul_ui(s.reached, s.reached, 100, BITS);
+    proof->boxes = s.boxes;
+    proof->percent = above ? 100 : (int)arf_get_d(arb_midref(s.reached), ARF_RND_DOWN);
+    proof->state = above                 ? REMAINDER_EXCEEDED
+                   : !below              ? REMAINDER_UNDECIDED
+                   : proof->percent < 50 ? REMAINDER_TOO_WIDE
+                                         : REMAINDER_PROVED;
+    arb_clear(s.bound);
+    arb_clear(s.reached);
+    machine_clear(&s.value);
+    machine_clear(&s.slope);
+    _arb_vec_clear(box, 2 * s.inputs);
+}

@@ -1,0 +1,302 @@
+/*
+ * Eq. (41)   p(lambda) = lambda^4 + C2 lambda^3 + (C1 - 2 Omega^2) lambda^2 + 3 C2 Omega^2 lambda
+ *                        + 3 (C1 Omega^2 - 9 Omega^4)
+ *
+ * Balls isolate the roots in s = lambda/Omega and order what differs. What may be equal is left to algebraic numbers
+ * (qqbar), which decide it by minimal polynomials, in milliseconds. With c1 = C1/Omega^2, c2 = C2/Omega it may be so
+ *
+ *   where p has a multiple root: its discriminant is 0;
+ *   where c1 = 9: one root is 0, and no ball around 0 has leading bits;
+ *   where two pairs have one real part, or a root's real part is 0 and not the root. With u = s + c2/4,
+ *   p = u^4 + P u^2 + Q u + R, 8 Q = c2 (c2^2 - 4 (c1 - 8)), and the four u add up to 0: two pairs with one real part are
+ *   +-u1, +-u2, which is Q = 0. p(i w) = 0 says c2 w (3 - w^2) = 0 and w^4 - (c1 - 2) w^2 + 3 (c1 - 9) = 0, and
+ *   w^2 = 3 makes the latter -12: the imaginary axis has no root but 0 unless c2 = 0, which is Q = 0 again;
+ *   where a pair has the real part of a real root. That is settled when balls have not told them apart by MOST_DOUBLINGS.
+ */
+#include "proof/roots.h"
+
+#include <complex.h>
+#include <math.h>
+
+enum { DEGREE = 4, MOST_DOUBLINGS = 6 };
+
+/* p of (41), or with Omega = 1 the polynomial in s. */
+static void polynomial(fmpq_poly_t p, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2)
+{
+    fmpq_t square, c;
+    fmpq_init(square);
+    fmpq_init(c);
+    fmpq_mul(square, Omega, Omega);
+    fmpq_poly_zero(p);
+    fmpq_poly_set_coeff_si(p, 4, 1);
+    fmpq_poly_set_coeff_fmpq(p, 3, C2);
+    fmpq_mul_si(c, square, -2);
+    fmpq_add(c, c, C1);
+    fmpq_poly_set_coeff_fmpq(p, 2, c);
+    fmpq_mul(c, C2, square);
+    fmpq_mul_si(c, c, 3);
+    fmpq_poly_set_coeff_fmpq(p, 1, c);
+    fmpq_mul_si(c, square, -9);
+    fmpq_add(c, c, C1);
+    fmpq_mul(c, c, square);
+    fmpq_mul_si(c, c, 3);
+    fmpq_poly_set_coeff_fmpq(p, 0, c);
+    fmpq_clear(square);
+    fmpq_clear(c);
+}
+
+/* ---- isolation -------------------------------------------------------- */
+
+/* Durand and Kerner's iteration in double: a start that nothing relies on. False when it is none.
+ */
+static bool approximate(acb_ptr roots, const acb_poly_t p)
+{
+    double a[DEGREE];
+    double complex z[DEGREE] = {1, 0.4 + 0.9 * I, -0.65 + 0.72 * I, -0.908 - 0.297 * I};
+    double change = 1;
+    for (int k = 0; k < DEGREE; k++)
+        a[k] = arf_get_d(arb_midref(acb_realref(acb_poly_get_coeff_ptr(p, k))), ARF_RND_NEAR);
+    for (int round = 0; round < 100 && change > 1e-15; round++) {
+        change = 0;
+        for (int k = 0; k < DEGREE; k++) {
+            double complex value = 1, others = 1;
+            for (int j = DEGREE - 1; j >= 0; j--) {
+                value = value * z[k] + a[j];
+                others *= j == k ? 1 : z[k] - z[j];
+            }
+            z[k] -= value / others;
+            change = fmax(change, cabs(value / others) / cabs(z[k]));
+        }
+    }
+    bool finite = true;
+    for (int k = 0; k < DEGREE; k++) {
+        acb_set_d_d(roots + k, creal(z[k]), cimag(z[k]));
+        finite = finite && acb_is_finite(roots + k);
+    }
+    return finite;
+}
+
+/*
+ * p is real, so each root off the axis has its conjugate among the others: the one enclosure that
+ * meets the conjugate of its own holds it.
+ */
+static bool pair_up(acb_ptr roots)
+{
+    bool paired = true;
+    acb_t conjugate;
+    acb_init(conjugate);
+    for (int k = 0; k < DEGREE; k++) {
+        if (arb_contains_zero(acb_imagref(roots + k)))
+            arb_zero(acb_imagref(roots + k));
+        if (!arb_is_positive(acb_imagref(roots + k)))
+            continue;
+        int partners = 0, partner = k;
+        acb_conj(conjugate, roots + k);
+        for (int j = 0; j < DEGREE; j++) {
+            if (acb_overlaps(roots + j, conjugate)) {
+                partners++;
+                partner = j;
+            }
+        }
+        paired = paired && partners == 1;
+        acb_set(roots + partner, conjugate);
+    }
+    acb_clear(conjugate);
+    return paired;
+}
+
+/* Four disjoint enclosures, of one root each for every polynomial in the balls; false when not
+ * reached. */
+static bool isolate(acb_ptr roots, const acb_poly_t p, slong prec)
+{
+    acb_ptr start = _acb_vec_init(DEGREE);
+    slong isolated = 0;
+    if (approximate(start, p))
+        isolated = acb_poly_find_roots(roots, p, start, 0, prec);
+    if (isolated != DEGREE)
+        isolated = acb_poly_find_roots(roots, p, NULL, 0, prec);
+    _acb_vec_clear(start, DEGREE);
+    return isolated == DEGREE && acb_poly_validate_real_roots(roots, p, prec) && pair_up(roots);
+}
+
+/* ---- order ------------------------------------------------------------ */
+
+/*
+ * True when x is proved to come before y, or to equal it. The enclosures isolate: those that are conjugates of each other
+ * hold conjugate roots.
+ */
+static bool ordered(acb_srcptr x, acb_srcptr y)
+{
+    if (!arb_overlaps(acb_realref(x), acb_realref(y)))
+        return arb_lt(acb_realref(x), acb_realref(y));
+    return arb_equal(acb_realref(x), acb_realref(y)) && arb_lt(acb_imagref(x), acb_imagref(y));
+}
+
+/* Sorts by proved order; false when that leaves a place undecided. */
+static bool sort(acb_ptr roots)
+{
+    for (int last = DEGREE - 1; last > 0; last--)
+        for (int k = 0; k < last; k++)
+            if (ordered(roots + k + 1, roots + k))
+                acb_swap(roots + k, roots + k + 1);
+    bool sorted = true;
+    for (int k = 0; k + 1 < DEGREE; k++)
+        sorted = sorted && ordered(roots + k, roots + k + 1);
+    return sorted;
+}
+
+/* ---- what may be equal ------------------------------------------------ */
+
+static bool may_be_equal(const fmpq_poly_t p, const fmpq_t c1, const fmpq_t c2)
+{
+    fmpq_t q;
+    fmpq_poly_t common;
+    fmpq_init(q);
+    fmpq_poly_init(common);
+    fmpq_sub_si(q, c1, 8);
+    fmpq_mul_si(q, q, -4);
+    fmpq_addmul(q, c2, c2);
+    fmpq_poly_derivative(common, p);
+    fmpq_poly_gcd(common, common, p);
+    const bool may = fmpq_is_zero(c2) || fmpq_is_zero(q) || fmpz_is_zero(fmpq_poly_numref(p)) || fmpq_poly_degree(common) > 0;
+    fmpq_clear(q);
+    fmpq_poly_clear(common);
+    return may;
+}
+
+/* The roots as algebraic numbers, sorted. */
+static qqbar_ptr exact_roots(const fmpq_poly_t p)
+{
+    qqbar_ptr z = _qqbar_vec_init(DEGREE);
+    qqbar_roots_fmpq_poly(z, p, QQBAR_ROOTS_UNSORTED);
+    for (int last = DEGREE - 1; last > 0; last--)
+        for (int k = 0; k < last; k++) {
+            const int by_real = qqbar_cmp_re(z + k, z + k + 1);
+            if (by_real > 0 || (by_real == 0 && qqbar_cmp_im(z + k, z + k + 1) > 0))
+                qqbar_swap(z + k, z + k + 1);
+        }
+    return z;
+}
+
+/* Equal parts get equal enclosures. */
+static void enclose_exact_roots(acb_ptr roots, const fmpq_poly_t p, slong prec)
+{
+    qqbar_ptr z = exact_roots(p);
+    for (int k = 0; k < DEGREE; k++) {
+        qqbar_get_acb(roots + k, z + k, prec);
+        if (qqbar_sgn_re(z + k) == 0)
+            arb_zero(acb_realref(roots + k));
+        if (qqbar_sgn_im(z + k) == 0)
+            arb_zero(acb_imagref(roots + k));
+        if (k > 0 && qqbar_cmp_re(z + k, z + k - 1) == 0)
+            arb_set(acb_realref(roots + k), acb_realref(roots + k - 1));
+        if (k > 0 && qqbar_equal(z + k, z + k - 1))
+            acb_set(roots + k, roots + k - 1);
+    }
+    _qqbar_vec_clear(z, DEGREE);
+}
+
+/* ---- the interface ---------------------------------------------------- */
+
+/* True when every part that is not an exact zero has its leading bits. */
+static bool accurate(acb_srcptr roots, slong prec)
+{
+    bool enough = true;
+    for (int k = 0; k < DEGREE; k++)
+        enough = enough && arb_rel_accuracy_bits(acb_realref(roots + k)) >= prec &&
+                 arb_rel_accuracy_bits(acb_imagref(roots + k)) >= prec;
+    return enough;
+}
+
+/* The sorted roots in s; returns the bits that it took to tell them apart. */
+static slong scaled_roots(acb_ptr roots, const fmpq_poly_t p, bool exactly, slong prec)
+{
+    acb_poly_t balls;
+    acb_poly_init(balls);
+    bool done = false;
+    slong working = prec + 28; /* guard bits for the cancellation of ordinary roots */
+    for (int doubling = 0; !exactly && !done && doubling < MOST_DOUBLINGS; doubling++) {
+        working *= doubling > 0 ? 2 : 1;
+        acb_poly_set_fmpq_poly(balls, p, working);
+        done = isolate(roots, balls, working) && sort(roots) && accurate(roots, prec);
+    }
+    acb_poly_clear(balls);
+    if (!done)
+        enclose_exact_roots(roots, p, working);
+    return working;
+}
+
+bool roots41(acb_ptr roots, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2, slong prec)
+{
+    if (fmpq_sgn(Omega) <= 0)
+        return false;
+    fmpq_t one, c1, c2;
+    fmpq_poly_t p;
+    arb_t rate;
+    fmpq_init(one);
+    fmpq_init(c1);
+    fmpq_init(c2);
+    fmpq_poly_init(p);
+    arb_init(rate);
+    fmpq_one(one);
+    fmpq_div(c1, C1, Omega);
+    fmpq_div(c1, c1, Omega);
+    fmpq_div(c2, C2, Omega);
+    polynomial(p, one, c1, c2);
+    const slong working = scaled_roots(roots, p, may_be_equal(p, c1, c2), prec + 4); /* 4 for the product with Omega */
+    arb_set_fmpq(rate, Omega, working);
+    for (int k = 0; k < DEGREE; k++)
+        acb_mul_arb(roots + k, roots + k, rate, working);
+    fmpq_clear(one);
+    fmpq_clear(c1);
+    fmpq_clear(c2);
+    fmpq_poly_clear(p);
+    arb_clear(rate);
+    return true;
+}
+
+bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec)
+{
+    arb_poly_t p;
+    acb_poly_t balls;
+    arb_t c;
+    arb_poly_init(p);
+    acb_poly_init(balls);
+    arb_init(c);
+    arb_poly_set_coeff_si(p, 4, 1);
+    arb_poly_set_coeff_arb(p, 3, c2);
+    arb_sub_ui(c, c1, 2, prec);
+    arb_poly_set_coeff_arb(p, 2, c);
+    arb_mul_ui(c, c2, 3, prec);
+    arb_poly_set_coeff_arb(p, 1, c);
+    arb_sub_ui(c, c1, 9, prec);
+    arb_mul_ui(c, c, 3, prec);
+    arb_poly_set_coeff_arb(p, 0, c);
+    acb_poly_set_arb_poly(balls, p);
+    bool done = isolate(roots, balls, prec) && sort(roots);
+    arb_poly_clear(p);
+    acb_poly_clear(balls);
+    arb_clear(c);
+    return done;
+}
+
+bool roots41_rational(fmpq_t value, int k, bool imaginary, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2)
+{
+    fmpq_poly_t p;
+    qqbar_t part;
+    fmpq_poly_init(p);
+    qqbar_init(part);
+    polynomial(p, Omega, C1, C2);
+    qqbar_ptr z = exact_roots(p);
+    if (imaginary)
+        qqbar_im(part, z + k);
+    else
+        qqbar_re(part, z + k);
+    const bool rational = qqbar_is_rational(part) != 0;
+    if (rational)
+        qqbar_get_fmpq(value, part);
+    _qqbar_vec_clear(z, DEGREE);
+    qqbar_clear(part);
+    fmpq_poly_clear(p);
+    return rational;
+}

@@ -1,0 +1,32 @@
+#include "sheet/input.h"
+
+#include <stdlib.h>
+
+struct input *inputs_new(int count)
+{
+    struct input *inputs = memory(NULL, (size_t)count, sizeof *inputs);
+    for (int i = 0; i < count; i++) {
+        fmpq_init(&inputs[i].value);
+        inputs[i].infinite = false;
+    }
+    return inputs;
+}
+
+void inputs_free(struct input *inputs, int count)
+{
+    for (int i = 0; i < count; i++)
+        fmpq_clear(&inputs[i].value);
+    free(inputs);
+}
+
+void section_enclose(const struct section *s, arb_srcptr inputs, slong prec, arb_ptr outputs)
+{
+    struct machine m;
+    machine_init(&m, &s->corrected.program, &arithmetic_ball, prec);
+    for (int i = 0; i < s->input_count; i++)
+        arb_set(machine_value(&m, i), inputs + i);
+    machine_run(&m);
+    for (int i = 0; i < s->output_count; i++)
+        arb_set(outputs + i, machine_value(&m, s->corrected.outputs[i]));
+    machine_clear(&m);
+}

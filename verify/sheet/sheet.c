@@ -1,0 +1,46 @@
+#include "sheet/sheet.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void formulas_clear(struct formulas *f)
+{
+    program_clear(&f->program);
+    free(f->let);
+    free(f->conditions);
+}
+
+void sheet_clear(struct sheet *s)
+{
+    for (int i = 0; i < s->section_count; i++) {
+        formulas_clear(&s->sections[i].corrected);
+        formulas_clear(&s->sections[i].printed);
+        free(s->sections[i].relations);
+        free(s->sections[i].specials);
+        free(s->sections[i].slips);
+    }
+    for (int i = 0; i < s->text_count; i++)
+        free(s->texts[i]);
+    free(s->texts);
+    free(s->table1);
+    free(s->slips);
+    free(s->sections);
+    free(s->quantities);
+    *s = (struct sheet){0};
+}
+
+const struct section *section_find(const struct sheet *s, const char *id)
+{
+    for (int i = 0; i < s->section_count; i++)
+        if (strcmp(s->sections[i].id, id) == 0)
+            return &s->sections[i];
+    return NULL;
+}
+
+const struct quantity *quantity_find(const struct sheet *s, const char *name)
+{
+    for (int i = 0; i < s->quantity_count; i++)
+        if (strcmp(s->quantities[i].name, name) == 0)
+            return &s->quantities[i];
+    return NULL;
+}

@@ -1,0 +1,382 @@
+/*
+ * Numbers as text. Rationals go through exact integers, balls through MPFR, which rounds correctly; strtod does, too. No
+ * locale but C's takes part: the program sets none.
+ */
+#include "text/decimal.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/message.h"
+
+/* Of an exact literal, beyond binary128's 10^+-4966: there certified roots still take but a second. */
+static const slong LARGEST_EXPONENT = 5000, MOST_DIGITS = 10000;
+static const slong MANTISSA_BITS = DBL_MANT_DIG; /* 53: a binary64's significand */
+
+/* n = p/q rounded to the nearest integer, ties to even; p >= 0, q > 0. */
+static void nearest(fmpz_t n, const fmpz_t p, const fmpz_t q)
+{
+    fmpz_t remainder;
+    fmpz_init(remainder);
+    fmpz_fdiv_qr(n, remainder, p, q);
+    fmpz_mul_2exp(remainder, remainder, 1);
+    int half = fmpz_cmp(remainder, q);
+    if (half > 0 || (half == 0 && fmpz_is_odd(n)))
+        fmpz_add_ui(n, n, 1);
+    fmpz_clear(remainder);
+}
+
+/* p/q = |x| base^k */
+static void scale(fmpz_t p, fmpz_t q, const fmpq_t x, ulong base, slong k)
+{
+    fmpz_t power;
+    fmpz_init(power);
+    fmpz_ui_pow_ui(power, base, k < 0 ? -(ulong)k : (ulong)k);
+    fmpz_abs(p, fmpq_numref(x));
+    fmpz_set(q, fmpq_denref(x));
+    if (k < 0)
+        fmpz_mul(q, q, power);
+    else
+        fmpz_mul(p, p, power);
+    fmpz_clear(power);
+}
+
+/* ---- reading ---------------------------------------------------------- */
+
+/* The digit's value, or 16 (no digit in any base used here). */
+static int digit_value(char c)
+{
+    if (c >= '0' && c <= '9')
+        return c - '0';
+    if (c >= 'a' && c <= 'f')
+        return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F')
+        return c - 'A' + 10;
+    return 16;
+}
+
+/* Equal but for the case of ASCII letters; the word is in lower case. */
+static bool spells(const char *text, const char *word)
+{
+    while (*word != '\0' && (*text | 0x20) == *word) {
+        text++;
+        word++;
+    }
+    return *word == '\0' && *text == '\0';
+}
+
+/*
+ * Digits of the base with at most one point, at least one digit: their integer, and
+ * how many stood behind the point. Returns what follows, NULL when there is no digit.
+ */
+static const char *read_digits(fmpz_t mantissa, slong *fraction, const char *text, int base)
+{
+    size_t span = strspn(text, "0123456789abcdefABCDEF.");
+    char *digits = memory(NULL, span + 1, 1);
+    size_t count = 0;
+    bool point = false;
+    *fraction = 0;
+    for (; digit_value(*text) < base || (*text == '.' && !point); text++) {
+        if (*text == '.') {
+            point = true;
+        } else {
+            digits[count++] = *text;
+            *fraction += point;
+        }
+    }
+    digits[count] = '\0';
+    if (count > 0)
+        fmpz_set_str(mantissa, digits, base);
+    free(digits);
+    return count > 0 ? text : NULL;
+}
+
+/* A signed decimal integer, saturated far outside every range used. NULL when there is none. */
+static const char *read_exponent(slong *exponent, const char *text)
+{
+    const slong saturated = 1000000000000; /* a literal would need 10^12 digits to bring it back */
+    bool negative = *text == '-';
+    if (*text == '-' || *text == '+')
+        text++;
+    if (digit_value(*text) >= 10)
+        return NULL;
+    slong value = 0;
+    for (; digit_value(*text) < 10; text++)
+        value = value < saturated ? 10 * value + digit_value(*text) : value;
+    *exponent = negative ? -value : value;
+    return text;
+}
+
+/* value = mantissa base^exponent */
+static void place(fmpq_t value, const fmpz_t mantissa, ulong base, slong exponent)
+{
+    fmpq_t x;
+    fmpq_init(x);
+    fmpq_set_fmpz(x, mantissa);
+    scale(fmpq_numref(x), fmpq_denref(x), x, base, exponent);
+    fmpq_canonicalise(x);
+    fmpq_swap(value, x);
+    fmpq_clear(x);
+}
+
+/* value = the binary64 nearest to the literal, which strtod finds; false where it overflows. */
+static bool round_to_binary64(fmpq_t value, const char *literal)
+{
+    const double nearest = strtod(literal, NULL);
+    if (!isfinite(nearest))
+        return false;
+    arf_t x;
+    arf_init(x);
+    arf_set_d(x, nearest);
+    arf_get_fmpq(value, x);
+    arf_clear(x);
+    return true;
+}
+
+enum literal literal_read(fmpq_t value, const char *text, bool exact)
+{
+    const char *const literal = text;
+    const bool negative = *text == '-';
+    if (*text == '-' || *text == '+')
+        text++;
+    if (spells(text, "nan"))
+        return LITERAL_NAN;
+    if (spells(text, "inf") || spells(text, "infinity"))
+        return negative ? LITERAL_NEGATIVE_INFINITE : LITERAL_INFINITE;
+
+    const bool hexadecimal = text[0] == '0' && (text[1] | 0x20) == 'x';
+    slong fraction = 0, exponent = 0;
+    fmpz_t mantissa;
+    fmpz_init(mantissa);
+    text = hexadecimal ? read_digits(mantissa, &fraction, text + 2, 16)
+                       : read_digits(mantissa, &fraction, text, 10);
+    if (text != NULL && (*text | 0x20) == (hexadecimal ? 'p' : 'e'))
+        text = read_exponent(&exponent, text + 1);
+
+    enum literal what = LITERAL_FINITE;
+    const bool giant = labs(exponent) > LARGEST_EXPONENT || fraction > MOST_DIGITS ||
+                       (slong)fmpz_bits(mantissa) > 4 * MOST_DIGITS;
+    if (text == NULL || *text != '\0') {
+        what = LITERAL_MALFORMED;
+    } else if (fmpz_is_zero(mantissa)) {
+        fmpq_zero(value);
+    } else if (!exact) {
+        what = round_to_binary64(value, literal) ? LITERAL_FINITE : LITERAL_OVERFLOW;
+    } else if (giant) {
+        what = LITERAL_OVERFLOW;
+    } else {
+        place(value, mantissa, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 * fraction : fraction));
+        if (negative)
+            fmpq_neg(value, value);
+    }
+    fmpz_clear(mantissa);
+    return what;
+}
+
+/* ---- writing ---------------------------------------------------------- */
+
+/* What a number needs beside its digits: -, ., e, an exponent's sign and 19 digits, the end. */
+enum { BESIDE_DIGITS = 24 };
+
+/* d.ddde-XX from the digits and the exponent of the first. */
+static void write_scientific(char *text, const char *digits, slong exponent)
+{
+    const size_t more = strlen(digits + 1);
+    *text++ = *digits;
+    if (more > 0)
+        *text++ = '.';
+    memcpy(text, digits + 1, more);
+    snprintf(text + more, BESIDE_DIGITS - 2, "e%c%02ld", exponent < 0 ? '-' : '+', labs(exponent));
+}
+
+/* The same with a sign, from their integer. */
+static char *scientific(bool negative, const fmpz_t digits, slong exponent)
+{
+    char *significand = fmpz_get_str(NULL, 10, digits);
+    char *text = memory(NULL, strlen(significand) + BESIDE_DIGITS, 1);
+    text[0] = '-';
+    write_scientific(text + negative, significand, exponent);
+    flint_free(significand);
+    return text;
+}
+
+/*
+ * A lower bound on floor(log10(x)), nearly always equal to it, for x = mantissa 2^exponent, x > 0,
+ * |exponent| < 2^50. The margin covers the rounding of three operations in double.
+ */
+static slong decimal_exponent(double mantissa, slong exponent)
+{
+    const double log10_2 = 0.30102999566398119521; /* OEIS A007524 */
+    double margin = 1e-6 + fabs((double)exponent) * DBL_EPSILON;
+    return (slong)floor(log10(mantissa) + (double)exponent * log10_2 - margin);
+}
+
+/* |x|, x not zero, to so many digits: their integer, and the exponent of the first. */
+static slong leading_digits(fmpz_t n, const fmpq_t x, slong digits, bool upward)
+{
+    fmpz_t p, q, limit;
+    fmpz_init(p);
+    fmpz_init(q);
+    fmpz_init(limit);
+    fmpz_ui_pow_ui(limit, 10, (ulong)digits);
+    slong top, bottom;
+    double above = fmpz_get_d_2exp(&top, fmpq_numref(x));
+    double below = fmpz_get_d_2exp(&bottom, fmpq_denref(x));
+    slong exponent = decimal_exponent(fabs(above / below), top - bottom);
+    for (;; exponent++) {
+        scale(p, q, x, 10, digits - 1 - exponent);
+        if (upward)
+            fmpz_cdiv_q(n, p, q);
+        else
+            nearest(n, p, q);
+        /* A digit too many: the exponent was too low, or the value rounds to the next power of ten.
+         */
+        if (fmpz_cmp(n, limit) < 0)
+            break;
+    }
+    fmpz_clear(p);
+    fmpz_clear(q);
+    fmpz_clear(limit);
+    return exponent;
+}
+
+char *decimal_of_rational(const fmpq_t x, slong digits)
+{
+    if (fmpq_is_zero(x))
+        return text_copy("0");
+    fmpz_t n;
+    fmpz_init(n);
+    slong exponent = leading_digits(n, x, digits, false);
+    char *text = scientific(fmpq_sgn(x) < 0, n, exponent);
+    fmpz_clear(n);
+    return text;
+}
+
+/* The text of a number other than zero, rounded to nearest, ties to even. */
+static char *decimal_of_mpfr(const mpfr_t x, slong digits)
+{
+    mpfr_exp_t exponent;
+    char *significand = mpfr_get_str(NULL, &exponent, 10, (size_t)digits, x, MPFR_RNDN);
+    const bool negative = *significand == '-';
+    char *text = memory(NULL, (size_t)digits + BESIDE_DIGITS, 1);
+    text[0] = '-';
+    write_scientific(text + negative, significand + negative, exponent - 1);
+    mpfr_free_str(significand);
+    return text;
+}
+
+/* What both ends round to, all between them rounds to. */
+char *decimal_of_ball(const arb_t x, slong digits)
+{
+    if (arb_is_zero(x))
+        return text_copy("0");
+    if (!arb_is_finite(x) || arb_contains_zero(x) || fmpz_bits(ARF_EXPREF(arb_midref(x))) > 50)
+        return NULL; /* MPFR's exponents end at 2^62 */
+    const slong prec = FLINT_MAX(arf_bits(arb_midref(x)), 4 * digits) + 64; /* 4 > log2(10), and guard bits */
+    const mpfr_exp_t least = mpfr_get_emin(), most = mpfr_get_emax();
+    mpfr_t low, high;
+    mpfr_set_emin(mpfr_get_emin_min());
+    mpfr_set_emax(mpfr_get_emax_max());
+    mpfr_init2(low, prec);
+    mpfr_init2(high, prec);
+    arb_get_interval_mpfr(low, high, x);
+    char *text = decimal_of_mpfr(low, digits), *other = decimal_of_mpfr(high, digits);
+    if (strcmp(text, other) != 0) {
+        free(text);
+        text = NULL;
+    }
+    free(other);
+    mpfr_clear(low);
+    mpfr_clear(high);
+    mpfr_set_emin(least);
+    mpfr_set_emax(most);
+    return text;
+}
+
+/* x > 0 to so many digits, without a point; returns the exponent of the first. */
+static slong digits_of(char digits[24], double x, size_t count, mpfr_rnd_t rounding)
+{
+    mpfr_exp_t exponent;
+    mpfr_t y;
+    mpfr_init2(y, MANTISSA_BITS);
+    mpfr_set_d(y, x, MPFR_RNDN);
+    mpfr_get_str(digits, &exponent, 10, count, y, rounding);
+    mpfr_clear(y);
+    return exponent - 1;
+}
+
+static bool reads_back(const char *digits, slong exponent, double x)
+{
+    char text[40];
+    snprintf(text, sizeof text, "%se%ld", digits, exponent + 1 - (long)strlen(digits));
+    const double y = strtod(text, NULL);
+    return !(y < x) && !(y > x);
+}
+
+/*
+ * The fewest digits that read back as x, the nearest of them. What reads back as a power of two reaches twice as far
+ * above it as below: there the next decimal above may do where the nearest does not. Of a normal number no decimal of
+ * fewer than DBL_DIG = 15 digits is lost on the way, so that it stands in the 15 digits, zeros behind it.
+ */
+static slong shortest_digits(char digits[24], double x)
+{
+    for (size_t count = x < DBL_MIN ? 1 : DBL_DIG;; count++)
+        for (int above = 0; above < 2; above++) {
+            const slong exponent = digits_of(digits, x, count, above ? MPFR_RNDU : MPFR_RNDN);
+            if (!reads_back(digits, exponent, x))
+                continue;
+            while (count > 1 && digits[count - 1] == '0')
+                digits[--count] = '\0';
+            return exponent;
+        }
+}
+
+void decimal_shortest(char text[32], double x)
+{
+    const size_t room = 31; /* behind a sign; 23 are used by -1.2345678901234567e-308 */
+    if (signbit(x) && !isnan(x))
+        *text++ = '-';
+    x = fabs(x);
+    if (!isfinite(x) || !(x > 0)) {
+        snprintf(text, room, "%s", isnan(x) ? "nan" : x > 0 ? "inf" : "0");
+        return;
+    }
+    char digits[24]; /* at most 17 */
+    const int first = (int)shortest_digits(digits, x), last = first + 1 - (int)strlen(digits);
+    if (first < -4 || first >= 16)
+        write_scientific(text, digits, first);
+    else if (first < 0)
+        snprintf(text, room, "0.%.*s%s", -1 - first, "000", digits);
+    else if (last < 0)
+        snprintf(text, room, "%.*s.%s", first + 1, digits, digits + first + 1);
+    else
+        snprintf(text, room, "%ld", (long)x); /* below 10^16: the integer is x itself */
+}
+
+void decimal_bound(char text[32], const mag_t x)
+{
+    const slong least = -1000000,
+                most = 1000000; /* powers of two: what is beyond is bounded by them */
+    if (mag_is_zero(x) || mag_cmp_2exp_si(x, most) > 0) {
+        snprintf(text, 32, "%s", mag_is_zero(x) ? "0" : "inf");
+        return;
+    }
+    mag_t bound;
+    fmpq_t value;
+    fmpz_t n;
+    mag_init(bound);
+    fmpq_init(value);
+    fmpz_init(n);
+    mag_set_ui_2exp_si(bound, 1, least);
+    mag_max(bound, bound, x);
+    mag_get_fmpq(value, bound);
+    const slong exponent = leading_digits(n, value, 2, true);
+    char digits[4]; /* two */
+    write_scientific(text, fmpz_get_str(digits, 10, n), exponent);
+    mag_clear(bound);
+    fmpq_clear(value);
+    fmpz_clear(n);
+}

@@ -1,0 +1,83 @@
+#include "text/message.h"
+
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void message_set(struct message *m, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(m->text, sizeof m->text, format, arguments);
+    va_end(arguments);
+    message_printable(m->text);
+}
+
+void message_printable(char *text)
+{
+    for (; *text != '\0'; text++)
+        if ((unsigned char)*text < 0x20 || *text == 0x7f)
+            *text = '?';
+}
+
+void out_of_memory(void)
+{
+    fputs("coulomb-tether: out of memory\n", stderr);
+    exit(1);
+}
+
+void *memory(void *old, size_t count, size_t size)
+{
+    void *block = count > SIZE_MAX / size ? NULL : realloc(old, count > 0 ? count * size : size);
+    if (block == NULL)
+        out_of_memory();
+    return block;
+}
+
+char *text_copy(const char *text)
+{
+    size_t size = strlen(text) + 1;
+    return memcpy(memory(NULL, size, 1), text, size);
+}
+
+/* Levenshtein's distance of two short names, row by row. */
+static size_t edit_distance(const char *a, const char *b)
+{
+    enum { LONGEST = 32 };
+    size_t row[LONGEST + 1], length = strlen(b);
+    if (length > LONGEST || strlen(a) > LONGEST)
+        return SIZE_MAX;
+    for (size_t j = 0; j <= length; j++)
+        row[j] = j;
+    for (size_t i = 1; a[i - 1] != '\0'; i++) {
+        size_t diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= length; j++) {
+            size_t above = row[j];
+            size_t best = diagonal + (a[i - 1] != b[j - 1]);
+            if (above + 1 < best)
+                best = above + 1;
+            if (row[j - 1] + 1 < best)
+                best = row[j - 1] + 1;
+            diagonal = above;
+            row[j] = best;
+        }
+    }
+    return row[length];
+}
+
+const char *nearest_name(const char *mistaken, const char *const *known, size_t count)
+{
+    const char *nearest = NULL;
+    size_t least = 4; /* further away than three edits is no suggestion */
+    for (size_t i = 0; i < count; i++) {
+        size_t distance = edit_distance(mistaken, known[i]);
+        if (distance < least && distance < strlen(mistaken)) {
+            least = distance;
+            nearest = known[i];
+        }
+    }
+    return nearest;
+}
