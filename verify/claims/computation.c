@@ -39,11 +39,11 @@ static int results_of(struct handed **results, const char *names)
     return count;
 }
 
-struct computed *computed_find(struct statements *s, const char *name)
+struct computed *computed_find(struct computations *all, const char *name)
 {
-    for (int i = 0; i < s->computed_count; i++)
-        if (strcmp(s->computed[i]->of->name, name) == 0)
-            return s->computed[i];
+    for (int i = 0; i < all->count; i++)
+        if (strcmp(all->of[i]->of->name, name) == 0)
+            return all->of[i];
     for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
         for (const struct computation *c = lists[l]; c->name != NULL; c++)
             if (strcmp(c->name, name) == 0) {
@@ -51,16 +51,16 @@ struct computed *computed_find(struct statements *s, const char *name)
                 *new = (struct computed){.of = c};
                 new->number_count = results_of(&new->numbers, c->numbers);
                 new->truth_count = results_of(&new->truths, c->truths);
-                s->computed = memory(s->computed, (size_t)s->computed_count + 1, sizeof *s->computed);
-                return s->computed[s->computed_count++] = new;
+                all->of = memory(all->of, (size_t)all->count + 1, sizeof *all->of);
+                return all->of[all->count++] = new;
             }
     return NULL;
 }
 
-void computed_clear(struct statements *s)
+void computations_clear(struct computations *all)
 {
-    for (int i = 0; i < s->computed_count; i++) {
-        struct computed *c = s->computed[i];
+    for (int i = 0; i < all->count; i++) {
+        struct computed *c = all->of[i];
         for (int k = 0; k < c->number_count; k++)
             arb_clear(c->numbers[k].value);
         for (int k = 0; k < c->truth_count; k++)
@@ -69,7 +69,7 @@ void computed_clear(struct statements *s)
         free(c->truths);
         free(c);
     }
-    free(s->computed);
+    free(all->of);
 }
 
 const struct computation *computation_of(const struct computed *c)

@@ -2,11 +2,18 @@
 #ifndef CT_COMPUTATION_H
 #define CT_COMPUTATION_H
 
-#include "claims/statement.h"
+#include "claims/claim.h"
+#include "text/message.h"
+
+/* Those that have been asked for. */
+struct computations {
+    struct computed **of;
+    int count;
+};
+void computations_clear(struct computations *all);
 
 /* The computation of that name, not yet run; NULL: there is none. */
-struct computed *computed_find(struct statements *s, const char *name);
-void computed_clear(struct statements *s);
+struct computed *computed_find(struct computations *all, const char *name);
 
 const struct computation *computation_of(const struct computed *c);
 

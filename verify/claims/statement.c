@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims/computation.h"
 #include "claims/condition.h"
 #include "text/decimal.h"
 

@@ -7,7 +7,7 @@
 #ifndef CT_STATEMENT_H
 #define CT_STATEMENT_H
 
-#include "claims/claim.h"
+#include "claims/computation.h"
 #include "claims/marked.h"
 #include "proof/proof_results.h"
 
@@ -106,8 +106,7 @@ struct statements {
     const struct proof_results *proofs;
     struct statement *list;
     int count;
-    struct computed **computed;
-    int computed_count;
+    struct computations computed;
     char **texts;
     int text_count;
 };

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims/computation.h"
 #include "claims/statement.h"
 #include "formula/symbolic.h"
 

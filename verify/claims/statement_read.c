@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims/computation.h"
 #include "claims/condition.h"
 #include "claims/statement.h"
 
@@ -77,7 +76,7 @@ static void add_entry(const struct reading *r, struct names *n, const char *key,
 {
     static const char *const keys[] = {"at", "on", "for"};
     const yaml_node_t *of = child(r->document, entry, "of"), *compute = child(r->document, entry, "compute");
-    const struct computed *c = compute != NULL && scalar(compute) != NULL ? computed_find(r->all, scalar(compute)) : NULL;
+    const struct computed *c = compute != NULL && scalar(compute) != NULL ? computed_find(&r->all->computed, scalar(compute)) : NULL;
     char name[2 * LONGEST_NAME + 2], word[LONGEST_NAME + 1];
     for (size_t k = 0; k < 3; k++)
         add_keys(r, n, child(r->document, entry, keys[k]));
@@ -399,8 +398,8 @@ static bool read_cited(struct reading *r, struct assertion *a, const yaml_node_t
 
 static bool read_compute(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
-    a->computed = scalar(value) != NULL ? computed_find(r->all, scalar(value)) : NULL;
-    return a->computed != NULL || mistake(r->document, value, 0, "unknown computation, expected one of verify/claims_*.c");
+    a->computed = scalar(value) != NULL ? computed_find(&r->all->computed, scalar(value)) : NULL;
+    return a->computed != NULL || mistake(r->document, value, 0, "unknown computation, expected one of verify/claims/claims_*.c");
 }
 
 static const struct form {
@@ -809,7 +808,7 @@ void statements_clear(struct statements *s)
         free(s->texts[i]);
     free(s->texts);
     free(s->list);
-    computed_clear(s);
+    computations_clear(&s->computed);
     document_close(&s->document);
     *s = (struct statements){0};
 }

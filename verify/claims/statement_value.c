@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims/computation.h"
 #include "text/decimal.h"
 #include "formula/exact.h"
 #include "claims/statement.h"
