@@ -75,12 +75,12 @@ static const struct {
     {"real-parts-vanish", "-0.1069846374 and -0.1430153626"}, /* roots(9.0625) */
     {"real-parts-vanish", "-0.04948884256 and -5.518275520"}, /* roots(40) */
     {"slow-at-the-ends", "11.81160194899945"},
-    {"n12-optimal", "11.8116019489994475627782,"},
-    {"n12-optimal", "0.598916907216339712577893 "},
-    {"n12-optimal", "0.5960704898964056783432 "}, /* rate(12) */
-    {"n12-optimal", "0.4159258382875836439251,"}, /* rate(10) */
-    {"n12-optimal", "0.995247391941 "}, /* rate(12)/rate(best) */
-    {"n12-optimal", "0.694463344207 "}, /* rate(10)/rate(best) */
+    {"fastest-decay", "11.8116019489994475627782,"},
+    {"fastest-decay", "0.598916907216339712577893 "},
+    {"fastest-decay", "0.5960704898964056783432 "}, /* rate(12) */
+    {"fastest-decay", "0.4159258382875836439251,"}, /* rate(10) */
+    {"fastest-decay", "0.995247391941 "}, /* rate(12)/rate(best) */
+    {"fastest-decay", "0.694463344207 "}, /* rate(10)/rate(best) */
     {"matching-optimal", "1.669680699 "}, /* 1/rate(best), 1/rate(12), 1/rate(10) */
     {"matching-optimal", "1.677653930 "},
     {"matching-optimal", "2.404274772 "},
@@ -108,7 +108,7 @@ static const struct {
        theta, dL/L_ref; in x1 0.24175652e-12 */
     {"linear-second-order", "c = 0.109, 1.17, 0.743, 0.242, 0.109, 1.17"},
     /* 0.0964020*a**2/0.01 and 0.2152296*a**2/0.01 for a = 0.0101003, the amplitude of pitch after 8 days */
-    {"slower-with-pitch", "; 0.000984, 0.00220 (linear"},
+    {"pitched-end", "; 0.000984, 0.00220 (linear"},
     {"charges-opposite", "|dQ/Q_ref| <= 0.034,"}, /* 10*0.01/3 at the start */
     {"charges-deviation", "|q/q_ref - 1| <= 0.017,"}, /* 1 - sqrt(1 - 10*0.01/3) = 0.01681 */
     {"charges-microcoulomb", "q_ref = sqrt(-Q_ref) = 0.3647777 uC"}, /* 1e6*Om*sqrt(3e3*75/8.99e9) */
