@@ -146,6 +146,7 @@ static const struct {
     {"a and b", "a: dL > 0\n    b: L > 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is found neither true nor false"},
     {"a, refuted: not a", "a: dL < 0", REFUTED, false, "c comes out as 'refuted', its evidence is written for 'holds'"},
     {"a, refuted: b", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "more than one of its conditions is true"},
+    {"(a or b) and a and b", "a: dL > 0\n    b: dL < 1", HOLDS, true, ""},
     {"a or b", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:7:8: c stands without 'a', or with its contrary"},
     {"a and (b or not b)", "a: dL > 0\n    b: dL < 1", HOLDS, false, "c stands without"},
     {"start.returns_12 and start.escapes_10", "start: {compute: half_length}", HOLDS, true, ""},
@@ -157,6 +158,19 @@ START_TEST(verdicts_follow_from_conditions)
     char text[4096];
     write_claim(text, rulings[_i].condition, NULL, rulings[_i].prove, NULL);
     assert_ruled(text, rulings[_i].verdict, rulings[_i].as_written, rulings[_i].open);
+}
+END_TEST
+
+START_TEST(a_claim_has_not_too_many_assertions)
+{
+    char text[4096], prove[1024] = "";
+    struct statements s;
+    struct message why = {""};
+    for (int i = 0; i <= MOST_ASSERTIONS; i++)
+        snprintf(prove + strlen(prove), sizeof prove - strlen(prove), "a%d: dL > 0\n    ", i);
+    write_claim(text, "a0", NULL, prove, NULL);
+    ck_assert_int_eq(statements_read(&s, &proofs, text, strlen(text), "t", &why), -1);
+    ck_assert_ptr_nonnull(strstr(why.text, "expected at most 40 assertions"));
 }
 END_TEST
 
@@ -187,6 +201,7 @@ static const struct {
     {"sqrt(2)/1000 | 2 up", "0.0015", EXACT}, {"pi | 6", "3.14159", EXACT},     {"x | 1", "1", CERTIFIED},
     {"x | 3", NULL, CERTIFIED},           {"x | 2 up", "1.4", CERTIFIED},       {"x | 2 down", "1.1", CERTIFIED},
     {"r | 6", "1.41421", EXACT},          {"L | 3", NULL, EXACT},
+    {"1.51e12*sqrt(1) | 2 up", "1.6e+12", EXACT}, {"dL - 1/10 | 2 up", "0", EXACT},
 };
 
 START_TEST(numbers_have_proved_digits_or_none)
@@ -225,6 +240,10 @@ START_TEST(evidence_is_written_in_both_forms)
     statement_decide(&s, &s.list[0], NULL, &r);
     statement_evidence(&s.list[0], &w);
     ck_assert_str_eq(w.plain.text, "at |dQ| <= 2 k_c/L^2 and 5 % it is 1.3e-12 m, 10 %, 0.1");
+    struct written odd = {{NULL, 0}, {NULL, 0}};
+    write_marked(&odd, "4 uC_1 ~ m^2 < ^ \\ $");
+    ck_assert_str_eq(odd.latex.text, "4 \\textmu{}C\\_1 \\textasciitilde{} m$^{2}$ $<$ \\textasciicircum{} \\textbackslash{} $");
+    written_clear(&odd);
     ck_assert_str_eq(w.latex.text, "at $\\vert \\delta Q\\vert  \\le  2\\,k_{c}/L^{2}$ and 5 \\% it is $1.3\\cdot 10^{-12}$~m, $10$~\\%, $0.1$");
     written_clear(&w);
     statements_clear(&s);
@@ -270,6 +289,25 @@ static const struct {
     {"evidence: >-\n    so", "evidence: >-\n    so}", "t:10:7: expected '{' before '}'"},
     {"claim: it", "claim: it {dL | 2}", "t:4:13: expected no number"},
     {"kind: beyond", "kind: beyond\n  equations: ['99']", "unknown '99', expected an equation number"},
+    {"kind: beyond", "kind: beyond\n  equations: 99", "t:4:14: expected a list"},
+    {"  verdict: {holds: a and b}\n", "", "missing verdict"},
+    {"  evidence: >-\n    so it is\n", "", "missing evidence"},
+    {"  prove:\n    a: dL > 0\n    b: dL < 1", "  prove: [a]", "t:6:10: expected a mapping"},
+    {"a: dL > 0", "a: [dL > 0]", "t:7:8: expected left = right, or a mapping"},
+    {"a: dL > 0", "a: {root: [1], of: x, in: [0, 1]}", "t:7:15: expected a formula"},
+    {"a: dL > 0", "a: {show: dL > 0, at: [1]}", "t:7:27: expected a mapping"},
+    {"a: dL > 0", "a: {show: dL > x, for: {x: 1}}", "t:7:32: expected a list"},
+    {"a: dL > 0", "a: {show: dL > x, for: {x: [y]}}", "t:7:33: unknown symbol 'y'"},
+    {"a: dL > 0", "a: {show: dL > x, for: {x: [1], y: [1], z: [1], w: [1]}}", "t:7:28: expected for"},
+    {"a: dL > 0", "a: {show: dL > x, on: {x: [0, 1], y: [0, 1]}}", "t:7:27: expected on"},
+    {"a: dL > 0", "a: {rank: 1, system: {nowhere: 1}}", "t:7:27: unknown symbol 'nowhere'"},
+    {"a: dL > 0", "a: {rank: 1, system: {psi: [1]}}", "t:7:32: expected a formula"},
+    {"a: dL > 0", "a: {rank: 1, system: {psi: psi_dot}, control: nowhere}", "t:7:51: expected control"},
+    {"a: dL > 0\n    b: dL < 1", "a: b > 0\n    b: {root: x - 1, of: x, in: [0, 2]}", "t:7:8: 'a' rests on itself, or on what stands after it"},
+    {"evidence: >-\n    so", "evidence: >-\n    {dM | 2} {dL | 2}", "t:10:6: unknown symbol 'dM'"},
+    {"(nothing)", "c: 5", "t:1:4: expected a mapping"},
+    {"(nothing)", "[c]", "t:1:1: expected a mapping"},
+    {"(nothing)", "{c", "expected YAML"},
 };
 
 START_TEST(mistakes_are_told_with_their_place)
@@ -279,8 +317,12 @@ START_TEST(mistakes_are_told_with_their_place)
     struct message why = {""};
     write_claim(good, "a and b", NULL, "a: dL > 0\n    b: dL < 1", NULL);
     const char *at = strstr(good, mistakes[_i].from);
-    ck_assert_msg(at != NULL, "%s", mistakes[_i].from);
-    snprintf(text, sizeof text, "%.*s%s%s", (int)(at - good), good, mistakes[_i].to, at + strlen(mistakes[_i].from));
+    const bool whole = strcmp(mistakes[_i].from, "(nothing)") == 0;
+    ck_assert_msg(at != NULL || whole, "%s", mistakes[_i].from);
+    if (whole)
+        snprintf(text, sizeof text, "%s", mistakes[_i].to);
+    else
+        snprintf(text, sizeof text, "%.*s%s%s", (int)(at - good), good, mistakes[_i].to, at + strlen(mistakes[_i].from));
     ck_assert_int_eq(statements_read(&s, &proofs, text, strlen(text), "t", &why), -1);
     ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "%s\n%s", why.text, text);
 }
@@ -322,6 +364,7 @@ Suite *suite(void)
     LOOP(assertions_are_found_true_or_false_or_stay_open, assertions);
     LOOP(verdicts_follow_from_conditions, rulings);
     tcase_add_test(c, a_claim_may_rest_on_another);
+    tcase_add_test(c, a_claim_has_not_too_many_assertions);
     LOOP(numbers_have_proved_digits_or_none, numbers);
     tcase_add_test(c, evidence_is_written_in_both_forms);
     LOOP(mistakes_are_told_with_their_place, mistakes);

@@ -22,6 +22,9 @@ static const struct {
 } expected[] = {
     {"other-static-places", "t = 3, 0, -1"}, /* Hill's tide */
     {"other-static-places", "along the orbit normal -1/3"}, /* L/L_1 = Q/Q_1: z balances at a third */
+    {"reorientation", "turned by -9/28 of"}, /* mpf(1)/4 - mpf(4)/7 */
+    {"power-and-bandwidth", "6559 V and has k_c q^2/(2 R) = 0.001196 J"}, /* 8.99e9*q/0.5, 8.99e9*q**2, q = sqrt(1.330627782e-13) */
+    {"charging-devices", "2.28e+12 electrons"}, /* q/1.602176634e-19 */
     {"static-unstable", "2.50829;"}, /* sqrt(1 + 2*sqrt(7)) */
     {"static-unstable", "1.11803;"}, /* max(re(s) for s in polyroots([1, 0, -1, 0, 4])) */
     {"equal-distances", "x1 = 2 m, x2 = -1 m"},
@@ -63,7 +66,7 @@ static const struct {
     {"coulomb-constant", "8.9875518e+09"}, /* 1/(4*pi*8.8541878188e-12) */
     {"orbit-rate", "8.43e-05"}, /* 1 - 7.2915/7.292115 */
     {"orbit-rate", "42164.173 km"},
-    {"reach", "11.54 uC 100 m; 1 uC holds 19.59 m"},
+    {"reach", "11.54 uC 100 m; 1 uC holds 19.59 m, 10 uC 90.92 m"},
     {"own-gravity", "36.5 mm (n = 10), 12.5 mm"}, /* -rest(lambda r: 3*r**3 - 3 - n*(r-1) - 3*g, 1) */
     /* roots = lambda n: polyroots([1, 2*sqrt(n-9), n-2, 6*sqrt(n-9), 3*(n-9)], maxsteps=500, extraprec=500), mp.dps = 90;
        rate = lambda n: min(-re(r) for r in roots(n))
@@ -75,6 +78,9 @@ static const struct {
     {"real-parts-vanish", "-0.1069846374 and -0.1430153626"}, /* roots(9.0625) */
     {"real-parts-vanish", "-0.04948884256 and -5.518275520"}, /* roots(40) */
     {"slow-at-the-ends", "11.81160194899945"},
+    {"n12-optimal", "at n = 12.01656610"}, /* 9 + u**2 at the least x'*P*x, x = [1, 1, 0, 0], A'*P + P*A = -diag(1, 1, 0, 0): sympy 1.14, */
+    {"n12-optimal", "independent at 12.35835627"}, /* at the least P[0, 0] + P[1, 1]; */
+    {"n12-optimal", "least at 10.27554224"}, /* A'*P + P*A = -diag(1, 0, 0, 0) */
     {"fastest-decay", "11.8116019489994475627782,"},
     {"fastest-decay", "0.598916907216339712577893 "},
     {"fastest-decay", "0.5960704898964056783432 "}, /* rate(12) */
@@ -108,7 +114,7 @@ static const struct {
        theta, dL/L_ref; in x1 0.24175652e-12 */
     {"linear-second-order", "c = 0.109, 1.17, 0.743, 0.242, 0.109, 1.17"},
     /* 0.0964020*a**2/0.01 and 0.2152296*a**2/0.01 for a = 0.0101003, the amplitude of pitch after 8 days */
-    {"pitched-end", "; 0.000984, 0.00220 (linear"},
+    {"slower-with-pitch", "; 0.000984, 0.00220 (linear"},
     {"charges-opposite", "|dQ/Q_ref| <= 0.034,"}, /* 10*0.01/3 at the start */
     {"charges-deviation", "|q/q_ref - 1| <= 0.017,"}, /* 1 - sqrt(1 - 10*0.01/3) = 0.01681 */
     {"charges-microcoulomb", "q_ref = sqrt(-Q_ref) = 0.3647777 uC"}, /* 1e6*Om*sqrt(3e3*75/8.99e9) */

@@ -78,6 +78,15 @@ static void print_json(const struct verdict_row *r, bool first)
     putchar('}');
 }
 
+/* Of a claim that does not come out as it is written: each assertion, and what was found of it. */
+static void print_assertions(const struct statement *s)
+{
+    static const char *const found[] = {"undecided", "true", "false"};
+    for (int i = 0; s != NULL && i < s->assertion_count; i++)
+        if (s->assertions[i].done)
+            printf("    %-20s %s\n", s->assertions[i].name, found[s->assertions[i].truth]);
+}
+
 static void print_row(void *context, const struct verdict_row *r)
 {
     struct printer *p = context;
@@ -85,9 +94,11 @@ static void print_row(void *context, const struct verdict_row *r)
     const char *claim = text_of(&r->claim.plain), *evidence = text_of(&r->evidence.plain);
     if (p->format == FORMAT_TABLE)
         printf("%-22s %-20s %-10s %s\n    %s\n    %s\n", r->id, verdict, how, r->where, claim, evidence);
-    else if (p->format == FORMAT_JSON)
+    if (p->format == FORMAT_TABLE && r->open.text[0] != '\0')
+        print_assertions(r->statement);
+    if (p->format == FORMAT_JSON)
         print_json(r, p->rows == 0);
-    else {
+    if (p->format == FORMAT_CSV) {
         const char *const fields[] = {r->id, r->where, r->kind, claim, verdict, how, evidence};
         for (int i = 0; i < 7; i++)
             csv_field(fields[i], i < 6 ? ',' : '\n');

@@ -96,5 +96,6 @@ int main(int count, char **arguments)
         derivations_clear(&p.derivations);
     }
     sheet_clear(&read_sheet);
+    flint_cleanup();
     return status;
 }

@@ -98,7 +98,6 @@ struct statement {
     struct values at;             /* of `given` */
     struct quoted_number *numbers;
     int number_count;
-    bool deciding;
 };
 
 struct statements {
@@ -162,9 +161,6 @@ void formula_enclose(arb_t z, enum how *how, const struct formula *f, const stru
 
 /* Its value as an exact number, where all its names have one and it is rational. */
 bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *b);
-
-/* Exactly equal to zero, by exact numbers. */
-bool formula_is_zero(const struct formula *f, const struct bindings *b);
 
 /* Sets the inputs that a node needs: in balls; or in an exact arithmetic, false where one has no rational value. */
 void machine_bind(struct machine *m, int node, enum how *how, const struct bindings *b);

@@ -689,7 +689,7 @@ static bool read_words(struct reading *r, const char *key, bool required, const 
 static bool read_kind(struct reading *r, struct statement *s)
 {
     static const char *const kinds[] = {"statement", "implied", "misprint", "number", "beyond"};
-    if (!read_words(r, "kind", true, &s->kind))
+    if (!read_words(r, "kind", true, &s->kind) || s->kind == NULL)
         return false;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (strcmp(s->kind, kinds[i]) == 0)

@@ -175,16 +175,3 @@ bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *
     machine_clear(&m);
     return rational;
 }
-
-bool formula_is_zero(const struct formula *f, const struct bindings *b)
-{
-    struct machine m;
-    machine_init(&m, &f->program, &arithmetic_exact, 0);
-    bool zero = machine_bind_exact(&m, f->node, b);
-    if (zero) {
-        machine_run(&m);
-        zero = exact_is_zero(machine_value(&m, f->node));
-    }
-    machine_clear(&m);
-    return zero;
-}
