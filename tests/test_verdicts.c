@@ -57,8 +57,9 @@ static const struct {
     {"debye-order", "0.004679"}, /* 1 - 1.1*exp(-0.1) */
     {"debye-neglect", "0.007117 ... 0.09516 as printed, 2.539e-05 ... 0.004679"},
     {"debye-neglect", "0.06894 ... 0.6321 and 0.002433 ... 0.2642"}, /* 1 - 2*exp(-1) */
-    {"debye-escape", "below 1348.7 m, and at 1400 m rest longer by 0.386 m (n = 12: 214.94 m, 0.0756 m)"}, /* 10/fold(s, n, near)[1], s = exp(-u), */
-    {"debye-escape", "the limit is 8.0681 (n = 10), 3.1143 (n = 12)"}, /* 1/fold(s, n, near)[1], s = (1 + u)*exp(-u) */
+    /* 10/fold(s, n, near)[1] and rest(lambda r: f(s, n, r, 1/140), 1), s = exp(-u) */
+    {"debye-escape", "lost below 1348.7 m, and at 1400 m rest longer by 0.386 m (n = 12: 214.94 m, 0.0756 m)"},
+    {"debye-escape", "limit is 8.0681 (n = 10), 3.1143 (n = 12)"}, /* 1/fold(s, n, near)[1], s = (1 + u)*exp(-u) */
     {"debye-escape", "0.186 m, 0.0489 m"}, /* u = 1/10 */
     {"low-orbit", "3.72e-44"}, /* exp(-100) */
     {"debye-lengths", "5526"}, /* 8.8541878188e-12/1.602176634e-19/1e4 */
