@@ -748,6 +748,16 @@ START_TEST(F6_derivatives_are_those_of_all_the_box)
 }
 END_TEST
 
+/* From y = 0 to either side 1/|x| changes by what is zero in the middle: u' by 4.5 y^2, where there are no gains. */
+START_TEST(F6_the_change_of_the_distance_is_that_of_all_the_box)
+{
+    assert_box_holds((double[]){1, 0, 0, 0, 0, 0}, (double[]){0, 0.25, 0, 0, 0, 0}, 0, 0,
+                     &(struct flow_steps){.step = 0x1p-12}, 0x1p-12);
+    assert_box_holds((double[]){0, 1, 0, 0, 0, 0}, (double[]){0, 0, 0.25, 0, 0, 0}, 0, 0,
+                     &(struct flow_steps){.step = 0x1p-12}, 0x1p-12);
+}
+END_TEST
+
 /* The gain is known to a half of itself: far from rest the path shows it, ... */
 START_TEST(F7_the_path_has_every_gain)
 {
@@ -1251,6 +1261,7 @@ Suite *suite(void)
     tcase_add_test(tests, F4_a_spread_has_its_remainder);
     tcase_add_test(tests, F5_a_set_moves_by_the_remainder_too);
     tcase_add_test(tests, F6_derivatives_are_those_of_all_the_box);
+    tcase_add_test(tests, F6_the_change_of_the_distance_is_that_of_all_the_box);
     tcase_add_test(tests, F7_the_path_has_every_gain);
     tcase_add_test(tests, F7_derivatives_have_every_gain);
     tcase_add_loop_test(tests, F8_a_step_is_one_that_the_path_bears, 2, 5);
