@@ -758,7 +758,7 @@ START_TEST(F5_a_set_moves_by_the_remainder_too)
 END_TEST
 
 /*
- * A quarter to either side, and times so short that only the first derivatives count:
+ * A quarter or less to either side, and times so short that only the first derivatives count:
  *   in x    u' is 2.1 and 0.35 at the ends, where its derivative in the middle is -1
  *   in y, z from the axis 1/|x| changes by what is zero in the middle: u' by 4.5 y^2, where there are no gains
  *   in x    with c1 = 9 the derivative in the middle is zero, whatever x is, where 1/|x| is 1
@@ -768,7 +768,7 @@ START_TEST(F6_derivatives_are_those_of_all_the_box)
 {
     static const double centre[][FLOW_STATE] = {{1}, {1}, {0, 1}, {1}, {1, 0, 0, 0, 0, 1}};
     static const double gains[][2] = {{10, 1}, {0, 1}, {0, 1}, {9, 1}, {0, 1}};
-    static const double radius[][UNKNOWN] = {{0.25}, {0, 0.25}, {0, 0, 0.25}, {0.25}, {0, 0, 0x1p-6}};
+    static const double radius[][UNKNOWN] = {{0.25}, {0, 0.25}, {0, 0, 0.25}, {0x1p-6}, {0, 0, 0x1p-6}};
     assert_box_holds(centre[_i], gains[_i], radius[_i], &(struct flow_steps){.step = 0x1p-12}, 0x1p-12);
 }
 END_TEST
