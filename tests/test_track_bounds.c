@@ -1,9 +1,11 @@
 /*
  * verify/claims/track.h: bounds between and after rows, and a test for every error term of the theorem in track.c. Rows are
- * written by hand, so that what is true of them is known: the state of a given energy that goes furthest.
+ * written by hand, so that what is true of them is known: the state of a given energy that goes furthest. And verify/motion.h:
+ * what a row may leave out.
  */
 #include "run.h"
 
+#include "motion/motion.h"
 #include "claims/track.h"
 
 enum { PREC = 128 };
@@ -384,6 +386,80 @@ START_TEST(B7_what_rises_between_rows_has_not_settled)
 }
 END_TEST
 
+/* ---- rows of a motion ---- */
+
+/* Symmetry keeps a pair in the plane, on the normal or at its static place only where no velocity leads away from it. */
+START_TEST(what_moves_away_is_not_settled)
+{
+    static const struct {
+        double start[FLOW_STATE];
+        bool static_place, kept[FLOW_STATE], still;
+    } all[] = {
+        {{5, 1, 0, 0, 0, 0}, false, {0, 0, 1, 0, 0, 1}, false},   {{5, 1, 0, 0, 0, 0x1p-20}, false, {0}, false},
+        {{0, 0, 5, 0, 0, 0}, false, {1, 1, 0, 1, 1, 0}, false},   {{0, 0, 5, 0x1p-20, 0, 0}, false, {0}, false},
+        {{0, 0, 5, 0, 0x1p-20, 0}, false, {0}, false},            {{0, 1, 5, 0, 0, 0}, false, {0}, false},
+        {{5, 0, 0, 0, 0, 0}, true, {0}, true},                    {{5, 0, 0, 0, 0, 0}, false, {0, 0, 1, 0, 0, 1}, false},
+        {{5, 0, 0, 0x1p-20, 0, 0}, true, {0, 0, 1, 0, 0, 1}, false}, {{5, 0, 0, 0, 0x1p-20, 0}, true, {0, 0, 1, 0, 0, 1}, false},
+        {{5, 0x1p-20, 0, 0, 0, 0}, true, {0, 0, 1, 0, 0, 1}, false}, {{5, 0, 0x1p-20, 0, 0, 0}, true, {0}, false},
+        {{5, 0, 0, 0, 0, 0x1p-20}, true, {0}, false}};
+    arb_ptr start = _arb_vec_init(FLOW_STATE), state = _arb_vec_init(FLOW_STATE);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        arb_set_d(start + i, all[_i].start[i]);
+        arb_set_ui(state + i, 7);
+        mag_set_ui(arb_radref(state + i), 8);
+    }
+    flow_settle(start, all[_i].static_place, state);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        if (all[_i].still)
+            ck_assert(arb_equal(state + i, start + i));
+        else
+            ck_assert_int_eq(arb_is_zero(state + i), all[_i].kept[i]);
+    }
+    _arb_vec_clear(start, FLOW_STATE);
+    _arb_vec_clear(state, FLOW_STATE);
+    flint_cleanup();
+}
+END_TEST
+
+static int keep_whole_rows(void *context, slong k, const fmpq_t t, char *const *numbers)
+{
+    (void)t;
+    for (int i = 0; i < FLOW_STATE; i++)
+        if (numbers[i] == NULL)
+            return 1;
+    *(slong *)context = k + 1;
+    return 0;
+}
+
+/* At pi/(4 Omega), to 120 bits, pitch is zero to as many: the first pass has 116, and no row goes out without it. */
+START_TEST(a_row_waits_for_its_last_undecided_number)
+{
+    struct setting s;
+    struct message why;
+    fmpq_t t;
+    arb_t quarter, Omega;
+    slong rows = 0;
+    arb_init(quarter);
+    arb_init(Omega);
+    fmpq_init(t);
+    setting_init(&s, false);
+    arb_set_fmpq(Omega, &s.value[SET_Omega].value, 200);
+    arb_const_pi(quarter, 120);
+    arb_mul_2exp_si(quarter, quarter, -2);
+    arb_div(quarter, quarter, Omega, 120);
+    arf_get_fmpq(t, arb_midref(quarter));
+    const struct motion m = {.setting = &s, .digits = 17};
+    ck_assert_msg(motion_rows(&m, t, 1, keep_whole_rows, &rows, &why) == 0, "%s", why.text);
+    ck_assert_int_eq(rows, 1);
+    setting_clear(&s);
+    fmpq_clear(t);
+    arb_clear(quarter);
+    arb_clear(Omega);
+    sheet_close();
+    flint_cleanup();
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *all = suite_create("track");
@@ -399,5 +475,10 @@ Suite *suite(void)
     tcase_add_loop_test(tests, B4_both_sides_confine, 0, 2);
     tcase_add_test(tests, B4_what_is_beyond_the_hill_has_no_bounds);
     tcase_add_test(tests, B7_what_rises_between_rows_has_not_settled);
+
+    tests = tcase_create("rows");
+    suite_add_tcase(all, tests);
+    tcase_add_loop_test(tests, what_moves_away_is_not_settled, 0, 13);
+    tcase_add_test(tests, a_row_waits_for_its_last_undecided_number);
     return all;
 }

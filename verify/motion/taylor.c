@@ -89,7 +89,7 @@ void jet_extend(struct jet *jet, slong prec, double fall)
     extend(jet->c, jet->system, 0, split, prec, fall);
     if (split == n)
         return;
-    arb_ptr copy[JET_ALL];
+    arb_ptr copy[JET_ALL] = {NULL};
     for (int v = 0; v < JET_ALL; v++) {
         copy[v] = _arb_vec_init(n + 1);
         _arb_vec_set_round(copy[v], jet->c[v], split + 1, 128);
