@@ -14,6 +14,7 @@
 #include "conform/report.h"
 #include "sheet/slip.h"
 #include "evaluate/vectors.h"
+#include "text/scope.h"
 
 static char said[1 << 20]; /* both outputs of the program's last run */
 
@@ -504,7 +505,7 @@ static void answer_in_digits(struct exam *e, const struct formulas *formulas, in
 {
     struct question q;
     struct operation o = {.section = e->judges[0].operation->section, .formulas = formulas};
-    arb_ptr y = _arb_vec_init(MOST_ANSWERS);
+    VECTOR(arb, y, MOST_ANSWERS);
     machine_init(&o.machine, &formulas->program, &arithmetic_ball, 128);
     question_init(&q);
     e->asked = e->questions.total;
@@ -527,7 +528,6 @@ static void answer_in_digits(struct exam *e, const struct formulas *formulas, in
     diagnose(e, 0);
     question_clear(&q);
     operation_clear(&o);
-    _arb_vec_clear(y, MOST_ANSWERS);
 }
 
 static void answer_with(struct exam *e, const struct formulas *formulas)

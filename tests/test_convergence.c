@@ -6,6 +6,7 @@
 #include "claims/convergence.h"
 #include "claims/second_order.h"
 #include "motion/two_body.h"
+#include "text/scope.h"
 
 enum { PREC = 192 };
 
@@ -18,13 +19,11 @@ static void close_all(void)
 /* x holds the number of that text within the tolerance */
 static void assert_number(const arb_t x, const char *text, double tolerance)
 {
-    arb_t y;
-    arb_init(y);
+    SCOPE(arb, y);
     arb_set_str(y, text, PREC);
     arb_sub(y, x, y, PREC);
     arb_abs(y, y);
     ck_assert_msg(is_below(y, tolerance), "%s is off by %g", text, arf_get_d(arb_midref(y), ARF_RND_UP));
-    arb_clear(y);
 }
 
 /* ---- the closed forms ---- */
@@ -33,14 +32,10 @@ static void assert_number(const arb_t x, const char *text, double tolerance)
 static struct second_order response(slong c1, slong c2)
 {
     struct second_order o;
-    arb_t a, b;
-    arb_init(a);
-    arb_init(b);
+    SCOPE(arb, a, b);
     arb_set_si(a, c1);
     arb_set_si(b, c2);
     second_order_init(&o, a, b, PREC);
-    arb_clear(a);
-    arb_clear(b);
     return o;
 }
 
@@ -66,10 +61,7 @@ END_TEST
 START_TEST(eq40_driven_by_pitch_gives_A_and_B)
 {
     static const slong gains[][2] = {{10, 2}, {12, 4}, {40, 11}, {20, 1}};
-    acb_t A, B, x;
-    acb_init(A);
-    acb_init(B);
-    acb_init(x);
+    SCOPE(acb, A, B, x);
     for (size_t i = 0; i < sizeof gains / sizeof *gains; i++) {
         struct second_order o = response(gains[i][0], gains[i][1]);
         complex_of(A, &o, "A_re", "A_im");
@@ -89,20 +81,14 @@ START_TEST(eq40_driven_by_pitch_gives_A_and_B)
         assert_number(acb_imagref(x), "2", 1e-50);
         second_order_clear(&o);
     }
-    acb_clear(A);
-    acb_clear(B);
-    acb_clear(x);
 }
 END_TEST
 
 /* The energy of pitch per reduced mass, 2 a^2, loses what C2 takes: the mean of c2 l'^2 is 8 c2 |A|^2 a^4. */
 START_TEST(pitch_loses_what_the_feedback_takes)
 {
-    acb_t A;
-    arb_t k, loss;
-    acb_init(A);
-    arb_init(k);
-    arb_init(loss);
+    SCOPE(acb, A);
+    SCOPE(arb, k, loss);
     for (slong c2 = 1; c2 <= 9; c2 += 4) {
         struct second_order o = response(11, c2);
         complex_of(A, &o, "A_re", "A_im");
@@ -113,9 +99,6 @@ START_TEST(pitch_loses_what_the_feedback_takes)
         assert_number(k, "0", 1e-50);
         second_order_clear(&o);
     }
-    acb_clear(A);
-    arb_clear(k);
-    arb_clear(loss);
 }
 END_TEST
 
@@ -123,12 +106,7 @@ END_TEST
 START_TEST(slow_law_halves_pitch)
 {
     struct second_order o = response(10, 2);
-    arb_t a, tau, ratio, shift, expected;
-    arb_init(a);
-    arb_init(tau);
-    arb_init(ratio);
-    arb_init(shift);
-    arb_init(expected);
+    SCOPE(arb, a, tau, ratio, shift, expected);
     arb_set_str(a, "0.01", PREC);
     arb_set_si(tau, 3 * 27977);
     arb_div_si(tau, tau, 2 * 2 * 2592, PREC);
@@ -141,11 +119,6 @@ START_TEST(slow_law_halves_pitch)
     arb_div_si(expected, expected, 4 * 2592, PREC);
     arb_sub(expected, expected, shift, PREC);
     assert_number(expected, "0", 1e-50);
-    arb_clear(a);
-    arb_clear(tau);
-    arb_clear(ratio);
-    arb_clear(shift);
-    arb_clear(expected);
     second_order_clear(&o);
 }
 END_TEST
@@ -170,11 +143,7 @@ static struct two_body pair(slong share, slong of, const char *smallness)
 /* At rest at psi = theta = 0.01 rad, L = 1.01 L_ref. */
 static void place_at_start(struct two_body *b)
 {
-    arb_t angle, sine, cosine, L;
-    arb_init(angle);
-    arb_init(sine);
-    arb_init(cosine);
-    arb_init(L);
+    SCOPE(arb, angle, sine, cosine, L);
     arb_set_str(angle, "0.01", PREC);
     arb_set_str(L, "1.01", PREC);
     arb_sin_cos(sine, cosine, angle, PREC);
@@ -185,10 +154,6 @@ static void place_at_start(struct two_body *b)
     _arb_vec_scalar_mul(b->place + AXES, b->place, AXES, b->mass, PREC);
     _arb_vec_neg(b->place + AXES, b->place + AXES, AXES);
     _arb_vec_scalar_mul(b->place, b->place, AXES, b->mass + 1, PREC);
-    arb_clear(angle);
-    arb_clear(sine);
-    arb_clear(cosine);
-    arb_clear(L);
 }
 
 static void half_day(arb_t tau)
@@ -208,8 +173,7 @@ START_TEST(two_body_is_the_inertial_motion)
         const char *place[AXES];
     } cases[] = {{1, 2, {"0.4975612729909976798", "0.0048346334768764351521", "-0.0050506882625895745811"}},
                  {1, 3, {"0.66356847530960516602", "0.0044247566322711494782", "-0.0067370740023247348371"}}};
-    arb_t tau;
-    arb_init(tau);
+    SCOPE(arb, tau);
     half_day(tau);
     for (int i = 0; i < 2; i++) {
         struct two_body b = pair(cases[i].share, cases[i].of, "0.001");
@@ -219,7 +183,6 @@ START_TEST(two_body_is_the_inertial_motion)
             assert_number(b.place + k, cases[i].place[k], 1e-17); /* their last digit is 1e-20 or larger */
         two_body_clear(&b);
     }
-    arb_clear(tau);
 }
 END_TEST
 
@@ -228,9 +191,7 @@ START_TEST(eq02_is_the_limit_of_the_inverse_square)
 {
     struct two_body b = pair(1, 2, "1e-25");
     struct track t;
-    arb_t tau, gap;
-    arb_init(tau);
-    arb_init(gap);
+    SCOPE(arb, tau, gap);
     place_at_start(&b);
     half_day(tau);
     two_body_move(&b, tau, 256);
@@ -242,8 +203,6 @@ START_TEST(eq02_is_the_limit_of_the_inverse_square)
     }
     track_clear(&t);
     two_body_clear(&b);
-    arb_clear(tau);
-    arb_clear(gap);
 }
 END_TEST
 
@@ -269,13 +228,11 @@ START_TEST(study_shows_its_orders)
     struct convergence c;
     const struct study *s = study_find(orders[_i].name);
     ck_assert_ptr_nonnull(s);
-    arb_t worst;
-    arb_init(worst);
+    SCOPE(arb, worst);
     ck_assert(convergence_init(&c, s, s->rows - 2));
     for (int i = 0; i < s->count; i++)
         raise_to_difference(worst, convergence_order(&c, i), s->order[i]);
     ck_assert(is_below(worst, orders[_i].tolerance));
-    arb_clear(worst);
     convergence_clear(&c);
 }
 END_TEST
@@ -299,12 +256,9 @@ START_TEST(hill_differs_by_what_the_inertial_motion_says)
     } cases[] = {{PLACE_X, 0, "4.975612729909976798"}, {ETA, 5, "-0.018640285790863615346"}};
     const struct study *s = study_find("hill_43200s");
     struct track t;
-    arb_ptr d = _arb_vec_init(VARIABLES);
-    arb_t x, y;
-    fmpq_t smallness;
-    arb_init(x);
-    arb_init(y);
-    fmpq_init(smallness);
+    VECTOR(arb, d, VARIABLES);
+    SCOPE(arb, x, y);
+    SCOPE(fmpq, smallness);
     fmpq_set_si(smallness, 1, 1000);
     ck_assert(s->differences(d, s, smallness));
     ck_assert(track_run(&t, &(struct scene){.nonlinear = true}, 43200, 1, 43200));
@@ -317,10 +271,6 @@ START_TEST(hill_differs_by_what_the_inertial_motion_says)
         assert_number(x, "0", 1e-16);
     }
     track_clear(&t);
-    _arb_vec_clear(d, VARIABLES);
-    arb_clear(x);
-    arb_clear(y);
-    fmpq_clear(smallness);
 }
 END_TEST
 

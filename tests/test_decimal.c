@@ -12,6 +12,7 @@
 
 #include "tests/run.h"
 #include "text/decimal.h"
+#include "text/scope.h"
 
 /* xorshift64 (Marsaglia 2003, J. Stat. Soft. 8(14)): the same doubles everywhere. */
 static uint64_t next_random(uint64_t *state)
@@ -36,16 +37,12 @@ static double random_double(uint64_t *state)
 /* The double that a literal means; NaN unless it is finite and fits a double exactly. */
 static double read_double(const char *text)
 {
-    fmpq_t value;
-    arf_t x;
-    fmpq_init(value);
-    arf_init(x);
+    SCOPE(fmpq, value);
+    SCOPE(arf, x);
     double result = NAN;
     if (literal_read(value, text, false) == LITERAL_FINITE &&
         arf_set_fmpq(x, value, 53, ARF_RND_DOWN) == 0) /* 53: DBL_MANT_DIG; 0: nothing was lost */
         result = arf_get_d(x, ARF_RND_DOWN);
-    fmpq_clear(value);
-    arf_clear(x);
     return result;
 }
 
@@ -154,19 +151,15 @@ static const struct {
 
 START_TEST(literal_kind_is_told)
 {
-    fmpq_t value;
-    fmpq_init(value);
+    SCOPE(fmpq, value);
     ck_assert_int_eq(literal_read(value, kinds[_i].text, false), kinds[_i].kind);
-    fmpq_clear(value);
 }
 END_TEST
 
 START_TEST(exact_literal_kind_is_told)
 {
-    fmpq_t value;
-    fmpq_init(value);
+    SCOPE(fmpq, value);
     ck_assert_int_eq(literal_read(value, kinds[_i].text, true), kinds[_i].exact_kind);
-    fmpq_clear(value);
 }
 END_TEST
 
@@ -182,22 +175,17 @@ static const struct {
 
 START_TEST(exact_literal_is_its_own_value)
 {
-    fmpq_t value, expected;
-    fmpq_init(value);
-    fmpq_init(expected);
+    SCOPE(fmpq, value, expected);
     fmpq_set_si(expected, exact_values[_i].p, exact_values[_i].q);
     literal_read(value, exact_values[_i].text, true);
     ck_assert(fmpq_equal(value, expected));
-    fmpq_clear(value);
-    fmpq_clear(expected);
 }
 END_TEST
 
 START_TEST(exact_literal_of_giant_length_is_refused)
 {
     static char text[20000];
-    fmpq_t value;
-    fmpq_init(value);
+    SCOPE(fmpq, value);
     memset(text, '0', sizeof text - 1);
     text[0] = '1';
     ck_assert_int_eq(literal_read(value, text, true), LITERAL_OVERFLOW);
@@ -206,7 +194,6 @@ START_TEST(exact_literal_of_giant_length_is_refused)
     ck_assert_int_eq(literal_read(value, text, true), LITERAL_OVERFLOW);
     ck_assert_int_eq(literal_read(value, text, false), LITERAL_FINITE);
     ck_assert(fmpq_is_one(value));
-    fmpq_clear(value);
 }
 END_TEST
 
@@ -251,21 +238,18 @@ static const struct {
 
 START_TEST(rational_rounds_to_nearest_even)
 {
-    fmpq_t x;
-    fmpq_init(x);
+    SCOPE(fmpq, x);
     fmpq_set_si(x, rationals[_i].p, rationals[_i].q);
     char *text = decimal_of_rational(x, rationals[_i].digits);
     ck_assert_str_eq(text, rationals[_i].text);
     free(text);
-    fmpq_clear(x);
 }
 END_TEST
 
 /* The exponent's first guess errs, if at all, at powers of ten. */
 START_TEST(rational_power_of_ten_is_written_as_such)
 {
-    fmpq_t x;
-    fmpq_init(x);
+    SCOPE(fmpq, x);
     for (int k = -400; k <= 400; k++) {
         char literal[16], expected[32];
         snprintf(literal, sizeof literal, "1e%d", k);
@@ -275,7 +259,6 @@ START_TEST(rational_power_of_ten_is_written_as_such)
         ck_assert_str_eq(text, expected);
         free(text);
     }
-    fmpq_clear(x);
 }
 END_TEST
 
@@ -286,13 +269,11 @@ START_TEST(rational_gives_ten_thousand_digits)
     for (int k = 1; k < 9999; k++)
         expected[k + 1] = "142857"[k % 6];
     snprintf(expected + 10000, 6, "9e-01");
-    fmpq_t x;
-    fmpq_init(x);
+    SCOPE(fmpq, x);
     fmpq_set_si(x, 1, 7);
     char *text = decimal_of_rational(x, 10000);
     ck_assert_str_eq(text, expected);
     free(text);
-    fmpq_clear(x);
 }
 END_TEST
 
@@ -300,10 +281,7 @@ END_TEST
 START_TEST(rational_text_is_within_half_a_unit)
 {
     uint64_t state = 2;
-    fmpq_t x, y, unit;
-    fmpq_init(x);
-    fmpq_init(y);
-    fmpq_init(unit);
+    SCOPE(fmpq, x, y, unit);
     for (int k = 0; k < 500; k++) {
         fmpq_set_si(x, (slong)(next_random(&state) >> 1), (next_random(&state) >> (k % 64)) | 1);
         slong digits = 2 + k % 30;
@@ -318,17 +296,13 @@ START_TEST(rational_text_is_within_half_a_unit)
         ck_assert_msg(fmpq_cmp(y, unit) <= 0, "%s", text);
         free(text);
     }
-    fmpq_clear(x);
-    fmpq_clear(y);
-    fmpq_clear(unit);
 }
 END_TEST
 
 /* mpmath.mp.dps = 60; mpmath.nstr(mpmath.pi, 40), and so on. */
 START_TEST(ball_of_pi_is_rounded)
 {
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     arb_const_pi(x, 160);
     char *text = decimal_of_ball(x, 40);
     ck_assert_pstr_eq(text, "3.141592653589793238462643383279502884197e+00");
@@ -337,17 +311,14 @@ START_TEST(ball_of_pi_is_rounded)
     text = decimal_of_ball(x, 30);
     ck_assert_pstr_eq(text, "-3.14159265358979323846264338328e+00");
     free(text);
-    arb_clear(x);
 }
 END_TEST
 
 START_TEST(ball_too_wide_is_refused)
 {
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     arb_const_pi(x, 100);
     ck_assert_ptr_null(decimal_of_ball(x, 40));
-    arb_clear(x);
 }
 END_TEST
 
@@ -372,52 +343,44 @@ static const struct {
 
 START_TEST(ball_is_decided_when_all_of_it_rounds_alike)
 {
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     arb_set_si(x, balls[_i].low + balls[_i].high);
     mag_set_ui_2exp_si(arb_radref(x), (ulong)(balls[_i].high - balls[_i].low), 0);
     arb_div_ui(x, x, 200, 60);
     char *text = decimal_of_ball(x, balls[_i].digits);
     ck_assert_pstr_eq(text, balls[_i].text);
     free(text);
-    arb_clear(x);
 }
 END_TEST
 
 START_TEST(ball_without_a_finite_value_is_refused)
 {
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     arb_pos_inf(x);
     ck_assert_ptr_null(decimal_of_ball(x, 5));
     arb_indeterminate(x);
     ck_assert_ptr_null(decimal_of_ball(x, 5));
     arb_zero_pm_inf(x);
     ck_assert_ptr_null(decimal_of_ball(x, 5));
-    arb_clear(x);
 }
 END_TEST
 
 /* mpmath.mp.dps = 60; mpmath.nstr(mpmath.exp(-mpmath.mpf(10)**10), 20) */
 START_TEST(ball_of_tiny_value_has_its_exponent)
 {
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     arb_set_si(x, -10000000000);
     arb_exp(x, x, 128);
     char *text = decimal_of_ball(x, 20);
     ck_assert_pstr_eq(text, "9.2785844203248725781e-4342944820");
     free(text);
-    arb_clear(x);
 }
 END_TEST
 
 START_TEST(ball_of_absurd_exponent_is_refused)
 {
-    fmpz_t exponent;
-    arb_t x;
-    fmpz_init(exponent);
-    arb_init(x);
+    SCOPE(fmpz, exponent);
+    SCOPE(arb, x);
     fmpz_ui_pow_ui(exponent, 2, 60);
     arb_const_pi(x, 128);
     arb_mul_2exp_fmpz(x, x, exponent);
@@ -425,8 +388,6 @@ START_TEST(ball_of_absurd_exponent_is_refused)
     arb_one(x);
     arb_mul_2exp_fmpz(x, x, exponent);
     ck_assert_ptr_null(decimal_of_ball(x, 5));
-    fmpz_clear(exponent);
-    arb_clear(x);
 }
 END_TEST
 
@@ -510,24 +471,20 @@ static const struct {
 START_TEST(bound_is_rounded_up)
 {
     char text[32];
-    mag_t x;
-    mag_init(x);
+    SCOPE(mag, x);
     mag_set_ui_2exp_si(x, bounds[_i].mantissa, bounds[_i].exponent);
     decimal_bound(text, x);
     ck_assert_str_eq(text, bounds[_i].text);
-    mag_clear(x);
 }
 END_TEST
 
 START_TEST(bound_of_infinity_is_inf)
 {
     char text[32];
-    mag_t x;
-    mag_init(x);
+    SCOPE(mag, x);
     mag_inf(x);
     decimal_bound(text, x);
     ck_assert_str_eq(text, "inf");
-    mag_clear(x);
 }
 END_TEST
 

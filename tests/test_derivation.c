@@ -13,6 +13,7 @@
 #include "proof/proof_results.h"
 #include "formula/symbolic.h"
 #include "motion/taylor.h"
+#include "text/scope.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
@@ -99,13 +100,10 @@ START_TEST(eq03_closed_by_eq07_eq18_is_the_quadratic_system)
     struct derivations d;
     struct message why = {""};
     struct machine m;
-    fmpq_t value, c1, c2;
+    SCOPE(fmpq, value, c1, c2);
     fmpq *state = _fmpq_vec_init(JET_STATES), *rates = _fmpq_vec_init(JET_STATES);
     ck_assert_msg(derivations_read(&d, sheet(), text, strlen(text), "t", &why) == 0, "%s", why.text);
     const struct program *p = &d.steps[0].corrected.program;
-    fmpq_init(value);
-    fmpq_init(c1);
-    fmpq_init(c2);
     fmpq_set_si(c1, 13, 1);
     fmpq_set_si(c2, 3, 1);
     symbolic_begin(0, 0, false);
@@ -143,9 +141,6 @@ START_TEST(eq03_closed_by_eq07_eq18_is_the_quadratic_system)
     symbolic_end();
     _fmpq_vec_clear(state, JET_STATES);
     _fmpq_vec_clear(rates, JET_STATES);
-    fmpq_clear(value);
-    fmpq_clear(c1);
-    fmpq_clear(c2);
     derivations_clear(&d);
 }
 END_TEST

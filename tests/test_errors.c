@@ -6,6 +6,7 @@
 
 #include "evaluate/errors.h"
 #include "evaluate/sample.h"
+#include "text/scope.h"
 
 enum { PREC = 192, CASES = 64 };
 
@@ -18,36 +19,29 @@ static double scattered(int k)
 /* |y - exact| / (u (|exact| + S)) */
 static void true_error(fmpq_t E, const fmpq_t y, const fmpq_t exact, const fmpq_t S, int significand)
 {
-    fmpq_t weight;
-    fmpq_init(weight);
+    SCOPE(fmpq, weight);
     fmpq_sub(E, y, exact);
     fmpq_abs(E, E);
     fmpq_abs(weight, exact);
     fmpq_add(weight, weight, S);
     fmpq_div(E, E, weight);
     fmpq_mul_2exp(E, E, (ulong)significand);
-    fmpq_clear(weight);
 }
 
 static void fraction(fmpq_t q, double x)
 {
-    arf_t a;
-    arf_init(a);
+    SCOPE(arf, a);
     arf_set_d(a, x);
     arf_get_fmpq(q, a);
-    arf_clear(a);
 }
 
 /* y and the balls of y* and S: E at the four corners, and at y where the ball of y* holds it, keeps its bounds. */
 static void assert_bounded(double y, double exact, double exact_radius, double S, double S_radius, double at_most)
 {
     struct bounds E;
-    arb_t e, s;
-    arf_t at;
+    SCOPE(arb, e, s);
+    SCOPE(arf, at);
     fmpq_t q[3], truth, bound;
-    arb_init(e);
-    arb_init(s);
-    arf_init(at);
     fmpq_init(truth);
     fmpq_init(bound);
     for (int i = 0; i < 3; i++)
@@ -75,9 +69,6 @@ static void assert_bounded(double y, double exact, double exact_radius, double S
         ck_assert_msg(fmpq_cmp(bound, truth) <= 0, "corner %d: E = %.17g below %.17g", corner, fmpq_get_d(truth), E.lower);
     }
     ck_assert_double_le(E.upper - E.lower, at_most * E.upper);
-    arb_clear(e);
-    arb_clear(s);
-    arf_clear(at);
     fmpq_clear(truth);
     fmpq_clear(bound);
     for (int i = 0; i < 3; i++)
@@ -109,12 +100,9 @@ END_TEST
 
 START_TEST(E3_a_weight_that_may_be_zero_has_no_upper_bound)
 {
-    arb_t exact, S;
-    arf_t y;
+    SCOPE(arb, exact, S);
+    SCOPE(arf, y);
     struct bounds E;
-    arb_init(exact);
-    arb_init(S);
-    arf_init(y);
     arf_one(y);
     E = error_in_roundings(y, exact, S, BINARY64); /* y* = S = 0 */
     ck_assert(isinf(E.lower) && isinf(E.upper));
@@ -131,9 +119,6 @@ START_TEST(E3_a_weight_that_may_be_zero_has_no_upper_bound)
     arf_nan(y);
     E = error_in_roundings(y, exact, S, BINARY64);
     ck_assert(isinf(E.lower) && isinf(E.upper));
-    arb_clear(exact);
-    arb_clear(S);
-    arf_clear(y);
     flint_cleanup();
 }
 END_TEST
@@ -170,9 +155,7 @@ START_TEST(E6_mpfr_is_inside_for_every_output)
     double values[INPUTS];
     struct input *inputs = inputs_new(s->input_count);
     arb_ptr exact = _arb_vec_init(OUTPUTS), S = _arb_vec_init(OUTPUTS);
-    arb_t moved, kept;
-    arb_init(moved);
-    arb_init(kept);
+    SCOPE(arb, moved, kept);
     operation_init(&o, s, false);
     sample(&o, 1, 3, values, inputs);
     operation_sensitivity(&o, inputs, 3 * PREC, S);
@@ -195,8 +178,6 @@ START_TEST(E6_mpfr_is_inside_for_every_output)
     inputs_free(inputs, s->input_count);
     _arb_vec_clear(exact, OUTPUTS);
     _arb_vec_clear(S, OUTPUTS);
-    arb_clear(moved);
-    arb_clear(kept);
     sheet_close();
     flint_cleanup();
 }

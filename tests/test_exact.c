@@ -8,6 +8,7 @@
 #include "tests/run.h"
 #include "formula/exact.h"
 #include "formula/expression.h"
+#include "text/scope.h"
 
 /* z is an input: an exact zero, which no formula shows; inf is +infinity. A result p/q is rational; others are named. */
 static const struct {
@@ -96,8 +97,7 @@ static int run(struct machine *m, struct program *p, const struct arithmetic *a,
 {
     size_t where;
     struct message why;
-    fmpq_t zero;
-    fmpq_init(zero);
+    SCOPE(fmpq, zero);
     program_init(p);
     program_input(p, "z");
     program_input(p, "inf");
@@ -107,7 +107,6 @@ static int run(struct machine *m, struct program *p, const struct arithmetic *a,
     a->set_rational(machine_value(m, 0), zero, 128);
     a->set_infinity(machine_value(m, 1));
     machine_run(m);
-    fmpq_clear(zero);
     return node;
 }
 
@@ -115,9 +114,7 @@ START_TEST(formula_is_decided)
 {
     struct program p, q;
     struct machine m, balls;
-    fmpq_t value, expected;
-    fmpq_init(value);
-    fmpq_init(expected);
+    SCOPE(fmpq, value, expected);
     const int node = run(&m, &p, &arithmetic_exact, decided[_i].formula);
     const struct exact *x = machine_value(&m, node);
     const bool rational = fmpq_set_str(expected, decided[_i].expected, 10) == 0;
@@ -135,8 +132,6 @@ START_TEST(formula_is_decided)
     machine_clear(&balls);
     program_clear(&p);
     program_clear(&q);
-    fmpq_clear(value);
-    fmpq_clear(expected);
 }
 END_TEST
 
@@ -145,9 +140,7 @@ START_TEST(gradient_is_exact)
 {
     struct program p;
     struct machine m, slope;
-    fmpq_t value, expected;
-    fmpq_init(value);
-    fmpq_init(expected);
+    SCOPE(fmpq, value, expected);
     const int node = run(&m, &p, &arithmetic_exact, "sqrt(z + 4)*exp(z)");
     machine_init(&slope, &p, &arithmetic_exact, 0);
     machine_gradient(&m, node, &slope);
@@ -156,8 +149,6 @@ START_TEST(gradient_is_exact)
     machine_clear(&slope);
     machine_clear(&m);
     program_clear(&p);
-    fmpq_clear(value);
-    fmpq_clear(expected);
 }
 END_TEST
 

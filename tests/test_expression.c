@@ -11,6 +11,7 @@
 
 #include "formula/expression.h"
 #include "formula/symbolic.h"
+#include "text/scope.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
@@ -43,14 +44,12 @@ static void evaluate(const char *formula, char text[200], size_t *where)
         struct machine m;
         machine_init(&m, &p, &arithmetic_symbolic, 1);
         machine_run(&m);
-        fmpq_t value;
-        fmpq_init(value);
+        SCOPE(fmpq, value);
         get_coefficient(value, machine_value(&m, node), 0);
         char *digits = fmpq_get_str(NULL, 10, value);
         enum symbolic_fault fault = state(machine_value(&m, node));
         snprintf(text, 200, "%.199s", fault == SYMBOLIC_FINE ? digits : symbolic_fault_text(fault));
         flint_free(digits);
-        fmpq_clear(value);
         machine_clear(&m);
     }
     program_clear(&p);
@@ -213,15 +212,13 @@ START_TEST(copy_is_independent)
     ck_assert_int_eq(program_find(&copy, "x"), 0);
     struct machine m;
     machine_init(&m, &copy, &arithmetic_symbolic, 1);
-    fmpq_t value;
-    fmpq_init(value);
+    SCOPE(fmpq, value);
     fmpq_set_si(value, 2, 1);
     arithmetic_symbolic.set_rational(machine_value(&m, 0), value, 1);
     machine_run(&m);
     get_coefficient(value, machine_value(&m, node), 0);
     fmpq_mul_si(value, value, 4);
     ck_assert_int_eq(fmpq_cmp_si(value, 37), 0); /* 4 (8 + 5/4) */
-    fmpq_clear(value);
     machine_clear(&m);
     program_clear(&copy);
 }
@@ -232,9 +229,7 @@ END_TEST
 /* x = 9/4 + epsilon, y = 5/3 - 2 epsilon; a the angle of cosine 3/5, sine 4/5, turning by 7 epsilon; e = epsilon */
 static void set_inputs(struct machine *m)
 {
-    fmpq_t number, slope;
-    fmpq_init(number);
-    fmpq_init(slope);
+    SCOPE(fmpq, number, slope);
     const slong start[] = {9, 4, 1, 5, 3, -2};
     for (int i = 0; i < 2; i++) {
         struct symbolic *x = machine_value(m, i);
@@ -256,8 +251,6 @@ static void set_inputs(struct machine *m)
         fmpz_mpoly_q_set_si(a->a + 1, 7, symbolic_context());
         fmpz_mpoly_q_set_si(e->a + 1, 1, symbolic_context());
     }
-    fmpq_clear(number);
-    fmpq_clear(slope);
 }
 
 static int parse_inputs(struct program *p, const char *formula)
@@ -286,13 +279,11 @@ static void expand(const char *formula, slong terms, char text[200])
     size_t length = 0;
     text[0] = '\0';
     for (slong k = 0; k < terms && fault == SYMBOLIC_FINE; k++) {
-        fmpq_t value;
-        fmpq_init(value);
+        SCOPE(fmpq, value);
         get_coefficient(value, machine_value(&m, node), k);
         char *digits = fmpq_get_str(NULL, 10, value);
         length += (size_t)snprintf(text + length, 200 - length, "%s%s", k ? " " : "", digits);
         flint_free(digits);
-        fmpq_clear(value);
     }
     if (fault != SYMBOLIC_FINE)
         snprintf(text, 200, "%s", symbolic_fault_text(fault));
@@ -352,10 +343,8 @@ START_TEST(derivative_is_the_first_coefficient)
 {
     struct program p;
     struct machine m;
-    fmpq_t expected, value;
+    SCOPE(fmpq, expected, value);
     int node = parse_inputs(&p, differentiable[_i]), rate[4];
-    fmpq_init(expected);
-    fmpq_init(value);
     const slong rates[] = {1, -2, 7};
     const int count = p.count;
     for (int i = 0; i < 4; i++)
@@ -376,8 +365,6 @@ START_TEST(derivative_is_the_first_coefficient)
     ck_assert(fmpq_equal(value, expected));
     machine_clear(&m);
     program_clear(&p);
-    fmpq_clear(expected);
-    fmpq_clear(value);
 }
 END_TEST
 
@@ -386,10 +373,8 @@ START_TEST(derivative_of_an_arc_tangent)
 {
     struct program p;
     struct machine m;
-    fmpq_t value, expected;
+    SCOPE(fmpq, value, expected);
     int node = parse_inputs(&p, "atan2(y, x)"), rate[2];
-    fmpq_init(value);
-    fmpq_init(expected);
     for (int i = 0; i < 2; i++) {
         rate[i] = program_append(&p, OPERATOR_NUMBER, -1, -1, 0);
         fmpq_set_si(&p.nodes[rate[i]].number, i ? -2 : 1, 1);
@@ -404,8 +389,6 @@ START_TEST(derivative_of_an_arc_tangent)
     ck_assert(fmpq_equal(value, expected));
     machine_clear(&m);
     program_clear(&p);
-    fmpq_clear(value);
-    fmpq_clear(expected);
 }
 END_TEST
 
@@ -427,10 +410,8 @@ START_TEST(gradient_is_the_derivative_by_every_input)
 {
     struct program p;
     struct machine m, adjoint;
-    fmpq_t expected, value;
+    SCOPE(fmpq, expected, value);
     int node = parse_inputs(&p, differentiable[_i]), derivative[3];
-    fmpq_init(expected);
-    fmpq_init(value);
     for (int i = 0; i < 3; i++) {
         int rate[3] = {-1, -1, -1};
         rate[i] = program_append(&p, OPERATOR_NUMBER, -1, -1, 0);
@@ -451,8 +432,6 @@ START_TEST(gradient_is_the_derivative_by_every_input)
     machine_clear(&adjoint);
     machine_clear(&m);
     program_clear(&p);
-    fmpq_clear(expected);
-    fmpq_clear(value);
 }
 END_TEST
 
@@ -461,10 +440,8 @@ START_TEST(gradient_of_an_arc_tangent)
 {
     struct program p;
     struct machine m, adjoint;
-    fmpq_t value, expected;
+    SCOPE(fmpq, value, expected);
     int node = parse_inputs(&p, "atan2(y, x)");
-    fmpq_init(value);
-    fmpq_init(expected);
     machine_init(&m, &p, &arithmetic_symbolic, 1);
     machine_init(&adjoint, &p, &arithmetic_symbolic, 1);
     set_inputs(&m);
@@ -479,8 +456,6 @@ START_TEST(gradient_of_an_arc_tangent)
     machine_clear(&adjoint);
     machine_clear(&m);
     program_clear(&p);
-    fmpq_clear(value);
-    fmpq_clear(expected);
 }
 END_TEST
 
@@ -491,7 +466,7 @@ START_TEST(inlined_program_takes_the_place_of_its_inputs)
     struct machine m;
     struct message why = {""};
     size_t where;
-    fmpq_t value, expected;
+    SCOPE(fmpq, value, expected);
     int y = parse_inputs(&p, "y - 1");
     program_init(&other);
     program_input(&other, "x");
@@ -500,8 +475,6 @@ START_TEST(inlined_program_takes_the_place_of_its_inputs)
     ck_assert_int_le(other.count, 8);
     int node = program_inline(&p, &other, f, stand_in);
     program_clear(&other);
-    fmpq_init(value);
-    fmpq_init(expected);
     machine_init(&m, &p, &arithmetic_symbolic, 1);
     set_inputs(&m);
     machine_run(&m);
@@ -510,8 +483,6 @@ START_TEST(inlined_program_takes_the_place_of_its_inputs)
     ck_assert(fmpq_equal(value, expected));
     machine_clear(&m);
     program_clear(&p);
-    fmpq_clear(value);
-    fmpq_clear(expected);
 }
 END_TEST
 
@@ -522,9 +493,8 @@ START_TEST(ball_and_mpfr_agree_with_the_exact_value)
     struct program p;
     struct machine exact, ball, multiple;
     int node = parse_inputs(&p, "sqrt(x)^3*(y - 1/7)^-2 - x*y + exp(x - 9/4)");
-    fmpq_t value;
+    SCOPE(fmpq, value);
     mpfr_t difference;
-    fmpq_init(value);
     mpfr_init2(difference, 100);
     machine_init(&exact, &p, &arithmetic_symbolic, 1);
     machine_init(&ball, &p, &arithmetic_ball, 100);
@@ -540,15 +510,12 @@ START_TEST(ball_and_mpfr_agree_with_the_exact_value)
     machine_run(&multiple);
     get_coefficient(value, machine_value(&exact, node), 0);
     ck_assert(arb_contains_fmpq(machine_value(&ball, node), value));
-    arb_t known;
-    arb_init(known);
+    SCOPE(arb, known);
     arb_set_fmpq(known, value, 200);
     arf_get_mpfr(difference, arb_midref(known), MPFR_RNDN);
     mpfr_sub(difference, difference, machine_value(&multiple, node), MPFR_RNDN);
     ck_assert_double_le(fabs(mpfr_get_d(difference, MPFR_RNDN)), 0x1p-90); /* a dozen roundings of values below 4 */
-    arb_clear(known);
     mpfr_clear(difference);
-    fmpq_clear(value);
     machine_clear(&exact);
     machine_clear(&ball);
     machine_clear(&multiple);

@@ -14,6 +14,7 @@
 #include "conform/hints.h"
 #include "evaluate/sample.h"
 #include "evaluate/vectors.h"
+#include "text/scope.h"
 
 enum { RANDOM = 48, BITS = 256, DIGITS = 40, LONG = 4096 };
 
@@ -106,8 +107,7 @@ static uint64_t question_that(struct exam *e, uint64_t from, bool inside)
 /* y* + sign (K + more) u (|y*| + S) */
 static void limit_of(arb_t limit, const arb_t exact, const arb_t S, int sign, double K, int significand)
 {
-    arb_t reach;
-    arb_init(reach);
+    SCOPE(arb, reach);
     arb_abs(reach, exact);
     arb_add(reach, reach, S, BITS);
     arb_set_d(limit, K);
@@ -115,7 +115,6 @@ static void limit_of(arb_t limit, const arb_t exact, const arb_t S, int sign, do
     arb_mul_2exp_si(reach, reach, -significand);
     arb_mul_si(reach, reach, sign, BITS);
     arb_add(limit, exact, reach, BITS);
-    arb_clear(reach);
 }
 
 /* The last binary64 up to the limit passes, the next one does not. */
@@ -126,8 +125,7 @@ static void assert_limits(struct exam *e, uint64_t position)
     arb_ptr exact = _arb_vec_init(count), S = _arb_vec_init(count);
     char *outputs[MOST_ANSWERS] = {NULL}, text[40];
     struct question q;
-    arb_t limit;
-    arb_init(limit);
+    SCOPE(arb, limit);
     question_init(&q);
     question_make(&q, &e->questions, position);
     operation_sensitivity(o, q.inputs, BITS, S);
@@ -147,7 +145,6 @@ static void assert_limits(struct exam *e, uint64_t position)
     }
     free_all(outputs, count);
     question_clear(&q);
-    arb_clear(limit);
     _arb_vec_clear(exact, count);
     _arb_vec_clear(S, count);
 }
@@ -175,9 +172,8 @@ START_TEST(K_counts_roundings_of_the_clients_own_numbers)
     struct exam *e = exam_of(section_find(sheet(), "eq12"), RANDOM, significand);
     struct operation *o = e->judges[0].operation;
     arb_ptr exact = _arb_vec_init(1), S = _arb_vec_init(1);
-    arb_t limit;
+    SCOPE(arb, limit);
     struct question q;
-    arb_init(limit);
     question_init(&q);
     for (int i = 0; i < 8; i++) {
         const uint64_t p = i < 4 ? 0 : (uint64_t)e->questions.courses[0].golden_count;
@@ -191,7 +187,6 @@ START_TEST(K_counts_roundings_of_the_clients_own_numbers)
         flint_free(text);
     }
     question_clear(&q);
-    arb_clear(limit);
     _arb_vec_clear(exact, 1);
     _arb_vec_clear(S, 1);
     close_exam(e);
@@ -726,16 +721,12 @@ START_TEST(mpfr_has_to_lie_within_in_every_output)
     operation_enclose(&o, inputs, 600, exact);
     ck_assert(mpfr_inside(&o, inputs, exact, S));
     for (int i = 0; i < 3; i++) {
-        arb_t kept, off;
-        arb_init(kept);
-        arb_init(off);
+        SCOPE(arb, kept, off);
         arb_set(kept, exact + i);
         arb_mul_2exp_si(off, kept, -300);
         arb_add(exact + i, kept, off, 600);
         ck_assert(!mpfr_inside(&o, inputs, exact, S));
         arb_set(exact + i, kept);
-        arb_clear(kept);
-        arb_clear(off);
     }
     operation_clear(&o);
     inputs_free(inputs, s->input_count);

@@ -5,17 +5,15 @@
 
 #include "run.h"
 #include "proof/roots.h"
+#include "text/scope.h"
 
 enum { BITS = 256, DEGREE = 4 };
 
 /* Gains in quarters, Omega = 1: (42) agrees with the signs of the certified roots, on the boundary too. */
 START_TEST(eq42_agrees_with_the_roots)
 {
-    acb_ptr roots = _acb_vec_init(DEGREE);
-    fmpq_t Omega, C1, C2;
-    fmpq_init(Omega);
-    fmpq_init(C1);
-    fmpq_init(C2);
+    VECTOR(acb, roots, DEGREE);
+    SCOPE(fmpq, Omega, C1, C2);
     fmpq_one(Omega);
     for (slong k = -4; k <= 60; k += 4) {
         for (slong j = -6; j <= 18; j += 3) {
@@ -28,42 +26,31 @@ START_TEST(eq42_agrees_with_the_roots)
             ck_assert_msg(left == (k > 36 && j > 0), "C1 = %ld/4, C2 = %ld/4", (long)k, (long)j);
         }
     }
-    fmpq_clear(Omega);
-    fmpq_clear(C1);
-    fmpq_clear(C2);
-    _acb_vec_clear(roots, DEGREE);
 }
 END_TEST
 
 /* The rate of the slowest root at c1, c2 (over Omega, Omega^2). */
 static void slowest(arb_t rate, const arb_t c1, const arb_t c2)
 {
-    acb_ptr roots = _acb_vec_init(DEGREE);
+    VECTOR(acb, roots, DEGREE);
     ck_assert(roots41_gains(roots, c1, c2, BITS));
     arb_neg(rate, acb_realref(roots + DEGREE - 1));
-    _acb_vec_clear(roots, DEGREE);
 }
 
 /* On (44). */
 static void rate_at(arb_t rate, const arb_t n)
 {
-    arb_t c2;
-    arb_init(c2);
+    SCOPE(arb, c2);
     arb_sub_si(c2, n, 9, BITS);
     arb_sqrt(c2, c2, BITS);
     arb_mul_2exp_si(c2, c2, 1);
     slowest(rate, n, c2);
-    arb_clear(c2);
 }
 
 /* The n and the rate of n12-optimal, by the roots themselves. */
 START_TEST(eq44_optimum_beats_its_neighbours)
 {
-    arb_t best, n, rate, greatest;
-    arb_init(best);
-    arb_init(n);
-    arb_init(rate);
-    arb_init(greatest);
+    SCOPE(arb, best, n, rate, greatest);
     arb_set_str(best, "11.8116019489994475627782", BITS);
     rate_at(greatest, best);
     arb_set_str(rate, "0.598916907216339712577893 +/- 1e-24", BITS); /* stationary: the digits that best lacks do not matter */
@@ -74,21 +61,13 @@ START_TEST(eq44_optimum_beats_its_neighbours)
         rate_at(rate, n);
         ck_assert(arb_lt(rate, greatest));
     }
-    arb_clear(best);
-    arb_clear(n);
-    arb_clear(rate);
-    arb_clear(greatest);
 }
 END_TEST
 
 /* u = sqrt(n - 9) from 1/16 to 16: the bounds of real-parts-vanish against the roots themselves. */
 START_TEST(eq44_rates_keep_their_bounds)
 {
-    arb_t n, rate, u, bound;
-    arb_init(n);
-    arb_init(rate);
-    arb_init(u);
-    arb_init(bound);
+    SCOPE(arb, n, rate, u, bound);
     for (int k = -16; k <= 16; k++) {
         arb_set_d(u, exp2(k / 4.0)); /* some exact number */
         arb_mul(n, u, u, BITS);
@@ -112,23 +91,15 @@ START_TEST(eq44_rates_keep_their_bounds)
         arb_mul(bound, bound, n, BITS);
         ck_assert(arb_gt(rate, bound)); /* 12/u^3 (1 - 14/u^2) */
     }
-    arb_clear(n);
-    arb_clear(rate);
-    arb_clear(u);
-    arb_clear(bound);
 }
 END_TEST
 
 /* The discriminant of complex-pairs, as the product of the squared differences of the roots. */
 START_TEST(eq41_discriminant_from_the_roots)
 {
-    acb_ptr roots = _acb_vec_init(DEGREE);
-    acb_t product, difference;
-    arb_t c1, c2;
-    acb_init(product);
-    acb_init(difference);
-    arb_init(c1);
-    arb_init(c2);
+    VECTOR(acb, roots, DEGREE);
+    SCOPE(acb, product, difference);
+    SCOPE(arb, c1, c2);
     for (slong w = 1; w <= 6; w++) {
         arb_set_si(c1, 9 + w);
         arb_sqrt_ui(c2, (ulong)(4 * w), BITS);
@@ -143,21 +114,13 @@ START_TEST(eq41_discriminant_from_the_roots)
         }
         ck_assert(arb_contains_si(acb_realref(product), 192 * w * w * w * w + 4032 * w * w * w - 33984 * w * w + 65856 * w));
     }
-    acb_clear(product);
-    acb_clear(difference);
-    arb_clear(c1);
-    arb_clear(c2);
-    _acb_vec_clear(roots, DEGREE);
 }
 END_TEST
 
 /* Around C1 = 12, C2 = 4 (Omega = 1), near and far, no gains decay as fast as Omega. */
 START_TEST(eq41_no_gains_beat_omega)
 {
-    arb_t c1, c2, rate;
-    arb_init(c1);
-    arb_init(c2);
-    arb_init(rate);
+    SCOPE(arb, c1, c2, rate);
     for (int scale = 0; scale <= 20; scale += 4) {
         for (int k = 0; k < 16; k++) {
             double angle = 0.19634954084936207 * (2 * k + 1); /* pi/16, odd multiples: off the axes */
@@ -168,22 +131,15 @@ START_TEST(eq41_no_gains_beat_omega)
             ck_assert_msg(arb_is_negative(rate), "scale %d, direction %d", scale, k);
         }
     }
-    arb_clear(c1);
-    arb_clear(c2);
-    arb_clear(rate);
 }
 END_TEST
 
 /* The polynomial at those gains is (s^2 + 2 s + 3)^2: two double roots, -1 +- i sqrt 2. */
 START_TEST(eq41_best_gains_reach_omega)
 {
-    acb_ptr roots = _acb_vec_init(DEGREE);
-    acb_t z;
-    fmpq_t Omega, C1, C2;
-    acb_init(z);
-    fmpq_init(Omega);
-    fmpq_init(C1);
-    fmpq_init(C2);
+    VECTOR(acb, roots, DEGREE);
+    SCOPE(acb, z);
+    SCOPE(fmpq, Omega, C1, C2);
     fmpq_one(Omega);
     fmpq_set_si(C1, 12, 1);
     fmpq_set_si(C2, 4, 1);
@@ -194,11 +150,6 @@ START_TEST(eq41_best_gains_reach_omega)
         ck_assert(arb_contains_zero(acb_imagref(z)) && arb_contains_si(acb_realref(z), -2));
         ck_assert(arb_contains_si(acb_realref(roots + i), -1));
     }
-    fmpq_clear(Omega);
-    fmpq_clear(C1);
-    fmpq_clear(C2);
-    acb_clear(z);
-    _acb_vec_clear(roots, DEGREE);
 }
 END_TEST
 

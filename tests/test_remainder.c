@@ -10,6 +10,7 @@
 
 #include "proof/proof_results.h"
 #include "proof/remainder.h"
+#include "text/scope.h"
 
 /* ---- formulas whose maximum is known ---- */
 
@@ -183,9 +184,7 @@ static double uniform(void)
 /* |formula| where each input stands at a fraction of its range, by MPFR. */
 static double value_at(const struct remainder *r, struct machine *m, const double *fraction)
 {
-    fmpq_t x, part;
-    fmpq_init(x);
-    fmpq_init(part);
+    SCOPE(fmpq, x, part);
     for (int i = 0; i < r->program.inputs; i++) {
         fmpq_sub(x, r->high + i, r->low + i);
         fmpq_set_si(part, (slong)(fraction[i] * 0x1p40), 1ul << 40);
@@ -194,8 +193,6 @@ static double value_at(const struct remainder *r, struct machine *m, const doubl
         arithmetic_mpfr.set_rational(machine_value(m, i), x, m->prec);
     }
     machine_run(m);
-    fmpq_clear(x);
-    fmpq_clear(part);
     return fabs(mpfr_get_d(machine_value(m, r->node), MPFR_RNDN));
 }
 

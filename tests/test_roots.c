@@ -10,6 +10,7 @@
 
 #include "tests/run.h"
 #include "proof/roots.h"
+#include "text/scope.h"
 
 /* What a test needs: exact parameters and their roots. */
 struct fixture {
@@ -101,11 +102,8 @@ static const struct {
 START_TEST(eq41_roots_agree_with_mpmath)
 {
     struct fixture f;
-    arb_t expected;
-    mag_t difference, unit;
-    arb_init(expected);
-    mag_init(difference);
-    mag_init(unit);
+    SCOPE(arb, expected);
+    SCOPE(mag, difference, unit);
     open_fixture(&f, known[_i].Omega, known[_i].C1, known[_i].C2);
     ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 160));
     for (int k = 0; k < 8; k++) {
@@ -119,9 +117,6 @@ START_TEST(eq41_roots_agree_with_mpmath)
         ck_assert_msg(mag_cmp(difference, unit) <= 0, "part %d", k);
     }
     close_fixture(&f);
-    arb_clear(expected);
-    mag_clear(difference);
-    mag_clear(unit);
 }
 END_TEST
 
@@ -165,9 +160,7 @@ static const struct {
 START_TEST(eq41_rational_parts_are_found)
 {
     struct fixture f;
-    fmpq_t value, expected;
-    fmpq_init(value);
-    fmpq_init(expected);
+    SCOPE(fmpq, value, expected);
     open_fixture(&f, exact[_i].Omega, exact[_i].C1, exact[_i].C2);
     for (int k = 0; k < 8; k++) {
         bool rational = roots41_rational(value, k / 2, k % 2 == 1, f.Omega, f.C1, f.C2);
@@ -178,8 +171,6 @@ START_TEST(eq41_rational_parts_are_found)
         }
     }
     close_fixture(&f);
-    fmpq_clear(value);
-    fmpq_clear(expected);
 }
 END_TEST
 
@@ -202,13 +193,9 @@ END_TEST
 /* The coefficients of (41) are the symmetric functions of its roots (Vieta). */
 static void check_coefficients(const struct fixture *f, slong prec)
 {
-    fmpq_poly_t p;
-    fmpq_t square, c;
-    acb_poly_t product;
-    fmpq_poly_init(p);
-    fmpq_init(square);
-    fmpq_init(c);
-    acb_poly_init(product);
+    SCOPE(fmpq_poly, p);
+    SCOPE(fmpq, square, c);
+    SCOPE(acb_poly, product);
     fmpq_mul(square, f->Omega, f->Omega);
     fmpq_poly_set_coeff_si(p, 4, 1);
     fmpq_poly_set_coeff_fmpq(p, 3, f->C2);
@@ -225,10 +212,6 @@ static void check_coefficients(const struct fixture *f, slong prec)
     fmpq_poly_set_coeff_fmpq(p, 0, c);
     acb_poly_product_roots(product, f->roots, 4, prec);
     ck_assert(acb_poly_contains_fmpq_poly(product, p));
-    fmpq_poly_clear(p);
-    fmpq_clear(square);
-    fmpq_clear(c);
-    acb_poly_clear(product);
 }
 
 /* Order and accuracy as the header promises them, seen from the midpoints. */
@@ -378,8 +361,7 @@ END_TEST
 START_TEST(eq41_rational_part_is_not_taken_for_its_neighbour)
 {
     struct fixture f;
-    fmpq_t value;
-    fmpq_init(value);
+    SCOPE(fmpq, value);
     open_fixture(&f, "1",
                  "2178187514374146658552225676244405744032183114752112835750523001723681549/"
                  "128128677316210747462701217412660291605389819900500000000000000000000000",
@@ -389,7 +371,6 @@ START_TEST(eq41_rational_part_is_not_taken_for_its_neighbour)
     for (int k = 0; k < 4; k++)
         rational += roots41_rational(value, k, true, f.Omega, f.C1, f.C2);
     ck_assert_int_eq(rational, 2);
-    fmpq_clear(value);
     close_fixture(&f);
 }
 END_TEST
@@ -402,11 +383,8 @@ START_TEST(eq44_gains_have_certified_roots)
         "-1.13598031767247161518427813175453100947",   "2.1040185957563881357867565322273166587",
         "-0.5960704898964056783431682097513413574726", "-1.1040185957563881357867565322273166587",
         "-0.5960704898964056783431682097513413574726", "1.1040185957563881357867565322273166587"};
-    acb_ptr roots = _acb_vec_init(4);
-    arb_t c1, c2, expected;
-    arb_init(c1);
-    arb_init(c2);
-    arb_init(expected);
+    VECTOR(acb, roots, 4);
+    SCOPE(arb, c1, c2, expected);
     arb_set_ui(c1, 12);
     arb_sqrt_ui(c2, 12, 160);
     ck_assert(roots41_gains(roots, c1, c2, 160));
@@ -418,10 +396,6 @@ START_TEST(eq44_gains_have_certified_roots)
         ck_assert_msg(mag_cmp_2exp_si(arb_radref(part(roots, k / 2, k % 2 == 1)), -140) < 0,
                       "part %d", k); /* 160 bits less a few */
     }
-    _acb_vec_clear(roots, 4);
-    arb_clear(c1);
-    arb_clear(c2);
-    arb_clear(expected);
 }
 END_TEST
 
@@ -430,10 +404,8 @@ END_TEST
 START_TEST(eq41_wide_gains_enclose_exact_roots)
 {
     struct fixture f;
-    acb_ptr roots = _acb_vec_init(4);
-    arb_t c1, c2;
-    arb_init(c1);
-    arb_init(c2);
+    VECTOR(acb, roots, 4);
+    SCOPE(arb, c1, c2);
     open_fixture(&f, "1", "3", "1");
     arb_set_ui(c1, 3);
     arb_set_ui(c2, 1);
@@ -443,10 +415,7 @@ START_TEST(eq41_wide_gains_enclose_exact_roots)
     ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 64));
     for (int k = 0; k < 4; k++)
         ck_assert(acb_contains(roots + k, f.roots + k));
-    _acb_vec_clear(roots, 4);
     close_fixture(&f);
-    arb_clear(c1);
-    arb_clear(c2);
 }
 END_TEST
 
@@ -462,18 +431,13 @@ static const struct {
 
 START_TEST(eq41_gains_that_do_not_decide_are_refused)
 {
-    acb_ptr roots = _acb_vec_init(4);
-    arb_t c1, c2;
-    arb_init(c1);
-    arb_init(c2);
+    VECTOR(acb, roots, 4);
+    SCOPE(arb, c1, c2);
     arb_set_d(c1, undecided[_i].c1);
     arb_set_d(c2, undecided[_i].c2);
     mag_set_d(arb_radref(c1), undecided[_i].c1_radius);
     mag_set_d(arb_radref(c2), undecided[_i].c2_radius);
     ck_assert(!roots41_gains(roots, c1, c2, 128));
-    _acb_vec_clear(roots, 4);
-    arb_clear(c1);
-    arb_clear(c2);
 }
 END_TEST
 

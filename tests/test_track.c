@@ -14,6 +14,7 @@
 #include "run.h"
 #include "sheet/sheet.h"
 #include "claims/track.h"
+#include "text/scope.h"
 
 enum { DAY = 86400 };
 
@@ -25,12 +26,9 @@ static void close_all(void)
 
 static bool is_above(const arb_t x, double limit)
 {
-    arb_t y;
-    arb_init(y);
+    SCOPE(arb, y);
     arb_set_d(y, limit);
-    bool more = arb_gt(x, y);
-    arb_clear(y);
-    return more;
+    return arb_gt(x, y);
 }
 
 /* ---- tracks ---- */
@@ -38,16 +36,12 @@ static bool is_above(const arb_t x, double limit)
 /* The decimal, correctly rounded, lies within its last digit of x. */
 static void assert_ball(const arb_t x, const char *decimal)
 {
-    arb_t y, ulp;
-    arb_init(y);
-    arb_init(ulp);
+    SCOPE(arb, y, ulp);
     ck_assert_int_eq(arb_set_str(y, decimal, 128), 0);
     arb_abs(ulp, y);
     arb_div_ui(ulp, ulp, 1000000000000000000, 128); /* of 20 digits: 1e-19 to 1e-18 of the value */
     arb_add_error(y, ulp);
     ck_assert_msg(arb_contains(y, x), "expected %s", decimal);
-    arb_clear(ulp);
-    arb_clear(y);
 }
 
 static const struct {
@@ -113,7 +107,7 @@ END_TEST
 START_TEST(energy_falls_by_what_the_gain_takes)
 {
     struct track t;
-    arb_ptr x = _arb_vec_init(4);
+    VECTOR(arb, x, 4);
     ck_assert(track_run(&t, &(struct scene){.nonlinear = _i != 0, .theta = "0.03"}, 0, 10, 7200));
     double lost = 0;
     for (slong k = 0; k < t.count; k++) {
@@ -131,7 +125,6 @@ START_TEST(energy_falls_by_what_the_gain_takes)
     /* 720 intervals of 7.3e-4 rad: the rule errs by some 1e-6 of the whole */
     ck_assert_double_eq_tol(arf_get_d(arb_midref(x), ARF_RND_NEAR) / lost, 1, 1e-5);
     track_clear(&t);
-    _arb_vec_clear(x, 4);
 }
 END_TEST
 
@@ -140,7 +133,7 @@ START_TEST(bounds_hold_for_what_follows)
 {
     struct track t;
     struct bounds b;
-    arb_ptr x = _arb_vec_init(2);
+    VECTOR(arb, x, 2);
     bounds_init(&b);
     ck_assert(track_run(&t, &(struct scene){.nonlinear = _i != 0}, 0, 600, 2 * DAY));
     for (slong from = 0; from < 3; from++) {
@@ -160,7 +153,6 @@ START_TEST(bounds_hold_for_what_follows)
     }
     bounds_clear(&b);
     track_clear(&t);
-    _arb_vec_clear(x, 2);
 }
 END_TEST
 
@@ -188,9 +180,7 @@ END_TEST
 START_TEST(suprema_cover_what_rows_miss)
 {
     struct track coarse, fine;
-    arb_t sup, peak;
-    arb_init(sup);
-    arb_init(peak);
+    SCOPE(arb, sup, peak);
     const struct scene s = {.nonlinear = true};
     ck_assert(track_run(&coarse, &s, 0, DAY / 12, DAY));
     ck_assert(track_run(&fine, &s, 0, 100, DAY));
@@ -202,8 +192,6 @@ START_TEST(suprema_cover_what_rows_miss)
     track_peak(peak, &coarse, ETA_DOT, 0, 12);
     track_peak(sup, &fine, ETA_DOT, 0, fine.count - 1);
     ck_assert(arb_lt(peak, sup));
-    arb_clear(peak);
-    arb_clear(sup);
     track_clear(&fine);
     track_clear(&coarse);
 }
@@ -213,9 +201,7 @@ END_TEST
 START_TEST(settling_is_found_between_rows)
 {
     struct track t;
-    arb_t hours, limit;
-    arb_init(hours);
-    arb_init(limit);
+    SCOPE(arb, hours, limit);
     ck_assert(track_run(&t, &(struct scene){.nonlinear = false}, 0, 200, 3 * DAY));
     arb_set_d(limit, 1e-4);
     ck_assert(track_settled(hours, &t, ETA, limit));
@@ -234,8 +220,6 @@ START_TEST(settling_is_found_between_rows)
     _arb_vec_clear(limits, 2);
     _arb_vec_clear(both, 2);
     track_clear(&t);
-    arb_clear(limit);
-    arb_clear(hours);
 }
 END_TEST
 
@@ -252,7 +236,7 @@ END_TEST
 
 START_TEST(orders_are_logarithms)
 {
-    arb_ptr x = _arb_vec_init(4);
+    VECTOR(arb, x, 4);
     arb_ptr larger = x, smaller = x + 1, order = x + 2, worst = x + 3;
     arb_set_ui(larger, 1005);
     arb_set_ui(smaller, 10);
@@ -268,20 +252,17 @@ START_TEST(orders_are_logarithms)
     observed_order(order, larger, smaller, 10);
     raise_to_difference(worst, order, 2);
     ck_assert(!is_below(worst, 1e300));
-    _arb_vec_clear(x, 4);
 }
 END_TEST
 
 START_TEST(comparisons_are_certain)
 {
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     arb_set_ui(x, 2);
     mag_set_d(arb_radref(x), 0.5);
     ck_assert(is_below(x, 2.75) && !is_below(x, 2.25) && !is_below(x, 1));
     arb_indeterminate(x);
     ck_assert(!is_below(x, 1));
-    arb_clear(x);
 }
 END_TEST
 

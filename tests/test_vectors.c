@@ -10,6 +10,7 @@
 #include "evaluate/reference.h"
 #include "evaluate/sample.h"
 #include "evaluate/vectors.h"
+#include "text/scope.h"
 
 /* Largest E of ref/ that a test lets pass, and why: see worst_error_of_ref_stays_below_the_bound. */
 enum { BOUND = 8, INPUTS = 1000, SEED = 1 };
@@ -47,11 +48,8 @@ END_TEST
 START_TEST(E_of_one_rounding_is_below_one)
 {
     /* y* = 1/3 and S = 0: the nearest double is at most u |y*| away, and its neighbour more than u/2 |y*| */
-    arb_t exact, S;
-    arf_t y;
-    arb_init(exact);
-    arb_init(S);
-    arf_init(y);
+    SCOPE(arb, exact, S);
+    SCOPE(arf, y);
     arb_set_ui(exact, 1);
     arb_div_ui(exact, exact, 3, 200);
     arf_set_d(y, 1.0 / 3.0);
@@ -62,9 +60,6 @@ START_TEST(E_of_one_rounding_is_below_one)
     double single = error_in_roundings(y, exact, S, BINARY32).upper;
     arf_nan(y);
     double none = error_in_roundings(y, exact, S, BINARY64).upper;
-    arb_clear(exact);
-    arb_clear(S);
-    arf_clear(y);
     ck_assert(nearest > 0.0 && nearest <= 1.0);
     ck_assert(next > 0.5 && next <= 2.5);
     ck_assert(single > 0.0 && single <= 1.0);
@@ -74,17 +69,11 @@ END_TEST
 
 START_TEST(E_is_zero_for_equality_and_infinite_where_nothing_may_be_off)
 {
-    arb_t exact, S;
-    arf_t y;
-    arb_init(exact);
-    arb_init(S);
-    arf_init(y);
+    SCOPE(arb, exact, S);
+    SCOPE(arf, y);
     ck_assert_double_eq(error_in_roundings(y, exact, S, BINARY64).upper, 0.0);
     arf_set_d(y, 5e-324);
     ck_assert_double_infinite(error_in_roundings(y, exact, S, BINARY64).upper);
-    arb_clear(exact);
-    arb_clear(S);
-    arf_clear(y);
 }
 END_TEST
 

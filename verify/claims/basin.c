@@ -1,15 +1,15 @@
 #include "claims/basin.h"
 
-#include "motion/motion.h"
 #include "claims/track.h"
+#include "motion/motion.h"
+#include "text/scope.h"
 
 const ulong basin_gains[GAINS] = {10, 12};
 
 /* V in the orbit plane, where the craft is at x along the radius and at the distance r. */
 static void potential(arb_t V, ulong n, const arb_t x, const arb_t r)
 {
-    arb_t part;
-    arb_init(part);
+    SCOPE(arb, part);
     arb_set_ui(part, n - 3);
     arb_div(V, part, r, BASIN_BITS);
     arb_log(part, r, BASIN_BITS);
@@ -18,12 +18,11 @@ static void potential(arb_t V, ulong n, const arb_t x, const arb_t r)
     arb_mul_ui(part, part, 3, BASIN_BITS);
     arb_mul_2exp_si(part, part, -1);
     arb_sub(V, V, part, BASIN_BITS);
-    arb_clear(part);
 }
 
 void basin_init(struct basin *b, ulong n)
 {
-    arb_ptr a = _arb_vec_init(3);
+    VECTOR(arb, a, 3);
     arb_ptr r = a, nowhere = a + 1, V = a + 2;
     arb_init(b->outer);
     arb_init(b->level);
@@ -36,7 +35,6 @@ void basin_init(struct basin *b, ulong n)
     arb_div_ui(r, r, n, BASIN_BITS);
     potential(V, n, nowhere, r);
     b->closed = arb_gt(V, b->level);
-    _arb_vec_clear(a, 3);
 }
 
 void basin_clear(struct basin *b)
@@ -52,7 +50,7 @@ enum flow_status follow_from_rest(ulong n, const arb_t start, const fmpq *times,
 {
     enum { DIGITS = 8 };
     struct flow_parameters p;
-    arb_ptr initial = _arb_vec_init(FLOW_STATE);
+    VECTOR(arb, initial, FLOW_STATE);
     double reached;
     flow_parameters_init(&p);
     arb_one(p.Omega);
@@ -67,7 +65,6 @@ enum flow_status follow_from_rest(ulong n, const arb_t start, const fmpq *times,
     arb_set(initial, start);
     enum flow_status status = flow_nonlinear(&p, initial, times, count, DIGITS, BASIN_BITS, receive, context, &reached);
     flow_parameters_clear(&p);
-    _arb_vec_clear(initial, FLOW_STATE);
     return status;
 }
 
@@ -81,7 +78,7 @@ static int take_release(void *context, slong k, const fmpq_t t, arb_srcptr state
 {
     struct watch *watch = context;
     const struct basin *b = watch->basin;
-    arb_ptr a = _arb_vec_init(3);
+    VECTOR(arb, a, 3);
     arb_ptr r = a, E = a + 1, speed = a + 2;
     (void)k;
     (void)t;
@@ -94,7 +91,6 @@ static int take_release(void *context, slong k, const fmpq_t t, arb_srcptr state
         watch->release = RELEASE_RETURNS;
     else if (arb_lt(E, b->level) && arb_gt(r, b->outer))
         watch->release = RELEASE_ESCAPES;
-    _arb_vec_clear(a, 3);
     return watch->release != RELEASE_OPEN;
 }
 
@@ -102,10 +98,8 @@ enum release basin_release(const struct basin *b, slong tenths)
 {
     enum { TIMES = 200, PER_RADIAN = 10 };
     struct watch watch = {b, RELEASE_OPEN};
-    fmpq *times = _fmpq_vec_init(TIMES);
-    arb_t start, L_ref;
-    arb_init(start);
-    arb_init(L_ref);
+    VECTOR(fmpq, times, TIMES);
+    SCOPE(arb, start, L_ref);
     for (slong k = 0; k < TIMES; k++)
         fmpq_set_si(times + k, k + 1, PER_RADIAN);
     sheet_value(L_ref, "L_ref", BASIN_BITS);
@@ -115,8 +109,5 @@ enum release basin_release(const struct basin *b, slong tenths)
     arb_add_ui(start, start, 1, BASIN_BITS);
     if (b->closed)
         follow_from_rest(b->gain, start, times, TIMES, take_release, &watch);
-    arb_clear(start);
-    arb_clear(L_ref);
-    _fmpq_vec_clear(times, TIMES);
     return watch.release;
 }

@@ -4,6 +4,7 @@
  */
 #include "claims/convergence.h"
 #include "claims/give.h"
+#include "text/scope.h"
 
 enum { BITS = 192 };
 
@@ -30,14 +31,12 @@ static bool give_orders(struct computed *c, arb_t worst, const char *prefix, con
 
 static void approximation_orders(struct computed *c)
 {
-    arb_t worst;
-    arb_init(worst);
+    SCOPE(arb, worst);
     bool found = give_orders(c, worst, "half_day_", "linear_43200s");
     found = give_orders(c, worst, "two_days_", "linear_172800s") && found;
     found = give_orders(c, worst, "pitch_alone_", "linear_pitch_172800s") && found;
     found = give_orders(c, worst, "runge_kutta_", "rk4_nonlinear_24000s") && found;
     give(c, found, worst, "worst");
-    arb_clear(worst);
 }
 
 /* Orders, and what the variables are off by at L_ref/R_c = 10 m / 42164 km, the sheet's. */
@@ -46,34 +45,28 @@ static bool give_orbit(struct computed *c, arb_t worst, const char *prefix, cons
     const struct study *s = study_find(name);
     struct convergence study;
     const bool observed = study_worst(worst, &study, name);
-    arb_ptr d = _arb_vec_init(VARIABLES);
-    fmpq_t smallness;
-    fmpq_init(smallness);
+    VECTOR(arb, d, VARIABLES);
+    SCOPE(fmpq, smallness);
     fmpq_set_si(smallness, 10, 42164000);
     const bool found = s->differences(d, s, smallness);
     for (int i = 0; i < s->count; i++)
         give_measured(c, found, d + i, "%s%s", prefix, variable_names[s->which[i]]);
-    fmpq_clear(smallness);
-    _arb_vec_clear(d, VARIABLES);
     convergence_clear(&study);
     return observed;
 }
 
 static void hill_orders(struct computed *c)
 {
-    arb_t worst;
-    arb_init(worst);
+    SCOPE(arb, worst);
     bool found = give_orbit(c, worst, "equal_", "hill_43200s");
     found = give_orbit(c, worst, "unequal_", "hill_unequal_43200s") && found;
     give_measured(c, found, worst, "worst");
-    arb_clear(worst);
 }
 
 static void slow_law_orders(struct computed *c)
 {
     struct convergence study;
-    arb_t worst;
-    arb_init(worst);
+    SCOPE(arb, worst);
     bool found = give_orders(c, worst, "p_", "forced_43200s");
     give(c, found, worst, "worst");
     arb_zero(worst);
@@ -85,7 +78,6 @@ static void slow_law_orders(struct computed *c)
         give(c, found, convergence_constant(&study, i), "c_%s", variable);
     }
     convergence_clear(&study);
-    arb_clear(worst);
 }
 
 #define PAIR_STATE(before) PLACE_OF_1(before) ANGLES_AND_LENGTH(before, "")

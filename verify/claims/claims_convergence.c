@@ -6,6 +6,7 @@
 
 #include "claims/convergence.h"
 #include "claims/give.h"
+#include "text/scope.h"
 
 enum { DAY = 86400, HORIZON = 3 * DAY, HALF_SWING = 10800, BITS = 128 }; /* s; of 4 Omega, pi/(4 Omega) = 10771 s */
 
@@ -24,8 +25,7 @@ static void of_start(arb_t x)
 static bool gap_until(arb_t gap, const struct track *a, const struct track *b, int which, slong row)
 {
     struct bounds one, other;
-    arb_t room;
-    arb_init(room);
+    SCOPE(arb, room);
     bounds_init(&one);
     bounds_init(&other);
     bool bounded = track_bounds(&one, a, 0) && track_bounds(&other, b, 0);
@@ -36,7 +36,6 @@ static bool gap_until(arb_t gap, const struct track *a, const struct track *b, i
     arb_add(gap, gap, room, BITS);
     bounds_clear(&other);
     bounds_clear(&one);
-    arb_clear(room);
     return bounded;
 }
 
@@ -45,10 +44,9 @@ static bool gap_until(arb_t gap, const struct track *a, const struct track *b, i
 static bool first_parting(bool *parted, arb_t hours, const struct track *a, const struct track *b, int which)
 {
     struct bounds left;
-    arb_t gap;
+    SCOPE(arb, gap);
     slong k = -1;
     bool bounded = true;
-    arb_init(gap);
     bounds_init(&left);
     *parted = false;
     while (!*parted && ++k < a->count && bounded) {
@@ -60,7 +58,6 @@ static bool first_parting(bool *parted, arb_t hours, const struct track *a, cons
     arb_set_si(hours, k * a->step);
     arb_div_ui(hours, hours, 3600, BITS);
     bounds_clear(&left);
-    arb_clear(gap);
     return bounded;
 }
 
@@ -70,9 +67,7 @@ static void compare_models(struct computed *c)
 {
     static const long until[] = {3, 12, 72}; /* h */
     const long step = 200;
-    arb_t x, worst;
-    arb_init(x);
-    arb_init(worst);
+    SCOPE(arb, x, worst);
     bool proved = true;
     for (int without = 0; without < 2; without++) {
         const char *name = without ? "planar" : "pitched";
@@ -99,8 +94,6 @@ static void compare_models(struct computed *c)
         track_clear(&b);
     }
     give(c, proved, worst, "worst");
-    arb_clear(worst);
-    arb_clear(x);
 }
 
 /* Nonlinear minus linear when every initial value shrinks from 1e-5 to 1e-6: order p, constant c; the most that a p is off 2. */
@@ -110,9 +103,7 @@ static void second_order(struct computed *c)
     static const char *const angle[] = {"1e-5", "1e-6"}, *const length[] = {"1e-4", "1e-5"};
     bool proved = true;
     arb_ptr gap = _arb_vec_init(2 * 6);
-    arb_t x, worst;
-    arb_init(x);
-    arb_init(worst);
+    SCOPE(arb, x, worst);
     for (int i = 0; i < 2; i++) {
         struct track a, b;
         struct scene s = {.psi = angle[i], .theta = angle[i], .dL = length[i]};
@@ -134,8 +125,6 @@ static void second_order(struct computed *c)
         give(c, proved, x, "c_%s", variable_names[which[k]]);
     }
     give(c, proved, worst, "worst");
-    arb_clear(worst);
-    arb_clear(x);
     _arb_vec_clear(gap, 12);
 }
 
@@ -149,8 +138,7 @@ static void nonlinear_settling(struct computed *c)
         const char *name;
         const struct scene *scene;
     } runs[] = {{"pitched", &nonlinear}, {"planar", &planar}, {"unequal", &unequal}, {"at_12", &at_12}};
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     for (int i = 0; i < 4; i++) {
         struct track t;
         const bool run = track_run(&t, runs[i].scene, 2 * DAY, 50, HORIZON);
@@ -161,7 +149,6 @@ static void nonlinear_settling(struct computed *c)
         }
         track_clear(&t);
     }
-    arb_clear(x);
 }
 
 /*
@@ -177,8 +164,7 @@ static void exits_of(struct computed *c, const char *motion, const char *n, stru
     struct track t;
     arb_ptr limits = _arb_vec_init(BANDS_OF), hours = _arb_vec_init(BANDS_OF);
     struct bounds later;
-    arb_t peak;
-    arb_init(peak);
+    SCOPE(arb, peak);
     bounds_init(&later);
     s.n = n;
     const bool run = track_run(&t, &s, 0, step, last) && track_bounds(&later, &t, t.count - 1);
@@ -198,7 +184,6 @@ static void exits_of(struct computed *c, const char *motion, const char *n, stru
     }
     bounds_clear(&later);
     track_clear(&t);
-    arb_clear(peak);
     _arb_vec_clear(hours, BANDS_OF);
     _arb_vec_clear(limits, BANDS_OF);
 }
@@ -216,9 +201,7 @@ static void last_exits(struct computed *c)
 /* How fast amplitudes, roots of the energy, shrink without pitch between 4 and 8 days, per day. */
 static void planar_rates(struct computed *c)
 {
-    arb_t before, rate;
-    arb_init(before);
-    arb_init(rate);
+    SCOPE(arb, before, rate);
     for (int m = 0; m < 2; m++) {
         struct track t;
         const bool run = track_run(&t, m ? &planar : &linear_planar, 4 * DAY, 4 * DAY, 8 * DAY);
@@ -230,16 +213,13 @@ static void planar_rates(struct computed *c)
         give(c, run, rate, m ? "nonlinear" : "linear");
         track_clear(&t);
     }
-    arb_clear(rate);
-    arb_clear(before);
 }
 
 /* The largest |psi| and |dL| on samples of the last half swing of 4 Omega before so many days, as fractions of the start. */
 static void residue(struct computed *c, const char *name, const struct scene *s, long days)
 {
     struct track t;
-    arb_t peak;
-    arb_init(peak);
+    SCOPE(arb, peak);
     const bool run = track_run(&t, s, days * DAY - HALF_SWING, 60, days * DAY);
     for (int which = PSI; which <= ETA; which += ETA) {
         arb_zero(peak);
@@ -247,7 +227,6 @@ static void residue(struct computed *c, const char *name, const struct scene *s,
         of_start(peak);
         give(c, run, peak, "%s_%s_day%ld", name, variable_names[which], days);
     }
-    arb_clear(peak);
     track_clear(&t);
 }
 
@@ -263,8 +242,7 @@ static void residues(struct computed *c)
 /* The range of sqrt(theta^2 + theta'^2/4) on samples. */
 static void pitch_range(arb_t low, arb_t high, const struct track *t, slong from)
 {
-    arb_t a;
-    arb_init(a);
+    SCOPE(arb, a);
     arb_pos_inf(low);
     arb_zero(high);
     for (slong k = from; k < t->count; k++) {
@@ -273,7 +251,6 @@ static void pitch_range(arb_t low, arb_t high, const struct track *t, slong from
         arb_min(low, low, a, t->prec);
         arb_max(high, high, a, t->prec);
     }
-    arb_clear(a);
 }
 
 /* In three days and in the last of them; `apart`: the most that theta differs from the linear model's. */
@@ -281,7 +258,7 @@ static void pitch_amplitude(struct computed *c)
 {
     const long step = 300;
     struct track t, other;
-    arb_ptr x = _arb_vec_init(2);
+    VECTOR(arb, x, 2);
     bool run = track_run(&t, &nonlinear, 0, step, HORIZON);
     run = track_run(&other, &linear, 0, step, HORIZON) && run;
     for (int later = 0; later < 2; later++) {
@@ -291,7 +268,6 @@ static void pitch_amplitude(struct computed *c)
     }
     track_gap(x, &t, &other, THETA, 0, t.count - 1);
     give(c, run, x, "apart");
-    _arb_vec_clear(x, 2);
     track_clear(&other);
     track_clear(&t);
 }
@@ -300,7 +276,7 @@ static void pitch_amplitude(struct computed *c)
 static void figure_6(struct computed *c)
 {
     struct track t;
-    arb_ptr x = _arb_vec_init(2);
+    VECTOR(arb, x, 2);
     const bool run = track_run(&t, &nonlinear, 2 * DAY, 50, HORIZON);
     arb_pos_inf(x);
     for (slong k = 0; k < t.count; k++) {
@@ -317,7 +293,6 @@ static void figure_6(struct computed *c)
     _arb_vec_scalar_mul(x, x, 2, t.arm, t.prec);
     give(c, run && bounded, x, "y1");
     give(c, run, x + 1, "z1");
-    _arb_vec_clear(x, 2);
     track_clear(&t);
 }
 
@@ -336,10 +311,7 @@ static void largest_product(struct computed *c, const char *name, const struct s
 {
     struct track t;
     struct bounds b;
-    arb_t x, product, room;
-    arb_init(x);
-    arb_init(product);
-    arb_init(room);
+    SCOPE(arb, x, product, room);
     bounds_init(&b);
     const bool proved = track_run(&t, s, first, step, last) && track_bounds(&b, &t, 0);
     for (slong k = 0; k < t.count; k++) {
@@ -356,9 +328,6 @@ static void largest_product(struct computed *c, const char *name, const struct s
     arb_union(product, product, room, t.prec);
     give(c, proved, product, "%s", name);
     bounds_clear(&b);
-    arb_clear(room);
-    arb_clear(product);
-    arb_clear(x);
     track_clear(&t);
 }
 
@@ -366,8 +335,7 @@ static void largest_product(struct computed *c, const char *name, const struct s
 static void charge_products(struct computed *c)
 {
     struct track t;
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     largest_product(c, "pitched", &nonlinear, 0, 100, HORIZON);
     largest_product(c, "planar", &planar, 0, 100, HORIZON);
     largest_product(c, "at_12", &at_12, 0, 100, HORIZON);
@@ -379,7 +347,6 @@ static void charge_products(struct computed *c)
     charge_product(x, &t, 0);
     give(c, run, x, "last");
     track_clear(&t);
-    arb_clear(x);
 }
 
 #define BANDS(of) " " of "_10 " of "_20 " of "_50 " of "_100 " of "_200 " of "_300 " of "_500 " of "_1000"

@@ -9,6 +9,7 @@
 #include "claims/convergence.h"
 #include "claims/give.h"
 #include "claims/second_order.h"
+#include "text/scope.h"
 
 enum { DAY = 86400, BITS = 192 };
 
@@ -26,8 +27,7 @@ static bool response_init(struct second_order *o, const char *n)
 static void forced_response(struct computed *c)
 {
     static const char *const gains[] = {"10", "11.8", "12"}, *const names[] = {"10", "118", "12"};
-    arb_t size;
-    arb_init(size);
+    SCOPE(arb, size);
     for (int i = 0; i < 3; i++) {
         struct second_order o;
         const bool ready = response_init(&o, gains[i]);
@@ -39,7 +39,6 @@ static void forced_response(struct computed *c)
         give(c, ready, second_order_get(&o, "shift"), "shift_%s", names[i]);
         second_order_clear(&o);
     }
-    arb_clear(size);
 }
 
 /* What a certified motion, started on the closed form, differs from it by after three days. */
@@ -47,10 +46,8 @@ static bool response_error(arb_ptr error, const char *n, const char *amplitude)
 {
     struct second_order o;
     struct track t;
-    arb_ptr row = _arb_vec_init(FLOW_STATE);
-    arb_t a, tau;
-    arb_init(a);
-    arb_init(tau);
+    VECTOR(arb, row, FLOW_STATE);
+    SCOPE(arb, a, tau);
     bool run = arb_set_str(a, amplitude, BITS) == 0 && response_init(&o, n);
     second_order_after(row, &o, a, tau);
     run = track_run(&t, &(struct scene){.nonlinear = true, .n = n, .start = row}, 3 * DAY, 1, 3 * DAY) && run;
@@ -62,9 +59,6 @@ static bool response_error(arb_ptr error, const char *n, const char *amplitude)
     }
     track_clear(&t);
     second_order_clear(&o);
-    arb_clear(tau);
-    arb_clear(a);
-    _arb_vec_clear(row, FLOW_STATE);
     return run;
 }
 
@@ -75,9 +69,7 @@ static void response_errors(struct computed *c)
     static const int orders[] = {[PSI] = 4, [THETA] = 5, [ETA] = 4};
     bool proved = true;
     arb_ptr error = _arb_vec_init(3 * 3);
-    arb_t order, worst;
-    arb_init(order);
-    arb_init(worst);
+    SCOPE(arb, order, worst);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 3; i++)
             proved = response_error(error + 3 * i, gains[k], amplitudes[i]) && proved;
@@ -89,8 +81,6 @@ static void response_errors(struct computed *c)
         }
     }
     give(c, proved, worst, "worst");
-    arb_clear(worst);
-    arb_clear(order);
     _arb_vec_clear(error, 9);
 }
 
@@ -99,8 +89,7 @@ static void energy_bounds(struct computed *c)
 {
     struct track t;
     struct bounds b;
-    arb_t energy;
-    arb_init(energy);
+    SCOPE(arb, energy);
     bounds_init(&b);
     const bool run = track_run(&t, &(struct scene){.nonlinear = true}, 0, 1, 0), bounded = track_bounds(&b, &t, 0);
     track_energy(energy, &t, 0);
@@ -110,7 +99,6 @@ static void energy_bounds(struct computed *c)
         give(c, run && bounded, b.of[i], "%s", variable_names[i]);
     bounds_clear(&b);
     track_clear(&t);
-    arb_clear(energy);
 }
 
 /* E = 2 a^2 + O(a^4), so that 1/E grows by the decay of the closed form: 1/E after 5 days, and its growth until day 13, a
@@ -118,9 +106,8 @@ static void energy_bounds(struct computed *c)
 static void pitch_decay(struct computed *c)
 {
     struct track t;
-    arb_ptr x = _arb_vec_init(2);
-    arb_t tau;
-    arb_init(tau);
+    VECTOR(arb, x, 2);
+    SCOPE(arb, tau);
     const bool run = track_run(&t, &(struct scene){.nonlinear = true}, 5 * DAY, 8 * DAY, 13 * DAY);
     for (int i = 0; i < 2; i++) {
         track_energy(x + i, &t, i);
@@ -132,8 +119,6 @@ static void pitch_decay(struct computed *c)
     give(c, run, x, "inverse_energy");
     give(c, run, x + 1, "growth");
     track_clear(&t);
-    arb_clear(tau);
-    _arb_vec_clear(x, 2);
 }
 
 const struct computation computations_forced[] = {

@@ -2,10 +2,11 @@
  * A pair let go from rest on the radius, at constant charge and under the law (18), signed Q. Units: see basin.h.
  */
 #include "claims/basin.h"
-#include "text/decimal.h"
 #include "claims/give.h"
-#include "sheet/sheet.h"
 #include "claims/track.h"
+#include "sheet/sheet.h"
+#include "text/decimal.h"
+#include "text/scope.h"
 
 enum { TIMES = 2 }; /* 12 h and 24 h */
 
@@ -20,11 +21,9 @@ static int take_length(void *context, slong k, const fmpq_t t, arb_srcptr state)
 static void released(struct computed *c)
 {
     static const char *const names[] = {"longer", "shorter"};
-    arb_ptr lengths = _arb_vec_init(TIMES);
-    fmpq *times = _fmpq_vec_init(TIMES);
-    arb_t L_ref, start;
-    arb_init(L_ref);
-    arb_init(start);
+    VECTOR(arb, lengths, TIMES);
+    VECTOR(fmpq, times, TIMES);
+    SCOPE(arb, L_ref, start);
     sheet_value(L_ref, "L_ref", BASIN_BITS);
     for (slong k = 0; k < TIMES; k++) { /* in radians of orbit */
         literal_read(times + k, quantity_find(sheet(), "Omega")->value, true);
@@ -40,18 +39,13 @@ static void released(struct computed *c)
         give(c, run, lengths, "%s_12", names[i]);
         give(c, run, lengths + 1, "%s_24", names[i]);
     }
-    arb_clear(start);
-    arb_clear(L_ref);
-    _fmpq_vec_clear(times, TIMES);
-    _arb_vec_clear(lengths, TIMES);
 }
 
 /* From which dL in m the pair returns, and from which it swings out and escapes: until E is below the separatrix level. */
 static void basin(struct computed *c)
 {
     static const slong returns[GAINS] = {-24, -80}, escapes[GAINS] = {-25, -85}; /* tenths of a metre */
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     for (int i = 0; i < GAINS; i++) {
         struct basin b;
         basin_init(&b, basin_gains[i]);
@@ -63,7 +57,6 @@ static void basin(struct computed *c)
         give(c, basin_release(&b, escapes[i]) == RELEASE_ESCAPES, x, "escapes_%lu", basin_gains[i]);
         basin_clear(&b);
     }
-    arb_clear(x);
 }
 
 /* From rest at half of L_ref with the charge product that (18) commands, of either sign. */

@@ -4,8 +4,9 @@
  */
 #include "claims/convergence.h"
 #include "claims/give.h"
-#include "evaluate/operation.h"
 #include "claims/track.h"
+#include "evaluate/operation.h"
+#include "text/scope.h"
 
 enum { DAY = 86400, HORIZON = 3 * DAY, STEP = 100 }; /* s: the figures' three days, the simulation's step */
 
@@ -30,9 +31,8 @@ static bool largest_gaps(arb_ptr gap, const struct scene *a, const struct scene 
 static void step_errors(struct computed *c)
 {
     bool proved = true;
-    arb_ptr gap = _arb_vec_init(3);
-    arb_t worst;
-    arb_init(worst);
+    VECTOR(arb, gap, 3);
+    SCOPE(arb, worst);
     for (int m = 0; m < 2; m++) {
         proved = largest_gaps(gap, &(struct scene){.nonlinear = m}, &(struct scene){.nonlinear = m, .rk4 = STEP}, STEP, HORIZON) && proved;
         for (int i = PSI; i <= ETA; i++) {
@@ -42,8 +42,6 @@ static void step_errors(struct computed *c)
     }
     arb_mul_ui(worst, worst, 100, 128);
     give(c, proved, worst, "worst");
-    arb_clear(worst);
-    _arb_vec_clear(gap, 3);
 }
 
 /* log2 of what halving a step divides the largest error of a day by; `worst`: the most that one of them is off 4 by */
@@ -51,9 +49,7 @@ static void step_orders(struct computed *c)
 {
     bool proved = true;
     arb_ptr gap = _arb_vec_init(3), before = _arb_vec_init(3);
-    arb_t order, worst;
-    arb_init(order);
-    arb_init(worst);
+    SCOPE(arb, order, worst);
     for (int m = 0; m < 2; m++)
         for (long step = 400; step >= 50; step /= 2) {
             proved = largest_gaps(gap, &(struct scene){.nonlinear = m}, &(struct scene){.nonlinear = m, .rk4 = step}, 400, DAY) && proved;
@@ -65,8 +61,6 @@ static void step_orders(struct computed *c)
             _arb_vec_set(before, gap, 3);
         }
     give(c, proved, worst, "worst");
-    arb_clear(worst);
-    arb_clear(order);
     _arb_vec_clear(before, 3);
     _arb_vec_clear(gap, 3);
 }
@@ -120,8 +114,7 @@ static void order_error(arb_ptr error, const struct track *t, slong order)
 {
     const slong prec = rk4_precision(TRACK_DIGITS, 20); /* 3 days are 19 radians */
     arb_mat_t step, state;
-    arb_t gap;
-    arb_init(gap);
+    SCOPE(arb, gap);
     arb_mat_init(step, FLOW_STATE, FLOW_STATE);
     arb_mat_init(state, FLOW_STATE, 1);
     arb_mul_ui(gap, t->Omega, STEP, prec);
@@ -142,13 +135,12 @@ static void order_error(arb_ptr error, const struct track *t, slong order)
         arb_mul_ui(error + i, error + i, 100, prec); /* each starts at 0.01 */
     arb_mat_clear(state);
     arb_mat_clear(step);
-    arb_clear(gap);
 }
 
 /* Of methods of order 1 to 4, in the linear model, as fractions of the initial values. */
 static void method_errors(struct computed *c)
 {
-    arb_ptr error = _arb_vec_init(2);
+    VECTOR(arb, error, 2);
     struct track t;
     const bool run = track_run(&t, &(struct scene){.nonlinear = false}, 0, 12 * STEP, HORIZON);
     for (slong order = 1; order <= 4; order++) {
@@ -157,7 +149,6 @@ static void method_errors(struct computed *c)
         give(c, run, error + 1, "rest_%ld", (long)order);
     }
     track_clear(&t);
-    _arb_vec_clear(error, 2);
 }
 
 /* ---- the linear model, for the paper's n and for the n that matches the frequencies ---- */
@@ -180,9 +171,7 @@ static bool fraction_after(arb_t fraction, const struct track *t, int which, slo
 static void linear_settling(struct computed *c)
 {
     enum { SAMPLES = 600 };
-    arb_t x, limit;
-    arb_init(x);
-    arb_init(limit);
+    SCOPE(arb, x, limit);
     for (int i = 0; i < 2; i++) {
         struct track t;
         const bool run = track_run(&t, &(struct scene){.n = gains[i]}, 0, SAMPLES, 5 * DAY);
@@ -195,24 +184,18 @@ static void linear_settling(struct computed *c)
         }
         track_clear(&t);
     }
-    arb_clear(limit);
-    arb_clear(x);
 }
 
 /* The sign that a quantity keeps between two samples, if both exceed what it can bend by; else 0. */
 static int kept_sign(arb_srcptr now, arb_srcptr next, const arb_t room, slong prec)
 {
     int sign = 0;
-    arb_t least, other;
-    arb_init(least);
-    arb_init(other);
+    SCOPE(arb, least, other);
     arb_abs(least, now);
     arb_abs(other, next);
     arb_min(least, least, other, prec);
     if (arb_gt(least, room) && arb_is_positive(now) == arb_is_positive(next))
         sign = arb_is_positive(now) ? 1 : -1;
-    arb_clear(other);
-    arb_clear(least);
     return sign;
 }
 
@@ -221,8 +204,7 @@ static int sign_changes(const struct track *t, int which)
 {
     int changes = 0;
     struct bounds b;
-    arb_t room;
-    arb_init(room);
+    SCOPE(arb, room);
     bounds_init(&b);
     for (slong k = 0; k + 1 < t->count && changes >= 0; k++) {
         arb_srcptr now = track_row(t, k) + which, next = track_row(t, k + 1) + which;
@@ -236,7 +218,6 @@ static int sign_changes(const struct track *t, int which)
         changes = certain ? changes + (arb_is_positive(now) != arb_is_positive(next)) : -1;
     }
     bounds_clear(&b);
-    arb_clear(room);
     return changes;
 }
 
@@ -256,8 +237,7 @@ static int turning_points(const struct track *t, int which)
 /* Of dL in three days: sign changes, turning points at least, the least value [m] on samples. */
 static void length_oscillation(struct computed *c)
 {
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     for (int i = 0; i < 2; i++) {
         struct track t;
         const bool run = track_run(&t, &(struct scene){.n = gains[i]}, 0, 5 * STEP, HORIZON);
@@ -273,7 +253,6 @@ static void length_oscillation(struct computed *c)
         give(c, run, x, "least_%s", gains[i]);
         track_clear(&t);
     }
-    arb_clear(x);
 }
 
 /* psi'^2/2 + 3/2 psi^2 at a sample */
@@ -290,17 +269,13 @@ static void yaw_energy(arb_t energy, const struct track *t, slong k)
 static void yaw_energy_loss(struct computed *c)
 {
     struct track t;
-    arb_t before, after;
-    arb_init(before);
-    arb_init(after);
+    SCOPE(arb, before, after);
     const bool run = track_run(&t, &(struct scene){.nonlinear = false}, 0, 2 * DAY, 2 * DAY);
     yaw_energy(before, &t, 0);
     yaw_energy(after, &t, 1);
     arb_sub(after, before, after, t.prec);
     arb_div(after, after, before, t.prec);
     give(c, run, after, "loss");
-    arb_clear(after);
-    arb_clear(before);
     track_clear(&t);
 }
 
@@ -329,7 +304,7 @@ static void figure_5b(struct computed *c)
 {
     enum { SAMPLES = 600 };
     struct track t;
-    arb_ptr x = _arb_vec_init(3);
+    VECTOR(arb, x, 3);
     const bool run = track_run(&t, &(struct scene){.nonlinear = false}, 0, SAMPLES, HORIZON);
     for (slong k = 0; k < t.count; k++)
         small_angle_error(x, &t, k);
@@ -343,7 +318,6 @@ static void figure_5b(struct computed *c)
     track_peak(x, &t, PLACE_Z, 2 * DAY / SAMPLES, t.count - 1);
     arb_mul(x, x, t.arm, t.prec);
     give(c, run, x, "late_z1");
-    _arb_vec_clear(x, 3);
     track_clear(&t);
 }
 

@@ -3,10 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text/decimal.h"
 #include "claims/second_order.h"
 #include "claims/track.h"
 #include "motion/two_body.h"
+#include "text/decimal.h"
+#include "text/scope.h"
 
 enum { PREC = 192 };
 
@@ -15,13 +16,10 @@ enum { PREC = 192 };
 /* A quantity's own value times the scale, as the exact decimal that a scene wants; to be freed. */
 static char *scaled(const char *name, const fmpq_t scale)
 {
-    fmpq_t x;
-    fmpq_init(x);
+    SCOPE(fmpq, x);
     literal_read(x, quantity_find(sheet(), name)->value, true);
     fmpq_mul(x, x, scale);
-    char *text = decimal_of_rational(x, 17);
-    fmpq_clear(x);
-    return text;
+    return decimal_of_rational(x, 17);
 }
 
 /* |a - b| of the study's coordinates in the tracks' rows 0, in SI */
@@ -79,9 +77,7 @@ static bool from_steps(arb_ptr d, const struct study *study, const fmpq_t h)
 static bool beside_closed_form(struct track *t, arb_ptr closed, const fmpq_t a, long seconds)
 {
     struct second_order o;
-    arb_t amplitude, tau;
-    arb_init(amplitude);
-    arb_init(tau);
+    SCOPE(arb, amplitude, tau);
     bool proved = track_run(t, &(struct scene){.nonlinear = false}, 0, 1, 0); /* for Table 1's gains and Omega */
     second_order_init(&o, t->c1, t->c2, PREC);
     arb_set_fmpq(amplitude, a, PREC);
@@ -91,8 +87,6 @@ static bool beside_closed_form(struct track *t, arb_ptr closed, const fmpq_t a, 
     proved = track_run(t, &(struct scene){.nonlinear = true, .start = closed}, seconds, 1, seconds) && proved;
     second_order_after(closed, &o, amplitude, tau);
     second_order_clear(&o);
-    arb_clear(amplitude);
-    arb_clear(tau);
     return proved;
 }
 
@@ -120,10 +114,8 @@ static void pitch_of(acb_t z, arb_srcptr row)
 static bool from_slow_law(arb_ptr d, const struct study *study, const fmpq_t a)
 {
     struct track t;
-    arb_ptr closed = _arb_vec_init(FLOW_STATE);
-    acb_t z, w;
-    acb_init(z);
-    acb_init(w);
+    VECTOR(arb, closed, FLOW_STATE);
+    SCOPE(acb, z, w);
     (void)study;
     sheet_value(acb_realref(z), "Omega", PREC);
     const double amplitude = fmpq_get_d(a), Omega = arf_get_d(arb_midref(acb_realref(z)), ARF_RND_NEAR);
@@ -137,9 +129,6 @@ static bool from_slow_law(arb_ptr d, const struct study *study, const fmpq_t a)
     acb_arg(d + 1, z, PREC);
     arb_abs(d + 1, d + 1);
     track_clear(&t);
-    _arb_vec_clear(closed, FLOW_STATE);
-    acb_clear(z);
-    acb_clear(w);
     return proved;
 }
 
@@ -162,7 +151,7 @@ static void place_pair(struct two_body *b, const struct track *t, const fmpq_t s
 /* Craft 1's place in arms, psi theta eta of the line of the craft, where a row has them. */
 static void observe_pair(arb_ptr row, const struct two_body *b)
 {
-    arb_ptr d = _arb_vec_init(AXES);
+    VECTOR(arb, d, AXES);
     _arb_vec_scalar_div(row + PLACE_X, b->place, AXES, b->mass + 1, PREC);
     _arb_vec_sub(d, b->place, b->place + AXES, AXES, PREC);
     arb_dot(row + ETA, NULL, 0, d, 1, d, 1, AXES, PREC);
@@ -172,7 +161,6 @@ static void observe_pair(arb_ptr row, const struct two_body *b)
     arb_asin(row + THETA, row + THETA, PREC);
     arb_neg(row + THETA, row + THETA);
     arb_sub_ui(row + ETA, row + ETA, 1, PREC);
-    _arb_vec_clear(d, AXES);
 }
 
 /* The parameter is L_ref/R_c. */
@@ -181,8 +169,7 @@ static bool from_inverse_square(arb_ptr d, const struct study *study, const fmpq
     const struct scene s = {.nonlinear = true, .m1 = study->m1, .m2 = study->m2};
     struct track start, hill;
     struct two_body b;
-    arb_t tau;
-    arb_init(tau);
+    SCOPE(arb, tau);
     two_body_init(&b);
     bool proved = track_run(&start, &s, 0, 1, 0);
     place_pair(&b, &start, smallness);
@@ -194,7 +181,6 @@ static bool from_inverse_square(arb_ptr d, const struct study *study, const fmpq
     track_clear(&start);
     track_clear(&hill);
     two_body_clear(&b);
-    arb_clear(tau);
     return proved;
 }
 
@@ -237,8 +223,7 @@ static void observe(struct convergence *c, int row, int variable)
 {
     const struct study *s = c->study;
     const int at = row * VARIABLES + variable;
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     if (row > 0) {
         arb_div(c->orders + at, c->differences + at - VARIABLES, c->differences + at, PREC);
         arb_log_base_ui(c->orders + at, c->orders + at, (ulong)s->ratio, PREC);
@@ -246,15 +231,13 @@ static void observe(struct convergence *c, int row, int variable)
     arb_set_fmpq(x, c->parameters + row, PREC);
     arb_pow_ui(x, x, (ulong)s->order[variable], PREC);
     arb_div(c->constants + at, c->differences + at, x, PREC);
-    arb_clear(x);
 }
 
 bool convergence_init(struct convergence *c, const struct study *s, int from)
 {
     const slong size = (slong)s->rows * VARIABLES;
     bool found = true;
-    fmpq_t ratio;
-    fmpq_init(ratio);
+    SCOPE(fmpq, ratio);
     fmpq_set_si(ratio, s->ratio, 1);
     *c = (struct convergence){s, _fmpq_vec_init(s->rows), _arb_vec_init(size), _arb_vec_init(size),
                               _arb_vec_init(size)};
@@ -268,7 +251,6 @@ bool convergence_init(struct convergence *c, const struct study *s, int from)
         for (int i = 0; i < s->count; i++)
             observe(c, row, i);
     }
-    fmpq_clear(ratio);
     return found;
 }
 

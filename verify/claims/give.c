@@ -3,17 +3,17 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "text/scope.h"
+
 static void give_named(struct computed *c, enum how how, bool proved, const arb_t x, const char *name, va_list arguments)
 {
     char text[64];
-    arb_t given;
+    SCOPE(arb, given);
     vsnprintf(text, sizeof text, name, arguments);
-    arb_init(given);
     arb_indeterminate(given);
     if (proved)
         arb_set(given, x);
     give_number(c, text, given, how);
-    arb_clear(given);
 }
 
 void give(struct computed *c, bool proved, const arb_t x, const char *name, ...)

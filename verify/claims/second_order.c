@@ -2,6 +2,7 @@
 
 #include "motion/flow.h"
 #include "proof/proof_results.h"
+#include "text/scope.h"
 
 static arb_ptr value(const struct second_order *o, const char *name)
 {
@@ -53,8 +54,7 @@ void second_order_at(arb_ptr row, struct second_order *o, const arb_t z_re, cons
 void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_t a, const arb_t tau)
 {
     const slong prec = o->machine.prec;
-    arb_t growth;
-    arb_init(growth);
+    SCOPE(arb, growth);
     arb_sqr(growth, a, prec);
     arb_mul(growth, growth, tau, prec);
     arb_mul(growth, growth, second_order_get(o, "decay"), prec);
@@ -65,17 +65,12 @@ void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_
     arb_mul_2exp_si(shift, shift, -1);
     arb_add_ui(ratio, growth, 1, prec);
     arb_rsqrt(ratio, ratio, prec);
-    arb_clear(growth);
 }
 
 void second_order_after(arb_ptr row, struct second_order *o, const arb_t a, const arb_t tau)
 {
     const slong prec = o->machine.prec;
-    arb_t size, angle, z_re, z_im;
-    arb_init(size);
-    arb_init(angle);
-    arb_init(z_re);
-    arb_init(z_im);
+    SCOPE(arb, size, angle, z_re, z_im);
     slow_law(size, angle, o, a, tau);
     arb_mul(size, size, a, prec);
     arb_addmul_ui(angle, tau, 2, prec);
@@ -83,8 +78,4 @@ void second_order_after(arb_ptr row, struct second_order *o, const arb_t a, cons
     arb_mul(z_re, z_re, size, prec);
     arb_mul(z_im, z_im, size, prec);
     second_order_at(row, o, z_re, z_im);
-    arb_clear(size);
-    arb_clear(angle);
-    arb_clear(z_re);
-    arb_clear(z_im);
 }

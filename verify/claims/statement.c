@@ -7,6 +7,7 @@
 
 #include "claims/condition.h"
 #include "text/decimal.h"
+#include "text/scope.h"
 
 const char *const verdict_names[] = {"undecided", "holds", "holds as corrected", "qualified", "refuted", "definition", "not decidable"};
 const char *const how_names[] = {"exact", "certified", "measured"};
@@ -21,12 +22,9 @@ static enum how worse(enum how a, enum how b)
 /* round(x 10^places), where the enclosure decides it; a bound always. */
 static bool scaled_integer(fmpz_t n, const arb_t x, slong places, enum rounding rounding)
 {
-    arb_t y;
-    arf_t end;
-    fmpz_t power;
-    fmpz_init(power);
-    arf_init(end);
-    arb_init(y);
+    SCOPE(arb, y);
+    SCOPE(arf, end);
+    SCOPE(fmpz, power);
     fmpz_ui_pow_ui(power, 10, (ulong)(places < 0 ? -places : places));
     if (places < 0)
         arb_div_fmpz(y, x, power, 4096);
@@ -45,9 +43,6 @@ static bool scaled_integer(fmpz_t n, const arb_t x, slong places, enum rounding 
         arb_floor(y, y, 4096);
         unique = arb_get_unique_fmpz(n, y);
     }
-    fmpz_clear(power);
-    arf_clear(end);
-    arb_clear(y);
     return unique;
 }
 
@@ -76,36 +71,28 @@ static char *decimal_text(const fmpz_t n, slong places)
 static slong exponent_of(const arb_t x)
 {
     char *text = NULL;
-    arb_t y;
-    arf_t end;
-    arb_init(y);
-    arf_init(end);
+    SCOPE(arb, y);
+    SCOPE(arf, end);
     arb_get_abs_ubound_arf(end, x, 64);
     arb_set_arf(y, end);
     slong exponent = 0;
     if (arb_is_positive(y) && (text = decimal_of_ball(y, 20)) != NULL)
         exponent = strtol(strchr(text, 'e') + 1, NULL, 10);
     free(text);
-    arb_clear(y);
-    arf_clear(end);
     return exponent;
 }
 
 static char *bound_text(const arb_t x, slong digits, enum rounding rounding)
 {
-    fmpz_t n;
-    fmpz_init(n);
+    SCOPE(fmpz, n);
     const slong places = arb_is_finite(x) ? digits - 1 - exponent_of(x) : 0;
-    char *text = scaled_integer(n, x, places, rounding) ? decimal_text(n, places) : NULL;
-    fmpz_clear(n);
-    return text;
+    return scaled_integer(n, x, places, rounding) ? decimal_text(n, places) : NULL;
 }
 
 /* A decimal d.ddde-XX as decimal_text writes it. */
 static char *plain_text(char *scientific)
 {
-    fmpz_t n;
-    fmpz_init(n);
+    SCOPE(fmpz, n);
     char *mark = strchr(scientific, 'e'), *figures = memory(NULL, strlen(scientific) + 1, 1), *to = figures;
     for (const char *at = scientific; at < (mark != NULL ? mark : scientific + strlen(scientific)); at++)
         if (*at != '.')
@@ -116,7 +103,6 @@ static char *plain_text(char *scientific)
     char *text = decimal_text(n, mark != NULL ? count - 1 - strtol(mark + 1, NULL, 10) : 0);
     free(figures);
     free(scientific);
-    fmpz_clear(n);
     return text;
 }
 
@@ -129,8 +115,7 @@ static char *enclosed_text(const struct quoted_number *q, const arb_t x)
         text = arb_is_finite(x) ? decimal_of_ball(x, q->digits) : NULL;
         return text != NULL ? plain_text(text) : NULL;
     }
-    fmpz_t n;
-    fmpz_init(n);
+    SCOPE(fmpz, n);
     if (q->rounding == TO_DECIMALS && scaled_integer(n, x, q->digits, TO_DECIMALS)) {
         struct tex t = {NULL, 0};
         char *figures = fmpz_get_str(NULL, 10, n);
@@ -143,7 +128,6 @@ static char *enclosed_text(const struct quoted_number *q, const arb_t x)
         flint_free(figures);
         text = t.text;
     }
-    fmpz_clear(n);
     return text;
 }
 
@@ -164,10 +148,8 @@ static void number_decide(struct statements *all, struct statement *s, struct qu
 {
     enum { FIRST = 128, LAST = 2048 };
     struct bindings b = {.all = all, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = FIRST};
-    fmpq_t exact;
-    arb_t x;
-    fmpq_init(exact);
-    arb_init(x);
+    SCOPE(fmpq, exact);
+    SCOPE(arb, x);
     if (q->decimal == NULL && formula_rational(exact, &q->formula, &b)) {
         q->how = EXACT;
         arb_set_fmpq(x, exact, LAST);
@@ -178,8 +160,6 @@ static void number_decide(struct statements *all, struct statement *s, struct qu
         if (q->how != MEASURED || q->rounding == UPWARD || q->rounding == DOWNWARD)
             q->decimal = enclosed_text(q, x);
     }
-    fmpq_clear(exact);
-    arb_clear(x);
 }
 
 /* ---- conditions ---- */

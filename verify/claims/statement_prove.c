@@ -4,6 +4,7 @@
 
 #include "claims/statement.h"
 #include "formula/symbolic.h"
+#include "text/scope.h"
 
 enum { BITS = 128, MOST_BITS = 1024, DEEPEST = 16 };
 
@@ -35,7 +36,7 @@ static bool curve_init(struct curve *c, const struct formula *f, const char *var
     struct bindings moving = *b;
     struct message why;
     size_t where;
-    arb_t x;
+    SCOPE(arb, x);
     program_copy(&c->program, &f->program);
     c->node = f->node;
     c->x = program_find(&c->program, variable);
@@ -46,13 +47,11 @@ static bool curve_init(struct curve *c, const struct formula *f, const char *var
     rate[c->x] = program_parse(&c->program, "1", &where, &why);
     c->slope = program_derivative(&c->program, c->node, rate, inputs);
     free(rate);
-    arb_init(x);
     arb_indeterminate(x);
     moving.moving = variable;
     moving.moving_value = x;
     machine_init(&c->machine, &c->program, &arithmetic_ball, b->bits);
     machine_bind(&c->machine, c->node, how, &moving); /* the slope needs nothing more */
-    arb_clear(x);
     return c->x >= 0;
 }
 
@@ -88,17 +87,13 @@ static int sign_of(const arb_t z)
 /* The same certain sign everywhere between. */
 static bool sign_between(struct curve *c, const arb_t low, const arb_t high, int sign, int depth)
 {
-    arb_t x, middle;
-    arb_init(x);
-    arb_init(middle);
+    SCOPE(arb, x, middle);
     arb_union(x, low, high, BITS);
     bool certain = sign_of(curve_at(c, x)) == sign;
     if (!certain && depth > 0) {
         arb_get_mid_arb(middle, x);
         certain = sign_between(c, low, middle, sign, depth - 1) && sign_between(c, middle, high, sign, depth - 1);
     }
-    arb_clear(x);
-    arb_clear(middle);
     return certain;
 }
 
@@ -130,11 +125,7 @@ static slong isolate(arf_interval_t one, struct curve *c, const arb_t low, const
 /* Between a and b, where the signs differ, halved as long as the sign in between is certain. */
 static void refine(arb_t z, struct curve *c, const arf_interval_t one, slong bits)
 {
-    arb_t a, b, x, step;
-    arb_init(a);
-    arb_init(b);
-    arb_init(x);
-    arb_init(step);
+    SCOPE(arb, a, b, x, step);
     arb_set_arf(a, &one->a);
     arb_set_arf(b, &one->b);
     const int left = sign_of(curve_at(c, a));
@@ -152,10 +143,6 @@ static void refine(arb_t z, struct curve *c, const arf_interval_t one, slong bit
         arb_set(sign == left ? a : b, x);
     }
     arb_union(z, a, b, bits);
-    arb_clear(a);
-    arb_clear(b);
-    arb_clear(x);
-    arb_clear(step);
 }
 
 static bool is_polynomial(const struct formula *f, const char *variable)
@@ -184,10 +171,8 @@ static slong root_find(arb_t z, enum how *how, struct statements *all, struct st
     struct curve c;
     enum how bound = EXACT;
     arf_interval_t one;
-    arb_t low, high;
+    SCOPE(arb, low, high);
     arf_interval_init(one);
-    arb_init(low);
-    arb_init(high);
     formula_enclose(low, &bound, &a->low, &b);
     formula_enclose(high, &bound, &a->high, &b);
     b.bits = 2 * bits;
@@ -200,8 +185,6 @@ static slong root_find(arb_t z, enum how *how, struct statements *all, struct st
         *how = worse(*how, CERTIFIED);
     curve_clear(&c);
     arf_interval_clear(one);
-    arb_clear(low);
-    arb_clear(high);
     return count;
 }
 
@@ -227,10 +210,8 @@ static enum truth sign_at(const struct assertion *a, const struct bindings *at, 
 {
     struct bindings b = *at;
     enum truth truth = UNDECIDED;
-    fmpq_t q;
-    arb_t z;
-    fmpq_init(q);
-    arb_init(z);
+    SCOPE(fmpq, q);
+    SCOPE(arb, z);
     if (formula_rational(q, &a->formula, &b)) {
         truth = by_sign(a->ordering, fmpq_sgn(q));
         *how = worse(*how, EXACT);
@@ -242,8 +223,6 @@ static enum truth sign_at(const struct assertion *a, const struct bindings *at, 
             truth = by_sign(a->ordering, sign_of(z));
         *how = worse(*how, worse(known, CERTIFIED));
     }
-    fmpq_clear(q);
-    arb_clear(z);
     return truth;
 }
 
@@ -254,9 +233,7 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b, e
     enum truth truth = UNDECIDED;
     enum how known = EXACT, curved = EXACT;
     struct curve c;
-    arb_t low, high;
-    arb_init(low);
-    arb_init(high);
+    SCOPE(arb, low, high);
     formula_enclose(low, &known, &a->low, b);
     formula_enclose(high, &known, &a->high, b);
     if (curve_init(&c, &a->formula, a->variable, b, &curved) && arb_is_finite(low) && arb_is_finite(high) && a->ordering >= IS_BELOW) {
@@ -267,8 +244,6 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b, e
     }
     *how = worse(worse(*how, CERTIFIED), worse(known, curved));
     curve_clear(&c);
-    arb_clear(low);
-    arb_clear(high);
     return truth;
 }
 
@@ -297,11 +272,8 @@ static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const ch
 static slong roots_beyond(const fmpq_poly_t f, const fmpq_t point)
 {
     slong negative = 0, positive = 0, zeros = 0;
-    fmpq_poly_t g, h;
-    fmpz_poly_t simple;
-    fmpq_poly_init(g);
-    fmpq_poly_init(h);
-    fmpz_poly_init(simple);
+    SCOPE(fmpq_poly, g, h);
+    SCOPE(fmpz_poly, simple);
     fmpq_poly_set_coeff_fmpq(h, 0, point);
     fmpq_poly_set_coeff_si(h, 1, 1);
     fmpq_poly_compose(g, f, h); /* Sturm's chain wants no multiple root, and none at 0 */
@@ -314,18 +286,13 @@ static slong roots_beyond(const fmpq_poly_t f, const fmpq_t point)
     fmpz_poly_shift_right(simple, simple, zeros);
     if (fmpz_poly_degree(simple) > 0)
         _fmpz_poly_num_real_roots_sturm(&negative, &positive, simple->coeffs, simple->length);
-    fmpq_poly_clear(g);
-    fmpq_poly_clear(h);
-    fmpz_poly_clear(simple);
     return positive;
 }
 
 /* Minus one and the sum of the coefficients' sizes, over the leading one (Cauchy). */
 static void left_of_roots(fmpq_t point, const fmpq_poly_t f)
 {
-    fmpq_t q, leading;
-    fmpq_init(q);
-    fmpq_init(leading);
+    SCOPE(fmpq, q, leading);
     fmpq_poly_get_coeff_fmpq(leading, f, fmpq_poly_degree(f));
     fmpq_set_si(point, -1, 1);
     for (slong i = 0; i < fmpq_poly_degree(f); i++) {
@@ -334,19 +301,13 @@ static void left_of_roots(fmpq_t point, const fmpq_poly_t f)
         fmpq_abs(q, q);
         fmpq_sub(point, point, q);
     }
-    fmpq_clear(q);
-    fmpq_clear(leading);
 }
 
 static enum truth roots_counted(const struct assertion *a, const struct bindings *b)
 {
-    fmpq_poly_t f;
-    fmpq_t low, high, value;
+    SCOPE(fmpq_poly, f);
+    SCOPE(fmpq, low, high, value);
     slong count = -1;
-    fmpq_poly_init(f);
-    fmpq_init(low);
-    fmpq_init(high);
-    fmpq_init(value);
     if (polynomial_of(f, &a->formula, a->variable, b) && !fmpq_poly_is_zero(f) && (!a->has_low || formula_rational(low, &a->low, b)) &&
         (!a->has_high || formula_rational(high, &a->high, b))) {
         if (!a->has_low)
@@ -357,10 +318,6 @@ static enum truth roots_counted(const struct assertion *a, const struct bindings
             count -= roots_beyond(f, high) + fmpq_is_zero(value);
         }
     }
-    fmpq_poly_clear(f);
-    fmpq_clear(low);
-    fmpq_clear(high);
-    fmpq_clear(value);
     return count < 0 ? UNDECIDED : count == a->count ? FOUND_TRUE : FOUND_FALSE;
 }
 
@@ -406,18 +363,14 @@ static enum truth characteristic_found(const struct assertion *a, const struct b
 {
     const slong size = a->system.size;
     enum truth truth = UNDECIDED;
-    fmpq_poly_t f, g;
+    SCOPE(fmpq_poly, f, g);
     fmpq_mat_t A, column;
-    fmpq_poly_init(f);
-    fmpq_poly_init(g);
     fmpq_mat_init(A, size, size);
     fmpq_mat_init(column, size, 1);
     if (system_matrix(A, column, &a->system, b) && polynomial_of(g, &a->formula, a->variable, b)) {
         fmpq_mat_charpoly(f, A);
         truth = fmpq_poly_equal(f, g) ? FOUND_TRUE : FOUND_FALSE;
     }
-    fmpq_poly_clear(f);
-    fmpq_poly_clear(g);
     fmpq_mat_clear(A);
     fmpq_mat_clear(column);
     return truth;
@@ -483,10 +436,8 @@ static enum truth claim_found(struct statements *all, const char *id, enum how *
 
 static enum truth root_found(struct statements *all, struct statement *s, struct assertion *a, enum how *how)
 {
-    arb_t z;
-    arb_init(z);
+    SCOPE(arb, z);
     const slong count = root_find(z, how, all, s, a, BITS);
-    arb_clear(z);
     return count < 0 ? UNDECIDED : count == 1 ? FOUND_TRUE : FOUND_FALSE;
 }
 

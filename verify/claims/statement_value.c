@@ -2,9 +2,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text/decimal.h"
-#include "formula/exact.h"
 #include "claims/statement.h"
+#include "formula/exact.h"
+#include "text/decimal.h"
+#include "text/scope.h"
 
 static enum how worse(enum how a, enum how b)
 {
@@ -27,11 +28,9 @@ static void value_enclose(arb_t z, enum how *how, const struct bindings *b, int 
     before.at_count = index;
     formula_enclose(z, how, &v->formula, &before);
     if (v->uncertain) {
-        arb_t radius;
-        arb_init(radius);
+        SCOPE(arb, radius);
         formula_enclose(radius, how, &v->radius, &before);
         arb_add_error(z, radius);
-        arb_clear(radius);
         *how = worse(*how, CERTIFIED);
     }
 }
@@ -80,8 +79,7 @@ static void name_enclose(arb_t z, enum how *how, const struct bindings *b, const
 {
     const struct formula *turn = turn_of(b, name);
     const struct bindings outside = without_turns(b);
-    fmpq_t q;
-    fmpq_init(q);
+    SCOPE(fmpq, q);
     const int index = find_value(b->at, b->at_count, name);
     arb_indeterminate(z);
     *how = EXACT;
@@ -95,7 +93,6 @@ static void name_enclose(arb_t z, enum how *how, const struct bindings *b, const
         arb_const_pi(z, b->bits);
     else if (!assertion_number(z, how, b, name) && sheet_rational(q, b->all->sheet, name))
         arb_set_fmpq(z, q, b->bits);
-    fmpq_clear(q);
 }
 
 void machine_bind(struct machine *m, int node, enum how *how, const struct bindings *b)
@@ -149,15 +146,13 @@ bool machine_bind_exact(struct machine *m, int node, const struct bindings *b)
 {
     char *needed = memory(NULL, (size_t)node + 1, 1);
     bool rational = true;
-    fmpq_t q;
-    fmpq_init(q);
+    SCOPE(fmpq, q);
     program_needs(m->program, node, NULL, needed);
     for (int i = 0; i < m->program->inputs && i <= node && rational; i++)
         if (needed[i] && (b->moving == NULL || strcmp(b->moving, m->program->names[i].text) != 0)) {
             rational = name_rational(q, b, m->program->names[i].text);
             m->arithmetic->set_rational(machine_value(m, i), q, m->prec);
         }
-    fmpq_clear(q);
     free(needed);
     return rational;
 }

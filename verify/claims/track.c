@@ -3,9 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text/decimal.h"
 #include "motion/motion.h"
 #include "motion/taylor.h"
+#include "text/decimal.h"
+#include "text/scope.h"
 
 enum { X, Y, Z, U, V, W };
 
@@ -25,23 +26,19 @@ void observed_order(arb_t order, const arb_t larger, const arb_t smaller, ulong 
 
 void raise_to_difference(arb_t worst, const arb_t x, slong expected)
 {
-    arb_t difference;
-    arb_init(difference);
+    SCOPE(arb, difference);
     arb_sub_si(difference, x, expected, COMPARISON_BITS);
     arb_abs(difference, difference);
     arb_max(worst, worst, difference, COMPARISON_BITS);
-    arb_clear(difference);
 }
 
 /* ---- scenes ---- */
 
 static void set_value(arb_t x, const char *text, const char *name, slong prec)
 {
-    fmpq_t value;
-    fmpq_init(value);
+    SCOPE(fmpq, value);
     literal_read(value, text != NULL ? text : quantity_find(sheet(), name)->value, true);
     arb_set_fmpq(x, value, prec);
-    fmpq_clear(value);
 }
 
 void sheet_value(arb_t x, const char *name, slong prec)
@@ -57,7 +54,7 @@ static void enclose(const char *id, arb_srcptr inputs, slong prec, arb_ptr outpu
 /* Table 1, and the gains by (43) and (44) */
 static void set_parameters(struct flow_parameters *p, const struct scene *s, slong prec)
 {
-    arb_ptr gains = _arb_vec_init(2);
+    VECTOR(arb, gains, 2);
     set_value(p->Omega, NULL, "Omega", prec);
     set_value(p->L_ref, NULL, "L_ref", prec);
     set_value(p->k_c, NULL, "k_c", prec);
@@ -67,7 +64,6 @@ static void set_parameters(struct flow_parameters *p, const struct scene *s, slo
     set_value(gains + 1, s->n, "n", prec);
     enclose("eq43", gains, prec, p->C1);
     enclose("eq44", gains, prec, p->C2);
-    _arb_vec_clear(gains, 2);
 }
 
 /* psi theta dL and rates in SI; a nonlinear motion's place and velocity by (10) and its exact derivative */
@@ -104,7 +100,7 @@ static void set_initial(arb_ptr initial, const struct flow_parameters *p, const 
 /* From place and velocity in units of the arm and of Omega; x > 0. */
 static void to_angles(arb_ptr row, arb_srcptr s, slong prec)
 {
-    arb_ptr a = _arb_vec_init(4);
+    VECTOR(arb, a, 4);
     arb_ptr across = a, l = a + 1, l_dot = a + 2, x = a + 3; /* across: distance from the orbit normal */
     arb_dot(across, NULL, 0, s, 1, s, 1, 2, prec);
     arb_mul(x, s + X, s + V, prec);
@@ -125,7 +121,6 @@ static void to_angles(arb_ptr row, arb_srcptr s, slong prec)
     arb_div(row + THETA_DOT, x, across, prec);
     arb_sub_ui(row + ETA, l, 1, prec);
     arb_set(row + ETA_DOT, l_dot);
-    _arb_vec_clear(a, 4);
 }
 
 static int take_row(void *context, slong k, const fmpq_t time, arb_srcptr state)
@@ -196,16 +191,15 @@ bool track_run(struct track *t, const struct scene *s, long first, long step, lo
     struct flow_parameters p;
     double reached;
     enum flow_status status;
-    fmpq_t h;
+    SCOPE(fmpq, h);
     flow_parameters_init(&p);
-    fmpq_init(h);
     t->nonlinear = s->nonlinear;
     t->first = first;
     t->step = step;
     t->count = (last - first) / step + 1;
     t->prec = s->rk4 ? rk4_precision(TRACK_DIGITS, radians) : flow_precision(TRACK_DIGITS, radians);
-    arb_ptr initial = _arb_vec_init(FLOW_STATE);
-    fmpq *times = _fmpq_vec_init(t->count);
+    VECTOR(arb, initial, FLOW_STATE);
+    VECTOR(fmpq, times, t->count);
     set_parameters(&p, s, t->prec);
     set_initial(initial, &p, s, t->prec);
     track_init(t, &p);
@@ -220,10 +214,7 @@ bool track_run(struct track *t, const struct scene *s, long first, long step, lo
         status = flow_nonlinear(&p, initial, times, t->count, TRACK_DIGITS, t->prec, take_row, t, &reached);
     else
         status = flow_linear(&p, initial, times, t->count, t->prec, take_row, t, &reached);
-    _fmpq_vec_clear(times, t->count);
-    _arb_vec_clear(initial, FLOW_STATE);
     flow_parameters_clear(&p);
-    fmpq_clear(h);
     return status == FLOW_DONE;
 }
 
@@ -248,9 +239,7 @@ bool track_run(struct track *t, const struct scene *s, long first, long step, lo
 /* G(1 + eta) */
 static void tether_energy(arb_t G, const struct track *t, const arb_t eta)
 {
-    arb_t l, a;
-    arb_init(l);
-    arb_init(a);
+    SCOPE(arb, l, a);
     arb_add_ui(l, eta, 1, t->prec);
     arb_sub_ui(a, t->c1, 3, t->prec);
     arb_mul(a, a, eta, t->prec);
@@ -263,27 +252,23 @@ static void tether_energy(arb_t G, const struct track *t, const arb_t eta)
     arb_mul_ui(l, l, 3, t->prec);
     arb_mul_2exp_si(l, l, -1);
     arb_sub(G, G, l, t->prec);
-    arb_clear(a);
-    arb_clear(l);
 }
 
 /* weight a^2 / 2 */
 static void add_square(arb_t sum, const arb_t weight, const arb_t a, slong prec)
 {
-    arb_t s;
-    arb_init(s);
+    SCOPE(arb, s);
     arb_sqr(s, a, prec);
     arb_mul(s, s, weight, prec);
     arb_mul_2exp_si(s, s, -1);
     arb_add(sum, sum, s, prec);
-    arb_clear(s);
 }
 
 void track_energy(arb_t energy, const struct track *t, slong k)
 {
     arb_srcptr row = track_row(t, k);
     const slong prec = t->prec;
-    arb_ptr a = _arb_vec_init(6);
+    VECTOR(arb, a, 6);
     arb_ptr l = a, sine = a + 1, cosine = a + 2, weight = a + 3, v = a + 4;
     arb_zero(energy);
     if (t->nonlinear)
@@ -311,7 +296,6 @@ void track_energy(arb_t energy, const struct track *t, slong k)
     }
     arb_set_ui(weight, 3);
     add_square(energy, weight, v, prec);
-    _arb_vec_clear(a, 6);
 }
 
 /* A rate shares its coordinate's vector, from the first derivative on. */
@@ -353,8 +337,7 @@ static void linear_bounds(struct bounds *b, const struct track *t, const arb_t E
 {
     const slong prec = t->prec;
     arb_ptr psi = b->of[PSI], theta = b->of[THETA], eta = b->of[ETA];
-    arb_t stiffness;
-    arb_init(stiffness);
+    SCOPE(arb, stiffness);
     arb_sub_ui(stiffness, t->c1, 9, prec);
     reach(psi, E, 2, 3, prec);
     reach(psi + 1, E, 2, 1, prec);
@@ -372,7 +355,6 @@ static void linear_bounds(struct bounds *b, const struct track *t, const arb_t E
         arb_addmul_ui(eta + d + 2, psi + d + 1, 2, prec);
         arb_mul_ui(theta + d + 2, theta + d, 4, prec);
     }
-    arb_clear(stiffness);
     /* x = 1 + eta, y = (1 + eta) psi, z = -(1 + eta) theta, by Leibniz's rule */
     for (int d = 0; d < DERIVATIVES; d++) {
         static const ulong binomial[DERIVATIVES][DERIVATIVES] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
@@ -380,12 +362,10 @@ static void linear_bounds(struct bounds *b, const struct track *t, const arb_t E
         arb_set(b->of[PLACE_Y] + d, psi + d);
         arb_set(b->of[PLACE_Z] + d, theta + d);
         for (int i = 0; i <= d; i++) {
-            arb_t c;
-            arb_init(c);
+            SCOPE(arb, c);
             arb_mul_ui(c, eta + i, binomial[d][i], prec);
             arb_addmul(b->of[PLACE_Y] + d, c, psi + d - i, prec);
             arb_addmul(b->of[PLACE_Z] + d, c, theta + d - i, prec);
-            arb_clear(c);
         }
     }
 }
@@ -394,10 +374,7 @@ static void linear_bounds(struct bounds *b, const struct track *t, const arb_t E
 static bool confine(arb_t eta, const struct track *t, const arb_t E, slong k)
 {
     bool outside = false, inside;
-    arb_t G, minus, now;
-    arb_init(G);
-    arb_init(minus);
-    arb_init(now);
+    SCOPE(arb, G, minus, now);
     arb_abs(now, track_row(t, k) + ETA);
     arb_one(eta);
     arb_mul_2exp_si(eta, eta, -60);
@@ -412,28 +389,21 @@ static bool confine(arb_t eta, const struct track *t, const arb_t E, slong k)
         outside = outside && arb_gt(G, E);
     }
     inside = arb_lt(now, eta);
-    arb_clear(now);
-    arb_clear(minus);
-    arb_clear(G);
     return outside && inside;
 }
 
 static void plus_minus(arb_t x, const arb_t bound)
 {
-    mag_t m;
-    mag_init(m);
+    SCOPE(mag, m);
     arb_get_mag(m, bound);
     arb_zero(x);
     arb_add_error_mag(x, m);
-    mag_clear(m);
 }
 
 /* The states with that energy, and q = 1/l; of them the slice number i by length. */
 static void energy_box(struct jet *jet, const arb_t E, const arb_t eta, slong i, slong prec)
 {
-    arb_t a, b;
-    arb_init(a);
-    arb_init(b);
+    SCOPE(arb, a, b);
     reach(a, E, 2, 1, prec);
     for (int i = U; i <= W; i++)
         plus_minus(jet->c[i], a);
@@ -450,22 +420,18 @@ static void energy_box(struct jet *jet, const arb_t E, const arb_t eta, slong i,
     arb_submul(a, jet->c[Y], jet->c[Y], prec);
     arb_submul(a, jet->c[Z], jet->c[Z], prec);
     arb_sqrt(jet->c[X], a, prec);
-    arb_clear(a);
-    arb_clear(b);
 }
 
 /* bound k, if not larger yet: |k! coefficient k| */
 static void set_bounds(arb_ptr bound, const arb_poly_t series, slong prec)
 {
     for (slong d = 0, factorial = 1; d < DERIVATIVES; factorial *= ++d) {
-        arb_t a;
-        arb_init(a);
+        SCOPE(arb, a);
         arb_poly_get_coeff_arb(a, series, d);
         arb_mul_si(a, a, factorial, prec);
         arb_get_abs_ubound_arf(arb_midref(a), a, prec);
         mag_zero(arb_radref(a));
         arb_max(bound + d, bound + d, a, prec);
-        arb_clear(a);
     }
 }
 
@@ -502,10 +468,8 @@ static void nonlinear_bounds(struct bounds *b, const struct jet *jet, slong prec
 bool track_bounds(struct bounds *b, const struct track *t, slong k)
 {
     bool bounded = true;
-    arb_t E, eta;
+    SCOPE(arb, E, eta);
     bounds_zero(b);
-    arb_init(E);
-    arb_init(eta);
     track_energy(E, t, k);
     if (t->nonlinear) {
         struct jet jet;
@@ -521,8 +485,6 @@ bool track_bounds(struct bounds *b, const struct track *t, slong k)
     } else {
         linear_bounds(b, t, E, k);
     }
-    arb_clear(E);
-    arb_clear(eta);
     return bounded;
 }
 
@@ -537,42 +499,36 @@ void track_room(arb_t room, const struct track *t, const struct bounds *b, int w
 
 void track_peak(arb_t peak, const struct track *t, int which, slong from, slong to)
 {
-    arb_t a;
-    arb_init(a);
+    SCOPE(arb, a);
     arb_zero(peak);
     for (slong k = from; k <= to; k++) {
         arb_abs(a, track_row(t, k) + which);
         arb_max(peak, peak, a, t->prec);
     }
-    arb_clear(a);
 }
 
 bool track_sup(arb_t sup, const struct track *t, int which, slong from, slong to)
 {
     struct bounds b;
-    arb_t room;
-    arb_init(room);
+    SCOPE(arb, room);
     bounds_init(&b);
     bool bounded = track_bounds(&b, t, from);
     track_peak(sup, t, which, from, to);
     track_room(room, t, &b, which);
     arb_add(sup, sup, room, t->prec);
     bounds_clear(&b);
-    arb_clear(room);
     return bounded;
 }
 
 void track_gap(arb_t gap, const struct track *a, const struct track *b, int which, slong from, slong to)
 {
-    arb_t d;
-    arb_init(d);
+    SCOPE(arb, d);
     arb_zero(gap);
     for (slong k = from; k <= to; k++) {
         arb_sub(d, track_row(a, k) + which, track_row(b, k) + which, a->prec);
         arb_abs(d, d);
         arb_max(gap, gap, d, a->prec);
     }
-    arb_clear(d);
 }
 
 /* From the row `below` on |coordinate| is below the limit, between the rows too; `above` is the last row where it is not. */
@@ -582,15 +538,13 @@ struct exit {
 
 static void exit_find(arb_t hours, const struct exit *e, const struct track *t)
 {
-    arb_t value;
-    arb_init(value);
+    SCOPE(arb, value);
     arb_set_si(hours, t->first + e->above * t->step);
     arb_set_si(value, t->first + e->below * t->step);
     arb_union(hours, hours, value, t->prec);
     arb_div_ui(hours, hours, 3600, t->prec);
     if (e->above < 0 || e->above >= e->below || e->below >= t->count)
         arb_indeterminate(hours);
-    arb_clear(value);
 }
 
 bool track_exits(arb_ptr hours, const struct track *t, int which, arb_srcptr limits, int count)
@@ -598,10 +552,8 @@ bool track_exits(arb_ptr hours, const struct track *t, int which, arb_srcptr lim
     enum { RENEWED = 256 }; /* rows */
     struct exit *exits = memory(NULL, (size_t)count, sizeof *exits);
     struct bounds b;
-    arb_t value, bound;
+    SCOPE(arb, value, bound);
     bool bounded = true;
-    arb_init(value);
-    arb_init(bound);
     bounds_init(&b);
     for (int i = 0; i < count; i++)
         exits[i] = (struct exit){t->count, -1};
@@ -626,8 +578,6 @@ bool track_exits(arb_ptr hours, const struct track *t, int which, arb_srcptr lim
         exit_find(hours + i, &exits[i], t);
     free(exits);
     bounds_clear(&b);
-    arb_clear(bound);
-    arb_clear(value);
     return bounded;
 }
 
@@ -638,10 +588,7 @@ bool track_settled(arb_t hours, const struct track *t, int which, const arb_t li
 
 bool is_below(const arb_t x, double limit)
 {
-    arb_t y;
-    arb_init(y);
+    SCOPE(arb, y);
     arb_set_d(y, limit);
-    bool less = arb_lt(x, y);
-    arb_clear(y);
-    return less;
+    return arb_lt(x, y);
 }

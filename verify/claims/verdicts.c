@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text/decimal.h"
-#include "sheet/embedded.h"
 #include "evaluate/operation.h"
 #include "evaluate/table1.h"
+#include "sheet/embedded.h"
+#include "text/decimal.h"
 
 void claims_open(struct statements *s, const struct proof_results *proofs)
 {

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "command/command.h"
 #include "claims/verdicts.h"
+#include "command/command.h"
 
 struct printer {
     enum format format;

@@ -8,11 +8,11 @@
 #include <sys/wait.h>
 #include <time.h>
 
-#include "conform/client.h"
 #include "command/command.h"
+#include "conform/client.h"
 #include "conform/diagnosis.h"
-#include "text/progress.h"
 #include "conform/report.h"
+#include "text/progress.h"
 
 /* Digits that a motion has to reach unless --digits says otherwise; PROTOCOL.md has the reasons. */
 static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;

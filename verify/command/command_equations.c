@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
 #include "claims/verdicts.h"
+#include "command/command.h"
 
 static const char *const domains[] = {
     [DOMAIN_FINITE] = "finite",

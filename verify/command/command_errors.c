@@ -4,20 +4,19 @@
 #include <stdio.h>
 
 #include "command/command.h"
-#include "text/decimal.h"
 #include "evaluate/errors.h"
 #include "evaluate/reference.h"
+#include "text/decimal.h"
+#include "text/scope.h"
 
 enum { SEED = 1, PASS = 8 }; /* E beyond 8 is no rounding of a formula of the sheet: see the oracle's rule */
 
 /* The largest E, rounded up to two digits: the same text wherever libm rounds a little differently. */
 static void bound_text(char text[32], double E)
 {
-    mag_t bound;
-    mag_init(bound);
+    SCOPE(mag, bound);
     mag_set_d(bound, E);
     decimal_bound(text, bound);
-    mag_clear(bound);
 }
 
 bool print_errors(long inputs, enum format format)

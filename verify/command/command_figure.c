@@ -5,8 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text/decimal.h"
 #include "proof/roots.h"
+#include "text/decimal.h"
+#include "text/scope.h"
 
 /* ---- Figures 5 to 7: motions ---- */
 
@@ -61,8 +62,7 @@ static int print_motion_figure(const struct figure *f, const struct setting *s,
     struct times times = {0};
     struct collector beside = {f->columns, f->count, NULL};
     struct message why;
-    fmpq_t h;
-    fmpq_init(h);
+    SCOPE(fmpq, h);
     int status = times_every(&times, "100", "259200", false);
     if (status == EXIT_DONE && option_given(a, "--rk4")) {
         status = read_rk4(h, a, &times, s->exact);
@@ -81,7 +81,6 @@ static int print_motion_figure(const struct figure *f, const struct setting *s,
         free(beside.lines[i]);
     free(beside.lines);
     times_clear(&times);
-    fmpq_clear(h);
     return status;
 }
 
@@ -101,12 +100,8 @@ static const struct figure *motion_figure(const char *name)
  */
 static bool gain_roots(acb_ptr roots, const fmpq_t n, slong prec)
 {
-    fmpq_t c2, one;
-    arb_t c1, c2_ball;
-    fmpq_init(c2);
-    fmpq_init(one);
-    arb_init(c1);
-    arb_init(c2_ball);
+    SCOPE(fmpq, c2, one);
+    SCOPE(arb, c1, c2_ball);
     bool isolated;
     fmpq_one(one);
     fmpq_sub_si(c2, n, 9);
@@ -122,10 +117,6 @@ static bool gain_roots(acb_ptr roots, const fmpq_t n, slong prec)
         arb_mul_2exp_si(c2_ball, c2_ball, 1);
         isolated = roots41_gains(roots, c1, c2_ball, prec);
     }
-    fmpq_clear(c2);
-    fmpq_clear(one);
-    arb_clear(c1);
-    arb_clear(c2_ball);
     return isolated;
 }
 
@@ -153,8 +144,7 @@ static bool root_texts(char *texts[4], acb_srcptr roots, const arb_t Omega, slon
 {
     int place[2];
     bool decided = true;
-    arb_t x;
-    arb_init(x);
+    SCOPE(arb, x);
     pairs(place, roots);
     for (int i = 0; i < 4 && decided; i++) {
         acb_srcptr root = roots + place[i / 2];
@@ -162,16 +152,14 @@ static bool root_texts(char *texts[4], acb_srcptr roots, const arb_t Omega, slon
         texts[i] = decimal_of_ball(x, digits);
         decided = texts[i] != NULL;
     }
-    arb_clear(x);
     return decided;
 }
 
 static int print_roots(const fmpq_t n, const char *name, const struct setting *s, long digits)
 {
     bool decided = false;
-    acb_ptr roots = _acb_vec_init(4);
-    arb_t Omega;
-    arb_init(Omega);
+    VECTOR(acb, roots, 4);
+    SCOPE(arb, Omega);
     for (slong prec = 4 * digits + 64; !decided && prec < 64 * digits + 4096; prec *= 2) {
         char *texts[4] = {NULL};
         arb_set_fmpq(Omega, &s->value[SET_Omega].value, prec);
@@ -181,8 +169,6 @@ static int print_roots(const fmpq_t n, const char *name, const struct setting *s
         for (int i = 0; i < 4; i++)
             free(texts[i]);
     }
-    arb_clear(Omega);
-    _acb_vec_clear(roots, 4);
     return decided ? EXIT_DONE : complain(EXIT_FAILED_CHECK, "figure 4: undecided at n = %s", name);
 }
 
@@ -190,8 +176,7 @@ static int print_roots(const fmpq_t n, const char *name, const struct setting *s
 static int print_figure4(const struct setting *s, long digits)
 {
     int status = EXIT_DONE;
-    fmpq_t n;
-    fmpq_init(n);
+    SCOPE(fmpq, n);
     puts("n,re1,im1,re2,im2");
     for (int tenths = 90; tenths <= 400 && status == EXIT_DONE; tenths++) {
         char decimal[16], name[32];
@@ -200,7 +185,6 @@ static int print_figure4(const struct setting *s, long digits)
         decimal_shortest(name, tenths / 10.0);
         status = print_roots(n, name, s, digits);
     }
-    fmpq_clear(n);
     int written = output_finished();
     return status != EXIT_DONE ? status : written;
 }

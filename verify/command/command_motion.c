@@ -7,6 +7,7 @@
 
 #include "text/decimal.h"
 #include "text/progress.h"
+#include "text/scope.h"
 
 enum { MOST_ROWS = 1000000 };
 
@@ -59,12 +60,10 @@ static int times_at(struct times *times, const char *list, bool exact)
 int times_every(struct times *times, const char *every, const char *until, bool exact)
 {
     struct input step = {.infinite = false}, end = {.infinite = false};
-    fmpq_t rows;
-    fmpz_t whole;
+    SCOPE(fmpq, rows);
+    SCOPE(fmpz, whole);
     fmpq_init(&step.value);
     fmpq_init(&end.value);
-    fmpq_init(rows);
-    fmpz_init(whole);
     int status = literal_argument("--every", every, exact, false, &step);
     if (status == EXIT_DONE)
         status = literal_argument("--until", until, exact, false, &end);
@@ -90,8 +89,6 @@ int times_every(struct times *times, const char *every, const char *until, bool 
     }
     fmpq_clear(&step.value);
     fmpq_clear(&end.value);
-    fmpq_clear(rows);
-    fmpz_clear(whole);
     return status;
 }
 
@@ -181,9 +178,8 @@ int print_motion(const struct motion *m, const struct times *times, const int *c
 int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact)
 {
     struct input value = {.infinite = false};
-    fmpq_t steps;
+    SCOPE(fmpq, steps);
     fmpq_init(&value.value);
-    fmpq_init(steps);
     const char *text = option_value(a, "--rk4");
     int status = literal_argument("--rk4", text, exact, false, &value);
     fmpq_set(h, &value.value);
@@ -196,7 +192,6 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
                               text, times->texts[i]);
     }
     fmpq_clear(&value.value);
-    fmpq_clear(steps);
     return status;
 }
 
@@ -213,8 +208,7 @@ int command_trajectory(int count, char **texts)
     struct motion m = {0};
     struct setting s;
     struct times times = {0};
-    fmpq_t h;
-    fmpq_init(h);
+    SCOPE(fmpq, h);
     setting_init(&s, exact);
     m.setting = &s;
     m.nonlinear = m.charges = a.word_count == 1 && strcmp(a.words[0], "nonlinear") == 0;
@@ -239,6 +233,5 @@ int command_trajectory(int count, char **texts)
     free(a.assignments);
     times_clear(&times);
     setting_clear(&s);
-    fmpq_clear(h);
     return status;
 }

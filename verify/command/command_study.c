@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
 #include "claims/convergence.h"
-#include "text/decimal.h"
 #include "claims/second_order.h"
+#include "command/command.h"
+#include "text/decimal.h"
 
 enum { PARAMETER_DIGITS = 4, STUDY_DIGITS = 6, ROW_DIGITS = 12, PREC = 192 };
 

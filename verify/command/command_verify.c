@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
 #include "claims/verdicts.h"
+#include "command/command.h"
 
 enum {
     INPUTS = 1000 /* for each operation of verify errors; --count takes other */

@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sheet/embedded.h"
 #include "claims/statement.h"
+#include "sheet/embedded.h"
 
 static struct sheet read_sheet;
 

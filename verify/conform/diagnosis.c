@@ -6,9 +6,9 @@
 #include <string.h>
 #include <time.h>
 
+#include "evaluate/vectors.h"
 #include "formula/exact.h"
 #include "sheet/slip.h"
-#include "evaluate/vectors.h"
 
 /* ---- mistakes at work ---- */
 

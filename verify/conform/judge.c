@@ -3,8 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "formula/exact.h"
 #include "evaluate/sample.h"
+#include "formula/exact.h"
+#include "text/scope.h"
 
 const char *const finding_names[FINDINGS] = {
     "right",     "skipped",       "wrong",     "NaN",     "infinite",  "invalid where a value is due",
@@ -49,9 +50,7 @@ static void rounding_reach(arb_t reach, const struct judge *j, int output)
 static bool on_the_boundary(const struct judge *j)
 {
     bool within = false, unstable = false;
-    arb_t reach, size;
-    arb_init(reach);
-    arb_init(size);
+    SCOPE(arb, reach, size);
     for (int i = 0; i < 2; i++) {
         rounding_reach(reach, j, i);
         arb_abs(size, j->exact + i);
@@ -59,8 +58,6 @@ static bool on_the_boundary(const struct judge *j)
         within = within || !beyond;
         unstable = unstable || (beyond && !arb_is_positive(j->exact + i));
     }
-    arb_clear(reach);
-    arb_clear(size);
     return within && !unstable;
 }
 
@@ -77,9 +74,8 @@ static void settle(struct judge *j, const struct input *inputs, slong prec)
 {
     const struct operation *o = j->operation;
     struct machine values;
-    fmpq_t value;
+    SCOPE(fmpq, value);
     operation_exact(&values, o, inputs);
-    fmpq_init(value);
     for (int i = 0; i < o->section->output_count; i++) {
         if (exact_is_rational(value, machine_value(&values, o->formulas->outputs[i])))
             arb_set_fmpq(j->exact + i, value, prec);
@@ -87,7 +83,6 @@ static void settle(struct judge *j, const struct input *inputs, slong prec)
         if (!arb_is_finite(j->S + i))
             arb_zero(j->S + i);
     }
-    fmpq_clear(value);
     machine_clear(&values);
 }
 
@@ -107,11 +102,8 @@ enum finding finding_of_bounds(struct bounds E, double K)
 /* |y - y*| 2^significand against K (|y*| + S) in rational numbers: E = K passes, and no enclosure sees that it does. */
 static enum finding compare_exactly(struct judge *j, const struct input *inputs, const fmpq_t exact, int output)
 {
-    fmpq_t S, off, allowed;
+    SCOPE(fmpq, S, off, allowed);
     enum finding finding = FOUND_SKIPPED;
-    fmpq_init(S);
-    fmpq_init(off);
-    fmpq_init(allowed);
     if (operation_sensitivity_rational(j->operation, inputs, output, S)) {
         arf_get_fmpq(off, arb_midref(j->y + output));
         fmpq_sub(off, off, exact);
@@ -123,9 +115,6 @@ static enum finding compare_exactly(struct judge *j, const struct input *inputs,
         fmpq_mul(allowed, allowed, S);
         finding = fmpq_cmp(off, allowed) <= 0 ? FOUND_RIGHT : FOUND_WRONG;
     }
-    fmpq_clear(S);
-    fmpq_clear(off);
-    fmpq_clear(allowed);
     return finding;
 }
 
@@ -135,9 +124,8 @@ static enum finding judge_exactly(struct judge *j, const struct input *inputs, s
     const struct operation *o = j->operation;
     enum finding all = FOUND_RIGHT;
     struct machine exact;
-    fmpq_t truth;
+    SCOPE(fmpq, truth);
     operation_exact(&exact, o, inputs);
-    fmpq_init(truth);
     for (int i = 0; i < o->section->output_count && all != FOUND_WRONG; i++) {
         enum finding one = finding_of_bounds(
             error_in_roundings(arb_midref(j->y + i), j->exact + i, j->S + i, j->significand), j->K);
@@ -145,7 +133,6 @@ static enum finding judge_exactly(struct judge *j, const struct input *inputs, s
             one = compare_exactly(j, inputs, truth, i);
         all = one == FOUND_RIGHT ? all : one;
     }
-    fmpq_clear(truth);
     machine_clear(&exact);
     if (all == FOUND_RIGHT)
         score->E = j->K;
@@ -197,10 +184,8 @@ static double digits_reached(const struct judge *j, const struct input *inputs, 
     const double L_ref = fmpq_get_d(&inputs[place_of(s, "L_ref")].value);
     const struct input *initial = inputs + place_of(s, "t") + 1;
     double scale = 0.0, off = 0.0, wide = 0.0;
-    arb_t difference;
-    mag_t most;
-    arb_init(difference);
-    mag_init(most);
+    SCOPE(arb, difference);
+    SCOPE(mag, most);
     for (int i = 0; i < s->output_count; i++) {
         const double unit = (linear && i % 3 != 2 ? 1.0 : 1.0 / L_ref) / (i < 3 ? 1.0 : Omega);
         arb_sub(difference, j->y + i, j->exact + i, 256);
@@ -209,8 +194,6 @@ static double digits_reached(const struct judge *j, const struct input *inputs, 
         off = fmax(off, unit * mag_get_d(most));
         wide = fmax(wide, unit * mag_get_d(arb_radref(j->exact + i))); /* whatever the answer is: more bits make no other */
     }
-    arb_clear(difference);
-    mag_clear(most);
     *lost = scale > 0.0 ? wide / scale : wide;
     return off == 0.0 ? INFINITY : scale > 0.0 ? -log10(off / scale) : 0.0;
 }

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text/decimal.h"
 #include "evaluate/domain.h"
 #include "evaluate/sample.h"
 #include "evaluate/vectors.h"
+#include "text/decimal.h"
 
 /* ---- golden vectors ---- */
 

@@ -8,8 +8,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "text/decimal.h"
 #include "conform/hints.h"
+#include "text/decimal.h"
+#include "text/scope.h"
 
 enum { SHOWN_DIGITS = 20, NUMBER = 40 };
 
@@ -37,13 +38,11 @@ struct totals report_totals(const struct exam *e)
 /* E, rounded up to two digits. */
 static const char *error_text(double E, char text[NUMBER])
 {
-    mag_t bound;
+    SCOPE(mag, bound);
     if (isinf(E) || E == 0.0)
         return E == 0.0 ? "0" : "inf";
-    mag_init(bound);
     mag_set_d(bound, E);
     decimal_bound(text, bound);
-    mag_clear(bound);
     return text;
 }
 

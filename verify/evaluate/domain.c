@@ -4,8 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "formula/exact.h"
 #include "evaluate/sample.h"
+#include "formula/exact.h"
+#include "text/scope.h"
 
 enum {
     FINITE = 1u << DOMAIN_FINITE,
@@ -48,15 +49,13 @@ bool inputs_of_values(const struct section *s, const double *values, struct inpu
 static void condition_value(fmpq_t f, const struct operation *o, int condition, struct input *inputs, int other, slong x)
 {
     struct machine exact;
-    fmpq_t kept;
-    fmpq_init(kept);
+    SCOPE(fmpq, kept);
     fmpq_set(kept, &inputs[other].value);
     fmpq_set_si(&inputs[other].value, x, 1);
     operation_exact(&exact, o, inputs);
     exact_is_rational(f, machine_value(&exact, o->formulas->conditions[condition].node));
     machine_clear(&exact);
     fmpq_set(&inputs[other].value, kept);
-    fmpq_clear(kept);
 }
 
 /*
@@ -65,12 +64,8 @@ static void condition_value(fmpq_t f, const struct operation *o, int condition, 
  */
 static int move_to_edge(const struct operation *o, int condition, struct input *inputs, int i)
 {
-    fmpq_t a, b, c, x;
+    SCOPE(fmpq, a, b, c, x);
     int degree = 0;
-    fmpq_init(a);
-    fmpq_init(b);
-    fmpq_init(c);
-    fmpq_init(x);
     condition_value(c, o, condition, inputs, i, 0);
     condition_value(a, o, condition, inputs, i, 1);
     condition_value(x, o, condition, inputs, i, -1);
@@ -90,10 +85,6 @@ static int move_to_edge(const struct operation *o, int condition, struct input *
         fmpq_neg(&inputs[i].value, x);
         fmpq_set_double(&inputs[i].value, fmpq_get_d(&inputs[i].value)); /* a number that can be asked */
     }
-    fmpq_clear(a);
-    fmpq_clear(b);
-    fmpq_clear(c);
-    fmpq_clear(x);
     return degree;
 }
 

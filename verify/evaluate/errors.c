@@ -3,10 +3,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "formula/exact.h"
 #include "evaluate/reference.h"
-#include "proof/roots.h"
 #include "evaluate/sample.h"
+#include "formula/exact.h"
+#include "proof/roots.h"
+#include "text/scope.h"
 
 enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16, TRUTH_BITS = 192 };
 
@@ -15,28 +16,21 @@ enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16, TRUTH_BITS = 192 };
 /* Adds |x dy| to S. */
 static void add_term(arb_t S, const struct input *x, arb_srcptr derivative, slong prec)
 {
-    arb_t term;
+    SCOPE(arb, term);
     if (x->infinite)
         return; /* nothing depends on the last digit of infinity */
-    arb_init(term);
     arb_set_fmpq(term, &x->value, prec);
     arb_mul(term, term, derivative, prec);
     arb_abs(term, term);
     arb_add(S, S, term, prec);
-    arb_clear(term);
 }
 
 /* Of a root z, from p(z; x) = 0: dz/dx = -p_x(z) / p_z(z), coefficients and their gradients of Eq. (41). */
 static void root_sensitivity(arb_t S, acb_srcptr z, arb_srcptr coefficients, arb_srcptr gradients,
                              const struct input *inputs, slong prec)
 {
-    acb_t slope, p, power, term;
-    arb_t modulus;
-    acb_init(slope);
-    acb_init(p);
-    acb_init(power);
-    acb_init(term);
-    arb_init(modulus);
+    SCOPE(acb, slope, p, power, term);
+    SCOPE(arb, modulus);
     for (int k = 4; k >= 1; k--) {
         acb_mul(slope, slope, z, prec);
         arb_mul_ui(modulus, coefficients + k, (ulong)k, prec);
@@ -53,11 +47,6 @@ static void root_sensitivity(arb_t S, acb_srcptr z, arb_srcptr coefficients, arb
         acb_abs(modulus, term, prec);
         add_term(S, &inputs[i], modulus, prec);
     }
-    acb_clear(slope);
-    acb_clear(p);
-    acb_clear(power);
-    acb_clear(term);
-    arb_clear(modulus);
 }
 
 /* Coefficients of (41) and what each input does to them. */
@@ -79,7 +68,7 @@ static void polynomial41(const struct input *inputs, slong prec, arb_ptr coeffic
 
 static void roots_sensitivity(const struct input *inputs, slong prec, arb_ptr S)
 {
-    acb_ptr roots = _acb_vec_init(4);
+    VECTOR(acb, roots, 4);
     arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
     polynomial41(inputs, prec, coefficients, gradients);
     roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
@@ -87,7 +76,6 @@ static void roots_sensitivity(const struct input *inputs, slong prec, arb_ptr S)
         root_sensitivity(S + 2 * k, roots + k, coefficients, gradients, inputs, prec);
         arb_set(S + 2 * k + 1, S + 2 * k);
     }
-    _acb_vec_clear(roots, 4);
     _arb_vec_clear(coefficients, 5);
     _arb_vec_clear(gradients, 15);
 }
@@ -105,7 +93,7 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
         return;
     }
     struct machine adjoint;
-    arb_ptr values = _arb_vec_init(s->output_count);
+    VECTOR(arb, values, s->output_count);
     operation_enclose(o, inputs, prec, values); /* fills the machine */
     machine_init(&adjoint, o->machine.program, &arithmetic_ball, prec);
     for (int k = 0; k < s->output_count; k++) {
@@ -115,7 +103,6 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
             add_term(S + k, &inputs[i], machine_value(&adjoint, i), prec);
     }
     machine_clear(&adjoint);
-    _arb_vec_clear(values, s->output_count);
 }
 
 void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
@@ -127,7 +114,7 @@ void operation_sensitivity_settled(struct operation *o, const struct input *inpu
         return;
     }
     struct machine exact, derivatives, balls;
-    arb_ptr values = _arb_vec_init(s->output_count);
+    VECTOR(arb, values, s->output_count);
     const int node = o->formulas->outputs[output];
     operation_enclose(o, inputs, prec, values);
     operation_exact(&exact, o, inputs);
@@ -146,18 +133,16 @@ void operation_sensitivity_settled(struct operation *o, const struct input *inpu
     machine_clear(&exact);
     machine_clear(&derivatives);
     machine_clear(&balls);
-    _arb_vec_clear(values, s->output_count);
 }
 
 bool operation_sensitivity_rational(struct operation *o, const struct input *inputs, int output, fmpq_t S)
 {
     struct machine exact, derivatives;
-    fmpq_t term;
+    SCOPE(fmpq, term);
     bool rational = true;
     operation_exact(&exact, o, inputs);
     machine_init(&derivatives, exact.program, &arithmetic_exact, 0);
     machine_gradient(&exact, o->formulas->outputs[output], &derivatives);
-    fmpq_init(term);
     fmpq_zero(S);
     for (int i = 0; i < o->section->input_count; i++) {
         const struct exact *derivative = machine_value(&derivatives, i);
@@ -168,7 +153,6 @@ bool operation_sensitivity_rational(struct operation *o, const struct input *inp
         fmpq_abs(term, term);
         fmpq_add(S, S, term);
     }
-    fmpq_clear(term);
     machine_clear(&derivatives);
     machine_clear(&exact);
     return rational;
@@ -188,8 +172,8 @@ bool operation_sensitivity_rational(struct operation *o, const struct input *inp
 static struct bounds roundings(const arb_t distance, const arb_t weight, int significand)
 {
     struct bounds E = {0.0, 0.0};
-    arb_t quotient;
-    arf_t bound;
+    SCOPE(arb, quotient);
+    SCOPE(arf, bound);
     if (arb_is_zero(distance))
         return E;
     E.upper = INFINITY;
@@ -197,33 +181,25 @@ static struct bounds roundings(const arb_t distance, const arb_t weight, int sig
         E.lower = arb_contains_zero(distance) ? 0.0 : INFINITY;
     if (!arb_is_finite(distance) || !arb_is_finite(weight) || arb_contains_zero(weight))
         return E;
-    arb_init(quotient);
-    arf_init(bound);
     arb_mul_2exp_si(quotient, weight, -significand);
     arb_div(quotient, distance, quotient, 64);
     arb_get_ubound_arf(bound, quotient, 64);
     E.upper = arf_get_d(bound, ARF_RND_UP);
     arb_get_lbound_arf(bound, quotient, 64);
     E.lower = fmax(arf_get_d(bound, ARF_RND_DOWN), 0.0);
-    arb_clear(quotient);
-    arf_clear(bound);
     return E;
 }
 
 struct bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand)
 {
-    arb_t distance, weight;
+    SCOPE(arb, distance, weight);
     if (!arf_is_finite(y))
         return (struct bounds){INFINITY, INFINITY};
-    arb_init(distance);
-    arb_init(weight);
     arb_sub_arf(distance, exact, y, TRUTH_BITS);
     arb_abs(distance, distance);
     arb_abs(weight, exact);
     arb_add(weight, weight, S, 64);
     const struct bounds E = roundings(distance, weight, significand);
-    arb_clear(distance);
-    arb_clear(weight);
     return E;
 }
 
@@ -232,17 +208,13 @@ struct bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S
 /* |y - z| against u (|z| + S) */
 static struct bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S, int significand)
 {
-    arb_t re, im;
-    arb_init(re);
-    arb_init(im);
+    SCOPE(arb, re, im);
     arb_sub(re, y, z, TRUTH_BITS);
     arb_sub(im, y + 1, z + 1, TRUTH_BITS);
     arb_hypot(re, re, im, TRUTH_BITS);
     arb_hypot(im, z, z + 1, TRUTH_BITS);
     arb_add(im, im, S, TRUTH_BITS);
     const struct bounds E = roundings(re, im, significand);
-    arb_clear(re);
-    arb_clear(im);
     return E;
 }
 
@@ -254,12 +226,10 @@ static struct bounds residual_error(arb_srcptr y, const struct input *inputs, in
 {
     arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
     acb_t z, power, sum, moved[3];
-    arb_t weight, modulus;
+    SCOPE(arb, weight, modulus);
     acb_init(z);
     acb_init(power);
     acb_init(sum);
-    arb_init(weight);
-    arb_init(modulus);
     for (int i = 0; i < 3; i++)
         acb_init(moved[i]);
     polynomial41(inputs, TRUTH_BITS, coefficients, gradients);
@@ -285,8 +255,6 @@ static struct bounds residual_error(arb_srcptr y, const struct input *inputs, in
     acb_clear(z);
     acb_clear(power);
     acb_clear(sum);
-    arb_clear(weight);
-    arb_clear(modulus);
     _arb_vec_clear(coefficients, 5);
     _arb_vec_clear(gradients, 15);
     return E;
@@ -358,14 +326,12 @@ struct bounds worst_error(const struct section *s, const struct input *inputs, a
 bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact, arb_srcptr S)
 {
     struct machine m;
-    arb_t value, room;
+    SCOPE(arb, value, room);
     bool inside = true;
     machine_init(&m, &o->formulas->program, &arithmetic_mpfr, 2 * TRUTH_BITS);
     for (int i = 0; i < o->section->input_count; i++)
         arithmetic_mpfr.set_rational(machine_value(&m, i), &inputs[i].value, m.prec);
     machine_run(&m);
-    arb_init(value);
-    arb_init(room);
     for (int i = 0; i < o->section->output_count; i++) {
         arb_zero(value);
         arf_set_mpfr(arb_midref(value), machine_value(&m, o->formulas->outputs[i]));
@@ -375,8 +341,6 @@ bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcp
         arb_add_error(value, room);
         inside = inside && arb_overlaps(value, exact + i);
     }
-    arb_clear(value);
-    arb_clear(room);
     machine_clear(&m);
     return inside;
 }

@@ -7,11 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text/decimal.h"
 #include "evaluate/domain.h"
 #include "evaluate/errors.h"
 #include "evaluate/sample.h"
 #include "evaluate/vectors.h"
+#include "text/decimal.h"
 
 enum { MOST_INPUTS = 40, RANDOM = 10 };
 

@@ -4,10 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text/decimal.h"
 #include "formula/exact.h"
 #include "motion/motion.h"
 #include "proof/roots.h"
+#include "text/decimal.h"
+#include "text/scope.h"
 
 enum { MOST_OUTPUTS = 16, GUARD_BITS = 64 };
 
@@ -101,12 +102,10 @@ static int node_sign(const struct operation *o, const struct input *inputs, int 
     if (!arb_contains_zero(ball))
         return arf_sgn(arb_midref(ball));
     struct machine values;
-    fmpq_t value;
+    SCOPE(fmpq, value);
     operation_exact(&values, o, inputs);
-    fmpq_init(value);
     exact_is_rational(value, machine_value(&values, node)); /* conditions are rational in their inputs */
     int sign = fmpq_sgn(value);
-    fmpq_clear(value);
     machine_clear(&values);
     return sign;
 }
@@ -118,11 +117,9 @@ static const fmpq *input_named(const struct operation *o, const struct input *in
 
 static bool steps_fit(struct operation *o, const struct input *inputs)
 {
-    fmpq_t steps;
-    fmpq_init(steps);
+    SCOPE(fmpq, steps);
     fmpq_div(steps, input_named(o, inputs, "t"), input_named(o, inputs, "h"));
     bool whole = fmpz_is_one(fmpq_denref(steps));
-    fmpq_clear(steps);
     if (!whole)
         message_set(&o->why, "t: expected a multiple of h");
     return whole;
@@ -154,13 +151,12 @@ bool operation_valid(struct operation *o, const struct input *inputs)
 
 static void enclose_roots(const struct input *inputs, slong prec, arb_ptr outputs)
 {
-    acb_ptr roots = _acb_vec_init(4);
+    VECTOR(acb, roots, 4);
     roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
     for (slong i = 0; i < 4; i++) {
         arb_set(outputs + 2 * i, acb_realref(roots + i));
         arb_set(outputs + 2 * i + 1, acb_imagref(roots + i));
     }
-    _acb_vec_clear(roots, 4);
 }
 
 /* A motion is looked at so often on its way, where it may take too long. */
@@ -184,8 +180,7 @@ static int take_state(void *context, slong k, const fmpq_t t, arb_srcptr state)
 /* LOOKS times up to t, of a Runge-Kutta method multiples of its step h (NULL: any). */
 static void look_times(fmpq *times, const fmpq_t t, const fmpq *h)
 {
-    fmpz_t whole;
-    fmpz_init(whole);
+    SCOPE(fmpz, whole);
     for (slong k = 0; k < LOOKS; k++) {
         fmpq_div_fmpz(times + k, t, (fmpz[]){LOOKS});
         fmpq_mul_si(times + k, times + k, k + 1);
@@ -195,7 +190,6 @@ static void look_times(fmpq *times, const fmpq_t t, const fmpq *h)
         fmpz_fdiv_q(whole, fmpq_numref(times + k), fmpq_denref(times + k));
         fmpq_mul_fmpz(times + k, h, whole);
     }
-    fmpz_clear(whole);
 }
 
 static enum outcome enclose_flow(struct operation *o, const struct input *inputs, slong digits,
@@ -205,7 +199,7 @@ static enum outcome enclose_flow(struct operation *o, const struct input *inputs
     const bool linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
     const struct input *in = inputs;
     struct flow_parameters p;
-    arb_ptr initial = _arb_vec_init(FLOW_STATE);
+    VECTOR(arb, initial, FLOW_STATE);
     double reached = 0.0;
     flow_parameters_init(&p);
     arb_set_fmpq(p.Omega, &in++->value, prec);
@@ -223,7 +217,7 @@ static enum outcome enclose_flow(struct operation *o, const struct input *inputs
     const bool steps = method == METHOD_RK4_LINEAR || method == METHOD_RK4_NONLINEAR;
     const slong looks = o->until != 0 ? LOOKS : 1;
     struct followed f = {outputs, o->until};
-    fmpq *times = _fmpq_vec_init(looks);
+    VECTOR(fmpq, times, looks);
     fmpq_set(times, t);
     if (o->until != 0)
         look_times(times, t, steps ? &in->value : NULL);
@@ -236,14 +230,12 @@ static enum outcome enclose_flow(struct operation *o, const struct input *inputs
         status = rk4_linear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
     else
         status = rk4_nonlinear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
-    _fmpq_vec_clear(times, looks);
     if (!linear && status == FLOW_DONE)
         flow_settle(initial,
                     is_static_place(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
                                     input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1")),
                     outputs);
     flow_parameters_clear(&p);
-    _arb_vec_clear(initial, FLOW_STATE);
     if (status != FLOW_DONE)
         message_set(&o->why, "%s, last proved time %.6g s", flow_status_text(status), reached);
     return status == FLOW_DONE ? OUTCOME_PROVED : OUTCOME_UNDECIDED;
@@ -299,13 +291,11 @@ enum outcome operation_follow(struct operation *o, const struct input *inputs, s
 
 static void decide_rational_roots(const struct input *inputs, slong digits, char **texts)
 {
-    fmpq_t value;
-    fmpq_init(value);
+    SCOPE(fmpq, value);
     for (int i = 0; i < 8; i++)
         if (texts[i] == NULL &&
             roots41_rational(value, i / 2, i % 2, &inputs[0].value, &inputs[1].value, &inputs[2].value))
             texts[i] = decimal_of_rational(value, digits);
-    fmpq_clear(value);
 }
 
 /* Rational outputs, zeros and ties among them, may have no enclosure that ever decides them. */
@@ -316,13 +306,11 @@ static void decide_exactly(const struct operation *o, const struct input *inputs
     if (o->section->method != METHOD_FORMULA)
         return;
     struct machine values;
-    fmpq_t value;
+    SCOPE(fmpq, value);
     operation_exact(&values, o, inputs);
-    fmpq_init(value);
     for (int i = 0; i < o->section->output_count; i++)
         if (texts[i] == NULL && exact_is_rational(value, machine_value(&values, o->formulas->outputs[i])))
             texts[i] = decimal_of_rational(value, digits);
-    fmpq_clear(value);
     machine_clear(&values);
 }
 
@@ -338,16 +326,14 @@ static int unset(char *const *texts, int count)
 static bool is_beyond_decimals(struct operation *o, arb_srcptr balls, int i)
 {
     enum { EXPONENT_BITS = 50 }; /* as decimal_of_ball has it */
-    arf_t bound;
+    SCOPE(arf, bound);
     bool tiny, huge;
     if (arb_contains_zero(balls + i) || !arb_is_finite(balls + i))
         return false;
-    arf_init(bound);
     arb_get_abs_ubound_arf(bound, balls + i, 64);
     tiny = fmpz_bits(ARF_EXPREF(bound)) >= EXPONENT_BITS && fmpz_sgn(ARF_EXPREF(bound)) < 0;
     arb_get_abs_lbound_arf(bound, balls + i, 64);
     huge = fmpz_bits(ARF_EXPREF(bound)) >= EXPONENT_BITS && fmpz_sgn(ARF_EXPREF(bound)) > 0;
-    arf_clear(bound);
     if (tiny || huge)
         message_set(&o->why, "%s: not zero, but %s 2^%s(2^49), of which no decimal is written", o->section->outputs[i]->name,
                     tiny ? "below" : "above", tiny ? "-" : "");
@@ -360,7 +346,7 @@ enum outcome operation_digits(struct operation *o, const struct input *inputs, s
     char *texts[MOST_OUTPUTS] = {NULL};
     if (!operation_valid(o, inputs))
         return OUTCOME_INVALID;
-    arb_ptr balls = _arb_vec_init(count);
+    VECTOR(arb, balls, count);
     slong prec = operation_precision(o, inputs, digits);
     const slong most = 8 * prec + MOST_BITS / 8;
     int left = count;
@@ -381,7 +367,6 @@ enum outcome operation_digits(struct operation *o, const struct input *inputs, s
             left = unset(texts, count);
         }
     }
-    _arb_vec_clear(balls, count);
     for (int i = 0; i < count; i++) {
         if (outcome == OUTCOME_PROVED)
             outputs[i] = texts[i];

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "text/scope.h"
+
 /* One step of SplitMix64 (Steele, Lea, Flood 2014): a bijection that mixes all 64 bits. */
 static uint64_t mix(uint64_t x)
 {
@@ -54,11 +56,9 @@ static void fit_steps(const struct section *s, double *values, uint64_t key)
 
 void fmpq_set_double(fmpq_t x, double value)
 {
-    arf_t exact;
-    arf_init(exact);
+    SCOPE(arf, exact);
     arf_set_d(exact, value);
     arf_get_fmpq(x, exact);
-    arf_clear(exact);
 }
 
 void sample(struct operation *o, uint64_t seed, uint64_t index, double *values, struct input *inputs)

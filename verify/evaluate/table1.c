@@ -3,8 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text/decimal.h"
 #include "formula/symbolic.h"
+#include "text/decimal.h"
+#include "text/scope.h"
 
 /* Significant digits of a printed number: those of its mantissa, leading zeros apart. */
 static long printed_digits(const char *printed)
@@ -45,10 +46,7 @@ bool table_row_is_computed(const struct table_row *row)
 
 char *table_row_value(const struct table_row *row, bool *rounds)
 {
-    fmpq_t value, scale, printed;
-    fmpq_init(value);
-    fmpq_init(scale);
-    fmpq_init(printed);
+    SCOPE(fmpq, value, scale, printed);
     literal_read(scale, row->scale, true);
     literal_read(printed, row->printed, true);
     table_value(value, row);
@@ -58,8 +56,5 @@ char *table_row_value(const struct table_row *row, bool *rounds)
     literal_read(value, rounded, true);
     *rounds = fmpq_equal(value, printed);
     free(rounded);
-    fmpq_clear(value);
-    fmpq_clear(scale);
-    fmpq_clear(printed);
     return computed;
 }

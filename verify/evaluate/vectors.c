@@ -6,11 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text/decimal.h"
 #include "evaluate/errors.h"
-#include "formula/exact.h"
-#include "text/progress.h"
 #include "evaluate/sample.h"
+#include "formula/exact.h"
+#include "text/decimal.h"
+#include "text/progress.h"
+#include "text/scope.h"
 
 enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
 
@@ -29,26 +30,23 @@ void vectors_header(const struct section *s)
 /* Whether |x| is neither zero nor in a normal range, of binary64 2^-1022 to just below 2^1024. */
 static bool leaves_range(const arb_t x, slong exponent)
 {
-    arf_t bound;
+    SCOPE(arf, bound);
     bool leaves = false;
     if (arb_contains_zero(x) || !arb_is_finite(x))
         return false; /* zero: what underflows to it is seen in its operands; infinity: an input that may be */
-    arf_init(bound);
     arb_get_abs_lbound_arf(bound, x, 64);
     leaves = arf_cmpabs_2exp_si(bound, 2 - exponent) < 0 || arf_cmpabs_2exp_si(bound, exponent) >= 0;
-    arf_clear(bound);
     return leaves;
 }
 
 bool vector_leaves_range(struct operation *o, const struct input *inputs, int significand)
 {
     const slong exponent = significand == BINARY32 ? 128 : significand == BINARY64 ? 1024 : 16384;
-    arb_ptr outputs = _arb_vec_init(MOST_OUTPUTS);
+    VECTOR(arb, outputs, MOST_OUTPUTS);
     bool leaves = false;
     operation_enclose(o, inputs, 256, outputs);
     for (int i = 0; i < o->machine.program->count && !leaves; i++)
         leaves = leaves_range(machine_value(&o->machine, i), exponent);
-    _arb_vec_clear(outputs, MOST_OUTPUTS);
     return leaves;
 }
 
@@ -62,7 +60,7 @@ static char *sensitivity_text(const arb_t S)
 static bool sensitivity_texts(struct operation *o, const struct input *inputs, char **texts)
 {
     const int count = o->section->output_count;
-    arb_ptr S = _arb_vec_init(count);
+    VECTOR(arb, S, count);
     int left = count;
     for (slong prec = 192; left > 0 && prec <= 16384; prec *= 2) {
         operation_sensitivity(o, inputs, prec, S);
@@ -77,7 +75,6 @@ static bool sensitivity_texts(struct operation *o, const struct input *inputs, c
             left += texts[i] == NULL;
         }
     }
-    _arb_vec_clear(S, count);
     if (left > 0)
         message_set(&o->why, "%s: a sensitivity is undecided", o->section->id); /* LCOV_EXCL_LINE: known inputs need fewer bits */
     return left == 0;

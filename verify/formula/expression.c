@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "text/decimal.h"
+#include "text/scope.h"
 
 /* ---- programs ---- */
 
@@ -465,8 +466,7 @@ static void partial(const struct machine *m, int i, bool right, void *d, void *e
     const struct node *node = &m->program->nodes[i];
     void *x = machine_value(m, node->left), *z = machine_value(m, i);
     void *y = node->right < 0 ? NULL : machine_value(m, node->right);
-    fmpq_t number;
-    fmpq_init(number);
+    SCOPE(fmpq, number);
     fmpq_set_si(number, right && node->op == OPERATOR_SUBTRACT ? -1 : 1, 1);
     if (node->op == OPERATOR_NEGATE)
         fmpq_set_si(number, -1, 1);
@@ -475,7 +475,6 @@ static void partial(const struct machine *m, int i, bool right, void *d, void *e
     if (node->op == OPERATOR_POWER)
         fmpq_set_si(number, node->exponent, 1);
     a->set_rational(d, number, m->prec);
-    fmpq_clear(number);
     switch (node->op) {
     case OPERATOR_MULTIPLY:
         a->set(d, right ? x : y);
@@ -525,14 +524,12 @@ void machine_gradient(const struct machine *m, int node, struct machine *adjoint
     const struct program *p = m->program;
     void *d = machine_value(adjoint, p->count), *e = machine_value(adjoint, p->count + 1);
     char *reached = memory(NULL, (size_t)node + 1, 1);
-    fmpq_t number;
-    fmpq_init(number);
+    SCOPE(fmpq, number);
     memset(reached, 0, (size_t)node + 1);
     for (int i = 0; i < p->count; i++)
         m->arithmetic->set_rational(machine_value(adjoint, i), number, m->prec);
     fmpq_one(number);
     m->arithmetic->set_rational(machine_value(adjoint, node), number, m->prec);
-    fmpq_clear(number);
     reached[node] = 1;
     for (int i = node; i >= p->inputs; i--) {
         const int operands[2] = {p->nodes[i].left, p->nodes[i].right};

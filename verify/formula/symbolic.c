@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "text/message.h"
+#include "text/scope.h"
 
 typedef fmpz_mpoly_q_struct quotient;
 
@@ -147,12 +148,10 @@ static void divide(quotient *z, const quotient *x, const quotient *y)
 /* z *= p/q */
 static void scale(quotient *z, slong p, ulong q)
 {
-    fmpq_t factor;
-    fmpq_init(factor);
+    SCOPE(fmpq, factor);
     fmpq_set_si(factor, p, q);
     if (p != 1 || q != 1)
         fmpz_mpoly_q_mul_fmpq(z, z, factor, CTX);
-    fmpq_clear(factor);
 }
 
 /* z += x y p/q */
@@ -283,10 +282,8 @@ static void set_rational(void *x, const fmpq_t q, slong terms)
 
 static void set_zero(struct symbolic *z)
 {
-    fmpq_t zero;
-    fmpq_init(zero);
+    SCOPE(fmpq, zero);
     set_rational(z, zero, z->terms);
-    fmpq_clear(zero);
 }
 
 void symbolic_set_variable(struct symbolic *z, slong variable, slong degree)
@@ -324,30 +321,26 @@ void symbolic_set_angle(struct symbolic *z, slong variable)
 bool symbolic_get_polynomial(fmpq_poly_t f, const struct symbolic *x)
 {
     const fmpz_mpoly_struct *over = fmpz_mpoly_q_numref(x->a), *under = fmpz_mpoly_q_denref(x->a);
-    fmpz_t c;
+    SCOPE(fmpz, c);
     fmpq_poly_zero(f);
     if (x->fault != SYMBOLIC_FINE || x->angle || !fmpz_mpoly_is_fmpz(under, CTX))
         return false;
-    fmpz_init(c);
     for (slong i = 0; i < fmpz_mpoly_length(over, CTX); i++) {
         fmpz_mpoly_get_term_coeff_fmpz(c, over, i, CTX);
         fmpq_poly_set_coeff_fmpz(f, fmpz_mpoly_get_term_var_exp_si(over, i, 0, CTX), c);
     }
     fmpz_mpoly_get_fmpz(c, under, CTX);
     fmpq_poly_scalar_div_fmpz(f, f, c);
-    fmpz_clear(c);
     return true;
 }
 
 bool symbolic_get_rational(fmpq_t q, const struct symbolic *x)
 {
-    fmpq_poly_t f;
-    fmpq_poly_init(f);
+    SCOPE(fmpq_poly, f);
     const bool constant = symbolic_get_polynomial(f, x) && fmpq_poly_degree(f) <= 0;
     fmpq_zero(q);
     if (constant)
         fmpq_poly_get_coeff_fmpq(q, f, 0);
-    fmpq_poly_clear(f);
     return constant;
 }
 

@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "text/scope.h"
+
 /* Radians: 160,000 orbits of some 10^5 bits, and of the method 1,600 of 240,000: both would take days. */
 static const double FLOW_REACH = 1e6, RK4_REACH = 1e4;
 
@@ -42,50 +44,35 @@ bool flow_linear_domain(const struct flow_parameters *p, arb_srcptr initial)
 
 bool flow_nonlinear_domain(const struct flow_parameters *p, arb_srcptr initial)
 {
-    arb_t square;
-    arb_init(square);
+    SCOPE(arb, square);
     arb_dot(square, NULL, 0, initial, 1, initial, 1, FLOW_STATE / 2, 64);
-    bool valid = flow_linear_domain(p, initial) && arb_is_positive(square)
+    return flow_linear_domain(p, initial) && arb_is_positive(square)
                  && arb_is_positive(p->k_c) && arb_is_positive(p->m1) && arb_is_positive(p->m2)
                  && arb_is_finite(p->k_c) && arb_is_finite(p->m1) && arb_is_finite(p->m2);
-    arb_clear(square);
-    return valid;
 }
 
 bool flow_wide(arb_srcptr state, slong bits)
 {
-    mag_t radius, size, m;
-    mag_init(radius);
-    mag_init(size);
-    mag_init(m);
+    SCOPE(mag, radius, size, m);
     for (int i = 0; i < FLOW_STATE; i++) {
         mag_max(radius, radius, arb_radref(state + i));
         arb_get_mag(m, state + i);
         mag_max(size, size, m);
     }
     mag_mul_2exp_si(size, size, -bits);
-    bool wide = mag_is_inf(radius) || mag_cmp(radius, size) > 0;
-    mag_clear(radius);
-    mag_clear(size);
-    mag_clear(m);
-    return wide;
+    return mag_is_inf(radius) || mag_cmp(radius, size) > 0;
 }
 
 static bool in_reach(const struct flow_parameters *p, const fmpq *times, slong count, double most)
 {
-    arb_t radians, reach;
+    SCOPE(arb, radians, reach);
     if (count == 0)
         return true;
-    arb_init(radians);
-    arb_init(reach);
     arb_set_fmpq(radians, times + count - 1, 64);
     arb_mul(radians, radians, p->Omega, 64);
     arb_abs(radians, radians);
     arb_set_d(reach, most);
-    bool within = arb_le(radians, reach);
-    arb_clear(radians);
-    arb_clear(reach);
-    return within;
+    return arb_le(radians, reach);
 }
 
 bool flow_in_reach(const struct flow_parameters *p, const fmpq *times, slong count)
@@ -128,15 +115,10 @@ void flow_settle(arb_srcptr initial, bool static_place, arb_ptr state)
 
 bool is_static_place(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1)
 {
-    fmpq_t a, b;
-    fmpq_init(a);
-    fmpq_init(b);
+    SCOPE(fmpq, a, b);
     fmpq_add(a, m1, m2);
     fmpq_mul(a, a, x1);
     fmpq_abs(a, a);
     fmpq_mul(b, m2, L_ref);
-    bool same = fmpq_equal(a, b);
-    fmpq_clear(a);
-    fmpq_clear(b);
-    return same;
+    return fmpq_equal(a, b);
 }

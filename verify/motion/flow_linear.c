@@ -8,6 +8,8 @@
  */
 #include "motion/flow.h"
 
+#include "text/scope.h"
+
 enum { PSI, THETA, DL, PSI_DOT, THETA_DOT, DL_DOT };
 enum { COUPLED = 4 };
 
@@ -15,8 +17,7 @@ enum { COUPLED = 4 };
 static void set_rates(arb_mat_t a, const struct flow_parameters *p, slong prec)
 {
     static const int integer[COUPLED][COUPLED] = {{0, 0, 1, 0}, {0, 0, 0, 1}, {-3, 0, 0, -2}, {0, 9, 2, 0}};
-    arb_t c;
-    arb_init(c);
+    SCOPE(arb, c);
     for (int i = 0; i < COUPLED; i++)
         for (int j = 0; j < COUPLED; j++)
             arb_set_si(arb_mat_entry(a, i, j), integer[i][j]);
@@ -25,7 +26,6 @@ static void set_rates(arb_mat_t a, const struct flow_parameters *p, slong prec)
     arb_sub(arb_mat_entry(a, 3, 1), arb_mat_entry(a, 3, 1), c, prec);
     arb_div(c, p->C2, p->Omega, prec);
     arb_sub(arb_mat_entry(a, 3, 3), arb_mat_entry(a, 3, 3), c, prec);
-    arb_clear(c);
 }
 
 /* (psi, l, psi', l') at tau; `unit` is what one of each is in SI */
@@ -33,7 +33,7 @@ static void move_coupled(arb_ptr state, arb_srcptr initial, const arb_mat_t rate
                          arb_srcptr unit, slong prec)
 {
     static const int place[COUPLED] = {PSI, DL, PSI_DOT, DL_DOT};
-    arb_ptr start = _arb_vec_init(COUPLED);
+    VECTOR(arb, start, COUPLED);
     arb_mat_t exponential;
     arb_mat_init(exponential, COUPLED, COUPLED);
     arb_mat_scalar_mul_arb(exponential, rates, tau, prec);
@@ -46,16 +46,12 @@ static void move_coupled(arb_ptr state, arb_srcptr initial, const arb_mat_t rate
         arb_mul(x, x, unit + i, prec);
     }
     arb_mat_clear(exponential);
-    _arb_vec_clear(start, COUPLED);
 }
 
 /* theta = theta_0 cos 2 tau + theta_dot_0 / (2 Omega) sin 2 tau */
 static void move_pitch(arb_ptr state, arb_srcptr initial, const arb_t tau, const arb_t Omega, slong prec)
 {
-    arb_t twice, sine, cosine;
-    arb_init(twice);
-    arb_init(sine);
-    arb_init(cosine);
+    SCOPE(arb, twice, sine, cosine);
     arb_mul_2exp_si(twice, tau, 1);
     arb_sin_cos(sine, cosine, twice, prec);
     arb_mul_2exp_si(twice, Omega, 1);
@@ -68,9 +64,6 @@ static void move_pitch(arb_ptr state, arb_srcptr initial, const arb_t tau, const
     arb_mul(state + THETA_DOT, state + THETA_DOT, sine, prec);
     arb_neg(state + THETA_DOT, state + THETA_DOT);
     arb_addmul(state + THETA_DOT, initial + THETA_DOT, cosine, prec);
-    arb_clear(twice);
-    arb_clear(sine);
-    arb_clear(cosine);
 }
 
 enum flow_status flow_linear(const struct flow_parameters *p, arb_srcptr initial, const fmpq *times,
@@ -80,8 +73,7 @@ enum flow_status flow_linear(const struct flow_parameters *p, arb_srcptr initial
     enum flow_status status = FLOW_DONE;
     arb_ptr state = _arb_vec_init(FLOW_STATE), unit = _arb_vec_init(COUPLED);
     arb_mat_t rates;
-    arb_t tau;
-    arb_init(tau);
+    SCOPE(arb, tau);
     arb_mat_init(rates, COUPLED, COUPLED);
     set_rates(rates, p, prec);
     arb_one(unit);
@@ -108,7 +100,6 @@ enum flow_status flow_linear(const struct flow_parameters *p, arb_srcptr initial
                 status = FLOW_STOPPED;
         }
     }
-    arb_clear(tau);
     arb_mat_clear(rates);
     _arb_vec_clear(state, FLOW_STATE);
     _arb_vec_clear(unit, COUPLED);

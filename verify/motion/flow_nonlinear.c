@@ -29,6 +29,7 @@
 
 #include "motion/lohner.h"
 #include "motion/taylor.h"
+#include "text/scope.h"
 
 enum {
     GUARD = 12,           /* bits: by then rounding adds 4 per cent to what the steps leave out, measured */
@@ -108,9 +109,8 @@ static void flow_clear(struct flow *f)
 /* Into radians of orbit and units of r_ref. A quotient that is exact stays so. */
 static void set_problem(struct flow *f, const struct flow_parameters *p, arb_srcptr initial)
 {
-    arb_ptr state = _arb_vec_init(FLOW_STATE);
-    arb_t mass;
-    arb_init(mass);
+    VECTOR(arb, state, FLOW_STATE);
+    SCOPE(arb, mass);
     arb_set(f->Omega, p->Omega);
     arb_div(f->c2, p->C2, p->Omega, f->prec);
     arb_div(f->c1, p->C1, p->Omega, f->prec);
@@ -124,8 +124,6 @@ static void set_problem(struct flow *f, const struct flow_parameters *p, arb_src
     lohner_from_box(&f->set, state);
     jet_constants(&f->path, f->c1, f->c2);
     jet_constants(&f->tube, f->c1, f->c2);
-    _arb_vec_clear(state, FLOW_STATE);
-    arb_clear(mass);
 }
 
 /* q = 1/|x| of the state whose coefficients 0 stand in the jet */
@@ -162,11 +160,10 @@ static void expand(struct flow *f)
     jet_extend(&f->path, f->prec, (double)f->bits / (double)f->path.order);
     if (!f->proving)
         return;
-    arb_ptr box = _arb_vec_init(FLOW_STATE);
+    VECTOR(arb, box, FLOW_STATE);
     lohner_to_box(box, &f->set);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_round(f->tube.c[i], box + i, LOHNER_BITS);
-    _arb_vec_clear(box, FLOW_STATE);
     start_q(&f->tube, LOHNER_BITS);
     jet_extend(&f->tube, LOHNER_BITS, 0);
     for (int j = 0; j < FLOW_STATE; j++) {
@@ -179,13 +176,11 @@ static void expand(struct flow *f)
 static double position_size(const struct flow *f, slong k)
 {
     double size = -HUGE_VAL;
-    mag_t m;
-    mag_init(m);
+    SCOPE(mag, m);
     for (int i = 0; i < HALF; i++) {
         arb_get_mag(m, f->path.c[i] + k);
         size = fmax(size, mag_get_d_log2_approx(m));
     }
-    mag_clear(m);
     return size;
 }
 
@@ -205,36 +200,26 @@ static double step_length(const struct flow *f)
 /* Whether the derivatives are known well enough to steer by; else each step would inflate the set. */
 static bool steady(const struct majorant *spread)
 {
-    mag_t all, rest;
-    mag_init(all);
-    mag_init(rest);
+    SCOPE(mag, all, rest);
     for (int i = 0; i < FLOW_STATE; i++) {
         mag_max(all, all, spread->suffix[i]);
         mag_max(rest, rest, spread->rest + i);
     }
     mag_mul_2exp_si(rest, rest, STEADY);
-    bool result = mag_cmp(rest, all) <= 0;
-    mag_clear(all);
-    mag_clear(rest);
-    return result;
+    return mag_cmp(rest, all) <= 0;
 }
 
 /* Bounds on |s| <= step; false where it is too long for them. */
 static bool prove(struct flow *f, double step)
 {
-    mag_t h, one;
-    mag_init(h);
-    mag_init(one);
+    SCOPE(mag, h, one);
     mag_set_d(h, step);
     mag_one(one);
     majorant_of(&f->path_bound, &f->path, one, 1, h);
     majorant_of(&f->tube_bound, &f->tube, one, 1, h);
     majorant_of(&f->spread_bound, f->column, f->set.reach, FLOW_STATE, h);
-    bool proved = majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->tube_bound, NULL, h)
+    return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->tube_bound, NULL, h)
                   && majorant_prove(&f->spread_bound, &f->tube_bound, h) && steady(&f->spread_bound);
-    mag_clear(h);
-    mag_clear(one);
-    return proved;
 }
 
 /* The longest of step, step/2, ... that can be proved, or 0 */
@@ -276,11 +261,10 @@ static void state_at(const struct flow *f, arb_ptr state, const arb_t s)
 /* The set at the end of the step; false if it is lost. */
 static bool advance(struct flow *f, double step)
 {
-    arb_ptr image = _arb_vec_init(FLOW_STATE);
+    VECTOR(arb, image, FLOW_STATE);
     arb_mat_t derivative;
-    arb_t s;
+    SCOPE(arb, s);
     bool bounded = true;
-    arb_init(s);
     arb_mat_init(derivative, FLOW_STATE, FLOW_STATE);
     arb_set_d(s, f->direction * step);
     arf_add(f->now, f->now, arb_midref(s), ARF_PREC_EXACT, ARF_RND_DOWN);
@@ -296,50 +280,38 @@ static bool advance(struct flow *f, double step)
     } else {
         lohner_from_box(&f->set, image);
     }
-    arb_clear(s);
     arb_mat_clear(derivative);
-    _arb_vec_clear(image, FLOW_STATE);
     return bounded;
 }
 
 /* Whether the set has lost so many digits. */
 static bool lost(const struct flow *f, slong digits)
 {
-    arb_ptr box = _arb_vec_init(FLOW_STATE);
+    VECTOR(arb, box, FLOW_STATE);
     lohner_to_box(box, &f->set);
-    bool wide = f->proving && flow_wide(box, (slong)(log2(10) * (double)digits));
-    _arb_vec_clear(box, FLOW_STATE);
-    return wide;
+    return f->proving && flow_wide(box, (slong)(log2(10) * (double)digits));
 }
 
 /* The step's start in seconds, rounded towards 0 */
 static double seconds(const struct flow *f)
 {
-    arb_t t;
-    arf_t bound;
-    arb_init(t);
-    arf_init(bound);
+    SCOPE(arb, t);
+    SCOPE(arf, bound);
     arb_set_arf(t, f->now);
     arb_div(t, t, f->Omega, 64);
     arb_get_abs_lbound_arf(bound, t, 53);
-    double result = f->direction * arf_get_d(bound, ARF_RND_DOWN);
-    arb_clear(t);
-    arf_clear(bound);
-    return result;
+    return f->direction * arf_get_d(bound, ARF_RND_DOWN);
 }
 
 /* s = Omega t - now, and whether |s| <= step for certain */
 static bool within(const struct flow *f, arb_t s, const fmpq_t t, double step)
 {
-    arf_t bound;
-    arf_init(bound);
+    SCOPE(arf, bound);
     arb_set_fmpq(s, t, f->prec);
     arb_mul(s, s, f->Omega, f->prec);
     arb_sub_arf(s, s, f->now, f->prec);
     arb_get_abs_ubound_arf(bound, s, 53);
-    bool inside = arf_cmp_d(bound, step) <= 0;
-    arf_clear(bound);
-    return inside;
+    return arf_cmp_d(bound, step) <= 0;
 }
 
 /* Whether the times go away from 0. */
@@ -354,19 +326,13 @@ static bool ordered(const fmpq *times, slong count, int direction)
 /* Whether the craft are closer than 2^CLOSE L_ref wherever in the set they are. */
 static bool is_close(const struct flow *f)
 {
-    arb_ptr box = _arb_vec_init(FLOW_STATE);
-    arb_t r;
-    arf_t bound;
-    arb_init(r);
-    arf_init(bound);
+    VECTOR(arb, box, FLOW_STATE);
+    SCOPE(arb, r);
+    SCOPE(arf, bound);
     lohner_to_box(box, &f->set);
     arb_dot(r, NULL, 0, box, 1, box, 1, HALF, f->prec);
     arb_get_ubound_arf(bound, r, f->prec);
-    bool close = arf_cmp_2exp_si(bound, 2 * CLOSE) < 0;
-    _arb_vec_clear(box, FLOW_STATE);
-    arb_clear(r);
-    arf_clear(bound);
-    return close;
+    return arf_cmp_2exp_si(bound, 2 * CLOSE) < 0;
 }
 
 /* Expands about the start of a step and proves its length. */

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "text/scope.h"
+
 enum { N = LOHNER_SIZE };
 
 typedef double matrix[N][N];
@@ -35,8 +37,7 @@ void lohner_from_box(struct lohner *set, arb_srcptr box)
 
 void lohner_to_box(arb_ptr box, const struct lohner *set)
 {
-    mag_t entry;
-    mag_init(entry);
+    SCOPE(mag, entry);
     for (int i = 0; i < N; i++) {
         arb_set(box + i, set->centre + i);
         for (int j = 0; j < N; j++) {
@@ -44,7 +45,6 @@ void lohner_to_box(arb_ptr box, const struct lohner *set)
             mag_addmul(arb_radref(box + i), entry, set->reach + j);
         }
     }
-    mag_clear(entry);
 }
 
 /* v less its parts along the first k columns, twice for the sake of rounding; returns what length is left */
@@ -92,9 +92,8 @@ static void orthonormalise(matrix basis, matrix a)
 static void choose_basis(struct lohner *set, const arb_mat_t derivative)
 {
     matrix sorted;
-    mag_ptr length = _mag_vec_init(N);
-    mag_t entry;
-    mag_init(entry);
+    VECTOR(mag, length, N);
+    SCOPE(mag, entry);
     int place[N] = {0};
     for (int j = 0; j < N; j++) {
         for (int i = 0; i < N; i++) {
@@ -109,21 +108,17 @@ static void choose_basis(struct lohner *set, const arb_mat_t derivative)
             sorted[i][place[j]] =
                 arf_get_d(arb_midref(arb_mat_entry(derivative, i, j)), ARF_RND_NEAR);
     orthonormalise(set->basis, sorted);
-    mag_clear(entry);
-    _mag_vec_clear(length, N);
 }
 
 /* sum_i += |a_ij| x_j */
 static void add_absolute(mag_ptr sum, const arb_mat_t a, mag_srcptr x)
 {
-    mag_t entry;
-    mag_init(entry);
+    SCOPE(mag, entry);
     for (int i = 0; i < N; i++)
         for (int j = 0; j < N; j++) {
             arb_get_mag(entry, arb_mat_entry(a, i, j));
             mag_addmul(sum + i, entry, x + j);
         }
-    mag_clear(entry);
 }
 
 /*

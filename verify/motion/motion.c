@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "text/decimal.h"
+#include "text/scope.h"
 
 const char *const setting_names[SETTINGS] = {
     "m1",  "m2",    "L_ref", "k_c",     "Omega",     "n",      "C1", "C2", "psi", "theta",
@@ -54,11 +55,9 @@ bool setting_valid(const struct setting *s, bool nonlinear, struct message *why)
     }
     if (!nonlinear)
         return true;
-    fmpq_t length;
-    fmpq_init(length);
+    SCOPE(fmpq, length);
     fmpq_add(length, &s->value[SET_L_ref].value, &s->value[SET_dL].value);
     bool apart = fmpq_sgn(length) > 0;
-    fmpq_clear(length);
     if (cartesian(s))
         apart = !(fmpq_is_zero(&s->value[SET_x1].value) && fmpq_is_zero(&s->value[SET_y1].value) &&
                   fmpq_is_zero(&s->value[SET_z1].value));
@@ -106,15 +105,13 @@ static void derive_initial(arb_ptr initial, const struct motion *m, slong prec)
     static const enum setting_name order[] = {SET_m1,     SET_m2,      SET_L_ref, SET_psi, SET_theta,
                                               SET_dL_dot, SET_psi_dot, SET_theta_dot};
     arb_ptr inputs = _arb_vec_init(8); /* m1 m2 L psi theta, and L_dot psi_dot theta_dot */
-    arb_t dL;
-    arb_init(dL);
+    SCOPE(arb, dL);
     for (int i = 0; i < 8; i++)
         get(inputs + i, s, order[i], prec);
     get(dL, s, SET_dL, prec);
     arb_add(inputs + 2, inputs + 2, dL, prec);
     section_enclose(section_find(sheet(), "eq10"), inputs, prec, initial);
     section_enclose(section_find(sheet(), "eq11exact"), inputs, prec, initial + 3);
-    arb_clear(dL);
     _arb_vec_clear(inputs, 8);
 }
 
@@ -141,8 +138,8 @@ static void distance_and_rate(arb_t L, arb_t L_dot, const struct flow_parameters
 /* q1 and q2; the charge product Q_ref + dQ itself goes to `product`. */
 static void charges(arb_ptr q, arb_t product, const struct flow_parameters *p, arb_srcptr state, slong prec)
 {
-    arb_ptr in = _arb_vec_init(8);
-    arb_ptr Q = _arb_vec_init(2);
+    VECTOR(arb, in, 8);
+    VECTOR(arb, Q, 2);
     arb_srcptr first[] = {p->Omega, p->k_c, p->m1, p->m2, p->L_ref};
     arb_srcptr second[] = {p->k_c, p->m1, p->m2, p->L_ref, p->C1, p->C2};
     for (int i = 0; i < 5; i++)
@@ -155,8 +152,6 @@ static void charges(arb_ptr q, arb_t product, const struct flow_parameters *p, a
     section_enclose(section_find(sheet(), "eq18"), in, prec, Q + 1);
     arb_add(product, Q, Q + 1, prec);
     section_enclose(section_find(sheet(), "eq21"), Q, prec, q);
-    _arb_vec_clear(in, 8);
-    _arb_vec_clear(Q, 2);
 }
 
 /* ---- rows ---- */
@@ -180,24 +175,21 @@ static int row_balls(struct pass *p, arb_srcptr state, arb_ptr row)
     if (m->nonlinear)
         flow_settle(p->initial, p->static_place, row);
     if (m->charges) {
-        arb_t product;
-        arb_init(product);
+        SCOPE(arb, product);
         charges(row + FLOW_STATE, product, &p->parameters, row, p->prec);
         p->outside = arb_is_nonnegative(product);
         for (int i = FLOW_STATE; i < ROW_NUMBERS && m->microcoulomb; i++)
             arb_mul_ui(row + i, row + i, 1000000, p->prec);
-        arb_clear(product);
         return ROW_NUMBERS;
     }
     if (m->small_angles) {
-        arb_ptr in = _arb_vec_init(5);
+        VECTOR(arb, in, 5);
         arb_set(in, p->parameters.m1);
         arb_set(in + 1, p->parameters.m2);
         arb_add(in + 2, p->parameters.L_ref, state + 2, p->prec);
         arb_set(in + 3, state);
         arb_set(in + 4, state + 1);
         section_enclose(section_find(sheet(), "eq10lin"), in, p->prec, row);
-        _arb_vec_clear(in, 5);
         return 3;
     }
     return FLOW_STATE;
@@ -209,7 +201,7 @@ static int take_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
     if (k < p->done)
         return 0;
     char *numbers[ROW_NUMBERS] = {NULL};
-    arb_ptr row = _arb_vec_init(ROW_NUMBERS);
+    VECTOR(arb, row, ROW_NUMBERS);
     int count = row_balls(p, state, row);
     for (int i = 0; i < count && !p->outside; i++) {
         numbers[i] = decimal_of_ball(row + i, p->motion->digits);
@@ -221,7 +213,6 @@ static int take_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
     }
     for (int i = 0; i < count; i++)
         free(numbers[i]);
-    _arb_vec_clear(row, ROW_NUMBERS);
     return p->outside || p->undecided || p->stopped;
 }
 
@@ -273,9 +264,8 @@ static enum flow_status passes(struct pass *p, const fmpq *times, slong count, d
 static void find_crossing(const struct pass *found, fmpq_t before, fmpq_t after)
 {
     struct motion m = *found->motion;
-    fmpq *times = _fmpq_vec_init(11);
-    fmpq_t tenth;
-    fmpq_init(tenth);
+    VECTOR(fmpq, times, 11);
+    SCOPE(fmpq, tenth);
     m.digits = 9; /* a millionth of a step and some to spare */
     for (int cut = 0; cut < 6 && m.h == NULL; cut++) {
         struct pass p = {.motion = &m, .static_place = found->static_place, .receive = ignore_row};
@@ -292,8 +282,6 @@ static void find_crossing(const struct pass *found, fmpq_t before, fmpq_t after)
         fmpq_set(before, times + p.done - 1);
         fmpq_set(after, times + p.done);
     }
-    fmpq_clear(tenth);
-    _fmpq_vec_clear(times, 11);
 }
 
 static void say_crossing(const struct pass *p, const fmpq *times, struct message *why)
@@ -303,16 +291,12 @@ static void say_crossing(const struct pass *p, const fmpq *times, struct message
                     fmpq_get_d(times));
         return;
     }
-    fmpq_t before, after;
-    fmpq_init(before);
-    fmpq_init(after);
+    SCOPE(fmpq, before, after);
     fmpq_set(before, times + p->done - 1);
     fmpq_set(after, times + p->done);
     find_crossing(p, before, after);
     message_set(why, "Q_ref + dQ >= 0 from t = %.9g s, proved < 0 at t = %.9g s: Eq. (21) has no charges there",
                 fmpq_get_d(after), fmpq_get_d(before));
-    fmpq_clear(before);
-    fmpq_clear(after);
 }
 
 /* Passes at rising precision until every row is proved, or nothing more can be. */

@@ -10,6 +10,8 @@
 
 #include <math.h>
 
+#include "text/scope.h"
+
 enum {
     HALF = FLOW_STATE / 2,
     USEFUL_BITS = 16,      /* balls wider than 2^-16 of the state widen at once */
@@ -27,8 +29,7 @@ typedef void rates_function(arb_ptr rate, arb_srcptr state, const struct gains *
 static void linear_rates(arb_ptr rate, arb_srcptr state, const struct gains *g, slong prec)
 {
     enum { PSI, THETA, DL, PSI_DOT, THETA_DOT, DL_DOT };
-    arb_t stiffness;
-    arb_init(stiffness);
+    SCOPE(arb, stiffness);
     _arb_vec_set(rate, state + HALF, HALF);
     arb_mul_si(rate + PSI_DOT, state + PSI, -3, prec);
     arb_submul_ui(rate + PSI_DOT, state + DL_DOT, 2, prec);
@@ -37,17 +38,13 @@ static void linear_rates(arb_ptr rate, arb_srcptr state, const struct gains *g, 
     arb_mul_2exp_si(rate + DL_DOT, state + PSI_DOT, 1);
     arb_submul(rate + DL_DOT, stiffness, state + DL, prec);
     arb_submul(rate + DL_DOT, g->c2, state + DL_DOT, prec);
-    arb_clear(stiffness);
 }
 
 /* (3) closed by (7) and (18): r and r' from the state, Q from them; p = k_c Q / (m1 L^3) (1 + m1/m2) */
 static void nonlinear_rates(arb_ptr rate, arb_srcptr state, const struct gains *g, slong prec)
 {
     enum { X, Y, Z, X_DOT, Y_DOT };
-    arb_t r, r_dot, p;
-    arb_init(r);
-    arb_init(r_dot);
-    arb_init(p);
+    SCOPE(arb, r, r_dot, p);
     arb_dot(r, NULL, 0, state, 1, state, 1, HALF, prec);
     arb_sqrt(r, r, prec);
     arb_dot(r_dot, NULL, 0, state, 1, state + HALF, 1, HALF, prec);
@@ -67,9 +64,6 @@ static void nonlinear_rates(arb_ptr rate, arb_srcptr state, const struct gains *
     arb_addmul_ui(rate + HALF + X, state + Y_DOT, 2, prec);
     arb_submul_ui(rate + HALF + Y, state + X_DOT, 2, prec);
     arb_sub(rate + HALF + Z, rate + HALF + Z, state + Z, prec);
-    arb_clear(r);
-    arb_clear(r_dot);
-    arb_clear(p);
 }
 
 /* state += h/6 (k1 + 2 k2 + 2 k3 + k4), k2 and k3 at h/2, k4 at h */
@@ -78,8 +72,7 @@ static void step(arb_ptr state, const arb_t h, rates_function *rates, const stru
     static const int point[4] = {0, 1, 1, 2}; /* of the step, in halves */
     static const int weight[4] = {1, 2, 2, 1};
     arb_ptr k = _arb_vec_init(FLOW_STATE), at = _arb_vec_init(FLOW_STATE), sum = _arb_vec_init(FLOW_STATE);
-    arb_t factor;
-    arb_init(factor);
+    SCOPE(arb, factor);
     for (int stage = 0; stage < 4; stage++) {
         arb_mul_ui(factor, h, (ulong)point[stage], prec);
         arb_mul_2exp_si(factor, factor, -1);
@@ -91,7 +84,6 @@ static void step(arb_ptr state, const arb_t h, rates_function *rates, const stru
     }
     arb_div_ui(factor, h, 6, prec);
     _arb_vec_scalar_addmul(state, sum, FLOW_STATE, factor, prec);
-    arb_clear(factor);
     _arb_vec_clear(k, FLOW_STATE);
     _arb_vec_clear(at, FLOW_STATE);
     _arb_vec_clear(sum, FLOW_STATE);
@@ -101,12 +93,10 @@ static void step(arb_ptr state, const arb_t h, rates_function *rates, const stru
 static slong steps_to(const fmpq_t t, const fmpq_t h)
 {
     slong n = -1;
-    fmpq_t ratio;
-    fmpq_init(ratio);
+    SCOPE(fmpq, ratio);
     fmpq_div(ratio, t, h);
     if (fmpz_is_one(fmpq_denref(ratio)) && fmpq_sgn(ratio) >= 0)
         n = fmpz_fits_si(fmpq_numref(ratio)) ? fmpz_get_si(fmpq_numref(ratio)) : WORD_MAX;
-    fmpq_clear(ratio);
     return n;
 }
 
@@ -219,16 +209,12 @@ enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initi
     if (!in_reach(p, h, times, count))
         return FLOW_STALLED;
     struct march m;
-    arb_t r_ref, mass;
-    arb_init(r_ref);
-    arb_init(mass);
+    SCOPE(arb, r_ref, mass);
     arb_add(mass, p->m1, p->m2, prec);
     arb_mul(r_ref, p->m2, p->L_ref, prec);
     arb_div(r_ref, r_ref, mass, prec);
     march_init(&m, nonlinear_rates, 0, r_ref, p, h, prec);
     enum flow_status status = march(&m, initial, h, times, count, prec, receive, context, reached);
     march_clear(&m);
-    arb_clear(r_ref);
-    arb_clear(mass);
     return status;
 }

@@ -4,6 +4,8 @@
  */
 #include "motion/taylor.h"
 
+#include "text/scope.h"
+
 enum { X, Y, Z, U, V, W, Q, G, S, A, D, R, P, ONE, TWO, THREE, C1, C2 };
 
 const struct term closed_loop[JET_TERMS] = {
@@ -149,9 +151,7 @@ void majorant_clear(struct majorant *m)
 void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights, slong count,
                  const mag_t h)
 {
-    mag_t power, size;
-    mag_init(power);
-    mag_init(size);
+    SCOPE(mag, power, size);
     m->system = jets->system;
     for (int v = 0; v < JET_ALL; v++) {
         mag_one(power);
@@ -168,8 +168,6 @@ void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights,
         for (slong k = m->order - 1; k >= 0; k--)
             mag_add(m->suffix[v] + k, m->suffix[v] + k + 1, m->size[v] + k);
     }
-    mag_clear(power);
-    mag_clear(size);
 }
 
 /* sum += the part from degree n on of (known terms of a) (known terms of b) */
@@ -249,9 +247,8 @@ static bool below(mag_srcptr image, mag_srcptr rest)
 bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t h)
 {
     enum { ATTEMPTS = 24 }; /* a step that is short enough takes two or three */
-    mag_ptr image = _mag_vec_init(JET_STATES);
-    mag_t factor;
-    mag_init(factor);
+    VECTOR(mag, image, JET_STATES);
+    SCOPE(mag, factor);
     mag_set_ui(factor, (ulong)(m->order + 1));
     mag_div(factor, h, factor);
 
@@ -272,16 +269,13 @@ bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t
         for (int v = 0; v < JET_STATES; v++)
             mag_mul_2exp_si(m->rest + v, image + v, proved ? 0 : 1);
     }
-    _mag_vec_clear(image, JET_STATES);
-    mag_clear(factor);
     return proved;
 }
 
 void closed_loop_rates(fmpq *rates, const fmpq *state, const fmpq_t c1, const fmpq_t c2)
 {
-    fmpq *value = _fmpq_vec_init(JET_ALL);
-    fmpq_t product;
-    fmpq_init(product);
+    VECTOR(fmpq, value, JET_ALL);
+    SCOPE(fmpq, product);
     for (int v = 0; v < JET_STATES; v++) {
         fmpq_set(value + v, state + v);
         fmpq_zero(rates + v);
@@ -300,6 +294,4 @@ void closed_loop_rates(fmpq *rates, const fmpq *state, const fmpq_t c1, const fm
         else
             fmpq_add(to, to, product);
     }
-    _fmpq_vec_clear(value, JET_ALL);
-    fmpq_clear(product);
 }

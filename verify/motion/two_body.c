@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "text/scope.h"
+
 enum {
     SERIES = CRAFT * AXES,
     ORDER = 28 /* of the Taylor steps: the last term falls to 1e-28, balls then widen by 10^3 a radian */
@@ -36,14 +38,12 @@ void two_body_clear(struct two_body *b)
 /* a.b */
 static void scalar_product(arb_poly_t z, const arb_poly_struct *a, const arb_poly_struct *b, slong n, slong prec)
 {
-    arb_poly_t term;
-    arb_poly_init(term);
+    SCOPE(arb_poly, term);
     arb_poly_zero(z);
     for (int i = 0; i < AXES; i++) {
         arb_poly_mullow(term, a + i, b + i, n, prec);
         arb_poly_add(z, z, term, prec);
     }
-    arb_poly_clear(term);
 }
 
 /*
@@ -53,11 +53,8 @@ static void scalar_product(arb_poly_t z, const arb_poly_struct *a, const arb_pol
 static void attract(struct expansion *t, int craft, const arb_t s, slong n, slong prec)
 {
     arb_poly_struct *r = t->place + AXES * craft, *v = t->velocity + AXES * craft, *a = t->acceleration + AXES * craft;
-    arb_poly_t g, h;
-    arb_t power;
-    arb_init(power);
-    arb_poly_init(g);
-    arb_poly_init(h);
+    SCOPE(arb_poly, g, h);
+    SCOPE(arb, power);
     scalar_product(g, r, r, n, prec); /* |s R|^2 = 1 + 2 s x + s^2 r.r */
     arb_poly_scalar_mul(g, g, s, prec);
     arb_poly_scalar_mul_2exp_si(h, r, 1);
@@ -79,19 +76,13 @@ static void attract(struct expansion *t, int craft, const arb_t s, slong n, slon
     arb_poly_add(a, a, h, prec);
     arb_poly_scalar_mul_2exp_si(h, v, 1);
     arb_poly_sub(a + 1, a + 1, h, prec);
-    arb_poly_clear(g);
-    arb_poly_clear(h);
-    arb_clear(power);
 }
 
 /* Along the line d from craft 2 to craft 1: d (3 + c1 (L - 1) + c2 L_dot)/L^3, in shares of the other's mass. */
 static void pull(struct expansion *t, const struct two_body *b, slong n, slong prec)
 {
     arb_poly_struct d[AXES], d_dot[AXES];
-    arb_poly_t L, f, h;
-    arb_poly_init(L);
-    arb_poly_init(f);
-    arb_poly_init(h);
+    SCOPE(arb_poly, L, f, h);
     for (int i = 0; i < AXES; i++) {
         arb_poly_init(d + i);
         arb_poly_init(d_dot + i);
@@ -118,9 +109,6 @@ static void pull(struct expansion *t, const struct two_body *b, slong n, slong p
         arb_poly_clear(d + i);
         arb_poly_clear(d_dot + i);
     }
-    arb_poly_clear(L);
-    arb_poly_clear(f);
-    arb_poly_clear(h);
 }
 
 /* Picard's iteration: each pass makes one more coefficient right. */
@@ -142,24 +130,19 @@ static void expand(struct expansion *t, const struct two_body *b, slong prec)
 /* The sum at h, and its last term as the error. */
 static void sum(arb_t z, const arb_poly_t f, const arb_t h, slong prec)
 {
-    arb_t last, power;
-    arb_init(last);
-    arb_init(power);
+    SCOPE(arb, last, power);
     arb_poly_evaluate(z, f, h, prec);
     arb_poly_get_coeff_arb(last, f, ORDER);
     arb_pow_ui(power, h, ORDER, prec);
     arb_mul(last, last, power, prec);
     arb_add_error(z, last);
-    arb_clear(last);
-    arb_clear(power);
 }
 
 void two_body_move(struct two_body *b, const arb_t tau, slong prec)
 {
     const slong steps = (slong)ceil(arf_get_d(arb_midref(tau), ARF_RND_UP) / STEP);
     struct expansion t;
-    arb_t h;
-    arb_init(h);
+    SCOPE(arb, h);
     arb_div_si(h, tau, steps, prec);
     for (slong k = 0; k < steps; k++) {
         for (int i = 0; i < SERIES; i++) {
@@ -178,5 +161,4 @@ void two_body_move(struct two_body *b, const arb_t tau, slong prec)
             arb_poly_clear(t.acceleration + i);
         }
     }
-    arb_clear(h);
 }

@@ -5,6 +5,8 @@
 
 #include "proof/derivation.h"
 
+#include "text/scope.h"
+
 /* ---- what `from` and `to` name ---- */
 
 static bool is_number_of(const char *entry, const char *equation)
@@ -274,7 +276,7 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
     slong rows[MOST_BOUND], count = 0;
     struct machine m, adjoint;
     arb_mat_t J, transposed, square;
-    arb_t determinant;
+    SCOPE(arb, determinant);
     program_needs(p, u->part, NULL, needed);
     for (int i = 0; i < p->inputs && i <= u->part && i < MOST_BOUND; i++)
         if (needed[i])
@@ -284,7 +286,6 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
     arb_mat_init(J, count, t->program.inputs);
     arb_mat_init(transposed, t->program.inputs, count);
     arb_mat_init(square, count, count);
-    arb_init(determinant);
     set_point(&m, t);
     machine_run(&m);
     for (slong i = 0; i < count; i++) {
@@ -299,7 +300,6 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
     arb_mat_clear(J);
     arb_mat_clear(transposed);
     arb_mat_clear(square);
-    arb_clear(determinant);
     machine_clear(&m);
     machine_clear(&adjoint);
     free(needed);

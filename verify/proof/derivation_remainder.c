@@ -1,8 +1,8 @@
 /* The remainders of a derivation step: what an equation drops, on which states, and how large that may be. */
 #include <string.h>
 
-#include "text/decimal.h"
 #include "proof/derivation.h"
+#include "text/decimal.h"
 
 /* A number, exactly as it is written. */
 static bool read_number(const struct document *d, const yaml_node_t *node, fmpq_t value)

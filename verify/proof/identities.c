@@ -7,6 +7,7 @@
 
 #include "formula/symbolic.h"
 #include "formula/typeset.h"
+#include "text/scope.h"
 
 /* The identities at work: values and sets of signs, computed when they are first asked for. */
 struct run {
@@ -49,8 +50,7 @@ static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
     const slong all = fmpz_mpoly_ctx_nvars(ctx);
     ulong *exponents = memory(NULL, (size_t)all, sizeof *exponents);
     int signs = SIGN_ZERO;
-    fmpz_t c;
-    fmpz_init(c);
+    SCOPE(fmpz, c);
     for (slong i = 0; i < fmpz_mpoly_length(f, ctx) && signs != SIGN_ANY; i++) {
         fmpz_mpoly_get_term_coeff_fmpz(c, f, i, ctx);
         fmpz_mpoly_get_term_exp_ui(exponents, f, i, ctx);
@@ -65,7 +65,6 @@ static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
     }
     if (signs == SIGN_ANY && fmpz_mpoly_is_square(f, ctx))
         signs = SIGN_ZERO | SIGN_POSITIVE;
-    fmpz_clear(c);
     free(exponents);
     return signs;
 }
@@ -208,9 +207,7 @@ static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, const fmpq *poin
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
     ulong *exponents = memory(NULL, (size_t)fmpz_mpoly_ctx_nvars(ctx), sizeof *exponents);
-    fmpq_t term, factor;
-    fmpq_init(term);
-    fmpq_init(factor);
+    SCOPE(fmpq, term, factor);
     fmpq_zero(y);
     for (slong i = 0; i < fmpz_mpoly_length(f, ctx); i++) {
         fmpz_one(fmpq_denref(term));
@@ -223,22 +220,18 @@ static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, const fmpq *poin
             }
         fmpq_add(y, y, term);
     }
-    fmpq_clear(term);
-    fmpq_clear(factor);
     free(exponents);
 }
 
 /* False at a pole. */
 static bool evaluate(fmpq_t y, const fmpz_mpoly_q_struct *f, const fmpq *point)
 {
-    fmpq_t under;
-    fmpq_init(under);
+    SCOPE(fmpq, under);
     evaluate_polynomial(y, fmpz_mpoly_q_numref(f), point);
     evaluate_polynomial(under, fmpz_mpoly_q_denref(f), point);
     const bool fine = !fmpq_is_zero(under);
     if (fine)
         fmpq_div(y, y, under);
-    fmpq_clear(under);
     return fine;
 }
 
@@ -265,11 +258,9 @@ static void print_rational(FILE *out, const fmpq_t q)
 static void print_example(FILE *out, const struct run *r, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y)
 {
     enum { ATTEMPTS = 100 };
-    fmpq *point = _fmpq_vec_init(r->variables + 1);
-    fmpq_t left, right;
+    VECTOR(fmpq, point, r->variables + 1);
+    SCOPE(fmpq, left, right);
     int attempt = 0;
-    fmpq_init(left);
-    fmpq_init(right);
     do
         choose_point(point, r, attempt);
     while (attempt++ < ATTEMPTS &&
@@ -292,9 +283,6 @@ static void print_example(FILE *out, const struct run *r, const fmpz_mpoly_q_str
         fputs(r->t->variables[i].power > 0 ? " epsilon" : "", out);
         separator = ", ";
     }
-    fmpq_clear(left);
-    fmpq_clear(right);
-    _fmpq_vec_clear(point, r->variables + 1);
 }
 
 enum { SHOWN_TERMS = 6 };

@@ -7,8 +7,8 @@
 #ifndef CT_IDENTITIES_H
 #define CT_IDENTITIES_H
 
-#include "text/document.h"
 #include "sheet/sheet.h"
+#include "text/document.h"
 
 enum { SIGN_NEGATIVE = 1, SIGN_ZERO = 2, SIGN_POSITIVE = 4, SIGN_ANY = 7 }; /* sets of signs */
 enum { MOST_SHOWN = 32, MOST_BOUND = 40 };

@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "text/scope.h"
+
 enum { BITS = 128, MOST_BOXES = 20000, DEEPEST = 200, MOST_MOVING = 12 };
 
 void remainder_init(struct remainder *r, const struct program *p, int node)
@@ -39,8 +41,7 @@ struct search {
 /* The formula for states within these balls. */
 static void evaluate(struct search *s, arb_t z, arb_srcptr state)
 {
-    arb_t least;
-    arb_init(least);
+    SCOPE(arb, least);
     for (int i = 0; i < s->inputs; i++)
         arb_set(machine_value(&s->value, i), state + i);
     machine_run(&s->value);
@@ -48,7 +49,6 @@ static void evaluate(struct search *s, arb_t z, arb_srcptr state)
     arb_get_abs_lbound_arf(arb_midref(least), z, BITS);
     if (arb_gt(least, s->reached))
         arb_set(s->reached, least);
-    arb_clear(least);
 }
 
 /*
@@ -60,11 +60,8 @@ static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
 {
     const int inputs = s->inputs;
     arb_ptr low = box, high = box + inputs, state = _arb_vec_init(inputs);
-    mag_t change, most, all;
+    SCOPE(mag, change, most, all);
     int widest = -1;
-    mag_init(change);
-    mag_init(most);
-    mag_init(all);
     for (int i = 0; i < inputs; i++)
         arb_union(state + i, low + i, high + i, BITS);
     evaluate(s, z, state);
@@ -91,9 +88,6 @@ static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
     arb_mul_si(z, z, sign, BITS);
     arb_add_error_mag(z, all);
     _arb_vec_clear(state, inputs);
-    mag_clear(change);
-    mag_clear(most);
-    mag_clear(all);
     return widest;
 }
 
@@ -101,9 +95,7 @@ static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
 static bool is_below(struct search *s, arb_srcptr box, int sign, int depth)
 {
     arb_ptr part = _arb_vec_init(2 * s->inputs), low = part, high = part + s->inputs;
-    arb_t z, end;
-    arb_init(z);
-    arb_init(end);
+    SCOPE(arb, z, end);
     _arb_vec_set(part, box, 2 * s->inputs);
     const int i = bound_above(s, z, part, sign);
     bool below = arb_le(z, s->bound);
@@ -116,8 +108,6 @@ static bool is_below(struct search *s, arb_srcptr box, int sign, int depth)
         arb_set(high + i, end);
         below = below && is_below(s, part, sign, depth + 1);
     }
-    arb_clear(z);
-    arb_clear(end);
     _arb_vec_clear(part, 2 * s->inputs);
     return below;
 }
@@ -126,9 +116,8 @@ static bool is_below(struct search *s, arb_srcptr box, int sign, int depth)
 static void try_corners(struct search *s, arb_srcptr box)
 {
     int moving[MOST_MOVING], count = 0;
-    arb_ptr corner = _arb_vec_init(s->inputs);
-    arb_t z;
-    arb_init(z);
+    VECTOR(arb, corner, s->inputs);
+    SCOPE(arb, z);
     _arb_vec_set(corner, box, s->inputs);
     for (int i = 0; i < s->inputs && count < MOST_MOVING; i++)
         if (!fmpq_equal(s->of->low + i, s->of->high + i))
@@ -138,14 +127,12 @@ static void try_corners(struct search *s, arb_srcptr box)
             arb_set(corner + moving[j], box + moving[j] + (k >> j & 1 ? s->inputs : 0));
         evaluate(s, z, corner);
     }
-    arb_clear(z);
-    _arb_vec_clear(corner, s->inputs);
 }
 
 void remainder_prove(const struct remainder *r, struct remainder_proof *proof)
 {
     struct search s = {.of = r, .inputs = r->program.inputs};
-    arb_ptr box = _arb_vec_init(2 * s.inputs);
+    VECTOR(arb, box, 2 * s.inputs);
     machine_init(&s.value, &r->program, &arithmetic_ball, BITS);
     machine_init(&s.slope, &r->program, &arithmetic_ball, BITS);
     arb_init(s.bound);
@@ -169,5 +156,4 @@ void remainder_prove(const struct remainder *r, struct remainder_proof *proof)
     arb_clear(s.reached);
     machine_clear(&s.value);
     machine_clear(&s.slope);
-    _arb_vec_clear(box, 2 * s.inputs);
 }

@@ -7,8 +7,8 @@
 #ifndef CT_REMAINDER_H
 #define CT_REMAINDER_H
 
-#include "text/document.h"
 #include "formula/expression.h"
+#include "text/document.h"
 
 struct remainder {
     const char *equation, *text, *unit, *at_most; /* equation: the number of the one that drops it */

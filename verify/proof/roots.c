@@ -18,14 +18,14 @@
 #include <complex.h>
 #include <math.h>
 
+#include "text/scope.h"
+
 enum { DEGREE = 4, MOST_DOUBLINGS = 6 };
 
 /* p of (41), or with Omega = 1 the polynomial in s. */
 static void polynomial(fmpq_poly_t p, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2)
 {
-    fmpq_t square, c;
-    fmpq_init(square);
-    fmpq_init(c);
+    SCOPE(fmpq, square, c);
     fmpq_mul(square, Omega, Omega);
     fmpq_poly_zero(p);
     fmpq_poly_set_coeff_si(p, 4, 1);
@@ -41,8 +41,6 @@ static void polynomial(fmpq_poly_t p, const fmpq_t Omega, const fmpq_t C1, const
     fmpq_mul(c, c, square);
     fmpq_mul_si(c, c, 3);
     fmpq_poly_set_coeff_fmpq(p, 0, c);
-    fmpq_clear(square);
-    fmpq_clear(c);
 }
 
 /* ---- isolation -------------------------------------------------------- */
@@ -83,8 +81,7 @@ static bool approximate(acb_ptr roots, const acb_poly_t p)
 static bool pair_up(acb_ptr roots)
 {
     bool paired = true;
-    acb_t conjugate;
-    acb_init(conjugate);
+    SCOPE(acb, conjugate);
     for (int k = 0; k < DEGREE; k++) {
         if (arb_contains_zero(acb_imagref(roots + k)))
             arb_zero(acb_imagref(roots + k));
@@ -101,7 +98,6 @@ static bool pair_up(acb_ptr roots)
         paired = paired && partners == 1;
         acb_set(roots + partner, conjugate);
     }
-    acb_clear(conjugate);
     return paired;
 }
 
@@ -109,13 +105,12 @@ static bool pair_up(acb_ptr roots)
  * reached. */
 static bool isolate(acb_ptr roots, const acb_poly_t p, slong prec)
 {
-    acb_ptr start = _acb_vec_init(DEGREE);
+    VECTOR(acb, start, DEGREE);
     slong isolated = 0;
     if (approximate(start, p))
         isolated = acb_poly_find_roots(roots, p, start, 0, prec);
     if (isolated != DEGREE)
         isolated = acb_poly_find_roots(roots, p, NULL, 0, prec);
-    _acb_vec_clear(start, DEGREE);
     return isolated == DEGREE && acb_poly_validate_real_roots(roots, p, prec) && pair_up(roots);
 }
 
@@ -149,19 +144,14 @@ static bool sort(acb_ptr roots)
 
 static bool may_be_equal(const fmpq_poly_t p, const fmpq_t c1, const fmpq_t c2)
 {
-    fmpq_t q;
-    fmpq_poly_t common;
-    fmpq_init(q);
-    fmpq_poly_init(common);
+    SCOPE(fmpq, q);
+    SCOPE(fmpq_poly, common);
     fmpq_sub_si(q, c1, 8);
     fmpq_mul_si(q, q, -4);
     fmpq_addmul(q, c2, c2);
     fmpq_poly_derivative(common, p);
     fmpq_poly_gcd(common, common, p);
-    const bool may = fmpq_is_zero(c2) || fmpq_is_zero(q) || fmpz_is_zero(fmpq_poly_numref(p)) || fmpq_poly_degree(common) > 0;
-    fmpq_clear(q);
-    fmpq_poly_clear(common);
-    return may;
+    return fmpq_is_zero(c2) || fmpq_is_zero(q) || fmpz_is_zero(fmpq_poly_numref(p)) || fmpq_poly_degree(common) > 0;
 }
 
 /* The roots as algebraic numbers, sorted. */
@@ -211,8 +201,7 @@ static bool accurate(acb_srcptr roots, slong prec)
 /* The sorted roots in s; returns the bits that it took to tell them apart. */
 static slong scaled_roots(acb_ptr roots, const fmpq_poly_t p, bool exactly, slong prec)
 {
-    acb_poly_t balls;
-    acb_poly_init(balls);
+    SCOPE(acb_poly, balls);
     bool done = false;
     slong working = prec + 28; /* guard bits for the cancellation of ordinary roots */
     for (int doubling = 0; !exactly && !done && doubling < MOST_DOUBLINGS; doubling++) {
@@ -220,7 +209,6 @@ static slong scaled_roots(acb_ptr roots, const fmpq_poly_t p, bool exactly, slon
         acb_poly_set_fmpq_poly(balls, p, working);
         done = isolate(roots, balls, working) && sort(roots) && accurate(roots, prec);
     }
-    acb_poly_clear(balls);
     if (!done)
         enclose_exact_roots(roots, p, working);
     return working;
@@ -230,14 +218,9 @@ bool roots41(acb_ptr roots, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2
 {
     if (fmpq_sgn(Omega) <= 0)
         return false;
-    fmpq_t one, c1, c2;
-    fmpq_poly_t p;
-    arb_t rate;
-    fmpq_init(one);
-    fmpq_init(c1);
-    fmpq_init(c2);
-    fmpq_poly_init(p);
-    arb_init(rate);
+    SCOPE(fmpq, one, c1, c2);
+    SCOPE(fmpq_poly, p);
+    SCOPE(arb, rate);
     fmpq_one(one);
     fmpq_div(c1, C1, Omega);
     fmpq_div(c1, c1, Omega);
@@ -247,22 +230,14 @@ bool roots41(acb_ptr roots, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2
     arb_set_fmpq(rate, Omega, working);
     for (int k = 0; k < DEGREE; k++)
         acb_mul_arb(roots + k, roots + k, rate, working);
-    fmpq_clear(one);
-    fmpq_clear(c1);
-    fmpq_clear(c2);
-    fmpq_poly_clear(p);
-    arb_clear(rate);
     return true;
 }
 
 bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec)
 {
-    arb_poly_t p;
-    acb_poly_t balls;
-    arb_t c;
-    arb_poly_init(p);
-    acb_poly_init(balls);
-    arb_init(c);
+    SCOPE(arb_poly, p);
+    SCOPE(acb_poly, balls);
+    SCOPE(arb, c);
     arb_poly_set_coeff_si(p, 4, 1);
     arb_poly_set_coeff_arb(p, 3, c2);
     arb_sub_ui(c, c1, 2, prec);
@@ -273,18 +248,13 @@ bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec)
     arb_mul_ui(c, c, 3, prec);
     arb_poly_set_coeff_arb(p, 0, c);
     acb_poly_set_arb_poly(balls, p);
-    bool done = isolate(roots, balls, prec) && sort(roots);
-    arb_poly_clear(p);
-    acb_poly_clear(balls);
-    arb_clear(c);
-    return done;
+    return isolate(roots, balls, prec) && sort(roots);
 }
 
 bool roots41_rational(fmpq_t value, int k, bool imaginary, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2)
 {
-    fmpq_poly_t p;
+    SCOPE(fmpq_poly, p);
     qqbar_t part;
-    fmpq_poly_init(p);
     qqbar_init(part);
     polynomial(p, Omega, C1, C2);
     qqbar_ptr z = exact_roots(p);
@@ -297,6 +267,5 @@ bool roots41_rational(fmpq_t value, int k, bool imaginary, const fmpq_t Omega, c
         qqbar_get_fmpq(value, part);
     _qqbar_vec_clear(z, DEGREE);
     qqbar_clear(part);
-    fmpq_poly_clear(p);
     return rational;
 }

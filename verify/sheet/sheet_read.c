@@ -5,9 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sheet/slip.h"
 #include "text/decimal.h"
 #include "text/document.h"
-#include "sheet/slip.h"
+#include "text/scope.h"
 
 struct reader {
     struct document document;
@@ -94,11 +95,9 @@ static bool read_range(struct reader *r, const yaml_node_t *mapping, struct quan
 /* Whether a literal is a number of that domain. */
 static bool lies_in_domain(const char *text, enum domain domain)
 {
-    fmpq_t value;
-    fmpq_init(value);
+    SCOPE(fmpq, value);
     const enum literal literal = literal_read(value, text, false);
     const int sign = literal == LITERAL_FINITE ? fmpq_sgn(value) : 1;
-    fmpq_clear(value);
     if (literal == LITERAL_INFINITE)
         return domain == DOMAIN_POSITIVE_OR_INFINITE;
     return literal == LITERAL_FINITE && (domain == DOMAIN_FINITE || sign > 0 || (sign == 0 && domain == DOMAIN_NOT_NEGATIVE));
@@ -371,15 +370,13 @@ static bool read_relations(struct reader *r, const yaml_node_t *node, struct sec
 static bool is_literals(const char *texts)
 {
     char *copy = text_copy(texts), *rest = NULL;
-    fmpq_t value;
+    SCOPE(fmpq, value);
     bool fine = true;
     int count = 0;
-    fmpq_init(value);
     for (char *text = strtok_r(copy, " ", &rest); text != NULL; text = strtok_r(NULL, " ", &rest), count++) {
         const enum literal literal = literal_read(value, text, false);
         fine = fine && literal != LITERAL_MALFORMED && literal != LITERAL_OVERFLOW;
     }
-    fmpq_clear(value);
     free(copy);
     return fine && count > 0;
 }

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "text/message.h"
+#include "text/scope.h"
 
 /* Of an exact literal, beyond binary128's 10^+-4966: there certified roots still take but a second. */
 static const slong LARGEST_EXPONENT = 5000, MOST_DIGITS = 10000;
@@ -19,21 +20,18 @@ static const slong MANTISSA_BITS = DBL_MANT_DIG; /* 53: a binary64's significand
 /* n = p/q rounded to the nearest integer, ties to even; p >= 0, q > 0. */
 static void nearest(fmpz_t n, const fmpz_t p, const fmpz_t q)
 {
-    fmpz_t remainder;
-    fmpz_init(remainder);
+    SCOPE(fmpz, remainder);
     fmpz_fdiv_qr(n, remainder, p, q);
     fmpz_mul_2exp(remainder, remainder, 1);
     int half = fmpz_cmp(remainder, q);
     if (half > 0 || (half == 0 && fmpz_is_odd(n)))
         fmpz_add_ui(n, n, 1);
-    fmpz_clear(remainder);
 }
 
 /* p/q = |x| base^k */
 static void scale(fmpz_t p, fmpz_t q, const fmpq_t x, ulong base, slong k)
 {
-    fmpz_t power;
-    fmpz_init(power);
+    SCOPE(fmpz, power);
     fmpz_ui_pow_ui(power, base, k < 0 ? -(ulong)k : (ulong)k);
     fmpz_abs(p, fmpq_numref(x));
     fmpz_set(q, fmpq_denref(x));
@@ -41,7 +39,6 @@ static void scale(fmpz_t p, fmpz_t q, const fmpq_t x, ulong base, slong k)
         fmpz_mul(q, q, power);
     else
         fmpz_mul(p, p, power);
-    fmpz_clear(power);
 }
 
 /* ---- reading ---------------------------------------------------------- */
@@ -113,13 +110,11 @@ static const char *read_exponent(slong *exponent, const char *text)
 /* value = mantissa base^exponent */
 static void place(fmpq_t value, const fmpz_t mantissa, ulong base, slong exponent)
 {
-    fmpq_t x;
-    fmpq_init(x);
+    SCOPE(fmpq, x);
     fmpq_set_fmpz(x, mantissa);
     scale(fmpq_numref(x), fmpq_denref(x), x, base, exponent);
     fmpq_canonicalise(x);
     fmpq_swap(value, x);
-    fmpq_clear(x);
 }
 
 /* value = the binary64 nearest to the literal, which strtod finds; false where it overflows. */
@@ -128,11 +123,9 @@ static bool round_to_binary64(fmpq_t value, const char *literal)
     const double nearest = strtod(literal, NULL);
     if (!isfinite(nearest))
         return false;
-    arf_t x;
-    arf_init(x);
+    SCOPE(arf, x);
     arf_set_d(x, nearest);
     arf_get_fmpq(value, x);
-    arf_clear(x);
     return true;
 }
 
@@ -149,8 +142,7 @@ enum literal literal_read(fmpq_t value, const char *text, bool exact)
 
     const bool hexadecimal = text[0] == '0' && (text[1] | 0x20) == 'x';
     slong fraction = 0, exponent = 0;
-    fmpz_t mantissa;
-    fmpz_init(mantissa);
+    SCOPE(fmpz, mantissa);
     text = hexadecimal ? read_digits(mantissa, &fraction, text + 2, 16)
                        : read_digits(mantissa, &fraction, text, 10);
     if (text != NULL && (*text | 0x20) == (hexadecimal ? 'p' : 'e'))
@@ -172,7 +164,6 @@ enum literal literal_read(fmpq_t value, const char *text, bool exact)
         if (negative)
             fmpq_neg(value, value);
     }
-    fmpz_clear(mantissa);
     return what;
 }
 
@@ -217,10 +208,7 @@ static slong decimal_exponent(double mantissa, slong exponent)
 /* |x|, x not zero, to so many digits: their integer, and the exponent of the first. */
 static slong leading_digits(fmpz_t n, const fmpq_t x, slong digits, bool upward)
 {
-    fmpz_t p, q, limit;
-    fmpz_init(p);
-    fmpz_init(q);
-    fmpz_init(limit);
+    SCOPE(fmpz, p, q, limit);
     fmpz_ui_pow_ui(limit, 10, (ulong)digits);
     slong top, bottom;
     double above = fmpz_get_d_2exp(&top, fmpq_numref(x));
@@ -237,9 +225,6 @@ static slong leading_digits(fmpz_t n, const fmpq_t x, slong digits, bool upward)
         if (fmpz_cmp(n, limit) < 0)
             break;
     }
-    fmpz_clear(p);
-    fmpz_clear(q);
-    fmpz_clear(limit);
     return exponent;
 }
 
@@ -247,12 +232,9 @@ char *decimal_of_rational(const fmpq_t x, slong digits)
 {
     if (fmpq_is_zero(x))
         return text_copy("0");
-    fmpz_t n;
-    fmpz_init(n);
+    SCOPE(fmpz, n);
     slong exponent = leading_digits(n, x, digits, false);
-    char *text = scientific(fmpq_sgn(x) < 0, n, exponent);
-    fmpz_clear(n);
-    return text;
+    return scientific(fmpq_sgn(x) < 0, n, exponent);
 }
 
 /* The text of a number other than zero, rounded to nearest, ties to even. */
@@ -364,19 +346,13 @@ void decimal_bound(char text[32], const mag_t x)
         snprintf(text, 32, "%s", mag_is_zero(x) ? "0" : "inf");
         return;
     }
-    mag_t bound;
-    fmpq_t value;
-    fmpz_t n;
-    mag_init(bound);
-    fmpq_init(value);
-    fmpz_init(n);
+    SCOPE(mag, bound);
+    SCOPE(fmpq, value);
+    SCOPE(fmpz, n);
     mag_set_ui_2exp_si(bound, 1, least);
     mag_max(bound, bound, x);
     mag_get_fmpq(value, bound);
     const slong exponent = leading_digits(n, value, 2, true);
     char digits[4]; /* two */
     write_scientific(text, fmpz_get_str(digits, 10, n), exponent);
-    mag_clear(bound);
-    fmpq_clear(value);
-    fmpz_clear(n);
 }
