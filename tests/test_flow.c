@@ -287,26 +287,32 @@ START_TEST(eq40_flow_follows_an_exact_mode)
 }
 END_TEST
 
-/* Every number that is not known is a ball: gains, Omega, L_ref, time and state, one at a time, hold both of their ends. */
+/*
+ * Every number that is not known is a ball: gains, Omega, L_ref and state, one at a time, hold both of their ends; and Omega
+ * where pitch, from its rate alone, is at its peak theta'/(2 Omega): there it does not depend on Omega t.
+ */
 START_TEST(eq40_flow_holds_both_ends_of_every_ball)
 {
     struct scene wide = scene_of(0x1p-14, 150, 150, 8, 10, 3), end = scene_of(0x1p-14, 150, 150, 8, 10, 3);
-    const double start[] = {0.5, 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14};
+    const bool peak = _i == 4 + FLOW_STATE;
+    const slong t = peak ? 12868 : 1 << 14; /* pi/4 radians, or one */
+    const double start[] = {0.5, peak ? 0 : 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14};
     start_at(&wide, start[0], start[1], start[2], start[3], start[4], start[5]);
     start_at(&end, start[0], start[1], start[2], start[3], start[4], start[5]);
     arb_ptr all[] = {wide.p.C1, wide.p.C2, wide.p.Omega, wide.p.L_ref}, one[] = {end.p.C1, end.p.C2, end.p.Omega, end.p.L_ref};
-    arb_ptr ball = _i < 4 ? all[_i] : wide.start + _i - 4, member = _i < 4 ? one[_i] : end.start + _i - 4;
+    arb_ptr ball = peak ? all[2] : _i < 4 ? all[_i] : wide.start + _i - 4;
+    arb_ptr member = peak ? one[2] : _i < 4 ? one[_i] : end.start + _i - 4;
     arb_t centre;
     arb_init(centre);
     arb_set(centre, ball);
     mag_set_d(arb_radref(ball), fabs(number(ball)) * 0x1p-10);
     wide.prec = 40 + 10 * (_i % 3);
-    struct run r = run_to(&wide, LINEAR, 1 << 14);
+    struct run r = run_to(&wide, LINEAR, t);
     for (int side = -1; side <= 1; side += 2) {
         arb_mul_2exp_si(member, centre, -10);
         arb_mul_si(member, member, side, PREC);
         arb_add(member, member, centre, PREC);
-        struct run truth = run_to(&end, LINEAR, 1 << 14);
+        struct run truth = run_to(&end, LINEAR, t);
         assert_holds(r.states, truth.states);
         run_close(&truth);
     }
@@ -1104,6 +1110,20 @@ START_TEST(at_the_edge_of_the_domain_no_flow_starts)
 }
 END_TEST
 
+/* Nor where the craft may be in one place, if not for the centre of the ball. */
+START_TEST(where_craft_may_meet_no_flow_starts)
+{
+    struct scene s = paper();
+    start_at(&s, 0.5, 0, 0.25, 0, 0, 0);
+    mag_set_d(arb_radref(s.start), 1);
+    mag_set_d(arb_radref(s.start + 2), 1);
+    struct run r = run_to(&s, NONLINEAR, 100);
+    ck_assert_int_eq(r.status, FLOW_DOMAIN);
+    run_close(&r);
+    scene_close(&s);
+}
+END_TEST
+
 /* Nor with anything infinite or undefined. */
 START_TEST(outside_all_numbers_no_flow_starts)
 {
@@ -1367,7 +1387,7 @@ Suite *suite(void)
     Suite *all = suite_create("flow");
     TCase *tests = add_case(all, "linear");
     tcase_add_test(tests, eq40_flow_follows_an_exact_mode);
-    tcase_add_loop_test(tests, eq40_flow_holds_both_ends_of_every_ball, 0, 4 + FLOW_STATE);
+    tcase_add_loop_test(tests, eq40_flow_holds_both_ends_of_every_ball, 0, 5 + FLOW_STATE);
     tcase_add_test(tests, eq40_flow_composes);
     tcase_add_test(tests, eq40_flow_returns);
     tcase_add_test(tests, eq40_flow_keeps_what_is_zero);
@@ -1420,6 +1440,7 @@ Suite *suite(void)
     tcase_add_loop_test(tests, a_receiver_stops_a_flow, 0, 4);
     tcase_add_test(tests, outside_the_domain_no_flow_starts);
     tcase_add_loop_test(tests, at_the_edge_of_the_domain_no_flow_starts, 0, 5);
+    tcase_add_test(tests, where_craft_may_meet_no_flow_starts);
     tcase_add_loop_test(tests, outside_all_numbers_no_flow_starts, 0, 9);
     tcase_add_loop_test(tests, at_time_zero_the_state_is_the_initial_one, 1, 3);
     tcase_add_test(tests, times_out_of_order_are_refused);
