@@ -1085,6 +1085,23 @@ START_TEST(outside_the_domain_no_flow_starts)
 }
 END_TEST
 
+/* Whichever coordinate is wide, and whichever is the largest; what has no bound is wide beside anything. */
+START_TEST(any_coordinate_makes_an_enclosure_wide)
+{
+    arb_ptr state = _arb_vec_init(FLOW_STATE);
+    arb_set_ui(state + (_i + 1) % FLOW_STATE, 8);
+    mag_set_d(arb_radref(state + _i), 0.24);
+    ck_assert(!flow_wide(state, 5));
+    mag_set_d(arb_radref(state + _i), 0.26);
+    ck_assert(flow_wide(state, 5));
+    mag_inf(arb_radref(state + _i));
+    ck_assert(flow_wide(state, 5));
+    ck_assert(flow_wide(state, -1000));
+    _arb_vec_clear(state, FLOW_STATE);
+    flint_cleanup();
+}
+END_TEST
+
 /* Zero is outside, and so is a ball that reaches it. */
 START_TEST(at_the_edge_of_the_domain_no_flow_starts)
 {
@@ -1440,6 +1457,7 @@ Suite *suite(void)
     tcase_add_loop_test(tests, a_receiver_stops_a_flow, 0, 4);
     tcase_add_test(tests, outside_the_domain_no_flow_starts);
     tcase_add_loop_test(tests, at_the_edge_of_the_domain_no_flow_starts, 0, 5);
+    tcase_add_loop_test(tests, any_coordinate_makes_an_enclosure_wide, 0, FLOW_STATE);
     tcase_add_test(tests, where_craft_may_meet_no_flow_starts);
     tcase_add_loop_test(tests, outside_all_numbers_no_flow_starts, 0, 9);
     tcase_add_loop_test(tests, at_time_zero_the_state_is_the_initial_one, 1, 3);
