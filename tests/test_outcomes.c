@@ -223,7 +223,8 @@ START_TEST(E_that_is_K_passes)
 {
     static const char *const inputs[] = {"1", "192", "1"};
     char at[40], beyond[40];
-    const double y = ldexp(192.0 * (double)((UINT64_C(281474976710656) + 1) / 193), -48);
+    const uint64_t part = (UINT64_C(281474976710656) + 1) / 193;
+    const double y = ldexp(192.0 * (double)part, -48);
     const char *const equal[] = {at}, *const more[] = {beyond};
     snprintf(at, sizeof at, "%.17g", y);
     snprintf(beyond, sizeof beyond, "%.17g", nextafter(y, 2));

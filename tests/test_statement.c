@@ -181,7 +181,7 @@ START_TEST(a_claim_may_rest_on_another)
     snprintf(both, sizeof both, "%sd%s", text, strchr(text, ':'));
     strcpy(strstr(strstr(both, "\nd:"), "a: dL > 0"), "a: {claim: c}\n  evidence: e\n");
     assert_ruled(both, HOLDS, true, "");
-    memcpy(strstr(both, "dL > 0"), "dL < 0", 6);
+    strstr(both, "dL > 0")[3] = '<';
     assert_ruled(both, VERDICT_NONE, false, "d is undecided: 'a'");
 }
 END_TEST
@@ -353,7 +353,7 @@ START_TEST(mathematics_is_set_token_by_token)
 }
 END_TEST
 
-#define LOOP(test, table) tcase_add_loop_test(c, test, 0, sizeof table / sizeof table[0])
+#define LOOP(test, table) tcase_add_loop_test(c, test, 0, sizeof(table) / sizeof(table)[0])
 
 Suite *suite(void)
 {

@@ -1,6 +1,6 @@
 # Figure 4: the real parts of the two pairs of roots of (41) against the gain factor n of (43) and (44); the marks are
 # n = 12 and the optimum.
-best = real(system("sed -n 's/^n12-optimal.*fastest at n\\* = \\([0-9.]*\\).*/\\1/p' '".data."/verdicts.csv'"))
+best = real(system("sed -n 's/^fastest-decay.*fastest at n[^ ]* = \\([0-9.]*\\).*/\\1/p' '".data."/verdicts.csv'"))
 set xlabel 'gain factor n = C_1/Ω^2'
 set ylabel 'real part of the roots [10^{−5} s^{−1}]'
 set xrange [9:40]

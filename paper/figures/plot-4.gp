@@ -1,5 +1,5 @@
 # Figure 4: the real parts of the two pairs of roots of (41) against n; the marks are n = 12 and the optimum.
-best = real(system("sed -n 's/^n12-optimal.*fastest at n\\* = \\([0-9.]*\\).*/\\1/p' '".data."/verdicts.csv'"))
+best = real(system("sed -n 's/^fastest-decay.*fastest at n[^ ]* = \\([0-9.]*\\).*/\\1/p' '".data."/verdicts.csv'"))
 set xlabel 'gain factor $n = C_1/\Omega^2$'
 set ylabel 'real part [$10^{-5}\,\mathrm{s}^{-1}$]' offset -1.2, 0
 set xrange [9:40]

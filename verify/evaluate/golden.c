@@ -112,7 +112,7 @@ static void domain_edges(struct golden *g)
 {
     const struct section *s = g->o.section;
     const int t = place(s, "t");
-    double base[MOST_INPUTS], values[MOST_INPUTS];
+    double base[MOST_INPUTS] = {0}, values[MOST_INPUTS];
     char name[40];
     for (int i = 0; i < s->input_count; i++)
         base[i] = strtod(g->base[i], NULL);

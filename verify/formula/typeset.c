@@ -29,7 +29,8 @@ void tex_add(struct tex *t, const char *format, ...)
 
 static bool is_greek(const char *word, size_t length)
 {
-    static const char *const letters[] = {"Omega", "psi", "theta", "lambda", "phi", "kappa", "mu", "tau", "rho"};
+    static const char *const letters[] = {"Omega", "psi", "theta", "lambda", "phi", "kappa", "mu", "tau", "rho",
+                                          "delta", "omega", "pi"};
     for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
         if (strlen(letters[i]) == length && strncmp(letters[i], word, length) == 0)
             return true;
@@ -49,6 +50,8 @@ static void add_letters(struct tex *t, const char *letters, int length, const ch
         tex_add(t, "%s", accent);
     if (is_greek(letters, (size_t)length))
         tex_add(t, "\\%.*s ", length, letters);
+    else if (length == 3 && strncmp(letters, "eps", 3) == 0)
+        tex_add(t, "\\varepsilon ");
     else if (length == 1)
         tex_add(t, "%s", *letters == 'w' ? "\\omega " : (const char[]){*letters, '\0'});
     else if (length == 2 && isupper((unsigned char)letters[0]))
