@@ -280,6 +280,7 @@ static const struct {
     {"a: dL > 0", "a: {rank: 1}", "t:7:8: expected a system"},
     {"a: dL > 0", "a: {step: nowhere}", "t:7:15: expected a step"},
     {"a: dL > 0", "a: {claim: d}", "t:7:16: expected a claim that stands before"},
+    {"a: dL > 0", "a: {claim: c}", "t:7:16: expected a claim that stands before"},
     {"a: dL > 0", "a: {compute: nothing}", "t:7:18: unknown computation"},
     {"a: dL > 0", "a: {show: dL > y, at: {y: z}}", "t:7:31: unknown symbol 'z'"},
     {"evidence: >-\n    so", "evidence: >-\n    so {dL} and\n    so", "t:10:9: expected {FORMULA | DIGITS}"},

@@ -391,8 +391,11 @@ static bool read_step(struct reading *r, struct assertion *a, const yaml_node_t 
 
 static bool read_cited(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
+    const struct statement *cited = NULL;
     a->reference = scalar(value);
-    return (a->reference != NULL && statement_find(r->all, a->reference) != NULL) ||
+    if (a->reference != NULL)
+        cited = statement_find(r->all, a->reference);
+    return (cited != NULL && cited != r->statement) ||
            mistake(r->document, value, 0, "expected a claim that stands before");
 }
 

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "command/command.h"
 
@@ -45,6 +46,21 @@ static void print_remainder(const struct document *d, const struct remainder *r,
     putchar('\n');
 }
 
+/* Where a step breaks: at the first equality that does not hold, if that is what the evidence is of, else at the step. */
+static void print_broken(const struct derivations *d, const struct step *s, const struct proof *proof)
+{
+    const struct identities *t = &s->corrected;
+    struct message place;
+    struct document document = d->document;
+    const yaml_node_t *at = s->node;
+    for (int i = t->shown_count - 1; i >= 0; i--)
+        if (!proof->holds[i] && strncmp(proof->evidence, t->shown[i].text, strlen(t->shown[i].text)) == 0)
+            at = t->shown[i].at;
+    document.why = &place;
+    mistake(&document, at, 0, "%s", "");
+    printf("    BROKEN: %s%s\n", place.text, proof->evidence);
+}
+
 static void print_step(const struct proof_results *p, int i)
 {
     const struct step *s = &p->derivations.steps[i];
@@ -61,7 +77,7 @@ static void print_step(const struct proof_results *p, int i)
     printf("  for %s%s%s\n", domain, s->where ? "; " : "", s->where ? s->where : "");
     free(domain);
     if (proof->result != IDENTITY_HOLDS)
-        printf("    BROKEN: %s\n", proof->evidence);
+        print_broken(&p->derivations, s, proof);
     if (fault_of(p, i) != NULL)
         printf("    NOT BOUND: %s\n", fault_of(p, i));
     if (s->differs && p->printed[i].result == IDENTITY_DIFFERS)
