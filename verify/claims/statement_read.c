@@ -19,10 +19,10 @@ struct reading {
 
 static const char *keep(struct statements *s, const char *text, size_t length)
 {
-    char *copy = memory(NULL, length + 1, 1);
+    char *copy = xrealloc(NULL, length + 1, 1);
     memcpy(copy, text, length);
     copy[length] = '\0';
-    s->texts = memory(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
+    s->texts = xrealloc(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
     return s->texts[s->text_count++] = copy;
 }
 
@@ -119,7 +119,7 @@ static bool is_number_of(const char *name, const char *entry)
 /* Which assertions a node takes numbers of; those that stand after it are open, and with them the node. */
 static ulong uses_of(const struct reading *r, const struct program *p, int node)
 {
-    char *needed = memory(NULL, (size_t)node + 1, 1);
+    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
     ulong uses = 0;
     program_needs(p, node, NULL, needed);
     for (int i = 0; i < p->inputs && i <= node; i++) {
@@ -202,7 +202,7 @@ static bool read_values(struct reading *r, struct values *at)
             const yaml_node_t *key = key_of(r->document, both[k], i);
             if (k == 1 && entry != NULL && child(r->document, entry, scalar(key)) != NULL)
                 continue;
-            at->list = memory(at->list, (size_t)at->count + 1, sizeof *at->list);
+            at->list = xrealloc(at->list, (size_t)at->count + 1, sizeof *at->list);
             struct value v;
             const bool fine = read_value(r, &v, key, value_of(r->document, both[k], i));
             at->list[at->count++] = v;
@@ -495,7 +495,7 @@ static bool read_prove(struct reading *r, const yaml_node_t *prove)
         return false;
     if (length_of(prove) > MOST_ASSERTIONS)
         return mistake(r->document, prove, 0, "expected at most %d assertions", MOST_ASSERTIONS);
-    s->assertions = memory(NULL, (size_t)length_of(prove), sizeof *s->assertions);
+    s->assertions = xrealloc(NULL, (size_t)length_of(prove), sizeof *s->assertions);
     memset(s->assertions, 0, (size_t)length_of(prove) * sizeof *s->assertions);
     for (int i = 0; i < length_of(prove); i++) {
         struct assertion *a = &s->assertions[i];
@@ -643,10 +643,10 @@ static void take_number(void *context, const char *at, size_t length)
     const size_t start = (size_t)(at - s->evidence);
     if (!q->fine)
         return;
-    s->numbers = memory(s->numbers, (size_t)s->number_count + 1, sizeof *s->numbers);
+    s->numbers = xrealloc(s->numbers, (size_t)s->number_count + 1, sizeof *s->numbers);
     struct quoted_number *n = &s->numbers[s->number_count++];
     *n = (struct quoted_number){.node = q->node, .offset = start};
-    char *text = memory(NULL, length + 1, 1);
+    char *text = xrealloc(NULL, length + 1, 1);
     memcpy(text, at, length);
     text[length] = '\0';
     char *bar = strchr(text, '|'), *unit = bar != NULL ? strchr(bar + 1, '|') : NULL;
@@ -723,7 +723,7 @@ static bool read_statement(struct statements *all, const yaml_node_t *key, const
                                            "not negative", "at", "system", "about", NULL};
     if (!is_mapping(&all->document, node, known))
         return false;
-    all->list = memory(all->list, (size_t)all->count + 1, sizeof *all->list);
+    all->list = xrealloc(all->list, (size_t)all->count + 1, sizeof *all->list);
     struct statement *s = &all->list[all->count++];
     *s = (struct statement){.id = scalar(key), .given = child(&all->document, node, "given"),
                             .verdict = child(&all->document, node, "verdict"),

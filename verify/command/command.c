@@ -61,7 +61,7 @@ static int take_option(struct arguments *a, int count, char **texts, int *i)
 
 int arguments_split(struct arguments *a, int count, char **texts, int words)
 {
-    a->assignments = memory(NULL, (size_t)count + 1, sizeof *a->assignments);
+    a->assignments = xrealloc(NULL, (size_t)count + 1, sizeof *a->assignments);
     for (int i = 0; i < count; i++) {
         int status = EXIT_DONE;
         if (strncmp(texts[i], "--", 2) == 0)
@@ -231,7 +231,7 @@ const struct section *section_argument(const char *id)
     if (found != NULL)
         return found;
     const int count = sheet()->section_count;
-    const char **known = memory(NULL, (size_t)count, sizeof *known);
+    const char **known = xrealloc(NULL, (size_t)count, sizeof *known);
     char hint[80];
     for (int i = 0; i < count; i++)
         known[i] = sheet()->sections[i].id;

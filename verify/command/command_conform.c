@@ -124,7 +124,7 @@ static int take_questions(struct exam *e, const struct arguments *a, const struc
         return status;
     e->significand = (int)significand;
     e->range = option_given(a, "--range");
-    double *digits = memory(NULL, (size_t)sheet()->section_count, sizeof *digits);
+    double *digits = xrealloc(NULL, (size_t)sheet()->section_count, sizeof *digits);
     for (int i = 0; i < sheet()->section_count; i++) {
         const struct section *s = &sheet()->sections[i];
         if (!c->chosen[i])
@@ -342,7 +342,7 @@ static void hear_file(struct exam *e, struct answers_file *f, const struct secti
 
 static int examine_file(struct exam *e, const struct arguments *a, const struct section *s)
 {
-    struct answers_file *f = memory(NULL, 1, sizeof *f);
+    struct answers_file *f = xrealloc(NULL, 1, sizeof *f);
     *f = (struct answers_file){.name = option_value(a, "--answers"), .status = EXIT_DONE};
     f->file = fopen(f->name, "r");
     if (f->file == NULL) {
@@ -394,7 +394,7 @@ static int run(const struct arguments *a, struct choice *c, char **client)
     int status = take_only(c, file ? a->words[0] : option_value(a, "--only"));
     if (status != EXIT_DONE || kills)
         return status != EXIT_DONE ? status : print_all_kills(c);
-    struct exam *e = memory(NULL, 1, sizeof *e);
+    struct exam *e = xrealloc(NULL, 1, sizeof *e);
     memset(e, 0, sizeof *e);
     e->from_file = file;
     status = take_questions(e, a, c);
@@ -414,8 +414,8 @@ int command_conform(int count, char **texts)
                                {"--inputs", true, NULL}};
     struct arguments a = {.subcommand = "conform", .options = options, .option_count = 10};
     const size_t sections = (size_t)sheet()->section_count;
-    struct choice c = {.chosen = memory(NULL, sections, sizeof *c.chosen),
-                       .digits = memory(NULL, sections, sizeof *c.digits)};
+    struct choice c = {.chosen = xrealloc(NULL, sections, sizeof *c.chosen),
+                       .digits = xrealloc(NULL, sections, sizeof *c.digits)};
     char **client = NULL;
     for (size_t i = 0; i < sections; i++)
         c.digits[i] = sheet()->sections[i].method >= METHOD_RK4_LINEAR ? METHOD_DIGITS : FLOW_DIGITS;

@@ -38,7 +38,7 @@ static int collect_row(void *context, slong k, const fmpq_t t, char *const *numb
     (void)t;
     for (int i = 0; i < c->count; i++)
         length += strlen(numbers[c->columns[i]]) + 1;
-    char *line = c->lines[k] = memory(NULL, length, 1);
+    char *line = c->lines[k] = xrealloc(NULL, length, 1);
     for (int i = 0; i < c->count; i++)
         line += sprintf(line, ",%s", numbers[c->columns[i]]);
     return 0;
@@ -66,7 +66,7 @@ static int print_motion_figure(const struct figure *f, const struct setting *s,
     int status = times_every(&times, "100", "259200", false);
     if (status == EXIT_DONE && option_given(a, "--rk4")) {
         status = read_rk4(h, a, &times, s->exact);
-        beside.lines = memory(NULL, (size_t)times.count, sizeof *beside.lines);
+        beside.lines = xrealloc(NULL, (size_t)times.count, sizeof *beside.lines);
         memset(beside.lines, 0, (size_t)times.count * sizeof *beside.lines);
         m.h = h;
         if (status == EXIT_DONE && motion_rows(&m, times.t, times.count, collect_row, &beside, &why) != 0)

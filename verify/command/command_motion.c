@@ -35,7 +35,7 @@ static int times_at(struct times *times, const char *list, bool exact)
     int status = EXIT_DONE;
     size_t most = strlen(list) / 2 + 2;
     times->t = _fmpq_vec_init((slong)most);
-    times->texts = memory(NULL, most, sizeof *times->texts);
+    times->texts = xrealloc(NULL, most, sizeof *times->texts);
     if (strstr(list, ",,") || *list == ',' || list[strlen(list) - 1] == ',')
         status = complain(EXIT_USAGE, "--at: expected times between the commas, got '%.40s'", list);
     for (char *text = strtok_r(copy, ",", &rest); text && status == EXIT_DONE;
@@ -80,7 +80,7 @@ int times_every(struct times *times, const char *every, const char *until, bool 
         const slong last = fmpz_get_si(whole);
         times->count = labs(last) + 1;
         times->t = _fmpq_vec_init(times->count);
-        times->texts = memory(NULL, (size_t)times->count, sizeof *times->texts);
+        times->texts = xrealloc(NULL, (size_t)times->count, sizeof *times->texts);
         for (slong i = 0; i < times->count; i++) {
             fmpq_set_si(rows, last < 0 ? -i : i, 1);
             fmpq_mul(times->t + i, &step.value, rows);

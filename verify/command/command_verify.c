@@ -115,7 +115,7 @@ static int check_claim(const struct proof_results *p, const char *id)
     struct statements claims;
     char hint[80];
     claims_open(&claims, p);
-    const char **ids = memory(NULL, (size_t)claims.count + 1, sizeof *ids);
+    const char **ids = xrealloc(NULL, (size_t)claims.count + 1, sizeof *ids);
     for (int i = 0; i < claims.count; i++)
         ids[i] = claims.list[i].id;
     suggest(hint, id, ids, (size_t)claims.count);

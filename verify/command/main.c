@@ -104,23 +104,23 @@ static int run(int count, char **arguments)
 
 static void *allocate(size_t size)
 {
-    return memory(NULL, size, 1);
+    return xrealloc(NULL, size, 1);
 }
 
 static void *allocate_zeros(size_t count, size_t size)
 {
-    return memset(memory(NULL, count, size), 0, count * size);
+    return memset(xrealloc(NULL, count, size), 0, count * size);
 }
 
 static void *reallocate(void *old, size_t size)
 {
-    return memory(old, size, 1);
+    return xrealloc(old, size, 1);
 }
 
 static void *reallocate_sized(void *old, size_t old_size, size_t size)
 {
     (void)old_size;
-    return memory(old, size, 1);
+    return xrealloc(old, size, 1);
 }
 
 static void release_sized(void *block, size_t size)

@@ -338,8 +338,8 @@ size_t exam_ask(void *exam, char *room, size_t size)
 void exam_begin(struct exam *e, const double *digits)
 {
     const int count = e->questions.count;
-    e->judges = memory(NULL, (size_t)count, sizeof *e->judges);
-    e->tallies = memory(NULL, (size_t)count + 1, sizeof *e->tallies);
+    e->judges = xrealloc(NULL, (size_t)count, sizeof *e->judges);
+    e->tallies = xrealloc(NULL, (size_t)count + 1, sizeof *e->tallies);
     for (int k = 0; k <= count; k++)
         e->tallies[k] = (struct tally){.digits = INFINITY, .worst = UINT64_MAX};
     for (int k = 0; k < count; k++)

@@ -27,7 +27,7 @@ struct suspects {
 
 static void suspect_add(struct suspects *list, const struct section *s, const struct slip *m)
 {
-    list->all = memory(list->all, (size_t)list->count + 1, sizeof *list->all);
+    list->all = xrealloc(list->all, (size_t)list->count + 1, sizeof *list->all);
     struct suspect *x = &list->all[list->count];
     struct message why;
     *x = (struct suspect){.name = m ? m->name : "as printed"};
@@ -326,8 +326,8 @@ bool kills_print(const struct section *s, double digits)
 {
     struct kills k = {.suspects = suspects_of(s), .inputs = inputs_new(s->input_count), .fine = true};
     const size_t count = (size_t)k.suspects.count;
-    k.killed = memory(NULL, count, sizeof *k.killed);
-    k.differs = memory(NULL, count, sizeof *k.differs);
+    k.killed = xrealloc(NULL, count, sizeof *k.killed);
+    k.differs = xrealloc(NULL, count, sizeof *k.differs);
     memset(k.killed, 0, count * sizeof *k.killed);
     memset(k.differs, 0, count * sizeof *k.differs);
     operation_init(&k.o, s, false);

@@ -29,7 +29,7 @@ static bool collect(void *context, struct operation *o, const char *id, const ch
     if (range && !c->range)
         return true;
     struct course *course = c->course;
-    course->golden = memory(course->golden, (size_t)course->golden_count + 1, sizeof *course->golden);
+    course->golden = xrealloc(course->golden, (size_t)course->golden_count + 1, sizeof *course->golden);
     struct golden_vector *v = &course->golden[course->golden_count++];
     *v = (struct golden_vector){.id = text_copy(id), .range = range};
     for (int i = 0; i < s->input_count; i++)
@@ -39,7 +39,7 @@ static bool collect(void *context, struct operation *o, const char *id, const ch
 
 void questions_add(struct questions *q, const struct section *s, uint64_t random, int significand, bool range)
 {
-    q->courses = memory(q->courses, (size_t)q->count + 1, sizeof *q->courses);
+    q->courses = xrealloc(q->courses, (size_t)q->count + 1, sizeof *q->courses);
     struct course *course = &q->courses[q->count++];
     *course = (struct course){.random = random, .first = q->total};
     operation_init(&course->operation, s, false);

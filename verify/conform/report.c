@@ -435,7 +435,7 @@ static FILE *open_beside(const char *name, char *unfinished, size_t size)
 int report_write(const struct report *r, const char *name)
 {
     const size_t size = strlen(name) + 40;
-    char *unfinished = memory(NULL, size, 1);
+    char *unfinished = xrealloc(NULL, size, 1);
     FILE *file = open_beside(name, unfinished, size);
     int why = file == NULL ? errno : 0;
     if (file != NULL) {

@@ -58,8 +58,8 @@ static bool read_definition(struct derivations *d, const yaml_node_t *key, const
         program_input(&s->corrected.program, scalar(item_of(document, inputs, i)));
     for (; s->output_count < length_of(outputs); s->output_count++) {
         struct definitions *all = &d->definitions;
-        struct quantity *q = memory(NULL, 1, sizeof *q);
-        all->outputs = memory(all->outputs, (size_t)all->output_count + 1, sizeof *all->outputs);
+        struct quantity *q = xrealloc(NULL, 1, sizeof *q);
+        all->outputs = xrealloc(all->outputs, (size_t)all->output_count + 1, sizeof *all->outputs);
         all->outputs[all->output_count++] = q;
         *q = (struct quantity){.name = scalar(key_of(document, outputs, s->output_count))};
         s->outputs[s->output_count] = q;
@@ -71,7 +71,7 @@ static bool read_definitions(struct derivations *d, const yaml_node_t *mapping)
 {
     if (!is_mapping(&d->document, mapping, NULL))
         return false;
-    d->definitions.sections = memory(d->definitions.sections, (size_t)d->definitions.count + (size_t)length_of(mapping),
+    d->definitions.sections = xrealloc(d->definitions.sections, (size_t)d->definitions.count + (size_t)length_of(mapping),
                                      sizeof *d->definitions.sections);
     for (int i = 0; i < length_of(mapping); i++)
         if (!read_definition(d, key_of(&d->document, mapping, i), value_of(&d->document, mapping, i)))
@@ -169,7 +169,7 @@ static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_
     for (int i = 0; identities_keys[i] != NULL; i++)
         known[count++] = identities_keys[i];
     known[count] = NULL;
-    d->steps = memory(d->steps, (size_t)d->step_count + 1, sizeof *d->steps);
+    d->steps = xrealloc(d->steps, (size_t)d->step_count + 1, sizeof *d->steps);
     struct step *s = &d->steps[d->step_count++];
     *s = (struct step){.id = scalar(key), .node = node};
     const yaml_node_t *also = node->type == YAML_MAPPING_NODE ? child(document, node, "also") : NULL;

@@ -117,7 +117,7 @@ bool step_read_remainders(const struct derivations *d, struct step *step, const 
         return true;
     if (list->type != YAML_SEQUENCE_NODE || length_of(list) == 0)
         return mistake(s->document, list, 0, "expected a list of what is dropped");
-    step->remainders = memory(NULL, (size_t)length_of(list), sizeof *step->remainders);
+    step->remainders = xrealloc(NULL, (size_t)length_of(list), sizeof *step->remainders);
     while (step->remainder_count < length_of(list)) {
         struct remainder *m = &step->remainders[step->remainder_count];
         const yaml_node_t *item = item_of(s->document, list, step->remainder_count++);

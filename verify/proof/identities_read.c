@@ -133,7 +133,7 @@ static bool read_declarations(struct identities *t, const struct scope *s)
     t->first_pair = p->inputs;
     for (int i = 0; s->alteration != NULL && s->alteration->change == CHANGE_ANY && i < 2 * PAIRS; i++)
         program_input(p, " "); /* no formula can name it */
-    t->variables = memory(NULL, (size_t)p->inputs, sizeof *t->variables);
+    t->variables = xrealloc(NULL, (size_t)p->inputs, sizeof *t->variables);
     for (int i = 0; i < p->inputs; i++)
         t->variables[i] = (struct variable){
             .signs = i < s->sheet->quantity_count ? signs_of(s->sheet->quantities[i].domain) : SIGN_ANY};
@@ -212,8 +212,8 @@ static int read_rate(struct parser *p)
     const int count = p->program->count;
     if (count > MOST_MOVING)
         return parse_refuse(p, "fewer rates of rates");
-    int *rate = memory(NULL, (size_t)count, sizeof *rate), still = -1;
-    char *needed = memory(NULL, (size_t)count, 1), *constant = memory(NULL, (size_t)count, 1);
+    int *rate = xrealloc(NULL, (size_t)count, sizeof *rate), still = -1;
+    char *needed = xrealloc(NULL, (size_t)count, 1), *constant = xrealloc(NULL, (size_t)count, 1);
     memset(constant, 0, (size_t)count);
     for (int i = 0; i < count; i++)
         rate[i] = -1;
@@ -351,7 +351,7 @@ static int take_part(const struct reading *r, struct use u, const struct program
     if (altered)
         node = alter_result(t, a, &u, node);
     u.last = u.node = node;
-    t->uses = memory(t->uses, (size_t)t->use_count + 1, sizeof *t->uses);
+    t->uses = xrealloc(t->uses, (size_t)t->use_count + 1, sizeof *t->uses);
     t->uses[t->use_count++] = u;
     program_clear(&copy);
     return node;
@@ -408,7 +408,7 @@ static int read_side(struct parser *p, bool right)
         return -1;
     }
     const int wanted = relation_program(&side, r->scope->sheet, u.relation, right);
-    int *stand_in = memory(NULL, (size_t)side.count, sizeof *stand_in);
+    int *stand_in = xrealloc(NULL, (size_t)side.count, sizeof *stand_in);
     for (int i = 0; i < side.count; i++)
         stand_in[i] = i < side.inputs ? program_find(p->program, side.names[i].text) : -1;
     const int node = take_part(r, u, &side, wanted, stand_in);
@@ -450,7 +450,7 @@ static const char *bind_names(const struct reading *r, const struct program *fro
         if ((is_input || is_free) && stand_in[node] < 0)
             stand_in[node] = here;
     }
-    char *needed = memory(NULL, (size_t)from->count, 1);
+    char *needed = xrealloc(NULL, (size_t)from->count, 1);
     program_needs(from, wanted, stand_in, needed);
     for (int i = 0; i < from->inputs && i <= wanted && missing == NULL; i++)
         missing = needed[i] && stand_in[i] < 0 ? from->names[i].text : NULL;
@@ -523,7 +523,7 @@ static int read_output(struct parser *p, const char *id)
         p->at = behind;
         return unknown_name(p, name, "output", "an output or a named subexpression of that section");
     }
-    int node = -1, *stand_in = memory(NULL, (size_t)from->count, sizeof *stand_in);
+    int node = -1, *stand_in = xrealloc(NULL, (size_t)from->count, sizeof *stand_in);
     for (int i = 0; i < from->count; i++)
         stand_in[i] = -1;
     if (*p->at != '(' || (p->at++, read_bindings(p, from, stand_in))) {
@@ -602,7 +602,7 @@ bool identities_show(struct identities *t, const struct scope *s, const yaml_nod
     struct equality e = {.text = scalar(node), .at = node, .left = read_text(t, s, node, left, 0)};
     e.right = e.left < 0 ? -1 : read_text(t, s, node, sign + 1, length + 1);
     free(left);
-    t->shown = memory(t->shown, (size_t)t->shown_count + 1, sizeof *t->shown);
+    t->shown = xrealloc(t->shown, (size_t)t->shown_count + 1, sizeof *t->shown);
     t->shown[t->shown_count++] = e;
     return e.right >= 0;
 }
@@ -632,8 +632,8 @@ static void add_let(struct identities *t, const char *name, const char *formula)
 {
     enum { SHORT = 40 };
     const size_t size = strlen(name) + SHORT + 24;
-    t->lets = memory(t->lets, (size_t)t->sheet_lets + 1, sizeof *t->lets);
-    t->lets[t->sheet_lets] = memory(NULL, size, 1);
+    t->lets = xrealloc(t->lets, (size_t)t->sheet_lets + 1, sizeof *t->lets);
+    t->lets[t->sheet_lets] = xrealloc(NULL, size, 1);
     if (strlen(formula) < SHORT)
         snprintf(t->lets[t->sheet_lets++], size, "%s = %s", name, formula);
     else
@@ -673,7 +673,7 @@ static bool read_roots(struct identities *t, const struct scope *s)
         return true;
     if (!is_list(s->document, roots, MOST_NAMES))
         return false;
-    t->roots = memory(NULL, (size_t)length_of(roots), sizeof *t->roots);
+    t->roots = xrealloc(NULL, (size_t)length_of(roots), sizeof *t->roots);
     for (; t->root_count < length_of(roots); t->root_count++) {
         const yaml_node_t *item = item_of(s->document, roots, t->root_count);
         struct root *root = &t->roots[t->root_count];
@@ -708,8 +708,8 @@ bool identities_open(struct identities *t, const struct scope *s)
 static void mark_needed(struct identities *t)
 {
     const size_t count = (size_t)t->program.count;
-    char *one = memory(NULL, count, 1);
-    t->needed = memory(NULL, count, 1);
+    char *one = xrealloc(NULL, count, 1);
+    t->needed = xrealloc(NULL, count, 1);
     memset(t->needed, 0, count);
     for (int i = 0; i < 2 * t->shown_count + t->root_count; i++) {
         const int k = i - 2 * t->shown_count, node = k >= 0    ? t->roots[k].node

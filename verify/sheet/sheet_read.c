@@ -20,7 +20,7 @@ enum { MOST_OUTPUTS = 16, MOST_INPUTS = 40, MOST_CHANGES = 12 };
 
 static const char *keep(struct sheet *s, const char *text)
 {
-    s->texts = memory(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
+    s->texts = xrealloc(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
     return s->texts[s->text_count++] = text_copy(text);
 }
 
@@ -140,7 +140,7 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
         if (quantity_find(s, name) != NULL)
             fine = mistake(&r->document, key, 0, "duplicate quantity '%s', expected each name once", name);
         q.name = keep(s, name);
-        s->quantities = memory(s->quantities, (size_t)s->quantity_count + 1, sizeof q);
+        s->quantities = xrealloc(s->quantities, (size_t)s->quantity_count + 1, sizeof q);
         s->quantities[s->quantity_count++] = q;
     }
     free(names);
@@ -173,7 +173,7 @@ static bool read_table1(struct reader *r, const yaml_node_t *node)
             return false;
         if (quantity_find(s, t.name) == NULL)
             return mistake(&r->document, row, 0, "unknown quantity '%s'", t.name);
-        s->table1 = memory(s->table1, (size_t)s->row_count + 1, sizeof t);
+        s->table1 = xrealloc(s->table1, (size_t)s->row_count + 1, sizeof t);
         s->table1[s->row_count++] = t;
     }
     return true;
@@ -186,7 +186,7 @@ static const struct quantity *known_quantity(struct reader *r, const yaml_node_t
     const struct sheet *s = r->sheet;
     const struct quantity *q = quantity_find(s, scalar(node));
     if (q == NULL) {
-        const char **names = memory(NULL, (size_t)s->quantity_count, sizeof *names);
+        const char **names = xrealloc(NULL, (size_t)s->quantity_count, sizeof *names);
         for (int i = 0; i < s->quantity_count; i++)
             names[i] = s->quantities[i].name;
         const char *near = nearest_name(scalar(node), names, (size_t)s->quantity_count);
@@ -224,7 +224,7 @@ static bool read_let(struct reader *r, const yaml_node_t *node, struct formulas 
         if (result < 0)
             return false;
         program_name(&f->program, result, scalar(key));
-        f->let = memory(f->let, 2 * ((size_t)f->lets + 1), sizeof *f->let);
+        f->let = xrealloc(f->let, 2 * ((size_t)f->lets + 1), sizeof *f->let);
         f->let[2 * f->lets] = keep(r->sheet, scalar(key));
         f->let[2 * f->lets + 1] = keep(r->sheet, scalar(value));
         f->lets++;
@@ -278,7 +278,7 @@ static bool read_condition(struct reader *r, const yaml_node_t *node, struct for
     free(text);
     if (right < 0)
         return false;
-    f->conditions = memory(f->conditions, (size_t)f->count + 1, sizeof *f->conditions);
+    f->conditions = xrealloc(f->conditions, (size_t)f->count + 1, sizeof *f->conditions);
     f->conditions[f->count++] =
         (struct condition){keep(r->sheet, scalar(node)),
                            program_difference(&f->program, left, right), signs[i - 1].comparison};
@@ -360,7 +360,7 @@ static bool read_relations(struct reader *r, const yaml_node_t *node, struct sec
             (relation.text = text_of(r, item, "holds", true)) == NULL ||
             !check_relation(r, child(&r->document, item, "holds")))
             return false;
-        s->relations = memory(s->relations, (size_t)s->relation_count + 1, sizeof relation);
+        s->relations = xrealloc(s->relations, (size_t)s->relation_count + 1, sizeof relation);
         s->relations[s->relation_count++] = relation;
     }
     return true;
@@ -405,7 +405,7 @@ static bool read_special(struct reader *r, const yaml_node_t *key, const yaml_no
         if (i < s->input_count)
             special.texts[i] = keep(r->sheet, scalar(value));
     }
-    s->specials = memory(s->specials, (size_t)s->special_count + 1, sizeof special);
+    s->specials = xrealloc(s->specials, (size_t)s->special_count + 1, sizeof special);
     s->specials[s->special_count++] = special;
     return true;
 }
@@ -475,7 +475,7 @@ static bool read_slips(struct reader *r, const yaml_node_t *node, struct slip **
     if (!is_mapping(&r->document, node, NULL))
         return false;
     for (int n = 0; n < length_of(node); n++) {
-        *slips = memory(*slips, (size_t)*count + 1, sizeof **slips);
+        *slips = xrealloc(*slips, (size_t)*count + 1, sizeof **slips);
         if (!read_slip(r, scalar(key_of(&r->document, node, n)), value_of(&r->document, node, n), &(*slips)[(*count)++]))
             return false;
     }
@@ -547,7 +547,7 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
     struct sheet *sheet = r->sheet;
     if (!is_mapping(&r->document, node, known))
         return false;
-    sheet->sections = memory(sheet->sections, (size_t)sheet->section_count + 1, sizeof *sheet->sections);
+    sheet->sections = xrealloc(sheet->sections, (size_t)sheet->section_count + 1, sizeof *sheet->sections);
     struct section *s = &sheet->sections[sheet->section_count++];
     *s = (struct section){.id = keep(sheet, scalar(key)), .K = sheet->K, .K_reason = sheet->K_reason};
     const yaml_node_t *domain = child(&r->document, node, "domain"), *printed = child(&r->document, node, "printed");

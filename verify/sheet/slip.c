@@ -52,7 +52,7 @@ static bool take_changes(struct change *changes, struct program *p, struct progr
             message_set(why, "%s: %.200s", name, expected.text);
             return false;
         }
-        int *identity = memory(NULL, (size_t)right->count, sizeof *identity);
+        int *identity = xrealloc(NULL, (size_t)right->count, sizeof *identity);
         for (int i = 0; i < right->count; i++)
             identity[i] = i < right->inputs ? i : -1;
         changes[k].value = program_inline(p, right, node, identity);
@@ -92,10 +92,10 @@ static void take_outputs(struct alternative *a, const struct section *s, const s
     for (int k = 0; k < m->count; k++)
         if (m->changes[k].place == PLACE_OUTPUT && changes[k].target >= 0)
             f->outputs[changes[k].target] = changes[k].value;
-    int *identity = memory(NULL, (size_t)right->program.count + 1, sizeof *identity);
+    int *identity = xrealloc(NULL, (size_t)right->program.count + 1, sizeof *identity);
     for (int i = 0; i < right->program.count; i++)
         identity[i] = i < right->program.inputs ? i : -1;
-    f->conditions = memory(NULL, (size_t)right->count + 1, sizeof *f->conditions);
+    f->conditions = xrealloc(NULL, (size_t)right->count + 1, sizeof *f->conditions);
     for (f->count = 0; f->count < right->count; f->count++) {
         f->conditions[f->count] = right->conditions[f->count];
         f->conditions[f->count].node =
@@ -126,7 +126,7 @@ bool alternative_init(struct alternative *a, const struct sheet *sheet, const st
     for (int i = 0; i < s->output_count && s->method == METHOD_FORMULA; i++)
         if (program_find(&right, s->outputs[i]->name) < 0)
             program_name(&right, s->corrected.outputs[i], s->outputs[i]->name);
-    int *stand_in = memory(NULL, (size_t)end->corrected.program.count, sizeof *stand_in);
+    int *stand_in = xrealloc(NULL, (size_t)end->corrected.program.count, sizeof *stand_in);
     bool fits = take_changes(changes, &a->formulas.program, &right, s, end, m, strict, why) &&
                 take_stand_ins(stand_in, s, end, m, changes, why);
     if (fits)
