@@ -239,7 +239,7 @@ static void leave_open(const struct statements *all, struct ruling *r, const yam
     if (r->open.text[0] != '\0')
         return;
     d.why = &r->open;
-    mistake(&d, at, offset, "%s", text);
+    parse_error(&d, at, offset, "%s", text);
 }
 
 static const yaml_node_t *node_of_name(const struct statement *s, const char *name)

@@ -174,7 +174,7 @@ static bool refuse(const struct table *table, const yaml_node_t *at, const char 
     char text[300];
     document.why = &table->b->fault;
     snprintf(text, sizeof text, format, a, b);
-    return mistake(&document, at, 0, "step %s: %s", table->s->id, text);
+    return parse_error(&document, at, 0, "step %s: %s", table->s->id, text);
 }
 
 static const yaml_node_t *item(const struct table *table, const char *key, int i)

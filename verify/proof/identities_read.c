@@ -75,9 +75,9 @@ static bool declare_names(struct identities *t, const struct scope *s, const str
         const yaml_node_t *name = name_of(s->document, names, i);
         const bool known = find_input(&t->program, scalar(name)) >= 0;
         if (known && strcmp(declared->key, "free") == 0)
-            return mistake(s->document, name, 0, "'%s' is known already, expected a new name", scalar(name));
+            return parse_error(s->document, name, 0, "'%s' is known already, expected a new name", scalar(name));
         if (!known && declared->small)
-            return mistake(s->document, name, 0, "unknown symbol '%s', expected a free quantity", scalar(name));
+            return parse_error(s->document, name, 0, "unknown symbol '%s', expected a free quantity", scalar(name));
         if (!known)
             program_input(&t->program, scalar(name));
     }
@@ -90,7 +90,7 @@ static bool read_turn(const struct scope *s, const yaml_node_t *names, int i, st
     if (range != NULL && scalar(range) != NULL && strcmp(scalar(range), "quarter turn") == 0)
         v->quarter_turn = true;
     else if (range != NULL && (scalar(range) == NULL || strcmp(scalar(range), "any") != 0))
-        return mistake(s->document, range, 0, "expected 'any' or 'quarter turn'");
+        return parse_error(s->document, range, 0, "expected 'any' or 'quarter turn'");
     return true;
 }
 
@@ -102,9 +102,9 @@ static bool qualify_names(struct identities *t, const struct scope *s, const str
         const int input = find_input(&t->program, scalar(name));
         struct variable *v = &t->variables[input];
         if (v->angle || v->power > 0)
-            return mistake(s->document, name, 0, "'%s' is an angle or small already", scalar(name));
+            return parse_error(s->document, name, 0, "'%s' is an angle or small already", scalar(name));
         if (input < s->sheet->quantity_count && (v->signs & ~declared->signs) != 0)
-            return mistake(s->document, name, 0, "'%s' may be %s in the sheet, expected a name of its own", scalar(name),
+            return parse_error(s->document, name, 0, "'%s' may be %s in the sheet, expected a name of its own", scalar(name),
                            v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
         v->power = declared->small;
         v->angle = declared->angle;
@@ -150,14 +150,14 @@ static bool read_order(struct identities *t, const struct scope *s)
     const bool small = given(s, "small") != NULL;
     t->order = -1;
     if (node == NULL && small)
-        return mistake(s->document, s->given, 0, "missing order: up to which power of the small quantities");
+        return parse_error(s->document, s->given, 0, "missing order: up to which power of the small quantities");
     if (node == NULL)
         return true;
     if (!small)
-        return mistake(s->document, node, 0, "expected no order where no quantities are small");
+        return parse_error(s->document, node, 0, "expected no order where no quantities are small");
     if (scalar(node) == NULL || strlen(scalar(node)) != 1 || scalar(node)[0] < '0' ||
         scalar(node)[0] > '0' + HIGHEST_ORDER)
-        return mistake(s->document, node, 0, "expected an order from 0 to %d", HIGHEST_ORDER);
+        return parse_error(s->document, node, 0, "expected an order from 0 to %d", HIGHEST_ORDER);
     t->order = scalar(node)[0] - '0';
     return true;
 }
@@ -190,10 +190,10 @@ static bool check_rates(const struct identities *t, const struct scope *s)
         const bool constant = strcmp(scalar(pair[1]), "0") == 0;
         for (int k = 0; k < (constant ? 1 : 2); k++)
             if (program_find(&t->program, scalar(pair[k])) < 0)
-                return mistake(s->document, pair[k], 0, "unknown symbol '%s', expected name: its rate", scalar(pair[k]));
+                return parse_error(s->document, pair[k], 0, "unknown symbol '%s', expected name: its rate", scalar(pair[k]));
         if (!constant && strlen(scalar(pair[0])) <= LONGEST_NAME && rate_name(s->sheet, scalar(pair[0]), rate) &&
             strcmp(rate, scalar(pair[1])) != 0)
-            return mistake(s->document, pair[1], 0, "the rate of %s is %s in the sheet", scalar(pair[0]), rate);
+            return parse_error(s->document, pair[1], 0, "the rate of %s is %s in the sheet", scalar(pair[0]), rate);
     }
     return true;
 }
@@ -561,7 +561,7 @@ static int read_text(struct identities *t, const struct scope *s, const yaml_nod
     size_t where;
     const int result = identities_text(t, s, text, &where, &expected);
     if (result < 0)
-        mistake(s->document, node, shift + where, "%s", expected.text);
+        parse_error(s->document, node, shift + where, "%s", expected.text);
     return result;
 }
 
@@ -569,7 +569,7 @@ static int read_text(struct identities *t, const struct scope *s, const yaml_nod
 static bool on_one_line(const struct scope *s, const yaml_node_t *node, const char *expected)
 {
     if (scalar(node) == NULL || node->start_mark.line != node->end_mark.line)
-        return mistake(s->document, node, 0, "expected %s, on one line", expected);
+        return parse_error(s->document, node, 0, "expected %s, on one line", expected);
     return true;
 }
 
@@ -590,12 +590,12 @@ static const char *equality_sign(const char *text)
 bool identities_show(struct identities *t, const struct scope *s, const yaml_node_t *node)
 {
     if (t->shown_count == MOST_SHOWN)
-        return mistake(s->document, node, 0, "expected at most %d equalities", MOST_SHOWN); /* LCOV_EXCL_LINE: so is the list */
+        return parse_error(s->document, node, 0, "expected at most %d equalities", MOST_SHOWN); /* LCOV_EXCL_LINE: so is the list */
     if (!on_one_line(s, node, "left = right"))
         return false;
     const char *sign = equality_sign(scalar(node));
     if (sign == NULL)
-        return mistake(s->document, node, 0, "expected left = right");
+        return parse_error(s->document, node, 0, "expected left = right");
     const size_t length = (size_t)(sign - scalar(node));
     char *left = text_copy(scalar(node));
     left[length] = '\0';
@@ -618,7 +618,7 @@ static bool check_name(const struct scope *s, const yaml_node_t *key, const yaml
     const struct section *section = find_section(s, id);
     for (int i = 0; section != NULL && i < section->output_count; i++)
         if (strcmp(section->outputs[i]->name, scalar(key)) == 0 && strcmp(output, scalar(key)) != 0)
-            return mistake(s->document, value, 0, "%s has %s itself, expected another name than that", id, scalar(key));
+            return parse_error(s->document, value, 0, "%s has %s itself, expected another name than that", id, scalar(key));
     return true;
 }
 
@@ -649,7 +649,7 @@ static bool read_let(struct identities *t, const struct scope *s)
     for (int i = 0; variant != NULL && i < length_of(variant); i++) {
         const yaml_node_t *key = key_of(s->document, variant, i);
         if (let == NULL || child(s->document, let, scalar(key)) == NULL)
-            return mistake(s->document, key, 0, "unknown name '%s', expected one of the step's let", scalar(key));
+            return parse_error(s->document, key, 0, "unknown name '%s', expected one of the step's let", scalar(key));
     }
     for (int i = 0; let != NULL && i < length_of(let); i++) {
         const yaml_node_t *key = key_of(s->document, let, i);
@@ -691,7 +691,7 @@ static bool are_texts(const struct scope *s, const char *key)
         return false;
     for (int i = 0; node != NULL && i < length_of(node); i++)
         if (scalar(value_of(s->document, node, i)) == NULL)
-            return mistake(s->document, value_of(s->document, node, i), 0, "expected a text");
+            return parse_error(s->document, value_of(s->document, node, i), 0, "expected a text");
     return true;
 }
 
@@ -730,7 +730,7 @@ static bool all_needed(const struct identities *t, const struct scope *s)
         for (int k = 0; names != NULL && k < length_of(names); k++) {
             const yaml_node_t *name = name_of(s->document, names, k);
             if (!t->needed[find_input(p, scalar(name))])
-                return mistake(s->document, name, 0, "nothing shown rests on '%s'", scalar(name));
+                return parse_error(s->document, name, 0, "nothing shown rests on '%s'", scalar(name));
         }
     }
     const yaml_node_t *let = given(s, "let");
@@ -740,7 +740,7 @@ static bool all_needed(const struct identities *t, const struct scope *s)
         for (; first <= last; first++) /* rate() may take up parts of it alone */
             serves = serves || t->needed[first];
         if (!serves)
-            return mistake(s->document, key_of(s->document, let, k), 0, "nothing shown rests on '%s'",
+            return parse_error(s->document, key_of(s->document, let, k), 0, "nothing shown rests on '%s'",
                            p->names[p->inputs + k].text);
     }
     return true;
@@ -753,7 +753,7 @@ static bool check_roots(const struct identities *t, const struct scope *s)
         radical = radical || (t->needed[i] && (t->program.nodes[i].op == OPERATOR_SQRT ||
                                                t->program.nodes[i].op == OPERATOR_ATAN2));
     if (!radical && t->root_count > 0)
-        return mistake(s->document, given(s, "square roots"), 0,
+        return parse_error(s->document, given(s, "square roots"), 0,
                        "expected no square roots, nothing shown rests on one");
     return true;
 }
