@@ -30,16 +30,16 @@ static int take_digits(struct choice *c, const char *text)
     const char *equals = strchr(text, '=');
     char id[40], *end;
     if (equals == NULL)
-        return complain(EXIT_USAGE, "--digits: expected ID=DIGITS, got '%.40s'", text);
+        return usage_error(EXIT_USAGE, "--digits: expected ID=DIGITS, got '%.40s'", text);
     snprintf(id, sizeof id, "%.*s", (int)(equals - text), text);
     const struct section *s = section_argument(id);
     if (s == NULL)
         return EXIT_USAGE;
     const long digits = strtol(equals + 1, &end, 10);
     if (!is_motion(s))
-        return complain(EXIT_USAGE, "--digits: expected a motion, %s is judged by E", id);
+        return usage_error(EXIT_USAGE, "--digits: expected a motion, %s is judged by E", id);
     if (end == equals + 1 || *end != '\0' || digits < 1 || digits > 30)
-        return complain(EXIT_USAGE, "--digits: expected an integer from 1 to 30, got '%.40s'", equals + 1);
+        return usage_error(EXIT_USAGE, "--digits: expected an integer from 1 to 30, got '%.40s'", equals + 1);
     c->digits[s - sheet()->sections] = (double)digits;
     return EXIT_DONE;
 }
@@ -56,7 +56,7 @@ static int take_all_digits(struct choice *c, int *count, char **texts)
         else if (i + 1 < *count)
             status = take_digits(c, texts[++i]);
         else
-            status = complain(EXIT_USAGE, "--digits: expected a value behind it");
+            status = usage_error(EXIT_USAGE, "--digits: expected a value behind it");
     }
     *count = kept;
     return status;
@@ -76,7 +76,7 @@ static int choose(struct choice *c, const char *word)
     if (s == NULL)
         return EXIT_USAGE;
     if (s->method == METHOD_NONE)
-        return complain(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
+        return usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
     c->chosen[s - sheet()->sections] = true;
     return EXIT_DONE;
 }
@@ -95,7 +95,7 @@ static int take_only(struct choice *c, const char *only)
     for (int i = 0; i < sheet()->section_count && status == EXIT_DONE; i++)
         if (c->chosen[i])
             return EXIT_DONE;
-    return status != EXIT_DONE ? status : complain(EXIT_USAGE, "--only: expected operations or levels, ID,...");
+    return status != EXIT_DONE ? status : usage_error(EXIT_USAGE, "--only: expected operations or levels, ID,...");
 }
 
 static int take_number(const struct arguments *a, const char *name, uint64_t *number)
@@ -115,11 +115,11 @@ static int take_questions(struct exam *e, const struct arguments *a, const struc
     if (status == EXIT_DONE)
         status = take_number(a, "--significand", &significand);
     if (status == EXIT_DONE && option_given(a, "--random") != option_given(a, "--seed"))
-        status = complain(EXIT_USAGE, "conform: expected --random N and --seed S together");
+        status = usage_error(EXIT_USAGE, "conform: expected --random N and --seed S together");
     if (status == EXIT_DONE && random > MOST_RANDOM)
-        status = complain(EXIT_USAGE, "--random: expected at most %d vectors an operation", MOST_RANDOM);
+        status = usage_error(EXIT_USAGE, "--random: expected at most %d vectors an operation", MOST_RANDOM);
     if (status == EXIT_DONE && significand != BINARY32 && significand != BINARY64 && significand != BINARY128)
-        status = complain(EXIT_USAGE, "--significand: expected 24, 53 or 113");
+        status = usage_error(EXIT_USAGE, "--significand: expected 24, 53 or 113");
     if (status != EXIT_DONE)
         return status;
     e->significand = (int)significand;
@@ -148,9 +148,9 @@ static int report(struct exam *e, const struct arguments *a, const char *client,
     int status = output_finished();
     const int why = name != NULL ? report_write(&r, name) : 0;
     if (why != 0)
-        return complain(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
+        return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
     if (sum.failed == 0 && sum.passed == 0)
-        return complain(EXIT_FAILED_CHECK, "conform: nothing was answered, every vector was skipped");
+        return usage_error(EXIT_FAILED_CHECK, "conform: nothing was answered, every vector was skipped");
     return sum.failed > 0 ? EXIT_FAILED_CHECK : status;
 }
 
@@ -181,7 +181,7 @@ static int conclude(struct exam *e, enum ending ending, int status, const char *
 {
     const bool signalled = WIFSIGNALED(status);
     if (ending == ENDING_EXIT && status != 0 && e->heard == 0)
-        return complain(EXIT_USAGE, "client '%s': ended with %s %d before its first answer", name,
+        return usage_error(EXIT_USAGE, "client '%s': ended with %s %d before its first answer", name,
                         signalled ? "signal" : "exit status", signalled ? WTERMSIG(status) : WEXITSTATUS(status));
     const uint64_t answered = e->next, total = e->questions.total;
     if (ending == ENDING_EXIT && (status != 0 || answered < total))
@@ -206,18 +206,18 @@ static int examine_client(struct exam *e, const struct arguments *a, char **clie
     if (text != NULL)
         timeout = strtod(text, &end);
     if (text != NULL && (*end != '\0' || !(timeout > 0.0 && timeout <= 1e6)))
-        return complain(EXIT_USAGE, "--timeout: expected seconds, more than 0, got '%.40s'", text);
+        return usage_error(EXIT_USAGE, "--timeout: expected seconds, more than 0, got '%.40s'", text);
     struct client c;
     struct watched w = {e, progress_begin(false)};
     const struct conversation talk = {&w, ask, hear};
     const int why = client_start(&c, client);
     if (why != 0)
-        return complain(status_of_name(why), "client '%s': %s", client[0], strerror(why));
+        return usage_error(status_of_name(why), "client '%s': %s", client[0], strerror(why));
     const enum ending ending = client_converse(&c, &talk, timeout);
     const int status = client_close(&c); /* an interrupt ends the program here */
     progress_end(&w.progress);
     if (ending == ENDING_BROKEN) /* LCOV_EXCL_BR_LINE: a failing system call, make faults */
-        return complain(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why)); /* LCOV_EXCL_LINE: the same */
+        return usage_error(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why)); /* LCOV_EXCL_LINE: the same */
     const int concluded = conclude(e, ending, status, client[0]);
     c.tail[c.tail_length] = '\0';
     return concluded != EXIT_DONE ? concluded : report(e, a, client[0], c.tail);
@@ -248,9 +248,9 @@ static bool read_line(struct answers_file *f)
     f->line[length] = '\0';
     f->too_long = length > LONGEST_LINE;
     if (heard == LONGEST_UNENDED)
-        f->status = complain(EXIT_USAGE, "%s: line %lu does not end", f->name, f->row);
+        f->status = usage_error(EXIT_USAGE, "%s: line %lu does not end", f->name, f->row);
     else if (f->status == EXIT_DONE && c == EOF && ferror(f->file))
-        f->status = complain(EXIT_FAILED_CHECK, "%s: %s", f->name, strerror(errno));
+        f->status = usage_error(EXIT_FAILED_CHECK, "%s: %s", f->name, strerror(errno));
     return f->status == EXIT_DONE && (c != EOF || length > 0);
 }
 
@@ -290,7 +290,7 @@ static bool take_header(char *line, const struct section *s, const char *name, i
             if (strcmp(cells[k], wanted) == 0 && columns[i] < 0)
                 columns[i] = k;
         if (columns[i] < 0) {
-            complain(EXIT_USAGE, "%s: missing column '%s', expected id and every output of %s", name, wanted, s->id);
+            usage_error(EXIT_USAGE, "%s: missing column '%s', expected id and every output of %s", name, wanted, s->id);
             return false;
         }
     }
@@ -325,9 +325,9 @@ static void hear_file(struct exam *e, struct answers_file *f, const struct secti
     int columns[MOST_ANSWERS + 1] = {0};
     if (!read_line(f))
         f->status = f->status != EXIT_DONE ? f->status
-                                           : complain(EXIT_USAGE, "%s: expected a header, id and every output of %s", f->name, s->id);
+                                           : usage_error(EXIT_USAGE, "%s: expected a header, id and every output of %s", f->name, s->id);
     else if (f->too_long)
-        f->status = complain(EXIT_USAGE, "%s: line 1 is longer than %d bytes, expected a header", f->name, LONGEST_LINE);
+        f->status = usage_error(EXIT_USAGE, "%s: line 1 is longer than %d bytes, expected a header", f->name, LONGEST_LINE);
     else if (!take_header(f->line, s, f->name, columns))
         f->status = EXIT_USAGE;
     while (f->status == EXIT_DONE && read_line(f)) {
@@ -346,7 +346,7 @@ static int examine_file(struct exam *e, const struct arguments *a, const struct 
     *f = (struct answers_file){.name = option_value(a, "--answers"), .status = EXIT_DONE};
     f->file = fopen(f->name, "r");
     if (f->file == NULL) {
-        f->status = complain(status_of_name(errno), "%s: %s", f->name, strerror(errno));
+        f->status = usage_error(status_of_name(errno), "%s: %s", f->name, strerror(errno));
     } else {
         e->asked = e->questions.total;
         hear_file(e, f, s);
@@ -378,19 +378,19 @@ static int run(const struct arguments *a, struct choice *c, char **client)
 {
     const bool file = option_given(a, "--answers"), kills = option_given(a, "--kills");
     if (a->assignment_count > 0)
-        return complain(EXIT_USAGE, "conform: unexpected argument '%s', a client stands behind --", a->assignments[0]);
+        return usage_error(EXIT_USAGE, "conform: unexpected argument '%s', a client stands behind --", a->assignments[0]);
     if (file + kills + (client != NULL) != 1)
-        return complain(EXIT_USAGE, "conform: expected -- CLIENT ARGS..., or --answers FILE.csv ID");
+        return usage_error(EXIT_USAGE, "conform: expected -- CLIENT ARGS..., or --answers FILE.csv ID");
     if (file != (a->word_count == 1))
-        return complain(EXIT_USAGE, file ? "--answers: expected the id of an operation behind the file"
+        return usage_error(EXIT_USAGE, file ? "--answers: expected the id of an operation behind the file"
                                          : "conform: unexpected argument '%s', a client stands behind --", a->words[0]);
     if (file && section_argument(a->words[0]) == NULL) /* of several operations no header tells whose outputs it has */
         return EXIT_USAGE;
     if (file && (option_given(a, "--only") || option_given(a, "--random")))
-        return complain(EXIT_USAGE, "--answers: expected without --only and --random");
+        return usage_error(EXIT_USAGE, "--answers: expected without --only and --random");
     const char *name = option_value(a, "--report");
     if (name != NULL && report_format(name) == REPORT_NONE)
-        return complain(EXIT_USAGE, "--report: expected a file .xml or .json, got '%.100s'", name);
+        return usage_error(EXIT_USAGE, "--report: expected a file .xml or .json, got '%.100s'", name);
     int status = take_only(c, file ? a->words[0] : option_value(a, "--only"));
     if (status != EXIT_DONE || kills)
         return status != EXIT_DONE ? status : print_all_kills(c);
@@ -428,7 +428,7 @@ int command_conform(int count, char **texts)
     if (status == EXIT_DONE)
         status = arguments_split(&a, count, texts, 1);
     if (status == EXIT_DONE && client != NULL && *client == NULL)
-        status = complain(EXIT_USAGE, "conform: expected a client behind --");
+        status = usage_error(EXIT_USAGE, "conform: expected a client behind --");
     if (status == EXIT_DONE)
         status = run(&a, &c, client);
     free(a.assignments);

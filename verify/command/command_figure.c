@@ -70,7 +70,7 @@ static int print_motion_figure(const struct figure *f, const struct setting *s,
         memset(beside.lines, 0, (size_t)times.count * sizeof *beside.lines);
         m.h = h;
         if (status == EXIT_DONE && motion_rows(&m, times.t, times.count, collect_row, &beside, &why) != 0)
-            status = complain(EXIT_FAILED_CHECK, "%s", why.text);
+            status = usage_error(EXIT_FAILED_CHECK, "%s", why.text);
         m.h = NULL;
     }
     if (status == EXIT_DONE) {
@@ -169,7 +169,7 @@ static int print_roots(const fmpq_t n, const char *name, const struct setting *s
         for (int i = 0; i < 4; i++)
             free(texts[i]);
     }
-    return decided ? EXIT_DONE : complain(EXIT_FAILED_CHECK, "figure 4: undecided at n = %s", name);
+    return decided ? EXIT_DONE : usage_error(EXIT_FAILED_CHECK, "figure 4: undecided at n = %s", name);
 }
 
 /* n from 9 to 40 in tenths. */
@@ -192,10 +192,10 @@ static int print_figure4(const struct setting *s, long digits)
 static int check_figure4(const struct arguments *a, const struct setting *s)
 {
     if (option_given(a, "--rk4"))
-        return complain(EXIT_USAGE, "--rk4: figure 4 shows no motion");
+        return usage_error(EXIT_USAGE, "--rk4: figure 4 shows no motion");
     for (int i = 0; i < SETTINGS; i++)
         if (s->given[i] && i != SET_Omega)
-            return complain(EXIT_USAGE, "%s: figure 4 depends on Omega alone, n runs from 9 to 40",
+            return usage_error(EXIT_USAGE, "%s: figure 4 depends on Omega alone, n runs from 9 to 40",
                             setting_names[i]);
     return EXIT_DONE;
 }
@@ -213,7 +213,7 @@ int command_figure(int count, char **texts)
     long digits = 17;
     setting_init(&s, option_given(&a, "--exact"));
     if (f == NULL && !roots)
-        status = complain(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
+        status = usage_error(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
                           a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
     if (status == EXIT_DONE)
         status = option_digits(&a, 17, &digits);
