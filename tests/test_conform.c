@@ -12,7 +12,7 @@
 #include "conform/conform.h"
 #include "conform/diagnosis.h"
 #include "conform/report.h"
-#include "sheet/slip.h"
+#include "sheet/known_mistakes.h"
 #include "evaluate/vectors.h"
 #include "text/scope.h"
 

@@ -10,7 +10,7 @@
 #include "formula/arithmetic.h"
 #include "text/flint.h"
 #include "evaluate/reference.h"
-#include "sheet/slip.h"
+#include "sheet/known_mistakes.h"
 
 enum { MOST = 40 };
 

@@ -7,8 +7,8 @@
 #ifndef CT_CONFORM_H
 #define CT_CONFORM_H
 
-#include "conform/judge.h"
-#include "conform/questions.h"
+#include "conform/comparator.h"
+#include "conform/test_set.h"
 
 enum { LONGEST_LINE = 1 << 16, LONGEST_UNENDED = 1 << 26, MOST_FAILURES = 32, MOST_SPANS = 1000 };
 

@@ -8,7 +8,7 @@
 
 #include "evaluate/vectors.h"
 #include "formula/exact.h"
-#include "sheet/slip.h"
+#include "sheet/known_mistakes.h"
 
 /* ---- mistakes at work ---- */
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sheet/slip.h"
+#include "sheet/known_mistakes.h"
 #include "text/decimal.h"
 #include "text/document.h"
 #include "text/scope.h"

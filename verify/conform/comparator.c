@@ -1,4 +1,4 @@
-#include "conform/judge.h"
+#include "conform/comparator.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "conform/questions.h"
+#include "conform/test_set.h"
 
 #include <inttypes.h>
 #include <stdio.h>

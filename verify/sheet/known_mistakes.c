@@ -1,4 +1,4 @@
-#include "sheet/slip.h"
+#include "sheet/known_mistakes.h"
 
 #include <stdlib.h>
 #include <string.h>

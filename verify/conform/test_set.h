@@ -2,8 +2,8 @@
  * What the oracle asks: the golden vectors of some operations and fresh random ones behind them, each by its
  * position. Nothing is kept of a random vector: it is made again from its seed and number when it is needed.
  */
-#ifndef CT_QUESTIONS_H
-#define CT_QUESTIONS_H
+#ifndef CT_TEST_SET_H
+#define CT_TEST_SET_H
 
 #include <stdint.h>
 

@@ -1,6 +1,6 @@
 /* An operation as one known mistake would have it: a program like the sheet's own, over the same inputs. */
-#ifndef CT_SLIP_H
-#define CT_SLIP_H
+#ifndef CT_KNOWN_MISTAKES_H
+#define CT_KNOWN_MISTAKES_H
 
 #include "sheet/sheet.h"
 

@@ -3,8 +3,8 @@
  * decimal digits reached of the motion's largest coordinate, at 0 or at t, lengths over L_ref and time in
  * radians of orbit. The truth is certified when it is needed, with no more bits than decide.
  */
-#ifndef CT_JUDGE_H
-#define CT_JUDGE_H
+#ifndef CT_COMPARATOR_H
+#define CT_COMPARATOR_H
 
 #include "evaluate/errors.h"
 
