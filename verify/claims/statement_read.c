@@ -657,7 +657,7 @@ static void take_number(void *context, const char *at, size_t length)
     n->text = keep(r->all, formula, formula_length);
     if (bar == NULL || !read_rounding(keep(r->all, digits, digits_length), n))
         q->fine = parse_error(r->document, q->node, start + (bar != NULL ? (size_t)(bar - text) + 1 : 0),
-                          "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
+                              "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
     else
         q->fine = read_formula_text(r, &n->formula, q->node, n->text, start + (size_t)(formula - text));
     free(text);

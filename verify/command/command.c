@@ -144,13 +144,13 @@ int literal_argument(const char *name, const char *text, bool exact, bool may_be
         value->infinite = may_be_infinite;
         return may_be_infinite ? EXIT_DONE
                                : usage_error(EXIT_FAILED_CHECK, "%s: expected a finite number, got '%s'",
-                                          name, text);
+                                             name, text);
     case LITERAL_NAN:
     case LITERAL_NEGATIVE_INFINITE:
         return usage_error(EXIT_FAILED_CHECK, "%s: expected a finite number, got '%s'", name, text);
     case LITERAL_OVERFLOW:
         return usage_error(EXIT_FAILED_CHECK, "%s: '%.40s' is too large%s", name, text,
-                        exact ? ", expected an exponent within +-5000 and at most 10000 digits"
+                           exact ? ", expected an exponent within +-5000 and at most 10000 digits"
                               : " for binary64, --exact takes it as it is");
     case LITERAL_MALFORMED:
         break;

@@ -182,7 +182,7 @@ static int conclude(struct exam *e, enum ending ending, int status, const char *
     const bool signalled = WIFSIGNALED(status);
     if (ending == ENDING_EXIT && status != 0 && e->heard == 0)
         return usage_error(EXIT_USAGE, "client '%s': ended with %s %d before its first answer", name,
-                        signalled ? "signal" : "exit status", signalled ? WTERMSIG(status) : WEXITSTATUS(status));
+                           signalled ? "signal" : "exit status", signalled ? WTERMSIG(status) : WEXITSTATUS(status));
     const uint64_t answered = e->next, total = e->questions.total;
     if (ending == ENDING_EXIT && (status != 0 || answered < total))
         snprintf(e->ended, sizeof e->ended, "with %s %d after %" PRIu64 " of %" PRIu64 " answers", signalled ? "signal" : "exit status",

@@ -165,7 +165,7 @@ int command_datapackage(int count, char **texts)
             status = print_resource(hash, path, first);
         else
             status = usage_error(EXIT_FAILED_CHECK, "standard input: expected HASH  FILE, got '%.*s'",
-                              (int)strcspn(line, "\n"), line);
+                                 (int)strcspn(line, "\n"), line);
     }
     if (status == EXIT_DONE && !feof(stdin))
         status = usage_error(EXIT_FAILED_CHECK, "standard input: %s", strerror(errno));

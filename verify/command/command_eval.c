@@ -23,7 +23,7 @@ static int read_inputs(const struct arguments *a, const struct section *s, bool 
     for (int i = 0; i < s->input_count; i++)
         if (!seen[i])
             return usage_error(EXIT_USAGE, "%s: missing %s, expected %s=VALUE [%s]", s->id, known[i],
-                            known[i], s->inputs[i]->unit);
+                               known[i], s->inputs[i]->unit);
     return refused != NULL ? refuse_assignment(refused, exact) : EXIT_DONE;
 }
 

@@ -196,7 +196,7 @@ static int check_figure4(const struct arguments *a, const struct setting *s)
     for (int i = 0; i < SETTINGS; i++)
         if (s->given[i] && i != SET_Omega)
             return usage_error(EXIT_USAGE, "%s: figure 4 depends on Omega alone, n runs from 9 to 40",
-                            setting_names[i]);
+                               setting_names[i]);
     return EXIT_DONE;
 }
 
@@ -214,7 +214,7 @@ int command_figure(int count, char **texts)
     setting_init(&s, option_given(&a, "--exact"));
     if (f == NULL && !roots)
         status = usage_error(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
-                          a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
+                             a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
     if (status == EXIT_DONE)
         status = option_digits(&a, 17, &digits);
     if (status == EXIT_DONE)

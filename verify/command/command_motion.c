@@ -189,7 +189,7 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
         fmpq_div(steps, times->t + i, h);
         if (fmpq_sgn(steps) < 0 || !fmpz_is_one(fmpq_denref(steps)))
             status = usage_error(EXIT_FAILED_CHECK, "--rk4: expected times >= 0 that are multiples of %s, got %s",
-                              text, times->texts[i]);
+                                 text, times->texts[i]);
     }
     fmpq_clear(&value.value);
     return status;
@@ -214,7 +214,7 @@ int command_trajectory(int count, char **texts)
     m.nonlinear = m.charges = a.word_count == 1 && strcmp(a.words[0], "nonlinear") == 0;
     if (!m.nonlinear && (a.word_count == 0 || strcmp(a.words[0], "linear") != 0))
         status = usage_error(EXIT_USAGE, "trajectory: expected linear or nonlinear%s%s",
-                          a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
+                             a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
     if (status == EXIT_DONE)
         status = option_digits(&a, 17, &m.digits);
     if (status == EXIT_DONE)

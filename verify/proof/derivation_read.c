@@ -72,7 +72,7 @@ static bool read_definitions(struct derivations *d, const yaml_node_t *mapping)
     if (!is_mapping(&d->document, mapping, NULL))
         return false;
     d->definitions.sections = xrealloc(d->definitions.sections, (size_t)d->definitions.count + (size_t)length_of(mapping),
-                                     sizeof *d->definitions.sections);
+                                       sizeof *d->definitions.sections);
     for (int i = 0; i < length_of(mapping); i++)
         if (!read_definition(d, key_of(&d->document, mapping, i), value_of(&d->document, mapping, i)))
             return false;
@@ -106,7 +106,7 @@ static int read_ends(struct derivations *d, const yaml_node_t *step, const char 
             known = known && strcmp(d->definitions.sections[k].id, ends[i]) != 0;
         if (!known) {
             parse_error(document, item, 0, "unknown '%s', expected an equation that has a formula, or a %s", ends[i],
-                    strcmp(key, "to") == 0 ? "property" : "principle");
+                        strcmp(key, "to") == 0 ? "property" : "principle");
             return -1;
         }
     }

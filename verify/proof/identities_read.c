@@ -105,7 +105,7 @@ static bool qualify_names(struct identities *t, const struct scope *s, const str
             return parse_error(s->document, name, 0, "'%s' is an angle or small already", scalar(name));
         if (input < s->sheet->quantity_count && (v->signs & ~declared->signs) != 0)
             return parse_error(s->document, name, 0, "'%s' may be %s in the sheet, expected a name of its own", scalar(name),
-                           v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
+                               v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
         v->power = declared->small;
         v->angle = declared->angle;
         v->signs &= declared->signs;
@@ -741,7 +741,7 @@ static bool all_needed(const struct identities *t, const struct scope *s)
             serves = serves || t->needed[first];
         if (!serves)
             return parse_error(s->document, key_of(s->document, let, k), 0, "nothing shown rests on '%s'",
-                           p->names[p->inputs + k].text);
+                               p->names[p->inputs + k].text);
     }
     return true;
 }
@@ -754,7 +754,7 @@ static bool check_roots(const struct identities *t, const struct scope *s)
                                                t->program.nodes[i].op == OPERATOR_ATAN2));
     if (!radical && t->root_count > 0)
         return parse_error(s->document, given(s, "square roots"), 0,
-                       "expected no square roots, nothing shown rests on one");
+                           "expected no square roots, nothing shown rests on one");
     return true;
 }
 

@@ -155,7 +155,7 @@ static bool is_known(const struct document *d, const yaml_node_t *key, const cha
         return true;
     const char *near = nearest_name(text, known, k);
     return parse_error(d, key, 0, "unknown key '%s', expected %s%s", text,
-                   near ? "perhaps " : "one of this kind of entry", near ? near : "");
+                       near ? "perhaps " : "one of this kind of entry", near ? near : "");
 }
 
 bool is_mapping(const struct document *d, const yaml_node_t *node, const char *const *known)
