@@ -547,18 +547,18 @@ START_TEST(a_known_mistake_is_called_by_its_name)
     const struct section *s = &sheet()->sections[_i];
     if (s->method != METHOD_FORMULA)
         return;
-    for (int k = 0; k < s->slip_count + sheet()->slip_count; k++) {
-        const struct slip *slip = k < s->slip_count ? &s->slips[k] : &sheet()->slips[k - s->slip_count];
-        struct alternative a;
+    for (int k = 0; k < s->mistake_count + sheet()->mistake_count; k++) {
+        const struct known_mistake *mistake = k < s->mistake_count ? &s->mistakes[k] : &sheet()->mistakes[k - s->mistake_count];
+        struct mutation a;
         struct message why;
-        if (!alternative_init(&a, sheet(), s, slip, false, &why))
+        if (!mutation_init(&a, sheet(), s, mistake, false, &why))
             continue;
         struct exam *e = exam_of(s);
         answer_with(e, &a.formulas);
-        ck_assert_msg(tally_failed(&e->tallies[0]) == 0 || strstr(e->tallies[0].diagnosis, slip->name) != NULL,
-                      "%s: %s is taken for: %s", s->id, slip->name, e->tallies[0].diagnosis);
+        ck_assert_msg(tally_failed(&e->tallies[0]) == 0 || strstr(e->tallies[0].diagnosis, mistake->name) != NULL,
+                      "%s: %s is taken for: %s", s->id, mistake->name, e->tallies[0].diagnosis);
         close_exam(e);
-        alternative_clear(&a);
+        mutation_clear(&a);
     }
     if (s->differs) {
         struct exam *e = exam_of(s);
@@ -576,18 +576,18 @@ END_TEST
 
 START_TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
 {
-    for (int k = 0; k < sheet()->slip_count; k++) {
+    for (int k = 0; k < sheet()->mistake_count; k++) {
         int places = 0;
         for (int i = 0; i < sheet()->section_count; i++) {
-            struct alternative a;
+            struct mutation a;
             struct message why;
             if (sheet()->sections[i].method == METHOD_NONE ||
-                !alternative_init(&a, sheet(), &sheet()->sections[i], &sheet()->slips[k], false, &why))
+                !mutation_init(&a, sheet(), &sheet()->sections[i], &sheet()->mistakes[k], false, &why))
                 continue;
             places++;
-            alternative_clear(&a);
+            mutation_clear(&a);
         }
-        ck_assert_msg(places > 0, "%s", sheet()->slips[k].name);
+        ck_assert_msg(places > 0, "%s", sheet()->mistakes[k].name);
     }
 }
 END_TEST

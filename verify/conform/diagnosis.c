@@ -12,26 +12,26 @@
 
 /* ---- mistakes at work ---- */
 
-struct suspect {
+struct mutant {
     const char *name;
     bool transforms;       /* the operation is done right, but on other inputs */
-    struct alternative a;
+    struct mutation a;
     struct operation o;
     struct input *inputs;  /* those others */
 };
 
-struct suspects {
-    struct suspect *all;
+struct mutants {
+    struct mutant *all;
     int count;
 };
 
-static void suspect_add(struct suspects *list, const struct section *s, const struct slip *m)
+static void mutant_add(struct mutants *list, const struct section *s, const struct known_mistake *m)
 {
     list->all = xrealloc(list->all, (size_t)list->count + 1, sizeof *list->all);
-    struct suspect *x = &list->all[list->count];
+    struct mutant *x = &list->all[list->count];
     struct message why;
-    *x = (struct suspect){.name = m ? m->name : "as printed"};
-    if (m != NULL && !alternative_init(&x->a, sheet(), s, m, false, &why))
+    *x = (struct mutant){.name = m ? m->name : "as printed"};
+    if (m != NULL && !mutation_init(&x->a, sheet(), s, m, false, &why))
         return;
     x->transforms = m != NULL && !x->a.formulas_end;
     if (x->transforms)
@@ -40,17 +40,17 @@ static void suspect_add(struct suspects *list, const struct section *s, const st
 }
 
 /* The print's own formulas, the section's own mistakes, and those that every section may make. */
-static struct suspects suspects_of(const struct section *s)
+static struct mutants mutants_of(const struct section *s)
 {
-    struct suspects list = {NULL, 0};
+    struct mutants list = {NULL, 0};
     if (s->differs)
-        suspect_add(&list, s, NULL);
-    for (int i = 0; i < s->slip_count; i++)
-        suspect_add(&list, s, &s->slips[i]);
-    for (int i = 0; i < sheet()->slip_count; i++)
-        suspect_add(&list, s, &sheet()->slips[i]);
+        mutant_add(&list, s, NULL);
+    for (int i = 0; i < s->mistake_count; i++)
+        mutant_add(&list, s, &s->mistakes[i]);
+    for (int i = 0; i < sheet()->mistake_count; i++)
+        mutant_add(&list, s, &sheet()->mistakes[i]);
     for (int i = 0; i < list.count; i++) { /* now that they move no more */
-        struct suspect *x = &list.all[i];
+        struct mutant *x = &list.all[i];
         operation_init(&x->o, x->transforms ? x->a.section : s, x->a.section == NULL);
         if (x->a.section == NULL || x->transforms)
             continue;
@@ -61,21 +61,21 @@ static struct suspects suspects_of(const struct section *s)
     return list;
 }
 
-static void suspects_clear(struct suspects *list)
+static void mutants_clear(struct mutants *list)
 {
     for (int i = 0; i < list->count; i++) {
-        struct suspect *x = &list->all[i];
+        struct mutant *x = &list->all[i];
         operation_clear(&x->o);
         if (x->transforms)
             inputs_free(x->inputs, x->a.section->input_count);
         if (x->a.section != NULL)
-            alternative_clear(&x->a);
+            mutation_clear(&x->a);
     }
     free(list->all);
 }
 
 /* The inputs that the operation is done on; NULL where they have no exact value. */
-static const struct input *inputs_of(struct suspect *x, const struct input *inputs)
+static const struct input *inputs_of(struct mutant *x, const struct input *inputs)
 {
     if (!x->transforms)
         return inputs;
@@ -104,8 +104,8 @@ static bool is_long(const struct section *s, const struct input *inputs)
 
 static const double PATIENCE = 1.0; /* seconds of processor time for an operation */
 
-/* Whether the suspect makes of the question what was answered. */
-static bool explains(struct suspect *x, const struct exam *e, const struct failure *f, const struct question *q,
+/* Whether the mutant makes of the question what was answered. */
+static bool explains(struct mutant *x, const struct exam *e, const struct failure *f, const struct question *q,
                      double digits)
 {
     struct judge j;
@@ -137,7 +137,7 @@ static bool is_domain_alone(const struct tally *t)
 }
 
 /* All failures that formulas can explain; of a motion the long ones only where there are no others. */
-static bool explains_all(struct suspect *x, const struct exam *e, const struct tally *t, double digits)
+static bool explains_all(struct mutant *x, const struct exam *e, const struct tally *t, double digits)
 {
     const enum finding last = is_domain_alone(t) ? FOUND_VALUE : FOUND_INVALID;
     struct question q;
@@ -227,7 +227,7 @@ void diagnose(struct exam *e, int course)
 {
     struct tally *t = &e->tallies[course];
     const struct judge *j = &e->judges[course];
-    struct suspects list = suspects_of(j->operation->section);
+    struct mutants list = mutants_of(j->operation->section);
     const clock_t until = clock() + (clock_t)(PATIENCE * CLOCKS_PER_SEC);
     char written[48];
     for (int i = 0; i < list.count; i++) {
@@ -241,17 +241,17 @@ void diagnose(struct exam *e, int course)
         add_name(t, format, "");
     if (t->counts[FOUND_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
         add_name(t, "inputs outside the domain are not refused", "; and ");
-    suspects_clear(&list);
+    mutants_clear(&list);
 }
 
 /* ---- the kill table ---- */
 
 struct kills {
-    struct suspects suspects;
+    struct mutants mutants;
     struct operation o;
     struct judge judge;
     struct input *inputs;
-    int *killed;   /* vectors, of each suspect                */
+    int *killed;   /* vectors, of each mutant                */
     bool *differs; /* so small a difference does no harm here */
     bool fine;
 };
@@ -264,10 +264,10 @@ static bool are_equal(const struct input *a, const struct input *b, int count)
     return equal;
 }
 
-/* Whether a vector tells a suspect from the truth. */
+/* Whether a vector tells a mutant from the truth. */
 static bool tells(struct kills *k, int i, bool inside)
 {
-    struct suspect *x = &k->suspects.all[i];
+    struct mutant *x = &k->mutants.all[i];
     struct judge *j = &k->judge;
     const int count = k->o.section->output_count;
     const struct input *inputs = inputs_of(x, k->inputs);
@@ -282,7 +282,7 @@ static bool tells(struct kills *k, int i, bool inside)
         return true;
     j->worst = INFINITY;
     const enum finding finding = judge_answer(j, k->inputs, &score);
-    j->followed = is_motion(k->o.section) && finding != FOUND_SKIPPED; /* the next suspect is held against the same motion */
+    j->followed = is_motion(k->o.section) && finding != FOUND_SKIPPED; /* the next mutant is held against the same motion */
     for (int n = 0; n < count; n++)
         k->differs[i] = k->differs[i] || !arb_overlaps(j->exact + n, j->y + n);
     return finding == FOUND_WRONG;
@@ -306,10 +306,10 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
     k->judge.followed = false;
     if (inside && is_long(o->section, k->inputs))
         return true;
-    for (int i = 0; i < k->suspects.count && numbers; i++)
+    for (int i = 0; i < k->mutants.count && numbers; i++)
         if (tells(k, i, inside)) {
             fputs(killed == 0 ? id : "", stdout);
-            printf("%s%s", killed == 0 ? "," : "; ", k->suspects.all[i].name);
+            printf("%s%s", killed == 0 ? "," : "; ", k->mutants.all[i].name);
             k->killed[i]++;
             killed++;
         }
@@ -324,8 +324,8 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
 
 bool kills_print(const struct section *s, double digits)
 {
-    struct kills k = {.suspects = suspects_of(s), .inputs = inputs_new(s->input_count), .fine = true};
-    const size_t count = (size_t)k.suspects.count;
+    struct kills k = {.mutants = mutants_of(s), .inputs = inputs_new(s->input_count), .fine = true};
+    const size_t count = (size_t)k.mutants.count;
     k.killed = xrealloc(NULL, count, sizeof *k.killed);
     k.differs = xrealloc(NULL, count, sizeof *k.differs);
     memset(k.killed, 0, count * sizeof *k.killed);
@@ -335,7 +335,7 @@ bool kills_print(const struct section *s, double digits)
     golden_each(s, print_kills, &k);
     for (size_t i = 0; i < count; i++)
         if (k.killed[i] == 0 && k.differs[i]) {
-            fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, k.suspects.all[i].name);
+            fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, k.mutants.all[i].name);
             k.fine = false;
         }
     judge_clear(&k.judge);
@@ -343,6 +343,6 @@ bool kills_print(const struct section *s, double digits)
     inputs_free(k.inputs, s->input_count);
     free(k.killed);
     free(k.differs);
-    suspects_clear(&k.suspects);
+    mutants_clear(&k.mutants);
     return k.fine;
 }

@@ -55,12 +55,12 @@ struct special {
 };
 
 /*
- * A slip that implementations make: an input, a subexpression or an output is something else, written in
+ * A known mistake of implementations: an input, a subexpression or an output is something else, written in
  * the names of the section as it should be; or another section stands in its place.
  */
 enum place { PLACE_INPUT, PLACE_LET, PLACE_OUTPUT };
 
-struct slip {
+struct known_mistake {
     const char *name;
     const char *as;             /* the other section, NULL: none */
     struct {
@@ -86,8 +86,8 @@ struct section {
     bool differs;               /* the print differs: `printed` is filled, `reason` says why */
     struct relation *relations;
     struct special *specials;
-    struct slip *slips;
-    int relation_count, special_count, slip_count;
+    struct known_mistake *mistakes;
+    int relation_count, special_count, mistake_count;
     double K;                   /* the largest E that the oracle lets pass */
     const char *K_reason;
 };
@@ -96,8 +96,8 @@ struct sheet {
     struct quantity *quantities;
     struct section *sections;
     struct table_row *table1;
-    struct slip *slips;         /* of every section that has the names they change */
-    int quantity_count, section_count, row_count, slip_count;
+    struct known_mistake *mistakes;         /* of every section that has the names they change */
+    int quantity_count, section_count, row_count, mistake_count;
     double K;                   /* of every section that says nothing of its own */
     const char *K_reason;
     char **texts;               /* everything the above points into */

@@ -437,64 +437,64 @@ static bool read_K(struct reader *r, const yaml_node_t *node, double *K, const c
 }
 
 /* NAME: formula, under inputs, let or outputs of a mistake */
-static bool read_changes(struct reader *r, const yaml_node_t *node, enum place place, struct slip *slip)
+static bool read_changes(struct reader *r, const yaml_node_t *node, enum place place, struct known_mistake *mistake)
 {
     if (!is_mapping(&r->document, node, NULL))
         return false;
     for (int n = 0; n < length_of(node); n++) {
         const yaml_node_t *value = value_of(&r->document, node, n);
-        if (scalar(value) == NULL || slip->count == MOST_CHANGES)
+        if (scalar(value) == NULL || mistake->count == MOST_CHANGES)
             return parse_error(&r->document, value, 0, "expected a formula, and at most %d of them", MOST_CHANGES);
-        slip->changes[slip->count].place = place;
-        slip->changes[slip->count].name = keep(r->sheet, scalar(key_of(&r->document, node, n)));
-        slip->changes[slip->count++].formula = keep(r->sheet, scalar(value));
+        mistake->changes[mistake->count].place = place;
+        mistake->changes[mistake->count].name = keep(r->sheet, scalar(key_of(&r->document, node, n)));
+        mistake->changes[mistake->count++].formula = keep(r->sheet, scalar(value));
     }
     return true;
 }
 
 /* name: {inputs: {...}, let: {...}, outputs: {...}, as: SECTION} */
-static bool read_slip(struct reader *r, const char *name, const yaml_node_t *node, struct slip *slip)
+static bool read_mistake(struct reader *r, const char *name, const yaml_node_t *node, struct known_mistake *mistake)
 {
     static const char *const known[] = {"inputs", "let", "outputs", "as", NULL};
-    *slip = (struct slip){.name = keep(r->sheet, name)};
+    *mistake = (struct known_mistake){.name = keep(r->sheet, name)};
     if (!is_mapping(&r->document, node, known))
         return false;
     for (int place = PLACE_INPUT; place <= PLACE_OUTPUT; place++) {
         const yaml_node_t *changes = child(&r->document, node, known[place]);
-        if (changes != NULL && !read_changes(r, changes, (enum place)place, slip))
+        if (changes != NULL && !read_changes(r, changes, (enum place)place, mistake))
             return false;
     }
-    slip->as = text_of(r, node, "as", false);
+    mistake->as = text_of(r, node, "as", false);
     return true;
 }
 
-static bool read_slips(struct reader *r, const yaml_node_t *node, struct slip **slips, int *count)
+static bool read_mistakes(struct reader *r, const yaml_node_t *node, struct known_mistake **mistakes, int *count)
 {
     if (node == NULL)
         return true;
     if (!is_mapping(&r->document, node, NULL))
         return false;
     for (int n = 0; n < length_of(node); n++) {
-        *slips = xrealloc(*slips, (size_t)*count + 1, sizeof **slips);
-        if (!read_slip(r, scalar(key_of(&r->document, node, n)), value_of(&r->document, node, n), &(*slips)[(*count)++]))
+        *mistakes = xrealloc(*mistakes, (size_t)*count + 1, sizeof **mistakes);
+        if (!read_mistake(r, scalar(key_of(&r->document, node, n)), value_of(&r->document, node, n), &(*mistakes)[(*count)++]))
             return false;
     }
     return true;
 }
 
 /* A section's own mistakes make sense in it; `as` may name a section that stands further down. */
-static bool check_slips(struct reader *r, const yaml_node_t *equations)
+static bool check_known_mistakes(struct reader *r, const yaml_node_t *equations)
 {
     for (int i = 0; i < r->sheet->section_count; i++) {
         const struct section *s = &r->sheet->sections[i];
-        for (int k = 0; k < s->slip_count; k++) {
+        for (int k = 0; k < s->mistake_count; k++) {
             const yaml_node_t *section = child(&r->document, equations, s->id);
-            const yaml_node_t *at = child(&r->document, child(&r->document, section, "mistakes"), s->slips[k].name);
-            struct alternative a;
+            const yaml_node_t *at = child(&r->document, child(&r->document, section, "mistakes"), s->mistakes[k].name);
+            struct mutation a;
             struct message why;
-            if (!alternative_init(&a, r->sheet, s, &s->slips[k], true, &why))
+            if (!mutation_init(&a, r->sheet, s, &s->mistakes[k], true, &why))
                 return parse_error(&r->document, at, 0, "%.300s", why.text);
-            alternative_clear(&a);
+            mutation_clear(&a);
         }
     }
     return true;
@@ -560,7 +560,7 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
         !read_method(r, node, s) || (relations != NULL && !read_relations(r, relations, s)) ||
         (specials != NULL && !read_specials(r, specials, s)) ||
         !read_K(r, child(&r->document, node, "K"), &s->K, &s->K_reason) ||
-        !read_slips(r, child(&r->document, node, "mistakes"), &s->slips, &s->slip_count))
+        !read_mistakes(r, child(&r->document, node, "mistakes"), &s->mistakes, &s->mistake_count))
         return false;
     if (s->method != METHOD_FORMULA)
         return read_domain_alone(r, domain, s);
@@ -589,12 +589,12 @@ static bool read_sheet(struct reader *r)
     if (!read_quantities(r, child(&r->document, root, "quantities")) ||
         !read_table1(r, child(&r->document, root, "table1")) || !is_mapping(&r->document, equations, NULL) ||
         !read_K(r, child(&r->document, root, "K"), &r->sheet->K, &r->sheet->K_reason) ||
-        !read_slips(r, child(&r->document, root, "mistakes"), &r->sheet->slips, &r->sheet->slip_count))
+        !read_mistakes(r, child(&r->document, root, "mistakes"), &r->sheet->mistakes, &r->sheet->mistake_count))
         return false;
     for (int n = 0; n < length_of(equations); n++)
         if (!read_section(r, key_of(&r->document, equations, n), value_of(&r->document, equations, n)))
             return false;
-    return check_slips(r, equations) && !r->refused;
+    return check_known_mistakes(r, equations) && !r->refused;
 }
 
 int sheet_read(struct sheet *s, const char *text, size_t length, const char *name, struct message *why)
