@@ -505,7 +505,7 @@ static void answer_in_digits(struct exam *e, const struct formulas *formulas, in
 {
     struct question q;
     struct operation o = {.section = e->judges[0].operation->section, .formulas = formulas};
-    VECTOR(arb, y, MOST_ANSWERS);
+    VECTOR(arb, y, MOST_OUTPUTS);
     machine_init(&o.machine, &formulas->program, &arithmetic_ball, 128);
     question_init(&q);
     e->asked = e->questions.total;

@@ -123,7 +123,7 @@ static void assert_limits(struct exam *e, uint64_t position)
     struct operation *o = e->judges[0].operation;
     const int count = o->section->output_count;
     arb_ptr exact = _arb_vec_init(count), S = _arb_vec_init(count);
-    char *outputs[MOST_ANSWERS] = {NULL}, text[40];
+    char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
     struct question q;
     SCOPE(arb, limit);
     question_init(&q);
@@ -315,7 +315,7 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     struct operation *o = e->judges[0].operation;
     const uint64_t p = questions_find(&e->questions, _i < 2 ? linear ? "flow_linear-rates-100" : "flow_nonlinear-moving-100"
                                                             : linear ? "rk4_linear-rates-100" : "rk4_nonlinear-moving-100");
-    char *outputs[MOST_ANSWERS] = {NULL}, text[40];
+    char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
     struct question q;
     double scale = 0, unit[6];
     question_init(&q);
@@ -350,7 +350,7 @@ START_TEST(a_motion_that_dies_away_is_judged_by_what_there_was)
     const struct section *s = section_find(sheet(), "flow_linear");
     struct operation o;
     struct input *inputs = inputs_new(s->input_count);
-    char *outputs[MOST_ANSWERS] = {NULL}, text[40];
+    char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
     ck_assert(vector_read(s, texts, inputs));
     operation_init(&o, s, false);
     ck_assert_int_eq(operation_digits(&o, inputs, DIGITS, outputs), OUTCOME_PROVED);
@@ -424,7 +424,7 @@ static void assert_inside(struct exam *e, uint64_t position, char *const *output
 static void assert_outside(struct exam *e, uint64_t position)
 {
     const int count = e->judges[0].operation->section->output_count;
-    char zeros[2 * MOST_ANSWERS + 8] = "", nans[4 * MOST_ANSWERS + 8] = "";
+    char zeros[2 * MOST_OUTPUTS + 8] = "", nans[4 * MOST_OUTPUTS + 8] = "";
     for (int k = 0; k < count; k++) {
         strcat(zeros, k ? " 0" : "0");
         strcat(nans, k ? " nan" : "nan");
@@ -441,7 +441,7 @@ static void assert_outside(struct exam *e, uint64_t position)
 START_TEST(a_line_has_the_outcome_that_it_says)
 {
     const struct section *s = &sheet()->sections[_i];
-    char *outputs[MOST_ANSWERS] = {NULL};
+    char *outputs[MOST_OUTPUTS] = {NULL};
     struct question q;
     if (s->method == METHOD_NONE)
         return;
@@ -484,7 +484,7 @@ START_TEST(random_questions_are_those_of_the_seed)
     inputs = inputs_new(s->input_count);
     question_init(&q);
     for (uint64_t k = 0; k < RANDOM; k++) {
-        char *outputs[MOST_ANSWERS] = {NULL};
+        char *outputs[MOST_OUTPUTS] = {NULL};
         question_make(&q, &e->questions, golden + k);
         sample(e->judges[0].operation, 1, k, values, inputs);
         snprintf(id, sizeof id, "%s-1-%d", s->id, (int)k);
@@ -543,7 +543,7 @@ START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
     int left = 0;
     question_init(&q);
     for (uint64_t p = golden; p < golden + RANDOM; p++) {
-        char *outputs[MOST_ANSWERS] = {NULL};
+        char *outputs[MOST_OUTPUTS] = {NULL};
         question_make(&q, &e->questions, p);
         const bool leaves = vector_leaves_range(e->judges[0].operation, q.inputs, significand);
         ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OUTCOME_PROVED);

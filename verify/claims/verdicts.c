@@ -44,8 +44,6 @@ static void add(struct verdict_row *row, const char *format, ...)
 
 /* ---- each equation as printed ---- */
 
-enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
-
 /* The paper's case, with some inputs replaced. */
 struct instance {
     const char *name;

@@ -322,7 +322,7 @@ static void hear_row(struct exam *e, char *line, const int *columns, int outputs
 /* The header's columns; then row after row. */
 static void hear_file(struct exam *e, struct answers_file *f, const struct section *s)
 {
-    int columns[MOST_ANSWERS + 1] = {0};
+    int columns[MOST_OUTPUTS + 1] = {0};
     if (!read_line(f))
         f->status = f->status != EXIT_DONE ? f->status
                                            : usage_error(EXIT_USAGE, "%s: expected a header, id and every output of %s", f->name, s->id);

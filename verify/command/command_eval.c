@@ -5,8 +5,6 @@
 #include "command/command.h"
 #include "text/decimal.h"
 
-enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
-
 static int read_inputs(const struct arguments *a, const struct section *s, bool exact,
                        struct input *inputs)
 {

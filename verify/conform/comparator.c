@@ -21,16 +21,16 @@ bool is_motion(const struct section *s)
 void judge_init(struct judge *j, struct operation *o, int significand, double digits)
 {
     *j = (struct judge){.operation = o, .significand = significand, .K = o->section->K, .digits = digits};
-    j->y = _arb_vec_init(MOST_ANSWERS);
-    j->exact = _arb_vec_init(MOST_ANSWERS);
-    j->S = _arb_vec_init(MOST_ANSWERS);
+    j->y = _arb_vec_init(MOST_OUTPUTS);
+    j->exact = _arb_vec_init(MOST_OUTPUTS);
+    j->S = _arb_vec_init(MOST_OUTPUTS);
 }
 
 void judge_clear(struct judge *j)
 {
-    _arb_vec_clear(j->y, MOST_ANSWERS);
-    _arb_vec_clear(j->exact, MOST_ANSWERS);
-    _arb_vec_clear(j->S, MOST_ANSWERS);
+    _arb_vec_clear(j->y, MOST_OUTPUTS);
+    _arb_vec_clear(j->exact, MOST_OUTPUTS);
+    _arb_vec_clear(j->S, MOST_OUTPUTS);
 }
 
 /* ---- algebra and roots ---- */

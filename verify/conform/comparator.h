@@ -8,8 +8,6 @@
 
 #include "evaluate/errors.h"
 
-enum { MOST_ANSWERS = 16 };
-
 /* What may come of a question, or of a line that answers none; everything behind SKIPPED is a failure. */
 enum finding {
     FOUND_RIGHT,

@@ -171,7 +171,7 @@ static enum finding read_numbers(struct exam *e, struct judge *j, char **words, 
 {
     const int due = j->operation->section->output_count;
     enum finding finding = FOUND_RIGHT;
-    for (int i = 0; i < count && i < MOST_ANSWERS; i++) {
+    for (int i = 0; i < count && i < MOST_OUTPUTS; i++) {
         if (!read_number(e, words[i], &f->values[i], j->y + i))
             return FOUND_MALFORMED;
         if (isnan(f->values[i]))
@@ -252,12 +252,12 @@ static bool find_place(struct exam *e, const char *id, const char *line, uint64_
 
 static void hear_line(struct exam *e, char *line, bool ended)
 {
-    char *words[MOST_ANSWERS + 2], shown[120];
+    char *words[MOST_OUTPUTS + 2], shown[120];
     uint64_t position = e->next;
     e->heard++;
     snprintf(shown, sizeof shown, "%s", line);
     message_printable(shown);
-    int count = split(line, words, MOST_ANSWERS + 2);
+    int count = split(line, words, MOST_OUTPUTS + 2);
     if (!ended || count == 0 || !is_id(words[0])) {
         stray(e, ended ? FOUND_MALFORMED : FOUND_TRUNCATED, shown);
         return;

@@ -17,7 +17,7 @@ struct failure {
     uint64_t position;
     enum finding finding;
     struct score score;
-    double values[MOST_ANSWERS]; /* what was answered; of `invalid` and the like nothing */
+    double values[MOST_OUTPUTS]; /* what was answered; of `invalid` and the like nothing */
     bool has_values;
 };
 

@@ -80,7 +80,7 @@ static void findings_text(const struct tally *t, char *text, size_t size)
 struct exhibit {
     struct question question;
     char inputs[MOST_INPUTS][LONGEST_INPUT];
-    char *expected[MOST_ANSWERS]; /* NULL: none was due, or none could be proved */
+    char *expected[MOST_OUTPUTS]; /* NULL: none was due, or none could be proved */
     bool invalid;
 };
 
@@ -98,7 +98,7 @@ static void exhibit_init(struct exhibit *x, const struct exam *e, uint64_t posit
 
 static void exhibit_clear(struct exhibit *x)
 {
-    for (int i = 0; i < MOST_ANSWERS; i++)
+    for (int i = 0; i < MOST_OUTPUTS; i++)
         free(x->expected[i]);
     question_clear(&x->question);
 }

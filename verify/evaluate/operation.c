@@ -10,7 +10,7 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-enum { MOST_OUTPUTS = 16, GUARD_BITS = 64 };
+enum { GUARD_BITS = 64 };
 
 /* Beyond this no formula of the sheet should need to go; it is the end of a loop that has none else. */
 static const slong MOST_BITS = 400000;

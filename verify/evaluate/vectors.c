@@ -13,8 +13,6 @@
 #include "text/progress.h"
 #include "text/scope.h"
 
-enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
-
 void vectors_header(const struct section *s)
 {
     fputs("id", stdout);

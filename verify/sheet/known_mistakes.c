@@ -3,8 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_CHANGES = 12, MOST_OUTPUTS = 16 };
-
 /* A mistake at work in a section: what each change is about, and the value that it puts there. */
 struct change {
     int target; /* index of an input or output, node of a subexpression; -1: not in this section */

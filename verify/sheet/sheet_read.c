@@ -16,8 +16,6 @@ struct reader {
     bool refused; /* something that need not be there is there and no text: the reading goes on, in vain */
 };
 
-enum { MOST_OUTPUTS = 16, MOST_INPUTS = 40, MOST_CHANGES = 12 };
-
 static const char *keep(struct sheet *s, const char *text)
 {
     s->texts = xrealloc(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
