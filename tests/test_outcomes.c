@@ -130,7 +130,7 @@ static void assert_limits(struct exam *e, uint64_t position)
     question_make(&q, &e->questions, position);
     operation_sensitivity(o, q.inputs, BITS, S);
     operation_enclose(o, q.inputs, BITS, exact);
-    ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OUTCOME_PROVED);
+    ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
     assert_found(e, position, right_but(outputs, count, -1, ""), FOUND_RIGHT);
     for (int i = 0; i < 2 * count; i++) {
         const int k = i / 2, sign = i % 2 ? 1 : -1;
@@ -320,7 +320,7 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     double scale = 0, unit[6];
     question_init(&q);
     question_make(&q, &e->questions, p);
-    ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OUTCOME_PROVED);
+    ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
     assert_found(e, p, right_but(outputs, 6, -1, ""), FOUND_RIGHT);
     const struct input *initial = q.inputs + (linear ? 5 : 8);
     for (int i = 0; i < 6; i++) { /* L_ref = 10 m, Omega = 7.2915e-5 rad/s in these; angles are numbers already */
@@ -353,7 +353,7 @@ START_TEST(a_motion_that_dies_away_is_judged_by_what_there_was)
     char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
     ck_assert(vector_read(s, texts, inputs));
     operation_init(&o, s, false);
-    ck_assert_int_eq(operation_digits(&o, inputs, DIGITS, outputs), OUTCOME_PROVED);
+    ck_assert_int_eq(operation_digits(&o, inputs, DIGITS, outputs), OPERATION_PROVED);
     ck_assert_double_lt(fabs(strtod(outputs[0], NULL)), 1e-6);
     for (int i = 0; i < 2; i++) {
         const char *const answers[] = {text, outputs[1], outputs[2], outputs[3], outputs[4], outputs[5]};
@@ -451,7 +451,7 @@ START_TEST(a_line_has_the_outcome_that_it_says)
     for (int random = 0; random < (is_motion(s) ? 1 : 2); random++) {
         const uint64_t p = question_that(e, random ? golden : 0, true);
         question_make(&q, &e->questions, p);
-        ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OUTCOME_PROVED);
+        ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
         assert_inside(e, p, outputs);
         free_all(outputs, s->output_count);
         memset(outputs, 0, sizeof outputs);
@@ -493,7 +493,7 @@ START_TEST(random_questions_are_those_of_the_seed)
         ck_assert(operation_valid(e->judges[0].operation, q.inputs));
         if (is_motion(s))
             continue;
-        ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OUTCOME_PROVED);
+        ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
         assert_found(e, golden + k, right_but(outputs, s->output_count, -1, ""), FOUND_RIGHT);
         free_all(outputs, s->output_count);
     }
@@ -546,7 +546,7 @@ START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
         char *outputs[MOST_OUTPUTS] = {NULL};
         question_make(&q, &e->questions, p);
         const bool leaves = vector_leaves_range(e->judges[0].operation, q.inputs, significand);
-        ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OUTCOME_PROVED);
+        ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
         assert_found(e, p, right_but(outputs, s->output_count, -1, ""), leaves ? FOUND_SKIPPED : FOUND_RIGHT);
         free_all(outputs, s->output_count);
         left += leaves;

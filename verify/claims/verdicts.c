@@ -61,7 +61,7 @@ static bool values(char **texts, const struct section *s, bool as_printed, const
         const char *text = instance->texts[i] ? instance->texts[i] : q->value ? q->value : q->example;
         literal_read(&inputs[i].value, text, true);
     }
-    bool fine = operation_digits(&o, inputs, 6, texts) == OUTCOME_PROVED;
+    bool fine = operation_digits(&o, inputs, 6, texts) == OPERATION_PROVED;
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
     return fine;

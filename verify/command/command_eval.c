@@ -52,7 +52,7 @@ static int evaluate(const struct arguments *a, const struct section *s, long dig
     struct operation o;
     operation_init(&o, s, as_printed);
     int status = read_inputs(a, s, option_given(a, "--exact"), inputs);
-    if (status == EXIT_DONE && operation_digits(&o, inputs, digits, outputs) != OUTCOME_PROVED)
+    if (status == EXIT_DONE && operation_digits(&o, inputs, digits, outputs) != OPERATION_PROVED)
         status = usage_error(EXIT_FAILED_CHECK, "%s", o.why.text);
     if (status == EXIT_DONE) {
         if (option_given(a, "--json"))

@@ -207,7 +207,7 @@ static enum finding judge_in_digits(struct judge *j, const struct input *inputs,
         score->digits = digits_reached(j, inputs, &lost);
     const slong most = j->once ? first : 8 * first;
     for (slong prec = first; prec <= most && !(lost <= pow(10.0, -j->digits - 5.0)); prec *= 2)
-        if (operation_follow(j->operation, inputs, digits, prec, j->exact) == OUTCOME_PROVED)
+        if (operation_follow(j->operation, inputs, digits, prec, j->exact) == OPERATION_PROVED)
             score->digits = digits_reached(j, inputs, &lost);
     if (isinf(lost))
         return FOUND_SKIPPED;

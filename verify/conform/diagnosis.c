@@ -121,7 +121,7 @@ static bool explains(struct mutant *x, const struct exam *e, const struct failur
     bool right = false;
     if (f->finding == FOUND_WRONG || f->finding == FOUND_VALUE)
         right = judge_answer(&j, inputs, &score) == FOUND_RIGHT;
-    else if (operation_enclose(&x->o, inputs, 128, j.exact) == OUTCOME_PROVED)
+    else if (operation_enclose(&x->o, inputs, 128, j.exact) == OPERATION_PROVED)
         right = !_arb_vec_is_finite(j.exact, x->o.section->output_count); /* no number there either */
     judge_clear(&j);
     return right;
@@ -278,7 +278,7 @@ static bool tells(struct kills *k, int i, bool inside)
         return false;
     const slong digits = is_motion(k->o.section) ? (slong)j->digits + 8 : 60;
     const slong prec = operation_precision(&x->o, inputs, digits);
-    if (operation_follow(&x->o, inputs, digits, prec, j->y) != OUTCOME_PROVED || !_arb_vec_is_finite(j->y, count))
+    if (operation_follow(&x->o, inputs, digits, prec, j->y) != OPERATION_PROVED || !_arb_vec_is_finite(j->y, count))
         return true;
     j->worst = INFINITY;
     const enum finding finding = judge_answer(j, k->inputs, &score);

@@ -93,7 +93,7 @@ static void exhibit_init(struct exhibit *x, const struct exam *e, uint64_t posit
     for (int i = 0; i < o->section->input_count; i++)
         question_text(&x->question, i, e->questions.form, x->inputs[i]);
     x->invalid = !x->question.numbers ||
-                 operation_digits(o, x->question.inputs, SHOWN_DIGITS, x->expected) == OUTCOME_INVALID;
+                 operation_digits(o, x->question.inputs, SHOWN_DIGITS, x->expected) == OPERATION_INVALID;
 }
 
 static void exhibit_clear(struct exhibit *x)
