@@ -524,7 +524,7 @@ static void answer_in_digits(struct exam *e, const struct formulas *formulas, in
         }
         say(e, line);
     }
-    exam_end(e, FOUND_MISSING);
+    exam_end(e, OUTCOME_MISSING);
     diagnose(e, 0);
     question_clear(&q);
     operation_clear(&o);
@@ -610,7 +610,7 @@ START_TEST(a_mistake_explains_numbers_and_not_lines)
     e->asked = 1;
     say(e, "eq38-paper 7.3e-5 oops\n");
     answer_with(e, &s->printed);
-    ck_assert_uint_eq(e->tallies[0].counts[FOUND_MALFORMED], 1);
+    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_MALFORMED], 1);
     ck_assert_int_eq(strncmp(e->tallies[0].diagnosis, "as printed", 10), 0);
     close_exam(e);
 }
@@ -640,15 +640,15 @@ START_TEST(holes_that_are_too_many_are_missing)
     for (int k = 3; k < ASKED; k += 4)
         skip(e, k);
     /* the first hole has the golden questions too, before the first random one; the second one has three */
-    ck_assert_uint_eq(t->counts[FOUND_MISSING], golden + 3 + 3);
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 + 3);
     skip(e, ASKED - 3); /* in the middle of the last one: what is behind it, one, is missing */
-    ck_assert_uint_eq(t->counts[FOUND_MISSING], golden + 3 + 3 + 1);
-    ck_assert_uint_eq(t->counts[FOUND_REORDERED], 1);
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 + 3 + 1);
+    ck_assert_uint_eq(t->counts[OUTCOME_REORDERED], 1);
     skip(e, ASKED - 3);
-    ck_assert_uint_eq(t->counts[FOUND_REPEATED], 1);
-    exam_end(e, FOUND_MISSING);
-    ck_assert_uint_eq(t->counts[FOUND_MISSING], golden + 3 * (MOST_SPANS + 2) - 1 + course_defects(&e->questions.courses[0]));
-    ck_assert_uint_eq(t->counts[FOUND_SKIPPED], MOST_SPANS + 2);
+    ck_assert_uint_eq(t->counts[OUTCOME_REPEATED], 1);
+    exam_end(e, OUTCOME_MISSING);
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 * (MOST_SPANS + 2) - 1 + course_defects(&e->questions.courses[0]));
+    ck_assert_uint_eq(t->counts[OUTCOME_SKIPPED], MOST_SPANS + 2);
     close_exam(e);
 }
 END_TEST
@@ -660,9 +660,9 @@ START_TEST(a_line_without_an_end_may_be_too_long_as_well)
     e->asked = e->questions.total;
     for (int i = 0; i <= LONGEST_LINE; i++)
         say(e, "1");
-    exam_end(e, FOUND_MISSING);
-    ck_assert_uint_eq(e->tallies[0].counts[FOUND_TOO_LONG], 1);
-    ck_assert_uint_eq(e->tallies[0].counts[FOUND_MISSING], e->questions.total - 1);
+    exam_end(e, OUTCOME_MISSING);
+    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_TOO_LONG], 1);
+    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_MISSING], e->questions.total - 1);
     close_exam(e);
 }
 END_TEST
@@ -729,81 +729,81 @@ END_TEST
 
 /* ---- judgement ---- */
 
-/* The finding on one answer to a vector of an operation. */
-static enum finding finding_on(const char *operation, const char *id, const char *outputs)
+/* The outcome on one answer to a vector of an operation. */
+static enum outcome outcome_on(const char *operation, const char *id, const char *outputs)
 {
     struct exam *e = exam_of(section_find(sheet(), operation));
     const uint64_t position = questions_find(&e->questions, id);
     char line[1000];
-    enum finding finding = FOUND_RIGHT;
+    enum outcome outcome = OUTCOME_RIGHT;
     ck_assert_msg(position != UINT64_MAX, "%s", id);
     e->asked = e->questions.total;
     snprintf(line, sizeof line, "%s %s\n", id, outputs);
     say(e, line);
-    while (finding < FINDINGS && e->tallies[0].counts[finding] == 0)
-        finding++;
+    while (outcome < OUTCOMES && e->tallies[0].counts[outcome] == 0)
+        outcome++;
     close_exam(e);
-    return finding;
+    return outcome;
 }
 
 /* Omega = 1, C1 = 12, C2 = 4: (s^2 + 2 s + 3)^2, the roots -1 +- i sqrt(2) twice; sqrt(2) = 1.41421356237309505 */
 START_TEST(eq41roots_multiple_roots_are_judged_by_their_residual)
 {
-    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-free-gains", /* off by 1e-9, as a good solver may be */
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-free-gains", /* off by 1e-9, as a good solver may be */
                                 "-1.000000001 -1.414213562 -0.999999999 -1.414213562 "
-                                "-1.000000001 1.414213562 -0.999999999 1.414213562"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-free-gains",
+                                "-1.000000001 1.414213562 -0.999999999 1.414213562"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-free-gains",
                                 "-1.000001 -1.414213562 -0.999999 -1.414213562 "
-                                "-1.000001 1.414213562 -0.999999 1.414213562"), FOUND_WRONG);
-    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-free-gains", /* one of them four times */
+                                "-1.000001 1.414213562 -0.999999 1.414213562"), OUTCOME_WRONG);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-free-gains", /* one of them four times */
                                 "-1 1.4142135623730951 -1 1.4142135623730951 "
-                                "-1 1.4142135623730951 -1 1.4142135623730951"), FOUND_WRONG);
+                                "-1 1.4142135623730951 -1 1.4142135623730951"), OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(eq41roots_come_in_any_order)
 {
     /* Omega = 1, C1 = 9, C2 = 0: s^2 (s^2 + 7), sqrt(7) = 2.6457513110645906 */
-    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 -2.6457513110645906 0 0"),
-                     FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 2.6457513110645906 0 0"),
-                     FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 -2.6457513110645906 0 0"),
+                     OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 2.6457513110645906 0 0"),
+                     OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(eq42_stability_on_the_boundary_is_either)
 {
-    ck_assert_int_eq(finding_on("eq42", "eq42-boundary", "0 1 0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq42", "eq42-boundary", "0 1 1"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq42", "eq42-boundary-above", "1.7763568394002505e-15 1 0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq42", "eq42-paper", "5.3165972250000061e-09 1.4583e-4 0"), FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-boundary", "0 1 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-boundary", "0 1 1"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-boundary-above", "1.7763568394002505e-15 1 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-paper", "5.3165972250000061e-09 1.4583e-4 0"), OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(eq44_an_infinite_sensitivity_excuses_nothing)
 {
-    ck_assert_int_eq(finding_on("eq44", "eq44-boundary", "0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq44", "eq44-boundary", "-0.0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq44", "eq44-boundary", "1e-300"), FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("eq44", "eq44-boundary", "0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq44", "eq44-boundary", "-0.0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq44", "eq44-boundary", "1e-300"), OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(eq10inv_on_the_normal_theta_is_no_number_but_pi_2)
 {
     /* S of theta is infinite there, |z| by |z| over zero; pi/2 = 1.5707963267948966192 */
-    ck_assert_int_eq(finding_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.5707963267948966"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.570796326794890"), FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.5707963267948966"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.570796326794890"), OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(a_motion_is_judged_on_the_scale_of_its_largest_coordinate)
 {
     /* at rest: exactly so, for ever */
-    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-at-rest-43200", "0 0 0 0 0 0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-at-rest-43200", "0 0 1e-30 0 0 0"), FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-at-rest-43200", "0 0 0 0 0 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-at-rest-43200", "0 0 1e-30 0 0 0"), OUTCOME_WRONG);
     /* theta = 0.5 cos(2 tau) is the scale of psi's error: 4e-10 of 0.5 are 9 digits, 4e-9 are not */
-    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-pitch-alone-0", "4e-10 0.5 0 0 0 0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-pitch-alone-0", "4e-9 0.5 0 0 0 0"), FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-pitch-alone-0", "4e-10 0.5 0 0 0 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-pitch-alone-0", "4e-9 0.5 0 0 0 0"), OUTCOME_WRONG);
 }
 END_TEST
 
@@ -820,7 +820,7 @@ START_TEST(a_motion_that_cannot_be_followed_is_not_judged)
     ck_assert(vector_read(s, texts, inputs));
     operation_init(&o, s, false);
     judge_init(&j, &o, BINARY64, 9);
-    ck_assert_int_eq(judge_answer(&j, inputs, &score), FOUND_SKIPPED);
+    ck_assert_int_eq(judge_answer(&j, inputs, &score), OUTCOME_SKIPPED);
     judge_clear(&j);
     operation_clear(&o);
     inputs_free(inputs, s->input_count);

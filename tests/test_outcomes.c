@@ -51,22 +51,22 @@ static void answer(struct exam *e, uint64_t position, const char *words)
     exam_hear(e, line, (size_t)size);
 }
 
-/* The finding on what is said in place of an answer. */
-static enum finding finding_on(struct exam *e, uint64_t position, const char *words)
+/* The outcome on what is said in place of an answer. */
+static enum outcome outcome_on(struct exam *e, uint64_t position, const char *words)
 {
-    enum finding finding = FOUND_RIGHT;
+    enum outcome outcome = OUTCOME_RIGHT;
     memset(e->tallies[0].counts, 0, sizeof e->tallies[0].counts);
     answer(e, position, words);
-    while (finding < FINDINGS && e->tallies[0].counts[finding] == 0)
-        finding++;
-    return finding;
+    while (outcome < OUTCOMES && e->tallies[0].counts[outcome] == 0)
+        outcome++;
+    return outcome;
 }
 
-static void assert_found(struct exam *e, uint64_t position, const char *words, enum finding due)
+static void assert_found(struct exam *e, uint64_t position, const char *words, enum outcome due)
 {
-    const enum finding finding = finding_on(e, position, words);
-    ck_assert_msg(finding == due, "%s, question %d: '%s' is %s, expected %s", e->judges[0].operation->section->id, (int)position, words,
-                  finding < FINDINGS ? finding_names[finding] : "nothing", finding_names[due]);
+    const enum outcome outcome = outcome_on(e, position, words);
+    ck_assert_msg(outcome == due, "%s, question %d: '%s' is %s, expected %s", e->judges[0].operation->section->id, (int)position, words,
+                  outcome < OUTCOMES ? outcome_names[outcome] : "nothing", outcome_names[due]);
 }
 
 /* Right outputs as words; one of them (-1: none) as somebody else has it. */
@@ -131,7 +131,7 @@ static void assert_limits(struct exam *e, uint64_t position)
     operation_sensitivity(o, q.inputs, BITS, S);
     operation_enclose(o, q.inputs, BITS, exact);
     ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
-    assert_found(e, position, right_but(outputs, count, -1, ""), FOUND_RIGHT);
+    assert_found(e, position, right_but(outputs, count, -1, ""), OUTCOME_RIGHT);
     for (int i = 0; i < 2 * count; i++) {
         const int k = i / 2, sign = i % 2 ? 1 : -1;
         if (!arb_is_finite(S + k) || (arb_contains_zero(exact + k) && !arb_is_exact(exact + k)))
@@ -139,9 +139,9 @@ static void assert_limits(struct exam *e, uint64_t position)
         limit_of(limit, exact + k, S + k, sign, e->judges[0].K, BINARY64);
         const double inner = arf_get_d(arb_midref(limit), sign > 0 ? ARF_RND_FLOOR : ARF_RND_CEIL);
         snprintf(text, sizeof text, "%.17g", inner);
-        assert_found(e, position, right_but(outputs, count, k, text), FOUND_RIGHT);
+        assert_found(e, position, right_but(outputs, count, k, text), OUTCOME_RIGHT);
         snprintf(text, sizeof text, "%.17g", nextafter(inner, sign * INFINITY));
-        assert_found(e, position, right_but(outputs, count, k, text), FOUND_WRONG);
+        assert_found(e, position, right_but(outputs, count, k, text), OUTCOME_WRONG);
     }
     free_all(outputs, count);
     question_clear(&q);
@@ -183,7 +183,7 @@ START_TEST(K_counts_roundings_of_the_clients_own_numbers)
         operation_enclose(o, q.inputs, BITS, exact);
         limit_of(limit, exact, S, i % 2 ? 1 : -1, e->judges[0].K * (within ? 1 - 1e-3 : 1 + 1e-3), significand);
         char *text = arb_get_str(limit, 50, ARB_STR_NO_RADIUS);
-        assert_found(e, p, text, within ? FOUND_RIGHT : FOUND_WRONG);
+        assert_found(e, p, text, within ? OUTCOME_RIGHT : OUTCOME_WRONG);
         flint_free(text);
     }
     question_clear(&q);
@@ -195,7 +195,7 @@ END_TEST
 
 /* ---- judgements on inputs of our own ---- */
 
-static enum finding judged(const char *operation, const char *const *inputs, const char *const *answers, int significand)
+static enum outcome judged(const char *operation, const char *const *inputs, const char *const *answers, int significand)
 {
     const struct section *s = section_find(sheet(), operation);
     struct operation o;
@@ -208,11 +208,11 @@ static enum finding judged(const char *operation, const char *const *inputs, con
     judge_init(&j, &o, significand, 9);
     for (int i = 0; i < s->output_count; i++)
         arb_set_d(j.y + i, strtod(answers[i], NULL));
-    const enum finding finding = judge_answer(&j, read, &score);
+    const enum outcome outcome = judge_answer(&j, read, &score);
     judge_clear(&j);
     operation_clear(&o);
     inputs_free(read, s->input_count);
-    return finding;
+    return outcome;
 }
 
 /*
@@ -227,18 +227,18 @@ START_TEST(E_that_is_K_passes)
     const char *const equal[] = {at}, *const more[] = {beyond};
     snprintf(at, sizeof at, "%.17g", y);
     snprintf(beyond, sizeof beyond, "%.17g", nextafter(y, 2));
-    ck_assert_int_eq(judged("eq32", inputs, equal, BINARY64), FOUND_RIGHT);
-    ck_assert_int_eq(judged("eq32", inputs, more, BINARY64), FOUND_WRONG);
+    ck_assert_int_eq(judged("eq32", inputs, equal, BINARY64), OUTCOME_RIGHT);
+    ck_assert_int_eq(judged("eq32", inputs, more, BINARY64), OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(what_no_bound_decides_is_neither_right_nor_wrong)
 {
-    ck_assert_int_eq(finding_of_bounds((struct bounds){7, 8}, 8), FOUND_RIGHT);
-    ck_assert_int_eq(finding_of_bounds((struct bounds){7, 8.0000001}, 8), FOUND_SKIPPED);
-    ck_assert_int_eq(finding_of_bounds((struct bounds){8, INFINITY}, 8), FOUND_SKIPPED);
-    ck_assert_int_eq(finding_of_bounds((struct bounds){8.0000001, INFINITY}, 8), FOUND_WRONG);
-    ck_assert_int_eq(finding_of_bounds((struct bounds){NAN, NAN}, 8), FOUND_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct bounds){7, 8}, 8), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_of_bounds((struct bounds){7, 8.0000001}, 8), OUTCOME_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct bounds){8, INFINITY}, 8), OUTCOME_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct bounds){8.0000001, INFINITY}, 8), OUTCOME_WRONG);
+    ck_assert_int_eq(outcome_of_bounds((struct bounds){NAN, NAN}, 8), OUTCOME_SKIPPED);
 }
 END_TEST
 
@@ -249,41 +249,41 @@ END_TEST
 static const struct {
     const char *C1, *C2, *margin1, *margin2, *stable;
     int significand;
-    enum finding finding;
+    enum outcome outcome;
 } boundary[] = {
-    {"9.00000000000002309", "1", "2.3092638912203256e-14", "1", "1", BINARY64, FOUND_RIGHT}, /* 9 + 13 2^-49 */
-    {"9.00000000000002309", "1", "2.3092638912203256e-14", "1", "0", BINARY64, FOUND_RIGHT},
-    {"9.00000000000002487", "1", "2.4868995751603507e-14", "1", "1", BINARY64, FOUND_RIGHT}, /* 9 + 14 2^-49 */
-    {"9.00000000000002487", "1", "2.4868995751603507e-14", "1", "0", BINARY64, FOUND_WRONG},
-    {"8.99999999999997691", "1", "-2.3092638912203256e-14", "1", "1", BINARY64, FOUND_RIGHT},
-    {"8.99999999999997513", "1", "-2.4868995751603507e-14", "1", "1", BINARY64, FOUND_WRONG},
-    {"8.99999999999997513", "1", "-2.4868995751603507e-14", "1", "0", BINARY64, FOUND_RIGHT},
-    {"9.0000128", "1", "1.28e-5", "1", "0", BINARY32, FOUND_RIGHT},
-    {"9.0000129", "1", "1.29e-5", "1", "0", BINARY32, FOUND_WRONG},
-    {"9.000000000000002", "1", "1.7763568394002505e-15", "1", "0", BINARY128, FOUND_WRONG},
-    {"9", "1", "0", "1", "0", BINARY128, FOUND_RIGHT},
-    {"9", "1", "0", "1", "1", BINARY128, FOUND_RIGHT},
+    {"9.00000000000002309", "1", "2.3092638912203256e-14", "1", "1", BINARY64, OUTCOME_RIGHT}, /* 9 + 13 2^-49 */
+    {"9.00000000000002309", "1", "2.3092638912203256e-14", "1", "0", BINARY64, OUTCOME_RIGHT},
+    {"9.00000000000002487", "1", "2.4868995751603507e-14", "1", "1", BINARY64, OUTCOME_RIGHT}, /* 9 + 14 2^-49 */
+    {"9.00000000000002487", "1", "2.4868995751603507e-14", "1", "0", BINARY64, OUTCOME_WRONG},
+    {"8.99999999999997691", "1", "-2.3092638912203256e-14", "1", "1", BINARY64, OUTCOME_RIGHT},
+    {"8.99999999999997513", "1", "-2.4868995751603507e-14", "1", "1", BINARY64, OUTCOME_WRONG},
+    {"8.99999999999997513", "1", "-2.4868995751603507e-14", "1", "0", BINARY64, OUTCOME_RIGHT},
+    {"9.0000128", "1", "1.28e-5", "1", "0", BINARY32, OUTCOME_RIGHT},
+    {"9.0000129", "1", "1.29e-5", "1", "0", BINARY32, OUTCOME_WRONG},
+    {"9.000000000000002", "1", "1.7763568394002505e-15", "1", "0", BINARY128, OUTCOME_WRONG},
+    {"9", "1", "0", "1", "0", BINARY128, OUTCOME_RIGHT},
+    {"9", "1", "0", "1", "1", BINARY128, OUTCOME_RIGHT},
     /* either of the two, and nothing else */
-    {"9", "1", "0", "1", "0.5", BINARY64, FOUND_WRONG},
-    {"9", "1", "0", "1", "2", BINARY64, FOUND_WRONG},
-    {"9", "1", "0", "1", "-1", BINARY64, FOUND_WRONG},
-    {"9", "1", "0", "1", "1.0000000000000002", BINARY64, FOUND_WRONG},
+    {"9", "1", "0", "1", "0.5", BINARY64, OUTCOME_WRONG},
+    {"9", "1", "0", "1", "2", BINARY64, OUTCOME_WRONG},
+    {"9", "1", "0", "1", "-1", BINARY64, OUTCOME_WRONG},
+    {"9", "1", "0", "1", "1.0000000000000002", BINARY64, OUTCOME_WRONG},
     /* no rounding moves C2 = 0: it is not positive; and what is not stable by one margin is not saved by the other */
-    {"10", "0", "1", "0", "0", BINARY64, FOUND_RIGHT},
-    {"10", "0", "1", "0", "1", BINARY64, FOUND_WRONG},
-    {"9", "0", "0", "0", "1", BINARY64, FOUND_WRONG},
-    {"9", "0", "0", "0", "0", BINARY64, FOUND_RIGHT},
-    {"9", "-1", "0", "-1", "1", BINARY64, FOUND_WRONG},
-    {"9", "-1", "0", "-1", "0", BINARY64, FOUND_RIGHT},
-    {"10", "2.2250738585072014e-308", "1", "2.2250738585072014e-308", "0", BINARY64, FOUND_WRONG},
-    {"10", "-2.2250738585072014e-308", "1", "-2.2250738585072014e-308", "1", BINARY64, FOUND_WRONG},
+    {"10", "0", "1", "0", "0", BINARY64, OUTCOME_RIGHT},
+    {"10", "0", "1", "0", "1", BINARY64, OUTCOME_WRONG},
+    {"9", "0", "0", "0", "1", BINARY64, OUTCOME_WRONG},
+    {"9", "0", "0", "0", "0", BINARY64, OUTCOME_RIGHT},
+    {"9", "-1", "0", "-1", "1", BINARY64, OUTCOME_WRONG},
+    {"9", "-1", "0", "-1", "0", BINARY64, OUTCOME_RIGHT},
+    {"10", "2.2250738585072014e-308", "1", "2.2250738585072014e-308", "0", BINARY64, OUTCOME_WRONG},
+    {"10", "-2.2250738585072014e-308", "1", "-2.2250738585072014e-308", "1", BINARY64, OUTCOME_WRONG},
 };
 
 START_TEST(eq42_stable_is_judged_beyond_roundings)
 {
     const char *const inputs[] = {"1", boundary[_i].C1, boundary[_i].C2};
     const char *const answers[] = {boundary[_i].margin1, boundary[_i].margin2, boundary[_i].stable};
-    ck_assert_int_eq(judged("eq42", inputs, answers, boundary[_i].significand), boundary[_i].finding);
+    ck_assert_int_eq(judged("eq42", inputs, answers, boundary[_i].significand), boundary[_i].outcome);
 }
 END_TEST
 
@@ -298,8 +298,8 @@ START_TEST(eq41roots_residual_of_a_double_root_is_within_K_roundings)
                                         "-1.000000158", "1.4142135623730951", "-0.999999842", "1.4142135623730951"};
     static const char *const outer[] = {"-1.00000016", "-1.4142135623730951", "-0.99999984", "-1.4142135623730951",
                                         "-1.00000016", "1.4142135623730951", "-0.99999984", "1.4142135623730951"};
-    ck_assert_int_eq(judged("eq41roots", inputs, inner, BINARY64), FOUND_RIGHT);
-    ck_assert_int_eq(judged("eq41roots", inputs, outer, BINARY64), FOUND_WRONG);
+    ck_assert_int_eq(judged("eq41roots", inputs, inner, BINARY64), OUTCOME_RIGHT);
+    ck_assert_int_eq(judged("eq41roots", inputs, outer, BINARY64), OUTCOME_WRONG);
 }
 END_TEST
 
@@ -321,7 +321,7 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     question_init(&q);
     question_make(&q, &e->questions, p);
     ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
-    assert_found(e, p, right_but(outputs, 6, -1, ""), FOUND_RIGHT);
+    assert_found(e, p, right_but(outputs, 6, -1, ""), OUTCOME_RIGHT);
     const struct input *initial = q.inputs + (linear ? 5 : 8);
     for (int i = 0; i < 6; i++) { /* L_ref = 10 m, Omega = 7.2915e-5 rad/s in these; angles are numbers already */
         unit[i] = (linear && i % 3 < 2 ? 1 : 10) * (i < 3 ? 1 : 7.2915e-5);
@@ -331,11 +331,11 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
         const int k = i / 4;
         const double off = (i % 2 ? 1.001 : 0.999) * pow(10, -e->judges[0].digits) * scale * unit[k];
         snprintf(text, sizeof text, "%.17g", strtod(outputs[k], NULL) + (i % 4 < 2 ? off : -off));
-        assert_found(e, p, right_but(outputs, 6, k, text), i % 2 ? FOUND_WRONG : FOUND_RIGHT);
+        assert_found(e, p, right_but(outputs, 6, k, text), i % 2 ? OUTCOME_WRONG : OUTCOME_RIGHT);
     }
     for (int k = 0; k < 6; k++) { /* however far off it is */
-        assert_found(e, p, right_but(outputs, 6, k, "1e100"), FOUND_WRONG);
-        assert_found(e, p, right_but(outputs, 6, k, "-1.7e308"), FOUND_WRONG);
+        assert_found(e, p, right_but(outputs, 6, k, "1e100"), OUTCOME_WRONG);
+        assert_found(e, p, right_but(outputs, 6, k, "-1.7e308"), OUTCOME_WRONG);
     }
     free_all(outputs, 6);
     question_clear(&q);
@@ -358,7 +358,7 @@ START_TEST(a_motion_that_dies_away_is_judged_by_what_there_was)
     for (int i = 0; i < 2; i++) {
         const char *const answers[] = {text, outputs[1], outputs[2], outputs[3], outputs[4], outputs[5]};
         snprintf(text, sizeof text, "%.17g", strtod(outputs[0], NULL) + (i ? 1.001e-10 : 0.999e-10));
-        ck_assert_int_eq(judged("flow_linear", texts, answers, BINARY64), i ? FOUND_WRONG : FOUND_RIGHT);
+        ck_assert_int_eq(judged("flow_linear", texts, answers, BINARY64), i ? OUTCOME_WRONG : OUTCOME_RIGHT);
     }
     free_all(outputs, s->output_count);
     operation_clear(&o);
@@ -391,33 +391,33 @@ static void assert_inside(struct exam *e, uint64_t position, char *const *output
 {
     const int count = e->judges[0].operation->section->output_count;
     char more[LONG];
-    assert_found(e, position, right_but(outputs, count, -1, ""), FOUND_RIGHT);
-    assert_found(e, position, "invalid", FOUND_INVALID);
-    assert_found(e, position, "invalid it is", FOUND_MALFORMED);
-    assert_found(e, position, "Invalid", FOUND_MALFORMED);
-    assert_found(e, position, "skip", FOUND_SKIPPED);
-    assert_found(e, position, "skip not yet", FOUND_SKIPPED);
-    assert_found(e, position, "skipping", FOUND_MALFORMED);
-    assert_found(e, position, "Skip", FOUND_MALFORMED);
-    assert_found(e, position, "", FOUND_COUNT);
-    assert_found(e, position, right_but(outputs, count - 1, -1, ""), FOUND_COUNT);
+    assert_found(e, position, right_but(outputs, count, -1, ""), OUTCOME_RIGHT);
+    assert_found(e, position, "invalid", OUTCOME_INVALID);
+    assert_found(e, position, "invalid it is", OUTCOME_MALFORMED);
+    assert_found(e, position, "Invalid", OUTCOME_MALFORMED);
+    assert_found(e, position, "skip", OUTCOME_SKIPPED);
+    assert_found(e, position, "skip not yet", OUTCOME_SKIPPED);
+    assert_found(e, position, "skipping", OUTCOME_MALFORMED);
+    assert_found(e, position, "Skip", OUTCOME_MALFORMED);
+    assert_found(e, position, "", OUTCOME_COUNT);
+    assert_found(e, position, right_but(outputs, count - 1, -1, ""), OUTCOME_COUNT);
     snprintf(more, sizeof more, "%s 0", right_but(outputs, count, -1, ""));
-    assert_found(e, position, more, FOUND_COUNT);
+    assert_found(e, position, more, OUTCOME_COUNT);
     for (int k = 0; k < count; k++) {
-        assert_found(e, position, right_but(outputs, count, k, "nan"), FOUND_NAN);
-        assert_found(e, position, right_but(outputs, count, k, "inf"), FOUND_INFINITE);
-        assert_found(e, position, right_but(outputs, count, k, "-1e999"), FOUND_INFINITE);
+        assert_found(e, position, right_but(outputs, count, k, "nan"), OUTCOME_NAN);
+        assert_found(e, position, right_but(outputs, count, k, "inf"), OUTCOME_INFINITE);
+        assert_found(e, position, right_but(outputs, count, k, "-1e999"), OUTCOME_INFINITE);
         snprintf(more, sizeof more, "%sx", outputs[k]);
-        assert_found(e, position, right_but(outputs, count, k, more), FOUND_MALFORMED);
+        assert_found(e, position, right_but(outputs, count, k, more), OUTCOME_MALFORMED);
         snprintf(more, sizeof more, "%s,", outputs[k]);
-        assert_found(e, position, right_but(outputs, count, k, more), FOUND_MALFORMED);
-        assert_found(e, position, right_but(outputs, count, k, "-"), FOUND_MALFORMED);
+        assert_found(e, position, right_but(outputs, count, k, more), OUTCOME_MALFORMED);
+        assert_found(e, position, right_but(outputs, count, k, "-"), OUTCOME_MALFORMED);
     }
     if (count > 1) { /* a number that is none tells more than one that is too large */
         snprintf(more, sizeof more, "inf nan");
         for (int k = 2; k < count; k++)
             strcat(strcat(more, " "), outputs[k]);
-        assert_found(e, position, more, FOUND_NAN);
+        assert_found(e, position, more, OUTCOME_NAN);
     }
 }
 
@@ -429,12 +429,12 @@ static void assert_outside(struct exam *e, uint64_t position)
         strcat(zeros, k ? " 0" : "0");
         strcat(nans, k ? " nan" : "nan");
     }
-    assert_found(e, position, "invalid", FOUND_RIGHT);
-    assert_found(e, position, zeros, FOUND_VALUE);
-    assert_found(e, position, nans, FOUND_VALUE);
-    assert_found(e, position, strcat(zeros, " 0"), FOUND_COUNT);
-    assert_found(e, position, "invalid inputs", FOUND_MALFORMED);
-    assert_found(e, position, "skip", FOUND_SKIPPED);
+    assert_found(e, position, "invalid", OUTCOME_RIGHT);
+    assert_found(e, position, zeros, OUTCOME_VALUE);
+    assert_found(e, position, nans, OUTCOME_VALUE);
+    assert_found(e, position, strcat(zeros, " 0"), OUTCOME_COUNT);
+    assert_found(e, position, "invalid inputs", OUTCOME_MALFORMED);
+    assert_found(e, position, "skip", OUTCOME_SKIPPED);
 }
 
 /* Random motions may have no end: their questions inside are not answered with numbers here. */
@@ -456,8 +456,8 @@ START_TEST(a_line_has_the_outcome_that_it_says)
         free_all(outputs, s->output_count);
         memset(outputs, 0, sizeof outputs);
     }
-    assert_found(e, golden, "invalid", FOUND_INVALID);
-    assert_found(e, golden + RANDOM - 1, "invalid", FOUND_INVALID);
+    assert_found(e, golden, "invalid", OUTCOME_INVALID);
+    assert_found(e, golden + RANDOM - 1, "invalid", OUTCOME_INVALID);
     assert_outside(e, question_that(e, 0, false));
     for (uint64_t p = golden + RANDOM; p < e->questions.total; p++)
         assert_outside(e, p);
@@ -494,7 +494,7 @@ START_TEST(random_questions_are_those_of_the_seed)
         if (is_motion(s))
             continue;
         ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
-        assert_found(e, golden + k, right_but(outputs, s->output_count, -1, ""), FOUND_RIGHT);
+        assert_found(e, golden + k, right_but(outputs, s->output_count, -1, ""), OUTCOME_RIGHT);
         free_all(outputs, s->output_count);
     }
     question_clear(&q);
@@ -547,7 +547,7 @@ START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
         question_make(&q, &e->questions, p);
         const bool leaves = vector_leaves_range(e->judges[0].operation, q.inputs, significand);
         ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
-        assert_found(e, p, right_but(outputs, s->output_count, -1, ""), leaves ? FOUND_SKIPPED : FOUND_RIGHT);
+        assert_found(e, p, right_but(outputs, s->output_count, -1, ""), leaves ? OUTCOME_SKIPPED : OUTCOME_RIGHT);
         free_all(outputs, s->output_count);
         left += leaves;
     }
@@ -581,8 +581,8 @@ START_TEST(a_line_may_have_65536_bytes)
         line[LONGEST_LINE + more] = '\n';
         line[LONGEST_LINE + more + 1] = '\0';
         const uint64_t *counts = said(e, line);
-        ck_assert_uint_eq(counts[FOUND_RIGHT], 1 - (uint64_t)more);
-        ck_assert_uint_eq(counts[FOUND_TOO_LONG], (uint64_t)more);
+        ck_assert_uint_eq(counts[OUTCOME_RIGHT], 1 - (uint64_t)more);
+        ck_assert_uint_eq(counts[OUTCOME_TOO_LONG], (uint64_t)more);
         close_exam(e);
     }
 }
@@ -603,59 +603,59 @@ END_TEST
 
 static const struct {
     const char *text;
-    enum finding finding;
+    enum outcome outcome;
 } lines[] = {
-    {"eq43-paper 5.316597225e-8\n", FOUND_RIGHT},
-    {"eq43-paper\t 0x1.c8b1359a0b635p-25 \r\n", FOUND_RIGHT}, /* the same binary64 */
-    {" eq43-paper 5.316597225e-8\n", FOUND_RIGHT},
-    {"eq43-paper 5.316597225e-8\r\r\n", FOUND_MALFORMED},
-    {"eq43-paper 5.316597225e-8 \r \n", FOUND_MALFORMED},
-    {"eq43-Paper 5.316597225e-8\n", FOUND_STRANGER},
-    {"A0z_.- 5.316597225e-8\n", FOUND_STRANGER},
-    {"eq43~paper 5.316597225e-8\n", FOUND_MALFORMED},
-    {"eq43-paper: 5.316597225e-8\n", FOUND_MALFORMED},
-    {"\n", FOUND_MALFORMED},
-    {" \t\n", FOUND_MALFORMED},
-    {"eq43 eq43-paper 5.316597225e-8\n", FOUND_STRANGER},
+    {"eq43-paper 5.316597225e-8\n", OUTCOME_RIGHT},
+    {"eq43-paper\t 0x1.c8b1359a0b635p-25 \r\n", OUTCOME_RIGHT}, /* the same binary64 */
+    {" eq43-paper 5.316597225e-8\n", OUTCOME_RIGHT},
+    {"eq43-paper 5.316597225e-8\r\r\n", OUTCOME_MALFORMED},
+    {"eq43-paper 5.316597225e-8 \r \n", OUTCOME_MALFORMED},
+    {"eq43-Paper 5.316597225e-8\n", OUTCOME_STRANGER},
+    {"A0z_.- 5.316597225e-8\n", OUTCOME_STRANGER},
+    {"eq43~paper 5.316597225e-8\n", OUTCOME_MALFORMED},
+    {"eq43-paper: 5.316597225e-8\n", OUTCOME_MALFORMED},
+    {"\n", OUTCOME_MALFORMED},
+    {" \t\n", OUTCOME_MALFORMED},
+    {"eq43 eq43-paper 5.316597225e-8\n", OUTCOME_STRANGER},
 };
 
 START_TEST(a_line_begins_with_a_vectors_name)
 {
     struct exam *e = eq43();
     const uint64_t *counts = said(e, lines[_i].text);
-    for (int i = 0; i < FINDINGS; i++)
-        ck_assert_msg(counts[i] == (i == (int)lines[_i].finding), "%s is %s", lines[_i].text, finding_names[i]);
+    for (int i = 0; i < OUTCOMES; i++)
+        ck_assert_msg(counts[i] == (i == (int)lines[_i].outcome), "%s is %s", lines[_i].text, outcome_names[i]);
     close_exam(e);
 }
 END_TEST
 
 static const struct {
     const char *line, *hint;
-    enum finding finding;
+    enum outcome outcome;
 } hints[] = {
-    {"Loading model...", "its first word 'Loading' names no vector", FOUND_STRANGER},
-    {"debug: n = 10", "its first word 'debug:' names no vector: no name has a ':'", FOUND_MALFORMED},
-    {"eq44 eq44-paper 1", "'eq44' is an operation, the vector's name alone stands first", FOUND_STRANGER},
-    {"1.4e-4", "'1.4e-4' is a number, the vector's name stands first", FOUND_STRANGER},
-    {"\357\273\277eq44-paper 1", "a byte order mark stands before 'eq44-paper'", FOUND_MALFORMED},
-    {"eq44-paper: 1", "its first word 'eq44-paper:' names no vector: no name has a ':'", FOUND_MALFORMED},
-    {"eq42-paper 1 1 true", "'true' is no number, 1 or 0 is due", FOUND_MALFORMED},
-    {"eq42-paper INVALID", "'INVALID': did you mean invalid, alone and in small letters?", FOUND_MALFORMED},
-    {"eq42-paper Skip", "'Skip': did you mean skip, alone and in small letters?", FOUND_MALFORMED},
-    {"eq44-paper 1.2d-13", "'1.2d-13' has Fortran's D exponent, E is due", FOUND_MALFORMED},
-    {"eq44-paper 0,00014", "'0,00014' has a decimal comma, a point is due", FOUND_MALFORMED},
-    {"eq25-paper 1 [2 3]", "'[2' is no number for its '['", FOUND_MALFORMED},
-    {"eq25-paper 1, 2, 3", "'1,' is no number for its ','", FOUND_MALFORMED},
-    {"eq44-paper oops", "'oops' is no number", FOUND_MALFORMED},
-    {"eq44-paper 1.2", "the last line has no LF", FOUND_TRUNCATED},
-    {"", "an empty line", FOUND_MALFORMED},
-    {"eq44-paper 1 2", "", FOUND_COUNT},
+    {"Loading model...", "its first word 'Loading' names no vector", OUTCOME_STRANGER},
+    {"debug: n = 10", "its first word 'debug:' names no vector: no name has a ':'", OUTCOME_MALFORMED},
+    {"eq44 eq44-paper 1", "'eq44' is an operation, the vector's name alone stands first", OUTCOME_STRANGER},
+    {"1.4e-4", "'1.4e-4' is a number, the vector's name stands first", OUTCOME_STRANGER},
+    {"\357\273\277eq44-paper 1", "a byte order mark stands before 'eq44-paper'", OUTCOME_MALFORMED},
+    {"eq44-paper: 1", "its first word 'eq44-paper:' names no vector: no name has a ':'", OUTCOME_MALFORMED},
+    {"eq42-paper 1 1 true", "'true' is no number, 1 or 0 is due", OUTCOME_MALFORMED},
+    {"eq42-paper INVALID", "'INVALID': did you mean invalid, alone and in small letters?", OUTCOME_MALFORMED},
+    {"eq42-paper Skip", "'Skip': did you mean skip, alone and in small letters?", OUTCOME_MALFORMED},
+    {"eq44-paper 1.2d-13", "'1.2d-13' has Fortran's D exponent, E is due", OUTCOME_MALFORMED},
+    {"eq44-paper 0,00014", "'0,00014' has a decimal comma, a point is due", OUTCOME_MALFORMED},
+    {"eq25-paper 1 [2 3]", "'[2' is no number for its '['", OUTCOME_MALFORMED},
+    {"eq25-paper 1, 2, 3", "'1,' is no number for its ','", OUTCOME_MALFORMED},
+    {"eq44-paper oops", "'oops' is no number", OUTCOME_MALFORMED},
+    {"eq44-paper 1.2", "the last line has no LF", OUTCOME_TRUNCATED},
+    {"", "an empty line", OUTCOME_MALFORMED},
+    {"eq44-paper 1 2", "", OUTCOME_COUNT},
 };
 
 START_TEST(a_line_that_is_no_answer_is_told_in_words)
 {
     char hint[240];
-    line_hint(hints[_i].line, hints[_i].finding, hint, sizeof hint);
+    line_hint(hints[_i].line, hints[_i].outcome, hint, sizeof hint);
     ck_assert_str_eq(hint, hints[_i].hint);
 }
 END_TEST
@@ -665,10 +665,10 @@ START_TEST(the_last_line_has_an_end)
     for (int ended = 0; ended < 2; ended++) {
         struct exam *e = eq43();
         const uint64_t *counts = said(e, ended ? "eq43-paper skip\n" : "eq43-paper skip");
-        exam_end(e, FOUND_MISSING);
-        ck_assert_uint_eq(counts[FOUND_SKIPPED], (uint64_t)ended);
-        ck_assert_uint_eq(counts[FOUND_TRUNCATED], 1 - (uint64_t)ended);
-        ck_assert_uint_eq(counts[FOUND_MISSING], e->questions.total - 1);
+        exam_end(e, OUTCOME_MISSING);
+        ck_assert_uint_eq(counts[OUTCOME_SKIPPED], (uint64_t)ended);
+        ck_assert_uint_eq(counts[OUTCOME_TRUNCATED], 1 - (uint64_t)ended);
+        ck_assert_uint_eq(counts[OUTCOME_MISSING], e->questions.total - 1);
         close_exam(e);
     }
 }
@@ -679,11 +679,11 @@ START_TEST(an_answer_is_due_once_its_question_is_sent)
     struct exam *e = eq43();
     e->asked = 2;
     said(e, "eq43-random-2 skip\n");
-    ck_assert_uint_eq(e->tallies[0].counts[FOUND_EARLY], 1);
+    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_EARLY], 1);
     said(e, "eq43-random-1 skip\neq43-paper skip\neq43-random-1 skip\n");
-    ck_assert_uint_eq(e->tallies[0].counts[FOUND_SKIPPED], 1);
-    ck_assert_uint_eq(e->tallies[0].counts[FOUND_REORDERED], 1);
-    ck_assert_uint_eq(e->tallies[0].counts[FOUND_REPEATED], 1);
+    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_SKIPPED], 1);
+    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_REORDERED], 1);
+    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_REPEATED], 1);
     close_exam(e);
 }
 END_TEST

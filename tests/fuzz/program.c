@@ -105,7 +105,7 @@ void protocol(const char *bytes, size_t size)
         if (half > 0)
             exam_hear(&e, bytes + half, size - half);
     }
-    exam_end(&e, FOUND_MISSING);
+    exam_end(&e, OUTCOME_MISSING);
     const struct report r = {&e, "client", "", 0.0, diagnose};
     FILE *stream = open_memstream(&text, &length);
     report_text(&r, stream);

@@ -188,13 +188,13 @@ static int conclude(struct exam *e, enum ending ending, int status, const char *
         snprintf(e->ended, sizeof e->ended, "with %s %d after %" PRIu64 " of %" PRIu64 " answers", signalled ? "signal" : "exit status",
                  signalled ? WTERMSIG(status) : WEXITSTATUS(status), answered, total);
     if (ending == ENDING_TIMEOUT)
-        exam_end(e, FOUND_TIMEOUT);
+        exam_end(e, OUTCOME_TIMEOUT);
     else
-        exam_end(e, ending == ENDING_EXIT && signalled ? FOUND_CRASH : FOUND_MISSING);
+        exam_end(e, ending == ENDING_EXIT && signalled ? OUTCOME_CRASH : OUTCOME_MISSING);
     if (ending == ENDING_STOPPED && e->unended < LONGEST_UNENDED)
-        exam_note(e, FOUND_FLOOD);
+        exam_note(e, OUTCOME_FLOOD);
     else if (ending == ENDING_EXIT && !signalled && status != 0)
-        exam_note(e, FOUND_EXIT);
+        exam_note(e, OUTCOME_EXIT);
     return EXIT_DONE;
 }
 
@@ -353,7 +353,7 @@ static int examine_file(struct exam *e, const struct arguments *a, const struct 
         fclose(f->file);
     }
     if (f->status == EXIT_DONE) {
-        exam_end(e, FOUND_MISSING);
+        exam_end(e, OUTCOME_MISSING);
         f->status = report(e, a, f->name, "");
     }
     const int status = f->status;

@@ -7,7 +7,7 @@
 #include "formula/exact.h"
 #include "text/scope.h"
 
-const char *const finding_names[FINDINGS] = {
+const char *const outcome_names[OUTCOMES] = {
     "right",     "skipped",       "wrong",     "NaN",     "infinite",  "invalid where a value is due",
     "a value where invalid is due", "wrong count", "malformed", "truncated", "too long", "wrong id",
     "repeated",  "reordered",     "early",     "missing", "extra line", "too many lines out of place",
@@ -94,16 +94,16 @@ static struct bounds error_of(struct judge *j, const struct input *inputs, struc
     return E;
 }
 
-enum finding finding_of_bounds(struct bounds E, double K)
+enum outcome outcome_of_bounds(struct bounds E, double K)
 {
-    return E.upper <= K ? FOUND_RIGHT : E.lower > K ? FOUND_WRONG : FOUND_SKIPPED;
+    return E.upper <= K ? OUTCOME_RIGHT : E.lower > K ? OUTCOME_WRONG : OUTCOME_SKIPPED;
 }
 
 /* |y - y*| 2^significand against K (|y*| + S) in rational numbers: E = K passes, and no enclosure sees that it does. */
-static enum finding compare_exactly(struct judge *j, const struct input *inputs, const fmpq_t exact, int output)
+static enum outcome compare_exactly(struct judge *j, const struct input *inputs, const fmpq_t exact, int output)
 {
     SCOPE(fmpq, S, off, allowed);
-    enum finding finding = FOUND_SKIPPED;
+    enum outcome outcome = OUTCOME_SKIPPED;
     if (operation_sensitivity_rational(j->operation, inputs, output, S)) {
         arf_get_fmpq(off, arb_midref(j->y + output));
         fmpq_sub(off, off, exact);
@@ -113,51 +113,51 @@ static enum finding compare_exactly(struct judge *j, const struct input *inputs,
         fmpq_add(allowed, allowed, S);
         fmpq_set_double(S, j->K);
         fmpq_mul(allowed, allowed, S);
-        finding = fmpq_cmp(off, allowed) <= 0 ? FOUND_RIGHT : FOUND_WRONG;
+        outcome = fmpq_cmp(off, allowed) <= 0 ? OUTCOME_RIGHT : OUTCOME_WRONG;
     }
-    return finding;
+    return outcome;
 }
 
 /* Outputs that enclosures leave undecided, one by one. */
-static enum finding judge_exactly(struct judge *j, const struct input *inputs, struct score *score)
+static enum outcome judge_exactly(struct judge *j, const struct input *inputs, struct score *score)
 {
     const struct operation *o = j->operation;
-    enum finding all = FOUND_RIGHT;
+    enum outcome all = OUTCOME_RIGHT;
     struct machine exact;
     SCOPE(fmpq, truth);
     operation_exact(&exact, o, inputs);
-    for (int i = 0; i < o->section->output_count && all != FOUND_WRONG; i++) {
-        enum finding one = finding_of_bounds(
+    for (int i = 0; i < o->section->output_count && all != OUTCOME_WRONG; i++) {
+        enum outcome one = outcome_of_bounds(
             error_in_roundings(arb_midref(j->y + i), j->exact + i, j->S + i, j->significand), j->K);
-        if (one == FOUND_SKIPPED && exact_is_rational(truth, machine_value(&exact, o->formulas->outputs[i])))
+        if (one == OUTCOME_SKIPPED && exact_is_rational(truth, machine_value(&exact, o->formulas->outputs[i])))
             one = compare_exactly(j, inputs, truth, i);
-        all = one == FOUND_RIGHT ? all : one;
+        all = one == OUTCOME_RIGHT ? all : one;
     }
     machine_clear(&exact);
-    if (all == FOUND_RIGHT)
+    if (all == OUTCOME_RIGHT)
         score->E = j->K;
     return all;
 }
 
-static enum finding judge_in_roundings(struct judge *j, const struct input *inputs, struct score *score)
+static enum outcome judge_in_roundings(struct judge *j, const struct input *inputs, struct score *score)
 {
     const struct section *s = j->operation->section;
     const bool judges_stability = strcmp(s->outputs[s->output_count - 1]->name, "stable") == 0;
     const slong most = 16384;
-    enum finding finding = FOUND_SKIPPED;
-    for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most && finding == FOUND_SKIPPED; prec *= 4) {
+    enum outcome outcome = OUTCOME_SKIPPED;
+    for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most && outcome == OUTCOME_SKIPPED; prec *= 4) {
         operation_enclose(j->operation, inputs, prec, j->exact);
         _arb_vec_zero(j->S, s->output_count);
         if (s->method == METHOD_FORMULA && error_of(j, inputs, score).upper <= fmin(j->K, j->worst))
-            return FOUND_RIGHT; /* without S already, and no new worst */
+            return OUTCOME_RIGHT; /* without S already, and no new worst */
         operation_sensitivity(j->operation, inputs, prec, j->S);
         if (4 * prec > most && s->method == METHOD_FORMULA)
             settle(j, inputs, prec);
         if (judges_stability)
             allow_either(j);
-        finding = finding_of_bounds(error_of(j, inputs, score), j->K);
+        outcome = outcome_of_bounds(error_of(j, inputs, score), j->K);
     }
-    return finding == FOUND_SKIPPED && s->method == METHOD_FORMULA ? judge_exactly(j, inputs, score) : finding;
+    return outcome == OUTCOME_SKIPPED && s->method == METHOD_FORMULA ? judge_exactly(j, inputs, score) : outcome;
 }
 
 /* ---- motions ---- */
@@ -198,7 +198,7 @@ static double digits_reached(const struct judge *j, const struct input *inputs, 
     return off == 0.0 ? INFINITY : scale > 0.0 ? -log10(off / scale) : 0.0;
 }
 
-static enum finding judge_in_digits(struct judge *j, const struct input *inputs, struct score *score)
+static enum outcome judge_in_digits(struct judge *j, const struct input *inputs, struct score *score)
 {
     const slong digits = (slong)j->digits + 8; /* enough to see a client do better than it says */
     const slong first = operation_precision(j->operation, inputs, digits);
@@ -210,16 +210,16 @@ static enum finding judge_in_digits(struct judge *j, const struct input *inputs,
         if (operation_follow(j->operation, inputs, digits, prec, j->exact) == OPERATION_PROVED)
             score->digits = digits_reached(j, inputs, &lost);
     if (isinf(lost))
-        return FOUND_SKIPPED;
-    return score->digits >= j->digits ? FOUND_RIGHT : FOUND_WRONG;
+        return OUTCOME_SKIPPED;
+    return score->digits >= j->digits ? OUTCOME_RIGHT : OUTCOME_WRONG;
 }
 
-enum finding judge_answer(struct judge *j, const struct input *inputs, struct score *score)
+enum outcome judge_answer(struct judge *j, const struct input *inputs, struct score *score)
 {
     *score = (struct score){.E = 0.0, .digits = INFINITY};
     if (is_motion(j->operation->section))
         return judge_in_digits(j, inputs, score);
-    enum finding finding = judge_in_roundings(j, inputs, score);
-    j->worst = fmax(j->worst, finding == FOUND_RIGHT ? score->E : 0.0);
-    return finding;
+    enum outcome outcome = judge_in_roundings(j, inputs, score);
+    j->worst = fmax(j->worst, outcome == OUTCOME_RIGHT ? score->E : 0.0);
+    return outcome;
 }

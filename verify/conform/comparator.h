@@ -9,32 +9,32 @@
 #include "evaluate/errors.h"
 
 /* What may come of a question, or of a line that answers none; everything behind SKIPPED is a failure. */
-enum finding {
-    FOUND_RIGHT,
-    FOUND_SKIPPED,
-    FOUND_WRONG,     /* E > K, or too few digits                                       */
-    FOUND_NAN,
-    FOUND_INFINITE,
-    FOUND_INVALID,   /* where a value is due                                           */
-    FOUND_VALUE,     /* where `invalid` is due                                         */
-    FOUND_COUNT,     /* too few or too many outputs                                    */
-    FOUND_MALFORMED, /* no id, or something that is no number                          */
-    FOUND_TRUNCATED, /* the last line has no end                                       */
-    FOUND_TOO_LONG,  /* a line                                                         */
-    FOUND_STRANGER,  /* an id that no question has                                     */
-    FOUND_REPEATED,
-    FOUND_REORDERED, /* behind the answer to a later question                          */
-    FOUND_EARLY,     /* before its question                                            */
-    FOUND_MISSING,
-    FOUND_EXTRA,     /* a line behind the last answer                                  */
-    FOUND_FLOOD,     /* so many lines out of place that the client was stopped         */
-    FOUND_TIMEOUT,
-    FOUND_CRASH,     /* ended by a signal                                              */
-    FOUND_EXIT,      /* an exit status other than 0                                    */
-    FINDINGS
+enum outcome {
+    OUTCOME_RIGHT,
+    OUTCOME_SKIPPED,
+    OUTCOME_WRONG,     /* E > K, or too few digits                                       */
+    OUTCOME_NAN,
+    OUTCOME_INFINITE,
+    OUTCOME_INVALID,   /* where a value is due                                           */
+    OUTCOME_VALUE,     /* where `invalid` is due                                         */
+    OUTCOME_COUNT,     /* too few or too many outputs                                    */
+    OUTCOME_MALFORMED, /* no id, or something that is no number                          */
+    OUTCOME_TRUNCATED, /* the last line has no end                                       */
+    OUTCOME_TOO_LONG,  /* a line                                                         */
+    OUTCOME_STRANGER,  /* an id that no question has                                     */
+    OUTCOME_REPEATED,
+    OUTCOME_REORDERED, /* behind the answer to a later question                          */
+    OUTCOME_EARLY,     /* before its question                                            */
+    OUTCOME_MISSING,
+    OUTCOME_EXTRA,     /* a line behind the last answer                                  */
+    OUTCOME_FLOOD,     /* so many lines out of place that the client was stopped         */
+    OUTCOME_TIMEOUT,
+    OUTCOME_CRASH,     /* ended by a signal                                              */
+    OUTCOME_EXIT,      /* an exit status other than 0                                    */
+    OUTCOMES
 };
 
-extern const char *const finding_names[FINDINGS];
+extern const char *const outcome_names[OUTCOMES];
 
 struct judge {
     struct operation *operation;
@@ -57,10 +57,10 @@ bool is_motion(const struct section *s);
 void judge_init(struct judge *j, struct operation *o, int significand, double digits);
 void judge_clear(struct judge *j);
 
-/* The finding on j->y, for inputs in the domain: right or wrong; skipped where the truth cannot be certified. */
-enum finding judge_answer(struct judge *j, const struct input *inputs, struct score *score);
+/* The outcome on j->y, for inputs in the domain: right or wrong; skipped where the truth cannot be certified. */
+enum outcome judge_answer(struct judge *j, const struct input *inputs, struct score *score);
 
 /* What bounds on E come to: E <= K is right, E > K wrong; skipped where neither is proved, which is not the client's fault. */
-enum finding finding_of_bounds(struct bounds E, double K);
+enum outcome outcome_of_bounds(struct bounds E, double K);
 
 #endif

@@ -10,12 +10,12 @@
 /* After so many lines out of place (and never before there are as many as questions) nothing more is heard. */
 enum { MOST_OUT_OF_PLACE = 10000 };
 
-/* ---- findings ---- */
+/* ---- outcomes ---- */
 
 uint64_t tally_failed(const struct tally *t)
 {
     uint64_t failed = 0;
-    for (int i = FOUND_WRONG; i < FINDINGS; i++)
+    for (int i = OUTCOME_WRONG; i < OUTCOMES; i++)
         failed += t->counts[i];
     return failed;
 }
@@ -35,8 +35,8 @@ static struct tally *tally_at(struct exam *e, uint64_t position)
 /* Wrong numbers before everything else, the further off the worse. */
 static bool failure_is_worse(const struct failure *a, const struct failure *b)
 {
-    if ((a->finding == FOUND_WRONG) != (b->finding == FOUND_WRONG))
-        return a->finding == FOUND_WRONG;
+    if ((a->outcome == OUTCOME_WRONG) != (b->outcome == OUTCOME_WRONG))
+        return a->outcome == OUTCOME_WRONG;
     return a->score.E > b->score.E || a->score.digits < b->score.digits;
 }
 
@@ -44,31 +44,31 @@ static void record(struct exam *e, const struct failure *f, const char *line)
 {
     struct tally *t = tally_at(e, f->position);
     const bool first = tally_failed(t) == 0;
-    t->counts[f->finding]++;
-    if (f->finding < FOUND_WRONG)
+    t->counts[f->outcome]++;
+    if (f->outcome < OUTCOME_WRONG)
         return;
     if (first || failure_is_worse(f, &t->worst_failure)) {
         t->worst_failure = *f;
         snprintf(t->got, sizeof t->got, "%s", line);
     }
-    const bool is_line = f->finding >= FOUND_COUNT && f->finding <= FOUND_EXTRA && *line != '\0';
+    const bool is_line = f->outcome >= OUTCOME_COUNT && f->outcome <= OUTCOME_EXTRA && *line != '\0';
     if (is_line && *t->line == '\0') {
-        t->line_finding = f->finding;
+        t->line_outcome = f->outcome;
         snprintf(t->line, sizeof t->line, "%s", line);
     }
     if (t->failure_count < MOST_FAILURES)
         t->failures[t->failure_count++] = *f;
 }
 
-static void found(struct exam *e, uint64_t position, enum finding finding, const char *line)
+static void found(struct exam *e, uint64_t position, enum outcome outcome, const char *line)
 {
-    const struct failure f = {.position = position, .finding = finding, .score = {0.0, INFINITY, 0}};
+    const struct failure f = {.position = position, .outcome = outcome, .score = {0.0, INFINITY, 0}};
     record(e, &f, line);
 }
 
-void exam_note(struct exam *e, enum finding finding)
+void exam_note(struct exam *e, enum outcome outcome)
 {
-    found(e, UINT64_MAX, finding, "");
+    found(e, UINT64_MAX, outcome, "");
 }
 
 /* ---- the questions between answers ---- */
@@ -80,7 +80,7 @@ static void missing(struct exam *e, struct span s)
         const uint64_t at = p - course->first;
         const bool golden = at < (uint64_t)course->golden_count;
         const bool optional = e->from_file && !e->range && golden && course->golden[at].range;
-        found(e, p, optional ? FOUND_SKIPPED : FOUND_MISSING, "");
+        found(e, p, optional ? OUTCOME_SKIPPED : OUTCOME_MISSING, "");
     }
 }
 
@@ -123,10 +123,10 @@ static bool take_up(struct exam *e, uint64_t position)
 
 /* ---- one line ---- */
 
-static void stray(struct exam *e, enum finding finding, const char *line)
+static void stray(struct exam *e, enum outcome outcome, const char *line)
 {
     const bool over = e->next == e->questions.total && e->span_count == 0 && !e->from_file;
-    found(e, e->from_file ? UINT64_MAX : e->next + e->strays, over ? FOUND_EXTRA : finding, line);
+    found(e, e->from_file ? UINT64_MAX : e->next + e->strays, over ? OUTCOME_EXTRA : outcome, line);
     e->strays += !e->from_file; /* rows of a file take nobody's place */
     e->out_of_place++;
 }
@@ -167,36 +167,36 @@ static bool read_number(const struct exam *e, const char *text, double *value, a
 }
 
 /* The numbers of an answer into the judge's y. */
-static enum finding read_numbers(struct exam *e, struct judge *j, char **words, int count, struct failure *f)
+static enum outcome read_numbers(struct exam *e, struct judge *j, char **words, int count, struct failure *f)
 {
     const int due = j->operation->section->output_count;
-    enum finding finding = FOUND_RIGHT;
+    enum outcome outcome = OUTCOME_RIGHT;
     for (int i = 0; i < count && i < MOST_OUTPUTS; i++) {
         if (!read_number(e, words[i], &f->values[i], j->y + i))
-            return FOUND_MALFORMED;
+            return OUTCOME_MALFORMED;
         if (isnan(f->values[i]))
-            finding = FOUND_NAN;
-        else if (isinf(f->values[i]) && finding == FOUND_RIGHT)
-            finding = FOUND_INFINITE;
+            outcome = OUTCOME_NAN;
+        else if (isinf(f->values[i]) && outcome == OUTCOME_RIGHT)
+            outcome = OUTCOME_INFINITE;
     }
     f->has_values = count == due;
-    return count == due ? finding : FOUND_COUNT;
+    return count == due ? outcome : OUTCOME_COUNT;
 }
 
-static enum finding judge_numbers(struct exam *e, struct judge *j, const struct question *q, struct failure *f)
+static enum outcome judge_numbers(struct exam *e, struct judge *j, const struct question *q, struct failure *f)
 {
     struct tally *t = tally_at(e, f->position);
     if (e->significand == BINARY32 && q->golden == NULL && j->operation->section->method == METHOD_FORMULA &&
         vector_leaves_range(j->operation, q->inputs, BINARY32))
-        return FOUND_SKIPPED;
-    const enum finding finding = judge_answer(j, q->inputs, &f->score);
+        return OUTCOME_SKIPPED;
+    const enum outcome outcome = judge_answer(j, q->inputs, &f->score);
     const bool worse = f->score.E > t->worst_E || f->score.digits < t->digits || t->worst == UINT64_MAX;
-    if (finding != FOUND_SKIPPED && worse) {
+    if (outcome != OUTCOME_SKIPPED && worse) {
         t->worst_E = fmax(t->worst_E, f->score.E);
         t->digits = fmin(t->digits, f->score.digits);
         t->worst = f->position;
     }
-    return finding;
+    return outcome;
 }
 
 /* What the words behind the id say about the question. */
@@ -211,18 +211,18 @@ static void answer(struct exam *e, const struct question *q, uint64_t position, 
         const size_t behind = (size_t)(words[0] - e->line) + strlen("skip");
         if (*reason == '\0' && behind < strlen(line)) /* of which there is the beginning alone */
             snprintf(reason, sizeof e->tallies->reason, "%s", line + behind);
-        f.finding = FOUND_SKIPPED;
+        f.outcome = OUTCOME_SKIPPED;
     } else if (count == 1 && strcmp(words[0], "invalid") == 0) {
-        f.finding = inside ? FOUND_INVALID : FOUND_RIGHT;
+        f.outcome = inside ? OUTCOME_INVALID : OUTCOME_RIGHT;
     } else {
-        f.finding = read_numbers(e, j, words, count, &f);
-        if (!inside && f.finding != FOUND_COUNT && f.finding != FOUND_MALFORMED)
-            f.finding = FOUND_VALUE;
-        else if (f.finding == FOUND_RIGHT)
-            f.finding = judge_numbers(e, j, q, &f);
+        f.outcome = read_numbers(e, j, words, count, &f);
+        if (!inside && f.outcome != OUTCOME_COUNT && f.outcome != OUTCOME_MALFORMED)
+            f.outcome = OUTCOME_VALUE;
+        else if (f.outcome == OUTCOME_RIGHT)
+            f.outcome = judge_numbers(e, j, q, &f);
     }
     if (e->from_file && !e->range && q->golden != NULL && q->golden->range)
-        f.finding = FOUND_SKIPPED;
+        f.outcome = OUTCOME_SKIPPED;
     record(e, &f, line);
 }
 
@@ -231,11 +231,11 @@ static bool find_place(struct exam *e, const char *id, const char *line, uint64_
 {
     *position = questions_find(&e->questions, id);
     if (*position == UINT64_MAX) {
-        stray(e, FOUND_STRANGER, line);
+        stray(e, OUTCOME_STRANGER, line);
         return false;
     }
     if (*position >= e->asked) {
-        found(e, *position, FOUND_EARLY, line);
+        found(e, *position, OUTCOME_EARLY, line);
     } else if (*position > e->next) {
         return true;
     } else {
@@ -244,7 +244,7 @@ static bool find_place(struct exam *e, const char *id, const char *line, uint64_
             return true;
         const bool over = e->next == e->questions.total && e->span_count == 0 && !passed_over && !e->from_file;
         found(e, over ? UINT64_MAX : *position,
-              passed_over ? FOUND_REORDERED : over ? FOUND_EXTRA : FOUND_REPEATED, line);
+              passed_over ? OUTCOME_REORDERED : over ? OUTCOME_EXTRA : OUTCOME_REPEATED, line);
     }
     e->out_of_place++;
     return false;
@@ -259,7 +259,7 @@ static void hear_line(struct exam *e, char *line, bool ended)
     message_printable(shown);
     int count = split(line, words, MOST_OUTPUTS + 2);
     if (!ended || count == 0 || !is_id(words[0])) {
-        stray(e, ended ? FOUND_MALFORMED : FOUND_TRUNCATED, shown);
+        stray(e, ended ? OUTCOME_MALFORMED : OUTCOME_TRUNCATED, shown);
         return;
     }
     const bool expected = e->next < e->asked && strcmp(words[0], e->judging.id) == 0;
@@ -306,7 +306,7 @@ bool exam_hear(void *exam, const char *bytes, size_t size)
             e->length--;
         e->line[e->length] = '\0';
         if (is_too_long(e))
-            stray(e, FOUND_TOO_LONG, "");
+            stray(e, OUTCOME_TOO_LONG, "");
         else
             hear_line(e, e->line, true);
         e->length = 0;
@@ -350,16 +350,16 @@ void exam_begin(struct exam *e, const double *digits)
         question_make(&e->judging, &e->questions, 0);
 }
 
-void exam_end(struct exam *e, enum finding why)
+void exam_end(struct exam *e, enum outcome why)
 {
     if (e->unended > 0) {
         e->line[e->length] = '\0';
         if (is_too_long(e))
-            stray(e, FOUND_TOO_LONG, "");
+            stray(e, OUTCOME_TOO_LONG, "");
         else
             hear_line(e, e->line, false);
     }
-    if (why != FOUND_MISSING) {
+    if (why != OUTCOME_MISSING) {
         found(e, e->next, why, "");
         e->strays++;
     }

@@ -1,5 +1,5 @@
 /*
- * The oracle's examination: questions go out as lines, lines come back and become findings. Memory does not
+ * The oracle's examination: questions go out as lines, lines come back and become outcomes. Memory does not
  * grow with the number of questions.
  *
  *     ID VECTOR-ID INPUT...      ->      VECTOR-ID OUTPUT... | VECTOR-ID invalid | VECTOR-ID skip REASON...
@@ -15,7 +15,7 @@ enum { LONGEST_LINE = 1 << 16, LONGEST_UNENDED = 1 << 26, MOST_FAILURES = 32, MO
 /* A failing answer, kept for the diagnosis. */
 struct failure {
     uint64_t position;
-    enum finding finding;
+    enum outcome outcome;
     struct score score;
     double values[MOST_OUTPUTS]; /* what was answered; of `invalid` and the like nothing */
     bool has_values;
@@ -23,13 +23,13 @@ struct failure {
 
 /* What was found about one operation, or behind them all about the client itself. */
 struct tally {
-    uint64_t counts[FINDINGS];
+    uint64_t counts[OUTCOMES];
     double worst_E, digits;          /* of all answers in numbers: the largest, the fewest (INFINITY: none yet) */
     uint64_t worst;                  /* the vector that they come from; UINT64_MAX: none                       */
     struct failure worst_failure;
     char got[120], reason[120];      /* the line of the worst failure, the first reason for a skip             */
     char line[120];                  /* the first line that is no answer, and what was found of it             */
-    enum finding line_finding;
+    enum outcome line_outcome;
     struct failure failures[MOST_FAILURES];
     int failure_count;
     char diagnosis[240];             /* what they look like, "" when nothing known */
@@ -69,10 +69,10 @@ size_t exam_ask(void *exam, char *room, size_t size);
 bool exam_hear(void *exam, const char *bytes, size_t size);
 
 /* No more will come: what is unanswered is missing, the first of it for the reason given (or missing too). */
-void exam_end(struct exam *e, enum finding why);
+void exam_end(struct exam *e, enum outcome why);
 
-/* A finding about the client itself. */
-void exam_note(struct exam *e, enum finding finding);
+/* A outcome about the client itself. */
+void exam_note(struct exam *e, enum outcome outcome);
 
 /* Failures of a tally. */
 uint64_t tally_failed(const struct tally *t);

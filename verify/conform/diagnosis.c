@@ -112,15 +112,15 @@ static bool explains(struct mutant *x, const struct exam *e, const struct failur
     struct score score;
     const struct input *inputs = q->numbers ? inputs_of(x, q->inputs) : NULL;
     const bool inside = inputs != NULL && operation_valid(&x->o, inputs);
-    if (f->finding == FOUND_INVALID || !inside)
-        return f->finding == FOUND_INVALID && !inside;
+    if (f->outcome == OUTCOME_INVALID || !inside)
+        return f->outcome == OUTCOME_INVALID && !inside;
     judge_init(&j, &x->o, e->significand, digits);
     j.once = true; /* what is to explain the answer cannot need more than the truth */
     for (int i = 0; i < x->o.section->output_count; i++)
         arb_set_d(j.y + i, f->values[i]);
     bool right = false;
-    if (f->finding == FOUND_WRONG || f->finding == FOUND_VALUE)
-        right = judge_answer(&j, inputs, &score) == FOUND_RIGHT;
+    if (f->outcome == OUTCOME_WRONG || f->outcome == OUTCOME_VALUE)
+        right = judge_answer(&j, inputs, &score) == OUTCOME_RIGHT;
     else if (operation_enclose(&x->o, inputs, 128, j.exact) == OPERATION_PROVED)
         right = !_arb_vec_is_finite(j.exact, x->o.section->output_count); /* no number there either */
     judge_clear(&j);
@@ -130,16 +130,16 @@ static bool explains(struct mutant *x, const struct exam *e, const struct failur
 /* No more is wrong than that values stand where `invalid` is due. */
 static bool is_domain_alone(const struct tally *t)
 {
-    for (int i = FOUND_WRONG; i < FOUND_VALUE; i++)
+    for (int i = OUTCOME_WRONG; i < OUTCOME_VALUE; i++)
         if (t->counts[i] > 0)
             return false;
-    return t->counts[FOUND_VALUE] > 0;
+    return t->counts[OUTCOME_VALUE] > 0;
 }
 
 /* All failures that formulas can explain; of a motion the long ones only where there are no others. */
 static bool explains_all(struct mutant *x, const struct exam *e, const struct tally *t, double digits)
 {
-    const enum finding last = is_domain_alone(t) ? FOUND_VALUE : FOUND_INVALID;
+    const enum outcome last = is_domain_alone(t) ? OUTCOME_VALUE : OUTCOME_INVALID;
     struct question q;
     int explained = 0;
     bool all = true;
@@ -148,7 +148,7 @@ static bool explains_all(struct mutant *x, const struct exam *e, const struct ta
         for (int i = 0; i < t->failure_count && all; i++) {
             const struct failure *f = &t->failures[i];
 
-            if (f->finding < FOUND_WRONG || f->finding > last)
+            if (f->outcome < OUTCOME_WRONG || f->outcome > last)
                 continue;
             question_make(&q, &e->questions, f->position);
             if (pass == 0 && q.numbers && is_long(q.course->operation.section, q.inputs))
@@ -197,9 +197,9 @@ static const char *format_mistake(const struct exam *e, int course, char text[48
     const int digits = digits_written(t, outputs);
     double worst = 0.0;
     for (int i = 0; i < t->failure_count; i++) {
-        if (t->failures[i].finding == FOUND_VALUE)
+        if (t->failures[i].outcome == OUTCOME_VALUE)
             continue;
-        if (t->failures[i].finding != FOUND_WRONG)
+        if (t->failures[i].outcome != OUTCOME_WRONG)
             return NULL;
         worst = fmax(worst, t->failures[i].score.E);
     }
@@ -239,7 +239,7 @@ void diagnose(struct exam *e, int course)
     const char *format = t->diagnosis[0] == '\0' ? format_mistake(e, course, written) : NULL;
     if (format != NULL)
         add_name(t, format, "");
-    if (t->counts[FOUND_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
+    if (t->counts[OUTCOME_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
         add_name(t, "inputs outside the domain are not refused", "; and ");
     mutants_clear(&list);
 }
@@ -281,11 +281,11 @@ static bool tells(struct kills *k, int i, bool inside)
     if (operation_follow(&x->o, inputs, digits, prec, j->y) != OPERATION_PROVED || !_arb_vec_is_finite(j->y, count))
         return true;
     j->worst = INFINITY;
-    const enum finding finding = judge_answer(j, k->inputs, &score);
-    j->followed = is_motion(k->o.section) && finding != FOUND_SKIPPED; /* the next mutant is held against the same motion */
+    const enum outcome outcome = judge_answer(j, k->inputs, &score);
+    j->followed = is_motion(k->o.section) && outcome != OUTCOME_SKIPPED; /* the next mutant is held against the same motion */
     for (int n = 0; n < count; n++)
         k->differs[i] = k->differs[i] || !arb_overlaps(j->exact + n, j->y + n);
-    return finding == FOUND_WRONG;
+    return outcome == OUTCOME_WRONG;
 }
 
 static bool pins_an_edge(const char *flags)

@@ -26,9 +26,9 @@ struct totals report_totals(const struct exam *e)
 {
     struct totals sum = {0, 0, 0};
     for (int k = 0; k <= e->questions.count; k++) {
-        sum.passed += e->tallies[k].counts[FOUND_RIGHT];
+        sum.passed += e->tallies[k].counts[OUTCOME_RIGHT];
         sum.failed += tally_failed(&e->tallies[k]);
-        sum.skipped += e->tallies[k].counts[FOUND_SKIPPED];
+        sum.skipped += e->tallies[k].counts[OUTCOME_SKIPPED];
     }
     return sum;
 }
@@ -64,14 +64,14 @@ static double tally_digits(const struct exam *e, int course)
 }
 
 /* "3 wrong, 1 missing" */
-static void findings_text(const struct tally *t, char *text, size_t size)
+static void outcomes_text(const struct tally *t, char *text, size_t size)
 {
     size_t used = 0;
     text[0] = '\0';
-    for (int i = FOUND_WRONG; i < FINDINGS && used < size; i++)
+    for (int i = OUTCOME_WRONG; i < OUTCOMES && used < size; i++)
         if (t->counts[i] > 0)
             used += (size_t)snprintf(text + used, size - used, "%s%" PRIu64 " %s", used ? ", " : "", t->counts[i],
-                                     finding_names[i]);
+                                     outcome_names[i]);
 }
 
 /* ---- one failing vector ---- */
@@ -104,9 +104,9 @@ static void exhibit_clear(struct exhibit *x)
 }
 
 /* Not about the stream of lines: then the vector itself tells something. */
-static bool is_about_values(enum finding finding)
+static bool is_about_values(enum outcome outcome)
 {
-    return finding <= FOUND_MALFORMED || finding == FOUND_TIMEOUT || finding == FOUND_CRASH;
+    return outcome <= OUTCOME_MALFORMED || outcome == OUTCOME_TIMEOUT || outcome == OUTCOME_CRASH;
 }
 
 static bool has_unit(const struct quantity *q)
@@ -118,15 +118,15 @@ static void exhibit_text(const struct exhibit *x, const struct tally *t, FILE *f
 {
     const struct section *s = x->question.course->operation.section;
     const struct failure *f = &t->worst_failure;
-    const bool marked = f->finding == FOUND_WRONG && s->method == METHOD_FORMULA && s->output_count > 1;
+    const bool marked = f->outcome == OUTCOME_WRONG && s->method == METHOD_FORMULA && s->output_count > 1;
     char number[NUMBER];
-    fprintf(file, "  %s: %s", x->question.id, finding_names[f->finding]);
-    if (f->finding == FOUND_WRONG && is_motion(s))
+    fprintf(file, "  %s: %s", x->question.id, outcome_names[f->outcome]);
+    if (f->outcome == OUTCOME_WRONG && is_motion(s))
         fprintf(file, ", %s digits", digits_text(f->score.digits, number));
-    else if (f->finding == FOUND_WRONG)
+    else if (f->outcome == OUTCOME_WRONG)
         fprintf(file, ", E = %s", error_text(f->score.E, number));
     fputc('\n', file);
-    if (!is_about_values(f->finding))
+    if (!is_about_values(f->outcome))
         return;
     for (int i = 0; i < s->input_count; i++)
         fprintf(file, "    %-10s %s%s%s\n", s->inputs[i]->name, x->inputs[i], has_unit(s->inputs[i]) ? " " : "",
@@ -149,8 +149,8 @@ static void line_text(const struct tally *t, FILE *file)
     char hint[240];
     if (*t->line == '\0')
         return;
-    line_hint(t->line, t->line_finding, hint, sizeof hint);
-    fprintf(file, "  first %s: %s\n", finding_names[t->line_finding], t->line);
+    line_hint(t->line, t->line_outcome, hint, sizeof hint);
+    fprintf(file, "  first %s: %s\n", outcome_names[t->line_outcome], t->line);
     if (*hint != '\0')
         fprintf(file, "    %s\n", hint);
 }
@@ -159,7 +159,7 @@ static void failure_text(const struct exam *e, int k, FILE *file)
 {
     const struct tally *t = &e->tallies[k];
     char text[512];
-    findings_text(t, text, sizeof text);
+    outcomes_text(t, text, sizeof text);
     fprintf(file, "%s: %s\n", k < e->questions.count ? e->judges[k].operation->section->id : "client", text);
     if (k == e->questions.count) {
         line_text(t, file);
@@ -190,7 +190,7 @@ static void row_text(const struct exam *e, int k, FILE *file)
     char E[NUMBER], digits[NUMBER];
     struct question q;
     fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, s->id,
-            course_total(c), t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
+            course_total(c), t->counts[OUTCOME_RIGHT], tally_failed(t), t->counts[OUTCOME_SKIPPED]);
     if (t->worst == UINT64_MAX) {
         fputc('\n', file);
         return;
@@ -286,7 +286,7 @@ static void write_xml(const struct report *r, FILE *file)
     for (int k = 0; k <= e->questions.count; k++) {
         const bool failed = tally_failed(&e->tallies[k]) > 0;
         failures += failed;
-        skipped += !failed && e->tallies[k].counts[FOUND_RIGHT] == 0 && k < e->questions.count;
+        skipped += !failed && e->tallies[k].counts[OUTCOME_RIGHT] == 0 && k < e->questions.count;
     }
     fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"", file);
     put_text(file, r->client, true);
@@ -299,11 +299,11 @@ static void write_xml(const struct report *r, FILE *file)
                 asked ? e->judges[k].operation->section->id : "client");
         if (tally_failed(&e->tallies[k]) > 0) {
             char text[512];
-            findings_text(&e->tallies[k], text, sizeof text);
+            outcomes_text(&e->tallies[k], text, sizeof text);
             fprintf(file, "<failure message=\"%s\">", text);
             put_failure(e, k, file);
             fputs("</failure>", file);
-        } else if (asked && e->tallies[k].counts[FOUND_RIGHT] == 0) {
+        } else if (asked && e->tallies[k].counts[OUTCOME_RIGHT] == 0) {
             fputs("<skipped/>", file);
         }
         fputs("</testcase>\n", file);
@@ -313,13 +313,13 @@ static void write_xml(const struct report *r, FILE *file)
     fputs("</system-err>\n</testsuite>\n</testsuites>\n", file);
 }
 
-static void write_findings(const struct tally *t, FILE *file)
+static void write_outcomes(const struct tally *t, FILE *file)
 {
     const char *comma = "";
     fputs("\"findings\": {", file);
-    for (int i = FOUND_WRONG; i < FINDINGS; i++)
+    for (int i = OUTCOME_WRONG; i < OUTCOMES; i++)
         if (t->counts[i] > 0) {
-            fprintf(file, "%s\"%s\": %" PRIu64, comma, finding_names[i], t->counts[i]);
+            fprintf(file, "%s\"%s\": %" PRIu64, comma, outcome_names[i], t->counts[i]);
             comma = ", ";
         }
     fputc('}', file);
@@ -334,8 +334,8 @@ static void write_exhibit(const struct exam *e, int k, FILE *file)
     struct exhibit x;
     char number[NUMBER];
     exhibit_init(&x, e, f->position);
-    fprintf(file, "\"vector\": {\"id\": \"%s\", \"finding\": \"%s\", ", x.question.id, finding_names[f->finding]);
-    if (f->finding == FOUND_WRONG)
+    fprintf(file, "\"vector\": {\"id\": \"%s\", \"finding\": \"%s\", ", x.question.id, outcome_names[f->outcome]);
+    if (f->outcome == OUTCOME_WRONG)
         fprintf(file, "\"%s\": \"%s\", ", is_motion(s) ? "digits" : "E",
                 is_motion(s) ? digits_text(f->score.digits, number) : error_text(f->score.E, number));
     fputs("\"inputs\": {", file);
@@ -358,7 +358,7 @@ static void write_row(const struct exam *e, int k, FILE *file)
     const struct course *c = &e->questions.courses[k];
     fprintf(file, "    {\"id\": \"%s\", \"level\": \"%s\", \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64
             ", \"failed\": %" PRIu64 ", \"skipped\": %" PRIu64 ", ", s->id, level_names[level_of(s)],
-            course_total(c), t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
+            course_total(c), t->counts[OUTCOME_RIGHT], tally_failed(t), t->counts[OUTCOME_SKIPPED]);
     if (t->worst != UINT64_MAX) {
         struct question q;
         question_init(&q);
@@ -368,11 +368,11 @@ static void write_row(const struct exam *e, int k, FILE *file)
         fprintf(file, "\"digits\": \"%s\", \"worst\": \"%s\", ", digits_text(tally_digits(e, k), number), q.id);
         question_clear(&q);
     }
-    write_findings(t, file);
+    write_outcomes(t, file);
     if (*t->line != '\0') {
         char hint[240];
-        line_hint(t->line, t->line_finding, hint, sizeof hint);
-        fprintf(file, ", \"line\": {\"finding\": \"%s\", \"text\": \"", finding_names[t->line_finding]);
+        line_hint(t->line, t->line_outcome, hint, sizeof hint);
+        fprintf(file, ", \"line\": {\"finding\": \"%s\", \"text\": \"", outcome_names[t->line_outcome]);
         put_text(file, t->line, false);
         fputs("\", \"hint\": \"", file);
         put_text(file, hint, false);
@@ -401,7 +401,7 @@ static void write_json(const struct report *r, FILE *file)
         fputs(k + 1 < e->questions.count ? ",\n" : "\n", file);
     }
     fputs("  ],\n  ", file);
-    write_findings(&e->tallies[e->questions.count], file);
+    write_outcomes(&e->tallies[e->questions.count], file);
     fputs(",\n  \"errors\": \"", file);
     put_text(file, r->errors, false);
     fputs("\"\n}\n", file);
