@@ -504,7 +504,7 @@ static void say(struct exam *e, const char *line)
 static void answer_in_digits(struct exam *e, const struct formulas *formulas, int digits)
 {
     struct question q;
-    struct operation o = {.section = e->judges[0].operation->section, .formulas = formulas};
+    struct operation o = {.section = e->comparators[0].operation->section, .formulas = formulas};
     VECTOR(arb, y, MOST_OUTPUTS);
     machine_init(&o.machine, &formulas->program, &arithmetic_ball, 128);
     question_init(&q);
@@ -814,14 +814,14 @@ START_TEST(a_motion_that_cannot_be_followed_is_not_judged)
     static const char *const texts[] = {"1", "1", "1", "1", "2", "0", "0", "1e7", "0", "0", "1", "0", "0", "0"};
     const struct section *s = section_find(sheet(), "flow_nonlinear");
     struct operation o;
-    struct judge j;
+    struct comparator j;
     struct score score;
     struct input *inputs = inputs_new(s->input_count);
     ck_assert(vector_read(s, texts, inputs));
     operation_init(&o, s, false);
-    judge_init(&j, &o, BINARY64, 9);
-    ck_assert_int_eq(judge_answer(&j, inputs, &score), OUTCOME_SKIPPED);
-    judge_clear(&j);
+    comparator_init(&j, &o, BINARY64, 9);
+    ck_assert_int_eq(compare_answer(&j, inputs, &score), OUTCOME_SKIPPED);
+    comparator_clear(&j);
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
 }

@@ -65,7 +65,7 @@ static enum outcome outcome_on(struct exam *e, uint64_t position, const char *wo
 static void assert_found(struct exam *e, uint64_t position, const char *words, enum outcome due)
 {
     const enum outcome outcome = outcome_on(e, position, words);
-    ck_assert_msg(outcome == due, "%s, question %d: '%s' is %s, expected %s", e->judges[0].operation->section->id, (int)position, words,
+    ck_assert_msg(outcome == due, "%s, question %d: '%s' is %s, expected %s", e->comparators[0].operation->section->id, (int)position, words,
                   outcome < OUTCOMES ? outcome_names[outcome] : "nothing", outcome_names[due]);
 }
 
@@ -95,7 +95,7 @@ static uint64_t question_that(struct exam *e, uint64_t from, bool inside)
     for (;; p++) {
         ck_assert_uint_lt(p, e->questions.total);
         question_make(&q, &e->questions, p);
-        if ((q.numbers && operation_valid(e->judges[0].operation, q.inputs)) == inside)
+        if ((q.numbers && operation_valid(e->comparators[0].operation, q.inputs)) == inside)
             break;
     }
     question_clear(&q);
@@ -120,7 +120,7 @@ static void limit_of(arb_t limit, const arb_t exact, const arb_t S, int sign, do
 /* The last binary64 up to the limit passes, the next one does not. */
 static void assert_limits(struct exam *e, uint64_t position)
 {
-    struct operation *o = e->judges[0].operation;
+    struct operation *o = e->comparators[0].operation;
     const int count = o->section->output_count;
     arb_ptr exact = _arb_vec_init(count), S = _arb_vec_init(count);
     char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
@@ -136,7 +136,7 @@ static void assert_limits(struct exam *e, uint64_t position)
         const int k = i / 2, sign = i % 2 ? 1 : -1;
         if (!arb_is_finite(S + k) || (arb_contains_zero(exact + k) && !arb_is_exact(exact + k)))
             continue;
-        limit_of(limit, exact + k, S + k, sign, e->judges[0].K, BINARY64);
+        limit_of(limit, exact + k, S + k, sign, e->comparators[0].K, BINARY64);
         const double inner = arf_get_d(arb_midref(limit), sign > 0 ? ARF_RND_FLOOR : ARF_RND_CEIL);
         snprintf(text, sizeof text, "%.17g", inner);
         assert_found(e, position, right_but(outputs, count, k, text), OUTCOME_RIGHT);
@@ -170,7 +170,7 @@ START_TEST(K_counts_roundings_of_the_clients_own_numbers)
     static const int significands[] = {BINARY32, BINARY128};
     const int significand = significands[_i];
     struct exam *e = exam_of(section_find(sheet(), "eq12"), RANDOM, significand);
-    struct operation *o = e->judges[0].operation;
+    struct operation *o = e->comparators[0].operation;
     arb_ptr exact = _arb_vec_init(1), S = _arb_vec_init(1);
     SCOPE(arb, limit);
     struct question q;
@@ -181,7 +181,7 @@ START_TEST(K_counts_roundings_of_the_clients_own_numbers)
         question_make(&q, &e->questions, p);
         operation_sensitivity(o, q.inputs, BITS, S);
         operation_enclose(o, q.inputs, BITS, exact);
-        limit_of(limit, exact, S, i % 2 ? 1 : -1, e->judges[0].K * (within ? 1 - 1e-3 : 1 + 1e-3), significand);
+        limit_of(limit, exact, S, i % 2 ? 1 : -1, e->comparators[0].K * (within ? 1 - 1e-3 : 1 + 1e-3), significand);
         char *text = arb_get_str(limit, 50, ARB_STR_NO_RADIUS);
         assert_found(e, p, text, within ? OUTCOME_RIGHT : OUTCOME_WRONG);
         flint_free(text);
@@ -199,17 +199,17 @@ static enum outcome judged(const char *operation, const char *const *inputs, con
 {
     const struct section *s = section_find(sheet(), operation);
     struct operation o;
-    struct judge j;
+    struct comparator j;
     struct score score;
     struct input *read = inputs_new(s->input_count);
     ck_assert(vector_read(s, inputs, read));
     operation_init(&o, s, false);
     ck_assert(operation_valid(&o, read));
-    judge_init(&j, &o, significand, 9);
+    comparator_init(&j, &o, significand, 9);
     for (int i = 0; i < s->output_count; i++)
         arb_set_d(j.y + i, strtod(answers[i], NULL));
-    const enum outcome outcome = judge_answer(&j, read, &score);
-    judge_clear(&j);
+    const enum outcome outcome = compare_answer(&j, read, &score);
+    comparator_clear(&j);
     operation_clear(&o);
     inputs_free(read, s->input_count);
     return outcome;
@@ -312,7 +312,7 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     const struct section *s = section_find(sheet(), motions[_i]);
     const bool linear = _i % 2 == 0;
     struct exam *e = exam_of(s, 0, BINARY64);
-    struct operation *o = e->judges[0].operation;
+    struct operation *o = e->comparators[0].operation;
     const uint64_t p = questions_find(&e->questions, _i < 2 ? linear ? "flow_linear-rates-100" : "flow_nonlinear-moving-100"
                                                             : linear ? "rk4_linear-rates-100" : "rk4_nonlinear-moving-100");
     char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
@@ -329,7 +329,7 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     }
     for (int i = 0; i < 24; i++) {
         const int k = i / 4;
-        const double off = (i % 2 ? 1.001 : 0.999) * pow(10, -e->judges[0].digits) * scale * unit[k];
+        const double off = (i % 2 ? 1.001 : 0.999) * pow(10, -e->comparators[0].digits) * scale * unit[k];
         snprintf(text, sizeof text, "%.17g", strtod(outputs[k], NULL) + (i % 4 < 2 ? off : -off));
         assert_found(e, p, right_but(outputs, 6, k, text), i % 2 ? OUTCOME_WRONG : OUTCOME_RIGHT);
     }
@@ -389,7 +389,7 @@ END_TEST
 /* On a question inside the domain: what is no answer, in each output. */
 static void assert_inside(struct exam *e, uint64_t position, char *const *outputs)
 {
-    const int count = e->judges[0].operation->section->output_count;
+    const int count = e->comparators[0].operation->section->output_count;
     char more[LONG];
     assert_found(e, position, right_but(outputs, count, -1, ""), OUTCOME_RIGHT);
     assert_found(e, position, "invalid", OUTCOME_INVALID);
@@ -423,7 +423,7 @@ static void assert_inside(struct exam *e, uint64_t position, char *const *output
 
 static void assert_outside(struct exam *e, uint64_t position)
 {
-    const int count = e->judges[0].operation->section->output_count;
+    const int count = e->comparators[0].operation->section->output_count;
     char zeros[2 * MOST_OUTPUTS + 8] = "", nans[4 * MOST_OUTPUTS + 8] = "";
     for (int k = 0; k < count; k++) {
         strcat(zeros, k ? " 0" : "0");
@@ -451,7 +451,7 @@ START_TEST(a_line_has_the_outcome_that_it_says)
     for (int random = 0; random < (is_motion(s) ? 1 : 2); random++) {
         const uint64_t p = question_that(e, random ? golden : 0, true);
         question_make(&q, &e->questions, p);
-        ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+        ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
         assert_inside(e, p, outputs);
         free_all(outputs, s->output_count);
         memset(outputs, 0, sizeof outputs);
@@ -486,14 +486,14 @@ START_TEST(random_questions_are_those_of_the_seed)
     for (uint64_t k = 0; k < RANDOM; k++) {
         char *outputs[MOST_OUTPUTS] = {NULL};
         question_make(&q, &e->questions, golden + k);
-        sample(e->judges[0].operation, 1, k, values, inputs);
+        sample(e->comparators[0].operation, 1, k, values, inputs);
         snprintf(id, sizeof id, "%s-1-%d", s->id, (int)k);
         ck_assert_str_eq(q.id, id);
         ck_assert_mem_eq(q.values, values, (size_t)s->input_count * sizeof *values);
-        ck_assert(operation_valid(e->judges[0].operation, q.inputs));
+        ck_assert(operation_valid(e->comparators[0].operation, q.inputs));
         if (is_motion(s))
             continue;
-        ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+        ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
         assert_found(e, golden + k, right_but(outputs, s->output_count, -1, ""), OUTCOME_RIGHT);
         free_all(outputs, s->output_count);
     }
@@ -516,7 +516,7 @@ START_TEST(random_questions_from_outside_have_every_defect)
     for (uint64_t p = (uint64_t)e->questions.courses[0].golden_count + 16 * 150; p < e->questions.total; p++) {
         int defects = 0;
         question_make(&q, &e->questions, p);
-        ck_assert_msg(!q.numbers || !operation_valid(e->judges[0].operation, q.inputs), "%s", q.id);
+        ck_assert_msg(!q.numbers || !operation_valid(e->comparators[0].operation, q.inputs), "%s", q.id);
         for (int i = 0; i < s->input_count; i++) {
             nans[i] += isnan(q.values[i]);
             defects += !isfinite(q.values[i]);
@@ -545,8 +545,8 @@ START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
     for (uint64_t p = golden; p < golden + RANDOM; p++) {
         char *outputs[MOST_OUTPUTS] = {NULL};
         question_make(&q, &e->questions, p);
-        const bool leaves = vector_leaves_range(e->judges[0].operation, q.inputs, significand);
-        ck_assert_int_eq(operation_digits(e->judges[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+        const bool leaves = vector_leaves_range(e->comparators[0].operation, q.inputs, significand);
+        ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
         assert_found(e, p, right_but(outputs, s->output_count, -1, ""), leaves ? OUTCOME_SKIPPED : OUTCOME_RIGHT);
         free_all(outputs, s->output_count);
         left += leaves;

@@ -399,7 +399,7 @@ static int run(const struct arguments *a, struct choice *c, char **client)
     e->from_file = file;
     status = take_questions(e, a, c);
     if (status == EXIT_DONE) {
-        status = file ? examine_file(e, a, e->judges[0].operation->section) : examine_client(e, a, client);
+        status = file ? examine_file(e, a, e->comparators[0].operation->section) : examine_client(e, a, client);
         exam_clear(e);
     }
     free(e);

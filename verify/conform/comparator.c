@@ -18,15 +18,15 @@ bool is_motion(const struct section *s)
     return s->method != METHOD_NONE && !operation_has_sensitivity(s);
 }
 
-void judge_init(struct judge *j, struct operation *o, int significand, double digits)
+void comparator_init(struct comparator *j, struct operation *o, int significand, double digits)
 {
-    *j = (struct judge){.operation = o, .significand = significand, .K = o->section->K, .digits = digits};
+    *j = (struct comparator){.operation = o, .significand = significand, .K = o->section->K, .digits = digits};
     j->y = _arb_vec_init(MOST_OUTPUTS);
     j->exact = _arb_vec_init(MOST_OUTPUTS);
     j->S = _arb_vec_init(MOST_OUTPUTS);
 }
 
-void judge_clear(struct judge *j)
+void comparator_clear(struct comparator *j)
 {
     _arb_vec_clear(j->y, MOST_OUTPUTS);
     _arb_vec_clear(j->exact, MOST_OUTPUTS);
@@ -36,7 +36,7 @@ void judge_clear(struct judge *j)
 /* ---- algebra and roots ---- */
 
 /* K u S: what roundings of the inputs may do to an output. */
-static void rounding_reach(arb_t reach, const struct judge *j, int output)
+static void rounding_reach(arb_t reach, const struct comparator *j, int output)
 {
     arb_set_d(reach, j->K);
     arb_mul(reach, reach, j->S + output, 64);
@@ -47,7 +47,7 @@ static void rounding_reach(arb_t reach, const struct judge *j, int output)
  * Whether roundings of the inputs decide on stability by (42): no margin is negative beyond them, and one is within them.
  * A margin that no rounding moves, S = 0, is what it is.
  */
-static bool on_the_boundary(const struct judge *j)
+static bool on_the_boundary(const struct comparator *j)
 {
     bool within = false, unstable = false;
     SCOPE(arb, reach, size);
@@ -62,7 +62,7 @@ static bool on_the_boundary(const struct judge *j)
 }
 
 /* On the boundary either verdict on stability is right, and nothing else is. */
-static void allow_either(struct judge *j)
+static void allow_either(struct comparator *j)
 {
     const int stable = j->operation->section->output_count - 1;
     if ((arb_is_zero(j->y + stable) || arb_is_one(j->y + stable)) && on_the_boundary(j))
@@ -70,7 +70,7 @@ static void allow_either(struct judge *j)
 }
 
 /* An exact zero that enclosures only shrink around; a pole of a derivative, where S is infinite and excuses nothing. */
-static void settle(struct judge *j, const struct input *inputs, slong prec)
+static void settle(struct comparator *j, const struct input *inputs, slong prec)
 {
     const struct operation *o = j->operation;
     struct machine values;
@@ -86,7 +86,7 @@ static void settle(struct judge *j, const struct input *inputs, slong prec)
     machine_clear(&values);
 }
 
-static struct bounds error_of(struct judge *j, const struct input *inputs, struct score *score)
+static struct bounds error_of(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const struct section *s = j->operation->section;
     const struct bounds E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output);
@@ -100,7 +100,7 @@ enum outcome outcome_of_bounds(struct bounds E, double K)
 }
 
 /* |y - y*| 2^significand against K (|y*| + S) in rational numbers: E = K passes, and no enclosure sees that it does. */
-static enum outcome compare_exactly(struct judge *j, const struct input *inputs, const fmpq_t exact, int output)
+static enum outcome compare_output_exactly(struct comparator *j, const struct input *inputs, const fmpq_t exact, int output)
 {
     SCOPE(fmpq, S, off, allowed);
     enum outcome outcome = OUTCOME_SKIPPED;
@@ -119,7 +119,7 @@ static enum outcome compare_exactly(struct judge *j, const struct input *inputs,
 }
 
 /* Outputs that enclosures leave undecided, one by one. */
-static enum outcome judge_exactly(struct judge *j, const struct input *inputs, struct score *score)
+static enum outcome compare_outputs_exactly(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const struct operation *o = j->operation;
     enum outcome all = OUTCOME_RIGHT;
@@ -130,7 +130,7 @@ static enum outcome judge_exactly(struct judge *j, const struct input *inputs, s
         enum outcome one = outcome_of_bounds(
             error_in_roundings(arb_midref(j->y + i), j->exact + i, j->S + i, j->significand), j->K);
         if (one == OUTCOME_SKIPPED && exact_is_rational(truth, machine_value(&exact, o->formulas->outputs[i])))
-            one = compare_exactly(j, inputs, truth, i);
+            one = compare_output_exactly(j, inputs, truth, i);
         all = one == OUTCOME_RIGHT ? all : one;
     }
     machine_clear(&exact);
@@ -139,10 +139,10 @@ static enum outcome judge_exactly(struct judge *j, const struct input *inputs, s
     return all;
 }
 
-static enum outcome judge_in_roundings(struct judge *j, const struct input *inputs, struct score *score)
+static enum outcome compare_in_roundings(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const struct section *s = j->operation->section;
-    const bool judges_stability = strcmp(s->outputs[s->output_count - 1]->name, "stable") == 0;
+    const bool compares_stability = strcmp(s->outputs[s->output_count - 1]->name, "stable") == 0;
     const slong most = 16384;
     enum outcome outcome = OUTCOME_SKIPPED;
     for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most && outcome == OUTCOME_SKIPPED; prec *= 4) {
@@ -153,11 +153,11 @@ static enum outcome judge_in_roundings(struct judge *j, const struct input *inpu
         operation_sensitivity(j->operation, inputs, prec, j->S);
         if (4 * prec > most && s->method == METHOD_FORMULA)
             settle(j, inputs, prec);
-        if (judges_stability)
+        if (compares_stability)
             allow_either(j);
         outcome = outcome_of_bounds(error_of(j, inputs, score), j->K);
     }
-    return outcome == OUTCOME_SKIPPED && s->method == METHOD_FORMULA ? judge_exactly(j, inputs, score) : outcome;
+    return outcome == OUTCOME_SKIPPED && s->method == METHOD_FORMULA ? compare_outputs_exactly(j, inputs, score) : outcome;
 }
 
 /* ---- motions ---- */
@@ -176,7 +176,7 @@ static int place_of(const struct section *s, const char *name)
 }
 
 /* Digits of the largest coordinate; `lost` gets what the truth's enclosures are wide, on the same scale. */
-static double digits_reached(const struct judge *j, const struct input *inputs, double *lost)
+static double digits_reached(const struct comparator *j, const struct input *inputs, double *lost)
 {
     const struct section *s = j->operation->section;
     const bool linear = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_RK4_LINEAR;
@@ -198,7 +198,7 @@ static double digits_reached(const struct judge *j, const struct input *inputs, 
     return off == 0.0 ? INFINITY : scale > 0.0 ? -log10(off / scale) : 0.0;
 }
 
-static enum outcome judge_in_digits(struct judge *j, const struct input *inputs, struct score *score)
+static enum outcome compare_in_digits(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const slong digits = (slong)j->digits + 8; /* enough to see a client do better than it says */
     const slong first = operation_precision(j->operation, inputs, digits);
@@ -214,12 +214,12 @@ static enum outcome judge_in_digits(struct judge *j, const struct input *inputs,
     return score->digits >= j->digits ? OUTCOME_RIGHT : OUTCOME_WRONG;
 }
 
-enum outcome judge_answer(struct judge *j, const struct input *inputs, struct score *score)
+enum outcome compare_answer(struct comparator *j, const struct input *inputs, struct score *score)
 {
     *score = (struct score){.E = 0.0, .digits = INFINITY};
     if (is_motion(j->operation->section))
-        return judge_in_digits(j, inputs, score);
-    enum outcome outcome = judge_in_roundings(j, inputs, score);
+        return compare_in_digits(j, inputs, score);
+    enum outcome outcome = compare_in_roundings(j, inputs, score);
     j->worst = fmax(j->worst, outcome == OUTCOME_RIGHT ? score->E : 0.0);
     return outcome;
 }

@@ -1,5 +1,5 @@
 /*
- * What an answer is worth. Algebra and roots are judged in roundings, E <= K (errors.h); motions by the
+ * Compares an answer with the truth: of algebra and roots in roundings, E <= K (errors.h); of motions by the
  * decimal digits reached of the motion's largest coordinate, at 0 or at t, lengths over L_ref and time in
  * radians of orbit. The truth is certified when it is needed, with no more bits than decide.
  */
@@ -36,7 +36,7 @@ enum outcome {
 
 extern const char *const outcome_names[OUTCOMES];
 
-struct judge {
+struct comparator {
     struct operation *operation;
     int significand;
     double K, digits;     /* what passes: E of at most K, digits of at least so many */
@@ -54,11 +54,11 @@ struct score {
 bool is_motion(const struct section *s);
 
 /* The operation stays the caller's. */
-void judge_init(struct judge *j, struct operation *o, int significand, double digits);
-void judge_clear(struct judge *j);
+void comparator_init(struct comparator *j, struct operation *o, int significand, double digits);
+void comparator_clear(struct comparator *j);
 
 /* The outcome on j->y, for inputs in the domain: right or wrong; skipped where the truth cannot be certified. */
-enum outcome judge_answer(struct judge *j, const struct input *inputs, struct score *score);
+enum outcome compare_answer(struct comparator *j, const struct input *inputs, struct score *score);
 
 /* What bounds on E come to: E <= K is right, E > K wrong; skipped where neither is proved, which is not the client's fault. */
 enum outcome outcome_of_bounds(struct bounds E, double K);

@@ -166,8 +166,8 @@ static bool read_number(const struct exam *e, const char *text, double *value, a
     return true;
 }
 
-/* The numbers of an answer into the judge's y. */
-static enum outcome read_numbers(struct exam *e, struct judge *j, char **words, int count, struct failure *f)
+/* The numbers of an answer into the comparator's y. */
+static enum outcome read_numbers(struct exam *e, struct comparator *j, char **words, int count, struct failure *f)
 {
     const int due = j->operation->section->output_count;
     enum outcome outcome = OUTCOME_RIGHT;
@@ -183,13 +183,13 @@ static enum outcome read_numbers(struct exam *e, struct judge *j, char **words, 
     return count == due ? outcome : OUTCOME_COUNT;
 }
 
-static enum outcome judge_numbers(struct exam *e, struct judge *j, const struct question *q, struct failure *f)
+static enum outcome compare_numbers(struct exam *e, struct comparator *j, const struct question *q, struct failure *f)
 {
     struct tally *t = tally_at(e, f->position);
     if (e->significand == BINARY32 && q->golden == NULL && j->operation->section->method == METHOD_FORMULA &&
         vector_leaves_range(j->operation, q->inputs, BINARY32))
         return OUTCOME_SKIPPED;
-    const enum outcome outcome = judge_answer(j, q->inputs, &f->score);
+    const enum outcome outcome = compare_answer(j, q->inputs, &f->score);
     const bool worse = f->score.E > t->worst_E || f->score.digits < t->digits || t->worst == UINT64_MAX;
     if (outcome != OUTCOME_SKIPPED && worse) {
         t->worst_E = fmax(t->worst_E, f->score.E);
@@ -203,7 +203,7 @@ static enum outcome judge_numbers(struct exam *e, struct judge *j, const struct 
 static void answer(struct exam *e, const struct question *q, uint64_t position, char **words, int count,
                    const char *line)
 {
-    struct judge *j = &e->judges[q->course - e->questions.courses];
+    struct comparator *j = &e->comparators[q->course - e->questions.courses];
     struct failure f = {.position = position, .score = {0.0, INFINITY, 0}};
     const bool inside = q->drawn_inside || (q->numbers && operation_valid(j->operation, q->inputs));
     if (count > 0 && strcmp(words[0], "skip") == 0) {
@@ -219,7 +219,7 @@ static void answer(struct exam *e, const struct question *q, uint64_t position, 
         if (!inside && f.outcome != OUTCOME_COUNT && f.outcome != OUTCOME_MALFORMED)
             f.outcome = OUTCOME_VALUE;
         else if (f.outcome == OUTCOME_RIGHT)
-            f.outcome = judge_numbers(e, j, q, &f);
+            f.outcome = compare_numbers(e, j, q, &f);
     }
     if (e->from_file && !e->range && q->golden != NULL && q->golden->range)
         f.outcome = OUTCOME_SKIPPED;
@@ -338,12 +338,12 @@ size_t exam_ask(void *exam, char *room, size_t size)
 void exam_begin(struct exam *e, const double *digits)
 {
     const int count = e->questions.count;
-    e->judges = xrealloc(NULL, (size_t)count, sizeof *e->judges);
+    e->comparators = xrealloc(NULL, (size_t)count, sizeof *e->comparators);
     e->tallies = xrealloc(NULL, (size_t)count + 1, sizeof *e->tallies);
     for (int k = 0; k <= count; k++)
         e->tallies[k] = (struct tally){.digits = INFINITY, .worst = UINT64_MAX};
     for (int k = 0; k < count; k++)
-        judge_init(&e->judges[k], &e->questions.courses[k].operation, e->significand, digits[k]);
+        comparator_init(&e->comparators[k], &e->questions.courses[k].operation, e->significand, digits[k]);
     question_init(&e->asking);
     question_init(&e->judging);
     if (e->questions.total > 0)
@@ -374,10 +374,10 @@ void exam_end(struct exam *e, enum outcome why)
 void exam_clear(struct exam *e)
 {
     for (int k = 0; k < e->questions.count; k++)
-        judge_clear(&e->judges[k]);
+        comparator_clear(&e->comparators[k]);
     question_clear(&e->asking);
     question_clear(&e->judging);
-    free(e->judges);
+    free(e->comparators);
     free(e->tallies);
     questions_clear(&e->questions);
 }

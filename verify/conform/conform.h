@@ -43,7 +43,7 @@ struct span {
 
 struct exam {
     struct questions questions;
-    struct judge *judges;            /* one a course                              */
+    struct comparator *comparators;  /* one a course                              */
     struct tally *tallies;           /* the client's own behind them              */
     int significand;
     bool from_file;                  /* any order, and answers may be left out of what is flagged range */

@@ -108,22 +108,22 @@ static const double PATIENCE = 1.0; /* seconds of processor time for an operatio
 static bool explains(struct mutant *x, const struct exam *e, const struct failure *f, const struct question *q,
                      double digits)
 {
-    struct judge j;
+    struct comparator j;
     struct score score;
     const struct input *inputs = q->numbers ? inputs_of(x, q->inputs) : NULL;
     const bool inside = inputs != NULL && operation_valid(&x->o, inputs);
     if (f->outcome == OUTCOME_INVALID || !inside)
         return f->outcome == OUTCOME_INVALID && !inside;
-    judge_init(&j, &x->o, e->significand, digits);
+    comparator_init(&j, &x->o, e->significand, digits);
     j.once = true; /* what is to explain the answer cannot need more than the truth */
     for (int i = 0; i < x->o.section->output_count; i++)
         arb_set_d(j.y + i, f->values[i]);
     bool right = false;
     if (f->outcome == OUTCOME_WRONG || f->outcome == OUTCOME_VALUE)
-        right = judge_answer(&j, inputs, &score) == OUTCOME_RIGHT;
+        right = compare_answer(&j, inputs, &score) == OUTCOME_RIGHT;
     else if (operation_enclose(&x->o, inputs, 128, j.exact) == OPERATION_PROVED)
         right = !_arb_vec_is_finite(j.exact, x->o.section->output_count); /* no number there either */
-    judge_clear(&j);
+    comparator_clear(&j);
     return right;
 }
 
@@ -193,7 +193,7 @@ static const double LOST = 1e-9;
 static const char *format_mistake(const struct exam *e, int course, char text[48])
 {
     const struct tally *t = &e->tallies[course];
-    const int outputs = e->judges[course].operation->section->output_count;
+    const int outputs = e->comparators[course].operation->section->output_count;
     const int digits = digits_written(t, outputs);
     double worst = 0.0;
     for (int i = 0; i < t->failure_count; i++) {
@@ -203,10 +203,10 @@ static const char *format_mistake(const struct exam *e, int course, char text[48
             return NULL;
         worst = fmax(worst, t->failures[i].score.E);
     }
-    if (worst == 0.0 || is_motion(e->judges[course].operation->section) || e->significand != BINARY64)
+    if (worst == 0.0 || is_motion(e->comparators[course].operation->section) || e->significand != BINARY64)
         return NULL;
     worst = ldexp(worst, -BINARY64); /* relative to |y*| + S */
-    if (are_singles(t, outputs) && worst <= ldexp(e->judges[course].K, -BINARY32))
+    if (are_singles(t, outputs) && worst <= ldexp(e->comparators[course].K, -BINARY32))
         return "computed in single precision";
     snprintf(text, 48, "written with only %d digits", digits);
     if (digits < 17 && worst <= 10.0 * pow(10.0, -digits))
@@ -226,7 +226,7 @@ static void add_name(struct tally *t, const char *name, const char *joint)
 void diagnose(struct exam *e, int course)
 {
     struct tally *t = &e->tallies[course];
-    const struct judge *j = &e->judges[course];
+    const struct comparator *j = &e->comparators[course];
     struct mutants list = mutants_of(j->operation->section);
     const clock_t until = clock() + (clock_t)(PATIENCE * CLOCKS_PER_SEC);
     char written[48];
@@ -249,7 +249,7 @@ void diagnose(struct exam *e, int course)
 struct kills {
     struct mutants mutants;
     struct operation o;
-    struct judge judge;
+    struct comparator comparator;
     struct input *inputs;
     int *killed;   /* vectors, of each mutant                */
     bool *differs; /* so small a difference does no harm here */
@@ -268,7 +268,7 @@ static bool are_equal(const struct input *a, const struct input *b, int count)
 static bool tells(struct kills *k, int i, bool inside)
 {
     struct mutant *x = &k->mutants.all[i];
-    struct judge *j = &k->judge;
+    struct comparator *j = &k->comparator;
     const int count = k->o.section->output_count;
     const struct input *inputs = inputs_of(x, k->inputs);
     struct score score;
@@ -281,7 +281,7 @@ static bool tells(struct kills *k, int i, bool inside)
     if (operation_follow(&x->o, inputs, digits, prec, j->y) != OPERATION_PROVED || !_arb_vec_is_finite(j->y, count))
         return true;
     j->worst = INFINITY;
-    const enum outcome outcome = judge_answer(j, k->inputs, &score);
+    const enum outcome outcome = compare_answer(j, k->inputs, &score);
     j->followed = is_motion(k->o.section) && outcome != OUTCOME_SKIPPED; /* the next mutant is held against the same motion */
     for (int n = 0; n < count; n++)
         k->differs[i] = k->differs[i] || !arb_overlaps(j->exact + n, j->y + n);
@@ -303,7 +303,7 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
     const bool numbers = vector_read(o->section, texts, k->inputs);
     const bool inside = numbers && operation_valid(&k->o, k->inputs);
     int killed = 0;
-    k->judge.followed = false;
+    k->comparator.followed = false;
     if (inside && is_long(o->section, k->inputs))
         return true;
     for (int i = 0; i < k->mutants.count && numbers; i++)
@@ -331,14 +331,14 @@ bool kills_print(const struct section *s, double digits)
     memset(k.killed, 0, count * sizeof *k.killed);
     memset(k.differs, 0, count * sizeof *k.differs);
     operation_init(&k.o, s, false);
-    judge_init(&k.judge, &k.o, BINARY64, digits);
+    comparator_init(&k.comparator, &k.o, BINARY64, digits);
     golden_each(s, print_kills, &k);
     for (size_t i = 0; i < count; i++)
         if (k.killed[i] == 0 && k.differs[i]) {
             fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, k.mutants.all[i].name);
             k.fine = false;
         }
-    judge_clear(&k.judge);
+    comparator_clear(&k.comparator);
     operation_clear(&k.o);
     inputs_free(k.inputs, s->input_count);
     free(k.killed);

@@ -58,7 +58,7 @@ static const char *digits_text(double digits, char text[NUMBER])
 static double tally_digits(const struct exam *e, int course)
 {
     const struct tally *t = &e->tallies[course];
-    if (is_motion(e->judges[course].operation->section))
+    if (is_motion(e->comparators[course].operation->section))
         return t->digits;
     return t->worst_E > 0.0 ? -log10(ldexp(t->worst_E, -e->significand)) : INFINITY;
 }
@@ -160,7 +160,7 @@ static void failure_text(const struct exam *e, int k, FILE *file)
     const struct tally *t = &e->tallies[k];
     char text[512];
     outcomes_text(t, text, sizeof text);
-    fprintf(file, "%s: %s\n", k < e->questions.count ? e->judges[k].operation->section->id : "client", text);
+    fprintf(file, "%s: %s\n", k < e->questions.count ? e->comparators[k].operation->section->id : "client", text);
     if (k == e->questions.count) {
         line_text(t, file);
         return;
@@ -185,7 +185,7 @@ static void diagnosis_text(const struct tally *t, FILE *file)
 static void row_text(const struct exam *e, int k, FILE *file)
 {
     const struct tally *t = &e->tallies[k];
-    const struct section *s = e->judges[k].operation->section;
+    const struct section *s = e->comparators[k].operation->section;
     const struct course *c = &e->questions.courses[k];
     char E[NUMBER], digits[NUMBER];
     struct question q;
@@ -215,7 +215,7 @@ static void skips_text(const struct exam *e, FILE *file)
         fprintf(file, "\nskipped,%s:", reason);
         for (int i = k; i < e->questions.count; i++)
             if (strcmp(e->tallies[i].reason, reason) == 0)
-                fprintf(file, " %s", e->judges[i].operation->section->id);
+                fprintf(file, " %s", e->comparators[i].operation->section->id);
         fputc('\n', file);
     }
 }
@@ -295,8 +295,8 @@ static void write_xml(const struct report *r, FILE *file)
     for (int k = 0; k <= e->questions.count; k++) {
         const bool asked = k < e->questions.count;
         fprintf(file, "<testcase classname=\"%s\" name=\"%s\">",
-                asked ? level_names[level_of(e->judges[k].operation->section)] : "client",
-                asked ? e->judges[k].operation->section->id : "client");
+                asked ? level_names[level_of(e->comparators[k].operation->section)] : "client",
+                asked ? e->comparators[k].operation->section->id : "client");
         if (tally_failed(&e->tallies[k]) > 0) {
             char text[512];
             outcomes_text(&e->tallies[k], text, sizeof text);
@@ -330,7 +330,7 @@ static void write_exhibit(const struct exam *e, int k, FILE *file)
 {
     const struct tally *t = &e->tallies[k];
     const struct failure *f = &t->worst_failure;
-    const struct section *s = e->judges[k].operation->section;
+    const struct section *s = e->comparators[k].operation->section;
     struct exhibit x;
     char number[NUMBER];
     exhibit_init(&x, e, f->position);
@@ -353,7 +353,7 @@ static void write_exhibit(const struct exam *e, int k, FILE *file)
 static void write_row(const struct exam *e, int k, FILE *file)
 {
     const struct tally *t = &e->tallies[k];
-    const struct section *s = e->judges[k].operation->section;
+    const struct section *s = e->comparators[k].operation->section;
     char number[NUMBER];
     const struct course *c = &e->questions.courses[k];
     fprintf(file, "    {\"id\": \"%s\", \"level\": \"%s\", \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64
@@ -364,7 +364,7 @@ static void write_row(const struct exam *e, int k, FILE *file)
         question_init(&q);
         question_make(&q, &e->questions, t->worst);
         if (!is_motion(s))
-            fprintf(file, "\"K\": %g, \"worst_E\": \"%s\", ", e->judges[k].K, error_text(t->worst_E, number));
+            fprintf(file, "\"K\": %g, \"worst_E\": \"%s\", ", e->comparators[k].K, error_text(t->worst_E, number));
         fprintf(file, "\"digits\": \"%s\", \"worst\": \"%s\", ", digits_text(tally_digits(e, k), number), q.id);
         question_clear(&q);
     }
