@@ -555,21 +555,21 @@ START_TEST(a_known_mistake_is_called_by_its_name)
             continue;
         struct exam *e = exam_of(s);
         answer_with(e, &a.formulas);
-        ck_assert_msg(tally_failed(&e->tallies[0]) == 0 || strstr(e->tallies[0].diagnosis, mistake->name) != NULL,
-                      "%s: %s is taken for: %s", s->id, mistake->name, e->tallies[0].diagnosis);
+        ck_assert_msg(summary_failed(&e->summaries[0]) == 0 || strstr(e->summaries[0].diagnosis, mistake->name) != NULL,
+                      "%s: %s is taken for: %s", s->id, mistake->name, e->summaries[0].diagnosis);
         close_exam(e);
         mutation_clear(&a);
     }
     if (s->differs) {
         struct exam *e = exam_of(s);
         answer_with(e, &s->printed);
-        ck_assert_uint_gt(tally_failed(&e->tallies[0]), 0);
-        ck_assert_int_eq(strncmp(e->tallies[0].diagnosis, "as printed", 10), 0);
+        ck_assert_uint_gt(summary_failed(&e->summaries[0]), 0);
+        ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "as printed", 10), 0);
         close_exam(e);
     }
     struct exam *e = exam_of(s);
     answer_with(e, &s->corrected);
-    ck_assert_uint_eq(tally_failed(&e->tallies[0]), 0);
+    ck_assert_uint_eq(summary_failed(&e->summaries[0]), 0);
     close_exam(e);
 }
 END_TEST
@@ -597,7 +597,7 @@ START_TEST(right_but_for_the_digits_written_is_called_that)
     const struct section *s = section_find(sheet(), "eq12");
     struct exam *e = exam_of(s);
     answer_in_digits(e, &s->corrected, 6);
-    ck_assert_str_eq(e->tallies[0].diagnosis, "written with only 6 digits");
+    ck_assert_str_eq(e->summaries[0].diagnosis, "written with only 6 digits");
     close_exam(e);
 }
 END_TEST
@@ -610,8 +610,8 @@ START_TEST(a_mistake_explains_numbers_and_not_lines)
     e->asked = 1;
     say(e, "eq38-paper 7.3e-5 oops\n");
     answer_with(e, &s->printed);
-    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_MALFORMED], 1);
-    ck_assert_int_eq(strncmp(e->tallies[0].diagnosis, "as printed", 10), 0);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MALFORMED], 1);
+    ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "as printed", 10), 0);
     close_exam(e);
 }
 END_TEST
@@ -634,7 +634,7 @@ START_TEST(holes_that_are_too_many_are_missing)
 {
     enum { ASKED = 4 * (MOST_SPANS + 2) };
     struct exam *e = long_exam_of(section_find(sheet(), "eq43"), ASKED);
-    const struct tally *t = &e->tallies[0];
+    const struct summary *t = &e->summaries[0];
     const uint64_t golden = (uint64_t)e->questions.courses[0].golden_count;
     e->asked = e->questions.total;
     for (int k = 3; k < ASKED; k += 4)
@@ -661,8 +661,8 @@ START_TEST(a_line_without_an_end_may_be_too_long_as_well)
     for (int i = 0; i <= LONGEST_LINE; i++)
         say(e, "1");
     exam_end(e, OUTCOME_MISSING);
-    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_TOO_LONG], 1);
-    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_MISSING], e->questions.total - 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_TOO_LONG], 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MISSING], e->questions.total - 1);
     close_exam(e);
 }
 END_TEST
@@ -740,7 +740,7 @@ static enum outcome outcome_on(const char *operation, const char *id, const char
     e->asked = e->questions.total;
     snprintf(line, sizeof line, "%s %s\n", id, outputs);
     say(e, line);
-    while (outcome < OUTCOMES && e->tallies[0].counts[outcome] == 0)
+    while (outcome < OUTCOMES && e->summaries[0].counts[outcome] == 0)
         outcome++;
     close_exam(e);
     return outcome;

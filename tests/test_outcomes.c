@@ -55,9 +55,9 @@ static void answer(struct exam *e, uint64_t position, const char *words)
 static enum outcome outcome_on(struct exam *e, uint64_t position, const char *words)
 {
     enum outcome outcome = OUTCOME_RIGHT;
-    memset(e->tallies[0].counts, 0, sizeof e->tallies[0].counts);
+    memset(e->summaries[0].counts, 0, sizeof e->summaries[0].counts);
     answer(e, position, words);
-    while (outcome < OUTCOMES && e->tallies[0].counts[outcome] == 0)
+    while (outcome < OUTCOMES && e->summaries[0].counts[outcome] == 0)
         outcome++;
     return outcome;
 }
@@ -378,7 +378,7 @@ START_TEST(the_worst_failure_is_shown)
             answer(e, (uint64_t)k + 1, words[turns[k]]);
         for (int k = 0; k < 3; k++)
             if (turns[k] == 1)
-                ck_assert_uint_eq(e->tallies[0].worst_failure.position, (uint64_t)k + 1);
+                ck_assert_uint_eq(e->summaries[0].worst_failure.position, (uint64_t)k + 1);
         close_exam(e);
     }
 }
@@ -567,7 +567,7 @@ static struct exam *eq43(void)
 static const uint64_t *said(struct exam *e, const char *text)
 {
     exam_hear(e, text, strlen(text));
-    return e->tallies[0].counts;
+    return e->summaries[0].counts;
 }
 
 /* C1 of n = 10 is 5.316597225e-8. */
@@ -679,11 +679,11 @@ START_TEST(an_answer_is_due_once_its_question_is_sent)
     struct exam *e = eq43();
     e->asked = 2;
     said(e, "eq43-random-2 skip\n");
-    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_EARLY], 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_EARLY], 1);
     said(e, "eq43-random-1 skip\neq43-paper skip\neq43-random-1 skip\n");
-    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_SKIPPED], 1);
-    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_REORDERED], 1);
-    ck_assert_uint_eq(e->tallies[0].counts[OUTCOME_REPEATED], 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_SKIPPED], 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_REORDERED], 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_REPEATED], 1);
     close_exam(e);
 }
 END_TEST

@@ -12,7 +12,7 @@ enum { MOST_OUT_OF_PLACE = 10000 };
 
 /* ---- outcomes ---- */
 
-uint64_t tally_failed(const struct tally *t)
+uint64_t summary_failed(const struct summary *t)
 {
     uint64_t failed = 0;
     for (int i = OUTCOME_WRONG; i < OUTCOMES; i++)
@@ -20,16 +20,16 @@ uint64_t tally_failed(const struct tally *t)
     return failed;
 }
 
-static struct tally *own_tally(struct exam *e)
+static struct summary *own_summary(struct exam *e)
 {
-    return &e->tallies[e->questions.count];
+    return &e->summaries[e->questions.count];
 }
 
-static struct tally *tally_at(struct exam *e, uint64_t position)
+static struct summary *summary_at(struct exam *e, uint64_t position)
 {
     if (position >= e->questions.total)
-        return own_tally(e);
-    return &e->tallies[question_course(&e->questions, position) - e->questions.courses];
+        return own_summary(e);
+    return &e->summaries[question_course(&e->questions, position) - e->questions.courses];
 }
 
 /* Wrong numbers before everything else, the further off the worse. */
@@ -42,8 +42,8 @@ static bool failure_is_worse(const struct failure *a, const struct failure *b)
 
 static void record(struct exam *e, const struct failure *f, const char *line)
 {
-    struct tally *t = tally_at(e, f->position);
-    const bool first = tally_failed(t) == 0;
+    struct summary *t = summary_at(e, f->position);
+    const bool first = summary_failed(t) == 0;
     t->counts[f->outcome]++;
     if (f->outcome < OUTCOME_WRONG)
         return;
@@ -185,7 +185,7 @@ static enum outcome read_numbers(struct exam *e, struct comparator *j, char **wo
 
 static enum outcome compare_numbers(struct exam *e, struct comparator *j, const struct question *q, struct failure *f)
 {
-    struct tally *t = tally_at(e, f->position);
+    struct summary *t = summary_at(e, f->position);
     if (e->significand == BINARY32 && q->golden == NULL && j->operation->section->method == METHOD_FORMULA &&
         vector_leaves_range(j->operation, q->inputs, BINARY32))
         return OUTCOME_SKIPPED;
@@ -207,10 +207,10 @@ static void answer(struct exam *e, const struct question *q, uint64_t position, 
     struct failure f = {.position = position, .score = {0.0, INFINITY, 0}};
     const bool inside = q->drawn_inside || (q->numbers && operation_valid(j->operation, q->inputs));
     if (count > 0 && strcmp(words[0], "skip") == 0) {
-        char *reason = tally_at(e, position)->reason;
+        char *reason = summary_at(e, position)->reason;
         const size_t behind = (size_t)(words[0] - e->line) + strlen("skip");
         if (*reason == '\0' && behind < strlen(line)) /* of which there is the beginning alone */
-            snprintf(reason, sizeof e->tallies->reason, "%s", line + behind);
+            snprintf(reason, sizeof e->summaries->reason, "%s", line + behind);
         f.outcome = OUTCOME_SKIPPED;
     } else if (count == 1 && strcmp(words[0], "invalid") == 0) {
         f.outcome = inside ? OUTCOME_INVALID : OUTCOME_RIGHT;
@@ -339,9 +339,9 @@ void exam_begin(struct exam *e, const double *digits)
 {
     const int count = e->questions.count;
     e->comparators = xrealloc(NULL, (size_t)count, sizeof *e->comparators);
-    e->tallies = xrealloc(NULL, (size_t)count + 1, sizeof *e->tallies);
+    e->summaries = xrealloc(NULL, (size_t)count + 1, sizeof *e->summaries);
     for (int k = 0; k <= count; k++)
-        e->tallies[k] = (struct tally){.digits = INFINITY, .worst = UINT64_MAX};
+        e->summaries[k] = (struct summary){.digits = INFINITY, .worst = UINT64_MAX};
     for (int k = 0; k < count; k++)
         comparator_init(&e->comparators[k], &e->questions.courses[k].operation, e->significand, digits[k]);
     question_init(&e->asking);
@@ -378,6 +378,6 @@ void exam_clear(struct exam *e)
     question_clear(&e->asking);
     question_clear(&e->judging);
     free(e->comparators);
-    free(e->tallies);
+    free(e->summaries);
     questions_clear(&e->questions);
 }

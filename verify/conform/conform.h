@@ -22,7 +22,7 @@ struct failure {
 };
 
 /* What was found about one operation, or behind them all about the client itself. */
-struct tally {
+struct summary {
     uint64_t counts[OUTCOMES];
     double worst_E, digits;          /* of all answers in numbers: the largest, the fewest (INFINITY: none yet) */
     uint64_t worst;                  /* the vector that they come from; UINT64_MAX: none                       */
@@ -44,7 +44,7 @@ struct span {
 struct exam {
     struct questions questions;
     struct comparator *comparators;  /* one a course                              */
-    struct tally *tallies;           /* the client's own behind them              */
+    struct summary *summaries;           /* the client's own behind them              */
     int significand;
     bool from_file;                  /* any order, and answers may be left out of what is flagged range */
     bool range;                      /* such vectors are wanted                   */
@@ -74,7 +74,7 @@ void exam_end(struct exam *e, enum outcome why);
 /* A outcome about the client itself. */
 void exam_note(struct exam *e, enum outcome outcome);
 
-/* Failures of a tally. */
-uint64_t tally_failed(const struct tally *t);
+/* Failures of a summary. */
+uint64_t summary_failed(const struct summary *t);
 
 #endif

@@ -128,7 +128,7 @@ static bool explains(struct mutant *x, const struct exam *e, const struct failur
 }
 
 /* No more is wrong than that values stand where `invalid` is due. */
-static bool is_domain_alone(const struct tally *t)
+static bool is_domain_alone(const struct summary *t)
 {
     for (int i = OUTCOME_WRONG; i < OUTCOME_VALUE; i++)
         if (t->counts[i] > 0)
@@ -137,7 +137,7 @@ static bool is_domain_alone(const struct tally *t)
 }
 
 /* All failures that formulas can explain; of a motion the long ones only where there are no others. */
-static bool explains_all(struct mutant *x, const struct exam *e, const struct tally *t, double digits)
+static bool explains_all(struct mutant *x, const struct exam *e, const struct summary *t, double digits)
 {
     const enum outcome last = is_domain_alone(t) ? OUTCOME_VALUE : OUTCOME_INVALID;
     struct question q;
@@ -161,7 +161,7 @@ static bool explains_all(struct mutant *x, const struct exam *e, const struct ta
 }
 
 /* The fewest decimal digits (at most 15) that all wrong numbers are written with; 17 for more. */
-static int digits_written(const struct tally *t, int outputs)
+static int digits_written(const struct summary *t, int outputs)
 {
     int digits = 1;
     for (int i = 0; i < t->failure_count; i++)
@@ -175,7 +175,7 @@ static int digits_written(const struct tally *t, int outputs)
     return digits <= 15 ? digits : 17;
 }
 
-static bool are_singles(const struct tally *t, int outputs)
+static bool are_singles(const struct summary *t, int outputs)
 {
     bool singles = true;
     for (int i = 0; i < t->failure_count; i++)
@@ -192,7 +192,7 @@ static const double LOST = 1e-9;
 /* Right but for the number format: how it is computed, or how it is written. */
 static const char *format_mistake(const struct exam *e, int course, char text[48])
 {
-    const struct tally *t = &e->tallies[course];
+    const struct summary *t = &e->summaries[course];
     const int outputs = e->comparators[course].operation->section->output_count;
     const int digits = digits_written(t, outputs);
     double worst = 0.0;
@@ -217,7 +217,7 @@ static const char *format_mistake(const struct exam *e, int course, char text[48
     return text;
 }
 
-static void add_name(struct tally *t, const char *name, const char *joint)
+static void add_name(struct summary *t, const char *name, const char *joint)
 {
     const size_t used = strlen(t->diagnosis);
     snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s", used ? joint : "", name);
@@ -225,7 +225,7 @@ static void add_name(struct tally *t, const char *name, const char *joint)
 
 void diagnose(struct exam *e, int course)
 {
-    struct tally *t = &e->tallies[course];
+    struct summary *t = &e->summaries[course];
     const struct comparator *j = &e->comparators[course];
     struct mutants list = mutants_of(j->operation->section);
     const clock_t until = clock() + (clock_t)(PATIENCE * CLOCKS_PER_SEC);

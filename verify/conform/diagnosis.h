@@ -9,7 +9,7 @@
 #include "conform/conform.h"
 
 /*
- * Into the tally of a course: "as printed; or ...", what explains all its failures that were kept. Takes a second of
+ * Into the summary of a course: "as printed; or ...", what explains all its failures that were kept. Takes a second of
  * processor time, or little more; what has not been tried by then is left.
  */
 void diagnose(struct exam *e, int course);

@@ -26,9 +26,9 @@ struct totals report_totals(const struct exam *e)
 {
     struct totals sum = {0, 0, 0};
     for (int k = 0; k <= e->questions.count; k++) {
-        sum.passed += e->tallies[k].counts[OUTCOME_RIGHT];
-        sum.failed += tally_failed(&e->tallies[k]);
-        sum.skipped += e->tallies[k].counts[OUTCOME_SKIPPED];
+        sum.passed += e->summaries[k].counts[OUTCOME_RIGHT];
+        sum.failed += summary_failed(&e->summaries[k]);
+        sum.skipped += e->summaries[k].counts[OUTCOME_SKIPPED];
     }
     return sum;
 }
@@ -55,16 +55,16 @@ static const char *digits_text(double digits, char text[NUMBER])
     return text;
 }
 
-static double tally_digits(const struct exam *e, int course)
+static double summary_digits(const struct exam *e, int course)
 {
-    const struct tally *t = &e->tallies[course];
+    const struct summary *t = &e->summaries[course];
     if (is_motion(e->comparators[course].operation->section))
         return t->digits;
     return t->worst_E > 0.0 ? -log10(ldexp(t->worst_E, -e->significand)) : INFINITY;
 }
 
 /* "3 wrong, 1 missing" */
-static void outcomes_text(const struct tally *t, char *text, size_t size)
+static void outcomes_text(const struct summary *t, char *text, size_t size)
 {
     size_t used = 0;
     text[0] = '\0';
@@ -114,7 +114,7 @@ static bool has_unit(const struct quantity *q)
     return strcmp(q->unit, "-") != 0;
 }
 
-static void exhibit_text(const struct exhibit *x, const struct tally *t, FILE *file)
+static void exhibit_text(const struct exhibit *x, const struct summary *t, FILE *file)
 {
     const struct section *s = x->question.course->operation.section;
     const struct failure *f = &t->worst_failure;
@@ -144,7 +144,7 @@ static void exhibit_text(const struct exhibit *x, const struct tally *t, FILE *f
 }
 
 /* The first line that is no answer, and why it is none. */
-static void line_text(const struct tally *t, FILE *file)
+static void line_text(const struct summary *t, FILE *file)
 {
     char hint[240];
     if (*t->line == '\0')
@@ -157,7 +157,7 @@ static void line_text(const struct tally *t, FILE *file)
 
 static void failure_text(const struct exam *e, int k, FILE *file)
 {
-    const struct tally *t = &e->tallies[k];
+    const struct summary *t = &e->summaries[k];
     char text[512];
     outcomes_text(t, text, sizeof text);
     fprintf(file, "%s: %s\n", k < e->questions.count ? e->comparators[k].operation->section->id : "client", text);
@@ -172,7 +172,7 @@ static void failure_text(const struct exam *e, int k, FILE *file)
     line_text(t, file);
 }
 
-static void diagnosis_text(const struct tally *t, FILE *file)
+static void diagnosis_text(const struct summary *t, FILE *file)
 {
     if (t->diagnosis[0] != '\0')
         fprintf(file, "  looks like: %s\n", t->diagnosis);
@@ -184,13 +184,13 @@ static void diagnosis_text(const struct tally *t, FILE *file)
 
 static void row_text(const struct exam *e, int k, FILE *file)
 {
-    const struct tally *t = &e->tallies[k];
+    const struct summary *t = &e->summaries[k];
     const struct section *s = e->comparators[k].operation->section;
     const struct course *c = &e->questions.courses[k];
     char E[NUMBER], digits[NUMBER];
     struct question q;
     fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, s->id,
-            course_total(c), t->counts[OUTCOME_RIGHT], tally_failed(t), t->counts[OUTCOME_SKIPPED]);
+            course_total(c), t->counts[OUTCOME_RIGHT], summary_failed(t), t->counts[OUTCOME_SKIPPED]);
     if (t->worst == UINT64_MAX) {
         fputc('\n', file);
         return;
@@ -198,7 +198,7 @@ static void row_text(const struct exam *e, int k, FILE *file)
     question_init(&q);
     question_make(&q, &e->questions, t->worst);
     fprintf(file, "  %8s  %6s  %s\n", is_motion(s) ? "-" : error_text(t->worst_E, E),
-            digits_text(tally_digits(e, k), digits), q.id);
+            digits_text(summary_digits(e, k), digits), q.id);
     question_clear(&q);
 }
 
@@ -206,15 +206,15 @@ static void row_text(const struct exam *e, int k, FILE *file)
 static void skips_text(const struct exam *e, FILE *file)
 {
     for (int k = 0; k < e->questions.count; k++) {
-        const char *reason = e->tallies[k].reason;
+        const char *reason = e->summaries[k].reason;
         int first = 0;
-        while (strcmp(e->tallies[first].reason, reason) != 0)
+        while (strcmp(e->summaries[first].reason, reason) != 0)
             first++;
         if (*reason == '\0' || first < k)
             continue;
         fprintf(file, "\nskipped,%s:", reason);
         for (int i = k; i < e->questions.count; i++)
-            if (strcmp(e->tallies[i].reason, reason) == 0)
+            if (strcmp(e->summaries[i].reason, reason) == 0)
                 fprintf(file, " %s", e->comparators[i].operation->section->id);
         fputc('\n', file);
     }
@@ -228,13 +228,13 @@ void report_text(const struct report *r, FILE *file)
     for (int k = 0; k < e->questions.count; k++)
         row_text(e, k, file);
     for (int k = 0; k <= e->questions.count; k++)
-        if (tally_failed(&e->tallies[k]) > 0) {
+        if (summary_failed(&e->summaries[k]) > 0) {
             fputc('\n', file);
             failure_text(e, k, file);
             fflush(file); /* an error stays with the file */
             if (r->diagnose != NULL && k < e->questions.count)
                 r->diagnose(e, k);
-            diagnosis_text(&e->tallies[k], file);
+            diagnosis_text(&e->summaries[k], file);
         }
     skips_text(e, file);
     if (*e->ended != '\0')
@@ -272,7 +272,7 @@ static void put_failure(const struct exam *e, int k, FILE *file)
     if (stream == NULL)
         out_of_memory();
     failure_text(e, k, stream);
-    diagnosis_text(&e->tallies[k], stream);
+    diagnosis_text(&e->summaries[k], stream);
     if (fclose(stream) != 0)
         out_of_memory();
     put_text(file, text, true);
@@ -284,9 +284,9 @@ static void write_xml(const struct report *r, FILE *file)
     const struct exam *e = r->exam;
     int failures = 0, skipped = 0;
     for (int k = 0; k <= e->questions.count; k++) {
-        const bool failed = tally_failed(&e->tallies[k]) > 0;
+        const bool failed = summary_failed(&e->summaries[k]) > 0;
         failures += failed;
-        skipped += !failed && e->tallies[k].counts[OUTCOME_RIGHT] == 0 && k < e->questions.count;
+        skipped += !failed && e->summaries[k].counts[OUTCOME_RIGHT] == 0 && k < e->questions.count;
     }
     fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"", file);
     put_text(file, r->client, true);
@@ -297,13 +297,13 @@ static void write_xml(const struct report *r, FILE *file)
         fprintf(file, "<testcase classname=\"%s\" name=\"%s\">",
                 asked ? level_names[level_of(e->comparators[k].operation->section)] : "client",
                 asked ? e->comparators[k].operation->section->id : "client");
-        if (tally_failed(&e->tallies[k]) > 0) {
+        if (summary_failed(&e->summaries[k]) > 0) {
             char text[512];
-            outcomes_text(&e->tallies[k], text, sizeof text);
+            outcomes_text(&e->summaries[k], text, sizeof text);
             fprintf(file, "<failure message=\"%s\">", text);
             put_failure(e, k, file);
             fputs("</failure>", file);
-        } else if (asked && e->tallies[k].counts[OUTCOME_RIGHT] == 0) {
+        } else if (asked && e->summaries[k].counts[OUTCOME_RIGHT] == 0) {
             fputs("<skipped/>", file);
         }
         fputs("</testcase>\n", file);
@@ -313,7 +313,7 @@ static void write_xml(const struct report *r, FILE *file)
     fputs("</system-err>\n</testsuite>\n</testsuites>\n", file);
 }
 
-static void write_outcomes(const struct tally *t, FILE *file)
+static void write_outcomes(const struct summary *t, FILE *file)
 {
     const char *comma = "";
     fputs("\"findings\": {", file);
@@ -328,7 +328,7 @@ static void write_outcomes(const struct tally *t, FILE *file)
 /* "vector": {...}, the worst failure: inputs as they were sent, all else as text. */
 static void write_exhibit(const struct exam *e, int k, FILE *file)
 {
-    const struct tally *t = &e->tallies[k];
+    const struct summary *t = &e->summaries[k];
     const struct failure *f = &t->worst_failure;
     const struct section *s = e->comparators[k].operation->section;
     struct exhibit x;
@@ -352,20 +352,20 @@ static void write_exhibit(const struct exam *e, int k, FILE *file)
 
 static void write_row(const struct exam *e, int k, FILE *file)
 {
-    const struct tally *t = &e->tallies[k];
+    const struct summary *t = &e->summaries[k];
     const struct section *s = e->comparators[k].operation->section;
     char number[NUMBER];
     const struct course *c = &e->questions.courses[k];
     fprintf(file, "    {\"id\": \"%s\", \"level\": \"%s\", \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64
             ", \"failed\": %" PRIu64 ", \"skipped\": %" PRIu64 ", ", s->id, level_names[level_of(s)],
-            course_total(c), t->counts[OUTCOME_RIGHT], tally_failed(t), t->counts[OUTCOME_SKIPPED]);
+            course_total(c), t->counts[OUTCOME_RIGHT], summary_failed(t), t->counts[OUTCOME_SKIPPED]);
     if (t->worst != UINT64_MAX) {
         struct question q;
         question_init(&q);
         question_make(&q, &e->questions, t->worst);
         if (!is_motion(s))
             fprintf(file, "\"K\": %g, \"worst_E\": \"%s\", ", e->comparators[k].K, error_text(t->worst_E, number));
-        fprintf(file, "\"digits\": \"%s\", \"worst\": \"%s\", ", digits_text(tally_digits(e, k), number), q.id);
+        fprintf(file, "\"digits\": \"%s\", \"worst\": \"%s\", ", digits_text(summary_digits(e, k), number), q.id);
         question_clear(&q);
     }
     write_outcomes(t, file);
@@ -378,7 +378,7 @@ static void write_row(const struct exam *e, int k, FILE *file)
         put_text(file, hint, false);
         fputs("\"}", file);
     }
-    if (tally_failed(t) > 0) {
+    if (summary_failed(t) > 0) {
         fputs(", \"diagnosis\": \"", file);
         put_text(file, t->diagnosis, false);
         fputs("\", ", file);
@@ -401,7 +401,7 @@ static void write_json(const struct report *r, FILE *file)
         fputs(k + 1 < e->questions.count ? ",\n" : "\n", file);
     }
     fputs("  ],\n  ", file);
-    write_outcomes(&e->tallies[e->questions.count], file);
+    write_outcomes(&e->summaries[e->questions.count], file);
     fputs(",\n  \"errors\": \"", file);
     put_text(file, r->errors, false);
     fputs("\"\n}\n", file);

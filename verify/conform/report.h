@@ -18,7 +18,7 @@ enum { LEVELS = 4 };
 extern const char *const level_names[LEVELS]; /* algebra, roots, flows, method */
 int level_of(const struct section *s);
 
-/* The sums of all tallies: questions right, outcomes that are failures, questions skipped. */
+/* The sums of all summaries: questions right, outcomes that are failures, questions skipped. */
 struct totals {
     uint64_t passed, failed, skipped;
 };
