@@ -477,31 +477,31 @@ END_TEST
 
 /* ---- mistakes and what finds them ---- */
 
-/* An examination, so many random questions of seed 1 behind the golden ones; the client is a function in this process. */
-static struct exam *long_exam_of(const struct section *s, uint64_t random)
+/* A run, so many random questions of seed 1 behind the golden ones; the client is a function in this process. */
+static struct test_run *long_run_of(const struct section *s, uint64_t random)
 {
-    struct exam *e = calloc(1, sizeof *e);
+    struct test_run *e = calloc(1, sizeof *e);
     const double digits = 9;
     ck_assert_ptr_nonnull(e);
     e->significand = BINARY64;
     e->questions.seed = 1;
     questions_add(&e->questions, s, random, BINARY64, false);
-    exam_begin(e, &digits);
+    test_run_begin(e, &digits);
     return e;
 }
 
-static struct exam *exam_of(const struct section *s)
+static struct test_run *run_of(const struct section *s)
 {
-    return long_exam_of(s, 0);
+    return long_run_of(s, 0);
 }
 
-static void say(struct exam *e, const char *line)
+static void say(struct test_run *e, const char *line)
 {
-    exam_hear(e, line, strlen(line));
+    test_run_hear(e, line, strlen(line));
 }
 
 /* Answers every question with those formulas, in so many digits; 17 are binary64. */
-static void answer_in_digits(struct exam *e, const struct formulas *formulas, int digits)
+static void answer_in_digits(struct test_run *e, const struct formulas *formulas, int digits)
 {
     struct question q;
     struct operation o = {.section = e->comparators[0].operation->section, .formulas = formulas};
@@ -524,20 +524,20 @@ static void answer_in_digits(struct exam *e, const struct formulas *formulas, in
         }
         say(e, line);
     }
-    exam_end(e, OUTCOME_MISSING);
+    test_run_end(e, OUTCOME_MISSING);
     diagnose(e, 0);
     question_clear(&q);
     operation_clear(&o);
 }
 
-static void answer_with(struct exam *e, const struct formulas *formulas)
+static void answer_with(struct test_run *e, const struct formulas *formulas)
 {
     answer_in_digits(e, formulas, 17);
 }
 
-static void close_exam(struct exam *e)
+static void close_run(struct test_run *e)
 {
-    exam_clear(e);
+    test_run_clear(e);
     free(e);
 }
 
@@ -553,24 +553,24 @@ START_TEST(a_known_mistake_is_called_by_its_name)
         struct message why;
         if (!mutation_init(&a, sheet(), s, mistake, false, &why))
             continue;
-        struct exam *e = exam_of(s);
+        struct test_run *e = run_of(s);
         answer_with(e, &a.formulas);
         ck_assert_msg(summary_failed(&e->summaries[0]) == 0 || strstr(e->summaries[0].diagnosis, mistake->name) != NULL,
                       "%s: %s is taken for: %s", s->id, mistake->name, e->summaries[0].diagnosis);
-        close_exam(e);
+        close_run(e);
         mutation_clear(&a);
     }
     if (s->differs) {
-        struct exam *e = exam_of(s);
+        struct test_run *e = run_of(s);
         answer_with(e, &s->printed);
         ck_assert_uint_gt(summary_failed(&e->summaries[0]), 0);
         ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "as printed", 10), 0);
-        close_exam(e);
+        close_run(e);
     }
-    struct exam *e = exam_of(s);
+    struct test_run *e = run_of(s);
     answer_with(e, &s->corrected);
     ck_assert_uint_eq(summary_failed(&e->summaries[0]), 0);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -595,10 +595,10 @@ END_TEST
 START_TEST(right_but_for_the_digits_written_is_called_that)
 {
     const struct section *s = section_find(sheet(), "eq12");
-    struct exam *e = exam_of(s);
+    struct test_run *e = run_of(s);
     answer_in_digits(e, &s->corrected, 6);
     ck_assert_str_eq(e->summaries[0].diagnosis, "written with only 6 digits");
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -606,20 +606,20 @@ END_TEST
 START_TEST(a_mistake_explains_numbers_and_not_lines)
 {
     const struct section *s = section_find(sheet(), "eq38");
-    struct exam *e = exam_of(s);
+    struct test_run *e = run_of(s);
     e->asked = 1;
     say(e, "eq38-paper 7.3e-5 oops\n");
     answer_with(e, &s->printed);
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MALFORMED], 1);
     ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "as printed", 10), 0);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
 /* ---- order ---- */
 
 /* The number-th random question of eq43, skipped. */
-static void skip(struct exam *e, int number)
+static void skip(struct test_run *e, int number)
 {
     char line[64];
     snprintf(line, sizeof line, "eq43-1-%d skip\n", number);
@@ -633,7 +633,7 @@ static void skip(struct exam *e, int number)
 START_TEST(holes_that_are_too_many_are_missing)
 {
     enum { ASKED = 4 * (MOST_SPANS + 2) };
-    struct exam *e = long_exam_of(section_find(sheet(), "eq43"), ASKED);
+    struct test_run *e = long_run_of(section_find(sheet(), "eq43"), ASKED);
     const struct summary *t = &e->summaries[0];
     const uint64_t golden = (uint64_t)e->questions.courses[0].golden_count;
     e->asked = e->questions.total;
@@ -646,24 +646,24 @@ START_TEST(holes_that_are_too_many_are_missing)
     ck_assert_uint_eq(t->counts[OUTCOME_REORDERED], 1);
     skip(e, ASKED - 3);
     ck_assert_uint_eq(t->counts[OUTCOME_REPEATED], 1);
-    exam_end(e, OUTCOME_MISSING);
+    test_run_end(e, OUTCOME_MISSING);
     ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 * (MOST_SPANS + 2) - 1 + course_defects(&e->questions.courses[0]));
     ck_assert_uint_eq(t->counts[OUTCOME_SKIPPED], MOST_SPANS + 2);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
 /* What was heard of it is no answer to what it begins with. */
 START_TEST(a_line_without_an_end_may_be_too_long_as_well)
 {
-    struct exam *e = exam_of(section_find(sheet(), "eq43"));
+    struct test_run *e = run_of(section_find(sheet(), "eq43"));
     e->asked = e->questions.total;
     for (int i = 0; i <= LONGEST_LINE; i++)
         say(e, "1");
-    exam_end(e, OUTCOME_MISSING);
+    test_run_end(e, OUTCOME_MISSING);
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_TOO_LONG], 1);
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MISSING], e->questions.total - 1);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -672,12 +672,12 @@ START_TEST(an_id_is_the_one_that_was_sent_to_the_letter)
     static const char *const strangers[] = {"eq43", "eq43-", "eq43-1", "eq43-1-", "eq43-1-5", "eq43-01-4", "eq43-1-04",
                                             "eq43-2-4", "eq43-1-4x", "eq44-1-4", "eq4-1-4", "eq43-papers", "eq43-1-outside-1",
                                             "eq43-1-outside-", "eq43-1-outside", "eq43-1-outside-00"};
-    struct exam *e = long_exam_of(section_find(sheet(), "eq43"), 5);
+    struct test_run *e = long_run_of(section_find(sheet(), "eq43"), 5);
     ck_assert_uint_eq(questions_find(&e->questions, "eq43-paper"), 0);
     ck_assert_uint_eq(questions_find(&e->questions, "eq43-1-4"), e->questions.total - 2);
     ck_assert_uint_eq(questions_find(&e->questions, "eq43-1-outside-0"), e->questions.total - 1);
     ck_assert_uint_eq(questions_find(&e->questions, strangers[_i]), UINT64_MAX);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -686,7 +686,7 @@ END_TEST
 /* The report on two operations, each with a few answers. */
 static const char *table_of(const char *const *answers, int significand)
 {
-    struct exam *e = calloc(1, sizeof *e);
+    struct test_run *e = calloc(1, sizeof *e);
     const double digits[] = {9, 9};
     char *text = NULL;
     size_t size;
@@ -695,7 +695,7 @@ static const char *table_of(const char *const *answers, int significand)
     e->significand = significand;
     questions_add(&e->questions, section_find(sheet(), "eq42"), 0, significand, false);
     questions_add(&e->questions, section_find(sheet(), "eq43"), 0, significand, false);
-    exam_begin(e, digits);
+    test_run_begin(e, digits);
     e->asked = e->questions.total;
     for (; *answers != NULL; answers++)
         say(e, *answers);
@@ -704,7 +704,7 @@ static const char *table_of(const char *const *answers, int significand)
     ck_assert_int_eq(fclose(file), 0);
     snprintf(said, sizeof said, "%s", text);
     free(text);
-    close_exam(e);
+    close_run(e);
     return said;
 }
 
@@ -732,7 +732,7 @@ END_TEST
 /* The outcome on one answer to a vector of an operation. */
 static enum outcome outcome_on(const char *operation, const char *id, const char *outputs)
 {
-    struct exam *e = exam_of(section_find(sheet(), operation));
+    struct test_run *e = run_of(section_find(sheet(), operation));
     const uint64_t position = questions_find(&e->questions, id);
     char line[1000];
     enum outcome outcome = OUTCOME_RIGHT;
@@ -742,7 +742,7 @@ static enum outcome outcome_on(const char *operation, const char *id, const char
     say(e, line);
     while (outcome < OUTCOMES && e->summaries[0].counts[outcome] == 0)
         outcome++;
-    close_exam(e);
+    close_run(e);
     return outcome;
 }
 

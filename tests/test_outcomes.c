@@ -18,29 +18,29 @@
 
 enum { RANDOM = 48, BITS = 256, DIGITS = 40, LONG = 4096 };
 
-/* ---- an examination whose questions are answered one by one, in any order ---- */
+/* ---- a run whose questions are answered one by one, in any order ---- */
 
-static struct exam *exam_of(const struct section *s, uint64_t random, int significand)
+static struct test_run *run_of(const struct section *s, uint64_t random, int significand)
 {
-    struct exam *e = calloc(1, sizeof *e);
+    struct test_run *e = calloc(1, sizeof *e);
     const double digits = s->method >= METHOD_RK4_LINEAR ? 11 : 9;
     ck_assert_ptr_nonnull(e);
     e->significand = significand;
     e->questions.seed = 1;
     questions_add(&e->questions, s, random, significand, false);
-    exam_begin(e, &digits);
+    test_run_begin(e, &digits);
     e->asked = e->questions.total;
     return e;
 }
 
-static void close_exam(struct exam *e)
+static void close_run(struct test_run *e)
 {
-    exam_clear(e);
+    test_run_clear(e);
     free(e);
 }
 
 /* Those words for an answer to a question. */
-static void answer(struct exam *e, uint64_t position, const char *words)
+static void answer(struct test_run *e, uint64_t position, const char *words)
 {
     char line[LONG];
     e->next = position;
@@ -48,11 +48,11 @@ static void answer(struct exam *e, uint64_t position, const char *words)
     question_make(&e->judging, &e->questions, position);
     const int size = snprintf(line, sizeof line, "%s %s\n", e->judging.id, words);
     ck_assert_int_lt(size, LONG);
-    exam_hear(e, line, (size_t)size);
+    test_run_hear(e, line, (size_t)size);
 }
 
 /* The outcome on what is said in place of an answer. */
-static enum outcome outcome_on(struct exam *e, uint64_t position, const char *words)
+static enum outcome outcome_on(struct test_run *e, uint64_t position, const char *words)
 {
     enum outcome outcome = OUTCOME_RIGHT;
     memset(e->summaries[0].counts, 0, sizeof e->summaries[0].counts);
@@ -62,7 +62,7 @@ static enum outcome outcome_on(struct exam *e, uint64_t position, const char *wo
     return outcome;
 }
 
-static void assert_found(struct exam *e, uint64_t position, const char *words, enum outcome due)
+static void assert_found(struct test_run *e, uint64_t position, const char *words, enum outcome due)
 {
     const enum outcome outcome = outcome_on(e, position, words);
     ck_assert_msg(outcome == due, "%s, question %d: '%s' is %s, expected %s", e->comparators[0].operation->section->id, (int)position, words,
@@ -87,7 +87,7 @@ static void free_all(char **texts, int count)
 }
 
 /* The first question from a position on that lies inside the domain, or outside. */
-static uint64_t question_that(struct exam *e, uint64_t from, bool inside)
+static uint64_t question_that(struct test_run *e, uint64_t from, bool inside)
 {
     struct question q;
     uint64_t p = from;
@@ -118,7 +118,7 @@ static void limit_of(arb_t limit, const arb_t exact, const arb_t S, int sign, do
 }
 
 /* The last binary64 up to the limit passes, the next one does not. */
-static void assert_limits(struct exam *e, uint64_t position)
+static void assert_limits(struct test_run *e, uint64_t position)
 {
     struct operation *o = e->comparators[0].operation;
     const int count = o->section->output_count;
@@ -154,13 +154,13 @@ START_TEST(each_output_passes_up_to_K_and_no_further)
     const struct section *s = &sheet()->sections[_i];
     if (s->method != METHOD_FORMULA)
         return;
-    struct exam *e = exam_of(s, RANDOM, BINARY64);
+    struct test_run *e = run_of(s, RANDOM, BINARY64);
     const uint64_t random = (uint64_t)e->questions.courses[0].golden_count;
     assert_limits(e, 0);
     assert_limits(e, question_that(e, 1, true));
     assert_limits(e, random);
     assert_limits(e, random + 1);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -169,7 +169,7 @@ START_TEST(K_counts_roundings_of_the_clients_own_numbers)
 {
     static const int significands[] = {BINARY32, BINARY128};
     const int significand = significands[_i];
-    struct exam *e = exam_of(section_find(sheet(), "eq12"), RANDOM, significand);
+    struct test_run *e = run_of(section_find(sheet(), "eq12"), RANDOM, significand);
     struct operation *o = e->comparators[0].operation;
     arb_ptr exact = _arb_vec_init(1), S = _arb_vec_init(1);
     SCOPE(arb, limit);
@@ -189,7 +189,7 @@ START_TEST(K_counts_roundings_of_the_clients_own_numbers)
     question_clear(&q);
     _arb_vec_clear(exact, 1);
     _arb_vec_clear(S, 1);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -311,7 +311,7 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     static const char *const motions[] = {"flow_linear", "flow_nonlinear", "rk4_linear", "rk4_nonlinear"};
     const struct section *s = section_find(sheet(), motions[_i]);
     const bool linear = _i % 2 == 0;
-    struct exam *e = exam_of(s, 0, BINARY64);
+    struct test_run *e = run_of(s, 0, BINARY64);
     struct operation *o = e->comparators[0].operation;
     const uint64_t p = questions_find(&e->questions, _i < 2 ? linear ? "flow_linear-rates-100" : "flow_nonlinear-moving-100"
                                                             : linear ? "rk4_linear-rates-100" : "rk4_nonlinear-moving-100");
@@ -339,7 +339,7 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     }
     free_all(outputs, 6);
     question_clear(&q);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -371,7 +371,7 @@ START_TEST(the_worst_failure_is_shown)
 {
     static const char *const words[] = {"1e-7", "1e-3", "x"}; /* for C1 = 5e-8, 7e-7 ...: the second is the furthest off */
     for (int order = 0; order < 6; order++) {
-        struct exam *e = exam_of(section_find(sheet(), "eq43"), RANDOM, BINARY64);
+        struct test_run *e = run_of(section_find(sheet(), "eq43"), RANDOM, BINARY64);
         const int first = order % 3, second = (first + 1 + order / 3) % 3, third = 3 - first - second;
         const int turns[] = {first, second, third};
         for (int k = 0; k < 3; k++)
@@ -379,7 +379,7 @@ START_TEST(the_worst_failure_is_shown)
         for (int k = 0; k < 3; k++)
             if (turns[k] == 1)
                 ck_assert_uint_eq(e->summaries[0].worst_failure.position, (uint64_t)k + 1);
-        close_exam(e);
+        close_run(e);
     }
 }
 END_TEST
@@ -387,7 +387,7 @@ END_TEST
 /* ---- outcomes of a line ---- */
 
 /* On a question inside the domain: what is no answer, in each output. */
-static void assert_inside(struct exam *e, uint64_t position, char *const *outputs)
+static void assert_inside(struct test_run *e, uint64_t position, char *const *outputs)
 {
     const int count = e->comparators[0].operation->section->output_count;
     char more[LONG];
@@ -421,7 +421,7 @@ static void assert_inside(struct exam *e, uint64_t position, char *const *output
     }
 }
 
-static void assert_outside(struct exam *e, uint64_t position)
+static void assert_outside(struct test_run *e, uint64_t position)
 {
     const int count = e->comparators[0].operation->section->output_count;
     char zeros[2 * MOST_OUTPUTS + 8] = "", nans[4 * MOST_OUTPUTS + 8] = "";
@@ -445,7 +445,7 @@ START_TEST(a_line_has_the_outcome_that_it_says)
     struct question q;
     if (s->method == METHOD_NONE)
         return;
-    struct exam *e = exam_of(s, RANDOM, BINARY64);
+    struct test_run *e = run_of(s, RANDOM, BINARY64);
     const uint64_t golden = (uint64_t)e->questions.courses[0].golden_count;
     question_init(&q);
     for (int random = 0; random < (is_motion(s) ? 1 : 2); random++) {
@@ -462,7 +462,7 @@ START_TEST(a_line_has_the_outcome_that_it_says)
     for (uint64_t p = golden + RANDOM; p < e->questions.total; p++)
         assert_outside(e, p);
     question_clear(&q);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -478,7 +478,7 @@ START_TEST(random_questions_are_those_of_the_seed)
     char id[100];
     if (s->method == METHOD_NONE)
         return;
-    struct exam *e = exam_of(s, RANDOM, BINARY64);
+    struct test_run *e = run_of(s, RANDOM, BINARY64);
     const uint64_t golden = (uint64_t)e->questions.courses[0].golden_count;
     ck_assert_uint_eq(e->questions.total, golden + RANDOM + RANDOM / 16);
     inputs = inputs_new(s->input_count);
@@ -499,7 +499,7 @@ START_TEST(random_questions_are_those_of_the_seed)
     }
     question_clear(&q);
     inputs_free(inputs, s->input_count);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -511,7 +511,7 @@ START_TEST(random_questions_from_outside_have_every_defect)
     struct question q;
     if (s->method == METHOD_NONE)
         return;
-    struct exam *e = exam_of(s, UINT64_C(16) * 150, BINARY64);
+    struct test_run *e = run_of(s, UINT64_C(16) * 150, BINARY64);
     question_init(&q);
     for (uint64_t p = (uint64_t)e->questions.courses[0].golden_count + 16 * 150; p < e->questions.total; p++) {
         int defects = 0;
@@ -528,7 +528,7 @@ START_TEST(random_questions_from_outside_have_every_defect)
         ck_assert_msg(nans[i] > 0, "%s: %s is never nan", s->id, s->inputs[i]->name);
     ck_assert(last > 0 || s->corrected.count == 0);
     question_clear(&q);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -537,7 +537,7 @@ START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
 {
     const int significand = _i % 2 ? BINARY32 : BINARY64;
     const struct section *s = section_find(sheet(), _i < 2 ? "eq37" : "eq12");
-    struct exam *e = exam_of(s, RANDOM, significand);
+    struct test_run *e = run_of(s, RANDOM, significand);
     const uint64_t golden = (uint64_t)e->questions.courses[0].golden_count;
     struct question q;
     int left = 0;
@@ -553,20 +553,20 @@ START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
     }
     ck_assert((left > 0) == (_i == 1)); /* R_c^5 of eq37 */
     question_clear(&q);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
 /* ---- lines ---- */
 
-static struct exam *eq43(void)
+static struct test_run *eq43(void)
 {
-    return exam_of(section_find(sheet(), "eq43"), RANDOM, BINARY64);
+    return run_of(section_find(sheet(), "eq43"), RANDOM, BINARY64);
 }
 
-static const uint64_t *said(struct exam *e, const char *text)
+static const uint64_t *said(struct test_run *e, const char *text)
 {
-    exam_hear(e, text, strlen(text));
+    test_run_hear(e, text, strlen(text));
     return e->summaries[0].counts;
 }
 
@@ -575,7 +575,7 @@ START_TEST(a_line_may_have_65536_bytes)
 {
     static char line[LONGEST_LINE + 3];
     for (int more = 0; more < 2; more++) {
-        struct exam *e = eq43();
+        struct test_run *e = eq43();
         memset(line, ' ', sizeof line);
         memcpy(line, "eq43-paper 5.316597225e-8", 25);
         line[LONGEST_LINE + more] = '\n';
@@ -583,7 +583,7 @@ START_TEST(a_line_may_have_65536_bytes)
         const uint64_t *counts = said(e, line);
         ck_assert_uint_eq(counts[OUTCOME_RIGHT], 1 - (uint64_t)more);
         ck_assert_uint_eq(counts[OUTCOME_TOO_LONG], (uint64_t)more);
-        close_exam(e);
+        close_run(e);
     }
 }
 END_TEST
@@ -592,12 +592,12 @@ START_TEST(a_line_without_an_end_is_heard_for_64_MiB)
 {
     enum { PIECE = 1 << 16 };
     static char piece[PIECE];
-    struct exam *e = eq43();
+    struct test_run *e = eq43();
     for (int k = 0; k < (1 << 10) - 1; k++)
-        ck_assert(exam_hear(e, piece, PIECE));
-    ck_assert(exam_hear(e, piece, PIECE - 1));
-    ck_assert(!exam_hear(e, piece, 1));
-    close_exam(e);
+        ck_assert(test_run_hear(e, piece, PIECE));
+    ck_assert(test_run_hear(e, piece, PIECE - 1));
+    ck_assert(!test_run_hear(e, piece, 1));
+    close_run(e);
 }
 END_TEST
 
@@ -621,11 +621,11 @@ static const struct {
 
 START_TEST(a_line_begins_with_a_vectors_name)
 {
-    struct exam *e = eq43();
+    struct test_run *e = eq43();
     const uint64_t *counts = said(e, lines[_i].text);
     for (int i = 0; i < OUTCOMES; i++)
         ck_assert_msg(counts[i] == (i == (int)lines[_i].outcome), "%s is %s", lines[_i].text, outcome_names[i]);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
@@ -663,20 +663,20 @@ END_TEST
 START_TEST(the_last_line_has_an_end)
 {
     for (int ended = 0; ended < 2; ended++) {
-        struct exam *e = eq43();
+        struct test_run *e = eq43();
         const uint64_t *counts = said(e, ended ? "eq43-paper skip\n" : "eq43-paper skip");
-        exam_end(e, OUTCOME_MISSING);
+        test_run_end(e, OUTCOME_MISSING);
         ck_assert_uint_eq(counts[OUTCOME_SKIPPED], (uint64_t)ended);
         ck_assert_uint_eq(counts[OUTCOME_TRUNCATED], 1 - (uint64_t)ended);
         ck_assert_uint_eq(counts[OUTCOME_MISSING], e->questions.total - 1);
-        close_exam(e);
+        close_run(e);
     }
 }
 END_TEST
 
 START_TEST(an_answer_is_due_once_its_question_is_sent)
 {
-    struct exam *e = eq43();
+    struct test_run *e = eq43();
     e->asked = 2;
     said(e, "eq43-random-2 skip\n");
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_EARLY], 1);
@@ -684,24 +684,24 @@ START_TEST(an_answer_is_due_once_its_question_is_sent)
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_SKIPPED], 1);
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_REORDERED], 1);
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_REPEATED], 1);
-    close_exam(e);
+    close_run(e);
 }
 END_TEST
 
 /* As many as there are questions twice, and 10000 at least. */
 START_TEST(so_many_lines_out_of_place_are_heard)
 {
-    struct exam *few = eq43(), *many = exam_of(section_find(sheet(), "eq43"), 6000, BINARY64);
+    struct test_run *few = eq43(), *many = run_of(section_find(sheet(), "eq43"), 6000, BINARY64);
     const uint64_t most = 2 * many->questions.total;
     ck_assert_uint_gt(most, 10000);
     for (uint64_t k = 1; k <= most; k++) {
-        const bool on = exam_hear(many, "?\n", 2);
+        const bool on = test_run_hear(many, "?\n", 2);
         ck_assert_msg(on == (k < most), "after %d of %d", (int)k, (int)most);
         if (k <= 10000)
-            ck_assert(exam_hear(few, "?\n", 2) == (k < 10000));
+            ck_assert(test_run_hear(few, "?\n", 2) == (k < 10000));
     }
-    close_exam(few);
-    close_exam(many);
+    close_run(few);
+    close_run(many);
 }
 END_TEST
 

@@ -104,7 +104,7 @@ static int take_number(const struct arguments *a, const char *name, uint64_t *nu
 }
 
 /* The questions; random ones about motions, which may have no end, only where they are asked for by name. */
-static int take_questions(struct exam *e, const struct arguments *a, const struct choice *c)
+static int take_questions(struct test_run *e, const struct arguments *a, const struct choice *c)
 {
     uint64_t random = 0, significand = BINARY64;
     int status = take_number(a, "--random", &random);
@@ -133,13 +133,13 @@ static int take_questions(struct exam *e, const struct arguments *a, const struc
         questions_add(&e->questions, s, is_motion(s) && !c->some ? 0 : random, e->significand,
                       e->range || e->from_file);
     }
-    exam_begin(e, digits);
+    test_run_begin(e, digits);
     free(digits);
     return EXIT_DONE;
 }
 
 /* The table, the file, and the exit code that they come to. */
-static int report(struct exam *e, const struct arguments *a, const char *client, const char *errors)
+static int report(struct test_run *e, const struct arguments *a, const char *client, const char *errors)
 {
     const struct totals sum = report_totals(e);
     const char *name = option_value(a, "--report");
@@ -156,28 +156,28 @@ static int report(struct exam *e, const struct arguments *a, const char *client,
 
 /* ---- a client ---- */
 
-/* The examination, with its progress on a terminal. */
+/* The run, with its progress on a terminal. */
 struct watched {
-    struct exam *exam;
+    struct test_run *run;
     struct progress progress;
 };
 
 static size_t ask(void *context, char *room, size_t size)
 {
-    return exam_ask(((struct watched *)context)->exam, room, size);
+    return test_run_ask(((struct watched *)context)->run, room, size);
 }
 
 static bool hear(void *context, const char *bytes, size_t size, bool *answered)
 {
     struct watched *w = context;
-    const bool on = exam_hear(w->exam, bytes, size);
+    const bool on = test_run_hear(w->run, bytes, size);
     *answered = memchr(bytes, '\n', size) != NULL;
-    progress_show(&w->progress, w->exam->next, w->exam->questions.total);
+    progress_show(&w->progress, w->run->next, w->run->questions.total);
     return on;
 }
 
 /* What the end of the client means; EXIT_USAGE where it was none. */
-static int conclude(struct exam *e, enum ending ending, int status, const char *name)
+static int conclude(struct test_run *e, enum ending ending, int status, const char *name)
 {
     const bool signalled = WIFSIGNALED(status);
     if (ending == ENDING_EXIT && status != 0 && e->heard == 0)
@@ -188,17 +188,17 @@ static int conclude(struct exam *e, enum ending ending, int status, const char *
         snprintf(e->ended, sizeof e->ended, "with %s %d after %" PRIu64 " of %" PRIu64 " answers", signalled ? "signal" : "exit status",
                  signalled ? WTERMSIG(status) : WEXITSTATUS(status), answered, total);
     if (ending == ENDING_TIMEOUT)
-        exam_end(e, OUTCOME_TIMEOUT);
+        test_run_end(e, OUTCOME_TIMEOUT);
     else
-        exam_end(e, ending == ENDING_EXIT && signalled ? OUTCOME_CRASH : OUTCOME_MISSING);
+        test_run_end(e, ending == ENDING_EXIT && signalled ? OUTCOME_CRASH : OUTCOME_MISSING);
     if (ending == ENDING_STOPPED && e->unended < LONGEST_UNENDED)
-        exam_note(e, OUTCOME_FLOOD);
+        test_run_note(e, OUTCOME_FLOOD);
     else if (ending == ENDING_EXIT && !signalled && status != 0)
-        exam_note(e, OUTCOME_EXIT);
+        test_run_note(e, OUTCOME_EXIT);
     return EXIT_DONE;
 }
 
-static int examine_client(struct exam *e, const struct arguments *a, char **client)
+static int run_client(struct test_run *e, const struct arguments *a, char **client)
 {
     double timeout = 60.0;
     const char *text = option_value(a, "--timeout");
@@ -297,13 +297,13 @@ static bool take_header(char *line, const struct section *s, const char *name, i
     return true;
 }
 
-static void say(struct exam *e, const char *text)
+static void say(struct test_run *e, const char *text)
 {
-    exam_hear(e, text, strlen(text));
+    test_run_hear(e, text, strlen(text));
 }
 
 /* A row as a client would say it; blank outputs mean `invalid`. */
-static void hear_row(struct exam *e, char *line, const int *columns, int outputs)
+static void hear_row(struct test_run *e, char *line, const int *columns, int outputs)
 {
     char *cells[MOST_CELLS];
     const int count = cells_of(line, cells);
@@ -320,7 +320,7 @@ static void hear_row(struct exam *e, char *line, const int *columns, int outputs
 }
 
 /* The header's columns; then row after row. */
-static void hear_file(struct exam *e, struct answers_file *f, const struct section *s)
+static void hear_file(struct test_run *e, struct answers_file *f, const struct section *s)
 {
     int columns[MOST_OUTPUTS + 1] = {0};
     if (!read_line(f))
@@ -340,7 +340,7 @@ static void hear_file(struct exam *e, struct answers_file *f, const struct secti
     }
 }
 
-static int examine_file(struct exam *e, const struct arguments *a, const struct section *s)
+static int read_answers(struct test_run *e, const struct arguments *a, const struct section *s)
 {
     struct answers_file *f = xrealloc(NULL, 1, sizeof *f);
     *f = (struct answers_file){.name = option_value(a, "--answers"), .status = EXIT_DONE};
@@ -353,7 +353,7 @@ static int examine_file(struct exam *e, const struct arguments *a, const struct 
         fclose(f->file);
     }
     if (f->status == EXIT_DONE) {
-        exam_end(e, OUTCOME_MISSING);
+        test_run_end(e, OUTCOME_MISSING);
         f->status = report(e, a, f->name, "");
     }
     const int status = f->status;
@@ -374,7 +374,7 @@ static int print_all_kills(const struct choice *c)
     return fine ? status : EXIT_FAILED_CHECK;
 }
 
-static int run(const struct arguments *a, struct choice *c, char **client)
+static int conform(const struct arguments *a, struct choice *c, char **client)
 {
     const bool file = option_given(a, "--answers"), kills = option_given(a, "--kills");
     if (a->assignment_count > 0)
@@ -394,13 +394,13 @@ static int run(const struct arguments *a, struct choice *c, char **client)
     int status = take_only(c, file ? a->words[0] : option_value(a, "--only"));
     if (status != EXIT_DONE || kills)
         return status != EXIT_DONE ? status : print_all_kills(c);
-    struct exam *e = xrealloc(NULL, 1, sizeof *e);
+    struct test_run *e = xrealloc(NULL, 1, sizeof *e);
     memset(e, 0, sizeof *e);
     e->from_file = file;
     status = take_questions(e, a, c);
     if (status == EXIT_DONE) {
-        status = file ? examine_file(e, a, e->comparators[0].operation->section) : examine_client(e, a, client);
-        exam_clear(e);
+        status = file ? read_answers(e, a, e->comparators[0].operation->section) : run_client(e, a, client);
+        test_run_clear(e);
     }
     free(e);
     return status;
@@ -430,7 +430,7 @@ int command_conform(int count, char **texts)
     if (status == EXIT_DONE && client != NULL && *client == NULL)
         status = usage_error(EXIT_USAGE, "conform: expected a client behind --");
     if (status == EXIT_DONE)
-        status = run(&a, &c, client);
+        status = conform(&a, &c, client);
     free(a.assignments);
     free(c.chosen);
     free(c.digits);

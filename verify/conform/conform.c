@@ -20,12 +20,12 @@ uint64_t summary_failed(const struct summary *t)
     return failed;
 }
 
-static struct summary *own_summary(struct exam *e)
+static struct summary *own_summary(struct test_run *e)
 {
     return &e->summaries[e->questions.count];
 }
 
-static struct summary *summary_at(struct exam *e, uint64_t position)
+static struct summary *summary_at(struct test_run *e, uint64_t position)
 {
     if (position >= e->questions.total)
         return own_summary(e);
@@ -40,7 +40,7 @@ static bool failure_is_worse(const struct failure *a, const struct failure *b)
     return a->score.E > b->score.E || a->score.digits < b->score.digits;
 }
 
-static void record(struct exam *e, const struct failure *f, const char *line)
+static void record(struct test_run *e, const struct failure *f, const char *line)
 {
     struct summary *t = summary_at(e, f->position);
     const bool first = summary_failed(t) == 0;
@@ -60,20 +60,20 @@ static void record(struct exam *e, const struct failure *f, const char *line)
         t->failures[t->failure_count++] = *f;
 }
 
-static void found(struct exam *e, uint64_t position, enum outcome outcome, const char *line)
+static void found(struct test_run *e, uint64_t position, enum outcome outcome, const char *line)
 {
     const struct failure f = {.position = position, .outcome = outcome, .score = {0.0, INFINITY, 0}};
     record(e, &f, line);
 }
 
-void exam_note(struct exam *e, enum outcome outcome)
+void test_run_note(struct test_run *e, enum outcome outcome)
 {
     found(e, UINT64_MAX, outcome, "");
 }
 
 /* ---- the questions between answers ---- */
 
-static void missing(struct exam *e, struct span s)
+static void missing(struct test_run *e, struct span s)
 {
     for (uint64_t p = s.first; p <= s.last && p < e->questions.total; p++) {
         const struct course *course = question_course(&e->questions, p);
@@ -85,7 +85,7 @@ static void missing(struct exam *e, struct span s)
 }
 
 /* first ... last were passed over. Lines without a question stood there: each has been counted for one of them. */
-static void pass_over(struct exam *e, uint64_t first, uint64_t last)
+static void pass_over(struct test_run *e, uint64_t first, uint64_t last)
 {
     const uint64_t known = e->strays < last - first + 1 ? e->strays : last - first + 1;
     if (first + known > last)
@@ -99,7 +99,7 @@ static void pass_over(struct exam *e, uint64_t first, uint64_t last)
 }
 
 /* Whether a question was passed over; it is not any more. */
-static bool take_up(struct exam *e, uint64_t position)
+static bool take_up(struct test_run *e, uint64_t position)
 {
     for (int i = 0; i < e->span_count; i++) {
         struct span *s = &e->spans[i];
@@ -123,7 +123,7 @@ static bool take_up(struct exam *e, uint64_t position)
 
 /* ---- one line ---- */
 
-static void stray(struct exam *e, enum outcome outcome, const char *line)
+static void stray(struct test_run *e, enum outcome outcome, const char *line)
 {
     const bool over = e->next == e->questions.total && e->span_count == 0 && !e->from_file;
     found(e, e->from_file ? UINT64_MAX : e->next + e->strays, over ? OUTCOME_EXTRA : outcome, line);
@@ -149,7 +149,7 @@ static int split(char *line, char **words, int most)
 }
 
 /* A number as C reads it; for more than binary64, with all its digits. */
-static bool read_number(const struct exam *e, const char *text, double *value, arb_t y)
+static bool read_number(const struct test_run *e, const char *text, double *value, arb_t y)
 {
     char *end;
     *value = strtod(text, &end);
@@ -167,7 +167,7 @@ static bool read_number(const struct exam *e, const char *text, double *value, a
 }
 
 /* The numbers of an answer into the comparator's y. */
-static enum outcome read_numbers(struct exam *e, struct comparator *j, char **words, int count, struct failure *f)
+static enum outcome read_numbers(struct test_run *e, struct comparator *j, char **words, int count, struct failure *f)
 {
     const int due = j->operation->section->output_count;
     enum outcome outcome = OUTCOME_RIGHT;
@@ -183,7 +183,7 @@ static enum outcome read_numbers(struct exam *e, struct comparator *j, char **wo
     return count == due ? outcome : OUTCOME_COUNT;
 }
 
-static enum outcome compare_numbers(struct exam *e, struct comparator *j, const struct question *q, struct failure *f)
+static enum outcome compare_numbers(struct test_run *e, struct comparator *j, const struct question *q, struct failure *f)
 {
     struct summary *t = summary_at(e, f->position);
     if (e->significand == BINARY32 && q->golden == NULL && j->operation->section->method == METHOD_FORMULA &&
@@ -200,7 +200,7 @@ static enum outcome compare_numbers(struct exam *e, struct comparator *j, const 
 }
 
 /* What the words behind the id say about the question. */
-static void answer(struct exam *e, const struct question *q, uint64_t position, char **words, int count,
+static void answer(struct test_run *e, const struct question *q, uint64_t position, char **words, int count,
                    const char *line)
 {
     struct comparator *j = &e->comparators[q->course - e->questions.courses];
@@ -227,7 +227,7 @@ static void answer(struct exam *e, const struct question *q, uint64_t position, 
 }
 
 /* An answer to another question than the next one. */
-static bool find_place(struct exam *e, const char *id, const char *line, uint64_t *position)
+static bool find_place(struct test_run *e, const char *id, const char *line, uint64_t *position)
 {
     *position = questions_find(&e->questions, id);
     if (*position == UINT64_MAX) {
@@ -250,7 +250,7 @@ static bool find_place(struct exam *e, const char *id, const char *line, uint64_
     return false;
 }
 
-static void hear_line(struct exam *e, char *line, bool ended)
+static void hear_line(struct test_run *e, char *line, bool ended)
 {
     char *words[MOST_OUTPUTS + 2], shown[120];
     uint64_t position = e->next;
@@ -286,14 +286,14 @@ static void hear_line(struct exam *e, char *line, bool ended)
 
 /* ---- the stream ---- */
 
-static bool is_too_long(const struct exam *e)
+static bool is_too_long(const struct test_run *e)
 {
     return e->unended > LONGEST_LINE;
 }
 
-bool exam_hear(void *exam, const char *bytes, size_t size)
+bool test_run_hear(void *run, const char *bytes, size_t size)
 {
-    struct exam *e = exam;
+    struct test_run *e = run;
     for (size_t i = 0; i < size; i++) {
         if (bytes[i] != '\n') {
             if (e->length < LONGEST_LINE)
@@ -315,9 +315,9 @@ bool exam_hear(void *exam, const char *bytes, size_t size)
     return e->out_of_place < MOST_OUT_OF_PLACE || e->out_of_place < 2 * e->questions.total;
 }
 
-size_t exam_ask(void *exam, char *room, size_t size)
+size_t test_run_ask(void *run, char *room, size_t size)
 {
-    struct exam *e = exam;
+    struct test_run *e = run;
     const size_t longest = 2 * LONGEST_ID + LONGEST_INPUT * (size_t)MOST_INPUTS;
     size_t used = 0;
     while (e->asked < e->questions.total && size - used > longest) {
@@ -335,7 +335,7 @@ size_t exam_ask(void *exam, char *room, size_t size)
     return used;
 }
 
-void exam_begin(struct exam *e, const double *digits)
+void test_run_begin(struct test_run *e, const double *digits)
 {
     const int count = e->questions.count;
     e->comparators = xrealloc(NULL, (size_t)count, sizeof *e->comparators);
@@ -350,7 +350,7 @@ void exam_begin(struct exam *e, const double *digits)
         question_make(&e->judging, &e->questions, 0);
 }
 
-void exam_end(struct exam *e, enum outcome why)
+void test_run_end(struct test_run *e, enum outcome why)
 {
     if (e->unended > 0) {
         e->line[e->length] = '\0';
@@ -371,7 +371,7 @@ void exam_end(struct exam *e, enum outcome why)
     e->span_count = 0;
 }
 
-void exam_clear(struct exam *e)
+void test_run_clear(struct test_run *e)
 {
     for (int k = 0; k < e->questions.count; k++)
         comparator_clear(&e->comparators[k]);

@@ -1,5 +1,5 @@
 /*
- * The oracle's examination: questions go out as lines, lines come back and become outcomes. Memory does not
+ * A run of the oracle: questions go out as lines, lines come back and become outcomes. Memory does not
  * grow with the number of questions.
  *
  *     ID VECTOR-ID INPUT...      ->      VECTOR-ID OUTPUT... | VECTOR-ID invalid | VECTOR-ID skip REASON...
@@ -41,10 +41,10 @@ struct span {
     uint64_t first, last;
 };
 
-struct exam {
+struct test_run {
     struct questions questions;
     struct comparator *comparators;  /* one a course                              */
-    struct summary *summaries;           /* the client's own behind them              */
+    struct summary *summaries;       /* the client's own behind them              */
     int significand;
     bool from_file;                  /* any order, and answers may be left out of what is flagged range */
     bool range;                      /* such vectors are wanted                   */
@@ -59,20 +59,20 @@ struct exam {
 };
 
 /* All questions are in; digits[k] is what course k declares. */
-void exam_begin(struct exam *e, const double *digits);
-void exam_clear(struct exam *e);
+void test_run_begin(struct test_run *e, const double *digits);
+void test_run_clear(struct test_run *e);
 
 /* The lines of the next questions, as many as the room takes; 0 when all are asked. */
-size_t exam_ask(void *exam, char *room, size_t size);
+size_t test_run_ask(void *run, char *room, size_t size);
 
 /* Any piece of the answers; false once they are hopeless: lines out of place, or one without an end. */
-bool exam_hear(void *exam, const char *bytes, size_t size);
+bool test_run_hear(void *run, const char *bytes, size_t size);
 
 /* No more will come: what is unanswered is missing, the first of it for the reason given (or missing too). */
-void exam_end(struct exam *e, enum outcome why);
+void test_run_end(struct test_run *e, enum outcome why);
 
 /* A outcome about the client itself. */
-void exam_note(struct exam *e, enum outcome outcome);
+void test_run_note(struct test_run *e, enum outcome outcome);
 
 /* Failures of a summary. */
 uint64_t summary_failed(const struct summary *t);

@@ -105,7 +105,7 @@ static bool is_long(const struct section *s, const struct input *inputs)
 static const double PATIENCE = 1.0; /* seconds of processor time for an operation */
 
 /* Whether the mutant makes of the question what was answered. */
-static bool explains(struct mutant *x, const struct exam *e, const struct failure *f, const struct question *q,
+static bool explains(struct mutant *x, const struct test_run *e, const struct failure *f, const struct question *q,
                      double digits)
 {
     struct comparator j;
@@ -137,7 +137,7 @@ static bool is_domain_alone(const struct summary *t)
 }
 
 /* All failures that formulas can explain; of a motion the long ones only where there are no others. */
-static bool explains_all(struct mutant *x, const struct exam *e, const struct summary *t, double digits)
+static bool explains_all(struct mutant *x, const struct test_run *e, const struct summary *t, double digits)
 {
     const enum outcome last = is_domain_alone(t) ? OUTCOME_VALUE : OUTCOME_INVALID;
     struct question q;
@@ -190,7 +190,7 @@ static bool are_singles(const struct summary *t, int outputs)
 static const double LOST = 1e-9;
 
 /* Right but for the number format: how it is computed, or how it is written. */
-static const char *format_mistake(const struct exam *e, int course, char text[48])
+static const char *format_mistake(const struct test_run *e, int course, char text[48])
 {
     const struct summary *t = &e->summaries[course];
     const int outputs = e->comparators[course].operation->section->output_count;
@@ -223,7 +223,7 @@ static void add_name(struct summary *t, const char *name, const char *joint)
     snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s", used ? joint : "", name);
 }
 
-void diagnose(struct exam *e, int course)
+void diagnose(struct test_run *e, int course)
 {
     struct summary *t = &e->summaries[course];
     const struct comparator *j = &e->comparators[course];

@@ -22,7 +22,7 @@ int level_of(const struct section *s)
     return s->method == METHOD_FORMULA ? 0 : s->method == METHOD_ROOTS ? 1 : rk4 ? 3 : 2;
 }
 
-struct totals report_totals(const struct exam *e)
+struct totals report_totals(const struct test_run *e)
 {
     struct totals sum = {0, 0, 0};
     for (int k = 0; k <= e->questions.count; k++) {
@@ -55,7 +55,7 @@ static const char *digits_text(double digits, char text[NUMBER])
     return text;
 }
 
-static double summary_digits(const struct exam *e, int course)
+static double summary_digits(const struct test_run *e, int course)
 {
     const struct summary *t = &e->summaries[course];
     if (is_motion(e->comparators[course].operation->section))
@@ -84,7 +84,7 @@ struct exhibit {
     bool invalid;
 };
 
-static void exhibit_init(struct exhibit *x, const struct exam *e, uint64_t position)
+static void exhibit_init(struct exhibit *x, const struct test_run *e, uint64_t position)
 {
     memset(x, 0, sizeof *x);
     question_init(&x->question);
@@ -155,7 +155,7 @@ static void line_text(const struct summary *t, FILE *file)
         fprintf(file, "    %s\n", hint);
 }
 
-static void failure_text(const struct exam *e, int k, FILE *file)
+static void failure_text(const struct test_run *e, int k, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
     char text[512];
@@ -182,7 +182,7 @@ static void diagnosis_text(const struct summary *t, FILE *file)
 
 /* ---- text ---- */
 
-static void row_text(const struct exam *e, int k, FILE *file)
+static void row_text(const struct test_run *e, int k, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
     const struct section *s = e->comparators[k].operation->section;
@@ -203,7 +203,7 @@ static void row_text(const struct exam *e, int k, FILE *file)
 }
 
 /* A line for each reason that a client gave, with the operations that it gave it for first. */
-static void skips_text(const struct exam *e, FILE *file)
+static void skips_text(const struct test_run *e, FILE *file)
 {
     for (int k = 0; k < e->questions.count; k++) {
         const char *reason = e->summaries[k].reason;
@@ -222,7 +222,7 @@ static void skips_text(const struct exam *e, FILE *file)
 
 void report_text(const struct report *r, FILE *file)
 {
-    struct exam *e = r->exam;
+    struct test_run *e = r->run;
     const struct totals sum = report_totals(e);
     fputs("operation        vectors   passed  failed  skipped   worst E  digits  worst vector\n", file);
     for (int k = 0; k < e->questions.count; k++)
@@ -264,7 +264,7 @@ static void put_text(FILE *file, const char *text, bool xml)
 }
 
 /* A failing operation's text, escaped for XML. */
-static void put_failure(const struct exam *e, int k, FILE *file)
+static void put_failure(const struct test_run *e, int k, FILE *file)
 {
     char *text = NULL;
     size_t size;
@@ -281,7 +281,7 @@ static void put_failure(const struct exam *e, int k, FILE *file)
 
 static void write_xml(const struct report *r, FILE *file)
 {
-    const struct exam *e = r->exam;
+    const struct test_run *e = r->run;
     int failures = 0, skipped = 0;
     for (int k = 0; k <= e->questions.count; k++) {
         const bool failed = summary_failed(&e->summaries[k]) > 0;
@@ -326,7 +326,7 @@ static void write_outcomes(const struct summary *t, FILE *file)
 }
 
 /* "vector": {...}, the worst failure: inputs as they were sent, all else as text. */
-static void write_exhibit(const struct exam *e, int k, FILE *file)
+static void write_exhibit(const struct test_run *e, int k, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
     const struct failure *f = &t->worst_failure;
@@ -350,7 +350,7 @@ static void write_exhibit(const struct exam *e, int k, FILE *file)
     exhibit_clear(&x);
 }
 
-static void write_row(const struct exam *e, int k, FILE *file)
+static void write_row(const struct test_run *e, int k, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
     const struct section *s = e->comparators[k].operation->section;
@@ -389,7 +389,7 @@ static void write_row(const struct exam *e, int k, FILE *file)
 
 static void write_json(const struct report *r, FILE *file)
 {
-    const struct exam *e = r->exam;
+    const struct test_run *e = r->run;
     const struct totals sum = report_totals(e);
     fputs("{\n  \"client\": \"", file);
     put_text(file, r->client, false);

@@ -1,4 +1,4 @@
-/* The report of an examination: a table and what failed as text, or a file for machines. */
+/* The report of a run: a table and what failed as text, or a file for machines. */
 #ifndef CT_REPORT_H
 #define CT_REPORT_H
 
@@ -7,11 +7,11 @@
 #include "conform/conform.h"
 
 struct report {
-    struct exam *exam;
+    struct test_run *run;
     const char *client;          /* its name, or the answers file's                    */
     const char *errors;          /* the last of its standard error                     */
     double seconds;              /* of processor time that the oracle took for itself  */
-    void (*diagnose)(struct exam *exam, int course); /* asked once what failed is written; NULL: nobody */
+    void (*diagnose)(struct test_run *run, int course); /* asked once what failed is written; NULL: nobody */
 };
 
 enum { LEVELS = 4 };
@@ -22,7 +22,7 @@ int level_of(const struct section *s);
 struct totals {
     uint64_t passed, failed, skipped;
 };
-struct totals report_totals(const struct exam *e);
+struct totals report_totals(const struct test_run *e);
 
 void report_text(const struct report *r, FILE *file);
 
