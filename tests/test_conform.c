@@ -452,7 +452,7 @@ START_TEST(an_interrupt_leaves_no_process_behind)
     const pid_t oracle = fork();
     ck_assert_int_ge(oracle, 0);
     if (oracle == 0) {
-        signal(interrupts[_i], SIG_DFL); /* which nohup, and a shell for what runs behind, let it ignore */
+        signal(interrupts[_i], SIG_DFL); /* which nohup, and a shell for what runs in the background, let it ignore */
         ck_assert_ptr_nonnull(freopen("/dev/null", "w", stdout));
         execl(program, "coulomb-tether", "conform", "--only", "eq07", "--", client, "hang", pids, (char *)NULL);
         _exit(127);
@@ -477,15 +477,15 @@ END_TEST
 
 /* ---- mistakes and what finds them ---- */
 
-/* A run, so many random questions of seed 1 behind the golden ones; the client is a function in this process. */
+/* A run, so many random questions of seed 1 after the golden ones; the client is a function in this process. */
 static struct test_run *long_run_of(const struct section *s, uint64_t random)
 {
     struct test_run *e = calloc(1, sizeof *e);
     const double digits = 9;
     ck_assert_ptr_nonnull(e);
     e->significand = BINARY64;
-    e->questions.seed = 1;
-    questions_add(&e->questions, s, random, BINARY64, false);
+    e->sets.seed = 1;
+    test_sets_add(&e->sets, s, random, BINARY64, false);
     test_run_begin(e, &digits);
     return e;
 }
@@ -503,15 +503,15 @@ static void say(struct test_run *e, const char *line)
 /* Answers every question with those formulas, in so many digits; 17 are binary64. */
 static void answer_in_digits(struct test_run *e, const struct formulas *formulas, int digits)
 {
-    struct question q;
+    struct test_vector q;
     struct operation o = {.section = e->comparators[0].operation->section, .formulas = formulas};
     VECTOR(arb, y, MOST_OUTPUTS);
     machine_init(&o.machine, &formulas->program, &arithmetic_ball, 128);
-    question_init(&q);
-    e->asked = e->questions.total;
-    for (uint64_t p = 0; p < e->questions.total; p++) {
+    test_vector_init(&q);
+    e->asked = e->sets.total;
+    for (uint64_t p = 0; p < e->sets.total; p++) {
         char line[1000];
-        question_make(&q, &e->questions, p);
+        test_vector_make(&q, &e->sets, p);
         int used = snprintf(line, sizeof line, "%s", q.id);
         if (!q.numbers || !operation_valid(&o, q.inputs)) {
             snprintf(line + used, sizeof line - (size_t)used, " invalid\n");
@@ -526,7 +526,7 @@ static void answer_in_digits(struct test_run *e, const struct formulas *formulas
     }
     test_run_end(e, OUTCOME_MISSING);
     diagnose(e, 0);
-    question_clear(&q);
+    test_vector_clear(&q);
     operation_clear(&o);
 }
 
@@ -635,19 +635,19 @@ START_TEST(holes_that_are_too_many_are_missing)
     enum { ASKED = 4 * (MOST_SPANS + 2) };
     struct test_run *e = long_run_of(section_find(sheet(), "eq43"), ASKED);
     const struct summary *t = &e->summaries[0];
-    const uint64_t golden = (uint64_t)e->questions.courses[0].golden_count;
-    e->asked = e->questions.total;
+    const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
+    e->asked = e->sets.total;
     for (int k = 3; k < ASKED; k += 4)
         skip(e, k);
     /* the first hole has the golden questions too, before the first random one; the second one has three */
     ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 + 3);
-    skip(e, ASKED - 3); /* in the middle of the last one: what is behind it, one, is missing */
+    skip(e, ASKED - 3); /* in the middle of the last one: what is after it, one, is missing */
     ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 + 3 + 1);
     ck_assert_uint_eq(t->counts[OUTCOME_REORDERED], 1);
     skip(e, ASKED - 3);
     ck_assert_uint_eq(t->counts[OUTCOME_REPEATED], 1);
     test_run_end(e, OUTCOME_MISSING);
-    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 * (MOST_SPANS + 2) - 1 + course_defects(&e->questions.courses[0]));
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 * (MOST_SPANS + 2) - 1 + test_set_defects(&e->sets.all[0]));
     ck_assert_uint_eq(t->counts[OUTCOME_SKIPPED], MOST_SPANS + 2);
     close_run(e);
 }
@@ -657,12 +657,12 @@ END_TEST
 START_TEST(a_line_without_an_end_may_be_too_long_as_well)
 {
     struct test_run *e = run_of(section_find(sheet(), "eq43"));
-    e->asked = e->questions.total;
+    e->asked = e->sets.total;
     for (int i = 0; i <= LONGEST_LINE; i++)
         say(e, "1");
     test_run_end(e, OUTCOME_MISSING);
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_TOO_LONG], 1);
-    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MISSING], e->questions.total - 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MISSING], e->sets.total - 1);
     close_run(e);
 }
 END_TEST
@@ -673,10 +673,10 @@ START_TEST(an_id_is_the_one_that_was_sent_to_the_letter)
                                             "eq43-2-4", "eq43-1-4x", "eq44-1-4", "eq4-1-4", "eq43-papers", "eq43-1-outside-1",
                                             "eq43-1-outside-", "eq43-1-outside", "eq43-1-outside-00"};
     struct test_run *e = long_run_of(section_find(sheet(), "eq43"), 5);
-    ck_assert_uint_eq(questions_find(&e->questions, "eq43-paper"), 0);
-    ck_assert_uint_eq(questions_find(&e->questions, "eq43-1-4"), e->questions.total - 2);
-    ck_assert_uint_eq(questions_find(&e->questions, "eq43-1-outside-0"), e->questions.total - 1);
-    ck_assert_uint_eq(questions_find(&e->questions, strangers[_i]), UINT64_MAX);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-paper"), 0);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-1-4"), e->sets.total - 2);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-1-outside-0"), e->sets.total - 1);
+    ck_assert_uint_eq(test_sets_find(&e->sets, strangers[_i]), UINT64_MAX);
     close_run(e);
 }
 END_TEST
@@ -693,10 +693,10 @@ static const char *table_of(const char *const *answers, int significand)
     FILE *file = open_memstream(&text, &size);
     ck_assert(e != NULL && file != NULL);
     e->significand = significand;
-    questions_add(&e->questions, section_find(sheet(), "eq42"), 0, significand, false);
-    questions_add(&e->questions, section_find(sheet(), "eq43"), 0, significand, false);
+    test_sets_add(&e->sets, section_find(sheet(), "eq42"), 0, significand, false);
+    test_sets_add(&e->sets, section_find(sheet(), "eq43"), 0, significand, false);
     test_run_begin(e, digits);
-    e->asked = e->questions.total;
+    e->asked = e->sets.total;
     for (; *answers != NULL; answers++)
         say(e, *answers);
     const struct report r = {e, "client", "", 0.0, NULL};
@@ -733,11 +733,11 @@ END_TEST
 static enum outcome outcome_on(const char *operation, const char *id, const char *outputs)
 {
     struct test_run *e = run_of(section_find(sheet(), operation));
-    const uint64_t position = questions_find(&e->questions, id);
+    const uint64_t position = test_sets_find(&e->sets, id);
     char line[1000];
     enum outcome outcome = OUTCOME_RIGHT;
     ck_assert_msg(position != UINT64_MAX, "%s", id);
-    e->asked = e->questions.total;
+    e->asked = e->sets.total;
     snprintf(line, sizeof line, "%s %s\n", id, outputs);
     say(e, line);
     while (outcome < OUTCOMES && e->summaries[0].counts[outcome] == 0)

@@ -26,10 +26,10 @@ static struct test_run *run_of(const struct section *s, uint64_t random, int sig
     const double digits = s->method >= METHOD_RK4_LINEAR ? 11 : 9;
     ck_assert_ptr_nonnull(e);
     e->significand = significand;
-    e->questions.seed = 1;
-    questions_add(&e->questions, s, random, significand, false);
+    e->sets.seed = 1;
+    test_sets_add(&e->sets, s, random, significand, false);
     test_run_begin(e, &digits);
-    e->asked = e->questions.total;
+    e->asked = e->sets.total;
     return e;
 }
 
@@ -45,7 +45,7 @@ static void answer(struct test_run *e, uint64_t position, const char *words)
     char line[LONG];
     e->next = position;
     e->span_count = 0;
-    question_make(&e->judging, &e->questions, position);
+    test_vector_make(&e->judging, &e->sets, position);
     const int size = snprintf(line, sizeof line, "%s %s\n", e->judging.id, words);
     ck_assert_int_lt(size, LONG);
     test_run_hear(e, line, (size_t)size);
@@ -89,16 +89,16 @@ static void free_all(char **texts, int count)
 /* The first question from a position on that lies inside the domain, or outside. */
 static uint64_t question_that(struct test_run *e, uint64_t from, bool inside)
 {
-    struct question q;
+    struct test_vector q;
     uint64_t p = from;
-    question_init(&q);
+    test_vector_init(&q);
     for (;; p++) {
-        ck_assert_uint_lt(p, e->questions.total);
-        question_make(&q, &e->questions, p);
+        ck_assert_uint_lt(p, e->sets.total);
+        test_vector_make(&q, &e->sets, p);
         if ((q.numbers && operation_valid(e->comparators[0].operation, q.inputs)) == inside)
             break;
     }
-    question_clear(&q);
+    test_vector_clear(&q);
     return p;
 }
 
@@ -124,10 +124,10 @@ static void assert_limits(struct test_run *e, uint64_t position)
     const int count = o->section->output_count;
     arb_ptr exact = _arb_vec_init(count), S = _arb_vec_init(count);
     char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
-    struct question q;
+    struct test_vector q;
     SCOPE(arb, limit);
-    question_init(&q);
-    question_make(&q, &e->questions, position);
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, position);
     operation_sensitivity(o, q.inputs, BITS, S);
     operation_enclose(o, q.inputs, BITS, exact);
     ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
@@ -144,7 +144,7 @@ static void assert_limits(struct test_run *e, uint64_t position)
         assert_found(e, position, right_but(outputs, count, k, text), OUTCOME_WRONG);
     }
     free_all(outputs, count);
-    question_clear(&q);
+    test_vector_clear(&q);
     _arb_vec_clear(exact, count);
     _arb_vec_clear(S, count);
 }
@@ -155,7 +155,7 @@ START_TEST(each_output_passes_up_to_K_and_no_further)
     if (s->method != METHOD_FORMULA)
         return;
     struct test_run *e = run_of(s, RANDOM, BINARY64);
-    const uint64_t random = (uint64_t)e->questions.courses[0].golden_count;
+    const uint64_t random = (uint64_t)e->sets.all[0].golden_count;
     assert_limits(e, 0);
     assert_limits(e, question_that(e, 1, true));
     assert_limits(e, random);
@@ -173,12 +173,12 @@ START_TEST(K_counts_roundings_of_the_clients_own_numbers)
     struct operation *o = e->comparators[0].operation;
     arb_ptr exact = _arb_vec_init(1), S = _arb_vec_init(1);
     SCOPE(arb, limit);
-    struct question q;
-    question_init(&q);
+    struct test_vector q;
+    test_vector_init(&q);
     for (int i = 0; i < 8; i++) {
-        const uint64_t p = i < 4 ? 0 : (uint64_t)e->questions.courses[0].golden_count;
+        const uint64_t p = i < 4 ? 0 : (uint64_t)e->sets.all[0].golden_count;
         const bool within = i % 4 < 2;
-        question_make(&q, &e->questions, p);
+        test_vector_make(&q, &e->sets, p);
         operation_sensitivity(o, q.inputs, BITS, S);
         operation_enclose(o, q.inputs, BITS, exact);
         limit_of(limit, exact, S, i % 2 ? 1 : -1, e->comparators[0].K * (within ? 1 - 1e-3 : 1 + 1e-3), significand);
@@ -186,7 +186,7 @@ START_TEST(K_counts_roundings_of_the_clients_own_numbers)
         assert_found(e, p, text, within ? OUTCOME_RIGHT : OUTCOME_WRONG);
         flint_free(text);
     }
-    question_clear(&q);
+    test_vector_clear(&q);
     _arb_vec_clear(exact, 1);
     _arb_vec_clear(S, 1);
     close_run(e);
@@ -313,13 +313,13 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     const bool linear = _i % 2 == 0;
     struct test_run *e = run_of(s, 0, BINARY64);
     struct operation *o = e->comparators[0].operation;
-    const uint64_t p = questions_find(&e->questions, _i < 2 ? linear ? "flow_linear-rates-100" : "flow_nonlinear-moving-100"
+    const uint64_t p = test_sets_find(&e->sets, _i < 2 ? linear ? "flow_linear-rates-100" : "flow_nonlinear-moving-100"
                                                             : linear ? "rk4_linear-rates-100" : "rk4_nonlinear-moving-100");
     char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
-    struct question q;
+    struct test_vector q;
     double scale = 0, unit[6];
-    question_init(&q);
-    question_make(&q, &e->questions, p);
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, p);
     ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
     assert_found(e, p, right_but(outputs, 6, -1, ""), OUTCOME_RIGHT);
     const struct input *initial = q.inputs + (linear ? 5 : 8);
@@ -338,7 +338,7 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
         assert_found(e, p, right_but(outputs, 6, k, "-1.7e308"), OUTCOME_WRONG);
     }
     free_all(outputs, 6);
-    question_clear(&q);
+    test_vector_clear(&q);
     close_run(e);
 }
 END_TEST
@@ -442,15 +442,15 @@ START_TEST(a_line_has_the_outcome_that_it_says)
 {
     const struct section *s = &sheet()->sections[_i];
     char *outputs[MOST_OUTPUTS] = {NULL};
-    struct question q;
+    struct test_vector q;
     if (s->method == METHOD_NONE)
         return;
     struct test_run *e = run_of(s, RANDOM, BINARY64);
-    const uint64_t golden = (uint64_t)e->questions.courses[0].golden_count;
-    question_init(&q);
+    const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
+    test_vector_init(&q);
     for (int random = 0; random < (is_motion(s) ? 1 : 2); random++) {
         const uint64_t p = question_that(e, random ? golden : 0, true);
-        question_make(&q, &e->questions, p);
+        test_vector_make(&q, &e->sets, p);
         ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
         assert_inside(e, p, outputs);
         free_all(outputs, s->output_count);
@@ -459,9 +459,9 @@ START_TEST(a_line_has_the_outcome_that_it_says)
     assert_found(e, golden, "invalid", OUTCOME_INVALID);
     assert_found(e, golden + RANDOM - 1, "invalid", OUTCOME_INVALID);
     assert_outside(e, question_that(e, 0, false));
-    for (uint64_t p = golden + RANDOM; p < e->questions.total; p++)
+    for (uint64_t p = golden + RANDOM; p < e->sets.total; p++)
         assert_outside(e, p);
-    question_clear(&q);
+    test_vector_clear(&q);
     close_run(e);
 }
 END_TEST
@@ -474,18 +474,18 @@ START_TEST(random_questions_are_those_of_the_seed)
     const struct section *s = &sheet()->sections[_i];
     double values[MOST_INPUTS];
     struct input *inputs;
-    struct question q;
+    struct test_vector q;
     char id[100];
     if (s->method == METHOD_NONE)
         return;
     struct test_run *e = run_of(s, RANDOM, BINARY64);
-    const uint64_t golden = (uint64_t)e->questions.courses[0].golden_count;
-    ck_assert_uint_eq(e->questions.total, golden + RANDOM + RANDOM / 16);
+    const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
+    ck_assert_uint_eq(e->sets.total, golden + RANDOM + RANDOM / 16);
     inputs = inputs_new(s->input_count);
-    question_init(&q);
+    test_vector_init(&q);
     for (uint64_t k = 0; k < RANDOM; k++) {
         char *outputs[MOST_OUTPUTS] = {NULL};
-        question_make(&q, &e->questions, golden + k);
+        test_vector_make(&q, &e->sets, golden + k);
         sample(e->comparators[0].operation, 1, k, values, inputs);
         snprintf(id, sizeof id, "%s-1-%d", s->id, (int)k);
         ck_assert_str_eq(q.id, id);
@@ -497,7 +497,7 @@ START_TEST(random_questions_are_those_of_the_seed)
         assert_found(e, golden + k, right_but(outputs, s->output_count, -1, ""), OUTCOME_RIGHT);
         free_all(outputs, s->output_count);
     }
-    question_clear(&q);
+    test_vector_clear(&q);
     inputs_free(inputs, s->input_count);
     close_run(e);
 }
@@ -508,14 +508,14 @@ START_TEST(random_questions_from_outside_have_every_defect)
 {
     const struct section *s = &sheet()->sections[_i];
     int nans[MOST_INPUTS] = {0}, last = 0;
-    struct question q;
+    struct test_vector q;
     if (s->method == METHOD_NONE)
         return;
     struct test_run *e = run_of(s, UINT64_C(16) * 150, BINARY64);
-    question_init(&q);
-    for (uint64_t p = (uint64_t)e->questions.courses[0].golden_count + 16 * 150; p < e->questions.total; p++) {
+    test_vector_init(&q);
+    for (uint64_t p = (uint64_t)e->sets.all[0].golden_count + 16 * 150; p < e->sets.total; p++) {
         int defects = 0;
-        question_make(&q, &e->questions, p);
+        test_vector_make(&q, &e->sets, p);
         ck_assert_msg(!q.numbers || !operation_valid(e->comparators[0].operation, q.inputs), "%s", q.id);
         for (int i = 0; i < s->input_count; i++) {
             nans[i] += isnan(q.values[i]);
@@ -527,7 +527,7 @@ START_TEST(random_questions_from_outside_have_every_defect)
     for (int i = 0; i < s->input_count; i++)
         ck_assert_msg(nans[i] > 0, "%s: %s is never nan", s->id, s->inputs[i]->name);
     ck_assert(last > 0 || s->corrected.count == 0);
-    question_clear(&q);
+    test_vector_clear(&q);
     close_run(e);
 }
 END_TEST
@@ -538,13 +538,13 @@ START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
     const int significand = _i % 2 ? BINARY32 : BINARY64;
     const struct section *s = section_find(sheet(), _i < 2 ? "eq37" : "eq12");
     struct test_run *e = run_of(s, RANDOM, significand);
-    const uint64_t golden = (uint64_t)e->questions.courses[0].golden_count;
-    struct question q;
+    const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
+    struct test_vector q;
     int left = 0;
-    question_init(&q);
+    test_vector_init(&q);
     for (uint64_t p = golden; p < golden + RANDOM; p++) {
         char *outputs[MOST_OUTPUTS] = {NULL};
-        question_make(&q, &e->questions, p);
+        test_vector_make(&q, &e->sets, p);
         const bool leaves = vector_leaves_range(e->comparators[0].operation, q.inputs, significand);
         ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
         assert_found(e, p, right_but(outputs, s->output_count, -1, ""), leaves ? OUTCOME_SKIPPED : OUTCOME_RIGHT);
@@ -552,7 +552,7 @@ START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
         left += leaves;
     }
     ck_assert((left > 0) == (_i == 1)); /* R_c^5 of eq37 */
-    question_clear(&q);
+    test_vector_clear(&q);
     close_run(e);
 }
 END_TEST
@@ -668,7 +668,7 @@ START_TEST(the_last_line_has_an_end)
         test_run_end(e, OUTCOME_MISSING);
         ck_assert_uint_eq(counts[OUTCOME_SKIPPED], (uint64_t)ended);
         ck_assert_uint_eq(counts[OUTCOME_TRUNCATED], 1 - (uint64_t)ended);
-        ck_assert_uint_eq(counts[OUTCOME_MISSING], e->questions.total - 1);
+        ck_assert_uint_eq(counts[OUTCOME_MISSING], e->sets.total - 1);
         close_run(e);
     }
 }
@@ -692,7 +692,7 @@ END_TEST
 START_TEST(so_many_lines_out_of_place_are_heard)
 {
     struct test_run *few = eq43(), *many = run_of(section_find(sheet(), "eq43"), 6000, BINARY64);
-    const uint64_t most = 2 * many->questions.total;
+    const uint64_t most = 2 * many->sets.total;
     ck_assert_uint_gt(most, 10000);
     for (uint64_t k = 1; k <= most; k++) {
         const bool on = test_run_hear(many, "?\n", 2);

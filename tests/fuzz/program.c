@@ -37,7 +37,7 @@ static void run_program(int count, char **arguments, const char *bytes, size_t s
     free(output);
 }
 
-/* A line is an argument; what stands behind a zero byte is standard input. */
+/* A line is an argument; what stands after a zero byte is standard input. */
 void command_line(const char *bytes, size_t size)
 {
     enum { MOST = 40 };
@@ -91,10 +91,10 @@ void protocol(const char *bytes, size_t size)
     size_t length;
     memset(&e, 0, sizeof e);
     e.significand = significands[first >> 5 & 3];
-    e.questions.seed = 1;
+    e.sets.seed = 1;
     for (size_t i = 0; i < sizeof ids / sizeof *ids; i++)
         if (first >> i & 1)
-            questions_add(&e.questions, section_find(sheet(), ids[i]), 2, e.significand, false);
+            test_sets_add(&e.sets, section_find(sheet(), ids[i]), 2, e.significand, false);
     test_run_begin(&e, digits);
     if (first & 128)
         test_run_ask(&e, room, sizeof room);

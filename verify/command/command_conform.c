@@ -109,9 +109,9 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
     uint64_t random = 0, significand = BINARY64;
     int status = take_number(a, "--random", &random);
     if (status == EXIT_DONE)
-        status = take_number(a, "--seed", &e->questions.seed);
+        status = take_number(a, "--seed", &e->sets.seed);
     if (status == EXIT_DONE)
-        status = option_inputs(a, &e->questions.form);
+        status = option_inputs(a, &e->sets.form);
     if (status == EXIT_DONE)
         status = take_number(a, "--significand", &significand);
     if (status == EXIT_DONE && option_given(a, "--random") != option_given(a, "--seed"))
@@ -129,8 +129,8 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
         const struct section *s = &sheet()->sections[i];
         if (!c->chosen[i])
             continue;
-        digits[e->questions.count] = c->digits[i];
-        questions_add(&e->questions, s, is_motion(s) && !c->some ? 0 : random, e->significand,
+        digits[e->sets.count] = c->digits[i];
+        test_sets_add(&e->sets, s, is_motion(s) && !c->some ? 0 : random, e->significand,
                       e->range || e->from_file);
     }
     test_run_begin(e, digits);
@@ -172,7 +172,7 @@ static bool hear(void *context, const char *bytes, size_t size, bool *answered)
     struct watched *w = context;
     const bool on = test_run_hear(w->run, bytes, size);
     *answered = memchr(bytes, '\n', size) != NULL;
-    progress_show(&w->progress, w->run->next, w->run->questions.total);
+    progress_show(&w->progress, w->run->next, w->run->sets.total);
     return on;
 }
 
@@ -183,7 +183,7 @@ static int conclude(struct test_run *e, enum ending ending, int status, const ch
     if (ending == ENDING_EXIT && status != 0 && e->heard == 0)
         return usage_error(EXIT_USAGE, "client '%s': ended with %s %d before its first answer", name,
                            signalled ? "signal" : "exit status", signalled ? WTERMSIG(status) : WEXITSTATUS(status));
-    const uint64_t answered = e->next, total = e->questions.total;
+    const uint64_t answered = e->next, total = e->sets.total;
     if (ending == ENDING_EXIT && (status != 0 || answered < total))
         snprintf(e->ended, sizeof e->ended, "with %s %d after %" PRIu64 " of %" PRIu64 " answers", signalled ? "signal" : "exit status",
                  signalled ? WTERMSIG(status) : WEXITSTATUS(status), answered, total);
@@ -348,7 +348,7 @@ static int read_answers(struct test_run *e, const struct arguments *a, const str
     if (f->file == NULL) {
         f->status = usage_error(status_of_name(errno), "%s: %s", f->name, strerror(errno));
     } else {
-        e->asked = e->questions.total;
+        e->asked = e->sets.total;
         hear_file(e, f, s);
         fclose(f->file);
     }

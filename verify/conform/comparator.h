@@ -8,7 +8,7 @@
 
 #include "evaluate/errors.h"
 
-/* What may come of a question, or of a line that answers none; everything behind SKIPPED is a failure. */
+/* What may come of a question, or of a line that answers none; everything after SKIPPED is a failure. */
 enum outcome {
     OUTCOME_RIGHT,
     OUTCOME_SKIPPED,
@@ -23,10 +23,10 @@ enum outcome {
     OUTCOME_TOO_LONG,  /* a line                                                         */
     OUTCOME_STRANGER,  /* an id that no question has                                     */
     OUTCOME_REPEATED,
-    OUTCOME_REORDERED, /* behind the answer to a later question                          */
+    OUTCOME_REORDERED, /* after the answer to a later question                          */
     OUTCOME_EARLY,     /* before its question                                            */
     OUTCOME_MISSING,
-    OUTCOME_EXTRA,     /* a line behind the last answer                                  */
+    OUTCOME_EXTRA,     /* a line after the last answer                                  */
     OUTCOME_FLOOD,     /* so many lines out of place that the client was stopped         */
     OUTCOME_TIMEOUT,
     OUTCOME_CRASH,     /* ended by a signal                                              */

@@ -22,14 +22,14 @@ uint64_t summary_failed(const struct summary *t)
 
 static struct summary *own_summary(struct test_run *e)
 {
-    return &e->summaries[e->questions.count];
+    return &e->summaries[e->sets.count];
 }
 
 static struct summary *summary_at(struct test_run *e, uint64_t position)
 {
-    if (position >= e->questions.total)
+    if (position >= e->sets.total)
         return own_summary(e);
-    return &e->summaries[question_course(&e->questions, position) - e->questions.courses];
+    return &e->summaries[test_sets_at(&e->sets, position) - e->sets.all];
 }
 
 /* Wrong numbers before everything else, the further off the worse. */
@@ -75,11 +75,11 @@ void test_run_note(struct test_run *e, enum outcome outcome)
 
 static void missing(struct test_run *e, struct span s)
 {
-    for (uint64_t p = s.first; p <= s.last && p < e->questions.total; p++) {
-        const struct course *course = question_course(&e->questions, p);
-        const uint64_t at = p - course->first;
-        const bool golden = at < (uint64_t)course->golden_count;
-        const bool optional = e->from_file && !e->range && golden && course->golden[at].range;
+    for (uint64_t p = s.first; p <= s.last && p < e->sets.total; p++) {
+        const struct test_set *set = test_sets_at(&e->sets, p);
+        const uint64_t at = p - set->first;
+        const bool golden = at < (uint64_t)set->golden_count;
+        const bool optional = e->from_file && !e->range && golden && set->golden[at].range;
         found(e, p, optional ? OUTCOME_SKIPPED : OUTCOME_MISSING, "");
     }
 }
@@ -125,7 +125,7 @@ static bool take_up(struct test_run *e, uint64_t position)
 
 static void stray(struct test_run *e, enum outcome outcome, const char *line)
 {
-    const bool over = e->next == e->questions.total && e->span_count == 0 && !e->from_file;
+    const bool over = e->next == e->sets.total && e->span_count == 0 && !e->from_file;
     found(e, e->from_file ? UINT64_MAX : e->next + e->strays, over ? OUTCOME_EXTRA : outcome, line);
     e->strays += !e->from_file; /* rows of a file take nobody's place */
     e->out_of_place++;
@@ -183,7 +183,7 @@ static enum outcome read_numbers(struct test_run *e, struct comparator *j, char 
     return count == due ? outcome : OUTCOME_COUNT;
 }
 
-static enum outcome compare_numbers(struct test_run *e, struct comparator *j, const struct question *q, struct failure *f)
+static enum outcome compare_numbers(struct test_run *e, struct comparator *j, const struct test_vector *q, struct failure *f)
 {
     struct summary *t = summary_at(e, f->position);
     if (e->significand == BINARY32 && q->golden == NULL && j->operation->section->method == METHOD_FORMULA &&
@@ -199,11 +199,11 @@ static enum outcome compare_numbers(struct test_run *e, struct comparator *j, co
     return outcome;
 }
 
-/* What the words behind the id say about the question. */
-static void answer(struct test_run *e, const struct question *q, uint64_t position, char **words, int count,
+/* What the words after the id say about the question. */
+static void answer(struct test_run *e, const struct test_vector *q, uint64_t position, char **words, int count,
                    const char *line)
 {
-    struct comparator *j = &e->comparators[q->course - e->questions.courses];
+    struct comparator *j = &e->comparators[q->set - e->sets.all];
     struct failure f = {.position = position, .score = {0.0, INFINITY, 0}};
     const bool inside = q->drawn_inside || (q->numbers && operation_valid(j->operation, q->inputs));
     if (count > 0 && strcmp(words[0], "skip") == 0) {
@@ -229,7 +229,7 @@ static void answer(struct test_run *e, const struct question *q, uint64_t positi
 /* An answer to another question than the next one. */
 static bool find_place(struct test_run *e, const char *id, const char *line, uint64_t *position)
 {
-    *position = questions_find(&e->questions, id);
+    *position = test_sets_find(&e->sets, id);
     if (*position == UINT64_MAX) {
         stray(e, OUTCOME_STRANGER, line);
         return false;
@@ -242,7 +242,7 @@ static bool find_place(struct test_run *e, const char *id, const char *line, uin
         const bool passed_over = take_up(e, *position);
         if (passed_over && e->from_file)
             return true;
-        const bool over = e->next == e->questions.total && e->span_count == 0 && !passed_over && !e->from_file;
+        const bool over = e->next == e->sets.total && e->span_count == 0 && !passed_over && !e->from_file;
         found(e, over ? UINT64_MAX : *position,
               passed_over ? OUTCOME_REORDERED : over ? OUTCOME_EXTRA : OUTCOME_REPEATED, line);
     }
@@ -263,25 +263,25 @@ static void hear_line(struct test_run *e, char *line, bool ended)
         return;
     }
     const bool expected = e->next < e->asked && strcmp(words[0], e->judging.id) == 0;
-    struct question *q = &e->judging, other;
+    struct test_vector *q = &e->judging, other;
     if (!expected && !find_place(e, words[0], shown, &position))
         return;
     if (position < e->next) { /* of a file, where answers stand in any order */
-        question_init(&other);
-        question_make(&other, &e->questions, position);
+        test_vector_init(&other);
+        test_vector_make(&other, &e->sets, position);
         answer(e, &other, position, words + 1, count - 1, shown);
-        question_clear(&other);
+        test_vector_clear(&other);
         return;
     }
     if (position > e->next)
         pass_over(e, e->next, position - 1);
     if (position > e->next)
-        question_make(q, &e->questions, position);
+        test_vector_make(q, &e->sets, position);
     e->strays = 0;
     answer(e, q, position, words + 1, count - 1, shown);
     e->next = position + 1;
-    if (e->next < e->questions.total)
-        question_make(q, &e->questions, e->next);
+    if (e->next < e->sets.total)
+        test_vector_make(q, &e->sets, e->next);
 }
 
 /* ---- the stream ---- */
@@ -312,7 +312,7 @@ bool test_run_hear(void *run, const char *bytes, size_t size)
         e->length = 0;
         e->unended = 0;
     }
-    return e->out_of_place < MOST_OUT_OF_PLACE || e->out_of_place < 2 * e->questions.total;
+    return e->out_of_place < MOST_OUT_OF_PLACE || e->out_of_place < 2 * e->sets.total;
 }
 
 size_t test_run_ask(void *run, char *room, size_t size)
@@ -320,13 +320,13 @@ size_t test_run_ask(void *run, char *room, size_t size)
     struct test_run *e = run;
     const size_t longest = 2 * LONGEST_ID + LONGEST_INPUT * (size_t)MOST_INPUTS;
     size_t used = 0;
-    while (e->asked < e->questions.total && size - used > longest) {
+    while (e->asked < e->sets.total && size - used > longest) {
         char text[LONGEST_INPUT];
-        question_make(&e->asking, &e->questions, e->asked);
-        const struct section *s = e->asking.course->operation.section;
+        test_vector_make(&e->asking, &e->sets, e->asked);
+        const struct section *s = e->asking.set->operation.section;
         used += (size_t)snprintf(room + used, size - used, "%s %s", s->id, e->asking.id);
         for (int i = 0; i < s->input_count; i++) {
-            question_text(&e->asking, i, e->questions.form, text);
+            test_vector_text(&e->asking, i, e->sets.form, text);
             used += (size_t)snprintf(room + used, size - used, " %s", text);
         }
         room[used++] = '\n';
@@ -337,17 +337,17 @@ size_t test_run_ask(void *run, char *room, size_t size)
 
 void test_run_begin(struct test_run *e, const double *digits)
 {
-    const int count = e->questions.count;
+    const int count = e->sets.count;
     e->comparators = xrealloc(NULL, (size_t)count, sizeof *e->comparators);
     e->summaries = xrealloc(NULL, (size_t)count + 1, sizeof *e->summaries);
     for (int k = 0; k <= count; k++)
         e->summaries[k] = (struct summary){.digits = INFINITY, .worst = UINT64_MAX};
     for (int k = 0; k < count; k++)
-        comparator_init(&e->comparators[k], &e->questions.courses[k].operation, e->significand, digits[k]);
-    question_init(&e->asking);
-    question_init(&e->judging);
-    if (e->questions.total > 0)
-        question_make(&e->judging, &e->questions, 0);
+        comparator_init(&e->comparators[k], &e->sets.all[k].operation, e->significand, digits[k]);
+    test_vector_init(&e->asking);
+    test_vector_init(&e->judging);
+    if (e->sets.total > 0)
+        test_vector_make(&e->judging, &e->sets, 0);
 }
 
 void test_run_end(struct test_run *e, enum outcome why)
@@ -363,9 +363,9 @@ void test_run_end(struct test_run *e, enum outcome why)
         found(e, e->next, why, "");
         e->strays++;
     }
-    if (e->next < e->questions.total)
-        pass_over(e, e->next, e->questions.total - 1);
-    e->next = e->questions.total;
+    if (e->next < e->sets.total)
+        pass_over(e, e->next, e->sets.total - 1);
+    e->next = e->sets.total;
     for (int i = 0; i < e->span_count; i++)
         missing(e, e->spans[i]);
     e->span_count = 0;
@@ -373,11 +373,11 @@ void test_run_end(struct test_run *e, enum outcome why)
 
 void test_run_clear(struct test_run *e)
 {
-    for (int k = 0; k < e->questions.count; k++)
+    for (int k = 0; k < e->sets.count; k++)
         comparator_clear(&e->comparators[k]);
-    question_clear(&e->asking);
-    question_clear(&e->judging);
+    test_vector_clear(&e->asking);
+    test_vector_clear(&e->judging);
     free(e->comparators);
     free(e->summaries);
-    questions_clear(&e->questions);
+    test_sets_clear(&e->sets);
 }

@@ -21,7 +21,7 @@ struct failure {
     bool has_values;
 };
 
-/* What was found about one operation, or behind them all about the client itself. */
+/* What was found about one operation, or after them all about the client itself. */
 struct summary {
     uint64_t counts[OUTCOMES];
     double worst_E, digits;          /* of all answers in numbers: the largest, the fewest (INFINITY: none yet) */
@@ -42,9 +42,9 @@ struct span {
 };
 
 struct test_run {
-    struct questions questions;
-    struct comparator *comparators;  /* one a course                              */
-    struct summary *summaries;       /* the client's own behind them              */
+    struct test_sets sets;
+    struct comparator *comparators;  /* one a test set                            */
+    struct summary *summaries;       /* the client's own after them              */
     int significand;
     bool from_file;                  /* any order, and answers may be left out of what is flagged range */
     bool range;                      /* such vectors are wanted                   */
@@ -52,13 +52,13 @@ struct test_run {
     uint64_t strays, out_of_place;   /* lines without a question since the last answer; lines out of place in all */
     struct span spans[MOST_SPANS];
     int span_count;
-    struct question asking, judging; /* the questions at `asked` and `next`       */
+    struct test_vector asking, judging; /* the questions at `asked` and `next`       */
     char line[LONGEST_LINE + 1];
     char ended[80];                  /* how the client ended, where that was too soon */
     size_t length, unended;          /* bytes kept of the line, and heard of it   */
 };
 
-/* All questions are in; digits[k] is what course k declares. */
+/* All questions are in; digits[k] is what test set k declares. */
 void test_run_begin(struct test_run *e, const double *digits);
 void test_run_clear(struct test_run *e);
 

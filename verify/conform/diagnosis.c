@@ -105,7 +105,7 @@ static bool is_long(const struct section *s, const struct input *inputs)
 static const double PATIENCE = 1.0; /* seconds of processor time for an operation */
 
 /* Whether the mutant makes of the question what was answered. */
-static bool explains(struct mutant *x, const struct test_run *e, const struct failure *f, const struct question *q,
+static bool explains(struct mutant *x, const struct test_run *e, const struct failure *f, const struct test_vector *q,
                      double digits)
 {
     struct comparator j;
@@ -140,23 +140,23 @@ static bool is_domain_alone(const struct summary *t)
 static bool explains_all(struct mutant *x, const struct test_run *e, const struct summary *t, double digits)
 {
     const enum outcome last = is_domain_alone(t) ? OUTCOME_VALUE : OUTCOME_INVALID;
-    struct question q;
+    struct test_vector q;
     int explained = 0;
     bool all = true;
-    question_init(&q);
+    test_vector_init(&q);
     for (int pass = 0; pass < 2 && explained == 0 && all; pass++)
         for (int i = 0; i < t->failure_count && all; i++) {
             const struct failure *f = &t->failures[i];
 
             if (f->outcome < OUTCOME_WRONG || f->outcome > last)
                 continue;
-            question_make(&q, &e->questions, f->position);
-            if (pass == 0 && q.numbers && is_long(q.course->operation.section, q.inputs))
+            test_vector_make(&q, &e->sets, f->position);
+            if (pass == 0 && q.numbers && is_long(q.set->operation.section, q.inputs))
                 continue;
             all = clock() <= x->o.until && explains(x, e, f, &q, digits);
             explained++;
         }
-    question_clear(&q);
+    test_vector_clear(&q);
     return all && explained > 0;
 }
 
@@ -190,10 +190,10 @@ static bool are_singles(const struct summary *t, int outputs)
 static const double LOST = 1e-9;
 
 /* Right but for the number format: how it is computed, or how it is written. */
-static const char *format_mistake(const struct test_run *e, int course, char text[48])
+static const char *format_mistake(const struct test_run *e, int set, char text[48])
 {
-    const struct summary *t = &e->summaries[course];
-    const int outputs = e->comparators[course].operation->section->output_count;
+    const struct summary *t = &e->summaries[set];
+    const int outputs = e->comparators[set].operation->section->output_count;
     const int digits = digits_written(t, outputs);
     double worst = 0.0;
     for (int i = 0; i < t->failure_count; i++) {
@@ -203,10 +203,10 @@ static const char *format_mistake(const struct test_run *e, int course, char tex
             return NULL;
         worst = fmax(worst, t->failures[i].score.E);
     }
-    if (worst == 0.0 || is_motion(e->comparators[course].operation->section) || e->significand != BINARY64)
+    if (worst == 0.0 || is_motion(e->comparators[set].operation->section) || e->significand != BINARY64)
         return NULL;
     worst = ldexp(worst, -BINARY64); /* relative to |y*| + S */
-    if (are_singles(t, outputs) && worst <= ldexp(e->comparators[course].K, -BINARY32))
+    if (are_singles(t, outputs) && worst <= ldexp(e->comparators[set].K, -BINARY32))
         return "computed in single precision";
     snprintf(text, 48, "written with only %d digits", digits);
     if (digits < 17 && worst <= 10.0 * pow(10.0, -digits))
@@ -223,10 +223,10 @@ static void add_name(struct summary *t, const char *name, const char *joint)
     snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s", used ? joint : "", name);
 }
 
-void diagnose(struct test_run *e, int course)
+void diagnose(struct test_run *e, int set)
 {
-    struct summary *t = &e->summaries[course];
-    const struct comparator *j = &e->comparators[course];
+    struct summary *t = &e->summaries[set];
+    const struct comparator *j = &e->comparators[set];
     struct mutants list = mutants_of(j->operation->section);
     const clock_t until = clock() + (clock_t)(PATIENCE * CLOCKS_PER_SEC);
     char written[48];
@@ -236,7 +236,7 @@ void diagnose(struct test_run *e, int course)
             add_name(t, list.all[i].name, "; or ");
     }
     t->hurried = clock() > until;
-    const char *format = t->diagnosis[0] == '\0' ? format_mistake(e, course, written) : NULL;
+    const char *format = t->diagnosis[0] == '\0' ? format_mistake(e, set, written) : NULL;
     if (format != NULL)
         add_name(t, format, "");
     if (t->counts[OUTCOME_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))

@@ -25,7 +25,7 @@ int level_of(const struct section *s)
 struct totals report_totals(const struct test_run *e)
 {
     struct totals sum = {0, 0, 0};
-    for (int k = 0; k <= e->questions.count; k++) {
+    for (int k = 0; k <= e->sets.count; k++) {
         sum.passed += e->summaries[k].counts[OUTCOME_RIGHT];
         sum.failed += summary_failed(&e->summaries[k]);
         sum.skipped += e->summaries[k].counts[OUTCOME_SKIPPED];
@@ -46,7 +46,7 @@ static const char *error_text(double E, char text[NUMBER])
     return text;
 }
 
-/* Digits, rounded down to one behind the point. */
+/* Digits, rounded down to one after the point. */
 static const char *digits_text(double digits, char text[NUMBER])
 {
     if (isinf(digits) && digits > 0.0)
@@ -55,10 +55,10 @@ static const char *digits_text(double digits, char text[NUMBER])
     return text;
 }
 
-static double summary_digits(const struct test_run *e, int course)
+static double summary_digits(const struct test_run *e, int set)
 {
-    const struct summary *t = &e->summaries[course];
-    if (is_motion(e->comparators[course].operation->section))
+    const struct summary *t = &e->summaries[set];
+    if (is_motion(e->comparators[set].operation->section))
         return t->digits;
     return t->worst_E > 0.0 ? -log10(ldexp(t->worst_E, -e->significand)) : INFINITY;
 }
@@ -78,7 +78,7 @@ static void outcomes_text(const struct summary *t, char *text, size_t size)
 
 /* A vector with what was due, each as text; made for reports only. */
 struct exhibit {
-    struct question question;
+    struct test_vector vector;
     char inputs[MOST_INPUTS][LONGEST_INPUT];
     char *expected[MOST_OUTPUTS]; /* NULL: none was due, or none could be proved */
     bool invalid;
@@ -87,20 +87,20 @@ struct exhibit {
 static void exhibit_init(struct exhibit *x, const struct test_run *e, uint64_t position)
 {
     memset(x, 0, sizeof *x);
-    question_init(&x->question);
-    question_make(&x->question, &e->questions, position);
-    struct operation *o = &x->question.course->operation;
+    test_vector_init(&x->vector);
+    test_vector_make(&x->vector, &e->sets, position);
+    struct operation *o = &x->vector.set->operation;
     for (int i = 0; i < o->section->input_count; i++)
-        question_text(&x->question, i, e->questions.form, x->inputs[i]);
-    x->invalid = !x->question.numbers ||
-                 operation_digits(o, x->question.inputs, SHOWN_DIGITS, x->expected) == OPERATION_INVALID;
+        test_vector_text(&x->vector, i, e->sets.form, x->inputs[i]);
+    x->invalid = !x->vector.numbers ||
+                 operation_digits(o, x->vector.inputs, SHOWN_DIGITS, x->expected) == OPERATION_INVALID;
 }
 
 static void exhibit_clear(struct exhibit *x)
 {
     for (int i = 0; i < MOST_OUTPUTS; i++)
         free(x->expected[i]);
-    question_clear(&x->question);
+    test_vector_clear(&x->vector);
 }
 
 /* Not about the stream of lines: then the vector itself tells something. */
@@ -116,11 +116,11 @@ static bool has_unit(const struct quantity *q)
 
 static void exhibit_text(const struct exhibit *x, const struct summary *t, FILE *file)
 {
-    const struct section *s = x->question.course->operation.section;
+    const struct section *s = x->vector.set->operation.section;
     const struct failure *f = &t->worst_failure;
     const bool marked = f->outcome == OUTCOME_WRONG && s->method == METHOD_FORMULA && s->output_count > 1;
     char number[NUMBER];
-    fprintf(file, "  %s: %s", x->question.id, outcome_names[f->outcome]);
+    fprintf(file, "  %s: %s", x->vector.id, outcome_names[f->outcome]);
     if (f->outcome == OUTCOME_WRONG && is_motion(s))
         fprintf(file, ", %s digits", digits_text(f->score.digits, number));
     else if (f->outcome == OUTCOME_WRONG)
@@ -160,8 +160,8 @@ static void failure_text(const struct test_run *e, int k, FILE *file)
     const struct summary *t = &e->summaries[k];
     char text[512];
     outcomes_text(t, text, sizeof text);
-    fprintf(file, "%s: %s\n", k < e->questions.count ? e->comparators[k].operation->section->id : "client", text);
-    if (k == e->questions.count) {
+    fprintf(file, "%s: %s\n", k < e->sets.count ? e->comparators[k].operation->section->id : "client", text);
+    if (k == e->sets.count) {
         line_text(t, file);
         return;
     }
@@ -186,26 +186,26 @@ static void row_text(const struct test_run *e, int k, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
     const struct section *s = e->comparators[k].operation->section;
-    const struct course *c = &e->questions.courses[k];
+    const struct test_set *c = &e->sets.all[k];
     char E[NUMBER], digits[NUMBER];
-    struct question q;
+    struct test_vector q;
     fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, s->id,
-            course_total(c), t->counts[OUTCOME_RIGHT], summary_failed(t), t->counts[OUTCOME_SKIPPED]);
+            test_set_total(c), t->counts[OUTCOME_RIGHT], summary_failed(t), t->counts[OUTCOME_SKIPPED]);
     if (t->worst == UINT64_MAX) {
         fputc('\n', file);
         return;
     }
-    question_init(&q);
-    question_make(&q, &e->questions, t->worst);
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, t->worst);
     fprintf(file, "  %8s  %6s  %s\n", is_motion(s) ? "-" : error_text(t->worst_E, E),
             digits_text(summary_digits(e, k), digits), q.id);
-    question_clear(&q);
+    test_vector_clear(&q);
 }
 
 /* A line for each reason that a client gave, with the operations that it gave it for first. */
 static void skips_text(const struct test_run *e, FILE *file)
 {
-    for (int k = 0; k < e->questions.count; k++) {
+    for (int k = 0; k < e->sets.count; k++) {
         const char *reason = e->summaries[k].reason;
         int first = 0;
         while (strcmp(e->summaries[first].reason, reason) != 0)
@@ -213,7 +213,7 @@ static void skips_text(const struct test_run *e, FILE *file)
         if (*reason == '\0' || first < k)
             continue;
         fprintf(file, "\nskipped,%s:", reason);
-        for (int i = k; i < e->questions.count; i++)
+        for (int i = k; i < e->sets.count; i++)
             if (strcmp(e->summaries[i].reason, reason) == 0)
                 fprintf(file, " %s", e->comparators[i].operation->section->id);
         fputc('\n', file);
@@ -225,14 +225,14 @@ void report_text(const struct report *r, FILE *file)
     struct test_run *e = r->run;
     const struct totals sum = report_totals(e);
     fputs("operation        vectors   passed  failed  skipped   worst E  digits  worst vector\n", file);
-    for (int k = 0; k < e->questions.count; k++)
+    for (int k = 0; k < e->sets.count; k++)
         row_text(e, k, file);
-    for (int k = 0; k <= e->questions.count; k++)
+    for (int k = 0; k <= e->sets.count; k++)
         if (summary_failed(&e->summaries[k]) > 0) {
             fputc('\n', file);
             failure_text(e, k, file);
             fflush(file); /* an error stays with the file */
-            if (r->diagnose != NULL && k < e->questions.count)
+            if (r->diagnose != NULL && k < e->sets.count)
                 r->diagnose(e, k);
             diagnosis_text(&e->summaries[k], file);
         }
@@ -240,7 +240,7 @@ void report_text(const struct report *r, FILE *file)
     if (*e->ended != '\0')
         fprintf(file, "\nthe client ended %s\n", e->ended);
     fprintf(file, "\n%" PRIu64 " vectors: %" PRIu64 " passed, %" PRIu64 " failed, %" PRIu64 " skipped\n",
-            e->questions.total, sum.passed, sum.failed, sum.skipped);
+            e->sets.total, sum.passed, sum.failed, sum.skipped);
 }
 
 /* ---- files ---- */
@@ -283,17 +283,17 @@ static void write_xml(const struct report *r, FILE *file)
 {
     const struct test_run *e = r->run;
     int failures = 0, skipped = 0;
-    for (int k = 0; k <= e->questions.count; k++) {
+    for (int k = 0; k <= e->sets.count; k++) {
         const bool failed = summary_failed(&e->summaries[k]) > 0;
         failures += failed;
-        skipped += !failed && e->summaries[k].counts[OUTCOME_RIGHT] == 0 && k < e->questions.count;
+        skipped += !failed && e->summaries[k].counts[OUTCOME_RIGHT] == 0 && k < e->sets.count;
     }
     fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"", file);
     put_text(file, r->client, true);
-    fprintf(file, "\" tests=\"%d\" failures=\"%d\" errors=\"0\" skipped=\"%d\">\n", e->questions.count + 1,
+    fprintf(file, "\" tests=\"%d\" failures=\"%d\" errors=\"0\" skipped=\"%d\">\n", e->sets.count + 1,
             failures, skipped);
-    for (int k = 0; k <= e->questions.count; k++) {
-        const bool asked = k < e->questions.count;
+    for (int k = 0; k <= e->sets.count; k++) {
+        const bool asked = k < e->sets.count;
         fprintf(file, "<testcase classname=\"%s\" name=\"%s\">",
                 asked ? level_names[level_of(e->comparators[k].operation->section)] : "client",
                 asked ? e->comparators[k].operation->section->id : "client");
@@ -334,7 +334,7 @@ static void write_exhibit(const struct test_run *e, int k, FILE *file)
     struct exhibit x;
     char number[NUMBER];
     exhibit_init(&x, e, f->position);
-    fprintf(file, "\"vector\": {\"id\": \"%s\", \"finding\": \"%s\", ", x.question.id, outcome_names[f->outcome]);
+    fprintf(file, "\"vector\": {\"id\": \"%s\", \"finding\": \"%s\", ", x.vector.id, outcome_names[f->outcome]);
     if (f->outcome == OUTCOME_WRONG)
         fprintf(file, "\"%s\": \"%s\", ", is_motion(s) ? "digits" : "E",
                 is_motion(s) ? digits_text(f->score.digits, number) : error_text(f->score.E, number));
@@ -355,18 +355,18 @@ static void write_row(const struct test_run *e, int k, FILE *file)
     const struct summary *t = &e->summaries[k];
     const struct section *s = e->comparators[k].operation->section;
     char number[NUMBER];
-    const struct course *c = &e->questions.courses[k];
+    const struct test_set *c = &e->sets.all[k];
     fprintf(file, "    {\"id\": \"%s\", \"level\": \"%s\", \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64
             ", \"failed\": %" PRIu64 ", \"skipped\": %" PRIu64 ", ", s->id, level_names[level_of(s)],
-            course_total(c), t->counts[OUTCOME_RIGHT], summary_failed(t), t->counts[OUTCOME_SKIPPED]);
+            test_set_total(c), t->counts[OUTCOME_RIGHT], summary_failed(t), t->counts[OUTCOME_SKIPPED]);
     if (t->worst != UINT64_MAX) {
-        struct question q;
-        question_init(&q);
-        question_make(&q, &e->questions, t->worst);
+        struct test_vector q;
+        test_vector_init(&q);
+        test_vector_make(&q, &e->sets, t->worst);
         if (!is_motion(s))
             fprintf(file, "\"K\": %g, \"worst_E\": \"%s\", ", e->comparators[k].K, error_text(t->worst_E, number));
         fprintf(file, "\"digits\": \"%s\", \"worst\": \"%s\", ", digits_text(summary_digits(e, k), number), q.id);
-        question_clear(&q);
+        test_vector_clear(&q);
     }
     write_outcomes(t, file);
     if (*t->line != '\0') {
@@ -395,13 +395,13 @@ static void write_json(const struct report *r, FILE *file)
     put_text(file, r->client, false);
     fprintf(file, "\",\n  \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64 ", \"failed\": %" PRIu64
             ", \"skipped\": %" PRIu64 ", \"oracle_seconds\": %.3f,\n  \"operations\": [\n",
-            e->questions.total, sum.passed, sum.failed, sum.skipped, r->seconds);
-    for (int k = 0; k < e->questions.count; k++) {
+            e->sets.total, sum.passed, sum.failed, sum.skipped, r->seconds);
+    for (int k = 0; k < e->sets.count; k++) {
         write_row(e, k, file);
-        fputs(k + 1 < e->questions.count ? ",\n" : "\n", file);
+        fputs(k + 1 < e->sets.count ? ",\n" : "\n", file);
     }
     fputs("  ],\n  ", file);
-    write_outcomes(&e->summaries[e->questions.count], file);
+    write_outcomes(&e->summaries[e->sets.count], file);
     fputs(",\n  \"errors\": \"", file);
     put_text(file, r->errors, false);
     fputs("\"\n}\n", file);

@@ -11,7 +11,7 @@ struct report {
     const char *client;          /* its name, or the answers file's                    */
     const char *errors;          /* the last of its standard error                     */
     double seconds;              /* of processor time that the oracle took for itself  */
-    void (*diagnose)(struct test_run *run, int course); /* asked once what failed is written; NULL: nobody */
+    void (*diagnose)(struct test_run *run, int set); /* asked once what failed is written; NULL: nobody */
 };
 
 enum { LEVELS = 4 };

@@ -13,7 +13,7 @@
 /* ---- golden vectors ---- */
 
 struct collection {
-    struct course *course;
+    struct test_set *set;
     struct input *inputs;
     int significand;
     bool range;
@@ -28,73 +28,73 @@ static bool collect(void *context, struct operation *o, const char *id, const ch
                        operation_valid(o, c->inputs) && vector_leaves_range(o, c->inputs, c->significand);
     if (range && !c->range)
         return true;
-    struct course *course = c->course;
-    course->golden = xrealloc(course->golden, (size_t)course->golden_count + 1, sizeof *course->golden);
-    struct golden_vector *v = &course->golden[course->golden_count++];
+    struct test_set *set = c->set;
+    set->golden = xrealloc(set->golden, (size_t)set->golden_count + 1, sizeof *set->golden);
+    struct golden_vector *v = &set->golden[set->golden_count++];
     *v = (struct golden_vector){.id = text_copy(id), .range = range};
     for (int i = 0; i < s->input_count; i++)
         v->texts[i] = text_copy(texts[i]);
     return true;
 }
 
-void questions_add(struct questions *q, const struct section *s, uint64_t random, int significand, bool range)
+void test_sets_add(struct test_sets *sets, const struct section *s, uint64_t random, int significand, bool range)
 {
-    q->courses = xrealloc(q->courses, (size_t)q->count + 1, sizeof *q->courses);
-    struct course *course = &q->courses[q->count++];
-    *course = (struct course){.random = random, .first = q->total};
-    operation_init(&course->operation, s, false);
-    struct collection c = {course, inputs_new(s->input_count), significand, range};
+    sets->all = xrealloc(sets->all, (size_t)sets->count + 1, sizeof *sets->all);
+    struct test_set *set = &sets->all[sets->count++];
+    *set = (struct test_set){.random = random, .first = sets->total};
+    operation_init(&set->operation, s, false);
+    struct collection c = {set, inputs_new(s->input_count), significand, range};
     golden_each(s, collect, &c);
     inputs_free(c.inputs, s->input_count);
-    q->total += course_total(course);
+    sets->total += test_set_total(set);
 }
 
-void questions_clear(struct questions *q)
+void test_sets_clear(struct test_sets *sets)
 {
-    for (int k = 0; k < q->count; k++) {
-        for (int i = 0; i < q->courses[k].golden_count; i++) {
-            free(q->courses[k].golden[i].id);
+    for (int k = 0; k < sets->count; k++) {
+        for (int i = 0; i < sets->all[k].golden_count; i++) {
+            free(sets->all[k].golden[i].id);
             for (int n = 0; n < MOST_INPUTS; n++)
-                free(q->courses[k].golden[i].texts[n]);
+                free(sets->all[k].golden[i].texts[n]);
         }
-        free(q->courses[k].golden);
-        operation_clear(&q->courses[k].operation);
+        free(sets->all[k].golden);
+        operation_clear(&sets->all[k].operation);
     }
-    free(q->courses);
-    *q = (struct questions){0};
+    free(sets->all);
+    *sets = (struct test_sets){0};
 }
 
-uint64_t course_defects(const struct course *course)
+uint64_t test_set_defects(const struct test_set *set)
 {
-    return course->random / 16 + (course->random % 16 != 0);
+    return set->random / 16 + (set->random % 16 != 0);
 }
 
-uint64_t course_total(const struct course *course)
+uint64_t test_set_total(const struct test_set *set)
 {
-    return (uint64_t)course->golden_count + course->random + course_defects(course);
+    return (uint64_t)set->golden_count + set->random + test_set_defects(set);
 }
 
-/* ---- one question ---- */
+/* ---- one vector ---- */
 
-void question_init(struct question *question)
+void test_vector_init(struct test_vector *vector)
 {
-    *question = (struct question){.inputs = inputs_new(MOST_INPUTS)};
+    *vector = (struct test_vector){.inputs = inputs_new(MOST_INPUTS)};
 }
 
-void question_clear(struct question *question)
+void test_vector_clear(struct test_vector *vector)
 {
-    inputs_free(question->inputs, MOST_INPUTS);
+    inputs_free(vector->inputs, MOST_INPUTS);
 }
 
-struct course *question_course(const struct questions *q, uint64_t position)
+struct test_set *test_sets_at(const struct test_sets *sets, uint64_t position)
 {
     int k = 0;
-    while (k + 1 < q->count && q->courses[k + 1].first <= position)
+    while (k + 1 < sets->count && sets->all[k + 1].first <= position)
         k++;
-    return &q->courses[k];
+    return &sets->all[k];
 }
 
-/* The word in the names of random questions from outside the domain. */
+/* The word in the names of random vectors from outside the domain. */
 static const char OUTSIDE[] = "outside-";
 
 static void random_id(char id[LONGEST_ID + 1], const struct section *s, uint64_t seed, const char *outside, uint64_t number)
@@ -102,69 +102,69 @@ static void random_id(char id[LONGEST_ID + 1], const struct section *s, uint64_t
     snprintf(id, LONGEST_ID + 1, "%.40s-%" PRIu64 "-%s%" PRIu64, s->id, seed, outside, number);
 }
 
-void question_make(struct question *question, const struct questions *q, uint64_t position)
+void test_vector_make(struct test_vector *vector, const struct test_sets *sets, uint64_t position)
 {
-    struct course *course = question_course(q, position);
-    const struct section *s = course->operation.section;
-    const uint64_t at = position - course->first;
-    question->course = course;
-    if (at < (uint64_t)course->golden_count) {
-        question->golden = &course->golden[at];
-        question->drawn_inside = false;
-        snprintf(question->id, sizeof question->id, "%s", question->golden->id);
-        question->numbers = vector_read(s, (const char *const *)question->golden->texts, question->inputs);
+    struct test_set *set = test_sets_at(sets, position);
+    const struct section *s = set->operation.section;
+    const uint64_t at = position - set->first;
+    vector->set = set;
+    if (at < (uint64_t)set->golden_count) {
+        vector->golden = &set->golden[at];
+        vector->drawn_inside = false;
+        snprintf(vector->id, sizeof vector->id, "%s", vector->golden->id);
+        vector->numbers = vector_read(s, (const char *const *)vector->golden->texts, vector->inputs);
         return;
     }
-    const uint64_t number = at - (uint64_t)course->golden_count;
-    question->golden = NULL;
-    question->drawn_inside = number < course->random;
-    if (question->drawn_inside) {
-        random_id(question->id, s, q->seed, "", number);
-        sample(&course->operation, q->seed, number, question->values, question->inputs);
+    const uint64_t number = at - (uint64_t)set->golden_count;
+    vector->golden = NULL;
+    vector->drawn_inside = number < set->random;
+    if (vector->drawn_inside) {
+        random_id(vector->id, s, sets->seed, "", number);
+        sample(&set->operation, sets->seed, number, vector->values, vector->inputs);
     } else {
-        const uint64_t k = number - course->random;
-        random_id(question->id, s, q->seed, OUTSIDE, k);
-        sample(&course->operation, q->seed, k, question->values, question->inputs);
-        domain_defect(&course->operation, q->seed + k, question->values);
+        const uint64_t k = number - set->random;
+        random_id(vector->id, s, sets->seed, OUTSIDE, k);
+        sample(&set->operation, sets->seed, k, vector->values, vector->inputs);
+        domain_defect(&set->operation, sets->seed + k, vector->values);
     }
-    question->numbers = inputs_of_values(s, question->values, question->inputs);
+    vector->numbers = inputs_of_values(s, vector->values, vector->inputs);
 }
 
-void question_text(const struct question *question, int input, enum input_form form, char text[LONGEST_INPUT])
+void test_vector_text(const struct test_vector *vector, int input, enum input_form form, char text[LONGEST_INPUT])
 {
     char decimal[32];
-    if (question->golden == NULL)
-        value_text(decimal, question->values[input]);
-    input_write(text, question->golden != NULL ? question->golden->texts[input] : decimal, form);
+    if (vector->golden == NULL)
+        value_text(decimal, vector->values[input]);
+    input_write(text, vector->golden != NULL ? vector->golden->texts[input] : decimal, form);
 }
 
-/* The number behind ID-SEED-, and the word for questions from outside; UINT64_MAX where the oracle would write it otherwise. */
-static uint64_t random_number(const struct questions *q, const struct course *course, const char *id)
+/* The number after ID-SEED-, and the word for vectors from outside; UINT64_MAX where the oracle would write it otherwise. */
+static uint64_t random_number(const struct test_sets *sets, const struct test_set *set, const char *id)
 {
     const char *digits = strrchr(id, '-') + 1;
     const uint64_t number = strtoull(digits, NULL, 10);
     char text[LONGEST_ID + 1];
-    random_id(text, course->operation.section, q->seed, "", number);
-    if (strcmp(text, id) == 0 && number < course->random)
+    random_id(text, set->operation.section, sets->seed, "", number);
+    if (strcmp(text, id) == 0 && number < set->random)
         return number;
-    random_id(text, course->operation.section, q->seed, OUTSIDE, number);
-    return strcmp(text, id) == 0 && number < course_defects(course) ? course->random + number : UINT64_MAX;
+    random_id(text, set->operation.section, sets->seed, OUTSIDE, number);
+    return strcmp(text, id) == 0 && number < test_set_defects(set) ? set->random + number : UINT64_MAX;
 }
 
-uint64_t questions_find(const struct questions *q, const char *id)
+uint64_t test_sets_find(const struct test_sets *sets, const char *id)
 {
     const size_t length = strcspn(id, "-");
-    for (int k = 0; k < q->count; k++) {
-        const struct course *course = &q->courses[k];
-        const char *operation = course->operation.section->id;
+    for (int k = 0; k < sets->count; k++) {
+        const struct test_set *set = &sets->all[k];
+        const char *operation = set->operation.section->id;
         if (strlen(operation) != length || strncmp(operation, id, length) != 0 || id[length] == '\0')
             continue;
-        for (int i = 0; i < course->golden_count; i++)
-            if (strcmp(course->golden[i].id, id) == 0)
-                return course->first + (uint64_t)i;
-        const uint64_t number = random_number(q, course, id);
+        for (int i = 0; i < set->golden_count; i++)
+            if (strcmp(set->golden[i].id, id) == 0)
+                return set->first + (uint64_t)i;
+        const uint64_t number = random_number(sets, set, id);
         if (number != UINT64_MAX)
-            return course->first + (uint64_t)course->golden_count + number;
+            return set->first + (uint64_t)set->golden_count + number;
     }
     return UINT64_MAX;
 }

@@ -1,5 +1,5 @@
 /*
- * What the oracle asks: the golden vectors of some operations and fresh random ones behind them, each by its
+ * The oracle's test sets: the golden vectors of some operations and fresh random ones after them, each by its
  * position. Nothing is kept of a random vector: it is made again from its seed and number when it is needed.
  */
 #ifndef CT_TEST_SET_H
@@ -17,27 +17,27 @@ struct golden_vector {
     bool range; /* leaves the normal range of the client's numbers */
 };
 
-/* The questions about one operation. */
-struct course {
+/* The vectors about one operation. */
+struct test_set {
     struct operation operation;
     struct golden_vector *golden;
     int golden_count;
     uint64_t random, first; /* how many random ones inside the domain; the position of the first of all */
 };
 
-/* Random questions from outside the domain, behind those from inside: one to sixteen. */
-uint64_t course_defects(const struct course *course);
-uint64_t course_total(const struct course *course);
+/* Random vectors from outside the domain, after those from inside: one to sixteen. */
+uint64_t test_set_defects(const struct test_set *set);
+uint64_t test_set_total(const struct test_set *set);
 
-struct questions {
-    struct course *courses;
+struct test_sets {
+    struct test_set *all;
     int count;
     uint64_t seed, total;
     enum input_form form;
 };
 
-struct question {
-    struct course *course;
+struct test_vector {
+    struct test_set *set;
     const struct golden_vector *golden; /* NULL: a random one                              */
     bool numbers;                       /* the inputs are numbers, infinite where they may */
     bool drawn_inside;                  /* a random one that needs no look at the domain   */
@@ -47,20 +47,20 @@ struct question {
 };
 
 /* The golden vectors of a section, and so many random ones, for numbers of that significand. */
-void questions_add(struct questions *q, const struct section *s, uint64_t random, int significand, bool range);
-void questions_clear(struct questions *q);
+void test_sets_add(struct test_sets *sets, const struct section *s, uint64_t random, int significand, bool range);
+void test_sets_clear(struct test_sets *sets);
 
-void question_init(struct question *question);
-void question_clear(struct question *question);
+void test_vector_init(struct test_vector *vector);
+void test_vector_clear(struct test_vector *vector);
 
-/* The question at a position, and the operation that it is about. */
-void question_make(struct question *question, const struct questions *q, uint64_t position);
-struct course *question_course(const struct questions *q, uint64_t position);
+/* The vector at a position, and the operation that it is about. */
+void test_vector_make(struct test_vector *vector, const struct test_sets *sets, uint64_t position);
+struct test_set *test_sets_at(const struct test_sets *sets, uint64_t position);
 
 /* An input as it is asked. */
-void question_text(const struct question *question, int input, enum input_form form, char text[LONGEST_INPUT]);
+void test_vector_text(const struct test_vector *vector, int input, enum input_form form, char text[LONGEST_INPUT]);
 
 /* The position of an id, UINT64_MAX for a stranger's. */
-uint64_t questions_find(const struct questions *q, const char *id);
+uint64_t test_sets_find(const struct test_sets *sets, const char *id);
 
 #endif
