@@ -388,12 +388,12 @@ END_TEST
 
 /* ---- rows of a motion ---- */
 
-/* Symmetry keeps a pair in the plane, on the normal or at its static place only where no velocity leads away from it. */
+/* Symmetry keeps a pair in the plane, on the normal or at its equilibrium only where no velocity leads away from it. */
 START_TEST(what_moves_away_is_not_settled)
 {
     static const struct {
         double start[FLOW_STATE];
-        bool static_place, kept[FLOW_STATE], still;
+        bool at_equilibrium, kept[FLOW_STATE], still;
     } all[] = {
         {{5, 1, 0, 0, 0, 0}, false, {0, 0, 1, 0, 0, 1}, false},   {{5, 1, 0, 0, 0, 0x1p-20}, false, {0}, false},
         {{0, 0, 5, 0, 0, 0}, false, {1, 1, 0, 1, 1, 0}, false},   {{0, 0, 5, 0x1p-20, 0, 0}, false, {0}, false},
@@ -408,7 +408,7 @@ START_TEST(what_moves_away_is_not_settled)
         arb_set_ui(state + i, 7);
         mag_set_ui(arb_radref(state + i), 8);
     }
-    flow_settle(start, all[_i].static_place, state);
+    flow_settle(start, all[_i].at_equilibrium, state);
     for (int i = 0; i < FLOW_STATE; i++) {
         if (all[_i].still)
             ck_assert(arb_equal(state + i, start + i));

@@ -232,8 +232,8 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
         status = rk4_nonlinear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
     if (!linear && status == FLOW_DONE)
         flow_settle(initial,
-                    is_static_place(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
-                                    input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1")),
+                    is_equilibrium(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
+                                   input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1")),
                     outputs);
     flow_parameters_clear(&p);
     if (status != FLOW_DONE)

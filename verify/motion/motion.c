@@ -162,7 +162,7 @@ struct pass {
     arb_ptr initial;
     slong prec, most; /* working precision, and where trying ends */
     slong done;       /* rows that the receiver has               */
-    bool static_place, undecided, stopped;
+    bool at_equilibrium, undecided, stopped;
     bool outside;     /* Q_ref + dQ >= 0 at the row behind those      */
     row_receiver *receive;
     void *context;
@@ -173,7 +173,7 @@ static int row_balls(struct pass *p, arb_srcptr state, arb_ptr row)
     const struct motion *m = p->motion;
     _arb_vec_set(row, state, FLOW_STATE);
     if (m->nonlinear)
-        flow_settle(p->initial, p->static_place, row);
+        flow_settle(p->initial, p->at_equilibrium, row);
     if (m->charges) {
         SCOPE(arb, product);
         charges(row + FLOW_STATE, product, &p->parameters, row, p->prec);
@@ -242,8 +242,8 @@ static bool starts_in_place(const struct setting *s)
             same = same && fmpq_is_zero(&s->value[i].value);
         return same;
     }
-    return is_static_place(&s->value[SET_m1].value, &s->value[SET_m2].value,
-                           &s->value[SET_L_ref].value, &s->value[SET_x1].value);
+    return is_equilibrium(&s->value[SET_m1].value, &s->value[SET_m2].value,
+                          &s->value[SET_L_ref].value, &s->value[SET_x1].value);
 }
 
 static int ignore_row(void *context, slong k, const fmpq_t t, char *const *numbers)
@@ -268,7 +268,7 @@ static void find_crossing(const struct pass *found, fmpq_t before, fmpq_t after)
     SCOPE(fmpq, tenth);
     m.digits = 9; /* a millionth of a step and some to spare */
     for (int cut = 0; cut < 6 && m.h == NULL; cut++) {
-        struct pass p = {.motion = &m, .static_place = found->static_place, .receive = ignore_row};
+        struct pass p = {.motion = &m, .at_equilibrium = found->at_equilibrium, .receive = ignore_row};
         double reached;
         for (int i = 0; i <= 10; i++) {
             fmpq_sub(times + i, after, before);
@@ -322,7 +322,7 @@ static enum flow_status passes(struct pass *p, const fmpq *times, slong count, d
 int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
                 void *context, struct message *why)
 {
-    struct pass p = {.motion = m, .static_place = starts_in_place(m->setting), .receive = receive,
+    struct pass p = {.motion = m, .at_equilibrium = starts_in_place(m->setting), .receive = receive,
                      .context = context};
     double reached = 0.0;
     enum flow_status status = passes(&p, times, count, &reached);
