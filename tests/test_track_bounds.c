@@ -434,7 +434,7 @@ static int keep_whole_rows(void *context, slong k, const fmpq_t t, char *const *
 /* At pi/(4 Omega), to 120 bits, pitch is zero to as many: the first pass has 116, and no row goes out without it. */
 START_TEST(a_row_waits_for_its_last_undecided_number)
 {
-    struct setting s;
+    struct scenario s;
     struct message why;
     fmpq_t t;
     arb_t quarter, Omega;
@@ -442,16 +442,16 @@ START_TEST(a_row_waits_for_its_last_undecided_number)
     arb_init(quarter);
     arb_init(Omega);
     fmpq_init(t);
-    setting_init(&s, false);
+    scenario_init(&s, false);
     arb_set_fmpq(Omega, &s.value[SET_Omega].value, 200);
     arb_const_pi(quarter, 120);
     arb_mul_2exp_si(quarter, quarter, -2);
     arb_div(quarter, quarter, Omega, 120);
     arf_get_fmpq(t, arb_midref(quarter));
-    const struct motion m = {.setting = &s, .digits = 17};
+    const struct motion m = {.scenario = &s, .digits = 17};
     ck_assert_msg(motion_rows(&m, t, 1, keep_whole_rows, &rows, &why) == 0, "%s", why.text);
     ck_assert_int_eq(rows, 1);
-    setting_clear(&s);
+    scenario_clear(&s);
     fmpq_clear(t);
     arb_clear(quarter);
     arb_clear(Omega);

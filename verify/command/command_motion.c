@@ -103,9 +103,9 @@ static int times_option(struct times *times, const struct arguments *a, bool exa
     return times_every(times, every ? every : "100", until ? until : "259200", exact);
 }
 
-/* ---- settings ---- */
+/* ---- scenario ---- */
 
-static int check_combination(const struct setting *s, bool nonlinear)
+static int check_combination(const struct scenario *s, bool nonlinear)
 {
     bool angles = false;
     int cartesian = 0;
@@ -122,19 +122,19 @@ static int check_combination(const struct setting *s, bool nonlinear)
     return EXIT_DONE;
 }
 
-int read_settings(struct setting *s, const struct arguments *a, bool nonlinear)
+int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
 {
-    static const bool never_infinite[SETTINGS] = {false};
+    static const bool never_infinite[SCENARIO_VALUES] = {false};
     struct message why;
     const char *refused;
-    int status = read_assignments(a, setting_names, SETTINGS, s->exact, never_infinite, s->given, s->value, &refused);
+    int status = read_assignments(a, scenario_names, SCENARIO_VALUES, s->exact, never_infinite, s->given, s->value, &refused);
     if (status == EXIT_DONE)
         status = check_combination(s, nonlinear);
     if (status != EXIT_DONE)
         return status;
     if (refused != NULL)
         return refuse_assignment(refused, s->exact);
-    return setting_valid(s, nonlinear, &why) ? EXIT_DONE
+    return scenario_valid(s, nonlinear, &why) ? EXIT_DONE
                                              : usage_error(EXIT_FAILED_CHECK, "%s", why.text);
 }
 
@@ -206,11 +206,11 @@ int command_trajectory(int count, char **texts)
     const bool exact = option_given(&a, "--exact");
     static const int columns[ROW_NUMBERS] = {0, 1, 2, 3, 4, 5, 6, 7};
     struct motion m = {0};
-    struct setting s;
+    struct scenario s;
     struct times times = {0};
     SCOPE(fmpq, h);
-    setting_init(&s, exact);
-    m.setting = &s;
+    scenario_init(&s, exact);
+    m.scenario = &s;
     m.nonlinear = m.charges = a.word_count == 1 && strcmp(a.words[0], "nonlinear") == 0;
     if (!m.nonlinear && (a.word_count == 0 || strcmp(a.words[0], "linear") != 0))
         status = usage_error(EXIT_USAGE, "trajectory: expected linear or nonlinear%s%s",
@@ -218,7 +218,7 @@ int command_trajectory(int count, char **texts)
     if (status == EXIT_DONE)
         status = option_digits(&a, 17, &m.digits);
     if (status == EXIT_DONE)
-        status = read_settings(&s, &a, m.nonlinear);
+        status = read_scenario(&s, &a, m.nonlinear);
     if (status == EXIT_DONE)
         status = times_option(&times, &a, exact);
     if (status == EXIT_DONE && option_given(&a, "--rk4")) {
@@ -232,6 +232,6 @@ int command_trajectory(int count, char **texts)
     }
     free(a.assignments);
     times_clear(&times);
-    setting_clear(&s);
+    scenario_clear(&s);
     return status;
 }
