@@ -36,11 +36,11 @@ void comparator_clear(struct comparator *j)
 /* ---- algebra and roots ---- */
 
 /* K u S: what roundings of the inputs may do to an output. */
-static void rounding_reach(arb_t reach, const struct comparator *j, int output)
+static void rounding_bound(arb_t bound, const struct comparator *j, int output)
 {
-    arb_set_d(reach, j->K);
-    arb_mul(reach, reach, j->S + output, 64);
-    arb_mul_2exp_si(reach, reach, -j->significand);
+    arb_set_d(bound, j->K);
+    arb_mul(bound, bound, j->S + output, 64);
+    arb_mul_2exp_si(bound, bound, -j->significand);
 }
 
 /*
@@ -50,11 +50,11 @@ static void rounding_reach(arb_t reach, const struct comparator *j, int output)
 static bool on_the_boundary(const struct comparator *j)
 {
     bool within = false, unstable = false;
-    SCOPE(arb, reach, size);
+    SCOPE(arb, bound, size);
     for (int i = 0; i < 2; i++) {
-        rounding_reach(reach, j, i);
+        rounding_bound(bound, j, i);
         arb_abs(size, j->exact + i);
-        const bool beyond = arb_gt(size, reach) || arb_is_zero(j->S + i);
+        const bool beyond = arb_gt(size, bound) || arb_is_zero(j->S + i);
         within = within || !beyond;
         unstable = unstable || (beyond && !arb_is_positive(j->exact + i));
     }

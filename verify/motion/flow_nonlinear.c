@@ -3,7 +3,7 @@
  *
  * Theorem (a step of length h). From every state of the set, and at every |s| <= h, the motion lies in
  *
- *     path(s) + J(s) e,   |e_j| <= reach_j,
+ *     path(s) + J(s) e,   |e_j| <= radius_j,
  *
  * where path is the motion from the set's centre, and J(s) encloses the derivatives of the motion along the
  * set's basis from all the states of a box around the set. This is the mean value theorem, entry by entry: the box is
@@ -51,7 +51,7 @@ struct flow {
     arf_t now;                         /* radians of orbit where the step starts; exact          */
     struct lohner set;
     struct jet path, tube, column[FLOW_STATE]; /* from the centre, from the box, and its derivatives */
-    struct majorant path_bound, tube_bound, spread_bound; /* spread: |J| reach                   */
+    struct majorant path_bound, tube_bound, spread_bound; /* spread: |J| radius                   */
     arb_ptr power;                     /* s^k                                                    */
     arb_ptr state;                     /* the answer at s, ...                                   */
     arb_t s;                           /* ... radians after now                                  */
@@ -217,7 +217,7 @@ static bool prove(struct flow *f, double step)
     mag_one(one);
     majorant_of(&f->path_bound, &f->path, one, 1, h);
     majorant_of(&f->tube_bound, &f->tube, one, 1, h);
-    majorant_of(&f->spread_bound, f->column, f->set.reach, FLOW_STATE, h);
+    majorant_of(&f->spread_bound, f->column, f->set.radius, FLOW_STATE, h);
     return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->tube_bound, NULL, h)
                   && majorant_prove(&f->spread_bound, &f->tube_bound, h) && steady(&f->spread_bound);
 }

@@ -75,7 +75,7 @@ void jet_extend_column(struct jet *column, const struct jet *jet, slong prec);
 void majorant_init(struct majorant *m, slong order);
 void majorant_clear(struct majorant *m);
 
-/* The majorant of sum_j weight_j |jet_j|; one jet of weight 1, or columns under the reach of each. */
+/* The majorant of sum_j weight_j |jet_j|; one jet of weight 1, or columns under the radius of each. */
 void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights, slong count,
                  const mag_t h);
 
