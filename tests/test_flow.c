@@ -443,7 +443,7 @@ START_TEST(eq03_flow_at_two_precisions_overlaps)
 }
 END_TEST
 
-/* At 48 bits what a step leaves out outweighs its rounding: without its rest the fine states would stand outside. */
+/* At 48 bits what a step leaves out outweighs its rounding: without its remainder the fine states would stand outside. */
 START_TEST(what_steps_leave_out_is_in_the_enclosure)
 {
     enum { ROWS = 60 };

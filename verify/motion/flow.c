@@ -87,7 +87,7 @@ bool rk4_in_reach(const struct flow_parameters *p, const fmpq *times, slong coun
 
 slong flow_precision(slong digits, double radians)
 {
-    /* Table 1 takes some 35 of the 60 bits (rests, growth, small coordinates); the others are for near zeros */
+    /* Table 1 takes some 35 of the 60 bits (remainders, growth, small coordinates); the others are for near zeros */
     return (slong)(log2(10) * (double)digits + 60 + 0.1 * fmin(fabs(radians), FLOW_REACH));
 }
 

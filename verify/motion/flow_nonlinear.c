@@ -13,10 +13,10 @@
  * balls. No guess at where the motion goes is needed.
  *
  * The error terms, each with a test of its name in tests/test_steps.c:
- *   (F1) the remainder of the path                        (path_bound.rest, in path_at)
+ *   (F1) the remainder of the path                        (path_bound.remainder, in path_at)
  *   (F2) of sum_j ||J_ij|| reach_j the degrees below n     (spread_bound.suffix, in state_at)
  *   (F3) ... degree n                                      (spread_bound.size)
- *   (F4) ... and the remainder                             (spread_bound.rest)
+ *   (F4) ... and the remainder                             (spread_bound.remainder)
  *   (F5) the remainder of J e at the step's end            (handed to lohner_move as its error)
  *   (F6) the box around the whole set, 1/|x| included, from which the derivatives start
  *   (F7) the balls of c1 and c2, in the path and in the derivatives
@@ -200,13 +200,13 @@ static double step_length(const struct flow *f)
 /* Whether the derivatives are known well enough to steer by; else each step would inflate the set. */
 static bool steady(const struct majorant *spread)
 {
-    SCOPE(mag, all, rest);
+    SCOPE(mag, all, remainder);
     for (int i = 0; i < FLOW_STATE; i++) {
         mag_max(all, all, spread->suffix[i]);
-        mag_max(rest, rest, spread->rest + i);
+        mag_max(remainder, remainder, spread->remainder + i);
     }
-    mag_mul_2exp_si(rest, rest, STEADY);
-    return mag_cmp(rest, all) <= 0;
+    mag_mul_2exp_si(remainder, remainder, STEADY);
+    return mag_cmp(remainder, all) <= 0;
 }
 
 /* Bounds on |s| <= step; false where it is too long for them. */
@@ -239,7 +239,7 @@ static void path_at(const struct flow *f, arb_ptr state, const arb_t s)
     for (int i = 0; i < FLOW_STATE; i++) {
         arb_dot(state + i, NULL, 0, f->path.c[i], 1, f->power, 1, terms, f->prec);
         if (f->proving)
-            arb_add_error_mag(state + i, f->path_bound.rest + i);
+            arb_add_error_mag(state + i, f->path_bound.remainder + i);
     }
 }
 
@@ -252,7 +252,7 @@ static void state_at(const struct flow *f, arb_ptr state, const arb_t s)
         if (f->proving) {
             arb_add_error_mag(state + i, spread->suffix[i]); /* below degree n, ... */
             arb_add_error_mag(state + i, spread->size[i] + spread->order);
-            arb_add_error_mag(state + i, spread->rest + i);
+            arb_add_error_mag(state + i, spread->remainder + i);
         }
         arb_mul(state + i, state + i, i < HALF ? f->r_ref : f->speed, f->prec);
     }
@@ -276,7 +276,7 @@ static bool advance(struct flow *f, double step)
             for (int j = 0; j < FLOW_STATE; j++)
                 arb_dot(arb_mat_entry(derivative, i, j), NULL, 0, f->column[j].c[i], 1, f->power, 1, terms,
                         LOHNER_BITS);
-        bounded = lohner_move(&f->set, image, derivative, f->spread_bound.rest, LOHNER_BITS);
+        bounded = lohner_move(&f->set, image, derivative, f->spread_bound.remainder, LOHNER_BITS);
     } else {
         lohner_from_box(&f->set, image);
     }

@@ -132,7 +132,7 @@ static void add_absolute(mag_ptr sum, const arb_mat_t a, mag_srcptr x)
  *   (L5) the radii of the inverse
  *   (L6) a box becomes a set with all its radii            (lohner_from_box)
  *   (L7) a set becomes a box by |basis| radius, upward     (lohner_to_box)
- *   (L8) a basis without an inverse, or a reach that is not finite, is no set
+ *   (L8) a basis without an inverse, or a radius that is not finite, is no set
  */
 bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivative, mag_srcptr error, slong prec)
 {
