@@ -33,7 +33,7 @@
 
 enum {
     GUARD = 12,           /* bits: by then rounding adds 4 per cent to what the steps leave out, measured */
-    TUBE_ORDER = 12,      /* degree of the derivatives, which only steer the set: ...                     */
+    A_PRIORI_ORDER = 12,      /* degree of the derivatives, which only steer the set: ...                     */
     STEADY = 10,          /* ... to know them to 2^-10 will do                                            */
     LEAST_STEP = -32,     /* log2 of radians: shorter steps ...                                           */
     CLOSE = -7,           /* ... where r < 2^-7 r_ref are given up                                        */
@@ -50,8 +50,8 @@ struct flow {
     double proposed;                   /* a step, or 0: what the series propose                   */
     arf_t now;                         /* radians of orbit where the step starts; exact          */
     struct lohner set;
-    struct jet path, tube, column[FLOW_STATE]; /* from the centre, from the box, and its derivatives */
-    struct majorant path_bound, tube_bound, spread_bound; /* spread: |J| radius                   */
+    struct jet path, a_priori, column[FLOW_STATE]; /* from the centre, from the box, and its derivatives */
+    struct majorant path_bound, a_priori_bound, spread_bound; /* spread: |J| radius                   */
     arb_ptr power;                     /* s^k                                                    */
     arb_ptr state;                     /* the answer at s, ...                                   */
     arb_t s;                           /* ... radians after now                                  */
@@ -63,7 +63,7 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     f->bits = FLINT_MAX(prec - GUARD, 16);
     /* Work n^2/h for n terms is least at h = R/e^2, R the radius of convergence: e^-2n = 2^-bits. */
     const slong order = how->order != 0 ? how->order : (slong)(0.5 * log(2) * (double)f->bits) + 4;
-    const slong tube_order = how->derivative_order != 0 ? how->derivative_order : TUBE_ORDER;
+    const slong a_priori_order = how->derivative_order != 0 ? how->derivative_order : A_PRIORI_ORDER;
     f->proposed = how->step;
     f->proving = !how->unproved;
     arb_init(f->Omega);
@@ -74,13 +74,13 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     arf_init(f->now);
     lohner_init(&f->set);
     jet_init(&f->path, order);
-    jet_init(&f->tube, tube_order);
+    jet_init(&f->a_priori, a_priori_order);
     for (int j = 0; j < FLOW_STATE; j++)
-        jet_init(&f->column[j], tube_order);
+        jet_init(&f->column[j], a_priori_order);
     majorant_init(&f->path_bound, order);
-    majorant_init(&f->tube_bound, tube_order);
-    majorant_init(&f->spread_bound, tube_order);
-    f->power = _arb_vec_init(FLINT_MAX(order, tube_order) + 1);
+    majorant_init(&f->a_priori_bound, a_priori_order);
+    majorant_init(&f->spread_bound, a_priori_order);
+    f->power = _arb_vec_init(FLINT_MAX(order, a_priori_order) + 1);
     f->state = _arb_vec_init(FLOW_STATE);
     arb_init(f->s);
 }
@@ -89,13 +89,13 @@ static void flow_clear(struct flow *f)
 {
     arb_clear(f->s);
     _arb_vec_clear(f->state, FLOW_STATE);
-    _arb_vec_clear(f->power, FLINT_MAX(f->path.order, f->tube.order) + 1);
+    _arb_vec_clear(f->power, FLINT_MAX(f->path.order, f->a_priori.order) + 1);
     majorant_clear(&f->spread_bound);
-    majorant_clear(&f->tube_bound);
+    majorant_clear(&f->a_priori_bound);
     majorant_clear(&f->path_bound);
     for (int j = 0; j < FLOW_STATE; j++)
         jet_clear(&f->column[j]);
-    jet_clear(&f->tube);
+    jet_clear(&f->a_priori);
     jet_clear(&f->path);
     lohner_clear(&f->set);
     arf_clear(f->now);
@@ -123,7 +123,7 @@ static void set_problem(struct flow *f, const struct flow_parameters *p, arb_src
         arb_div(state + i, initial + i, i < HALF ? f->r_ref : f->speed, f->prec);
     lohner_from_box(&f->set, state);
     jet_constants(&f->path, f->c1, f->c2);
-    jet_constants(&f->tube, f->c1, f->c2);
+    jet_constants(&f->a_priori, f->c1, f->c2);
 }
 
 /* q = 1/|x| of the state whose coefficients 0 stand in the jet */
@@ -140,7 +140,7 @@ static void start_q(struct jet *jet, slong prec)
 /* Direction j of the basis, in which q = 1/|x| changes by -q^3 x.dx */
 static void start_column(struct flow *f, int j)
 {
-    arb_ptr const *c = f->tube.c;
+    arb_ptr const *c = f->a_priori.c;
     arb_ptr *d = f->column[j].c;
     arb_zero(d[FLOW_STATE]);
     for (int i = 0; i < FLOW_STATE; i++) {
@@ -163,12 +163,12 @@ static void expand(struct flow *f)
     VECTOR(arb, box, FLOW_STATE);
     lohner_to_box(box, &f->set);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_set_round(f->tube.c[i], box + i, LOHNER_BITS);
-    start_q(&f->tube, LOHNER_BITS);
-    jet_extend(&f->tube, LOHNER_BITS, 0);
+        arb_set_round(f->a_priori.c[i], box + i, LOHNER_BITS);
+    start_q(&f->a_priori, LOHNER_BITS);
+    jet_extend(&f->a_priori, LOHNER_BITS, 0);
     for (int j = 0; j < FLOW_STATE; j++) {
         start_column(f, j);
-        jet_extend_column(&f->column[j], &f->tube, LOHNER_BITS);
+        jet_extend_column(&f->column[j], &f->a_priori, LOHNER_BITS);
     }
 }
 
@@ -216,10 +216,10 @@ static bool prove(struct flow *f, double step)
     mag_set_d(h, step);
     mag_one(one);
     majorant_of(&f->path_bound, &f->path, one, 1, h);
-    majorant_of(&f->tube_bound, &f->tube, one, 1, h);
+    majorant_of(&f->a_priori_bound, &f->a_priori, one, 1, h);
     majorant_of(&f->spread_bound, f->column, f->set.radius, FLOW_STATE, h);
-    return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->tube_bound, NULL, h)
-                  && majorant_prove(&f->spread_bound, &f->tube_bound, h) && steady(&f->spread_bound);
+    return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->a_priori_bound, NULL, h)
+                  && majorant_prove(&f->spread_bound, &f->a_priori_bound, h) && steady(&f->spread_bound);
 }
 
 /* The longest of step, step/2, ... that can be proved, or 0 */
@@ -270,7 +270,7 @@ static bool advance(struct flow *f, double step)
     arf_add(f->now, f->now, arb_midref(s), ARF_PREC_EXACT, ARF_RND_DOWN);
     path_at(f, image, s);
     if (f->proving) {
-        const slong terms = f->tube.order + 1;
+        const slong terms = f->a_priori.order + 1;
         _arb_vec_set_powers(f->power, s, terms, LOHNER_BITS);
         for (int i = 0; i < FLOW_STATE; i++)
             for (int j = 0; j < FLOW_STATE; j++)
