@@ -8,13 +8,13 @@
  * where path is the motion from the set's centre, and J(s) encloses the derivatives of the motion along the
  * set's basis from all the states of a box around the set. This is the mean value theorem, entry by entry: the box is
  * convex, and what encloses derivatives encloses their averages. So at its end the set moves by path(h) and
- * J(h); and within the step a state lies within sum_j ||J_ij|| reach_j of the path. Both series end at some
+ * J(h); and within the step a state lies within sum_j ||J_ij|| radius_j of the path. Both series end at some
  * degree, and majorant_prove bounds what they leave out, for all the box and for all parameters within their
  * balls. No guess at where the motion goes is needed.
  *
  * The error terms, each with a test of its name in tests/test_steps.c:
  *   (F1) the remainder of the path                        (path_bound.remainder, in path_at)
- *   (F2) of sum_j ||J_ij|| reach_j the degrees below n     (spread_bound.suffix, in state_at)
+ *   (F2) of sum_j ||J_ij|| radius_j the degrees below n    (spread_bound.suffix, in state_at)
  *   (F3) ... degree n                                      (spread_bound.size)
  *   (F4) ... and the remainder                             (spread_bound.remainder)
  *   (F5) the remainder of J e at the step's end            (handed to lohner_move as its error)
@@ -33,7 +33,7 @@
 
 enum {
     GUARD = 12,           /* bits: by then rounding adds 4 per cent to what the steps leave out, measured */
-    A_PRIORI_ORDER = 12,      /* degree of the derivatives, which only steer the set: ...                     */
+    A_PRIORI_ORDER = 12,  /* degree of the derivatives, which only steer the set: ...                     */
     STEADY = 10,          /* ... to know them to 2^-10 will do                                            */
     LEAST_STEP = -32,     /* log2 of radians: shorter steps ...                                           */
     CLOSE = -7,           /* ... where r < 2^-7 r_ref are given up                                        */
@@ -51,7 +51,7 @@ struct flow {
     arf_t now;                         /* radians of orbit where the step starts; exact          */
     struct lohner set;
     struct jet path, a_priori, column[FLOW_STATE]; /* from the centre, from the box, and its derivatives */
-    struct majorant path_bound, a_priori_bound, spread_bound; /* spread: |J| radius                   */
+    struct majorant path_bound, a_priori_bound, spread_bound; /* spread: |J| radius */
     arb_ptr power;                     /* s^k                                                    */
     arb_ptr state;                     /* the answer at s, ...                                   */
     arb_t s;                           /* ... radians after now                                  */
