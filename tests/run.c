@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_INPUTS = 32 };
+enum { MOST_FLAT_INPUTS = 32 };
 
 static bool outside(char domain, double x)
 {
@@ -20,9 +20,9 @@ void assert_rejects_outside(flat_function *f, const char *domain, const double i
 {
     const double wrong[] = {NAN, INFINITY, -INFINITY, -1, 0, -0.0};
     const size_t inputs = strlen(domain);
-    double x[MOST_INPUTS], y[MOST_OUTPUTS];
+    double x[MOST_FLAT_INPUTS], y[MOST_FLAT_OUTPUTS];
 
-    ck_assert_uint_le(inputs, MOST_INPUTS);
+    ck_assert_uint_le(inputs, MOST_FLAT_INPUTS);
     memcpy(x, inside, inputs * sizeof x[0]);
     for (size_t k = f(x, y); k-- > 0;)
         ck_assert_msg(isfinite(y[k]), "output %zu is %g inside the domain", k, y[k]);

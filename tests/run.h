@@ -16,9 +16,9 @@ Suite *suite(void);
 #define assert_close(actual, expected, roundings) \
     ck_assert_double_eq_tol(actual, expected, (roundings) * 0x1p-53 * fabs((double)(expected)))
 
-/* A function with its inputs in a row x and its outputs in a row y; it returns their number, MOST_OUTPUTS or less. */
+/* A function with its inputs in a row x and its outputs in a row y; it returns their number, MOST_FLAT_OUTPUTS or less. */
 typedef size_t flat_function(const double x[], double y[]);
-enum { MOST_OUTPUTS = 16 };
+enum { MOST_FLAT_OUTPUTS = 16 };
 
 /*
  * All outputs are numbers inside the domain, and all are NaN where one input, whichever, leaves it. The domain is a

@@ -267,7 +267,7 @@ static const struct {
     {"eval flow_linear Omega=1 L_ref=10 C1=10 C2=2 t=1 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 --digits 10",
      "psi = 0 rad\ntheta = -4.161468365e-01 rad\ndL = 0 m\npsi_dot = 0 rad/s\n"
      "theta_dot = -1.818594854e+00 rad/s\ndL_dot = 0 m/s\n"},
-    /* at rest at the static place, 1/3 of 3 m from the centre of mass: for ever */
+    /* at rest at the equilibrium, 1/3 of 3 m from the centre of mass: for ever */
     {"eval flow_nonlinear Omega=1 k_c=1 m1=2 m2=1 L_ref=3 C1=10 C2=2 t=7 x1=1 y1=0 z1=0 x1_dot=0 y1_dot=0 z1_dot=0 --digits 3",
      "x1 = 1.00e+00 m\ny1 = 0 m\nz1 = 0 m\nx1_dot = 0 m/s\ny1_dot = 0 m/s\nz1_dot = 0 m/s\n"},
     /* one step h = 1/2 of theta'' = -4 theta from 1: 1 - 2 h^2 + (2/3) h^4 = 0.541666... */

@@ -12,7 +12,7 @@
 #include "conform/conform.h"
 #include "conform/diagnosis.h"
 #include "conform/report.h"
-#include "sheet/slip.h"
+#include "sheet/known_mistakes.h"
 #include "evaluate/vectors.h"
 #include "text/scope.h"
 
@@ -452,7 +452,7 @@ START_TEST(an_interrupt_leaves_no_process_behind)
     const pid_t oracle = fork();
     ck_assert_int_ge(oracle, 0);
     if (oracle == 0) {
-        signal(interrupts[_i], SIG_DFL); /* which nohup, and a shell for what runs behind, let it ignore */
+        signal(interrupts[_i], SIG_DFL); /* which nohup, and a shell for what runs in the background, let it ignore */
         ck_assert_ptr_nonnull(freopen("/dev/null", "w", stdout));
         execl(program, "coulomb-tether", "conform", "--only", "eq07", "--", client, "hang", pids, (char *)NULL);
         _exit(127);
@@ -477,41 +477,41 @@ END_TEST
 
 /* ---- mistakes and what finds them ---- */
 
-/* An examination, so many random questions of seed 1 behind the golden ones; the client is a function in this process. */
-static struct exam *long_exam_of(const struct section *s, uint64_t random)
+/* A run, so many random questions of seed 1 after the golden ones; the client is a function in this process. */
+static struct test_run *long_run_of(const struct section *s, uint64_t random)
 {
-    struct exam *e = calloc(1, sizeof *e);
+    struct test_run *e = calloc(1, sizeof *e);
     const double digits = 9;
     ck_assert_ptr_nonnull(e);
     e->significand = BINARY64;
-    e->questions.seed = 1;
-    questions_add(&e->questions, s, random, BINARY64, false);
-    exam_begin(e, &digits);
+    e->sets.seed = 1;
+    test_sets_add(&e->sets, s, random, BINARY64, false);
+    test_run_begin(e, &digits);
     return e;
 }
 
-static struct exam *exam_of(const struct section *s)
+static struct test_run *run_of(const struct section *s)
 {
-    return long_exam_of(s, 0);
+    return long_run_of(s, 0);
 }
 
-static void say(struct exam *e, const char *line)
+static void say(struct test_run *e, const char *line)
 {
-    exam_hear(e, line, strlen(line));
+    test_run_hear(e, line, strlen(line));
 }
 
 /* Answers every question with those formulas, in so many digits; 17 are binary64. */
-static void answer_in_digits(struct exam *e, const struct formulas *formulas, int digits)
+static void answer_in_digits(struct test_run *e, const struct formulas *formulas, int digits)
 {
-    struct question q;
-    struct operation o = {.section = e->judges[0].operation->section, .formulas = formulas};
-    VECTOR(arb, y, MOST_ANSWERS);
+    struct test_vector q;
+    struct operation o = {.section = e->comparators[0].operation->section, .formulas = formulas};
+    VECTOR(arb, y, MOST_OUTPUTS);
     machine_init(&o.machine, &formulas->program, &arithmetic_ball, 128);
-    question_init(&q);
-    e->asked = e->questions.total;
-    for (uint64_t p = 0; p < e->questions.total; p++) {
+    test_vector_init(&q);
+    e->asked = e->sets.total;
+    for (uint64_t p = 0; p < e->sets.total; p++) {
         char line[1000];
-        question_make(&q, &e->questions, p);
+        test_vector_make(&q, &e->sets, p);
         int used = snprintf(line, sizeof line, "%s", q.id);
         if (!q.numbers || !operation_valid(&o, q.inputs)) {
             snprintf(line + used, sizeof line - (size_t)used, " invalid\n");
@@ -524,20 +524,20 @@ static void answer_in_digits(struct exam *e, const struct formulas *formulas, in
         }
         say(e, line);
     }
-    exam_end(e, FOUND_MISSING);
+    test_run_end(e, OUTCOME_MISSING);
     diagnose(e, 0);
-    question_clear(&q);
+    test_vector_clear(&q);
     operation_clear(&o);
 }
 
-static void answer_with(struct exam *e, const struct formulas *formulas)
+static void answer_with(struct test_run *e, const struct formulas *formulas)
 {
     answer_in_digits(e, formulas, 17);
 }
 
-static void close_exam(struct exam *e)
+static void close_run(struct test_run *e)
 {
-    exam_clear(e);
+    test_run_clear(e);
     free(e);
 }
 
@@ -547,47 +547,47 @@ START_TEST(a_known_mistake_is_called_by_its_name)
     const struct section *s = &sheet()->sections[_i];
     if (s->method != METHOD_FORMULA)
         return;
-    for (int k = 0; k < s->slip_count + sheet()->slip_count; k++) {
-        const struct slip *slip = k < s->slip_count ? &s->slips[k] : &sheet()->slips[k - s->slip_count];
-        struct alternative a;
+    for (int k = 0; k < s->mistake_count + sheet()->mistake_count; k++) {
+        const struct known_mistake *mistake = k < s->mistake_count ? &s->mistakes[k] : &sheet()->mistakes[k - s->mistake_count];
+        struct mutation a;
         struct message why;
-        if (!alternative_init(&a, sheet(), s, slip, false, &why))
+        if (!mutation_init(&a, sheet(), s, mistake, false, &why))
             continue;
-        struct exam *e = exam_of(s);
+        struct test_run *e = run_of(s);
         answer_with(e, &a.formulas);
-        ck_assert_msg(tally_failed(&e->tallies[0]) == 0 || strstr(e->tallies[0].diagnosis, slip->name) != NULL,
-                      "%s: %s is taken for: %s", s->id, slip->name, e->tallies[0].diagnosis);
-        close_exam(e);
-        alternative_clear(&a);
+        ck_assert_msg(summary_failed(&e->summaries[0]) == 0 || strstr(e->summaries[0].diagnosis, mistake->name) != NULL,
+                      "%s: %s is taken for: %s", s->id, mistake->name, e->summaries[0].diagnosis);
+        close_run(e);
+        mutation_clear(&a);
     }
     if (s->differs) {
-        struct exam *e = exam_of(s);
+        struct test_run *e = run_of(s);
         answer_with(e, &s->printed);
-        ck_assert_uint_gt(tally_failed(&e->tallies[0]), 0);
-        ck_assert_int_eq(strncmp(e->tallies[0].diagnosis, "as printed", 10), 0);
-        close_exam(e);
+        ck_assert_uint_gt(summary_failed(&e->summaries[0]), 0);
+        ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "as printed", 10), 0);
+        close_run(e);
     }
-    struct exam *e = exam_of(s);
+    struct test_run *e = run_of(s);
     answer_with(e, &s->corrected);
-    ck_assert_uint_eq(tally_failed(&e->tallies[0]), 0);
-    close_exam(e);
+    ck_assert_uint_eq(summary_failed(&e->summaries[0]), 0);
+    close_run(e);
 }
 END_TEST
 
 START_TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
 {
-    for (int k = 0; k < sheet()->slip_count; k++) {
+    for (int k = 0; k < sheet()->mistake_count; k++) {
         int places = 0;
         for (int i = 0; i < sheet()->section_count; i++) {
-            struct alternative a;
+            struct mutation a;
             struct message why;
             if (sheet()->sections[i].method == METHOD_NONE ||
-                !alternative_init(&a, sheet(), &sheet()->sections[i], &sheet()->slips[k], false, &why))
+                !mutation_init(&a, sheet(), &sheet()->sections[i], &sheet()->mistakes[k], false, &why))
                 continue;
             places++;
-            alternative_clear(&a);
+            mutation_clear(&a);
         }
-        ck_assert_msg(places > 0, "%s", sheet()->slips[k].name);
+        ck_assert_msg(places > 0, "%s", sheet()->mistakes[k].name);
     }
 }
 END_TEST
@@ -595,10 +595,10 @@ END_TEST
 START_TEST(right_but_for_the_digits_written_is_called_that)
 {
     const struct section *s = section_find(sheet(), "eq12");
-    struct exam *e = exam_of(s);
+    struct test_run *e = run_of(s);
     answer_in_digits(e, &s->corrected, 6);
-    ck_assert_str_eq(e->tallies[0].diagnosis, "written with only 6 digits");
-    close_exam(e);
+    ck_assert_str_eq(e->summaries[0].diagnosis, "written with only 6 digits");
+    close_run(e);
 }
 END_TEST
 
@@ -606,20 +606,20 @@ END_TEST
 START_TEST(a_mistake_explains_numbers_and_not_lines)
 {
     const struct section *s = section_find(sheet(), "eq38");
-    struct exam *e = exam_of(s);
+    struct test_run *e = run_of(s);
     e->asked = 1;
     say(e, "eq38-paper 7.3e-5 oops\n");
     answer_with(e, &s->printed);
-    ck_assert_uint_eq(e->tallies[0].counts[FOUND_MALFORMED], 1);
-    ck_assert_int_eq(strncmp(e->tallies[0].diagnosis, "as printed", 10), 0);
-    close_exam(e);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MALFORMED], 1);
+    ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "as printed", 10), 0);
+    close_run(e);
 }
 END_TEST
 
 /* ---- order ---- */
 
 /* The number-th random question of eq43, skipped. */
-static void skip(struct exam *e, int number)
+static void skip(struct test_run *e, int number)
 {
     char line[64];
     snprintf(line, sizeof line, "eq43-1-%d skip\n", number);
@@ -633,37 +633,37 @@ static void skip(struct exam *e, int number)
 START_TEST(holes_that_are_too_many_are_missing)
 {
     enum { ASKED = 4 * (MOST_SPANS + 2) };
-    struct exam *e = long_exam_of(section_find(sheet(), "eq43"), ASKED);
-    const struct tally *t = &e->tallies[0];
-    const uint64_t golden = (uint64_t)e->questions.courses[0].golden_count;
-    e->asked = e->questions.total;
+    struct test_run *e = long_run_of(section_find(sheet(), "eq43"), ASKED);
+    const struct summary *t = &e->summaries[0];
+    const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
+    e->asked = e->sets.total;
     for (int k = 3; k < ASKED; k += 4)
         skip(e, k);
     /* the first hole has the golden questions too, before the first random one; the second one has three */
-    ck_assert_uint_eq(t->counts[FOUND_MISSING], golden + 3 + 3);
-    skip(e, ASKED - 3); /* in the middle of the last one: what is behind it, one, is missing */
-    ck_assert_uint_eq(t->counts[FOUND_MISSING], golden + 3 + 3 + 1);
-    ck_assert_uint_eq(t->counts[FOUND_REORDERED], 1);
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 + 3);
+    skip(e, ASKED - 3); /* in the middle of the last one: what is after it, one, is missing */
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 + 3 + 1);
+    ck_assert_uint_eq(t->counts[OUTCOME_REORDERED], 1);
     skip(e, ASKED - 3);
-    ck_assert_uint_eq(t->counts[FOUND_REPEATED], 1);
-    exam_end(e, FOUND_MISSING);
-    ck_assert_uint_eq(t->counts[FOUND_MISSING], golden + 3 * (MOST_SPANS + 2) - 1 + course_defects(&e->questions.courses[0]));
-    ck_assert_uint_eq(t->counts[FOUND_SKIPPED], MOST_SPANS + 2);
-    close_exam(e);
+    ck_assert_uint_eq(t->counts[OUTCOME_REPEATED], 1);
+    test_run_end(e, OUTCOME_MISSING);
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 * (MOST_SPANS + 2) - 1 + test_set_defects(&e->sets.all[0]));
+    ck_assert_uint_eq(t->counts[OUTCOME_SKIPPED], MOST_SPANS + 2);
+    close_run(e);
 }
 END_TEST
 
 /* What was heard of it is no answer to what it begins with. */
 START_TEST(a_line_without_an_end_may_be_too_long_as_well)
 {
-    struct exam *e = exam_of(section_find(sheet(), "eq43"));
-    e->asked = e->questions.total;
+    struct test_run *e = run_of(section_find(sheet(), "eq43"));
+    e->asked = e->sets.total;
     for (int i = 0; i <= LONGEST_LINE; i++)
         say(e, "1");
-    exam_end(e, FOUND_MISSING);
-    ck_assert_uint_eq(e->tallies[0].counts[FOUND_TOO_LONG], 1);
-    ck_assert_uint_eq(e->tallies[0].counts[FOUND_MISSING], e->questions.total - 1);
-    close_exam(e);
+    test_run_end(e, OUTCOME_MISSING);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_TOO_LONG], 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MISSING], e->sets.total - 1);
+    close_run(e);
 }
 END_TEST
 
@@ -672,12 +672,12 @@ START_TEST(an_id_is_the_one_that_was_sent_to_the_letter)
     static const char *const strangers[] = {"eq43", "eq43-", "eq43-1", "eq43-1-", "eq43-1-5", "eq43-01-4", "eq43-1-04",
                                             "eq43-2-4", "eq43-1-4x", "eq44-1-4", "eq4-1-4", "eq43-papers", "eq43-1-outside-1",
                                             "eq43-1-outside-", "eq43-1-outside", "eq43-1-outside-00"};
-    struct exam *e = long_exam_of(section_find(sheet(), "eq43"), 5);
-    ck_assert_uint_eq(questions_find(&e->questions, "eq43-paper"), 0);
-    ck_assert_uint_eq(questions_find(&e->questions, "eq43-1-4"), e->questions.total - 2);
-    ck_assert_uint_eq(questions_find(&e->questions, "eq43-1-outside-0"), e->questions.total - 1);
-    ck_assert_uint_eq(questions_find(&e->questions, strangers[_i]), UINT64_MAX);
-    close_exam(e);
+    struct test_run *e = long_run_of(section_find(sheet(), "eq43"), 5);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-paper"), 0);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-1-4"), e->sets.total - 2);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-1-outside-0"), e->sets.total - 1);
+    ck_assert_uint_eq(test_sets_find(&e->sets, strangers[_i]), UINT64_MAX);
+    close_run(e);
 }
 END_TEST
 
@@ -686,17 +686,17 @@ END_TEST
 /* The report on two operations, each with a few answers. */
 static const char *table_of(const char *const *answers, int significand)
 {
-    struct exam *e = calloc(1, sizeof *e);
+    struct test_run *e = calloc(1, sizeof *e);
     const double digits[] = {9, 9};
     char *text = NULL;
     size_t size;
     FILE *file = open_memstream(&text, &size);
     ck_assert(e != NULL && file != NULL);
     e->significand = significand;
-    questions_add(&e->questions, section_find(sheet(), "eq42"), 0, significand, false);
-    questions_add(&e->questions, section_find(sheet(), "eq43"), 0, significand, false);
-    exam_begin(e, digits);
-    e->asked = e->questions.total;
+    test_sets_add(&e->sets, section_find(sheet(), "eq42"), 0, significand, false);
+    test_sets_add(&e->sets, section_find(sheet(), "eq43"), 0, significand, false);
+    test_run_begin(e, digits);
+    e->asked = e->sets.total;
     for (; *answers != NULL; answers++)
         say(e, *answers);
     const struct report r = {e, "client", "", 0.0, NULL};
@@ -704,7 +704,7 @@ static const char *table_of(const char *const *answers, int significand)
     ck_assert_int_eq(fclose(file), 0);
     snprintf(said, sizeof said, "%s", text);
     free(text);
-    close_exam(e);
+    close_run(e);
     return said;
 }
 
@@ -729,81 +729,81 @@ END_TEST
 
 /* ---- judgement ---- */
 
-/* The finding on one answer to a vector of an operation. */
-static enum finding finding_on(const char *operation, const char *id, const char *outputs)
+/* The outcome on one answer to a vector of an operation. */
+static enum outcome outcome_on(const char *operation, const char *id, const char *outputs)
 {
-    struct exam *e = exam_of(section_find(sheet(), operation));
-    const uint64_t position = questions_find(&e->questions, id);
+    struct test_run *e = run_of(section_find(sheet(), operation));
+    const uint64_t position = test_sets_find(&e->sets, id);
     char line[1000];
-    enum finding finding = FOUND_RIGHT;
+    enum outcome outcome = OUTCOME_RIGHT;
     ck_assert_msg(position != UINT64_MAX, "%s", id);
-    e->asked = e->questions.total;
+    e->asked = e->sets.total;
     snprintf(line, sizeof line, "%s %s\n", id, outputs);
     say(e, line);
-    while (finding < FINDINGS && e->tallies[0].counts[finding] == 0)
-        finding++;
-    close_exam(e);
-    return finding;
+    while (outcome < OUTCOMES && e->summaries[0].counts[outcome] == 0)
+        outcome++;
+    close_run(e);
+    return outcome;
 }
 
 /* Omega = 1, C1 = 12, C2 = 4: (s^2 + 2 s + 3)^2, the roots -1 +- i sqrt(2) twice; sqrt(2) = 1.41421356237309505 */
 START_TEST(eq41roots_multiple_roots_are_judged_by_their_residual)
 {
-    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-free-gains", /* off by 1e-9, as a good solver may be */
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-free-gains", /* off by 1e-9, as a good solver may be */
                                 "-1.000000001 -1.414213562 -0.999999999 -1.414213562 "
-                                "-1.000000001 1.414213562 -0.999999999 1.414213562"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-free-gains",
+                                "-1.000000001 1.414213562 -0.999999999 1.414213562"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-free-gains",
                                 "-1.000001 -1.414213562 -0.999999 -1.414213562 "
-                                "-1.000001 1.414213562 -0.999999 1.414213562"), FOUND_WRONG);
-    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-free-gains", /* one of them four times */
+                                "-1.000001 1.414213562 -0.999999 1.414213562"), OUTCOME_WRONG);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-free-gains", /* one of them four times */
                                 "-1 1.4142135623730951 -1 1.4142135623730951 "
-                                "-1 1.4142135623730951 -1 1.4142135623730951"), FOUND_WRONG);
+                                "-1 1.4142135623730951 -1 1.4142135623730951"), OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(eq41roots_come_in_any_order)
 {
     /* Omega = 1, C1 = 9, C2 = 0: s^2 (s^2 + 7), sqrt(7) = 2.6457513110645906 */
-    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 -2.6457513110645906 0 0"),
-                     FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 2.6457513110645906 0 0"),
-                     FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 -2.6457513110645906 0 0"),
+                     OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 2.6457513110645906 0 0"),
+                     OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(eq42_stability_on_the_boundary_is_either)
 {
-    ck_assert_int_eq(finding_on("eq42", "eq42-boundary", "0 1 0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq42", "eq42-boundary", "0 1 1"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq42", "eq42-boundary-above", "1.7763568394002505e-15 1 0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq42", "eq42-paper", "5.3165972250000061e-09 1.4583e-4 0"), FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-boundary", "0 1 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-boundary", "0 1 1"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-boundary-above", "1.7763568394002505e-15 1 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-paper", "5.3165972250000061e-09 1.4583e-4 0"), OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(eq44_an_infinite_sensitivity_excuses_nothing)
 {
-    ck_assert_int_eq(finding_on("eq44", "eq44-boundary", "0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq44", "eq44-boundary", "-0.0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq44", "eq44-boundary", "1e-300"), FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("eq44", "eq44-boundary", "0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq44", "eq44-boundary", "-0.0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq44", "eq44-boundary", "1e-300"), OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(eq10inv_on_the_normal_theta_is_no_number_but_pi_2)
 {
     /* S of theta is infinite there, |z| by |z| over zero; pi/2 = 1.5707963267948966192 */
-    ck_assert_int_eq(finding_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.5707963267948966"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.570796326794890"), FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.5707963267948966"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.570796326794890"), OUTCOME_WRONG);
 }
 END_TEST
 
 START_TEST(a_motion_is_judged_on_the_scale_of_its_largest_coordinate)
 {
     /* at rest: exactly so, for ever */
-    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-at-rest-43200", "0 0 0 0 0 0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-at-rest-43200", "0 0 1e-30 0 0 0"), FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-at-rest-43200", "0 0 0 0 0 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-at-rest-43200", "0 0 1e-30 0 0 0"), OUTCOME_WRONG);
     /* theta = 0.5 cos(2 tau) is the scale of psi's error: 4e-10 of 0.5 are 9 digits, 4e-9 are not */
-    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-pitch-alone-0", "4e-10 0.5 0 0 0 0"), FOUND_RIGHT);
-    ck_assert_int_eq(finding_on("flow_linear", "flow_linear-pitch-alone-0", "4e-9 0.5 0 0 0 0"), FOUND_WRONG);
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-pitch-alone-0", "4e-10 0.5 0 0 0 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-pitch-alone-0", "4e-9 0.5 0 0 0 0"), OUTCOME_WRONG);
 }
 END_TEST
 
@@ -814,14 +814,14 @@ START_TEST(a_motion_that_cannot_be_followed_is_not_judged)
     static const char *const texts[] = {"1", "1", "1", "1", "2", "0", "0", "1e7", "0", "0", "1", "0", "0", "0"};
     const struct section *s = section_find(sheet(), "flow_nonlinear");
     struct operation o;
-    struct judge j;
+    struct comparator j;
     struct score score;
     struct input *inputs = inputs_new(s->input_count);
     ck_assert(vector_read(s, texts, inputs));
     operation_init(&o, s, false);
-    judge_init(&j, &o, BINARY64, 9);
-    ck_assert_int_eq(judge_answer(&j, inputs, &score), FOUND_SKIPPED);
-    judge_clear(&j);
+    comparator_init(&j, &o, BINARY64, 9);
+    ck_assert_int_eq(compare_answer(&j, inputs, &score), OUTCOME_SKIPPED);
+    comparator_clear(&j);
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
 }

@@ -11,15 +11,15 @@
 
 enum { DAY = 86400, PREC = 256, MOST_TIMES = 64 };
 
-/* ---- scenes: parameters, and a state to start from ---- */
+/* ---- scenarios: parameters, and a state to start from ---- */
 
-struct scene {
+struct scenario {
     struct flow_parameters p;
     arb_ptr start;
     slong prec;
 };
 
-static void scene_close(struct scene *s)
+static void scenario_close(struct scenario *s)
 {
     arb_ptr value[] = {s->p.Omega, s->p.L_ref, s->p.C1, s->p.C2, s->p.k_c, s->p.m1, s->p.m2};
     for (size_t i = 0; i < sizeof value / sizeof value[0]; i++)
@@ -29,9 +29,9 @@ static void scene_close(struct scene *s)
 }
 
 /* Gains c1 Omega^2 and c2 Omega; at rest at the origin. */
-static struct scene scene_of(double Omega, double m1, double m2, double L_ref, double c1, double c2)
+static struct scenario scenario_of(double Omega, double m1, double m2, double L_ref, double c1, double c2)
 {
-    struct scene s = {.prec = PREC, .start = _arb_vec_init(FLOW_STATE)};
+    struct scenario s = {.prec = PREC, .start = _arb_vec_init(FLOW_STATE)};
     arb_ptr value[] = {s.p.Omega, s.p.L_ref, s.p.C1, s.p.C2, s.p.k_c, s.p.m1, s.p.m2};
     const double given[] = {Omega, L_ref, c1, c2, 8.99e9, m1, m2};
     for (size_t i = 0; i < sizeof value / sizeof value[0]; i++) {
@@ -44,12 +44,12 @@ static struct scene scene_of(double Omega, double m1, double m2, double L_ref, d
     return s;
 }
 
-static struct scene paper(void)
+static struct scenario paper(void)
 {
-    return scene_of(7.2915e-5, 150, 150, 10, 10, 2);
+    return scenario_of(7.2915e-5, 150, 150, 10, 10, 2);
 }
 
-static void start_at(struct scene *s, double a, double b, double c, double a_dot, double b_dot, double c_dot)
+static void start_at(struct scenario *s, double a, double b, double c, double a_dot, double b_dot, double c_dot)
 {
     const double given[FLOW_STATE] = {a, b, c, a_dot, b_dot, c_dot};
     for (int i = 0; i < FLOW_STATE; i++)
@@ -57,7 +57,7 @@ static void start_at(struct scene *s, double a, double b, double c, double a_dot
 }
 
 /* Eq. (10), exact: craft 1 at rest in the frame at these angles and this distance. */
-static void start_at_angles(struct scene *s, double psi, double theta, double dL)
+static void start_at_angles(struct scenario *s, double psi, double theta, double dL)
 {
     arb_t r, sine, cosine;
     arb_init(r);
@@ -83,9 +83,9 @@ static void start_at_angles(struct scene *s, double psi, double theta, double dL
     arb_clear(cosine);
 }
 
-static struct scene paper_nonlinear(void)
+static struct scenario paper_nonlinear(void)
 {
-    struct scene s = paper();
+    struct scenario s = paper();
     start_at_angles(&s, 0.01, 0.01, 0.1);
     return s;
 }
@@ -121,7 +121,7 @@ static void run_close(struct run *r)
 }
 
 /* At `count` times in seconds; h is for Runge and Kutta. */
-static struct run run_through(const struct scene *s, enum method method, const slong *seconds, slong count,
+static struct run run_through(const struct scenario *s, enum method method, const slong *seconds, slong count,
                               slong digits, slong h, slong stop_after)
 {
     struct run r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
@@ -149,7 +149,7 @@ static struct run run_through(const struct scene *s, enum method method, const s
     return r;
 }
 
-static struct run run_to(const struct scene *s, enum method method, slong seconds)
+static struct run run_to(const struct scenario *s, enum method method, slong seconds)
 {
     return run_through(s, method, &seconds, 1, 17, 100, 0);
 }
@@ -180,7 +180,7 @@ static void assert_holds(arb_srcptr set, arb_srcptr member)
 /* Overlap proves nothing where balls are wide: no radius above 2^-bits of the largest position or, per radian, rate. */
 static void assert_sharp(arb_srcptr state, slong bits)
 {
-    enum { RADIAN = 14 }; /* log2 of 1/Omega, in all these scenes */
+    enum { RADIAN = 14 }; /* log2 of 1/Omega, in all these scenarios */
     mag_t size, m;
     mag_init(size);
     mag_init(m);
@@ -228,19 +228,19 @@ static int pair_rates(double tau, const double y[], double rate[], void *paramet
     return GSL_SUCCESS;
 }
 
-static struct pair pair_of(const struct scene *s)
+static struct pair pair_of(const struct scenario *s)
 {
     return (struct pair){number(s->p.Omega), number(s->p.k_c), number(s->p.m1), number(s->p.m2),
                          number(s->p.L_ref), number(s->p.C1), number(s->p.C2)};
 }
 
-static void pair_state(const struct scene *s, double y[])
+static void pair_state(const struct scenario *s, double y[])
 {
     for (int i = 0; i < FLOW_STATE; i++)
         y[i] = number(s->start + i) / (i < 3 ? 1 : number(s->p.Omega));
 }
 
-static void assert_agrees_with_rk8pd(const struct scene *s, double seconds, double tolerance)
+static void assert_agrees_with_rk8pd(const struct scenario *s, double seconds, double tolerance)
 {
     struct pair p = pair_of(s);
     double y[FLOW_STATE], tau = 0;
@@ -265,7 +265,7 @@ static void assert_agrees_with_rk8pd(const struct scene *s, double seconds, doub
  */
 START_TEST(eq40_flow_follows_an_exact_mode)
 {
-    struct scene s = scene_of(0x1p-14, 150, 150, 8, 10, 3);
+    struct scenario s = scenario_of(0x1p-14, 150, 150, 8, 10, 3);
     start_at(&s, 0.5, 0.25, 8, -0x1p-15, 0, -0x1p-11);
     struct run r = run_to(&s, LINEAR, 5 * DAY);
     arb_t tau, factor;
@@ -283,7 +283,7 @@ START_TEST(eq40_flow_follows_an_exact_mode)
     arb_clear(tau);
     arb_clear(factor);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -325,7 +325,7 @@ END_TEST
 
 START_TEST(eq40_flow_composes)
 {
-    struct scene s = paper();
+    struct scenario s = paper();
     start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
     struct run whole = run_to(&s, LINEAR, 3 * DAY), part = run_to(&s, LINEAR, 2 * DAY);
     _arb_vec_set(s.start, part.states, FLOW_STATE);
@@ -335,13 +335,13 @@ START_TEST(eq40_flow_composes)
     run_close(&whole);
     run_close(&part);
     run_close(&rest);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(eq40_flow_returns)
 {
-    struct scene s = paper();
+    struct scenario s = paper();
     start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
     struct run there = run_to(&s, LINEAR, 2 * DAY);
     for (int i = 0; i < FLOW_STATE; i++)
@@ -352,13 +352,13 @@ START_TEST(eq40_flow_returns)
     ck_assert_double_eq(back.reached, -2 * DAY);
     run_close(&there);
     run_close(&back);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(eq40_flow_keeps_what_is_zero)
 {
-    struct scene s = paper();
+    struct scenario s = paper();
     start_at(&s, 0, 1, 0, 0, 0, 0);
     struct run pitch = run_to(&s, LINEAR, DAY);
     for (int i = 0; i < FLOW_STATE; i++)
@@ -369,7 +369,7 @@ START_TEST(eq40_flow_keeps_what_is_zero)
     ck_assert(arb_is_zero(yaw.states + 1) && arb_is_zero(yaw.states + 4));
     run_close(&pitch);
     run_close(&yaw);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -391,49 +391,49 @@ START_TEST(eq03_flow_of_the_paper)
         "-0.000000031711580383845685955411698211653547390313061381107 +/- 1e-51",
         "0.0000000027597638630855129232732471038931165846453228454936 +/- 1e-51",
         "0.00000045779311177627257314565526507035347304561916236798 +/- 1e-51"};
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     struct run r = run_to(&s, NONLINEAR, 2 * DAY);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_str(s.start + i, expected[i], PREC);
     assert_overlap(r.states, s.start);
     assert_sharp(r.states, 200);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 /* rk8pd's local error of 1e-14 in some thousand steps of a motion that does not diverge */
 START_TEST(eq03_flow_of_unequal_craft_agrees_with_rk8pd)
 {
-    struct scene s = scene_of(0x1p-14, 120, 410, 23, 12, 4);
+    struct scenario s = scenario_of(0x1p-14, 120, 410, 23, 12, 4);
     start_at_angles(&s, 0.3, -0.4, 2);
     assert_agrees_with_rk8pd(&s, 3 * DAY, 1e-10);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(eq03_flow_at_large_angles_agrees_with_rk8pd)
 {
-    struct scene s = scene_of(7.2915e-5, 1, 1000, 10, 10, 2);
+    struct scenario s = scenario_of(7.2915e-5, 1, 1000, 10, 10, 2);
     start_at_angles(&s, 1.2, 0.9, -3);
     assert_agrees_with_rk8pd(&s, DAY, 1e-10);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 /* ... and a motion that does: errors grow like exp(3 tau) until the craft part after two days */
 START_TEST(eq03_flow_that_grows_agrees_with_rk8pd)
 {
-    struct scene s = scene_of(7.2915e-5, 150, 150, 10, 8, 1);
+    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 8, 1);
     start_at_angles(&s, 0.01, 0.01, 0.1);
     assert_agrees_with_rk8pd(&s, 2 * DAY, 1e-7);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(eq03_flow_returns)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     struct run there = run_to(&s, NONLINEAR, DAY);
     arb_ptr start = _arb_vec_init(FLOW_STATE);
     _arb_vec_set(start, s.start, FLOW_STATE);
@@ -445,13 +445,13 @@ START_TEST(eq03_flow_returns)
     _arb_vec_clear(start, FLOW_STATE);
     run_close(&there);
     run_close(&back);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(eq03_flow_composes)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     struct run whole = run_to(&s, NONLINEAR, 100000), part = run_to(&s, NONLINEAR, 61803);
     _arb_vec_set(s.start, part.states, FLOW_STATE);
     struct run rest = run_to(&s, NONLINEAR, 100000 - 61803);
@@ -460,14 +460,14 @@ START_TEST(eq03_flow_composes)
     run_close(&whole);
     run_close(&part);
     run_close(&rest);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 /* Two precisions are two integrations: other orders, other steps. */
 START_TEST(eq03_flow_at_two_precisions_overlaps)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     struct run fine = run_to(&s, NONLINEAR, 5 * DAY);
     s.prec = 120;
     struct run coarse = run_to(&s, NONLINEAR, 5 * DAY);
@@ -475,18 +475,18 @@ START_TEST(eq03_flow_at_two_precisions_overlaps)
     assert_sharp(coarse.states, 75);
     run_close(&fine);
     run_close(&coarse);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
-/* At 48 bits what a step leaves out outweighs its rounding: without its rest the fine states would stand outside. */
+/* At 48 bits what a step leaves out outweighs its rounding: without its remainder the fine states would stand outside. */
 START_TEST(what_steps_leave_out_is_in_the_enclosure)
 {
     enum { ROWS = 60 };
     slong times[ROWS];
     for (slong k = 0; k < ROWS; k++)
         times[k] = 250 * (k + 1);
-    struct scene s = paper();
+    struct scenario s = paper();
     start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
     struct run fine = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
     s.prec = 48;
@@ -496,7 +496,7 @@ START_TEST(what_steps_leave_out_is_in_the_enclosure)
         assert_holds(coarse.states + k * FLOW_STATE, fine.states + k * FLOW_STATE);
     run_close(&fine);
     run_close(&coarse);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -506,7 +506,7 @@ START_TEST(dense_output_is_the_flow)
     slong times[ROWS];
     for (slong k = 0; k < ROWS; k++)
         times[k] = 1000 * k;
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     struct run dense = run_through(&s, NONLINEAR, times, ROWS, 17, 0, 0);
     ck_assert_int_eq(dense.rows, ROWS);
     assert_same(dense.states, s.start); /* at 0 the initial state itself */
@@ -516,7 +516,7 @@ START_TEST(dense_output_is_the_flow)
         run_close(&one);
     }
     run_close(&dense);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -524,30 +524,30 @@ END_TEST
 
 START_TEST(eq05_static_formation_stays_exactly)
 {
-    struct scene s = scene_of(7.2915e-5, 100, 150, 10, 10, 2);
+    struct scenario s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
     start_at(&s, 6, 0, 0, 0, 0, 0); /* m2 L_ref / (m1 + m2) */
     struct run r = run_to(&s, NONLINEAR, 30 * DAY);
     assert_same(r.states, s.start);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(eq03_plane_motion_stays_in_the_plane)
 {
-    struct scene s = paper();
+    struct scenario s = paper();
     start_at_angles(&s, 0.5, 0, 0.1);
     struct run r = run_to(&s, NONLINEAR, 5 * DAY);
     ck_assert(arb_is_zero(r.states + 2) && arb_is_zero(r.states + 5));
     assert_sharp(r.states, 200);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(eq03_flow_commutes_with_reflections)
 {
-    struct scene s = paper();
+    struct scenario s = paper();
     start_at_angles(&s, 0.3, 0.2, 0.1);
     struct run one = run_to(&s, NONLINEAR, DAY);
     for (int i = 0; i < FLOW_STATE; i++) /* craft 1 in the place of craft 2, and below the plane */
@@ -560,14 +560,14 @@ START_TEST(eq03_flow_commutes_with_reflections)
     assert_overlap(one.states, other.states);
     run_close(&one);
     run_close(&other);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(eq03_masses_only_scale)
 {
-    struct scene s = scene_of(7.2915e-5, 150, 150, 10, 10, 2);
-    struct scene t = scene_of(7.2915e-5, 1, 1023, 10, 10, 2); /* m2/(m1 + m2) = 1023/1024 */
+    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 10, 2);
+    struct scenario t = scenario_of(7.2915e-5, 1, 1023, 10, 10, 2); /* m2/(m1 + m2) = 1023/1024 */
     start_at_angles(&s, 0.3, 0.2, 0.1);
     start_at_angles(&t, 0.3, 0.2, 0.1);
     arb_set_d(t.p.k_c, 1); /* and k_c cancels against the charges */
@@ -579,8 +579,8 @@ START_TEST(eq03_masses_only_scale)
     assert_overlap(one.states, other.states);
     run_close(&one);
     run_close(&other);
-    scene_close(&t);
-    scene_close(&s);
+    scenario_close(&t);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -588,7 +588,7 @@ END_TEST
 
 START_TEST(five_days_at_50_digits_end_within_1e_49)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     slong t = 5 * DAY;
     s.prec = flow_precision(50, 7.2915e-5 * (double)t);
     struct run r = run_through(&s, NONLINEAR, &t, 1, 50, 0, 0);
@@ -600,7 +600,7 @@ START_TEST(five_days_at_50_digits_end_within_1e_49)
         ck_assert_int_le(mag_cmp(arb_radref(r.states + i), bound), 0);
     mag_clear(bound);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -608,7 +608,7 @@ END_TEST
 START_TEST(an_enclosure_holds_the_motions_from_a_box)
 {
     enum { CORNERS = 1 << FLOW_STATE };
-    struct scene s = paper(), box = paper();
+    struct scenario s = paper(), box = paper();
     start_at_angles(&s, 0.05, 0.05, 0.1);
     start_at_angles(&box, 0.05, 0.05, 0.1);
     for (int i = 0; i < FLOW_STATE; i++)
@@ -618,43 +618,43 @@ START_TEST(an_enclosure_holds_the_motions_from_a_box)
     struct run all = run_through(&box, NONLINEAR, &t, 1, 2, 0, 0);
     ck_assert_int_eq(all.status, FLOW_DONE);
     for (int corner = 0; corner < CORNERS; corner += 3) {
-        struct scene one = paper();
+        struct scenario one = paper();
         for (int i = 0; i < FLOW_STATE; i++)
             arb_set_d(one.start + i, number(s.start + i) + (corner >> i & 1 ? 1 : -1) * (i < 3 ? .99e-5 : .99e-9));
         arb_set_d(one.p.C1, number(s.p.C1) + (corner & 1 ? .99e-13 : -.99e-13));
         struct run r = run_to(&one, NONLINEAR, t);
         assert_holds(all.states, r.states);
         run_close(&r);
-        scene_close(&one);
+        scenario_close(&one);
     }
     assert_sharp(all.states, 5); /* the box itself grows by the motion, a hundredfold at the most */
     run_close(&all);
-    scene_close(&box);
-    scene_close(&s);
+    scenario_close(&box);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(motions_that_grow_are_followed)
 {
-    struct scene s = scene_of(7.2915e-5, 150, 150, 10, 10, -0.5);
+    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 10, -0.5);
     start_at_angles(&s, 0.01, 0.01, 0.1);
     struct run r = run_to(&s, NONLINEAR, 5 * DAY);
     ck_assert_int_eq(r.status, FLOW_DONE);
     assert_sharp(r.states, 150);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(stiff_gains_do_not_inflate_the_set)
 {
-    struct scene s = scene_of(7.2915e-5, 150, 150, 10, 1e6, 2000);
+    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 1e6, 2000);
     start_at_angles(&s, 0.01, 0.01, 0.1);
     struct run r = run_to(&s, NONLINEAR, 4000);
     ck_assert_int_eq(r.status, FLOW_DONE);
     assert_sharp(r.states, 200);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -663,15 +663,15 @@ END_TEST
 /* One radian of orbit is 2^14 s; no gains but those given; equal craft, r_ref = 4 m. */
 enum { RADIAN_LOG2 = 14, ROWS = 8, R_REF = 4 };
 
-static struct scene plain_scene(double c1, double c2)
+static struct scenario plain_scenario(double c1, double c2)
 {
-    struct scene s = scene_of(0x1p-14, 150, 150, 2 * R_REF, c1, c2);
+    struct scenario s = scenario_of(0x1p-14, 150, 150, 2 * R_REF, c1, c2);
     s.prec = 128; /* of what is true; what is tested has less */
     return s;
 }
 
 /* `ROWS` rows, the last of them at that many radians, by steps of that kind; digits 0: no set is too wide */
-static struct run run_steps(const struct scene *s, const struct flow_steps *how, double radians)
+static struct run run_steps(const struct scenario *s, const struct flow_steps *how, double radians)
 {
     struct run r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
     struct record record = {r.states, 0, 0};
@@ -685,7 +685,7 @@ static struct run run_steps(const struct scene *s, const struct flow_steps *how,
 }
 
 /* What the flow itself makes of it in 128 bits and more than 40 terms, all of whose rows lie in those of `wide` */
-static void assert_rows_hold(const struct run *wide, const struct scene *one, double radians)
+static void assert_rows_hold(const struct run *wide, const struct scenario *one, double radians)
 {
     static const struct flow_steps own;
     struct run truth = run_steps(one, &own, radians);
@@ -699,7 +699,7 @@ static void assert_rows_hold(const struct run *wide, const struct scene *one, do
 
 enum { UNKNOWN = FLOW_STATE + 4 }; /* the state, c1, c2, and the relative widths of L_ref and m1 */
 
-static void set_unknown(struct scene *s, const double centre[FLOW_STATE], const double c[2], const double radius[UNKNOWN], int corner)
+static void set_unknown(struct scenario *s, const double centre[FLOW_STATE], const double c[2], const double radius[UNKNOWN], int corner)
 {
     const double sign = corner < 0 ? 0 : 1; /* at the corner of that number, or all of the box */
     double at[UNKNOWN];
@@ -725,7 +725,7 @@ static void set_unknown(struct scene *s, const double centre[FLOW_STATE], const 
 static void assert_box_holds(const double centre[FLOW_STATE], const double c[2], const double radius[UNKNOWN],
                              const struct flow_steps *how, double radians)
 {
-    struct scene box = plain_scene(0, 0), one = plain_scene(0, 0);
+    struct scenario box = plain_scenario(0, 0), one = plain_scenario(0, 0);
     set_unknown(&box, centre, c, radius, -1);
     box.prec = 60;
     struct run all = run_steps(&box, how, radians);
@@ -739,14 +739,14 @@ static void assert_box_holds(const double centre[FLOW_STATE], const double c[2],
         assert_rows_hold(&all, &one, radians);
     }
     run_close(&all);
-    scene_close(&one);
-    scene_close(&box);
+    scenario_close(&one);
+    scenario_close(&box);
 }
 
 /* Orders 2 to 6, from a point, in 60 bits: what a series leaves out is a million times what is rounded. */
 START_TEST(F1_the_path_has_a_remainder)
 {
-    struct scene s = plain_scene(10, 1), fine = plain_scene(10, 1);
+    struct scenario s = plain_scenario(10, 1), fine = plain_scenario(10, 1);
     const struct flow_steps how = {.order = _i, .step = 0x1p-5};
     start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
     start_at(&fine, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
@@ -756,8 +756,8 @@ START_TEST(F1_the_path_has_a_remainder)
     assert_rows_hold(&many, &fine, 0x1p-2);
     run_close(&one);
     run_close(&many);
-    scene_close(&s);
-    scene_close(&fine);
+    scenario_close(&s);
+    scenario_close(&fine);
 }
 END_TEST
 
@@ -862,7 +862,7 @@ START_TEST(F9_a_row_is_within_its_step_for_certain)
 {
     const double h = 0x1p-8, share = 0.2;
     const struct flow_steps how = {.order = 2, .step = h};
-    struct scene s = plain_scene(0, 0), fine = plain_scene(0, 0);
+    struct scenario s = plain_scenario(0, 0), fine = plain_scenario(0, 0);
     fmpq_t t;
     double reached;
     fmpq_init(t);
@@ -881,15 +881,15 @@ START_TEST(F9_a_row_is_within_its_step_for_certain)
     fmpq_clear(t);
     _arb_vec_clear(vague, FLOW_STATE);
     _arb_vec_clear(end, FLOW_STATE);
-    scene_close(&s);
-    scene_close(&fine);
+    scenario_close(&s);
+    scenario_close(&fine);
 }
 END_TEST
 
 /* All rows to an eighth of a radian, by a step of one that no series here bears: it is halved until all three do. */
 static void assert_halved(const struct flow_steps *how, double width)
 {
-    struct scene s = plain_scene(10, 1);
+    struct scenario s = plain_scenario(10, 1);
     start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
     mag_set_d(arb_radref(s.start), width);
     s.prec = 60;
@@ -898,7 +898,7 @@ static void assert_halved(const struct flow_steps *how, double width)
     for (int i = 0; i < FLOW_STATE * ROWS; i++)
         ck_assert_double_lt(mag_get_d(arb_radref(r.states + i)), 0.0625); /* what fails to be proved is doubled 24 times */
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 
 START_TEST(F8_a_step_is_one_that_the_path_bears)
@@ -916,7 +916,7 @@ END_TEST
 /* A gain of anything to 1e300 bears no step of 2^-37 radians: no row, not even one that soon. */
 START_TEST(F8_what_no_halving_proves_is_no_step)
 {
-    struct scene s = plain_scene(10, 1);
+    struct scenario s = plain_scenario(10, 1);
     const struct flow_steps how = {.step = 0x1p-5};
     double reached;
     fmpq_t t;
@@ -928,14 +928,14 @@ START_TEST(F8_what_no_halving_proves_is_no_step)
     struct record none = {NULL, 0, 0};
     ck_assert_int_eq(flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, 60, keep, &none, &reached), FLOW_WIDE);
     fmpq_clear(t);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 /* Steps are a fraction of 2^-5 radians; whatever Omega is in its ball, no more of them than were proved have been reached. */
 START_TEST(what_is_reached_is_rounded_towards_the_start)
 {
-    struct scene s = scene_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
+    struct scenario s = scenario_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
     const struct flow_steps how = {.step = 0x1p-5};
     fmpq_t t, reached, Omega;
     double seconds;
@@ -965,7 +965,7 @@ START_TEST(what_is_reached_is_rounded_towards_the_start)
     fmpq_clear(t);
     fmpq_clear(reached);
     fmpq_clear(Omega);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -973,7 +973,7 @@ END_TEST
 
 START_TEST(an_enclosure_past_use_is_reported)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     const slong times[] = {DAY, 5 * DAY};
     s.prec = 186;
     struct run r = run_through(&s, NONLINEAR, times, 2, 50, 0, 0);
@@ -982,14 +982,14 @@ START_TEST(an_enclosure_past_use_is_reported)
     ck_assert_double_gt(r.reached, DAY);
     ck_assert_double_lt(r.reached, 5 * DAY);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 /* Omega t known to half a radian: no step holds all of that. And no exponential one of all gains. */
 START_TEST(a_vague_time_is_reported)
 {
-    struct scene s = scene_of(0x1p-14, 150, 150, 10, 0, 0);
+    struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 6, 0, 0, 0, 0, 0);
     mag_set_d(arb_radref(s.p.Omega), 0x1p-17);
     struct run r = run_to(&s, NONLINEAR, 1 << 16);
@@ -999,7 +999,7 @@ START_TEST(a_vague_time_is_reported)
     r = run_to(&s, LINEAR, 100);
     ck_assert_int_eq(r.status, FLOW_WIDE);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -1011,7 +1011,7 @@ END_TEST
 START_TEST(craft_too_close_to_follow_are_reported_with_the_time)
 {
     const double fall = 0.57976169347716177911871646922770217;
-    struct scene s = scene_of(0x1p-14, 150, 150, 10, 0, 0);
+    struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 0, 0, 5, 0, 0, 0);
     struct run r = run_to(&s, NONLINEAR, DAY);
     ck_assert_int_eq(r.status, FLOW_CLOSE);
@@ -1019,19 +1019,19 @@ START_TEST(craft_too_close_to_follow_are_reported_with_the_time)
     ck_assert_double_lt(r.reached, fall * 0x1p14);
     ck_assert_double_gt(r.reached, fall * 0x1p14 * (1 - 1e-7)); /* steps end 2^-32 radians long */
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 /* Without attraction enough to meet, craft that nearly do are followed through. */
 START_TEST(a_near_miss_is_followed_through)
 {
-    struct scene s = scene_of(0x1p-14, 150, 150, 10, 0, 0);
+    struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 0.5, 0, 5, 0, 0, 0);
     struct run r = run_to(&s, NONLINEAR, DAY / 4);
     ck_assert_int_eq(r.status, FLOW_DONE);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -1039,19 +1039,19 @@ START_TEST(a_receiver_stops_a_flow)
 {
     static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
     const slong times[] = {0, 100, 200, 300};
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     struct run r = run_through(&s, methods[_i], times, 4, 17, 100, 2);
     ck_assert_int_eq(r.status, FLOW_STOPPED);
     ck_assert_int_eq(r.rows, 2);
     ck_assert_double_eq(r.reached, 100);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(outside_the_domain_no_flow_starts)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     arb_ptr positive[] = {s.p.Omega, s.p.L_ref, s.p.k_c, s.p.m1, s.p.m2};
     for (int m = NONLINEAR; m <= RK4_NONLINEAR; m++)
         for (int i = 0; i < (m == RK4_LINEAR ? 2 : 5); i++) {
@@ -1081,7 +1081,7 @@ START_TEST(outside_the_domain_no_flow_starts)
     ck_assert_int_eq(vague.status, FLOW_DOMAIN);
     run_close(&together);
     run_close(&vague);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -1181,10 +1181,10 @@ END_TEST
 
 START_TEST(no_time_at_all_is_in_reach)
 {
-    struct scene s = paper();
+    struct scenario s = paper();
     ck_assert(flow_in_reach(&s.p, NULL, 0));
     ck_assert(rk4_in_reach(&s.p, NULL, 0));
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -1196,40 +1196,40 @@ START_TEST(beyond_reach_no_motion_starts)
         slong t, h;
     } beyond[] = {{LINEAR, 14000000000, 0}, {NONLINEAR, 14000000000, 0}, {NONLINEAR, -14000000000, 0},
                   {RK4_LINEAR, 140000000, 1000}, {RK4_NONLINEAR, 140000000, 1000}, {RK4_LINEAR, 10000001, 1}};
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     struct run r = run_through(&s, beyond[_i].method, &beyond[_i].t, 1, 17, beyond[_i].h, 0);
     ck_assert_int_eq(r.status, FLOW_STALLED);
     ck_assert_int_eq(r.rows, 0);
     ck_assert_int_le(flow_precision(17, INFINITY), 200000);
     ck_assert_int_le(rk4_precision(17, INFINITY), 300000);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(times_out_of_order_are_refused)
 {
     const slong back[] = {200, 100}, both[] = {100, -100};
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     struct run a = run_through(&s, NONLINEAR, back, 2, 17, 0, 0), b = run_through(&s, NONLINEAR, both, 2, 17, 0, 0);
     ck_assert_int_eq(a.status, FLOW_DOMAIN);
     ck_assert_int_eq(b.status, FLOW_DOMAIN);
     run_close(&a);
     run_close(&b);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(steps_without_proof_are_the_same_steps)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     struct run proved = run_to(&s, NONLINEAR, DAY), bare = run_to(&s, UNPROVED, DAY);
     for (int i = 0; i < FLOW_STATE; i++)
         mag_zero(arb_radref(bare.states + i));
     assert_holds(proved.states, bare.states);
     run_close(&proved);
     run_close(&bare);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -1241,7 +1241,7 @@ START_TEST(rk4_step_of_the_linear_model_is_its_polynomial)
     static const int rates[FLOW_STATE][FLOW_STATE] = {{0, 0, 0, 1, 0, 0},  {0, 0, 0, 0, 1, 0},  {0, 0, 0, 0, 0, 1},
                                                       {-3, 0, 0, 0, 0, -2}, {0, -4, 0, 0, 0, 0}, {0, 0, -1, 2, 0, -3}};
     static const int start[FLOW_STATE] = {1, 2, -3, 4, -5, 6};
-    struct scene s = scene_of(1, 150, 150, 1, 10, 3);
+    struct scenario s = scenario_of(1, 150, 150, 1, 10, 3);
     fmpq_mat_t Z, y, sum;
     fmpq_mat_init(Z, FLOW_STATE, FLOW_STATE);
     fmpq_mat_init(y, FLOW_STATE, 1);
@@ -1270,7 +1270,7 @@ START_TEST(rk4_step_of_the_linear_model_is_its_polynomial)
     fmpq_mat_clear(Z);
     fmpq_mat_clear(y);
     fmpq_mat_clear(sum);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -1278,7 +1278,7 @@ END_TEST
 START_TEST(rk4_steps_of_the_nonlinear_model_are_an_implementers)
 {
     enum { STEPS = 100, H = 100 };
-    struct scene s = scene_of(7.2915e-5, 120, 410, 23, 12, 4);
+    struct scenario s = scenario_of(7.2915e-5, 120, 410, 23, 12, 4);
     start_at_angles(&s, 0.3, -0.4, 2);
     struct pair p = pair_of(&s);
     double y[FLOW_STATE], at[FLOW_STATE], k[5][FLOW_STATE] = {{0}};
@@ -1296,12 +1296,12 @@ START_TEST(rk4_steps_of_the_nonlinear_model_are_an_implementers)
     for (int i = 0; i < FLOW_STATE; i++)
         ck_assert_double_eq_tol(number(r.states + i) / (i < 3 ? 1 : p.Omega), y[i], 1e-12 * p.L_ref);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 /* Largest error in psi, theta, dL or in x1, y1, z1 after a day with that step */
-static double rk4_error(const struct scene *s, enum method rk4, enum method flow, slong h)
+static double rk4_error(const struct scenario *s, enum method rk4, enum method flow, slong h)
 {
     const slong t = DAY;
     struct run a = run_through(s, rk4, &t, 1, 17, h, 0), b = run_to(s, flow, t);
@@ -1319,51 +1319,51 @@ static double rk4_error(const struct scene *s, enum method rk4, enum method flow
 /* The error is C h^4 + D h^5 ..., so halving h near a hundredth of a radian divides it by 16 within some per cent. */
 START_TEST(rk4_is_of_order_four)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     const double nonlinear = rk4_error(&s, RK4_NONLINEAR, NONLINEAR, 100) / rk4_error(&s, RK4_NONLINEAR, NONLINEAR, 50);
     start_at(&s, 0.01, 0.01, 0.1, 0, 0, 0);
     const double linear = rk4_error(&s, RK4_LINEAR, LINEAR, 100) / rk4_error(&s, RK4_LINEAR, LINEAR, 50);
     ck_assert_double_eq_tol(nonlinear, 16, 0.5);
     ck_assert_double_eq_tol(linear, 16, 0.5);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(rk4_keeps_the_static_formation_exactly)
 {
-    struct scene s = scene_of(7.2915e-5, 100, 150, 10, 10, 2);
+    struct scenario s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
     start_at(&s, 6, 0, 0, 0, 0, 0);
     struct run r = run_to(&s, RK4_NONLINEAR, DAY);
     assert_same(r.states, s.start);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(rk4_takes_whole_steps_forward)
 {
     static const slong wrong[][2] = {{150, 100}, {-100, 100}, {100, 0}, {100, -100}};
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     for (int m = RK4_LINEAR; m <= RK4_NONLINEAR; m++) {
         struct run r = run_through(&s, (enum method)m, &wrong[_i][0], 1, 17, wrong[_i][1], 0);
         ck_assert_int_eq(r.status, FLOW_DOMAIN);
         ck_assert_int_eq(r.rows, 0);
         run_close(&r);
     }
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 START_TEST(rk4_reports_an_enclosure_past_use)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     s.prec = 128; /* ten bits a radian last for two days */
     struct run r = run_to(&s, RK4_NONLINEAR, 5 * DAY);
     ck_assert_int_eq(r.status, FLOW_WIDE);
     ck_assert_double_gt(r.reached, DAY);
     ck_assert_double_lt(r.reached, 3 * DAY);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -1376,7 +1376,7 @@ START_TEST(foretold_precision_is_enough)
     const enum method m = methods[_i / 2];
     const double n = _i % 2 == 0 ? 10 : 40, radians = 7.2915e-5 * 5 * DAY;
     const slong digits = 40, t = 5 * DAY;
-    struct scene s = scene_of(7.2915e-5, 150, 150, 10, n, 2 * sqrt(n - 9));
+    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, n, 2 * sqrt(n - 9));
     s.prec = m == LINEAR || m == NONLINEAR ? flow_precision(digits, radians) : rk4_precision(digits, radians);
     if (m == LINEAR || m == RK4_LINEAR)
         start_at(&s, 0.01, 0.01, 0.1, 0, 0, 0);
@@ -1387,7 +1387,7 @@ START_TEST(foretold_precision_is_enough)
     for (int i = 0; i < FLOW_STATE; i++)
         ck_assert_double_gt((double)arb_rel_accuracy_bits(r.states + i), log2(10) * (double)digits + 1);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 

@@ -1,6 +1,6 @@
 /*
  * verify/motion/lohner.h: a set of states under a map, and a test for every error term of the theorem in lohner.c. In fractions
- * the theorem's two sides can be compared exactly: reach' against the largest |e'_j| that any point of the image has.
+ * the theorem's two sides can be compared exactly: radius' against the largest |e'_j| that any point of the image has.
  */
 #include "run.h"
 
@@ -62,8 +62,8 @@ static void map_clear(struct map *m)
     _mag_vec_clear(m->error, N);
 }
 
-/* The largest |e'_j| of the image: sup |basis'^-1 derivative| reach + |basis'^-1| (radius + error) */
-static void largest(fmpq_t sum, int j, const fmpq_mat_t inverse, const struct map *m, mag_srcptr reach)
+/* The largest |e'_j| of the image: sup |basis'^-1 derivative| radius + |basis'^-1| (ball + error) */
+static void largest(fmpq_t sum, int j, const fmpq_mat_t inverse, const struct map *m, mag_srcptr radius)
 {
     fmpq_t a, b, turned;
     fmpq_init(a);
@@ -83,7 +83,7 @@ static void largest(fmpq_t sum, int j, const fmpq_mat_t inverse, const struct ma
         }
         fmpq_abs(turned, turned);
         fmpq_add(turned, turned, wide);
-        mag_get_fmpq(b, reach + k);
+        mag_get_fmpq(b, radius + k);
         fmpq_addmul(sum, turned, b);
         mag_get_fmpq(a, arb_radref(m->image + k));
         mag_get_fmpq(b, m->error + k);
@@ -96,7 +96,7 @@ static void largest(fmpq_t sum, int j, const fmpq_mat_t inverse, const struct ma
     fmpq_clear(turned);
 }
 
-/* Moves the set; where it can be moved, it holds the image, and a reach is no more than so many times what is needed. */
+/* Moves the set; where it can be moved, it holds the image, and a radius is no more than so many times what is needed. */
 static bool move_and_compare(struct lohner *set, const struct map *m, slong prec, double at_most)
 {
     mag_ptr before = _mag_vec_init(N);
@@ -106,13 +106,13 @@ static bool move_and_compare(struct lohner *set, const struct map *m, slong prec
     fmpq_init(have);
     fmpq_mat_init(inverse, N, N);
     for (int j = 0; j < N; j++)
-        mag_set(before + j, set->reach + j);
+        mag_set(before + j, set->radius + j);
     const bool moved = lohner_move(set, m->image, m->derivative, m->error, prec);
     basis_of(inverse, set);
     ck_assert(fmpq_mat_inv(inverse, inverse));
     for (int j = 0; j < N && moved; j++) {
         largest(need, j, inverse, m, before);
-        mag_get_fmpq(have, set->reach + j);
+        mag_get_fmpq(have, set->radius + j);
         ck_assert_msg(fmpq_cmp(have, need) >= 0, "direction %d: %.12g for %.12g", j, fmpq_get_d(have), fmpq_get_d(need));
         ck_assert_double_le(fmpq_get_d(have), at_most * fmpq_get_d(need) + 1e-300);
         ck_assert(arf_equal(arb_midref(set->centre + j), arb_midref(m->image + j)));
@@ -236,7 +236,7 @@ static void assert_loose(int number, bool error, slong prec, double at_most)
     }
     box_of(&set, 0.25); /* which decides the basis; then it is a point */
     for (int i = 0; i < N; i++)
-        mag_zero(set.reach + i);
+        mag_zero(set.radius + i);
     const bool moved = move_and_compare(&set, &m, prec, at_most);
     ck_assert(moved || prec < 8);
     lohner_clear(&set);
@@ -315,7 +315,7 @@ START_TEST(L6_a_set_has_the_radii_of_its_box)
     lohner_init(&set);
     lohner_from_box(&set, box);
     for (int i = 0; i < N; i++) {
-        ck_assert(mag_cmp(set.reach + i, arb_radref(box + i)) >= 0);
+        ck_assert(mag_cmp(set.radius + i, arb_radref(box + i)) >= 0);
         ck_assert(arf_equal(arb_midref(set.centre + i), arb_midref(box + i)));
         for (int j = 0; j < N; j++)
             ck_assert_double_eq(set.basis[i][j], i == j);
@@ -339,13 +339,13 @@ START_TEST(L7_a_box_has_all_of_its_set)
     for (int i = 0; i < N; i++) {
         for (int j = 0; j < N; j++)
             set.basis[i][j] = scattered(_i * N + i * N + j);
-        mag_set_ui(set.reach + i, i == _i % N || _i >= N ? 1 : 0);
+        mag_set_ui(set.radius + i, i == _i % N || _i >= N ? 1 : 0);
     }
     lohner_to_box(box, &set);
     for (int i = 0; i < N; i++) {
         fmpq_zero(need);
         for (int j = 0; j < N; j++) {
-            mag_get_fmpq(have, set.reach + j);
+            mag_get_fmpq(have, set.radius + j);
             fraction_of_double(entry, set.basis[i][j]);
             add_modulus(need, entry, have);
         }

@@ -8,13 +8,13 @@
 
 START_TEST(memory_that_cannot_be_had_ends_the_program)
 {
-    free(memory(NULL, SIZE_MAX, 2)); /* a product that wraps round, and asks for nearly nothing */
+    free(xrealloc(NULL, SIZE_MAX, 2)); /* a product that wraps round, and asks for nearly nothing */
 }
 END_TEST
 
 START_TEST(no_memory_at_all_is_some_memory)
 {
-    void *block = memory(NULL, 0, 8); /* realloc() to nothing might be no block */
+    void *block = xrealloc(NULL, 0, 8); /* realloc() to nothing might be no block */
     ck_assert_ptr_nonnull(block);
     free(block);
 }

@@ -10,7 +10,7 @@
 #include "formula/arithmetic.h"
 #include "text/flint.h"
 #include "evaluate/reference.h"
-#include "sheet/slip.h"
+#include "sheet/known_mistakes.h"
 
 enum { MOST = 40 };
 
@@ -266,8 +266,8 @@ static void make_mistake(struct wrong *w)
 
 /* ---- the sheet's word for it ---- */
 
-/* What the alternative makes of the inputs: its outputs, or the inputs of the motion that it ends in. */
-static int numbers(const struct section *s, const struct alternative *a)
+/* What the mutant makes of the inputs: its outputs, or the inputs of the motion that it ends in. */
+static int numbers(const struct section *s, const struct mutation *a)
 {
     return a->formulas_end ? s->output_count : a->section->input_count;
 }
@@ -310,11 +310,11 @@ static bool same(double a, double b)
 }
 
 /* How many points the mistake was tried at; 0 where this file does not make it in that section. */
-static int compare(const struct section *s, const struct slip *slip, const struct alternative *a)
+static int compare(const struct section *s, const struct known_mistake *mistake, const struct mutation *a)
 {
     int tried = 0;
     for (int point = 0; point < points(s); point++) {
-        struct wrong w = {.section = s->id, .mistake = slip->name, .other = s->id};
+        struct wrong w = {.section = s->id, .mistake = mistake->name, .other = s->id};
         double x[MOST] = {0}, y[MOST] = {0};
         for (int i = 0; i < s->input_count; i++)
             x[i] = w.x[i] = input(s, i, point);
@@ -328,45 +328,45 @@ static int compare(const struct section *s, const struct slip *slip, const struc
         ck_assert_str_eq(a->formulas_end ? s->id : w.other, a->formulas_end ? s->id : a->section->id);
         compute(&a->formulas, s->input_count, x, numbers(s, a), y);
         for (int i = 0; i < numbers(s, a); i++)
-            ck_assert_msg(same(y[i], due[i]), "%s, %s: number %d is %g, expected %g", s->id, slip->name, i + 1, y[i], due[i]);
+            ck_assert_msg(same(y[i], due[i]), "%s, %s: number %d is %g, expected %g", s->id, mistake->name, i + 1, y[i], due[i]);
         tried++;
     }
     return tried;
 }
 
 /* Whether this file makes the mistake in that section, which the sheet has to do then as well, and in the same way. */
-static bool made(const struct section *s, const struct slip *slip, bool own)
+static bool made(const struct section *s, const struct known_mistake *mistake, bool own)
 {
-    struct wrong w = {.section = s->id, .mistake = slip->name, .other = s->id};
-    struct alternative a;
+    struct wrong w = {.section = s->id, .mistake = mistake->name, .other = s->id};
+    struct mutation a;
     struct message why = {""};
     for (int i = 0; i < s->input_count; i++)
         w.x[i] = input(s, i, 0);
     make_mistake(&w);
     if (!w.known)
         return false;
-    ck_assert_msg(alternative_init(&a, sheet(), s, slip, own, &why), "%s, %s: %s", s->id, slip->name, why.text);
-    ck_assert_int_gt(compare(s, slip, &a), 0);
-    alternative_clear(&a);
+    ck_assert_msg(mutation_init(&a, sheet(), s, mistake, own, &why), "%s, %s: %s", s->id, mistake->name, why.text);
+    ck_assert_int_gt(compare(s, mistake, &a), 0);
+    mutation_clear(&a);
     return true;
 }
 
 START_TEST(every_mistake_of_an_equation_is_made_right)
 {
     const struct section *s = &sheet()->sections[_i];
-    for (int k = 0; k < s->slip_count; k++)
-        ck_assert_msg(made(s, &s->slips[k], true), "%s, %s: expected in this file", s->id, s->slips[k].name);
+    for (int k = 0; k < s->mistake_count; k++)
+        ck_assert_msg(made(s, &s->mistakes[k], true), "%s, %s: expected in this file", s->id, s->mistakes[k].name);
 }
 END_TEST
 
 START_TEST(every_mistake_made_anywhere_is_made_right)
 {
-    const struct slip *slip = &sheet()->slips[_i];
+    const struct known_mistake *mistake = &sheet()->mistakes[_i];
     int places = 0;
     for (int i = 0; i < sheet()->section_count; i++)
         if (sheet()->sections[i].method == METHOD_FORMULA)
-            places += made(&sheet()->sections[i], slip, false);
-    ck_assert_msg(places > 0, "%s: expected in this file", slip->name);
+            places += made(&sheet()->sections[i], mistake, false);
+    ck_assert_msg(places > 0, "%s: expected in this file", mistake->name);
 }
 END_TEST
 
@@ -417,7 +417,7 @@ Suite *suite(void)
     Suite *suite = suite_create("mistakes");
     TCase *mistakes = tcase_create("mistakes");
     tcase_add_loop_test(mistakes, every_mistake_of_an_equation_is_made_right, 0, sheet()->section_count);
-    tcase_add_loop_test(mistakes, every_mistake_made_anywhere_is_made_right, 0, sheet()->slip_count);
+    tcase_add_loop_test(mistakes, every_mistake_made_anywhere_is_made_right, 0, sheet()->mistake_count);
     tcase_add_loop_test(mistakes, formulas_are_right_and_misprints_wrong_in_their_way, 0, sheet()->section_count);
     suite_add_tcase(suite, mistakes);
     return suite;

@@ -106,11 +106,11 @@ START_TEST(sheet_is_read)
     ck_assert_str_eq(asked->specials[0].flags, "edge");
     ck_assert_ptr_null(asked->specials[0].texts[0]); /* as in the paper's case */
     ck_assert_str_eq(asked->specials[0].texts[1], "3");
-    ck_assert_int_eq(asked->slip_count, 1);
-    ck_assert_str_eq(asked->slips[0].changes[0].formula, "x1");
+    ck_assert_int_eq(asked->mistake_count, 1);
+    ck_assert_str_eq(asked->mistakes[0].changes[0].formula, "x1");
     ck_assert_double_eq(asked->K, 20);
     ck_assert_double_eq(formula->K, 8);
-    ck_assert_int_eq(s.slip_count, 1);
+    ck_assert_int_eq(s.mistake_count, 1);
     sheet_clear(&s);
 }
 END_TEST

@@ -110,7 +110,7 @@ static void fractions(fmpq *to, const double from[JET_STATES])
 }
 
 /* What is true of Z's remainder: of the integral of a b, or of da b + a db */
-static void true_rest(fmpq_t rest, const struct known_case *c, const fmpq_t h)
+static void true_remainder(fmpq_t remainder, const struct known_case *c, const fmpq_t h)
 {
     fmpq_poly_t a, b, product, other;
     fmpq *start = _fmpq_vec_init(JET_STATES), *column = _fmpq_vec_init(JET_STATES);
@@ -133,8 +133,8 @@ static void true_rest(fmpq_t rest, const struct known_case *c, const fmpq_t h)
         fmpq_poly_add(product, product, other);
     }
     fmpq_poly_integral(product, product);
-    fmpq_zero(rest);
-    add_beyond(rest, product, c->order, h, one);
+    fmpq_zero(remainder);
+    add_beyond(remainder, product, c->order, h, one);
     fmpq_poly_clear(a);
     fmpq_poly_clear(b);
     fmpq_poly_clear(product);
@@ -144,12 +144,12 @@ static void true_rest(fmpq_t rest, const struct known_case *c, const fmpq_t h)
     fmpq_clear(one);
 }
 
-static void assert_bounds(const mag_t rest, const fmpq_t truth, double at_most)
+static void assert_bounds(const mag_t remainder, const fmpq_t truth, double at_most)
 {
     fmpq_t bound, ratio;
     fmpq_init(bound);
     fmpq_init(ratio);
-    mag_get_fmpq(bound, rest);
+    mag_get_fmpq(bound, remainder);
     ck_assert_int_gt(fmpq_sgn(truth), 0);
     fmpq_div(ratio, bound, truth);
     ck_assert_msg(fmpq_cmp(bound, truth) >= 0, "the bound is the truth times %.12g", fmpq_get_d(ratio));
@@ -184,8 +184,8 @@ static void assert_rest_of(const struct known_case *c, double at_most)
     ck_assert(majorant_prove(&base, NULL, h));
     majorant_of(&m, &column, one, 1, h);
     ck_assert(majorant_prove(&m, &base, h));
-    true_rest(truth, c, exact_h);
-    assert_bounds((c->of_column ? m.rest : base.rest) + Z, truth, at_most);
+    true_remainder(truth, c, exact_h);
+    assert_bounds((c->of_column ? m.remainder : base.remainder) + Z, truth, at_most);
     majorant_clear(&base);
     majorant_clear(&m);
     jet_clear(&jet);
@@ -318,7 +318,7 @@ START_TEST(T7_T12_a_rest_is_h_over_n_plus_1_times_a_tail_rounded_up)
         known_series(series, X, start);
         fmpq_zero(truth);
         add_beyond(truth, series, n, exact, one);
-        assert_bounds(m.rest + X, truth, 1 + 0x1p-25);
+        assert_bounds(m.remainder + X, truth, 1 + 0x1p-25);
         majorant_clear(&m);
         jet_clear(&jet);
     }
@@ -375,11 +375,11 @@ START_TEST(T9_T10_a_majorant_has_every_column_and_its_radius)
     majorant_init(&m, n);
     majorant_of(&m, column, weights, 3, h);
     ck_assert(majorant_prove(&m, &base, h));
-    assert_bounds(m.rest + Y, truth, A_LITTLE_MORE);
+    assert_bounds(m.remainder + Y, truth, A_LITTLE_MORE);
     mag_one(weights);
     majorant_of(&m, column + 3, weights, 1, h);
     ck_assert(majorant_prove(&m, &base, h));
-    assert_bounds(m.rest + Y, truth, A_LITTLE_MORE);
+    assert_bounds(m.remainder + Y, truth, A_LITTLE_MORE);
     majorant_clear(&base);
     majorant_clear(&m);
     jet_clear(&jet);
@@ -426,7 +426,7 @@ static void assert_proved_within_the_circle(int v, slong n)
             continue;
         longest = step;
         ck_assert_msg(step < 1, "state %d proved at %g", v, step);
-        ck_assert_double_ge(mag_get_d(m.rest + v), pow(step, (double)n + 1) / (1 - step) * (1 - 1e-9));
+        ck_assert_double_ge(mag_get_d(m.remainder + v), pow(step, (double)n + 1) / (1 - step) * (1 - 1e-9));
     }
     ck_assert_double_ge(longest, n < 3 ? 0.2 : 0.35);
     mag_inf(arb_radref(jet.c[v])); /* and nothing of what has no bound */
@@ -729,13 +729,13 @@ START_TEST(T11_rests_of_the_closed_loop_hold_up_to_the_longest_step)
         majorant_of(&m, &jet, one, 1, h);
         proved = majorant_prove(&m, NULL, h);
         for (int i = 0; i < JET_STATES && proved; i++) {
-            ck_assert_int_lt(mag_cmp_2exp_si(m.rest + i, 64), 0);
+            ck_assert_int_lt(mag_cmp_2exp_si(m.remainder + i, 64), 0);
             fmpq_t truth, weight;
             fmpq_init(truth);
             fmpq_init(weight);
             fmpq_one(weight);
             add_beyond(truth, x + i, n, exact, weight);
-            mag_get_fmpq(c, m.rest + i);
+            mag_get_fmpq(c, m.remainder + i);
             ck_assert_msg(fmpq_cmp(c, truth) >= 0, "h %g, coordinate %d: %g for %g", step, i, fmpq_get_d(c), fmpq_get_d(truth));
             fmpq_clear(truth);
             fmpq_clear(weight);
@@ -903,19 +903,19 @@ static void jet_at(struct jet *jet, slong order, slong prec)
     arb_clear(c2);
 }
 
-/* Beyond degree n the rest holds what the degrees to 59 bring, and at the largest is no more than so many times that. */
+/* Beyond degree n the remainder holds what the degrees to 59 bring, and at the largest is no more than so many times that. */
 static void assert_rest(const struct majorant *m, const struct jet *longer, double at_most)
 {
-    double most_rest = 0, most_sum = 0;
+    double most_remainder = 0, most_sum = 0;
     for (int v = 0; v < JET_STATES; v++) {
-        double sum = 0, rest = mag_get_d(m->rest + v);
+        double sum = 0, remainder = mag_get_d(m->remainder + v);
         for (slong k = m->order + 1; k <= 59; k++)
             sum += fabs(ldexp(number(longer->c[v] + k), (int)(-4 * k))); /* h = 1/16 */
-        ck_assert_double_gt(rest, sum);
-        most_rest = fmax(most_rest, rest);
+        ck_assert_double_gt(remainder, sum);
+        most_remainder = fmax(most_remainder, remainder);
         most_sum = fmax(most_sum, sum);
     }
-    ck_assert_double_lt(most_rest, at_most * most_sum);
+    ck_assert_double_lt(most_remainder, at_most * most_sum);
 }
 
 /* Orders 2 to 6 and 12, a jet and a column of it; the shorter the series, the more its bound has in hand. */

@@ -388,12 +388,12 @@ END_TEST
 
 /* ---- rows of a motion ---- */
 
-/* Symmetry keeps a pair in the plane, on the normal or at its static place only where no velocity leads away from it. */
+/* Symmetry keeps a pair in the plane, on the normal or at its equilibrium only where no velocity leads away from it. */
 START_TEST(what_moves_away_is_not_settled)
 {
     static const struct {
         double start[FLOW_STATE];
-        bool static_place, kept[FLOW_STATE], still;
+        bool at_equilibrium, kept[FLOW_STATE], still;
     } all[] = {
         {{5, 1, 0, 0, 0, 0}, false, {0, 0, 1, 0, 0, 1}, false},   {{5, 1, 0, 0, 0, 0x1p-20}, false, {0}, false},
         {{0, 0, 5, 0, 0, 0}, false, {1, 1, 0, 1, 1, 0}, false},   {{0, 0, 5, 0x1p-20, 0, 0}, false, {0}, false},
@@ -408,7 +408,7 @@ START_TEST(what_moves_away_is_not_settled)
         arb_set_ui(state + i, 7);
         mag_set_ui(arb_radref(state + i), 8);
     }
-    flow_settle(start, all[_i].static_place, state);
+    flow_settle(start, all[_i].at_equilibrium, state);
     for (int i = 0; i < FLOW_STATE; i++) {
         if (all[_i].still)
             ck_assert(arb_equal(state + i, start + i));
@@ -434,7 +434,7 @@ static int keep_whole_rows(void *context, slong k, const fmpq_t t, char *const *
 /* At pi/(4 Omega), to 120 bits, pitch is zero to as many: the first pass has 116, and no row goes out without it. */
 START_TEST(a_row_waits_for_its_last_undecided_number)
 {
-    struct setting s;
+    struct scenario s;
     struct message why;
     fmpq_t t;
     arb_t quarter, Omega;
@@ -442,16 +442,16 @@ START_TEST(a_row_waits_for_its_last_undecided_number)
     arb_init(quarter);
     arb_init(Omega);
     fmpq_init(t);
-    setting_init(&s, false);
+    scenario_init(&s, false);
     arb_set_fmpq(Omega, &s.value[SET_Omega].value, 200);
     arb_const_pi(quarter, 120);
     arb_mul_2exp_si(quarter, quarter, -2);
     arb_div(quarter, quarter, Omega, 120);
     arf_get_fmpq(t, arb_midref(quarter));
-    const struct motion m = {.setting = &s, .digits = 17};
+    const struct motion m = {.scenario = &s, .digits = 17};
     ck_assert_msg(motion_rows(&m, t, 1, keep_whole_rows, &rows, &why) == 0, "%s", why.text);
     ck_assert_int_eq(rows, 1);
-    setting_clear(&s);
+    scenario_clear(&s);
     fmpq_clear(t);
     arb_clear(quarter);
     arb_clear(Omega);

@@ -37,7 +37,7 @@ static void run_program(int count, char **arguments, const char *bytes, size_t s
     free(output);
 }
 
-/* A line is an argument; what stands behind a zero byte is standard input. */
+/* A line is an argument; what stands after a zero byte is standard input. */
 void command_line(const char *bytes, size_t size)
 {
     enum { MOST = 40 };
@@ -85,27 +85,27 @@ void protocol(const char *bytes, size_t size)
     static const char *const ids[] = {"eq07", "eq21", "eq30", "eq41roots", "eq42"};
     static const int significands[] = {BINARY32, BINARY64, BINARY128, BINARY64};
     const double digits[] = {9, 9, 9, 9, 9};
-    static struct exam e; /* 100 kB */
+    static struct test_run e; /* 100 kB */
     char room[1 << 14], *text = NULL;
     const unsigned first = size > 0 ? (unsigned char)bytes[0] : 0;
     size_t length;
     memset(&e, 0, sizeof e);
     e.significand = significands[first >> 5 & 3];
-    e.questions.seed = 1;
+    e.sets.seed = 1;
     for (size_t i = 0; i < sizeof ids / sizeof *ids; i++)
         if (first >> i & 1)
-            questions_add(&e.questions, section_find(sheet(), ids[i]), 2, e.significand, false);
-    exam_begin(&e, digits);
+            test_sets_add(&e.sets, section_find(sheet(), ids[i]), 2, e.significand, false);
+    test_run_begin(&e, digits);
     if (first & 128)
-        exam_ask(&e, room, sizeof room);
+        test_run_ask(&e, room, sizeof room);
     const size_t half = size / 2;
-    if (size > 0 && exam_hear(&e, bytes + 1, half > 0 ? half - 1 : 0)) {
-        while (exam_ask(&e, room, sizeof room) > 0)
+    if (size > 0 && test_run_hear(&e, bytes + 1, half > 0 ? half - 1 : 0)) {
+        while (test_run_ask(&e, room, sizeof room) > 0)
             ;
         if (half > 0)
-            exam_hear(&e, bytes + half, size - half);
+            test_run_hear(&e, bytes + half, size - half);
     }
-    exam_end(&e, FOUND_MISSING);
+    test_run_end(&e, OUTCOME_MISSING);
     const struct report r = {&e, "client", "", 0.0, diagnose};
     FILE *stream = open_memstream(&text, &length);
     report_text(&r, stream);
@@ -115,5 +115,5 @@ void protocol(const char *bytes, size_t size)
     apart_begin(NULL, 0);
     require(report_write(&r, "report.xml") == 0 && report_write(&r, "report.json") == 0, "reports", "none");
     apart_end();
-    exam_clear(&e);
+    test_run_clear(&e);
 }

@@ -40,7 +40,7 @@ static void differentiate(struct program *p, int node, int one)
     struct tex t = {NULL, 0};
     struct machine m, adjoint;
     arb_t sum;
-    int *rate = memory(NULL, (size_t)p->inputs, sizeof *rate);
+    int *rate = xrealloc(NULL, (size_t)p->inputs, sizeof *rate);
     for (int i = 0; i < p->inputs; i++)
         rate[i] = i == one ? -1 : one;
     typeset_formula(&t, p, node);

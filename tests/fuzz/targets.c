@@ -36,7 +36,7 @@ void require_message(const char *text)
 
 char *text_of(const char *bytes, size_t size)
 {
-    char *text = memory(NULL, size + 1, 1);
+    char *text = xrealloc(NULL, size + 1, 1);
     if (size > 0)
         memcpy(text, bytes, size);
     text[size] = '\0';

@@ -29,7 +29,7 @@ static int results_of(struct handed **results, const char *names)
     char word[LONGEST_WORD + 1];
     int count = 0;
     for (int length; sscanf(names, " %63s%n", word, &length) == 1; names += length) {
-        *results = memory(*results, (size_t)count + 1, sizeof **results);
+        *results = xrealloc(*results, (size_t)count + 1, sizeof **results);
         struct handed *r = &(*results)[count++];
         *r = (struct handed){.truth = UNDECIDED};
         memcpy(r->name, word, sizeof word);
@@ -47,11 +47,11 @@ struct computed *computed_find(struct computations *all, const char *name)
     for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
         for (const struct computation *c = lists[l]; c->name != NULL; c++)
             if (strcmp(c->name, name) == 0) {
-                struct computed *new = memory(NULL, 1, sizeof *new);
+                struct computed *new = xrealloc(NULL, 1, sizeof *new);
                 *new = (struct computed){.of = c};
                 new->number_count = results_of(&new->numbers, c->numbers);
                 new->truth_count = results_of(&new->truths, c->truths);
-                all->of = memory(all->of, (size_t)all->count + 1, sizeof *all->of);
+                all->of = xrealloc(all->of, (size_t)all->count + 1, sizeof *all->of);
                 return all->of[all->count++] = new;
             }
     return NULL;

@@ -93,7 +93,7 @@ static char *bound_text(const arb_t x, slong digits, enum rounding rounding)
 static char *plain_text(char *scientific)
 {
     SCOPE(fmpz, n);
-    char *mark = strchr(scientific, 'e'), *figures = memory(NULL, strlen(scientific) + 1, 1), *to = figures;
+    char *mark = strchr(scientific, 'e'), *figures = xrealloc(NULL, strlen(scientific) + 1, 1), *to = figures;
     for (const char *at = scientific; at < (mark != NULL ? mark : scientific + strlen(scientific)); at++)
         if (*at != '.')
             *to++ = *at;
@@ -239,7 +239,7 @@ static void leave_open(const struct statements *all, struct ruling *r, const yam
     if (r->open.text[0] != '\0')
         return;
     d.why = &r->open;
-    mistake(&d, at, offset, "%s", text);
+    parse_error(&d, at, offset, "%s", text);
 }
 
 static const yaml_node_t *node_of_name(const struct statement *s, const char *name)

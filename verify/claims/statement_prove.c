@@ -40,7 +40,7 @@ static bool curve_init(struct curve *c, const struct formula *f, const char *var
     program_copy(&c->program, &f->program);
     c->node = f->node;
     c->x = program_find(&c->program, variable);
-    int *rate = memory(NULL, (size_t)c->program.inputs, sizeof *rate);
+    int *rate = xrealloc(NULL, (size_t)c->program.inputs, sizeof *rate);
     for (int i = 0; i < c->program.inputs; i++)
         rate[i] = -1;
     const int inputs = c->program.inputs;
@@ -148,7 +148,7 @@ static void refine(arb_t z, struct curve *c, const arf_interval_t one, slong bit
 static bool is_polynomial(const struct formula *f, const char *variable)
 {
     const struct program *p = &f->program;
-    char *moves = memory(NULL, (size_t)f->node + 1, 1), *needed = memory(NULL, (size_t)f->node + 1, 1);
+    char *moves = xrealloc(NULL, (size_t)f->node + 1, 1), *needed = xrealloc(NULL, (size_t)f->node + 1, 1);
     bool polynomial = true;
     program_needs(p, f->node, NULL, needed);
     for (int i = 0; i <= f->node; i++) {
@@ -331,7 +331,7 @@ static bool system_matrix(fmpq_mat_t A, fmpq_mat_t column, const struct linear_s
     int *rate, *place;
     program_copy(&p, &l->program);
     const int inputs = p.inputs, one = program_parse(&p, "1", &where, &why);
-    rate = memory(NULL, (size_t)inputs, sizeof *rate);
+    rate = xrealloc(NULL, (size_t)inputs, sizeof *rate);
     for (int i = 0; i < l->size; i++)
         for (int j = 0; j <= l->size && rational; j++) {
             const int by = j < l->size ? l->states[j] : l->control;
@@ -340,7 +340,7 @@ static bool system_matrix(fmpq_mat_t A, fmpq_mat_t column, const struct linear_s
             for (int k = 0; k < inputs; k++)
                 rate[k] = k == by ? one : -1;
             const int slope = program_derivative(&p, l->rates[i], rate, inputs);
-            place = memory(NULL, (size_t)p.count, sizeof *place);
+            place = xrealloc(NULL, (size_t)p.count, sizeof *place);
             for (int k = 0; k < p.count; k++)
                 place[k] = k < inputs ? k : -1;
             for (int k = 0; k < l->size; k++)

@@ -19,10 +19,10 @@ struct reading {
 
 static const char *keep(struct statements *s, const char *text, size_t length)
 {
-    char *copy = memory(NULL, length + 1, 1);
+    char *copy = xrealloc(NULL, length + 1, 1);
     memcpy(copy, text, length);
     copy[length] = '\0';
-    s->texts = memory(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
+    s->texts = xrealloc(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
     return s->texts[s->text_count++] = copy;
 }
 
@@ -119,7 +119,7 @@ static bool is_number_of(const char *name, const char *entry)
 /* Which assertions a node takes numbers of; those that stand after it are open, and with them the node. */
 static ulong uses_of(const struct reading *r, const struct program *p, int node)
 {
-    char *needed = memory(NULL, (size_t)node + 1, 1);
+    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
     ulong uses = 0;
     program_needs(p, node, NULL, needed);
     for (int i = 0; i < p->inputs && i <= node; i++) {
@@ -142,7 +142,7 @@ static int parse(struct reading *r, struct identities *t, const struct scope *s,
     size_t where;
     const int result = identities_text(t, s, text, &where, &why);
     if (result < 0)
-        mistake(r->document, node, shift + where, "%s", why.text);
+        parse_error(r->document, node, shift + where, "%s", why.text);
     return result;
 }
 
@@ -169,7 +169,7 @@ static bool read_formula_text(struct reading *r, struct formula *f, const yaml_n
 static bool read_scalar_formula(struct reading *r, struct formula *f, const yaml_node_t *node)
 {
     if (scalar(node) == NULL)
-        return mistake(r->document, node, 0, "expected a formula");
+        return parse_error(r->document, node, 0, "expected a formula");
     return read_formula_text(r, f, node, scalar(node), 0);
 }
 
@@ -202,7 +202,7 @@ static bool read_values(struct reading *r, struct values *at)
             const yaml_node_t *key = key_of(r->document, both[k], i);
             if (k == 1 && entry != NULL && child(r->document, entry, scalar(key)) != NULL)
                 continue;
-            at->list = memory(at->list, (size_t)at->count + 1, sizeof *at->list);
+            at->list = xrealloc(at->list, (size_t)at->count + 1, sizeof *at->list);
             struct value v;
             const bool fine = read_value(r, &v, key, value_of(r->document, both[k], i));
             at->list[at->count++] = v;
@@ -280,7 +280,7 @@ static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t 
     const char *sign = scalar(show) != NULL ? find_ordering(scalar(show), &a->ordering, &length) : NULL;
     const bool somewhere = r->entry != NULL && (child(r->document, r->entry, "at") != NULL || child(r->document, r->entry, "for") != NULL);
     if (sign == NULL)
-        return mistake(r->document, show, 0, "expected left = right, or another sign of < > <= >= != between them");
+        return parse_error(r->document, show, 0, "expected left = right, or another sign of < > <= >= != between them");
     return a->ordering == IS_EQUAL && !somewhere ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
 }
 
@@ -295,7 +295,7 @@ static bool read_count(struct reading *r, const yaml_node_t *node, long *count)
 {
     char *end = NULL;
     *count = node != NULL && scalar(node) != NULL ? strtol(scalar(node), &end, 10) : -1;
-    return (end != NULL && *end == '\0' && *count >= 0) || mistake(r->document, node ? node : r->entry, 0, "expected a count: 0, 1, 2 ...");
+    return (end != NULL && *end == '\0' && *count >= 0) || parse_error(r->document, node ? node : r->entry, 0, "expected a count: 0, 1, 2 ...");
 }
 
 /* A name that `of` says to be free; NULL after a complaint. */
@@ -303,7 +303,7 @@ static const char *read_variable(struct reading *r)
 {
     const yaml_node_t *of = child(r->document, r->entry, "of");
     if (of == NULL || scalar(of) == NULL)
-        mistake(r->document, of ? of : r->entry, 0, "missing of, expected the name of the unknown");
+        parse_error(r->document, of ? of : r->entry, 0, "missing of, expected the name of the unknown");
     return of != NULL ? scalar(of) : NULL;
 }
 
@@ -313,7 +313,7 @@ static bool read_root(struct reading *r, struct assertion *a, const yaml_node_t 
     if ((a->variable = read_variable(r)) == NULL || a->variable[0] == '\0' || !read_scalar_formula(r, &a->formula, value))
         return false;
     if (in == NULL || in->type != YAML_SEQUENCE_NODE || length_of(in) != 2)
-        return mistake(r->document, in ? in : r->entry, 0, "expected in: [low, high]");
+        return parse_error(r->document, in ? in : r->entry, 0, "expected in: [low, high]");
     return read_scalar_formula(r, &a->low, item_of(r->document, in, 0)) && read_scalar_formula(r, &a->high, item_of(r->document, in, 1));
 }
 
@@ -331,9 +331,9 @@ static bool read_state(struct reading *r, struct identities *t, const struct sco
     const yaml_node_t *about = given(r, "about"), *place = about != NULL ? child(r->document, about, scalar(state)) : NULL;
     l->states[l->size] = program_find(&t->program, scalar(state));
     if (l->states[l->size] < 0)
-        return mistake(r->document, state, 0, "unknown symbol '%s', expected a quantity or a free name", scalar(state));
+        return parse_error(r->document, state, 0, "unknown symbol '%s', expected a quantity or a free name", scalar(state));
     if (scalar(rate) == NULL || (place != NULL && scalar(place) == NULL))
-        return mistake(r->document, rate, 0, "expected a formula");
+        return parse_error(r->document, rate, 0, "expected a formula");
     l->rates[l->size] = parse(r, t, s, rate, scalar(rate), 0);
     l->about[l->size] = place != NULL ? parse(r, t, s, place, scalar(place), 0) : -1;
     return l->rates[l->size] >= 0 && (place == NULL || l->about[l->size] >= 0);
@@ -348,7 +348,7 @@ static bool read_system(struct reading *r, struct assertion *a)
     struct names names;
     struct identities t = {.order = -1};
     if (system == NULL || !is_mapping(r->document, system, NULL) || length_of(system) > 12 || (about != NULL && !is_mapping(r->document, about, NULL)))
-        return mistake(r->document, system ? system : r->entry, 0, "expected a system, {state: its rate, ...} of at most 12 states");
+        return parse_error(r->document, system ? system : r->entry, 0, "expected a system, {state: its rate, ...} of at most 12 states");
     collect_names(r, &names);
     const struct scope s = scope_of(r, &names);
     bool fine = identities_open(&t, &s);
@@ -363,7 +363,7 @@ static bool read_system(struct reading *r, struct assertion *a)
     l->control = control != NULL && scalar(control) != NULL ? program_find(&t.program, scalar(control)) : -1;
     take_program(&l->program, &t);
     if (fine && ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0)))
-        return mistake(r->document, control != NULL ? control : observe, 0, "expected control: a quantity, or observe: a state");
+        return parse_error(r->document, control != NULL ? control : observe, 0, "expected control: a quantity, or observe: a state");
     for (int i = 0; fine && i < l->size; i++)
         l->uses |= uses_of(r, &l->program, l->rates[i]) | (l->about[i] >= 0 ? uses_of(r, &l->program, l->about[i]) : 0);
     return fine;
@@ -386,7 +386,7 @@ static bool read_step(struct reading *r, struct assertion *a, const yaml_node_t 
     for (int i = 0; a->reference != NULL && i < d->step_count; i++)
         if (strcmp(d->steps[i].id, a->reference) == 0)
             return true;
-    return mistake(r->document, value, 0, "expected a step of derivations.yaml");
+    return parse_error(r->document, value, 0, "expected a step of derivations.yaml");
 }
 
 static bool read_cited(struct reading *r, struct assertion *a, const yaml_node_t *value)
@@ -396,13 +396,13 @@ static bool read_cited(struct reading *r, struct assertion *a, const yaml_node_t
     if (a->reference != NULL)
         cited = statement_find(r->all, a->reference);
     return (cited != NULL && cited != r->statement) ||
-           mistake(r->document, value, 0, "expected a claim that stands before");
+           parse_error(r->document, value, 0, "expected a claim that stands before");
 }
 
 static bool read_compute(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
     a->computed = scalar(value) != NULL ? computed_find(&r->all->computed, scalar(value)) : NULL;
-    return a->computed != NULL || mistake(r->document, value, 0, "unknown computation, expected one of verify/claims/claims_*.c");
+    return a->computed != NULL || parse_error(r->document, value, 0, "unknown computation, expected one of verify/claims/claims_*.c");
 }
 
 static const struct form {
@@ -423,13 +423,13 @@ static bool read_turns(struct reading *r, struct assertion *a)
     if (each == NULL)
         return true;
     if (!is_mapping(r->document, each, NULL) || length_of(each) > MOST_EACH)
-        return mistake(r->document, each, 0, "expected for: {name: [value, ...]} of at most %d names", MOST_EACH);
+        return parse_error(r->document, each, 0, "expected for: {name: [value, ...]} of at most %d names", MOST_EACH);
     for (int i = 0; i < length_of(each); i++) {
         const yaml_node_t *list = value_of(r->document, each, i);
         const int count = read_range(r, list, a->each_of[i], MOST_TURNS);
         a->each[a->each_names++] = scalar(key_of(r->document, each, i));
         if (count <= 0 || (i > 0 && count != a->turns))
-            return count < 0 ? false : mistake(r->document, list, 0, "expected lists of one length, of at most %d values", MOST_TURNS);
+            return count < 0 ? false : parse_error(r->document, list, 0, "expected lists of one length, of at most %d values", MOST_TURNS);
         a->turns = count;
     }
     return true;
@@ -444,12 +444,12 @@ static bool read_interval(struct reading *r, struct assertion *a)
     if (on == NULL)
         return true;
     if (!is_mapping(r->document, on, NULL) || length_of(on) != 1)
-        return mistake(r->document, on, 0, "expected on: {name: [low, high]}");
+        return parse_error(r->document, on, 0, "expected on: {name: [low, high]}");
     const int count = read_range(r, value_of(r->document, on, 0), bounds, 2);
     a->low = bounds[0];
     a->high = bounds[1];
     a->variable = scalar(key_of(r->document, on, 0));
-    return count == 2 || (count >= 0 && mistake(r->document, on, 0, "expected on: {name: [low, high]}"));
+    return count == 2 || (count >= 0 && parse_error(r->document, on, 0, "expected on: {name: [low, high]}"));
 }
 
 /* What takes several values, and what moves, before the formulas that use it. */
@@ -459,7 +459,7 @@ static bool read_ranges(struct reading *r, struct assertion *a)
                                         "for", "above", "below", "count", "control", "observe", "angles", "positive", "free", "small",
                                         "order", "rates", "let", "square roots", "not negative", "at", "system", "about", NULL};
     if (r->entry == NULL)
-        return mistake(r->document, a->node, 0, "expected left = right, or a mapping");
+        return parse_error(r->document, a->node, 0, "expected left = right, or a mapping");
     if (!is_mapping(r->document, r->entry, known))
         return false;
     return read_turns(r, a) && read_interval(r, a);
@@ -486,7 +486,7 @@ static bool read_assertion(struct reading *r, struct assertion *a)
             return false;
         return true;
     }
-    return mistake(r->document, a->node, 0, "expected left = right, or one of show, root, roots, characteristic, rank, step, claim, compute");
+    return parse_error(r->document, a->node, 0, "expected left = right, or one of show, root, roots, characteristic, rank, step, claim, compute");
 }
 
 static bool read_prove(struct reading *r, const yaml_node_t *prove)
@@ -497,8 +497,8 @@ static bool read_prove(struct reading *r, const yaml_node_t *prove)
     if (!is_mapping(r->document, prove, NULL))
         return false;
     if (length_of(prove) > MOST_ASSERTIONS)
-        return mistake(r->document, prove, 0, "expected at most %d assertions", MOST_ASSERTIONS);
-    s->assertions = memory(NULL, (size_t)length_of(prove), sizeof *s->assertions);
+        return parse_error(r->document, prove, 0, "expected at most %d assertions", MOST_ASSERTIONS);
+    s->assertions = xrealloc(NULL, (size_t)length_of(prove), sizeof *s->assertions);
     memset(s->assertions, 0, (size_t)length_of(prove) * sizeof *s->assertions);
     for (int i = 0; i < length_of(prove); i++) {
         struct assertion *a = &s->assertions[i];
@@ -513,7 +513,7 @@ static bool read_prove(struct reading *r, const yaml_node_t *prove)
         if (a->kind == ASSERT_ROOT && strcmp(a->variable, a->name) == 0)
             a->uses &= ~(UWORD(1) << i); /* the unknown itself */
         if (a->uses >> i != 0)
-            return mistake(r->document, a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
+            return parse_error(r->document, a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
     }
     return true;
 }
@@ -551,11 +551,11 @@ static bool read_verdict(struct reading *r, const yaml_node_t *key, const char *
     while (v <= NOT_DECIDABLE && (scalar(key) == NULL || strcmp(verdict_names[v], scalar(key)) != 0))
         v++;
     if (v > NOT_DECIDABLE || s->verdict_count == MOST_VERDICTS)
-        return mistake(r->document, key, 0, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
+        return parse_error(r->document, key, 0, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
     if (condition == NULL && v != NOT_DECIDABLE)
-        return mistake(r->document, at, 0, "expected {verdict: condition}; only 'not decidable' needs none");
+        return parse_error(r->document, at, 0, "expected {verdict: condition}; only 'not decidable' needs none");
     if (condition != NULL && !condition_check(condition, check_name, &naming, &where, &why))
-        return mistake(r->document, at, where, "%s", why.text);
+        return parse_error(r->document, at, where, "%s", why.text);
     s->verdicts[s->verdict_count] = (enum verdict)v;
     s->conditions[s->verdict_count++] = condition;
     return true;
@@ -572,7 +572,7 @@ static bool all_serve(struct reading *r, const bool *named)
         used |= s->assertions[i].uses;
     for (int i = 0; i < s->assertion_count; i++)
         if (!named[i] && (used >> i & 1) == 0)
-            return mistake(r->document, s->assertions[i].node, 0, "'%s' serves no verdict and no number", s->assertions[i].name);
+            return parse_error(r->document, s->assertions[i].node, 0, "'%s' serves no verdict and no number", s->assertions[i].name);
     return true;
 }
 
@@ -580,11 +580,11 @@ static bool read_verdicts(struct reading *r, const yaml_node_t *node)
 {
     bool named[MOST_ASSERTIONS] = {false};
     if (node == NULL)
-        return mistake(r->document, r->entry, 0, "missing verdict");
+        return parse_error(r->document, r->entry, 0, "missing verdict");
     if (scalar(node) != NULL)
         return read_verdict(r, node, NULL, node, named) && all_serve(r, named);
     if (!is_mapping(r->document, node, NULL) || length_of(node) == 0)
-        return mistake(r->document, node, 0, "expected verdict: {holds: condition, ...}");
+        return parse_error(r->document, node, 0, "expected verdict: {holds: condition, ...}");
     for (int i = 0; i < length_of(node); i++) {
         const yaml_node_t *condition = value_of(r->document, node, i);
         if (!read_verdict(r, key_of(r->document, node, i), scalar(condition), condition, named))
@@ -646,10 +646,10 @@ static void take_number(void *context, const char *at, size_t length)
     const size_t start = (size_t)(at - s->evidence);
     if (!q->fine)
         return;
-    s->numbers = memory(s->numbers, (size_t)s->number_count + 1, sizeof *s->numbers);
+    s->numbers = xrealloc(s->numbers, (size_t)s->number_count + 1, sizeof *s->numbers);
     struct quoted_number *n = &s->numbers[s->number_count++];
     *n = (struct quoted_number){.node = q->node, .offset = start};
-    char *text = memory(NULL, length + 1, 1);
+    char *text = xrealloc(NULL, length + 1, 1);
     memcpy(text, at, length);
     text[length] = '\0';
     char *bar = strchr(text, '|'), *unit = bar != NULL ? strchr(bar + 1, '|') : NULL;
@@ -659,8 +659,8 @@ static void take_number(void *context, const char *at, size_t length)
     n->unit = unit != NULL ? keep(r->all, of, of_length) : NULL;
     n->text = keep(r->all, formula, formula_length);
     if (bar == NULL || !read_rounding(keep(r->all, digits, digits_length), n))
-        q->fine = mistake(r->document, q->node, start + (bar != NULL ? (size_t)(bar - text) + 1 : 0),
-                          "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
+        q->fine = parse_error(r->document, q->node, start + (bar != NULL ? (size_t)(bar - text) + 1 : 0),
+                              "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
     else
         q->fine = read_formula_text(r, &n->formula, q->node, n->text, start + (size_t)(formula - text));
     free(text);
@@ -673,7 +673,7 @@ static bool read_marks(struct reading *r, const yaml_node_t *node, bool numbers)
     struct message why;
     size_t where;
     if (!marked_read(scalar(node), &parts, &where, &why))
-        return quoting.fine && mistake(r->document, node, where, "%s", why.text);
+        return quoting.fine && parse_error(r->document, node, where, "%s", why.text);
     return quoting.fine;
 }
 
@@ -684,7 +684,7 @@ static bool read_words(struct reading *r, const char *key, bool required, const 
     const yaml_node_t *node = child(r->document, r->entry, key);
     *text = node != NULL ? scalar(node) : NULL;
     if (node == NULL ? required : *text == NULL || **text == '\0')
-        return mistake(r->document, node ? node : r->entry, 0, "missing %s, expected a text", key);
+        return parse_error(r->document, node ? node : r->entry, 0, "missing %s, expected a text", key);
     return node == NULL || strcmp(key, "evidence") == 0 || read_marks(r, node, false);
 }
 
@@ -696,7 +696,7 @@ static bool read_kind(struct reading *r, struct statement *s)
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (strcmp(s->kind, kinds[i]) == 0)
             return true;
-    return mistake(r->document, child(r->document, r->entry, "kind"), 0, "expected a kind: statement, implied, misprint, number or beyond");
+    return parse_error(r->document, child(r->document, r->entry, "kind"), 0, "expected a kind: statement, implied, misprint, number or beyond");
 }
 
 static bool read_equations(struct reading *r, struct statement *s)
@@ -713,7 +713,7 @@ static bool read_equations(struct reading *r, struct statement *s)
             for (int k = 0; k < r->all->sheet->sections[i].numbers; k++)
                 known = known || strcmp(r->all->sheet->sections[i].equations[k], number) == 0;
         if (!known)
-            return mistake(r->document, item_of(r->document, list, s->equation_count), 0, "unknown '%s', expected an equation number", number);
+            return parse_error(r->document, item_of(r->document, list, s->equation_count), 0, "unknown '%s', expected an equation number", number);
         s->equations[s->equation_count] = number;
     }
     return true;
@@ -726,7 +726,7 @@ static bool read_statement(struct statements *all, const yaml_node_t *key, const
                                            "not negative", "at", "system", "about", NULL};
     if (!is_mapping(&all->document, node, known))
         return false;
-    all->list = memory(all->list, (size_t)all->count + 1, sizeof *all->list);
+    all->list = xrealloc(all->list, (size_t)all->count + 1, sizeof *all->list);
     struct statement *s = &all->list[all->count++];
     *s = (struct statement){.id = scalar(key), .given = child(&all->document, node, "given"),
                             .verdict = child(&all->document, node, "verdict"),
@@ -745,7 +745,7 @@ static bool read_statement(struct statements *all, const yaml_node_t *key, const
     if (!read_verdicts(&r, child(&all->document, node, "verdict")))
         return false;
     const bool plain = s->verdicts[0] == HOLDS || s->verdicts[0] == DEFINITION;
-    return plain || s->why != NULL || mistake(&all->document, node, 0, "missing why, of a verdict other than holds and definition");
+    return plain || s->why != NULL || parse_error(&all->document, node, 0, "missing why, of a verdict other than holds and definition");
 }
 
 struct statement *statement_find(const struct statements *s, const char *id)

@@ -97,7 +97,7 @@ static void name_enclose(arb_t z, enum how *how, const struct bindings *b, const
 
 void machine_bind(struct machine *m, int node, enum how *how, const struct bindings *b)
 {
-    char *needed = memory(NULL, (size_t)node + 1, 1);
+    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
     program_needs(m->program, node, NULL, needed);
     *how = EXACT;
     for (int i = 0; i < m->program->inputs; i++) {
@@ -144,7 +144,7 @@ static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
 
 bool machine_bind_exact(struct machine *m, int node, const struct bindings *b)
 {
-    char *needed = memory(NULL, (size_t)node + 1, 1);
+    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
     bool rational = true;
     SCOPE(fmpq, q);
     program_needs(m->program, node, NULL, needed);

@@ -550,7 +550,7 @@ static void exit_find(arb_t hours, const struct exit *e, const struct track *t)
 bool track_exits(arb_ptr hours, const struct track *t, int which, arb_srcptr limits, int count)
 {
     enum { RENEWED = 256 }; /* rows */
-    struct exit *exits = memory(NULL, (size_t)count, sizeof *exits);
+    struct exit *exits = xrealloc(NULL, (size_t)count, sizeof *exits);
     struct bounds b;
     SCOPE(arb, value, bound);
     bool bounded = true;

@@ -44,8 +44,6 @@ static void add(struct verdict_row *row, const char *format, ...)
 
 /* ---- each equation as printed ---- */
 
-enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
-
 /* The paper's case, with some inputs replaced. */
 struct instance {
     const char *name;
@@ -63,7 +61,7 @@ static bool values(char **texts, const struct section *s, bool as_printed, const
         const char *text = instance->texts[i] ? instance->texts[i] : q->value ? q->value : q->example;
         literal_read(&inputs[i].value, text, true);
     }
-    bool fine = operation_digits(&o, inputs, 6, texts) == OUTCOME_PROVED;
+    bool fine = operation_digits(&o, inputs, 6, texts) == OPERATION_PROVED;
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
     return fine;

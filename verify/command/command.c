@@ -8,7 +8,7 @@
 
 #include "text/decimal.h"
 
-int complain(int status, const char *format, ...)
+int usage_error(int status, const char *format, ...)
 {
     char text[8192]; /* as long as a path is */
     va_list arguments;
@@ -43,12 +43,12 @@ static int take_option(struct arguments *a, int count, char **texts, int *i)
         if (strlen(o->name) != length || strncmp(o->name, text, length) != 0)
             continue;
         if (o->value != NULL)
-            return complain(EXIT_USAGE, "%s: given twice, expected once", o->name);
+            return usage_error(EXIT_USAGE, "%s: given twice, expected once", o->name);
         if (!o->has_value && equals)
-            return complain(EXIT_USAGE, "%s: takes no value", o->name);
+            return usage_error(EXIT_USAGE, "%s: takes no value", o->name);
         o->value = !o->has_value ? "" : equals ? equals + 1 : *i + 1 < count ? texts[++*i] : NULL;
         if (o->value == NULL || (o->has_value && *o->value == '\0'))
-            return complain(EXIT_USAGE, "%s: expected a value behind it", o->name);
+            return usage_error(EXIT_USAGE, "%s: expected a value behind it", o->name);
         return EXIT_DONE;
     }
     const char *known[16];
@@ -56,24 +56,24 @@ static int take_option(struct arguments *a, int count, char **texts, int *i)
     for (int k = 0; k < a->option_count; k++)
         known[k] = a->options[k].name;
     suggest(hint, text, known, a->option_count);
-    return complain(EXIT_USAGE, "%s: unknown option '%s'%s", a->subcommand, text, hint);
+    return usage_error(EXIT_USAGE, "%s: unknown option '%s'%s", a->subcommand, text, hint);
 }
 
 int arguments_split(struct arguments *a, int count, char **texts, int words)
 {
-    a->assignments = memory(NULL, (size_t)count + 1, sizeof *a->assignments);
+    a->assignments = xrealloc(NULL, (size_t)count + 1, sizeof *a->assignments);
     for (int i = 0; i < count; i++) {
         int status = EXIT_DONE;
         if (strncmp(texts[i], "--", 2) == 0)
             status = take_option(a, count, texts, &i);
         else if (*texts[i] == '\0')
-            status = complain(EXIT_USAGE, "%s: an argument is empty", a->subcommand);
+            status = usage_error(EXIT_USAGE, "%s: an argument is empty", a->subcommand);
         else if (strchr(texts[i], '=') != NULL)
             a->assignments[a->assignment_count++] = texts[i];
         else if (a->word_count < words)
             a->words[a->word_count++] = texts[i];
         else
-            status = complain(EXIT_USAGE, "%s: unexpected argument '%s'", a->subcommand, texts[i]);
+            status = usage_error(EXIT_USAGE, "%s: unexpected argument '%s'", a->subcommand, texts[i]);
         if (status != EXIT_DONE) {
             free(a->assignments);
             a->assignments = NULL;
@@ -106,7 +106,7 @@ int option_digits(const struct arguments *a, long otherwise, long *digits)
     errno = 0;
     *digits = strtol(text, &end, 10);
     if (*text < '0' || *text > '9' || *end != '\0' || errno != 0 || *digits < 1 || *digits > 10000)
-        return complain(EXIT_USAGE, "--digits: expected an integer from 1 to 10000, got '%s'", text);
+        return usage_error(EXIT_USAGE, "--digits: expected an integer from 1 to 10000, got '%s'", text);
     return EXIT_DONE;
 }
 
@@ -121,7 +121,7 @@ int option_inputs(const struct arguments *a, enum input_form *form)
             *form = (enum input_form)i;
             return EXIT_DONE;
         }
-    return complain(EXIT_USAGE, "--inputs: expected shortest, exact or hex, got '%.40s'", text);
+    return usage_error(EXIT_USAGE, "--inputs: expected shortest, exact or hex, got '%.40s'", text);
 }
 
 int whole_number(const char *name, const char *text, uint64_t *value)
@@ -130,7 +130,7 @@ int whole_number(const char *name, const char *text, uint64_t *value)
     errno = 0;
     *value = strtoull(text, &end, 10);
     if (strspn(text, "0123456789") != strlen(text) || *text == '\0' || errno != 0)
-        return complain(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
+        return usage_error(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
     return EXIT_DONE;
 }
 
@@ -143,19 +143,19 @@ int literal_argument(const char *name, const char *text, bool exact, bool may_be
     case LITERAL_INFINITE:
         value->infinite = may_be_infinite;
         return may_be_infinite ? EXIT_DONE
-                               : complain(EXIT_FAILED_CHECK, "%s: expected a finite number, got '%s'",
-                                          name, text);
+                               : usage_error(EXIT_FAILED_CHECK, "%s: expected a finite number, got '%s'",
+                                             name, text);
     case LITERAL_NAN:
     case LITERAL_NEGATIVE_INFINITE:
-        return complain(EXIT_FAILED_CHECK, "%s: expected a finite number, got '%s'", name, text);
+        return usage_error(EXIT_FAILED_CHECK, "%s: expected a finite number, got '%s'", name, text);
     case LITERAL_OVERFLOW:
-        return complain(EXIT_FAILED_CHECK, "%s: '%.40s' is too large%s", name, text,
-                        exact ? ", expected an exponent within +-5000 and at most 10000 digits"
+        return usage_error(EXIT_FAILED_CHECK, "%s: '%.40s' is too large%s", name, text,
+                           exact ? ", expected an exponent within +-5000 and at most 10000 digits"
                               : " for binary64, --exact takes it as it is");
     case LITERAL_MALFORMED:
         break;
     }
-    return complain(EXIT_USAGE, "%s: expected a number, got '%.40s'", name, text);
+    return usage_error(EXIT_USAGE, "%s: expected a number, got '%.40s'", name, text);
 }
 
 /* Which of the known names an assignment sets; -1 after a complaint. */
@@ -169,13 +169,13 @@ static int assignment_index(const char *assignment, const char *const *known, in
         if (strcmp(name, known[i]) != 0)
             continue;
         if (seen[i]) {
-            complain(EXIT_USAGE, "%s: given twice, expected once", name);
+            usage_error(EXIT_USAGE, "%s: given twice, expected once", name);
             return -1;
         }
         return i;
     }
     suggest(hint, name, known, count);
-    complain(EXIT_USAGE, "unknown name '%s'%s", name, hint);
+    usage_error(EXIT_USAGE, "unknown name '%s'%s", name, hint);
     return -1;
 }
 
@@ -231,13 +231,13 @@ const struct section *section_argument(const char *id)
     if (found != NULL)
         return found;
     const int count = sheet()->section_count;
-    const char **known = memory(NULL, (size_t)count, sizeof *known);
+    const char **known = xrealloc(NULL, (size_t)count, sizeof *known);
     char hint[80];
     for (int i = 0; i < count; i++)
         known[i] = sheet()->sections[i].id;
     suggest(hint, id, known, count);
     free(known);
-    complain(EXIT_USAGE, "unknown operation '%.40s'%s", id, hint);
+    usage_error(EXIT_USAGE, "unknown operation '%.40s'%s", id, hint);
     return NULL;
 }
 
@@ -247,5 +247,5 @@ int output_finished(void)
         return EXIT_DONE;
     if (errno == EPIPE) /* the reader has seen enough */
         return EXIT_FAILED_CHECK;
-    return complain(EXIT_FAILED_CHECK, "standard output: %s", strerror(errno));
+    return usage_error(EXIT_FAILED_CHECK, "standard output: %s", strerror(errno));
 }

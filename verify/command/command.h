@@ -34,7 +34,7 @@ struct arguments {
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-int complain(int status, const char *format, ...);
+int usage_error(int status, const char *format, ...);
 
 /* ", did you mean 'x'?" or "". */
 void suggest(char text[80], const char *mistaken, const char *const *known, int count);

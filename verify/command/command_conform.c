@@ -30,16 +30,16 @@ static int take_digits(struct choice *c, const char *text)
     const char *equals = strchr(text, '=');
     char id[40], *end;
     if (equals == NULL)
-        return complain(EXIT_USAGE, "--digits: expected ID=DIGITS, got '%.40s'", text);
+        return usage_error(EXIT_USAGE, "--digits: expected ID=DIGITS, got '%.40s'", text);
     snprintf(id, sizeof id, "%.*s", (int)(equals - text), text);
     const struct section *s = section_argument(id);
     if (s == NULL)
         return EXIT_USAGE;
     const long digits = strtol(equals + 1, &end, 10);
     if (!is_motion(s))
-        return complain(EXIT_USAGE, "--digits: expected a motion, %s is judged by E", id);
+        return usage_error(EXIT_USAGE, "--digits: expected a motion, %s is judged by E", id);
     if (end == equals + 1 || *end != '\0' || digits < 1 || digits > 30)
-        return complain(EXIT_USAGE, "--digits: expected an integer from 1 to 30, got '%.40s'", equals + 1);
+        return usage_error(EXIT_USAGE, "--digits: expected an integer from 1 to 30, got '%.40s'", equals + 1);
     c->digits[s - sheet()->sections] = (double)digits;
     return EXIT_DONE;
 }
@@ -56,7 +56,7 @@ static int take_all_digits(struct choice *c, int *count, char **texts)
         else if (i + 1 < *count)
             status = take_digits(c, texts[++i]);
         else
-            status = complain(EXIT_USAGE, "--digits: expected a value behind it");
+            status = usage_error(EXIT_USAGE, "--digits: expected a value behind it");
     }
     *count = kept;
     return status;
@@ -76,7 +76,7 @@ static int choose(struct choice *c, const char *word)
     if (s == NULL)
         return EXIT_USAGE;
     if (s->method == METHOD_NONE)
-        return complain(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
+        return usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
     c->chosen[s - sheet()->sections] = true;
     return EXIT_DONE;
 }
@@ -95,7 +95,7 @@ static int take_only(struct choice *c, const char *only)
     for (int i = 0; i < sheet()->section_count && status == EXIT_DONE; i++)
         if (c->chosen[i])
             return EXIT_DONE;
-    return status != EXIT_DONE ? status : complain(EXIT_USAGE, "--only: expected operations or levels, ID,...");
+    return status != EXIT_DONE ? status : usage_error(EXIT_USAGE, "--only: expected operations or levels, ID,...");
 }
 
 static int take_number(const struct arguments *a, const char *name, uint64_t *number)
@@ -104,42 +104,42 @@ static int take_number(const struct arguments *a, const char *name, uint64_t *nu
 }
 
 /* The questions; random ones about motions, which may have no end, only where they are asked for by name. */
-static int take_questions(struct exam *e, const struct arguments *a, const struct choice *c)
+static int take_questions(struct test_run *e, const struct arguments *a, const struct choice *c)
 {
     uint64_t random = 0, significand = BINARY64;
     int status = take_number(a, "--random", &random);
     if (status == EXIT_DONE)
-        status = take_number(a, "--seed", &e->questions.seed);
+        status = take_number(a, "--seed", &e->sets.seed);
     if (status == EXIT_DONE)
-        status = option_inputs(a, &e->questions.form);
+        status = option_inputs(a, &e->sets.form);
     if (status == EXIT_DONE)
         status = take_number(a, "--significand", &significand);
     if (status == EXIT_DONE && option_given(a, "--random") != option_given(a, "--seed"))
-        status = complain(EXIT_USAGE, "conform: expected --random N and --seed S together");
+        status = usage_error(EXIT_USAGE, "conform: expected --random N and --seed S together");
     if (status == EXIT_DONE && random > MOST_RANDOM)
-        status = complain(EXIT_USAGE, "--random: expected at most %d vectors an operation", MOST_RANDOM);
+        status = usage_error(EXIT_USAGE, "--random: expected at most %d vectors an operation", MOST_RANDOM);
     if (status == EXIT_DONE && significand != BINARY32 && significand != BINARY64 && significand != BINARY128)
-        status = complain(EXIT_USAGE, "--significand: expected 24, 53 or 113");
+        status = usage_error(EXIT_USAGE, "--significand: expected 24, 53 or 113");
     if (status != EXIT_DONE)
         return status;
     e->significand = (int)significand;
     e->range = option_given(a, "--range");
-    double *digits = memory(NULL, (size_t)sheet()->section_count, sizeof *digits);
+    double *digits = xrealloc(NULL, (size_t)sheet()->section_count, sizeof *digits);
     for (int i = 0; i < sheet()->section_count; i++) {
         const struct section *s = &sheet()->sections[i];
         if (!c->chosen[i])
             continue;
-        digits[e->questions.count] = c->digits[i];
-        questions_add(&e->questions, s, is_motion(s) && !c->some ? 0 : random, e->significand,
+        digits[e->sets.count] = c->digits[i];
+        test_sets_add(&e->sets, s, is_motion(s) && !c->some ? 0 : random, e->significand,
                       e->range || e->from_file);
     }
-    exam_begin(e, digits);
+    test_run_begin(e, digits);
     free(digits);
     return EXIT_DONE;
 }
 
 /* The table, the file, and the exit code that they come to. */
-static int report(struct exam *e, const struct arguments *a, const char *client, const char *errors)
+static int report(struct test_run *e, const struct arguments *a, const char *client, const char *errors)
 {
     const struct totals sum = report_totals(e);
     const char *name = option_value(a, "--report");
@@ -148,57 +148,57 @@ static int report(struct exam *e, const struct arguments *a, const char *client,
     int status = output_finished();
     const int why = name != NULL ? report_write(&r, name) : 0;
     if (why != 0)
-        return complain(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
+        return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
     if (sum.failed == 0 && sum.passed == 0)
-        return complain(EXIT_FAILED_CHECK, "conform: nothing was answered, every vector was skipped");
+        return usage_error(EXIT_FAILED_CHECK, "conform: nothing was answered, every vector was skipped");
     return sum.failed > 0 ? EXIT_FAILED_CHECK : status;
 }
 
 /* ---- a client ---- */
 
-/* The examination, with its progress on a terminal. */
+/* The run, with its progress on a terminal. */
 struct watched {
-    struct exam *exam;
+    struct test_run *run;
     struct progress progress;
 };
 
 static size_t ask(void *context, char *room, size_t size)
 {
-    return exam_ask(((struct watched *)context)->exam, room, size);
+    return test_run_ask(((struct watched *)context)->run, room, size);
 }
 
 static bool hear(void *context, const char *bytes, size_t size, bool *answered)
 {
     struct watched *w = context;
-    const bool on = exam_hear(w->exam, bytes, size);
+    const bool on = test_run_hear(w->run, bytes, size);
     *answered = memchr(bytes, '\n', size) != NULL;
-    progress_show(&w->progress, w->exam->next, w->exam->questions.total);
+    progress_show(&w->progress, w->run->next, w->run->sets.total);
     return on;
 }
 
 /* What the end of the client means; EXIT_USAGE where it was none. */
-static int conclude(struct exam *e, enum ending ending, int status, const char *name)
+static int conclude(struct test_run *e, enum ending ending, int status, const char *name)
 {
     const bool signalled = WIFSIGNALED(status);
     if (ending == ENDING_EXIT && status != 0 && e->heard == 0)
-        return complain(EXIT_USAGE, "client '%s': ended with %s %d before its first answer", name,
-                        signalled ? "signal" : "exit status", signalled ? WTERMSIG(status) : WEXITSTATUS(status));
-    const uint64_t answered = e->next, total = e->questions.total;
+        return usage_error(EXIT_USAGE, "client '%s': ended with %s %d before its first answer", name,
+                           signalled ? "signal" : "exit status", signalled ? WTERMSIG(status) : WEXITSTATUS(status));
+    const uint64_t answered = e->next, total = e->sets.total;
     if (ending == ENDING_EXIT && (status != 0 || answered < total))
         snprintf(e->ended, sizeof e->ended, "with %s %d after %" PRIu64 " of %" PRIu64 " answers", signalled ? "signal" : "exit status",
                  signalled ? WTERMSIG(status) : WEXITSTATUS(status), answered, total);
     if (ending == ENDING_TIMEOUT)
-        exam_end(e, FOUND_TIMEOUT);
+        test_run_end(e, OUTCOME_TIMEOUT);
     else
-        exam_end(e, ending == ENDING_EXIT && signalled ? FOUND_CRASH : FOUND_MISSING);
+        test_run_end(e, ending == ENDING_EXIT && signalled ? OUTCOME_CRASH : OUTCOME_MISSING);
     if (ending == ENDING_STOPPED && e->unended < LONGEST_UNENDED)
-        exam_note(e, FOUND_FLOOD);
+        test_run_note(e, OUTCOME_FLOOD);
     else if (ending == ENDING_EXIT && !signalled && status != 0)
-        exam_note(e, FOUND_EXIT);
+        test_run_note(e, OUTCOME_EXIT);
     return EXIT_DONE;
 }
 
-static int examine_client(struct exam *e, const struct arguments *a, char **client)
+static int run_client(struct test_run *e, const struct arguments *a, char **client)
 {
     double timeout = 60.0;
     const char *text = option_value(a, "--timeout");
@@ -206,18 +206,18 @@ static int examine_client(struct exam *e, const struct arguments *a, char **clie
     if (text != NULL)
         timeout = strtod(text, &end);
     if (text != NULL && (*end != '\0' || !(timeout > 0.0 && timeout <= 1e6)))
-        return complain(EXIT_USAGE, "--timeout: expected seconds, more than 0, got '%.40s'", text);
+        return usage_error(EXIT_USAGE, "--timeout: expected seconds, more than 0, got '%.40s'", text);
     struct client c;
     struct watched w = {e, progress_begin(false)};
     const struct conversation talk = {&w, ask, hear};
     const int why = client_start(&c, client);
     if (why != 0)
-        return complain(status_of_name(why), "client '%s': %s", client[0], strerror(why));
+        return usage_error(status_of_name(why), "client '%s': %s", client[0], strerror(why));
     const enum ending ending = client_converse(&c, &talk, timeout);
     const int status = client_close(&c); /* an interrupt ends the program here */
     progress_end(&w.progress);
     if (ending == ENDING_BROKEN) /* LCOV_EXCL_BR_LINE: a failing system call, make faults */
-        return complain(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why)); /* LCOV_EXCL_LINE: the same */
+        return usage_error(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why)); /* LCOV_EXCL_LINE: the same */
     const int concluded = conclude(e, ending, status, client[0]);
     c.tail[c.tail_length] = '\0';
     return concluded != EXIT_DONE ? concluded : report(e, a, client[0], c.tail);
@@ -248,9 +248,9 @@ static bool read_line(struct answers_file *f)
     f->line[length] = '\0';
     f->too_long = length > LONGEST_LINE;
     if (heard == LONGEST_UNENDED)
-        f->status = complain(EXIT_USAGE, "%s: line %lu does not end", f->name, f->row);
+        f->status = usage_error(EXIT_USAGE, "%s: line %lu does not end", f->name, f->row);
     else if (f->status == EXIT_DONE && c == EOF && ferror(f->file))
-        f->status = complain(EXIT_FAILED_CHECK, "%s: %s", f->name, strerror(errno));
+        f->status = usage_error(EXIT_FAILED_CHECK, "%s: %s", f->name, strerror(errno));
     return f->status == EXIT_DONE && (c != EOF || length > 0);
 }
 
@@ -290,20 +290,20 @@ static bool take_header(char *line, const struct section *s, const char *name, i
             if (strcmp(cells[k], wanted) == 0 && columns[i] < 0)
                 columns[i] = k;
         if (columns[i] < 0) {
-            complain(EXIT_USAGE, "%s: missing column '%s', expected id and every output of %s", name, wanted, s->id);
+            usage_error(EXIT_USAGE, "%s: missing column '%s', expected id and every output of %s", name, wanted, s->id);
             return false;
         }
     }
     return true;
 }
 
-static void say(struct exam *e, const char *text)
+static void say(struct test_run *e, const char *text)
 {
-    exam_hear(e, text, strlen(text));
+    test_run_hear(e, text, strlen(text));
 }
 
 /* A row as a client would say it; blank outputs mean `invalid`. */
-static void hear_row(struct exam *e, char *line, const int *columns, int outputs)
+static void hear_row(struct test_run *e, char *line, const int *columns, int outputs)
 {
     char *cells[MOST_CELLS];
     const int count = cells_of(line, cells);
@@ -320,14 +320,14 @@ static void hear_row(struct exam *e, char *line, const int *columns, int outputs
 }
 
 /* The header's columns; then row after row. */
-static void hear_file(struct exam *e, struct answers_file *f, const struct section *s)
+static void hear_file(struct test_run *e, struct answers_file *f, const struct section *s)
 {
-    int columns[MOST_ANSWERS + 1] = {0};
+    int columns[MOST_OUTPUTS + 1] = {0};
     if (!read_line(f))
         f->status = f->status != EXIT_DONE ? f->status
-                                           : complain(EXIT_USAGE, "%s: expected a header, id and every output of %s", f->name, s->id);
+                                           : usage_error(EXIT_USAGE, "%s: expected a header, id and every output of %s", f->name, s->id);
     else if (f->too_long)
-        f->status = complain(EXIT_USAGE, "%s: line 1 is longer than %d bytes, expected a header", f->name, LONGEST_LINE);
+        f->status = usage_error(EXIT_USAGE, "%s: line 1 is longer than %d bytes, expected a header", f->name, LONGEST_LINE);
     else if (!take_header(f->line, s, f->name, columns))
         f->status = EXIT_USAGE;
     while (f->status == EXIT_DONE && read_line(f)) {
@@ -340,20 +340,20 @@ static void hear_file(struct exam *e, struct answers_file *f, const struct secti
     }
 }
 
-static int examine_file(struct exam *e, const struct arguments *a, const struct section *s)
+static int read_answers(struct test_run *e, const struct arguments *a, const struct section *s)
 {
-    struct answers_file *f = memory(NULL, 1, sizeof *f);
+    struct answers_file *f = xrealloc(NULL, 1, sizeof *f);
     *f = (struct answers_file){.name = option_value(a, "--answers"), .status = EXIT_DONE};
     f->file = fopen(f->name, "r");
     if (f->file == NULL) {
-        f->status = complain(status_of_name(errno), "%s: %s", f->name, strerror(errno));
+        f->status = usage_error(status_of_name(errno), "%s: %s", f->name, strerror(errno));
     } else {
-        e->asked = e->questions.total;
+        e->asked = e->sets.total;
         hear_file(e, f, s);
         fclose(f->file);
     }
     if (f->status == EXIT_DONE) {
-        exam_end(e, FOUND_MISSING);
+        test_run_end(e, OUTCOME_MISSING);
         f->status = report(e, a, f->name, "");
     }
     const int status = f->status;
@@ -374,33 +374,33 @@ static int print_all_kills(const struct choice *c)
     return fine ? status : EXIT_FAILED_CHECK;
 }
 
-static int run(const struct arguments *a, struct choice *c, char **client)
+static int conform(const struct arguments *a, struct choice *c, char **client)
 {
     const bool file = option_given(a, "--answers"), kills = option_given(a, "--kills");
     if (a->assignment_count > 0)
-        return complain(EXIT_USAGE, "conform: unexpected argument '%s', a client stands behind --", a->assignments[0]);
+        return usage_error(EXIT_USAGE, "conform: unexpected argument '%s', a client stands behind --", a->assignments[0]);
     if (file + kills + (client != NULL) != 1)
-        return complain(EXIT_USAGE, "conform: expected -- CLIENT ARGS..., or --answers FILE.csv ID");
+        return usage_error(EXIT_USAGE, "conform: expected -- CLIENT ARGS..., or --answers FILE.csv ID");
     if (file != (a->word_count == 1))
-        return complain(EXIT_USAGE, file ? "--answers: expected the id of an operation behind the file"
+        return usage_error(EXIT_USAGE, file ? "--answers: expected the id of an operation behind the file"
                                          : "conform: unexpected argument '%s', a client stands behind --", a->words[0]);
     if (file && section_argument(a->words[0]) == NULL) /* of several operations no header tells whose outputs it has */
         return EXIT_USAGE;
     if (file && (option_given(a, "--only") || option_given(a, "--random")))
-        return complain(EXIT_USAGE, "--answers: expected without --only and --random");
+        return usage_error(EXIT_USAGE, "--answers: expected without --only and --random");
     const char *name = option_value(a, "--report");
     if (name != NULL && report_format(name) == REPORT_NONE)
-        return complain(EXIT_USAGE, "--report: expected a file .xml or .json, got '%.100s'", name);
+        return usage_error(EXIT_USAGE, "--report: expected a file .xml or .json, got '%.100s'", name);
     int status = take_only(c, file ? a->words[0] : option_value(a, "--only"));
     if (status != EXIT_DONE || kills)
         return status != EXIT_DONE ? status : print_all_kills(c);
-    struct exam *e = memory(NULL, 1, sizeof *e);
+    struct test_run *e = xrealloc(NULL, 1, sizeof *e);
     memset(e, 0, sizeof *e);
     e->from_file = file;
     status = take_questions(e, a, c);
     if (status == EXIT_DONE) {
-        status = file ? examine_file(e, a, e->judges[0].operation->section) : examine_client(e, a, client);
-        exam_clear(e);
+        status = file ? read_answers(e, a, e->comparators[0].operation->section) : run_client(e, a, client);
+        test_run_clear(e);
     }
     free(e);
     return status;
@@ -414,8 +414,8 @@ int command_conform(int count, char **texts)
                                {"--inputs", true, NULL}};
     struct arguments a = {.subcommand = "conform", .options = options, .option_count = 10};
     const size_t sections = (size_t)sheet()->section_count;
-    struct choice c = {.chosen = memory(NULL, sections, sizeof *c.chosen),
-                       .digits = memory(NULL, sections, sizeof *c.digits)};
+    struct choice c = {.chosen = xrealloc(NULL, sections, sizeof *c.chosen),
+                       .digits = xrealloc(NULL, sections, sizeof *c.digits)};
     char **client = NULL;
     for (size_t i = 0; i < sections; i++)
         c.digits[i] = sheet()->sections[i].method >= METHOD_RK4_LINEAR ? METHOD_DIGITS : FLOW_DIGITS;
@@ -428,9 +428,9 @@ int command_conform(int count, char **texts)
     if (status == EXIT_DONE)
         status = arguments_split(&a, count, texts, 1);
     if (status == EXIT_DONE && client != NULL && *client == NULL)
-        status = complain(EXIT_USAGE, "conform: expected a client behind --");
+        status = usage_error(EXIT_USAGE, "conform: expected a client behind --");
     if (status == EXIT_DONE)
-        status = run(&a, &c, client);
+        status = conform(&a, &c, client);
     free(a.assignments);
     free(c.chosen);
     free(c.digits);

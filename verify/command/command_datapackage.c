@@ -87,13 +87,13 @@ static int read_head(const char *path, char head[LONGEST], long *size)
 {
     FILE *file = fopen(path, "rb");
     if (file == NULL)
-        return complain(EXIT_FAILED_CHECK, "%s: %s", path, strerror(errno));
+        return usage_error(EXIT_FAILED_CHECK, "%s: %s", path, strerror(errno));
     int status = EXIT_DONE;
     *head = '\0';
     if ((fgets(head, LONGEST, file) == NULL && ferror(file)) || fseek(file, 0, SEEK_END) != 0 || (*size = ftell(file)) < 0)
-        status = complain(EXIT_FAILED_CHECK, "%s: %s", path, strerror(errno));
+        status = usage_error(EXIT_FAILED_CHECK, "%s: %s", path, strerror(errno));
     else if (strchr(head, '\n') == NULL)
-        status = complain(EXIT_FAILED_CHECK, "%s: expected a header line", path);
+        status = usage_error(EXIT_FAILED_CHECK, "%s: expected a header line", path);
     fclose(file);
     head[strcspn(head, "\r\n")] = '\0';
     return status;
@@ -155,7 +155,7 @@ int command_datapackage(int count, char **texts)
     char line[LONGEST], hash[65], path[LONGEST];
     int status = arguments_split(&a, count, texts, 0);
     if (status == EXIT_DONE && a.assignment_count > 0)
-        status = complain(EXIT_USAGE, "datapackage: unexpected argument '%s'", a.assignments[0]);
+        status = usage_error(EXIT_USAGE, "datapackage: unexpected argument '%s'", a.assignments[0]);
     free(a.assignments);
     if (status != EXIT_DONE)
         return status;
@@ -164,11 +164,11 @@ int command_datapackage(int count, char **texts)
         if (sscanf(line, "%64[0-9a-f]  %8000[^\n]", hash, path) == 2)
             status = print_resource(hash, path, first);
         else
-            status = complain(EXIT_FAILED_CHECK, "standard input: expected HASH  FILE, got '%.*s'",
-                              (int)strcspn(line, "\n"), line);
+            status = usage_error(EXIT_FAILED_CHECK, "standard input: expected HASH  FILE, got '%.*s'",
+                                 (int)strcspn(line, "\n"), line);
     }
     if (status == EXIT_DONE && !feof(stdin))
-        status = complain(EXIT_FAILED_CHECK, "standard input: %s", strerror(errno));
+        status = usage_error(EXIT_FAILED_CHECK, "standard input: %s", strerror(errno));
     if (status == EXIT_DONE)
         puts("\n ]}");
     int written = output_finished();

@@ -156,7 +156,7 @@ int command_equations(int count, char **texts)
         return status;
     const struct section *one = NULL;
     if (a.assignment_count > 0)
-        status = complain(EXIT_USAGE, "equations: unexpected argument '%s'", a.assignments[0]);
+        status = usage_error(EXIT_USAGE, "equations: unexpected argument '%s'", a.assignments[0]);
     else if (a.word_count > 0 && (one = section_argument(a.words[0])) == NULL)
         status = EXIT_USAGE;
     free(a.assignments);

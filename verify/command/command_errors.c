@@ -33,7 +33,7 @@ bool print_errors(long inputs, enum format format)
         if (!operation_has_sensitivity(s))
             continue;
         if (reference_find(s->id) == NULL) {
-            complain(EXIT_FAILED_CHECK, "verify errors: no '%s' in verify/evaluate/reference.c", s->id);
+            usage_error(EXIT_FAILED_CHECK, "verify errors: no '%s' in verify/evaluate/reference.c", s->id);
             fine = false;
             continue;
         }

@@ -5,8 +5,6 @@
 #include "command/command.h"
 #include "text/decimal.h"
 
-enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
-
 static int read_inputs(const struct arguments *a, const struct section *s, bool exact,
                        struct input *inputs)
 {
@@ -22,8 +20,8 @@ static int read_inputs(const struct arguments *a, const struct section *s, bool 
         return status;
     for (int i = 0; i < s->input_count; i++)
         if (!seen[i])
-            return complain(EXIT_USAGE, "%s: missing %s, expected %s=VALUE [%s]", s->id, known[i],
-                            known[i], s->inputs[i]->unit);
+            return usage_error(EXIT_USAGE, "%s: missing %s, expected %s=VALUE [%s]", s->id, known[i],
+                               known[i], s->inputs[i]->unit);
     return refused != NULL ? refuse_assignment(refused, exact) : EXIT_DONE;
 }
 
@@ -54,8 +52,8 @@ static int evaluate(const struct arguments *a, const struct section *s, long dig
     struct operation o;
     operation_init(&o, s, as_printed);
     int status = read_inputs(a, s, option_given(a, "--exact"), inputs);
-    if (status == EXIT_DONE && operation_digits(&o, inputs, digits, outputs) != OUTCOME_PROVED)
-        status = complain(EXIT_FAILED_CHECK, "%s", o.why.text);
+    if (status == EXIT_DONE && operation_digits(&o, inputs, digits, outputs) != OPERATION_PROVED)
+        status = usage_error(EXIT_FAILED_CHECK, "%s", o.why.text);
     if (status == EXIT_DONE) {
         if (option_given(a, "--json"))
             print_json(s, as_printed, digits, outputs);
@@ -81,11 +79,11 @@ int command_eval(int count, char **texts)
         return status;
     const struct section *s = NULL;
     if (a.word_count == 0)
-        status = complain(EXIT_USAGE, "eval: expected the id of an operation, see coulomb-tether equations");
+        status = usage_error(EXIT_USAGE, "eval: expected the id of an operation, see coulomb-tether equations");
     else if ((s = section_argument(a.words[0])) == NULL)
         status = EXIT_USAGE;
     else if (s->method == METHOD_NONE)
-        status = complain(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
+        status = usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
     else
         status = option_digits(&a, 40, &digits);
     if (status == EXIT_DONE && s != NULL)

@@ -38,7 +38,7 @@ static int collect_row(void *context, slong k, const fmpq_t t, char *const *numb
     (void)t;
     for (int i = 0; i < c->count; i++)
         length += strlen(numbers[c->columns[i]]) + 1;
-    char *line = c->lines[k] = memory(NULL, length, 1);
+    char *line = c->lines[k] = xrealloc(NULL, length, 1);
     for (int i = 0; i < c->count; i++)
         line += sprintf(line, ",%s", numbers[c->columns[i]]);
     return 0;
@@ -54,10 +54,10 @@ static void print_heads(const struct figure *f, bool rk4)
     putchar('\n');
 }
 
-static int print_motion_figure(const struct figure *f, const struct setting *s,
+static int print_motion_figure(const struct figure *f, const struct scenario *s,
                                const struct arguments *a, long digits)
 {
-    struct motion m = {.setting = s, .nonlinear = f->nonlinear, .charges = f->charges,
+    struct motion m = {.scenario = s, .nonlinear = f->nonlinear, .charges = f->charges,
                        .small_angles = f->small_angles, .digits = digits, .microcoulomb = f->charges};
     struct times times = {0};
     struct collector beside = {f->columns, f->count, NULL};
@@ -66,11 +66,11 @@ static int print_motion_figure(const struct figure *f, const struct setting *s,
     int status = times_every(&times, "100", "259200", false);
     if (status == EXIT_DONE && option_given(a, "--rk4")) {
         status = read_rk4(h, a, &times, s->exact);
-        beside.lines = memory(NULL, (size_t)times.count, sizeof *beside.lines);
+        beside.lines = xrealloc(NULL, (size_t)times.count, sizeof *beside.lines);
         memset(beside.lines, 0, (size_t)times.count * sizeof *beside.lines);
         m.h = h;
         if (status == EXIT_DONE && motion_rows(&m, times.t, times.count, collect_row, &beside, &why) != 0)
-            status = complain(EXIT_FAILED_CHECK, "%s", why.text);
+            status = usage_error(EXIT_FAILED_CHECK, "%s", why.text);
         m.h = NULL;
     }
     if (status == EXIT_DONE) {
@@ -155,7 +155,7 @@ static bool root_texts(char *texts[4], acb_srcptr roots, const arb_t Omega, slon
     return decided;
 }
 
-static int print_roots(const fmpq_t n, const char *name, const struct setting *s, long digits)
+static int print_roots(const fmpq_t n, const char *name, const struct scenario *s, long digits)
 {
     bool decided = false;
     VECTOR(acb, roots, 4);
@@ -169,11 +169,11 @@ static int print_roots(const fmpq_t n, const char *name, const struct setting *s
         for (int i = 0; i < 4; i++)
             free(texts[i]);
     }
-    return decided ? EXIT_DONE : complain(EXIT_FAILED_CHECK, "figure 4: undecided at n = %s", name);
+    return decided ? EXIT_DONE : usage_error(EXIT_FAILED_CHECK, "figure 4: undecided at n = %s", name);
 }
 
 /* n from 9 to 40 in tenths. */
-static int print_figure4(const struct setting *s, long digits)
+static int print_figure4(const struct scenario *s, long digits)
 {
     int status = EXIT_DONE;
     SCOPE(fmpq, n);
@@ -189,14 +189,14 @@ static int print_figure4(const struct setting *s, long digits)
     return status != EXIT_DONE ? status : written;
 }
 
-static int check_figure4(const struct arguments *a, const struct setting *s)
+static int check_figure4(const struct arguments *a, const struct scenario *s)
 {
     if (option_given(a, "--rk4"))
-        return complain(EXIT_USAGE, "--rk4: figure 4 shows no motion");
-    for (int i = 0; i < SETTINGS; i++)
+        return usage_error(EXIT_USAGE, "--rk4: figure 4 shows no motion");
+    for (int i = 0; i < SCENARIO_VALUES; i++)
         if (s->given[i] && i != SET_Omega)
-            return complain(EXIT_USAGE, "%s: figure 4 depends on Omega alone, n runs from 9 to 40",
-                            setting_names[i]);
+            return usage_error(EXIT_USAGE, "%s: figure 4 depends on Omega alone, n runs from 9 to 40",
+                               scenario_names[i]);
     return EXIT_DONE;
 }
 
@@ -209,23 +209,23 @@ int command_figure(int count, char **texts)
         return status;
     const struct figure *f = a.word_count > 0 ? motion_figure(a.words[0]) : NULL;
     const bool roots = a.word_count > 0 && strcmp(a.words[0], "4") == 0;
-    struct setting s;
+    struct scenario s;
     long digits = 17;
-    setting_init(&s, option_given(&a, "--exact"));
+    scenario_init(&s, option_given(&a, "--exact"));
     if (f == NULL && !roots)
-        status = complain(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
-                          a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
+        status = usage_error(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
+                             a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
     if (status == EXIT_DONE)
         status = option_digits(&a, 17, &digits);
     if (status == EXIT_DONE)
-        status = read_settings(&s, &a, f != NULL && f->nonlinear);
+        status = read_scenario(&s, &a, f != NULL && f->nonlinear);
     if (status == EXIT_DONE && roots)
         status = check_figure4(&a, &s);
     if (status == EXIT_DONE && roots)
         status = print_figure4(&s, digits);
     else if (status == EXIT_DONE && f != NULL)
         status = print_motion_figure(f, &s, &a, digits);
-    setting_clear(&s);
+    scenario_clear(&s);
     free(a.assignments);
     return status;
 }

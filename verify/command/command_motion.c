@@ -35,9 +35,9 @@ static int times_at(struct times *times, const char *list, bool exact)
     int status = EXIT_DONE;
     size_t most = strlen(list) / 2 + 2;
     times->t = _fmpq_vec_init((slong)most);
-    times->texts = memory(NULL, most, sizeof *times->texts);
+    times->texts = xrealloc(NULL, most, sizeof *times->texts);
     if (strstr(list, ",,") || *list == ',' || list[strlen(list) - 1] == ',')
-        status = complain(EXIT_USAGE, "--at: expected times between the commas, got '%.40s'", list);
+        status = usage_error(EXIT_USAGE, "--at: expected times between the commas, got '%.40s'", list);
     for (char *text = strtok_r(copy, ",", &rest); text && status == EXIT_DONE;
          text = strtok_r(NULL, ",", &rest)) {
         struct input value = {.infinite = false};
@@ -51,7 +51,7 @@ static int times_at(struct times *times, const char *list, bool exact)
         times->texts[times->count++] = exact ? text_copy(text) : time_text(t);
         if (times->count > 1 && (fmpq_cmp(t - 1, t) == 0 || (fmpq_sgn(t - 1) != 0 && fmpq_sgn(t - 1) != fmpq_sgn(t)) ||
                                  (fmpq_cmp(t - 1, t) < 0) != (fmpq_sgn(t) > 0)))
-            status = complain(EXIT_USAGE, "--at: expected times of one sign, each further from 0 than the last");
+            status = usage_error(EXIT_USAGE, "--at: expected times of one sign, each further from 0 than the last");
     }
     free(copy);
     return status;
@@ -68,19 +68,19 @@ int times_every(struct times *times, const char *every, const char *until, bool 
     if (status == EXIT_DONE)
         status = literal_argument("--until", until, exact, false, &end);
     if (status == EXIT_DONE && fmpq_sgn(&step.value) <= 0)
-        status = complain(EXIT_FAILED_CHECK, "--every: expected a number > 0, got '%.40s'", every);
+        status = usage_error(EXIT_FAILED_CHECK, "--every: expected a number > 0, got '%.40s'", every);
     if (status == EXIT_DONE) {
         fmpq_div(rows, &end.value, &step.value);
         fmpz_tdiv_q(whole, fmpq_numref(rows), fmpq_denref(rows));
         if (fmpz_cmpabs(whole, fmpq_numref(rows)) > 0 || fmpz_cmp_si(whole, MOST_ROWS) > 0 ||
             fmpz_cmp_si(whole, -MOST_ROWS) < 0)
-            status = complain(EXIT_FAILED_CHECK, "--every: expected at most %d rows", MOST_ROWS);
+            status = usage_error(EXIT_FAILED_CHECK, "--every: expected at most %d rows", MOST_ROWS);
     }
     if (status == EXIT_DONE) {
         const slong last = fmpz_get_si(whole);
         times->count = labs(last) + 1;
         times->t = _fmpq_vec_init(times->count);
-        times->texts = memory(NULL, (size_t)times->count, sizeof *times->texts);
+        times->texts = xrealloc(NULL, (size_t)times->count, sizeof *times->texts);
         for (slong i = 0; i < times->count; i++) {
             fmpq_set_si(rows, last < 0 ? -i : i, 1);
             fmpq_mul(times->t + i, &step.value, rows);
@@ -97,15 +97,15 @@ static int times_option(struct times *times, const struct arguments *a, bool exa
     const char *at = option_value(a, "--at"), *every = option_value(a, "--every");
     const char *until = option_value(a, "--until");
     if (at != NULL && (every != NULL || until != NULL))
-        return complain(EXIT_USAGE, "--at: expected without --every and --until");
+        return usage_error(EXIT_USAGE, "--at: expected without --every and --until");
     if (at != NULL)
         return times_at(times, at, exact);
     return times_every(times, every ? every : "100", until ? until : "259200", exact);
 }
 
-/* ---- settings ---- */
+/* ---- scenario ---- */
 
-static int check_combination(const struct setting *s, bool nonlinear)
+static int check_combination(const struct scenario *s, bool nonlinear)
 {
     bool angles = false;
     int cartesian = 0;
@@ -114,28 +114,28 @@ static int check_combination(const struct setting *s, bool nonlinear)
     for (int i = SET_x1; i <= SET_z1_dot; i++)
         cartesian += s->given[i];
     if (s->given[SET_n] && (s->given[SET_C1] || s->given[SET_C2]))
-        return complain(EXIT_USAGE, "n: expected either n, or C1 and C2");
+        return usage_error(EXIT_USAGE, "n: expected either n, or C1 and C2");
     if (cartesian > 0 && !nonlinear)
-        return complain(EXIT_USAGE, "x1 ... z1_dot: expected for nonlinear motions alone");
+        return usage_error(EXIT_USAGE, "x1 ... z1_dot: expected for nonlinear motions alone");
     if (cartesian > 0 && (cartesian < FLOW_STATE || angles))
-        return complain(EXIT_USAGE, "x1 ... z1_dot: expected all six, and no angles with them");
+        return usage_error(EXIT_USAGE, "x1 ... z1_dot: expected all six, and no angles with them");
     return EXIT_DONE;
 }
 
-int read_settings(struct setting *s, const struct arguments *a, bool nonlinear)
+int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
 {
-    static const bool never_infinite[SETTINGS] = {false};
+    static const bool never_infinite[SCENARIO_VALUES] = {false};
     struct message why;
     const char *refused;
-    int status = read_assignments(a, setting_names, SETTINGS, s->exact, never_infinite, s->given, s->value, &refused);
+    int status = read_assignments(a, scenario_names, SCENARIO_VALUES, s->exact, never_infinite, s->given, s->value, &refused);
     if (status == EXIT_DONE)
         status = check_combination(s, nonlinear);
     if (status != EXIT_DONE)
         return status;
     if (refused != NULL)
         return refuse_assignment(refused, s->exact);
-    return setting_valid(s, nonlinear, &why) ? EXIT_DONE
-                                             : complain(EXIT_FAILED_CHECK, "%s", why.text);
+    return scenario_valid(s, nonlinear, &why) ? EXIT_DONE
+                                             : usage_error(EXIT_FAILED_CHECK, "%s", why.text);
 }
 
 /* ---- rows ---- */
@@ -171,7 +171,7 @@ int print_motion(const struct motion *m, const struct times *times, const int *c
     progress_end(&p.progress);
     int written = output_finished();
     return written != EXIT_DONE ? written
-           : failed             ? complain(EXIT_FAILED_CHECK, "%s", why.text)
+           : failed             ? usage_error(EXIT_FAILED_CHECK, "%s", why.text)
                                 : EXIT_DONE;
 }
 
@@ -184,12 +184,12 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
     int status = literal_argument("--rk4", text, exact, false, &value);
     fmpq_set(h, &value.value);
     if (status == EXIT_DONE && fmpq_sgn(h) <= 0)
-        status = complain(EXIT_FAILED_CHECK, "--rk4: expected a step > 0, got '%.40s'", text);
+        status = usage_error(EXIT_FAILED_CHECK, "--rk4: expected a step > 0, got '%.40s'", text);
     for (slong i = 0; i < times->count && status == EXIT_DONE; i++) {
         fmpq_div(steps, times->t + i, h);
         if (fmpq_sgn(steps) < 0 || !fmpz_is_one(fmpq_denref(steps)))
-            status = complain(EXIT_FAILED_CHECK, "--rk4: expected times >= 0 that are multiples of %s, got %s",
-                              text, times->texts[i]);
+            status = usage_error(EXIT_FAILED_CHECK, "--rk4: expected times >= 0 that are multiples of %s, got %s",
+                                 text, times->texts[i]);
     }
     fmpq_clear(&value.value);
     return status;
@@ -206,19 +206,19 @@ int command_trajectory(int count, char **texts)
     const bool exact = option_given(&a, "--exact");
     static const int columns[ROW_NUMBERS] = {0, 1, 2, 3, 4, 5, 6, 7};
     struct motion m = {0};
-    struct setting s;
+    struct scenario s;
     struct times times = {0};
     SCOPE(fmpq, h);
-    setting_init(&s, exact);
-    m.setting = &s;
+    scenario_init(&s, exact);
+    m.scenario = &s;
     m.nonlinear = m.charges = a.word_count == 1 && strcmp(a.words[0], "nonlinear") == 0;
     if (!m.nonlinear && (a.word_count == 0 || strcmp(a.words[0], "linear") != 0))
-        status = complain(EXIT_USAGE, "trajectory: expected linear or nonlinear%s%s",
-                          a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
+        status = usage_error(EXIT_USAGE, "trajectory: expected linear or nonlinear%s%s",
+                             a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
     if (status == EXIT_DONE)
         status = option_digits(&a, 17, &m.digits);
     if (status == EXIT_DONE)
-        status = read_settings(&s, &a, m.nonlinear);
+        status = read_scenario(&s, &a, m.nonlinear);
     if (status == EXIT_DONE)
         status = times_option(&times, &a, exact);
     if (status == EXIT_DONE && option_given(&a, "--rk4")) {
@@ -232,6 +232,6 @@ int command_trajectory(int count, char **texts)
     }
     free(a.assignments);
     times_clear(&times);
-    setting_clear(&s);
+    scenario_clear(&s);
     return status;
 }

@@ -1,4 +1,4 @@
-/* What trajectory and figure share: times, settings and rows from the command line. */
+/* What trajectory and figure share: times, the scenario and rows from the command line. */
 #ifndef CT_COMMAND_MOTION_H
 #define CT_COMMAND_MOTION_H
 
@@ -15,8 +15,8 @@ struct times {
 int times_every(struct times *times, const char *every, const char *until, bool exact);
 void times_clear(struct times *times);
 
-/* All NAME=VALUE into the settings. */
-int read_settings(struct setting *s, const struct arguments *a, bool nonlinear);
+/* All NAME=VALUE into the scenario. */
+int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear);
 
 /* --rk4 H: H > 0, and every time a multiple of it, none before 0. */
 int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact);

@@ -141,19 +141,19 @@ int command_study(int count, char **texts)
     char hint[80];
     int status = arguments_split(&a, count, texts, 1);
     if (status == EXIT_DONE && a.assignment_count > 0)
-        status = complain(EXIT_USAGE, "study: unexpected argument '%s'", a.assignments[0]);
+        status = usage_error(EXIT_USAGE, "study: unexpected argument '%s'", a.assignments[0]);
     free(a.assignments);
     if (status != EXIT_DONE)
         return status;
     if (a.word_count == 0)
-        return complain(EXIT_USAGE, "study: expected convergence, forced or pitch");
+        return usage_error(EXIT_USAGE, "study: expected convergence, forced or pitch");
     for (int i = 0; i < 3; i++)
         if (strcmp(names[i], a.words[0]) == 0) {
             bool proved = prints[i]();
             int written = output_finished();
             return written != EXIT_DONE || proved ? written
-                                                  : complain(EXIT_FAILED_CHECK, "study %s: digits undecided", names[i]);
+                                                  : usage_error(EXIT_FAILED_CHECK, "study %s: digits undecided", names[i]);
         }
     suggest(hint, a.words[0], names, 3);
-    return complain(EXIT_USAGE, "study: expected convergence, forced or pitch, got '%s'%s", a.words[0], hint);
+    return usage_error(EXIT_USAGE, "study: expected convergence, forced or pitch, got '%s'%s", a.words[0], hint);
 }

@@ -20,7 +20,7 @@ int command_table1(int count, char **texts)
     struct arguments a = {.subcommand = "table1", .options = options, .option_count = 1};
     int status = arguments_split(&a, count, texts, 0);
     if (status == EXIT_DONE && a.assignment_count > 0)
-        status = complain(EXIT_USAGE, "table1: unexpected argument '%s'", a.assignments[0]);
+        status = usage_error(EXIT_USAGE, "table1: unexpected argument '%s'", a.assignments[0]);
     free(a.assignments);
     if (status != EXIT_DONE)
         return status;

@@ -135,7 +135,7 @@ int command_typeset(int count, char **texts)
         return status;
     const struct section *one = NULL;
     if (a.assignment_count > 0)
-        status = complain(EXIT_USAGE, "typeset: unexpected argument '%s'", a.assignments[0]);
+        status = usage_error(EXIT_USAGE, "typeset: unexpected argument '%s'", a.assignments[0]);
     else if (a.word_count > 0 && (one = section_argument(a.words[0])) == NULL)
         status = EXIT_USAGE;
     free(a.assignments);

@@ -14,7 +14,7 @@ static int take_shard(const char *text, uint64_t *first, uint64_t *count, bool *
     char *copy = text_copy(text), *slash = strchr(copy, '/');
     int status = EXIT_USAGE;
     if (slash == NULL) {
-        complain(EXIT_USAGE, "--shard: expected K/N, got '%.40s'", text);
+        usage_error(EXIT_USAGE, "--shard: expected K/N, got '%.40s'", text);
     } else {
         *slash = '\0';
         status = whole_number("--shard", copy, &k);
@@ -22,7 +22,7 @@ static int take_shard(const char *text, uint64_t *first, uint64_t *count, bool *
             status = whole_number("--shard", slash + 1, &n);
     }
     if (status == EXIT_DONE && (k < 1 || k > n || n > 1000000))
-        status = complain(EXIT_USAGE, "--shard: expected K/N with 1 <= K <= N <= 1000000, got '%.40s'", text);
+        status = usage_error(EXIT_USAGE, "--shard: expected K/N with 1 <= K <= N <= 1000000, got '%.40s'", text);
     free(copy);
     if (status != EXIT_DONE)
         return status;
@@ -36,13 +36,13 @@ static int take_shard(const char *text, uint64_t *first, uint64_t *count, bool *
 static int take_section(const struct arguments *a, const struct section **s)
 {
     if (a->assignment_count > 0)
-        return complain(EXIT_USAGE, "vectors: unexpected argument '%s'", a->assignments[0]);
+        return usage_error(EXIT_USAGE, "vectors: unexpected argument '%s'", a->assignments[0]);
     if (a->word_count == 0)
-        return complain(EXIT_USAGE, "vectors: expected the id of an operation");
+        return usage_error(EXIT_USAGE, "vectors: expected the id of an operation");
     if ((*s = section_argument(a->words[0])) == NULL)
         return EXIT_USAGE;
     if ((*s)->method == METHOD_NONE)
-        return complain(EXIT_USAGE, "%s is a definition, it computes nothing", (*s)->id);
+        return usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", (*s)->id);
     return EXIT_DONE;
 }
 
@@ -53,7 +53,7 @@ static int random_vectors(const struct arguments *a, const struct section *s, en
     bool header = true;
     int status = EXIT_USAGE;
     if (count_text == NULL || seed_text == NULL)
-        complain(EXIT_USAGE, "vectors: expected --count N and --seed S, or --golden");
+        usage_error(EXIT_USAGE, "vectors: expected --count N and --seed S, or --golden");
     else
         status = whole_number("--count", count_text, &count);
     if (status == EXIT_DONE && seed_text != NULL)
@@ -84,7 +84,7 @@ int command_vectors(int count, char **texts)
     const bool golden = option_given(&a, "--golden");
     const bool random = option_given(&a, "--count") || option_given(&a, "--seed") || option_given(&a, "--shard");
     if (status == EXIT_DONE && golden && random)
-        status = complain(EXIT_USAGE, "--golden: expected without --count, --seed and --shard");
+        status = usage_error(EXIT_USAGE, "--golden: expected without --count, --seed and --shard");
     else if (status == EXIT_DONE && golden)
         status = vectors_golden(s, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
     else if (status == EXIT_DONE)

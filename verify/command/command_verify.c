@@ -59,7 +59,7 @@ static int read_integer(const char *name, const char *text, ulong *value)
     errno = 0;
     *value = strtoul(text, &end, 10);
     if (*text < '0' || *text > '9' || *end != '\0' || errno != 0)
-        return complain(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
+        return usage_error(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
     return EXIT_DONE;
 }
 
@@ -74,19 +74,19 @@ static int check_request(const struct arguments *a, const struct request *r)
     }
     suggest(hint, found ? "" : r->part, known, PARTS);
     if (a->assignment_count > 0)
-        return complain(EXIT_USAGE, "verify: unexpected argument '%s'", a->assignments[0]);
+        return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", a->assignments[0]);
     if (!found)
-        return complain(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
+        return usage_error(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
     if (r->claim != NULL && (r->part == NULL || strcmp(r->part, "claims") != 0))
-        return complain(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
+        return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
     if (r->graph && (r->format != FORMAT_TABLE || r->part == NULL || strcmp(r->part, "derivations") != 0))
-        return complain(EXIT_USAGE, "--graph: expected verify derivations before it, and no --json");
+        return usage_error(EXIT_USAGE, "--graph: expected verify derivations before it, and no --json");
     if (r->format == FORMAT_MARKDOWN && (r->part == NULL || strcmp(r->part, "errors") != 0))
-        return complain(EXIT_USAGE, "--markdown: expected verify errors before it");
+        return usage_error(EXIT_USAGE, "--markdown: expected verify errors before it");
     if (r->format == FORMAT_CSV && (r->part == NULL || strcmp(r->part, "claims") != 0))
-        return complain(EXIT_USAGE, "--csv: expected verify claims before it");
+        return usage_error(EXIT_USAGE, "--csv: expected verify claims before it");
     if (r->count < 1 || r->count > 100000000)
-        return complain(EXIT_USAGE, "--count: expected from 1 to 100000000 inputs");
+        return usage_error(EXIT_USAGE, "--count: expected from 1 to 100000000 inputs");
     return EXIT_DONE;
 }
 
@@ -103,7 +103,7 @@ static int read_request(const struct arguments *a, struct request *r)
                                     : markdown ? FORMAT_MARKDOWN
                                                : FORMAT_TABLE};
     if (json + csv + markdown > 1)
-        return complain(EXIT_USAGE, "--json, --csv, --markdown: expected one of them");
+        return usage_error(EXIT_USAGE, "--json, --csv, --markdown: expected one of them");
     int status = read_integer("--count", option_value(a, "--count"), &count);
     r->count = count > LONG_MAX ? LONG_MAX : (long)count;
     return status != EXIT_DONE ? status : check_request(a, r);
@@ -115,14 +115,14 @@ static int check_claim(const struct proof_results *p, const char *id)
     struct statements claims;
     char hint[80];
     claims_open(&claims, p);
-    const char **ids = memory(NULL, (size_t)claims.count + 1, sizeof *ids);
+    const char **ids = xrealloc(NULL, (size_t)claims.count + 1, sizeof *ids);
     for (int i = 0; i < claims.count; i++)
         ids[i] = claims.list[i].id;
     suggest(hint, id, ids, (size_t)claims.count);
     const bool known = verdict_known(&claims, id);
     free(ids);
     statements_clear(&claims);
-    return known ? EXIT_DONE : complain(EXIT_USAGE, "unknown claim '%s'%s", id, hint);
+    return known ? EXIT_DONE : usage_error(EXIT_USAGE, "unknown claim '%s'%s", id, hint);
 }
 
 /* What was asked for; as JSON, an object with a member a part. */

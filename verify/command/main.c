@@ -76,7 +76,7 @@ static int help(void)
 static int run(int count, char **arguments)
 {
     if (count < 2)
-        return complain(EXIT_USAGE, "expected a subcommand, see coulomb-tether --help");
+        return usage_error(EXIT_USAGE, "expected a subcommand, see coulomb-tether --help");
     if (strcmp(arguments[1], "--help") == 0)
         return help();
     if (strcmp(arguments[1], "--version") == 0) {
@@ -97,30 +97,30 @@ static int run(int count, char **arguments)
     }
     char hint[80];
     suggest(hint, arguments[1], known, SUBCOMMANDS);
-    return complain(EXIT_USAGE, "unknown subcommand '%s'%s", arguments[1], hint);
+    return usage_error(EXIT_USAGE, "unknown subcommand '%s'%s", arguments[1], hint);
 }
 
 /* ---- memory: where it runs out the libraries would end by a signal ---- */
 
 static void *allocate(size_t size)
 {
-    return memory(NULL, size, 1);
+    return xrealloc(NULL, size, 1);
 }
 
 static void *allocate_zeros(size_t count, size_t size)
 {
-    return memset(memory(NULL, count, size), 0, count * size);
+    return memset(xrealloc(NULL, count, size), 0, count * size);
 }
 
 static void *reallocate(void *old, size_t size)
 {
-    return memory(old, size, 1);
+    return xrealloc(old, size, 1);
 }
 
 static void *reallocate_sized(void *old, size_t old_size, size_t size)
 {
     (void)old_size;
-    return memory(old, size, 1);
+    return xrealloc(old, size, 1);
 }
 
 static void release_sized(void *block, size_t size)
@@ -163,7 +163,7 @@ int main(int count, char **arguments)
     signal(SIGCHLD, SIG_DFL); /* ignored, it would take away how a client ended */
     guard_memory();
     if (!guard_streams())
-        return complain(EXIT_FAILED_CHECK, "/dev/null: %s", strerror(errno)); /* LCOV_EXCL_LINE: the same */
+        return usage_error(EXIT_FAILED_CHECK, "/dev/null: %s", strerror(errno)); /* LCOV_EXCL_LINE: the same */
     int status = run(count, arguments);
     sheet_close();
     flint_cleanup();

@@ -30,7 +30,7 @@ static char *file_text(const char *name, size_t *length)
     if (file == NULL)
         return NULL;
     do {
-        text = memory(text, *length + 4096, 1);
+        text = xrealloc(text, *length + 4096, 1);
         got = fread(text + *length, 1, 4096, file);
         *length += got;
     } while (got == 4096);

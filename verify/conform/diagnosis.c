@@ -8,30 +8,30 @@
 
 #include "evaluate/vectors.h"
 #include "formula/exact.h"
-#include "sheet/slip.h"
+#include "sheet/known_mistakes.h"
 
 /* ---- mistakes at work ---- */
 
-struct suspect {
+struct mutant {
     const char *name;
     bool transforms;       /* the operation is done right, but on other inputs */
-    struct alternative a;
+    struct mutation a;
     struct operation o;
     struct input *inputs;  /* those others */
 };
 
-struct suspects {
-    struct suspect *all;
+struct mutants {
+    struct mutant *all;
     int count;
 };
 
-static void suspect_add(struct suspects *list, const struct section *s, const struct slip *m)
+static void mutant_add(struct mutants *list, const struct section *s, const struct known_mistake *m)
 {
-    list->all = memory(list->all, (size_t)list->count + 1, sizeof *list->all);
-    struct suspect *x = &list->all[list->count];
+    list->all = xrealloc(list->all, (size_t)list->count + 1, sizeof *list->all);
+    struct mutant *x = &list->all[list->count];
     struct message why;
-    *x = (struct suspect){.name = m ? m->name : "as printed"};
-    if (m != NULL && !alternative_init(&x->a, sheet(), s, m, false, &why))
+    *x = (struct mutant){.name = m ? m->name : "as printed"};
+    if (m != NULL && !mutation_init(&x->a, sheet(), s, m, false, &why))
         return;
     x->transforms = m != NULL && !x->a.formulas_end;
     if (x->transforms)
@@ -40,17 +40,17 @@ static void suspect_add(struct suspects *list, const struct section *s, const st
 }
 
 /* The print's own formulas, the section's own mistakes, and those that every section may make. */
-static struct suspects suspects_of(const struct section *s)
+static struct mutants mutants_of(const struct section *s)
 {
-    struct suspects list = {NULL, 0};
+    struct mutants list = {NULL, 0};
     if (s->differs)
-        suspect_add(&list, s, NULL);
-    for (int i = 0; i < s->slip_count; i++)
-        suspect_add(&list, s, &s->slips[i]);
-    for (int i = 0; i < sheet()->slip_count; i++)
-        suspect_add(&list, s, &sheet()->slips[i]);
+        mutant_add(&list, s, NULL);
+    for (int i = 0; i < s->mistake_count; i++)
+        mutant_add(&list, s, &s->mistakes[i]);
+    for (int i = 0; i < sheet()->mistake_count; i++)
+        mutant_add(&list, s, &sheet()->mistakes[i]);
     for (int i = 0; i < list.count; i++) { /* now that they move no more */
-        struct suspect *x = &list.all[i];
+        struct mutant *x = &list.all[i];
         operation_init(&x->o, x->transforms ? x->a.section : s, x->a.section == NULL);
         if (x->a.section == NULL || x->transforms)
             continue;
@@ -61,21 +61,21 @@ static struct suspects suspects_of(const struct section *s)
     return list;
 }
 
-static void suspects_clear(struct suspects *list)
+static void mutants_clear(struct mutants *list)
 {
     for (int i = 0; i < list->count; i++) {
-        struct suspect *x = &list->all[i];
+        struct mutant *x = &list->all[i];
         operation_clear(&x->o);
         if (x->transforms)
             inputs_free(x->inputs, x->a.section->input_count);
         if (x->a.section != NULL)
-            alternative_clear(&x->a);
+            mutation_clear(&x->a);
     }
     free(list->all);
 }
 
 /* The inputs that the operation is done on; NULL where they have no exact value. */
-static const struct input *inputs_of(struct suspect *x, const struct input *inputs)
+static const struct input *inputs_of(struct mutant *x, const struct input *inputs)
 {
     if (!x->transforms)
         return inputs;
@@ -104,64 +104,64 @@ static bool is_long(const struct section *s, const struct input *inputs)
 
 static const double PATIENCE = 1.0; /* seconds of processor time for an operation */
 
-/* Whether the suspect makes of the question what was answered. */
-static bool explains(struct suspect *x, const struct exam *e, const struct failure *f, const struct question *q,
+/* Whether the mutant makes of the question what was answered. */
+static bool explains(struct mutant *x, const struct test_run *e, const struct failure *f, const struct test_vector *q,
                      double digits)
 {
-    struct judge j;
+    struct comparator j;
     struct score score;
     const struct input *inputs = q->numbers ? inputs_of(x, q->inputs) : NULL;
     const bool inside = inputs != NULL && operation_valid(&x->o, inputs);
-    if (f->finding == FOUND_INVALID || !inside)
-        return f->finding == FOUND_INVALID && !inside;
-    judge_init(&j, &x->o, e->significand, digits);
+    if (f->outcome == OUTCOME_INVALID || !inside)
+        return f->outcome == OUTCOME_INVALID && !inside;
+    comparator_init(&j, &x->o, e->significand, digits);
     j.once = true; /* what is to explain the answer cannot need more than the truth */
     for (int i = 0; i < x->o.section->output_count; i++)
         arb_set_d(j.y + i, f->values[i]);
     bool right = false;
-    if (f->finding == FOUND_WRONG || f->finding == FOUND_VALUE)
-        right = judge_answer(&j, inputs, &score) == FOUND_RIGHT;
-    else if (operation_enclose(&x->o, inputs, 128, j.exact) == OUTCOME_PROVED)
+    if (f->outcome == OUTCOME_WRONG || f->outcome == OUTCOME_VALUE)
+        right = compare_answer(&j, inputs, &score) == OUTCOME_RIGHT;
+    else if (operation_enclose(&x->o, inputs, 128, j.exact) == OPERATION_PROVED)
         right = !_arb_vec_is_finite(j.exact, x->o.section->output_count); /* no number there either */
-    judge_clear(&j);
+    comparator_clear(&j);
     return right;
 }
 
 /* No more is wrong than that values stand where `invalid` is due. */
-static bool is_domain_alone(const struct tally *t)
+static bool is_domain_alone(const struct summary *t)
 {
-    for (int i = FOUND_WRONG; i < FOUND_VALUE; i++)
+    for (int i = OUTCOME_WRONG; i < OUTCOME_VALUE; i++)
         if (t->counts[i] > 0)
             return false;
-    return t->counts[FOUND_VALUE] > 0;
+    return t->counts[OUTCOME_VALUE] > 0;
 }
 
 /* All failures that formulas can explain; of a motion the long ones only where there are no others. */
-static bool explains_all(struct suspect *x, const struct exam *e, const struct tally *t, double digits)
+static bool explains_all(struct mutant *x, const struct test_run *e, const struct summary *t, double digits)
 {
-    const enum finding last = is_domain_alone(t) ? FOUND_VALUE : FOUND_INVALID;
-    struct question q;
+    const enum outcome last = is_domain_alone(t) ? OUTCOME_VALUE : OUTCOME_INVALID;
+    struct test_vector q;
     int explained = 0;
     bool all = true;
-    question_init(&q);
+    test_vector_init(&q);
     for (int pass = 0; pass < 2 && explained == 0 && all; pass++)
         for (int i = 0; i < t->failure_count && all; i++) {
             const struct failure *f = &t->failures[i];
 
-            if (f->finding < FOUND_WRONG || f->finding > last)
+            if (f->outcome < OUTCOME_WRONG || f->outcome > last)
                 continue;
-            question_make(&q, &e->questions, f->position);
-            if (pass == 0 && q.numbers && is_long(q.course->operation.section, q.inputs))
+            test_vector_make(&q, &e->sets, f->position);
+            if (pass == 0 && q.numbers && is_long(q.set->operation.section, q.inputs))
                 continue;
             all = clock() <= x->o.until && explains(x, e, f, &q, digits);
             explained++;
         }
-    question_clear(&q);
+    test_vector_clear(&q);
     return all && explained > 0;
 }
 
 /* The fewest decimal digits (at most 15) that all wrong numbers are written with; 17 for more. */
-static int digits_written(const struct tally *t, int outputs)
+static int digits_written(const struct summary *t, int outputs)
 {
     int digits = 1;
     for (int i = 0; i < t->failure_count; i++)
@@ -175,7 +175,7 @@ static int digits_written(const struct tally *t, int outputs)
     return digits <= 15 ? digits : 17;
 }
 
-static bool are_singles(const struct tally *t, int outputs)
+static bool are_singles(const struct summary *t, int outputs)
 {
     bool singles = true;
     for (int i = 0; i < t->failure_count; i++)
@@ -190,23 +190,23 @@ static bool are_singles(const struct tally *t, int outputs)
 static const double LOST = 1e-9;
 
 /* Right but for the number format: how it is computed, or how it is written. */
-static const char *format_mistake(const struct exam *e, int course, char text[48])
+static const char *format_mistake(const struct test_run *e, int set, char text[48])
 {
-    const struct tally *t = &e->tallies[course];
-    const int outputs = e->judges[course].operation->section->output_count;
+    const struct summary *t = &e->summaries[set];
+    const int outputs = e->comparators[set].operation->section->output_count;
     const int digits = digits_written(t, outputs);
     double worst = 0.0;
     for (int i = 0; i < t->failure_count; i++) {
-        if (t->failures[i].finding == FOUND_VALUE)
+        if (t->failures[i].outcome == OUTCOME_VALUE)
             continue;
-        if (t->failures[i].finding != FOUND_WRONG)
+        if (t->failures[i].outcome != OUTCOME_WRONG)
             return NULL;
         worst = fmax(worst, t->failures[i].score.E);
     }
-    if (worst == 0.0 || is_motion(e->judges[course].operation->section) || e->significand != BINARY64)
+    if (worst == 0.0 || is_motion(e->comparators[set].operation->section) || e->significand != BINARY64)
         return NULL;
     worst = ldexp(worst, -BINARY64); /* relative to |y*| + S */
-    if (are_singles(t, outputs) && worst <= ldexp(e->judges[course].K, -BINARY32))
+    if (are_singles(t, outputs) && worst <= ldexp(e->comparators[set].K, -BINARY32))
         return "computed in single precision";
     snprintf(text, 48, "written with only %d digits", digits);
     if (digits < 17 && worst <= 10.0 * pow(10.0, -digits))
@@ -217,17 +217,17 @@ static const char *format_mistake(const struct exam *e, int course, char text[48
     return text;
 }
 
-static void add_name(struct tally *t, const char *name, const char *joint)
+static void add_name(struct summary *t, const char *name, const char *joint)
 {
     const size_t used = strlen(t->diagnosis);
     snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s", used ? joint : "", name);
 }
 
-void diagnose(struct exam *e, int course)
+void diagnose(struct test_run *e, int set)
 {
-    struct tally *t = &e->tallies[course];
-    const struct judge *j = &e->judges[course];
-    struct suspects list = suspects_of(j->operation->section);
+    struct summary *t = &e->summaries[set];
+    const struct comparator *j = &e->comparators[set];
+    struct mutants list = mutants_of(j->operation->section);
     const clock_t until = clock() + (clock_t)(PATIENCE * CLOCKS_PER_SEC);
     char written[48];
     for (int i = 0; i < list.count; i++) {
@@ -236,22 +236,22 @@ void diagnose(struct exam *e, int course)
             add_name(t, list.all[i].name, "; or ");
     }
     t->hurried = clock() > until;
-    const char *format = t->diagnosis[0] == '\0' ? format_mistake(e, course, written) : NULL;
+    const char *format = t->diagnosis[0] == '\0' ? format_mistake(e, set, written) : NULL;
     if (format != NULL)
         add_name(t, format, "");
-    if (t->counts[FOUND_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
+    if (t->counts[OUTCOME_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
         add_name(t, "inputs outside the domain are not refused", "; and ");
-    suspects_clear(&list);
+    mutants_clear(&list);
 }
 
 /* ---- the kill table ---- */
 
 struct kills {
-    struct suspects suspects;
+    struct mutants mutants;
     struct operation o;
-    struct judge judge;
+    struct comparator comparator;
     struct input *inputs;
-    int *killed;   /* vectors, of each suspect                */
+    int *killed;   /* vectors, of each mutant                */
     bool *differs; /* so small a difference does no harm here */
     bool fine;
 };
@@ -264,11 +264,11 @@ static bool are_equal(const struct input *a, const struct input *b, int count)
     return equal;
 }
 
-/* Whether a vector tells a suspect from the truth. */
+/* Whether a vector tells a mutant from the truth. */
 static bool tells(struct kills *k, int i, bool inside)
 {
-    struct suspect *x = &k->suspects.all[i];
-    struct judge *j = &k->judge;
+    struct mutant *x = &k->mutants.all[i];
+    struct comparator *j = &k->comparator;
     const int count = k->o.section->output_count;
     const struct input *inputs = inputs_of(x, k->inputs);
     struct score score;
@@ -278,14 +278,14 @@ static bool tells(struct kills *k, int i, bool inside)
         return false;
     const slong digits = is_motion(k->o.section) ? (slong)j->digits + 8 : 60;
     const slong prec = operation_precision(&x->o, inputs, digits);
-    if (operation_follow(&x->o, inputs, digits, prec, j->y) != OUTCOME_PROVED || !_arb_vec_is_finite(j->y, count))
+    if (operation_follow(&x->o, inputs, digits, prec, j->y) != OPERATION_PROVED || !_arb_vec_is_finite(j->y, count))
         return true;
     j->worst = INFINITY;
-    const enum finding finding = judge_answer(j, k->inputs, &score);
-    j->followed = is_motion(k->o.section) && finding != FOUND_SKIPPED; /* the next suspect is held against the same motion */
+    const enum outcome outcome = compare_answer(j, k->inputs, &score);
+    j->followed = is_motion(k->o.section) && outcome != OUTCOME_SKIPPED; /* the next mutant is held against the same motion */
     for (int n = 0; n < count; n++)
         k->differs[i] = k->differs[i] || !arb_overlaps(j->exact + n, j->y + n);
-    return finding == FOUND_WRONG;
+    return outcome == OUTCOME_WRONG;
 }
 
 static bool pins_an_edge(const char *flags)
@@ -303,13 +303,13 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
     const bool numbers = vector_read(o->section, texts, k->inputs);
     const bool inside = numbers && operation_valid(&k->o, k->inputs);
     int killed = 0;
-    k->judge.followed = false;
+    k->comparator.followed = false;
     if (inside && is_long(o->section, k->inputs))
         return true;
-    for (int i = 0; i < k->suspects.count && numbers; i++)
+    for (int i = 0; i < k->mutants.count && numbers; i++)
         if (tells(k, i, inside)) {
             fputs(killed == 0 ? id : "", stdout);
-            printf("%s%s", killed == 0 ? "," : "; ", k->suspects.all[i].name);
+            printf("%s%s", killed == 0 ? "," : "; ", k->mutants.all[i].name);
             k->killed[i]++;
             killed++;
         }
@@ -324,25 +324,25 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
 
 bool kills_print(const struct section *s, double digits)
 {
-    struct kills k = {.suspects = suspects_of(s), .inputs = inputs_new(s->input_count), .fine = true};
-    const size_t count = (size_t)k.suspects.count;
-    k.killed = memory(NULL, count, sizeof *k.killed);
-    k.differs = memory(NULL, count, sizeof *k.differs);
+    struct kills k = {.mutants = mutants_of(s), .inputs = inputs_new(s->input_count), .fine = true};
+    const size_t count = (size_t)k.mutants.count;
+    k.killed = xrealloc(NULL, count, sizeof *k.killed);
+    k.differs = xrealloc(NULL, count, sizeof *k.differs);
     memset(k.killed, 0, count * sizeof *k.killed);
     memset(k.differs, 0, count * sizeof *k.differs);
     operation_init(&k.o, s, false);
-    judge_init(&k.judge, &k.o, BINARY64, digits);
+    comparator_init(&k.comparator, &k.o, BINARY64, digits);
     golden_each(s, print_kills, &k);
     for (size_t i = 0; i < count; i++)
         if (k.killed[i] == 0 && k.differs[i]) {
-            fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, k.suspects.all[i].name);
+            fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, k.mutants.all[i].name);
             k.fine = false;
         }
-    judge_clear(&k.judge);
+    comparator_clear(&k.comparator);
     operation_clear(&k.o);
     inputs_free(k.inputs, s->input_count);
     free(k.killed);
     free(k.differs);
-    suspects_clear(&k.suspects);
+    mutants_clear(&k.mutants);
     return k.fine;
 }

@@ -9,10 +9,10 @@
 #include "conform/conform.h"
 
 /*
- * Into the tally of a course: "as printed; or ...", what explains all its failures that were kept. Takes a second of
+ * Into the summary of a test set: "as printed; or ...", what explains all its failures that were kept. Takes a second of
  * processor time, or little more; what has not been tried by then is left.
  */
-void diagnose(struct exam *e, int course);
+void diagnose(struct test_run *e, int set);
 
 /*
  * A CSV line for each golden vector that kills some: id,mistakes. False, and a line on standard error each,

@@ -64,19 +64,19 @@ static void name_hint(const char *word, char *hint, size_t size)
         snprintf(hint, size, "its first word '%s' names no vector", word);
 }
 
-void line_hint(const char *line, enum finding finding, char *hint, size_t size)
+void line_hint(const char *line, enum outcome outcome, char *hint, size_t size)
 {
     char copy[120], *rest = NULL;
     snprintf(copy, sizeof copy, "%s", line);
     const char *name = strtok_r(copy, " \t", &rest);
     snprintf(hint, size, "%s", "");
-    if (finding == FOUND_TRUNCATED)
+    if (outcome == OUTCOME_TRUNCATED)
         snprintf(hint, size, "the last line has no LF");
-    else if ((finding == FOUND_MALFORMED || finding == FOUND_STRANGER) && name == NULL)
+    else if ((outcome == OUTCOME_MALFORMED || outcome == OUTCOME_STRANGER) && name == NULL)
         snprintf(hint, size, "an empty line");
-    else if (finding == FOUND_STRANGER || (finding == FOUND_MALFORMED && name[strspn(name, LETTERS)] != '\0'))
+    else if (outcome == OUTCOME_STRANGER || (outcome == OUTCOME_MALFORMED && name[strspn(name, LETTERS)] != '\0'))
         name_hint(name, hint, size);
-    for (char *word = NULL; finding == FOUND_MALFORMED && *hint == '\0' && (word = strtok_r(NULL, " \t", &rest)) != NULL;)
+    for (char *word = NULL; outcome == OUTCOME_MALFORMED && *hint == '\0' && (word = strtok_r(NULL, " \t", &rest)) != NULL;)
         if (!is_number(word))
             number_hint(word, hint, size);
 }

@@ -4,9 +4,9 @@
 
 #include <stddef.h>
 
-#include "conform/judge.h"
+#include "conform/comparator.h"
 
-/* Of a line as it is shown, printable; "" where there is nothing to add to the finding. */
-void line_hint(const char *line, enum finding finding, char *hint, size_t size);
+/* Of a line as it is shown, printable; "" where there is nothing to add to the outcome. */
+void line_hint(const char *line, enum outcome outcome, char *hint, size_t size);
 
 #endif

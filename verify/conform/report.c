@@ -22,13 +22,13 @@ int level_of(const struct section *s)
     return s->method == METHOD_FORMULA ? 0 : s->method == METHOD_ROOTS ? 1 : rk4 ? 3 : 2;
 }
 
-struct totals report_totals(const struct exam *e)
+struct totals report_totals(const struct test_run *e)
 {
     struct totals sum = {0, 0, 0};
-    for (int k = 0; k <= e->questions.count; k++) {
-        sum.passed += e->tallies[k].counts[FOUND_RIGHT];
-        sum.failed += tally_failed(&e->tallies[k]);
-        sum.skipped += e->tallies[k].counts[FOUND_SKIPPED];
+    for (int k = 0; k <= e->sets.count; k++) {
+        sum.passed += e->summaries[k].counts[OUTCOME_RIGHT];
+        sum.failed += summary_failed(&e->summaries[k]);
+        sum.skipped += e->summaries[k].counts[OUTCOME_SKIPPED];
     }
     return sum;
 }
@@ -46,7 +46,7 @@ static const char *error_text(double E, char text[NUMBER])
     return text;
 }
 
-/* Digits, rounded down to one behind the point. */
+/* Digits, rounded down to one after the point. */
 static const char *digits_text(double digits, char text[NUMBER])
 {
     if (isinf(digits) && digits > 0.0)
@@ -55,58 +55,58 @@ static const char *digits_text(double digits, char text[NUMBER])
     return text;
 }
 
-static double tally_digits(const struct exam *e, int course)
+static double summary_digits(const struct test_run *e, int set)
 {
-    const struct tally *t = &e->tallies[course];
-    if (is_motion(e->judges[course].operation->section))
+    const struct summary *t = &e->summaries[set];
+    if (is_motion(e->comparators[set].operation->section))
         return t->digits;
     return t->worst_E > 0.0 ? -log10(ldexp(t->worst_E, -e->significand)) : INFINITY;
 }
 
 /* "3 wrong, 1 missing" */
-static void findings_text(const struct tally *t, char *text, size_t size)
+static void outcomes_text(const struct summary *t, char *text, size_t size)
 {
     size_t used = 0;
     text[0] = '\0';
-    for (int i = FOUND_WRONG; i < FINDINGS && used < size; i++)
+    for (int i = OUTCOME_WRONG; i < OUTCOMES && used < size; i++)
         if (t->counts[i] > 0)
             used += (size_t)snprintf(text + used, size - used, "%s%" PRIu64 " %s", used ? ", " : "", t->counts[i],
-                                     finding_names[i]);
+                                     outcome_names[i]);
 }
 
 /* ---- one failing vector ---- */
 
 /* A vector with what was due, each as text; made for reports only. */
 struct exhibit {
-    struct question question;
+    struct test_vector vector;
     char inputs[MOST_INPUTS][LONGEST_INPUT];
-    char *expected[MOST_ANSWERS]; /* NULL: none was due, or none could be proved */
+    char *expected[MOST_OUTPUTS]; /* NULL: none was due, or none could be proved */
     bool invalid;
 };
 
-static void exhibit_init(struct exhibit *x, const struct exam *e, uint64_t position)
+static void exhibit_init(struct exhibit *x, const struct test_run *e, uint64_t position)
 {
     memset(x, 0, sizeof *x);
-    question_init(&x->question);
-    question_make(&x->question, &e->questions, position);
-    struct operation *o = &x->question.course->operation;
+    test_vector_init(&x->vector);
+    test_vector_make(&x->vector, &e->sets, position);
+    struct operation *o = &x->vector.set->operation;
     for (int i = 0; i < o->section->input_count; i++)
-        question_text(&x->question, i, e->questions.form, x->inputs[i]);
-    x->invalid = !x->question.numbers ||
-                 operation_digits(o, x->question.inputs, SHOWN_DIGITS, x->expected) == OUTCOME_INVALID;
+        test_vector_text(&x->vector, i, e->sets.form, x->inputs[i]);
+    x->invalid = !x->vector.numbers ||
+                 operation_digits(o, x->vector.inputs, SHOWN_DIGITS, x->expected) == OPERATION_INVALID;
 }
 
 static void exhibit_clear(struct exhibit *x)
 {
-    for (int i = 0; i < MOST_ANSWERS; i++)
+    for (int i = 0; i < MOST_OUTPUTS; i++)
         free(x->expected[i]);
-    question_clear(&x->question);
+    test_vector_clear(&x->vector);
 }
 
 /* Not about the stream of lines: then the vector itself tells something. */
-static bool is_about_values(enum finding finding)
+static bool is_about_values(enum outcome outcome)
 {
-    return finding <= FOUND_MALFORMED || finding == FOUND_TIMEOUT || finding == FOUND_CRASH;
+    return outcome <= OUTCOME_MALFORMED || outcome == OUTCOME_TIMEOUT || outcome == OUTCOME_CRASH;
 }
 
 static bool has_unit(const struct quantity *q)
@@ -114,19 +114,19 @@ static bool has_unit(const struct quantity *q)
     return strcmp(q->unit, "-") != 0;
 }
 
-static void exhibit_text(const struct exhibit *x, const struct tally *t, FILE *file)
+static void exhibit_text(const struct exhibit *x, const struct summary *t, FILE *file)
 {
-    const struct section *s = x->question.course->operation.section;
+    const struct section *s = x->vector.set->operation.section;
     const struct failure *f = &t->worst_failure;
-    const bool marked = f->finding == FOUND_WRONG && s->method == METHOD_FORMULA && s->output_count > 1;
+    const bool marked = f->outcome == OUTCOME_WRONG && s->method == METHOD_FORMULA && s->output_count > 1;
     char number[NUMBER];
-    fprintf(file, "  %s: %s", x->question.id, finding_names[f->finding]);
-    if (f->finding == FOUND_WRONG && is_motion(s))
+    fprintf(file, "  %s: %s", x->vector.id, outcome_names[f->outcome]);
+    if (f->outcome == OUTCOME_WRONG && is_motion(s))
         fprintf(file, ", %s digits", digits_text(f->score.digits, number));
-    else if (f->finding == FOUND_WRONG)
+    else if (f->outcome == OUTCOME_WRONG)
         fprintf(file, ", E = %s", error_text(f->score.E, number));
     fputc('\n', file);
-    if (!is_about_values(f->finding))
+    if (!is_about_values(f->outcome))
         return;
     for (int i = 0; i < s->input_count; i++)
         fprintf(file, "    %-10s %s%s%s\n", s->inputs[i]->name, x->inputs[i], has_unit(s->inputs[i]) ? " " : "",
@@ -144,24 +144,24 @@ static void exhibit_text(const struct exhibit *x, const struct tally *t, FILE *f
 }
 
 /* The first line that is no answer, and why it is none. */
-static void line_text(const struct tally *t, FILE *file)
+static void line_text(const struct summary *t, FILE *file)
 {
     char hint[240];
     if (*t->line == '\0')
         return;
-    line_hint(t->line, t->line_finding, hint, sizeof hint);
-    fprintf(file, "  first %s: %s\n", finding_names[t->line_finding], t->line);
+    line_hint(t->line, t->line_outcome, hint, sizeof hint);
+    fprintf(file, "  first %s: %s\n", outcome_names[t->line_outcome], t->line);
     if (*hint != '\0')
         fprintf(file, "    %s\n", hint);
 }
 
-static void failure_text(const struct exam *e, int k, FILE *file)
+static void failure_text(const struct test_run *e, int k, FILE *file)
 {
-    const struct tally *t = &e->tallies[k];
+    const struct summary *t = &e->summaries[k];
     char text[512];
-    findings_text(t, text, sizeof text);
-    fprintf(file, "%s: %s\n", k < e->questions.count ? e->judges[k].operation->section->id : "client", text);
-    if (k == e->questions.count) {
+    outcomes_text(t, text, sizeof text);
+    fprintf(file, "%s: %s\n", k < e->sets.count ? e->comparators[k].operation->section->id : "client", text);
+    if (k == e->sets.count) {
         line_text(t, file);
         return;
     }
@@ -172,7 +172,7 @@ static void failure_text(const struct exam *e, int k, FILE *file)
     line_text(t, file);
 }
 
-static void diagnosis_text(const struct tally *t, FILE *file)
+static void diagnosis_text(const struct summary *t, FILE *file)
 {
     if (t->diagnosis[0] != '\0')
         fprintf(file, "  looks like: %s\n", t->diagnosis);
@@ -182,65 +182,65 @@ static void diagnosis_text(const struct tally *t, FILE *file)
 
 /* ---- text ---- */
 
-static void row_text(const struct exam *e, int k, FILE *file)
+static void row_text(const struct test_run *e, int k, FILE *file)
 {
-    const struct tally *t = &e->tallies[k];
-    const struct section *s = e->judges[k].operation->section;
-    const struct course *c = &e->questions.courses[k];
+    const struct summary *t = &e->summaries[k];
+    const struct section *s = e->comparators[k].operation->section;
+    const struct test_set *c = &e->sets.all[k];
     char E[NUMBER], digits[NUMBER];
-    struct question q;
+    struct test_vector q;
     fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, s->id,
-            course_total(c), t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
+            test_set_total(c), t->counts[OUTCOME_RIGHT], summary_failed(t), t->counts[OUTCOME_SKIPPED]);
     if (t->worst == UINT64_MAX) {
         fputc('\n', file);
         return;
     }
-    question_init(&q);
-    question_make(&q, &e->questions, t->worst);
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, t->worst);
     fprintf(file, "  %8s  %6s  %s\n", is_motion(s) ? "-" : error_text(t->worst_E, E),
-            digits_text(tally_digits(e, k), digits), q.id);
-    question_clear(&q);
+            digits_text(summary_digits(e, k), digits), q.id);
+    test_vector_clear(&q);
 }
 
 /* A line for each reason that a client gave, with the operations that it gave it for first. */
-static void skips_text(const struct exam *e, FILE *file)
+static void skips_text(const struct test_run *e, FILE *file)
 {
-    for (int k = 0; k < e->questions.count; k++) {
-        const char *reason = e->tallies[k].reason;
+    for (int k = 0; k < e->sets.count; k++) {
+        const char *reason = e->summaries[k].reason;
         int first = 0;
-        while (strcmp(e->tallies[first].reason, reason) != 0)
+        while (strcmp(e->summaries[first].reason, reason) != 0)
             first++;
         if (*reason == '\0' || first < k)
             continue;
         fprintf(file, "\nskipped,%s:", reason);
-        for (int i = k; i < e->questions.count; i++)
-            if (strcmp(e->tallies[i].reason, reason) == 0)
-                fprintf(file, " %s", e->judges[i].operation->section->id);
+        for (int i = k; i < e->sets.count; i++)
+            if (strcmp(e->summaries[i].reason, reason) == 0)
+                fprintf(file, " %s", e->comparators[i].operation->section->id);
         fputc('\n', file);
     }
 }
 
 void report_text(const struct report *r, FILE *file)
 {
-    struct exam *e = r->exam;
+    struct test_run *e = r->run;
     const struct totals sum = report_totals(e);
     fputs("operation        vectors   passed  failed  skipped   worst E  digits  worst vector\n", file);
-    for (int k = 0; k < e->questions.count; k++)
+    for (int k = 0; k < e->sets.count; k++)
         row_text(e, k, file);
-    for (int k = 0; k <= e->questions.count; k++)
-        if (tally_failed(&e->tallies[k]) > 0) {
+    for (int k = 0; k <= e->sets.count; k++)
+        if (summary_failed(&e->summaries[k]) > 0) {
             fputc('\n', file);
             failure_text(e, k, file);
             fflush(file); /* an error stays with the file */
-            if (r->diagnose != NULL && k < e->questions.count)
+            if (r->diagnose != NULL && k < e->sets.count)
                 r->diagnose(e, k);
-            diagnosis_text(&e->tallies[k], file);
+            diagnosis_text(&e->summaries[k], file);
         }
     skips_text(e, file);
     if (*e->ended != '\0')
         fprintf(file, "\nthe client ended %s\n", e->ended);
     fprintf(file, "\n%" PRIu64 " vectors: %" PRIu64 " passed, %" PRIu64 " failed, %" PRIu64 " skipped\n",
-            e->questions.total, sum.passed, sum.failed, sum.skipped);
+            e->sets.total, sum.passed, sum.failed, sum.skipped);
 }
 
 /* ---- files ---- */
@@ -264,7 +264,7 @@ static void put_text(FILE *file, const char *text, bool xml)
 }
 
 /* A failing operation's text, escaped for XML. */
-static void put_failure(const struct exam *e, int k, FILE *file)
+static void put_failure(const struct test_run *e, int k, FILE *file)
 {
     char *text = NULL;
     size_t size;
@@ -272,7 +272,7 @@ static void put_failure(const struct exam *e, int k, FILE *file)
     if (stream == NULL)
         out_of_memory();
     failure_text(e, k, stream);
-    diagnosis_text(&e->tallies[k], stream);
+    diagnosis_text(&e->summaries[k], stream);
     if (fclose(stream) != 0)
         out_of_memory();
     put_text(file, text, true);
@@ -281,29 +281,29 @@ static void put_failure(const struct exam *e, int k, FILE *file)
 
 static void write_xml(const struct report *r, FILE *file)
 {
-    const struct exam *e = r->exam;
+    const struct test_run *e = r->run;
     int failures = 0, skipped = 0;
-    for (int k = 0; k <= e->questions.count; k++) {
-        const bool failed = tally_failed(&e->tallies[k]) > 0;
+    for (int k = 0; k <= e->sets.count; k++) {
+        const bool failed = summary_failed(&e->summaries[k]) > 0;
         failures += failed;
-        skipped += !failed && e->tallies[k].counts[FOUND_RIGHT] == 0 && k < e->questions.count;
+        skipped += !failed && e->summaries[k].counts[OUTCOME_RIGHT] == 0 && k < e->sets.count;
     }
     fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"", file);
     put_text(file, r->client, true);
-    fprintf(file, "\" tests=\"%d\" failures=\"%d\" errors=\"0\" skipped=\"%d\">\n", e->questions.count + 1,
+    fprintf(file, "\" tests=\"%d\" failures=\"%d\" errors=\"0\" skipped=\"%d\">\n", e->sets.count + 1,
             failures, skipped);
-    for (int k = 0; k <= e->questions.count; k++) {
-        const bool asked = k < e->questions.count;
+    for (int k = 0; k <= e->sets.count; k++) {
+        const bool asked = k < e->sets.count;
         fprintf(file, "<testcase classname=\"%s\" name=\"%s\">",
-                asked ? level_names[level_of(e->judges[k].operation->section)] : "client",
-                asked ? e->judges[k].operation->section->id : "client");
-        if (tally_failed(&e->tallies[k]) > 0) {
+                asked ? level_names[level_of(e->comparators[k].operation->section)] : "client",
+                asked ? e->comparators[k].operation->section->id : "client");
+        if (summary_failed(&e->summaries[k]) > 0) {
             char text[512];
-            findings_text(&e->tallies[k], text, sizeof text);
+            outcomes_text(&e->summaries[k], text, sizeof text);
             fprintf(file, "<failure message=\"%s\">", text);
             put_failure(e, k, file);
             fputs("</failure>", file);
-        } else if (asked && e->tallies[k].counts[FOUND_RIGHT] == 0) {
+        } else if (asked && e->summaries[k].counts[OUTCOME_RIGHT] == 0) {
             fputs("<skipped/>", file);
         }
         fputs("</testcase>\n", file);
@@ -313,29 +313,29 @@ static void write_xml(const struct report *r, FILE *file)
     fputs("</system-err>\n</testsuite>\n</testsuites>\n", file);
 }
 
-static void write_findings(const struct tally *t, FILE *file)
+static void write_outcomes(const struct summary *t, FILE *file)
 {
     const char *comma = "";
     fputs("\"findings\": {", file);
-    for (int i = FOUND_WRONG; i < FINDINGS; i++)
+    for (int i = OUTCOME_WRONG; i < OUTCOMES; i++)
         if (t->counts[i] > 0) {
-            fprintf(file, "%s\"%s\": %" PRIu64, comma, finding_names[i], t->counts[i]);
+            fprintf(file, "%s\"%s\": %" PRIu64, comma, outcome_names[i], t->counts[i]);
             comma = ", ";
         }
     fputc('}', file);
 }
 
 /* "vector": {...}, the worst failure: inputs as they were sent, all else as text. */
-static void write_exhibit(const struct exam *e, int k, FILE *file)
+static void write_exhibit(const struct test_run *e, int k, FILE *file)
 {
-    const struct tally *t = &e->tallies[k];
+    const struct summary *t = &e->summaries[k];
     const struct failure *f = &t->worst_failure;
-    const struct section *s = e->judges[k].operation->section;
+    const struct section *s = e->comparators[k].operation->section;
     struct exhibit x;
     char number[NUMBER];
     exhibit_init(&x, e, f->position);
-    fprintf(file, "\"vector\": {\"id\": \"%s\", \"finding\": \"%s\", ", x.question.id, finding_names[f->finding]);
-    if (f->finding == FOUND_WRONG)
+    fprintf(file, "\"vector\": {\"id\": \"%s\", \"finding\": \"%s\", ", x.vector.id, outcome_names[f->outcome]);
+    if (f->outcome == OUTCOME_WRONG)
         fprintf(file, "\"%s\": \"%s\", ", is_motion(s) ? "digits" : "E",
                 is_motion(s) ? digits_text(f->score.digits, number) : error_text(f->score.E, number));
     fputs("\"inputs\": {", file);
@@ -350,35 +350,35 @@ static void write_exhibit(const struct exam *e, int k, FILE *file)
     exhibit_clear(&x);
 }
 
-static void write_row(const struct exam *e, int k, FILE *file)
+static void write_row(const struct test_run *e, int k, FILE *file)
 {
-    const struct tally *t = &e->tallies[k];
-    const struct section *s = e->judges[k].operation->section;
+    const struct summary *t = &e->summaries[k];
+    const struct section *s = e->comparators[k].operation->section;
     char number[NUMBER];
-    const struct course *c = &e->questions.courses[k];
+    const struct test_set *c = &e->sets.all[k];
     fprintf(file, "    {\"id\": \"%s\", \"level\": \"%s\", \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64
             ", \"failed\": %" PRIu64 ", \"skipped\": %" PRIu64 ", ", s->id, level_names[level_of(s)],
-            course_total(c), t->counts[FOUND_RIGHT], tally_failed(t), t->counts[FOUND_SKIPPED]);
+            test_set_total(c), t->counts[OUTCOME_RIGHT], summary_failed(t), t->counts[OUTCOME_SKIPPED]);
     if (t->worst != UINT64_MAX) {
-        struct question q;
-        question_init(&q);
-        question_make(&q, &e->questions, t->worst);
+        struct test_vector q;
+        test_vector_init(&q);
+        test_vector_make(&q, &e->sets, t->worst);
         if (!is_motion(s))
-            fprintf(file, "\"K\": %g, \"worst_E\": \"%s\", ", e->judges[k].K, error_text(t->worst_E, number));
-        fprintf(file, "\"digits\": \"%s\", \"worst\": \"%s\", ", digits_text(tally_digits(e, k), number), q.id);
-        question_clear(&q);
+            fprintf(file, "\"K\": %g, \"worst_E\": \"%s\", ", e->comparators[k].K, error_text(t->worst_E, number));
+        fprintf(file, "\"digits\": \"%s\", \"worst\": \"%s\", ", digits_text(summary_digits(e, k), number), q.id);
+        test_vector_clear(&q);
     }
-    write_findings(t, file);
+    write_outcomes(t, file);
     if (*t->line != '\0') {
         char hint[240];
-        line_hint(t->line, t->line_finding, hint, sizeof hint);
-        fprintf(file, ", \"line\": {\"finding\": \"%s\", \"text\": \"", finding_names[t->line_finding]);
+        line_hint(t->line, t->line_outcome, hint, sizeof hint);
+        fprintf(file, ", \"line\": {\"finding\": \"%s\", \"text\": \"", outcome_names[t->line_outcome]);
         put_text(file, t->line, false);
         fputs("\", \"hint\": \"", file);
         put_text(file, hint, false);
         fputs("\"}", file);
     }
-    if (tally_failed(t) > 0) {
+    if (summary_failed(t) > 0) {
         fputs(", \"diagnosis\": \"", file);
         put_text(file, t->diagnosis, false);
         fputs("\", ", file);
@@ -389,19 +389,19 @@ static void write_row(const struct exam *e, int k, FILE *file)
 
 static void write_json(const struct report *r, FILE *file)
 {
-    const struct exam *e = r->exam;
+    const struct test_run *e = r->run;
     const struct totals sum = report_totals(e);
     fputs("{\n  \"client\": \"", file);
     put_text(file, r->client, false);
     fprintf(file, "\",\n  \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64 ", \"failed\": %" PRIu64
             ", \"skipped\": %" PRIu64 ", \"oracle_seconds\": %.3f,\n  \"operations\": [\n",
-            e->questions.total, sum.passed, sum.failed, sum.skipped, r->seconds);
-    for (int k = 0; k < e->questions.count; k++) {
+            e->sets.total, sum.passed, sum.failed, sum.skipped, r->seconds);
+    for (int k = 0; k < e->sets.count; k++) {
         write_row(e, k, file);
-        fputs(k + 1 < e->questions.count ? ",\n" : "\n", file);
+        fputs(k + 1 < e->sets.count ? ",\n" : "\n", file);
     }
     fputs("  ],\n  ", file);
-    write_findings(&e->tallies[e->questions.count], file);
+    write_outcomes(&e->summaries[e->sets.count], file);
     fputs(",\n  \"errors\": \"", file);
     put_text(file, r->errors, false);
     fputs("\"\n}\n", file);
@@ -435,7 +435,7 @@ static FILE *open_beside(const char *name, char *unfinished, size_t size)
 int report_write(const struct report *r, const char *name)
 {
     const size_t size = strlen(name) + 40;
-    char *unfinished = memory(NULL, size, 1);
+    char *unfinished = xrealloc(NULL, size, 1);
     FILE *file = open_beside(name, unfinished, size);
     int why = file == NULL ? errno : 0;
     if (file != NULL) {

@@ -1,4 +1,4 @@
-/* The report of an examination: a table and what failed as text, or a file for machines. */
+/* The report of a run: a table and what failed as text, or a file for machines. */
 #ifndef CT_REPORT_H
 #define CT_REPORT_H
 
@@ -7,22 +7,22 @@
 #include "conform/conform.h"
 
 struct report {
-    struct exam *exam;
+    struct test_run *run;
     const char *client;          /* its name, or the answers file's                    */
     const char *errors;          /* the last of its standard error                     */
     double seconds;              /* of processor time that the oracle took for itself  */
-    void (*diagnose)(struct exam *exam, int course); /* asked once what failed is written; NULL: nobody */
+    void (*diagnose)(struct test_run *run, int set); /* asked once what failed is written; NULL: nobody */
 };
 
 enum { LEVELS = 4 };
 extern const char *const level_names[LEVELS]; /* algebra, roots, flows, method */
 int level_of(const struct section *s);
 
-/* The sums of all tallies: questions right, findings that are failures, questions skipped. */
+/* The sums of all summaries: questions right, outcomes that are failures, questions skipped. */
 struct totals {
     uint64_t passed, failed, skipped;
 };
-struct totals report_totals(const struct exam *e);
+struct totals report_totals(const struct test_run *e);
 
 void report_text(const struct report *r, FILE *file);
 

@@ -9,7 +9,7 @@
 #include "proof/roots.h"
 #include "text/scope.h"
 
-enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16, TRUTH_BITS = 192 };
+enum { TRUTH_BITS = 192 };
 
 /* ---- sensitivities ---- */
 

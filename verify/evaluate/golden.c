@@ -13,7 +13,7 @@
 #include "evaluate/vectors.h"
 #include "text/decimal.h"
 
-enum { MOST_INPUTS = 40, RANDOM = 10 };
+enum { RANDOM = 10 };
 
 struct golden {
     struct operation o;

@@ -10,7 +10,7 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-enum { MOST_OUTPUTS = 16, GUARD_BITS = 64 };
+enum { GUARD_BITS = 64 };
 
 /* Beyond this no formula of the sheet should need to go; it is the end of a loop that has none else. */
 static const slong MOST_BITS = 400000;
@@ -192,8 +192,8 @@ static void look_times(fmpq *times, const fmpq_t t, const fmpq *h)
     }
 }
 
-static enum outcome enclose_flow(struct operation *o, const struct input *inputs, slong digits,
-                                 slong prec, arb_ptr outputs)
+static enum operation_status enclose_flow(struct operation *o, const struct input *inputs, slong digits,
+                                          slong prec, arb_ptr outputs)
 {
     const enum method method = o->section->method;
     const bool linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
@@ -232,13 +232,13 @@ static enum outcome enclose_flow(struct operation *o, const struct input *inputs
         status = rk4_nonlinear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
     if (!linear && status == FLOW_DONE)
         flow_settle(initial,
-                    is_static_place(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
-                                    input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1")),
+                    is_equilibrium(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
+                                   input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1")),
                     outputs);
     flow_parameters_clear(&p);
     if (status != FLOW_DONE)
         message_set(&o->why, "%s, last proved time %.6g s", flow_status_text(status), reached);
-    return status == FLOW_DONE ? OUTCOME_PROVED : OUTCOME_UNDECIDED;
+    return status == FLOW_DONE ? OPERATION_PROVED : OPERATION_UNDECIDED;
 }
 
 /* Radians of orbit that a motion covers: what its loss of digits grows with. */
@@ -261,28 +261,28 @@ slong operation_precision(const struct operation *o, const struct input *inputs,
     }
 }
 
-static enum outcome enclose(struct operation *o, const struct input *inputs, slong digits, slong prec,
-                            arb_ptr outputs)
+static enum operation_status enclose(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                                     arb_ptr outputs)
 {
     if (o->section->method != METHOD_FORMULA && o->section->method != METHOD_ROOTS)
         return enclose_flow(o, inputs, digits, prec, outputs);
     if (o->section->method == METHOD_ROOTS) {
         enclose_roots(inputs, prec, outputs);
-        return OUTCOME_PROVED;
+        return OPERATION_PROVED;
     }
     run_balls(o, inputs, prec);
     for (int i = 0; i < o->section->output_count; i++)
         arb_set(outputs + i, machine_value(&o->machine, o->formulas->outputs[i]));
-    return OUTCOME_PROVED;
+    return OPERATION_PROVED;
 }
 
-enum outcome operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs)
+enum operation_status operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs)
 {
     return enclose(o, inputs, (slong)((double)prec / 3.33), prec, outputs);
 }
 
-enum outcome operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
-                              arb_ptr outputs)
+enum operation_status operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                                       arb_ptr outputs)
 {
     return enclose(o, inputs, digits, prec, outputs);
 }
@@ -340,38 +340,38 @@ static bool is_beyond_decimals(struct operation *o, arb_srcptr balls, int i)
     return tiny || huge;
 }
 
-enum outcome operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs)
+enum operation_status operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs)
 {
     const int count = o->section->output_count;
     char *texts[MOST_OUTPUTS] = {NULL};
     if (!operation_valid(o, inputs))
-        return OUTCOME_INVALID;
+        return OPERATION_INVALID;
     VECTOR(arb, balls, count);
     slong prec = operation_precision(o, inputs, digits);
     const slong most = 8 * prec + MOST_BITS / 8;
     int left = count;
-    enum outcome outcome = OUTCOME_PROVED;
-    for (bool first = true; left > 0 && outcome == OUTCOME_PROVED; first = false, prec *= 2) {
-        outcome = prec > most ? OUTCOME_UNDECIDED : enclose(o, inputs, digits, prec, balls);
+    enum operation_status status = OPERATION_PROVED;
+    for (bool first = true; left > 0 && status == OPERATION_PROVED; first = false, prec *= 2) {
+        status = prec > most ? OPERATION_UNDECIDED : enclose(o, inputs, digits, prec, balls);
         if (prec > most)
             message_set(&o->why, "%s: %ld bits do not decide every digit", o->section->id, (long)most);
-        for (int i = 0; i < count && outcome == OUTCOME_PROVED; i++)
+        for (int i = 0; i < count && status == OPERATION_PROVED; i++)
             if (texts[i] == NULL)
                 texts[i] = decimal_of_ball(balls + i, digits);
-        for (int i = 0; i < count && outcome == OUTCOME_PROVED; i++)
+        for (int i = 0; i < count && status == OPERATION_PROVED; i++)
             if (texts[i] == NULL && is_beyond_decimals(o, balls, i))
-                outcome = OUTCOME_UNDECIDED;
+                status = OPERATION_UNDECIDED;
         left = unset(texts, count);
-        if (left > 0 && outcome == OUTCOME_PROVED && first) {
+        if (left > 0 && status == OPERATION_PROVED && first) {
             decide_exactly(o, inputs, digits, texts);
             left = unset(texts, count);
         }
     }
     for (int i = 0; i < count; i++) {
-        if (outcome == OUTCOME_PROVED)
+        if (status == OPERATION_PROVED)
             outputs[i] = texts[i];
         else
             free(texts[i]);
     }
-    return outcome;
+    return status;
 }

@@ -8,10 +8,10 @@
 
 #include "sheet/input.h"
 
-enum outcome {
-    OUTCOME_PROVED,
-    OUTCOME_INVALID,  /* the inputs lie outside the domain                          */
-    OUTCOME_UNDECIDED /* no certified value: the reason is in the operation's `why` */
+enum operation_status {
+    OPERATION_PROVED,
+    OPERATION_INVALID,  /* the inputs lie outside the domain                          */
+    OPERATION_UNDECIDED /* no certified value: the reason is in the operation's `why` */
 };
 
 struct operation {
@@ -33,17 +33,17 @@ bool operation_valid(struct operation *o, const struct input *inputs);
 slong operation_precision(const struct operation *o, const struct input *inputs, slong digits);
 
 /* Enclosures of all outputs from prec bits of working precision. */
-enum outcome operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs);
+enum operation_status operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs);
 
 /* The same of a motion, given up where it gets wider than so many digits of its largest coordinate. */
-enum outcome operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
-                              arb_ptr outputs);
+enum operation_status operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                                       arb_ptr outputs);
 
 /*
  * All outputs as decimals with that many significant digits, each correctly rounded; the caller frees
  * them. Nothing is set unless all are proved.
  */
-enum outcome operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs);
+enum operation_status operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs);
 
 /* The formulas in exact numbers: initialises the machine and runs it. */
 void operation_exact(struct machine *m, const struct operation *o, const struct input *inputs);

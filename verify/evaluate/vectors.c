@@ -13,8 +13,6 @@
 #include "text/progress.h"
 #include "text/scope.h"
 
-enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16 };
-
 void vectors_header(const struct section *s)
 {
     fputs("id", stdout);
@@ -137,7 +135,7 @@ bool vector_print(struct operation *o, const char *id, const char *const *texts,
     if (!vector_read(s, texts, inputs) || !operation_valid(o, inputs)) {
         flag = "invalid";
     } else {
-        fine = operation_digits(o, inputs, VECTOR_DIGITS, outputs) == OUTCOME_PROVED &&
+        fine = operation_digits(o, inputs, VECTOR_DIGITS, outputs) == OPERATION_PROVED &&
                (!operation_has_sensitivity(s) || sensitivity_texts(o, inputs, S));
         if (fine && s->method == METHOD_FORMULA && vector_leaves_range(o, inputs, BINARY64))
             flag = "range";

@@ -27,7 +27,7 @@ void program_clear(struct program *p)
 
 int program_append(struct program *p, enum operator op, int left, int right, slong exponent)
 {
-    p->nodes = memory(p->nodes, (size_t)p->count + 1, sizeof *p->nodes);
+    p->nodes = xrealloc(p->nodes, (size_t)p->count + 1, sizeof *p->nodes);
     struct node *node = &p->nodes[p->count];
     *node = (struct node){.op = op, .left = left, .right = right, .exponent = exponent};
     fmpq_init(&node->number);
@@ -72,7 +72,7 @@ int program_find(const struct program *p, const char *name)
 
 void program_name(struct program *p, int node, const char *name)
 {
-    p->names = memory(p->names, (size_t)p->named + 1, sizeof *p->names);
+    p->names = xrealloc(p->names, (size_t)p->named + 1, sizeof *p->names);
     p->names[p->named++] = (struct name){text_copy(name), node};
 }
 
@@ -107,8 +107,8 @@ void program_redirect(struct program *p, int node, int instead, int *wanted)
 
 int program_inline(struct program *p, const struct program *from, int node, const int *stand_in)
 {
-    int *copy = memory(NULL, (size_t)node + 1, sizeof *copy);
-    char *needed = memory(NULL, (size_t)node + 1, 1);
+    int *copy = xrealloc(NULL, (size_t)node + 1, sizeof *copy);
+    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
     program_needs(from, node, stand_in, needed);
     for (int i = 0; i <= node; i++) {
         const struct node *n = &from->nodes[i];
@@ -207,7 +207,7 @@ bool parse_word(struct parser *s, char word[LONGEST_NAME + 1])
 
 static int unknown_symbol(struct parser *s, const char *name)
 {
-    const char **known = memory(NULL, (size_t)s->program->named, sizeof *known);
+    const char **known = xrealloc(NULL, (size_t)s->program->named, sizeof *known);
     for (int i = 0; i < s->program->named; i++)
         known[i] = s->program->names[i].text;
     const char *near = nearest_name(name, known, (size_t)s->program->named);
@@ -399,8 +399,8 @@ static int node_rate(struct program *p, int i, int a, int b)
 
 int program_derivative(struct program *p, int node, const int *rate, int rates)
 {
-    int *derivative = memory(NULL, (size_t)node + 1, sizeof *derivative);
-    char *needed = memory(NULL, (size_t)node + 1, 1);
+    int *derivative = xrealloc(NULL, (size_t)node + 1, sizeof *derivative);
+    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
     program_needs(p, node, NULL, needed);
     for (int i = 0; i <= node; i++) {
         int left = p->nodes[i].left, right = p->nodes[i].right;
@@ -422,7 +422,7 @@ enum { SCRATCH = 2 };
 void machine_init(struct machine *m, const struct program *p, const struct arithmetic *a, slong prec)
 {
     *m = (struct machine){p, a, prec, NULL, p->count + SCRATCH};
-    m->values = memory(NULL, (size_t)m->count, a->size);
+    m->values = xrealloc(NULL, (size_t)m->count, a->size);
     for (int i = 0; i < m->count; i++)
         a->init(machine_value(m, i), prec);
     for (int i = 0; i < p->count; i++)
@@ -523,7 +523,7 @@ void machine_gradient(const struct machine *m, int node, struct machine *adjoint
 {
     const struct program *p = m->program;
     void *d = machine_value(adjoint, p->count), *e = machine_value(adjoint, p->count + 1);
-    char *reached = memory(NULL, (size_t)node + 1, 1);
+    char *reached = xrealloc(NULL, (size_t)node + 1, 1);
     SCOPE(fmpq, number);
     memset(reached, 0, (size_t)node + 1);
     for (int i = 0; i < p->count; i++)

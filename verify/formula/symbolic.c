@@ -42,7 +42,7 @@ void symbolic_begin(slong variables, slong more, bool loose)
     field.loose = loose;
     field.large = false;
     field.opaques = 0;
-    field.opaque = memory(NULL, (size_t)more + 1, sizeof *field.opaque);
+    field.opaque = xrealloc(NULL, (size_t)more + 1, sizeof *field.opaque);
     field.root_count = 0;
     field.start = clock();
 }
@@ -172,7 +172,7 @@ static void add_product(quotient *z, const quotient *x, const quotient *y, slong
 
 static quotient *series_new(slong terms)
 {
-    quotient *a = memory(NULL, (size_t)terms, sizeof *a);
+    quotient *a = xrealloc(NULL, (size_t)terms, sizeof *a);
     for (slong k = 0; k < terms; k++)
         fmpz_mpoly_q_init(a + k, CTX);
     return a;

@@ -18,7 +18,7 @@ void tex_add(struct tex *t, const char *format, ...)
     va_start(arguments, format);
     const int length = vsnprintf(NULL, 0, format, arguments);
     va_end(arguments);
-    t->text = memory(t->text, t->length + (size_t)length + 1, 1);
+    t->text = xrealloc(t->text, t->length + (size_t)length + 1, 1);
     va_start(arguments, format);
     vsnprintf(t->text + t->length, (size_t)length + 1, format, arguments);
     va_end(arguments);
@@ -169,7 +169,7 @@ static void collect(const struct program *p, int node, bool below, struct factor
         f->negative = true;
         collect(p, n->left, below, f);
     } else {
-        f->list = memory(f->list, (size_t)f->count + 1, sizeof *f->list);
+        f->list = xrealloc(f->list, (size_t)f->count + 1, sizeof *f->list);
         f->list[f->count++] = (struct factor){node, below};
     }
 }

@@ -87,7 +87,7 @@ bool rk4_in_reach(const struct flow_parameters *p, const fmpq *times, slong coun
 
 slong flow_precision(slong digits, double radians)
 {
-    /* Table 1 takes some 35 of the 60 bits (rests, growth, small coordinates); the others are for near zeros */
+    /* Table 1 takes some 35 of the 60 bits (remainders, growth, small coordinates); the others are for near zeros */
     return (slong)(log2(10) * (double)digits + 60 + 0.1 * fmin(fabs(radians), FLOW_REACH));
 }
 
@@ -99,7 +99,7 @@ slong rk4_precision(slong digits, double radians)
 
 /* ---- what symmetry keeps ---- */
 
-void flow_settle(arb_srcptr initial, bool static_place, arb_ptr state)
+void flow_settle(arb_srcptr initial, bool at_equilibrium, arb_ptr state)
 {
     bool zero[3]; /* the pair neither is nor moves off the origin along this axis */
     for (int i = 0; i < 3; i++)
@@ -109,11 +109,11 @@ void flow_settle(arb_srcptr initial, bool static_place, arb_ptr state)
             arb_zero(state + i);
             arb_zero(state + i + 3);
         }
-    if (static_place && zero[1] && zero[2] && arb_is_zero(initial + 3))
+    if (at_equilibrium && zero[1] && zero[2] && arb_is_zero(initial + 3))
         _arb_vec_set(state, initial, FLOW_STATE);
 }
 
-bool is_static_place(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1)
+bool is_equilibrium(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1)
 {
     SCOPE(fmpq, a, b);
     fmpq_add(a, m1, m2);

@@ -98,9 +98,9 @@ bool flow_wide(arb_srcptr state, slong bits);
 
 /*
  * What symmetry keeps for ever, and no enclosure can see: a pair in the orbit plane stays there, one
- * on the orbit normal too, and one at rest at its static place, x1 = +-L_ref m2/(m1 + m2), stays at rest.
+ * on the orbit normal too, and one at rest at its equilibrium, x1 = +-L_ref m2/(m1 + m2), stays at rest.
  */
-bool is_static_place(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1);
-void flow_settle(arb_srcptr initial, bool static_place, arb_ptr state);
+bool is_equilibrium(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1);
+void flow_settle(arb_srcptr initial, bool at_equilibrium, arb_ptr state);
 
 #endif

@@ -3,20 +3,20 @@
  *
  * Theorem (a step of length h). From every state of the set, and at every |s| <= h, the motion lies in
  *
- *     path(s) + J(s) e,   |e_j| <= reach_j,
+ *     path(s) + J(s) e,   |e_j| <= radius_j,
  *
  * where path is the motion from the set's centre, and J(s) encloses the derivatives of the motion along the
  * set's basis from all the states of a box around the set. This is the mean value theorem, entry by entry: the box is
  * convex, and what encloses derivatives encloses their averages. So at its end the set moves by path(h) and
- * J(h); and within the step a state lies within sum_j ||J_ij|| reach_j of the path. Both series end at some
+ * J(h); and within the step a state lies within sum_j ||J_ij|| radius_j of the path. Both series end at some
  * degree, and majorant_prove bounds what they leave out, for all the box and for all parameters within their
  * balls. No guess at where the motion goes is needed.
  *
  * The error terms, each with a test of its name in tests/test_steps.c:
- *   (F1) the remainder of the path                        (path_bound.rest, in path_at)
- *   (F2) of sum_j ||J_ij|| reach_j the degrees below n     (spread_bound.suffix, in state_at)
+ *   (F1) the remainder of the path                        (path_bound.remainder, in path_at)
+ *   (F2) of sum_j ||J_ij|| radius_j the degrees below n    (spread_bound.suffix, in state_at)
  *   (F3) ... degree n                                      (spread_bound.size)
- *   (F4) ... and the remainder                             (spread_bound.rest)
+ *   (F4) ... and the remainder                             (spread_bound.remainder)
  *   (F5) the remainder of J e at the step's end            (handed to lohner_move as its error)
  *   (F6) the box around the whole set, 1/|x| included, from which the derivatives start
  *   (F7) the balls of c1 and c2, in the path and in the derivatives
@@ -33,7 +33,7 @@
 
 enum {
     GUARD = 12,           /* bits: by then rounding adds 4 per cent to what the steps leave out, measured */
-    TUBE_ORDER = 12,      /* degree of the derivatives, which only steer the set: ...                     */
+    A_PRIORI_ORDER = 12,  /* degree of the derivatives, which only steer the set: ...                     */
     STEADY = 10,          /* ... to know them to 2^-10 will do                                            */
     LEAST_STEP = -32,     /* log2 of radians: shorter steps ...                                           */
     CLOSE = -7,           /* ... where r < 2^-7 r_ref are given up                                        */
@@ -50,8 +50,8 @@ struct flow {
     double proposed;                   /* a step, or 0: what the series propose                   */
     arf_t now;                         /* radians of orbit where the step starts; exact          */
     struct lohner set;
-    struct jet path, tube, column[FLOW_STATE]; /* from the centre, from the box, and its derivatives */
-    struct majorant path_bound, tube_bound, spread_bound; /* spread: |J| reach                   */
+    struct jet path, a_priori, column[FLOW_STATE]; /* from the centre, from the box, and its derivatives */
+    struct majorant path_bound, a_priori_bound, spread_bound; /* spread: |J| radius */
     arb_ptr power;                     /* s^k                                                    */
     arb_ptr state;                     /* the answer at s, ...                                   */
     arb_t s;                           /* ... radians after now                                  */
@@ -63,7 +63,7 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     f->bits = FLINT_MAX(prec - GUARD, 16);
     /* Work n^2/h for n terms is least at h = R/e^2, R the radius of convergence: e^-2n = 2^-bits. */
     const slong order = how->order != 0 ? how->order : (slong)(0.5 * log(2) * (double)f->bits) + 4;
-    const slong tube_order = how->derivative_order != 0 ? how->derivative_order : TUBE_ORDER;
+    const slong a_priori_order = how->derivative_order != 0 ? how->derivative_order : A_PRIORI_ORDER;
     f->proposed = how->step;
     f->proving = !how->unproved;
     arb_init(f->Omega);
@@ -74,13 +74,13 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     arf_init(f->now);
     lohner_init(&f->set);
     jet_init(&f->path, order);
-    jet_init(&f->tube, tube_order);
+    jet_init(&f->a_priori, a_priori_order);
     for (int j = 0; j < FLOW_STATE; j++)
-        jet_init(&f->column[j], tube_order);
+        jet_init(&f->column[j], a_priori_order);
     majorant_init(&f->path_bound, order);
-    majorant_init(&f->tube_bound, tube_order);
-    majorant_init(&f->spread_bound, tube_order);
-    f->power = _arb_vec_init(FLINT_MAX(order, tube_order) + 1);
+    majorant_init(&f->a_priori_bound, a_priori_order);
+    majorant_init(&f->spread_bound, a_priori_order);
+    f->power = _arb_vec_init(FLINT_MAX(order, a_priori_order) + 1);
     f->state = _arb_vec_init(FLOW_STATE);
     arb_init(f->s);
 }
@@ -89,13 +89,13 @@ static void flow_clear(struct flow *f)
 {
     arb_clear(f->s);
     _arb_vec_clear(f->state, FLOW_STATE);
-    _arb_vec_clear(f->power, FLINT_MAX(f->path.order, f->tube.order) + 1);
+    _arb_vec_clear(f->power, FLINT_MAX(f->path.order, f->a_priori.order) + 1);
     majorant_clear(&f->spread_bound);
-    majorant_clear(&f->tube_bound);
+    majorant_clear(&f->a_priori_bound);
     majorant_clear(&f->path_bound);
     for (int j = 0; j < FLOW_STATE; j++)
         jet_clear(&f->column[j]);
-    jet_clear(&f->tube);
+    jet_clear(&f->a_priori);
     jet_clear(&f->path);
     lohner_clear(&f->set);
     arf_clear(f->now);
@@ -123,7 +123,7 @@ static void set_problem(struct flow *f, const struct flow_parameters *p, arb_src
         arb_div(state + i, initial + i, i < HALF ? f->r_ref : f->speed, f->prec);
     lohner_from_box(&f->set, state);
     jet_constants(&f->path, f->c1, f->c2);
-    jet_constants(&f->tube, f->c1, f->c2);
+    jet_constants(&f->a_priori, f->c1, f->c2);
 }
 
 /* q = 1/|x| of the state whose coefficients 0 stand in the jet */
@@ -140,7 +140,7 @@ static void start_q(struct jet *jet, slong prec)
 /* Direction j of the basis, in which q = 1/|x| changes by -q^3 x.dx */
 static void start_column(struct flow *f, int j)
 {
-    arb_ptr const *c = f->tube.c;
+    arb_ptr const *c = f->a_priori.c;
     arb_ptr *d = f->column[j].c;
     arb_zero(d[FLOW_STATE]);
     for (int i = 0; i < FLOW_STATE; i++) {
@@ -163,12 +163,12 @@ static void expand(struct flow *f)
     VECTOR(arb, box, FLOW_STATE);
     lohner_to_box(box, &f->set);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_set_round(f->tube.c[i], box + i, LOHNER_BITS);
-    start_q(&f->tube, LOHNER_BITS);
-    jet_extend(&f->tube, LOHNER_BITS, 0);
+        arb_set_round(f->a_priori.c[i], box + i, LOHNER_BITS);
+    start_q(&f->a_priori, LOHNER_BITS);
+    jet_extend(&f->a_priori, LOHNER_BITS, 0);
     for (int j = 0; j < FLOW_STATE; j++) {
         start_column(f, j);
-        jet_extend_column(&f->column[j], &f->tube, LOHNER_BITS);
+        jet_extend_column(&f->column[j], &f->a_priori, LOHNER_BITS);
     }
 }
 
@@ -200,13 +200,13 @@ static double step_length(const struct flow *f)
 /* Whether the derivatives are known well enough to steer by; else each step would inflate the set. */
 static bool steady(const struct majorant *spread)
 {
-    SCOPE(mag, all, rest);
+    SCOPE(mag, all, remainder);
     for (int i = 0; i < FLOW_STATE; i++) {
         mag_max(all, all, spread->suffix[i]);
-        mag_max(rest, rest, spread->rest + i);
+        mag_max(remainder, remainder, spread->remainder + i);
     }
-    mag_mul_2exp_si(rest, rest, STEADY);
-    return mag_cmp(rest, all) <= 0;
+    mag_mul_2exp_si(remainder, remainder, STEADY);
+    return mag_cmp(remainder, all) <= 0;
 }
 
 /* Bounds on |s| <= step; false where it is too long for them. */
@@ -216,10 +216,10 @@ static bool prove(struct flow *f, double step)
     mag_set_d(h, step);
     mag_one(one);
     majorant_of(&f->path_bound, &f->path, one, 1, h);
-    majorant_of(&f->tube_bound, &f->tube, one, 1, h);
-    majorant_of(&f->spread_bound, f->column, f->set.reach, FLOW_STATE, h);
-    return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->tube_bound, NULL, h)
-                  && majorant_prove(&f->spread_bound, &f->tube_bound, h) && steady(&f->spread_bound);
+    majorant_of(&f->a_priori_bound, &f->a_priori, one, 1, h);
+    majorant_of(&f->spread_bound, f->column, f->set.radius, FLOW_STATE, h);
+    return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->a_priori_bound, NULL, h)
+                  && majorant_prove(&f->spread_bound, &f->a_priori_bound, h) && steady(&f->spread_bound);
 }
 
 /* The longest of step, step/2, ... that can be proved, or 0 */
@@ -239,7 +239,7 @@ static void path_at(const struct flow *f, arb_ptr state, const arb_t s)
     for (int i = 0; i < FLOW_STATE; i++) {
         arb_dot(state + i, NULL, 0, f->path.c[i], 1, f->power, 1, terms, f->prec);
         if (f->proving)
-            arb_add_error_mag(state + i, f->path_bound.rest + i);
+            arb_add_error_mag(state + i, f->path_bound.remainder + i);
     }
 }
 
@@ -252,7 +252,7 @@ static void state_at(const struct flow *f, arb_ptr state, const arb_t s)
         if (f->proving) {
             arb_add_error_mag(state + i, spread->suffix[i]); /* below degree n, ... */
             arb_add_error_mag(state + i, spread->size[i] + spread->order);
-            arb_add_error_mag(state + i, spread->rest + i);
+            arb_add_error_mag(state + i, spread->remainder + i);
         }
         arb_mul(state + i, state + i, i < HALF ? f->r_ref : f->speed, f->prec);
     }
@@ -270,13 +270,13 @@ static bool advance(struct flow *f, double step)
     arf_add(f->now, f->now, arb_midref(s), ARF_PREC_EXACT, ARF_RND_DOWN);
     path_at(f, image, s);
     if (f->proving) {
-        const slong terms = f->tube.order + 1;
+        const slong terms = f->a_priori.order + 1;
         _arb_vec_set_powers(f->power, s, terms, LOHNER_BITS);
         for (int i = 0; i < FLOW_STATE; i++)
             for (int j = 0; j < FLOW_STATE; j++)
                 arb_dot(arb_mat_entry(derivative, i, j), NULL, 0, f->column[j].c[i], 1, f->power, 1, terms,
                         LOHNER_BITS);
-        bounded = lohner_move(&f->set, image, derivative, f->spread_bound.rest, LOHNER_BITS);
+        bounded = lohner_move(&f->set, image, derivative, f->spread_bound.remainder, LOHNER_BITS);
     } else {
         lohner_from_box(&f->set, image);
     }

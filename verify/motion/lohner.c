@@ -15,21 +15,21 @@ typedef double matrix[N][N];
 void lohner_init(struct lohner *set)
 {
     set->centre = _arb_vec_init(N);
-    set->reach = _mag_vec_init(N);
+    set->radius = _mag_vec_init(N);
     memset(set->basis, 0, sizeof set->basis);
 }
 
 void lohner_clear(struct lohner *set)
 {
     _arb_vec_clear(set->centre, N);
-    _mag_vec_clear(set->reach, N);
+    _mag_vec_clear(set->radius, N);
 }
 
 void lohner_from_box(struct lohner *set, arb_srcptr box)
 {
     for (int i = 0; i < N; i++) {
         arb_get_mid_arb(set->centre + i, box + i);
-        mag_set(set->reach + i, arb_radref(box + i));
+        mag_set(set->radius + i, arb_radref(box + i));
         for (int j = 0; j < N; j++)
             set->basis[i][j] = i == j;
     }
@@ -42,7 +42,7 @@ void lohner_to_box(arb_ptr box, const struct lohner *set)
         arb_set(box + i, set->centre + i);
         for (int j = 0; j < N; j++) {
             mag_set_d(entry, set->basis[i][j]); /* its absolute value, upward */
-            mag_addmul(arb_radref(box + i), entry, set->reach + j);
+            mag_addmul(arb_radref(box + i), entry, set->radius + j);
         }
     }
 }
@@ -88,7 +88,7 @@ static void orthonormalise(matrix basis, matrix a)
     }
 }
 
-/* A basis along the images of the old directions, the one of longest reach first: it suffers least. */
+/* A basis along the images of the old directions, the one of longest radius first: it suffers least. */
 static void choose_basis(struct lohner *set, const arb_mat_t derivative)
 {
     matrix sorted;
@@ -98,7 +98,7 @@ static void choose_basis(struct lohner *set, const arb_mat_t derivative)
     for (int j = 0; j < N; j++) {
         for (int i = 0; i < N; i++) {
             arb_get_mag(entry, arb_mat_entry(derivative, i, j));
-            mag_addmul(length + j, entry, set->reach + j);
+            mag_addmul(length + j, entry, set->radius + j);
         }
         for (int k = 0; k < j; k++)
             place[mag_cmp(length + k, length + j) >= 0 ? j : k]++;
@@ -122,22 +122,22 @@ static void add_absolute(mag_ptr sum, const arb_mat_t a, mag_srcptr x)
 }
 
 /*
- * Theorem. With image = centre' + radius: derivative e + radius + error = basis' e' where
- * e' = basis'^-1 derivative e + basis'^-1 (radius + error), for any regular basis'. Its choice, in double
+ * Theorem. With image = centre' + ball: derivative e + ball + error = basis' e' where
+ * e' = basis'^-1 derivative e + basis'^-1 (ball + error), for any regular basis'. Its choice, in double
  * precision, decides how sharp the set is, never whether it holds the image: the inverse is enclosed.
  *
  * The error terms, each with a test of its name in tests/test_lohner.c:
- *   (L1) |basis'^-1 derivative| reach, of all directions   (L2) the radii of that product
- *   (L3) |basis'^-1| times the radius of the image         (L4) and times the error
+ *   (L1) |basis'^-1 derivative| radius, of all directions  (L2) the radii of that product
+ *   (L3) |basis'^-1| times the image's own ball            (L4) and times the error
  *   (L5) the radii of the inverse
  *   (L6) a box becomes a set with all its radii            (lohner_from_box)
- *   (L7) a set becomes a box by |basis| reach, upward      (lohner_to_box)
- *   (L8) a basis without an inverse, or a reach that is not finite, is no set
+ *   (L7) a set becomes a box by |basis| radius, upward     (lohner_to_box)
+ *   (L8) a basis without an inverse, or a radius that is not finite, is no set
  */
 bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivative, mag_srcptr error, slong prec)
 {
     arb_mat_t basis, unit, inverse, turned;
-    mag_ptr loose = _mag_vec_init(N), reach = _mag_vec_init(N);
+    mag_ptr loose = _mag_vec_init(N), radius = _mag_vec_init(N);
     arb_mat_init(basis, N, N);
     arb_mat_init(unit, N, N);
     arb_mat_init(inverse, N, N);
@@ -153,11 +153,11 @@ bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivativ
     arb_mat_one(unit);
     bool bounded = arb_mat_solve_lu(inverse, basis, unit, prec); /* elimination keeps zeros */
     arb_mat_mul(turned, inverse, derivative, prec);
-    add_absolute(reach, turned, set->reach);
-    add_absolute(reach, inverse, loose);
+    add_absolute(radius, turned, set->radius);
+    add_absolute(radius, inverse, loose);
     for (int i = 0; i < N; i++) {
-        mag_swap(set->reach + i, reach + i);
-        bounded = bounded && mag_is_finite(set->reach + i);
+        mag_swap(set->radius + i, radius + i);
+        bounded = bounded && mag_is_finite(set->radius + i);
     }
 
     arb_mat_clear(basis);
@@ -165,6 +165,6 @@ bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivativ
     arb_mat_clear(inverse);
     arb_mat_clear(turned);
     _mag_vec_clear(loose, N);
-    _mag_vec_clear(reach, N);
+    _mag_vec_clear(radius, N);
     return bounded;
 }

@@ -12,11 +12,11 @@
 
 enum { LOHNER_SIZE = 6, LOHNER_BITS = 64 };
 
-/* { centre + basis e : |e_j| <= reach_j }; centre and basis are exact */
+/* { centre + basis e : |e_j| <= radius_j }; centre and basis are exact */
 struct lohner {
     arb_ptr centre;
     double basis[LOHNER_SIZE][LOHNER_SIZE];
-    mag_ptr reach;
+    mag_ptr radius;
 };
 
 void lohner_init(struct lohner *set);

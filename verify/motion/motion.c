@@ -7,46 +7,46 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-const char *const setting_names[SETTINGS] = {
+const char *const scenario_names[SCENARIO_VALUES] = {
     "m1",  "m2",    "L_ref", "k_c",     "Omega",     "n",      "C1", "C2", "psi", "theta",
     "dL", "psi_dot", "theta_dot", "dL_dot", "x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
 
-/* ---- settings ---- */
+/* ---- scenario ---- */
 
-void setting_init(struct setting *s, bool exact)
+void scenario_init(struct scenario *s, bool exact)
 {
-    *s = (struct setting){.exact = exact};
-    for (int i = 0; i < SETTINGS; i++) {
-        const char *value = quantity_find(sheet(), setting_names[i])->value;
+    *s = (struct scenario){.exact = exact};
+    for (int i = 0; i < SCENARIO_VALUES; i++) {
+        const char *value = quantity_find(sheet(), scenario_names[i])->value;
         fmpq_init(&s->value[i].value);
         if (value != NULL)
             literal_read(&s->value[i].value, value, exact);
     }
 }
 
-void setting_clear(struct setting *s)
+void scenario_clear(struct scenario *s)
 {
-    for (int i = 0; i < SETTINGS; i++)
+    for (int i = 0; i < SCENARIO_VALUES; i++)
         fmpq_clear(&s->value[i].value);
 }
 
-static bool is_positive(const struct setting *s, enum setting_name name)
+static bool is_positive(const struct scenario *s, enum scenario_name name)
 {
     return fmpq_sgn(&s->value[name].value) > 0;
 }
 
-static bool cartesian(const struct setting *s)
+static bool cartesian(const struct scenario *s)
 {
     return s->given[SET_x1];
 }
 
-bool setting_valid(const struct setting *s, bool nonlinear, struct message *why)
+bool scenario_valid(const struct scenario *s, bool nonlinear, struct message *why)
 {
-    static const enum setting_name positive[] = {SET_Omega, SET_L_ref, SET_k_c, SET_m1, SET_m2};
+    static const enum scenario_name positive[] = {SET_Omega, SET_L_ref, SET_k_c, SET_m1, SET_m2};
     const fmpq *const value = &s->value[SET_n].value;
     for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
         if (!is_positive(s, positive[i])) {
-            message_set(why, "%s: expected a number > 0", setting_names[positive[i]]);
+            message_set(why, "%s: expected a number > 0", scenario_names[positive[i]]);
             return false;
         }
     if (!s->given[SET_C1] && !s->given[SET_C2] && fmpq_cmp_si(value, 9) < 0) {
@@ -68,12 +68,12 @@ bool setting_valid(const struct setting *s, bool nonlinear, struct message *why)
 
 /* ---- parameters and initial states, derived without rounding ---- */
 
-static void get(arb_t x, const struct setting *s, enum setting_name name, slong prec)
+static void get(arb_t x, const struct scenario *s, enum scenario_name name, slong prec)
 {
     arb_set_fmpq(x, &s->value[name].value, prec);
 }
 
-static void derive_parameters(struct flow_parameters *p, const struct setting *s, slong prec)
+static void derive_parameters(struct flow_parameters *p, const struct scenario *s, slong prec)
 {
     arb_ptr gain_inputs = _arb_vec_init(2); /* of Eqs. (43) and (44): Omega, n */
     get(p->Omega, s, SET_Omega, prec);
@@ -96,13 +96,13 @@ static void derive_parameters(struct flow_parameters *p, const struct setting *s
 
 static void derive_initial(arb_ptr initial, const struct motion *m, slong prec)
 {
-    const struct setting *s = m->setting;
+    const struct scenario *s = m->scenario;
     if (!m->nonlinear || cartesian(s)) {
         for (int i = 0; i < FLOW_STATE; i++)
-            get(initial + i, s, (enum setting_name)((m->nonlinear ? SET_x1 : SET_psi) + i), prec);
+            get(initial + i, s, (enum scenario_name)((m->nonlinear ? SET_x1 : SET_psi) + i), prec);
         return;
     }
-    static const enum setting_name order[] = {SET_m1,     SET_m2,      SET_L_ref, SET_psi, SET_theta,
+    static const enum scenario_name order[] = {SET_m1,     SET_m2,      SET_L_ref, SET_psi, SET_theta,
                                               SET_dL_dot, SET_psi_dot, SET_theta_dot};
     arb_ptr inputs = _arb_vec_init(8); /* m1 m2 L psi theta, and L_dot psi_dot theta_dot */
     SCOPE(arb, dL);
@@ -162,7 +162,7 @@ struct pass {
     arb_ptr initial;
     slong prec, most; /* working precision, and where trying ends */
     slong done;       /* rows that the receiver has               */
-    bool static_place, undecided, stopped;
+    bool at_equilibrium, undecided, stopped;
     bool outside;     /* Q_ref + dQ >= 0 at the row behind those      */
     row_receiver *receive;
     void *context;
@@ -173,7 +173,7 @@ static int row_balls(struct pass *p, arb_srcptr state, arb_ptr row)
     const struct motion *m = p->motion;
     _arb_vec_set(row, state, FLOW_STATE);
     if (m->nonlinear)
-        flow_settle(p->initial, p->static_place, row);
+        flow_settle(p->initial, p->at_equilibrium, row);
     if (m->charges) {
         SCOPE(arb, product);
         charges(row + FLOW_STATE, product, &p->parameters, row, p->prec);
@@ -219,7 +219,7 @@ static int take_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
 static enum flow_status one_pass(struct pass *p, const fmpq *times, slong count, double *reached)
 {
     const struct motion *m = p->motion;
-    derive_parameters(&p->parameters, m->setting, p->prec);
+    derive_parameters(&p->parameters, m->scenario, p->prec);
     derive_initial(p->initial, m, p->prec);
     p->undecided = false;
     if (m->h != NULL && m->nonlinear)
@@ -234,7 +234,7 @@ static enum flow_status one_pass(struct pass *p, const fmpq *times, slong count,
 }
 
 /* Nothing displaced, in the angles; or x1 exactly where the static formation has it. */
-static bool starts_in_place(const struct setting *s)
+static bool starts_in_place(const struct scenario *s)
 {
     bool same = true;
     if (!cartesian(s)) {
@@ -242,8 +242,8 @@ static bool starts_in_place(const struct setting *s)
             same = same && fmpq_is_zero(&s->value[i].value);
         return same;
     }
-    return is_static_place(&s->value[SET_m1].value, &s->value[SET_m2].value,
-                           &s->value[SET_L_ref].value, &s->value[SET_x1].value);
+    return is_equilibrium(&s->value[SET_m1].value, &s->value[SET_m2].value,
+                          &s->value[SET_L_ref].value, &s->value[SET_x1].value);
 }
 
 static int ignore_row(void *context, slong k, const fmpq_t t, char *const *numbers)
@@ -268,7 +268,7 @@ static void find_crossing(const struct pass *found, fmpq_t before, fmpq_t after)
     SCOPE(fmpq, tenth);
     m.digits = 9; /* a millionth of a step and some to spare */
     for (int cut = 0; cut < 6 && m.h == NULL; cut++) {
-        struct pass p = {.motion = &m, .static_place = found->static_place, .receive = ignore_row};
+        struct pass p = {.motion = &m, .at_equilibrium = found->at_equilibrium, .receive = ignore_row};
         double reached;
         for (int i = 0; i <= 10; i++) {
             fmpq_sub(times + i, after, before);
@@ -303,7 +303,7 @@ static void say_crossing(const struct pass *p, const fmpq *times, struct message
 static enum flow_status passes(struct pass *p, const fmpq *times, slong count, double *reached)
 {
     const struct motion *m = p->motion;
-    const double Omega = fmpq_get_d(&m->setting->value[SET_Omega].value);
+    const double Omega = fmpq_get_d(&m->scenario->value[SET_Omega].value);
     const double radians = count == 0 ? 0.0 : fabs(Omega * fmpq_get_d(times + count - 1));
     enum flow_status status;
     flow_parameters_init(&p->parameters);
@@ -322,7 +322,7 @@ static enum flow_status passes(struct pass *p, const fmpq *times, slong count, d
 int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
                 void *context, struct message *why)
 {
-    struct pass p = {.motion = m, .static_place = starts_in_place(m->setting), .receive = receive,
+    struct pass p = {.motion = m, .at_equilibrium = starts_in_place(m->scenario), .receive = receive,
                      .context = context};
     double reached = 0.0;
     enum flow_status status = passes(&p, times, count, &reached);

@@ -9,27 +9,27 @@
 #include "motion/flow.h"
 #include "sheet/input.h"
 
-enum setting_name {
+enum scenario_name {
     SET_m1, SET_m2, SET_L_ref, SET_k_c, SET_Omega, SET_n, SET_C1, SET_C2,
     SET_psi, SET_theta, SET_dL, SET_psi_dot, SET_theta_dot, SET_dL_dot,
     SET_x1, SET_y1, SET_z1, SET_x1_dot, SET_y1_dot, SET_z1_dot,
-    SETTINGS
+    SCENARIO_VALUES
 };
 
-struct setting {
-    struct input value[SETTINGS];
-    bool given[SETTINGS];  /* replaced by the user */
+struct scenario {
+    struct input value[SCENARIO_VALUES];
+    bool given[SCENARIO_VALUES];  /* replaced by the user */
     bool exact;            /* defaults are the decimals themselves, not the nearest binary64 */
 };
 
-extern const char *const setting_names[SETTINGS];
+extern const char *const scenario_names[SCENARIO_VALUES];
 
 /* The sheet's values: Table 1, n = 10, the initial attitude and length error. */
-void setting_init(struct setting *s, bool exact);
-void setting_clear(struct setting *s);
+void scenario_init(struct scenario *s, bool exact);
+void scenario_clear(struct scenario *s);
 
 /* False, and why, where a value lies outside its domain. Wrong combinations are the caller's business. */
-bool setting_valid(const struct setting *s, bool nonlinear, struct message *why);
+bool scenario_valid(const struct scenario *s, bool nonlinear, struct message *why);
 
 /* A row holds the state, and for a nonlinear motion q1 and q2 behind it. */
 enum { ROW_NUMBERS = FLOW_STATE + 2 };
@@ -38,7 +38,7 @@ enum { ROW_NUMBERS = FLOW_STATE + 2 };
 typedef int row_receiver(void *context, slong k, const fmpq_t t, char *const *numbers);
 
 struct motion {
-    const struct setting *setting;
+    const struct scenario *scenario;
     bool nonlinear, charges;  /* q1 and q2 too, */
     bool microcoulomb;        /* ... in this unit */
     bool small_angles;        /* a linear motion's x1 y1 z1 through eq10lin, in place of the angles */

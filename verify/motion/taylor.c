@@ -133,7 +133,7 @@ void majorant_init(struct majorant *m, slong order)
         m->suffix[v] = _mag_vec_init(order + 1);
     }
     m->tail = _mag_vec_init(JET_ALL);
-    m->rest = _mag_vec_init(JET_STATES);
+    m->remainder = _mag_vec_init(JET_STATES);
     m->cross = _mag_vec_init(JET_TERMS);
 }
 
@@ -144,7 +144,7 @@ void majorant_clear(struct majorant *m)
         _mag_vec_clear(m->suffix[v], m->order + 1);
     }
     _mag_vec_clear(m->tail, JET_ALL);
-    _mag_vec_clear(m->rest, JET_STATES);
+    _mag_vec_clear(m->remainder, JET_STATES);
     _mag_vec_clear(m->cross, JET_TERMS);
 }
 
@@ -185,12 +185,12 @@ static void add_tail(mag_t sum, const struct majorant *ma, int a, const struct m
     mag_addmul(sum, ma->tail + a, mb->tail + b);
 }
 
-/* Rests of the states such that the solution's keep below `image` wherever they keep below m->rest. */
-static void rest_image(mag_ptr image, struct majorant *m, const struct majorant *base,
-                       const mag_t factor)
+/* Remainders of the states such that the solution's keep below `image` wherever they keep below m->remainder. */
+static void remainder_image(mag_ptr image, struct majorant *m, const struct majorant *base,
+                            const mag_t factor)
 {
     for (int v = 0; v < JET_STATES; v++) {
-        mag_add(m->tail + v, m->size[v] + m->order, m->rest + v);
+        mag_add(m->tail + v, m->size[v] + m->order, m->remainder + v);
         mag_zero(image + v);
     }
     for (int v = JET_STATES; v < JET_SERIES; v++)
@@ -210,21 +210,21 @@ static void rest_image(mag_ptr image, struct majorant *m, const struct majorant 
         mag_mul(image + v, image + v, factor);
 }
 
-static bool below(mag_srcptr image, mag_srcptr rest)
+static bool below(mag_srcptr image, mag_srcptr remainder)
 {
     for (int v = 0; v < JET_STATES; v++)
-        if (mag_is_inf(image + v) || mag_cmp(image + v, rest + v) > 0)
+        if (mag_is_inf(image + v) || mag_cmp(image + v, remainder + v) > 0)
             return false;
     return true;
 }
 
 /*
- * Theorem (the rest of a series). With ||ab|| <= ||a|| ||b||, the tail of a product is at most
+ * Theorem (the remainder of a series). With ||ab|| <= ||a|| ||b||, the tail of a product is at most
  * cross + ||a|| t_b + t_a ||b|| + t_a t_b, which does not decrease in t. Coefficient k+1 of a state is
  * coefficient k of its rate over k+1, so the terms of a state beyond degree n sum to at most h/(n+1) times
- * the tail of its rate. This takes bounds rho of the rests to bounds G(rho), and G is monotone.
+ * the tail of its rate. This takes bounds rho of the remainders to bounds G(rho), and G is monotone.
  *
- * If G(rho) <= rho, then the rests of the solution are at most G(rho). For let its terms of degrees n+1 ... K
+ * If G(rho) <= rho, then the remainders of the solution are at most G(rho). For let its terms of degrees n+1 ... K
  * sum to at most rho; those of degrees n+1 ... K+1 come from coefficients of the rates to degree K, thus
  * from coefficients of the states to degree K, and sum to at most G(rho) <= rho: induction on K, from
  * K = n where the sum is empty. So the series converge absolutely on |s| <= h, and their sum solves the
@@ -236,7 +236,7 @@ static bool below(mag_srcptr image, mag_srcptr rest)
  * The error terms, each with a test of its name in tests/test_taylor.c:
  *   (T1) cross: the known terms' products from degree n on          (add_cross)
  *   (T2) ||a|| t_b   (T3) t_a ||b||   (T4) t_a t_b                   (add_tail)
- *   (T5) of a state's tail the term of degree n   (T6) and its rest  (rest_image)
+ *   (T5) of a state's tail the term of degree n   (T6) and its remainder  (remainder_image)
  *   (T7) the factor h/(n+1)
  *   (T8) of columns both da b and a db, in cross and in tails
  *   (T9) of a sum of columns each, under its weight                  (majorant_of)
@@ -260,14 +260,14 @@ bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t
             add_cross(m->cross + t, base, f->a, m, f->b);
     }
     for (int v = 0; v < JET_STATES; v++)
-        mag_zero(m->rest + v);
+        mag_zero(m->remainder + v);
 
     bool proved = false;
     for (int attempt = 0; attempt < ATTEMPTS && !proved; attempt++) {
-        rest_image(image, m, base, factor);
-        proved = below(image, m->rest);
+        remainder_image(image, m, base, factor);
+        proved = below(image, m->remainder);
         for (int v = 0; v < JET_STATES; v++)
-            mag_mul_2exp_si(m->rest + v, image + v, proved ? 0 : 1);
+            mag_mul_2exp_si(m->remainder + v, image + v, proved ? 0 : 1);
     }
     return proved;
 }

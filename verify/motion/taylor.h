@@ -47,7 +47,7 @@ struct jet {
 
 /*
  * Bounds on |s| <= h in the norm ||a|| = sum |a_k| h^k. Known are the terms below degree n (of states,
- * degree n too); tail bounds those from n on, rest those of a state beyond n.
+ * degree n too); tail bounds those from n on, remainder those of a state beyond n.
  */
 struct majorant {
     slong order;
@@ -55,7 +55,7 @@ struct majorant {
     mag_ptr size[JET_ALL];   /* size[v][k] >= |a_k| h^k                   */
     mag_ptr suffix[JET_ALL]; /* suffix[v][k] >= sum of size[v][k ... n-1] */
     mag_ptr cross;           /* of a product: what its known terms make from degree n on */
-    mag_ptr tail, rest;
+    mag_ptr tail, remainder;
 };
 
 /* order >= 1 */
@@ -75,13 +75,13 @@ void jet_extend_column(struct jet *column, const struct jet *jet, slong prec);
 void majorant_init(struct majorant *m, slong order);
 void majorant_clear(struct majorant *m);
 
-/* The majorant of sum_j weight_j |jet_j|; one jet of weight 1, or columns under the reach of each. */
+/* The majorant of sum_j weight_j |jet_j|; one jet of weight 1, or columns under the radius of each. */
 void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights, slong count,
                  const mag_t h);
 
 /*
- * Proves a bound on the rests; false when h is too long for it. `base` is NULL for a jet, and for columns
- * the majorant of the jet that they belong to, its rests proved.
+ * Proves a bound on the remainders; false when h is too long for it. `base` is NULL for a jet, and for columns
+ * the majorant of the jet that they belong to, its remainders proved.
  */
 bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t h);
 

@@ -1,6 +1,6 @@
 /*
  * The pair in the Earth's inverse-square field, each craft on its own: the motion of which the paper's Eq. (2) keeps
- * the part linear in L/R_c. Measured, not proved: the balls hold all rounding, but the Taylor steps' rests are
+ * the part linear in L/R_c. Measured, not proved: the balls hold all rounding, but the Taylor steps' remainders are
  * taken to be as small as their last terms.
  */
 #ifndef CT_TWO_BODY_H

@@ -174,7 +174,7 @@ static bool refuse(const struct table *table, const yaml_node_t *at, const char 
     char text[300];
     document.why = &table->b->fault;
     snprintf(text, sizeof text, format, a, b);
-    return mistake(&document, at, 0, "step %s: %s", table->s->id, text);
+    return parse_error(&document, at, 0, "step %s: %s", table->s->id, text);
 }
 
 static const yaml_node_t *item(const struct table *table, const char *key, int i)
@@ -272,7 +272,7 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
 {
     enum { BITS = 256 };
     const struct program *p = &u->formulas->program;
-    char *needed = memory(NULL, (size_t)p->count, 1);
+    char *needed = xrealloc(NULL, (size_t)p->count, 1);
     slong rows[MOST_BOUND], count = 0;
     struct machine m, adjoint;
     arb_mat_t J, transposed, square;
@@ -326,7 +326,7 @@ static bool is_general(struct table *table, int to, const struct entry_part *par
 static bool is_equivalent(const struct program *p, int wanted, enum change change, int node)
 {
     struct program both, altered;
-    int *stand_in = memory(NULL, (size_t)p->count, sizeof *stand_in);
+    int *stand_in = xrealloc(NULL, (size_t)p->count, sizeof *stand_in);
     program_copy(&both, p);
     program_copy(&altered, p);
     for (int i = 0; i < p->count; i++)
@@ -353,8 +353,8 @@ static bool is_zero(const struct program *p, int node)
 static char *nodes_spoken_of(const struct table *table, const struct program *p, int wanted)
 {
     const struct program *own = &table->s->corrected.program;
-    int *open = memory(NULL, (size_t)p->count, sizeof *open);
-    char *spoken = memory(NULL, (size_t)p->count, 1);
+    int *open = xrealloc(NULL, (size_t)p->count, sizeof *open);
+    char *spoken = xrealloc(NULL, (size_t)p->count, 1);
     for (int i = 0; i < p->count; i++)
         open[i] = i < p->inputs ? 0 : -1;
     for (int i = 0; i < p->named; i++) {
@@ -472,7 +472,7 @@ static void note_names(struct table *table)
 {
     const struct identities *t = &table->s->corrected;
     const struct program *p = &t->program;
-    char *needed = memory(NULL, (size_t)p->count * (size_t)t->shown_count, 1), *one = memory(NULL, (size_t)p->count, 1);
+    char *needed = xrealloc(NULL, (size_t)p->count * (size_t)t->shown_count, 1), *one = xrealloc(NULL, (size_t)p->count, 1);
     memset(needed, 0, (size_t)p->count * (size_t)t->shown_count);
     for (int i = 0; i < 2 * t->shown_count; i++) {
         const int side = i % 2 ? t->shown[i / 2].left : t->shown[i / 2].right;

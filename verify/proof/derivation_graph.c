@@ -58,7 +58,7 @@ static struct ground *add_open(const struct derivations *d, struct ground *g, in
                 bool known = false;
                 for (int j = 0; j < *count; j++)
                     known = known || same_part(&g[j].part, &parts[0]);
-                g = memory(g, (size_t)*count + 1, sizeof *g);
+                g = xrealloc(g, (size_t)*count + 1, sizeof *g);
                 g[*count] = (struct ground){.part = parts[0]};
                 *count += !known;
             }
@@ -80,7 +80,7 @@ const char *derivations_gap(const struct derivations *d)
             for (int j = 0; j < most; j++) {
                 if (parts[j].section != s || strcmp(parts[j].equation, s->equations[k]) != 0)
                     continue;
-                g = memory(g, (size_t)count + 1, sizeof *g);
+                g = xrealloc(g, (size_t)count + 1, sizeof *g);
                 g[count++] = (struct ground){.part = parts[j]};
             }
         }

@@ -14,11 +14,11 @@ static bool read_formulas(struct document *d, const yaml_node_t *mapping, struct
         struct message expected = {""};
         size_t where = 0;
         if (scalar(formula) == NULL)
-            return mistake(d, formula, 0, "expected a formula");
+            return parse_error(d, formula, 0, "expected a formula");
         const int count = f->program.count;
         int node = program_parse(&f->program, scalar(formula), &where, &expected);
         if (node < 0)
-            return mistake(d, formula, where, "%s", expected.text);
+            return parse_error(d, formula, where, "%s", expected.text);
         for (int k = 0; k < 2 && node < count + k; k++) /* a name alone: the output is a node of its own */
             node = program_append(&f->program, OPERATOR_NEGATE, node, -1, 0);
         program_name(&f->program, node, scalar(key_of(d, mapping, i)));
@@ -41,25 +41,25 @@ static bool read_definition(struct derivations *d, const yaml_node_t *key, const
         return false;
     for (int i = 0; known[i] != NULL; i++)
         if (strcmp(known[i], "let") != 0 && child(document, node, known[i]) == NULL)
-            return mistake(document, node, 0, "missing %s, expected text, inputs and outputs", known[i]);
+            return parse_error(document, node, 0, "missing %s, expected text, inputs and outputs", known[i]);
     const yaml_node_t *inputs = child(document, node, "inputs"), *let = child(document, node, "let");
     const yaml_node_t *outputs = child(document, node, "outputs");
     s->title = scalar(child(document, node, "text"));
     if (s->title == NULL)
-        return mistake(document, child(document, node, "text"), 0, "expected a text");
+        return parse_error(document, child(document, node, "text"), 0, "expected a text");
     if (!is_list(document, inputs, most_inputs) || (let != NULL && !is_mapping(document, let, NULL)) ||
         !is_mapping(document, outputs, NULL))
         return false;
     if (length_of(outputs) == 0 || length_of(outputs) > most_outputs)
-        return mistake(document, outputs, 0, "expected from 1 to %d outputs", most_outputs);
+        return parse_error(document, outputs, 0, "expected from 1 to %d outputs", most_outputs);
     d->definitions.count++;
     program_init(&s->corrected.program);
     for (int i = 0; i < length_of(inputs); i++)
         program_input(&s->corrected.program, scalar(item_of(document, inputs, i)));
     for (; s->output_count < length_of(outputs); s->output_count++) {
         struct definitions *all = &d->definitions;
-        struct quantity *q = memory(NULL, 1, sizeof *q);
-        all->outputs = memory(all->outputs, (size_t)all->output_count + 1, sizeof *all->outputs);
+        struct quantity *q = xrealloc(NULL, 1, sizeof *q);
+        all->outputs = xrealloc(all->outputs, (size_t)all->output_count + 1, sizeof *all->outputs);
         all->outputs[all->output_count++] = q;
         *q = (struct quantity){.name = scalar(key_of(document, outputs, s->output_count))};
         s->outputs[s->output_count] = q;
@@ -71,8 +71,8 @@ static bool read_definitions(struct derivations *d, const yaml_node_t *mapping)
 {
     if (!is_mapping(&d->document, mapping, NULL))
         return false;
-    d->definitions.sections = memory(d->definitions.sections, (size_t)d->definitions.count + (size_t)length_of(mapping),
-                                     sizeof *d->definitions.sections);
+    d->definitions.sections = xrealloc(d->definitions.sections, (size_t)d->definitions.count + (size_t)length_of(mapping),
+                                       sizeof *d->definitions.sections);
     for (int i = 0; i < length_of(mapping); i++)
         if (!read_definition(d, key_of(&d->document, mapping, i), value_of(&d->document, mapping, i)))
             return false;
@@ -88,7 +88,7 @@ static int read_ends(struct derivations *d, const yaml_node_t *step, const char 
     const yaml_node_t *list = child(document, step, key);
     struct entry_part parts[MOST_PARTS];
     if (list == NULL) {
-        mistake(document, step, 0, "missing %s, expected a list of equation numbers", key);
+        parse_error(document, step, 0, "missing %s, expected a list of equation numbers", key);
         return -1;
     }
     if (!is_list(document, list, MOST_EQUATIONS))
@@ -98,15 +98,15 @@ static int read_ends(struct derivations *d, const yaml_node_t *step, const char 
         ends[i] = scalar(item);
         for (int k = 0; k < i; k++)
             if (strcmp(ends[k], ends[i]) == 0) {
-                mistake(document, item, 0, "duplicate '%s', expected each once", ends[i]);
+                parse_error(document, item, 0, "duplicate '%s', expected each once", ends[i]);
                 return -1;
             }
         bool known = entry_parts(d, ends[i], parts) > 0;
         for (int k = 0; k < d->principle_count && strcmp(key, "to") == 0; k++)
             known = known && strcmp(d->definitions.sections[k].id, ends[i]) != 0;
         if (!known) {
-            mistake(document, item, 0, "unknown '%s', expected an equation that has a formula, or a %s", ends[i],
-                    strcmp(key, "to") == 0 ? "property" : "principle");
+            parse_error(document, item, 0, "unknown '%s', expected an equation that has a formula, or a %s", ends[i],
+                        strcmp(key, "to") == 0 ? "property" : "principle");
             return -1;
         }
     }
@@ -119,7 +119,7 @@ static bool is_text(struct document *d, const yaml_node_t *mapping, const char *
     const yaml_node_t *node = child(d, mapping, key);
     *text = node != NULL ? scalar(node) : NULL;
     if (node == NULL ? required : *text == NULL || **text == '\0')
-        return mistake(d, node ? node : mapping, 0, "missing %s, expected a text", key);
+        return parse_error(d, node ? node : mapping, 0, "missing %s, expected a text", key);
     return true;
 }
 
@@ -135,11 +135,11 @@ static bool read_identities(struct identities *t, const struct scope *s)
     if (!identities_open(t, s))
         return false;
     if (show == NULL)
-        return mistake(s->document, owner, 0, "missing show, expected a list of left = right");
+        return parse_error(s->document, owner, 0, "missing show, expected a list of left = right");
     if (!is_list(s->document, show, MOST_SHOWN))
         return false;
     if (length_of(show) == 0)
-        return mistake(s->document, show, 0, "expected at least one left = right");
+        return parse_error(s->document, show, 0, "expected at least one left = right");
     for (int i = 0; i < length_of(show); i++)
         if (!identities_show(t, s, item_of(s->document, show, i)))
             return false;
@@ -169,7 +169,7 @@ static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_
     for (int i = 0; identities_keys[i] != NULL; i++)
         known[count++] = identities_keys[i];
     known[count] = NULL;
-    d->steps = memory(d->steps, (size_t)d->step_count + 1, sizeof *d->steps);
+    d->steps = xrealloc(d->steps, (size_t)d->step_count + 1, sizeof *d->steps);
     struct step *s = &d->steps[d->step_count++];
     *s = (struct step){.id = scalar(key), .node = node};
     const yaml_node_t *also = node->type == YAML_MAPPING_NODE ? child(document, node, "also") : NULL;
@@ -196,7 +196,7 @@ static bool read_derivations(struct derivations *d)
         return false;
     for (int i = 0; known[i] != NULL; i++)
         if (child(document, root, known[i]) == NULL)
-            return mistake(document, root, 0, "missing %s", known[i]);
+            return parse_error(document, root, 0, "missing %s", known[i]);
     if (!read_definitions(d, child(document, root, "principles")))
         return false;
     d->principle_count = d->definitions.count;

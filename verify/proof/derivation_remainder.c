@@ -8,7 +8,7 @@
 static bool read_number(const struct document *d, const yaml_node_t *node, fmpq_t value)
 {
     if (scalar(node) == NULL || literal_read(value, scalar(node), true) != LITERAL_FINITE)
-        return mistake(d, node, 0, "expected a number");
+        return parse_error(d, node, 0, "expected a number");
     return true;
 }
 
@@ -23,10 +23,10 @@ static bool read_range(const struct document *d, const yaml_node_t *node, fmpq_t
     if (!is_list(d, node, 2))
         return false;
     if (length_of(node) != 2)
-        return mistake(d, node, 0, "expected [LOW, HIGH]");
+        return parse_error(d, node, 0, "expected [LOW, HIGH]");
     if (!read_number(d, item_of(d, node, 0), low) || !read_number(d, item_of(d, node, 1), high))
         return false;
-    return fmpq_cmp(low, high) < 0 || mistake(d, node, 0, "expected [LOW, HIGH] with LOW below HIGH");
+    return fmpq_cmp(low, high) < 0 || parse_error(d, node, 0, "expected [LOW, HIGH] with LOW below HIGH");
 }
 
 /* What the paper's Table 1 gives, and nothing else, needs not be stated. */
@@ -50,14 +50,14 @@ static bool read_states(const struct scope *s, const yaml_node_t *on, struct rem
         if (range != NULL && !read_range(d, range, m->low + i, m->high + i))
             return false;
         if (range == NULL && !value_of_table1(s->sheet, name, m->low + i))
-            return mistake(d, on, 0, "missing '%s', which is not in Table 1", name);
+            return parse_error(d, on, 0, "missing '%s', which is not in Table 1", name);
         if (range == NULL)
             fmpq_set(m->high + i, m->low + i);
     }
     for (int i = 0; i < length_of(on); i++) {
         const yaml_node_t *key = key_of(d, on, i);
         if (program_find(&m->program, scalar(key)) < 0)
-            return mistake(d, key, 0, "what is dropped does not rest on '%s'", scalar(key));
+            return parse_error(d, key, 0, "what is dropped does not rest on '%s'", scalar(key));
     }
     return true;
 }
@@ -85,9 +85,9 @@ static bool read_remainder(const struct scope *s, const struct identities *t, co
     for (int i = 0; keys[i] != NULL; i++) {
         nodes[i] = child(d, item, keys[i]);
         if (nodes[i] == NULL)
-            return mistake(d, item, 0, "missing %s", keys[i]);
+            return parse_error(d, item, 0, "missing %s", keys[i]);
         if (i < 4 && scalar(nodes[i]) == NULL)
-            return mistake(d, nodes[i], 0, "expected a text");
+            return parse_error(d, nodes[i], 0, "expected a text");
     }
     if (!read_dropped(s, t, nodes[1], m))
         return false;
@@ -98,7 +98,7 @@ static bool read_remainder(const struct scope *s, const struct identities *t, co
     m->on = nodes[4];
     if (!read_number(d, nodes[2], m->bound) || !read_states(s, m->on, m))
         return false;
-    return fmpq_sgn(m->bound) > 0 || mistake(d, nodes[2], 0, "expected a bound above zero");
+    return fmpq_sgn(m->bound) > 0 || parse_error(d, nodes[2], 0, "expected a bound above zero");
 }
 
 /* What drops it is what the step leads to. */
@@ -107,7 +107,7 @@ static bool check_equation(const struct derivations *d, const struct step *step,
     for (int i = 0; i < step->to_count; i++)
         if (entry_leads_to(d, step->to[i], scalar(equation)))
             return true;
-    return mistake(&d->document, equation, 0, "expected an equation that the step leads to");
+    return parse_error(&d->document, equation, 0, "expected an equation that the step leads to");
 }
 
 bool step_read_remainders(const struct derivations *d, struct step *step, const struct scope *s)
@@ -116,8 +116,8 @@ bool step_read_remainders(const struct derivations *d, struct step *step, const 
     if (list == NULL)
         return true;
     if (list->type != YAML_SEQUENCE_NODE || length_of(list) == 0)
-        return mistake(s->document, list, 0, "expected a list of what is dropped");
-    step->remainders = memory(NULL, (size_t)length_of(list), sizeof *step->remainders);
+        return parse_error(s->document, list, 0, "expected a list of what is dropped");
+    step->remainders = xrealloc(NULL, (size_t)length_of(list), sizeof *step->remainders);
     while (step->remainder_count < length_of(list)) {
         struct remainder *m = &step->remainders[step->remainder_count];
         const yaml_node_t *item = item_of(s->document, list, step->remainder_count++);

@@ -48,7 +48,7 @@ static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
     const slong all = fmpz_mpoly_ctx_nvars(ctx);
-    ulong *exponents = memory(NULL, (size_t)all, sizeof *exponents);
+    ulong *exponents = xrealloc(NULL, (size_t)all, sizeof *exponents);
     int signs = SIGN_ZERO;
     SCOPE(fmpz, c);
     for (slong i = 0; i < fmpz_mpoly_length(f, ctx) && signs != SIGN_ANY; i++) {
@@ -151,10 +151,10 @@ static void run_begin(struct run *r, const struct identities *t, slong terms, bo
     const size_t count = (size_t)t->program.count;
     slong functions = 0;
     *r = (struct run){.t = t, .terms = terms};
-    r->values = memory(NULL, count, sizeof *r->values);
-    r->done = memory(NULL, count, 1);
-    r->signs = memory(NULL, count, 1);
-    r->variable = memory(NULL, (size_t)t->program.inputs + 1, sizeof *r->variable);
+    r->values = xrealloc(NULL, count, sizeof *r->values);
+    r->done = xrealloc(NULL, count, 1);
+    r->signs = xrealloc(NULL, count, 1);
+    r->variable = xrealloc(NULL, (size_t)t->program.inputs + 1, sizeof *r->variable);
     memset(r->done, 0, count);
     memset(r->signs, 0, count);
     for (int i = 0; i < t->program.inputs; i++)
@@ -181,7 +181,7 @@ static void run_end(struct run *r)
 /* Of the inputs that are variables, in their order; an angle is known by t, the tangent of its half. */
 static char **variable_names(const struct run *r)
 {
-    char **names = memory(NULL, (size_t)r->variables + 1, sizeof *names);
+    char **names = xrealloc(NULL, (size_t)r->variables + 1, sizeof *names);
     names[r->variables] = NULL;
     if (r->variables == 0) /* FLINT has one variable at least */
         names[0] = text_copy("none");
@@ -189,7 +189,7 @@ static char **variable_names(const struct run *r)
         const char *name = r->t->program.names[i].text;
         if (r->variable[i] < 0)
             continue;
-        char *text = memory(NULL, strlen(name) + 3, 1);
+        char *text = xrealloc(NULL, strlen(name) + 3, 1);
         sprintf(text, "%s%s", r->t->variables[i].angle ? "t_" : "", name);
         names[r->variable[i]] = text;
     }
@@ -206,7 +206,7 @@ static void free_names(char **names, slong count)
 static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, const fmpq *point)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    ulong *exponents = memory(NULL, (size_t)fmpz_mpoly_ctx_nvars(ctx), sizeof *exponents);
+    ulong *exponents = xrealloc(NULL, (size_t)fmpz_mpoly_ctx_nvars(ctx), sizeof *exponents);
     SCOPE(fmpq, term, factor);
     fmpq_zero(y);
     for (slong i = 0; i < fmpz_mpoly_length(f, ctx); i++) {
@@ -514,8 +514,8 @@ bool nodes_equal(const struct program *p, int left, int right, bool loose)
     struct equality e = {.text = "", .left = left, .right = right};
     struct identities t = {.program = *p, .shown = &e, .shown_count = 1, .order = -1};
     bool holds[MOST_SHOWN] = {false};
-    t.needed = memory(NULL, (size_t)p->count, 1);
-    t.variables = memory(NULL, (size_t)p->inputs + 1, sizeof *t.variables);
+    t.needed = xrealloc(NULL, (size_t)p->count, 1);
+    t.variables = xrealloc(NULL, (size_t)p->inputs + 1, sizeof *t.variables);
     memset(t.needed, 1, (size_t)p->count);
     for (int i = 0; i < p->inputs; i++)
         t.variables[i] = (struct variable){.signs = SIGN_ANY};

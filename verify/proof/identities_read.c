@@ -75,9 +75,9 @@ static bool declare_names(struct identities *t, const struct scope *s, const str
         const yaml_node_t *name = name_of(s->document, names, i);
         const bool known = find_input(&t->program, scalar(name)) >= 0;
         if (known && strcmp(declared->key, "free") == 0)
-            return mistake(s->document, name, 0, "'%s' is known already, expected a new name", scalar(name));
+            return parse_error(s->document, name, 0, "'%s' is known already, expected a new name", scalar(name));
         if (!known && declared->small)
-            return mistake(s->document, name, 0, "unknown symbol '%s', expected a free quantity", scalar(name));
+            return parse_error(s->document, name, 0, "unknown symbol '%s', expected a free quantity", scalar(name));
         if (!known)
             program_input(&t->program, scalar(name));
     }
@@ -90,7 +90,7 @@ static bool read_turn(const struct scope *s, const yaml_node_t *names, int i, st
     if (range != NULL && scalar(range) != NULL && strcmp(scalar(range), "quarter turn") == 0)
         v->quarter_turn = true;
     else if (range != NULL && (scalar(range) == NULL || strcmp(scalar(range), "any") != 0))
-        return mistake(s->document, range, 0, "expected 'any' or 'quarter turn'");
+        return parse_error(s->document, range, 0, "expected 'any' or 'quarter turn'");
     return true;
 }
 
@@ -102,10 +102,10 @@ static bool qualify_names(struct identities *t, const struct scope *s, const str
         const int input = find_input(&t->program, scalar(name));
         struct variable *v = &t->variables[input];
         if (v->angle || v->power > 0)
-            return mistake(s->document, name, 0, "'%s' is an angle or small already", scalar(name));
+            return parse_error(s->document, name, 0, "'%s' is an angle or small already", scalar(name));
         if (input < s->sheet->quantity_count && (v->signs & ~declared->signs) != 0)
-            return mistake(s->document, name, 0, "'%s' may be %s in the sheet, expected a name of its own", scalar(name),
-                           v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
+            return parse_error(s->document, name, 0, "'%s' may be %s in the sheet, expected a name of its own", scalar(name),
+                               v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
         v->power = declared->small;
         v->angle = declared->angle;
         v->signs &= declared->signs;
@@ -133,7 +133,7 @@ static bool read_declarations(struct identities *t, const struct scope *s)
     t->first_pair = p->inputs;
     for (int i = 0; s->alteration != NULL && s->alteration->change == CHANGE_ANY && i < 2 * PAIRS; i++)
         program_input(p, " "); /* no formula can name it */
-    t->variables = memory(NULL, (size_t)p->inputs, sizeof *t->variables);
+    t->variables = xrealloc(NULL, (size_t)p->inputs, sizeof *t->variables);
     for (int i = 0; i < p->inputs; i++)
         t->variables[i] = (struct variable){
             .signs = i < s->sheet->quantity_count ? signs_of(s->sheet->quantities[i].domain) : SIGN_ANY};
@@ -150,14 +150,14 @@ static bool read_order(struct identities *t, const struct scope *s)
     const bool small = given(s, "small") != NULL;
     t->order = -1;
     if (node == NULL && small)
-        return mistake(s->document, s->given, 0, "missing order: up to which power of the small quantities");
+        return parse_error(s->document, s->given, 0, "missing order: up to which power of the small quantities");
     if (node == NULL)
         return true;
     if (!small)
-        return mistake(s->document, node, 0, "expected no order where no quantities are small");
+        return parse_error(s->document, node, 0, "expected no order where no quantities are small");
     if (scalar(node) == NULL || strlen(scalar(node)) != 1 || scalar(node)[0] < '0' ||
         scalar(node)[0] > '0' + HIGHEST_ORDER)
-        return mistake(s->document, node, 0, "expected an order from 0 to %d", HIGHEST_ORDER);
+        return parse_error(s->document, node, 0, "expected an order from 0 to %d", HIGHEST_ORDER);
     t->order = scalar(node)[0] - '0';
     return true;
 }
@@ -190,10 +190,10 @@ static bool check_rates(const struct identities *t, const struct scope *s)
         const bool constant = strcmp(scalar(pair[1]), "0") == 0;
         for (int k = 0; k < (constant ? 1 : 2); k++)
             if (program_find(&t->program, scalar(pair[k])) < 0)
-                return mistake(s->document, pair[k], 0, "unknown symbol '%s', expected name: its rate", scalar(pair[k]));
+                return parse_error(s->document, pair[k], 0, "unknown symbol '%s', expected name: its rate", scalar(pair[k]));
         if (!constant && strlen(scalar(pair[0])) <= LONGEST_NAME && rate_name(s->sheet, scalar(pair[0]), rate) &&
             strcmp(rate, scalar(pair[1])) != 0)
-            return mistake(s->document, pair[1], 0, "the rate of %s is %s in the sheet", scalar(pair[0]), rate);
+            return parse_error(s->document, pair[1], 0, "the rate of %s is %s in the sheet", scalar(pair[0]), rate);
     }
     return true;
 }
@@ -212,8 +212,8 @@ static int read_rate(struct parser *p)
     const int count = p->program->count;
     if (count > MOST_MOVING)
         return parse_refuse(p, "fewer rates of rates");
-    int *rate = memory(NULL, (size_t)count, sizeof *rate), still = -1;
-    char *needed = memory(NULL, (size_t)count, 1), *constant = memory(NULL, (size_t)count, 1);
+    int *rate = xrealloc(NULL, (size_t)count, sizeof *rate), still = -1;
+    char *needed = xrealloc(NULL, (size_t)count, 1), *constant = xrealloc(NULL, (size_t)count, 1);
     memset(constant, 0, (size_t)count);
     for (int i = 0; i < count; i++)
         rate[i] = -1;
@@ -351,7 +351,7 @@ static int take_part(const struct reading *r, struct use u, const struct program
     if (altered)
         node = alter_result(t, a, &u, node);
     u.last = u.node = node;
-    t->uses = memory(t->uses, (size_t)t->use_count + 1, sizeof *t->uses);
+    t->uses = xrealloc(t->uses, (size_t)t->use_count + 1, sizeof *t->uses);
     t->uses[t->use_count++] = u;
     program_clear(&copy);
     return node;
@@ -408,7 +408,7 @@ static int read_side(struct parser *p, bool right)
         return -1;
     }
     const int wanted = relation_program(&side, r->scope->sheet, u.relation, right);
-    int *stand_in = memory(NULL, (size_t)side.count, sizeof *stand_in);
+    int *stand_in = xrealloc(NULL, (size_t)side.count, sizeof *stand_in);
     for (int i = 0; i < side.count; i++)
         stand_in[i] = i < side.inputs ? program_find(p->program, side.names[i].text) : -1;
     const int node = take_part(r, u, &side, wanted, stand_in);
@@ -450,7 +450,7 @@ static const char *bind_names(const struct reading *r, const struct program *fro
         if ((is_input || is_free) && stand_in[node] < 0)
             stand_in[node] = here;
     }
-    char *needed = memory(NULL, (size_t)from->count, 1);
+    char *needed = xrealloc(NULL, (size_t)from->count, 1);
     program_needs(from, wanted, stand_in, needed);
     for (int i = 0; i < from->inputs && i <= wanted && missing == NULL; i++)
         missing = needed[i] && stand_in[i] < 0 ? from->names[i].text : NULL;
@@ -523,7 +523,7 @@ static int read_output(struct parser *p, const char *id)
         p->at = behind;
         return unknown_name(p, name, "output", "an output or a named subexpression of that section");
     }
-    int node = -1, *stand_in = memory(NULL, (size_t)from->count, sizeof *stand_in);
+    int node = -1, *stand_in = xrealloc(NULL, (size_t)from->count, sizeof *stand_in);
     for (int i = 0; i < from->count; i++)
         stand_in[i] = -1;
     if (*p->at != '(' || (p->at++, read_bindings(p, from, stand_in))) {
@@ -561,7 +561,7 @@ static int read_text(struct identities *t, const struct scope *s, const yaml_nod
     size_t where;
     const int result = identities_text(t, s, text, &where, &expected);
     if (result < 0)
-        mistake(s->document, node, shift + where, "%s", expected.text);
+        parse_error(s->document, node, shift + where, "%s", expected.text);
     return result;
 }
 
@@ -569,7 +569,7 @@ static int read_text(struct identities *t, const struct scope *s, const yaml_nod
 static bool on_one_line(const struct scope *s, const yaml_node_t *node, const char *expected)
 {
     if (scalar(node) == NULL || node->start_mark.line != node->end_mark.line)
-        return mistake(s->document, node, 0, "expected %s, on one line", expected);
+        return parse_error(s->document, node, 0, "expected %s, on one line", expected);
     return true;
 }
 
@@ -590,19 +590,19 @@ static const char *equality_sign(const char *text)
 bool identities_show(struct identities *t, const struct scope *s, const yaml_node_t *node)
 {
     if (t->shown_count == MOST_SHOWN)
-        return mistake(s->document, node, 0, "expected at most %d equalities", MOST_SHOWN); /* LCOV_EXCL_LINE: so is the list */
+        return parse_error(s->document, node, 0, "expected at most %d equalities", MOST_SHOWN); /* LCOV_EXCL_LINE: so is the list */
     if (!on_one_line(s, node, "left = right"))
         return false;
     const char *sign = equality_sign(scalar(node));
     if (sign == NULL)
-        return mistake(s->document, node, 0, "expected left = right");
+        return parse_error(s->document, node, 0, "expected left = right");
     const size_t length = (size_t)(sign - scalar(node));
     char *left = text_copy(scalar(node));
     left[length] = '\0';
     struct equality e = {.text = scalar(node), .at = node, .left = read_text(t, s, node, left, 0)};
     e.right = e.left < 0 ? -1 : read_text(t, s, node, sign + 1, length + 1);
     free(left);
-    t->shown = memory(t->shown, (size_t)t->shown_count + 1, sizeof *t->shown);
+    t->shown = xrealloc(t->shown, (size_t)t->shown_count + 1, sizeof *t->shown);
     t->shown[t->shown_count++] = e;
     return e.right >= 0;
 }
@@ -618,7 +618,7 @@ static bool check_name(const struct scope *s, const yaml_node_t *key, const yaml
     const struct section *section = find_section(s, id);
     for (int i = 0; section != NULL && i < section->output_count; i++)
         if (strcmp(section->outputs[i]->name, scalar(key)) == 0 && strcmp(output, scalar(key)) != 0)
-            return mistake(s->document, value, 0, "%s has %s itself, expected another name than that", id, scalar(key));
+            return parse_error(s->document, value, 0, "%s has %s itself, expected another name than that", id, scalar(key));
     return true;
 }
 
@@ -632,8 +632,8 @@ static void add_let(struct identities *t, const char *name, const char *formula)
 {
     enum { SHORT = 40 };
     const size_t size = strlen(name) + SHORT + 24;
-    t->lets = memory(t->lets, (size_t)t->sheet_lets + 1, sizeof *t->lets);
-    t->lets[t->sheet_lets] = memory(NULL, size, 1);
+    t->lets = xrealloc(t->lets, (size_t)t->sheet_lets + 1, sizeof *t->lets);
+    t->lets[t->sheet_lets] = xrealloc(NULL, size, 1);
     if (strlen(formula) < SHORT)
         snprintf(t->lets[t->sheet_lets++], size, "%s = %s", name, formula);
     else
@@ -649,7 +649,7 @@ static bool read_let(struct identities *t, const struct scope *s)
     for (int i = 0; variant != NULL && i < length_of(variant); i++) {
         const yaml_node_t *key = key_of(s->document, variant, i);
         if (let == NULL || child(s->document, let, scalar(key)) == NULL)
-            return mistake(s->document, key, 0, "unknown name '%s', expected one of the step's let", scalar(key));
+            return parse_error(s->document, key, 0, "unknown name '%s', expected one of the step's let", scalar(key));
     }
     for (int i = 0; let != NULL && i < length_of(let); i++) {
         const yaml_node_t *key = key_of(s->document, let, i);
@@ -673,7 +673,7 @@ static bool read_roots(struct identities *t, const struct scope *s)
         return true;
     if (!is_list(s->document, roots, MOST_NAMES))
         return false;
-    t->roots = memory(NULL, (size_t)length_of(roots), sizeof *t->roots);
+    t->roots = xrealloc(NULL, (size_t)length_of(roots), sizeof *t->roots);
     for (; t->root_count < length_of(roots); t->root_count++) {
         const yaml_node_t *item = item_of(s->document, roots, t->root_count);
         struct root *root = &t->roots[t->root_count];
@@ -691,7 +691,7 @@ static bool are_texts(const struct scope *s, const char *key)
         return false;
     for (int i = 0; node != NULL && i < length_of(node); i++)
         if (scalar(value_of(s->document, node, i)) == NULL)
-            return mistake(s->document, value_of(s->document, node, i), 0, "expected a text");
+            return parse_error(s->document, value_of(s->document, node, i), 0, "expected a text");
     return true;
 }
 
@@ -708,8 +708,8 @@ bool identities_open(struct identities *t, const struct scope *s)
 static void mark_needed(struct identities *t)
 {
     const size_t count = (size_t)t->program.count;
-    char *one = memory(NULL, count, 1);
-    t->needed = memory(NULL, count, 1);
+    char *one = xrealloc(NULL, count, 1);
+    t->needed = xrealloc(NULL, count, 1);
     memset(t->needed, 0, count);
     for (int i = 0; i < 2 * t->shown_count + t->root_count; i++) {
         const int k = i - 2 * t->shown_count, node = k >= 0    ? t->roots[k].node
@@ -730,7 +730,7 @@ static bool all_needed(const struct identities *t, const struct scope *s)
         for (int k = 0; names != NULL && k < length_of(names); k++) {
             const yaml_node_t *name = name_of(s->document, names, k);
             if (!t->needed[find_input(p, scalar(name))])
-                return mistake(s->document, name, 0, "nothing shown rests on '%s'", scalar(name));
+                return parse_error(s->document, name, 0, "nothing shown rests on '%s'", scalar(name));
         }
     }
     const yaml_node_t *let = given(s, "let");
@@ -740,8 +740,8 @@ static bool all_needed(const struct identities *t, const struct scope *s)
         for (; first <= last; first++) /* rate() may take up parts of it alone */
             serves = serves || t->needed[first];
         if (!serves)
-            return mistake(s->document, key_of(s->document, let, k), 0, "nothing shown rests on '%s'",
-                           p->names[p->inputs + k].text);
+            return parse_error(s->document, key_of(s->document, let, k), 0, "nothing shown rests on '%s'",
+                               p->names[p->inputs + k].text);
     }
     return true;
 }
@@ -753,8 +753,8 @@ static bool check_roots(const struct identities *t, const struct scope *s)
         radical = radical || (t->needed[i] && (t->program.nodes[i].op == OPERATOR_SQRT ||
                                                t->program.nodes[i].op == OPERATOR_ATAN2));
     if (!radical && t->root_count > 0)
-        return mistake(s->document, given(s, "square roots"), 0,
-                       "expected no square roots, nothing shown rests on one");
+        return parse_error(s->document, given(s, "square roots"), 0,
+                           "expected no square roots, nothing shown rests on one");
     return true;
 }
 

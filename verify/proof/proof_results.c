@@ -53,7 +53,7 @@ static double seconds_since(clock_t start)
 static void bind_all(struct proof_results *p)
 {
     const clock_t start = clock();
-    p->bindings = memory(NULL, (size_t)p->derivations.step_count, sizeof *p->bindings);
+    p->bindings = xrealloc(NULL, (size_t)p->derivations.step_count, sizeof *p->bindings);
     for (int i = 0; i < p->derivations.step_count; i++) {
         p->bindings[i] = (struct binding){.mutants = 0};
         if (step_holds(p, i))
@@ -70,14 +70,14 @@ void proof_results_of(struct proof_results *p, bool bindings)
     const size_t count = (size_t)d.step_count;
     const clock_t start = clock();
     *p = (struct proof_results){.derivations = d, .fine = true};
-    p->corrected = memory(NULL, count, sizeof *p->corrected);
-    p->printed = memory(NULL, count, sizeof *p->printed);
-    p->remainders = memory(NULL, count, sizeof *p->remainders);
+    p->corrected = xrealloc(NULL, count, sizeof *p->corrected);
+    p->printed = xrealloc(NULL, count, sizeof *p->printed);
+    p->remainders = xrealloc(NULL, count, sizeof *p->remainders);
     for (int i = 0; i < d.step_count; i++) {
         identities_prove(&d.steps[i].corrected, &p->corrected[i]);
         if (d.steps[i].differs)
             identities_prove(&d.steps[i].printed, &p->printed[i]);
-        p->remainders[i] = memory(NULL, (size_t)d.steps[i].remainder_count, sizeof **p->remainders);
+        p->remainders[i] = xrealloc(NULL, (size_t)d.steps[i].remainder_count, sizeof **p->remainders);
         for (int k = 0; k < d.steps[i].remainder_count; k++)
             remainder_prove(&d.steps[i].remainders[k], &p->remainders[i][k]);
         p->fine = p->fine && step_holds(p, i);

@@ -8,8 +8,8 @@ enum { BITS = 128, MOST_BOXES = 20000, DEEPEST = 200, MOST_MOVING = 12 };
 
 void remainder_init(struct remainder *r, const struct program *p, int node)
 {
-    char *needed = memory(NULL, (size_t)node + 1, 1);
-    int *stand_in = memory(NULL, (size_t)node + 1, sizeof *stand_in);
+    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
+    int *stand_in = xrealloc(NULL, (size_t)node + 1, sizeof *stand_in);
     program_init(&r->program);
     program_needs(p, node, NULL, needed);
     for (int i = 0; i <= node; i++)

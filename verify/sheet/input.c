@@ -4,7 +4,7 @@
 
 struct input *inputs_new(int count)
 {
-    struct input *inputs = memory(NULL, (size_t)count, sizeof *inputs);
+    struct input *inputs = xrealloc(NULL, (size_t)count, sizeof *inputs);
     for (int i = 0; i < count; i++) {
         fmpq_init(&inputs[i].value);
         inputs[i].infinite = false;

@@ -17,13 +17,13 @@ void sheet_clear(struct sheet *s)
         formulas_clear(&s->sections[i].printed);
         free(s->sections[i].relations);
         free(s->sections[i].specials);
-        free(s->sections[i].slips);
+        free(s->sections[i].mistakes);
     }
     for (int i = 0; i < s->text_count; i++)
         free(s->texts[i]);
     free(s->texts);
     free(s->table1);
-    free(s->slips);
+    free(s->mistakes);
     free(s->sections);
     free(s->quantities);
     *s = (struct sheet){0};

@@ -7,6 +7,9 @@
 
 #include "formula/expression.h"
 
+/* Of a section, and of a known mistake. */
+enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16, MOST_CHANGES = 12 };
+
 enum domain { DOMAIN_FINITE, DOMAIN_POSITIVE, DOMAIN_NOT_NEGATIVE, DOMAIN_POSITIVE_OR_INFINITE };
 
 struct quantity {
@@ -35,8 +38,8 @@ struct condition {
 /* What a section computes: the corrected formulas, or the printed ones. */
 struct formulas {
     struct program program;
-    int outputs[16];            /* nodes, in the order of the section's outputs */
-    const char *text[16];       /* the outputs' formulas                        */
+    int outputs[MOST_OUTPUTS];      /* nodes, in the order of the section's outputs */
+    const char *text[MOST_OUTPUTS]; /* the outputs' formulas                        */
     const char **let;           /* name and formula by turns                    */
     int lets;
     struct condition *conditions;
@@ -51,22 +54,22 @@ struct relation {
 /* A golden vector of its own: the paper's case with some inputs replaced, NULL where not. */
 struct special {
     const char *name, *flags;
-    const char *texts[40];      /* literals, of t several with blanks between: a vector each */
+    const char *texts[MOST_INPUTS]; /* literals, of t several with blanks between: a vector each */
 };
 
 /*
- * A slip that implementations make: an input, a subexpression or an output is something else, written in
+ * A known mistake of implementations: an input, a subexpression or an output is something else, written in
  * the names of the section as it should be; or another section stands in its place.
  */
 enum place { PLACE_INPUT, PLACE_LET, PLACE_OUTPUT };
 
-struct slip {
+struct known_mistake {
     const char *name;
     const char *as;             /* the other section, NULL: none */
     struct {
         enum place place;
         const char *name, *formula;
-    } changes[12];
+    } changes[MOST_CHANGES];
     int count;
 };
 
@@ -80,14 +83,14 @@ struct section {
     const char *equations[8];   /* the numbers it stands for: "2a", "2b", "2c" */
     int numbers;
     enum method method;         /* METHOD_NONE: a definition, computes nothing */
-    const struct quantity *inputs[40], *outputs[16];
+    const struct quantity *inputs[MOST_INPUTS], *outputs[MOST_OUTPUTS];
     int input_count, output_count;
     struct formulas corrected, printed;
     bool differs;               /* the print differs: `printed` is filled, `reason` says why */
     struct relation *relations;
     struct special *specials;
-    struct slip *slips;
-    int relation_count, special_count, slip_count;
+    struct known_mistake *mistakes;
+    int relation_count, special_count, mistake_count;
     double K;                   /* the largest E that the oracle lets pass */
     const char *K_reason;
 };
@@ -96,8 +99,8 @@ struct sheet {
     struct quantity *quantities;
     struct section *sections;
     struct table_row *table1;
-    struct slip *slips;         /* of every section that has the names they change */
-    int quantity_count, section_count, row_count, slip_count;
+    struct known_mistake *mistakes;         /* of every section that has the names they change */
+    int quantity_count, section_count, row_count, mistake_count;
     double K;                   /* of every section that says nothing of its own */
     const char *K_reason;
     char **texts;               /* everything the above points into */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sheet/slip.h"
+#include "sheet/known_mistakes.h"
 #include "text/decimal.h"
 #include "text/document.h"
 #include "text/scope.h"
@@ -16,11 +16,9 @@ struct reader {
     bool refused; /* something that need not be there is there and no text: the reading goes on, in vain */
 };
 
-enum { MOST_OUTPUTS = 16, MOST_INPUTS = 40, MOST_CHANGES = 12 };
-
 static const char *keep(struct sheet *s, const char *text)
 {
-    s->texts = memory(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
+    s->texts = xrealloc(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
     return s->texts[s->text_count++] = text_copy(text);
 }
 
@@ -31,7 +29,7 @@ static const char *text_of(struct reader *r, const yaml_node_t *mapping, const c
     if (node == NULL && !required)
         return NULL;
     if (node == NULL || scalar(node) == NULL || *scalar(node) == '\0') {
-        r->refused = !mistake(&r->document, node ? node : mapping, 0, "missing %s, expected a text", key);
+        r->refused = !parse_error(&r->document, node ? node : mapping, 0, "missing %s, expected a text", key);
         return NULL;
     }
     return keep(r->sheet, scalar(node));
@@ -64,7 +62,7 @@ static bool read_domain(struct reader *r, const yaml_node_t *node, enum domain *
             *domain = domains[i].domain;
             return true;
         }
-    return mistake(&r->document, node, 0, "expected a domain: finite, > 0, >= 0 or > 0 or inf");
+    return parse_error(&r->document, node, 0, "expected a domain: finite, > 0, >= 0 or > 0 or inf");
 }
 
 static bool read_double(struct reader *r, const yaml_node_t *node, double *value)
@@ -73,7 +71,7 @@ static bool read_double(struct reader *r, const yaml_node_t *node, double *value
     const char *text = scalar(node);
     *value = text != NULL ? strtod(text, &end) : 0.0;
     if (text == NULL || end == text || *end != '\0' || !(*value > 0.0) || isinf(*value))
-        return mistake(&r->document, node, 0, "expected a positive number, finite in binary64");
+        return parse_error(&r->document, node, 0, "expected a positive number, finite in binary64");
     return true;
 }
 
@@ -86,10 +84,10 @@ static bool read_range(struct reader *r, const yaml_node_t *mapping, struct quan
     if (count < 0)
         return false;
     if (count != 2)
-        return mistake(&r->document, range, 0, "expected two bounds, [low, high]");
+        return parse_error(&r->document, range, 0, "expected two bounds, [low, high]");
     if (!read_double(r, bounds[0], &q->low) || !read_double(r, bounds[1], &q->high))
         return false;
-    return q->low < q->high || mistake(&r->document, range, 0, "expected low < high");
+    return q->low < q->high || parse_error(&r->document, range, 0, "expected low < high");
 }
 
 /* Whether a literal is a number of that domain. */
@@ -108,7 +106,7 @@ static bool read_own_value(struct reader *r, const yaml_node_t *node, const char
 {
     *text = text_of(r, node, key, false);
     return *text == NULL || lies_in_domain(*text, domain) ||
-           mistake(&r->document, child(&r->document, node, key), 0, "expected a number of the quantity's own domain");
+           parse_error(&r->document, child(&r->document, node, key), 0, "expected a number of the quantity's own domain");
 }
 
 static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_node_t *node)
@@ -119,7 +117,7 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
     if (!is_mapping(&r->document, node, known))
         return false;
     if (child(&r->document, node, "domain") == NULL)
-        return mistake(&r->document, node, 0, "missing domain of '%s'", scalar(key));
+        return parse_error(&r->document, node, 0, "missing domain of '%s'", scalar(key));
     q.unit = text_of(r, node, "unit", true);
     q.meaning = q.unit ? text_of(r, node, "meaning", true) : NULL;
     if (q.meaning == NULL || !read_domain(r, child(&r->document, node, "domain"), &q.domain) ||
@@ -127,10 +125,10 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
         return false;
     const yaml_node_t *sign = child(&r->document, node, "sign");
     if (sign != NULL && (scalar(sign) == NULL || strcmp(scalar(sign), "either") != 0))
-        return mistake(&r->document, sign, 0, "expected 'either'");
+        return parse_error(&r->document, sign, 0, "expected 'either'");
     q.either_sign = sign != NULL;
     if (q.either_sign && q.domain != DOMAIN_FINITE)
-        return mistake(&r->document, sign, 0, "expected no sign where the domain has but one");
+        return parse_error(&r->document, sign, 0, "expected no sign where the domain has but one");
     if (!read_own_value(r, node, "value", q.domain, &q.value) || !read_own_value(r, node, "example", q.domain, &q.example))
         return false;
     char *names = text_copy(scalar(key)), *rest = NULL;
@@ -138,9 +136,9 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
     for (char *name = strtok_r(names, " ", &rest); name && fine; name = strtok_r(NULL, " ", &rest)) {
         struct sheet *s = r->sheet;
         if (quantity_find(s, name) != NULL)
-            fine = mistake(&r->document, key, 0, "duplicate quantity '%s', expected each name once", name);
+            fine = parse_error(&r->document, key, 0, "duplicate quantity '%s', expected each name once", name);
         q.name = keep(s, name);
-        s->quantities = memory(s->quantities, (size_t)s->quantity_count + 1, sizeof q);
+        s->quantities = xrealloc(s->quantities, (size_t)s->quantity_count + 1, sizeof q);
         s->quantities[s->quantity_count++] = q;
     }
     free(names);
@@ -162,7 +160,7 @@ static bool read_table1(struct reader *r, const yaml_node_t *node)
     static const char *const known[] = {"name", "printed", "unit", "scale", NULL};
     struct sheet *s = r->sheet;
     if (node->type != YAML_SEQUENCE_NODE)
-        return mistake(&r->document, node, 0, "expected a list of rows");
+        return parse_error(&r->document, node, 0, "expected a list of rows");
     for (int n = 0; n < length_of(node); n++) {
         const yaml_node_t *row = item_of(&r->document, node, n);
         struct table_row t;
@@ -172,8 +170,8 @@ static bool read_table1(struct reader *r, const yaml_node_t *node)
             (t.scale = text_of(r, row, "scale", true)) == NULL)
             return false;
         if (quantity_find(s, t.name) == NULL)
-            return mistake(&r->document, row, 0, "unknown quantity '%s'", t.name);
-        s->table1 = memory(s->table1, (size_t)s->row_count + 1, sizeof t);
+            return parse_error(&r->document, row, 0, "unknown quantity '%s'", t.name);
+        s->table1 = xrealloc(s->table1, (size_t)s->row_count + 1, sizeof t);
         s->table1[s->row_count++] = t;
     }
     return true;
@@ -186,11 +184,11 @@ static const struct quantity *known_quantity(struct reader *r, const yaml_node_t
     const struct sheet *s = r->sheet;
     const struct quantity *q = quantity_find(s, scalar(node));
     if (q == NULL) {
-        const char **names = memory(NULL, (size_t)s->quantity_count, sizeof *names);
+        const char **names = xrealloc(NULL, (size_t)s->quantity_count, sizeof *names);
         for (int i = 0; i < s->quantity_count; i++)
             names[i] = s->quantities[i].name;
         const char *near = nearest_name(scalar(node), names, (size_t)s->quantity_count);
-        mistake(&r->document, node, 0, "unknown symbol '%s', expected a quantity of the sheet%s%s%s",
+        parse_error(&r->document, node, 0, "unknown symbol '%s', expected a quantity of the sheet%s%s%s",
                  scalar(node), near ? " (did you mean '" : "", near ? near : "", near ? "'?)" : "");
         free(names);
     }
@@ -205,7 +203,7 @@ static int read_formula(struct reader *r, struct program *p, const yaml_node_t *
     size_t where;
     int result = program_parse(p, text, &where, &expected);
     if (result < 0)
-        mistake(&r->document, node, shift + where, "%s",
+        parse_error(&r->document, node, shift + where, "%s",
                  expected.text);
     return result;
 }
@@ -217,14 +215,14 @@ static bool read_let(struct reader *r, const yaml_node_t *node, struct formulas 
     for (int n = 0; n < length_of(node); n++) {
         const yaml_node_t *key = key_of(&r->document, node, n), *value = value_of(&r->document, node, n);
         if (program_find(&f->program, scalar(key)) >= 0)
-            return mistake(&r->document, key, 0, "'%s' is an input already, expected a new name", scalar(key));
+            return parse_error(&r->document, key, 0, "'%s' is an input already, expected a new name", scalar(key));
         if (scalar(value) == NULL)
-            return mistake(&r->document, value, 0, "expected a formula");
+            return parse_error(&r->document, value, 0, "expected a formula");
         int result = read_formula(r, &f->program, value, scalar(value), 0);
         if (result < 0)
             return false;
         program_name(&f->program, result, scalar(key));
-        f->let = memory(f->let, 2 * ((size_t)f->lets + 1), sizeof *f->let);
+        f->let = xrealloc(f->let, 2 * ((size_t)f->lets + 1), sizeof *f->let);
         f->let[2 * f->lets] = keep(r->sheet, scalar(key));
         f->let[2 * f->lets + 1] = keep(r->sheet, scalar(value));
         f->lets++;
@@ -243,17 +241,17 @@ static bool read_outputs(struct reader *r, const yaml_node_t *node, struct secti
         if (q == NULL)
             return false;
         if (count == MOST_OUTPUTS || scalar(value) == NULL)
-            return mistake(&r->document, value, 0, "expected a formula, and at most %d of them", MOST_OUTPUTS);
+            return parse_error(&r->document, value, 0, "expected a formula, and at most %d of them", MOST_OUTPUTS);
         if (f == &s->corrected)
             s->outputs[s->output_count++] = q;
         else if (count >= s->output_count || s->outputs[count] != q)
-            return mistake(&r->document, key, 0, "expected the outputs of the corrected equation, in its order");
+            return parse_error(&r->document, key, 0, "expected the outputs of the corrected equation, in its order");
         f->text[count] = keep(r->sheet, scalar(value));
         f->outputs[count] = read_formula(r, &f->program, value, scalar(value), 0);
         if (f->outputs[count++] < 0)
             return false;
     }
-    return count == s->output_count || mistake(&r->document, node, 0, "expected %d outputs", s->output_count);
+    return count == s->output_count || parse_error(&r->document, node, 0, "expected %d outputs", s->output_count);
 }
 
 /* "formula > formula" becomes the node of left - right, compared with zero. */
@@ -269,7 +267,7 @@ static bool read_condition(struct reader *r, const yaml_node_t *node, struct for
         sign = strstr(text, signs[i].sign);
     if (sign == NULL) {
         free(text);
-        return mistake(&r->document, node, 0, "expected a condition with >, >= or <");
+        return parse_error(&r->document, node, 0, "expected a condition with >, >= or <");
     }
     size_t right_at = (size_t)(sign - text) + strlen(signs[i - 1].sign);
     *sign = '\0';
@@ -278,7 +276,7 @@ static bool read_condition(struct reader *r, const yaml_node_t *node, struct for
     free(text);
     if (right < 0)
         return false;
-    f->conditions = memory(f->conditions, (size_t)f->count + 1, sizeof *f->conditions);
+    f->conditions = xrealloc(f->conditions, (size_t)f->count + 1, sizeof *f->conditions);
     f->conditions[f->count++] =
         (struct condition){keep(r->sheet, scalar(node)),
                            program_difference(&f->program, left, right), signs[i - 1].comparison};
@@ -305,7 +303,7 @@ static bool read_formulas(struct reader *r, const yaml_node_t *node, const yaml_
     if (let != NULL && !read_let(r, let, f))
         return false;
     if (outputs == NULL)
-        return mistake(&r->document, node, 0, "missing outputs");
+        return parse_error(&r->document, node, 0, "missing outputs");
     if (!read_outputs(r, outputs, s, f))
         return false;
     return domain == NULL || read_conditions(r, domain, f);
@@ -321,7 +319,7 @@ static bool read_names(struct reader *r, const yaml_node_t *node, const struct q
             return false;
         for (int k = 0; k < i; k++)
             if (names[k] == names[i])
-                return mistake(&r->document, items[i], 0, "'%s' twice, expected it once", names[i]->name);
+                return parse_error(&r->document, items[i], 0, "'%s' twice, expected it once", names[i]->name);
     }
     *count = found < 0 ? 0 : found;
     return found >= 0;
@@ -332,7 +330,7 @@ static bool check_relation(struct reader *r, const yaml_node_t *node)
 {
     const char *equal = scalar(node) ? strchr(scalar(node), '=') : NULL;
     if (equal == NULL)
-        return mistake(&r->document, node, 0, "expected left = right");
+        return parse_error(&r->document, node, 0, "expected left = right");
     struct program p;
     program_init(&p);
     for (int i = 0; i < r->sheet->quantity_count; i++)
@@ -351,7 +349,7 @@ static bool read_relations(struct reader *r, const yaml_node_t *node, struct sec
 {
     static const char *const known[] = {"equation", "holds", NULL};
     if (node->type != YAML_SEQUENCE_NODE)
-        return mistake(&r->document, node, 0, "expected a list of relations");
+        return parse_error(&r->document, node, 0, "expected a list of relations");
     for (int n = 0; n < length_of(node); n++) {
         const yaml_node_t *item = item_of(&r->document, node, n);
         struct relation relation;
@@ -360,7 +358,7 @@ static bool read_relations(struct reader *r, const yaml_node_t *node, struct sec
             (relation.text = text_of(r, item, "holds", true)) == NULL ||
             !check_relation(r, child(&r->document, item, "holds")))
             return false;
-        s->relations = memory(s->relations, (size_t)s->relation_count + 1, sizeof relation);
+        s->relations = xrealloc(s->relations, (size_t)s->relation_count + 1, sizeof relation);
         s->relations[s->relation_count++] = relation;
     }
     return true;
@@ -397,15 +395,15 @@ static bool read_special(struct reader *r, const yaml_node_t *key, const yaml_no
         while (i < s->input_count && strcmp(s->inputs[i]->name, scalar(name)) != 0)
             i++;
         if (i == s->input_count && strcmp(scalar(name), "flags") != 0)
-            return mistake(&r->document, name, 0, "'%s' is no input of %s", scalar(name), s->id);
+            return parse_error(&r->document, name, 0, "'%s' is no input of %s", scalar(name), s->id);
         if (scalar(value) == NULL)
-            return mistake(&r->document, value, 0, "expected a number");
+            return parse_error(&r->document, value, 0, "expected a number");
         if (i < s->input_count && !is_literals(scalar(value)))
-            return mistake(&r->document, value, 0, "expected a number");
+            return parse_error(&r->document, value, 0, "expected a number");
         if (i < s->input_count)
             special.texts[i] = keep(r->sheet, scalar(value));
     }
-    s->specials = memory(s->specials, (size_t)s->special_count + 1, sizeof special);
+    s->specials = xrealloc(s->specials, (size_t)s->special_count + 1, sizeof special);
     s->specials[s->special_count++] = special;
     return true;
 }
@@ -432,69 +430,69 @@ static bool read_K(struct reader *r, const yaml_node_t *node, double *K, const c
     *reason = text_of(r, node, "reason", true);
     if (*reason == NULL)
         return false;
-    return bound == NULL ? mistake(&r->document, node, 0, "missing bound, expected a positive number")
+    return bound == NULL ? parse_error(&r->document, node, 0, "missing bound, expected a positive number")
                          : read_double(r, bound, K);
 }
 
 /* NAME: formula, under inputs, let or outputs of a mistake */
-static bool read_changes(struct reader *r, const yaml_node_t *node, enum place place, struct slip *slip)
+static bool read_changes(struct reader *r, const yaml_node_t *node, enum place place, struct known_mistake *mistake)
 {
     if (!is_mapping(&r->document, node, NULL))
         return false;
     for (int n = 0; n < length_of(node); n++) {
         const yaml_node_t *value = value_of(&r->document, node, n);
-        if (scalar(value) == NULL || slip->count == MOST_CHANGES)
-            return mistake(&r->document, value, 0, "expected a formula, and at most %d of them", MOST_CHANGES);
-        slip->changes[slip->count].place = place;
-        slip->changes[slip->count].name = keep(r->sheet, scalar(key_of(&r->document, node, n)));
-        slip->changes[slip->count++].formula = keep(r->sheet, scalar(value));
+        if (scalar(value) == NULL || mistake->count == MOST_CHANGES)
+            return parse_error(&r->document, value, 0, "expected a formula, and at most %d of them", MOST_CHANGES);
+        mistake->changes[mistake->count].place = place;
+        mistake->changes[mistake->count].name = keep(r->sheet, scalar(key_of(&r->document, node, n)));
+        mistake->changes[mistake->count++].formula = keep(r->sheet, scalar(value));
     }
     return true;
 }
 
 /* name: {inputs: {...}, let: {...}, outputs: {...}, as: SECTION} */
-static bool read_slip(struct reader *r, const char *name, const yaml_node_t *node, struct slip *slip)
+static bool read_mistake(struct reader *r, const char *name, const yaml_node_t *node, struct known_mistake *mistake)
 {
     static const char *const known[] = {"inputs", "let", "outputs", "as", NULL};
-    *slip = (struct slip){.name = keep(r->sheet, name)};
+    *mistake = (struct known_mistake){.name = keep(r->sheet, name)};
     if (!is_mapping(&r->document, node, known))
         return false;
     for (int place = PLACE_INPUT; place <= PLACE_OUTPUT; place++) {
         const yaml_node_t *changes = child(&r->document, node, known[place]);
-        if (changes != NULL && !read_changes(r, changes, (enum place)place, slip))
+        if (changes != NULL && !read_changes(r, changes, (enum place)place, mistake))
             return false;
     }
-    slip->as = text_of(r, node, "as", false);
+    mistake->as = text_of(r, node, "as", false);
     return true;
 }
 
-static bool read_slips(struct reader *r, const yaml_node_t *node, struct slip **slips, int *count)
+static bool read_mistakes(struct reader *r, const yaml_node_t *node, struct known_mistake **mistakes, int *count)
 {
     if (node == NULL)
         return true;
     if (!is_mapping(&r->document, node, NULL))
         return false;
     for (int n = 0; n < length_of(node); n++) {
-        *slips = memory(*slips, (size_t)*count + 1, sizeof **slips);
-        if (!read_slip(r, scalar(key_of(&r->document, node, n)), value_of(&r->document, node, n), &(*slips)[(*count)++]))
+        *mistakes = xrealloc(*mistakes, (size_t)*count + 1, sizeof **mistakes);
+        if (!read_mistake(r, scalar(key_of(&r->document, node, n)), value_of(&r->document, node, n), &(*mistakes)[(*count)++]))
             return false;
     }
     return true;
 }
 
 /* A section's own mistakes make sense in it; `as` may name a section that stands further down. */
-static bool check_slips(struct reader *r, const yaml_node_t *equations)
+static bool check_known_mistakes(struct reader *r, const yaml_node_t *equations)
 {
     for (int i = 0; i < r->sheet->section_count; i++) {
         const struct section *s = &r->sheet->sections[i];
-        for (int k = 0; k < s->slip_count; k++) {
+        for (int k = 0; k < s->mistake_count; k++) {
             const yaml_node_t *section = child(&r->document, equations, s->id);
-            const yaml_node_t *at = child(&r->document, child(&r->document, section, "mistakes"), s->slips[k].name);
-            struct alternative a;
+            const yaml_node_t *at = child(&r->document, child(&r->document, section, "mistakes"), s->mistakes[k].name);
+            struct mutation a;
             struct message why;
-            if (!alternative_init(&a, r->sheet, s, &s->slips[k], true, &why))
-                return mistake(&r->document, at, 0, "%.300s", why.text);
-            alternative_clear(&a);
+            if (!mutation_init(&a, r->sheet, s, &s->mistakes[k], true, &why))
+                return parse_error(&r->document, at, 0, "%.300s", why.text);
+            mutation_clear(&a);
         }
     }
     return true;
@@ -504,11 +502,11 @@ static bool read_numbers(struct reader *r, const yaml_node_t *section, struct se
 {
     const yaml_node_t *items[8], *node = child(&r->document, section, "equations");
     if (node == NULL)
-        return mistake(&r->document, section, 0, "missing equations: the numbers this section stands for");
+        return parse_error(&r->document, section, 0, "missing equations: the numbers this section stands for");
     s->numbers = list_of(r, node, items, 8);
     for (int i = 0; i < s->numbers; i++)
         s->equations[i] = keep(r->sheet, scalar(items[i]));
-    return s->numbers > 0 || mistake(&r->document, node, 0, "expected at least one equation number");
+    return s->numbers > 0 || parse_error(&r->document, node, 0, "expected at least one equation number");
 }
 
 static bool read_method(struct reader *r, const yaml_node_t *section, struct section *s)
@@ -527,9 +525,9 @@ static bool read_method(struct reader *r, const yaml_node_t *section, struct sec
         if (scalar(node) != NULL && strcmp(scalar(node), names[i]) == 0)
             s->method = (enum method)(METHOD_ROOTS + (int)i);
     if (s->method == METHOD_NONE)
-        return mistake(&r->document, node, 0, "expected a method: roots, flow_ or rk4_ linear or nonlinear");
+        return parse_error(&r->document, node, 0, "expected a method: roots, flow_ or rk4_ linear or nonlinear");
     if (outputs == NULL || inputs == NULL)
-        return mistake(&r->document, section, 0, "missing %s", inputs ? "outputs" : "inputs");
+        return parse_error(&r->document, section, 0, "missing %s", inputs ? "outputs" : "inputs");
     return read_names(r, outputs, s->outputs, MOST_OUTPUTS, &s->output_count);
 }
 
@@ -547,7 +545,7 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
     struct sheet *sheet = r->sheet;
     if (!is_mapping(&r->document, node, known))
         return false;
-    sheet->sections = memory(sheet->sections, (size_t)sheet->section_count + 1, sizeof *sheet->sections);
+    sheet->sections = xrealloc(sheet->sections, (size_t)sheet->section_count + 1, sizeof *sheet->sections);
     struct section *s = &sheet->sections[sheet->section_count++];
     *s = (struct section){.id = keep(sheet, scalar(key)), .K = sheet->K, .K_reason = sheet->K_reason};
     const yaml_node_t *domain = child(&r->document, node, "domain"), *printed = child(&r->document, node, "printed");
@@ -560,7 +558,7 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
         !read_method(r, node, s) || (relations != NULL && !read_relations(r, relations, s)) ||
         (specials != NULL && !read_specials(r, specials, s)) ||
         !read_K(r, child(&r->document, node, "K"), &s->K, &s->K_reason) ||
-        !read_slips(r, child(&r->document, node, "mistakes"), &s->slips, &s->slip_count))
+        !read_mistakes(r, child(&r->document, node, "mistakes"), &s->mistakes, &s->mistake_count))
         return false;
     if (s->method != METHOD_FORMULA)
         return read_domain_alone(r, domain, s);
@@ -584,17 +582,17 @@ static bool read_sheet(struct reader *r)
         return false;
     for (int i = 0; i < 3; i++) /* the oracle's keys need not be there */
         if (child(&r->document, root, known[i]) == NULL)
-            return mistake(&r->document, root, 0, "missing %s", known[i]);
+            return parse_error(&r->document, root, 0, "missing %s", known[i]);
     const yaml_node_t *equations = child(&r->document, root, "equations");
     if (!read_quantities(r, child(&r->document, root, "quantities")) ||
         !read_table1(r, child(&r->document, root, "table1")) || !is_mapping(&r->document, equations, NULL) ||
         !read_K(r, child(&r->document, root, "K"), &r->sheet->K, &r->sheet->K_reason) ||
-        !read_slips(r, child(&r->document, root, "mistakes"), &r->sheet->slips, &r->sheet->slip_count))
+        !read_mistakes(r, child(&r->document, root, "mistakes"), &r->sheet->mistakes, &r->sheet->mistake_count))
         return false;
     for (int n = 0; n < length_of(equations); n++)
         if (!read_section(r, key_of(&r->document, equations, n), value_of(&r->document, equations, n)))
             return false;
-    return check_slips(r, equations) && !r->refused;
+    return check_known_mistakes(r, equations) && !r->refused;
 }
 
 int sheet_read(struct sheet *s, const char *text, size_t length, const char *name, struct message *why)

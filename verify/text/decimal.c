@@ -72,7 +72,7 @@ static bool spells(const char *text, const char *word)
 static const char *read_digits(fmpz_t mantissa, slong *fraction, const char *text, int base)
 {
     size_t span = strspn(text, "0123456789abcdefABCDEF.");
-    char *digits = memory(NULL, span + 1, 1);
+    char *digits = xrealloc(NULL, span + 1, 1);
     size_t count = 0;
     bool point = false;
     *fraction = 0;
@@ -187,7 +187,7 @@ static void write_scientific(char *text, const char *digits, slong exponent)
 static char *scientific(bool negative, const fmpz_t digits, slong exponent)
 {
     char *significand = fmpz_get_str(NULL, 10, digits);
-    char *text = memory(NULL, strlen(significand) + BESIDE_DIGITS, 1);
+    char *text = xrealloc(NULL, strlen(significand) + BESIDE_DIGITS, 1);
     text[0] = '-';
     write_scientific(text + negative, significand, exponent);
     flint_free(significand);
@@ -243,7 +243,7 @@ static char *decimal_of_mpfr(const mpfr_t x, slong digits)
     mpfr_exp_t exponent;
     char *significand = mpfr_get_str(NULL, &exponent, 10, (size_t)digits, x, MPFR_RNDN);
     const bool negative = *significand == '-';
-    char *text = memory(NULL, (size_t)digits + BESIDE_DIGITS, 1);
+    char *text = xrealloc(NULL, (size_t)digits + BESIDE_DIGITS, 1);
     text[0] = '-';
     write_scientific(text + negative, significand + negative, exponent - 1);
     mpfr_free_str(significand);

@@ -82,7 +82,7 @@ static yaml_mark_t place(const struct document *d, const yaml_node_t *at, size_t
     return mark;
 }
 
-bool mistake(const struct document *d, const yaml_node_t *at, size_t offset, const char *format, ...)
+bool parse_error(const struct document *d, const yaml_node_t *at, size_t offset, const char *format, ...)
 {
     char text[384];
     va_list arguments;
@@ -154,22 +154,22 @@ static bool is_known(const struct document *d, const yaml_node_t *key, const cha
     if (known[k] != NULL)
         return true;
     const char *near = nearest_name(text, known, k);
-    return mistake(d, key, 0, "unknown key '%s', expected %s%s", text,
-                   near ? "perhaps " : "one of this kind of entry", near ? near : "");
+    return parse_error(d, key, 0, "unknown key '%s', expected %s%s", text,
+                       near ? "perhaps " : "one of this kind of entry", near ? near : "");
 }
 
 bool is_mapping(const struct document *d, const yaml_node_t *node, const char *const *known)
 {
     if (node->type != YAML_MAPPING_NODE)
-        return mistake(d, node, 0, "expected a mapping, key: value");
+        return parse_error(d, node, 0, "expected a mapping, key: value");
     for (int i = 0; i < length_of(node); i++) {
         const yaml_node_t *key = key_of(d, node, i);
         const char *text = scalar(key);
         if (text == NULL)
-            return mistake(d, key, 0, "expected a plain key");
+            return parse_error(d, key, 0, "expected a plain key");
         for (int k = 0; k < i; k++)
             if (is_key(d, node, k, text))
-                return mistake(d, key, 0, "duplicate '%s', expected each key once", text);
+                return parse_error(d, key, 0, "duplicate '%s', expected each key once", text);
         if (known != NULL && !is_known(d, key, text, known))
             return false;
     }
@@ -179,9 +179,9 @@ bool is_mapping(const struct document *d, const yaml_node_t *node, const char *c
 bool is_list(const struct document *d, const yaml_node_t *node, int most)
 {
     if (node->type != YAML_SEQUENCE_NODE)
-        return mistake(d, node, 0, "expected a list");
+        return parse_error(d, node, 0, "expected a list");
     for (int i = 0; i < length_of(node); i++)
         if (scalar(item_of(d, node, i)) == NULL || i == most)
-            return mistake(d, item_of(d, node, i), 0, "expected a list of at most %d texts", most);
+            return parse_error(d, item_of(d, node, i), 0, "expected a list of at most %d texts", most);
     return true;
 }

@@ -23,7 +23,7 @@ void document_close(struct document *d);
 #if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))
 #endif
-bool mistake(const struct document *d, const yaml_node_t *at, size_t offset, const char *format, ...);
+bool parse_error(const struct document *d, const yaml_node_t *at, size_t offset, const char *format, ...);
 
 const yaml_node_t *document_root(const struct document *d);
 

@@ -28,7 +28,7 @@ void out_of_memory(void)
     exit(1);
 }
 
-void *memory(void *old, size_t count, size_t size)
+void *xrealloc(void *old, size_t count, size_t size)
 {
     void *block = count > SIZE_MAX / size ? NULL : realloc(old, count > 0 ? count * size : size);
     if (block == NULL)
@@ -39,7 +39,7 @@ void *memory(void *old, size_t count, size_t size)
 char *text_copy(const char *text)
 {
     size_t size = strlen(text) + 1;
-    return memcpy(memory(NULL, size, 1), text, size);
+    return memcpy(xrealloc(NULL, size, 1), text, size);
 }
 
 /* Levenshtein's distance of two short names, row by row. */

@@ -23,7 +23,7 @@ const char *nearest_name(const char *mistaken, const char *const *known, size_t 
 __attribute__((noreturn)) void out_of_memory(void);
 
 /* Memory that is there, or the end. */
-void *memory(void *old, size_t count, size_t size);
+void *xrealloc(void *old, size_t count, size_t size);
 char *text_copy(const char *text);
 
 #endif

@@ -1,10 +1,10 @@
 /* An operation as one known mistake would have it: a program like the sheet's own, over the same inputs. */
-#ifndef CT_SLIP_H
-#define CT_SLIP_H
+#ifndef CT_KNOWN_MISTAKES_H
+#define CT_KNOWN_MISTAKES_H
 
 #include "sheet/sheet.h"
 
-struct alternative {
+struct mutation {
     const struct section *section; /* what is computed in the end                                */
     bool formulas_end;             /* ... by these formulas, else by its method from their values */
     struct formulas formulas;
@@ -15,8 +15,8 @@ struct alternative {
  * the section does not have. A section's own mistake (`strict`) has to use all its names; `why` says what
  * is wrong with it. Clear it only after true.
  */
-bool alternative_init(struct alternative *a, const struct sheet *sheet, const struct section *s,
-                      const struct slip *m, bool strict, struct message *why);
-void alternative_clear(struct alternative *a);
+bool mutation_init(struct mutation *a, const struct sheet *sheet, const struct section *s,
+                   const struct known_mistake *m, bool strict, struct message *why);
+void mutation_clear(struct mutation *a);
 
 #endif

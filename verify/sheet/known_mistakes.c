@@ -1,14 +1,12 @@
-#include "sheet/slip.h"
+#include "sheet/known_mistakes.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_CHANGES = 12, MOST_OUTPUTS = 16 };
-
 /* A mistake at work in a section: what each change is about, and the value that it puts there. */
 struct change {
     int target; /* index of an input or output, node of a subexpression; -1: not in this section */
-    int value;  /* node of the alternative's program */
+    int value;  /* node of the mutation's program */
 };
 
 static int index_of(const struct quantity *const *names, int count, const char *name)
@@ -32,7 +30,7 @@ static int target_of(const struct section *s, const struct section *end, enum pl
 
 /* Reads the changes in the names of the section as it should be; false where they do not fit it. */
 static bool take_changes(struct change *changes, struct program *p, struct program *right,
-                         const struct section *s, const struct section *end, const struct slip *m,
+                         const struct section *s, const struct section *end, const struct known_mistake *m,
                          bool strict, struct message *why)
 {
     int taken = m->as != NULL;
@@ -52,7 +50,7 @@ static bool take_changes(struct change *changes, struct program *p, struct progr
             message_set(why, "%s: %.200s", name, expected.text);
             return false;
         }
-        int *identity = memory(NULL, (size_t)right->count, sizeof *identity);
+        int *identity = xrealloc(NULL, (size_t)right->count, sizeof *identity);
         for (int i = 0; i < right->count; i++)
             identity[i] = i < right->inputs ? i : -1;
         changes[k].value = program_inline(p, right, node, identity);
@@ -66,7 +64,7 @@ static bool take_changes(struct change *changes, struct program *p, struct progr
 
 /* What stands for the inputs, and for changed subexpressions, of the section that is computed in the end. */
 static bool take_stand_ins(int *stand_in, const struct section *s, const struct section *end,
-                           const struct slip *m, const struct change *changes, struct message *why)
+                           const struct known_mistake *m, const struct change *changes, struct message *why)
 {
     for (int i = 0; i < end->corrected.program.count; i++)
         stand_in[i] = i < end->input_count ? index_of(s->inputs, s->input_count, end->inputs[i]->name) : -1;
@@ -81,7 +79,7 @@ static bool take_stand_ins(int *stand_in, const struct section *s, const struct 
     return true;
 }
 
-static void take_outputs(struct alternative *a, const struct section *s, const struct slip *m,
+static void take_outputs(struct mutation *a, const struct section *s, const struct known_mistake *m,
                          const struct change *changes, const int *stand_in)
 {
     const struct formulas *end = &a->section->corrected, *right = &s->corrected;
@@ -92,10 +90,10 @@ static void take_outputs(struct alternative *a, const struct section *s, const s
     for (int k = 0; k < m->count; k++)
         if (m->changes[k].place == PLACE_OUTPUT && changes[k].target >= 0)
             f->outputs[changes[k].target] = changes[k].value;
-    int *identity = memory(NULL, (size_t)right->program.count + 1, sizeof *identity);
+    int *identity = xrealloc(NULL, (size_t)right->program.count + 1, sizeof *identity);
     for (int i = 0; i < right->program.count; i++)
         identity[i] = i < right->program.inputs ? i : -1;
-    f->conditions = memory(NULL, (size_t)right->count + 1, sizeof *f->conditions);
+    f->conditions = xrealloc(NULL, (size_t)right->count + 1, sizeof *f->conditions);
     for (f->count = 0; f->count < right->count; f->count++) {
         f->conditions[f->count] = right->conditions[f->count];
         f->conditions[f->count].node =
@@ -104,13 +102,13 @@ static void take_outputs(struct alternative *a, const struct section *s, const s
     free(identity);
 }
 
-bool alternative_init(struct alternative *a, const struct sheet *sheet, const struct section *s,
-                      const struct slip *m, bool strict, struct message *why)
+bool mutation_init(struct mutation *a, const struct sheet *sheet, const struct section *s,
+                   const struct known_mistake *m, bool strict, struct message *why)
 {
     const struct section *end = m->as ? section_find(sheet, m->as) : s;
     struct change changes[MOST_CHANGES];
     struct program right;
-    *a = (struct alternative){.section = end};
+    *a = (struct mutation){.section = end};
     if (end == NULL || end->method == METHOD_NONE || end->output_count != s->output_count) {
         message_set(why, "as: expected an operation with as many outputs");
         return false;
@@ -126,7 +124,7 @@ bool alternative_init(struct alternative *a, const struct sheet *sheet, const st
     for (int i = 0; i < s->output_count && s->method == METHOD_FORMULA; i++)
         if (program_find(&right, s->outputs[i]->name) < 0)
             program_name(&right, s->corrected.outputs[i], s->outputs[i]->name);
-    int *stand_in = memory(NULL, (size_t)end->corrected.program.count, sizeof *stand_in);
+    int *stand_in = xrealloc(NULL, (size_t)end->corrected.program.count, sizeof *stand_in);
     bool fits = take_changes(changes, &a->formulas.program, &right, s, end, m, strict, why) &&
                 take_stand_ins(stand_in, s, end, m, changes, why);
     if (fits)
@@ -134,11 +132,11 @@ bool alternative_init(struct alternative *a, const struct sheet *sheet, const st
     free(stand_in);
     program_clear(&right);
     if (!fits)
-        alternative_clear(a);
+        mutation_clear(a);
     return fits;
 }
 
-void alternative_clear(struct alternative *a)
+void mutation_clear(struct mutation *a)
 {
     program_clear(&a->formulas.program);
     free(a->formulas.conditions);

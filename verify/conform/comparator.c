@@ -1,4 +1,4 @@
-#include "conform/judge.h"
+#include "conform/comparator.h"
 
 #include <math.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "formula/exact.h"
 #include "text/scope.h"
 
-const char *const finding_names[FINDINGS] = {
+const char *const outcome_names[OUTCOMES] = {
     "right",     "skipped",       "wrong",     "NaN",     "infinite",  "invalid where a value is due",
     "a value where invalid is due", "wrong count", "malformed", "truncated", "too long", "wrong id",
     "repeated",  "reordered",     "early",     "missing", "extra line", "too many lines out of place",
@@ -18,43 +18,43 @@ bool is_motion(const struct section *s)
     return s->method != METHOD_NONE && !operation_has_sensitivity(s);
 }
 
-void judge_init(struct judge *j, struct operation *o, int significand, double digits)
+void comparator_init(struct comparator *j, struct operation *o, int significand, double digits)
 {
-    *j = (struct judge){.operation = o, .significand = significand, .K = o->section->K, .digits = digits};
-    j->y = _arb_vec_init(MOST_ANSWERS);
-    j->exact = _arb_vec_init(MOST_ANSWERS);
-    j->S = _arb_vec_init(MOST_ANSWERS);
+    *j = (struct comparator){.operation = o, .significand = significand, .K = o->section->K, .digits = digits};
+    j->y = _arb_vec_init(MOST_OUTPUTS);
+    j->exact = _arb_vec_init(MOST_OUTPUTS);
+    j->S = _arb_vec_init(MOST_OUTPUTS);
 }
 
-void judge_clear(struct judge *j)
+void comparator_clear(struct comparator *j)
 {
-    _arb_vec_clear(j->y, MOST_ANSWERS);
-    _arb_vec_clear(j->exact, MOST_ANSWERS);
-    _arb_vec_clear(j->S, MOST_ANSWERS);
+    _arb_vec_clear(j->y, MOST_OUTPUTS);
+    _arb_vec_clear(j->exact, MOST_OUTPUTS);
+    _arb_vec_clear(j->S, MOST_OUTPUTS);
 }
 
 /* ---- algebra and roots ---- */
 
 /* K u S: what roundings of the inputs may do to an output. */
-static void rounding_reach(arb_t reach, const struct judge *j, int output)
+static void rounding_bound(arb_t bound, const struct comparator *j, int output)
 {
-    arb_set_d(reach, j->K);
-    arb_mul(reach, reach, j->S + output, 64);
-    arb_mul_2exp_si(reach, reach, -j->significand);
+    arb_set_d(bound, j->K);
+    arb_mul(bound, bound, j->S + output, 64);
+    arb_mul_2exp_si(bound, bound, -j->significand);
 }
 
 /*
  * Whether roundings of the inputs decide on stability by (42): no margin is negative beyond them, and one is within them.
  * A margin that no rounding moves, S = 0, is what it is.
  */
-static bool on_the_boundary(const struct judge *j)
+static bool on_the_boundary(const struct comparator *j)
 {
     bool within = false, unstable = false;
-    SCOPE(arb, reach, size);
+    SCOPE(arb, bound, size);
     for (int i = 0; i < 2; i++) {
-        rounding_reach(reach, j, i);
+        rounding_bound(bound, j, i);
         arb_abs(size, j->exact + i);
-        const bool beyond = arb_gt(size, reach) || arb_is_zero(j->S + i);
+        const bool beyond = arb_gt(size, bound) || arb_is_zero(j->S + i);
         within = within || !beyond;
         unstable = unstable || (beyond && !arb_is_positive(j->exact + i));
     }
@@ -62,7 +62,7 @@ static bool on_the_boundary(const struct judge *j)
 }
 
 /* On the boundary either verdict on stability is right, and nothing else is. */
-static void allow_either(struct judge *j)
+static void allow_either(struct comparator *j)
 {
     const int stable = j->operation->section->output_count - 1;
     if ((arb_is_zero(j->y + stable) || arb_is_one(j->y + stable)) && on_the_boundary(j))
@@ -70,7 +70,7 @@ static void allow_either(struct judge *j)
 }
 
 /* An exact zero that enclosures only shrink around; a pole of a derivative, where S is infinite and excuses nothing. */
-static void settle(struct judge *j, const struct input *inputs, slong prec)
+static void settle(struct comparator *j, const struct input *inputs, slong prec)
 {
     const struct operation *o = j->operation;
     struct machine values;
@@ -86,7 +86,7 @@ static void settle(struct judge *j, const struct input *inputs, slong prec)
     machine_clear(&values);
 }
 
-static struct bounds error_of(struct judge *j, const struct input *inputs, struct score *score)
+static struct bounds error_of(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const struct section *s = j->operation->section;
     const struct bounds E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output);
@@ -94,16 +94,16 @@ static struct bounds error_of(struct judge *j, const struct input *inputs, struc
     return E;
 }
 
-enum finding finding_of_bounds(struct bounds E, double K)
+enum outcome outcome_of_bounds(struct bounds E, double K)
 {
-    return E.upper <= K ? FOUND_RIGHT : E.lower > K ? FOUND_WRONG : FOUND_SKIPPED;
+    return E.upper <= K ? OUTCOME_RIGHT : E.lower > K ? OUTCOME_WRONG : OUTCOME_SKIPPED;
 }
 
 /* |y - y*| 2^significand against K (|y*| + S) in rational numbers: E = K passes, and no enclosure sees that it does. */
-static enum finding compare_exactly(struct judge *j, const struct input *inputs, const fmpq_t exact, int output)
+static enum outcome compare_output_exactly(struct comparator *j, const struct input *inputs, const fmpq_t exact, int output)
 {
     SCOPE(fmpq, S, off, allowed);
-    enum finding finding = FOUND_SKIPPED;
+    enum outcome outcome = OUTCOME_SKIPPED;
     if (operation_sensitivity_rational(j->operation, inputs, output, S)) {
         arf_get_fmpq(off, arb_midref(j->y + output));
         fmpq_sub(off, off, exact);
@@ -113,51 +113,51 @@ static enum finding compare_exactly(struct judge *j, const struct input *inputs,
         fmpq_add(allowed, allowed, S);
         fmpq_set_double(S, j->K);
         fmpq_mul(allowed, allowed, S);
-        finding = fmpq_cmp(off, allowed) <= 0 ? FOUND_RIGHT : FOUND_WRONG;
+        outcome = fmpq_cmp(off, allowed) <= 0 ? OUTCOME_RIGHT : OUTCOME_WRONG;
     }
-    return finding;
+    return outcome;
 }
 
 /* Outputs that enclosures leave undecided, one by one. */
-static enum finding judge_exactly(struct judge *j, const struct input *inputs, struct score *score)
+static enum outcome compare_outputs_exactly(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const struct operation *o = j->operation;
-    enum finding all = FOUND_RIGHT;
+    enum outcome all = OUTCOME_RIGHT;
     struct machine exact;
     SCOPE(fmpq, truth);
     operation_exact(&exact, o, inputs);
-    for (int i = 0; i < o->section->output_count && all != FOUND_WRONG; i++) {
-        enum finding one = finding_of_bounds(
+    for (int i = 0; i < o->section->output_count && all != OUTCOME_WRONG; i++) {
+        enum outcome one = outcome_of_bounds(
             error_in_roundings(arb_midref(j->y + i), j->exact + i, j->S + i, j->significand), j->K);
-        if (one == FOUND_SKIPPED && exact_is_rational(truth, machine_value(&exact, o->formulas->outputs[i])))
-            one = compare_exactly(j, inputs, truth, i);
-        all = one == FOUND_RIGHT ? all : one;
+        if (one == OUTCOME_SKIPPED && exact_is_rational(truth, machine_value(&exact, o->formulas->outputs[i])))
+            one = compare_output_exactly(j, inputs, truth, i);
+        all = one == OUTCOME_RIGHT ? all : one;
     }
     machine_clear(&exact);
-    if (all == FOUND_RIGHT)
+    if (all == OUTCOME_RIGHT)
         score->E = j->K;
     return all;
 }
 
-static enum finding judge_in_roundings(struct judge *j, const struct input *inputs, struct score *score)
+static enum outcome compare_in_roundings(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const struct section *s = j->operation->section;
-    const bool judges_stability = strcmp(s->outputs[s->output_count - 1]->name, "stable") == 0;
+    const bool compares_stability = strcmp(s->outputs[s->output_count - 1]->name, "stable") == 0;
     const slong most = 16384;
-    enum finding finding = FOUND_SKIPPED;
-    for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most && finding == FOUND_SKIPPED; prec *= 4) {
+    enum outcome outcome = OUTCOME_SKIPPED;
+    for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most && outcome == OUTCOME_SKIPPED; prec *= 4) {
         operation_enclose(j->operation, inputs, prec, j->exact);
         _arb_vec_zero(j->S, s->output_count);
         if (s->method == METHOD_FORMULA && error_of(j, inputs, score).upper <= fmin(j->K, j->worst))
-            return FOUND_RIGHT; /* without S already, and no new worst */
+            return OUTCOME_RIGHT; /* without S already, and no new worst */
         operation_sensitivity(j->operation, inputs, prec, j->S);
         if (4 * prec > most && s->method == METHOD_FORMULA)
             settle(j, inputs, prec);
-        if (judges_stability)
+        if (compares_stability)
             allow_either(j);
-        finding = finding_of_bounds(error_of(j, inputs, score), j->K);
+        outcome = outcome_of_bounds(error_of(j, inputs, score), j->K);
     }
-    return finding == FOUND_SKIPPED && s->method == METHOD_FORMULA ? judge_exactly(j, inputs, score) : finding;
+    return outcome == OUTCOME_SKIPPED && s->method == METHOD_FORMULA ? compare_outputs_exactly(j, inputs, score) : outcome;
 }
 
 /* ---- motions ---- */
@@ -176,7 +176,7 @@ static int place_of(const struct section *s, const char *name)
 }
 
 /* Digits of the largest coordinate; `lost` gets what the truth's enclosures are wide, on the same scale. */
-static double digits_reached(const struct judge *j, const struct input *inputs, double *lost)
+static double digits_reached(const struct comparator *j, const struct input *inputs, double *lost)
 {
     const struct section *s = j->operation->section;
     const bool linear = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_RK4_LINEAR;
@@ -198,7 +198,7 @@ static double digits_reached(const struct judge *j, const struct input *inputs, 
     return off == 0.0 ? INFINITY : scale > 0.0 ? -log10(off / scale) : 0.0;
 }
 
-static enum finding judge_in_digits(struct judge *j, const struct input *inputs, struct score *score)
+static enum outcome compare_in_digits(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const slong digits = (slong)j->digits + 8; /* enough to see a client do better than it says */
     const slong first = operation_precision(j->operation, inputs, digits);
@@ -207,19 +207,19 @@ static enum finding judge_in_digits(struct judge *j, const struct input *inputs,
         score->digits = digits_reached(j, inputs, &lost);
     const slong most = j->once ? first : 8 * first;
     for (slong prec = first; prec <= most && !(lost <= pow(10.0, -j->digits - 5.0)); prec *= 2)
-        if (operation_follow(j->operation, inputs, digits, prec, j->exact) == OUTCOME_PROVED)
+        if (operation_follow(j->operation, inputs, digits, prec, j->exact) == OPERATION_PROVED)
             score->digits = digits_reached(j, inputs, &lost);
     if (isinf(lost))
-        return FOUND_SKIPPED;
-    return score->digits >= j->digits ? FOUND_RIGHT : FOUND_WRONG;
+        return OUTCOME_SKIPPED;
+    return score->digits >= j->digits ? OUTCOME_RIGHT : OUTCOME_WRONG;
 }
 
-enum finding judge_answer(struct judge *j, const struct input *inputs, struct score *score)
+enum outcome compare_answer(struct comparator *j, const struct input *inputs, struct score *score)
 {
     *score = (struct score){.E = 0.0, .digits = INFINITY};
     if (is_motion(j->operation->section))
-        return judge_in_digits(j, inputs, score);
-    enum finding finding = judge_in_roundings(j, inputs, score);
-    j->worst = fmax(j->worst, finding == FOUND_RIGHT ? score->E : 0.0);
-    return finding;
+        return compare_in_digits(j, inputs, score);
+    enum outcome outcome = compare_in_roundings(j, inputs, score);
+    j->worst = fmax(j->worst, outcome == OUTCOME_RIGHT ? score->E : 0.0);
+    return outcome;
 }

@@ -1,0 +1,66 @@
+/*
+ * Compares an answer with the truth: of algebra and roots in roundings, E <= K (errors.h); of motions by the
+ * decimal digits reached of the motion's largest coordinate, at 0 or at t, lengths over L_ref and time in
+ * radians of orbit. The truth is certified when it is needed, with no more bits than decide.
+ */
+#ifndef CT_COMPARATOR_H
+#define CT_COMPARATOR_H
+
+#include "evaluate/errors.h"
+
+/* What may come of a question, or of a line that answers none; everything after SKIPPED is a failure. */
+enum outcome {
+    OUTCOME_RIGHT,
+    OUTCOME_SKIPPED,
+    OUTCOME_WRONG,     /* E > K, or too few digits                                       */
+    OUTCOME_NAN,
+    OUTCOME_INFINITE,
+    OUTCOME_INVALID,   /* where a value is due                                           */
+    OUTCOME_VALUE,     /* where `invalid` is due                                         */
+    OUTCOME_COUNT,     /* too few or too many outputs                                    */
+    OUTCOME_MALFORMED, /* no id, or something that is no number                          */
+    OUTCOME_TRUNCATED, /* the last line has no end                                       */
+    OUTCOME_TOO_LONG,  /* a line                                                         */
+    OUTCOME_STRANGER,  /* an id that no question has                                     */
+    OUTCOME_REPEATED,
+    OUTCOME_REORDERED, /* after the answer to a later question                          */
+    OUTCOME_EARLY,     /* before its question                                            */
+    OUTCOME_MISSING,
+    OUTCOME_EXTRA,     /* a line after the last answer                                  */
+    OUTCOME_FLOOD,     /* so many lines out of place that the client was stopped         */
+    OUTCOME_TIMEOUT,
+    OUTCOME_CRASH,     /* ended by a signal                                              */
+    OUTCOME_EXIT,      /* an exit status other than 0                                    */
+    OUTCOMES
+};
+
+extern const char *const outcome_names[OUTCOMES];
+
+struct comparator {
+    struct operation *operation;
+    int significand;
+    double K, digits;     /* what passes: E of at most K, digits of at least so many */
+    double worst;         /* E below this need not be known exactly                  */
+    arb_ptr y, exact, S;  /* the answer; its truth                                   */
+    bool followed;        /* exact holds the truth of this motion from the last time */
+    bool once;            /* a motion is followed with the first precision alone     */
+};
+
+struct score {
+    double E, digits; /* an upper bound, a lower bound */
+    int output;       /* of the worst E                */
+};
+
+bool is_motion(const struct section *s);
+
+/* The operation stays the caller's. */
+void comparator_init(struct comparator *j, struct operation *o, int significand, double digits);
+void comparator_clear(struct comparator *j);
+
+/* The outcome on j->y, for inputs in the domain: right or wrong; skipped where the truth cannot be certified. */
+enum outcome compare_answer(struct comparator *j, const struct input *inputs, struct score *score);
+
+/* What bounds on E come to: E <= K is right, E > K wrong; skipped where neither is proved, which is not the client's fault. */
+enum outcome outcome_of_bounds(struct bounds E, double K);
+
+#endif

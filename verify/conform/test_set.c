@@ -1,0 +1,170 @@
+#include "conform/test_set.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "evaluate/domain.h"
+#include "evaluate/sample.h"
+#include "evaluate/vectors.h"
+#include "text/decimal.h"
+
+/* ---- golden vectors ---- */
+
+struct collection {
+    struct test_set *set;
+    struct input *inputs;
+    int significand;
+    bool range;
+};
+
+static bool collect(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
+{
+    struct collection *c = context;
+    const struct section *s = o->section;
+    (void)flags;
+    const bool range = s->method == METHOD_FORMULA && vector_read(s, texts, c->inputs) &&
+                       operation_valid(o, c->inputs) && vector_leaves_range(o, c->inputs, c->significand);
+    if (range && !c->range)
+        return true;
+    struct test_set *set = c->set;
+    set->golden = xrealloc(set->golden, (size_t)set->golden_count + 1, sizeof *set->golden);
+    struct golden_vector *v = &set->golden[set->golden_count++];
+    *v = (struct golden_vector){.id = text_copy(id), .range = range};
+    for (int i = 0; i < s->input_count; i++)
+        v->texts[i] = text_copy(texts[i]);
+    return true;
+}
+
+void test_sets_add(struct test_sets *sets, const struct section *s, uint64_t random, int significand, bool range)
+{
+    sets->all = xrealloc(sets->all, (size_t)sets->count + 1, sizeof *sets->all);
+    struct test_set *set = &sets->all[sets->count++];
+    *set = (struct test_set){.random = random, .first = sets->total};
+    operation_init(&set->operation, s, false);
+    struct collection c = {set, inputs_new(s->input_count), significand, range};
+    golden_each(s, collect, &c);
+    inputs_free(c.inputs, s->input_count);
+    sets->total += test_set_total(set);
+}
+
+void test_sets_clear(struct test_sets *sets)
+{
+    for (int k = 0; k < sets->count; k++) {
+        for (int i = 0; i < sets->all[k].golden_count; i++) {
+            free(sets->all[k].golden[i].id);
+            for (int n = 0; n < MOST_INPUTS; n++)
+                free(sets->all[k].golden[i].texts[n]);
+        }
+        free(sets->all[k].golden);
+        operation_clear(&sets->all[k].operation);
+    }
+    free(sets->all);
+    *sets = (struct test_sets){0};
+}
+
+uint64_t test_set_defects(const struct test_set *set)
+{
+    return set->random / 16 + (set->random % 16 != 0);
+}
+
+uint64_t test_set_total(const struct test_set *set)
+{
+    return (uint64_t)set->golden_count + set->random + test_set_defects(set);
+}
+
+/* ---- one vector ---- */
+
+void test_vector_init(struct test_vector *vector)
+{
+    *vector = (struct test_vector){.inputs = inputs_new(MOST_INPUTS)};
+}
+
+void test_vector_clear(struct test_vector *vector)
+{
+    inputs_free(vector->inputs, MOST_INPUTS);
+}
+
+struct test_set *test_sets_at(const struct test_sets *sets, uint64_t position)
+{
+    int k = 0;
+    while (k + 1 < sets->count && sets->all[k + 1].first <= position)
+        k++;
+    return &sets->all[k];
+}
+
+/* The word in the names of random vectors from outside the domain. */
+static const char OUTSIDE[] = "outside-";
+
+static void random_id(char id[LONGEST_ID + 1], const struct section *s, uint64_t seed, const char *outside, uint64_t number)
+{
+    snprintf(id, LONGEST_ID + 1, "%.40s-%" PRIu64 "-%s%" PRIu64, s->id, seed, outside, number);
+}
+
+void test_vector_make(struct test_vector *vector, const struct test_sets *sets, uint64_t position)
+{
+    struct test_set *set = test_sets_at(sets, position);
+    const struct section *s = set->operation.section;
+    const uint64_t at = position - set->first;
+    vector->set = set;
+    if (at < (uint64_t)set->golden_count) {
+        vector->golden = &set->golden[at];
+        vector->drawn_inside = false;
+        snprintf(vector->id, sizeof vector->id, "%s", vector->golden->id);
+        vector->numbers = vector_read(s, (const char *const *)vector->golden->texts, vector->inputs);
+        return;
+    }
+    const uint64_t number = at - (uint64_t)set->golden_count;
+    vector->golden = NULL;
+    vector->drawn_inside = number < set->random;
+    if (vector->drawn_inside) {
+        random_id(vector->id, s, sets->seed, "", number);
+        sample(&set->operation, sets->seed, number, vector->values, vector->inputs);
+    } else {
+        const uint64_t k = number - set->random;
+        random_id(vector->id, s, sets->seed, OUTSIDE, k);
+        sample(&set->operation, sets->seed, k, vector->values, vector->inputs);
+        domain_defect(&set->operation, sets->seed + k, vector->values);
+    }
+    vector->numbers = inputs_of_values(s, vector->values, vector->inputs);
+}
+
+void test_vector_text(const struct test_vector *vector, int input, enum input_form form, char text[LONGEST_INPUT])
+{
+    char decimal[32];
+    if (vector->golden == NULL)
+        value_text(decimal, vector->values[input]);
+    input_write(text, vector->golden != NULL ? vector->golden->texts[input] : decimal, form);
+}
+
+/* The number after ID-SEED-, and the word for vectors from outside; UINT64_MAX where the oracle would write it otherwise. */
+static uint64_t random_number(const struct test_sets *sets, const struct test_set *set, const char *id)
+{
+    const char *digits = strrchr(id, '-') + 1;
+    const uint64_t number = strtoull(digits, NULL, 10);
+    char text[LONGEST_ID + 1];
+    random_id(text, set->operation.section, sets->seed, "", number);
+    if (strcmp(text, id) == 0 && number < set->random)
+        return number;
+    random_id(text, set->operation.section, sets->seed, OUTSIDE, number);
+    return strcmp(text, id) == 0 && number < test_set_defects(set) ? set->random + number : UINT64_MAX;
+}
+
+uint64_t test_sets_find(const struct test_sets *sets, const char *id)
+{
+    const size_t length = strcspn(id, "-");
+    for (int k = 0; k < sets->count; k++) {
+        const struct test_set *set = &sets->all[k];
+        const char *operation = set->operation.section->id;
+        if (strlen(operation) != length || strncmp(operation, id, length) != 0 || id[length] == '\0')
+            continue;
+        for (int i = 0; i < set->golden_count; i++)
+            if (strcmp(set->golden[i].id, id) == 0)
+                return set->first + (uint64_t)i;
+        const uint64_t number = random_number(sets, set, id);
+        if (number != UINT64_MAX)
+            return set->first + (uint64_t)set->golden_count + number;
+    }
+    return UINT64_MAX;
+}
