@@ -188,6 +188,7 @@ arb_ptr track_row(const struct track *t, slong k)
 bool track_run(struct track *t, const struct scene *s, long first, long step, long last)
 {
     const double radians = 7.3e-5 * (double)last; /* Omega, about */
+    const slong digits = s->digits > 0 ? s->digits : TRACK_DIGITS;
     struct flow_parameters p;
     double reached;
     enum flow_status status;
@@ -197,7 +198,7 @@ bool track_run(struct track *t, const struct scene *s, long first, long step, lo
     t->first = first;
     t->step = step;
     t->count = (last - first) / step + 1;
-    t->prec = s->rk4 ? rk4_precision(TRACK_DIGITS, radians) : flow_precision(TRACK_DIGITS, radians);
+    t->prec = s->rk4 ? rk4_precision(digits, radians) : flow_precision(digits, radians);
     VECTOR(arb, initial, FLOW_STATE);
     VECTOR(fmpq, times, t->count);
     set_parameters(&p, s, t->prec);
@@ -211,7 +212,7 @@ bool track_run(struct track *t, const struct scene *s, long first, long step, lo
     else if (s->rk4)
         status = rk4_linear(&p, initial, h, times, t->count, t->prec, take_row, t, &reached);
     else if (s->nonlinear)
-        status = flow_nonlinear(&p, initial, times, t->count, TRACK_DIGITS, t->prec, take_row, t, &reached);
+        status = flow_nonlinear(&p, initial, times, t->count, digits, t->prec, take_row, t, &reached);
     else
         status = flow_linear(&p, initial, times, t->count, t->prec, take_row, t, &reached);
     flow_parameters_clear(&p);
