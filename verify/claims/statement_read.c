@@ -303,13 +303,6 @@ static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t 
     return a->ordering == IS_EQUAL && !somewhere ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
 }
 
-static bool read_bound(struct reading *r, const char *key, struct formula *f, bool *there)
-{
-    const yaml_node_t *node = own(r, key);
-    *there = node != NULL;
-    return node == NULL || read_scalar_formula(r, f, node);
-}
-
 static bool read_count(struct reading *r, const yaml_node_t *node, long *count)
 {
     char *end = NULL;
@@ -317,19 +310,20 @@ static bool read_count(struct reading *r, const yaml_node_t *node, long *count)
     return (end != NULL && *end == '\0' && *count >= 0) || refuse(r, node, "expected a count: 0, 1, 2 ...");
 }
 
-/* A name that `of` says to be free; NULL after a complaint. */
-static const char *read_variable(struct reading *r)
+/* Of the unknown that `of` names. */
+static bool read_polynomial(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
     const yaml_node_t *of = own(r, "of");
-    if (of == NULL || scalar(of) == NULL)
-        refuse(r, of, "missing of, expected the name of the unknown");
-    return of != NULL ? scalar(of) : NULL;
+    a->variable = of != NULL ? scalar(of) : NULL;
+    if (a->variable == NULL || a->variable[0] == '\0')
+        return refuse(r, of, "missing of, expected the name of the unknown");
+    return read_scalar_formula(r, &a->formula, value);
 }
 
 static bool read_root(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
     const yaml_node_t *in = own(r, "in");
-    if ((a->variable = read_variable(r)) == NULL || a->variable[0] == '\0' || !read_scalar_formula(r, &a->formula, value))
+    if (!read_polynomial(r, a, value))
         return false;
     if (in == NULL || in->type != YAML_SEQUENCE_NODE || length_of(in) != 2)
         return refuse(r, in, "expected in: [low, high]");
@@ -338,9 +332,11 @@ static bool read_root(struct reading *r, struct assertion *a, const yaml_node_t 
 
 static bool read_roots(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
-    return (a->variable = read_variable(r)) != NULL && read_scalar_formula(r, &a->formula, value) &&
-           read_bound(r, "above", &a->low, &a->has_low) && read_bound(r, "below", &a->high, &a->has_high) &&
-           read_count(r, own(r, "count"), &a->count);
+    const yaml_node_t *above = own(r, "above"), *below = own(r, "below");
+    a->has_low = above != NULL;
+    a->has_high = below != NULL;
+    return read_polynomial(r, a, value) && (above == NULL || read_scalar_formula(r, &a->low, above)) &&
+           (below == NULL || read_scalar_formula(r, &a->high, below)) && read_count(r, own(r, "count"), &a->count);
 }
 
 /* One state, its rate, and where it is to be taken. */
@@ -386,7 +382,7 @@ static bool read_system(struct reading *r, struct assertion *a)
 
 static bool read_characteristic(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
-    return (a->variable = read_variable(r)) != NULL && read_scalar_formula(r, &a->formula, value) && read_system(r, a);
+    return read_polynomial(r, a, value) && read_system(r, a);
 }
 
 static bool read_rank(struct reading *r, struct assertion *a, const yaml_node_t *value)
@@ -464,18 +460,11 @@ static bool read_interval(struct reading *r, struct assertion *a)
     return count == 2 || (count >= 0 && refuse(r, on, "expected on: {name: [low, high]}"));
 }
 
-/* What takes several values, and what moves, before the formulas that use it. */
-static bool read_ranges(struct reading *r, struct assertion *a)
-{
-    static const char *const known[] = {"show", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on",
-                                        "for", "above", "below", "count", "control", "observe", "angles", "positive", "free", "small",
-                                        "order", "rates", "let", "square roots", "not negative", "at", "system", "about", NULL};
-    if (r->entry == NULL)
-        return refuse(r, a->node, "expected left = right, or a mapping");
-    if (!is_mapping(r->document, r->entry, known))
-        return false;
-    return read_turns(r, a) && read_interval(r, a);
-}
+/* The keys of an entry of `prove`; from CONTEXT on those of `given`, too. */
+enum { CONTEXT = 17 };
+static const char *const entry_keys[] = {"show", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on", "for",
+                                         "above", "below", "count", "control", "observe", "angles", "positive", "free", "small", "order",
+                                         "rates", "let", "square roots", "not negative", "at", "system", "about", NULL};
 
 static bool read_assertion(struct reading *r, struct assertion *a)
 {
@@ -483,18 +472,17 @@ static bool read_assertion(struct reading *r, struct assertion *a)
     r->at = NULL;
     if (!read_values(r, &a->at))
         return false;
-    if (scalar(a->node) != NULL) {
-        a->kind = ASSERT_SHOW;
+    if (scalar(a->node) != NULL)
         return read_show(r, a, a->node);
-    }
-    if (!read_ranges(r, a))
+    if (r->entry == NULL)
+        return refuse(r, a->node, "expected left = right, or a mapping");
+    if (!is_mapping(r->document, r->entry, entry_keys) || !read_turns(r, a) || !read_interval(r, a)) /* before the formulas that use them */
         return false;
     for (int i = 0; i < FORMS; i++) {
         const yaml_node_t *value = child(r->document, a->node, forms[i].key);
-        if (value == NULL)
-            continue;
         a->kind = forms[i].kind;
-        return forms[i].read(r, a, value);
+        if (value != NULL)
+            return forms[i].read(r, a, value);
     }
     return refuse(r, a->node, "expected left = right, or one of show, root, roots, characteristic, rank, step, claim, compute");
 }
@@ -737,25 +725,24 @@ static bool read_equations(struct reading *r, struct statement *s)
 static bool read_statement(struct statements *all, const yaml_node_t *key, const yaml_node_t *node)
 {
     static const char *const known[] = {"where", "kind", "claim", "verdict", "why", "given", "prove", "evidence", "equations", NULL};
-    static const char *const contexts[] = {"angles", "positive", "free", "small", "order", "rates", "let", "square roots",
-                                           "not negative", "at", "system", "about", NULL};
     if (!is_mapping(&all->document, node, known))
         return false;
     all->list = memory(all->list, (size_t)all->count + 1, sizeof *all->list);
     struct statement *s = &all->list[all->count++];
-    *s = (struct statement){.id = scalar(key), .given = child(&all->document, node, "given"),
-                            .verdict = child(&all->document, node, "verdict"),
-                            .prove = child(&all->document, node, "prove")};
+    *s = (struct statement){.id = scalar(key)};
     struct reading r = {.all = all, .document = &all->document, .statement = s, .entry = node};
-    const yaml_node_t *evidence = child(&all->document, node, "evidence");
-    if ((s->given != NULL && !is_mapping(&all->document, s->given, contexts)) || !read_texts(&r, s) || !read_equations(&r, s) ||
+    const yaml_node_t *evidence = own(&r, "evidence");
+    s->given = own(&r, "given");
+    s->prove = own(&r, "prove");
+    s->verdict = own(&r, "verdict");
+    if ((s->given != NULL && !is_mapping(&all->document, s->given, entry_keys + CONTEXT)) || !read_texts(&r, s) || !read_equations(&r, s) ||
         !read_prove(&r, s->prove))
         return false;
     r.entry = NULL;
     if (!read_values(&r, &s->at) || !read_marks(&r, evidence, true))
         return false;
     r.entry = node;
-    if (!read_verdicts(&r, child(&all->document, node, "verdict")))
+    if (!read_verdicts(&r, s->verdict))
         return false;
     const bool plain = s->verdicts[0] == HOLDS || s->verdicts[0] == DEFINITION;
     return plain || s->why != NULL || mistake(&all->document, node, 0, "missing why, of a verdict other than holds and definition");
