@@ -45,14 +45,6 @@ static void complex_of(acb_t z, const struct second_order *o, const char *re, co
     arb_set(acb_imagref(z), second_order_get(o, im));
 }
 
-START_TEST(second_order_solves_eq03_exactly)
-{
-    struct second_order o = response(10, 2);
-    ck_assert(second_order_holds(&o));
-    second_order_clear(&o);
-}
-END_TEST
-
 /*
  * Of second order in pitch Re(z), z' = 2 i z, the plane's equations are l'' + c2 l' + (c1 - 9) l - 2 psi' = theta'^2 -
  * 4 theta^2 = Re(-4 z^2) and psi'' + 3 psi + 2 l' = 2 theta theta' = Re(2 i z^2): for l = Re(A z^2), psi = Re(B z^2)
@@ -280,7 +272,6 @@ Suite *suite(void)
     TCase *c = tcase_create("convergence");
     tcase_set_timeout(c, 60);
     tcase_add_checked_fixture(c, NULL, close_all);
-    tcase_add_test(c, second_order_solves_eq03_exactly);
     tcase_add_test(c, eq40_driven_by_pitch_gives_A_and_B);
     tcase_add_test(c, pitch_loses_what_the_feedback_takes);
     tcase_add_test(c, slow_law_halves_pitch);

@@ -8,6 +8,7 @@ enum { LONGEST_WORD = 63 };
 
 struct handed {
     char name[LONGEST_WORD + 1];
+    bool is_truth;
     arb_t value;
     enum truth truth;
     enum how how;
@@ -16,27 +17,25 @@ struct handed {
 struct computed {
     const struct computation *of;
     bool done;
-    struct handed *numbers, *truths;
-    int number_count, truth_count;
+    struct handed *results;
+    int count;
 };
 
 static const struct computation *const lists[] = {
     computations_loop, computations_motion, computations_convergence, computations_forced, computations_beyond,
 };
 
-static int results_of(struct handed **results, const char *names)
+static void announce(struct computed *c, const char *names, bool is_truth)
 {
     char word[LONGEST_WORD + 1];
-    int count = 0;
     for (int length; sscanf(names, " %63s%n", word, &length) == 1; names += length) {
-        *results = xrealloc(*results, (size_t)count + 1, sizeof **results);
-        struct handed *r = &(*results)[count++];
-        *r = (struct handed){.truth = UNDECIDED};
+        c->results = xrealloc(c->results, (size_t)c->count + 1, sizeof *c->results);
+        struct handed *r = &c->results[c->count++];
+        *r = (struct handed){.is_truth = is_truth, .truth = UNDECIDED};
         memcpy(r->name, word, sizeof word);
         arb_init(r->value);
         arb_indeterminate(r->value);
     }
-    return count;
 }
 
 struct computed *computed_find(struct computations *all, const char *name)
@@ -49,8 +48,8 @@ struct computed *computed_find(struct computations *all, const char *name)
             if (strcmp(c->name, name) == 0) {
                 struct computed *new = xrealloc(NULL, 1, sizeof *new);
                 *new = (struct computed){.of = c};
-                new->number_count = results_of(&new->numbers, c->numbers);
-                new->truth_count = results_of(&new->truths, c->truths);
+                announce(new, c->numbers, false);
+                announce(new, c->truths, true);
                 all->of = xrealloc(all->of, (size_t)all->count + 1, sizeof *all->of);
                 return all->of[all->count++] = new;
             }
@@ -61,12 +60,9 @@ void computations_clear(struct computations *all)
 {
     for (int i = 0; i < all->count; i++) {
         struct computed *c = all->of[i];
-        for (int k = 0; k < c->number_count; k++)
-            arb_clear(c->numbers[k].value);
-        for (int k = 0; k < c->truth_count; k++)
-            arb_clear(c->truths[k].value);
-        free(c->numbers);
-        free(c->truths);
+        for (int k = 0; k < c->count; k++)
+            arb_clear(c->results[k].value);
+        free(c->results);
         free(c);
     }
     free(all->of);
@@ -77,27 +73,28 @@ const struct computation *computation_of(const struct computed *c)
     return c->of;
 }
 
-static struct handed *result(struct handed *results, int count, const char *name)
+static struct handed *announced(const struct computed *c, const char *name, bool is_truth)
 {
-    for (int i = 0; i < count; i++)
-        if (strcmp(results[i].name, name) == 0)
-            return &results[i];
+    for (int i = 0; name != NULL && i < c->count; i++)
+        if (c->results[i].is_truth == is_truth && strcmp(c->results[i].name, name) == 0)
+            return &c->results[i];
     return NULL;
 }
 
-static void run_once(struct computed *c)
+static const struct handed *result(struct computed *c, const char *name, bool is_truth)
 {
-    if (!c->done)
+    const struct handed *r = announced(c, name, is_truth);
+    if (r != NULL && !c->done)
         c->of->run(c);
-    c->done = true;
+    c->done = c->done || r != NULL;
+    return r;
 }
 
 bool computed_number(struct computed *c, const char *name, arb_t value, enum how *how)
 {
-    const struct handed *r = result(c->numbers, c->number_count, name);
+    const struct handed *r = result(c, name, false);
     if (r == NULL)
         return false;
-    run_once(c);
     arb_set(value, r->value);
     *how = r->how;
     return true;
@@ -105,38 +102,34 @@ bool computed_number(struct computed *c, const char *name, arb_t value, enum how
 
 bool computed_truth(struct computed *c, const char *name, enum truth *truth, enum how *how)
 {
-    const struct handed *r = result(c->truths, c->truth_count, name);
+    const struct handed *r = result(c, name, true);
     if (r == NULL)
         return false;
-    run_once(c);
     *truth = r->truth;
     *how = r->how;
     return true;
 }
 
 /* A name that the computation does not announce is a mistake of the program. */
-static struct handed *announced(struct handed *results, int count, const char *name)
+static struct handed *handed(struct computed *c, const char *name, bool is_truth, enum how how)
 {
-    struct handed *r = result(results, count, name);
+    struct handed *r = announced(c, name, is_truth);
     if (r == NULL) {
         fprintf(stderr, "coulomb-tether: '%s' is not announced by its computation\n", name); /* LCOV_EXCL_LINE: a mistake of ours */
         abort();                                                                             /* LCOV_EXCL_LINE: the same */
     }
+    r->how = how;
     return r;
 }
 
 void give_number(struct computed *c, const char *name, const arb_t value, enum how how)
 {
-    struct handed *r = announced(c->numbers, c->number_count, name);
-    arb_set(r->value, value);
-    r->how = how;
+    arb_set(handed(c, name, false, how)->value, value);
 }
 
 void give_truth(struct computed *c, const char *name, enum truth truth, enum how how)
 {
-    struct handed *r = announced(c->truths, c->truth_count, name);
-    r->truth = truth;
-    r->how = how;
+    handed(c, name, true, how)->truth = truth;
 }
 
 enum truth proved_or_open(bool proved)

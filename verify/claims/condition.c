@@ -31,6 +31,11 @@ enum truth truth_not(enum truth t)
     return t == FOUND_TRUE ? FOUND_FALSE : t == FOUND_FALSE ? FOUND_TRUE : UNDECIDED;
 }
 
+enum truth truth_both(enum truth a, enum truth b)
+{
+    return a == FOUND_FALSE || b == FOUND_FALSE ? FOUND_FALSE : a == FOUND_TRUE && b == FOUND_TRUE ? FOUND_TRUE : UNDECIDED;
+}
+
 static enum truth either(struct reader_of *r);
 
 static enum truth refuse(struct reader_of *r, const char *expected)
@@ -107,24 +112,16 @@ static enum truth operand(struct reader_of *r)
 static enum truth all(struct reader_of *r)
 {
     enum truth found = operand(r);
-    while (!r->broken && passes(r, "and")) {
-        const enum truth next = operand(r);
-        found = found == FOUND_FALSE || next == FOUND_FALSE ? FOUND_FALSE
-                : found == FOUND_TRUE && next == FOUND_TRUE ? FOUND_TRUE
-                                                            : UNDECIDED;
-    }
+    while (!r->broken && passes(r, "and"))
+        found = truth_both(found, operand(r));
     return found;
 }
 
 static enum truth either(struct reader_of *r)
 {
     enum truth found = all(r);
-    while (!r->broken && passes(r, "or")) {
-        const enum truth next = all(r);
-        found = found == FOUND_TRUE || next == FOUND_TRUE       ? FOUND_TRUE
-                : found == FOUND_FALSE && next == FOUND_FALSE ? FOUND_FALSE
-                                                                : UNDECIDED;
-    }
+    while (!r->broken && passes(r, "or"))
+        found = truth_not(truth_both(truth_not(found), truth_not(all(r))));
     return found;
 }
 

@@ -15,6 +15,7 @@ bool condition_check(const char *text, condition_value *value, void *context, si
 enum truth condition_decide(const char *text, condition_value *value, void *context);
 
 enum truth truth_not(enum truth t);
+enum truth truth_both(enum truth a, enum truth b);
 
 /* Whether a text has that word. */
 bool mentions(const char *text, const char *word);

@@ -74,7 +74,7 @@ static bool from_steps(arb_ptr d, const struct study *study, const fmpq_t h)
 /* ---- the closed forms of second_order.h -------------------------------- */
 
 /* Where the motion and the closed form are that both had z = a at the start, after so many seconds. */
-static bool beside_closed_form(struct track *t, arb_ptr closed, const fmpq_t a, long seconds)
+static bool beside_closed_form(struct track *t, arb_ptr closed, const fmpq_t a, long seconds, slong digits)
 {
     struct second_order o;
     SCOPE(arb, amplitude, tau);
@@ -84,7 +84,7 @@ static bool beside_closed_form(struct track *t, arb_ptr closed, const fmpq_t a, 
     second_order_after(closed, &o, amplitude, tau);
     arb_mul_si(tau, t->Omega, seconds, PREC);
     track_clear(t);
-    proved = track_run(t, &(struct scene){.nonlinear = true, .start = closed}, seconds, 1, seconds) && proved;
+    proved = track_run(t, &(struct scene){.nonlinear = true, .digits = digits, .start = closed}, seconds, 1, seconds) && proved;
     second_order_after(closed, &o, amplitude, tau);
     second_order_clear(&o);
     return proved;
@@ -95,7 +95,7 @@ static bool from_forced(arb_ptr d, const struct study *study, const fmpq_t a)
 {
     struct track motion, closed;
     bool proved = track_run(&closed, &(struct scene){.nonlinear = false}, 0, 1, 0);
-    proved = beside_closed_form(&motion, track_row(&closed, 0), a, study->seconds) && proved;
+    proved = beside_closed_form(&motion, track_row(&closed, 0), a, study->seconds, TRACK_DIGITS) && proved;
     differences(d, study, &motion, &closed);
     track_clear(&motion);
     track_clear(&closed);
@@ -119,7 +119,7 @@ static bool from_slow_law(arb_ptr d, const struct study *study, const fmpq_t a)
     (void)study;
     sheet_value(acb_realref(z), "Omega", PREC);
     const double amplitude = fmpq_get_d(a), Omega = arf_get_d(arb_midref(acb_realref(z)), ARF_RND_NEAR);
-    bool proved = beside_closed_form(&t, closed, a, (long)(1 / (amplitude * amplitude * Omega)));
+    bool proved = beside_closed_form(&t, closed, a, (long)(1 / (amplitude * amplitude * Omega)), 10);
     pitch_of(z, track_row(&t, 0));
     pitch_of(w, closed);
     acb_div(z, z, w, PREC);

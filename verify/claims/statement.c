@@ -12,11 +12,6 @@
 const char *const verdict_names[] = {"undecided", "holds", "holds as corrected", "qualified", "refuted", "definition", "not decidable"};
 const char *const how_names[] = {"exact", "certified", "measured"};
 
-static enum how worse(enum how a, enum how b)
-{
-    return a > b ? a : b;
-}
-
 /* ---- numbers ---- */
 
 /* round(x 10^places), where the enclosure decides it; a bound always. */
@@ -46,23 +41,22 @@ static bool scaled_integer(fmpz_t n, const arb_t x, slong places, enum rounding 
     return unique;
 }
 
-/* n/10^places; with scientific notation where it takes many zeros. */
-static char *decimal_text(const fmpz_t n, slong places)
+/* n/10^places, to that many decimals (fixed) or with scientific notation where it takes many zeros. */
+static char *decimal_text(const fmpz_t n, slong places, bool fixed)
 {
     struct tex t = {NULL, 0};
     char *figures = fmpz_get_str(NULL, 10, n);
     const char *digits = figures + (*figures == '-'), *sign = *figures == '-' ? "-" : "";
     const slong count = (slong)strlen(digits), whole = count - places, exponent = whole - 1;
-    if (fmpz_is_zero(n))
+    if (fmpz_is_zero(n) && !fixed)
         tex_add(&t, "0");
-    else if (exponent < -4 || exponent > 6)
+    else if (!fixed && (exponent < -4 || exponent > 6))
         tex_add(&t, "%s%c%s%se%s%02ld", sign, *digits, count > 1 ? "." : "", digits + 1, exponent < 0 ? "-" : "+", labs(exponent));
-    else if (whole <= 0)
-        tex_add(&t, "%s0.%.*s%s", sign, (int)-whole, "0000", digits);
-    else if (whole >= count)
-        tex_add(&t, "%s%s%.*s", sign, digits, (int)(whole - count), "000000");
-    else
-        tex_add(&t, "%s%.*s.%s", sign, (int)whole, digits, digits + whole);
+    else {
+        tex_add(&t, "%s%.*s%.*s", sign, whole > 0 ? (int)whole : 1, whole > 0 ? digits : "0", places < 0 ? (int)-places : 0, "000000");
+        if (places > 0)
+            tex_add(&t, ".%.*s%s", whole < 0 ? (int)-whole : 0, "000000000000000", digits + (whole > 0 ? whole : 0));
+    }
     flint_free(figures);
     return t.text;
 }
@@ -82,13 +76,6 @@ static slong exponent_of(const arb_t x)
     return exponent;
 }
 
-static char *bound_text(const arb_t x, slong digits, enum rounding rounding)
-{
-    SCOPE(fmpz, n);
-    const slong places = arb_is_finite(x) ? digits - 1 - exponent_of(x) : 0;
-    return scaled_integer(n, x, places, rounding) ? decimal_text(n, places) : NULL;
-}
-
 /* A decimal d.ddde-XX as decimal_text writes it. */
 static char *plain_text(char *scientific)
 {
@@ -100,7 +87,7 @@ static char *plain_text(char *scientific)
     *to = '\0';
     fmpz_set_str(n, figures, 10);
     const slong count = (slong)strlen(figures) - (*figures == '-');
-    char *text = decimal_text(n, mark != NULL ? count - 1 - strtol(mark + 1, NULL, 10) : 0);
+    char *text = decimal_text(n, mark != NULL ? count - 1 - strtol(mark + 1, NULL, 10) : 0, false);
     free(figures);
     free(scientific);
     return text;
@@ -108,27 +95,17 @@ static char *plain_text(char *scientific)
 
 static char *enclosed_text(const struct quoted_number *q, const arb_t x)
 {
-    char *text = NULL;
-    if (q->rounding == UPWARD || q->rounding == DOWNWARD)
-        return bound_text(x, q->digits, q->rounding);
+    SCOPE(fmpz, n);
+    slong places = q->digits;
+    if (!arb_is_finite(x) || q->rounding == AS_RATIONAL)
+        return NULL;
     if (q->rounding == TO_DIGITS) {
-        text = arb_is_finite(x) ? decimal_of_ball(x, q->digits) : NULL;
+        char *text = decimal_of_ball(x, q->digits);
         return text != NULL ? plain_text(text) : NULL;
     }
-    SCOPE(fmpz, n);
-    if (q->rounding == TO_DECIMALS && scaled_integer(n, x, q->digits, TO_DECIMALS)) {
-        struct tex t = {NULL, 0};
-        char *figures = fmpz_get_str(NULL, 10, n);
-        const char *digits = figures + (*figures == '-');
-        const slong whole = (slong)strlen(digits) - q->digits;
-        tex_add(&t, "%s", *figures == '-' ? "-" : "");
-        tex_add(&t, "%.*s", whole > 0 ? (int)whole : 1, whole > 0 ? digits : "0");
-        if (q->digits > 0)
-            tex_add(&t, ".%.*s%s", whole < 0 ? (int)-whole : 0, "000000000000000", digits + (whole > 0 ? whole : 0));
-        flint_free(figures);
-        text = t.text;
-    }
-    return text;
+    if (q->rounding != TO_DECIMALS) /* a bound */
+        places -= 1 + exponent_of(x);
+    return scaled_integer(n, x, places, q->rounding) ? decimal_text(n, places, q->rounding == TO_DECIMALS) : NULL;
 }
 
 static char *rational_text(const struct quoted_number *q, const fmpq_t x)
@@ -211,7 +188,7 @@ static enum truth truth_of(struct deciding *d, int index, const char *member)
         truth = a->truth;
         how = a->how;
     }
-    d->how = worse(d->how, how);
+    d->how = FLINT_MAX(d->how, how);
     if (t != NULL && t->assertion == index && (t->truth == NULL || (member != NULL && strcmp(t->truth, member) == 0)))
         return t->negated ? truth_not(truth) : UNDECIDED;
     return truth;
@@ -257,7 +234,7 @@ static void decide_numbers(struct deciding *d, struct ruling *r)
     for (int i = 0; i < s->number_count; i++) {
         struct quoted_number *q = &s->numbers[i];
         number_decide(d->all, s, q);
-        d->how = worse(d->how, q->how);
+        d->how = FLINT_MAX(d->how, q->how);
         if (q->decimal == NULL || any_void(d, q->formula.uses)) {
             snprintf(text, sizeof text, "%s: the digits of %.100s cannot be proved", s->id, q->text);
             leave_open(d->all, r, q->node, q->offset, text);

@@ -2,21 +2,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claims/condition.h"
 #include "claims/statement.h"
 #include "formula/symbolic.h"
 #include "text/scope.h"
 
 enum { BITS = 128, MOST_BITS = 1024, DEEPEST = 16 };
-
-static enum how worse(enum how a, enum how b)
-{
-    return a > b ? a : b;
-}
-
-static enum truth of_both(enum truth a, enum truth b)
-{
-    return a == FOUND_FALSE || b == FOUND_FALSE ? FOUND_FALSE : a == FOUND_TRUE && b == FOUND_TRUE ? FOUND_TRUE : UNDECIDED;
-}
 
 static struct bindings bindings_of(struct statements *all, struct statement *s, const struct assertion *a)
 {
@@ -182,7 +173,7 @@ static slong root_find(arb_t z, enum how *how, struct statements *all, struct st
     if (count == 1)
         refine(z, &c, one, bits);
     if (!is_polynomial(&a->formula, a->variable))
-        *how = worse(*how, CERTIFIED);
+        *how = FLINT_MAX(*how, CERTIFIED);
     curve_clear(&c);
     arf_interval_clear(one);
     return count;
@@ -212,16 +203,15 @@ static enum truth sign_at(const struct assertion *a, const struct bindings *at, 
     enum truth truth = UNDECIDED;
     SCOPE(fmpq, q);
     SCOPE(arb, z);
-    if (formula_rational(q, &a->formula, &b)) {
+    if (formula_rational(q, &a->formula, &b))
         truth = by_sign(a->ordering, fmpq_sgn(q));
-        *how = worse(*how, EXACT);
-    }
     for (b.bits = BITS; truth == UNDECIDED && b.bits <= MOST_BITS; b.bits *= 2) {
         enum how known;
         formula_enclose(z, &known, &a->formula, &b);
         if (sign_of(z) != 0)
             truth = by_sign(a->ordering, sign_of(z));
-        *how = worse(*how, worse(known, CERTIFIED));
+        known = FLINT_MAX(known, CERTIFIED);
+        *how = FLINT_MAX(*how, known);
     }
     return truth;
 }
@@ -242,7 +232,8 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b, e
         else if (sign_between(&c, low, high, sign, DEEPEST))
             truth = FOUND_TRUE;
     }
-    *how = worse(worse(*how, CERTIFIED), worse(known, curved));
+    known = FLINT_MAX(known, curved);
+    *how = FLINT_MAX(FLINT_MAX(*how, CERTIFIED), known);
     curve_clear(&c);
     return truth;
 }
@@ -430,7 +421,7 @@ static enum truth claim_found(struct statements *all, const char *id, enum how *
     struct statement *s = statement_find(all, id);
     struct ruling ruling;
     statement_decide(all, s, NULL, &ruling);
-    *how = worse(*how, ruling.how);
+    *how = FLINT_MAX(*how, ruling.how);
     return proved_or_open(ruling.as_written);
 }
 
@@ -462,7 +453,7 @@ static enum truth found_at_each(struct statements *all, struct statement *s, str
     enum truth truth = FOUND_TRUE;
     b.each = a->each_names > 0 ? a : NULL;
     for (; b.turn < a->turns || b.turn == 0; b.turn++)
-        truth = of_both(truth, found_at(a, &b, how));
+        truth = truth_both(truth, found_at(a, &b, how));
     return truth;
 }
 

@@ -7,32 +7,31 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-static enum how worse(enum how a, enum how b)
+/*
+ * The formula that a name stands for, and what the names in it stand for: `for` gives it one, whose own names are
+ * outside of that, or `at` does, of the values before it (*value). NULL: none does.
+ */
+static const struct formula *formula_of_name(struct bindings *within, const struct value **value, const struct bindings *b,
+                                             const char *name)
 {
-    return a > b ? a : b;
+    *within = *b;
+    *value = NULL;
+    within->each = NULL;
+    for (int i = 0; b->each != NULL && i < b->each->each_names; i++)
+        if (strcmp(b->each->each[i], name) == 0)
+            return &b->each->each_of[i][b->turn];
+    within->each = b->each;
+    while (within->at_count-- > 0)
+        if (strcmp(b->at->list[within->at_count].name, name) == 0) {
+            *value = &b->at->list[within->at_count];
+            return &(*value)->formula;
+        }
+    return NULL;
 }
 
-/* One of `at`, of those that come before `count`; -1: none. */
-static int find_value(const struct values *at, int count, const char *name)
+static bool is_moving(const struct bindings *b, const char *name)
 {
-    while (count-- > 0)
-        if (strcmp(at->list[count].name, name) == 0)
-            return count;
-    return -1;
-}
-
-static void value_enclose(arb_t z, enum how *how, const struct bindings *b, int index)
-{
-    const struct value *v = &b->at->list[index];
-    struct bindings before = *b;
-    before.at_count = index;
-    formula_enclose(z, how, &v->formula, &before);
-    if (v->uncertain) {
-        SCOPE(arb, radius);
-        formula_enclose(radius, how, &v->radius, &before);
-        arb_add_error(z, radius);
-        *how = worse(*how, CERTIFIED);
-    }
+    return b->moving != NULL && strcmp(name, b->moving) == 0;
 }
 
 /* A root or a computation's number, NAME or NAME.number. */
@@ -59,37 +58,25 @@ static bool sheet_rational(fmpq_t q, const struct sheet *s, const char *name)
     return quantity != NULL && quantity->value != NULL && literal_read(q, quantity->value, true) == LITERAL_FINITE;
 }
 
-/* The value that `for` gives a name now; NULL: none. Its own formula stands outside of that. */
-static const struct formula *turn_of(const struct bindings *b, const char *name)
-{
-    for (int i = 0; b->each != NULL && i < b->each->each_names; i++)
-        if (strcmp(b->each->each[i], name) == 0)
-            return &b->each->each_of[i][b->turn];
-    return NULL;
-}
-
-static struct bindings without_turns(const struct bindings *b)
-{
-    struct bindings outside = *b;
-    outside.each = NULL;
-    return outside;
-}
-
 static void name_enclose(arb_t z, enum how *how, const struct bindings *b, const char *name)
 {
-    const struct formula *turn = turn_of(b, name);
-    const struct bindings outside = without_turns(b);
+    const struct value *value;
+    struct bindings within;
+    const struct formula *f = formula_of_name(&within, &value, b, name);
     SCOPE(fmpq, q);
-    const int index = find_value(b->at, b->at_count, name);
+    SCOPE(arb, radius);
     arb_indeterminate(z);
     *how = EXACT;
-    if (b->moving != NULL && strcmp(name, b->moving) == 0) {
+    if (is_moving(b, name))
         arb_set(z, b->moving_value);
-    } else if (turn != NULL)
-        formula_enclose(z, how, turn, &outside);
-    else if (index >= 0)
-        value_enclose(z, how, b, index);
-    else if (strcmp(name, "pi") == 0)
+    else if (f != NULL) {
+        formula_enclose(z, how, f, &within);
+        if (value != NULL && value->uncertain) {
+            formula_enclose(radius, how, &value->radius, &within);
+            arb_add_error(z, radius);
+            *how = FLINT_MAX(*how, CERTIFIED);
+        }
+    } else if (strcmp(name, "pi") == 0)
         arb_const_pi(z, b->bits);
     else if (!assertion_number(z, how, b, name) && sheet_rational(q, b->all->sheet, name))
         arb_set_fmpq(z, q, b->bits);
@@ -104,7 +91,7 @@ void machine_bind(struct machine *m, int node, enum how *how, const struct bindi
         enum how known = EXACT;
         if (i <= node && needed[i])
             name_enclose(machine_value(m, i), &known, b, m->program->names[i].text);
-        *how = worse(*how, known);
+        *how = FLINT_MAX(*how, known);
     }
     free(needed);
 }
@@ -123,22 +110,19 @@ void formula_enclose(arb_t z, enum how *how, const struct formula *f, const stru
 
 static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
 {
-    const int index = find_value(b->at, b->at_count, name);
-    if (b->moving != NULL && strcmp(name, b->moving) == 0)
+    const struct value *value;
+    struct bindings within;
+    const struct formula *f = formula_of_name(&within, &value, b, name);
+    const size_t length = strcspn(name, ".");
+    if (is_moving(b, name))
         return false;
-    const struct formula *turn = turn_of(b, name);
-    const struct bindings outside = without_turns(b);
-    if (turn != NULL)
-        return formula_rational(q, turn, &outside);
-    if (index >= 0) {
-        struct bindings before = *b;
-        before.at_count = index;
-        return !b->at->list[index].uncertain && formula_rational(q, &b->at->list[index].formula, &before);
-    }
-    for (int i = 0; i < b->statement->assertion_count; i++)
-        if (strncmp(name, b->statement->assertions[i].name, strcspn(name, ".")) == 0 &&
-            strlen(b->statement->assertions[i].name) == strcspn(name, "."))
+    if (f != NULL)
+        return !(value != NULL && value->uncertain) && formula_rational(q, f, &within);
+    for (int i = 0; i < b->statement->assertion_count; i++) {
+        const char *assertion = b->statement->assertions[i].name;
+        if (strlen(assertion) == length && strncmp(name, assertion, length) == 0)
             return false;
+    }
     return sheet_rational(q, b->all->sheet, name);
 }
 
@@ -149,7 +133,7 @@ bool machine_bind_exact(struct machine *m, int node, const struct bindings *b)
     SCOPE(fmpq, q);
     program_needs(m->program, node, NULL, needed);
     for (int i = 0; i < m->program->inputs && i <= node && rational; i++)
-        if (needed[i] && (b->moving == NULL || strcmp(b->moving, m->program->names[i].text) != 0)) {
+        if (needed[i] && !is_moving(b, m->program->names[i].text)) {
             rational = name_rational(q, b, m->program->names[i].text);
             m->arithmetic->set_rational(machine_value(m, i), q, m->prec);
         }

@@ -81,7 +81,7 @@ static void set_initial(arb_ptr initial, const struct flow_parameters *p, const 
     }
     if (!s->nonlinear)
         return;
-    arb_ptr in = _arb_vec_init(8); /* m1 m2 L psi theta L_dot psi_dot theta_dot */
+    VECTOR(arb, in, 8); /* m1 m2 L psi theta L_dot psi_dot theta_dot */
     arb_set(in, p->m1);
     arb_set(in + 1, p->m2);
     arb_add(in + 2, p->L_ref, initial + ETA, prec);
@@ -92,7 +92,6 @@ static void set_initial(arb_ptr initial, const struct flow_parameters *p, const 
     arb_set(in + 7, initial + THETA_DOT);
     enclose("eq10", in, prec, initial);
     enclose("eq11exact", in, prec, initial + 3);
-    _arb_vec_clear(in, 8);
 }
 
 /* ---- rows ---- */
@@ -188,6 +187,7 @@ arb_ptr track_row(const struct track *t, slong k)
 bool track_run(struct track *t, const struct scene *s, long first, long step, long last)
 {
     const double radians = 7.3e-5 * (double)last; /* Omega, about */
+    const slong digits = s->digits > 0 ? s->digits : TRACK_DIGITS;
     struct flow_parameters p;
     double reached;
     enum flow_status status;
@@ -197,7 +197,7 @@ bool track_run(struct track *t, const struct scene *s, long first, long step, lo
     t->first = first;
     t->step = step;
     t->count = (last - first) / step + 1;
-    t->prec = s->rk4 ? rk4_precision(TRACK_DIGITS, radians) : flow_precision(TRACK_DIGITS, radians);
+    t->prec = s->rk4 ? rk4_precision(digits, radians) : flow_precision(digits, radians);
     VECTOR(arb, initial, FLOW_STATE);
     VECTOR(fmpq, times, t->count);
     set_parameters(&p, s, t->prec);
@@ -211,7 +211,7 @@ bool track_run(struct track *t, const struct scene *s, long first, long step, lo
     else if (s->rk4)
         status = rk4_linear(&p, initial, h, times, t->count, t->prec, take_row, t, &reached);
     else if (s->nonlinear)
-        status = flow_nonlinear(&p, initial, times, t->count, TRACK_DIGITS, t->prec, take_row, t, &reached);
+        status = flow_nonlinear(&p, initial, times, t->count, digits, t->prec, take_row, t, &reached);
     else
         status = flow_linear(&p, initial, times, t->count, t->prec, take_row, t, &reached);
     flow_parameters_clear(&p);

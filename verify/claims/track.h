@@ -16,6 +16,7 @@ enum coordinate { PSI, THETA, ETA, PSI_DOT, THETA_DOT, ETA_DOT, PLACE_X, PLACE_Y
 struct scene {
     bool nonlinear;
     long rk4;                         /* step in s of the classical Runge-Kutta method, 0: the motion itself */
+    slong digits;                     /* that the rows are proved to; 0: TRACK_DIGITS. Fewer run faster. */
     const char *n, *psi, *theta, *dL; /* exact decimals, SI */
     const char *m1, *m2;
     arb_srcptr start;                 /* a row to start from instead of the angles */

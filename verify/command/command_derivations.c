@@ -57,7 +57,7 @@ static void print_broken(const struct derivations *d, const struct step *s, cons
         if (!proof->holds[i] && strncmp(proof->evidence, t->shown[i].text, strlen(t->shown[i].text)) == 0)
             at = t->shown[i].at;
     document.why = &place;
-    mistake(&document, at, 0, "%s", "");
+    parse_error(&document, at, 0, "%s", "");
     printf("    BROKEN: %s%s\n", place.text, proof->evidence);
 }
 
