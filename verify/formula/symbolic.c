@@ -534,6 +534,7 @@ static void apply_fine(enum operator op, struct symbolic *z, const struct symbol
     } else if (op == OPERATOR_DIVIDE) {
         quotient_of(z, x, y);
     } else if (op == OPERATOR_POWER && exponent < 0 && is_zero(x->a)) {
+        z->large = false;
         z->fault = SYMBOLIC_POLE;
     } else if (op == OPERATOR_POWER) {
         power(a, x->a, exponent, z->terms);
