@@ -29,7 +29,7 @@ static const char *keep(struct statements *s, const char *text, size_t length)
 /* What the entry says under a key; NULL: nothing. */
 static const yaml_node_t *own(const struct reading *r, const char *key)
 {
-    return r->entry != NULL ? own(r, key) : NULL;
+    return r->entry != NULL ? child(r->document, r->entry, key) : NULL;
 }
 
 static const yaml_node_t *shared(const struct reading *r, const char *key)

@@ -38,105 +38,67 @@ static void set_infinity(void *z)
     ca_pos_inf(z, context);
 }
 
-static void root(ca_ptr z, ca_srcptr x)
-{
-    if (ca_check_is_negative_real(x, context) == T_FALSE)
-        ca_sqrt(z, x, context);
-    else
-        ca_undefined(z, context);
-}
-
-static void sine_or_cosine(ca_ptr z, ca_srcptr x, bool sine)
-{
-    ca_t other;
-    ca_init(other, context);
-    if (sine)
-        ca_sin_cos(z, other, x, context);
-    else
-        ca_sin_cos(other, z, x, context);
-    ca_clear(other, context);
-}
-
-/* The angle of (x, y): of those that are rational there is 0 alone, where y = 0 and x > 0 (Lindemann, Weierstrass). */
-static void angle(ca_ptr z, ca_srcptr y, ca_srcptr x)
-{
-    ca_t zero;
-    ca_init(zero, context);
-    if (ca_check_is_zero(y, context) == T_TRUE && ca_check_gt(x, zero, context) == T_TRUE)
-        ca_zero(z, context);
-    else
-        ca_unknown(z, context);
-    ca_clear(zero, context);
-}
-
-/* 1 where x > 0, else 0 */
-static void positive(ca_ptr z, ca_srcptr x)
+static truth_t is_positive(const ca_t x)
 {
     ca_t zero;
     ca_init(zero, context);
     const truth_t above = ca_check_gt(x, zero, context);
-    if (above == T_UNKNOWN)
-        ca_unknown(z, context);
-    else
-        ca_set_si(z, above == T_TRUE, context);
     ca_clear(zero, context);
+    return above;
 }
 
-static void logarithm(ca_ptr z, ca_srcptr x)
+static void root(ca_t z, const ca_t x, ca_ctx_t ctx)
 {
-    ca_t zero;
-    ca_init(zero, context);
-    if (ca_check_gt(x, zero, context) == T_TRUE)
-        ca_log(z, x, context);
+    if (ca_check_is_negative_real(x, ctx) == T_FALSE)
+        ca_sqrt(z, x, ctx);
     else
-        ca_unknown(z, context);
-    ca_clear(zero, context);
+        ca_undefined(z, ctx);
 }
+
+/* The angle of (x, y): of those that are rational there is 0 alone, where y = 0 and x > 0 (Lindemann, Weierstrass). */
+static void angle(ca_t z, const ca_t y, const ca_t x, ca_ctx_t ctx)
+{
+    if (ca_check_is_zero(y, ctx) == T_TRUE && is_positive(x) == T_TRUE)
+        ca_zero(z, ctx);
+    else
+        ca_unknown(z, ctx);
+}
+
+/* 1 where x > 0, else 0 */
+static void positive(ca_t z, const ca_t x, ca_ctx_t ctx)
+{
+    const truth_t above = is_positive(x);
+    ca_set_si(z, above == T_TRUE, ctx);
+    if (above == T_UNKNOWN)
+        ca_unknown(z, ctx);
+}
+
+static void logarithm(ca_t z, const ca_t x, ca_ctx_t ctx)
+{
+    if (is_positive(x) == T_TRUE)
+        ca_log(z, x, ctx);
+    else
+        ca_unknown(z, ctx);
+}
+
+static void (*const unary[])(ca_t, const ca_t, ca_ctx_t) = {
+    [OPERATOR_NEGATE] = ca_neg,  [OPERATOR_SQRT] = root,     [OPERATOR_SIN] = ca_sin,         [OPERATOR_COS] = ca_cos,
+    [OPERATOR_EXP] = ca_exp,     [OPERATOR_LOG] = logarithm, [OPERATOR_POSITIVE] = positive,
+};
+static void (*const binary[OPERATOR_POSITIVE + 1])(ca_t, const ca_t, const ca_t, ca_ctx_t) = {
+    [OPERATOR_ADD] = ca_add,    [OPERATOR_SUBTRACT] = ca_sub, [OPERATOR_MULTIPLY] = ca_mul,
+    [OPERATOR_DIVIDE] = ca_div, [OPERATOR_ATAN2] = angle,
+};
 
 static void apply(enum operator op, void *z, const void *x, const void *y, slong exponent, slong prec)
 {
     (void)prec;
-    switch (op) {
-    case OPERATOR_NEGATE:
-        ca_neg(z, x, context);
-        break;
-    case OPERATOR_ADD:
-        ca_add(z, x, y, context);
-        break;
-    case OPERATOR_SUBTRACT:
-        ca_sub(z, x, y, context);
-        break;
-    case OPERATOR_MULTIPLY:
-        ca_mul(z, x, y, context);
-        break;
-    case OPERATOR_DIVIDE:
-        ca_div(z, x, y, context);
-        break;
-    case OPERATOR_POWER:
+    if (op == OPERATOR_POWER)
         ca_pow_si(z, x, exponent, context);
-        break;
-    case OPERATOR_SQRT:
-        root(z, x);
-        break;
-    case OPERATOR_SIN:
-    case OPERATOR_COS:
-        sine_or_cosine(z, x, op == OPERATOR_SIN);
-        break;
-    case OPERATOR_EXP:
-        ca_exp(z, x, context);
-        break;
-    case OPERATOR_LOG:
-        logarithm(z, x);
-        break;
-    case OPERATOR_ATAN2:
-        angle(z, x, y);
-        break;
-    case OPERATOR_INPUT: /* no operations, these two: never asked for */
-    case OPERATOR_NUMBER:
-    case OPERATOR_POSITIVE:
-        positive(z, x);
-        break;
-    }
+    else if (binary[op] != NULL)
+        binary[op](z, x, y, context);
+    else
+        unary[op](z, x, context);
 }
 
 const struct arithmetic arithmetic_exact = {

@@ -9,108 +9,118 @@
 #include "formula/typeset.h"
 #include "text/scope.h"
 
-/* The identities at work: values and sets of signs, computed when they are first asked for. */
+/* What is known of a node: its value, and its signs; computed when they are first asked for. */
+struct known {
+    struct symbolic value;
+    bool done;
+    int signs;
+};
+
+/* The identities at work. */
 struct run {
     const struct identities *t;
-    struct symbolic *values;
-    char *done, *signs;
+    struct known *nodes;
     slong *variable; /* of an input, -1 where nothing rests on it */
     slong variables, terms;
 };
 
+static const struct symbolic *value(struct run *r, int i);
+
 /* ---- signs at epsilon = 0 ---- */
 
-static int signs_product(int a, int b)
+static int sign_of(int number)
 {
-    return ((a | b) & SIGN_ZERO) | (((a & 4) && (b & 4)) || ((a & 1) && (b & 1)) ? SIGN_POSITIVE : 0) |
-           (((a & 4) && (b & 1)) || ((a & 1) && (b & 4)) ? SIGN_NEGATIVE : 0);
+    return number > 0 ? SIGN_POSITIVE : number < 0 ? SIGN_NEGATIVE : SIGN_ZERO;
 }
 
-static int signs_sum(int a, int b)
+/* Of the sums, or the products, of numbers of these signs. */
+static int combine(int a, int b, bool sum)
 {
-    int sum = a & b & SIGN_ZERO;
-    sum |= ((a | b) & SIGN_POSITIVE) | ((a | b) & SIGN_NEGATIVE);
-    return ((a & 4) && (b & 1)) || ((a & 1) && (b & 4)) ? SIGN_ANY : sum;
+    int result = 0;
+    for (int x = -1; x <= 1; x++)
+        for (int y = -1; y <= 1; y++)
+            if ((a & sign_of(x)) && (b & sign_of(y)))
+                result |= !sum ? sign_of(x * y) : x * y < 0 ? SIGN_ANY : sign_of(x + y);
+    return result;
 }
 
-static int signs_negative(int a)
+static int signs_power(int a, slong exponent)
 {
-    return (a & SIGN_ZERO) | (a & SIGN_NEGATIVE ? SIGN_POSITIVE : 0) | (a & SIGN_POSITIVE ? SIGN_NEGATIVE : 0);
+    const int square = (a & SIGN_ZERO) | (a & ~SIGN_ZERO ? SIGN_POSITIVE : 0);
+    return exponent == 0 ? SIGN_POSITIVE : exponent % 2 ? a : square;
 }
 
-static int signs_power(int a, ulong exponent)
-{
-    return exponent == 0 ? SIGN_POSITIVE : exponent % 2 ? a : (a & SIGN_ZERO) | (a & ~SIGN_ZERO ? SIGN_POSITIVE : 0);
-}
-
-/* Of a polynomial: the signs of its terms, or those of a square. */
+/* Of a polynomial: the signs of its terms, or those of a square. What stands for a function has any. */
 static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
     const slong all = fmpz_mpoly_ctx_nvars(ctx);
-    ulong *exponents = xrealloc(NULL, (size_t)all, sizeof *exponents);
-    int signs = SIGN_ZERO;
+    int *signs = xrealloc(NULL, (size_t)all, sizeof *signs), sum = SIGN_ZERO;
     SCOPE(fmpz, c);
-    for (slong i = 0; i < fmpz_mpoly_length(f, ctx) && signs != SIGN_ANY; i++) {
+    for (slong k = 0; k < all; k++)
+        signs[k] = SIGN_ANY;
+    for (int k = 0; k < r->t->program.inputs; k++)
+        if (r->variable[k] >= 0 && !r->t->variables[k].angle)
+            signs[r->variable[k]] = r->t->variables[k].signs;
+    for (slong i = 0; i < fmpz_mpoly_length(f, ctx) && sum != SIGN_ANY; i++) {
         fmpz_mpoly_get_term_coeff_fmpz(c, f, i, ctx);
-        fmpz_mpoly_get_term_exp_ui(exponents, f, i, ctx);
-        int term = fmpz_sgn(c) > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
-        for (int k = 0; k < r->t->program.inputs; k++)
-            if (r->variable[k] >= 0)
-                term = signs_product(term, signs_power(r->t->variables[k].angle ? SIGN_ANY : r->t->variables[k].signs,
-                                                       exponents[r->variable[k]]));
-        for (slong k = r->variables; k < all; k++) /* what stands for a function */
-            term = signs_product(term, signs_power(SIGN_ANY, exponents[k]));
-        signs = signs_sum(signs, term);
+        int term = sign_of(fmpz_sgn(c));
+        for (slong k = 0; k < all; k++)
+            term = combine(term, signs_power(signs[k], fmpz_mpoly_get_term_var_exp_si(f, i, k, ctx)), false);
+        sum = combine(sum, term, true);
     }
-    if (signs == SIGN_ANY && fmpz_mpoly_is_square(f, ctx))
-        signs = SIGN_ZERO | SIGN_POSITIVE;
-    free(exponents);
-    return signs;
+    free(signs);
+    return sum == SIGN_ANY && fmpz_mpoly_is_square(f, ctx) ? SIGN_ZERO | SIGN_POSITIVE : sum;
 }
 
-static const struct symbolic *value(struct run *r, int i);
+static int signs(struct run *r, int i);
+
+/* By its form; none where it divides by zero. */
+static int signs_by_form(struct run *r, const struct node *n)
+{
+    const struct variable *v = n->left >= 0 && n->left < r->t->program.inputs ? &r->t->variables[n->left] : NULL;
+    if (n->op == OPERATOR_NUMBER)
+        return sign_of(fmpq_sgn(&n->number));
+    if (n->op == OPERATOR_COS)
+        return v != NULL && (v->quarter_turn || v->power > 0) ? SIGN_POSITIVE : SIGN_ANY;
+    if (n->op == OPERATOR_EXP)
+        return SIGN_POSITIVE;
+    if (n->op == OPERATOR_SIN || n->op == OPERATOR_ATAN2)
+        return SIGN_ANY;
+    const int a = signs(r, n->left), b = n->right < 0 ? SIGN_ANY : signs(r, n->right);
+    if (n->op == OPERATOR_NEGATE)
+        return combine(a, SIGN_NEGATIVE, false);
+    if (n->op == OPERATOR_ADD || n->op == OPERATOR_SUBTRACT)
+        return combine(a, n->op == OPERATOR_ADD ? b : combine(b, SIGN_NEGATIVE, false), true);
+    if (n->op == OPERATOR_MULTIPLY)
+        return n->left == n->right ? signs_power(a, 2) : combine(a, b, false);
+    if (n->op == OPERATOR_DIVIDE)
+        return combine(a, b & ~SIGN_ZERO, false);
+    if (n->op == OPERATOR_POWER)
+        return signs_power(n->exponent < 0 ? a & ~SIGN_ZERO : a, n->exponent);
+    if (n->op == OPERATOR_SQRT)
+        return a & ~SIGN_NEGATIVE;
+    if (n->op == OPERATOR_POSITIVE)
+        return (a & SIGN_POSITIVE) | (a & ~SIGN_POSITIVE ? SIGN_ZERO : 0);
+    return SIGN_ANY;
+}
 
 /* The signs that a node may have at epsilon = 0: by its form, and where that does not tell by its normal form. */
 static int signs(struct run *r, int i)
 {
-    const struct node *n = &r->t->program.nodes[i];
-    if (r->signs[i] != 0)
-        return r->signs[i];
-    const bool one = n->left >= 0 && n->op != OPERATOR_SIN && n->op != OPERATOR_COS && n->op != OPERATOR_ATAN2;
-    const int a = one ? signs(r, n->left) : SIGN_ANY, b = one && n->right >= 0 ? signs(r, n->right) : SIGN_ANY;
-    int result = SIGN_ANY;
-    if (n->op == OPERATOR_INPUT)
-        result = r->t->variables[i].power > 0 ? SIGN_ZERO : r->t->variables[i].signs;
-    else if (n->op == OPERATOR_NUMBER)
-        result = fmpq_sgn(&n->number) > 0 ? SIGN_POSITIVE : fmpq_sgn(&n->number) < 0 ? SIGN_NEGATIVE : SIGN_ZERO;
-    else if (n->op == OPERATOR_NEGATE)
-        result = signs_negative(a);
-    else if (n->op == OPERATOR_ADD || n->op == OPERATOR_SUBTRACT)
-        result = signs_sum(a, n->op == OPERATOR_ADD ? b : signs_negative(b));
-    else if (n->op == OPERATOR_MULTIPLY)
-        result = n->left == n->right ? signs_power(a, 2) : signs_product(a, b);
-    else if (n->op == OPERATOR_DIVIDE)
-        result = signs_product(a, b & ~SIGN_ZERO);
-    else if (n->op == OPERATOR_POWER)
-        result = signs_power(n->exponent < 0 ? a & ~SIGN_ZERO : a, (ulong)FLINT_ABS(n->exponent));
-    else if (n->op == OPERATOR_SQRT)
-        result = a & ~SIGN_NEGATIVE;
-    else if (n->op == OPERATOR_EXP ||
-             (n->op == OPERATOR_COS && n->left < r->t->program.inputs &&
-              (r->t->variables[n->left].quarter_turn || r->t->variables[n->left].power > 0)))
-        result = SIGN_POSITIVE;
-    else if (n->op == OPERATOR_POSITIVE)
-        result = a == SIGN_POSITIVE ? SIGN_POSITIVE : a & SIGN_POSITIVE ? SIGN_ZERO | SIGN_POSITIVE : SIGN_ZERO;
-    if (result == 0) /* division by what is zero: no sign at all */
-        result = SIGN_ANY;
-    if (result == SIGN_ANY && n->op != OPERATOR_INPUT) {
-        const struct symbolic *x = value(r, i);
-        if (x->fault == SYMBOLIC_FINE && !x->angle)
-            result = signs_product(signs_of_polynomial(r, fmpz_mpoly_q_numref(x->a)),
-                                   signs_of_polynomial(r, fmpz_mpoly_q_denref(x->a)) & ~SIGN_ZERO);
-    }
-    return r->signs[i] = (char)result;
+    int *result = &r->nodes[i].signs;
+    if (i < r->t->program.inputs)
+        return r->t->variables[i].power > 0 ? SIGN_ZERO : r->t->variables[i].signs;
+    if (*result != 0)
+        return *result;
+    *result = signs_by_form(r, &r->t->program.nodes[i]);
+    const struct symbolic *x = *result == 0 || *result == SIGN_ANY ? value(r, i) : NULL;
+    if (*result == 0)
+        *result = SIGN_ANY;
+    if (x != NULL && x->fault == SYMBOLIC_FINE && !x->angle)
+        *result = combine(signs_of_polynomial(r, fmpz_mpoly_q_numref(x->a)),
+                          signs_of_polynomial(r, fmpz_mpoly_q_denref(x->a)) & ~SIGN_ZERO, false);
+    return *result;
 }
 
 /* ---- values ---- */
@@ -118,12 +128,11 @@ static int signs(struct run *r, int i)
 static const struct symbolic *value(struct run *r, int i)
 {
     const struct node *n = &r->t->program.nodes[i];
-    struct symbolic *z = &r->values[i];
-    fmpq_t truth;
-    if (r->done[i])
+    struct symbolic *z = &r->nodes[i].value;
+    if (r->nodes[i].done)
         return z;
     arithmetic_symbolic.init(z, r->terms);
-    r->done[i] = true;
+    r->nodes[i].done = true;
     if (n->op == OPERATOR_INPUT && r->t->variables[i].angle) {
         symbolic_set_angle(z, r->variable[i]);
     } else if (n->op == OPERATOR_INPUT) {
@@ -133,14 +142,12 @@ static const struct symbolic *value(struct run *r, int i)
     } else {
         const struct symbolic *x = value(r, n->left), *y = n->right < 0 ? NULL : value(r, n->right);
         const int sign = n->op == OPERATOR_POSITIVE && x->fault == SYMBOLIC_FINE ? signs(r, n->left) : SIGN_ANY;
-        if (sign == SIGN_POSITIVE || !(sign & SIGN_POSITIVE)) {
-            fmpq_init(truth);
-            fmpq_set_si(truth, sign == SIGN_POSITIVE, 1);
+        SCOPE(fmpq, truth);
+        fmpq_set_si(truth, sign == SIGN_POSITIVE, 1);
+        if (sign == SIGN_POSITIVE || !(sign & SIGN_POSITIVE))
             arithmetic_symbolic.set_rational(z, truth, r->terms);
-            fmpq_clear(truth);
-        } else {
+        else
             arithmetic_symbolic.apply(n->op, z, x, y, n->exponent, r->terms);
-        }
     }
     return z;
 }
@@ -148,31 +155,26 @@ static const struct symbolic *value(struct run *r, int i)
 /* Inputs that something shown rests on are variables, the others are not there. */
 static void run_begin(struct run *r, const struct identities *t, slong terms, bool loose)
 {
-    const size_t count = (size_t)t->program.count;
     slong functions = 0;
     *r = (struct run){.t = t, .terms = terms};
-    r->values = xrealloc(NULL, count, sizeof *r->values);
-    r->done = xrealloc(NULL, count, 1);
-    r->signs = xrealloc(NULL, count, 1);
+    r->nodes = xrealloc(NULL, (size_t)t->program.count, sizeof *r->nodes);
     r->variable = xrealloc(NULL, (size_t)t->program.inputs + 1, sizeof *r->variable);
-    memset(r->done, 0, count);
-    memset(r->signs, 0, count);
-    for (int i = 0; i < t->program.inputs; i++)
-        r->variable[i] = t->needed[i] ? r->variables++ : -1;
-    for (int i = t->program.inputs; i < t->program.count; i++)
+    for (int i = 0; i < t->program.count; i++) {
+        r->nodes[i] = (struct known){.done = false};
+        if (i < t->program.inputs)
+            r->variable[i] = t->needed[i] ? r->variables++ : -1;
         functions += t->needed[i] && t->program.nodes[i].op >= OPERATOR_SQRT;
+    }
     symbolic_begin(r->variables, loose ? functions : 0, loose);
 }
 
 static void run_end(struct run *r)
 {
     for (int i = 0; i < r->t->program.count; i++)
-        if (r->done[i])
-            arithmetic_symbolic.clear(&r->values[i]);
+        if (r->nodes[i].done)
+            arithmetic_symbolic.clear(&r->nodes[i].value);
     symbolic_end();
-    free(r->values);
-    free(r->done);
-    free(r->signs);
+    free(r->nodes);
     free(r->variable);
 }
 
@@ -203,28 +205,20 @@ static void free_names(char **names, slong count)
     free(names);
 }
 
-static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, const fmpq *point)
+static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, fmpq *point)
 {
-    const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    ulong *exponents = xrealloc(NULL, (size_t)fmpz_mpoly_ctx_nvars(ctx), sizeof *exponents);
-    SCOPE(fmpq, term, factor);
-    fmpq_zero(y);
-    for (slong i = 0; i < fmpz_mpoly_length(f, ctx); i++) {
-        fmpz_one(fmpq_denref(term));
-        fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(term), f, i, ctx);
-        fmpz_mpoly_get_term_exp_ui(exponents, f, i, ctx);
-        for (slong k = 0; k < fmpz_mpoly_ctx_nvars(ctx); k++)
-            if (exponents[k] > 0) {
-                fmpq_pow_si(factor, point + k, (slong)exponents[k]);
-                fmpq_mul(term, term, factor);
-            }
-        fmpq_add(y, y, term);
-    }
-    free(exponents);
+    const fmpq_mpoly_ctx_t ctx = {{.zctx = {*symbolic_context()}}};
+    const fmpq_mpoly_t rational = {{.content = {{1, 1}}, .zpoly = {*f}}}; /* borrows it */
+    const slong count = fmpz_mpoly_ctx_nvars(ctx->zctx);
+    fmpq **at = xrealloc(NULL, (size_t)count, sizeof *at);
+    for (slong k = 0; k < count; k++)
+        at[k] = point + k;
+    fmpq_mpoly_evaluate_all_fmpq(y, rational, at, ctx);
+    free(at);
 }
 
 /* False at a pole. */
-static bool evaluate(fmpq_t y, const fmpz_mpoly_q_struct *f, const fmpq *point)
+static bool evaluate(fmpq_t y, const fmpz_mpoly_q_struct *f, fmpq *point)
 {
     SCOPE(fmpq, under);
     evaluate_polynomial(y, fmpz_mpoly_q_numref(f), point);
@@ -260,7 +254,10 @@ static void print_example(FILE *out, const struct run *r, const fmpz_mpoly_q_str
     enum { ATTEMPTS = 100 };
     VECTOR(fmpq, point, r->variables + 1);
     SCOPE(fmpq, left, right);
-    int attempt = 0;
+    const slong all = fmpz_mpoly_ctx_nvars(symbolic_context());
+    int attempt = 0, *used = xrealloc(NULL, 2 * (size_t)all, sizeof *used);
+    fmpz_mpoly_q_used_vars(used, x, symbolic_context());
+    fmpz_mpoly_q_used_vars(used + all, y, symbolic_context());
     do
         choose_point(point, r, attempt);
     while (attempt++ < ATTEMPTS &&
@@ -272,10 +269,7 @@ static void print_example(FILE *out, const struct run *r, const fmpz_mpoly_q_str
     const char *separator = " where ";
     for (int i = 0; i < r->t->program.inputs && attempt <= ATTEMPTS; i++) {
         const slong k = r->variable[i];
-        if (k < 0 || !(fmpz_mpoly_degree_si(fmpz_mpoly_q_numref(x), k, symbolic_context()) > 0 ||
-                       fmpz_mpoly_degree_si(fmpz_mpoly_q_denref(x), k, symbolic_context()) > 0 ||
-                       fmpz_mpoly_degree_si(fmpz_mpoly_q_numref(y), k, symbolic_context()) > 0 ||
-                       fmpz_mpoly_degree_si(fmpz_mpoly_q_denref(y), k, symbolic_context()) > 0))
+        if (k < 0 || !(used[k] || used[all + k]))
             continue;
         const char *name = r->t->program.names[i].text;
         fprintf(out, r->t->variables[i].angle ? "%stan(%s/2) = " : "%s%s = ", separator, name);
@@ -283,6 +277,7 @@ static void print_example(FILE *out, const struct run *r, const fmpz_mpoly_q_str
         fputs(r->t->variables[i].power > 0 ? " epsilon" : "", out);
         separator = ", ";
     }
+    free(used);
 }
 
 enum { SHOWN_TERMS = 6 };
@@ -372,14 +367,6 @@ static void prove_roots(struct run *r, struct finding *f)
     }
 }
 
-static bool all_zero(const struct symbolic *x)
-{
-    bool zero = true;
-    for (slong k = 0; k < x->terms; k++)
-        zero = zero && fmpz_mpoly_q_is_zero(x->a + k, symbolic_context());
-    return zero;
-}
-
 /* Whether a value may be compared. */
 static enum symbolic_fault fault_of(const struct symbolic *x)
 {
@@ -400,7 +387,9 @@ static struct finding compare(struct run *r, int i, bool *vacuous)
             f.result = IDENTITY_DIFFERS;
             f.power = k;
         }
-    *vacuous = f.result == IDENTITY_HOLDS && r->terms > 1 && all_zero(left) && all_zero(right);
+    *vacuous = f.result == IDENTITY_HOLDS && r->terms > 1;
+    for (slong k = 0; k < r->terms; k++)
+        *vacuous = *vacuous && fmpz_mpoly_q_is_zero(left->a + k, symbolic_context());
     return f;
 }
 
