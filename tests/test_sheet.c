@@ -8,7 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sheet/embedded.h"
 #include "sheet/sheet.h"
+#include "text/document.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
@@ -401,10 +403,45 @@ START_TEST(no_relation_stands_twice)
 }
 END_TEST
 
+/* YAML 1.1 takes these for true and false, and an exponent without a sign or a point for text; YAML 1.2 does not. */
+static bool means_two_things(const char *plain)
+{
+    static const char *const words[] = {"y", "Y", "n", "N", "yes", "Yes", "YES", "no", "No", "NO", "on", "On", "ON", "off", "Off", "OFF"};
+    for (int i = 0; i < COUNT(words); i++)
+        if (strcmp(plain, words[i]) == 0)
+            return true;
+    const size_t mantissa = strspn(plain, "+-.0123456789");
+    if (mantissa == 0 || (plain[mantissa] != 'e' && plain[mantissa] != 'E'))
+        return false;
+    const char *exponent = plain + mantissa + 1, *point = strchr(plain, '.');
+    const size_t sign = strspn(exponent, "+-");
+    const bool number = exponent[sign] != '\0' && strspn(exponent + sign, "0123456789") == strlen(exponent + sign);
+    return number && (sign != 1 || point == NULL || point > exponent);
+}
+
+START_TEST(sheets_mean_the_same_in_every_yaml)
+{
+    const char *(*const texts[])(size_t *) = {embedded_sheet, embedded_derivations, embedded_claims};
+    struct document d;
+    struct message why;
+    size_t length;
+    const char *text = texts[_i](&length);
+    ck_assert(means_two_things("n") && means_two_things("4e7") && means_two_things("8.99e9") && means_two_things("4e+7"));
+    ck_assert(!means_two_things("n1") && !means_two_things("8.99e+9") && !means_two_things("2*x") && !means_two_things("12"));
+    ck_assert(document_open(&d, text, length, "sheet", &why));
+    for (const yaml_node_t *node = d.yaml.nodes.start; node < d.yaml.nodes.top; node++)
+        if (node->type == YAML_SCALAR_NODE && node->data.scalar.style == YAML_PLAIN_SCALAR_STYLE)
+            ck_assert_msg(!means_two_things(scalar(node)), "line %zu: %s, expected in quotation marks, or a number like 1.0e+7",
+                          node->start_mark.line + 1, scalar(node));
+    document_close(&d);
+}
+END_TEST
+
 Suite *suite(void)
 {
     TCase *reading = tcase_create("reading");
     tcase_add_test(reading, sheet_is_read);
+    tcase_add_loop_test(reading, sheets_mean_the_same_in_every_yaml, 0, 3);
     tcase_add_test(reading, ranges_are_these);
     tcase_add_test(reading, values_of_the_simulation_are_these);
     tcase_add_test(reading, no_relation_stands_twice);
