@@ -98,7 +98,7 @@ static int take_only(struct choice *c, const char *only)
     return status != EXIT_DONE ? status : usage_error(EXIT_USAGE, "--only: expected operations or levels, ID,...");
 }
 
-static int take_number(const struct arguments *a, const char *name, uint64_t *number)
+static int take_whole_number(const struct arguments *a, const char *name, uint64_t *number)
 {
     return option_given(a, name) ? whole_number(name, option_value(a, name), number) : EXIT_DONE;
 }
@@ -107,13 +107,13 @@ static int take_number(const struct arguments *a, const char *name, uint64_t *nu
 static int take_questions(struct test_run *e, const struct arguments *a, const struct choice *c)
 {
     uint64_t random = 0, significand = BINARY64;
-    int status = take_number(a, "--random", &random);
+    int status = take_whole_number(a, "--random", &random);
     if (status == EXIT_DONE)
-        status = take_number(a, "--seed", &e->sets.seed);
+        status = take_whole_number(a, "--seed", &e->sets.seed);
     if (status == EXIT_DONE)
         status = option_inputs(a, &e->sets.form);
     if (status == EXIT_DONE)
-        status = take_number(a, "--significand", &significand);
+        status = take_whole_number(a, "--significand", &significand);
     if (status == EXIT_DONE && option_given(a, "--random") != option_given(a, "--seed"))
         status = usage_error(EXIT_USAGE, "conform: expected --random N and --seed S together");
     if (status == EXIT_DONE && random > MOST_RANDOM)
@@ -139,7 +139,7 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
 }
 
 /* The table, the file, and the exit code that they come to. */
-static int report(struct test_run *e, const struct arguments *a, const char *client, const char *errors)
+static int print_report(struct test_run *e, const struct arguments *a, const char *client, const char *errors)
 {
     const struct totals sum = report_totals(e);
     const char *name = option_value(a, "--report");
@@ -220,7 +220,7 @@ static int run_client(struct test_run *e, const struct arguments *a, char **clie
         return usage_error(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why)); /* LCOV_EXCL_LINE: the same */
     const int concluded = conclude(e, ending, status, client[0]);
     c.tail[c.tail_length] = '\0';
-    return concluded != EXIT_DONE ? concluded : report(e, a, client[0], c.tail);
+    return concluded != EXIT_DONE ? concluded : print_report(e, a, client[0], c.tail);
 }
 
 /* ---- a file ---- */
@@ -354,7 +354,7 @@ static int read_answers(struct test_run *e, const struct arguments *a, const str
     }
     if (f->status == EXIT_DONE) {
         test_run_end(e, OUTCOME_MISSING);
-        f->status = report(e, a, f->name, "");
+        f->status = print_report(e, a, f->name, "");
     }
     const int status = f->status;
     free(f);

@@ -40,7 +40,7 @@ static bool failure_is_worse(const struct failure *a, const struct failure *b)
     return a->score.E > b->score.E || a->score.digits < b->score.digits;
 }
 
-static void record(struct test_run *e, const struct failure *f, const char *line)
+static void record_outcome(struct test_run *e, const struct failure *f, const char *line)
 {
     struct summary *t = summary_at(e, f->position);
     const bool first = summary_failed(t) == 0;
@@ -63,7 +63,7 @@ static void record(struct test_run *e, const struct failure *f, const char *line
 static void found(struct test_run *e, uint64_t position, enum outcome outcome, const char *line)
 {
     const struct failure f = {.position = position, .outcome = outcome, .score = {0.0, INFINITY, 0}};
-    record(e, &f, line);
+    record_outcome(e, &f, line);
 }
 
 void test_run_note(struct test_run *e, enum outcome outcome)
@@ -149,7 +149,7 @@ static int split(char *line, char **words, int most)
 }
 
 /* A number as C reads it; for more than binary64, with all its digits. */
-static bool read_number(const struct test_run *e, const char *text, double *value, arb_t y)
+static bool answer_number(const struct test_run *e, const char *text, double *value, arb_t y)
 {
     char *end;
     *value = strtod(text, &end);
@@ -167,12 +167,12 @@ static bool read_number(const struct test_run *e, const char *text, double *valu
 }
 
 /* The numbers of an answer into the comparator's y. */
-static enum outcome read_numbers(struct test_run *e, struct comparator *j, char **words, int count, struct failure *f)
+static enum outcome answer_numbers(struct test_run *e, struct comparator *j, char **words, int count, struct failure *f)
 {
     const int due = j->operation->section->output_count;
     enum outcome outcome = OUTCOME_RIGHT;
     for (int i = 0; i < count && i < MOST_OUTPUTS; i++) {
-        if (!read_number(e, words[i], &f->values[i], j->y + i))
+        if (!answer_number(e, words[i], &f->values[i], j->y + i))
             return OUTCOME_MALFORMED;
         if (isnan(f->values[i]))
             outcome = OUTCOME_NAN;
@@ -215,7 +215,7 @@ static void answer(struct test_run *e, const struct test_vector *q, uint64_t pos
     } else if (count == 1 && strcmp(words[0], "invalid") == 0) {
         f.outcome = inside ? OUTCOME_INVALID : OUTCOME_RIGHT;
     } else {
-        f.outcome = read_numbers(e, j, words, count, &f);
+        f.outcome = answer_numbers(e, j, words, count, &f);
         if (!inside && f.outcome != OUTCOME_COUNT && f.outcome != OUTCOME_MALFORMED)
             f.outcome = OUTCOME_VALUE;
         else if (f.outcome == OUTCOME_RIGHT)
@@ -223,7 +223,7 @@ static void answer(struct test_run *e, const struct test_vector *q, uint64_t pos
     }
     if (e->from_file && !e->range && q->golden != NULL && q->golden->range)
         f.outcome = OUTCOME_SKIPPED;
-    record(e, &f, line);
+    record_outcome(e, &f, line);
 }
 
 /* An answer to another question than the next one. */

@@ -29,7 +29,7 @@ static void nearest(fmpz_t n, const fmpz_t p, const fmpz_t q)
 }
 
 /* p/q = |x| base^k */
-static void scale(fmpz_t p, fmpz_t q, const fmpq_t x, ulong base, slong k)
+static void scale_decimal(fmpz_t p, fmpz_t q, const fmpq_t x, ulong base, slong k)
 {
     SCOPE(fmpz, power);
     fmpz_ui_pow_ui(power, base, k < 0 ? -(ulong)k : (ulong)k);
@@ -108,11 +108,11 @@ static const char *read_exponent(slong *exponent, const char *text)
 }
 
 /* value = mantissa base^exponent */
-static void place(fmpq_t value, const fmpz_t mantissa, ulong base, slong exponent)
+static void place_digits(fmpq_t value, const fmpz_t mantissa, ulong base, slong exponent)
 {
     SCOPE(fmpq, x);
     fmpq_set_fmpz(x, mantissa);
-    scale(fmpq_numref(x), fmpq_denref(x), x, base, exponent);
+    scale_decimal(fmpq_numref(x), fmpq_denref(x), x, base, exponent);
     fmpq_canonicalise(x);
     fmpq_swap(value, x);
 }
@@ -160,7 +160,7 @@ enum literal literal_read(fmpq_t value, const char *text, bool exact)
     } else if (giant) {
         what = LITERAL_OVERFLOW;
     } else {
-        place(value, mantissa, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 * fraction : fraction));
+        place_digits(value, mantissa, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 * fraction : fraction));
         if (negative)
             fmpq_neg(value, value);
     }
@@ -215,7 +215,7 @@ static slong leading_digits(fmpz_t n, const fmpq_t x, slong digits, bool upward)
     double below = fmpz_get_d_2exp(&bottom, fmpq_denref(x));
     slong exponent = decimal_exponent(fabs(above / below), top - bottom);
     for (;; exponent++) {
-        scale(p, q, x, 10, digits - 1 - exponent);
+        scale_decimal(p, q, x, 10, digits - 1 - exponent);
         if (upward)
             fmpz_cdiv_q(n, p, q);
         else
