@@ -234,11 +234,11 @@ END_TEST
 
 START_TEST(what_no_bound_decides_is_neither_right_nor_wrong)
 {
-    ck_assert_int_eq(outcome_of_bounds((struct bounds){7, 8}, 8), OUTCOME_RIGHT);
-    ck_assert_int_eq(outcome_of_bounds((struct bounds){7, 8.0000001}, 8), OUTCOME_SKIPPED);
-    ck_assert_int_eq(outcome_of_bounds((struct bounds){8, INFINITY}, 8), OUTCOME_SKIPPED);
-    ck_assert_int_eq(outcome_of_bounds((struct bounds){8.0000001, INFINITY}, 8), OUTCOME_WRONG);
-    ck_assert_int_eq(outcome_of_bounds((struct bounds){NAN, NAN}, 8), OUTCOME_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){7, 8}, 8), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){7, 8.0000001}, 8), OUTCOME_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){8, INFINITY}, 8), OUTCOME_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){8.0000001, INFINITY}, 8), OUTCOME_WRONG);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){NAN, NAN}, 8), OUTCOME_SKIPPED);
 }
 END_TEST
 
