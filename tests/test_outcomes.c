@@ -45,8 +45,8 @@ static void answer(struct test_run *e, uint64_t position, const char *words)
     char line[LONG];
     e->next = position;
     e->span_count = 0;
-    test_vector_make(&e->judging, &e->sets, position);
-    const int size = snprintf(line, sizeof line, "%s %s\n", e->judging.id, words);
+    test_vector_make(&e->due, &e->sets, position);
+    const int size = snprintf(line, sizeof line, "%s %s\n", e->due.id, words);
     ck_assert_int_lt(size, LONG);
     test_run_hear(e, line, (size_t)size);
 }

@@ -56,7 +56,7 @@ static int take_all_digits(struct choice *c, int *count, char **texts)
         else if (i + 1 < *count)
             status = take_digits(c, texts[++i]);
         else
-            status = usage_error(EXIT_USAGE, "--digits: expected a value behind it");
+            status = usage_error(EXIT_USAGE, "--digits: expected a value after it");
     }
     *count = kept;
     return status;
@@ -378,12 +378,12 @@ static int conform(const struct arguments *a, struct choice *c, char **client)
 {
     const bool file = option_given(a, "--answers"), kills = option_given(a, "--kills");
     if (a->assignment_count > 0)
-        return usage_error(EXIT_USAGE, "conform: unexpected argument '%s', a client stands behind --", a->assignments[0]);
+        return usage_error(EXIT_USAGE, "conform: unexpected argument '%s', a client stands after --", a->assignments[0]);
     if (file + kills + (client != NULL) != 1)
         return usage_error(EXIT_USAGE, "conform: expected -- CLIENT ARGS..., or --answers FILE.csv ID");
     if (file != (a->word_count == 1))
-        return usage_error(EXIT_USAGE, file ? "--answers: expected the id of an operation behind the file"
-                                         : "conform: unexpected argument '%s', a client stands behind --", a->words[0]);
+        return usage_error(EXIT_USAGE, file ? "--answers: expected the id of an operation after the file"
+                                         : "conform: unexpected argument '%s', a client stands after --", a->words[0]);
     if (file && section_argument(a->words[0]) == NULL) /* of several operations no header tells whose outputs it has */
         return EXIT_USAGE;
     if (file && (option_given(a, "--only") || option_given(a, "--random")))
@@ -428,7 +428,7 @@ int command_conform(int count, char **texts)
     if (status == EXIT_DONE)
         status = arguments_split(&a, count, texts, 1);
     if (status == EXIT_DONE && client != NULL && *client == NULL)
-        status = usage_error(EXIT_USAGE, "conform: expected a client behind --");
+        status = usage_error(EXIT_USAGE, "conform: expected a client after --");
     if (status == EXIT_DONE)
         status = conform(&a, &c, client);
     free(a.assignments);

@@ -163,7 +163,7 @@ struct pass {
     slong prec, most; /* working precision, and where trying ends */
     slong done;       /* rows that the receiver has               */
     bool at_equilibrium, undecided, stopped;
-    bool outside;     /* Q_ref + dQ >= 0 at the row behind those      */
+    bool outside;     /* Q_ref + dQ >= 0 at the row after those      */
     row_receiver *receive;
     void *context;
 };

@@ -67,7 +67,7 @@ static bool spells(const char *text, const char *word)
 
 /*
  * Digits of the base with at most one point, at least one digit: their integer, and
- * how many stood behind the point. Returns what follows, NULL when there is no digit.
+ * how many stood after the point. Returns what follows, NULL when there is no digit.
  */
 static const char *read_digits(fmpz_t mantissa, slong *fraction, const char *text, int base)
 {
@@ -301,7 +301,7 @@ static bool reads_back(const char *digits, slong exponent, double x)
 /*
  * The fewest digits that read back as x, the nearest of them. What reads back as a power of two reaches twice as far
  * above it as below: there the next decimal above may do where the nearest does not. Of a normal number no decimal of
- * fewer than DBL_DIG = 15 digits is lost on the way, so that it stands in the 15 digits, zeros behind it.
+ * fewer than DBL_DIG = 15 digits is lost on the way, so that it stands in the 15 digits, zeros after it.
  */
 static slong shortest_digits(char digits[24], double x)
 {
@@ -318,7 +318,7 @@ static slong shortest_digits(char digits[24], double x)
 
 void decimal_shortest(char text[32], double x)
 {
-    const size_t room = 31; /* behind a sign; 23 are used by -1.2345678901234567e-308 */
+    const size_t room = 31; /* after a sign; 23 are used by -1.2345678901234567e-308 */
     if (signbit(x) && !isnan(x))
         *text++ = '-';
     x = fabs(x);

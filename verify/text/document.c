@@ -12,7 +12,7 @@ static bool load(yaml_parser_t *parser, yaml_document_t *document)
     return fine;
 }
 
-/* What stands behind the first document would go unread. */
+/* What stands after the first document would go unread. */
 static bool ends_here(yaml_parser_t *parser)
 {
     yaml_document_t rest;
