@@ -43,11 +43,11 @@ struct span {
 
 struct test_run {
     struct test_sets sets;
-    struct comparator *comparators;  /* one a test set                            */
-    struct summary *summaries;       /* the client's own after them              */
+    struct comparator *comparators;  /* one a test set                               */
+    struct summary *summaries;       /* the client's own after them                  */
     int significand;
     bool from_file;                  /* any order, and answers may be left out of what is flagged range */
-    bool range;                      /* such vectors are wanted                   */
+    bool range;                      /* such vectors are wanted                      */
     uint64_t asked, next, heard;     /* questions sent; the first one that no later one was answered before; lines */
     uint64_t strays, out_of_place;   /* lines without a question since the last answer; lines out of place in all */
     struct span spans[MOST_SPANS];

@@ -234,7 +234,7 @@ static enum flow_status one_pass(struct pass *p, const fmpq *times, slong count,
 }
 
 /* Nothing displaced, in the angles; or x1 exactly where the static formation has it. */
-static bool starts_in_place(const struct scenario *s)
+static bool starts_at_equilibrium(const struct scenario *s)
 {
     bool same = true;
     if (!cartesian(s)) {
@@ -322,7 +322,7 @@ static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count,
 int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
                 void *context, struct message *why)
 {
-    struct pass p = {.motion = m, .at_equilibrium = starts_in_place(m->scenario), .receive = receive,
+    struct pass p = {.motion = m, .at_equilibrium = starts_at_equilibrium(m->scenario), .receive = receive,
                      .context = context};
     double reached = 0.0;
     enum flow_status status = run_pass(&p, times, count, &reached);

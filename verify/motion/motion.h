@@ -18,8 +18,8 @@ enum scenario_name {
 
 struct scenario {
     struct input value[SCENARIO_VALUES];
-    bool given[SCENARIO_VALUES];  /* replaced by the user */
-    bool exact;            /* defaults are the decimals themselves, not the nearest binary64 */
+    bool given[SCENARIO_VALUES]; /* replaced by the user */
+    bool exact;                  /* defaults are the decimals themselves, not the nearest binary64 */
 };
 
 extern const char *const scenario_names[SCENARIO_VALUES];
