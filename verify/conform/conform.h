@@ -52,7 +52,7 @@ struct test_run {
     uint64_t strays, out_of_place;   /* lines without a question since the last answer; lines out of place in all */
     struct span spans[MOST_SPANS];
     int span_count;
-    struct test_vector asking, due; /* the questions at `asked` and `next`       */
+    struct test_vector asking, due;  /* the vectors at `asked` and `next`            */
     char line[LONGEST_LINE + 1];
     char ended[80];                  /* how the client ended, where that was too soon */
     size_t length, unended;          /* bytes kept of the line, and heard of it   */

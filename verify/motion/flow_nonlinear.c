@@ -218,7 +218,7 @@ static bool prove_step(struct flow *f, double step)
     majorant_of(&f->a_priori_bound, &f->a_priori, one, 1, h);
     majorant_of(&f->spread_bound, f->column, f->set.radius, FLOW_STATE, h);
     return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->a_priori_bound, NULL, h)
-                  && majorant_prove(&f->spread_bound, &f->a_priori_bound, h) && steady(&f->spread_bound);
+           && majorant_prove(&f->spread_bound, &f->a_priori_bound, h) && steady(&f->spread_bound);
 }
 
 /* The longest of step, step/2, ... that can be proved, or 0 */
@@ -348,7 +348,7 @@ static enum flow_status begin_step(struct flow *f, slong digits, double *step)
 }
 
 static enum flow_status follow(struct flow *f, arb_srcptr initial, const fmpq *times, slong count,
-                            slong digits, flow_receiver *receive, void *context, double *reached)
+                               slong digits, flow_receiver *receive, void *context, double *reached)
 {
     slong k = 0;
     for (; k < count && fmpq_is_zero(times + k); k++)

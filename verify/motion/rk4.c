@@ -155,8 +155,8 @@ static void march_clear(struct march *m)
 }
 
 static enum flow_status march_rows(struct march *m, arb_srcptr initial, const fmpq_t h, const fmpq *times,
-                              slong count, slong prec, flow_receiver *receive, void *context,
-                              double *reached)
+                                   slong count, slong prec, flow_receiver *receive, void *context,
+                                   double *reached)
 {
     slong done = 0;
     for (int i = 0; i < FLOW_STATE; i++)
