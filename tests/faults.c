@@ -111,7 +111,7 @@ static void judge(int status, off_t written)
         survived++;
     } else {
         wrong++;
-        dprintf(report, "allocation %lu%s: %s %d: %s\n", calls, from_then_on ? " and all behind it" : "",
+        dprintf(report, "allocation %lu%s: %s %d: %s\n", calls, from_then_on ? " and all after it" : "",
                 WIFSIGNALED(status) ? "signal" : "exit status",
                 WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status), length > 0 ? said : "silent");
     }

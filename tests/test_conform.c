@@ -141,7 +141,7 @@ static const struct {
     const char *arguments, *says;
 } mistakes[] = {
     {"", "expected -- CLIENT"},
-    {"--", "behind --"},
+    {"--", "after --"},
     {"FAULTY", "expected -- CLIENT"},
     {"-- /nowhere/client", "/nowhere/client': No such file"},
     {"-- ./Makefile", "Permission denied"},

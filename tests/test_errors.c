@@ -38,7 +38,7 @@ static void fraction(fmpq_t q, double x)
 /* y and the balls of y* and S: E at the four corners, and at y where the ball of y* holds it, keeps its bounds. */
 static void assert_bounded(double y, double exact, double exact_radius, double S, double S_radius, double at_most)
 {
-    struct bounds E;
+    struct error_bounds E;
     SCOPE(arb, e, s);
     SCOPE(arf, at);
     fmpq_t q[3], truth, bound;
@@ -102,7 +102,7 @@ START_TEST(E3_a_weight_that_may_be_zero_has_no_upper_bound)
 {
     SCOPE(arb, exact, S);
     SCOPE(arf, y);
-    struct bounds E;
+    struct error_bounds E;
     arf_one(y);
     E = error_in_roundings(y, exact, S, BINARY64); /* y* = S = 0 */
     ck_assert(isinf(E.lower) && isinf(E.upper));
@@ -133,7 +133,7 @@ START_TEST(E5_the_worst_output_counts)
         arb_one(exact + i);
         arb_set_d(y + i, 1 + (3 + 2 * ((i + _i) % 3)) * 0x1p-53);
     }
-    const struct bounds E = worst_error(s, NULL, y, exact, S, BINARY64, &output);
+    const struct error_bounds E = worst_error(s, NULL, y, exact, S, BINARY64, &output);
     ck_assert_int_eq((output + _i) % 3, 2);
     ck_assert(E.lower <= 8 && E.upper >= 7 && E.upper - E.lower < 1e-9);
     _arb_vec_clear(y, 3);

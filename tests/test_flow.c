@@ -154,7 +154,7 @@ static struct run run_to(const struct scenario *s, enum method method, slong sec
     return run_through(s, method, &seconds, 1, 17, 100, 0);
 }
 
-/* ---- judging ---- */
+/* ---- comparing ---- */
 
 static void assert_overlap(arb_srcptr a, arb_srcptr b)
 {

@@ -45,8 +45,8 @@ static void answer(struct test_run *e, uint64_t position, const char *words)
     char line[LONG];
     e->next = position;
     e->span_count = 0;
-    test_vector_make(&e->judging, &e->sets, position);
-    const int size = snprintf(line, sizeof line, "%s %s\n", e->judging.id, words);
+    test_vector_make(&e->due, &e->sets, position);
+    const int size = snprintf(line, sizeof line, "%s %s\n", e->due.id, words);
     ck_assert_int_lt(size, LONG);
     test_run_hear(e, line, (size_t)size);
 }
@@ -235,11 +235,11 @@ END_TEST
 
 START_TEST(what_no_bound_decides_is_neither_right_nor_wrong)
 {
-    ck_assert_int_eq(outcome_of_bounds((struct bounds){7, 8}, 8), OUTCOME_RIGHT);
-    ck_assert_int_eq(outcome_of_bounds((struct bounds){7, 8.0000001}, 8), OUTCOME_SKIPPED);
-    ck_assert_int_eq(outcome_of_bounds((struct bounds){8, INFINITY}, 8), OUTCOME_SKIPPED);
-    ck_assert_int_eq(outcome_of_bounds((struct bounds){8.0000001, INFINITY}, 8), OUTCOME_WRONG);
-    ck_assert_int_eq(outcome_of_bounds((struct bounds){NAN, NAN}, 8), OUTCOME_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){7, 8}, 8), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){7, 8.0000001}, 8), OUTCOME_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){8, INFINITY}, 8), OUTCOME_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){8.0000001, INFINITY}, 8), OUTCOME_WRONG);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){NAN, NAN}, 8), OUTCOME_SKIPPED);
 }
 END_TEST
 

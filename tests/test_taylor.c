@@ -919,7 +919,7 @@ static void assert_rest(const struct majorant *m, const struct jet *longer, doub
 }
 
 /* Orders 2 to 6 and 12, a jet and a column of it; the shorter the series, the more its bound has in hand. */
-START_TEST(a_proved_rest_bounds_the_series_beyond)
+START_TEST(a_proved_remainder_bounds_the_series_beyond)
 {
     const slong n = _i == 7 ? 12 : _i;
     const double at_most = n == 12 ? 10 : 50;
@@ -1063,7 +1063,7 @@ Suite *suite(void)
     tcase_add_loop_test(tests, T13_coefficients_in_balls_hold_the_exact_ones, 0, CLOSED_LOOPS);
     tcase_add_loop_test(tests, T13_columns_in_balls_hold_the_exact_derivatives, 0, CLOSED_LOOPS);
     tcase_add_loop_test(tests, T11_rests_of_the_closed_loop_hold_up_to_the_longest_step, 0, 5 * CLOSED_LOOPS);
-    tcase_add_loop_test(tests, a_proved_rest_bounds_the_series_beyond, 2, 8);
+    tcase_add_loop_test(tests, a_proved_remainder_bounds_the_series_beyond, 2, 8);
     tcase_add_test(tests, a_column_bounds_both_halves_of_a_product);
     tcase_add_test(tests, a_column_along_the_motion_is_its_derivative);
     tcase_add_test(tests, coefficients_may_be_computed_to_falling_precision);

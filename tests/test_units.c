@@ -34,7 +34,7 @@ static bool add(const char *name, size_t length, int exponent, int power[BASES])
     return false;
 }
 
-/* By how much a number of a unit like "N m^2/C^2" grows; behind the slash stands one name. */
+/* By how much a number of a unit like "N m^2/C^2" grows; after the slash stands one name. */
 static double growth(const char *unit)
 {
     int power[BASES] = {0}, sign = 1, total = 0;

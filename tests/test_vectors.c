@@ -194,7 +194,7 @@ START_TEST(a_seed_has_64_bits)
 }
 END_TEST
 
-/* Omega > 0 and n > 0 of (43), each from just outside and just inside, behind what was there before. */
+/* Omega > 0 and n > 0 of (43), each from just outside and just inside, after what was there before. */
 START_TEST(golden_lines_ask_each_condition)
 {
     const char *text = printed("eq43 --golden");

@@ -39,7 +39,7 @@ make_wrong() { # SED-SCRIPT: every command of it changes something, and no lengt
     [ "$(wc -c <"$wrong")" -eq "$(wc -c <"$CT_PROGRAM")" ] && ! cmp -s "$wrong" "$CT_PROGRAM" && chmod +x "$wrong"
 }
 
-# What a program with a wrong sheet says in the end, behind its usual prints.
+# What a program with a wrong sheet says in the end, after its usual prints.
 stops() { # NAME SED-SCRIPT STATUS TEXT ARGUMENTS...
     check "$1: made" make_wrong "$2"
     name=$1 status=$3 text=$4

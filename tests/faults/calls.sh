@@ -22,7 +22,7 @@ traced() { # STRACE-OPTION... PROGRAM ARGUMENT...
 }
 
 # CALLS ERROR STRACE-OPTION... -- ARGUMENT...: each of these calls fails in turn; where $client_only is set, those alone
-# behind the start of a client.
+# after the start of a client.
 survives_calls() {
     calls=$1 error=$2
     shift 2

@@ -65,12 +65,12 @@ void answers(const char *bytes, size_t size)
     enum { MOST = 8 };
     char *text = text_of(bytes, size), *rest = NULL;
     char *arguments[MOST + 5] = {"coulomb-tether", "conform", "--answers", "answers.csv"};
-    const size_t length = strcspn(text, "\n"), behind = length < size ? length + 1 : size;
+    const size_t length = strcspn(text, "\n"), after = length < size ? length + 1 : size;
     int count = 4;
     text[length] = '\0';
     for (char *word = strtok_r(text, " ", &rest); word && count < MOST + 4; word = strtok_r(NULL, " ", &rest))
         arguments[count++] = word;
-    run_program(count, arguments, &bytes[behind], size - behind);
+    run_program(count, arguments, &bytes[after], size - after);
     free(text);
 }
 

@@ -30,7 +30,7 @@ void require(bool holds, const char *what, const char *text);
 void require_message(const char *text);
 int lines_of(const char *text);
 
-/* The bytes with a zero behind them; the caller frees it. */
+/* The bytes with a zero after them; the caller frees it. */
 char *text_of(const char *bytes, size_t size);
 
 /* Between these two every file to be read has these bytes (NULL: there is none), and nothing is written to any. */

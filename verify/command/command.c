@@ -48,7 +48,7 @@ static int take_option(struct arguments *a, int count, char **texts, int *i)
             return usage_error(EXIT_USAGE, "%s: takes no value", o->name);
         o->value = !o->has_value ? "" : equals ? equals + 1 : *i + 1 < count ? texts[++*i] : NULL;
         if (o->value == NULL || (o->has_value && *o->value == '\0'))
-            return usage_error(EXIT_USAGE, "%s: expected a value behind it", o->name);
+            return usage_error(EXIT_USAGE, "%s: expected a value after it", o->name);
         return EXIT_DONE;
     }
     const char *known[16];

@@ -30,7 +30,7 @@ struct arguments {
     int assignment_count;
 };
 
-/* One line on standard error behind the program's name; returns the status it is given. */
+/* One line on standard error after the program's name; returns the status it is given. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
@@ -42,7 +42,7 @@ void suggest(char text[80], const char *mistaken, const char *const *known, int 
 /* Of a name that could not be opened or run: wrong usage, unless the machine is out of means. */
 int status_of_name(int why);
 
-/* Splits what stands behind the subcommand; at most `words` plain words. EXIT_DONE or EXIT_USAGE. */
+/* Splits what stands after the subcommand; at most `words` plain words. EXIT_DONE or EXIT_USAGE. */
 int arguments_split(struct arguments *a, int count, char **texts, int words);
 bool option_given(const struct arguments *a, const char *name);
 const char *option_value(const struct arguments *a, const char *name); /* of the options; NULL: not given */

@@ -56,7 +56,7 @@ static int take_all_digits(struct choice *c, int *count, char **texts)
         else if (i + 1 < *count)
             status = take_digits(c, texts[++i]);
         else
-            status = usage_error(EXIT_USAGE, "--digits: expected a value behind it");
+            status = usage_error(EXIT_USAGE, "--digits: expected a value after it");
     }
     *count = kept;
     return status;
@@ -98,7 +98,7 @@ static int take_only(struct choice *c, const char *only)
     return status != EXIT_DONE ? status : usage_error(EXIT_USAGE, "--only: expected operations or levels, ID,...");
 }
 
-static int take_number(const struct arguments *a, const char *name, uint64_t *number)
+static int take_whole_number(const struct arguments *a, const char *name, uint64_t *number)
 {
     return option_given(a, name) ? whole_number(name, option_value(a, name), number) : EXIT_DONE;
 }
@@ -107,13 +107,13 @@ static int take_number(const struct arguments *a, const char *name, uint64_t *nu
 static int take_questions(struct test_run *e, const struct arguments *a, const struct choice *c)
 {
     uint64_t random = 0, significand = BINARY64;
-    int status = take_number(a, "--random", &random);
+    int status = take_whole_number(a, "--random", &random);
     if (status == EXIT_DONE)
-        status = take_number(a, "--seed", &e->sets.seed);
+        status = take_whole_number(a, "--seed", &e->sets.seed);
     if (status == EXIT_DONE)
         status = option_inputs(a, &e->sets.form);
     if (status == EXIT_DONE)
-        status = take_number(a, "--significand", &significand);
+        status = take_whole_number(a, "--significand", &significand);
     if (status == EXIT_DONE && option_given(a, "--random") != option_given(a, "--seed"))
         status = usage_error(EXIT_USAGE, "conform: expected --random N and --seed S together");
     if (status == EXIT_DONE && random > MOST_RANDOM)
@@ -139,7 +139,7 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
 }
 
 /* The table, the file, and the exit code that they come to. */
-static int report(struct test_run *e, const struct arguments *a, const char *client, const char *errors)
+static int print_report(struct test_run *e, const struct arguments *a, const char *client, const char *errors)
 {
     const struct totals sum = report_totals(e);
     const char *name = option_value(a, "--report");
@@ -220,7 +220,7 @@ static int run_client(struct test_run *e, const struct arguments *a, char **clie
         return usage_error(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why)); /* LCOV_EXCL_LINE: the same */
     const int concluded = conclude(e, ending, status, client[0]);
     c.tail[c.tail_length] = '\0';
-    return concluded != EXIT_DONE ? concluded : report(e, a, client[0], c.tail);
+    return concluded != EXIT_DONE ? concluded : print_report(e, a, client[0], c.tail);
 }
 
 /* ---- a file ---- */
@@ -354,7 +354,7 @@ static int read_answers(struct test_run *e, const struct arguments *a, const str
     }
     if (f->status == EXIT_DONE) {
         test_run_end(e, OUTCOME_MISSING);
-        f->status = report(e, a, f->name, "");
+        f->status = print_report(e, a, f->name, "");
     }
     const int status = f->status;
     free(f);
@@ -378,12 +378,12 @@ static int conform(const struct arguments *a, struct choice *c, char **client)
 {
     const bool file = option_given(a, "--answers"), kills = option_given(a, "--kills");
     if (a->assignment_count > 0)
-        return usage_error(EXIT_USAGE, "conform: unexpected argument '%s', a client stands behind --", a->assignments[0]);
+        return usage_error(EXIT_USAGE, "conform: unexpected argument '%s', a client stands after --", a->assignments[0]);
     if (file + kills + (client != NULL) != 1)
         return usage_error(EXIT_USAGE, "conform: expected -- CLIENT ARGS..., or --answers FILE.csv ID");
     if (file != (a->word_count == 1))
-        return usage_error(EXIT_USAGE, file ? "--answers: expected the id of an operation behind the file"
-                                         : "conform: unexpected argument '%s', a client stands behind --", a->words[0]);
+        return usage_error(EXIT_USAGE, file ? "--answers: expected the id of an operation after the file"
+                                         : "conform: unexpected argument '%s', a client stands after --", a->words[0]);
     if (file && section_argument(a->words[0]) == NULL) /* of several operations no header tells whose outputs it has */
         return EXIT_USAGE;
     if (file && (option_given(a, "--only") || option_given(a, "--random")))
@@ -428,7 +428,7 @@ int command_conform(int count, char **texts)
     if (status == EXIT_DONE)
         status = arguments_split(&a, count, texts, 1);
     if (status == EXIT_DONE && client != NULL && *client == NULL)
-        status = usage_error(EXIT_USAGE, "conform: expected a client behind --");
+        status = usage_error(EXIT_USAGE, "conform: expected a client after --");
     if (status == EXIT_DONE)
         status = conform(&a, &c, client);
     free(a.assignments);

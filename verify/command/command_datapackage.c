@@ -9,7 +9,7 @@
 
 #include "command/command.h"
 
-enum { LONGEST = 8192 };
+enum { LONGEST_FIELD = 8192 };
 
 /* What the files are, by the last part of their folder or their name's beginning. */
 static const struct {
@@ -83,14 +83,14 @@ static void print_field(const char *column)
 }
 
 /* The first line of a file, and its size. */
-static int read_head(const char *path, char head[LONGEST], long *size)
+static int read_head(const char *path, char head[LONGEST_FIELD], long *size)
 {
     FILE *file = fopen(path, "rb");
     if (file == NULL)
         return usage_error(EXIT_FAILED_CHECK, "%s: %s", path, strerror(errno));
     int status = EXIT_DONE;
     *head = '\0';
-    if ((fgets(head, LONGEST, file) == NULL && ferror(file)) || fseek(file, 0, SEEK_END) != 0 || (*size = ftell(file)) < 0)
+    if ((fgets(head, LONGEST_FIELD, file) == NULL && ferror(file)) || fseek(file, 0, SEEK_END) != 0 || (*size = ftell(file)) < 0)
         status = usage_error(EXIT_FAILED_CHECK, "%s: %s", path, strerror(errno));
     else if (strchr(head, '\n') == NULL)
         status = usage_error(EXIT_FAILED_CHECK, "%s: expected a header line", path);
@@ -101,7 +101,7 @@ static int read_head(const char *path, char head[LONGEST], long *size)
 
 static int print_resource(const char *hash, const char *path, bool first)
 {
-    char head[LONGEST], name[128], *rest = NULL;
+    char head[LONGEST_FIELD], name[128], *rest = NULL;
     long size = 0;
     int status = read_head(path, head, &size);
     if (status != EXIT_DONE)
@@ -152,7 +152,7 @@ static void print_top(void)
 int command_datapackage(int count, char **texts)
 {
     struct arguments a = {.subcommand = "datapackage"};
-    char line[LONGEST], hash[65], path[LONGEST];
+    char line[LONGEST_FIELD], hash[65], path[LONGEST_FIELD];
     int status = arguments_split(&a, count, texts, 0);
     if (status == EXIT_DONE && a.assignment_count > 0)
         status = usage_error(EXIT_USAGE, "datapackage: unexpected argument '%s'", a.assignments[0]);

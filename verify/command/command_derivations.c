@@ -16,7 +16,7 @@ static void print_list(const char *const *texts, int count, int width)
     printf("%*s", width > 0 ? width : 0, "");
 }
 
-static const char *fault_of(const struct proof_results *p, int i)
+static const char *derivation_fault(const struct proof_results *p, int i)
 {
     return p->bindings != NULL && p->bindings[i].fault.text[0] != '\0' ? p->bindings[i].fault.text : NULL;
 }
@@ -78,8 +78,8 @@ static void print_step(const struct proof_results *p, int i)
     free(domain);
     if (proof->result != IDENTITY_HOLDS)
         print_broken(&p->derivations, s, proof);
-    if (fault_of(p, i) != NULL)
-        printf("    NOT BOUND: %s\n", fault_of(p, i));
+    if (derivation_fault(p, i) != NULL)
+        printf("    NOT BOUND: %s\n", derivation_fault(p, i));
     if (s->differs && p->printed[i].result == IDENTITY_DIFFERS)
         printf("    not as printed: %s\n", p->printed[i].evidence);
     else if (s->differs)
@@ -94,7 +94,7 @@ static void table_proofs(const struct proof_results *p)
     int holding = 0;
     for (int i = 0; i < p->derivations.step_count; i++) {
         print_step(p, i);
-        holding += step_holds(p, i) && fault_of(p, i) == NULL;
+        holding += step_holds(p, i) && derivation_fault(p, i) == NULL;
     }
     printf("%d of %d steps hold, by normal forms, in %.2f s\n", holding, p->derivations.step_count, p->seconds);
     if (p->bindings != NULL)
@@ -188,7 +188,7 @@ static void json_step(const struct proof_results *p, int i)
     json_variables("angles", &s->corrected, false);
     json_member("domain", domain);
     json_member("where", s->where);
-    json_member("unbound", fault_of(p, i));
+    json_member("unbound", derivation_fault(p, i));
     free(domain);
     json_dropped(&p->derivations.document, s);
     printf(", \"let\": {");

@@ -14,7 +14,7 @@ static const char *const domains[] = {
 };
 
 /* The equation numbers, at least `width` wide. */
-static void print_numbers(const struct section *s, int width)
+static void print_equation_numbers(const struct section *s, int width)
 {
     for (int i = 0; i < s->numbers; i++)
         width -= printf("%s%s", i ? " " : "", s->equations[i]);
@@ -51,7 +51,7 @@ static void print_verdicts(const struct proof_results *p, const struct section *
 static void print_section(const struct proof_results *p, const struct section *s)
 {
     printf("%s  Eq. ", s->id);
-    print_numbers(s, 0);
+    print_equation_numbers(s, 0);
     printf("  %s\n", s->title);
     print_quantities("given", s->inputs, s->input_count);
     print_quantities("returns", s->outputs, s->output_count);
@@ -142,7 +142,7 @@ static void print_sections(void)
     for (int i = 0; i < sheet()->section_count; i++) {
         const struct section *s = &sheet()->sections[i];
         printf("%-15s ", s->id);
-        print_numbers(s, 14);
+        print_equation_numbers(s, 14);
         printf("  %s%s\n", s->title, s->differs ? " (misprinted)" : "");
     }
 }

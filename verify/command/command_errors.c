@@ -12,7 +12,7 @@
 enum { SEED = 1, PASS = 8 }; /* E beyond 8 is no rounding of a formula of the sheet: see the oracle's rule */
 
 /* The largest E, rounded up to two digits: the same text wherever libm rounds a little differently. */
-static void bound_text(char text[32], double E)
+static void error_bound_text(char text[32], double E)
 {
     SCOPE(mag, bound);
     mag_set_d(bound, E);
@@ -38,7 +38,7 @@ bool print_errors(long inputs, enum format format)
             continue;
         }
         measure_errors(&m, s, inputs, SEED);
-        bound_text(text, m.worst);
+        error_bound_text(text, m.worst);
         fine = fine && m.worst <= PASS && m.outside == 0;
         if (format == FORMAT_JSON)
             printf("%s{\"id\": \"%s\", \"inputs\": %ld, \"worst_E\": %s, \"vector\": \"%s-%d-%ld\", \"outside\": %ld}",

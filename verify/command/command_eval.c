@@ -31,7 +31,7 @@ static void print_outputs(const struct section *s, char *const *digits)
         printf("%s = %s %s\n", s->outputs[i]->name, digits[i], s->outputs[i]->unit);
 }
 
-static void print_json(const struct section *s, bool as_printed, long count, char *const *digits)
+static void print_values_json(const struct section *s, bool as_printed, long count, char *const *digits)
 {
     printf("{\"id\": \"%s\", \"as_printed\": %s, \"digits\": %ld, \"outputs\": [", s->id,
            as_printed ? "true" : "false", count);
@@ -44,7 +44,7 @@ static void print_json(const struct section *s, bool as_printed, long count, cha
     printf("]}\n");
 }
 
-static int evaluate(const struct arguments *a, const struct section *s, long digits)
+static int evaluate_section(const struct arguments *a, const struct section *s, long digits)
 {
     const bool as_printed = option_given(a, "--as-printed");
     struct input *inputs = inputs_new(s->input_count);
@@ -56,7 +56,7 @@ static int evaluate(const struct arguments *a, const struct section *s, long dig
         status = usage_error(EXIT_FAILED_CHECK, "%s", o.why.text);
     if (status == EXIT_DONE) {
         if (option_given(a, "--json"))
-            print_json(s, as_printed, digits, outputs);
+            print_values_json(s, as_printed, digits, outputs);
         else
             print_outputs(s, outputs);
         status = output_finished();
@@ -87,7 +87,7 @@ int command_eval(int count, char **texts)
     else
         status = option_digits(&a, 40, &digits);
     if (status == EXIT_DONE && s != NULL)
-        status = evaluate(&a, s, digits);
+        status = evaluate_section(&a, s, digits);
     free(a.assignments);
     return status;
 }

@@ -140,7 +140,7 @@ int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
 
 /* ---- rows ---- */
 
-struct printer {
+struct row_printer {
     const struct times *times;
     const int *columns; /* which numbers of a row */
     int count;
@@ -148,9 +148,9 @@ struct printer {
     struct progress progress;
 };
 
-static int print_row(void *context, slong k, const fmpq_t t, char *const *numbers)
+static int print_motion_row(void *context, slong k, const fmpq_t t, char *const *numbers)
 {
-    struct printer *p = context;
+    struct row_printer *p = context;
     (void)t;
     fputs(p->times->texts[k], stdout);
     for (int i = 0; i < p->count; i++)
@@ -166,8 +166,8 @@ int print_motion(const struct motion *m, const struct times *times, const int *c
                         const char *const *beside)
 {
     struct message why;
-    struct printer p = {times, columns, count, beside, progress_begin(true)};
-    int failed = motion_rows(m, times->t, times->count, print_row, &p, &why);
+    struct row_printer p = {times, columns, count, beside, progress_begin(true)};
+    int failed = motion_rows(m, times->t, times->count, print_motion_row, &p, &why);
     progress_end(&p.progress);
     int written = output_finished();
     return written != EXIT_DONE ? written

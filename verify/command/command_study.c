@@ -8,13 +8,13 @@
 #include "command/command.h"
 #include "text/decimal.h"
 
-enum { PARAMETER_DIGITS = 4, STUDY_DIGITS = 6, ROW_DIGITS = 12, PREC = 192 };
+enum { PARAMETER_DIGITS = 4, STUDY_DIGITS = 6, ROW_DIGITS = 12, STUDY_BITS = 192 };
 
 /*
  * The numbers of a row after its first, an empty field for NULL; false where a ball does not decide its digits. The
  * balls of a measured study hold what was computed, not what is true.
  */
-static bool print_numbers(const arb_srcptr *x, int count, slong digits)
+static bool print_study_numbers(const arb_srcptr *x, int count, slong digits)
 {
     bool decided = true;
     for (int i = 0; i < count; i++) {
@@ -37,7 +37,7 @@ static bool print_variable(const struct convergence *c, int variable)
         arb_srcptr numbers[] = {c->differences + at, row > 0 ? c->orders + at : NULL, c->constants + at};
         char *parameter = decimal_of_rational(c->parameters + row, PARAMETER_DIGITS);
         printf("%s,%s,%s", s->name, variable_names[s->which[variable]], parameter);
-        decided = print_numbers(numbers, 3, STUDY_DIGITS) && decided;
+        decided = print_study_numbers(numbers, 3, STUDY_DIGITS) && decided;
         printf(",%s\n", s->measured ? "measured" : "certified");
         free(parameter);
     }
@@ -60,7 +60,7 @@ static bool print_convergence(void)
 
 /* ---- motions beside the closed forms ----------------------------------- */
 
-static void pitch_of(arb_t z_re, arb_t z_im, arb_srcptr row)
+static void study_pitch_of(arb_t z_re, arb_t z_im, arb_srcptr row)
 {
     arb_set(z_re, row + THETA);
     arb_mul_2exp_si(z_im, row + THETA_DOT, -1);
@@ -76,18 +76,18 @@ static bool print_forced(void)
     arb_ptr forced = _arb_vec_init(FLOW_STATE), dL = _arb_vec_init(3), z = _arb_vec_init(2);
     bool proved = track_run(&motion, &(struct scene){.nonlinear = true}, 0, STEP, LAST);
     proved = track_run(&linear, &(struct scene){.nonlinear = false}, 0, STEP, LAST) && proved;
-    second_order_init(&o, motion.c1, motion.c2, PREC);
+    second_order_init(&o, motion.c1, motion.c2, STUDY_BITS);
     puts("t,psi,dL,psi_linear,dL_linear,psi_forced,dL_forced");
     for (slong k = 0; k < motion.count && proved; k++) {
         arb_srcptr row = track_row(&motion, k), other = track_row(&linear, k);
-        pitch_of(z, z + 1, row);
+        study_pitch_of(z, z + 1, row);
         second_order_at(forced, &o, z, z + 1);
-        arb_mul(dL, row + ETA, motion.L_ref, PREC);
-        arb_mul(dL + 1, other + ETA, motion.L_ref, PREC);
-        arb_mul(dL + 2, forced + ETA, motion.L_ref, PREC);
+        arb_mul(dL, row + ETA, motion.L_ref, STUDY_BITS);
+        arb_mul(dL + 1, other + ETA, motion.L_ref, STUDY_BITS);
+        arb_mul(dL + 2, forced + ETA, motion.L_ref, STUDY_BITS);
         arb_srcptr numbers[] = {row + PSI, dL, other + PSI, dL + 1, forced + PSI, dL + 2};
         printf("%ld", (long)k * STEP);
-        proved = print_numbers(numbers, 6, ROW_DIGITS);
+        proved = print_study_numbers(numbers, 6, ROW_DIGITS);
         putchar('\n');
     }
     second_order_clear(&o);
@@ -108,22 +108,22 @@ static bool print_pitch(void)
     arb_ptr start = _arb_vec_init(FLOW_STATE), x = _arb_vec_init(6);
     arb_ptr a = x, tau = x + 1, law = x + 2, shift = x + 3, amplitude = x + 4, other = x + 5;
     bool proved = track_run(&t, &(struct scene){.nonlinear = true}, 0, 1, 0);
-    second_order_init(&o, t.c1, t.c2, PREC);
+    second_order_init(&o, t.c1, t.c2, STUDY_BITS);
     track_clear(&t);
     arb_set_ui(a, 5);
-    arb_inv(a, a, PREC);
+    arb_inv(a, a, STUDY_BITS);
     second_order_after(start, &o, a, tau);
     proved = track_run(&t, &(struct scene){.nonlinear = true, .start = start}, 0, STEP, LAST) && proved;
     puts("t,theta,amplitude,amplitude_law");
     for (slong k = 0; k < t.count && proved; k++) {
         arb_srcptr numbers[] = {track_row(&t, k) + THETA, amplitude, law};
-        pitch_of(amplitude, other, track_row(&t, k));
-        arb_hypot(amplitude, amplitude, other, PREC);
-        arb_mul_si(tau, t.Omega, k * STEP, PREC);
+        study_pitch_of(amplitude, other, track_row(&t, k));
+        arb_hypot(amplitude, amplitude, other, STUDY_BITS);
+        arb_mul_si(tau, t.Omega, k * STEP, STUDY_BITS);
         slow_law(law, shift, &o, a, tau);
-        arb_mul(law, law, a, PREC);
+        arb_mul(law, law, a, STUDY_BITS);
         printf("%ld", (long)k * STEP);
-        proved = print_numbers(numbers, 3, ROW_DIGITS);
+        proved = print_study_numbers(numbers, 3, ROW_DIGITS);
         putchar('\n');
     }
     second_order_clear(&o);

@@ -5,7 +5,7 @@
 #include "command/command.h"
 #include "evaluate/table1.h"
 
-static bool print_row(const struct table_row *row, const char *format)
+static bool print_table_row(const struct table_row *row, const char *format)
 {
     bool rounds;
     char *computed = table_row_value(row, &rounds);
@@ -27,7 +27,7 @@ int command_table1(int count, char **texts)
     const char *format = option_given(&a, "--csv") ? "%s,%s,%s,%s,%s\n" : "%-6s %-12s %-24s %-10s %s\n";
     printf(format, "name", "printed", "computed", "unit", "rounds");
     for (int i = 0; i < sheet()->row_count; i++)
-        if (!print_row(&sheet()->table1[i], format))
+        if (!print_table_row(&sheet()->table1[i], format))
             status = EXIT_FAILED_CHECK;
     int written = output_finished();
     return written != EXIT_DONE ? written : status;

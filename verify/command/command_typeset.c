@@ -74,7 +74,7 @@ static const char *output_number(const struct section *s, int output)
     return count == s->output_count ? free_numbers[output] : "";
 }
 
-static void print_formulas(const struct section *s, const char *kind, struct program *symbols, const struct formulas *f)
+static void typeset_formulas(const struct section *s, const char *kind, struct program *symbols, const struct formulas *f)
 {
     for (int i = 0; i < s->output_count; i++)
         print_definition(s, kind, output_number(s, i), symbols, s->outputs[i]->name, f->text[i]);
@@ -92,7 +92,7 @@ static void symbols_init(struct program *symbols, const struct section *s)
             program_input(symbols, own[k]->let[2 * i]);
 }
 
-static void print_section(const struct section *s)
+static void typeset_section(const struct section *s)
 {
     struct program symbols;
     symbols_init(&symbols, s);
@@ -102,14 +102,14 @@ static void print_section(const struct section *s)
     for (int i = 0; i < s->relation_count; i++)
         print_comparison(s, "relation", s->relations[i].equation, &symbols, s->relations[i].text);
     if (s->method == METHOD_FORMULA) {
-        print_formulas(s, "output", &symbols, &s->corrected);
+        typeset_formulas(s, "output", &symbols, &s->corrected);
         for (int i = 0; i < s->corrected.lets; i++)
             print_definition(s, "let", "", &symbols, s->corrected.let[2 * i], s->corrected.let[2 * i + 1]);
         for (int i = 0; i < s->corrected.count; i++)
             print_comparison(s, "domain", "", &symbols, s->corrected.conditions[i].text);
     }
     if (s->differs) {
-        print_formulas(s, "printed", &symbols, &s->printed);
+        typeset_formulas(s, "printed", &symbols, &s->printed);
         print_record(s->id, "reason", "", "", s->reason);
     }
     if (s->note != NULL)
@@ -143,6 +143,6 @@ int command_typeset(int count, char **texts)
         print_symbols();
     for (int i = 0; i < sheet()->section_count && status == EXIT_DONE; i++)
         if (one == NULL || one == &sheet()->sections[i])
-            print_section(&sheet()->sections[i]);
+            typeset_section(&sheet()->sections[i]);
     return status != EXIT_DONE ? status : output_finished();
 }

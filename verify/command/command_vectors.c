@@ -46,7 +46,7 @@ static int take_section(const struct arguments *a, const struct section **s)
     return EXIT_DONE;
 }
 
-static int random_vectors(const struct arguments *a, const struct section *s, enum input_form form)
+static int print_random_vectors(const struct arguments *a, const struct section *s, enum input_form form)
 {
     const char *count_text = option_value(a, "--count"), *seed_text = option_value(a, "--seed");
     uint64_t first = 0, count = 0, seed = 0;
@@ -88,7 +88,7 @@ int command_vectors(int count, char **texts)
     else if (status == EXIT_DONE && golden)
         status = vectors_golden(s, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
     else if (status == EXIT_DONE)
-        status = random_vectors(&a, s, form);
+        status = print_random_vectors(&a, s, form);
     free(a.assignments);
     if (status == EXIT_USAGE)
         return status;

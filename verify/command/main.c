@@ -73,7 +73,7 @@ static int help(void)
     return output_finished();
 }
 
-static int run(int count, char **arguments)
+static int run_subcommand(int count, char **arguments)
 {
     if (count < 2)
         return usage_error(EXIT_USAGE, "expected a subcommand, see coulomb-tether --help");
@@ -164,7 +164,7 @@ int main(int count, char **arguments)
     guard_memory();
     if (!guard_streams())
         return usage_error(EXIT_FAILED_CHECK, "/dev/null: %s", strerror(errno)); /* LCOV_EXCL_LINE: the same */
-    int status = run(count, arguments);
+    int status = run_subcommand(count, arguments);
     sheet_close();
     flint_cleanup();
     mpfr_free_cache();

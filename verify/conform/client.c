@@ -155,7 +155,7 @@ static double hear_errors(struct client *c)
     return blocked;
 }
 
-static double seconds(void)
+static double clock_seconds(void)
 {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
@@ -217,9 +217,9 @@ static void hear_the_rest(struct client *c, const struct conversation *talk, boo
 enum ending client_converse(struct client *c, const struct conversation *talk, double timeout)
 {
     struct outgoing o = {.begin = 0, .end = 0};
-    double moved = seconds(); /* since when only the client could have done something, and did not */
+    double moved = clock_seconds(); /* since when only the client could have done something, and did not */
     bool enough = false, ended = false;
-    while (!ended && seconds() - moved < timeout && !enough && c->why == 0 && !is_interrupted(c)) {
+    while (!ended && clock_seconds() - moved < timeout && !enough && c->why == 0 && !is_interrupted(c)) {
         struct pollfd ends[] = {{c->to, POLLOUT, 0}, {c->from, POLLIN, 0}, {c->errors, POLLIN, 0}};
         const int slice = c->from >= 0 ? 100 : 10; /* ms until the next look for an interrupt or the end */
         bool taken = false, answered = false;
@@ -232,7 +232,7 @@ enum ending client_converse(struct client *c, const struct conversation *talk, d
         if (ends[2].revents != 0)
             moved += hear_errors(c);
         if (taken || answered)
-            moved = seconds();
+            moved = clock_seconds();
         ended = ends[1].revents == 0 && has_ended(c);
     }
     if (ended)

@@ -86,15 +86,15 @@ static void settle(struct comparator *j, const struct input *inputs, slong prec)
     machine_clear(&values);
 }
 
-static struct bounds error_of(struct comparator *j, const struct input *inputs, struct score *score)
+static struct error_bounds error_of(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const struct section *s = j->operation->section;
-    const struct bounds E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output);
+    const struct error_bounds E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output);
     score->E = E.upper;
     return E;
 }
 
-enum outcome outcome_of_bounds(struct bounds E, double K)
+enum outcome outcome_of_bounds(struct error_bounds E, double K)
 {
     return E.upper <= K ? OUTCOME_RIGHT : E.lower > K ? OUTCOME_WRONG : OUTCOME_SKIPPED;
 }

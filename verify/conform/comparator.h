@@ -61,6 +61,6 @@ void comparator_clear(struct comparator *j);
 enum outcome compare_answer(struct comparator *j, const struct input *inputs, struct score *score);
 
 /* What bounds on E come to: E <= K is right, E > K wrong; skipped where neither is proved, which is not the client's fault. */
-enum outcome outcome_of_bounds(struct bounds E, double K);
+enum outcome outcome_of_bounds(struct error_bounds E, double K);
 
 #endif

@@ -40,7 +40,7 @@ static bool failure_is_worse(const struct failure *a, const struct failure *b)
     return a->score.E > b->score.E || a->score.digits < b->score.digits;
 }
 
-static void record(struct test_run *e, const struct failure *f, const char *line)
+static void record_outcome(struct test_run *e, const struct failure *f, const char *line)
 {
     struct summary *t = summary_at(e, f->position);
     const bool first = summary_failed(t) == 0;
@@ -63,7 +63,7 @@ static void record(struct test_run *e, const struct failure *f, const char *line
 static void found(struct test_run *e, uint64_t position, enum outcome outcome, const char *line)
 {
     const struct failure f = {.position = position, .outcome = outcome, .score = {0.0, INFINITY, 0}};
-    record(e, &f, line);
+    record_outcome(e, &f, line);
 }
 
 void test_run_note(struct test_run *e, enum outcome outcome)
@@ -105,11 +105,11 @@ static bool take_up(struct test_run *e, uint64_t position)
         struct span *s = &e->spans[i];
         if (position < s->first || position > s->last)
             continue;
-        const struct span behind = {position + 1, s->last};
+        const struct span after = {position + 1, s->last};
         if (position > s->first && position < s->last && e->span_count == MOST_SPANS)
-            missing(e, behind);
+            missing(e, after);
         else if (position > s->first && position < s->last)
-            e->spans[e->span_count++] = behind;
+            e->spans[e->span_count++] = after;
         if (position > s->first)
             s->last = position - 1;
         else if (position < s->last)
@@ -149,7 +149,7 @@ static int split(char *line, char **words, int most)
 }
 
 /* A number as C reads it; for more than binary64, with all its digits. */
-static bool read_number(const struct test_run *e, const char *text, double *value, arb_t y)
+static bool answer_number(const struct test_run *e, const char *text, double *value, arb_t y)
 {
     char *end;
     *value = strtod(text, &end);
@@ -167,12 +167,12 @@ static bool read_number(const struct test_run *e, const char *text, double *valu
 }
 
 /* The numbers of an answer into the comparator's y. */
-static enum outcome read_numbers(struct test_run *e, struct comparator *j, char **words, int count, struct failure *f)
+static enum outcome answer_numbers(struct test_run *e, struct comparator *j, char **words, int count, struct failure *f)
 {
     const int due = j->operation->section->output_count;
     enum outcome outcome = OUTCOME_RIGHT;
     for (int i = 0; i < count && i < MOST_OUTPUTS; i++) {
-        if (!read_number(e, words[i], &f->values[i], j->y + i))
+        if (!answer_number(e, words[i], &f->values[i], j->y + i))
             return OUTCOME_MALFORMED;
         if (isnan(f->values[i]))
             outcome = OUTCOME_NAN;
@@ -208,14 +208,14 @@ static void answer(struct test_run *e, const struct test_vector *q, uint64_t pos
     const bool inside = q->drawn_inside || (q->numbers && operation_valid(j->operation, q->inputs));
     if (count > 0 && strcmp(words[0], "skip") == 0) {
         char *reason = summary_at(e, position)->reason;
-        const size_t behind = (size_t)(words[0] - e->line) + strlen("skip");
-        if (*reason == '\0' && behind < strlen(line)) /* of which there is the beginning alone */
-            snprintf(reason, sizeof e->summaries->reason, "%s", line + behind);
+        const size_t after = (size_t)(words[0] - e->line) + strlen("skip");
+        if (*reason == '\0' && after < strlen(line)) /* of which there is the beginning alone */
+            snprintf(reason, sizeof e->summaries->reason, "%s", line + after);
         f.outcome = OUTCOME_SKIPPED;
     } else if (count == 1 && strcmp(words[0], "invalid") == 0) {
         f.outcome = inside ? OUTCOME_INVALID : OUTCOME_RIGHT;
     } else {
-        f.outcome = read_numbers(e, j, words, count, &f);
+        f.outcome = answer_numbers(e, j, words, count, &f);
         if (!inside && f.outcome != OUTCOME_COUNT && f.outcome != OUTCOME_MALFORMED)
             f.outcome = OUTCOME_VALUE;
         else if (f.outcome == OUTCOME_RIGHT)
@@ -223,7 +223,7 @@ static void answer(struct test_run *e, const struct test_vector *q, uint64_t pos
     }
     if (e->from_file && !e->range && q->golden != NULL && q->golden->range)
         f.outcome = OUTCOME_SKIPPED;
-    record(e, &f, line);
+    record_outcome(e, &f, line);
 }
 
 /* An answer to another question than the next one. */
@@ -262,8 +262,8 @@ static void hear_line(struct test_run *e, char *line, bool ended)
         stray(e, ended ? OUTCOME_MALFORMED : OUTCOME_TRUNCATED, shown);
         return;
     }
-    const bool expected = e->next < e->asked && strcmp(words[0], e->judging.id) == 0;
-    struct test_vector *q = &e->judging, other;
+    const bool expected = e->next < e->asked && strcmp(words[0], e->due.id) == 0;
+    struct test_vector *q = &e->due, other;
     if (!expected && !find_place(e, words[0], shown, &position))
         return;
     if (position < e->next) { /* of a file, where answers stand in any order */
@@ -345,9 +345,9 @@ void test_run_begin(struct test_run *e, const double *digits)
     for (int k = 0; k < count; k++)
         comparator_init(&e->comparators[k], &e->sets.all[k].operation, e->significand, digits[k]);
     test_vector_init(&e->asking);
-    test_vector_init(&e->judging);
+    test_vector_init(&e->due);
     if (e->sets.total > 0)
-        test_vector_make(&e->judging, &e->sets, 0);
+        test_vector_make(&e->due, &e->sets, 0);
 }
 
 void test_run_end(struct test_run *e, enum outcome why)
@@ -376,7 +376,7 @@ void test_run_clear(struct test_run *e)
     for (int k = 0; k < e->sets.count; k++)
         comparator_clear(&e->comparators[k]);
     test_vector_clear(&e->asking);
-    test_vector_clear(&e->judging);
+    test_vector_clear(&e->due);
     free(e->comparators);
     free(e->summaries);
     test_sets_clear(&e->sets);

@@ -43,16 +43,16 @@ struct span {
 
 struct test_run {
     struct test_sets sets;
-    struct comparator *comparators;  /* one a test set                            */
-    struct summary *summaries;       /* the client's own after them              */
+    struct comparator *comparators;  /* one a test set                               */
+    struct summary *summaries;       /* the client's own after them                  */
     int significand;
     bool from_file;                  /* any order, and answers may be left out of what is flagged range */
-    bool range;                      /* such vectors are wanted                   */
+    bool range;                      /* such vectors are wanted                      */
     uint64_t asked, next, heard;     /* questions sent; the first one that no later one was answered before; lines */
     uint64_t strays, out_of_place;   /* lines without a question since the last answer; lines out of place in all */
     struct span spans[MOST_SPANS];
     int span_count;
-    struct test_vector asking, judging; /* the questions at `asked` and `next`       */
+    struct test_vector asking, due;  /* the vectors at `asked` and `next`            */
     char line[LONGEST_LINE + 1];
     char ended[80];                  /* how the client ended, where that was too soon */
     size_t length, unended;          /* bytes kept of the line, and heard of it   */

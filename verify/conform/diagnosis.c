@@ -217,7 +217,7 @@ static const char *format_mistake(const struct test_run *e, int set, char text[4
     return text;
 }
 
-static void add_name(struct summary *t, const char *name, const char *joint)
+static void add_diagnosis(struct summary *t, const char *name, const char *joint)
 {
     const size_t used = strlen(t->diagnosis);
     snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s", used ? joint : "", name);
@@ -233,14 +233,14 @@ void diagnose(struct test_run *e, int set)
     for (int i = 0; i < list.count; i++) {
         list.all[i].o.until = until;
         if (explains_all(&list.all[i], e, t, j->digits))
-            add_name(t, list.all[i].name, "; or ");
+            add_diagnosis(t, list.all[i].name, "; or ");
     }
     t->hurried = clock() > until;
     const char *format = t->diagnosis[0] == '\0' ? format_mistake(e, set, written) : NULL;
     if (format != NULL)
-        add_name(t, format, "");
+        add_diagnosis(t, format, "");
     if (t->counts[OUTCOME_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
-        add_name(t, "inputs outside the domain are not refused", "; and ");
+        add_diagnosis(t, "inputs outside the domain are not refused", "; and ");
     mutants_clear(&list);
 }
 

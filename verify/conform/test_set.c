@@ -19,7 +19,7 @@ struct collection {
     bool range;
 };
 
-static bool collect(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
+static bool collect_golden(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
 {
     struct collection *c = context;
     const struct section *s = o->section;
@@ -44,7 +44,7 @@ void test_sets_add(struct test_sets *sets, const struct section *s, uint64_t ran
     *set = (struct test_set){.random = random, .first = sets->total};
     operation_init(&set->operation, s, false);
     struct collection c = {set, inputs_new(s->input_count), significand, range};
-    golden_each(s, collect, &c);
+    golden_each(s, collect_golden, &c);
     inputs_free(c.inputs, s->input_count);
     sets->total += test_set_total(set);
 }
@@ -95,7 +95,7 @@ struct test_set *test_sets_at(const struct test_sets *sets, uint64_t position)
 }
 
 /* The word in the names of random vectors from outside the domain. */
-static const char OUTSIDE[] = "outside-";
+static const char OUTSIDE_WORD[] = "outside-";
 
 static void random_id(char id[LONGEST_ID + 1], const struct section *s, uint64_t seed, const char *outside, uint64_t number)
 {
@@ -123,7 +123,7 @@ void test_vector_make(struct test_vector *vector, const struct test_sets *sets, 
         sample(&set->operation, sets->seed, number, vector->values, vector->inputs);
     } else {
         const uint64_t k = number - set->random;
-        random_id(vector->id, s, sets->seed, OUTSIDE, k);
+        random_id(vector->id, s, sets->seed, OUTSIDE_WORD, k);
         sample(&set->operation, sets->seed, k, vector->values, vector->inputs);
         domain_defect(&set->operation, sets->seed + k, vector->values);
     }
@@ -147,7 +147,7 @@ static uint64_t random_number(const struct test_sets *sets, const struct test_se
     random_id(text, set->operation.section, sets->seed, "", number);
     if (strcmp(text, id) == 0 && number < set->random)
         return number;
-    random_id(text, set->operation.section, sets->seed, OUTSIDE, number);
+    random_id(text, set->operation.section, sets->seed, OUTSIDE_WORD, number);
     return strcmp(text, id) == 0 && number < test_set_defects(set) ? set->random + number : UINT64_MAX;
 }
 

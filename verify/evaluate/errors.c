@@ -169,9 +169,9 @@ bool operation_sensitivity_rational(struct operation *o, const struct input *inp
  *   (E6) MPFR's value lies in the ball widened by 2^16 of its own roundings, for every output  (mpfr_inside)
  */
 /* Bounds on distance / (u weight). */
-static struct bounds roundings(const arb_t distance, const arb_t weight, int significand)
+static struct error_bounds roundings(const arb_t distance, const arb_t weight, int significand)
 {
-    struct bounds E = {0.0, 0.0};
+    struct error_bounds E = {0.0, 0.0};
     SCOPE(arb, quotient);
     SCOPE(arf, bound);
     if (arb_is_zero(distance))
@@ -190,23 +190,23 @@ static struct bounds roundings(const arb_t distance, const arb_t weight, int sig
     return E;
 }
 
-struct bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand)
+struct error_bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand)
 {
     SCOPE(arb, distance, weight);
     if (!arf_is_finite(y))
-        return (struct bounds){INFINITY, INFINITY};
+        return (struct error_bounds){INFINITY, INFINITY};
     arb_sub_arf(distance, exact, y, TRUTH_BITS);
     arb_abs(distance, distance);
     arb_abs(weight, exact);
     arb_add(weight, weight, S, 64);
-    const struct bounds E = roundings(distance, weight, significand);
+    const struct error_bounds E = roundings(distance, weight, significand);
     return E;
 }
 
 /* ---- roots, complex numbers of which S is a modulus too ---- */
 
 /* |y - z| against u (|z| + S) */
-static struct bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S, int significand)
+static struct error_bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S, int significand)
 {
     SCOPE(arb, re, im);
     arb_sub(re, y, z, TRUTH_BITS);
@@ -214,7 +214,7 @@ static struct bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S, int s
     arb_hypot(re, re, im, TRUTH_BITS);
     arb_hypot(im, z, z + 1, TRUTH_BITS);
     arb_add(im, im, S, TRUTH_BITS);
-    const struct bounds E = roundings(re, im, significand);
+    const struct error_bounds E = roundings(re, im, significand);
     return E;
 }
 
@@ -222,7 +222,7 @@ static struct bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S, int s
  * A multiple root moves like a root of the change and has no S: what counts is the polynomial's value there,
  * |p(y)| against u times what one rounding of each coefficient and of each input does to it.
  */
-static struct bounds residual_error(arb_srcptr y, const struct input *inputs, int significand)
+static struct error_bounds residual_error(arb_srcptr y, const struct input *inputs, int significand)
 {
     arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
     acb_t z, power, sum, moved[3];
@@ -251,7 +251,7 @@ static struct bounds residual_error(arb_srcptr y, const struct input *inputs, in
         acb_clear(moved[i]);
     }
     acb_abs(modulus, sum, TRUTH_BITS);
-    const struct bounds E = roundings(modulus, weight, significand);
+    const struct error_bounds E = roundings(modulus, weight, significand);
     acb_clear(z);
     acb_clear(power);
     acb_clear(sum);
@@ -267,7 +267,7 @@ static double distance(arb_srcptr y, arb_srcptr z)
 }
 
 /* Root j of the four for y; a multiple one by the residual, as long as no other root is nearer. */
-static struct bounds one_of_four(arb_srcptr y, arb_srcptr exact, arb_srcptr S, int j, const struct input *inputs,
+static struct error_bounds one_of_four(arb_srcptr y, arb_srcptr exact, arb_srcptr S, int j, const struct input *inputs,
                           int significand)
 {
     bool multiple = false, nearest = true;
@@ -278,21 +278,21 @@ static struct bounds one_of_four(arb_srcptr y, arb_srcptr exact, arb_srcptr S, i
     }
     if (!multiple)
         return root_error(y, exact + 2 * j, S + 2 * j, significand);
-    return nearest ? residual_error(y, inputs, significand) : (struct bounds){INFINITY, INFINITY};
+    return nearest ? residual_error(y, inputs, significand) : (struct error_bounds){INFINITY, INFINITY};
 }
 
 /* Roots are a set: of all 24 ways to match them, the one with the least worst E. */
-static struct bounds matched_error(const struct input *inputs, arb_srcptr y, arb_srcptr exact, arb_srcptr S,
+static struct error_bounds matched_error(const struct input *inputs, arb_srcptr y, arb_srcptr exact, arb_srcptr S,
                             int significand)
 {
-    struct bounds E[4][4], least = {INFINITY, INFINITY};
+    struct error_bounds E[4][4], least = {INFINITY, INFINITY};
     for (int i = 0; i < 16; i++)
         E[i / 4][i % 4] = one_of_four(y + 2 * (i / 4), exact, S, i % 4, inputs, significand);
     for (int code = 0; code < 256; code++) {
         const int to[4] = {code & 3, (code >> 2) & 3, (code >> 4) & 3, (code >> 6) & 3};
         if (((1 << to[0]) | (1 << to[1]) | (1 << to[2]) | (1 << to[3])) != 15)
             continue;
-        struct bounds worst = {0.0, 0.0};
+        struct error_bounds worst = {0.0, 0.0};
         for (int i = 0; i < 4; i++) {
             worst.lower = fmax(worst.lower, E[i][to[i]].lower);
             worst.upper = fmax(worst.upper, E[i][to[i]].upper);
@@ -303,15 +303,15 @@ static struct bounds matched_error(const struct input *inputs, arb_srcptr y, arb
     return least;
 }
 
-struct bounds worst_error(const struct section *s, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
-                          arb_srcptr S, int significand, int *output)
+struct error_bounds worst_error(const struct section *s, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
+                                arb_srcptr S, int significand, int *output)
 {
-    struct bounds worst = {0.0, -1.0};
+    struct error_bounds worst = {0.0, -1.0};
     *output = 0;
     if (s->method == METHOD_ROOTS)
         return matched_error(inputs, y, exact, S, significand);
     for (int i = 0; i < s->output_count; i++) {
-        const struct bounds E = error_in_roundings(arb_midref(y + i), exact + i, S + i, significand);
+        const struct error_bounds E = error_in_roundings(arb_midref(y + i), exact + i, S + i, significand);
         worst.lower = fmax(worst.lower, E.lower);
         if (E.upper > worst.upper) {
             worst.upper = E.upper;

@@ -31,19 +31,19 @@ void operation_sensitivity_settled(struct operation *o, const struct input *inpu
 /* The same where every derivative of a formula is rational; false elsewhere. */
 bool operation_sensitivity_rational(struct operation *o, const struct input *inputs, int output, fmpq_t S);
 
-struct bounds {
+struct error_bounds {
     double lower, upper; /* rounded outward */
 };
 
 /* Bounds on E; 0 where y = y*, infinity where y is no number, y* = S = 0 or S is infinite. */
-struct bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand);
+struct error_bounds error_in_roundings(const arf_t y, const arb_t exact, const arb_t S, int significand);
 
 /*
  * All outputs of an operation at once, y exact balls: the worst E, and which output. Roots are matched as a
  * set, multiple ones judged by their residual.
  */
-struct bounds worst_error(const struct section *s, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
-                          arb_srcptr S, int significand, int *output);
+struct error_bounds worst_error(const struct section *s, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
+                                arb_srcptr S, int significand, int *output);
 
 /*
  * Whether the formulas in MPFR, with twice the bits of the enclosures that errors are measured by, lie within these; room is

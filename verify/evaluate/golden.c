@@ -41,7 +41,7 @@ static void replaced(struct golden *g, const char *how, int i, const char *text,
     hand_on(g, name, texts, flags);
 }
 
-static int place(const struct section *s, const char *name)
+static int input_place(const struct section *s, const char *name)
 {
     for (int i = 0; i < s->input_count; i++)
         if (strcmp(s->inputs[i]->name, name) == 0)
@@ -54,7 +54,7 @@ static void unequal_masses(struct golden *g)
 {
     static const char *const ratios[][3] = {
         {"mass-1-3", "100", "300"}, {"mass-1000-1", "1000", "1"}, {"mass-1-1000", "1", "1000"}};
-    int m1 = place(g->o.section, "m1"), m2 = place(g->o.section, "m2");
+    int m1 = input_place(g->o.section, "m1"), m2 = input_place(g->o.section, "m2");
     for (int k = 0; k < 3 && m1 >= 0 && m2 >= 0; k++) {
         const char *texts[MOST_INPUTS];
         memcpy(texts, g->base, sizeof texts);
@@ -111,7 +111,7 @@ static void hand_on_values(struct golden *g, const char *name, const double *val
 static void domain_edges(struct golden *g)
 {
     const struct section *s = g->o.section;
-    const int t = place(s, "t");
+    const int t = input_place(s, "t");
     double base[MOST_INPUTS] = {0}, values[MOST_INPUTS];
     char name[40];
     for (int i = 0; i < s->input_count; i++)
@@ -133,7 +133,7 @@ static void domain_edges(struct golden *g)
         hand_on_values(g, "between-steps", base, "");
 }
 
-static void random_vectors(struct golden *g)
+static void random_golden(struct golden *g)
 {
     const struct section *s = g->o.section;
     struct input *inputs = inputs_new(s->input_count);
@@ -153,10 +153,10 @@ static void random_vectors(struct golden *g)
 }
 
 /* One of the sheet's own; where it names several times, a vector each. */
-static void special(struct golden *g, const struct special *special)
+static void special_vectors(struct golden *g, const struct special *special)
 {
     const char *texts[MOST_INPUTS];
-    int t = place(g->o.section, "t");
+    int t = input_place(g->o.section, "t");
     for (int i = 0; i < g->o.section->input_count; i++)
         texts[i] = special->texts[i] ? special->texts[i] : g->base[i];
     if (t < 0 || special->texts[t] == NULL || strchr(special->texts[t], ' ') == NULL) {
@@ -181,14 +181,14 @@ bool golden_each(const struct section *s, golden_receiver *receive, void *contex
     if (s->method == METHOD_FORMULA || s->method == METHOD_ROOTS) {
         hand_on(&g, "paper", g.base, "paper");
         unequal_masses(&g);
-        random_vectors(&g);
+        random_golden(&g);
         for (int i = 0; i < s->input_count; i++)
             one_changed(&g, i);
         for (int i = 0; i < s->input_count; i++)
             extremes_of(&g, i, false);
     }
     for (int i = 0; i < s->special_count && g.fine; i++)
-        special(&g, &s->specials[i]);
+        special_vectors(&g, &s->specials[i]);
     for (int i = 0; i < s->input_count; i++) {
         if (!operation_has_sensitivity(s))
             extremes_of(&g, i, false);

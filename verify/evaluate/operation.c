@@ -13,7 +13,7 @@
 enum { GUARD_BITS = 64 };
 
 /* Beyond this no formula of the sheet should need to go; it is the end of a loop that has none else. */
-static const slong MOST_BITS = 400000;
+static const slong MOST_WORKING_BITS = 400000;
 
 void operation_init(struct operation *o, const struct section *s, bool as_printed)
 {
@@ -261,8 +261,8 @@ slong operation_precision(const struct operation *o, const struct input *inputs,
     }
 }
 
-static enum operation_status enclose(struct operation *o, const struct input *inputs, slong digits, slong prec,
-                                     arb_ptr outputs)
+static enum operation_status enclose_outputs(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                                             arb_ptr outputs)
 {
     if (o->section->method != METHOD_FORMULA && o->section->method != METHOD_ROOTS)
         return enclose_flow(o, inputs, digits, prec, outputs);
@@ -278,13 +278,13 @@ static enum operation_status enclose(struct operation *o, const struct input *in
 
 enum operation_status operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs)
 {
-    return enclose(o, inputs, (slong)((double)prec / 3.33), prec, outputs);
+    return enclose_outputs(o, inputs, (slong)((double)prec / 3.33), prec, outputs);
 }
 
 enum operation_status operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
                                        arb_ptr outputs)
 {
-    return enclose(o, inputs, digits, prec, outputs);
+    return enclose_outputs(o, inputs, digits, prec, outputs);
 }
 
 /* ---- digits ---- */
@@ -348,11 +348,11 @@ enum operation_status operation_digits(struct operation *o, const struct input *
         return OPERATION_INVALID;
     VECTOR(arb, balls, count);
     slong prec = operation_precision(o, inputs, digits);
-    const slong most = 8 * prec + MOST_BITS / 8;
+    const slong most = 8 * prec + MOST_WORKING_BITS / 8;
     int left = count;
     enum operation_status status = OPERATION_PROVED;
     for (bool first = true; left > 0 && status == OPERATION_PROVED; first = false, prec *= 2) {
-        status = prec > most ? OPERATION_UNDECIDED : enclose(o, inputs, digits, prec, balls);
+        status = prec > most ? OPERATION_UNDECIDED : enclose_outputs(o, inputs, digits, prec, balls);
         if (prec > most)
             message_set(&o->why, "%s: %ld bits do not decide every digit", o->section->id, (long)most);
         for (int i = 0; i < count && status == OPERATION_PROVED; i++)

@@ -275,7 +275,7 @@ static void eq44(const double *in, double *out)
     out[0] = ct_derivative_gain(in[0], in[1]);
 }
 
-/* Omega L_ref C1 C2 t, six of state, and h behind them where h is not NULL */
+/* Omega L_ref C1 C2 t, six of state, and h after them where h is not NULL */
 static void linear(const double *in, const double *h, double *out)
 {
     const struct ct_params p = {.Omega = in[0], .L_ref = in[1]};

@@ -28,7 +28,7 @@ void vectors_header(const struct section *s);
 
 /*
  * One line. The texts are literals, each meaning its nearest binary64; `flags` (may be empty) stand
- * behind "invalid" and "range", which are found here. False and a reason in o->why when a value in the
+ * after "invalid" and "range", which are found here. False and a reason in o->why when a value in the
  * domain cannot be certified; nothing is printed then.
  */
 bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags, enum input_form form);

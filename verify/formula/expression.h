@@ -51,7 +51,7 @@ int program_parse(struct program *p, const char *text, size_t *where, struct mes
 
 /*
  * A formula may also refer to what the program does not hold, by NAME.more or NAME(...): the caller reads
- * that. The reader is called behind NAME and goes on from `at`, with parse_sum() for what is a formula
+ * that. The reader is called after NAME and goes on from `at`, with parse_sum() for what is a formula
  * again. It returns a node; or -1, with `why` set and `at` where the mistake is.
  */
 struct parser;
@@ -106,7 +106,7 @@ struct machine {
     const struct arithmetic *arithmetic;
     slong prec;
     char *values;
-    int count; /* of values: the nodes, and some scratch behind them */
+    int count; /* of values: the nodes, and some scratch after them */
 };
 
 void machine_init(struct machine *m, const struct program *p, const struct arithmetic *a, slong prec);

@@ -60,7 +60,7 @@ static void add_letters(struct tex *t, const char *letters, int length, const ch
         tex_add(t, "\\mathrm{%.*s}", length, letters);
 }
 
-/* One more index: one letter, and digits behind it or not, in italics; a word upright. */
+/* One more index: one letter, and digits after it or not, in italics; a word upright. */
 static void add_index(struct tex *t, const char *index, int length)
 {
     const bool word = length > 1 && isalpha((unsigned char)index[1]);

@@ -39,7 +39,6 @@ enum {
     CLOSE = -7,           /* ... where r < 2^-7 r_ref are given up                                        */
     MOST_HALVINGS = 32,   /* of a step too long to prove: beyond that the set is too wide                 */
     MOST_STEPS = 100000,  /* 30 days of Table 1 take some 500                                             */
-    HALF = FLOW_STATE / 2 /* positions, then velocities                                                   */
 };
 
 struct flow {
@@ -120,7 +119,7 @@ static void set_problem(struct flow *f, const struct flow_parameters *p, arb_src
     arb_div(f->r_ref, f->r_ref, mass, f->prec);
     arb_mul(f->speed, f->r_ref, f->Omega, f->prec);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_div(state + i, initial + i, i < HALF ? f->r_ref : f->speed, f->prec);
+        arb_div(state + i, initial + i, i < FLOW_HALF ? f->r_ref : f->speed, f->prec);
     lohner_from_box(&f->set, state);
     jet_constants(&f->path, f->c1, f->c2);
     jet_constants(&f->a_priori, f->c1, f->c2);
@@ -131,7 +130,7 @@ static void start_q(struct jet *jet, slong prec)
 {
     arb_ptr q = jet->c[FLOW_STATE];
     arb_zero(q);
-    for (int i = 0; i < HALF; i++)
+    for (int i = 0; i < FLOW_HALF; i++)
         arb_addmul(q, jet->c[i], jet->c[i], prec);
     arb_sqrt(q, q, prec);
     arb_inv(q, q, prec);
@@ -145,14 +144,14 @@ static void start_column(struct flow *f, int j)
     arb_zero(d[FLOW_STATE]);
     for (int i = 0; i < FLOW_STATE; i++) {
         arb_set_d(d[i], f->set.basis[i][j]);
-        if (i < HALF)
+        if (i < FLOW_HALF)
             arb_submul(d[FLOW_STATE], c[i], d[i], LOHNER_BITS);
     }
     for (int i = 0; i < 3; i++)
         arb_mul(d[FLOW_STATE], d[FLOW_STATE], c[FLOW_STATE], LOHNER_BITS);
 }
 
-static void expand(struct flow *f)
+static void expand_series(struct flow *f)
 {
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set(f->path.c[i], f->set.centre + i);
@@ -177,7 +176,7 @@ static double position_size(const struct flow *f, slong k)
 {
     double size = -HUGE_VAL;
     SCOPE(mag, m);
-    for (int i = 0; i < HALF; i++) {
+    for (int i = 0; i < FLOW_HALF; i++) {
         arb_get_mag(m, f->path.c[i] + k);
         size = fmax(size, mag_get_d_log2_approx(m));
     }
@@ -210,7 +209,7 @@ static bool steady(const struct majorant *spread)
 }
 
 /* Bounds on |s| <= step; false where it is too long for them. */
-static bool prove(struct flow *f, double step)
+static bool prove_step(struct flow *f, double step)
 {
     SCOPE(mag, h, one);
     mag_set_d(h, step);
@@ -219,14 +218,14 @@ static bool prove(struct flow *f, double step)
     majorant_of(&f->a_priori_bound, &f->a_priori, one, 1, h);
     majorant_of(&f->spread_bound, f->column, f->set.radius, FLOW_STATE, h);
     return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->a_priori_bound, NULL, h)
-                  && majorant_prove(&f->spread_bound, &f->a_priori_bound, h) && steady(&f->spread_bound);
+           && majorant_prove(&f->spread_bound, &f->a_priori_bound, h) && steady(&f->spread_bound);
 }
 
 /* The longest of step, step/2, ... that can be proved, or 0 */
 static double proved_step(struct flow *f, double step)
 {
     int halvings = 0;
-    for (; halvings < MOST_HALVINGS && f->proving && !prove(f, step); halvings++)
+    for (; halvings < MOST_HALVINGS && f->proving && !prove_step(f, step); halvings++)
         step /= 2;
     return halvings < MOST_HALVINGS ? step : 0;
 }
@@ -254,12 +253,12 @@ static void state_at(const struct flow *f, arb_ptr state, const arb_t s)
             arb_add_error_mag(state + i, spread->size[i] + spread->order);
             arb_add_error_mag(state + i, spread->remainder + i);
         }
-        arb_mul(state + i, state + i, i < HALF ? f->r_ref : f->speed, f->prec);
+        arb_mul(state + i, state + i, i < FLOW_HALF ? f->r_ref : f->speed, f->prec);
     }
 }
 
 /* The set at the end of the step; false if it is lost. */
-static bool advance(struct flow *f, double step)
+static bool advance_set(struct flow *f, double step)
 {
     VECTOR(arb, image, FLOW_STATE);
     arb_mat_t derivative;
@@ -293,7 +292,7 @@ static bool lost(const struct flow *f, slong digits)
 }
 
 /* The step's start in seconds, rounded towards 0 */
-static double seconds(const struct flow *f)
+static double start_in_seconds(const struct flow *f)
 {
     SCOPE(arb, t);
     SCOPE(arf, bound);
@@ -315,7 +314,7 @@ static bool within(const struct flow *f, arb_t s, const fmpq_t t, double step)
 }
 
 /* Whether the times go away from 0. */
-static bool ordered(const fmpq *times, slong count, int direction)
+static bool times_ordered(const fmpq *times, slong count, int direction)
 {
     for (slong k = 0; k < count; k++)
         if ((k == 0 ? fmpq_sgn(times) : fmpq_cmp(times + k, times + k - 1)) * direction < 0)
@@ -330,7 +329,7 @@ static bool is_close(const struct flow *f)
     SCOPE(arb, r);
     SCOPE(arf, bound);
     lohner_to_box(box, &f->set);
-    arb_dot(r, NULL, 0, box, 1, box, 1, HALF, f->prec);
+    arb_dot(r, NULL, 0, box, 1, box, 1, FLOW_HALF, f->prec);
     arb_get_ubound_arf(bound, r, f->prec);
     return arf_cmp_2exp_si(bound, 2 * CLOSE) < 0;
 }
@@ -340,7 +339,7 @@ static enum flow_status begin_step(struct flow *f, slong digits, double *step)
 {
     if (lost(f, digits))
         return FLOW_WIDE;
-    expand(f);
+    expand_series(f);
     *step = step_length(f);
     if (*step < ldexp(1, LEAST_STEP) && is_close(f))
         return FLOW_CLOSE;
@@ -348,8 +347,8 @@ static enum flow_status begin_step(struct flow *f, slong digits, double *step)
     return *step > 0 ? FLOW_DONE : FLOW_WIDE;
 }
 
-static enum flow_status run(struct flow *f, arb_srcptr initial, const fmpq *times, slong count,
-                            slong digits, flow_receiver *receive, void *context, double *reached)
+static enum flow_status follow(struct flow *f, arb_srcptr initial, const fmpq *times, slong count,
+                               slong digits, flow_receiver *receive, void *context, double *reached)
 {
     slong k = 0;
     for (; k < count && fmpq_is_zero(times + k); k++)
@@ -368,9 +367,9 @@ static enum flow_status run(struct flow *f, arb_srcptr initial, const fmpq *time
         }
         if (k == count)
             break;
-        if (mag_get_d(arb_radref(f->s)) > step / 4 || !advance(f, step))
+        if (mag_get_d(arb_radref(f->s)) > step / 4 || !advance_set(f, step))
             return FLOW_WIDE; /* a time so vague might fall between all steps */
-        *reached = seconds(f);
+        *reached = start_in_seconds(f);
     }
     return FLOW_DONE;
 }
@@ -381,7 +380,7 @@ enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct fl
 {
     int direction = count > 0 && fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
     *reached = 0;
-    if (!flow_nonlinear_domain(p, initial) || !ordered(times, count, direction))
+    if (!flow_nonlinear_domain(p, initial) || !times_ordered(times, count, direction))
         return FLOW_DOMAIN;
     if (!flow_in_reach(p, times, count))
         return FLOW_STALLED;
@@ -389,7 +388,7 @@ enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct fl
     flow_init(&f, prec, how);
     f.direction = direction;
     set_problem(&f, p, initial);
-    enum flow_status status = run(&f, initial, times, count, digits, receive, context, reached);
+    enum flow_status status = follow(&f, initial, times, count, digits, receive, context, reached);
     flow_clear(&f);
     return status;
 }

@@ -163,7 +163,7 @@ struct pass {
     slong prec, most; /* working precision, and where trying ends */
     slong done;       /* rows that the receiver has               */
     bool at_equilibrium, undecided, stopped;
-    bool outside;     /* Q_ref + dQ >= 0 at the row behind those      */
+    bool outside;     /* Q_ref + dQ >= 0 at the row after those      */
     row_receiver *receive;
     void *context;
 };
@@ -195,7 +195,7 @@ static int row_balls(struct pass *p, arb_srcptr state, arb_ptr row)
     return FLOW_STATE;
 }
 
-static int take_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
+static int receive_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
 {
     struct pass *p = context;
     if (k < p->done)
@@ -223,18 +223,18 @@ static enum flow_status one_pass(struct pass *p, const fmpq *times, slong count,
     derive_initial(p->initial, m, p->prec);
     p->undecided = false;
     if (m->h != NULL && m->nonlinear)
-        return rk4_nonlinear(&p->parameters, p->initial, m->h, times, count, p->prec, take_row, p,
+        return rk4_nonlinear(&p->parameters, p->initial, m->h, times, count, p->prec, receive_row, p,
                              reached);
     if (m->h != NULL)
-        return rk4_linear(&p->parameters, p->initial, m->h, times, count, p->prec, take_row, p, reached);
+        return rk4_linear(&p->parameters, p->initial, m->h, times, count, p->prec, receive_row, p, reached);
     if (m->nonlinear)
-        return flow_nonlinear(&p->parameters, p->initial, times, count, m->digits, p->prec, take_row, p,
+        return flow_nonlinear(&p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p,
                               reached);
-    return flow_linear(&p->parameters, p->initial, times, count, p->prec, take_row, p, reached);
+    return flow_linear(&p->parameters, p->initial, times, count, p->prec, receive_row, p, reached);
 }
 
 /* Nothing displaced, in the angles; or x1 exactly where the static formation has it. */
-static bool starts_in_place(const struct scenario *s)
+static bool starts_at_equilibrium(const struct scenario *s)
 {
     bool same = true;
     if (!cartesian(s)) {
@@ -255,7 +255,7 @@ static int ignore_row(void *context, slong k, const fmpq_t t, char *const *numbe
     return 0;
 }
 
-static enum flow_status passes(struct pass *p, const fmpq *times, slong count, double *reached);
+static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count, double *reached);
 
 /*
  * When Q_ref + dQ stops being negative: it is so at `before` and not at `after`, and six times over the
@@ -276,7 +276,7 @@ static void find_crossing(const struct pass *found, fmpq_t before, fmpq_t after)
             fmpq_mul(times + i, times + i, tenth);
             fmpq_add(times + i, times + i, before);
         }
-        passes(&p, times, 11, &reached);
+        run_pass(&p, times, 11, &reached);
         if (!p.outside || p.done == 0)
             break;
         fmpq_set(before, times + p.done - 1);
@@ -300,7 +300,7 @@ static void say_crossing(const struct pass *p, const fmpq *times, struct message
 }
 
 /* Passes at rising precision until every row is proved, or nothing more can be. */
-static enum flow_status passes(struct pass *p, const fmpq *times, slong count, double *reached)
+static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count, double *reached)
 {
     const struct motion *m = p->motion;
     const double Omega = fmpq_get_d(&m->scenario->value[SET_Omega].value);
@@ -322,10 +322,10 @@ static enum flow_status passes(struct pass *p, const fmpq *times, slong count, d
 int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
                 void *context, struct message *why)
 {
-    struct pass p = {.motion = m, .at_equilibrium = starts_in_place(m->scenario), .receive = receive,
+    struct pass p = {.motion = m, .at_equilibrium = starts_at_equilibrium(m->scenario), .receive = receive,
                      .context = context};
     double reached = 0.0;
-    enum flow_status status = passes(&p, times, count, &reached);
+    enum flow_status status = run_pass(&p, times, count, &reached);
     if (p.outside)
         say_crossing(&p, times, why);
     else if (p.undecided)

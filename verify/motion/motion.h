@@ -18,8 +18,8 @@ enum scenario_name {
 
 struct scenario {
     struct input value[SCENARIO_VALUES];
-    bool given[SCENARIO_VALUES];  /* replaced by the user */
-    bool exact;            /* defaults are the decimals themselves, not the nearest binary64 */
+    bool given[SCENARIO_VALUES]; /* replaced by the user */
+    bool exact;                  /* defaults are the decimals themselves, not the nearest binary64 */
 };
 
 extern const char *const scenario_names[SCENARIO_VALUES];
@@ -31,7 +31,7 @@ void scenario_clear(struct scenario *s);
 /* False, and why, where a value lies outside its domain. Wrong combinations are the caller's business. */
 bool scenario_valid(const struct scenario *s, bool nonlinear, struct message *why);
 
-/* A row holds the state, and for a nonlinear motion q1 and q2 behind it. */
+/* A row holds the state, and for a nonlinear motion q1 and q2 after it. */
 enum { ROW_NUMBERS = FLOW_STATE + 2 };
 
 /* Takes a row, every digit of it proved; non-zero stops the motion. */

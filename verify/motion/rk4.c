@@ -13,7 +13,6 @@
 #include "text/scope.h"
 
 enum {
-    HALF = FLOW_STATE / 2,
     USEFUL_BITS = 16,      /* balls wider than 2^-16 of the state widen at once */
     MOST_STEPS = 10000000, /* an hour                                          */
     FEW_STEPS = 8          /* however long: each may lose all bits of a binary64's range, four times over */
@@ -30,7 +29,7 @@ static void linear_rates(arb_ptr rate, arb_srcptr state, const struct gains *g, 
 {
     enum { PSI, THETA, DL, PSI_DOT, THETA_DOT, DL_DOT };
     SCOPE(arb, stiffness);
-    _arb_vec_set(rate, state + HALF, HALF);
+    _arb_vec_set(rate, state + FLOW_HALF, FLOW_HALF);
     arb_mul_si(rate + PSI_DOT, state + PSI, -3, prec);
     arb_submul_ui(rate + PSI_DOT, state + DL_DOT, 2, prec);
     arb_mul_si(rate + THETA_DOT, state + THETA, -4, prec);
@@ -45,9 +44,9 @@ static void nonlinear_rates(arb_ptr rate, arb_srcptr state, const struct gains *
 {
     enum { X, Y, Z, X_DOT, Y_DOT };
     SCOPE(arb, r, r_dot, p);
-    arb_dot(r, NULL, 0, state, 1, state, 1, HALF, prec);
+    arb_dot(r, NULL, 0, state, 1, state, 1, FLOW_HALF, prec);
     arb_sqrt(r, r, prec);
-    arb_dot(r_dot, NULL, 0, state, 1, state + HALF, 1, HALF, prec);
+    arb_dot(r_dot, NULL, 0, state, 1, state + FLOW_HALF, 1, FLOW_HALF, prec);
     arb_div(r_dot, r_dot, r, prec);
 
     arb_sub_ui(p, r, 1, prec);
@@ -58,16 +57,16 @@ static void nonlinear_rates(arb_ptr rate, arb_srcptr state, const struct gains *
     arb_pow_ui(r, r, 3, prec);
     arb_div(p, p, r, prec);
 
-    _arb_vec_set(rate, state + HALF, HALF);
-    _arb_vec_scalar_mul(rate + HALF, state, HALF, p, prec);
-    arb_addmul_ui(rate + HALF + X, state + X, 3, prec);
-    arb_addmul_ui(rate + HALF + X, state + Y_DOT, 2, prec);
-    arb_submul_ui(rate + HALF + Y, state + X_DOT, 2, prec);
-    arb_sub(rate + HALF + Z, rate + HALF + Z, state + Z, prec);
+    _arb_vec_set(rate, state + FLOW_HALF, FLOW_HALF);
+    _arb_vec_scalar_mul(rate + FLOW_HALF, state, FLOW_HALF, p, prec);
+    arb_addmul_ui(rate + FLOW_HALF + X, state + X, 3, prec);
+    arb_addmul_ui(rate + FLOW_HALF + X, state + Y_DOT, 2, prec);
+    arb_submul_ui(rate + FLOW_HALF + Y, state + X_DOT, 2, prec);
+    arb_sub(rate + FLOW_HALF + Z, rate + FLOW_HALF + Z, state + Z, prec);
 }
 
 /* state += h/6 (k1 + 2 k2 + 2 k3 + k4), k2 and k3 at h/2, k4 at h */
-static void step(arb_ptr state, const arb_t h, rates_function *rates, const struct gains *g, slong prec)
+static void rk4_step(arb_ptr state, const arb_t h, rates_function *rates, const struct gains *g, slong prec)
 {
     static const int point[4] = {0, 1, 1, 2}; /* of the step, in halves */
     static const int weight[4] = {1, 2, 2, 1};
@@ -90,7 +89,7 @@ static void step(arb_ptr state, const arb_t h, rates_function *rates, const stru
 }
 
 /* t / h, at most WORD_MAX; -1 where that is no number of steps */
-static slong steps_to(const fmpq_t t, const fmpq_t h)
+static slong steps_until(const fmpq_t t, const fmpq_t h)
 {
     slong n = -1;
     SCOPE(fmpq, ratio);
@@ -102,14 +101,14 @@ static slong steps_to(const fmpq_t t, const fmpq_t h)
 
 double rk4_radians(const fmpq_t Omega, const fmpq_t t, const fmpq_t h)
 {
-    const double step = fabs(fmpq_get_d(Omega) * fmpq_get_d(h)), steps = (double)steps_to(t, h);
+    const double step = fabs(fmpq_get_d(Omega) * fmpq_get_d(h)), steps = (double)steps_until(t, h);
     return fmin(fabs(fmpq_get_d(Omega) * fmpq_get_d(t)), steps < 0 ? INFINITY : steps * (2 + log2(1 + step)));
 }
 
 /* Whether there are few enough orbits, or few enough steps, up to the last of the times. */
-static bool in_reach(const struct flow_parameters *p, const fmpq_t h, const fmpq *times, slong count)
+static bool steps_in_reach(const struct flow_parameters *p, const fmpq_t h, const fmpq *times, slong count)
 {
-    const slong n = count > 0 ? steps_to(times + count - 1, h) : 0;
+    const slong n = count > 0 ? steps_until(times + count - 1, h) : 0;
     return rk4_in_reach(p, times, count) || (n >= 0 && n <= FEW_STEPS);
 }
 
@@ -137,11 +136,11 @@ static void march_init(struct march *m, rates_function *rates, int angles, const
     arb_div(m->gains.c1, m->gains.c1, p->Omega, prec);
     arb_set_fmpq(m->h, h, prec);
     arb_mul(m->h, m->h, p->Omega, prec);
-    for (int i = 0; i < HALF; i++) {
+    for (int i = 0; i < FLOW_HALF; i++) {
         arb_one(m->unit + i);
         if (i >= angles)
             arb_set(m->unit + i, length);
-        arb_mul(m->unit + HALF + i, m->unit + i, p->Omega, prec);
+        arb_mul(m->unit + FLOW_HALF + i, m->unit + i, p->Omega, prec);
     }
 }
 
@@ -155,22 +154,22 @@ static void march_clear(struct march *m)
     _arb_vec_clear(m->si, FLOW_STATE);
 }
 
-static enum flow_status march(struct march *m, arb_srcptr initial, const fmpq_t h, const fmpq *times,
-                              slong count, slong prec, flow_receiver *receive, void *context,
-                              double *reached)
+static enum flow_status march_rows(struct march *m, arb_srcptr initial, const fmpq_t h, const fmpq *times,
+                                   slong count, slong prec, flow_receiver *receive, void *context,
+                                   double *reached)
 {
     slong done = 0;
     for (int i = 0; i < FLOW_STATE; i++)
         arb_div(m->state + i, initial + i, m->unit + i, prec);
     for (slong k = 0; k < count; k++) {
-        slong n = steps_to(times + k, h);
+        slong n = steps_until(times + k, h);
         if (n < done)
             return FLOW_DOMAIN;
         if (n > MOST_STEPS)
             return FLOW_STALLED;
         for (; done < n; done++) {
             *reached = fmpq_get_d(h) * (double)done;
-            step(m->state, m->h, m->rates, &m->gains, prec);
+            rk4_step(m->state, m->h, m->rates, &m->gains, prec);
             if (flow_wide(m->state, USEFUL_BITS))
                 return FLOW_WIDE;
         }
@@ -190,11 +189,11 @@ enum flow_status rk4_linear(const struct flow_parameters *p, arb_srcptr initial,
     *reached = 0;
     if (!flow_linear_domain(p, initial) || fmpq_sgn(h) <= 0)
         return FLOW_DOMAIN;
-    if (!in_reach(p, h, times, count))
+    if (!steps_in_reach(p, h, times, count))
         return FLOW_STALLED;
     struct march m;
     march_init(&m, linear_rates, 2, p->L_ref, p, h, prec);
-    enum flow_status status = march(&m, initial, h, times, count, prec, receive, context, reached);
+    enum flow_status status = march_rows(&m, initial, h, times, count, prec, receive, context, reached);
     march_clear(&m);
     return status;
 }
@@ -206,7 +205,7 @@ enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initi
     *reached = 0;
     if (!flow_nonlinear_domain(p, initial) || fmpq_sgn(h) <= 0)
         return FLOW_DOMAIN;
-    if (!in_reach(p, h, times, count))
+    if (!steps_in_reach(p, h, times, count))
         return FLOW_STALLED;
     struct march m;
     SCOPE(arb, r_ref, mass);
@@ -214,7 +213,7 @@ enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initi
     arb_mul(r_ref, p->m2, p->L_ref, prec);
     arb_div(r_ref, r_ref, mass, prec);
     march_init(&m, nonlinear_rates, 0, r_ref, p, h, prec);
-    enum flow_status status = march(&m, initial, h, times, count, prec, receive, context, reached);
+    enum flow_status status = march_rows(&m, initial, h, times, count, prec, receive, context, reached);
     march_clear(&m);
     return status;
 }

@@ -9,7 +9,7 @@ enum {
     ORDER = 28 /* of the Taylor steps: the last term falls to 1e-28, balls then widen by 10^3 a radian */
 };
 
-static const double STEP = 0.2; /* radians */
+static const double TWO_BODY_STEP = 0.2; /* radians */
 
 struct expansion {
     arb_poly_struct place[SERIES], velocity[SERIES], acceleration[SERIES];
@@ -128,7 +128,7 @@ static void expand(struct expansion *t, const struct two_body *b, slong prec)
 }
 
 /* The sum at h, and its last term as the error. */
-static void sum(arb_t z, const arb_poly_t f, const arb_t h, slong prec)
+static void sum_terms(arb_t z, const arb_poly_t f, const arb_t h, slong prec)
 {
     SCOPE(arb, last, power);
     arb_poly_evaluate(z, f, h, prec);
@@ -140,7 +140,7 @@ static void sum(arb_t z, const arb_poly_t f, const arb_t h, slong prec)
 
 void two_body_move(struct two_body *b, const arb_t tau, slong prec)
 {
-    const slong steps = (slong)ceil(arf_get_d(arb_midref(tau), ARF_RND_UP) / STEP);
+    const slong steps = (slong)ceil(arf_get_d(arb_midref(tau), ARF_RND_UP) / TWO_BODY_STEP);
     struct expansion t;
     SCOPE(arb, h);
     arb_div_si(h, tau, steps, prec);
@@ -154,8 +154,8 @@ void two_body_move(struct two_body *b, const arb_t tau, slong prec)
         }
         expand(&t, b, prec);
         for (int i = 0; i < SERIES; i++) {
-            sum(b->place + i, t.place + i, h, prec);
-            sum(b->velocity + i, t.velocity + i, h, prec);
+            sum_terms(b->place + i, t.place + i, h, prec);
+            sum_terms(b->velocity + i, t.velocity + i, h, prec);
             arb_poly_clear(t.place + i);
             arb_poly_clear(t.velocity + i);
             arb_poly_clear(t.acceleration + i);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* A mistake at work in a section: what each change is about, and the value that it puts there. */
-struct change {
+struct substitution {
     int target; /* index of an input or output, node of a subexpression; -1: not in this section */
     int value;  /* node of the mutation's program */
 };
@@ -29,7 +29,7 @@ static int target_of(const struct section *s, const struct section *end, enum pl
 }
 
 /* Reads the changes in the names of the section as it should be; false where they do not fit it. */
-static bool take_changes(struct change *changes, struct program *p, struct program *right,
+static bool take_changes(struct substitution *changes, struct program *p, struct program *right,
                          const struct section *s, const struct section *end, const struct known_mistake *m,
                          bool strict, struct message *why)
 {
@@ -64,7 +64,7 @@ static bool take_changes(struct change *changes, struct program *p, struct progr
 
 /* What stands for the inputs, and for changed subexpressions, of the section that is computed in the end. */
 static bool take_stand_ins(int *stand_in, const struct section *s, const struct section *end,
-                           const struct known_mistake *m, const struct change *changes, struct message *why)
+                           const struct known_mistake *m, const struct substitution *changes, struct message *why)
 {
     for (int i = 0; i < end->corrected.program.count; i++)
         stand_in[i] = i < end->input_count ? index_of(s->inputs, s->input_count, end->inputs[i]->name) : -1;
@@ -80,7 +80,7 @@ static bool take_stand_ins(int *stand_in, const struct section *s, const struct 
 }
 
 static void take_outputs(struct mutation *a, const struct section *s, const struct known_mistake *m,
-                         const struct change *changes, const int *stand_in)
+                         const struct substitution *changes, const int *stand_in)
 {
     const struct formulas *end = &a->section->corrected, *right = &s->corrected;
     struct formulas *f = &a->formulas;
@@ -106,7 +106,7 @@ bool mutation_init(struct mutation *a, const struct sheet *sheet, const struct s
                    const struct known_mistake *m, bool strict, struct message *why)
 {
     const struct section *end = m->as ? section_find(sheet, m->as) : s;
-    struct change changes[MOST_CHANGES];
+    struct substitution changes[MOST_CHANGES];
     struct program right;
     *a = (struct mutation){.section = end};
     if (end == NULL || end->method == METHOD_NONE || end->output_count != s->output_count) {

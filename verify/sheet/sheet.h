@@ -40,10 +40,10 @@ struct formulas {
     struct program program;
     int outputs[MOST_OUTPUTS];      /* nodes, in the order of the section's outputs */
     const char *text[MOST_OUTPUTS]; /* the outputs' formulas                        */
-    const char **let;           /* name and formula by turns                    */
+    const char **let;               /* name and formula by turns                    */
     int lets;
     struct condition *conditions;
-    int count;                  /* of conditions */
+    int count;                      /* of conditions                                */
 };
 
 struct relation {

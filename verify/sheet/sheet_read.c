@@ -16,14 +16,14 @@ struct reader {
     bool refused; /* something that need not be there is there and no text: the reading goes on, in vain */
 };
 
-static const char *keep(struct sheet *s, const char *text)
+static const char *keep_text(struct sheet *s, const char *text)
 {
     s->texts = xrealloc(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
     return s->texts[s->text_count++] = text_copy(text);
 }
 
 /* A scalar under a key: kept; NULL and a complaint when it has to be there and is not. */
-static const char *text_of(struct reader *r, const yaml_node_t *mapping, const char *key, bool required)
+static const char *text_under(struct reader *r, const yaml_node_t *mapping, const char *key, bool required)
 {
     const yaml_node_t *node = child(&r->document, mapping, key);
     if (node == NULL && !required)
@@ -32,7 +32,7 @@ static const char *text_of(struct reader *r, const yaml_node_t *mapping, const c
         r->refused = !parse_error(&r->document, node ? node : mapping, 0, "missing %s, expected a text", key);
         return NULL;
     }
-    return keep(r->sheet, scalar(node));
+    return keep_text(r->sheet, scalar(node));
 }
 
 /* The items of a list of scalars; -1 and a complaint for anything else. */
@@ -75,7 +75,7 @@ static bool read_double(struct reader *r, const yaml_node_t *node, double *value
     return true;
 }
 
-static bool read_range(struct reader *r, const yaml_node_t *mapping, struct quantity *q)
+static bool read_magnitudes(struct reader *r, const yaml_node_t *mapping, struct quantity *q)
 {
     const yaml_node_t *range = child(&r->document, mapping, "range"), *bounds[2];
     if (range == NULL)
@@ -104,7 +104,7 @@ static bool lies_in_domain(const char *text, enum domain domain)
 /* `value` or `example`, which are numbers of the quantity's own domain; NULL where there is none. */
 static bool read_own_value(struct reader *r, const yaml_node_t *node, const char *key, enum domain domain, const char **text)
 {
-    *text = text_of(r, node, key, false);
+    *text = text_under(r, node, key, false);
     return *text == NULL || lies_in_domain(*text, domain) ||
            parse_error(&r->document, child(&r->document, node, key), 0, "expected a number of the quantity's own domain");
 }
@@ -118,10 +118,10 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
         return false;
     if (child(&r->document, node, "domain") == NULL)
         return parse_error(&r->document, node, 0, "missing domain of '%s'", scalar(key));
-    q.unit = text_of(r, node, "unit", true);
-    q.meaning = q.unit ? text_of(r, node, "meaning", true) : NULL;
+    q.unit = text_under(r, node, "unit", true);
+    q.meaning = q.unit ? text_under(r, node, "meaning", true) : NULL;
     if (q.meaning == NULL || !read_domain(r, child(&r->document, node, "domain"), &q.domain) ||
-        !read_range(r, node, &q))
+        !read_magnitudes(r, node, &q))
         return false;
     const yaml_node_t *sign = child(&r->document, node, "sign");
     if (sign != NULL && (scalar(sign) == NULL || strcmp(scalar(sign), "either") != 0))
@@ -137,7 +137,7 @@ static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_n
         struct sheet *s = r->sheet;
         if (quantity_find(s, name) != NULL)
             fine = parse_error(&r->document, key, 0, "duplicate quantity '%s', expected each name once", name);
-        q.name = keep(s, name);
+        q.name = keep_text(s, name);
         s->quantities = xrealloc(s->quantities, (size_t)s->quantity_count + 1, sizeof q);
         s->quantities[s->quantity_count++] = q;
     }
@@ -164,10 +164,10 @@ static bool read_table1(struct reader *r, const yaml_node_t *node)
     for (int n = 0; n < length_of(node); n++) {
         const yaml_node_t *row = item_of(&r->document, node, n);
         struct table_row t;
-        if (!is_mapping(&r->document, row, known) || (t.name = text_of(r, row, "name", true)) == NULL ||
-            (t.printed = text_of(r, row, "printed", true)) == NULL ||
-            (t.unit = text_of(r, row, "unit", true)) == NULL ||
-            (t.scale = text_of(r, row, "scale", true)) == NULL)
+        if (!is_mapping(&r->document, row, known) || (t.name = text_under(r, row, "name", true)) == NULL ||
+            (t.printed = text_under(r, row, "printed", true)) == NULL ||
+            (t.unit = text_under(r, row, "unit", true)) == NULL ||
+            (t.scale = text_under(r, row, "scale", true)) == NULL)
             return false;
         if (quantity_find(s, t.name) == NULL)
             return parse_error(&r->document, row, 0, "unknown quantity '%s'", t.name);
@@ -208,7 +208,7 @@ static int read_formula(struct reader *r, struct program *p, const yaml_node_t *
     return result;
 }
 
-static bool read_let(struct reader *r, const yaml_node_t *node, struct formulas *f)
+static bool read_lets(struct reader *r, const yaml_node_t *node, struct formulas *f)
 {
     if (!is_mapping(&r->document, node, NULL))
         return false;
@@ -223,8 +223,8 @@ static bool read_let(struct reader *r, const yaml_node_t *node, struct formulas 
             return false;
         program_name(&f->program, result, scalar(key));
         f->let = xrealloc(f->let, 2 * ((size_t)f->lets + 1), sizeof *f->let);
-        f->let[2 * f->lets] = keep(r->sheet, scalar(key));
-        f->let[2 * f->lets + 1] = keep(r->sheet, scalar(value));
+        f->let[2 * f->lets] = keep_text(r->sheet, scalar(key));
+        f->let[2 * f->lets + 1] = keep_text(r->sheet, scalar(value));
         f->lets++;
     }
     return true;
@@ -246,7 +246,7 @@ static bool read_outputs(struct reader *r, const yaml_node_t *node, struct secti
             s->outputs[s->output_count++] = q;
         else if (count >= s->output_count || s->outputs[count] != q)
             return parse_error(&r->document, key, 0, "expected the outputs of the corrected equation, in its order");
-        f->text[count] = keep(r->sheet, scalar(value));
+        f->text[count] = keep_text(r->sheet, scalar(value));
         f->outputs[count] = read_formula(r, &f->program, value, scalar(value), 0);
         if (f->outputs[count++] < 0)
             return false;
@@ -278,7 +278,7 @@ static bool read_condition(struct reader *r, const yaml_node_t *node, struct for
         return false;
     f->conditions = xrealloc(f->conditions, (size_t)f->count + 1, sizeof *f->conditions);
     f->conditions[f->count++] =
-        (struct condition){keep(r->sheet, scalar(node)),
+        (struct condition){keep_text(r->sheet, scalar(node)),
                            program_difference(&f->program, left, right), signs[i - 1].comparison};
     return true;
 }
@@ -294,13 +294,13 @@ static bool read_conditions(struct reader *r, const yaml_node_t *node, struct fo
 }
 
 /* let, outputs and domain under a section, or under its `printed` */
-static bool read_formulas(struct reader *r, const yaml_node_t *node, const yaml_node_t *domain,
-                          struct section *s, struct formulas *f)
+static bool read_section_formulas(struct reader *r, const yaml_node_t *node, const yaml_node_t *domain,
+                                  struct section *s, struct formulas *f)
 {
     const yaml_node_t *let = child(&r->document, node, "let"), *outputs = child(&r->document, node, "outputs");
     for (int i = 0; i < s->input_count; i++)
         program_input(&f->program, s->inputs[i]->name);
-    if (let != NULL && !read_let(r, let, f))
+    if (let != NULL && !read_lets(r, let, f))
         return false;
     if (outputs == NULL)
         return parse_error(&r->document, node, 0, "missing outputs");
@@ -354,8 +354,8 @@ static bool read_relations(struct reader *r, const yaml_node_t *node, struct sec
         const yaml_node_t *item = item_of(&r->document, node, n);
         struct relation relation;
         if (!is_mapping(&r->document, item, known) ||
-            (relation.equation = text_of(r, item, "equation", true)) == NULL ||
-            (relation.text = text_of(r, item, "holds", true)) == NULL ||
+            (relation.equation = text_under(r, item, "equation", true)) == NULL ||
+            (relation.text = text_under(r, item, "holds", true)) == NULL ||
             !check_relation(r, child(&r->document, item, "holds")))
             return false;
         s->relations = xrealloc(s->relations, (size_t)s->relation_count + 1, sizeof relation);
@@ -385,8 +385,8 @@ static bool read_special(struct reader *r, const yaml_node_t *key, const yaml_no
 {
     if (!is_mapping(&r->document, node, NULL))
         return false;
-    struct special special = {.name = keep(r->sheet, scalar(key))};
-    special.flags = text_of(r, node, "flags", true);
+    struct special special = {.name = keep_text(r->sheet, scalar(key))};
+    special.flags = text_under(r, node, "flags", true);
     if (special.flags == NULL)
         return false;
     for (int n = 0; n < length_of(node); n++) {
@@ -401,7 +401,7 @@ static bool read_special(struct reader *r, const yaml_node_t *key, const yaml_no
         if (i < s->input_count && !is_literals(scalar(value)))
             return parse_error(&r->document, value, 0, "expected a number");
         if (i < s->input_count)
-            special.texts[i] = keep(r->sheet, scalar(value));
+            special.texts[i] = keep_text(r->sheet, scalar(value));
     }
     s->specials = xrealloc(s->specials, (size_t)s->special_count + 1, sizeof special);
     s->specials[s->special_count++] = special;
@@ -427,7 +427,7 @@ static bool read_K(struct reader *r, const yaml_node_t *node, double *K, const c
     if (!is_mapping(&r->document, node, known))
         return false;
     const yaml_node_t *bound = child(&r->document, node, "bound");
-    *reason = text_of(r, node, "reason", true);
+    *reason = text_under(r, node, "reason", true);
     if (*reason == NULL)
         return false;
     return bound == NULL ? parse_error(&r->document, node, 0, "missing bound, expected a positive number")
@@ -444,8 +444,8 @@ static bool read_changes(struct reader *r, const yaml_node_t *node, enum place p
         if (scalar(value) == NULL || mistake->count == MOST_CHANGES)
             return parse_error(&r->document, value, 0, "expected a formula, and at most %d of them", MOST_CHANGES);
         mistake->changes[mistake->count].place = place;
-        mistake->changes[mistake->count].name = keep(r->sheet, scalar(key_of(&r->document, node, n)));
-        mistake->changes[mistake->count++].formula = keep(r->sheet, scalar(value));
+        mistake->changes[mistake->count].name = keep_text(r->sheet, scalar(key_of(&r->document, node, n)));
+        mistake->changes[mistake->count++].formula = keep_text(r->sheet, scalar(value));
     }
     return true;
 }
@@ -454,7 +454,7 @@ static bool read_changes(struct reader *r, const yaml_node_t *node, enum place p
 static bool read_mistake(struct reader *r, const char *name, const yaml_node_t *node, struct known_mistake *mistake)
 {
     static const char *const known[] = {"inputs", "let", "outputs", "as", NULL};
-    *mistake = (struct known_mistake){.name = keep(r->sheet, name)};
+    *mistake = (struct known_mistake){.name = keep_text(r->sheet, name)};
     if (!is_mapping(&r->document, node, known))
         return false;
     for (int place = PLACE_INPUT; place <= PLACE_OUTPUT; place++) {
@@ -462,7 +462,7 @@ static bool read_mistake(struct reader *r, const char *name, const yaml_node_t *
         if (changes != NULL && !read_changes(r, changes, (enum place)place, mistake))
             return false;
     }
-    mistake->as = text_of(r, node, "as", false);
+    mistake->as = text_under(r, node, "as", false);
     return true;
 }
 
@@ -498,14 +498,14 @@ static bool check_known_mistakes(struct reader *r, const yaml_node_t *equations)
     return true;
 }
 
-static bool read_numbers(struct reader *r, const yaml_node_t *section, struct section *s)
+static bool read_equation_numbers(struct reader *r, const yaml_node_t *section, struct section *s)
 {
     const yaml_node_t *items[8], *node = child(&r->document, section, "equations");
     if (node == NULL)
         return parse_error(&r->document, section, 0, "missing equations: the numbers this section stands for");
     s->numbers = list_of(r, node, items, 8);
     for (int i = 0; i < s->numbers; i++)
-        s->equations[i] = keep(r->sheet, scalar(items[i]));
+        s->equations[i] = keep_text(r->sheet, scalar(items[i]));
     return s->numbers > 0 || parse_error(&r->document, node, 0, "expected at least one equation number");
 }
 
@@ -547,14 +547,14 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
         return false;
     sheet->sections = xrealloc(sheet->sections, (size_t)sheet->section_count + 1, sizeof *sheet->sections);
     struct section *s = &sheet->sections[sheet->section_count++];
-    *s = (struct section){.id = keep(sheet, scalar(key)), .K = sheet->K, .K_reason = sheet->K_reason};
+    *s = (struct section){.id = keep_text(sheet, scalar(key)), .K = sheet->K, .K_reason = sheet->K_reason};
     const yaml_node_t *domain = child(&r->document, node, "domain"), *printed = child(&r->document, node, "printed");
     const yaml_node_t *relations = child(&r->document, node, "relations"), *specials = child(&r->document, node, "vectors");
-    s->title = text_of(r, node, "title", true);
-    s->note = text_of(r, node, "note", false);
-    s->defines = text_of(r, node, "defines", false);
-    s->reason = text_of(r, node, "reason", printed != NULL);
-    if (s->title == NULL || (printed != NULL && s->reason == NULL) || !read_numbers(r, node, s) ||
+    s->title = text_under(r, node, "title", true);
+    s->note = text_under(r, node, "note", false);
+    s->defines = text_under(r, node, "defines", false);
+    s->reason = text_under(r, node, "reason", printed != NULL);
+    if (s->title == NULL || (printed != NULL && s->reason == NULL) || !read_equation_numbers(r, node, s) ||
         !read_method(r, node, s) || (relations != NULL && !read_relations(r, relations, s)) ||
         (specials != NULL && !read_specials(r, specials, s)) ||
         !read_K(r, child(&r->document, node, "K"), &s->K, &s->K_reason) ||
@@ -562,7 +562,7 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
         return false;
     if (s->method != METHOD_FORMULA)
         return read_domain_alone(r, domain, s);
-    if (!read_formulas(r, node, domain, s, &s->corrected))
+    if (!read_section_formulas(r, node, domain, s, &s->corrected))
         return false;
     if (printed == NULL)
         return true;
@@ -571,7 +571,7 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
     if (!is_mapping(&r->document, printed, variant))
         return false;
     const yaml_node_t *own = child(&r->document, printed, "domain");
-    return read_formulas(r, printed, own ? own : domain, s, &s->printed);
+    return read_section_formulas(r, printed, own ? own : domain, s, &s->printed);
 }
 
 static bool read_sheet(struct reader *r)

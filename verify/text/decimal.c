@@ -29,7 +29,7 @@ static void nearest(fmpz_t n, const fmpz_t p, const fmpz_t q)
 }
 
 /* p/q = |x| base^k */
-static void scale(fmpz_t p, fmpz_t q, const fmpq_t x, ulong base, slong k)
+static void scale_decimal(fmpz_t p, fmpz_t q, const fmpq_t x, ulong base, slong k)
 {
     SCOPE(fmpz, power);
     fmpz_ui_pow_ui(power, base, k < 0 ? -(ulong)k : (ulong)k);
@@ -67,7 +67,7 @@ static bool spells(const char *text, const char *word)
 
 /*
  * Digits of the base with at most one point, at least one digit: their integer, and
- * how many stood behind the point. Returns what follows, NULL when there is no digit.
+ * how many stood after the point. Returns what follows, NULL when there is no digit.
  */
 static const char *read_digits(fmpz_t mantissa, slong *fraction, const char *text, int base)
 {
@@ -108,11 +108,11 @@ static const char *read_exponent(slong *exponent, const char *text)
 }
 
 /* value = mantissa base^exponent */
-static void place(fmpq_t value, const fmpz_t mantissa, ulong base, slong exponent)
+static void place_digits(fmpq_t value, const fmpz_t mantissa, ulong base, slong exponent)
 {
     SCOPE(fmpq, x);
     fmpq_set_fmpz(x, mantissa);
-    scale(fmpq_numref(x), fmpq_denref(x), x, base, exponent);
+    scale_decimal(fmpq_numref(x), fmpq_denref(x), x, base, exponent);
     fmpq_canonicalise(x);
     fmpq_swap(value, x);
 }
@@ -160,7 +160,7 @@ enum literal literal_read(fmpq_t value, const char *text, bool exact)
     } else if (giant) {
         what = LITERAL_OVERFLOW;
     } else {
-        place(value, mantissa, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 * fraction : fraction));
+        place_digits(value, mantissa, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 * fraction : fraction));
         if (negative)
             fmpq_neg(value, value);
     }
@@ -215,7 +215,7 @@ static slong leading_digits(fmpz_t n, const fmpq_t x, slong digits, bool upward)
     double below = fmpz_get_d_2exp(&bottom, fmpq_denref(x));
     slong exponent = decimal_exponent(fabs(above / below), top - bottom);
     for (;; exponent++) {
-        scale(p, q, x, 10, digits - 1 - exponent);
+        scale_decimal(p, q, x, 10, digits - 1 - exponent);
         if (upward)
             fmpz_cdiv_q(n, p, q);
         else
@@ -301,7 +301,7 @@ static bool reads_back(const char *digits, slong exponent, double x)
 /*
  * The fewest digits that read back as x, the nearest of them. What reads back as a power of two reaches twice as far
  * above it as below: there the next decimal above may do where the nearest does not. Of a normal number no decimal of
- * fewer than DBL_DIG = 15 digits is lost on the way, so that it stands in the 15 digits, zeros behind it.
+ * fewer than DBL_DIG = 15 digits is lost on the way, so that it stands in the 15 digits, zeros after it.
  */
 static slong shortest_digits(char digits[24], double x)
 {
@@ -318,7 +318,7 @@ static slong shortest_digits(char digits[24], double x)
 
 void decimal_shortest(char text[32], double x)
 {
-    const size_t room = 31; /* behind a sign; 23 are used by -1.2345678901234567e-308 */
+    const size_t room = 31; /* after a sign; 23 are used by -1.2345678901234567e-308 */
     if (signbit(x) && !isnan(x))
         *text++ = '-';
     x = fabs(x);

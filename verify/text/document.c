@@ -12,7 +12,7 @@ static bool load(yaml_parser_t *parser, yaml_document_t *document)
     return fine;
 }
 
-/* What stands behind the first document would go unread. */
+/* What stands after the first document would go unread. */
 static bool ends_here(yaml_parser_t *parser)
 {
     yaml_document_t rest;
@@ -59,7 +59,7 @@ static bool is_blank(char c)
 }
 
 /* Where a scalar's character at `offset` stands. One of several lines is folded: blanks differ there, and nothing else. */
-static yaml_mark_t place(const struct document *d, const yaml_node_t *at, size_t offset)
+static yaml_mark_t place_in_text(const struct document *d, const yaml_node_t *at, size_t offset)
 {
     yaml_mark_t mark = at->start_mark;
     const char *value = scalar(at);
@@ -89,7 +89,7 @@ bool parse_error(const struct document *d, const yaml_node_t *at, size_t offset,
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    const yaml_mark_t mark = place(d, at, offset);
+    const yaml_mark_t mark = place_in_text(d, at, offset);
     message_set(d->why, "%s:%zu:%zu: %s", d->file, mark.line + 1, mark.column + 1, text);
     return false;
 }
