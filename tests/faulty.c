@@ -77,6 +77,8 @@ static void spoil(struct asked *a, const char *fault)
         a->out[0] = INFINITY;
     else if (strcmp(fault, "wrong") == 0)
         a->out[0] *= 1.0 + 1e-13;
+    else if (strcmp(fault, "off") == 0)
+        a->out[0] *= 1.01;
     else if (strcmp(fault, "count") == 0)
         a->outputs--;
     else if (strcmp(fault, "invalid") == 0)

@@ -486,6 +486,45 @@ START_TEST(inlined_program_takes_the_place_of_its_inputs)
 }
 END_TEST
 
+/* x log(y) at x = 9/4, y = 5/3: by x log(5/3), by y 27/20; the symbolic arithmetic has no logarithm. */
+START_TEST(gradient_of_a_logarithm)
+{
+    struct program p;
+    struct machine ball, adjoint, multiple;
+    SCOPE(fmpq, x, y);
+    SCOPE(arb, expected, rounded);
+    int node = parse_inputs(&p, "x*log(y)");
+    machine_init(&ball, &p, &arithmetic_ball, 100);
+    machine_init(&adjoint, &p, &arithmetic_ball, 100);
+    machine_init(&multiple, &p, &arithmetic_mpfr, 100);
+    fmpq_set_si(x, 9, 4);
+    fmpq_set_si(y, 5, 3);
+    for (int i = 0; i < 2; i++) {
+        arithmetic_ball.set_rational(machine_value(&ball, i), i ? y : x, 100);
+        arithmetic_mpfr.set_rational(machine_value(&multiple, i), i ? y : x, 100);
+    }
+    machine_run(&ball);
+    machine_run(&multiple);
+    machine_gradient(&ball, node, &adjoint);
+    arb_set_fmpq(expected, y, 200);
+    arb_log(expected, expected, 200);
+    ck_assert(arb_contains(machine_value(&adjoint, 0), expected));
+    arb_mul_ui(expected, expected, 9, 200);
+    arb_mul_2exp_si(expected, expected, -2);
+    ck_assert(arb_contains(machine_value(&ball, node), expected));
+    arf_set_mpfr(arb_midref(rounded), machine_value(&multiple, node));
+    arb_sub(rounded, rounded, expected, 100);
+    ck_assert_double_le(fabs(arf_get_d(arb_midref(rounded), ARF_RND_NEAR)), 0x1p-97); /* three roundings of values below 4 */
+    fmpq_set_si(x, 27, 20);
+    ck_assert(arb_contains_fmpq(machine_value(&adjoint, 1), x));
+    ck_assert_double_le(mag_get_d(arb_radref((arb_ptr)machine_value(&adjoint, 1))), 0x1p-90);
+    machine_clear(&multiple);
+    machine_clear(&adjoint);
+    machine_clear(&ball);
+    program_clear(&p);
+}
+END_TEST
+
 /* ---- the arithmetics agree ---- */
 
 START_TEST(ball_and_mpfr_agree_with_the_exact_value)
@@ -661,6 +700,7 @@ Suite *suite(void)
     tcase_add_test(arithmetic, derivative_follows_a_named_node);
     tcase_add_loop_test(arithmetic, gradient_is_the_derivative_by_every_input, 0, COUNT(differentiable));
     tcase_add_test(arithmetic, gradient_of_an_arc_tangent);
+    tcase_add_test(arithmetic, gradient_of_a_logarithm);
     tcase_add_test(arithmetic, ball_and_mpfr_agree_with_the_exact_value);
     tcase_add_loop_test(arithmetic, a_number_is_positive_or_not, 0, 3);
     tcase_add_loop_test(arithmetic, ball_on_both_sides_of_zero_is_neither_positive_nor_not, 0, 4);

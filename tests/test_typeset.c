@@ -97,6 +97,8 @@ START_TEST(functions_have_their_own_notation)
         {"sqrt((m1 + m2)^2)", "|m_{1} + m_{2}|"},
         {"exp(-L/lambda_d)/L", "\\frac{e^{-L/\\lambda _{d}}}{L}"},
         {"exp(-L/(m1*m2))", "e^{-L/(m_{1}m_{2})}"},
+        {"L*log(L)", "L\\ln L"},
+        {"log(L/L_ref)", "\\ln \\left(\\frac{L}{L_{\\mathrm{ref}}}\\right)"},
         {"atan2(-z1, x1)", "\\operatorname{atan2}\\left(-z_{1},\\, x_{1}\\right)"},
         {"positive(C1 - 9)", "[C_{1} - 9 > 0]"}};
     assert_typeset(&pairs[_i]);

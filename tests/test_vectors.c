@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "evaluate/domain.h"
 #include "evaluate/errors.h"
 #include "evaluate/reference.h"
 #include "evaluate/sample.h"
@@ -74,6 +75,33 @@ START_TEST(E_is_zero_for_equality_and_infinite_where_nothing_may_be_off)
     ck_assert_double_eq(error_in_roundings(y, exact, S, BINARY64).upper, 0.0);
     arf_set_d(y, 5e-324);
     ck_assert_double_infinite(error_in_roundings(y, exact, S, BINARY64).upper);
+}
+END_TEST
+
+/*
+ * (38): S = |GM dOmega/dGM| + |R_c dOmega/dR_c| = (1/2 + 3/2) Omega, rational where Omega is. (2) with uncharged craft: x1_ddot =
+ * 2 Omega y1_dot + 3 Omega^2 x1, S = 4 Omega |y1_dot| + 9 Omega^2 |x1|, to which an infinite lambda_d adds nothing.
+ */
+START_TEST(a_sensitivity_is_rational_where_every_derivative_is)
+{
+    static const struct {
+        const char *id;
+        double values[30];
+        long S; /* 0: not rational */
+    } cases[] = {{"eq38", {4, 1}, 4}, {"eq38", {2, 1}, 0},
+                 {"eq02", {2, 1, INFINITY, 1, 0, 3, 0, 0, 0, 5, 0, 1, 0, 0, 4, 0, 0, 0, 0, 1, 0, 9, 0, 0, 0, 0, 0}, 40 + 108}};
+    const struct section *s = section_find(sheet(), cases[_i].id);
+    struct operation o;
+    SCOPE(fmpq, S);
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    ck_assert(inputs_of_values(s, cases[_i].values, inputs));
+    ck_assert(operation_valid(&o, inputs));
+    ck_assert_int_eq(operation_sensitivity_rational(&o, inputs, 0, S), cases[_i].S != 0);
+    if (cases[_i].S != 0)
+        ck_assert(fmpq_cmp_si(S, cases[_i].S) == 0);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
 }
 END_TEST
 
@@ -152,6 +180,27 @@ START_TEST(domain_of_the_sheet_is_that_of_ref)
         reference_find(s->id)(in, out);
         ck_assert_msg(operation_valid(&o, inputs) != (bool)isnan(out[0]), "%s: %s, ref/ gives %g", s->id,
                       isnan(out[0]) ? "valid" : o.why.text, out[0]);
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+END_TEST
+
+/* Each in its rotation: a condition just violated, a value outside, a time between Runge-Kutta steps. */
+START_TEST(a_defect_leaves_the_domain)
+{
+    const struct section *s = operation_at(_i);
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    double values[40];
+    if (s->method == METHOD_NONE)
+        return;
+    operation_init(&o, s, false);
+    for (uint64_t k = 0; k < 64; k++) {
+        sample(&o, SEED, k, values, inputs);
+        domain_defect(&o, k, values);
+        if (inputs_of_values(s, values, inputs))
+            ck_assert_msg(!operation_valid(&o, inputs), "%s: defect %d of seed %d is none", s->id, (int)k, SEED);
     }
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
@@ -345,6 +394,7 @@ Suite *suite(void)
     tcase_add_loop_test(c, every_operation_has_a_reference, 0, sections);
     tcase_add_test(c, E_of_one_rounding_is_below_one);
     tcase_add_test(c, E_is_zero_for_equality_and_infinite_where_nothing_may_be_off);
+    tcase_add_loop_test(c, a_sensitivity_is_rational_where_every_derivative_is, 0, 3);
     tcase_add_test(c, a_sample_depends_on_seed_and_index_alone);
     tcase_add_test(c, samples_lie_in_their_ranges);
     tcase_add_test(c, four_shards_are_one_run);
@@ -357,10 +407,13 @@ Suite *suite(void)
     tcase_add_test(c, a_subexpression_out_of_range_is_flagged);
     suite_add_tcase(s, c);
     c = tcase_create("golden");
+    tcase_set_timeout(c, 60);
     tcase_add_loop_test(c, golden_files_have_these_inputs, 0, sections);
     suite_add_tcase(s, c);
     c = tcase_create("domains");
+    tcase_set_timeout(c, 60);
     tcase_add_loop_test(c, domain_of_the_sheet_is_that_of_ref, 0, sections);
+    tcase_add_loop_test(c, a_defect_leaves_the_domain, 0, sections);
     suite_add_tcase(s, c);
     return s;
 }

@@ -15,11 +15,11 @@ const struct sheet *sheet(void)
     return &read_sheet;
 }
 
-const char *embedded_derivations(size_t *length)
+const char *embedded_derivations(size_t *length) /* LCOV_EXCL_LINE: for the linker, the steps are read from their file */
 {
-    *length = 0;
-    return "";
-}
+    *length = 0; /* LCOV_EXCL_LINE: the same */
+    return "";   /* LCOV_EXCL_LINE: the same */
+} /* LCOV_EXCL_LINE: the same */
 
 static char *file_text(const char *name, size_t *length)
 {

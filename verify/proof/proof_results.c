@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "sheet/embedded.h"
 
@@ -45,14 +44,8 @@ void proof_results_init(struct proof_results *p, bool bindings)
     proof_results_of(p, bindings);
 }
 
-static double seconds_since(clock_t start)
-{
-    return (double)(clock() - start) / CLOCKS_PER_SEC;
-}
-
 static void bind_all(struct proof_results *p)
 {
-    const clock_t start = clock();
     p->bindings = xrealloc(NULL, (size_t)p->derivations.step_count, sizeof *p->bindings);
     for (int i = 0; i < p->derivations.step_count; i++) {
         p->bindings[i] = (struct binding){.mutants = 0};
@@ -61,14 +54,12 @@ static void bind_all(struct proof_results *p)
         p->mutants += p->bindings[i].mutants;
         p->fine = p->fine && p->bindings[i].fault.text[0] == '\0';
     }
-    p->binding_seconds = seconds_since(start);
 }
 
 void proof_results_of(struct proof_results *p, bool bindings)
 {
     const struct derivations d = p->derivations;
     const size_t count = (size_t)d.step_count;
-    const clock_t start = clock();
     *p = (struct proof_results){.derivations = d, .fine = true};
     p->corrected = xrealloc(NULL, count, sizeof *p->corrected);
     p->printed = xrealloc(NULL, count, sizeof *p->printed);
@@ -82,7 +73,6 @@ void proof_results_of(struct proof_results *p, bool bindings)
             remainder_prove(&d.steps[i].remainders[k], &p->remainders[i][k]);
         p->fine = p->fine && step_holds(p, i);
     }
-    p->seconds = seconds_since(start);
     if (bindings)
         bind_all(p);
     p->gap = derivations_gap(&p->derivations);

@@ -11,7 +11,6 @@ struct proof_results {
     struct binding *bindings;          /* NULL where they were not asked for                       */
     const char *gap;                   /* an equation that no step reaches, or NULL                */
     int mutants;
-    double seconds, binding_seconds;   /* of processor time                                        */
     bool fine;                         /* everything holds and is bound, and there is no gap       */
 };
 
