@@ -357,6 +357,7 @@ Suite *suite(void)
     tcase_add_test(c, a_subexpression_out_of_range_is_flagged);
     suite_add_tcase(s, c);
     c = tcase_create("golden");
+    tcase_set_timeout(c, 120);
     tcase_add_loop_test(c, golden_files_have_these_inputs, 0, sections);
     suite_add_tcase(s, c);
     c = tcase_create("domains");
