@@ -106,7 +106,7 @@ static void second_order(struct computed *c)
     static const int which[] = {PSI, THETA, ETA, PLACE_X, PLACE_Y, PLACE_Z};
     static const char *const angle[] = {"1e-5", "1e-6"}, *const length[] = {"1e-4", "1e-5"};
     bool proved = true;
-    arb_ptr gap = _arb_vec_init(2 * 6);
+    VECTOR(arb, gap, 2 * 6);
     SCOPE(arb, x, worst);
     for (int i = 0; i < 2; i++) {
         struct track a, b;
@@ -129,7 +129,6 @@ static void second_order(struct computed *c)
         give(c, proved, x, "c_%s", variable_names[which[k]]);
     }
     give(c, proved, worst, "worst");
-    _arb_vec_clear(gap, 12);
 }
 
 /* ---- coming to rest ---- */
@@ -166,7 +165,8 @@ static void exits_of(struct computed *c, const char *motion, const char *n, stru
     const bool pitched = s.nonlinear && s.theta == NULL;
     const long step = pitched ? 60 : 240, last = pitched ? 8 * DAY : 4 * DAY; /* s: what pitch moves does not calm down */
     struct track t;
-    arb_ptr limits = _arb_vec_init(BANDS_OF), hours = _arb_vec_init(BANDS_OF);
+    VECTOR(arb, limits, BANDS_OF);
+    VECTOR(arb, hours, BANDS_OF);
     struct bounds later;
     SCOPE(arb, peak);
     bounds_init(&later);
@@ -188,8 +188,6 @@ static void exits_of(struct computed *c, const char *motion, const char *n, stru
     }
     bounds_clear(&later);
     track_clear(&t);
-    _arb_vec_clear(hours, BANDS_OF);
-    _arb_vec_clear(limits, BANDS_OF);
 }
 
 static void last_exits(struct computed *c)

@@ -68,7 +68,7 @@ static void response_errors(struct computed *c)
     static const char *const gains[] = {"10", "12"}, *const amplitudes[] = {"1e-2", "1e-3", "1e-4"};
     static const int orders[] = {[PSI] = 4, [THETA] = 5, [ETA] = 4};
     bool proved = true;
-    arb_ptr error = _arb_vec_init(3 * 3);
+    VECTOR(arb, error, 3 * 3);
     SCOPE(arb, order, worst);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 3; i++)
@@ -81,7 +81,6 @@ static void response_errors(struct computed *c)
         }
     }
     give(c, proved, worst, "worst");
-    _arb_vec_clear(error, 9);
 }
 
 /* Of the simulation: its energy at the start, and the bounds on |psi|, |theta|, |dL| (in m) that follow for ever. */

@@ -48,7 +48,8 @@ static void step_errors(struct computed *c)
 static void step_orders(struct computed *c)
 {
     bool proved = true;
-    arb_ptr gap = _arb_vec_init(3), before = _arb_vec_init(3);
+    VECTOR(arb, gap, 3);
+    VECTOR(arb, before, 3);
     SCOPE(arb, order, worst);
     for (int m = 0; m < 2; m++)
         for (long step = 400; step >= 50; step /= 2) {
@@ -61,15 +62,14 @@ static void step_orders(struct computed *c)
             _arb_vec_set(before, gap, 3);
         }
     give(c, proved, worst, "worst");
-    _arb_vec_clear(before, 3);
-    _arb_vec_clear(gap, 3);
 }
 
 /* The matrix of (40), n = 10, in units of Omega and L_ref, over psi theta eta and their rates. */
 static void linear_model(arb_mat_t a, slong prec)
 {
     static const int input[FLOW_STATE] = {4, 5, 6, 8, -1, 7}, row[3] = {4, 3, 5}; /* of (40): it has no theta_dot */
-    arb_ptr in = _arb_vec_init(9), out = _arb_vec_init(3);
+    VECTOR(arb, in, 9);
+    VECTOR(arb, out, 3);
     arb_one(in);
     arb_one(in + 1);
     arb_set_ui(in + 2, 10);
@@ -83,8 +83,6 @@ static void linear_model(arb_mat_t a, slong prec)
         if (j >= 3)
             arb_one(arb_mat_entry(a, j - 3, j));
     }
-    _arb_vec_clear(out, 3);
-    _arb_vec_clear(in, 9);
 }
 
 /*
@@ -282,7 +280,8 @@ static void yaw_energy_loss(struct computed *c)
 /* What small angles leave out of (10) on a sample, in m: raises the worst so far. */
 static void small_angle_error(arb_ptr worst, const struct track *t, slong k)
 {
-    arb_ptr in = _arb_vec_init(5), exact = _arb_vec_init(3);
+    VECTOR(arb, in, 5);
+    VECTOR(arb, exact, 3);
     arb_one(in); /* equal masses, as in the paper: x1 = L/2 */
     arb_one(in + 1);
     arb_add_ui(in + 2, track_row(t, k) + ETA, 1, t->prec);
@@ -295,8 +294,6 @@ static void small_angle_error(arb_ptr worst, const struct track *t, slong k)
         arb_abs(exact + i, exact + i);
         arb_max(worst + i, worst + i, exact + i, t->prec);
     }
-    _arb_vec_clear(exact, 3);
-    _arb_vec_clear(in, 5);
 }
 
 /* Small angles in (10) against the exact rotation on samples, and x1 - 5 m, y1, z1 from 2 to 3 days [m]. */

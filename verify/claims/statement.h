@@ -142,6 +142,9 @@ void statement_evidence(const struct statement *s, struct written *w);
 
 /* ---- between the files ---- */
 
+/* Whether an equation number is one of a section's. */
+bool has_equation(const struct section *s, const char *equation);
+
 /* What a formula's names stand for. */
 struct bindings {
     struct statements *all;

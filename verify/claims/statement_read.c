@@ -26,11 +26,27 @@ static const char *keep(struct statements *s, const char *text, size_t length)
     return s->texts[s->text_count++] = copy;
 }
 
-/* What the entry says under a key or, where it says nothing, the statement's `given`. */
+/* What the entry says under a key; NULL: nothing. */
+static const yaml_node_t *own(const struct reading *r, const char *key)
+{
+    return r->entry != NULL ? child(r->document, r->entry, key) : NULL;
+}
+
+static const yaml_node_t *shared(const struct reading *r, const char *key)
+{
+    return r->statement->given != NULL ? child(r->document, r->statement->given, key) : NULL;
+}
+
+/* The same or, where it says nothing, the statement's `given`. */
 static const yaml_node_t *given(const struct reading *r, const char *key)
 {
-    const yaml_node_t *own = r->entry != NULL ? child(r->document, r->entry, key) : NULL;
-    return own != NULL || r->statement->given == NULL ? own : child(r->document, r->statement->given, key);
+    return own(r, key) != NULL ? own(r, key) : shared(r, key);
+}
+
+/* A mistake at a node or, where it is missing, in the entry. */
+static bool refuse(const struct reading *r, const yaml_node_t *node, const char *expected)
+{
+    return mistake(r->document, node != NULL ? node : r->entry, 0, "%s", expected);
 }
 
 /* ---- names ---- */
@@ -92,8 +108,7 @@ static void collect_names(const struct reading *r, struct names *n)
 {
     const yaml_node_t *prove = r->statement->prove;
     *n = (struct names){{"pi"}, 1};
-    if (r->statement->given != NULL)
-        add_keys(r, n, child(r->document, r->statement->given, "at"));
+    add_keys(r, n, shared(r, "at"));
     for (int i = 0; prove != NULL && prove->type == YAML_MAPPING_NODE && i < length_of(prove); i++)
         if (value_of(r->document, prove, i)->type == YAML_MAPPING_NODE && scalar(key_of(r->document, prove, i)) != NULL)
             add_entry(r, n, scalar(key_of(r->document, prove, i)), value_of(r->document, prove, i));
@@ -101,12 +116,43 @@ static void collect_names(const struct reading *r, struct names *n)
 
 /* ---- formulas ---- */
 
-static struct scope scope_of(const struct reading *r, const struct names *n)
+/* Formulas that are read into one program, and the names that they may have. */
+struct parsing {
+    struct names names;
+    struct scope scope;
+    struct identities identities;
+    bool fine; /* as yet */
+};
+
+static void parsing_open(struct parsing *f, const struct reading *r)
 {
     static const yaml_node_t nothing = {.type = YAML_MAPPING_NODE};
-    return (struct scope){.document = r->document, .sheet = r->all->sheet, .definitions = &r->all->proofs->derivations.definitions,
-                          .given = r->entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
-                          .names = n->list, .name_count = n->count};
+    collect_names(r, &f->names);
+    f->identities = (struct identities){.order = -1};
+    f->scope = (struct scope){.document = r->document, .sheet = r->all->sheet, .definitions = &r->all->proofs->derivations.definitions,
+                              .given = r->entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
+                              .names = f->names.list, .name_count = f->names.count};
+    f->fine = identities_open(&f->identities, &f->scope);
+}
+
+/* One that stands `shift` characters into a scalar: its node, or -1 after a complaint. */
+static int parsing_add(struct parsing *f, const yaml_node_t *node, const char *text, size_t shift)
+{
+    struct message why;
+    size_t where;
+    const int result = f->fine ? identities_text(&f->identities, &f->scope, text, &where, &why) : -1;
+    if (f->fine && result < 0)
+        f->fine = mistake(f->scope.document, node, shift + where, "%s", why.text);
+    return result;
+}
+
+/* The program is taken, all else of them goes. */
+static bool parsing_close(struct parsing *f, struct program *p)
+{
+    *p = f->identities.program;
+    program_init(&f->identities.program);
+    identities_clear(&f->identities);
+    return f->fine;
 }
 
 /* Whether a name is the number of an entry: ENTRY or ENTRY.number. */
@@ -135,41 +181,20 @@ static ulong uses_of(const struct reading *r, const struct program *p, int node)
     return uses;
 }
 
-/* A formula that stands `shift` characters into a scalar: its node, or -1 after a complaint. */
-static int parse(struct reading *r, struct identities *t, const struct scope *s, const yaml_node_t *node, const char *text, size_t shift)
-{
-    struct message why;
-    size_t where;
-    const int result = identities_text(t, s, text, &where, &why);
-    if (result < 0)
-        mistake(r->document, node, shift + where, "%s", why.text);
-    return result;
-}
-
-/* The program is the formula's from then on, all else of the identities goes. */
-static void take_program(struct program *p, struct identities *t)
-{
-    *p = t->program;
-    program_init(&t->program);
-    identities_clear(t);
-}
-
 static bool read_formula_text(struct reading *r, struct formula *f, const yaml_node_t *node, const char *text, size_t shift)
 {
-    struct names names;
-    struct identities t = {.order = -1};
-    collect_names(r, &names);
-    const struct scope s = scope_of(r, &names);
-    f->node = identities_open(&t, &s) ? parse(r, &t, &s, node, text, shift) : -1;
-    take_program(&f->program, &t);
-    f->uses = f->node < 0 ? 0 : uses_of(r, &f->program, f->node);
-    return f->node >= 0;
+    struct parsing one;
+    parsing_open(&one, r);
+    f->node = parsing_add(&one, node, text, shift);
+    parsing_close(&one, &f->program);
+    f->uses = one.fine ? uses_of(r, &f->program, f->node) : 0;
+    return one.fine;
 }
 
 static bool read_scalar_formula(struct reading *r, struct formula *f, const yaml_node_t *node)
 {
     if (scalar(node) == NULL)
-        return mistake(r->document, node, 0, "expected a formula");
+        return refuse(r, node, "expected a formula");
     return read_formula_text(r, f, node, scalar(node), 0);
 }
 
@@ -191,20 +216,18 @@ static bool read_value(struct reading *r, struct value *v, const yaml_node_t *ke
 /* `at` of the entry, then those of `given` that it does not name. */
 static bool read_values(struct reading *r, struct values *at)
 {
-    const yaml_node_t *entry = r->entry != NULL ? child(r->document, r->entry, "at") : NULL;
-    const yaml_node_t *shared = r->statement->given != NULL ? child(r->document, r->statement->given, "at") : NULL;
-    const yaml_node_t *const both[] = {entry, shared};
+    const yaml_node_t *const both[] = {own(r, "at"), shared(r, "at")};
     r->at = at;
     for (int k = 0; k < 2; k++) {
         if (both[k] != NULL && !is_mapping(r->document, both[k], NULL))
             return false;
         for (int i = 0; both[k] != NULL && i < length_of(both[k]); i++) {
             const yaml_node_t *key = key_of(r->document, both[k], i);
-            if (k == 1 && entry != NULL && child(r->document, entry, scalar(key)) != NULL)
+            if (k == 1 && both[0] != NULL && child(r->document, both[0], scalar(key)) != NULL)
                 continue;
-            at->list = memory(at->list, (size_t)at->count + 1, sizeof *at->list);
             struct value v;
             const bool fine = read_value(r, &v, key, value_of(r->document, both[k], i));
+            at->list = memory(at->list, (size_t)at->count + 1, sizeof *at->list);
             at->list[at->count++] = v;
             if (!fine)
                 return false;
@@ -245,133 +268,121 @@ static const char *find_ordering(const char *text, enum ordering *ordering, size
     return NULL;
 }
 
-/* left - right of a relation in a scalar, `sign` between them; their equality, where it is one for all values. */
+/* left - right of a relation in a scalar, `sign` between them. */
 static bool read_difference(struct reading *r, struct assertion *a, const yaml_node_t *node, const char *sign, size_t length)
 {
     const char *text = scalar(node), *left = keep(r->all, text, (size_t)(sign - text));
-    struct formula *f = &a->formula;
-    struct names names;
-    struct identities t = {.order = -1};
-    collect_names(r, &names);
-    const struct scope s = scope_of(r, &names);
-    const int one = identities_open(&t, &s) ? parse(r, &t, &s, node, left, 0) : -1;
-    const int other = one < 0 ? -1 : parse(r, &t, &s, node, sign + length, (size_t)(sign - text) + length);
-    if (other >= 0) {
-        f->node = program_difference(&t.program, one, other);
-        f->uses = uses_of(r, &t.program, f->node);
+    struct parsing f;
+    parsing_open(&f, r);
+    const int one = parsing_add(&f, node, left, 0), other = parsing_add(&f, node, sign + length, (size_t)(sign - text) + length);
+    if (f.fine) {
+        a->formula.node = program_difference(&f.identities.program, one, other);
+        a->formula.uses = uses_of(r, &f.identities.program, a->formula.node);
     }
-    take_program(&f->program, &t);
-    return other >= 0;
+    return parsing_close(&f, &a->formula.program);
 }
 
-/* ... for all values */
+/* An equality for all values. */
 static bool read_identity(struct reading *r, struct assertion *a, const yaml_node_t *node)
 {
-    struct names names;
-    collect_names(r, &names);
-    const struct scope s = scope_of(r, &names);
+    struct parsing f;
+    parsing_open(&f, r);
+    f.fine = f.fine && identities_show(&f.identities, &f.scope, node) && identities_close(&f.identities, &f.scope);
     a->everywhere = true;
-    return identities_open(&a->identity, &s) && identities_show(&a->identity, &s, node) && identities_close(&a->identity, &s);
+    a->identity = f.identities;
+    return f.fine;
 }
 
 static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t *show)
 {
     size_t length;
     const char *sign = scalar(show) != NULL ? find_ordering(scalar(show), &a->ordering, &length) : NULL;
-    const bool somewhere = r->entry != NULL && (child(r->document, r->entry, "at") != NULL || child(r->document, r->entry, "for") != NULL);
+    const bool somewhere = own(r, "at") != NULL || own(r, "for") != NULL;
     if (sign == NULL)
-        return mistake(r->document, show, 0, "expected left = right, or another sign of < > <= >= != between them");
+        return refuse(r, show, "expected left = right, or another sign of < > <= >= != between them");
     return a->ordering == IS_EQUAL && !somewhere ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
-}
-
-static bool read_bound(struct reading *r, const char *key, struct formula *f, bool *there)
-{
-    const yaml_node_t *node = child(r->document, r->entry, key);
-    *there = node != NULL;
-    return node == NULL || read_scalar_formula(r, f, node);
 }
 
 static bool read_count(struct reading *r, const yaml_node_t *node, long *count)
 {
     char *end = NULL;
     *count = node != NULL && scalar(node) != NULL ? strtol(scalar(node), &end, 10) : -1;
-    return (end != NULL && *end == '\0' && *count >= 0) || mistake(r->document, node ? node : r->entry, 0, "expected a count: 0, 1, 2 ...");
+    return (end != NULL && *end == '\0' && *count >= 0) || refuse(r, node, "expected a count: 0, 1, 2 ...");
 }
 
-/* A name that `of` says to be free; NULL after a complaint. */
-static const char *read_variable(struct reading *r)
+/* Of the unknown that `of` names. */
+static bool read_polynomial(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
-    const yaml_node_t *of = child(r->document, r->entry, "of");
-    if (of == NULL || scalar(of) == NULL)
-        mistake(r->document, of ? of : r->entry, 0, "missing of, expected the name of the unknown");
-    return of != NULL ? scalar(of) : NULL;
+    const yaml_node_t *of = own(r, "of");
+    a->variable = of != NULL ? scalar(of) : NULL;
+    if (a->variable == NULL || a->variable[0] == '\0')
+        return refuse(r, of, "missing of, expected the name of the unknown");
+    return read_scalar_formula(r, &a->formula, value);
 }
 
 static bool read_root(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
-    const yaml_node_t *in = child(r->document, r->entry, "in");
-    if ((a->variable = read_variable(r)) == NULL || a->variable[0] == '\0' || !read_scalar_formula(r, &a->formula, value))
+    const yaml_node_t *in = own(r, "in");
+    if (!read_polynomial(r, a, value))
         return false;
     if (in == NULL || in->type != YAML_SEQUENCE_NODE || length_of(in) != 2)
-        return mistake(r->document, in ? in : r->entry, 0, "expected in: [low, high]");
+        return refuse(r, in, "expected in: [low, high]");
     return read_scalar_formula(r, &a->low, item_of(r->document, in, 0)) && read_scalar_formula(r, &a->high, item_of(r->document, in, 1));
 }
 
 static bool read_roots(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
-    return (a->variable = read_variable(r)) != NULL && read_scalar_formula(r, &a->formula, value) &&
-           read_bound(r, "above", &a->low, &a->has_low) && read_bound(r, "below", &a->high, &a->has_high) &&
-           read_count(r, child(r->document, r->entry, "count"), &a->count);
+    const yaml_node_t *above = own(r, "above"), *below = own(r, "below");
+    a->has_low = above != NULL;
+    a->has_high = below != NULL;
+    return read_polynomial(r, a, value) && (above == NULL || read_scalar_formula(r, &a->low, above)) &&
+           (below == NULL || read_scalar_formula(r, &a->high, below)) && read_count(r, own(r, "count"), &a->count);
 }
 
 /* One state, its rate, and where it is to be taken. */
-static bool read_state(struct reading *r, struct identities *t, const struct scope *s, struct linear_system *l, const yaml_node_t *state,
-                       const yaml_node_t *rate)
+static bool read_state(struct reading *r, struct parsing *f, struct linear_system *l, const yaml_node_t *state, const yaml_node_t *rate)
 {
     const yaml_node_t *about = given(r, "about"), *place = about != NULL ? child(r->document, about, scalar(state)) : NULL;
-    l->states[l->size] = program_find(&t->program, scalar(state));
+    l->states[l->size] = program_find(&f->identities.program, scalar(state));
     if (l->states[l->size] < 0)
         return mistake(r->document, state, 0, "unknown symbol '%s', expected a quantity or a free name", scalar(state));
     if (scalar(rate) == NULL || (place != NULL && scalar(place) == NULL))
-        return mistake(r->document, rate, 0, "expected a formula");
-    l->rates[l->size] = parse(r, t, s, rate, scalar(rate), 0);
-    l->about[l->size] = place != NULL ? parse(r, t, s, place, scalar(place), 0) : -1;
-    return l->rates[l->size] >= 0 && (place == NULL || l->about[l->size] >= 0);
+        return refuse(r, rate, "expected a formula");
+    l->rates[l->size] = parsing_add(f, rate, scalar(rate), 0);
+    l->about[l->size] = place != NULL ? parsing_add(f, place, scalar(place), 0) : -1;
+    return f->fine;
 }
 
 /* `system` and `about`, in one program. */
 static bool read_system(struct reading *r, struct assertion *a)
 {
-    const yaml_node_t *system = given(r, "system"), *about = given(r, "about");
-    const yaml_node_t *control = child(r->document, r->entry, "control"), *observe = child(r->document, r->entry, "observe");
+    const yaml_node_t *system = given(r, "system"), *about = given(r, "about"), *control = own(r, "control"), *observe = own(r, "observe");
     struct linear_system *l = &a->system;
-    struct names names;
-    struct identities t = {.order = -1};
+    struct parsing f;
     if (system == NULL || !is_mapping(r->document, system, NULL) || length_of(system) > 12 || (about != NULL && !is_mapping(r->document, about, NULL)))
-        return mistake(r->document, system ? system : r->entry, 0, "expected a system, {state: its rate, ...} of at most 12 states");
-    collect_names(r, &names);
-    const struct scope s = scope_of(r, &names);
-    bool fine = identities_open(&t, &s);
+        return refuse(r, system, "expected a system, {state: its rate, ...} of at most 12 states");
+    parsing_open(&f, r);
     l->observe = -1;
-    for (int i = 0; fine && i < length_of(system); i++) {
+    for (int i = 0; f.fine && i < length_of(system); i++) {
         const yaml_node_t *state = key_of(r->document, system, i);
-        fine = read_state(r, &t, &s, l, state, value_of(r->document, system, i));
+        f.fine = read_state(r, &f, l, state, value_of(r->document, system, i));
         if (observe != NULL && scalar(observe) != NULL && strcmp(scalar(observe), scalar(state)) == 0)
             l->observe = i;
         l->size = i + 1;
     }
-    l->control = control != NULL && scalar(control) != NULL ? program_find(&t.program, scalar(control)) : -1;
-    take_program(&l->program, &t);
-    if (fine && ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0)))
-        return mistake(r->document, control != NULL ? control : observe, 0, "expected control: a quantity, or observe: a state");
-    for (int i = 0; fine && i < l->size; i++)
+    l->control = control != NULL && scalar(control) != NULL ? program_find(&f.identities.program, scalar(control)) : -1;
+    if (!parsing_close(&f, &l->program))
+        return false;
+    if ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0))
+        return refuse(r, control != NULL ? control : observe, "expected control: a quantity, or observe: a state");
+    for (int i = 0; i < l->size; i++)
         l->uses |= uses_of(r, &l->program, l->rates[i]) | (l->about[i] >= 0 ? uses_of(r, &l->program, l->about[i]) : 0);
-    return fine;
+    return true;
 }
 
 static bool read_characteristic(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
-    return (a->variable = read_variable(r)) != NULL && read_scalar_formula(r, &a->formula, value) && read_system(r, a);
+    return read_polynomial(r, a, value) && read_system(r, a);
 }
 
 static bool read_rank(struct reading *r, struct assertion *a, const yaml_node_t *value)
@@ -386,20 +397,20 @@ static bool read_step(struct reading *r, struct assertion *a, const yaml_node_t 
     for (int i = 0; a->reference != NULL && i < d->step_count; i++)
         if (strcmp(d->steps[i].id, a->reference) == 0)
             return true;
-    return mistake(r->document, value, 0, "expected a step of derivations.yaml");
+    return refuse(r, value, "expected a step of derivations.yaml");
 }
 
 static bool read_cited(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
     a->reference = scalar(value);
     return (a->reference != NULL && statement_find(r->all, a->reference) != NULL) ||
-           mistake(r->document, value, 0, "expected a claim that stands before");
+           refuse(r, value, "expected a claim that stands before");
 }
 
 static bool read_compute(struct reading *r, struct assertion *a, const yaml_node_t *value)
 {
     a->computed = scalar(value) != NULL ? computed_find(&r->all->computed, scalar(value)) : NULL;
-    return a->computed != NULL || mistake(r->document, value, 0, "unknown computation, expected one of verify/claims/claims_*.c");
+    return a->computed != NULL || refuse(r, value, "unknown computation, expected one of verify/claims/claims_*.c");
 }
 
 static const struct form {
@@ -416,7 +427,7 @@ enum { FORMS = sizeof forms / sizeof *forms };
 /* for: {name: [value, ...], ...}, lists of one length */
 static bool read_turns(struct reading *r, struct assertion *a)
 {
-    const yaml_node_t *each = child(r->document, r->entry, "for");
+    const yaml_node_t *each = own(r, "for");
     if (each == NULL)
         return true;
     if (!is_mapping(r->document, each, NULL) || length_of(each) > MOST_EACH)
@@ -435,32 +446,25 @@ static bool read_turns(struct reading *r, struct assertion *a)
 /* on: {name: [low, high]} */
 static bool read_interval(struct reading *r, struct assertion *a)
 {
-    const yaml_node_t *on = child(r->document, r->entry, "on");
+    const yaml_node_t *on = own(r, "on");
     struct formula bounds[2];
     memset(bounds, 0, sizeof bounds);
     if (on == NULL)
         return true;
     if (!is_mapping(r->document, on, NULL) || length_of(on) != 1)
-        return mistake(r->document, on, 0, "expected on: {name: [low, high]}");
+        return refuse(r, on, "expected on: {name: [low, high]}");
     const int count = read_range(r, value_of(r->document, on, 0), bounds, 2);
     a->low = bounds[0];
     a->high = bounds[1];
     a->variable = scalar(key_of(r->document, on, 0));
-    return count == 2 || (count >= 0 && mistake(r->document, on, 0, "expected on: {name: [low, high]}"));
+    return count == 2 || (count >= 0 && refuse(r, on, "expected on: {name: [low, high]}"));
 }
 
-/* What takes several values, and what moves, before the formulas that use it. */
-static bool read_ranges(struct reading *r, struct assertion *a)
-{
-    static const char *const known[] = {"show", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on",
-                                        "for", "above", "below", "count", "control", "observe", "angles", "positive", "free", "small",
-                                        "order", "rates", "let", "square roots", "not negative", "at", "system", "about", NULL};
-    if (r->entry == NULL)
-        return mistake(r->document, a->node, 0, "expected left = right, or a mapping");
-    if (!is_mapping(r->document, r->entry, known))
-        return false;
-    return read_turns(r, a) && read_interval(r, a);
-}
+/* The keys of an entry of `prove`; from CONTEXT on those of `given`, too. */
+enum { CONTEXT = 17 };
+static const char *const entry_keys[] = {"show", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on", "for",
+                                         "above", "below", "count", "control", "observe", "angles", "positive", "free", "small", "order",
+                                         "rates", "let", "square roots", "not negative", "at", "system", "about", NULL};
 
 static bool read_assertion(struct reading *r, struct assertion *a)
 {
@@ -468,22 +472,30 @@ static bool read_assertion(struct reading *r, struct assertion *a)
     r->at = NULL;
     if (!read_values(r, &a->at))
         return false;
-    if (scalar(a->node) != NULL) {
-        a->kind = ASSERT_SHOW;
+    if (scalar(a->node) != NULL)
         return read_show(r, a, a->node);
-    }
-    if (!read_ranges(r, a))
+    if (r->entry == NULL)
+        return refuse(r, a->node, "expected left = right, or a mapping");
+    if (!is_mapping(r->document, r->entry, entry_keys) || !read_turns(r, a) || !read_interval(r, a)) /* before the formulas that use them */
         return false;
     for (int i = 0; i < FORMS; i++) {
         const yaml_node_t *value = child(r->document, a->node, forms[i].key);
-        if (value == NULL)
-            continue;
         a->kind = forms[i].kind;
-        if (!forms[i].read(r, a, value))
-            return false;
-        return true;
+        if (value != NULL)
+            return forms[i].read(r, a, value);
     }
-    return mistake(r->document, a->node, 0, "expected left = right, or one of show, root, roots, characteristic, rank, step, claim, compute");
+    return refuse(r, a->node, "expected left = right, or one of show, root, roots, characteristic, rank, step, claim, compute");
+}
+
+/* What it takes numbers of stands before it. */
+static bool read_uses(struct reading *r, struct assertion *a, int index)
+{
+    a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
+    for (int k = 0; k < a->each_names * MOST_TURNS; k++)
+        a->uses |= a->each_of[k / MOST_TURNS][k % MOST_TURNS].uses;
+    if (a->kind == ASSERT_ROOT && strcmp(a->variable, a->name) == 0)
+        a->uses &= ~(UWORD(1) << index); /* the unknown itself */
+    return a->uses >> index == 0 || mistake(r->document, a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
 }
 
 static bool read_prove(struct reading *r, const yaml_node_t *prove)
@@ -498,19 +510,11 @@ static bool read_prove(struct reading *r, const yaml_node_t *prove)
     s->assertions = memory(NULL, (size_t)length_of(prove), sizeof *s->assertions);
     memset(s->assertions, 0, (size_t)length_of(prove) * sizeof *s->assertions);
     for (int i = 0; i < length_of(prove); i++) {
-        struct assertion *a = &s->assertions[i];
+        struct assertion *a = &s->assertions[s->assertion_count++];
         a->name = scalar(key_of(r->document, prove, i));
         a->node = value_of(r->document, prove, i);
-        s->assertion_count = i + 1;
-        if (!read_assertion(r, a))
+        if (!read_assertion(r, a) || !read_uses(r, a, i))
             return false;
-        a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
-        for (int k = 0; k < a->each_names * MOST_TURNS; k++)
-            a->uses |= a->each_of[k / MOST_TURNS][k % MOST_TURNS].uses;
-        if (a->kind == ASSERT_ROOT && strcmp(a->variable, a->name) == 0)
-            a->uses &= ~(UWORD(1) << i); /* the unknown itself */
-        if (a->uses >> i != 0)
-            return mistake(r->document, a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
     }
     return true;
 }
@@ -548,9 +552,9 @@ static bool read_verdict(struct reading *r, const yaml_node_t *key, const char *
     while (v <= NOT_DECIDABLE && (scalar(key) == NULL || strcmp(verdict_names[v], scalar(key)) != 0))
         v++;
     if (v > NOT_DECIDABLE || s->verdict_count == MOST_VERDICTS)
-        return mistake(r->document, key, 0, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
+        return refuse(r, key, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
     if (condition == NULL && v != NOT_DECIDABLE)
-        return mistake(r->document, at, 0, "expected {verdict: condition}; only 'not decidable' needs none");
+        return refuse(r, at, "expected {verdict: condition}; only 'not decidable' needs none");
     if (condition != NULL && !condition_check(condition, check_name, &naming, &where, &why))
         return mistake(r->document, at, where, "%s", why.text);
     s->verdicts[s->verdict_count] = (enum verdict)v;
@@ -577,11 +581,11 @@ static bool read_verdicts(struct reading *r, const yaml_node_t *node)
 {
     bool named[MOST_ASSERTIONS] = {false};
     if (node == NULL)
-        return mistake(r->document, r->entry, 0, "missing verdict");
+        return refuse(r, r->entry, "missing verdict");
     if (scalar(node) != NULL)
         return read_verdict(r, node, NULL, node, named) && all_serve(r, named);
     if (!is_mapping(r->document, node, NULL) || length_of(node) == 0)
-        return mistake(r->document, node, 0, "expected verdict: {holds: condition, ...}");
+        return refuse(r, node, "expected verdict: {holds: condition, ...}");
     for (int i = 0; i < length_of(node); i++) {
         const yaml_node_t *condition = value_of(r->document, node, i);
         if (!read_verdict(r, key_of(r->document, node, i), scalar(condition), condition, named))
@@ -624,43 +628,36 @@ static bool read_rounding(const char *text, struct quoted_number *n)
     return n->digits >= (*text == '.' ? 0 : 1) && n->digits <= 60 && (count == 1 || *text != '.');
 }
 
-static size_t trimmed(const char **at, size_t length)
+static const char *keep_trimmed(struct statements *s, const char *from, const char *to)
 {
-    while (length > 0 && **at == ' ') {
-        ++*at;
-        length--;
-    }
-    while (length > 0 && (*at)[length - 1] == ' ')
-        length--;
-    return length;
+    while (from < to && *from == ' ')
+        from++;
+    while (from < to && to[-1] == ' ')
+        to--;
+    return keep(s, from, (size_t)(to - from));
 }
 
+/* FORMULA | DIGITS, or FORMULA | DIGITS | UNIT */
 static void take_number(void *context, const char *at, size_t length)
 {
     struct quoting *q = context;
     struct reading *r = q->reading;
     struct statement *s = r->statement;
     const size_t start = (size_t)(at - s->evidence);
+    const char *end = at + length, *bar = memchr(at, '|', length);
+    const char *last = bar != NULL ? memchr(bar + 1, '|', (size_t)(end - bar) - 1) : NULL;
     if (!q->fine)
         return;
     s->numbers = memory(s->numbers, (size_t)s->number_count + 1, sizeof *s->numbers);
     struct quoted_number *n = &s->numbers[s->number_count++];
     *n = (struct quoted_number){.node = q->node, .offset = start};
-    char *text = memory(NULL, length + 1, 1);
-    memcpy(text, at, length);
-    text[length] = '\0';
-    char *bar = strchr(text, '|'), *unit = bar != NULL ? strchr(bar + 1, '|') : NULL;
-    const char *digits = bar != NULL ? bar + 1 : text, *formula = text, *of = unit != NULL ? unit + 1 : "";
-    const size_t digits_length = trimmed(&digits, bar == NULL ? 0 : unit != NULL ? (size_t)(unit - digits) : strlen(digits));
-    const size_t formula_length = trimmed(&formula, bar != NULL ? (size_t)(bar - text) : 0), of_length = trimmed(&of, strlen(of));
-    n->unit = unit != NULL ? keep(r->all, of, of_length) : NULL;
-    n->text = keep(r->all, formula, formula_length);
-    if (bar == NULL || !read_rounding(keep(r->all, digits, digits_length), n))
-        q->fine = mistake(r->document, q->node, start + (bar != NULL ? (size_t)(bar - text) + 1 : 0),
+    n->text = keep_trimmed(r->all, at, bar != NULL ? bar : at);
+    n->unit = last != NULL ? keep_trimmed(r->all, last + 1, end) : NULL;
+    if (bar == NULL || !read_rounding(keep_trimmed(r->all, bar + 1, last != NULL ? last : end), n))
+        q->fine = mistake(r->document, q->node, start + (bar != NULL ? (size_t)(bar - at) + 1 : 0),
                           "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
     else
-        q->fine = read_formula_text(r, &n->formula, q->node, n->text, start + (size_t)(formula - text));
-    free(text);
+        q->fine = read_formula_text(r, &n->formula, q->node, n->text, start + strspn(at, " "));
 }
 
 static bool read_marks(struct reading *r, const yaml_node_t *node, bool numbers)
@@ -678,27 +675,37 @@ static bool read_marks(struct reading *r, const yaml_node_t *node, bool numbers)
 
 static bool read_words(struct reading *r, const char *key, bool required, const char **text)
 {
-    const yaml_node_t *node = child(r->document, r->entry, key);
+    const yaml_node_t *node = own(r, key);
     *text = node != NULL ? scalar(node) : NULL;
     if (node == NULL ? required : *text == NULL || **text == '\0')
         return mistake(r->document, node ? node : r->entry, 0, "missing %s, expected a text", key);
     return node == NULL || strcmp(key, "evidence") == 0 || read_marks(r, node, false);
 }
 
-static bool read_kind(struct reading *r, struct statement *s)
+static bool read_texts(struct reading *r, struct statement *s)
 {
     static const char *const kinds[] = {"statement", "implied", "misprint", "number", "beyond"};
-    if (!read_words(r, "kind", true, &s->kind) || s->kind == NULL)
+    bool known = false;
+    if (!read_words(r, "where", true, &s->where) || !read_words(r, "kind", true, &s->kind))
         return false;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (strcmp(s->kind, kinds[i]) == 0)
+        known = known || strcmp(s->kind, kinds[i]) == 0;
+    if (!known)
+        return refuse(r, own(r, "kind"), "expected a kind: statement, implied, misprint, number or beyond");
+    return read_words(r, "claim", true, &s->claim) && read_words(r, "why", false, &s->why) && read_words(r, "evidence", true, &s->evidence);
+}
+
+bool has_equation(const struct section *s, const char *equation)
+{
+    for (int i = 0; i < s->numbers; i++)
+        if (strcmp(s->equations[i], equation) == 0)
             return true;
-    return mistake(r->document, child(r->document, r->entry, "kind"), 0, "expected a kind: statement, implied, misprint, number or beyond");
+    return false;
 }
 
 static bool read_equations(struct reading *r, struct statement *s)
 {
-    const yaml_node_t *list = child(r->document, r->entry, "equations");
+    const yaml_node_t *list = own(r, "equations");
     if (list == NULL)
         return true;
     if (!is_list(r->document, list, 8))
@@ -707,8 +714,7 @@ static bool read_equations(struct reading *r, struct statement *s)
         const char *number = scalar(item_of(r->document, list, s->equation_count));
         bool known = false;
         for (int i = 0; i < r->all->sheet->section_count; i++)
-            for (int k = 0; k < r->all->sheet->sections[i].numbers; k++)
-                known = known || strcmp(r->all->sheet->sections[i].equations[k], number) == 0;
+            known = known || has_equation(&r->all->sheet->sections[i], number);
         if (!known)
             return mistake(r->document, item_of(r->document, list, s->equation_count), 0, "unknown '%s', expected an equation number", number);
         s->equations[s->equation_count] = number;
@@ -719,27 +725,24 @@ static bool read_equations(struct reading *r, struct statement *s)
 static bool read_statement(struct statements *all, const yaml_node_t *key, const yaml_node_t *node)
 {
     static const char *const known[] = {"where", "kind", "claim", "verdict", "why", "given", "prove", "evidence", "equations", NULL};
-    static const char *const contexts[] = {"angles", "positive", "free", "small", "order", "rates", "let", "square roots",
-                                           "not negative", "at", "system", "about", NULL};
     if (!is_mapping(&all->document, node, known))
         return false;
     all->list = memory(all->list, (size_t)all->count + 1, sizeof *all->list);
     struct statement *s = &all->list[all->count++];
-    *s = (struct statement){.id = scalar(key), .given = child(&all->document, node, "given"),
-                            .verdict = child(&all->document, node, "verdict"),
-                            .prove = child(&all->document, node, "prove")};
+    *s = (struct statement){.id = scalar(key)};
     struct reading r = {.all = all, .document = &all->document, .statement = s, .entry = node};
-    const yaml_node_t *evidence = child(&all->document, node, "evidence");
-    if ((s->given != NULL && !is_mapping(&all->document, s->given, contexts)) || !read_words(&r, "where", true, &s->where) ||
-        !read_kind(&r, s) || !read_words(&r, "claim", true, &s->claim) || !read_words(&r, "why", false, &s->why) ||
-        !read_words(&r, "evidence", true, &s->evidence) || !read_equations(&r, s) ||
+    const yaml_node_t *evidence = own(&r, "evidence");
+    s->given = own(&r, "given");
+    s->prove = own(&r, "prove");
+    s->verdict = own(&r, "verdict");
+    if ((s->given != NULL && !is_mapping(&all->document, s->given, entry_keys + CONTEXT)) || !read_texts(&r, s) || !read_equations(&r, s) ||
         !read_prove(&r, s->prove))
         return false;
     r.entry = NULL;
     if (!read_values(&r, &s->at) || !read_marks(&r, evidence, true))
         return false;
     r.entry = node;
-    if (!read_verdicts(&r, child(&all->document, node, "verdict")))
+    if (!read_verdicts(&r, s->verdict))
         return false;
     const bool plain = s->verdicts[0] == HOLDS || s->verdicts[0] == DEFINITION;
     return plain || s->why != NULL || mistake(&all->document, node, 0, "missing why, of a verdict other than holds and definition");

@@ -81,7 +81,7 @@ static void set_initial(arb_ptr initial, const struct flow_parameters *p, const 
     }
     if (!s->nonlinear)
         return;
-    arb_ptr in = _arb_vec_init(8); /* m1 m2 L psi theta L_dot psi_dot theta_dot */
+    VECTOR(arb, in, 8); /* m1 m2 L psi theta L_dot psi_dot theta_dot */
     arb_set(in, p->m1);
     arb_set(in + 1, p->m2);
     arb_add(in + 2, p->L_ref, initial + ETA, prec);
@@ -92,7 +92,6 @@ static void set_initial(arb_ptr initial, const struct flow_parameters *p, const 
     arb_set(in + 7, initial + THETA_DOT);
     enclose("eq10", in, prec, initial);
     enclose("eq11exact", in, prec, initial + 3);
-    _arb_vec_clear(in, 8);
 }
 
 /* ---- rows ---- */

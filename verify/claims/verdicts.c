@@ -218,14 +218,6 @@ void verdict_on_equation(struct verdict_row *row, const struct proof_results *p,
     add_claims(row, claims, equation);
 }
 
-static bool has_equation(const struct section *s, const char *equation)
-{
-    for (int i = 0; i < s->numbers; i++)
-        if (strcmp(s->equations[i], equation) == 0)
-            return true;
-    return false;
-}
-
 /* ---- the rows ---- */
 
 struct giving {
