@@ -275,6 +275,7 @@ static const struct {
     {"a: dL > 0", "a: {show: dL > x, on: {x: [0]}}", "t:7:27: expected on"},
     {"a: dL > 0", "a: {show: dL > x, for: {x: [0], y: [1, 2]}}", "t:7:40: expected lists of one length"},
     {"a: dL > 0", "a: {root: x, in: [0, 1]}", "t:7:8: missing of"},
+    {"a: dL > 0", "a: {root: 1, of: '', in: [0, 1]}", "t:7:22: missing of"},
     {"a: dL > 0", "a: {root: x, of: x, in: [0]}", "t:7:29: expected in"},
     {"a: dL > 0", "a: {roots: x, of: x, count: many}", "t:7:33: expected a count"},
     {"a: dL > 0", "a: {rank: 1}", "t:7:8: expected a system"},

@@ -10,7 +10,7 @@
 
 enum { DAY = 86400, HORIZON = 3 * DAY, HALF_SWING = 10800, BITS = 128 }; /* s; of 4 Omega, pi/(4 Omega) = 10771 s */
 
-enum { DIGITS = 12 }; /* of the rows: the evidence quotes four at most, of differences down to 1e-7 */
+enum { DIGITS = 12 }; /* of the rows: too few would leave digits of the evidence unproved, and the verdict undecided */
 
 static const struct scene linear = {.digits = DIGITS}, linear_planar = {.digits = DIGITS, .theta = "0"},
                           nonlinear = {.nonlinear = true, .digits = DIGITS},

@@ -9,7 +9,7 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-enum { PREC = 192 };
+enum { PREC = 192, SLOW_DIGITS = 10 }; /* what the slow law leaves is of the order of a^2, a >= 1/20 */
 
 /* ---- motions ----------------------------------------------------------- */
 
@@ -119,7 +119,7 @@ static bool from_slow_law(arb_ptr d, const struct study *study, const fmpq_t a)
     (void)study;
     sheet_value(acb_realref(z), "Omega", PREC);
     const double amplitude = fmpq_get_d(a), Omega = arf_get_d(arb_midref(acb_realref(z)), ARF_RND_NEAR);
-    bool proved = beside_closed_form(&t, closed, a, (long)(1 / (amplitude * amplitude * Omega)), 10);
+    bool proved = beside_closed_form(&t, closed, a, (long)(1 / (amplitude * amplitude * Omega)), SLOW_DIGITS);
     pitch_of(z, track_row(&t, 0));
     pitch_of(w, closed);
     acb_div(z, z, w, PREC);
