@@ -27,15 +27,6 @@ void second_order_clear(struct second_order *o)
     derivations_clear(&o->derivations);
 }
 
-bool second_order_holds(const struct second_order *o)
-{
-    struct proof p;
-    identities_prove(&step_named(&o->derivations, "second_order")->corrected, &p);
-    const bool holds = p.result == IDENTITY_HOLDS;
-    proof_clear(&p);
-    return holds;
-}
-
 arb_srcptr second_order_get(const struct second_order *o, const char *name)
 {
     return value(o, name);

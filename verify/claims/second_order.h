@@ -31,9 +31,6 @@ struct second_order {
 void second_order_init(struct second_order *o, const arb_t c1, const arb_t c2, slong prec);
 void second_order_clear(struct second_order *o);
 
-/* Whether the step is proved. */
-bool second_order_holds(const struct second_order *o);
-
 /* By name: B_re B_im A_re A_im T_re T_im, and k and s as decay and shift. */
 arb_srcptr second_order_get(const struct second_order *o, const char *name);
 

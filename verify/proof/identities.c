@@ -498,7 +498,7 @@ void proof_clear(struct proof *p)
     free(p->difference);
 }
 
-bool nodes_equal(const struct program *p, int left, int right, bool loose)
+bool nodes_equal(const struct program *p, int left, int right)
 {
     struct equality e = {.text = "", .left = left, .right = right};
     struct identities t = {.program = *p, .shown = &e, .shown_count = 1, .order = -1};
@@ -508,7 +508,7 @@ bool nodes_equal(const struct program *p, int left, int right, bool loose)
     memset(t.needed, 1, (size_t)p->count);
     for (int i = 0; i < p->inputs; i++)
         t.variables[i] = (struct variable){.signs = SIGN_ANY};
-    identities_broken(&t, loose, holds);
+    identities_broken(&t, true, holds);
     free(t.needed);
     free(t.variables);
     return holds[0];
