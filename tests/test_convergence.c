@@ -6,6 +6,7 @@
 #include "claims/convergence.h"
 #include "claims/second_order.h"
 #include "motion/two_body.h"
+#include "proof/proof_results.h"
 #include "text/scope.h"
 
 enum { PREC = 192 };
@@ -44,6 +45,17 @@ static void complex_of(acb_t z, const struct second_order *o, const char *re, co
     arb_set(acb_realref(z), second_order_get(o, re));
     arb_set(acb_imagref(z), second_order_get(o, im));
 }
+
+START_TEST(second_order_solves_eq03_exactly)
+{
+    struct second_order o = response(10, 2);
+    struct proof p;
+    identities_prove(&step_named(&o.derivations, "second_order")->corrected, &p);
+    ck_assert_int_eq(p.result, IDENTITY_HOLDS);
+    proof_clear(&p);
+    second_order_clear(&o);
+}
+END_TEST
 
 /*
  * Of second order in pitch Re(z), z' = 2 i z, the plane's equations are l'' + c2 l' + (c1 - 9) l - 2 psi' = theta'^2 -
@@ -271,6 +283,7 @@ Suite *suite(void)
     Suite *s = suite_create("convergence");
     TCase *c = tcase_create("convergence");
     tcase_set_timeout(c, 60);
+    tcase_add_test(c, second_order_solves_eq03_exactly);
     tcase_add_checked_fixture(c, NULL, close_all);
     tcase_add_test(c, eq40_driven_by_pitch_gives_A_and_B);
     tcase_add_test(c, pitch_loses_what_the_feedback_takes);

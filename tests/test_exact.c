@@ -49,6 +49,8 @@ static const struct {
     {"(sqrt(3/5)*exp(sqrt(3/5)))^-2*(sqrt(3/5)*exp(sqrt(3/5)))^2", "1"},
     {"z/(1 + cos(1))", "0"},
     {"atan2(z, sqrt(2) - 1)", "0"},
+    {"log(1)", "0"},
+    {"log(2)", "irrational"},
     /* signs */
     {"positive(1/1000)", "1"},
     {"positive(-1/1000)", "0"},
@@ -78,6 +80,7 @@ static const struct {
     {"sqrt(-4)^2", "undefined"},
     {"sqrt(atan2(1, 1))", "undefined"}, /* for all that is known of it, it may be negative */
     /* not decided */
+    {"log(z)", "unknown"},
     {"atan2(1, 1)", "unknown"},
     {"atan2(z, z)", "unknown"},
     {"atan2(z, 1 - sqrt(2))", "unknown"}, /* pi */

@@ -1,4 +1,5 @@
 /* What binds a step to the equations that it leads from and to: tried, by altering their formulas. */
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -162,18 +163,25 @@ static int broken(const struct table *table, enum change change, const struct ta
     return count;
 }
 
-static void note(struct table *table, const bool holds[], int count)
+/* The same, and where one alone does not hold, the step needs it. */
+static int tried(struct table *table, enum change change, const struct target *target, int node)
 {
+    bool holds[MOST_SHOWN];
+    const int count = broken(table, change, target, node, holds);
     for (int i = 0; i < table->s->corrected.shown_count && count == 1; i++)
         table->alone[i] = table->alone[i] || !holds[i];
+    return count;
 }
 
-static bool refuse(const struct table *table, const yaml_node_t *at, const char *format, const char *a, const char *b)
+static bool refuse(const struct table *table, const yaml_node_t *at, const char *format, ...)
 {
     struct document document = table->d->document;
     char text[300];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
     document.why = &table->b->fault;
-    snprintf(text, sizeof text, format, a, b);
     return parse_error(&document, at, 0, "step %s: %s", table->s->id, text);
 }
 
@@ -193,7 +201,7 @@ static bool no_tautology(struct table *table)
     broken(table, CHANGE_ANY, &everything, -1, holds);
     for (int i = 0; i < t->shown_count; i++)
         if (holds[i])
-            return refuse(table, t->shown[i].at, "%s holds whatever the formulas are: it shows nothing%s", t->shown[i].text, "");
+            return refuse(table, t->shown[i].at, "%s holds whatever the formulas are: it shows nothing", t->shown[i].text);
     return true;
 }
 
@@ -202,15 +210,11 @@ static bool no_tautology(struct table *table)
 static bool all_used(struct table *table)
 {
     if (table->s->from_count == 0)
-        return refuse(table, table->s->node, "expected an equation or a principle in 'from'%s%s", "", "");
+        return refuse(table, table->s->node, "expected an equation or a principle in 'from'");
     for (int i = 0; i < table->s->from_count; i++) {
         const struct target from = {.d = table->d, .entry = table->s->from[i]};
-        bool holds[MOST_SHOWN];
-        const int count = broken(table, CHANGE_ANY, &from, -1, holds);
-        if (count == 0)
-            return refuse(table, item(table, "from", i), "'%s' is not used: any formula in its place would do%s",
-                          table->s->from[i], "");
-        note(table, holds, count);
+        if (tried(table, CHANGE_ANY, &from, -1) == 0)
+            return refuse(table, item(table, "from", i), "'%s' is not used: any formula in its place would do", table->s->from[i]);
     }
     return true;
 }
@@ -244,7 +248,7 @@ static bool nothing_beyond(struct table *table)
         for (int k = 0; k < t->use_count; k++)
             used = used || entry_concerns(table->d, scalar(key), &t->uses[k]);
         if (!used)
-            return refuse(table, key, "'%s' is not used%s", scalar(key), "");
+            return refuse(table, key, "'%s' is not used", scalar(key));
     }
     return true;
 }
@@ -316,8 +320,8 @@ static bool is_general(struct table *table, int to, const struct entry_part *par
                   t->uses[i].formulas == &part->section->corrected && t->uses[i].part == part->node &&
                   fills_open_set(t, &t->uses[i]);
     return general || refuse(table, item(table, "to", to),
-                             "%s is shown for some values of its inputs alone, expected free ones, or 'where' to say which%s",
-                             part->name, "");
+                             "%s is shown for some values of its inputs alone, expected free ones, or 'where' to say which",
+                             part->name);
 }
 
 /* ---- to ---- */
@@ -332,7 +336,7 @@ static bool is_equivalent(const struct program *p, int wanted, enum change chang
     for (int i = 0; i < p->count; i++)
         stand_in[i] = i < p->inputs ? i : -1;
     const int other = program_inline(&both, &altered, alteration_make(&altered, change, node, wanted), stand_in);
-    const bool same = nodes_equal(&both, wanted, other, true);
+    const bool same = nodes_equal(&both, wanted, other);
     program_clear(&both);
     program_clear(&altered);
     free(stand_in);
@@ -344,7 +348,7 @@ static bool is_zero(const struct program *p, int node)
     struct program copy;
     program_copy(&copy, p);
     const int zero = program_append(&copy, OPERATOR_NUMBER, -1, -1, 0);
-    const bool same = nodes_equal(&copy, node, zero, true);
+    const bool same = nodes_equal(&copy, node, zero);
     program_clear(&copy);
     return same;
 }
@@ -383,13 +387,10 @@ static bool all_changes_tell(struct table *table, int to, const struct entry_par
     bool tell = true;
     for (int node = 0; node <= wanted && tell; node++)
         for (enum change change = CHANGE_SIGN; change < CHANGES && spoken[node] && tell; change++) {
-            bool holds[MOST_SHOWN];
             if (!alteration_applies(p, change, node))
                 continue;
-            const int count = broken(table, change, &target, node, holds);
             table->b->mutants++;
-            note(table, holds, count);
-            if (count == 0 && !is_equivalent(p, wanted, change, node))
+            if (tried(table, change, &target, node) == 0 && !is_equivalent(p, wanted, change, node))
                 tell = refuse(table, item(table, "to", to), "%s may be altered (%s) and every equality holds still",
                               part->name, changes[change]);
         }
@@ -404,12 +405,8 @@ static bool relation_is_bound(struct table *table, int to, const struct entry_pa
         struct program p;
         const struct target target = {.relation = part->relation, .side = side};
         const int wanted = relation_program(&p, table->d->sheet, part->relation, side == 1);
-        bool holds[MOST_SHOWN];
-        const int count = broken(table, CHANGE_ANY, &target, -1, holds);
-        if (count == 0)
-            bound = refuse(table, item(table, "to", to), "%s stands in no equality as a whole: a side is not shown%s",
-                           part->name, "");
-        note(table, holds, count);
+        bound = tried(table, CHANGE_ANY, &target, -1) > 0 ||
+                refuse(table, item(table, "to", to), "%s stands in no equality as a whole: a side is not shown", part->name);
         bound = bound && all_changes_tell(table, to, part, &p, wanted, target);
         program_clear(&p);
     }
@@ -421,20 +418,13 @@ static bool output_is_bound(struct table *table, int to, const struct entry_part
     const struct target result = {.section = part->section, .part = part->node};
     const struct target formula = {.section = part->section, .part = -1};
     const struct program *p = &part->section->corrected.program;
-    bool holds[MOST_SHOWN];
-    const int any = broken(table, CHANGE_ANY, &result, -1, holds);
-    if (any == 0)
-        return refuse(table, item(table, "to", to), "%s stands in no equality%s", part->name, "");
-    note(table, holds, any);
-    const int turned = broken(table, CHANGE_RESULT, &result, -1, holds);
-    note(table, holds, turned);
-    if (part->equation != NULL && turned == 0 && !is_zero(p, part->node))
-        return refuse(table, item(table, "to", to), "%s may have the other sign and every equality holds still%s", part->name, "");
-    if (part->equation != NULL && !is_general(table, to, part))
-        return false;
+    if (tried(table, CHANGE_ANY, &result, -1) == 0)
+        return refuse(table, item(table, "to", to), "%s stands in no equality", part->name);
+    if (tried(table, CHANGE_RESULT, &result, -1) == 0 && part->equation != NULL && !is_zero(p, part->node))
+        return refuse(table, item(table, "to", to), "%s may have the other sign and every equality holds still", part->name);
     if (part->equation == NULL) /* the formula of a property says what is shown, and claims nothing */
         return true;
-    return all_changes_tell(table, to, part, p, part->node, formula);
+    return is_general(table, to, part) && all_changes_tell(table, to, part, p, part->node, formula);
 }
 
 /* What a step starts from it cannot lead to. */
@@ -445,7 +435,7 @@ static bool is_new(struct table *table, int to, const struct entry_part *part)
         const int count = entry_parts(table->d, table->s->from[i], from);
         for (int k = 0; k < count; k++)
             if (same_part(&from[k], part))
-                return refuse(table, item(table, "to", to), "%s is in from already%s", part->name, "");
+                return refuse(table, item(table, "to", to), "%s is in from already", part->name);
     }
     return true;
 }
@@ -453,7 +443,7 @@ static bool is_new(struct table *table, int to, const struct entry_part *part)
 static bool all_shown(struct table *table)
 {
     if (table->s->to_count == 0)
-        return refuse(table, table->s->node, "expected an equation or a property in 'to'%s%s", "", "");
+        return refuse(table, table->s->node, "expected an equation or a property in 'to'");
     for (int i = 0; i < table->s->to_count; i++) {
         struct entry_part parts[MOST_PARTS];
         const int count = entry_parts(table->d, table->s->to[i], parts);
@@ -472,26 +462,24 @@ static void note_names(struct table *table)
 {
     const struct identities *t = &table->s->corrected;
     const struct program *p = &t->program;
-    char *needed = xrealloc(NULL, (size_t)p->count * (size_t)t->shown_count, 1), *one = xrealloc(NULL, (size_t)p->count, 1);
-    memset(needed, 0, (size_t)p->count * (size_t)t->shown_count);
-    for (int i = 0; i < 2 * t->shown_count; i++) {
-        const int side = i % 2 ? t->shown[i / 2].left : t->shown[i / 2].right;
-        program_needs(p, side, NULL, one);
-        for (int k = 0; k <= side; k++)
-            needed[(i / 2) * p->count + k] |= one[k];
-    }
+    char *left = xrealloc(NULL, (size_t)p->count, 1), *right = xrealloc(NULL, (size_t)p->count, 1);
     for (int i = p->inputs; i < p->named; i++) {
+        const int node = p->names[i].node;
         int count = 0, last = -1;
-        for (int e = 0; e < t->shown_count; e++)
-            if (needed[e * p->count + p->names[i].node]) {
+        for (int e = 0; e < t->shown_count; e++) {
+            const struct equality *shown = &t->shown[e];
+            program_needs(p, shown->left, NULL, left);
+            program_needs(p, shown->right, NULL, right);
+            if ((node <= shown->left && left[node]) || (node <= shown->right && right[node])) {
                 count++;
                 last = e;
             }
+        }
         if (count == 1)
             table->alone[last] = true;
     }
-    free(needed);
-    free(one);
+    free(left);
+    free(right);
 }
 
 static bool all_wanted(struct table *table)
@@ -500,7 +488,7 @@ static bool all_wanted(struct table *table)
     note_names(table);
     for (int i = 0; i < t->shown_count; i++)
         if (!table->alone[i])
-            return refuse(table, t->shown[i].at, "%s could be left out: nothing in from and to needs it%s", t->shown[i].text, "");
+            return refuse(table, t->shown[i].at, "%s could be left out: nothing in from and to needs it", t->shown[i].text);
     return true;
 }
 

@@ -161,20 +161,18 @@ static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_
 {
     static const char *const own[] = {"title", "from", "to", "also", "printed", "remainders", "note", "where", NULL};
     static const char *const variant[] = {"let", "square roots", "show", NULL};
-    const char *known[32];
-    int count = 0;
+    const char *known[32] = {NULL};
     struct document *document = &d->document;
-    for (int i = 0; own[i] != NULL; i++)
-        known[count++] = own[i];
-    for (int i = 0; identities_keys[i] != NULL; i++)
-        known[count++] = identities_keys[i];
-    known[count] = NULL;
+    for (int i = 0, count = 0; i < 2; i++)
+        for (const char *const *key = i == 0 ? own : identities_keys; *key != NULL; key++)
+            known[count++] = *key;
     d->steps = xrealloc(d->steps, (size_t)d->step_count + 1, sizeof *d->steps);
     struct step *s = &d->steps[d->step_count++];
     *s = (struct step){.id = scalar(key), .node = node};
     const yaml_node_t *also = node->type == YAML_MAPPING_NODE ? child(document, node, "also") : NULL;
     if (!is_mapping(document, node, known) || !is_text(document, node, "title", true, &s->title) ||
-        !is_text(document, node, "note", false, &s->note) || !is_text(document, node, "where", false, &s->where) || (also != NULL && !is_mapping(document, also, NULL)) ||
+        !is_text(document, node, "note", false, &s->note) || !is_text(document, node, "where", false, &s->where) ||
+        (also != NULL && !is_mapping(document, also, NULL)) ||
         (s->from_count = read_ends(d, node, "from", s->from)) < 0 ||
         (s->to_count = read_ends(d, node, "to", s->to)) < 0)
         return false;
@@ -230,9 +228,8 @@ void derivations_clear(struct derivations *d)
             remainder_clear(&d->steps[i].remainders[k]);
         free(d->steps[i].remainders);
     }
-    for (int i = 0; i < d->definitions.count; i++) {
+    for (int i = 0; i < d->definitions.count; i++)
         program_clear(&d->definitions.sections[i].corrected.program);
-    }
     for (int i = 0; i < d->definitions.output_count; i++)
         free(d->definitions.outputs[i]);
     free(d->definitions.outputs);

@@ -85,8 +85,6 @@ static int signs_by_form(struct run *r, const struct node *n)
         return v != NULL && (v->quarter_turn || v->power > 0) ? SIGN_POSITIVE : SIGN_ANY;
     if (n->op == OPERATOR_EXP)
         return SIGN_POSITIVE;
-    if (n->op == OPERATOR_SIN || n->op == OPERATOR_ATAN2)
-        return SIGN_ANY;
     const int a = signs(r, n->left), b = n->right < 0 ? SIGN_ANY : signs(r, n->right);
     if (n->op == OPERATOR_NEGATE)
         return combine(a, SIGN_NEGATIVE, false);
@@ -100,9 +98,7 @@ static int signs_by_form(struct run *r, const struct node *n)
         return signs_power(n->exponent < 0 ? a & ~SIGN_ZERO : a, n->exponent);
     if (n->op == OPERATOR_SQRT)
         return a & ~SIGN_NEGATIVE;
-    if (n->op == OPERATOR_POSITIVE)
-        return (a & SIGN_POSITIVE) | (a & ~SIGN_POSITIVE ? SIGN_ZERO : 0);
-    return SIGN_ANY;
+    return n->op == OPERATOR_POSITIVE ? (a & SIGN_POSITIVE) | (a & ~SIGN_POSITIVE ? SIGN_ZERO : 0) : SIGN_ANY;
 }
 
 /* The signs that a node may have at epsilon = 0: by its form, and where that does not tell by its normal form. */
@@ -111,15 +107,13 @@ static int signs(struct run *r, int i)
     int *result = &r->nodes[i].signs;
     if (i < r->t->program.inputs)
         return r->t->variables[i].power > 0 ? SIGN_ZERO : r->t->variables[i].signs;
-    if (*result != 0)
-        return *result;
-    *result = signs_by_form(r, &r->t->program.nodes[i]);
-    const struct symbolic *x = *result == 0 || *result == SIGN_ANY ? value(r, i) : NULL;
-    if (*result == 0)
+    if (*result == 0 && ((*result = signs_by_form(r, &r->t->program.nodes[i])) == 0 || *result == SIGN_ANY)) {
+        const struct symbolic *x = value(r, i);
         *result = SIGN_ANY;
-    if (x != NULL && x->fault == SYMBOLIC_FINE && !x->angle)
-        *result = combine(signs_of_polynomial(r, fmpz_mpoly_q_numref(x->a)),
-                          signs_of_polynomial(r, fmpz_mpoly_q_denref(x->a)) & ~SIGN_ZERO, false);
+        if (x->fault == SYMBOLIC_FINE && !x->angle)
+            *result = combine(signs_of_polynomial(r, fmpz_mpoly_q_numref(x->a)),
+                              signs_of_polynomial(r, fmpz_mpoly_q_denref(x->a)) & ~SIGN_ZERO, false);
+    }
     return *result;
 }
 
@@ -179,6 +173,20 @@ static void run_end(struct run *r)
 }
 
 /* ---- evidence ---- */
+
+static FILE *text_open(char **text, size_t *size)
+{
+    FILE *out = open_memstream(text, size);
+    if (out == NULL)
+        out_of_memory();
+    return out;
+}
+
+static void text_close(FILE *out)
+{
+    if (fclose(out) != 0)
+        out_of_memory();
+}
 
 /* Of the inputs that are variables, in their order; an angle is known by t, the tangent of its half. */
 static char **variable_names(const struct run *r)
@@ -419,9 +427,7 @@ static char *tell(struct run *r, const struct finding *f, struct proof *p)
 {
     char *text = NULL;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (out == NULL)
-        out_of_memory();
+    FILE *out = text_open(&text, &size);
     const struct equality *e = &r->t->shown[f->at];
     if (f->root != NULL) {
         fprintf(out, "square root %s %s", f->root->text, f->why);
@@ -440,8 +446,7 @@ static char *tell(struct run *r, const struct finding *f, struct proof *p)
         print_difference(out, r, x, y, p);
         print_example(out, r, x, y);
     }
-    if (fclose(out) != 0)
-        out_of_memory();
+    text_close(out);
     return text;
 }
 
@@ -498,7 +503,7 @@ void proof_clear(struct proof *p)
     free(p->difference);
 }
 
-bool nodes_equal(const struct program *p, int left, int right, bool loose)
+bool nodes_equal(const struct program *p, int left, int right)
 {
     struct equality e = {.text = "", .left = left, .right = right};
     struct identities t = {.program = *p, .shown = &e, .shown_count = 1, .order = -1};
@@ -508,7 +513,7 @@ bool nodes_equal(const struct program *p, int left, int right, bool loose)
     memset(t.needed, 1, (size_t)p->count);
     for (int i = 0; i < p->inputs; i++)
         t.variables[i] = (struct variable){.signs = SIGN_ANY};
-    identities_broken(&t, loose, holds);
+    identities_broken(&t, true, holds);
     free(t.needed);
     free(t.variables);
     return holds[0];
@@ -522,9 +527,7 @@ char *identities_domain(const struct identities *t)
     char *text = NULL;
     const char *separator = "";
     size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (out == NULL)
-        out_of_memory();
+    FILE *out = text_open(&text, &size);
     for (int i = 0; i < t->program.inputs; i++) {
         const struct variable *v = &t->variables[i];
         if (!t->needed[i] || (!v->angle && v->power == 0 && v->signs == SIGN_ANY))
@@ -540,7 +543,6 @@ char *identities_domain(const struct identities *t)
     }
     if (*separator == '\0')
         fputs("all values", out);
-    if (fclose(out) != 0)
-        out_of_memory();
+    text_close(out);
     return text;
 }

@@ -29,7 +29,6 @@ struct equality {
 /* What a square root is said to be equal to: to be proved positive. */
 struct root {
     const char *text;
-    const yaml_node_t *at;
     int node;
 };
 
@@ -39,7 +38,6 @@ struct use {
     const struct relation *relation; /* NULL: none                               */
     const struct formulas *formulas;
     int part;                        /* the node in the section's program; 0 left, 1 right */
-    int first, last, node;           /* the copy                                 */
     int bound[MOST_BOUND];           /* what the section's inputs are            */
     int pair;                        /* of the numbers that alter it, -1: none   */
 };
@@ -130,7 +128,7 @@ void identities_prove(const struct identities *t, struct proof *p);
 int identities_broken(const struct identities *t, bool loose, bool holds[MOST_SHOWN]);
 void proof_clear(struct proof *p);
 
-/* Whether two nodes of a program are equal for all values of its inputs. */
-bool nodes_equal(const struct program *p, int left, int right, bool loose);
+/* Whether two nodes of a program are equal for all values of its inputs, whatever functions mean. */
+bool nodes_equal(const struct program *p, int left, int right);
 
 #endif

@@ -212,34 +212,33 @@ static int read_rate(struct parser *p)
     const int count = p->program->count;
     if (count > MOST_MOVING)
         return parse_refuse(p, "fewer rates of rates");
-    int *rate = xrealloc(NULL, (size_t)count, sizeof *rate), still = -1;
-    char *needed = xrealloc(NULL, (size_t)count, 1), *constant = xrealloc(NULL, (size_t)count, 1);
-    memset(constant, 0, (size_t)count);
-    for (int i = 0; i < count; i++)
+    int *rate = xrealloc(NULL, (size_t)count, sizeof *rate);
+    char *needed = xrealloc(NULL, (size_t)count, 1), *open = xrealloc(NULL, (size_t)count, 1);
+    const char *still = NULL; /* the sheet knows its rate, and nothing here does */
+    for (int i = 0; i < count; i++) {
         rate[i] = -1;
+        open[i] = i < s->sheet->quantity_count && rate_name(s->sheet, s->sheet->quantities[i].name, name);
+    }
     for (int i = 0; rates != NULL && i < length_of(rates); i++) {
         const int moving = program_find(p->program, scalar(key_of(s->document, rates, i)));
         const char *by = scalar(value_of(s->document, rates, i));
-        if (moving >= 0 && strcmp(by, "0") == 0)
-            constant[moving] = 1;
-        else if (moving >= 0)
-            rate[moving] = program_find(p->program, by);
+        if (moving < 0)
+            continue;
+        rate[moving] = program_find(p->program, by); /* no name is a number */
+        open[moving] = open[moving] && rate[moving] < 0 && strcmp(by, "0") != 0;
     }
     program_needs(p->program, node, rate, needed);
     for (int i = 0; i <= node && i < s->sheet->quantity_count; i++)
-        if (needed[i] && rate[i] < 0 && !constant[i] && rate_name(s->sheet, s->sheet->quantities[i].name, name))
-            still = i;
-    if (still >= 0) {
+        still = needed[i] && open[i] ? s->sheet->quantities[i].name : still;
+    if (still != NULL) {
         p->at = begin;
-        rate_name(s->sheet, s->sheet->quantities[still].name, name);
-        message_set(p->why, "rate() of what rests on %s, expected %s: %s among the rates, or %s: 0",
-                    s->sheet->quantities[still].name, s->sheet->quantities[still].name, name,
-                    s->sheet->quantities[still].name);
+        rate_name(s->sheet, still, name);
+        message_set(p->why, "rate() of what rests on %s, expected %s: %s among the rates, or %s: 0", still, still, name, still);
     }
-    const int result = still >= 0 ? -1 : program_derivative(p->program, node, rate, count);
+    const int result = still != NULL ? -1 : program_derivative(p->program, node, rate, count);
     free(rate);
     free(needed);
-    free(constant);
+    free(open);
     return result;
 }
 
@@ -302,16 +301,12 @@ int alteration_make(struct program *p, enum change change, int node, int wanted)
 /* The pair of free numbers that this use's part has for itself; -1: there is no room. */
 static int pair_of(struct identities *t, const struct use *u)
 {
-    int pair = t->pairs;
     for (int i = 0; i < t->use_count; i++) {
         const struct use *other = &t->uses[i];
         if (other->formulas == u->formulas && other->relation == u->relation && other->part == u->part && other->pair >= 0)
             return other->pair;
     }
-    if (pair == PAIRS)
-        return -1;
-    t->pairs++;
-    return pair;
+    return t->pairs < PAIRS ? t->pairs++ : -1;
 }
 
 /* The copy, altered: a F + b, of an angle F + b, or -F. */
@@ -342,15 +337,14 @@ static int take_part(const struct reading *r, struct use u, const struct program
         wanted = alteration_make(&copy, a->change, a->node, wanted);
     for (int i = 0; i < from->inputs && i < MOST_BOUND; i++)
         u.bound[i] = stand_in[i];
-    u.first = t->program.count;
     u.pair = -1;
+    const int first = t->program.count;
     int node = program_inline(&t->program, &copy, wanted, stand_in);
-    if (node < u.first) /* a name alone: it shall be a node of its own */
+    if (node < first) /* a name alone: it shall be a node of its own */
         for (int i = 0; i < 2; i++)
             node = program_append(&t->program, OPERATOR_NEGATE, node, -1, 0);
     if (altered)
         node = alter_result(t, a, &u, node);
-    u.last = u.node = node;
     t->uses = xrealloc(t->uses, (size_t)t->use_count + 1, sizeof *t->uses);
     t->uses[t->use_count++] = u;
     program_clear(&copy);
@@ -631,13 +625,11 @@ static bool takes_formula(const char *text)
 static void add_let(struct identities *t, const char *name, const char *formula)
 {
     enum { SHORT = 40 };
-    const size_t size = strlen(name) + SHORT + 24;
+    char text[LONGEST_NAME + SHORT + 24];
+    const bool is_short = strlen(formula) < SHORT;
+    snprintf(text, sizeof text, "%s%s%s", name, is_short ? " = " : " by its definition", is_short ? formula : "");
     t->lets = xrealloc(t->lets, (size_t)t->sheet_lets + 1, sizeof *t->lets);
-    t->lets[t->sheet_lets] = xrealloc(NULL, size, 1);
-    if (strlen(formula) < SHORT)
-        snprintf(t->lets[t->sheet_lets++], size, "%s = %s", name, formula);
-    else
-        snprintf(t->lets[t->sheet_lets++], size, "%s by its definition", name);
+    t->lets[t->sheet_lets++] = text_copy(text);
 }
 
 /* What is printed differs in some definitions: by the same names, so that the order is the step's. */
@@ -677,7 +669,7 @@ static bool read_roots(struct identities *t, const struct scope *s)
     for (; t->root_count < length_of(roots); t->root_count++) {
         const yaml_node_t *item = item_of(s->document, roots, t->root_count);
         struct root *root = &t->roots[t->root_count];
-        *root = (struct root){.text = scalar(item), .at = item, .node = identities_formula(t, s, item)};
+        *root = (struct root){.text = scalar(item), .node = identities_formula(t, s, item)};
         if (root->node < 0)
             return false;
     }
@@ -712,9 +704,8 @@ static void mark_needed(struct identities *t)
     t->needed = xrealloc(NULL, count, 1);
     memset(t->needed, 0, count);
     for (int i = 0; i < 2 * t->shown_count + t->root_count; i++) {
-        const int k = i - 2 * t->shown_count, node = k >= 0    ? t->roots[k].node
-                                                     : i % 2 ? t->shown[i / 2].left
-                                                             : t->shown[i / 2].right;
+        const int k = i - 2 * t->shown_count;
+        const int node = k >= 0 ? t->roots[k].node : i % 2 ? t->shown[i / 2].left : t->shown[i / 2].right;
         program_needs(&t->program, node, NULL, one);
         for (int j = 0; j <= node; j++)
             t->needed[j] |= one[j];

@@ -59,7 +59,8 @@ static void evaluate(struct search *s, arb_t z, arb_srcptr state)
 static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
 {
     const int inputs = s->inputs;
-    arb_ptr low = box, high = box + inputs, state = _arb_vec_init(inputs);
+    arb_ptr low = box, high = box + inputs;
+    VECTOR(arb, state, inputs);
     SCOPE(mag, change, most, all);
     int widest = -1;
     for (int i = 0; i < inputs; i++)
@@ -87,14 +88,14 @@ static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
     evaluate(s, z, state);
     arb_mul_si(z, z, sign, BITS);
     arb_add_error_mag(z, all);
-    _arb_vec_clear(state, inputs);
     return widest;
 }
 
 /* False as soon as a value above the bound was found, or too many boxes were needed. */
 static bool is_below(struct search *s, arb_srcptr box, int sign, int depth)
 {
-    arb_ptr part = _arb_vec_init(2 * s->inputs), low = part, high = part + s->inputs;
+    VECTOR(arb, part, 2 * s->inputs);
+    arb_ptr low = part, high = part + s->inputs;
     SCOPE(arb, z, end);
     _arb_vec_set(part, box, 2 * s->inputs);
     const int i = bound_above(s, z, part, sign);
@@ -104,11 +105,10 @@ static bool is_below(struct search *s, arb_srcptr box, int sign, int depth)
         arb_add(high + i, low + i, high + i, BITS);
         arb_mul_2exp_si(high + i, high + i, -1);
         below = is_below(s, part, sign, depth + 1);
-        arb_set(low + i, high + i);
-        arb_set(high + i, end);
+        arb_swap(low + i, high + i);
+        arb_swap(high + i, end);
         below = below && is_below(s, part, sign, depth + 1);
     }
-    _arb_vec_clear(part, 2 * s->inputs);
     return below;
 }
 

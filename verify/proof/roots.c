@@ -22,6 +22,9 @@
 
 enum { DEGREE = 4, MOST_DOUBLINGS = 6 };
 
+SCOPED(qqbar)
+SCOPED_VECTOR(qqbar, qqbar_ptr)
+
 /* p of (41), or with Omega = 1 the polynomial in s. */
 static void polynomial(fmpq_poly_t p, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2)
 {
@@ -45,8 +48,7 @@ static void polynomial(fmpq_poly_t p, const fmpq_t Omega, const fmpq_t C1, const
 
 /* ---- isolation -------------------------------------------------------- */
 
-/* Durand and Kerner's iteration in double: a start that nothing relies on. False when it is none.
- */
+/* Durand and Kerner's iteration in double: a start that nothing relies on. False when it is none. */
 static bool approximate(acb_ptr roots, const acb_poly_t p)
 {
     double a[DEGREE];
@@ -101,8 +103,7 @@ static bool pair_up(acb_ptr roots)
     return paired;
 }
 
-/* Four disjoint enclosures, of one root each for every polynomial in the balls; false when not
- * reached. */
+/* Four disjoint enclosures, of one root each for every polynomial in the balls; false when not reached. */
 static bool isolate(acb_ptr roots, const acb_poly_t p, slong prec)
 {
     VECTOR(acb, start, DEGREE);
@@ -155,9 +156,8 @@ static bool may_be_equal(const fmpq_poly_t p, const fmpq_t c1, const fmpq_t c2)
 }
 
 /* The roots as algebraic numbers, sorted. */
-static qqbar_ptr exact_roots(const fmpq_poly_t p)
+static void exact_roots(qqbar_ptr z, const fmpq_poly_t p)
 {
-    qqbar_ptr z = _qqbar_vec_init(DEGREE);
     qqbar_roots_fmpq_poly(z, p, QQBAR_ROOTS_UNSORTED);
     for (int last = DEGREE - 1; last > 0; last--)
         for (int k = 0; k < last; k++) {
@@ -165,13 +165,13 @@ static qqbar_ptr exact_roots(const fmpq_poly_t p)
             if (by_real > 0 || (by_real == 0 && qqbar_cmp_im(z + k, z + k + 1) > 0))
                 qqbar_swap(z + k, z + k + 1);
         }
-    return z;
 }
 
 /* Equal parts get equal enclosures. */
 static void enclose_exact_roots(acb_ptr roots, const fmpq_poly_t p, slong prec)
 {
-    qqbar_ptr z = exact_roots(p);
+    VECTOR(qqbar, z, DEGREE);
+    exact_roots(z, p);
     for (int k = 0; k < DEGREE; k++) {
         qqbar_get_acb(roots + k, z + k, prec);
         if (qqbar_sgn_re(z + k) == 0)
@@ -183,7 +183,6 @@ static void enclose_exact_roots(acb_ptr roots, const fmpq_poly_t p, slong prec)
         if (k > 0 && qqbar_equal(z + k, z + k - 1))
             acb_set(roots + k, roots + k - 1);
     }
-    _qqbar_vec_clear(z, DEGREE);
 }
 
 /* ---- the interface ---------------------------------------------------- */
@@ -254,18 +253,13 @@ bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec)
 bool roots41_rational(fmpq_t value, int k, bool imaginary, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2)
 {
     SCOPE(fmpq_poly, p);
-    qqbar_t part;
-    qqbar_init(part);
+    SCOPE(qqbar, part);
+    VECTOR(qqbar, z, DEGREE);
     polynomial(p, Omega, C1, C2);
-    qqbar_ptr z = exact_roots(p);
-    if (imaginary)
-        qqbar_im(part, z + k);
-    else
-        qqbar_re(part, z + k);
+    exact_roots(z, p);
+    (imaginary ? qqbar_im : qqbar_re)(part, z + k);
     const bool rational = qqbar_is_rational(part) != 0;
     if (rational)
         qqbar_get_fmpq(value, part);
-    _qqbar_vec_clear(z, DEGREE);
-    qqbar_clear(part);
     return rational;
 }
