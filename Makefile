@@ -156,7 +156,7 @@ $(FAULTS): tests/faults.c
 
 ### Fuzzing
 # The program as a function, apart from what it must not do (tests/fuzz/apart.c).
-APART   := fopen rename client_start sheet_close flint_cleanup verdict_rows measure_errors kills_print command_study \
+APART   := fopen rename client_start sheet_close flint_cleanup step_bind verdict_rows measure_errors kills_print command_study \
   vectors_random roots41_gains flow_linear flow_nonlinear rk4_linear rk4_nonlinear
 TARGETS := $(addprefix $(BUILD)/tests/fuzz/,main.o targets.o readers.o program.o apart.o)
 CORPORA := $(notdir $(wildcard tests/fuzz/corpus/*))
