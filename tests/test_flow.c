@@ -293,7 +293,7 @@ END_TEST
  */
 START_TEST(eq40_flow_holds_both_ends_of_every_ball)
 {
-    struct scene wide = scene_of(0x1p-14, 150, 150, 8, 10, 3), end = scene_of(0x1p-14, 150, 150, 8, 10, 3);
+    struct scenario wide = scenario_of(0x1p-14, 150, 150, 8, 10, 3), end = scenario_of(0x1p-14, 150, 150, 8, 10, 3);
     const bool peak = _i == 4 + FLOW_STATE;
     const slong t = peak ? 12868 : 1 << 14; /* pi/4 radians, or one */
     const double start[] = {0.5, peak ? 0 : 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14};
@@ -318,8 +318,8 @@ START_TEST(eq40_flow_holds_both_ends_of_every_ball)
     }
     arb_clear(centre);
     run_close(&r);
-    scene_close(&wide);
-    scene_close(&end);
+    scenario_close(&wide);
+    scenario_close(&end);
 }
 END_TEST
 
@@ -1105,7 +1105,7 @@ END_TEST
 /* Zero is outside, and so is a ball that reaches it. */
 START_TEST(at_the_edge_of_the_domain_no_flow_starts)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     arb_ptr positive[] = {s.p.Omega, s.p.L_ref, s.p.k_c, s.p.m1, s.p.m2};
     for (int wide = 0; wide < 2; wide++) {
         arb_t kept;
@@ -1123,28 +1123,28 @@ START_TEST(at_the_edge_of_the_domain_no_flow_starts)
         arb_swap(kept, positive[_i]);
         arb_clear(kept);
     }
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 /* Nor where the craft may be in one place, if not for the centre of the ball. */
 START_TEST(where_craft_may_meet_no_flow_starts)
 {
-    struct scene s = paper();
+    struct scenario s = paper();
     start_at(&s, 0.5, 0, 0.25, 0, 0, 0);
     mag_set_d(arb_radref(s.start), 1);
     mag_set_d(arb_radref(s.start + 2), 1);
     struct run r = run_to(&s, NONLINEAR, 100);
     ck_assert_int_eq(r.status, FLOW_DOMAIN);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
 /* Nor with anything infinite or undefined. */
 START_TEST(outside_all_numbers_no_flow_starts)
 {
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     arb_ptr value[] = {s.p.Omega, s.p.L_ref, s.p.C1, s.p.C2, s.start, s.start + 5, s.p.k_c, s.p.m1, s.p.m2};
     for (int infinite = 0; infinite < 2; infinite++)
         for (int m = LINEAR; m <= NONLINEAR; m++)
@@ -1159,7 +1159,7 @@ START_TEST(outside_all_numbers_no_flow_starts)
                 arb_swap(kept, value[_i]);
                 arb_clear(kept);
             }
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
@@ -1167,7 +1167,7 @@ END_TEST
 START_TEST(at_time_zero_the_state_is_the_initial_one)
 {
     const slong times[] = {0, 0};
-    struct scene s = paper_nonlinear();
+    struct scenario s = paper_nonlinear();
     mag_set_d(arb_radref(s.start), 0x1p-20);
     struct run r = run_through(&s, NONLINEAR, times, _i, 17, 0, 0);
     ck_assert_int_eq(r.status, FLOW_DONE);
@@ -1175,7 +1175,7 @@ START_TEST(at_time_zero_the_state_is_the_initial_one)
     for (int k = 0; k < _i; k++)
         assert_same(r.states + k * FLOW_STATE, s.start);
     run_close(&r);
-    scene_close(&s);
+    scenario_close(&s);
 }
 END_TEST
 
