@@ -3,7 +3,7 @@
     python3 coverage/mutants.py BUILD [--kind soundness] [--sample N] [--seed S] [--only FILE, or how its name begins] [--workers N]
     python3 coverage/mutants.py --self-test
 
-Every mutant of ref/ and of the two sheets, and a sample of verify/, is built and put before the fastest check that should
+Every mutant of ref/ and of the three sheets, and a sample of verify/, is built and put before the fastest check that should
 notice it; what passes of verify/, before the same under the sanitizers; what survives, before all. A mutant is one shared
 library made anew, in a shadow of the source tree whose files are links. --kind soundness takes all of verify/ instead, by what makes a bound too narrow or a proof none, and
 stops where the checks that should notice do not: no such survivor is let pass. Verdicts are kept in BUILD/results.csv, by the
@@ -47,6 +47,7 @@ SANITIZE = shlex.split(os.environ.get('MUTANT_SANITIZE', ''))
 STRICT = ['-O2', '-Wall', '-Wextra', '-Wpedantic', '-Werror']
 ALONE = {'verify/command/main.c': 'coulomb-tether', 'verify/command/sheet_check.c': 'sheet-check'}
 SHEETS = ('paper/equations.yaml', 'paper/derivations.yaml', 'paper/claims.yaml')
+COUNTED = ('verify/', *SHEETS[1:])  # what a sample of these survives is counted, not pursued: not all that is equivalent is listed
 
 Check = collections.namedtuple('Check', 'name command expected seconds')  # expected: what it has to print, where that counts
 
@@ -526,7 +527,7 @@ def summary(parts, results, known, complete, every=False):
         score = count['killed'] / judged if judged else 1
         print(f"{part:24}{len(chosen):7}{len(chosen) - count['not viable']:8}{count['killed']:8}{count['time']:9}"
               f"{count['listed'] + count['same code']:12}{len(survivors):10}{math.floor(1000 * score) / 10:7.1f} %")
-        if part != 'verify/' or every:
+        if part not in COUNTED or every or complete and part != 'verify/':
             unlisted += survivors
         elif len(survivors) > (judged * (1 - VERIFY_LEAST) if complete else most_survivors(judged)):
             unlisted += survivors
@@ -551,14 +552,15 @@ def draw(chosen, number, seed):
 def choose(parts, arguments, known):
     """All of ref/ and the sheets and a sample of verify/; or of each part a sample of what is not listed.
 
-    A mutant of verify/ takes as long as a dozen others, for its checks follow motions, and so a tenth of the sample is of it.
+    A mutant of verify/, or of the claims, takes as long as a dozen others, for its checks follow motions, and so a tenth of the
+    sample is of each.
     """
     if arguments.kind and not arguments.sample:
         return parts
     if not arguments.sample:
         return {part: draw(chosen, VERIFY_SAMPLE, VERIFY_SEED) if part == 'verify/' else chosen for part, chosen in parts.items()}
     return {part: draw([mutant for mutant in chosen if (mutant.file, mutant.shown) not in known],
-                       math.ceil(arguments.sample * (0.1 if part == 'verify/' else 0.3)), arguments.seed)
+                       math.ceil(arguments.sample * (0.1 if part in ('verify/', SHEETS[2]) else 0.3)), arguments.seed)
             for part, chosen in parts.items()}
 
 
@@ -612,7 +614,7 @@ def main():
     judge(link_all(base / 'sanitized'), [mutant for mutant in chosen if mutant.file.startswith('verify/')], results, 'clean',
           arguments.workers)
     if arguments.sample:
-        chosen = [mutant for mutant in chosen if not mutant.file.startswith('verify/')]
+        chosen = [mutant for mutant in chosen if part_of(mutant.file) not in COUNTED]
     judge(linked, chosen, results, 'survived', arguments.workers)
     return summary(parts, results, known, not arguments.sample)
 
