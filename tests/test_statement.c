@@ -269,6 +269,8 @@ static const struct {
     {"{holds: a and b}", "{holds: a}", "t:8:8: 'b' serves no verdict and no number"},
     {"{holds: a and b}", "{refuted: a and b}", "missing why"},
     {"a: dL > 0", "a: dL", "t:7:8: expected left = right"},
+    {"a: dL > 0", "a: eq05.x1 + 1 = eq05.x1+1", "t:7:8: both sides are the same"},
+    {"a: dL > 0", "a: {show: dL <= dL}", "t:7:15: both sides are the same"},
     {"a: dL > 0", "a: dL > nothing", "t:7:13: unknown symbol 'nothing'"},
     {"a: dL > 0", "a: {sohw: dL > 0}", "t:7:9: unknown key 'sohw'"},
     {"a: dL > 0", "a: {on: {x: [0, 1]}}", "t:7:8: expected left = right, or one of"},

@@ -293,6 +293,17 @@ static bool read_identity(struct reading *r, struct assertion *a, const yaml_nod
     return f.fine;
 }
 
+/* The same but for blanks. */
+static bool same_text(const char *a, const char *a_end, const char *b)
+{
+    for (;; a++, b++) {
+        a += strspn(a, " ");
+        b += strspn(b, " ");
+        if (a >= a_end || *a != *b)
+            return a >= a_end && *b == '\0';
+    }
+}
+
 static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t *show)
 {
     size_t length;
@@ -300,6 +311,8 @@ static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t 
     const bool somewhere = own(r, "at") != NULL || own(r, "for") != NULL;
     if (sign == NULL)
         return refuse(r, show, "expected left = right, or another sign of < > <= >= != between them");
+    if (same_text(scalar(show), sign, sign + length))
+        return refuse(r, show, "both sides are the same, expected what could be otherwise");
     return a->ordering == IS_EQUAL && !somewhere ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
 }
 
