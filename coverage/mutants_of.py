@@ -8,8 +8,10 @@ name that has a sibling (m1 and m2, x, y and z) is exchanged for it. Not mutated
 
 Of C, soundness alone: what makes a bound too narrow or a proof none, at every place where it can be done.
 
-Of YAML: every word, number and operator outside comments and prose, one at a time.
+Of YAML: every word, number and operator outside comments and prose, one at a time; of the steps also an equality left out or made
+a tautology, an entry of from or to left out.
 """
+import itertools
 import re
 
 # ---- names that are mistaken for each other ----
@@ -428,10 +430,22 @@ def yaml_mutants(text):
                 yield a, b, yaml_other(word, names)
 
 
+def step_mutants(text):
+    """A step that shows less than it says: an equality left out or made a tautology, an entry of from or to left out."""
+    for m in re.finditer(r'^      - ([^\n"]+?) = ([^\n"]+)\n(?!        )', text, re.M):
+        yield m.start(), m.end(), ''
+        yield m.start(1), m.end(2), f'{m.group(1)} = {m.group(1)}'
+        yield m.start(1), m.end(2), f'{m.group(2)} = {m.group(2)}'
+    for m in re.finditer(r'^    (?:from|to): \[(.*)\]$', text, re.M):
+        entries = m.group(1).split(', ')
+        yield from ((m.start(1), m.end(1), ', '.join(entries[:i] + entries[i + 1:])) for i in range(len(entries)))
+
+
 def mutants(path, text, kind=''):
     """In the order of the file, without repetition."""
     seen = set()
-    for mutant in sorted(yaml_mutants(text) if path.endswith('.yaml') else C(text).soundness() if kind else C(text).mutants()):
+    found = yaml_mutants(text) if path.endswith('.yaml') else C(text).soundness() if kind else C(text).mutants()
+    for mutant in sorted(itertools.chain(found, step_mutants(text) if path.endswith('derivations.yaml') else ())):
         start, end, by = mutant
         if text[start:end] != by and mutant not in seen:
             seen.add(mutant)
