@@ -704,7 +704,7 @@ static bool read_texts(struct reading *r, struct statement *s)
     if (!read_words(r, "where", true, &s->where) || !read_words(r, "kind", true, &s->kind))
         return false;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        known = known || strcmp(s->kind, kinds[i]) == 0;
+        known = known || (s->kind != NULL && strcmp(s->kind, kinds[i]) == 0);
     if (!known)
         return refuse(r, own(r, "kind"), "expected a kind: statement, implied, misprint, number or beyond");
     return read_words(r, "claim", true, &s->claim) && read_words(r, "why", false, &s->why) && read_words(r, "evidence", true, &s->evidence);
