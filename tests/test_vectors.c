@@ -191,10 +191,10 @@ START_TEST(a_defect_leaves_the_domain)
 {
     const struct section *s = operation_at(_i);
     struct operation o;
-    struct input *inputs = inputs_new(s->input_count);
     double values[40];
     if (s->method == METHOD_NONE)
         return;
+    struct input *inputs = inputs_new(s->input_count);
     operation_init(&o, s, false);
     for (uint64_t k = 0; k < 64; k++) {
         sample(&o, SEED, k, values, inputs);
