@@ -264,6 +264,7 @@ static const struct {
     {"{holds: a and b}", "{holds: a and b and d}", "t:5:32: expected a name of prove"},
     {"{holds: a and b}", "{holds: a and}", "t:5:25: expected a name of prove"},
     {"{holds: a and b}", "{holds: (a and b}", "t:5:28: expected ')'"},
+    {"{holds: a and b}", "{holds: ((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((}", "expected less nesting"},
     {"{holds: a and b}", "{holds: a b}", "t:5:22: expected and, or"},
     {"{holds: a and b}", "{holds: a.x and b}", "t:5:20: expected a name of prove"},
     {"{holds: a and b}", "{holds: a}", "t:8:8: 'b' serves no verdict and no number"},

@@ -75,10 +75,11 @@ const struct computation *computation_of(const struct computed *c)
 
 static struct handed *announced(const struct computed *c, const char *name, bool is_truth)
 {
-    for (int i = 0; name != NULL && i < c->count; i++)
+    struct handed *found = NULL;
+    for (int i = 0; name != NULL && i < c->count && found == NULL; i++)
         if (c->results[i].is_truth == is_truth && strcmp(c->results[i].name, name) == 0)
-            return &c->results[i];
-    return NULL;
+            found = &c->results[i];
+    return found;
 }
 
 static const struct handed *result(struct computed *c, const char *name, bool is_truth)
@@ -93,21 +94,21 @@ static const struct handed *result(struct computed *c, const char *name, bool is
 bool computed_number(struct computed *c, const char *name, arb_t value, enum how *how)
 {
     const struct handed *r = result(c, name, false);
-    if (r == NULL)
-        return false;
-    arb_set(value, r->value);
-    *how = r->how;
-    return true;
+    if (r != NULL) {
+        arb_set(value, r->value);
+        *how = r->how;
+    }
+    return r != NULL;
 }
 
 bool computed_truth(struct computed *c, const char *name, enum truth *truth, enum how *how)
 {
     const struct handed *r = result(c, name, true);
-    if (r == NULL)
-        return false;
-    *truth = r->truth;
-    *how = r->how;
-    return true;
+    if (r != NULL) {
+        *truth = r->truth;
+        *how = r->how;
+    }
+    return r != NULL;
 }
 
 /* A name that the computation does not announce is a mistake of the program. */

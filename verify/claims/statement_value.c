@@ -114,8 +114,6 @@ static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
     struct bindings within;
     const struct formula *f = formula_of_name(&within, &value, b, name);
     const size_t length = strcspn(name, ".");
-    if (is_moving(b, name))
-        return false;
     if (f != NULL)
         return !(value != NULL && value->uncertain) && formula_rational(q, f, &within);
     for (int i = 0; i < b->statement->assertion_count; i++) {

@@ -193,13 +193,12 @@ void verdict_on_equation(struct verdict_row *row, const struct proof_results *p,
     if (s->differs) {
         add(row, "; %.*s", (int)strlen(s->reason) - 1, s->reason); /* but for its full stop */
         const enum difference differs = compare_instances(row, s);
-        if (differs == NONE)
-            row->verdict = VERDICT_NONE; /* what is printed must differ somewhere */
-        else if (differs == INSIDE) {
+        if (differs == INSIDE)
             add_reason(row, s->reason);
-            row->verdict = row->verdict == HOLDS ? HOLDS_AS_CORRECTED : VERDICT_NONE;
-        } else
+        else
             add(row, ": outside the condition that the paper states for it");
+        if (differs != OUTSIDE) /* what is printed must differ somewhere */
+            row->verdict = differs == INSIDE && row->verdict == HOLDS ? HOLDS_AS_CORRECTED : VERDICT_NONE;
     }
     if (s->method == METHOD_NONE) {
         const char *before = steps > 0 ? "; " : "a definition, ";

@@ -176,8 +176,7 @@ static void diagnosis_text(const struct summary *t, FILE *file)
 {
     if (t->diagnosis[0] != '\0')
         fprintf(file, "  looks like: %s\n", t->diagnosis);
-    if (t->hurried)
-        fputs("  not all known mistakes were tried, it would take too long\n", file);
+    fputs(t->hurried ? "  not all known mistakes were tried, it would take too long\n" : "", file);
 }
 
 /* ---- text ---- */
