@@ -263,11 +263,10 @@ static void judge_step(const char *step, char said[600])
     struct message why = {""};
     struct proof p;
     struct binding b = {.mutants = 0};
-    strcpy(said, "nothing");
-    if (!read_step_text(&d, step, &why)) {
-        strcpy(said, why.text);
+    const bool read = read_step_text(&d, step, &why);
+    snprintf(said, 600, "%s", read ? "nothing" : why.text);
+    if (!read)
         return;
-    }
     identities_prove(&d.steps[0].corrected, &p);
     if (p.result == IDENTITY_HOLDS)
         step_bind(&d, &d.steps[0], &b);

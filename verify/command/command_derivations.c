@@ -160,17 +160,17 @@ static void json_dropped(const struct document *d, const struct step *s)
 {
     char *text = NULL;
     size_t size;
-    FILE *out = s->remainder_count > 0 ? open_memstream(&text, &size) : NULL;
-    if (s->remainder_count > 0 && out == NULL)
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
         out_of_memory();
     for (int k = 0; k < s->remainder_count; k++) {
         const struct remainder *r = &s->remainders[k];
         fprintf(out, "%s(%s) drops at most %s %s for ", k > 0 ? "; " : "", r->equation, r->at_most, r->unit);
         print_states(out, d, r->on);
     }
-    if (out != NULL && fclose(out) != 0)
+    if (fclose(out) != 0)
         out_of_memory();
-    json_member("dropped", text);
+    json_member("dropped", s->remainder_count > 0 ? text : NULL);
     free(text);
 }
 
