@@ -417,7 +417,7 @@ static void assert_inside(struct test_run *e, uint64_t position, char *const *ou
     if (count > 1) { /* a number that is none tells more than one that is too large */
         snprintf(more, sizeof more, "inf nan");
         for (int k = 2; k < count; k++)
-            strcat(strcat(more, " "), outputs[k]);
+            snprintf(more + strlen(more), sizeof more - strlen(more), " %s", outputs[k]);
         assert_found(e, position, more, OUTCOME_NAN);
     }
 }
@@ -427,13 +427,14 @@ static void assert_outside(struct test_run *e, uint64_t position)
     const int count = e->comparators[0].operation->section->output_count;
     char zeros[2 * MOST_OUTPUTS + 8] = "", nans[4 * MOST_OUTPUTS + 8] = "";
     for (int k = 0; k < count; k++) {
-        strcat(zeros, k ? " 0" : "0");
-        strcat(nans, k ? " nan" : "nan");
+        snprintf(zeros + strlen(zeros), sizeof zeros - strlen(zeros), "%s0", k ? " " : "");
+        snprintf(nans + strlen(nans), sizeof nans - strlen(nans), "%snan", k ? " " : "");
     }
     assert_found(e, position, "invalid", OUTCOME_RIGHT);
     assert_found(e, position, zeros, OUTCOME_VALUE);
     assert_found(e, position, nans, OUTCOME_VALUE);
-    assert_found(e, position, strcat(zeros, " 0"), OUTCOME_COUNT);
+    snprintf(zeros + strlen(zeros), sizeof zeros - strlen(zeros), " 0");
+    assert_found(e, position, zeros, OUTCOME_COUNT);
     assert_found(e, position, "invalid inputs", OUTCOME_MALFORMED);
     assert_found(e, position, "skip", OUTCOME_SKIPPED);
 }

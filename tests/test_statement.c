@@ -179,7 +179,8 @@ START_TEST(a_claim_may_rest_on_another)
     char text[4096], both[8192];
     write_claim(text, "a", NULL, "a: dL > 0", NULL);
     snprintf(both, sizeof both, "%sd%s", text, strchr(text, ':'));
-    strcpy(strstr(strstr(both, "\nd:"), "a: dL > 0"), "a: {claim: c}\n  evidence: e\n");
+    char *second = strstr(strstr(both, "\nd:"), "a: dL > 0");
+    snprintf(second, sizeof both - (size_t)(second - both), "a: {claim: c}\n  evidence: e\n");
     assert_ruled(both, HOLDS, true, "");
     strstr(both, "dL > 0")[3] = '<';
     assert_ruled(both, VERDICT_NONE, false, "d is undecided: 'a'");

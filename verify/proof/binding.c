@@ -13,7 +13,7 @@
 static bool is_number_of(const char *entry, const char *equation)
 {
     const size_t length = strlen(entry);
-    return strncmp(entry, equation, length) == 0 && (equation[length] < '0' || equation[length] > '9');
+    return equation != NULL && strncmp(entry, equation, length) == 0 && (equation[length] < '0' || equation[length] > '9');
 }
 
 /* The number that an output has: those that no relation has are dealt out to the outputs in turn. */
