@@ -227,11 +227,11 @@ mutants:
 
 mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/command/main verify/command/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c)))
 
-# cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar).
+# cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar), and what SCOPE initialises in symbolic.c for unset.
 ## lint: clang-tidy and cppcheck, without findings
 lint: $(patsubst %.c,$(BUILD)/lint/%.tidied,$(SOURCES))
 	cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,performance,portability \
-	  --inline-suppr --suppress=missingIncludeSystem --suppress=ctuuninitvar -Iref -Iverify ref verify tests
+	  --inline-suppr --suppress=missingIncludeSystem --suppress=ctuuninitvar --suppress=uninitvar:verify/formula/symbolic.c -Iref -Iverify ref verify tests
 
 $(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*/*.h tests/*.h tests/fuzz/*.h)
 	@mkdir -p $(@D)

@@ -115,7 +115,7 @@ static bool is_below(struct search *s, arb_srcptr box, int sign, int depth)
 /* What is dropped is mostly largest at a corner: a bound below it is found out at once. */
 static void try_corners(struct search *s, arb_srcptr box)
 {
-    int moving[MOST_MOVING], count = 0;
+    int moving[MOST_MOVING] = {0}, count = 0;
     VECTOR(arb, corner, s->inputs);
     SCOPE(arb, z);
     _arb_vec_set(corner, box, s->inputs);
