@@ -18,7 +18,7 @@ prepare() { :; }
 inspect() { :; }
 
 traced() { # STRACE-OPTION... PROGRAM ARGUMENT...
-    timeout -k 1 30 strace -qq -e signal=none -o "$work/trace" "$@" <"$input" >"$work/out" 2>"$work/err"
+    timeout -k 1 120 strace -qq -e signal=none -o "$work/trace" "$@" <"$input" >"$work/out" 2>"$work/err"
 }
 
 # CALLS ERROR STRACE-OPTION... -- ARGUMENT...: each of these calls fails in turn; where $client_only is set, those alone
