@@ -356,7 +356,7 @@ class C:
 
 # ---- YAML ----
 
-PROSE = ('title', 'note', 'meaning', 'reason')
+PROSE = ('title', 'note', 'meaning', 'reason', 'why', 'claim', 'where')
 WORD = re.compile(r'[A-Za-z_][\w.]*(?:-[A-Za-z_]\w*)*|\d+(?:\.\d+)?(?:[eE][+-]?\d+)?[a-z]?(?![\w.])|<=|>=|[-+*/^<>=@]')
 
 
