@@ -391,6 +391,8 @@ def likely(mutant):
                 'domains', 'gate', 'table1']
     if mutant.file == SHEETS[1]:
         return ['derivations', 'gate']
+    if mutant.file == SHEETS[2]:
+        return ['verdicts', 'test_verdicts']
     if mutant.file.startswith('ref/'):
         return [f'test_ref_{stem}', 'oracle scalar', *(f'test_ref_{other}' for other in REF)]
     return NOTICED_BY[max((name for name in NOTICED_BY if stem.startswith(name)), key=len)]
