@@ -676,7 +676,8 @@ static const struct {
     {"\"$CT_PROGRAM\" verify derivations | grep -q 'steps hold'", 0},
     {"\"$CT_PROGRAM\" verify derivations --graph | dot -Tsvg | grep -q '</svg>'", 0},
     {"\"$CT_PROGRAM\" verify derivations --graph | grep -q '^  \"coulomb_law\" .label=\"coulomb law\", '", 0},
-    {"\"$CT_PROGRAM\" verify derivations --json | python3 -m json.tool >/dev/null", 0},
+    {"\"$CT_PROGRAM\" verify derivations --json | "
+     "if command -v python3 >/dev/null; then python3 -m json.tool >/dev/null; else grep -q '\"id\": \"kepler\"'; fi", 0},
     {"\"$CT_PROGRAM\" verify derivations --graph --json 2>/dev/null", 2},
     {"\"$CT_PROGRAM\" verify derivation 2>/dev/null", 2},
     {"\"$CT_PROGRAM\" verify derivations --seed 7 2>/dev/null", 2},
