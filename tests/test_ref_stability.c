@@ -302,7 +302,8 @@ END_TEST
 
 START_TEST(eq41_roots_reject_coefficients_that_overflow)
 {
-    const struct ct_gains gains[] = {{1e308, 1}, {1, 1e308}}; /* finite, but not three times as much */
+    /* finite, but not three times as much; the third without damping */
+    const struct ct_gains gains[] = {{1e308, 1}, {1, 1e308}, {1e308, 0}};
     struct ct_root r[4];
 
     ck_assert_int_eq(ct_characteristic_roots(1, gains[_i], r), CT_DOMAIN);
@@ -419,7 +420,7 @@ static TCase *gain_choice(void)
     tcase_add_test(c, eq42_rejects_each_input_outside_its_domain);
     tcase_add_test(c, eq43_whole_numbers);
     tcase_add_test(c, eq43_rejects_each_input_outside_its_domain);
-    tcase_add_loop_test(c, eq41_roots_reject_coefficients_that_overflow, 0, 2);
+    tcase_add_loop_test(c, eq41_roots_reject_coefficients_that_overflow, 0, 3);
     tcase_add_test(c, eq41_roots_are_in_order_for_all_gains);
     tcase_add_test(c, eq44_whole_numbers);
     tcase_add_test(c, eq44_vanishes_at_nine);
