@@ -187,6 +187,9 @@ fuzzers: $(FUZZERS)
 check: all $(EVIDENCE) $(SUITES) $(FAULTY) $(FAULTS)
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SCRIPTS) $(SUITES)
 
+## suites: the test programs, compiled and not run
+suites: $(SUITES)
+
 ## gate: whether each equation has its function, test, error, proof, vectors, verdict and place, after make check
 gate:
 	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh
@@ -452,6 +455,6 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check bench reproduce gate coverage mcdc mutants mutants-objects faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
+.PHONY: all check suites bench reproduce gate coverage mcdc mutants mutants-objects faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
   verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/*/*/*/*.d)
