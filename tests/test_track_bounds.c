@@ -442,7 +442,7 @@ START_TEST(a_row_waits_for_its_last_undecided_number)
     arb_init(quarter);
     arb_init(Omega);
     fmpq_init(t);
-    scenario_init(&s, false);
+    scenario_init(&s, sheet(), false);
     arb_set_fmpq(Omega, &s.value[SET_Omega].value, 200);
     arb_const_pi(quarter, 120);
     arb_mul_2exp_si(quarter, quarter, -2);

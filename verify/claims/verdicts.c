@@ -274,11 +274,11 @@ static void table_rows(struct giving *g)
         snprintf(claim, sizeof claim, "$%s = %s$ %s", t->name, t->printed, t->unit);
         struct verdict_row row = {.id = id, .where = "Table 1", .kind = "number"};
         write_marked(&row.claim, claim);
-        char *value = table_row_value(t, &rounds);
-        add(&row, "%s", table_row_is_computed(t) ? "by (7) from the other rows: " : "an input of the simulation, used as printed: ");
+        char *value = table_row_value(sheet(), t, &rounds);
+        add(&row, "%s", table_row_is_computed(sheet(), t) ? "by (7) from the other rows: " : "an input of the simulation, used as printed: ");
         write_decimal(&row.evidence, value, t->unit);
-        add(&row, "%s", table_row_is_computed(t) ? ", which rounds to the print" : "");
-        row.verdict = !rounds ? VERDICT_NONE : table_row_is_computed(t) ? HOLDS : DEFINITION;
+        add(&row, "%s", table_row_is_computed(sheet(), t) ? ", which rounds to the print" : "");
+        row.verdict = !rounds ? VERDICT_NONE : table_row_is_computed(sheet(), t) ? HOLDS : DEFINITION;
         give_row(g, &row);
         free(value);
     }

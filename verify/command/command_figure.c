@@ -211,7 +211,7 @@ int command_figure(int count, char **texts)
     const bool roots = a.word_count > 0 && strcmp(a.words[0], "4") == 0;
     struct scenario s;
     long digits = 17;
-    scenario_init(&s, option_given(&a, "--exact"));
+    scenario_init(&s, sheet(), option_given(&a, "--exact"));
     if (f == NULL && !roots)
         status = usage_error(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
                              a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");

@@ -8,7 +8,7 @@
 static bool print_table_row(const struct table_row *row, const char *format)
 {
     bool rounds;
-    char *computed = table_row_value(row, &rounds);
+    char *computed = table_row_value(sheet(), row, &rounds);
     printf(format, row->name, row->printed, computed, row->unit, rounds ? "yes" : "no");
     free(computed);
     return rounds;

@@ -31,7 +31,7 @@ static void mutant_add(struct mutants *list, const struct section *s, const stru
     struct mutant *x = &list->all[list->count];
     struct message why;
     *x = (struct mutant){.name = m ? m->name : "as printed"};
-    if (m != NULL && !mutation_init(&x->a, sheet(), s, m, false, &why))
+    if (m != NULL && !mutation_init(&x->a, s->sheet, s, m, false, &why))
         return;
     x->transforms = m != NULL && !x->a.formulas_end;
     if (x->transforms)
@@ -47,8 +47,8 @@ static struct mutants mutants_of(const struct section *s)
         mutant_add(&list, s, NULL);
     for (int i = 0; i < s->mistake_count; i++)
         mutant_add(&list, s, &s->mistakes[i]);
-    for (int i = 0; i < sheet()->mistake_count; i++)
-        mutant_add(&list, s, &sheet()->mistakes[i]);
+    for (int i = 0; i < s->sheet->mistake_count; i++)
+        mutant_add(&list, s, &s->sheet->mistakes[i]);
     for (int i = 0; i < list.count; i++) { /* now that they move no more */
         struct mutant *x = &list.all[i];
         operation_init(&x->o, x->transforms ? x->a.section : s, x->a.section == NULL);

@@ -50,11 +50,11 @@ static void root_sensitivity(arb_t S, acb_srcptr z, arb_srcptr coefficients, arb
 }
 
 /* Coefficients of (41) and what each input does to them. */
-static void polynomial41(const struct input *inputs, slong prec, arb_ptr coefficients, arb_ptr gradients)
+static void polynomial41(const struct sheet *sheet, const struct input *inputs, slong prec, arb_ptr coefficients, arb_ptr gradients)
 {
     struct operation polynomial;
     struct machine adjoint;
-    operation_init(&polynomial, section_find(sheet(), "eq41"), false);
+    operation_init(&polynomial, section_find(sheet, "eq41"), false);
     operation_enclose(&polynomial, inputs, prec, coefficients);
     machine_init(&adjoint, polynomial.machine.program, &arithmetic_ball, prec);
     for (int k = 0; k < 5; k++) {
@@ -66,11 +66,11 @@ static void polynomial41(const struct input *inputs, slong prec, arb_ptr coeffic
     operation_clear(&polynomial);
 }
 
-static void roots_sensitivity(const struct input *inputs, slong prec, arb_ptr S)
+static void roots_sensitivity(const struct sheet *sheet, const struct input *inputs, slong prec, arb_ptr S)
 {
     VECTOR(acb, roots, 4);
     arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
-    polynomial41(inputs, prec, coefficients, gradients);
+    polynomial41(sheet, inputs, prec, coefficients, gradients);
     roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
     for (int k = 0; k < 4; k++) {
         root_sensitivity(S + 2 * k, roots + k, coefficients, gradients, inputs, prec);
@@ -89,7 +89,7 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
 {
     const struct section *s = o->section;
     if (s->method == METHOD_ROOTS) {
-        roots_sensitivity(inputs, prec, S);
+        roots_sensitivity(s->sheet, inputs, prec, S);
         return;
     }
     struct machine adjoint;
@@ -222,7 +222,7 @@ static struct error_bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S,
  * A multiple root moves like a root of the change and has no S: what counts is the polynomial's value there,
  * |p(y)| against u times what one rounding of each coefficient and of each input does to it.
  */
-static struct error_bounds residual_error(arb_srcptr y, const struct input *inputs, int significand)
+static struct error_bounds residual_error(const struct sheet *sheet, arb_srcptr y, const struct input *inputs, int significand)
 {
     arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
     acb_t z, power, sum, moved[3];
@@ -232,7 +232,7 @@ static struct error_bounds residual_error(arb_srcptr y, const struct input *inpu
     acb_init(sum);
     for (int i = 0; i < 3; i++)
         acb_init(moved[i]);
-    polynomial41(inputs, TRUTH_BITS, coefficients, gradients);
+    polynomial41(sheet, inputs, TRUTH_BITS, coefficients, gradients);
     acb_set_arb_arb(z, y, y + 1);
     acb_one(power);
     for (int k = 0; k < 5; k++) {
@@ -267,8 +267,8 @@ static double distance(arb_srcptr y, arb_srcptr z)
 }
 
 /* Root j of the four for y; a multiple one by the residual, as long as no other root is nearer. */
-static struct error_bounds one_of_four(arb_srcptr y, arb_srcptr exact, arb_srcptr S, int j, const struct input *inputs,
-                          int significand)
+static struct error_bounds one_of_four(const struct sheet *sheet, arb_srcptr y, arb_srcptr exact, arb_srcptr S, int j,
+                                       const struct input *inputs, int significand)
 {
     bool multiple = false, nearest = true;
     for (int k = 0; k < 4; k++) {
@@ -278,16 +278,16 @@ static struct error_bounds one_of_four(arb_srcptr y, arb_srcptr exact, arb_srcpt
     }
     if (!multiple)
         return root_error(y, exact + 2 * j, S + 2 * j, significand);
-    return nearest ? residual_error(y, inputs, significand) : (struct error_bounds){INFINITY, INFINITY};
+    return nearest ? residual_error(sheet, y, inputs, significand) : (struct error_bounds){INFINITY, INFINITY};
 }
 
 /* Roots are a set: of all 24 ways to match them, the one with the least worst E. */
-static struct error_bounds matched_error(const struct input *inputs, arb_srcptr y, arb_srcptr exact, arb_srcptr S,
-                            int significand)
+static struct error_bounds matched_error(const struct sheet *sheet, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
+                                         arb_srcptr S, int significand)
 {
     struct error_bounds E[4][4], least = {INFINITY, INFINITY};
     for (int i = 0; i < 16; i++)
-        E[i / 4][i % 4] = one_of_four(y + 2 * (i / 4), exact, S, i % 4, inputs, significand);
+        E[i / 4][i % 4] = one_of_four(sheet, y + 2 * (i / 4), exact, S, i % 4, inputs, significand);
     for (int code = 0; code < 256; code++) {
         const int to[4] = {code & 3, (code >> 2) & 3, (code >> 4) & 3, (code >> 6) & 3};
         if (((1 << to[0]) | (1 << to[1]) | (1 << to[2]) | (1 << to[3])) != 15)
@@ -309,7 +309,7 @@ struct error_bounds worst_error(const struct section *s, const struct input *inp
     struct error_bounds worst = {0.0, -1.0};
     *output = 0;
     if (s->method == METHOD_ROOTS)
-        return matched_error(inputs, y, exact, S, significand);
+        return matched_error(s->sheet, inputs, y, exact, S, significand);
     for (int i = 0; i < s->output_count; i++) {
         const struct error_bounds E = error_in_roundings(arb_midref(y + i), exact + i, S + i, significand);
         worst.lower = fmax(worst.lower, E.lower);

@@ -18,11 +18,11 @@ static long printed_digits(const char *printed)
 }
 
 /* What the simulation uses: a value of the sheet, or Q_ref of Eq. (7) from the others; in SI. */
-static void table_value(fmpq_t value, const struct table_row *row)
+static void table_value(fmpq_t value, const struct sheet *sheet, const struct table_row *row)
 {
-    const struct section *s = section_find(sheet(), "eq07");
-    if (!table_row_is_computed(row)) {
-        literal_read(value, quantity_find(sheet(), row->name)->value, true);
+    const struct section *s = section_find(sheet, "eq07");
+    if (!table_row_is_computed(sheet, row)) {
+        literal_read(value, quantity_find(sheet, row->name)->value, true);
         return;
     }
     struct machine m;
@@ -30,7 +30,7 @@ static void table_value(fmpq_t value, const struct table_row *row)
     machine_init(&m, &s->corrected.program, &arithmetic_symbolic, 1);
     for (int i = 0; i < s->input_count; i++) {
         const char *name = s->inputs[i]->name;
-        literal_read(value, quantity_find(sheet(), strcmp(name, "L") == 0 ? "L_ref" : name)->value, true);
+        literal_read(value, quantity_find(sheet, strcmp(name, "L") == 0 ? "L_ref" : name)->value, true);
         arithmetic_symbolic.set_rational(machine_value(&m, i), value, 1);
     }
     machine_run(&m);
@@ -39,17 +39,17 @@ static void table_value(fmpq_t value, const struct table_row *row)
     symbolic_end();
 }
 
-bool table_row_is_computed(const struct table_row *row)
+bool table_row_is_computed(const struct sheet *sheet, const struct table_row *row)
 {
-    return quantity_find(sheet(), row->name)->value == NULL;
+    return quantity_find(sheet, row->name)->value == NULL;
 }
 
-char *table_row_value(const struct table_row *row, bool *rounds)
+char *table_row_value(const struct sheet *sheet, const struct table_row *row, bool *rounds)
 {
     SCOPE(fmpq, value, scale, printed);
     literal_read(scale, row->scale, true);
     literal_read(printed, row->printed, true);
-    table_value(value, row);
+    table_value(value, sheet, row);
     fmpq_div(value, value, scale);
     char *computed = decimal_of_rational(value, 17);
     char *rounded = decimal_of_rational(value, printed_digits(row->printed));

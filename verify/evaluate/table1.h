@@ -5,12 +5,12 @@
 #include "sheet/sheet.h"
 
 /* Whether a row is computed from the others, by Eq. (7), and not one of the simulation's inputs. */
-bool table_row_is_computed(const struct table_row *row);
+bool table_row_is_computed(const struct sheet *sheet, const struct table_row *row);
 
 /*
  * The row's value in its printed unit, 17 digits, correctly rounded; the caller frees it. `rounds` gets
  * whether the value, rounded to as many digits as are printed, is what is printed.
  */
-char *table_row_value(const struct table_row *row, bool *rounds);
+char *table_row_value(const struct sheet *sheet, const struct table_row *row, bool *rounds);
 
 #endif

@@ -13,11 +13,11 @@ const char *const scenario_names[SCENARIO_VALUES] = {
 
 /* ---- scenario ---- */
 
-void scenario_init(struct scenario *s, bool exact)
+void scenario_init(struct scenario *s, const struct sheet *sheet, bool exact)
 {
-    *s = (struct scenario){.exact = exact};
+    *s = (struct scenario){.sheet = sheet, .exact = exact};
     for (int i = 0; i < SCENARIO_VALUES; i++) {
-        const char *value = quantity_find(sheet(), scenario_names[i])->value;
+        const char *value = quantity_find(sheet, scenario_names[i])->value;
         fmpq_init(&s->value[i].value);
         if (value != NULL)
             literal_read(&s->value[i].value, value, exact);
@@ -86,11 +86,11 @@ static void derive_parameters(struct flow_parameters *p, const struct scenario *
     if (s->given[SET_C1])
         get(p->C1, s, SET_C1, prec);
     else
-        section_enclose(section_find(sheet(), "eq43"), gain_inputs, prec, p->C1);
+        section_enclose(section_find(s->sheet, "eq43"), gain_inputs, prec, p->C1);
     if (s->given[SET_C2])
         get(p->C2, s, SET_C2, prec);
     else
-        section_enclose(section_find(sheet(), "eq44"), gain_inputs, prec, p->C2);
+        section_enclose(section_find(s->sheet, "eq44"), gain_inputs, prec, p->C2);
     _arb_vec_clear(gain_inputs, 2);
 }
 
@@ -110,18 +110,18 @@ static void derive_initial(arb_ptr initial, const struct motion *m, slong prec)
         get(inputs + i, s, order[i], prec);
     get(dL, s, SET_dL, prec);
     arb_add(inputs + 2, inputs + 2, dL, prec);
-    section_enclose(section_find(sheet(), "eq10"), inputs, prec, initial);
-    section_enclose(section_find(sheet(), "eq11exact"), inputs, prec, initial + 3);
+    section_enclose(section_find(s->sheet, "eq10"), inputs, prec, initial);
+    section_enclose(section_find(s->sheet, "eq11exact"), inputs, prec, initial + 3);
     _arb_vec_clear(inputs, 8);
 }
 
 /* ---- charges along a motion: Eqs. (13), (7), (18), (21) ---- */
 
 /* Eq. (14) names the distance and its rate on its way. */
-static void distance_and_rate(arb_t L, arb_t L_dot, const struct flow_parameters *p, arb_srcptr state,
+static void distance_and_rate(arb_t L, arb_t L_dot, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state,
                               slong prec)
 {
-    const struct program *program = &section_find(sheet(), "eq14")->corrected.program;
+    const struct program *program = &section_find(sheet, "eq14")->corrected.program;
     static const char *const names[] = {"x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
     struct machine m;
     machine_init(&m, program, &arithmetic_ball, prec);
@@ -136,7 +136,7 @@ static void distance_and_rate(arb_t L, arb_t L_dot, const struct flow_parameters
 }
 
 /* q1 and q2; the charge product Q_ref + dQ itself goes to `product`. */
-static void charges(arb_ptr q, arb_t product, const struct flow_parameters *p, arb_srcptr state, slong prec)
+static void charges(arb_ptr q, arb_t product, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state, slong prec)
 {
     VECTOR(arb, in, 8);
     VECTOR(arb, Q, 2);
@@ -144,14 +144,14 @@ static void charges(arb_ptr q, arb_t product, const struct flow_parameters *p, a
     arb_srcptr second[] = {p->k_c, p->m1, p->m2, p->L_ref, p->C1, p->C2};
     for (int i = 0; i < 5; i++)
         arb_set(in + i, first[i]);
-    section_enclose(section_find(sheet(), "eq07"), in, prec, Q);
+    section_enclose(section_find(sheet, "eq07"), in, prec, Q);
     for (int i = 0; i < 6; i++)
         arb_set(in + i, second[i]);
-    distance_and_rate(in + 6, in + 7, p, state, prec);
+    distance_and_rate(in + 6, in + 7, sheet, p, state, prec);
     arb_sub(in + 6, in + 6, p->L_ref, prec);
-    section_enclose(section_find(sheet(), "eq18"), in, prec, Q + 1);
+    section_enclose(section_find(sheet, "eq18"), in, prec, Q + 1);
     arb_add(product, Q, Q + 1, prec);
-    section_enclose(section_find(sheet(), "eq21"), Q, prec, q);
+    section_enclose(section_find(sheet, "eq21"), Q, prec, q);
 }
 
 /* ---- rows ---- */
@@ -176,7 +176,7 @@ static int row_balls(struct pass *p, arb_srcptr state, arb_ptr row)
         flow_settle(p->initial, p->at_equilibrium, row);
     if (m->charges) {
         SCOPE(arb, product);
-        charges(row + FLOW_STATE, product, &p->parameters, row, p->prec);
+        charges(row + FLOW_STATE, product, m->scenario->sheet, &p->parameters, row, p->prec);
         p->outside = arb_is_nonnegative(product);
         for (int i = FLOW_STATE; i < ROW_NUMBERS && m->microcoulomb; i++)
             arb_mul_ui(row + i, row + i, 1000000, p->prec);
@@ -189,7 +189,7 @@ static int row_balls(struct pass *p, arb_srcptr state, arb_ptr row)
         arb_add(in + 2, p->parameters.L_ref, state + 2, p->prec);
         arb_set(in + 3, state);
         arb_set(in + 4, state + 1);
-        section_enclose(section_find(sheet(), "eq10lin"), in, p->prec, row);
+        section_enclose(section_find(m->scenario->sheet, "eq10lin"), in, p->prec, row);
         return 3;
     }
     return FLOW_STATE;

@@ -17,6 +17,7 @@ enum scenario_name {
 };
 
 struct scenario {
+    const struct sheet *sheet;
     struct input value[SCENARIO_VALUES];
     bool given[SCENARIO_VALUES]; /* replaced by the user */
     bool exact;                  /* defaults are the decimals themselves, not the nearest binary64 */
@@ -25,7 +26,7 @@ struct scenario {
 extern const char *const scenario_names[SCENARIO_VALUES];
 
 /* The sheet's values: Table 1, n = 10, the initial attitude and length error. */
-void scenario_init(struct scenario *s, bool exact);
+void scenario_init(struct scenario *s, const struct sheet *sheet, bool exact);
 void scenario_clear(struct scenario *s);
 
 /* False, and why, where a value lies outside its domain. Wrong combinations are the caller's business. */

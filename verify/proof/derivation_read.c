@@ -36,7 +36,7 @@ static bool read_definition(struct derivations *d, const yaml_node_t *key, const
     struct document *document = &d->document;
     struct section *s = &d->definitions.sections[d->definitions.count];
     const int most_inputs = sizeof s->inputs / sizeof *s->inputs, most_outputs = sizeof s->outputs / sizeof *s->outputs;
-    *s = (struct section){.id = scalar(key), .method = METHOD_FORMULA};
+    *s = (struct section){.sheet = d->sheet, .id = scalar(key), .method = METHOD_FORMULA};
     if (!is_mapping(document, node, known))
         return false;
     for (int i = 0; known[i] != NULL; i++)

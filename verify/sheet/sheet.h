@@ -77,7 +77,10 @@ struct known_mistake {
 enum method { METHOD_NONE, METHOD_FORMULA, METHOD_ROOTS, METHOD_FLOW_LINEAR, METHOD_FLOW_NONLINEAR,
               METHOD_RK4_LINEAR, METHOD_RK4_NONLINEAR };
 
+struct sheet;
+
 struct section {
+    const struct sheet *sheet;  /* that it is of */
     const char *id, *title, *note, *reason;
     const char *defines;        /* the symbol that it is the definition of; NULL: none, or it computes nothing */
     const char *equations[8];   /* the numbers it stands for: "2a", "2b", "2c" */

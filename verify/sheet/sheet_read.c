@@ -547,7 +547,7 @@ static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_no
         return false;
     sheet->sections = xrealloc(sheet->sections, (size_t)sheet->section_count + 1, sizeof *sheet->sections);
     struct section *s = &sheet->sections[sheet->section_count++];
-    *s = (struct section){.id = keep_text(sheet, scalar(key)), .K = sheet->K, .K_reason = sheet->K_reason};
+    *s = (struct section){.sheet = sheet, .id = keep_text(sheet, scalar(key)), .K = sheet->K, .K_reason = sheet->K_reason};
     const yaml_node_t *domain = child(&r->document, node, "domain"), *printed = child(&r->document, node, "printed");
     const yaml_node_t *relations = child(&r->document, node, "relations"), *specials = child(&r->document, node, "vectors");
     s->title = text_under(r, node, "title", true);
