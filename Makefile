@@ -60,14 +60,17 @@ endif
 
 ### What there is
 objects  = $(patsubst %.c,$(BUILD)/%.o,$(1))
-SOURCES := $(wildcard ref/*.c verify/*/*.c tests/*.c tests/bench/*.c tests/fuzz/*.c)
+SOURCES := $(wildcard ref/*.c verify/*/*.c tests/*.c tests/*/*.c)
 REF     := $(call objects,$(wildcard ref/*.c))
 EMBED   := $(BUILD)/verify/sheet/embedded.o
 VERIFY  := $(filter-out %/main.o %/sheet_check.o $(EMBED),$(call objects,$(wildcard verify/*/*.c)))
-SUITES  := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c))
+SUITES  := $(sort $(wildcard tests/*/test_*.c))
+# Apart from the others: these have functions in the place of GSL's, and in the place of what a fuzzed program must not do.
+ALONE   := $(BUILD)/tests/test_ref_gsl $(BUILD)/tests/test_corpora
+RUN     := $(BUILD)/tests/run
 FAULTY  := $(BUILD)/tests/faulty
 FAULTS  := $(BUILD)/tests/faults.so
-SCRIPTS := $(wildcard tests/test_*.sh)
+SCRIPTS := $(sort $(wildcard tests/*/test_*.sh))
 
 LIBRARY := $(BUILD)/libcoulombtether.a
 SHARED  := $(BUILD)/libcoulombtether.so
@@ -107,7 +110,7 @@ $(BUILD)/verify/%.o: verify/%.c | $(BUILD)/packages.found
 
 # A suite's own code runs once, in no time: what would be won by optimising it is lost by compiling it.
 $(BUILD)/tests/%.o: tests/%.c | $(BUILD)/packages.found
-	$(COMPILE) -I. $(VERIFY_CFLAGS) $(CHECK_CFLAGS) $(if $(filter $(BUILD)/tests/test_%,$@),-O0)
+	$(COMPILE) -I. $(VERIFY_CFLAGS) $(CHECK_CFLAGS) $(if $(findstring /test_,$@),-O0)
 
 $(BUILD)/packages.found:
 	@$(PKG_CONFIG) --exists gsl mpfr yaml-0.1 || { echo 'Packages are missing: run "make deps".' >&2; exit 1; }
@@ -142,8 +145,16 @@ $(PROGRAM): $(BUILD)/verify/command/main.o $(EMBED) $(ENGINE) $(LIBRARY)
 $(BUILD)/sheet-check: $(BUILD)/verify/command/sheet_check.o $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
-$(SUITES): %: %.o $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
-	$(call LINK,$(CHECK_LIBS))
+# The program as a function, apart from what it must not do (tests/fuzz/apart.c).
+APART   := fopen rename client_start sheet_close flint_cleanup step_bind verdict_rows measure_errors kills_print command_study \
+  vectors_random roots41_gains flow_linear flow_nonlinear rk4_linear rk4_nonlinear
+TARGETS := $(addprefix $(BUILD)/tests/fuzz/,main.o targets.o readers.o program.o apart.o)
+
+$(RUN): $(filter-out %/test_ref_gsl.o %/test_corpora.o,$(call objects,$(SUITES)))
+$(BUILD)/tests/test_ref_gsl: $(BUILD)/tests/ref/test_ref_gsl.o
+$(BUILD)/tests/test_corpora: $(BUILD)/tests/fuzz/test_corpora.o $(TARGETS)
+$(RUN) $(ALONE): $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
+	$(call LINK,$(CHECK_LIBS) $(if $(filter %corpora,$@),$(APART:%=-Wl$(comma)--wrap=%)))
 
 $(FAULTY): $(BUILD)/tests/faulty.o $(ENGINE) $(LIBRARY)
 	$(call LINK)
@@ -155,19 +166,12 @@ $(FAULTS): tests/faults.c
 	@mv $@.tmp $@
 
 ### Fuzzing
-# The program as a function, apart from what it must not do (tests/fuzz/apart.c).
-APART   := fopen rename client_start sheet_close flint_cleanup step_bind verdict_rows measure_errors kills_print command_study \
-  vectors_random roots41_gains flow_linear flow_nonlinear rk4_linear rk4_nonlinear
-TARGETS := $(addprefix $(BUILD)/tests/fuzz/,main.o targets.o readers.o program.o apart.o)
 CORPORA := $(notdir $(wildcard tests/fuzz/corpus/*))
 FUZZERS := $(CORPORA:%=$(BUILD)/tests/fuzz/%)
 SECONDS_EACH ?= 60
 
 $(BUILD)/tests/fuzz/main.o: verify/command/main.c | $(BUILD)/packages.found
 	$(COMPILE) $(VERIFY_CFLAGS) -Dmain=program_main
-
-$(BUILD)/tests/test_corpora: $(TARGETS)
-$(BUILD)/tests/test_corpora: private LDFLAGS += $(APART:%=-Wl,--wrap=%)
 
 $(FUZZERS): $(BUILD)/tests/fuzz/libfuzzer.o $(TARGETS) $(EMBED) $(ENGINE) $(LIBRARY)
 	$(call LINK,-fsanitize=fuzzer $(APART:%=-Wl$(comma)--wrap=%))
@@ -183,16 +187,16 @@ fuzz:
 fuzzers: $(FUZZERS)
 
 ### Checking
-## check: every test, on all processors; the last line is "N passed, N failed"
-check: all $(EVIDENCE) $(SUITES) $(FAULTY) $(FAULTS)
-	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/check.sh $(SCRIPTS) $(SUITES)
+## check: every test, on all processors; the last line is "N passed, N failed"; ONLY='test_flow test_wrong' some of them
+check: all suites $(if $(ONLY),$(if $(filter $(basename $(notdir $(SCRIPTS))),$(ONLY)),$(EVIDENCE)),$(EVIDENCE))
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' ONLY='$(ONLY)' tests/check.sh $(SCRIPTS) $(SUITES)
 
-## suites: the test programs, compiled and not run
-suites: $(SUITES)
+## suites: the test programs, compiled and not run: build/tests/run test_flow runs a suite
+suites: $(RUN) $(ALONE) $(FAULTY) $(FAULTS)
 
 ## gate: whether each equation has its function, test, error, proof, vectors, verdict and place, after make check
 gate:
-	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh
+	@BUILD='$(BUILD)' DATA='$(DATA)' tests/project/gate.sh
 
 ## reproduce: whether gcc and clang, from -O0 to -O3 -march=native, make the same data
 reproduce:
@@ -205,7 +209,7 @@ coverage:
 	$(MAKE) BUILD=$(BUILD)/coverage/build CFLAGS='-O0 -g --coverage -std=gnu11' check
 	coverage/report.sh $(BUILD)/coverage
 
-INJECTIONS := $(patsubst tests/faults/%.sh,faults-%,$(filter-out %/harness.sh,$(wildcard tests/faults/*.sh)))
+INJECTIONS := $(patsubst tests/faults/%.sh,faults-%,$(filter-out %/harness.sh %/test_faults.sh,$(wildcard tests/faults/*.sh)))
 
 ## faults: every allocation and system call made to fail, signals, full disks, strange places
 faults: $(INJECTIONS)
@@ -228,7 +232,7 @@ mutants:
 	  PYTHONDONTWRITEBYTECODE=1 \
 	  $(PYTHON) coverage/mutants.py $(BUILD)/mutants $(addprefix --kind ,$(KIND)) $(addprefix --sample ,$(SAMPLE)) $(addprefix --seed ,$(SEED)) $(addprefix --only ,$(ONLY))
 
-mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/command/main verify/command/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c)))
+mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/command/main verify/command/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c) $(SUITES)))
 
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar), and what SCOPE initialises in symbolic.c for unset.
 ## lint: clang-tidy and cppcheck, without findings
@@ -385,10 +389,10 @@ $(EDITION)/derivations.pdf: $(BUILD)/derivations.gv paper/graph.sed | $(EDITION)
 	@mv $@.tmp $@
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
-$(BUILD)/gate.csv: tests/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
+$(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
   $(filter check,$(MAKECMDGOALS)) | $(EDITION)/tools.found
 	@ls $(BUILD)/tests/*.tap >/dev/null 2>&1 || $(MAKE) check
-	@BUILD='$(BUILD)' DATA='$(DATA)' tests/gate.sh >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
+	@BUILD='$(BUILD)' DATA='$(DATA)' tests/project/gate.sh >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
 
 ### Packages
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libcalcium-dev? libantic-dev? libyaml-dev

@@ -238,6 +238,7 @@ class Place:
 
 LINKED = ['-lverify', '-lembedded', '-lcoulombtether', *LIBS]
 OTHERWISE_LINKED = {'test_corpora'}  # asks that nothing crashes, not that anything is right
+APART = {'test_ref_gsl'}  # has functions in the place of GSL's
 NOT_IN_LIBRARY = {'main', 'sheet_check', 'embedded'}
 
 
@@ -265,17 +266,17 @@ def link_all(base):
     compiler('-S', 'verify/sheet/embedded.c', '-o', str(linked / 'embedded.s'))
     programs = {'coulomb-tether': ['verify/command/main.o'], 'sheet-check': ['verify/command/sheet_check.o'],
                 'client': ['tests/clients/client.o'], 'tests/faulty': ['tests/faulty.o']}
-    for suite in base.glob('tests/test_*.o'):
-        if suite.stem in OTHERWISE_LINKED:
-            continue
-        programs[f'tests/{suite.stem}'] = [f'tests/{suite.name}', 'tests/run.o']
+    suites = [o.relative_to(base) for o in base.glob('tests/*/test_*.o') if o.stem not in OTHERWISE_LINKED | APART]
+    programs['tests/run'] = ['tests/run.o', *suites]
+    for name in APART:
+        programs[f'tests/{name}'] = ['tests/run.o', *(o.relative_to(base) for o in base.glob(f'tests/*/{name}.o'))]
     (linked / 'tests').mkdir(exist_ok=True)
     for name, parts in programs.items():
         compiler(*(str(base / part) for part in parts), '-o', str(linked / name), f'-L{linked}', *LINKED)
     for name, others, left_out, more in in_one_piece(base):
         compiler(*others, *objects(base / 'ref'), *objects(base / 'verify', left_out), '-o', str(linked / name), *more, *LIBS)
     # The gate wants the names of the tests that passed; the suites are checks of their own.
-    names = [name for file in sorted((ROOT / 'tests').glob('test_*.c'))
+    names = [name for file in sorted((ROOT / 'tests').glob('*/test_*.c'))
              for name in re.findall(r'^START_TEST\((\w+)\)', file.read_text(), re.M)]
     (linked / 'tests/all.tap').write_text(''.join(f'ok - all:all:{name}: Passed\n' for name in names))
     with open(linked / 'errors.json', 'wb') as file:
@@ -297,13 +298,13 @@ def available_checks():
     def data(file):
         return (ROOT / 'data' / file).read_bytes()
     checks = {'derivations': ([program, 'verify', 'derivations'], None),
-              'golden inputs': (['env', 'CK_RUN_CASE=golden', 'build/tests/test_vectors'], None),
-              'domains': (['env', 'CK_RUN_CASE=domains', 'build/tests/test_vectors'], None),
+              'golden inputs': (['env', 'CK_RUN_CASE=golden', 'build/tests/run', 'test_vectors'], None),
+              'domains': (['env', 'CK_RUN_CASE=domains', 'build/tests/run', 'test_vectors'], None),
               'oracle': ([program, 'conform', '--', 'build/client'], None),
               'oracle scalar': ([program, 'conform', '--only', SCALAR, '--', 'build/client'], None),
               'gate': (['sh', '-c', 'rm -f build/derivations.json && build/coulomb-tether verify derivations --json '
-                                    '>build/derivations.json && tests/gate.sh'], None),
-              'wrong': (['sh', '-c', 'CT_PROGRAM=$CT_BUILD/whole tests/test_wrong.sh'], None),
+                                    '>build/derivations.json && tests/project/gate.sh'], None),
+              'wrong': (['sh', '-c', 'CT_PROGRAM=$CT_BUILD/whole tests/command/test_wrong.sh'], None),
               'package': (['sh', '-c', 'find data -name "*.csv" | LC_ALL=C sort | xargs sha256sum | build/coulomb-tether datapackage'],
                           data('datapackage.json')),
               'errors': ([program, 'verify', 'errors'], None),
@@ -318,9 +319,9 @@ def available_checks():
         checks['golden ' + golden.stem] = ([program, 'vectors', golden.stem, '--golden'], golden.read_bytes())
         kills = [line for line in data('kills.csv').splitlines(keepends=True) if line.startswith((b'id,', f'{golden.stem}-'.encode()))]
         checks['kills ' + golden.stem] = ([program, 'conform', '--kills', '--only', golden.stem], b''.join(kills))
-    for suite in sorted((ROOT / 'tests').glob('test_*.c')):
+    for suite in sorted((ROOT / 'tests').glob('*/test_*.c')):
         if suite.stem not in OTHERWISE_LINKED:
-            checks[suite.stem] = ([f'build/tests/{suite.stem}'], None)
+            checks[suite.stem] = ([f'build/tests/{suite.stem}'] if suite.stem in APART else ['build/tests/run', suite.stem], None)
     return checks
 
 

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Runs the suites that it is given, as many at once as there are processors, and adds up what they say.
+# Runs suites, as many at once as there are processors, and adds up what they say: check.sh FILE..., all of them or,
+# where ONLY is set, those that it names (test_flow test_wrong).
 #
-# A suite is any executable that ends with Check's line of totals,
+# A suite is a script tests/ROOM/test_NAME.sh, or a test program's share of that name, and ends with Check's line of totals,
 #     100%: Checks: 12, Failures: 0, Errors: 0
 # and exits 0 when nothing failed. What a failing suite printed is shown in full. A suite that dies,
 # hangs or says nothing counts as one failure more. Suites start at the project's root and find what was
@@ -14,11 +15,19 @@ export BUILD CT_BUILD CT_PROGRAM
 records=$CT_BUILD/tests
 numbers='s/^ *[0-9]*%: Checks: \([0-9]*\), Failures: \([0-9]*\), Errors: \([0-9]*\).*/\1 \2 \3/p'
 
-run_one() {
-    name=$(basename "$1" .sh)
+# Not every system has this command, or this option of it.
+limit=
+if timeout --foreground 1 true 2>/dev/null; then limit='timeout --foreground 600'; fi
+
+run_one() { # FILE
+    name=$(basename "$1" | sed 's/\.[a-z]*$//')
     log=$records/$name.log
     status=0
-    CK_TAP_LOG_FILE_NAME=$records/$name.tap timeout --foreground 600 "$1" >"$log" 2>&1 </dev/null || status=$?
+    case $1 in
+        *.sh) set -- "$1" ;;
+        *) if [ -x "$records/$name" ]; then set -- "$records/$name"; else set -- "$records/run" "$name"; fi ;;
+    esac
+    CK_TAP_LOG_FILE_NAME=$records/$name.tap $limit "$@" >"$log" 2>&1 </dev/null || status=$?
 
     # shellcheck disable=SC2046
     set -- $(sed -n "$numbers" "$log" | tail -n 1)
@@ -45,21 +54,39 @@ if [ "${1-}" = --one ]; then
     exit
 fi
 
+# What is in ONLY, of the files given.
+only() {
+    for name in $ONLY; do
+        found=
+        for file; do
+            case $file in */"$name".*) found=$file; printf '%s\0' "$file" ;; esac
+        done
+        [ -n "$found" ] || { echo "check: there is no suite '$name'" >&2; return 1; }
+    done
+}
+
 mkdir -p "$records"
-rm -f "$records"/*.count "$records"/*.log "$records"/*.tap
-if [ $# -gt 0 ]; then
-    printf '%s\0' "$@" | xargs -0 -n 1 -P "$(getconf _NPROCESSORS_ONLN)" "$0" --one
+rm -f "$records"/*.count
+chosen=$records/chosen
+if [ -n "${ONLY-}" ]; then
+    only "$@" >"$chosen"
+else
+    rm -f "$records"/*.log "$records"/*.tap
+    printf '%s\0' "$@" >"$chosen"
 fi
+xargs -0 -n 1 -P "$(getconf _NPROCESSORS_ONLN)" "$0" --one <"$chosen"
 
 # The gate reads what the suites have left behind, and the committed data; each equation counts as a check.
-sound=true
-DATA=data tests/gate.sh >"$records/gate.log" 2>&1 || sound=false
-cat "$records/gate.log"
-sed -n 's/^gate: \([0-9]*\) of \([0-9]*\) equations .*/\1 \2/p' "$records/gate.log" | {
-    read -r good all || { good=0 all=1; }
-    if [ "$good" -eq "$all" ] && ! $sound; then all=$((all + 1)); fi
-    echo "$good $((all - good))" >"$records/gate.count"
-}
+if [ -z "${ONLY-}" ]; then
+    sound=true
+    DATA=data tests/project/gate.sh >"$records/gate.log" 2>&1 || sound=false
+    cat "$records/gate.log"
+    sed -n 's/^gate: \([0-9]*\) of \([0-9]*\) equations .*/\1 \2/p' "$records/gate.log" | {
+        read -r good all || { good=0 all=1; }
+        if [ "$good" -eq "$all" ] && ! $sound; then all=$((all + 1)); fi
+        echo "$good $((all - good))" >"$records/gate.count"
+    }
+fi
 
 cat "$records"/*.count 2>/dev/null | awk '
     { passed += $1; failed += $2 }

@@ -1,9 +1,11 @@
 /*
- * run.c   runs one suite; Check itself reads the name of the TAP log from CK_TAP_LOG_FILE_NAME
+ * run.c   runs suites: BUILD/tests/run [NAME ...]; Check itself reads the name of the TAP log from CK_TAP_LOG_FILE_NAME
  */
-#include "run.h"
+#define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): realpath() */
+#include "tests/run.h"
 
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,10 +41,61 @@ void assert_rejects_outside(flat_function *f, const char *domain, const double i
     }
 }
 
-int main(void)
-{
-    SRunner *runner = srunner_create(suite());
+static struct named_suite *suites;
 
+void suite_add(struct named_suite *s)
+{
+    s->next = suites;
+    suites = s;
+}
+
+/* Where the environment does not say where things were built, they were where this program was: in BUILD/tests/. */
+static void find_build(const char *program)
+{
+    char path[4096];
+    const char *name = strrchr(program, '/');
+    const int length = name != NULL ? (int)(name - program) : 1;
+    char *build;
+
+    snprintf(path, sizeof path, "%.*s/..", length, name != NULL ? program : ".");
+    build = realpath(path, NULL);
+    if (build == NULL)
+        return;
+    setenv("CT_BUILD", build, 0);
+    snprintf(path, sizeof path, "%s/coulomb-tether", getenv("CT_BUILD"));
+    setenv("CT_PROGRAM", path, 0);
+    free(build);
+}
+
+static bool is_asked_for(const struct named_suite *s, int count, char **names)
+{
+    for (int i = 1; i < count; i++)
+        if (strcmp(names[i], s->name) == 0)
+            return true;
+    return count <= 1;
+}
+
+/* The suites named, or all. A suite that is not there is none that passes. */
+int main(int count, char **names)
+{
+    SRunner *runner = srunner_create(NULL);
+    int found = 0;
+
+    find_build(names[0]);
+    for (const struct named_suite *s = suites; s != NULL; s = s->next) {
+        if (!is_asked_for(s, count, names))
+            continue;
+        srunner_add_suite(runner, s->make());
+        found++;
+    }
+    if (found < count - 1) {
+        fprintf(stderr, "%s: not all of these suites are here; there are:", names[0]);
+        for (const struct named_suite *s = suites; s != NULL; s = s->next)
+            fprintf(stderr, " %s", s->name);
+        fputc('\n', stderr);
+        srunner_free(runner);
+        return EXIT_FAILURE;
+    }
     srunner_run_all(runner, CK_NORMAL);
     const int failed = srunner_ntests_failed(runner);
     srunner_free(runner);

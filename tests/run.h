@@ -9,8 +9,22 @@
 
 #include <check.h>
 
-/* The tests of a file: the one thing that a test_*.c exports. */
-Suite *suite(void);
+/* The tests of a file, by its name: SUITE(test_flow) { ... } makes the suite. What is linked is known to run.c by itself. */
+struct named_suite {
+    const char *name;
+    Suite *(*make)(void);
+    struct named_suite *next;
+};
+void suite_add(struct named_suite *s);
+
+#define SUITE(file) \
+    static Suite *file(void); \
+    __attribute__((constructor)) static void file##_add(void) \
+    { \
+        static struct named_suite s = {#file, file, NULL}; \
+        suite_add(&s); \
+    } \
+    static Suite *file(void)
 
 /* Within so many roundings (2^-53, relative) of an expected value that is not zero. NaN fails. */
 #define assert_close(actual, expected, roundings) \

@@ -226,7 +226,7 @@ bool track_run(struct track *t, const struct scene *s, long first, long step, lo
  * derivatives there bounds them for ever, and between two rows a tau apart |f| exceeds the larger of theirs by at most
  * tau^2/8 sup |f''|.
  *
- * The error terms, each with a test of its name in tests/test_track.c:
+ * The error terms, each with a test of its name in tests/claims/test_track.c:
  *   (B1) the room between rows, tau^2/8 sup |f''|                       (track_room, track_sup)
  *   (B2) of psi, psi', eta, eta', pitch and places the largest with that energy  (linear_bounds, energy_box)
  *   (B3) of their derivatives every term of (40), and of products all of Leibniz's rule   (linear_bounds)

@@ -162,7 +162,7 @@ bool operation_sensitivity_rational(struct operation *o, const struct input *inp
 
 /*
  * Theorem. Whatever y* and S are in their balls, E = |y - y*| / (u (|y*| + S)) lies between lower and upper. The error terms,
- * each with a test of its name in tests/test_errors.c:
+ * each with a test of its name in tests/evaluate/test_errors.c:
  *   (E1) the radius of |y - y*|, up and down          (E2) the radii of |y*| and S in the weight
  *   (E3) a weight that may be zero has no upper bound  (E4) the quotient is rounded outward
  *   (E5) of several outputs the worst, of several ways to match roots the best, in both bounds

@@ -12,7 +12,7 @@
  * degree, and majorant_prove bounds what they leave out, for all the box and for all parameters within their
  * balls. No guess at where the motion goes is needed.
  *
- * The error terms, each with a test of its name in tests/test_flow.c:
+ * The error terms, each with a test of its name in tests/motion/test_flow.c:
  *   (F1) the remainder of the path                        (path_bound.remainder, in path_at)
  *   (F2) of sum_j ||J_ij|| radius_j the degrees below n    (spread_bound.suffix, in state_at)
  *   (F3) ... degree n                                      (spread_bound.size)

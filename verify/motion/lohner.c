@@ -126,7 +126,7 @@ static void add_absolute(mag_ptr sum, const arb_mat_t a, mag_srcptr x)
  * e' = basis'^-1 derivative e + basis'^-1 (ball + error), for any regular basis'. Its choice, in double
  * precision, decides how sharp the set is, never whether it holds the image: the inverse is enclosed.
  *
- * The error terms, each with a test of its name in tests/test_lohner.c:
+ * The error terms, each with a test of its name in tests/motion/test_lohner.c:
  *   (L1) |basis'^-1 derivative| radius, of all directions  (L2) the radii of that product
  *   (L3) |basis'^-1| times the image's own ball            (L4) and times the error
  *   (L5) the radii of the inverse

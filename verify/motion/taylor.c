@@ -233,7 +233,7 @@ static bool below(mag_srcptr image, mag_srcptr remainder)
  * Columns obey the differentiated system, linear in them: each term gives da b + a db, and the same
  * holds. A sum of columns under non-negative weights has the sum of their majorants.
  *
- * The error terms, each with a test of its name in tests/test_taylor.c:
+ * The error terms, each with a test of its name in tests/motion/test_taylor.c:
  *   (T1) cross: the known terms' products from degree n on          (add_cross)
  *   (T2) ||a|| t_b   (T3) t_a ||b||   (T4) t_a t_b                   (add_tail)
  *   (T5) of a state's tail the term of degree n   (T6) and its remainder  (remainder_image)

@@ -1,0 +1,299 @@
+/*
+ * verify/claims/second_order.h, two_body.h, convergence.h: the closed forms of what pitch leaves, the
+ * pair in the inverse-square field, the observed orders.
+ */
+#include "tests/run.h"
+#include "claims/convergence.h"
+#include "claims/second_order.h"
+#include "motion/two_body.h"
+#include "proof/proof_results.h"
+#include "text/scope.h"
+
+enum { PREC = 192 };
+
+static void close_all(void)
+{
+    sheet_close();
+    flint_cleanup();
+}
+
+/* x holds the number of that text within the tolerance */
+static void assert_number(const arb_t x, const char *text, double tolerance)
+{
+    SCOPE(arb, y);
+    arb_set_str(y, text, PREC);
+    arb_sub(y, x, y, PREC);
+    arb_abs(y, y);
+    ck_assert_msg(is_below(y, tolerance), "%s is off by %g", text, arf_get_d(arb_midref(y), ARF_RND_UP));
+}
+
+/* ---- the closed forms ---- */
+
+/* Gains that are not on (44): C1 = c1 Omega^2, C2 = c2 Omega. */
+static struct second_order response(slong c1, slong c2)
+{
+    struct second_order o;
+    SCOPE(arb, a, b);
+    arb_set_si(a, c1);
+    arb_set_si(b, c2);
+    second_order_init(&o, a, b, PREC);
+    return o;
+}
+
+static void complex_of(acb_t z, const struct second_order *o, const char *re, const char *im)
+{
+    arb_set(acb_realref(z), second_order_get(o, re));
+    arb_set(acb_imagref(z), second_order_get(o, im));
+}
+
+START_TEST(second_order_solves_eq03_exactly)
+{
+    struct second_order o = response(10, 2);
+    struct proof p;
+    identities_prove(&step_named(&o.derivations, "second_order")->corrected, &p);
+    ck_assert_int_eq(p.result, IDENTITY_HOLDS);
+    proof_clear(&p);
+    second_order_clear(&o);
+}
+END_TEST
+
+/*
+ * Of second order in pitch Re(z), z' = 2 i z, the plane's equations are l'' + c2 l' + (c1 - 9) l - 2 psi' = theta'^2 -
+ * 4 theta^2 = Re(-4 z^2) and psi'' + 3 psi + 2 l' = 2 theta theta' = Re(2 i z^2): for l = Re(A z^2), psi = Re(B z^2)
+ * (c1 - 25 + 4 i c2) A - 8 i B = -4 and 8 i A - 13 B = 2 i.
+ */
+START_TEST(eq40_driven_by_pitch_gives_A_and_B)
+{
+    static const slong gains[][2] = {{10, 2}, {12, 4}, {40, 11}, {20, 1}};
+    SCOPE(acb, A, B, x);
+    for (size_t i = 0; i < sizeof gains / sizeof *gains; i++) {
+        struct second_order o = response(gains[i][0], gains[i][1]);
+        complex_of(A, &o, "A_re", "A_im");
+        complex_of(B, &o, "B_re", "B_im");
+        arb_set_si(acb_realref(x), gains[i][0] - 25);
+        arb_set_si(acb_imagref(x), 4 * gains[i][1]);
+        acb_mul(x, x, A, PREC);
+        acb_mul_onei(B, B);
+        acb_submul_si(x, B, 8, PREC);
+        assert_number(acb_realref(x), "-4", 1e-50);
+        assert_number(acb_imagref(x), "0", 1e-50);
+        acb_mul_onei(A, A);
+        acb_mul_onei(B, B); /* -B now */
+        acb_mul_si(x, A, 8, PREC);
+        acb_addmul_si(x, B, 13, PREC);
+        assert_number(acb_realref(x), "0", 1e-50);
+        assert_number(acb_imagref(x), "2", 1e-50);
+        second_order_clear(&o);
+    }
+}
+END_TEST
+
+/* The energy of pitch per reduced mass, 2 a^2, loses what C2 takes: the mean of c2 l'^2 is 8 c2 |A|^2 a^4. */
+START_TEST(pitch_loses_what_the_feedback_takes)
+{
+    SCOPE(acb, A);
+    SCOPE(arb, k, loss);
+    for (slong c2 = 1; c2 <= 9; c2 += 4) {
+        struct second_order o = response(11, c2);
+        complex_of(A, &o, "A_re", "A_im");
+        acb_abs(loss, A, PREC);
+        arb_sqr(loss, loss, PREC);
+        arb_mul_si(loss, loss, 2 * c2, PREC);
+        arb_sub(k, second_order_get(&o, "decay"), loss, PREC);
+        assert_number(k, "0", 1e-50);
+        second_order_clear(&o);
+    }
+}
+END_TEST
+
+/* n = 10: k = 2592*2/27977, s = -9/2*701/27977, N = 131^2 + 104^2 = 27977; a halves when 2 k a^2 tau = 3. */
+START_TEST(slow_law_halves_pitch)
+{
+    struct second_order o = response(10, 2);
+    SCOPE(arb, a, tau, ratio, shift, expected);
+    arb_set_str(a, "0.01", PREC);
+    arb_set_si(tau, 3 * 27977);
+    arb_div_si(tau, tau, 2 * 2 * 2592, PREC);
+    arb_div(tau, tau, a, PREC);
+    arb_div(tau, tau, a, PREC);
+    slow_law(ratio, shift, &o, a, tau);
+    assert_number(ratio, "0.5", 1e-50);
+    arb_const_log2(expected, PREC); /* s/(2 k) log 4 = s/k log 2 */
+    arb_mul_si(expected, expected, -9 * 701, PREC);
+    arb_div_si(expected, expected, 4 * 2592, PREC);
+    arb_sub(expected, expected, shift, PREC);
+    assert_number(expected, "0", 1e-50);
+    second_order_clear(&o);
+}
+END_TEST
+
+/* ---- the pair in the inverse-square field ---- */
+
+/* Shares 1 and 2 of `of` of the mass, L_ref/R_c = smallness, c1 = 10, c2 = 2. */
+static struct two_body pair(slong share, slong of, const char *smallness)
+{
+    struct two_body b;
+    two_body_init(&b);
+    arb_set_str(b.smallness, smallness, PREC);
+    arb_set_si(b.c1, 10);
+    arb_set_si(b.c2, 2);
+    arb_set_si(b.mass, share);
+    arb_set_si(b.mass + 1, of - share);
+    for (int i = 0; i < CRAFT; i++)
+        arb_div_si(b.mass + i, b.mass + i, of, PREC);
+    return b;
+}
+
+/* At rest at psi = theta = 0.01 rad, L = 1.01 L_ref. */
+static void place_at_start(struct two_body *b)
+{
+    SCOPE(arb, angle, sine, cosine, L);
+    arb_set_str(angle, "0.01", PREC);
+    arb_set_str(L, "1.01", PREC);
+    arb_sin_cos(sine, cosine, angle, PREC);
+    arb_mul(b->place, cosine, cosine, PREC);
+    arb_mul(b->place + 1, cosine, sine, PREC);
+    arb_neg(b->place + 2, sine);
+    _arb_vec_scalar_mul(b->place, b->place, AXES, L, PREC);
+    _arb_vec_scalar_mul(b->place + AXES, b->place, AXES, b->mass, PREC);
+    _arb_vec_neg(b->place + AXES, b->place + AXES, AXES);
+    _arb_vec_scalar_mul(b->place, b->place, AXES, b->mass + 1, PREC);
+}
+
+static void half_day(arb_t tau)
+{
+    sheet_value(tau, "Omega", PREC);
+    arb_mul_si(tau, tau, 43200, PREC);
+}
+
+/*
+ * mpmath 1.2.1, 30 digits: odefun over 43200*7.2915e-5 radians in the inertial frame, X'' = -X/(s^3 |X|^3) and the
+ * charges' pull along the line, s = 0.001, turned back into the Hill frame; craft 1 in L_ref.
+ */
+START_TEST(two_body_is_the_inertial_motion)
+{
+    static const struct {
+        slong share, of;
+        const char *place[AXES];
+    } cases[] = {{1, 2, {"0.4975612729909976798", "0.0048346334768764351521", "-0.0050506882625895745811"}},
+                 {1, 3, {"0.66356847530960516602", "0.0044247566322711494782", "-0.0067370740023247348371"}}};
+    SCOPE(arb, tau);
+    half_day(tau);
+    for (int i = 0; i < 2; i++) {
+        struct two_body b = pair(cases[i].share, cases[i].of, "0.001");
+        place_at_start(&b);
+        two_body_move(&b, tau, PREC);
+        for (int k = 0; k < AXES; k++)
+            assert_number(b.place + k, cases[i].place[k], 1e-17); /* their last digit is 1e-20 or larger */
+        two_body_clear(&b);
+    }
+}
+END_TEST
+
+/* Where R_c is very large the field is Hill's: what is left is (3), which the certified flow moves. */
+START_TEST(eq02_is_the_limit_of_the_inverse_square)
+{
+    struct two_body b = pair(1, 2, "1e-25");
+    struct track t;
+    SCOPE(arb, tau, gap);
+    place_at_start(&b);
+    half_day(tau);
+    two_body_move(&b, tau, 256);
+    ck_assert(track_run(&t, &(struct scene){.nonlinear = true}, 43200, 1, 43200));
+    for (int k = 0; k < AXES; k++) {
+        arb_mul_2exp_si(gap, b.place + k, 1); /* the arm is half L_ref */
+        arb_sub(gap, gap, track_row(&t, 0) + PLACE_X + k, PREC);
+        assert_number(gap, "0", 1e-17); /* the Taylor steps' rests, divided by the smallness, are below */
+    }
+    track_clear(&t);
+    two_body_clear(&b);
+}
+END_TEST
+
+/* ---- observed orders ---- */
+
+/* The motion in the inverse-square field is followed without a bound on what its series leave out. */
+START_TEST(what_two_body_computes_is_measured_and_the_rest_certified)
+{
+    for (const struct study *s = studies; s->name != NULL; s++)
+        ck_assert_msg(s->measured == (strncmp(s->name, "hill", 4) == 0), "%s", s->name);
+}
+END_TEST
+
+static const struct {
+    const char *name;
+    double tolerance;
+} orders[] = {{"linear_43200s", 0.005},     {"linear_172800s", 0.005}, {"linear_pitch_172800s", 0.005},
+              {"rk4_linear_24000s", 0.005}, {"rk4_nonlinear_24000s", 0.005}, {"hill_43200s", 0.005},
+              {"hill_unequal_43200s", 0.005}, {"forced_43200s", 0.005}, {"slow_law", 0.05}};
+
+START_TEST(study_shows_its_orders)
+{
+    struct convergence c;
+    const struct study *s = study_find(orders[_i].name);
+    ck_assert_ptr_nonnull(s);
+    SCOPE(arb, worst);
+    ck_assert(convergence_init(&c, s, s->rows - 2));
+    for (int i = 0; i < s->count; i++)
+        raise_to_difference(worst, convergence_order(&c, i), s->order[i]);
+    ck_assert(is_below(worst, orders[_i].tolerance));
+    convergence_clear(&c);
+}
+END_TEST
+
+START_TEST(every_study_is_tested)
+{
+    int count = 0;
+    while (studies[count].name != NULL)
+        count++;
+    ck_assert_int_eq(count, (int)(sizeof orders / sizeof *orders));
+    ck_assert_ptr_null(study_find("linear"));
+}
+END_TEST
+
+/* Hill's motion less mpmath's of two_body_is_the_inertial_motion: x1 and dL in m. */
+START_TEST(hill_differs_by_what_the_inertial_motion_says)
+{
+    static const struct {
+        int which, variable;
+        const char *inertial;
+    } cases[] = {{PLACE_X, 0, "4.975612729909976798"}, {ETA, 5, "-0.018640285790863615346"}};
+    const struct study *s = study_find("hill_43200s");
+    struct track t;
+    VECTOR(arb, d, VARIABLES);
+    SCOPE(arb, x, y);
+    SCOPE(fmpq, smallness);
+    fmpq_set_si(smallness, 1, 1000);
+    ck_assert(s->differences(d, s, smallness));
+    ck_assert(track_run(&t, &(struct scene){.nonlinear = true}, 43200, 1, 43200));
+    for (int i = 0; i < 2; i++) {
+        arb_mul(x, track_row(&t, 0) + cases[i].which, i ? t.L_ref : t.arm, PREC);
+        arb_set_str(y, cases[i].inertial, PREC);
+        arb_sub(x, x, y, PREC);
+        arb_abs(x, x);
+        arb_sub(x, x, d + cases[i].variable, PREC);
+        assert_number(x, "0", 1e-16);
+    }
+    track_clear(&t);
+}
+END_TEST
+
+SUITE(test_convergence)
+{
+    Suite *s = suite_create("convergence");
+    TCase *c = tcase_create("convergence");
+    tcase_set_timeout(c, 60);
+    tcase_add_test(c, second_order_solves_eq03_exactly);
+    tcase_add_checked_fixture(c, NULL, close_all);
+    tcase_add_test(c, eq40_driven_by_pitch_gives_A_and_B);
+    tcase_add_test(c, pitch_loses_what_the_feedback_takes);
+    tcase_add_test(c, slow_law_halves_pitch);
+    tcase_add_test(c, two_body_is_the_inertial_motion);
+    tcase_add_test(c, eq02_is_the_limit_of_the_inverse_square);
+    tcase_add_loop_test(c, study_shows_its_orders, 0, (int)(sizeof orders / sizeof *orders));
+    tcase_add_test(c, every_study_is_tested);
+    tcase_add_test(c, what_two_body_computes_is_measured_and_the_rest_certified);
+    tcase_add_test(c, hill_differs_by_what_the_inertial_motion_says);
+    suite_add_tcase(s, c);
+    return s;
+}

@@ -1,0 +1,380 @@
+/* Claims as data: what is asserted and found, the verdicts that follow, numbers with proved digits, and every mistake. */
+#include "tests/run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sheet/embedded.h"
+#include "claims/statement.h"
+#include "formula/typeset.h"
+
+static struct proof_results proofs;
+
+static void open_all(void)
+{
+    proof_results_init(&proofs, false);
+}
+
+static void close_all(void)
+{
+    proof_results_clear(&proofs);
+    sheet_close();
+    flint_cleanup();
+}
+
+/* A claim with that condition, these entries of `prove`, `given` and evidence; NULL: none. */
+static void write_claim(char text[4096], const char *condition, const char *given, const char *prove, const char *evidence)
+{
+    snprintf(text, 4096, "c:\n  where: here\n  kind: beyond\n  claim: it is so\n  verdict: {holds: %s}\n%s%s%s%s%s\n  evidence: >-\n    %s\n",
+             condition, given != NULL ? "  given: {" : "", given != NULL ? given : "", given != NULL ? "}\n" : "", "  prove:\n    ", prove,
+             evidence != NULL ? evidence : "so it is");
+}
+
+static void read_claim(struct statements *s, const char *text)
+{
+    struct message why = {""};
+    ck_assert_msg(statements_read(s, &proofs, text, strlen(text), "t", &why) == 0, "%s\n%s", why.text, text);
+}
+
+/* ---- assertions ---- */
+
+static const struct {
+    const char *given, *entry;
+    enum truth truth;
+    enum how how;
+} assertions[] = {
+    /* equalities for all values */
+    {NULL, "a: eq05.x1 - eq05.x2 = L", FOUND_TRUE, EXACT},
+    {NULL, "a: eq05.x1 + eq05.x2 = 0", FOUND_FALSE, EXACT},
+    {"free: [u], let: {v: u^2}", "a: (u + 1)^2 = v + 2*u + 1", FOUND_TRUE, EXACT},
+    {"free: [u], small: [u], order: 1", "a: (1 + u)^3 = 1 + 3*u", FOUND_TRUE, EXACT},
+    {"free: [u], small: [u], order: 2", "a: (1 + u)^3 = 1 + 3*u", FOUND_FALSE, EXACT},
+    {"angles: [psi, theta]", "a: eq25.w_2 = Omega*eq09.BO_23", FOUND_TRUE, EXACT},
+    {"free: [u, u_dot], rates: {u: u_dot}", "a: rate(u^2) = 2*u*u_dot", FOUND_TRUE, EXACT},
+    {NULL, "a: {show: (s + 1)^2 = s^2 + 1 + 2*s, free: [s]}", FOUND_TRUE, EXACT},
+    /* at values, in exact numbers */
+    {NULL, "a: {show: sqrt(x) = 3, at: {x: 9}}", FOUND_TRUE, EXACT},
+    {NULL, "a: {show: sqrt(x) = 3, at: {x: 10}}", FOUND_FALSE, CERTIFIED},
+    {NULL, "a: {show: x^2 = y, for: {x: [1, 2, -3], y: [1, 4, 9]}}", FOUND_TRUE, EXACT},
+    {NULL, "a: {show: x^2 = y, for: {x: [1, 2, -3], y: [1, 4, -9]}}", FOUND_FALSE, EXACT},
+    /* signs */
+    {NULL, "a: dL < L_ref", FOUND_TRUE, EXACT},
+    {NULL, "a: dL > L_ref", FOUND_FALSE, EXACT},
+    {NULL, "a: dL != L_ref/100", FOUND_FALSE, EXACT},
+    {NULL, "a: dL <= L_ref/100", FOUND_TRUE, EXACT},
+    {NULL, "a: dL >= L_ref/100", FOUND_TRUE, EXACT},
+    {NULL, "a: exp(dL) > 11/10", FOUND_TRUE, CERTIFIED},
+    {NULL, "a: L > 0", UNDECIDED, CERTIFIED}, /* L has no value */
+    {"at: {x: 1 +- 1/10}", "a: x > 0", FOUND_TRUE, CERTIFIED},
+    {"at: {x: 1 +- 1/10}", "a: x > 1", UNDECIDED, CERTIFIED},
+    {"at: {y: 2, x: y^2}", "a: {show: x > 4, at: {y: 3}}", FOUND_TRUE, EXACT}, /* its own y, and x by it */
+    {"at: {n: 12}", "a: n > 11", FOUND_TRUE, EXACT}, /* not the sheet's 10 */
+    {NULL, "a: {show: n < m, for: {n: [1, 2], m: [2, 3]}}", FOUND_TRUE, EXACT},
+    /* signs on intervals */
+    {NULL, "a: {show: x^2 - x + 0.2501 > 0, on: {x: [0, 1]}}", FOUND_TRUE, CERTIFIED}, /* least 0.0001 */
+    {NULL, "a: {show: x^2 - x + 0.25 > 0, on: {x: [0, 1]}}", UNDECIDED, CERTIFIED},    /* touches zero */
+    {NULL, "a: {show: x^2 - x + 0.2501 < 0, on: {x: [0, 1]}}", FOUND_FALSE, CERTIFIED},
+    {NULL, "a: {show: log(x) < x, on: {x: [1/2, 3]}}", FOUND_TRUE, CERTIFIED},
+    {NULL, "a: {show: 1 > 0, on: {x: [0, 1/(1 - 1)]}}", UNDECIDED, CERTIFIED},
+    /* one root between bounds */
+    {NULL, "a: {root: x^2 - 2, of: x, in: [1, 2]}", FOUND_TRUE, EXACT},
+    {NULL, "a: {root: 3/2 - x, of: x, in: [1, 2]}", FOUND_TRUE, EXACT}, /* met exactly by halving */
+    {NULL, "a: {root: x^2 - 2, of: x, in: [2, 3]}", FOUND_FALSE, EXACT},
+    {NULL, "a: {root: x^2 - 2, of: x, in: [-2, 2]}", FOUND_FALSE, EXACT}, /* two */
+    {NULL, "a: {root: (x - 1)^2, of: x, in: [0, 3]}", UNDECIDED, EXACT}, /* touches zero */
+    {NULL, "a: {root: exp(x) - n, of: x, in: [0, 3]}", FOUND_TRUE, CERTIFIED},
+    /* real roots, counted */
+    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), of: x, above: 0, count: 2}", FOUND_TRUE, EXACT},
+    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), of: x, count: 3}", FOUND_TRUE, EXACT},
+    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), of: x, above: -4, below: 2, count: 2}", FOUND_TRUE, EXACT}, /* not 2 itself */
+    {NULL, "a: {roots: x^2 + 1, of: x, count: 1}", FOUND_FALSE, EXACT},
+    {NULL, "a: {roots: x^2 - m, of: x, count: 2, for: {m: [1, 5]}}", FOUND_TRUE, EXACT},
+    {NULL, "a: {roots: exp(x), of: x, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: x - x, of: x, count: 0}", UNDECIDED, EXACT},
+    /* matrices */
+    {"free: [u, v], system: {u: v, v: -4*u}", "a: {characteristic: s^2 + 4, of: s}", FOUND_TRUE, EXACT},
+    {"free: [u, v], system: {u: v, v: -4*u}", "a: {characteristic: s^2 - 4, of: s}", FOUND_FALSE, EXACT},
+    {"free: [u, v], system: {u: v, v: -u^3}, about: {u: 2}", "a: {characteristic: s^2 + 12, of: s}", FOUND_TRUE, EXACT},
+    {"free: [u, v], system: {u: v, v: -k*u}", "a: {characteristic: s^2 + k, of: s, for: {k: [1, 2]}}", FOUND_TRUE, EXACT},
+    {"free: [u, v], system: {u: v, v: 0*u}", "a: {rank: 1}", FOUND_TRUE, EXACT},
+    {"free: [u, v], system: {u: v, v: dQ}, at: {dQ: 0}", "a: {rank: 2, control: dQ}", FOUND_TRUE, EXACT},
+    {"free: [u, v], system: {u: v, v: dQ}, at: {dQ: 0}", "a: {rank: 1, observe: v}", FOUND_TRUE, EXACT},
+    {"free: [u, v], system: {u: v, v: -L*u}", "a: {rank: 2}", UNDECIDED, EXACT}, /* L has no value */
+    /* steps */
+    {NULL, "a: {step: kepler}", FOUND_TRUE, EXACT},
+};
+
+START_TEST(assertions_are_found_true_or_false_or_stay_open)
+{
+    char text[4096];
+    struct statements s;
+    write_claim(text, "a", assertions[_i].given, assertions[_i].entry, NULL);
+    read_claim(&s, text);
+    struct assertion *a = &s.list[0].assertions[0];
+    assertion_find(&s, &s.list[0], a);
+    ck_assert_msg(a->truth == assertions[_i].truth, "%s: found %d", assertions[_i].entry, (int)a->truth);
+    ck_assert_msg(a->how == assertions[_i].how, "%s: %s", assertions[_i].entry, how_names[a->how]);
+    statements_clear(&s);
+}
+END_TEST
+
+/* ---- verdicts ---- */
+
+static void assert_ruled(const char *text, enum verdict verdict, bool as_written, const char *open)
+{
+    struct statements s;
+    struct ruling r;
+    read_claim(&s, text);
+    statement_rule(&s, &s.list[s.count - 1], &r);
+    ck_assert_msg(r.verdict == verdict && r.as_written == as_written, "%s: %s\n%s", verdict_names[r.verdict], r.open.text, text);
+    ck_assert_msg(strstr(r.open.text, open) != NULL && (*open != '\0' || r.open.text[0] == '\0'), "'%s'", r.open.text);
+    statements_clear(&s);
+}
+
+static const struct {
+    const char *condition, *prove;
+    enum verdict verdict;
+    bool as_written;
+    const char *open;
+} rulings[] = {
+    {"a", "a: dL > 0", HOLDS, true, ""},
+    {"a and b", "a: dL > 0\n    b: dL < 1", HOLDS, true, ""},
+    {"not a", "a: dL < 0", HOLDS, true, ""},
+    {"a and not (b or d)", "a: dL > 0\n    b: dL < 0\n    d: dL = 0", HOLDS, true, ""},
+    {"a", "a: dL < 0", VERDICT_NONE, false, "t:5:12: c is undecided: none of its conditions is true"},
+    {"a and b", "a: dL > 0\n    b: L > 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is found neither true nor false"},
+    {"a, refuted: not a", "a: dL < 0", REFUTED, false, "c comes out as 'refuted', its evidence is written for 'holds'"},
+    {"a, refuted: b", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "more than one of its conditions is true"},
+    {"(a or b) and a and b", "a: dL > 0\n    b: dL < 1", HOLDS, true, ""},
+    {"a or b", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:7:8: c stands without 'a', or with its contrary"},
+    {"a and (b or not b)", "a: dL > 0\n    b: dL < 1", HOLDS, false, "c stands without"},
+    {"start.returns_12 and start.escapes_10", "start: {compute: half_length}", HOLDS, true, ""},
+    {"start.returns_10", "start: {compute: half_length}", VERDICT_NONE, false, "none of its conditions"},
+};
+
+START_TEST(verdicts_follow_from_conditions)
+{
+    char text[4096];
+    write_claim(text, rulings[_i].condition, NULL, rulings[_i].prove, NULL);
+    assert_ruled(text, rulings[_i].verdict, rulings[_i].as_written, rulings[_i].open);
+}
+END_TEST
+
+START_TEST(a_claim_has_not_too_many_assertions)
+{
+    char text[4096], prove[1024] = "";
+    struct statements s;
+    struct message why = {""};
+    for (int i = 0; i <= MOST_ASSERTIONS; i++)
+        snprintf(prove + strlen(prove), sizeof prove - strlen(prove), "a%d: dL > 0\n    ", i);
+    write_claim(text, "a0", NULL, prove, NULL);
+    ck_assert_int_eq(statements_read(&s, &proofs, text, strlen(text), "t", &why), -1);
+    ck_assert_ptr_nonnull(strstr(why.text, "expected at most 40 assertions"));
+}
+END_TEST
+
+START_TEST(a_claim_may_rest_on_another)
+{
+    char text[4096], both[8192];
+    write_claim(text, "a", NULL, "a: dL > 0", NULL);
+    snprintf(both, sizeof both, "%sd%s", text, strchr(text, ':'));
+    char *second = strstr(strstr(both, "\nd:"), "a: dL > 0");
+    snprintf(second, sizeof both - (size_t)(second - both), "a: {claim: c}\n  evidence: e\n");
+    assert_ruled(both, HOLDS, true, "");
+    strstr(both, "dL > 0")[3] = '<';
+    assert_ruled(both, VERDICT_NONE, false, "d is undecided: 'a'");
+}
+END_TEST
+
+/* ---- numbers ---- */
+
+static const struct {
+    const char *number, *decimal; /* NULL: not proved */
+    enum how how;
+} numbers[] = {
+    {"1/800 | 3", "0.00125", EXACT},      {"-1.25 | 3", "-1.25", EXACT},        {"1.25e-4 | 3", "0.000125", EXACT},
+    {"1.25e-5 | 3", "1.25e-05", EXACT},   {"1250000 | 3", "1250000", EXACT},    {"12500000 | 3", "1.25e+07", EXACT},
+    {"-12.5 | 4", "-12.50", EXACT},       {"2 | 1", "2", EXACT},                {"dL - 1/10 | 3", "0", EXACT},
+    {"1/8 | exact", "1/8", EXACT},        {"sqrt(2) | exact", NULL, EXACT},     {"sqrt(2) | 5", "1.4142", EXACT},
+    {"sqrt(2) | .2", "1.41", EXACT},      {"sqrt(2)/100 | .3", "0.014", EXACT}, {"-sqrt(2) | .0", "-1", EXACT},
+    {"sqrt(2) | 2 up", "1.5", EXACT},     {"sqrt(2) | 2 down", "1.4", EXACT},   {"-sqrt(2) | 2 up", "-1.4", EXACT},
+    {"sqrt(2)/1000 | 2 up", "0.0015", EXACT}, {"pi | 6", "3.14159", EXACT},     {"x | 1", "1", CERTIFIED},
+    {"x | 3", NULL, CERTIFIED},           {"x | 2 up", "1.4", CERTIFIED},       {"x | 2 down", "1.1", CERTIFIED},
+    {"r | 6", "1.41421", EXACT},          {"L | 3", NULL, EXACT},
+    {"1.51e12*sqrt(1) | 2 up", "1.6e+12", EXACT}, {"dL - 1/10 | 2 up", "0", EXACT},
+};
+
+START_TEST(numbers_have_proved_digits_or_none)
+{
+    char text[4096], evidence[128];
+    struct statements s;
+    struct ruling r;
+    snprintf(evidence, sizeof evidence, "{%s}, {r | 3}, {x | 1}", numbers[_i].number);
+    write_claim(text, "a", "at: {x: 1.25 +- 0.06}", "a: dL > 0\n    r: {root: y^2 - 2, of: y, in: [1, 2]}", evidence);
+    read_claim(&s, text);
+    statement_decide(&s, &s.list[0], NULL, &r);
+    const struct quoted_number *q = &s.list[0].numbers[0];
+    ck_assert_int_eq(r.as_written, numbers[_i].decimal != NULL);
+    if (numbers[_i].decimal == NULL) {
+        ck_assert_ptr_null(q->decimal);
+        ck_assert_int_eq(r.verdict, VERDICT_NONE);
+        ck_assert_msg(strstr(r.open.text, "t:11:6: c: the digits of") == r.open.text, "%s", r.open.text);
+    } else {
+        ck_assert_ptr_nonnull(q->decimal);
+        ck_assert_str_eq(q->decimal, numbers[_i].decimal);
+        ck_assert_int_eq(q->how, numbers[_i].how);
+    }
+    statements_clear(&s);
+}
+END_TEST
+
+START_TEST(evidence_is_written_in_both_forms)
+{
+    char text[4096];
+    struct statements s;
+    struct ruling r;
+    struct written w = {{NULL, 0}, {NULL, 0}};
+    write_claim(text, "a", NULL, "a: dL > 0",
+                "at $|dQ| <= 2 k_c/L^2$ and\n    5 % it is {1.3e-12 | 2 | m}, {100*dL | 2 | %}, {dL | 1}");
+    read_claim(&s, text);
+    statement_decide(&s, &s.list[0], NULL, &r);
+    statement_evidence(&s.list[0], &w);
+    ck_assert_str_eq(w.plain.text, "at |dQ| <= 2 k_c/L^2 and 5 % it is 1.3e-12 m, 10 %, 0.1");
+    struct written odd = {{NULL, 0}, {NULL, 0}};
+    write_marked(&odd, "4 uC_1 ~ m^2 < ^ \\ $");
+    ck_assert_str_eq(odd.latex.text, "4 \\textmu{}C\\_1 \\textasciitilde{} m$^{2}$ $<$ \\textasciicircum{} \\textbackslash{} $");
+    written_clear(&odd);
+    ck_assert_str_eq(w.latex.text, "at $\\vert \\delta Q\\vert  \\le  2\\,k_{c}/L^{2}$ and 5 \\% it is $1.3\\cdot 10^{-12}$~m, $10$~\\%, $0.1$");
+    written_clear(&w);
+    statements_clear(&s);
+}
+END_TEST
+
+/* ---- mistakes ---- */
+
+static const struct {
+    const char *from, *to, *expected;
+} mistakes[] = {
+    {"kind: beyond", "kind: rumour", "t:3:9: expected a kind"},
+    {"  where: here\n", "", "t:2:3: missing where"},
+    {"where: here", "were: here", "t:2:3: unknown key 'were'"},
+    {"verdict: {holds: a and b}", "verdict: {stands: a and b}", "t:5:13: expected a verdict"},
+    {"verdict: {holds: a and b}", "verdict: holds", "t:5:12: expected {verdict: condition}"},
+    {"verdict: {holds: a and b}", "verdict: {}", "t:5:12: expected verdict"},
+    {"{holds: a and b}", "{holds: a and b and d}", "t:5:32: expected a name of prove"},
+    {"{holds: a and b}", "{holds: a and}", "t:5:25: expected a name of prove"},
+    {"{holds: a and b}", "{holds: (a and b}", "t:5:28: expected ')'"},
+    {"{holds: a and b}", "{holds: ((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((}", "expected less nesting"},
+    {"{holds: a and b}", "{holds: a b}", "t:5:22: expected and, or"},
+    {"{holds: a and b}", "{holds: a.x and b}", "t:5:20: expected a name of prove"},
+    {"{holds: a and b}", "{holds: a}", "t:8:8: 'b' serves no verdict and no number"},
+    {"{holds: a and b}", "{refuted: a and b}", "missing why"},
+    {"a: dL > 0", "a: dL", "t:7:8: expected left = right"},
+    {"a: dL > 0", "a: eq05.x1 + 1 = eq05.x1+1", "t:7:8: both sides are the same"},
+    {"a: dL > 0", "a: {show: dL <= dL}", "t:7:15: both sides are the same"},
+    {"a: dL > 0", "a: dL > nothing", "t:7:13: unknown symbol 'nothing'"},
+    {"a: dL > 0", "a: {sohw: dL > 0}", "t:7:9: unknown key 'sohw'"},
+    {"a: dL > 0", "a: {on: {x: [0, 1]}}", "t:7:8: expected left = right, or one of"},
+    {"a: dL > 0", "a: {show: dL > x, on: {x: [0]}}", "t:7:27: expected on"},
+    {"a: dL > 0", "a: {show: dL > x, for: {x: [0], y: [1, 2]}}", "t:7:40: expected lists of one length"},
+    {"a: dL > 0", "a: {root: x, in: [0, 1]}", "t:7:8: missing of"},
+    {"a: dL > 0", "a: {root: 1, of: '', in: [0, 1]}", "t:7:22: missing of"},
+    {"a: dL > 0", "a: {root: x, of: x, in: [0]}", "t:7:29: expected in"},
+    {"a: dL > 0", "a: {roots: x, of: x, count: many}", "t:7:33: expected a count"},
+    {"a: dL > 0", "a: {rank: 1}", "t:7:8: expected a system"},
+    {"a: dL > 0", "a: {step: nowhere}", "t:7:15: expected a step"},
+    {"a: dL > 0", "a: {claim: d}", "t:7:16: expected a claim that stands before"},
+    {"a: dL > 0", "a: {claim: c}", "t:7:16: expected a claim that stands before"},
+    {"a: dL > 0", "a: {compute: nothing}", "t:7:18: unknown computation"},
+    {"a: dL > 0", "a: {show: dL > y, at: {y: z}}", "t:7:31: unknown symbol 'z'"},
+    {"evidence: >-\n    so", "evidence: >-\n    so {dL} and\n    so", "t:10:9: expected {FORMULA | DIGITS}"},
+    {"evidence: >-\n    so", "evidence: >-\n    so\n    it {dL | many} so", "t:11:14: expected {FORMULA | DIGITS}"},
+    {"evidence: >-\n    so", "evidence: >-\n    so\n    it {dM | 2} so", "t:11:9: unknown symbol 'dM'"},
+    {"evidence: >-\n    so", "evidence: >-\n    so $dL", "t:10:8: expected $...$, closed"},
+    {"evidence: >-\n    so", "evidence: >-\n    so}", "t:10:7: expected '{' before '}'"},
+    {"claim: it", "claim: it {dL | 2}", "t:4:13: expected no number"},
+    {"kind: beyond", "kind: beyond\n  equations: ['99']", "unknown '99', expected an equation number"},
+    {"kind: beyond", "kind: beyond\n  equations: 99", "t:4:14: expected a list"},
+    {"  verdict: {holds: a and b}\n", "", "missing verdict"},
+    {"  evidence: >-\n    so it is\n", "", "missing evidence"},
+    {"  prove:\n    a: dL > 0\n    b: dL < 1", "  prove: [a]", "t:6:10: expected a mapping"},
+    {"a: dL > 0", "a: [dL > 0]", "t:7:8: expected left = right, or a mapping"},
+    {"a: dL > 0", "a: {root: [1], of: x, in: [0, 1]}", "t:7:15: expected a formula"},
+    {"a: dL > 0", "a: {show: dL > 0, at: [1]}", "t:7:27: expected a mapping"},
+    {"a: dL > 0", "a: {show: dL > x, for: {x: 1}}", "t:7:32: expected a list"},
+    {"a: dL > 0", "a: {show: dL > x, for: {x: [y]}}", "t:7:33: unknown symbol 'y'"},
+    {"a: dL > 0", "a: {show: dL > x, for: {x: [1], y: [1], z: [1], w: [1]}}", "t:7:28: expected for"},
+    {"a: dL > 0", "a: {show: dL > x, on: {x: [0, 1], y: [0, 1]}}", "t:7:27: expected on"},
+    {"a: dL > 0", "a: {rank: 1, system: {nowhere: 1}}", "t:7:27: unknown symbol 'nowhere'"},
+    {"a: dL > 0", "a: {rank: 1, system: {psi: [1]}}", "t:7:32: expected a formula"},
+    {"a: dL > 0", "a: {rank: 1, system: {psi: psi_dot}, control: nowhere}", "t:7:51: expected control"},
+    {"a: dL > 0\n    b: dL < 1", "a: b > 0\n    b: {root: x - 1, of: x, in: [0, 2]}", "t:7:8: 'a' rests on itself, or on what stands after it"},
+    {"evidence: >-\n    so", "evidence: >-\n    {dM | 2} {dL | 2}", "t:10:6: unknown symbol 'dM'"},
+    {"(nothing)", "c: 5", "t:1:4: expected a mapping"},
+    {"(nothing)", "[c]", "t:1:1: expected a mapping"},
+    {"(nothing)", "{c", "expected YAML"},
+};
+
+START_TEST(mistakes_are_told_with_their_place)
+{
+    char good[4096], text[8192];
+    struct statements s;
+    struct message why = {""};
+    write_claim(good, "a and b", NULL, "a: dL > 0\n    b: dL < 1", NULL);
+    const char *at = strstr(good, mistakes[_i].from);
+    const bool whole = strcmp(mistakes[_i].from, "(nothing)") == 0;
+    ck_assert_msg(at != NULL || whole, "%s", mistakes[_i].from);
+    if (whole)
+        snprintf(text, sizeof text, "%s", mistakes[_i].to);
+    else
+        snprintf(text, sizeof text, "%.*s%s%s", (int)(at - good), good, mistakes[_i].to, at + strlen(mistakes[_i].from));
+    ck_assert_int_eq(statements_read(&s, &proofs, text, strlen(text), "t", &why), -1);
+    ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "%s\n%s", why.text, text);
+}
+END_TEST
+
+/* ---- mathematics in a sentence ---- */
+
+START_TEST(mathematics_is_set_token_by_token)
+{
+    static const struct {
+        const char *given, *expected;
+    } pairs[] = {
+        {"3 Omega^2 L", "3\\,\\Omega ^{2}\\,L"},
+        {"x'' = -2*y'/r^(n + 1)", "x'' = -2\\,y'/r^{n + 1}"},
+        {"sqrt(12*n - 27) >= sqrt 7", "\\sqrt{12\\,n - 27} \\ge  \\sqrt{7}"},
+        {"(1 + h/R)^(-3/2)", "(1 + h/R)^{-3/2}"},
+        {"n log r != 1.5e-3", "n\\,\\ln \\,r \\ne  1.5\\cdot 10^{-3}"},
+        {"dL << L_ref", "\\delta L \\ll  L_{\\mathrm{ref}}"},
+        {"u^-2 +- ... -+ 1", "u^{-2} \\pm  \\dots  \\mp  1"},
+        {"f(x)", "f(x)"},
+    };
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
+        struct tex t = {NULL, 0};
+        typeset_inline(&t, pairs[i].given, strlen(pairs[i].given));
+        ck_assert_str_eq(t.text, pairs[i].expected);
+        tex_clear(&t);
+    }
+}
+END_TEST
+
+#define LOOP(test, table) tcase_add_loop_test(c, test, 0, sizeof(table) / sizeof(table)[0])
+
+SUITE(test_statement)
+{
+    Suite *s = suite_create("statement");
+    TCase *c = tcase_create("statements");
+    tcase_add_unchecked_fixture(c, open_all, close_all);
+    tcase_set_timeout(c, 60);
+    LOOP(assertions_are_found_true_or_false_or_stay_open, assertions);
+    LOOP(verdicts_follow_from_conditions, rulings);
+    tcase_add_test(c, a_claim_may_rest_on_another);
+    tcase_add_test(c, a_claim_has_not_too_many_assertions);
+    LOOP(numbers_have_proved_digits_or_none, numbers);
+    tcase_add_test(c, evidence_is_written_in_both_forms);
+    LOOP(mistakes_are_told_with_their_place, mistakes);
+    tcase_add_test(c, mathematics_is_set_token_by_token);
+    suite_add_tcase(s, c);
+    return s;
+}

@@ -1,0 +1,539 @@
+/* The command line as its users meet it: what it prints, where, and with which exit code. */
+#define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): the name is POSIX's, and needed for a terminal */
+
+#include "tests/run.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { MOST_TEXT = 1 << 20, MOST_WORDS = 40 };
+
+static char output[MOST_TEXT], errors[MOST_TEXT];
+
+static void read_back(FILE *file, char *text)
+{
+    rewind(file);
+    size_t length = fread(text, 1, MOST_TEXT - 1, file);
+    text[length] = '\0';
+    fclose(file);
+}
+
+/* Runs the program with the words of a line, '' being an empty one; returns its exit status, -1 for a signal. */
+static int run_to(const char *line, int out)
+{
+    static char words[4096];
+    char *arguments[MOST_WORDS + 2] = {getenv("CT_PROGRAM")}, *rest = NULL;
+    FILE *error_file = tmpfile();
+    int count = 1, status;
+    ck_assert_ptr_nonnull(arguments[0]);
+    ck_assert_ptr_nonnull(error_file);
+    snprintf(words, sizeof words, "%s", line);
+    for (char *word = strtok_r(words, " ", &rest); word && count <= MOST_WORDS; word = strtok_r(NULL, " ", &rest))
+        arguments[count++] = strcmp(word, "''") == 0 ? word + 2 : word;
+    pid_t child = fork();
+    ck_assert_int_ge(child, 0);
+    if (child == 0) {
+        dup2(out, 1);
+        dup2(fileno(error_file), 2);
+        execv(arguments[0], arguments);
+        _exit(127);
+    }
+    ck_assert_int_eq(waitpid(child, &status, 0), child);
+    read_back(error_file, errors);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static int run(const char *line)
+{
+    FILE *file = tmpfile();
+    ck_assert_ptr_nonnull(file);
+    int status = run_to(line, fileno(file));
+    read_back(file, output);
+    return status;
+}
+
+static int lines(const char *text)
+{
+    int count = 0;
+    for (; *text != '\0'; text++)
+        count += *text == '\n';
+    return count;
+}
+
+#define TABLE1 "Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=10"
+
+#define REST " psi=0.01 theta=0.01 dL=0 psi_dot=0 theta_dot=0 dL_dot=0"
+
+/* Wrong lines: the status, and a word that the one line on standard error has to say. */
+static const struct {
+    const char *line;
+    int status;
+    const char *says;
+} mistakes[] = {
+    {"", 2, "subcommand"},
+    {"''", 2, "subcommand"},
+    {"evil", 2, "eval"},
+    {"ev\nil", 2, "unknown subcommand 'ev?il'"},
+    {"equations eq1", 2, "unknown operation 'eq1'"},
+    {"equations eq07 eq09", 2, "eq09"},
+    {"equations --jsn", 2, "--json"},
+    {"equations x=1", 2, "x=1"},
+    {"eval", 2, "operation"},
+    {"eval eq077", 2, "did you mean 'eq07'"},
+    {"eval eq08", 2, "definition"},
+    {"eval eq07 " TABLE1 " extra", 2, "extra"},
+    {"eval eq07 " TABLE1 " ''", 2, "empty"},
+    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150", 2, "missing L"},
+    {"eval eq07 " TABLE1 " L=11", 2, "L: given twice"},
+    {"eval eq07 " TABLE1 " m3=11", 2, "unknown name 'm3', did you mean 'm1'"},
+    {"eval eq07 Omega=fast k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
+    {"eval eq07 Omega= k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
+    {"eval eq07 Omega=7,2915e-5 k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
+    {"eval eq07 Omega=nan k_c=8.99e9 m1=150 m2=150 L=10", 1, "Omega"},
+    {"eval eq07 Omega=inf k_c=8.99e9 m1=150 m2=150 L=10", 1, "Omega"},
+    {"eval eq07 Omega=-inf k_c=8.99e9 m1=150 m2=150 L=10", 1, "Omega"},
+    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=-150 m2=150 L=10", 1, "m1"},
+    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=0", 1, "L"},
+    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=1e400", 1, "binary64"},
+    {"eval eq07 Omega=1e400 k_c=8.99e9 m1=word m2=150 L=1", 2, "m1"},
+    {"eval eq07 " TABLE1 " --digits 0", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --digits 10001", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --digits -1", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --digits many", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --digits", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --json --json", 2, "twice"},
+    {"eval eq07 " TABLE1 " --json=yes", 2, "no value"},
+    {"eval eq07 Omega=nan m1=150", 2, "missing k_c"},
+    {"eval flow_linear Omega=7e-5 L_ref=10 C1=6e-8 C2=1e-4 t=1e300" REST, 1, "no end in sight"},
+    {"eval flow_linear Omega=7e-5 L_ref=10 C1=6e-8 C2=1e-4 t=1e15" REST, 1, "no end in sight"},
+    {"eval rk4_linear Omega=7e-5 L_ref=10 C1=6e-8 C2=1e-4 h=1 t=1e18" REST, 1, "no end in sight"},
+    {"eval eq44 Omega=7.2915e-5 n=8.999", 1, "n >= 9"},
+    {"eval eq43 Omega=7.2915e-5 n=0", 1, "n > 0"},
+    {"eval eq21 Q_ref=-1e-13 dQ=2e-13", 1, "Q_ref + dQ < 0"},
+    {"eval eq12 x1=1 y1=2 z1=3 x2=1 y2=2 z2=3", 1, "eq12"},
+    {"table1 extra", 2, "extra"},
+    {"table1 x=1", 2, "x=1"},
+    {"table1 --digits 3", 2, "--digits"},
+    {"figure", 2, "figure"},
+    {"figure 8", 2, "8"},
+    {"figure 5", 2, "5a, 5b, 6, 7a or 7b, got 5"},
+    {"figure --rk", 2, "did you mean '--rk4'"},
+    {"figure 4 psi=0.1", 2, "psi"},
+    {"figure 4 --rk4 100", 2, "--rk4"},
+    {"figure 5a n=8", 1, "n"},
+    {"figure 5a n=10 C1=1 C2=1", 2, "n"},
+    {"figure 5a --rk4 0", 1, "--rk4"},
+    {"figure 5a --rk4 30", 1, "--rk4"},
+    {"figure 7a dL=-4 --rk4 100", 1, "Q_ref + dQ >= 0 at t = 0 s"}, /* a push: dL < -3 L_ref/n */
+    {"trajectory", 2, "linear or nonlinear"},
+    {"trajectory circular", 2, "circular"},
+    {"trajectory linear --untl 5", 2, "did you mean '--until'"},
+    {"trajectory linear --every", 2, "--every: expected a value after it"},
+    {"trajectory linear --every=", 2, "--every: expected a value after it"},
+    {"trajectory linear --until many", 2, "--until"},
+    {"trajectory nonlinear x1=0 y1=0 z1=0 x1_dot=0 y1_dot=0 z1_dot=0", 1, "x1 y1 z1: expected the two craft apart"},
+    {"trajectory linear x1=5", 2, "x1"},
+    {"trajectory nonlinear x1=5", 2, "all six"},
+    {"trajectory linear m1=0", 1, "m1"},
+    {"trajectory linear m1=inf", 1, "m1"},
+    {"trajectory nonlinear dL=-10", 1, "apart"},
+    {"trajectory linear --at 0,1 --every 5", 2, "--at"},
+    {"trajectory linear --at ,1", 2, "--at"},
+    {"trajectory linear --at 0,one", 2, "--at"},
+    {"trajectory linear --at 0,nan", 1, "--at"},
+    {"trajectory linear --at 5,1", 2, "--at"},
+    {"trajectory linear --at -1,1", 2, "--at"},
+    {"trajectory linear --every 0", 1, "--every"},
+    {"trajectory linear --every inf", 1, "--every: expected a finite number"},
+    {"trajectory linear --until inf", 1, "--until: expected a finite number"},
+    {"trajectory linear --every -1", 1, "--every"},
+    {"trajectory linear --every 1e-9", 1, "rows"},
+    {"trajectory linear psi=inf n=10 C1=1", 2, "either n, or C1 and C2"},
+    {"trajectory linear --at 150 --rk4 100", 1, "multiples"},
+    {"trajectory linear --at -100 --rk4 100", 1, "multiples"},
+    {"trajectory linear psi=0.1 psi=0.1", 2, "twice"},
+    {"trajectory linear phi=0.1", 2, "psi"},
+    {"trajectory linear n=10 C2=1", 2, "n"},
+    /* on the orbit normal two attracting craft fall straight into each other */
+    {"eval flow_nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 t=10 x1=0 y1=0 z1=1 x1_dot=0 y1_dot=0 z1_dot=0", 1,
+     "the craft come closer than L_ref/128, nothing is proved beyond, last proved time 0.5"},
+    {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=0.55 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=0.5", 1, "multiple"},
+    /* 2e323 steps; nine of them that are too long */
+    {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=1 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=5e-324", 1, "too many steps"},
+    {"eval rk4_nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 t=1 x1=0 y1=0 z1=1 x1_dot=0 y1_dot=0 z1_dot=0 h=5e-324", 1,
+     "too many steps"},
+    {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=0x1.2p103 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=0x1p100", 1, "too many steps"},
+    /* f_13 alone makes y1_ddot: 2 e^(-sqrt(5) 10^99)/5^(3/2) */
+    {"eval eq02 Omega=1 k_c=1 lambda_d=1e-99 m1=1 m2=1 m3=1 q1=1 q2=1 q3=1 x1=1 y1=0 z1=0 x2=-1 y2=0 z2=0 x3=0 y3=2 z3=0 x1_dot=0 "
+     "y1_dot=0 z1_dot=0 x2_dot=0 y2_dot=0 z2_dot=0 x3_dot=0 y3_dot=0 z3_dot=0", 1,
+     "y1_ddot: not zero, but below 2^-(2^49), of which no decimal is written"},
+    {"study", 2, "expected convergence, forced or pitch"},
+    {"study force", 2, "did you mean 'forced'"},
+    {"study x=1", 2, "x=1"},
+    {"study --pitch", 2, "--pitch"},
+    {"typeset x=1", 2, "x=1"},
+    {"typeset eq1", 2, "unknown operation 'eq1'"},
+    {"typeset --pdf", 2, "--pdf"},
+    {"eval flow_linear Omega=1 L_ref=1 C1=-1e300 C2=1e300 t=1 psi=1 theta=1 dL=1 psi_dot=0 theta_dot=0 dL_dot=0", 1,
+     "the enclosure grew past use"}, /* e^(1e150) */
+    {"vectors", 2, "operation"},
+    {"vectors eq07 --cuont 1 --seed 1", 2, "did you mean '--count'"},
+    {"vectors eq7 --count 1 --seed 1", 2, "eq07"},
+    {"vectors eq08 --count 1 --seed 1", 2, "definition"},
+    {"vectors eq07", 2, "--count"},
+    {"vectors eq07 --count 5", 2, "--seed"},
+    {"vectors eq07 --count five --seed 1", 2, "--count"},
+    {"vectors eq07 --count 5 --seed -1", 2, "--seed"},
+    {"vectors eq07 --count 5 --seed 18446744073709551616", 2, "--seed: expected a whole number below 2^64"},
+    {"vectors eq07 --count 5 --seed 1 --shard 1", 2, "K/N"},
+    {"vectors eq07 --count 5 --seed 1 --shard 1/", 2, "--shard"},
+    {"vectors eq07 --count 5 --seed 1 --shard 0/4", 2, "K/N"},
+    {"vectors eq07 --count 5 --seed 1 --shard 5/4", 2, "K/N"},
+    {"vectors eq07 --count 5 --seed 1 --shard a/4", 2, "--shard"},
+    {"vectors eq07 --golden --seed 1", 2, "--golden"},
+    {"vectors eq07 --golden x=1", 2, "x=1"},
+    {"verify proofs", 2, "proofs"},
+    {"verify derivation", 2, "did you mean 'derivations'"},
+    {"verify claims x=1", 2, "x=1"},
+    {"verify claims n12-optmal", 2, "did you mean 'n12-optimal'"},
+    {"verify claims equation-45", 2, "unknown claim 'equation-45'"},
+    {"verify claims table1-m3", 2, "unknown claim 'table1-m3'"},
+    {"verify errors n12-optimal", 2, "unexpected argument 'n12-optimal'"},
+    {"verify claims n12-optimal attitude", 2, "unexpected argument 'attitude'"},
+    {"verify --jsno", 2, "did you mean '--json'"},
+    {"verify derivations --graph --json", 2, "--graph"},
+    {"verify errors --count 100000001", 2, "--count"},
+    {"verify errors --count 99999999999999999999", 2, "--count"},
+    {"verify --csv", 2, "--csv"},
+    {"verify --graph", 2, "--graph"},
+    {"verify derivations --markdown", 2, "--markdown"},
+    {"verify claims --json --csv", 2, "--json"},
+    {"verify errors --count 0", 2, "--count"},
+    {"verify errors --count few", 2, "--count"},
+    {"verify derivations --seed few", 2, "--seed"},
+    {"datapackage data/table1.csv", 2, "data/table1.csv"},
+    {"datapackage x=1", 2, "x=1"},
+};
+
+START_TEST(a_mistake_gets_one_line_and_its_exit_code)
+{
+    ck_assert_msg(run(mistakes[_i].line) == mistakes[_i].status, "%s: %s", mistakes[_i].line, errors);
+    ck_assert_msg(lines(errors) == 1, "%s: %s", mistakes[_i].line, errors);
+    ck_assert_msg(strstr(errors, mistakes[_i].says) != NULL, "%s: %s", mistakes[_i].line, errors);
+    ck_assert_msg(output[0] == '\0', "%s: %s", mistakes[_i].line, output);
+}
+END_TEST
+
+/* Lines that work, and all that they print. */
+static const struct {
+    const char *line, *prints;
+} uses[] = {
+    /* -3 (1/2)^2 2^3/1 (1*3/(1 + 3)) = -9/2 */
+    {"eval eq07 Omega=0.5 k_c=1 m1=1 m2=3 L=2 --digits 5", "Q_ref = -4.5000e+00 C^2\n"},
+    /* the decimal is not its binary64: 3 (1/10)^2 = 3/100 */
+    {"eval eq07 Omega=0.1 k_c=1 m1=2 m2=2 L=1 --digits 20 --exact", "Q_ref = -3.0000000000000000000e-02 C^2\n"},
+    /* 0.1 in binary64 is 0.1000000000000000055511151231257827...; its square times 3 */
+    {"eval eq07 Omega=0.1 k_c=1 m1=2 m2=2 L=1 --digits 20", "Q_ref = -3.0000000000000003331e-02 C^2\n"},
+    {"eval eq07 Omega=1e400 k_c=1e400 m1=1 m2=1 L=1e-300 --exact --digits 3", "Q_ref = -1.50e-500 C^2\n"},
+    /* a tie, to the even digit: 2.5 and 3.5 */
+    {"eval eq43 Omega=0.5 n=10 --digits 1", "C1 = 2e+00 1/s^2\n"},
+    {"eval eq43 Omega=0.5 n=14 --digits 1", "C1 = 4e+00 1/s^2\n"},
+    /* zero, though sin(1) is no rational number: -sin 1 (psi_dot + Omega) */
+    {"eval eq27 Omega=1 theta=1 psi_dot=-1 theta_dot=0.5 --digits 3",
+     "w_1 = 0 rad/s\nw_2 = 5.00e-01 rad/s\nw_3 = 0 rad/s\n"},
+    {"eval eq42 Omega=1 C1=9 C2=1 --digits 2", "margin1 = 0 1/s^2\nmargin2 = 1.0e+00 1/s\nstable = 0 -\n"},
+    {"eval eq42 Omega=1 C1=9.5 C2=1 --digits 2",
+     "margin1 = 5.0e-01 1/s^2\nmargin2 = 1.0e+00 1/s\nstable = 1.0e+00 -\n"},
+    {"eval eq38 GM=8 R_c=2 --digits 4", "Omega = 1.000e+00 rad/s\n"},
+    {"eval eq38 GM=3 R_c=1 --as-printed --digits 4", "Omega = 3.000e+00 rad/s\n"},
+    {"eval eq21 Q_ref=4 dQ=5 --as-printed --digits 2", "q1 = 3.0e+00 C\nq2 = -3.0e+00 C\n"},
+    {"eval eq38 GM=8 R_c=2 --digits 4 --json",
+     "{\"id\": \"eq38\", \"as_printed\": false, \"digits\": 4, \"outputs\": "
+     "[{\"name\": \"Omega\", \"value\": \"1.000e+00\", \"unit\": \"rad/s\"}]}\n"},
+    /* the double root 0 of s^4 + 7 s^2, n = 9, and +-i sqrt(7): 2.645751311... */
+    {"eval eq41roots Omega=1 C1=9 C2=0 --digits 4",
+     "re1 = 0 1/s\nim1 = -2.646e+00 1/s\nre2 = 0 1/s\nim2 = 0 1/s\n"
+     "re3 = 0 1/s\nim3 = 0 1/s\nre4 = 0 1/s\nim4 = 2.646e+00 1/s\n"},
+    /* (s + 3/2)(s^3 + ...): a tie of its digit, to the even one. Over Omega: (s + 1)(s^3 + 3 s^2 + 6 s + 6), the roots
+       -1, -1.5961 and -0.70196 +- 1.8073i; times 3/2 -1.5, -2.3941 and -1.0529 +- 2.7110i */
+    {"eval eq41roots Omega=1.5 C1=24.75 C2=6 --digits 1",
+     "re1 = -2e+00 1/s\nim1 = 0 1/s\nre2 = -2e+00 1/s\nim2 = 0 1/s\n"
+     "re3 = -1e+00 1/s\nim3 = -3e+00 1/s\nre4 = -1e+00 1/s\nim4 = 3e+00 1/s\n"},
+    /* pitch alone: theta = cos(2 tau), at tau = 1: -0.41614683654714238700 */
+    {"eval flow_linear Omega=1 L_ref=10 C1=10 C2=2 t=1 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 --digits 10",
+     "psi = 0 rad\ntheta = -4.161468365e-01 rad\ndL = 0 m\npsi_dot = 0 rad/s\n"
+     "theta_dot = -1.818594854e+00 rad/s\ndL_dot = 0 m/s\n"},
+    /* at rest at the equilibrium, 1/3 of 3 m from the centre of mass: for ever */
+    {"eval flow_nonlinear Omega=1 k_c=1 m1=2 m2=1 L_ref=3 C1=10 C2=2 t=7 x1=1 y1=0 z1=0 x1_dot=0 y1_dot=0 z1_dot=0 --digits 3",
+     "x1 = 1.00e+00 m\ny1 = 0 m\nz1 = 0 m\nx1_dot = 0 m/s\ny1_dot = 0 m/s\nz1_dot = 0 m/s\n"},
+    /* one step h = 1/2 of theta'' = -4 theta from 1: 1 - 2 h^2 + (2/3) h^4 = 0.541666... */
+    {"eval rk4_linear Omega=1 L_ref=10 C1=10 C2=2 t=0.5 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=0.5 --digits 10",
+     "psi = 0 rad\ntheta = 5.416666667e-01 rad\ndL = 0 m\npsi_dot = 0 rad/s\n"
+     "theta_dot = -1.666666667e+00 rad/s\ndL_dot = 0 m/s\n"},
+    /* one step of h = 10^22: (2/3) h^4 and (8/3) h^3 are all that 10 digits show */
+    {"eval rk4_linear Omega=1 L_ref=10 C1=10 C2=2 t=1e22 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=1e22 --digits 10",
+     "psi = 0 rad\ntheta = 6.666666667e+87 rad\ndL = 0 m\npsi_dot = 0 rad/s\n"
+     "theta_dot = 2.666666667e+66 rad/s\ndL_dot = 0 m/s\n"},
+    {"trajectory linear --at 0 --digits 3",
+     "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,1.00e-02,1.00e-02,1.00e-01,0,0,0\n"},
+    {"trajectory linear --every 50 --until 100 --digits 3 psi=0 theta=0 dL=0",
+     "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n50,0,0,0,0,0,0\n100,0,0,0,0,0,0\n"},
+    /* at rest where (5) says, Q = -1.3306e-13 C^2: q = sqrt(1.3306e-13) C = 3.65e-7 C */
+    {"trajectory nonlinear --at 0,100 --digits 3 x1=5 y1=0 z1=0 x1_dot=0 y1_dot=0 z1_dot=0",
+     "t,x1,y1,z1,x1_dot,y1_dot,z1_dot,q1,q2\n0,5.00e+00,0,0,0,0,0,3.65e-07,-3.65e-07\n"
+     "100,5.00e+00,0,0,0,0,0,3.65e-07,-3.65e-07\n"},
+    {"trajectory linear --every 50 --until -50 --digits 3 psi=0 theta=0 dL=0",
+     "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n-50,0,0,0,0,0,0\n"},
+};
+
+START_TEST(a_use_prints_exactly_this)
+{
+    ck_assert_msg(run(uses[_i].line) == 0, "%s: %s", uses[_i].line, errors);
+    ck_assert_str_eq(output, uses[_i].prints);
+    ck_assert_str_eq(errors, "");
+}
+END_TEST
+
+START_TEST(table1_rounds_in_every_row)
+{
+    ck_assert_int_eq(run("table1 --csv"), 0);
+    ck_assert_int_eq(lines(output), 7);
+    ck_assert_ptr_nonnull(strstr(output, "name,printed,computed,unit,rounds\n"));
+    ck_assert_ptr_nonnull(strstr(output, "Q_ref,-1.3306e-1,-1.33062778"));
+    ck_assert_ptr_null(strstr(output, ",no\n"));
+}
+END_TEST
+
+START_TEST(figure4_runs_from_9_to_40)
+{
+    ck_assert_int_eq(run("figure 4"), 0);
+    ck_assert_int_eq(lines(output), 312);
+    ck_assert_ptr_nonnull(strstr(output, "n,re1,im1,re2,im2\n9,0,0,0,"));
+    ck_assert_ptr_nonnull(strstr(output, "\n40,"));
+}
+END_TEST
+
+START_TEST(figures_have_a_row_every_100_s_for_3_days)
+{
+    static const char *const lines_of[] = {"figure 5a", "figure 5b", "figure 6", "figure 7a", "figure 7b"};
+    static const char *const heads[] = {"t,psi,theta,dL\n", "t,x1,y1,z1\n", "t,x1,y1,z1\n", "t,q1_uC\n", "t,q2_uC\n"};
+    ck_assert_int_eq(run(lines_of[_i]), 0);
+    ck_assert_int_eq(lines(output), 2594);
+    ck_assert_int_eq(strncmp(output, heads[_i], strlen(heads[_i])), 0);
+    ck_assert_ptr_nonnull(strstr(output, "\n259200,"));
+}
+END_TEST
+
+START_TEST(help_and_version_go_to_standard_output)
+{
+    static const char *const asks[] = {"--help", "--version", "equations --help", "eval --help",
+                                       "table1 --help", "figure --help", "trajectory --help",
+                                       "verify --help", "vectors --help", "typeset --help",
+                                       "datapackage --help"};
+    ck_assert_int_eq(run(asks[_i]), 0);
+    ck_assert_ptr_nonnull(strstr(output, "coulomb-tether"));
+    ck_assert_str_eq(errors, "");
+}
+END_TEST
+
+START_TEST(equations_lists_every_section_and_shows_one)
+{
+    ck_assert_int_eq(run("equations"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "flow_nonlinear"));
+    ck_assert_int_eq(run("equations eq30"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "printed"));
+    ck_assert_ptr_nonnull(strstr(output, "\n  given    m1         kg         > 0        mass of a craft\n"));
+    ck_assert_ptr_nonnull(strstr(output, "\n  returns  I_11 "));
+    ck_assert_ptr_nonnull(strstr(output, "\n  formula  I_11 = "));
+    ck_assert_int_eq(run("equations eq30 --json"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "\"printed\": {\"let\": {}, \"outputs\": {\"I_11\": "));
+    ck_assert_int_eq(run("equations eq02"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "  let      r_12 = sqrt((x1 - x2)^2"));
+    ck_assert_ptr_nonnull(strstr(output, "  domain   (x1 - x2)^2"));
+    ck_assert_ptr_nonnull(strstr(output, "  note     "));
+    ck_assert_int_eq(run("equations eq05"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "  relation (5a) m1*x1 + m2*x2 = 0\n           (5b) x1 - x2 = L\n"));
+    ck_assert_int_eq(run("equations --json"), 0);
+    ck_assert_int_eq(output[0], '[');
+}
+END_TEST
+
+START_TEST(verify_speaks_json_of_every_part)
+{
+    static const char *const parts[] = {"derivations", "claims n12-optimal", "errors --count 2"};
+    char line[64];
+    snprintf(line, sizeof line, "verify %s --json", parts[_i]);
+    ck_assert_int_eq(run(line), 0);
+    ck_assert_int_eq(strncmp(output, "{\"", 2), 0);
+    ck_assert_str_eq(output + strlen(output) - 2, "}\n");
+    ck_assert_str_eq(errors, "");
+}
+END_TEST
+
+START_TEST(verify_prints_tables)
+{
+    static const char *const lines_of[] = {"verify claims n12-optimal", "verify claims equation-38", "verify claims table1-Q_ref",
+                                           "verify errors --count 2", "verify errors --count 2 --markdown"};
+    static const char *const says[] = {"n12-optimal            qualified", "equation-38            holds as corrected",
+                                       "table1-Q_ref           holds", "eq44", "| eq44 | 2 |"};
+    ck_assert_int_eq(run(lines_of[_i]), 0);
+    ck_assert_ptr_nonnull(strstr(output, says[_i]));
+}
+END_TEST
+
+START_TEST(a_full_disk_is_said_and_exits_1)
+{
+    static const char *const asks[] = {"table1", "figure 4", "equations", "trajectory linear",
+                                       "eval eq38 GM=8 R_c=2", "--help", "vectors eq43 --golden",
+                                       "verify derivations"};
+    int full = open("/dev/full", O_WRONLY);
+    ck_assert_int_ge(full, 0);
+    ck_assert_int_eq(run_to(asks[_i], full), 1);
+    close(full);
+    ck_assert_int_eq(lines(errors), 1);
+    ck_assert_ptr_nonnull(strstr(errors, "standard output"));
+}
+END_TEST
+
+START_TEST(a_closed_pipe_ends_quietly_with_1)
+{
+    int ends[2];
+    ck_assert_int_eq(pipe(ends), 0);
+    close(ends[0]);
+    ck_assert_int_eq(run_to("trajectory linear", ends[1]), 1);
+    close(ends[1]);
+    ck_assert_str_eq(errors, "");
+}
+END_TEST
+
+START_TEST(rows_proved_before_the_charge_law_ends_are_kept)
+{
+    /* hardly damped, and moving inwards towards the law's edge: dL = -3 Omega^2 L_ref/C1 = -3 m */
+    ck_assert_int_eq(run("trajectory nonlinear C1=5.3165972e-8 C2=1e-9 psi=0 theta=0 dL=-2.9 dL_dot=-3e-4"), 1);
+    ck_assert_int_ge(lines(output), 2);
+    ck_assert_ptr_nonnull(strstr(errors, "Q_ref + dQ >= 0 from t = 355.77"));
+    ck_assert_int_eq(lines(errors), 1);
+}
+END_TEST
+
+START_TEST(what_ends_a_motion_is_said_behind_the_rows_proved)
+{
+    static const struct {
+        const char *line;
+        int lines;
+        const char *says;
+    } ends[] = {
+        {"trajectory nonlinear dL=-4", 1, "Q_ref + dQ >= 0 at t = 0 s"},
+        /* Kepler's fall along the orbit normal, and the tide beside it: after 0.58 s the craft are at one place */
+        {"trajectory nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 x1=0 y1=0 z1=1 x1_dot=0 y1_dot=0 z1_dot=0 "
+         "--every 0.25 --until 10 --digits 4", 4, "the craft come closer than L_ref/128, nothing is proved beyond, last proved time 0.579"},
+        /* y1 = 0.3125 (1/3) 12 m = 1.25 m, a tie that an enclosure of 1/3 leaves undecided */
+        {"figure 5b m1=100 m2=50 dL=2 psi=0.3125 --digits 2", 1, "bits do not decide every digit of row 1"},
+    };
+    ck_assert_int_eq(run(ends[_i].line), 1);
+    ck_assert_int_eq(lines(output), ends[_i].lines);
+    ck_assert_msg(strstr(errors, ends[_i].says) != NULL, "%s", errors);
+    ck_assert_int_eq(lines(errors), 1);
+}
+END_TEST
+
+/* At rest, L = 2 L_ref, n = 21: 3 r^2 + 3 r + 3 = n for r = 2; but 0.1 and 0.21 are no binary fractions, and so the
+   zeros around which the enclosures shrink are never known to be such. */
+START_TEST(what_no_number_of_bits_decides_is_said)
+{
+    ck_assert_int_eq(run("eval flow_nonlinear Omega=0.1 k_c=1 m1=1 m2=1 L_ref=1 C1=0.21 C2=0.1 t=1 x1=1 y1=0 z1=0 "
+                         "x1_dot=0 y1_dot=0 z1_dot=0 --exact --digits 3"), 1);
+    ck_assert_ptr_nonnull(strstr(errors, "bits do not decide every digit"));
+    ck_assert_int_eq(lines(errors), 1);
+    ck_assert_str_eq(output, "");
+}
+END_TEST
+
+START_TEST(random_vectors_end_before_one_that_cannot_be_certified)
+{
+    ck_assert_int_eq(run("vectors flow_nonlinear --count 5 --seed 5"), 1); /* the fourth falls together */
+    ck_assert_int_eq(lines(output), 4);
+    ck_assert_ptr_nonnull(strstr(errors, "the craft come closer than L_ref/128"));
+    ck_assert_int_eq(lines(errors), 1);
+}
+END_TEST
+
+/* The craft fall past each other, very close: more bits are taken when the first rows are out already. */
+START_TEST(rows_are_printed_once_however_many_bits_they_take)
+{
+    ck_assert_int_eq(run("trajectory nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 x1=0.05 y1=0 z1=1 "
+                         "x1_dot=0 y1_dot=0 z1_dot=0 --every 1 --until 3 --digits 3"), 0);
+    ck_assert_int_eq(lines(output), 5);
+    ck_assert_ptr_nonnull(strstr(output, "\n3,"));
+}
+END_TEST
+
+/* The program on a terminal of its own, its standard output elsewhere: what the terminal shows. */
+static const char *on_a_terminal(const char *line)
+{
+    static char shown[MOST_TEXT];
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    const char *name = terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0 ? NULL : ptsname(terminal);
+    const int end = name != NULL ? open(name, O_RDWR | O_NOCTTY) : -1;
+    if (end < 0) /* a bare system may have no terminals */
+        return NULL;
+    char command[1024];
+    snprintf(command, sizeof command, "\"$CT_PROGRAM\" %s >/dev/null 2>%s", line, name);
+    ck_assert_int_eq(system(command), 0);
+    ck_assert_int_eq(fcntl(terminal, F_SETFL, O_NONBLOCK), 0);
+    const ssize_t length = read(terminal, shown, sizeof shown - 1);
+    shown[length > 0 ? length : 0] = '\0';
+    close(end);
+    close(terminal);
+    return shown;
+}
+
+START_TEST(a_terminal_sees_how_far_it_is_and_nothing_in_the_end)
+{
+    static const struct {
+        const char *line, *shows;
+    } runs[] = {{"trajectory linear --every 100 --until 12800", "\r1 of 129"},
+                {"vectors eq44 --count 7 --seed 1", "\r1 of 7"},
+                {"conform --only eq07 -- \"$CT_BUILD/tests/faulty\"", " of 49"}};
+    static const char cleared[] = "\r\033[K";
+    const char *shown = on_a_terminal(runs[_i].line);
+    if (shown == NULL)
+        return;
+    ck_assert_msg(strstr(shown, runs[_i].shows) != NULL, "%s", shown);
+    ck_assert_str_eq(shown + strlen(shown) - strlen(cleared), cleared);
+}
+END_TEST
+
+SUITE(test_command_line)
+{
+    Suite *s = suite_create("command line");
+    TCase *c = tcase_create("command line");
+    tcase_set_timeout(c, 60);
+    tcase_add_loop_test(c, a_mistake_gets_one_line_and_its_exit_code, 0, sizeof mistakes / sizeof *mistakes);
+    tcase_add_loop_test(c, a_use_prints_exactly_this, 0, sizeof uses / sizeof *uses);
+    tcase_add_test(c, table1_rounds_in_every_row);
+    tcase_add_test(c, figure4_runs_from_9_to_40);
+    tcase_add_loop_test(c, help_and_version_go_to_standard_output, 0, 11);
+    tcase_add_test(c, equations_lists_every_section_and_shows_one);
+    tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 8);
+    tcase_add_test(c, a_closed_pipe_ends_quietly_with_1);
+    tcase_add_test(c, rows_proved_before_the_charge_law_ends_are_kept);
+    tcase_add_loop_test(c, what_ends_a_motion_is_said_behind_the_rows_proved, 0, 3);
+    tcase_add_loop_test(c, a_terminal_sees_how_far_it_is_and_nothing_in_the_end, 0, 3);
+    suite_add_tcase(s, c);
+
+    TCase *long_work = tcase_create("long work"); /* a case of its own: under valgrind it takes too long */
+    tcase_set_timeout(long_work, 60);
+    tcase_add_loop_test(long_work, figures_have_a_row_every_100_s_for_3_days, 0, 5);
+    tcase_add_loop_test(long_work, verify_speaks_json_of_every_part, 0, 3);
+    tcase_add_loop_test(long_work, verify_prints_tables, 0, 5);
+    tcase_add_test(long_work, rows_are_printed_once_however_many_bits_they_take);
+    tcase_add_test(long_work, random_vectors_end_before_one_that_cannot_be_certified);
+    tcase_add_test(long_work, what_no_number_of_bits_decides_is_said);
+    suite_add_tcase(s, long_work);
+    return s;
+}

@@ -1,0 +1,176 @@
+#!/bin/sh
+# Wrong sheets and wrong steps: the build's guard stops what cannot be read, and what can be read and is wrong is
+# left undecided, with exit status 1, or comes out otherwise than its evidence says, which is told. Prints Check's line of totals.
+#
+# The sheet and the steps stand in the program as text: a change that keeps the length makes a program that has a
+# wrong one compiled in.
+set -u
+export LC_ALL=C
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+checks=0 failures=0
+
+check() { # NAME COMMAND...
+    name=$1
+    shift
+    checks=$((checks + 1))
+    if "$@" >"$work/log" 2>&1; then
+        return
+    fi
+    failures=$((failures + 1))
+    echo "tests/command/test_wrong.sh: $name: failed: $*"
+    sed 's/^/    /' "$work/log"
+}
+
+ends() { # STATUS COMMAND...: its outputs are kept in said
+    expected=$1
+    shift
+    "$@" >"$work/said" 2>&1
+    status=$?
+    [ "$status" -eq "$expected" ] || { echo "exit status $status"; cat "$work/said"; return 1; }
+}
+says() { grep -qF -- "$1" "$work/said" || { cat "$work/said"; return 1; }; }
+nothing_in() { [ ! -s "$1" ] || { cat "$1"; return 1; }; }
+one_line() { [ "$(wc -l <"$work/said")" -eq 1 ] || { cat "$work/said"; return 1; }; }
+
+wrong=$work/coulomb-tether
+make_wrong() { # SED-SCRIPT: every command of it changes something, and no length
+    sed "$1" "$CT_PROGRAM" >"$wrong" || return 1
+    [ "$(wc -c <"$wrong")" -eq "$(wc -c <"$CT_PROGRAM")" ] && ! cmp -s "$wrong" "$CT_PROGRAM" && chmod +x "$wrong"
+}
+
+# What a program with a wrong sheet says in the end, after its usual prints.
+stops() { # NAME SED-SCRIPT STATUS TEXT ARGUMENTS...
+    check "$1: made" make_wrong "$2"
+    name=$1 status=$3 text=$4
+    shift 4
+    check "$name" ends "$status" "$wrong" "$@"
+    check "$name" says "$text"
+}
+
+# ---- what cannot be read ----
+
+guard() { # NAME STATUS TEXT ARGUMENTS...: the build's guard
+    name=$1 status=$2 text=$3
+    shift 3
+    check "$name" ends "$status" "$CT_BUILD/sheet-check" "$@"
+    check "$name" says "$text"
+    check "$name" one_line
+}
+sed 's/^quantities:/quantitiez:/' paper/equations.yaml >"$work/sheet.yaml"
+sed 's/^steps:/stepz:/' paper/derivations.yaml >"$work/steps.yaml"
+check 'a sheet alone' ends 0 "$CT_BUILD/sheet-check" paper/equations.yaml
+guard 'no sheet' 2 'usage: sheet-check'
+guard 'too much' 2 'usage: sheet-check' paper/equations.yaml paper/derivations.yaml paper/claims.yaml Makefile
+guard 'no such sheet' 1 '/sheet: cannot be read' "$work/sheet"
+guard 'a folder for a sheet' 1 'paper: cannot be read' paper
+guard 'a wrong sheet' 1 ":1: unknown key 'quantitiez'" "$work/sheet.yaml"
+guard 'no such steps' 1 '/steps: cannot be read' paper/equations.yaml "$work/steps"
+sed 's/^  verdict:/  verdikt:/' paper/claims.yaml >"$work/claims.yaml"
+guard 'no such claims' 1 '/claims: cannot be read' paper/equations.yaml paper/derivations.yaml "$work/claims"
+guard 'wrong claims' 1 ": unknown key 'verdikt'" paper/equations.yaml paper/derivations.yaml "$work/claims.yaml"
+guard 'wrong steps' 1 ":1: unknown key 'stepz'" paper/equations.yaml "$work/steps.yaml"
+
+stops 'an unreadable sheet' 's/^quantities:/quantitiez:/' 1 "coulomb-tether: paper/equations.yaml:" equations
+check 'an unreadable sheet' one_line
+stops 'unreadable steps' 's/^steps:/stepz:/' 1 'coulomb-tether: paper/derivations.yaml:' verify derivations
+check 'unreadable steps' one_line
+stops 'unreadable claims' 's/^  evidence: >-/  avidence: >-/' 1 'coulomb-tether: paper/claims.yaml:' verify claims
+check 'unreadable claims' one_line
+stops 'a step of another name' 's/^  second_order:/  third_order_:/' 1 "no derivation step 'second_order'" study forced
+
+# ---- what is wrong ----
+
+verdicts() { # ids and verdicts, in CSV or as a table
+    names='undecided|holds|holds as corrected|qualified|refuted|definition|not decidable' how='exact|certified|measured'
+    sed -nE "s/^([A-Za-z0-9_-]+),.*,($names),($how),.*/\1 \2/p; s/^([A-Za-z0-9_-]+) +($names) +($how) .*/\1 \2/p"
+}
+verdicts <data/verdicts.csv >"$work/right"
+
+# All verdicts: these at least are not as they were, and what comes out otherwise is told.
+not_so() { # CLAIM...
+    check 'equations' ends 1 "$wrong" verify claims
+    verdicts <"$work/said" >"$work/wrong"
+    check 'all claims' [ "$(wc -l <"$work/wrong")" -eq "$(wc -l <"$work/right")" ]
+    grep -v ' undecided$' "$work/wrong" | grep -vxFf "$work/right" | sed 's/ .*//' >"$work/otherwise"
+    while read -r claim; do
+        check "$claim otherwise" grep -q "$claim comes out as" "$work/said"
+    done <"$work/otherwise"
+    for claim; do
+        check "$claim" grep -qxe "$claim undecided" -e "coulomb-tether: .*: $claim comes out as .*" "$work/wrong" "$work/said"
+    done
+}
+check 'equations: made' make_wrong '
+    s/dL_dot - 3\*Omega^2\*psi$/dL_dot - 4*Omega^2*psi/
+    s/theta_ddot: -4\*Omega^2/theta_ddot: -5*Omega^2/
+    s/dL_ddot: -(C1 - 9\*Omega^2)/dL_ddot: -(C1 - 8*Omega^2)/
+    s/a2: C1 - 2\*Omega^2/a2: C1 - 3*Omega^2/
+    s/Q_ref: -3\*Omega^2\*L^3/Q_ref: -4*Omega^2*L^3/
+    s/x1_ddot: 2\*Omega/x1_ddot: 3*Omega/
+    s/x2: -m1\/m2\*x1/x2: -m2\/m1*x1/
+    s/margin1: C1 - 9/margin1: C1 - 8/
+    s/L_ddot: (2\*Omega/L_ddot: (4*Omega/
+    s/BO_12: cos(theta)/BO_12: sin(theta)/
+    s/w_1: -Omega\*sin(theta)$/w_1: -Omega*cos(theta)/
+    s/(-C1\*dL - C2\*dL_dot)/(-C1*dL + C2*dL_dot)/'
+not_so equation-2a equation-7 equation-41 routh n12-optimal length-wiggle frequencies pitch-decoupled yaw-energy opposite-charges \
+    static-unstable nadir-axis masses-cancel cosines-cited
+check 'the sum' says ", $(grep -c ' undecided$' "$work/wrong") undecided"
+check 'gains and start: made' make_wrong "
+    s/Kepler's third/Kepler\"s third/
+    s/C1: n\*Omega^2/C1: n*Omega^3/
+    s/value: 0\.1, meaning: length/value: 9.1, meaning: length/
+    s/value: 8\.99e+9/value: 8.89e+9/"
+for claim in equation-43 simulation-gains critical-damping settling-nonlinear figure-6 coulomb-constant variation-small \
+    settling-linear charges-opposite; do
+    check "$claim" ends 1 "$wrong" verify claims "$claim" --csv
+    check "$claim" grep -qe "$claim is undecided" -e "$claim comes out as" -e "$claim: the digits of" -e "^$claim,.*,undecided," "$work/said"
+done
+check 'a title with a quotation mark' ends 0 "$wrong" verify claims equation-38 --csv
+check 'a quotation mark in CSV' says 'Kepler""s third'
+
+stops 'a step that is wrong' 's/dL_dot - 3\*Omega^2\*psi$/dL_dot - 4*Omega^2*psi/' 1 'BROKEN' verify derivations
+check 'the same as JSON' ends 1 "$wrong" verify derivations --json
+stops 'a misprint that is none' 's/sqrt(3\*GM\/R_c^3)/sqrt(1*GM\/R_c^3)/; s/R_c^3\/3$/R_c^3\/1/' 1 \
+    'BROKEN: expected to differ as printed: it holds' verify derivations
+stops 'a bound that is exceeded' 's/at_most: 1\.9e-10/at_most: 1.8e-10/' 1 '(15) drops at most 1.8e-10 m/s^2: BROKEN: it is exceeded' \
+    verify derivations
+check 'the same as JSON' ends 1 "$wrong" verify derivations --json
+stops 'a bound that is too wide' 's/at_most: 1\.2e-9/at_most: 9.2e-9/' 1 'BROKEN: more than twice too wide' verify derivations
+stops 'a bound on other states' 's/dL: \[-0\.2, 0\.2\]/dL: [-0.9, 0.9]/' 1 'BROKEN: it is exceeded' verify derivations
+stops 'an equation without a step' 's/to: \["38"\]/to: ["37"]/' 1 'NOT BOUND: paper/derivations.yaml:' verify derivations
+stops 'an operation that ref/ does not have' 's/^  eq41roots:/  eq41roops:/' 1 "no 'eq41roops' in verify/evaluate/reference.c" verify errors --count 1
+stops 'a row that rounds otherwise' 's/-1\.3306e-1/-1.3307e-1/' 1 ',no' table1 --csv
+stops 'a mistake that makes no difference' 's/0\.0174532925199432957692369076848861271344/1.0000000000000000000000000000000000000001/g' 1 \
+    'eq09: no golden vector kills the mistake: angles taken as degrees' conform --kills --only eq09
+stops 'vectors without a purpose' '
+    s/{outputs: {L: L^2}}/{outputs: {L: L*1}}/; s/{z1: "0", z2: "0"}/{z1: z1 , z2: z2 }/' 1 \
+    ': kills no mistake and pins no edge' conform --kills --only eq12
+stops 'a condition that nothing violates' 's/x1^2 + y1^2 + z1^2 > 0/x1^2 + y1^2 + z1^2 >-1/' 1 \
+    'eq13: no edge found of x1^2 + y1^2 + z1^2 >-1' vectors eq13 --golden
+stops 'a golden vector without end' 's/x1: 5\.05, y1: 0\.0, z1: -0\.0/x1: 0.00, y1: 0.0, z1: -1.0/' 1 'the craft come closer than L_ref/128' vectors flow_nonlinear --golden
+stops 'a title with a quotation mark and a tab' 's/title: orbital rate/title: orb"tal	rate/' 0 'orb\"tal\u0009rate' equations --json
+
+# ---- files that the data package cannot be made from ----
+
+package() { # NAME TEXT LINE
+    printf '%s\n' "$3" >"$work/in"
+    check "$1" ends 1 sh -c "\"\$CT_PROGRAM\" datapackage <\"\$0\"" "$work/in"
+    check "$1" says "$2"
+}
+mkfifo "$work/pipe"
+package 'no hash' "expected HASH  FILE, got 'table1.csv'" 'table1.csv'
+package 'no file' '/nowhere.csv: No such file' 'abc  /nowhere.csv'
+package 'an empty file' '/dev/null: expected a header line' 'abc  /dev/null'
+echo 'id,x' >"$work/pipe" &
+package 'a file without a size' '/pipe: Illegal seek' "abc  $work/pipe"
+wait
+check 'a folder for the list' ends 1 sh -c "\"\$CT_PROGRAM\" datapackage <data"
+check 'a folder for the list' says 'standard input: Is a directory'
+echo 'id,x' >"$work/other.csv"
+printf 'abc  %s\n' "$work/other.csv" >"$work/in"
+check 'a file without a title' ends 0 sh -c "\"\$CT_PROGRAM\" datapackage <\"\$0\"" "$work/in"
+check 'a file without a title' says '"title": "other.csv"'
+
+echo "$((100 * (checks - failures) / checks))%: Checks: $checks, Failures: $failures, Errors: 0"
+[ "$failures" -eq 0 ]

@@ -1,0 +1,899 @@
+/* The oracle: what a client can do wrong, each with its own outcome, and no process left behind. */
+#include "tests/run.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "conform/conform.h"
+#include "conform/diagnosis.h"
+#include "conform/report.h"
+#include "sheet/known_mistakes.h"
+#include "evaluate/vectors.h"
+#include "text/scope.h"
+
+static char said[1 << 20]; /* both outputs of the program's last run */
+
+/* conform with those arguments, FAULTY standing for the test's own client; its exit status, -1 for a signal. */
+static int conform(const char *arguments)
+{
+    char line[1024];
+    const char *client = strstr(arguments, "FAULTY");
+    const int before = client ? (int)(client - arguments) : (int)strlen(arguments);
+    snprintf(line, sizeof line, "exec 2>&1; \"$CT_PROGRAM\" conform %.*s%s%s", before, arguments,
+             client ? "\"$CT_BUILD/tests/faulty\"" : "", client ? client + strlen("FAULTY") : "");
+    FILE *pipe = popen(line, "r");
+    ck_assert_ptr_nonnull(pipe);
+    const size_t length = fread(said, 1, sizeof said - 1, pipe);
+    said[length] = '\0';
+    const int status = pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static void assert_says(const char *text)
+{
+    ck_assert_msg(strstr(said, text) != NULL, "'%s' is not in:\n%s", text, said);
+}
+
+/* ---- faults ---- */
+
+/* eq07, eq09 and eq44 have 49, 25 and 31 golden vectors; faults begin with the eleventh question. */
+#define THREE "--only eq07,eq09,eq44 --timeout 1 -- FAULTY "
+
+static const struct {
+    const char *arguments;
+    int status;
+    const char *says;
+} faults[] = {
+    {THREE "none", 0, " 0 failed"},
+    {THREE "crlf", 0, " 0 failed"},
+    {THREE "nan", 1, " NaN\n"},
+    {THREE "inf", 1, " infinite\n"},
+    {THREE "wrong", 1, " wrong\n"},
+    {THREE "count", 1, " wrong count\n"},
+    {THREE "invalid", 1, " invalid where a value is due\n"},
+    {THREE "value", 1, " a value where invalid is due\n"},
+    {THREE "wrong-id", 1, "eq09: 25 wrong id\n"},
+    {THREE "malformed", 1, "eq07: 1 malformed\n"},
+    {THREE "binary", 1, "eq07: 1 malformed\n"},
+    {THREE "too-long", 1, "eq07: 1 too long\n"},
+    {THREE "missing", 1, "eq07: 1 missing\n  eq07-random-7: missing\n\n"}, /* it is not the vector's fault */
+    {THREE "repeated", 1, "eq07: 1 repeated\n"},
+    {THREE "reordered", 1, "eq07: 1 reordered\n"},
+    {THREE "truncated", 1, "eq07: 1 truncated, "},
+    {THREE "extra", 1, "client: 2 extra line\n"},
+    {THREE "empty", 1, "eq09: 25 missing\n"},
+    {THREE "hang", 1, " 1 time-out\n  eq07-random-7: time-out\n    Omega      0.0004"},
+    {THREE "crash", 1, " 1 crash\n"},
+    {THREE "exit-3", 1, "client: 1 exit status\n"},
+    {THREE "exit-3", 1, "\nthe client ended with exit status 3 after 105 of 105 answers\n"},
+    {THREE "truncated", 1, "\nthe client ended with exit status 0 after 10 of 105 answers\n"},
+    {THREE "truncated", 1, "  first truncated: eq07-random-7 -1.3\n    the last line has no LF\n"},
+    {THREE "malformed", 1, "  first malformed: eq07-random-7 1.5 oops\n    'oops' is no number\n"},
+    {THREE "wrong-id", 1, "  first wrong id: somebody "},
+    {THREE "flood", 1, ", 1 too many lines out of place\n"},
+    {THREE "skip", 1, "every vector was skipped\n"},
+    {"--only eq38 -- sh -c 'printf %150s; echo \"eq38-paper skip it\"; cat >/dev/null'", 1, "  24        1\n"},
+    {"--only eq38 -- sh -c 'printf \"eq38-paper\\\\t\\\\033[1m\\\\n\"; cat >/dev/null'", 1, "got        eq38-paper??[1m\n"},
+    {THREE "dies", 2, "exit status 9 before its first answer\n"},
+    {"--only algebra -- FAULTY early", 1, "eq44: 1 early\n"}, /* more questions than both buffers hold */
+    {"--only eq07 --random 300 --seed 1 -- FAULTY invalid", 1, " failed"}, /* not 300 mod 256 = 44 */
+    {"--only eq38 -- FAULTY printed", 1, "looks like: as printed\n"},
+    {"--only eq38 -- FAULTY printed", 1, "     0.6  eq38-"}, /* S = 2 Omega: -log10((sqrt(3) - 1)/3) = 0.61 digits */
+    {"--only eq12,eq38 -- FAULTY float", 1, "looks like: computed in single precision\n"},
+    {"--significand 24 --only eq12,eq38 -- FAULTY float", 0, " 0 failed"},
+    /* R_c^5 leaves binary32's range for the larger of 200 orbits; golden vectors, and 13 from outside the domain, are without such */
+    {"--significand 24 --only eq37 --random 200 --seed 1 -- FAULTY float", 0, " 0 failed, 61 skipped\n"},
+    {"--only flow_linear -- FAULTY backwards", 1, "looks like: backwards in time\n"},
+    {"--significand 113 --only eq12,eq38 -- FAULTY none", 1, " wrong\n"},
+    {"--only flow_linear --digits flow_linear=15 -- FAULTY none", 1, " wrong\n"},
+};
+
+/* One per cent off is neither a known mistake nor right but for its digits; 1e-13 off is. */
+START_TEST(what_looks_like_no_known_mistake_is_called_none)
+{
+    ck_assert_int_eq(conform("--only eq07 -- FAULTY off"), 1);
+    ck_assert_ptr_null(strstr(said, "looks like"));
+    ck_assert_int_eq(conform("--only eq07 -- FAULTY wrong"), 1);
+    assert_says("looks like: right in 13 digits, the others are lost\n");
+}
+END_TEST
+
+START_TEST(a_fault_has_its_own_outcome)
+{
+    const int status = conform(faults[_i].arguments);
+    ck_assert_msg(status == faults[_i].status, "%s: exit %d\n%s", faults[_i].arguments, status, said);
+    assert_says(faults[_i].says);
+}
+END_TEST
+
+START_TEST(a_right_client_passes_everything)
+{
+    ck_assert_int_eq(conform("-- FAULTY none"), 0);
+    assert_says(" 0 failed, 0 skipped\n");
+    assert_says("\nrk4_nonlinear ");
+}
+END_TEST
+
+START_TEST(inputs_in_every_form_are_the_same_numbers)
+{
+    ck_assert_int_eq(conform("--only algebra --inputs exact -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--only algebra --inputs hex -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--only eq38 --inputs hex -- FAULTY printed"), 1);
+    assert_says("GM         0x");
+}
+END_TEST
+
+START_TEST(random_vectors_of_every_level_pass)
+{
+    ck_assert_int_eq(conform("--random 50 --seed 11 -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--only flow_linear,rk4_linear --random 20 --seed 11 -- FAULTY none"), 0);
+}
+END_TEST
+
+START_TEST(much_in_flight_both_ways_does_not_deadlock)
+{
+    /* a client that answers at once, one that hears everything first, one with a megabyte to complain */
+    ck_assert_int_eq(conform("--only eq07 --random 20000 --seed 1 -- FAULTY none"), 0);
+    ck_assert_int_eq(conform("--only eq07 --random 20000 --seed 1 -- sh -c 'cat >\"$CT_BUILD/tests/asked\" && "
+                             "exec \"$CT_BUILD/tests/faulty\" <\"$CT_BUILD/tests/asked\"'"), 0);
+    ck_assert_int_eq(conform("--only eq07 -- sh -c 'head -c 1000000 /dev/zero >&2; exec \"$CT_BUILD/tests/faulty\"'"), 0);
+}
+END_TEST
+
+/* ---- wrong usage ---- */
+
+static const struct {
+    const char *arguments, *says;
+} mistakes[] = {
+    {"", "expected -- CLIENT"},
+    {"--", "after --"},
+    {"FAULTY", "expected -- CLIENT"},
+    {"-- /nowhere/client", "/nowhere/client': No such file"},
+    {"-- ./Makefile", "Permission denied"},
+    {"-- false", "exit status 1 before its first answer"},
+    {"-- sh -c 'kill -SEGV $$'", "signal 11 before its first answer"},
+    {"--only eq7 -- FAULTY", "did you mean 'eq07'"},
+    {"--only eq01 -- FAULTY", "definition"},
+    {"--only , -- FAULTY", "--only"},
+    {"--random 5 -- FAULTY", "--seed"},
+    {"--random some --seed 1 -- FAULTY", "--random"},
+    {"--random 100000001 --seed 1 -- FAULTY", "at most 100000000"},
+    {"--timeout 0 -- FAULTY", "--timeout"},
+    {"--inputs octal -- FAULTY", "expected shortest, exact or hex, got 'octal'"},
+    {"--digits eq07=9 -- FAULTY", "judged by E"},
+    {"--digits flow_linear -- FAULTY", "ID=DIGITS"},
+    {"--digits flow_linear=0 -- FAULTY", "from 1 to 30"},
+    {"--digits eq1=9 -- FAULTY", "did you mean 'eq01'"},
+    {"--digits=flow_linear=x -- FAULTY", "from 1 to 30"},
+    {"--digits=flow_linear=15", "expected -- CLIENT"},
+    {"--digits", "--digits"},
+    {"x=1 -- FAULTY", "unexpected argument 'x=1'"},
+    {"eq07 -- FAULTY", "unexpected argument 'eq07'"},
+    {"--seed 1 --random 5 --significand x -- FAULTY", "--significand"},
+    {"--report report -- FAULTY", ".xml or .json"},
+    {"--significand 64 -- FAULTY", "24, 53 or 113"},
+    {"--report report.txt -- FAULTY", ".xml or .json"},
+    {"--answers data/golden/eq07.csv", "id of an operation"},
+    {"--answers data/golden/eq07.csv eq07 -- FAULTY", "expected -- CLIENT"},
+    {"--answers data/golden/eq07.csv eq09", "missing column 'BO_11'"},
+    {"--answers data/nothing.csv eq07", "No such file"},
+    {"--answers /dev/null eq07", "header"},
+    {"--answers data/golden/eq07.csv --random 1 --seed 1 eq07", "--random"},
+    {"--answers data/golden/eq07.csv algebra", "unknown operation 'algebra'"},
+    {"--answers data/golden/eq07.csv eq07,eq09", "unknown operation 'eq07,eq09'"},
+    {"--answers /dev/zero eq07", "line 1 does not end"},
+    {"--answers /dev/stdin eq07 </dev/zero", "line 1 does not end"},
+    {"--answers \"$CT_BUILD/tests/wide.csv\" eq07", "line 1 is longer than 65536 bytes"},
+    {"--random 5 --seed 18446744073709551616 -- FAULTY", "below 2^64"},
+};
+
+START_TEST(wrong_usage_is_one_line_and_exit_2)
+{
+    ck_assert_int_eq(system("head -c 70000 /dev/zero | tr '\\0' a >\"$CT_BUILD/tests/wide.csv\""), 0);
+    const int status = conform(mistakes[_i].arguments);
+    ck_assert_msg(status == 2, "%s: exit %d\n%s", mistakes[_i].arguments, status, said);
+    assert_says(mistakes[_i].says);
+    ck_assert_ptr_eq(strchr(said, '\n') + 1, said + strlen(said));
+}
+END_TEST
+
+/* ---- files ---- */
+
+START_TEST(golden_files_are_right_answers)
+{
+    static const char *const files[] = {"eq02", "eq07", "eq27", "eq41roots", "eq42", "flow_linear"};
+    char arguments[100];
+    snprintf(arguments, sizeof arguments, "--answers data/golden/%s.csv %s", files[_i], files[_i]);
+    ck_assert_msg(conform(arguments) == 0, "%s", said);
+}
+END_TEST
+
+START_TEST(answers_in_a_file_may_stand_in_any_order)
+{
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; echo 'Q_ref,id' >\"$f\"; "
+                            "sed 1d data/golden/eq07.csv | cut -d, -f1,7 | sed 's/\\(.*\\),\\(.*\\)/\"\\2\",\\1/' | "
+                            "sort -r >>\"$f\""), 0);
+    ck_assert_msg(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07") == 0, "%s", said);
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; sed -i '/eq07-paper/d' \"$f\"; echo '1,stranger' >>\"$f\"; "
+                            "tail -n 2 \"$f\" | head -n 1 >>\"$f\""), 0);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07"), 1);
+    assert_says("eq07: 1 repeated, 1 missing\n");
+    assert_says("client: 1 wrong id\n");
+}
+END_TEST
+
+START_TEST(a_row_longer_than_a_line_is_too_long)
+{
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/long.csv\"; { echo 'id,Q_ref'; head -c 70000 /dev/zero | tr '\\0' a; "
+                            "echo ',1'; } >$f"), 0);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/long.csv\" eq07"), 1);
+    assert_says("client: 1 too long\n");
+}
+END_TEST
+
+START_TEST(cells_are_quoted_as_in_RFC_4180)
+{
+    ck_assert_int_eq(system("f=\"$CT_BUILD/tests/quoted.csv\"; echo 'note,id,\"Q_ref\"' >\"$f\"; "
+                            "sed 1d data/golden/eq07.csv | awk -F, '{printf \"\\\"a, \\\"\\\"b\\\"\\\"\\\",\\\"%s\\\",%s\\r\\n\", $1, $7}' >>\"$f\""), 0);
+    ck_assert_msg(conform("--answers \"$CT_BUILD/tests/quoted.csv\" eq07") == 0, "%s", said);
+}
+END_TEST
+
+/* Half a digit short after five days, where C1 and C2 exchanged make a motion of five thousand radians. */
+START_TEST(a_diagnosis_ends)
+{
+    ck_assert_int_eq(system("printf 'id,x1,y1,z1,x1_dot,y1_dot,z1_dot\\nflow_nonlinear-heavy-and-light-432000,0.00998963217150906,"
+                            "-6.355638513927242e-08,9.971916278925862e-05,-3.0083669320652085e-11,2.1976059168129117e-11,"
+                            "-2.3756107554970383e-09\\n' >\"$CT_BUILD/tests/one.csv\""), 0);
+    const time_t before = time(NULL);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/one.csv\" flow_nonlinear"), 1);
+    assert_says("flow_nonlinear: 1 wrong, 123 missing\n");
+    assert_says("-432000: wrong, 8.6 digits\n");
+    ck_assert(time(NULL) - before < 30); /* ten minutes without a limit */
+}
+END_TEST
+
+static const char *file_text(const char *name)
+{
+    static char text[1 << 16];
+    char path[512];
+    snprintf(path, sizeof path, "%s/tests/%s", getenv("CT_BUILD"), name);
+    FILE *file = fopen(path, "r");
+    ck_assert_ptr_nonnull(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
+    return text;
+}
+
+START_TEST(reports_for_machines_say_the_same)
+{
+    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.xml\" -- FAULTY printed"), 1);
+    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"0\""));
+    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "looks like: as printed\n</failure></testcase>"));
+    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- "
+                             "sh -c 'echo \"a <word>\" >&2; exec \"$0\" printed' FAULTY"), 1);
+    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"diagnosis\": \"as printed\""));
+    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"errors\": \"a <word>\\n\""));
+    ck_assert_int_eq(conform("--only eq07 --report /nowhere/report.json -- FAULTY none"), 1);
+    assert_says("/nowhere/report.json: No such file");
+}
+END_TEST
+
+/* In however many pieces it comes, its last 2000 bytes. */
+START_TEST(the_end_of_standard_error_is_kept)
+{
+    ck_assert_int_eq(conform("--only eq38 --report \"$CT_BUILD/tests/pieces.json\" -- "
+                             "sh -c 'echo one >&2; sleep 0.1; echo two >&2; exec \"$0\" none' FAULTY"), 0);
+    ck_assert_ptr_nonnull(strstr(file_text("pieces.json"), "\"errors\": \"one\\ntwo\\n\""));
+    ck_assert_int_eq(conform("--only eq38 --report \"$CT_BUILD/tests/pieces.json\" -- "
+                             "sh -c 'printf %3000s >&2; sleep 0.1; echo end >&2; exec \"$0\" none' FAULTY"), 0);
+    const char *end = strstr(file_text("pieces.json"), "\"errors\": \"");
+    ck_assert_ptr_nonnull(end);
+    end += strlen("\"errors\": \"");
+    ck_assert_uint_eq(strspn(end, " "), 2000 - strlen("end\n"));
+    ck_assert_int_eq(strncmp(end + strspn(end, " "), "end\\n\"", 6), 0);
+}
+END_TEST
+
+/* A full disk, and a name that is taken by a folder: no report, and nothing of it left. */
+START_TEST(a_report_is_there_whole_or_not_at_all)
+{
+    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -rf full taken.xml* && mkdir full taken.xml && cd full && "
+                            "trap '' XFSZ && ulimit -f 0 && ! \"$CT_PROGRAM\" conform --only eq07 --report full.json -- "
+                            "\"$CT_BUILD/tests/faulty\" none >&2 2>/dev/null && ! ls | grep ."), 0);
+    ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/taken.xml\" -- FAULTY none"), 1);
+    assert_says("/tests/taken.xml: Is a directory\n");
+    ck_assert_int_ne(system("cd \"$CT_BUILD/tests\" && ls taken.xml*tmp 2>/dev/null | grep ."), 0);
+}
+END_TEST
+
+/* What lies beside it, a link or somebody's file of the like name, stays what it is; and a link under its name is not followed. */
+START_TEST(a_report_overwrites_nothing_but_itself)
+{
+    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -rf mine && mkdir mine && cd mine && echo mine >a && echo mine >r.json.tmp && "
+                            "ln -s a r.xml.tmp && ln -s a r.xml && for r in r.json r.xml; do \"$CT_PROGRAM\" conform --only eq07 "
+                            "--report $r -- \"$CT_BUILD/tests/faulty\" none >/dev/null || exit 1; done && test ! -L r.xml && "
+                            "test -L r.xml.tmp && test \"$(cat a r.json.tmp r.xml.tmp)\" = \"$(printf 'mine\\nmine\\nmine')\" && "
+                            "test \"$(ls | wc -l)\" = 5"), 0);
+}
+END_TEST
+
+/* A dot-file's name is all ending. */
+START_TEST(a_report_is_of_the_kind_that_its_name_ends_with)
+{
+    ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/.xml\" -- FAULTY none"), 0);
+    ck_assert_int_eq(strncmp(file_text(".xml"), "<?xml ", 6), 0);
+    ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/.json\" -- FAULTY none"), 0);
+    ck_assert_int_eq(strncmp(file_text(".json"), "{", 1), 0);
+    ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/a-name-of-a-report-that-is-longer-than-most-names-are.json\" -- FAULTY none"), 0);
+    ck_assert_int_eq(strncmp(file_text("a-name-of-a-report-that-is-longer-than-most-names-are.json"), "{", 1), 0);
+    ck_assert_int_eq(report_format("a.xml.json"), REPORT_JSON);
+    ck_assert_int_eq(report_format("a.json.xml"), REPORT_XML);
+    ck_assert_int_eq(report_format("a.xml/b"), REPORT_NONE);
+    ck_assert_int_eq(report_format("json"), REPORT_NONE);
+}
+END_TEST
+
+/* ---- time ---- */
+
+/* A second is the limit; each of these moves bytes all the time, or has somebody else do so, and answers nothing. */
+static const struct {
+    const char *arguments, *says;
+    int status;
+} slow[] = {
+    {"--only eq38 --timeout 1 -- sh -c 'while :; do printf x; sleep 0.2; done'", " 1 time-out\n", 1},
+    {"--only eq38 --timeout 1 -- sh -c 'exec yes >&2' 2>/dev/null", " 1 time-out\n", 1},
+    {"--only eq38 --timeout 1 -- sh -c 'sleep 60 & exec \"$0\" none' FAULTY", " 0 failed", 0},
+    {"--only eq38 --timeout 1 -- cat /dev/zero", " 1 too long, 2", 1},
+};
+
+START_TEST(time_is_up_by_the_clock)
+{
+    struct timespec before, after;
+    clock_gettime(CLOCK_MONOTONIC, &before);
+    const int status = conform(slow[_i].arguments);
+    clock_gettime(CLOCK_MONOTONIC, &after);
+    ck_assert_msg(status == slow[_i].status, "%s: exit %d\n%s", slow[_i].arguments, status, said);
+    assert_says(slow[_i].says);
+    ck_assert_int_lt(after.tv_sec - before.tv_sec, 8); /* and not the sleeper's minute */
+}
+END_TEST
+
+/* An answer every half second of two is in time, though all of them take longer. */
+START_TEST(who_answers_now_and_then_has_time)
+{
+    ck_assert_int_eq(conform("--only eq38 --timeout 2 -- sh -c 'head -n 5 >/dev/null; for i in 1 2 3 4 5; do sleep 0.5; "
+                             "echo eq38-random-$i skip it; done; cat >/dev/null'"), 1);
+    ck_assert_ptr_null(strstr(said, "time-out"));
+}
+END_TEST
+
+START_TEST(a_zero_byte_hides_nothing_of_standard_error)
+{
+    ck_assert_int_eq(conform("--only eq38 --report \"$CT_BUILD/tests/zero.json\" -- "
+                             "sh -c 'printf \"before\\000after\" >&2; exec \"$0\" none' FAULTY"), 0);
+    ck_assert_ptr_nonnull(strstr(file_text("zero.json"), "\"errors\": \"before?after\""));
+}
+END_TEST
+
+START_TEST(what_a_client_says_breaks_no_report)
+{
+    static const char *const clients[] = {"report.xml", "report.json"};
+    static const char *const escaped[] = {"&#60;&#62;&#38;&#34;'\\?\n", "<>&\\\"'\\\\?\\n"};
+    char line[400];
+    snprintf(line, sizeof line, "--only eq07,eq38 --report \"$CT_BUILD/tests/%s\" -- sh -c "
+             "'printf \"<>&\\042\\047\\134\\001\\n\" >&2; exec \"$0\" skip' FAULTY", clients[_i]);
+    ck_assert_msg(conform(line) == 1, "%s", said);
+    ck_assert_msg(strstr(file_text(clients[_i]), escaped[_i]) != NULL, "%s", file_text(clients[_i]));
+    if (_i == 0)
+        ck_assert_ptr_nonnull(strstr(file_text(clients[_i]), "name=\"eq07\"><skipped/></testcase>"));
+}
+END_TEST
+
+/* Each pipe to the client takes two descriptors, and some more the program: with fewer it says so. */
+START_TEST(a_client_is_not_started_without_descriptors)
+{
+    for (int most = 4; most < 11; most++) {
+        char line[300];
+        snprintf(line, sizeof line, "exec 2>&1 </dev/null 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-; ulimit -n %d; "
+                 "exec \"$CT_PROGRAM\" conform --only eq07 -- true", most);
+        FILE *pipe = popen(line, "r");
+        ck_assert_ptr_nonnull(pipe);
+        said[fread(said, 1, sizeof said - 1, pipe)] = '\0';
+        ck_assert_int_eq(WEXITSTATUS(pclose(pipe)), 1);
+        assert_says("client 'true': Too many open files\n");
+    }
+}
+END_TEST
+
+/* Nobody hears what a client complains of, and the client is judged by its answers none the less. */
+START_TEST(complaints_that_find_no_place_do_no_harm)
+{
+    ck_assert_int_eq(system("\"$CT_PROGRAM\" conform --only eq07 -- sh -c 'echo oh >&2; exec \"$CT_BUILD/tests/faulty\"' "
+                            ">/dev/null 2>/dev/full"), 0);
+}
+END_TEST
+
+/* A file that can be opened and not be read: a folder. */
+START_TEST(answers_that_cannot_be_read_are_no_answers)
+{
+    ck_assert_int_eq(conform("--answers data eq07"), 1);
+    assert_says("data: Is a directory\n");
+}
+END_TEST
+
+/* ---- an interrupt ---- */
+
+/* Whether a process still runs: one that only waits to be asked for its status does not. */
+static bool runs(long pid)
+{
+    char name[64], state = 'Z';
+    snprintf(name, sizeof name, "/proc/%ld/stat", pid);
+    FILE *file = fopen(name, "r");
+    if (file == NULL)
+        return false;
+    if (fscanf(file, "%*d %*s %c", &state) != 1)
+        state = 'Z';
+    fclose(file);
+    return state != 'Z';
+}
+
+static void nap(void)
+{
+    nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
+}
+
+START_TEST(an_interrupt_leaves_no_process_behind)
+{
+    static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
+    char client[512], pids[512];
+    const char *program = getenv("CT_PROGRAM");
+    long process = 0, child = 0;
+    int status;
+    ck_assert_ptr_nonnull(program);
+    snprintf(client, sizeof client, "%s/tests/faulty", getenv("CT_BUILD"));
+    snprintf(pids, sizeof pids, "%s/tests/pids.%d", getenv("CT_BUILD"), _i);
+    remove(pids);
+    const pid_t oracle = fork();
+    ck_assert_int_ge(oracle, 0);
+    if (oracle == 0) {
+        signal(interrupts[_i], SIG_DFL); /* which nohup, and a shell for what runs in the background, let it ignore */
+        ck_assert_ptr_nonnull(freopen("/dev/null", "w", stdout));
+        execl(program, "coulomb-tether", "conform", "--only", "eq07", "--", client, "hang", pids, (char *)NULL);
+        _exit(127);
+    }
+    for (int i = 0; i < 500 && child == 0; i++) {
+        FILE *file = fopen(pids, "r");
+        if (file != NULL && fscanf(file, "%ld %ld", &process, &child) != 2)
+            child = 0;
+        if (file != NULL)
+            fclose(file);
+        nap();
+    }
+    ck_assert(runs(process) && runs(child));
+    kill(oracle, interrupts[_i]);
+    ck_assert_int_eq(waitpid(oracle, &status, 0), oracle);
+    ck_assert(WIFSIGNALED(status) && WTERMSIG(status) == interrupts[_i]);
+    for (int i = 0; i < 500 && (runs(process) || runs(child)); i++)
+        nap();
+    ck_assert(!runs(process) && !runs(child));
+}
+END_TEST
+
+/* ---- mistakes and what finds them ---- */
+
+/* A run, so many random questions of seed 1 after the golden ones; the client is a function in this process. */
+static struct test_run *long_run_of(const struct section *s, uint64_t random)
+{
+    struct test_run *e = calloc(1, sizeof *e);
+    const double digits = 9;
+    ck_assert_ptr_nonnull(e);
+    e->significand = BINARY64;
+    e->sets.seed = 1;
+    test_sets_add(&e->sets, s, random, BINARY64, false);
+    test_run_begin(e, &digits);
+    return e;
+}
+
+static struct test_run *run_of(const struct section *s)
+{
+    return long_run_of(s, 0);
+}
+
+static void say(struct test_run *e, const char *line)
+{
+    test_run_hear(e, line, strlen(line));
+}
+
+/* Answers every question with those formulas, in so many digits; 17 are binary64. */
+static void answer_in_digits(struct test_run *e, const struct formulas *formulas, int digits)
+{
+    struct test_vector q;
+    struct operation o = {.section = e->comparators[0].operation->section, .formulas = formulas};
+    VECTOR(arb, y, MOST_OUTPUTS);
+    machine_init(&o.machine, &formulas->program, &arithmetic_ball, 128);
+    test_vector_init(&q);
+    e->asked = e->sets.total;
+    for (uint64_t p = 0; p < e->sets.total; p++) {
+        char line[1000];
+        test_vector_make(&q, &e->sets, p);
+        int used = snprintf(line, sizeof line, "%s", q.id);
+        if (!q.numbers || !operation_valid(&o, q.inputs)) {
+            snprintf(line + used, sizeof line - (size_t)used, " invalid\n");
+        } else {
+            operation_enclose(&o, q.inputs, 256, y);
+            for (int i = 0; i < o.section->output_count; i++)
+                used += snprintf(line + used, sizeof line - (size_t)used, " %.*g", digits,
+                                 arf_get_d(arb_midref(y + i), ARF_RND_NEAR));
+            snprintf(line + used, sizeof line - (size_t)used, "\n");
+        }
+        say(e, line);
+    }
+    test_run_end(e, OUTCOME_MISSING);
+    diagnose(e, 0);
+    test_vector_clear(&q);
+    operation_clear(&o);
+}
+
+static void answer_with(struct test_run *e, const struct formulas *formulas)
+{
+    answer_in_digits(e, formulas, 17);
+}
+
+static void close_run(struct test_run *e)
+{
+    test_run_clear(e);
+    free(e);
+}
+
+/* Every mistake of the sheet that the operation can make, all its formulas in turn. */
+START_TEST(a_known_mistake_is_called_by_its_name)
+{
+    const struct section *s = &sheet()->sections[_i];
+    if (s->method != METHOD_FORMULA)
+        return;
+    for (int k = 0; k < s->mistake_count + sheet()->mistake_count; k++) {
+        const struct known_mistake *mistake = k < s->mistake_count ? &s->mistakes[k] : &sheet()->mistakes[k - s->mistake_count];
+        struct mutation a;
+        struct message why;
+        if (!mutation_init(&a, sheet(), s, mistake, false, &why))
+            continue;
+        struct test_run *e = run_of(s);
+        answer_with(e, &a.formulas);
+        ck_assert_msg(summary_failed(&e->summaries[0]) == 0 || strstr(e->summaries[0].diagnosis, mistake->name) != NULL,
+                      "%s: %s is taken for: %s", s->id, mistake->name, e->summaries[0].diagnosis);
+        close_run(e);
+        mutation_clear(&a);
+    }
+    if (s->differs) {
+        struct test_run *e = run_of(s);
+        answer_with(e, &s->printed);
+        ck_assert_uint_gt(summary_failed(&e->summaries[0]), 0);
+        ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "as printed", 10), 0);
+        close_run(e);
+    }
+    struct test_run *e = run_of(s);
+    answer_with(e, &s->corrected);
+    ck_assert_uint_eq(summary_failed(&e->summaries[0]), 0);
+    close_run(e);
+}
+END_TEST
+
+START_TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
+{
+    for (int k = 0; k < sheet()->mistake_count; k++) {
+        int places = 0;
+        for (int i = 0; i < sheet()->section_count; i++) {
+            struct mutation a;
+            struct message why;
+            if (sheet()->sections[i].method == METHOD_NONE ||
+                !mutation_init(&a, sheet(), &sheet()->sections[i], &sheet()->mistakes[k], false, &why))
+                continue;
+            places++;
+            mutation_clear(&a);
+        }
+        ck_assert_msg(places > 0, "%s", sheet()->mistakes[k].name);
+    }
+}
+END_TEST
+
+START_TEST(right_but_for_the_digits_written_is_called_that)
+{
+    const struct section *s = section_find(sheet(), "eq12");
+    struct test_run *e = run_of(s);
+    answer_in_digits(e, &s->corrected, 6);
+    ck_assert_str_eq(e->summaries[0].diagnosis, "written with only 6 digits");
+    close_run(e);
+}
+END_TEST
+
+/* A line that is no answer has nothing against a mistake that explains all the others. */
+START_TEST(a_mistake_explains_numbers_and_not_lines)
+{
+    const struct section *s = section_find(sheet(), "eq38");
+    struct test_run *e = run_of(s);
+    e->asked = 1;
+    say(e, "eq38-paper 7.3e-5 oops\n");
+    answer_with(e, &s->printed);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MALFORMED], 1);
+    ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "as printed", 10), 0);
+    close_run(e);
+}
+END_TEST
+
+/* ---- order ---- */
+
+/* The number-th random question of eq43, skipped. */
+static void skip(struct test_run *e, int number)
+{
+    char line[64];
+    snprintf(line, sizeof line, "eq43-1-%d skip\n", number);
+    say(e, line);
+}
+
+/*
+ * Each 4th question answered, and three passed over: more holes than are kept. Those that begin to be forgotten, and
+ * the rest of a hole that is split where there is no room for two, are missing at once; the others may still come.
+ */
+START_TEST(holes_that_are_too_many_are_missing)
+{
+    enum { ASKED = 4 * (MOST_SPANS + 2) };
+    struct test_run *e = long_run_of(section_find(sheet(), "eq43"), ASKED);
+    const struct summary *t = &e->summaries[0];
+    const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
+    e->asked = e->sets.total;
+    for (int k = 3; k < ASKED; k += 4)
+        skip(e, k);
+    /* the first hole has the golden questions too, before the first random one; the second one has three */
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 + 3);
+    skip(e, ASKED - 3); /* in the middle of the last one: what is after it, one, is missing */
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 + 3 + 1);
+    ck_assert_uint_eq(t->counts[OUTCOME_REORDERED], 1);
+    skip(e, ASKED - 3);
+    ck_assert_uint_eq(t->counts[OUTCOME_REPEATED], 1);
+    test_run_end(e, OUTCOME_MISSING);
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3 * (MOST_SPANS + 2) - 1 + test_set_defects(&e->sets.all[0]));
+    ck_assert_uint_eq(t->counts[OUTCOME_SKIPPED], MOST_SPANS + 2);
+    close_run(e);
+}
+END_TEST
+
+/* What was heard of it is no answer to what it begins with. */
+START_TEST(a_line_without_an_end_may_be_too_long_as_well)
+{
+    struct test_run *e = run_of(section_find(sheet(), "eq43"));
+    e->asked = e->sets.total;
+    for (int i = 0; i <= LONGEST_LINE; i++)
+        say(e, "1");
+    test_run_end(e, OUTCOME_MISSING);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_TOO_LONG], 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MISSING], e->sets.total - 1);
+    close_run(e);
+}
+END_TEST
+
+START_TEST(an_id_is_the_one_that_was_sent_to_the_letter)
+{
+    static const char *const strangers[] = {"eq43", "eq43-", "eq43-1", "eq43-1-", "eq43-1-5", "eq43-01-4", "eq43-1-04",
+                                            "eq43-2-4", "eq43-1-4x", "eq44-1-4", "eq4-1-4", "eq43-papers", "eq43-1-outside-1",
+                                            "eq43-1-outside-", "eq43-1-outside", "eq43-1-outside-00"};
+    struct test_run *e = long_run_of(section_find(sheet(), "eq43"), 5);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-paper"), 0);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-1-4"), e->sets.total - 2);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-1-outside-0"), e->sets.total - 1);
+    ck_assert_uint_eq(test_sets_find(&e->sets, strangers[_i]), UINT64_MAX);
+    close_run(e);
+}
+END_TEST
+
+/* ---- what the table says ---- */
+
+/* The report on two operations, each with a few answers. */
+static const char *table_of(const char *const *answers, int significand)
+{
+    struct test_run *e = calloc(1, sizeof *e);
+    const double digits[] = {9, 9};
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    ck_assert(e != NULL && file != NULL);
+    e->significand = significand;
+    test_sets_add(&e->sets, section_find(sheet(), "eq42"), 0, significand, false);
+    test_sets_add(&e->sets, section_find(sheet(), "eq43"), 0, significand, false);
+    test_run_begin(e, digits);
+    e->asked = e->sets.total;
+    for (; *answers != NULL; answers++)
+        say(e, *answers);
+    const struct report r = {e, "client", "", 0.0, NULL};
+    report_text(&r, file);
+    ck_assert_int_eq(fclose(file), 0);
+    snprintf(said, sizeof said, "%s", text);
+    free(text);
+    close_run(e);
+    return said;
+}
+
+START_TEST(the_table_knows_exact_and_infinitely_wrong)
+{
+    /* 0 is margin1 at C1 = 9, Omega = 1; margin2 and stable of n = 10 have E = 0 or infinity */
+    static const char *const exact[] = {"eq42-boundary 0 1 0\n", NULL};
+    static const char *const wrong[] = {"eq42-no-damping 1 1e-300 0\n", NULL};
+    ck_assert_ptr_nonnull(strstr(table_of(exact, BINARY64), "        0   exact  eq42-boundary\n"));
+    ck_assert_ptr_nonnull(strstr(table_of(wrong, BINARY64), "      inf     0.0  eq42-no-damping\n"));
+}
+END_TEST
+
+START_TEST(each_reason_for_a_skip_is_said_once)
+{
+    static const char *const two[] = {"eq42-paper skip not yet\n", "eq43-paper skip never\n", NULL};
+    static const char *const one[] = {"eq42-paper skip not yet\n", "eq43-paper skip not yet\n", NULL};
+    ck_assert_ptr_nonnull(strstr(table_of(two, BINARY64), "\nskipped, not yet: eq42\n\nskipped, never: eq43\n"));
+    ck_assert_ptr_nonnull(strstr(table_of(one, BINARY64), "\nskipped, not yet: eq42 eq43\n"));
+}
+END_TEST
+
+/* ---- judgement ---- */
+
+/* The outcome on one answer to a vector of an operation. */
+static enum outcome outcome_on(const char *operation, const char *id, const char *outputs)
+{
+    struct test_run *e = run_of(section_find(sheet(), operation));
+    const uint64_t position = test_sets_find(&e->sets, id);
+    char line[1000];
+    enum outcome outcome = OUTCOME_RIGHT;
+    ck_assert_msg(position != UINT64_MAX, "%s", id);
+    e->asked = e->sets.total;
+    snprintf(line, sizeof line, "%s %s\n", id, outputs);
+    say(e, line);
+    while (outcome < OUTCOMES && e->summaries[0].counts[outcome] == 0)
+        outcome++;
+    close_run(e);
+    return outcome;
+}
+
+/* Omega = 1, C1 = 12, C2 = 4: (s^2 + 2 s + 3)^2, the roots -1 +- i sqrt(2) twice; sqrt(2) = 1.41421356237309505 */
+START_TEST(eq41roots_multiple_roots_are_judged_by_their_residual)
+{
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-free-gains", /* off by 1e-9, as a good solver may be */
+                                "-1.000000001 -1.414213562 -0.999999999 -1.414213562 "
+                                "-1.000000001 1.414213562 -0.999999999 1.414213562"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-free-gains",
+                                "-1.000001 -1.414213562 -0.999999 -1.414213562 "
+                                "-1.000001 1.414213562 -0.999999 1.414213562"), OUTCOME_WRONG);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-free-gains", /* one of them four times */
+                                "-1 1.4142135623730951 -1 1.4142135623730951 "
+                                "-1 1.4142135623730951 -1 1.4142135623730951"), OUTCOME_WRONG);
+}
+END_TEST
+
+START_TEST(eq41roots_come_in_any_order)
+{
+    /* Omega = 1, C1 = 9, C2 = 0: s^2 (s^2 + 7), sqrt(7) = 2.6457513110645906 */
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 -2.6457513110645906 0 0"),
+                     OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq41roots", "eq41roots-double-zero", "0 2.6457513110645906 0 0 0 2.6457513110645906 0 0"),
+                     OUTCOME_WRONG);
+}
+END_TEST
+
+START_TEST(eq42_stability_on_the_boundary_is_either)
+{
+    ck_assert_int_eq(outcome_on("eq42", "eq42-boundary", "0 1 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-boundary", "0 1 1"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-boundary-above", "1.7763568394002505e-15 1 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq42", "eq42-paper", "5.3165972250000061e-09 1.4583e-4 0"), OUTCOME_WRONG);
+}
+END_TEST
+
+START_TEST(eq44_an_infinite_sensitivity_excuses_nothing)
+{
+    ck_assert_int_eq(outcome_on("eq44", "eq44-boundary", "0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq44", "eq44-boundary", "-0.0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq44", "eq44-boundary", "1e-300"), OUTCOME_WRONG);
+}
+END_TEST
+
+START_TEST(eq10inv_on_the_normal_theta_is_no_number_but_pi_2)
+{
+    /* S of theta is infinite there, |z| by |z| over zero; pi/2 = 1.5707963267948966192 */
+    ck_assert_int_eq(outcome_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.5707963267948966"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("eq10inv", "eq10inv-on-the-normal", "10 0 -1.570796326794890"), OUTCOME_WRONG);
+}
+END_TEST
+
+START_TEST(a_motion_is_judged_on_the_scale_of_its_largest_coordinate)
+{
+    /* at rest: exactly so, for ever */
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-at-rest-43200", "0 0 0 0 0 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-at-rest-43200", "0 0 1e-30 0 0 0"), OUTCOME_WRONG);
+    /* theta = 0.5 cos(2 tau) is the scale of psi's error: 4e-10 of 0.5 are 9 digits, 4e-9 are not */
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-pitch-alone-0", "4e-10 0.5 0 0 0 0"), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_on("flow_linear", "flow_linear-pitch-alone-0", "4e-9 0.5 0 0 0 0"), OUTCOME_WRONG);
+}
+END_TEST
+
+/* The craft fall into each other after 0.58 s, whatever is answered for 10 s. */
+START_TEST(a_motion_that_cannot_be_followed_is_not_judged)
+{
+    /* Omega k_c m1 m2 L_ref C1 C2 t, past the most radians that are followed, and at rest on the orbit normal */
+    static const char *const texts[] = {"1", "1", "1", "1", "2", "0", "0", "1e7", "0", "0", "1", "0", "0", "0"};
+    const struct section *s = section_find(sheet(), "flow_nonlinear");
+    struct operation o;
+    struct comparator j;
+    struct score score;
+    struct input *inputs = inputs_new(s->input_count);
+    ck_assert(vector_read(s, texts, inputs));
+    operation_init(&o, s, false);
+    comparator_init(&j, &o, BINARY64, 9);
+    ck_assert_int_eq(compare_answer(&j, inputs, &score), OUTCOME_SKIPPED);
+    comparator_clear(&j);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+END_TEST
+
+/* ---- the kill table ---- */
+
+START_TEST(every_mistake_is_killed_and_every_vector_kills_or_pins_an_edge)
+{
+    ck_assert_msg(conform("--kills --only algebra,roots") == 0, "%s", said);
+    ck_assert_int_eq(strncmp(said, "id,mistakes\n", 12), 0);
+    assert_says("\neq38-paper,as printed; the square of it\n");
+}
+END_TEST
+
+SUITE(test_conform)
+{
+    Suite *s = suite_create("conform");
+    TCase *c = tcase_create("conform");
+    tcase_set_timeout(c, 120);
+    tcase_add_loop_test(c, a_fault_has_its_own_outcome, 0, sizeof faults / sizeof *faults);
+    tcase_add_test(c, what_looks_like_no_known_mistake_is_called_none);
+    tcase_add_test(c, a_right_client_passes_everything);
+    tcase_add_test(c, inputs_in_every_form_are_the_same_numbers);
+    tcase_add_test(c, random_vectors_of_every_level_pass);
+    tcase_add_test(c, much_in_flight_both_ways_does_not_deadlock);
+    tcase_add_loop_test(c, wrong_usage_is_one_line_and_exit_2, 0, sizeof mistakes / sizeof *mistakes);
+    tcase_add_loop_test(c, golden_files_are_right_answers, 0, 6);
+    tcase_add_test(c, answers_in_a_file_may_stand_in_any_order);
+    tcase_add_test(c, a_row_longer_than_a_line_is_too_long);
+    tcase_add_test(c, reports_for_machines_say_the_same);
+    tcase_add_test(c, the_end_of_standard_error_is_kept);
+    tcase_add_test(c, a_report_is_there_whole_or_not_at_all);
+    tcase_add_test(c, a_report_overwrites_nothing_but_itself);
+    tcase_add_test(c, a_report_is_of_the_kind_that_its_name_ends_with);
+    tcase_add_loop_test(c, time_is_up_by_the_clock, 0, sizeof slow / sizeof *slow);
+    tcase_add_test(c, who_answers_now_and_then_has_time);
+    tcase_add_test(c, a_zero_byte_hides_nothing_of_standard_error);
+    tcase_add_test(c, a_diagnosis_ends);
+    tcase_add_test(c, cells_are_quoted_as_in_RFC_4180);
+    tcase_add_loop_test(c, what_a_client_says_breaks_no_report, 0, 2);
+    tcase_add_test(c, a_client_is_not_started_without_descriptors);
+    tcase_add_test(c, complaints_that_find_no_place_do_no_harm);
+    tcase_add_test(c, answers_that_cannot_be_read_are_no_answers);
+    tcase_add_test(c, right_but_for_the_digits_written_is_called_that);
+    tcase_add_test(c, a_mistake_explains_numbers_and_not_lines);
+    tcase_add_test(c, holes_that_are_too_many_are_missing);
+    tcase_add_test(c, a_line_without_an_end_may_be_too_long_as_well);
+    tcase_add_loop_test(c, an_id_is_the_one_that_was_sent_to_the_letter, 0, 16);
+    tcase_add_test(c, the_table_knows_exact_and_infinitely_wrong);
+    tcase_add_test(c, each_reason_for_a_skip_is_said_once);
+    tcase_add_loop_test(c, an_interrupt_leaves_no_process_behind, 0, 3);
+    tcase_add_loop_test(c, a_known_mistake_is_called_by_its_name, 0, sheet()->section_count);
+    tcase_add_test(c, every_mistake_of_the_sheet_can_be_made_somewhere);
+    tcase_add_test(c, eq41roots_multiple_roots_are_judged_by_their_residual);
+    tcase_add_test(c, eq41roots_come_in_any_order);
+    tcase_add_test(c, eq42_stability_on_the_boundary_is_either);
+    tcase_add_test(c, eq44_an_infinite_sensitivity_excuses_nothing);
+    tcase_add_test(c, eq10inv_on_the_normal_theta_is_no_number_but_pi_2);
+    tcase_add_test(c, a_motion_that_cannot_be_followed_is_not_judged);
+    tcase_add_test(c, a_motion_is_judged_on_the_scale_of_its_largest_coordinate);
+    tcase_add_test(c, every_mistake_is_killed_and_every_vector_kills_or_pins_an_edge);
+    suite_add_tcase(s, c);
+    return s;
+}

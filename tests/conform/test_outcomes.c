@@ -1,0 +1,769 @@
+/*
+ * Each rule of PROTOCOL.md, kept by the least amount and violated by the least amount: for every operation and every output,
+ * for golden vectors and for random ones apart.
+ */
+#include "tests/run.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "conform/conform.h"
+#include "evaluate/domain.h"
+#include "conform/hints.h"
+#include "evaluate/sample.h"
+#include "evaluate/vectors.h"
+#include "text/scope.h"
+
+enum { RANDOM = 48, BITS = 256, DIGITS = 40, LONG = 4096 };
+
+/* ---- a run whose questions are answered one by one, in any order ---- */
+
+static struct test_run *run_of(const struct section *s, uint64_t random, int significand)
+{
+    struct test_run *e = calloc(1, sizeof *e);
+    const double digits = s->method >= METHOD_RK4_LINEAR ? 11 : 9;
+    ck_assert_ptr_nonnull(e);
+    e->significand = significand;
+    e->sets.seed = 1;
+    test_sets_add(&e->sets, s, random, significand, false);
+    test_run_begin(e, &digits);
+    e->asked = e->sets.total;
+    return e;
+}
+
+static void close_run(struct test_run *e)
+{
+    test_run_clear(e);
+    free(e);
+}
+
+/* Those words for an answer to a question. */
+static void answer(struct test_run *e, uint64_t position, const char *words)
+{
+    char line[LONG];
+    e->next = position;
+    e->span_count = 0;
+    test_vector_make(&e->due, &e->sets, position);
+    const int size = snprintf(line, sizeof line, "%s %s\n", e->due.id, words);
+    ck_assert_int_lt(size, LONG);
+    test_run_hear(e, line, (size_t)size);
+}
+
+/* The outcome on what is said in place of an answer. */
+static enum outcome outcome_on(struct test_run *e, uint64_t position, const char *words)
+{
+    enum outcome outcome = OUTCOME_RIGHT;
+    memset(e->summaries[0].counts, 0, sizeof e->summaries[0].counts);
+    answer(e, position, words);
+    while (outcome < OUTCOMES && e->summaries[0].counts[outcome] == 0)
+        outcome++;
+    return outcome;
+}
+
+static void assert_found(struct test_run *e, uint64_t position, const char *words, enum outcome due)
+{
+    const enum outcome outcome = outcome_on(e, position, words);
+    ck_assert_msg(outcome == due, "%s, question %d: '%s' is %s, expected %s", e->comparators[0].operation->section->id, (int)position, words,
+                  outcome < OUTCOMES ? outcome_names[outcome] : "nothing", outcome_names[due]);
+}
+
+/* Right outputs as words; one of them (-1: none) as somebody else has it. */
+static const char *right_but(char *const *outputs, int count, int output, const char *other)
+{
+    static char words[LONG];
+    size_t used = 0;
+    words[0] = '\0';
+    for (int i = 0; i < count; i++)
+        used += (size_t)snprintf(words + used, sizeof words - used, "%s%s", i ? " " : "", i == output ? other : outputs[i]);
+    return words;
+}
+
+static void free_all(char **texts, int count)
+{
+    for (int i = 0; i < count; i++)
+        free(texts[i]);
+}
+
+/* The first question from a position on that lies inside the domain, or outside. */
+static uint64_t question_that(struct test_run *e, uint64_t from, bool inside)
+{
+    struct test_vector q;
+    uint64_t p = from;
+    test_vector_init(&q);
+    for (;; p++) {
+        ck_assert_uint_lt(p, e->sets.total);
+        test_vector_make(&q, &e->sets, p);
+        if ((q.numbers && operation_valid(e->comparators[0].operation, q.inputs)) == inside)
+            break;
+    }
+    test_vector_clear(&q);
+    return p;
+}
+
+/* ---- what passes: E <= K ---- */
+
+/* y* + sign (K + more) u (|y*| + S) */
+static void limit_of(arb_t limit, const arb_t exact, const arb_t S, int sign, double K, int significand)
+{
+    SCOPE(arb, reach);
+    arb_abs(reach, exact);
+    arb_add(reach, reach, S, BITS);
+    arb_set_d(limit, K);
+    arb_mul(reach, reach, limit, BITS);
+    arb_mul_2exp_si(reach, reach, -significand);
+    arb_mul_si(reach, reach, sign, BITS);
+    arb_add(limit, exact, reach, BITS);
+}
+
+/* The last binary64 up to the limit passes, the next one does not. */
+static void assert_limits(struct test_run *e, uint64_t position)
+{
+    struct operation *o = e->comparators[0].operation;
+    const int count = o->section->output_count;
+    arb_ptr exact = _arb_vec_init(count), S = _arb_vec_init(count);
+    char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
+    struct test_vector q;
+    SCOPE(arb, limit);
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, position);
+    operation_sensitivity(o, q.inputs, BITS, S);
+    operation_enclose(o, q.inputs, BITS, exact);
+    ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+    assert_found(e, position, right_but(outputs, count, -1, ""), OUTCOME_RIGHT);
+    for (int i = 0; i < 2 * count; i++) {
+        const int k = i / 2, sign = i % 2 ? 1 : -1;
+        if (!arb_is_finite(S + k) || (arb_contains_zero(exact + k) && !arb_is_exact(exact + k)))
+            continue;
+        limit_of(limit, exact + k, S + k, sign, e->comparators[0].K, BINARY64);
+        const double inner = arf_get_d(arb_midref(limit), sign > 0 ? ARF_RND_FLOOR : ARF_RND_CEIL);
+        snprintf(text, sizeof text, "%.17g", inner);
+        assert_found(e, position, right_but(outputs, count, k, text), OUTCOME_RIGHT);
+        snprintf(text, sizeof text, "%.17g", nextafter(inner, sign * INFINITY));
+        assert_found(e, position, right_but(outputs, count, k, text), OUTCOME_WRONG);
+    }
+    free_all(outputs, count);
+    test_vector_clear(&q);
+    _arb_vec_clear(exact, count);
+    _arb_vec_clear(S, count);
+}
+
+START_TEST(each_output_passes_up_to_K_and_no_further)
+{
+    const struct section *s = &sheet()->sections[_i];
+    if (s->method != METHOD_FORMULA)
+        return;
+    struct test_run *e = run_of(s, RANDOM, BINARY64);
+    const uint64_t random = (uint64_t)e->sets.all[0].golden_count;
+    assert_limits(e, 0);
+    assert_limits(e, question_that(e, 1, true));
+    assert_limits(e, random);
+    assert_limits(e, random + 1);
+    close_run(e);
+}
+END_TEST
+
+/* A float's last bit is 2^29 of binary64's, quadruple precision's is read with all its digits. */
+START_TEST(K_counts_roundings_of_the_clients_own_numbers)
+{
+    static const int significands[] = {BINARY32, BINARY128};
+    const int significand = significands[_i];
+    struct test_run *e = run_of(section_find(sheet(), "eq12"), RANDOM, significand);
+    struct operation *o = e->comparators[0].operation;
+    arb_ptr exact = _arb_vec_init(1), S = _arb_vec_init(1);
+    SCOPE(arb, limit);
+    struct test_vector q;
+    test_vector_init(&q);
+    for (int i = 0; i < 8; i++) {
+        const uint64_t p = i < 4 ? 0 : (uint64_t)e->sets.all[0].golden_count;
+        const bool within = i % 4 < 2;
+        test_vector_make(&q, &e->sets, p);
+        operation_sensitivity(o, q.inputs, BITS, S);
+        operation_enclose(o, q.inputs, BITS, exact);
+        limit_of(limit, exact, S, i % 2 ? 1 : -1, e->comparators[0].K * (within ? 1 - 1e-3 : 1 + 1e-3), significand);
+        char *text = arb_get_str(limit, 50, ARB_STR_NO_RADIUS);
+        assert_found(e, p, text, within ? OUTCOME_RIGHT : OUTCOME_WRONG);
+        flint_free(text);
+    }
+    test_vector_clear(&q);
+    _arb_vec_clear(exact, 1);
+    _arb_vec_clear(S, 1);
+    close_run(e);
+}
+END_TEST
+
+/* ---- judgements on inputs of our own ---- */
+
+static enum outcome judged(const char *operation, const char *const *inputs, const char *const *answers, int significand)
+{
+    const struct section *s = section_find(sheet(), operation);
+    struct operation o;
+    struct comparator j;
+    struct score score;
+    struct input *read = inputs_new(s->input_count);
+    ck_assert(vector_read(s, inputs, read));
+    operation_init(&o, s, false);
+    ck_assert(operation_valid(&o, read));
+    comparator_init(&j, &o, significand, 9);
+    for (int i = 0; i < s->output_count; i++)
+        arb_set_d(j.y + i, strtod(answers[i], NULL));
+    const enum outcome outcome = compare_answer(&j, read, &score);
+    comparator_clear(&j);
+    operation_clear(&o);
+    inputs_free(read, s->input_count);
+    return outcome;
+}
+
+/*
+ * m1 = 1, m2 = 192, L = 1: I = 192/193 and S = 3 I, so E = K = 8 at I (1 + 32 2^-53) = 192 (2^48 + 1)/193 2^-48, which is a binary64,
+ * for 193 divides 2^48 + 1: no enclosure of 1/193 ever tells E from 8, and E <= 8 passes.
+ */
+START_TEST(E_that_is_K_passes)
+{
+    static const char *const inputs[] = {"1", "192", "1"};
+    char at[40], beyond[40];
+    const uint64_t part = (UINT64_C(281474976710656) + 1) / 193;
+    const double y = ldexp(192.0 * (double)part, -48);
+    const char *const equal[] = {at}, *const more[] = {beyond};
+    snprintf(at, sizeof at, "%.17g", y);
+    snprintf(beyond, sizeof beyond, "%.17g", nextafter(y, 2));
+    ck_assert_int_eq(judged("eq32", inputs, equal, BINARY64), OUTCOME_RIGHT);
+    ck_assert_int_eq(judged("eq32", inputs, more, BINARY64), OUTCOME_WRONG);
+}
+END_TEST
+
+START_TEST(what_no_bound_decides_is_neither_right_nor_wrong)
+{
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){7, 8}, 8), OUTCOME_RIGHT);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){7, 8.0000001}, 8), OUTCOME_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){8, INFINITY}, 8), OUTCOME_SKIPPED);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){8.0000001, INFINITY}, 8), OUTCOME_WRONG);
+    ck_assert_int_eq(outcome_of_bounds((struct error_bounds){NAN, NAN}, 8), OUTCOME_SKIPPED);
+}
+END_TEST
+
+/*
+ * Omega = 1, C2 = 1: margin1 = C1 - 9 is 16 u an ulp of 9 (one of 9 is 2^-49), S = C1 + 18 = 27 and K u S = 216 u: 13 ulps are within,
+ * 14 (224 u) are not. Of a float with u = 2^-24 the same is 216 2^-24 = 1.2875e-5, of quadruple precision less than an ulp of binary64.
+ */
+static const struct {
+    const char *C1, *C2, *margin1, *margin2, *stable;
+    int significand;
+    enum outcome outcome;
+} boundary[] = {
+    {"9.00000000000002309", "1", "2.3092638912203256e-14", "1", "1", BINARY64, OUTCOME_RIGHT}, /* 9 + 13 2^-49 */
+    {"9.00000000000002309", "1", "2.3092638912203256e-14", "1", "0", BINARY64, OUTCOME_RIGHT},
+    {"9.00000000000002487", "1", "2.4868995751603507e-14", "1", "1", BINARY64, OUTCOME_RIGHT}, /* 9 + 14 2^-49 */
+    {"9.00000000000002487", "1", "2.4868995751603507e-14", "1", "0", BINARY64, OUTCOME_WRONG},
+    {"8.99999999999997691", "1", "-2.3092638912203256e-14", "1", "1", BINARY64, OUTCOME_RIGHT},
+    {"8.99999999999997513", "1", "-2.4868995751603507e-14", "1", "1", BINARY64, OUTCOME_WRONG},
+    {"8.99999999999997513", "1", "-2.4868995751603507e-14", "1", "0", BINARY64, OUTCOME_RIGHT},
+    {"9.0000128", "1", "1.28e-5", "1", "0", BINARY32, OUTCOME_RIGHT},
+    {"9.0000129", "1", "1.29e-5", "1", "0", BINARY32, OUTCOME_WRONG},
+    {"9.000000000000002", "1", "1.7763568394002505e-15", "1", "0", BINARY128, OUTCOME_WRONG},
+    {"9", "1", "0", "1", "0", BINARY128, OUTCOME_RIGHT},
+    {"9", "1", "0", "1", "1", BINARY128, OUTCOME_RIGHT},
+    /* either of the two, and nothing else */
+    {"9", "1", "0", "1", "0.5", BINARY64, OUTCOME_WRONG},
+    {"9", "1", "0", "1", "2", BINARY64, OUTCOME_WRONG},
+    {"9", "1", "0", "1", "-1", BINARY64, OUTCOME_WRONG},
+    {"9", "1", "0", "1", "1.0000000000000002", BINARY64, OUTCOME_WRONG},
+    /* no rounding moves C2 = 0: it is not positive; and what is not stable by one margin is not saved by the other */
+    {"10", "0", "1", "0", "0", BINARY64, OUTCOME_RIGHT},
+    {"10", "0", "1", "0", "1", BINARY64, OUTCOME_WRONG},
+    {"9", "0", "0", "0", "1", BINARY64, OUTCOME_WRONG},
+    {"9", "0", "0", "0", "0", BINARY64, OUTCOME_RIGHT},
+    {"9", "-1", "0", "-1", "1", BINARY64, OUTCOME_WRONG},
+    {"9", "-1", "0", "-1", "0", BINARY64, OUTCOME_RIGHT},
+    {"10", "2.2250738585072014e-308", "1", "2.2250738585072014e-308", "0", BINARY64, OUTCOME_WRONG},
+    {"10", "-2.2250738585072014e-308", "1", "-2.2250738585072014e-308", "1", BINARY64, OUTCOME_WRONG},
+};
+
+START_TEST(eq42_stable_is_judged_beyond_roundings)
+{
+    const char *const inputs[] = {"1", boundary[_i].C1, boundary[_i].C2};
+    const char *const answers[] = {boundary[_i].margin1, boundary[_i].margin2, boundary[_i].stable};
+    ck_assert_int_eq(judged("eq42", inputs, answers, boundary[_i].significand), boundary[_i].outcome);
+}
+END_TEST
+
+/*
+ * Omega = 1, C1 = 12, C2 = 4: (s^2 + 2 s + 3)^2. At z = -1 + d +- i sqrt(2) |p| = 8 d^2; its terms are 48 + 24 sqrt(3) = 89.6 and one
+ * rounding of Omega, C1, C2 does 72, 24 sqrt(3) = 41.6 and 24 to it: 227.1 in all, so |p| <= 8 u 227.1 up to d = 1.588e-7.
+ */
+START_TEST(eq41roots_residual_of_a_double_root_is_within_K_roundings)
+{
+    static const char *const inputs[] = {"1", "12", "4"};
+    static const char *const inner[] = {"-1.000000158", "-1.4142135623730951", "-0.999999842", "-1.4142135623730951",
+                                        "-1.000000158", "1.4142135623730951", "-0.999999842", "1.4142135623730951"};
+    static const char *const outer[] = {"-1.00000016", "-1.4142135623730951", "-0.99999984", "-1.4142135623730951",
+                                        "-1.00000016", "1.4142135623730951", "-0.99999984", "1.4142135623730951"};
+    ck_assert_int_eq(judged("eq41roots", inputs, inner, BINARY64), OUTCOME_RIGHT);
+    ck_assert_int_eq(judged("eq41roots", inputs, outer, BINARY64), OUTCOME_WRONG);
+}
+END_TEST
+
+/* ---- what passes: digits ---- */
+
+/* Where the coordinate that is off by the last digit due is moved so much, of the largest one: see PROTOCOL. */
+START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
+{
+    static const char *const motions[] = {"flow_linear", "flow_nonlinear", "rk4_linear", "rk4_nonlinear"};
+    const struct section *s = section_find(sheet(), motions[_i]);
+    const bool linear = _i % 2 == 0;
+    struct test_run *e = run_of(s, 0, BINARY64);
+    struct operation *o = e->comparators[0].operation;
+    const uint64_t p = test_sets_find(&e->sets, _i < 2 ? linear ? "flow_linear-rates-100" : "flow_nonlinear-moving-100"
+                                                            : linear ? "rk4_linear-rates-100" : "rk4_nonlinear-moving-100");
+    char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
+    struct test_vector q;
+    double scale = 0, unit[6];
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, p);
+    ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+    assert_found(e, p, right_but(outputs, 6, -1, ""), OUTCOME_RIGHT);
+    const struct input *initial = q.inputs + (linear ? 5 : 8);
+    for (int i = 0; i < 6; i++) { /* L_ref = 10 m, Omega = 7.2915e-5 rad/s in these; angles are numbers already */
+        unit[i] = (linear && i % 3 < 2 ? 1 : 10) * (i < 3 ? 1 : 7.2915e-5);
+        scale = fmax(scale, fmax(fabs(strtod(outputs[i], NULL)), fabs(fmpq_get_d(&initial[i].value))) / unit[i]);
+    }
+    for (int i = 0; i < 24; i++) {
+        const int k = i / 4;
+        const double off = (i % 2 ? 1.001 : 0.999) * pow(10, -e->comparators[0].digits) * scale * unit[k];
+        snprintf(text, sizeof text, "%.17g", strtod(outputs[k], NULL) + (i % 4 < 2 ? off : -off));
+        assert_found(e, p, right_but(outputs, 6, k, text), i % 2 ? OUTCOME_WRONG : OUTCOME_RIGHT);
+    }
+    for (int k = 0; k < 6; k++) { /* however far off it is */
+        assert_found(e, p, right_but(outputs, 6, k, "1e100"), OUTCOME_WRONG);
+        assert_found(e, p, right_but(outputs, 6, k, "-1.7e308"), OUTCOME_WRONG);
+    }
+    free_all(outputs, 6);
+    test_vector_clear(&q);
+    close_run(e);
+}
+END_TEST
+
+/* Yaw of 0.1 rad dies away in five days, to 1e-7 and less; what is off is held against what there was. */
+START_TEST(a_motion_that_dies_away_is_judged_by_what_there_was)
+{
+    static const char *const texts[] = {"7.2915e-5", "10", "5.316597225e-8", "1.4583e-4", "432000", "0.1", "0", "0", "0", "0", "0"};
+    const struct section *s = section_find(sheet(), "flow_linear");
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
+    ck_assert(vector_read(s, texts, inputs));
+    operation_init(&o, s, false);
+    ck_assert_int_eq(operation_digits(&o, inputs, DIGITS, outputs), OPERATION_PROVED);
+    ck_assert_double_lt(fabs(strtod(outputs[0], NULL)), 1e-6);
+    for (int i = 0; i < 2; i++) {
+        const char *const answers[] = {text, outputs[1], outputs[2], outputs[3], outputs[4], outputs[5]};
+        snprintf(text, sizeof text, "%.17g", strtod(outputs[0], NULL) + (i ? 1.001e-10 : 0.999e-10));
+        ck_assert_int_eq(judged("flow_linear", texts, answers, BINARY64), i ? OUTCOME_WRONG : OUTCOME_RIGHT);
+    }
+    free_all(outputs, s->output_count);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+END_TEST
+
+/* Of several failures the one that is shown: the furthest off, in whichever order they come, and numbers before lines. */
+START_TEST(the_worst_failure_is_shown)
+{
+    static const char *const words[] = {"1e-7", "1e-3", "x"}; /* for C1 = 5e-8, 7e-7 ...: the second is the furthest off */
+    for (int order = 0; order < 6; order++) {
+        struct test_run *e = run_of(section_find(sheet(), "eq43"), RANDOM, BINARY64);
+        const int first = order % 3, second = (first + 1 + order / 3) % 3, third = 3 - first - second;
+        const int turns[] = {first, second, third};
+        for (int k = 0; k < 3; k++)
+            answer(e, (uint64_t)k + 1, words[turns[k]]);
+        for (int k = 0; k < 3; k++)
+            if (turns[k] == 1)
+                ck_assert_uint_eq(e->summaries[0].worst_failure.position, (uint64_t)k + 1);
+        close_run(e);
+    }
+}
+END_TEST
+
+/* ---- outcomes of a line ---- */
+
+/* On a question inside the domain: what is no answer, in each output. */
+static void assert_inside(struct test_run *e, uint64_t position, char *const *outputs)
+{
+    const int count = e->comparators[0].operation->section->output_count;
+    char more[LONG];
+    assert_found(e, position, right_but(outputs, count, -1, ""), OUTCOME_RIGHT);
+    assert_found(e, position, "invalid", OUTCOME_INVALID);
+    assert_found(e, position, "invalid it is", OUTCOME_MALFORMED);
+    assert_found(e, position, "Invalid", OUTCOME_MALFORMED);
+    assert_found(e, position, "skip", OUTCOME_SKIPPED);
+    assert_found(e, position, "skip not yet", OUTCOME_SKIPPED);
+    assert_found(e, position, "skipping", OUTCOME_MALFORMED);
+    assert_found(e, position, "Skip", OUTCOME_MALFORMED);
+    assert_found(e, position, "", OUTCOME_COUNT);
+    assert_found(e, position, right_but(outputs, count - 1, -1, ""), OUTCOME_COUNT);
+    snprintf(more, sizeof more, "%s 0", right_but(outputs, count, -1, ""));
+    assert_found(e, position, more, OUTCOME_COUNT);
+    for (int k = 0; k < count; k++) {
+        assert_found(e, position, right_but(outputs, count, k, "nan"), OUTCOME_NAN);
+        assert_found(e, position, right_but(outputs, count, k, "inf"), OUTCOME_INFINITE);
+        assert_found(e, position, right_but(outputs, count, k, "-1e999"), OUTCOME_INFINITE);
+        snprintf(more, sizeof more, "%sx", outputs[k]);
+        assert_found(e, position, right_but(outputs, count, k, more), OUTCOME_MALFORMED);
+        snprintf(more, sizeof more, "%s,", outputs[k]);
+        assert_found(e, position, right_but(outputs, count, k, more), OUTCOME_MALFORMED);
+        assert_found(e, position, right_but(outputs, count, k, "-"), OUTCOME_MALFORMED);
+    }
+    if (count > 1) { /* a number that is none tells more than one that is too large */
+        snprintf(more, sizeof more, "inf nan");
+        for (int k = 2; k < count; k++)
+            snprintf(more + strlen(more), sizeof more - strlen(more), " %s", outputs[k]);
+        assert_found(e, position, more, OUTCOME_NAN);
+    }
+}
+
+static void assert_outside(struct test_run *e, uint64_t position)
+{
+    const int count = e->comparators[0].operation->section->output_count;
+    char zeros[2 * MOST_OUTPUTS + 8] = "", nans[4 * MOST_OUTPUTS + 8] = "";
+    for (int k = 0; k < count; k++) {
+        snprintf(zeros + strlen(zeros), sizeof zeros - strlen(zeros), "%s0", k ? " " : "");
+        snprintf(nans + strlen(nans), sizeof nans - strlen(nans), "%snan", k ? " " : "");
+    }
+    assert_found(e, position, "invalid", OUTCOME_RIGHT);
+    assert_found(e, position, zeros, OUTCOME_VALUE);
+    assert_found(e, position, nans, OUTCOME_VALUE);
+    snprintf(zeros + strlen(zeros), sizeof zeros - strlen(zeros), " 0");
+    assert_found(e, position, zeros, OUTCOME_COUNT);
+    assert_found(e, position, "invalid inputs", OUTCOME_MALFORMED);
+    assert_found(e, position, "skip", OUTCOME_SKIPPED);
+}
+
+/* Random motions may have no end: their questions inside are not answered with numbers here. */
+START_TEST(a_line_has_the_outcome_that_it_says)
+{
+    const struct section *s = &sheet()->sections[_i];
+    char *outputs[MOST_OUTPUTS] = {NULL};
+    struct test_vector q;
+    if (s->method == METHOD_NONE)
+        return;
+    struct test_run *e = run_of(s, RANDOM, BINARY64);
+    const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
+    test_vector_init(&q);
+    for (int random = 0; random < (is_motion(s) ? 1 : 2); random++) {
+        const uint64_t p = question_that(e, random ? golden : 0, true);
+        test_vector_make(&q, &e->sets, p);
+        ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+        assert_inside(e, p, outputs);
+        free_all(outputs, s->output_count);
+        memset(outputs, 0, sizeof outputs);
+    }
+    assert_found(e, golden, "invalid", OUTCOME_INVALID);
+    assert_found(e, golden + RANDOM - 1, "invalid", OUTCOME_INVALID);
+    assert_outside(e, question_that(e, 0, false));
+    for (uint64_t p = golden + RANDOM; p < e->sets.total; p++)
+        assert_outside(e, p);
+    test_vector_clear(&q);
+    close_run(e);
+}
+END_TEST
+
+/* ---- random questions ---- */
+
+/* Each is answered by its truth and passes; those from inside are the vectors that `vectors` writes, by name and number. */
+START_TEST(random_questions_are_those_of_the_seed)
+{
+    const struct section *s = &sheet()->sections[_i];
+    double values[MOST_INPUTS];
+    struct input *inputs;
+    struct test_vector q;
+    char id[100];
+    if (s->method == METHOD_NONE)
+        return;
+    struct test_run *e = run_of(s, RANDOM, BINARY64);
+    const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
+    ck_assert_uint_eq(e->sets.total, golden + RANDOM + RANDOM / 16);
+    inputs = inputs_new(s->input_count);
+    test_vector_init(&q);
+    for (uint64_t k = 0; k < RANDOM; k++) {
+        char *outputs[MOST_OUTPUTS] = {NULL};
+        test_vector_make(&q, &e->sets, golden + k);
+        sample(e->comparators[0].operation, 1, k, values, inputs);
+        snprintf(id, sizeof id, "%s-1-%d", s->id, (int)k);
+        ck_assert_str_eq(q.id, id);
+        ck_assert_mem_eq(q.values, values, (size_t)s->input_count * sizeof *values);
+        ck_assert(operation_valid(e->comparators[0].operation, q.inputs));
+        if (is_motion(s))
+            continue;
+        ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+        assert_found(e, golden + k, right_but(outputs, s->output_count, -1, ""), OUTCOME_RIGHT);
+        free_all(outputs, s->output_count);
+    }
+    test_vector_clear(&q);
+    inputs_free(inputs, s->input_count);
+    close_run(e);
+}
+END_TEST
+
+/* So many that each defect of the longest list, eq02's with its three conditions, has had its turn. */
+START_TEST(random_questions_from_outside_have_every_defect)
+{
+    const struct section *s = &sheet()->sections[_i];
+    int nans[MOST_INPUTS] = {0}, last = 0;
+    struct test_vector q;
+    if (s->method == METHOD_NONE)
+        return;
+    struct test_run *e = run_of(s, UINT64_C(16) * 150, BINARY64);
+    test_vector_init(&q);
+    for (uint64_t p = (uint64_t)e->sets.all[0].golden_count + 16 * 150; p < e->sets.total; p++) {
+        int defects = 0;
+        test_vector_make(&q, &e->sets, p);
+        ck_assert_msg(!q.numbers || !operation_valid(e->comparators[0].operation, q.inputs), "%s", q.id);
+        for (int i = 0; i < s->input_count; i++) {
+            nans[i] += isnan(q.values[i]);
+            defects += !isfinite(q.values[i]);
+        }
+        ck_assert_int_le(defects, 1);
+        last += q.numbers;
+    }
+    for (int i = 0; i < s->input_count; i++)
+        ck_assert_msg(nans[i] > 0, "%s: %s is never nan", s->id, s->inputs[i]->name);
+    ck_assert(last > 0 || s->corrected.count == 0);
+    test_vector_clear(&q);
+    close_run(e);
+}
+END_TEST
+
+/* Of a float's numbers, what leaves their range is not judged; and nothing else is left out, for floats or for doubles. */
+START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
+{
+    const int significand = _i % 2 ? BINARY32 : BINARY64;
+    const struct section *s = section_find(sheet(), _i < 2 ? "eq37" : "eq12");
+    struct test_run *e = run_of(s, RANDOM, significand);
+    const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
+    struct test_vector q;
+    int left = 0;
+    test_vector_init(&q);
+    for (uint64_t p = golden; p < golden + RANDOM; p++) {
+        char *outputs[MOST_OUTPUTS] = {NULL};
+        test_vector_make(&q, &e->sets, p);
+        const bool leaves = vector_leaves_range(e->comparators[0].operation, q.inputs, significand);
+        ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+        assert_found(e, p, right_but(outputs, s->output_count, -1, ""), leaves ? OUTCOME_SKIPPED : OUTCOME_RIGHT);
+        free_all(outputs, s->output_count);
+        left += leaves;
+    }
+    ck_assert((left > 0) == (_i == 1)); /* R_c^5 of eq37 */
+    test_vector_clear(&q);
+    close_run(e);
+}
+END_TEST
+
+/* ---- lines ---- */
+
+static struct test_run *eq43(void)
+{
+    return run_of(section_find(sheet(), "eq43"), RANDOM, BINARY64);
+}
+
+static const uint64_t *said(struct test_run *e, const char *text)
+{
+    test_run_hear(e, text, strlen(text));
+    return e->summaries[0].counts;
+}
+
+/* C1 of n = 10 is 5.316597225e-8. */
+START_TEST(a_line_may_have_65536_bytes)
+{
+    static char line[LONGEST_LINE + 3];
+    for (int more = 0; more < 2; more++) {
+        struct test_run *e = eq43();
+        memset(line, ' ', sizeof line);
+        memcpy(line, "eq43-paper 5.316597225e-8", 25);
+        line[LONGEST_LINE + more] = '\n';
+        line[LONGEST_LINE + more + 1] = '\0';
+        const uint64_t *counts = said(e, line);
+        ck_assert_uint_eq(counts[OUTCOME_RIGHT], 1 - (uint64_t)more);
+        ck_assert_uint_eq(counts[OUTCOME_TOO_LONG], (uint64_t)more);
+        close_run(e);
+    }
+}
+END_TEST
+
+START_TEST(a_line_without_an_end_is_heard_for_64_MiB)
+{
+    enum { PIECE = 1 << 16 };
+    static char piece[PIECE];
+    struct test_run *e = eq43();
+    for (int k = 0; k < (1 << 10) - 1; k++)
+        ck_assert(test_run_hear(e, piece, PIECE));
+    ck_assert(test_run_hear(e, piece, PIECE - 1));
+    ck_assert(!test_run_hear(e, piece, 1));
+    close_run(e);
+}
+END_TEST
+
+static const struct {
+    const char *text;
+    enum outcome outcome;
+} lines[] = {
+    {"eq43-paper 5.316597225e-8\n", OUTCOME_RIGHT},
+    {"eq43-paper\t 0x1.c8b1359a0b635p-25 \r\n", OUTCOME_RIGHT}, /* the same binary64 */
+    {" eq43-paper 5.316597225e-8\n", OUTCOME_RIGHT},
+    {"eq43-paper 5.316597225e-8\r\r\n", OUTCOME_MALFORMED},
+    {"eq43-paper 5.316597225e-8 \r \n", OUTCOME_MALFORMED},
+    {"eq43-Paper 5.316597225e-8\n", OUTCOME_STRANGER},
+    {"A0z_.- 5.316597225e-8\n", OUTCOME_STRANGER},
+    {"eq43~paper 5.316597225e-8\n", OUTCOME_MALFORMED},
+    {"eq43-paper: 5.316597225e-8\n", OUTCOME_MALFORMED},
+    {"\n", OUTCOME_MALFORMED},
+    {" \t\n", OUTCOME_MALFORMED},
+    {"eq43 eq43-paper 5.316597225e-8\n", OUTCOME_STRANGER},
+};
+
+START_TEST(a_line_begins_with_a_vectors_name)
+{
+    struct test_run *e = eq43();
+    const uint64_t *counts = said(e, lines[_i].text);
+    for (int i = 0; i < OUTCOMES; i++)
+        ck_assert_msg(counts[i] == (i == (int)lines[_i].outcome), "%s is %s", lines[_i].text, outcome_names[i]);
+    close_run(e);
+}
+END_TEST
+
+static const struct {
+    const char *line, *hint;
+    enum outcome outcome;
+} hints[] = {
+    {"Loading model...", "its first word 'Loading' names no vector", OUTCOME_STRANGER},
+    {"debug: n = 10", "its first word 'debug:' names no vector: no name has a ':'", OUTCOME_MALFORMED},
+    {"eq44 eq44-paper 1", "'eq44' is an operation, the vector's name alone stands first", OUTCOME_STRANGER},
+    {"1.4e-4", "'1.4e-4' is a number, the vector's name stands first", OUTCOME_STRANGER},
+    {"\357\273\277eq44-paper 1", "a byte order mark stands before 'eq44-paper'", OUTCOME_MALFORMED},
+    {"eq44-paper: 1", "its first word 'eq44-paper:' names no vector: no name has a ':'", OUTCOME_MALFORMED},
+    {"eq42-paper 1 1 true", "'true' is no number, 1 or 0 is due", OUTCOME_MALFORMED},
+    {"eq42-paper INVALID", "'INVALID': did you mean invalid, alone and in small letters?", OUTCOME_MALFORMED},
+    {"eq42-paper Skip", "'Skip': did you mean skip, alone and in small letters?", OUTCOME_MALFORMED},
+    {"eq44-paper 1.2d-13", "'1.2d-13' has Fortran's D exponent, E is due", OUTCOME_MALFORMED},
+    {"eq44-paper 0,00014", "'0,00014' has a decimal comma, a point is due", OUTCOME_MALFORMED},
+    {"eq25-paper 1 [2 3]", "'[2' is no number for its '['", OUTCOME_MALFORMED},
+    {"eq25-paper 1, 2, 3", "'1,' is no number for its ','", OUTCOME_MALFORMED},
+    {"eq44-paper oops", "'oops' is no number", OUTCOME_MALFORMED},
+    {"eq44-paper 1.2", "the last line has no LF", OUTCOME_TRUNCATED},
+    {"", "an empty line", OUTCOME_MALFORMED},
+    {"eq44-paper 1 2", "", OUTCOME_COUNT},
+};
+
+START_TEST(a_line_that_is_no_answer_is_told_in_words)
+{
+    char hint[240];
+    line_hint(hints[_i].line, hints[_i].outcome, hint, sizeof hint);
+    ck_assert_str_eq(hint, hints[_i].hint);
+}
+END_TEST
+
+START_TEST(the_last_line_has_an_end)
+{
+    for (int ended = 0; ended < 2; ended++) {
+        struct test_run *e = eq43();
+        const uint64_t *counts = said(e, ended ? "eq43-paper skip\n" : "eq43-paper skip");
+        test_run_end(e, OUTCOME_MISSING);
+        ck_assert_uint_eq(counts[OUTCOME_SKIPPED], (uint64_t)ended);
+        ck_assert_uint_eq(counts[OUTCOME_TRUNCATED], 1 - (uint64_t)ended);
+        ck_assert_uint_eq(counts[OUTCOME_MISSING], e->sets.total - 1);
+        close_run(e);
+    }
+}
+END_TEST
+
+START_TEST(an_answer_is_due_once_its_question_is_sent)
+{
+    struct test_run *e = eq43();
+    e->asked = 2;
+    said(e, "eq43-random-2 skip\n");
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_EARLY], 1);
+    said(e, "eq43-random-1 skip\neq43-paper skip\neq43-random-1 skip\n");
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_SKIPPED], 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_REORDERED], 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_REPEATED], 1);
+    close_run(e);
+}
+END_TEST
+
+/* As many as there are questions twice, and 10000 at least. */
+START_TEST(so_many_lines_out_of_place_are_heard)
+{
+    struct test_run *few = eq43(), *many = run_of(section_find(sheet(), "eq43"), 6000, BINARY64);
+    const uint64_t most = 2 * many->sets.total;
+    ck_assert_uint_gt(most, 10000);
+    for (uint64_t k = 1; k <= most; k++) {
+        const bool on = test_run_hear(many, "?\n", 2);
+        ck_assert_msg(on == (k < most), "after %d of %d", (int)k, (int)most);
+        if (k <= 10000)
+            ck_assert(test_run_hear(few, "?\n", 2) == (k < 10000));
+    }
+    close_run(few);
+    close_run(many);
+}
+END_TEST
+
+/* ---- the truth ---- */
+
+/* Off by 2^-300 in one output, which balls of 192 bits do not show and MPFR of 384 does: it lies outside. */
+START_TEST(mpfr_has_to_lie_within_in_every_output)
+{
+    const struct section *s = section_find(sheet(), "eq27");
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    double values[MOST_INPUTS];
+    arb_ptr exact = _arb_vec_init(3), S = _arb_vec_init(3);
+    operation_init(&o, s, false);
+    sample(&o, 1, 0, values, inputs);
+    operation_sensitivity(&o, inputs, 600, S);
+    operation_enclose(&o, inputs, 600, exact);
+    ck_assert(mpfr_inside(&o, inputs, exact, S));
+    for (int i = 0; i < 3; i++) {
+        SCOPE(arb, kept, off);
+        arb_set(kept, exact + i);
+        arb_mul_2exp_si(off, kept, -300);
+        arb_add(exact + i, kept, off, 600);
+        ck_assert(!mpfr_inside(&o, inputs, exact, S));
+        arb_set(exact + i, kept);
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    _arb_vec_clear(exact, 3);
+    _arb_vec_clear(S, 3);
+}
+END_TEST
+
+SUITE(test_outcomes)
+{
+    Suite *s = suite_create("outcomes");
+    TCase *c = tcase_create("outcomes");
+    const int sections = sheet()->section_count;
+    tcase_set_timeout(c, 120);
+    tcase_add_loop_test(c, each_output_passes_up_to_K_and_no_further, 0, sections);
+    tcase_add_loop_test(c, K_counts_roundings_of_the_clients_own_numbers, 0, 2);
+    tcase_add_test(c, E_that_is_K_passes);
+    tcase_add_test(c, what_no_bound_decides_is_neither_right_nor_wrong);
+    tcase_add_loop_test(c, eq42_stable_is_judged_beyond_roundings, 0, sizeof boundary / sizeof *boundary);
+    tcase_add_test(c, eq41roots_residual_of_a_double_root_is_within_K_roundings);
+    tcase_add_loop_test(c, a_motion_passes_with_the_digits_due_and_no_fewer, 0, 4);
+    tcase_add_test(c, a_motion_that_dies_away_is_judged_by_what_there_was);
+    tcase_add_test(c, the_worst_failure_is_shown);
+    tcase_add_loop_test(c, a_line_has_the_outcome_that_it_says, 0, sections);
+    tcase_add_loop_test(c, random_questions_are_those_of_the_seed, 0, sections);
+    tcase_add_loop_test(c, random_questions_from_outside_have_every_defect, 0, sections);
+    tcase_add_loop_test(c, what_leaves_the_clients_range_is_skipped_and_nothing_else, 0, 4);
+    tcase_add_test(c, a_line_may_have_65536_bytes);
+    tcase_add_test(c, a_line_without_an_end_is_heard_for_64_MiB);
+    tcase_add_loop_test(c, a_line_begins_with_a_vectors_name, 0, sizeof lines / sizeof *lines);
+    tcase_add_loop_test(c, a_line_that_is_no_answer_is_told_in_words, 0, sizeof hints / sizeof *hints);
+    tcase_add_test(c, the_last_line_has_an_end);
+    tcase_add_test(c, an_answer_is_due_once_its_question_is_sent);
+    tcase_add_test(c, so_many_lines_out_of_place_are_heard);
+    tcase_add_test(c, mpfr_has_to_lie_within_in_every_output);
+    suite_add_tcase(s, c);
+    return s;
+}

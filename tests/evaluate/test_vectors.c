@@ -1,0 +1,419 @@
+/* Vectors: what is certified, counted, flagged; and ref/ against it. */
+#include "tests/run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "evaluate/domain.h"
+#include "evaluate/errors.h"
+#include "evaluate/reference.h"
+#include "evaluate/sample.h"
+#include "evaluate/vectors.h"
+#include "text/scope.h"
+
+/* Largest E of ref/ that a test lets pass, and why: see worst_error_of_ref_stays_below_the_bound. */
+enum { BOUND = 8, INPUTS = 1000, SEED = 1 };
+
+static const struct section *operation_at(int i)
+{
+    return &sheet()->sections[i];
+}
+
+/*
+ * A formula of k operations, each of relative error u, has E <= k to first order; the longest of the
+ * sheet has some thirty, but rounding errors rarely agree: the worst of 10^5 inputs is 4.0, in eq02
+ * (make errors). 8 leaves room for another libm's sin, cos and exp, and catches three lost bits.
+ */
+START_TEST(worst_error_of_ref_stays_below_the_bound)
+{
+    const struct section *s = operation_at(_i);
+    struct measured m;
+    if (!operation_has_sensitivity(s))
+        return;
+    measure_errors(&m, s, INPUTS, SEED);
+    ck_assert_msg(m.worst > 0.0 && m.worst <= BOUND, "%s: E = %g at %ld", s->id, m.worst, m.index);
+    ck_assert_msg(m.outside == 0, "%s: %ld MPFR values outside the ball", s->id, m.outside);
+}
+END_TEST
+
+START_TEST(every_operation_has_a_reference)
+{
+    const struct section *s = operation_at(_i);
+    ck_assert_double_eq(s->K, BOUND); /* what the oracle asks of others is what is asked here of ref/ */
+    ck_assert_msg((reference_find(s->id) != NULL) == (s->method != METHOD_NONE), "%s", s->id);
+}
+END_TEST
+
+START_TEST(E_of_one_rounding_is_below_one)
+{
+    /* y* = 1/3 and S = 0: the nearest double is at most u |y*| away, and its neighbour more than u/2 |y*| */
+    SCOPE(arb, exact, S);
+    SCOPE(arf, y);
+    arb_set_ui(exact, 1);
+    arb_div_ui(exact, exact, 3, 200);
+    arf_set_d(y, 1.0 / 3.0);
+    double nearest = error_in_roundings(y, exact, S, BINARY64).upper;
+    arf_set_d(y, nextafter(1.0 / 3.0, 1.0));
+    double next = error_in_roundings(y, exact, S, BINARY64).upper;
+    arf_set_d(y, 1.0f / 3.0f);
+    double single = error_in_roundings(y, exact, S, BINARY32).upper;
+    arf_nan(y);
+    double none = error_in_roundings(y, exact, S, BINARY64).upper;
+    ck_assert(nearest > 0.0 && nearest <= 1.0);
+    ck_assert(next > 0.5 && next <= 2.5);
+    ck_assert(single > 0.0 && single <= 1.0);
+    ck_assert_double_infinite(none);
+}
+END_TEST
+
+START_TEST(E_is_zero_for_equality_and_infinite_where_nothing_may_be_off)
+{
+    SCOPE(arb, exact, S);
+    SCOPE(arf, y);
+    ck_assert_double_eq(error_in_roundings(y, exact, S, BINARY64).upper, 0.0);
+    arf_set_d(y, 5e-324);
+    ck_assert_double_infinite(error_in_roundings(y, exact, S, BINARY64).upper);
+}
+END_TEST
+
+/*
+ * (38): S = |GM dOmega/dGM| + |R_c dOmega/dR_c| = (1/2 + 3/2) Omega, rational where Omega is. (2) with uncharged craft: x1_ddot =
+ * 2 Omega y1_dot + 3 Omega^2 x1, S = 4 Omega |y1_dot| + 9 Omega^2 |x1|, to which an infinite lambda_d adds nothing.
+ */
+START_TEST(a_sensitivity_is_rational_where_every_derivative_is)
+{
+    static const struct {
+        const char *id;
+        double values[30];
+        long S; /* 0: not rational */
+    } cases[] = {{"eq38", {4, 1}, 4}, {"eq38", {2, 1}, 0},
+                 {"eq02", {2, 1, INFINITY, 1, 0, 3, 0, 0, 0, 5, 0, 1, 0, 0, 4, 0, 0, 0, 0, 1, 0, 9, 0, 0, 0, 0, 0}, 40 + 108}};
+    const struct section *s = section_find(sheet(), cases[_i].id);
+    struct operation o;
+    SCOPE(fmpq, S);
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    ck_assert(inputs_of_values(s, cases[_i].values, inputs));
+    ck_assert(operation_valid(&o, inputs));
+    ck_assert_int_eq(operation_sensitivity_rational(&o, inputs, 0, S), cases[_i].S != 0);
+    if (cases[_i].S != 0)
+        ck_assert(fmpq_cmp_si(S, cases[_i].S) == 0);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+END_TEST
+
+START_TEST(a_sample_depends_on_seed_and_index_alone)
+{
+    const struct section *s = section_find(sheet(), "eq27");
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    double first[4], again[4], other[4], seeded[4];
+    operation_init(&o, s, false);
+    sample(&o, 7, 3, first, inputs);
+    sample(&o, 7, 4, other, inputs);
+    sample(&o, 8, 3, seeded, inputs);
+    sample(&o, 7, 3, again, inputs);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    ck_assert_mem_eq(first, again, sizeof first);
+    ck_assert_mem_ne(first, other, sizeof first);
+    ck_assert_mem_ne(first, seeded, sizeof first);
+}
+END_TEST
+
+START_TEST(samples_lie_in_their_ranges)
+{
+    const struct section *s = section_find(sheet(), "eq02");
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    double values[40];
+    int negative = 0;
+    operation_init(&o, s, false);
+    for (uint64_t k = 0; k < 200; k++) {
+        sample(&o, 1, k, values, inputs);
+        for (int i = 0; i < s->input_count; i++) {
+            const struct quantity *q = s->inputs[i];
+            ck_assert(fabs(values[i]) >= q->low && fabs(values[i]) <= q->high);
+            ck_assert(values[i] > 0.0 || q->either_sign);
+            negative += values[i] < 0.0;
+        }
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    ck_assert_int_gt(negative, 200 * 8); /* of 200 * 21 signed ones about half */
+}
+END_TEST
+
+/*
+ * A sheet's operation is valid where ref/ gives numbers, and nowhere else. So few values make craft meet, angles vanish
+ * and n reach 9 by themselves, and every sign turn up. Flows stay where they begin, for craft may meet on the way.
+ */
+START_TEST(domain_of_the_sheet_is_that_of_ref)
+{
+    static const double values[] = {-9, -2, -1, 0, 1, 2, 9, 9.000000000000002, 1, -1};
+    const struct section *s = &sheet()->sections[_i];
+    const bool flow = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_FLOW_NONLINEAR;
+    const bool motion = s->method != METHOD_FORMULA && s->method != METHOD_ROOTS;
+    uint64_t random = 1;
+    if (s->method == METHOD_NONE)
+        return;
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    for (int k = 0; k < 6000; k++) {
+        double in[40], out[16] = {0};
+        for (int i = 0; i < s->input_count; i++) {
+            random = random * UINT64_C(6364136223846793005) + 1442695040888963407; /* Knuth's */
+            in[i] = values[(random >> 33) % (sizeof values / sizeof *values)];
+            if (!motion && in[i] == -9 && s->inputs[i]->domain == DOMAIN_POSITIVE_OR_INFINITE)
+                in[i] = INFINITY;
+            if (flow && strcmp(s->inputs[i]->name, "t") == 0)
+                in[i] = 0;
+            if (s->inputs[i]->domain != DOMAIN_FINITE && random % 16 != 0)
+                in[i] = fabs(in[i]);
+            inputs[i].infinite = isinf(in[i]);
+            fmpq_set_double(&inputs[i].value, isinf(in[i]) ? 1 : in[i]);
+        }
+        reference_find(s->id)(in, out);
+        ck_assert_msg(operation_valid(&o, inputs) != (bool)isnan(out[0]), "%s: %s, ref/ gives %g", s->id,
+                      isnan(out[0]) ? "valid" : o.why.text, out[0]);
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+END_TEST
+
+/* Each in its rotation: a condition just violated, a value outside, a time between Runge-Kutta steps. */
+START_TEST(a_defect_leaves_the_domain)
+{
+    const struct section *s = operation_at(_i);
+    struct operation o;
+    double values[40];
+    if (s->method == METHOD_NONE)
+        return;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    for (uint64_t k = 0; k < 64; k++) {
+        sample(&o, SEED, k, values, inputs);
+        domain_defect(&o, k, values);
+        if (inputs_of_values(s, values, inputs))
+            ck_assert_msg(!operation_valid(&o, inputs), "%s: defect %d of seed %d is none", s->id, (int)k, SEED);
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+END_TEST
+
+/* ---- the program's vectors ---- */
+
+static char *printed(const char *arguments)
+{
+    static char text[1 << 20];
+    char line[256];
+    snprintf(line, sizeof line, "\"$CT_PROGRAM\" vectors %s", arguments);
+    FILE *pipe = popen(line, "r");
+    ck_assert_ptr_nonnull(pipe);
+    size_t length = fread(text, 1, sizeof text - 1, pipe);
+    text[length] = '\0';
+    ck_assert_int_eq(pclose(pipe), 0);
+    return text;
+}
+
+START_TEST(four_shards_are_one_run)
+{
+    char *whole = text_copy(printed("eq14 --count 11 --seed 5")), *end = whole;
+    for (int k = 1; k <= 4; k++) {
+        char arguments[64];
+        snprintf(arguments, sizeof arguments, "eq14 --count 11 --seed 5 --shard %d/4", k);
+        const char *part = printed(arguments);
+        ck_assert_int_eq(strncmp(end, part, strlen(part)), 0);
+        end += strlen(part);
+    }
+    ck_assert_int_eq(*end, '\0');
+    free(whole);
+}
+END_TEST
+
+START_TEST(a_seed_has_64_bits)
+{
+    ck_assert_ptr_nonnull(strstr(printed("eq43 --count 1 --seed 18446744073709551615"), "\neq43-18446744073709551615-0,"));
+}
+END_TEST
+
+/* Omega > 0 and n > 0 of (43), each from just outside and just inside, after what was there before. */
+START_TEST(golden_lines_ask_each_condition)
+{
+    const char *text = printed("eq43 --golden");
+    ck_assert_ptr_nonnull(strstr(text, "\neq43-minus-inf-Omega,-inf,10,,,invalid\neq43-domain-1-outside,7.2915e-5,0,,,invalid\n"
+                                       "eq43-domain-1-inside,7.2915e-5,7.888609052210118e-31,")); /* 2^-100 */
+    ck_assert_ptr_nonnull(strstr(printed("eq39 --golden"), ",-2.2250738585072014e-308,0.01,0.01,,,,,,,invalid\neq39-zero-I,7.2915e-5,0,0.01,0.01,0,0,0,"));
+    ck_assert_ptr_nonnull(strstr(printed("rk4_linear --golden"), "\nrk4_linear-between-steps,7.2915e-5,10,5.316597225e-8,1.4583e-4,43200.00000000001,"));
+}
+END_TEST
+
+START_TEST(golden_lines_have_their_flags)
+{
+    const char *text = printed("eq44 --golden");
+    ck_assert_int_eq(strncmp(text, "id,Omega,n,C2,S_C2,flags\n", 25), 0);
+    ck_assert_ptr_nonnull(strstr(text, "\neq44-boundary,7.2915e-5,9,0,inf,edge\n"));
+    ck_assert_ptr_nonnull(strstr(text, "\neq44-boundary-below,7.2915e-5,8.999999999999998,,,invalid\n"));
+    ck_assert_ptr_nonnull(strstr(text, "\neq44-nan-Omega,nan,10,,,invalid\n"));
+    ck_assert_ptr_nonnull(strstr(text, ",paper\n"));
+}
+END_TEST
+
+/* 0.1 and the least number above zero in full, by hand: 3602879701896397/2^55 and 2^-1074. */
+static const struct {
+    const char *literal;
+    enum input_form form;
+    const char *written;
+} forms[] = {
+    {"0.1", INPUTS_SHORTEST, "0.1"},
+    {"0.1", INPUTS_EXACT, "0.1000000000000000055511151231257827021181583404541015625"},
+    {"0.1", INPUTS_HEX, "0x1.999999999999ap-4"},
+    {"8.99e+9", INPUTS_EXACT, "8990000000"},
+    {"-150", INPUTS_HEX, "-0x1.2cp+7"},
+    {"0", INPUTS_HEX, "0x0p+0"},
+    {"nan", INPUTS_HEX, "nan"},
+    {"inf", INPUTS_EXACT, "inf"},
+    {"1e400", INPUTS_EXACT, "1e400"},
+};
+
+START_TEST(inputs_are_written_in_every_form)
+{
+    char text[LONGEST_INPUT];
+    input_write(text, forms[_i].literal, forms[_i].form);
+    ck_assert_str_eq(text, forms[_i].written);
+}
+END_TEST
+
+START_TEST(the_longest_input_has_all_its_digits)
+{
+    char text[LONGEST_INPUT], exponent[] = "e-308";
+    input_write(text, "2.2250738585072009e-308", INPUTS_EXACT); /* the largest number below the normal ones */
+    const size_t length = strlen(text);
+    ck_assert_uint_eq(length, 767 + strlen(".") + strlen(exponent));
+    ck_assert_str_eq(text + length - strlen(exponent), exponent);
+    ck_assert(strtod(text, NULL) == 2.2250738585072009e-308);
+}
+END_TEST
+
+START_TEST(a_subexpression_out_of_range_is_flagged)
+{
+    struct operation o;
+    const struct section *s = section_find(sheet(), "eq32"); /* m1 m2/(m1 + m2) L^2 */
+    const char *texts[] = {"1e-200", "1e-200", "1e100"};
+    char line[200];
+    FILE *file = tmpfile();
+    ck_assert_ptr_nonnull(file);
+    operation_init(&o, s, false);
+    fflush(stdout);
+    int kept = dup(1);
+    dup2(fileno(file), 1);
+    bool fine = vector_print(&o, "x", texts, "here", INPUTS_SHORTEST);
+    fflush(stdout);
+    dup2(kept, 1);
+    close(kept);
+    operation_clear(&o);
+    rewind(file);
+    ck_assert(fine);
+    ck_assert_ptr_nonnull(fgets(line, sizeof line, file));
+    fclose(file);
+    ck_assert_ptr_nonnull(strstr(line, ",range here\n"));
+}
+END_TEST
+
+/* Omega^2 of (43) at the least and the greatest normal numbers, 2^-1022 and 2^1024 (of floats 2^-126 and 2^128), and beside them. */
+START_TEST(the_normal_range_is_that_of_the_format)
+{
+    static const struct {
+        const char *Omega;
+        int significand;
+        bool leaves;
+    } edges[] = {
+        {"0x1p-511", BINARY64, false}, {"0x1.fffffffffffffp-512", BINARY64, true},
+        {"0x1.fffffffffffffp511", BINARY64, false}, {"0x1p512", BINARY64, true},
+        {"0x1p-63", BINARY32, false}, {"0x1.fffffffffffffp-64", BINARY32, true},
+        {"0x1.fffffffffffffp63", BINARY32, false}, {"0x1p64", BINARY32, true},
+        {"0x1p-512", BINARY128, false}, {"0x1p512", BINARY128, false},
+    };
+    const struct section *s = section_find(sheet(), "eq43");
+    const char *texts[] = {edges[_i].Omega, "1"};
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    ck_assert(vector_read(s, texts, inputs));
+    const bool leaves = vector_leaves_range(&o, inputs, edges[_i].significand);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    ck_assert_msg(leaves == edges[_i].leaves, "%s", edges[_i].Omega);
+}
+END_TEST
+
+/* ---- golden files ---- */
+
+/* The next line has that id, those inputs as they are written, and ends with those flags. Nothing is computed. */
+static bool is_next_line(void *context, struct operation *o, const char *id, const char *const *texts, const char *flags)
+{
+    char line[4096], due[2048];
+    int used = snprintf(due, sizeof due, "%s", id);
+    for (int i = 0; i < o->section->input_count; i++)
+        used += snprintf(due + used, sizeof due - (size_t)used, ",%s", texts[i]);
+    ck_assert_msg(fgets(line, sizeof line, context) != NULL, "%s is not in the file", id);
+    line[strcspn(line, "\n")] = '\0';
+    ck_assert_msg(strncmp(line, due, (size_t)used) == 0 && line[used] == ',', "expected %s in the line %s", due, line);
+    ck_assert_msg(strlen(line) >= strlen(flags) && strcmp(line + strlen(line) - strlen(flags), flags) == 0, "%s: expected %s", id, flags);
+    return true;
+}
+
+START_TEST(golden_files_have_these_inputs)
+{
+    const struct section *s = operation_at(_i);
+    char name[80], line[4096];
+    if (s->method == METHOD_NONE)
+        return;
+    snprintf(name, sizeof name, "data/golden/%s.csv", s->id);
+    FILE *file = fopen(name, "r");
+    ck_assert_msg(file != NULL && fgets(line, sizeof line, file) != NULL, "%s", name);
+    golden_each(s, is_next_line, file);
+    ck_assert_msg(fgets(line, sizeof line, file) == NULL, "%s has more: %s", name, line);
+    fclose(file);
+}
+END_TEST
+
+SUITE(test_vectors)
+{
+    Suite *s = suite_create("vectors");
+    TCase *c = tcase_create("vectors");
+    const int sections = sheet()->section_count;
+    tcase_set_timeout(c, 120);
+    tcase_add_loop_test(c, worst_error_of_ref_stays_below_the_bound, 0, sections);
+    tcase_add_loop_test(c, every_operation_has_a_reference, 0, sections);
+    tcase_add_test(c, E_of_one_rounding_is_below_one);
+    tcase_add_test(c, E_is_zero_for_equality_and_infinite_where_nothing_may_be_off);
+    tcase_add_loop_test(c, a_sensitivity_is_rational_where_every_derivative_is, 0, 3);
+    tcase_add_test(c, a_sample_depends_on_seed_and_index_alone);
+    tcase_add_test(c, samples_lie_in_their_ranges);
+    tcase_add_test(c, four_shards_are_one_run);
+    tcase_add_test(c, golden_lines_have_their_flags);
+    tcase_add_test(c, golden_lines_ask_each_condition);
+    tcase_add_test(c, a_seed_has_64_bits);
+    tcase_add_loop_test(c, the_normal_range_is_that_of_the_format, 0, 10);
+    tcase_add_loop_test(c, inputs_are_written_in_every_form, 0, sizeof forms / sizeof *forms);
+    tcase_add_test(c, the_longest_input_has_all_its_digits);
+    tcase_add_test(c, a_subexpression_out_of_range_is_flagged);
+    suite_add_tcase(s, c);
+    c = tcase_create("golden");
+    tcase_set_timeout(c, 60);
+    tcase_add_loop_test(c, golden_files_have_these_inputs, 0, sections);
+    suite_add_tcase(s, c);
+    c = tcase_create("domains");
+    tcase_set_timeout(c, 60);
+    tcase_add_loop_test(c, domain_of_the_sheet_is_that_of_ref, 0, sections);
+    tcase_add_loop_test(c, a_defect_leaves_the_domain, 0, sections);
+    suite_add_tcase(s, c);
+    return s;
+}

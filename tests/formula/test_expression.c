@@ -1,0 +1,714 @@
+/*
+ * Formulas: the parser, series and normal forms, derivatives and gradients. Expected values are exact rationals,
+ * worked out in the comment beside them or by another road: the derivative of a program against the first
+ * coefficient of its series, the gradient against the derivative.
+ */
+#include "tests/run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "formula/expression.h"
+#include "formula/symbolic.h"
+#include "text/scope.h"
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+/* The coefficient of epsilon^k, a number. */
+static void get_coefficient(fmpq_t q, const void *value, slong k)
+{
+    const struct symbolic *x = value;
+    const struct symbolic one = {.a = x->a + k, .terms = 1, .fault = x->fault};
+    symbolic_get_rational(q, &one);
+}
+
+static enum symbolic_fault state(const void *value)
+{
+    const struct symbolic *x = value;
+    return x->fault == SYMBOLIC_FINE && x->angle ? SYMBOLIC_ANGLE_AS_NUMBER : x->fault;
+}
+
+/* ---- the parser ---- */
+
+/* A formula without inputs, as an exact rational; "" and the mistake's text when it has none. */
+static void evaluate(const char *formula, char text[200], size_t *where)
+{
+    struct program p;
+    struct message why = {""};
+    program_init(&p);
+    int node = program_parse(&p, formula, where, &why);
+    if (node < 0) {
+        snprintf(text, 200, "%.199s", why.text);
+    } else {
+        struct machine m;
+        machine_init(&m, &p, &arithmetic_symbolic, 1);
+        machine_run(&m);
+        SCOPE(fmpq, value);
+        get_coefficient(value, machine_value(&m, node), 0);
+        char *digits = fmpq_get_str(NULL, 10, value);
+        enum symbolic_fault fault = state(machine_value(&m, node));
+        snprintf(text, 200, "%.199s", fault == SYMBOLIC_FINE ? digits : symbolic_fault_text(fault));
+        flint_free(digits);
+        machine_clear(&m);
+    }
+    program_clear(&p);
+}
+
+static const struct {
+    const char *formula, *value;
+} values[] = {
+    {"2 + 3*4", "14"},
+    {"(2 + 3)*4", "20"},
+    {"2 - 3 - 4", "-5"},       /* from the left */
+    {"12/3/2", "2"},           /* from the left */
+    {"12/(3/2)", "8"},
+    {"2*-3", "-6"},
+    {"2 - -3", "5"},
+    {"--3", "3"},
+    {"-2^2", "-4"},            /* the power binds closer than the sign */
+    {"(-2)^2", "4"},
+    {"2^-2", "1/4"},
+    {"2*3^2", "18"},
+    {"0^0", "1"},
+    {"1.5e1 - .5 + 5.", "39/2"},
+    {"1e-3", "1/1000"},
+    {"0.1 + 0.2", "3/10"},     /* decimals, not doubles */
+    {"sqrt(16/9)", "4/3"},
+    {"sqrt(0)", "0"},
+    {"exp(0) + cos(0) + sin(0)", "2"},
+    {"cos(atan2(4, 3))", "3/5"}, /* 3, 4, 5 */
+    {"sin(atan2(4, 3) + atan2(4, 3))", "24/25"},
+    {"cos(atan2(0, -1))", "-1"},
+    {"1/(1/0)", "0"},          /* a pole may be divided by */
+    {"((((1))))", "1"},
+    {" 1\n + 1\t", "2"},
+    {"1/0", "division by what is zero at epsilon = 0"},
+    {"0/0", "division by what is zero at epsilon = 0"},
+    {"1/0 + 1", "division by what is zero at epsilon = 0"},
+    {"0^-1", "division by what is zero at epsilon = 0"},
+    {"atan2(0, 0)", "division by what is zero at epsilon = 0"},
+    {"sqrt(2)", "the square root of no square of a rational function"},
+    {"sqrt(-4)", "the square root of no square of a rational function"},
+    {"atan2(1, 1)", "the square root of no square of a rational function"},
+    {"sin(1)", "the sine or cosine of a number that is no angle"},
+    {"atan2(4, 3)", "a finite angle outside sine and cosine"},
+    {"2*atan2(4, 3)", "a finite angle outside sine and cosine"},
+    {"exp(1)", "a value that is no rational series, or whose sign is not known"},
+    {"positive(1)", "a value that is no rational series, or whose sign is not known"},
+};
+
+START_TEST(formula_has_its_value)
+{
+    char text[200];
+    size_t where;
+    evaluate(values[_i].formula, text, &where);
+    ck_assert_str_eq(text, values[_i].value);
+}
+END_TEST
+
+static const struct {
+    const char *formula;
+    size_t where;
+    const char *expected;
+} mistakes[] = {
+    {"", 0, "expected a number, a symbol or '(', the formula ends here"},
+    {"1 +", 3, "expected a number, a symbol or '(', the formula ends here"},
+    {"1 + *2", 4, "expected a number, a symbol or '(', found '*'"},
+    {"(1 + 2", 6, "expected ')' or an operator, the formula ends here"},
+    {"1 + 2)", 5, "expected an operator or the end of the formula, found ')'"},
+    {"1 2", 2, "expected an operator or the end of the formula, found '2'"},
+    {"2x", 1, "expected an operator or the end of the formula, found 'x'"},
+    {"1.2.3", 0, "expected a decimal number, found '1'"},
+    {"1e", 0, "expected a decimal number, found '1'"},
+    {"2^0.5", 3, "expected an operator or the end of the formula, found '.'"},
+    {"2^n", 2, "expected an integer exponent of at most three digits, found 'n'"},
+    {"2^1000", 2, "expected an integer exponent of at most three digits, found '1'"},
+    {"1 + Omga", 4, "unknown symbol 'Omga', expected an input or a named subexpression"},
+    {"sin 1", 4, "expected '(', found '1'"},
+    {"sin(1", 5, "expected ')' or an operator, the formula ends here"},
+    {"atan2(1)", 7, "expected ',' and the second argument of atan2, found ')'"},
+    {"atan2(1, )", 9, "expected a number, a symbol or '(', found ')'"},
+    {"rate(1)", 0, "unknown symbol 'rate', expected an input or a named subexpression"},
+    {"1 # 2", 2, "expected an operator or the end of the formula, found '#'"},
+};
+
+START_TEST(mistake_is_told_with_its_place)
+{
+    char text[200];
+    size_t where;
+    evaluate(mistakes[_i].formula, text, &where);
+    ck_assert_str_eq(text, mistakes[_i].expected);
+    ck_assert_uint_eq(where, mistakes[_i].where);
+}
+END_TEST
+
+START_TEST(unknown_symbol_has_a_suggestion)
+{
+    struct program p;
+    struct message why = {""};
+    size_t where;
+    program_init(&p);
+    program_input(&p, "Omega");
+    ck_assert_int_lt(program_parse(&p, "2*Omga", &where, &why), 0);
+    ck_assert_ptr_nonnull(strstr(why.text, "did you mean 'Omega'?"));
+    program_clear(&p);
+}
+END_TEST
+
+/* 10,000 brackets would take the C stack, were they not refused. */
+START_TEST(deep_nesting_is_refused)
+{
+    enum { DEPTH = 10000 };
+    static char brackets[DEPTH + 1], signs[DEPTH + 1];
+    char text[200];
+    size_t where;
+    memset(brackets, '(', DEPTH);
+    memset(signs, '-', DEPTH);
+    evaluate(brackets, text, &where);
+    ck_assert_ptr_nonnull(strstr(text, "expected less nesting"));
+    evaluate(signs, text, &where);
+    ck_assert_ptr_nonnull(strstr(text, "expected less nesting"));
+}
+END_TEST
+
+START_TEST(long_words_are_refused)
+{
+    char word[80], text[200];
+    size_t where;
+    memset(word, 'a', 64);
+    word[64] = '\0';
+    evaluate(word, text, &where);
+    ck_assert_ptr_nonnull(strstr(text, "expected a name of less than 64 characters"));
+    memset(word, '1', 64);
+    evaluate(word, text, &where);
+    ck_assert_ptr_nonnull(strstr(text, "expected a number of less than 64 characters"));
+}
+END_TEST
+
+START_TEST(later_name_shadows_earlier)
+{
+    struct program p;
+    program_init(&p);
+    int x = program_input(&p, "x"), y = program_input(&p, "y");
+    ck_assert_int_eq(program_find(&p, "x"), x);
+    program_name(&p, y, "x");
+    ck_assert_int_eq(program_find(&p, "x"), y);
+    program_clear(&p);
+}
+END_TEST
+
+START_TEST(copy_is_independent)
+{
+    struct program p, copy;
+    struct message why = {""};
+    size_t where;
+    program_init(&p);
+    program_input(&p, "x");
+    int node = program_parse(&p, "x^3 + 1.25", &where, &why);
+    program_copy(&copy, &p);
+    program_clear(&p);
+    ck_assert_int_eq(copy.inputs, 1);
+    ck_assert_int_eq(program_find(&copy, "x"), 0);
+    struct machine m;
+    machine_init(&m, &copy, &arithmetic_symbolic, 1);
+    SCOPE(fmpq, value);
+    fmpq_set_si(value, 2, 1);
+    arithmetic_symbolic.set_rational(machine_value(&m, 0), value, 1);
+    machine_run(&m);
+    get_coefficient(value, machine_value(&m, node), 0);
+    fmpq_mul_si(value, value, 4);
+    ck_assert_int_eq(fmpq_cmp_si(value, 37), 0); /* 4 (8 + 5/4) */
+    machine_clear(&m);
+    program_clear(&copy);
+}
+END_TEST
+
+/* ---- programs over two inputs ---- */
+
+/* x = 9/4 + epsilon, y = 5/3 - 2 epsilon; a the angle of cosine 3/5, sine 4/5, turning by 7 epsilon; e = epsilon */
+static void set_inputs(struct machine *m)
+{
+    SCOPE(fmpq, number, slope);
+    const slong start[] = {9, 4, 1, 5, 3, -2};
+    for (int i = 0; i < 2; i++) {
+        struct symbolic *x = machine_value(m, i);
+        fmpq_set_si(number, start[3 * i], (ulong)start[3 * i + 1]);
+        fmpq_set_si(slope, start[3 * i + 2], 1);
+        arithmetic_symbolic.set_rational(x, number, m->prec);
+        if (m->prec > 1)
+            fmpz_mpoly_q_set_fmpq(x->a + 1, slope, symbolic_context());
+    }
+    struct symbolic *a = machine_value(m, 2);
+    fmpq_set_si(number, 3, 5);
+    fmpq_set_si(slope, 4, 5);
+    fmpz_mpoly_q_set_fmpq(&a->c, number, symbolic_context());
+    fmpz_mpoly_q_set_fmpq(&a->s, slope, symbolic_context());
+    a->angle = true;
+    a->fault = SYMBOLIC_FINE;
+    struct symbolic *e = machine_value(m, 3);
+    if (m->prec > 1) {
+        fmpz_mpoly_q_set_si(a->a + 1, 7, symbolic_context());
+        fmpz_mpoly_q_set_si(e->a + 1, 1, symbolic_context());
+    }
+}
+
+static int parse_inputs(struct program *p, const char *formula)
+{
+    struct message why = {""};
+    size_t where;
+    program_init(p);
+    program_input(p, "x");
+    program_input(p, "y");
+    program_input(p, "a");
+    program_input(p, "e");
+    int node = program_parse(p, formula, &where, &why);
+    ck_assert_msg(node >= 0, "%s: %s", formula, why.text);
+    return node;
+}
+
+static void expand(const char *formula, slong terms, char text[200])
+{
+    struct program p;
+    struct machine m;
+    int node = parse_inputs(&p, formula);
+    machine_init(&m, &p, &arithmetic_symbolic, terms);
+    set_inputs(&m);
+    machine_run(&m);
+    const enum symbolic_fault fault = state(machine_value(&m, node));
+    size_t length = 0;
+    text[0] = '\0';
+    for (slong k = 0; k < terms && fault == SYMBOLIC_FINE; k++) {
+        SCOPE(fmpq, value);
+        get_coefficient(value, machine_value(&m, node), k);
+        char *digits = fmpq_get_str(NULL, 10, value);
+        length += (size_t)snprintf(text + length, 200 - length, "%s%s", k ? " " : "", digits);
+        flint_free(digits);
+    }
+    if (fault != SYMBOLIC_FINE)
+        snprintf(text, 200, "%s", symbolic_fault_text(fault));
+    machine_clear(&m);
+    program_clear(&p);
+}
+
+static const struct {
+    const char *formula;
+    slong terms;
+    const char *series;
+} expansions[] = {
+    {"1/(1 - e)", 4, "1 1 1 1"},
+    {"(1 + e)^-2", 4, "1 -2 3 -4"},
+    {"e/(1/e)", 4, "0 0 1 0"},                 /* 1/e is large: e times e */
+    {"1/(1/(e + e^2))", 4, "0 1 1 0"},
+    {"exp(e)", 4, "1 1 1/2 1/6"},
+    {"sin(e)", 4, "0 1 0 -1/6"},
+    {"cos(2*e)", 4, "1 0 -2 0"},               /* 1 - (2e)^2/2 */
+    {"sqrt(1 + e)", 4, "1 1/2 -1/8 1/16"},     /* binomial coefficients of 1/2 */
+    {"sqrt(x*4)", 3, "3 2/3 -2/27"},           /* sqrt(9 + 4 e) = 3 (1 + 4/9 e)^(1/2) */
+    {"cos(a)", 3, "3/5 -28/5 -147/10"},        /* cos(a + 7 e) = c - 7 s e - 49/2 c e^2 */
+    {"sin(a)", 3, "4/5 21/5 -98/5"},           /* s + 7 c e - 49/2 s e^2 */
+    {"cos(a - a)", 3, "1 0 0"},
+    {"sin(-a)", 2, "-4/5 -21/5"},
+    {"sin(a + a)", 1, "24/25"},                /* 2 s c */
+    {"sin(a)^2 + cos(a)^2", 5, "1 0 0 0 0"},
+    {"x*y", 3, "15/4 -17/6 -2"},               /* (9/4 + e)(5/3 - 2 e) */
+    {"sqrt(e^2)", 2, "the square root of no square of a rational function"},      /* e, but e^2 is lost among two terms */
+    {"sqrt(e^2)", 3, "the square root of no square of a rational function"},
+    {"1/e", 3, "division by what is zero at epsilon = 0"},
+    {"1/e - 1/e", 3, "division by what is zero at epsilon = 0"},
+    {"e/e", 3, "division by what is zero at epsilon = 0"},
+    {"sin(x)", 2, "the sine or cosine of a number that is no angle"},
+    {"a*x", 2, "a finite angle outside sine and cosine"},
+    {"sqrt(a)", 1, "a finite angle outside sine and cosine"},
+    {"exp(x)", 2, "a value that is no rational series, or whose sign is not known"},
+    {"atan2(e, 1)", 2, "a value that is no rational series, or whose sign is not known"},
+};
+
+START_TEST(series_is_exact)
+{
+    char text[200];
+    expand(expansions[_i].formula, expansions[_i].terms, text);
+    ck_assert_str_eq(text, expansions[_i].series);
+}
+END_TEST
+
+/* Every operator, alone and composed; the rates are those of set_inputs: x 1, y -2, a 7. */
+static const char *const differentiable[] = {
+    "-x", "x + y", "x - y", "x*y", "x/y", "y/x", "x^3", "x^-2", "x^0", "x^1", "sqrt(x)", "sqrt(x^3)",
+    "sin(a)", "cos(a)", "exp(x - 9/4)", "sqrt(x)^3*cos(a)/(y + sin(a)) - exp(y - 5/3)^2",
+    "(x + y)*(x - y)/(x^2 + y^2)", "((x/y)^2 - 1/x)^-3", "cos(a + a)*sin(a - a + a)", "7", "x - x",
+};
+
+START_TEST(derivative_is_the_first_coefficient)
+{
+    struct program p;
+    struct machine m;
+    SCOPE(fmpq, expected, value);
+    int node = parse_inputs(&p, differentiable[_i]), rate[4];
+    const slong rates[] = {1, -2, 7};
+    const int count = p.count;
+    for (int i = 0; i < 4; i++)
+        rate[i] = -1;
+    for (int i = 0; i < 3; i++) {
+        rate[i] = program_append(&p, OPERATOR_NUMBER, -1, -1, 0);
+        fmpq_set_si(&p.nodes[rate[i]].number, rates[i], 1);
+    }
+    int derivative = program_derivative(&p, node, rate, 4);
+    ck_assert_int_ge(derivative, count);
+    machine_init(&m, &p, &arithmetic_symbolic, 2);
+    set_inputs(&m);
+    machine_run(&m);
+    get_coefficient(expected, machine_value(&m, node), 1);
+    get_coefficient(value, machine_value(&m, derivative), 0);
+    ck_assert_int_eq(state(machine_value(&m, node)), SYMBOLIC_FINE);
+    ck_assert_int_eq(state(machine_value(&m, derivative)), SYMBOLIC_FINE);
+    ck_assert(fmpq_equal(value, expected));
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+/* d atan2(y, x) = (x dy - y dx)/(x^2 + y^2): at x = 9/4, y = 5/3 with dx = 1, dy = -2 it is -888/1129. */
+START_TEST(derivative_of_an_arc_tangent)
+{
+    struct program p;
+    struct machine m;
+    SCOPE(fmpq, value, expected);
+    int node = parse_inputs(&p, "atan2(y, x)"), rate[2];
+    for (int i = 0; i < 2; i++) {
+        rate[i] = program_append(&p, OPERATOR_NUMBER, -1, -1, 0);
+        fmpq_set_si(&p.nodes[rate[i]].number, i ? -2 : 1, 1);
+    }
+    int derivative = program_derivative(&p, node, rate, 2);
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
+    set_inputs(&m);
+    machine_run(&m);
+    get_coefficient(value, machine_value(&m, derivative), 0);
+    /* (9/4 (-2) - 5/3)/(81/16 + 25/9) = (-37/6)/(1129/144) */
+    fmpq_set_si(expected, -888, 1129);
+    ck_assert(fmpq_equal(value, expected));
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+START_TEST(derivative_follows_a_named_node)
+{
+    struct program p;
+    int node = parse_inputs(&p, "x*x"); /* x x, when x x itself is said to move by y */
+    int *rate = malloc((size_t)p.count * sizeof *rate);
+    for (int i = 0; i < p.count; i++)
+        rate[i] = -1;
+    rate[node] = 1;
+    ck_assert_int_eq(program_derivative(&p, node, rate, p.count), 1);
+    free(rate);
+    program_clear(&p);
+}
+END_TEST
+
+START_TEST(gradient_is_the_derivative_by_every_input)
+{
+    struct program p;
+    struct machine m, adjoint;
+    SCOPE(fmpq, expected, value);
+    int node = parse_inputs(&p, differentiable[_i]), derivative[3];
+    for (int i = 0; i < 3; i++) {
+        int rate[3] = {-1, -1, -1};
+        rate[i] = program_append(&p, OPERATOR_NUMBER, -1, -1, 0);
+        fmpq_one(&p.nodes[rate[i]].number);
+        derivative[i] = program_derivative(&p, node, rate, 3);
+    }
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
+    machine_init(&adjoint, &p, &arithmetic_symbolic, 1);
+    set_inputs(&m);
+    machine_run(&m);
+    machine_gradient(&m, node, &adjoint);
+    for (int i = 0; i < 3; i++) {
+        get_coefficient(expected, machine_value(&m, derivative[i]), 0);
+        get_coefficient(value, machine_value(&adjoint, i), 0);
+        ck_assert_int_eq(state(machine_value(&adjoint, i)), SYMBOLIC_FINE);
+        ck_assert(fmpq_equal(value, expected));
+    }
+    machine_clear(&adjoint);
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+/* by y x/(x^2 + y^2) = 324/1129, by x -y/(x^2 + y^2) = -240/1129 */
+START_TEST(gradient_of_an_arc_tangent)
+{
+    struct program p;
+    struct machine m, adjoint;
+    SCOPE(fmpq, value, expected);
+    int node = parse_inputs(&p, "atan2(y, x)");
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
+    machine_init(&adjoint, &p, &arithmetic_symbolic, 1);
+    set_inputs(&m);
+    machine_run(&m);
+    machine_gradient(&m, node, &adjoint);
+    get_coefficient(value, machine_value(&adjoint, 0), 0);
+    fmpq_set_si(expected, -240, 1129);
+    ck_assert(fmpq_equal(value, expected));
+    get_coefficient(value, machine_value(&adjoint, 1), 0);
+    fmpq_set_si(expected, 324, 1129);
+    ck_assert(fmpq_equal(value, expected));
+    machine_clear(&adjoint);
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+/* f(x) = x^2 + 1 with y - 1 in the place of x, beside what p has already */
+START_TEST(inlined_program_takes_the_place_of_its_inputs)
+{
+    struct program p, other;
+    struct machine m;
+    struct message why = {""};
+    size_t where;
+    SCOPE(fmpq, value, expected);
+    int y = parse_inputs(&p, "y - 1");
+    program_init(&other);
+    program_input(&other, "x");
+    int f = program_parse(&other, "x^2 + 1", &where, &why);
+    int stand_in[8] = {y, -1, -1, -1, -1, -1, -1, -1};
+    ck_assert_int_le(other.count, 8);
+    int node = program_inline(&p, &other, f, stand_in);
+    program_clear(&other);
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
+    set_inputs(&m);
+    machine_run(&m);
+    get_coefficient(value, machine_value(&m, node), 0);
+    fmpq_set_si(expected, 13, 9); /* (5/3 - 1)^2 + 1 */
+    ck_assert(fmpq_equal(value, expected));
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+/* x log(y) at x = 9/4, y = 5/3: by x log(5/3), by y 27/20; the symbolic arithmetic has no logarithm. */
+START_TEST(gradient_of_a_logarithm)
+{
+    struct program p;
+    struct machine ball, adjoint, multiple;
+    SCOPE(fmpq, x, y);
+    SCOPE(arb, expected, rounded);
+    int node = parse_inputs(&p, "x*log(y)");
+    machine_init(&ball, &p, &arithmetic_ball, 100);
+    machine_init(&adjoint, &p, &arithmetic_ball, 100);
+    machine_init(&multiple, &p, &arithmetic_mpfr, 100);
+    fmpq_set_si(x, 9, 4);
+    fmpq_set_si(y, 5, 3);
+    for (int i = 0; i < 2; i++) {
+        arithmetic_ball.set_rational(machine_value(&ball, i), i ? y : x, 100);
+        arithmetic_mpfr.set_rational(machine_value(&multiple, i), i ? y : x, 100);
+    }
+    machine_run(&ball);
+    machine_run(&multiple);
+    machine_gradient(&ball, node, &adjoint);
+    arb_set_fmpq(expected, y, 200);
+    arb_log(expected, expected, 200);
+    ck_assert(arb_contains(machine_value(&adjoint, 0), expected));
+    arb_mul_ui(expected, expected, 9, 200);
+    arb_mul_2exp_si(expected, expected, -2);
+    ck_assert(arb_contains(machine_value(&ball, node), expected));
+    arf_set_mpfr(arb_midref(rounded), machine_value(&multiple, node));
+    arb_sub(rounded, rounded, expected, 100);
+    ck_assert_double_le(fabs(arf_get_d(arb_midref(rounded), ARF_RND_NEAR)), 0x1p-97); /* three roundings of values below 4 */
+    fmpq_set_si(x, 27, 20);
+    ck_assert(arb_contains_fmpq(machine_value(&adjoint, 1), x));
+    ck_assert_double_le(mag_get_d(arb_radref((arb_ptr)machine_value(&adjoint, 1))), 0x1p-90);
+    machine_clear(&multiple);
+    machine_clear(&adjoint);
+    machine_clear(&ball);
+    program_clear(&p);
+}
+END_TEST
+
+/* ---- the arithmetics agree ---- */
+
+START_TEST(ball_and_mpfr_agree_with_the_exact_value)
+{
+    struct program p;
+    struct machine exact, ball, multiple;
+    int node = parse_inputs(&p, "sqrt(x)^3*(y - 1/7)^-2 - x*y + exp(x - 9/4)");
+    SCOPE(fmpq, value);
+    mpfr_t difference;
+    mpfr_init2(difference, 100);
+    machine_init(&exact, &p, &arithmetic_symbolic, 1);
+    machine_init(&ball, &p, &arithmetic_ball, 100);
+    machine_init(&multiple, &p, &arithmetic_mpfr, 100);
+    set_inputs(&exact);
+    for (int i = 0; i < 2; i++) {
+        get_coefficient(value, machine_value(&exact, i), 0);
+        arithmetic_ball.set_rational(machine_value(&ball, i), value, 100);
+        arithmetic_mpfr.set_rational(machine_value(&multiple, i), value, 100);
+    }
+    machine_run(&exact);
+    machine_run(&ball);
+    machine_run(&multiple);
+    get_coefficient(value, machine_value(&exact, node), 0);
+    ck_assert(arb_contains_fmpq(machine_value(&ball, node), value));
+    SCOPE(arb, known);
+    arb_set_fmpq(known, value, 200);
+    arf_get_mpfr(difference, arb_midref(known), MPFR_RNDN);
+    mpfr_sub(difference, difference, machine_value(&multiple, node), MPFR_RNDN);
+    ck_assert_double_le(fabs(mpfr_get_d(difference, MPFR_RNDN)), 0x1p-90); /* a dozen roundings of values below 4 */
+    mpfr_clear(difference);
+    machine_clear(&exact);
+    machine_clear(&ball);
+    machine_clear(&multiple);
+    program_clear(&p);
+}
+END_TEST
+
+/* 1 for [1/2, 1], 0 for [-1, -1/2] and 0, anything for [-1/2, 1] */
+START_TEST(ball_on_both_sides_of_zero_is_neither_positive_nor_not)
+{
+    static const struct {
+        double middle, radius, positive;
+    } balls[] = {{0.75, 0.25, 1}, {-0.75, 0.25, 0}, {0, 0, 0}, {0.25, 0.75, NAN}};
+    struct program p;
+    struct machine m;
+    int node = parse_inputs(&p, "positive(x)");
+    machine_init(&m, &p, &arithmetic_ball, 64);
+    arb_ptr x = machine_value(&m, 0), y = machine_value(&m, node);
+    arb_set_d(x, balls[_i].middle);
+    mag_set_d(arb_radref(x), balls[_i].radius);
+    machine_run(&m);
+    ck_assert(isnan(balls[_i].positive) ? !arb_is_finite(y) : arb_equal_si(y, (slong)balls[_i].positive));
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+START_TEST(a_number_is_positive_or_not)
+{
+    static const int signs[][2] = {{-2, 0}, {0, 0}, {3, 1}}; /* of x, and what is said of it */
+    struct program p;
+    struct machine m;
+    int node = parse_inputs(&p, "positive(x)");
+    machine_init(&m, &p, &arithmetic_mpfr, 64);
+    mpfr_set_si(machine_value(&m, 0), signs[_i][0], MPFR_RNDN);
+    mpfr_set_si(machine_value(&m, node), 7, MPFR_RNDN);
+    machine_run(&m);
+    ck_assert_int_eq(mpfr_cmp_si(machine_value(&m, node), signs[_i][1]), 0);
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+/* ---- normal forms ---- */
+
+/* In the variables u and v: what is equal, and what is too large to say. */
+static const struct {
+    const char *formula;
+    enum symbolic_fault fault;
+} forms[] = {
+    {"(u + v)^2 - u^2 - 2*u*v - v^2", SYMBOLIC_FINE},
+    {"(u^3 - v^3)/(u - v) - u^2 - u*v - v^2", SYMBOLIC_FINE},
+    {"1/u + 1/v - (u + v)/(u*v)", SYMBOLIC_FINE},
+    {"((2^999)^999)^999", SYMBOLIC_TOO_LARGE},
+    {"((u^999)^999)^999", SYMBOLIC_TOO_LARGE},
+    {"((u + v)^999)^999", SYMBOLIC_TOO_LARGE},
+    {"((u/v + 1)^200 + (v/u - 2)^200)^100", SYMBOLIC_TOO_LARGE},
+    {"(((u + 1)^9*(v + 1)^9 + 1)^9 + u)^9/(((u + v)^9 + 7)^9 + v)^9", SYMBOLIC_TOO_LARGE},
+    {"1/(u - u)", SYMBOLIC_POLE},
+    {"sqrt(u^2)", SYMBOLIC_UNKNOWN_ROOT},
+    {"sqrt(u)", SYMBOLIC_NO_SQUARE},
+};
+
+START_TEST(normal_form_is_zero_or_refused)
+{
+    struct program p;
+    struct machine m;
+    struct message why;
+    size_t where;
+    symbolic_end();
+    symbolic_begin(2, 0, false);
+    program_init(&p);
+    program_input(&p, "u");
+    program_input(&p, "v");
+    const int node = program_parse(&p, forms[_i].formula, &where, &why);
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
+    for (int i = 0; i < 2; i++)
+        symbolic_set_variable(machine_value(&m, i), i, 0);
+    machine_run(&m);
+    const struct symbolic *x = machine_value(&m, node);
+    ck_assert_int_eq(x->fault, forms[_i].fault);
+    ck_assert(x->fault != SYMBOLIC_FINE || fmpz_mpoly_q_is_zero(x->a, symbolic_context()));
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+/* A root is the one that was given, of either sign; and the same unknown stands for the same function's value. */
+START_TEST(given_root_is_taken)
+{
+    struct symbolic u, z, w;
+    symbolic_end();
+    symbolic_begin(1, 4, true);
+    arithmetic_symbolic.init(&u, 1);
+    arithmetic_symbolic.init(&z, 1);
+    arithmetic_symbolic.init(&w, 1);
+    symbolic_set_variable(&u, 0, 0);
+    arithmetic_symbolic.apply(OPERATOR_NEGATE, &w, &u, NULL, 0, 1);
+    symbolic_root(&w, true);
+    arithmetic_symbolic.apply(OPERATOR_MULTIPLY, &z, &u, &u, 0, 1);
+    arithmetic_symbolic.apply(OPERATOR_SQRT, &z, &z, NULL, 0, 1);
+    ck_assert(fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
+    ck_assert(symbolic_root_used(0));
+    arithmetic_symbolic.apply(OPERATOR_SQRT, &z, &u, NULL, 0, 1);
+    arithmetic_symbolic.apply(OPERATOR_SQRT, &w, &u, NULL, 0, 1);
+    ck_assert(fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
+    arithmetic_symbolic.apply(OPERATOR_EXP, &w, &u, NULL, 0, 1);
+    ck_assert(!fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
+    symbolic_set_angle(&z, 0); /* an angle with a number on top, whose sine is a further unknown, twice the same */
+    arithmetic_symbolic.apply(OPERATOR_ADD, &u, &u, &z, 0, 1);
+    arithmetic_symbolic.apply(OPERATOR_SIN, &z, &u, NULL, 0, 1);
+    arithmetic_symbolic.apply(OPERATOR_SIN, &w, &u, NULL, 0, 1);
+    ck_assert(fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
+    arithmetic_symbolic.clear(&u);
+    arithmetic_symbolic.clear(&z);
+    arithmetic_symbolic.clear(&w);
+}
+END_TEST
+
+static void begin(void)
+{
+    symbolic_begin(0, 0, false);
+}
+
+SUITE(test_expression)
+{
+    TCase *parser = tcase_create("parser");
+    tcase_add_checked_fixture(parser, begin, symbolic_end);
+    tcase_add_loop_test(parser, formula_has_its_value, 0, COUNT(values));
+    tcase_add_loop_test(parser, mistake_is_told_with_its_place, 0, COUNT(mistakes));
+    tcase_add_test(parser, unknown_symbol_has_a_suggestion);
+    tcase_add_test(parser, deep_nesting_is_refused);
+    tcase_add_test(parser, long_words_are_refused);
+    tcase_add_test(parser, later_name_shadows_earlier);
+    tcase_add_test(parser, copy_is_independent);
+    tcase_add_test(parser, inlined_program_takes_the_place_of_its_inputs);
+
+    TCase *arithmetic = tcase_create("arithmetic");
+    tcase_add_checked_fixture(arithmetic, begin, symbolic_end);
+    tcase_add_loop_test(arithmetic, series_is_exact, 0, COUNT(expansions));
+    tcase_add_loop_test(arithmetic, derivative_is_the_first_coefficient, 0, COUNT(differentiable));
+    tcase_add_test(arithmetic, derivative_of_an_arc_tangent);
+    tcase_add_test(arithmetic, derivative_follows_a_named_node);
+    tcase_add_loop_test(arithmetic, gradient_is_the_derivative_by_every_input, 0, COUNT(differentiable));
+    tcase_add_test(arithmetic, gradient_of_an_arc_tangent);
+    tcase_add_test(arithmetic, gradient_of_a_logarithm);
+    tcase_add_test(arithmetic, ball_and_mpfr_agree_with_the_exact_value);
+    tcase_add_loop_test(arithmetic, a_number_is_positive_or_not, 0, 3);
+    tcase_add_loop_test(arithmetic, ball_on_both_sides_of_zero_is_neither_positive_nor_not, 0, 4);
+    tcase_add_loop_test(arithmetic, normal_form_is_zero_or_refused, 0, COUNT(forms));
+    tcase_add_test(arithmetic, given_root_is_taken);
+
+    Suite *s = suite_create("expression");
+    suite_add_tcase(s, parser);
+    suite_add_tcase(s, arithmetic);
+    return s;
+}

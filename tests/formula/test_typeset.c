@@ -1,0 +1,139 @@
+/*
+ * Formulas as LaTeX. Expected texts are what a typesetter would write by hand: brackets where the operators' binding
+ * asks for them and nowhere else, a fraction for each line that divides.
+ */
+#include "tests/run.h"
+
+#include "sheet/sheet.h"
+#include "formula/typeset.h"
+
+struct pair {
+    const char *given, *expected;
+};
+
+/* Over the sheet's quantities, as in the edition. */
+static void assert_typeset(const struct pair *pair)
+{
+    struct program p;
+    struct message why = {""};
+    struct tex t = {NULL, 0};
+    size_t where;
+    program_init(&p);
+    for (int i = 0; i < sheet()->quantity_count; i++)
+        program_input(&p, sheet()->quantities[i].name);
+    const int node = program_parse(&p, pair->given, &where, &why);
+    ck_assert_msg(node >= 0, "%s: %s", pair->given, why.text);
+    typeset_formula(&t, &p, node);
+    ck_assert_str_eq(t.text, pair->expected);
+    tex_clear(&t);
+    program_clear(&p);
+}
+
+START_TEST(symbols_carry_index_and_accent)
+{
+    static const struct pair pairs[] = {
+        {"Omega", "\\Omega "},          {"k_c", "k_{c}"},
+        {"L_ref", "L_{\\mathrm{ref}}"}, {"lambda_d", "\\lambda _{d}"},
+        {"psi_dot", "\\dot \\psi "},    {"x1_ddot", "\\ddot x_{1}"},
+        {"dL", "\\delta L"},            {"dL_ddot", "\\delta \\ddot L"},
+        {"BO_11", "{BO}_{11}"},         {"w_dot_1", "\\dot \\omega _{1}"},
+        {"R_c1", "R_{c1}"},             {"L_G1", "L_{G1}"},
+        {"C1", "C_{1}"},                {"margin1", "\\mathrm{margin}_{1}"},
+        {"I_dot_11", "\\dot I_{11}"},   {"x_part", "x_{\\mathrm{part}}"}};
+    struct tex t = {NULL, 0};
+    typeset_symbol(&t, pairs[_i].given);
+    ck_assert_str_eq(t.text, pairs[_i].expected);
+    tex_clear(&t);
+}
+END_TEST
+
+START_TEST(brackets_stand_where_they_are_needed)
+{
+    static const struct pair pairs[] = {
+        {"L*(m1 + m2)", "L(m_{1} + m_{2})"},
+        {"L + (m1 + m2)", "L + m_{1} + m_{2}"},
+        {"L - (m1 - m2)", "L - (m_{1} - m_{2})"},
+        {"L - (-m1)", "L - (-m_{1})"},
+        {"L + (-m1)", "L + (-m_{1})"},
+        {"-(m1 + m2)", "-(m_{1} + m_{2})"},
+        {"-m1*m2", "-m_{1}m_{2}"},
+        {"L*(-m1)", "L(-m_{1})"},
+        {"(m1*m2)^2", "(m_{1}m_{2})^{2}"},
+        {"m1*m2^-3", "m_{1}m_{2}^{-3}"},
+        {"(L^2)^3", "(L^{2})^{3}"},
+        {"dL^2", "(\\delta L)^{2}"},
+        {"L*2*3", "L\\cdot 2\\cdot 3"}};
+    assert_typeset(&pairs[_i]);
+}
+END_TEST
+
+START_TEST(each_division_is_a_line)
+{
+    static const struct pair pairs[] = {
+        {"m1/m2", "\\frac{m_{1}}{m_{2}}"},
+        {"(m1 + m2)/m2", "\\frac{m_{1} + m_{2}}{m_{2}}"},
+        {"m1*(L + h)/(m1 + m2)", "\\frac{m_{1}(L + h)}{m_{1} + m_{2}}"},
+        {"k_c/m1*(x1 - x2)/L^3*Q", "\\frac{k_{c}}{m_{1}}\\frac{x_{1} - x_{2}}{L^{3}}Q"},
+        {"m1/m2/L", "\\frac{m_{1}}{m_{2}L}"},
+        {"m1/(m2/L)", "\\frac{m_{1}}{\\frac{m_{2}}{L}}"},
+        {"-m1/m2*x1", "-\\frac{m_{1}}{m_{2}}x_{1}"},
+        {"L*(m1/m2)", "\\frac{Lm_{1}}{m_{2}}"},
+        {"(m1/m2)^2", "\\left(\\frac{m_{1}}{m_{2}}\\right)^{2}"},
+        {"m1/m2*(x1 + x2)", "\\frac{m_{1}}{m_{2}}(x_{1} + x_{2})"},
+        {"0.5*L", "\\frac{1}{2}L"},
+        {"sin(psi)/m1", "\\frac{\\sin \\psi }{m_{1}}"}};
+    assert_typeset(&pairs[_i]);
+}
+END_TEST
+
+START_TEST(functions_have_their_own_notation)
+{
+    static const struct pair pairs[] = {
+        {"cos(theta)*sin(psi)", "\\cos \\theta \\sin \\psi "},
+        {"-sin(theta)*psi_dot", "-\\sin \\theta \\,\\dot \\psi "},
+        {"sin(2*psi)", "\\sin (2\\psi )"},
+        {"cos(psi)^2", "(\\cos \\psi )^{2}"},
+        {"sqrt(m1/m2)", "\\sqrt{\\frac{m_{1}}{m_{2}}}"},
+        {"sqrt((m1 + m2)^2)", "|m_{1} + m_{2}|"},
+        {"exp(-L/lambda_d)/L", "\\frac{e^{-L/\\lambda _{d}}}{L}"},
+        {"exp(-L/(m1*m2))", "e^{-L/(m_{1}m_{2})}"},
+        {"L*log(L)", "L\\ln L"},
+        {"log(L/L_ref)", "\\ln \\left(\\frac{L}{L_{\\mathrm{ref}}}\\right)"},
+        {"atan2(-z1, x1)", "\\operatorname{atan2}\\left(-z_{1},\\, x_{1}\\right)"},
+        {"positive(C1 - 9)", "[C_{1} - 9 > 0]"}};
+    assert_typeset(&pairs[_i]);
+}
+END_TEST
+
+/* As many factors as one writes, each in its place. */
+START_TEST(products_are_as_long_as_one_writes_them)
+{
+    struct tex formula = {NULL, 0}, expected = {NULL, 0};
+    tex_add(&formula, "L");
+    tex_add(&expected, "L");
+    for (int i = 1; i < 500; i++) {
+        tex_add(&formula, i < 250 ? "*m%d" : "/m%d", 1 + i % 2);
+        tex_add(&expected, i == 250 ? "}{m_{%d}" : "m_{%d}", 1 + i % 2);
+    }
+    struct tex fraction = {NULL, 0};
+    tex_add(&fraction, "\\frac{%s}", expected.text);
+    const struct pair pair = {formula.text, fraction.text};
+    assert_typeset(&pair);
+    tex_clear(&formula);
+    tex_clear(&expected);
+    tex_clear(&fraction);
+}
+END_TEST
+
+SUITE(test_typeset)
+{
+    Suite *s = suite_create("typeset");
+    TCase *t = tcase_create("formulas");
+    tcase_add_loop_test(t, symbols_carry_index_and_accent, 0, 16);
+    tcase_add_loop_test(t, brackets_stand_where_they_are_needed, 0, 13);
+    tcase_add_loop_test(t, each_division_is_a_line, 0, 12);
+    tcase_add_loop_test(t, functions_have_their_own_notation, 0, 10);
+    tcase_add_test(t, products_are_as_long_as_one_writes_them);
+    suite_add_tcase(s, t);
+    return s;
+}

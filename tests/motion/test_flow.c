@@ -1,0 +1,1477 @@
+/*
+ * verify/motion/flow.h: the four motions, and a test for every error term of the theorem in flow_nonlinear.c. What that stands on
+ * is in test_taylor.c and test_lohner.c.
+ */
+#include "tests/run.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include "motion/flow.h"
+
+enum { DAY = 86400, PREC = 256, MOST_TIMES = 64 };
+
+/* ---- scenarios: parameters, and a state to start from ---- */
+
+struct scenario {
+    struct flow_parameters p;
+    arb_ptr start;
+    slong prec;
+};
+
+static void scenario_close(struct scenario *s)
+{
+    arb_ptr value[] = {s->p.Omega, s->p.L_ref, s->p.C1, s->p.C2, s->p.k_c, s->p.m1, s->p.m2};
+    for (size_t i = 0; i < sizeof value / sizeof value[0]; i++)
+        arb_clear(value[i]);
+    _arb_vec_clear(s->start, FLOW_STATE);
+    flint_cleanup();
+}
+
+/* Gains c1 Omega^2 and c2 Omega; at rest at the origin. */
+static struct scenario scenario_of(double Omega, double m1, double m2, double L_ref, double c1, double c2)
+{
+    struct scenario s = {.prec = PREC, .start = _arb_vec_init(FLOW_STATE)};
+    arb_ptr value[] = {s.p.Omega, s.p.L_ref, s.p.C1, s.p.C2, s.p.k_c, s.p.m1, s.p.m2};
+    const double given[] = {Omega, L_ref, c1, c2, 8.99e9, m1, m2};
+    for (size_t i = 0; i < sizeof value / sizeof value[0]; i++) {
+        arb_init(value[i]);
+        arb_set_d(value[i], given[i]);
+    }
+    arb_mul(s.p.C2, s.p.C2, s.p.Omega, PREC);
+    arb_mul(s.p.C1, s.p.C1, s.p.Omega, PREC);
+    arb_mul(s.p.C1, s.p.C1, s.p.Omega, PREC);
+    return s;
+}
+
+static struct scenario paper(void)
+{
+    return scenario_of(7.2915e-5, 150, 150, 10, 10, 2);
+}
+
+static void start_at(struct scenario *s, double a, double b, double c, double a_dot, double b_dot, double c_dot)
+{
+    const double given[FLOW_STATE] = {a, b, c, a_dot, b_dot, c_dot};
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_d(s->start + i, given[i]);
+}
+
+/* Eq. (10), exact: craft 1 at rest in the frame at these angles and this distance. */
+static void start_at_angles(struct scenario *s, double psi, double theta, double dL)
+{
+    arb_t r, sine, cosine;
+    arb_init(r);
+    arb_init(sine);
+    arb_init(cosine);
+    arb_set_d(r, dL);
+    arb_add(r, r, s->p.L_ref, s->prec);
+    arb_mul(r, r, s->p.m2, s->prec);
+    arb_add(sine, s->p.m1, s->p.m2, s->prec);
+    arb_div(r, r, sine, s->prec);
+    _arb_vec_zero(s->start, FLOW_STATE);
+    arb_set_d(cosine, theta);
+    arb_sin_cos(sine, cosine, cosine, s->prec);
+    arb_mul(s->start + 2, r, sine, s->prec);
+    arb_neg(s->start + 2, s->start + 2);
+    arb_mul(r, r, cosine, s->prec);
+    arb_set_d(cosine, psi);
+    arb_sin_cos(sine, cosine, cosine, s->prec);
+    arb_mul(s->start + 1, r, sine, s->prec);
+    arb_mul(s->start, r, cosine, s->prec);
+    arb_clear(r);
+    arb_clear(sine);
+    arb_clear(cosine);
+}
+
+static struct scenario paper_nonlinear(void)
+{
+    struct scenario s = paper();
+    start_at_angles(&s, 0.01, 0.01, 0.1);
+    return s;
+}
+
+/* ---- running a flow ---- */
+
+struct record {
+    arb_ptr states;
+    slong rows, stop_after; /* 0: never */
+};
+
+static int keep(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    struct record *record = context;
+    (void)t;
+    _arb_vec_set(record->states + k * FLOW_STATE, state, FLOW_STATE);
+    record->rows++;
+    return record->rows == record->stop_after;
+}
+
+enum method { LINEAR, NONLINEAR, UNPROVED, RK4_LINEAR, RK4_NONLINEAR };
+
+struct run {
+    enum flow_status status;
+    double reached;
+    arb_ptr states;
+    slong rows;
+};
+
+static void run_close(struct run *r)
+{
+    _arb_vec_clear(r->states, MOST_TIMES * FLOW_STATE);
+}
+
+/* At `count` times in seconds; h is for Runge and Kutta. */
+static struct run run_through(const struct scenario *s, enum method method, const slong *seconds, slong count,
+                              slong digits, slong h, slong stop_after)
+{
+    struct run r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
+    struct record record = {r.states, 0, stop_after};
+    fmpq *times = _fmpq_vec_init(count);
+    fmpq_t step;
+    fmpq_init(step);
+    fmpq_set_si(step, h, 1);
+    for (slong k = 0; k < count; k++)
+        fmpq_set_si(times + k, seconds[k], 1);
+    if (method == LINEAR)
+        r.status = flow_linear(&s->p, s->start, times, count, s->prec, keep, &record, &r.reached);
+    else if (method == NONLINEAR)
+        r.status = flow_nonlinear(&s->p, s->start, times, count, digits, s->prec, keep, &record, &r.reached);
+    else if (method == UNPROVED)
+        r.status = flow_nonlinear_by(&(struct flow_steps){.unproved = true}, &s->p, s->start, times, count, digits, s->prec,
+                                     keep, &record, &r.reached);
+    else if (method == RK4_LINEAR)
+        r.status = rk4_linear(&s->p, s->start, step, times, count, s->prec, keep, &record, &r.reached);
+    else
+        r.status = rk4_nonlinear(&s->p, s->start, step, times, count, s->prec, keep, &record, &r.reached);
+    r.rows = record.rows;
+    _fmpq_vec_clear(times, count);
+    fmpq_clear(step);
+    return r;
+}
+
+static struct run run_to(const struct scenario *s, enum method method, slong seconds)
+{
+    return run_through(s, method, &seconds, 1, 17, 100, 0);
+}
+
+/* ---- comparing ---- */
+
+static void assert_overlap(arb_srcptr a, arb_srcptr b)
+{
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_msg(arb_overlaps(a + i, b + i), "coordinate %d: %.17g and %.17g", i,
+                      arf_get_d(arb_midref(a + i), ARF_RND_NEAR), arf_get_d(arb_midref(b + i), ARF_RND_NEAR));
+}
+
+static void assert_same(arb_srcptr a, arb_srcptr b)
+{
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_msg(arb_equal(a + i, b + i), "coordinate %d differs", i);
+}
+
+static void assert_holds(arb_srcptr set, arb_srcptr member)
+{
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_msg(arb_contains(set + i, member + i), "coordinate %d: %.17g +- %.3g lacks %.17g", i,
+                      arf_get_d(arb_midref(set + i), ARF_RND_NEAR), mag_get_d(arb_radref(set + i)),
+                      arf_get_d(arb_midref(member + i), ARF_RND_NEAR));
+}
+
+/* Overlap proves nothing where balls are wide: no radius above 2^-bits of the largest position or, per radian, rate. */
+static void assert_sharp(arb_srcptr state, slong bits)
+{
+    enum { RADIAN = 14 }; /* log2 of 1/Omega, in all these scenarios */
+    mag_t size, m;
+    mag_init(size);
+    mag_init(m);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        arb_get_mag(m, state + i);
+        mag_mul_2exp_si(m, m, i < 3 ? -bits : RADIAN - bits);
+        mag_max(size, size, m);
+    }
+    for (int i = 0; i < FLOW_STATE; i++) {
+        mag_mul_2exp_si(m, arb_radref(state + i), i < 3 ? 0 : RADIAN);
+        ck_assert_msg(mag_cmp(m, size) <= 0, "coordinate %d: radius %g", i, mag_get_d(arb_radref(state + i)));
+    }
+    mag_clear(size);
+    mag_clear(m);
+}
+
+static double number(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+/* ---- an integrator of another kind, in double precision and in SI but for the rates, per radian ---- */
+
+struct pair {
+    double Omega, k_c, m1, m2, L_ref, C1, C2;
+};
+
+/* Eq. (3), closed by (4), (7), (13) and (18), as they are printed */
+static int pair_rates(double tau, const double y[], double rate[], void *parameters)
+{
+    const struct pair *p = parameters;
+    const double kappa = (p->m1 + p->m2) / p->m2;
+    const double r = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
+    const double L = kappa * r, L_dot = kappa * (y[0] * y[3] + y[1] * y[4] + y[2] * y[5]) / r * p->Omega;
+    const double reduced = p->m1 * p->m2 / (p->m1 + p->m2);
+    const double Q_ref = -3 * p->Omega * p->Omega * pow(p->L_ref, 3) / p->k_c * reduced;
+    const double dQ = reduced * p->L_ref * p->L_ref / p->k_c * (-p->C1 * (L - p->L_ref) - p->C2 * L_dot);
+    const double force = p->k_c / p->m1 * kappa / pow(L, 3) * (Q_ref + dQ) / (p->Omega * p->Omega);
+    (void)tau;
+    for (int i = 0; i < 3; i++)
+        rate[i] = y[i + 3];
+    rate[3] = 2 * y[4] + 3 * y[0] + force * y[0];
+    rate[4] = -2 * y[3] + force * y[1];
+    rate[5] = -y[2] + force * y[2];
+    return GSL_SUCCESS;
+}
+
+static struct pair pair_of(const struct scenario *s)
+{
+    return (struct pair){number(s->p.Omega), number(s->p.k_c), number(s->p.m1), number(s->p.m2),
+                         number(s->p.L_ref), number(s->p.C1), number(s->p.C2)};
+}
+
+static void pair_state(const struct scenario *s, double y[])
+{
+    for (int i = 0; i < FLOW_STATE; i++)
+        y[i] = number(s->start + i) / (i < 3 ? 1 : number(s->p.Omega));
+}
+
+static void assert_agrees_with_rk8pd(const struct scenario *s, double seconds, double tolerance)
+{
+    struct pair p = pair_of(s);
+    double y[FLOW_STATE], tau = 0;
+    pair_state(s, y);
+    gsl_odeiv2_system system = {pair_rates, NULL, FLOW_STATE, &p};
+    gsl_odeiv2_driver *driver =
+        gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14 * p.L_ref, 1e-14);
+    ck_assert_int_eq(gsl_odeiv2_driver_apply(driver, &tau, p.Omega * seconds, y), GSL_SUCCESS);
+    gsl_odeiv2_driver_free(driver);
+    struct run r = run_to(s, NONLINEAR, (slong)seconds);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_double_eq_tol(number(r.states + i) / (i < 3 ? 1 : p.Omega), y[i], tolerance * p.L_ref);
+    run_close(&r);
+}
+
+/* ---- the linear flow ---- */
+
+/*
+ * lambda = -1 solves (41) where 4 c1 = 4 c2 + 28; with c1 = 10, c2 = 3 the mode psi = 1, dL = 2 L_ref decays
+ * as exp(-tau). Pitch goes as cos 2 tau.
+ */
+START_TEST(eq40_flow_follows_an_exact_mode)
+{
+    struct scenario s = scenario_of(0x1p-14, 150, 150, 8, 10, 3);
+    start_at(&s, 0.5, 0.25, 8, -0x1p-15, 0, -0x1p-11);
+    struct run r = run_to(&s, LINEAR, 5 * DAY);
+    arb_t tau, factor;
+    arb_init(tau);
+    arb_init(factor);
+    arb_mul_si(tau, s.p.Omega, -5 * DAY, PREC);
+    arb_exp(factor, tau, PREC);
+    _arb_vec_scalar_mul(s.start, s.start, FLOW_STATE, factor, PREC);
+    arb_mul_2exp_si(tau, tau, 1);
+    arb_sin_cos(s.start + 4, s.start + 1, tau, PREC);
+    arb_mul_2exp_si(s.start + 1, s.start + 1, -2);
+    arb_mul_2exp_si(s.start + 4, s.start + 4, -15); /* -2 Omega / 4 sin(2 tau), tau negative here */
+    assert_overlap(r.states, s.start);
+    assert_sharp(r.states, 180); /* exp(-26) takes 38 bits of 256, the exponential some more */
+    arb_clear(tau);
+    arb_clear(factor);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+/*
+ * Every number that is not known is a ball: gains, Omega, L_ref and state, one at a time, hold both of their ends; and Omega
+ * where pitch, from its rate alone, is at its peak theta'/(2 Omega): there it does not depend on Omega t.
+ */
+START_TEST(eq40_flow_holds_both_ends_of_every_ball)
+{
+    struct scenario wide = scenario_of(0x1p-14, 150, 150, 8, 10, 3), end = scenario_of(0x1p-14, 150, 150, 8, 10, 3);
+    const bool peak = _i == 4 + FLOW_STATE;
+    const slong t = peak ? 12868 : 1 << 14; /* pi/4 radians, or one */
+    const double start[] = {0.5, peak ? 0 : 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14};
+    start_at(&wide, start[0], start[1], start[2], start[3], start[4], start[5]);
+    start_at(&end, start[0], start[1], start[2], start[3], start[4], start[5]);
+    arb_ptr all[] = {wide.p.C1, wide.p.C2, wide.p.Omega, wide.p.L_ref}, one[] = {end.p.C1, end.p.C2, end.p.Omega, end.p.L_ref};
+    arb_ptr ball = peak ? all[2] : _i < 4 ? all[_i] : wide.start + _i - 4;
+    arb_ptr member = peak ? one[2] : _i < 4 ? one[_i] : end.start + _i - 4;
+    arb_t centre;
+    arb_init(centre);
+    arb_set(centre, ball);
+    mag_set_d(arb_radref(ball), fabs(number(ball)) * 0x1p-10);
+    wide.prec = 40 + 10 * (_i % 3);
+    struct run r = run_to(&wide, LINEAR, t);
+    for (int side = -1; side <= 1; side += 2) {
+        arb_mul_2exp_si(member, centre, -10);
+        arb_mul_si(member, member, side, PREC);
+        arb_add(member, member, centre, PREC);
+        struct run truth = run_to(&end, LINEAR, t);
+        assert_holds(r.states, truth.states);
+        run_close(&truth);
+    }
+    arb_clear(centre);
+    run_close(&r);
+    scenario_close(&wide);
+    scenario_close(&end);
+}
+END_TEST
+
+START_TEST(eq40_flow_composes)
+{
+    struct scenario s = paper();
+    start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
+    struct run whole = run_to(&s, LINEAR, 3 * DAY), part = run_to(&s, LINEAR, 2 * DAY);
+    _arb_vec_set(s.start, part.states, FLOW_STATE);
+    struct run rest = run_to(&s, LINEAR, DAY);
+    assert_overlap(rest.states, whole.states);
+    assert_sharp(rest.states, 200);
+    run_close(&whole);
+    run_close(&part);
+    run_close(&rest);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(eq40_flow_returns)
+{
+    struct scenario s = paper();
+    start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
+    struct run there = run_to(&s, LINEAR, 2 * DAY);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_swap(there.states + i, s.start + i);
+    struct run back = run_to(&s, LINEAR, -2 * DAY);
+    assert_holds(back.states, there.states);
+    assert_sharp(back.states, 180);
+    ck_assert_double_eq(back.reached, -2 * DAY);
+    run_close(&there);
+    run_close(&back);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(eq40_flow_keeps_what_is_zero)
+{
+    struct scenario s = paper();
+    start_at(&s, 0, 1, 0, 0, 0, 0);
+    struct run pitch = run_to(&s, LINEAR, DAY);
+    for (int i = 0; i < FLOW_STATE; i++)
+        if (i % 3 != 1)
+            ck_assert(arb_is_zero(pitch.states + i));
+    start_at(&s, 1, 0, 0, 0, 0, 0);
+    struct run yaw = run_to(&s, LINEAR, DAY);
+    ck_assert(arb_is_zero(yaw.states + 1) && arb_is_zero(yaw.states + 4));
+    run_close(&pitch);
+    run_close(&yaw);
+    scenario_close(&s);
+}
+END_TEST
+
+/* ---- the nonlinear flow, against other roads ---- */
+
+/*
+ * mpmath 1.2.1, mp.dps = 50, in radians and units of 5 m:
+ *   odefun(f, 0, x0)(Omega * 172800), f(t, s): x, y, z, u, v, w = s; q = 1/sqrt(x*x + y*y + z*z)
+ *   A = (x*u + y*v + z*w)*q*q; P = q*q*(10*(q - 1) - 3*q - 2*A)
+ *   return [u, v, w, 2*v + 3*x + P*x, -2*u + P*y, -z + P*z]
+ * from 1.01 (cos t cos p, cos t sin p, -sin t), t = p = mpf(0.01), Omega = mpf(7.2915e-5), then in SI.
+ */
+START_TEST(eq03_flow_of_the_paper)
+{
+    static const char *const expected[FLOW_STATE] = {
+        "4.9999437953916800220567873796713413968112114937463 +/- 1e-47",
+        "0.00011197034262656221835285960551679100563548384869875 +/- 1e-47",
+        "-0.050440264158965645123414510332210992532229395699998 +/- 1e-47",
+        "-0.000000031711580383845685955411698211653547390313061381107 +/- 1e-51",
+        "0.0000000027597638630855129232732471038931165846453228454936 +/- 1e-51",
+        "0.00000045779311177627257314565526507035347304561916236798 +/- 1e-51"};
+    struct scenario s = paper_nonlinear();
+    struct run r = run_to(&s, NONLINEAR, 2 * DAY);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_str(s.start + i, expected[i], PREC);
+    assert_overlap(r.states, s.start);
+    assert_sharp(r.states, 200);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+/* rk8pd's local error of 1e-14 in some thousand steps of a motion that does not diverge */
+START_TEST(eq03_flow_of_unequal_craft_agrees_with_rk8pd)
+{
+    struct scenario s = scenario_of(0x1p-14, 120, 410, 23, 12, 4);
+    start_at_angles(&s, 0.3, -0.4, 2);
+    assert_agrees_with_rk8pd(&s, 3 * DAY, 1e-10);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_flow_at_large_angles_agrees_with_rk8pd)
+{
+    struct scenario s = scenario_of(7.2915e-5, 1, 1000, 10, 10, 2);
+    start_at_angles(&s, 1.2, 0.9, -3);
+    assert_agrees_with_rk8pd(&s, DAY, 1e-10);
+    scenario_close(&s);
+}
+END_TEST
+
+/* ... and a motion that does: errors grow like exp(3 tau) until the craft part after two days */
+START_TEST(eq03_flow_that_grows_agrees_with_rk8pd)
+{
+    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 8, 1);
+    start_at_angles(&s, 0.01, 0.01, 0.1);
+    assert_agrees_with_rk8pd(&s, 2 * DAY, 1e-7);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_flow_returns)
+{
+    struct scenario s = paper_nonlinear();
+    struct run there = run_to(&s, NONLINEAR, DAY);
+    arb_ptr start = _arb_vec_init(FLOW_STATE);
+    _arb_vec_set(start, s.start, FLOW_STATE);
+    _arb_vec_set(s.start, there.states, FLOW_STATE);
+    struct run back = run_to(&s, NONLINEAR, -DAY);
+    assert_holds(back.states, start);
+    assert_sharp(back.states, 150); /* what decays forward grows backward */
+    ck_assert_double_eq(back.reached, -DAY);
+    _arb_vec_clear(start, FLOW_STATE);
+    run_close(&there);
+    run_close(&back);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_flow_composes)
+{
+    struct scenario s = paper_nonlinear();
+    struct run whole = run_to(&s, NONLINEAR, 100000), part = run_to(&s, NONLINEAR, 61803);
+    _arb_vec_set(s.start, part.states, FLOW_STATE);
+    struct run rest = run_to(&s, NONLINEAR, 100000 - 61803);
+    assert_overlap(rest.states, whole.states);
+    assert_sharp(rest.states, 200);
+    run_close(&whole);
+    run_close(&part);
+    run_close(&rest);
+    scenario_close(&s);
+}
+END_TEST
+
+/* Two precisions are two integrations: other orders, other steps. */
+START_TEST(eq03_flow_at_two_precisions_overlaps)
+{
+    struct scenario s = paper_nonlinear();
+    struct run fine = run_to(&s, NONLINEAR, 5 * DAY);
+    s.prec = 120;
+    struct run coarse = run_to(&s, NONLINEAR, 5 * DAY);
+    assert_holds(coarse.states, fine.states);
+    assert_sharp(coarse.states, 75);
+    run_close(&fine);
+    run_close(&coarse);
+    scenario_close(&s);
+}
+END_TEST
+
+/* At 48 bits what a step leaves out outweighs its rounding: without its remainder the fine states would stand outside. */
+START_TEST(what_steps_leave_out_is_in_the_enclosure)
+{
+    enum { ROWS = 60 };
+    slong times[ROWS];
+    for (slong k = 0; k < ROWS; k++)
+        times[k] = 250 * (k + 1);
+    struct scenario s = paper();
+    start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
+    struct run fine = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
+    s.prec = 48;
+    struct run coarse = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
+    ck_assert_int_eq(coarse.rows, ROWS);
+    for (slong k = 0; k < ROWS; k++)
+        assert_holds(coarse.states + k * FLOW_STATE, fine.states + k * FLOW_STATE);
+    run_close(&fine);
+    run_close(&coarse);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(dense_output_is_the_flow)
+{
+    enum { ROWS = 40 };
+    slong times[ROWS];
+    for (slong k = 0; k < ROWS; k++)
+        times[k] = 1000 * k;
+    struct scenario s = paper_nonlinear();
+    struct run dense = run_through(&s, NONLINEAR, times, ROWS, 17, 0, 0);
+    ck_assert_int_eq(dense.rows, ROWS);
+    assert_same(dense.states, s.start); /* at 0 the initial state itself */
+    for (slong k = 1; k < ROWS; k += 6) {
+        struct run one = run_to(&s, NONLINEAR, times[k]);
+        assert_overlap(one.states, dense.states + k * FLOW_STATE);
+        run_close(&one);
+    }
+    run_close(&dense);
+    scenario_close(&s);
+}
+END_TEST
+
+/* ---- the nonlinear flow, exact cases ---- */
+
+START_TEST(eq05_static_formation_stays_exactly)
+{
+    struct scenario s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
+    start_at(&s, 6, 0, 0, 0, 0, 0); /* m2 L_ref / (m1 + m2) */
+    struct run r = run_to(&s, NONLINEAR, 30 * DAY);
+    assert_same(r.states, s.start);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_plane_motion_stays_in_the_plane)
+{
+    struct scenario s = paper();
+    start_at_angles(&s, 0.5, 0, 0.1);
+    struct run r = run_to(&s, NONLINEAR, 5 * DAY);
+    ck_assert(arb_is_zero(r.states + 2) && arb_is_zero(r.states + 5));
+    assert_sharp(r.states, 200);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_flow_commutes_with_reflections)
+{
+    struct scenario s = paper();
+    start_at_angles(&s, 0.3, 0.2, 0.1);
+    struct run one = run_to(&s, NONLINEAR, DAY);
+    for (int i = 0; i < FLOW_STATE; i++) /* craft 1 in the place of craft 2, and below the plane */
+        if (i % 3 != 2)
+            arb_neg(s.start + i, s.start + i);
+    struct run other = run_to(&s, NONLINEAR, DAY);
+    for (int i = 0; i < FLOW_STATE; i++)
+        if (i % 3 != 2)
+            arb_neg(other.states + i, other.states + i);
+    assert_overlap(one.states, other.states);
+    run_close(&one);
+    run_close(&other);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(eq03_masses_only_scale)
+{
+    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 10, 2);
+    struct scenario t = scenario_of(7.2915e-5, 1, 1023, 10, 10, 2); /* m2/(m1 + m2) = 1023/1024 */
+    start_at_angles(&s, 0.3, 0.2, 0.1);
+    start_at_angles(&t, 0.3, 0.2, 0.1);
+    arb_set_d(t.p.k_c, 1); /* and k_c cancels against the charges */
+    struct run one = run_to(&s, NONLINEAR, DAY), other = run_to(&t, NONLINEAR, DAY);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        arb_mul_ui(one.states + i, one.states + i, 1023, PREC);
+        arb_mul_2exp_si(one.states + i, one.states + i, -9);
+    }
+    assert_overlap(one.states, other.states);
+    run_close(&one);
+    run_close(&other);
+    scenario_close(&t);
+    scenario_close(&s);
+}
+END_TEST
+
+/* ---- enclosures ---- */
+
+START_TEST(five_days_at_50_digits_end_within_1e_49)
+{
+    struct scenario s = paper_nonlinear();
+    slong t = 5 * DAY;
+    s.prec = flow_precision(50, 7.2915e-5 * (double)t);
+    struct run r = run_through(&s, NONLINEAR, &t, 1, 50, 0, 0);
+    mag_t bound;
+    mag_init(bound);
+    mag_set_d(bound, 1e-49);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_int_le(mag_cmp(arb_radref(r.states + i), bound), 0);
+    mag_clear(bound);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+/* Wide initial balls, and a gain that is not known: what they hold, the enclosure holds, corners included. */
+START_TEST(an_enclosure_holds_the_motions_from_a_box)
+{
+    enum { CORNERS = 1 << FLOW_STATE };
+    struct scenario s = paper(), box = paper();
+    start_at_angles(&s, 0.05, 0.05, 0.1);
+    start_at_angles(&box, 0.05, 0.05, 0.1);
+    for (int i = 0; i < FLOW_STATE; i++)
+        mag_set_d(arb_radref(box.start + i), i < 3 ? 1e-5 : 1e-9);
+    mag_set_d(arb_radref(box.p.C1), 1e-13);
+    const slong t = DAY;
+    struct run all = run_through(&box, NONLINEAR, &t, 1, 2, 0, 0);
+    ck_assert_int_eq(all.status, FLOW_DONE);
+    for (int corner = 0; corner < CORNERS; corner += 3) {
+        struct scenario one = paper();
+        for (int i = 0; i < FLOW_STATE; i++)
+            arb_set_d(one.start + i, number(s.start + i) + (corner >> i & 1 ? 1 : -1) * (i < 3 ? .99e-5 : .99e-9));
+        arb_set_d(one.p.C1, number(s.p.C1) + (corner & 1 ? .99e-13 : -.99e-13));
+        struct run r = run_to(&one, NONLINEAR, t);
+        assert_holds(all.states, r.states);
+        run_close(&r);
+        scenario_close(&one);
+    }
+    assert_sharp(all.states, 5); /* the box itself grows by the motion, a hundredfold at the most */
+    run_close(&all);
+    scenario_close(&box);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(motions_that_grow_are_followed)
+{
+    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 10, -0.5);
+    start_at_angles(&s, 0.01, 0.01, 0.1);
+    struct run r = run_to(&s, NONLINEAR, 5 * DAY);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    assert_sharp(r.states, 150);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(stiff_gains_do_not_inflate_the_set)
+{
+    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 1e6, 2000);
+    start_at_angles(&s, 0.01, 0.01, 0.1);
+    struct run r = run_to(&s, NONLINEAR, 4000);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    assert_sharp(r.states, 200);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+/* ---- the error terms of a step ---- */
+
+/* One radian of orbit is 2^14 s; no gains but those given; equal craft, r_ref = 4 m. */
+enum { RADIAN_LOG2 = 14, ROWS = 8, R_REF = 4 };
+
+static struct scenario plain_scenario(double c1, double c2)
+{
+    struct scenario s = scenario_of(0x1p-14, 150, 150, 2 * R_REF, c1, c2);
+    s.prec = 128; /* of what is true; what is tested has less */
+    return s;
+}
+
+/* `ROWS` rows, the last of them at that many radians, by steps of that kind; digits 0: no set is too wide */
+static struct run run_steps(const struct scenario *s, const struct flow_steps *how, double radians)
+{
+    struct run r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
+    struct record record = {r.states, 0, 0};
+    fmpq *times = _fmpq_vec_init(ROWS);
+    for (slong k = 0; k < ROWS; k++)
+        fmpq_set_si(times + k, (slong)ldexp(radians, RADIAN_LOG2 + 16) * (k + 1) / ROWS, 1 << 16);
+    r.status = flow_nonlinear_by(how, &s->p, s->start, times, ROWS, 0, s->prec, keep, &record, &r.reached);
+    r.rows = record.rows;
+    _fmpq_vec_clear(times, ROWS);
+    return r;
+}
+
+/* What the flow itself makes of it in 128 bits and more than 40 terms, all of whose rows lie in those of `wide` */
+static void assert_rows_hold(const struct run *wide, const struct scenario *one, double radians)
+{
+    static const struct flow_steps own;
+    struct run truth = run_steps(one, &own, radians);
+    ck_assert_int_eq(wide->status, FLOW_DONE);
+    ck_assert_int_eq(wide->rows, ROWS);
+    ck_assert_int_eq(truth.rows, ROWS);
+    for (slong k = 0; k < ROWS; k++)
+        assert_holds(wide->states + k * FLOW_STATE, truth.states + k * FLOW_STATE);
+    run_close(&truth);
+}
+
+enum { UNKNOWN = FLOW_STATE + 4 }; /* the state, c1, c2, and the relative widths of L_ref and m1 */
+
+static void set_unknown(struct scenario *s, const double centre[FLOW_STATE], const double c[2], const double radius[UNKNOWN], int corner)
+{
+    const double sign = corner < 0 ? 0 : 1; /* at the corner of that number, or all of the box */
+    double at[UNKNOWN];
+    for (int i = 0; i < UNKNOWN; i++)
+        at[i] = sign * (corner >> i & 1 ? radius[i] : -radius[i]);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_d(s->start + i, (centre[i] + at[i]) * R_REF * (i < 3 ? 1 : 0x1p-14));
+    arb_set_d(s->p.C1, (c[0] + at[6]) * 0x1p-28);
+    arb_set_d(s->p.C2, (c[1] + at[7]) * 0x1p-14);
+    arb_set_d(s->p.L_ref, 2 * R_REF * (1 + at[8]));
+    arb_set_d(s->p.m1, 150 * (1 + at[9]));
+    if (corner >= 0)
+        return;
+    for (int i = 0; i < FLOW_STATE; i++)
+        mag_set_d(arb_radref(s->start + i), radius[i] * R_REF * (i < 3 ? 1 : 0x1p-14));
+    mag_set_d(arb_radref(s->p.C1), radius[6] * 0x1p-28);
+    mag_set_d(arb_radref(s->p.C2), radius[7] * 0x1p-14);
+    mag_set_d(arb_radref(s->p.L_ref), 2 * R_REF * radius[8]);
+    mag_set_d(arb_radref(s->p.m1), 150 * radius[9]);
+}
+
+/* The rows from a box hold those from its corners; states are in units of r_ref and of Omega r_ref. */
+static void assert_box_holds(const double centre[FLOW_STATE], const double c[2], const double radius[UNKNOWN],
+                             const struct flow_steps *how, double radians)
+{
+    struct scenario box = plain_scenario(0, 0), one = plain_scenario(0, 0);
+    set_unknown(&box, centre, c, radius, -1);
+    box.prec = 60;
+    struct run all = run_steps(&box, how, radians);
+    for (int corner = 0; corner < 1 << UNKNOWN; corner++) {
+        bool other = true;
+        for (int i = 0; i < UNKNOWN; i++)
+            other = other && !((corner >> i & 1) && radius[i] == 0);
+        if (!other)
+            continue;
+        set_unknown(&one, centre, c, radius, corner);
+        assert_rows_hold(&all, &one, radians);
+    }
+    run_close(&all);
+    scenario_close(&one);
+    scenario_close(&box);
+}
+
+/* Orders 2 to 6, from a point, in 60 bits: what a series leaves out is a million times what is rounded. */
+START_TEST(F1_the_path_has_a_remainder)
+{
+    struct scenario s = plain_scenario(10, 1), fine = plain_scenario(10, 1);
+    const struct flow_steps how = {.order = _i, .step = 0x1p-5};
+    start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
+    start_at(&fine, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
+    s.prec = 60;
+    struct run one = run_steps(&s, &how, 0x1p-5), many = run_steps(&s, &how, 0x1p-2);
+    assert_rows_hold(&one, &fine, 0x1p-5);
+    assert_rows_hold(&many, &fine, 0x1p-2);
+    run_close(&one);
+    run_close(&many);
+    scenario_close(&s);
+    scenario_close(&fine);
+}
+END_TEST
+
+/* 1/16 to either side in x: at once every row has that width. */
+START_TEST(F2_a_set_has_its_width)
+{
+    assert_box_holds((double[]){1, 0.25, 0, 0, 0, 0}, (double[]){10, 1}, (double[UNKNOWN]){0x1p-4},
+                     &(struct flow_steps){.derivative_order = _i, .step = 0x1p-8}, 0x1p-8);
+}
+END_TEST
+
+/* To degree 1, x = u s: the width of u is that of x over s. */
+START_TEST(F3_a_spread_has_its_term_of_degree_n)
+{
+    assert_box_holds((double[]){1, 0.25, 0, 0, 0, 0}, (double[]){10, 1}, (double[UNKNOWN]){0, 0, 0, 0x1p-4, 0x1p-4, 0x1p-4},
+                     &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-8);
+}
+END_TEST
+
+/* To degree 1 again, but v' = -2u and u' grows with x: the width of x is one of v over s^2. */
+START_TEST(F4_a_spread_has_its_remainder)
+{
+    assert_box_holds((double[]){0.75, 0, 0, 0, 0, 0}, (double[]){10, 1}, (double[UNKNOWN]){0x1p-12},
+                     &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-8);
+}
+END_TEST
+
+/* The same two steps later: of its width of v, 4 h^2, the second step's bound has 3, and the first left out the fourth. */
+START_TEST(F5_a_set_moves_by_the_remainder_too)
+{
+    assert_box_holds((double[]){0.75, 0, 0, 0, 0, 0}, (double[]){10, 1}, (double[UNKNOWN]){0x1p-12},
+                     &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-7);
+}
+END_TEST
+
+/* Every direction moves, ... */
+START_TEST(F5_a_set_moves_in_every_direction)
+{
+    double radius[UNKNOWN] = {0};
+    radius[_i] = 0x1p-6;
+    assert_box_holds((double[]){0.75, 0.25, 0, 0, 0, 0.5}, (double[]){10, 1}, radius, &(struct flow_steps){.step = 0x1p-8}, 0x1p-7);
+}
+END_TEST
+
+/* ... and by all that its derivatives may be: with c1 = 9 from rest by 9 d^2, where in the middle they are zero. */
+START_TEST(F5_a_set_moves_by_derivatives_in_balls)
+{
+    assert_box_holds((double[]){1, 0, 0, 0, 0, 0}, (double[]){9, 0}, (double[UNKNOWN]){0x1p-6},
+                     &(struct flow_steps){.step = 0x1p-12}, 0x1p-7); /* 32 steps: a row has the width of its own step anyhow */
+}
+END_TEST
+
+/*
+ * A quarter or less to either side, and times so short that only the first derivatives count:
+ *   in x    u' is 2.1 and 0.35 at the ends, where its derivative in the middle is -1
+ *   in y, z from the axis 1/|x| changes by what is zero in the middle: u' by 4.5 y^2, where there are no gains
+ *   in x    with c1 = 9 the derivative in the middle is zero, whatever x is, where 1/|x| is 1
+ *   in z    by w = 1 and the damping u' changes by -z, which only the velocity of the box tells
+ */
+START_TEST(F6_derivatives_are_those_of_all_the_box)
+{
+    static const double centre[][FLOW_STATE] = {{1}, {1}, {0, 1}, {1}, {1, 0, 0, 0, 0, 1}};
+    static const double gains[][2] = {{10, 1}, {0, 1}, {0, 1}, {9, 1}, {0, 1}};
+    static const double radius[][UNKNOWN] = {{0.25}, {0, 0.25}, {0, 0, 0.25}, {0x1p-6}, {0, 0, 0x1p-6}};
+    assert_box_holds(centre[_i], gains[_i], radius[_i], &(struct flow_steps){.step = 0x1p-12}, 0x1p-12);
+}
+END_TEST
+
+/* Gains are known to a half of themselves: far from rest, and in motion, the path shows it, ... */
+START_TEST(F7_the_path_has_every_gain)
+{
+    assert_box_holds((double[]){1.25, 0, 0, _i, 0, 0}, (double[]){10, 1},
+                     (double[UNKNOWN]){[6] = _i == 0 ? 5 : 0, [7] = _i == 0 ? 0 : 0.5},
+                     &(struct flow_steps){.step = 0x1p-8}, 0x1p-8);
+}
+END_TEST
+
+/* ... and at rest, where they have no effect, its derivatives do. */
+START_TEST(F7_derivatives_have_every_gain)
+{
+    assert_box_holds((double[]){1, 0, 0, 0, 0, 0}, (double[]){10, 1},
+                     (double[UNKNOWN]){[0] = _i == 0 ? 0x1p-6 : 0, [3] = _i == 0 ? 0 : 0x1p-6, [6] = _i == 0 ? 8 : 0,
+                                       [7] = _i == 0 ? 0 : 0.75},
+                     &(struct flow_steps){.step = 0x1p-10}, 0x1p-10);
+}
+END_TEST
+
+/* L_ref, or m1, is known to a sixteenth of itself: so is r_ref, in which the flow measures. */
+START_TEST(F7_lengths_are_measured_in_balls)
+{
+    assert_box_holds((double[]){1.25, 0, 0, 0, 0, 0}, (double[]){10, 1},
+                     (double[UNKNOWN]){[8] = _i == 0 ? 0x1p-4 : 0, [9] = _i == 0 ? 0 : 0x1p-4},
+                     &(struct flow_steps){.step = 0x1p-4}, 0x1p-3);
+}
+END_TEST
+
+/*
+ * A radian known to a fifth of a step, without gains and from rest. The row lies between 0.96 and 1.44 steps, so that the
+ * first step's bounds do not hold for it: y goes as s^3, and an order of 2 leaves all of that to the remainder.
+ */
+START_TEST(F9_a_row_is_within_its_step_for_certain)
+{
+    const double h = 0x1p-8, share = 0.2;
+    const struct flow_steps how = {.order = 2, .step = h};
+    struct scenario s = plain_scenario(0, 0), fine = plain_scenario(0, 0);
+    fmpq_t t;
+    double reached;
+    fmpq_init(t);
+    fmpq_set_si(t, (slong)(1.2 * h * 0x1p24), 1 << 10);
+    start_at(&s, 4.5, 0, 0, 0, 0, 0);
+    start_at(&fine, 4.5, 0, 0, 0, 0, 0);
+    mag_set_d(arb_radref(s.p.Omega), share * 0x1p-14);
+    arb_set_d(fine.p.Omega, 0x1p-14 * (1 + share));
+    s.prec = 60;
+    arb_ptr vague = _arb_vec_init(FLOW_STATE), end = _arb_vec_init(FLOW_STATE);
+    struct record of_vague = {vague, 0, 0}, of_end = {end, 0, 0};
+    const enum flow_status status = flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, s.prec, keep, &of_vague, &reached);
+    ck_assert_int_eq(flow_nonlinear(&fine.p, fine.start, t, 1, 17, fine.prec, keep, &of_end, &reached), FLOW_DONE);
+    ck_assert_int_eq(status, FLOW_DONE);
+    assert_holds(vague, end);
+    fmpq_clear(t);
+    _arb_vec_clear(vague, FLOW_STATE);
+    _arb_vec_clear(end, FLOW_STATE);
+    scenario_close(&s);
+    scenario_close(&fine);
+}
+END_TEST
+
+/* All rows to an eighth of a radian, by a step of one that no series here bears: it is halved until all three do. */
+static void assert_halved(const struct flow_steps *how, double width)
+{
+    struct scenario s = plain_scenario(10, 1);
+    start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
+    mag_set_d(arb_radref(s.start), width);
+    s.prec = 60;
+    struct run r = run_steps(&s, how, 0x1p-3);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    for (int i = 0; i < FLOW_STATE * ROWS; i++)
+        ck_assert_double_lt(mag_get_d(arb_radref(r.states + i)), 0.0625); /* what fails to be proved is doubled 24 times */
+    run_close(&r);
+    scenario_close(&s);
+}
+
+START_TEST(F8_a_step_is_one_that_the_path_bears)
+{
+    assert_halved(&(struct flow_steps){.order = _i, .derivative_order = 12, .step = 1}, 0);
+}
+END_TEST
+
+START_TEST(F8_a_step_is_one_that_the_derivatives_bear)
+{
+    assert_halved(&(struct flow_steps){.order = 24, .derivative_order = _i, .step = 1}, 0x1p-20);
+}
+END_TEST
+
+/* A gain of anything to 1e300 bears no step of 2^-37 radians: no row, not even one that soon. */
+START_TEST(F8_what_no_halving_proves_is_no_step)
+{
+    struct scenario s = plain_scenario(10, 1);
+    const struct flow_steps how = {.step = 0x1p-5};
+    double reached;
+    fmpq_t t;
+    fmpq_init(t);
+    fmpq_set_si(t, 1, 1);
+    fmpq_div_2exp(t, t, 60);
+    start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
+    mag_set_d(arb_radref(s.p.C1), 1e300);
+    struct record none = {NULL, 0, 0};
+    ck_assert_int_eq(flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, 60, keep, &none, &reached), FLOW_WIDE);
+    fmpq_clear(t);
+    scenario_close(&s);
+}
+END_TEST
+
+/* Steps are a fraction of 2^-5 radians; whatever Omega is in its ball, no more of them than were proved have been reached. */
+START_TEST(what_is_reached_is_rounded_towards_the_start)
+{
+    struct scenario s = scenario_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
+    const struct flow_steps how = {.step = 0x1p-5};
+    fmpq_t t, reached, Omega;
+    double seconds;
+    arf_t x;
+    arf_init(x);
+    fmpq_init(t);
+    fmpq_init(reached);
+    fmpq_init(Omega);
+    fmpq_set_si(t, DAY, 1);
+    start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
+    mag_set_d(arb_radref(s.p.Omega), _i < 2 ? 0 : 0x1p-44); /* 2^-30 of it */
+    for (int i = 0; i < 3; i++)
+        mag_set_d(arb_radref(s.start + i), 0x1p-5);
+    struct record none = {NULL, 0, 0};
+    ck_assert_int_eq(flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, 60, keep, &none, &seconds), FLOW_WIDE);
+    arf_set_d(x, seconds);
+    arf_get_fmpq(reached, x);
+    arb_get_ubound_arf(x, s.p.Omega, 128);
+    arf_get_fmpq(Omega, x);
+    fmpq_mul(reached, reached, Omega);
+    const double steps = ldexp(fmpq_get_d(reached), 20); /* the last ones are halved */
+    ck_assert_double_gt(steps, 0);
+    ck_assert_double_eq_tol(steps, (double)lround(steps), 0.05);
+    fmpq_set_si(t, lround(steps), 1 << 20);
+    ck_assert(fmpq_cmp(reached, t) <= 0);
+    arf_clear(x);
+    fmpq_clear(t);
+    fmpq_clear(reached);
+    fmpq_clear(Omega);
+    scenario_close(&s);
+}
+END_TEST
+
+/* ---- ends ---- */
+
+START_TEST(an_enclosure_past_use_is_reported)
+{
+    struct scenario s = paper_nonlinear();
+    const slong times[] = {DAY, 5 * DAY};
+    s.prec = 186;
+    struct run r = run_through(&s, NONLINEAR, times, 2, 50, 0, 0);
+    ck_assert_int_eq(r.status, FLOW_WIDE);
+    ck_assert_int_eq(r.rows, 1);
+    ck_assert_double_gt(r.reached, DAY);
+    ck_assert_double_lt(r.reached, 5 * DAY);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+/* Omega t known to half a radian: no step holds all of that. And no exponential one of all gains. */
+START_TEST(a_vague_time_is_reported)
+{
+    struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
+    start_at(&s, 6, 0, 0, 0, 0, 0);
+    mag_set_d(arb_radref(s.p.Omega), 0x1p-17);
+    struct run r = run_to(&s, NONLINEAR, 1 << 16);
+    ck_assert_int_eq(r.status, FLOW_WIDE);
+    run_close(&r);
+    mag_set_d(arb_radref(s.p.C1), 1e300);
+    r = run_to(&s, LINEAR, 100);
+    ck_assert_int_eq(r.status, FLOW_WIDE);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+/*
+ * From rest on the orbit normal at r_ref, no gains: z'' = -z - 3/z^2, so z'^2 = 6/z - 6 + 1 - z^2, and z = sin^2 a
+ * makes the time of the fall the integral of 2 sin^2 a / sqrt(sin^4 a + sin^2 a + 6) over a from 0 to pi/2;
+ * mpmath 1.2.1, mp.dps = 40: quad(lambda a: 2*sin(a)**2/sqrt(sin(a)**4 + sin(a)**2 + 6), [0, pi/2]).
+ */
+START_TEST(craft_too_close_to_follow_are_reported_with_the_time)
+{
+    const double fall = 0.57976169347716177911871646922770217;
+    struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
+    start_at(&s, 0, 0, 5, 0, 0, 0);
+    struct run r = run_to(&s, NONLINEAR, DAY);
+    ck_assert_int_eq(r.status, FLOW_CLOSE);
+    ck_assert_int_eq(r.rows, 0);
+    ck_assert_double_lt(r.reached, fall * 0x1p14);
+    ck_assert_double_gt(r.reached, fall * 0x1p14 * (1 - 1e-7)); /* steps end 2^-32 radians long */
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+/* Without attraction enough to meet, craft that nearly do are followed through. */
+START_TEST(a_near_miss_is_followed_through)
+{
+    struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
+    start_at(&s, 0.5, 0, 5, 0, 0, 0);
+    struct run r = run_to(&s, NONLINEAR, DAY / 4);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(a_receiver_stops_a_flow)
+{
+    static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
+    const slong times[] = {0, 100, 200, 300};
+    struct scenario s = paper_nonlinear();
+    struct run r = run_through(&s, methods[_i], times, 4, 17, 100, 2);
+    ck_assert_int_eq(r.status, FLOW_STOPPED);
+    ck_assert_int_eq(r.rows, 2);
+    ck_assert_double_eq(r.reached, 100);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(outside_the_domain_no_flow_starts)
+{
+    struct scenario s = paper_nonlinear();
+    arb_ptr positive[] = {s.p.Omega, s.p.L_ref, s.p.k_c, s.p.m1, s.p.m2};
+    for (int m = NONLINEAR; m <= RK4_NONLINEAR; m++)
+        for (int i = 0; i < (m == RK4_LINEAR ? 2 : 5); i++) {
+            arb_neg(positive[i], positive[i]);
+            struct run r = run_to(&s, (enum method)m, 100);
+            ck_assert_int_eq(r.status, FLOW_DOMAIN);
+            ck_assert_int_eq(r.rows, 0);
+            run_close(&r);
+            arb_neg(positive[i], positive[i]);
+        }
+    for (int i = 0; i < 2; i++) {
+        arb_t value;
+        arb_init(value);
+        arb_swap(value, positive[i]);
+        arb_pos_inf(positive[i]);
+        struct run endless = run_to(&s, LINEAR, 100);
+        ck_assert_int_eq(endless.status, FLOW_DOMAIN);
+        run_close(&endless);
+        arb_swap(value, positive[i]);
+        arb_clear(value);
+    }
+    start_at(&s, 0, 0, 0, 1, 1, 1); /* L = 0 */
+    struct run together = run_to(&s, NONLINEAR, 100);
+    ck_assert_int_eq(together.status, FLOW_DOMAIN);
+    arb_indeterminate(s.start);
+    struct run vague = run_to(&s, LINEAR, 100);
+    ck_assert_int_eq(vague.status, FLOW_DOMAIN);
+    run_close(&together);
+    run_close(&vague);
+    scenario_close(&s);
+}
+END_TEST
+
+/* Whichever coordinate is wide, and whichever is the largest; what has no bound is wide beside anything. */
+START_TEST(any_coordinate_makes_an_enclosure_wide)
+{
+    arb_ptr state = _arb_vec_init(FLOW_STATE);
+    arb_set_ui(state + (_i + 1) % FLOW_STATE, 8);
+    mag_set_d(arb_radref(state + _i), 0.24);
+    ck_assert(!flow_wide(state, 5));
+    mag_set_d(arb_radref(state + _i), 0.26);
+    ck_assert(flow_wide(state, 5));
+    mag_inf(arb_radref(state + _i));
+    ck_assert(flow_wide(state, 5));
+    ck_assert(flow_wide(state, -1000));
+    _arb_vec_clear(state, FLOW_STATE);
+    flint_cleanup();
+}
+END_TEST
+
+/* Zero is outside, and so is a ball that reaches it. */
+START_TEST(at_the_edge_of_the_domain_no_flow_starts)
+{
+    struct scenario s = paper_nonlinear();
+    arb_ptr positive[] = {s.p.Omega, s.p.L_ref, s.p.k_c, s.p.m1, s.p.m2};
+    for (int wide = 0; wide < 2; wide++) {
+        arb_t kept;
+        arb_init(kept);
+        arb_swap(kept, positive[_i]);
+        if (wide)
+            arb_set(positive[_i], kept);
+        arb_add_error(positive[_i], positive[_i]);
+        for (int m = LINEAR; m <= RK4_NONLINEAR; m++)
+            if (_i < 2 || m == NONLINEAR || m == RK4_NONLINEAR) {
+                struct run r = run_to(&s, (enum method)m, 100);
+                ck_assert_int_eq(r.status, FLOW_DOMAIN);
+                run_close(&r);
+            }
+        arb_swap(kept, positive[_i]);
+        arb_clear(kept);
+    }
+    scenario_close(&s);
+}
+END_TEST
+
+/* Nor where the craft may be in one place, if not for the centre of the ball. */
+START_TEST(where_craft_may_meet_no_flow_starts)
+{
+    struct scenario s = paper();
+    start_at(&s, 0.5, 0, 0.25, 0, 0, 0);
+    mag_set_d(arb_radref(s.start), 1);
+    mag_set_d(arb_radref(s.start + 2), 1);
+    struct run r = run_to(&s, NONLINEAR, 100);
+    ck_assert_int_eq(r.status, FLOW_DOMAIN);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+/* Nor with anything infinite or undefined. */
+START_TEST(outside_all_numbers_no_flow_starts)
+{
+    struct scenario s = paper_nonlinear();
+    arb_ptr value[] = {s.p.Omega, s.p.L_ref, s.p.C1, s.p.C2, s.start, s.start + 5, s.p.k_c, s.p.m1, s.p.m2};
+    for (int infinite = 0; infinite < 2; infinite++)
+        for (int m = LINEAR; m <= NONLINEAR; m++)
+            if (_i < 6 || m == NONLINEAR) {
+                arb_t kept;
+                arb_init(kept);
+                arb_swap(kept, value[_i]);
+                (infinite ? arb_pos_inf : arb_indeterminate)(value[_i]);
+                struct run r = run_to(&s, (enum method)m, 100);
+                ck_assert_int_eq(r.status, FLOW_DOMAIN);
+                run_close(&r);
+                arb_swap(kept, value[_i]);
+                arb_clear(kept);
+            }
+    scenario_close(&s);
+}
+END_TEST
+
+/* At 0 alone, once or twice, the state is the initial one itself, and nothing else is said. */
+START_TEST(at_time_zero_the_state_is_the_initial_one)
+{
+    const slong times[] = {0, 0};
+    struct scenario s = paper_nonlinear();
+    mag_set_d(arb_radref(s.start), 0x1p-20);
+    struct run r = run_through(&s, NONLINEAR, times, _i, 17, 0, 0);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    ck_assert_int_eq(r.rows, _i);
+    for (int k = 0; k < _i; k++)
+        assert_same(r.states + k * FLOW_STATE, s.start);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(no_time_at_all_is_in_reach)
+{
+    struct scenario s = paper();
+    ck_assert(flow_in_reach(&s.p, NULL, 0));
+    ck_assert(rk4_in_reach(&s.p, NULL, 0));
+    scenario_close(&s);
+}
+END_TEST
+
+/* A million radians for a flow, ten thousand and ten million steps for the method: none of them starts. */
+START_TEST(beyond_reach_no_motion_starts)
+{
+    static const struct {
+        enum method method;
+        slong t, h;
+    } beyond[] = {{LINEAR, 14000000000, 0}, {NONLINEAR, 14000000000, 0}, {NONLINEAR, -14000000000, 0},
+                  {RK4_LINEAR, 140000000, 1000}, {RK4_NONLINEAR, 140000000, 1000}, {RK4_LINEAR, 10000001, 1}};
+    struct scenario s = paper_nonlinear();
+    struct run r = run_through(&s, beyond[_i].method, &beyond[_i].t, 1, 17, beyond[_i].h, 0);
+    ck_assert_int_eq(r.status, FLOW_STALLED);
+    ck_assert_int_eq(r.rows, 0);
+    ck_assert_int_le(flow_precision(17, INFINITY), 200000);
+    ck_assert_int_le(rk4_precision(17, INFINITY), 300000);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(times_out_of_order_are_refused)
+{
+    const slong back[] = {200, 100}, both[] = {100, -100};
+    struct scenario s = paper_nonlinear();
+    struct run a = run_through(&s, NONLINEAR, back, 2, 17, 0, 0), b = run_through(&s, NONLINEAR, both, 2, 17, 0, 0);
+    ck_assert_int_eq(a.status, FLOW_DOMAIN);
+    ck_assert_int_eq(b.status, FLOW_DOMAIN);
+    run_close(&a);
+    run_close(&b);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(steps_without_proof_are_the_same_steps)
+{
+    struct scenario s = paper_nonlinear();
+    struct run proved = run_to(&s, NONLINEAR, DAY), bare = run_to(&s, UNPROVED, DAY);
+    for (int i = 0; i < FLOW_STATE; i++)
+        mag_zero(arb_radref(bare.states + i));
+    assert_holds(proved.states, bare.states);
+    run_close(&proved);
+    run_close(&bare);
+    scenario_close(&s);
+}
+END_TEST
+
+/* ---- Runge and Kutta ---- */
+
+/* One step of y' = A y is y + Z y + Z^2 y/2 + Z^3 y/6 + Z^4 y/24, Z = h A: fractions, Omega = 1, L_ref = 1, h = 1. */
+START_TEST(rk4_step_of_the_linear_model_is_its_polynomial)
+{
+    static const int rates[FLOW_STATE][FLOW_STATE] = {{0, 0, 0, 1, 0, 0},  {0, 0, 0, 0, 1, 0},  {0, 0, 0, 0, 0, 1},
+                                                      {-3, 0, 0, 0, 0, -2}, {0, -4, 0, 0, 0, 0}, {0, 0, -1, 2, 0, -3}};
+    static const int start[FLOW_STATE] = {1, 2, -3, 4, -5, 6};
+    struct scenario s = scenario_of(1, 150, 150, 1, 10, 3);
+    fmpq_mat_t Z, y, sum;
+    fmpq_mat_init(Z, FLOW_STATE, FLOW_STATE);
+    fmpq_mat_init(y, FLOW_STATE, 1);
+    fmpq_mat_init(sum, FLOW_STATE, 1);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        arb_set_si(s.start + i, start[i]);
+        fmpq_set_si(fmpq_mat_entry(y, i, 0), start[i], 1);
+        for (int j = 0; j < FLOW_STATE; j++)
+            fmpq_set_si(fmpq_mat_entry(Z, i, j), rates[i][j], 1);
+    }
+    fmpq_mat_set(sum, y);
+    for (slong k = 1; k <= 4; k++) {
+        fmpz_t divisor;
+        fmpz_init_set_si(divisor, k);
+        fmpq_mat_mul(y, Z, y);
+        fmpq_mat_scalar_div_fmpz(y, y, divisor);
+        fmpq_mat_add(sum, sum, y);
+        fmpz_clear(divisor);
+    }
+    const slong t = 1;
+    struct run r = run_through(&s, RK4_LINEAR, &t, 1, 17, 1, 0);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert(arb_contains_fmpq(r.states + i, fmpq_mat_entry(sum, i, 0)));
+    assert_sharp(r.states, 240);
+    run_close(&r);
+    fmpq_mat_clear(Z);
+    fmpq_mat_clear(y);
+    fmpq_mat_clear(sum);
+    scenario_close(&s);
+}
+END_TEST
+
+/* A hundred steps of it in doubles, from the equations in SI: a hundred times some roundings. */
+START_TEST(rk4_steps_of_the_nonlinear_model_are_an_implementers)
+{
+    enum { STEPS = 100, H = 100 };
+    struct scenario s = scenario_of(7.2915e-5, 120, 410, 23, 12, 4);
+    start_at_angles(&s, 0.3, -0.4, 2);
+    struct pair p = pair_of(&s);
+    double y[FLOW_STATE], at[FLOW_STATE], k[5][FLOW_STATE] = {{0}};
+    pair_state(&s, y);
+    for (int step = 0; step < STEPS; step++) {
+        for (int stage = 1; stage <= 4; stage++) {
+            for (int i = 0; i < FLOW_STATE; i++)
+                at[i] = y[i] + p.Omega * H * (stage == 1 ? 0 : stage == 4 ? 1 : 0.5) * k[stage - 1][i];
+            pair_rates(0, at, k[stage], &p);
+        }
+        for (int i = 0; i < FLOW_STATE; i++)
+            y[i] += p.Omega * H / 6 * (k[1][i] + 2 * k[2][i] + 2 * k[3][i] + k[4][i]);
+    }
+    struct run r = run_to(&s, RK4_NONLINEAR, STEPS * H);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_double_eq_tol(number(r.states + i) / (i < 3 ? 1 : p.Omega), y[i], 1e-12 * p.L_ref);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+/* Largest error in psi, theta, dL or in x1, y1, z1 after a day with that step */
+static double rk4_error(const struct scenario *s, enum method rk4, enum method flow, slong h)
+{
+    const slong t = DAY;
+    struct run a = run_through(s, rk4, &t, 1, 17, h, 0), b = run_to(s, flow, t);
+    double error = 0;
+    assert_sharp(a.states, 60);
+    for (int i = 0; i < 3; i++) {
+        arb_sub(a.states + i, a.states + i, b.states + i, PREC);
+        error = fmax(error, fabs(number(a.states + i)));
+    }
+    run_close(&a);
+    run_close(&b);
+    return error;
+}
+
+/* The error is C h^4 + D h^5 ..., so halving h near a hundredth of a radian divides it by 16 within some per cent. */
+START_TEST(rk4_is_of_order_four)
+{
+    struct scenario s = paper_nonlinear();
+    const double nonlinear = rk4_error(&s, RK4_NONLINEAR, NONLINEAR, 100) / rk4_error(&s, RK4_NONLINEAR, NONLINEAR, 50);
+    start_at(&s, 0.01, 0.01, 0.1, 0, 0, 0);
+    const double linear = rk4_error(&s, RK4_LINEAR, LINEAR, 100) / rk4_error(&s, RK4_LINEAR, LINEAR, 50);
+    ck_assert_double_eq_tol(nonlinear, 16, 0.5);
+    ck_assert_double_eq_tol(linear, 16, 0.5);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(rk4_keeps_the_static_formation_exactly)
+{
+    struct scenario s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
+    start_at(&s, 6, 0, 0, 0, 0, 0);
+    struct run r = run_to(&s, RK4_NONLINEAR, DAY);
+    assert_same(r.states, s.start);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(rk4_takes_whole_steps_forward)
+{
+    static const slong wrong[][2] = {{150, 100}, {-100, 100}, {100, 0}, {100, -100}};
+    struct scenario s = paper_nonlinear();
+    for (int m = RK4_LINEAR; m <= RK4_NONLINEAR; m++) {
+        struct run r = run_through(&s, (enum method)m, &wrong[_i][0], 1, 17, wrong[_i][1], 0);
+        ck_assert_int_eq(r.status, FLOW_DOMAIN);
+        ck_assert_int_eq(r.rows, 0);
+        run_close(&r);
+    }
+    scenario_close(&s);
+}
+END_TEST
+
+START_TEST(rk4_reports_an_enclosure_past_use)
+{
+    struct scenario s = paper_nonlinear();
+    s.prec = 128; /* ten bits a radian last for two days */
+    struct run r = run_to(&s, RK4_NONLINEAR, 5 * DAY);
+    ck_assert_int_eq(r.status, FLOW_WIDE);
+    ck_assert_double_gt(r.reached, DAY);
+    ck_assert_double_lt(r.reached, 3 * DAY);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+/* ---- working precisions ---- */
+
+/* At the precision that is foretold, every coordinate has its digits: five days, n = 10 and n = 40. */
+START_TEST(foretold_precision_is_enough)
+{
+    static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
+    const enum method m = methods[_i / 2];
+    const double n = _i % 2 == 0 ? 10 : 40, radians = 7.2915e-5 * 5 * DAY;
+    const slong digits = 40, t = 5 * DAY;
+    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, n, 2 * sqrt(n - 9));
+    s.prec = m == LINEAR || m == NONLINEAR ? flow_precision(digits, radians) : rk4_precision(digits, radians);
+    if (m == LINEAR || m == RK4_LINEAR)
+        start_at(&s, 0.01, 0.01, 0.1, 0, 0, 0);
+    else
+        start_at_angles(&s, 0.01, 0.01, 0.1);
+    struct run r = run_through(&s, m, &t, 1, digits, 100, 0);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_double_gt((double)arb_rel_accuracy_bits(r.states + i), log2(10) * (double)digits + 1);
+    run_close(&r);
+    scenario_close(&s);
+}
+END_TEST
+
+static TCase *add_case(Suite *all, const char *name)
+{
+    TCase *tests = tcase_create(name);
+    tcase_set_timeout(tests, 60); /* under valgrind, on a busy machine */
+    suite_add_tcase(all, tests);
+    return tests;
+}
+
+SUITE(test_flow)
+{
+    Suite *all = suite_create("flow");
+    TCase *tests = add_case(all, "linear");
+    tcase_add_test(tests, eq40_flow_follows_an_exact_mode);
+    tcase_add_loop_test(tests, eq40_flow_holds_both_ends_of_every_ball, 0, 5 + FLOW_STATE);
+    tcase_add_test(tests, eq40_flow_composes);
+    tcase_add_test(tests, eq40_flow_returns);
+    tcase_add_test(tests, eq40_flow_keeps_what_is_zero);
+
+    tests = add_case(all, "nonlinear");
+    tcase_add_test(tests, eq03_flow_of_the_paper);
+    tcase_add_test(tests, eq03_flow_of_unequal_craft_agrees_with_rk8pd);
+    tcase_add_test(tests, eq03_flow_at_large_angles_agrees_with_rk8pd);
+    tcase_add_test(tests, eq03_flow_that_grows_agrees_with_rk8pd);
+    tcase_add_test(tests, eq03_flow_returns);
+    tcase_add_test(tests, eq03_flow_composes);
+    tcase_add_test(tests, eq03_flow_at_two_precisions_overlaps);
+    tcase_add_test(tests, what_steps_leave_out_is_in_the_enclosure);
+    tcase_add_test(tests, dense_output_is_the_flow);
+    tcase_add_test(tests, eq05_static_formation_stays_exactly);
+    tcase_add_test(tests, eq03_plane_motion_stays_in_the_plane);
+    tcase_add_test(tests, eq03_flow_commutes_with_reflections);
+    tcase_add_test(tests, eq03_masses_only_scale);
+
+    tests = add_case(all, "enclosures");
+    tcase_add_test(tests, five_days_at_50_digits_end_within_1e_49);
+    tcase_add_test(tests, an_enclosure_holds_the_motions_from_a_box);
+    tcase_add_test(tests, motions_that_grow_are_followed);
+    tcase_add_test(tests, stiff_gains_do_not_inflate_the_set);
+    tcase_add_loop_test(tests, foretold_precision_is_enough, 0, 8);
+
+    tests = add_case(all, "error terms");
+    tcase_add_loop_test(tests, F1_the_path_has_a_remainder, 2, 7);
+    tcase_add_loop_test(tests, F2_a_set_has_its_width, 1, 4);
+    tcase_add_test(tests, F3_a_spread_has_its_term_of_degree_n);
+    tcase_add_test(tests, F4_a_spread_has_its_remainder);
+    tcase_add_test(tests, F5_a_set_moves_by_the_remainder_too);
+    tcase_add_loop_test(tests, F5_a_set_moves_in_every_direction, 0, FLOW_STATE);
+    tcase_add_test(tests, F5_a_set_moves_by_derivatives_in_balls);
+    tcase_add_loop_test(tests, F6_derivatives_are_those_of_all_the_box, 0, 5);
+    tcase_add_loop_test(tests, F7_the_path_has_every_gain, 0, 2);
+    tcase_add_loop_test(tests, F7_derivatives_have_every_gain, 0, 2);
+    tcase_add_loop_test(tests, F7_lengths_are_measured_in_balls, 0, 2);
+    tcase_add_loop_test(tests, F8_a_step_is_one_that_the_path_bears, 2, 5);
+    tcase_add_loop_test(tests, F8_a_step_is_one_that_the_derivatives_bear, 1, 5);
+    tcase_add_test(tests, F8_what_no_halving_proves_is_no_step);
+    tcase_add_test(tests, F9_a_row_is_within_its_step_for_certain);
+    tcase_add_loop_test(tests, what_is_reached_is_rounded_towards_the_start, 0, 4);
+
+    tests = add_case(all, "ends");
+    tcase_add_test(tests, an_enclosure_past_use_is_reported);
+    tcase_add_test(tests, a_vague_time_is_reported);
+    tcase_add_test(tests, craft_too_close_to_follow_are_reported_with_the_time);
+    tcase_add_test(tests, a_near_miss_is_followed_through);
+    tcase_add_loop_test(tests, a_receiver_stops_a_flow, 0, 4);
+    tcase_add_test(tests, outside_the_domain_no_flow_starts);
+    tcase_add_loop_test(tests, at_the_edge_of_the_domain_no_flow_starts, 0, 5);
+    tcase_add_loop_test(tests, any_coordinate_makes_an_enclosure_wide, 0, FLOW_STATE);
+    tcase_add_test(tests, where_craft_may_meet_no_flow_starts);
+    tcase_add_loop_test(tests, outside_all_numbers_no_flow_starts, 0, 9);
+    tcase_add_loop_test(tests, at_time_zero_the_state_is_the_initial_one, 1, 3);
+    tcase_add_test(tests, times_out_of_order_are_refused);
+    tcase_add_test(tests, no_time_at_all_is_in_reach);
+    tcase_add_loop_test(tests, beyond_reach_no_motion_starts, 0, 6);
+    tcase_add_test(tests, steps_without_proof_are_the_same_steps);
+
+    tests = add_case(all, "Runge-Kutta");
+    tcase_add_test(tests, rk4_step_of_the_linear_model_is_its_polynomial);
+    tcase_add_test(tests, rk4_steps_of_the_nonlinear_model_are_an_implementers);
+    tcase_add_test(tests, rk4_is_of_order_four);
+    tcase_add_test(tests, rk4_keeps_the_static_formation_exactly);
+    tcase_add_loop_test(tests, rk4_takes_whole_steps_forward, 0, 4);
+    tcase_add_test(tests, rk4_reports_an_enclosure_past_use);
+    return all;
+}

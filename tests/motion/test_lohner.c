@@ -1,0 +1,473 @@
+/*
+ * verify/motion/lohner.h: a set of states under a map, and a test for every error term of the theorem in lohner.c. In fractions
+ * the theorem's two sides can be compared exactly: radius' against the largest |e'_j| that any point of the image has.
+ */
+#include "tests/run.h"
+
+#include "motion/lohner.h"
+
+enum { N = LOHNER_SIZE };
+
+/* ---- what is true, in fractions ---- */
+
+static void fraction_of_arf(fmpq_t q, const arf_t x)
+{
+    arf_get_fmpq(q, x);
+}
+
+static void fraction_of_double(fmpq_t q, double x)
+{
+    arf_t a;
+    arf_init(a);
+    arf_set_d(a, x);
+    arf_get_fmpq(q, a);
+    arf_clear(a);
+}
+
+static void basis_of(fmpq_mat_t to, const struct lohner *set)
+{
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < N; j++)
+            fraction_of_double(fmpq_mat_entry(to, i, j), set->basis[i][j]);
+}
+
+/* sum += |a| b */
+static void add_modulus(fmpq_t sum, const fmpq_t a, const fmpq_t b)
+{
+    fmpq_t modulus;
+    fmpq_init(modulus);
+    fmpq_abs(modulus, a);
+    fmpq_addmul(sum, modulus, b);
+    fmpq_clear(modulus);
+}
+
+/* A map: where it takes the centre, what it does to the directions, and what that leaves out */
+struct map {
+    arb_ptr image;
+    arb_mat_t derivative;
+    mag_ptr error;
+};
+
+static void map_init(struct map *m)
+{
+    m->image = _arb_vec_init(N);
+    arb_mat_init(m->derivative, N, N);
+    m->error = _mag_vec_init(N);
+}
+
+static void map_clear(struct map *m)
+{
+    _arb_vec_clear(m->image, N);
+    arb_mat_clear(m->derivative);
+    _mag_vec_clear(m->error, N);
+}
+
+/* The largest |e'_j| of the image: sup |basis'^-1 derivative| radius + |basis'^-1| (ball + error) */
+static void largest(fmpq_t sum, int j, const fmpq_mat_t inverse, const struct map *m, mag_srcptr radius)
+{
+    fmpq_t a, b, turned;
+    fmpq_init(a);
+    fmpq_init(b);
+    fmpq_init(turned);
+    fmpq_zero(sum);
+    for (int k = 0; k < N; k++) {
+        fmpq_t wide;
+        fmpq_init(wide);
+        fmpq_zero(turned);
+        for (int i = 0; i < N; i++) {
+            arb_srcptr entry = arb_mat_entry(m->derivative, i, k);
+            fraction_of_arf(a, arb_midref(entry));
+            fmpq_addmul(turned, fmpq_mat_entry(inverse, j, i), a);
+            mag_get_fmpq(b, arb_radref(entry));
+            add_modulus(wide, fmpq_mat_entry(inverse, j, i), b);
+        }
+        fmpq_abs(turned, turned);
+        fmpq_add(turned, turned, wide);
+        mag_get_fmpq(b, radius + k);
+        fmpq_addmul(sum, turned, b);
+        mag_get_fmpq(a, arb_radref(m->image + k));
+        mag_get_fmpq(b, m->error + k);
+        fmpq_add(a, a, b);
+        add_modulus(sum, fmpq_mat_entry(inverse, j, k), a);
+        fmpq_clear(wide);
+    }
+    fmpq_clear(a);
+    fmpq_clear(b);
+    fmpq_clear(turned);
+}
+
+/* Moves the set; where it can be moved, it holds the image, and a radius is no more than so many times what is needed. */
+static bool move_and_compare(struct lohner *set, const struct map *m, slong prec, double at_most)
+{
+    mag_ptr before = _mag_vec_init(N);
+    fmpq_mat_t inverse;
+    fmpq_t need, have;
+    fmpq_init(need);
+    fmpq_init(have);
+    fmpq_mat_init(inverse, N, N);
+    for (int j = 0; j < N; j++)
+        mag_set(before + j, set->radius + j);
+    const bool moved = lohner_move(set, m->image, m->derivative, m->error, prec);
+    basis_of(inverse, set);
+    ck_assert(fmpq_mat_inv(inverse, inverse));
+    for (int j = 0; j < N && moved; j++) {
+        largest(need, j, inverse, m, before);
+        mag_get_fmpq(have, set->radius + j);
+        ck_assert_msg(fmpq_cmp(have, need) >= 0, "direction %d: %.12g for %.12g", j, fmpq_get_d(have), fmpq_get_d(need));
+        ck_assert_double_le(fmpq_get_d(have), at_most * fmpq_get_d(need) + 1e-300);
+        ck_assert(arf_equal(arb_midref(set->centre + j), arb_midref(m->image + j)));
+        ck_assert(mag_is_zero(arb_radref(set->centre + j)));
+    }
+    _mag_vec_clear(before, N);
+    fmpq_mat_clear(inverse);
+    fmpq_clear(need);
+    fmpq_clear(have);
+    return moved;
+}
+
+/* ---- sets and maps ---- */
+
+/* Numbers between -1 and 1 that fill a double, other ones for another k */
+static double scattered(int k)
+{
+    return 2 * fmod(0.6180339887498949 * (k + 1), 1) - 1;
+}
+
+/* Every pair of axes turned, by angles of that number */
+static void turn(arb_mat_t m, int number)
+{
+    arb_mat_t r;
+    arb_t angle;
+    arb_init(angle);
+    arb_mat_init(r, N, N);
+    arb_mat_one(m);
+    for (int i = 0; i < N; i++)
+        for (int j = i + 1; j < N; j++) {
+            arb_set_d(angle, 3 * scattered(17 * number + N * i + j));
+            arb_mat_one(r);
+            arb_sin_cos(arb_mat_entry(r, j, i), arb_mat_entry(r, i, i), angle, 53);
+            arb_set(arb_mat_entry(r, j, j), arb_mat_entry(r, i, i));
+            arb_neg(arb_mat_entry(r, i, j), arb_mat_entry(r, j, i));
+            arb_mat_mul(m, m, r, 53);
+        }
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < N; j++)
+            mag_zero(arb_radref(arb_mat_entry(m, i, j)));
+    arb_clear(angle);
+    arb_mat_clear(r);
+}
+
+/* A box around 0 with these radii, the same for all or none */
+static void box_of(struct lohner *set, double radius)
+{
+    arb_ptr box = _arb_vec_init(N);
+    for (int i = 0; i < N; i++)
+        mag_set_d(arb_radref(box + i), radius * (1 + fabs(scattered(i))));
+    lohner_init(set);
+    lohner_from_box(set, box);
+    _arb_vec_clear(box, N);
+}
+
+enum { MAPS = 24 };
+static const double ROUNDED = 1 + 0x1p-20; /* mag_t has thirty bits, of which sums of six take some */
+
+/* ---- the error terms ---- */
+
+START_TEST(L1_every_direction_moves)
+{
+    struct lohner set;
+    struct map m;
+    map_init(&m);
+    turn(m.derivative, _i);
+    for (int i = 0; i < N; i++) /* sheared too */
+        arb_mul_2exp_si(arb_mat_entry(m.derivative, i, _i % N), arb_mat_entry(m.derivative, i, _i % N), 3);
+    box_of(&set, 0.3);
+    ck_assert(move_and_compare(&set, &m, LOHNER_BITS, ROUNDED));
+    lohner_clear(&set);
+    map_clear(&m);
+    flint_cleanup();
+}
+END_TEST
+
+/* A diagonal map leaves the axes: the inverse is exact, the product is rounded to a few bits. */
+START_TEST(L2_the_product_is_rounded)
+{
+    struct lohner set;
+    struct map m;
+    map_init(&m);
+    for (int i = 0; i < N; i++)
+        arb_set_d(arb_mat_entry(m.derivative, i, i), 1 + 0.4 * fabs(scattered(_i * N + i)));
+    box_of(&set, 1);
+    ck_assert(move_and_compare(&set, &m, 3, 1.5));
+    lohner_clear(&set);
+    map_clear(&m);
+    flint_cleanup();
+}
+END_TEST
+
+/* The derivative is a ball, as wide as it is large. */
+START_TEST(L2_the_derivative_is_a_ball)
+{
+    struct lohner set;
+    struct map m;
+    map_init(&m);
+    turn(m.derivative, _i);
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < N; j++)
+            mag_set_d(arb_radref(arb_mat_entry(m.derivative, i, j)), 0.5 + 0.25 * scattered(i * N + j));
+    box_of(&set, 1);
+    ck_assert(move_and_compare(&set, &m, LOHNER_BITS, ROUNDED));
+    lohner_clear(&set);
+    map_clear(&m);
+    flint_cleanup();
+}
+END_TEST
+
+/* From a point: all there is comes from the image's radius, or from the error. */
+static void assert_loose(int number, bool error, slong prec, double at_most)
+{
+    struct lohner set;
+    struct map m;
+    map_init(&m);
+    turn(m.derivative, number);
+    for (int i = 0; i < N; i++) {
+        arb_set_d(m.image + i, scattered(i));
+        mag_set_d(error ? m.error + i : arb_radref(m.image + i), 1 + fabs(scattered(number + i)));
+    }
+    box_of(&set, 0.25); /* which decides the basis; then it is a point */
+    for (int i = 0; i < N; i++)
+        mag_zero(set.radius + i);
+    const bool moved = move_and_compare(&set, &m, prec, at_most);
+    ck_assert(moved || prec < 8);
+    lohner_clear(&set);
+    map_clear(&m);
+    flint_cleanup();
+}
+
+START_TEST(L3_the_image_has_a_radius)
+{
+    assert_loose(_i, false, LOHNER_BITS, ROUNDED);
+}
+END_TEST
+
+START_TEST(L4_the_map_has_an_error)
+{
+    assert_loose(_i, true, LOHNER_BITS, ROUNDED);
+}
+END_TEST
+
+/* Along the axes nothing else is rounded than their sum, whose last bits a mag_t cannot hold. */
+START_TEST(L3_L4_radius_and_error_add_up)
+{
+    struct lohner set;
+    struct map m;
+    map_init(&m);
+    arb_mat_one(m.derivative);
+    for (int i = 0; i < N; i++) {
+        mag_set_d(arb_radref(m.image + i), 1 + fabs(scattered(_i * N + i)));
+        mag_set_d(m.error + i, 0.01 * fabs(scattered(_i * N - i)));
+    }
+    box_of(&set, 0);
+    ck_assert(move_and_compare(&set, &m, LOHNER_BITS, ROUNDED));
+    lohner_clear(&set);
+    map_clear(&m);
+    flint_cleanup();
+}
+END_TEST
+
+/* In eight bits the inverse is rounded more than all else, in two it may not be found. */
+START_TEST(L5_the_inverse_is_rounded)
+{
+    assert_loose(_i, true, 8, 5);
+}
+END_TEST
+
+START_TEST(L8_a_basis_whose_inverse_is_not_found_is_no_set)
+{
+    assert_loose(_i, true, 2, INFINITY);
+}
+END_TEST
+
+START_TEST(L8_a_reach_that_is_not_finite_is_no_set)
+{
+    struct lohner set;
+    struct map m;
+    map_init(&m);
+    arb_mat_one(m.derivative);
+    mag_inf(m.error + _i);
+    box_of(&set, 1);
+    ck_assert(!lohner_move(&set, m.image, m.derivative, m.error, LOHNER_BITS));
+    lohner_clear(&set);
+    map_clear(&m);
+    flint_cleanup();
+}
+END_TEST
+
+START_TEST(L6_a_set_has_the_radii_of_its_box)
+{
+    struct lohner set;
+    arb_ptr box = _arb_vec_init(N);
+    for (int i = 0; i < N; i++) {
+        arb_set_d(box + i, 1);
+        arb_div_ui(box + i, box + i, (ulong)i + 3, 100); /* a midpoint beyond a double */
+        mag_set_d(arb_radref(box + i), i + 1 + fabs(scattered(i)));
+    }
+    lohner_init(&set);
+    lohner_from_box(&set, box);
+    for (int i = 0; i < N; i++) {
+        ck_assert(mag_cmp(set.radius + i, arb_radref(box + i)) >= 0);
+        ck_assert(arf_equal(arb_midref(set.centre + i), arb_midref(box + i)));
+        for (int j = 0; j < N; j++)
+            ck_assert_double_eq(set.basis[i][j], i == j);
+    }
+    lohner_clear(&set);
+    _arb_vec_clear(box, N);
+    flint_cleanup();
+}
+END_TEST
+
+/* One direction alone, whose entries no mag_t can hold: rounded down, they would fall short. */
+START_TEST(L7_a_box_has_all_of_its_set)
+{
+    struct lohner set;
+    fmpq_t need, have, entry;
+    arb_ptr box = _arb_vec_init(N);
+    fmpq_init(need);
+    fmpq_init(have);
+    fmpq_init(entry);
+    box_of(&set, 0);
+    for (int i = 0; i < N; i++) {
+        for (int j = 0; j < N; j++)
+            set.basis[i][j] = scattered(_i * N + i * N + j);
+        mag_set_ui(set.radius + i, i == _i % N || _i >= N ? 1 : 0);
+    }
+    lohner_to_box(box, &set);
+    for (int i = 0; i < N; i++) {
+        fmpq_zero(need);
+        for (int j = 0; j < N; j++) {
+            mag_get_fmpq(have, set.radius + j);
+            fraction_of_double(entry, set.basis[i][j]);
+            add_modulus(need, entry, have);
+        }
+        mag_get_fmpq(have, arb_radref(box + i));
+        ck_assert(fmpq_cmp(have, need) >= 0);
+        ck_assert_double_le(fmpq_get_d(have), ROUNDED * fmpq_get_d(need));
+    }
+    lohner_clear(&set);
+    _arb_vec_clear(box, N);
+    fmpq_clear(need);
+    fmpq_clear(have);
+    fmpq_clear(entry);
+    flint_cleanup();
+}
+END_TEST
+
+/* ---- sets that last ---- */
+
+static double number(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+/* A thousand turns by one radian in each plane (i, i + 3): boxes would grow by 1.38 a turn, to 1e140. */
+START_TEST(a_set_turns_without_growing)
+{
+    struct lohner set;
+    arb_ptr box = _arb_vec_init(LOHNER_SIZE), image = _arb_vec_init(LOHNER_SIZE);
+    arb_mat_t turn, derivative;
+    arb_t angle;
+    mag_ptr error = _mag_vec_init(LOHNER_SIZE);
+    arb_init(angle);
+    arb_mat_init(turn, LOHNER_SIZE, LOHNER_SIZE);
+    arb_mat_init(derivative, LOHNER_SIZE, LOHNER_SIZE);
+    arb_one(angle);
+    for (int i = 0; i < 3; i++) {
+        arb_sin_cos(arb_mat_entry(turn, i, i + 3), arb_mat_entry(turn, i, i), angle, 64);
+        arb_set(arb_mat_entry(turn, i + 3, i + 3), arb_mat_entry(turn, i, i));
+        arb_neg(arb_mat_entry(turn, i + 3, i), arb_mat_entry(turn, i, i + 3));
+        mag_set_d(arb_radref(box + i), i + 1);
+    }
+    lohner_init(&set);
+    lohner_from_box(&set, box);
+    for (int step = 0; step < 1000; step++) {
+        for (int i = 0; i < LOHNER_SIZE; i++)
+            for (int j = 0; j < LOHNER_SIZE; j++)
+                arb_set_d(arb_mat_entry(derivative, i, j), set.basis[i][j]);
+        arb_mat_mul(derivative, turn, derivative, 64);
+        ck_assert(lohner_move(&set, image, derivative, error, LOHNER_BITS));
+    }
+    lohner_to_box(box, &set);
+    arb_mul_ui(angle, angle, 1000, 64);
+    arb_sin_cos(image, image + 1, angle, 64);
+    for (int i = 0; i < LOHNER_SIZE; i++) { /* (radius cos, radius sin) are the ends of the set */
+        const double end = fabs(number(image + (i < 3))) * (i % 3 + 1), radius = mag_get_d(arb_radref(box + i));
+        ck_assert_double_ge(radius, end * (1 - 0x1p-50));
+        ck_assert_double_le(radius, end * (1 + 1e-4)); /* mag_t rounds up by 2^-30, often, a thousand times */
+    }
+    _arb_vec_clear(box, LOHNER_SIZE);
+    _arb_vec_clear(image, LOHNER_SIZE);
+    _mag_vec_clear(error, LOHNER_SIZE);
+    arb_mat_clear(turn);
+    arb_mat_clear(derivative);
+    arb_clear(angle);
+    lohner_clear(&set);
+    flint_cleanup();
+}
+END_TEST
+
+START_TEST(a_set_under_a_singular_map_stays_bounded)
+{
+    struct lohner set;
+    arb_ptr box = _arb_vec_init(LOHNER_SIZE), image = _arb_vec_init(LOHNER_SIZE);
+    mag_ptr error = _mag_vec_init(LOHNER_SIZE);
+    arb_mat_t derivative;
+    arb_mat_init(derivative, LOHNER_SIZE, LOHNER_SIZE);
+    arb_one(arb_mat_entry(derivative, 3, 1)); /* all but the second direction vanish */
+    for (int i = 0; i < LOHNER_SIZE; i++)
+        mag_one(arb_radref(box + i));
+    lohner_init(&set);
+    lohner_from_box(&set, box);
+    ck_assert(lohner_move(&set, image, derivative, error, LOHNER_BITS));
+    lohner_to_box(box, &set);
+    for (int i = 0; i < LOHNER_SIZE; i++)
+        ck_assert_double_eq_tol(mag_get_d(arb_radref(box + i)), i == 3, 1e-6);
+    arb_mat_zero(derivative);
+    mag_set_ui(error + 2, 5); /* what the map leaves open is in the image */
+    ck_assert(lohner_move(&set, image, derivative, error, LOHNER_BITS));
+    lohner_to_box(box, &set);
+    for (int i = 0; i < LOHNER_SIZE; i++)
+        ck_assert_double_eq_tol(mag_get_d(arb_radref(box + i)), i == 2 ? 5 : 0, 1e-6);
+    arb_indeterminate(arb_mat_entry(derivative, 0, 0));
+    ck_assert(!lohner_move(&set, image, derivative, error, LOHNER_BITS));
+    _arb_vec_clear(box, LOHNER_SIZE);
+    _arb_vec_clear(image, LOHNER_SIZE);
+    _mag_vec_clear(error, LOHNER_SIZE);
+    arb_mat_clear(derivative);
+    lohner_clear(&set);
+    flint_cleanup();
+}
+END_TEST
+
+SUITE(test_lohner)
+{
+    Suite *all = suite_create("lohner");
+    TCase *tests = tcase_create("error terms");
+    suite_add_tcase(all, tests);
+    tcase_add_loop_test(tests, L1_every_direction_moves, 0, MAPS);
+    tcase_add_loop_test(tests, L2_the_product_is_rounded, 0, MAPS);
+    tcase_add_loop_test(tests, L2_the_derivative_is_a_ball, 0, MAPS);
+    tcase_add_loop_test(tests, L3_the_image_has_a_radius, 0, MAPS);
+    tcase_add_loop_test(tests, L4_the_map_has_an_error, 0, MAPS);
+    tcase_add_loop_test(tests, L3_L4_radius_and_error_add_up, 0, MAPS);
+    tcase_add_loop_test(tests, L5_the_inverse_is_rounded, 0, MAPS);
+    tcase_add_test(tests, L6_a_set_has_the_radii_of_its_box);
+    tcase_add_loop_test(tests, L7_a_box_has_all_of_its_set, 0, 2 * N);
+    tcase_add_loop_test(tests, L8_a_basis_whose_inverse_is_not_found_is_no_set, 0, MAPS);
+    tcase_add_loop_test(tests, L8_a_reach_that_is_not_finite_is_no_set, 0, N);
+
+    tests = tcase_create("sets that last");
+    suite_add_tcase(all, tests);
+    tcase_add_test(tests, a_set_turns_without_growing);
+    tcase_add_test(tests, a_set_under_a_singular_map_stays_bounded);
+    return all;
+}

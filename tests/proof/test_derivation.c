@@ -1,0 +1,726 @@
+/*
+ * Derivation steps: those of the paper hold and are bound to their equations; false and emptied ones are refused, with
+ * what is wrong; broken files stop with file, line, column and what was expected.
+ */
+#include "tests/run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "sheet/embedded.h"
+#include "proof/proof_results.h"
+#include "formula/symbolic.h"
+#include "motion/taylor.h"
+#include "text/scope.h"
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+/* ---- the paper's steps ---- */
+
+START_TEST(every_step_holds_is_bound_and_differs_as_printed)
+{
+    struct proof_results p;
+    proof_results_init(&p, true);
+    for (int i = 0; i < p.derivations.step_count; i++) {
+        ck_assert_msg(step_holds(&p, i), "%s: %s", p.derivations.steps[i].id,
+                      p.corrected[i].evidence ? p.corrected[i].evidence : "holds as printed");
+        ck_assert_msg(p.bindings[i].fault.text[0] == '\0', "%s", p.bindings[i].fault.text);
+    }
+    ck_assert_int_ge(p.derivations.step_count, 60);
+    ck_assert_int_gt(p.mutants, 1500);
+    ck_assert_ptr_null(p.gap);
+    ck_assert(p.fine);
+    proof_results_clear(&p);
+}
+END_TEST
+
+START_TEST(every_equation_is_in_the_sheet)
+{
+    bool numbers[100] = {false};
+    for (int i = 0; i < sheet()->section_count; i++)
+        for (int k = 0; k < sheet()->sections[i].numbers; k++)
+            numbers[atoi(sheet()->sections[i].equations[k])] = true;
+    for (int i = 1; i <= 44; i++)
+        ck_assert_msg(numbers[i], "equation %d is not in the sheet", i);
+}
+END_TEST
+
+/* The misprints that steps show: the difference that the print makes, and a point. */
+static const struct {
+    const char *id, *evidence;
+} misprints[] = {
+    {"kepler", "motion.F(m = m1, a = rate(rate(X))) = m1*gravity.a_x: the sides differ by "
+     "(2*Omega^2*m1*R_c*t_phi^2-2*Omega^2*m1*R_c)/(3*t_phi^2+3); -3/5 is not -1/5 where Omega = 1, m1 = 1, "
+     "R_c = 1, tan(phi/2) = 1/2"},
+    {"charges", "left(20) = right(20): the sides differ by -2*s^2; -1 is not 1 where s = 1"},
+    {"inertia", "H_1 = I_11*w_1 + I_12*w_2 + I_13*w_3: the sides differ by "
+     "(m1*x2*y2*w_2+m1*x2*z2*w_3-m1*y2^2*w_1-m1*z2^2*w_1-m2*x2*y2*w_2-m2*x2*z2*w_3+...8 terms); 182 is not "
+     "168 where m1 = 2, m2 = 4, x1 = 1, y1 = 3, z1 = 5, x2 = 2, y2 = 4, z2 = 1, w_1 = 3, w_2 = 5, w_3 = 2"},
+    {"inertia_of_the_pair", "left(31, 2) = right(31, 2): the sides differ by (m1^3*L^2-m1^2*m2*L^2)/(m1^2+2*m1*m2+m2^2); 10/9 is "
+     "not 4/3 where m1 = 2, m2 = 4, L = 1"},
+    {"torque_small", "eq37.L_G2 = eq39.L_G2: the coefficients of epsilon^1 differ by 2*Omega^2*theta*I; -1 is not -3 where "
+     "Omega = 1, theta = 1 epsilon, I = 1"},
+};
+
+START_TEST(misprints_are_these)
+{
+    struct proof_results p;
+    int found = 0;
+    proof_results_init(&p, false);
+    for (int i = 0; i < p.derivations.step_count; i++) {
+        if (!p.derivations.steps[i].differs)
+            continue;
+        ck_assert_int_lt(found, COUNT(misprints));
+        ck_assert_str_eq(p.derivations.steps[i].id, misprints[found].id);
+        ck_assert_str_eq(p.printed[i].evidence, misprints[found].evidence);
+        ck_assert_ptr_nonnull(p.printed[i].difference);
+        found++;
+    }
+    ck_assert_int_eq(found, COUNT(misprints));
+    proof_results_clear(&p);
+}
+END_TEST
+
+/* ---- the integrator's own form ---- */
+
+/* The closed loop's table in taylor.c, at a rational point, against Eq. (3) with (7) and (18) as the sheet has them. */
+START_TEST(eq03_closed_by_eq07_eq18_is_the_quadratic_system)
+{
+    /* x = 2, y = -3, z = 6, r = 7; Omega = 1 and r_ref = 1 by L_ref = 7/2, m1 = 5, m2 = 2 */
+    static const slong start[] = {2, -3, 6, 4, 1, -1};
+    static const char *const names[] = {"x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
+    static const char text[] =
+        "principles: {}\nproperties: {}\nsteps:\n  loop:\n    title: loop\n    from: []\n    to: []\n    let:\n"
+        "      a: eq03.x1_ddot(Q = eq07.Q_ref(L = L_ref) + eq18.dQ)\n"
+        "      b: eq03.y1_ddot(Q = eq07.Q_ref(L = L_ref) + eq18.dQ)\n"
+        "      c: eq03.z1_ddot(Q = eq07.Q_ref(L = L_ref) + eq18.dQ)\n"
+        "    show: [a + b + c = 0]\n";
+    struct derivations d;
+    struct message why = {""};
+    struct machine m;
+    SCOPE(fmpq, value, c1, c2);
+    fmpq *state = _fmpq_vec_init(JET_STATES), *rates = _fmpq_vec_init(JET_STATES);
+    ck_assert_msg(derivations_read(&d, sheet(), text, strlen(text), "t", &why) == 0, "%s", why.text);
+    const struct program *p = &d.steps[0].corrected.program;
+    fmpq_set_si(c1, 13, 1);
+    fmpq_set_si(c2, 3, 1);
+    symbolic_begin(0, 0, false);
+    machine_init(&m, p, &arithmetic_symbolic, 1);
+    for (int i = 0; i < sheet()->quantity_count; i++) {
+        fmpq_one(value); /* Omega, k_c */
+        arithmetic_symbolic.set_rational(machine_value(&m, i), value, 1);
+    }
+    const struct {
+        const char *name;
+        slong num;
+        ulong den;
+    } settings[] = {{"m1", 5, 1}, {"m2", 2, 1},   {"L_ref", 7, 2}, {"C1", 13, 1},
+                    {"C2", 3, 1}, {"dL", 21, 1}, {"dL_dot", -1, 2}}; /* L = 7/2 * 7, L_dot = 7/2 (8 - 3 - 6)/7 */
+    for (int i = 0; i < COUNT(settings); i++) {
+        fmpq_set_si(value, settings[i].num, settings[i].den);
+        arithmetic_symbolic.set_rational(machine_value(&m, program_find(p, settings[i].name)), value, 1);
+    }
+    for (int i = 0; i < 6; i++) {
+        fmpq_set_si(state + i, start[i], 1);
+        arithmetic_symbolic.set_rational(machine_value(&m, program_find(p, names[i])), state + i, 1);
+    }
+    fmpq_set_si(state + 6, 1, 7);
+    machine_run(&m);
+    closed_loop_rates(rates, state, c1, c2);
+    static const char *const accelerations[] = {"a", "b", "c"};
+    for (int i = 0; i < 3; i++) {
+        ck_assert(symbolic_get_rational(value, machine_value(&m, program_find(p, accelerations[i]))));
+        ck_assert(fmpq_equal(value, rates + 3 + i));
+        ck_assert(fmpq_equal(rates + i, state + 3 + i));
+    }
+    fmpq_set_si(value, 1, 343); /* q' = -q A, A = -1/49 */
+    ck_assert(fmpq_equal(value, rates + 6));
+    machine_clear(&m);
+    symbolic_end();
+    _fmpq_vec_clear(state, JET_STATES);
+    _fmpq_vec_clear(rates, JET_STATES);
+    derivations_clear(&d);
+}
+END_TEST
+
+/* ---- the prover ---- */
+
+/* The paper's file, with room at its end. */
+static char *steps_copy(void)
+{
+    size_t length;
+    const char *text = embedded_derivations(&length);
+    char *copy = malloc(length + 2000);
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    return copy;
+}
+
+/* The paper's principles and properties, and this step. */
+static bool read_step_text(struct derivations *d, const char *step, struct message *why)
+{
+    static char text[60000];
+    char *all = steps_copy();
+    const char *steps = strstr(all, "\nsteps:\n");
+    ck_assert_ptr_nonnull(steps);
+    snprintf(text, sizeof text, "%.*s\nsteps:\n  one:\n    title: one\n%s\n", (int)(steps - all), all, step);
+    free(all);
+    return derivations_read(d, sheet(), text, strlen(text), "t", why) == 0;
+}
+
+static void read_one(struct derivations *d, const char *step)
+{
+    char text[2000];
+    struct message why = {""};
+    snprintf(text, sizeof text, "    from: []\n    to: []\n%s", step);
+    ck_assert_msg(read_step_text(d, text, &why), "%s", why.text);
+}
+
+/* What the prover finds of a step, and how its evidence begins. */
+static const struct {
+    const char *step;
+    enum result result;
+    const char *evidence;
+} findings[] = {
+    {"    show: [(m1 + m2)^2 = m1^2 + 2*m1*m2 + m2^2]", IDENTITY_HOLDS, ""},
+    {"    show: [m1*m2 = m2*m1, m1 = m2]", IDENTITY_DIFFERS, "m1 = m2: "},
+    {"    show: [2 + 2 = 5]", IDENTITY_DIFFERS, "2 + 2 = 5: the sides differ by -1; 4 is not 5"},
+    /* zero at all small points */
+    {"    free: [k]\n    let:\n      p: (k^2 - 1)*(k^2 - 4)*(k^2 - 9)*(k^2 - 16)*(k^2 - 25)\n"
+     "      q: (k^2 - 36)*(k^2 - 49)*(k^2 - 64)*(k^2 - 81)\n    show: [p*q = 0]",
+     IDENTITY_DIFFERS, "p*q = 0: "},
+    {"    small: [psi]\n    order: 2\n    show: [sin(psi) = psi]", IDENTITY_HOLDS, ""},
+    {"    small: [psi]\n    order: 3\n    show: [sin(psi) = psi]", IDENTITY_DIFFERS, "sin(psi) = psi: "},
+    {"    angles: [psi]\n    show: [sin(psi)^2 = 1 - cos(psi)^2]", IDENTITY_HOLDS, ""},
+    {"    angles: [psi]\n    show: [sin(psi)^2 = cos(psi)^2]", IDENTITY_DIFFERS, ""},
+    {"    angles: [psi, theta]\n    show: [sin(psi + theta) = sin(psi)*cos(theta) + cos(psi)*sin(theta)]",
+     IDENTITY_HOLDS, ""},
+    {"    angles: [psi]\n    rates: {psi: psi_dot}\n    show: [rate(sin(psi)) = psi_dot*cos(psi)]", IDENTITY_HOLDS, ""},
+    {"    rates: {L: L_dot, L_dot: L_ddot}\n    show: [rate(rate(L^2)) = 2*L_dot^2 + 2*L*L_ddot]", IDENTITY_HOLDS, ""},
+    {"    rates: {L: L_dot}\n    show: [rate(m1*L) = m1*L_dot]", IDENTITY_HOLDS, ""},
+    {"    square roots: [L*m1]\n    show: [sqrt(L^2*m1^2) = m1*L]", IDENTITY_HOLDS, ""},
+    {"    square roots: [m1, L]\n    show: [sqrt(L^2) + sqrt(m1^2) = m1 + L]", IDENTITY_HOLDS, ""},
+    {"    square roots: [2*L]\n    show: [sqrt(L^2) = L]", IDENTITY_UNDECIDED, "sqrt(L^2) = L: no value, a square root that is none of"},
+    {"    square roots: [2*L]\n    show: [sqrt(9/4 + 0*L) = 3/2]", IDENTITY_UNDECIDED, "square root 2*L is the root of nothing shown"},
+    {"    square roots: [L]\n    show: [sqrt(2*L^2) = L]",
+     IDENTITY_UNDECIDED, "sqrt(2*L^2) = L: no value, the square root of no square of a rational function"},
+    {"    small: [dL]\n    order: 2\n    square roots: [L_ref]\n"
+     "    show: [sqrt(L_ref^2 + dL) = L_ref + dL/(2*L_ref) - dL^2/(8*L_ref^3)]",
+     IDENTITY_HOLDS, ""},
+    {"    square roots: [m1^2 - 2*m1*m2 + m2^2]\n    show: [sqrt((m1 - m2)^4) = m1^2 - 2*m1*m2 + m2^2]", IDENTITY_HOLDS, ""},
+    {"    square roots: [-(-L)]\n    show: [sqrt(L^2) = L]", IDENTITY_HOLDS, ""},
+    {"    square roots: [L*exp(0)]\n    show: [sqrt(L^2) = L]", IDENTITY_HOLDS, ""},
+    {"    square roots: [L, sqrt(L^2)*m1]\n    show: [sqrt(L^2*m1^2) = L*m1]", IDENTITY_HOLDS, ""},
+    {"    square roots: [L*(2 - positive(L))]\n    show: [sqrt(L^2) = L]", IDENTITY_HOLDS, ""},
+    {"    small: [dL]\n    order: 1\n    square roots: [L + L/(1/dL)]\n    show: [sqrt(L^2 + 2*L^2*dL) = L + L*dL]", IDENTITY_HOLDS, ""},
+    {"    not negative: [s]\n    square roots: [s]\n    show: [sqrt(s^2) = s]", IDENTITY_HOLDS, ""},
+    {"    not negative: [s]\n    small: [dL]\n    order: 1\n    square roots: [s]\n    show: [sqrt(s^2 + dL) = s]",
+     IDENTITY_UNDECIDED, "sqrt(s^2 + dL) = s: no value, a series of a square root that may be zero"},
+    {"    angles: {psi: quarter turn}\n    square roots: [cos(psi)]\n    show: [sqrt(cos(psi)^2) = cos(psi)]", IDENTITY_HOLDS, ""},
+    {"    show: [sin(L) = L]", IDENTITY_UNDECIDED, "sin(L) = L: no value, the sine or cosine of a number that is no angle"},
+    {"    show: [exp(L) = L]", IDENTITY_UNDECIDED, "exp(L) = L: no value, a value that is no rational series"},
+    {"    angles: [psi]\n    show: [psi = psi]",
+     IDENTITY_UNDECIDED, "psi = psi: no value, a finite angle outside sine and cosine"},
+    {"    show: [1/(L - L) = 1]", IDENTITY_UNDECIDED, "1/(L - L) = 1: no value, division by what is zero at epsilon = 0"},
+    {"    positive: [k]\n    small: [k]\n    order: 1\n    let:\n      lambda_d: 1/k\n"
+     "    show: [exp(-L/lambda_d) = 1 - L*k]",
+     IDENTITY_HOLDS, ""},
+    {"    angles: [psi]\n    square roots: [L]\n    show: [\"cos(atan2(L*sin(psi), L*cos(psi))) = cos(psi)\"]",
+     IDENTITY_HOLDS, ""},
+    {"    show: [eq05.x1 - eq05.x2 = L]", IDENTITY_HOLDS, ""},
+    {"    show: [eq05.x1(m1 = m2) = L/2]", IDENTITY_HOLDS, ""},
+    {"    show: [eq30.I_12 = eq30.I_12@printed]", IDENTITY_DIFFERS, ""},
+    {"    show: [eq30.I_12(m2 = m1) = eq30.I_12@printed]", IDENTITY_HOLDS, ""},
+    {"    show: [left(5b) - right(5b) = x1 - x2 - L]", IDENTITY_HOLDS, ""},
+    {"    show: [\"left(24, 3) = I*w_dot_3 + I_dot*w_3 + I*w_1*w_2\"]", IDENTITY_HOLDS, ""},
+    {"    free: [f_12, f_13]\n    show: [eq02.z1_ddot = (f_12*(z1 - z2) + f_13*(z1 - z3))/m1 - Omega^2*z1]",
+     IDENTITY_HOLDS, ""},
+};
+
+START_TEST(prover_finds)
+{
+    struct derivations d;
+    struct proof p;
+    read_one(&d, findings[_i].step);
+    identities_prove(&d.steps[0].corrected, &p);
+    ck_assert_msg(p.result == findings[_i].result, "%s", p.evidence ? p.evidence : "holds");
+    const char *begin = findings[_i].evidence;
+    ck_assert_msg(strncmp(p.evidence ? p.evidence : "", begin, strlen(begin)) == 0, "%s", p.evidence);
+    ck_assert(p.result == IDENTITY_DIFFERS ? p.difference != NULL : p.difference == NULL);
+    proof_clear(&p);
+    derivations_clear(&d);
+}
+END_TEST
+
+/* ---- false and careless steps ---- */
+
+/* What is said of the one step of a file: by the reader, the prover or the binding. */
+static void judge_step(const char *step, char said[600])
+{
+    struct derivations d;
+    struct message why = {""};
+    struct proof p;
+    struct binding b = {.mutants = 0};
+    const bool read = read_step_text(&d, step, &why);
+    snprintf(said, 600, "%s", read ? "nothing" : why.text);
+    if (!read)
+        return;
+    identities_prove(&d.steps[0].corrected, &p);
+    if (p.result == IDENTITY_HOLDS)
+        step_bind(&d, &d.steps[0], &b);
+    if (p.evidence != NULL)
+        snprintf(said, 600, "%s", p.evidence);
+    else if (b.fault.text[0] != '\0')
+        snprintf(said, 600, "%s", b.fault.text);
+    proof_clear(&p);
+    derivations_clear(&d);
+}
+
+static const struct {
+    const char *step, *said;
+} refused[] = {
+    /* the root of dL^2 is |dL| */
+    {"    from: [\"16\"]\n    to: [\"7\"]\n    positive: [dL]\n    square roots: [dL]\n    show: [sqrt(dL^2) = dL]",
+     "'dL' may be negative in the sheet, expected a name of its own"},
+    {"    from: [\"16\"]\n    to: [\"7\"]\n    square roots: [dL]\n    show: [sqrt(dL^2) = dL]",
+     "square root dL is not proved to be positive"},
+    {"    from: [\"16\"]\n    to: [\"7\"]\n    square roots: [L - L_ref]\n    show: [sqrt((L - L_ref)^2) = L - L_ref]",
+     "square root L - L_ref is not proved to be positive"},
+    {"    from: [\"9\"]\n    to: [\"7\"]\n    angles: {psi: any}\n    square roots: [cos(psi)]\n"
+     "    show: [sqrt(eq09.BO_22^2) = cos(psi)]",
+     "square root cos(psi) is not proved to be positive"},
+    {"    from: [\"9\"]\n    to: [\"7\"]\n    small: [dL]\n    order: 2\n    square roots: [dL*L]\n    show: [sqrt(dL^2*L^2) = dL*L]",
+     "square root dL*L is not proved to be positive"},
+    {"    from: [eq10]\n    to: [eq11exact]\n    small: [psi, psi_dot]\n    order: 0\n    rates: {L: L_dot, theta: theta_dot}\n"
+     "    show: [eq11exact.z1_dot = rate(eq10.y1)]",
+     "rate() of what rests on psi, expected psi: psi_dot among the rates, or psi: 0"},
+    {"    from: [eq10]\n    to: [eq11exact]\n    rates: {L: L_dot, psi: theta_dot, theta: theta_dot}\n"
+     "    show: [eq11exact.z1_dot = rate(eq10.z1)]",
+     "the rate of psi is psi_dot in the sheet"},
+    {"    from: [\"39\"]\n    to: [40a]\n    small: [theta, theta_ddot]\n    order: 1\n"
+     "    show: [theta*theta_ddot = theta*(-3*Omega^2*theta)]",
+     "both sides vanish to this order: nothing is shown"},
+    {"    from: [\"39\"]\n    to: [40a]\n    small: [theta, theta_ddot]\n    order: 2\n"
+     "    show: [theta*theta_ddot = theta*(-3*Omega^2*theta)]",
+     "the coefficients of epsilon^2 differ by (3*Omega^2*theta^2+theta*theta_ddot)"},
+    {"    from: [\"36\", \"37\"]\n    to: [\"39\"]\n    small: [psi, theta]\n    order: 1\n    square roots: [R_c]\n    let:\n      I: 0\n"
+     "      R_c1: eq36.R_c1\n      R_c2: eq36.R_c2\n      R_c3: eq36.R_c3\n"
+     "    show: [eq37.L_G1 = eq39.L_G1, eq37.L_G2 = eq39.L_G2, eq37.L_G3 = eq39.L_G3]",
+     "'36' is not used"},
+    {"    from: [\"17\", \"18\"]\n    to: [\"19\"]\n"
+     "    show: [eq17.dL_ddot(dQ = eq18.dQ) = eq19.dL_ddot + (dL - 9)*(dL + 481469837209919230)*(dL + 7698790055570312779)]",
+     "the sides differ by "},
+    {"    from: [coulomb]\n    to: [\"38\"]\n    square roots: [Omega]\n    let:\n      GM: Omega^2*R_c^3\n"
+     "    show: [eq38.Omega = Omega]",
+     "'coulomb' is not used: any formula in its place would do"},
+    {"    from: [\"38\"]\n    to: [\"7\"]\n    show: [((2^999)^999)^999 = 1]", "too large to normalise, bits of a number: "},
+    {"    from: [\"38\"]\n    to: [\"7\"]\n    show: [((L^999)^999)^999 = L]", "too large to normalise, degree: "},
+    {"    from: [\"38\"]\n    to: [\"7\"]\n    show: [(m1 + m2 + L + Omega)^900 = L]", "too large to normalise, terms: "},
+    {"    from: []\n    to: [\"39\"]\n    show: [eq39.L_G1 = 0, eq39.L_G2 = -3*Omega^2*I*theta, eq39.L_G3 = -3*Omega^2*I*psi]",
+     "expected an equation or a principle in 'from'"},
+    {"    from: [eq09.BO_11]\n    to: [eq10]\n    angles: [psi, theta]\n"
+     "    show: [eq10.x1 = eq09.BO_11*m2/(m1 + m2)*L, eq10.y1 = eq09.BO_12*m2/(m1 + m2)*L, eq10.z1 = eq09.BO_13*m2/(m1 + m2)*L]",
+     "it rests on eq09, which neither from nor to names"},
+    {"    from: [\"32\"]\n    to: [\"34\"]\n    rates: {L: L_dot}\n    let:\n      L_dot: 0\n    show: [eq34.I_dot = rate(eq32.I)]",
+     "'32' is not used"},
+    {"    from: [\"4\", \"8\", \"30\"]\n    to: [\"32\"]\n    let:\n      m2: m1\n      x1: right(8, 1)\n      y1: 0\n      z1: 0\n"
+     "      x2: eq04.x2\n      y2: eq04.y2\n      z2: eq04.z2\n    show: [eq30.I_22 = eq32.I, eq30.I_33 = eq32.I]",
+     "I is shown for some values of its inputs alone"},
+    {"    from: [\"17\", \"18\"]\n    to: [\"19\"]\n    show: [0*eq17.dL_ddot(dQ = eq18.dQ) = 0*eq19.dL_ddot]",
+     "holds whatever the formulas are: it shows nothing"},
+    {"    from: [\"17\"]\n    to: [\"17\"]\n    show: [\"eq17.dL_ddot(dQ = 0) = eq17.dL_ddot - eq17.dL_ddot(dL = 0, psi_dot = 0)\"]",
+     "dL_ddot is in from already"},
+    {"    from: [\"17\", \"18\"]\n    to: [\"19\"]\n    also: {\"9\": no reason}\n    show: [eq17.dL_ddot(dQ = eq18.dQ) = eq19.dL_ddot]",
+     "'9' is not used"},
+    {"    from: [\"7\"]\n    to: [\"15\"]\n    where: at rest\n    let:\n      psi_dot: 0\n      Q: eq07.Q_ref\n    show: [eq15.L_ddot = 0]",
+     "L_ddot may have the other sign"},
+    {"    from: [\"18\"]\n    to: [\"17\"]\n    where: at rest\n    let:\n      psi_dot: 0\n      dQ: eq18.dQ\n"
+     "    show: [eq17.dL_ddot = 9*Omega^2*dL - C1*dL - C2*dL_dot]",
+     "dL_ddot may be altered ("},
+    {"    from: [\"21\"]\n    to: [\"20\"]\n    positive: [s]\n    square roots: [s]\n    let:\n      dQ: -s^2 - Q_ref\n"
+     "      q1: eq21.q1\n      q2: eq21.q2\n    show: [left(20) = -s^2]",
+     "q1*q2 = Q_ref + dQ stands in no equality as a whole: a side is not shown"},
+    {"    from: [\"17\"]\n    to: []\n    show: [\"eq17.dL_ddot(dQ = 0, psi_dot = 0) = 9*Omega^2*dL\"]",
+     "expected an equation or a property in 'to'"},
+    {"    from: [\"17\", \"18\"]\n    to: [\"19\"]\n    let:\n      a: eq17.dL_ddot(dQ = eq18.dQ)\n      b: eq19.dL_ddot\n    show: [a = b, 2*a = 2*b]",
+     "could be left out: nothing in from and to needs it"},
+    {"    from: [geometry]\n    to: [\"7\"]\n    show: [geometry.dot = 0]", "nothing here is called 'p_1', expected p_1 = ... in brackets"},
+    {"    from: [\"9\"]\n    to: [eq10]\n    let:\n      x1: eq10.y1\n    show: [x1 = x1]", "eq10 has x1 itself"},
+};
+
+START_TEST(false_step_is_refused)
+{
+    char said[600];
+    judge_step(refused[_i].step, said);
+    ck_assert_msg(strstr(said, refused[_i].said) != NULL, "%s", said);
+}
+END_TEST
+
+/* ---- emptied steps ---- */
+
+enum { EMPTY_LEFT, EMPTY_RIGHT, EMPTY_DELETED };
+
+/* The paper's steps, the k-th equality of one of them replaced by its left or right side twice, or left out. */
+static char *emptied(const struct step *s, int k, int how)
+{
+    char *all = steps_copy();
+    const char *sign;
+    const size_t size = strlen(all) + 2000;
+    const yaml_node_t *at = s->corrected.shown[k].at;
+    char *text = malloc(size);
+    const size_t begin = at->start_mark.index, end = at->end_mark.index;
+    const char *equality = s->corrected.shown[k].text;
+    int depth = 0;
+    for (sign = equality; *sign != '=' || depth > 0; sign++)
+        depth += *sign == '(' ? 1 : *sign == ')' ? -1 : 0;
+    const int left = (int)(sign - equality);
+    if (how == EMPTY_DELETED) { /* from the dash to the end of the line */
+        const size_t dash = begin - 2;
+        snprintf(text, size, "%.*s# %s", (int)dash, all, all + dash);
+    } else if (how == EMPTY_LEFT) {
+        snprintf(text, size, "%.*s\"%.*s = %.*s\"%s", (int)begin, all, left, equality, left, equality, all + end);
+    } else {
+        snprintf(text, size, "%.*s\"%s = %s\"%s", (int)begin, all, sign + 1, sign + 1, all + end);
+    }
+    free(all);
+    return text;
+}
+
+/* Every equality of every step, emptied; of deletions, which take a whole binding each, some. */
+START_TEST(emptied_step_is_refused)
+{
+    struct derivations d, e;
+    struct message why;
+    int tried = 0;
+    derivations_open(&d);
+    for (int i = 0; i < d.step_count; i++)
+        for (int k = 0; k < d.steps[i].corrected.shown_count; k++)
+            for (int how = EMPTY_LEFT; how <= EMPTY_DELETED; how++) {
+                struct binding b = {.mutants = 0};
+                struct proof p = {.result = IDENTITY_UNDECIDED};
+                if ((how == EMPTY_RIGHT && k > 0) || (how == EMPTY_DELETED && (k > 0 || i % 5 > 0)))
+                    continue;
+                char *text = emptied(&d.steps[i], k, how);
+                const bool read = derivations_read(&e, sheet(), text, strlen(text), "t", &why) == 0;
+                if (read) {
+                    identities_prove(&e.steps[i].corrected, &p);
+                    if (p.result == IDENTITY_HOLDS)
+                        step_bind(&e, &e.steps[i], &b);
+                    ck_assert_msg(p.result != IDENTITY_HOLDS || strncmp(b.fault.text, "t:", 2) == 0, "%s: %s: %d",
+                                  d.steps[i].id, d.steps[i].corrected.shown[k].text, how);
+                    proof_clear(&p);
+                    derivations_clear(&e);
+                }
+                tried++;
+                free(text);
+            }
+    ck_assert_int_gt(tried, 250);
+    derivations_clear(&d);
+}
+END_TEST
+
+/* What from and to say is what is so: each entry left out, put into the other's place, or doubled with another. */
+START_TEST(changed_ends_are_refused)
+{
+    static const struct {
+        const char *from, *to, *said;
+    } changes[] = {
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\"]\n    to: [\"19\"]", "it rests on eq18, which neither"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\", \"9\"]\n    to: [\"19\"]", "'9' is not used"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"15\"]\n    to: [\"19\"]", "it rests on eq18, which neither"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\"]\n    to: [40c]", "it rests on eq19, which neither"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\"]\n    to: [\"19\", \"15\"]", "L_ddot stands in no equality"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\"]\n    to: []", "it rests on eq19, which neither"},
+    };
+    char *all = steps_copy();
+    struct derivations d;
+    struct message why = {""};
+    struct binding b;
+    const char *at = strstr(all, changes[_i].from);
+    char *text = malloc(strlen(all) + 200);
+    ck_assert_ptr_nonnull(at);
+    sprintf(text, "%.*s%s%s", (int)(at - all), all, changes[_i].to, at + strlen(changes[_i].from));
+    ck_assert_msg(derivations_read(&d, sheet(), text, strlen(text), "t", &why) == 0, "%s", why.text);
+    step_bind(&d, step_named(&d, "closed_loop"), &b);
+    ck_assert_msg(strstr(b.fault.text, changes[_i].said) != NULL, "'%s'", b.fault.text);
+    derivations_clear(&d);
+    free(text);
+    free(all);
+}
+END_TEST
+
+START_TEST(entry_stands_for_its_parts)
+{
+    struct derivations d;
+    struct entry_part parts[MOST_PARTS];
+    derivations_open(&d);
+    ck_assert(entry_leads_to(&d, "6", "6a"));
+    ck_assert(entry_leads_to(&d, "6a", "6a"));
+    ck_assert(!entry_leads_to(&d, "6a", "6b"));
+    ck_assert(!entry_leads_to(&d, "4", "40a"));
+    ck_assert(entry_leads_to(&d, "eq10lin", "10"));
+    ck_assert(entry_leads_to(&d, "eq40.dL_ddot", "40c"));
+    ck_assert(!entry_leads_to(&d, "eq40.dL_ddot", "40a"));
+    ck_assert_int_eq(entry_parts(&d, "2b", parts), 3);
+    ck_assert_int_eq(entry_parts(&d, "5", parts), 8);
+    ck_assert_int_eq(entry_parts(&d, "99", parts), 0);
+    ck_assert_int_eq(entry_parts(&d, "eq02.f_12", parts), 1);
+    derivations_clear(&d);
+}
+END_TEST
+
+/* Nothing is reached from what is not reached itself: (25) rests on (9). */
+START_TEST(gap_is_found)
+{
+    struct derivations d;
+    struct message why = {""};
+    ck_assert_msg(read_step_text(&d, "    from: [\"9\", \"23\"]\n    to: [\"25\", \"2\"]\n    show: [L = L]", &why), "%s", why.text);
+    ck_assert_str_eq(derivations_gap(&d), "2a");
+    derivations_clear(&d);
+}
+END_TEST
+
+#define TWENTY_RATES "rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate"
+
+static const char good[] =
+    "principles: {force: {text: a push, inputs: [b, c], outputs: {F: b*c}}}\n" /*  1 */
+    "properties: {length: {text: a length, inputs: [b], outputs: {p: b}}}\n"   /*  2 */
+    "steps:\n"                                         /*  3 */
+    "  one:\n"                                         /*  4 */
+    "    title: a step\n"                              /*  5 */
+    "    from: [force, \"10\"]\n"                      /*  6 */
+    "    to: [6a]\n"                                   /*  7 */
+    "    free: [u]\n"                                  /*  8 */
+    "    positive: [k]\n"                              /*  9 */
+    "    angles: [psi]\n"                              /* 10 */
+    "    small: [theta]\n"                             /* 11 */
+    "    order: 1\n"                                   /* 12 */
+    "    rates: {psi: psi_dot}\n"                      /* 13 */
+    "    square roots: [k]\n"                          /* 14 */
+    "    let:\n"                                       /* 15 */
+    "      a: sqrt(k^2)*u\n"                           /* 16 */
+    "      b: rate(sin(psi)) + eq10.x1(L = 2*m1)\n"    /* 17 */
+    "    show:\n"                                      /* 18 */
+    "      - a + b*theta = theta*b + a\n"              /* 19 */
+    "    printed:\n"                                   /* 20 */
+    "      let:\n"                                     /* 21 */
+    "        a: k*u + 1\n"                             /* 22 */
+    "      show:\n"                                    /* 23 */
+    "        - a = k*u\n"                              /* 24 */
+    "  two:\n"                                         /* 25 */
+    "    title: another\n"                             /* 26 */
+    "    from: [\"6\"]\n"                              /* 27 */
+    "    to: []\n"                                     /* 28 */
+    "    show: [\"left(24, 2) = left(24, 2)\"]\n";     /* 29 */
+
+START_TEST(good_file_is_read)
+{
+    struct derivations d;
+    struct message why = {""};
+    ck_assert_msg(derivations_read(&d, sheet(), good, strlen(good), "t", &why) == 0, "%s", why.text);
+    ck_assert_int_eq(d.step_count, 2);
+    ck_assert_str_eq(d.definitions.sections[0].title, "a push");
+    ck_assert_int_eq(d.definitions.count, 2);
+    ck_assert_int_eq(d.steps[0].from_count, 2);
+    ck_assert_str_eq(d.steps[0].to[0], "6a");
+    ck_assert_int_eq(d.steps[0].corrected.order, 1);
+    ck_assert_int_eq(d.steps[1].corrected.order, -1);
+    ck_assert(d.steps[0].differs);
+    ck_assert_int_eq(d.steps[0].corrected.root_count, 1);
+    derivations_clear(&d);
+}
+END_TEST
+
+static const struct {
+    const char *from, *to, *place, *expected;
+} mistakes[] = {
+    {"principles:", "principle:", "1:1: ", "unknown key 'principle', expected perhaps principles"},
+    {"principles: {force: {text: a push, inputs: [b, c], outputs: {F: b*c}}}", "principles: force", "1:13: ",
+     "expected a mapping, key: value"},
+    {"properties:", "steps:", "3:1: ", "duplicate 'steps', expected each key once"},
+    {"{text: a push, inputs", "{inputs", "1:21: ", "missing text, expected text, inputs and outputs"},
+    {"text: a push", "text: [a, push]", "1:28: ", "expected a text"},
+    {"text: a push", "texts: a push", "1:22: ", "unknown key 'texts', expected perhaps text"},
+    {"inputs: [b, c]", "inputs: b", "1:44: ", "expected a list"},
+    {"{F: b*c}", "{F: b*d}", "1:67: ", "unknown symbol 'd'"},
+    {"{F: b*c}", "{F: [b]}", "1:65: ", "expected a formula"},
+    {"{F: b*c}", "{}", "1:61: ", "expected from 1 to 16 outputs"},
+    {"steps:\n", "tests:\n", "3:1: ", "unknown key 'tests', expected perhaps steps"},
+    {"    title: a step\n", "", "5:5: ", "missing title, expected a text"},
+    {"title: a step", "titel: a step", "5:5: ", "unknown key 'titel', expected perhaps title"},
+    {"title: a step", "title: [a, step]", "5:12: ", "missing title, expected a text"},
+    {"    from: [force, \"10\"]\n", "", "5:5: ", "missing from, expected a list of equation numbers"},
+    {"[force, \"10\"]", "[forces, \"10\"]", "6:12: ", "unknown 'forces', expected an equation that has a formula, or a principle"},
+    {"[force, \"10\"]", "[force, \"99\"]", "6:19: ", "unknown '99', expected an equation that has a formula, or a principle"},
+    {"[force, \"10\"]", "force", "6:11: ", "expected a list"},
+    {"to: [6a]", "to: [6c]", "7:10: ", "unknown '6c', expected an equation that has a formula, or a property"},
+    {"to: [6a]", "to: [force]", "7:10: ", "unknown 'force', expected an equation that has a formula, or a property"},
+    {"to: [6a]", "to: [6a, 6a]", "7:14: ", "duplicate '6a', expected each once"},
+    {"to: [6a]", "from: [6a]", "7:5: ", "duplicate 'from', expected each key once"},
+    {"free: [u]", "free: [u, L]", "8:15: ", "'L' is known already, expected a new name"},
+    {"free: [u]", "free: [u, v]", "8:15: ", "nothing shown rests on 'v'"},
+    {"free: [u]", "free: u", "8:11: ", "expected a list"},
+    {"positive: [k]", "positive: [k, x1]", "9:19: ", "'x1' may be negative in the sheet, expected a name of its own"},
+    {"positive: [k]", "positive: [k, dL]", "9:19: ", "'dL' may be negative in the sheet, expected a name of its own"},
+    {"positive: [k]", "positive: [k, I]", "9:19: ", "'I' may be zero in the sheet, expected a name of its own"},
+    {"angles: [psi]", "angles: {psi: half}", "10:19: ", "expected 'any' or 'quarter turn'"},
+    {"positive: [k]", "positive: []", "16:15: ", "unknown symbol 'k'"},
+    {"angles: [psi]", "angles: [psi, psi]", "10:19: ", "'psi' is an angle or small already"},
+    {"small: [theta]", "small: [theta, psi]", "11:20: ", "'psi' is an angle or small already"},
+    {"small: [theta]", "small: [theta, thta]", "11:20: ", "unknown symbol 'thta', expected a free quantity"},
+    {"    order: 1\n", "", "5:5: ", "missing order: up to which power of the small quantities"},
+    {"order: 1", "order: 10", "12:12: ", "expected an order from 0 to 9"},
+    {"order: 1", "order: first", "12:12: ", "expected an order from 0 to 9"},
+    {"order: 1", "order: -1", "12:12: ", "expected an order from 0 to 9"},
+    {"order: 1", "order: [1]", "12:12: ", "expected an order from 0 to 9"},
+    {"{psi: psi_dot}", "{psi: psi_dot, phi: psi_dot}", "13:27: ", "unknown symbol 'phi', expected name: its rate"},
+    {"{psi: psi_dot}", "{psi: psi_dot, u: u_dot}", "13:30: ", "unknown symbol 'u_dot', expected name: its rate"},
+    {"{psi: psi_dot}", "{L: L_dot}", "17:14: ", "rate() of what rests on psi, expected psi: psi_dot among the rates, or psi: 0"},
+    {"{psi: psi_dot}", "{psi: psi_dot, L: L_ddot}", "13:30: ", "the rate of L is L_dot in the sheet"},
+    {"{psi: psi_dot}", "[psi, psi_dot]", "13:12: ", "expected a mapping, key: value"},
+    {"square roots: [k]", "square roots: [k +]", "14:23: ", "expected a number, a symbol or '(', the formula ends here"},
+    {"sqrt(k^2)", "k", "14:19: ", "expected no square roots, nothing shown rests on one"},
+    {"      a: sqrt", "      c: 2*k\n      a: sqrt", "16:7: ", "nothing shown rests on 'c'"},
+    {"      b: rate", "      a: rate", "17:7: ", "duplicate 'a', expected each key once"},
+    {"sqrt(k^2)*u", "sqrt(k^2)*w", "16:20: ", "unknown symbol 'w'"},
+    {"sqrt(k^2)*u", "sqrt(k^2)*\n        u", "16:10: ", "expected a formula, on one line"},
+    {"sqrt(k^2)*u", "[k, u]", "16:10: ", "expected a text"},
+    {"rate(sin(psi))", "rates(sin(psi))", "17:10: ", "unknown function 'rates', expected rate, left, right, sqrt"},
+    {"rate(sin(psi))", "rate sin(psi)", "17:10: ", "unknown symbol 'rate'"},
+    {"rate(sin(psi))", "rate(sin(psi)", "17:43: ", "expected ')' or an operator, the formula ends here"},
+    {"eq10.x1(", "eq99.x1(", "17:27: ", "unknown section 'eq99', expected one of the sheet that has formulas"},
+    {"eq10.x1(", "eq20.x1(", "17:27: ", "unknown section 'eq20', expected one of the sheet that has formulas"},
+    {"eq10.x1(", "eq10.x2(", "17:32: ", "unknown output 'x2', expected an output or a named subexpression"},
+    {"eq10.x1(", "eq10.(", "17:32: ", "expected a name, found '('"},
+    {"eq10.x1(", "eq10.x1@printed(", "17:35: ", "unknown variant 'printed'"},
+    {"eq10.x1(", "eq30.I_11@print(", "17:37: ", "unknown variant 'print'"},
+    {"eq10.x1(", "eq38.L@printed(", "17:32: ", "unknown output 'L', expected an output or a named subexpression"},
+    {"eq10.x1(", "eq30.I_11@(", "17:37: ", "expected a name, found '('"},
+    {"(L = 2*m1)", "(M = 2*m1)", "17:35: ", "unknown name 'M', expected an input or a named subexpression"},
+    {"(L = 2*m1)", "(L 2*m1)", "17:37: ", "expected '=', found '2'"},
+    {"(L = 2*m1)", "(L = 2*m9)", "17:41: ", "unknown symbol 'm9'"},
+    {"(L = 2*m1)", "(L = 2*m1", "17:43: ", "expected an operator, ',' or ')', the formula ends here"},
+    {"(L = 2*m1)", "()", "17:35: ", "expected a name, found ')'"},
+    {"      - a + b*theta = theta*b + a\n", "      - a + b*theta\n", "19:9: ", "expected left = right"},
+    {"      - a + b*theta = theta*b + a\n", "      - a + b*theta =\n          theta*b + a\n", "19:9: ",
+     "expected left = right, on one line"},
+    {"      - a + b*theta = theta*b + a\n", "      - a + b*theta =\n", "19:22: ", "expected a number, a symbol or '('"},
+    {"      - a + b*theta = theta*b + a\n", "      - a + b* = theta*b + a\n", "19:16: ",
+     "expected a number, a symbol or '(', the formula ends here"},
+    {"      - a + b*theta = theta*b + a\n", "      - a + b*theta = theta*b + q\n", "19:33: ", "unknown symbol 'q'"},
+    {"    show:\n      - a + b*theta = theta*b + a\n", "    show: []\n", "18:11: ",
+     "expected at least one left = right"},
+    {"    show:\n      - a + b*theta = theta*b + a\n", "", "5:5: ", "missing show, expected a list of left = right"},
+    {"        a: k*u + 1\n", "        c: k*u + 1\n", "22:9: ", "unknown name 'c', expected one of the step's let"},
+    {"        a: k*u + 1\n", "        a: k*u + \n", "22:17: ", "expected a number, a symbol or '('"},
+    {"      show:\n        - a = k*u\n", "", "21:7: ", "missing show, expected a list of left = right"},
+    {"      show:\n        - a = k*u\n", "      shown:\n        - a = k*u\n", "23:7: ",
+     "unknown key 'shown', expected perhaps show"},
+    {"  two:", "  one:", "25:3: ", "duplicate 'one', expected each key once"},
+    {"\"left(24, 2) = left", "\"left(24, 4) = left", "29:17: ",
+     "unknown relation 4 of (24), expected one of the sheet"},
+    {"\"left(24, 2) = left", "\"left(24, 2x) = left", "29:17: ", "unknown relation 2x of (24)"},
+    {"\"left(24, 2) = left", "\"left(24; 2) = left", "29:20: ", "expected ',' or ')', found ';'"},
+    {"\"left(24, 2) = left", "\"left() = left", "29:18: ", "expected a name, found ')'"},
+    {"{psi: psi_dot}\n    square roots: [k]\n    let:\n      a: sqrt(k^2)*u\n      b: rate(sin(psi))",
+     "{psi: psi_dot, psi_dot: 0}\n    square roots: [k]\n    let:\n      a: sqrt(k^2)*u\n      b: " TWENTY_RATES "(sin(psi)^2)))))))))))))))))))))", "17:", "expected fewer rates of rates, found ')'"},
+    {"    to: []\n", "    to: []\n    order: 1\n", "29:12: ", "expected no order where no quantities are small"},
+    {"[force, \"10\"]", "[force, \"10\"", "", "expected YAML: "},
+};
+
+START_TEST(mistake_is_told_with_its_place)
+{
+    struct derivations d;
+    struct message why = {""};
+    const char *at = strstr(good, mistakes[_i].from);
+    char *text = malloc(sizeof good + strlen(mistakes[_i].to)), place[40];
+    ck_assert_msg(at != NULL, "no '%s'", mistakes[_i].from);
+    sprintf(text, "%.*s%s%s", (int)(at - good), good, mistakes[_i].to, at + strlen(mistakes[_i].from));
+    ck_assert_int_ne(derivations_read(&d, sheet(), text, strlen(text), "t.yaml", &why), 0);
+    snprintf(place, sizeof place, "t.yaml:%s", mistakes[_i].place);
+    ck_assert_msg(strncmp(why.text, place, strlen(place)) == 0, "'%s' is not at %s", why.text, place);
+    ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "'%s' has no '%s'", why.text, mistakes[_i].expected);
+    free(text);
+}
+END_TEST
+
+/* Wherever the file ends too early, it is read or refused in words, never worse. */
+START_TEST(cut_file_is_read_or_refused)
+{
+    for (size_t length = 0; length < strlen(good); length++) {
+        struct derivations d;
+        struct message why = {""};
+        if (derivations_read(&d, sheet(), good, length, "t.yaml", &why) == 0)
+            derivations_clear(&d);
+        else
+            ck_assert_msg(strncmp(why.text, "t.yaml:", 7) == 0, "%s", why.text);
+    }
+}
+END_TEST
+
+/* ---- the command ---- */
+
+/* The program's exit status; what it prints goes where the line says. */
+static int shell(const char *line)
+{
+    int status = system(line);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static const struct {
+    const char *line;
+    int status;
+} commands[] = {
+    {"\"$CT_PROGRAM\" verify derivations | grep -q 'steps hold'", 0},
+    {"\"$CT_PROGRAM\" verify derivations --graph | dot -Tsvg | grep -q '</svg>'", 0},
+    {"\"$CT_PROGRAM\" verify derivations --graph | grep -q '^  \"coulomb_law\" .label=\"coulomb law\", '", 0},
+    {"\"$CT_PROGRAM\" verify derivations --json | "
+     "if command -v python3 >/dev/null; then python3 -m json.tool >/dev/null; else grep -q '\"id\": \"kepler\"'; fi", 0},
+    {"\"$CT_PROGRAM\" verify derivations --graph --json 2>/dev/null", 2},
+    {"\"$CT_PROGRAM\" verify derivation 2>/dev/null", 2},
+    {"\"$CT_PROGRAM\" verify derivations --seed 7 2>/dev/null", 2},
+    {"\"$CT_PROGRAM\" verify derivations --graph >/dev/full 2>/dev/null", 1},
+};
+
+START_TEST(command_has_its_status)
+{
+    ck_assert_int_eq(shell(commands[_i].line), commands[_i].status);
+}
+END_TEST
+
+SUITE(test_derivation)
+{
+    TCase *paper = tcase_create("paper");
+    tcase_set_timeout(paper, 120);
+    tcase_add_test(paper, every_step_holds_is_bound_and_differs_as_printed);
+    tcase_add_test(paper, every_equation_is_in_the_sheet);
+    tcase_add_test(paper, misprints_are_these);
+    tcase_add_test(paper, eq03_closed_by_eq07_eq18_is_the_quadratic_system);
+
+    TCase *prover = tcase_create("prover");
+    tcase_add_loop_test(prover, prover_finds, 0, COUNT(findings));
+
+    TCase *binding = tcase_create("binding");
+    tcase_set_timeout(binding, 120); /* some 500 bindings, most of which end at once */
+    tcase_add_loop_test(binding, false_step_is_refused, 0, COUNT(refused));
+    tcase_add_test(binding, emptied_step_is_refused);
+    tcase_add_loop_test(binding, changed_ends_are_refused, 0, 6);
+    tcase_add_test(binding, entry_stands_for_its_parts);
+    tcase_add_test(binding, gap_is_found);
+
+    TCase *reading = tcase_create("reading");
+    tcase_set_timeout(reading, 60);
+    tcase_add_test(reading, good_file_is_read);
+    tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
+    tcase_add_test(reading, cut_file_is_read_or_refused);
+    tcase_add_loop_test(reading, command_has_its_status, 0, COUNT(commands));
+
+    Suite *s = suite_create("derivation");
+    suite_add_tcase(s, paper);
+    suite_add_tcase(s, prover);
+    suite_add_tcase(s, binding);
+    suite_add_tcase(s, reading);
+    return s;
+}

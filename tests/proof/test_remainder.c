@@ -1,0 +1,305 @@
+/*
+ * verify/proof/remainder.h: what the steps say is dropped is bounded, and not by much more than it becomes; bounds that are
+ * too small or too wide, and formulas that cannot be bounded, are told.
+ */
+#include "tests/run.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "proof/proof_results.h"
+#include "proof/remainder.h"
+#include "text/scope.h"
+
+/* ---- formulas whose maximum is known ---- */
+
+struct known {
+    const char *formula; /* in x and y */
+    const char *x[2], *y[2], *bound;
+    enum remainder_state state;
+};
+
+static void set(fmpq_t x, const char *text)
+{
+    ck_assert_int_eq(fmpq_set_str(x, text, 10), 0);
+}
+
+static struct remainder_proof prove(const struct known *k)
+{
+    struct program p;
+    struct remainder r;
+    struct remainder_proof proof;
+    struct message why;
+    size_t where;
+    program_init(&p);
+    program_input(&p, "x");
+    program_input(&p, "y");
+    const int node = program_parse(&p, k->formula, &where, &why);
+    ck_assert_msg(node >= 0, "%s", why.text);
+    remainder_init(&r, &p, node);
+    for (int i = 0; i < r.program.inputs; i++) {
+        const char *const *range = strcmp(r.program.names[i].text, "x") == 0 ? k->x : k->y;
+        set(r.low + i, range[0]);
+        set(r.high + i, range[1]);
+    }
+    set(r.bound, k->bound);
+    remainder_prove(&r, &proof);
+    remainder_clear(&r);
+    program_clear(&p);
+    return proof;
+}
+
+static const struct known cases[] = {
+    {"x*(1 - x)", {"0", "1"}, {0}, "251/1000", REMAINDER_PROVED}, /* 1/4 at 1/2 */
+    {"x*(1 - x)", {"0", "1"}, {0}, "249/1000", REMAINDER_EXCEEDED},
+    {"-x*(1 - x)", {"0", "1"}, {0}, "249/1000", REMAINDER_EXCEEDED},
+    {"x^2*(1 - x)", {"0", "1"}, {0}, "149/1000", REMAINDER_PROVED}, /* 4/27 = 0.148148 at 2/3, neither corner nor centre */
+    {"x^2*(1 - x)", {"0", "1"}, {0}, "148/1000", REMAINDER_EXCEEDED},
+    {"x*y", {"-2", "3"}, {"-5", "4"}, "151/10", REMAINDER_PROVED}, /* -15 at (3, -5) */
+    {"x*y", {"-2", "3"}, {"-5", "4"}, "149/10", REMAINDER_EXCEEDED},
+    {"x*y", {"-2", "3"}, {"-5", "4"}, "29", REMAINDER_PROVED},
+    {"x*y", {"-2", "3"}, {"-5", "4"}, "301/10", REMAINDER_TOO_WIDE}, /* more than twice 15 */
+    {"x*y", {"-2", "3"}, {"5", "5"}, "15", REMAINDER_PROVED}, /* integers are balls without radius */
+    {"sin(x) - x", {"-1/50", "1/50"}, {0}, "134/100000000", REMAINDER_PROVED}, /* 0.02^3/6 = 1.3333e-6 */
+    {"sin(x) - x", {"-1/50", "1/50"}, {0}, "133/100000000", REMAINDER_EXCEEDED},
+    {"x - x", {"0", "1"}, {0}, "1", REMAINDER_TOO_WIDE}, /* nothing is dropped */
+    {"1/x", {"-1", "1"}, {0}, "1000", REMAINDER_EXCEEDED},
+    {"sqrt(x)", {"-1", "1"}, {0}, "2", REMAINDER_UNDECIDED}, /* no value for half of the set */
+    {"1/(x - 1/3)", {"1/3", "1"}, {0}, "1000", REMAINDER_EXCEEDED},
+};
+
+START_TEST(bound_is_proved_or_the_reason_told)
+{
+    const struct remainder_proof proof = prove(&cases[_i]);
+    ck_assert_msg(proof.state == cases[_i].state, "%s: state %d, %d boxes, %d %%", cases[_i].formula, proof.state,
+                  proof.boxes, proof.percent);
+}
+END_TEST
+
+START_TEST(percent_is_what_is_reached)
+{
+    ck_assert_int_eq(prove(&(struct known){"x*y", {"-2", "3"}, {"-5", "4"}, "20", REMAINDER_PROVED}).percent, 75);
+    ck_assert_int_eq(prove(&(struct known){"x*y", {"-2", "3"}, {"-5", "4"}, "14", REMAINDER_PROVED}).percent, 100);
+}
+END_TEST
+
+/* ---- what is read ---- */
+
+/* A step that drops L*psi^2; its remainders begin in line 8. */
+#define BEFORE \
+    "principles: {a: {text: t, inputs: [L, m1, psi], outputs: {o: L*m1*psi^2}}}\n" \
+    "properties: {b: {text: t, inputs: [L, m1, psi], outputs: {o: m1*L*psi^2}}}\n" \
+    "steps:\n" \
+    "  s:\n" \
+    "    title: t\n" \
+    "    from: [a]\n" \
+    "    to: [b, 5a]\n"
+#define AFTER "    show: [a.o = b.o]\n"
+
+static const struct {
+    const char *remainders, *message;
+} files[] = {
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n", NULL},
+    {"    remainders: [{equation: \"5b\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n",
+     "f:8:29: expected an equation that the step leads to"},
+    {"    remainders: all\n", "f:8:17: expected a list of what is dropped"},
+    {"    remainders: []\n", "f:8:17: expected a list of what is dropped"},
+    {"    remainders: [all]\n", "f:8:18: expected a mapping"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3}]\n",
+     "f:8:18: missing unit"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: [m]}]\n",
+     "f:8:92: expected a text"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, atmost: 3, unit: m}]\n", "f:8:74: unknown key"},
+    {"    remainders: [{equation: \"5a\", of: a.q, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n",
+     "f:8:41: unknown output 'q'"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: much, unit: m}]\n",
+     "f:8:83: expected a number"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 0, unit: m}]\n",
+     "f:8:83: expected a bound above zero"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: [L, psi], at_most: 3, unit: m}]\n", "f:8:48: expected"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2}, at_most: 3, unit: m}]\n",
+     "f:8:48: missing 'psi', which is not in Table 1"}, /* its initial value there is no bound of it */
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {psi: [0, 1]}, at_most: 3, unit: m}]\n",
+     "f:8:48: missing 'L', which is not in Table 1"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: 1, theta: 1}, at_most: 3, unit: m}]\n",
+     "f:8:63: what is dropped does not rest on 'theta'"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: two, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected a number"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: {}, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected a list"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [1], psi: 1}, at_most: 3, unit: m}]\n",
+     "f:8:52: expected [LOW, HIGH]"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [2, 1], psi: 1}, at_most: 3, unit: m}]\n",
+     "f:8:52: expected [LOW, HIGH] with LOW below HIGH"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [a, 1], psi: 1}, at_most: 3, unit: m}]\n",
+     "f:8:53: expected a number"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [1, nan], psi: 1}, at_most: 3, unit: m}]\n",
+     "f:8:56: expected a number"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [1, inf], psi: 1}, at_most: 3, unit: m}]\n",
+     "f:8:56: expected a number"},
+};
+
+START_TEST(what_is_written_is_read_or_the_mistake_told_with_its_place)
+{
+    struct derivations d;
+    struct message why = {""};
+    char text[2000];
+    snprintf(text, sizeof text, BEFORE "%s" AFTER, files[_i].remainders);
+    const int status = derivations_read(&d, sheet(), text, strlen(text), "f", &why);
+    ck_assert_msg(files[_i].message == NULL ? status == 0 : strncmp(why.text, files[_i].message, strlen(files[_i].message)) == 0,
+                  "%s, expected %s", why.text, files[_i].message ? files[_i].message : "no mistake");
+    if (status == 0) {
+        const struct remainder *r = &d.steps[0].remainders[0];
+        const int m1 = program_find(&r->program, "m1"), psi = program_find(&r->program, "psi");
+        ck_assert_int_eq(r->program.inputs, 3);
+        ck_assert_int_eq(fmpq_cmp_si(r->low + m1, 150), 0); /* Table 1's */
+        ck_assert(fmpq_equal(r->low + m1, r->high + m1));
+        ck_assert_int_eq(fmpq_cmp_si(r->high + psi, 1), -1);
+        ck_assert_double_eq_tol(fmpq_get_d(r->low + psi), -0.1, 0x1p-53); /* -1/10, not its binary64 */
+        ck_assert_uint_eq(fmpz_get_ui(fmpq_denref(r->low + psi)), 10);
+        derivations_clear(&d);
+    }
+}
+END_TEST
+
+/* ---- what the steps say ---- */
+
+static const struct remainder *each_remainder(const struct derivations *d, int index)
+{
+    for (int i = 0; i < d->step_count; i++)
+        for (int k = 0; k < d->steps[i].remainder_count; k++)
+            if (index-- == 0)
+                return &d->steps[i].remainders[k];
+    return NULL;
+}
+
+static uint64_t state = 1;
+
+/* Uniform in [0, 1), by Knuth's MMIX generator. */
+static double uniform(void)
+{
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(state >> 11) * 0x1p-53;
+}
+
+/* |formula| where each input stands at a fraction of its range, by MPFR. */
+static double value_at(const struct remainder *r, struct machine *m, const double *fraction)
+{
+    SCOPE(fmpq, x, part);
+    for (int i = 0; i < r->program.inputs; i++) {
+        fmpq_sub(x, r->high + i, r->low + i);
+        fmpq_set_si(part, (slong)(fraction[i] * 0x1p40), 1ul << 40);
+        fmpq_mul(x, x, part);
+        fmpq_add(x, x, r->low + i);
+        arithmetic_mpfr.set_rational(machine_value(m, i), x, m->prec);
+    }
+    machine_run(m);
+    return fabs(mpfr_get_d(machine_value(m, r->node), MPFR_RNDN));
+}
+
+/* The largest of many random states, and from there uphill, input by input, over 21 places in the range of each. */
+static double sampled_maximum(const struct remainder *r)
+{
+    enum { SAMPLES = 2000, SWEEPS = 4, PLACES = 20, MOST = 32 };
+    double best = 0, place[MOST], trial[MOST];
+    struct machine m;
+    ck_assert_int_le(r->program.inputs, MOST);
+    machine_init(&m, &r->program, &arithmetic_mpfr, 128);
+    for (int k = 0; k < SAMPLES; k++) {
+        for (int i = 0; i < r->program.inputs; i++)
+            trial[i] = uniform();
+        const double value = value_at(r, &m, trial);
+        if (value > best) {
+            best = value;
+            memcpy(place, trial, sizeof place);
+        }
+    }
+    for (int k = 0; k < SWEEPS * r->program.inputs; k++) {
+        const int i = k % r->program.inputs;
+        memcpy(trial, place, sizeof place);
+        for (int j = 0; j <= PLACES; j++) {
+            trial[i] = (double)j / PLACES;
+            const double value = value_at(r, &m, trial);
+            if (value > best) {
+                best = value;
+                place[i] = trial[i];
+            }
+        }
+    }
+    machine_clear(&m);
+    return best;
+}
+
+START_TEST(what_is_dropped_stays_below_its_bound_and_above_half_of_it)
+{
+    struct derivations d;
+    struct remainder_proof proof;
+    int count = 0;
+    derivations_open(&d);
+    for (const struct remainder *r; (r = each_remainder(&d, count)) != NULL; count++) {
+        const double bound = fmpq_get_d(r->bound), most = sampled_maximum(r);
+        ck_assert_msg(most <= bound && most >= bound / 2, "(%s): %g of %s", r->equation, most, r->at_most);
+        remainder_prove(r, &proof);
+        ck_assert_int_eq(proof.state, REMAINDER_PROVED);
+    }
+    ck_assert_int_ge(count, 8);
+    derivations_clear(&d);
+}
+END_TEST
+
+START_TEST(a_bound_one_percent_below_what_is_reached_is_refused)
+{
+    struct derivations d;
+    struct remainder_proof proof;
+    const struct remainder *r;
+    derivations_open(&d);
+    for (int i = 0; (r = each_remainder(&d, i)) != NULL; i++) {
+        struct remainder tight = *r;
+        fmpq_init(tight.bound);
+        fmpq_set_si(tight.bound, (slong)(0.99 * sampled_maximum(r) * 0x1p80), 1);
+        fmpq_div_2exp(tight.bound, tight.bound, 80);
+        remainder_prove(&tight, &proof);
+        ck_assert_msg(proof.state == REMAINDER_EXCEEDED, "(%s): state %d", r->equation, proof.state);
+        fmpq_clear(tight.bound);
+    }
+    derivations_clear(&d);
+}
+END_TEST
+
+/* (15), (17), (39) and (40) drop something, and say how much: at Table 1, and of unequal masses where it has masses. */
+START_TEST(every_linearisation_has_its_bound)
+{
+    static const char *const equations[] = {"15", "17", "39", "40a", "40b", "40c"};
+    struct derivations d;
+    const struct remainder *r;
+    int unequal = 0;
+    derivations_open(&d);
+    for (size_t k = 0; k < sizeof equations / sizeof *equations; k++) {
+        bool found = false;
+        for (int i = 0; (r = each_remainder(&d, i)) != NULL; i++)
+            found = found || strcmp(r->equation, equations[k]) == 0;
+        ck_assert_msg(found, "(%s)", equations[k]);
+    }
+    for (int i = 0; (r = each_remainder(&d, i)) != NULL; i++) {
+        const int m1 = program_find(&r->program, "m1"), m2 = program_find(&r->program, "m2");
+        unequal += m1 >= 0 && m2 >= 0 && !fmpq_equal(r->low + m1, r->low + m2);
+    }
+    ck_assert_int_ge(unequal, 2);
+    derivations_clear(&d);
+}
+END_TEST
+
+SUITE(test_remainder)
+{
+    Suite *s = suite_create("remainder");
+    TCase *c = tcase_create("remainder");
+    tcase_set_timeout(c, 60);
+    tcase_add_loop_test(c, bound_is_proved_or_the_reason_told, 0, (int)(sizeof cases / sizeof *cases));
+    tcase_add_test(c, percent_is_what_is_reached);
+    tcase_add_loop_test(c, what_is_written_is_read_or_the_mistake_told_with_its_place, 0,
+                        (int)(sizeof files / sizeof *files));
+    tcase_add_test(c, what_is_dropped_stays_below_its_bound_and_above_half_of_it);
+    tcase_add_test(c, a_bound_one_percent_below_what_is_reached_is_refused);
+    tcase_add_test(c, every_linearisation_has_its_bound);
+    suite_add_tcase(s, c);
+    return s;
+}

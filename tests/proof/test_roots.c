@@ -1,0 +1,466 @@
+/*
+ * The roots of (41). Exact cases come from factored polynomials: with Omega = 1 two roots may be
+ * chosen freely, for they give two linear equations for C1 and C2. Digits come from mpmath 1.3.0:
+ *
+ *     mpmath.mp.dps = 60
+ *     mpmath.polyroots([1, c2, c1 - 2, 3*c2, 3*(c1 - 9)], maxsteps=2000, extraprec=400)
+ */
+#include <check.h>
+#include <math.h>
+
+#include "tests/run.h"
+#include "proof/roots.h"
+#include "text/scope.h"
+
+/* What a test needs: exact parameters and their roots. */
+struct fixture {
+    fmpq_t Omega, C1, C2;
+    acb_ptr roots;
+};
+
+static void open_fixture(struct fixture *f, const char *Omega, const char *C1, const char *C2)
+{
+    fmpq_init(f->Omega);
+    fmpq_init(f->C1);
+    fmpq_init(f->C2);
+    fmpq_set_str(f->Omega, Omega, 10);
+    fmpq_set_str(f->C1, C1, 10);
+    fmpq_set_str(f->C2, C2, 10);
+    f->roots = _acb_vec_init(4);
+}
+
+static void close_fixture(struct fixture *f)
+{
+    fmpq_clear(f->Omega);
+    fmpq_clear(f->C1);
+    fmpq_clear(f->C2);
+    _acb_vec_clear(f->roots, 4);
+    flint_cleanup();
+}
+
+static arb_srcptr part(acb_srcptr roots, int k, bool imaginary)
+{
+    return imaginary ? acb_imagref(roots + k) : acb_realref(roots + k);
+}
+
+/* Cases with every part known: a decimal (approximate), or a fraction that ends in "!" for exact.
+ */
+static const struct {
+    const char *Omega, *C1, *C2;
+    const char *value[8]; /* re1 im1 ... re4 im4, 40 digits */
+} known[] = {
+    {"1",
+     "10",
+     "2",
+     {"-0.5840741617124163560749084910764553126396", "-2.496123724292996301548899996018423231362",
+      "-0.5840741617124163560749084910764553126396", "2.496123724292996301548899996018423231362",
+      "-0.4159258382875836439250915089235446873604", "-0.5324502628010928664781498418987736280046",
+      "-0.4159258382875836439250915089235446873604", "0.5324502628010928664781498418987736280046"}},
+    {"1",
+     "3",
+     "1",
+     {"-2.402166636071528739933243552429197965237", "0",
+      "-0.09875804249399613945191495302958045567021", "-2.162047138411428071626875252317747634799",
+      "-0.09875804249399613945191495302958045567021", "2.162047138411428071626875252317747634799",
+      "1.599682721059521018837073458488358876578", "0"}},
+    {"1",
+     "-5",
+     "1/2",
+     {"-3.541589130069412365389999926734827648843", "0",
+      "-0.01462005763845206745898205490276855147407", "-1.965104744341983934219651035368974543317",
+      "-0.01462005763845206745898205490276855147407", "1.965104744341983934219651035368974543317",
+      "3.070829245346316500307964036540364751791", "0"}},
+    /* a root that is nearly imaginary, beside one 10^15 times as large */
+    {"1",
+     "1000000000000000000000000000000",
+     "1",
+     {"-0.5", "-999999999999999.999999999999997375", "-0.5", "999999999999999.999999999999997375",
+      "-6.000000000000000000000000000096e-60", "-1.732050807568877293527446341502408265328",
+      "-6.000000000000000000000000000096e-60", "1.732050807568877293527446341502408265328"}},
+    /* mpmath.mp.dps = 150: the real parts are small */
+    {"1",
+     "10",
+     "1/1000000000000000000000000000000",
+     {"-3.193375245281536402522927166821249220433e-31",
+      "-2.757816396257007768738562585998658606531",
+      "-3.193375245281536402522927166821249220433e-31", "2.757816396257007768738562585998658606531",
+      "-1.806624754718463597477072833178750779567e-31",
+      "-0.6280515301597558458740294783125338395874",
+      "-1.806624754718463597477072833178750779567e-31",
+      "0.6280515301597558458740294783125338395874"}},
+    /* c2^2 = 4 (c1 - 8), c1 > 12: u^4 + 3/2 u^2 + 289/16 with u = s + 3/2; u^2 = -3/4 +- i
+       sqrt(70)/2 */
+    {"1",
+     "17",
+     "6",
+     {"-2.763909304403380640632708264724324921854", "-1.532144487232662239970225819940841425509",
+      "-2.763909304403380640632708264724324921854", "1.532144487232662239970225819940841425509",
+      "-0.2360906955966193593672917352756750781455", "-1.532144487232662239970225819940841425509",
+      "-0.2360906955966193593672917352756750781455", "1.532144487232662239970225819940841425509"}},
+};
+
+START_TEST(eq41_roots_agree_with_mpmath)
+{
+    struct fixture f;
+    SCOPE(arb, expected);
+    SCOPE(mag, difference, unit);
+    open_fixture(&f, known[_i].Omega, known[_i].C1, known[_i].C2);
+    ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 160));
+    for (int k = 0; k < 8; k++) {
+        arb_srcptr x = part(f.roots, k / 2, k % 2 == 1);
+        arb_set_str(expected, known[_i].value[k], 200);
+        arb_get_mag(unit, expected);
+        mag_div_ui(unit, unit, 1000000000000000000); /* 10^-36 of it; the digits end at 10^-39 */
+        mag_div_ui(unit, unit, 1000000000000000000);
+        arb_sub(expected, expected, x, 200);
+        arb_get_mag(difference, expected);
+        ck_assert_msg(mag_cmp(difference, unit) <= 0, "part %d", k);
+    }
+    close_fixture(&f);
+}
+END_TEST
+
+/* Exactly known parts, as fractions; NULL is an irrational one. */
+static const struct {
+    const char *Omega, *C1, *C2;
+    const char *value[8];
+} exact[] = {
+    /* c2 = 0: (s^2 + 1)(s^2 + 9) */
+    {"1", "12", "0", {"0", "-3", "0", "-1", "0", "1", "0", "3"}},
+    /* c2 = 0: (s^2 - 9)(s^2 + 4) */
+    {"1", "-3", "0", {"-3", "0", "0", "-2", "0", "2", "3", "0"}},
+    /* c2 = 0, c1 = 9: s^2 (s^2 + 7), a double root at 0 */
+    {"1", "9", "0", {"0", NULL, "0", "0", "0", "0", "0", NULL}},
+    /* ((s + 1)^2 + 2)^2, and its mirror image: double pairs */
+    {"1", "12", "4", {"-1", NULL, "-1", NULL, "-1", NULL, "-1", NULL}},
+    {"1", "12", "-4", {"1", NULL, "1", NULL, "1", NULL, "1", NULL}},
+    /* c2^2 = 4 (c1 - 8), c1 < 12: s (s + 1)(s^2 + s + 6), a pair midway between two real roots */
+    {"1", "9", "2", {"-1", "0", "-1/2", NULL, "-1/2", NULL, "0", "0"}},
+    {"1", "9", "-2", {"0", "0", "1/2", NULL, "1/2", NULL, "1", "0"}},
+    /* c2^2 = 4 (c1 - 8), c1 < 12: two pairs with one real part */
+    {"1", "41/4", "3", {"-3/4", NULL, "-3/4", NULL, "-3/4", NULL, "-3/4", NULL}},
+    /* c1 = 9: s (s^3 + 5 s^2 + 7 s + 15) */
+    {"1", "9", "5", {NULL, "0", NULL, NULL, NULL, NULL, "0", "0"}},
+    /* (s + 1)^2 (s^2 + 3/2 s + 9/2), (s + 3)^2 (s^2 + 1/2 s + 5/2): a double real root and a pair
+     */
+    {"1", "21/2", "7/2", {"-1", "0", "-1", "0", "-3/4", NULL, "-3/4", NULL}},
+    {"1", "33/2", "13/2", {"-3", "0", "-3", "0", "-1/4", NULL, "-1/4", NULL}},
+    {"1", "21/2", "-7/2", {"3/4", NULL, "3/4", NULL, "1", "0", "1", "0"}},
+    /* the same with Omega = 2: roots double, C1 times 4, C2 times 2 */
+    {"2", "42", "7", {"-2", "0", "-2", "0", "-3/2", NULL, "-3/2", NULL}},
+    /* (s^2 + 2 s + 5)(s^2 + 3/2 s + 3/2): a pair with rational parts */
+    {"1", "23/2", "7/2", {"-1", "-2", "-1", "2", "-3/4", NULL, "-3/4", NULL}},
+    /* (s^2 + s + 13/16)(s^2 + 3072/1993 s + 12699/1993) */
+    {"1",
+     "342021/31888",
+     "5065/1993",
+     {"-1536/1993", NULL, "-1536/1993", NULL, "-1/2", "-3/4", "-1/2", "3/4"}},
+};
+
+START_TEST(eq41_rational_parts_are_found)
+{
+    struct fixture f;
+    SCOPE(fmpq, value, expected);
+    open_fixture(&f, exact[_i].Omega, exact[_i].C1, exact[_i].C2);
+    for (int k = 0; k < 8; k++) {
+        bool rational = roots41_rational(value, k / 2, k % 2 == 1, f.Omega, f.C1, f.C2);
+        ck_assert_msg(rational == (exact[_i].value[k] != NULL), "part %d", k);
+        if (rational) {
+            fmpq_set_str(expected, exact[_i].value[k], 10);
+            ck_assert_msg(fmpq_equal(value, expected), "part %d", k);
+        }
+    }
+    close_fixture(&f);
+}
+END_TEST
+
+/* A zero part is an exact zero, for no decimal of an enclosure around zero can be decided. */
+START_TEST(eq41_zero_parts_are_exact_zeros)
+{
+    struct fixture f;
+    open_fixture(&f, exact[_i].Omega, exact[_i].C1, exact[_i].C2);
+    ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 64));
+    for (int k = 0; k < 8; k++) {
+        arb_srcptr x = part(f.roots, k / 2, k % 2 == 1);
+        bool zero = exact[_i].value[k] != NULL && exact[_i].value[k][0] == '0';
+        ck_assert_msg(arb_contains_zero(x) == zero, "part %d", k);
+        ck_assert_msg(arb_is_zero(x) == zero, "part %d", k);
+    }
+    close_fixture(&f);
+}
+END_TEST
+
+/* The coefficients of (41) are the symmetric functions of its roots (Vieta). */
+static void check_coefficients(const struct fixture *f, slong prec)
+{
+    SCOPE(fmpq_poly, p);
+    SCOPE(fmpq, square, c);
+    SCOPE(acb_poly, product);
+    fmpq_mul(square, f->Omega, f->Omega);
+    fmpq_poly_set_coeff_si(p, 4, 1);
+    fmpq_poly_set_coeff_fmpq(p, 3, f->C2);
+    fmpq_sub(c, f->C1, square);
+    fmpq_sub(c, c, square);
+    fmpq_poly_set_coeff_fmpq(p, 2, c);
+    fmpq_mul(c, square, f->C2);
+    fmpq_mul_si(c, c, 3);
+    fmpq_poly_set_coeff_fmpq(p, 1, c);
+    fmpq_mul_si(c, square, -9);
+    fmpq_add(c, c, f->C1);
+    fmpq_mul(c, c, square);
+    fmpq_mul_si(c, c, 3);
+    fmpq_poly_set_coeff_fmpq(p, 0, c);
+    acb_poly_product_roots(product, f->roots, 4, prec);
+    ck_assert(acb_poly_contains_fmpq_poly(product, p));
+}
+
+/* Order and accuracy as the header promises them, seen from the midpoints. */
+static void check_promises(const struct fixture *f, slong prec)
+{
+    for (int k = 0; k < 4; k++) {
+        for (int imaginary = 0; imaginary < 2; imaginary++)
+            ck_assert(arb_rel_accuracy_bits(part(f->roots, k, imaginary)) >= prec);
+        if (k == 3)
+            continue;
+        int re =
+            arf_cmp(arb_midref(part(f->roots, k, false)), arb_midref(part(f->roots, k + 1, false)));
+        int im =
+            arf_cmp(arb_midref(part(f->roots, k, true)), arb_midref(part(f->roots, k + 1, true)));
+        ck_assert(re < 0 || (re == 0 && im <= 0));
+    }
+}
+
+START_TEST(eq41_exact_cases_have_the_coefficients)
+{
+    struct fixture f;
+    open_fixture(&f, exact[_i].Omega, exact[_i].C1, exact[_i].C2);
+    for (slong prec = 2; prec < 3000; prec *= 5) {
+        ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, prec));
+        check_coefficients(&f, prec + 200);
+        check_promises(&f, prec);
+    }
+    close_fixture(&f);
+}
+END_TEST
+
+/* Small fractions of every sign: real and complex roots, stable and unstable. */
+START_TEST(eq41_grid_has_the_coefficients)
+{
+    struct fixture f;
+    open_fixture(&f, "3/7", "0", "0");
+    for (int c1 = -30; c1 <= 30; c1 += 3) {
+        for (int c2 = -30; c2 <= 30; c2 += 3) {
+            fmpq_set_si(f.C1, c1, 5);
+            fmpq_set_si(f.C2, c2, 7);
+            ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 64));
+            check_coefficients(&f, 256);
+            check_promises(&f, 64);
+        }
+    }
+    close_fixture(&f);
+}
+END_TEST
+
+/* Nearly multiple, nearly equal real parts, tiny, huge: what makes isolation hard. */
+static const struct {
+    const char *Omega, *C1, *C2;
+} hard[] = {
+    /* double pair, 10^-40 beside it */
+    {"1", "120000000000000000000000000000000000000001/10000000000000000000000000000000000000000",
+     "4"},
+    {"1", "119999999999999999999999999999999999999999/10000000000000000000000000000000000000000",
+     "4"},
+    {"1", "12",
+     "40000000000000000000000000000000000000001/10000000000000000000000000000000000000000"},
+    /* double real root -1, 10^-40 beside it: two real roots, or a pair */
+    {"1", "105000000000000000000000000000000000000001/10000000000000000000000000000000000000000",
+     "7/2"},
+    {"1", "104999999999999999999999999999999999999999/10000000000000000000000000000000000000000",
+     "7/2"},
+    /* a root near zero */
+    {"1", "900000000000000000000000000000000000000001/100000000000000000000000000000000000000000",
+     "2"},
+    {"1", "899999999999999999999999999999999999999999/100000000000000000000000000000000000000000",
+     "-3"},
+    {"1", "10",
+     "1/100000000000000000000000000000000000000000000000000000000000000000000000000000000"},
+    /* a real root and a pair that differ by 10^-40 or so in the real part, which is about -3/10:
+     * with m the fourth root, r (3 + r^2) m^2 - 6 m + 3 r (1 + r^2) = 0, c2 = -(3 r + m), c1
+     * rounded */
+    {"1",
+     "911385103938972820202597624621962490362954645/100000000000000000000000000000000000000000000",
+     "106785297919553413620309225311861080425010595/100000000000000000000000000000000000000000000"},
+    {"1", "10954886824687941700886645139859704134924/1000000000000000000000000000000000000000",
+     "720463893018957913240532198636358984299908499/100000000000000000000000000000000000000000000"},
+    {"1", "1000000000000000000000000000000000000000000000000000000000000", "7"},
+    {"1", "-1000000000000000000000000000000000000000000000000000000000000", "7"},
+    {"1", "11", "1000000000000000000000000000000000000000000000000000000000000"},
+    {"1/1000000000000000000000000000000", "3", "-2"},
+    {"1000000000000000000000000000000", "3", "-2"},
+};
+
+START_TEST(eq41_hard_cases_have_the_coefficients)
+{
+    struct fixture f;
+    open_fixture(&f, hard[_i].Omega, hard[_i].C1, hard[_i].C2);
+    ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 53));
+    check_coefficients(&f, 1000);
+    check_promises(&f, 53);
+    close_fixture(&f);
+}
+END_TEST
+
+/* No double can hold these coefficients, so the iteration in double starts nothing. */
+START_TEST(eq41_roots_beyond_the_range_of_double)
+{
+    struct fixture f;
+    open_fixture(&f, "1", "0", "0");
+    fmpz_ui_pow_ui(fmpq_numref(f.C1), 10, 400);
+    fmpz_ui_pow_ui(fmpq_numref(f.C2), 10, 350);
+    ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 53));
+    check_coefficients(&f, 4000);
+    close_fixture(&f);
+}
+END_TEST
+
+/* (42): all real parts negative exactly when C1 > 9 Omega^2 and C2 > 0. */
+START_TEST(eq42_tells_the_sign_of_the_greatest_real_part)
+{
+    struct fixture f;
+    open_fixture(&f, "1/3", "0", "0");
+    for (int c1 = -1; c1 <= 1; c1++) {
+        for (int c2 = -1; c2 <= 1; c2++) {
+            fmpq_set_si(f.C1, 1000000 + c1, 1000000); /* 9 Omega^2 = 1 */
+            fmpq_set_si(f.C2, c2, 1000000);
+            ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 64));
+            int stable = 1;
+            for (int k = 0; k < 4; k++)
+                stable = stable && arb_is_negative(part(f.roots, k, false));
+            ck_assert_int_eq(stable, c1 > 0 && c2 > 0);
+        }
+    }
+    close_fixture(&f);
+}
+END_TEST
+
+START_TEST(eq41_refuses_a_rate_that_is_not_positive)
+{
+    struct fixture f;
+    open_fixture(&f, "0", "10", "2");
+    ck_assert(!roots41(f.roots, f.Omega, f.C1, f.C2, 64));
+    fmpq_set_si(f.Omega, -1, 1);
+    ck_assert(!roots41(f.roots, f.Omega, f.C1, f.C2, 64));
+    close_fixture(&f);
+}
+END_TEST
+
+/*
+ * Near C1 = 17, C2 = 6 both pairs have nearly one imaginary part. With a root at -0.236090695597
+ * + 1.532144487233 i exactly, the other pair's differs by 1.1e-11.
+ */
+START_TEST(eq41_rational_part_is_not_taken_for_its_neighbour)
+{
+    struct fixture f;
+    SCOPE(fmpq, value);
+    open_fixture(&f, "1",
+                 "2178187514374146658552225676244405744032183114752112835750523001723681549/"
+                 "128128677316210747462701217412660291605389819900500000000000000000000000",
+                 "768772063898015500985432866463067393678754684829303196656197/"
+                 "128128677316210747462701217412660291605389819900500000000000");
+    int rational = 0;
+    for (int k = 0; k < 4; k++)
+        rational += roots41_rational(value, k, true, f.Omega, f.C1, f.C2);
+    ck_assert_int_eq(rational, 2);
+    close_fixture(&f);
+}
+END_TEST
+
+/* (44) at n = 12: c2 = 2 sqrt(3), no fraction. mpmath, as above. */
+START_TEST(eq44_gains_have_certified_roots)
+{
+    static const char *const value[8] = {
+        "-1.13598031767247161518427813175453100947",   "-2.1040185957563881357867565322273166587",
+        "-1.13598031767247161518427813175453100947",   "2.1040185957563881357867565322273166587",
+        "-0.5960704898964056783431682097513413574726", "-1.1040185957563881357867565322273166587",
+        "-0.5960704898964056783431682097513413574726", "1.1040185957563881357867565322273166587"};
+    VECTOR(acb, roots, 4);
+    SCOPE(arb, c1, c2, expected);
+    arb_set_ui(c1, 12);
+    arb_sqrt_ui(c2, 12, 160);
+    ck_assert(roots41_gains(roots, c1, c2, 160));
+    for (int k = 0; k < 8; k++) {
+        arb_set_str(expected, value[k], 160);
+        arb_sub(expected, expected, part(roots, k / 2, k % 2 == 1), 160);
+        ck_assert_msg(arf_cmpabs_2exp_si(arb_midref(expected), -120) < 0, "part %d",
+                      k); /* 10^-36 */
+        ck_assert_msg(mag_cmp_2exp_si(arb_radref(part(roots, k / 2, k % 2 == 1)), -140) < 0,
+                      "part %d", k); /* 160 bits less a few */
+    }
+}
+END_TEST
+
+/* Each enclosure holds the root of every polynomial in the balls: here of the one with exact gains.
+ */
+START_TEST(eq41_wide_gains_enclose_exact_roots)
+{
+    struct fixture f;
+    VECTOR(acb, roots, 4);
+    SCOPE(arb, c1, c2);
+    open_fixture(&f, "1", "3", "1");
+    arb_set_ui(c1, 3);
+    arb_set_ui(c2, 1);
+    mag_set_d(arb_radref(c1), 1e-4);
+    mag_set_d(arb_radref(c2), 1e-4);
+    ck_assert(roots41_gains(roots, c1, c2, 64));
+    ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 64));
+    for (int k = 0; k < 4; k++)
+        ck_assert(acb_contains(roots + k, f.roots + k));
+    close_fixture(&f);
+}
+END_TEST
+
+static const struct {
+    double c1, c1_radius, c2, c2_radius;
+} undecided[] = {
+    {10, 5, 2, 2},     /* too wide */
+    {12, 0, 4, 0},     /* double pairs */
+    {10.5, 0, 3.5, 0}, /* a double real root */
+    {12, 0, 0, 1e-30}, /* real parts of either order */
+    {NAN, 0, 2, 0},
+};
+
+START_TEST(eq41_gains_that_do_not_decide_are_refused)
+{
+    VECTOR(acb, roots, 4);
+    SCOPE(arb, c1, c2);
+    arb_set_d(c1, undecided[_i].c1);
+    arb_set_d(c2, undecided[_i].c2);
+    mag_set_d(arb_radref(c1), undecided[_i].c1_radius);
+    mag_set_d(arb_radref(c2), undecided[_i].c2_radius);
+    ck_assert(!roots41_gains(roots, c1, c2, 128));
+}
+END_TEST
+
+#define COUNT(table) (int)(sizeof(table) / sizeof *(table))
+
+SUITE(test_roots)
+{
+    TCase *cases = tcase_create("eq41");
+    tcase_add_loop_test(cases, eq41_roots_agree_with_mpmath, 0, COUNT(known));
+    tcase_add_loop_test(cases, eq41_rational_parts_are_found, 0, COUNT(exact));
+    tcase_add_loop_test(cases, eq41_zero_parts_are_exact_zeros, 0, COUNT(exact));
+    tcase_add_loop_test(cases, eq41_exact_cases_have_the_coefficients, 0, COUNT(exact));
+    tcase_add_test(cases, eq41_grid_has_the_coefficients);
+    tcase_add_loop_test(cases, eq41_hard_cases_have_the_coefficients, 0, COUNT(hard));
+    tcase_add_test(cases, eq41_roots_beyond_the_range_of_double);
+    tcase_add_test(cases, eq42_tells_the_sign_of_the_greatest_real_part);
+    tcase_add_test(cases, eq41_refuses_a_rate_that_is_not_positive);
+    tcase_add_test(cases, eq41_rational_part_is_not_taken_for_its_neighbour);
+    tcase_add_test(cases, eq44_gains_have_certified_roots);
+    tcase_add_test(cases, eq41_wide_gains_enclose_exact_roots);
+    tcase_add_loop_test(cases, eq41_gains_that_do_not_decide_are_refused, 0, COUNT(undecided));
+
+    Suite *s = suite_create("roots");
+    suite_add_tcase(s, cases);
+    return s;
+}

@@ -1,0 +1,626 @@
+/*
+ * ref/simulation.c: the motion of (40), and of (3) under the law of (18)
+ */
+#include "tests/run.h"
+
+#include <string.h>
+
+#include "coulombtether.h"
+
+/* The paper's simulation: Table 1, n = 10, and the initial values of the text. */
+static const struct ct_params paper = {7.2915e-5, 8.99e9, 150, 150, 10};
+static const struct ct_gains paper_gains = {10 * 7.2915e-5 * 7.2915e-5, 2 * 7.2915e-5};
+static const struct ct_tether_state paper_start = {.psi = 0.01, .theta = 0.01, .dL = 0.1};
+
+/* Unequal craft, and gains 12 Omega^2 and 3 Omega without rounding. */
+static const struct ct_params unequal = {0x1p-14, 8.99e9, 120, 410, 23};
+static const struct ct_gains unequal_gains = {0x1.8p-25, 0x1.8p-13};
+
+/* Omega = 1. With gains 4 and 3, lambda = 1 solves (41) for psi = 1, dL = -2 L_ref: a motion that only grows. */
+static const struct ct_params unit = {.Omega = 1, .L_ref = 4};
+static const struct ct_gains growing = {4, 3};
+static const struct ct_tether_state growing_start = {.psi = 1, .dL = -8, .psi_dot = 1, .dL_dot = -8};
+
+static const double fine = 1e-13; /* which is worth twelve digits over three days */
+
+static struct ct_tether_state linear(double t)
+{
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, fine, 1, &t, &s), CT_OK);
+    return s;
+}
+
+START_TEST(eq40_flow_at_zero_is_the_initial_state)
+{
+    const struct ct_tether_state start = {1, -2, 3, -4, 5, -6};
+    const double t = 0;
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, start, fine, 1, &t, &s), CT_OK);
+    ck_assert_double_eq(s.theta, -2);
+    assert_close(s.psi_dot, -4, 2); /* into units of Omega and back */
+    assert_close(s.dL_dot, -6, 2);
+}
+END_TEST
+
+/*
+ * mpmath 1.3, mp.dps = 30: expm(A*tau)*matrix(['0.01', '0.01', '0.1', 0, 0, 0]) in units of Omega, tau = 7.2915e-5 t, where
+ * A = matrix(6); A[0,3] = A[1,4] = A[2,5] = 1; A[3,0] = -3; A[3,5] = -mpf(2)/10; A[4,1] = -4; A[5,2] = -1; A[5,5] = -2;
+ * A[5,3] = 20. A thousand roundings on the way from 0.1 to 1e-5 cost four of the sixteen digits.
+ */
+START_TEST(eq40_flow_of_the_paper)
+{
+    const struct ct_tether_state day = linear(86400), three_days = linear(259200);
+
+    ck_assert_double_eq_tol(day.psi, -5.2924329019730487e-4, 1e-11 * 5.3e-4);
+    ck_assert_double_eq_tol(day.theta, 9.9944422748991974e-3, 1e-11 * 1e-2);
+    ck_assert_double_eq_tol(day.dL, -5.6058658723192373e-3, 1e-11 * 5.6e-3);
+    ck_assert_double_eq_tol(day.psi_dot, 1.2079355835799084e-8, 1e-11 * 1.2e-8);
+    ck_assert_double_eq_tol(day.theta_dot, -4.8612734803573021e-8, 1e-11 * 1e-2 * paper.Omega);
+    ck_assert_double_eq_tol(day.dL_dot, 3.0579246114924766e-7, 1e-11 * 3.1e-7);
+    ck_assert_double_eq_tol(three_days.psi, -1.9434846044605944e-6, 1e-11 * 1.9e-6);
+    ck_assert_double_eq_tol(three_days.theta, 9.9500175331959826e-3, 1e-11 * 1e-2);
+    ck_assert_double_eq_tol(three_days.dL, -9.8500768957325006e-6, 1e-11 * 9.9e-6);
+}
+END_TEST
+
+START_TEST(eq40_flow_pitch_is_an_oscillator_of_twice_the_orbit_rate)
+{
+    const struct ct_tether_state start = {.psi = -0.3, .theta = 0.2, .theta_dot = -0.7};
+    const double t = 5;
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_flow(unit, (struct ct_gains){-1, -0.5}, start, fine, 1, &t, &s), CT_OK);
+    ck_assert_double_eq_tol(s.theta, 0.2 * cos(10) - 0.35 * sin(10), 1e-12); /* some tens of steps of 1e-13 */
+    ck_assert_double_eq_tol(s.theta_dot, -0.4 * sin(10) - 0.7 * cos(10), 1e-12);
+}
+END_TEST
+
+START_TEST(eq40_flow_along_an_eigenvector_grows_exponentially)
+{
+    const double t[] = {1, 10, -1};
+    struct ct_tether_state s[3];
+
+    ck_assert_int_eq(ct_linear_flow(unit, growing, growing_start, fine, 3, t, s), CT_OK);
+    for (int i = 0; i < 3; i++) {
+        assert_close(s[i].psi, exp(t[i]), 1e-11 * 0x1p53); /* some tens of steps of 1e-13 */
+        assert_close(s[i].dL_dot, -8 * exp(t[i]), 1e-11 * 0x1p53);
+    }
+}
+END_TEST
+
+START_TEST(eq40_flow_takes_times_in_any_order)
+{
+    const double t[] = {5000, -3000, -3000, 0};
+    struct ct_tether_state s[4];
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, fine, 4, t, s), CT_OK);
+    assert_close(s[0].psi, linear(5000).psi, 1e-11 * 0x1p53);
+    assert_close(s[1].psi, linear(-3000).psi, 1e-11 * 0x1p53);
+    ck_assert_double_eq(s[2].psi, s[1].psi);
+    assert_close(s[3].psi, 0.01, 1e-11 * 0x1p53);
+}
+END_TEST
+
+/* Backwards, what this motion forgets within a hundredth of an orbit would come back e^80 and e^160 times as large. */
+START_TEST(eq40_flow_does_not_go_back_on_its_way)
+{
+    const struct ct_gains strong = {1e4, 200};
+    const double t[] = {0.9, 0.1, -0.1, -0.05}, direct[] = {0.1, -0.05};
+    struct ct_tether_state s[4], d[2];
+
+    ck_assert_int_eq(ct_linear_flow(unit, strong, growing_start, fine, 4, t, s), CT_OK);
+    for (int i = 0; i < 2; i++) {
+        ck_assert_int_eq(ct_linear_flow(unit, strong, growing_start, fine, 1, direct + i, d + i), CT_OK);
+        assert_close(s[2 * i + 1].psi, d[i].psi, 1e-11 * 0x1p53);
+        assert_close(s[2 * i + 1].dL, d[i].dL, 1e-11 * 0x1p53);
+    }
+}
+END_TEST
+
+/* The model is linear, powers of 2 round nothing, and an error is measured by the state: all is to scale. */
+START_TEST(eq40_flow_is_to_scale)
+{
+    const double t = 3, scale[] = {0x1p-40, 0x1p40};
+    const struct ct_tether_state start = {1, -2, 3, -4, 5, -6};
+    struct ct_tether_state one, s;
+
+    ck_assert_int_eq(ct_linear_flow(unit, growing, start, 1e-9, 1, &t, &one), CT_OK);
+    for (int i = 0; i < 2; i++) {
+        const double k = scale[i];
+        const struct ct_tether_state scaled = {k, -2 * k, 3 * k, -4 * k, 5 * k, -6 * k};
+        ck_assert_int_eq(ct_linear_flow(unit, growing, scaled, 1e-9, 1, &t, &s), CT_OK);
+        ck_assert_double_eq(s.psi, k * one.psi);
+        ck_assert_double_eq(s.dL_dot, k * one.dL_dot);
+    }
+}
+END_TEST
+
+START_TEST(eq40_flow_at_rest_stays_at_rest)
+{
+    const struct ct_tether_state rest = {0};
+    const double t = 1e6;
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, rest, fine, 1, &t, &s), CT_OK);
+    ck_assert_double_eq(s.psi, 0);
+    ck_assert_double_eq(s.dL, 0);
+}
+END_TEST
+
+START_TEST(eq40_flow_of_no_times_is_no_error)
+{
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, fine, 0, NULL, NULL), CT_OK);
+}
+END_TEST
+
+START_TEST(eq40_flow_keeps_the_states_before_it_overflows)
+{
+    const double t[] = {1, 1000, 2};
+    struct ct_tether_state s[3];
+
+    ck_assert_int_eq(ct_linear_flow(unit, growing, growing_start, fine, 3, t, s), CT_CONVERGENCE); /* exp(1000) */
+    assert_close(s[0].psi, exp(1), 1e-11 * 0x1p53);
+    ck_assert_double_nan(s[1].psi);
+    ck_assert_double_nan(s[2].dL_dot);
+}
+END_TEST
+
+/* A motion faster than the orbit by 1e10 turns would take more steps than anybody waits for. */
+START_TEST(eq40_flow_gives_up_after_many_steps)
+{
+    const double t = 100;
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_flow(unit, (struct ct_gains){1e20, 0}, growing_start, fine, 1, &t, &s), CT_CONVERGENCE);
+    ck_assert_double_nan(s.psi);
+}
+END_TEST
+
+static size_t linear_flow(const double x[], double y[])
+{
+    const struct ct_params p = {x[0], NAN, NAN, NAN, x[1]};
+    const struct ct_tether_state start = {x[4], x[5], x[6], x[7], x[8], x[9]};
+    struct ct_tether_state s;
+    const int status = ct_linear_flow(p, (struct ct_gains){x[2], x[3]}, start, x[10], 1, &x[11], &s);
+
+    ck_assert_int_eq(status, isnan(s.psi) ? CT_DOMAIN : CT_OK);
+    memcpy(y, &s, sizeof s);
+    return 6;
+}
+
+START_TEST(eq40_flow_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(linear_flow, "++rrrrrrrr+r", (const double[]){1, 2, -3, 4, -5, 6, -7, 8, -9, 10, 1e-9, -0.5});
+}
+END_TEST
+
+START_TEST(eq40_flow_rejects_tolerances_beyond_double)
+{
+    const double t = 1, tolerance[] = {1e-16, 1};
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, tolerance[_i], 1, &t, &s), CT_DOMAIN);
+    ck_assert_double_nan(s.theta);
+}
+END_TEST
+
+START_TEST(eq40_flow_takes_the_tolerance_of_a_rounding)
+{
+    const double t = 1;
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, 0x1p-52, 1, &t, &s), CT_OK);
+}
+END_TEST
+
+START_TEST(eq40_flow_outside_its_domain_leaves_no_state_unset)
+{
+    const double t[] = {1, 2, 3};
+    struct ct_tether_state s[3] = {{0}};
+
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, 1, 3, t, s), CT_DOMAIN);
+    for (int i = 0; i < 3; i++)
+        ck_assert_double_nan(s[i].theta);
+}
+END_TEST
+
+static struct ct_hill_state in_hill_frame(struct ct_params p, struct ct_tether_state s)
+{
+    const struct ct_spherical c = {p.L_ref + s.dL, s.psi, s.theta};
+    const struct ct_vector r = ct_position(p, c);
+    const struct ct_vector v = ct_velocity(p, c, (struct ct_spherical_rate){s.dL_dot, s.psi_dot, s.theta_dot});
+
+    return (struct ct_hill_state){r.x, r.y, r.z, v.x, v.y, v.z};
+}
+
+/*
+ * mpmath 1.3, mp.dps = 30: odefun(f, 0, y0)(7.2915e-5*86400), where y0 is (10) at psi = theta = 0.01, L = 10.1, at rest, and
+ * f(tau, y) is (3) in units of Omega with k_c Q/m1 (m1 + m2)/m2/L^3 = (-3*10**3 + 10**2*(-10*(L - 10) - 2*L'))/L**3.
+ */
+START_TEST(eq03_flow_of_the_paper)
+{
+    const double t = 86400, velocity = 5 * 7.2915e-5;
+    struct ct_hill_state s;
+
+    ck_assert_int_eq(ct_nonlinear_flow(paper, paper_gains, in_hill_frame(paper, paper_start), fine, 1, &t, &s), CT_OK);
+    ck_assert_double_eq_tol(s.x1, 4.9972947934325768, 5e-12); /* twelve digits of 5 m and of 5 m Omega */
+    ck_assert_double_eq_tol(s.y1, -0.0025945476875007701, 5e-12);
+    ck_assert_double_eq_tol(s.z1, -0.050522897331732388, 5e-12);
+    ck_assert_double_eq_tol(s.x1_dot, 1.1979559166174463e-7, 1e-12 * velocity);
+    ck_assert_double_eq_tol(s.y1_dot, 6.6342043836361531e-8, 1e-12 * velocity);
+    ck_assert_double_eq_tol(s.z1_dot, 2.1027810076321075e-7, 1e-12 * velocity);
+}
+END_TEST
+
+/* All forces grow as the lengths do, and the noise is measured by them: with powers of 2 all is to scale. */
+START_TEST(eq03_flow_is_to_scale)
+{
+    const double t = 50000, scale[] = {0x1p-20, 0x1p20};
+    const struct ct_hill_state start = in_hill_frame(unequal, paper_start);
+    struct ct_hill_state one, s;
+
+    ck_assert_int_eq(ct_nonlinear_flow(unequal, unequal_gains, start, 1e-9, 1, &t, &one), CT_OK);
+    for (int i = 0; i < 2; i++) {
+        const double k = scale[i];
+        const struct ct_hill_state scaled = {k * start.x1, k * start.y1, k * start.z1, k * start.x1_dot, k * start.y1_dot,
+                                             k * start.z1_dot};
+        struct ct_params p = unequal;
+        p.L_ref *= k;
+        ck_assert_int_eq(ct_nonlinear_flow(p, unequal_gains, scaled, 1e-9, 1, &t, &s), CT_OK);
+        ck_assert_double_eq(s.x1, k * one.x1);
+        ck_assert_double_eq(s.z1_dot, k * one.z1_dot);
+    }
+}
+END_TEST
+
+START_TEST(eq03_flow_rests_where_eq05_says)
+{
+    const struct ct_hill_state rest = {.x1 = ct_static_positions(unequal, unequal.L_ref).x1};
+    const double t = 1e5;
+    struct ct_hill_state s;
+
+    ck_assert_int_eq(ct_nonlinear_flow(unequal, unequal_gains, rest, fine, 1, &t, &s), CT_OK);
+    assert_close(s.x1, rest.x1, 64); /* forces that cancel but for about sixteen roundings, and a stable motion */
+    ck_assert_double_eq_tol(s.y1, 0, 64 * 0x1p-53 * rest.x1);
+    ck_assert_double_eq(s.z1, 0);
+}
+END_TEST
+
+/* Without gains the charges stay, and energy and Hill's potentials with them. Everything per kilogram of craft 1. */
+static double jacobi_integral(struct ct_params p, struct ct_hill_state s)
+{
+    const double r = sqrt(s.x1 * s.x1 + s.y1 * s.y1 + s.z1 * s.z1), share = p.m2 / (p.m1 + p.m2);
+    const double Q = ct_reference_charge_product(p, p.L_ref);
+
+    return (s.x1_dot * s.x1_dot + s.y1_dot * s.y1_dot + s.z1_dot * s.z1_dot) / 2 +
+           p.Omega * p.Omega * (s.z1 * s.z1 - 3 * s.x1 * s.x1) / 2 + p.k_c / p.m1 * Q * share * share / r;
+}
+
+START_TEST(eq03_flow_without_gains_conserves_the_jacobi_integral)
+{
+    const struct ct_hill_state start = {14, -9, 6, 2e-4, 5e-4, -3e-4};
+    const double t = 40000;
+    struct ct_hill_state s;
+
+    ck_assert_int_eq(ct_nonlinear_flow(unequal, (struct ct_gains){0, 0}, start, fine, 1, &t, &s), CT_OK);
+    ck_assert_double_gt(fabs(s.x1 - start.x1), 1); /* it did go somewhere */
+    assert_close(jacobi_integral(unequal, s), jacobi_integral(unequal, start), 1e-10 * 0x1p53); /* hundreds of steps */
+}
+END_TEST
+
+/* A ten-thousandth of the paper's errors: what the linear model leaves out is as much smaller as their square. */
+START_TEST(eq03_flow_of_small_errors_is_that_of_eq40)
+{
+    const double e = 1e-6, t = 20000;
+    const struct ct_tether_state start = {.psi = e, .theta = -2 * e, .dL = 23 * e, .psi_dot = 3 * e * unequal.Omega};
+    struct ct_tether_state tether;
+    struct ct_hill_state s;
+
+    ck_assert_int_eq(ct_linear_flow(unequal, unequal_gains, start, fine, 1, &t, &tether), CT_OK);
+    ck_assert_int_eq(ct_nonlinear_flow(unequal, unequal_gains, in_hill_frame(unequal, start), fine, 1, &t, &s), CT_OK);
+    const struct ct_spherical c = ct_spherical_coordinates(unequal, (struct ct_vector){s.x1, s.y1, s.z1});
+    ck_assert_double_eq_tol(c.psi, tether.psi, 100 * e * e); /* second-order terms with coefficients of about ten */
+    ck_assert_double_eq_tol(c.theta, tether.theta, 100 * e * e);
+    ck_assert_double_eq_tol(c.L - unequal.L_ref, tether.dL, 100 * 23 * e * e);
+}
+END_TEST
+
+/* On the orbit normal only the attraction and the tide act, and both draw the craft together. */
+START_TEST(eq03_flow_reports_a_collision)
+{
+    const double t[] = {100, 1e6};
+    struct ct_hill_state s[2];
+
+    ck_assert_int_eq(ct_nonlinear_flow(unequal, (struct ct_gains){0, 0}, (struct ct_hill_state){.z1 = 10}, 1e-10, 2, t, s),
+                     CT_CONVERGENCE);
+    ck_assert_double_lt(s[0].z1, 10);
+    ck_assert_double_nan(s[1].z1);
+    ck_assert_double_nan(s[1].x1_dot);
+}
+END_TEST
+
+static size_t nonlinear_flow(const double x[], double y[])
+{
+    const struct ct_params p = {x[0], x[1], x[2], x[3], x[4]};
+    const struct ct_hill_state start = {x[7], x[8], x[9], x[10], x[11], x[12]};
+    struct ct_hill_state s;
+    const int status = ct_nonlinear_flow(p, (struct ct_gains){x[5], x[6]}, start, x[13], 1, &x[14], &s);
+
+    ck_assert_int_eq(status, isnan(s.x1) ? CT_DOMAIN : CT_OK);
+    memcpy(y, &s, sizeof s);
+    return 6;
+}
+
+START_TEST(eq03_flow_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(nonlinear_flow, "+++++rrrrrrrr+r",
+                           (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 12, -13, 1e-9, 0.01});
+}
+END_TEST
+
+START_TEST(eq03_flow_rejects_the_origin)
+{
+    const double t = 1;
+    struct ct_hill_state s;
+
+    ck_assert_int_eq(ct_nonlinear_flow(paper, paper_gains, (struct ct_hill_state){.x1_dot = 1}, fine, 1, &t, &s), CT_DOMAIN);
+    ck_assert_double_nan(s.x1);
+}
+END_TEST
+
+/* Along an eigenvector a step multiplies by 1 + a + a^2/2 + a^3/6 + a^4/24, a = 0.1. Two steps of 0.05 would give ...1255. */
+START_TEST(eq40_runge_kutta_step_is_the_classical_one)
+{
+    const double t[] = {0, 0.1};
+    struct ct_tether_state s[2];
+
+    ck_assert_int_eq(ct_linear_runge_kutta(unit, growing, growing_start, 0.1, 2, t, s), CT_OK);
+    ck_assert_double_eq(s[0].dL, -8);
+    assert_close(s[1].psi, 1.10517083333333333, 16); /* about four roundings a stage */
+    assert_close(s[1].dL, -8 * 1.10517083333333333, 16);
+    assert_close(s[1].psi_dot, 1.10517083333333333, 16);
+}
+END_TEST
+
+/* Pitch alone: the step multiplies theta + i theta_dot/(2 Omega) by the same polynomial in -2i Omega h. */
+START_TEST(eq40_runge_kutta_of_the_pitch_oscillator)
+{
+    const struct ct_tether_state start = {.theta = 1};
+    const double t = 0.25; /* 2 Omega h = 1/2 */
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_runge_kutta(unit, growing, start, 0.25, 1, &t, &s), CT_OK);
+    assert_close(s.theta, 1 - 1.0 / 8 + 1.0 / 384, 8);
+    assert_close(s.theta_dot, 2 * (-1.0 / 2 + 1.0 / 48), 8);
+}
+END_TEST
+
+START_TEST(eq40_runge_kutta_is_of_fourth_order)
+{
+    const double t = 6400;
+    struct ct_tether_state exact = linear(t), coarse, half;
+
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 200, 1, &t, &coarse), CT_OK);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 1, &t, &half), CT_OK);
+    /* the next order is Omega h = 0.015 of this one, times coefficients of about one */
+    ck_assert_double_eq_tol((coarse.psi - exact.psi) / (half.psi - exact.psi), 16, 1);
+    ck_assert_double_eq_tol((coarse.theta - exact.theta) / (half.theta - exact.theta), 16, 1);
+    ck_assert_double_eq_tol((coarse.dL - exact.dL) / (half.dL - exact.dL), 16, 1);
+}
+END_TEST
+
+START_TEST(eq40_runge_kutta_reports_overflow)
+{
+    const double t[] = {0, 1e5};
+    struct ct_tether_state s[2];
+
+    ck_assert_int_eq(ct_linear_runge_kutta(unit, growing, growing_start, 1, 2, t, s), CT_CONVERGENCE);
+    ck_assert_double_eq(s[0].psi, 1);
+    ck_assert_double_nan(s[1].psi);
+}
+END_TEST
+
+/* The four stages stay below 1.7977e308, the largest double; what they add up to does not. */
+START_TEST(eq40_runge_kutta_reports_overflow_of_the_last_step)
+{
+    const struct ct_tether_state start = {.dL = 1.756e308, .dL_dot = 1e307};
+    const double t = 0.7;
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_runge_kutta(unit, (struct ct_gains){9, 0}, start, 0.7, 1, &t, &s), CT_CONVERGENCE);
+    ck_assert_double_nan(s.dL);
+}
+END_TEST
+
+/* Times that whole steps of 100 s from zero do not reach one after the other. */
+START_TEST(eq40_runge_kutta_rejects_times_off_its_steps)
+{
+    const double times[][2] = {{50, 100}, {100, 150}, {200, 100}, {-100, 0}, {NAN, 100}, {0, NAN}, {0, INFINITY}};
+    struct ct_tether_state s[2];
+
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 2, times[_i], s), CT_DOMAIN);
+    ck_assert_double_nan(s[0].psi);
+    ck_assert_double_nan(s[1].psi);
+}
+END_TEST
+
+START_TEST(eq40_runge_kutta_rejects_more_steps_than_can_be_counted)
+{
+    const double t = 1;
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0x1p-60, 1, &t, &s), CT_DOMAIN);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0x1p-53, 1, &t, &s), CT_DOMAIN);
+
+    const double most = 0x1p52; /* can be counted; this motion overflows long before */
+    ck_assert_int_eq(ct_linear_runge_kutta(unit, growing, growing_start, 1, 1, &most, &s), CT_CONVERGENCE);
+}
+END_TEST
+
+START_TEST(eq40_runge_kutta_compares_each_time_with_the_last)
+{
+    const double back[] = {200, 400, 300}, before[] = {-0.5, 0}, around[] = {1e9, 100, 100, 300};
+    struct ct_tether_state s[3];
+
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 3, back, s), CT_DOMAIN);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0.5, 2, before, s), CT_DOMAIN);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 3, around + 1, s), CT_OK);
+}
+END_TEST
+
+static size_t linear_runge_kutta(const double x[], double y[])
+{
+    const struct ct_params p = {x[0], NAN, NAN, NAN, x[1]};
+    const struct ct_tether_state start = {x[4], x[5], x[6], x[7], x[8], x[9]};
+    const double t = 3;
+    struct ct_tether_state s;
+    const int status = ct_linear_runge_kutta(p, (struct ct_gains){x[2], x[3]}, start, x[10], 1, &t, &s);
+
+    ck_assert_int_eq(status, isnan(s.psi) ? CT_DOMAIN : CT_OK);
+    memcpy(y, &s, sizeof s);
+    return 6;
+}
+
+START_TEST(eq40_runge_kutta_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(linear_runge_kutta, "++rrrrrrrr+", (const double[]){1, 2, -3, 4, -5, 6, -7, 8, -9, 10, 1.5});
+}
+END_TEST
+
+/*
+ * Forty steps of 1000 s in mpmath 1.3, mp.dps = 40: the classical method on (3) in seconds, with Omega = mpf(1)/16384,
+ * k_c Q/m1 (m1 + m2)/m2/L^3 = (-3*Omega**2*L_ref**3 + L_ref**2*(-12*Omega**2*(L - L_ref) - 3*Omega*L_dot))/L**3.
+ */
+START_TEST(eq03_runge_kutta_is_that_of_exact_arithmetic)
+{
+    const struct ct_hill_state start = {17, -2, 3, -5 * 0x1p-16, 7 * 0x1p-16, 11 * 0x1p-16};
+    const double t = 40000, velocity = 20 * 0x1p-14;
+    struct ct_hill_state s;
+
+    ck_assert_int_eq(ct_nonlinear_runge_kutta(unequal, unequal_gains, start, 1000, 1, &t, &s), CT_OK);
+    ck_assert_double_eq_tol(s.x1, 17.917138924719132219, 2e-13); /* 40 steps of some tens of roundings of 20 m */
+    ck_assert_double_eq_tol(s.y1, 0.25369924336125726733, 2e-13);
+    ck_assert_double_eq_tol(s.z1, -0.83138312607043934813, 2e-13);
+    ck_assert_double_eq_tol(s.x1_dot, -9.1434222825906368053e-6, 1e-14 * velocity);
+    ck_assert_double_eq_tol(s.y1_dot, -1.4405606438340458229e-5, 1e-14 * velocity);
+    ck_assert_double_eq_tol(s.z1_dot, 3.8905872553005165618e-4, 1e-14 * velocity);
+}
+END_TEST
+
+START_TEST(eq03_runge_kutta_of_the_paper_is_good_to_a_micrometre)
+{
+    const struct ct_hill_state start = in_hill_frame(paper, paper_start);
+    const double t[] = {100, 86400};
+    struct ct_hill_state stepped[2], exact[2];
+
+    ck_assert_int_eq(ct_nonlinear_runge_kutta(paper, paper_gains, start, 100, 2, t, stepped), CT_OK);
+    ck_assert_int_eq(ct_nonlinear_flow(paper, paper_gains, start, fine, 2, t, exact), CT_OK);
+    for (int i = 0; i < 2; i++) { /* (Omega h)^4 = 3e-9 of deviations below 0.1 m, times 6 rad: 2e-9 m */
+        ck_assert_double_eq_tol(stepped[i].x1, exact[i].x1, 1e-6);
+        ck_assert_double_eq_tol(stepped[i].y1, exact[i].y1, 1e-6);
+        ck_assert_double_eq_tol(stepped[i].z1, exact[i].z1, 1e-6);
+    }
+}
+END_TEST
+
+/* Half a step at -2 m/s takes craft 1 from 1 m into the origin, where (3) has no value. */
+START_TEST(eq03_runge_kutta_reports_craft_in_one_point)
+{
+    const struct ct_params p = {1, 1, 1, 1, 1};
+    const struct ct_hill_state start = {.z1 = 1, .z1_dot = -2};
+    const double t = 1;
+    struct ct_hill_state s;
+
+    ck_assert_int_eq(ct_nonlinear_runge_kutta(p, (struct ct_gains){0, 0}, start, 1, 1, &t, &s), CT_CONVERGENCE);
+    ck_assert_double_nan(s.z1);
+}
+END_TEST
+
+static size_t nonlinear_runge_kutta(const double x[], double y[])
+{
+    const struct ct_params p = {x[0], x[1], x[2], x[3], x[4]};
+    const struct ct_hill_state start = {x[7], x[8], x[9], x[10], x[11], x[12]};
+    const double t = 0.03;
+    struct ct_hill_state s;
+    const int status = ct_nonlinear_runge_kutta(p, (struct ct_gains){x[5], x[6]}, start, x[13], 1, &t, &s);
+
+    ck_assert_int_eq(status, isnan(s.x1) ? CT_DOMAIN : CT_OK);
+    memcpy(y, &s, sizeof s);
+    return 6;
+}
+
+START_TEST(eq03_runge_kutta_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(nonlinear_runge_kutta, "+++++rrrrrrrr+",
+                           (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 12, -13, 0.015});
+}
+END_TEST
+
+static TCase *linear_motion(void)
+{
+    TCase *c = tcase_create("eq40 flow");
+
+    tcase_add_test(c, eq40_flow_at_zero_is_the_initial_state);
+    tcase_add_test(c, eq40_flow_of_the_paper);
+    tcase_add_test(c, eq40_flow_pitch_is_an_oscillator_of_twice_the_orbit_rate);
+    tcase_add_test(c, eq40_flow_along_an_eigenvector_grows_exponentially);
+    tcase_add_test(c, eq40_flow_takes_times_in_any_order);
+    tcase_add_test(c, eq40_flow_does_not_go_back_on_its_way);
+    tcase_add_test(c, eq40_flow_is_to_scale);
+    tcase_add_test(c, eq40_flow_takes_the_tolerance_of_a_rounding);
+    tcase_add_test(c, eq40_flow_outside_its_domain_leaves_no_state_unset);
+    tcase_add_test(c, eq40_flow_at_rest_stays_at_rest);
+    tcase_add_test(c, eq40_flow_of_no_times_is_no_error);
+    tcase_add_test(c, eq40_flow_keeps_the_states_before_it_overflows);
+    tcase_add_test(c, eq40_flow_gives_up_after_many_steps);
+    tcase_add_test(c, eq40_flow_rejects_each_input_outside_its_domain);
+    tcase_add_loop_test(c, eq40_flow_rejects_tolerances_beyond_double, 0, 2);
+    return c;
+}
+
+static TCase *nonlinear_motion(void)
+{
+    TCase *c = tcase_create("eq03 flow");
+
+    tcase_add_test(c, eq03_flow_of_the_paper);
+    tcase_add_test(c, eq03_flow_rests_where_eq05_says);
+    tcase_add_test(c, eq03_flow_is_to_scale);
+    tcase_add_test(c, eq03_flow_without_gains_conserves_the_jacobi_integral);
+    tcase_add_test(c, eq03_flow_of_small_errors_is_that_of_eq40);
+    tcase_add_test(c, eq03_flow_reports_a_collision);
+    tcase_add_test(c, eq03_flow_rejects_each_input_outside_its_domain);
+    tcase_add_test(c, eq03_flow_rejects_the_origin);
+    return c;
+}
+
+static TCase *fixed_steps(void)
+{
+    TCase *c = tcase_create("Runge-Kutta");
+
+    tcase_add_test(c, eq40_runge_kutta_step_is_the_classical_one);
+    tcase_add_test(c, eq40_runge_kutta_of_the_pitch_oscillator);
+    tcase_add_test(c, eq40_runge_kutta_is_of_fourth_order);
+    tcase_add_test(c, eq40_runge_kutta_reports_overflow);
+    tcase_add_test(c, eq40_runge_kutta_reports_overflow_of_the_last_step);
+    tcase_add_loop_test(c, eq40_runge_kutta_rejects_times_off_its_steps, 0, 7);
+    tcase_add_test(c, eq40_runge_kutta_rejects_more_steps_than_can_be_counted);
+    tcase_add_test(c, eq40_runge_kutta_compares_each_time_with_the_last);
+    tcase_add_test(c, eq40_runge_kutta_rejects_each_input_outside_its_domain);
+    tcase_add_test(c, eq03_runge_kutta_is_that_of_exact_arithmetic);
+    tcase_add_test(c, eq03_runge_kutta_of_the_paper_is_good_to_a_micrometre);
+    tcase_add_test(c, eq03_runge_kutta_reports_craft_in_one_point);
+    tcase_add_test(c, eq03_runge_kutta_rejects_each_input_outside_its_domain);
+    return c;
+}
+
+SUITE(test_ref_simulation)
+{
+    Suite *s = suite_create("ref/simulation.c");
+
+    suite_add_tcase(s, linear_motion());
+    suite_add_tcase(s, nonlinear_motion());
+    suite_add_tcase(s, fixed_steps());
+    return s;
+}

@@ -1,0 +1,459 @@
+/*
+ * The formula sheet: what a sheet says is what the program has, and each mistake in it stops with the
+ * file, the line, the column and what was expected there.
+ */
+#include "tests/run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sheet/embedded.h"
+#include "sheet/sheet.h"
+#include "text/document.h"
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+/* A sheet in small, without a mistake; the numbers of its lines stand beside it. */
+static const char good[] =
+    "quantities:\n"                                                                   /*  1 */
+    "  Omega: {unit: rad/s, domain: \"> 0\", range: [1, 2], meaning: rate}\n"         /*  2 */
+    "  x1 y1: {unit: m, domain: finite, range: [1, 9], sign: either, meaning: place}\n" /* 3 */
+    "  L: {unit: m, domain: \">= 0\", value: 10, meaning: distance}\n"                /*  4 */
+    "  lambda_d: {unit: m, domain: \"> 0 or inf\", meaning: length}\n"                /*  5 */
+    "table1:\n"                                                                       /*  6 */
+    "  - {name: L, printed: \"10\", unit: m, scale: 1}\n"                             /*  7 */
+    "equations:\n"                                                                    /*  8 */
+    "  eq1:\n"                                                                        /*  9 */
+    "    title: a definition\n"                                                       /* 10 */
+    "    equations: [\"1\"]\n"                                                        /* 11 */
+    "    relations:\n"                                                                /* 12 */
+    "      - {equation: \"1\", holds: \"x1 = 2*L\"}\n"                               /* 13 */
+    "  eq2:\n"                                                                        /* 14 */
+    "    title: a formula\n"                                                          /* 15 */
+    "    equations: [2a, 2b]\n"                                                       /* 16 */
+    "    inputs: [Omega, x1, y1]\n"                                                   /* 17 */
+    "    let:\n"                                                                      /* 18 */
+    "      r: sqrt(x1^2 + y1^2)\n"                                                    /* 19 */
+    "    outputs:\n"                                                                  /* 20 */
+    "      L: Omega*r\n"                                                              /* 21 */
+    "    domain: [x1 + y1 > 0, Omega >= y1, y1 < 4]\n"                                /* 22 */
+    "    printed:\n"                                                                  /* 23 */
+    "      outputs:\n"                                                                /* 24 */
+    "        L: Omega*x1\n"                                                           /* 25 */
+    "    reason: the root is missing\n"                                               /* 26 */
+    "  eq3:\n"                                                                        /* 27 */
+    "    title: an algorithm\n"                                                       /* 28 */
+    "    equations: [\"3\"]\n"                                                        /* 29 */
+    "    method: roots\n"                                                             /* 30 */
+    "    inputs: [L]\n"                                                               /* 31 */
+    "    outputs: [x1, y1]\n"                                                         /* 32 */
+    "  eq4:\n"                                                                        /* 33 */
+    "    title: a formula for the oracle\n"                                           /* 34 */
+    "    equations: [\"4\"]\n"                                                        /* 35 */
+    "    inputs: [Omega, x1]\n"                                                       /* 36 */
+    "    let:\n"                                                                      /* 37 */
+    "      half: x1/2\n"                                                              /* 38 */
+    "    outputs:\n"                                                                  /* 39 */
+    "      y1: Omega*half\n"                                                          /* 40 */
+    "    vectors:\n"                                                                  /* 41 */
+    "      three: {x1: 3, flags: edge}\n"                                             /* 42 */
+    "    mistakes:\n"                                                                 /* 43 */
+    "      not halved: {let: {half: x1}}\n"                                           /* 44 */
+    "    K: {bound: 20, reason: it may}\n"                                            /* 45 */
+    "K: {bound: 8, reason: all may}\n"                                                /* 46 */
+    "mistakes:\n"                                                                     /* 47 */
+    "  another rate: {inputs: {Omega: 2*Omega}}\n";                                   /* 48 */
+
+/* The good sheet with one text in place of another; malloc'ed. */
+static char *changed(const char *from, const char *to)
+{
+    const char *at = strstr(good, from);
+    ck_assert_msg(at != NULL, "the sheet has no '%s'", from);
+    char *text = malloc(sizeof good + strlen(to));
+    sprintf(text, "%.*s%s%s", (int)(at - good), good, to, at + strlen(from));
+    return text;
+}
+
+START_TEST(sheet_is_read)
+{
+    struct sheet s;
+    struct message why = {""};
+    ck_assert_msg(sheet_read(&s, good, strlen(good), "t", &why) == 0, "%s", why.text);
+    ck_assert_int_eq(s.quantity_count, 5);
+    ck_assert_int_eq(s.row_count, 1);
+    ck_assert_int_eq(s.section_count, 4);
+    const struct quantity *x1 = quantity_find(&s, "x1"), *y1 = quantity_find(&s, "y1");
+    ck_assert_str_eq(x1->unit, "m");
+    ck_assert_str_eq(y1->meaning, "place");
+    ck_assert(x1->either_sign);
+    ck_assert_int_eq(quantity_find(&s, "lambda_d")->domain, DOMAIN_POSITIVE_OR_INFINITE);
+    ck_assert_ptr_null(quantity_find(&s, "x2"));
+    const struct section *definition = section_find(&s, "eq1"), *formula = section_find(&s, "eq2");
+    ck_assert_int_eq(definition->method, METHOD_NONE);
+    ck_assert_str_eq(definition->relations[0].text, "x1 = 2*L");
+    ck_assert_int_eq(formula->method, METHOD_FORMULA);
+    ck_assert_int_eq(formula->numbers, 2);
+    ck_assert_str_eq(formula->equations[1], "2b");
+    ck_assert_int_eq(formula->input_count, 3);
+    ck_assert_ptr_eq(formula->outputs[0], quantity_find(&s, "L"));
+    ck_assert_int_eq(formula->corrected.count, 3);
+    ck_assert(formula->differs);
+    ck_assert_str_eq(formula->printed.text[0], "Omega*x1");
+    ck_assert_int_eq(formula->printed.count, 3); /* the domain is that of the corrected one */
+    ck_assert_int_eq(section_find(&s, "eq3")->method, METHOD_ROOTS);
+    ck_assert_ptr_null(section_find(&s, "eq5"));
+    const struct section *asked = section_find(&s, "eq4");
+    ck_assert_int_eq(asked->special_count, 1);
+    ck_assert_str_eq(asked->specials[0].flags, "edge");
+    ck_assert_ptr_null(asked->specials[0].texts[0]); /* as in the paper's case */
+    ck_assert_str_eq(asked->specials[0].texts[1], "3");
+    ck_assert_int_eq(asked->mistake_count, 1);
+    ck_assert_str_eq(asked->mistakes[0].changes[0].formula, "x1");
+    ck_assert_double_eq(asked->K, 20);
+    ck_assert_double_eq(formula->K, 8);
+    ck_assert_int_eq(s.mistake_count, 1);
+    sheet_clear(&s);
+}
+END_TEST
+
+/* In place of `from`, `to`; the message begins with the place and has this text. */
+static const struct {
+    const char *from, *to, *place, *expected;
+} mistakes[] = {
+    {"quantities:", "quantity:", "1:1: ", "unknown key 'quantity', expected perhaps quantities"},
+    {"table1:", "table2:", "6:1: ", "unknown key 'table2', expected perhaps table1"},
+    {"domain: finite", "domain: infinite", "3:28: ", "expected a domain: finite, > 0, >= 0 or > 0 or inf"},
+    {"domain: finite", "domain: [finite]", "3:28: ", "expected a domain"},
+    {"domain: finite, ", "", "3:10: ", "missing domain of 'x1 y1'"},
+    {"unit: rad/s, ", "", "2:10: ", "missing unit, expected a text"},
+    {", meaning: rate", "", "2:10: ", "missing meaning, expected a text"},
+    {"unit: rad/s", "units: rad/s", "2:11: ", "unknown key 'units', expected perhaps unit"},
+    {"  L: {", "  x1: {", "4:3: ", "duplicate quantity 'x1', expected each name once"},
+    {"  L: {", "  Omega: {", "4:3: ", "duplicate 'Omega', expected each key once"},
+    {"[1, 2]", "[2, 1]", "2:46: ", "expected low < high"},
+    {"sign: either", "sign: neither", "3:57: ", "expected 'either'"},
+    {"sign: either", "sign: [either]", "3:57: ", "expected 'either'"},
+    {"[1, 2]", "[1]", "2:46: ", "expected two bounds, [low, high]"},
+    {"[1, 2]", "[]", "2:46: ", "expected two bounds, [low, high]"},
+    {"[1, 2]", "[1, 2, 3]", "2:53: ", "expected a list of at most 2 texts"},
+    {"[1, 2]", "[1, two]", "2:50: ", "expected a positive number"},
+    {"[1, 2]", "[-1, 2]", "2:47: ", "expected a positive number"},
+    {"[1, 2]", "[nan, 2]", "2:47: ", "expected a positive number"},
+    {"[1, 2]", "1 to 2", "2:46: ", "expected a list"},
+    {"{name: L, ", "{name: M, ", "7:5: ", "unknown quantity 'M'"},
+    {"scale: 1}", "scale: 1, scale: 2}", "7:49: ", "duplicate 'scale', expected each key once"},
+    {", scale: 1", "", "7:5: ", "missing scale, expected a text"},
+    {"  - {name: L, printed: \"10\", unit: m, scale: 1}\n", "  L: 10\n", "7:3: ", "expected a list of rows"},
+    {"  eq2:", "  eq1:", "14:3: ", "duplicate 'eq1', expected each key once"},
+    {"title: a formula", "titel: a formula", "15:5: ", "unknown key 'titel', expected perhaps title"},
+    {"    title: a formula\n", "", "15:5: ", "missing title, expected a text"},
+    {"    equations: [2a, 2b]\n", "", "15:5: ", "missing equations: the numbers this section stands for"},
+    {"[2a, 2b]", "[]", "16:16: ", "expected at least one equation number"},
+    {"[Omega, x1, y1]", "[Omga, x1, y1]", "17:14: ",
+     "unknown symbol 'Omga', expected a quantity of the sheet (did you mean 'Omega'?)"},
+    {"[Omega, x1, y1]", "[Omega, x1, x1]", "17:25: ", "'x1' twice, expected it once"},
+    {"[Omega, x1, y1]", "[Omega, x1]", "19:22: ", "unknown symbol 'y1'"},
+    {"      r: sqrt", "      x1: sqrt", "19:7: ", "'x1' is an input already, expected a new name"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 + y1^2", "19:26: ", "expected ')' or an operator, the formula ends here"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 + y1^2))", "19:27: ", "expected an operator or the end of the formula, found ')'"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 ++ y1^2)", "19:21: ", "expected a number, a symbol or '(', found '+'"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^k + y1^2)", "19:18: ", "expected an integer exponent"},
+    {"sqrt(x1^2 + y1^2)", "[x1, y1]", "19:10: ", "expected a formula"},
+    {"L: Omega*r\n", "L: Omega*R\n", "21:16: ", "unknown symbol 'R'"},
+    {"L: Omega*r\n", "L: \"Omega*R\"\n", "21:17: ", "unknown symbol 'R'"},
+    {"L: Omega*r\n", "M: Omega*r\n", "21:7: ", "unknown symbol 'M', expected a quantity of the sheet"},
+    {"L: Omega*r\n", "L: {a: b}\n", "21:10: ", "expected a formula"},
+    {"x1 + y1 > 0", "x1 + y1", "22:14: ", "expected a condition with >, >= or <"},
+    {"x1 + y1 > 0", "x1 + z1 > 0", "22:19: ", "unknown symbol 'z1'"},
+    {"x1 + y1 > 0", "x1 + y1 > z1", "22:24: ", "unknown symbol 'z1'"},
+    {"        L: Omega*x1\n", "        x1: Omega*x1\n", "25:9: ",
+     "expected the outputs of the corrected equation, in its order"},
+    {"        L: Omega*x1\n", "        L: Omega*x1\n        x1: \"1\"\n", "26:9: ",
+     "expected the outputs of the corrected equation, in its order"},
+    {"    reason: the root is missing\n", "", "15:5: ", "missing reason, expected a text"},
+    {"      outputs:\n        L: Omega*x1\n", "      domain: []\n", "24:7: ", "missing outputs"},
+    {"      outputs:\n        L: Omega*x1\n", "      output:\n        L: Omega*x1\n", "24:7: ",
+     "unknown key 'output', expected perhaps outputs"},
+    {"x1 = 2*L", "x1 - 2*L", "13:32: ", "expected left = right"},
+    {"x1 = 2*L", "x1 = 2*M", "13:40: ", "unknown symbol 'M'"},
+    {"x1 = 2*L", "x1 = 2* ", "13:41: ", "expected a number, a symbol or '(', the formula ends here"},
+    {"equation: \"1\", ", "", "13:9: ", "missing equation, expected a text"},
+    {"method: roots", "method: root", "30:13: ", "expected a method: roots, flow_ or rk4_ linear or nonlinear"},
+    {"    inputs: [L]\n", "", "28:5: ", "missing inputs"},
+    {"    outputs: [x1, y1]\n", "", "28:5: ", "missing outputs"},
+    {"[x1, y1]\n", "[x1, z1]\n", "32:19: ", "unknown symbol 'z1'"},
+    {"table1:", "[table1]:", "6:1: ", "expected a plain key"},
+    {"unit: rad/s", "unit: \"\"", "2:17: ", "missing unit, expected a text"},
+    {"    let:\n      r: sqrt(x1^2 + y1^2)\n", "    let: r\n", "18:10: ", "expected a mapping, key: value"},
+    {"      outputs:\n        L: Omega*x1\n", "      outputs: {}\n", "24:16: ", "expected 1 outputs"},
+    {"      three: {x1: 3, flags: edge}\n", "      - three\n", "42:7: ", "expected a mapping, key: value"},
+    {"{x1: 3, flags: edge}", "3", "42:14: ", "expected a mapping, key: value"},
+    {", flags: edge", "", "42:14: ", "missing flags, expected a text"},
+    {"{x1: 3", "{y1: 3", "42:15: ", "'y1' is no input of eq4"},
+    {"{x1: 3", "{x1: [3]", "42:19: ", "expected a number"},
+    {"{let: {half: x1}}", "x1", "44:19: ", "expected a mapping, key: value"},
+    {"{let: {half: x1}}", "{lets: {half: x1}}", "44:20: ", "unknown key 'lets', expected perhaps let"},
+    {"{half: x1}", "half", "44:25: ", "expected a mapping, key: value"},
+    {"{half: x1}", "{half: [x1]}", "44:32: ", "expected a formula, and at most 12 of them"},
+    {"{half: x1}", "{hlf: x1}", "44:19: ", "'hlf' is not there to be changed"},
+    {"{half: x1}", "{Omega: x1}", "44:19: ", "'Omega' is not there to be changed"},
+    {"{half: x1}", "{half: x9}", "44:19: ", "half: unknown symbol 'x9'"},
+    {"{let: {half: x1}}", "{}", "44:19: ", "nothing is changed"},
+    {"{let: {half: x1}}", "{as: eq1}", "44:19: ", "as: expected an operation with as many outputs"},
+    {"{let: {half: x1}}", "{as: eq3}", "44:19: ", "as: expected an operation with as many outputs"},
+    {"{let: {half: x1}}", "{as: eq5}", "44:19: ", "as: expected an operation with as many outputs"},
+    {"{let: {half: x1}}", "{as: eq2}", "44:19: ", "eq2 needs y1"},
+    {"{bound: 20, reason: it may}", "20", "45:8: ", "expected a mapping, key: value"},
+    {", reason: it may", "", "45:8: ", "missing reason, expected a text"},
+    {"bound: 20, ", "", "45:8: ", "missing bound, expected a positive number"},
+    {"bound: 20", "bound: 0", "45:16: ", "expected a positive number"},
+    {"bound: 20", "bound: [20]", "45:16: ", "expected a positive number"},
+    {"bound: 8, ", "", "46:4: ", "missing bound, expected a positive number"},
+    {"  another rate: {inputs: {Omega: 2*Omega}}\n", "  - another\n", "48:3: ", "expected a mapping, key: value"},
+    {"{inputs: {Omega: 2*Omega}}", "2*Omega", "48:17: ", "expected a mapping, key: value"},
+    {"bound: 20", "bound: inf", "45:16: ", "expected a positive number, finite"},
+    {"[1, 2]", "[1, 1e999]", "2:50: ", "expected a positive number, finite"},
+    {"[1, 2]", "[1e-999, 2]", "2:47: ", "expected a positive number"},
+    {"value: 10", "value: -10", "4:39: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "value: inf", "4:39: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "value: nan", "4:39: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "value: ten", "4:39: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "value: 1e999", "4:39: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "example: -10", "4:41: ", "expected a number of the quantity's own domain"},
+    {"range: [1, 2]", "value: 0", "2:46: ", "expected a number of the quantity's own domain"},
+    {"range: [1, 2]", "sign: either", "2:45: ", "expected no sign where the domain has but one"},
+    {"{x1: 3", "{x1: three", "42:19: ", "expected a number"},
+    {"{x1: 3", "{x1: 1e999", "42:19: ", "expected a number"},
+    {"{x1: 3", "{x1: \"3 four\"", "42:19: ", "expected a number"},
+    {"value: 10", "value: [10]", "4:39: ", "missing value, expected a text"},
+    {"unit: rad/s", "\"un\\nit\": rad/s", "2:11: ", "unknown key 'un?it', expected perhaps unit"},
+    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n---\nmore: 1\n", "33:1: ", "expected one document, another follows"},
+    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n...\n]\n", "33:1: ", "expected one document, another follows"},
+    {"[2a, 2b]", "[2a, 2b", "", "expected YAML: "},
+    {"equations:\n  eq1:", "equations:\n\teq1:", "", "expected YAML: "},
+};
+
+START_TEST(mistake_is_told_with_its_place)
+{
+    struct sheet s;
+    struct message why = {""};
+    char place[40];
+    char *text = changed(mistakes[_i].from, mistakes[_i].to);
+    ck_assert_int_ne(sheet_read(&s, text, strlen(text), "t.yaml", &why), 0);
+    snprintf(place, sizeof place, "t.yaml:%s", mistakes[_i].place);
+    ck_assert_msg(strncmp(why.text, place, strlen(place)) == 0, "'%s' is not at %s", why.text, place);
+    ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "'%s' has no '%s'", why.text,
+                  mistakes[_i].expected);
+    free(text);
+}
+END_TEST
+
+START_TEST(empty_sheet_is_refused)
+{
+    struct sheet s;
+    struct message why = {""};
+    ck_assert_int_ne(sheet_read(&s, "", 0, "t.yaml", &why), 0);
+    ck_assert_msg(strncmp(why.text, "t.yaml:1:1: expected", 20) == 0, "%s", why.text);
+}
+END_TEST
+
+/* Its inputs take the places of outputs, of which there are no more than 16. */
+START_TEST(mistake_in_a_method_of_17_inputs_is_refused)
+{
+    static const char text[] =
+        "quantities:\n"
+        "  a b c d e f g h i j k l m n o p q: {unit: m, domain: finite, meaning: place}\n"
+        "table1: []\n"
+        "equations:\n"
+        "  eq1:\n"
+        "    title: an algorithm\n"
+        "    equations: [\"1\"]\n"
+        "    method: roots\n"
+        "    inputs: [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q]\n"
+        "    outputs: [a]\n"
+        "    mistakes:\n"
+        "      twice: {inputs: {a: 2*a}}\n";
+    struct sheet s;
+    struct message why = {""};
+    ck_assert_int_ne(sheet_read(&s, text, strlen(text), "t.yaml", &why), 0);
+    ck_assert_str_eq(why.text, "t.yaml:12:14: expected a formula, or a method of at most 16 inputs");
+}
+END_TEST
+
+/* Whatever byte of the sheet is lost, it is read or refused in words, never worse. */
+START_TEST(cut_sheet_is_read_or_refused)
+{
+    for (size_t length = 0; length < strlen(good); length++) {
+        struct sheet s;
+        struct message why = {""};
+        if (sheet_read(&s, good, length, "t.yaml", &why) == 0)
+            sheet_clear(&s);
+        else
+            ck_assert_msg(strncmp(why.text, "t.yaml:", 7) == 0, "%s", why.text);
+    }
+}
+END_TEST
+
+/* ---- the paper's sheet ---- */
+
+/*
+ * Where random vectors come from is a choice, which nothing else in the sheet depends on: it is made twice. Formations
+ * of metres to a kilometre, in orbits from a quarter of an hour of rad/Omega to a day, charges up to ten microcoulombs.
+ */
+static const struct {
+    const char *names;
+    double low, high;
+    bool either_sign;
+} ranges[] = {
+    {"Omega", 1e-5, 1e-3, false},
+    {"k_c", 8e9, 1e10, false},
+    {"lambda_d", 10, 1e4, false},
+    {"GM", 1e13, 1e15, false},
+    {"m1 m2 m3 L L_ref", 1, 1000, false},
+    {"L_dot", 1e-7, 0.1, true},
+    {"dL", 1e-4, 10, true},
+    {"dL_dot", 1e-8, 1e-2, true},
+    {"psi theta", 1e-4, 3, true},
+    {"psi_dot theta_dot", 1e-8, 1e-3, true},
+    {"psi_ddot theta_ddot", 1e-12, 1e-6, true},
+    {"Q Q_ref dQ", 1e-16, 1e-10, true},
+    {"q1 q2 q3", 1e-8, 1e-5, true},
+    {"x1 y1 z1 x2 y2 z2 x3 y3 z3", 0.1, 100, true},
+    {"x1_dot y1_dot z1_dot x2_dot y2_dot z2_dot x3_dot y3_dot z3_dot", 1e-7, 0.1, true},
+    {"I", 1, 1e9, false},
+    {"R_c", 6.5e6, 1e8, false},
+    {"R_c1 R_c2 R_c3", 1e5, 1e8, true},
+    {"C1", 1e-10, 1e-5, true},
+    {"C2", 1e-6, 1e-2, true},
+    {"n", 9, 100, false},
+    {"t", 1, 1e5, true},
+    {"h", 1, 1000, false},
+};
+
+START_TEST(ranges_are_these)
+{
+    int with_range = 0;
+    for (int k = 0; k < COUNT(ranges); k++) {
+        char names[80], *rest = NULL;
+        snprintf(names, sizeof names, "%s", ranges[k].names);
+        for (char *name = strtok_r(names, " ", &rest); name; name = strtok_r(NULL, " ", &rest), with_range++) {
+            const struct quantity *q = quantity_find(sheet(), name);
+            ck_assert_msg(q != NULL && q->low == ranges[k].low && q->high == ranges[k].high &&
+                          q->either_sign == ranges[k].either_sign, "%s", name);
+        }
+    }
+    for (int i = 0; i < sheet()->quantity_count; i++)
+        with_range -= sheet()->quantities[i].high > 0;
+    ck_assert_int_eq(with_range, 0);
+}
+END_TEST
+
+/* Table 1, the gains and the initial values: what commands fall back on, and the user may override. */
+START_TEST(values_of_the_simulation_are_these)
+{
+    static const char names[] = " Omega k_c m1 m2 L_ref dL dL_dot psi theta psi_dot theta_dot n ";
+    for (int i = 0; i < sheet()->quantity_count; i++) {
+        const struct quantity *q = &sheet()->quantities[i];
+        char name[40];
+        snprintf(name, sizeof name, " %s ", q->name);
+        ck_assert_msg((q->value != NULL) == (strstr(names, name) != NULL), "%s", q->name);
+        ck_assert_msg(q->value == NULL || q->example == NULL, "%s", q->name);
+    }
+}
+END_TEST
+
+/* eq10lin stands for Eq. (10); a motion for the equations that it obeys. */
+START_TEST(sections_stand_for_the_equation_in_their_name)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        const bool linear = strstr(s->id, "_linear") != NULL, motion = strchr(s->id, '_') != NULL;
+        const int number = motion ? (linear ? 40 : 3) : atoi(s->id + 2);
+        bool found = false;
+        for (int k = 0; k < s->numbers; k++)
+            found |= atoi(s->equations[k]) == number;
+        ck_assert_msg(found, "%s", s->id);
+        ck_assert_msg(!motion || (s->numbers == 3 && s->equations[0][strlen(s->equations[0]) - 1] == 'a' &&
+                                  s->equations[1][strlen(s->equations[1]) - 1] == 'b' &&
+                                  s->equations[2][strlen(s->equations[2]) - 1] == 'c'), "%s", s->id);
+    }
+}
+END_TEST
+
+/* Nothing follows a definition, so that nothing holds it: it is written twice. */
+START_TEST(definitions_are_these)
+{
+    static const char *const texts[][5] = {{"L = L_ref + dL", "Q = Q_ref + dQ"}, {"w_1 = 0", "w_2 = 0", "w_3 = Omega"}};
+    const struct section *sections[] = {section_find(sheet(), "eq16"), section_find(sheet(), "eq23")};
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < sections[i]->relation_count; k++)
+            ck_assert_str_eq(sections[i]->relations[k].text, texts[i][k]);
+}
+END_TEST
+
+START_TEST(no_relation_stands_twice)
+{
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        for (int k = 0; k < s->relation_count; k++)
+            for (int r = 0; r < k; r++)
+                ck_assert_str_ne(s->relations[k].text, s->relations[r].text);
+    }
+}
+END_TEST
+
+/* YAML 1.1 takes these for true and false, and an exponent without a sign or a point for text; YAML 1.2 does not. */
+static bool means_two_things(const char *plain)
+{
+    static const char *const words[] = {"y", "Y", "n", "N", "yes", "Yes", "YES", "no", "No", "NO", "on", "On", "ON", "off", "Off", "OFF"};
+    for (int i = 0; i < COUNT(words); i++)
+        if (strcmp(plain, words[i]) == 0)
+            return true;
+    const size_t mantissa = strspn(plain, "+-.0123456789");
+    if (mantissa == 0 || (plain[mantissa] != 'e' && plain[mantissa] != 'E'))
+        return false;
+    const char *exponent = plain + mantissa + 1, *point = strchr(plain, '.');
+    const size_t sign = strspn(exponent, "+-");
+    const bool number = exponent[sign] != '\0' && strspn(exponent + sign, "0123456789") == strlen(exponent + sign);
+    return number && (sign != 1 || point == NULL || point > exponent);
+}
+
+START_TEST(sheets_mean_the_same_in_every_yaml)
+{
+    const char *(*const texts[])(size_t *) = {embedded_sheet, embedded_derivations, embedded_claims};
+    struct document d;
+    struct message why;
+    size_t length;
+    /* cppcheck-suppress uninitvar ; a list of functions is set */
+    const char *text = texts[_i](&length);
+    ck_assert(means_two_things("n") && means_two_things("4e7") && means_two_things("8.99e9") && means_two_things("4e+7"));
+    ck_assert(!means_two_things("n1") && !means_two_things("8.99e+9") && !means_two_things("2*x") && !means_two_things("12"));
+    ck_assert(document_open(&d, text, length, "sheet", &why));
+    for (const yaml_node_t *node = d.yaml.nodes.start; node < d.yaml.nodes.top; node++)
+        if (node->type == YAML_SCALAR_NODE && node->data.scalar.style == YAML_PLAIN_SCALAR_STYLE)
+            ck_assert_msg(!means_two_things(scalar(node)), "line %zu: %s, expected in quotation marks, or a number like 1.0e+7",
+                          node->start_mark.line + 1, scalar(node));
+    document_close(&d);
+}
+END_TEST
+
+SUITE(test_sheet)
+{
+    TCase *reading = tcase_create("reading");
+    tcase_add_test(reading, sheet_is_read);
+    tcase_add_loop_test(reading, sheets_mean_the_same_in_every_yaml, 0, 3);
+    tcase_add_test(reading, ranges_are_these);
+    tcase_add_test(reading, values_of_the_simulation_are_these);
+    tcase_add_test(reading, no_relation_stands_twice);
+    tcase_add_test(reading, definitions_are_these);
+    tcase_add_test(reading, sections_stand_for_the_equation_in_their_name);
+    tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
+    tcase_add_test(reading, empty_sheet_is_refused);
+    tcase_add_test(reading, mistake_in_a_method_of_17_inputs_is_refused);
+    tcase_add_test(reading, cut_sheet_is_read_or_refused);
+
+    Suite *s = suite_create("sheet");
+    suite_add_tcase(s, reading);
+    return s;
+}

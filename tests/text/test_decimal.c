@@ -1,0 +1,524 @@
+/*
+ * Numbers as text. The expected values come from hexadecimal constants of the compiler, from libc's
+ * strtod, from python3 (the expression stands beside the value) and from the definition of
+ * rounding.
+ */
+#include <check.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/run.h"
+#include "text/decimal.h"
+#include "text/scope.h"
+
+/* xorshift64 (Marsaglia 2003, J. Stat. Soft. 8(14)): the same doubles everywhere. */
+static uint64_t next_random(uint64_t *state)
+{
+    *state ^= *state << 13;
+    *state ^= *state >> 7;
+    *state ^= *state << 17;
+    return *state;
+}
+
+/* A finite double of any sign and exponent. */
+static double random_double(uint64_t *state)
+{
+    double x;
+    do {
+        uint64_t bits = next_random(state);
+        memcpy(&x, &bits, sizeof x);
+    } while (!isfinite(x));
+    return x;
+}
+
+/* The double that a literal means; NaN unless it is finite and fits a double exactly. */
+static double read_double(const char *text)
+{
+    SCOPE(fmpq, value);
+    SCOPE(arf, x);
+    double result = NAN;
+    if (literal_read(value, text, false) == LITERAL_FINITE &&
+        arf_set_fmpq(x, value, 53, ARF_RND_DOWN) == 0) /* 53: DBL_MANT_DIG; 0: nothing was lost */
+        result = arf_get_d(x, ARF_RND_DOWN);
+    return result;
+}
+
+static const struct {
+    const char *text;
+    double value;
+} nearest_double[] = {
+    {"0", 0.0},
+    {"-0", 0.0},
+    {"+1.5", 0x1.8p0},
+    {".5", 0x1p-1},
+    {"5.", 0x1.4p2},
+    {"1e3", 0x1.f4p9},
+    {"1E+03", 0x1.f4p9},
+    {"0.1", 0x1.999999999999ap-4}, /* float.hex(0.1) */
+    {"-8.99e9", -8.99e9},
+    {"9007199254740993", 0x1p53},               /* 2^53 + 1: a tie, the even one is below */
+    {"9007199254740995", 0x1.0000000000002p53}, /* 2^53 + 3: a tie, the even one is above */
+    {"9007199254740993.0000000000000000000000000000000000000001", 0x1.0000000000001p53},
+    {"0x1.8", 0x1.8p0},
+    {"0X.8P1", 0x1p0},
+    {"-0xAp-1", -0x1.4p2},
+    {"0x1.00000000000008p0", 0x1p0}, /* 1 + 2^-53: a tie */
+    {"0x1.000000000000080001p0", 0x1.0000000000001p0},
+    {"0x1p-1075", 0.0},         /* half of the least subnormal: a tie */
+    {"0x1.8p-1074", 0x1p-1073}, /* one and a half: a tie */
+    {"0x1.0000001p-1075", 0x1p-1074},
+    {"2.4703282292062327208e-324", 0.0}, /* Decimal(2)**-1075 = 2.47032822920623272088e-324 */
+    {"2.4703282292062327209e-324", 0x1p-1074},
+    {"2.2250738585072011e-308", 0x0.fffffffffffffp-1022}, /* float.hex(2.2250738585072011e-308) */
+    {"1.7976931348623158e308", 0x1.fffffffffffffp1023},
+    {"0x1.fffffffffffff7ffp1023", 0x1.fffffffffffffp1023},
+    {"1e-400", 0.0},
+    {"-1e-99999999999999999999", 0.0},
+    {"0e99999999999999999999", 0.0},
+    {"0x0p99999999999999999999", 0.0},
+};
+
+START_TEST(literal_means_the_nearest_double)
+{
+    ck_assert_msg(read_double(nearest_double[_i].text) == nearest_double[_i].value, "%s is %a",
+                  nearest_double[_i].text, read_double(nearest_double[_i].text));
+}
+END_TEST
+
+/* Other road: libc's strtod. */
+START_TEST(literal_agrees_with_strtod)
+{
+    uint64_t state = 1;
+    for (int k = 0; k < 2000; k++) {
+        char text[64];
+        double x = random_double(&state);
+        snprintf(text, sizeof text, k % 2 == 0 ? "%.*e" : "%.*a", k % 19, x);
+        double expected = strtod(text, NULL);
+        if (isfinite(expected)) /* rounding up may overflow */
+            ck_assert_msg(read_double(text) == expected, "%s", text);
+    }
+}
+END_TEST
+
+static const struct {
+    const char *text;
+    enum literal kind, exact_kind;
+} kinds[] = {
+    {"", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"+", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {".", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"-.", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {" 1", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"1 ", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"1,5", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"1.2.3", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"--1", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"1e", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"1e+", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"e5", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"1e5.0", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"1p5", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"12a", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"0x", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"0x.", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"0x1p", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"0xg", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"0x-1", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"infinite", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"in", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"nano", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"1e400 ", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"nan", LITERAL_NAN, LITERAL_NAN},
+    {"-NaN", LITERAL_NAN, LITERAL_NAN},
+    {"inf", LITERAL_INFINITE, LITERAL_INFINITE},
+    {"+Inf", LITERAL_INFINITE, LITERAL_INFINITE},
+    {"INFINITY", LITERAL_INFINITE, LITERAL_INFINITE},
+    {"-inf", LITERAL_NEGATIVE_INFINITE, LITERAL_NEGATIVE_INFINITE},
+    {"1e400", LITERAL_OVERFLOW, LITERAL_FINITE},
+    {"1.797693134862315808e308", LITERAL_OVERFLOW, LITERAL_FINITE}, /* above 2^1024 - 2^970 */
+    {"0x1.fffffffffffff8p1023", LITERAL_OVERFLOW, LITERAL_FINITE},  /* that tie itself     */
+    {"0x1p1024", LITERAL_OVERFLOW, LITERAL_FINITE},
+    {"0x1p99999999", LITERAL_OVERFLOW, LITERAL_OVERFLOW},
+    {"1e-5000", LITERAL_FINITE, LITERAL_FINITE},
+    {"1e-5001", LITERAL_FINITE, LITERAL_OVERFLOW},
+    {"-1e5001", LITERAL_OVERFLOW, LITERAL_OVERFLOW},
+    {"1e99999999999999999999", LITERAL_OVERFLOW, LITERAL_OVERFLOW},
+    {"0e99999999999999999999", LITERAL_FINITE, LITERAL_FINITE},
+};
+
+START_TEST(literal_kind_is_told)
+{
+    SCOPE(fmpq, value);
+    ck_assert_int_eq(literal_read(value, kinds[_i].text, false), kinds[_i].kind);
+}
+END_TEST
+
+START_TEST(exact_literal_kind_is_told)
+{
+    SCOPE(fmpq, value);
+    ck_assert_int_eq(literal_read(value, kinds[_i].text, true), kinds[_i].exact_kind);
+}
+END_TEST
+
+static const struct {
+    const char *text;
+    slong p;
+    ulong q;
+} exact_values[] = {
+    {"0.1", 1, 10},        {"-1.25e1", -25, 2}, {"7.2915e-05", 14583, 200000000},
+    {"0x1.8p-2", 3, 8},    {"-0xff", -255, 1},  {"000.500e0", 1, 2},
+    {"0.0000001e7", 1, 1}, {"0x0.01p8", 1, 1},
+};
+
+START_TEST(exact_literal_is_its_own_value)
+{
+    SCOPE(fmpq, value, expected);
+    fmpq_set_si(expected, exact_values[_i].p, exact_values[_i].q);
+    literal_read(value, exact_values[_i].text, true);
+    ck_assert(fmpq_equal(value, expected));
+}
+END_TEST
+
+START_TEST(exact_literal_of_giant_length_is_refused)
+{
+    static char text[20000];
+    SCOPE(fmpq, value);
+    memset(text, '0', sizeof text - 1);
+    text[0] = '1';
+    ck_assert_int_eq(literal_read(value, text, true), LITERAL_OVERFLOW);
+    text[1] = '.';
+    text[sizeof text - 2] = '1';
+    ck_assert_int_eq(literal_read(value, text, true), LITERAL_OVERFLOW);
+    ck_assert_int_eq(literal_read(value, text, false), LITERAL_FINITE);
+    ck_assert(fmpq_is_one(value));
+}
+END_TEST
+
+/* 1.000...0001 with 4,999 zeros lies above the tie at 1 + 2^-53 only through its last digit. */
+START_TEST(literal_of_thousands_of_digits_is_not_cut)
+{
+    static const char tie[] =
+        "1.00000000000000011102230246251565404236316680908203125"; /* 1 + 2^-53 */
+    char text[5100];
+    memset(text, '0', sizeof text);
+    memcpy(text, tie, sizeof tie - 1);
+    text[sizeof text - 2] = '1';
+    text[sizeof text - 1] = '\0';
+    ck_assert(read_double(tie) == 1.0);
+    ck_assert(read_double(text) == 0x1.0000000000001p0);
+}
+END_TEST
+
+static const struct {
+    slong p;
+    ulong q;
+    slong digits;
+    const char *text;
+} rationals[] = {
+    {0, 1, 40, "0"},
+    {1, 1, 1, "1e+00"},
+    {1, 2, 1, "5e-01"},
+    {1, 1, 5, "1.0000e+00"},
+    {-1, 3, 40, "-3.333333333333333333333333333333333333333e-01"},
+    {2, 3, 40, "6.666666666666666666666666666666666666667e-01"},
+    {1, 8, 2, "1.2e-01"}, /* 0.125: a tie, to even */
+    {3, 8, 2, "3.8e-01"}, /* 0.375: a tie, to even */
+    {-25, 10, 1, "-2e+00"},
+    {35, 10, 1, "4e+00"},
+    {95, 10, 1, "1e+01"}, /* a tie, over the power of ten */
+    {85, 10, 1, "8e+00"},
+    {99994, 10000, 4, "9.999e+00"},
+    {99995, 10000, 4, "1.000e+01"},
+    {999949999, 100000, 5, "9.9995e+03"},
+    {123456789, 1, 9, "1.23456789e+08"},
+};
+
+START_TEST(rational_rounds_to_nearest_even)
+{
+    SCOPE(fmpq, x);
+    fmpq_set_si(x, rationals[_i].p, rationals[_i].q);
+    char *text = decimal_of_rational(x, rationals[_i].digits);
+    ck_assert_str_eq(text, rationals[_i].text);
+    free(text);
+}
+END_TEST
+
+/* The exponent's first guess errs, if at all, at powers of ten. */
+START_TEST(rational_power_of_ten_is_written_as_such)
+{
+    SCOPE(fmpq, x);
+    for (int k = -400; k <= 400; k++) {
+        char literal[16], expected[32];
+        snprintf(literal, sizeof literal, "1e%d", k);
+        snprintf(expected, sizeof expected, "1.00e%+03d", k);
+        ck_assert_int_eq(literal_read(x, literal, true), LITERAL_FINITE);
+        char *text = decimal_of_rational(x, 3);
+        ck_assert_str_eq(text, expected);
+        free(text);
+    }
+}
+END_TEST
+
+/* 1/7 repeats 142857: digit 10,000 is an 8, and 5 comes next. */
+START_TEST(rational_gives_ten_thousand_digits)
+{
+    char expected[10006] = "1.";
+    for (int k = 1; k < 9999; k++)
+        expected[k + 1] = "142857"[k % 6];
+    snprintf(expected + 10000, 6, "9e-01");
+    SCOPE(fmpq, x);
+    fmpq_set_si(x, 1, 7);
+    char *text = decimal_of_rational(x, 10000);
+    ck_assert_str_eq(text, expected);
+    free(text);
+}
+END_TEST
+
+/* The definition: so many digits, and no further than half a unit of the last from x. */
+START_TEST(rational_text_is_within_half_a_unit)
+{
+    uint64_t state = 2;
+    SCOPE(fmpq, x, y, unit);
+    for (int k = 0; k < 500; k++) {
+        fmpq_set_si(x, (slong)(next_random(&state) >> 1), (next_random(&state) >> (k % 64)) | 1);
+        slong digits = 2 + k % 30;
+        char *text = decimal_of_rational(x, digits), literal[32];
+        ck_assert_int_eq(strcspn(text, "e"), digits + 1);
+        snprintf(literal, sizeof literal, "1e%ld", atol(strchr(text, 'e') + 1) - digits + 1);
+        ck_assert_int_eq(literal_read(y, text, true), LITERAL_FINITE);
+        ck_assert_int_eq(literal_read(unit, literal, true), LITERAL_FINITE);
+        fmpq_sub(y, y, x);
+        fmpq_abs(y, y);
+        fmpq_mul_2exp(y, y, 1);
+        ck_assert_msg(fmpq_cmp(y, unit) <= 0, "%s", text);
+        free(text);
+    }
+}
+END_TEST
+
+/* mpmath.mp.dps = 60; mpmath.nstr(mpmath.pi, 40), and so on. */
+START_TEST(ball_of_pi_is_rounded)
+{
+    SCOPE(arb, x);
+    arb_const_pi(x, 160);
+    char *text = decimal_of_ball(x, 40);
+    ck_assert_pstr_eq(text, "3.141592653589793238462643383279502884197e+00");
+    free(text);
+    arb_neg(x, x);
+    text = decimal_of_ball(x, 30);
+    ck_assert_pstr_eq(text, "-3.14159265358979323846264338328e+00");
+    free(text);
+}
+END_TEST
+
+START_TEST(ball_too_wide_is_refused)
+{
+    SCOPE(arb, x);
+    arb_const_pi(x, 100);
+    ck_assert_ptr_null(decimal_of_ball(x, 40));
+}
+END_TEST
+
+/* Ball [low, high] / 100 as integers; NULL where two numbers in it round differently. */
+static const struct {
+    slong low, high, digits;
+    const char *text;
+} balls[] = {
+    {1020, 1040, 1, "1e+01"},
+    {940, 1060, 1, NULL},    /* 9.4 rounds to 9, 10.6 to 10 */
+    {955, 1040, 1, "1e+01"}, /* over a power of ten, and decided */
+    {9995001, 10000100, 3, "1.00e+05"},
+    {149, 151, 1, NULL}, /* round a tie */
+    {151, 249, 1, "2e+00"},
+    {-249, -151, 1, "-2e+00"},
+    {-1, 1, 1, NULL},
+    {0, 10, 1, NULL},
+    {250, 250, 1, "2e+00"}, /* exact: ties are decided */
+    {1, 100000000, 1, NULL},
+    {0, 0, 7, "0"},
+};
+
+START_TEST(ball_is_decided_when_all_of_it_rounds_alike)
+{
+    SCOPE(arb, x);
+    arb_set_si(x, balls[_i].low + balls[_i].high);
+    mag_set_ui_2exp_si(arb_radref(x), (ulong)(balls[_i].high - balls[_i].low), 0);
+    arb_div_ui(x, x, 200, 60);
+    char *text = decimal_of_ball(x, balls[_i].digits);
+    ck_assert_pstr_eq(text, balls[_i].text);
+    free(text);
+}
+END_TEST
+
+START_TEST(ball_without_a_finite_value_is_refused)
+{
+    SCOPE(arb, x);
+    arb_pos_inf(x);
+    ck_assert_ptr_null(decimal_of_ball(x, 5));
+    arb_indeterminate(x);
+    ck_assert_ptr_null(decimal_of_ball(x, 5));
+    arb_zero_pm_inf(x);
+    ck_assert_ptr_null(decimal_of_ball(x, 5));
+}
+END_TEST
+
+/* mpmath.mp.dps = 60; mpmath.nstr(mpmath.exp(-mpmath.mpf(10)**10), 20) */
+START_TEST(ball_of_tiny_value_has_its_exponent)
+{
+    SCOPE(arb, x);
+    arb_set_si(x, -10000000000);
+    arb_exp(x, x, 128);
+    char *text = decimal_of_ball(x, 20);
+    ck_assert_pstr_eq(text, "9.2785844203248725781e-4342944820");
+    free(text);
+}
+END_TEST
+
+START_TEST(ball_of_absurd_exponent_is_refused)
+{
+    SCOPE(fmpz, exponent);
+    SCOPE(arb, x);
+    fmpz_ui_pow_ui(exponent, 2, 60);
+    arb_const_pi(x, 128);
+    arb_mul_2exp_fmpz(x, x, exponent);
+    ck_assert_ptr_null(decimal_of_ball(x, 5));
+    arb_one(x);
+    arb_mul_2exp_fmpz(x, x, exponent);
+    ck_assert_ptr_null(decimal_of_ball(x, 5));
+}
+END_TEST
+
+/* python3: repr(x), without its trailing ".0" */
+static const struct {
+    double x;
+    const char *text;
+} shortest[] = {
+    {0.0, "0"},
+    {-0.0, "-0"},
+    {100.0, "100"},
+    {-150.0, "-150"},
+    {0.01, "0.01"},
+    {0.1, "0.1"},
+    {7.2915e-05, "7.2915e-05"},
+    {-1.5e+20, "-1.5e+20"},
+    {1e-4, "0.0001"},
+    {1e-5, "1e-05"},
+    {8.99e9, "8990000000"},
+    {1e15, "1000000000000000"},
+    {1e16, "1e+16"},
+    {1e22, "1e+22"},
+    {1e23, "1e+23"},
+    {123456789012345678.0, "1.2345678901234568e+17"},
+    {1.0 / 3.0, "0.3333333333333333"},
+    {-1234.5678, "-1234.5678"},
+    {0x1p-44, "5.684341886080802e-14"}, /* not the nearest of 16 digits, which does not read back */
+    {0x1p-1074, "5e-324"},
+    {0x1p-1022, "2.2250738585072014e-308"},
+    {0x1.fffffffffffffp1023, "1.7976931348623157e+308"},
+    {INFINITY, "inf"},
+    {-INFINITY, "-inf"},
+    {NAN, "nan"},
+};
+
+START_TEST(shortest_decimal_is_known)
+{
+    char text[32];
+    decimal_shortest(text, shortest[_i].x);
+    ck_assert_str_eq(text, shortest[_i].text);
+}
+END_TEST
+
+/* Other road: libc's strtod reads it back, and no number of libc's with a digit less does so. */
+START_TEST(shortest_decimal_reads_back_and_none_shorter)
+{
+    uint64_t state = 3;
+    for (int k = 0; k < 2000; k++) {
+        char text[32], shorter[32];
+        double x = random_double(&state);
+        decimal_shortest(text, x);
+        ck_assert_msg(strtod(text, NULL) == x, "%s", text);
+        int digits = (int)strcspn(text, "e") - (*text == '-') - (strchr(text, '.') != NULL);
+        if (digits < 2 || strchr(text, 'e') == NULL) /* 100 has three digits and needs one */
+            continue;
+        snprintf(shorter, sizeof shorter, "%.*e", digits - 2, x);
+        ck_assert_msg(strtod(shorter, NULL) != x, "%s", text);
+    }
+}
+END_TEST
+
+static const struct {
+    ulong mantissa;
+    slong exponent;
+    const char *text;
+} bounds[] = {
+    {0, 0, "0"},
+    {1, 0, "1.0e+00"},
+    {1, -1, "5.0e-01"},
+    {1, -4, "6.3e-02"},   /* 0.0625 */
+    {255, -8, "1.0e+00"}, /* 0.99609375 */
+    {5, 0, "5.0e+00"},
+    {101, 0, "1.1e+02"},
+    {100, 0, "1.0e+02"},
+    {1, -53, "1.2e-16"},          /* 1.11e-16 */
+    {1, 1000, "1.1e+301"},        /* 1.07150860718626732e301: Decimal(2)**1000 */
+    {1, -2000000, "1.1e-301030"}, /* widened to 2^-1000000 = 1.0100e-301030 */
+    {1, 2000000, "inf"},
+};
+
+START_TEST(bound_is_rounded_up)
+{
+    char text[32];
+    SCOPE(mag, x);
+    mag_set_ui_2exp_si(x, bounds[_i].mantissa, bounds[_i].exponent);
+    decimal_bound(text, x);
+    ck_assert_str_eq(text, bounds[_i].text);
+}
+END_TEST
+
+START_TEST(bound_of_infinity_is_inf)
+{
+    char text[32];
+    SCOPE(mag, x);
+    mag_inf(x);
+    decimal_bound(text, x);
+    ck_assert_str_eq(text, "inf");
+}
+END_TEST
+
+#define COUNT(table) (int)(sizeof(table) / sizeof *(table))
+
+SUITE(test_decimal)
+{
+    TCase *reading = tcase_create("reading");
+    tcase_add_loop_test(reading, literal_means_the_nearest_double, 0, COUNT(nearest_double));
+    tcase_add_test(reading, literal_agrees_with_strtod);
+    tcase_add_loop_test(reading, literal_kind_is_told, 0, COUNT(kinds));
+    tcase_add_loop_test(reading, exact_literal_kind_is_told, 0, COUNT(kinds));
+    tcase_add_loop_test(reading, exact_literal_is_its_own_value, 0, COUNT(exact_values));
+    tcase_add_test(reading, exact_literal_of_giant_length_is_refused);
+    tcase_add_test(reading, literal_of_thousands_of_digits_is_not_cut);
+
+    TCase *writing = tcase_create("writing");
+    tcase_add_loop_test(writing, rational_rounds_to_nearest_even, 0, COUNT(rationals));
+    tcase_add_test(writing, rational_power_of_ten_is_written_as_such);
+    tcase_add_test(writing, rational_gives_ten_thousand_digits);
+    tcase_add_test(writing, rational_text_is_within_half_a_unit);
+    tcase_add_test(writing, ball_of_pi_is_rounded);
+    tcase_add_test(writing, ball_too_wide_is_refused);
+    tcase_add_loop_test(writing, ball_is_decided_when_all_of_it_rounds_alike, 0, COUNT(balls));
+    tcase_add_test(writing, ball_without_a_finite_value_is_refused);
+    tcase_add_test(writing, ball_of_tiny_value_has_its_exponent);
+    tcase_add_test(writing, ball_of_absurd_exponent_is_refused);
+    tcase_add_loop_test(writing, shortest_decimal_is_known, 0, COUNT(shortest));
+    tcase_add_test(writing, shortest_decimal_reads_back_and_none_shorter);
+    tcase_add_loop_test(writing, bound_is_rounded_up, 0, COUNT(bounds));
+    tcase_add_test(writing, bound_of_infinity_is_inf);
+
+    Suite *s = suite_create("decimal");
+    suite_add_tcase(s, reading);
+    suite_add_tcase(s, writing);
+    return s;
+}
