@@ -66,7 +66,7 @@ static const struct {
 START_TEST(tracks_agree_with_the_equations_in_the_angles)
 {
     struct track t;
-    ck_assert(track_run(&t, &rows[_i].scene, 0, rows[_i].t, rows[_i].t));
+    ck_assert(track_run(&t, sheet(), &rows[_i].scene, 0, rows[_i].t, rows[_i].t));
     for (int i = 0; i < FLOW_STATE; i++)
         assert_ball(track_row(&t, 1) + i, rows[_i].row[i]);
     track_clear(&t);
@@ -77,8 +77,8 @@ END_TEST
 START_TEST(tracks_are_the_same_for_all_masses)
 {
     struct track equal, unequal;
-    ck_assert(track_run(&equal, &(struct scene){.nonlinear = true}, DAY, DAY, 3 * DAY));
-    ck_assert(track_run(&unequal, &(struct scene){.nonlinear = true, .m1 = "3", .m2 = "3000"}, DAY, DAY, 3 * DAY));
+    ck_assert(track_run(&equal, sheet(), &(struct scene){.nonlinear = true}, DAY, DAY, 3 * DAY));
+    ck_assert(track_run(&unequal, sheet(), &(struct scene){.nonlinear = true, .m1 = "3", .m2 = "3000"}, DAY, DAY, 3 * DAY));
     for (slong k = 0; k < 3; k++)
         for (int i = 0; i < COORDINATES; i++)
             ck_assert(arb_overlaps(track_row(&equal, k) + i, track_row(&unequal, k) + i));
@@ -91,10 +91,10 @@ END_TEST
 START_TEST(eq10_tracks_start_where_another_ends)
 {
     struct track whole, half, rest;
-    ck_assert(track_run(&whole, &(struct scene){.nonlinear = true}, 0, DAY, DAY));
-    ck_assert(track_run(&half, &(struct scene){.nonlinear = true}, 0, DAY / 4, DAY / 4));
+    ck_assert(track_run(&whole, sheet(), &(struct scene){.nonlinear = true}, 0, DAY, DAY));
+    ck_assert(track_run(&half, sheet(), &(struct scene){.nonlinear = true}, 0, DAY / 4, DAY / 4));
     const struct scene from = {.nonlinear = true, .start = track_row(&half, 1)};
-    ck_assert(track_run(&rest, &from, 0, 3 * DAY / 4, 3 * DAY / 4));
+    ck_assert(track_run(&rest, sheet(), &from, 0, 3 * DAY / 4, 3 * DAY / 4));
     for (int i = 0; i < COORDINATES; i++)
         ck_assert(arb_overlaps(track_row(&whole, 1) + i, track_row(&rest, 1) + i));
     track_clear(&rest);
@@ -108,7 +108,7 @@ START_TEST(energy_falls_by_what_the_gain_takes)
 {
     struct track t;
     VECTOR(arb, x, 4);
-    ck_assert(track_run(&t, &(struct scene){.nonlinear = _i != 0, .theta = "0.03"}, 0, 10, 7200));
+    ck_assert(track_run(&t, sheet(), &(struct scene){.nonlinear = _i != 0, .theta = "0.03"}, 0, 10, 7200));
     double lost = 0;
     for (slong k = 0; k < t.count; k++) {
         track_energy(x + k % 2, &t, k);
@@ -135,7 +135,7 @@ START_TEST(bounds_hold_for_what_follows)
     struct bounds b;
     VECTOR(arb, x, 2);
     bounds_init(&b);
-    ck_assert(track_run(&t, &(struct scene){.nonlinear = _i != 0}, 0, 600, 2 * DAY));
+    ck_assert(track_run(&t, sheet(), &(struct scene){.nonlinear = _i != 0}, 0, 600, 2 * DAY));
     for (slong from = 0; from < 3; from++) {
         ck_assert(track_bounds(&b, &t, 40 * from));
         for (int i = 0; i < COORDINATES; i++)
@@ -168,7 +168,7 @@ START_TEST(bounds_are_refused_beyond_the_hill)
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; i++) {
         struct track t;
         const struct scene s = {.nonlinear = true, .psi = "0", .theta = "0", .dL = starts[i].dL};
-        ck_assert(track_run(&t, &s, 0, 1, 0));
+        ck_assert(track_run(&t, sheet(), &s, 0, 1, 0));
         ck_assert_int_eq(track_bounds(&b, &t, 0), starts[i].bounded);
         track_clear(&t);
     }
@@ -182,8 +182,8 @@ START_TEST(suprema_cover_what_rows_miss)
     struct track coarse, fine;
     SCOPE(arb, sup, peak);
     const struct scene s = {.nonlinear = true};
-    ck_assert(track_run(&coarse, &s, 0, DAY / 12, DAY));
-    ck_assert(track_run(&fine, &s, 0, 100, DAY));
+    ck_assert(track_run(&coarse, sheet(), &s, 0, DAY / 12, DAY));
+    ck_assert(track_run(&fine, sheet(), &s, 0, 100, DAY));
     for (int i = 0; i < COORDINATES; i++) {
         ck_assert(track_sup(sup, &coarse, i, 1, 12));
         track_peak(peak, &fine, i, 72, fine.count - 1);
@@ -202,7 +202,7 @@ START_TEST(settling_is_found_between_rows)
 {
     struct track t;
     SCOPE(arb, hours, limit);
-    ck_assert(track_run(&t, &(struct scene){.nonlinear = false}, 0, 200, 3 * DAY));
+    ck_assert(track_run(&t, sheet(), &(struct scene){.nonlinear = false}, 0, 200, 3 * DAY));
     arb_set_d(limit, 1e-4);
     ck_assert(track_settled(hours, &t, ETA, limit));
     ck_assert(is_above(hours, 43.15) && is_below(hours, 43.36));
@@ -227,7 +227,7 @@ END_TEST
 START_TEST(tracks_end_where_the_pair_turns_over)
 {
     struct track t;
-    ck_assert(!track_run(&t, &(struct scene){.nonlinear = true, .psi = "1.6"}, 0, 100, 1000));
+    ck_assert(!track_run(&t, sheet(), &(struct scene){.nonlinear = true, .psi = "1.6"}, 0, 100, 1000));
     track_clear(&t);
 }
 END_TEST

@@ -196,7 +196,7 @@ START_TEST(eq18_nothing_is_claimed_without_a_basin)
     basin_init(&b, 10);
     ck_assert(b.closed);
     arb_set_ui(b.level, 5); /* below V at the equilibrium: no motion is below it */
-    ck_assert_int_eq(basin_release(&b, 0), RELEASE_OPEN);
+    ck_assert_int_eq(basin_release(&b, sheet(), 0), RELEASE_OPEN);
     basin_clear(&b);
 }
 END_TEST

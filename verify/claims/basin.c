@@ -94,7 +94,7 @@ static int take_release(void *context, slong k, const fmpq_t t, arb_srcptr state
     return watch->release != RELEASE_OPEN;
 }
 
-enum release basin_release(const struct basin *b, slong tenths)
+enum release basin_release(const struct basin *b, const struct sheet *sheet, slong tenths)
 {
     enum { TIMES = 200, PER_RADIAN = 10 };
     struct watch watch = {b, RELEASE_OPEN};
@@ -102,7 +102,7 @@ enum release basin_release(const struct basin *b, slong tenths)
     SCOPE(arb, start, L_ref);
     for (slong k = 0; k < TIMES; k++)
         fmpq_set_si(times + k, k + 1, PER_RADIAN);
-    sheet_value(L_ref, "L_ref", BASIN_BITS);
+    sheet_value(L_ref, sheet, "L_ref", BASIN_BITS);
     arb_set_si(start, tenths);
     arb_div_ui(start, start, 10, BASIN_BITS);
     arb_div(start, start, L_ref, BASIN_BITS);

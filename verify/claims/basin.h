@@ -20,6 +20,7 @@
 #define CT_BASIN_H
 
 #include "motion/flow.h"
+#include "sheet/sheet.h"
 
 enum { BASIN_BITS = 128 };
 
@@ -42,6 +43,6 @@ enum flow_status follow_from_rest(ulong n, const arb_t start, const fmpq *times,
 
 /* What becomes of a pair let go from rest on the radius, so many tenths of a metre longer than L_ref. */
 enum release { RELEASE_OPEN, RELEASE_RETURNS, RELEASE_ESCAPES };
-enum release basin_release(const struct basin *b, slong tenths);
+enum release basin_release(const struct basin *b, const struct sheet *sheet, slong tenths);
 
 #endif

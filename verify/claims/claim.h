@@ -10,6 +10,7 @@
 
 #include <stdbool.h>
 
+#include "proof/derivation.h"
 #include "text/flint.h"
 
 enum truth { UNDECIDED, FOUND_TRUE, FOUND_FALSE };
@@ -31,6 +32,10 @@ extern const char *const how_names[];     /* "exact", "certified", "measured"   
 
 /* What a computation hands its results to. */
 struct computed;
+
+/* The derivation steps that it may use, and with them the sheet. */
+const struct derivations *steps_of(const struct computed *c);
+const struct sheet *sheet_of(const struct computed *c);
 
 /* One of its numbers, enclosed; an indeterminate ball decides nothing. EXACT for closed formulas of exact numbers. */
 void give_number(struct computed *c, const char *name, const arb_t value, enum how how);

@@ -9,10 +9,10 @@
 enum { BITS = 192 };
 
 /* Raises `worst` to what an order of a study's last row is off the expected one by; false where that was not found. */
-static bool study_worst(arb_t worst, struct convergence *study, const char *name)
+static bool study_worst(arb_t worst, const struct computed *c, struct convergence *study, const char *name)
 {
     const struct study *s = study_find(name);
-    const bool found = convergence_init(study, s, s->rows - 2);
+    const bool found = convergence_init(study, steps_of(c), s, s->rows - 2);
     for (int i = 0; i < s->count; i++)
         raise_to_difference(worst, convergence_order(study, i), s->order[i]);
     return found;
@@ -22,7 +22,7 @@ static bool study_worst(arb_t worst, struct convergence *study, const char *name
 static bool give_orders(struct computed *c, arb_t worst, const char *prefix, const char *name)
 {
     struct convergence study;
-    const bool found = study_worst(worst, &study, name);
+    const bool found = study_worst(worst, c, &study, name);
     for (int i = 0; i < study.study->count; i++)
         give(c, found, convergence_order(&study, i), "%s%s", prefix, variable_names[study.study->which[i]]);
     convergence_clear(&study);
@@ -44,11 +44,11 @@ static bool give_orbit(struct computed *c, arb_t worst, const char *prefix, cons
 {
     const struct study *s = study_find(name);
     struct convergence study;
-    const bool observed = study_worst(worst, &study, name);
+    const bool observed = study_worst(worst, c, &study, name);
     VECTOR(arb, d, VARIABLES);
     SCOPE(fmpq, smallness);
     fmpq_set_si(smallness, 10, 42164000);
-    const bool found = s->differences(d, s, smallness);
+    const bool found = s->differences(d, steps_of(c), s, smallness);
     for (int i = 0; i < s->count; i++)
         give_measured(c, found, d + i, "%s%s", prefix, variable_names[s->which[i]]);
     convergence_clear(&study);
@@ -70,7 +70,7 @@ static void slow_law_orders(struct computed *c)
     bool found = give_orders(c, worst, "p_", "forced_43200s");
     give(c, found, worst, "worst");
     arb_zero(worst);
-    found = study_worst(worst, &study, "slow_law");
+    found = study_worst(worst, c, &study, "slow_law");
     give(c, found, worst, "worst_slow");
     for (int i = 0; i < study.study->count; i++) {
         const char *variable = variable_names[study.study->which[i]];

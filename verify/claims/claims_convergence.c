@@ -76,8 +76,8 @@ static void compare_models(struct computed *c)
     for (int without = 0; without < 2; without++) {
         const char *name = without ? "planar" : "pitched";
         struct track a, b;
-        proved = track_run(&a, without ? &linear_planar : &linear, 0, step, HORIZON) && proved;
-        proved = track_run(&b, without ? &planar : &nonlinear, 0, step, HORIZON) && proved;
+        proved = track_run(&a, sheet_of(c), without ? &linear_planar : &linear, 0, step, HORIZON) && proved;
+        proved = track_run(&b, sheet_of(c), without ? &planar : &nonlinear, 0, step, HORIZON) && proved;
         for (int i = 0; i < 3; i++)
             for (int which = PLACE_X; which <= PLACE_Z; which++) {
                 const bool bounded = gap_until(x, &a, &b, which, until[i] * 3600 / step) && proved;
@@ -111,9 +111,9 @@ static void second_order(struct computed *c)
     for (int i = 0; i < 2; i++) {
         struct track a, b;
         struct scene s = {.psi = angle[i], .theta = angle[i], .dL = length[i]};
-        proved = track_run(&a, &s, DAY, 1, DAY) && proved;
+        proved = track_run(&a, sheet_of(c), &s, DAY, 1, DAY) && proved;
         s.nonlinear = true;
-        proved = track_run(&b, &s, DAY, 1, DAY) && proved;
+        proved = track_run(&b, sheet_of(c), &s, DAY, 1, DAY) && proved;
         for (int k = 0; k < 6; k++)
             track_gap(gap + 6 * i + k, &a, &b, which[k], 0, 0);
         track_clear(&b);
@@ -144,7 +144,7 @@ static void nonlinear_settling(struct computed *c)
     SCOPE(arb, x);
     for (int i = 0; i < 4; i++) {
         struct track t;
-        const bool run = track_run(&t, runs[i].scene, 2 * DAY, 50, HORIZON);
+        const bool run = track_run(&t, sheet_of(c), runs[i].scene, 2 * DAY, 50, HORIZON);
         for (int which = PSI; which <= ETA; which += ETA) {
             const bool bounded = track_sup(x, &t, which, 0, t.count - 1);
             of_start(x);
@@ -171,7 +171,7 @@ static void exits_of(struct computed *c, const char *motion, const char *n, stru
     SCOPE(arb, peak);
     bounds_init(&later);
     s.n = n;
-    const bool run = track_run(&t, &s, 0, step, last) && track_bounds(&later, &t, t.count - 1);
+    const bool run = track_run(&t, sheet_of(c), &s, 0, step, last) && track_bounds(&later, &t, t.count - 1);
     for (int which = PSI; which <= ETA; which += ETA) {
         for (int k = 0; k < BANDS_OF; k++)
             arb_div_ui(limits + k, track_row(&t, 0) + which, bands[k], t.prec);
@@ -208,7 +208,7 @@ static void planar_rates(struct computed *c)
         struct track t;
         struct scene s = m ? planar : linear_planar;
         s.digits = TRACK_DIGITS; /* on day 8 the energy is down to 1e-22 */
-        const bool run = track_run(&t, &s, 4 * DAY, 4 * DAY, 8 * DAY);
+        const bool run = track_run(&t, sheet_of(c), &s, 4 * DAY, 4 * DAY, 8 * DAY);
         track_energy(before, &t, 0);
         track_energy(rate, &t, 1);
         arb_div(rate, before, rate, t.prec);
@@ -224,7 +224,7 @@ static void residue(struct computed *c, const char *name, const struct scene *s,
 {
     struct track t;
     SCOPE(arb, peak);
-    const bool run = track_run(&t, s, days * DAY - HALF_SWING, 60, days * DAY);
+    const bool run = track_run(&t, sheet_of(c), s, days * DAY - HALF_SWING, 60, days * DAY);
     for (int which = PSI; which <= ETA; which += ETA) {
         arb_zero(peak);
         track_peak(peak, &t, which, 0, t.count - 1);
@@ -263,8 +263,8 @@ static void pitch_amplitude(struct computed *c)
     const long step = 300;
     struct track t, other;
     VECTOR(arb, x, 2);
-    bool run = track_run(&t, &nonlinear, 0, step, HORIZON);
-    run = track_run(&other, &linear, 0, step, HORIZON) && run;
+    bool run = track_run(&t, sheet_of(c), &nonlinear, 0, step, HORIZON);
+    run = track_run(&other, sheet_of(c), &linear, 0, step, HORIZON) && run;
     for (int later = 0; later < 2; later++) {
         pitch_range(x, x + 1, &t, later ? 2 * DAY / step : 0);
         give(c, run, x, later ? "late_low" : "low");
@@ -281,7 +281,7 @@ static void figure_6(struct computed *c)
 {
     struct track t;
     VECTOR(arb, x, 2);
-    const bool run = track_run(&t, &nonlinear, 2 * DAY, 50, HORIZON);
+    const bool run = track_run(&t, sheet_of(c), &nonlinear, 2 * DAY, 50, HORIZON);
     arb_pos_inf(x);
     for (slong k = 0; k < t.count; k++) {
         arb_min(x, x, track_row(&t, k) + PLACE_X, t.prec);
@@ -317,7 +317,7 @@ static void largest_product(struct computed *c, const char *name, const struct s
     struct bounds b;
     SCOPE(arb, x, product, room);
     bounds_init(&b);
-    const bool proved = track_run(&t, s, first, step, last) && track_bounds(&b, &t, 0);
+    const bool proved = track_run(&t, sheet_of(c), s, first, step, last) && track_bounds(&b, &t, 0);
     for (slong k = 0; k < t.count; k++) {
         charge_product(x, &t, k);
         arb_abs(x, x);
@@ -347,7 +347,7 @@ static void charge_products(struct computed *c)
     largest_product(c, "pitched_day8", &nonlinear, 8 * DAY - HALF_SWING, 10, 8 * DAY);
     largest_product(c, "planar_late", &planar, 2 * DAY, 50, HORIZON);
     largest_product(c, "planar_day8", &planar, 8 * DAY - HALF_SWING, 50, 8 * DAY);
-    const bool run = track_run(&t, &nonlinear, HORIZON, 1, HORIZON);
+    const bool run = track_run(&t, sheet_of(c), &nonlinear, HORIZON, 1, HORIZON);
     charge_product(x, &t, 0);
     give(c, run, x, "last");
     track_clear(&t);

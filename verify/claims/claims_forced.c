@@ -14,11 +14,11 @@
 enum { DAY = 86400, BITS = 192 };
 
 /* For the gains (43), (44) of that n. */
-static bool response_init(struct second_order *o, const char *n)
+static bool response_init(struct second_order *o, const struct computed *c, const char *n)
 {
     struct track t;
-    bool ready = track_run(&t, &(struct scene){.n = n}, 0, 1, 0);
-    second_order_init(o, t.c1, t.c2, BITS);
+    bool ready = track_run(&t, sheet_of(c), &(struct scene){.n = n}, 0, 1, 0);
+    second_order_init(o, steps_of(c), t.c1, t.c2, BITS);
     track_clear(&t);
     return ready;
 }
@@ -30,7 +30,7 @@ static void forced_response(struct computed *c)
     SCOPE(arb, size);
     for (int i = 0; i < 3; i++) {
         struct second_order o;
-        const bool ready = response_init(&o, gains[i]);
+        const bool ready = response_init(&o, c, gains[i]);
         arb_hypot(size, second_order_get(&o, "A_re"), second_order_get(&o, "A_im"), BITS);
         give(c, ready, size, "length_%s", names[i]);
         arb_hypot(size, second_order_get(&o, "B_re"), second_order_get(&o, "B_im"), BITS);
@@ -42,15 +42,15 @@ static void forced_response(struct computed *c)
 }
 
 /* What a certified motion, started on the closed form, differs from it by after three days. */
-static bool response_error(arb_ptr error, const char *n, const char *amplitude)
+static bool response_error(arb_ptr error, const struct computed *c, const char *n, const char *amplitude)
 {
     struct second_order o;
     struct track t;
     VECTOR(arb, row, FLOW_STATE);
     SCOPE(arb, a, tau);
-    bool run = arb_set_str(a, amplitude, BITS) == 0 && response_init(&o, n);
+    bool run = arb_set_str(a, amplitude, BITS) == 0 && response_init(&o, c, n);
     second_order_after(row, &o, a, tau);
-    run = track_run(&t, &(struct scene){.nonlinear = true, .n = n, .start = row}, 3 * DAY, 1, 3 * DAY) && run;
+    run = track_run(&t, sheet_of(c), &(struct scene){.nonlinear = true, .n = n, .start = row}, 3 * DAY, 1, 3 * DAY) && run;
     arb_mul_si(tau, t.Omega, 3 * DAY, BITS);
     second_order_after(row, &o, a, tau);
     for (int i = PSI; i <= ETA; i++) {
@@ -72,7 +72,7 @@ static void response_errors(struct computed *c)
     SCOPE(arb, order, worst);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 3; i++)
-            proved = response_error(error + 3 * i, gains[k], amplitudes[i]) && proved;
+            proved = response_error(error + 3 * i, c, gains[k], amplitudes[i]) && proved;
         for (int j = PSI; j <= ETA; j++) {
             observed_order(order, error + 3 + j, error + 6 + j, 10);
             raise_to_difference(worst, order, orders[j]);
@@ -90,7 +90,7 @@ static void energy_bounds(struct computed *c)
     struct bounds b;
     SCOPE(arb, energy);
     bounds_init(&b);
-    const bool run = track_run(&t, &(struct scene){.nonlinear = true}, 0, 1, 0), bounded = track_bounds(&b, &t, 0);
+    const bool run = track_run(&t, sheet_of(c), &(struct scene){.nonlinear = true}, 0, 1, 0), bounded = track_bounds(&b, &t, 0);
     track_energy(energy, &t, 0);
     arb_mul(b.of[ETA], b.of[ETA], t.L_ref, t.prec);
     give(c, run, energy, "energy");
@@ -107,7 +107,7 @@ static void pitch_decay(struct computed *c)
     struct track t;
     VECTOR(arb, x, 2);
     SCOPE(arb, tau);
-    const bool run = track_run(&t, &(struct scene){.nonlinear = true}, 5 * DAY, 8 * DAY, 13 * DAY);
+    const bool run = track_run(&t, sheet_of(c), &(struct scene){.nonlinear = true}, 5 * DAY, 8 * DAY, 13 * DAY);
     for (int i = 0; i < 2; i++) {
         track_energy(x + i, &t, i);
         arb_inv(x + i, x + i, BITS);

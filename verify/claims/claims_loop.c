@@ -24,13 +24,13 @@ static void released(struct computed *c)
     VECTOR(arb, lengths, TIMES);
     VECTOR(fmpq, times, TIMES);
     SCOPE(arb, L_ref, start);
-    sheet_value(L_ref, "L_ref", BASIN_BITS);
+    sheet_value(L_ref, sheet_of(c), "L_ref", BASIN_BITS);
     for (slong k = 0; k < TIMES; k++) { /* in radians of orbit */
-        literal_read(times + k, quantity_find(sheet(), "Omega")->value, true);
+        literal_read(times + k, quantity_find(sheet_of(c), "Omega")->value, true);
         fmpq_mul_si(times + k, times + k, 43200 * (k + 1));
     }
     for (int i = 0; i < 2; i++) {
-        sheet_value(start, "dL", BASIN_BITS);
+        sheet_value(start, sheet_of(c), "dL", BASIN_BITS);
         arb_div(start, start, L_ref, BASIN_BITS);
         arb_mul_si(start, start, i == 0 ? 1 : -1, BASIN_BITS);
         arb_add_ui(start, start, 1, BASIN_BITS);
@@ -51,10 +51,10 @@ static void basin(struct computed *c)
         basin_init(&b, basin_gains[i]);
         arb_set_si(x, returns[i]);
         arb_div_ui(x, x, 10, BASIN_BITS);
-        give(c, basin_release(&b, returns[i]) == RELEASE_RETURNS, x, "returns_%lu", basin_gains[i]);
+        give(c, basin_release(&b, sheet_of(c), returns[i]) == RELEASE_RETURNS, x, "returns_%lu", basin_gains[i]);
         arb_set_si(x, escapes[i]);
         arb_div_ui(x, x, 10, BASIN_BITS);
-        give(c, basin_release(&b, escapes[i]) == RELEASE_ESCAPES, x, "escapes_%lu", basin_gains[i]);
+        give(c, basin_release(&b, sheet_of(c), escapes[i]) == RELEASE_ESCAPES, x, "escapes_%lu", basin_gains[i]);
         basin_clear(&b);
     }
 }
@@ -66,7 +66,7 @@ static void half_length(struct computed *c)
     for (int i = 0; i < GAINS; i++) {
         struct basin b;
         basin_init(&b, basin_gains[i]);
-        const enum release release = basin_release(&b, -50);
+        const enum release release = basin_release(&b, sheet_of(c), -50);
         for (int k = 0; k < 2; k++) {
             const enum release named = k == 0 ? RELEASE_RETURNS : RELEASE_ESCAPES;
             const enum truth found = release == RELEASE_OPEN ? UNDECIDED : release == named ? FOUND_TRUE : FOUND_FALSE;

@@ -15,11 +15,11 @@ static const char *const models[] = {"linear", "nonlinear"};
 /* ---- the integrator ---- */
 
 /* The largest differences on the samples of two scenes, psi theta eta. */
-static bool largest_gaps(arb_ptr gap, const struct scene *a, const struct scene *b, long step, long last)
+static bool largest_gaps(arb_ptr gap, const struct computed *c, const struct scene *a, const struct scene *b, long step, long last)
 {
     struct track one, other;
-    bool run = track_run(&one, a, 0, step, last);
-    run = track_run(&other, b, 0, step, last) && run;
+    bool run = track_run(&one, sheet_of(c), a, 0, step, last);
+    run = track_run(&other, sheet_of(c), b, 0, step, last) && run;
     for (int i = PSI; i <= ETA; i++)
         track_gap(gap + i, &one, &other, i, 0, one.count - 1);
     track_clear(&one);
@@ -34,7 +34,7 @@ static void step_errors(struct computed *c)
     VECTOR(arb, gap, 3);
     SCOPE(arb, worst);
     for (int m = 0; m < 2; m++) {
-        proved = largest_gaps(gap, &(struct scene){.nonlinear = m}, &(struct scene){.nonlinear = m, .rk4 = STEP}, STEP, HORIZON) && proved;
+        proved = largest_gaps(gap, c, &(struct scene){.nonlinear = m}, &(struct scene){.nonlinear = m, .rk4 = STEP}, STEP, HORIZON) && proved;
         for (int i = PSI; i <= ETA; i++) {
             arb_max(worst, worst, gap + i, 128);
             give(c, proved, gap + i, "%s_%s", models[m], variable_names[i]);
@@ -53,7 +53,7 @@ static void step_orders(struct computed *c)
     SCOPE(arb, order, worst);
     for (int m = 0; m < 2; m++)
         for (long step = 400; step >= 50; step /= 2) {
-            proved = largest_gaps(gap, &(struct scene){.nonlinear = m}, &(struct scene){.nonlinear = m, .rk4 = step}, 400, DAY) && proved;
+            proved = largest_gaps(gap, c, &(struct scene){.nonlinear = m}, &(struct scene){.nonlinear = m, .rk4 = step}, 400, DAY) && proved;
             for (int i = PSI; i <= ETA && step < 400; i++) {
                 observed_order(order, before + i, gap + i, 2);
                 give(c, proved, order, "%s_%ld_%s", models[m], step, variable_names[i]);
@@ -65,7 +65,7 @@ static void step_orders(struct computed *c)
 }
 
 /* The matrix of (40), n = 10, in units of Omega and L_ref, over psi theta eta and their rates. */
-static void linear_model(arb_mat_t a, slong prec)
+static void linear_model(arb_mat_t a, const struct computed *c, slong prec)
 {
     static const int input[FLOW_STATE] = {4, 5, 6, 8, -1, 7}, row[3] = {4, 3, 5}; /* of (40): it has no theta_dot */
     VECTOR(arb, in, 9);
@@ -77,7 +77,7 @@ static void linear_model(arb_mat_t a, slong prec)
     for (int j = 0; j < FLOW_STATE; j++) {
         for (int i = 4; i < 9; i++)
             arb_set_ui(in + i, i == input[j]);
-        section_enclose(section_find(sheet(), "eq40"), in, prec, out);
+        section_enclose(section_find(sheet_of(c), "eq40"), in, prec, out);
         for (int i = 0; i < 3; i++)
             arb_set(arb_mat_entry(a, row[i], j), out + i);
         if (j >= 3)
@@ -89,12 +89,12 @@ static void linear_model(arb_mat_t a, slong prec)
  * A step of a method of order p <= 4 with p stages multiplies the state of a linear system by the terms of exp(h A) up
  * to h^p: Euler's with p = 1, the midpoint rule and Heun's with p = 2.
  */
-static void step_matrix(arb_mat_t step, const arb_t h, slong order, slong prec)
+static void step_matrix(arb_mat_t step, const struct computed *c, const arb_t h, slong order, slong prec)
 {
     arb_mat_t a, power;
     arb_mat_init(a, FLOW_STATE, FLOW_STATE);
     arb_mat_init(power, FLOW_STATE, FLOW_STATE);
-    linear_model(a, prec);
+    linear_model(a, c, prec);
     arb_mat_scalar_mul_arb(a, a, h, prec);
     arb_mat_one(power);
     arb_mat_one(step);
@@ -108,7 +108,7 @@ static void step_matrix(arb_mat_t step, const arb_t h, slong order, slong prec)
 }
 
 /* The largest error in pitch, and in psi and eta, that steps of that order make on the samples. */
-static void order_error(arb_ptr error, const struct track *t, slong order)
+static void order_error(arb_ptr error, const struct computed *c, const struct track *t, slong order)
 {
     const slong prec = rk4_precision(TRACK_DIGITS, 20); /* 3 days are 19 radians */
     arb_mat_t step, state;
@@ -116,7 +116,7 @@ static void order_error(arb_ptr error, const struct track *t, slong order)
     arb_mat_init(step, FLOW_STATE, FLOW_STATE);
     arb_mat_init(state, FLOW_STATE, 1);
     arb_mul_ui(gap, t->Omega, STEP, prec);
-    step_matrix(step, gap, order, prec);
+    step_matrix(step, c, gap, order, prec);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set(arb_mat_entry(state, i, 0), track_row(t, 0) + i);
     _arb_vec_zero(error, 2);
@@ -140,9 +140,9 @@ static void method_errors(struct computed *c)
 {
     VECTOR(arb, error, 2);
     struct track t;
-    const bool run = track_run(&t, &(struct scene){.nonlinear = false}, 0, 12 * STEP, HORIZON);
+    const bool run = track_run(&t, sheet_of(c), &(struct scene){.nonlinear = false}, 0, 12 * STEP, HORIZON);
     for (slong order = 1; order <= 4; order++) {
-        order_error(error, &t, order);
+        order_error(error, c, &t, order);
         give(c, run, error, "pitch_%ld", (long)order);
         give(c, run, error + 1, "rest_%ld", (long)order);
     }
@@ -172,7 +172,7 @@ static void linear_settling(struct computed *c)
     SCOPE(arb, x, limit);
     for (int i = 0; i < 2; i++) {
         struct track t;
-        const bool run = track_run(&t, &(struct scene){.n = gains[i]}, 0, SAMPLES, 5 * DAY);
+        const bool run = track_run(&t, sheet_of(c), &(struct scene){.n = gains[i]}, 0, SAMPLES, 5 * DAY);
         for (int which = PSI; which <= ETA; which += ETA) {
             bool proved = fraction_after(x, &t, which, 2 * DAY / SAMPLES) && run;
             give(c, proved, x, "%s_after_%s", variable_names[which], gains[i]);
@@ -238,7 +238,7 @@ static void length_oscillation(struct computed *c)
     SCOPE(arb, x);
     for (int i = 0; i < 2; i++) {
         struct track t;
-        const bool run = track_run(&t, &(struct scene){.n = gains[i]}, 0, 5 * STEP, HORIZON);
+        const bool run = track_run(&t, sheet_of(c), &(struct scene){.n = gains[i]}, 0, 5 * STEP, HORIZON);
         const int changes = sign_changes(&t, ETA);
         arb_set_si(x, changes);
         give(c, run && changes >= 0, x, "changes_%s", gains[i]);
@@ -268,7 +268,7 @@ static void yaw_energy_loss(struct computed *c)
 {
     struct track t;
     SCOPE(arb, before, after);
-    const bool run = track_run(&t, &(struct scene){.nonlinear = false}, 0, 2 * DAY, 2 * DAY);
+    const bool run = track_run(&t, sheet_of(c), &(struct scene){.nonlinear = false}, 0, 2 * DAY, 2 * DAY);
     yaw_energy(before, &t, 0);
     yaw_energy(after, &t, 1);
     arb_sub(after, before, after, t.prec);
@@ -278,7 +278,7 @@ static void yaw_energy_loss(struct computed *c)
 }
 
 /* What small angles leave out of (10) on a sample, in m: raises the worst so far. */
-static void small_angle_error(arb_ptr worst, const struct track *t, slong k)
+static void small_angle_error(arb_ptr worst, const struct computed *c, const struct track *t, slong k)
 {
     VECTOR(arb, in, 5);
     VECTOR(arb, exact, 3);
@@ -287,8 +287,8 @@ static void small_angle_error(arb_ptr worst, const struct track *t, slong k)
     arb_add_ui(in + 2, track_row(t, k) + ETA, 1, t->prec);
     arb_mul(in + 2, in + 2, t->L_ref, t->prec);
     _arb_vec_set(in + 3, track_row(t, k), 2);
-    section_enclose(section_find(sheet(), "eq10"), in, t->prec, exact);
-    section_enclose(section_find(sheet(), "eq10lin"), in, t->prec, in);
+    section_enclose(section_find(sheet_of(c), "eq10"), in, t->prec, exact);
+    section_enclose(section_find(sheet_of(c), "eq10lin"), in, t->prec, in);
     for (int i = 0; i < 3; i++) {
         arb_sub(exact + i, exact + i, in + i, t->prec);
         arb_abs(exact + i, exact + i);
@@ -302,9 +302,9 @@ static void figure_5b(struct computed *c)
     enum { SAMPLES = 600 };
     struct track t;
     VECTOR(arb, x, 3);
-    const bool run = track_run(&t, &(struct scene){.nonlinear = false}, 0, SAMPLES, HORIZON);
+    const bool run = track_run(&t, sheet_of(c), &(struct scene){.nonlinear = false}, 0, SAMPLES, HORIZON);
     for (slong k = 0; k < t.count; k++)
-        small_angle_error(x, &t, k);
+        small_angle_error(x, c, &t, k);
     for (int i = 0; i < 3; i++)
         give(c, run, x + i, "error_%s", variable_names[PLACE_X + i]);
     for (int i = 0; i < 2; i++) { /* x1 = arm (1 + eta) */

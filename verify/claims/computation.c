@@ -15,6 +15,7 @@ struct handed {
 };
 
 struct computed {
+    const struct derivations *steps;
     const struct computation *of;
     bool done;
     struct handed *results;
@@ -47,7 +48,7 @@ struct computed *computed_find(struct computations *all, const char *name)
         for (const struct computation *c = lists[l]; c->name != NULL; c++)
             if (strcmp(c->name, name) == 0) {
                 struct computed *new = xrealloc(NULL, 1, sizeof *new);
-                *new = (struct computed){.of = c};
+                *new = (struct computed){.steps = all->steps, .of = c};
                 announce(new, c->numbers, false);
                 announce(new, c->truths, true);
                 all->of = xrealloc(all->of, (size_t)all->count + 1, sizeof *all->of);
@@ -66,6 +67,16 @@ void computations_clear(struct computations *all)
         free(c);
     }
     free(all->of);
+}
+
+const struct derivations *steps_of(const struct computed *c)
+{
+    return c->steps;
+}
+
+const struct sheet *sheet_of(const struct computed *c)
+{
+    return c->steps->sheet;
 }
 
 const struct computation *computation_of(const struct computed *c)

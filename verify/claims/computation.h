@@ -7,6 +7,7 @@
 
 /* Those that have been asked for. */
 struct computations {
+    const struct derivations *steps;
     struct computed **of;
     int count;
 };

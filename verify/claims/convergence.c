@@ -14,10 +14,10 @@ enum { PREC = 192, SLOW_DIGITS = 10 }; /* what the slow law leaves is of the ord
 /* ---- motions ----------------------------------------------------------- */
 
 /* A quantity's own value times the scale, as the exact decimal that a scene wants; to be freed. */
-static char *scaled(const char *name, const fmpq_t scale)
+static char *scaled(const struct sheet *sheet, const char *name, const fmpq_t scale)
 {
     SCOPE(fmpq, x);
-    literal_read(x, quantity_find(sheet(), name)->value, true);
+    literal_read(x, quantity_find(sheet, name)->value, true);
     fmpq_mul(x, x, scale);
     return decimal_of_rational(x, 17);
 }
@@ -38,11 +38,11 @@ static void differences(arb_ptr d, const struct study *study, const struct track
 }
 
 /* Two motions after the study's time. */
-static bool compare(arb_ptr d, const struct study *study, const struct scene *one, const struct scene *other)
+static bool compare(arb_ptr d, const struct derivations *steps, const struct study *study, const struct scene *one, const struct scene *other)
 {
     struct track a, b;
-    bool proved = track_run(&a, one, study->seconds, 1, study->seconds);
-    proved = track_run(&b, other, study->seconds, 1, study->seconds) && proved;
+    bool proved = track_run(&a, steps->sheet, one, study->seconds, 1, study->seconds);
+    proved = track_run(&b, steps->sheet, other, study->seconds, 1, study->seconds) && proved;
     differences(d, study, &a, &b);
     track_clear(&a);
     track_clear(&b);
@@ -50,13 +50,13 @@ static bool compare(arb_ptr d, const struct study *study, const struct scene *on
 }
 
 /* The nonlinear motion against the linear; the parameter scales the initial disturbance. */
-static bool from_linear(arb_ptr d, const struct study *study, const fmpq_t scale)
+static bool from_linear(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t scale)
 {
-    char *psi = scaled("psi", scale), *theta = scaled("theta", scale), *dL = scaled("dL", scale);
+    char *psi = scaled(steps->sheet, "psi", scale), *theta = scaled(steps->sheet, "theta", scale), *dL = scaled(steps->sheet, "dL", scale);
     struct scene s = {.psi = study->pitch_alone ? "0" : psi, .theta = theta, .dL = study->pitch_alone ? "0" : dL};
     struct scene linear = s;
     s.nonlinear = true;
-    bool proved = compare(d, study, &s, &linear);
+    bool proved = compare(d, steps, study, &s, &linear);
     free(psi);
     free(theta);
     free(dL);
@@ -64,38 +64,38 @@ static bool from_linear(arb_ptr d, const struct study *study, const fmpq_t scale
 }
 
 /* The classical Runge-Kutta method against the motion; the parameter is its step in s. */
-static bool from_steps(arb_ptr d, const struct study *study, const fmpq_t h)
+static bool from_steps(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t h)
 {
     struct scene exact = {.nonlinear = study->nonlinear}, stepped = exact;
     stepped.rk4 = (long)fmpq_get_d(h);
-    return compare(d, study, &stepped, &exact);
+    return compare(d, steps, study, &stepped, &exact);
 }
 
 /* ---- the closed forms of second_order.h -------------------------------- */
 
 /* Where the motion and the closed form are that both had z = a at the start, after so many seconds. */
-static bool beside_closed_form(struct track *t, arb_ptr closed, const fmpq_t a, long seconds, slong digits)
+static bool beside_closed_form(struct track *t, const struct derivations *steps, arb_ptr closed, const fmpq_t a, long seconds, slong digits)
 {
     struct second_order o;
     SCOPE(arb, amplitude, tau);
-    bool proved = track_run(t, &(struct scene){.nonlinear = false}, 0, 1, 0); /* for Table 1's gains and Omega */
-    second_order_init(&o, t->c1, t->c2, PREC);
+    bool proved = track_run(t, steps->sheet, &(struct scene){.nonlinear = false}, 0, 1, 0); /* for Table 1's gains and Omega */
+    second_order_init(&o, steps, t->c1, t->c2, PREC);
     arb_set_fmpq(amplitude, a, PREC);
     second_order_after(closed, &o, amplitude, tau);
     arb_mul_si(tau, t->Omega, seconds, PREC);
     track_clear(t);
-    proved = track_run(t, &(struct scene){.nonlinear = true, .digits = digits, .start = closed}, seconds, 1, seconds) && proved;
+    proved = track_run(t, steps->sheet, &(struct scene){.nonlinear = true, .digits = digits, .start = closed}, seconds, 1, seconds) && proved;
     second_order_after(closed, &o, amplitude, tau);
     second_order_clear(&o);
     return proved;
 }
 
 /* After a fixed time; the parameter is the amplitude. */
-static bool from_forced(arb_ptr d, const struct study *study, const fmpq_t a)
+static bool from_forced(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t a)
 {
     struct track motion, closed;
-    bool proved = track_run(&closed, &(struct scene){.nonlinear = false}, 0, 1, 0);
-    proved = beside_closed_form(&motion, track_row(&closed, 0), a, study->seconds, TRACK_DIGITS) && proved;
+    bool proved = track_run(&closed, steps->sheet, &(struct scene){.nonlinear = false}, 0, 1, 0);
+    proved = beside_closed_form(&motion, steps, track_row(&closed, 0), a, study->seconds, TRACK_DIGITS) && proved;
     differences(d, study, &motion, &closed);
     track_clear(&motion);
     track_clear(&closed);
@@ -111,15 +111,15 @@ static void pitch_of(acb_t z, arb_srcptr row)
 }
 
 /* After 1/a^2 radians, to the second: the amplitude, relative to the closed form's, and the phase of pitch. */
-static bool from_slow_law(arb_ptr d, const struct study *study, const fmpq_t a)
+static bool from_slow_law(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t a)
 {
     struct track t;
     VECTOR(arb, closed, FLOW_STATE);
     SCOPE(acb, z, w);
     (void)study;
-    sheet_value(acb_realref(z), "Omega", PREC);
+    sheet_value(acb_realref(z), steps->sheet, "Omega", PREC);
     const double amplitude = fmpq_get_d(a), Omega = arf_get_d(arb_midref(acb_realref(z)), ARF_RND_NEAR);
-    bool proved = beside_closed_form(&t, closed, a, (long)(1 / (amplitude * amplitude * Omega)), SLOW_DIGITS);
+    bool proved = beside_closed_form(&t, steps, closed, a, (long)(1 / (amplitude * amplitude * Omega)), SLOW_DIGITS);
     pitch_of(z, track_row(&t, 0));
     pitch_of(w, closed);
     acb_div(z, z, w, PREC);
@@ -164,19 +164,19 @@ static void observe_pair(arb_ptr row, const struct two_body *b)
 }
 
 /* The parameter is L_ref/R_c. */
-static bool from_inverse_square(arb_ptr d, const struct study *study, const fmpq_t smallness)
+static bool from_inverse_square(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t smallness)
 {
     const struct scene s = {.nonlinear = true, .m1 = study->m1, .m2 = study->m2};
     struct track start, hill;
     struct two_body b;
     SCOPE(arb, tau);
     two_body_init(&b);
-    bool proved = track_run(&start, &s, 0, 1, 0);
+    bool proved = track_run(&start, steps->sheet, &s, 0, 1, 0);
     place_pair(&b, &start, smallness);
     arb_mul_si(tau, start.Omega, study->seconds, PREC);
     two_body_move(&b, tau, PREC);
     observe_pair(track_row(&start, 0), &b);
-    proved = track_run(&hill, &s, study->seconds, 1, study->seconds) && proved;
+    proved = track_run(&hill, steps->sheet, &s, study->seconds, 1, study->seconds) && proved;
     differences(d, study, &start, &hill);
     track_clear(&start);
     track_clear(&hill);
@@ -233,7 +233,7 @@ static void observe(struct convergence *c, int row, int variable)
     arb_div(c->constants + at, c->differences + at, x, PREC);
 }
 
-bool convergence_init(struct convergence *c, const struct study *s, int from)
+bool convergence_init(struct convergence *c, const struct derivations *steps, const struct study *s, int from)
 {
     const slong size = (slong)s->rows * VARIABLES;
     bool found = true;
@@ -247,7 +247,7 @@ bool convergence_init(struct convergence *c, const struct study *s, int from)
             fmpq_div(c->parameters + row, c->parameters + row - 1, ratio);
         if (row < from)
             continue;
-        found = s->differences(c->differences + row * VARIABLES, s, c->parameters + row);
+        found = s->differences(c->differences + row * VARIABLES, steps, s, c->parameters + row);
         for (int i = 0; i < s->count; i++)
             observe(c, row, i);
     }

@@ -18,6 +18,7 @@
 #include <stdbool.h>
 
 #include "claims/track.h"
+#include "proof/derivation.h"
 
 enum { VARIABLES = 6 };
 enum { AMPLITUDE = COORDINATES, PHASE };   /* beside the coordinates of a track */
@@ -30,7 +31,7 @@ struct study {
     const char *first;           /* parameters first, first/ratio, ... */
     int ratio, rows;
     /* The differences, not negative; false where a motion was not proved. */
-    bool (*differences)(arb_ptr d, const struct study *s, const fmpq_t parameter);
+    bool (*differences)(arb_ptr d, const struct derivations *steps, const struct study *s, const fmpq_t parameter);
     long seconds;                /* after which motions are compared */
     bool nonlinear, pitch_alone;
     bool measured;               /* false: certified */
@@ -48,7 +49,7 @@ struct convergence {
 };
 
 /* Differences from that row on, orders from the next; false where one was not found. */
-bool convergence_init(struct convergence *c, const struct study *s, int from);
+bool convergence_init(struct convergence *c, const struct derivations *steps, const struct study *s, int from);
 void convergence_clear(struct convergence *c);
 
 /* Of the last row. */

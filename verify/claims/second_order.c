@@ -9,11 +9,10 @@ static arb_ptr value(const struct second_order *o, const char *name)
     return machine_value(&o->machine, program_find(o->machine.program, name));
 }
 
-void second_order_init(struct second_order *o, const arb_t c1, const arb_t c2, slong prec)
+void second_order_init(struct second_order *o, const struct derivations *d, const arb_t c1, const arb_t c2, slong prec)
 {
     static const char *const units[] = {"Omega", "L_ref", "m1", "m2", "k_c"};
-    derivations_open(&o->derivations);
-    machine_init(&o->machine, &step_named(&o->derivations, "second_order")->corrected.program, &arithmetic_ball, prec);
+    machine_init(&o->machine, &step_named(d, "second_order")->corrected.program, &arithmetic_ball, prec);
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
         arb_one(value(o, units[i]));
     arb_set(value(o, "c1"), c1);
@@ -24,7 +23,6 @@ void second_order_init(struct second_order *o, const arb_t c1, const arb_t c2, s
 void second_order_clear(struct second_order *o)
 {
     machine_clear(&o->machine);
-    derivations_clear(&o->derivations);
 }
 
 arb_srcptr second_order_get(const struct second_order *o, const char *name)

@@ -24,11 +24,11 @@
 #include "proof/derivation.h"
 
 struct second_order {
-    struct derivations derivations;
     struct machine machine; /* of the step, in balls, in radians of orbit and units of L_ref */
 };
 
-void second_order_init(struct second_order *o, const arb_t c1, const arb_t c2, slong prec);
+/* `d` has the step. */
+void second_order_init(struct second_order *o, const struct derivations *d, const arb_t c1, const arb_t c2, slong prec);
 void second_order_clear(struct second_order *o);
 
 /* By name: B_re B_im A_re A_im T_re T_im, and k and s as decay and shift. */

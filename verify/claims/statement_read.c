@@ -774,7 +774,7 @@ struct statement *statement_find(const struct statements *s, const char *id)
 int statements_read(struct statements *s, const struct proof_results *proofs, const char *text, size_t length, const char *name,
                     struct message *why)
 {
-    *s = (struct statements){.sheet = sheet(), .proofs = proofs};
+    *s = (struct statements){.sheet = proofs->derivations.sheet, .proofs = proofs, .computed.steps = &proofs->derivations};
     if (!document_open(&s->document, text, length, name, why))
         return -1;
     bool fine = is_mapping(&s->document, document_root(&s->document), NULL);

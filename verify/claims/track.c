@@ -34,44 +34,44 @@ void raise_to_difference(arb_t worst, const arb_t x, slong expected)
 
 /* ---- scenes ---- */
 
-static void set_value(arb_t x, const char *text, const char *name, slong prec)
+static void set_value(arb_t x, const struct sheet *sheet, const char *text, const char *name, slong prec)
 {
     SCOPE(fmpq, value);
-    literal_read(value, text != NULL ? text : quantity_find(sheet(), name)->value, true);
+    literal_read(value, text != NULL ? text : quantity_find(sheet, name)->value, true);
     arb_set_fmpq(x, value, prec);
 }
 
-void sheet_value(arb_t x, const char *name, slong prec)
+void sheet_value(arb_t x, const struct sheet *sheet, const char *name, slong prec)
 {
-    set_value(x, NULL, name, prec);
+    set_value(x, sheet, NULL, name, prec);
 }
 
-static void enclose(const char *id, arb_srcptr inputs, slong prec, arb_ptr outputs)
+static void enclose(const struct sheet *sheet, const char *id, arb_srcptr inputs, slong prec, arb_ptr outputs)
 {
-    section_enclose(section_find(sheet(), id), inputs, prec, outputs);
+    section_enclose(section_find(sheet, id), inputs, prec, outputs);
 }
 
 /* Table 1, and the gains by (43) and (44) */
-static void set_parameters(struct flow_parameters *p, const struct scene *s, slong prec)
+static void set_parameters(struct flow_parameters *p, const struct sheet *sheet, const struct scene *s, slong prec)
 {
     VECTOR(arb, gains, 2);
-    set_value(p->Omega, NULL, "Omega", prec);
-    set_value(p->L_ref, NULL, "L_ref", prec);
-    set_value(p->k_c, NULL, "k_c", prec);
-    set_value(p->m1, s->m1, "m1", prec);
-    set_value(p->m2, s->m2, "m2", prec);
+    set_value(p->Omega, sheet, NULL, "Omega", prec);
+    set_value(p->L_ref, sheet, NULL, "L_ref", prec);
+    set_value(p->k_c, sheet, NULL, "k_c", prec);
+    set_value(p->m1, sheet, s->m1, "m1", prec);
+    set_value(p->m2, sheet, s->m2, "m2", prec);
     arb_set(gains, p->Omega);
-    set_value(gains + 1, s->n, "n", prec);
-    enclose("eq43", gains, prec, p->C1);
-    enclose("eq44", gains, prec, p->C2);
+    set_value(gains + 1, sheet, s->n, "n", prec);
+    enclose(sheet, "eq43", gains, prec, p->C1);
+    enclose(sheet, "eq44", gains, prec, p->C2);
 }
 
 /* psi theta dL and rates in SI; a nonlinear motion's place and velocity by (10) and its exact derivative */
-static void set_initial(arb_ptr initial, const struct flow_parameters *p, const struct scene *s, slong prec)
+static void set_initial(arb_ptr initial, const struct sheet *sheet, const struct flow_parameters *p, const struct scene *s, slong prec)
 {
-    set_value(initial, s->psi, "psi", prec);
-    set_value(initial + 1, s->theta, "theta", prec);
-    set_value(initial + 2, s->dL, "dL", prec);
+    set_value(initial, sheet, s->psi, "psi", prec);
+    set_value(initial + 1, sheet, s->theta, "theta", prec);
+    set_value(initial + 2, sheet, s->dL, "dL", prec);
     for (int i = 0; i < FLOW_STATE && s->start != NULL; i++) {
         arb_set(initial + i, s->start + i);
         if (i >= PSI_DOT)
@@ -90,8 +90,8 @@ static void set_initial(arb_ptr initial, const struct flow_parameters *p, const 
     arb_set(in + 5, initial + ETA_DOT);
     arb_set(in + 6, initial + PSI_DOT);
     arb_set(in + 7, initial + THETA_DOT);
-    enclose("eq10", in, prec, initial);
-    enclose("eq11exact", in, prec, initial + 3);
+    enclose(sheet, "eq10", in, prec, initial);
+    enclose(sheet, "eq11exact", in, prec, initial + 3);
 }
 
 /* ---- rows ---- */
@@ -184,7 +184,7 @@ arb_ptr track_row(const struct track *t, slong k)
     return t->rows + COORDINATES * k;
 }
 
-bool track_run(struct track *t, const struct scene *s, long first, long step, long last)
+bool track_run(struct track *t, const struct sheet *sheet, const struct scene *s, long first, long step, long last)
 {
     const double radians = 7.3e-5 * (double)last; /* Omega, about */
     const slong digits = s->digits > 0 ? s->digits : TRACK_DIGITS;
@@ -200,8 +200,8 @@ bool track_run(struct track *t, const struct scene *s, long first, long step, lo
     t->prec = s->rk4 ? rk4_precision(digits, radians) : flow_precision(digits, radians);
     VECTOR(arb, initial, FLOW_STATE);
     VECTOR(fmpq, times, t->count);
-    set_parameters(&p, s, t->prec);
-    set_initial(initial, &p, s, t->prec);
+    set_parameters(&p, sheet, s, t->prec);
+    set_initial(initial, sheet, &p, s, t->prec);
     track_init(t, &p);
     for (slong k = 0; k < t->count; k++)
         fmpq_set_si(times + k, first + k * step, 1);

@@ -9,6 +9,7 @@
 #define CT_TRACK_H
 
 #include "motion/flow.h"
+#include "sheet/sheet.h"
 
 enum coordinate { PSI, THETA, ETA, PSI_DOT, THETA_DOT, ETA_DOT, PLACE_X, PLACE_Y, PLACE_Z, COORDINATES };
 
@@ -34,10 +35,10 @@ struct track {
 enum { TRACK_DIGITS = 20 };
 
 /* The value that the paper's simulation gives a quantity: Table 1 and the initial state. */
-void sheet_value(arb_t x, const char *name, slong prec);
+void sheet_value(arb_t x, const struct sheet *sheet, const char *name, slong prec);
 
 /* Rows at first, first + step, ... last, whole seconds; false when the flow ended before, or the pair turned over. */
-bool track_run(struct track *t, const struct scene *s, long first, long step, long last);
+bool track_run(struct track *t, const struct sheet *sheet, const struct scene *s, long first, long step, long last);
 void track_clear(struct track *t);
 arb_ptr track_row(const struct track *t, slong k);
 

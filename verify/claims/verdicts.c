@@ -243,12 +243,13 @@ static void give_row(struct giving *g, struct verdict_row *row)
 /* The first section of each equation number speaks for it. */
 static void equation_rows(struct giving *g)
 {
-    for (int i = 0; i < sheet()->section_count; i++) {
-        const struct section *s = &sheet()->sections[i];
+    const struct sheet *sheet = g->claims->sheet;
+    for (int i = 0; i < sheet->section_count; i++) {
+        const struct section *s = &sheet->sections[i];
         for (int k = 0; k < s->numbers; k++) {
             bool earlier = false;
             for (int j = 0; j < i; j++)
-                earlier = earlier || has_equation(&sheet()->sections[j], s->equations[k]);
+                earlier = earlier || has_equation(&sheet->sections[j], s->equations[k]);
             char id[32], where[32];
             snprintf(id, sizeof id, "equation-%s", s->equations[k]);
             if (earlier || !wanted(g, id))
@@ -264,8 +265,9 @@ static void equation_rows(struct giving *g)
 
 static void table_rows(struct giving *g)
 {
-    for (int i = 0; i < sheet()->row_count; i++) {
-        const struct table_row *t = &sheet()->table1[i];
+    const struct sheet *sheet = g->claims->sheet;
+    for (int i = 0; i < sheet->row_count; i++) {
+        const struct table_row *t = &sheet->table1[i];
         char id[64], claim[96];
         bool rounds;
         snprintf(id, sizeof id, "table1-%s", t->name);
@@ -274,11 +276,11 @@ static void table_rows(struct giving *g)
         snprintf(claim, sizeof claim, "$%s = %s$ %s", t->name, t->printed, t->unit);
         struct verdict_row row = {.id = id, .where = "Table 1", .kind = "number"};
         write_marked(&row.claim, claim);
-        char *value = table_row_value(sheet(), t, &rounds);
-        add(&row, "%s", table_row_is_computed(sheet(), t) ? "by (7) from the other rows: " : "an input of the simulation, used as printed: ");
+        char *value = table_row_value(sheet, t, &rounds);
+        add(&row, "%s", table_row_is_computed(sheet, t) ? "by (7) from the other rows: " : "an input of the simulation, used as printed: ");
         write_decimal(&row.evidence, value, t->unit);
-        add(&row, "%s", table_row_is_computed(sheet(), t) ? ", which rounds to the print" : "");
-        row.verdict = !rounds ? VERDICT_NONE : table_row_is_computed(sheet(), t) ? HOLDS : DEFINITION;
+        add(&row, "%s", table_row_is_computed(sheet, t) ? ", which rounds to the print" : "");
+        row.verdict = !rounds ? VERDICT_NONE : table_row_is_computed(sheet, t) ? HOLDS : DEFINITION;
         give_row(g, &row);
         free(value);
     }
@@ -313,10 +315,11 @@ bool verdict_rows(const struct proof_results *proofs, struct statements *claims,
 
 bool verdict_known(const struct statements *claims, const char *id)
 {
+    const struct sheet *sheet = claims->sheet;
     bool known = statement_find(claims, id) != NULL;
-    for (int i = 0; i < sheet()->row_count; i++)
-        known = known || (strncmp(id, "table1-", 7) == 0 && strcmp(sheet()->table1[i].name, id + 7) == 0);
-    for (int i = 0; i < sheet()->section_count; i++)
-        known = known || (strncmp(id, "equation-", 9) == 0 && has_equation(&sheet()->sections[i], id + 9));
+    for (int i = 0; i < sheet->row_count; i++)
+        known = known || (strncmp(id, "table1-", 7) == 0 && strcmp(sheet->table1[i].name, id + 7) == 0);
+    for (int i = 0; i < sheet->section_count; i++)
+        known = known || (strncmp(id, "equation-", 9) == 0 && has_equation(&sheet->sections[i], id + 9));
     return known;
 }

@@ -6,6 +6,7 @@
 #include "claims/convergence.h"
 #include "claims/second_order.h"
 #include "command/command.h"
+#include "proof/proof_results.h"
 #include "text/decimal.h"
 
 enum { PARAMETER_DIGITS = 4, STUDY_DIGITS = 6, ROW_DIGITS = 12, STUDY_BITS = 192 };
@@ -44,13 +45,13 @@ static bool print_variable(const struct convergence *c, int variable)
     return decided;
 }
 
-static bool print_convergence(void)
+static bool print_convergence(const struct derivations *steps)
 {
     bool decided = true;
     puts("study,variable,parameter,difference,order,constant,how");
     for (const struct study *s = studies; s->name != NULL && decided; s++) {
         struct convergence c;
-        decided = convergence_init(&c, s, 0);
+        decided = convergence_init(&c, steps, s, 0);
         for (int i = 0; i < s->count && decided; i++)
             decided = print_variable(&c, i);
         convergence_clear(&c);
@@ -68,15 +69,15 @@ static void study_pitch_of(arb_t z_re, arb_t z_im, arb_srcptr row)
 }
 
 /* The simulation over six days, nonlinear and linear, and what the pitch of the moment leaves of psi and dL. */
-static bool print_forced(void)
+static bool print_forced(const struct derivations *steps)
 {
     enum { STEP = 1200, LAST = 6 * 86400 };
     struct track motion, linear;
     struct second_order o;
     arb_ptr forced = _arb_vec_init(FLOW_STATE), dL = _arb_vec_init(3), z = _arb_vec_init(2);
-    bool proved = track_run(&motion, &(struct scene){.nonlinear = true}, 0, STEP, LAST);
-    proved = track_run(&linear, &(struct scene){.nonlinear = false}, 0, STEP, LAST) && proved;
-    second_order_init(&o, motion.c1, motion.c2, STUDY_BITS);
+    bool proved = track_run(&motion, steps->sheet, &(struct scene){.nonlinear = true}, 0, STEP, LAST);
+    proved = track_run(&linear, steps->sheet, &(struct scene){.nonlinear = false}, 0, STEP, LAST) && proved;
+    second_order_init(&o, steps, motion.c1, motion.c2, STUDY_BITS);
     puts("t,psi,dL,psi_linear,dL_linear,psi_forced,dL_forced");
     for (slong k = 0; k < motion.count && proved; k++) {
         arb_srcptr row = track_row(&motion, k), other = track_row(&linear, k);
@@ -100,20 +101,20 @@ static bool print_forced(void)
 }
 
 /* A pitch of 0.2 rad, started on the closed form, for 30 days: its amplitude, and that of the slow law. */
-static bool print_pitch(void)
+static bool print_pitch(const struct derivations *steps)
 {
     enum { STEP = 3600, LAST = 30 * 86400 };
     struct track t;
     struct second_order o;
     arb_ptr start = _arb_vec_init(FLOW_STATE), x = _arb_vec_init(6);
     arb_ptr a = x, tau = x + 1, law = x + 2, shift = x + 3, amplitude = x + 4, other = x + 5;
-    bool proved = track_run(&t, &(struct scene){.nonlinear = true}, 0, 1, 0);
-    second_order_init(&o, t.c1, t.c2, STUDY_BITS);
+    bool proved = track_run(&t, steps->sheet, &(struct scene){.nonlinear = true}, 0, 1, 0);
+    second_order_init(&o, steps, t.c1, t.c2, STUDY_BITS);
     track_clear(&t);
     arb_set_ui(a, 5);
     arb_inv(a, a, STUDY_BITS);
     second_order_after(start, &o, a, tau);
-    proved = track_run(&t, &(struct scene){.nonlinear = true, .start = start}, 0, STEP, LAST) && proved;
+    proved = track_run(&t, steps->sheet, &(struct scene){.nonlinear = true, .start = start}, 0, STEP, LAST) && proved;
     puts("t,theta,amplitude,amplitude_law");
     for (slong k = 0; k < t.count && proved; k++) {
         arb_srcptr numbers[] = {track_row(&t, k) + THETA, amplitude, law};
@@ -136,7 +137,7 @@ static bool print_pitch(void)
 int command_study(int count, char **texts)
 {
     static const char *const names[] = {"convergence", "forced", "pitch"};
-    static bool (*const prints[])(void) = {print_convergence, print_forced, print_pitch};
+    static bool (*const prints[])(const struct derivations *) = {print_convergence, print_forced, print_pitch};
     struct arguments a = {.subcommand = "study"};
     char hint[80];
     int status = arguments_split(&a, count, texts, 1);
@@ -149,7 +150,10 @@ int command_study(int count, char **texts)
         return usage_error(EXIT_USAGE, "study: expected convergence, forced or pitch");
     for (int i = 0; i < 3; i++)
         if (strcmp(names[i], a.words[0]) == 0) {
-            bool proved = prints[i]();
+            struct derivations steps;
+            derivations_open(&steps);
+            bool proved = prints[i](&steps);
+            derivations_clear(&steps);
             int written = output_finished();
             return written != EXIT_DONE || proved ? written
                                                   : usage_error(EXIT_FAILED_CHECK, "study %s: digits undecided", names[i]);
