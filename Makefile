@@ -353,13 +353,16 @@ pictures: $(patsubst %,$(BUILD)/figures/%.svg,figure4 figure6)
 ### The literate edition
 EDITION  := $(BUILD)/paper
 PROSE    := $(wildcard paper/*.tex)
+CHAPTERS := $(shell sed -n 's/^.graph{\([a-z0-9-]*\)}.*/\1/p' $(PROSE))
+# The day of the last change: of the history where there is one, else of the archive that `git archive` made.
+DATED     = $(shell git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
 PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard paper/figures/plot-*.gp)))
 
 ## paper: the literate edition, build/coulomb-tether.pdf
 paper: $(BUILD)/coulomb-tether.pdf
 
 $(BUILD)/coulomb-tether.pdf: $(patsubst paper/%,$(EDITION)/%,$(PROSE)) $(PLOTS:%=$(EDITION)/plot-%.tex) \
-  $(EDITION)/derivations.pdf paper/typeset.sh
+  $(CHAPTERS:%=$(EDITION)/graph-%.pdf) paper/typeset.sh
 	paper/typeset.sh $(EDITION) $@
 
 $(EVIDENCE): $(BUILD)/%.json: $(PROGRAM)
@@ -375,7 +378,7 @@ $(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c)
   $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv | $(EDITION)/tools.found
 	@mkdir -p $(@D)
 	@LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program=$(PROGRAM) -v data=$(DATA) -v build=$(BUILD) \
-	  -v plots='$(PLOTS)' $< >$@.tmp
+	  -v plots='$(PLOTS)' -v date='$(DATED)' $< >$@.tmp
 	@mv $@.tmp $@
 
 # gnuplot names its pictures as it is told to, and so is told without a folder.
@@ -383,9 +386,9 @@ $(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TAB
 	@mkdir -p $(@D)
 	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
 
-$(EDITION)/derivations.pdf: $(BUILD)/derivations.gv paper/graph.sed | $(EDITION)/tools.found
+$(EDITION)/graph-%.pdf: paper/%.tex $(BUILD)/derivations.gv paper/graph.awk | $(EDITION)/tools.found
 	@mkdir -p $(@D)
-	sed -f paper/graph.sed $< | dot -Tpdf >$@.tmp
+	awk -f paper/graph.awk $< $(BUILD)/derivations.gv $(BUILD)/derivations.gv | dot -Tpdf >$@.tmp
 	@mv $@.tmp $@
 
 # What the gate finds in the tests' logs, for the index: they have to have run.

@@ -14,12 +14,13 @@
 #   <<plot NAME CAPTION>>             a plot, drawn from data/
 #   <<run ARGUMENT ...>>              a command of the program, and what it prints
 #   <<show FILE [KEY]>>               a text file as it is, or what stands under KEY: in it
-#   <<index>>                         the index of equations
+#   <<index>>                         the index of equations;  <<symbols>>  the quantities of the sheet, with unit and meaning
 # Within a line:
 #   <<number FILE ROW COLUMN DIGITS [SCALE]>>   from data/FILE, the row by its first column, or columns: A,B
 #   <<value ID OUTPUT DIGITS NAME=VALUE ...>>   what `coulomb-tether eval` finds
 #   <<quote ID before|text|after>>    `text`, provided that the evidence of a verdict reads so
 #   <<error ID>>                      the measured error of a function of ref/, in roundings; of ID worst: the largest
+#   <<version>>, <<date>>, <<fingerprint>>  of the program, of the source, of data/datapackage.json
 #   <<count WHAT>>                    steps, vectors, inputs, misprints, verdicts, or one kind of verdict
 # \eq{7} refers to an equation, and has to be one of the sheet.
 
@@ -38,7 +39,7 @@ function read_sheet(    command, line, part, id) {
         split(line, part, "\t")
         id = part[1]
         if (part[2] == "symbol")
-            symbol[part[4]] = part[5]
+            symbol[part[4]] = tex_of[part[4]] = part[5]
         else if (part[2] == "number") {
             numbers[id] = numbers[id] (numbers[id] == "" ? "" : " ") part[3]
             is_number[part[3]] = 1
@@ -435,6 +436,35 @@ function weave_index(    line, n, i, out, list) {
     emit("\\begin{equationindex}\n" out "\\end{equationindex}\n")
 }
 
+# The sheet's quantities: "  NAME ...: {unit: U, ..., meaning: M}" until the next heading.
+function weave_symbols(    path, line, on, head, n, part, i, list, unit, meaning, out) {
+    path = "paper/equations.yaml"
+    while ((getline line < path) > 0) {
+        if (line ~ /^[a-z]/)
+            on = line == "quantities:"
+        if (!on || !match(line, /^  [^:]*: \{unit: /))
+            continue
+        head = substr(line, 3, RLENGTH - 11)
+        gsub(/[":]/, "", head)
+        unit = substr(line, RLENGTH + 1)
+        sub(/, .*/, "", unit)
+        gsub(/"/, "", unit)
+        meaning = line
+        sub(/.*meaning: /, "", meaning)
+        sub(/}$/, "", meaning)
+        gsub(/"/, "", meaning)
+        n = split(head, part, " ")
+        list = ""
+        for (i = 1; i <= n; i++)
+            list = list (i > 1 ? ", " : "") "$" tex_of[part[i]] "$"
+        out = out "\\symbolrow{" list "}{" (unit == "-" ? "" : prose(unit)) "}{" prose(meaning) "}\n"
+    }
+    close(path)
+    if (out == "")
+        stop("no quantities in '" path "'")
+    emit("\\begin{symbols}\n" out "\\end{symbols}\n")
+}
+
 function indexed_numbers(id, list,    n, part, key) {
     n = split(list, part, " ")
     key = function_key(id, list)
@@ -559,11 +589,25 @@ function one(rest,    words, n) {
         return quote(rest)
     if (words[1] == "error")
         return error_of(words[2])
+    if (words[1] == "version")
+        return told(quoted(program) " --version", 2)
+    if (words[1] == "date")
+        return date
+    if (words[1] == "fingerprint")
+        return "\\texttt{" substr(told("sha256sum " quoted(data "/datapackage.json"), 1), 1, 16) "}"
     if (words[1] == "count") {
         sub(/^count +/, "", rest)
         return count(rest)
     }
     stop("unknown directive '" words[1] "' within a line")
+}
+
+# A word of the first line that a command prints.
+function told(command, word,    line, part) {
+    command | getline line
+    if (close(command) != 0 || split(line, part, " ") < word)
+        stop("failed: " command)
+    return part[word]
 }
 
 function inline(text,    out, at, end) {
@@ -594,9 +638,9 @@ function emit(text) {
 }
 
 # What may not be torn apart has been collected in `block`.
-function flush_block() {
+function flush_block(    lines) {
     if (block != "")
-        printf "%s", kept ? "\\begin{keep}\n" block "\\end{keep}\n" : block
+        printf "%s", kept && split(block, lines, "\n") <= LONGEST_KEPT ? "\\begin{keep}\n" block "\\end{keep}\n" : block
     block = ""
     kept = has_code = 0
 }
@@ -632,6 +676,8 @@ function weave_line(rest,    words, n) {
         weave_run(substr(rest, 5))
     else if (words[1] == "show")
         weave_show(words[2], words[3])
+    else if (words[1] == "symbols")
+        weave_symbols()
     else
         weave_index()
     if (!kept)
@@ -639,13 +685,14 @@ function weave_line(rest,    words, n) {
 }
 
 BEGIN {
+    LONGEST_KEPT = 26 # lines; longer ones would leave too much of a page empty
     sign["<="] = "$\\le $"; sign[">="] = "$\\ge $"; sign["<<"] = "$\\ll $"; sign["->"] = "$\\to $"
     sign["+-"] = "$\\pm $"; sign["-+"] = "$\\mp $"; sign["*"] = "$\\cdot $"
     sign["..."] = "\\dots{}"
     read_all()
 }
 
-/^<<(equation|definition|printed|function|helper|step|verdict|findings|plot|run|show|index)( .*)?>>$/ {
+/^<<(equation|definition|printed|function|helper|step|verdict|findings|plot|run|show|symbols|index)( .*)?>>$/ {
     weave_line(substr($0, 3, length($0) - 4))
     next
 }

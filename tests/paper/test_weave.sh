@@ -8,7 +8,7 @@ trap 'rm -rf "$work"' EXIT
 checks=0 failures=0
 
 weave() {
-    LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program="$CT_PROGRAM" -v data=data -v build="$work" -v plots='4 5a' \
+    LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program="$CT_PROGRAM" -v data=data -v build="$work" -v plots='4 5a' -v date=2000-01-01 \
         "$work/prose.tex" >"$work/out" 2>"$work/err"
 }
 
@@ -71,6 +71,10 @@ gives '<<number convergence.csv hill_43200s,psi,1.000e-05 order 3>>' '\ensuremat
 gives '<<value eq44 C2 3 Omega=2 n=10>>' '\ensuremath{4.00}'
 gives 'So <<quote equation-7 proved by |reference_charge|>>.' 'So reference\_charge.'
 gives 'By \eq{40a}.' 'By \eq{40a}.'
+gives '<<symbols>>' '\symbolrow{$L_{G1}$, $L_{G2}$, $L_{G3}$}{N m}{gravity-gradient torque in the body frame}'
+gives 'Version <<version>>.' "Version $("$CT_PROGRAM" --version | cut -d ' ' -f 2)."
+gives 'Of <<date>>.' 'Of 2000-01-01.'
+gives 'Begins <<fingerprint>>.' "$(sha256sum data/datapackage.json | cut -c 1-16)"
 gives '<<count inputs>>' '1000'
 gives '<<count misprints>>' "$(grep -c '"id": "equation-.*"verdict": "holds as corrected"' "$work/claims.json")"
 gives '<<count steps>>' "$(grep -c '{"id": ' "$work/derivations.json")"
@@ -114,6 +118,22 @@ checks=$((checks + 1))
 printf 'A.\n<<equation eq43>>\n<<function eq43>>\nB.\n' >"$work/prose.tex"
 if ! weave || [ "$(grep -c -F '{keep}' "$work/out")" -ne 2 ]; then
     fail 'an equation and its function make one block'
+fi
+
+# Code that would leave much of a page empty may be torn.
+checks=$((checks + 1))
+printf '<<equation eq02>>\n<<function eq02>>\nB.\n' >"$work/prose.tex"
+if ! weave || grep -q -F '{keep}' "$work/out"; then
+    fail 'a long function may be torn'
+fi
+
+# The part of the graph that a chapter proves: its step and what that leads from and to, and no more.
+checks=$((checks + 1))
+printf '<<step reference_charge>>\n' >"$work/prose.tex"
+"$CT_PROGRAM" verify derivations --graph >"$work/graph.gv"
+awk -f paper/graph.awk "$work/prose.tex" "$work/graph.gv" "$work/graph.gv" >"$work/out" 2>"$work/err"
+if [ "$(grep -c -- '->' "$work/out")" -ne 2 ] || [ "$(grep -c '^  "[^"]*" \[' "$work/out")" -ne 3 ]; then
+    fail 'the graph of a chapter with one step'
 fi
 
 # A gate that found nothing leaves no index.
