@@ -15,8 +15,8 @@
 
 #include <stddef.h>
 
-#define CT_VERSION "1.0.0"
-#define CT_VERSION_MAJOR 1
+#define CT_VERSION "2.0.0"
+#define CT_VERSION_MAJOR 2
 #define CT_VERSION_MINOR 0
 #define CT_VERSION_PATCH 0
 

@@ -66,7 +66,7 @@ static int lines(const char *text)
 
 #define TABLE1 "Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=10"
 
-#define REST " psi=0.01 theta=0.01 dL=0 psi_dot=0 theta_dot=0 dL_dot=0"
+#define REST " psi_0=0.01 theta_0=0.01 dL_0=0 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0"
 
 /* Wrong lines: the status, and a word that the one line on standard error has to say. */
 static const struct {
@@ -159,14 +159,14 @@ static const struct {
     {"trajectory linear phi=0.1", 2, "psi"},
     {"trajectory linear n=10 C2=1", 2, "n"},
     /* on the orbit normal two attracting craft fall straight into each other */
-    {"eval flow_nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 t=10 x1=0 y1=0 z1=1 x1_dot=0 y1_dot=0 z1_dot=0", 1,
+    {"eval flow_nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 t=10 x1_0=0 y1_0=0 z1_0=1 x1_dot_0=0 y1_dot_0=0 z1_dot_0=0", 1,
      "the craft come closer than L_ref/128, nothing is proved beyond, last proved time 0.5"},
-    {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=0.55 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=0.5", 1, "multiple"},
+    {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=0.55 psi_0=0 theta_0=1 dL_0=0 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0 h=0.5", 1, "multiple"},
     /* 2e323 steps; nine of them that are too long */
-    {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=1 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=5e-324", 1, "too many steps"},
-    {"eval rk4_nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 t=1 x1=0 y1=0 z1=1 x1_dot=0 y1_dot=0 z1_dot=0 h=5e-324", 1,
+    {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=1 psi_0=0 theta_0=1 dL_0=0 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0 h=5e-324", 1, "too many steps"},
+    {"eval rk4_nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 t=1 x1_0=0 y1_0=0 z1_0=1 x1_dot_0=0 y1_dot_0=0 z1_dot_0=0 h=5e-324", 1,
      "too many steps"},
-    {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=0x1.2p103 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=0x1p100", 1, "too many steps"},
+    {"eval rk4_linear Omega=1 L_ref=1 C1=1 C2=1 t=0x1.2p103 psi_0=0 theta_0=1 dL_0=0 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0 h=0x1p100", 1, "too many steps"},
     /* f_13 alone makes y1_ddot: 2 e^(-sqrt(5) 10^99)/5^(3/2) */
     {"eval eq02 Omega=1 k_c=1 lambda_d=1e-99 m1=1 m2=1 m3=1 q1=1 q2=1 q3=1 x1=1 y1=0 z1=0 x2=-1 y2=0 z2=0 x3=0 y3=2 z3=0 x1_dot=0 "
      "y1_dot=0 z1_dot=0 x2_dot=0 y2_dot=0 z2_dot=0 x3_dot=0 y3_dot=0 z3_dot=0", 1,
@@ -178,7 +178,7 @@ static const struct {
     {"typeset x=1", 2, "x=1"},
     {"typeset eq1", 2, "unknown operation 'eq1'"},
     {"typeset --pdf", 2, "--pdf"},
-    {"eval flow_linear Omega=1 L_ref=1 C1=-1e300 C2=1e300 t=1 psi=1 theta=1 dL=1 psi_dot=0 theta_dot=0 dL_dot=0", 1,
+    {"eval flow_linear Omega=1 L_ref=1 C1=-1e300 C2=1e300 t=1 psi_0=1 theta_0=1 dL_0=1 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0", 1,
      "the enclosure grew past use"}, /* e^(1e150) */
     {"vectors", 2, "operation"},
     {"vectors eq07 --cuont 1 --seed 1", 2, "did you mean '--count'"},
@@ -264,18 +264,18 @@ static const struct {
      "re1 = -2e+00 1/s\nim1 = 0 1/s\nre2 = -2e+00 1/s\nim2 = 0 1/s\n"
      "re3 = -1e+00 1/s\nim3 = -3e+00 1/s\nre4 = -1e+00 1/s\nim4 = 3e+00 1/s\n"},
     /* pitch alone: theta = cos(2 tau), at tau = 1: -0.41614683654714238700 */
-    {"eval flow_linear Omega=1 L_ref=10 C1=10 C2=2 t=1 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 --digits 10",
+    {"eval flow_linear Omega=1 L_ref=10 C1=10 C2=2 t=1 psi_0=0 theta_0=1 dL_0=0 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0 --digits 10",
      "psi = 0 rad\ntheta = -4.161468365e-01 rad\ndL = 0 m\npsi_dot = 0 rad/s\n"
      "theta_dot = -1.818594854e+00 rad/s\ndL_dot = 0 m/s\n"},
     /* at rest at the equilibrium, 1/3 of 3 m from the centre of mass: for ever */
-    {"eval flow_nonlinear Omega=1 k_c=1 m1=2 m2=1 L_ref=3 C1=10 C2=2 t=7 x1=1 y1=0 z1=0 x1_dot=0 y1_dot=0 z1_dot=0 --digits 3",
+    {"eval flow_nonlinear Omega=1 k_c=1 m1=2 m2=1 L_ref=3 C1=10 C2=2 t=7 x1_0=1 y1_0=0 z1_0=0 x1_dot_0=0 y1_dot_0=0 z1_dot_0=0 --digits 3",
      "x1 = 1.00e+00 m\ny1 = 0 m\nz1 = 0 m\nx1_dot = 0 m/s\ny1_dot = 0 m/s\nz1_dot = 0 m/s\n"},
     /* one step h = 1/2 of theta'' = -4 theta from 1: 1 - 2 h^2 + (2/3) h^4 = 0.541666... */
-    {"eval rk4_linear Omega=1 L_ref=10 C1=10 C2=2 t=0.5 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=0.5 --digits 10",
+    {"eval rk4_linear Omega=1 L_ref=10 C1=10 C2=2 t=0.5 psi_0=0 theta_0=1 dL_0=0 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0 h=0.5 --digits 10",
      "psi = 0 rad\ntheta = 5.416666667e-01 rad\ndL = 0 m\npsi_dot = 0 rad/s\n"
      "theta_dot = -1.666666667e+00 rad/s\ndL_dot = 0 m/s\n"},
     /* one step of h = 10^22: (2/3) h^4 and (8/3) h^3 are all that 10 digits show */
-    {"eval rk4_linear Omega=1 L_ref=10 C1=10 C2=2 t=1e22 psi=0 theta=1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0 h=1e22 --digits 10",
+    {"eval rk4_linear Omega=1 L_ref=10 C1=10 C2=2 t=1e22 psi_0=0 theta_0=1 dL_0=0 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0 h=1e22 --digits 10",
      "psi = 0 rad\ntheta = 6.666666667e+87 rad\ndL = 0 m\npsi_dot = 0 rad/s\n"
      "theta_dot = 2.666666667e+66 rad/s\ndL_dot = 0 m/s\n"},
     {"trajectory linear --at 0 --digits 3",
@@ -445,8 +445,8 @@ END_TEST
    zeros around which the enclosures shrink are never known to be such. */
 START_TEST(what_no_number_of_bits_decides_is_said)
 {
-    ck_assert_int_eq(run("eval flow_nonlinear Omega=0.1 k_c=1 m1=1 m2=1 L_ref=1 C1=0.21 C2=0.1 t=1 x1=1 y1=0 z1=0 "
-                         "x1_dot=0 y1_dot=0 z1_dot=0 --exact --digits 3"), 1);
+    ck_assert_int_eq(run("eval flow_nonlinear Omega=0.1 k_c=1 m1=1 m2=1 L_ref=1 C1=0.21 C2=0.1 t=1 x1_0=1 y1_0=0 z1_0=0 "
+                         "x1_dot_0=0 y1_dot_0=0 z1_dot_0=0 --exact --digits 3"), 1);
     ck_assert_ptr_nonnull(strstr(errors, "bits do not decide every digit"));
     ck_assert_int_eq(lines(errors), 1);
     ck_assert_str_eq(output, "");

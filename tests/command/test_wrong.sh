@@ -148,7 +148,7 @@ stops 'vectors without a purpose' '
     ': kills no mistake and pins no edge' conform --kills --only eq12
 stops 'a condition that nothing violates' 's/x1^2 + y1^2 + z1^2 > 0/x1^2 + y1^2 + z1^2 >-1/' 1 \
     'eq13: no edge found of x1^2 + y1^2 + z1^2 >-1' vectors eq13 --golden
-stops 'a golden vector without end' 's/x1: 5\.05, y1: 0\.0, z1: -0\.0/x1: 0.00, y1: 0.0, z1: -1.0/' 1 'the craft come closer than L_ref/128' vectors flow_nonlinear --golden
+stops 'a golden vector without end' 's/x1_0: 5\.05, y1_0: 0\.0, z1_0: -0\.0/x1_0: 0.00, y1_0: 0.0, z1_0: -1.0/' 1 'the craft come closer than L_ref/128' vectors flow_nonlinear --golden
 stops 'a title with a quotation mark and a tab' 's/title: orbital rate/title: orb"tal	rate/' 0 'orb\"tal\u0009rate' equations --json
 
 # ---- files that the data package cannot be made from ----

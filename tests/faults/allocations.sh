@@ -21,7 +21,7 @@ each 'eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=10'
 each 'eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=10 --exact --digits 1000 --json'
 each 'eval eq30 --as-printed m1=1 m2=3 x1=1 y1=2 z1=3 x2=4 y2=5 z2=6'
 each 'eval eq41roots Omega=1 C1=10 C2=2'
-each 'eval flow_linear Omega=1 L_ref=1 C1=10 C2=2 t=1 psi=0.1 theta=0.1 dL=0 psi_dot=0 theta_dot=0 dL_dot=0'
+each 'eval flow_linear Omega=1 L_ref=1 C1=10 C2=2 t=1 psi_0=0.1 theta_0=0.1 dL_0=0 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0'
 each table1
 each 'figure 4'
 each 'figure 7a --rk4 100'

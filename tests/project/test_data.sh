@@ -16,6 +16,16 @@ for file in $( { (cd data && find . -type f ! -name '*.tmp'); (cd "$again" && fi
         failed=$((failed + 1))
     fi
 done
+# Readers by name (csv.DictReader, pandas, the data package's) keep one of two columns of one name.
+for file in data/*.csv data/golden/*.csv; do
+    twice=$(head -n 1 "$file" | tr ',' '\n' | sort | uniq -d)
+    if [ -z "$twice" ]; then
+        passed=$((passed + 1))
+    else
+        echo "$file: two columns of one name: $twice"
+        failed=$((failed + 1))
+    fi
+done
 # README's Table 1 and findings are those of the program.
 { echo '```'; "$CT_PROGRAM" table1; echo '```'; } >"$CT_BUILD/tests/table1.md"
 LC_ALL=C awk -f paper/read.awk -f paper/findings.awk "$CT_BUILD/claims.json" >"$CT_BUILD/tests/findings.md"

@@ -47,7 +47,7 @@ build_user() {
 }
 prints_exact_value() { [ "$("$@")" = "-1.5 0" ]; }
 with_library() { LD_LIBRARY_PATH="$work/usr/lib" "$@"; }
-needs_library() { readelf -d "$1" | grep -q 'NEEDED.*libcoulombtether\.so\.1'; }
+needs_library() { readelf -d "$1" | grep -q 'NEEDED.*libcoulombtether\.so\.2'; }
 man_page_is_whole() { grep -q '^\.Sh EXIT STATUS' "$work/usr/share/man/man1/coulomb-tether.1"; }
 
 check installs                     make_quietly install prefix="$work/usr"

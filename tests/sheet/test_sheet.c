@@ -312,15 +312,16 @@ static const struct {
     {"GM", 1e13, 1e15, false},
     {"m1 m2 m3 L L_ref", 1, 1000, false},
     {"L_dot", 1e-7, 0.1, true},
-    {"dL", 1e-4, 10, true},
-    {"dL_dot", 1e-8, 1e-2, true},
-    {"psi theta", 1e-4, 3, true},
-    {"psi_dot theta_dot", 1e-8, 1e-3, true},
+    {"dL dL_0", 1e-4, 10, true},
+    {"dL_dot dL_dot_0", 1e-8, 1e-2, true},
+    {"psi theta psi_0 theta_0", 1e-4, 3, true},
+    {"psi_dot theta_dot psi_dot_0 theta_dot_0", 1e-8, 1e-3, true},
     {"psi_ddot theta_ddot", 1e-12, 1e-6, true},
     {"Q Q_ref dQ", 1e-16, 1e-10, true},
     {"q1 q2 q3", 1e-8, 1e-5, true},
-    {"x1 y1 z1 x2 y2 z2 x3 y3 z3", 0.1, 100, true},
+    {"x1 y1 z1 x2 y2 z2 x3 y3 z3 x1_0 y1_0 z1_0", 0.1, 100, true},
     {"x1_dot y1_dot z1_dot x2_dot y2_dot z2_dot x3_dot y3_dot z3_dot", 1e-7, 0.1, true},
+    {"x1_dot_0 y1_dot_0 z1_dot_0", 1e-7, 0.1, true},
     {"I", 1, 1e9, false},
     {"R_c", 6.5e6, 1e8, false},
     {"R_c1 R_c2 R_c3", 1e5, 1e8, true},
@@ -352,7 +353,7 @@ END_TEST
 /* Table 1, the gains and the initial values: what commands fall back on, and the user may override. */
 START_TEST(values_of_the_simulation_are_these)
 {
-    static const char names[] = " Omega k_c m1 m2 L_ref dL dL_dot psi theta psi_dot theta_dot n ";
+    static const char names[] = " Omega k_c m1 m2 L_ref n dL dL_dot psi theta psi_dot theta_dot dL_0 dL_dot_0 psi_0 theta_0 psi_dot_0 theta_dot_0 ";
     for (int i = 0; i < sheet()->quantity_count; i++) {
         const struct quantity *q = &sheet()->quantities[i];
         char name[40];

@@ -30,14 +30,16 @@ static void hand_on(struct golden *g, const char *name, const char *const *texts
     g->fine = g->fine && g->receive(g->context, &g->o, id, texts, flags);
 }
 
-/* The base with one input replaced, or two masses. */
+/* The base with one input replaced. Ids keep the names that initial values had before version 2: psi for psi_0. */
 static void replaced(struct golden *g, const char *how, int i, const char *text, const char *flags)
 {
     const char *texts[MOST_INPUTS];
     char name[80];
     memcpy(texts, g->base, sizeof texts);
     texts[i] = text;
-    snprintf(name, sizeof name, "%s-%s", how, g->o.section->inputs[i]->name);
+    const char *input = g->o.section->inputs[i]->name;
+    const size_t length = strlen(input), suffix = length > 2 && strcmp(input + length - 2, "_0") == 0 ? 2 : 0;
+    snprintf(name, sizeof name, "%s-%.*s", how, (int)(length - suffix), input);
     hand_on(g, name, texts, flags);
 }
 

@@ -233,7 +233,7 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
     if (!linear && status == FLOW_DONE)
         flow_settle(initial,
                     is_equilibrium(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
-                                   input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1")),
+                                   input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1_0")),
                     outputs);
     flow_parameters_clear(&p);
     if (status != FLOW_DONE)
