@@ -12,6 +12,7 @@ libdir       ?= $(exec_prefix)/lib
 pkgconfigdir ?= $(libdir)/pkgconfig
 includedir   ?= $(prefix)/include
 mandir       ?= $(prefix)/share/man
+completiondir ?= $(prefix)/share/bash-completion/completions
 
 # Blanks separate the names of files here. The project's own folder is not among them: it may have any name.
 $(foreach name,BUILD DATA,$(if $(filter-out 1,$(words $($(name)))),$(error $(name)='$($(name))': expected a name without blanks)))
@@ -423,24 +424,32 @@ into     = $(call word_of,$(DESTDIR)$(1))
 blank   := $() $()
 pc_value = $(subst $(blank),\\ ,$(1))
 
-## install: library, header, pkg-config file, program and manual page, below prefix (and DESTDIR)
-install: all
+# The program's tables of options are its manual and its completion.
+$(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash: $(PROGRAM)
+	@$(PROGRAM) help $(if $(filter %.1,$@),--mdoc,--completion) >$@.tmp
+	@mv $@.tmp $@
+
+## install: library, header, pkg-config file, program, manual page and completion, below prefix (and DESTDIR)
+install: all $(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash
 	@sed $(foreach name,prefix exec_prefix libdir includedir,-e $(call word_of,s|@$(name)@|$(call pc_value,$($(name)))|)) \
 	  -e 's|@version@|$(VERSION)|' ref/coulombtether.pc.in >$(BUILD)/coulombtether.pc
-	$(INSTALL) -d $(call into,$(bindir)) $(call into,$(libdir)) $(call into,$(pkgconfigdir)) $(call into,$(includedir)) $(call into,$(mandir)/man1)
+	$(INSTALL) -d $(call into,$(bindir)) $(call into,$(libdir)) $(call into,$(pkgconfigdir)) $(call into,$(includedir)) $(call into,$(mandir)/man1) \
+	  $(call into,$(completiondir))
 	$(INSTALL) -m 755 $(PROGRAM) $(call into,$(bindir)/)
 	$(INSTALL) -m 644 $(LIBRARY) $(SHARED).$(VERSION) $(call into,$(libdir)/)
 	ln -sf $(notdir $(SHARED)).$(VERSION) $(call into,$(libdir)/$(SONAME))
 	ln -sf $(SONAME) $(call into,$(libdir)/$(notdir $(SHARED)))
 	$(INSTALL) -m 644 $(BUILD)/coulombtether.pc $(call into,$(pkgconfigdir)/)
 	$(INSTALL) -m 644 ref/coulombtether.h $(call into,$(includedir)/)
-	$(INSTALL) -m 644 verify/coulomb-tether.1 $(call into,$(mandir)/man1/)
+	$(INSTALL) -m 644 $(BUILD)/coulomb-tether.1 $(call into,$(mandir)/man1/)
+	$(INSTALL) -m 644 $(BUILD)/coulomb-tether.bash $(call into,$(completiondir)/coulomb-tether)
 
 ## uninstall: take all of that away again
 uninstall:
 	rm -f $(foreach file,$(notdir $(LIBRARY) $(SHARED) $(SHARED).$(VERSION)) $(SONAME),$(call into,$(libdir)/$(file))) \
 	  $(call into,$(bindir)/coulomb-tether) $(call into,$(pkgconfigdir)/coulombtether.pc) \
-	  $(call into,$(includedir)/coulombtether.h) $(call into,$(mandir)/man1/coulomb-tether.1)
+	  $(call into,$(includedir)/coulombtether.h) $(call into,$(mandir)/man1/coulomb-tether.1) \
+	  $(call into,$(completiondir)/coulomb-tether)
 
 ## dist: the committed tree as build/coulomb-tether-VERSION.tar.gz
 dist:

@@ -3,12 +3,15 @@
 
 #include "tests/run.h"
 
+#include <ctype.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "command/command.h"
 
 enum { MOST_TEXT = 1 << 20, MOST_WORDS = 40 };
 
@@ -78,6 +81,13 @@ static const struct {
     {"''", 2, "subcommand"},
     {"evil", 2, "eval"},
     {"ev\nil", 2, "unknown subcommand 'ev?il'"},
+    {"--hlep", 2, "did you mean '--help'"},
+    {"-X", 2, "unknown option '-X'"},
+    {"hlep", 2, "did you mean 'help'"},
+    {"eval --hlep", 2, "did you mean '--help'"},
+    {"eval -x", 2, "unknown option '-x'"},
+    {"help trajectry", 2, "did you mean 'trajectory'"},
+    {"help eval --mdoc", 2, "expected a subcommand, --mdoc or --completion"},
     {"equations eq1", 2, "unknown operation 'eq1'"},
     {"equations eq07 eq09", 2, "eq09"},
     {"equations --jsn", 2, "--json"},
@@ -117,13 +127,13 @@ static const struct {
     {"eval eq12 x1=1 y1=2 z1=3 x2=1 y2=2 z2=3", 1, "eq12"},
     {"table1 extra", 2, "extra"},
     {"table1 x=1", 2, "x=1"},
-    {"table1 --digits 3", 2, "--digits"},
+    {"table1 --digits 3", 2, "--digits does nothing here, it belongs to: eval figure trajectory conform"},
     {"figure", 2, "figure"},
     {"figure 8", 2, "8"},
     {"figure 5", 2, "5a, 5b, 6, 7a or 7b, got 5"},
     {"figure --rk", 2, "did you mean '--rk4'"},
     {"figure 4 psi=0.1", 2, "psi"},
-    {"figure 4 --rk4 100", 2, "--rk4"},
+    {"figure 4 --rk4 100", 2, "--rk4 does nothing here, it goes with 5a or 5b or 6 or 7a or 7b"},
     {"figure 5a n=8", 1, "n"},
     {"figure 5a n=10 C1=1 C2=1", 2, "n"},
     {"figure 5a --rk4 0", 1, "--rk4"},
@@ -195,6 +205,7 @@ static const struct {
     {"vectors eq07 --count 5 --seed 1 --shard 5/4", 2, "K/N"},
     {"vectors eq07 --count 5 --seed 1 --shard a/4", 2, "--shard"},
     {"vectors eq07 --golden --seed 1", 2, "--golden"},
+    {"vectors eq07 --golden --shard 1/2", 2, "--shard does nothing here, it goes with --count"},
     {"vectors eq07 --golden x=1", 2, "x=1"},
     {"verify proofs", 2, "proofs"},
     {"verify derivation", 2, "did you mean 'derivations'"},
@@ -203,6 +214,8 @@ static const struct {
     {"verify claims equation-45", 2, "unknown claim 'equation-45'"},
     {"verify claims table1-m3", 2, "unknown claim 'table1-m3'"},
     {"verify errors n12-optimal", 2, "unexpected argument 'n12-optimal'"},
+    {"verify claims --count 5", 2, "--count does nothing here, it goes with errors or no word"},
+    {"conform --timeout 5 --kills", 2, "--timeout does nothing here, it goes with a client after --"},
     {"verify claims n12-optimal attitude", 2, "unexpected argument 'attitude'"},
     {"verify --jsno", 2, "did you mean '--json'"},
     {"verify derivations --graph --json", 2, "--graph"},
@@ -328,15 +341,159 @@ START_TEST(figures_have_a_row_every_100_s_for_3_days)
 }
 END_TEST
 
-START_TEST(help_and_version_go_to_standard_output)
+START_TEST(version_goes_to_standard_output)
 {
-    static const char *const asks[] = {"--help", "--version", "equations --help", "eval --help",
-                                       "table1 --help", "figure --help", "trajectory --help",
-                                       "verify --help", "vectors --help", "typeset --help",
-                                       "datapackage --help"};
+    static const char *const asks[] = {"--version", "-V"};
     ck_assert_int_eq(run(asks[_i]), 0);
-    ck_assert_ptr_nonnull(strstr(output, "coulomb-tether"));
+    ck_assert_str_eq(output, "coulomb-tether " CT_VERSION "\n");
     ck_assert_str_eq(errors, "");
+}
+END_TEST
+
+START_TEST(help_names_every_subcommand)
+{
+    static const char *const asks[] = {"--help", "-h", "help"};
+    ck_assert_int_eq(run(asks[_i]), 0);
+    ck_assert_str_eq(errors, "");
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++) {
+        char line[64];
+        snprintf(line, sizeof line, "coulomb-tether %s", s->name);
+        ck_assert_msg(strstr(output, line) != NULL, "%s", s->name);
+    }
+}
+END_TEST
+
+START_TEST(help_explains_every_option_of_a_subcommand_with_unit_and_default)
+{
+    static const char *const asks[] = {"help %s", "%s --help", "%s -h"};
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++) {
+        char line[64];
+        snprintf(line, sizeof line, asks[_i], s->name); /* NOLINT: one of the three above */
+        ck_assert_msg(run(line) == 0, "%s", line);
+        ck_assert_str_eq(errors, "");
+        int explained = 0;
+        for (const struct option *o = options; o->name != NULL; o++) {
+            if (!option_belongs(o, s))
+                continue;
+            snprintf(line, sizeof line, "\n  %s %s", o->name, o->argument ? o->argument : "");
+            ck_assert_msg(strstr(output, line) != NULL, "%s: %s", s->name, o->name);
+            snprintf(line, sizeof line, "unless given: %s]", o->otherwise ? o->otherwise : "");
+            ck_assert_msg(o->otherwise == NULL || strstr(output, line) != NULL, "%s: %s", s->name, o->name);
+            explained++;
+        }
+        for (const char *at = output; (at = strstr(at, "\n  --")) != NULL; at++)
+            explained--;
+        ck_assert_int_eq(explained, 0);
+        ck_assert_int_eq(strstr(output, "\n  m1 ") != NULL, strcmp(s->name, "trajectory") == 0 || strcmp(s->name, "figure") == 0);
+    }
+    ck_assert_int_eq(run("help trajectory"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "\n  --every S             a row at 0 and every S from there [s, unless given: 100]\n"));
+    ck_assert_ptr_nonnull(strstr(output, "\n  Omega      rad/s      7.2915e-5 "));
+}
+END_TEST
+
+START_TEST(no_line_of_help_is_wider_than_it_should_be)
+{
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++) {
+        char line[64];
+        snprintf(line, sizeof line, "help %s", s->name);
+        ck_assert_int_eq(run(line), 0);
+        *strstr(output, "\nExamples:") = '\0';
+        char *names = strstr(output, "\nNames,");
+        if (names != NULL)
+            *names = '\0';
+        for (const char *at = output; *at != '\0'; at += strcspn(at, "\n") + 1) {
+            ck_assert_msg(strcspn(at, "\n") <= 100, "%.120s", at);
+            ck_assert_msg(at[strcspn(at, "\n") - (*at != '\n')] != ' ', "%.120s", at);
+        }
+    }
+}
+END_TEST
+
+/* The words of an example up to where the shell takes over. */
+START_TEST(the_examples_are_lines_that_are_understood_and_have_every_option_in_them)
+{
+    static const char until[] = "|<>";
+    bool used[100] = {false};
+    for (const struct example *e = examples; e->line != NULL; e++) {
+        char line[256], *words[MOST_WORDS], *rest = NULL;
+        struct arguments a;
+        int count = 0;
+        snprintf(line, sizeof line, "%s", e->line);
+        for (char *word = strtok_r(line, " ", &rest); word != NULL && strchr(until, *word) == NULL; word = strtok_r(NULL, " ", &rest))
+            words[count++] = word;
+        const struct subcommand *s = subcommand_find(words[0]);
+        ck_assert_msg(s != NULL, "%s", e->line);
+        ck_assert_msg(arguments_read(&a, s, count - 1, words + 1) == EXIT_DONE, "%s", e->line);
+        for (int i = 0; i < a.given_count; i++)
+            used[a.given[i].option - options] = true;
+        arguments_clear(&a);
+    }
+    for (const struct option *o = options; o->name != NULL; o++)
+        ck_assert_msg(used[o - options], "no example of %s of %s", o->name, o->of);
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++) {
+        bool shown = false;
+        for (const struct example *e = examples; e->line != NULL; e++)
+            shown = shown || word_in(e->line, " ", s->name);
+        ck_assert_msg(shown, "no example of %s", s->name);
+    }
+}
+END_TEST
+
+START_TEST(the_manual_page_has_every_option_and_example_and_no_macro_by_mistake)
+{
+    static const char *const sections[] = {"NAME", "SYNOPSIS", "DESCRIPTION", "EXIT STATUS", "EXAMPLES", "SEE ALSO", "STANDARDS"};
+    const char *at = output;
+    ck_assert_int_eq(run("help --mdoc"), 0);
+    for (size_t i = 0; i < sizeof sections / sizeof *sections; i++) {
+        char heading[32];
+        snprintf(heading, sizeof heading, "\n.Sh %s\n", sections[i]);
+        at = strstr(at, heading);
+        ck_assert_msg(at != NULL, "%s", heading);
+    }
+    for (const struct option *o = options; o->name != NULL; o++) {
+        char item[64];
+        snprintf(item, sizeof item, "\n.It Fl %s%s%s\n", o->name + 1, o->argument ? " Ar " : "", o->argument ? o->argument : "");
+        ck_assert_msg(strstr(output, item) != NULL, "%s", item);
+    }
+    for (at = output; *at != '\0'; at = strchr(at, '\n') + 1)
+        ck_assert_msg(*at != '.' || isupper((unsigned char)at[1]), "%.40s", at);
+}
+END_TEST
+
+/* What bash offers for the last of some words; where there is no bash, nothing. */
+START_TEST(bash_completes_what_the_tables_have)
+{
+    static const struct {
+        const char *words, *offers;
+    } lines_of[] = {
+        {"tr", "trajectory"},
+        {"trajectory lin", "linear"},
+        {"trajectory linear --e", "--exact --every"},
+        {"trajectory linear --exact Om", "Omega="},
+        {"eval eq1", "eq10 eq10lin eq10inv eq11exact eq11 eq12 eq13 eq14 eq15 eq17 eq18 eq19"},
+        {"eval eq07 m", "m1= m2="},
+        {"equations eq01", "eq01"},
+        {"vectors eq01", ""}, /* a definition */
+        {"vectors eq07 --inputs h", "hex"},
+        {"conform --only rk", "rk4_linear rk4_nonlinear"},
+        {"conform --significand 1", "113"},
+        {"help st", "study"},
+        {"verify cl", "claims"},
+        {"figure 7", "7a 7b"},
+    };
+    char command[1024], line[256] = "";
+    if (system("bash -c 'type compgen' >/dev/null 2>&1") != 0)
+        return;
+    snprintf(command, sizeof command,
+             "bash -c 'source <(\"$CT_PROGRAM\" help --completion) && compopt() { :; } && COMP_WORDS=(coulomb-tether %s) && "
+             "COMP_CWORD=$((${#COMP_WORDS[@]} - 1)) && _coulomb_tether && echo \"${COMPREPLY[*]}\"'", lines_of[_i].words);
+    FILE *shell = popen(command, "r");
+    ck_assert_ptr_nonnull(shell);
+    ck_assert_ptr_nonnull(fgets(line, sizeof line, shell));
+    ck_assert_int_eq(pclose(shell), 0);
+    line[strcspn(line, "\n")] = '\0';
+    ck_assert_str_eq(line, lines_of[_i].offers);
 }
 END_TEST
 
@@ -517,7 +674,13 @@ SUITE(test_command_line)
     tcase_add_loop_test(c, a_use_prints_exactly_this, 0, sizeof uses / sizeof *uses);
     tcase_add_test(c, table1_rounds_in_every_row);
     tcase_add_test(c, figure4_runs_from_9_to_40);
-    tcase_add_loop_test(c, help_and_version_go_to_standard_output, 0, 11);
+    tcase_add_loop_test(c, version_goes_to_standard_output, 0, 2);
+    tcase_add_loop_test(c, help_names_every_subcommand, 0, 3);
+    tcase_add_loop_test(c, help_explains_every_option_of_a_subcommand_with_unit_and_default, 0, 3);
+    tcase_add_test(c, no_line_of_help_is_wider_than_it_should_be);
+    tcase_add_test(c, the_examples_are_lines_that_are_understood_and_have_every_option_in_them);
+    tcase_add_test(c, the_manual_page_has_every_option_and_example_and_no_macro_by_mistake);
+    tcase_add_loop_test(c, bash_completes_what_the_tables_have, 0, 14);
     tcase_add_test(c, equations_lists_every_section_and_shows_one);
     tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 8);
     tcase_add_test(c, a_closed_pipe_ends_quietly_with_1);

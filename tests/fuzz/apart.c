@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "command/command.h"
 #include "conform/client.h"
 #include "evaluate/errors.h"
 #include "motion/flow.h"
@@ -98,10 +99,9 @@ bool __wrap_kills_print(const struct section *s, double digits)
     return true;
 }
 
-int __wrap_command_study(int count, char **arguments)
+int __wrap_command_study(const struct arguments *a)
 {
-    (void)count;
-    (void)arguments;
+    (void)a;
     return 0;
 }
 

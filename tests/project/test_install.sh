@@ -56,6 +56,7 @@ check shared_program_is_shared     needs_library "$work/shared"
 check shared_program_runs          with_library prints_exact_value "$work/shared"
 check installed_program_runs       "$work/usr/bin/coulomb-tether" --version
 check manual_page_is_installed     man_page_is_whole
+check completion_is_installed      grep -q '^complete -F _coulomb_tether coulomb-tether$' "$work/usr/share/bash-completion/completions/coulomb-tether"
 
 check destdir_installs             make_quietly install DESTDIR="$work/root dir" prefix=/usr
 files_of "$work/usr" >"$work/plain"

@@ -34,61 +34,151 @@ void suggest(char text[80], const char *mistaken, const char *const *known, int 
         snprintf(text, 80, ", did you mean '%s'?", near);
 }
 
+/* ---- arguments ---- */
+
+/* "--every=5": the option that a text names, its value after the sign of equality. */
+static bool names_option(const char *text, const char *name)
+{
+    const size_t length = strlen(name);
+    return strncmp(text, name, length) == 0 && (text[length] == '\0' || text[length] == '=');
+}
+
+static void add_text(char *text, size_t size, const char *separator, const char *more)
+{
+    const size_t length = strlen(text);
+    snprintf(text + length, size - length, "%s%s", separator, more);
+}
+
+/* Of an option that the subcommand has not: whose it is, or what it may have been meant to be. */
+static int unknown_option(const struct arguments *a, const char *text)
+{
+    enum { MOST_KNOWN = 64 };
+    const char *known[MOST_KNOWN] = {"--help"};
+    int count = 1;
+    char text_of[256] = "", hint[80];
+    for (const struct option *o = options; o->name != NULL; o++) {
+        if (option_belongs(o, a->subcommand))
+            known[count++] = o->name;
+        if (names_option(text, o->name))
+            add_text(text_of, sizeof text_of, *text_of ? " " : "", o->of);
+    }
+    if (*text_of != '\0')
+        return usage_error(EXIT_USAGE, "%s: %s does nothing here, it belongs to: %s", a->subcommand->name, text, text_of);
+    suggest(hint, text, known, count);
+    return usage_error(EXIT_USAGE, "%s: unknown option '%s'%s", a->subcommand->name, text, hint);
+}
+
 static int take_option(struct arguments *a, int count, char **texts, int *i)
 {
     const char *text = texts[*i], *equals = strchr(text, '=');
-    size_t length = equals ? (size_t)(equals - text) : strlen(text);
-    for (int k = 0; k < a->option_count; k++) {
-        struct option *o = &a->options[k];
-        if (strlen(o->name) != length || strncmp(o->name, text, length) != 0)
-            continue;
-        if (o->value != NULL)
-            return usage_error(EXIT_USAGE, "%s: given twice, expected once", o->name);
-        if (!o->has_value && equals)
-            return usage_error(EXIT_USAGE, "%s: takes no value", o->name);
-        o->value = !o->has_value ? "" : equals ? equals + 1 : *i + 1 < count ? texts[++*i] : NULL;
-        if (o->value == NULL || (o->has_value && *o->value == '\0'))
-            return usage_error(EXIT_USAGE, "%s: expected a value after it", o->name);
-        return EXIT_DONE;
-    }
-    const char *known[16];
-    char hint[80];
-    for (int k = 0; k < a->option_count; k++)
-        known[k] = a->options[k].name;
-    suggest(hint, text, known, a->option_count);
-    return usage_error(EXIT_USAGE, "%s: unknown option '%s'%s", a->subcommand, text, hint);
+    const struct option *o = options;
+    while (o->name != NULL && !(option_belongs(o, a->subcommand) && names_option(text, o->name)))
+        o++;
+    if (o->name == NULL)
+        return unknown_option(a, text);
+    if (option_given(a, o->name) && !o->repeated)
+        return usage_error(EXIT_USAGE, "%s: given twice, expected once", o->name);
+    if (o->argument == NULL && equals != NULL)
+        return usage_error(EXIT_USAGE, "%s: takes no value", o->name);
+    const char *value = o->argument == NULL ? "" : equals != NULL ? equals + 1 : *i + 1 < count ? texts[++*i] : "";
+    if (o->argument != NULL && *value == '\0')
+        return usage_error(EXIT_USAGE, "%s: expected a value after it, %s", o->name, o->argument);
+    a->given[a->given_count++] = (struct given){o, value};
+    return EXIT_DONE;
 }
 
-int arguments_split(struct arguments *a, int count, char **texts, int words)
+static int unexpected_argument(const struct arguments *a, const char *text)
 {
-    a->assignments = xrealloc(NULL, (size_t)count + 1, sizeof *a->assignments);
-    for (int i = 0; i < count; i++) {
-        int status = EXIT_DONE;
-        if (strncmp(texts[i], "--", 2) == 0)
-            status = take_option(a, count, texts, &i);
-        else if (*texts[i] == '\0')
-            status = usage_error(EXIT_USAGE, "%s: an argument is empty", a->subcommand);
-        else if (strchr(texts[i], '=') != NULL)
-            a->assignments[a->assignment_count++] = texts[i];
-        else if (a->word_count < words)
-            a->words[a->word_count++] = texts[i];
-        else
-            status = usage_error(EXIT_USAGE, "%s: unexpected argument '%s'", a->subcommand, texts[i]);
-        if (status != EXIT_DONE) {
-            free(a->assignments);
-            a->assignments = NULL;
-            return status;
-        }
+    return usage_error(EXIT_USAGE, "%s: unexpected argument '%s', see coulomb-tether help %s", a->subcommand->name, text,
+                       a->subcommand->name);
+}
+
+/* Whether one of the ways to use the subcommand has this in it. */
+static bool has_way(const struct subcommand *s, const char *what)
+{
+    bool has = false;
+    for (int i = 0; s->ways[i] != NULL; i++)
+        has = has || strstr(s->ways[i], what) != NULL;
+    return has;
+}
+
+static int take_argument(struct arguments *a, int count, char **texts, int *i)
+{
+    char *text = texts[*i];
+    if (*text == '\0')
+        return usage_error(EXIT_USAGE, "%s: an argument is empty", a->subcommand->name);
+    if (*text == '-' && text[1] != '\0')
+        return take_option(a, count, texts, i);
+    if (strchr(text, '=') != NULL && has_way(a->subcommand, "=VALUE")) {
+        a->assignments[a->assignment_count++] = text;
+        return EXIT_DONE;
     }
+    if (strchr(text, '=') != NULL || a->word_count == a->subcommand->words)
+        return unexpected_argument(a, text);
+    a->words[a->word_count++] = text;
     return EXIT_DONE;
+}
+
+/* Whether there is one of the things without which an option does nothing. */
+static bool has_company(const struct arguments *a, const char *with)
+{
+    if (with == NULL || (a->word_count == 0 && word_in(with, "|", "")) || (a->client != NULL && word_in(with, "|", "--")))
+        return true;
+    if (a->word_count > 0 && (word_in(with, "|", a->words[0]) || (word_in(with, "|", "ID") && strcmp(a->words[0], "-") != 0)))
+        return true;
+    for (int i = 0; i < a->given_count; i++)
+        if (word_in(with, "|", a->given[i].option->name))
+            return true;
+    return false;
+}
+
+/* Of an option without what it goes with. */
+static int out_of_place(const struct arguments *a, const struct option *o)
+{
+    char with[128] = "", *rest = NULL, *copy = text_copy(o->with);
+    for (char *word = strtok_r(copy, "|", &rest); word != NULL; word = strtok_r(NULL, "|", &rest))
+        add_text(with, sizeof with, *with ? " or " : "", strcmp(word, "--") == 0 ? "a client after --" : word);
+    free(copy);
+    return usage_error(EXIT_USAGE, "%s: %s does nothing here, it goes with %s%s", a->subcommand->name, o->name, with,
+                       word_in(o->with, "|", "") ? " or no word" : "");
+}
+
+int arguments_read(struct arguments *a, const struct subcommand *s, int count, char **texts)
+{
+    int status = EXIT_DONE;
+    *a = (struct arguments){.subcommand = s};
+    a->assignments = xrealloc(NULL, (size_t)count + 1, sizeof *a->assignments);
+    a->given = xrealloc(NULL, (size_t)count + 1, sizeof *a->given);
+    for (int i = 0; i < count && a->client == NULL && status == EXIT_DONE; i++) {
+        if (strcmp(texts[i], "--") == 0 && has_way(s, "-- "))
+            a->client = texts + i + 1;
+        else
+            status = take_argument(a, count, texts, &i);
+    }
+    for (int i = 0; i < a->given_count && status == EXIT_DONE; i++)
+        if (!has_company(a, a->given[i].option->with))
+            status = out_of_place(a, a->given[i].option);
+    return status;
+}
+
+void arguments_clear(struct arguments *a)
+{
+    free(a->assignments);
+    free(a->given);
+}
+
+const char *option_next(const struct arguments *a, const char *name, int *k)
+{
+    while (*k < a->given_count)
+        if (strcmp(a->given[(*k)++].option->name, name) == 0)
+            return a->given[*k - 1].value;
+    return NULL;
 }
 
 const char *option_value(const struct arguments *a, const char *name)
 {
     int k = 0;
-    while (strcmp(a->options[k].name, name) != 0)
-        k++;
-    return a->options[k].value;
+    return option_next(a, name, &k);
 }
 
 bool option_given(const struct arguments *a, const char *name)
@@ -132,6 +222,11 @@ int whole_number(const char *name, const char *text, uint64_t *value)
     if (strspn(text, "0123456789") != strlen(text) || *text == '\0' || errno != 0)
         return usage_error(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
     return EXIT_DONE;
+}
+
+int option_number(const struct arguments *a, const char *name, uint64_t *number)
+{
+    return option_given(a, name) ? whole_number(name, option_value(a, name), number) : EXIT_DONE;
 }
 
 int literal_argument(const char *name, const char *text, bool exact, bool may_be_infinite,
@@ -239,6 +334,20 @@ const struct section *section_argument(const char *id)
     free(known);
     usage_error(EXIT_USAGE, "unknown operation '%.40s'%s", id, hint);
     return NULL;
+}
+
+const struct section *operation_argument(const struct arguments *a)
+{
+    if (a->word_count == 0) {
+        usage_error(EXIT_USAGE, "%s: expected the id of an operation, see coulomb-tether equations", a->subcommand->name);
+        return NULL;
+    }
+    const struct section *s = section_argument(a->words[0]);
+    if (s != NULL && s->method == METHOD_NONE) {
+        usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
+        return NULL;
+    }
+    return s;
 }
 
 int output_finished(void)

@@ -7,27 +7,25 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "command/options.h"
 #include "evaluate/operation.h"
 #include "evaluate/vectors.h"
 
 enum { EXIT_DONE = 0, EXIT_FAILED_CHECK = 1, EXIT_USAGE = 2 };
 
-/* What a subcommand accepts besides its plain words: flags, and options with a value. */
-struct option {
-    const char *name; /* "--digits" */
-    bool has_value;
-    const char *value; /* as given, NULL when it was not */
-};
-
-/* An argument list, split: words, NAME=VALUE, options. */
+/* An argument list, read: words, NAME=VALUE, options, and a client with its own arguments. */
 struct arguments {
-    const char *subcommand;
-    struct option *options;
-    int option_count;
+    const struct subcommand *subcommand;
     const char *words[2];
     int word_count;
     char **assignments; /* in the order given, NAME=VALUE whole */
     int assignment_count;
+    struct given {
+        const struct option *option;
+        const char *value; /* "" of a flag */
+    } *given;
+    int given_count;
+    char **client; /* what follows --; NULL: there is none */
 };
 
 /* One line on standard error after the program's name; returns the status it is given. */
@@ -42,10 +40,14 @@ void suggest(char text[80], const char *mistaken, const char *const *known, int 
 /* Of a name that could not be opened or run: wrong usage, unless the machine is out of means. */
 int status_of_name(int why);
 
-/* Splits what stands after the subcommand; at most `words` plain words. EXIT_DONE or EXIT_USAGE. */
-int arguments_split(struct arguments *a, int count, char **texts, int words);
+/* Reads what follows the subcommand, against the tables of options.h: EXIT_DONE or EXIT_USAGE. */
+int arguments_read(struct arguments *a, const struct subcommand *s, int count, char **texts);
+void arguments_clear(struct arguments *a);
 bool option_given(const struct arguments *a, const char *name);
-const char *option_value(const struct arguments *a, const char *name); /* of the options; NULL: not given */
+const char *option_value(const struct arguments *a, const char *name); /* NULL: not given */
+
+/* The values of a repeated option one by one, *k = 0 before the first; NULL after the last. */
+const char *option_next(const struct arguments *a, const char *name, int *k);
 
 /* --digits, 1 ... 10000. */
 int option_digits(const struct arguments *a, long otherwise, long *digits);
@@ -75,22 +77,17 @@ int refuse_assignment(const char *assignment, bool exact);
 /* A text as a JSON string, quotes and all. */
 void json_text(const char *text);
 
+/* A whole number below 2^64, kept where the option is not given. */
+int option_number(const struct arguments *a, const char *name, uint64_t *number);
+
+/* The operation that the first word names; NULL after a complaint. */
+const struct section *operation_argument(const struct arguments *a);
+
 /* The section of that id; NULL after a complaint that suggests the nearest. */
 const struct section *section_argument(const char *id);
 
 /* Everything that was printed is out: EXIT_DONE, or EXIT_FAILED_CHECK after a complaint. */
 int output_finished(void);
 
-int command_equations(int count, char **arguments);
-int command_eval(int count, char **arguments);
-int command_table1(int count, char **arguments);
-int command_figure(int count, char **arguments);
-int command_trajectory(int count, char **arguments);
-int command_verify(int count, char **arguments);
-int command_vectors(int count, char **arguments);
-int command_conform(int count, char **arguments);
-int command_study(int count, char **arguments);
-int command_datapackage(int count, char **arguments);
-int command_typeset(int count, char **arguments);
 
 #endif

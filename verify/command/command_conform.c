@@ -44,21 +44,12 @@ static int take_digits(struct choice *c, const char *text)
     return EXIT_DONE;
 }
 
-/* Takes each --digits out of the list: it may be given several times. */
-static int take_all_digits(struct choice *c, int *count, char **texts)
+static int take_all_digits(struct choice *c, const struct arguments *a)
 {
-    int kept = 0, status = EXIT_DONE;
-    for (int i = 0; i < *count && status == EXIT_DONE; i++) {
-        if (strncmp(texts[i], "--digits=", 9) == 0)
-            status = take_digits(c, texts[i] + 9);
-        else if (strcmp(texts[i], "--digits") != 0)
-            texts[kept++] = texts[i];
-        else if (i + 1 < *count)
-            status = take_digits(c, texts[++i]);
-        else
-            status = usage_error(EXIT_USAGE, "--digits: expected a value after it");
-    }
-    *count = kept;
+    int status = EXIT_DONE, k = 0;
+    const char *text;
+    while (status == EXIT_DONE && (text = option_next(a, "--digits", &k)) != NULL)
+        status = take_digits(c, text);
     return status;
 }
 
@@ -98,22 +89,17 @@ static int take_only(struct choice *c, const char *only)
     return status != EXIT_DONE ? status : usage_error(EXIT_USAGE, "--only: expected operations or levels, ID,...");
 }
 
-static int take_whole_number(const struct arguments *a, const char *name, uint64_t *number)
-{
-    return option_given(a, name) ? whole_number(name, option_value(a, name), number) : EXIT_DONE;
-}
-
 /* The questions; random ones about motions, which may have no end, only where they are asked for by name. */
 static int take_questions(struct test_run *e, const struct arguments *a, const struct choice *c)
 {
     uint64_t random = 0, significand = BINARY64;
-    int status = take_whole_number(a, "--random", &random);
+    int status = option_number(a, "--random", &random);
     if (status == EXIT_DONE)
-        status = take_whole_number(a, "--seed", &e->sets.seed);
+        status = option_number(a, "--seed", &e->sets.seed);
     if (status == EXIT_DONE)
         status = option_inputs(a, &e->sets.form);
     if (status == EXIT_DONE)
-        status = take_whole_number(a, "--significand", &significand);
+        status = option_number(a, "--significand", &significand);
     if (status == EXIT_DONE && option_given(a, "--random") != option_given(a, "--seed"))
         status = usage_error(EXIT_USAGE, "conform: expected --random N and --seed S together");
     if (status == EXIT_DONE && random > MOST_RANDOM)
@@ -374,12 +360,10 @@ static int print_all_kills(const struct choice *c)
     return fine ? status : EXIT_FAILED_CHECK;
 }
 
-static int conform(const struct arguments *a, struct choice *c, char **client)
+static int conform(const struct arguments *a, struct choice *c)
 {
     const bool file = option_given(a, "--answers"), kills = option_given(a, "--kills");
-    if (a->assignment_count > 0)
-        return usage_error(EXIT_USAGE, "conform: unexpected argument '%s', a client stands after --", a->assignments[0]);
-    if (file + kills + (client != NULL) != 1)
+    if (file + kills + (a->client != NULL) != 1)
         return usage_error(EXIT_USAGE, "conform: expected -- CLIENT ARGS..., or --answers FILE.csv ID");
     if (file != (a->word_count == 1))
         return usage_error(EXIT_USAGE, file ? "--answers: expected the id of an operation after the file"
@@ -399,39 +383,25 @@ static int conform(const struct arguments *a, struct choice *c, char **client)
     e->from_file = file;
     status = take_questions(e, a, c);
     if (status == EXIT_DONE) {
-        status = file ? read_answers(e, a, e->comparators[0].operation->section) : run_client(e, a, client);
+        status = file ? read_answers(e, a, e->comparators[0].operation->section) : run_client(e, a, a->client);
         test_run_clear(e);
     }
     free(e);
     return status;
 }
 
-int command_conform(int count, char **texts)
+int command_conform(const struct arguments *a)
 {
-    struct option options[] = {{"--only", true, NULL},    {"--random", true, NULL},  {"--seed", true, NULL},
-                               {"--timeout", true, NULL}, {"--report", true, NULL},  {"--answers", true, NULL},
-                               {"--range", false, NULL},  {"--kills", false, NULL},  {"--significand", true, NULL},
-                               {"--inputs", true, NULL}};
-    struct arguments a = {.subcommand = "conform", .options = options, .option_count = 10};
     const size_t sections = (size_t)sheet()->section_count;
     struct choice c = {.chosen = xrealloc(NULL, sections, sizeof *c.chosen),
                        .digits = xrealloc(NULL, sections, sizeof *c.digits)};
-    char **client = NULL;
     for (size_t i = 0; i < sections; i++)
         c.digits[i] = sheet()->sections[i].method >= METHOD_RK4_LINEAR ? METHOD_DIGITS : FLOW_DIGITS;
-    for (int i = 0; i < count && client == NULL; i++)
-        if (strcmp(texts[i], "--") == 0) {
-            client = texts + i + 1;
-            count = i;
-        }
-    int status = take_all_digits(&c, &count, texts);
-    if (status == EXIT_DONE)
-        status = arguments_split(&a, count, texts, 1);
-    if (status == EXIT_DONE && client != NULL && *client == NULL)
+    int status = take_all_digits(&c, a);
+    if (status == EXIT_DONE && a->client != NULL && *a->client == NULL)
         status = usage_error(EXIT_USAGE, "conform: expected a client after --");
     if (status == EXIT_DONE)
-        status = conform(&a, &c, client);
-    free(a.assignments);
+        status = conform(a, &c);
     free(c.chosen);
     free(c.digits);
     return status;

@@ -149,16 +149,11 @@ static void print_top(void)
            " \"resources\": [\n");
 }
 
-int command_datapackage(int count, char **texts)
+int command_datapackage(const struct arguments *a)
 {
-    struct arguments a = {.subcommand = "datapackage"};
     char line[LONGEST_FIELD], hash[65], path[LONGEST_FIELD];
-    int status = arguments_split(&a, count, texts, 0);
-    if (status == EXIT_DONE && a.assignment_count > 0)
-        status = usage_error(EXIT_USAGE, "datapackage: unexpected argument '%s'", a.assignments[0]);
-    free(a.assignments);
-    if (status != EXIT_DONE)
-        return status;
+    int status = EXIT_DONE;
+    (void)a;
     print_top();
     for (bool first = true; status == EXIT_DONE && fgets(line, sizeof line, stdin) != NULL; first = false) {
         if (sscanf(line, "%64[0-9a-f]  %8000[^\n]", hash, path) == 2)

@@ -147,22 +147,12 @@ static void print_sections(void)
     }
 }
 
-int command_equations(int count, char **texts)
+int command_equations(const struct arguments *a)
 {
-    struct option options[] = {{"--json", false, NULL}};
-    struct arguments a = {.subcommand = "equations", .options = options, .option_count = 1};
-    int status = arguments_split(&a, count, texts, 1);
-    if (status != EXIT_DONE)
-        return status;
-    const struct section *one = NULL;
-    if (a.assignment_count > 0)
-        status = usage_error(EXIT_USAGE, "equations: unexpected argument '%s'", a.assignments[0]);
-    else if (a.word_count > 0 && (one = section_argument(a.words[0])) == NULL)
-        status = EXIT_USAGE;
-    free(a.assignments);
-    if (status != EXIT_DONE)
-        return status;
-    const bool json = option_given(&a, "--json");
+    const struct section *one = a->word_count > 0 ? section_argument(a->words[0]) : NULL;
+    if (a->word_count > 0 && one == NULL)
+        return EXIT_USAGE;
+    const bool json = option_given(a, "--json");
     struct proof_results proofs;
     proof_results_init(&proofs, false);
     if (one != NULL)

@@ -68,26 +68,11 @@ static int evaluate_section(const struct arguments *a, const struct section *s, 
     return status;
 }
 
-int command_eval(int count, char **texts)
+int command_eval(const struct arguments *a)
 {
-    struct option options[] = {
-        {"--digits", true, NULL}, {"--exact", false, NULL}, {"--as-printed", false, NULL}, {"--json", false, NULL}};
-    struct arguments a = {.subcommand = "eval", .options = options, .option_count = 4};
-    long digits = 40;
-    int status = arguments_split(&a, count, texts, 1);
-    if (status != EXIT_DONE)
-        return status;
-    const struct section *s = NULL;
-    if (a.word_count == 0)
-        status = usage_error(EXIT_USAGE, "eval: expected the id of an operation, see coulomb-tether equations");
-    else if ((s = section_argument(a.words[0])) == NULL)
-        status = EXIT_USAGE;
-    else if (s->method == METHOD_NONE)
-        status = usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
-    else
-        status = option_digits(&a, 40, &digits);
-    if (status == EXIT_DONE && s != NULL)
-        status = evaluate_section(&a, s, digits);
-    free(a.assignments);
-    return status;
+    long digits;
+    const struct section *s = operation_argument(a);
+    if (s == NULL || option_digits(a, 40, &digits) != EXIT_DONE)
+        return EXIT_USAGE;
+    return evaluate_section(a, s, digits);
 }

@@ -189,10 +189,8 @@ static int print_figure4(const struct scenario *s, long digits)
     return status != EXIT_DONE ? status : written;
 }
 
-static int check_figure4(const struct arguments *a, const struct scenario *s)
+static int check_figure4(const struct scenario *s)
 {
-    if (option_given(a, "--rk4"))
-        return usage_error(EXIT_USAGE, "--rk4: figure 4 shows no motion");
     for (int i = 0; i < SCENARIO_VALUES; i++)
         if (s->given[i] && i != SET_Omega)
             return usage_error(EXIT_USAGE, "%s: figure 4 depends on Omega alone, n runs from 9 to 40",
@@ -200,32 +198,27 @@ static int check_figure4(const struct arguments *a, const struct scenario *s)
     return EXIT_DONE;
 }
 
-int command_figure(int count, char **texts)
+int command_figure(const struct arguments *a)
 {
-    struct option options[] = {{"--digits", true, NULL}, {"--exact", false, NULL}, {"--rk4", true, NULL}};
-    struct arguments a = {.subcommand = "figure", .options = options, .option_count = 3};
-    int status = arguments_split(&a, count, texts, 1);
-    if (status != EXIT_DONE)
-        return status;
-    const struct figure *f = a.word_count > 0 ? motion_figure(a.words[0]) : NULL;
-    const bool roots = a.word_count > 0 && strcmp(a.words[0], "4") == 0;
+    const struct figure *f = a->word_count > 0 ? motion_figure(a->words[0]) : NULL;
+    const bool roots = a->word_count > 0 && strcmp(a->words[0], "4") == 0;
+    int status = EXIT_DONE;
     struct scenario s;
     long digits = 17;
-    scenario_init(&s, sheet(), option_given(&a, "--exact"));
+    scenario_init(&s, sheet(), option_given(a, "--exact"));
     if (f == NULL && !roots)
         status = usage_error(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
-                             a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
+                             a->word_count ? ", got " : "", a->word_count ? a->words[0] : "");
     if (status == EXIT_DONE)
-        status = option_digits(&a, 17, &digits);
+        status = option_digits(a, 17, &digits);
     if (status == EXIT_DONE)
-        status = read_scenario(&s, &a, f != NULL && f->nonlinear);
+        status = read_scenario(&s, a, f != NULL && f->nonlinear);
     if (status == EXIT_DONE && roots)
-        status = check_figure4(&a, &s);
+        status = check_figure4(&s);
     if (status == EXIT_DONE && roots)
         status = print_figure4(&s, digits);
     else if (status == EXIT_DONE && f != NULL)
-        status = print_motion_figure(f, &s, &a, digits);
+        status = print_motion_figure(f, &s, a, digits);
     scenario_clear(&s);
-    free(a.assignments);
     return status;
 }

@@ -195,15 +195,10 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
     return status;
 }
 
-int command_trajectory(int count, char **texts)
+int command_trajectory(const struct arguments *a)
 {
-    struct option options[] = {{"--at", true, NULL},  {"--every", true, NULL},  {"--until", true, NULL},
-                               {"--rk4", true, NULL}, {"--digits", true, NULL}, {"--exact", false, NULL}};
-    struct arguments a = {.subcommand = "trajectory", .options = options, .option_count = 6};
-    int status = arguments_split(&a, count, texts, 1);
-    if (status != EXIT_DONE)
-        return status;
-    const bool exact = option_given(&a, "--exact");
+    int status = EXIT_DONE;
+    const bool exact = option_given(a, "--exact");
     static const int columns[ROW_NUMBERS] = {0, 1, 2, 3, 4, 5, 6, 7};
     struct motion m = {0};
     struct scenario s;
@@ -211,18 +206,18 @@ int command_trajectory(int count, char **texts)
     SCOPE(fmpq, h);
     scenario_init(&s, sheet(), exact);
     m.scenario = &s;
-    m.nonlinear = m.charges = a.word_count == 1 && strcmp(a.words[0], "nonlinear") == 0;
-    if (!m.nonlinear && (a.word_count == 0 || strcmp(a.words[0], "linear") != 0))
+    m.nonlinear = m.charges = a->word_count == 1 && strcmp(a->words[0], "nonlinear") == 0;
+    if (!m.nonlinear && (a->word_count == 0 || strcmp(a->words[0], "linear") != 0))
         status = usage_error(EXIT_USAGE, "trajectory: expected linear or nonlinear%s%s",
-                             a.word_count ? ", got " : "", a.word_count ? a.words[0] : "");
+                             a->word_count ? ", got " : "", a->word_count ? a->words[0] : "");
     if (status == EXIT_DONE)
-        status = option_digits(&a, 17, &m.digits);
+        status = option_digits(a, 17, &m.digits);
     if (status == EXIT_DONE)
-        status = read_scenario(&s, &a, m.nonlinear);
+        status = read_scenario(&s, a, m.nonlinear);
     if (status == EXIT_DONE)
-        status = times_option(&times, &a, exact);
-    if (status == EXIT_DONE && option_given(&a, "--rk4")) {
-        status = read_rk4(h, &a, &times, exact);
+        status = times_option(&times, a, exact);
+    if (status == EXIT_DONE && option_given(a, "--rk4")) {
+        status = read_rk4(h, a, &times, exact);
         m.h = h;
     }
     if (status == EXIT_DONE) {
@@ -230,7 +225,6 @@ int command_trajectory(int count, char **texts)
                          : "t,psi,theta,dL,psi_dot,theta_dot,dL_dot");
         status = print_motion(&m, &times, columns, m.nonlinear ? ROW_NUMBERS : FLOW_STATE, NULL);
     }
-    free(a.assignments);
     times_clear(&times);
     scenario_clear(&s);
     return status;

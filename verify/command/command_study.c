@@ -134,22 +134,15 @@ static bool print_pitch(const struct derivations *steps)
     return proved;
 }
 
-int command_study(int count, char **texts)
+int command_study(const struct arguments *a)
 {
     static const char *const names[] = {"convergence", "forced", "pitch"};
     static bool (*const prints[])(const struct derivations *) = {print_convergence, print_forced, print_pitch};
-    struct arguments a = {.subcommand = "study"};
     char hint[80];
-    int status = arguments_split(&a, count, texts, 1);
-    if (status == EXIT_DONE && a.assignment_count > 0)
-        status = usage_error(EXIT_USAGE, "study: unexpected argument '%s'", a.assignments[0]);
-    free(a.assignments);
-    if (status != EXIT_DONE)
-        return status;
-    if (a.word_count == 0)
+    if (a->word_count == 0)
         return usage_error(EXIT_USAGE, "study: expected convergence, forced or pitch");
     for (int i = 0; i < 3; i++)
-        if (strcmp(names[i], a.words[0]) == 0) {
+        if (strcmp(names[i], a->words[0]) == 0) {
             struct derivations steps;
             derivations_open(&steps);
             bool proved = prints[i](&steps);
@@ -158,6 +151,6 @@ int command_study(int count, char **texts)
             return written != EXIT_DONE || proved ? written
                                                   : usage_error(EXIT_FAILED_CHECK, "study %s: digits undecided", names[i]);
         }
-    suggest(hint, a.words[0], names, 3);
-    return usage_error(EXIT_USAGE, "study: expected convergence, forced or pitch, got '%s'%s", a.words[0], hint);
+    suggest(hint, a->words[0], names, 3);
+    return usage_error(EXIT_USAGE, "study: expected convergence, forced or pitch, got '%s'%s", a->words[0], hint);
 }

@@ -14,17 +14,10 @@ static bool print_table_row(const struct table_row *row, const char *format)
     return rounds;
 }
 
-int command_table1(int count, char **texts)
+int command_table1(const struct arguments *a)
 {
-    struct option options[] = {{"--csv", false, NULL}};
-    struct arguments a = {.subcommand = "table1", .options = options, .option_count = 1};
-    int status = arguments_split(&a, count, texts, 0);
-    if (status == EXIT_DONE && a.assignment_count > 0)
-        status = usage_error(EXIT_USAGE, "table1: unexpected argument '%s'", a.assignments[0]);
-    free(a.assignments);
-    if (status != EXIT_DONE)
-        return status;
-    const char *format = option_given(&a, "--csv") ? "%s,%s,%s,%s,%s\n" : "%-6s %-12s %-24s %-10s %s\n";
+    int status = EXIT_DONE;
+    const char *format = option_given(a, "--csv") ? "%s,%s,%s,%s,%s\n" : "%-6s %-12s %-24s %-10s %s\n";
     printf(format, "name", "printed", "computed", "unit", "rounds");
     for (int i = 0; i < sheet()->row_count; i++)
         if (!print_table_row(&sheet()->table1[i], format))

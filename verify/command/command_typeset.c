@@ -127,22 +127,15 @@ static void print_symbols(void)
     }
 }
 
-int command_typeset(int count, char **texts)
+int command_typeset(const struct arguments *a)
 {
-    struct arguments a = {.subcommand = "typeset"};
-    int status = arguments_split(&a, count, texts, 1);
-    if (status != EXIT_DONE)
-        return status;
-    const struct section *one = NULL;
-    if (a.assignment_count > 0)
-        status = usage_error(EXIT_USAGE, "typeset: unexpected argument '%s'", a.assignments[0]);
-    else if (a.word_count > 0 && (one = section_argument(a.words[0])) == NULL)
-        status = EXIT_USAGE;
-    free(a.assignments);
-    if (status == EXIT_DONE && one == NULL)
+    const struct section *one = a->word_count > 0 ? section_argument(a->words[0]) : NULL;
+    if (a->word_count > 0 && one == NULL)
+        return EXIT_USAGE;
+    if (one == NULL)
         print_symbols();
-    for (int i = 0; i < sheet()->section_count && status == EXIT_DONE; i++)
+    for (int i = 0; i < sheet()->section_count; i++)
         if (one == NULL || one == &sheet()->sections[i])
             typeset_section(&sheet()->sections[i]);
-    return status != EXIT_DONE ? status : output_finished();
+    return output_finished();
 }

@@ -33,31 +33,15 @@ static int take_shard(const char *text, uint64_t *first, uint64_t *count, bool *
     return EXIT_DONE;
 }
 
-static int take_section(const struct arguments *a, const struct section **s)
-{
-    if (a->assignment_count > 0)
-        return usage_error(EXIT_USAGE, "vectors: unexpected argument '%s'", a->assignments[0]);
-    if (a->word_count == 0)
-        return usage_error(EXIT_USAGE, "vectors: expected the id of an operation");
-    if ((*s = section_argument(a->words[0])) == NULL)
-        return EXIT_USAGE;
-    if ((*s)->method == METHOD_NONE)
-        return usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", (*s)->id);
-    return EXIT_DONE;
-}
-
 static int print_random_vectors(const struct arguments *a, const struct section *s, enum input_form form)
 {
-    const char *count_text = option_value(a, "--count"), *seed_text = option_value(a, "--seed");
     uint64_t first = 0, count = 0, seed = 0;
     bool header = true;
-    int status = EXIT_USAGE;
-    if (count_text == NULL || seed_text == NULL)
-        usage_error(EXIT_USAGE, "vectors: expected --count N and --seed S, or --golden");
-    else
-        status = whole_number("--count", count_text, &count);
-    if (status == EXIT_DONE && seed_text != NULL)
-        status = whole_number("--seed", seed_text, &seed);
+    if (!option_given(a, "--count") || !option_given(a, "--seed"))
+        return usage_error(EXIT_USAGE, "vectors: expected --count N and --seed S, or --golden");
+    int status = option_number(a, "--count", &count);
+    if (status == EXIT_DONE)
+        status = option_number(a, "--seed", &seed);
     const char *shard = option_value(a, "--shard");
     if (status == EXIT_DONE && shard != NULL)
         status = take_shard(shard, &first, &count, &header);
@@ -68,28 +52,21 @@ static int print_random_vectors(const struct arguments *a, const struct section 
     return vectors_random(s, seed, first, count, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
 }
 
-int command_vectors(int count, char **texts)
+int command_vectors(const struct arguments *a)
 {
-    struct option options[] = {{"--count", true, NULL}, {"--seed", true, NULL}, {"--shard", true, NULL}, {"--golden", false, NULL},
-                               {"--inputs", true, NULL}};
-    struct arguments a = {.subcommand = "vectors", .options = options, .option_count = 5};
-    int status = arguments_split(&a, count, texts, 1);
-    if (status != EXIT_DONE)
-        return status;
-    const struct section *s = NULL;
-    status = take_section(&a, &s);
-    enum input_form form = INPUTS_SHORTEST;
-    if (status == EXIT_DONE)
-        status = option_inputs(&a, &form);
-    const bool golden = option_given(&a, "--golden");
-    const bool random = option_given(&a, "--count") || option_given(&a, "--seed") || option_given(&a, "--shard");
+    const struct section *s = operation_argument(a);
+    if (s == NULL)
+        return EXIT_USAGE;
+    enum input_form form;
+    int status = option_inputs(a, &form);
+    const bool golden = option_given(a, "--golden");
+    const bool random = option_given(a, "--count") || option_given(a, "--seed");
     if (status == EXIT_DONE && golden && random)
-        status = usage_error(EXIT_USAGE, "--golden: expected without --count, --seed and --shard");
+        status = usage_error(EXIT_USAGE, "--golden: expected without --count and --seed");
     else if (status == EXIT_DONE && golden)
         status = vectors_golden(s, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
     else if (status == EXIT_DONE)
-        status = print_random_vectors(&a, s, form);
-    free(a.assignments);
+        status = print_random_vectors(a, s, form);
     if (status == EXIT_USAGE)
         return status;
     int written = output_finished();

@@ -1,8 +1,6 @@
 /* coulomb-tether verify: the proofs. */
 #include "command/command_verify.h"
 
-#include <errno.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,9 +8,7 @@
 #include "claims/verdicts.h"
 #include "command/command.h"
 
-enum {
-    INPUTS = 1000 /* for each operation of verify errors; --count takes other */
-};
+enum { INPUTS = 1000, MOST_COUNT = 100000000 }; /* for each operation of verify errors, unless --count says otherwise */
 
 /* What was asked for. */
 struct request {
@@ -50,20 +46,7 @@ static const struct part {
 
 enum { PARTS = sizeof parts / sizeof *parts };
 
-/* An integer from 0, at most 20 digits of it. */
-static int read_integer(const char *name, const char *text, ulong *value)
-{
-    char *end = NULL;
-    if (text == NULL)
-        return EXIT_DONE;
-    errno = 0;
-    *value = strtoul(text, &end, 10);
-    if (*text < '0' || *text > '9' || *end != '\0' || errno != 0)
-        return usage_error(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
-    return EXIT_DONE;
-}
-
-static int check_request(const struct arguments *a, const struct request *r)
+static int check_request(const struct request *r)
 {
     const char *known[PARTS];
     char hint[80];
@@ -73,20 +56,12 @@ static int check_request(const struct arguments *a, const struct request *r)
         found = found || strcmp(r->part, known[i]) == 0;
     }
     suggest(hint, found ? "" : r->part, known, PARTS);
-    if (a->assignment_count > 0)
-        return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", a->assignments[0]);
     if (!found)
         return usage_error(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
     if (r->claim != NULL && (r->part == NULL || strcmp(r->part, "claims") != 0))
         return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
-    if (r->graph && (r->format != FORMAT_TABLE || r->part == NULL || strcmp(r->part, "derivations") != 0))
-        return usage_error(EXIT_USAGE, "--graph: expected verify derivations before it, and no --json");
-    if (r->format == FORMAT_MARKDOWN && (r->part == NULL || strcmp(r->part, "errors") != 0))
-        return usage_error(EXIT_USAGE, "--markdown: expected verify errors before it");
-    if (r->format == FORMAT_CSV && (r->part == NULL || strcmp(r->part, "claims") != 0))
-        return usage_error(EXIT_USAGE, "--csv: expected verify claims before it");
-    if (r->count < 1 || r->count > 100000000)
-        return usage_error(EXIT_USAGE, "--count: expected from 1 to 100000000 inputs");
+    if (r->count < 1)
+        return usage_error(EXIT_USAGE, "--count: expected from 1 to %d inputs", MOST_COUNT);
     return EXIT_DONE;
 }
 
@@ -94,7 +69,7 @@ static int read_request(const struct arguments *a, struct request *r)
 {
     const bool json = option_given(a, "--json"), csv = option_given(a, "--csv");
     const bool markdown = option_given(a, "--markdown");
-    ulong count = INPUTS;
+    uint64_t count = INPUTS;
     *r = (struct request){.part = a->word_count > 0 ? a->words[0] : NULL,
                           .claim = a->word_count > 1 ? a->words[1] : NULL,
                           .graph = option_given(a, "--graph"),
@@ -102,11 +77,11 @@ static int read_request(const struct arguments *a, struct request *r)
                                     : csv      ? FORMAT_CSV
                                     : markdown ? FORMAT_MARKDOWN
                                                : FORMAT_TABLE};
-    if (json + csv + markdown > 1)
-        return usage_error(EXIT_USAGE, "--json, --csv, --markdown: expected one of them");
-    int status = read_integer("--count", option_value(a, "--count"), &count);
-    r->count = count > LONG_MAX ? LONG_MAX : (long)count;
-    return status != EXIT_DONE ? status : check_request(a, r);
+    if (json + csv + markdown + r->graph > 1)
+        return usage_error(EXIT_USAGE, "--json, --csv, --markdown, --graph: expected one of them");
+    int status = option_number(a, "--count", &count);
+    r->count = count <= MOST_COUNT ? (long)count : 0;
+    return status != EXIT_DONE ? status : check_request(r);
 }
 
 /* Of a row of the verdicts: those of equations and of Table 1 included. */
@@ -149,17 +124,10 @@ static int verify(const struct request *request)
     return status;
 }
 
-int command_verify(int count, char **texts)
+int command_verify(const struct arguments *a)
 {
-    struct option options[] = {{"--json", false, NULL}, {"--csv", false, NULL}, {"--markdown", false, NULL},
-                               {"--graph", false, NULL}, {"--count", true, NULL}};
-    struct arguments a = {.subcommand = "verify", .options = options, .option_count = 5};
     struct request request;
-    int status = arguments_split(&a, count, texts, 2);
-    if (status != EXIT_DONE)
-        return status;
-    status = read_request(&a, &request);
-    free(a.assignments);
+    int status = read_request(a, &request);
     if (status != EXIT_DONE)
         return status;
     status = verify(&request);

@@ -1,0 +1,392 @@
+#include "command/help.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "command/command.h"
+#include "motion/motion.h"
+
+enum { WIDTH = 100, INDENT = 4, COLUMN = 24 };
+
+/* ---- what the tables say together ---- */
+
+/* Whether one of the ways to use a subcommand names an option: there it has to stand, and elsewhere it does nothing. */
+static bool chooses_way(const struct option *o, const struct subcommand *s)
+{
+    bool chooses = false;
+    for (int i = 0; s->ways[i] != NULL; i++)
+        chooses = chooses || word_in(s->ways[i], " ", o->name);
+    return chooses;
+}
+
+/* Whether an option may be added to a way: it goes with everything, or with something there. */
+static bool stands_beside(const struct option *o, const struct subcommand *s, const char *way)
+{
+    char words[256];
+    if (!option_belongs(o, s) || chooses_way(o, s))
+        return false;
+    bool with = o->with == NULL || (*way == '\0' && word_in(o->with, "|", ""));
+    snprintf(words, sizeof words, "%s", way);
+    for (char *rest, *word = strtok_r(words, " |[]", &rest); word != NULL && !with; word = strtok_r(NULL, " |[]", &rest))
+        with = word_in(o->with, "|", word);
+    for (const struct option *other = options; other->name != NULL && !with; other++)
+        with = other != o && word_in(o->with, "|", other->name) && stands_beside(other, s, way);
+    return with;
+}
+
+/* Those of a motion: which values of the scenario may be given to a subcommand by name. */
+static bool takes_scenario(const struct subcommand *s)
+{
+    return s->run == command_trajectory || s->run == command_figure;
+}
+
+/* What an option does, the unit of its argument, and what this is unless given. */
+static void option_text(char text[512], const struct option *o)
+{
+    const bool unit = o->unit != NULL, otherwise = o->otherwise != NULL;
+    snprintf(text, 512, "%s%s%s%s%s%s%s", o->does, unit || otherwise ? " [" : "", unit ? o->unit : "",
+             unit && otherwise ? ", " : "", otherwise ? "unless given: " : "", otherwise ? o->otherwise : "",
+             unit || otherwise ? "]" : "");
+}
+
+static const char *value_unless_given(const struct quantity *q, int name)
+{
+    return q->value != NULL ? q->value : name == SET_C1 || name == SET_C2 ? "by n" : "by angles";
+}
+
+static const char names_rule[] =
+    "n stands without C1 and C2. x1 ... z1_dot are for nonlinear motions, all six in place of the angles, dL and their rates.";
+
+static const char about[] =
+    "Two charged spacecraft fly in line with the local vertical. The Coulomb force holds their distance and the gravity "
+    "gradient their attitude. This is a machine-checked edition of the paper that describes them: every numbered equation, "
+    "evaluated to as many digits as one likes and proved; its table, the data of its figures, and its claims with their "
+    "verdicts. It needs no file: the formulas are part of it. Units are SI. A number means the binary64 nearest to it, as a "
+    "program in double precision sees it; hexadecimal literals of C99 are numbers too.";
+
+enum { EXIT_STATUSES = 3 };
+static const char *const exit_statuses[EXIT_STATUSES] = {
+    "Done.",
+    "A check failed, a value lies outside the domain of its equation (not a number, infinite, a negative mass, too large for "
+    "binary64), or reading or writing failed. A pipe that is closed ends the program quietly with this status.",
+    "Wrong usage: an argument is unknown, missing, repeated, malformed, or does nothing here.",
+};
+
+/* ---- for a reader ---- */
+
+/* Words of a text from a column on, broken before WIDTH; what a no-break space joins stays on one line. */
+enum { NO_BREAK = '\1' };
+
+static void print_wrapped(const char *text, int column)
+{
+    for (int at = column; *text != '\0'; text += *text == ' ') {
+        const int length = (int)strcspn(text, " ");
+        if (at > column && at + 1 + length > WIDTH) {
+            printf("\n%*s", column, "");
+            at = column;
+        }
+        at += at > column ? printf(" ") : 0;
+        for (const char *end = text + length; text < end; text++, at++)
+            putchar(*text == NO_BREAK ? ' ' : *text);
+    }
+    putchar('\n');
+}
+
+static void print_usage(const struct subcommand *s)
+{
+    for (int i = 0; s->ways[i] != NULL; i++) {
+        char line[1024];
+        int length = snprintf(line, sizeof line, "%s%s%s", s->name, *s->ways[i] ? " " : "", s->ways[i]);
+        for (const struct option *o = options; o->name != NULL; o++)
+            if (stands_beside(o, s, s->ways[i]))
+                length += snprintf(line + length, sizeof line - (size_t)length, o->argument ? " [%s%c%s]" : " [%s]", o->name,
+                                   NO_BREAK, o->argument);
+        fputs("coulomb-tether ", stdout);
+        print_wrapped(line, 15);
+    }
+}
+
+static void print_option(const struct option *o)
+{
+    char name[64], text[512];
+    option_text(text, o);
+    snprintf(name, sizeof name, "%s %s", o->name, o->argument ? o->argument : "");
+    printf("  %-*s", COLUMN - 2, name);
+    if (strlen(name) > COLUMN - 3)
+        printf("\n%*s", COLUMN, "");
+    print_wrapped(text, COLUMN);
+}
+
+static void print_names(void)
+{
+    puts("\nNames, their units and what they are unless given:");
+    for (int i = 0; i < SCENARIO_VALUES; i++) {
+        const struct quantity *q = quantity_find(sheet(), scenario_names[i]);
+        printf("  %-10s %-10s %-12s %s\n", q->name, q->unit, value_unless_given(q, i), q->meaning);
+    }
+    print_wrapped(names_rule, 0);
+}
+
+void help_print(const struct subcommand *s)
+{
+    if (s == NULL) {
+        print_wrapped(about, 0);
+        putchar('\n');
+        for (s = subcommands; s->name != NULL; s++) {
+            print_usage(s);
+            printf("%*s", INDENT, "");
+            print_wrapped(s->does, INDENT);
+        }
+        puts("coulomb-tether --help | -h | help SUBCOMMAND | SUBCOMMAND --help | --version | -V\n\nExit status:");
+        for (int i = 0; i < EXIT_STATUSES; i++) {
+            printf("%*d  ", INDENT - 2, i);
+            print_wrapped(exit_statuses[i], INDENT);
+        }
+        return;
+    }
+    print_usage(s);
+    putchar('\n');
+    print_wrapped(s->does, 0);
+    const char *heading = "\nOptions:\n";
+    for (const struct option *o = options; o->name != NULL; o++)
+        if (option_belongs(o, s)) {
+            fputs(heading, stdout);
+            heading = "";
+            print_option(o);
+        }
+    if (takes_scenario(s))
+        print_names();
+    puts("\nExamples:");
+    for (const struct example *e = examples; e->line != NULL; e++)
+        if (strncmp(e->line, s->name, strcspn(e->line, " ")) == 0 && s->name[strcspn(e->line, " ")] == '\0')
+            printf("  coulomb-tether %s\n      %s\n", e->line, e->shows);
+}
+
+/* ---- the manual page ---- */
+
+/* In mdoc a dash of an option is a minus, a backslash and a quote have names, and a dot at a line's start begins a macro. */
+static int print_mdoc_word(const char *word, int length, bool first)
+{
+    int width = first && (*word == '.' || *word == '\'') ? printf("\\&") : 0;
+    for (int i = 0; i < length; i++) {
+        const bool dash = word[i] == '-' && (i == 0 || word[i - 1] == '-' || word[i - 1] == ' ');
+        width += word[i] == '\\' ? printf("\\e") : word[i] == '"' ? printf("\\(dq") : printf("%s%c", dash ? "\\" : "", word[i]);
+    }
+    return width;
+}
+
+/* Text in mdoc: a sentence begins a line. */
+static void print_mdoc(const char *text)
+{
+    for (int at = 0; *text != '\0'; text += *text == ' ') {
+        const int length = (int)strcspn(text, " ");
+        at += at > 0 ? printf(" ") : 0;
+        at += print_mdoc_word(text, length, at == 0);
+        text += length;
+        const int next = (int)strcspn(text + (*text == ' '), " ");
+        const bool sentence = text[-1] == '.' && *text == ' ' && text[1] >= 'A' && text[1] <= 'Z';
+        if (*text == '\0' || sentence || at + 1 + next > 76) {
+            putchar('\n');
+            at = 0;
+        }
+    }
+}
+
+static void print_mdoc_option(const struct option *o, const char *macro)
+{
+    printf("%s %s", macro, o->name + 1); /* Fl writes one of the dashes */
+    if (o->argument != NULL)
+        printf(" Ar %s", o->argument);
+    putchar('\n');
+}
+
+/* A way, a macro a line: what is in brackets optional, options, literal words, and arguments in capitals. */
+static void print_mdoc_way(const char *way)
+{
+    while (*way != '\0') {
+        const bool optional = *way == '[';
+        const size_t length = strcspn(way += optional, optional ? "]" : " ");
+        const bool option = *way == '-', literal = (*way >= 'a' && *way <= 'z') || (*way >= '0' && *way <= '9');
+        printf(".%s%s %.*s\n", optional ? "Op " : "", option ? "Fl" : literal ? "Cm" : "Ar", (int)length - option, way + option);
+        way += length;
+        way += strspn(way, "] ");
+    }
+}
+
+static void print_manual_synopsis(const struct subcommand *s)
+{
+    for (int i = 0; s->ways[i] != NULL; i++) {
+        printf(".Nm\n.Cm %s\n", s->name);
+        print_mdoc_way(s->ways[i]);
+        for (const struct option *o = options; o->name != NULL; o++)
+            if (stands_beside(o, s, s->ways[i]))
+                print_mdoc_option(o, ".Op Fl");
+    }
+}
+
+static void print_manual_options(const struct subcommand *s)
+{
+    const char *begin = ".Pp\n.Bl -tag -width Ds -compact\n", *end = "";
+    for (const struct option *o = options; o->name != NULL; o++) {
+        if (!option_belongs(o, s))
+            continue;
+        char text[512];
+        option_text(text, o);
+        fputs(begin, stdout);
+        print_mdoc_option(o, ".It Fl");
+        print_mdoc(text);
+        begin = "";
+        end = ".El\n";
+    }
+    fputs(end, stdout);
+}
+
+static void print_manual_names(void)
+{
+    puts(".Pp\n.Bl -column \"theta_dot\" \"N m^2/C^2\" \"from angles\" \"mass of a craft\" -compact");
+    for (int i = 0; i < SCENARIO_VALUES; i++) {
+        const struct quantity *q = quantity_find(sheet(), scenario_names[i]);
+        printf(".It %s Ta %s Ta %s Ta %s\n", q->name, q->unit, value_unless_given(q, i), q->meaning);
+    }
+    puts(".El\n.Pp");
+    print_mdoc(names_rule);
+}
+
+static void print_manual(void)
+{
+    puts(".Dd November 28, 2026\n.Dt COULOMB-TETHER 1\n.Os\n.Sh NAME\n.Nm coulomb-tether\n"
+         ".Nd the equations of a Coulomb tether formation, evaluated and checked\n.Sh SYNOPSIS");
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++)
+        print_manual_synopsis(s);
+    puts(".Nm\n.Fl -version | V\n.Sh DESCRIPTION");
+    print_mdoc(about);
+    puts("The subcommands and their options:\n.Bl -tag -width Ds");
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++) {
+        printf(".It Cm %s\n", s->name);
+        print_mdoc(s->does);
+        print_manual_options(s);
+        if (s->run == command_trajectory)
+            print_manual_names();
+    }
+    puts(".El\n.Sh EXIT STATUS\n.Bl -tag -width Ds");
+    for (int i = 0; i < EXIT_STATUSES; i++) {
+        printf(".It %d\n", i);
+        print_mdoc(exit_statuses[i]);
+    }
+    puts(".El\n.Sh EXAMPLES\n.Bl -tag -width Ds");
+    for (const struct example *e = examples; e->line != NULL; e++) {
+        printf(".It Li coulomb-tether ");
+        print_mdoc_word(e->line, (int)strlen(e->line), false);
+        putchar('\n');
+        print_mdoc(e->shows);
+    }
+    puts(".El\n.Sh SEE ALSO\n.Xr dot 1 ,\n.Xr gnuplot 1 ,\n.Xr sha256sum 1\n.Sh STANDARDS\n"
+         "CSV is as in RFC 4180, with one header row and lines that end in LF.");
+}
+
+/* ---- completion ---- */
+
+/* Words that may follow: of an argument or a way in small letters, "linear|nonlinear"; nothing of others. */
+static void print_choices(const char *text)
+{
+    for (const char *at = text; *at != '\0';) {
+        const size_t length = strcspn(at, "| ");
+        const bool literal = (*at >= 'a' && *at <= 'z') || (*at >= '0' && *at <= '9');
+        if (literal)
+            printf(" %.*s", (int)length, at);
+        at += length;
+        at += strspn(at, "| ");
+    }
+}
+
+static void print_ids(bool operations)
+{
+    for (int i = 0; i < sheet()->section_count; i++)
+        if (!operations || sheet()->sections[i].method != METHOD_NONE)
+            printf(" %s", sheet()->sections[i].id);
+}
+
+/* What may stand anywhere after a subcommand. */
+static void print_completed_words(const struct subcommand *s)
+{
+    printf("    %s) list='--help", s->name);
+    for (const struct option *o = options; o->name != NULL; o++)
+        if (option_belongs(o, s))
+            printf(" %s", o->name);
+    for (int i = 0; s->ways[i] != NULL; i++)
+        print_choices(s->ways[i]);
+    if (s->words == 1 && strstr(s->ways[0], "ID") != NULL)
+        print_ids(s->run == command_eval || s->run == command_vectors);
+    for (int i = 0; i < SCENARIO_VALUES && takes_scenario(s); i++)
+        printf(" %s=", scenario_names[i]);
+    for (const struct subcommand *other = subcommands; other->name != NULL && s->run == command_help; other++)
+        printf(" %s", other->name);
+    puts("' ;;");
+}
+
+static void print_completion(void)
+{
+    puts("# Completion of coulomb-tether in bash, made by: coulomb-tether help --completion\n"
+         "_coulomb_tether()\n{\n"
+         "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} list=\n"
+         "    [ \"$word\" = = ] && word=\n"
+         "    case ${COMP_CWORD}:${COMP_WORDS[1]}:$before in");
+    fputs("    1:*) list='--help --version", stdout);
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++)
+        printf(" %s", s->name);
+    puts("' ;;");
+    for (const struct option *o = options; o->name != NULL; o++)
+        if (o->argument != NULL) {
+            printf("    *:%s", "");
+            for (const char *of = o->of; *of != '\0'; of += strcspn(of, " ") + (of[strcspn(of, " ")] == ' '))
+                printf("%s%.*s:%s", of == o->of ? "" : " | *:", (int)strcspn(of, " "), of, o->name);
+            fputs(") list='", stdout);
+            print_choices(o->argument);
+            if (strcmp(o->argument, "ID,...") == 0)
+                print_ids(true);
+            puts(strcmp(o->argument, "FILE") == 0 ? "'; compopt -o default ;;" : "' ;;");
+        }
+    puts("    *) case ${COMP_WORDS[1]} in");
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++)
+        print_completed_words(s);
+    puts("    esac\n    case ${COMP_WORDS[1]}:${COMP_WORDS[2]} in");
+    for (int i = 0; i < sheet()->section_count; i++) {
+        const struct section *s = &sheet()->sections[i];
+        printf("    eval:%s) list=\"--help --digits --exact --as-printed --json", s->id);
+        for (int k = 0; k < s->input_count; k++)
+            printf(" %s=", s->inputs[k]->name);
+        puts("\" ;;");
+    }
+    puts("    esac ;;\n    esac\n"
+         "    COMPREPLY=($(compgen -W \"$list\" -- \"$word\"))\n"
+         "    [[ ${COMPREPLY[0]} == *= ]] && compopt -o nospace\n"
+         "    return 0\n}\n"
+         "complete -F _coulomb_tether coulomb-tether");
+}
+
+int unknown_subcommand(const char *name)
+{
+    const char *known[32] = {"--help", "--version"};
+    int count = 2;
+    char hint[80];
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++)
+        known[count++] = s->name;
+    suggest(hint, name, known, count);
+    return usage_error(EXIT_USAGE, "unknown %s '%s'%s", *name == '-' ? "option" : "subcommand", name, hint);
+}
+
+int command_help(const struct arguments *a)
+{
+    const struct subcommand *s = a->word_count > 0 ? subcommand_find(a->words[0]) : NULL;
+    if (a->word_count > 0 && s == NULL)
+        return unknown_subcommand(a->words[0]);
+    if (a->given_count + a->word_count > 1)
+        return usage_error(EXIT_USAGE, "help: expected a subcommand, --mdoc or --completion");
+    if (option_given(a, "--mdoc"))
+        print_manual();
+    else if (option_given(a, "--completion"))
+        print_completion();
+    else
+        help_print(s);
+    return output_finished();
+}

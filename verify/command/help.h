@@ -1,0 +1,13 @@
+/* The tables of options.h as text: for a reader of --help, for the manual page, and for completion in bash. */
+#ifndef CT_HELP_H
+#define CT_HELP_H
+
+#include "command/options.h"
+
+/* All about a subcommand; NULL: about the program. */
+void help_print(const struct subcommand *s);
+
+/* Wrong usage, the nearest name suggested. */
+int unknown_subcommand(const char *name);
+
+#endif

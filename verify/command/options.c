@@ -1,0 +1,170 @@
+#include "command/options.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#define MOTIONS "5a|5b|6|7a|7b"
+
+const struct subcommand subcommands[] = {
+    {"equations", command_equations, {"[ID]"}, 1,
+     "What there is: the equations and the motions, or one of them with its title, formula, inputs, units, domain and verdict."},
+    {"eval", command_eval, {"ID NAME=VALUE ..."}, 1,
+     "The outputs of one operation as NAME = DIGITS UNIT, every digit proved. Every input is given once, by its name in "
+     "equations ID and in that unit."},
+    {"table1", command_table1, {""}, 0,
+     "The paper's Table 1: printed, computed, and whether the computed value rounds to the printed digits."},
+    {"figure", command_figure, {"4 [Omega=VALUE]", MOTIONS " [NAME=VALUE ...]"}, 1,
+     "The data of a figure as CSV, every digit proved: the characteristic roots against n from 9 to 40 (4), or three days of "
+     "motion, a row every 100 s: attitude and length error (5a) and craft 1 (5b) by the linear model, craft 1 (6) and the "
+     "charges in microcoulomb (7a, 7b) by the nonlinear one. The names are those of trajectory."},
+    {"trajectory", command_trajectory, {"linear|nonlinear [NAME=VALUE ...]"}, 1,
+     "A motion as CSV, every digit proved: attitude and length error by the linear model, or position and velocity of craft 1 "
+     "and both charges by the nonlinear one. A nonlinear motion ends where the charge law has no charges, or where craft "
+     "that come closer than L_ref/128 leave nothing to be proved; the rows before that are printed."},
+    {"verify", command_verify, {"", "derivations", "claims [ID]", "errors"}, 2,
+     "The proofs: of the derivation steps between the equations, with bounds of what they drop (derivations); of every claim "
+     "of the paper, with its verdict (claims); the reference library's error, measured against the truth on random inputs "
+     "(errors). Without a word, all three."},
+    {"study", command_study, {"convergence|forced|pitch"}, 1,
+     "Beyond the paper, as CSV: the observed orders of its approximations (convergence), what pitch forces on length and yaw "
+     "(forced), and the slow decay of pitch itself (pitch), beside their closed forms. Digits are certified but where the column "
+     "how says measured."},
+    {"vectors", command_vectors, {"ID --count N --seed S", "ID --golden"}, 1,
+     "Vectors of an operation as CSV: inputs, outputs of 40 digits, each proved, their sensitivities, and flags; random ones, "
+     "which depend on seed and number alone, or those of data/golden."},
+    {"conform", command_conform, {"-- CLIENT [ARG ...]", "--answers FILE ID", "--kills"}, 1,
+     "Is an implementation right, in whatever language: asks a client, or reads a file of its answers, and says what is wrong, "
+     "by how much, and which known mistake it looks like. verify/PROTOCOL.md is what a client has to do."},
+    {"typeset", command_typeset, {"[ID]"}, 1,
+     "The formulas as LaTeX for the literate edition, a record a line, its fields between tabs: section, kind, equation "
+     "number, name, text."},
+    {"datapackage", command_datapackage, {"<SHA256SUMS"}, 0,
+     "The data files' description, datapackage.json, from lines of sha256sum on standard input."},
+    {"help", command_help, {"[SUBCOMMAND]"}, 1,
+     "The subcommands, or all about one: its words, its options with their units and defaults, and examples. SUBCOMMAND --help "
+     "and SUBCOMMAND -h say the same."},
+    {.name = NULL},
+};
+
+const struct option options[] = {
+    /* what equations, points and motions have in common */
+    {"--digits", "N", NULL, "40", "eval", NULL, false, "significant digits of every output, 1 to 10000"},
+    {"--digits", "N", NULL, "17", "figure trajectory", NULL, false, "significant digits of every number, 1 to 10000"},
+    {"--exact", NULL, NULL, NULL, "eval figure trajectory", NULL, false,
+     "a decimal means itself, defaults included, and not the binary64 nearest to it; exponents up to 5000"},
+    {"--as-printed", NULL, NULL, NULL, "eval", NULL, false,
+     "the formula as the paper prints it, where the sheet has a corrected one"},
+    {"--json", NULL, NULL, NULL, "equations eval verify", NULL, false, "JSON in place of text for reading"},
+    {"--csv", NULL, NULL, NULL, "table1", NULL, false, "CSV in place of text for reading"},
+    /* motions */
+    {"--at", "T,...", "s", NULL, "trajectory", NULL, false,
+     "the times wanted, all of one sign, each further from 0 than the last; in place of --every and --until"},
+    {"--every", "S", "s", "100", "trajectory", NULL, false, "a row at 0 and every S from there"},
+    {"--until", "S", "s", "259200", "trajectory", NULL, false, "the end of the rows; before 0 they go back in time"},
+    {"--rk4", "H", "s", NULL, "trajectory", NULL, false,
+     "the classical Runge-Kutta method in steps of H, free of rounding, in place of the motion itself; times are multiples of H"},
+    {"--rk4", "H", "s", NULL, "figure", MOTIONS, false,
+     "further columns: the classical Runge-Kutta method in steps of H, a divisor of 100, free of rounding"},
+    /* proofs */
+    {"--csv", NULL, NULL, NULL, "verify", "claims", false, "the verdicts as CSV"},
+    {"--graph", NULL, NULL, NULL, "verify", "derivations", false, "the graph of equations and steps, for dot(1)"},
+    {"--markdown", NULL, NULL, NULL, "verify", "errors", false, "a table in Markdown"},
+    {"--count", "N", NULL, "1000", "verify", "errors|", false, "random inputs of each operation"},
+    /* vectors */
+    {"--count", "N", NULL, NULL, "vectors", NULL, false, "how many random vectors"},
+    {"--seed", "S", NULL, NULL, "vectors", NULL, false, "what they are drawn from, a whole number below 2^64"},
+    {"--shard", "K/N", NULL, "1/1", "vectors", "--count", false, "the Kth of N parts alone; the first has the header"},
+    {"--golden", NULL, NULL, NULL, "vectors", NULL, false, "the golden vectors in place of random ones"},
+    /* the oracle */
+    {"--only", "ID,...", NULL, "all", "conform", "--|--kills", false,
+     "operations, or levels: algebra, roots, flows (the motions) and method (Runge-Kutta)"},
+    {"--random", "N", NULL, "0", "conform", "--", false,
+     "random vectors beside the golden ones, one of sixteen from outside the domain; of motions only those that --only names"},
+    {"--seed", "S", NULL, NULL, "conform", "--random", false, "what they are drawn from, a whole number below 2^64"},
+    {"--digits", "ID=D", NULL, "9; rk4_*: 11", "conform", NULL, true,
+     "the digits that a motion has to reach; for several, given several times"},
+    {"--significand", "24|53|113", "bit", "53", "conform", "--|--answers", false,
+     "of the client's numbers: float, double or quad"},
+    {"--inputs", "shortest|exact|hex", NULL, "shortest", "vectors conform", "ID|--|--answers", false,
+     "inputs as the shortest decimals of their binary64, with all its digits, or in C99 hexadecimal"},
+    {"--range", NULL, NULL, NULL, "conform", "--", false,
+     "vectors too that leave the range of the client's numbers on their way"},
+    {"--timeout", "SECONDS", "s", "60", "conform", "--", false, "how long a client may be silent"},
+    {"--report", "FILE", NULL, NULL, "conform", "--|--answers", false, "a report as well: .xml for JUnit, or .json"},
+    {"--answers", "FILE", NULL, NULL, "conform", NULL, false,
+     "the answers of one operation, CSV with a column id and one of each output"},
+    {"--kills", NULL, NULL, NULL, "conform", NULL, false,
+     "no client: which golden vector tells which known mistake from the truth, as CSV"},
+    /* for packagers */
+    {"--mdoc", NULL, NULL, NULL, "help", NULL, false, "the manual page's sections of subcommands, options and examples"},
+    {"--completion", NULL, NULL, NULL, "help", NULL, false, "a script that completes command lines in bash"},
+    {.name = NULL},
+};
+
+const struct example examples[] = {
+    {"equations", "every equation, and whether it is misprinted"},
+    {"equations eq37 --json", "one of them, for programs"},
+    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150 L=10 --digits 50",
+     "the charge product that holds two craft of 150 kg at 10 m in geostationary orbit"},
+    {"eval eq38 GM=3.986004418e14 R_c=42164e3 --as-printed --json", "Kepler's third law with the paper's factor of 3"},
+    {"eval eq43 Omega=7.2915e-5 n=10 --exact", "3.316...e-8 as the decimals say, no binary64 between"},
+    {"table1 --csv", "the table, for a spreadsheet"},
+    {"figure 4 >figure4.csv", "the roots against n"},
+    {"figure 5a n=20 --rk4 100 --digits 6 --exact",
+     "the attitude with another gain, certified and by the paper's own method"},
+    {"trajectory nonlinear m2=50 --every 600 --until 43200 --digits 8", "half a day with a lighter second craft"},
+    {"trajectory linear C1=6e-8 C2=2e-4 --at 0,3600,86164 --exact", "three times, with gains of one's own"},
+    {"trajectory linear --rk4 50 --every 100 --until 1000", "the paper's method at half its step"},
+    {"trajectory linear | gnuplot -p -e \"set datafile separator ','; set key autotitle columnhead; plot '<cat' using 1:4 with lines\"",
+     "the length error over three days, drawn"},
+    {"verify", "all the proofs; exit status 0 says that they hold"},
+    {"verify derivations --graph | dot -Tsvg >steps.svg", "which equation follows from which"},
+    {"verify claims n12-optimal", "one claim, its verdict and the evidence"},
+    {"verify claims --csv >verdicts.csv", "all of them"},
+    {"verify errors --count 10000 --markdown", "the reference library's largest errors"},
+    {"study forced >forced.csv", "six days of motion beside the closed forms"},
+    {"vectors eq07 --count 1000 --seed 1 --inputs hex", "a thousand certified vectors"},
+    {"vectors eq03 --count 80000 --seed 1 --shard 3/8", "the third of eight parts, made apart and joined by cat"},
+    {"vectors eq44 --golden --inputs exact", "the golden vectors, inputs with all their digits"},
+    {"conform -- python3 client.py", "every operation's golden vectors"},
+    {"conform --only eq07,roots --random 1000 --seed 1 --range --inputs hex --report report.xml -- ./client",
+     "random ones too, and a report"},
+    {"conform --only flow_nonlinear --digits flow_nonlinear=7 --timeout 300 -- ./client",
+     "a slow integrator that promises 7 digits"},
+    {"conform --only algebra --significand 24 -- ./client", "a client in single precision"},
+    {"conform --answers answers.csv eq07", "answers that were written to a file"},
+    {"conform --kills --only eq21", "what the golden vectors are there for"},
+    {"typeset eq18", "one equation as LaTeX"},
+    {"datapackage <sums >data/datapackage.json", "sums being what sha256sum data/*.csv data/golden/*.csv prints"},
+    {"help trajectory", "all about a subcommand"},
+    {"help --completion >~/.local/share/bash-completion/completions/coulomb-tether",
+     "completion for one user; make install has it for all"},
+    {"help --mdoc", "what the manual page is made of"},
+    {.line = NULL},
+};
+
+bool word_in(const char *text, const char *separators, const char *word)
+{
+    const size_t length = strlen(word);
+    for (const char *at = text;; at++) {
+        const size_t here = strcspn(at, separators);
+        if (here == length && strncmp(at, word, length) == 0)
+            return true;
+        at += here;
+        if (*at == '\0')
+            return false;
+    }
+}
+
+bool option_belongs(const struct option *o, const struct subcommand *s)
+{
+    return word_in(o->of, " ", s->name);
+}
+
+const struct subcommand *subcommand_find(const char *name)
+{
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++)
+        if (strcmp(s->name, name) == 0)
+            return s;
+    return NULL;
+}
