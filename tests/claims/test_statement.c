@@ -13,7 +13,7 @@ static struct proof_results proofs;
 
 static void open_all(void)
 {
-    proof_results_init(&proofs, false);
+    proof_results_init(&proofs);
 }
 
 static void close_all(void)

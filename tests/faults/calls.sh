@@ -72,7 +72,7 @@ for error in ENOSPC EIO; do
     each write $error -P "$work/out" -- figure 4
     each write $error -P "$work/out" -- figure 7a --rk4 100
     each write $error -P "$work/out" -- trajectory nonlinear --at 1000,2000
-    each write $error -P "$work/out" -- verify derivations --json
+    each write $error -P "$work/out" -- equations --json
     each write $error -P "$work/out" -- verify errors --count 2
     each write $error -P "$work/out" -- study forced
     each write $error -P "$work/out" -- vectors eq03 --golden

@@ -22,7 +22,7 @@ works_from_anywhere() {
 }
 check 'eval from /' works_from_anywhere eval eq44 Omega=7.2915e-5 n=12 --digits 50
 check 'vectors from /' works_from_anywhere vectors eq30 --golden
-check 'verify from /' works_from_anywhere verify derivations --json
+check 'verify from /' works_from_anywhere verify derivations kepler --json
 
 # ---- full disks ----
 

@@ -99,7 +99,7 @@ ends_quietly() {
 check 'vectors into head' ends_quietly vectors eq14 --count 100000000 --seed 1
 check 'trajectory into head' ends_quietly trajectory linear --every 1
 check 'figure into head' ends_quietly figure 7a
-check 'verify derivations into head' ends_quietly verify derivations --json
+check 'equations into head' ends_quietly equations --json
 
 echo "signals: $sent sent, SEED=$SEED"
 finish

@@ -21,7 +21,7 @@ else
     each 'eval eq41roots Omega=1 C1=10 C2=2'
     each 'figure 4'
     each 'trajectory nonlinear --at 1000'
-    each 'verify derivations'
+    each 'verify derivations kepler'
     each 'verify errors --count 1'
     each 'vectors eq14 --count 3 --seed 1'
     each 'conform --answers data/golden/eq09.csv eq09'

@@ -19,17 +19,16 @@
 
 /* ---- the paper's steps ---- */
 
-START_TEST(every_step_holds_is_bound_and_differs_as_printed)
+/* That each is bound to its equations is shown once, by the program, before the suites run (BUILD/derivations.json). */
+START_TEST(every_step_holds_and_differs_as_printed)
 {
     struct proof_results p;
-    proof_results_init(&p, true);
+    proof_results_init(&p);
     for (int i = 0; i < p.derivations.step_count; i++) {
         ck_assert_msg(step_holds(&p, i), "%s: %s", p.derivations.steps[i].id,
                       p.corrected[i].evidence ? p.corrected[i].evidence : "holds as printed");
-        ck_assert_msg(p.bindings[i].fault.text[0] == '\0', "%s", p.bindings[i].fault.text);
     }
     ck_assert_int_ge(p.derivations.step_count, 60);
-    ck_assert_int_gt(p.mutants, 1500);
     ck_assert_ptr_null(p.gap);
     ck_assert(p.fine);
     proof_results_clear(&p);
@@ -68,7 +67,7 @@ START_TEST(misprints_are_these)
 {
     struct proof_results p;
     int found = 0;
-    proof_results_init(&p, false);
+    proof_results_init(&p);
     for (int i = 0; i < p.derivations.step_count; i++) {
         if (!p.derivations.steps[i].differs)
             continue;
@@ -673,10 +672,13 @@ static const struct {
     const char *line;
     int status;
 } commands[] = {
-    {"\"$CT_PROGRAM\" verify derivations | grep -q 'steps hold'", 0},
+    {"\"$CT_PROGRAM\" verify derivations closed_loop >$CT_BUILD/tests/step && grep -q '^1 of 1 steps hold' $CT_BUILD/tests/step && "
+     "grep -q '^[1-9][0-9]* alterations of their equations were tried' $CT_BUILD/tests/step", 0},
+    {"\"$CT_PROGRAM\" verify derivations closed_lop 2>&1 | grep -q \"unknown step 'closed_lop', did you mean 'closed_loop'\"", 0},
+    {"\"$CT_PROGRAM\" verify derivations closed_loop --graph 2>/dev/null", 2},
     {"\"$CT_PROGRAM\" verify derivations --graph | dot -Tsvg | grep -q '</svg>'", 0},
     {"\"$CT_PROGRAM\" verify derivations --graph | grep -q '^  \"coulomb_law\" .label=\"coulomb law\", '", 0},
-    {"\"$CT_PROGRAM\" verify derivations --json | "
+    {"\"$CT_PROGRAM\" verify derivations kepler --json | "
      "if command -v python3 >/dev/null; then python3 -m json.tool >/dev/null; else grep -q '\"id\": \"kepler\"'; fi", 0},
     {"\"$CT_PROGRAM\" verify derivations --graph --json 2>/dev/null", 2},
     {"\"$CT_PROGRAM\" verify derivation 2>/dev/null", 2},
@@ -694,7 +696,7 @@ SUITE(test_derivation)
 {
     TCase *paper = tcase_create("paper");
     tcase_set_timeout(paper, 120);
-    tcase_add_test(paper, every_step_holds_is_bound_and_differs_as_printed);
+    tcase_add_test(paper, every_step_holds_and_differs_as_printed);
     tcase_add_test(paper, every_equation_is_in_the_sheet);
     tcase_add_test(paper, misprints_are_these);
     tcase_add_test(paper, eq03_closed_by_eq07_eq18_is_the_quadratic_system);

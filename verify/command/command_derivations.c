@@ -89,14 +89,15 @@ static void print_step(const struct proof_results *p, int i)
         print_remainder(&p->derivations.document, &s->remainders[k], &p->remainders[i][k]);
 }
 
-static void table_proofs(const struct proof_results *p)
+/* The steps from first to end. */
+static void table_proofs(const struct proof_results *p, int first, int end)
 {
     int holding = 0;
-    for (int i = 0; i < p->derivations.step_count; i++) {
+    for (int i = first; i < end; i++) {
         print_step(p, i);
         holding += step_holds(p, i) && derivation_fault(p, i) == NULL;
     }
-    printf("%d of %d steps hold, by normal forms\n", holding, p->derivations.step_count);
+    printf("%d of %d steps hold, by normal forms\n", holding, end - first);
     if (p->bindings != NULL)
         printf("%d alterations of their equations were tried\n", p->mutants);
     if (p->gap != NULL)
@@ -203,17 +204,20 @@ static void json_step(const struct proof_results *p, int i)
     putchar('}');
 }
 
-static void json_proofs(const struct proof_results *p)
+static void json_proofs(const struct proof_results *p, int first, int end)
 {
     printf("{\"fine\": %s, \"steps\": [\n ", p->fine ? "true" : "false");
-    for (int i = 0; i < p->derivations.step_count; i++) {
-        fputs(i ? ",\n " : "", stdout);
+    for (int i = first; i < end; i++) {
+        fputs(i > first ? ",\n " : "", stdout);
         json_step(p, i);
     }
     puts("]}");
 }
 
-void print_proofs(const struct proof_results *p, enum format format)
+bool print_proofs(const struct proof_results *p, const char *only, enum format format)
 {
-    (format == FORMAT_JSON ? json_proofs : table_proofs)(p);
+    const struct derivations *d = &p->derivations;
+    const int first = only != NULL ? (int)(step_named(d, only) - d->steps) : 0;
+    (format == FORMAT_JSON ? json_proofs : table_proofs)(p, first, only != NULL ? first + 1 : d->step_count);
+    return p->fine;
 }

@@ -154,7 +154,7 @@ int command_equations(const struct arguments *a)
         return EXIT_USAGE;
     const bool json = option_given(a, "--json");
     struct proof_results proofs;
-    proof_results_init(&proofs, false);
+    proof_results_init(&proofs);
     if (one != NULL)
         (json ? json_section : print_section)(&proofs, one);
     else if (json)

@@ -13,7 +13,7 @@ enum { INPUTS = 1000, MOST_COUNT = 100000000 }; /* for each operation of verify 
 /* What was asked for. */
 struct request {
     const char *part; /* NULL: all */
-    const char *claim; /* its id; NULL: all */
+    const char *claim; /* its id, or a step's; NULL: all */
     bool graph;
     enum format format;
     long count;
@@ -21,10 +21,9 @@ struct request {
 
 static bool verify_derivations(const struct proof_results *p, const struct request *request)
 {
-    if (request->graph)
-        derivations_graph(&p->derivations);
-    else
-        print_proofs(p, request->format);
+    if (!request->graph)
+        return print_proofs(p, request->claim, request->format);
+    derivations_graph(&p->derivations);
     return p->fine;
 }
 
@@ -58,7 +57,7 @@ static int check_request(const struct request *r)
     suggest(hint, found ? "" : r->part, known, PARTS);
     if (!found)
         return usage_error(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
-    if (r->claim != NULL && (r->part == NULL || strcmp(r->part, "claims") != 0))
+    if (r->claim != NULL && (r->part == NULL || strcmp(r->part, "errors") == 0 || r->graph))
         return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
     if (r->count < 1)
         return usage_error(EXIT_USAGE, "--count: expected from 1 to %d inputs", MOST_COUNT);
@@ -84,6 +83,20 @@ static int read_request(const struct arguments *a, struct request *r)
     return status != EXIT_DONE ? status : check_request(r);
 }
 
+static int check_step(const struct derivations *d, const char *id)
+{
+    char hint[80];
+    bool known = false;
+    const char **ids = xrealloc(NULL, (size_t)d->step_count, sizeof *ids);
+    for (int i = 0; i < d->step_count; i++) {
+        ids[i] = d->steps[i].id;
+        known = known || strcmp(ids[i], id) == 0;
+    }
+    suggest(hint, id, ids, (size_t)d->step_count);
+    free(ids);
+    return known ? EXIT_DONE : usage_error(EXIT_USAGE, "unknown step '%s'%s", id, hint);
+}
+
 /* Of a row of the verdicts: those of equations and of Table 1 included. */
 static int check_claim(const struct proof_results *p, const char *id)
 {
@@ -106,9 +119,12 @@ static int verify(const struct request *request)
     int status = EXIT_DONE;
     const char *separator = "{";
     struct proof_results p;
-    proof_results_init(&p, !request->graph && (request->part == NULL || strcmp(request->part, parts[0].name) == 0));
+    proof_results_init(&p);
+    const bool derivations = request->part == NULL || strcmp(request->part, parts[0].name) == 0;
     if (request->claim != NULL)
-        status = check_claim(&p, request->claim);
+        status = derivations ? check_step(&p.derivations, request->claim) : check_claim(&p, request->claim);
+    if (derivations && !request->graph && status == EXIT_DONE)
+        proof_results_bind(&p, request->claim);
     for (int i = 0; i < PARTS && status != EXIT_USAGE; i++) {
         if (request->part != NULL && strcmp(request->part, parts[i].name) != 0)
             continue;

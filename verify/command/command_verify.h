@@ -7,7 +7,7 @@
 /* Markdown is README's, for the errors alone. */
 enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN };
 
-void print_proofs(const struct proof_results *p, enum format format);
+bool print_proofs(const struct proof_results *p, const char *only, enum format format); /* NULL: all; whether all of it holds */
 bool print_claims(const struct proof_results *p, const char *only, enum format format); /* NULL: all */
 bool print_errors(long inputs, enum format format);
 

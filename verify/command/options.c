@@ -21,7 +21,7 @@ const struct subcommand subcommands[] = {
      "A motion as CSV, every digit proved: attitude and length error by the linear model, or position and velocity of craft 1 "
      "and both charges by the nonlinear one. A nonlinear motion ends where the charge law has no charges, or where craft "
      "that come closer than L_ref/128 leave nothing to be proved; the rows before that are printed."},
-    {"verify", command_verify, {"", "derivations", "claims [ID]", "errors"}, 2,
+    {"verify", command_verify, {"", "derivations [STEP]", "claims [ID]", "errors"}, 2,
      "The proofs: of the derivation steps between the equations, with bounds of what they drop (derivations); of every claim "
      "of the paper, with its verdict (claims); the reference library's error, measured against the truth on random inputs "
      "(errors). Without a word, all three."},

@@ -38,25 +38,25 @@ const struct step *step_named(const struct derivations *d, const char *id)
     return &d->steps[i];
 }
 
-void proof_results_init(struct proof_results *p, bool bindings)
+void proof_results_init(struct proof_results *p)
 {
     derivations_open(&p->derivations);
-    proof_results_of(p, bindings);
+    proof_results_of(p);
 }
 
-static void bind_all(struct proof_results *p)
+void proof_results_bind(struct proof_results *p, const char *only)
 {
     p->bindings = xrealloc(NULL, (size_t)p->derivations.step_count, sizeof *p->bindings);
     for (int i = 0; i < p->derivations.step_count; i++) {
         p->bindings[i] = (struct binding){.mutants = 0};
-        if (step_holds(p, i))
+        if (step_holds(p, i) && (only == NULL || strcmp(p->derivations.steps[i].id, only) == 0))
             step_bind(&p->derivations, &p->derivations.steps[i], &p->bindings[i]);
         p->mutants += p->bindings[i].mutants;
         p->fine = p->fine && p->bindings[i].fault.text[0] == '\0';
     }
 }
 
-void proof_results_of(struct proof_results *p, bool bindings)
+void proof_results_of(struct proof_results *p)
 {
     const struct derivations d = p->derivations;
     const size_t count = (size_t)d.step_count;
@@ -73,8 +73,6 @@ void proof_results_of(struct proof_results *p, bool bindings)
             remainder_prove(&d.steps[i].remainders[k], &p->remainders[i][k]);
         p->fine = p->fine && step_holds(p, i);
     }
-    if (bindings)
-        bind_all(p);
     p->gap = derivations_gap(&p->derivations);
     p->fine = p->fine && p->gap == NULL;
 }

@@ -20,11 +20,14 @@ void derivations_open(struct derivations *d);
 /* The step of that id; a program that asks for one that is not there ends. */
 const struct step *step_named(const struct derivations *d, const char *id);
 
-/* The steps that were compiled into the program; with what binds them to their equations, if asked. */
-void proof_results_init(struct proof_results *p, bool bindings);
+/* The steps that were compiled into the program. */
+void proof_results_init(struct proof_results *p);
 
 /* Of steps that are open already, which are the results' own from then on. */
-void proof_results_of(struct proof_results *p, bool bindings);
+void proof_results_of(struct proof_results *p);
+
+/* And what binds them to their equations, which takes ten times as long: all, or the step of that id alone. */
+void proof_results_bind(struct proof_results *p, const char *only);
 void proof_results_clear(struct proof_results *p);
 
 /* The step holds, what is printed instead does not, and what is dropped is bounded. */
