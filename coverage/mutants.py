@@ -330,7 +330,7 @@ REF = ('hill', 'perturbation', 'control', 'attitude', 'stability', 'simulation',
 # What takes more than a second, and about how many; the order of the checks alone depends on it.
 SLOW = {'golden flow_nonlinear': 1.3, 'golden rk4_nonlinear': 1, 'golden rk4_linear': 0.4, 'study convergence': 2.3, 'study pitch': 0.5,
         'kills flow_nonlinear': 8, 'kills rk4_nonlinear': 8, 'kills rk4_linear': 4, 'kills flow_linear': 4,
-        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'wrong': 10, 'test_track': 2, 'test_statement': 1.3,
+        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'wrong': 10, 'test_trajectory': 2, 'test_statement': 1.3,
         'test_command_line': 24, 'test_conform': 18, 'test_convergence': 10, 'test_derivation': 5, 'test_flow': 6, 'test_vectors': 3}
 
 
@@ -377,7 +377,7 @@ def of_quantity(names):
 # in proof_results.c alone.
 REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform|test_verdicts|test_command|oracle|errors|gate',
            SHEETS[2]: 'verdicts|wrong|test_statement|test_verdicts',
-           SHEETS[1]: 'derivations|gate|test_derivation|verdicts|test_track|test_convergence|study|test_command|test_typeset'}
+           SHEETS[1]: 'derivations|gate|test_derivation|verdicts|test_trajectory|test_convergence|study|test_command|test_typeset'}
 
 # The checks that should notice a mutant of a file in verify/, the fastest first, by the longest beginning of its name.
 NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in (ROOT / 'coverage/noticed.txt').read_text().splitlines())

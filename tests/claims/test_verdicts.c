@@ -97,7 +97,7 @@ static const struct {
     {"pitch-decoupled", "43085.6840649 s"}, /* pi/7.2915e-5 */
     {"pitch-uncontrollable", "rank 4 of 6"},
     {"step-below-period", "34522.0740827 s"}, /* 2*pi/(7.2915e-5*2.496123724292996301548900) */
-    /* the largest of 2592 steps, R = sum((A(10)*100*Om)**k/k!, k = 0 ... p) against expm(A(10)*100*Om), as in test_track.c:
+    /* the largest of 2592 steps, R = sum((A(10)*100*Om)**k/k!, k = 0 ... p) against expm(A(10)*100*Om), as in test_trajectory.c:
        p = 4 has 7.3483986e-12, 1.3625865e-10, 5.8378502e-12 in psi, theta, dL/L_ref */
     {"step-small-enough", "linear model 7.4e-12, 1.4e-10, 5.9e-12;"},
     /* p = 1: 6.8761404e-5, 0.0031660532, 7.2604884e-5; 2: 4.1687472e-7, 1.28139e-5; 3: 1.8534135e-9, 4.8746389e-8 */

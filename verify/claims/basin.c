@@ -1,10 +1,7 @@
 #include "claims/basin.h"
 
-#include "claims/track.h"
-#include "motion/motion.h"
+#include "claims/trajectory.h"
 #include "text/scope.h"
-
-const ulong basin_gains[GAINS] = {10, 12};
 
 /* V in the orbit plane, where the craft is at x along the radius and at the distance r. */
 static void potential(arb_t V, ulong n, const arb_t x, const arb_t r)

@@ -24,10 +24,6 @@
 
 enum { BASIN_BITS = 128 };
 
-/* The simulation's n, and the one that the paper calls optimal. */
-enum { GAINS = 2 };
-extern const ulong basin_gains[GAINS];
-
 struct basin {
     ulong gain; /* n */
     arb_t outer, level;

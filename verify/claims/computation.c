@@ -1,58 +1,58 @@
 #include "claims/computation.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LONGEST_WORD = 63 };
+#include "text/message.h"
 
 struct handed {
-    char name[LONGEST_WORD + 1];
-    bool is_truth;
+    char name[64];
     arb_t value;
-    enum truth truth;
     enum how how;
 };
 
 struct computed {
-    const struct derivations *steps;
     const struct computation *of;
+    const struct derivations *steps;
     bool done;
-    struct handed *results;
+    struct handed *numbers;
     int count;
 };
 
-static const struct computation *const lists[] = {
-    computations_loop, computations_motion, computations_convergence, computations_forced, computations_beyond,
-};
-
-static void announce(struct computed *c, const char *names, bool is_truth)
+const char *next_name(const char *names, char name[64])
 {
-    char word[LONGEST_WORD + 1];
-    for (int length; sscanf(names, " %63s%n", word, &length) == 1; names += length) {
-        c->results = xrealloc(c->results, (size_t)c->count + 1, sizeof *c->results);
-        struct handed *r = &c->results[c->count++];
-        *r = (struct handed){.is_truth = is_truth, .truth = UNDECIDED};
-        memcpy(r->name, word, sizeof word);
-        arb_init(r->value);
-        arb_indeterminate(r->value);
+    int length;
+    return sscanf(names, " %63s%n", name, &length) == 1 ? names + length : NULL;
+}
+
+static struct computed *computed_new(const struct computation *of, const struct derivations *steps)
+{
+    struct computed *c = xrealloc(NULL, 1, sizeof *c);
+    char name[64];
+    *c = (struct computed){.of = of, .steps = steps};
+    for (const char *at = of->numbers; (at = next_name(at, name)) != NULL;) {
+        c->numbers = xrealloc(c->numbers, (size_t)c->count + 1, sizeof *c->numbers);
+        struct handed *n = &c->numbers[c->count++];
+        memcpy(n->name, name, sizeof name);
+        arb_init(n->value);
+        arb_indeterminate(n->value);
     }
+    return c;
 }
 
 struct computed *computed_find(struct computations *all, const char *name)
 {
+    static const struct computation *const lists[] = {computations_simulation, computations_studies, computations_basin};
     for (int i = 0; i < all->count; i++)
         if (strcmp(all->of[i]->of->name, name) == 0)
             return all->of[i];
     for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
         for (const struct computation *c = lists[l]; c->name != NULL; c++)
             if (strcmp(c->name, name) == 0) {
-                struct computed *new = xrealloc(NULL, 1, sizeof *new);
-                *new = (struct computed){.steps = all->steps, .of = c};
-                announce(new, c->numbers, false);
-                announce(new, c->truths, true);
                 all->of = xrealloc(all->of, (size_t)all->count + 1, sizeof *all->of);
-                return all->of[all->count++] = new;
+                return all->of[all->count++] = computed_new(c, all->steps);
             }
     return NULL;
 }
@@ -62,11 +62,16 @@ void computations_clear(struct computations *all)
     for (int i = 0; i < all->count; i++) {
         struct computed *c = all->of[i];
         for (int k = 0; k < c->count; k++)
-            arb_clear(c->results[k].value);
-        free(c->results);
+            arb_clear(c->numbers[k].value);
+        free(c->numbers);
         free(c);
     }
     free(all->of);
+}
+
+const struct computation *computation_of(const struct computed *c)
+{
+    return c->of;
 }
 
 const struct derivations *steps_of(const struct computed *c)
@@ -79,69 +84,40 @@ const struct sheet *sheet_of(const struct computed *c)
     return c->steps->sheet;
 }
 
-const struct computation *computation_of(const struct computed *c)
+static struct handed *announced(const struct computed *c, const char *name)
 {
-    return c->of;
-}
-
-static struct handed *announced(const struct computed *c, const char *name, bool is_truth)
-{
-    struct handed *found = NULL;
-    for (int i = 0; name != NULL && i < c->count && found == NULL; i++)
-        if (c->results[i].is_truth == is_truth && strcmp(c->results[i].name, name) == 0)
-            found = &c->results[i];
-    return found;
-}
-
-static const struct handed *result(struct computed *c, const char *name, bool is_truth)
-{
-    const struct handed *r = announced(c, name, is_truth);
-    if (r != NULL && !c->done)
-        c->of->run(c);
-    c->done = c->done || r != NULL;
-    return r;
+    for (int i = 0; i < c->count; i++)
+        if (strcmp(c->numbers[i].name, name) == 0)
+            return &c->numbers[i];
+    return NULL;
 }
 
 bool computed_number(struct computed *c, const char *name, arb_t value, enum how *how)
 {
-    const struct handed *r = result(c, name, false);
-    if (r != NULL) {
-        arb_set(value, r->value);
-        *how = r->how;
-    }
-    return r != NULL;
+    const struct handed *n = announced(c, name);
+    if (n == NULL)
+        return false;
+    if (!c->done)
+        c->of->run(c);
+    c->done = true;
+    arb_set(value, n->value);
+    *how = n->how;
+    return true;
 }
 
-bool computed_truth(struct computed *c, const char *name, enum truth *truth, enum how *how)
+void give(struct computed *c, enum how how, bool proved, const arb_t x, const char *name, ...)
 {
-    const struct handed *r = result(c, name, true);
-    if (r != NULL) {
-        *truth = r->truth;
-        *how = r->how;
-    }
-    return r != NULL;
-}
-
-/* A name that the computation does not announce is a mistake of the program. */
-static struct handed *handed(struct computed *c, const char *name, bool is_truth, enum how how)
-{
-    struct handed *r = announced(c, name, is_truth);
-    if (r == NULL) {
-        fprintf(stderr, "coulomb-tether: '%s' is not announced by its computation\n", name); /* LCOV_EXCL_LINE: a mistake of ours */
-        abort();                                                                             /* LCOV_EXCL_LINE: the same */
-    }
-    r->how = how;
-    return r;
-}
-
-void give_number(struct computed *c, const char *name, const arb_t value, enum how how)
-{
-    arb_set(handed(c, name, false, how)->value, value);
-}
-
-void give_truth(struct computed *c, const char *name, enum truth truth, enum how how)
-{
-    handed(c, name, true, how)->truth = truth;
+    char text[64];
+    va_list arguments;
+    va_start(arguments, name);
+    vsnprintf(text, sizeof text, name, arguments);
+    va_end(arguments);
+    struct handed *n = announced(c, text);
+    if (n == NULL)
+        return; /* no claim asks for it */
+    n->how = how;
+    if (proved)
+        arb_set(n->value, x);
 }
 
 enum truth proved_or_open(bool proved)

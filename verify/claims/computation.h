@@ -3,7 +3,6 @@
 #define CT_COMPUTATION_H
 
 #include "claims/claim.h"
-#include "text/message.h"
 
 /* Those that have been asked for. */
 struct computations {
@@ -16,10 +15,7 @@ void computations_clear(struct computations *all);
 /* The computation of that name, not yet run; NULL: there is none. */
 struct computed *computed_find(struct computations *all, const char *name);
 
-const struct computation *computation_of(const struct computed *c);
-
-/* One of its numbers or truths; the computation runs when the first is asked for. False: it gives none of that name. */
+/* One of its numbers; the computation runs when the first is asked for. False: it gives none of that name. */
 bool computed_number(struct computed *c, const char *name, arb_t value, enum how *how);
-bool computed_truth(struct computed *c, const char *name, enum truth *truth, enum how *how);
 
 #endif

@@ -4,87 +4,76 @@
 #include <string.h>
 
 #include "claims/second_order.h"
-#include "claims/track.h"
 #include "motion/two_body.h"
-#include "text/decimal.h"
 #include "text/scope.h"
 
 enum { PREC = 192, SLOW_DIGITS = 10 }; /* what the slow law leaves is of the order of a^2, a >= 1/20 */
 
 /* ---- motions ----------------------------------------------------------- */
 
-/* A quantity's own value times the scale, as the exact decimal that a scene wants; to be freed. */
-static char *scaled(const struct sheet *sheet, const char *name, const fmpq_t scale)
+/* The largest |a - b| of the study's variables on the samples, in SI. */
+static void differences(arb_ptr d, const struct study *study, const struct trajectory *a, const struct trajectory *b)
 {
-    SCOPE(fmpq, x);
-    literal_read(x, quantity_find(sheet, name)->value, true);
-    fmpq_mul(x, x, scale);
-    return decimal_of_rational(x, 17);
-}
-
-/* |a - b| of the study's coordinates in the tracks' rows 0, in SI */
-static void differences(arb_ptr d, const struct study *study, const struct track *a, const struct track *b)
-{
+    SCOPE(arb, unit);
     for (int i = 0; i < study->count; i++) {
-        const int which = study->which[i];
-        track_gap(d + i, a, b, which, 0, 0);
-        if (which == ETA || which == ETA_DOT)
-            arb_mul(d + i, d + i, a->L_ref, PREC);
-        if (which >= PSI_DOT && which <= ETA_DOT)
-            arb_mul(d + i, d + i, a->Omega, PREC);
-        if (which >= PLACE_X && which <= PLACE_Z)
-            arb_mul(d + i, d + i, a->arm, PREC);
+        trajectory_gap(d + i, a, b, study->which[i], 0, a->count - 1);
+        trajectory_unit(unit, a, study->which[i]);
+        arb_mul(d + i, d + i, unit, PREC);
     }
 }
 
-/* Two motions after the study's time. */
-static bool compare(arb_ptr d, const struct derivations *steps, const struct study *study, const struct scene *one, const struct scene *other)
+static bool compare(arb_ptr d, const struct study *study, const struct simulation *one, const struct simulation *other)
 {
-    struct track a, b;
-    bool proved = track_run(&a, steps->sheet, one, study->seconds, 1, study->seconds);
-    proved = track_run(&b, steps->sheet, other, study->seconds, 1, study->seconds) && proved;
+    const long first = study->every > 0 ? 0 : study->seconds, step = study->every > 0 ? study->every : 1;
+    struct trajectory a, b;
+    bool proved = trajectory_run(&a, one, first, step, study->seconds);
+    proved = trajectory_run(&b, other, first, step, study->seconds) && proved;
     differences(d, study, &a, &b);
-    track_clear(&a);
-    track_clear(&b);
+    trajectory_clear(&a);
+    trajectory_clear(&b);
     return proved;
 }
 
 /* The nonlinear motion against the linear; the parameter scales the initial disturbance. */
 static bool from_linear(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t scale)
 {
-    char *psi = scaled(steps->sheet, "psi", scale), *theta = scaled(steps->sheet, "theta", scale), *dL = scaled(steps->sheet, "dL", scale);
-    struct scene s = {.psi = study->pitch_alone ? "0" : psi, .theta = theta, .dL = study->pitch_alone ? "0" : dL};
-    struct scene linear = s;
-    s.nonlinear = true;
-    bool proved = compare(d, steps, study, &s, &linear);
-    free(psi);
-    free(theta);
-    free(dL);
-    return proved;
+    VECTOR(arb, start, FLOW_STATE);
+    SCOPE(arb, L_ref, factor);
+    struct simulation linear = {.sheet = steps->sheet, .start = start}, nonlinear = {.sheet = steps->sheet, .start = start, .nonlinear = true};
+    sheet_value(L_ref, steps->sheet, "L_ref", PREC);
+    for (int i = PSI; i <= ETA; i++)
+        if (!study->pitch_alone || i == THETA)
+            sheet_value(start + i, steps->sheet, variable_names[i], PREC);
+    arb_div(start + ETA, start + ETA, L_ref, PREC);
+    arb_set_fmpq(factor, scale, PREC);
+    _arb_vec_scalar_mul(start, start, FLOW_STATE, factor, PREC);
+    return compare(d, study, &nonlinear, &linear);
 }
 
 /* The classical Runge-Kutta method against the motion; the parameter is its step in s. */
 static bool from_steps(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t h)
 {
-    struct scene exact = {.nonlinear = study->nonlinear}, stepped = exact;
+    struct simulation exact = {.sheet = steps->sheet, .nonlinear = study->nonlinear}, stepped = exact;
     stepped.rk4 = (long)fmpq_get_d(h);
-    return compare(d, steps, study, &stepped, &exact);
+    return compare(d, study, &stepped, &exact);
 }
 
 /* ---- the closed forms of second_order.h -------------------------------- */
 
 /* Where the motion and the closed form are that both had z = a at the start, after so many seconds. */
-static bool beside_closed_form(struct track *t, const struct derivations *steps, arb_ptr closed, const fmpq_t a, long seconds, slong digits)
+static bool beside_closed_form(struct trajectory *t, arb_ptr closed, const struct derivations *steps, const struct study *study, const fmpq_t a,
+                               long seconds, slong digits)
 {
     struct second_order o;
     SCOPE(arb, amplitude, tau);
-    bool proved = track_run(t, steps->sheet, &(struct scene){.nonlinear = false}, 0, 1, 0); /* for Table 1's gains and Omega */
+    bool proved = trajectory_run(t, &(struct simulation){.sheet = steps->sheet, .n = study->n}, 0, 1, 0); /* for the gains and Omega */
     second_order_init(&o, steps, t->c1, t->c2, PREC);
     arb_set_fmpq(amplitude, a, PREC);
     second_order_after(closed, &o, amplitude, tau);
     arb_mul_si(tau, t->Omega, seconds, PREC);
-    track_clear(t);
-    proved = track_run(t, steps->sheet, &(struct scene){.nonlinear = true, .digits = digits, .start = closed}, seconds, 1, seconds) && proved;
+    trajectory_clear(t);
+    const struct simulation s = {.sheet = steps->sheet, .nonlinear = true, .n = study->n, .digits = digits, .start = closed};
+    proved = trajectory_run(t, &s, seconds, 1, seconds) && proved;
     second_order_after(closed, &o, amplitude, tau);
     second_order_clear(&o);
     return proved;
@@ -93,49 +82,37 @@ static bool beside_closed_form(struct track *t, const struct derivations *steps,
 /* After a fixed time; the parameter is the amplitude. */
 static bool from_forced(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t a)
 {
-    struct track motion, closed;
-    bool proved = track_run(&closed, steps->sheet, &(struct scene){.nonlinear = false}, 0, 1, 0);
-    proved = beside_closed_form(&motion, steps, track_row(&closed, 0), a, study->seconds, TRACK_DIGITS) && proved;
+    struct trajectory motion, closed;
+    bool proved = trajectory_run(&closed, &(struct simulation){.sheet = steps->sheet}, 0, 1, 0);
+    proved = beside_closed_form(&motion, trajectory_sample(&closed, 0), steps, study, a, study->seconds, TRAJECTORY_DIGITS) && proved;
     differences(d, study, &motion, &closed);
-    track_clear(&motion);
-    track_clear(&closed);
+    trajectory_clear(&motion);
+    trajectory_clear(&closed);
     return proved;
-}
-
-/* z of a row: what the linear model turns at 2 Omega */
-static void pitch_of(acb_t z, arb_srcptr row)
-{
-    arb_set(acb_realref(z), row + THETA);
-    arb_mul_2exp_si(acb_imagref(z), row + THETA_DOT, -1);
-    arb_neg(acb_imagref(z), acb_imagref(z));
 }
 
 /* After 1/a^2 radians, to the second: the amplitude, relative to the closed form's, and the phase of pitch. */
 static bool from_slow_law(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t a)
 {
-    struct track t;
-    VECTOR(arb, closed, FLOW_STATE);
-    SCOPE(acb, z, w);
-    (void)study;
-    sheet_value(acb_realref(z), steps->sheet, "Omega", PREC);
-    const double amplitude = fmpq_get_d(a), Omega = arf_get_d(arb_midref(acb_realref(z)), ARF_RND_NEAR);
-    bool proved = beside_closed_form(&t, steps, closed, a, (long)(1 / (amplitude * amplitude * Omega)), SLOW_DIGITS);
-    pitch_of(z, track_row(&t, 0));
-    pitch_of(w, closed);
-    acb_div(z, z, w, PREC);
-    acb_abs(d, z, PREC);
-    arb_sub_ui(d, d, 1, PREC);
-    arb_abs(d, d);
-    acb_arg(d + 1, z, PREC);
-    arb_abs(d + 1, d + 1);
-    track_clear(&t);
+    struct trajectory motion, closed;
+    SCOPE(arb, Omega, x);
+    sheet_value(Omega, steps->sheet, "Omega", PREC);
+    const double amplitude = fmpq_get_d(a), rate = arf_get_d(arb_midref(Omega), ARF_RND_NEAR);
+    bool proved = trajectory_run(&closed, &(struct simulation){.sheet = steps->sheet}, 0, 1, 0);
+    const long seconds = (long)(1 / (amplitude * amplitude * rate));
+    proved = beside_closed_form(&motion, trajectory_sample(&closed, 0), steps, study, a, seconds, SLOW_DIGITS) && proved;
+    differences(d, study, &motion, &closed);
+    trajectory_value(x, &closed, 0, AMPLITUDE);
+    arb_div(d, d, x, PREC);
+    trajectory_clear(&motion);
+    trajectory_clear(&closed);
     return proved;
 }
 
 /* ---- Hill's equations against the inverse square ----------------------- */
 
-/* Both craft at rest, craft 1 where the row has it, craft 2 opposite by (4). */
-static void place_pair(struct two_body *b, const struct track *t, const fmpq_t smallness)
+/* Both craft at rest, craft 1 where the sample has it, craft 2 opposite by (4). */
+static void place_pair(struct two_body *b, const struct trajectory *t, const fmpq_t smallness)
 {
     arb_set_fmpq(b->smallness, smallness, PREC);
     arb_set(b->c1, t->c1);
@@ -143,71 +120,79 @@ static void place_pair(struct two_body *b, const struct track *t, const fmpq_t s
     arb_div(b->mass + 1, t->arm, t->L_ref, PREC); /* arm = m2/(m1 + m2) L_ref */
     arb_sub_ui(b->mass, b->mass + 1, 1, PREC);
     arb_neg(b->mass, b->mass);
-    _arb_vec_scalar_mul(b->place, track_row(t, 0) + PLACE_X, AXES, b->mass + 1, PREC);
-    _arb_vec_scalar_mul(b->place + AXES, track_row(t, 0) + PLACE_X, AXES, b->mass, PREC);
+    _arb_vec_scalar_mul(b->place, trajectory_sample(t, 0) + PLACE_X, AXES, b->mass + 1, PREC);
+    _arb_vec_scalar_mul(b->place + AXES, trajectory_sample(t, 0) + PLACE_X, AXES, b->mass, PREC);
     _arb_vec_neg(b->place + AXES, b->place + AXES, AXES);
 }
 
-/* Craft 1's place in arms, psi theta eta of the line of the craft, where a row has them. */
-static void observe_pair(arb_ptr row, const struct two_body *b)
+/* Craft 1's place in arms, psi theta eta of the line of the craft, where a sample has them. */
+static void observe_pair(arb_ptr sample, const struct two_body *b)
 {
     VECTOR(arb, d, AXES);
-    _arb_vec_scalar_div(row + PLACE_X, b->place, AXES, b->mass + 1, PREC);
+    _arb_vec_scalar_div(sample + PLACE_X, b->place, AXES, b->mass + 1, PREC);
     _arb_vec_sub(d, b->place, b->place + AXES, AXES, PREC);
-    arb_dot(row + ETA, NULL, 0, d, 1, d, 1, AXES, PREC);
-    arb_sqrt(row + ETA, row + ETA, PREC);
-    arb_atan2(row + PSI, d + 1, d, PREC);
-    arb_div(row + THETA, d + 2, row + ETA, PREC);
-    arb_asin(row + THETA, row + THETA, PREC);
-    arb_neg(row + THETA, row + THETA);
-    arb_sub_ui(row + ETA, row + ETA, 1, PREC);
+    arb_dot(sample + ETA, NULL, 0, d, 1, d, 1, AXES, PREC);
+    arb_sqrt(sample + ETA, sample + ETA, PREC);
+    arb_atan2(sample + PSI, d + 1, d, PREC);
+    arb_div(sample + THETA, d + 2, sample + ETA, PREC);
+    arb_asin(sample + THETA, sample + THETA, PREC);
+    arb_neg(sample + THETA, sample + THETA);
+    arb_sub_ui(sample + ETA, sample + ETA, 1, PREC);
 }
 
 /* The parameter is L_ref/R_c. */
 static bool from_inverse_square(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t smallness)
 {
-    const struct scene s = {.nonlinear = true, .m1 = study->m1, .m2 = study->m2};
-    struct track start, hill;
+    const struct simulation s = {.sheet = steps->sheet, .nonlinear = true, .m1 = study->m1, .m2 = study->m2};
+    struct trajectory start, hill;
     struct two_body b;
     SCOPE(arb, tau);
     two_body_init(&b);
-    bool proved = track_run(&start, steps->sheet, &s, 0, 1, 0);
+    bool proved = trajectory_run(&start, &s, 0, 1, 0);
     place_pair(&b, &start, smallness);
     arb_mul_si(tau, start.Omega, study->seconds, PREC);
     two_body_move(&b, tau, PREC);
-    observe_pair(track_row(&start, 0), &b);
-    proved = track_run(&hill, steps->sheet, &s, study->seconds, 1, study->seconds) && proved;
+    observe_pair(trajectory_sample(&start, 0), &b);
+    proved = trajectory_run(&hill, &s, study->seconds, 1, study->seconds) && proved;
     differences(d, study, &start, &hill);
-    track_clear(&start);
-    track_clear(&hill);
+    trajectory_clear(&start);
+    trajectory_clear(&hill);
     two_body_clear(&b);
     return proved;
 }
 
 /* ---- the studies ------------------------------------------------------- */
 
-const char *const variable_names[] = {"psi", "theta", "dL", "psi_dot",   "theta_dot", "dL_dot",
-                                      "x1",  "y1",    "z1", "amplitude", "phase"};
-
 #define TETHER {PSI, THETA, ETA, PSI_DOT, THETA_DOT, ETA_DOT}, 6
 #define PAIR {PLACE_X, PLACE_Y, PLACE_Z, PSI, THETA, ETA}, 6
+#define ANGLES {PSI, THETA, ETA}, 3
 #define PITCH {AMPLITUDE, PHASE}, 2
+
+enum { DAY = 86400 };
 
 /* After half a day and two days; the Runge-Kutta method where no error is near one of its zeros. */
 const struct study studies[] = {
-    {"linear_43200s", TETHER, {2, 2, 2, 2, 2, 2}, "1", 10, 5, from_linear, .seconds = 43200},
-    {"linear_172800s", TETHER, {2, 2, 2, 2, 2, 2}, "1", 10, 5, from_linear, .seconds = 172800},
-    {"linear_pitch_172800s", TETHER, {2, 3, 2, 2, 3, 2}, "1", 10, 4, from_linear, .seconds = 172800,
-     .pitch_alone = true},
-    {"rk4_linear_24000s", TETHER, {4, 4, 4, 4, 4, 4}, "320", 2, 7, from_steps, .seconds = 24000},
-    {"rk4_nonlinear_24000s", TETHER, {4, 4, 4, 4, 4, 4}, "320", 2, 7, from_steps, .seconds = 24000,
-     .nonlinear = true},
-    {"hill_43200s", PAIR, {1, 1, 1, 2, 2, 2}, "0.001", 10, 3, from_inverse_square, .seconds = 43200,
-     .measured = true},
-    {"hill_unequal_43200s", PAIR, {1, 1, 1, 1, 1, 1}, "0.001", 10, 3, from_inverse_square, .seconds = 43200,
+    {"linear_43200s", TETHER, {2, 2, 2, 2, 2, 2}, 1, 1, 10, 5, from_linear, .seconds = DAY / 2},
+    {"linear_172800s", TETHER, {2, 2, 2, 2, 2, 2}, 1, 1, 10, 5, from_linear, .seconds = 2 * DAY},
+    {"linear_pitch_172800s", TETHER, {2, 3, 2, 2, 3, 2}, 1, 1, 10, 4, from_linear, .seconds = 2 * DAY, .pitch_alone = true},
+    {"rk4_linear_24000s", TETHER, {4, 4, 4, 4, 4, 4}, 320, 1, 2, 7, from_steps, .seconds = 24000},
+    {"rk4_nonlinear_24000s", TETHER, {4, 4, 4, 4, 4, 4}, 320, 1, 2, 7, from_steps, .seconds = 24000, .nonlinear = true},
+    {"hill_43200s", PAIR, {1, 1, 1, 2, 2, 2}, 1, 1000, 10, 3, from_inverse_square, .seconds = DAY / 2, .measured = true},
+    {"hill_unequal_43200s", PAIR, {1, 1, 1, 1, 1, 1}, 1, 1000, 10, 3, from_inverse_square, .seconds = DAY / 2,
      .measured = true, .m1 = "100", .m2 = "200"},
-    {"forced_43200s", TETHER, {4, 5, 4, 4, 5, 4}, "0.1", 10, 4, from_forced, .seconds = 43200},
-    {"slow_law", PITCH, {2, 2}, "0.2", 2, 3, from_slow_law, .seconds = 0},
+    {"forced_43200s", TETHER, {4, 5, 4, 4, 5, 4}, 1, 10, 10, 4, from_forced, .seconds = DAY / 2},
+    {"slow_law", PITCH, {2, 2}, 1, 5, 2, 3, from_slow_law, .seconds = 0},
+    /* of the claims: the largest errors of a day, small disturbances, three days, the sheet's orbit (L_ref = 10 m, R_c in m) */
+    {"rk4_linear_day", ANGLES, {4, 4, 4}, 400, 1, 2, 4, from_steps, .seconds = DAY, .every = 400, .of_claims = true},
+    {"rk4_nonlinear_day", ANGLES, {4, 4, 4}, 400, 1, 2, 4, from_steps, .seconds = DAY, .every = 400, .nonlinear = true, .of_claims = true},
+    {"linear_day", {PSI, THETA, ETA, PLACE_X, PLACE_Y, PLACE_Z}, 6, {2, 2, 2, 2, 2, 2}, 1, 1000, 10, 2, from_linear, .seconds = DAY,
+     .of_claims = true},
+    {"forced_10", ANGLES, {4, 5, 4}, 1, 100, 10, 3, from_forced, .seconds = 3 * DAY, .of_claims = true},
+    {"forced_12", ANGLES, {4, 5, 4}, 1, 100, 10, 3, from_forced, .seconds = 3 * DAY, .of_claims = true, .n = "12"},
+    {"hill_in_orbit", PAIR, {1, 1, 1, 2, 2, 2}, 10, 42164000, 10, 1, from_inverse_square, .seconds = DAY / 2, .measured = true,
+     .of_claims = true},
+    {"hill_unequal_in_orbit", PAIR, {1, 1, 1, 1, 1, 1}, 10, 42164000, 10, 1, from_inverse_square, .seconds = DAY / 2,
+     .measured = true, .of_claims = true, .m1 = "100", .m2 = "200"},
     {.name = NULL}};
 
 const struct study *study_find(const char *name)
@@ -222,10 +207,10 @@ const struct study *study_find(const char *name)
 static void observe(struct convergence *c, int row, int variable)
 {
     const struct study *s = c->study;
-    const int at = row * VARIABLES + variable;
+    const int at = row * STUDIED + variable;
     SCOPE(arb, x);
     if (row > 0) {
-        arb_div(c->orders + at, c->differences + at - VARIABLES, c->differences + at, PREC);
+        arb_div(c->orders + at, c->differences + at - STUDIED, c->differences + at, PREC);
         arb_log_base_ui(c->orders + at, c->orders + at, (ulong)s->ratio, PREC);
     }
     arb_set_fmpq(x, c->parameters + row, PREC);
@@ -235,19 +220,16 @@ static void observe(struct convergence *c, int row, int variable)
 
 bool convergence_init(struct convergence *c, const struct derivations *steps, const struct study *s, int from)
 {
-    const slong size = (slong)s->rows * VARIABLES;
+    const slong size = (slong)s->rows * STUDIED;
     bool found = true;
-    SCOPE(fmpq, ratio);
-    fmpq_set_si(ratio, s->ratio, 1);
-    *c = (struct convergence){s, _fmpq_vec_init(s->rows), _arb_vec_init(size), _arb_vec_init(size),
-                              _arb_vec_init(size)};
-    literal_read(c->parameters, s->first, true);
+    *c = (struct convergence){s, _fmpq_vec_init(s->rows), _arb_vec_init(size), _arb_vec_init(size), _arb_vec_init(size)};
+    fmpq_set_si(c->parameters, s->first, (ulong)s->over);
     for (int row = 0; row < s->rows && found; row++) {
         if (row > 0)
-            fmpq_div(c->parameters + row, c->parameters + row - 1, ratio);
+            fmpq_div_fmpz(c->parameters + row, c->parameters + row - 1, (fmpz[]){s->ratio});
         if (row < from)
             continue;
-        found = s->differences(c->differences + row * VARIABLES, steps, s, c->parameters + row);
+        found = s->differences(c->differences + row * STUDIED, steps, s, c->parameters + row);
         for (int i = 0; i < s->count; i++)
             observe(c, row, i);
     }
@@ -256,19 +238,21 @@ bool convergence_init(struct convergence *c, const struct derivations *steps, co
 
 void convergence_clear(struct convergence *c)
 {
-    const slong size = (slong)c->study->rows * VARIABLES;
+    const slong size = (slong)c->study->rows * STUDIED;
     _fmpq_vec_clear(c->parameters, c->study->rows);
     _arb_vec_clear(c->differences, size);
     _arb_vec_clear(c->orders, size);
     _arb_vec_clear(c->constants, size);
 }
 
-arb_srcptr convergence_order(const struct convergence *c, int variable)
+void convergence_worst(arb_t worst, const struct convergence *c, int from, int to)
 {
-    return c->orders + (c->study->rows - 1) * VARIABLES + variable;
-}
-
-arb_srcptr convergence_constant(const struct convergence *c, int variable)
-{
-    return c->constants + (c->study->rows - 1) * VARIABLES + variable;
+    SCOPE(arb, off);
+    arb_zero(worst);
+    for (int row = from; row <= to; row++)
+        for (int i = 0; i < c->study->count; i++) {
+            arb_sub_si(off, c->orders + row * STUDIED + i, c->study->order[i], PREC);
+            arb_abs(off, off);
+            arb_max(worst, worst, off, PREC);
+        }
 }

@@ -17,31 +17,30 @@
 
 #include <stdbool.h>
 
-#include "claims/track.h"
+#include "claims/trajectory.h"
 #include "proof/derivation.h"
 
-enum { VARIABLES = 6 };
-enum { AMPLITUDE = COORDINATES, PHASE };   /* beside the coordinates of a track */
-extern const char *const variable_names[]; /* of them all, in SI */
+enum { STUDIED = 6 };
 
 struct study {
     const char *name;
-    int which[VARIABLES], count; /* coordinates */
-    int order[VARIABLES];        /* expected of each */
-    const char *first;           /* parameters first, first/ratio, ... */
+    int which[STUDIED], count;   /* variables of trajectories, in SI */
+    int order[STUDIED];          /* expected of each */
+    long first, over;            /* parameters first/over, first/over/ratio, ... */
     int ratio, rows;
     /* The differences, not negative; false where a motion was not proved. */
     bool (*differences)(arb_ptr d, const struct derivations *steps, const struct study *s, const fmpq_t parameter);
-    long seconds;                /* after which motions are compared */
+    long seconds, every;         /* after which motions are compared, or the largest difference until then, each `every` */
     bool nonlinear, pitch_alone;
     bool measured;               /* false: certified */
-    const char *m1, *m2;         /* where they are not Table 1's */
+    bool of_claims;              /* it serves claims alone, and stands in no file of data */
+    const char *n, *m1, *m2;     /* where they are not the paper's */
 };
 
 extern const struct study studies[]; /* ended by one without name */
 const struct study *study_find(const char *name);
 
-/* At [row * VARIABLES + variable]; an order is log(difference before/difference)/log(ratio), from row 1 on. */
+/* At [row * STUDIED + variable]; an order is log(difference before/difference)/log(ratio), from row 1 on. */
 struct convergence {
     const struct study *study;
     fmpq *parameters;
@@ -52,8 +51,7 @@ struct convergence {
 bool convergence_init(struct convergence *c, const struct derivations *steps, const struct study *s, int from);
 void convergence_clear(struct convergence *c);
 
-/* Of the last row. */
-arb_srcptr convergence_order(const struct convergence *c, int variable);
-arb_srcptr convergence_constant(const struct convergence *c, int variable);
+/* The most that an order differs from the expected one, in these rows; indeterminate if one of them is. */
+void convergence_worst(arb_t worst, const struct convergence *c, int from, int to);
 
 #endif

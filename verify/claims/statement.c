@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims/condition.h"
 #include "text/decimal.h"
 #include "text/scope.h"
 
@@ -141,71 +140,68 @@ static void number_decide(struct statements *all, struct statement *s, struct qu
 
 /* ---- conditions ---- */
 
+enum truth truth_not(enum truth t)
+{
+    return t == FOUND_TRUE ? FOUND_FALSE : t == FOUND_FALSE ? FOUND_TRUE : UNDECIDED;
+}
+
+enum truth truth_both(enum truth a, enum truth b)
+{
+    return a == FOUND_FALSE || b == FOUND_FALSE ? FOUND_FALSE : a == FOUND_TRUE && b == FOUND_TRUE ? FOUND_TRUE : UNDECIDED;
+}
+
 struct deciding {
     struct statements *all;
     struct statement *statement;
     const struct tampering *tampering;
     enum how how;
-    const char *open; /* the first name that was not decided */
 };
 
-/* Whether an assertion's number cannot be had, as it was taken away, is found to be the contrary, or rests on such a one. */
-static bool is_void(const struct deciding *d, int index)
-{
-    const struct tampering *t = d->tampering;
-    const struct assertion *a = &d->statement->assertions[index];
-    if (t != NULL && t->assertion == index && (a->kind == ASSERT_ROOT || (a->kind == ASSERT_COMPUTE && !t->negated)))
-        return true;
-    for (int k = 0; k < index; k++)
-        if ((a->uses >> k & 1) != 0 && is_void(d, k))
-            return true;
-    if (a->kind != ASSERT_ROOT)
-        return false;
-    assertion_find(d->all, d->statement, &d->statement->assertions[index]);
-    return a->truth != FOUND_TRUE;
-}
-
+/* Whether one of these assertions has no number: it was taken away, is no single root, or rests on such a one. */
 static bool any_void(const struct deciding *d, ulong uses)
 {
-    for (int k = 0; k < d->statement->assertion_count; k++)
-        if ((uses >> k & 1) != 0 && is_void(d, k))
+    const struct tampering *t = d->tampering;
+    for (int k = 0; k < d->statement->assertion_count; k++) {
+        struct assertion *a = &d->statement->assertions[k];
+        if ((uses >> k & 1) == 0)
+            continue;
+        if (t != NULL && t->assertion == k && (a->kind == ASSERT_ROOT || !t->negated))
             return true;
+        if (a->kind == ASSERT_ROOT)
+            assertion_find(d->all, d->statement, a);
+        if ((a->kind == ASSERT_ROOT && a->truth != FOUND_TRUE) || any_void(d, a->uses))
+            return true;
+    }
     return false;
 }
 
-static enum truth truth_of(struct deciding *d, int index, const char *member)
+static enum truth truth_of(struct deciding *d, int index)
 {
     struct assertion *a = &d->statement->assertions[index];
     const struct tampering *t = d->tampering;
-    enum truth truth = UNDECIDED;
-    enum how how = EXACT;
     if (any_void(d, a->uses))
         return UNDECIDED;
-    if (a->kind == ASSERT_COMPUTE)
-        computed_truth(a->computed, member, &truth, &how);
-    else {
-        assertion_find(d->all, d->statement, a);
-        truth = a->truth;
-        how = a->how;
-    }
-    d->how = FLINT_MAX(d->how, how);
-    if (t != NULL && t->assertion == index && (t->truth == NULL || (member != NULL && strcmp(t->truth, member) == 0)))
-        return t->negated ? truth_not(truth) : UNDECIDED;
-    return truth;
+    assertion_find(d->all, d->statement, a);
+    d->how = FLINT_MAX(d->how, a->how);
+    if (t != NULL && t->assertion == index)
+        return t->negated ? truth_not(a->truth) : UNDECIDED;
+    return a->truth;
 }
 
-static enum truth value_of_name(void *context, const char *name, const char *member, bool *known)
+/* Whether all that it wants is so; *failed: the first assertion that is not, -1: none. */
+static enum truth condition_decide(struct deciding *d, const struct verdict_condition *c, int *failed)
 {
-    struct deciding *d = context;
-    (void)known;
-    for (int i = 0; i < d->statement->assertion_count; i++)
-        if (strcmp(d->statement->assertions[i].name, name) == 0) {
-            const enum truth truth = truth_of(d, i, member);
-            if (truth == UNDECIDED && d->open == NULL)
-                d->open = d->statement->assertions[i].name;
-            return truth;
-        }
-    return UNDECIDED; /* LCOV_EXCL_LINE: conditions are checked when they are read */
+    enum truth truth = FOUND_TRUE;
+    *failed = -1;
+    for (int i = 0; i < d->statement->assertion_count; i++) {
+        if (c->wanted[i] == 0)
+            continue;
+        const enum truth found = c->wanted[i] > 0 ? truth_of(d, i) : truth_not(truth_of(d, i));
+        truth = truth_both(truth, found);
+        if (found != FOUND_TRUE && *failed < 0)
+            *failed = i;
+    }
+    return truth;
 }
 
 /* ---- the verdict ---- */
@@ -217,14 +213,6 @@ static void leave_open(const struct statements *all, struct ruling *r, const yam
         return;
     d.why = &r->open;
     parse_error(&d, at, offset, "%s", text);
-}
-
-static const yaml_node_t *node_of_name(const struct statement *s, const char *name)
-{
-    int i = 0;
-    while (strcmp(s->assertions[i].name, name) != 0)
-        i++;
-    return s->assertions[i].node;
 }
 
 static void decide_numbers(struct deciding *d, struct ruling *r)
@@ -245,47 +233,42 @@ static void decide_numbers(struct deciding *d, struct ruling *r)
 
 void statement_decide(struct statements *all, struct statement *s, const struct tampering *t, struct ruling *r)
 {
+    static const char *const findings[] = {"found neither true nor false", "true", "false"};
     struct deciding d = {.all = all, .statement = s, .tampering = t};
     char text[384];
-    int found = -1, many = 0;
+    int found = -1, many = 0, failed, entry = -1;
     *r = (struct ruling){.verdict = VERDICT_NONE, .as_written = true};
-    for (int i = 0; i < s->verdict_count; i++)
-        if (s->conditions[i] == NULL || condition_decide(s->conditions[i], value_of_name, &d) == FOUND_TRUE) {
+    for (int i = 0; i < s->verdict_count; i++) {
+        if (condition_decide(&d, &s->conditions[i], &failed) == FOUND_TRUE) {
             found = found < 0 ? i : found;
             many++;
         }
+        entry = i == 0 ? failed : entry;
+    }
     if (many == 1)
         r->verdict = s->verdicts[found];
     r->as_written = many == 1 && found == 0;
-    if (many != 1 && d.open != NULL)
-        snprintf(text, sizeof text, "%s is undecided: '%s' is found neither true nor false", s->id, d.open);
-    else if (many != 1)
-        snprintf(text, sizeof text, "%s is undecided: %s of its conditions is true", s->id, many == 0 ? "none" : "more than one");
+    const char *name = entry >= 0 ? s->assertions[entry].name : "";
+    const char *finding = entry >= 0 ? findings[s->assertions[entry].truth] : "";
+    if (many == 1)
+        snprintf(text, sizeof text, "%s comes out as '%s', its evidence is written for '%s': '%s' is %s", s->id, verdict_names[r->verdict],
+                 verdict_names[s->verdicts[0]], name, finding);
+    else if (many == 0)
+        snprintf(text, sizeof text, "%s is undecided: '%s' is %s", s->id, name, finding);
     else
-        snprintf(text, sizeof text, "%s comes out as '%s', its evidence is written for '%s'", s->id, verdict_names[r->verdict],
-                 verdict_names[s->verdicts[0]]);
+        snprintf(text, sizeof text, "%s is undecided: more than one of its conditions is true", s->id);
     if (!r->as_written)
-        leave_open(all, r, d.open != NULL && many != 1 ? node_of_name(s, d.open) : s->verdict, 0, text);
+        leave_open(all, r, entry >= 0 ? s->assertions[entry].node : s->verdict, 0, text);
     decide_numbers(&d, r);
     r->how = d.how;
     if (!r->as_written && many == 1 && found == 0)
         r->verdict = VERDICT_NONE; /* a number is missing */
 }
 
-static bool names_truth(const struct statement *s, const char *name, const char *truth)
+/* Whether the verdict stands, for all that an assertion is tampered with. */
+static bool stands(struct statements *all, struct statement *s, int assertion, bool negated)
 {
-    char both[160];
-    bool named = false;
-    snprintf(both, sizeof both, "%.63s.%.63s", name, truth);
-    for (int i = 0; i < s->verdict_count; i++)
-        named = named || (s->conditions[i] != NULL && mentions(s->conditions[i], both));
-    return named;
-}
-
-/* Whether the verdict stands, for all that it is tampered with. */
-static bool stands(struct statements *all, struct statement *s, int assertion, const char *truth, bool negated)
-{
-    const struct tampering t = {assertion, truth, negated};
+    const struct tampering t = {assertion, negated};
     struct ruling ruling;
     statement_decide(all, s, &t, &ruling);
     return ruling.as_written;
@@ -293,15 +276,7 @@ static bool stands(struct statements *all, struct statement *s, int assertion, c
 
 static bool needs(struct statements *all, struct statement *s, int assertion)
 {
-    const struct assertion *a = &s->assertions[assertion];
-    char word[64];
-    if (a->kind != ASSERT_COMPUTE)
-        return !stands(all, s, assertion, NULL, false) && !stands(all, s, assertion, NULL, true);
-    bool needed = !stands(all, s, assertion, NULL, false);
-    for (const char *at = computation_of(a->computed)->truths; sscanf(at, " %63s", word) == 1; at = strstr(at, word) + strlen(word))
-        if (names_truth(s, a->name, word))
-            needed = needed && !stands(all, s, assertion, word, false) && !stands(all, s, assertion, word, true);
-    return needed;
+    return !stands(all, s, assertion, false) && (s->assertions[assertion].kind == ASSERT_COMPUTE || !stands(all, s, assertion, true));
 }
 
 void statement_rule(struct statements *all, struct statement *s, struct ruling *r)

@@ -85,13 +85,18 @@ struct quoted_number {
     enum how how;
 };
 
+/* What a verdict wants of each assertion: 1 that it is true, -1 that it is false, 0 nothing. */
+struct verdict_condition {
+    signed char wanted[MOST_ASSERTIONS];
+};
+
 struct statement {
     const char *id, *where, *kind, *claim, *why, *evidence;
     const yaml_node_t *given, *prove, *verdict;
     struct assertion *assertions;
     int assertion_count;
     enum verdict verdicts[MOST_VERDICTS];
-    const char *conditions[MOST_VERDICTS]; /* NULL: without condition */
+    struct verdict_condition conditions[MOST_VERDICTS];
     int verdict_count;
     const char *equations[8];     /* it is a reason of the verdicts on these, too */
     int equation_count;
@@ -119,8 +124,7 @@ struct statement *statement_find(const struct statements *s, const char *id);
 
 /* An assertion is taken away, or found to be the contrary: what a verdict must not survive. */
 struct tampering {
-    int assertion;        /* its index; -1: none */
-    const char *truth;    /* of a computation: which; NULL: all */
+    int assertion; /* its index */
     bool negated;
 };
 
@@ -141,6 +145,9 @@ void statement_rule(struct statements *all, struct statement *s, struct ruling *
 void statement_evidence(const struct statement *s, struct written *w);
 
 /* ---- between the files ---- */
+
+enum truth truth_not(enum truth t);
+enum truth truth_both(enum truth a, enum truth b);
 
 /* Whether an equation number is one of a section's. */
 bool has_equation(const struct section *s, const char *equation);

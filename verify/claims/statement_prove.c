@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims/condition.h"
 #include "claims/statement.h"
 #include "formula/symbolic.h"
 #include "text/scope.h"

@@ -93,12 +93,12 @@ static void add_entry(const struct reading *r, struct names *n, const char *key,
     static const char *const keys[] = {"at", "on", "for"};
     const yaml_node_t *of = child(r->document, entry, "of"), *compute = child(r->document, entry, "compute");
     const struct computed *c = compute != NULL && scalar(compute) != NULL ? computed_find(&r->all->computed, scalar(compute)) : NULL;
-    char name[2 * LONGEST_NAME + 2], word[LONGEST_NAME + 1];
+    char name[2 * LONGEST_NAME + 2], word[64];
     for (size_t k = 0; k < 3; k++)
         add_keys(r, n, child(r->document, entry, keys[k]));
     add_name(r, n, of != NULL ? scalar(of) : NULL);
     add_name(r, n, child(r->document, entry, "root") != NULL ? key : NULL);
-    for (const char *at = c != NULL ? computation_of(c)->numbers : ""; sscanf(at, " %63s", word) == 1; at = strstr(at, word) + strlen(word)) {
+    for (const char *at = c != NULL ? computation_of(c)->numbers : ""; (at = next_name(at, word)) != NULL;) {
         snprintf(name, sizeof name, "%.63s.%s", key, word);
         add_name(r, n, keep(r->all, name, strlen(name)));
     }
@@ -536,31 +536,10 @@ static bool read_prove(struct reading *r, const yaml_node_t *prove)
 
 /* ---- verdicts ---- */
 
-/* While a condition is checked: which assertions are named. */
-struct naming {
-    const struct statement *statement;
-    bool *named;
-};
-
-static enum truth check_name(void *context, const char *name, const char *member, bool *known)
-{
-    struct naming *n = context;
-    const struct statement *s = n->statement;
-    *known = false;
-    for (int i = 0; i < s->assertion_count; i++)
-        if (strcmp(s->assertions[i].name, name) == 0) {
-            const struct assertion *a = &s->assertions[i];
-            const bool computed = a->kind == ASSERT_COMPUTE;
-            *known = computed ? member != NULL && mentions(computation_of(a->computed)->truths, member) : member == NULL;
-            n->named[i] = true;
-        }
-    return UNDECIDED;
-}
-
-static bool read_verdict(struct reading *r, const yaml_node_t *key, const char *condition, const yaml_node_t *at, bool *named)
+/* Without a condition: all that is to be proved. */
+static bool read_verdict(struct reading *r, const yaml_node_t *key, const yaml_node_t *condition)
 {
     struct statement *s = r->statement;
-    struct naming naming = {s, named};
     struct message why;
     size_t where;
     int v = HOLDS;
@@ -568,45 +547,47 @@ static bool read_verdict(struct reading *r, const yaml_node_t *key, const char *
         v++;
     if (v > NOT_DECIDABLE || s->verdict_count == MOST_VERDICTS)
         return refuse(r, key, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
-    if (condition == NULL && v != NOT_DECIDABLE)
-        return refuse(r, at, "expected {verdict: condition}; only 'not decidable' needs none");
-    if (condition != NULL && !condition_check(condition, check_name, &naming, &where, &why))
-        return parse_error(r->document, at, where, "%s", why.text);
-    s->verdicts[s->verdict_count] = (enum verdict)v;
-    s->conditions[s->verdict_count++] = condition;
-    return true;
+    struct verdict_condition *c = &s->conditions[s->verdict_count];
+    s->verdicts[s->verdict_count++] = (enum verdict)v;
+    for (int i = 0; condition == NULL && i < s->assertion_count; i++)
+        c->wanted[i] = s->assertions[i].kind != ASSERT_COMPUTE;
+    if (condition == NULL)
+        return s->assertion_count > 0 || v == NOT_DECIDABLE || refuse(r, key, "expected something to prove; only 'not decidable' needs nothing");
+    if (scalar(condition) == NULL)
+        return refuse(r, condition, "expected a condition, names of prove");
+    return condition_read(c, s, scalar(condition), &where, &why) || parse_error(r->document, condition, where, "%s", why.text);
 }
 
 /* Every assertion serves: a condition names it, a number of the evidence or another assertion is made of it. */
-static bool all_serve(struct reading *r, const bool *named)
+static bool all_serve(struct reading *r)
 {
     const struct statement *s = r->statement;
     ulong used = 0;
     for (int i = 0; i < s->number_count; i++)
         used |= s->numbers[i].formula.uses;
-    for (int i = 0; i < s->assertion_count; i++)
+    for (int i = 0; i < s->assertion_count; i++) {
         used |= s->assertions[i].uses;
+        for (int v = 0; v < s->verdict_count; v++)
+            used |= (ulong)(s->conditions[v].wanted[i] != 0) << i;
+    }
     for (int i = 0; i < s->assertion_count; i++)
-        if (!named[i] && (used >> i & 1) == 0)
+        if ((used >> i & 1) == 0)
             return parse_error(r->document, s->assertions[i].node, 0, "'%s' serves no verdict and no number", s->assertions[i].name);
     return true;
 }
 
 static bool read_verdicts(struct reading *r, const yaml_node_t *node)
 {
-    bool named[MOST_ASSERTIONS] = {false};
     if (node == NULL)
         return refuse(r, r->entry, "missing verdict");
     if (scalar(node) != NULL)
-        return read_verdict(r, node, NULL, node, named) && all_serve(r, named);
+        return read_verdict(r, node, NULL) && all_serve(r);
     if (!is_mapping(r->document, node, NULL) || length_of(node) == 0)
         return refuse(r, node, "expected verdict: {holds: condition, ...}");
-    for (int i = 0; i < length_of(node); i++) {
-        const yaml_node_t *condition = value_of(r->document, node, i);
-        if (!read_verdict(r, key_of(r->document, node, i), scalar(condition), condition, named))
+    for (int i = 0; i < length_of(node); i++)
+        if (!read_verdict(r, key_of(r->document, node, i), value_of(r->document, node, i)))
             return false;
-    }
-    return all_serve(r, named);
+    return all_serve(r);
 }
 
 /* ---- evidence ---- */

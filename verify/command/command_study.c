@@ -34,7 +34,7 @@ static bool print_variable(const struct convergence *c, int variable)
     const struct study *s = c->study;
     bool decided = true;
     for (int row = 0; row < s->rows; row++) {
-        const int at = row * VARIABLES + variable;
+        const int at = row * STUDIED + variable;
         arb_srcptr numbers[] = {c->differences + at, row > 0 ? c->orders + at : NULL, c->constants + at};
         char *parameter = decimal_of_rational(c->parameters + row, PARAMETER_DIGITS);
         printf("%s,%s,%s", s->name, variable_names[s->which[variable]], parameter);
@@ -51,6 +51,8 @@ static bool print_convergence(const struct derivations *steps)
     puts("study,variable,parameter,difference,order,constant,how");
     for (const struct study *s = studies; s->name != NULL && decided; s++) {
         struct convergence c;
+        if (s->of_claims)
+            continue;
         decided = convergence_init(&c, steps, s, 0);
         for (int i = 0; i < s->count && decided; i++)
             decided = print_variable(&c, i);
@@ -61,28 +63,22 @@ static bool print_convergence(const struct derivations *steps)
 
 /* ---- motions beside the closed forms ----------------------------------- */
 
-static void study_pitch_of(arb_t z_re, arb_t z_im, arb_srcptr row)
-{
-    arb_set(z_re, row + THETA);
-    arb_mul_2exp_si(z_im, row + THETA_DOT, -1);
-    arb_neg(z_im, z_im);
-}
-
 /* The simulation over six days, nonlinear and linear, and what the pitch of the moment leaves of psi and dL. */
 static bool print_forced(const struct derivations *steps)
 {
     enum { STEP = 1200, LAST = 6 * 86400 };
-    struct track motion, linear;
+    struct trajectory motion, linear;
     struct second_order o;
-    arb_ptr forced = _arb_vec_init(FLOW_STATE), dL = _arb_vec_init(3), z = _arb_vec_init(2);
-    bool proved = track_run(&motion, steps->sheet, &(struct scene){.nonlinear = true}, 0, STEP, LAST);
-    proved = track_run(&linear, steps->sheet, &(struct scene){.nonlinear = false}, 0, STEP, LAST) && proved;
+    arb_ptr forced = _arb_vec_init(FLOW_STATE), dL = _arb_vec_init(3), z = _arb_vec_init(1);
+    bool proved = trajectory_run(&motion, &(struct simulation){.sheet = steps->sheet, .nonlinear = true}, 0, STEP, LAST);
+    proved = trajectory_run(&linear, &(struct simulation){.sheet = steps->sheet, .nonlinear = false}, 0, STEP, LAST) && proved;
     second_order_init(&o, steps, motion.c1, motion.c2, STUDY_BITS);
     puts("t,psi,dL,psi_linear,dL_linear,psi_forced,dL_forced");
     for (slong k = 0; k < motion.count && proved; k++) {
-        arb_srcptr row = track_row(&motion, k), other = track_row(&linear, k);
-        study_pitch_of(z, z + 1, row);
-        second_order_at(forced, &o, z, z + 1);
+        arb_srcptr row = trajectory_sample(&motion, k), other = trajectory_sample(&linear, k);
+        arb_mul_2exp_si(z, row + THETA_DOT, -1);
+        arb_neg(z, z);
+        second_order_at(forced, &o, row + THETA, z);
         arb_mul(dL, row + ETA, motion.L_ref, STUDY_BITS);
         arb_mul(dL + 1, other + ETA, motion.L_ref, STUDY_BITS);
         arb_mul(dL + 2, forced + ETA, motion.L_ref, STUDY_BITS);
@@ -92,11 +88,11 @@ static bool print_forced(const struct derivations *steps)
         putchar('\n');
     }
     second_order_clear(&o);
-    track_clear(&motion);
-    track_clear(&linear);
+    trajectory_clear(&motion);
+    trajectory_clear(&linear);
     _arb_vec_clear(forced, FLOW_STATE);
     _arb_vec_clear(dL, 3);
-    _arb_vec_clear(z, 2);
+    _arb_vec_clear(z, 1);
     return proved;
 }
 
@@ -104,22 +100,21 @@ static bool print_forced(const struct derivations *steps)
 static bool print_pitch(const struct derivations *steps)
 {
     enum { STEP = 3600, LAST = 30 * 86400 };
-    struct track t;
+    struct trajectory t;
     struct second_order o;
-    arb_ptr start = _arb_vec_init(FLOW_STATE), x = _arb_vec_init(6);
-    arb_ptr a = x, tau = x + 1, law = x + 2, shift = x + 3, amplitude = x + 4, other = x + 5;
-    bool proved = track_run(&t, steps->sheet, &(struct scene){.nonlinear = true}, 0, 1, 0);
+    arb_ptr start = _arb_vec_init(FLOW_STATE), x = _arb_vec_init(5);
+    arb_ptr a = x, tau = x + 1, law = x + 2, shift = x + 3, amplitude = x + 4;
+    bool proved = trajectory_run(&t, &(struct simulation){.sheet = steps->sheet, .nonlinear = true}, 0, 1, 0);
     second_order_init(&o, steps, t.c1, t.c2, STUDY_BITS);
-    track_clear(&t);
+    trajectory_clear(&t);
     arb_set_ui(a, 5);
     arb_inv(a, a, STUDY_BITS);
     second_order_after(start, &o, a, tau);
-    proved = track_run(&t, steps->sheet, &(struct scene){.nonlinear = true, .start = start}, 0, STEP, LAST) && proved;
+    proved = trajectory_run(&t, &(struct simulation){.sheet = steps->sheet, .nonlinear = true, .start = start}, 0, STEP, LAST) && proved;
     puts("t,theta,amplitude,amplitude_law");
     for (slong k = 0; k < t.count && proved; k++) {
-        arb_srcptr numbers[] = {track_row(&t, k) + THETA, amplitude, law};
-        study_pitch_of(amplitude, other, track_row(&t, k));
-        arb_hypot(amplitude, amplitude, other, STUDY_BITS);
+        arb_srcptr numbers[] = {trajectory_sample(&t, k) + THETA, amplitude, law};
+        trajectory_value(amplitude, &t, k, AMPLITUDE);
         arb_mul_si(tau, t.Omega, k * STEP, STUDY_BITS);
         slow_law(law, shift, &o, a, tau);
         arb_mul(law, law, a, STUDY_BITS);
@@ -128,9 +123,9 @@ static bool print_pitch(const struct derivations *steps)
         putchar('\n');
     }
     second_order_clear(&o);
-    track_clear(&t);
+    trajectory_clear(&t);
     _arb_vec_clear(start, FLOW_STATE);
-    _arb_vec_clear(x, 6);
+    _arb_vec_clear(x, 5);
     return proved;
 }
 

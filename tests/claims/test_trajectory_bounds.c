@@ -1,28 +1,28 @@
 /*
- * verify/claims/track.h: bounds between and after rows, and a test for every error term of the theorem in track.c. Rows are
+ * verify/claims/trajectory.h: bounds between and after rows, and a test for every error term of the theorem in trajectory.c. Rows are
  * written by hand, so that what is true of them is known: the state of a given energy that goes furthest. And verify/motion.h:
  * what a row may leave out.
  */
+#include "tests/claims/balls.h"
 #include "tests/run.h"
 
 #include "motion/motion.h"
-#include "claims/track.h"
 
 enum { PREC = 128 };
 
-/* ---- tracks of rows that are known ---- */
+/* ---- trajectories whose samples are known ---- */
 
 /* One row at rest in its place; gains c1 Omega^2 and c2 Omega, rows `step` seconds apart, 2^-14 rad/s */
-static void track_of(struct track *t, bool nonlinear, slong count, long step, double c1, double c2)
+static void trajectory_of(struct trajectory *t, bool nonlinear, slong count, long step, double c1, double c2)
 {
-    *t = (struct track){.nonlinear = nonlinear, .prec = PREC, .count = count, .step = step};
+    *t = (struct trajectory){.nonlinear = nonlinear, .prec = PREC, .count = count, .step = step};
     arb_ptr values[] = {t->c1, t->c2, t->Omega, t->L_ref, t->arm};
     const double given[] = {c1, c2, 0x1p-14, 10, 5};
     for (int i = 0; i < 5; i++) {
         arb_init(values[i]);
         arb_set_d(values[i], given[i]);
     }
-    t->rows = _arb_vec_init(COORDINATES * count);
+    t->samples = _arb_vec_init(COORDINATES * count);
 }
 
 static void assert_at_least(const arb_t bound, const arb_t truth, double at_most, const char *what, int number)
@@ -43,20 +43,20 @@ static void assert_at_least(const arb_t bound, const arb_t truth, double at_most
 /* A parabola with a second derivative of 1 stands tau^2/8 above rows a tau apart, and is that at the middle. */
 START_TEST(B1_a_parabola_rises_above_its_rows_by_an_eighth)
 {
-    struct track t;
+    struct trajectory t;
     struct bounds b;
     arb_t room, truth;
     arb_init(room);
     arb_init(truth);
     bounds_init(&b);
-    track_of(&t, false, 1, 100 * (_i + 1), 10, 2);
+    trajectory_of(&t, false, 1, 100 * (_i + 1), 10, 2);
     arb_set_ui(t.Omega, 1);
     arb_div_ui(t.Omega, t.Omega, 3 << 13, PREC);
     for (int i = 0; i < COORDINATES; i++) {
         const int second = i >= PSI_DOT && i <= ETA_DOT ? i - PSI_DOT : i; /* a rate's derivatives are its coordinate's */
         _arb_vec_zero(b.of[second], DERIVATIVES);
         arb_one(b.of[i] + 2);
-        track_room(room, &t, &b, i);
+        bound_between_samples(room, &t, &b, i);
         arb_set_si(truth, 100 * (_i + 1));
         arb_div_ui(truth, truth, 3 << 13, 2 * PREC);
         arb_sqr(truth, truth, 2 * PREC);
@@ -65,7 +65,7 @@ START_TEST(B1_a_parabola_rises_above_its_rows_by_an_eighth)
         ck_assert(arb_contains(room, truth) && !arb_is_exact(room)); /* a third is a ball */
     }
     bounds_clear(&b);
-    track_clear(&t);
+    trajectory_clear(&t);
     arb_clear(room);
     arb_clear(truth);
     flint_cleanup();
@@ -75,20 +75,20 @@ END_TEST
 /* Pitch goes as cos 2 tau whatever the gains: its peak lies in the middle of two rows, and none but the room has it. */
 START_TEST(B1_a_supremum_has_the_peak_between_rows)
 {
-    struct track t;
+    struct trajectory t;
     arb_t sup, one;
     arb_init(sup);
     arb_init(one);
     arb_one(one);
-    track_of(&t, false, 2, 1 << 12, 10, 2); /* a quarter of a radian: cos(1/4) on both rows */
+    trajectory_of(&t, false, 2, 1 << 12, 10, 2); /* a quarter of a radian: cos(1/4) on both rows */
     for (slong k = 0; k < 2; k++) {
-        arb_set_d(track_row(&t, k) + THETA, cos(0.25));
-        arb_set_d(track_row(&t, k) + THETA_DOT, (k == 0 ? 2 : -2) * sin(0.25));
+        arb_set_d(trajectory_sample(&t, k) + THETA, cos(0.25));
+        arb_set_d(trajectory_sample(&t, k) + THETA_DOT, (k == 0 ? 2 : -2) * sin(0.25));
     }
-    ck_assert(track_sup(sup, &t, THETA, 0, 1));
+    ck_assert(trajectory_supremum(sup, &t, THETA, 0, 1));
     ck_assert(arb_gt(sup, one));
     ck_assert(is_below(sup, 1.1));
-    track_clear(&t);
+    trajectory_clear(&t);
     arb_clear(sup);
     arb_clear(one);
     flint_cleanup();
@@ -98,7 +98,7 @@ END_TEST
 /* ---- B2, B3: the linear model ---- */
 
 /* The rates of psi, psi', eta, eta' by (40), as rows over them */
-static void linear_rates(arb_mat_t a, const struct track *t)
+static void linear_rates(arb_mat_t a, const struct trajectory *t)
 {
     arb_mat_zero(a);
     arb_one(arb_mat_entry(a, 0, 1));
@@ -120,7 +120,7 @@ START_TEST(B2_B3_no_state_of_that_energy_exceeds_a_derivative)
 {
     static const int place[] = {PSI, PSI_DOT, ETA, ETA_DOT};
     const int d = _i / 2, which = _i % 2; /* psi or eta */
-    struct track t;
+    struct trajectory t;
     struct bounds b;
     arb_mat_t a, power;
     arb_ptr g = _arb_vec_init(4);
@@ -130,11 +130,11 @@ START_TEST(B2_B3_no_state_of_that_energy_exceeds_a_derivative)
     arb_mat_init(a, 4, 4);
     arb_mat_init(power, 4, 4);
     bounds_init(&b);
-    track_of(&t, false, 1, 100, 12, 3);
+    trajectory_of(&t, false, 1, 100, 12, 3);
     linear_rates(a, &t);
     arb_mat_pow_ui(power, a, (ulong)d, PREC);
     for (int i = 0; i < 4; i++) {
-        arb_ptr state = track_row(&t, 0) + place[i];
+        arb_ptr state = trajectory_sample(&t, 0) + place[i];
         arb_set(g + i, arb_mat_entry(power, 2 * which, i));
         arb_set_ui(weight, i == 0 ? 3 : 1);
         if (i == 2)
@@ -142,10 +142,10 @@ START_TEST(B2_B3_no_state_of_that_energy_exceeds_a_derivative)
         arb_div(state, g + i, weight, PREC);
         arb_addmul(truth, state, g + i, PREC);
     }
-    ck_assert(track_bounds(&b, &t, 0));
+    ck_assert(trajectory_bounds(&b, &t, 0));
     assert_at_least(b.of[which == 0 ? PSI : ETA] + d, truth, d < 2 ? 1 + 0x1p-60 : 4, "derivative", d);
     bounds_clear(&b);
-    track_clear(&t);
+    trajectory_clear(&t);
     arb_mat_clear(a);
     arb_mat_clear(power);
     _arb_vec_clear(g, 4);
@@ -158,21 +158,21 @@ END_TEST
 /* theta = a cos(2 tau) + b/2 sin(2 tau), wherever it starts on its way */
 START_TEST(B2_pitch_has_its_amplitude)
 {
-    struct track t;
+    struct trajectory t;
     struct bounds b;
     arb_t truth;
     arb_init(truth);
     bounds_init(&b);
-    track_of(&t, false, 1, 100, 10, 2);
-    arb_set_d(track_row(&t, 0) + THETA, 0.25 * cos(0.3 * _i));
-    arb_set_d(track_row(&t, 0) + THETA_DOT, 0.5 * sin(0.3 * _i));
-    ck_assert(track_bounds(&b, &t, 0));
+    trajectory_of(&t, false, 1, 100, 10, 2);
+    arb_set_d(trajectory_sample(&t, 0) + THETA, 0.25 * cos(0.3 * _i));
+    arb_set_d(trajectory_sample(&t, 0) + THETA_DOT, 0.5 * sin(0.3 * _i));
+    ck_assert(trajectory_bounds(&b, &t, 0));
     for (int d = 0; d < DERIVATIVES; d++) {
         arb_set_d(truth, ldexp(0.25, d) * (1 - 0x1p-50));
         assert_at_least(b.of[THETA] + d, truth, 4.5, "pitch", d);
     }
     bounds_clear(&b);
-    track_clear(&t);
+    trajectory_clear(&t);
     arb_clear(truth);
     flint_cleanup();
 }
@@ -181,7 +181,7 @@ END_TEST
 /* Whatever eta and psi are within their bounds, 1 + eta, (1 + eta) psi and (1 + eta) theta are within theirs: as polynomials. */
 START_TEST(B3_places_have_all_products_of_derivatives)
 {
-    struct track t;
+    struct trajectory t;
     struct bounds b;
     arb_poly_t length, angle;
     arb_t c, factorial;
@@ -190,10 +190,10 @@ START_TEST(B3_places_have_all_products_of_derivatives)
     arb_poly_init(length);
     arb_poly_init(angle);
     bounds_init(&b);
-    track_of(&t, false, 1, 100, 12, 3);
+    trajectory_of(&t, false, 1, 100, 12, 3);
     for (int i = PSI; i <= ETA_DOT; i++)
-        arb_set_d(track_row(&t, 0) + i, 1 + 0.25 * i);
-    ck_assert(track_bounds(&b, &t, 0));
+        arb_set_d(trajectory_sample(&t, 0) + i, 1 + 0.25 * i);
+    ck_assert(trajectory_bounds(&b, &t, 0));
     for (int i = PSI; i <= THETA; i++) {
         arb_poly_zero(length);
         arb_poly_zero(angle);
@@ -218,7 +218,7 @@ START_TEST(B3_places_have_all_products_of_derivatives)
         }
     }
     bounds_clear(&b);
-    track_clear(&t);
+    trajectory_clear(&t);
     arb_poly_clear(length);
     arb_poly_clear(angle);
     arb_clear(c);
@@ -236,28 +236,28 @@ START_TEST(B2_B6_no_state_at_L_ref_exceeds_its_place)
         enum coordinate given, place;
         int d;
     } all[] = {{PSI, PLACE_Y, 0}, {THETA, PLACE_Z, 0}, {PSI_DOT, PLACE_Y, 1}, {THETA_DOT, PLACE_Z, 1}, {ETA_DOT, PLACE_X, 1}};
-    struct track t;
+    struct trajectory t;
     struct bounds b;
     arb_t truth;
     arb_init(truth);
     bounds_init(&b);
-    track_of(&t, true, 1, 100, 12, 2);
-    arb_ptr given = track_row(&t, 0) + all[_i].given;
+    trajectory_of(&t, true, 1, 100, 12, 2);
+    arb_ptr given = trajectory_sample(&t, 0) + all[_i].given;
     arb_set_d(given, _i == 0 || _i == 1 ? -0.03 : 0.04);
     arb_abs(truth, given);
     if (all[_i].d == 0) /* y = sin psi, z = -sin theta */
         arb_sin(truth, truth, PREC);
-    ck_assert(track_bounds(&b, &t, 0));
+    ck_assert(trajectory_bounds(&b, &t, 0));
     assert_at_least(b.of[all[_i].place] + all[_i].d, truth, all[_i].d == 0 ? 1 + 0x1p-20 : 1.5, "place", _i);
     bounds_clear(&b);
-    track_clear(&t);
+    trajectory_clear(&t);
     arb_clear(truth);
     flint_cleanup();
 }
 END_TEST
 
 /* G(l), written anew */
-static void potential(arb_t G, const struct track *t, const arb_t eta)
+static void potential(arb_t G, const struct trajectory *t, const arb_t eta)
 {
     arb_t l, a;
     arb_init(l);
@@ -285,16 +285,16 @@ static void potential(arb_t G, const struct track *t, const arb_t eta)
 START_TEST(B4_B5_no_length_of_that_energy_lies_beyond_its_bound)
 {
     enum { CLOSE = 400 }; /* by 2^-11 of L' each: over more than an eighth of dL, to less than a gap between slices */
-    struct track t;
+    struct trajectory t;
     struct bounds b;
     arb_ptr x = _arb_vec_init(3);
     arb_ptr G = x, energy = x + 1, eta = x + 2;
     bounds_init(&b);
-    track_of(&t, true, 1, 100, 12, 2);
+    trajectory_of(&t, true, 1, 100, 12, 2);
     for (int k = 0; k < CLOSE; k++) {
-        arb_set_d(track_row(&t, 0) + ETA_DOT, 0.1 * pow(0.1, _i) * pow(1 + 0x1p-11, k));
-        ck_assert(track_bounds(&b, &t, 0));
-        track_energy(energy, &t, 0);
+        arb_set_d(trajectory_sample(&t, 0) + ETA_DOT, 0.1 * pow(0.1, _i) * pow(1 + 0x1p-11, k));
+        ck_assert(trajectory_bounds(&b, &t, 0));
+        trajectory_energy(energy, &t, 0);
         arb_sub_ui(eta, b.of[PLACE_X], 1, PREC); /* the larger of l there; sharper than the bound of dL */
         arb_get_ubound_arf(arb_midref(eta), eta, PREC);
         mag_zero(arb_radref(eta));
@@ -306,7 +306,7 @@ START_TEST(B4_B5_no_length_of_that_energy_lies_beyond_its_bound)
         ck_assert(arb_ge(b.of[ETA], eta));
     }
     bounds_clear(&b);
-    track_clear(&t);
+    trajectory_clear(&t);
     _arb_vec_clear(x, 3);
     flint_cleanup();
 }
@@ -315,15 +315,15 @@ END_TEST
 /* At rest a tenth longer: the potential is less there than a tenth shorter, and its side decides. */
 START_TEST(B4_both_sides_confine)
 {
-    struct track t;
+    struct trajectory t;
     struct bounds b;
     bounds_init(&b);
-    track_of(&t, true, 1, 100, 12, 2);
-    arb_set_d(track_row(&t, 0) + ETA, _i == 0 ? 0.1 : -0.1);
-    ck_assert(track_bounds(&b, &t, 0));
+    trajectory_of(&t, true, 1, 100, 12, 2);
+    arb_set_d(trajectory_sample(&t, 0) + ETA, _i == 0 ? 0.1 : -0.1);
+    ck_assert(trajectory_bounds(&b, &t, 0));
     ck_assert(arb_is_finite(b.of[ETA]) && !is_below(b.of[ETA], 0.1));
     bounds_clear(&b);
-    track_clear(&t);
+    trajectory_clear(&t);
     flint_cleanup();
 }
 END_TEST
@@ -331,24 +331,24 @@ END_TEST
 /* With c1 = 12 the hill is at 1.3 L_ref. At 1.4 the energy is less than there, but the motion is on the other side. */
 START_TEST(B4_what_is_beyond_the_hill_has_no_bounds)
 {
-    struct track t;
+    struct trajectory t;
     struct bounds b;
     arb_t hours, limit;
     arb_init(hours);
     arb_init(limit);
     bounds_init(&b);
-    track_of(&t, true, 2, 100, 12, 2);
-    arb_set_d(track_row(&t, 0) + ETA, 0.4);
-    arb_set_d(track_row(&t, 1) + ETA, 0.01);
-    ck_assert(!track_bounds(&b, &t, 0));
-    ck_assert(!track_sup(hours, &t, ETA, 0, 1));
+    trajectory_of(&t, true, 2, 100, 12, 2);
+    arb_set_d(trajectory_sample(&t, 0) + ETA, 0.4);
+    arb_set_d(trajectory_sample(&t, 1) + ETA, 0.01);
+    ck_assert(!trajectory_bounds(&b, &t, 0));
+    ck_assert(!trajectory_supremum(hours, &t, ETA, 0, 1));
     arb_set_d(limit, 0.3);
-    ck_assert(!track_settled(hours, &t, ETA, limit));
-    arb_zero(track_row(&t, 0) + ETA);
-    arb_set_d(track_row(&t, 0) + ETA_DOT, 0.5); /* and with this it would get over the hill */
-    ck_assert(!track_bounds(&b, &t, 0));
+    ck_assert(!settles(hours, &t, ETA, limit));
+    arb_zero(trajectory_sample(&t, 0) + ETA);
+    arb_set_d(trajectory_sample(&t, 0) + ETA_DOT, 0.5); /* and with this it would get over the hill */
+    ck_assert(!trajectory_bounds(&b, &t, 0));
     bounds_clear(&b);
-    track_clear(&t);
+    trajectory_clear(&t);
     arb_clear(hours);
     arb_clear(limit);
     flint_cleanup();
@@ -364,22 +364,22 @@ END_TEST
 START_TEST(B7_what_rises_between_rows_has_not_settled)
 {
     enum { COUNT = 4 };
-    struct track t;
+    struct trajectory t;
     arb_t hours, limit;
     arb_init(hours);
     arb_init(limit);
-    track_of(&t, false, COUNT, 1 << 12, 10, 2);
+    trajectory_of(&t, false, COUNT, 1 << 12, 10, 2);
     for (slong k = 0; k < COUNT; k++) {
-        arb_set_d(track_row(&t, k) + THETA, k == 0 ? 3 : cos(0.25));
-        arb_set_d(track_row(&t, k) + THETA_DOT, (k % 2 == 1 ? 2 : -2) * sin(0.25));
+        arb_set_d(trajectory_sample(&t, k) + THETA, k == 0 ? 3 : cos(0.25));
+        arb_set_d(trajectory_sample(&t, k) + THETA_DOT, (k % 2 == 1 ? 2 : -2) * sin(0.25));
     }
     arb_set_d(limit, 0.99);
-    ck_assert(!track_settled(hours, &t, THETA, limit));
+    ck_assert(!settles(hours, &t, THETA, limit));
     arb_set_d(limit, 1.2);
-    ck_assert(track_settled(hours, &t, THETA, limit));
+    ck_assert(settles(hours, &t, THETA, limit));
     arb_set_d(limit, 4096.0 / 3600); /* from the first row, above, to the second, below: an hour and more */
     ck_assert(arb_contains_si(hours, 0) && arb_contains(hours, limit) && is_below(hours, 1.2));
-    track_clear(&t);
+    trajectory_clear(&t);
     arb_clear(hours);
     arb_clear(limit);
     flint_cleanup();
@@ -460,9 +460,9 @@ START_TEST(a_row_waits_for_its_last_undecided_number)
 }
 END_TEST
 
-SUITE(test_track_bounds)
+SUITE(test_trajectory_bounds)
 {
-    Suite *all = suite_create("track");
+    Suite *all = suite_create("trajectory");
     TCase *tests = tcase_create("error terms");
     suite_add_tcase(all, tests);
     tcase_add_loop_test(tests, B1_a_parabola_rises_above_its_rows_by_an_eighth, 0, 3);

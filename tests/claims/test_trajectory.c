@@ -1,5 +1,5 @@
 /*
- * verify/claims/track.h: the samples that the claims about the simulation rest on, and what is certain between and after them.
+ * verify/claims/trajectory.h: the samples that the claims about the simulation rest on, and what is certain between and after them.
  * Digits come from mpmath 1.2.1 with
  *
  *     mp.dps = 40; Om = mpf('7.2915e-5')
@@ -11,10 +11,9 @@
  *         l''     = l*(theta'**2 + cos(theta)**2*((1 + psi')**2 + 3*cos(psi)**2) - 1) + (c1*(1 - l) - 3 - c2*l')/l**2
  *     with l = 1 + dL/L_ref, Lagrange's equations in the angles, which the flow knows nothing of.
  */
+#include "tests/claims/balls.h"
 #include "tests/run.h"
 #include "sheet/sheet.h"
-#include "claims/track.h"
-#include "text/scope.h"
 
 enum { DAY = 86400 };
 
@@ -24,14 +23,7 @@ static void close_all(void)
     flint_cleanup();
 }
 
-static bool is_above(const arb_t x, double limit)
-{
-    SCOPE(arb, y);
-    arb_set_d(y, limit);
-    return arb_gt(x, y);
-}
-
-/* ---- tracks ---- */
+/* ---- trajectories ---- */
 
 /* The decimal, correctly rounded, lies within its last digit of x. */
 static void assert_ball(const arb_t x, const char *decimal)
@@ -45,7 +37,7 @@ static void assert_ball(const arb_t x, const char *decimal)
 }
 
 static const struct {
-    struct scene scene;
+    struct simulation simulation;
     long t;
     const char *row[FLOW_STATE];
 } rows[] = {
@@ -63,96 +55,98 @@ static const struct {
       "-1.1486353536523273143e-7", "-0.0019971490571237121188", "-7.8508583102803106936e-8"}},
 };
 
-START_TEST(tracks_agree_with_the_equations_in_the_angles)
+START_TEST(trajectories_agree_with_the_equations_in_the_angles)
 {
-    struct track t;
-    ck_assert(track_run(&t, sheet(), &rows[_i].scene, 0, rows[_i].t, rows[_i].t));
+    struct trajectory t;
+    struct simulation s = rows[_i].simulation;
+    s.sheet = sheet();
+    ck_assert(trajectory_run(&t, &s, 0, rows[_i].t, rows[_i].t));
     for (int i = 0; i < FLOW_STATE; i++)
-        assert_ball(track_row(&t, 1) + i, rows[_i].row[i]);
-    track_clear(&t);
+        assert_ball(trajectory_sample(&t, 1) + i, rows[_i].row[i]);
+    trajectory_clear(&t);
 }
 END_TEST
 
 /* Nothing in these rows knows the masses: (3) closed by (7) and (18) has none in the angles and the distance. */
-START_TEST(tracks_are_the_same_for_all_masses)
+START_TEST(trajectories_are_the_same_for_all_masses)
 {
-    struct track equal, unequal;
-    ck_assert(track_run(&equal, sheet(), &(struct scene){.nonlinear = true}, DAY, DAY, 3 * DAY));
-    ck_assert(track_run(&unequal, sheet(), &(struct scene){.nonlinear = true, .m1 = "3", .m2 = "3000"}, DAY, DAY, 3 * DAY));
+    struct trajectory equal, unequal;
+    ck_assert(trajectory_run(&equal, &(struct simulation){.sheet = sheet(), .nonlinear = true}, DAY, DAY, 3 * DAY));
+    ck_assert(trajectory_run(&unequal, &(struct simulation){.sheet = sheet(), .nonlinear = true, .m1 = "3", .m2 = "3000"}, DAY, DAY, 3 * DAY));
     for (slong k = 0; k < 3; k++)
         for (int i = 0; i < COORDINATES; i++)
-            ck_assert(arb_overlaps(track_row(&equal, k) + i, track_row(&unequal, k) + i));
-    track_clear(&unequal);
-    track_clear(&equal);
+            ck_assert(arb_overlaps(trajectory_sample(&equal, k) + i, trajectory_sample(&unequal, k) + i));
+    trajectory_clear(&unequal);
+    trajectory_clear(&equal);
 }
 END_TEST
 
 /* A row is where a start from it begins: angles to place and back. */
-START_TEST(eq10_tracks_start_where_another_ends)
+START_TEST(eq10_trajectories_start_where_another_ends)
 {
-    struct track whole, half, rest;
-    ck_assert(track_run(&whole, sheet(), &(struct scene){.nonlinear = true}, 0, DAY, DAY));
-    ck_assert(track_run(&half, sheet(), &(struct scene){.nonlinear = true}, 0, DAY / 4, DAY / 4));
-    const struct scene from = {.nonlinear = true, .start = track_row(&half, 1)};
-    ck_assert(track_run(&rest, sheet(), &from, 0, 3 * DAY / 4, 3 * DAY / 4));
+    struct trajectory whole, half, rest;
+    ck_assert(trajectory_run(&whole, &(struct simulation){.sheet = sheet(), .nonlinear = true}, 0, DAY, DAY));
+    ck_assert(trajectory_run(&half, &(struct simulation){.sheet = sheet(), .nonlinear = true}, 0, DAY / 4, DAY / 4));
+    const struct simulation from = {.sheet = sheet(), .nonlinear = true, .start = trajectory_sample(&half, 1)};
+    ck_assert(trajectory_run(&rest, &from, 0, 3 * DAY / 4, 3 * DAY / 4));
     for (int i = 0; i < COORDINATES; i++)
-        ck_assert(arb_overlaps(track_row(&whole, 1) + i, track_row(&rest, 1) + i));
-    track_clear(&rest);
-    track_clear(&half);
-    track_clear(&whole);
+        ck_assert(arb_overlaps(trajectory_sample(&whole, 1) + i, trajectory_sample(&rest, 1) + i));
+    trajectory_clear(&rest);
+    trajectory_clear(&half);
+    trajectory_clear(&whole);
 }
 END_TEST
 
 /* E falls from row to row, and by what C2 takes: -c2 (l'/l)^2, or -c2 eta'^2, by the trapezoidal rule. */
 START_TEST(energy_falls_by_what_the_gain_takes)
 {
-    struct track t;
+    struct trajectory t;
     VECTOR(arb, x, 4);
-    ck_assert(track_run(&t, sheet(), &(struct scene){.nonlinear = _i != 0, .theta = "0.03"}, 0, 10, 7200));
+    ck_assert(trajectory_run(&t, &(struct simulation){.sheet = sheet(), .nonlinear = _i != 0, .theta = "0.03"}, 0, 10, 7200));
     double lost = 0;
     for (slong k = 0; k < t.count; k++) {
-        track_energy(x + k % 2, &t, k);
+        trajectory_energy(x + k % 2, &t, k);
         if (k > 0)
             ck_assert(arb_lt(x + k % 2, x + (k + 1) % 2));
-        arb_add_ui(x + 2, track_row(&t, k) + ETA, _i != 0, t.prec);
-        arb_div(x + 3, track_row(&t, k) + ETA_DOT, x + 2, t.prec);
-        arb_sqr(x + 3, _i != 0 ? x + 3 : track_row(&t, k) + ETA_DOT, t.prec);
+        arb_add_ui(x + 2, trajectory_sample(&t, k) + ETA, _i != 0, t.prec);
+        arb_div(x + 3, trajectory_sample(&t, k) + ETA_DOT, x + 2, t.prec);
+        arb_sqr(x + 3, _i != 0 ? x + 3 : trajectory_sample(&t, k) + ETA_DOT, t.prec);
         lost += (k == 0 || k == t.count - 1 ? 0.5 : 1) * 2 * arf_get_d(arb_midref(x + 3), ARF_RND_NEAR) * 7.2915e-4;
     }
-    track_energy(x, &t, 0);
-    track_energy(x + 1, &t, t.count - 1);
+    trajectory_energy(x, &t, 0);
+    trajectory_energy(x + 1, &t, t.count - 1);
     arb_sub(x, x, x + 1, t.prec);
     /* 720 intervals of 7.3e-4 rad: the rule errs by some 1e-6 of the whole */
     ck_assert_double_eq_tol(arf_get_d(arb_midref(x), ARF_RND_NEAR) / lost, 1, 1e-5);
-    track_clear(&t);
+    trajectory_clear(&t);
 }
 END_TEST
 
 /* The rows of later times keep the bounds of an early one, and their differences those of the derivatives. */
 START_TEST(bounds_hold_for_what_follows)
 {
-    struct track t;
+    struct trajectory t;
     struct bounds b;
     VECTOR(arb, x, 2);
     bounds_init(&b);
-    ck_assert(track_run(&t, sheet(), &(struct scene){.nonlinear = _i != 0}, 0, 600, 2 * DAY));
+    ck_assert(trajectory_run(&t, &(struct simulation){.sheet = sheet(), .nonlinear = _i != 0}, 0, 600, 2 * DAY));
     for (slong from = 0; from < 3; from++) {
-        ck_assert(track_bounds(&b, &t, 40 * from));
+        ck_assert(trajectory_bounds(&b, &t, 40 * from));
         for (int i = 0; i < COORDINATES; i++)
             for (slong k = 40 * from; k + 2 < t.count; k++) {
-                arb_srcptr now = track_row(&t, k) + i, next = track_row(&t, k + 1) + i, last = track_row(&t, k + 2) + i;
+                arb_srcptr now = trajectory_sample(&t, k) + i, next = trajectory_sample(&t, k + 1) + i, last = trajectory_sample(&t, k + 2) + i;
                 arb_abs(x, now);
                 ck_assert_msg(arb_le(x, b.of[i]), "coordinate %d, row %ld", i, (long)k);
                 arb_add(x, now, last, t.prec); /* |f0 - 2 f1 + f2| <= tau^2 max |f''| */
                 arb_submul_ui(x, next, 2, t.prec);
                 arb_abs(x, x);
-                track_room(x + 1, &t, &b, i);
+                bound_between_samples(x + 1, &t, &b, i);
                 arb_mul_2exp_si(x + 1, x + 1, 3);
                 ck_assert_msg(arb_le(x, x + 1), "second difference of %d, row %ld", i, (long)k);
             }
     }
     bounds_clear(&b);
-    track_clear(&t);
+    trajectory_clear(&t);
 }
 END_TEST
 
@@ -166,122 +160,86 @@ START_TEST(bounds_are_refused_beyond_the_hill)
     struct bounds b;
     bounds_init(&b);
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; i++) {
-        struct track t;
-        const struct scene s = {.nonlinear = true, .psi = "0", .theta = "0", .dL = starts[i].dL};
-        ck_assert(track_run(&t, sheet(), &s, 0, 1, 0));
-        ck_assert_int_eq(track_bounds(&b, &t, 0), starts[i].bounded);
-        track_clear(&t);
+        struct trajectory t;
+        const struct simulation s = {.sheet = sheet(), .nonlinear = true, .psi = "0", .theta = "0", .dL = starts[i].dL};
+        ck_assert(trajectory_run(&t, &s, 0, 1, 0));
+        ck_assert_int_eq(trajectory_bounds(&b, &t, 0), starts[i].bounded);
+        trajectory_clear(&t);
     }
     bounds_clear(&b);
 }
 END_TEST
 
-/* Between rows a day apart the motion goes beyond them: as far as track_sup allows, at most. */
+/* Between rows a day apart the motion goes beyond them: as far as trajectory_supremum allows, at most. */
 START_TEST(suprema_cover_what_rows_miss)
 {
-    struct track coarse, fine;
+    struct trajectory coarse, fine;
     SCOPE(arb, sup, peak);
-    const struct scene s = {.nonlinear = true};
-    ck_assert(track_run(&coarse, sheet(), &s, 0, DAY / 12, DAY));
-    ck_assert(track_run(&fine, sheet(), &s, 0, 100, DAY));
+    const struct simulation s = {.sheet = sheet(), .nonlinear = true};
+    ck_assert(trajectory_run(&coarse, &s, 0, DAY / 12, DAY));
+    ck_assert(trajectory_run(&fine, &s, 0, 100, DAY));
     for (int i = 0; i < COORDINATES; i++) {
-        ck_assert(track_sup(sup, &coarse, i, 1, 12));
-        track_peak(peak, &fine, i, 72, fine.count - 1);
+        ck_assert(trajectory_supremum(sup, &coarse, i, 1, 12));
+        trajectory_peak(peak, &fine, i, 72, fine.count - 1);
         ck_assert(arb_le(peak, sup));
     }
-    track_peak(peak, &coarse, ETA_DOT, 0, 12);
-    track_peak(sup, &fine, ETA_DOT, 0, fine.count - 1);
+    trajectory_peak(peak, &coarse, ETA_DOT, 0, 12);
+    trajectory_peak(sup, &fine, ETA_DOT, 0, fine.count - 1);
     ck_assert(arb_lt(peak, sup));
-    track_clear(&fine);
-    track_clear(&coarse);
+    trajectory_clear(&fine);
+    trajectory_clear(&coarse);
 }
 END_TEST
 
 /* The linear dL is last above 1/100 of the start at 43.25 h, psi at 29.17 h: rows of the linear flow, 100 s apart. */
 START_TEST(settling_is_found_between_rows)
 {
-    struct track t;
+    struct trajectory t;
     SCOPE(arb, hours, limit);
-    ck_assert(track_run(&t, sheet(), &(struct scene){.nonlinear = false}, 0, 200, 3 * DAY));
+    ck_assert(trajectory_run(&t, &(struct simulation){.sheet = sheet(), .nonlinear = false}, 0, 200, 3 * DAY));
     arb_set_d(limit, 1e-4);
-    ck_assert(track_settled(hours, &t, ETA, limit));
+    ck_assert(settles(hours, &t, ETA, limit));
     ck_assert(is_above(hours, 43.15) && is_below(hours, 43.36));
-    ck_assert(track_settled(hours, &t, PSI, limit));
+    ck_assert(settles(hours, &t, PSI, limit));
     ck_assert(is_above(hours, 29.05) && is_below(hours, 29.28));
     arb_set_d(limit, 1e-9); /* not within three days */
-    ck_assert(!track_settled(hours, &t, ETA, limit));
+    ck_assert(!settles(hours, &t, ETA, limit));
     arb_set_d(limit, 1); /* it was never above */
-    ck_assert(!track_settled(hours, &t, ETA, limit));
+    ck_assert(!settles(hours, &t, ETA, limit));
     arb_ptr both = _arb_vec_init(2), limits = _arb_vec_init(2); /* one after the other or at once */
     arb_set_d(limits, 1e-9);
     arb_set_d(limits + 1, 1e-4);
-    ck_assert(track_exits(both, &t, ETA, limits, 2));
-    ck_assert(!arb_is_finite(both) && track_settled(hours, &t, ETA, limits + 1) && arb_equal(both + 1, hours));
+    ck_assert(trajectory_exits(both, &t, ETA, limits, 2));
+    ck_assert(!arb_is_finite(both) && settles(hours, &t, ETA, limits + 1) && arb_equal(both + 1, hours));
     _arb_vec_clear(limits, 2);
     _arb_vec_clear(both, 2);
-    track_clear(&t);
+    trajectory_clear(&t);
 }
 END_TEST
 
-/* A pair that separates turns over, or leaves binary64's reach: no track. */
-START_TEST(tracks_end_where_the_pair_turns_over)
+/* A pair that separates turns over, or leaves binary64's reach: no trajectory. */
+START_TEST(trajectories_end_where_the_pair_turns_over)
 {
-    struct track t;
-    ck_assert(!track_run(&t, sheet(), &(struct scene){.nonlinear = true, .psi = "1.6"}, 0, 100, 1000));
-    track_clear(&t);
+    struct trajectory t;
+    ck_assert(!trajectory_run(&t, &(struct simulation){.sheet = sheet(), .nonlinear = true, .psi = "1.6"}, 0, 100, 1000));
+    trajectory_clear(&t);
 }
 END_TEST
 
-/* ---- comparisons ---- */
-
-START_TEST(orders_are_logarithms)
+SUITE(test_trajectory)
 {
-    VECTOR(arb, x, 4);
-    arb_ptr larger = x, smaller = x + 1, order = x + 2, worst = x + 3;
-    arb_set_ui(larger, 1005);
-    arb_set_ui(smaller, 10);
-    observed_order(order, larger, smaller, 10); /* log10 100.5 = 2.00217 */
-    ck_assert(is_above(order, 2.00216) && is_below(order, 2.00217));
-    raise_to_difference(worst, order, 2);
-    ck_assert(is_above(worst, 0.00216) && is_below(worst, 0.00217));
-    raise_to_difference(worst, order, 3); /* farther off, and the sign does not matter */
-    ck_assert(is_above(worst, 0.99783) && is_below(worst, 0.99784));
-    raise_to_difference(worst, order, 2); /* nothing lowers it */
-    ck_assert(is_above(worst, 0.99783));
-    arb_zero(smaller);
-    observed_order(order, larger, smaller, 10);
-    raise_to_difference(worst, order, 2);
-    ck_assert(!is_below(worst, 1e300));
-}
-END_TEST
-
-START_TEST(comparisons_are_certain)
-{
-    SCOPE(arb, x);
-    arb_set_ui(x, 2);
-    mag_set_d(arb_radref(x), 0.5);
-    ck_assert(is_below(x, 2.75) && !is_below(x, 2.25) && !is_below(x, 1));
-    arb_indeterminate(x);
-    ck_assert(!is_below(x, 1));
-}
-END_TEST
-
-SUITE(test_track)
-{
-    Suite *s = suite_create("track");
-    TCase *c = tcase_create("track");
+    Suite *s = suite_create("trajectory");
+    TCase *c = tcase_create("trajectory");
     tcase_add_checked_fixture(c, NULL, close_all);
-    tcase_add_loop_test(c, tracks_agree_with_the_equations_in_the_angles, 0, sizeof rows / sizeof rows[0]);
-    tcase_add_test(c, tracks_are_the_same_for_all_masses);
-    tcase_add_test(c, eq10_tracks_start_where_another_ends);
+    tcase_add_loop_test(c, trajectories_agree_with_the_equations_in_the_angles, 0, sizeof rows / sizeof rows[0]);
+    tcase_add_test(c, trajectories_are_the_same_for_all_masses);
+    tcase_add_test(c, eq10_trajectories_start_where_another_ends);
     tcase_add_loop_test(c, energy_falls_by_what_the_gain_takes, 0, 2);
     tcase_add_loop_test(c, bounds_hold_for_what_follows, 0, 2);
     tcase_add_test(c, bounds_are_refused_beyond_the_hill);
     tcase_add_test(c, suprema_cover_what_rows_miss);
     tcase_add_test(c, settling_is_found_between_rows);
-    tcase_add_test(c, tracks_end_where_the_pair_turns_over);
-    tcase_add_test(c, orders_are_logarithms);
-    tcase_add_test(c, comparisons_are_certain);
+    tcase_add_test(c, trajectories_end_where_the_pair_turns_over);
     tcase_set_timeout(c, 60); /* s, under a sanitizer too */
     suite_add_tcase(s, c);
     return s;

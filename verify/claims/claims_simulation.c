@@ -1,0 +1,451 @@
+/*
+ * The paper's simulation, its linear model and their variations: a table of trajectories, and what is measured of each.
+ * Samples come from certified flows; what happens between and after them is bounded in trajectory.h. Numbers are in SI.
+ *
+ * A number's name is a measure, a variable and, in hours, from when on or from when to when: sup_psi_48_72.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "claims/claim.h"
+#include "claims/trajectory.h"
+#include "text/scope.h"
+
+enum { DAY = 86400, HOUR = 3600, BITS = 128 };
+
+/* A simulation sampled from first to last, each `step` seconds; and another, to compare it with. */
+struct sampled {
+    struct simulation simulation;
+    long first, step, last;
+    const struct simulation *beside;
+};
+
+/* What a name asks for. */
+struct request {
+    const struct trajectory *of, *beside; /* beside NULL: none */
+    int which;
+    long numbers[2];                      /* the hours, or the part of an exit; -1: none */
+    slong from, to;                       /* samples */
+    struct exits *exits;
+};
+
+/* ---- measures: false where nothing is proved ---- */
+
+/* The largest size, between samples too. */
+static bool supremum(arb_t x, const struct request *r)
+{
+    return trajectory_supremum(x, r->of, r->which, r->from, r->to);
+}
+
+/* From then on for ever: the last sample's energy allows no more. */
+static bool ever(arb_t x, const struct request *r)
+{
+    struct bounds after;
+    bounds_init(&after);
+    const bool bounded = supremum(x, r) && trajectory_bounds(&after, r->of, r->to) && arb_lt(after.of[r->which], x);
+    bounds_clear(&after);
+    return bounded;
+}
+
+/* What the energy at the start allows, for ever. */
+static bool bound(arb_t x, const struct request *r)
+{
+    struct bounds b;
+    bounds_init(&b);
+    const bool bounded = trajectory_bounds(&b, r->of, r->from);
+    arb_set(x, b.of[r->which]);
+    bounds_clear(&b);
+    return bounded;
+}
+
+static bool peak(arb_t x, const struct request *r)
+{
+    trajectory_peak(x, r->of, r->which, r->from, r->to);
+    return true;
+}
+
+/* The least and the largest value on samples; of a place less where it rests. */
+static bool extreme(arb_t x, const struct request *r, bool high)
+{
+    SCOPE(arb, value);
+    for (slong k = r->from; k <= r->to; k++) {
+        trajectory_value(value, r->of, k, r->which);
+        if (r->which == PLACE_X)
+            arb_sub_ui(value, value, 1, BITS);
+        if (k == r->from)
+            arb_set(x, value);
+        (high ? arb_max : arb_min)(x, x, value, BITS);
+    }
+    return true;
+}
+
+static bool low(arb_t x, const struct request *r)
+{
+    return extreme(x, r, false);
+}
+
+static bool high(arb_t x, const struct request *r)
+{
+    return extreme(x, r, true);
+}
+
+static bool value_at(arb_t x, const struct request *r)
+{
+    trajectory_value(x, r->of, r->from, r->which);
+    return true;
+}
+
+static bool energy(arb_t x, const struct request *r)
+{
+    trajectory_energy(x, r->of, r->from);
+    return true;
+}
+
+/* Parts of the start, and in hours when it is below each of them until the last sample: found for all at once, since that takes
+   the same bounds. */
+enum { PARTS = 5 };
+static const ulong parts[PARTS] = {100, 200, 300, 500, 1000};
+
+struct exits {
+    int which; /* -1: not yet found */
+    bool bounded;
+    arb_ptr hours;
+};
+
+static bool exit_of(arb_t hours, const struct request *r)
+{
+    struct exits *e = r->exits;
+    int part = 0;
+    VECTOR(arb, limits, PARTS);
+    for (int i = 0; i < PARTS; i++) {
+        arb_div_ui(limits + i, trajectory_sample(r->of, 0) + r->which, parts[i], BITS);
+        part = parts[i] == (ulong)r->numbers[0] ? i : part;
+    }
+    if (e->which != r->which)
+        e->bounded = trajectory_exits(e->hours, r->of, r->which, limits, PARTS);
+    e->which = r->which;
+    arb_set(hours, e->hours + part);
+    return e->bounded;
+}
+
+/* The same for ever, by the energy of the last sample. */
+static bool settled(arb_t hours, const struct request *r)
+{
+    struct bounds after;
+    SCOPE(arb, limit);
+    bounds_init(&after);
+    arb_div_si(limit, trajectory_sample(r->of, 0) + r->which, r->numbers[0], BITS);
+    const bool bounded = trajectory_bounds(&after, r->of, r->of->count - 1) && arb_lt(after.of[r->which], limit);
+    bounds_clear(&after);
+    return exit_of(hours, r) && bounded;
+}
+
+/* The largest difference on samples from the start on, ... */
+static bool gap(arb_t x, const struct request *r)
+{
+    trajectory_gap(x, r->of, r->beside, r->which, 0, r->to);
+    return true;
+}
+
+/* ... and between them. */
+static bool gap_between(arb_t x, const struct request *r)
+{
+    const struct trajectory *const both[] = {r->of, r->beside};
+    struct bounds b;
+    SCOPE(arb, excess);
+    bool bounded = gap(x, r);
+    bounds_init(&b);
+    for (int i = 0; i < 2; i++) {
+        bounded = trajectory_bounds(&b, both[i], 0) && bounded;
+        bound_between_samples(excess, both[i], &b, r->which);
+        arb_add(x, x, excess, BITS);
+    }
+    bounds_clear(&b);
+    return bounded;
+}
+
+/* The largest difference on samples as a part of what the linear motion beside may still reach; ... */
+static bool part(arb_t x, const struct request *r)
+{
+    struct bounds left;
+    SCOPE(arb, y);
+    bool bounded = true;
+    bounds_init(&left);
+    for (slong k = r->from; k <= r->to && bounded; k++) {
+        bounded = trajectory_bounds(&left, r->beside, k);
+        trajectory_gap(y, r->of, r->beside, r->which, k, k);
+        arb_div(y, y, left.of[r->which], BITS);
+        arb_max(x, x, y, BITS);
+    }
+    bounds_clear(&left);
+    return bounded;
+}
+
+/* ... and the first sample, in hours, where that is a tenth. */
+static bool parted(arb_t hours, const struct request *r)
+{
+    struct request until = *r;
+    SCOPE(arb, x);
+    for (slong k = 0; k <= r->to; k++) {
+        until.from = until.to = k;
+        arb_zero(x);
+        if (!part(x, &until))
+            return false;
+        arb_mul_ui(x, x, 10, BITS);
+        arb_sub_ui(x, x, 1, BITS);
+        if (arb_is_positive(x)) {
+            arb_set_si(hours, k * r->of->step);
+            arb_div_ui(hours, hours, HOUR, BITS);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The sign that a coordinate keeps between two samples, if both exceed what it can bend by; else 0. */
+static int kept_sign(const struct trajectory *t, slong k, int which, const struct bounds *b)
+{
+    arb_srcptr now = trajectory_sample(t, k) + which, next = trajectory_sample(t, k + 1) + which;
+    int sign = 0;
+    SCOPE(arb, least, other, excess);
+    bound_between_samples(excess, t, b, which);
+    arb_abs(least, now);
+    arb_abs(other, next);
+    arb_min(least, least, other, BITS);
+    if (arb_gt(least, excess) && arb_is_positive(now) == arb_is_positive(next))
+        sign = arb_is_positive(now) ? 1 : -1;
+    return sign;
+}
+
+/* Sign changes: between two samples none, or one where the rate keeps its sign; neither may be uncertain. */
+static bool sign_changes(arb_t x, const struct request *r)
+{
+    struct bounds b;
+    bool certain = true;
+    slong changes = 0;
+    bounds_init(&b);
+    for (slong k = r->from; k < r->to && certain; k++) {
+        arb_srcptr now = trajectory_sample(r->of, k) + r->which, next = trajectory_sample(r->of, k + 1) + r->which;
+        certain = trajectory_bounds(&b, r->of, k);
+        if (certain && kept_sign(r->of, k, r->which, &b) != 0)
+            continue;
+        certain = certain && kept_sign(r->of, k, r->which + PSI_DOT, &b) != 0 && !arb_contains_zero(now) && !arb_contains_zero(next);
+        changes += arb_is_positive(now) != arb_is_positive(next);
+    }
+    bounds_clear(&b);
+    arb_set_si(x, changes);
+    return certain;
+}
+
+/* Turning points that the samples' rates prove at least. */
+static bool turning_points(arb_t x, const struct request *r)
+{
+    int turns = 0, sign = 0;
+    for (slong k = r->from; k <= r->to; k++) {
+        arb_srcptr rate = trajectory_sample(r->of, k) + r->which + PSI_DOT;
+        const int now = arb_is_positive(rate) - arb_is_negative(rate);
+        turns += now * sign < 0;
+        sign = now != 0 ? now : sign;
+    }
+    arb_set_si(x, turns);
+    return true;
+}
+
+static const struct measure {
+    const char *name;
+    bool (*of)(arb_t x, const struct request *r);
+    bool in_units; /* of the variable */
+} measures[] = {
+    {"sup_", supremum, true},   {"ever_", ever, true},       {"bound_", bound, true},        {"peak_", peak, true},
+    {"low_", low, true},        {"high_", high, true},       {"at_", value_at, true},        {"energy_of_", energy, false},
+    {"exit_", exit_of, false},  {"settled_", settled, false}, {"gap_", gap, true},           {"between_", gap_between, true},
+    {"part_", part, false},     {"parted_", parted, false},  {"changes_", sign_changes, false}, {"turns_", turning_points, false},
+};
+
+/* The longest variable that a name begins with. */
+static int variable_of(const char *name)
+{
+    int found = 0;
+    size_t longest = 0;
+    for (int i = 0; i < VARIABLES; i++) {
+        const size_t length = strlen(variable_names[i]);
+        if (length > longest && strncmp(name, variable_names[i], length) == 0) {
+            longest = length;
+            found = i;
+        }
+    }
+    return found;
+}
+
+static void give_measure(struct computed *c, bool run, const struct trajectory *t, const struct trajectory *beside, struct exits *exits,
+                         const char *name)
+{
+    struct request r = {.of = t, .beside = beside, .exits = exits, .numbers = {-1, -1}, .to = t->count - 1};
+    const struct measure *m = measures;
+    SCOPE(arb, x, unit);
+    while (strncmp(name, m->name, strlen(m->name)) != 0)
+        m++;
+    const char *variable = name + strlen(m->name);
+    r.which = variable_of(variable);
+    const int count = sscanf(variable + strlen(variable_names[r.which]), "_%ld_%ld", &r.numbers[0], &r.numbers[1]);
+    if (m->of == gap_between && count > 0)
+        r.to = (r.numbers[0] * HOUR - t->first) / t->step;
+    else if (count > 0 && m->of != exit_of && m->of != settled)
+        r.from = (r.numbers[0] * HOUR - t->first) / t->step;
+    if (count > 1)
+        r.to = (r.numbers[1] * HOUR - t->first) / t->step;
+    const bool proved = run && m->of(x, &r);
+    trajectory_unit(unit, t, r.which);
+    if (m->in_units)
+        arb_mul(x, x, unit, t->prec);
+    give(c, CERTIFIED, proved, x, "%s", name);
+}
+
+static void run_simulation(struct computed *c)
+{
+    const struct sampled *s = computation_of(c)->of;
+    struct simulation one = s->simulation, other = s->beside != NULL ? *s->beside : one;
+    struct trajectory t, beside;
+    char name[64];
+    VECTOR(arb, hours, PARTS);
+    struct exits exits = {-1, false, hours};
+    one.sheet = other.sheet = sheet_of(c);
+    bool run = trajectory_run(&t, &one, s->first, s->step, s->last);
+    if (s->beside != NULL)
+        run = trajectory_run(&beside, &other, s->first, s->step, s->last) && run;
+    for (const char *at = computation_of(c)->numbers; (at = next_name(at, name)) != NULL;)
+        give_measure(c, run, &t, &beside, &exits, name);
+    if (s->beside != NULL)
+        trajectory_clear(&beside);
+    trajectory_clear(&t);
+}
+
+/* ---- the methods of order 1 to 4, in the linear model ---- */
+
+/* Of (40), in radians of orbit and units of L_ref. */
+static void linear_rates(arb_ptr rate, arb_srcptr s, const struct trajectory *t)
+{
+    SCOPE(arb, stiffness);
+    _arb_vec_set(rate, s + PSI_DOT, 3);
+    arb_mul_si(rate + PSI_DOT, s + PSI, -3, t->prec);
+    arb_submul_ui(rate + PSI_DOT, s + ETA_DOT, 2, t->prec);
+    arb_mul_si(rate + THETA_DOT, s + THETA, -4, t->prec);
+    arb_sub_ui(stiffness, t->c1, 9, t->prec); /* not term by term: balls would widen by both */
+    arb_mul(rate + ETA_DOT, stiffness, s + ETA, t->prec);
+    arb_neg(rate + ETA_DOT, rate + ETA_DOT);
+    arb_submul(rate + ETA_DOT, t->c2, s + ETA_DOT, t->prec);
+    arb_addmul_ui(rate + ETA_DOT, s + PSI_DOT, 2, t->prec);
+}
+
+/*
+ * A step of a method of order p <= 4 with p stages multiplies the state of a linear system by the terms of exp(h A) up
+ * to h^p, here by Horner's rule: Euler's with p = 1, the midpoint rule and Heun's with p = 2.
+ */
+static void method_step(arb_ptr state, const arb_t h, int order, const struct trajectory *t)
+{
+    VECTOR(arb, sum, FLOW_STATE);
+    VECTOR(arb, rate, FLOW_STATE);
+    SCOPE(arb, part_of_h);
+    _arb_vec_set(sum, state, FLOW_STATE);
+    for (int k = order; k > 0; k--) {
+        linear_rates(rate, sum, t);
+        arb_div_ui(part_of_h, h, (ulong)k, t->prec);
+        _arb_vec_set(sum, state, FLOW_STATE);
+        _arb_vec_scalar_addmul(sum, rate, FLOW_STATE, part_of_h, t->prec);
+    }
+    _arb_vec_set(state, sum, FLOW_STATE);
+}
+
+/* The largest errors that steps of 100 s make on the samples of 3 days, in pitch and in psi and dL/L_ref. */
+static void method_errors(struct computed *c)
+{
+    enum { STEP = 100, SAMPLES = 12 * STEP };
+    const struct simulation s = {.sheet = sheet_of(c), .digits = 2 * TRAJECTORY_DIGITS};
+    struct trajectory t;
+    SCOPE(arb, h, off);
+    const bool run = trajectory_run(&t, &s, 0, SAMPLES, 3 * DAY);
+    t.prec = rk4_precision(TRAJECTORY_DIGITS, 20); /* 3 days are 19 radians, in which balls widen step by step */
+    arb_mul_ui(h, t.Omega, STEP, t.prec);
+    for (int order = 1; order <= 4; order++) {
+        VECTOR(arb, state, FLOW_STATE);
+        VECTOR(arb, error, 2);
+        _arb_vec_set(state, trajectory_sample(&t, 0), FLOW_STATE);
+        for (slong k = 1; k < t.count; k++) {
+            for (int i = 0; i < SAMPLES / STEP; i++)
+                method_step(state, h, order, &t);
+            for (int i = PSI; i <= ETA; i++) {
+                arb_sub(off, state + i, trajectory_sample(&t, k) + i, t.prec);
+                arb_abs(off, off);
+                arb_max(error + (i != THETA), error + (i != THETA), off, t.prec);
+            }
+        }
+        give(c, CERTIFIED, run, error, "pitch_%d", order);
+        give(c, CERTIFIED, run, error + 1, "rest_%d", order);
+    }
+    trajectory_clear(&t);
+}
+
+/* ---- the trajectories ---- */
+
+enum { DIGITS = 12 }; /* of nonlinear samples: too few would leave digits of the evidence unproved, and the verdict undecided */
+
+#define LINEAR .digits = TRAJECTORY_DIGITS
+#define PITCHED .nonlinear = true, .digits = DIGITS
+#define PLANAR .nonlinear = true, .digits = DIGITS, .theta = "0"
+
+static const struct simulation linear = {LINEAR}, linear_planar = {LINEAR, .theta = "0"}, linear_steps = {LINEAR, .rk4 = 100},
+                               nonlinear_steps = {.nonlinear = true, .rk4 = 100};
+
+#define ANGLES(before, after) " " before "psi" after " " before "theta" after " " before "dL" after
+#define BOTH(before, after) " " before "psi" after " " before "dL" after
+#define PARTS_OF(name) " " name "_100 " name "_200 " name "_300 " name "_500 " name "_1000"
+#define BANDS(before) PARTS_OF(before "psi") PARTS_OF(before "dL")
+#define PLACES(after) " between_x1" after " between_y1" after " between_z1" after
+
+#define SAMPLED(...) &(const struct sampled){__VA_ARGS__}
+
+const struct computation computations_simulation[] = {
+    {"linear_steps", run_simulation, ANGLES("gap_", ""), SAMPLED({LINEAR}, 0, 100, 3 * DAY, &linear_steps)},
+    {"nonlinear_steps", run_simulation, ANGLES("gap_", ""), SAMPLED({.nonlinear = true}, 0, 100, 3 * DAY, &nonlinear_steps)},
+    {"method_errors", method_errors, "pitch_1 pitch_2 pitch_3 pitch_4 rest_1 rest_2 rest_3 rest_4", NULL},
+
+    {"linear_10", run_simulation, BOTH("ever_", "_48") BANDS("settled_"), SAMPLED({LINEAR}, 0, 240, 4 * DAY, NULL)},
+    {"linear_12", run_simulation, BOTH("ever_", "_48") BANDS("settled_"), SAMPLED({LINEAR, .n = "12"}, 0, 240, 4 * DAY, NULL)},
+    {"length_10", run_simulation, "changes_dL turns_dL low_dL", SAMPLED({LINEAR}, 0, 500, 3 * DAY, NULL)},
+    {"length_12", run_simulation, "changes_dL turns_dL low_dL", SAMPLED({LINEAR, .n = "12"}, 0, 500, 3 * DAY, NULL)},
+    {"linear_two_days", run_simulation, "at_psi_48 at_psi_dot_48", SAMPLED({LINEAR}, 0, 2 * DAY, 2 * DAY, NULL)},
+    {"linear_places", run_simulation, "peak_error_x1 peak_error_y1 peak_error_z1", SAMPLED({LINEAR}, 0, 600, 3 * DAY, NULL)},
+    {"linear_late", run_simulation, "sup_dL sup_y1 peak_z1", SAMPLED({LINEAR}, 2 * DAY, 600, 3 * DAY, NULL)},
+
+    {"pitched_beside", run_simulation, BOTH("parted_", "") PLACES("_3") PLACES("_12") PLACES("_72"),
+     SAMPLED({PITCHED}, 0, 200, 3 * DAY, &linear)},
+    {"planar_beside", run_simulation, BOTH("part_", "") PLACES("_3") PLACES("_12") PLACES("_72"),
+     SAMPLED({PLANAR}, 0, 200, 3 * DAY, &linear_planar)},
+    {"pitch", run_simulation, "gap_theta low_amplitude high_amplitude low_amplitude_48_72 high_amplitude_48_72",
+     SAMPLED({PITCHED}, 0, 300, 3 * DAY, &linear)},
+
+    {"pitched", run_simulation, "sup_product at_product_72", SAMPLED({PITCHED}, 0, 100, 3 * DAY, NULL)},
+    {"planar", run_simulation, "sup_product", SAMPLED({PLANAR}, 0, 100, 3 * DAY, NULL)},
+    {"pitched_at_12", run_simulation, "sup_product", SAMPLED({PITCHED, .n = "12"}, 0, 100, 3 * DAY, NULL)},
+    {"pitched_late", run_simulation, "sup_psi sup_dL sup_y1 sup_product low_x1 high_x1 peak_z1", SAMPLED({PITCHED}, 2 * DAY, 50, 3 * DAY, NULL)},
+    {"planar_late", run_simulation, "sup_psi sup_dL sup_product", SAMPLED({PLANAR}, 2 * DAY, 50, 3 * DAY, NULL)},
+    {"unequal_late", run_simulation, "sup_psi sup_dL", SAMPLED({PITCHED, .m1 = "10", .m2 = "1000"}, 2 * DAY, 50, 3 * DAY, NULL)},
+    {"at_12_late", run_simulation, "sup_psi sup_dL", SAMPLED({PITCHED, .n = "12"}, 2 * DAY, 50, 3 * DAY, NULL)},
+
+    {"pitched_10", run_simulation, BANDS("exit_") BOTH("peak_", "_69_72") BOTH("peak_", "_117_120") BOTH("peak_", "_189_192"),
+     SAMPLED({PITCHED}, 0, 60, 8 * DAY, NULL)},
+    {"pitched_12", run_simulation, PARTS_OF("exit_dL") " peak_dL_189_192", SAMPLED({PITCHED, .n = "12"}, 0, 60, 8 * DAY, NULL)},
+    {"planar_10", run_simulation, BANDS("settled_"), SAMPLED({PLANAR}, 0, 240, 4 * DAY, NULL)},
+    {"linear_ends", run_simulation, BOTH("peak_", "_69_72") BOTH("peak_", "_117_120") BOTH("peak_", "_189_192"),
+     SAMPLED({LINEAR}, 69 * HOUR, 60, 8 * DAY, NULL)},
+    {"pitched_day8", run_simulation, "sup_product peak_product", SAMPLED({PITCHED}, 189 * HOUR, 10, 8 * DAY, NULL)},
+    {"planar_day8", run_simulation, "sup_product", SAMPLED({PLANAR}, 189 * HOUR, 50, 8 * DAY, NULL)},
+
+    {"planar_energy", run_simulation, "energy_of_psi_96 energy_of_psi_192",
+     SAMPLED({.nonlinear = true, .theta = "0"}, 4 * DAY, 4 * DAY, 8 * DAY, NULL)}, /* on day 8 the energy is down to 1e-22 */
+    {"linear_energy", run_simulation, "energy_of_psi_96 energy_of_psi_192", SAMPLED({LINEAR, .theta = "0"}, 4 * DAY, 4 * DAY, 8 * DAY, NULL)},
+    {"pitched_energy", run_simulation, "energy_of_psi_120 energy_of_psi_312", SAMPLED({.nonlinear = true}, 5 * DAY, 8 * DAY, 13 * DAY, NULL)},
+    {"start", run_simulation, "energy_of_psi" ANGLES("bound_", ""), SAMPLED({.nonlinear = true}, 0, 1, 0, NULL)},
+    {NULL, NULL, NULL, NULL},
+};

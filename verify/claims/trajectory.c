@@ -1,0 +1,603 @@
+#include "claims/trajectory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "motion/motion.h"
+#include "motion/taylor.h"
+#include "text/decimal.h"
+#include "text/scope.h"
+
+enum { X, Y, Z, U, V, W };
+
+enum {
+    SLICES = 24,     /* of a box of states by length: the forces nearly cancel, which one box would not see */
+    BOUND_BITS = 64  /* of bounds on derivatives */
+};
+
+/* ---- the simulation ---- */
+
+static void set_value(arb_t x, const struct sheet *s, const char *text, const char *name, slong prec)
+{
+    SCOPE(fmpq, value);
+    literal_read(value, text != NULL ? text : quantity_find(s, name)->value, true);
+    arb_set_fmpq(x, value, prec);
+}
+
+void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec)
+{
+    set_value(x, s, NULL, name, prec);
+}
+
+static void enclose(const struct sheet *s, const char *id, arb_srcptr inputs, slong prec, arb_ptr outputs)
+{
+    section_enclose(section_find(s, id), inputs, prec, outputs);
+}
+
+/* Table 1, and the gains by (43) and (44) */
+static void set_parameters(struct flow_parameters *p, const struct simulation *s, slong prec)
+{
+    VECTOR(arb, gains, 2);
+    set_value(p->Omega, s->sheet, NULL, "Omega", prec);
+    set_value(p->L_ref, s->sheet, NULL, "L_ref", prec);
+    set_value(p->k_c, s->sheet, NULL, "k_c", prec);
+    set_value(p->m1, s->sheet, s->m1, "m1", prec);
+    set_value(p->m2, s->sheet, s->m2, "m2", prec);
+    arb_set(gains, p->Omega);
+    set_value(gains + 1, s->sheet, s->n, "n", prec);
+    enclose(s->sheet, "eq43", gains, prec, p->C1);
+    enclose(s->sheet, "eq44", gains, prec, p->C2);
+}
+
+/* psi theta dL and rates in SI; a nonlinear motion's place and velocity by (10) and its exact derivative */
+static void set_initial(arb_ptr initial, const struct flow_parameters *p, const struct simulation *s, slong prec)
+{
+    set_value(initial + PSI, s->sheet, s->psi, "psi", prec);
+    set_value(initial + THETA, s->sheet, s->theta, "theta", prec);
+    set_value(initial + ETA, s->sheet, s->dL, "dL", prec);
+    for (int i = 0; i < FLOW_STATE && s->start != NULL; i++) {
+        arb_set(initial + i, s->start + i);
+        if (i >= PSI_DOT)
+            arb_mul(initial + i, initial + i, p->Omega, prec);
+        if (i % 3 == ETA)
+            arb_mul(initial + i, initial + i, p->L_ref, prec);
+    }
+    if (!s->nonlinear)
+        return;
+    arb_srcptr given[] = {p->m1, p->m2, p->L_ref, initial + PSI, initial + THETA, initial + ETA_DOT, initial + PSI_DOT,
+                          initial + THETA_DOT};
+    VECTOR(arb, in, 8); /* m1 m2 L psi theta L_dot psi_dot theta_dot */
+    for (int i = 0; i < 8; i++)
+        arb_set(in + i, given[i]);
+    arb_add(in + 2, in + 2, initial + ETA, prec);
+    enclose(s->sheet, "eq10", in, prec, initial);
+    enclose(s->sheet, "eq11exact", in, prec, initial + 3);
+}
+
+/* ---- samples ---- */
+
+/* From place and velocity in units of the arm and of Omega; x > 0. */
+static void to_angles(arb_ptr sample, arb_srcptr s, slong prec)
+{
+    VECTOR(arb, a, 4);
+    arb_ptr across = a, l = a + 1, l_dot = a + 2, x = a + 3; /* across: distance from the orbit normal */
+    arb_dot(across, NULL, 0, s, 1, s, 1, 2, prec);
+    arb_mul(x, s + X, s + V, prec);
+    arb_submul(x, s + Y, s + U, prec);
+    arb_div(sample + PSI_DOT, x, across, prec);
+    arb_dot(l, across, 0, s + Z, 1, s + Z, 1, 1, prec);
+    arb_sqrt(across, across, prec);
+    arb_sqrt(l, l, prec);
+    arb_dot(l_dot, NULL, 0, s, 1, s + U, 1, 3, prec);
+    arb_div(l_dot, l_dot, l, prec);
+    arb_div(sample + PSI, s + Y, s + X, prec);
+    arb_atan(sample + PSI, sample + PSI, prec);
+    arb_div(x, s + Z, l, prec);
+    arb_asin(sample + THETA, x, prec);
+    arb_neg(sample + THETA, sample + THETA);
+    arb_mul(x, x, l_dot, prec);
+    arb_sub(x, x, s + W, prec);
+    arb_div(sample + THETA_DOT, x, across, prec);
+    arb_sub_ui(sample + ETA, l, 1, prec);
+    arb_set(sample + ETA_DOT, l_dot);
+}
+
+static int take_sample(void *context, slong k, const fmpq_t time, arb_srcptr state)
+{
+    struct trajectory *t = context;
+    arb_ptr sample = trajectory_sample(t, k);
+    VECTOR(arb, own, FLOW_STATE);
+    (void)time;
+    for (int i = 0; i < FLOW_STATE; i++) {
+        arb_set(own + i, state + i);
+        if (i >= 3)
+            arb_div(own + i, own + i, t->Omega, t->prec);
+        if (t->nonlinear)
+            arb_div(own + i, own + i, t->arm, t->prec);
+        else if (i % 3 == ETA)
+            arb_div(own + i, own + i, t->L_ref, t->prec);
+    }
+    if (t->nonlinear) {
+        to_angles(sample, own, t->prec);
+        _arb_vec_set(sample + PLACE_X, own, 3);
+        return !arb_is_positive(own + X); /* it has turned over */
+    }
+    _arb_vec_set(sample, own, FLOW_STATE);
+    arb_add_ui(sample + PLACE_X, sample + ETA, 1, t->prec); /* eq10lin */
+    arb_mul(sample + PLACE_Y, sample + PLACE_X, sample + PSI, t->prec);
+    arb_mul(sample + PLACE_Z, sample + PLACE_X, sample + THETA, t->prec);
+    arb_neg(sample + PLACE_Z, sample + PLACE_Z);
+    return 0;
+}
+
+static void trajectory_init(struct trajectory *t, const struct flow_parameters *p)
+{
+    arb_ptr values[] = {t->c1, t->c2, t->Omega, t->L_ref, t->arm};
+    for (int i = 0; i < 5; i++)
+        arb_init(values[i]);
+    arb_set(t->Omega, p->Omega);
+    arb_set(t->L_ref, p->L_ref);
+    arb_div(t->c2, p->C2, p->Omega, t->prec);
+    arb_div(t->c1, p->C1, p->Omega, t->prec);
+    arb_div(t->c1, t->c1, p->Omega, t->prec);
+    arb_add(t->arm, p->m1, p->m2, t->prec);
+    arb_div(t->arm, p->m2, t->arm, t->prec);
+    arb_mul(t->arm, t->arm, p->L_ref, t->prec);
+    t->samples = _arb_vec_init(COORDINATES * t->count);
+}
+
+void trajectory_clear(struct trajectory *t)
+{
+    arb_ptr values[] = {t->c1, t->c2, t->Omega, t->L_ref, t->arm};
+    _arb_vec_clear(t->samples, COORDINATES * t->count);
+    for (int i = 0; i < 5; i++)
+        arb_clear(values[i]);
+}
+
+arb_ptr trajectory_sample(const struct trajectory *t, slong k)
+{
+    return t->samples + COORDINATES * k;
+}
+
+const char *const variable_names[] = {"psi", "theta", "dL", "psi_dot", "theta_dot", "dL_dot", "x1", "y1", "z1",
+                                      "product", "amplitude", "phase", "error_x1", "error_y1", "error_z1"};
+
+/* (10) for small angles less the exact rotation, equal masses */
+static void small_angle_error(arb_t x, const struct trajectory *t, arb_srcptr sample, int axis)
+{
+    VECTOR(arb, in, 5); /* m1 m2 L psi theta */
+    VECTOR(arb, exact, 3);
+    arb_one(in);
+    arb_one(in + 1);
+    arb_add_ui(in + 2, sample + ETA, 1, t->prec);
+    arb_mul(in + 2, in + 2, t->L_ref, t->prec);
+    _arb_vec_set(in + 3, sample, 2);
+    enclose(t->sheet, "eq10", in, t->prec, exact);
+    enclose(t->sheet, "eq10lin", in, t->prec, in);
+    arb_sub(x, in + axis, exact + axis, t->prec);
+}
+
+void trajectory_value(arb_t x, const struct trajectory *t, slong k, int which)
+{
+    arb_srcptr sample = trajectory_sample(t, k);
+    if (which == PRODUCT) {
+        arb_mul(x, t->c1, sample + ETA, t->prec);
+        arb_addmul(x, t->c2, sample + ETA_DOT, t->prec);
+        arb_div_ui(x, x, 3, t->prec);
+    } else if (which == AMPLITUDE || which == PHASE) {
+        SCOPE(acb, z);
+        arb_set(acb_realref(z), sample + THETA);
+        arb_mul_2exp_si(acb_imagref(z), sample + THETA_DOT, -1);
+        arb_neg(acb_imagref(z), acb_imagref(z));
+        (which == AMPLITUDE ? acb_abs : acb_arg)(x, z, t->prec);
+    } else if (which >= ERROR_X)
+        small_angle_error(x, t, sample, which - ERROR_X);
+    else
+        arb_set(x, sample + which);
+}
+
+void trajectory_unit(arb_t unit, const struct trajectory *t, int which)
+{
+    arb_one(unit);
+    if (which == ETA || which == ETA_DOT)
+        arb_set(unit, t->L_ref);
+    if (which >= PSI_DOT && which <= ETA_DOT)
+        arb_mul(unit, unit, t->Omega, t->prec);
+    if (which >= PLACE_X && which <= PLACE_Z)
+        arb_set(unit, t->arm);
+}
+
+bool trajectory_run(struct trajectory *t, const struct simulation *s, long first, long step, long last)
+{
+    const double radians = 7.3e-5 * (double)last; /* Omega, about */
+    const slong digits = s->digits > 0 ? s->digits : TRAJECTORY_DIGITS;
+    struct flow_parameters p;
+    double reached;
+    enum flow_status status;
+    SCOPE(fmpq, h);
+    flow_parameters_init(&p);
+    t->sheet = s->sheet;
+    t->nonlinear = s->nonlinear;
+    t->first = first;
+    t->step = step;
+    t->count = (last - first) / step + 1;
+    t->prec = s->rk4 ? rk4_precision(digits, radians) : flow_precision(digits, radians);
+    VECTOR(arb, initial, FLOW_STATE);
+    VECTOR(fmpq, times, t->count);
+    set_parameters(&p, s, t->prec);
+    set_initial(initial, &p, s, t->prec);
+    trajectory_init(t, &p);
+    for (slong k = 0; k < t->count; k++)
+        fmpq_set_si(times + k, first + k * step, 1);
+    fmpq_set_si(h, s->rk4, 1);
+    if (s->rk4 && s->nonlinear)
+        status = rk4_nonlinear(&p, initial, h, times, t->count, t->prec, take_sample, t, &reached);
+    else if (s->rk4)
+        status = rk4_linear(&p, initial, h, times, t->count, t->prec, take_sample, t, &reached);
+    else if (s->nonlinear)
+        status = flow_nonlinear(&p, initial, times, t->count, digits, t->prec, take_sample, t, &reached);
+    else
+        status = flow_linear(&p, initial, times, t->count, t->prec, take_sample, t, &reached);
+    flow_parameters_clear(&p);
+    return status == FLOW_DONE;
+}
+
+/*
+ * ---- between and after the samples ----
+ *
+ * Theorem. E of trajectory_energy never rises, so that from a sample on the state stays among those of its energy: in the
+ * linear model an ellipsoid, in the nonlinear one the states with G(l) <= E on this side of the hill. What bounds a
+ * coordinate's derivatives there bounds them for ever, and between two samples a tau apart |f| exceeds the larger of theirs
+ * by at most tau^2/8 sup |f''|.
+ *
+ * The error terms, each with a test of its name in tests/test_trajectory.c:
+ *   (B1) the excess between samples, tau^2/8 sup |f''|                  (bound_between_samples, trajectory_supremum)
+ *   (B2) of psi, psi', eta, eta', pitch and places the largest with that energy  (linear_bounds, energy_box)
+ *   (B3) of their derivatives every term of (40), and of products all of Leibniz's rule   (linear_bounds)
+ *   (B4) the length is confined on both sides, and the sample is between them; else nothing is  (confine)
+ *   (B5) the slices leave no length out                                 (energy_box)
+ *   (B6) k! times coefficient k, its radius included                    (set_bounds)
+ *   (B7) what stays within a limit is below it between the samples too  (trajectory_exits)
+ */
+
+/* G(1 + eta) */
+static void tether_energy(arb_t G, const struct trajectory *t, const arb_t eta)
+{
+    SCOPE(arb, l, a);
+    arb_add_ui(l, eta, 1, t->prec);
+    arb_sub_ui(a, t->c1, 3, t->prec);
+    arb_mul(a, a, eta, t->prec);
+    arb_div(a, a, l, t->prec);
+    arb_log(G, l, t->prec);
+    arb_mul(G, G, t->c1, t->prec);
+    arb_sub(G, G, a, t->prec);
+    arb_add_ui(l, l, 1, t->prec);
+    arb_mul(l, l, eta, t->prec);
+    arb_mul_ui(l, l, 3, t->prec);
+    arb_mul_2exp_si(l, l, -1);
+    arb_sub(G, G, l, t->prec);
+}
+
+void trajectory_energy(arb_t energy, const struct trajectory *t, slong k)
+{
+    enum { SQUARES = 5 };
+    arb_srcptr sample = trajectory_sample(t, k);
+    const slong prec = t->prec;
+    VECTOR(arb, a, SQUARES); /* E = G + sum weight a^2 / 2 */
+    VECTOR(arb, weight, SQUARES);
+    SCOPE(arb, l, sine, cosine, G);
+    arb_set(a, sample + ETA_DOT);
+    for (int i = 0; i < SQUARES; i++)
+        arb_one(weight + i);
+    arb_set_ui(weight + 2, 3);
+    if (t->nonlinear) { /* u^2 + v^2 + w^2 = l'^2 + (l theta')^2 + (l cos(theta) psi')^2 */
+        arb_add_ui(l, sample + ETA, 1, prec);
+        arb_sin_cos(sine, cosine, sample + THETA, prec);
+        arb_mul(cosine, cosine, l, prec);
+        arb_mul(a + 1, cosine, sample + PSI_DOT, prec);
+        arb_sin(a + 2, sample + PSI, prec);
+        arb_mul(a + 2, a + 2, cosine, prec);
+        arb_mul(a + 3, l, sample + THETA_DOT, prec);
+        arb_mul(a + 4, l, sine, prec);
+        arb_set_ui(weight + 4, 4);
+        tether_energy(G, t, sample + ETA);
+    } else {
+        arb_set(a + 1, sample + PSI_DOT);
+        arb_set(a + 2, sample + PSI);
+        arb_set(a + 3, sample + ETA);
+        arb_sub_ui(weight + 3, t->c1, 9, prec);
+    }
+    for (int i = 0; i < SQUARES; i++)
+        arb_mul(weight + i, weight + i, a + i, prec);
+    arb_dot(energy, NULL, 0, weight, 1, a, 1, SQUARES, prec);
+    arb_mul_2exp_si(energy, energy, -1);
+    arb_add(energy, energy, G, prec);
+}
+
+/* A rate shares its coordinate's vector, from the first derivative on. */
+void bounds_init(struct bounds *b)
+{
+    for (int i = PSI; i <= ETA; i++) {
+        b->of[i] = _arb_vec_init(DERIVATIVES);
+        b->of[i + PSI_DOT] = b->of[i] + 1;
+        b->of[i + PLACE_X] = _arb_vec_init(DERIVATIVES);
+    }
+}
+
+void bounds_clear(struct bounds *b)
+{
+    for (int i = PSI; i <= ETA; i++) {
+        _arb_vec_clear(b->of[i], DERIVATIVES);
+        _arb_vec_clear(b->of[i + PLACE_X], DERIVATIVES);
+    }
+}
+
+static void bounds_zero(struct bounds *b)
+{
+    for (int i = PSI; i <= ETA; i++) {
+        _arb_vec_zero(b->of[i], DERIVATIVES);
+        _arb_vec_zero(b->of[i + PLACE_X], DERIVATIVES);
+    }
+}
+
+/* sqrt(factor E) */
+static void reach(arb_t x, const arb_t E, ulong numerator, ulong denominator, slong prec)
+{
+    arb_mul_ui(x, E, numerator, prec);
+    arb_div_ui(x, x, denominator, prec);
+    arb_sqrt(x, x, prec);
+}
+
+/* Bounds of the state from E, of its derivatives from (40). */
+static void linear_bounds(struct bounds *b, const struct trajectory *t, const arb_t E, slong k)
+{
+    const slong prec = t->prec;
+    arb_ptr psi = b->of[PSI], theta = b->of[THETA], eta = b->of[ETA];
+    SCOPE(arb, stiffness);
+    arb_sub_ui(stiffness, t->c1, 9, prec);
+    reach(psi, E, 2, 3, prec);
+    reach(psi + 1, E, 2, 1, prec);
+    arb_div(eta, E, stiffness, prec);
+    reach(eta, eta, 2, 1, prec);
+    arb_set(eta + 1, psi + 1);
+    arb_hypot(theta, trajectory_sample(t, k) + THETA_DOT, trajectory_sample(t, k) + THETA, prec);
+    arb_mul_2exp_si(theta, theta, 1); /* more than the amplitude, sqrt(theta^2 + theta'^2 / 4) */
+    arb_mul_2exp_si(theta + 1, theta, 1);
+    for (int d = 0; d + 2 < DERIVATIVES; d++) {
+        arb_mul_ui(psi + d + 2, psi + d, 3, prec);
+        arb_addmul_ui(psi + d + 2, eta + d + 1, 2, prec);
+        arb_mul(eta + d + 2, stiffness, eta + d, prec);
+        arb_addmul(eta + d + 2, t->c2, eta + d + 1, prec);
+        arb_addmul_ui(eta + d + 2, psi + d + 1, 2, prec);
+        arb_mul_ui(theta + d + 2, theta + d, 4, prec);
+    }
+    /* x = 1 + eta, y = (1 + eta) psi, z = -(1 + eta) theta, by Leibniz's rule */
+    for (int d = 0; d < DERIVATIVES; d++) {
+        static const ulong binomial[DERIVATIVES][DERIVATIVES] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
+        arb_add_ui(b->of[PLACE_X] + d, eta + d, d == 0, prec);
+        arb_set(b->of[PLACE_Y] + d, psi + d);
+        arb_set(b->of[PLACE_Z] + d, theta + d);
+        for (int i = 0; i <= d; i++) {
+            SCOPE(arb, c);
+            arb_mul_ui(c, eta + i, binomial[d][i], prec);
+            arb_addmul(b->of[PLACE_Y] + d, c, psi + d - i, prec);
+            arb_addmul(b->of[PLACE_Z] + d, c, theta + d - i, prec);
+        }
+    }
+}
+
+/* The shortest eta (within an eighth) at which both G(1 + eta) and G(1 - eta) exceed E: no motion gets there. */
+static bool confine(arb_t eta, const struct trajectory *t, const arb_t E, slong k)
+{
+    bool outside = false, inside;
+    SCOPE(arb, G, minus, now);
+    arb_abs(now, trajectory_sample(t, k) + ETA);
+    arb_one(eta);
+    arb_mul_2exp_si(eta, eta, -60);
+    while (!outside && arf_cmp_2exp_si(arb_midref(eta), -1) < 0) {
+        arb_mul_ui(eta, eta, 9, 16);
+        arb_mul_2exp_si(eta, eta, -3);
+        arb_get_mid_arb(eta, eta);
+        arb_neg(minus, eta);
+        tether_energy(G, t, eta);
+        outside = arb_gt(G, E);
+        tether_energy(G, t, minus);
+        outside = outside && arb_gt(G, E);
+    }
+    inside = arb_lt(now, eta);
+    return outside && inside;
+}
+
+static void plus_minus(arb_t x, const arb_t bound)
+{
+    SCOPE(mag, m);
+    arb_get_mag(m, bound);
+    arb_zero(x);
+    arb_add_error_mag(x, m);
+}
+
+/* The states with that energy, and q = 1/l; of them the slice number i by length. */
+static void energy_box(struct jet *jet, const arb_t E, const arb_t eta, slong i, slong prec)
+{
+    SCOPE(arb, a, b);
+    reach(a, E, 2, 1, prec);
+    for (int i = U; i <= W; i++)
+        plus_minus(jet->c[i], a);
+    reach(a, E, 2, 3, prec);
+    plus_minus(jet->c[Y], a);
+    reach(a, E, 1, 2, prec);
+    plus_minus(jet->c[Z], a);
+    arb_div_ui(a, eta, SLICES, prec);
+    plus_minus(b, a);
+    arb_addmul_si(b, a, 2 * i + 1 - SLICES, prec);
+    arb_add_ui(b, b, 1, prec); /* l */
+    arb_inv(jet->c[JET_STATES - 1], b, prec);
+    arb_sqr(a, b, prec);
+    arb_submul(a, jet->c[Y], jet->c[Y], prec);
+    arb_submul(a, jet->c[Z], jet->c[Z], prec);
+    arb_sqrt(jet->c[X], a, prec);
+}
+
+/* bound k, if not larger yet: |k! coefficient k| */
+static void set_bounds(arb_ptr bound, const arb_poly_t series, slong prec)
+{
+    for (slong d = 0, factorial = 1; d < DERIVATIVES; factorial *= ++d) {
+        SCOPE(arb, a);
+        arb_poly_get_coeff_arb(a, series, d);
+        arb_mul_si(a, a, factorial, prec);
+        arb_get_abs_ubound_arf(arb_midref(a), a, prec);
+        mag_zero(arb_radref(a));
+        arb_max(bound + d, bound + d, a, prec);
+    }
+}
+
+/* Taylor series of the motion from any state of the box, and of psi, theta and eta along it. */
+static void nonlinear_bounds(struct bounds *b, const struct jet *jet, slong prec)
+{
+    const slong n = DERIVATIVES;
+    arb_poly_t s[3], l, a;
+    arb_poly_init(l);
+    arb_poly_init(a);
+    for (int i = X; i <= Z; i++) {
+        arb_poly_init(s[i]);
+        for (slong d = 0; d < n; d++)
+            arb_poly_set_coeff_arb(s[i], d, jet->c[i] + d);
+        set_bounds(b->of[PLACE_X + i], s[i], prec);
+        arb_poly_mullow(a, s[i], s[i], n, prec);
+        arb_poly_add(l, l, a, prec);
+    }
+    arb_poly_sqrt_series(l, l, n, prec);
+    arb_poly_div_series(a, s[Y], s[X], n, prec);
+    arb_poly_atan_series(a, a, n, prec);
+    set_bounds(b->of[PSI], a, prec);
+    arb_poly_div_series(a, s[Z], l, n, prec);
+    arb_poly_asin_series(a, a, n, prec);
+    set_bounds(b->of[THETA], a, prec);
+    arb_poly_add_si(l, l, -1, prec);
+    set_bounds(b->of[ETA], l, prec);
+    for (int i = X; i <= Z; i++)
+        arb_poly_clear(s[i]);
+    arb_poly_clear(a);
+    arb_poly_clear(l);
+}
+
+bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
+{
+    bool bounded = true;
+    SCOPE(arb, E, eta);
+    bounds_zero(b);
+    trajectory_energy(E, t, k);
+    if (t->nonlinear) {
+        struct jet jet;
+        jet_init(&jet, DERIVATIVES - 1);
+        jet_constants(&jet, t->c1, t->c2);
+        bounded = confine(eta, t, E, k);
+        for (slong i = 0; i < SLICES; i++) {
+            energy_box(&jet, E, eta, i, BOUND_BITS);
+            jet_extend(&jet, BOUND_BITS, 0);
+            nonlinear_bounds(b, &jet, BOUND_BITS);
+        }
+        jet_clear(&jet);
+    } else {
+        linear_bounds(b, t, E, k);
+    }
+    return bounded;
+}
+
+void bound_between_samples(arb_t excess, const struct trajectory *t, const struct bounds *b, int which)
+{
+    SCOPE(arb, curvature);
+    if (which == PRODUCT) {
+        arb_mul(curvature, t->c1, b->of[ETA] + 2, t->prec);
+        arb_addmul(curvature, t->c2, b->of[ETA_DOT] + 2, t->prec);
+        arb_div_ui(curvature, curvature, 3, t->prec);
+    } else
+        arb_set(curvature, b->of[which] + 2);
+    arb_mul_si(excess, t->Omega, t->step, t->prec);
+    arb_sqr(excess, excess, t->prec);
+    arb_mul(excess, excess, curvature, t->prec);
+    arb_mul_2exp_si(excess, excess, -3);
+}
+
+void trajectory_peak(arb_t peak, const struct trajectory *t, int which, slong from, slong to)
+{
+    SCOPE(arb, a);
+    arb_zero(peak);
+    for (slong k = from; k <= to; k++) {
+        trajectory_value(a, t, k, which);
+        arb_abs(a, a);
+        arb_max(peak, peak, a, t->prec);
+    }
+}
+
+bool trajectory_supremum(arb_t supremum, const struct trajectory *t, int which, slong from, slong to)
+{
+    struct bounds b;
+    SCOPE(arb, excess);
+    bounds_init(&b);
+    const bool bounded = trajectory_bounds(&b, t, from);
+    trajectory_peak(supremum, t, which, from, to);
+    bound_between_samples(excess, t, &b, which);
+    arb_add(supremum, supremum, excess, t->prec);
+    bounds_clear(&b);
+    return bounded;
+}
+
+void trajectory_gap(arb_t gap, const struct trajectory *a, const struct trajectory *b, int which, slong from, slong to)
+{
+    SCOPE(arb, x, y);
+    arb_zero(gap);
+    for (slong k = from; k <= to; k++) {
+        trajectory_value(x, a, k, which);
+        trajectory_value(y, b, k, which);
+        arb_sub(x, x, y, a->prec);
+        arb_abs(x, x);
+        arb_max(gap, gap, x, a->prec);
+    }
+}
+
+/* The time between two samples in hours. */
+static void time_between(arb_t hours, const struct trajectory *t, slong above, slong below)
+{
+    SCOPE(arb, value);
+    arb_set_si(hours, t->first + above * t->step);
+    arb_set_si(value, t->first + below * t->step);
+    arb_union(hours, hours, value, t->prec);
+    arb_div_ui(hours, hours, 3600, t->prec);
+}
+
+bool trajectory_exits(arb_ptr hours, const struct trajectory *t, int which, arb_srcptr limits, int count)
+{
+    enum { RENEWED = 256 }; /* samples: bounds hold on; renewed, they are sharper */
+    struct bounds b;
+    SCOPE(arb, value, bound);
+    slong below[count]; /* from that sample on it is below, between samples too */
+    bool bounded = true, open = true;
+    bounds_init(&b);
+    for (int i = 0; i < count; i++) {
+        arb_indeterminate(hours + i);
+        below[i] = t->count;
+    }
+    for (slong k = t->count - 1; k >= 0 && open; k--) {
+        if (k % RENEWED == RENEWED - 1 || k == t->count - 1)
+            bounded = trajectory_bounds(&b, t, k - k % RENEWED) && bounded;
+        arb_abs(value, trajectory_sample(t, k) + which);
+        bound_between_samples(bound, t, &b, which);
+        arb_add(bound, bound, value, t->prec);
+        open = false;
+        for (int i = 0; i < count; i++) {
+            if (below[i] < 0)
+                continue;
+            if (below[i] == k + 1 && arb_lt(bound, limits + i))
+                below[i] = k;
+            if (arb_gt(value, limits + i)) {
+                if (below[i] < t->count)
+                    time_between(hours + i, t, k, below[i]);
+                below[i] = -1;
+            }
+            open = open || below[i] >= 0;
+        }
+    }
+    bounds_clear(&b);
+    return bounded;
+}

@@ -1,0 +1,93 @@
+/*
+ * The paper's simulation as proved samples of a trajectory, and bounds for what happens between and after them.
+ *
+ * Samples are in radians of orbit and units of L_ref, for both models alike: psi, theta, eta = dL/L_ref, their
+ * rates, and the place x1 y1 z1 of craft 1 in units of its arm m2/(m1 + m2) L_ref, by the exact rotation (10) in
+ * a nonlinear motion and by small angles (eq10lin) in a linear one, as the paper has it.
+ */
+#ifndef CT_TRAJECTORY_H
+#define CT_TRAJECTORY_H
+
+#include "motion/flow.h"
+#include "sheet/sheet.h"
+
+enum coordinate { PSI, THETA, ETA, PSI_DOT, THETA_DOT, ETA_DOT, PLACE_X, PLACE_Y, PLACE_Z, COORDINATES };
+
+/*
+ * What follows from them: the charges, dQ/Q_ref = (c1 eta + c2 eta')/3 by (7) and (18); the amplitude of pitch,
+ * sqrt(theta^2 + theta'^2/4), and its phase; what small angles leave out of (10) for equal masses, in m.
+ */
+enum derived { PRODUCT = COORDINATES, AMPLITUDE, PHASE, ERROR_X, ERROR_Y, ERROR_Z, VARIABLES };
+extern const char *const variable_names[VARIABLES];
+
+/* What is NULL is the paper's own: Table 1, n = 10, 0.01 rad, 0.01 rad, 0.1 m, no rates. */
+struct simulation {
+    const struct sheet *sheet;
+    bool nonlinear;
+    long rk4;                         /* step in s of the classical Runge-Kutta method, 0: the motion itself */
+    slong digits;                     /* that the samples are proved to; 0: TRAJECTORY_DIGITS. Fewer run faster. */
+    const char *n, *psi, *theta, *dL; /* exact decimals, SI */
+    const char *m1, *m2;
+    arb_srcptr start;                 /* a sample to start from instead of the angles */
+};
+
+struct trajectory {
+    const struct sheet *sheet;
+    bool nonlinear;
+    slong prec, count;
+    long first, step;                 /* s: of the samples */
+    arb_t c1, c2;                     /* C1/Omega^2, C2/Omega */
+    arb_t Omega, L_ref, arm;          /* rad/s, m, m */
+    arb_ptr samples;
+};
+
+enum { TRAJECTORY_DIGITS = 20 };
+
+/* The value that the paper's simulation gives a quantity: Table 1 and the initial conditions. */
+void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec);
+
+/* Samples at first, first + step, ... last, whole seconds; false when the flow ended before, or the pair turned over. */
+bool trajectory_run(struct trajectory *t, const struct simulation *s, long first, long step, long last);
+void trajectory_clear(struct trajectory *t);
+arb_ptr trajectory_sample(const struct trajectory *t, slong k);
+
+/* One of the variables at a sample, and what one of it is in SI. */
+void trajectory_value(arb_t x, const struct trajectory *t, slong k, int which);
+void trajectory_unit(arb_t unit, const struct trajectory *t, int which);
+
+/* The largest |variable|, and the largest difference of two trajectories, on these samples, ends included. */
+void trajectory_peak(arb_t peak, const struct trajectory *t, int which, slong from, slong to);
+void trajectory_gap(arb_t gap, const struct trajectory *a, const struct trajectory *b, int which, slong from, slong to);
+
+/*
+ * A Lyapunov function that no motion raises, so that its value at a sample bounds all that comes after.
+ *     linear     E = (3 psi^2 + psi'^2 + (c1 - 9) eta^2 + eta'^2)/2              E' = -c2 eta'^2
+ *     nonlinear  E = (u^2 + v^2 + w^2 + 3 y^2 + 4 z^2)/2 + G(l)                  E' = -c2 (l'/l)^2
+ *                G = (c1 - 3)(1/l - 1) + c1 log l - 3/2 (l^2 - 1)
+ * Pitch is left out of the linear one: there it is on its own.
+ */
+void trajectory_energy(arb_t energy, const struct trajectory *t, slong k);
+
+/* Bounds on a coordinate and its derivatives, from a sample on for ever; of a rate, up to the second. */
+enum { DERIVATIVES = 4 };
+struct bounds {
+    arb_ptr of[COORDINATES];
+};
+void bounds_init(struct bounds *b);
+void bounds_clear(struct bounds *b);
+bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k);
+
+/* What a coordinate or the charges can exceed their samples by between them, ... */
+void bound_between_samples(arb_t excess, const struct trajectory *t, const struct bounds *b, int which);
+
+/* ... and a bound on their size from sample to sample, between them too. */
+bool trajectory_supremum(arb_t supremum, const struct trajectory *t, int which, slong from, slong to);
+
+/*
+ * When |coordinate| falls below each of these limits and stays so until the last sample: the last sample above and the
+ * first one after which it is below on samples and between them, as an enclosure of the time in hours; indeterminate if
+ * it does not. False where there are no bounds.
+ */
+bool trajectory_exits(arb_ptr hours, const struct trajectory *t, int which, arb_srcptr limits, int count);
+
+#endif
