@@ -18,52 +18,53 @@
 static const char good[] =
     "quantities:\n"                                                                   /*  1 */
     "  Omega: {unit: rad/s, domain: \"> 0\", range: [1, 2], meaning: rate}\n"         /*  2 */
-    "  x1 y1: {unit: m, domain: finite, range: [1, 9], sign: either, meaning: place}\n" /* 3 */
-    "  L: {unit: m, domain: \">= 0\", value: 10, meaning: distance}\n"                /*  4 */
-    "  lambda_d: {unit: m, domain: \"> 0 or inf\", meaning: length}\n"                /*  5 */
-    "table1:\n"                                                                       /*  6 */
-    "  - {name: L, printed: \"10\", unit: m, scale: 1}\n"                             /*  7 */
-    "equations:\n"                                                                    /*  8 */
-    "  eq1:\n"                                                                        /*  9 */
-    "    title: a definition\n"                                                       /* 10 */
-    "    equations: [\"1\"]\n"                                                        /* 11 */
-    "    relations:\n"                                                                /* 12 */
-    "      - {equation: \"1\", holds: \"x1 = 2*L\"}\n"                               /* 13 */
-    "  eq2:\n"                                                                        /* 14 */
-    "    title: a formula\n"                                                          /* 15 */
-    "    equations: [2a, 2b]\n"                                                       /* 16 */
-    "    inputs: [Omega, x1, y1]\n"                                                   /* 17 */
-    "    let:\n"                                                                      /* 18 */
-    "      r: sqrt(x1^2 + y1^2)\n"                                                    /* 19 */
-    "    outputs:\n"                                                                  /* 20 */
-    "      L: Omega*r\n"                                                              /* 21 */
-    "    domain: [x1 + y1 > 0, Omega >= y1, y1 < 4]\n"                                /* 22 */
-    "    printed:\n"                                                                  /* 23 */
-    "      outputs:\n"                                                                /* 24 */
-    "        L: Omega*x1\n"                                                           /* 25 */
-    "    reason: the root is missing\n"                                               /* 26 */
-    "  eq3:\n"                                                                        /* 27 */
-    "    title: an algorithm\n"                                                       /* 28 */
-    "    equations: [\"3\"]\n"                                                        /* 29 */
-    "    method: roots\n"                                                             /* 30 */
-    "    inputs: [L]\n"                                                               /* 31 */
-    "    outputs: [x1, y1]\n"                                                         /* 32 */
-    "  eq4:\n"                                                                        /* 33 */
-    "    title: a formula for the oracle\n"                                           /* 34 */
-    "    equations: [\"4\"]\n"                                                        /* 35 */
-    "    inputs: [Omega, x1]\n"                                                       /* 36 */
-    "    let:\n"                                                                      /* 37 */
-    "      half: x1/2\n"                                                              /* 38 */
-    "    outputs:\n"                                                                  /* 39 */
-    "      y1: Omega*half\n"                                                          /* 40 */
-    "    vectors:\n"                                                                  /* 41 */
-    "      three: {x1: 3, flags: edge}\n"                                             /* 42 */
-    "    mistakes:\n"                                                                 /* 43 */
-    "      not halved: {let: {half: x1}}\n"                                           /* 44 */
-    "    K: {bound: 20, reason: it may}\n"                                            /* 45 */
-    "K: {bound: 8, reason: all may}\n"                                                /* 46 */
-    "mistakes:\n"                                                                     /* 47 */
-    "  another rate: {inputs: {Omega: 2*Omega}}\n";                                   /* 48 */
+    "  x1: {unit: m, domain: finite, range: [1, 9], sign: either, meaning: place}\n" /*  3 */
+    "  y1: {unit: m, domain: finite, range: [1, 9], sign: either, meaning: along}\n" /*  4 */
+    "  L: {unit: m, domain: \">= 0\", value: 10, meaning: distance}\n"                /*  5 */
+    "  lambda_d: {unit: m, domain: \"> 0 or inf\", meaning: length}\n"                /*  6 */
+    "table1:\n"                                                                       /*  7 */
+    "  - {name: L, printed: \"10\", unit: m, scale: 1}\n"                             /*  8 */
+    "equations:\n"                                                                    /*  9 */
+    "  eq1:\n"                                                                        /* 10 */
+    "    title: a definition\n"                                                       /* 11 */
+    "    equations: [\"1\"]\n"                                                        /* 12 */
+    "    relations:\n"                                                                /* 13 */
+    "      - {equation: \"1\", holds: \"x1 = 2*L\"}\n"                               /* 14 */
+    "  eq2:\n"                                                                        /* 15 */
+    "    title: a formula\n"                                                          /* 16 */
+    "    equations: [2a, 2b]\n"                                                       /* 17 */
+    "    inputs: [Omega, x1, y1]\n"                                                   /* 18 */
+    "    let:\n"                                                                      /* 19 */
+    "      r: sqrt(x1^2 + y1^2)\n"                                                    /* 20 */
+    "    outputs:\n"                                                                  /* 21 */
+    "      L: Omega*r\n"                                                              /* 22 */
+    "    domain: [x1 + y1 > 0, Omega >= y1, y1 < 4]\n"                                /* 23 */
+    "    printed:\n"                                                                  /* 24 */
+    "      outputs:\n"                                                                /* 25 */
+    "        L: Omega*x1\n"                                                           /* 26 */
+    "    reason: the root is missing\n"                                               /* 27 */
+    "  eq3:\n"                                                                        /* 28 */
+    "    title: an algorithm\n"                                                       /* 29 */
+    "    equations: [\"3\"]\n"                                                        /* 30 */
+    "    method: roots\n"                                                             /* 31 */
+    "    inputs: [L]\n"                                                               /* 32 */
+    "    outputs: [x1, y1]\n"                                                         /* 33 */
+    "  eq4:\n"                                                                        /* 34 */
+    "    title: a formula for the oracle\n"                                           /* 35 */
+    "    equations: [\"4\"]\n"                                                        /* 36 */
+    "    inputs: [Omega, x1]\n"                                                       /* 37 */
+    "    let:\n"                                                                      /* 38 */
+    "      half: x1/2\n"                                                              /* 39 */
+    "    outputs:\n"                                                                  /* 40 */
+    "      y1: Omega*half\n"                                                          /* 41 */
+    "    vectors:\n"                                                                  /* 42 */
+    "      three: {x1: 3, flags: edge}\n"                                             /* 43 */
+    "    mistakes:\n"                                                                 /* 44 */
+    "      not halved: {let: {half: x1}}\n"                                           /* 45 */
+    "    K: {bound: 20, reason: it may}\n"                                            /* 46 */
+    "K: {bound: 8, reason: all may}\n"                                                /* 47 */
+    "mistakes:\n"                                                                     /* 48 */
+    "  another rate: {inputs: {Omega: 2*Omega}}\n";                                   /* 49 */
 
 /* The good sheet with one text in place of another; malloc'ed. */
 static char *changed(const char *from, const char *to)
@@ -85,7 +86,7 @@ START_TEST(sheet_is_read)
     ck_assert_int_eq(s.section_count, 4);
     const struct quantity *x1 = quantity_find(&s, "x1"), *y1 = quantity_find(&s, "y1");
     ck_assert_str_eq(x1->unit, "m");
-    ck_assert_str_eq(y1->meaning, "place");
+    ck_assert_str_eq(y1->meaning, "along");
     ck_assert(x1->either_sign);
     ck_assert_int_eq(quantity_find(&s, "lambda_d")->domain, DOMAIN_POSITIVE_OR_INFINITE);
     ck_assert_ptr_null(quantity_find(&s, "x2"));
@@ -122,18 +123,18 @@ static const struct {
     const char *from, *to, *place, *expected;
 } mistakes[] = {
     {"quantities:", "quantity:", "1:1: ", "unknown key 'quantity', expected perhaps quantities"},
-    {"table1:", "table2:", "6:1: ", "unknown key 'table2', expected perhaps table1"},
-    {"domain: finite", "domain: infinite", "3:28: ", "expected a domain: finite, > 0, >= 0 or > 0 or inf"},
-    {"domain: finite", "domain: [finite]", "3:28: ", "expected a domain"},
-    {"domain: finite, ", "", "3:10: ", "missing domain of 'x1 y1'"},
+    {"table1:", "table2:", "7:1: ", "unknown key 'table2', expected perhaps table1"},
+    {"domain: finite", "domain: infinite", "3:25: ", "expected a domain: finite, > 0, >= 0 or > 0 or inf"},
+    {"domain: finite", "domain: [finite]", "3:25: ", "expected a domain"},
+    {"domain: finite, ", "", "3:7: ", "missing domain, expected a domain"},
     {"unit: rad/s, ", "", "2:10: ", "missing unit, expected a text"},
     {", meaning: rate", "", "2:10: ", "missing meaning, expected a text"},
     {"unit: rad/s", "units: rad/s", "2:11: ", "unknown key 'units', expected perhaps unit"},
-    {"  L: {", "  x1: {", "4:3: ", "duplicate quantity 'x1', expected each name once"},
-    {"  L: {", "  Omega: {", "4:3: ", "duplicate 'Omega', expected each key once"},
+    {"  L: {", "  x1: {", "5:3: ", "duplicate 'x1', expected each key once"},
+    {"  L: {", "  Omega: {", "5:3: ", "duplicate 'Omega', expected each key once"},
     {"[1, 2]", "[2, 1]", "2:46: ", "expected low < high"},
-    {"sign: either", "sign: neither", "3:57: ", "expected 'either'"},
-    {"sign: either", "sign: [either]", "3:57: ", "expected 'either'"},
+    {"sign: either", "sign: neither", "3:54: ", "expected a sign: either"},
+    {"sign: either", "sign: [either]", "3:54: ", "expected a sign: either"},
     {"[1, 2]", "[1]", "2:46: ", "expected two bounds, [low, high]"},
     {"[1, 2]", "[]", "2:46: ", "expected two bounds, [low, high]"},
     {"[1, 2]", "[1, 2, 3]", "2:53: ", "expected a list of at most 2 texts"},
@@ -141,95 +142,95 @@ static const struct {
     {"[1, 2]", "[-1, 2]", "2:47: ", "expected a positive number"},
     {"[1, 2]", "[nan, 2]", "2:47: ", "expected a positive number"},
     {"[1, 2]", "1 to 2", "2:46: ", "expected a list"},
-    {"{name: L, ", "{name: M, ", "7:5: ", "unknown quantity 'M'"},
-    {"scale: 1}", "scale: 1, scale: 2}", "7:49: ", "duplicate 'scale', expected each key once"},
-    {", scale: 1", "", "7:5: ", "missing scale, expected a text"},
-    {"  - {name: L, printed: \"10\", unit: m, scale: 1}\n", "  L: 10\n", "7:3: ", "expected a list of rows"},
-    {"  eq2:", "  eq1:", "14:3: ", "duplicate 'eq1', expected each key once"},
-    {"title: a formula", "titel: a formula", "15:5: ", "unknown key 'titel', expected perhaps title"},
-    {"    title: a formula\n", "", "15:5: ", "missing title, expected a text"},
-    {"    equations: [2a, 2b]\n", "", "15:5: ", "missing equations: the numbers this section stands for"},
-    {"[2a, 2b]", "[]", "16:16: ", "expected at least one equation number"},
-    {"[Omega, x1, y1]", "[Omga, x1, y1]", "17:14: ",
+    {"{name: L, ", "{name: M, ", "8:5: ", "unknown quantity 'M'"},
+    {"scale: 1}", "scale: 1, scale: 2}", "8:49: ", "duplicate 'scale', expected each key once"},
+    {", scale: 1", "", "8:5: ", "missing scale, expected a text"},
+    {"  - {name: L, printed: \"10\", unit: m, scale: 1}\n", "  L: 10\n", "8:3: ", "expected a list"},
+    {"  eq2:", "  eq1:", "15:3: ", "duplicate 'eq1', expected each key once"},
+    {"title: a formula", "titel: a formula", "16:5: ", "unknown key 'titel', expected perhaps title"},
+    {"    title: a formula\n", "", "16:5: ", "missing title, expected a text"},
+    {"    equations: [2a, 2b]\n", "", "16:5: ", "missing equations, expected the equation numbers that it stands for"},
+    {"[2a, 2b]", "[]", "17:16: ", "expected at least one of the equation numbers that it stands for"},
+    {"[Omega, x1, y1]", "[Omga, x1, y1]", "18:14: ",
      "unknown symbol 'Omga', expected a quantity of the sheet (did you mean 'Omega'?)"},
-    {"[Omega, x1, y1]", "[Omega, x1, x1]", "17:25: ", "'x1' twice, expected it once"},
-    {"[Omega, x1, y1]", "[Omega, x1]", "19:22: ", "unknown symbol 'y1'"},
-    {"      r: sqrt", "      x1: sqrt", "19:7: ", "'x1' is an input already, expected a new name"},
-    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 + y1^2", "19:26: ", "expected ')' or an operator, the formula ends here"},
-    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 + y1^2))", "19:27: ", "expected an operator or the end of the formula, found ')'"},
-    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 ++ y1^2)", "19:21: ", "expected a number, a symbol or '(', found '+'"},
-    {"sqrt(x1^2 + y1^2)", "sqrt(x1^k + y1^2)", "19:18: ", "expected an integer exponent"},
-    {"sqrt(x1^2 + y1^2)", "[x1, y1]", "19:10: ", "expected a formula"},
-    {"L: Omega*r\n", "L: Omega*R\n", "21:16: ", "unknown symbol 'R'"},
-    {"L: Omega*r\n", "L: \"Omega*R\"\n", "21:17: ", "unknown symbol 'R'"},
-    {"L: Omega*r\n", "M: Omega*r\n", "21:7: ", "unknown symbol 'M', expected a quantity of the sheet"},
-    {"L: Omega*r\n", "L: {a: b}\n", "21:10: ", "expected a formula"},
-    {"x1 + y1 > 0", "x1 + y1", "22:14: ", "expected a condition with >, >= or <"},
-    {"x1 + y1 > 0", "x1 + z1 > 0", "22:19: ", "unknown symbol 'z1'"},
-    {"x1 + y1 > 0", "x1 + y1 > z1", "22:24: ", "unknown symbol 'z1'"},
-    {"        L: Omega*x1\n", "        x1: Omega*x1\n", "25:9: ",
+    {"[Omega, x1, y1]", "[Omega, x1, x1]", "18:25: ", "'x1' twice, expected it once"},
+    {"[Omega, x1, y1]", "[Omega, x1]", "20:22: ", "unknown symbol 'y1'"},
+    {"      r: sqrt", "      x1: sqrt", "20:7: ", "'x1' is an input already, expected a new name"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 + y1^2", "20:26: ", "expected ')' or an operator, the formula ends here"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 + y1^2))", "20:27: ", "expected an operator or the end of the formula, found ')'"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 ++ y1^2)", "20:21: ", "expected a number, a symbol or '(', found '+'"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^k + y1^2)", "20:18: ", "expected an integer exponent"},
+    {"sqrt(x1^2 + y1^2)", "[x1, y1]", "20:10: ", "expected a formula"},
+    {"L: Omega*r\n", "L: Omega*R\n", "22:16: ", "unknown symbol 'R'"},
+    {"L: Omega*r\n", "L: \"Omega*R\"\n", "22:17: ", "unknown symbol 'R'"},
+    {"L: Omega*r\n", "M: Omega*r\n", "22:7: ", "unknown symbol 'M', expected a quantity of the sheet"},
+    {"L: Omega*r\n", "L: {a: b}\n", "22:10: ", "expected a formula"},
+    {"x1 + y1 > 0", "x1 + y1", "23:14: ", "expected a condition with >, >= or <"},
+    {"x1 + y1 > 0", "x1 + z1 > 0", "23:19: ", "unknown symbol 'z1'"},
+    {"x1 + y1 > 0", "x1 + y1 > z1", "23:24: ", "unknown symbol 'z1'"},
+    {"        L: Omega*x1\n", "        x1: Omega*x1\n", "26:9: ",
      "expected the outputs of the corrected equation, in its order"},
-    {"        L: Omega*x1\n", "        L: Omega*x1\n        x1: \"1\"\n", "26:9: ",
+    {"        L: Omega*x1\n", "        L: Omega*x1\n        x1: \"1\"\n", "27:9: ",
      "expected the outputs of the corrected equation, in its order"},
-    {"    reason: the root is missing\n", "", "15:5: ", "missing reason, expected a text"},
-    {"      outputs:\n        L: Omega*x1\n", "      domain: []\n", "24:7: ", "missing outputs"},
-    {"      outputs:\n        L: Omega*x1\n", "      output:\n        L: Omega*x1\n", "24:7: ",
+    {"    reason: the root is missing\n", "", "16:5: ", "missing reason, expected a text"},
+    {"      outputs:\n        L: Omega*x1\n", "      domain: []\n", "25:7: ", "missing outputs"},
+    {"      outputs:\n        L: Omega*x1\n", "      output:\n        L: Omega*x1\n", "25:7: ",
      "unknown key 'output', expected perhaps outputs"},
-    {"x1 = 2*L", "x1 - 2*L", "13:32: ", "expected left = right"},
-    {"x1 = 2*L", "x1 = 2*M", "13:40: ", "unknown symbol 'M'"},
-    {"x1 = 2*L", "x1 = 2* ", "13:41: ", "expected a number, a symbol or '(', the formula ends here"},
-    {"equation: \"1\", ", "", "13:9: ", "missing equation, expected a text"},
-    {"method: roots", "method: root", "30:13: ", "expected a method: roots, flow_ or rk4_ linear or nonlinear"},
-    {"    inputs: [L]\n", "", "28:5: ", "missing inputs"},
-    {"    outputs: [x1, y1]\n", "", "28:5: ", "missing outputs"},
-    {"[x1, y1]\n", "[x1, z1]\n", "32:19: ", "unknown symbol 'z1'"},
-    {"table1:", "[table1]:", "6:1: ", "expected a plain key"},
+    {"x1 = 2*L", "x1 - 2*L", "14:32: ", "expected left = right"},
+    {"x1 = 2*L", "x1 = 2*M", "14:40: ", "unknown symbol 'M'"},
+    {"x1 = 2*L", "x1 = 2* ", "14:41: ", "expected a number, a symbol or '(', the formula ends here"},
+    {"equation: \"1\", ", "", "14:9: ", "missing equation, expected a text"},
+    {"method: roots", "method: root", "31:13: ", "expected a method: roots, flow_linear, flow_nonlinear, rk4_linear or rk4_nonlinear"},
+    {"    inputs: [L]\n", "", "29:5: ", "missing inputs"},
+    {"    outputs: [x1, y1]\n", "", "29:5: ", "missing outputs"},
+    {"[x1, y1]\n", "[x1, z1]\n", "33:19: ", "unknown symbol 'z1'"},
+    {"table1:", "[table1]:", "7:1: ", "expected a plain key"},
     {"unit: rad/s", "unit: \"\"", "2:17: ", "missing unit, expected a text"},
-    {"    let:\n      r: sqrt(x1^2 + y1^2)\n", "    let: r\n", "18:10: ", "expected a mapping, key: value"},
-    {"      outputs:\n        L: Omega*x1\n", "      outputs: {}\n", "24:16: ", "expected 1 outputs"},
-    {"      three: {x1: 3, flags: edge}\n", "      - three\n", "42:7: ", "expected a mapping, key: value"},
-    {"{x1: 3, flags: edge}", "3", "42:14: ", "expected a mapping, key: value"},
-    {", flags: edge", "", "42:14: ", "missing flags, expected a text"},
-    {"{x1: 3", "{y1: 3", "42:15: ", "'y1' is no input of eq4"},
-    {"{x1: 3", "{x1: [3]", "42:19: ", "expected a number"},
-    {"{let: {half: x1}}", "x1", "44:19: ", "expected a mapping, key: value"},
-    {"{let: {half: x1}}", "{lets: {half: x1}}", "44:20: ", "unknown key 'lets', expected perhaps let"},
-    {"{half: x1}", "half", "44:25: ", "expected a mapping, key: value"},
-    {"{half: x1}", "{half: [x1]}", "44:32: ", "expected a formula, and at most 12 of them"},
-    {"{half: x1}", "{hlf: x1}", "44:19: ", "'hlf' is not there to be changed"},
-    {"{half: x1}", "{Omega: x1}", "44:19: ", "'Omega' is not there to be changed"},
-    {"{half: x1}", "{half: x9}", "44:19: ", "half: unknown symbol 'x9'"},
-    {"{let: {half: x1}}", "{}", "44:19: ", "nothing is changed"},
-    {"{let: {half: x1}}", "{as: eq1}", "44:19: ", "as: expected an operation with as many outputs"},
-    {"{let: {half: x1}}", "{as: eq3}", "44:19: ", "as: expected an operation with as many outputs"},
-    {"{let: {half: x1}}", "{as: eq5}", "44:19: ", "as: expected an operation with as many outputs"},
-    {"{let: {half: x1}}", "{as: eq2}", "44:19: ", "eq2 needs y1"},
-    {"{bound: 20, reason: it may}", "20", "45:8: ", "expected a mapping, key: value"},
-    {", reason: it may", "", "45:8: ", "missing reason, expected a text"},
-    {"bound: 20, ", "", "45:8: ", "missing bound, expected a positive number"},
-    {"bound: 20", "bound: 0", "45:16: ", "expected a positive number"},
-    {"bound: 20", "bound: [20]", "45:16: ", "expected a positive number"},
-    {"bound: 8, ", "", "46:4: ", "missing bound, expected a positive number"},
-    {"  another rate: {inputs: {Omega: 2*Omega}}\n", "  - another\n", "48:3: ", "expected a mapping, key: value"},
-    {"{inputs: {Omega: 2*Omega}}", "2*Omega", "48:17: ", "expected a mapping, key: value"},
-    {"bound: 20", "bound: inf", "45:16: ", "expected a positive number, finite"},
+    {"    let:\n      r: sqrt(x1^2 + y1^2)\n", "    let: r\n", "19:10: ", "expected a mapping, key: value"},
+    {"      outputs:\n        L: Omega*x1\n", "      outputs: {}\n", "25:16: ", "expected 1 outputs"},
+    {"      three: {x1: 3, flags: edge}\n", "      - three\n", "43:7: ", "expected a mapping, key: value"},
+    {"{x1: 3, flags: edge}", "3", "43:14: ", "expected a mapping, key: value"},
+    {", flags: edge", "", "43:14: ", "missing flags, expected a text"},
+    {"{x1: 3", "{y1: 3", "43:15: ", "'y1' is no input of eq4"},
+    {"{x1: 3", "{x1: [3]", "43:19: ", "expected a number"},
+    {"{let: {half: x1}}", "x1", "45:19: ", "expected a mapping, key: value"},
+    {"{let: {half: x1}}", "{lets: {half: x1}}", "45:20: ", "unknown key 'lets', expected perhaps let"},
+    {"{half: x1}", "half", "45:25: ", "expected a mapping, key: value"},
+    {"{half: x1}", "{half: [x1]}", "45:32: ", "expected a formula, and at most 12 of them"},
+    {"{half: x1}", "{hlf: x1}", "45:19: ", "'hlf' is not there to be changed"},
+    {"{half: x1}", "{Omega: x1}", "45:19: ", "'Omega' is not there to be changed"},
+    {"{half: x1}", "{half: x9}", "45:19: ", "half: unknown symbol 'x9'"},
+    {"{let: {half: x1}}", "{}", "45:19: ", "nothing is changed"},
+    {"{let: {half: x1}}", "{as: eq1}", "45:19: ", "as: expected an operation with as many outputs"},
+    {"{let: {half: x1}}", "{as: eq3}", "45:19: ", "as: expected an operation with as many outputs"},
+    {"{let: {half: x1}}", "{as: eq5}", "45:19: ", "as: expected an operation with as many outputs"},
+    {"{let: {half: x1}}", "{as: eq2}", "45:19: ", "eq2 needs y1"},
+    {"{bound: 20, reason: it may}", "20", "46:8: ", "expected a mapping, key: value"},
+    {", reason: it may", "", "46:8: ", "missing reason, expected a text"},
+    {"bound: 20, ", "", "46:8: ", "missing bound, expected a positive number"},
+    {"bound: 20", "bound: 0", "46:16: ", "expected a positive number"},
+    {"bound: 20", "bound: [20]", "46:16: ", "expected a positive number"},
+    {"bound: 8, ", "", "47:4: ", "missing bound, expected a positive number"},
+    {"  another rate: {inputs: {Omega: 2*Omega}}\n", "  - another\n", "49:3: ", "expected a mapping, key: value"},
+    {"{inputs: {Omega: 2*Omega}}", "2*Omega", "49:17: ", "expected a mapping, key: value"},
+    {"bound: 20", "bound: inf", "46:16: ", "expected a positive number, finite"},
     {"[1, 2]", "[1, 1e999]", "2:50: ", "expected a positive number, finite"},
     {"[1, 2]", "[1e-999, 2]", "2:47: ", "expected a positive number"},
-    {"value: 10", "value: -10", "4:39: ", "expected a number of the quantity's own domain"},
-    {"value: 10", "value: inf", "4:39: ", "expected a number of the quantity's own domain"},
-    {"value: 10", "value: nan", "4:39: ", "expected a number of the quantity's own domain"},
-    {"value: 10", "value: ten", "4:39: ", "expected a number of the quantity's own domain"},
-    {"value: 10", "value: 1e999", "4:39: ", "expected a number of the quantity's own domain"},
-    {"value: 10", "example: -10", "4:41: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "value: -10", "5:39: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "value: inf", "5:39: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "value: nan", "5:39: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "value: ten", "5:39: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "value: 1e999", "5:39: ", "expected a number of the quantity's own domain"},
+    {"value: 10", "example: -10", "5:41: ", "expected a number of the quantity's own domain"},
     {"range: [1, 2]", "value: 0", "2:46: ", "expected a number of the quantity's own domain"},
     {"range: [1, 2]", "sign: either", "2:45: ", "expected no sign where the domain has but one"},
-    {"{x1: 3", "{x1: three", "42:19: ", "expected a number"},
-    {"{x1: 3", "{x1: 1e999", "42:19: ", "expected a number"},
-    {"{x1: 3", "{x1: \"3 four\"", "42:19: ", "expected a number"},
-    {"value: 10", "value: [10]", "4:39: ", "missing value, expected a text"},
+    {"{x1: 3", "{x1: three", "43:19: ", "expected a number"},
+    {"{x1: 3", "{x1: 1e999", "43:19: ", "expected a number"},
+    {"{x1: 3", "{x1: \"3 four\"", "43:19: ", "expected a number"},
+    {"value: 10", "value: [10]", "5:39: ", "missing value, expected a text"},
     {"unit: rad/s", "\"un\\nit\": rad/s", "2:11: ", "unknown key 'un?it', expected perhaps unit"},
-    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n---\nmore: 1\n", "33:1: ", "expected one document, another follows"},
-    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n...\n]\n", "33:1: ", "expected one document, another follows"},
+    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n---\nmore: 1\n", "34:1: ", "expected one document, another follows"},
+    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n...\n]\n", "34:1: ", "expected one document, another follows"},
     {"[2a, 2b]", "[2a, 2b", "", "expected YAML: "},
     {"equations:\n  eq1:", "equations:\n\teq1:", "", "expected YAML: "},
 };
@@ -258,12 +259,14 @@ START_TEST(empty_sheet_is_refused)
 }
 END_TEST
 
+#define Q(name) name ": {unit: m, domain: finite, meaning: place}, "
+
 /* Its inputs take the places of outputs, of which there are no more than 16. */
 START_TEST(mistake_in_a_method_of_17_inputs_is_refused)
 {
     static const char text[] =
         "quantities:\n"
-        "  a b c d e f g h i j k l m n o p q: {unit: m, domain: finite, meaning: place}\n"
+        "  {" Q("a") Q("b") Q("c") Q("d") Q("e") Q("f") Q("g") Q("h") Q("i") Q("j") Q("k") Q("l") Q("m") Q("n") Q("o") Q("p") Q("q") "}\n"
         "table1: []\n"
         "equations:\n"
         "  eq1:\n"

@@ -113,7 +113,7 @@ static int read_ends(struct derivations *d, const yaml_node_t *step, const char 
     return length_of(list);
 }
 
-static bool is_text(struct document *d, const yaml_node_t *mapping, const char *key, bool required,
+static bool take_text(struct document *d, const yaml_node_t *mapping, const char *key, bool required,
                     const char **text)
 {
     const yaml_node_t *node = child(d, mapping, key);
@@ -170,8 +170,8 @@ static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_
     struct step *s = &d->steps[d->step_count++];
     *s = (struct step){.id = scalar(key), .node = node};
     const yaml_node_t *also = node->type == YAML_MAPPING_NODE ? child(document, node, "also") : NULL;
-    if (!is_mapping(document, node, known) || !is_text(document, node, "title", true, &s->title) ||
-        !is_text(document, node, "note", false, &s->note) || !is_text(document, node, "where", false, &s->where) ||
+    if (!is_mapping(document, node, known) || !take_text(document, node, "title", true, &s->title) ||
+        !take_text(document, node, "note", false, &s->note) || !take_text(document, node, "where", false, &s->where) ||
         (also != NULL && !is_mapping(document, also, NULL)) ||
         (s->from_count = read_ends(d, node, "from", s->from)) < 0 ||
         (s->to_count = read_ends(d, node, "to", s->to)) < 0)

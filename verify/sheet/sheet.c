@@ -19,9 +19,7 @@ void sheet_clear(struct sheet *s)
         free(s->sections[i].specials);
         free(s->sections[i].mistakes);
     }
-    for (int i = 0; i < s->text_count; i++)
-        free(s->texts[i]);
-    free(s->texts);
+    tree_close(s->tree);
     free(s->table1);
     free(s->mistakes);
     free(s->sections);

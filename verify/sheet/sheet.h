@@ -6,6 +6,7 @@
 #define CT_SHEET_H
 
 #include "formula/expression.h"
+#include "text/tree.h"
 
 /* Of a section, and of a known mistake. */
 enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16, MOST_CHANGES = 12 };
@@ -106,11 +107,10 @@ struct sheet {
     int quantity_count, section_count, row_count, mistake_count;
     double K;                   /* of every section that says nothing of its own */
     const char *K_reason;
-    char **texts;               /* everything the above points into */
-    int text_count;
+    struct tree *tree;          /* everything the above points into */
 };
 
-/* Reads a sheet from memory; `name` stands in messages: "name:line:column: expected ...". */
+/* Reads a sheet from memory, which is not needed any more then; `name` stands in messages: "name:line:column: expected ...". */
 int sheet_read(struct sheet *s, const char *text, size_t length, const char *name, struct message *why);
 void sheet_clear(struct sheet *s);
 

@@ -1,93 +1,45 @@
+/* equations.yaml: what its keys may be, as tables; then names are looked up and formulas parsed. */
 #include "sheet/sheet.h"
 
-#include <math.h>
-#include <stdio.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sheet/known_mistakes.h"
 #include "text/decimal.h"
-#include "text/document.h"
 #include "text/scope.h"
 
-struct reader {
-    struct document document;
-    struct sheet *sheet;
-    bool refused; /* something that need not be there is there and no text: the reading goes on, in vain */
-};
-
-static const char *keep_text(struct sheet *s, const char *text)
-{
-    s->texts = xrealloc(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
-    return s->texts[s->text_count++] = text_copy(text);
-}
-
-/* A scalar under a key: kept; NULL and a complaint when it has to be there and is not. */
-static const char *text_under(struct reader *r, const yaml_node_t *mapping, const char *key, bool required)
-{
-    const yaml_node_t *node = child(&r->document, mapping, key);
-    if (node == NULL && !required)
-        return NULL;
-    if (node == NULL || scalar(node) == NULL || *scalar(node) == '\0') {
-        r->refused = !parse_error(&r->document, node ? node : mapping, 0, "missing %s, expected a text", key);
-        return NULL;
-    }
-    return keep_text(r->sheet, scalar(node));
-}
-
-/* The items of a list of scalars; -1 and a complaint for anything else. */
-static int list_of(struct reader *r, const yaml_node_t *node, const yaml_node_t **items, int most)
-{
-    if (!is_list(&r->document, node, most))
-        return -1;
-    const int count = length_of(node);
-    for (int i = 0; i < count; i++)
-        items[i] = item_of(&r->document, node, i);
-    return count;
-}
+/* One more item of an array that its struct counts, all zero. */
+#define APPENDED(array, count) (array = xrealloc(array, (size_t)(count) + 1, sizeof *(array)), memset(&(array)[count], 0, sizeof *(array)), &(array)[(count)++])
 
 /* ---- quantities ---- */
 
-static bool read_domain(struct reader *r, const yaml_node_t *node, enum domain *domain)
-{
-    static const struct {
-        const char *text;
-        enum domain domain;
-    } domains[] = {{"finite", DOMAIN_FINITE},
-                   {"> 0", DOMAIN_POSITIVE},
-                   {">= 0", DOMAIN_NOT_NEGATIVE},
-                   {"> 0 or inf", DOMAIN_POSITIVE_OR_INFINITE}};
-    for (size_t i = 0; i < sizeof domains / sizeof *domains; i++)
-        if (scalar(node) != NULL && strcmp(scalar(node), domains[i].text) == 0) {
-            *domain = domains[i].domain;
-            return true;
-        }
-    return parse_error(&r->document, node, 0, "expected a domain: finite, > 0, >= 0 or > 0 or inf");
-}
+static const char *const domains[] = {"finite", "> 0", ">= 0", "> 0 or inf", NULL}, *const signs[] = {"either", NULL};
 
-static bool read_double(struct reader *r, const yaml_node_t *node, double *value)
-{
-    char *end = NULL;
-    const char *text = scalar(node);
-    *value = text != NULL ? strtod(text, &end) : 0.0;
-    if (text == NULL || end == text || *end != '\0' || !(*value > 0.0) || isinf(*value))
-        return parse_error(&r->document, node, 0, "expected a positive number, finite in binary64");
-    return true;
-}
+struct written_quantity {
+    struct quantity q;
+    int sign; /* -1: none */
+    const struct yaml *range;
+};
 
-static bool read_magnitudes(struct reader *r, const yaml_node_t *mapping, struct quantity *q)
+static const struct field quantity_fields[] = {
+    FIELD("unit", struct written_quantity, q.unit, FIELD_TEXT, .expected = "a text"),
+    FIELD("meaning", struct written_quantity, q.meaning, FIELD_TEXT, .expected = "a text"),
+    FIELD("domain", struct written_quantity, q.domain, FIELD_WORD, .expected = "a domain", .words = domains),
+    FIELD("range", struct written_quantity, range, FIELD_NODE),
+    FIELD("sign", struct written_quantity, sign, FIELD_WORD, .words = signs),
+    FIELD("value", struct written_quantity, q.value, FIELD_TEXT),
+    FIELD("example", struct written_quantity, q.example, FIELD_TEXT),
+    {.key = NULL}};
+
+static bool read_range(const struct yaml *range, struct quantity *q)
 {
-    const yaml_node_t *range = child(&r->document, mapping, "range"), *bounds[2];
-    if (range == NULL)
-        return true;
-    int count = list_of(r, range, bounds, 2);
-    if (count < 0)
+    if (!is_texts(range, 2))
         return false;
-    if (count != 2)
-        return parse_error(&r->document, range, 0, "expected two bounds, [low, high]");
-    if (!read_double(r, bounds[0], &q->low) || !read_double(r, bounds[1], &q->high))
-        return false;
-    return q->low < q->high || parse_error(&r->document, range, 0, "expected low < high");
+    if (range->count != 2)
+        return node_error(range, 0, "expected two bounds, [low, high]");
+    return is_positive_number(&range->items[0], &q->low) && is_positive_number(&range->items[1], &q->high) &&
+           (q->low < q->high || node_error(range, 0, "expected low < high"));
 }
 
 /* Whether a literal is a number of that domain. */
@@ -101,266 +53,247 @@ static bool lies_in_domain(const char *text, enum domain domain)
     return literal == LITERAL_FINITE && (domain == DOMAIN_FINITE || sign > 0 || (sign == 0 && domain == DOMAIN_NOT_NEGATIVE));
 }
 
-/* `value` or `example`, which are numbers of the quantity's own domain; NULL where there is none. */
-static bool read_own_value(struct reader *r, const yaml_node_t *node, const char *key, enum domain domain, const char **text)
+static bool read_quantities(struct sheet *s, const struct yaml *all)
 {
-    *text = text_under(r, node, key, false);
-    return *text == NULL || lies_in_domain(*text, domain) ||
-           parse_error(&r->document, child(&r->document, node, key), 0, "expected a number of the quantity's own domain");
+    for (int i = 0; i < all->count; i++) {
+        const struct yaml *n = &all->items[i];
+        struct written_quantity w = {.q.name = n->key, .sign = -1};
+        if (!fields_read(n, quantity_fields, &w) || (w.range != NULL && !read_range(w.range, &w.q)))
+            return false;
+        w.q.either_sign = w.sign >= 0;
+        if (w.q.either_sign && w.q.domain != DOMAIN_FINITE)
+            return node_error(under(n, "sign"), 0, "expected no sign where the domain has but one");
+        for (int k = 0; k < 2; k++) {
+            const struct yaml *own = under(n, k == 0 ? "value" : "example");
+            if (own != NULL && !lies_in_domain(own->text, w.q.domain))
+                return node_error(own, 0, "expected a number of the quantity's own domain");
+        }
+        *APPENDED(s->quantities, s->quantity_count) = w.q;
+    }
+    return true;
 }
 
-static bool read_quantity(struct reader *r, const yaml_node_t *key, const yaml_node_t *node)
+/* `name`: the node's text, or its key. */
+static const struct quantity *known_quantity(const struct sheet *s, const struct yaml *n, const char *name)
 {
-    static const char *const known[] = {"unit",  "domain",  "range",   "sign",
-                                        "value", "example", "meaning", NULL};
-    struct quantity q = {0};
-    if (!is_mapping(&r->document, node, known))
-        return false;
-    if (child(&r->document, node, "domain") == NULL)
-        return parse_error(&r->document, node, 0, "missing domain of '%s'", scalar(key));
-    q.unit = text_under(r, node, "unit", true);
-    q.meaning = q.unit ? text_under(r, node, "meaning", true) : NULL;
-    if (q.meaning == NULL || !read_domain(r, child(&r->document, node, "domain"), &q.domain) ||
-        !read_magnitudes(r, node, &q))
-        return false;
-    const yaml_node_t *sign = child(&r->document, node, "sign");
-    if (sign != NULL && (scalar(sign) == NULL || strcmp(scalar(sign), "either") != 0))
-        return parse_error(&r->document, sign, 0, "expected 'either'");
-    q.either_sign = sign != NULL;
-    if (q.either_sign && q.domain != DOMAIN_FINITE)
-        return parse_error(&r->document, sign, 0, "expected no sign where the domain has but one");
-    if (!read_own_value(r, node, "value", q.domain, &q.value) || !read_own_value(r, node, "example", q.domain, &q.example))
-        return false;
-    char *names = text_copy(scalar(key)), *rest = NULL;
-    bool fine = true;
-    for (char *name = strtok_r(names, " ", &rest); name && fine; name = strtok_r(NULL, " ", &rest)) {
-        struct sheet *s = r->sheet;
-        if (quantity_find(s, name) != NULL)
-            fine = parse_error(&r->document, key, 0, "duplicate quantity '%s', expected each name once", name);
-        q.name = keep_text(s, name);
-        s->quantities = xrealloc(s->quantities, (size_t)s->quantity_count + 1, sizeof q);
-        s->quantities[s->quantity_count++] = q;
-    }
+    const struct quantity *q = quantity_find(s, name);
+    if (q != NULL)
+        return q;
+    const char **names = xrealloc(NULL, (size_t)s->quantity_count, sizeof *names);
+    for (int i = 0; i < s->quantity_count; i++)
+        names[i] = s->quantities[i].name;
+    const char *near = nearest_name(name, names, (size_t)s->quantity_count);
+    struct message text;
+    message_set(&text, "unknown symbol '%s', expected a quantity of the sheet%s%s%s", name, near ? " (did you mean '" : "",
+                near ? near : "", near ? "'?)" : "");
+    if (name == n->key)
+        key_error(n, "%.400s", text.text);
+    else
+        node_error(n, 0, "%.400s", text.text);
     free(names);
-    return fine;
+    return NULL;
 }
 
-static bool read_quantities(struct reader *r, const yaml_node_t *node)
-{
-    if (!is_mapping(&r->document, node, NULL))
-        return false;
-    for (int n = 0; n < length_of(node); n++)
-        if (!read_quantity(r, key_of(&r->document, node, n), value_of(&r->document, node, n)))
-            return false;
-    return true;
-}
+static const struct field row_fields[] = {FIELD("name", struct table_row, name, FIELD_TEXT, .expected = "a text"),
+                                          FIELD("printed", struct table_row, printed, FIELD_TEXT, .expected = "a text"),
+                                          FIELD("unit", struct table_row, unit, FIELD_TEXT, .expected = "a text"),
+                                          FIELD("scale", struct table_row, scale, FIELD_TEXT, .expected = "a text"),
+                                          {.key = NULL}};
 
-static bool read_table1(struct reader *r, const yaml_node_t *node)
+static bool read_table1(struct sheet *s, const struct yaml *rows)
 {
-    static const char *const known[] = {"name", "printed", "unit", "scale", NULL};
-    struct sheet *s = r->sheet;
-    if (node->type != YAML_SEQUENCE_NODE)
-        return parse_error(&r->document, node, 0, "expected a list of rows");
-    for (int n = 0; n < length_of(node); n++) {
-        const yaml_node_t *row = item_of(&r->document, node, n);
-        struct table_row t;
-        if (!is_mapping(&r->document, row, known) || (t.name = text_under(r, row, "name", true)) == NULL ||
-            (t.printed = text_under(r, row, "printed", true)) == NULL ||
-            (t.unit = text_under(r, row, "unit", true)) == NULL ||
-            (t.scale = text_under(r, row, "scale", true)) == NULL)
+    for (int i = 0; i < rows->count; i++) {
+        struct table_row *row = APPENDED(s->table1, s->row_count);
+        if (!fields_read(&rows->items[i], row_fields, row))
             return false;
-        if (quantity_find(s, t.name) == NULL)
-            return parse_error(&r->document, row, 0, "unknown quantity '%s'", t.name);
-        s->table1 = xrealloc(s->table1, (size_t)s->row_count + 1, sizeof t);
-        s->table1[s->row_count++] = t;
+        if (quantity_find(s, row->name) == NULL)
+            return node_error(&rows->items[i], 0, "unknown quantity '%s'", row->name);
     }
     return true;
 }
 
-/* ---- sections ---- */
-
-static const struct quantity *known_quantity(struct reader *r, const yaml_node_t *node)
-{
-    const struct sheet *s = r->sheet;
-    const struct quantity *q = quantity_find(s, scalar(node));
-    if (q == NULL) {
-        const char **names = xrealloc(NULL, (size_t)s->quantity_count, sizeof *names);
-        for (int i = 0; i < s->quantity_count; i++)
-            names[i] = s->quantities[i].name;
-        const char *near = nearest_name(scalar(node), names, (size_t)s->quantity_count);
-        parse_error(&r->document, node, 0, "unknown symbol '%s', expected a quantity of the sheet%s%s%s",
-                 scalar(node), near ? " (did you mean '" : "", near ? near : "", near ? "'?)" : "");
-        free(names);
-    }
-    return q;
-}
+/* ---- formulas ---- */
 
 /* One formula of the program; the node, or -1 and a complaint that points into the formula. */
-static int read_formula(struct reader *r, struct program *p, const yaml_node_t *node, const char *text,
-                        size_t shift)
+static int read_formula(struct program *p, const struct yaml *n, const char *text, size_t shift)
 {
     struct message expected;
     size_t where;
-    int result = program_parse(p, text, &where, &expected);
+    const int result = program_parse(p, text, &where, &expected);
     if (result < 0)
-        parse_error(&r->document, node, shift + where, "%s",
-                 expected.text);
+        node_error(n, shift + where, "%s", expected.text);
     return result;
 }
 
-static bool read_lets(struct reader *r, const yaml_node_t *node, struct formulas *f)
+/* Both sides of a sign that stands in a text. */
+static bool read_sides(struct program *p, const struct yaml *n, const char *sign, size_t length, int sides[2])
 {
-    if (!is_mapping(&r->document, node, NULL))
-        return false;
-    for (int n = 0; n < length_of(node); n++) {
-        const yaml_node_t *key = key_of(&r->document, node, n), *value = value_of(&r->document, node, n);
-        if (program_find(&f->program, scalar(key)) >= 0)
-            return parse_error(&r->document, key, 0, "'%s' is an input already, expected a new name", scalar(key));
-        if (scalar(value) == NULL)
-            return parse_error(&r->document, value, 0, "expected a formula");
-        int result = read_formula(r, &f->program, value, scalar(value), 0);
+    char *left = text_copy(n->text);
+    const size_t at = (size_t)(sign - n->text);
+    left[at] = '\0';
+    sides[0] = read_formula(p, n, left, 0);
+    sides[1] = sides[0] < 0 ? -1 : read_formula(p, n, sign + length, at + length);
+    free(left);
+    return sides[1] >= 0;
+}
+
+static bool read_lets(const struct yaml *let, struct formulas *f)
+{
+    for (int i = 0; i < let->count; i++) {
+        const struct yaml *n = &let->items[i];
+        if (program_find(&f->program, n->key) >= 0)
+            return key_error(n, "'%s' is an input already, expected a new name", n->key);
+        const int result = is_text(n, "a formula") ? read_formula(&f->program, n, n->text, 0) : -1;
         if (result < 0)
             return false;
-        program_name(&f->program, result, scalar(key));
+        program_name(&f->program, result, n->key);
         f->let = xrealloc(f->let, 2 * ((size_t)f->lets + 1), sizeof *f->let);
-        f->let[2 * f->lets] = keep_text(r->sheet, scalar(key));
-        f->let[2 * f->lets + 1] = keep_text(r->sheet, scalar(value));
-        f->lets++;
+        f->let[2 * f->lets] = n->key;
+        f->let[2 * f->lets++ + 1] = n->text;
     }
     return true;
 }
 
-static bool read_outputs(struct reader *r, const yaml_node_t *node, struct section *s, struct formulas *f)
+static bool read_outputs(const struct sheet *sheet, const struct yaml *outputs, struct section *s, struct formulas *f)
 {
-    if (!is_mapping(&r->document, node, NULL))
-        return false;
     int count = 0;
-    for (int n = 0; n < length_of(node); n++) {
-        const yaml_node_t *key = key_of(&r->document, node, n), *value = value_of(&r->document, node, n);
-        const struct quantity *q = known_quantity(r, key);
+    for (; count < outputs->count; count++) {
+        const struct yaml *n = &outputs->items[count];
+        const struct quantity *q = known_quantity(sheet, n, n->key);
         if (q == NULL)
             return false;
-        if (count == MOST_OUTPUTS || scalar(value) == NULL)
-            return parse_error(&r->document, value, 0, "expected a formula, and at most %d of them", MOST_OUTPUTS);
+        if (count == MOST_OUTPUTS || n->text == NULL)
+            return node_error(n, 0, "expected a formula, and at most %d of them", MOST_OUTPUTS);
         if (f == &s->corrected)
             s->outputs[s->output_count++] = q;
         else if (count >= s->output_count || s->outputs[count] != q)
-            return parse_error(&r->document, key, 0, "expected the outputs of the corrected equation, in its order");
-        f->text[count] = keep_text(r->sheet, scalar(value));
-        f->outputs[count] = read_formula(r, &f->program, value, scalar(value), 0);
-        if (f->outputs[count++] < 0)
+            return key_error(n, "expected the outputs of the corrected equation, in its order");
+        f->text[count] = n->text;
+        f->outputs[count] = read_formula(&f->program, n, n->text, 0);
+        if (f->outputs[count] < 0)
             return false;
     }
-    return count == s->output_count || parse_error(&r->document, node, 0, "expected %d outputs", s->output_count);
+    return count == s->output_count || node_error(outputs, 0, "expected %d outputs", s->output_count);
 }
 
 /* "formula > formula" becomes the node of left - right, compared with zero. */
-static bool read_condition(struct reader *r, const yaml_node_t *node, struct formulas *f)
+static bool read_condition(const struct yaml *n, struct formulas *f)
 {
     static const struct {
         const char *sign;
         enum comparison comparison;
-    } signs[] = {{">=", NOT_LESS}, {">", GREATER}, {"<", LESS}};
-    char *text = text_copy(scalar(node)), *sign = NULL;
-    size_t i;
-    for (i = 0; i < sizeof signs / sizeof *signs && sign == NULL; i++)
-        sign = strstr(text, signs[i].sign);
-    if (sign == NULL) {
-        free(text);
-        return parse_error(&r->document, node, 0, "expected a condition with >, >= or <");
-    }
-    size_t right_at = (size_t)(sign - text) + strlen(signs[i - 1].sign);
-    *sign = '\0';
-    int left = read_formula(r, &f->program, node, text, 0);
-    int right = left < 0 ? -1 : read_formula(r, &f->program, node, text + right_at, right_at);
-    free(text);
-    if (right < 0)
+    } comparisons[] = {{">=", NOT_LESS}, {">", GREATER}, {"<", LESS}};
+    const char *sign = NULL;
+    int k = 0, sides[2];
+    while (k < 3 && (sign = strstr(n->text, comparisons[k].sign)) == NULL)
+        k++;
+    if (sign == NULL)
+        return node_error(n, 0, "expected a condition with >, >= or <");
+    if (!read_sides(&f->program, n, sign, strlen(comparisons[k].sign), sides))
         return false;
-    f->conditions = xrealloc(f->conditions, (size_t)f->count + 1, sizeof *f->conditions);
-    f->conditions[f->count++] =
-        (struct condition){keep_text(r->sheet, scalar(node)),
-                           program_difference(&f->program, left, right), signs[i - 1].comparison};
+    *APPENDED(f->conditions, f->count) =
+        (struct condition){n->text, program_difference(&f->program, sides[0], sides[1]), comparisons[k].comparison};
     return true;
 }
 
-static bool read_conditions(struct reader *r, const yaml_node_t *node, struct formulas *f)
+static bool read_conditions(const struct yaml *domain, struct formulas *f)
 {
-    const yaml_node_t *items[8];
-    int count = list_of(r, node, items, 8);
-    for (int i = 0; i < count; i++)
-        if (!read_condition(r, items[i], f))
-            return false;
-    return count >= 0;
+    bool fine = domain == NULL || is_texts(domain, 8);
+    for (int i = 0; domain != NULL && i < domain->count && fine; i++)
+        fine = read_condition(&domain->items[i], f);
+    return fine;
 }
 
-/* let, outputs and domain under a section, or under its `printed` */
-static bool read_section_formulas(struct reader *r, const yaml_node_t *node, const yaml_node_t *domain,
-                                  struct section *s, struct formulas *f)
+/* ---- sections ---- */
+
+/* Under a section, and under its `printed`. */
+struct written_formulas {
+    const struct yaml *let, *outputs, *domain;
+};
+
+struct written_section {
+    struct section s;
+    int method; /* -1: none */
+    const struct yaml *inputs, *printed, *relations, *vectors, *K, *mistakes;
+    struct written_formulas f;
+};
+
+static const char *const methods[] = {"roots", "flow_linear", "flow_nonlinear", "rk4_linear", "rk4_nonlinear", NULL};
+
+static const struct field section_fields[] = {
+    FIELD("title", struct written_section, s.title, FIELD_TEXT, .expected = "a text"),
+    FIELD("equations", struct written_section, s.equations, FIELD_TEXTS, .most = 8,
+          .count = offsetof(struct written_section, s.numbers), .expected = "the equation numbers that it stands for"),
+    FIELD("note", struct written_section, s.note, FIELD_TEXT),
+    FIELD("defines", struct written_section, s.defines, FIELD_TEXT),
+    FIELD("reason", struct written_section, s.reason, FIELD_TEXT),
+    FIELD("method", struct written_section, method, FIELD_WORD, .words = methods),
+    FIELD("inputs", struct written_section, inputs, FIELD_NODE),
+    FIELD("let", struct written_section, f.let, FIELD_MAP),
+    FIELD("outputs", struct written_section, f.outputs, FIELD_NODE),
+    FIELD("domain", struct written_section, f.domain, FIELD_NODE),
+    FIELD("printed", struct written_section, printed, FIELD_MAP),
+    FIELD("relations", struct written_section, relations, FIELD_LIST),
+    FIELD("vectors", struct written_section, vectors, FIELD_MAP),
+    FIELD("K", struct written_section, K, FIELD_MAP),
+    FIELD("mistakes", struct written_section, mistakes, FIELD_MAP),
+    {.key = NULL}};
+
+static const struct field formulas_fields[] = {FIELD("let", struct written_formulas, let, FIELD_MAP),
+                                               FIELD("outputs", struct written_formulas, outputs, FIELD_MAP, .expected = "formulas"),
+                                               FIELD("domain", struct written_formulas, domain, FIELD_NODE),
+                                               {.key = NULL}};
+
+static bool read_formulas(const struct sheet *sheet, const struct written_formulas *w, struct section *s, struct formulas *f)
 {
-    const yaml_node_t *let = child(&r->document, node, "let"), *outputs = child(&r->document, node, "outputs");
     for (int i = 0; i < s->input_count; i++)
         program_input(&f->program, s->inputs[i]->name);
-    if (let != NULL && !read_lets(r, let, f))
-        return false;
-    if (outputs == NULL)
-        return parse_error(&r->document, node, 0, "missing outputs");
-    if (!read_outputs(r, outputs, s, f))
-        return false;
-    return domain == NULL || read_conditions(r, domain, f);
+    return (w->let == NULL || read_lets(w->let, f)) &&
+           (s->method != METHOD_FORMULA || (is_map(w->outputs) && read_outputs(sheet, w->outputs, s, f))) &&
+           read_conditions(w->domain, f);
 }
 
-static bool read_names(struct reader *r, const yaml_node_t *node, const struct quantity **names,
-                       int most, int *count)
+static bool read_names(const struct sheet *sheet, const struct yaml *list, const struct quantity **names, int most, int *count)
 {
-    const yaml_node_t *items[MOST_INPUTS];
-    int found = list_of(r, node, items, most);
-    for (int i = 0; i < found; i++) {
-        if ((names[i] = known_quantity(r, items[i])) == NULL)
+    if (!is_texts(list, most))
+        return false;
+    for (int i = 0; i < list->count; i++) {
+        if ((names[i] = known_quantity(sheet, &list->items[i], list->items[i].text)) == NULL)
             return false;
         for (int k = 0; k < i; k++)
             if (names[k] == names[i])
-                return parse_error(&r->document, items[i], 0, "'%s' twice, expected it once", names[i]->name);
+                return node_error(&list->items[i], 0, "'%s' twice, expected it once", names[i]->name);
     }
-    *count = found < 0 ? 0 : found;
-    return found >= 0;
+    *count = list->count;
+    return true;
 }
 
+static const struct field relation_fields[] = {FIELD("equation", struct relation, equation, FIELD_TEXT, .expected = "a text"),
+                                               FIELD("holds", struct relation, text, FIELD_TEXT, .expected = "left = right"),
+                                               {.key = NULL}};
+
 /* Both sides of a relation are formulas over the quantities: parsed to be sure, kept as text. */
-static bool check_relation(struct reader *r, const yaml_node_t *node)
+static bool check_relation(const struct sheet *s, const struct yaml *n)
 {
-    const char *equal = scalar(node) ? strchr(scalar(node), '=') : NULL;
-    if (equal == NULL)
-        return parse_error(&r->document, node, 0, "expected left = right");
+    const char *sign = strchr(n->text, '=');
     struct program p;
+    int sides[2];
+    if (sign == NULL)
+        return node_error(n, 0, "expected left = right");
     program_init(&p);
-    for (int i = 0; i < r->sheet->quantity_count; i++)
-        program_input(&p, r->sheet->quantities[i].name);
-    char *left = text_copy(scalar(node));
-    size_t at = (size_t)(equal - scalar(node));
-    left[at] = '\0';
-    bool fine = read_formula(r, &p, node, left, 0) >= 0 &&
-                read_formula(r, &p, node, equal + 1, at + 1) >= 0;
-    free(left);
+    for (int i = 0; i < s->quantity_count; i++)
+        program_input(&p, s->quantities[i].name);
+    const bool fine = read_sides(&p, n, sign, 1, sides);
     program_clear(&p);
     return fine;
 }
 
-static bool read_relations(struct reader *r, const yaml_node_t *node, struct section *s)
+static bool read_relations(const struct sheet *sheet, const struct yaml *list, struct section *s)
 {
-    static const char *const known[] = {"equation", "holds", NULL};
-    if (node->type != YAML_SEQUENCE_NODE)
-        return parse_error(&r->document, node, 0, "expected a list of relations");
-    for (int n = 0; n < length_of(node); n++) {
-        const yaml_node_t *item = item_of(&r->document, node, n);
-        struct relation relation;
-        if (!is_mapping(&r->document, item, known) ||
-            (relation.equation = text_under(r, item, "equation", true)) == NULL ||
-            (relation.text = text_under(r, item, "holds", true)) == NULL ||
-            !check_relation(r, child(&r->document, item, "holds")))
+    for (int i = 0; list != NULL && i < list->count; i++)
+        if (!fields_read(&list->items[i], relation_fields, APPENDED(s->relations, s->relation_count)) ||
+            !check_relation(sheet, under(&list->items[i], "holds")))
             return false;
-        s->relations = xrealloc(s->relations, (size_t)s->relation_count + 1, sizeof relation);
-        s->relations[s->relation_count++] = relation;
-    }
     return true;
 }
 
@@ -380,230 +313,156 @@ static bool is_literals(const char *texts)
 }
 
 /* name: {INPUT: literal, ..., flags: what it is there for} */
-static bool read_special(struct reader *r, const yaml_node_t *key, const yaml_node_t *node,
-                         struct section *s)
+static bool read_special(const struct yaml *n, struct section *s)
 {
-    if (!is_mapping(&r->document, node, NULL))
+    struct special *special = APPENDED(s->specials, s->special_count);
+    special->name = n->key;
+    if (!is_map(n))
         return false;
-    struct special special = {.name = keep_text(r->sheet, scalar(key))};
-    special.flags = text_under(r, node, "flags", true);
-    if (special.flags == NULL)
-        return false;
-    for (int n = 0; n < length_of(node); n++) {
-        const yaml_node_t *name = key_of(&r->document, node, n), *value = value_of(&r->document, node, n);
+    for (int k = 0; k < n->count; k++) {
+        const struct yaml *value = &n->items[k];
         int i = 0;
-        while (i < s->input_count && strcmp(s->inputs[i]->name, scalar(name)) != 0)
+        while (i < s->input_count && strcmp(s->inputs[i]->name, value->key) != 0)
             i++;
-        if (i == s->input_count && strcmp(scalar(name), "flags") != 0)
-            return parse_error(&r->document, name, 0, "'%s' is no input of %s", scalar(name), s->id);
-        if (scalar(value) == NULL)
-            return parse_error(&r->document, value, 0, "expected a number");
-        if (i < s->input_count && !is_literals(scalar(value)))
-            return parse_error(&r->document, value, 0, "expected a number");
-        if (i < s->input_count)
-            special.texts[i] = keep_text(r->sheet, scalar(value));
+        if (strcmp(value->key, "flags") == 0)
+            special->flags = value->text;
+        else if (i == s->input_count)
+            return key_error(value, "'%s' is no input of %s", value->key, s->id);
+        else if (value->text == NULL || !is_literals(value->text))
+            return node_error(value, 0, "expected a number");
+        else
+            special->texts[i] = value->text;
     }
-    s->specials = xrealloc(s->specials, (size_t)s->special_count + 1, sizeof special);
-    s->specials[s->special_count++] = special;
-    return true;
+    return special->flags != NULL || node_error(n, 0, "missing flags, expected a text");
 }
 
-static bool read_specials(struct reader *r, const yaml_node_t *node, struct section *s)
-{
-    if (!is_mapping(&r->document, node, NULL))
-        return false;
-    for (int n = 0; n < length_of(node); n++)
-        if (!read_special(r, key_of(&r->document, node, n), value_of(&r->document, node, n), s))
-            return false;
-    return true;
-}
+struct tolerance {
+    double bound;
+    const char *reason;
+};
+
+static const struct field tolerance_fields[] = {FIELD("reason", struct tolerance, reason, FIELD_TEXT, .expected = "a text"),
+                                                FIELD("bound", struct tolerance, bound, FIELD_POSITIVE, .expected = "a positive number"),
+                                                {.key = NULL}};
 
 /* K: {bound: 8, reason: ...}; as it was where there is none */
-static bool read_K(struct reader *r, const yaml_node_t *node, double *K, const char **reason)
+static bool read_K(const struct yaml *n, double *K, const char **reason)
 {
-    static const char *const known[] = {"bound", "reason", NULL};
-    if (node == NULL)
-        return true;
-    if (!is_mapping(&r->document, node, known))
-        return false;
-    const yaml_node_t *bound = child(&r->document, node, "bound");
-    *reason = text_under(r, node, "reason", true);
-    if (*reason == NULL)
-        return false;
-    return bound == NULL ? parse_error(&r->document, node, 0, "missing bound, expected a positive number")
-                         : read_double(r, bound, K);
+    struct tolerance t = {*K, *reason};
+    const bool fine = n == NULL || fields_read(n, tolerance_fields, &t);
+    *K = t.bound;
+    *reason = t.reason;
+    return fine;
 }
 
-/* NAME: formula, under inputs, let or outputs of a mistake */
-static bool read_changes(struct reader *r, const yaml_node_t *node, enum place place, struct known_mistake *mistake)
-{
-    if (!is_mapping(&r->document, node, NULL))
-        return false;
-    for (int n = 0; n < length_of(node); n++) {
-        const yaml_node_t *value = value_of(&r->document, node, n);
-        if (scalar(value) == NULL || mistake->count == MOST_CHANGES)
-            return parse_error(&r->document, value, 0, "expected a formula, and at most %d of them", MOST_CHANGES);
-        mistake->changes[mistake->count].place = place;
-        mistake->changes[mistake->count].name = keep_text(r->sheet, scalar(key_of(&r->document, node, n)));
-        mistake->changes[mistake->count++].formula = keep_text(r->sheet, scalar(value));
-    }
-    return true;
-}
+struct written_mistake {
+    const char *as;
+    const struct yaml *changes[PLACE_OUTPUT + 1];
+};
 
-/* name: {inputs: {...}, let: {...}, outputs: {...}, as: SECTION} */
-static bool read_mistake(struct reader *r, const char *name, const yaml_node_t *node, struct known_mistake *mistake)
+static const struct field mistake_fields[] = {
+    FIELD("as", struct written_mistake, as, FIELD_TEXT),
+    FIELD("inputs", struct written_mistake, changes[PLACE_INPUT], FIELD_MAP),
+    FIELD("let", struct written_mistake, changes[PLACE_LET], FIELD_MAP),
+    FIELD("outputs", struct written_mistake, changes[PLACE_OUTPUT], FIELD_MAP),
+    {.key = NULL}};
+
+/* name: {inputs: {NAME: formula}, let: {...}, outputs: {...}, as: SECTION} */
+static bool read_mistakes(const struct yaml *all, struct known_mistake **mistakes, int *count)
 {
-    static const char *const known[] = {"inputs", "let", "outputs", "as", NULL};
-    *mistake = (struct known_mistake){.name = keep_text(r->sheet, name)};
-    if (!is_mapping(&r->document, node, known))
-        return false;
-    for (int place = PLACE_INPUT; place <= PLACE_OUTPUT; place++) {
-        const yaml_node_t *changes = child(&r->document, node, known[place]);
-        if (changes != NULL && !read_changes(r, changes, (enum place)place, mistake))
+    for (int i = 0; all != NULL && i < all->count; i++) {
+        struct known_mistake *m = APPENDED(*mistakes, *count);
+        struct written_mistake w = {NULL};
+        m->name = all->items[i].key;
+        if (!fields_read(&all->items[i], mistake_fields, &w))
             return false;
-    }
-    mistake->as = text_under(r, node, "as", false);
-    return true;
-}
-
-static bool read_mistakes(struct reader *r, const yaml_node_t *node, struct known_mistake **mistakes, int *count)
-{
-    if (node == NULL)
-        return true;
-    if (!is_mapping(&r->document, node, NULL))
-        return false;
-    for (int n = 0; n < length_of(node); n++) {
-        *mistakes = xrealloc(*mistakes, (size_t)*count + 1, sizeof **mistakes);
-        if (!read_mistake(r, scalar(key_of(&r->document, node, n)), value_of(&r->document, node, n), &(*mistakes)[(*count)++]))
-            return false;
+        m->as = w.as;
+        for (int place = PLACE_INPUT; place <= PLACE_OUTPUT; place++)
+            for (int k = 0; w.changes[place] != NULL && k < w.changes[place]->count; k++) {
+                const struct yaml *n = &w.changes[place]->items[k];
+                if (n->text == NULL || m->count == MOST_CHANGES)
+                    return node_error(n, 0, "expected a formula, and at most %d of them", MOST_CHANGES);
+                m->changes[m->count].place = (enum place)place;
+                m->changes[m->count].name = n->key;
+                m->changes[m->count++].formula = n->text;
+            }
     }
     return true;
 }
 
 /* A section's own mistakes make sense in it; `as` may name a section that stands further down. */
-static bool check_known_mistakes(struct reader *r, const yaml_node_t *equations)
+static bool check_known_mistakes(const struct sheet *sheet, const struct yaml *equations)
 {
-    for (int i = 0; i < r->sheet->section_count; i++) {
-        const struct section *s = &r->sheet->sections[i];
+    for (int i = 0; i < sheet->section_count; i++) {
+        const struct section *s = &sheet->sections[i];
         for (int k = 0; k < s->mistake_count; k++) {
-            const yaml_node_t *section = child(&r->document, equations, s->id);
-            const yaml_node_t *at = child(&r->document, child(&r->document, section, "mistakes"), s->mistakes[k].name);
             struct mutation a;
             struct message why;
-            if (!mutation_init(&a, r->sheet, s, &s->mistakes[k], true, &why))
-                return parse_error(&r->document, at, 0, "%.300s", why.text);
+            if (!mutation_init(&a, sheet, s, &s->mistakes[k], true, &why))
+                return node_error(under(under(under(equations, s->id), "mistakes"), s->mistakes[k].name), 0, "%.300s", why.text);
             mutation_clear(&a);
         }
     }
     return true;
 }
 
-static bool read_equation_numbers(struct reader *r, const yaml_node_t *section, struct section *s)
+static bool read_section(struct sheet *sheet, const struct yaml *n)
 {
-    const yaml_node_t *items[8], *node = child(&r->document, section, "equations");
-    if (node == NULL)
-        return parse_error(&r->document, section, 0, "missing equations: the numbers this section stands for");
-    s->numbers = list_of(r, node, items, 8);
-    for (int i = 0; i < s->numbers; i++)
-        s->equations[i] = keep_text(r->sheet, scalar(items[i]));
-    return s->numbers > 0 || parse_error(&r->document, node, 0, "expected at least one equation number");
-}
-
-static bool read_method(struct reader *r, const yaml_node_t *section, struct section *s)
-{
-    static const char *const names[] = {"roots",          "flow_linear", "flow_nonlinear",
-                                        "rk4_linear", "rk4_nonlinear"};
-    const yaml_node_t *node = child(&r->document, section, "method"), *inputs = child(&r->document, section, "inputs");
-    const yaml_node_t *outputs = child(&r->document, section, "outputs");
-    if (inputs != NULL && !read_names(r, inputs, s->inputs, MOST_INPUTS, &s->input_count))
+    struct written_section w = {.method = -1, .s = {.sheet = sheet, .id = n->key, .K = sheet->K, .K_reason = sheet->K_reason}};
+    const bool fine = fields_read(n, section_fields, &w);
+    struct section *s = APPENDED(sheet->sections, sheet->section_count);
+    *s = w.s;
+    if (!fine)
         return false;
-    if (node == NULL) {
-        s->method = outputs != NULL ? METHOD_FORMULA : METHOD_NONE;
-        return true;
-    }
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (scalar(node) != NULL && strcmp(scalar(node), names[i]) == 0)
-            s->method = (enum method)(METHOD_ROOTS + (int)i);
-    if (s->method == METHOD_NONE)
-        return parse_error(&r->document, node, 0, "expected a method: roots, flow_ or rk4_ linear or nonlinear");
-    if (outputs == NULL || inputs == NULL)
-        return parse_error(&r->document, section, 0, "missing %s", inputs ? "outputs" : "inputs");
-    return read_names(r, outputs, s->outputs, MOST_OUTPUTS, &s->output_count);
-}
-
-static bool read_domain_alone(struct reader *r, const yaml_node_t *domain, struct section *s)
-{
-    for (int i = 0; i < s->input_count; i++)
-        program_input(&s->corrected.program, s->inputs[i]->name);
-    return domain == NULL || read_conditions(r, domain, &s->corrected);
-}
-
-static bool read_section(struct reader *r, const yaml_node_t *key, const yaml_node_t *node)
-{
-    static const char *const known[] = {"title",   "equations", "inputs",  "let",    "outputs", "domain",
-                                        "printed", "relations", "reason", "method", "note",   "vectors", "K", "mistakes", "defines", NULL};
-    struct sheet *sheet = r->sheet;
-    if (!is_mapping(&r->document, node, known))
+    if (w.printed != NULL && s->reason == NULL)
+        return node_error(n, 0, "missing reason, expected a text");
+    s->method = w.method >= 0 ? (enum method)(METHOD_ROOTS + w.method) : w.f.outputs != NULL ? METHOD_FORMULA : METHOD_NONE;
+    if (w.method >= 0 && (w.inputs == NULL || w.f.outputs == NULL))
+        return node_error(n, 0, "missing %s", w.inputs != NULL ? "outputs" : "inputs");
+    if ((w.inputs != NULL && !read_names(sheet, w.inputs, s->inputs, MOST_INPUTS, &s->input_count)) ||
+        (w.method >= 0 && !read_names(sheet, w.f.outputs, s->outputs, MOST_OUTPUTS, &s->output_count)) ||
+        !read_relations(sheet, w.relations, s) || !read_K(w.K, &s->K, &s->K_reason) ||
+        !read_mistakes(w.mistakes, &s->mistakes, &s->mistake_count))
         return false;
-    sheet->sections = xrealloc(sheet->sections, (size_t)sheet->section_count + 1, sizeof *sheet->sections);
-    struct section *s = &sheet->sections[sheet->section_count++];
-    *s = (struct section){.sheet = sheet, .id = keep_text(sheet, scalar(key)), .K = sheet->K, .K_reason = sheet->K_reason};
-    const yaml_node_t *domain = child(&r->document, node, "domain"), *printed = child(&r->document, node, "printed");
-    const yaml_node_t *relations = child(&r->document, node, "relations"), *specials = child(&r->document, node, "vectors");
-    s->title = text_under(r, node, "title", true);
-    s->note = text_under(r, node, "note", false);
-    s->defines = text_under(r, node, "defines", false);
-    s->reason = text_under(r, node, "reason", printed != NULL);
-    if (s->title == NULL || (printed != NULL && s->reason == NULL) || !read_equation_numbers(r, node, s) ||
-        !read_method(r, node, s) || (relations != NULL && !read_relations(r, relations, s)) ||
-        (specials != NULL && !read_specials(r, specials, s)) ||
-        !read_K(r, child(&r->document, node, "K"), &s->K, &s->K_reason) ||
-        !read_mistakes(r, child(&r->document, node, "mistakes"), &s->mistakes, &s->mistake_count))
-        return false;
-    if (s->method != METHOD_FORMULA)
-        return read_domain_alone(r, domain, s);
-    if (!read_section_formulas(r, node, domain, s, &s->corrected))
-        return false;
-    if (printed == NULL)
-        return true;
-    s->differs = true;
-    static const char *const variant[] = {"let", "outputs", "domain", NULL};
-    if (!is_mapping(&r->document, printed, variant))
-        return false;
-    const yaml_node_t *own = child(&r->document, printed, "domain");
-    return read_section_formulas(r, printed, own ? own : domain, s, &s->printed);
-}
-
-static bool read_sheet(struct reader *r)
-{
-    static const char *const known[] = {"quantities", "table1", "equations", "K", "mistakes", NULL};
-    const yaml_node_t *root = document_root(&r->document);
-    if (!is_mapping(&r->document, root, known))
-        return false;
-    for (int i = 0; i < 3; i++) /* the oracle's keys need not be there */
-        if (child(&r->document, root, known[i]) == NULL)
-            return parse_error(&r->document, root, 0, "missing %s", known[i]);
-    const yaml_node_t *equations = child(&r->document, root, "equations");
-    if (!read_quantities(r, child(&r->document, root, "quantities")) ||
-        !read_table1(r, child(&r->document, root, "table1")) || !is_mapping(&r->document, equations, NULL) ||
-        !read_K(r, child(&r->document, root, "K"), &r->sheet->K, &r->sheet->K_reason) ||
-        !read_mistakes(r, child(&r->document, root, "mistakes"), &r->sheet->mistakes, &r->sheet->mistake_count))
-        return false;
-    for (int n = 0; n < length_of(equations); n++)
-        if (!read_section(r, key_of(&r->document, equations, n), value_of(&r->document, equations, n)))
+    for (int i = 0; w.vectors != NULL && i < w.vectors->count; i++)
+        if (!read_special(&w.vectors->items[i], s))
             return false;
-    return check_known_mistakes(r, equations) && !r->refused;
+    if (!read_formulas(sheet, &w.f, s, &s->corrected))
+        return false;
+    s->differs = w.printed != NULL;
+    struct written_formulas printed = {.domain = w.f.domain};
+    return !s->differs || (fields_read(w.printed, formulas_fields, &printed) && read_formulas(sheet, &printed, s, &s->printed));
+}
+
+struct written_sheet {
+    const struct yaml *quantities, *table1, *equations, *K, *mistakes;
+};
+
+static const struct field sheet_fields[] = {
+    FIELD("quantities", struct written_sheet, quantities, FIELD_MAP, .expected = "{symbol: {unit: ..., ...}, ...}"),
+    FIELD("table1", struct written_sheet, table1, FIELD_LIST, .expected = "a list of rows"),
+    FIELD("equations", struct written_sheet, equations, FIELD_MAP, .expected = "sections"),
+    FIELD("K", struct written_sheet, K, FIELD_MAP),
+    FIELD("mistakes", struct written_sheet, mistakes, FIELD_MAP),
+    {.key = NULL}};
+
+static bool read_sheet(struct sheet *s)
+{
+    struct written_sheet w = {NULL};
+    if (!fields_read(&s->tree->root, sheet_fields, &w) || !read_quantities(s, w.quantities) || !read_table1(s, w.table1) ||
+        !read_K(w.K, &s->K, &s->K_reason) || !read_mistakes(w.mistakes, &s->mistakes, &s->mistake_count))
+        return false;
+    for (int i = 0; i < w.equations->count; i++)
+        if (!read_section(s, &w.equations->items[i]))
+            return false;
+    return check_known_mistakes(s, w.equations);
 }
 
 int sheet_read(struct sheet *s, const char *text, size_t length, const char *name, struct message *why)
 {
-    struct reader r = {.sheet = s};
-    *s = (struct sheet){0};
-    if (!document_open(&r.document, text, length, name, why))
-        return -1;
-    bool fine = read_sheet(&r);
-    document_close(&r.document);
-    if (!fine)
-        sheet_clear(s);
-    return fine ? 0 : -1;
+    *s = (struct sheet){.tree = tree_open(text, length, name, why)};
+    if (s->tree != NULL && read_sheet(s))
+        return 0;
+    sheet_clear(s);
+    return -1;
 }

@@ -1,5 +1,5 @@
 /* CSV as spreadsheets write it, and one writer of it and of JSON. */
-#include "run.h"
+#include "tests/run.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -158,7 +158,7 @@ START_TEST(json_text_is_utf_8_whatever_it_was)
 }
 END_TEST
 
-Suite *suite(void)
+SUITE(test_text)
 {
     Suite *s = suite_create("text");
     TCase *c = tcase_create("text");

@@ -1,0 +1,294 @@
+#include "text/tree.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <yaml.h>
+
+enum { DEEPEST = 32 };
+
+/* ---- mistakes ---- */
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+
+/* Where a scalar's character at `offset` stands. One of several lines is folded: blanks differ there, and nothing else. */
+static struct mark place_in_text(const struct yaml *n, size_t offset)
+{
+    struct mark place = n->at;
+    if (n->text == NULL || offset == 0 || place.line == n->last_line) {
+        place.column += offset + (n->text != NULL && !n->plain && offset > 0); /* the quotation mark */
+        return place;
+    }
+    size_t ahead = 0; /* characters that are no blanks */
+    for (size_t i = 0; i < offset && n->text[i] != '\0'; i++)
+        ahead += !is_blank(n->text[i]);
+    bool header = !n->plain; /* the quotation mark, or > and - */
+    for (const char *c = n->tree->source + place.index; *c != '\0'; c++) {
+        header = header && strchr("\"'>|-+", *c) != NULL;
+        if (!header && !is_blank(*c) && ahead-- == 0)
+            break;
+        place.column = *c == '\n' ? 0 : place.column + 1;
+        place.line += *c == '\n';
+    }
+    return place;
+}
+
+static bool tell(const struct tree *tree, struct mark at, const char *format, va_list arguments)
+{
+    char text[384];
+    vsnprintf(text, sizeof text, format, arguments);
+    message_set(tree->why, "%s:%zu:%zu: %s", tree->file, at.line + 1, at.column + 1, text);
+    return false;
+}
+
+bool node_error(const struct yaml *at, size_t offset, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    tell(at->tree, place_in_text(at, offset), format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool key_error(const struct yaml *at, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    tell(at->tree, at->key_at, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+/* ---- reading ---- */
+
+struct loading {
+    yaml_parser_t parser;
+    yaml_event_t event; /* the one that is being read */
+    struct tree *tree;
+};
+
+static struct mark place_of(yaml_mark_t mark)
+{
+    return (struct mark){mark.line, mark.column, mark.index};
+}
+
+static bool next_event(struct loading *l)
+{
+    yaml_event_delete(&l->event);
+    if (yaml_parser_parse(&l->parser, &l->event))
+        return true;
+    if (l->parser.problem == NULL) /* everything but exhausted memory libyaml gives a name */
+        out_of_memory();
+    const yaml_mark_t at = l->parser.problem_mark;
+    message_set(l->tree->why, "%s:%zu:%zu: expected YAML: %s", l->tree->file, at.line + 1, at.column + 1, l->parser.problem);
+    return false;
+}
+
+/* The key of an item, and the event after it. */
+static bool load_key(struct loading *l, const struct yaml *mapping, struct yaml *item)
+{
+    item->key_at = place_of(l->event.start_mark);
+    if (l->event.type != YAML_SCALAR_EVENT)
+        return key_error(item, "expected a plain key");
+    const char *key = (const char *)l->event.data.scalar.value;
+    if (under(mapping, key) != NULL)
+        return key_error(item, "duplicate '%s', expected each key once", key);
+    item->key = text_copy(key);
+    return next_event(l);
+}
+
+/* The node that begins with the event. */
+static bool load_node(struct loading *l, struct yaml *n, int depth)
+{
+    const yaml_event_type_t type = l->event.type;
+    n->at = place_of(l->event.start_mark);
+    n->last_line = l->event.end_mark.line;
+    if (type == YAML_SCALAR_EVENT) {
+        n->text = text_copy((const char *)l->event.data.scalar.value);
+        n->plain = l->event.data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
+        return true;
+    }
+    if (type == YAML_ALIAS_EVENT || depth == DEEPEST)
+        return node_error(n, 0, "expected %s", depth == DEEPEST ? "less in each other" : "no alias");
+    n->mapping = type == YAML_MAPPING_START_EVENT;
+    while (next_event(l)) {
+        if (l->event.type == YAML_MAPPING_END_EVENT || l->event.type == YAML_SEQUENCE_END_EVENT)
+            return true;
+        struct yaml item = {.tree = n->tree};
+        bool fine = !n->mapping || load_key(l, n, &item);
+        fine = fine && load_node(l, &item, depth + 1);
+        n->items = xrealloc(n->items, (size_t)n->count + 1, sizeof item);
+        n->items[n->count++] = item;
+        if (!fine)
+            return false;
+    }
+    return false;
+}
+
+/* One document and nothing after it. */
+static bool load_document(struct loading *l)
+{
+    const struct tree *tree = l->tree;
+    if (!next_event(l) || !next_event(l)) /* the stream's begin, the document's */
+        return false;
+    if (l->event.type == YAML_STREAM_END_EVENT) {
+        message_set(tree->why, "%s:1:1: expected a mapping, the file is empty", tree->file);
+        return false;
+    }
+    if (!next_event(l) || !load_node(l, &l->tree->root, 0) || !next_event(l))
+        return false;
+    const size_t end = l->event.end_mark.line + 1;
+    if (next_event(l) && l->event.type == YAML_STREAM_END_EVENT)
+        return true;
+    message_set(tree->why, "%s:%zu:1: expected one document, another follows", tree->file, end);
+    return false;
+}
+
+struct tree *tree_open(const char *text, size_t length, const char *file, struct message *why)
+{
+    struct tree *tree = xrealloc(NULL, 1, sizeof *tree);
+    struct loading l = {.tree = tree};
+    *tree = (struct tree){.file = file, .source = text, .why = why, .root.tree = tree};
+    if (!yaml_parser_initialize(&l.parser))
+        out_of_memory();
+    yaml_parser_set_input_string(&l.parser, (const unsigned char *)text, length);
+    const bool fine = load_document(&l);
+    yaml_event_delete(&l.event);
+    yaml_parser_delete(&l.parser);
+    if (fine)
+        return tree;
+    tree_close(tree);
+    return NULL;
+}
+
+static void clear_node(struct yaml *n)
+{
+    for (int i = 0; i < n->count; i++)
+        clear_node(&n->items[i]);
+    free(n->items);
+    free((char *)n->text);
+    free((char *)n->key);
+}
+
+void tree_close(struct tree *tree)
+{
+    if (tree != NULL)
+        clear_node(&tree->root);
+    free(tree);
+}
+
+/* ---- what is expected of a node ---- */
+
+const struct yaml *under(const struct yaml *mapping, const char *key)
+{
+    for (int i = 0; mapping != NULL && mapping->mapping && i < mapping->count; i++)
+        if (strcmp(mapping->items[i].key, key) == 0)
+            return &mapping->items[i];
+    return NULL;
+}
+
+bool is_map(const struct yaml *n)
+{
+    return n->mapping || node_error(n, 0, "expected a mapping, key: value");
+}
+
+bool is_text(const struct yaml *n, const char *expected)
+{
+    return n->text != NULL || node_error(n, 0, "expected %s", expected);
+}
+
+static bool is_list(const struct yaml *n)
+{
+    return (n->text == NULL && !n->mapping) || node_error(n, 0, "expected a list");
+}
+
+bool is_texts(const struct yaml *n, int most)
+{
+    for (int i = 0; is_list(n) && i < n->count; i++)
+        if (n->items[i].text == NULL || i == most)
+            return node_error(&n->items[i], 0, "expected a list of at most %d texts", most);
+    return is_list(n);
+}
+
+bool is_positive_number(const struct yaml *n, double *value)
+{
+    char *end = NULL;
+    *value = n->text != NULL ? strtod(n->text, &end) : 0.0;
+    return (n->text != NULL && end != n->text && *end == '\0' && *value > 0.0 && !isinf(*value)) ||
+           node_error(n, 0, "expected a positive number, finite in binary64");
+}
+
+/* ---- fields ---- */
+
+static bool read_word(const struct yaml *n, const struct field *f, int *word)
+{
+    char list[256] = "";
+    size_t length = 0;
+    for (int i = 0; f->words[i] != NULL; i++) {
+        if (n->text != NULL && strcmp(n->text, f->words[i]) == 0) {
+            *word = i;
+            return true;
+        }
+        const char *before = i == 0 ? "" : f->words[i + 1] == NULL ? " or " : ", ";
+        length += (size_t)snprintf(list + length, sizeof list - length, "%s%s", before, f->words[i]);
+    }
+    return node_error(n, 0, "expected a %s: %s", f->key, list);
+}
+
+static bool read_field(const struct yaml *n, const struct field *f, char *into)
+{
+    void *at = into + f->offset;
+    switch (f->kind) {
+    case FIELD_TEXT:
+        *(const char **)at = n->text;
+        return (n->text != NULL && n->text[0] != '\0') || node_error(n, 0, "missing %s, expected a text", f->key);
+    case FIELD_TEXTS:
+        for (int i = 0; i < n->count && is_texts(n, f->most); i++)
+            ((const char **)at)[i] = n->items[i].text;
+        *(int *)(into + f->count) = n->count;
+        return is_texts(n, f->most) && (n->count > 0 || f->expected == NULL || node_error(n, 0, "expected at least one of %s", f->expected));
+    case FIELD_POSITIVE:
+        return is_positive_number(n, at);
+    case FIELD_WORD:
+        return read_word(n, f, at);
+    default:
+        *(const struct yaml **)at = n;
+        return f->kind == FIELD_MAP ? is_map(n) : f->kind == FIELD_LIST ? is_list(n) : true;
+    }
+}
+
+static const struct field *find_field(const struct yaml *item, const struct field *fields)
+{
+    const char *known[64];
+    size_t count = 0;
+    for (const struct field *f = fields; f->key != NULL; f++) {
+        if (strcmp(f->key, item->key) == 0)
+            return f;
+        known[count++] = f->key;
+    }
+    const char *near = nearest_name(item->key, known, count);
+    key_error(item, "unknown key '%s', expected %s%s", item->key, near ? "perhaps " : "one of this kind of entry", near ? near : "");
+    return NULL;
+}
+
+bool fields_read(const struct yaml *mapping, const struct field *fields, void *into)
+{
+    if (!is_map(mapping))
+        return false;
+    for (int i = 0; i < mapping->count; i++)
+        if (find_field(&mapping->items[i], fields) == NULL)
+            return false;
+    for (const struct field *f = fields; f->key != NULL; f++)
+        if (f->expected != NULL && under(mapping, f->key) == NULL)
+            return node_error(mapping, 0, "missing %s, expected %s", f->key, f->expected);
+    for (int i = 0; i < mapping->count; i++)
+        if (!read_field(&mapping->items[i], find_field(&mapping->items[i], fields), into))
+            return false;
+    return true;
+}

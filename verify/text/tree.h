@@ -1,0 +1,89 @@
+/* A YAML text as a tree, and one clear line about a mistake in it: "file:line:column: expected ...". */
+#ifndef CT_TREE_H
+#define CT_TREE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "text/message.h"
+
+struct mark {
+    size_t line, column, index; /* from 0 */
+};
+
+/* A scalar, a list or a mapping. Aliases are refused, and so are keys that are no scalars, or stand twice. */
+struct yaml {
+    const char *key;     /* under which it stands in a mapping; NULL: in a list, or nowhere */
+    const char *text;    /* of a scalar; NULL of anything else                              */
+    struct yaml *items;
+    int count;
+    bool mapping, plain; /* plain: without quotation marks, and not folded */
+    struct mark at, key_at;
+    size_t last_line;
+    const struct tree *tree;
+};
+
+struct tree {
+    const char *file, *source; /* the source is needed as long as mistakes are told */
+    struct message *why;
+    struct yaml root;
+};
+
+/* NULL where the text is no YAML, or empty; `why` says where. */
+struct tree *tree_open(const char *text, size_t length, const char *file, struct message *why);
+void tree_close(struct tree *tree);
+
+/* What stands under a key, NULL: nothing (nor in what is no mapping, or NULL). */
+const struct yaml *under(const struct yaml *mapping, const char *key);
+
+/* The mistake stands `offset` characters into a node (of which only a scalar's own are counted, folded as it is). False. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+bool node_error(const struct yaml *at, size_t offset, const char *format, ...);
+
+/* The same of the key of a node. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+bool key_error(const struct yaml *at, const char *format, ...);
+
+bool is_map(const struct yaml *n);
+bool is_text(const struct yaml *n, const char *expected);
+
+/* Texts alone, `most` at most. */
+bool is_texts(const struct yaml *n, int most);
+
+/* A number above zero, finite in binary64. */
+bool is_positive_number(const struct yaml *n, double *value);
+
+/* ---- mappings whose keys are known ---- */
+
+enum field_kind {
+    FIELD_NODE,    /* const struct yaml *: whatever stands there */
+    FIELD_MAP,     /* ... a mapping                              */
+    FIELD_LIST,    /* ... a list                                 */
+    FIELD_TEXT,    /* const char *                               */
+    FIELD_TEXTS,   /* const char *[most], an int counts them     */
+    FIELD_POSITIVE,/* double                                     */
+    FIELD_WORD     /* int: which of `words`                      */
+};
+
+/* What a key fills in a struct. A table of them ends with one without key. */
+struct field {
+    const char *key;
+    size_t offset;
+    enum field_kind kind;
+    const char *expected;     /* where it is missing; NULL: it may be missing */
+    const char *const *words; /* NULL ends them                               */
+    int most;
+    size_t count;             /* the offset of the count                      */
+};
+
+/* FIELD("title", struct section, title, FIELD_TEXT, .expected = "a text") */
+#define FIELD(key_, type, member, ...) {.key = (key_), .offset = offsetof(type, member), .kind = __VA_ARGS__}
+
+/* No other keys, no missing ones, each of its kind. What is not there stays as it was. */
+bool fields_read(const struct yaml *mapping, const struct field *fields, void *into);
+
+#endif
