@@ -503,7 +503,7 @@ START_TEST(equations_lists_every_section_and_shows_one)
     ck_assert_ptr_nonnull(strstr(output, "flow_nonlinear"));
     ck_assert_int_eq(run("equations eq30"), 0);
     ck_assert_ptr_nonnull(strstr(output, "printed"));
-    ck_assert_ptr_nonnull(strstr(output, "\n  given    m1         kg         > 0        mass of a craft\n"));
+    ck_assert_ptr_nonnull(strstr(output, "\n  given    m1         kg         > 0        mass of craft 1\n"));
     ck_assert_ptr_nonnull(strstr(output, "\n  returns  I_11 "));
     ck_assert_ptr_nonnull(strstr(output, "\n  formula  I_11 = "));
     ck_assert_int_eq(run("equations eq30 --json"), 0);
