@@ -109,6 +109,9 @@ $(BUILD)/ref/%.o: ref/%.c | $(BUILD)/packages.found
 $(BUILD)/verify/%.o: verify/%.c | $(BUILD)/packages.found
 	$(COMPILE) $(VERIFY_CFLAGS)
 
+# These know the version, which stands there.
+$(call objects,$(wildcard verify/command/*.c)): ref/coulombtether.h
+
 # A suite's own code runs once, in no time: what would be won by optimising it is lost by compiling it.
 $(BUILD)/tests/%.o: tests/%.c | $(BUILD)/packages.found
 	$(COMPILE) -I. $(VERIFY_CFLAGS) $(CHECK_CFLAGS) $(if $(findstring /test_,$@),-O0)

@@ -1,26 +1,11 @@
 #!/bin/sh
 # Wrong sheets and wrong steps: the build's guard stops what cannot be read, and what can be read and is wrong is
-# left undecided, with exit status 1, or comes out otherwise than its evidence says, which is told. Prints Check's line of totals.
+# left undecided, with exit status 1, or comes out otherwise than its evidence says, which is told.
 #
 # The sheet and the steps stand in the program as text: a change that keeps the length makes a program that has a
 # wrong one compiled in.
-set -u
+. tests/harness.sh
 export LC_ALL=C
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-checks=0 failures=0
-
-check() { # NAME COMMAND...
-    name=$1
-    shift
-    checks=$((checks + 1))
-    if "$@" >"$work/log" 2>&1; then
-        return
-    fi
-    failures=$((failures + 1))
-    echo "tests/command/test_wrong.sh: $name: failed: $*"
-    sed 's/^/    /' "$work/log"
-}
 
 ends() { # STATUS COMMAND...: its outputs are kept in said
     expected=$1
@@ -172,5 +157,4 @@ printf 'abc  %s\n' "$work/other.csv" >"$work/in"
 check 'a file without a title' ends 0 sh -c "\"\$CT_PROGRAM\" datapackage <\"\$0\"" "$work/in"
 check 'a file without a title' says '"title": "other.csv"'
 
-echo "$((100 * (checks - failures) / checks))%: Checks: $checks, Failures: $failures, Errors: 0"
-[ "$failures" -eq 0 ]
+finish

@@ -1,7 +1,6 @@
 #!/bin/sh
 # Allocations that fail: each of those that read the sheet, with which nearly every command begins; after them the
 # first $STEP of each command, and a sample of its others. Each by itself, and once more with all that follow it.
-# Prints Check's line of totals.
 . tests/faults/harness.sh
 STEP=${STEP:-500}
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # System calls that fail, each in turn, by strace: writing, reading, opening, renaming, and all that it takes to talk
-# to a client. Prints Check's line of totals.
+# to a client.
 . tests/faults/harness.sh
 MOST=${MOST:-12} # of the calls of one kind in a run, the first so many
 injected=0 harmless=0 client_only='' on=''

@@ -2,35 +2,15 @@
 # What the tests of faults share; sourced from the project's root. A fault may end in two ways: the right output, or
 # exit status 1 with one line on standard error, and then nothing on standard output but a beginning of what is right.
 # shellcheck disable=SC2034,SC2154  # shared is not used here, or not set
-set -u
-unset MAKEFLAGS MAKELEVEL
+. tests/harness.sh
 program=$CT_PROGRAM
 client=$CT_BUILD/tests/faulty
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
 # Where it is preloaded from no name may hold a blank or a colon.
 shim=$work/faults.so
 cp "$CT_BUILD/tests/faults.so" "$shim" || exit 1
-trap 'exit 1' HUP INT TERM
-checks=0 failures=0 refused=0 survived=0
+refused=0 survived=0
 : >"$work/none"
 input=$work/none
-
-# NAME COMMAND...: a check; what the command printed is shown when it fails.
-check() {
-    name=$1
-    shift
-    checks=$((checks + 1))
-    "$@" >"$work/log" 2>&1 && return
-    failures=$((failures + 1))
-    echo "$0: $name: failed: $*"
-    head -n 20 "$work/log" | sed 's/^/    /'
-}
-
-finish() {
-    echo "$((100 * (checks - failures) / checks))%: Checks: $checks, Failures: $failures, Errors: 0"
-    [ "$failures" -eq 0 ]
-}
 
 is_one_line() { [ "$(wc -l <"$1")" -eq 1 ]; }
 is_beginning() { head -c "$(wc -c <"$1")" "$work/expected" | cmp -s - "$1"; }
@@ -75,7 +55,7 @@ allocations_of() {
 # ---- clients ----
 
 # COMMAND...: runs it; its exit status, or 124 where after $patience seconds a process is still there that it started.
-patience=10
+patience=30
 without_orphans() {
     # The pipe's end comes when the last process that holds it has gone.
     { status=0; "$@" 9>&1 >"$work/out" 2>"$work/err" || status=$?; echo $status >"$work/status"; } |

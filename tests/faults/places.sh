@@ -1,6 +1,6 @@
 #!/bin/sh
 # Strange places: full disks, an unreadable sheet, another folder, a path with blanks, sources that cannot be written,
-# a locale with a decimal comma, a user without rights. Prints Check's line of totals.
+# a locale with a decimal comma, a user without rights.
 . tests/faults/harness.sh
 chmod 755 "$work"
 project=$(pwd)

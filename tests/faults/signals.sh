@@ -1,6 +1,6 @@
 #!/bin/sh
 # Signals at random moments, drawn by SEED: nothing half done under its final name, no process left behind, no hang,
-# and the next `make data` completes. Prints Check's line of totals.
+# and the next `make data` completes.
 . tests/faults/harness.sh
 SEED=${SEED:-$(date +%s)}
 MOMENTS=${MOMENTS:-4} # of each signal

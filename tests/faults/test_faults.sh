@@ -1,6 +1,6 @@
 #!/bin/sh
 # What fails around the program: memory, disks, descriptors, signals. The right output or one clear line, no half file,
-# no hang, no process left behind. A sample of what `make faults` does in full. Prints Check's line of totals.
+# no hang, no process left behind. A sample of what `make faults` does in full.
 . tests/faults/harness.sh
 
 # WORDS: the command's allocations, about a hundred of them, fail.

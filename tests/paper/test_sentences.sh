@@ -1,10 +1,6 @@
 #!/bin/sh
 # Every sentence of the paper has a row in data/verdicts.csv, or a reason in paper/sentences.csv; and what is missing is noticed.
-# Prints Check's line of totals.
-set -u
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-checks=0 failures=0
+. tests/harness.sh
 
 # FILE: what paper/sentences.awk says of it
 read_sentences() {
@@ -12,21 +8,15 @@ read_sentences() {
 }
 
 # EXPRESSION MESSAGE: sentences.csv edited so stops with that.
-notices() {
-    checks=$((checks + 1))
+stops_with() {
     sed "$1" paper/sentences.csv >"$work/sentences.csv"
-    if cmp -s paper/sentences.csv "$work/sentences.csv" || read_sentences "$work/sentences.csv" || ! grep -qF -- "$2" "$work/out"; then
-        failures=$((failures + 1))
-        echo "tests/paper/test_sentences.sh: $1: expected $2"
-        cat "$work/out"
-    fi
+    ! cmp -s paper/sentences.csv "$work/sentences.csv" && ! read_sentences "$work/sentences.csv" && grep -qF -- "$2" "$work/out" ||
+        { cat "$work/out"; return 1; }
 }
+notices() { check "$1" stops_with "$@"; }
+all_fine() { read_sentences paper/sentences.csv || { cat "$work/out"; return 1; }; }
 
-checks=$((checks + 1))
-if ! read_sentences paper/sentences.csv; then
-    failures=$((failures + 1))
-    cat "$work/out"
-fi
+check 'all sentences' all_fine
 notices 's/,equation-12,$/,equation-99,/' "unknown row 'equation-99'"
 notices '/,equation-12,$/d' "no sentence names the row 'equation-12'"
 notices '/,near-rigid,$/d' "no sentence names the row 'near-rigid'"
@@ -37,5 +27,4 @@ notices '/^Title,/s/^Title,/,/' 'expected a section and a sentence'
 notices '/^Title,/s/,aim$/,aim,/' 'expected 4 fields'
 notices '2,9999d' 'with sentences'
 
-echo "$((100 * (checks - failures) / checks))%: Checks: $checks, Failures: $failures, Errors: 0"
-[ "$failures" -eq 0 ]
+finish

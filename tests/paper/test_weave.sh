@@ -1,40 +1,29 @@
 #!/bin/sh
 # The weaver: each directive gives what it stands for, and each mistake stops it with file, line and what was expected.
-# Prints Check's line of totals. No TeX is needed.
+# No TeX is needed.
 # shellcheck disable=SC2016  # the dollars are TeX's
-set -u
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-checks=0 failures=0
+. tests/harness.sh
 
 weave() {
     LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program="$CT_PROGRAM" -v data=data -v build="$work" -v plots='4 5a' -v date=2000-01-01 \
         "$work/prose.tex" >"$work/out" 2>"$work/err"
 }
 
-fail() {
-    failures=$((failures + 1))
-    echo "tests/paper/test_weave.sh: $1"
-    sed 's/^/    /' "$work/out" "$work/err"
-}
+shown() { cat "$work/out" "$work/err"; return 1; }
 
 # LINE TEXT: the directive of a line gives a text that contains the other.
-gives() {
-    checks=$((checks + 1))
+contains() {
     printf '%s\n' "$1" >"$work/prose.tex"
-    if ! weave || ! tr '\n' ' ' <"$work/out" | grep -qF -- "$2"; then
-        fail "$1: expected $2"
-    fi
+    weave && tr '\n' ' ' <"$work/out" | grep -qF -- "$2" || shown
 }
+gives() { check "$1: expected $2" contains "$@"; }
 
 # LINE MESSAGE: the third line of a file, this one, stops the weaver.
-stops() {
-    checks=$((checks + 1))
+is_stopped() {
     printf 'One.\n\n%s\n' "$1" >"$work/prose.tex"
-    if weave || ! grep -qF -- "prose.tex:3: $2" "$work/err"; then
-        fail "$1: expected prose.tex:3: $2"
-    fi
+    ! weave && grep -qF -- "prose.tex:3: $2" "$work/err" || shown
 }
+stops() { check "$1: expected prose.tex:3: $2" is_stopped "$@"; }
 
 cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$CT_BUILD/claims.json" "$work" || exit 1
 cat >"$work/gate.csv" <<'END'
@@ -113,28 +102,22 @@ stops '<<error eq01>>' "no measured error of 'eq01'"
 stops 'By \eq{99}.' "unknown equation '99'"
 stops 'By \eq{99} and <<count steps>>.' "unknown equation '99'"
 
-# An equation and its code are one block, prose is none.
-checks=$((checks + 1))
-printf 'A.\n<<equation eq43>>\n<<function eq43>>\nB.\n' >"$work/prose.tex"
-if ! weave || [ "$(grep -c -F '{keep}' "$work/out")" -ne 2 ]; then
-    fail 'an equation and its function make one block'
-fi
-
-# Code that would leave much of a page empty may be torn.
-checks=$((checks + 1))
-printf '<<equation eq02>>\n<<function eq02>>\nB.\n' >"$work/prose.tex"
-if ! weave || grep -q -F '{keep}' "$work/out"; then
-    fail 'a long function may be torn'
-fi
+# An equation and its code are one block, prose is none; code that would leave much of a page empty may be torn.
+blocks() { # NUMBER PROSE
+    printf "$2" >"$work/prose.tex"
+    weave && [ "$(grep -c -F '{keep}' "$work/out")" -eq "$1" ] || shown
+}
+check 'an equation and its function make one block' blocks 2 'A.\n<<equation eq43>>\n<<function eq43>>\nB.\n'
+check 'a long function may be torn' blocks 0 '<<equation eq02>>\n<<function eq02>>\nB.\n'
 
 # The part of the graph that a chapter proves: its step and what that leads from and to, and no more.
-checks=$((checks + 1))
-printf '<<step reference_charge>>\n' >"$work/prose.tex"
-"$CT_PROGRAM" verify derivations --graph >"$work/graph.gv"
-awk -f paper/graph.awk "$work/prose.tex" "$work/graph.gv" "$work/graph.gv" >"$work/out" 2>"$work/err"
-if [ "$(grep -c -- '->' "$work/out")" -ne 2 ] || [ "$(grep -c '^  "[^"]*" \[' "$work/out")" -ne 3 ]; then
-    fail 'the graph of a chapter with one step'
-fi
+has_one_step() {
+    printf '<<step reference_charge>>\n' >"$work/prose.tex"
+    "$CT_PROGRAM" verify derivations --graph >"$work/graph.gv"
+    awk -f paper/graph.awk "$work/prose.tex" "$work/graph.gv" "$work/graph.gv" >"$work/out" 2>"$work/err"
+    [ "$(grep -c -- '->' "$work/out")" -eq 2 ] && [ "$(grep -c '^  "[^"]*" \[' "$work/out")" -eq 3 ] || shown
+}
+check 'the graph of a chapter with one step' has_one_step
 
 # A gate that found nothing leaves no index.
 rm "$work/gate.csv"
@@ -142,13 +125,13 @@ stops '<<index>>' 'no index of equations'
 
 # What is missing for the edition is named, with the make target that installs it; here all is missing, one by one.
 mkdir "$work/bin"
+is_missing() {
+    ! PATH=$work/bin sh paper/typeset.sh >"$work/out" 2>"$work/err" &&
+        [ "$(cat "$work/err")" = "$tool is missing: run \"make deps-paper\"." ] || shown
+}
 ln -s "$(command -v sh)" "$work/bin/sh"
 for tool in gnuplot dot pdflatex kpsewhich "LaTeX's lmodern.sty"; do
-    checks=$((checks + 1))
-    if PATH=$work/bin sh paper/typeset.sh >"$work/out" 2>"$work/err" ||
-        [ "$(cat "$work/err")" != "$tool is missing: run \"make deps-paper\"." ]; then
-        fail "without $tool: expected: run \"make deps-paper\""
-    fi
+    check "without $tool: expected: run \"make deps-paper\"" is_missing
     printf '#!/bin/sh\nexit 1\n' >"$work/bin/$tool"
     chmod +x "$work/bin/$tool"
 done
@@ -157,18 +140,17 @@ done
 printf '#!/bin/sh\nexit 0\n' >"$work/bin/kpsewhich"
 printf '#!/bin/sh\ncp said coulomb-tether.log && : >coulomb-tether.pdf\necho "Output written on coulomb-tether.pdf (1 pages"\n' \
     >"$work/bin/pdflatex"
-pages() {
-    checks=$((checks + 1))
+typesets() { # pass|fail LINE
     printf '%s\n' "$2" >"$work/said"
     status=pass
     PATH=$work/bin:$PATH paper/typeset.sh "$work" "$work/out.pdf" >"$work/out" 2>"$work/err" || status=fail
-    [ "$status" = "$1" ] || fail "LaTeX's \"$2\": the edition $status"
+    [ "$status" = "$1" ] || shown
 }
+pages() { check "LaTeX's \"$2\"" typesets "$@"; }
 pages pass 'Overfull \hbox (4.99pt too wide) in paragraph at lines 1--2'
 pages fail 'Overfull \hbox (5.01pt too wide) in paragraph at lines 1--2'
 pages fail 'Overfull \vbox (20.0pt too high) has occurred while \output is active'
 pages fail "LaTeX Warning: Reference \`fig:9' on page 3 undefined on input line 7."
 pages fail 'pdfTeX warning (dest): name{eq:45} has been referenced but does not exist, replaced by a fixed one'
 
-echo "$((100 * (checks - failures) / checks))%: Checks: $checks, Failures: $failures, Errors: 0"
-[ "$failures" -eq 0 ]
+finish

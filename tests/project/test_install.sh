@@ -1,23 +1,7 @@
 #!/bin/sh
 # What `make install` leaves behind is enough for a stranger: a program outside the tree builds with
-# pkg-config alone, and `make uninstall` takes all of it away. Prints Check's line of totals.
-set -u
-unset MAKEFLAGS MAKELEVEL
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-checks=0 failures=0
-
-check() {
-    name=$1
-    shift
-    checks=$((checks + 1))
-    if "$@" >"$work/log" 2>&1; then
-        return
-    fi
-    failures=$((failures + 1))
-    echo "tests/project/test_install.sh: $name: failed: $*"
-    sed 's/^/    /' "$work/log"
-}
+# pkg-config alone, and `make uninstall` takes all of it away.
+. tests/harness.sh
 
 make_quietly() { make --silent "$@"; } # with BUILD from the environment
 files_of() { (cd "$1" && find . ! -type d | sort); }
@@ -104,5 +88,4 @@ kill "$other"
 wait "$other" 2>/dev/null
 check an_ended_make_is_no_obstacle goes_on
 
-echo "$((100 * (checks - failures) / checks))%: Checks: $checks, Failures: $failures, Errors: 0"
-[ "$failures" -eq 0 ]
+finish
