@@ -8,6 +8,17 @@ check 'make data' "${MAKE:-make}" BUILD="$BUILD" DATA="$again" data
 for file in $( { (cd data && find . -type f ! -name '*.tmp'); (cd "$again" && find . -type f); } | sort -u); do
     check "$file" cmp "data/$file" "$again/$file"
 done
+# Readers by name (csv.DictReader, pandas, the data package's) keep one of two columns of one name.
+has_its_names_once() { head -n 1 "$1" | tr ',' '\n' | sort | uniq -d >"$work/twice" && cat "$work/twice" && [ ! -s "$work/twice" ]; }
+for file in data/*.csv data/golden/*.csv; do
+    check "the columns of $file" has_its_names_once "$file"
+done
+check 'descriptions' awk '/"type": / && !/"description": / { print; bad = 1 } END { exit bad }' data/datapackage.json
+if /usr/bin/python3 -c 'import pandas' 2>/dev/null; then
+    check pandas /usr/bin/python3 tests/project/pandas_reads.py
+else
+    echo "pandas skipped: not found"
+fi
 
 # README's Table 1 and findings are those of the program.
 { echo '```'; "$CT_PROGRAM" table1; echo '```'; } >"$work/table1.md"

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "command/command.h"
+#include "text/json.h"
 
 enum { LONGEST_FIELD = 8192 };
 
@@ -45,41 +46,82 @@ static const char *title_of(const char *path)
     return name;
 }
 
-/* The unit of a column, by the names of the sheet; NULL for a column of text. */
-static const char *unit_of(const char *column)
-{
-    char name[64];
-    snprintf(name, sizeof name, "%s", strncmp(column, "S_", 2) == 0 ? column + 2 : column);
-    static const char *const suffixes[] = {"_rk4", "_linear", "_forced"};
-    for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++) {
-        char *suffix = strstr(name, suffixes[i]);
-        if (suffix != NULL)
-            *suffix = '\0';
-    }
-    if (strncmp(name, "amplitude", strlen("amplitude")) == 0)
-        return "rad";
-    if (strcmp(name, "q1_uC") == 0 || strcmp(name, "q2_uC") == 0)
-        return "uC";
-    const struct quantity *q = quantity_find(sheet(), name);
-    return q ? q->unit : NULL;
-}
+/* Columns that are no quantities of the sheet. A number without a unit has the one that its row names, or several. */
+static const struct column {
+    const char *name, *type, *unit, *description;
+} columns[] = {
+    {"id", "string", NULL, "name of the row, which never changes"},
+    {"flags", "string", NULL, "invalid: outside the domain; range: on the way to the result binary64's normal range is left; "
+                              "and what the vector is there for; blanks between them"},
+    {"name", "string", NULL, "symbol of the quantity"},
+    {"printed", "number", NULL, "what the paper prints"},
+    {"computed", "number", NULL, "what the printed values of the other rows give, or the row's own value"},
+    {"unit", "string", NULL, "unit of the two numbers before it"},
+    {"rounds", "string", NULL, "yes where the computed value rounds to the printed digits, else no"},
+    {"where", "string", NULL, "place in the paper"},
+    {"kind", "string", NULL, "equation, number, statement, implied, misprint or beyond (the paper)"},
+    {"claim", "string", NULL, "what is claimed there, in other words"},
+    {"verdict", "string", NULL, "holds, holds as corrected, qualified, refuted, definition or not decidable"},
+    {"how", "string", NULL, "how it is known: exact, certified or measured"},
+    {"evidence", "string", NULL, "what the verdict rests on"},
+    {"study", "string", NULL, "which two motions are compared, and after what time"},
+    {"variable", "string", NULL, "quantity that is compared"},
+    {"parameter", "number", NULL, "what is made smaller: a scale of the initial values, a step [s], a ratio of lengths"},
+    {"difference", "number", NULL, "how far the two are apart, in the unit of the variable"},
+    {"order", "number", NULL, "observed order of convergence, from this row and the one before"},
+    {"constant", "number", NULL, "difference over the parameter raised to the order of the theory"},
+    {"mistakes", "string", NULL, "known mistakes that this vector tells from the truth, semicolons between them"},
+    {"old", "string", NULL, "the digits that were wrong"},
+    {"new", "string", NULL, "the digits that are right"},
+    {"amplitude", "number", "rad", "amplitude of pitch"},
+    {"amplitude_law", "number", "rad", "amplitude of pitch by the slow law"},
+    {"q1_uC", "number", "uC", "charge of craft 1"},
+    {"q2_uC", "number", "uC", "charge of craft 2"},
+};
 
-/* Numbers have a unit, but for those of which it depends on the row. */
-static void print_field(const char *column)
+static const struct {
+    const char *suffix, *description;
+} variants[] = {
+    {"_rk4", "by the classical Runge-Kutta method in steps of 100 s"},
+    {"_linear", "of the linear model"},
+    {"_forced", "what pitch forces, in closed form"},
+};
+
+/* A column by its name, and what a suffix or S_ before it adds to that; one without a description has none. */
+static void print_field(struct json *j, const char *column)
 {
-    const char *unit = unit_of(column);
-    static const char *const numbers[] = {"printed", "computed", "parameter", "difference", "order", "constant"};
-    bool number = unit != NULL;
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        number = number || strcmp(column, numbers[i]) == 0;
-    printf("{\"name\": ");
-    json_text(column);
-    printf(", \"type\": \"%s\"", number ? "number" : "string");
-    if (unit != NULL) {
-        printf(", \"unit\": ");
-        json_text(unit);
+    char base[64], description[512];
+    const char *variant = "", *type = "string", *unit = NULL, *meaning = NULL;
+    const bool sensitivity = strncmp(column, "S_", 2) == 0;
+    snprintf(base, sizeof base, "%s", sensitivity ? column + 2 : column);
+    for (size_t i = 0; i < sizeof variants / sizeof *variants; i++) {
+        char *suffix = strstr(base, variants[i].suffix);
+        if (suffix != NULL) {
+            variant = variants[i].description;
+            *suffix = '\0';
+        }
     }
-    putchar('}');
+    const struct quantity *q = quantity_find(sheet(), base);
+    if (q != NULL) {
+        type = "number";
+        unit = q->unit;
+        meaning = q->meaning;
+    }
+    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
+        if (strcmp(columns[i].name, base) == 0) {
+            type = columns[i].type;
+            unit = columns[i].unit;
+            meaning = columns[i].description;
+        }
+    snprintf(description, sizeof description, "%s%s%s%s", sensitivity ? "sensitivity of this to its inputs' last digits, sum |x dX/dx|: " : "",
+             meaning ? meaning : "", *variant ? ", " : "", variant);
+    json_line(j, 4);
+    json_open(j, NULL, '{');
+    json_string(j, "name", column);
+    json_string(j, "type", type);
+    json_string(j, "unit", unit);
+    json_string(j, "description", meaning ? description : NULL);
+    json_close(j);
 }
 
 /* The first line of a file, and its size. */
@@ -99,9 +141,9 @@ static int read_head(const char *path, char head[LONGEST_FIELD], long *size)
     return status;
 }
 
-static int print_resource(const char *hash, const char *path, bool first)
+static int print_resource(struct json *j, const char *hash, const char *path)
 {
-    char head[LONGEST_FIELD], name[128], *rest = NULL;
+    char head[LONGEST_FIELD], name[128], fingerprint[80], *rest = NULL;
     long size = 0;
     int status = read_head(path, head, &size);
     if (status != EXIT_DONE)
@@ -111,42 +153,73 @@ static int print_resource(const char *hash, const char *path, bool first)
     snprintf(name, sizeof name, "%.*s", (int)strcspn(relative, "."), relative);
     for (char *c = name; *c != '\0'; c++)
         *c = *c == '/' ? '-' : *c;
-    printf("%s  {\"name\": \"%s\", \"path\": \"%s\", \"profile\": \"tabular-data-resource\",\n   \"title\": ",
-           first ? "" : ",\n", name, relative);
-    json_text(title_of(path));
-    printf(",\n   \"format\": \"csv\", \"mediatype\": \"text/csv\", \"encoding\": \"utf-8\", "
-           "\"bytes\": %ld, \"hash\": \"sha256:%s\",\n   \"schema\": {\"missingValues\": [\"\"], \"fields\": [",
-           size, hash);
-    bool comma = false;
-    for (char *column = strtok_r(head, ",", &rest); column; column = strtok_r(NULL, ",", &rest)) {
-        fputs(comma ? ",\n    " : "\n    ", stdout);
-        print_field(column);
-        comma = true;
-    }
-    printf("]}}");
+    snprintf(fingerprint, sizeof fingerprint, "sha256:%s", hash);
+    json_line(j, 2);
+    json_open(j, NULL, '{');
+    json_string(j, "name", name);
+    json_string(j, "path", relative);
+    json_string(j, "profile", "tabular-data-resource");
+    json_line(j, 3);
+    json_string(j, "title", title_of(path));
+    json_line(j, 3);
+    json_string(j, "format", "csv");
+    json_string(j, "mediatype", "text/csv");
+    json_string(j, "encoding", "utf-8");
+    json_value(j, "bytes", "%ld", size);
+    json_string(j, "hash", fingerprint);
+    json_line(j, 3);
+    json_open(j, "schema", '{');
+    json_open(j, "missingValues", '[');
+    json_string(j, NULL, "");
+    json_close(j);
+    json_open(j, "fields", '[');
+    for (char *column = strtok_r(head, ",", &rest); column; column = strtok_r(NULL, ",", &rest))
+        print_field(j, column);
+    json_close(j);
+    json_close(j);
+    json_close(j);
     return EXIT_DONE;
 }
 
-static void print_top(void)
+static void print_top(struct json *j)
 {
-    printf("{\"profile\": \"tabular-data-package\",\n"
-           " \"name\": \"coulomb-tether\",\n"
-           " \"title\": \"The Coulomb tether formation: table, figures and golden vectors\",\n"
-           " \"version\": \"" CT_VERSION "\",\n"
-           " \"description\": \"Numbers of the equations of a Coulomb tether formation. An input is the nearest "
-           "binary64 of its decimal; an output is correctly rounded to the digits that it shows, which is proved, exactly "
-           "or by an enclosure, but in the rows of convergence.csv that say measured. A column S_X "
-           "is the sensitivity of X to its inputs' last digits, the sum of |x dX/dx|; inf where it has none. "
-           "Flags: invalid (outside the domain, outputs empty), range (a subexpression leaves binary64's normal "
-           "range), and what the vector is there for. Rules of versions: an id never changes its inputs and is "
-           "never used again; a value changes only if it was wrong, and then the errata name id, old and new "
-           "value and the major version rises; new files and vectors raise the minor version, wording the patch "
-           "version.\",\n"
-           " \"licenses\": [{\"name\": \"CC0-1.0\", \"title\": \"Creative Commons Zero 1.0\", "
-           "\"path\": \"https://creativecommons.org/publicdomain/zero/1.0/\"}],\n"
-           " \"sources\": [{\"title\": \"Natarajan and Schaub, Linear dynamics and stability analysis of a "
-           "Coulomb tether formation\"}],\n"
-           " \"resources\": [\n");
+    static const char *const members[][2] = {
+        {"profile", "tabular-data-package"},
+        {"name", "coulomb-tether"},
+        {"title", "The Coulomb tether formation: table, figures and golden vectors"},
+        {"version", CT_VERSION},
+        {"description",
+         "Numbers of the equations of a Coulomb tether formation. An input is the nearest binary64 of its decimal; an "
+         "output is correctly rounded to the digits that it shows, which is proved, exactly or by an enclosure, but in "
+         "the rows of convergence.csv that say measured. A reader has to round correctly to get the inputs exactly: "
+         "pandas does with read_csv(..., float_precision=\"round_trip\"), not without. A column S_X is the sensitivity "
+         "of X to its inputs' last digits, the sum of |x dX/dx|; INF where it has none. Flags: invalid (outside the "
+         "domain, outputs empty), range (a subexpression leaves binary64's normal range), and what the vector is there "
+         "for. Rules of versions: an id never changes its inputs and is never used again; a value changes only if it was "
+         "wrong, and then the errata name id, old and new value and the major version rises; new files and vectors raise "
+         "the minor version, wording the patch version. Version 2: a motion's initial values have names of their own, "
+         "psi_0 to z1_dot_0; what is no number is written NaN, INF and -INF, as Table Schema has it."},
+    };
+    json_open(j, NULL, '{');
+    for (size_t i = 0; i < sizeof members / sizeof *members; i++) {
+        json_string(j, members[i][0], members[i][1]);
+        json_line(j, 1);
+    }
+    json_open(j, "licenses", '[');
+    json_open(j, NULL, '{');
+    json_string(j, "name", "CC0-1.0");
+    json_string(j, "title", "Creative Commons Zero 1.0");
+    json_string(j, "path", "https://creativecommons.org/publicdomain/zero/1.0/");
+    json_close(j);
+    json_close(j);
+    json_line(j, 1);
+    json_open(j, "sources", '[');
+    json_open(j, NULL, '{');
+    json_string(j, "title", "Natarajan and Schaub, Linear dynamics and stability analysis of a Coulomb tether formation");
+    json_close(j);
+    json_close(j);
+    json_line(j, 1);
+    json_open(j, "resources", '[');
 }
 
 int command_datapackage(const struct arguments *a)
@@ -154,18 +227,23 @@ int command_datapackage(const struct arguments *a)
     char line[LONGEST_FIELD], hash[65], path[LONGEST_FIELD];
     int status = EXIT_DONE;
     (void)a;
-    print_top();
-    for (bool first = true; status == EXIT_DONE && fgets(line, sizeof line, stdin) != NULL; first = false) {
+    struct json json = json_on(stdout);
+    print_top(&json);
+    while (status == EXIT_DONE && fgets(line, sizeof line, stdin) != NULL) {
         if (sscanf(line, "%64[0-9a-f]  %8000[^\n]", hash, path) == 2)
-            status = print_resource(hash, path, first);
+            status = print_resource(&json, hash, path);
         else
             status = usage_error(EXIT_FAILED_CHECK, "standard input: expected HASH  FILE, got '%.*s'",
                                  (int)strcspn(line, "\n"), line);
     }
     if (status == EXIT_DONE && !feof(stdin))
         status = usage_error(EXIT_FAILED_CHECK, "standard input: %s", strerror(errno));
-    if (status == EXIT_DONE)
-        puts("\n ]}");
+    if (status == EXIT_DONE) {
+        json_line(&json, 1);
+        json_close(&json);
+        json_close(&json);
+        putchar('\n');
+    }
     int written = output_finished();
     return status != EXIT_DONE ? status : written;
 }

@@ -48,11 +48,11 @@ bool vector_leaves_range(struct operation *o, const struct input *inputs, int si
     return leaves;
 }
 
-/* Digits of S, or "inf"; NULL while undecided. */
+/* Digits of S, or "INF"; NULL while undecided. */
 static char *sensitivity_text(const arb_t S)
 {
     return arb_is_finite(S) || mag_is_inf(arb_radref(S)) ? decimal_of_ball(S, SENSITIVITY_DIGITS)
-                                                         : text_copy("inf");
+                                                         : text_copy("INF");
 }
 
 static bool sensitivity_texts(struct operation *o, const struct input *inputs, char **texts)
@@ -97,6 +97,12 @@ void input_write(char text[LONGEST_INPUT], const char *literal, enum input_form 
         snprintf(text, LONGEST_INPUT, form == INPUTS_HEX ? "%a" : "%.767g", x); /* no binary64 has more digits */
 }
 
+const char *schema_text(const char *text)
+{
+    const double x = strtod(text, NULL);
+    return isfinite(x) ? text : isnan(x) ? "NaN" : x > 0 ? "INF" : "-INF";
+}
+
 static void print_line(const char *id, const struct section *s, const char *const *texts, char *const *outputs,
                        char *const *S, const char *flag, const char *flags, enum input_form form)
 {
@@ -104,7 +110,7 @@ static void print_line(const char *id, const struct section *s, const char *cons
     fputs(id, stdout);
     for (int i = 0; i < s->input_count; i++) {
         input_write(input, texts[i], form);
-        printf(",%s", input);
+        printf(",%s", schema_text(input));
     }
     for (int i = 0; i < s->output_count; i++)
         printf(",%s", outputs[i] ? outputs[i] : "");

@@ -328,7 +328,9 @@ void decimal_shortest(char text[32], double x)
     }
     char digits[24]; /* at most 17 */
     const int first = (int)shortest_digits(digits, x), last = first + 1 - (int)strlen(digits);
-    if (first < -4 || first >= 16)
+    /* Simple readers take in 17 digits, zeros before the first of them too: a small number has all of its own within them. */
+    const bool small = first < 0 && (first < -4 || (int)strlen(digits) - first > 17);
+    if (small || first >= 16)
         write_scientific(text, digits, first);
     else if (first < 0)
         snprintf(text, room, "0.%.*s%s", -1 - first, "000", digits);
