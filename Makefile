@@ -23,6 +23,7 @@ CFLAGS     ?= -O2 -g
 INSTALL    ?= install
 PKG_CONFIG ?= pkg-config
 PYTHON     ?= /usr/bin/python3
+SHA256     := $(shell if command -v sha256sum >/dev/null 2>&1; then echo sha256sum; else echo shasum -a 256; fi)
 
 # A product and a sum fused into one rounding would differ from machine to machine: no contraction.
 STANDARD := -std=c11 -Wall -Wextra -Wpedantic -ffp-contract=off -D_POSIX_C_SOURCE=200809L
@@ -42,6 +43,11 @@ VERIFY_CFLAGS = -Iverify -Iref $(GSL_CFLAGS) $(FLINT_CFLAGS) $(YAML_CFLAGS) -DCT
   -DCT_SHEET_PATH='"paper/equations.yaml"' -DCT_DERIVATIONS_PATH='"paper/derivations.yaml"' \
   -DCT_CLAIMS_PATH='"paper/claims.yaml"'
 VERIFY_LIBS   = $(FLINT_LIBS) -lmpfr -lgmp $(YAML_LIBS) $(GSL_LIBS) -lm
+
+# A short line a step; V=1 shows the commands, make -s nothing.
+silent := $(findstring s,$(firstword -$(MAKEFLAGS)))
+say     = $(if $(silent)$(filter 1,$(V)),,$(info $(1)  $(or $(2),$@)))
+Q      := $(if $(filter 1,$(V)),,@)
 
 # Every processor is used unasked.
 ifeq ($(MAKELEVEL),0)
@@ -96,12 +102,18 @@ FIGURES := $(foreach kind,svg png,$(patsubst %,$(BUILD)/figures/%.$(kind),$(DRAW
 all: $(LIBRARY) $(SHARED) $(PROGRAM)
 
 ### Compiling
-COMPILE = @mkdir -p $(@D)$(newline)$(CC) $(STANDARD) $(CPPFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
+COMPILE = @mkdir -p $(@D)$(call say,CC,$<)$(newline)$(Q)$(CC) $(STANDARD) $(CPPFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
 define newline
 
 
 endef
 comma := ,
+# What a command prints becomes the target, whole or not at all.
+PRINTED = @mkdir -p $(@D)$(call say,MAKE)$(newline)$(Q)$(1) >$@.tmp$(newline)@mv $@.tmp $@
+
+# Whether the linker takes an option: elsewhere than here one may not.
+linker_takes = $(shell echo 'int main(void) { return 0; }' >$(BUILD)/linked.c && $(CC) -o $(BUILD)/linked.tmp -Wl,$(1) $(BUILD)/linked.c \
+  2>/dev/null && echo yes)
 
 $(BUILD)/ref/%.o: ref/%.c | $(BUILD)/packages.found
 	$(COMPILE) -fPIC $(GSL_CFLAGS)
@@ -124,24 +136,30 @@ $(BUILD)/packages.found:
 $(EMBED): $(BUILD)/sheet.checked
 
 $(BUILD)/sheet.checked: $(BUILD)/sheet-check paper/equations.yaml paper/derivations.yaml paper/claims.yaml
-	$^
+	$(call say,CHECK,$(wordlist 2,4,$^))
+	$(Q)$^
 	@touch $@
 
 ### Linking
 $(LIBRARY): $(REF)
 $(ENGINE): $(VERIFY)
 $(LIBRARY) $(ENGINE):
-	@rm -f $@.tmp
-	$(AR) rcs $@.tmp $^
+	@rm -f $@.tmp$(call say,AR)
+	$(Q)$(AR) rcs $@.tmp $^
 	@mv $@.tmp $@
 
 $(SHARED): $(REF)
-	$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -o $@.tmp $^ $(GSL_LIBS) -lm
-	@mv $@.tmp $@.$(VERSION)
-	@ln -sf $(@F).$(VERSION) $(@D)/$(SONAME)
-	@ln -sf $(SONAME) $@
+	$(if $(call linker_takes,-soname$(comma)x),$(SHARE),@echo 'left out: $@: the linker knows no -soname')
 
-LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@.tmp $(filter %.o,$^) $(filter %.a,$^) $(1) $(VERIFY_LIBS)$(newline)@mv $@.tmp $@
+define SHARE
+$(call say,LINK)
+$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -o $@.tmp $^ $(GSL_LIBS) -lm
+@mv $@.tmp $@.$(VERSION)
+@ln -sf $(@F).$(VERSION) $(@D)/$(SONAME)
+@ln -sf $(SONAME) $@
+endef
+
+LINK = $(call say,LINK)$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -o $@.tmp $(filter %.o,$^) $(filter %.a,$^) $(1) $(VERIFY_LIBS)$(newline)@mv $@.tmp $@
 
 $(PROGRAM): $(BUILD)/verify/command/main.o $(EMBED) $(ENGINE) $(LIBRARY)
 	$(call LINK)
@@ -158,15 +176,16 @@ $(RUN): $(filter-out %/test_ref_gsl.o %/test_corpora.o,$(call objects,$(SUITES))
 $(BUILD)/tests/test_ref_gsl: $(BUILD)/tests/ref/test_ref_gsl.o
 $(BUILD)/tests/test_corpora: $(BUILD)/tests/fuzz/test_corpora.o $(TARGETS)
 $(RUN) $(ALONE): $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
-	$(call LINK,$(CHECK_LIBS) $(if $(filter %corpora,$@),$(APART:%=-Wl$(comma)--wrap=%)))
+	$(if $(filter %corpora,$@),$(if $(call linker_takes,--wrap=x),$(call LINK,$(CHECK_LIBS) $(APART:%=-Wl$(comma)--wrap=%)), \
+	  @echo 'left out: $@: the linker knows no --wrap'),$(call LINK,$(CHECK_LIBS)))
 
 $(FAULTY): $(BUILD)/tests/faulty.o $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
 # Without CFLAGS: its allocations are counted, those of a sanitizer or of coverage are none of them.
 $(FAULTS): tests/faults.c
-	@mkdir -p $(@D)
-	$(CC) $(STANDARD) -O2 -g -fPIC -shared -o $@.tmp $<
+	@mkdir -p $(@D)$(call say,CC,$<)
+	$(Q)$(CC) $(STANDARD) -O2 -g -fPIC -shared -o $@.tmp $<
 	@mv $@.tmp $@
 
 ### Fuzzing
@@ -193,7 +212,7 @@ fuzzers: $(FUZZERS)
 ### Checking
 ## check: every test, on all processors; the last line is "N passed, N failed"; ONLY='test_flow test_wrong' some of them
 check: all suites $(if $(ONLY),$(if $(filter $(basename $(notdir $(SCRIPTS))),$(ONLY)),$(EVIDENCE)),$(EVIDENCE))
-	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' ONLY='$(ONLY)' tests/check.sh $(SCRIPTS) $(SUITES)
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' ONLY='$(ONLY)' V='$(V)' tests/check.sh $(SCRIPTS) $(SUITES)
 
 ## suites: the test programs, compiled and not run: build/tests/run test_flow runs a suite
 suites: $(RUN) $(ALONE) $(FAULTY) $(FAULTS)
@@ -270,36 +289,24 @@ data: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/errat
 	@$(PROGRAM) table1
 
 $(DATA)/table1.csv: $(PROGRAM)
-	@mkdir -p $(@D)
-	$(PROGRAM) table1 --csv >$@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,$(PROGRAM) table1 --csv)
 
 # Beside the motion itself stands what the paper's own method makes of it: Runge-Kutta, 100 s a step.
 $(DATA)/figure%.csv: $(PROGRAM)
-	@mkdir -p $(@D)
-	$(PROGRAM) figure $* $(if $(filter-out 4,$*),--rk4 100) >$@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,$(PROGRAM) figure $* $(if $(filter-out 4,$*),--rk4 100))
 
 $(STUDIES): $(DATA)/%.csv: $(PROGRAM)
-	@mkdir -p $(@D)
-	$(PROGRAM) study $* >$@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,$(PROGRAM) study $*)
 
 $(VERDICTS): $(BUILD)/claims.json paper/verdicts.awk
-	@mkdir -p $(@D)
-	LC_ALL=C awk -f paper/read.awk -f paper/verdicts.awk $< >$@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/verdicts.awk $<)
 
 $(DATA)/golden/%.csv: $(PROGRAM)
-	@mkdir -p $(@D)
-	$(PROGRAM) vectors $* --golden >$@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,$(PROGRAM) vectors $* --golden)
 
 # Which golden vector tells which mistake from the truth. Fails where one tells none, or a mistake survives all.
 $(DATA)/kills.csv: $(PROGRAM)
-	@mkdir -p $(@D)
-	$(PROGRAM) conform --kills >$@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,$(PROGRAM) conform --kills)
 
 # Written by hand, should a vector ever prove wrong.
 $(DATA)/errata.csv:
@@ -308,10 +315,9 @@ $(DATA)/errata.csv:
 	@mv $@.tmp $@
 
 $(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/errata.csv
-	sha256sum $(sort $^) >$@.sums.tmp
-	$(PROGRAM) datapackage <$@.sums.tmp >$@.tmp
+	@$(SHA256) $(sort $^) >$@.sums.tmp
+	$(call PRINTED,$(PROGRAM) datapackage <$@.sums.tmp)
 	@rm $@.sums.tmp
-	@mv $@.tmp $@
 
 ## figures: the figures and the graph of derivations, as SVG and PNG, in build/figures/
 figures: $(FIGURES) $(BUILD)/figures/derivations.svg $(BUILD)/figures/derivations.png
@@ -324,13 +330,10 @@ $(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES) $(VERDICTS)
 
 # Boxes are equations and the arrows between them steps; what is first is marked by its shape.
 $(BUILD)/figures/derivations.%: $(BUILD)/derivations.gv
-	@mkdir -p $(@D)
-	dot -T$* $< >$@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,dot -T$* $<)
 
 $(BUILD)/derivations.gv: $(PROGRAM)
-	$(PROGRAM) verify derivations --graph >$@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,$(PROGRAM) verify derivations --graph)
 
 # Ratios to mpmath, which Debian's python3 has: not every python3 on the path.
 ## bench: speed, as ratios with what is required of them, for readme too; needs python3-mpmath and python3-gmpy2
@@ -370,8 +373,7 @@ $(BUILD)/coulomb-tether.pdf: $(patsubst paper/%,$(EDITION)/%,$(PROSE)) $(PLOTS:%
 	paper/typeset.sh $(EDITION) $@
 
 $(EVIDENCE): $(BUILD)/%.json: $(PROGRAM)
-	$(PROGRAM) verify $* --json >$@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,$(PROGRAM) verify $* --json)
 
 # What is missing is told before the long work.
 $(EDITION)/tools.found: paper/typeset.sh
@@ -439,13 +441,19 @@ install: all $(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash
 	$(INSTALL) -d $(call into,$(bindir)) $(call into,$(libdir)) $(call into,$(pkgconfigdir)) $(call into,$(includedir)) $(call into,$(mandir)/man1) \
 	  $(call into,$(completiondir))
 	$(INSTALL) -m 755 $(PROGRAM) $(call into,$(bindir)/)
-	$(INSTALL) -m 644 $(LIBRARY) $(SHARED).$(VERSION) $(call into,$(libdir)/)
-	ln -sf $(notdir $(SHARED)).$(VERSION) $(call into,$(libdir)/$(SONAME))
-	ln -sf $(SONAME) $(call into,$(libdir)/$(notdir $(SHARED)))
+	$(INSTALL) -m 644 $(LIBRARY) $(call into,$(libdir)/)
+	if [ -e $(SHARED) ]; then $(INSTALL) -m 644 $(SHARED).$(VERSION) $(call into,$(libdir)/) && \
+	  ln -sf $(notdir $(SHARED)).$(VERSION) $(call into,$(libdir)/$(SONAME)) && \
+	  ln -sf $(SONAME) $(call into,$(libdir)/$(notdir $(SHARED))); fi
 	$(INSTALL) -m 644 $(BUILD)/coulombtether.pc $(call into,$(pkgconfigdir)/)
 	$(INSTALL) -m 644 ref/coulombtether.h $(call into,$(includedir)/)
 	$(INSTALL) -m 644 $(BUILD)/coulomb-tether.1 $(call into,$(mandir)/man1/)
 	$(INSTALL) -m 644 $(BUILD)/coulomb-tether.bash $(call into,$(completiondir)/coulomb-tether)
+	$(if $(DESTDIR),,@$(TELL_LINKER))
+
+# Below /usr a shared library is found once ldconfig has seen it; elsewhere by LD_LIBRARY_PATH alone.
+TELL_LINKER = case $(call into,$(libdir)) in /usr/*) PATH=$$PATH:/usr/sbin:/sbin; if command -v ldconfig >/dev/null; then \
+  if [ "$$(id -u)" -eq 0 ]; then ldconfig; else echo 'Before the library is found, as root: ldconfig'; fi; fi ;; esac
 
 ## uninstall: take all of that away again
 uninstall:

@@ -1,12 +1,28 @@
 #!/bin/sh
 # Installs those of the named Debian packages that are missing. NAME? is wanted only where there is such
-# a package. Where there is no apt-get, or no right to use it, the names are printed instead: exit 1.
+# a package. Where there is no apt-get, or no right to use it, what to install is printed instead: exit 1.
 set -eu
 export LC_ALL=C DEBIAN_FRONTEND=noninteractive
 
+# What other systems call them; - where the system has it anyway, or nothing like it. Where a line is missing, the name is the same.
+names_elsewhere() {
+    for tool in 'dnf install' 'pacman -S' 'apk add' 'brew install' ''; do
+        command -v "${tool%% *}" >/dev/null && break
+    done
+    case $tool in
+        dnf*) column=2 ;; pacman*) column=3 ;; apk*) column=4 ;; brew*) column=5 ;;
+        *) echo 'There is no apt-get here. Please install, by the names that they have on this system:'; column=1 ;;
+    esac
+    [ -z "$tool" ] || echo 'There is no apt-get here. Please install:'
+    echo "$@" | tr ' ' '\n' | grep -v '?$' | awk -v column=$column -v tool="$tool" '
+        NR == FNR { if (NF == 5) other[$1] = $column; next }
+        { name = $1 in other ? other[$1] : $1 }
+        name != "-" { line = line " " name }
+        END { print "    " (tool ? "sudo " tool : "") line }' "${0%.sh}.names" - | sed 's/sudo brew/brew/'
+}
+
 if ! command -v apt-get >/dev/null; then
-    echo "There is no apt-get here. Please install, by the names that they have on this system:" >&2
-    echo "   " "$@" | sed 's/[^ ]*?//g' >&2
+    names_elsewhere "$@" >&2
     exit 1
 fi
 

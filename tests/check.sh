@@ -25,7 +25,12 @@ run_one() { # FILE
     status=0
     case $1 in
         *.sh) set -- "$1" ;;
-        */test_corpora.c | */test_ref_gsl.c) set -- "$records/$name" ;;
+        */test_corpora.c | */test_ref_gsl.c)
+            set -- "$records/$name"
+            if [ ! -x "$1" ]; then # by make, and said there
+                echo "$name is left out"
+                return
+            fi ;;
         *) set -- "$records/run" "$name" ;;
     esac
     CK_TAP_LOG_FILE_NAME=$records/$name.tap $limit "$@" >"$log" 2>&1 </dev/null || status=$?
@@ -81,7 +86,7 @@ xargs -0 -n 1 -P "$(getconf _NPROCESSORS_ONLN)" "$0" --one <"$chosen"
 if [ -z "${ONLY-}" ]; then
     sound=true
     DATA=data tests/project/gate.sh >"$records/gate.log" 2>&1 || sound=false
-    cat "$records/gate.log"
+    if $sound && [ -z "${V-}" ]; then tail -n 1 "$records/gate.log"; else cat "$records/gate.log"; fi
     sed -n 's/^gate: \([0-9]*\) of \([0-9]*\) equations .*/\1 \2/p' "$records/gate.log" | {
         read -r good all || { good=0 all=1; }
         if [ "$good" -eq "$all" ] && ! $sound; then all=$((all + 1)); fi
