@@ -11,7 +11,7 @@
 #include "claims/marked.h"
 #include "proof/proof_results.h"
 
-enum { MOST_ASSERTIONS = 40, MOST_VERDICTS = 4, MOST_EACH = 3, MOST_TURNS = 8 };
+enum { MOST_ASSERTIONS = 40, MOST_VERDICTS = 4, MOST_EACH = 3, MOST_TURNS = 8, MOST_CITED = 8 };
 
 /* A formula over whatever has a name where it stands. */
 struct formula {
@@ -63,7 +63,7 @@ struct assertion {
     int each_names, turns;
     long count;
     struct linear_system system;
-    const char *reference;        /* the id of a step or a claim */
+    const char *cited[MOST_CITED]; /* the ids of steps or of claims; NULL: no further one */
     struct computed *computed;
     ulong uses;                   /* assertions that it takes numbers of */
     bool done;

@@ -424,6 +424,14 @@ static enum truth claim_found(struct statements *all, const char *id, enum how *
     return proved_or_open(ruling.as_written);
 }
 
+static enum truth cited_found(struct statements *all, const struct assertion *a, enum how *how)
+{
+    enum truth truth = FOUND_TRUE;
+    for (int i = 0; i < MOST_CITED && a->cited[i] != NULL; i++)
+        truth = truth_both(truth, a->kind == ASSERT_STEP ? step_found(all->proofs, a->cited[i]) : claim_found(all, a->cited[i], how));
+    return truth;
+}
+
 static enum truth root_found(struct statements *all, struct statement *s, struct assertion *a, enum how *how)
 {
     SCOPE(arb, z);
@@ -466,10 +474,8 @@ void assertion_find(struct statements *all, struct statement *s, struct assertio
         a->truth = identity_found(&a->identity);
     else if (a->kind == ASSERT_ROOT)
         a->truth = root_found(all, s, a, &a->how);
-    else if (a->kind == ASSERT_STEP)
-        a->truth = step_found(all->proofs, a->reference);
-    else if (a->kind == ASSERT_CLAIM)
-        a->truth = claim_found(all, a->reference, &a->how);
+    else if (a->kind == ASSERT_STEP || a->kind == ASSERT_CLAIM)
+        a->truth = cited_found(all, a, &a->how);
     else if (a->kind != ASSERT_COMPUTE)
         a->truth = found_at_each(all, s, a, &a->how);
 }

@@ -282,12 +282,15 @@ static bool read_difference(struct reading *r, struct assertion *a, const yaml_n
     return parsing_close(&f, &a->formula.program);
 }
 
-/* An equality for all values. */
+/* An equality for all values, or a list of them. */
 static bool read_identity(struct reading *r, struct assertion *a, const yaml_node_t *node)
 {
     struct parsing f;
     parsing_open(&f, r);
-    f.fine = f.fine && identities_show(&f.identities, &f.scope, node) && identities_close(&f.identities, &f.scope);
+    const int count = scalar(node) != NULL ? 1 : length_of(node);
+    for (int i = 0; i < count && f.fine; i++)
+        f.fine = identities_show(&f.identities, &f.scope, scalar(node) != NULL ? node : item_of(r->document, node, i));
+    f.fine = f.fine && identities_close(&f.identities, &f.scope);
     a->everywhere = true;
     a->identity = f.identities;
     return f.fine;
@@ -309,6 +312,8 @@ static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t 
     size_t length;
     const char *sign = scalar(show) != NULL ? find_ordering(scalar(show), &a->ordering, &length) : NULL;
     const bool somewhere = own(r, "at") != NULL || own(r, "for") != NULL;
+    if (show->type == YAML_SEQUENCE_NODE)
+        return is_list(r->document, show, MOST_SHOWN) && read_identity(r, a, show);
     if (sign == NULL)
         return refuse(r, show, "expected left = right, or another sign of < > <= >= != between them");
     if (same_text(scalar(show), sign, sign + length))
@@ -403,23 +408,45 @@ static bool read_rank(struct reading *r, struct assertion *a, const yaml_node_t 
     return read_count(r, value, &a->count) && read_system(r, a);
 }
 
-static bool read_step(struct reading *r, struct assertion *a, const yaml_node_t *value)
+/* One id, or a list of them, each of which is known. */
+static bool read_cited(struct reading *r, struct assertion *a, const yaml_node_t *value, bool (*known)(const struct reading *r, const char *id),
+                       const char *expected)
 {
-    const struct derivations *d = &r->all->proofs->derivations;
-    a->reference = scalar(value);
-    for (int i = 0; a->reference != NULL && i < d->step_count; i++)
-        if (strcmp(d->steps[i].id, a->reference) == 0)
-            return true;
-    return refuse(r, value, "expected a step of derivations.yaml");
+    const bool one = value->type != YAML_SEQUENCE_NODE;
+    if (!one && !is_list(r->document, value, MOST_CITED))
+        return false;
+    for (int i = 0; i < (one ? 1 : length_of(value)); i++) {
+        const yaml_node_t *node = one ? value : item_of(r->document, value, i);
+        if (scalar(node) == NULL || !known(r, scalar(node)))
+            return refuse(r, node, expected);
+        a->cited[i] = scalar(node);
+    }
+    return true;
 }
 
-static bool read_cited(struct reading *r, struct assertion *a, const yaml_node_t *value)
+static bool is_step(const struct reading *r, const char *id)
 {
-    const struct statement *cited = NULL;
-    a->reference = scalar(value);
-    if (a->reference != NULL)
-        cited = statement_find(r->all, a->reference);
-    return (cited != NULL && cited != r->statement) || refuse(r, value, "expected a claim that stands before");
+    const struct derivations *d = &r->all->proofs->derivations;
+    for (int i = 0; i < d->step_count; i++)
+        if (strcmp(d->steps[i].id, id) == 0)
+            return true;
+    return false;
+}
+
+static bool stands_before(const struct reading *r, const char *id)
+{
+    const struct statement *cited = statement_find(r->all, id);
+    return cited != NULL && cited != r->statement;
+}
+
+static bool read_step(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    return read_cited(r, a, value, is_step, "expected a step of derivations.yaml");
+}
+
+static bool read_claim(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    return read_cited(r, a, value, stands_before, "expected a claim that stands before");
 }
 
 static bool read_compute(struct reading *r, struct assertion *a, const yaml_node_t *value)
@@ -435,7 +462,7 @@ static const struct form {
 } forms[] = {{"show", ASSERT_SHOW, read_show},       {"root", ASSERT_ROOT, read_root},
              {"roots", ASSERT_ROOTS, read_roots},    {"characteristic", ASSERT_CHARACTERISTIC, read_characteristic},
              {"rank", ASSERT_RANK, read_rank},       {"step", ASSERT_STEP, read_step},
-             {"claim", ASSERT_CLAIM, read_cited},    {"compute", ASSERT_COMPUTE, read_compute}};
+             {"claim", ASSERT_CLAIM, read_claim},    {"compute", ASSERT_COMPUTE, read_compute}};
 
 enum { FORMS = sizeof forms / sizeof *forms };
 
@@ -487,10 +514,8 @@ static bool read_assertion(struct reading *r, struct assertion *a)
     r->at = NULL;
     if (!read_values(r, &a->at))
         return false;
-    if (scalar(a->node) != NULL)
-        return read_show(r, a, a->node);
     if (r->entry == NULL)
-        return refuse(r, a->node, "expected left = right, or a mapping");
+        return read_show(r, a, a->node);
     if (!is_mapping(r->document, r->entry, entry_keys) || !read_turns(r, a) || !read_interval(r, a)) /* before the formulas that use them */
         return false;
     for (int i = 0; i < FORMS; i++) {
@@ -681,8 +706,9 @@ static bool read_words(struct reading *r, const char *key, bool required, const 
 static bool read_texts(struct reading *r, struct statement *s)
 {
     static const char *const kinds[] = {"statement", "implied", "misprint", "number", "beyond"};
-    bool known = false;
-    if (!read_words(r, "where", true, &s->where) || !read_words(r, "kind", true, &s->kind))
+    s->kind = kinds[0];
+    bool known = own(r, "kind") == NULL;
+    if (!read_words(r, "where", true, &s->where) || (!known && !read_words(r, "kind", true, &s->kind)))
         return false;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         known = known || (s->kind != NULL && strcmp(s->kind, kinds[i]) == 0);
