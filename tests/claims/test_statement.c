@@ -103,6 +103,11 @@ static const struct {
     {"free: [u, v], system: {u: v, v: -L*u}", "a: {rank: 2}", UNDECIDED, EXACT}, /* L has no value */
     /* steps */
     {NULL, "a: {step: kepler}", FOUND_TRUE, EXACT},
+    {NULL, "a: {step: [kepler, static_places]}", FOUND_TRUE, EXACT},
+    /* lists: of each all */
+    {NULL, "a: [eq05.x1 - eq05.x2 = L, eq04.x2 = -m1/m2*x1]", FOUND_TRUE, EXACT},
+    {NULL, "a: [eq05.x1 - eq05.x2 = L, eq04.x2 = -m2/m1*x1]", FOUND_FALSE, EXACT},
+    {NULL, "a: {show: [s + s = 2*s, (s + 1)^2 = s^2 + 2*s], free: [s]}", FOUND_FALSE, EXACT},
 };
 
 START_TEST(assertions_are_found_true_or_false_or_stay_open)
@@ -282,6 +287,8 @@ static const struct {
     {"a: dL > 0", "a: {root: x, of: x, in: [0]}", "t:7:29: expected in"},
     {"a: dL > 0", "a: {roots: x, of: x, count: many}", "t:7:33: expected a count"},
     {"a: dL > 0", "a: {rank: 1}", "t:7:8: expected a system"},
+    {"a: dL > 0", "a: {step: [kepler, nowhere]}", "t:7:24: expected a step"},
+    {"a: dL > 0", "a: {step: [kepler, [kepler]]}", "t:7:24: expected a list"},
     {"a: dL > 0", "a: {step: nowhere}", "t:7:15: expected a step"},
     {"a: dL > 0", "a: {claim: d}", "t:7:16: expected a claim that stands before"},
     {"a: dL > 0", "a: {claim: c}", "t:7:16: expected a claim that stands before"},
@@ -298,7 +305,7 @@ static const struct {
     {"  verdict: {holds: a and b}\n", "", "missing verdict"},
     {"  evidence: >-\n    so it is\n", "", "missing evidence"},
     {"  prove:\n    a: dL > 0\n    b: dL < 1", "  prove: [a]", "t:6:10: expected a mapping"},
-    {"a: dL > 0", "a: [dL > 0]", "t:7:8: expected left = right, or a mapping"},
+    {"a: dL > 0", "a: [dL > 0]", "t:7:9: expected left = right"},
     {"a: dL > 0", "a: {root: [1], of: x, in: [0, 1]}", "t:7:15: expected a formula"},
     {"a: dL > 0", "a: {show: dL > 0, at: [1]}", "t:7:27: expected a mapping"},
     {"a: dL > 0", "a: {show: dL > x, for: {x: 1}}", "t:7:32: expected a list"},

@@ -60,7 +60,7 @@ stops 'an unreadable sheet' 's/^quantities:/quantitiez:/' 1 "coulomb-tether: pap
 check 'an unreadable sheet' one_line
 stops 'unreadable steps' 's/^steps:/stepz:/' 1 'coulomb-tether: paper/derivations.yaml:' verify derivations
 check 'unreadable steps' one_line
-stops 'unreadable claims' 's/^  evidence: >-/  avidence: >-/' 1 'coulomb-tether: paper/claims.yaml:' verify claims
+stops 'unreadable claims' 's/^  evidence:/  avidence:/' 1 'coulomb-tether: paper/claims.yaml:' verify claims
 check 'unreadable claims' one_line
 stops 'a step of another name' 's/^  second_order:/  third_order_:/' 1 "no derivation step 'second_order'" study forced
 
