@@ -2,7 +2,8 @@
  * coulombtether.h   the equations of a Coulomb tether formation, one function an equation
  *
  * Two charged craft fly in line with the local vertical; the electrostatic force holds their distance, the gravity gradient their
- * attitude. The number before a function is the equation that it computes; its formula, units and domain stand above its definition.
+ * attitude. The number before a function is the equation that it computes; its formula, units and domain stand above its definition,
+ * in the installed header above its declaration, and in coulombtether(3).
  *
  * Units are SI. Every input must be finite, lambda_d excepted. Outside its domain
  *   - a function that returns a value returns NaN, in every floating-point member;
@@ -14,6 +15,15 @@
 #define COULOMBTETHER_H
 
 #include <stddef.h>
+
+/* Domains are checked by comparisons with NaN and infinity, which these options take for never happening. */
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "coulombtether.h: compile without -ffast-math and -ffinite-math-only: NaN and infinity say that an input is outside the domain"
+#endif
+/* More digits kept in registers than in memory would make results depend on the compiler's choice of the two. */
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && defined(__i386__)
+#error "coulombtether.h: compile for i386 with -msse2 -mfpmath=sse: the x87 registers round doubles at another place"
+#endif
 
 #define CT_VERSION "2.0.0"
 #define CT_VERSION_MAJOR 2
@@ -39,6 +49,9 @@ struct ct_params {
     double m2;    /* mass of craft 2 [kg]                       > 0 */
     double L_ref; /* reference distance between the craft [m]   > 0 */
 };
+
+/* Table 1: struct ct_params p = CT_TABLE1; */
+#define CT_TABLE1 {7.2915e-5, 8.99e9, 150, 150, 10}
 
 /* Feedback gains of the charge control, of either sign. */
 struct ct_gains {
@@ -78,7 +91,11 @@ struct ct_static_places { double x1, x2; };                        /* [m] */
 struct ct_charge_pair { double q1, q2; };                          /* [C] */
 struct ct_quartic { double a0, a1, a2, a3, a4; };                  /* of lambda^k: [1/s^(4-k)] */
 struct ct_root { double re, im; };                                 /* [1/s] */
-struct ct_routh_margins { double margin1, margin2; int stable; };  /* [1/s^2], [1/s], 1 or 0 */
+struct ct_margins { double margin1, margin2; int stable; };        /* [1/s^2], [1/s], 1 or 0 */
+
+/* The library: library.c */
+const char *ct_version(void);
+const char *ct_status_string(int status);
 
 /* Charged dynamics in the Hill frame and the static formation: hill.c */
 /* (2)  */ int ct_formation_acceleration(double Omega, double k_c, double lambda_d, size_t N, const struct ct_craft *craft, struct ct_vector *acceleration);
@@ -97,6 +114,8 @@ struct ct_routh_margins { double margin1, margin2; int stable; };  /* [1/s^2], [
 /* (12) */ double ct_distance(struct ct_vector r1, struct ct_vector r2);
 /* (13) */ double ct_separation(struct ct_params p, struct ct_vector r1);
 /* (13) */ double ct_separation_rate(struct ct_params p, struct ct_hill_state s);
+/* (10) */ struct ct_hill_state ct_hill_state_of_tether(struct ct_params p, struct ct_tether_state s);
+/* (10) */ struct ct_tether_state ct_tether_state_of_hill(struct ct_params p, struct ct_hill_state s);
 /* (14) */ double ct_separation_acceleration(struct ct_params p, struct ct_hill_state s, double Q);
 /* (15) */ double ct_separation_acceleration_small_angles(struct ct_params p, double L, double psi_dot, double Q);
 /* (17) */ double ct_length_error_acceleration(struct ct_params p, double psi_dot, double dL, double dQ);
@@ -125,11 +144,12 @@ struct ct_routh_margins { double margin1, margin2; int stable; };  /* [1/s^2], [
 /* (40) */ struct ct_tether_acceleration ct_linear_acceleration(struct ct_params p, struct ct_gains g, struct ct_tether_state s);
 /* (41) */ struct ct_quartic ct_characteristic_polynomial(double Omega, struct ct_gains g);
 /* (41) */ int ct_characteristic_roots(double Omega, struct ct_gains g, struct ct_root root[4]);
-/* (42) */ struct ct_routh_margins ct_routh_margins(double Omega, struct ct_gains g);
+/* (42) */ struct ct_margins ct_routh_margins(double Omega, struct ct_gains g);
 /* (43) */ double ct_proportional_gain(double Omega, double n);
 /* (44) */ double ct_derivative_gain(double Omega, double n);
 
 /* Motion: states[i] at t[i], from the initial state at t = 0: simulation.c */
+/* (2)  */ int ct_formation_flow(double Omega, double k_c, double lambda_d, size_t N, const struct ct_craft *initial, double tolerance, size_t count, const double *t, struct ct_craft *craft);
 /* (40) */ int ct_linear_flow(struct ct_params p, struct ct_gains g, struct ct_tether_state initial, double tolerance, size_t count, const double *t, struct ct_tether_state *states);
 /* (3)  */ int ct_nonlinear_flow(struct ct_params p, struct ct_gains g, struct ct_hill_state initial, double tolerance, size_t count, const double *t, struct ct_hill_state *states);
 /* (40) */ int ct_linear_runge_kutta(struct ct_params p, struct ct_gains g, struct ct_tether_state initial, double h, size_t count, const double *t, struct ct_tether_state *states);

@@ -87,7 +87,7 @@ struct ct_vector ct_hill_acceleration(struct ct_params p, struct ct_hill_state s
 {
     const struct ct_vector r1 = hill_position(s);
     const struct ct_vector r2 = ct_second_position(p, r1);
-    const double L = ct_distance(r1, r2);
+    const double L = distance(r1, r2);
 
     if (!(POSITIVE(p.Omega, p.k_c, p.m1, p.m2) && finite_hill_state(s) && FINITE(Q) && L > 0))
         return nan_vector();

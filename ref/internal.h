@@ -73,6 +73,14 @@ static inline double norm(struct ct_vector a)
     return hypot(hypot(a.x, a.y), a.z);
 }
 
+/* Eq. (12): NaN where the two are not apart, or not finite. */
+static inline double distance(struct ct_vector r1, struct ct_vector r2)
+{
+    const double L = norm(difference(r1, r2));
+
+    return finite_vector(r1) && finite_vector(r2) && L > 0 ? L : NAN;
+}
+
 /* m1 m2 / (m1 + m2) */
 static inline double reduced_mass(struct ct_params p)
 {

@@ -163,9 +163,7 @@ struct ct_vector ct_velocity_small_angles(struct ct_params p, struct ct_spherica
  */
 double ct_distance(struct ct_vector r1, struct ct_vector r2)
 {
-    const double L = norm(difference(r1, r2));
-
-    return finite_vector(r1) && finite_vector(r2) && L > 0 ? L : NAN;
+    return distance(r1, r2);
 }
 
 /*
@@ -201,6 +199,52 @@ double ct_separation_rate(struct ct_params p, struct ct_hill_state s)
     if (!(POSITIVE(p.m1, p.m2) && finite_hill_state(s) && r > 0))
         return NAN;
     return length(p, dot(r1, hill_velocity(s)) / r);
+}
+
+/*
+ * State of craft 1 from that of the tether, by (10) and the exact (11)
+ *
+ * Given     p        masses [kg], reference distance [m]
+ *           s        yaw and pitch [rad], length error [m] > -L_ref, their rates [rad/s], [m/s]
+ * Returns   position [m] and velocity [m/s] of craft 1 in the Hill frame
+ */
+struct ct_hill_state ct_hill_state_of_tether(struct ct_params p, struct ct_tether_state s)
+{
+    const struct ct_spherical c = {p.L_ref + s.dL, s.psi, s.theta};
+    const struct ct_spherical_rate c_dot = {s.dL_dot, s.psi_dot, s.theta_dot};
+    const struct ct_vector r1 = ct_position(p, c), v1 = ct_velocity(p, c, c_dot);
+
+    if (!(POSITIVE(p.L_ref) && finite_vector(v1)))
+        return (struct ct_hill_state){NAN, NAN, NAN, NAN, NAN, NAN};
+    return (struct ct_hill_state){r1.x, r1.y, r1.z, v1.x, v1.y, v1.z};
+}
+
+/*
+ * State of the tether from that of craft 1: the inverse of (10), and its rate
+ *
+ *     psi_dot = (x1 y1_dot - y1 x1_dot)/rho^2,  theta_dot = (z1 rho_dot - rho z1_dot)/r^2,  rho^2 = x1^2 + y1^2
+ *
+ * Given     p        masses [kg], reference distance [m]
+ *           s        position [m], off the z axis, where no yaw is, and velocity [m/s] of craft 1 in the Hill frame
+ * Returns   psi [rad] in (-pi, pi], theta [rad] in [-pi/2, pi/2], dL = L - L_ref [m], and their rates [rad/s], [m/s]
+ */
+struct ct_tether_state ct_tether_state_of_hill(struct ct_params p, struct ct_hill_state s)
+{
+    const struct ct_vector r1 = hill_position(s);
+    const double rho = hypot(r1.x, r1.y), r = norm(r1);
+
+    if (!(POSITIVE(p.m1, p.m2, p.L_ref) && finite_hill_state(s) && rho > 0))
+        return (struct ct_tether_state){NAN, NAN, NAN, NAN, NAN, NAN};
+    const struct ct_spherical c = ct_spherical_coordinates(p, r1);
+    const double rho_dot = r1.x / rho * s.x1_dot + r1.y / rho * s.y1_dot;
+    return (struct ct_tether_state){
+        .psi = c.psi,
+        .theta = c.theta,
+        .dL = c.L - p.L_ref,
+        .psi_dot = (r1.x / rho * s.y1_dot - r1.y / rho * s.x1_dot) / rho,
+        .theta_dot = (r1.z / r * rho_dot - rho / r * s.z1_dot) / r,
+        .dL_dot = ct_separation_rate(p, s),
+    };
 }
 
 /*

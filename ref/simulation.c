@@ -1,5 +1,5 @@
 /*
- * simulation.c   the formation in motion: the linear model (40), and (3) closed by (7) and (18)
+ * simulation.c   the formation in motion: the linear model (40), (3) closed by (7) and (18), and N craft by (2)
  *
  * Inside, time is tau = Omega t: in seconds, rates and accelerations would lie four and eight orders of magnitude below
  * the coordinates.
@@ -7,6 +7,7 @@
 #include "internal.h"
 
 #include <float.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_errno.h>
@@ -19,6 +20,7 @@ enum {
 };
 _Static_assert(sizeof(struct ct_tether_state) == DIMENSION * sizeof(double), "a state is six doubles");
 _Static_assert(sizeof(struct ct_hill_state) == DIMENSION * sizeof(double), "a state is six doubles");
+_Static_assert(sizeof(struct ct_vector) == COORDINATES * sizeof(double), "a vector is three doubles");
 
 struct model {
     struct ct_params p;
@@ -31,11 +33,36 @@ typedef int slope_function(double tau, const double y[], double dydtau[], void *
 /* A motion at a moment, in units in which Omega = 1. */
 struct motion {
     slope_function *slope;
-    struct model model;
-    double Omega;
-    double tau;
-    double y[DIMENSION];
+    void *model;
+    double Omega, tau;
+    size_t dimension; /* coordinates, and as many rates after them */
+    double *y;        /* now */
+    const double *y0; /* at tau = 0 */
 };
+
+/* The motion of two craft. */
+struct motion_of_two {
+    struct motion m;
+    struct model model;
+    double y[DIMENSION], y0[DIMENSION];
+};
+
+/* What a motion of N craft works on, for one of them: the lists stand in one block, one after the other. */
+struct work {
+    struct ct_craft craft;          /* in the motion's units */
+    struct ct_vector acceleration;
+    double y[DIMENSION], y0[DIMENSION], slope[DIMENSION];
+};
+
+struct formation {
+    double k_c, lambda_d;
+    size_t N;
+    struct ct_craft *craft;
+    struct ct_vector *acceleration;
+};
+
+/* states[i] in SI units, NaN where the motion could not be followed so far. */
+typedef void record_function(const struct motion *m, int status, size_t i, void *states);
 
 static int linear_slope(double tau, const double y[], double dydtau[], void *model)
 {
@@ -66,23 +93,38 @@ static int nonlinear_slope(double tau, const double y[], double dydtau[], void *
     return all_within(-INFINITY, slope, DIMENSION) ? GSL_SUCCESS : GSL_EDOM;
 }
 
+static int formation_slope(double tau, const double y[], double dydtau[], void *model)
+{
+    const struct formation *f = model;
+    const size_t coordinates = COORDINATES * f->N;
+    (void)tau;
+
+    for (size_t j = 0; j < f->N; j++) {
+        const double *r = y + COORDINATES * j, *v = r + coordinates;
+        f->craft[j].position = (struct ct_vector){r[0], r[1], r[2]};
+        f->craft[j].velocity = (struct ct_vector){v[0], v[1], v[2]};
+    }
+    const int status = ct_formation_acceleration(1, f->k_c, f->lambda_d, f->N, f->craft, f->acceleration);
+    memcpy(dydtau, y + coordinates, coordinates * sizeof *y);
+    memcpy(dydtau + coordinates, f->acceleration, coordinates * sizeof *y);
+    return status == CT_OK && all_within(-INFINITY, dydtau, 2 * coordinates) ? GSL_SUCCESS : GSL_EDOM;
+}
+
 /* The equations know their domain: where they are fed anything outside, the slope is NaN. */
-static int start(struct motion *m, slope_function *slope, struct ct_params p, struct ct_gains g, const void *initial)
+static int start(struct motion_of_two *two, slope_function *slope, struct ct_params p, struct ct_gains g, const void *initial)
 {
     double dydtau[DIMENSION];
 
-    m->slope = slope;
-    m->Omega = p.Omega;
-    m->tau = 0;
-    memcpy(m->y, initial, sizeof m->y);
+    memcpy(two->y, initial, sizeof two->y);
     for (size_t k = COORDINATES; k < DIMENSION; k++)
-        m->y[k] /= p.Omega;
-    m->model.p = (struct ct_params){1, p.k_c / p.Omega / p.Omega, p.m1, p.m2, p.L_ref};
-    m->model.g = (struct ct_gains){g.C1 / p.Omega / p.Omega, g.C2 / p.Omega};
-    return POSITIVE(p.Omega) && slope(0, m->y, dydtau, &m->model) == GSL_SUCCESS ? CT_OK : CT_DOMAIN;
+        two->y[k] /= p.Omega;
+    memcpy(two->y0, two->y, sizeof two->y);
+    two->model.p = (struct ct_params){1, p.k_c / p.Omega / p.Omega, p.m1, p.m2, p.L_ref};
+    two->model.g = (struct ct_gains){g.C1 / p.Omega / p.Omega, g.C2 / p.Omega};
+    two->m = (struct motion){slope, &two->model, p.Omega, 0, DIMENSION, two->y, two->y0};
+    return POSITIVE(p.Omega) && slope(0, two->y, dydtau, &two->model) == GSL_SUCCESS ? CT_OK : CT_DOMAIN;
 }
 
-/* states[i] in SI units, NaN where the motion could not be followed so far. */
 static void record(const struct motion *m, int status, size_t i, void *states)
 {
     double s[DIMENSION];
@@ -92,26 +134,38 @@ static void record(const struct motion *m, int status, size_t i, void *states)
     memcpy((unsigned char *)states + i * sizeof s, s, sizeof s);
 }
 
+static void record_craft(const struct motion *m, int status, size_t i, void *states)
+{
+    const struct formation *f = m->model;
+    struct ct_craft *craft = (struct ct_craft *)states + i * f->N;
+
+    for (size_t j = 0; j < f->N; j++) {
+        const double *r = m->y + COORDINATES * j, *v = r + COORDINATES * f->N;
+        craft[j] = f->craft[j];
+        craft[j].position = status ? nan_vector() : (struct ct_vector){r[0], r[1], r[2]};
+        craft[j].velocity = status ? nan_vector() : multiple(m->Omega, (struct ct_vector){v[0], v[1], v[2]});
+    }
+}
+
 /*
  * A step may err by noise + tolerance (|y| + |h dy/dtau|) in each component: no halt where one passes through zero. A
  * time on the way back to t = 0 is approached from there anew, for backwards a stable motion amplifies its errors.
  */
 static int adaptive_flow(struct motion *m, int status, double noise, double tolerance, size_t count, const double t[],
-                         void *states)
+                         record_function *record_state, void *states)
 {
     if (status == CT_OK && !(tolerance >= DBL_EPSILON && tolerance < 1 && all_within(-INFINITY, t, count)))
         status = CT_DOMAIN;
     if (status != CT_OK) {
         for (size_t i = 0; i < count; i++)
-            record(m, status, i, states);
+            record_state(m, status, i, states);
         return status;
     }
 
-    const struct motion at_zero = *m;
-    const gsl_odeiv2_system system = {m->slope, NULL, DIMENSION, &m->model};
-    gsl_odeiv2_step *step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, DIMENSION);
+    const gsl_odeiv2_system system = {m->slope, NULL, m->dimension, m->model};
+    gsl_odeiv2_step *step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, m->dimension);
     gsl_odeiv2_control *control = gsl_odeiv2_control_standard_new(noise, tolerance, 1, 1);
-    gsl_odeiv2_evolve *evolve = gsl_odeiv2_evolve_alloc(DIMENSION);
+    gsl_odeiv2_evolve *evolve = gsl_odeiv2_evolve_alloc(m->dimension);
     double h = 1e-3; /* a first trial, well below a radian of the orbit */
     if (!step || !control || !evolve)
         status = CT_MEMORY;
@@ -119,7 +173,8 @@ static int adaptive_flow(struct motion *m, int status, double noise, double tole
     for (size_t i = 0; i < count; i++) {
         const double end = m->Omega * t[i];
         if (status == CT_OK && m->tau * (end - m->tau) < 0) {
-            *m = at_zero;
+            m->tau = 0;
+            memcpy(m->y, m->y0, m->dimension * sizeof *m->y);
             gsl_odeiv2_evolve_reset(evolve);
         }
         for (int steps = 0; status == CT_OK && m->tau != end; steps++) {
@@ -128,7 +183,7 @@ static int adaptive_flow(struct motion *m, int status, double noise, double tole
                 gsl_odeiv2_evolve_apply(evolve, control, step, &system, &m->tau, end, &h, m->y) != GSL_SUCCESS)
                 status = CT_CONVERGENCE;
         }
-        record(m, status, i, states);
+        record_state(m, status, i, states);
     }
     gsl_odeiv2_evolve_free(evolve);
     gsl_odeiv2_control_free(control);
@@ -157,7 +212,7 @@ static int runge_kutta_step(struct motion *m, double h)
         double at[DIMENSION];
         for (size_t k = 0; k < DIMENSION; k++)
             at[k] = m->y[k] + reach[stage] * slope[k];
-        if (m->slope(m->tau, at, slope, &m->model) != GSL_SUCCESS)
+        if (m->slope(m->tau, at, slope, m->model) != GSL_SUCCESS)
             return CT_CONVERGENCE;
         for (size_t k = 0; k < DIMENSION; k++)
             increment[k] += weight[stage] * slope[k];
@@ -202,10 +257,10 @@ static int fixed_step_flow(struct motion *m, int status, double h, size_t count,
 int ct_linear_flow(struct ct_params p, struct ct_gains g, struct ct_tether_state initial, double tolerance, size_t count,
                    const double *t, struct ct_tether_state *states)
 {
-    struct motion m;
-    const int status = start(&m, linear_slope, p, g, &initial);
+    struct motion_of_two two;
+    const int status = start(&two, linear_slope, p, g, &initial);
 
-    return adaptive_flow(&m, status, DBL_MIN, tolerance, count, t, states);
+    return adaptive_flow(&two.m, status, DBL_MIN, tolerance, count, t, record, states);
 }
 
 /*
@@ -228,11 +283,57 @@ int ct_linear_flow(struct ct_params p, struct ct_gains g, struct ct_tether_state
 int ct_nonlinear_flow(struct ct_params p, struct ct_gains g, struct ct_hill_state initial, double tolerance, size_t count,
                       const double *t, struct ct_hill_state *states)
 {
-    struct motion m;
-    const int status = start(&m, nonlinear_slope, p, g, &initial);
+    struct motion_of_two two;
+    const int status = start(&two, nonlinear_slope, p, g, &initial);
     const double noise = DBL_EPSILON * norm(hill_position(initial)); /* near equilibrium, what large forces leave over */
 
-    return adaptive_flow(&m, status, noise, tolerance, count, t, states);
+    return adaptive_flow(&two.m, status, noise, tolerance, count, t, record, states);
+}
+
+/*
+ * Eqs. (2a)-(2c), flow   motion of N craft of constant charges, integrated with adaptive steps
+ *
+ *     (x_i, y_i, z_i, x_i_dot, y_i_dot, z_i_dot) of every craft at t = t[0], t[1], ...
+ *
+ * Given     Omega      orbit rate [rad/s]               > 0
+ *           k_c        Coulomb constant [N m^2/C^2]     > 0
+ *           lambda_d   Debye length [m]                 > 0, INFINITY where nothing shields
+ *           N          number of craft                  > 0
+ *           initial    N craft at t = 0, no two in one place
+ *           tolerance  relative error of a step         >= 2^-52 and < 1
+ *           count      number of times
+ *           t          times [s]                        any finite values in any order
+ * Returned  craft      N craft at t[0], then N at t[1], ...; positions and velocities NaN from the first time not reached
+ * Status    CT_OK, CT_DOMAIN, CT_MEMORY, or CT_CONVERGENCE where craft collide or the state outgrows double
+ *
+ * Note      Method and GSL's memory as for the linear model. Without memory of its own it returns nothing in craft.
+ */
+int ct_formation_flow(double Omega, double k_c, double lambda_d, size_t N, const struct ct_craft *initial, double tolerance,
+                      size_t count, const double *t, struct ct_craft *craft)
+{
+    struct work *block = N > 0 ? calloc(N, sizeof *block) : NULL;
+    if (!block)
+        return N > 0 ? CT_MEMORY : CT_DOMAIN;
+
+    struct ct_craft *const now = (struct ct_craft *)block;
+    struct ct_vector *const acceleration = (struct ct_vector *)(now + N);
+    double *const y = (double *)(acceleration + N), *const y0 = y + DIMENSION * N, *const slope = y0 + DIMENSION * N;
+    struct formation formation = {k_c / Omega / Omega, lambda_d, N, now, acceleration};
+    struct motion m = {formation_slope, &formation, Omega, 0, DIMENSION * N, y, y0};
+    double noise = DBL_MIN; /* and what large forces leave over */
+
+    memcpy(now, initial, N * sizeof *now);
+    for (size_t j = 0; j < N; j++) {
+        const struct ct_vector v = multiple(1 / Omega, initial[j].velocity);
+        memcpy(y0 + COORDINATES * j, &initial[j].position, sizeof v);
+        memcpy(y0 + COORDINATES * (N + j), &v, sizeof v);
+        noise = fmax(noise, DBL_EPSILON * norm(initial[j].position));
+    }
+    memcpy(y, y0, DIMENSION * N * sizeof *y);
+    int status = POSITIVE(Omega) && formation_slope(0, y, slope, &formation) == GSL_SUCCESS ? CT_OK : CT_DOMAIN;
+    status = adaptive_flow(&m, status, noise, tolerance, count, t, record_craft, craft);
+    free(block);
+    return status;
 }
 
 /*
@@ -252,10 +353,10 @@ int ct_nonlinear_flow(struct ct_params p, struct ct_gains g, struct ct_hill_stat
 int ct_linear_runge_kutta(struct ct_params p, struct ct_gains g, struct ct_tether_state initial, double h, size_t count,
                           const double *t, struct ct_tether_state *states)
 {
-    struct motion m;
-    const int status = start(&m, linear_slope, p, g, &initial);
+    struct motion_of_two two;
+    const int status = start(&two, linear_slope, p, g, &initial);
 
-    return fixed_step_flow(&m, status, h, count, t, states);
+    return fixed_step_flow(&two.m, status, h, count, t, states);
 }
 
 /*
@@ -275,8 +376,8 @@ int ct_linear_runge_kutta(struct ct_params p, struct ct_gains g, struct ct_tethe
 int ct_nonlinear_runge_kutta(struct ct_params p, struct ct_gains g, struct ct_hill_state initial, double h, size_t count,
                              const double *t, struct ct_hill_state *states)
 {
-    struct motion m;
-    const int status = start(&m, nonlinear_slope, p, g, &initial);
+    struct motion_of_two two;
+    const int status = start(&two, nonlinear_slope, p, g, &initial);
 
-    return fixed_step_flow(&m, status, h, count, t, states);
+    return fixed_step_flow(&two.m, status, h, count, t, states);
 }

@@ -176,13 +176,13 @@ int ct_characteristic_roots(double Omega, struct ct_gains g, struct ct_root root
  *           g        gains C1 [1/s^2], C2 [1/s]
  * Returns   margin1 [1/s^2], margin2 [1/s], stable: 1 where both are positive, and 0 elsewhere, also outside the domain
  */
-struct ct_routh_margins ct_routh_margins(double Omega, struct ct_gains g)
+struct ct_margins ct_routh_margins(double Omega, struct ct_gains g)
 {
     if (!(POSITIVE(Omega) && FINITE(g.C1, g.C2)))
-        return (struct ct_routh_margins){NAN, NAN, 0};
+        return (struct ct_margins){NAN, NAN, 0};
 
     const double margin1 = g.C1 - 9 * Omega * Omega;
-    return (struct ct_routh_margins){margin1, g.C2, margin1 > 0 && g.C2 > 0};
+    return (struct ct_margins){margin1, g.C2, margin1 > 0 && g.C2 > 0};
 }
 
 /*

@@ -136,7 +136,7 @@ static int eq41roots(const double x[], double y[])
 
 static int eq42(const double x[], double y[])
 {
-    const struct ct_routh_margins m = ct_routh_margins(x[0], gains(x + 1));
+    const struct ct_margins m = ct_routh_margins(x[0], gains(x + 1));
     const double results[] = {m.margin1, m.margin2, m.stable};
 
     return put(y, results, sizeof results);

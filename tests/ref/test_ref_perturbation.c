@@ -546,6 +546,97 @@ START_TEST(eq17_rejects_each_input_outside_its_domain)
 }
 END_TEST
 
+/* ---- whole states ---- */
+
+static size_t tether_to_hill(const double x[], double y[])
+{
+    const struct ct_params p = {NAN, NAN, x[0], x[1], x[2]};
+    const struct ct_hill_state s = ct_hill_state_of_tether(p, (struct ct_tether_state){x[3], x[4], x[5], x[6], x[7], x[8]});
+
+    memcpy(y, &s, sizeof s);
+    return 6;
+}
+
+static size_t hill_to_tether(const double x[], double y[])
+{
+    const struct ct_params p = {NAN, NAN, x[0], x[1], x[2]};
+    const struct ct_tether_state s = ct_tether_state_of_hill(p, (struct ct_hill_state){x[3], x[4], x[5], x[6], x[7], x[8]});
+
+    memcpy(y, &s, sizeof s);
+    return 6;
+}
+
+START_TEST(eq10_state_and_its_inverse_make_a_round_trip)
+{
+    const double dL = 0.25, psi_dot = -3e-5, theta_dot = 2e-5, dL_dot = 4e-4, masses[] = {unequal.m1, unequal.m2, unequal.L_ref};
+    double x[9], back[9];
+
+    memcpy(x, masses, sizeof masses);
+    memcpy(back, masses, sizeof masses);
+    memcpy(x + 3, (const double[]){angles[_i][0], angles[_i][1], dL, psi_dot, theta_dot, dL_dot}, 6 * sizeof *x);
+    tether_to_hill(x, back + 3);
+    hill_to_tether(back, x + 3);
+    /* u of an angle below pi; the length error is the difference of lengths of 23 m; at 1.5 rad of pitch yaw has an arm of
+       a fourteenth of the tether, and as many roundings more */
+    ck_assert_double_eq_tol(x[3], angles[_i][0], 1e-14);
+    ck_assert_double_eq_tol(x[4], angles[_i][1], 1e-14);
+    ck_assert_double_eq_tol(x[5], dL, 1e-13);
+    ck_assert_double_eq_tol(x[6], psi_dot, 1e-18);
+    ck_assert_double_eq_tol(x[7], theta_dot, 1e-18);
+    ck_assert_double_eq_tol(x[8], dL_dot, 1e-17);
+}
+END_TEST
+
+/* Three metres off along the radius, half of that by craft 1, which goes up and ahead: by hand. */
+START_TEST(eq10_state_on_the_radius)
+{
+    double y[6];
+
+    hill_to_tether((const double[]){2, 2, 1, 1.5, 0, 0, 0.5, 3, -6}, y);
+    ck_assert_double_eq(y[2], 2);
+    ck_assert_double_eq(y[3], 2);
+    ck_assert_double_eq(y[4], 4);
+    ck_assert_double_eq(y[5], 1);
+}
+END_TEST
+
+START_TEST(eq10_state_on_the_orbit_normal_has_no_yaw)
+{
+    double y[6];
+
+    for (size_t k = hill_to_tether((const double[]){1, 2, 3, 0, 0, 5, 1, 2, 3}, y); k-- > 0;)
+        ck_assert_double_nan(y[k]);
+}
+END_TEST
+
+START_TEST(eq10_states_reject_each_input_outside_their_domain)
+{
+    assert_rejects_outside(tether_to_hill, "+++rrrrrr", (const double[]){1, 2, 3, -4, 5, 6, -7, 8, -9});
+    assert_rejects_outside(hill_to_tether, "+++rrrrrr", (const double[]){1, 2, 3, -4, 5, 6, -7, 8, -9});
+}
+END_TEST
+
+START_TEST(eq10_state_rejects_craft_that_are_not_apart)
+{
+    double y[6];
+
+    for (size_t k = tether_to_hill((const double[]){1, 2, 3, 0, 0, -3, 1, 2, 3}, y); k-- > 0;)
+        ck_assert_double_nan(y[k]);
+}
+END_TEST
+
+static TCase *states(void)
+{
+    TCase *c = tcase_create("eq10 states");
+
+    tcase_add_loop_test(c, eq10_state_and_its_inverse_make_a_round_trip, 0, ATTITUDES);
+    tcase_add_test(c, eq10_state_on_the_radius);
+    tcase_add_test(c, eq10_state_on_the_orbit_normal_has_no_yaw);
+    tcase_add_test(c, eq10_states_reject_each_input_outside_their_domain);
+    tcase_add_test(c, eq10_state_rejects_craft_that_are_not_apart);
+    return c;
+}
+
 static TCase *kinematics(void)
 {
     TCase *c = tcase_create("eq09 to eq11");
@@ -614,5 +705,6 @@ SUITE(test_ref_perturbation)
 
     suite_add_tcase(s, kinematics());
     suite_add_tcase(s, separation());
+    suite_add_tcase(s, states());
     return s;
 }

@@ -1,5 +1,5 @@
 /*
- * ref/simulation.c: the motion of (40), and of (3) under the law of (18)
+ * ref/simulation.c: the motion of (40), of (3) under the law of (18), and of N craft by (2)
  */
 #include "tests/run.h"
 
@@ -558,6 +558,121 @@ START_TEST(eq03_runge_kutta_rejects_each_input_outside_its_domain)
 }
 END_TEST
 
+/* ---- N craft ---- */
+
+/* Two craft that keep the charges of rest move as (3) has it with both gains 0; both craft, and in times back and forth. */
+START_TEST(eq02_flow_of_two_is_that_of_eq03)
+{
+    const double q = sqrt(-ct_reference_charge_product(unequal, unequal.L_ref));
+    const struct ct_hill_state start = {16, 3, -2, 1e-4, -2e-4, 3e-4};
+    const struct ct_vector r2 = ct_second_position(unequal, (struct ct_vector){16, 3, -2});
+    const struct ct_vector v2 = ct_second_position(unequal, (struct ct_vector){1e-4, -2e-4, 3e-4});
+    const struct ct_craft craft[] = {{unequal.m1, q, {16, 3, -2}, {1e-4, -2e-4, 3e-4}}, {unequal.m2, -q, r2, v2}};
+    const double t[] = {9000, 0, -9000, 4000};
+    struct ct_hill_state due[4];
+    struct ct_craft moved[8];
+
+    ck_assert_int_eq(ct_nonlinear_flow(unequal, (struct ct_gains){0, 0}, start, fine, 4, t, due), CT_OK);
+    ck_assert_int_eq(ct_formation_flow(unequal.Omega, unequal.k_c, INFINITY, 2, craft, fine, 4, t, moved), CT_OK);
+    for (int i = 0; i < 4; i++) { /* some hundred steps of 1e-13 each, lengths of 20 m and velocities of 1e-3 m/s */
+        const struct ct_craft one = moved[2 * i], two = moved[2 * i + 1];
+        ck_assert_double_eq_tol(one.position.x, due[i].x1, 1e-9);
+        ck_assert_double_eq_tol(one.position.y, due[i].y1, 1e-9);
+        ck_assert_double_eq_tol(one.position.z, due[i].z1, 1e-9);
+        ck_assert_double_eq_tol(one.velocity.x, due[i].x1_dot, 1e-13);
+        ck_assert_double_eq_tol(one.velocity.y, due[i].y1_dot, 1e-13);
+        ck_assert_double_eq_tol(one.velocity.z, due[i].z1_dot, 1e-13);
+        ck_assert_double_eq_tol(two.position.y, -unequal.m1 / unequal.m2 * due[i].y1, 1e-9);
+        ck_assert_double_eq(one.m, unequal.m1);
+        ck_assert_double_eq(two.q, -q);
+    }
+}
+END_TEST
+
+/* Clohessy and Wiltshire's solution: x = 4 - 3 cos nt, y = 6 (sin nt - nt), z = cos nt from (1, 0, 1) at rest. */
+START_TEST(eq02_flow_of_one_is_the_free_motion)
+{
+    const struct ct_craft craft = {1, 5, {1, 0, 1}, {0, 0, 0}};
+    const double t = 10;
+    struct ct_craft moved;
+
+    ck_assert_int_eq(ct_formation_flow(0.5, 1, 1, 1, &craft, fine, 1, &t, &moved), CT_OK);
+    ck_assert_double_eq_tol(moved.position.x, 4 - 3 * cos(5), 1e-11); /* along-track error of some tens of steps */
+    ck_assert_double_eq_tol(moved.position.y, 6 * (sin(5) - 5), 1e-11);
+    ck_assert_double_eq_tol(moved.position.z, cos(5), 1e-11);
+    ck_assert_double_eq_tol(moved.velocity.x, 1.5 * sin(5), 1e-11);
+}
+END_TEST
+
+START_TEST(eq02_flow_reports_a_collision_and_keeps_what_does_not_move)
+{
+    const struct ct_craft craft[] = {{1, 2, {0, 0, 1}, {0, 0, 0}}, {3, -4, {0, 0, -1}, {0, 0, 0}}};
+    const double t = 100;
+    struct ct_craft moved[2];
+
+    ck_assert_int_eq(ct_formation_flow(1e-3, 1, INFINITY, 2, craft, 1e-9, 1, &t, moved), CT_CONVERGENCE);
+    ck_assert_double_nan(moved[0].position.x);
+    ck_assert_double_nan(moved[1].velocity.z);
+    ck_assert_double_eq(moved[1].m, 3);
+    ck_assert_double_eq(moved[1].q, -4);
+}
+END_TEST
+
+static int formation_status(size_t N, const struct ct_craft *craft, double tolerance)
+{
+    const double t = 1;
+    struct ct_craft moved[2] = {{.m = 0}};
+    const int status = ct_formation_flow(1, 1, INFINITY, N, craft, tolerance, N <= 2, &t, moved);
+
+    if (N == 1 || N == 2)
+        ck_assert(isnan(moved[N - 1].position.z) == (status != CT_OK));
+    return status;
+}
+
+START_TEST(eq02_flow_rejects_what_is_no_formation)
+{
+    const struct ct_craft together[] = {{1, 1, {1, 2, 3}, {0, 0, 0}}, {1, 1, {1, 2, 3}, {0, 0, 0}}};
+    const struct ct_craft beyond[] = {{1, 1e200, {1, 2, 3}, {0, 0, 0}}, {1, 1e200, {1, 2, 4}, {0, 0, 0}}};
+    volatile size_t too_many = SIZE_MAX / 64;
+
+    ck_assert_int_eq(formation_status(1, together, 1e-9), CT_OK);
+    ck_assert_int_eq(formation_status(1, together, 0), CT_DOMAIN);
+    ck_assert_int_eq(formation_status(2, together, 1e-9), CT_DOMAIN);
+    ck_assert_int_eq(formation_status(2, beyond, 1e-9), CT_DOMAIN); /* forces that no double holds */
+    ck_assert_int_eq(formation_status(0, NULL, 1e-9), CT_DOMAIN);
+    ck_assert_int_eq(formation_status(too_many, NULL, 1e-9), CT_MEMORY);
+}
+END_TEST
+
+static size_t formation_flow(const double x[], double y[])
+{
+    const struct ct_craft craft = {x[3], x[4], {x[5], x[6], x[7]}, {x[8], x[9], x[10]}};
+    struct ct_craft moved;
+    const int status = ct_formation_flow(x[0], x[1], x[2], 1, &craft, 1e-9, 1, &x[11], &moved);
+
+    ck_assert_int_eq(status, isnan(moved.position.x) ? CT_DOMAIN : CT_OK);
+    memcpy(y, &moved.position, 6 * sizeof *y);
+    return 6;
+}
+
+START_TEST(eq02_flow_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(formation_flow, "++i+rrrrrrrr", (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 0.1});
+}
+END_TEST
+
+static TCase *motion_of_N(void)
+{
+    TCase *c = tcase_create("eq02 flow");
+
+    tcase_add_test(c, eq02_flow_of_two_is_that_of_eq03);
+    tcase_add_test(c, eq02_flow_of_one_is_the_free_motion);
+    tcase_add_test(c, eq02_flow_reports_a_collision_and_keeps_what_does_not_move);
+    tcase_add_test(c, eq02_flow_rejects_what_is_no_formation);
+    tcase_add_test(c, eq02_flow_rejects_each_input_outside_its_domain);
+    return c;
+}
+
 static TCase *linear_motion(void)
 {
     TCase *c = tcase_create("eq40 flow");
@@ -622,5 +737,6 @@ SUITE(test_ref_simulation)
     suite_add_tcase(s, linear_motion());
     suite_add_tcase(s, nonlinear_motion());
     suite_add_tcase(s, fixed_steps());
+    suite_add_tcase(s, motion_of_N());
     return s;
 }

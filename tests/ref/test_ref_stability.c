@@ -256,7 +256,7 @@ END_TEST
 
 START_TEST(eq42_whole_numbers)
 {
-    const struct ct_routh_margins m = ct_routh_margins(2, (struct ct_gains){40, 3});
+    const struct ct_margins m = ct_routh_margins(2, (struct ct_gains){40, 3});
 
     ck_assert_double_eq(m.margin1, 4);
     ck_assert_double_eq(m.margin2, 3);
@@ -285,7 +285,7 @@ END_TEST
 
 static size_t eq42(const double x[], double y[])
 {
-    const struct ct_routh_margins m = ct_routh_margins(x[0], (struct ct_gains){x[1], x[2]});
+    const struct ct_margins m = ct_routh_margins(x[0], (struct ct_gains){x[1], x[2]});
 
     if (isnan(m.margin1))
         ck_assert_int_eq(m.stable, 0);

@@ -259,7 +259,7 @@ static void eq41roots(const double *in, double *out)
 
 static void eq42(const double *in, double *out)
 {
-    const struct ct_routh_margins m = ct_routh_margins(in[0], (struct ct_gains){in[1], in[2]});
+    const struct ct_margins m = ct_routh_margins(in[0], (struct ct_gains){in[1], in[2]});
     out[0] = m.margin1;
     out[1] = m.margin2;
     out[2] = m.stable;

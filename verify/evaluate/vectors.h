@@ -19,10 +19,10 @@ enum input_form { INPUTS_SHORTEST, INPUTS_EXACT, INPUTS_HEX };
 extern const char *const input_forms[3];
 
 /* The shortest decimal of a binary64; nan, inf, -inf. */
+void value_text(char text[32], double value);
+
 /* An input as files have it: what is no finite number is written as Table Schema and XML have it, NaN, INF, -INF. */
 const char *schema_text(const char *text);
-
-void value_text(char text[32], double value);
 
 /* A literal, which means its nearest binary64, in a form; one that is no finite number stays as it is. */
 void input_write(char text[LONGEST_INPUT], const char *literal, enum input_form form);
