@@ -359,18 +359,48 @@ pictures: $(patsubst %,$(BUILD)/figures/%.svg,figure4 figure6)
 
 ### The literate edition
 EDITION  := $(BUILD)/paper
-PROSE    := $(wildcard paper/*.tex)
-CHAPTERS := $(shell sed -n 's/^.graph{\([a-z0-9-]*\)}.*/\1/p' $(PROSE))
+SITE     := $(BUILD)/site
+CHAPTERS := $(sort $(wildcard paper/[0-9]*.md))
+PAGES    := $(patsubst paper/%.md,%,$(wildcard paper/*.md))
+PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard paper/figures/plot-*.gp)))
+GRAPHS   := $(shell sed -n 's/.*\](graph:\([a-z0-9-]*\)).*/\1/p' $(CHAPTERS))
 # The day of the last change: of the history where there is one, else of the archive that `git archive` made.
 DATED     = $(shell git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
-PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard paper/figures/plot-*.gp)))
+# What the weaver reads.
+WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv
+# Directives become code, which pandoc leaves as it is; a file begins a paragraph. (In pages for the web the TeX that pandoc
+# puts beside its MathML is taken out again: it would make them half as large again.)
+WEAVE     = awk 'FNR == 1 { print "" } { gsub(/<</, "`&"); gsub(/>>/, "&`") } 1' $(filter %.md,$^) | LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' \
+  CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' CT_DATE='$(DATED)' CT_PAGE='$(@F)' pandoc --fail-if-warnings -f markdown-implicit_figures -L paper/weave.lua --no-highlight
 
 ## paper: the literate edition, build/coulomb-tether.pdf
 paper: $(BUILD)/coulomb-tether.pdf
 
-$(BUILD)/coulomb-tether.pdf: $(patsubst paper/%,$(EDITION)/%,$(PROSE)) $(PLOTS:%=$(EDITION)/plot-%.tex) \
-  $(CHAPTERS:%=$(EDITION)/graph-%.pdf) paper/typeset.sh
+$(BUILD)/coulomb-tether.pdf: $(EDITION)/coulomb-tether.tex $(PLOTS:%=$(EDITION)/plot-%.tex) $(GRAPHS:%=$(EDITION)/graph-%.pdf) paper/typeset.sh
 	paper/typeset.sh $(EDITION) $@
+
+$(EDITION)/coulomb-tether.tex: $(CHAPTERS) paper/page.tex $(WOVEN) | $(EDITION)/tools.found
+	@mkdir -p $(@D)
+	@$(WEAVE) -t latex --template paper/page.tex -o $@.tmp
+	@mv $@.tmp $@
+
+## site: the same for a browser, build/site/index.html
+site: $(PAGES:%=$(SITE)/%.html) $(PLOTS:%=$(SITE)/plot-%.svg) $(SITE)/page.css $(OPERATIONS:%=$(SITE)/data/%.csv)
+	@awk -f paper/links.awk $(filter %.html,$^) >&2
+
+$(PAGES:%=$(SITE)/%.html): $(SITE)/%.html: paper/%.md paper/page.html $(WOVEN) $(GRAPHS:%=$(EDITION)/graph-%.svg) | $(EDITION)/tools.found
+	@mkdir -p $(@D)
+	@$(WEAVE) -t html5 --mathml --template paper/page.html -o $@.woven.tmp
+	@sed 's|<annotation [^>]*>[^<]*</annotation>||g' $@.woven.tmp >$@.tmp
+	@rm $@.woven.tmp
+	@mv $@.tmp $@
+
+$(SITE)/page.css: paper/page.css
+$(OPERATIONS:%=$(SITE)/data/%.csv): $(SITE)/data/%.csv: $(DATA)/golden/%.csv
+$(SITE)/page.css $(OPERATIONS:%=$(SITE)/data/%.csv):
+	@mkdir -p $(@D)
+	@cp $< $@.tmp
+	@mv $@.tmp $@
 
 $(EVIDENCE): $(BUILD)/%.json: $(PROGRAM)
 	$(call PRINTED,$(PROGRAM) verify $* --json)
@@ -380,25 +410,30 @@ $(EDITION)/tools.found: paper/typeset.sh
 	@paper/typeset.sh
 	@mkdir -p $(@D) && touch $@
 
-$(EDITION)/%.tex: paper/%.tex paper/read.awk paper/weave.awk $(wildcard ref/*.c) $(EVIDENCE) \
-  $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv | $(EDITION)/tools.found
-	@mkdir -p $(@D)
-	@LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program=$(PROGRAM) -v data=$(DATA) -v build=$(BUILD) \
-	  -v plots='$(PLOTS)' -v date='$(DATED)' $< >$@.tmp
-	@mv $@.tmp $@
-
 # gnuplot names its pictures as it is told to, and so is told without a folder.
 $(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(STUDIES) $(VERDICTS) | $(EDITION)/tools.found
 	@mkdir -p $(@D)
 	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
 
-$(EDITION)/graph-%.pdf: paper/%.tex $(BUILD)/derivations.gv paper/graph.awk | $(EDITION)/tools.found
+# For the web LaTeX sets all plots, each on a page of its size. Two decimals of a point are enough.
+$(EDITION)/plots.pdf: paper/plots.tex $(PLOTS:%=$(EDITION)/plot-%.tex)
+	cd $(@D) && pdflatex -interaction=batchmode -halt-on-error -jobname plots '\def\PLOTS{$(PLOTS:%=\plot{%})}\input{$(abspath $<)}' >/dev/null
+
+$(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: $(EDITION)/plots.pdf
 	@mkdir -p $(@D)
-	awk -f paper/graph.awk $< $(BUILD)/derivations.gv $(BUILD)/derivations.gv | dot -Tpdf >$@.tmp
+	@page=$$(printf '%s\n' $(PLOTS) | grep -nx '$*' | cut -d : -f 1); pdftocairo -svg -f $$page -l $$page $< $@.pdf.tmp
+	@sed -E 's/([0-9]\.[0-9]{2})[0-9]+/\1/g' $@.pdf.tmp >$@.tmp
+	@rm $@.pdf.tmp
 	@mv $@.tmp $@
 
+$(EDITION)/graph-%.pdf: paper/%.md $(BUILD)/derivations.gv paper/graph.awk | $(EDITION)/tools.found
+	$(call GRAPH,pdf)
+$(EDITION)/graph-%.svg: paper/%.md $(BUILD)/derivations.gv paper/graph.awk | $(EDITION)/tools.found
+	$(call GRAPH,svg)
+GRAPH = @mkdir -p $(@D)$(newline)@awk -f paper/graph.awk $< $(BUILD)/derivations.gv $(BUILD)/derivations.gv | dot -T$(1) >$@.tmp$(newline)@mv $@.tmp $@
+
 # What the gate finds in the tests' logs, for the index: they have to have run.
-$(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(PROSE) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
+$(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(CHAPTERS) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
   $(filter check,$(MAKECMDGOALS)) | $(EDITION)/tools.found
 	@ls $(BUILD)/tests/*.tap >/dev/null 2>&1 || $(MAKE) check
 	@BUILD='$(BUILD)' DATA='$(DATA)' tests/project/gate.sh >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
@@ -406,9 +441,9 @@ $(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(PROSE) $(wildcard ref
 ### Packages
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libcalcium-dev? libantic-dev? libyaml-dev
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
-PAPER_PACKAGES = gnuplot-nox graphviz texlive-latex-base texlive-latex-recommended lmodern
+PAPER_PACKAGES = gnuplot-nox graphviz pandoc poppler-utils texlive-latex-base texlive-latex-recommended lmodern
 CI_PACKAGES    = clang libclang-rt-dev? clang-tidy cppcheck valgrind strace locales debootstrap parallel python3 python3-mpmath python3-gmpy2 \
-  octave gfortran nodejs python3-pandas
+  octave gfortran nodejs pandoc python3-pandas
 
 ## deps: install what building and checking need, where apt-get is at hand; name it elsewhere
 deps:
@@ -483,5 +518,5 @@ help:
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
 .PHONY: all check suites bench reproduce gate coverage mcdc mutants mutants-objects faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
-  verify errors readme data figures pictures paper deps deps-paper deps-ci install uninstall dist clean distclean help
+  verify errors readme data figures pictures paper site deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/*/*/*/*.d)

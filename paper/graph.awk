@@ -1,5 +1,5 @@
-# The part of the graph of derivations that a chapter proves, for its page: CHAPTER.tex, then the graph twice.
-#     awk -f paper/graph.awk CHAPTER.tex GRAPH.gv GRAPH.gv | dot -Tpdf
+# The part of the graph of derivations that a chapter proves, for its page: CHAPTER.md, then the graph twice.
+#     awk -f paper/graph.awk CHAPTER.md GRAPH.gv GRAPH.gv | dot -Tpdf
 # Ellipses are equations, boxes steps, houses principles, notes properties, double octagons definitions.
 
 FNR == 1 { pass++ }
@@ -26,8 +26,11 @@ pass == 3 && $1 ~ /^"/ {
     sub(/;$/, "", to)
     name = $1
     sub(/;$/, "", name)
-    if ($2 == "->" ? $1 in chapter || to in chapter : name in used)
+    if ($2 == "->" ? $1 in chapter || to in chapter : name in used) {
+        if ($2 != "->" && name ~ /^"[0-9]/)
+            sub(/\[/, "[URL=\"equations.html#eq:" substr(name, 2, length(name) - 2) "\", ")
         print
+    }
 }
 
 END { print "}" }

@@ -1,4 +1,4 @@
-# What the weaver and the gate both read: CSV files, the functions in ref/, the proofs as JSON.
+# What the gate and README's tables read: CSV files, the functions in ref/, the proofs as JSON.
 
 # A line of RFC 4180 into field[1] ... field[n]; returns n. No field of ours has a line break.
 function csv(line, field,    n, rest, quoted) {
@@ -25,9 +25,8 @@ function csv(line, field,    n, rest, quoted) {
 }
 
 # The functions of ref/*.c. A header comment begins "Eq. (10), small angles   purpose" or "Eqs. (3a)-(3c)   purpose":
-# the key of its function is "10, small angles" or "3". functions_of[key] counts them, function_of[key] is one,
-# function_text[NAME] its lines, function_file[NAME] its file; a static helper is there by its name alone.
-function read_functions(path,    line, key, name, text, inside, previous) {
+# the key of its function is "10, small angles" or "3". functions_of[key] counts them, function_of[key] is one.
+function read_functions(path,    line, key, name, inside) {
     while ((getline line < path) > 0) {
         if (match(line, /^ \* Eqs?\. \(/)) {
             key = substr(line, RLENGTH + 1)
@@ -38,17 +37,12 @@ function read_functions(path,    line, key, name, text, inside, previous) {
         }
         if (!inside && line ~ /^[a-z].*\(/ && line !~ /;$/ && line !~ /^typedef/) {
             inside = 1
-            text = ""
             name = line
             sub(/\(.*/, "", name)
             sub(/.*[ *]/, "", name)
         }
-        if (inside)
-            text = text line "\n"
         if (inside && line == "}") {
             inside = 0
-            function_text[name] = text
-            function_file[name] = path
             if (key != "") {
                 functions_of[key]++
                 function_of[key] = name
@@ -98,18 +92,11 @@ function read_steps(path,    line, id, what) {
         if (match(line, /\{"id": "[^"]*"/)) {
             id = substr(line, RSTART + 8, RLENGTH - 9)
             step[++steps] = id
-            step_title[id] = member(line, "title")
             step_from[id] = member(line, "from")
             step_to[id] = member(line, "to")
-            step_order[id] = member(line, "order")
-            step_domain[id] = member(line, "domain")
-            step_dropped[id] = member(line, "dropped")
         } else if (match(line, /^ +"(step|printed)": /)) {
             what = line ~ /^ +"step"/ ? "step" : "printed"
             finding[id, what] = member(line, "finding")
-            evidence[id, what] = member(line, "evidence")
-            difference[id, what] = member(line, "difference")
-            gsub(/\\\\/, "\\", difference[id, what])
         }
     }
     close(path)

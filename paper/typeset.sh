@@ -9,7 +9,7 @@ missing() {
     echo "$1 is missing: run \"make deps-paper\"." >&2
     exit 1
 }
-for tool in gnuplot dot pdflatex kpsewhich; do
+for tool in pandoc gnuplot dot pdflatex kpsewhich pdftocairo; do
     command -v "$tool" >/dev/null || missing "$tool"
 done
 for file in lmodern.sty microtype.sty listings.sty booktabs.sty; do

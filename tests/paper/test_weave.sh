@@ -1,127 +1,196 @@
 #!/bin/sh
-# The weaver: each directive gives what it stands for, and each mistake stops it with file, line and what was expected.
-# No TeX is needed.
+# The weaver: each directive gives what it stands for, on paper and on the web, and each mistake stops it with file, line
+# and what was expected. No TeX is needed; where pandoc is missing, what needs it is left out.
 # shellcheck disable=SC2016  # the dollars are TeX's
 . tests/harness.sh
 
-weave() {
-    LC_ALL=C awk -f paper/read.awk -f paper/weave.awk -v program="$CT_PROGRAM" -v data=data -v build="$work" -v plots='4 5a' -v date=2000-01-01 \
-        "$work/prose.tex" >"$work/out" 2>"$work/err"
+weave() { # FORMAT [OPTION ...]: $work/prose.md woven
+    awk '{ gsub(/<</, "`&"); gsub(/>>/, "&`") } 1' "$work/prose.md" | CT_DATA=data CT_BUILD=$work CT_PROSE=$work/prose.md CT_DATE=2000-01-01 \
+        pandoc -f markdown-implicit_figures -L paper/weave.lua --wrap=none --mathml --no-highlight -t "$@" >"$work/out" 2>"$work/err"
 }
 
 shown() { cat "$work/out" "$work/err"; return 1; }
 
-# LINE TEXT: the directive of a line gives a text that contains the other.
-contains() {
-    printf '%s\n' "$1" >"$work/prose.tex"
-    weave && tr '\n' ' ' <"$work/out" | grep -qF -- "$2" || shown
+# LINE TEXT: the line gives a text that contains the other. All that is asked of one format is woven at once.
+begin() { asked=0 && : >"$work/prose.md"; }
+gives() {
+    asked=$((asked + 1))
+    printf 'MARK%s\n\n%s\n\n' "$asked" "$1" >>"$work/prose.md"
+    printf '%s\n' "$1" >"$work/line.$asked"
+    printf '%s\n' "$2" >"$work/text.$asked"
 }
-gives() { check "$1: expected $2" contains "$@"; }
+contains() {
+    grep "^MARK${asked}[^0-9]" "$work/all" >"$work/out"
+    grep -qF -f "$work/text.$asked" "$work/out" || shown
+}
+woven() { # FORMAT
+    check "all of $1" weave "$1"
+    tr '\n' ' ' <"$work/out" | sed 's/MARK/\
+MARK/g' >"$work/all"
+    while [ "$asked" -gt 0 ]; do
+        check "$1 of $(cat "$work/line.$asked"): expected $(cat "$work/text.$asked")" contains
+        asked=$((asked - 1))
+    done
+}
 
 # LINE MESSAGE: the third line of a file, this one, stops the weaver.
 is_stopped() {
-    printf 'One.\n\n%s\n' "$1" >"$work/prose.tex"
-    ! weave && grep -qF -- "prose.tex:3: $2" "$work/err" || shown
+    printf 'One.\n\n%s\n' "$1" >"$work/prose.md"
+    ! weave latex && grep -qF -- "prose.md:3: $2" "$work/err" || shown
 }
-stops() { check "$1: expected prose.tex:3: $2" is_stopped "$@"; }
-
-cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$CT_BUILD/claims.json" "$work" || exit 1
-cat >"$work/gate.csv" <<'END'
-id,equations,function,tests,error,vectors,steps,verdict,edition
-eq07,6a 6b 7,ct_reference_charge_product,4,5.9e-01,46,static_charge_1 static_charge_2,"holds, definition",paper/03-statics.tex:17
-END
-
-gives '<<equation eq07>>' 'Q_{\mathrm{ref}} &= -\frac{3\Omega ^{2}L^{3}}{k_{c}}\frac{m_{1}m_{2}}{m_{1} + m_{2}}\tag{7}'
-gives '<<equation eq07>>' '\target{6a}\target{6}\target{6b}\target{7}'
-gives '<<equation eq03 only x1_ddot>>' '\tag{3a}'
-gives '<<equation eq10lin>>' '\tag{10, small angles}'
-gives '<<definition eq01 x = y>>' 'x = y\tag{1}'
-gives '<<printed eq38>>' '\Omega  &= \sqrt{\frac{3{GM}}{R_{c}^{3}}}\tag{38, as printed}'
-gives '<<function eq43>>' 'return POSITIVE(Omega, n) ? n * Omega * Omega : NAN;'
-gives '<<function rk4_linear>>' 'int ct_linear_runge_kutta('
-gives '<<helper arm>>' 'return p.m2 / (p.m1 + p.m2) * L;'
-gives '<<step reference_charge>>' '{\eq{6a}, \eq{6b}}{$\;\rightarrow\;$\eq{7}}{exactly, for $\Omega $'
-gives '<<step kepler>>' '\stepprinted{the sides differ by a multiple of $2\Omega'
-gives '<<step hill>>' '$\;\rightarrow\;$\eq{2}~$\ddot x_{1}$'
-gives '<<step linearised_hill>>' '\stepdropped{(40a) drops at most'
-gives '<<verdict equation-7>>' '{holds}{exact}{proved by reference\_charge}'
-gives '<<verdict product-negative>>' '{qualified}{certified}{$Q_{\mathrm{ref}} + \delta Q < 0$ exactly where'
-gives '<<verdict coulomb-constant>>' 'is $8.9875518\cdot 10^{9}$~N m$^{2}$/C$^{2}$ (CODATA'
-gives '<<findings refuted>>' 'None.'
-gives '<<findings qualified>>' '\finding{n12-optimal}{Section Stability analysis, after Eq. (44)}{$n = 12$ should be the optimal choice of $n$}{The text names no'
-gives '<<plot 4 At $n=12$.>>' '\plot{4}{At $n=12$.}'
-gives '<<run eval eq43 Omega=2 n=3 --digits 2>>' 'C1 = 1.2e+01 1/s^2'
-gives '<<show paper/derivations.yaml reference_charge>>' '    to: ["7"]'
-gives '<<index>>' '\indexed{eq07}{\eq{6a}--\eq{7}}{ct\_reference\_charge\_product}{4}'
-gives 'It is <<number table1.csv Omega computed 3>>.' 'It is \ensuremath{7.29\times 10^{-5}}.'
-gives '<<number golden/eq43.csv eq43-tiny n 1>>' '\ensuremath{1\times 10^{-300}}'
-gives '<<number figure4.csv 9 im2 3 1e4>>' '\ensuremath{1.93}'
-gives '<<number convergence.csv hill_43200s,psi,1.000e-05 order 3>>' '\ensuremath{2.00}'
-gives '<<value eq44 C2 3 Omega=2 n=10>>' '\ensuremath{4.00}'
-gives 'So <<quote equation-7 proved by |reference_charge|>>.' 'So reference\_charge.'
-gives 'By \eq{40a}.' 'By \eq{40a}.'
-gives '<<symbols>>' '\symbolrow{$L_{G1}$, $L_{G2}$, $L_{G3}$}{N m}{gravity-gradient torque in the body frame}'
-gives 'Version <<version>>.' "Version $("$CT_PROGRAM" --version | cut -d ' ' -f 2)."
-gives 'Of <<date>>.' 'Of 2000-01-01.'
-gives 'Begins <<fingerprint>>.' "$(sha256sum data/datapackage.json | cut -c 1-16)"
-gives '<<count inputs>>' '1000'
-gives '<<count misprints>>' "$(grep -c '"id": "equation-.*"verdict": "holds as corrected"' "$work/claims.json")"
-gives '<<count steps>>' "$(grep -c '{"id": ' "$work/derivations.json")"
-
-stops '<<equatoin eq07>>' "unknown directive 'equatoin'"
-stops 'In a line, <<nmber table1.csv>>.' "unknown directive 'nmber'"
-stops 'In a line, <<number table1.csv' "'<<' without its '>>'"
-stops '<<equation eq06>>' "unknown equation 'eq06'"
-stops '<<equation eq07 only x1>>' "'eq07' has no 'x1'"
-stops '<<equation eq01>>' "'eq01' has no formula in the sheet"
-stops '<<definition eq07 x>>' "'eq07' has its formula in the sheet"
-stops '<<printed eq07>>' "'eq07' is printed as the sheet has it"
-stops '<<function eq99>>' "unknown equation 'eq99'"
-stops '<<function eq20>>' 'no function in ref/ with the header Eq. (20)'
-stops '<<helper leg>>' "unknown function 'leg'"
-stops '<<step keppler>>' "unknown derivation step 'keppler'"
-stops '<<verdict equation-99>>' "unknown verdict 'equation-99'"
-stops '<<findings believed>>' "no verdict 'believed'"
-stops '<<plot 9 What is not there.>>' "unknown plot '9', expected one of: 4 5a"
-stops '<<plot 4>>' "plot '4' has no caption"
-stops '<<run eval eq07>>' 'coulomb-tether eval eq07 failed'
-stops '<<show paper/none>>' "no text in 'paper/none'"
-stops '<<show paper/derivations.yaml keppler>>' "no 'keppler:' in 'paper/derivations.yaml'"
-stops '<<number table2.csv Omega computed 3>>' "no file 'data/table2.csv'"
-stops '<<number table1.csv Omega calculated 3>>' "'data/table1.csv' has no column 'calculated'"
-stops '<<number table1.csv omega computed 3>>' "'data/table1.csv' has no row 'omega'"
-stops '<<number convergence.csv hill_43200s,psi order 3>>' "'data/convergence.csv' has 3 rows 'hill_43200s,psi'"
-stops '<<value eq99 C2 3 Omega=2 n=10>>' "unknown equation 'eq99'"
-stops '<<value eq44 C1 3 Omega=2 n=10>>' "coulomb-tether eval eq44 gives no 'C1'"
-stops '<<value eq44 C2 3 Omega=2 n=8>>' "coulomb-tether eval eq44 gives no 'C2'"
-stops '<<value eq44 C2 3>>' 'expected <<value ID OUTPUT DIGITS NAME=VALUE ...>>'
-stops '<<number table1.csv Omega unit 3>>' "'rad/s' in 'data/table1.csv' is no number"
-stops '<<quote equation-7 proved by |magic|>>' "the evidence of 'equation-7' does not read 'proved by magic'"
-stops '<<count sheep>>' "cannot count 'sheep'"
-stops '<<error eq01>>' "no measured error of 'eq01'"
-stops 'By \eq{99}.' "unknown equation '99'"
-stops 'By \eq{99} and <<count steps>>.' "unknown equation '99'"
-
-# An equation and its code are one block, prose is none; code that would leave much of a page empty may be torn.
-blocks() { # NUMBER PROSE
-    printf "$2" >"$work/prose.tex"
-    weave && [ "$(grep -c -F '{keep}' "$work/out")" -eq "$1" ] || shown
-}
-check 'an equation and its function make one block' blocks 2 'A.\n<<equation eq43>>\n<<function eq43>>\nB.\n'
-check 'a long function may be torn' blocks 0 '<<equation eq02>>\n<<function eq02>>\nB.\n'
+stops() { check "$1: expected prose.md:3: $2" is_stopped "$@"; }
 
 # The part of the graph that a chapter proves: its step and what that leads from and to, and no more.
 has_one_step() {
-    printf '<<step reference_charge>>\n' >"$work/prose.tex"
+    printf '<<step reference_charge>>\n' >"$work/prose.md"
     "$CT_PROGRAM" verify derivations --graph >"$work/graph.gv"
-    awk -f paper/graph.awk "$work/prose.tex" "$work/graph.gv" "$work/graph.gv" >"$work/out" 2>"$work/err"
+    awk -f paper/graph.awk "$work/prose.md" "$work/graph.gv" "$work/graph.gv" >"$work/out" 2>"$work/err"
     [ "$(grep -c -- '->' "$work/out")" -eq 2 ] && [ "$(grep -c '^  "[^"]*" \[' "$work/out")" -eq 3 ] || shown
 }
 check 'the graph of a chapter with one step' has_one_step
 
-# A gate that found nothing leaves no index.
-rm "$work/gate.csv"
-stops '<<index>>' 'no index of equations'
+# A link that leads nowhere is named with its file and line.
+mkdir "$work/site"
+: >"$work/site/p.svg"
+leads() { # STATUS LINK
+    printf '<p id="a"><a href="#a">x</a>\n<a href="two.html#b">y</a> <img src="p.svg">\n' >"$work/site/one.html"
+    printf '<p id="b">\n<a href="%s">z</a>\n' "$2" >"$work/site/two.html"
+    status=0
+    awk -f paper/links.awk "$work/site/one.html" "$work/site/two.html" >"$work/out" 2>"$work/err" || status=1
+    [ "$status" -eq "$1" ] && { [ "$1" -eq 0 ] || grep -qF "two.html:2: the link '$2' leads nowhere" "$work/out"; } || shown
+}
+check 'links that lead somewhere' leads 0 'one.html#a'
+for to in two.html#c three.html http://example.org; do check "a link to $to" leads 1 "$to"; done
+
+weaver() {
+    cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$CT_BUILD/claims.json" "$work" || exit 1
+    cat >"$work/gate.csv" <<'END'
+id,equations,function,tests,error,vectors,steps,verdict,edition
+eq02,2a 2b 2c,ct_formation_acceleration,10,1.5e+00,213,hill,"qualified",paper/02-hill.md:17
+eq07,6a 6b 7,ct_reference_charge_product,4,5.9e-01,46,static_charge_1 static_charge_2,"holds, definition",paper/03-statics.md:17
+eq43,43,ct_proportional_gain,4,4.4e-01,30,critical_damping,"definition",paper/09-stability.md:40
+rk4_linear,40a 40b 40c,ct_linear_runge_kutta,15,digits,107,attitude,"holds",paper/10-simulation.md:12
+END
+    begin
+    gives '<<equation eq07>>' 'Q_{\mathrm{ref}} &= -\frac{3\Omega ^{2}L^{3}}{k_{c}}\frac{m_{1}m_{2}}{m_{1} + m_{2}}\tag{7}'
+    gives '<<equation eq07>>' '\target{6a}\target{6}\target{6b}\target{7}'
+    gives '<<equation eq03 only x1_ddot>>' '\tag{3a}'
+    gives '<<equation eq10lin>>' '\tag{10, small angles}'
+    gives '<<definition eq01 x = y>>' 'x = y\tag{1}'
+    gives '<<printed eq38>>' '\Omega  &= \sqrt{\frac{3{GM}}{R_{c}^{3}}}\tag{38, as printed}'
+    gives '<<function eq43>>' 'return POSITIVE(Omega, n) ? n * Omega * Omega : NAN;'
+    gives '<<function rk4_linear>>' 'int ct_linear_runge_kutta('
+    gives '<<helper arm>>' 'return p.m2 / (p.m1 + p.m2) * L;'
+    gives '<<step reference_charge>>' '{\eq{6a}, \eq{6b}}{ $\;\rightarrow\;$ \eq{7}}{exactly, for $\Omega $'
+    gives '<<step kepler>>' '\stepprinted{the sides differ by a multiple of $2\Omega'
+    gives '<<step hill>>' '$\;\rightarrow\;$ \eq{2}~$\ddot x_{1}$'
+    gives '<<step linearised_hill>>' '\stepdropped{(40a) drops at most'
+    gives '<<verdict equation-7>>' '{holds}{exact}{proved by reference\_charge}'
+    gives '<<verdict product-negative>>' '{qualified}{certified}{$Q_{\mathrm{ref}} + \delta Q < 0$ exactly where'
+    gives '<<verdict coulomb-constant>>' 'is $8.9875518\cdot 10^{9}$~N m$^{2}$/C$^{2}$ (CODATA'
+    gives '<<findings refuted>>' 'None.'
+    gives '<<findings qualified>>' '[n12-optimal]'
+    gives '![At $n=12$.](plot:4)' '\plot{4}\def\thefigure{4}'
+    gives '![At <<count inputs>>.](plot:4)' 'At 1000.'
+    gives '![Roots.](plot:locus)' '\def\thefigure{H}'
+    gives '![Steps.](graph:09-stability)' '\graph{09-stability}'
+    gives '<<run eval eq43 Omega=2 n=3 --digits 2>>' 'C1 = 1.2e+01 1/s^2'
+    gives '<<show paper/derivations.yaml reference_charge>>' '    to: ["7"]'
+    gives '<<index>>' '\eq{6a}--\eq{7}'
+    gives '<<index>>' '\pageref{place:eq07}'
+    gives '<<symbols>>' '$L_{G1}$ & N m & '
+    gives 'It is <<number table1.csv Omega computed 3>>.' 'It is \(7.29\times 10^{-5}\).'
+    gives 'It is $x=<<number table1.csv Omega computed 3>>$.' 'It is \(x=7.29\times 10^{-5}\).'
+    gives 'So <<number golden/eq43.csv eq43-tiny n 1>>' '\(1\times 10^{-300}\)'
+    gives 'So <<number figure4.csv 9 im2 3 1e4>>' '\(1.93\)'
+    gives 'So <<number convergence.csv hill_43200s,psi,1.000e-05 order 3>>' '\(2.00\)'
+    gives 'So <<value eq44 C2 3 Omega=2 n=10>>' '\(4.00\)'
+    gives 'So <<quote equation-7 proved by |reference_charge|>>.' 'So reference\_charge.'
+    gives 'By [(40a)](#eq:40a).' 'By \eq{40a}.'
+    gives 'In [section](#control).' 'In \hyperref[control]{'
+    gives 'By <<count inputs>>.' 'By 1000.'
+    gives 'By <<count misprints>>.' "By $(grep -c '"id": "equation-.*"verdict": "holds as corrected"' "$work/claims.json")."
+    gives 'By <<count steps>>.' "By $(grep -c '{"id": ' "$work/derivations.json")."
+    woven latex
+
+    begin
+    gives '<<equation eq03 only x1_ddot>>' '<span class="number">(3a)</span>'
+    gives '<<equation eq03 only x1_ddot>>' '<mfrac>'
+    gives '<<printed eq38>>' '(38, as printed)'
+    gives '<<function eq43>>' 'return POSITIVE(Omega, n) ? n * Omega * Omega : NAN;'
+    gives '<<step reference_charge>>' '<a href="equations.html#eq:7">(7)</a>'
+    gives '<<step reference_charge>>' '<summary>what was shown</summary>'
+    gives '<<verdict equation-7>>' '<summary>evidence, exact</summary>'
+    gives 'By [(40a)](#eq:40a).' 'By <a href="equations.html#eq:40a">(40a)</a>.'
+    gives 'In [section](#control).' '<a href="06-control.html#control">section 6</a>'
+    gives 'By [](#ref:routh).' '<a href="17-references.html#ref:routh">[8]</a>'
+    gives '![Roots.](plot:locus)' '<img src="plot-locus.svg" alt="Figure H">'
+    gives '<<places>>' 'id="eq07"'
+    gives '<<places>>' '<a href="data/eq07.csv">46 golden vectors</a>'
+    gives '<<places>>' 'coulomb-tether conform --only eq07 -- ./my-client'
+    gives '<<verdicts>>' '<div id="n12-optimal" class="verdict qualified">'
+    woven html5
+
+
+    told() {
+        echo 'Text.' >"$work/prose.md"
+        echo '$version$ $date$ $fingerprint$' >"$work/page.tex"
+        weave latex --template "$work/page.tex" &&
+            [ "$(cat "$work/out")" = "$("$CT_PROGRAM" --version | cut -d ' ' -f 2) 2000-01-01 $(sha256sum data/datapackage.json | cut -c 1-16)" ] || shown
+    }
+    check 'version, date and fingerprint' told
+
+    stops '<<equatoin eq07>>' "unknown directive 'equatoin'"
+    stops 'In a line, <<nmber table1.csv>>.' "unknown directive 'nmber'"
+    stops 'In $x=<<nmber table1.csv>>$.' "unknown directive 'nmber'"
+    stops 'In a line, <<number table1.csv`' "'<<' without its '>>'"
+    stops '<<equation eq06>>' "unknown equation 'eq06'"
+    stops '<<equation eq07 only x1>>' "'eq07' has no 'x1'"
+    stops '<<equation eq01>>' "'eq01' has no formula in the sheet"
+    stops '<<definition eq07 x>>' "'eq07' has its formula in the sheet"
+    stops '<<printed eq07>>' "'eq07' is printed as the sheet has it"
+    stops '<<function eq99>>' "unknown equation 'eq99'"
+    stops '<<function eq20>>' 'no function in ref/ with the header Eq. (20)'
+    stops '<<helper leg>>' "unknown function 'leg'"
+    stops '<<step keppler>>' "unknown derivation step 'keppler'"
+    stops '<<verdict equation-99>>' "unknown verdict 'equation-99'"
+    stops '<<findings believed>>' "no verdict 'believed'"
+    stops '![What is not there.](plot:9)' "unknown picture 'plot:9'"
+    stops '![](plot:4)' "'plot:4' has no caption"
+    stops '<<run eval eq07>>' 'coulomb-tether eval eq07 failed'
+    stops '<<show paper/none>>' "no text in 'paper/none'"
+    stops '<<show paper/derivations.yaml keppler>>' "no 'keppler:' in 'paper/derivations.yaml'"
+    stops 'By <<number table2.csv Omega computed 3>>' "no file 'data/table2.csv'"
+    stops 'By <<number table1.csv Omega calculated 3>>' "'data/table1.csv' has no column 'calculated'"
+    stops 'By <<number table1.csv omega computed 3>>' "'data/table1.csv' has no row 'omega'"
+    stops 'By <<number convergence.csv hill_43200s,psi order 3>>' "'data/convergence.csv' has 3 rows 'hill_43200s,psi'"
+    stops 'By <<number table1.csv Omega unit 3>>' "'rad/s' in 'data/table1.csv' is no number"
+    stops 'By <<value eq99 C2 3 Omega=2 n=10>>' "unknown equation 'eq99'"
+    stops 'By <<value eq44 C1 3 Omega=2 n=10>>' "coulomb-tether eval eq44 gives no 'C1'"
+    stops 'By <<value eq44 C2 3 Omega=2 n=8>>' "coulomb-tether eval eq44 gives no 'C2'"
+    stops 'By <<value eq44 C2 3>>' 'expected <<value ID OUTPUT DIGITS NAME=VALUE ...>>'
+    stops 'By <<quote equation-7 proved by |magic|>>' "the evidence of 'equation-7' does not read 'proved by magic'"
+    stops 'By <<count sheep>>' "cannot count 'sheep'"
+    stops 'By <<error eq01>>' "no measured error of 'eq01'"
+    stops 'By [(99)](#eq:99).' "unknown equation '99'"
+    stops 'In [section](#nowhere).' "unknown reference 'nowhere'"
+
+    # An equation and its code are one block, prose is none; code that would leave much of a page empty may be torn.
+    blocks() { # NUMBER PROSE
+        printf "$2" >"$work/prose.md"
+        weave latex && [ "$(grep -c -F '{keep}' "$work/out")" -eq "$1" ] || shown
+    }
+    check 'an equation and its function make one block' blocks 2 'A.\n\n<<equation eq43>>\n<<function eq43>>\n\nB.\n'
+    check 'a long function may be torn' blocks 0 '<<equation eq02>>\n<<function eq02>>\n\nB.\n'
+
+    # A gate that found nothing leaves no index.
+    has_no_gate() {
+        rm "$work/gate.csv"
+        ! weave latex && grep -qF 'gate.csv: run make check' "$work/err" || shown
+    }
+    check 'no table of the gate' has_no_gate
+}
+if command -v pandoc >/dev/null; then weaver; else echo 'pandoc is not here (make deps-paper): the weaver was not tested'; fi
 
 # What is missing for the edition is named, with the make target that installs it; here all is missing, one by one.
 mkdir "$work/bin"
@@ -130,7 +199,7 @@ is_missing() {
         [ "$(cat "$work/err")" = "$tool is missing: run \"make deps-paper\"." ] || shown
 }
 ln -s "$(command -v sh)" "$work/bin/sh"
-for tool in gnuplot dot pdflatex kpsewhich "LaTeX's lmodern.sty"; do
+for tool in pandoc gnuplot dot pdflatex kpsewhich pdftocairo "LaTeX's lmodern.sty"; do
     check "without $tool: expected: run \"make deps-paper\"" is_missing
     printf '#!/bin/sh\nexit 1\n' >"$work/bin/$tool"
     chmod +x "$work/bin/$tool"

@@ -255,9 +255,9 @@ function read_verdicts(    line, i, k, n, part, id, number, path) {
 
 # ---- the edition ----
 
-# The chapters are those that coulomb-tether.tex takes in.
+# The chapters are the numbered files.
 function read_edition(    line, path, id, part, at, i, chapters) {
-    chapters = "sed -n 's|^.input{\\([0-9].*\\.tex\\)}$|paper/\\1|p' paper/coulomb-tether.tex"
+    chapters = "ls paper/[0-9]*.md"
     while ((chapters | getline path) > 0) {
         at = 0
         while ((getline line < path) > 0) {
@@ -279,9 +279,9 @@ function read_edition(    line, path, id, part, at, i, chapters) {
     for (i = 1; i <= sections; i++) {
         id = section[i]
         if (place[id] == "" && !algorithm[id])
-            broken(id, "no place in the edition, expected <<equation " id ">> in paper/*.tex")
+            broken(id, "no place in the edition, expected <<equation " id ">> in paper/*.md")
         if (method[id] != "definition" && !listed[id])
-            broken(id, "its function is not in the edition, expected <<function " id ">> in paper/*.tex")
+            broken(id, "its function is not in the edition, expected <<function " id ">> in paper/*.md")
     }
 }
 

@@ -75,13 +75,13 @@ breaks 'vectors of no equation' 'golden: data/golden/eq99.csv is of an equation 
 breaks 'no verdict' 'eq18: no verdict equation-18 in data/verdicts.csv' "sed -i '/^equation-18,/d' data/verdicts.csv"
 breaks 'a verdict on no equation' 'verdicts: equation-99 is a verdict on an equation that the sheet lacks' \
     "sed -i 's/^equation-18,/equation-99,/' data/verdicts.csv"
-breaks 'no place' 'eq18: no place in the edition, expected <<equation eq18>> in paper/*.tex' \
-    "sed -i '/^<<equation eq18>>/d' paper/06-control.tex"
-breaks 'a chapter left out' 'eq18: no place in the edition, expected <<equation eq18>> in paper/*.tex' \
-    "sed -i '/06-control/d' paper/coulomb-tether.tex"
-breaks 'code left out' 'eq18: its function is not in the edition, expected <<function eq18>> in paper/*.tex' \
-    "sed -i '/^<<function eq18>>/d' paper/06-control.tex"
+breaks 'no place' 'eq18: no place in the edition, expected <<equation eq18>> in paper/*.md' \
+    "sed -i '/^<<equation eq18>>/d' paper/06-control.md"
+breaks 'a chapter left out' 'eq18: no place in the edition, expected <<equation eq18>> in paper/*.md' \
+    "rm paper/06-control.md"
+breaks 'code left out' 'eq18: its function is not in the edition, expected <<function eq18>> in paper/*.md' \
+    "sed -i '/^<<function eq18>>/d' paper/06-control.md"
 breaks 'a place of no equation' 'names eq99, which the sheet lacks' \
-    "sed -i 's/^<<equation eq18>>/<<equation eq99>>/' paper/06-control.tex"
+    "sed -i 's/^<<equation eq18>>/<<equation eq99>>/' paper/06-control.md"
 
 finish
