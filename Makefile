@@ -368,8 +368,7 @@ GRAPHS   := $(shell sed -n 's/.*\](graph:\([a-z0-9-]*\)).*/\1/p' $(CHAPTERS))
 DATED     = $(shell git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
 # What the weaver reads.
 WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv
-# Directives become code, which pandoc leaves as it is; a file begins a paragraph. (In pages for the web the TeX that pandoc
-# puts beside its MathML is taken out again: it would make them half as large again.)
+# Directives become code, which pandoc leaves as it is; a file begins a paragraph.
 WEAVE     = awk 'FNR == 1 { print "" } { gsub(/<</, "`&"); gsub(/>>/, "&`") } 1' $(filter %.md,$^) | LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' \
   CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' CT_DATE='$(DATED)' CT_PAGE='$(@F)' pandoc --fail-if-warnings -f markdown-implicit_figures -L paper/weave.lua --no-highlight
 
@@ -380,27 +379,19 @@ $(BUILD)/coulomb-tether.pdf: $(EDITION)/coulomb-tether.tex $(PLOTS:%=$(EDITION)/
 	paper/typeset.sh $(EDITION) $@
 
 $(EDITION)/coulomb-tether.tex: $(CHAPTERS) paper/page.tex $(WOVEN) | $(EDITION)/tools.found
-	@mkdir -p $(@D)
-	@$(WEAVE) -t latex --template paper/page.tex -o $@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,$(WEAVE) -t latex --template paper/page.tex)
 
 ## site: the same for a browser, build/site/index.html
 site: $(PAGES:%=$(SITE)/%.html) $(PLOTS:%=$(SITE)/plot-%.svg) $(SITE)/page.css $(OPERATIONS:%=$(SITE)/data/%.csv)
 	@awk -f paper/links.awk $(filter %.html,$^) >&2
 
 $(PAGES:%=$(SITE)/%.html): $(SITE)/%.html: paper/%.md paper/page.html $(WOVEN) $(GRAPHS:%=$(EDITION)/graph-%.svg) | $(EDITION)/tools.found
-	@mkdir -p $(@D)
-	@$(WEAVE) -t html5 --mathml --template paper/page.html -o $@.woven.tmp
-	@sed 's|<annotation [^>]*>[^<]*</annotation>||g' $@.woven.tmp >$@.tmp
-	@rm $@.woven.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,$(WEAVE) -t html5 --mathml --template paper/page.html)
 
 $(SITE)/page.css: paper/page.css
 $(OPERATIONS:%=$(SITE)/data/%.csv): $(SITE)/data/%.csv: $(DATA)/golden/%.csv
 $(SITE)/page.css $(OPERATIONS:%=$(SITE)/data/%.csv):
-	@mkdir -p $(@D)
-	@cp $< $@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,cat $<)
 
 $(EVIDENCE): $(BUILD)/%.json: $(PROGRAM)
 	$(call PRINTED,$(PROGRAM) verify $* --json)
@@ -420,17 +411,13 @@ $(EDITION)/plots.pdf: paper/plots.tex $(PLOTS:%=$(EDITION)/plot-%.tex)
 	cd $(@D) && pdflatex -interaction=batchmode -halt-on-error -jobname plots '\def\PLOTS{$(PLOTS:%=\plot{%})}\input{$(abspath $<)}' >/dev/null
 
 $(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: $(EDITION)/plots.pdf
-	@mkdir -p $(@D)
-	@page=$$(printf '%s\n' $(PLOTS) | grep -nx '$*' | cut -d : -f 1); pdftocairo -svg -f $$page -l $$page $< $@.pdf.tmp
-	@sed -E 's/([0-9]\.[0-9]{2})[0-9]+/\1/g' $@.pdf.tmp >$@.tmp
-	@rm $@.pdf.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,page=$$(printf '%s\n' $(PLOTS) | grep -nx '$*' | cut -d : -f 1); pdftocairo -svg -f $$page -l $$page $< - | sed -E 's/([0-9]\.[0-9]{2})[0-9]+/\1/g')
 
 $(EDITION)/graph-%.pdf: paper/%.md $(BUILD)/derivations.gv paper/graph.awk | $(EDITION)/tools.found
 	$(call GRAPH,pdf)
 $(EDITION)/graph-%.svg: paper/%.md $(BUILD)/derivations.gv paper/graph.awk | $(EDITION)/tools.found
 	$(call GRAPH,svg)
-GRAPH = @mkdir -p $(@D)$(newline)@awk -f paper/graph.awk $< $(BUILD)/derivations.gv $(BUILD)/derivations.gv | dot -T$(1) >$@.tmp$(newline)@mv $@.tmp $@
+GRAPH = $(call PRINTED,awk -f paper/graph.awk $< $(BUILD)/derivations.gv $(BUILD)/derivations.gv | dot -T$(1))
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
 $(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(CHAPTERS) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
