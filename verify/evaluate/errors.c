@@ -85,6 +85,20 @@ bool operation_has_sensitivity(const struct section *s)
     return s->method == METHOD_FORMULA || s->method == METHOD_ROOTS;
 }
 
+void formula_sensitivity(struct operation *o, const struct input *inputs, arb_ptr S)
+{
+    const struct section *s = o->section;
+    const slong prec = o->machine.prec;
+    if (o->adjoint.values == NULL)
+        machine_init(&o->adjoint, o->machine.program, &arithmetic_ball, prec);
+    for (int k = 0; k < s->output_count; k++) {
+        machine_gradient(&o->machine, o->formulas->outputs[k], &o->adjoint);
+        arb_zero(S + k);
+        for (int i = 0; i < s->input_count; i++)
+            add_term(S + k, &inputs[i], machine_value(&o->adjoint, i), prec);
+    }
+}
+
 void operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S)
 {
     const struct section *s = o->section;
@@ -92,17 +106,9 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
         roots_sensitivity(s->sheet, inputs, prec, S);
         return;
     }
-    struct machine adjoint;
     VECTOR(arb, values, s->output_count);
     operation_enclose(o, inputs, prec, values); /* fills the machine */
-    machine_init(&adjoint, o->machine.program, &arithmetic_ball, prec);
-    for (int k = 0; k < s->output_count; k++) {
-        machine_gradient(&o->machine, o->formulas->outputs[k], &adjoint);
-        arb_zero(S + k);
-        for (int i = 0; i < s->input_count; i++)
-            add_term(S + k, &inputs[i], machine_value(&adjoint, i), prec);
-    }
-    machine_clear(&adjoint);
+    formula_sensitivity(o, inputs, S);
 }
 
 void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,

@@ -24,6 +24,9 @@ bool operation_has_sensitivity(const struct section *s);
  */
 void operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S);
 
+/* The same of formulas, from what their last enclosure, which was of these inputs, left in the machine. */
+void formula_sensitivity(struct operation *o, const struct input *inputs, arb_ptr S);
+
 /* S of one output, where a derivative that is exactly zero adds nothing and a pole makes it infinite. */
 void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
                                    arb_t S);
@@ -44,12 +47,6 @@ struct error_bounds error_in_roundings(const arf_t y, const arb_t exact, const a
  */
 struct error_bounds worst_error(const struct section *s, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
                                 arb_srcptr S, int significand, int *output);
-
-/*
- * Whether the formulas in MPFR, with twice the bits of the enclosures that errors are measured by, lie within these; room is
- * for what MPFR itself rounds.
- */
-bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact, arb_srcptr S);
 
 /* ref/ against the truth on random inputs, a line an operation. */
 struct measured {

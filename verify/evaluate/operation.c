@@ -19,12 +19,15 @@ void operation_init(struct operation *o, const struct section *s, bool as_printe
 {
     *o = (struct operation){.section = s};
     o->formulas = as_printed && s->differs ? &s->printed : &s->corrected;
-    machine_init(&o->machine, &o->formulas->program, &arithmetic_ball, 2 * GUARD_BITS);
+    o->constants = 4 * GUARD_BITS;
+    machine_init(&o->machine, &o->formulas->program, &arithmetic_ball, o->constants);
 }
 
 void operation_clear(struct operation *o)
 {
     machine_clear(&o->machine);
+    if (o->adjoint.values != NULL)
+        machine_clear(&o->adjoint);
 }
 
 /* ---- formulas in balls and in exact numbers ---- */
@@ -41,9 +44,10 @@ static void set_inputs(struct machine *m, const struct input *inputs)
 
 static void run_balls(struct operation *o, const struct input *inputs, slong prec)
 {
-    if (o->machine.prec < prec) {
+    if (o->constants < prec) {
         machine_clear(&o->machine);
         machine_init(&o->machine, &o->formulas->program, &arithmetic_ball, prec);
+        o->constants = prec;
     }
     o->machine.prec = prec;
     set_inputs(&o->machine, inputs);
@@ -125,7 +129,8 @@ static bool steps_fit(struct operation *o, const struct input *inputs)
     return whole;
 }
 
-bool operation_valid(struct operation *o, const struct input *inputs)
+/* In so many bits, which stay in the machine where there is a condition. */
+static bool valid_by(struct operation *o, const struct input *inputs, slong prec)
 {
     const struct section *s = o->section;
     for (int i = 0; i < s->input_count; i++)
@@ -135,7 +140,7 @@ bool operation_valid(struct operation *o, const struct input *inputs)
             return false;
         }
     if (o->formulas->count > 0)
-        run_balls(o, inputs, 2 * GUARD_BITS);
+        run_balls(o, inputs, prec);
     for (int i = 0; i < o->formulas->count; i++) {
         const struct condition *c = &o->formulas->conditions[i];
         if (!compares(node_sign(o, inputs, c->node), c->comparison)) {
@@ -145,6 +150,11 @@ bool operation_valid(struct operation *o, const struct input *inputs)
     }
     return (s->method != METHOD_RK4_LINEAR && s->method != METHOD_RK4_NONLINEAR) ||
            steps_fit(o, inputs);
+}
+
+bool operation_valid(struct operation *o, const struct input *inputs)
+{
+    return valid_by(o, inputs, 2 * GUARD_BITS);
 }
 
 /* ---- enclosures ---- */
@@ -247,6 +257,11 @@ static double flow_radians(const struct operation *o, const struct input *inputs
     return fabs(fmpq_get_d(input_named(o, inputs, "Omega")) * fmpq_get_d(input_named(o, inputs, "t")));
 }
 
+static slong formula_precision(slong digits)
+{
+    return (slong)((double)digits * 3.33) + GUARD_BITS; /* 3.33 > log2(10) */
+}
+
 slong operation_precision(const struct operation *o, const struct input *inputs, slong digits)
 {
     switch (o->section->method) {
@@ -257,12 +272,13 @@ slong operation_precision(const struct operation *o, const struct input *inputs,
     case METHOD_RK4_NONLINEAR:
         return rk4_precision(digits, rk4_radians(input_named(o, inputs, "Omega"), input_named(o, inputs, "t"), input_named(o, inputs, "h")));
     default:
-        return (slong)((double)digits * 3.33) + GUARD_BITS; /* 3.33 > log2(10) */
+        return formula_precision(digits);
     }
 }
 
+/* ran: the formulas of these inputs are in the machine already, to prec bits. */
 static enum operation_status enclose_outputs(struct operation *o, const struct input *inputs, slong digits, slong prec,
-                                             arb_ptr outputs)
+                                             bool ran, arb_ptr outputs)
 {
     if (o->section->method != METHOD_FORMULA && o->section->method != METHOD_ROOTS)
         return enclose_flow(o, inputs, digits, prec, outputs);
@@ -270,7 +286,8 @@ static enum operation_status enclose_outputs(struct operation *o, const struct i
         enclose_roots(inputs, prec, outputs);
         return OPERATION_PROVED;
     }
-    run_balls(o, inputs, prec);
+    if (!ran)
+        run_balls(o, inputs, prec);
     for (int i = 0; i < o->section->output_count; i++)
         arb_set(outputs + i, machine_value(&o->machine, o->formulas->outputs[i]));
     return OPERATION_PROVED;
@@ -278,13 +295,13 @@ static enum operation_status enclose_outputs(struct operation *o, const struct i
 
 enum operation_status operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs)
 {
-    return enclose_outputs(o, inputs, (slong)((double)prec / 3.33), prec, outputs);
+    return enclose_outputs(o, inputs, (slong)((double)prec / 3.33), prec, false, outputs);
 }
 
 enum operation_status operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
                                        arb_ptr outputs)
 {
-    return enclose_outputs(o, inputs, digits, prec, outputs);
+    return enclose_outputs(o, inputs, digits, prec, false, outputs);
 }
 
 /* ---- digits ---- */
@@ -344,15 +361,18 @@ enum operation_status operation_digits(struct operation *o, const struct input *
 {
     const int count = o->section->output_count;
     char *texts[MOST_OUTPUTS] = {NULL};
-    if (!operation_valid(o, inputs))
+    const bool formulas = o->section->method == METHOD_FORMULA;
+    slong prec = formulas ? formula_precision(digits) : 2 * GUARD_BITS;
+    if (!valid_by(o, inputs, prec))
         return OPERATION_INVALID;
+    const bool ran = formulas && o->formulas->count > 0;
     VECTOR(arb, balls, count);
-    slong prec = operation_precision(o, inputs, digits);
+    prec = operation_precision(o, inputs, digits);
     const slong most = 8 * prec + MOST_WORKING_BITS / 8;
     int left = count;
     enum operation_status status = OPERATION_PROVED;
     for (bool first = true; left > 0 && status == OPERATION_PROVED; first = false, prec *= 2) {
-        status = prec > most ? OPERATION_UNDECIDED : enclose_outputs(o, inputs, digits, prec, balls);
+        status = prec > most ? OPERATION_UNDECIDED : enclose_outputs(o, inputs, digits, prec, ran && first, balls);
         if (prec > most)
             message_set(&o->why, "%s: %ld bits do not decide every digit", o->section->id, (long)most);
         for (int i = 0; i < count && status == OPERATION_PROVED; i++)

@@ -48,6 +48,19 @@ bool vector_leaves_range(struct operation *o, const struct input *inputs, int si
     return leaves;
 }
 
+/* Whether what the machine holds lies well within the normal range of binary64, zeros apart that are exact; false: look closer. */
+static bool well_within_range(const struct machine *m)
+{
+    enum { WELL = 1000 };
+    bool within = true;
+    for (int i = 0; i < m->program->count && within; i++) {
+        arb_srcptr x = machine_value(m, i);
+        within = arb_is_zero(x) || (arb_rel_accuracy_bits(x) > 1 && arf_cmpabs_2exp_si(arb_midref(x), -WELL) > 0 &&
+                                    arf_cmpabs_2exp_si(arb_midref(x), WELL) < 0);
+    }
+    return within;
+}
+
 /* Digits of S, or "INF"; NULL while undecided. */
 static char *sensitivity_text(const arb_t S)
 {
@@ -61,7 +74,10 @@ static bool sensitivity_texts(struct operation *o, const struct input *inputs, c
     VECTOR(arb, S, count);
     int left = count;
     for (slong prec = 192; left > 0 && prec <= 16384; prec *= 2) {
-        operation_sensitivity(o, inputs, prec, S);
+        if (prec == 192 && o->section->method == METHOD_FORMULA)
+            formula_sensitivity(o, inputs, S); /* in as many bits as the outputs took */
+        else
+            operation_sensitivity(o, inputs, prec, S);
         left = 0;
         for (int i = 0; i < count; i++) {
             if (texts[i] == NULL)
@@ -130,20 +146,21 @@ bool vector_read(const struct section *s, const char *const *texts, struct input
     return finite;
 }
 
-bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags,
-                  enum input_form form)
+/* numbers: the inputs are numbers, read from those literals. */
+static bool print_certified(struct operation *o, const char *id, const char *const *texts, const struct input *inputs,
+                            bool numbers, const char *flags, enum input_form form)
 {
     const struct section *s = o->section;
     char *outputs[MOST_OUTPUTS] = {NULL}, *S[MOST_OUTPUTS] = {NULL};
-    struct input *inputs = inputs_new(s->input_count);
     const char *flag = "";
-    bool fine = true;
-    if (!vector_read(s, texts, inputs) || !operation_valid(o, inputs)) {
+    const enum operation_status status = numbers ? operation_digits(o, inputs, VECTOR_DIGITS, outputs) : OPERATION_INVALID;
+    bool fine = status != OPERATION_UNDECIDED;
+    if (status == OPERATION_INVALID) {
         flag = "invalid";
-    } else {
-        fine = operation_digits(o, inputs, VECTOR_DIGITS, outputs) == OPERATION_PROVED &&
-               (!operation_has_sensitivity(s) || sensitivity_texts(o, inputs, S));
-        if (fine && s->method == METHOD_FORMULA && vector_leaves_range(o, inputs, BINARY64))
+    } else if (fine && operation_has_sensitivity(s)) {
+        const bool look = s->method == METHOD_FORMULA && !well_within_range(&o->machine);
+        fine = sensitivity_texts(o, inputs, S);
+        if (look && vector_leaves_range(o, inputs, BINARY64))
             flag = "range";
     }
     if (fine)
@@ -152,7 +169,16 @@ bool vector_print(struct operation *o, const char *id, const char *const *texts,
         free(outputs[i]);
         free(S[i]);
     }
-    inputs_free(inputs, s->input_count);
+    return fine;
+}
+
+bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags,
+                  enum input_form form)
+{
+    struct input *inputs = inputs_new(o->section->input_count);
+    const bool numbers = vector_read(o->section, texts, inputs);
+    const bool fine = print_certified(o, id, texts, inputs, numbers, flags, form);
+    inputs_free(inputs, o->section->input_count);
     return fine;
 }
 
@@ -173,7 +199,7 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
         for (int i = 0; i < s->input_count; i++)
             decimal_shortest(decimals[i], values[i]);
         snprintf(id, sizeof id, "%s-%" PRIu64 "-%" PRIu64, s->id, seed, k);
-        fine = vector_print(&o, id, texts, "", form);
+        fine = print_certified(&o, id, texts, inputs, true, "", form);
         progress_show(&progress, k - first + 1, count);
     }
     progress_end(&progress);

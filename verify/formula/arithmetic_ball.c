@@ -19,7 +19,13 @@ static void ball_set(void *z, const void *x)
 
 static void ball_set_rational(void *z, const fmpq_t q, slong prec)
 {
-    arb_set_fmpq(z, q, prec);
+    const slong power = (slong)fmpz_val2(fmpq_denref(q)); /* a binary64's denominator is a power of two: nothing to divide */
+    if (fmpz_bits(fmpq_denref(q)) == (flint_bitcnt_t)power + 1) {
+        arb_set_round_fmpz(z, fmpq_numref(q), prec);
+        arb_mul_2exp_si(z, z, -power);
+    } else {
+        arb_set_fmpq(z, q, prec);
+    }
 }
 
 static void ball_set_infinity(void *z)
@@ -67,6 +73,8 @@ static void ball_apply(enum operator op, void *z, const void *x, const void *y, 
         break;
     case OPERATOR_SUBTRACT:
         arb_sub(z, x, y, prec);
+        if (x == y && arb_is_finite(x)) /* one number less itself, which no ball would know */
+            arb_zero(z);
         break;
     case OPERATOR_MULTIPLY:
         arb_mul(z, x, y, prec);

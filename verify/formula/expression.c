@@ -534,8 +534,8 @@ void machine_gradient(const struct machine *m, int node, struct machine *adjoint
     for (int i = node; i >= p->inputs; i--) {
         const int operands[2] = {p->nodes[i].left, p->nodes[i].right};
         for (int k = 0; k < 2 && reached[i]; k++) {
-            if (operands[k] < 0)
-                continue;
+            if (operands[k] < 0 || (p->nodes[i].op == OPERATOR_SUBTRACT && operands[0] == operands[1]))
+                continue; /* no operand, or x - x, which does not change */
             void *sum_so_far = machine_value(adjoint, operands[k]);
             partial(m, i, k == 1, d, e);
             compute(m, OPERATOR_MULTIPLY, d, d, machine_value(adjoint, i));

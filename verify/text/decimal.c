@@ -278,14 +278,26 @@ char *decimal_of_ball(const arb_t x, slong digits)
     return text;
 }
 
-/* x > 0 to so many digits, without a point; returns the exponent of the first. */
-static slong digits_of(char digits[24], double x, size_t count, mpfr_rnd_t rounding)
+/* x > 0 to so many digits, without a point; returns the exponent of the first. C's library rounds to nearest. */
+static slong nearest_digits(char digits[24], double x, size_t count)
+{
+    char text[40];
+    snprintf(text, sizeof text, "%.*e", (int)count - 1, x);
+    const size_t point = count > 1;
+    digits[0] = text[0];
+    memcpy(digits + 1, text + 1 + point, count - 1);
+    digits[count] = '\0';
+    return strtol(text + count + point + 1, NULL, 10);
+}
+
+/* The same, rounded up. */
+static slong digits_above(char digits[24], double x, size_t count)
 {
     mpfr_exp_t exponent;
     mpfr_t y;
     mpfr_init2(y, MANTISSA_BITS);
     mpfr_set_d(y, x, MPFR_RNDN);
-    mpfr_get_str(digits, &exponent, 10, count, y, rounding);
+    mpfr_get_str(digits, &exponent, 10, count, y, MPFR_RNDU);
     mpfr_clear(y);
     return exponent - 1;
 }
@@ -305,9 +317,11 @@ static bool reads_back(const char *digits, slong exponent, double x)
  */
 static slong shortest_digits(char digits[24], double x)
 {
+    int binary_exponent;
+    const bool power_of_two = !(frexp(x, &binary_exponent) > 0.5);
     for (size_t count = x < DBL_MIN ? 1 : DBL_DIG;; count++)
-        for (int above = 0; above < 2; above++) {
-            const slong exponent = digits_of(digits, x, count, above ? MPFR_RNDU : MPFR_RNDN);
+        for (int above = 0; above <= power_of_two; above++) {
+            const slong exponent = (above ? digits_above : nearest_digits)(digits, x, count);
             if (!reads_back(digits, exponent, x))
                 continue;
             while (count > 1 && digits[count - 1] == '0')
