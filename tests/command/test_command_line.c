@@ -16,6 +16,7 @@
 enum { MOST_TEXT = 1 << 20, MOST_WORDS = 40 };
 
 static char output[MOST_TEXT], errors[MOST_TEXT];
+static const char *input; /* the program's standard input, NULL: the test's own */
 
 static void read_back(FILE *file, char *text)
 {
@@ -30,22 +31,28 @@ static int run_to(const char *line, int out)
 {
     static char words[4096];
     char *arguments[MOST_WORDS + 2] = {getenv("CT_PROGRAM")}, *rest = NULL;
-    FILE *error_file = tmpfile();
+    FILE *error_file = tmpfile(), *input_file = tmpfile();
     int count = 1, status;
     ck_assert_ptr_nonnull(arguments[0]);
     ck_assert_ptr_nonnull(error_file);
     snprintf(words, sizeof words, "%s", line);
     for (char *word = strtok_r(words, " ", &rest); word && count <= MOST_WORDS; word = strtok_r(NULL, " ", &rest))
         arguments[count++] = strcmp(word, "''") == 0 ? word + 2 : word;
+    ck_assert_ptr_nonnull(input_file);
+    ck_assert(input == NULL || (fputs(input, input_file) >= 0 && fflush(input_file) == 0));
+    rewind(input_file);
     pid_t child = fork();
     ck_assert_int_ge(child, 0);
     if (child == 0) {
+        if (input != NULL)
+            dup2(fileno(input_file), 0);
         dup2(out, 1);
         dup2(fileno(error_file), 2);
         execv(arguments[0], arguments);
         _exit(127);
     }
     ck_assert_int_eq(waitpid(child, &status, 0), child);
+    fclose(input_file);
     read_back(error_file, errors);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
@@ -97,9 +104,16 @@ static const struct {
     {"eval eq08", 2, "definition"},
     {"eval eq07 " TABLE1 " extra", 2, "extra"},
     {"eval eq07 " TABLE1 " ''", 2, "empty"},
-    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150", 2, "missing L"},
+    {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150", 2, "missing L [m]; --table1"},
+    {"eval eq07 m1=1", 2, "missing Omega [rad/s], k_c [N m^2/C^2], m2 [kg], L [m]; --table1"},
+    {"eval eq07 nonsense=1", 2, "unknown name 'nonsense', there are: Omega k_c m1 m2 L"},
+    {"eval eq07 --table1 m1=-1", 1, "m1"},
+    {"eval - n=3", 2, "n=3"},
+    {"eval - --json", 2, "--json does nothing here"},
+    {"eval - --table1", 2, "--table1 does nothing here"},
+    {"eval - --digits 0", 2, "--digits"},
     {"eval eq07 " TABLE1 " L=11", 2, "L: given twice"},
-    {"eval eq07 " TABLE1 " m3=11", 2, "unknown name 'm3', did you mean 'm1'"},
+    {"eval eq07 " TABLE1 " m3=11", 2, "unknown name 'm3', did you mean 'm1'? there are: Omega k_c m1 m2 L"},
     {"eval eq07 Omega=fast k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
     {"eval eq07 Omega= k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
     {"eval eq07 Omega=7,2915e-5 k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
@@ -251,6 +265,9 @@ static const struct {
     {"eval eq07 Omega=0.1 k_c=1 m1=2 m2=2 L=1 --digits 20 --exact", "Q_ref = -3.0000000000000000000e-02 C^2\n"},
     /* 0.1 in binary64 is 0.1000000000000000055511151231257827...; its square times 3 */
     {"eval eq07 Omega=0.1 k_c=1 m1=2 m2=2 L=1 --digits 20", "Q_ref = -3.0000000000000003331e-02 C^2\n"},
+    /* L = 10.1 m as the simulation starts: -3 (7.2915e-5)^2 10.1^3/8.99e9 (150*50/200) */
+    {"eval eq07 m2=50 --table1 --digits 5", "Q_ref = -6.8547e-14 C^2\n"},
+    {"eval eq43 n=0.5 --table1 --exact --digits 12", "C1 = 2.65829861250e-09 1/s^2\n"}, /* (7.2915e-5)^2/2 */
     {"eval eq07 Omega=1e400 k_c=1e400 m1=1 m2=1 L=1e-300 --exact --digits 3", "Q_ref = -1.50e-500 C^2\n"},
     /* a tie, to the even digit: 2.5 and 3.5 */
     {"eval eq43 Omega=0.5 n=10 --digits 1", "C1 = 2e+00 1/s^2\n"},
@@ -338,6 +355,76 @@ START_TEST(figures_have_a_row_every_100_s_for_3_days)
     ck_assert_int_eq(lines(output), 2594);
     ck_assert_int_eq(strncmp(output, heads[_i], strlen(heads[_i])), 0);
     ck_assert_ptr_nonnull(strstr(output, "\n259200,"));
+}
+END_TEST
+
+/* Answers in the order of the questions, the last without an end of its line; up to the first line that is none. */
+START_TEST(question_lines_are_answered_up_to_the_first_that_is_none)
+{
+    static const struct {
+        const char *line, *asks, *answers;
+        int status;
+        const char *says;
+    } cases[] = {
+        /* 4 (1/2)^2 = 1, 2 (1/2) sqrt(25 - 9) = 4, k_c cancels against nothing: -3 (1/4) 2^3/1 (3/4) = -9/2 */
+        {"eval - --digits 3", "eq43 a 0.5 4\neq44 b.1 0.5 25\r\neq07 c-2 0.5\t1 1 3 2", "a 1.00e+00\nb.1 4.00e+00\nc-2 -4.50e+00\n", 0, ""},
+        {"eval - --digits 3", "eq38 x 3 1\n", "x 1.73e+00\n", 0, ""}, /* sqrt 3 */
+        {"eval - --digits 3 --as-printed", "eq38 x 3 1\n", "x 3.00e+00\n", 0, ""}, /* sqrt(3 3) */
+        {"eval - --digits 20", "eq43 x 1 0.1\n", "x 1.0000000000000000555e-01\n", 0, ""},
+        {"eval - --digits 20 --exact", "eq43 x 1 0.1\n", "x 1.0000000000000000000e-01\n", 0, ""},
+        {"eval -", "eq43 a 0 1\neq43 b nan 1\neq43 c 1 inf\neq43 d 1 -inf\neq43 e 1e400 1\neq44 f 1 8.999\n",
+         "a invalid\nb invalid\nc invalid\nd invalid\ne invalid\nf invalid\n", 0, ""},
+        /* two charges of 1 C at rest, 1 m apart: shielding is none where lambda_d is infinite */
+        {"eval - --digits 2", "eq02 a 1 1 inf 1 0 1 0 0 0 0 0 1 0 2 0 0 0 0 0 1 0 3 0 0 0 0 0\n",
+         "a 3.0e+00 0 0 6.0e+00 0 0 9.0e+00 0 0\n", 0, ""},
+        /* the fall along the orbit normal, of which nothing is proved after 0.58 s */
+        {"eval - --digits 2", "flow_nonlinear a 1 1 1 1 2 0 0 10 0 0 1 0 0 0\neq43 b 1 1\n",
+         "a skip the craft come closer than L_ref/128, nothing is proved beyond, last proved time 0.579762 s\nb 1.0e+00\n", 1,
+         "standard input: 1 skipped as unproved, the first is line 1"},
+        {"eval - --digits 2", "eq43 a 1 1\n\neq43 b 1 1\n", "a 1.0e+00\n", 2, "standard input: line 2: expected ID VECTOR-ID INPUT..., got nothing"},
+        {"eval - --digits 2", "eq43\n", "", 2, "line 1: expected ID VECTOR-ID INPUT..., got eq43"},
+        {"eval -", "eq4 a 1 1\n", "", 2, "line 1: 'eq4' is no operation"},
+        {"eval -", "eq08 a\n", "", 2, "line 1: 'eq08' is no operation"}, /* a definition */
+        {"eval -", "eq43 a/b 1 1\n", "", 2, "line 1: 'a/b' is no vector's id"},
+        {"eval -", "eq43 a 1\n", "", 2, "line 1: missing n of eq43"},
+        {"eval -", "eq43 a 1 1 1\n", "", 2, "line 1: '1' follows the last input of eq43"},
+        {"eval -", "eq43 a 1 1,5\n", "", 2, "line 1: n: expected a number, got '1,5'"},
+    };
+    input = cases[_i].asks;
+    const int status = run(cases[_i].line);
+    input = NULL;
+    ck_assert_str_eq(output, cases[_i].answers);
+    ck_assert_msg(strstr(errors, cases[_i].says) != NULL, "%s", errors);
+    ck_assert_int_eq(status, cases[_i].status);
+    ck_assert_int_eq(lines(errors), status != 0);
+}
+END_TEST
+
+START_TEST(a_question_without_an_end_is_none)
+{
+    static char line[70000];
+    memset(line, 'a', sizeof line - 1);
+    input = line;
+    ck_assert_int_eq(run("eval -"), 2);
+    input = NULL;
+    ck_assert_ptr_nonnull(strstr(errors, "line 1: longer than 65535 bytes"));
+}
+END_TEST
+
+/* The questions of golden vectors have their answers in the columns beside them. */
+START_TEST(question_lines_of_golden_vectors_are_answered_as_they_are_there)
+{
+    static const char *const ids[] = {"eq03", "eq10inv", "eq21", "eq37", "eq41roots", "rk4_linear"};
+    static char command[1024];
+    const struct section *s = section_find(sheet(), ids[_i]);
+    const int first = 2 + s->input_count, last = first + s->output_count - 1;
+    snprintf(command, sizeof command,
+             "sed 1d data/golden/%s.csv | awk -F, '{ printf \"%%s\", \"%s\"; for (i = 1; i < %d; i++) printf \" %%s\", $i; print \"\" }' | "
+             "\"$CT_PROGRAM\" eval - >\"$CT_BUILD/tests/answered\" && "
+             "sed 1d data/golden/%s.csv | awk -F, '{ printf \"%%s\", $1; if ($%d == \"\") printf \" invalid\"; "
+             "else for (i = %d; i <= %d; i++) printf \" %%s\", $i; print \"\" }' | cmp - \"$CT_BUILD/tests/answered\"",
+             s->id, s->id, first, s->id, first, first, last);
+    ck_assert_int_eq(system(command), 0);
 }
 END_TEST
 
@@ -473,6 +560,7 @@ START_TEST(bash_completes_what_the_tables_have)
         {"trajectory linear --exact Om", "Omega="},
         {"eval eq1", "eq10 eq10lin eq10inv eq11exact eq11 eq12 eq13 eq14 eq15 eq17 eq18 eq19"},
         {"eval eq07 m", "m1= m2="},
+        {"eval eq07 --t", "--table1"},
         {"equations eq01", "eq01"},
         {"vectors eq01", ""}, /* a definition */
         {"vectors eq07 --inputs h", "hex"},
@@ -674,13 +762,16 @@ SUITE(test_command_line)
     tcase_add_loop_test(c, a_use_prints_exactly_this, 0, sizeof uses / sizeof *uses);
     tcase_add_test(c, table1_rounds_in_every_row);
     tcase_add_test(c, figure4_runs_from_9_to_40);
+    tcase_add_loop_test(c, question_lines_are_answered_up_to_the_first_that_is_none, 0, 16);
+    tcase_add_test(c, a_question_without_an_end_is_none);
+    tcase_add_loop_test(c, question_lines_of_golden_vectors_are_answered_as_they_are_there, 0, 6);
     tcase_add_loop_test(c, version_goes_to_standard_output, 0, 2);
     tcase_add_loop_test(c, help_names_every_subcommand, 0, 3);
     tcase_add_loop_test(c, help_explains_every_option_of_a_subcommand_with_unit_and_default, 0, 3);
     tcase_add_test(c, no_line_of_help_is_wider_than_it_should_be);
     tcase_add_test(c, the_examples_are_lines_that_are_understood_and_have_every_option_in_them);
     tcase_add_test(c, the_manual_page_has_every_option_and_example_and_no_macro_by_mistake);
-    tcase_add_loop_test(c, bash_completes_what_the_tables_have, 0, 14);
+    tcase_add_loop_test(c, bash_completes_what_the_tables_have, 0, 15);
     tcase_add_test(c, equations_lists_every_section_and_shows_one);
     tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 8);
     tcase_add_test(c, a_closed_pipe_ends_quietly_with_1);

@@ -43,7 +43,7 @@ static bool names_option(const char *text, const char *name)
     return strncmp(text, name, length) == 0 && (text[length] == '\0' || text[length] == '=');
 }
 
-static void add_text(char *text, size_t size, const char *separator, const char *more)
+void add_text(char *text, size_t size, const char *separator, const char *more)
 {
     const size_t length = strlen(text);
     snprintf(text + length, size - length, "%s%s", separator, more);
@@ -270,7 +270,10 @@ static int assignment_index(const char *assignment, const char *const *known, in
         return i;
     }
     suggest(hint, name, known, count);
-    usage_error(EXIT_USAGE, "unknown name '%s'%s", name, hint);
+    char names[1024] = "";
+    for (int i = 0; i < count; i++)
+        add_text(names, sizeof names, " ", known[i]);
+    usage_error(EXIT_USAGE, "unknown name '%s'%s%s there are:%s", name, hint, *hint ? "" : ",", names);
     return -1;
 }
 

@@ -34,6 +34,9 @@ __attribute__((format(printf, 2, 3)))
 #endif
 int usage_error(int status, const char *format, ...);
 
+/* Appends a separator and more to a text, as far as its room goes. */
+void add_text(char *text, size_t size, const char *separator, const char *more);
+
 /* ", did you mean 'x'?" or "". */
 void suggest(char text[80], const char *mistaken, const char *const *known, int count);
 

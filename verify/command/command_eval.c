@@ -1,9 +1,36 @@
 /* coulomb-tether eval: values of an operation, every digit proved. */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "command/command.h"
 #include "text/decimal.h"
+
+/* The paper's case for what is not given: Table 1, the initial values, and what follows from them. */
+static void take_paper_case(const struct section *s, bool exact, bool *seen, struct input *inputs)
+{
+    for (int i = 0; i < s->input_count; i++) {
+        const struct quantity *q = s->inputs[i];
+        if (!seen[i])
+            literal_read(&inputs[i].value, q->value != NULL ? q->value : q->example, exact);
+        seen[i] = true;
+    }
+}
+
+/* What is missing, all of it in one line. */
+static int check_given(const struct section *s, const bool *seen)
+{
+    char missing[2048] = "";
+    for (int i = 0; i < s->input_count; i++)
+        if (!seen[i]) {
+            add_text(missing, sizeof missing, *missing ? ", " : "", s->inputs[i]->name);
+            add_text(missing, sizeof missing, " [", s->inputs[i]->unit);
+            add_text(missing, sizeof missing, "", "]");
+        }
+    return *missing == '\0' ? EXIT_DONE
+                            : usage_error(EXIT_USAGE, "%s: missing %s; --table1 fills in the paper's case", s->id, missing);
+}
 
 static int read_inputs(const struct arguments *a, const struct section *s, bool exact,
                        struct input *inputs)
@@ -18,11 +45,10 @@ static int read_inputs(const struct arguments *a, const struct section *s, bool 
     int status = read_assignments(a, known, s->input_count, exact, may_be_infinite, seen, inputs, &refused);
     if (status != EXIT_DONE)
         return status;
-    for (int i = 0; i < s->input_count; i++)
-        if (!seen[i])
-            return usage_error(EXIT_USAGE, "%s: missing %s, expected %s=VALUE [%s]", s->id, known[i],
-                               known[i], s->inputs[i]->unit);
-    return refused != NULL ? refuse_assignment(refused, exact) : EXIT_DONE;
+    if (option_given(a, "--table1"))
+        take_paper_case(s, exact, seen, inputs);
+    status = check_given(s, seen);
+    return status == EXIT_DONE && refused != NULL ? refuse_assignment(refused, exact) : status;
 }
 
 static void print_outputs(const struct section *s, char *const *digits)
@@ -68,11 +94,136 @@ static int evaluate_section(const struct arguments *a, const struct section *s, 
     return status;
 }
 
+/* ---- question lines ---- */
+
+enum { LONGEST_QUESTION = 65536 };
+
+struct questions {
+    struct operation *operations; /* one of each section, without a section until it is asked for */
+    struct input *inputs;
+    long digits;
+    bool exact, as_printed;
+    unsigned long line, unproved, first_unproved;
+};
+
+static int malformed(const struct questions *q, const char *format, const char *what, const char *more)
+{
+    char text[512];
+    snprintf(text, sizeof text, format, what, more); /* NOLINT: each format takes two texts */
+    return usage_error(EXIT_USAGE, "standard input: line %lu: %s", q->line, text);
+}
+
+static bool is_vector_id(const char *word)
+{
+    return *word != '\0' && word[strspn(word, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-")] == '\0';
+}
+
+static struct operation *operation_asked(struct questions *q, const char *id)
+{
+    const struct section *s = section_find(sheet(), id);
+    if (s == NULL || s->method == METHOD_NONE)
+        return NULL;
+    struct operation *o = &q->operations[s - sheet()->sections];
+    if (o->section == NULL)
+        operation_init(o, s, q->as_printed);
+    return o;
+}
+
+/* VECTOR OUTPUT..., VECTOR invalid, or VECTOR skip REASON. */
+static void print_answer(struct questions *q, struct operation *o, const char *vector, bool numbers)
+{
+    char *outputs[MOST_OUTPUTS] = {NULL};
+    const enum operation_status status = numbers ? operation_digits(o, q->inputs, q->digits, outputs) : OPERATION_INVALID;
+    fputs(vector, stdout);
+    if (status == OPERATION_INVALID)
+        fputs(" invalid", stdout);
+    if (status == OPERATION_UNDECIDED) {
+        printf(" skip %s", o->why.text);
+        q->first_unproved = q->unproved++ == 0 ? q->line : q->first_unproved;
+    }
+    for (int i = 0; i < o->section->output_count && status == OPERATION_PROVED; i++) {
+        printf(" %s", outputs[i]);
+        free(outputs[i]);
+    }
+    putchar('\n');
+}
+
+static int answer_line(struct questions *q, char *line)
+{
+    static const char blanks[] = " \t\r\n";
+    char *rest = NULL, *id = strtok_r(line, blanks, &rest), *vector = id ? strtok_r(NULL, blanks, &rest) : NULL;
+    if (vector == NULL)
+        return malformed(q, "expected ID VECTOR-ID INPUT...%s%s", id ? ", got " : ", got nothing", id ? id : "");
+    struct operation *o = operation_asked(q, id);
+    if (o == NULL)
+        return malformed(q, "'%.40s' is no operation%s", id, "");
+    if (!is_vector_id(vector))
+        return malformed(q, "'%.40s' is no vector's id, expected letters, digits, '_', '.' and '-'%s", vector, "");
+    const struct section *s = o->section;
+    bool numbers = true;
+    for (int i = 0; i < s->input_count; i++) {
+        const char *word = strtok_r(NULL, blanks, &rest);
+        const enum literal literal = word ? literal_read(&q->inputs[i].value, word, q->exact) : LITERAL_MALFORMED;
+        if (word == NULL)
+            return malformed(q, "missing %s of %s", s->inputs[i]->name, s->id);
+        if (literal == LITERAL_MALFORMED)
+            return malformed(q, "%s: expected a number, got '%.40s'", s->inputs[i]->name, word);
+        q->inputs[i].infinite = literal == LITERAL_INFINITE;
+        numbers = numbers && (literal == LITERAL_FINITE || literal == LITERAL_INFINITE);
+    }
+    const char *more = strtok_r(NULL, blanks, &rest);
+    if (more != NULL)
+        return malformed(q, "'%.40s' follows the last input of %s", more, s->id);
+    print_answer(q, o, vector, numbers);
+    return EXIT_DONE;
+}
+
+/* Each line is answered before the next is read: who asks may wait for it. The first malformed one ends it. */
+static int answer_lines(struct questions *q)
+{
+    static char line[LONGEST_QUESTION];
+    int status = EXIT_DONE;
+    while (status == EXIT_DONE && fgets(line, sizeof line, stdin) != NULL) {
+        q->line++;
+        if (strchr(line, '\n') == NULL && !feof(stdin))
+            status = malformed(q, "longer than %s bytes, or with a zero byte%s", "65535", "");
+        else
+            status = answer_line(q, line);
+        if (fflush(stdout) != 0)
+            return output_finished();
+    }
+    if (status == EXIT_DONE && ferror(stdin))
+        return usage_error(EXIT_FAILED_CHECK, "standard input: %s", strerror(errno));
+    if (status == EXIT_DONE && q->unproved > 0)
+        return usage_error(EXIT_FAILED_CHECK, "standard input: %lu skipped as unproved, the first is line %lu", q->unproved,
+                           q->first_unproved);
+    return status;
+}
+
+static int answer_questions(const struct arguments *a, long digits)
+{
+    const int sections = sheet()->section_count;
+    struct questions q = {.digits = digits, .exact = option_given(a, "--exact"), .as_printed = option_given(a, "--as-printed"),
+                          .inputs = inputs_new(MOST_INPUTS)};
+    q.operations = xrealloc(NULL, (size_t)sections, sizeof *q.operations);
+    memset(q.operations, 0, (size_t)sections * sizeof *q.operations);
+    const int status = answer_lines(&q);
+    for (int i = 0; i < sections; i++)
+        if (q.operations[i].section != NULL)
+            operation_clear(&q.operations[i]);
+    free(q.operations);
+    inputs_free(q.inputs, MOST_INPUTS);
+    return status;
+}
+
 int command_eval(const struct arguments *a)
 {
     long digits;
-    const struct section *s = operation_argument(a);
-    if (s == NULL || option_digits(a, 40, &digits) != EXIT_DONE)
+    if (option_digits(a, 40, &digits) != EXIT_DONE)
         return EXIT_USAGE;
-    return evaluate_section(a, s, digits);
+    if (a->word_count > 0 && strcmp(a->words[0], "-") == 0)
+        return a->assignment_count == 0 ? answer_questions(a, digits)
+                                        : usage_error(EXIT_USAGE, "eval -: unexpected argument '%s'", a->assignments[0]);
+    const struct section *s = operation_argument(a);
+    return s != NULL ? evaluate_section(a, s, digits) : EXIT_USAGE;
 }

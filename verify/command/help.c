@@ -352,7 +352,7 @@ static void print_completion(void)
     puts("    esac\n    case ${COMP_WORDS[1]}:${COMP_WORDS[2]} in");
     for (int i = 0; i < sheet()->section_count; i++) {
         const struct section *s = &sheet()->sections[i];
-        printf("    eval:%s) list=\"--help --digits --exact --as-printed --json", s->id);
+        printf("    eval:%s) list=\"--help --digits --exact --as-printed --table1 --json", s->id);
         for (int k = 0; k < s->input_count; k++)
             printf(" %s=", s->inputs[k]->name);
         puts("\" ;;");

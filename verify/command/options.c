@@ -8,9 +8,11 @@
 const struct subcommand subcommands[] = {
     {"equations", command_equations, {"[ID]"}, 1,
      "What there is: the equations and the motions, or one of them with its title, formula, inputs, units, domain and verdict."},
-    {"eval", command_eval, {"ID NAME=VALUE ..."}, 1,
+    {"eval", command_eval, {"ID NAME=VALUE ...", "-"}, 1,
      "The outputs of one operation as NAME = DIGITS UNIT, every digit proved. Every input is given once, by its name in "
-     "equations ID and in that unit."},
+     "equations ID and in that unit. With - it reads lines ID VECTOR-ID INPUT..., as the oracle writes them, and answers each at "
+     "once, VECTOR-ID OUTPUT..., VECTOR-ID invalid where the inputs lie outside the domain, or VECTOR-ID skip REASON where nothing "
+     "is proved, which makes the exit status 1; the first malformed line ends it with 2."},
     {"table1", command_table1, {""}, 0,
      "The paper's Table 1: printed, computed, and whether the computed value rounds to the printed digits."},
     {"figure", command_figure, {"4 [Omega=VALUE]", MOTIONS " [NAME=VALUE ...]"}, 1,
@@ -54,7 +56,9 @@ const struct option options[] = {
      "a decimal means itself, defaults included, and not the binary64 nearest to it; exponents up to 5000"},
     {"--as-printed", NULL, NULL, NULL, "eval", NULL, false,
      "the formula as the paper prints it, where the sheet has a corrected one"},
-    {"--json", NULL, NULL, NULL, "equations eval verify", NULL, false, "JSON in place of text for reading"},
+    {"--table1", NULL, NULL, NULL, "eval", "ID", false, "the paper's case for every input that is not given"},
+    {"--json", NULL, NULL, NULL, "equations verify", NULL, false, "JSON in place of text for reading"},
+    {"--json", NULL, NULL, NULL, "eval", "ID", false, "JSON in place of text for reading"},
     {"--csv", NULL, NULL, NULL, "table1", NULL, false, "CSV in place of text for reading"},
     /* motions */
     {"--at", "T,...", "s", NULL, "trajectory", NULL, false,
@@ -108,6 +112,8 @@ const struct example examples[] = {
      "the charge product that holds two craft of 150 kg at 10 m in geostationary orbit"},
     {"eval eq38 GM=3.986004418e14 R_c=42164e3 --as-printed --json", "Kepler's third law with the paper's factor of 3"},
     {"eval eq43 Omega=7.2915e-5 n=10 --exact", "3.316...e-8 as the decimals say, no binary64 between"},
+    {"eval eq07 m2=50 --table1", "the paper's case but for one craft's mass"},
+    {"eval - --digits 17 <questions", "lines like: eq44 first 7.2915e-5 10"},
     {"table1 --csv", "the table, for a spreadsheet"},
     {"figure 4 >figure4.csv", "the roots against n"},
     {"figure 5a n=20 --rk4 100 --digits 6 --exact",

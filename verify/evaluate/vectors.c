@@ -106,7 +106,7 @@ const char *const input_forms[] = {"shortest", "exact", "hex"};
 
 void input_write(char text[LONGEST_INPUT], const char *literal, enum input_form form)
 {
-    const double x = strtod(literal, NULL);
+    const double x = form == INPUTS_SHORTEST ? 0.0 : strtod(literal, NULL);
     if (form == INPUTS_SHORTEST || !isfinite(x))
         snprintf(text, LONGEST_INPUT, "%s", literal);
     else
@@ -115,8 +115,10 @@ void input_write(char text[LONGEST_INPUT], const char *literal, enum input_form 
 
 const char *schema_text(const char *text)
 {
+    if (text[strspn(text, "+-.")] >= '0' && text[strspn(text, "+-.")] <= '9')
+        return text;
     const double x = strtod(text, NULL);
-    return isfinite(x) ? text : isnan(x) ? "NaN" : x > 0 ? "INF" : "-INF";
+    return isnan(x) ? "NaN" : x > 0 ? "INF" : "-INF";
 }
 
 static void print_line(const char *id, const struct section *s, const char *const *texts, char *const *outputs,
