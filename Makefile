@@ -115,8 +115,9 @@ PRINTED = @mkdir -p $(@D)$(call say,MAKE)$(newline)$(Q)$(1) >$@.tmp$(newline)@mv
 linker_takes = $(shell echo 'int main(void) { return 0; }' >$(BUILD)/linked.c && $(CC) -o $(BUILD)/linked.tmp -Wl,$(1) $(BUILD)/linked.c \
   2>/dev/null && echo yes)
 
+# The library's bytes do not tell where it was built.
 $(BUILD)/ref/%.o: ref/%.c | $(BUILD)/packages.found
-	$(COMPILE) -fPIC $(GSL_CFLAGS)
+	$(COMPILE) -fPIC $(GSL_CFLAGS) -ffile-prefix-map=$(call word_of,$(CURDIR)=.)
 
 $(BUILD)/verify/%.o: verify/%.c | $(BUILD)/packages.found
 	$(COMPILE) $(VERIFY_CFLAGS)
@@ -456,21 +457,32 @@ $(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash: $(PROGRAM)
 	@$(PROGRAM) help $(if $(filter %.1,$@),--mdoc,--completion) >$@.tmp
 	@mv $@.tmp $@
 
-## install: library, header, pkg-config file, program, manual page and completion, below prefix (and DESTDIR)
-install: all $(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash
+# The loader finds a new library after ldconfig, in the folders that it searches; elsewhere it has to be told.
+tell_loader = PATH=$$PATH:/sbin:/usr/sbin; \
+  if ldconfig -N -X -v 2>/dev/null | grep -qF $(call word_of,$(libdir): ) && ldconfig 2>/dev/null; then :; else \
+    echo 'programs find the library after ldconfig, as root; or where its folder is in LD_LIBRARY_PATH:' $(call word_of,$(libdir)); fi
+
+# The installed header and coulombtether(3) carry each function's description, which stands above its definition.
+$(BUILD)/coulombtether.h $(BUILD)/coulombtether.3: ref/describe.awk $(wildcard ref/*.c) ref/coulombtether.h
+	$(call PRINTED,awk -f ref/describe.awk -v form=$(if $(filter %.h,$@),header,manual) -v version=$(VERSION) $(filter %.c %.h,$^))
+
+## install: library, header, pkg-config file, program, manual pages and completion, below prefix (and DESTDIR)
+install: all $(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash $(BUILD)/coulombtether.h $(BUILD)/coulombtether.3
 	@sed $(foreach name,prefix exec_prefix libdir includedir,-e $(call word_of,s|@$(name)@|$(call pc_value,$($(name)))|)) \
 	  -e 's|@version@|$(VERSION)|' ref/coulombtether.pc.in >$(BUILD)/coulombtether.pc
 	$(INSTALL) -d $(call into,$(bindir)) $(call into,$(libdir)) $(call into,$(pkgconfigdir)) $(call into,$(includedir)) $(call into,$(mandir)/man1) \
-	  $(call into,$(completiondir))
+	  $(call into,$(mandir)/man3) $(call into,$(completiondir))
 	$(INSTALL) -m 755 $(PROGRAM) $(call into,$(bindir)/)
 	$(INSTALL) -m 644 $(LIBRARY) $(call into,$(libdir)/)
 	if [ -e $(SHARED) ]; then $(INSTALL) -m 644 $(SHARED).$(VERSION) $(call into,$(libdir)/) && \
 	  ln -sf $(notdir $(SHARED)).$(VERSION) $(call into,$(libdir)/$(SONAME)) && \
 	  ln -sf $(SONAME) $(call into,$(libdir)/$(notdir $(SHARED))); fi
 	$(INSTALL) -m 644 $(BUILD)/coulombtether.pc $(call into,$(pkgconfigdir)/)
-	$(INSTALL) -m 644 ref/coulombtether.h $(call into,$(includedir)/)
+	$(INSTALL) -m 644 $(BUILD)/coulombtether.h $(call into,$(includedir)/)
 	$(INSTALL) -m 644 $(BUILD)/coulomb-tether.1 $(call into,$(mandir)/man1/)
+	$(INSTALL) -m 644 $(BUILD)/coulombtether.3 $(call into,$(mandir)/man3/)
 	$(INSTALL) -m 644 $(BUILD)/coulomb-tether.bash $(call into,$(completiondir)/coulomb-tether)
+	@$(if $(DESTDIR),:,$(tell_loader))
 	$(if $(DESTDIR),,@$(TELL_LINKER))
 
 # Below /usr a shared library is found once ldconfig has seen it; elsewhere by LD_LIBRARY_PATH alone.
@@ -482,6 +494,7 @@ uninstall:
 	rm -f $(foreach file,$(notdir $(LIBRARY) $(SHARED) $(SHARED).$(VERSION)) $(SONAME),$(call into,$(libdir)/$(file))) \
 	  $(call into,$(bindir)/coulomb-tether) $(call into,$(pkgconfigdir)/coulombtether.pc) \
 	  $(call into,$(includedir)/coulombtether.h) $(call into,$(mandir)/man1/coulomb-tether.1) \
+	  $(call into,$(mandir)/man3/coulombtether.3) \
 	  $(call into,$(completiondir)/coulomb-tether)
 
 ## dist: the committed tree as build/coulomb-tether-VERSION.tar.gz

@@ -20,10 +20,6 @@
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "coulombtether.h: compile without -ffast-math and -ffinite-math-only: NaN and infinity say that an input is outside the domain"
 #endif
-/* More digits kept in registers than in memory would make results depend on the compiler's choice of the two. */
-#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && defined(__i386__)
-#error "coulombtether.h: compile for i386 with -msse2 -mfpmath=sse: the x87 registers round doubles at another place"
-#endif
 
 #define CT_VERSION "2.0.0"
 #define CT_VERSION_MAJOR 2

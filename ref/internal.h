@@ -9,6 +9,11 @@
 
 #include "coulombtether.h"
 
+/* More digits kept in registers than in memory would make results depend on the compiler's choice of the two. */
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && defined(__i386__)
+#error "compile for i386 with -msse2 -mfpmath=sse: the x87 registers round doubles at another place"
+#endif
+
 /* Whether every argument is finite; whether every argument is finite and above zero. */
 #define FINITE(...) all_within(-INFINITY, (const double[]){__VA_ARGS__}, sizeof(double[]){__VA_ARGS__} / sizeof(double))
 #define POSITIVE(...) all_within(0, (const double[]){__VA_ARGS__}, sizeof(double[]){__VA_ARGS__} / sizeof(double))

@@ -42,6 +42,36 @@ check installed_program_runs       "$work/usr/bin/coulomb-tether" --version
 check manual_page_is_installed     man_page_is_whole
 check completion_is_installed      grep -q '^complete -F _coulomb_tether coulomb-tether$' "$work/usr/share/bash-completion/completions/coulomb-tether"
 
+# What only ref/ has is no help to a stranger: each function's description stands in the header and in its manual page.
+header_describes_each_function() {
+    awk '/^ \*\/$/ { ended = NR } /^[^ *#].*ct_[a-z0-9_]*\(.*\);$/ { n++; if (ended != NR - 1) { print; bad = 1 } } END { exit bad || n < 40 }' \
+        "$work/usr/include/coulombtether.h"
+}
+manual_describes_each_function() { [ "$(grep -c '^\.Ss ct_' "$work/usr/share/man/man3/coulombtether.3")" -eq "$(grep -c '^/\* .*ct_.*);$\|^const char.*ct_.*);$' ref/coulombtether.h)" ]; }
+# Each structure by its name alone, beside the functions; none bears the name of one.
+cpp_program_builds() {
+    { echo '#include <coulombtether.h>'; echo 'int main() {'
+      sed -n 's/^struct \(ct_[a-z_]*\) {.*/    { \1 one; (void)sizeof one; }/p' "$work/usr/include/coulombtether.h"
+      echo '    struct ct_params p = CT_TABLE1; ct_gains g = {1, 1}; ct_margins m = ct_routh_margins(p.Omega, g); return !m.stable; }'; } >"$work/user.cpp"
+    "$cxx" -Wall -Wextra -Werror -I"$work/usr/include" -fsyntax-only "$work/user.cpp"
+}
+refuses() { ! ${CC:-cc} "$1" -I"$work/usr/include" -fsyntax-only "$work/user.c" 2>"$work/said" && grep -q 'compile without -ffast-math' "$work/said"; }
+check header_describes_each_function header_describes_each_function
+check manual_describes_each_function manual_describes_each_function
+for cxx in "${CXX:-g++}" clang++ ''; do command -v "$cxx" >/dev/null && break; done
+if [ -n "$cxx" ]; then check cpp_program_builds cpp_program_builds; else echo 'C++ skipped: not found'; fi
+check fast_math_is_refused         refuses -ffast-math
+check finite_math_is_refused       refuses -ffinite-math-only
+
+# The library's bytes do not tell where it was built: twice, in folders of different names.
+for place in here 'over there'; do
+    mkdir -p "$work/$place" && cp -R Makefile ref verify paper "$work/$place"
+done
+builds_in() { (cd "$1" && make --silent BUILD=build DATA=data build/libcoulombtether.a); }
+check library_builds_here          builds_in "$work/here"
+check library_builds_over_there    builds_in "$work/over there"
+check library_is_the_same          cmp "$work/here/build/libcoulombtether.a" "$work/over there/build/libcoulombtether.a"
+
 check destdir_installs             make_quietly install DESTDIR="$work/root dir" prefix=/usr
 files_of "$work/usr" >"$work/plain"
 files_of "$work/root dir/usr" >"$work/staged"
