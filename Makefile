@@ -56,8 +56,10 @@ endif
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
 
+# These build in folders of their own below BUILD.
+ELSEWHERE := lint analyze coverage reproduce mcdc mutants fuzz
 # Two at once would write the same files: the second one says so. What the first one starts knows of it.
-ifeq ($(MAKELEVEL)$(filter help deps deps-paper deps-ci,$(MAKECMDGOALS)),0)
+ifeq ($(MAKELEVEL)$(filter help deps deps-paper deps-ci $(ELSEWHERE),$(MAKECMDGOALS)),0)
 OTHER := $(shell mkdir -p $(BUILD) 2>/dev/null; lock=$(BUILD)/make.lock; (set -C; echo $$PPID >"$$lock") 2>/dev/null || { \
   read -r other <"$$lock"; if [ "$$other" != "$$PPID" ] && [ "$$other" != "$$CT_MAKE" ] && kill -0 "$$other"; then echo "$$other"; \
   elif [ "$$other" != "$$CT_MAKE" ]; then echo $$PPID >"$$lock"; fi; } 2>/dev/null)

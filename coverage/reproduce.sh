@@ -1,9 +1,10 @@
 #!/bin/sh
-# Usage: coverage/reproduce.sh FOLDER
+# Usage: coverage/reproduce.sh FOLDER [COMPILER\ FLAGS ...]
 # Whether data/ is the same to the byte, and ref/ within its error bounds, whatever the compiler and its flags.
-# A line a compiler and flags; those that are not there are named and left out.
+# A line a compiler and flags, six of them unless they are named; those that are not there are said and left out.
 set -u
 folder=$1
+shift
 failed=0
 
 try() { # COMPILER FLAGS
@@ -33,9 +34,8 @@ try() { # COMPILER FLAGS
     failed=1
 }
 
-for compiler in gcc clang; do
-    for flags in -O0 -O2 '-O3 -march=native'; do
-        try "$compiler" "$flags"
-    done
+[ $# -gt 0 ] || set -- 'gcc -O0' 'gcc -O2' 'gcc -O3 -march=native' 'clang -O0' 'clang -O2' 'clang -O3 -march=native'
+for each; do
+    try "${each%% *}" "${each#* }"
 done
 exit "$failed"

@@ -11,7 +11,9 @@ set -eu
 
 CT_BUILD=$(cd "$BUILD" && pwd)
 CT_PROGRAM=$CT_BUILD/coulomb-tether
-export BUILD CT_BUILD CT_PROGRAM
+# The makes that suites start are of this one, and do not wait for each other.
+CT_MAKE=${CT_MAKE:-$$}
+export BUILD CT_BUILD CT_PROGRAM CT_MAKE
 records=$CT_BUILD/tests
 numbers='s/^ *[0-9]*%: Checks: \([0-9]*\), Failures: \([0-9]*\), Errors: \([0-9]*\).*/\1 \2 \3/p'
 
@@ -72,6 +74,7 @@ only() {
 }
 
 mkdir -p "$records"
+echo "$CT_MAKE" >"$CT_BUILD/make.lock"
 rm -f "$records"/*.count
 chosen=$records/chosen
 if [ -n "${ONLY-}" ]; then
