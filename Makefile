@@ -171,14 +171,14 @@ $(BUILD)/sheet-check: $(BUILD)/verify/command/sheet_check.o $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
 # The program as a function, apart from what it must not do (tests/fuzz/apart.c).
-APART   := fopen rename client_start sheet_close flint_cleanup step_bind verdict_rows measure_errors kills_print command_study \
+APART   := fopen rename client_start paper_open paper_close flint_cleanup step_bind verdict_rows measure_errors kills_print command_study \
   vectors_random roots41_gains flow_linear flow_nonlinear rk4_linear rk4_nonlinear
-TARGETS := $(addprefix $(BUILD)/tests/fuzz/,main.o targets.o readers.o program.o apart.o)
+TARGETS := $(addprefix $(BUILD)/tests/fuzz/,targets.o readers.o program.o apart.o)
 
 $(RUN): $(filter-out %/test_ref_gsl.o %/test_corpora.o,$(call objects,$(SUITES)))
 $(BUILD)/tests/test_ref_gsl: $(BUILD)/tests/ref/test_ref_gsl.o
 $(BUILD)/tests/test_corpora: $(BUILD)/tests/fuzz/test_corpora.o $(TARGETS)
-$(RUN) $(ALONE): $(BUILD)/tests/run.o $(EMBED) $(ENGINE) $(LIBRARY)
+$(RUN) $(ALONE): $(BUILD)/tests/run.o $(BUILD)/tests/paper.o $(EMBED) $(ENGINE) $(LIBRARY)
 	$(if $(filter %corpora,$@),$(if $(call linker_takes,--wrap=x),$(call LINK,$(CHECK_LIBS) $(APART:%=-Wl$(comma)--wrap=%)), \
 	  @echo 'left out: $@: the linker knows no --wrap'),$(call LINK,$(CHECK_LIBS)))
 
@@ -196,10 +196,7 @@ CORPORA := $(notdir $(wildcard tests/fuzz/corpus/*))
 FUZZERS := $(CORPORA:%=$(BUILD)/tests/fuzz/%)
 SECONDS_EACH ?= 60
 
-$(BUILD)/tests/fuzz/main.o: verify/command/main.c | $(BUILD)/packages.found
-	$(COMPILE) $(VERIFY_CFLAGS) -Dmain=program_main
-
-$(FUZZERS): $(BUILD)/tests/fuzz/libfuzzer.o $(TARGETS) $(EMBED) $(ENGINE) $(LIBRARY)
+$(FUZZERS): $(BUILD)/tests/fuzz/libfuzzer.o $(TARGETS) $(BUILD)/tests/paper.o $(EMBED) $(ENGINE) $(LIBRARY)
 	$(call LINK,-fsanitize=fuzzer $(APART:%=-Wl$(comma)--wrap=%))
 
 # float-cast-overflow is none of `undefined`, yet undefined.
@@ -344,7 +341,7 @@ bench: $(BUILD)/tests/bench/bench
 	$(PYTHON) tests/bench/bench.py $< $(BUILD)/bench.tmp
 	@mv $(BUILD)/bench.tmp $(BUILD)/bench.md
 
-$(BUILD)/tests/bench/bench: $(BUILD)/tests/bench/bench.o $(EMBED) $(ENGINE) $(LIBRARY)
+$(BUILD)/tests/bench/bench: $(BUILD)/tests/bench/bench.o $(BUILD)/tests/paper.o $(EMBED) $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
 ## readme: README's tables, made anew; that of speed where make bench has been run

@@ -267,9 +267,9 @@ def link_all(base):
     programs = {'coulomb-tether': ['verify/command/main.o'], 'sheet-check': ['verify/command/sheet_check.o'],
                 'client': ['tests/clients/client.o'], 'tests/faulty': ['tests/faulty.o']}
     suites = [o.relative_to(base) for o in base.glob('tests/*/test_*.o') if o.stem not in OTHERWISE_LINKED | APART]
-    programs['tests/run'] = ['tests/run.o', *suites]
+    programs['tests/run'] = ['tests/run.o', 'tests/paper.o', *suites]
     for name in APART:
-        programs[f'tests/{name}'] = ['tests/run.o', *(o.relative_to(base) for o in base.glob(f'tests/*/{name}.o'))]
+        programs[f'tests/{name}'] = ['tests/run.o', 'tests/paper.o', *(o.relative_to(base) for o in base.glob(f'tests/*/{name}.o'))]
     (linked / 'tests').mkdir(exist_ok=True)
     for name, parts in programs.items():
         compiler(*(str(base / part) for part in parts), '-o', str(linked / name), f'-L{linked}', *LINKED)

@@ -17,6 +17,7 @@
 #include "motion/motion.h"
 #include "evaluate/operation.h"
 #include "proof/roots.h"
+#include "tests/paper.h"
 
 /* Processor time: other work on the machine does not count. */
 static double seconds(void)
@@ -175,7 +176,6 @@ int main(int count, char **arguments)
         fprintf(stderr, "bench: expected flow or unproved DIGITS DAYS, scalar DIGITS COUNT or roots DIGITS COUNT\n");
         return 2;
     }
-    sheet_close();
     flint_cleanup();
     return fflush(stdout) == 0 ? 0 : 1;
 }

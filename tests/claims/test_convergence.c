@@ -4,6 +4,7 @@
  */
 #include "tests/claims/balls.h"
 #include "tests/run.h"
+#include "tests/paper.h"
 #include "claims/convergence.h"
 #include "claims/second_order.h"
 #include "motion/two_body.h"
@@ -13,7 +14,6 @@ enum { PREC = 192 };
 
 static void close_all(void)
 {
-    sheet_close();
     flint_cleanup();
 }
 
@@ -31,7 +31,7 @@ static const struct derivations *steps(void)
 {
     static struct derivations opened;
     if (opened.step_count == 0)
-        derivations_open(&opened);
+        open_steps(&opened);
     return &opened;
 }
 

@@ -1,11 +1,11 @@
 /* Claims as data: what is asserted and found, the verdicts that follow, numbers with proved digits, and every mistake. */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "sheet/embedded.h"
 #include "claims/statement.h"
 #include "formula/typeset.h"
 
@@ -13,13 +13,12 @@ static struct proof_results proofs;
 
 static void open_all(void)
 {
-    proof_results_init(&proofs);
+    open_proofs(&proofs);
 }
 
 static void close_all(void)
 {
     proof_results_clear(&proofs);
-    sheet_close();
     flint_cleanup();
 }
 
@@ -34,7 +33,7 @@ static void write_claim(char text[4096], const char *condition, const char *give
 static void read_claim(struct statements *s, const char *text)
 {
     struct message why = {""};
-    ck_assert_msg(statements_read(s, &proofs, text, strlen(text), "t", &why) == 0, "%s\n%s", why.text, text);
+    ck_assert_msg(statements_read(s, &proofs, &(struct source){"t", text, strlen(text)}, &why) == 0, "%s\n%s", why.text, text);
 }
 
 /* ---- assertions ---- */
@@ -173,7 +172,7 @@ START_TEST(a_claim_has_not_too_many_assertions)
     for (int i = 0; i <= MOST_ASSERTIONS; i++)
         snprintf(prove + strlen(prove), sizeof prove - strlen(prove), "a%d: dL > 0\n    ", i);
     write_claim(text, "a0", NULL, prove, NULL);
-    ck_assert_int_eq(statements_read(&s, &proofs, text, strlen(text), "t", &why), -1);
+    ck_assert_int_eq(statements_read(&s, &proofs, &(struct source){"t", text, strlen(text)}, &why), -1);
     ck_assert_ptr_nonnull(strstr(why.text, "expected at most 40 assertions"));
 }
 END_TEST
@@ -335,7 +334,7 @@ START_TEST(mistakes_are_told_with_their_place)
         snprintf(text, sizeof text, "%s", mistakes[_i].to);
     else
         snprintf(text, sizeof text, "%.*s%s%s", (int)(at - good), good, mistakes[_i].to, at + strlen(mistakes[_i].from));
-    ck_assert_int_eq(statements_read(&s, &proofs, text, strlen(text), "t", &why), -1);
+    ck_assert_int_eq(statements_read(&s, &proofs, &(struct source){"t", text, strlen(text)}, &why), -1);
     ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "%s\n%s", why.text, text);
 }
 END_TEST

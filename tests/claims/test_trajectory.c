@@ -13,13 +13,13 @@
  */
 #include "tests/claims/balls.h"
 #include "tests/run.h"
+#include "tests/paper.h"
 #include "sheet/sheet.h"
 
 enum { DAY = 86400 };
 
 static void close_all(void)
 {
-    sheet_close();
     flint_cleanup();
 }
 

@@ -5,6 +5,7 @@
  */
 #include "tests/claims/balls.h"
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include "motion/motion.h"
 
@@ -455,7 +456,6 @@ START_TEST(a_row_waits_for_its_last_undecided_number)
     fmpq_clear(t);
     arb_clear(quarter);
     arb_clear(Omega);
-    sheet_close();
     flint_cleanup();
 }
 END_TEST

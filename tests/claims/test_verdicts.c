@@ -16,6 +16,7 @@
 #include "claims/basin.h"
 #include "coulombtether.h"
 #include "tests/run.h"
+#include "tests/paper.h"
 
 static const struct {
     const char *id, *says;

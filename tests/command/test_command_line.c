@@ -2,6 +2,7 @@
 #define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): the name is POSIX's, and needed for a terminal */
 
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include <ctype.h>
 #include <fcntl.h>
@@ -511,7 +512,7 @@ START_TEST(the_examples_are_lines_that_are_understood_and_have_every_option_in_t
             words[count++] = word;
         const struct subcommand *s = subcommand_find(words[0]);
         ck_assert_msg(s != NULL, "%s", e->line);
-        ck_assert_msg(arguments_read(&a, s, count - 1, words + 1) == EXIT_DONE, "%s", e->line);
+        ck_assert_msg(arguments_read(&a, whole_paper(), s, count - 1, words + 1) == EXIT_DONE, "%s", e->line);
         for (int i = 0; i < a.given_count; i++)
             used[a.given[i].option - options] = true;
         arguments_clear(&a);

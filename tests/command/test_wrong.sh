@@ -1,9 +1,6 @@
 #!/bin/sh
 # Wrong sheets and wrong steps: the build's guard stops what cannot be read, and what can be read and is wrong is
 # left undecided, with exit status 1, or comes out otherwise than its evidence says, which is told.
-#
-# The sheet and the steps stand in the program as text: a change that keeps the length makes a program that has a
-# wrong one compiled in.
 . tests/harness.sh
 export LC_ALL=C
 
@@ -18,10 +15,19 @@ says() { grep -qF -- "$1" "$work/said" || { cat "$work/said"; return 1; }; }
 nothing_in() { [ ! -s "$1" ] || { cat "$1"; return 1; }; }
 one_line() { [ "$(wc -l <"$work/said")" -eq 1 ] || { cat "$work/said"; return 1; }; }
 
+# The program on sheets of its own, in $work/paper; as the program's own, they are named paper/X.yaml.
 wrong=$work/coulomb-tether
-make_wrong() { # SED-SCRIPT: every command of it changes something, and no length
-    sed "$1" "$CT_PROGRAM" >"$wrong" || return 1
-    [ "$(wc -c <"$wrong")" -eq "$(wc -c <"$CT_PROGRAM")" ] && ! cmp -s "$wrong" "$CT_PROGRAM" && chmod +x "$wrong"
+mkdir "$work/paper"
+printf '#!/bin/sh\ncd "%s" && exec "%s/sheet-check" paper/equations.yaml paper/derivations.yaml paper/claims.yaml "$@"\n' \
+    "$work" "$CT_BUILD" >"$wrong"
+chmod +x "$wrong"
+make_wrong() { # SED-SCRIPT: it changes one of the sheets, or more
+    changed=1
+    for sheet in equations derivations claims; do
+        sed "$1" "paper/$sheet.yaml" >"$work/paper/$sheet.yaml" || return 1
+        cmp -s "paper/$sheet.yaml" "$work/paper/$sheet.yaml" || changed=0
+    done
+    return $changed
 }
 
 # What a program with a wrong sheet says in the end, after its usual prints.
@@ -46,7 +52,6 @@ sed 's/^quantities:/quantitiez:/' paper/equations.yaml >"$work/sheet.yaml"
 sed 's/^steps:/stepz:/' paper/derivations.yaml >"$work/steps.yaml"
 check 'a sheet alone' ends 0 "$CT_BUILD/sheet-check" paper/equations.yaml
 guard 'no sheet' 2 'usage: sheet-check'
-guard 'too much' 2 'usage: sheet-check' paper/equations.yaml paper/derivations.yaml paper/claims.yaml Makefile
 guard 'no such sheet' 1 '/sheet: cannot be read' "$work/sheet"
 guard 'a folder for a sheet' 1 'paper: cannot be read' paper
 guard 'a wrong sheet' 1 ":1: unknown key 'quantitiez'" "$work/sheet.yaml"
@@ -60,8 +65,10 @@ stops 'an unreadable sheet' 's/^quantities:/quantitiez:/' 1 "coulomb-tether: pap
 check 'an unreadable sheet' one_line
 stops 'unreadable steps' 's/^steps:/stepz:/' 1 'coulomb-tether: paper/derivations.yaml:' verify derivations
 check 'unreadable steps' one_line
+stops 'unreadable steps, equations asked for' 's/^steps:/stepz:/' 1 'coulomb-tether: paper/derivations.yaml:' equations
 stops 'unreadable claims' 's/^  evidence:/  avidence:/' 1 'coulomb-tether: paper/claims.yaml:' verify claims
 check 'unreadable claims' one_line
+stops 'unreadable claims, one asked for' 's/^  evidence:/  avidence:/' 1 'coulomb-tether: paper/claims.yaml:' verify claims routh
 stops 'a step of another name' 's/^  second_order:/  third_order_:/' 1 "no derivation step 'second_order'" study forced
 
 # ---- what is wrong ----

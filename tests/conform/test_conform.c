@@ -1,5 +1,6 @@
 /* The oracle: what a client can do wrong, each with its own outcome, and no process left behind. */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include <signal.h>
 #include <stdio.h>

@@ -3,6 +3,7 @@
  * for golden vectors and for random ones apart.
  */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -657,7 +658,7 @@ static const struct {
 START_TEST(a_line_that_is_no_answer_is_told_in_words)
 {
     char hint[240];
-    line_hint(hints[_i].line, hints[_i].outcome, hint, sizeof hint);
+    line_hint(sheet(), hints[_i].line, hints[_i].outcome, hint, sizeof hint);
     ck_assert_str_eq(hint, hints[_i].hint);
 }
 END_TEST

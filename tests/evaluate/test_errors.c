@@ -3,6 +3,7 @@
  * a test for every error term of the theorem in errors.c.
  */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include "evaluate/errors.h"
 #include "evaluate/sample.h"
@@ -139,7 +140,6 @@ START_TEST(E5_the_worst_output_counts)
     _arb_vec_clear(y, 3);
     _arb_vec_clear(exact, 3);
     _arb_vec_clear(S, 3);
-    sheet_close();
     flint_cleanup();
 }
 END_TEST
@@ -178,7 +178,6 @@ START_TEST(E6_mpfr_is_inside_for_every_output)
     inputs_free(inputs, s->input_count);
     _arb_vec_clear(exact, OUTPUTS);
     _arb_vec_clear(S, OUTPUTS);
-    sheet_close();
     flint_cleanup();
 }
 END_TEST
@@ -194,6 +193,5 @@ SUITE(test_errors)
     tcase_add_loop_test(tests, E4_the_quotient_is_rounded_outward, 0, CASES);
     tcase_add_loop_test(tests, E5_the_worst_output_counts, 0, 3);
     tcase_add_loop_test(tests, E6_mpfr_is_inside_for_every_output, 0, sheet()->section_count);
-    sheet_close();
     return all;
 }

@@ -1,5 +1,6 @@
 /* Vectors: what is certified, counted, flagged; and ref/ against it. */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include <stdio.h>
 #include <stdlib.h>

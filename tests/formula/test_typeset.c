@@ -3,6 +3,7 @@
  * asks for them and nowhere else, a fraction for each line that divides.
  */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include "sheet/sheet.h"
 #include "formula/typeset.h"

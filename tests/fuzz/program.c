@@ -3,12 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "command/command.h"
 #include "conform/diagnosis.h"
 #include "evaluate/errors.h"
 #include "conform/report.h"
 #include "targets.h"
-
-int program_main(int count, char **arguments); /* main() of the program, compiled under this name */
+#include "tests/paper.h"
 
 /*
  * With these bytes (NULL: none) for the files that it reads. Standard error has a line exactly where the status is not
@@ -22,7 +22,8 @@ static void run_program(int count, char **arguments, const char *bytes, size_t s
     stderr = open_memstream(&errors, &room);
     stdout = open_memstream(&output, &room);
     apart_begin(bytes, size);
-    const int status = program_main(count, arguments);
+    const struct sources sources = embedded_sources();
+    const int status = program_run(&sources, count, arguments);
     apart_end();
     fclose(stderr);
     fclose(stdout);

@@ -7,6 +7,7 @@
 #include "proof/derivation.h"
 #include "evaluate/sample.h"
 #include "targets.h"
+#include "tests/paper.h"
 #include "formula/typeset.h"
 
 /* ---- literals: the C library reads the same ---- */

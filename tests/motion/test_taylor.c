@@ -3,6 +3,7 @@
  * theorem in taylor.c. Where a term dominates, the system is another one, of which the solution is known in fractions.
  */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include "coulombtether.h"
 #include "evaluate/operation.h"
@@ -879,7 +880,6 @@ START_TEST(eq03_closed_by_eq07_eq18_is_one_in_sheet_ref_and_flow)
     fmpq_clear(q);
     fmpq_clear(r_dot);
     exact_motion_clear(&e);
-    sheet_close();
     flint_cleanup();
 }
 END_TEST

@@ -3,13 +3,13 @@
  * what is wrong; broken files stop with file, line, column and what was expected.
  */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 
-#include "sheet/embedded.h"
 #include "proof/proof_results.h"
 #include "formula/symbolic.h"
 #include "motion/taylor.h"
@@ -23,7 +23,7 @@
 START_TEST(every_step_holds_and_differs_as_printed)
 {
     struct proof_results p;
-    proof_results_init(&p);
+    open_proofs(&p);
     for (int i = 0; i < p.derivations.step_count; i++) {
         ck_assert_msg(step_holds(&p, i), "%s: %s", p.derivations.steps[i].id,
                       p.corrected[i].evidence ? p.corrected[i].evidence : "holds as printed");
@@ -67,7 +67,7 @@ START_TEST(misprints_are_these)
 {
     struct proof_results p;
     int found = 0;
-    proof_results_init(&p);
+    open_proofs(&p);
     for (int i = 0; i < p.derivations.step_count; i++) {
         if (!p.derivations.steps[i].differs)
             continue;
@@ -149,11 +149,10 @@ END_TEST
 /* The paper's file, with room at its end. */
 static char *steps_copy(void)
 {
-    size_t length;
-    const char *text = embedded_derivations(&length);
-    char *copy = malloc(length + 2000);
-    memcpy(copy, text, length);
-    copy[length] = '\0';
+    const struct source s = whole_paper()->derivations;
+    char *copy = malloc(s.length + 2000);
+    memcpy(copy, s.text, s.length);
+    copy[s.length] = '\0';
     return copy;
 }
 
@@ -393,7 +392,7 @@ START_TEST(emptied_step_is_refused)
     struct derivations d, e;
     struct message why;
     int tried = 0;
-    derivations_open(&d);
+    open_steps(&d);
     for (int i = 0; i < d.step_count; i++)
         for (int k = 0; k < d.steps[i].corrected.shown_count; k++)
             for (int how = EMPTY_LEFT; how <= EMPTY_DELETED; how++) {
@@ -454,7 +453,7 @@ START_TEST(entry_stands_for_its_parts)
 {
     struct derivations d;
     struct entry_part parts[MOST_PARTS];
-    derivations_open(&d);
+    open_steps(&d);
     ck_assert(entry_leads_to(&d, "6", "6a"));
     ck_assert(entry_leads_to(&d, "6a", "6a"));
     ck_assert(!entry_leads_to(&d, "6a", "6b"));

@@ -3,6 +3,7 @@
  * too small or too wide, and formulas that cannot be bounded, are told.
  */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -234,7 +235,7 @@ START_TEST(what_is_dropped_stays_below_its_bound_and_above_half_of_it)
     struct derivations d;
     struct remainder_proof proof;
     int count = 0;
-    derivations_open(&d);
+    open_steps(&d);
     for (const struct remainder *r; (r = each_remainder(&d, count)) != NULL; count++) {
         const double bound = fmpq_get_d(r->bound), most = sampled_maximum(r);
         ck_assert_msg(most <= bound && most >= bound / 2, "(%s): %g of %s", r->equation, most, r->at_most);
@@ -251,7 +252,7 @@ START_TEST(a_bound_one_percent_below_what_is_reached_is_refused)
     struct derivations d;
     struct remainder_proof proof;
     const struct remainder *r;
-    derivations_open(&d);
+    open_steps(&d);
     for (int i = 0; (r = each_remainder(&d, i)) != NULL; i++) {
         struct remainder tight = *r;
         fmpq_init(tight.bound);
@@ -272,7 +273,7 @@ START_TEST(every_linearisation_has_its_bound)
     struct derivations d;
     const struct remainder *r;
     int unequal = 0;
-    derivations_open(&d);
+    open_steps(&d);
     for (size_t k = 0; k < sizeof equations / sizeof *equations; k++) {
         bool found = false;
         for (int i = 0; (r = each_remainder(&d, i)) != NULL; i++)

@@ -3,6 +3,7 @@
  * sheet says of them. The oracle's diagnosis is worth as much as these formulas.
  */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include <stdlib.h>
 #include <string.h>

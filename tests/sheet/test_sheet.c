@@ -3,14 +3,13 @@
  * file, the line, the column and what was expected there.
  */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "sheet/embedded.h"
 #include "sheet/sheet.h"
-#include "text/document.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
@@ -423,22 +422,28 @@ static bool means_two_things(const char *plain)
     return number && (sign != 1 || point == NULL || point > exponent);
 }
 
+static void look_for_two_meanings(const struct yaml *n)
+{
+    ck_assert_msg(n->text == NULL || !n->plain || !means_two_things(n->text),
+                  "line %zu: %s, expected in quotation marks, or a number like 1.0e+7", n->at.line + 1, n->text);
+    for (int i = 0; i < n->count; i++) {
+        ck_assert_msg(!n->mapping || n->items[i].key_quoted || !means_two_things(n->items[i].key), "line %zu: %s, expected in quotation marks",
+                      n->items[i].key_at.line + 1, n->items[i].key);
+        look_for_two_meanings(&n->items[i]);
+    }
+}
+
 START_TEST(sheets_mean_the_same_in_every_yaml)
 {
-    const char *(*const texts[])(size_t *) = {embedded_sheet, embedded_derivations, embedded_claims};
-    struct document d;
+    const struct sources all = embedded_sources();
+    const struct source s = _i == 0 ? all.equations : _i == 1 ? all.derivations : all.claims;
     struct message why;
-    size_t length;
-    /* cppcheck-suppress uninitvar ; a list of functions is set */
-    const char *text = texts[_i](&length);
     ck_assert(means_two_things("n") && means_two_things("4e7") && means_two_things("8.99e9") && means_two_things("4e+7"));
     ck_assert(!means_two_things("n1") && !means_two_things("8.99e+9") && !means_two_things("2*x") && !means_two_things("12"));
-    ck_assert(document_open(&d, text, length, "sheet", &why));
-    for (const yaml_node_t *node = d.yaml.nodes.start; node < d.yaml.nodes.top; node++)
-        if (node->type == YAML_SCALAR_NODE && node->data.scalar.style == YAML_PLAIN_SCALAR_STYLE)
-            ck_assert_msg(!means_two_things(scalar(node)), "line %zu: %s, expected in quotation marks, or a number like 1.0e+7",
-                          node->start_mark.line + 1, scalar(node));
-    document_close(&d);
+    struct tree *tree = tree_open(s.text, s.length, s.name, &why);
+    ck_assert_ptr_nonnull(tree);
+    look_for_two_meanings(&tree->root);
+    tree_close(tree);
 }
 END_TEST
 

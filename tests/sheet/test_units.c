@@ -3,6 +3,7 @@
  * heavier and so on, and the inputs are counted in them, ref/ has to give the same outputs, counted in them.
  */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include <math.h>
 #include <stdio.h>

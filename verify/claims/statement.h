@@ -117,8 +117,7 @@ struct statements {
 };
 
 /* Reads them; -1 and "name:line:column: expected ..." where the sheet is broken. `proofs` may have proved nothing yet. */
-int statements_read(struct statements *s, const struct proof_results *proofs, const char *text, size_t length, const char *name,
-                    struct message *why);
+int statements_read(struct statements *s, const struct proof_results *proofs, const struct source *source, struct message *why);
 void statements_clear(struct statements *s);
 struct statement *statement_find(const struct statements *s, const char *id);
 

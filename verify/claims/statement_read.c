@@ -778,11 +778,10 @@ struct statement *statement_find(const struct statements *s, const char *id)
     return NULL;
 }
 
-int statements_read(struct statements *s, const struct proof_results *proofs, const char *text, size_t length, const char *name,
-                    struct message *why)
+int statements_read(struct statements *s, const struct proof_results *proofs, const struct source *source, struct message *why)
 {
     *s = (struct statements){.sheet = proofs->derivations.sheet, .proofs = proofs, .computed.steps = &proofs->derivations};
-    if (!document_open(&s->document, text, length, name, why))
+    if (!document_open(&s->document, source->text, source->length, source->name, why))
         return -1;
     bool fine = is_mapping(&s->document, document_root(&s->document), NULL);
     const yaml_node_t *root = document_root(&s->document);

@@ -7,19 +7,7 @@
 
 #include "evaluate/operation.h"
 #include "evaluate/table1.h"
-#include "sheet/embedded.h"
 #include "text/decimal.h"
-
-void claims_open(struct statements *s, const struct proof_results *proofs)
-{
-    struct message why;
-    size_t length;
-    const char *text = embedded_claims(&length);
-    if (statements_read(s, proofs, text, length, "paper/claims.yaml", &why) != 0) {
-        fprintf(stderr, "coulomb-tether: %s\n", why.text); /* the build has checked the claims */
-        exit(1);
-    }
-}
 
 void verdict_row_clear(struct verdict_row *row)
 {

@@ -28,7 +28,4 @@ bool verdict_rows(const struct proof_results *proofs, struct statements *claims,
 
 bool verdict_known(const struct statements *claims, const char *id);
 
-/* The claims that were compiled into the program. */
-void claims_open(struct statements *s, const struct proof_results *proofs);
-
 #endif

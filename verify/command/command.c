@@ -143,10 +143,10 @@ static int out_of_place(const struct arguments *a, const struct option *o)
                        word_in(o->with, "|", "") ? " or no word" : "");
 }
 
-int arguments_read(struct arguments *a, const struct subcommand *s, int count, char **texts)
+int arguments_read(struct arguments *a, const struct paper *paper, const struct subcommand *s, int count, char **texts)
 {
     int status = EXIT_DONE;
-    *a = (struct arguments){.subcommand = s};
+    *a = (struct arguments){.paper = paper, .subcommand = s};
     a->assignments = xrealloc(NULL, (size_t)count + 1, sizeof *a->assignments);
     a->given = xrealloc(NULL, (size_t)count + 1, sizeof *a->given);
     for (int i = 0; i < count && a->client == NULL && status == EXIT_DONE; i++) {
@@ -323,16 +323,16 @@ void json_text(const char *text)
     putchar('"');
 }
 
-const struct section *section_argument(const char *id)
+const struct section *section_argument(const struct sheet *sheet, const char *id)
 {
-    const struct section *found = section_find(sheet(), id);
+    const struct section *found = section_find(sheet, id);
     if (found != NULL)
         return found;
-    const int count = sheet()->section_count;
+    const int count = sheet->section_count;
     const char **known = xrealloc(NULL, (size_t)count, sizeof *known);
     char hint[80];
     for (int i = 0; i < count; i++)
-        known[i] = sheet()->sections[i].id;
+        known[i] = sheet->sections[i].id;
     suggest(hint, id, known, count);
     free(known);
     usage_error(EXIT_USAGE, "unknown operation '%.40s'%s", id, hint);
@@ -345,7 +345,7 @@ const struct section *operation_argument(const struct arguments *a)
         usage_error(EXIT_USAGE, "%s: expected the id of an operation, see coulomb-tether equations", a->subcommand->name);
         return NULL;
     }
-    const struct section *s = section_argument(a->words[0]);
+    const struct section *s = section_argument(&a->paper->sheet, a->words[0]);
     if (s != NULL && s->method == METHOD_NONE) {
         usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
         return NULL;

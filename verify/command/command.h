@@ -10,11 +10,13 @@
 #include "command/options.h"
 #include "evaluate/operation.h"
 #include "evaluate/vectors.h"
+#include "sheet/paper.h"
 
 enum { EXIT_DONE = 0, EXIT_FAILED_CHECK = 1, EXIT_USAGE = 2 };
 
 /* An argument list, read: words, NAME=VALUE, options, and a client with its own arguments. */
 struct arguments {
+    const struct paper *paper;
     const struct subcommand *subcommand;
     const char *words[2];
     int word_count;
@@ -44,7 +46,7 @@ void suggest(char text[80], const char *mistaken, const char *const *known, int 
 int status_of_name(int why);
 
 /* Reads what follows the subcommand, against the tables of options.h: EXIT_DONE or EXIT_USAGE. */
-int arguments_read(struct arguments *a, const struct subcommand *s, int count, char **texts);
+int arguments_read(struct arguments *a, const struct paper *paper, const struct subcommand *s, int count, char **texts);
 void arguments_clear(struct arguments *a);
 bool option_given(const struct arguments *a, const char *name);
 const char *option_value(const struct arguments *a, const char *name); /* NULL: not given */
@@ -87,7 +89,10 @@ int option_number(const struct arguments *a, const char *name, uint64_t *number)
 const struct section *operation_argument(const struct arguments *a);
 
 /* The section of that id; NULL after a complaint that suggests the nearest. */
-const struct section *section_argument(const char *id);
+const struct section *section_argument(const struct sheet *sheet, const char *id);
+
+/* The whole program, on those sheets: its exit status. */
+int program_run(const struct sources *sources, int count, char **arguments);
 
 /* Everything that was printed is out: EXIT_DONE, or EXIT_FAILED_CHECK after a complaint. */
 int output_finished(void);

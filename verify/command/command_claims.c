@@ -111,15 +111,12 @@ static void print_row(void *context, const struct verdict_row *r)
     p->verdicts[r->verdict]++;
 }
 
-bool print_claims(const struct proof_results *proofs, const char *only, enum format format)
+bool print_claims(struct statements *claims, const struct proof_results *proofs, const char *only, enum format format)
 {
     struct printer p = {.format = format};
-    struct statements claims;
-    claims_open(&claims, proofs);
     if (format == FORMAT_CSV)
         puts("id,where,kind,claim,verdict,how,evidence");
-    bool decided = verdict_rows(proofs, &claims, only, print_row, &p);
-    statements_clear(&claims);
+    bool decided = verdict_rows(proofs, claims, only, print_row, &p);
     if (format == FORMAT_JSON)
         puts("]");
     if (format == FORMAT_TABLE && only == NULL) {

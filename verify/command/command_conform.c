@@ -21,6 +21,7 @@ enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered i
 
 /* What is asked for: a number a section of the sheet. */
 struct choice {
+    const struct sheet *sheet;
     bool *chosen, some;      /* some: --only has been given */
     double *digits;
 };
@@ -32,7 +33,7 @@ static int take_digits(struct choice *c, const char *text)
     if (equals == NULL)
         return usage_error(EXIT_USAGE, "--digits: expected ID=DIGITS, got '%.40s'", text);
     snprintf(id, sizeof id, "%.*s", (int)(equals - text), text);
-    const struct section *s = section_argument(id);
+    const struct section *s = section_argument(c->sheet, id);
     if (s == NULL)
         return EXIT_USAGE;
     const long digits = strtol(equals + 1, &end, 10);
@@ -40,7 +41,7 @@ static int take_digits(struct choice *c, const char *text)
         return usage_error(EXIT_USAGE, "--digits: expected a motion, %s is judged by E", id);
     if (end == equals + 1 || *end != '\0' || digits < 1 || digits > 30)
         return usage_error(EXIT_USAGE, "--digits: expected an integer from 1 to 30, got '%.40s'", equals + 1);
-    c->digits[s - sheet()->sections] = (double)digits;
+    c->digits[s - c->sheet->sections] = (double)digits;
     return EXIT_DONE;
 }
 
@@ -58,17 +59,17 @@ static int choose(struct choice *c, const char *word)
     for (int level = 0; level < LEVELS; level++) {
         if (strcmp(word, level_names[level]) != 0)
             continue;
-        for (int i = 0; i < sheet()->section_count; i++)
-            if (sheet()->sections[i].method != METHOD_NONE && level_of(&sheet()->sections[i]) == level)
+        for (int i = 0; i < c->sheet->section_count; i++)
+            if (c->sheet->sections[i].method != METHOD_NONE && level_of(&c->sheet->sections[i]) == level)
                 c->chosen[i] = true;
         return EXIT_DONE;
     }
-    const struct section *s = section_argument(word);
+    const struct section *s = section_argument(c->sheet, word);
     if (s == NULL)
         return EXIT_USAGE;
     if (s->method == METHOD_NONE)
         return usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
-    c->chosen[s - sheet()->sections] = true;
+    c->chosen[s - c->sheet->sections] = true;
     return EXIT_DONE;
 }
 
@@ -77,13 +78,13 @@ static int take_only(struct choice *c, const char *only)
 {
     int status = EXIT_DONE;
     c->some = only != NULL;
-    for (int i = 0; i < sheet()->section_count; i++)
-        c->chosen[i] = !c->some && sheet()->sections[i].method != METHOD_NONE;
+    for (int i = 0; i < c->sheet->section_count; i++)
+        c->chosen[i] = !c->some && c->sheet->sections[i].method != METHOD_NONE;
     char *words = text_copy(c->some ? only : ""), *rest = NULL;
     for (char *word = strtok_r(words, ",", &rest); word && status == EXIT_DONE; word = strtok_r(NULL, ",", &rest))
         status = choose(c, word);
     free(words);
-    for (int i = 0; i < sheet()->section_count && status == EXIT_DONE; i++)
+    for (int i = 0; i < c->sheet->section_count && status == EXIT_DONE; i++)
         if (c->chosen[i])
             return EXIT_DONE;
     return status != EXIT_DONE ? status : usage_error(EXIT_USAGE, "--only: expected operations or levels, ID,...");
@@ -110,9 +111,9 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
         return status;
     e->significand = (int)significand;
     e->range = option_given(a, "--range");
-    double *digits = xrealloc(NULL, (size_t)sheet()->section_count, sizeof *digits);
-    for (int i = 0; i < sheet()->section_count; i++) {
-        const struct section *s = &sheet()->sections[i];
+    double *digits = xrealloc(NULL, (size_t)c->sheet->section_count, sizeof *digits);
+    for (int i = 0; i < c->sheet->section_count; i++) {
+        const struct section *s = &c->sheet->sections[i];
         if (!c->chosen[i])
             continue;
         digits[e->sets.count] = c->digits[i];
@@ -353,9 +354,9 @@ static int print_all_kills(const struct choice *c)
 {
     bool fine = true;
     puts("id,mistakes");
-    for (int i = 0; i < sheet()->section_count; i++)
+    for (int i = 0; i < c->sheet->section_count; i++)
         if (c->chosen[i])
-            fine = kills_print(&sheet()->sections[i], c->digits[i]) && fine;
+            fine = kills_print(&c->sheet->sections[i], c->digits[i]) && fine;
     const int status = output_finished();
     return fine ? status : EXIT_FAILED_CHECK;
 }
@@ -368,7 +369,7 @@ static int conform(const struct arguments *a, struct choice *c)
     if (file != (a->word_count == 1))
         return usage_error(EXIT_USAGE, file ? "--answers: expected the id of an operation after the file"
                                          : "conform: unexpected argument '%s', a client stands after --", a->words[0]);
-    if (file && section_argument(a->words[0]) == NULL) /* of several operations no header tells whose outputs it has */
+    if (file && section_argument(c->sheet, a->words[0]) == NULL) /* of several operations no header tells whose outputs it has */
         return EXIT_USAGE;
     if (file && (option_given(a, "--only") || option_given(a, "--random")))
         return usage_error(EXIT_USAGE, "--answers: expected without --only and --random");
@@ -392,11 +393,13 @@ static int conform(const struct arguments *a, struct choice *c)
 
 int command_conform(const struct arguments *a)
 {
-    const size_t sections = (size_t)sheet()->section_count;
-    struct choice c = {.chosen = xrealloc(NULL, sections, sizeof *c.chosen),
+    const struct sheet *sheet = &a->paper->sheet;
+    const size_t sections = (size_t)sheet->section_count;
+    struct choice c = {.sheet = sheet,
+                       .chosen = xrealloc(NULL, sections, sizeof *c.chosen),
                        .digits = xrealloc(NULL, sections, sizeof *c.digits)};
     for (size_t i = 0; i < sections; i++)
-        c.digits[i] = sheet()->sections[i].method >= METHOD_RK4_LINEAR ? METHOD_DIGITS : FLOW_DIGITS;
+        c.digits[i] = sheet->sections[i].method >= METHOD_RK4_LINEAR ? METHOD_DIGITS : FLOW_DIGITS;
     int status = take_all_digits(&c, a);
     if (status == EXIT_DONE && a->client != NULL && *a->client == NULL)
         status = usage_error(EXIT_USAGE, "conform: expected a client after --");

@@ -31,13 +31,13 @@ static const struct {
     {"pitch", "Pitch of 0.2 rad over 30 days: its amplitude, against the slow law"},
 };
 
-static const char *title_of(const char *path)
+static const char *title_of(const struct sheet *sheet, const char *path)
 {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
     if (strstr(path, "golden/") != NULL) {
         char id[64];
         snprintf(id, sizeof id, "%.*s", (int)strcspn(name, "."), name);
-        const struct section *s = section_find(sheet(), id);
+        const struct section *s = section_find(sheet, id);
         return s ? s->title : "golden vectors";
     }
     for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
@@ -88,7 +88,7 @@ static const struct {
 };
 
 /* A column by its name, and what a suffix or S_ before it adds to that; one without a description has none. */
-static void print_field(struct json *j, const char *column)
+static void print_field(struct json *j, const struct sheet *sheet, const char *column)
 {
     char base[64], description[512];
     const char *variant = "", *type = "string", *unit = NULL, *meaning = NULL;
@@ -101,7 +101,7 @@ static void print_field(struct json *j, const char *column)
             *suffix = '\0';
         }
     }
-    const struct quantity *q = quantity_find(sheet(), base);
+    const struct quantity *q = quantity_find(sheet, base);
     if (q != NULL) {
         type = "number";
         unit = q->unit;
@@ -141,7 +141,7 @@ static int read_head(const char *path, char head[LONGEST_FIELD], long *size)
     return status;
 }
 
-static int print_resource(struct json *j, const char *hash, const char *path)
+static int print_resource(struct json *j, const struct sheet *sheet, const char *hash, const char *path)
 {
     char head[LONGEST_FIELD], name[128], fingerprint[80], *rest = NULL;
     long size = 0;
@@ -160,7 +160,7 @@ static int print_resource(struct json *j, const char *hash, const char *path)
     json_string(j, "path", relative);
     json_string(j, "profile", "tabular-data-resource");
     json_line(j, 3);
-    json_string(j, "title", title_of(path));
+    json_string(j, "title", title_of(sheet, path));
     json_line(j, 3);
     json_string(j, "format", "csv");
     json_string(j, "mediatype", "text/csv");
@@ -174,7 +174,7 @@ static int print_resource(struct json *j, const char *hash, const char *path)
     json_close(j);
     json_open(j, "fields", '[');
     for (char *column = strtok_r(head, ",", &rest); column; column = strtok_r(NULL, ",", &rest))
-        print_field(j, column);
+        print_field(j, sheet, column);
     json_close(j);
     json_close(j);
     json_close(j);
@@ -231,7 +231,7 @@ int command_datapackage(const struct arguments *a)
     print_top(&json);
     while (status == EXIT_DONE && fgets(line, sizeof line, stdin) != NULL) {
         if (sscanf(line, "%64[0-9a-f]  %8000[^\n]", hash, path) == 2)
-            status = print_resource(&json, hash, path);
+            status = print_resource(&json, &a->paper->sheet, hash, path);
         else
             status = usage_error(EXIT_FAILED_CHECK, "standard input: expected HASH  FILE, got '%.*s'",
                                  (int)strcspn(line, "\n"), line);

@@ -130,17 +130,18 @@ static void json_section(const struct proof_results *p, const struct section *s)
 
 static void json_sections(const struct proof_results *p)
 {
-    for (int i = 0; i < sheet()->section_count; i++) {
+    const struct sheet *sheet = p->derivations.sheet;
+    for (int i = 0; i < sheet->section_count; i++) {
         fputs(i ? ",\n " : "[", stdout);
-        json_section(p, &sheet()->sections[i]);
+        json_section(p, &sheet->sections[i]);
     }
     putchar(']');
 }
 
-static void print_sections(void)
+static void print_sections(const struct sheet *sheet)
 {
-    for (int i = 0; i < sheet()->section_count; i++) {
-        const struct section *s = &sheet()->sections[i];
+    for (int i = 0; i < sheet->section_count; i++) {
+        const struct section *s = &sheet->sections[i];
         printf("%-15s ", s->id);
         print_equation_numbers(s, 14);
         printf("  %s%s\n", s->title, s->differs ? " (misprinted)" : "");
@@ -149,18 +150,20 @@ static void print_sections(void)
 
 int command_equations(const struct arguments *a)
 {
-    const struct section *one = a->word_count > 0 ? section_argument(a->words[0]) : NULL;
+    const struct section *one = a->word_count > 0 ? section_argument(&a->paper->sheet, a->words[0]) : NULL;
     if (a->word_count > 0 && one == NULL)
         return EXIT_USAGE;
     const bool json = option_given(a, "--json");
     struct proof_results proofs;
-    proof_results_init(&proofs);
+    struct message why;
+    if (proof_results_init(&proofs, a->paper, &why) != 0)
+        return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     if (one != NULL)
         (json ? json_section : print_section)(&proofs, one);
     else if (json)
         json_sections(&proofs);
     else
-        print_sections();
+        print_sections(&a->paper->sheet);
     proof_results_clear(&proofs);
     if (json)
         putchar('\n');

@@ -19,15 +19,15 @@ static void error_bound_text(char text[32], double E)
     decimal_bound(text, bound);
 }
 
-bool print_errors(long inputs, enum format format)
+bool print_errors(const struct sheet *sheet, long inputs, enum format format)
 {
     bool fine = true, first = true;
     if (format == FORMAT_MARKDOWN)
         puts("| operation | inputs | E at most |\n|---|---|---|");
     if (format == FORMAT_TABLE)
         printf("%-10s %8s %10s  %s\n", "operation", "inputs", "E <=", "MPFR value in the enclosure");
-    for (int i = 0; i < sheet()->section_count; i++) {
-        const struct section *s = &sheet()->sections[i];
+    for (int i = 0; i < sheet->section_count; i++) {
+        const struct section *s = &sheet->sections[i];
         struct measured m;
         char text[32];
         if (!operation_has_sensitivity(s))

@@ -99,6 +99,7 @@ static int evaluate_section(const struct arguments *a, const struct section *s, 
 enum { LONGEST_QUESTION = 65536 };
 
 struct questions {
+    const struct sheet *sheet;
     struct operation *operations; /* one of each section, without a section until it is asked for */
     struct input *inputs;
     long digits;
@@ -120,10 +121,10 @@ static bool is_vector_id(const char *word)
 
 static struct operation *operation_asked(struct questions *q, const char *id)
 {
-    const struct section *s = section_find(sheet(), id);
+    const struct section *s = section_find(q->sheet, id);
     if (s == NULL || s->method == METHOD_NONE)
         return NULL;
-    struct operation *o = &q->operations[s - sheet()->sections];
+    struct operation *o = &q->operations[s - q->sheet->sections];
     if (o->section == NULL)
         operation_init(o, s, q->as_printed);
     return o;
@@ -202,8 +203,9 @@ static int answer_lines(struct questions *q)
 
 static int answer_questions(const struct arguments *a, long digits)
 {
-    const int sections = sheet()->section_count;
-    struct questions q = {.digits = digits, .exact = option_given(a, "--exact"), .as_printed = option_given(a, "--as-printed"),
+    const struct sheet *sheet = &a->paper->sheet;
+    const int sections = sheet->section_count;
+    struct questions q = {.sheet = sheet, .digits = digits, .exact = option_given(a, "--exact"), .as_printed = option_given(a, "--as-printed"),
                           .inputs = inputs_new(MOST_INPUTS)};
     q.operations = xrealloc(NULL, (size_t)sections, sizeof *q.operations);
     memset(q.operations, 0, (size_t)sections * sizeof *q.operations);

@@ -205,7 +205,7 @@ int command_figure(const struct arguments *a)
     int status = EXIT_DONE;
     struct scenario s;
     long digits = 17;
-    scenario_init(&s, sheet(), option_given(a, "--exact"));
+    scenario_init(&s, &a->paper->sheet, option_given(a, "--exact"));
     if (f == NULL && !roots)
         status = usage_error(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
                              a->word_count ? ", got " : "", a->word_count ? a->words[0] : "");

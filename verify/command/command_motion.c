@@ -204,7 +204,7 @@ int command_trajectory(const struct arguments *a)
     struct scenario s;
     struct times times = {0};
     SCOPE(fmpq, h);
-    scenario_init(&s, sheet(), exact);
+    scenario_init(&s, &a->paper->sheet, exact);
     m.scenario = &s;
     m.nonlinear = m.charges = a->word_count == 1 && strcmp(a->words[0], "nonlinear") == 0;
     if (!m.nonlinear && (a->word_count == 0 || strcmp(a->words[0], "linear") != 0))

@@ -139,7 +139,9 @@ int command_study(const struct arguments *a)
     for (int i = 0; i < 3; i++)
         if (strcmp(names[i], a->words[0]) == 0) {
             struct derivations steps;
-            derivations_open(&steps);
+            struct message why;
+            if (derivations_open(&steps, a->paper, &why) != 0)
+                return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
             bool proved = prints[i](&steps);
             derivations_clear(&steps);
             int written = output_finished();

@@ -85,8 +85,8 @@ static void symbols_init(struct program *symbols, const struct section *s)
 {
     const struct formulas *const own[] = {&s->corrected, &s->printed};
     program_init(symbols);
-    for (int i = 0; i < sheet()->quantity_count; i++)
-        program_input(symbols, sheet()->quantities[i].name);
+    for (int i = 0; i < s->sheet->quantity_count; i++)
+        program_input(symbols, s->sheet->quantities[i].name);
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < own[k]->lets; i++)
             program_input(symbols, own[k]->let[2 * i]);
@@ -117,25 +117,26 @@ static void typeset_section(const struct section *s)
     program_clear(&symbols);
 }
 
-static void print_symbols(void)
+static void print_symbols(const struct sheet *sheet)
 {
-    for (int i = 0; i < sheet()->quantity_count; i++) {
+    for (int i = 0; i < sheet->quantity_count; i++) {
         struct tex t = {NULL, 0};
-        typeset_symbol(&t, sheet()->quantities[i].name);
-        print_record("-", "symbol", "", sheet()->quantities[i].name, t.text);
+        typeset_symbol(&t, sheet->quantities[i].name);
+        print_record("-", "symbol", "", sheet->quantities[i].name, t.text);
         tex_clear(&t);
     }
 }
 
 int command_typeset(const struct arguments *a)
 {
-    const struct section *one = a->word_count > 0 ? section_argument(a->words[0]) : NULL;
+    const struct sheet *sheet = &a->paper->sheet;
+    const struct section *one = a->word_count > 0 ? section_argument(sheet, a->words[0]) : NULL;
     if (a->word_count > 0 && one == NULL)
         return EXIT_USAGE;
     if (one == NULL)
-        print_symbols();
-    for (int i = 0; i < sheet()->section_count; i++)
-        if (one == NULL || one == &sheet()->sections[i])
-            typeset_section(&sheet()->sections[i]);
+        print_symbols(sheet);
+    for (int i = 0; i < sheet->section_count; i++)
+        if (one == NULL || one == &sheet->sections[i])
+            typeset_section(&sheet->sections[i]);
     return output_finished();
 }

@@ -12,6 +12,7 @@ enum { INPUTS = 1000, MOST_COUNT = 100000000 }; /* for each operation of verify 
 
 /* What was asked for. */
 struct request {
+    const struct paper *paper;
     const char *part; /* NULL: all */
     const char *claim; /* its id, or a step's; NULL: all */
     bool graph;
@@ -29,13 +30,19 @@ static bool verify_derivations(const struct proof_results *p, const struct reque
 
 static bool verify_claims(const struct proof_results *p, const struct request *request)
 {
-    return print_claims(p, request->claim, request->format);
+    struct statements claims;
+    struct message why;
+    if (statements_read(&claims, p, &request->paper->claims, &why) != 0)
+        return usage_error(EXIT_FAILED_CHECK, "%s", why.text) == EXIT_DONE;
+    const bool fine = print_claims(&claims, p, request->claim, request->format);
+    statements_clear(&claims);
+    return fine;
 }
 
 static bool verify_errors(const struct proof_results *p, const struct request *request)
 {
     (void)p;
-    return print_errors(request->count, request->format);
+    return print_errors(&request->paper->sheet, request->count, request->format);
 }
 
 static const struct part {
@@ -69,7 +76,8 @@ static int read_request(const struct arguments *a, struct request *r)
     const bool json = option_given(a, "--json"), csv = option_given(a, "--csv");
     const bool markdown = option_given(a, "--markdown");
     uint64_t count = INPUTS;
-    *r = (struct request){.part = a->word_count > 0 ? a->words[0] : NULL,
+    *r = (struct request){.paper = a->paper,
+                          .part = a->word_count > 0 ? a->words[0] : NULL,
                           .claim = a->word_count > 1 ? a->words[1] : NULL,
                           .graph = option_given(a, "--graph"),
                           .format = json       ? FORMAT_JSON
@@ -98,11 +106,13 @@ static int check_step(const struct derivations *d, const char *id)
 }
 
 /* Of a row of the verdicts: those of equations and of Table 1 included. */
-static int check_claim(const struct proof_results *p, const char *id)
+static int check_claim(const struct proof_results *p, const struct paper *paper, const char *id)
 {
     struct statements claims;
+    struct message why;
     char hint[80];
-    claims_open(&claims, p);
+    if (statements_read(&claims, p, &paper->claims, &why) != 0)
+        return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     const char **ids = xrealloc(NULL, (size_t)claims.count + 1, sizeof *ids);
     for (int i = 0; i < claims.count; i++)
         ids[i] = claims.list[i].id;
@@ -119,13 +129,16 @@ static int verify(const struct request *request)
     int status = EXIT_DONE;
     const char *separator = "{";
     struct proof_results p;
-    proof_results_init(&p);
+    struct message why;
+    if (proof_results_init(&p, request->paper, &why) != 0)
+        return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     const bool derivations = request->part == NULL || strcmp(request->part, parts[0].name) == 0;
     if (request->claim != NULL)
-        status = derivations ? check_step(&p.derivations, request->claim) : check_claim(&p, request->claim);
-    if (derivations && !request->graph && status == EXIT_DONE)
+        status = derivations ? check_step(&p.derivations, request->claim) : check_claim(&p, request->paper, request->claim);
+    const bool known = status == EXIT_DONE;
+    if (derivations && !request->graph && known)
         proof_results_bind(&p, request->claim);
-    for (int i = 0; i < PARTS && status != EXIT_USAGE; i++) {
+    for (int i = 0; i < PARTS && known; i++) {
         if (request->part != NULL && strcmp(request->part, parts[i].name) != 0)
             continue;
         if (request->format == FORMAT_JSON)
@@ -135,7 +148,7 @@ static int verify(const struct request *request)
             status = EXIT_FAILED_CHECK;
     }
     proof_results_clear(&p);
-    if (request->format == FORMAT_JSON && status != EXIT_USAGE)
+    if (request->format == FORMAT_JSON && known)
         puts("}");
     return status;
 }

@@ -117,17 +117,17 @@ static void print_option(const struct option *o)
     print_wrapped(text, COLUMN);
 }
 
-static void print_names(void)
+static void print_names(const struct sheet *sheet)
 {
     puts("\nNames, their units and what they are unless given:");
     for (int i = 0; i < SCENARIO_VALUES; i++) {
-        const struct quantity *q = quantity_find(sheet(), scenario_names[i]);
+        const struct quantity *q = quantity_find(sheet, scenario_names[i]);
         printf("  %-10s %-10s %-12s %s\n", q->name, q->unit, value_unless_given(q, i), q->meaning);
     }
     print_wrapped(names_rule, 0);
 }
 
-void help_print(const struct subcommand *s)
+void help_print(const struct sheet *sheet, const struct subcommand *s)
 {
     if (s == NULL) {
         print_wrapped(about, 0);
@@ -155,7 +155,7 @@ void help_print(const struct subcommand *s)
             print_option(o);
         }
     if (takes_scenario(s))
-        print_names();
+        print_names(sheet);
     puts("\nExamples:");
     for (const struct example *e = examples; e->line != NULL; e++)
         if (strncmp(e->line, s->name, strcspn(e->line, " ")) == 0 && s->name[strcspn(e->line, " ")] == '\0')
@@ -241,18 +241,18 @@ static void print_manual_options(const struct subcommand *s)
     fputs(end, stdout);
 }
 
-static void print_manual_names(void)
+static void print_manual_names(const struct sheet *sheet)
 {
     puts(".Pp\n.Bl -column \"theta_dot\" \"N m^2/C^2\" \"from angles\" \"mass of a craft\" -compact");
     for (int i = 0; i < SCENARIO_VALUES; i++) {
-        const struct quantity *q = quantity_find(sheet(), scenario_names[i]);
+        const struct quantity *q = quantity_find(sheet, scenario_names[i]);
         printf(".It %s Ta %s Ta %s Ta %s\n", q->name, q->unit, value_unless_given(q, i), q->meaning);
     }
     puts(".El\n.Pp");
     print_mdoc(names_rule);
 }
 
-static void print_manual(void)
+static void print_manual(const struct sheet *sheet)
 {
     puts(".Dd November 28, 2026\n.Dt COULOMB-TETHER 1\n.Os\n.Sh NAME\n.Nm coulomb-tether\n"
          ".Nd the equations of a Coulomb tether formation, evaluated and checked\n.Sh SYNOPSIS");
@@ -266,7 +266,7 @@ static void print_manual(void)
         print_mdoc(s->does);
         print_manual_options(s);
         if (s->run == command_trajectory)
-            print_manual_names();
+            print_manual_names(sheet);
     }
     puts(".El\n.Sh EXIT STATUS\n.Bl -tag -width Ds");
     for (int i = 0; i < EXIT_STATUSES; i++) {
@@ -299,15 +299,15 @@ static void print_choices(const char *text)
     }
 }
 
-static void print_ids(bool operations)
+static void print_ids(const struct sheet *sheet, bool operations)
 {
-    for (int i = 0; i < sheet()->section_count; i++)
-        if (!operations || sheet()->sections[i].method != METHOD_NONE)
-            printf(" %s", sheet()->sections[i].id);
+    for (int i = 0; i < sheet->section_count; i++)
+        if (!operations || sheet->sections[i].method != METHOD_NONE)
+            printf(" %s", sheet->sections[i].id);
 }
 
 /* What may stand anywhere after a subcommand. */
-static void print_completed_words(const struct subcommand *s)
+static void print_completed_words(const struct sheet *sheet, const struct subcommand *s)
 {
     printf("    %s) list='--help", s->name);
     for (const struct option *o = options; o->name != NULL; o++)
@@ -316,7 +316,7 @@ static void print_completed_words(const struct subcommand *s)
     for (int i = 0; s->ways[i] != NULL; i++)
         print_choices(s->ways[i]);
     if (s->words == 1 && strstr(s->ways[0], "ID") != NULL)
-        print_ids(s->run == command_eval || s->run == command_vectors);
+        print_ids(sheet, s->run == command_eval || s->run == command_vectors);
     for (int i = 0; i < SCENARIO_VALUES && takes_scenario(s); i++)
         printf(" %s=", scenario_names[i]);
     for (const struct subcommand *other = subcommands; other->name != NULL && s->run == command_help; other++)
@@ -324,7 +324,7 @@ static void print_completed_words(const struct subcommand *s)
     puts("' ;;");
 }
 
-static void print_completion(void)
+static void print_completion(const struct sheet *sheet)
 {
     puts("# Completion of coulomb-tether in bash, made by: coulomb-tether help --completion\n"
          "_coulomb_tether()\n{\n"
@@ -343,15 +343,15 @@ static void print_completion(void)
             fputs(") list='", stdout);
             print_choices(o->argument);
             if (strcmp(o->argument, "ID,...") == 0)
-                print_ids(true);
+                print_ids(sheet, true);
             puts(strcmp(o->argument, "FILE") == 0 ? "'; compopt -o default ;;" : "' ;;");
         }
     puts("    *) case ${COMP_WORDS[1]} in");
     for (const struct subcommand *s = subcommands; s->name != NULL; s++)
-        print_completed_words(s);
+        print_completed_words(sheet, s);
     puts("    esac\n    case ${COMP_WORDS[1]}:${COMP_WORDS[2]} in");
-    for (int i = 0; i < sheet()->section_count; i++) {
-        const struct section *s = &sheet()->sections[i];
+    for (int i = 0; i < sheet->section_count; i++) {
+        const struct section *s = &sheet->sections[i];
         printf("    eval:%s) list=\"--help --digits --exact --as-printed --table1 --json", s->id);
         for (int k = 0; k < s->input_count; k++)
             printf(" %s=", s->inputs[k]->name);
@@ -377,16 +377,17 @@ int unknown_subcommand(const char *name)
 
 int command_help(const struct arguments *a)
 {
+    const struct sheet *sheet = &a->paper->sheet;
     const struct subcommand *s = a->word_count > 0 ? subcommand_find(a->words[0]) : NULL;
     if (a->word_count > 0 && s == NULL)
         return unknown_subcommand(a->words[0]);
     if (a->given_count + a->word_count > 1)
         return usage_error(EXIT_USAGE, "help: expected a subcommand, --mdoc or --completion");
     if (option_given(a, "--mdoc"))
-        print_manual();
+        print_manual(sheet);
     else if (option_given(a, "--completion"))
-        print_completion();
+        print_completion(sheet);
     else
-        help_print(s);
+        help_print(sheet, s);
     return output_finished();
 }

@@ -3,9 +3,10 @@
 #define CT_HELP_H
 
 #include "command/options.h"
+#include "sheet/sheet.h"
 
 /* All about a subcommand; NULL: about the program. */
-void help_print(const struct subcommand *s);
+void help_print(const struct sheet *sheet, const struct subcommand *s);
 
 /* Wrong usage, the nearest name suggested. */
 int unknown_subcommand(const char *name);

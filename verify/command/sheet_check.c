@@ -1,25 +1,14 @@
 /*
  * The build's guard: a mistake in the formula sheet, in the derivation steps or in the claims stops here, with file,
- * line and what was expected. The files that it reads stand in the place of the embedded ones.
+ * line and what was expected. With arguments after the three files it is coulomb-tether on those sheets.
  */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "claims/statement.h"
-#include "sheet/embedded.h"
+#include "command/command.h"
 
-static struct sheet read_sheet;
-
-const struct sheet *sheet(void)
-{
-    return &read_sheet;
-}
-
-const char *embedded_derivations(size_t *length) /* LCOV_EXCL_LINE: for the linker, the steps are read from their file */
-{
-    *length = 0; /* LCOV_EXCL_LINE: the same */
-    return "";   /* LCOV_EXCL_LINE: the same */
-} /* LCOV_EXCL_LINE: the same */
+enum { SHEETS = 3 };
 
 static char *file_text(const char *name, size_t *length)
 {
@@ -42,60 +31,52 @@ static char *file_text(const char *name, size_t *length)
     return text;
 }
 
-static int check_sheet(struct sheet *s, const char *name)
+/* So many of the three; 0, or -1 and what is wrong. */
+static int check(const struct sources *s, int count, struct message *why)
 {
-    struct message why;
-    size_t length;
-    char *text = file_text(name, &length);
-    int status = text == NULL ? -1 : sheet_read(s, text, length, name, &why);
+    struct paper paper;
+    struct proof_results p = {.fine = false};
+    struct statements claims;
+    int status = paper_open(&paper, s, why);
     if (status != 0)
-        fprintf(stderr, "%s%s\n", text ? "" : name, text ? why.text : ": cannot be read");
-    free(text);
-    return status != 0;
-}
-
-static int check_derivations(struct proof_results *p, const char *name)
-{
-    struct message why;
-    size_t length;
-    char *text = file_text(name, &length);
-    int status = text == NULL ? -1 : derivations_read(&p->derivations, sheet(), text, length, name, &why);
-    if (status != 0)
-        fprintf(stderr, "%s%s\n", text ? "" : name, text ? why.text : ": cannot be read");
-    free(text);
-    return status != 0;
-}
-
-static int check_claims(const struct proof_results *p, const char *name)
-{
-    struct statements s;
-    struct message why;
-    size_t length;
-    char *text = file_text(name, &length);
-    int status = text == NULL ? -1 : statements_read(&s, p, text, length, name, &why);
-    if (status == 0)
-        statements_clear(&s);
-    else
-        fprintf(stderr, "%s%s\n", text ? "" : name, text ? why.text : ": cannot be read");
-    free(text);
-    return status != 0;
+        return status;
+    if (count > 1 && (status = derivations_open(&p.derivations, &paper, why)) == 0) {
+        if (count > 2 && (status = statements_read(&claims, &p, &paper.claims, why)) == 0)
+            statements_clear(&claims);
+        derivations_clear(&p.derivations);
+    }
+    paper_close(&paper);
+    return status;
 }
 
 int main(int count, char **arguments)
 {
-    struct proof_results p = {.fine = false};
+    char *texts[SHEETS] = {NULL};
+    struct source sources[SHEETS] = {{NULL, NULL, 0}};
+    struct message why = {""};
+    const int files = count - 1 < SHEETS ? count - 1 : SHEETS;
     int status = 0;
-    if (count < 2 || count > 4) {
-        fputs("usage: sheet-check EQUATIONS [DERIVATIONS [CLAIMS]]\n", stderr);
+    if (files < 1) {
+        fputs("usage: sheet-check EQUATIONS [DERIVATIONS [CLAIMS [ARGUMENTS...]]]\n", stderr);
         return 2;
     }
-    if (check_sheet(&read_sheet, arguments[1]) != 0)
-        return 1;
-    if (count > 2 && (status = check_derivations(&p, arguments[2])) == 0) {
-        status = count > 3 ? check_claims(&p, arguments[3]) : 0;
-        derivations_clear(&p.derivations);
+    for (int i = 0; i < files && status == 0; i++) {
+        sources[i].name = arguments[i + 1];
+        sources[i].text = texts[i] = file_text(arguments[i + 1], &sources[i].length);
+        if (texts[i] == NULL) {
+            message_set(&why, "%s: cannot be read", arguments[i + 1]);
+            status = 1;
+        }
     }
-    sheet_clear(&read_sheet);
+    const struct sources s = {sources[0], sources[1], sources[2]};
+    if (status == 0 && count > SHEETS + 1)
+        status = program_run(&s, count - SHEETS, arguments + SHEETS);
+    else if (status == 0 && check(&s, files, &why) != 0)
+        status = 1;
+    if (why.text[0] != '\0')
+        fprintf(stderr, "%s\n", why.text);
+    for (int i = 0; i < SHEETS; i++)
+        free(texts[i]);
     flint_cleanup();
     return status;
 }

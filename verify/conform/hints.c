@@ -49,10 +49,10 @@ static void number_hint(const char *word, char *hint, size_t size)
 }
 
 /* A first word that names no vector. */
-static void name_hint(const char *word, char *hint, size_t size)
+static void name_hint(const struct sheet *sheet, const char *word, char *hint, size_t size)
 {
     const char *odd = word + strspn(word, LETTERS);
-    if (section_find(sheet(), word) != NULL)
+    if (sheet != NULL && section_find(sheet, word) != NULL)
         snprintf(hint, size, "'%s' is an operation, the vector's name alone stands first", word);
     else if (is_number(word))
         snprintf(hint, size, "'%s' is a number, the vector's name stands first", word);
@@ -64,7 +64,7 @@ static void name_hint(const char *word, char *hint, size_t size)
         snprintf(hint, size, "its first word '%s' names no vector", word);
 }
 
-void line_hint(const char *line, enum outcome outcome, char *hint, size_t size)
+void line_hint(const struct sheet *sheet, const char *line, enum outcome outcome, char *hint, size_t size)
 {
     char copy[120], *rest = NULL;
     snprintf(copy, sizeof copy, "%s", line);
@@ -75,7 +75,7 @@ void line_hint(const char *line, enum outcome outcome, char *hint, size_t size)
     else if ((outcome == OUTCOME_MALFORMED || outcome == OUTCOME_STRANGER) && name == NULL)
         snprintf(hint, size, "an empty line");
     else if (outcome == OUTCOME_STRANGER || (outcome == OUTCOME_MALFORMED && name[strspn(name, LETTERS)] != '\0'))
-        name_hint(name, hint, size);
+        name_hint(sheet, name, hint, size);
     for (char *word = NULL; outcome == OUTCOME_MALFORMED && *hint == '\0' && (word = strtok_r(NULL, " \t", &rest)) != NULL;)
         if (!is_number(word))
             number_hint(word, hint, size);

@@ -7,6 +7,6 @@
 #include "conform/comparator.h"
 
 /* Of a line as it is shown, printable; "" where there is nothing to add to the outcome. */
-void line_hint(const char *line, enum outcome outcome, char *hint, size_t size);
+void line_hint(const struct sheet *sheet, const char *line, enum outcome outcome, char *hint, size_t size);
 
 #endif

@@ -143,13 +143,19 @@ static void exhibit_text(const struct exhibit *x, const struct summary *t, FILE 
         fprintf(file, "    got        %s\n", *t->got ? t->got : "nothing");
 }
 
+/* NULL where nothing was asked. */
+static const struct sheet *sheet_of_run(const struct test_run *e)
+{
+    return e->sets.count > 0 ? e->comparators[0].operation->section->sheet : NULL;
+}
+
 /* The first line that is no answer, and why it is none. */
-static void line_text(const struct summary *t, FILE *file)
+static void line_text(const struct test_run *e, const struct summary *t, FILE *file)
 {
     char hint[240];
     if (*t->line == '\0')
         return;
-    line_hint(t->line, t->line_outcome, hint, sizeof hint);
+    line_hint(sheet_of_run(e), t->line, t->line_outcome, hint, sizeof hint);
     fprintf(file, "  first %s: %s\n", outcome_names[t->line_outcome], t->line);
     if (*hint != '\0')
         fprintf(file, "    %s\n", hint);
@@ -162,14 +168,14 @@ static void failure_text(const struct test_run *e, int k, FILE *file)
     outcomes_text(t, text, sizeof text);
     fprintf(file, "%s: %s\n", k < e->sets.count ? e->comparators[k].operation->section->id : "client", text);
     if (k == e->sets.count) {
-        line_text(t, file);
+        line_text(e, t, file);
         return;
     }
     struct exhibit x;
     exhibit_init(&x, e, t->worst_failure.position);
     exhibit_text(&x, t, file);
     exhibit_clear(&x);
-    line_text(t, file);
+    line_text(e, t, file);
 }
 
 static void diagnosis_text(const struct summary *t, FILE *file)
@@ -370,7 +376,7 @@ static void write_row(const struct test_run *e, int k, FILE *file)
     write_outcomes(t, file);
     if (*t->line != '\0') {
         char hint[240];
-        line_hint(t->line, t->line_outcome, hint, sizeof hint);
+        line_hint(sheet_of_run(e), t->line, t->line_outcome, hint, sizeof hint);
         fprintf(file, ", \"line\": {\"finding\": \"%s\", \"text\": \"", outcome_names[t->line_outcome]);
         put_text(file, t->line, false);
         fputs("\", \"hint\": \"", file);

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sheet/embedded.h"
 
 bool step_holds(const struct proof_results *p, int i)
 {
@@ -15,15 +14,16 @@ bool step_holds(const struct proof_results *p, int i)
            (!p->derivations.steps[i].differs || p->printed[i].result == IDENTITY_DIFFERS);
 }
 
-void derivations_open(struct derivations *d)
+int derivations_open(struct derivations *d, const struct paper *paper, struct message *why)
 {
-    struct message why;
-    size_t length;
-    const char *text = embedded_derivations(&length);
-    if (derivations_read(d, sheet(), text, length, "paper/derivations.yaml", &why) != 0) {
-        fprintf(stderr, "coulomb-tether: %s\n", why.text); /* the build has checked the steps */
-        exit(1);
-    }
+    const struct source *s = &paper->derivations;
+    if (derivations_read(d, &paper->sheet, s->text, s->length, s->name, why) != 0)
+        return -1;
+    if (step_named(d, "second_order") != NULL) /* its formulas are computed with */
+        return 0;
+    message_set(why, "%s: no derivation step 'second_order'", s->name);
+    derivations_clear(d);
+    return -1;
 }
 
 const struct step *step_named(const struct derivations *d, const char *id)
@@ -31,17 +31,15 @@ const struct step *step_named(const struct derivations *d, const char *id)
     int i = 0;
     while (i < d->step_count && strcmp(d->steps[i].id, id) != 0)
         i++;
-    if (i == d->step_count) {
-        fprintf(stderr, "coulomb-tether: no derivation step '%s'\n", id);
-        exit(1);
-    }
-    return &d->steps[i];
+    return i < d->step_count ? &d->steps[i] : NULL;
 }
 
-void proof_results_init(struct proof_results *p)
+int proof_results_init(struct proof_results *p, const struct paper *paper, struct message *why)
 {
-    derivations_open(&p->derivations);
+    if (derivations_open(&p->derivations, paper, why) != 0)
+        return -1;
     proof_results_of(p);
+    return 0;
 }
 
 void proof_results_bind(struct proof_results *p, const char *only)

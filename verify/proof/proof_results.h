@@ -3,6 +3,7 @@
 #define CT_PROOF_RESULTS_H
 
 #include "proof/derivation.h"
+#include "sheet/paper.h"
 
 struct proof_results {
     struct derivations derivations;
@@ -14,14 +15,14 @@ struct proof_results {
     bool fine;                         /* everything holds and is bound, and there is no gap       */
 };
 
-/* Reads the steps that were compiled into the program. */
-void derivations_open(struct derivations *d);
+/* Reads the paper's steps; -1, and `why`, where they are broken. */
+int derivations_open(struct derivations *d, const struct paper *paper, struct message *why);
 
-/* The step of that id; a program that asks for one that is not there ends. */
+/* The step of that id; NULL: there is none. */
 const struct step *step_named(const struct derivations *d, const char *id);
 
-/* The steps that were compiled into the program. */
-void proof_results_init(struct proof_results *p);
+/* Of the paper's steps. */
+int proof_results_init(struct proof_results *p, const struct paper *paper, struct message *why);
 
 /* Of steps that are open already, which are the results' own from then on. */
 void proof_results_of(struct proof_results *p);

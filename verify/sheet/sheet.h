@@ -114,10 +114,6 @@ struct sheet {
 int sheet_read(struct sheet *s, const char *text, size_t length, const char *name, struct message *why);
 void sheet_clear(struct sheet *s);
 
-/* The sheet that was compiled into the program. */
-const struct sheet *sheet(void);
-void sheet_close(void);
-
 const struct section *section_find(const struct sheet *s, const char *id);
 const struct quantity *quantity_find(const struct sheet *s, const char *name);
 

@@ -100,6 +100,7 @@ static bool load_key(struct loading *l, const struct yaml *mapping, struct yaml 
     if (under(mapping, key) != NULL)
         return key_error(item, "duplicate '%s', expected each key once", key);
     item->key = text_copy(key);
+    item->key_quoted = l->event.data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
     return next_event(l);
 }
 

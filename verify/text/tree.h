@@ -17,7 +17,7 @@ struct yaml {
     const char *text;    /* of a scalar; NULL of anything else                              */
     struct yaml *items;
     int count;
-    bool mapping, plain; /* plain: without quotation marks, and not folded */
+    bool mapping, plain, key_quoted; /* plain: without quotation marks, and not folded */
     struct mark at, key_at;
     size_t last_line;
     const struct tree *tree;

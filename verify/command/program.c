@@ -1,0 +1,118 @@
+/* coulomb-tether: a subcommand on the paper as data. */
+#include <errno.h>
+#include <fcntl.h>
+#include <gsl/gsl_errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/command.h"
+#include "command/help.h"
+#include "text/flint.h"
+
+static bool asks_help(const char *text)
+{
+    return strcmp(text, "--help") == 0 || strcmp(text, "-h") == 0;
+}
+
+static int run_subcommand(const struct paper *paper, int count, char **texts)
+{
+    if (count < 2)
+        return usage_error(EXIT_USAGE, "expected a subcommand, see coulomb-tether --help");
+    const struct subcommand *s = subcommand_find(texts[1]);
+    bool help = asks_help(texts[1]);
+    if (strcmp(texts[1], "--version") == 0 || strcmp(texts[1], "-V") == 0) {
+        puts("coulomb-tether " CT_VERSION);
+        return output_finished();
+    }
+    if (s == NULL && !help)
+        return unknown_subcommand(texts[1]);
+    for (int i = 2; i < count && s != NULL && strcmp(texts[i], "--") != 0; i++)
+        help = help || asks_help(texts[i]);
+    if (help) {
+        help_print(&paper->sheet, s);
+        return output_finished();
+    }
+    struct arguments a;
+    int status = arguments_read(&a, paper, s, count - 2, texts + 2);
+    if (status == EXIT_DONE)
+        status = s->run(&a);
+    arguments_clear(&a);
+    return status;
+}
+
+/* ---- memory: where it runs out the libraries would end by a signal ---- */
+
+static void *allocate(size_t size)
+{
+    return xrealloc(NULL, size, 1);
+}
+
+static void *allocate_zeros(size_t count, size_t size)
+{
+    return memset(xrealloc(NULL, count, size), 0, count * size);
+}
+
+static void *reallocate(void *old, size_t size)
+{
+    return xrealloc(old, size, 1);
+}
+
+static void *reallocate_sized(void *old, size_t old_size, size_t size)
+{
+    (void)old_size;
+    return xrealloc(old, size, 1);
+}
+
+static void release_sized(void *block, size_t size)
+{
+    (void)size;
+    free(block);
+}
+
+/* What else GSL reports is the status of its caller. */
+static void gsl_failed(const char *reason, const char *file, int line, int code) /* LCOV_EXCL_LINE: make faults */
+{
+    (void)reason;
+    (void)file;
+    (void)line;
+    if (code == GSL_ENOMEM) /* LCOV_EXCL_LINE: only where memory runs out, make faults */
+        out_of_memory();
+} /* LCOV_EXCL_LINE: make faults */
+
+static void guard_memory(void)
+{
+    mp_set_memory_functions(allocate, reallocate_sized, release_sized);
+    __flint_set_memory_functions(allocate, allocate_zeros, reallocate, free);
+    gsl_set_error_handler(gsl_failed);
+}
+
+/* ---- what the caller hands over ---- */
+
+/* Standard streams that are closed: no pipe or file may take their numbers, and using them stays an error. */
+static bool guard_streams(void)
+{
+    for (int file = 0; file <= 2; file++)
+        if (fcntl(file, F_GETFD) < 0 && open("/dev/null", file == 0 ? O_WRONLY : O_RDONLY) != file)
+            return false; /* LCOV_EXCL_LINE: /dev/null fails, make faults */
+    return true;
+}
+
+int program_run(const struct sources *sources, int count, char **arguments)
+{
+    struct paper paper;
+    struct message why;
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error like others */
+    signal(SIGCHLD, SIG_DFL); /* ignored, it would take away how a client ended */
+    guard_memory();
+    if (!guard_streams())
+        return usage_error(EXIT_FAILED_CHECK, "/dev/null: %s", strerror(errno)); /* LCOV_EXCL_LINE: the same */
+    if (paper_open(&paper, sources, &why) != 0)
+        return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
+    const int status = run_subcommand(&paper, count, arguments);
+    paper_close(&paper);
+    flint_cleanup();
+    mpfr_free_cache();
+    return status;
+}
