@@ -632,7 +632,7 @@ START_TEST(normal_form_is_zero_or_refused)
     const int node = program_parse(&p, forms[_i].formula, &where, &why);
     machine_init(&m, &p, &arithmetic_symbolic, 1);
     for (int i = 0; i < 2; i++)
-        symbolic_set_variable(machine_value(&m, i), i, 0);
+        symbolic_set_variable(machine_value(&m, i), i, 0, NULL);
     machine_run(&m);
     const struct symbolic *x = machine_value(&m, node);
     ck_assert_int_eq(x->fault, forms[_i].fault);
@@ -651,7 +651,7 @@ START_TEST(given_root_is_taken)
     arithmetic_symbolic.init(&u, 1);
     arithmetic_symbolic.init(&z, 1);
     arithmetic_symbolic.init(&w, 1);
-    symbolic_set_variable(&u, 0, 0);
+    symbolic_set_variable(&u, 0, 0, NULL);
     arithmetic_symbolic.apply(OPERATOR_NEGATE, &w, &u, NULL, 0, 1);
     symbolic_root(&w, true);
     arithmetic_symbolic.apply(OPERATOR_MULTIPLY, &z, &u, &u, 0, 1);

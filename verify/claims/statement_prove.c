@@ -249,7 +249,7 @@ static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const ch
     machine_init(&m, &formula->program, &arithmetic_symbolic, 1);
     bool known = is_polynomial(formula, variable) && machine_bind_exact(&m, formula->node, &b);
     if (known) {
-        symbolic_set_variable(machine_value(&m, program_find(&formula->program, variable)), 0, 0);
+        symbolic_set_variable(machine_value(&m, program_find(&formula->program, variable)), 0, 0, NULL);
         machine_run(&m);
         known = symbolic_get_polynomial(f, machine_value(&m, formula->node));
     }

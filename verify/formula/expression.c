@@ -84,6 +84,11 @@ int program_difference(struct program *p, int left, int right)
 void program_needs(const struct program *p, int node, const int *stand_in, char *needed)
 {
     memset(needed, 0, (size_t)node + 1);
+    program_mark(p, node, stand_in, needed);
+}
+
+void program_mark(const struct program *p, int node, const int *stand_in, char *needed)
+{
     needed[node] = 1;
     for (int i = node; i >= 0; i--) {
         const struct node *n = &p->nodes[i];
@@ -95,34 +100,41 @@ void program_needs(const struct program *p, int node, const int *stand_in, char 
     }
 }
 
-void program_redirect(struct program *p, int node, int instead, int *wanted)
+int program_copy_node(struct program *p, const struct program *from, int node, int *map)
 {
-    for (int i = node + 1; i < p->count; i++) {
-        p->nodes[i].left = p->nodes[i].left == node ? instead : p->nodes[i].left;
-        p->nodes[i].right = p->nodes[i].right == node ? instead : p->nodes[i].right;
+    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
+    program_needs(from, node, map, needed);
+    for (int i = 0; i <= node; i++) {
+        const struct node n = from->nodes[i];
+        if (!needed[i] || map[i] >= 0)
+            continue;
+        map[i] = program_append(p, n.op, n.left < 0 ? -1 : map[n.left], n.right < 0 ? -1 : map[n.right], n.exponent);
+        fmpq_set(&p->nodes[map[i]].number, &from->nodes[i].number);
     }
-    if (*wanted == node)
-        *wanted = instead;
+    free(needed);
+    return map[node];
 }
 
 int program_inline(struct program *p, const struct program *from, int node, const int *stand_in)
 {
-    int *copy = xrealloc(NULL, (size_t)node + 1, sizeof *copy);
-    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
-    program_needs(from, node, stand_in, needed);
-    for (int i = 0; i <= node; i++) {
-        const struct node *n = &from->nodes[i];
-        copy[i] = stand_in[i];
-        if (!needed[i] || copy[i] >= 0)
-            continue;
-        copy[i] = program_append(p, n->op, n->left < 0 ? -1 : copy[n->left],
-                         n->right < 0 ? -1 : copy[n->right], n->exponent);
-        fmpq_set(&p->nodes[copy[i]].number, &n->number);
-    }
-    int result = copy[node];
-    free(copy);
-    free(needed);
+    int *map = xrealloc(NULL, (size_t)node + 1, sizeof *map);
+    memcpy(map, stand_in, ((size_t)node + 1) * sizeof *map);
+    const int result = program_copy_node(p, from, node, map);
+    free(map);
     return result;
+}
+
+int program_own(struct program *p, int first, int node)
+{
+    for (int i = 0; i < 2 && node < first + i; i++)
+        node = program_append(p, OPERATOR_NEGATE, node, -1, 0);
+    return node;
+}
+
+void program_truncate(struct program *p, int count)
+{
+    while (p->count > count)
+        fmpq_clear(&p->nodes[--p->count].number);
 }
 
 /* ---- the parser: recursive descent, one function a level of binding ---- */

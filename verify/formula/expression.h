@@ -81,11 +81,20 @@ int parse_refuse(struct parser *s, const char *expected);          /* -1, and "e
  */
 int program_inline(struct program *p, const struct program *from, int node, const int *stand_in);
 
-/* What rests on a node rests on another, earlier one instead; so does *wanted. */
-void program_redirect(struct program *p, int node, int instead, int *wanted);
+/* The same, where map[i] is the stand-in of node i, -1: none, and becomes what node i is in p, of all that the node needs. */
+int program_copy_node(struct program *p, const struct program *from, int node, int *map);
+
+/* The node, or twice its negative where it is older than `first`: a node of its own. */
+int program_own(struct program *p, int first, int node);
+
+/* Takes away the last nodes, which nothing names, from number `count` on. */
+void program_truncate(struct program *p, int count);
 
 /* needed[i]: the node rests on node i, and not by way of a node that stand_in (NULL: none) replaces. */
 void program_needs(const struct program *p, int node, const int *stand_in, char *needed);
+
+/* The same, beside what is marked already. */
+void program_mark(const struct program *p, int node, const int *stand_in, char *needed);
 
 /* One more node; operands that an operator does not have are -1. */
 int program_append(struct program *p, enum operator op, int left, int right, slong exponent);

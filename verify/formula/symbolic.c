@@ -21,19 +21,21 @@ struct opaque {
     struct symbolic x, y;
 };
 
-static struct {
+/* The field at work, within an outer one. */
+static struct field {
+    struct field *outer;
     fmpz_mpoly_ctx_t ctx;
-    slong variables, more, opaques;
+    slong variables, more, opaques, kept_opaques;
     bool loose, large;
     struct opaque *opaque;
     quotient roots[MOST_ROOTS];
     bool strict[MOST_ROOTS], used[MOST_ROOTS];
-    int root_count;
+    int root_count, kept_roots;
     clock_t start;
     char size[80];
-} field;
+} *field;
 
-#define CTX field.ctx
+#define CTX field->ctx
 
 static void quotient_init(quotient_t x)
 {
@@ -63,29 +65,49 @@ static void _quotient_vec_clear(quotient *v, slong count)
 SCOPED(quotient)
 SCOPED_VECTOR(quotient, quotient_ptr)
 
-void symbolic_begin(slong variables, slong more, bool loose)
+struct field *symbolic_begin(slong variables, slong more, bool loose)
 {
+    struct field *outer = field;
+    field = xrealloc(NULL, 1, sizeof *field);
+    *field = (struct field){.outer = outer, .variables = variables, .more = more, .loose = loose, .start = clock()};
     fmpz_mpoly_ctx_init(CTX, variables + more > 0 ? variables + more : 1, ORD_DEGLEX);
-    field.variables = variables;
-    field.more = more;
-    field.loose = loose;
-    field.large = false;
-    field.opaques = 0;
-    field.opaque = xrealloc(NULL, (size_t)more + 1, sizeof *field.opaque);
-    field.root_count = 0;
-    field.start = clock();
+    field->opaque = xrealloc(NULL, (size_t)more + 1, sizeof *field->opaque);
+    return field;
+}
+
+void symbolic_use(struct field *f)
+{
+    field = f;
+}
+
+void symbolic_keep(void)
+{
+    field->kept_opaques = field->opaques;
+    field->kept_roots = field->root_count;
+}
+
+void symbolic_forget(void)
+{
+    while (field->opaques > field->kept_opaques) {
+        struct opaque *last = &field->opaque[--field->opaques];
+        arithmetic_symbolic.clear(&last->x);
+        arithmetic_symbolic.clear(&last->y);
+    }
+    while (field->root_count > field->kept_roots)
+        quotient_clear(&field->roots[--field->root_count]);
+    field->large = false;
+    field->start = clock();
 }
 
 void symbolic_end(void)
 {
-    for (slong i = 0; i < field.opaques; i++) {
-        arithmetic_symbolic.clear(&field.opaque[i].x);
-        arithmetic_symbolic.clear(&field.opaque[i].y);
-    }
-    for (int i = 0; i < field.root_count; i++)
-        quotient_clear(&field.roots[i]);
-    free(field.opaque);
+    field->kept_opaques = field->kept_roots = 0;
+    symbolic_forget();
+    struct field *outer = field->outer;
+    free(field->opaque);
     fmpz_mpoly_ctx_clear(CTX);
+    free(field);
+    field = outer;
 }
 
 const fmpz_mpoly_ctx_struct *symbolic_context(void)
@@ -95,7 +117,7 @@ const fmpz_mpoly_ctx_struct *symbolic_context(void)
 
 const char *symbolic_fault_size(void)
 {
-    return field.size;
+    return field->size;
 }
 
 const char *symbolic_fault_text(enum symbolic_fault fault)
@@ -140,16 +162,16 @@ static double terms_of(const quotient *x)
 
 static bool refuse(const char *what, double size)
 {
-    field.large = true;
-    snprintf(field.size, sizeof field.size, "%s: %.3g", what, size);
+    field->large = true;
+    snprintf(field->size, sizeof field->size, "%s: %.3g", what, size);
     return false;
 }
 
 /* Whether x op y may be made: as large as it may become it is within bounds. */
 static bool may_combine(const quotient *x, const quotient *y)
 {
-    const double seconds = (double)(clock() - field.start) / CLOCKS_PER_SEC;
-    if (field.large)
+    const double seconds = (double)(clock() - field->start) / CLOCKS_PER_SEC;
+    if (field->large)
         return false;
     if (terms_of(x) * terms_of(y) > MOST_TERMS)
         return refuse("terms", terms_of(x) * terms_of(y));
@@ -218,12 +240,12 @@ static void power(quotient *z, const quotient *x, slong exponent, slong terms)
     VECTOR(quotient, positive, terms);
     fmpz_mpoly_q_one(z, CTX);
     for (slong bit = (slong)FLINT_BIT_COUNT(size); bit-- > 0;)
-        for (int with_x = 0; with_x <= (size >> bit & 1) && !field.large; with_x++) {
+        for (int with_x = 0; with_x <= (size >> bit & 1) && !field->large; with_x++) {
             VECTOR(quotient, next, terms);
             product(next, z, with_x ? x : z, terms);
             exchange(z, next, terms);
         }
-    if (exponent < 0 && !field.large) {
+    if (exponent < 0 && !field->large) {
         VECTOR(quotient, one, terms);
         fmpz_mpoly_q_one(one, CTX);
         exchange(z, positive, terms);
@@ -281,21 +303,30 @@ static void set_rational(void *x, const fmpq_t q, slong terms)
     z->fault = SYMBOLIC_FINE;
 }
 
-void symbolic_set_variable(struct symbolic *z, slong variable, slong degree)
+/* The variable, or a number in its place. */
+static void set_generator(quotient *x, slong variable, const fmpq *point)
+{
+    if (point == NULL)
+        fmpz_mpoly_q_gen(x, variable, CTX);
+    else
+        fmpz_mpoly_q_set_fmpq(x, point, CTX);
+}
+
+void symbolic_set_variable(struct symbolic *z, slong variable, slong power, const fmpq *point)
 {
     VECTOR(quotient, a, z->terms);
-    if (degree < z->terms)
-        fmpz_mpoly_q_gen(a + degree, variable, CTX);
+    if (power < z->terms)
+        set_generator(a + power, variable, point);
     take(z, a);
     z->fault = SYMBOLIC_FINE;
 }
 
-void symbolic_set_angle(struct symbolic *z, slong variable)
+void symbolic_set_angle(struct symbolic *z, slong variable, const fmpq *point)
 {
     SCOPE(fmpq, zero);
     SCOPE(quotient, t, under);
     set_rational(z, zero, z->terms);
-    fmpz_mpoly_q_gen(t, variable, CTX);
+    set_generator(t, variable, point);
     fmpz_mpoly_q_mul(under, t, t, CTX);
     fmpz_mpoly_q_sub(&z->c, &z->c, under, CTX);
     fmpz_mpoly_q_add_si(under, under, 1, CTX);
@@ -346,14 +377,14 @@ static void stand_for(struct symbolic *z, enum symbolic_fault fault, enum operat
                       const struct symbolic *y)
 {
     slong i = 0;
-    while (i < field.opaques && !(field.opaque[i].op == op && same(&field.opaque[i].x, x) && same(&field.opaque[i].y, y)))
+    while (i < field->opaques && !(field->opaque[i].op == op && same(&field->opaque[i].x, x) && same(&field->opaque[i].y, y)))
         i++;
-    if (!field.loose || i == field.more) {
+    if (!field->loose || i == field->more) {
         z->fault = fault;
         return;
     }
-    if (i == field.opaques) {
-        struct opaque *new = &field.opaque[field.opaques++];
+    if (i == field->opaques) {
+        struct opaque *new = &field->opaque[field->opaques++];
         new->op = op;
         symbolic_init(&new->x, x->terms);
         symbolic_init(&new->y, x->terms);
@@ -361,25 +392,25 @@ static void stand_for(struct symbolic *z, enum symbolic_fault fault, enum operat
         symbolic_set(&new->y, y);
     }
     if (op == OPERATOR_ATAN2)
-        symbolic_set_angle(z, field.variables + i);
+        symbolic_set_angle(z, field->variables + i, NULL);
     else
-        symbolic_set_variable(z, field.variables + i, 0);
+        symbolic_set_variable(z, field->variables + i, 0, NULL);
 }
 
 void symbolic_root(const struct symbolic *x, bool strict)
 {
-    if (field.root_count == MOST_ROOTS)
+    if (field->root_count == MOST_ROOTS)
         return; /* LCOV_EXCL_LINE: a list of square roots is as long at most */
-    quotient_init(&field.roots[field.root_count]);
+    quotient_init(&field->roots[field->root_count]);
     if (x != NULL)
-        fmpz_mpoly_q_set(&field.roots[field.root_count], x->a, CTX);
-    field.strict[field.root_count] = strict;
-    field.used[field.root_count++] = false;
+        fmpz_mpoly_q_set(&field->roots[field->root_count], x->a, CTX);
+    field->strict[field->root_count] = strict;
+    field->used[field->root_count++] = false;
 }
 
 bool symbolic_root_used(int i)
 {
-    return field.used[i];
+    return field->used[i];
 }
 
 /* Which of the roots has this square; a constant has its own. Its fault, and *strict: the root is above zero. */
@@ -393,11 +424,11 @@ static enum symbolic_fault find_root(quotient *root, const quotient *square, boo
     if (fmpz_mpoly_q_is_fmpq(root, CTX)) /* FLINT takes the positive one of a number's */
         return SYMBOLIC_FINE;
     fmpz_mpoly_q_neg(other, root, CTX);
-    for (int i = 0; i < field.root_count; i++)
-        if (fmpz_mpoly_q_equal(root, &field.roots[i], CTX) || fmpz_mpoly_q_equal(other, &field.roots[i], CTX)) {
-            fmpz_mpoly_q_set(root, &field.roots[i], CTX);
-            *strict = field.strict[i];
-            field.used[i] = true;
+    for (int i = 0; i < field->root_count; i++)
+        if (fmpz_mpoly_q_equal(root, &field->roots[i], CTX) || fmpz_mpoly_q_equal(other, &field->roots[i], CTX)) {
+            fmpz_mpoly_q_set(root, &field->roots[i], CTX);
+            *strict = field->strict[i];
+            field->used[i] = true;
             return SYMBOLIC_FINE;
         }
     return SYMBOLIC_UNKNOWN_ROOT;
@@ -563,7 +594,7 @@ static void apply(enum operator op, void *result, const void *left, const void *
     if (fault == SYMBOLIC_FINE) {
         z->fault = fault;
         apply_fine(op, z, x, y, exponent);
-        fault = field.large ? SYMBOLIC_TOO_LARGE : z->fault;
+        fault = field->large ? SYMBOLIC_TOO_LARGE : z->fault;
     } else {
         z->large = false;
     }

@@ -37,17 +37,23 @@ struct symbolic {
 extern const struct arithmetic arithmetic_symbolic; /* prec = number of terms */
 
 /*
- * One field of rational functions at a time: every number is cleared before it ends. Loose: a square root, sine,
+ * A field of rational functions, perhaps within another; every number is cleared before its field ends. Loose: a square root, sine,
  * cosine, exponential or arc tangent that has no value is a further variable (there is room for `more`), the same one
  * for the same argument; so two formulas that are equal whatever their parts mean are still found equal.
  */
-void symbolic_begin(slong variables, slong more, bool loose);
+struct field *symbolic_begin(slong variables, slong more, bool loose);
+void symbolic_use(struct field *f); /* of several, the one that numbers are of until another is used; it is the one that ends */
 void symbolic_end(void);
+
+/* The functions and roots that are known stay; those since then go, and the bounds of size and time begin anew. */
+void symbolic_keep(void);
+void symbolic_forget(void);
+
 const fmpz_mpoly_ctx_struct *symbolic_context(void);
 
-/* The variable, times epsilon^power; the angle whose half has it for its tangent. */
-void symbolic_set_variable(struct symbolic *z, slong variable, slong power);
-void symbolic_set_angle(struct symbolic *z, slong variable);
+/* The variable, times epsilon^power; the angle whose half has it for its tangent. A point (NULL: none) is its value. */
+void symbolic_set_variable(struct symbolic *z, slong variable, slong power, const fmpq *point);
+void symbolic_set_angle(struct symbolic *z, slong variable, const fmpq *point);
 
 /* What x is at epsilon = 0 is a square root from now on (NULL: none is); strict: it is above zero, else not below it. */
 void symbolic_root(const struct symbolic *x, bool strict);

@@ -122,55 +122,243 @@ bool entry_leads_to(const struct derivations *d, const char *entry, const char *
 
 /* ---- alterations ---- */
 
-/* Which equalities a row of the table breaks: a mutant, or an entry of `from`. */
+/* What becomes of a formula F: a F + b, with free a and b of its own (an angle is turned by b); -F; or one of its nodes. */
+enum change { CHANGE_ANY, CHANGE_RESULT, CHANGE_SIGN, CHANGE_LEFT, CHANGE_RIGHT, CHANGE_NUMBER, CHANGES };
+
+static const char *const changes[CHANGES] = {[CHANGE_RESULT] = "its sign",
+                                             [CHANGE_SIGN] = "a sign",
+                                             [CHANGE_LEFT] = "a right factor or term dropped",
+                                             [CHANGE_RIGHT] = "a left factor or term dropped",
+                                             [CHANGE_NUMBER] = "a number or exponent"};
+
+/* A step at work: behind the nodes of its program stand those that are other for an alteration. */
 struct table {
     const struct derivations *d;
     const struct step *s;
     struct binding *b;
-    bool alone[MOST_SHOWN]; /* it alone breaks by something: the step needs it */
+    struct identities t;    /* the step's, the program being the table's own                 */
+    struct run point, run;  /* two that differ at a point differ; the other, where that decides nothing: field NULL till then */
+    int count;              /* of its nodes                                                  */
+    int *mark, *map;        /* of each node: 1 + its pair of free numbers where it is to be altered, else 0; what it is then */
+    bool alone[MOST_SHOWN]; /* this equality alone breaks by something: the step needs it    */
 };
 
-struct target {
-    const struct derivations *d;
-    const char *entry; /* NULL: the section, or the relation's side, or everything where both are NULL */
-    const struct section *section;
-    const struct relation *relation;
-    int side, part; /* part: where the alteration is that of a result; -1: of a formula */
-};
-
-static bool concerns(const void *context, const struct use *u)
+static void run_open(const struct table *x, struct run *r, enum manner manner)
 {
-    const struct target *t = context;
-    if (t->entry != NULL)
-        return entry_concerns(t->d, t->entry, u);
-    if (t->relation != NULL)
-        return u->relation == t->relation && u->part == t->side;
-    if (t->section != NULL)
-        return u->relation == NULL && u->section == t->section && u->formulas == &t->section->corrected &&
-               (t->part < 0 || u->part == t->part);
+    run_begin(r, &x->t, FLINT_MAX(x->t.order, 0) + 1, manner, 2 * x->t.use_count);
+    for (int i = 0; i < x->t.root_count; i++)
+        run_root(r, x->t.roots[i].node);
+    run_keep(r, x->count);
+}
+
+static void table_open(struct table *x, const struct identities *t)
+{
+    x->t = *t;
+    x->count = t->program.count;
+    program_copy(&x->t.program, &t->program);
+    x->mark = xrealloc(NULL, (size_t)x->count, sizeof *x->mark);
+    x->map = xrealloc(NULL, (size_t)x->count, sizeof *x->map);
+    memset(x->mark, 0, (size_t)x->count * sizeof *x->mark);
+    x->t.needed = xrealloc(NULL, (size_t)x->count, 1);
+    memcpy(x->t.needed, t->needed, (size_t)x->count);
+    for (int i = 0; i < t->rate_count; i++) /* what another derivative may rest on */
+        for (int k = -1; k < 2 * t->rates[i].count; k++)
+            if (k < 0 || t->rates[i].moving[k] >= 0)
+                program_mark(&x->t.program, k < 0 ? t->rates[i].of : t->rates[i].moving[k], NULL, x->t.needed);
+    run_open(x, &x->point, RUN_AT_POINT);
+}
+
+static void table_close(struct table *x)
+{
+    if (x->run.field != NULL)
+        run_end(&x->run);
+    run_end(&x->point);
+    program_clear(&x->t.program);
+    free(x->t.needed);
+    free(x->mark);
+    free(x->map);
+}
+
+/* What to alter: what an entry stands for, or a part, of a relation one side; where all that is NULL, everything. */
+struct target {
+    enum change change;
+    int node; /* of the part's program, which changes */
+    const char *entry;
+    const struct entry_part *part;
+    int side;
+};
+
+static bool concerns(const struct table *x, const struct target *target, const struct use *u)
+{
+    const struct entry_part *part = target->part;
+    if (target->entry != NULL)
+        return entry_concerns(x->d, target->entry, u);
+    if (part == NULL)
+        return true;
+    if (part->relation != NULL)
+        return u->relation == part->relation && u->part == target->side;
+    return u->relation == NULL && u->section == part->section && u->formulas == &part->section->corrected &&
+           (target->change >= CHANGE_SIGN || u->part == part->node);
+}
+
+/* Marks what a target alters; all uses of one formula have one pair. */
+static void mark(struct table *x, const struct target *target)
+{
+    int pairs = 0;
+    memset(x->mark, 0, (size_t)x->count * sizeof *x->mark);
+    for (int i = 0; i < x->t.use_count; i++) {
+        const struct use *u = &x->t.uses[i];
+        if (!concerns(x, target, u))
+            continue;
+        const int at = target->change < CHANGE_SIGN ? u->node : u->copy[target->node];
+        if (at < u->first) /* something else is bound to it */
+            continue;
+        for (int k = 0; k < i; k++) {
+            const struct use *other = &x->t.uses[k];
+            if (other->formulas == u->formulas && other->relation == u->relation && other->part == u->part)
+                x->mark[at] = x->mark[other->node];
+        }
+        x->mark[at] = target->change >= CHANGE_SIGN ? 1 : x->mark[at] > 0 ? x->mark[at] : ++pairs;
+    }
+}
+
+/* Changes a node, or says what stands in its place; false where this change is none of this node. Of a number n.exponent is added. */
+static bool change_node(struct node *n, enum change change, int *instead)
+{
+    const bool pair = n->left >= 0 && n->right >= 0;
+    *instead = -1;
+    if ((change == CHANGE_SIGN && n->op == OPERATOR_NEGATE) || (change == CHANGE_LEFT && n->left >= 0))
+        *instead = n->left; /* a term, a factor, a divisor, a function is dropped */
+    else if (change == CHANGE_SIGN && (n->op == OPERATOR_ADD || n->op == OPERATOR_SUBTRACT))
+        n->op = n->op == OPERATOR_ADD ? OPERATOR_SUBTRACT : OPERATOR_ADD;
+    else if (change == CHANGE_SIGN && (n->op == OPERATOR_SIN || n->op == OPERATOR_COS))
+        n->op = n->op == OPERATOR_SIN ? OPERATOR_COS : OPERATOR_SIN;
+    else if (change == CHANGE_RIGHT && pair && n->op != OPERATOR_DIVIDE)
+        *instead = n->right;
+    else if (change == CHANGE_RIGHT && n->op == OPERATOR_DIVIDE)
+        n->op = OPERATOR_MULTIPLY;
+    else if (change == CHANGE_NUMBER && (n->op == OPERATOR_POWER || n->op == OPERATOR_NUMBER))
+        n->exponent++;
+    else
+        return false;
     return true;
 }
 
-/* How many equalities hold as altered; holds[] is left as it is where they cannot be read, as no steps are then. */
-static int broken(const struct table *table, enum change change, const struct target *target, int node, bool holds[])
+/* a F + b, of an angle F + b */
+static int any_formula(struct program *p, int node, int pair)
 {
-    const struct alteration a = {.change = change, .concerns = concerns, .context = target, .node = node};
-    struct identities t;
-    int count = 0;
-    if (step_read_altered(&t, table->d, table->s, &a))
-        count = identities_broken(&t, change == CHANGE_ANY, holds);
-    identities_clear(&t);
-    return count;
+    const bool angle = p->nodes[node].op == OPERATOR_ATAN2;
+    const int factor = program_append(p, OPERATOR_INPUT, -1, -1, 2 * pair);
+    const int shift = program_append(p, OPERATOR_INPUT, -1, -1, 2 * pair + 1);
+    fmpq_set_si(&p->nodes[shift].number, angle, 1);
+    return program_append(p, OPERATOR_ADD, angle ? node : program_append(p, OPERATOR_MULTIPLY, node, factor, 0), shift, 0);
 }
 
-/* The same, and where one alone does not hold, the step needs it. */
-static int tried(struct table *table, enum change change, const struct target *target, int node)
+/* What node i is once the nodes before it are what the map says. */
+static int altered_node(struct table *x, int i, enum change change)
 {
-    bool holds[MOST_SHOWN];
-    const int count = broken(table, change, target, node, holds);
-    for (int i = 0; i < table->s->corrected.shown_count && count == 1; i++)
-        table->alone[i] = table->alone[i] || !holds[i];
-    return count;
+    struct program *p = &x->t.program;
+    struct node n = p->nodes[i];
+    int node = i, instead = -1;
+    n.left = n.left < 0 ? -1 : x->map[n.left];
+    n.right = n.right < 0 ? -1 : x->map[n.right];
+    const bool moved = n.left != p->nodes[i].left || n.right != p->nodes[i].right, own = x->mark[i] > 0;
+    if (own && change >= CHANGE_SIGN && change_node(&n, change, &instead) && instead >= 0)
+        return instead;
+    if (moved || (own && change >= CHANGE_SIGN)) {
+        node = program_append(p, n.op, n.left, n.right, n.exponent);
+        fmpq_add_si(&p->nodes[node].number, &p->nodes[i].number, n.op == OPERATOR_NUMBER ? n.exponent : 0);
+    }
+    if (own && change == CHANGE_RESULT)
+        return program_append(p, OPERATOR_NEGATE, node, -1, 0);
+    return own && change == CHANGE_ANY ? any_formula(p, node, x->mark[i] - 1) : node;
+}
+
+/* A derivative is taken anew where what it is of, or what moves, is another; false where it is as it was. */
+static bool alter_rate(struct table *x, const struct rate *r)
+{
+    struct program *p = &x->t.program;
+    bool moved = x->map[r->of] != r->of;
+    for (int k = 0; k < 2 * r->count; k++)
+        moved = moved || (r->moving[k] >= 0 && x->map[r->moving[k]] != r->moving[k]);
+    if (!moved)
+        return false;
+    const int count = p->count;
+    int *rates = xrealloc(NULL, (size_t)count, sizeof *rates);
+    for (int i = 0; i < count; i++)
+        rates[i] = -1;
+    for (int k = 0; k < r->count; k++)
+        rates[x->map[r->moving[2 * k]]] = r->moving[2 * k + 1] < 0 ? -1 : x->map[r->moving[2 * k + 1]];
+    x->map[r->result] = program_derivative(p, x->map[r->of], rates, count);
+    free(rates);
+    return true;
+}
+
+/* Square roots that are altered are further ones. */
+static void run_altered(const struct table *x, struct run *r)
+{
+    run_extend(r);
+    for (int i = 0; i < x->t.root_count; i++)
+        if (x->map[x->t.roots[i].node] != x->t.roots[i].node)
+            run_root(r, x->map[x->t.roots[i].node]);
+}
+
+/* What is marked changes, and all that rests on it. */
+static void alter(struct table *x, enum change change)
+{
+    const struct rate *rate = x->t.rates, *end = rate + x->t.rate_count;
+    for (int i = 0; i < x->count; i++) {
+        if (rate < end && i == rate->first) {
+            const struct rate *here = rate++;
+            if (alter_rate(x, here)) {
+                for (; i < here->result; i++)
+                    x->map[i] = i; /* nothing else rests on them */
+                continue;
+            }
+        }
+        x->map[i] = altered_node(x, i, change);
+    }
+    run_altered(x, &x->point);
+    if (x->run.field != NULL)
+        run_altered(x, &x->run);
+}
+
+static void restore(struct table *x)
+{
+    program_truncate(&x->t.program, x->count);
+    run_forget(&x->point);
+    if (x->run.field != NULL)
+        run_forget(&x->run);
+}
+
+static bool equal_still(struct table *x, int left, int right)
+{
+    if (x->map[left] == left && x->map[right] == right)
+        return true;
+    if (run_compare(&x->point, x->map[left], x->map[right]) == IDENTITY_DIFFERS)
+        return false;
+    if (x->run.field == NULL) {
+        run_open(x, &x->run, RUN_LOOSE);
+        run_altered(x, &x->run);
+    }
+    return run_compare(&x->run, x->map[left], x->map[right]) == IDENTITY_HOLDS;
+}
+
+/* Whether an equality breaks; where it is the only one, the step needs it. */
+static bool tells(struct table *x, struct target target)
+{
+    int broken = 0, last = -1;
+    mark(x, &target);
+    alter(x, target.change);
+    for (int i = 0; i < x->t.shown_count && broken < 2; i++)
+        if (!equal_still(x, x->t.shown[i].left, x->t.shown[i].right)) {
+            broken++;
+            last = i;
+        }
+    restore(x);
+    if (broken == 1)
+        x->alone[last] = true;
+    return broken > 0;
 }
 
 static bool refuse(const struct table *table, const yaml_node_t *at, const char *format, ...)
@@ -195,14 +383,14 @@ static const yaml_node_t *item(const struct table *table, const char *key, int i
 
 static bool no_tautology(struct table *table)
 {
-    const struct identities *t = &table->s->corrected;
-    const struct target everything = {.part = -1};
-    bool holds[MOST_SHOWN] = {false};
-    broken(table, CHANGE_ANY, &everything, -1, holds);
-    for (int i = 0; i < t->shown_count; i++)
-        if (holds[i])
-            return refuse(table, t->shown[i].at, "%s holds whatever the formulas are: it shows nothing", t->shown[i].text);
-    return true;
+    const struct target everything = {.change = CHANGE_ANY};
+    const struct equality *empty = NULL;
+    mark(table, &everything);
+    alter(table, CHANGE_ANY);
+    for (int i = 0; i < table->t.shown_count && empty == NULL; i++)
+        empty = equal_still(table, table->t.shown[i].left, table->t.shown[i].right) ? &table->t.shown[i] : NULL;
+    restore(table);
+    return empty == NULL || refuse(table, empty->at, "%s holds whatever the formulas are: it shows nothing", empty->text);
 }
 
 /* ---- from ---- */
@@ -211,11 +399,9 @@ static bool all_used(struct table *table)
 {
     if (table->s->from_count == 0)
         return refuse(table, table->s->node, "expected an equation or a principle in 'from'");
-    for (int i = 0; i < table->s->from_count; i++) {
-        const struct target from = {.d = table->d, .entry = table->s->from[i]};
-        if (tried(table, CHANGE_ANY, &from, -1) == 0)
+    for (int i = 0; i < table->s->from_count; i++)
+        if (!tells(table, (struct target){.change = CHANGE_ANY, .entry = table->s->from[i]}))
             return refuse(table, item(table, "from", i), "'%s' is not used: any formula in its place would do", table->s->from[i]);
-    }
     return true;
 }
 
@@ -326,30 +512,25 @@ static bool is_general(struct table *table, int to, const struct entry_part *par
 
 /* ---- to ---- */
 
-/* Whether the changed formula is the same function: then no step can tell. */
+/* Whether the changed formula is the same function of its inputs: then no step can tell. */
 static bool is_equivalent(const struct program *p, int wanted, enum change change, int node)
 {
-    struct program both, altered;
-    int *stand_in = xrealloc(NULL, (size_t)p->count, sizeof *stand_in);
-    program_copy(&both, p);
-    program_copy(&altered, p);
-    for (int i = 0; i < p->count; i++)
-        stand_in[i] = i < p->inputs ? i : -1;
-    const int other = program_inline(&both, &altered, alteration_make(&altered, change, node, wanted), stand_in);
-    const bool same = nodes_equal(&both, wanted, other);
-    program_clear(&both);
-    program_clear(&altered);
-    free(stand_in);
-    return same;
-}
-
-static bool is_zero(const struct program *p, int node)
-{
-    struct program copy;
-    program_copy(&copy, p);
-    const int zero = program_append(&copy, OPERATOR_NUMBER, -1, -1, 0);
-    const bool same = nodes_equal(&copy, node, zero);
-    program_clear(&copy);
+    struct identities t = {.program = *p, .order = -1};
+    struct table x = {.s = NULL};
+    t.variables = xrealloc(NULL, (size_t)p->inputs + 1, sizeof *t.variables);
+    t.needed = xrealloc(NULL, (size_t)p->count, 1);
+    memset(t.needed, 1, (size_t)p->count);
+    for (int i = 0; i < p->inputs; i++)
+        t.variables[i] = (struct variable){.signs = SIGN_ANY};
+    table_open(&x, &t);
+    x.mark[node] = 1;
+    alter(&x, change);
+    run_open(&x, &x.run, RUN_LOOSE);
+    run_extend(&x.run);
+    const bool same = run_compare(&x.run, wanted, x.map[wanted]) == IDENTITY_HOLDS;
+    table_close(&x);
+    free(t.variables);
+    free(t.needed);
     return same;
 }
 
@@ -373,29 +554,24 @@ static char *nodes_spoken_of(const struct table *table, const struct program *p,
     return spoken;
 }
 
-static const char *const changes[CHANGES] = {[CHANGE_RESULT] = "its sign",
-                                             [CHANGE_SIGN] = "a sign",
-                                             [CHANGE_LEFT] = "a right factor or term dropped",
-                                             [CHANGE_RIGHT] = "a left factor or term dropped",
-                                             [CHANGE_NUMBER] = "a number or exponent"};
-
 /* Every change of every node of the formula breaks an equality, or nothing would tell. */
-static bool all_changes_tell(struct table *table, int to, const struct entry_part *part, const struct program *p, int wanted,
-                             struct target target)
+static bool all_changes_tell(struct table *table, int to, const struct program *p, int wanted, struct target target)
 {
     char *spoken = nodes_spoken_of(table, p, wanted);
-    bool tell = true;
-    for (int node = 0; node <= wanted && tell; node++)
-        for (enum change change = CHANGE_SIGN; change < CHANGES && spoken[node] && tell; change++) {
-            if (!alteration_applies(p, change, node))
+    const char *silent = NULL;
+    for (target.node = 0; target.node <= wanted && silent == NULL; target.node++)
+        for (target.change = CHANGE_SIGN; target.change < CHANGES && spoken[target.node] && silent == NULL; target.change++) {
+            struct node n = p->nodes[target.node];
+            int instead;
+            if (!change_node(&n, target.change, &instead))
                 continue;
             table->b->mutants++;
-            if (tried(table, change, &target, node) == 0 && !is_equivalent(p, wanted, change, node))
-                tell = refuse(table, item(table, "to", to), "%s may be altered (%s) and every equality holds still",
-                              part->name, changes[change]);
+            if (!tells(table, target) && !is_equivalent(p, wanted, target.change, target.node))
+                silent = changes[target.change];
         }
     free(spoken);
-    return tell;
+    return silent == NULL || refuse(table, item(table, "to", to), "%s may be altered (%s) and every equality holds still",
+                                    target.part->name, silent);
 }
 
 static bool relation_is_bound(struct table *table, int to, const struct entry_part *part)
@@ -403,11 +579,11 @@ static bool relation_is_bound(struct table *table, int to, const struct entry_pa
     bool bound = true;
     for (int side = 0; side < 2 && bound; side++) {
         struct program p;
-        const struct target target = {.relation = part->relation, .side = side};
+        const struct target target = {.change = CHANGE_ANY, .part = part, .side = side};
         const int wanted = relation_program(&p, table->d->sheet, part->relation, side == 1);
-        bound = tried(table, CHANGE_ANY, &target, -1) > 0 ||
+        bound = tells(table, target) ||
                 refuse(table, item(table, "to", to), "%s stands in no equality as a whole: a side is not shown", part->name);
-        bound = bound && all_changes_tell(table, to, part, &p, wanted, target);
+        bound = bound && all_changes_tell(table, to, &p, wanted, target);
         program_clear(&p);
     }
     return bound;
@@ -415,16 +591,15 @@ static bool relation_is_bound(struct table *table, int to, const struct entry_pa
 
 static bool output_is_bound(struct table *table, int to, const struct entry_part *part)
 {
-    const struct target result = {.section = part->section, .part = part->node};
-    const struct target formula = {.section = part->section, .part = -1};
     const struct program *p = &part->section->corrected.program;
-    if (tried(table, CHANGE_ANY, &result, -1) == 0)
+    if (!tells(table, (struct target){.change = CHANGE_ANY, .part = part}))
         return refuse(table, item(table, "to", to), "%s stands in no equality", part->name);
-    if (tried(table, CHANGE_RESULT, &result, -1) == 0 && part->equation != NULL && !is_zero(p, part->node))
-        return refuse(table, item(table, "to", to), "%s may have the other sign and every equality holds still", part->name);
     if (part->equation == NULL) /* the formula of a property says what is shown, and claims nothing */
-        return true;
-    return is_general(table, to, part) && all_changes_tell(table, to, part, p, part->node, formula);
+        return tells(table, (struct target){.change = CHANGE_RESULT, .part = part}), true;
+    if (!tells(table, (struct target){.change = CHANGE_RESULT, .part = part}) &&
+        !is_equivalent(p, part->node, CHANGE_RESULT, part->node))
+        return refuse(table, item(table, "to", to), "%s may have the other sign and every equality holds still", part->name);
+    return is_general(table, to, part) && all_changes_tell(table, to, p, part->node, (struct target){.part = part});
 }
 
 /* What a step starts from it cannot lead to. */
@@ -496,6 +671,8 @@ void step_bind(const struct derivations *d, const struct step *s, struct binding
 {
     struct table table = {.d = d, .s = s, .b = b};
     *b = (struct binding){.mutants = 0};
+    table_open(&table, &s->corrected);
     if (no_tautology(&table) && nothing_beyond(&table) && all_used(&table) && all_shown(&table))
         all_wanted(&table);
+    table_close(&table);
 }

@@ -35,15 +35,8 @@ int derivations_read(struct derivations *d, const struct sheet *s, const char *t
                      const char *name, struct message *why);
 void derivations_clear(struct derivations *d);
 
-/* What the formulas of a step may name; as altered, NULL: as they are. */
-struct scope step_scope(const struct derivations *d, const struct step *s, const struct alteration *a);
-
 /* `remainders`, when the identities have been read; false after a complaint. */
 bool step_read_remainders(const struct derivations *d, struct step *step, const struct scope *s);
-
-/* Its identities once more, altered; false where they cannot be read so. */
-bool step_read_altered(struct identities *t, const struct derivations *d, const struct step *s,
-                       const struct alteration *a);
 
 /* ---- what `from` and `to` name ---- */
 

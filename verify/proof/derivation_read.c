@@ -19,8 +19,7 @@ static bool read_formulas(struct document *d, const yaml_node_t *mapping, struct
         int node = program_parse(&f->program, scalar(formula), &where, &expected);
         if (node < 0)
             return parse_error(d, formula, where, "%s", expected.text);
-        for (int k = 0; k < 2 && node < count + k; k++) /* a name alone: the output is a node of its own */
-            node = program_append(&f->program, OPERATOR_NEGATE, node, -1, 0);
+        node = program_own(&f->program, count, node); /* a name alone, too */
         program_name(&f->program, node, scalar(key_of(d, mapping, i)));
         if (output) {
             f->outputs[i] = node;
@@ -123,10 +122,10 @@ static bool take_text(struct document *d, const yaml_node_t *mapping, const char
     return true;
 }
 
-struct scope step_scope(const struct derivations *d, const struct step *s, const struct alteration *a)
+static struct scope step_scope(const struct derivations *d, const struct step *s)
 {
     return (struct scope){.document = &d->document, .sheet = d->sheet,
-                          .definitions = &d->definitions, .given = s->node, .alteration = a};
+                          .definitions = &d->definitions, .given = s->node};
 }
 
 static bool read_identities(struct identities *t, const struct scope *s)
@@ -144,17 +143,6 @@ static bool read_identities(struct identities *t, const struct scope *s)
         if (!identities_show(t, s, item_of(s->document, show, i)))
             return false;
     return identities_close(t, s);
-}
-
-bool step_read_altered(struct identities *t, const struct derivations *d, const struct step *s,
-                       const struct alteration *a)
-{
-    struct scope scope = step_scope(d, s, a);
-    struct message why;
-    struct document document = d->document;
-    document.why = &why;
-    scope.document = &document;
-    return read_identities(t, &scope);
 }
 
 static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_node_t *node)
@@ -177,7 +165,7 @@ static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_
         (s->to_count = read_ends(d, node, "to", s->to)) < 0)
         return false;
     s->let = child(document, node, "let");
-    struct scope scope = step_scope(d, s, NULL);
+    struct scope scope = step_scope(d, s);
     if (!read_identities(&s->corrected, &scope) || !step_read_remainders(d, s, &scope))
         return false;
     scope.variant = child(document, node, "printed");

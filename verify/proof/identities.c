@@ -9,19 +9,11 @@
 #include "formula/typeset.h"
 #include "text/scope.h"
 
-/* What is known of a node: its value, and its signs; computed when they are first asked for. */
+/* What is known of a node. */
 struct known {
     struct symbolic value;
-    bool done;
+    bool done, kept;
     int signs;
-};
-
-/* The identities at work. */
-struct run {
-    const struct identities *t;
-    struct known *nodes;
-    slong *variable; /* of an input, -1 where nothing rests on it */
-    slong variables, terms;
 };
 
 static const struct symbolic *value(struct run *r, int i);
@@ -107,6 +99,8 @@ static int signs(struct run *r, int i)
     int *result = &r->nodes[i].signs;
     if (i < r->t->program.inputs)
         return r->t->variables[i].power > 0 ? SIGN_ZERO : r->t->variables[i].signs;
+    if (r->t->program.nodes[i].op == OPERATOR_INPUT)
+        return SIGN_ANY;
     if (*result == 0 && ((*result = signs_by_form(r, &r->t->program.nodes[i])) == 0 || *result == SIGN_ANY)) {
         const struct symbolic *x = value(r, i);
         *result = SIGN_ANY;
@@ -119,6 +113,25 @@ static int signs(struct run *r, int i)
 
 /* ---- values ---- */
 
+/* At a point every number is a prime, and an angle is twice the arc tangent of a prime's reciprocal. */
+static void set_input(struct run *r, struct symbolic *z, int i)
+{
+    const struct node *n = &r->t->program.nodes[i];
+    const bool own = i < r->t->program.inputs;
+    const slong variable = own ? r->variable[i] : r->variables + n->exponent;
+    const slong power = own ? r->t->variables[i].power : 0;
+    const bool angle = own ? r->t->variables[i].angle : fmpq_is_one(&n->number);
+    SCOPE(fmpq, point);
+    if (r->at_point)
+        fmpq_set_si(point, (slong)n_nth_prime((ulong)variable + 3), 1);
+    if (angle && r->at_point)
+        fmpq_inv(point, point);
+    if (angle)
+        symbolic_set_angle(z, variable, r->at_point ? point : NULL);
+    else
+        symbolic_set_variable(z, variable, power, r->at_point ? point : NULL);
+}
+
 static const struct symbolic *value(struct run *r, int i)
 {
     const struct node *n = &r->t->program.nodes[i];
@@ -127,10 +140,8 @@ static const struct symbolic *value(struct run *r, int i)
         return z;
     arithmetic_symbolic.init(z, r->terms);
     r->nodes[i].done = true;
-    if (n->op == OPERATOR_INPUT && r->t->variables[i].angle) {
-        symbolic_set_angle(z, r->variable[i]);
-    } else if (n->op == OPERATOR_INPUT) {
-        symbolic_set_variable(z, r->variable[i], r->t->variables[i].power);
+    if (n->op == OPERATOR_INPUT) {
+        set_input(r, z, i);
     } else if (n->op == OPERATOR_NUMBER) {
         arithmetic_symbolic.set_rational(z, &n->number, r->terms);
     } else {
@@ -146,25 +157,57 @@ static const struct symbolic *value(struct run *r, int i)
     return z;
 }
 
-/* Inputs that something shown rests on are variables, the others are not there. */
-static void run_begin(struct run *r, const struct identities *t, slong terms, bool loose)
+void run_extend(struct run *r)
 {
-    slong functions = 0;
-    *r = (struct run){.t = t, .terms = terms};
-    r->nodes = xrealloc(NULL, (size_t)t->program.count, sizeof *r->nodes);
-    r->variable = xrealloc(NULL, (size_t)t->program.inputs + 1, sizeof *r->variable);
-    for (int i = 0; i < t->program.count; i++) {
-        r->nodes[i] = (struct known){.done = false};
-        if (i < t->program.inputs)
-            r->variable[i] = t->needed[i] ? r->variables++ : -1;
-        functions += t->needed[i] && t->program.nodes[i].op >= OPERATOR_SQRT;
-    }
-    symbolic_begin(r->variables, loose ? functions : 0, loose);
+    r->nodes = xrealloc(r->nodes, (size_t)r->t->program.count, sizeof *r->nodes);
+    while (r->count < r->t->program.count)
+        r->nodes[r->count++] = (struct known){.done = false};
 }
 
-static void run_end(struct run *r)
+/* Inputs that something shown rests on are variables, the others are not there. */
+void run_begin(struct run *r, const struct identities *t, slong terms, enum manner manner, slong more)
 {
-    for (int i = 0; i < r->t->program.count; i++)
+    slong functions = 0;
+    *r = (struct run){.t = t, .terms = terms, .at_point = manner == RUN_AT_POINT};
+    r->variable = xrealloc(NULL, (size_t)t->program.inputs + 1, sizeof *r->variable);
+    for (int i = 0; i < t->program.count; i++) {
+        if (i < t->program.inputs)
+            r->variable[i] = t->needed[i] ? r->variables++ : -1;
+        functions += t->program.nodes[i].op >= OPERATOR_SQRT;
+    }
+    run_extend(r);
+    const slong room = manner == RUN_STRICT ? 0 : 2 * functions; /* those that are altered are functions again */
+    r->field = symbolic_begin(r->at_point ? 0 : r->variables + more, room, manner != RUN_STRICT);
+}
+
+void run_keep(struct run *r, int count)
+{
+    symbolic_use(r->field);
+    for (int i = 0; i < count; i++) {
+        if (r->t->needed[i])
+            value(r, i);
+        r->nodes[i].kept = r->nodes[i].done;
+    }
+    symbolic_keep();
+}
+
+void run_forget(struct run *r)
+{
+    symbolic_use(r->field);
+    for (int i = 0; i < r->count; i++) {
+        if (r->nodes[i].done && !r->nodes[i].kept)
+            arithmetic_symbolic.clear(&r->nodes[i].value);
+        if (!r->nodes[i].kept)
+            r->nodes[i] = (struct known){.done = false};
+    }
+    r->count = FLINT_MIN(r->count, r->t->program.count);
+    symbolic_forget();
+}
+
+void run_end(struct run *r)
+{
+    symbolic_use(r->field);
+    for (int i = 0; i < r->count; i++)
         if (r->nodes[i].done)
             arithmetic_symbolic.clear(&r->nodes[i].value);
     symbolic_end();
@@ -348,31 +391,20 @@ static void print_difference(FILE *out, const struct run *r, const fmpz_mpoly_q_
 
 /* ---- the proof ---- */
 
+/* Where the sides of an equality differ, or why they cannot be compared. */
 struct finding {
-    enum result result;
-    const struct root *root; /* that is not proved to be positive, or is no root of anything */
-    int at;                  /* the first equality that does not hold                        */
-    slong power;             /* of epsilon, where its sides differ                           */
+    slong power; /* of epsilon */
     enum symbolic_fault fault;
-    const char *why;
 };
 
-static void prove_roots(struct run *r, struct finding *f)
+bool run_root(struct run *r, int node)
 {
-    for (int i = 0; i < r->t->root_count; i++) {
-        const struct root *root = &r->t->roots[i];
-        const struct symbolic *x = value(r, root->node);
-        const bool number = x->fault == SYMBOLIC_FINE && !x->angle;
-        const int s = number ? signs(r, root->node) : SIGN_ANY;
-        const bool positive = s == SIGN_POSITIVE;
-        if (number && !(s & SIGN_NEGATIVE) && s != SIGN_ZERO) {
-            symbolic_root(x, positive);
-        } else {
-            symbolic_root(NULL, false);
-            if (f->root == NULL)
-                *f = (struct finding){.result = IDENTITY_UNDECIDED, .root = root, .why = "is not proved to be positive"};
-        }
-    }
+    symbolic_use(r->field);
+    const struct symbolic *x = value(r, node);
+    const int s = x->fault == SYMBOLIC_FINE && !x->angle ? signs(r, node) : SIGN_ANY;
+    const bool is_root = !(s & SIGN_NEGATIVE) && s != SIGN_ZERO;
+    symbolic_root(is_root ? x : NULL, s == SIGN_POSITIVE);
+    return is_root;
 }
 
 /* Whether a value may be compared. */
@@ -381,142 +413,112 @@ static enum symbolic_fault fault_of(const struct symbolic *x)
     return x->fault == SYMBOLIC_FINE && x->angle ? SYMBOLIC_ANGLE_AS_NUMBER : x->fault;
 }
 
-/* Compares one equality; *vacuous: both its sides are zero, to this order. */
-static struct finding compare(struct run *r, int i, bool *vacuous)
+/* Of two nodes; *zero: both vanish, to this order. */
+static enum result compare(struct run *r, int left, int right, bool *zero, struct finding *f)
 {
-    const struct symbolic *left = value(r, r->t->shown[i].left), *right = value(r, r->t->shown[i].right);
-    struct finding f = {.result = IDENTITY_HOLDS, .at = i, .fault = fault_of(left)};
-    if (f.fault == SYMBOLIC_FINE)
-        f.fault = fault_of(right);
-    if (f.fault != SYMBOLIC_FINE)
-        f.result = IDENTITY_UNDECIDED;
-    for (slong k = 0; k < r->terms && f.result == IDENTITY_HOLDS; k++)
-        if (!fmpz_mpoly_q_equal(left->a + k, right->a + k, symbolic_context())) {
-            f.result = IDENTITY_DIFFERS;
-            f.power = k;
-        }
-    *vacuous = f.result == IDENTITY_HOLDS && r->terms > 1;
-    for (slong k = 0; k < r->terms; k++)
-        *vacuous = *vacuous && fmpz_mpoly_q_is_zero(left->a + k, symbolic_context());
-    return f;
-}
-
-/* Whether both sides of such equalities are zero for good, and not for want of further terms. */
-static void look_further(const struct identities *t, const bool *vacuous, bool loose, struct finding *f, struct proof *p)
-{
-    struct run r;
-    struct finding none = {.result = IDENTITY_HOLDS};
-    bool still;
-    run_begin(&r, t, 2 * t->order + 4, loose);
-    prove_roots(&r, &none);
-    for (int i = 0; i < t->shown_count; i++) {
-        if (!vacuous[i])
-            continue;
-        compare(&r, i, &still);
-        if (!still) {
-            p->holds[i] = false;
-            if (f->result == IDENTITY_HOLDS)
-                *f = (struct finding){.result = IDENTITY_UNDECIDED, .at = i,
-                                      .why = "both sides vanish to this order: nothing is shown"};
-        }
+    const struct symbolic *x = value(r, left), *y = value(r, right);
+    f->fault = fault_of(x) != SYMBOLIC_FINE ? fault_of(x) : fault_of(y);
+    if (f->fault != SYMBOLIC_FINE)
+        return IDENTITY_UNDECIDED;
+    *zero = true;
+    for (f->power = 0; f->power < r->terms; f->power++) {
+        if (!fmpz_mpoly_q_equal(x->a + f->power, y->a + f->power, symbolic_context()))
+            return IDENTITY_DIFFERS;
+        *zero = *zero && fmpz_mpoly_q_is_zero(x->a + f->power, symbolic_context());
     }
-    run_end(&r);
+    return IDENTITY_HOLDS;
 }
 
-static char *tell(struct run *r, const struct finding *f, struct proof *p)
+enum result run_compare(struct run *r, int left, int right)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *out = text_open(&text, &size);
-    const struct equality *e = &r->t->shown[f->at];
-    if (f->root != NULL) {
-        fprintf(out, "square root %s %s", f->root->text, f->why);
-    } else if (f->why != NULL) {
-        fprintf(out, "%s: %s", e->text, f->why);
-    } else if (f->result == IDENTITY_UNDECIDED) {
-        fprintf(out, "%s: no value, %s", e->text, symbolic_fault_text(f->fault));
+    bool zero;
+    struct finding f;
+    symbolic_use(r->field);
+    return compare(r, left, right, &zero, &f);
+}
+
+static void tell(FILE *out, struct run *r, const struct equality *e, const struct finding *f, struct proof *p)
+{
+    if (p->result == IDENTITY_UNDECIDED) {
+        fprintf(out, "no value, %s", symbolic_fault_text(f->fault));
         if (f->fault == SYMBOLIC_TOO_LARGE)
             fprintf(out, ", %s", symbolic_fault_size());
-    } else {
-        const fmpz_mpoly_q_struct *x = value(r, e->left)->a + f->power, *y = value(r, e->right)->a + f->power;
-        if (r->terms > 1)
-            fprintf(out, "%s: the coefficients of epsilon^%ld differ by ", e->text, (long)f->power);
-        else
-            fprintf(out, "%s: the sides differ by ", e->text);
-        print_difference(out, r, x, y, p);
-        print_example(out, r, x, y);
+        return;
     }
-    text_close(out);
-    return text;
+    const fmpz_mpoly_q_struct *x = value(r, e->left)->a + f->power, *y = value(r, e->right)->a + f->power;
+    if (r->terms > 1)
+        fprintf(out, "the coefficients of epsilon^%ld differ by ", (long)f->power);
+    else
+        fputs("the sides differ by ", out);
+    print_difference(out, r, x, y, p);
+    print_example(out, r, x, y);
 }
 
-static void prove(const struct identities *t, bool loose, bool tells, struct proof *p)
+/* The first thing that tells against the identities: what, where it stands, why. */
+static void refuse(struct proof *p, enum result result, const char *format, const char *what, const yaml_node_t *at,
+                   struct run *r, const struct equality *e, const struct finding *f)
+{
+    size_t size;
+    if (p->result != IDENTITY_HOLDS || result == IDENTITY_HOLDS)
+        return;
+    p->result = result;
+    p->at = at;
+    FILE *out = text_open(&p->evidence, &size);
+    fprintf(out, format, what);
+    if (r != NULL)
+        tell(out, r, e, f, p);
+    text_close(out);
+}
+
+/* Whether equalities of which both sides vanish do so for good, and not for want of further terms. */
+static void look_further(const struct identities *t, const bool *zero, struct proof *p)
 {
     struct run r;
-    struct finding f = {.result = IDENTITY_HOLDS};
-    bool vacuous[MOST_SHOWN] = {false}, any = false;
-    *p = (struct proof){.result = IDENTITY_HOLDS};
-    run_begin(&r, t, t->order < 0 ? 1 : t->order + 1, loose);
-    prove_roots(&r, &f);
+    struct finding f;
+    run_begin(&r, t, 2 * t->order + 4, RUN_STRICT, 0);
+    for (int i = 0; i < t->root_count; i++)
+        run_root(&r, t->roots[i].node);
     for (int i = 0; i < t->shown_count; i++) {
-        const struct finding one = compare(&r, i, &vacuous[i]);
-        p->holds[i] = one.result == IDENTITY_HOLDS;
-        any = any || vacuous[i];
-        if (f.result == IDENTITY_HOLDS)
-            f = one;
+        bool still = false;
+        if (zero[i] && (compare(&r, t->shown[i].left, t->shown[i].right, &still, &f) != IDENTITY_HOLDS || !still))
+            refuse(p, IDENTITY_UNDECIDED, "%s: both sides vanish to this order: nothing is shown", t->shown[i].text,
+                   t->shown[i].at, NULL, NULL, NULL);
+        p->holds[i] = p->holds[i] && (still || !zero[i]);
     }
-    for (int i = 0; i < t->root_count && f.result == IDENTITY_HOLDS && !t->shared; i++)
-        if (!symbolic_root_used(i))
-            f = (struct finding){.result = IDENTITY_UNDECIDED, .root = &t->roots[i], .why = "is the root of nothing shown"};
-    if (f.result != IDENTITY_HOLDS && tells)
-        p->evidence = tell(&r, &f, p);
     run_end(&r);
-    if (any) {
-        const bool held = f.result == IDENTITY_HOLDS;
-        look_further(t, vacuous, loose, &f, p);
-        if (held && f.result != IDENTITY_HOLDS && tells)
-            p->evidence = tell(&(struct run){.t = t}, &f, p);
-    }
-    p->result = f.result;
 }
 
 void identities_prove(const struct identities *t, struct proof *p)
 {
-    prove(t, false, true, p);
-}
-
-int identities_broken(const struct identities *t, bool loose, bool holds[MOST_SHOWN])
-{
-    struct proof p;
-    int broken = 0;
-    prove(t, loose, false, &p);
+    struct run r;
+    bool zero[MOST_SHOWN] = {false};
+    *p = (struct proof){.result = IDENTITY_HOLDS};
+    run_begin(&r, t, t->order + 1 + (t->order < 0), RUN_STRICT, 0);
+    for (int i = 0; i < t->root_count; i++)
+        if (!run_root(&r, t->roots[i].node))
+            refuse(p, IDENTITY_UNDECIDED, "square root %s is not proved to be positive", t->roots[i].text, t->roots[i].at,
+                   NULL, NULL, NULL);
     for (int i = 0; i < t->shown_count; i++) {
-        holds[i] = p.holds[i];
-        broken += !p.holds[i];
+        const struct equality *e = &t->shown[i];
+        struct finding f;
+        const enum result result = compare(&r, e->left, e->right, &zero[i], &f);
+        p->holds[i] = result == IDENTITY_HOLDS;
+        zero[i] = zero[i] && p->holds[i];
+        refuse(p, result, "%s: ", e->text, e->at, &r, e, &f);
     }
-    return broken;
+    for (int i = 0; i < t->root_count && !t->shared; i++)
+        if (!symbolic_root_used(i))
+            refuse(p, IDENTITY_UNDECIDED, "square root %s is the root of nothing shown", t->roots[i].text, t->roots[i].at,
+                   NULL, NULL, NULL);
+    run_end(&r);
+    if (t->order >= 0 && p->result == IDENTITY_HOLDS)
+        look_further(t, zero, p);
 }
 
 void proof_clear(struct proof *p)
 {
     free(p->evidence);
     free(p->difference);
-}
-
-bool nodes_equal(const struct program *p, int left, int right)
-{
-    struct equality e = {.text = "", .left = left, .right = right};
-    struct identities t = {.program = *p, .shown = &e, .shown_count = 1, .order = -1};
-    bool holds[MOST_SHOWN] = {false};
-    t.needed = xrealloc(NULL, (size_t)p->count, 1);
-    t.variables = xrealloc(NULL, (size_t)p->inputs + 1, sizeof *t.variables);
-    memset(t.needed, 1, (size_t)p->count);
-    for (int i = 0; i < p->inputs; i++)
-        t.variables[i] = (struct variable){.signs = SIGN_ANY};
-    identities_broken(&t, true, holds);
-    free(t.needed);
-    free(t.variables);
-    return holds[0];
 }
 
 /* ---- where they hold ---- */

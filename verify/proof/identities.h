@@ -29,6 +29,7 @@ struct equality {
 /* What a square root is said to be equal to: to be proved positive. */
 struct root {
     const char *text;
+    const yaml_node_t *at;
     int node;
 };
 
@@ -39,7 +40,15 @@ struct use {
     const struct formulas *formulas;
     int part;                        /* the node in the section's program; 0 left, 1 right */
     int bound[MOST_BOUND];           /* what the section's inputs are            */
-    int pair;                        /* of the numbers that alter it, -1: none   */
+    int node, first;                 /* what it became: a node, of those from `first` on */
+    int *copy;                       /* what each node of that program became; older than first, it was bound */
+};
+
+/* A rate(): of a node, by pairs of nodes, what moves and its rate (-1: none); the nodes from `first` to the result. */
+struct rate {
+    int of, first, result;
+    int *moving;
+    int count;
 };
 
 struct identities {
@@ -48,8 +57,8 @@ struct identities {
     struct equality *shown;
     struct root *roots;
     struct use *uses;
-    int shown_count, root_count, use_count;
-    int first_pair, pairs;      /* inputs that an alteration takes up */
+    struct rate *rates;
+    int shown_count, root_count, use_count, rate_count;
     int order;                  /* the highest power of epsilon that is compared; -1: exact */
     bool shared;                /* what is given serves others too: not all need serve here */
     char **lets;                /* "C2 = 0": quantities of the sheet that are bound to a formula of their own */
@@ -64,23 +73,7 @@ struct definitions {
     int count, output_count;
 };
 
-/*
- * What becomes of the identities when formulas change. ANY: each formula F that `concerns` becomes a F + b with free
- * a and b of its own (an angle is turned by b). Else one node of one section's program, or of one relation, changes, or
- * (RESULT) the sign of that part where a formula refers to it.
- */
-enum change { CHANGE_ANY, CHANGE_RESULT, CHANGE_SIGN, CHANGE_LEFT, CHANGE_RIGHT, CHANGE_NUMBER, CHANGES };
-
-struct alteration {
-    enum change change;
-    bool (*concerns)(const void *context, const struct use *u);
-    const void *context;
-    int node;
-};
-
-/* Whether a node can change so; the change, and the node that is wanted then; the program of a side of a relation. */
-int alteration_make(struct program *p, enum change change, int node, int wanted);
-bool alteration_applies(const struct program *p, enum change change, int node);
+/* The program of a side of a relation; its node. */
 int relation_program(struct program *p, const struct sheet *sheet, const struct relation *relation, bool right);
 
 /* What the names of formulas may stand for, and where they are written. */
@@ -93,7 +86,6 @@ struct scope {
     const yaml_node_t *variant;            /* a mapping with another `let`; NULL: none */
     const char *const *names;              /* further free names                      */
     int name_count;
-    const struct alteration *alteration;   /* NULL: none                              */
 };
 
 /* Of an open scope, a formula each: its node, -1 after a complaint; an equality each, false after a complaint. */
@@ -118,17 +110,42 @@ enum result { IDENTITY_HOLDS, IDENTITY_DIFFERS, IDENTITY_UNDECIDED };
 struct proof {
     enum result result;
     char *evidence;          /* NULL where all hold; else what does not, and one point as an example  */
+    const yaml_node_t *at;   /* where that stands, in the scope's document                            */
     char *difference;        /* the numerator's leading terms as TeX, of what differs; NULL: nothing  */
     bool holds[MOST_SHOWN];  /* equality by equality                                                  */
 };
 
 void identities_prove(const struct identities *t, struct proof *p);
 
-/* How many equalities do not hold, and which do, with no evidence; loose: see symbolic.h. */
-int identities_broken(const struct identities *t, bool loose, bool holds[MOST_SHOWN]);
 void proof_clear(struct proof *p);
 
-/* Whether two nodes of a program are equal for all values of its inputs, whatever functions mean. */
-bool nodes_equal(const struct program *p, int left, int right);
+/* ---- at work ---- */
+
+/* The values and signs of nodes, in a field of normal forms of its own: worked out when they are first asked for. */
+struct run {
+    const struct identities *t;
+    struct field *field;
+    struct known *nodes;
+    int count;         /* of nodes                                    */
+    slong *variable;   /* of an input; -1 where nothing rests on it   */
+    slong variables, terms;
+    bool at_point;     /* every variable has a number for its value   */
+};
+
+enum manner { RUN_STRICT, RUN_LOOSE, RUN_AT_POINT }; /* strict and loose: see symbolic.h; at a point it is loose, too */
+
+/* To this many terms. An INPUT that is appended to the program is a further variable, by its exponent, or where its number
+   is one an angle; there are `more` of them. */
+void run_begin(struct run *r, const struct identities *t, slong terms, enum manner manner, slong more);
+void run_end(struct run *r);
+
+/* What is known of the program's first nodes stays; what became known since then goes; nodes were appended. */
+void run_keep(struct run *r, int count);
+void run_forget(struct run *r);
+void run_extend(struct run *r);
+
+/* A node becomes a square root, if it is proved to be positive; how two nodes compare. */
+bool run_root(struct run *r, int node);
+enum result run_compare(struct run *r, int left, int right);
 
 #endif

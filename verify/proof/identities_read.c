@@ -16,7 +16,7 @@
 
 #include "proof/identities.h"
 
-enum { MOST_NAMES = 64, HIGHEST_ORDER = 9, MOST_MOVING = 10000, PAIRS = 96 };
+enum { MOST_NAMES = 64, HIGHEST_ORDER = 9, MOST_MOVING = 10000 };
 
 /* Both halves of what a formula is read with. */
 struct reading {
@@ -130,9 +130,6 @@ static bool read_declarations(struct identities *t, const struct scope *s)
     for (int i = 0; i < DECLARATIONS; i++)
         if (!declare_names(t, s, &declarations[i]))
             return false;
-    t->first_pair = p->inputs;
-    for (int i = 0; s->alteration != NULL && s->alteration->change == CHANGE_ANY && i < 2 * PAIRS; i++)
-        program_input(p, " "); /* no formula can name it */
     t->variables = xrealloc(NULL, (size_t)p->inputs, sizeof *t->variables);
     for (int i = 0; i < p->inputs; i++)
         t->variables[i] = (struct variable){
@@ -219,6 +216,8 @@ static int read_rate(struct parser *p)
         rate[i] = -1;
         open[i] = i < s->sheet->quantity_count && rate_name(s->sheet, s->sheet->quantities[i].name, name);
     }
+    struct rate made = {.of = node, .first = count};
+    made.moving = xrealloc(NULL, rates != NULL ? 2 * (size_t)length_of(rates) : 1, sizeof *made.moving);
     for (int i = 0; rates != NULL && i < length_of(rates); i++) {
         const int moving = program_find(p->program, scalar(key_of(s->document, rates, i)));
         const char *by = scalar(value_of(s->document, rates, i));
@@ -226,6 +225,8 @@ static int read_rate(struct parser *p)
             continue;
         rate[moving] = program_find(p->program, by); /* no name is a number */
         open[moving] = open[moving] && rate[moving] < 0 && strcmp(by, "0") != 0;
+        made.moving[2 * made.count] = moving;
+        made.moving[2 * made.count++ + 1] = rate[moving];
     }
     program_needs(p->program, node, rate, needed);
     for (int i = 0; i <= node && i < s->sheet->quantity_count; i++)
@@ -234,12 +235,15 @@ static int read_rate(struct parser *p)
         p->at = begin;
         rate_name(s->sheet, still, name);
         message_set(p->why, "rate() of what rests on %s, expected %s: %s among the rates, or %s: 0", still, still, name, still);
+    } else {
+        made.result = program_own(p->program, count, program_derivative(p->program, node, rate, count));
     }
-    const int result = still != NULL ? -1 : program_derivative(p->program, node, rate, count);
+    r->t->rates = xrealloc(r->t->rates, (size_t)r->t->rate_count + 1, sizeof *r->t->rates);
+    r->t->rates[r->t->rate_count++] = made;
     free(rate);
     free(needed);
     free(open);
-    return result;
+    return still != NULL ? -1 : made.result;
 }
 
 /* ---- what a formula takes of the sheet ---- */
@@ -252,103 +256,18 @@ static int unknown_name(struct parser *p, const char *name, const char *kind, co
     return -1;
 }
 
-/*
- * Changes a node of a program (a copy of a section's, before it is used) so that what rests on it becomes something
- * else: the last nodes are new. False where this change is none of this node.
- */
-static bool change_node(struct program *p, enum change change, int i, int *instead)
-{
-    struct node *n = &p->nodes[i];
-    const bool pair = n->left >= 0 && n->right >= 0;
-    *instead = -1;
-    if ((change == CHANGE_SIGN && n->op == OPERATOR_NEGATE) || (change == CHANGE_LEFT && n->left >= 0))
-        *instead = n->left; /* a term, a factor, a divisor, a function is dropped */
-    else if (change == CHANGE_SIGN && (n->op == OPERATOR_ADD || n->op == OPERATOR_SUBTRACT))
-        n->op = n->op == OPERATOR_ADD ? OPERATOR_SUBTRACT : OPERATOR_ADD;
-    else if (change == CHANGE_SIGN && (n->op == OPERATOR_SIN || n->op == OPERATOR_COS))
-        n->op = n->op == OPERATOR_SIN ? OPERATOR_COS : OPERATOR_SIN;
-    else if (change == CHANGE_RIGHT && pair && n->op != OPERATOR_DIVIDE)
-        *instead = n->right;
-    else if (change == CHANGE_RIGHT && n->op == OPERATOR_DIVIDE)
-        n->op = OPERATOR_MULTIPLY;
-    else if (change == CHANGE_NUMBER && n->op == OPERATOR_POWER)
-        n->exponent++;
-    else if (change == CHANGE_NUMBER && n->op == OPERATOR_NUMBER)
-        fmpq_add_si(&n->number, &n->number, 1);
-    else
-        return false;
-    return true;
-}
-
-bool alteration_applies(const struct program *p, enum change change, int node)
-{
-    struct program copy;
-    int instead;
-    program_copy(&copy, p);
-    const bool applies = change_node(&copy, change, node, &instead);
-    program_clear(&copy);
-    return applies;
-}
-
-int alteration_make(struct program *p, enum change change, int node, int wanted)
-{
-    int instead;
-    if (change_node(p, change, node, &instead) && instead >= 0)
-        program_redirect(p, node, instead, &wanted);
-    return wanted;
-}
-
-/* The pair of free numbers that this use's part has for itself; -1: there is no room. */
-static int pair_of(struct identities *t, const struct use *u)
-{
-    for (int i = 0; i < t->use_count; i++) {
-        const struct use *other = &t->uses[i];
-        if (other->formulas == u->formulas && other->relation == u->relation && other->part == u->part && other->pair >= 0)
-            return other->pair;
-    }
-    return t->pairs < PAIRS ? t->pairs++ : -1;
-}
-
-/* The copy, altered: a F + b, of an angle F + b, or -F. */
-static int alter_result(struct identities *t, const struct alteration *a, struct use *u, int node)
-{
-    struct program *p = &t->program;
-    if (a->change == CHANGE_RESULT)
-        return program_append(p, OPERATOR_NEGATE, node, -1, 0);
-    if (a->change != CHANGE_ANY || (u->pair = pair_of(t, u)) < 0)
-        return node;
-    const int factor = t->first_pair + 2 * u->pair, shift = factor + 1;
-    if (p->nodes[node].op == OPERATOR_ATAN2)
-        t->variables[shift].angle = true;
-    else
-        node = program_append(p, OPERATOR_MULTIPLY, node, factor, 0);
-    return program_append(p, OPERATOR_ADD, node, shift, 0);
-}
-
-/* Copies the part of a program into the identities', remembers it, and alters it where that is wanted. */
-static int take_part(const struct reading *r, struct use u, const struct program *from, int wanted, const int *stand_in)
+/* Copies the part of a program into the identities', and remembers what became of it: of the map, which it keeps. */
+static int take_part(const struct reading *r, struct use u, const struct program *from, int wanted, int *map)
 {
     struct identities *t = r->t;
-    const struct alteration *a = r->scope->alteration;
-    const bool altered = a != NULL && a->concerns(a->context, &u);
-    struct program copy;
-    program_copy(&copy, from);
-    if (altered && a->change >= CHANGE_SIGN && stand_in[a->node] < 0)
-        wanted = alteration_make(&copy, a->change, a->node, wanted);
     for (int i = 0; i < from->inputs && i < MOST_BOUND; i++)
-        u.bound[i] = stand_in[i];
-    u.pair = -1;
-    const int first = t->program.count;
-    int node = program_inline(&t->program, &copy, wanted, stand_in);
-    if (node < first) /* a name alone: it shall be a node of its own */
-        for (int i = 0; i < 2; i++)
-            node = program_append(&t->program, OPERATOR_NEGATE, node, -1, 0);
-    if (altered)
-        node = alter_result(t, a, &u, node);
+        u.bound[i] = map[i];
+    u.first = t->program.count;
+    u.node = program_own(&t->program, u.first, program_copy_node(&t->program, from, wanted, map));
+    u.copy = map;
     t->uses = xrealloc(t->uses, (size_t)t->use_count + 1, sizeof *t->uses);
     t->uses[t->use_count++] = u;
-    program_clear(&copy);
-    return node;
+    return u.node;
 }
 
 /* The relation of that number, the first, second ... ("1", "2" ...) of them; NULL when there is none. */
@@ -406,7 +325,6 @@ static int read_side(struct parser *p, bool right)
     for (int i = 0; i < side.count; i++)
         stand_in[i] = i < side.inputs ? program_find(p->program, side.names[i].text) : -1;
     const int node = take_part(r, u, &side, wanted, stand_in);
-    free(stand_in);
     program_clear(&side);
     return node;
 }
@@ -517,18 +435,17 @@ static int read_output(struct parser *p, const char *id)
         p->at = behind;
         return unknown_name(p, name, "output", "an output or a named subexpression of that section");
     }
-    int node = -1, *stand_in = xrealloc(NULL, (size_t)from->count, sizeof *stand_in);
+    int *stand_in = xrealloc(NULL, (size_t)from->count, sizeof *stand_in);
     for (int i = 0; i < from->count; i++)
         stand_in[i] = -1;
     if (*p->at != '(' || (p->at++, read_bindings(p, from, stand_in))) {
         const char *missing = bind_names(r, from, u.part, stand_in);
         if (missing == NULL)
-            node = take_part(r, u, from, u.part, stand_in);
-        else
-            message_set(p->why, "nothing here is called '%s', expected %s = ... in brackets after %s", missing, missing, name);
+            return take_part(r, u, from, u.part, stand_in);
+        message_set(p->why, "nothing here is called '%s', expected %s = ... in brackets after %s", missing, missing, name);
     }
     free(stand_in);
-    return node;
+    return -1;
 }
 
 static int read_reference(struct parser *p, const char *name)
@@ -669,7 +586,7 @@ static bool read_roots(struct identities *t, const struct scope *s)
     for (; t->root_count < length_of(roots); t->root_count++) {
         const yaml_node_t *item = item_of(s->document, roots, t->root_count);
         struct root *root = &t->roots[t->root_count];
-        *root = (struct root){.text = scalar(item), .node = identities_formula(t, s, item)};
+        *root = (struct root){.text = scalar(item), .at = item, .node = identities_formula(t, s, item)};
         if (root->node < 0)
             return false;
     }
@@ -699,18 +616,14 @@ bool identities_open(struct identities *t, const struct scope *s)
 
 static void mark_needed(struct identities *t)
 {
-    const size_t count = (size_t)t->program.count;
-    char *one = xrealloc(NULL, count, 1);
-    t->needed = xrealloc(NULL, count, 1);
-    memset(t->needed, 0, count);
-    for (int i = 0; i < 2 * t->shown_count + t->root_count; i++) {
-        const int k = i - 2 * t->shown_count;
-        const int node = k >= 0 ? t->roots[k].node : i % 2 ? t->shown[i / 2].left : t->shown[i / 2].right;
-        program_needs(&t->program, node, NULL, one);
-        for (int j = 0; j <= node; j++)
-            t->needed[j] |= one[j];
+    t->needed = xrealloc(NULL, (size_t)t->program.count, 1);
+    memset(t->needed, 0, (size_t)t->program.count);
+    for (int i = 0; i < t->shown_count; i++) {
+        program_mark(&t->program, t->shown[i].left, NULL, t->needed);
+        program_mark(&t->program, t->shown[i].right, NULL, t->needed);
     }
-    free(one);
+    for (int i = 0; i < t->root_count; i++)
+        program_mark(&t->program, t->roots[i].node, NULL, t->needed);
 }
 
 static bool all_needed(const struct identities *t, const struct scope *s)
@@ -754,7 +667,7 @@ bool identities_close(struct identities *t, const struct scope *s)
     if (!check_rates(t, s))
         return false;
     mark_needed(t);
-    return s->variant != NULL || s->alteration != NULL || s->shared != NULL || (all_needed(t, s) && check_roots(t, s));
+    return s->variant != NULL || s->shared != NULL || (all_needed(t, s) && check_roots(t, s));
 }
 
 void identities_clear(struct identities *t)
@@ -763,7 +676,12 @@ void identities_clear(struct identities *t)
     free(t->variables);
     free(t->shown);
     free(t->roots);
+    for (int i = 0; i < t->use_count; i++)
+        free(t->uses[i].copy);
+    for (int i = 0; i < t->rate_count; i++)
+        free(t->rates[i].moving);
     free(t->uses);
+    free(t->rates);
     free(t->needed);
     for (int i = 0; i < t->sheet_lets; i++)
         free(t->lets[i]);
