@@ -663,7 +663,7 @@ START_TEST(given_root_is_taken)
     ck_assert(fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
     arithmetic_symbolic.apply(OPERATOR_EXP, &w, &u, NULL, 0, 1);
     ck_assert(!fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
-    symbolic_set_angle(&z, 0); /* an angle with a number on top, whose sine is a further unknown, twice the same */
+    symbolic_set_angle(&z, 0, NULL); /* an angle with a number on top, whose sine is a further unknown, twice the same */
     arithmetic_symbolic.apply(OPERATOR_ADD, &u, &u, &z, 0, 1);
     arithmetic_symbolic.apply(OPERATOR_SIN, &z, &u, NULL, 0, 1);
     arithmetic_symbolic.apply(OPERATOR_SIN, &w, &u, NULL, 0, 1);
