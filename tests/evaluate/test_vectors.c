@@ -208,6 +208,44 @@ START_TEST(a_defect_leaves_the_domain)
 }
 END_TEST
 
+/*
+ * What the program enforces stands in the sheet: for whatever reason it refuses a defect, the text is a condition of the
+ * operation, or the domain of an input; and of the methods it refuses a time between steps by the text that says so.
+ */
+START_TEST(a_defect_is_refused_by_a_text_of_the_sheet)
+{
+    const struct section *s = operation_at(_i);
+    struct operation o;
+    double values[MOST_INPUTS];
+    bool between = false;
+    if (s->method == METHOD_NONE)
+        return;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    for (uint64_t k = 0; k < 64; k++) {
+        bool said = false;
+        sample(&o, SEED, k, values, inputs);
+        domain_defect(&o, k, values);
+        if (!inputs_of_values(s, values, inputs))
+            continue;
+        ck_assert(!operation_valid(&o, inputs));
+        const char *reason = strstr(o.why.text, ": expected ");
+        ck_assert_msg(reason != NULL, "%s", o.why.text);
+        reason += strlen(": expected ");
+        for (int c = 0; c < s->corrected.count; c++)
+            said = said || strcmp(reason, s->corrected.conditions[c].text) == 0;
+        for (int i = 0; i < s->input_count; i++)
+            said = said || (strncmp(o.why.text, s->inputs[i]->name, strlen(s->inputs[i]->name)) == 0 &&
+                            s->inputs[i]->domain != DOMAIN_FINITE && strncmp(reason, "a number ", 9) == 0);
+        ck_assert_msg(said || strstr(reason, "finite") != NULL, "%s: %s", s->id, o.why.text);
+        between = between || strcmp(reason, "t/h an integer") == 0;
+    }
+    ck_assert_int_eq(between, s->method >= METHOD_RK4_LINEAR);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+END_TEST
+
 /* ---- the program's vectors ---- */
 
 static char *printed(const char *arguments)
@@ -415,6 +453,7 @@ SUITE(test_vectors)
     tcase_set_timeout(c, 60);
     tcase_add_loop_test(c, domain_of_the_sheet_is_that_of_ref, 0, sections);
     tcase_add_loop_test(c, a_defect_leaves_the_domain, 0, sections);
+    tcase_add_loop_test(c, a_defect_is_refused_by_a_text_of_the_sheet, 0, sections);
     suite_add_tcase(s, c);
     return s;
 }

@@ -52,5 +52,10 @@ bool print_errors(const struct sheet *sheet, long inputs, enum format format)
     }
     if (format == FORMAT_JSON)
         puts("]");
+    if (format == FORMAT_TABLE)
+        printf("\nE = |y - y*| / (2^-53 (|y*| + S)), S = sum |x dy/dx| over the inputs x: the error in roundings of result and inputs,\n"
+               "its largest of all outputs of the reference library on the inputs, rounded up; at most %d passes. In the enclosure:\n"
+               "whether the sheet's formula in MPFR lies in the ball that the error is measured from; - of roots, which no formula gives.\n",
+               PASS);
     return fine;
 }

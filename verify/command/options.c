@@ -10,9 +10,10 @@ const struct subcommand subcommands[] = {
      "What there is: the equations and the motions, or one of them with its title, formula, inputs, units, domain and verdict."},
     {"eval", command_eval, {"ID NAME=VALUE ...", "-"}, 1,
      "The outputs of one operation as NAME = DIGITS UNIT, every digit proved. Every input is given once, by its name in "
-     "equations ID and in that unit. With - it reads lines ID VECTOR-ID INPUT..., as the oracle writes them, and answers each at "
-     "once, VECTOR-ID OUTPUT..., VECTOR-ID invalid where the inputs lie outside the domain, or VECTOR-ID skip REASON where nothing "
-     "is proved, which makes the exit status 1; the first malformed line ends it with 2."},
+     "equations ID, in that unit and inside that domain (t a multiple of h in rk4_linear and rk4_nonlinear). With - it reads "
+     "lines ID VECTOR-ID INPUT..., as the oracle writes them, and answers each at once, VECTOR-ID OUTPUT..., VECTOR-ID invalid "
+     "where the inputs lie outside the domain, or VECTOR-ID skip REASON where nothing is proved, which makes the exit status 1; "
+     "the first malformed line ends it with 2."},
     {"table1", command_table1, {""}, 0,
      "The paper's Table 1: printed, computed, and whether the computed value rounds to the printed digits."},
     {"figure", command_figure, {"4 [Omega=VALUE]", MOTIONS " [NAME=VALUE ...]"}, 1,

@@ -131,9 +131,17 @@ bool domain_edge(struct operation *o, int condition, bool outside, double *value
 
 /* ---- defects ---- */
 
+int edge_count(const struct formulas *f)
+{
+    int edges = 0;
+    while (edges < f->count && f->conditions[edges].comparison != INTEGER)
+        edges++;
+    return edges;
+}
+
 bool domain_between_steps(const struct section *s, double *values)
 {
-    if (s->method != METHOD_RK4_LINEAR && s->method != METHOD_RK4_NONLINEAR)
+    if (edge_count(&s->corrected) == s->corrected.count)
         return false;
     for (int i = 0; i < s->input_count; i++)
         if (strcmp(s->inputs[i]->name, "t") == 0)
@@ -144,12 +152,12 @@ bool domain_between_steps(const struct section *s, double *values)
 void domain_defect(struct operation *o, uint64_t k, double *values)
 {
     const struct section *s = o->section;
-    uint64_t count = (uint64_t)o->formulas->count + (uint64_t)(s->method >= METHOD_RK4_LINEAR);
+    uint64_t count = (uint64_t)o->formulas->count;
     for (int i = 0; i < s->input_count; i++)
         for (int n = 0; n < EXTREMES; n++)
             count += extremes[n].outside && extreme_of(&extremes[n], s->inputs[i]);
     k %= count;
-    for (int c = 0; c < o->formulas->count; c++)
+    for (int c = 0; c < edge_count(o->formulas); c++)
         if (k-- == 0) {
             domain_edge(o, c, true, values);
             return;

@@ -27,6 +27,9 @@ bool extreme_of(const struct extreme *x, const struct quantity *q);
  */
 bool domain_edge(struct operation *o, int condition, bool outside, double *values);
 
+/* How many conditions have an edge: all but that of a Runge-Kutta method, that t/h is an integer. */
+int edge_count(const struct formulas *f);
+
 /* Of a Runge-Kutta method, t moved off the multiples of h by as little as can be; false of other operations. */
 bool domain_between_steps(const struct section *s, double *values);
 

@@ -118,7 +118,7 @@ static void domain_edges(struct golden *g)
     char name[40];
     for (int i = 0; i < s->input_count; i++)
         base[i] = strtod(g->base[i], NULL);
-    for (int k = 0; k < 2 * g->o.formulas->count; k++) {
+    for (int k = 0; k < 2 * edge_count(g->o.formulas); k++) {
         const bool outside = k % 2 == 0;
         memcpy(values, base, sizeof values);
         if (t >= 0 && !outside)

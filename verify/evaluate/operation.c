@@ -99,34 +99,23 @@ static bool compares(int sign, enum comparison comparison)
     return comparison == LESS ? sign < 0 : comparison == GREATER ? sign > 0 : sign >= 0;
 }
 
-/* The sign of a node: by its enclosure where that is clear of zero, else exactly. */
-static int node_sign(const struct operation *o, const struct input *inputs, int node)
+/* By the sign of its node's enclosure where that is clear of zero, else exactly. */
+static bool holds(const struct operation *o, const struct input *inputs, const struct condition *c)
 {
-    arb_srcptr ball = machine_value(&o->machine, node);
-    if (!arb_contains_zero(ball))
-        return arf_sgn(arb_midref(ball));
+    arb_srcptr ball = machine_value(&o->machine, c->node);
+    if (c->comparison != INTEGER && !arb_contains_zero(ball))
+        return compares(arf_sgn(arb_midref(ball)), c->comparison);
     struct machine values;
     SCOPE(fmpq, value);
     operation_exact(&values, o, inputs);
-    exact_is_rational(value, machine_value(&values, node)); /* conditions are rational in their inputs */
-    int sign = fmpq_sgn(value);
+    exact_is_rational(value, machine_value(&values, c->node)); /* conditions are rational in their inputs */
     machine_clear(&values);
-    return sign;
+    return c->comparison == INTEGER ? fmpz_is_one(fmpq_denref(value)) : compares(fmpq_sgn(value), c->comparison);
 }
 
 static const fmpq *input_named(const struct operation *o, const struct input *inputs, const char *name)
 {
     return &inputs[program_find(&o->formulas->program, name)].value;
-}
-
-static bool steps_fit(struct operation *o, const struct input *inputs)
-{
-    SCOPE(fmpq, steps);
-    fmpq_div(steps, input_named(o, inputs, "t"), input_named(o, inputs, "h"));
-    bool whole = fmpz_is_one(fmpq_denref(steps));
-    if (!whole)
-        message_set(&o->why, "t: expected a multiple of h");
-    return whole;
 }
 
 /* In so many bits, which stay in the machine where there is a condition. */
@@ -143,13 +132,12 @@ static bool valid_by(struct operation *o, const struct input *inputs, slong prec
         run_balls(o, inputs, prec);
     for (int i = 0; i < o->formulas->count; i++) {
         const struct condition *c = &o->formulas->conditions[i];
-        if (!compares(node_sign(o, inputs, c->node), c->comparison)) {
+        if (!holds(o, inputs, c)) {
             message_set(&o->why, "%s: expected %s", s->id, c->text);
             return false;
         }
     }
-    return (s->method != METHOD_RK4_LINEAR && s->method != METHOD_RK4_NONLINEAR) ||
-           steps_fit(o, inputs);
+    return true;
 }
 
 bool operation_valid(struct operation *o, const struct input *inputs)

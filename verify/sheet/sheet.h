@@ -27,9 +27,9 @@ struct table_row {
     const char *name, *printed, *unit, *scale;
 };
 
-enum comparison { LESS, GREATER, NOT_LESS };
+enum comparison { LESS, GREATER, NOT_LESS, INTEGER };
 
-/* node (comparison) 0 */
+/* node (comparison) 0; or node an integer, and such a condition stands after all others */
 struct condition {
     const char *text;
     int node;

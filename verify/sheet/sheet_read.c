@@ -176,19 +176,30 @@ static bool read_outputs(const struct sheet *sheet, const struct yaml *outputs, 
     return count == s->output_count || node_error(outputs, 0, "expected %d outputs", s->output_count);
 }
 
-/* "formula > formula" becomes the node of left - right, compared with zero. */
+/* "formula > formula" becomes the node of left - right, compared with zero; "formula an integer" that of the formula. */
 static bool read_condition(const struct yaml *n, struct formulas *f)
 {
     static const struct {
         const char *sign;
         enum comparison comparison;
     } comparisons[] = {{">=", NOT_LESS}, {">", GREATER}, {"<", LESS}};
+    static const char integer[] = " an integer";
     const char *sign = NULL;
     int k = 0, sides[2];
+    const size_t length = strlen(n->text);
+    if (length > strlen(integer) && strcmp(n->text + length - strlen(integer), integer) == 0) {
+        char *formula = text_copy(n->text);
+        formula[length - strlen(integer)] = '\0';
+        sides[0] = read_formula(&f->program, n, formula, 0);
+        free(formula);
+        if (sides[0] >= 0)
+            *APPENDED(f->conditions, f->count) = (struct condition){n->text, sides[0], INTEGER};
+        return sides[0] >= 0;
+    }
     while (k < 3 && (sign = strstr(n->text, comparisons[k].sign)) == NULL)
         k++;
     if (sign == NULL)
-        return node_error(n, 0, "expected a condition with >, >= or <");
+        return node_error(n, 0, "expected a condition with >, >= or <, or that ends in 'an integer'");
     if (!read_sides(&f->program, n, sign, strlen(comparisons[k].sign), sides))
         return false;
     *APPENDED(f->conditions, f->count) =
