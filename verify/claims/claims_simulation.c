@@ -425,20 +425,19 @@ const struct computation computations_simulation[] = {
     {"pitch", run_simulation, "gap_theta low_amplitude high_amplitude low_amplitude_48_72 high_amplitude_48_72",
      SAMPLED({PITCHED}, 0, 300, 3 * DAY, &linear)},
 
-    {"pitched", run_simulation, "sup_product at_product_72", SAMPLED({PITCHED}, 0, 100, 3 * DAY, NULL)},
-    {"planar", run_simulation, "sup_product", SAMPLED({PLANAR}, 0, 100, 3 * DAY, NULL)},
-    {"pitched_at_12", run_simulation, "sup_product", SAMPLED({PITCHED, .n = "12"}, 0, 100, 3 * DAY, NULL)},
-    {"pitched_late", run_simulation, "sup_psi sup_dL sup_y1 sup_product low_x1 high_x1 peak_z1", SAMPLED({PITCHED}, 2 * DAY, 50, 3 * DAY, NULL)},
-    {"planar_late", run_simulation, "sup_psi sup_dL sup_product", SAMPLED({PLANAR}, 2 * DAY, 50, 3 * DAY, NULL)},
-    {"unequal_late", run_simulation, "sup_psi sup_dL", SAMPLED({PITCHED, .m1 = "10", .m2 = "1000"}, 2 * DAY, 50, 3 * DAY, NULL)},
-    {"at_12_late", run_simulation, "sup_psi sup_dL", SAMPLED({PITCHED, .n = "12"}, 2 * DAY, 50, 3 * DAY, NULL)},
+    {"pitched", run_simulation, "sup_product at_product_72 sup_product_48_72 sup_y1_48_72 low_x1_48_72 high_x1_48_72 peak_z1_48_72"
+     BOTH("sup_", "_48_72"), SAMPLED({PITCHED}, 0, 50, 3 * DAY, NULL)},
+    {"planar", run_simulation, "sup_product sup_product_48_72" BOTH("sup_", "_48_72"), SAMPLED({PLANAR}, 0, 50, 3 * DAY, NULL)},
+    {"pitched_at_12", run_simulation, "sup_product" BOTH("sup_", "_48_72"), SAMPLED({PITCHED, .n = "12"}, 0, 50, 3 * DAY, NULL)},
+    {"unequal", run_simulation, BOTH("sup_", "_48_72"), SAMPLED({PITCHED, .m1 = "10", .m2 = "1000"}, 2 * DAY, 50, 3 * DAY, NULL)},
 
     {"pitched_10", run_simulation, BANDS("exit_") BOTH("peak_", "_69_72") BOTH("peak_", "_117_120") BOTH("peak_", "_189_192"),
      SAMPLED({PITCHED}, 0, 60, 8 * DAY, NULL)},
     {"pitched_12", run_simulation, PARTS_OF("exit_dL") " peak_dL_189_192", SAMPLED({PITCHED, .n = "12"}, 0, 60, 8 * DAY, NULL)},
     {"planar_10", run_simulation, BANDS("settled_"), SAMPLED({PLANAR}, 0, 240, 4 * DAY, NULL)},
-    {"linear_ends", run_simulation, BOTH("peak_", "_69_72") BOTH("peak_", "_117_120") BOTH("peak_", "_189_192"),
-     SAMPLED({LINEAR}, 69 * HOUR, 60, 8 * DAY, NULL)},
+    {"linear_day3", run_simulation, BOTH("peak_", ""), SAMPLED({LINEAR}, 69 * HOUR, 60, 72 * HOUR, NULL)},
+    {"linear_day5", run_simulation, BOTH("peak_", ""), SAMPLED({LINEAR}, 117 * HOUR, 60, 120 * HOUR, NULL)},
+    {"linear_day8", run_simulation, BOTH("peak_", ""), SAMPLED({LINEAR}, 189 * HOUR, 60, 192 * HOUR, NULL)},
     {"pitched_day8", run_simulation, "sup_product peak_product", SAMPLED({PITCHED}, 189 * HOUR, 10, 8 * DAY, NULL)},
     {"planar_day8", run_simulation, "sup_product", SAMPLED({PLANAR}, 189 * HOUR, 50, 8 * DAY, NULL)},
 
