@@ -53,6 +53,7 @@ struct assertion {
     enum ordering ordering;
     struct identities identity;   /* of an equality for all values                      */
     bool everywhere;              /* ... which it is                                    */
+    bool algebra;                 /* ... with nothing of the sheet in it                */
     struct formula formula;       /* left - right; whose roots; a polynomial            */
     const char *variable;         /* that moves between low and high; NULL: none        */
     struct formula low, high;

@@ -293,6 +293,8 @@ static bool read_identity(struct reading *r, struct assertion *a, const yaml_nod
     f.fine = f.fine && identities_close(&f.identities, &f.scope);
     a->everywhere = true;
     a->identity = f.identities;
+    if (f.fine && !a->algebra && f.identities.use_count == 0)
+        return refuse(r, node, "nothing of the sheet is in it, expected {algebra: left = right} for what is algebra alone");
     return f.fine;
 }
 
@@ -319,6 +321,13 @@ static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t 
     if (same_text(scalar(show), sign, sign + length))
         return refuse(r, show, "both sides are the same, expected what could be otherwise");
     return a->ordering == IS_EQUAL && !somewhere ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
+}
+
+/* What rests on no formula of the sheet, and says so. */
+static bool read_algebra(struct reading *r, struct assertion *a, const yaml_node_t *value)
+{
+    a->algebra = true;
+    return read_show(r, a, value) && (a->everywhere || refuse(r, value, "expected equalities for all values"));
 }
 
 static bool read_count(struct reading *r, const yaml_node_t *node, long *count)
@@ -459,7 +468,7 @@ static const struct form {
     const char *key;
     enum assertion_kind kind;
     bool (*read)(struct reading *r, struct assertion *a, const yaml_node_t *value);
-} forms[] = {{"show", ASSERT_SHOW, read_show},       {"root", ASSERT_ROOT, read_root},
+} forms[] = {{"show", ASSERT_SHOW, read_show},       {"algebra", ASSERT_SHOW, read_algebra}, {"root", ASSERT_ROOT, read_root},
              {"roots", ASSERT_ROOTS, read_roots},    {"characteristic", ASSERT_CHARACTERISTIC, read_characteristic},
              {"rank", ASSERT_RANK, read_rank},       {"step", ASSERT_STEP, read_step},
              {"claim", ASSERT_CLAIM, read_claim},    {"compute", ASSERT_COMPUTE, read_compute}};
@@ -503,8 +512,8 @@ static bool read_interval(struct reading *r, struct assertion *a)
 }
 
 /* The keys of an entry of `prove`; from CONTEXT on those of `given`, too. */
-enum { CONTEXT = 17 };
-static const char *const entry_keys[] = {"show", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on", "for",
+enum { CONTEXT = 18 };
+static const char *const entry_keys[] = {"show", "algebra", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on", "for",
                                          "above", "below", "count", "control", "observe", "angles", "positive", "free", "small", "order",
                                          "rates", "let", "square roots", "not negative", "at", "system", "about", NULL};
 
@@ -524,7 +533,7 @@ static bool read_assertion(struct reading *r, struct assertion *a)
         if (value != NULL)
             return forms[i].read(r, a, value);
     }
-    return refuse(r, a->node, "expected left = right, or one of show, root, roots, characteristic, rank, step, claim, compute");
+    return refuse(r, a->node, "expected left = right, or one of show, algebra, root, roots, characteristic, rank, step, claim, compute");
 }
 
 /* What it takes numbers of stands before it. */
