@@ -309,20 +309,6 @@ int refuse_assignment(const char *assignment, bool exact)
     return status;
 }
 
-void json_text(const char *text)
-{
-    putchar('"');
-    for (; *text != '\0'; text++) {
-        if (*text == '"' || *text == '\\')
-            putchar('\\');
-        if ((unsigned char)*text < 0x20)
-            printf("\\u%04x", (unsigned)*text);
-        else
-            putchar(*text);
-    }
-    putchar('"');
-}
-
 const struct section *section_argument(const struct sheet *sheet, const char *id)
 {
     const struct section *found = section_find(sheet, id);

@@ -79,9 +79,6 @@ int read_assignments(const struct arguments *a, const char *const *known, int co
                      const bool *may_be_infinite, bool *seen, struct input *values, const char **refused);
 int refuse_assignment(const char *assignment, bool exact);
 
-/* A text as a JSON string, quotes and all. */
-void json_text(const char *text);
-
 /* A whole number below 2^64, kept where the option is not given. */
 int option_number(const struct arguments *a, const char *name, uint64_t *number);
 

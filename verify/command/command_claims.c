@@ -6,8 +6,11 @@
 
 #include "claims/verdicts.h"
 #include "command/command.h"
+#include "text/csv.h"
+#include "text/json.h"
 
 struct printer {
+    struct json json;
     enum format format;
     int rows, verdicts[NOT_DECIDABLE + 1];
 };
@@ -17,65 +20,43 @@ static const char *text_of(const struct tex *t)
     return t->text != NULL ? t->text : "";
 }
 
-/* RFC 4180: quoted where a comma or a quote stands in it. */
-static void csv_field(const char *text, char after)
-{
-    const bool quoted = strpbrk(text, ",\"\n") != NULL;
-    if (quoted)
-        putchar('"');
-    for (; *text != '\0'; text++) {
-        if (*text == '"')
-            putchar('"');
-        putchar(*text);
-    }
-    if (quoted)
-        putchar('"');
-    putchar(after);
-}
-
-static void member(const char *key, const char *text)
-{
-    printf(", \"%s\": ", key);
-    json_text(text);
-}
-
 /* The numbers of the evidence, as data. */
-static void print_numbers(const struct statement *s)
+static void print_numbers(struct json *j, const struct statement *s)
 {
-    fputs(", \"numbers\": [", stdout);
+    static const char *const roundings[] = {"digits", "decimals", "at most", "at least", "exact"};
+    json_open(j, "numbers", '[');
     for (int i = 0; s != NULL && i < s->number_count; i++) {
-        static const char *const roundings[] = {"digits", "decimals", "at most", "at least", "exact"};
         const struct quoted_number *q = &s->numbers[i];
-        fputs(i > 0 ? ", {\"formula\": " : "{\"formula\": ", stdout);
-        json_text(q->text);
-        member("value", q->decimal != NULL ? q->decimal : "undecided");
-        if (q->unit != NULL)
-            member("unit", q->unit);
-        member("how", how_names[q->how]);
-        member("rounding", roundings[q->rounding]);
-        printf(", \"digits\": %ld}", (long)q->digits);
+        json_open(j, NULL, '{');
+        json_string(j, "formula", q->text);
+        json_string(j, "value", q->decimal != NULL ? q->decimal : "undecided");
+        json_string(j, "unit", q->unit);
+        json_string(j, "how", how_names[q->how]);
+        json_string(j, "rounding", roundings[q->rounding]);
+        json_value(j, "digits", "%ld", (long)q->digits);
+        json_close(j);
     }
-    putchar(']');
+    json_close(j);
 }
 
-static void print_json(const struct verdict_row *r, bool first)
+static void print_json(struct json *j, const struct verdict_row *r)
 {
-    fputs(first ? "[{\"id\": " : ",\n {\"id\": ", stdout);
-    json_text(r->id);
-    member("where", r->where);
-    member("kind", r->kind);
-    member("claim", text_of(&r->claim.plain));
-    member("verdict", verdict_names[r->verdict]);
-    member("how", how_names[r->how]);
-    member("evidence", text_of(&r->evidence.plain));
-    if (r->why.plain.length > 0) {
-        member("why", text_of(&r->why.plain));
-        member("why_tex", text_of(&r->why.latex));
-    }
-    member("claim_tex", text_of(&r->claim.latex));
-    member("evidence_tex", text_of(&r->evidence.latex));
-    print_numbers(r->statement);
-    putchar('}');
+    const bool why = r->why.plain.length > 0;
+    json_open(j, NULL, '{');
+    json_string(j, "id", r->id);
+    json_string(j, "where", r->where);
+    json_string(j, "kind", r->kind);
+    json_string(j, "claim", text_of(&r->claim.plain));
+    json_string(j, "verdict", verdict_names[r->verdict]);
+    json_string(j, "how", how_names[r->how]);
+    json_string(j, "evidence", text_of(&r->evidence.plain));
+    json_string(j, "why", why ? text_of(&r->why.plain) : NULL);
+    json_string(j, "why_tex", why ? text_of(&r->why.latex) : NULL);
+    json_string(j, "claim_tex", text_of(&r->claim.latex));
+    json_string(j, "evidence_tex", text_of(&r->evidence.latex));
+    print_numbers(j, r->statement);
+    json_close(j);
+    json_line(j, 1);
 }
 
 /* Of a claim that does not come out as it is written: each assertion, and what was found of it. */
@@ -97,11 +78,10 @@ static void print_row(void *context, const struct verdict_row *r)
     if (p->format == FORMAT_TABLE && r->open.text[0] != '\0')
         print_assertions(r->statement);
     if (p->format == FORMAT_JSON)
-        print_json(r, p->rows == 0);
+        print_json(&p->json, r);
     if (p->format == FORMAT_CSV) {
         const char *const fields[] = {r->id, r->where, r->kind, claim, verdict, how, evidence};
-        for (int i = 0; i < 7; i++)
-            csv_field(fields[i], i < 6 ? ',' : '\n');
+        csv_row(stdout, fields, 7);
     }
     if (r->open.text[0] != '\0') {
         fflush(stdout);
@@ -113,12 +93,17 @@ static void print_row(void *context, const struct verdict_row *r)
 
 bool print_claims(struct statements *claims, const struct proof_results *proofs, const char *only, enum format format)
 {
-    struct printer p = {.format = format};
+    struct printer p = {.json = json_on(stdout), .format = format};
+    if (format == FORMAT_JSON)
+        json_open(&p.json, NULL, '[');
     if (format == FORMAT_CSV)
         puts("id,where,kind,claim,verdict,how,evidence");
     bool decided = verdict_rows(proofs, claims, only, print_row, &p);
-    if (format == FORMAT_JSON)
-        puts("]");
+    if (format == FORMAT_JSON) {
+        json_line(&p.json, -1);
+        json_close(&p.json);
+        putchar('\n');
+    }
     if (format == FORMAT_TABLE && only == NULL) {
         printf("%d verdicts:", p.rows);
         for (int v = NOT_DECIDABLE; v >= 0; v--)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "command/command.h"
+#include "text/json.h"
 
 /* Blank-separated, padded to a width; "-" where there is nothing. */
 static void print_list(const char *const *texts, int count, int width)
@@ -108,56 +109,42 @@ static void table_proofs(const struct proof_results *p, int first, int end)
 
 /* ---- the same as JSON ---- */
 
-static void json_list(const char *key, const char *const *texts, int count)
+static void json_list(struct json *j, const char *key, const char *const *texts, int count)
 {
-    printf(", \"%s\": [", key);
-    for (int i = 0; i < count; i++) {
-        fputs(i ? ", " : "", stdout);
-        json_text(texts[i]);
-    }
-    putchar(']');
+    json_open(j, key, '[');
+    for (int i = 0; i < count; i++)
+        json_string(j, NULL, texts[i]);
+    json_close(j);
 }
 
-static void json_member(const char *key, const char *text)
-{
-    if (text == NULL)
-        return;
-    printf(", \"%s\": ", key);
-    json_text(text);
-}
-
-static void json_identities(const char *key, const struct identities *t, const struct proof *p)
+static void json_identities(struct json *j, const char *key, const struct identities *t, const struct proof *p)
 {
     static const char *const results[] = {
         [IDENTITY_HOLDS] = "holds", [IDENTITY_DIFFERS] = "differs", [IDENTITY_UNDECIDED] = "undecided"};
-    printf(",\n  \"%s\": {\"show\": [", key);
-    for (int i = 0; i < t->shown_count; i++) {
-        fputs(i ? ", " : "", stdout);
-        json_text(t->shown[i].text);
-    }
-    printf("], \"finding\": \"%s\"", results[p->result]);
-    json_member("evidence", p->evidence);
-    json_member("difference", p->difference);
-    putchar('}');
+    json_line(j, 2);
+    json_open(j, key, '{');
+    json_open(j, "show", '[');
+    for (int i = 0; i < t->shown_count; i++)
+        json_string(j, NULL, t->shown[i].text);
+    json_close(j);
+    json_string(j, "finding", results[p->result]);
+    json_string(j, "evidence", p->evidence);
+    json_string(j, "difference", p->difference);
+    json_close(j);
 }
 
 /* The free quantities that are small, or finite angles. */
-static void json_variables(const char *key, const struct identities *t, bool small)
+static void json_variables(struct json *j, const char *key, const struct identities *t, bool small)
 {
-    const char *separator = "";
-    printf(", \"%s\": [", key);
-    for (int i = 0; i < t->program.inputs; i++) {
-        const struct variable *v = &t->variables[i];
-        if (!t->needed[i] || !(small ? v->power > 0 : v->angle))
-            continue;
-        printf("%s\"%s\"", separator, t->program.names[i].text);
-        separator = ", ";
-    }
-    putchar(']');
+    json_open(j, key, '[');
+    for (int i = 0; i < t->program.inputs; i++)
+        if (t->needed[i] && (small ? t->variables[i].power > 0 : t->variables[i].angle))
+            json_string(j, NULL, t->program.names[i].text);
+    json_close(j);
 }
 
 /* All that the step's equations drop, as one text. */
-static void json_dropped(const struct document *d, const struct step *s)
+static void json_dropped(struct json *j, const struct document *d, const struct step *s)
 {
     char *text = NULL;
     size_t size;
@@ -171,47 +158,51 @@ static void json_dropped(const struct document *d, const struct step *s)
     }
     if (fclose(out) != 0)
         out_of_memory();
-    json_member("dropped", s->remainder_count > 0 ? text : NULL);
+    json_string(j, "dropped", s->remainder_count > 0 ? text : NULL);
     free(text);
 }
 
-static void json_step(const struct proof_results *p, int i)
+static void json_step(struct json *j, const struct proof_results *p, int i)
 {
     const struct step *s = &p->derivations.steps[i];
     char *domain = identities_domain(&s->corrected);
-    printf("{\"id\": \"%s\", \"title\": ", s->id);
-    json_text(s->title);
-    json_list("from", s->from, s->from_count);
-    json_list("to", s->to, s->to_count);
+    json_open(j, NULL, '{');
+    json_string(j, "id", s->id);
+    json_string(j, "title", s->title);
+    json_list(j, "from", s->from, s->from_count);
+    json_list(j, "to", s->to, s->to_count);
     if (s->corrected.order >= 0)
-        printf(", \"order\": %d", s->corrected.order);
-    json_variables("small", &s->corrected, true);
-    json_variables("angles", &s->corrected, false);
-    json_member("domain", domain);
-    json_member("where", s->where);
-    json_member("unbound", derivation_fault(p, i));
+        json_value(j, "order", "%d", s->corrected.order);
+    json_variables(j, "small", &s->corrected, true);
+    json_variables(j, "angles", &s->corrected, false);
+    json_string(j, "domain", domain);
+    json_string(j, "where", s->where);
+    json_string(j, "unbound", derivation_fault(p, i));
     free(domain);
-    json_dropped(&p->derivations.document, s);
-    printf(", \"let\": {");
-    for (int k = 0; s->let != NULL && k < length_of(s->let); k++) {
-        printf("%s\"%s\": ", k ? ", " : "", scalar(key_of(&p->derivations.document, s->let, k)));
-        json_text(scalar(value_of(&p->derivations.document, s->let, k)));
-    }
-    putchar('}');
-    json_identities("step", &s->corrected, &p->corrected[i]);
+    json_dropped(j, &p->derivations.document, s);
+    json_open(j, "let", '{');
+    for (int k = 0; s->let != NULL && k < length_of(s->let); k++)
+        json_string(j, scalar(key_of(&p->derivations.document, s->let, k)), scalar(value_of(&p->derivations.document, s->let, k)));
+    json_close(j);
+    json_identities(j, "step", &s->corrected, &p->corrected[i]);
     if (s->differs)
-        json_identities("printed", &s->printed, &p->printed[i]);
-    putchar('}');
+        json_identities(j, "printed", &s->printed, &p->printed[i]);
+    json_close(j);
 }
 
 static void json_proofs(const struct proof_results *p, int first, int end)
 {
-    printf("{\"fine\": %s, \"steps\": [\n ", p->fine ? "true" : "false");
+    struct json j = json_on(stdout);
+    json_open(&j, NULL, '{');
+    json_truth(&j, "fine", p->fine);
+    json_open(&j, "steps", '[');
     for (int i = first; i < end; i++) {
-        fputs(i > first ? ",\n " : "", stdout);
-        json_step(p, i);
+        json_line(&j, 1);
+        json_step(&j, p, i);
     }
-    puts("]}");
+    json_close(&j);
+    json_close(&j);
+    putchar('\n');
 }
 
 bool print_proofs(const struct proof_results *p, const char *only, enum format format)

@@ -5,6 +5,7 @@
 
 #include "claims/verdicts.h"
 #include "command/command.h"
+#include "text/json.h"
 
 static const char *const domains[] = {
     [DOMAIN_FINITE] = "finite",
@@ -67,75 +68,74 @@ static void print_section(const struct proof_results *p, const struct section *s
     print_verdicts(p, s);
 }
 
-static void json_quantities(const char *key, const struct quantity *const *quantities, int count)
+static void json_quantities(struct json *j, const char *key, const struct quantity *const *quantities, int count)
 {
-    printf(", \"%s\": [", key);
+    json_open(j, key, '[');
     for (int i = 0; i < count; i++) {
-        printf("%s{\"name\": ", i ? ", " : "");
-        json_text(quantities[i]->name);
-        printf(", \"unit\": ");
-        json_text(quantities[i]->unit);
-        printf(", \"domain\": ");
-        json_text(domains[quantities[i]->domain]);
-        printf(", \"meaning\": ");
-        json_text(quantities[i]->meaning);
-        putchar('}');
+        json_open(j, NULL, '{');
+        json_string(j, "name", quantities[i]->name);
+        json_string(j, "unit", quantities[i]->unit);
+        json_string(j, "domain", domains[quantities[i]->domain]);
+        json_string(j, "meaning", quantities[i]->meaning);
+        json_close(j);
     }
-    putchar(']');
+    json_close(j);
 }
 
-static void json_formulas(const char *key, const struct section *s, const struct formulas *f)
+static void json_formulas(struct json *j, const char *key, const struct section *s, const struct formulas *f)
 {
-    printf(", \"%s\": {\"let\": {", key);
-    for (int i = 0; i < f->lets; i++) {
-        printf("%s\"%s\": ", i ? ", " : "", f->let[2 * i]);
-        json_text(f->let[2 * i + 1]);
-    }
-    printf("}, \"outputs\": {");
-    for (int i = 0; i < s->output_count; i++) {
-        printf("%s\"%s\": ", i ? ", " : "", s->outputs[i]->name);
-        json_text(f->text[i]);
-    }
-    printf("}, \"domain\": [");
-    for (int i = 0; i < f->count; i++) {
-        printf("%s", i ? ", " : "");
-        json_text(f->conditions[i].text);
-    }
-    printf("]}");
+    json_open(j, key, '{');
+    json_open(j, "let", '{');
+    for (int i = 0; i < f->lets; i++)
+        json_string(j, f->let[2 * i], f->let[2 * i + 1]);
+    json_close(j);
+    json_open(j, "outputs", '{');
+    for (int i = 0; i < s->output_count; i++)
+        json_string(j, s->outputs[i]->name, f->text[i]);
+    json_close(j);
+    json_open(j, "domain", '[');
+    for (int i = 0; i < f->count; i++)
+        json_string(j, NULL, f->conditions[i].text);
+    json_close(j);
+    json_close(j);
 }
 
-static void json_section(const struct proof_results *p, const struct section *s)
+static void json_section(struct json *j, const struct proof_results *p, const struct section *s)
 {
-    printf("{\"id\": \"%s\", \"equations\": [", s->id);
+    json_open(j, NULL, '{');
+    json_string(j, "id", s->id);
+    json_open(j, "equations", '[');
     for (int i = 0; i < s->numbers; i++)
-        printf("%s\"%s\"", i ? ", " : "", s->equations[i]);
-    printf("], \"title\": ");
-    json_text(s->title);
-    printf(", \"computes\": %s", s->method == METHOD_NONE ? "false" : "true");
-    json_quantities("inputs", s->inputs, s->input_count);
-    json_quantities("outputs", s->outputs, s->output_count);
+        json_string(j, NULL, s->equations[i]);
+    json_close(j);
+    json_string(j, "title", s->title);
+    json_truth(j, "computes", s->method != METHOD_NONE);
+    json_quantities(j, "inputs", s->inputs, s->input_count);
+    json_quantities(j, "outputs", s->outputs, s->output_count);
     if (s->method == METHOD_FORMULA)
-        json_formulas("formula", s, &s->corrected);
+        json_formulas(j, "formula", s, &s->corrected);
     if (s->differs)
-        json_formulas("printed", s, &s->printed);
-    printf(", \"verdicts\": {");
+        json_formulas(j, "printed", s, &s->printed);
+    json_open(j, "verdicts", '{');
     for (int i = 0; i < s->numbers; i++) {
         struct verdict_row row = {.id = s->id};
         verdict_on_equation(&row, p, NULL, s, s->equations[i]);
-        printf("%s\"%s\": \"%s\"", i ? ", " : "", s->equations[i], verdict_names[row.verdict]);
+        json_string(j, s->equations[i], verdict_names[row.verdict]);
         verdict_row_clear(&row);
     }
-    printf("}}");
+    json_close(j);
+    json_close(j);
 }
 
-static void json_sections(const struct proof_results *p)
+static void json_sections(struct json *j, const struct proof_results *p)
 {
     const struct sheet *sheet = p->derivations.sheet;
+    json_open(j, NULL, '[');
     for (int i = 0; i < sheet->section_count; i++) {
-        fputs(i ? ",\n " : "[", stdout);
-        json_section(p, &sheet->sections[i]);
+        json_section(j, p, &sheet->sections[i]);
+        json_line(j, i + 1 < sheet->section_count ? 1 : -1);
     }
-    putchar(']');
+    json_close(j);
 }
 
 static void print_sections(const struct sheet *sheet)
@@ -158,10 +158,13 @@ int command_equations(const struct arguments *a)
     struct message why;
     if (proof_results_init(&proofs, a->paper, &why) != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-    if (one != NULL)
-        (json ? json_section : print_section)(&proofs, one);
+    struct json j = json_on(stdout);
+    if (one != NULL && json)
+        json_section(&j, &proofs, one);
+    else if (one != NULL)
+        print_section(&proofs, one);
     else if (json)
-        json_sections(&proofs);
+        json_sections(&j, &proofs);
     else
         print_sections(&a->paper->sheet);
     proof_results_clear(&proofs);

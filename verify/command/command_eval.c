@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "command/command.h"
+#include "text/json.h"
 #include "text/decimal.h"
 
 /* The paper's case for what is not given: Table 1, the initial values, and what follows from them. */
@@ -59,15 +60,22 @@ static void print_outputs(const struct section *s, char *const *digits)
 
 static void print_values_json(const struct section *s, bool as_printed, long count, char *const *digits)
 {
-    printf("{\"id\": \"%s\", \"as_printed\": %s, \"digits\": %ld, \"outputs\": [", s->id,
-           as_printed ? "true" : "false", count);
+    struct json j = json_on(stdout);
+    json_open(&j, NULL, '{');
+    json_string(&j, "id", s->id);
+    json_truth(&j, "as_printed", as_printed);
+    json_value(&j, "digits", "%ld", count);
+    json_open(&j, "outputs", '[');
     for (int i = 0; i < s->output_count; i++) {
-        printf("%s{\"name\": \"%s\", \"value\": \"%s\", \"unit\": ", i ? ", " : "",
-               s->outputs[i]->name, digits[i]);
-        json_text(s->outputs[i]->unit);
-        putchar('}');
+        json_open(&j, NULL, '{');
+        json_string(&j, "name", s->outputs[i]->name);
+        json_string(&j, "value", digits[i]);
+        json_string(&j, "unit", s->outputs[i]->unit);
+        json_close(&j);
     }
-    printf("]}\n");
+    json_close(&j);
+    json_close(&j);
+    putchar('\n');
 }
 
 static int evaluate_section(const struct arguments *a, const struct section *s, long digits)

@@ -31,7 +31,7 @@ __attribute__((format(printf, 3, 4)))
 void json_value(struct json *j, const char *key, const char *format, ...);
 void json_truth(struct json *j, const char *key, bool truth);
 
-/* The next value, or the next closing bracket, begins a line, so many blanks in. */
+/* The next value, or the next closing bracket, begins a line, so many blanks in; -1: it does not. */
 void json_line(struct json *j, int indent);
 
 #endif
