@@ -382,16 +382,24 @@ $(EDITION)/coulomb-tether.tex: $(CHAPTERS) paper/page.tex $(WOVEN) | $(EDITION)/
 	$(call PRINTED,$(WEAVE) -t latex --template paper/page.tex)
 
 ## site: the same for a browser, build/site/index.html
-site: $(PAGES:%=$(SITE)/%.html) $(PLOTS:%=$(SITE)/plot-%.svg) $(SITE)/page.css $(OPERATIONS:%=$(SITE)/data/%.csv)
+site: $(PAGES:%=$(SITE)/%.html) $(PLOTS:%=$(SITE)/plot-%.svg) $(addprefix $(SITE)/,page.css turn.js client.js vectors.js) $(OPERATIONS:%=$(SITE)/data/%.csv)
 	@awk -f paper/links.awk $(filter %.html,$^) >&2
 
 $(PAGES:%=$(SITE)/%.html): $(SITE)/%.html: paper/%.md paper/page.html $(WOVEN) $(GRAPHS:%=$(EDITION)/graph-%.svg) | $(EDITION)/tools.found
 	$(call PRINTED,$(WEAVE) -t html5 --mathml --template paper/page.html)
 
 $(SITE)/page.css: paper/page.css
+$(SITE)/turn.js: paper/turn.js
+$(SITE)/client.js: tests/clients/client.js
 $(OPERATIONS:%=$(SITE)/data/%.csv): $(SITE)/data/%.csv: $(DATA)/golden/%.csv
-$(SITE)/page.css $(OPERATIONS:%=$(SITE)/data/%.csv):
+$(addprefix $(SITE)/,page.css turn.js client.js) $(OPERATIONS:%=$(SITE)/data/%.csv):
 	$(call PRINTED,cat $<)
+
+# A page from the file system may read scripts alone: what the figures that turn are checked against, and every twelfth sample.
+TURNED := $(patsubst %,$(DATA)/golden/%.csv,eq07 eq10 eq10inv eq18 eq41 eq41roots eq43 eq44 flow_linear flow_nonlinear)
+$(SITE)/vectors.js: $(TURNED) $(DATA)/figure5a.csv
+	$(call PRINTED,{ echo 'const golden = {'; for f in $(TURNED); do printf '%s: `' "$$(basename $$f .csv)"; cat $$f; echo '`$(comma)'; done; \
+	  printf '};\nconst certified = `'; awk 'NR % 12 == 1 || NR == 2' $(DATA)/figure5a.csv; echo '`;'; })
 
 $(EVIDENCE): $(BUILD)/%.json: $(PROGRAM)
 	$(call PRINTED,$(PROGRAM) verify $* --json)
@@ -430,7 +438,7 @@ BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-d
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
 PAPER_PACKAGES = gnuplot-nox graphviz pandoc poppler-utils texlive-latex-base texlive-latex-recommended lmodern
 CI_PACKAGES    = clang libclang-rt-dev? clang-tidy cppcheck valgrind strace locales debootstrap parallel python3 python3-mpmath python3-gmpy2 \
-  octave gfortran nodejs pandoc python3-pandas
+  octave gfortran nodejs pandoc chromium python3-pandas
 
 ## deps: install what building and checking need, where apt-get is at hand; name it elsewhere
 deps:

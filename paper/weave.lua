@@ -594,11 +594,11 @@ function block.index()
   for i, g in ipairs(gate) do
     local E = tonumber(g.error) and '$' .. decimal(g.error, 2) .. '$' or g.error
     rows[i] = {inlines(numbers_of(sections[g.id])),
-               web and {pandoc.Link(g.id, 'equations.html#' .. g.id)} or {pandoc.RawInline('latex', '\\pageref{place:' .. g.id .. '}')},
+               web and {pandoc.Link('¶', 'equations.html#' .. g.id)} or {pandoc.RawInline('latex', '\\pageref{place:' .. g.id .. '}')},
                {web and pandoc.Code(g['function']) or pandoc.RawInline('latex', '{\\condensed ' .. escape(g['function']) .. '}')},
                {pandoc.Str(g.tests)}, inlines(E), {pandoc.Str(g.vectors)}, {pandoc.Str(g.verdict)}}
   end
-  return {table_of({'Eq.', web and 'place' or 'page', 'function', 'tests', {pandoc.Math('InlineMath', 'E\\le')}, 'vectors', 'verdict'}, {0.17, 0.06, 0.39, 0.07, 0.08, 0.09, 0.14}, rows)}
+  return {table_of({'Eq.', web and '' or 'page', 'function', 'tests', {pandoc.Math('InlineMath', 'E\\le')}, 'vectors', 'verdict'}, {0.17, 0.06, 0.39, 0.07, 0.08, 0.09, 0.14}, rows)}
 end
 
 -- The equations, principles and properties of `entries` that `list` has not got.

@@ -425,7 +425,10 @@ const answer = (id, words) => {
   }
 };
 
-require('node:readline').createInterface({ input: process.stdin }).on('line', (line) => {
-  const [id, vector, ...words] = line.trim().split(/\s+/);
-  process.stdout.write(`${vector} ${answer(id, words)}\n`);
-});
+// The web edition's figures take the operations from here; Node.js has a standard input to answer.
+if (typeof require === 'function') {
+  require('node:readline').createInterface({ input: process.stdin }).on('line', (line) => {
+    const [id, vector, ...words] = line.trim().split(/\s+/);
+    process.stdout.write(`${vector} ${answer(id, words)}\n`);
+  });
+}
