@@ -27,6 +27,7 @@ static const struct {
     {"convergence", "Convergence: observed orders, linear against nonlinear, Runge-Kutta, two-body motion; certified or measured"},
     {"forced", "Forced response: what pitch leaves in length and yaw, against its closed form"},
     {"kills", "Kill table: the mistakes that each golden vector tells from the truth; motions of up to ten hours"},
+    {"random", "Random vectors: a fingerprint of the first of each operation"},
     {"errata", "Errata: golden vectors that were wrong, with the old value and the new"},
     {"pitch", "Pitch of 0.2 rad over 30 days: its amplitude, against the slow law"},
 };
@@ -71,6 +72,9 @@ static const struct column {
     {"order", "number", NULL, "observed order of convergence, from this row and the one before"},
     {"constant", "number", NULL, "difference over the parameter raised to the order of the theory"},
     {"mistakes", "string", NULL, "known mistakes that this vector tells from the truth, semicolons between them"},
+    {"seed", "number", NULL, "seed of the generator"},
+    {"count", "number", NULL, "how many vectors, from the first"},
+    {"sha256", "string", NULL, "SHA-256 of what `vectors ID --count COUNT --seed SEED` prints, header included"},
     {"old", "string", NULL, "the digits that were wrong"},
     {"new", "string", NULL, "the digits that are right"},
     {"amplitude", "number", "rad", "amplitude of pitch"},
