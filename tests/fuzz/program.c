@@ -107,7 +107,7 @@ void protocol(const char *bytes, size_t size)
             test_run_hear(&e, bytes + half, size - half);
     }
     test_run_end(&e, OUTCOME_MISSING);
-    const struct report r = {&e, "client", "", 0.0, diagnose};
+    const struct report r = {&e, "client", "", 0.0, diagnose, false};
     FILE *stream = open_memstream(&text, &length);
     report_text(&r, stream);
     fclose(stream);

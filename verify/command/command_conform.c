@@ -7,11 +7,13 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "command/command.h"
 #include "conform/client.h"
 #include "conform/diagnosis.h"
 #include "conform/report.h"
+#include "text/csv.h"
 #include "text/progress.h"
 
 /* Digits that a motion has to reach unless --digits says otherwise; PROTOCOL.md has the reasons. */
@@ -22,7 +24,8 @@ enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered i
 /* What is asked for: a number a section of the sheet. */
 struct choice {
     const struct sheet *sheet;
-    bool *chosen, some;      /* some: --only has been given */
+    enum { NOTHING, SOME_VECTORS, ALL_VECTORS } *chosen;
+    const char *only; /* as --only has it; NULL: it is not given */
     double *digits;
 };
 
@@ -54,6 +57,7 @@ static int take_all_digits(struct choice *c, const struct arguments *a)
     return status;
 }
 
+/* A level, an operation, or an operation's vector, whose name goes on after a hyphen. */
 static int choose(struct choice *c, const char *word)
 {
     for (int level = 0; level < LEVELS; level++) {
@@ -61,33 +65,87 @@ static int choose(struct choice *c, const char *word)
             continue;
         for (int i = 0; i < c->sheet->section_count; i++)
             if (c->sheet->sections[i].method != METHOD_NONE && level_of(&c->sheet->sections[i]) == level)
-                c->chosen[i] = true;
+                c->chosen[i] = ALL_VECTORS;
         return EXIT_DONE;
     }
-    const struct section *s = section_argument(c->sheet, word);
+    char id[40];
+    snprintf(id, sizeof id, "%.*s", (int)strcspn(word, "-"), word);
+    const struct section *s = section_argument(c->sheet, id);
     if (s == NULL)
         return EXIT_USAGE;
     if (s->method == METHOD_NONE)
         return usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
-    c->chosen[s - c->sheet->sections] = true;
+    if (strchr(word, '-') == NULL)
+        c->chosen[s - c->sheet->sections] = ALL_VECTORS;
+    else if (c->chosen[s - c->sheet->sections] == NOTHING)
+        c->chosen[s - c->sheet->sections] = SOME_VECTORS;
     return EXIT_DONE;
 }
 
-/* ID,... of --only, levels among them; every operation without it. */
+/* ID,... of --only, levels and vectors among them; every operation without it. */
 static int take_only(struct choice *c, const char *only)
 {
     int status = EXIT_DONE;
-    c->some = only != NULL;
+    c->only = only;
     for (int i = 0; i < c->sheet->section_count; i++)
-        c->chosen[i] = !c->some && c->sheet->sections[i].method != METHOD_NONE;
-    char *words = text_copy(c->some ? only : ""), *rest = NULL;
+        c->chosen[i] = only == NULL && c->sheet->sections[i].method != METHOD_NONE ? ALL_VECTORS : NOTHING;
+    char *words = text_copy(only != NULL ? only : ""), *rest = NULL;
     for (char *word = strtok_r(words, ",", &rest); word && status == EXIT_DONE; word = strtok_r(NULL, ",", &rest))
         status = choose(c, word);
     free(words);
     for (int i = 0; i < c->sheet->section_count && status == EXIT_DONE; i++)
         if (c->chosen[i])
             return EXIT_DONE;
-    return status != EXIT_DONE ? status : usage_error(EXIT_USAGE, "--only: expected operations or levels, ID,...");
+    return status != EXIT_DONE ? status : usage_error(EXIT_USAGE, "--only: expected operations, levels or vectors, ID,...");
+}
+
+/* The vectors that --only names of the set that was added last. */
+static int take_vectors(struct test_run *e, const struct choice *c)
+{
+    const struct test_set *set = &e->sets.all[e->sets.count - 1];
+    const char *id = set->operation.section->id;
+    char *words = text_copy(c->only), *rest = NULL;
+    int status = EXIT_DONE;
+    for (char *word = strtok_r(words, ",", &rest); word && status == EXIT_DONE; word = strtok_r(NULL, ",", &rest)) {
+        if (strncmp(word, id, strlen(id)) != 0 || word[strlen(id)] != '-' || test_sets_want(&e->sets, word))
+            continue;
+        const char **known = xrealloc(NULL, (size_t)set->golden_count, sizeof *known);
+        char hint[80];
+        for (int i = 0; i < set->golden_count; i++)
+            known[i] = set->golden[i].id;
+        suggest(hint, word, known, set->golden_count);
+        status = usage_error(EXIT_USAGE, "--only: unknown vector '%.95s'%s", word, hint);
+        free(known);
+    }
+    free(words);
+    return status;
+}
+
+/* A vector a line of those that may fail, # before what is said of them. */
+static int take_expectations(struct test_run *e, const char *name, bool all)
+{
+    char line[256];
+    int status = EXIT_DONE;
+    FILE *file = fopen(name, "r");
+    if (file == NULL)
+        return usage_error(status_of_name(errno), "%s: %s", name, strerror(errno));
+    for (int number = 1; status == EXIT_DONE && fgets(line, sizeof line, file) != NULL; number++) {
+        char *rest = NULL, *id = strtok_r(line, " \t\r\n", &rest);
+        if (id == NULL || *id == '#')
+            continue;
+        message_printable(id);
+        const uint64_t position = test_sets_find(&e->sets, id);
+        if (position == UINT64_MAX && all) /* else it may be one that --only leaves out */
+            status = usage_error(EXIT_USAGE, "%s: line %d: unknown vector '%.95s'", name, number, id);
+        if (position == UINT64_MAX)
+            continue;
+        e->expected = xrealloc(e->expected, (size_t)e->expected_count + 1, sizeof *e->expected);
+        e->expected[e->expected_count++] = (struct expectation){.position = position};
+    }
+    if (status == EXIT_DONE && ferror(file))
+        status = usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
+    fclose(file);
+    return status;
 }
 
 /* The questions; random ones about motions, which may have no end, only where they are asked for by name. */
@@ -112,17 +170,22 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
     e->significand = (int)significand;
     e->range = option_given(a, "--range");
     double *digits = xrealloc(NULL, (size_t)c->sheet->section_count, sizeof *digits);
-    for (int i = 0; i < c->sheet->section_count; i++) {
+    for (int i = 0; i < c->sheet->section_count && status == EXIT_DONE; i++) {
         const struct section *s = &c->sheet->sections[i];
-        if (!c->chosen[i])
+        if (c->chosen[i] == NOTHING)
             continue;
         digits[e->sets.count] = c->digits[i];
-        test_sets_add(&e->sets, s, is_motion(s) && !c->some ? 0 : random, e->significand,
-                      e->range || e->from_file);
+        test_sets_add(&e->sets, s, is_motion(s) && c->only == NULL ? 0 : random, e->significand, e->range || e->any_order);
+        if (c->chosen[i] == SOME_VECTORS)
+            status = take_vectors(e, c);
     }
     test_run_begin(e, digits);
     free(digits);
-    return EXIT_DONE;
+    if (status == EXIT_DONE && option_given(a, "--expect"))
+        status = take_expectations(e, option_value(a, "--expect"), c->only == NULL);
+    if (status == EXIT_DONE && (option_given(a, "--all") || option_given(a, "--report")) && (e->journal = tmpfile()) == NULL)
+        status = usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno));
+    return status;
 }
 
 /* The table, the file, and the exit code that they come to. */
@@ -130,15 +193,17 @@ static int print_report(struct test_run *e, const struct arguments *a, const cha
 {
     const struct totals sum = report_totals(e);
     const char *name = option_value(a, "--report");
-    const struct report r = {e, client, errors, (double)clock() / CLOCKS_PER_SEC, diagnose};
+    const struct report r = {e, client, errors, (double)clock() / CLOCKS_PER_SEC, diagnose, option_given(a, "--all")};
+    if (e->journal != NULL && (fflush(e->journal) != 0 || ferror(e->journal)))
+        return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno));
     report_text(&r, stdout);
     int status = output_finished();
     const int why = name != NULL ? report_write(&r, name) : 0;
     if (why != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
-    if (sum.failed == 0 && sum.passed == 0)
+    if (sum.failed + sum.passed + sum.expected == 0)
         return usage_error(EXIT_FAILED_CHECK, "conform: nothing was answered, every vector was skipped");
-    return sum.failed > 0 ? EXIT_FAILED_CHECK : status;
+    return sum.failed > 0 || stray_count(e) > 0 || *e->ended != '\0' ? EXIT_FAILED_CHECK : status;
 }
 
 /* ---- a client ---- */
@@ -163,33 +228,53 @@ static bool hear(void *context, const char *bytes, size_t size, bool *answered)
     return on;
 }
 
-/* What the end of the client means; EXIT_USAGE where it was none. */
-static int conclude(struct test_run *e, enum ending ending, int status, const char *name)
+/* Vectors that have an answer. */
+static uint64_t answers_of(const struct test_run *e)
 {
-    const bool signalled = WIFSIGNALED(status);
+    uint64_t count = 0;
+    for (int k = 0; k < e->sets.count; k++)
+        for (int i = 0; i < OUTCOME_MISSING; i++)
+            count += e->summaries[k].counts[i];
+    return count;
+}
+
+/* What the end of the client means; EXIT_USAGE where it was none. */
+static int conclude(struct test_run *e, enum ending ending, int status, const char *name, double timeout)
+{
+    const bool signalled = WIFSIGNALED(status), stopped = ending == ENDING_STOPPED;
+    const int number = signalled ? WTERMSIG(status) : WEXITSTATUS(status);
+    char how[60];
     if (ending == ENDING_EXIT && status != 0 && e->heard == 0)
         return usage_error(EXIT_USAGE, "client '%s': ended with %s %d before its first answer", name,
-                           signalled ? "signal" : "exit status", signalled ? WTERMSIG(status) : WEXITSTATUS(status));
-    const uint64_t answered = e->next, total = e->sets.total;
-    if (ending == ENDING_EXIT && (status != 0 || answered < total))
-        snprintf(e->ended, sizeof e->ended, "with %s %d after %" PRIu64 " of %" PRIu64 " answers", signalled ? "signal" : "exit status",
-                 signalled ? WTERMSIG(status) : WEXITSTATUS(status), answered, total);
-    if (ending == ENDING_TIMEOUT)
-        test_run_end(e, OUTCOME_TIMEOUT);
-    else
-        test_run_end(e, ending == ENDING_EXIT && signalled ? OUTCOME_CRASH : OUTCOME_MISSING);
-    if (ending == ENDING_STOPPED && e->unended < LONGEST_UNENDED)
-        test_run_note(e, OUTCOME_FLOOD);
-    else if (ending == ENDING_EXIT && !signalled && status != 0)
-        test_run_note(e, OUTCOME_EXIT);
+                           signalled ? "signal" : "exit status", number);
+    snprintf(how, sizeof how, status == 0 ? "ended" : "ended with %s %d", signalled ? "signal" : "exit status", number);
+    if (stopped)
+        snprintf(how, sizeof how, "was stopped for %s", e->unended < LONGEST_UNENDED ? "so many lines that answer nothing" : "a line without end");
+    else if (ending == ENDING_TIMEOUT)
+        snprintf(how, sizeof how, "was stopped for %g s of silence", timeout);
+    const uint64_t answered = answers_of(e);
+    if (status != 0 || ending != ENDING_EXIT || (e->next < e->sets.total && stray_count(e) == 0))
+        snprintf(e->ended, sizeof e->ended, "%s after %" PRIu64 " of %" PRIu64 " answers", how, answered, e->sets.total);
+    test_run_end(e, ending == ENDING_TIMEOUT ? OUTCOME_TIMEOUT : ending == ENDING_EXIT && signalled ? OUTCOME_CRASH : OUTCOME_MISSING);
     return EXIT_DONE;
+}
+
+/* What to write instead of a client that is not started, "" where that is not known. */
+static const char *start_hint(const char *client, int why, char hint[120])
+{
+    *hint = '\0';
+    if (why == ENOENT && strchr(client, '/') == NULL && access(client, F_OK) == 0)
+        snprintf(hint, 120, ", did you mean './%.80s'?", client);
+    else if (why == EACCES && access(client, F_OK) == 0)
+        snprintf(hint, 120, ", it is not executable: chmod +x, or its interpreter before it");
+    return hint;
 }
 
 static int run_client(struct test_run *e, const struct arguments *a, char **client)
 {
     double timeout = 60.0;
     const char *text = option_value(a, "--timeout");
-    char *end = NULL;
+    char *end = NULL, hint[120];
     if (text != NULL)
         timeout = strtod(text, &end);
     if (text != NULL && (*end != '\0' || !(timeout > 0.0 && timeout <= 1e6)))
@@ -199,153 +284,140 @@ static int run_client(struct test_run *e, const struct arguments *a, char **clie
     const struct conversation talk = {&w, ask, hear};
     const int why = client_start(&c, client);
     if (why != 0)
-        return usage_error(status_of_name(why), "client '%s': %s", client[0], strerror(why));
+        return usage_error(status_of_name(why), "client '%s': %s%s", client[0], strerror(why), start_hint(client[0], why, hint));
     const enum ending ending = client_converse(&c, &talk, timeout);
     const int status = client_close(&c); /* an interrupt ends the program here */
     progress_end(&w.progress);
     if (ending == ENDING_BROKEN) /* LCOV_EXCL_BR_LINE: a failing system call, make faults */
         return usage_error(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why)); /* LCOV_EXCL_LINE: the same */
-    const int concluded = conclude(e, ending, status, client[0]);
+    const int concluded = conclude(e, ending, status, client[0], timeout);
     c.tail[c.tail_length] = '\0';
     return concluded != EXIT_DONE ? concluded : print_report(e, a, client[0], c.tail);
 }
 
 /* ---- a file ---- */
 
-enum { MOST_CELLS = 64 };
-
-struct answers_file {
-    FILE *file;
-    const char *name;
-    unsigned long row;
-    char line[LONGEST_LINE + 2];
-    bool too_long;
-    int status;
-};
-
-/* A line more, without its end, and at most what is too long for an answer; false at the end, and after a complaint. */
-static bool read_line(struct answers_file *f)
+static void say(struct test_run *e, const char *text)
 {
-    size_t length = 0, heard = 0;
-    int c = f->status == EXIT_DONE ? getc(f->file) : EOF;
-    f->row++;
-    for (; c != EOF && c != '\n' && heard < LONGEST_UNENDED; c = getc(f->file), heard++)
-        if (length <= LONGEST_LINE)
-            f->line[length++] = c == '\0' ? '\1' : (char)c;
-    f->line[length] = '\0';
-    f->too_long = length > LONGEST_LINE;
-    if (heard == LONGEST_UNENDED)
-        f->status = usage_error(EXIT_USAGE, "%s: line %lu does not end", f->name, f->row);
-    else if (f->status == EXIT_DONE && c == EOF && ferror(f->file))
-        f->status = usage_error(EXIT_FAILED_CHECK, "%s: %s", f->name, strerror(errno));
-    return f->status == EXIT_DONE && (c != EOF || length > 0);
+    test_run_hear(e, text, strlen(text));
 }
 
-/* The cells of a line, as RFC 4180 quotes them; their number. */
-static int cells_of(char *line, char **cells)
+/* The columns of the id and of the outputs; false after a complaint. */
+static bool take_header(const struct csv *c, const struct section *s, int *columns)
 {
-    int count = 0;
-    const size_t length = strlen(line);
-    if (length > 0 && line[length - 1] == '\r')
-        line[length - 1] = '\0';
-    for (char *from = line; from != NULL && count < MOST_CELLS;) {
-        char *to = from;
-        bool quoted = false;
-        cells[count++] = to;
-        for (; *from != '\0' && (quoted || *from != ','); from++) {
-            const bool mark = *from == '"', twice = mark && quoted && from[1] == '"';
-            from += twice;
-            quoted = mark && !twice ? !quoted : quoted;
-            if (!mark || twice)
-                *to++ = *from;
-        }
-        from = *from == ',' ? from + 1 : NULL;
-        *to = '\0';
-    }
-    return count;
-}
-
-/* Which cells hold the id and the outputs; false after a complaint. */
-static bool take_header(char *line, const struct section *s, const char *name, int *columns)
-{
-    char *cells[MOST_CELLS];
-    const int count = cells_of(line, cells);
     for (int i = 0; i <= s->output_count; i++) {
         const char *wanted = i == 0 ? "id" : s->outputs[i - 1]->name;
-        columns[i] = -1;
-        for (int k = count; k-- > 0;) /* of a motion the first state is the initial one, the second the output */
-            if (strcmp(cells[k], wanted) == 0 && columns[i] < 0)
-                columns[i] = k;
+        columns[i] = csv_column(c, wanted); /* of a motion the first state is the initial one, the second the output */
         if (columns[i] < 0) {
-            usage_error(EXIT_USAGE, "%s: missing column '%s', expected id and every output of %s", name, wanted, s->id);
+            usage_error(EXIT_USAGE, "%s: line %lu: missing column '%s', expected id and every output of %s", c->name, c->line, wanted, s->id);
             return false;
         }
     }
     return true;
 }
 
-static void say(struct test_run *e, const char *text)
+static const char *cell_of(const struct csv *c, int column)
 {
-    test_run_hear(e, text, strlen(text));
+    return column < c->count ? c->cells[column] : "";
 }
 
-/* A row as a client would say it; blank outputs mean `invalid`. */
-static void hear_row(struct test_run *e, char *line, const int *columns, int outputs)
+/* A row as a client would say it; where all outputs are blank, which pandas writes as NaN, that is `invalid`. */
+static void hear_row(struct test_run *e, const struct csv *c, const int *columns, int outputs)
 {
-    char *cells[MOST_CELLS];
-    const int count = cells_of(line, cells);
     bool blank = true;
-    say(e, columns[0] < count ? cells[columns[0]] : "");
-    for (int i = 1; i <= outputs; i++) {
-        if (columns[i] >= count || *cells[columns[i]] == '\0')
-            continue;
+    for (int i = 1; i <= outputs; i++)
+        blank = blank && (*cell_of(c, columns[i]) == '\0' || strcmp(cell_of(c, columns[i]), "NaN") == 0);
+    say(e, cell_of(c, columns[0]));
+    for (int i = 1; i <= outputs && !blank; i++) {
         say(e, " ");
-        say(e, cells[columns[i]]);
-        blank = false;
+        for (const char *at = cell_of(c, columns[i]); *at != '\0'; at++)
+            test_run_hear(e, *at == '\n' ? " " : at, 1);
     }
     say(e, blank ? " invalid\n" : "\n");
 }
 
-/* The header's columns; then row after row. */
-static void hear_file(struct test_run *e, struct answers_file *f, const struct section *s)
+static int hear_csv(struct test_run *e, struct csv *c, const struct section *s)
 {
     int columns[MOST_OUTPUTS + 1] = {0};
-    if (!read_line(f))
-        f->status = f->status != EXIT_DONE ? f->status
-                                           : usage_error(EXIT_USAGE, "%s: expected a header, id and every output of %s", f->name, s->id);
-    else if (f->too_long)
-        f->status = usage_error(EXIT_USAGE, "%s: line 1 is longer than %d bytes, expected a header", f->name, LONGEST_LINE);
-    else if (!take_header(f->line, s, f->name, columns))
-        f->status = EXIT_USAGE;
-    while (f->status == EXIT_DONE && read_line(f)) {
-        if (!f->too_long) {
-            hear_row(e, f->line, columns, s->output_count);
-            continue;
-        }
-        say(e, f->line);
-        say(e, "\n");
-    }
+    struct message why;
+    enum csv_result result = csv_next(c, &why);
+    if (result == CSV_END)
+        return usage_error(EXIT_USAGE, "%s: expected a header, id and every output of %s", c->name, s->id);
+    if (result == CSV_ROW && !take_header(c, s, columns))
+        return EXIT_USAGE;
+    while (result == CSV_ROW && (result = csv_next(c, &why)) == CSV_ROW)
+        hear_row(e, c, columns, s->output_count);
+    return result == CSV_END ? EXIT_DONE : usage_error(result == CSV_MALFORMED ? EXIT_USAGE : EXIT_FAILED_CHECK, "%s", why.text);
 }
 
-static int read_answers(struct test_run *e, const struct arguments *a, const struct section *s)
+/* What a client has written to a file, in the order of the questions. */
+static int hear_transcript(struct test_run *e, FILE *file, const char *name)
 {
-    struct answers_file *f = xrealloc(NULL, 1, sizeof *f);
-    *f = (struct answers_file){.name = option_value(a, "--answers"), .status = EXIT_DONE};
-    f->file = fopen(f->name, "r");
-    if (f->file == NULL) {
-        f->status = usage_error(status_of_name(errno), "%s: %s", f->name, strerror(errno));
-    } else {
-        e->asked = e->sets.total;
-        hear_file(e, f, s);
-        fclose(f->file);
+    char bytes[1 << 12];
+    size_t size;
+    while ((size = fread(bytes, 1, sizeof bytes, file)) > 0)
+        if (!test_run_hear(e, bytes, size))
+            return usage_error(EXIT_FAILED_CHECK, "%s: expected answers, found lines that answer nothing", name);
+    return ferror(file) ? usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno)) : EXIT_DONE;
+}
+
+/* Whose answers the file has, by the name of its first row's vector; NULL, and the file's beginning, where it is no CSV with a column id. */
+static const struct section *section_of_file(const struct sheet *sheet, FILE *file, const char *name)
+{
+    struct csv c = csv_on(file, name, LONGEST_LINE);
+    struct message why;
+    const struct section *s = NULL;
+    if (csv_next(&c, &why) == CSV_ROW) {
+        const int id = csv_column(&c, "id");
+        if (id >= 0 && csv_next(&c, &why) == CSV_ROW && id < c.count) {
+            c.cells[id][strcspn(c.cells[id], "-")] = '\0';
+            s = section_find(sheet, c.cells[id]);
+        }
     }
-    if (f->status == EXIT_DONE) {
-        test_run_end(e, OUTCOME_MISSING);
-        f->status = print_report(e, a, f->name, "");
+    csv_clear(&c);
+    rewind(file);
+    return s;
+}
+
+/* Of one operation as CSV, which the word or the file names, or else of all that are asked. */
+static int read_answers(struct test_run *e, const struct arguments *a, struct choice *c)
+{
+    const char *name = option_value(a, "--answers");
+    FILE *file = fopen(name, "r");
+    if (file == NULL)
+        return usage_error(status_of_name(errno), "%s: %s", name, strerror(errno));
+    const struct section *s = a->word_count == 1 ? section_argument(c->sheet, a->words[0]) : section_of_file(c->sheet, file, name);
+    int status = a->word_count == 1 && s == NULL ? EXIT_USAGE : EXIT_DONE;
+    if (s != NULL && (option_given(a, "--only") || option_given(a, "--random")))
+        status = usage_error(EXIT_USAGE, "--answers: expected without --only and --random, the file has the answers of %s", s->id);
+    e->any_order = s != NULL;
+    if (status == EXIT_DONE)
+        status = take_only(c, s != NULL ? s->id : option_value(a, "--only"));
+    if (status == EXIT_DONE)
+        status = take_questions(e, a, c);
+    e->asked = e->sets.total;
+    if (status == EXIT_DONE && s != NULL) {
+        struct csv csv = csv_on(file, name, LONGEST_LINE);
+        status = hear_csv(e, &csv, s);
+        csv_clear(&csv);
+    } else if (status == EXIT_DONE) {
+        status = hear_transcript(e, file, name);
     }
-    const int status = f->status;
-    free(f);
-    return status;
+    fclose(file);
+    if (status != EXIT_DONE)
+        return status;
+    test_run_end(e, OUTCOME_MISSING);
+    return print_report(e, a, name, "");
+}
+
+/* The lines of all questions, for a target that cannot be started from here. */
+static int print_questions(struct test_run *e)
+{
+    static char room[1 << 16];
+    size_t size;
+    while ((size = test_run_ask(e, room, sizeof room)) > 0)
+        fwrite(room, 1, size, stdout);
+    return output_finished();
 }
 
 /* ---- the command ---- */
@@ -363,30 +435,27 @@ static int print_all_kills(const struct choice *c)
 
 static int conform(const struct arguments *a, struct choice *c)
 {
-    const bool file = option_given(a, "--answers"), kills = option_given(a, "--kills");
-    if (file + kills + (a->client != NULL) != 1)
-        return usage_error(EXIT_USAGE, "conform: expected -- CLIENT ARGS..., or --answers FILE.csv ID");
-    if (file != (a->word_count == 1))
-        return usage_error(EXIT_USAGE, file ? "--answers: expected the id of an operation after the file"
-                                         : "conform: unexpected argument '%s', a client stands after --", a->words[0]);
-    if (file && section_argument(c->sheet, a->words[0]) == NULL) /* of several operations no header tells whose outputs it has */
-        return EXIT_USAGE;
-    if (file && (option_given(a, "--only") || option_given(a, "--random")))
-        return usage_error(EXIT_USAGE, "--answers: expected without --only and --random");
+    const bool file = option_given(a, "--answers"), kills = option_given(a, "--kills"), questions = option_given(a, "--questions");
+    if (!file && a->word_count > 0)
+        return usage_error(EXIT_USAGE, "conform: unexpected argument '%s', a client stands after --, did you mean conform -- %s%s%s?", a->words[0],
+                           a->words[0], a->word_count > 1 ? " " : "", a->word_count > 1 ? a->words[1] : "");
+    if (file + kills + questions + (a->client != NULL) != 1)
+        return usage_error(EXIT_USAGE, "conform: expected -- CLIENT ARGS..., or --answers FILE, or --questions");
+    if (a->word_count > 1)
+        return usage_error(EXIT_USAGE, "--answers: expected the id of one operation or none, got '%s' and '%s'", a->words[0], a->words[1]);
     const char *name = option_value(a, "--report");
     if (name != NULL && report_format(name) == REPORT_NONE)
         return usage_error(EXIT_USAGE, "--report: expected a file .xml or .json, got '%.100s'", name);
-    int status = take_only(c, file ? a->words[0] : option_value(a, "--only"));
+    int status = file ? EXIT_DONE : take_only(c, option_value(a, "--only"));
     if (status != EXIT_DONE || kills)
         return status != EXIT_DONE ? status : print_all_kills(c);
     struct test_run *e = xrealloc(NULL, 1, sizeof *e);
     memset(e, 0, sizeof *e);
-    e->from_file = file;
-    status = take_questions(e, a, c);
-    if (status == EXIT_DONE) {
-        status = file ? read_answers(e, a, e->comparators[0].operation->section) : run_client(e, a, a->client);
+    status = file ? read_answers(e, a, c) : take_questions(e, a, c);
+    if (status == EXIT_DONE && !file)
+        status = questions ? print_questions(e) : run_client(e, a, a->client);
+    if (e->summaries != NULL)
         test_run_clear(e);
-    }
     free(e);
     return status;
 }

@@ -1,6 +1,7 @@
 #include "conform/comparator.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "evaluate/sample.h"
@@ -8,10 +9,9 @@
 #include "text/scope.h"
 
 const char *const outcome_names[OUTCOMES] = {
-    "right",     "skipped",       "wrong",     "NaN",     "infinite",  "invalid where a value is due",
-    "a value where invalid is due", "wrong count", "malformed", "truncated", "too long", "wrong id",
-    "repeated",  "reordered",     "early",     "missing", "extra line", "too many lines out of place",
-    "time-out",  "crash",         "exit status"};
+    "right", "skipped", "wrong", "NaN", "infinite", "invalid where a value is due", "a value where invalid is due", "wrong count",
+    "malformed", "truncated", "missing", "time-out", "crash", "no vector's name", "wrong id", "repeated or out of order", "early",
+    "too long"};
 
 bool is_motion(const struct section *s)
 {
@@ -86,9 +86,64 @@ static void settle(struct comparator *j, const struct input *inputs, slong prec)
     machine_clear(&values);
 }
 
+/* ---- components of a vector ---- */
+
+/* A name without what tells a component from the others: the first of xyz, or a last digit of 123 that is no second index. */
+static bool stem_of(const char *name, char stem[40])
+{
+    const size_t length = strlen(name);
+    const bool letter = strchr("xyz", name[0]) != NULL;
+    const bool digit = length > 1 && strchr("123", name[length - 1]) != NULL && strchr("123", name[length - 2]) == NULL;
+    snprintf(stem, 40, "%s%.*s", letter ? "r" : "", (int)length - (letter ? 1 : digit), name + letter);
+    return letter || digit;
+}
+
+unsigned vector_components(const struct section *s, int output)
+{
+    char stem[40], other[40];
+    unsigned components = 0;
+    int count = 0;
+    for (int i = 0; i < s->output_count && stem_of(s->outputs[output]->name, stem); i++)
+        if (stem_of(s->outputs[i]->name, other) && strcmp(other, stem) == 0 && strcmp(s->outputs[i]->unit, s->outputs[output]->unit) == 0) {
+            components |= 1U << i;
+            count++;
+        }
+    return count == 3 ? components : 0;
+}
+
+/*
+ * A component's S is at least the largest |y*| + S among the vector's: any turn of the axes makes such an error, and where
+ * a component is zero or far smaller than the vector it is the axes that make it so.
+ */
+static void raise_to_the_vector(struct comparator *j)
+{
+    const struct section *s = j->operation->section;
+    VECTOR(arb, least, MOST_OUTPUTS);
+    SCOPE(arb, size);
+    for (int i = 0; i < s->output_count; i++) {
+        const unsigned components = vector_components(s, i);
+        for (int k = 0; k < s->output_count; k++) {
+            arb_abs(size, j->exact + k);
+            arb_add(size, size, j->S + k, 64);
+            if ((components & 1U << k) && arb_is_finite(size))
+                arb_max(least + i, least + i, size, 64);
+        }
+    }
+    j->raised = 0;
+    for (int i = 0; i < s->output_count; i++) {
+        if (!arb_gt(least + i, j->S + i))
+            continue;
+        j->raised |= 1U << i;
+        arb_set(j->S + i, least + i);
+    }
+}
+
 static struct error_bounds error_of(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const struct section *s = j->operation->section;
+    score->strict = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output).upper;
+    if (s->method == METHOD_FORMULA)
+        raise_to_the_vector(j);
     const struct error_bounds E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output);
     score->E = E.upper;
     return E;
@@ -129,7 +184,7 @@ static enum outcome compare_outputs_exactly(struct comparator *j, const struct i
     for (int i = 0; i < o->section->output_count && all != OUTCOME_WRONG; i++) {
         enum outcome one = outcome_of_bounds(
             error_in_roundings(arb_midref(j->y + i), j->exact + i, j->S + i, j->significand), j->K);
-        if (one == OUTCOME_SKIPPED && exact_is_rational(truth, machine_value(&exact, o->formulas->outputs[i])))
+        if (one == OUTCOME_SKIPPED && (j->raised & 1U << i) == 0 && exact_is_rational(truth, machine_value(&exact, o->formulas->outputs[i])))
             one = compare_output_exactly(j, inputs, truth, i);
         all = one == OUTCOME_RIGHT ? all : one;
     }
@@ -148,7 +203,7 @@ static enum outcome compare_in_roundings(struct comparator *j, const struct inpu
     for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most && outcome == OUTCOME_SKIPPED; prec *= 4) {
         operation_enclose(j->operation, inputs, prec, j->exact);
         _arb_vec_zero(j->S, s->output_count);
-        if (s->method == METHOD_FORMULA && error_of(j, inputs, score).upper <= fmin(j->K, j->worst))
+        if (s->method == METHOD_FORMULA && (error_of(j, inputs, score), score->strict <= fmin(j->K, j->worst)))
             return OUTCOME_RIGHT; /* without S already, and no new worst */
         operation_sensitivity(j->operation, inputs, prec, j->S);
         if (4 * prec > most && s->method == METHOD_FORMULA)
@@ -175,43 +230,51 @@ static int place_of(const struct section *s, const char *name)
     return i;
 }
 
-/* Digits of the largest coordinate; `lost` gets what the truth's enclosures are wide, on the same scale. */
-static double digits_reached(const struct comparator *j, const struct input *inputs, double *lost)
+static double digits_of(double off, double scale)
+{
+    return off == 0.0 ? INFINITY : scale > 0.0 ? -log10(off / scale) : 0.0;
+}
+
+/* Bounds on the digits of the largest coordinate that are right; `lost` gets what the truth's enclosures are wide, on its scale. */
+static void digits_reached(const struct comparator *j, const struct input *inputs, double *least, double *most, double *lost)
 {
     const struct section *s = j->operation->section;
     const bool linear = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_RK4_LINEAR;
     const double Omega = fmpq_get_d(&inputs[place_of(s, "Omega")].value);
     const double L_ref = fmpq_get_d(&inputs[place_of(s, "L_ref")].value);
     const struct input *initial = inputs + place_of(s, "t") + 1;
-    double scale = 0.0, off = 0.0, wide = 0.0;
+    double scale = 0.0, off = 0.0, off_at_least = 0.0, wide = 0.0;
     SCOPE(arb, difference);
-    SCOPE(mag, most);
+    SCOPE(mag, bound);
     for (int i = 0; i < s->output_count; i++) {
         const double unit = (linear && i % 3 != 2 ? 1.0 : 1.0 / L_ref) / (i < 3 ? 1.0 : Omega);
         arb_sub(difference, j->y + i, j->exact + i, 256);
-        arb_get_mag(most, difference);
         scale = fmax(scale, unit * fmax(fabs(fmpq_get_d(&initial[i].value)), fabs(midpoint(j->exact + i))));
-        off = fmax(off, unit * mag_get_d(most));
+        arb_get_mag(bound, difference);
+        off = fmax(off, unit * mag_get_d(bound));
+        arb_get_mag_lower(bound, difference);
+        off_at_least = fmax(off_at_least, unit * mag_get_d(bound));
         wide = fmax(wide, unit * mag_get_d(arb_radref(j->exact + i))); /* whatever the answer is: more bits make no other */
     }
     *lost = scale > 0.0 ? wide / scale : wide;
-    return off == 0.0 ? INFINITY : scale > 0.0 ? -log10(off / scale) : 0.0;
+    *least = digits_of(off, scale);
+    *most = digits_of(off_at_least, scale);
 }
 
 static enum outcome compare_in_digits(struct comparator *j, const struct input *inputs, struct score *score)
 {
     const slong digits = (slong)j->digits + 8; /* enough to see a client do better than it says */
     const slong first = operation_precision(j->operation, inputs, digits);
-    double lost = INFINITY;
+    double lost = INFINITY, most_digits = INFINITY;
     if (j->followed)
-        score->digits = digits_reached(j, inputs, &lost);
+        digits_reached(j, inputs, &score->digits, &most_digits, &lost);
     const slong most = j->once ? first : 8 * first;
     for (slong prec = first; prec <= most && !(lost <= pow(10.0, -j->digits - 5.0)); prec *= 2)
         if (operation_follow(j->operation, inputs, digits, prec, j->exact) == OPERATION_PROVED)
-            score->digits = digits_reached(j, inputs, &lost);
+            digits_reached(j, inputs, &score->digits, &most_digits, &lost);
     if (isinf(lost))
         return OUTCOME_SKIPPED;
-    return score->digits >= j->digits ? OUTCOME_RIGHT : OUTCOME_WRONG;
+    return score->digits >= j->digits ? OUTCOME_RIGHT : most_digits < j->digits ? OUTCOME_WRONG : OUTCOME_SKIPPED;
 }
 
 enum outcome compare_answer(struct comparator *j, const struct input *inputs, struct score *score)

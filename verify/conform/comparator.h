@@ -1,5 +1,6 @@
 /*
- * Compares an answer with the truth: of algebra and roots in roundings, E <= K (errors.h); of motions by the
+ * Compares an answer with the truth: of algebra and roots in roundings, E <= K (errors.h), where a component of a vector has
+ * an S of at least the vector's size; of motions by the
  * decimal digits reached of the motion's largest coordinate, at 0 or at t, lengths over L_ref and time in
  * radians of orbit. The truth is certified when it is needed, with no more bits than decide.
  */
@@ -8,29 +9,26 @@
 
 #include "evaluate/errors.h"
 
-/* What may come of a question, or of a line that answers none; everything after SKIPPED is a failure. */
+/* What may come of a vector, everything after SKIPPED a failure; and from UNNAMED on of a line that answers none. */
 enum outcome {
     OUTCOME_RIGHT,
     OUTCOME_SKIPPED,
-    OUTCOME_WRONG,     /* E > K, or too few digits                                       */
+    OUTCOME_WRONG,     /* E > K, or too few digits                           */
     OUTCOME_NAN,
     OUTCOME_INFINITE,
-    OUTCOME_INVALID,   /* where a value is due                                           */
-    OUTCOME_VALUE,     /* where `invalid` is due                                         */
-    OUTCOME_COUNT,     /* too few or too many outputs                                    */
-    OUTCOME_MALFORMED, /* no id, or something that is no number                          */
-    OUTCOME_TRUNCATED, /* the last line has no end                                       */
-    OUTCOME_TOO_LONG,  /* a line                                                         */
-    OUTCOME_STRANGER,  /* an id that no question has                                     */
-    OUTCOME_REPEATED,
-    OUTCOME_REORDERED, /* after the answer to a later question                          */
-    OUTCOME_EARLY,     /* before its question                                            */
+    OUTCOME_INVALID,   /* where a value is due                               */
+    OUTCOME_VALUE,     /* where `invalid` is due                             */
+    OUTCOME_COUNT,     /* too few or too many outputs                        */
+    OUTCOME_MALFORMED, /* something that is no number                        */
+    OUTCOME_TRUNCATED, /* the last line has no end                           */
     OUTCOME_MISSING,
-    OUTCOME_EXTRA,     /* a line after the last answer                                  */
-    OUTCOME_FLOOD,     /* so many lines out of place that the client was stopped         */
     OUTCOME_TIMEOUT,
-    OUTCOME_CRASH,     /* ended by a signal                                              */
-    OUTCOME_EXIT,      /* an exit status other than 0                                    */
+    OUTCOME_CRASH,     /* ended by a signal                                  */
+    OUTCOME_UNNAMED,   /* a first word that can be no vector's name, or none */
+    OUTCOME_STRANGER,  /* a name that no question has                        */
+    OUTCOME_LATE,      /* after the answer to this question or a later one   */
+    OUTCOME_EARLY,     /* before its question                                */
+    OUTCOME_TOO_LONG,
     OUTCOMES
 };
 
@@ -41,17 +39,22 @@ struct comparator {
     int significand;
     double K, digits;     /* what passes: E of at most K, digits of at least so many */
     double worst;         /* E below this need not be known exactly                  */
-    arb_ptr y, exact, S;  /* the answer; its truth                                   */
+    arb_ptr y, exact, S;  /* the answer; its truth; S raised to the vector's size    */
+    unsigned raised;      /* a bit for each output whose S has been                  */
     bool followed;        /* exact holds the truth of this motion from the last time */
     bool once;            /* a motion is followed with the first precision alone     */
 };
 
 struct score {
-    double E, digits; /* an upper bound, a lower bound */
-    int output;       /* of the worst E                */
+    double E, strict; /* upper bounds; strict: each output by its own size alone */
+    double digits;    /* a lower bound                                           */
+    int output;       /* of the worst E                                          */
 };
 
 bool is_motion(const struct section *s);
+
+/* The outputs that are components of one vector with that output: a bit each; 0 where it is none. */
+unsigned vector_components(const struct section *s, int output);
 
 /* The operation stays the caller's. */
 void comparator_init(struct comparator *j, struct operation *o, int significand, double digits);

@@ -1,135 +1,111 @@
 #include "conform/conform.h"
 
 #include <math.h>
-#include <stdio.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "evaluate/vectors.h"
 
-/* After so many lines out of place (and never before there are as many as questions) nothing more is heard. */
-enum { MOST_OUT_OF_PLACE = 10000 };
+/* After so many lines that answer nothing (and never before there are twice as many as questions) nothing more is heard. */
+enum { MOST_STRAYS = 10000 };
 
 /* ---- outcomes ---- */
 
 uint64_t summary_failed(const struct summary *t)
 {
     uint64_t failed = 0;
-    for (int i = OUTCOME_WRONG; i < OUTCOMES; i++)
+    for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED; i++)
         failed += t->counts[i];
-    return failed;
+    return failed - t->expected;
 }
 
-static struct summary *own_summary(struct test_run *e)
+uint64_t stray_count(const struct test_run *e)
 {
-    return &e->summaries[e->sets.count];
+    uint64_t count = 0;
+    for (int i = OUTCOME_UNNAMED; i < OUTCOMES; i++)
+        count += e->strays[i].count;
+    return count;
 }
-
-static struct summary *summary_at(struct test_run *e, uint64_t position)
-{
-    if (position >= e->sets.total)
-        return own_summary(e);
-    return &e->summaries[test_sets_at(&e->sets, position) - e->sets.all];
-}
-
-/* Wrong numbers before everything else, the further off the worse. */
-static bool failure_is_worse(const struct failure *a, const struct failure *b)
-{
-    if ((a->outcome == OUTCOME_WRONG) != (b->outcome == OUTCOME_WRONG))
-        return a->outcome == OUTCOME_WRONG;
-    return a->score.E > b->score.E || a->score.digits < b->score.digits;
-}
-
-static void record_outcome(struct test_run *e, const struct failure *f, const char *line)
-{
-    struct summary *t = summary_at(e, f->position);
-    const bool first = summary_failed(t) == 0;
-    t->counts[f->outcome]++;
-    if (f->outcome < OUTCOME_WRONG)
-        return;
-    if (first || failure_is_worse(f, &t->worst_failure)) {
-        t->worst_failure = *f;
-        snprintf(t->got, sizeof t->got, "%s", line);
-    }
-    const bool is_line = f->outcome >= OUTCOME_COUNT && f->outcome <= OUTCOME_EXTRA && *line != '\0';
-    if (is_line && *t->line == '\0') {
-        t->line_outcome = f->outcome;
-        snprintf(t->line, sizeof t->line, "%s", line);
-    }
-    if (t->failure_count < MOST_FAILURES)
-        t->failures[t->failure_count++] = *f;
-}
-
-static void found(struct test_run *e, uint64_t position, enum outcome outcome, const char *line)
-{
-    const struct failure f = {.position = position, .outcome = outcome, .score = {0.0, INFINITY, 0}};
-    record_outcome(e, &f, line);
-}
-
-void test_run_note(struct test_run *e, enum outcome outcome)
-{
-    found(e, UINT64_MAX, outcome, "");
-}
-
-/* ---- the questions between answers ---- */
-
-static void missing(struct test_run *e, struct span s)
-{
-    for (uint64_t p = s.first; p <= s.last && p < e->sets.total; p++) {
-        const struct test_set *set = test_sets_at(&e->sets, p);
-        const uint64_t at = p - set->first;
-        const bool golden = at < (uint64_t)set->golden_count;
-        const bool optional = e->from_file && !e->range && golden && set->golden[at].range;
-        found(e, p, optional ? OUTCOME_SKIPPED : OUTCOME_MISSING, "");
-    }
-}
-
-/* first ... last were passed over. Lines without a question stood there: each has been counted for one of them. */
-static void pass_over(struct test_run *e, uint64_t first, uint64_t last)
-{
-    const uint64_t known = e->strays < last - first + 1 ? e->strays : last - first + 1;
-    if (first + known > last)
-        return;
-    if (e->span_count == MOST_SPANS) { /* the oldest will hardly be answered any more */
-        missing(e, e->spans[0]);
-        memmove(e->spans, e->spans + 1, sizeof e->spans - sizeof *e->spans);
-        e->span_count--;
-    }
-    e->spans[e->span_count++] = (struct span){first + known, last};
-}
-
-/* Whether a question was passed over; it is not any more. */
-static bool take_up(struct test_run *e, uint64_t position)
-{
-    for (int i = 0; i < e->span_count; i++) {
-        struct span *s = &e->spans[i];
-        if (position < s->first || position > s->last)
-            continue;
-        const struct span after = {position + 1, s->last};
-        if (position > s->first && position < s->last && e->span_count == MOST_SPANS)
-            missing(e, after);
-        else if (position > s->first && position < s->last)
-            e->spans[e->span_count++] = after;
-        if (position > s->first)
-            s->last = position - 1;
-        else if (position < s->last)
-            s->first = position + 1;
-        else
-            *s = e->spans[--e->span_count];
-        return true;
-    }
-    return false;
-}
-
-/* ---- one line ---- */
 
 static void stray(struct test_run *e, enum outcome outcome, const char *line)
 {
-    const bool over = e->next == e->sets.total && e->span_count == 0 && !e->from_file;
-    found(e, e->from_file ? UINT64_MAX : e->next + e->strays, over ? OUTCOME_EXTRA : outcome, line);
-    e->strays += !e->from_file; /* rows of a file take nobody's place */
-    e->out_of_place++;
+    struct stray_lines *s = &e->strays[outcome];
+    if (s->count++ > 0)
+        return;
+    s->first = e->heard;
+    snprintf(s->line, sizeof s->line, "%s", line);
 }
+
+/* A number with a scale of its own tells more than one on none, the paper's case more than both; what is no number the least. */
+static int ease_of(const struct record *r, const char *id)
+{
+    const bool numbers = r->outcome == OUTCOME_WRONG, paper = strstr(id, "-paper") != NULL;
+    return numbers && isfinite(r->score.E) ? !paper : numbers ? 2 : r->has_values ? 3 : 4 + (r->outcome >= OUTCOME_MISSING);
+}
+
+static void expect(struct test_run *e, struct record *r)
+{
+    for (int i = 0; i < e->expected_count; i++)
+        if (e->expected[i].position == r->position) {
+            r->expected = r->outcome >= OUTCOME_WRONG;
+            e->expected[i].passed = r->outcome == OUTCOME_RIGHT;
+        }
+}
+
+static void note(struct test_run *e, struct record *r, const struct test_vector *q)
+{
+    struct summary *t = &e->summaries[q->set - e->sets.all];
+    expect(e, r);
+    t->counts[r->outcome]++;
+    t->expected += r->expected;
+    if (e->journal != NULL) { /* whether all went well is asked at its end */
+        fwrite(r, offsetof(struct record, text), 1, e->journal);
+        fwrite(r->text, strlen(r->text) + 1, 1, e->journal);
+    }
+    if (r->outcome < OUTCOME_WRONG || r->expected)
+        return;
+    if (r->outcome >= OUTCOME_COUNT && r->outcome <= OUTCOME_TRUNCATED && *t->line == '\0') {
+        t->line_outcome = r->outcome;
+        snprintf(t->line, sizeof t->line, "%s %.250s", q->id, r->text);
+    }
+    const int ease = ease_of(r, q->id);
+    if (t->failure_count == 0 || ease < t->ease) {
+        t->shown = *r;
+        t->ease = ease;
+    }
+    if (t->failure_count < MOST_FAILURES)
+        t->failures[t->failure_count++] = *r;
+}
+
+bool test_run_record(const struct test_run *e, struct record *r)
+{
+    int c = '\0';
+    if (fread(r, offsetof(struct record, text), 1, e->journal) != 1)
+        return false;
+    for (size_t i = 0; i < sizeof r->text && (c = getc(e->journal)) != EOF; i++) {
+        r->text[i] = (char)c;
+        if (c == '\0')
+            break;
+    }
+    return c == '\0';
+}
+
+/* The vector that is due has come to this, without an answer but that beginning of one; the next one is due. */
+static void pass_over(struct test_run *e, enum outcome outcome, const char *text)
+{
+    struct record r = {.position = e->next, .outcome = outcome, .score = {.digits = INFINITY}};
+    const bool optional = e->any_order && !e->range && e->due.golden != NULL && e->due.golden->range;
+    snprintf(r.text, sizeof r.text, "%s", text);
+    if (optional)
+        r.outcome = OUTCOME_SKIPPED;
+    if (e->answered == NULL || !e->answered[e->next])
+        note(e, &r, &e->due);
+    if (++e->next < e->sets.total)
+        test_vector_make(&e->due, &e->sets, e->next);
+}
+
+/* ---- one line ---- */
 
 static bool is_id(const char *text)
 {
@@ -148,7 +124,7 @@ static int split(char *line, char **words, int most)
     return count;
 }
 
-/* A number as C reads it; for more than binary64, with all its digits. */
+/* A number as C reads it; for more than binary64, with all its digits and beyond its range. */
 static bool answer_number(const struct test_run *e, const char *text, double *value, arb_t y)
 {
     char *end;
@@ -156,7 +132,7 @@ static bool answer_number(const struct test_run *e, const char *text, double *va
     if (*end != '\0' || end == text)
         return false;
     arb_set_d(y, *value);
-    if (e->significand > BINARY64 && isfinite(*value)) {
+    if (e->significand > BINARY64 && !isnan(*value)) {
         mpfr_t wide;
         mpfr_init2(wide, 320);
         mpfr_strtofr(wide, text, NULL, 0, MPFR_RNDN);
@@ -167,25 +143,25 @@ static bool answer_number(const struct test_run *e, const char *text, double *va
 }
 
 /* The numbers of an answer into the comparator's y. */
-static enum outcome answer_numbers(struct test_run *e, struct comparator *j, char **words, int count, struct failure *f)
+static enum outcome answer_numbers(struct test_run *e, struct comparator *j, char **words, int count, struct record *r)
 {
     const int due = j->operation->section->output_count;
     enum outcome outcome = OUTCOME_RIGHT;
     for (int i = 0; i < count && i < MOST_OUTPUTS; i++) {
-        if (!answer_number(e, words[i], &f->values[i], j->y + i))
+        if (!answer_number(e, words[i], &r->values[i], j->y + i))
             return OUTCOME_MALFORMED;
-        if (isnan(f->values[i]))
+        if (isnan(r->values[i]))
             outcome = OUTCOME_NAN;
-        else if (isinf(f->values[i]) && outcome == OUTCOME_RIGHT)
+        else if (!arb_is_finite(j->y + i) && outcome == OUTCOME_RIGHT)
             outcome = OUTCOME_INFINITE;
     }
-    f->has_values = count == due;
+    r->has_values = count == due;
     return count == due ? outcome : OUTCOME_COUNT;
 }
 
-static enum outcome compare_numbers(struct test_run *e, struct comparator *j, const struct test_vector *q, struct failure *f)
+static enum outcome compare_numbers(struct test_run *e, struct comparator *j, const struct test_vector *q, struct record *f)
 {
-    struct summary *t = summary_at(e, f->position);
+    struct summary *t = &e->summaries[q->set - e->sets.all];
     if (e->significand == BINARY32 && q->golden == NULL && j->operation->section->method == METHOD_FORMULA &&
         vector_leaves_range(j->operation, q->inputs, BINARY32))
         return OUTCOME_SKIPPED;
@@ -200,88 +176,76 @@ static enum outcome compare_numbers(struct test_run *e, struct comparator *j, co
 }
 
 /* What the words after the id say about the question. */
-static void answer(struct test_run *e, const struct test_vector *q, uint64_t position, char **words, int count,
-                   const char *line)
+static void answer(struct test_run *e, const struct test_vector *q, uint64_t position, char **words, int count, const char *text)
 {
     struct comparator *j = &e->comparators[q->set - e->sets.all];
-    struct failure f = {.position = position, .score = {0.0, INFINITY, 0}};
+    struct summary *t = &e->summaries[q->set - e->sets.all];
+    struct record r = {.position = position, .score = {.digits = INFINITY}};
     const bool inside = q->drawn_inside || (q->numbers && operation_valid(j->operation, q->inputs));
+    snprintf(r.text, sizeof r.text, "%s", text);
     if (count > 0 && strcmp(words[0], "skip") == 0) {
-        char *reason = summary_at(e, position)->reason;
-        const size_t after = (size_t)(words[0] - e->line) + strlen("skip");
-        if (*reason == '\0' && after < strlen(line)) /* of which there is the beginning alone */
-            snprintf(reason, sizeof e->summaries->reason, "%s", line + after);
-        f.outcome = OUTCOME_SKIPPED;
+        if (*t->reason == '\0')
+            snprintf(t->reason, sizeof t->reason, "%.110s", r.text + strlen("skip"));
+        r.outcome = OUTCOME_SKIPPED;
     } else if (count == 1 && strcmp(words[0], "invalid") == 0) {
-        f.outcome = inside ? OUTCOME_INVALID : OUTCOME_RIGHT;
+        r.outcome = inside ? OUTCOME_INVALID : OUTCOME_RIGHT;
     } else {
-        f.outcome = answer_numbers(e, j, words, count, &f);
-        if (!inside && f.outcome != OUTCOME_COUNT && f.outcome != OUTCOME_MALFORMED)
-            f.outcome = OUTCOME_VALUE;
-        else if (f.outcome == OUTCOME_RIGHT)
-            f.outcome = compare_numbers(e, j, q, &f);
+        r.outcome = answer_numbers(e, j, words, count, &r);
+        if (!inside && r.outcome != OUTCOME_COUNT && r.outcome != OUTCOME_MALFORMED)
+            r.outcome = OUTCOME_VALUE;
+        else if (r.outcome == OUTCOME_RIGHT)
+            r.outcome = compare_numbers(e, j, q, &r);
     }
-    if (e->from_file && !e->range && q->golden != NULL && q->golden->range)
-        f.outcome = OUTCOME_SKIPPED;
-    record_outcome(e, &f, line);
+    if (e->any_order && !e->range && q->golden != NULL && q->golden->range)
+        r.outcome = OUTCOME_SKIPPED;
+    note(e, &r, q);
 }
 
-/* An answer to another question than the next one. */
-static bool find_place(struct test_run *e, const char *id, const char *line, uint64_t *position)
+/* Of a file, where answers stand in any order. */
+static void answer_there(struct test_run *e, uint64_t position, char **words, int count, const char *text)
 {
-    *position = test_sets_find(&e->sets, id);
-    if (*position == UINT64_MAX) {
-        stray(e, OUTCOME_STRANGER, line);
-        return false;
-    }
-    if (*position >= e->asked) {
-        found(e, *position, OUTCOME_EARLY, line);
-    } else if (*position > e->next) {
-        return true;
-    } else {
-        const bool passed_over = take_up(e, *position);
-        if (passed_over && e->from_file)
-            return true;
-        const bool over = e->next == e->sets.total && e->span_count == 0 && !passed_over && !e->from_file;
-        found(e, over ? UINT64_MAX : *position,
-              passed_over ? OUTCOME_REORDERED : over ? OUTCOME_EXTRA : OUTCOME_REPEATED, line);
-    }
-    e->out_of_place++;
-    return false;
+    struct test_vector q;
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, position);
+    e->answered[position] = true;
+    answer(e, &q, position, words, count, text);
+    test_vector_clear(&q);
 }
 
 static void hear_line(struct test_run *e, char *line, bool ended)
 {
-    char *words[MOST_OUTPUTS + 2], shown[120];
-    uint64_t position = e->next;
-    e->heard++;
+    char *words[MOST_OUTPUTS + 2], shown[LONGEST_SHOWN];
     snprintf(shown, sizeof shown, "%s", line);
+    for (char *c = shown; *c != '\0'; c++)
+        *c = *c == '\t' ? ' ' : *c;
     message_printable(shown);
-    int count = split(line, words, MOST_OUTPUTS + 2);
-    if (!ended || count == 0 || !is_id(words[0])) {
-        stray(e, ended ? OUTCOME_MALFORMED : OUTCOME_TRUNCATED, shown);
+    const int count = split(line, words, MOST_OUTPUTS + 2);
+    if (count == 0 || !is_id(words[0])) {
+        stray(e, OUTCOME_UNNAMED, shown);
         return;
     }
-    const bool expected = e->next < e->asked && strcmp(words[0], e->due.id) == 0;
-    struct test_vector *q = &e->due, other;
-    if (!expected && !find_place(e, words[0], shown, &position))
-        return;
-    if (position < e->next) { /* of a file, where answers stand in any order */
-        test_vector_init(&other);
-        test_vector_make(&other, &e->sets, position);
-        answer(e, &other, position, words + 1, count - 1, shown);
-        test_vector_clear(&other);
+    const bool due = e->next < e->asked && strcmp(words[0], e->due.id) == 0;
+    const uint64_t position = due ? e->next : test_sets_find(&e->sets, words[0]);
+    const bool again = e->any_order ? position < e->sets.total && e->answered[position] : position < e->next;
+    if (position >= e->asked || again) {
+        stray(e, position == UINT64_MAX ? OUTCOME_STRANGER : again ? OUTCOME_LATE : OUTCOME_EARLY, shown);
         return;
     }
-    if (position > e->next)
-        pass_over(e, e->next, position - 1);
-    if (position > e->next)
-        test_vector_make(q, &e->sets, position);
-    e->strays = 0;
-    answer(e, q, position, words + 1, count - 1, shown);
-    e->next = position + 1;
-    if (e->next < e->sets.total)
-        test_vector_make(q, &e->sets, e->next);
+    const char *text = shown + strspn(shown, " ") + strlen(words[0]);
+    text += strspn(text, " ");
+    if (e->any_order) {
+        answer_there(e, position, words + 1, count - 1, text);
+        return;
+    }
+    while (e->next < position)
+        pass_over(e, OUTCOME_MISSING, "");
+    if (!ended) {
+        pass_over(e, OUTCOME_TRUNCATED, text);
+        return;
+    }
+    answer(e, &e->due, position, words + 1, count - 1, text);
+    if (++e->next < e->sets.total)
+        test_vector_make(&e->due, &e->sets, e->next);
 }
 
 /* ---- the stream ---- */
@@ -289,6 +253,19 @@ static void hear_line(struct test_run *e, char *line, bool ended)
 static bool is_too_long(const struct test_run *e)
 {
     return e->unended > LONGEST_LINE;
+}
+
+/* The line that has been heard, with its end or without. */
+static void take_line(struct test_run *e, bool ended)
+{
+    e->heard++;
+    e->line[e->length] = '\0';
+    if (is_too_long(e))
+        stray(e, OUTCOME_TOO_LONG, "");
+    else
+        hear_line(e, e->line, ended);
+    e->length = 0;
+    e->unended = 0;
 }
 
 bool test_run_hear(void *run, const char *bytes, size_t size)
@@ -304,15 +281,10 @@ bool test_run_hear(void *run, const char *bytes, size_t size)
         }
         if (e->length > 0 && e->line[e->length - 1] == '\r')
             e->length--;
-        e->line[e->length] = '\0';
-        if (is_too_long(e))
-            stray(e, OUTCOME_TOO_LONG, "");
-        else
-            hear_line(e, e->line, true);
-        e->length = 0;
-        e->unended = 0;
+        take_line(e, true);
     }
-    return e->out_of_place < MOST_OUT_OF_PLACE || e->out_of_place < 2 * e->sets.total;
+    const uint64_t strays = stray_count(e);
+    return strays < MOST_STRAYS || strays < 2 * e->sets.total;
 }
 
 size_t test_run_ask(void *run, char *room, size_t size)
@@ -339,11 +311,15 @@ void test_run_begin(struct test_run *e, const double *digits)
 {
     const int count = e->sets.count;
     e->comparators = xrealloc(NULL, (size_t)count, sizeof *e->comparators);
-    e->summaries = xrealloc(NULL, (size_t)count + 1, sizeof *e->summaries);
-    for (int k = 0; k <= count; k++)
+    e->summaries = xrealloc(NULL, (size_t)count, sizeof *e->summaries);
+    if (e->any_order) {
+        e->answered = xrealloc(NULL, (size_t)e->sets.total + 1, sizeof *e->answered);
+        memset(e->answered, 0, (size_t)e->sets.total + 1);
+    }
+    for (int k = 0; k < count; k++) {
         e->summaries[k] = (struct summary){.digits = INFINITY, .worst = UINT64_MAX};
-    for (int k = 0; k < count; k++)
         comparator_init(&e->comparators[k], &e->sets.all[k].operation, e->significand, digits[k]);
+    }
     test_vector_init(&e->asking);
     test_vector_init(&e->due);
     if (e->sets.total > 0)
@@ -352,23 +328,12 @@ void test_run_begin(struct test_run *e, const double *digits)
 
 void test_run_end(struct test_run *e, enum outcome why)
 {
-    if (e->unended > 0) {
-        e->line[e->length] = '\0';
-        if (is_too_long(e))
-            stray(e, OUTCOME_TOO_LONG, "");
-        else
-            hear_line(e, e->line, false);
+    if (e->unended > 0)
+        take_line(e, false);
+    while (e->next < e->sets.total) {
+        pass_over(e, why, "");
+        why = OUTCOME_MISSING;
     }
-    if (why != OUTCOME_MISSING) {
-        found(e, e->next, why, "");
-        e->strays++;
-    }
-    if (e->next < e->sets.total)
-        pass_over(e, e->next, e->sets.total - 1);
-    e->next = e->sets.total;
-    for (int i = 0; i < e->span_count; i++)
-        missing(e, e->spans[i]);
-    e->span_count = 0;
 }
 
 void test_run_clear(struct test_run *e)
@@ -379,5 +344,9 @@ void test_run_clear(struct test_run *e)
     test_vector_clear(&e->due);
     free(e->comparators);
     free(e->summaries);
+    free(e->answered);
+    free(e->expected);
+    if (e->journal != NULL)
+        fclose(e->journal);
     test_sets_clear(&e->sets);
 }

@@ -105,7 +105,7 @@ static bool is_long(const struct section *s, const struct input *inputs)
 static const double PATIENCE = 1.0; /* seconds of processor time for an operation */
 
 /* Whether the mutant makes of the question what was answered. */
-static bool explains(struct mutant *x, const struct test_run *e, const struct failure *f, const struct test_vector *q,
+static bool explains(struct mutant *x, const struct test_run *e, const struct record *f, const struct test_vector *q,
                      double digits)
 {
     struct comparator j;
@@ -146,7 +146,7 @@ static bool explains_all(struct mutant *x, const struct test_run *e, const struc
     test_vector_init(&q);
     for (int pass = 0; pass < 2 && explained == 0 && all; pass++)
         for (int i = 0; i < t->failure_count && all; i++) {
-            const struct failure *f = &t->failures[i];
+            const struct record *f = &t->failures[i];
 
             if (f->outcome < OUTCOME_WRONG || f->outcome > last)
                 continue;

@@ -6,6 +6,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "conform/conform.h"
+
 enum { WORD = 80 };
 
 /* What names are made of; UTF-8's byte order mark. */
@@ -64,19 +66,40 @@ static void name_hint(const struct sheet *sheet, const char *word, char *hint, s
         snprintf(hint, size, "its first word '%s' names no vector", word);
 }
 
+/* Too few words or too many, by the operation in the vector's name. */
+static void count_hint(const struct sheet *sheet, const char *name, int count, char *hint, size_t size)
+{
+    char id[WORD];
+    snprintf(id, sizeof id, "%.*s", (int)strcspn(name, "-"), name);
+    const struct section *s = sheet != NULL ? section_find(sheet, id) : NULL;
+    if (s != NULL)
+        snprintf(hint, size, "%d number%s, %s has %d output%s", count, count == 1 ? "" : "s", id, s->output_count,
+                 s->output_count == 1 ? "" : "s");
+}
+
 void line_hint(const struct sheet *sheet, const char *line, enum outcome outcome, char *hint, size_t size)
 {
-    char copy[120], *rest = NULL;
+    char copy[LONGEST_SHOWN], *rest = NULL, *odd = NULL;
+    int count = 0;
     snprintf(copy, sizeof copy, "%s", line);
     const char *name = strtok_r(copy, " \t", &rest);
     snprintf(hint, size, "%s", "");
+    for (char *word = NULL; name != NULL && (word = strtok_r(NULL, " \t", &rest)) != NULL; count++)
+        odd = odd == NULL && !is_number(word) ? word : odd;
     if (outcome == OUTCOME_TRUNCATED)
         snprintf(hint, size, "the last line has no LF");
-    else if ((outcome == OUTCOME_MALFORMED || outcome == OUTCOME_STRANGER) && name == NULL)
+    else if (outcome == OUTCOME_TOO_LONG)
+        snprintf(hint, size, "it has more than %d bytes", LONGEST_LINE);
+    else if (outcome == OUTCOME_LATE)
+        snprintf(hint, size, "its turn is over: answers come in the order of the questions, one each");
+    else if (outcome == OUTCOME_EARLY)
+        snprintf(hint, size, "its question had not been asked");
+    else if (name == NULL)
         snprintf(hint, size, "an empty line");
-    else if (outcome == OUTCOME_STRANGER || (outcome == OUTCOME_MALFORMED && name[strspn(name, LETTERS)] != '\0'))
+    else if (outcome == OUTCOME_STRANGER || outcome == OUTCOME_UNNAMED)
         name_hint(sheet, name, hint, size);
-    for (char *word = NULL; outcome == OUTCOME_MALFORMED && *hint == '\0' && (word = strtok_r(NULL, " \t", &rest)) != NULL;)
-        if (!is_number(word))
-            number_hint(word, hint, size);
+    else if (outcome == OUTCOME_COUNT)
+        count_hint(sheet, name, count, hint, size);
+    else if (odd != NULL)
+        number_hint(odd, hint, size);
 }

@@ -10,6 +10,7 @@
 
 #include "conform/hints.h"
 #include "text/decimal.h"
+#include "text/json.h"
 #include "text/scope.h"
 
 enum { SHOWN_DIGITS = 20, NUMBER = 40 };
@@ -24,10 +25,11 @@ int level_of(const struct section *s)
 
 struct totals report_totals(const struct test_run *e)
 {
-    struct totals sum = {0, 0, 0};
-    for (int k = 0; k <= e->sets.count; k++) {
+    struct totals sum = {0, 0, 0, 0};
+    for (int k = 0; k < e->sets.count; k++) {
         sum.passed += e->summaries[k].counts[OUTCOME_RIGHT];
         sum.failed += summary_failed(&e->summaries[k]);
+        sum.expected += e->summaries[k].expected;
         sum.skipped += e->summaries[k].counts[OUTCOME_SKIPPED];
     }
     return sum;
@@ -68,32 +70,89 @@ static void outcomes_text(const struct summary *t, char *text, size_t size)
 {
     size_t used = 0;
     text[0] = '\0';
-    for (int i = OUTCOME_WRONG; i < OUTCOMES && used < size; i++)
+    for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED && used < size; i++)
         if (t->counts[i] > 0)
             used += (size_t)snprintf(text + used, size - used, "%s%" PRIu64 " %s", used ? ", " : "", t->counts[i],
                                      outcome_names[i]);
+    if (t->expected > 0 && used < size)
+        snprintf(text + used, size - used, "; %" PRIu64 " of them as expected", t->expected);
 }
 
-/* ---- one failing vector ---- */
+/* The decimal place of the leading digit of their difference, found among the digits as they were written. */
+int first_wrong_digit(const char *got, const char *expected)
+{
+    const char *start = got + strspn(got, "+-"), *e = strpbrk(start, "eE"), *point = strchr(start, '.');
+    const char *end = e != NULL ? e : start + strlen(start);
+    const long whole = (point != NULL ? point : end) - start, exponent = e != NULL ? strtol(e + 1, NULL, 10) : 0;
+    mpfr_t off, other;
+    mpfr_inits2(256, off, other, (mpfr_ptr)NULL);
+    long at = -1;
+    if (strpbrk(got, "xXnN") == NULL && mpfr_set_str(off, got, 10, MPFR_RNDN) == 0 &&
+        mpfr_set_str(other, expected, 10, MPFR_RNDN) == 0 && mpfr_cmp(off, other) != 0) {
+        mpfr_sub(off, off, other, MPFR_RNDN);
+        mpfr_abs(off, off, MPFR_RNDN);
+        mpfr_log10(off, off, MPFR_RNDN);
+        mpfr_floor(off, off);
+        at = whole - 1 + exponent - mpfr_get_si(off, MPFR_RNDN); /* among the digits */
+        at = at < 0 ? 0 : at + (at >= whole && point != NULL);
+        at = start - got + (at < end - start ? at : end - start);
+    }
+    mpfr_clears(off, other, (mpfr_ptr)NULL);
+    return (int)at;
+}
 
-/* A vector with what was due, each as text; made for reports only. */
+/* ---- one vector ---- */
+
+/* A vector with what was due and what came, each as text; made for reports only. */
 struct exhibit {
+    const struct record *record;
+    const struct section *section;
     struct test_vector vector;
     char inputs[MOST_INPUTS][LONGEST_INPUT];
     char *expected[MOST_OUTPUTS]; /* NULL: none was due, or none could be proved */
     bool invalid;
+    char text[LONGEST_SHOWN];     /* the answer, cut into its words              */
+    char *got[MOST_OUTPUTS];
 };
 
-static void exhibit_init(struct exhibit *x, const struct test_run *e, uint64_t position)
+/* Roots are a set: each that was answered stands beside the nearest one that is left. */
+static void match_roots(struct exhibit *x)
+{
+    for (int k = 0; k < 8; k += 2) {
+        int best = k;
+        double least = INFINITY;
+        for (int i = k; i < 8; i += 2) {
+            const double off = hypot(strtod(x->got[i], NULL) - strtod(x->expected[k], NULL),
+                                     strtod(x->got[i + 1], NULL) - strtod(x->expected[k + 1], NULL));
+            best = off < least ? i : best;
+            least = fmin(least, off);
+        }
+        for (int part = 0; part < 2; part++) {
+            char *other = x->got[k + part];
+            x->got[k + part] = x->got[best + part];
+            x->got[best + part] = other;
+        }
+    }
+}
+
+static void exhibit_init(struct exhibit *x, const struct test_run *e, const struct record *r)
 {
     memset(x, 0, sizeof *x);
+    x->record = r;
     test_vector_init(&x->vector);
-    test_vector_make(&x->vector, &e->sets, position);
+    test_vector_make(&x->vector, &e->sets, r->position);
     struct operation *o = &x->vector.set->operation;
+    x->section = o->section;
     for (int i = 0; i < o->section->input_count; i++)
         test_vector_text(&x->vector, i, e->sets.form, x->inputs[i]);
     x->invalid = !x->vector.numbers ||
                  operation_digits(o, x->vector.inputs, SHOWN_DIGITS, x->expected) == OPERATION_INVALID;
+    char *rest = NULL;
+    snprintf(x->text, sizeof x->text, "%s", r->text);
+    for (int i = 0; i < o->section->output_count && r->has_values; i++)
+        x->got[i] = strtok_r(i == 0 ? x->text : NULL, " ", &rest);
+    if (o->section->method == METHOD_ROOTS && r->has_values && x->got[7] != NULL && x->expected[0] != NULL)
+        match_roots(x);
 }
 
 static void exhibit_clear(struct exhibit *x)
@@ -103,79 +162,97 @@ static void exhibit_clear(struct exhibit *x)
     test_vector_clear(&x->vector);
 }
 
-/* Not about the stream of lines: then the vector itself tells something. */
-static bool is_about_values(enum outcome outcome)
+static const char *unit_text(const struct quantity *q)
 {
-    return outcome <= OUTCOME_MALFORMED || outcome == OUTCOME_TIMEOUT || outcome == OUTCOME_CRASH;
+    return strcmp(q->unit, "-") == 0 ? "" : q->unit;
 }
 
-static bool has_unit(const struct quantity *q)
+/* An output, and a mark below its first wrong digit where the output is what fails. */
+static void output_text(const struct exhibit *x, int i, FILE *file)
 {
-    return strcmp(q->unit, "-") != 0;
+    const bool marked = x->record->outcome == OUTCOME_WRONG && (x->section->method != METHOD_FORMULA || i == x->record->score.output);
+    fprintf(file, "    %-10s expected %s\n", x->section->outputs[i]->name, x->expected[i] ? x->expected[i] : "?");
+    if (x->got[i] == NULL)
+        return;
+    fprintf(file, "    %-10s got      %s\n", "", x->got[i]);
+    const int wrong = marked && x->expected[i] ? first_wrong_digit(x->got[i], x->expected[i]) : -1;
+    if (wrong >= 0)
+        fprintf(file, "%*s^\n", 24 + wrong, "");
 }
 
-static void exhibit_text(const struct exhibit *x, const struct summary *t, FILE *file)
+static void exhibit_text(const struct exhibit *x, double due, FILE *file)
 {
-    const struct section *s = x->vector.set->operation.section;
-    const struct failure *f = &t->worst_failure;
-    const bool marked = f->outcome == OUTCOME_WRONG && s->method == METHOD_FORMULA && s->output_count > 1;
+    const struct record *r = x->record;
+    const struct section *s = x->section;
     char number[NUMBER];
-    fprintf(file, "  %s: %s", x->vector.id, outcome_names[f->outcome]);
-    if (f->outcome == OUTCOME_WRONG && is_motion(s))
-        fprintf(file, ", %s digits", digits_text(f->score.digits, number));
-    else if (f->outcome == OUTCOME_WRONG)
-        fprintf(file, ", E = %s", error_text(f->score.E, number));
-    fputc('\n', file);
-    if (!is_about_values(f->outcome))
+    fprintf(file, "  %s: %s", x->vector.id, outcome_names[r->outcome]);
+    if (r->outcome == OUTCOME_WRONG && is_motion(s))
+        fprintf(file, ", %s digits, %g are due", digits_text(r->score.digits, number), due);
+    else if (r->outcome == OUTCOME_WRONG)
+        fprintf(file, ", E = %s, at most %g passes", error_text(r->score.E, number), s->K);
+    fputs(r->expected ? ", as expected\n" : "\n", file);
+    if (r->outcome == OUTCOME_MISSING) /* it is not the vector's fault */
         return;
     for (int i = 0; i < s->input_count; i++)
-        fprintf(file, "    %-10s %s%s%s\n", s->inputs[i]->name, x->inputs[i], has_unit(s->inputs[i]) ? " " : "",
-                has_unit(s->inputs[i]) ? s->inputs[i]->unit : "");
-    for (int i = 0; i < s->output_count && !x->invalid; i++) {
-        fprintf(file, "    %-10s expected %s", s->outputs[i]->name, x->expected[i] ? x->expected[i] : "?");
-        if (f->has_values)
-            fprintf(file, ", got %.17g%s", f->values[i], marked && i == f->score.output ? " <-" : "");
-        fputc('\n', file);
-    }
+        fprintf(file, "    %-10s %s%s%s\n", s->inputs[i]->name, x->inputs[i], *unit_text(s->inputs[i]) ? " " : "",
+                unit_text(s->inputs[i]));
+    for (int i = 0; i < s->output_count && !x->invalid; i++)
+        output_text(x, i, file);
     if (x->invalid)
         fprintf(file, "    expected   invalid\n");
-    if (!f->has_values)
-        fprintf(file, "    got        %s\n", *t->got ? t->got : "nothing");
+    if (!r->has_values || x->invalid)
+        fprintf(file, "    got        %s\n", *r->text ? r->text : "nothing");
 }
 
-/* NULL where nothing was asked. */
+static void record_text(const struct test_run *e, const struct record *r, FILE *file)
+{
+    struct exhibit x;
+    exhibit_init(&x, e, r);
+    exhibit_text(&x, e->comparators[x.vector.set - e->sets.all].digits, file);
+    exhibit_clear(&x);
+}
+
+static int set_of(const struct test_run *e, const struct record *r)
+{
+    return (int)(test_sets_at(&e->sets, r->position) - e->sets.all);
+}
+
+/* ---- what failed, as text ---- */
+
+/* Of the operations asked; NULL: none is. */
 static const struct sheet *sheet_of_run(const struct test_run *e)
 {
     return e->sets.count > 0 ? e->comparators[0].operation->section->sheet : NULL;
 }
 
-/* The first line that is no answer, and why it is none. */
-static void line_text(const struct test_run *e, const struct summary *t, FILE *file)
+/* The first line of a kind, and why it is no answer. */
+static void line_text(const struct test_run *e, const char *line, enum outcome outcome, FILE *file)
 {
     char hint[240];
-    if (*t->line == '\0')
-        return;
-    line_hint(sheet_of_run(e), t->line, t->line_outcome, hint, sizeof hint);
-    fprintf(file, "  first %s: %s\n", outcome_names[t->line_outcome], t->line);
+    line_hint(sheet_of_run(e), line, outcome, hint, sizeof hint);
+    fprintf(file, ": %s\n", line);
     if (*hint != '\0')
         fprintf(file, "    %s\n", hint);
 }
 
-static void failure_text(const struct test_run *e, int k, FILE *file)
+static void failure_text(const struct test_run *e, int k, bool all, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
     char text[512];
     outcomes_text(t, text, sizeof text);
-    fprintf(file, "%s: %s\n", k < e->sets.count ? e->comparators[k].operation->section->id : "client", text);
-    if (k == e->sets.count) {
-        line_text(e, t, file);
+    fprintf(file, "\n%s: %s\n", e->comparators[k].operation->section->id, text);
+    struct record r;
+    if (!all)
+        record_text(e, &t->shown, file);
+    else
+        rewind(e->journal);
+    while (all && test_run_record(e, &r))
+        if (r.outcome >= OUTCOME_WRONG && set_of(e, &r) == k)
+            record_text(e, &r, file);
+    if (*t->line == '\0')
         return;
-    }
-    struct exhibit x;
-    exhibit_init(&x, e, t->worst_failure.position);
-    exhibit_text(&x, t, file);
-    exhibit_clear(&x);
-    line_text(e, t, file);
+    fprintf(file, "  first %s", outcome_names[t->line_outcome]);
+    line_text(e, t->line, t->line_outcome, file);
 }
 
 static void diagnosis_text(const struct summary *t, FILE *file)
@@ -185,17 +262,33 @@ static void diagnosis_text(const struct summary *t, FILE *file)
     fputs(t->hurried ? "  not all known mistakes were tried, it would take too long\n" : "", file);
 }
 
+/* Lines that answer nothing, and an end that is none. */
+static void client_text(const struct test_run *e, FILE *file)
+{
+    if (stray_count(e) > 0)
+        fprintf(file, "\nlines that answer nothing: %" PRIu64 "\n", stray_count(e));
+    for (int i = OUTCOME_UNNAMED; i < OUTCOMES; i++)
+        if (e->strays[i].count > 0) {
+            fprintf(file, "  %" PRIu64 " %s, the first is line %" PRIu64, e->strays[i].count, outcome_names[i], e->strays[i].first);
+            line_text(e, e->strays[i].line, (enum outcome)i, file);
+        }
+    if (*e->ended != '\0')
+        fprintf(file, "\nthe client %s\n", e->ended);
+}
+
 /* ---- text ---- */
 
 static void row_text(const struct test_run *e, int k, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
     const struct section *s = e->comparators[k].operation->section;
-    const struct test_set *c = &e->sets.all[k];
+    const uint64_t total = test_set_total(&e->sets.all[k]);
     char E[NUMBER], digits[NUMBER];
     struct test_vector q;
-    fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, s->id,
-            test_set_total(c), t->counts[OUTCOME_RIGHT], summary_failed(t), t->counts[OUTCOME_SKIPPED]);
+    if (t->counts[OUTCOME_SKIPPED] == total && *t->reason != '\0')
+        return; /* named with its reason */
+    fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, s->id, total, t->counts[OUTCOME_RIGHT],
+            summary_failed(t), t->counts[OUTCOME_SKIPPED]);
     if (t->worst == UINT64_MAX) {
         fputc('\n', file);
         return;
@@ -225,6 +318,43 @@ static void skips_text(const struct test_run *e, FILE *file)
     }
 }
 
+/* How good an integrator is: a line a scenario, the digits reached at each of its times, in the order they were asked. */
+static void digits_by_time(const struct test_run *e, FILE *file)
+{
+    char scenario[LONGEST_ID + 1] = "", number[NUMBER];
+    struct test_vector q;
+    struct record r;
+    test_vector_init(&q);
+    rewind(e->journal);
+    while (test_run_record(e, &r)) {
+        if (!r.has_values || !is_motion(e->comparators[set_of(e, &r)].operation->section))
+            continue;
+        test_vector_make(&q, &e->sets, r.position);
+        const char *time = strrchr(q.id, '-');
+        const size_t length = (size_t)(time - q.id);
+        if (strncmp(scenario, q.id, length) != 0 || scenario[length] != '\0') {
+            fprintf(file, *scenario == '\0' ? "\ndigits by time in s" : "");
+            snprintf(scenario, sizeof scenario, "%.*s", (int)length, q.id);
+            fprintf(file, "\n  %-40s", scenario);
+        }
+        fprintf(file, "  %s: %s", time + 1, digits_text(r.score.digits, number));
+    }
+    fputs(*scenario != '\0' ? "\n" : "", file);
+    test_vector_clear(&q);
+}
+
+static void unexpected_text(const struct test_run *e, FILE *file)
+{
+    struct test_vector q;
+    test_vector_init(&q);
+    for (int i = 0; i < e->expected_count; i++)
+        if (e->expected[i].passed) {
+            test_vector_make(&q, &e->sets, e->expected[i].position);
+            fprintf(file, "\n%s was expected to fail, and passes\n", q.id);
+        }
+    test_vector_clear(&q);
+}
+
 void report_text(const struct report *r, FILE *file)
 {
     struct test_run *e = r->run;
@@ -232,185 +362,244 @@ void report_text(const struct report *r, FILE *file)
     fputs("operation        vectors   passed  failed  skipped   worst E  digits  worst vector\n", file);
     for (int k = 0; k < e->sets.count; k++)
         row_text(e, k, file);
-    for (int k = 0; k <= e->sets.count; k++)
-        if (summary_failed(&e->summaries[k]) > 0) {
-            fputc('\n', file);
-            failure_text(e, k, file);
+    client_text(e, file);
+    for (int k = 0; k < e->sets.count; k++)
+        if (summary_failed(&e->summaries[k]) > 0 || (r->all && e->summaries[k].expected > 0)) {
+            failure_text(e, k, r->all, file);
             fflush(file); /* an error stays with the file */
-            if (r->diagnose != NULL && k < e->sets.count)
+            if (r->diagnose != NULL)
                 r->diagnose(e, k);
             diagnosis_text(&e->summaries[k], file);
         }
+    if (r->all)
+        digits_by_time(e, file);
     skips_text(e, file);
-    if (*e->ended != '\0')
-        fprintf(file, "\nthe client ended %s\n", e->ended);
-    fprintf(file, "\n%" PRIu64 " vectors: %" PRIu64 " passed, %" PRIu64 " failed, %" PRIu64 " skipped\n",
-            e->sets.total, sum.passed, sum.failed, sum.skipped);
+    unexpected_text(e, file);
+    fprintf(file, "\n%" PRIu64 " vectors: %" PRIu64 " passed, %" PRIu64 " failed, %" PRIu64 " skipped", e->sets.total,
+            sum.passed, sum.failed, sum.skipped);
+    if (sum.expected > 0)
+        fprintf(file, ", %" PRIu64 " failed as expected", sum.expected);
+    if (stray_count(e) > 0)
+        fprintf(file, "; lines that answer nothing: %" PRIu64, stray_count(e));
+    fputc('\n', file);
 }
 
-/* ---- files ---- */
+/* ---- XML ---- */
 
-/* Text inside a file of that kind; what is no printable ASCII becomes a question mark. */
-static void put_text(FILE *file, const char *text, bool xml)
+/* What is no printable ASCII becomes a question mark. */
+static void put_xml(FILE *file, const char *text)
 {
     for (; *text != '\0'; text++) {
         const unsigned char c = (unsigned char)*text;
-        if (c == '\n')
-            fputs(xml ? "\n" : "\\n", file);
-        else if (c < 0x20 || c > 0x7e)
+        if (c != '\n' && (c < 0x20 || c > 0x7e))
             fputc('?', file);
-        else if (xml && strchr("<>&\"", c) != NULL)
+        else if (strchr("<>&\"", c) != NULL)
             fprintf(file, "&#%u;", (unsigned)c);
-        else if (!xml && (c == '"' || c == '\\'))
-            fprintf(file, "\\%c", c);
         else
             fputc(c, file);
     }
 }
 
-/* A failing operation's text, escaped for XML. */
-static void put_failure(const struct test_run *e, int k, FILE *file)
+/* What the function writes, escaped. */
+static void put_written(FILE *file, const struct test_run *e, const struct record *r)
 {
     char *text = NULL;
     size_t size;
     FILE *stream = open_memstream(&text, &size);
     if (stream == NULL)
         out_of_memory();
-    failure_text(e, k, stream);
-    diagnosis_text(&e->summaries[k], stream);
+    if (r == NULL)
+        client_text(e, stream);
+    else
+        record_text(e, r, stream);
+    if (r != NULL)
+        diagnosis_text(&e->summaries[set_of(e, r)], stream);
     if (fclose(stream) != 0)
         out_of_memory();
-    put_text(file, text, true);
+    put_xml(file, text);
     free(text);
+}
+
+static void write_case(const struct test_run *e, const struct record *r, FILE *file)
+{
+    struct test_vector q;
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, r->position);
+    fprintf(file, "<testcase classname=\"%s\" name=\"%s\">", q.set->operation.section->id, q.id);
+    test_vector_clear(&q);
+    if (r->outcome == OUTCOME_SKIPPED || r->expected) {
+        fprintf(file, "<skipped message=\"%s\"/>", r->expected ? "fails as expected" : "skipped");
+    } else if (r->outcome != OUTCOME_RIGHT) {
+        fprintf(file, "<failure message=\"%s\">", outcome_names[r->outcome]);
+        put_written(file, e, r);
+        fputs("</failure>", file);
+    }
+    fputs("</testcase>\n", file);
 }
 
 static void write_xml(const struct report *r, FILE *file)
 {
     const struct test_run *e = r->run;
-    int failures = 0, skipped = 0;
-    for (int k = 0; k <= e->sets.count; k++) {
-        const bool failed = summary_failed(&e->summaries[k]) > 0;
-        failures += failed;
-        skipped += !failed && e->summaries[k].counts[OUTCOME_RIGHT] == 0 && k < e->sets.count;
+    struct record one;
+    int open = -1;
+    fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"", file);
+    put_xml(file, r->client);
+    fputs("\">\n", file);
+    while (test_run_record(e, &one)) {
+        const int k = set_of(e, &one);
+        const struct summary *t = &e->summaries[k];
+        if (k != open)
+            fprintf(file, "%s<testsuite name=\"%s\" tests=\"%" PRIu64 "\" failures=\"%" PRIu64 "\" errors=\"0\" skipped=\"%" PRIu64 "\">\n",
+                    open >= 0 ? "</testsuite>\n" : "", e->comparators[k].operation->section->id, test_set_total(&e->sets.all[k]),
+                    summary_failed(t), t->counts[OUTCOME_SKIPPED] + t->expected);
+        open = k;
+        write_case(e, &one, file);
     }
-    fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"", file);
-    put_text(file, r->client, true);
-    fprintf(file, "\" tests=\"%d\" failures=\"%d\" errors=\"0\" skipped=\"%d\">\n", e->sets.count + 1,
-            failures, skipped);
-    for (int k = 0; k <= e->sets.count; k++) {
-        const bool asked = k < e->sets.count;
-        fprintf(file, "<testcase classname=\"%s\" name=\"%s\">",
-                asked ? level_names[level_of(e->comparators[k].operation->section)] : "client",
-                asked ? e->comparators[k].operation->section->id : "client");
-        if (summary_failed(&e->summaries[k]) > 0) {
-            char text[512];
-            outcomes_text(&e->summaries[k], text, sizeof text);
-            fprintf(file, "<failure message=\"%s\">", text);
-            put_failure(e, k, file);
-            fputs("</failure>", file);
-        } else if (asked && e->summaries[k].counts[OUTCOME_RIGHT] == 0) {
-            fputs("<skipped/>", file);
-        }
-        fputs("</testcase>\n", file);
-    }
-    fputs("<system-err>", file);
-    put_text(file, r->errors, true);
+    const bool bad = stray_count(e) > 0 || *e->ended != '\0';
+    fprintf(file, "%s<testsuite name=\"client\" tests=\"1\" failures=\"%d\" errors=\"0\" skipped=\"0\">\n"
+            "<testcase classname=\"client\" name=\"lines\">", open >= 0 ? "</testsuite>\n" : "", bad);
+    fputs(bad ? "<failure message=\"lines that answer nothing, or an end that is none\">" : "", file);
+    put_written(file, e, NULL);
+    fputs(bad ? "</failure>" : "", file);
+    fputs("</testcase>\n<system-err>", file);
+    put_xml(file, r->errors);
     fputs("</system-err>\n</testsuite>\n</testsuites>\n", file);
 }
 
-static void write_outcomes(const struct summary *t, FILE *file)
+/* ---- JSON ---- */
+
+static void write_outcomes(struct json *j, const struct summary *t)
 {
-    const char *comma = "";
-    fputs("\"findings\": {", file);
-    for (int i = OUTCOME_WRONG; i < OUTCOMES; i++)
-        if (t->counts[i] > 0) {
-            fprintf(file, "%s\"%s\": %" PRIu64, comma, outcome_names[i], t->counts[i]);
-            comma = ", ";
-        }
-    fputc('}', file);
+    json_open(j, "outcomes", '{');
+    for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED; i++)
+        if (t->counts[i] > 0)
+            json_value(j, outcome_names[i], "%" PRIu64, t->counts[i]);
+    json_close(j);
 }
 
-/* "vector": {...}, the worst failure: inputs as they were sent, all else as text. */
-static void write_exhibit(const struct test_run *e, int k, FILE *file)
+static void write_line(struct json *j, const struct test_run *e, enum outcome outcome, const char *line)
 {
-    const struct summary *t = &e->summaries[k];
-    const struct failure *f = &t->worst_failure;
-    const struct section *s = e->comparators[k].operation->section;
-    struct exhibit x;
-    char number[NUMBER];
-    exhibit_init(&x, e, f->position);
-    fprintf(file, "\"vector\": {\"id\": \"%s\", \"finding\": \"%s\", ", x.vector.id, outcome_names[f->outcome]);
-    if (f->outcome == OUTCOME_WRONG)
-        fprintf(file, "\"%s\": \"%s\", ", is_motion(s) ? "digits" : "E",
-                is_motion(s) ? digits_text(f->score.digits, number) : error_text(f->score.E, number));
-    fputs("\"inputs\": {", file);
-    for (int i = 0; i < s->input_count; i++)
-        fprintf(file, "%s\"%s\": \"%s\"", i ? ", " : "", s->inputs[i]->name, x.inputs[i]);
-    fputs("}, \"expected\": {", file);
-    for (int i = 0; i < s->output_count && !x.invalid; i++)
-        fprintf(file, "%s\"%s\": \"%s\"", i ? ", " : "", s->outputs[i]->name, x.expected[i] ? x.expected[i] : "?");
-    fprintf(file, "}, \"invalid\": %s, \"got\": \"", x.invalid ? "true" : "false");
-    put_text(file, t->got, false);
-    fputs("\"}", file);
-    exhibit_clear(&x);
+    char hint[240];
+    line_hint(sheet_of_run(e), line, outcome, hint, sizeof hint);
+    json_string(j, "outcome", outcome_names[outcome]);
+    json_string(j, "text", line);
+    json_string(j, "hint", hint);
 }
 
-static void write_row(const struct test_run *e, int k, FILE *file)
+static void write_operation(struct json *j, const struct test_run *e, int k)
 {
     const struct summary *t = &e->summaries[k];
     const struct section *s = e->comparators[k].operation->section;
     char number[NUMBER];
-    const struct test_set *c = &e->sets.all[k];
-    fprintf(file, "    {\"id\": \"%s\", \"level\": \"%s\", \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64
-            ", \"failed\": %" PRIu64 ", \"skipped\": %" PRIu64 ", ", s->id, level_names[level_of(s)],
-            test_set_total(c), t->counts[OUTCOME_RIGHT], summary_failed(t), t->counts[OUTCOME_SKIPPED]);
+    json_line(j, 4);
+    json_open(j, NULL, '{');
+    json_string(j, "id", s->id);
+    json_string(j, "level", level_names[level_of(s)]);
+    json_value(j, "vectors", "%" PRIu64, test_set_total(&e->sets.all[k]));
+    json_value(j, "passed", "%" PRIu64, t->counts[OUTCOME_RIGHT]);
+    json_value(j, "failed", "%" PRIu64, summary_failed(t));
+    json_value(j, "expected", "%" PRIu64, t->expected);
+    json_value(j, "skipped", "%" PRIu64, t->counts[OUTCOME_SKIPPED]);
+    json_value(j, is_motion(s) ? "digits_due" : "K", "%g", is_motion(s) ? e->comparators[k].digits : e->comparators[k].K);
     if (t->worst != UINT64_MAX) {
         struct test_vector q;
         test_vector_init(&q);
         test_vector_make(&q, &e->sets, t->worst);
-        if (!is_motion(s))
-            fprintf(file, "\"K\": %g, \"worst_E\": \"%s\", ", e->comparators[k].K, error_text(t->worst_E, number));
-        fprintf(file, "\"digits\": \"%s\", \"worst\": \"%s\", ", digits_text(summary_digits(e, k), number), q.id);
+        json_string(j, "worst_E", is_motion(s) ? NULL : error_text(t->worst_E, number));
+        json_string(j, "digits", digits_text(summary_digits(e, k), number));
+        json_string(j, "worst", q.id);
         test_vector_clear(&q);
     }
-    write_outcomes(t, file);
+    write_outcomes(j, t);
     if (*t->line != '\0') {
-        char hint[240];
-        line_hint(sheet_of_run(e), t->line, t->line_outcome, hint, sizeof hint);
-        fprintf(file, ", \"line\": {\"finding\": \"%s\", \"text\": \"", outcome_names[t->line_outcome]);
-        put_text(file, t->line, false);
-        fputs("\", \"hint\": \"", file);
-        put_text(file, hint, false);
-        fputs("\"}", file);
+        json_open(j, "line", '{');
+        write_line(j, e, t->line_outcome, t->line);
+        json_close(j);
     }
-    if (summary_failed(t) > 0) {
-        fputs(", \"diagnosis\": \"", file);
-        put_text(file, t->diagnosis, false);
-        fputs("\", ", file);
-        write_exhibit(e, k, file);
-    }
-    fputc('}', file);
+    json_string(j, "diagnosis", summary_failed(t) > 0 ? t->diagnosis : NULL);
+    json_close(j);
+}
+
+/* A vector: inputs as they were sent, all else as text. */
+static void write_vector(struct json *j, const struct test_run *e, const struct record *r)
+{
+    struct exhibit x;
+    char number[NUMBER];
+    exhibit_init(&x, e, r);
+    const bool motion = is_motion(x.section), judged = r->outcome == OUTCOME_WRONG || (r->outcome == OUTCOME_RIGHT && r->has_values);
+    json_line(j, 4);
+    json_open(j, NULL, '{');
+    json_string(j, "id", x.vector.id);
+    json_string(j, "operation", x.section->id);
+    json_string(j, "outcome", outcome_names[r->outcome]);
+    if (r->expected)
+        json_truth(j, "expected_to_fail", true);
+    json_string(j, "digits", judged && motion ? digits_text(r->score.digits, number) : NULL);
+    json_string(j, "E", judged && !motion ? error_text(r->score.E, number) : NULL);
+    json_string(j, "strict_E", judged && !motion ? error_text(r->score.strict, number) : NULL);
+    json_open(j, "inputs", '{');
+    for (int i = 0; i < x.section->input_count; i++)
+        json_string(j, x.section->inputs[i]->name, x.inputs[i]);
+    json_close(j);
+    if (x.invalid)
+        json_string(j, "expected", "invalid");
+    else
+        json_open(j, "expected", '{');
+    for (int i = 0; i < x.section->output_count && !x.invalid; i++)
+        json_string(j, x.section->outputs[i]->name, x.expected[i] ? x.expected[i] : "?");
+    if (!x.invalid)
+        json_close(j);
+    json_string(j, "got", r->text);
+    json_close(j);
+    exhibit_clear(&x);
 }
 
 static void write_json(const struct report *r, FILE *file)
 {
     const struct test_run *e = r->run;
     const struct totals sum = report_totals(e);
-    fputs("{\n  \"client\": \"", file);
-    put_text(file, r->client, false);
-    fprintf(file, "\",\n  \"vectors\": %" PRIu64 ", \"passed\": %" PRIu64 ", \"failed\": %" PRIu64
-            ", \"skipped\": %" PRIu64 ", \"oracle_seconds\": %.3f,\n  \"operations\": [\n",
-            e->sets.total, sum.passed, sum.failed, sum.skipped, r->seconds);
-    for (int k = 0; k < e->sets.count; k++) {
-        write_row(e, k, file);
-        fputs(k + 1 < e->sets.count ? ",\n" : "\n", file);
-    }
-    fputs("  ],\n  ", file);
-    write_outcomes(&e->summaries[e->sets.count], file);
-    fputs(",\n  \"errors\": \"", file);
-    put_text(file, r->errors, false);
-    fputs("\"\n}\n", file);
+    struct record one;
+    struct json j = json_on(file);
+    json_open(&j, NULL, '{');
+    json_line(&j, 2);
+    json_string(&j, "client", r->client);
+    json_line(&j, 2);
+    json_value(&j, "vectors", "%" PRIu64, e->sets.total);
+    json_value(&j, "passed", "%" PRIu64, sum.passed);
+    json_value(&j, "failed", "%" PRIu64, sum.failed);
+    json_value(&j, "expected", "%" PRIu64, sum.expected);
+    json_value(&j, "skipped", "%" PRIu64, sum.skipped);
+    json_value(&j, "oracle_seconds", "%.3f", r->seconds);
+    json_line(&j, 2);
+    json_string(&j, "ended", e->ended);
+    json_string(&j, "errors", r->errors);
+    json_line(&j, 2);
+    json_open(&j, "lines", '[');
+    for (int i = OUTCOME_UNNAMED; i < OUTCOMES; i++)
+        if (e->strays[i].count > 0) {
+            json_open(&j, NULL, '{');
+            json_value(&j, "count", "%" PRIu64, e->strays[i].count);
+            json_value(&j, "first", "%" PRIu64, e->strays[i].first);
+            write_line(&j, e, (enum outcome)i, e->strays[i].line);
+            json_close(&j);
+        }
+    json_close(&j);
+    json_line(&j, 2);
+    json_open(&j, "operations", '[');
+    for (int k = 0; k < e->sets.count; k++)
+        write_operation(&j, e, k);
+    json_close(&j);
+    json_line(&j, 2);
+    json_open(&j, "results", '[');
+    while (test_run_record(e, &one))
+        write_vector(&j, e, &one);
+    json_close(&j);
+    json_line(&j, 0);
+    json_close(&j);
+    fputc('\n', file);
 }
+
+/* ---- files ---- */
 
 enum report_format report_format(const char *name)
 {
@@ -443,6 +632,7 @@ int report_write(const struct report *r, const char *name)
     char *unfinished = xrealloc(NULL, size, 1);
     FILE *file = open_beside(name, unfinished, size);
     int why = file == NULL ? errno : 0;
+    rewind(r->run->journal);
     if (file != NULL) {
         if (report_format(name) == REPORT_XML)
             write_xml(r, file);

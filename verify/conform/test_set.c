@@ -37,7 +37,7 @@ static bool collect_golden(void *context, struct operation *o, const char *id, c
     return true;
 }
 
-void test_sets_add(struct test_sets *sets, const struct section *s, uint64_t random, int significand, bool range)
+struct test_set *test_sets_add(struct test_sets *sets, const struct section *s, uint64_t random, int significand, bool range)
 {
     sets->all = xrealloc(sets->all, (size_t)sets->count + 1, sizeof *sets->all);
     struct test_set *set = &sets->all[sets->count++];
@@ -47,6 +47,7 @@ void test_sets_add(struct test_sets *sets, const struct section *s, uint64_t ran
     golden_each(s, collect_golden, &c);
     inputs_free(c.inputs, s->input_count);
     sets->total += test_set_total(set);
+    return set;
 }
 
 void test_sets_clear(struct test_sets *sets)
@@ -58,6 +59,7 @@ void test_sets_clear(struct test_sets *sets)
                 free(sets->all[k].golden[i].texts[n]);
         }
         free(sets->all[k].golden);
+        free(sets->all[k].wanted);
         operation_clear(&sets->all[k].operation);
     }
     free(sets->all);
@@ -71,7 +73,7 @@ uint64_t test_set_defects(const struct test_set *set)
 
 uint64_t test_set_total(const struct test_set *set)
 {
-    return (uint64_t)set->golden_count + set->random + test_set_defects(set);
+    return set->wanted != NULL ? set->want_count : (uint64_t)set->golden_count + set->random + test_set_defects(set);
 }
 
 /* ---- one vector ---- */
@@ -106,7 +108,7 @@ void test_vector_make(struct test_vector *vector, const struct test_sets *sets, 
 {
     struct test_set *set = test_sets_at(sets, position);
     const struct section *s = set->operation.section;
-    const uint64_t at = position - set->first;
+    const uint64_t at = set->wanted != NULL ? set->wanted[position - set->first] : position - set->first;
     vector->set = set;
     if (at < (uint64_t)set->golden_count) {
         vector->golden = &set->golden[at];
@@ -151,6 +153,16 @@ static uint64_t random_number(const struct test_sets *sets, const struct test_se
     return strcmp(text, id) == 0 && number < test_set_defects(set) ? set->random + number : UINT64_MAX;
 }
 
+/* The place among all vectors of a set, UINT64_MAX where it has none of that name. */
+static uint64_t place_of_id(const struct test_sets *sets, const struct test_set *set, const char *id)
+{
+    for (int i = 0; i < set->golden_count; i++)
+        if (strcmp(set->golden[i].id, id) == 0)
+            return (uint64_t)i;
+    const uint64_t number = random_number(sets, set, id);
+    return number == UINT64_MAX ? number : (uint64_t)set->golden_count + number;
+}
+
 uint64_t test_sets_find(const struct test_sets *sets, const char *id)
 {
     const size_t length = strcspn(id, "-");
@@ -159,12 +171,27 @@ uint64_t test_sets_find(const struct test_sets *sets, const char *id)
         const char *operation = set->operation.section->id;
         if (strlen(operation) != length || strncmp(operation, id, length) != 0 || id[length] == '\0')
             continue;
-        for (int i = 0; i < set->golden_count; i++)
-            if (strcmp(set->golden[i].id, id) == 0)
-                return set->first + (uint64_t)i;
-        const uint64_t number = random_number(sets, set, id);
-        if (number != UINT64_MAX)
-            return set->first + (uint64_t)set->golden_count + number;
+        const uint64_t place = place_of_id(sets, set, id);
+        if (place == UINT64_MAX || set->wanted == NULL)
+            return place == UINT64_MAX ? place : set->first + place;
+        for (uint64_t i = 0; i < set->want_count; i++)
+            if (set->wanted[i] == place)
+                return set->first + i;
     }
     return UINT64_MAX;
+}
+
+bool test_sets_want(struct test_sets *sets, const char *id)
+{
+    struct test_set *set = &sets->all[sets->count - 1];
+    const uint64_t place = place_of_id(sets, set, id);
+    if (place == UINT64_MAX)
+        return false;
+    for (uint64_t i = 0; i < set->want_count; i++)
+        if (set->wanted[i] == place)
+            return true;
+    set->wanted = xrealloc(set->wanted, set->want_count + 1, sizeof *set->wanted);
+    set->wanted[set->want_count++] = place;
+    sets->total = set->first + set->want_count;
+    return true;
 }

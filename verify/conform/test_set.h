@@ -22,7 +22,8 @@ struct test_set {
     struct operation operation;
     struct golden_vector *golden;
     int golden_count;
-    uint64_t random, first; /* how many random ones inside the domain; the position of the first of all */
+    uint64_t random, first;       /* how many random ones inside the domain; the position of the first of all */
+    uint64_t *wanted, want_count; /* these alone, by their places among all; NULL: all                        */
 };
 
 /* Random vectors from outside the domain, after those from inside: one to sixteen. */
@@ -47,7 +48,10 @@ struct test_vector {
 };
 
 /* The golden vectors of a section, and so many random ones, for numbers of that significand. */
-void test_sets_add(struct test_sets *sets, const struct section *s, uint64_t random, int significand, bool range);
+struct test_set *test_sets_add(struct test_sets *sets, const struct section *s, uint64_t random, int significand, bool range);
+
+/* Of the set that was added last this vector, and others that are wanted; false where it has none of that name. */
+bool test_sets_want(struct test_sets *sets, const char *id);
 void test_sets_clear(struct test_sets *sets);
 
 void test_vector_init(struct test_vector *vector);
