@@ -7,6 +7,7 @@
 #include "tests/paper.h"
 #include "claims/convergence.h"
 #include "claims/second_order.h"
+#include "claims/simulation.h"
 #include "motion/two_body.h"
 #include "proof/proof_results.h"
 
@@ -273,6 +274,65 @@ START_TEST(hill_differs_by_what_the_inertial_motion_says)
 }
 END_TEST
 
+/* ---- what is measured of trajectories ---- */
+
+/*
+ * A number is given where it is proved, and nowhere else: for ever only what the energy of the last sample allows, no bound
+ * beyond the separatrix, nothing of a pair that turns over. The linear dL passes zero at 5.31 h, 19116 s, and comes back.
+ */
+static const struct {
+    const char *name;
+    struct sampled sampled;
+    bool given;
+} measured[] = {
+    {"peak_psi", {{.n = "10"}, 0, 1, 0, NULL}, true},
+    {"sup_psi", {{.n = "10"}, 0, 1, 0, NULL}, true},
+    {"ever_psi_0", {{.n = "10"}, 0, 1, 0, NULL}, false},
+    {"exit_dL_100", {{.n = "10"}, 0, 60, 19140, NULL}, true},
+    {"settled_dL_100", {{.n = "10"}, 0, 60, 19140, NULL}, false},
+    {"exit_dL_1000", {{.n = "10"}, 0, 60, 18000, NULL}, false},
+    {"peak_dL", {{.nonlinear = true, .dL = "3"}, 0, 1, 0, NULL}, true},
+    {"sup_dL", {{.nonlinear = true, .dL = "3"}, 0, 1, 0, NULL}, false},
+    {"bound_dL", {{.nonlinear = true, .dL = "3"}, 0, 1, 0, NULL}, false},
+    {"peak_psi", {{.nonlinear = true, .psi = "1.6"}, 0, 100, 1000, NULL}, false},
+};
+
+START_TEST(what_is_not_proved_is_not_given)
+{
+    const struct computation of = {"here", run_simulation, measured[_i].name, &measured[_i].sampled};
+    struct computed *c = computed_new(&of, steps());
+    enum how how;
+    SCOPE(arb, x);
+    ck_assert(computed_number(c, measured[_i].name, x, &how));
+    ck_assert_int_eq(arb_is_finite(x), measured[_i].given);
+    ck_assert(!computed_number(c, "sup_theta", x, &how));
+    computed_free(c);
+}
+END_TEST
+
+/* In SI: the start of the paper, and what is left of its dL after so many samples. */
+START_TEST(measures_are_in_SI)
+{
+    const struct sampled start = {{.n = "10"}, 0, 3600, 2 * 3600, NULL};
+    const struct computation of = {"here", run_simulation, "peak_dL at_x1_0 at_psi_0 low_dL_1_2 at_dL_2 energy_of_psi", &start};
+    struct computed *c = computed_new(&of, steps());
+    enum how how;
+    SCOPE(arb, x, y);
+    ck_assert(computed_number(c, "peak_dL", x, &how) && how == CERTIFIED);
+    assert_number(x, "0.1", 1e-15);
+    ck_assert(computed_number(c, "at_x1_0", x, &how));
+    assert_number(x, "5.05", 1e-14);
+    ck_assert(computed_number(c, "at_psi_0", x, &how));
+    assert_number(x, "0.01", 1e-15);
+    ck_assert(computed_number(c, "low_dL_1_2", x, &how) && computed_number(c, "at_dL_2", y, &how));
+    arb_sub(x, x, y, PREC);
+    assert_number(x, "0", 1e-15); /* it falls */
+    ck_assert(computed_number(c, "energy_of_psi", x, &how));
+    assert_number(x, "0.0002", 1e-15); /* (3 + (c1 - 9))/2 of 1e-4 */
+    computed_free(c);
+}
+END_TEST
+
 SUITE(test_convergence)
 {
     Suite *s = suite_create("convergence");
@@ -286,6 +346,8 @@ SUITE(test_convergence)
     tcase_add_test(c, two_body_is_the_inertial_motion);
     tcase_add_test(c, eq02_is_the_limit_of_the_inverse_square);
     tcase_add_test(c, rk4_linear_shows_its_orders);
+    tcase_add_loop_test(c, what_is_not_proved_is_not_given, 0, sizeof measured / sizeof *measured);
+    tcase_add_test(c, measures_are_in_SI);
     tcase_add_test(c, what_two_body_computes_is_measured_and_the_rest_certified);
     tcase_add_test(c, hill_differs_by_what_the_inertial_motion_says);
     suite_add_tcase(s, c);

@@ -106,8 +106,8 @@ static const struct {
     {"two-revolutions", "2.00531 revolutions"}, /* 172800*Om/(2*pi) = 2.0053085 */
     /* psi(2 d) = 3.16895001526e-5 and dL(2 d)/L_ref = 2.76209999640e-5, and less from there on */
     {"settling-linear", "|psi| <= 0.0032 of its initial value, |dL| <= 0.0028 of its"},
-    {"length-wiggle", "(n = 10) changes sign exactly 3 times"}, /* at 5.31, 28.5, 51.1 h */
-    {"length-wiggle", "n = 12 changes sign exactly 7 times"}, /* 5.31, 16.6, ... 70.7 h */
+    {"length-wiggle", "(n = 10) changes sign at least 3 times"}, /* at 5.31, 28.5, 51.1 h */
+    {"length-wiggle", "n = 12 changes sign at least 7 times"}, /* 5.31, 16.6, ... 70.7 h */
     /* 1 - (psi'**2 + 3*psi**2)/(3*0.01**2) after two days, from psi above and psi' = -1.7450238805e-5 */
     {"yaw-energy", " takes 0.9999889 of "},
     {"figure-5b", "at most 0.00051,"}, /* 5.05*(1 - cos(0.01)**2) = 5.0498e-4, at the start */
@@ -196,6 +196,10 @@ START_TEST(eq18_nothing_is_claimed_without_a_basin)
     struct basin b;
     basin_init(&b, 10);
     ck_assert(b.closed);
+    ck_assert_int_eq(basin_release(&b, sheet(), -198), RELEASE_OPEN); /* on the other side, where it returns to -L_ref */
+    b.closed = false;
+    ck_assert_int_eq(basin_release(&b, sheet(), -1), RELEASE_OPEN);
+    b.closed = true;
     arb_set_ui(b.level, 5); /* below V at the equilibrium: no motion is below it */
     ck_assert_int_eq(basin_release(&b, sheet(), 0), RELEASE_OPEN);
     basin_clear(&b);

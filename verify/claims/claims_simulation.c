@@ -1,25 +1,16 @@
 /*
  * The paper's simulation, its linear model and their variations: a table of trajectories, and what is measured of each.
- * Samples come from certified flows; what happens between and after them is bounded in trajectory.h. Numbers are in SI.
- *
- * A number's name is a measure, a variable and, in hours, from when on or from when to when: sup_psi_48_72.
+ * Samples come from certified flows; what happens between and after them is bounded in trajectory.h.
  */
+#include "claims/simulation.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims/claim.h"
-#include "claims/trajectory.h"
 #include "text/scope.h"
 
 enum { DAY = 86400, HOUR = 3600, BITS = 128 };
-
-/* A simulation sampled from first to last, each `step` seconds; and another, to compare it with. */
-struct sampled {
-    struct simulation simulation;
-    long first, step, last;
-    const struct simulation *beside;
-};
 
 /* What a name asks for. */
 struct request {
@@ -203,52 +194,17 @@ static bool parted(arb_t hours, const struct request *r)
     return false;
 }
 
-/* The sign that a coordinate keeps between two samples, if both exceed what it can bend by; else 0. */
-static int kept_sign(const struct trajectory *t, slong k, int which, const struct bounds *b)
-{
-    arb_srcptr now = trajectory_sample(t, k) + which, next = trajectory_sample(t, k + 1) + which;
-    int sign = 0;
-    SCOPE(arb, least, other, excess);
-    bound_between_samples(excess, t, b, which);
-    arb_abs(least, now);
-    arb_abs(other, next);
-    arb_min(least, least, other, BITS);
-    if (arb_gt(least, excess) && arb_is_positive(now) == arb_is_positive(next))
-        sign = arb_is_positive(now) ? 1 : -1;
-    return sign;
-}
-
-/* Sign changes: between two samples none, or one where the rate keeps its sign; neither may be uncertain. */
+/* The changes of sign that samples prove at least; of a rate, the turning points. */
 static bool sign_changes(arb_t x, const struct request *r)
 {
-    struct bounds b;
-    bool certain = true;
-    slong changes = 0;
-    bounds_init(&b);
-    for (slong k = r->from; k < r->to && certain; k++) {
-        arb_srcptr now = trajectory_sample(r->of, k) + r->which, next = trajectory_sample(r->of, k + 1) + r->which;
-        certain = trajectory_bounds(&b, r->of, k);
-        if (certain && kept_sign(r->of, k, r->which, &b) != 0)
-            continue;
-        certain = certain && kept_sign(r->of, k, r->which + PSI_DOT, &b) != 0 && !arb_contains_zero(now) && !arb_contains_zero(next);
-        changes += arb_is_positive(now) != arb_is_positive(next);
-    }
-    bounds_clear(&b);
-    arb_set_si(x, changes);
-    return certain;
-}
-
-/* Turning points that the samples' rates prove at least. */
-static bool turning_points(arb_t x, const struct request *r)
-{
-    int turns = 0, sign = 0;
+    int changes = 0, sign = 0;
     for (slong k = r->from; k <= r->to; k++) {
-        arb_srcptr rate = trajectory_sample(r->of, k) + r->which + PSI_DOT;
-        const int now = arb_is_positive(rate) - arb_is_negative(rate);
-        turns += now * sign < 0;
+        arb_srcptr value = trajectory_sample(r->of, k) + r->which;
+        const int now = arb_is_positive(value) - arb_is_negative(value);
+        changes += now * sign < 0;
         sign = now != 0 ? now : sign;
     }
-    arb_set_si(x, turns);
+    arb_set_si(x, changes);
     return true;
 }
 
@@ -260,7 +216,7 @@ static const struct measure {
     {"sup_", supremum, true},   {"ever_", ever, true},       {"bound_", bound, true},        {"peak_", peak, true},
     {"low_", low, true},        {"high_", high, true},       {"at_", value_at, true},        {"energy_of_", energy, false},
     {"exit_", exit_of, false},  {"settled_", settled, false}, {"gap_", gap, true},           {"between_", gap_between, true},
-    {"part_", part, false},     {"parted_", parted, false},  {"changes_", sign_changes, false}, {"turns_", turning_points, false},
+    {"part_", part, false},     {"parted_", parted, false},  {"changes_", sign_changes, false},
 };
 
 /* The longest variable that a name begins with. */
@@ -302,7 +258,7 @@ static void give_measure(struct computed *c, bool run, const struct trajectory *
     give(c, CERTIFIED, proved, x, "%s", name);
 }
 
-static void run_simulation(struct computed *c)
+void run_simulation(struct computed *c)
 {
     const struct sampled *s = computation_of(c)->of;
     struct simulation one = s->simulation, other = s->beside != NULL ? *s->beside : one;
@@ -412,8 +368,8 @@ const struct computation computations_simulation[] = {
 
     {"linear_10", run_simulation, BOTH("ever_", "_48") BANDS("settled_"), SAMPLED({LINEAR}, 0, 240, 4 * DAY, NULL)},
     {"linear_12", run_simulation, BOTH("ever_", "_48") BANDS("settled_"), SAMPLED({LINEAR, .n = "12"}, 0, 240, 4 * DAY, NULL)},
-    {"length_10", run_simulation, "changes_dL turns_dL low_dL", SAMPLED({LINEAR}, 0, 500, 3 * DAY, NULL)},
-    {"length_12", run_simulation, "changes_dL turns_dL low_dL", SAMPLED({LINEAR, .n = "12"}, 0, 500, 3 * DAY, NULL)},
+    {"length_10", run_simulation, "changes_dL changes_dL_dot low_dL", SAMPLED({LINEAR}, 0, 500, 3 * DAY, NULL)},
+    {"length_12", run_simulation, "changes_dL changes_dL_dot low_dL", SAMPLED({LINEAR, .n = "12"}, 0, 500, 3 * DAY, NULL)},
     {"linear_two_days", run_simulation, "at_psi_48 at_psi_dot_48", SAMPLED({LINEAR}, 0, 2 * DAY, 2 * DAY, NULL)},
     {"linear_places", run_simulation, "peak_error_x1 peak_error_y1 peak_error_z1", SAMPLED({LINEAR}, 0, 600, 3 * DAY, NULL)},
     {"linear_late", run_simulation, "sup_dL sup_y1 peak_z1", SAMPLED({LINEAR}, 2 * DAY, 600, 3 * DAY, NULL)},

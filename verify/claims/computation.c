@@ -27,7 +27,7 @@ const char *next_name(const char *names, char name[64])
     return sscanf(names, " %63s%n", name, &length) == 1 ? names + length : NULL;
 }
 
-static struct computed *computed_new(const struct computation *of, const struct derivations *steps)
+struct computed *computed_new(const struct computation *of, const struct derivations *steps)
 {
     struct computed *c = xrealloc(NULL, 1, sizeof *c);
     char name[64];
@@ -57,15 +57,18 @@ struct computed *computed_find(struct computations *all, const char *name)
     return NULL;
 }
 
+void computed_free(struct computed *c)
+{
+    for (int k = 0; k < c->count; k++)
+        arb_clear(c->numbers[k].value);
+    free(c->numbers);
+    free(c);
+}
+
 void computations_clear(struct computations *all)
 {
-    for (int i = 0; i < all->count; i++) {
-        struct computed *c = all->of[i];
-        for (int k = 0; k < c->count; k++)
-            arb_clear(c->numbers[k].value);
-        free(c->numbers);
-        free(c);
-    }
+    for (int i = 0; i < all->count; i++)
+        computed_free(all->of[i]);
     free(all->of);
 }
 

@@ -15,6 +15,9 @@ void computations_clear(struct computations *all);
 /* The computation of that name, not yet run; NULL: there is none. */
 struct computed *computed_find(struct computations *all, const char *name);
 
+struct computed *computed_new(const struct computation *of, const struct derivations *steps);
+void computed_free(struct computed *c);
+
 /* One of its numbers; the computation runs when the first is asked for. False: it gives none of that name. */
 bool computed_number(struct computed *c, const char *name, arb_t value, enum how *how);
 

@@ -258,8 +258,8 @@ static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const ch
     return known;
 }
 
-/* How many different roots a polynomial, not zero, has beyond a point. */
-static slong roots_beyond(const fmpq_poly_t f, const fmpq_t point)
+/* How many different roots a polynomial, not zero, has beyond a point; without one, how many at all. */
+static slong roots_beyond(const fmpq_poly_t f, bool has_point, const fmpq_t point)
 {
     slong negative = 0, positive = 0, zeros = 0;
     SCOPE(fmpq_poly, g, h);
@@ -276,21 +276,7 @@ static slong roots_beyond(const fmpq_poly_t f, const fmpq_t point)
     fmpz_poly_shift_right(simple, simple, zeros);
     if (fmpz_poly_degree(simple) > 0)
         _fmpz_poly_num_real_roots_sturm(&negative, &positive, simple->coeffs, simple->length);
-    return positive;
-}
-
-/* Minus one and the sum of the coefficients' sizes, over the leading one (Cauchy). */
-static void left_of_roots(fmpq_t point, const fmpq_poly_t f)
-{
-    SCOPE(fmpq, q, leading);
-    fmpq_poly_get_coeff_fmpq(leading, f, fmpq_poly_degree(f));
-    fmpq_set_si(point, -1, 1);
-    for (slong i = 0; i < fmpq_poly_degree(f); i++) {
-        fmpq_poly_get_coeff_fmpq(q, f, i);
-        fmpq_div(q, q, leading);
-        fmpq_abs(q, q);
-        fmpq_sub(point, point, q);
-    }
+    return has_point ? positive : negative + zeros + positive;
 }
 
 static enum truth roots_counted(const struct assertion *a, const struct bindings *b)
@@ -300,12 +286,10 @@ static enum truth roots_counted(const struct assertion *a, const struct bindings
     slong count = -1;
     if (polynomial_of(f, &a->formula, a->variable, b) && !fmpq_poly_is_zero(f) && (!a->has_low || formula_rational(low, &a->low, b)) &&
         (!a->has_high || formula_rational(high, &a->high, b))) {
-        if (!a->has_low)
-            left_of_roots(low, f);
-        count = roots_beyond(f, low);
+        count = roots_beyond(f, a->has_low, low);
         if (a->has_high) {
             fmpq_poly_evaluate_fmpq(value, f, high);
-            count -= roots_beyond(f, high) + fmpq_is_zero(value);
+            count -= roots_beyond(f, true, high) + fmpq_is_zero(value);
         }
     }
     return count < 0 ? UNDECIDED : count == a->count ? FOUND_TRUE : FOUND_FALSE;
