@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "evaluate/sample.h"
-#include "formula/exact.h"
 #include "text/scope.h"
 
 enum {
@@ -48,13 +47,10 @@ bool inputs_of_values(const struct section *s, const double *values, struct inpu
 /* A condition's left side at some inputs, of which one is another: conditions are rational in their inputs. */
 static void condition_value(fmpq_t f, const struct operation *o, int condition, struct input *inputs, int other, slong x)
 {
-    struct machine exact;
     SCOPE(fmpq, kept);
     fmpq_set(kept, &inputs[other].value);
     fmpq_set_si(&inputs[other].value, x, 1);
-    operation_exact(&exact, o, inputs);
-    exact_is_rational(f, machine_value(&exact, o->formulas->conditions[condition].node));
-    machine_clear(&exact);
+    operation_condition(f, o, inputs, o->formulas->conditions[condition].node);
     fmpq_set(&inputs[other].value, kept);
 }
 

@@ -61,6 +61,16 @@ void operation_exact(struct machine *m, const struct operation *o, const struct 
     machine_run(m);
 }
 
+void operation_condition(fmpq_t value, const struct operation *o, const struct input *inputs, int node)
+{
+    struct machine exact;
+    machine_init(&exact, &o->formulas->program, &arithmetic_exact, 0);
+    set_inputs(&exact, inputs);
+    machine_run_to(&exact, node);
+    exact_is_rational(value, machine_value(&exact, node));
+    machine_clear(&exact);
+}
+
 /* ---- the domain ---- */
 
 static bool in_domain(enum domain domain, const struct input *x)
@@ -105,11 +115,8 @@ static bool holds(const struct operation *o, const struct input *inputs, const s
     arb_srcptr ball = machine_value(&o->machine, c->node);
     if (c->comparison != INTEGER && !arb_contains_zero(ball))
         return compares(arf_sgn(arb_midref(ball)), c->comparison);
-    struct machine values;
     SCOPE(fmpq, value);
-    operation_exact(&values, o, inputs);
-    exact_is_rational(value, machine_value(&values, c->node)); /* conditions are rational in their inputs */
-    machine_clear(&values);
+    operation_condition(value, o, inputs, c->node);
     return c->comparison == INTEGER ? fmpz_is_one(fmpq_denref(value)) : compares(fmpq_sgn(value), c->comparison);
 }
 

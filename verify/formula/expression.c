@@ -460,15 +460,28 @@ static void compute(const struct machine *m, enum operator op, void *z, const vo
     m->arithmetic->apply(op, z, x, y, 0, m->prec);
 }
 
+static void run_node(struct machine *m, int i)
+{
+    const struct node *node = &m->program->nodes[i];
+    if (node->op != OPERATOR_NUMBER)
+        m->arithmetic->apply(node->op, machine_value(m, i), machine_value(m, node->left),
+                             node->right < 0 ? NULL : machine_value(m, node->right), node->exponent, m->prec);
+}
+
 void machine_run(struct machine *m)
 {
-    for (int i = m->program->inputs; i < m->program->count; i++) {
-        const struct node *node = &m->program->nodes[i];
-        if (node->op != OPERATOR_NUMBER)
-            m->arithmetic->apply(node->op, machine_value(m, i), machine_value(m, node->left),
-                                 node->right < 0 ? NULL : machine_value(m, node->right),
-                                 node->exponent, m->prec);
-    }
+    for (int i = m->program->inputs; i < m->program->count; i++)
+        run_node(m, i);
+}
+
+void machine_run_to(struct machine *m, int node)
+{
+    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
+    program_needs(m->program, node, NULL, needed);
+    for (int i = m->program->inputs; i <= node; i++)
+        if (needed[i])
+            run_node(m, i);
+    free(needed);
 }
 
 /* d = the derivative of node i by its left operand (or its right one); e is scratch. */

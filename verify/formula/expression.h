@@ -125,6 +125,9 @@ void *machine_value(const struct machine *m, int node);
 /* Computes every node after the inputs, which the caller has set through machine_value(). */
 void machine_run(struct machine *m);
 
+/* Of these only what a node rests on, and itself. */
+void machine_run_to(struct machine *m, int node);
+
 /*
  * After machine_run(m): the derivatives of one node by all the others, inputs included, into the
  * values of `adjoint`, a machine of the same program and arithmetic (reverse differentiation).
