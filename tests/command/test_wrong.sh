@@ -121,15 +121,17 @@ done
 check 'a title with a quotation mark' ends 0 "$wrong" verify claims equation-38 --csv
 check 'a quotation mark in CSV' says 'Kepler""s third'
 
-stops 'a step that is wrong' 's/dL_dot - 3\*Omega^2\*psi$/dL_dot - 4*Omega^2*psi/' 1 'BROKEN' verify derivations attitude
+stops 'a step that is wrong' 's/dL_dot - 3\*Omega^2\*psi$/dL_dot - 4*Omega^2*psi/' 1 'BROKEN: paper/derivations.yaml:' verify derivations attitude
 check 'the same as JSON' ends 1 "$wrong" verify derivations attitude --json
 stops 'a misprint that is none' 's/sqrt(3\*GM\/R_c^3)/sqrt(1*GM\/R_c^3)/; s/R_c^3\/3$/R_c^3\/1/' 1 \
-    'BROKEN: expected to differ as printed: it holds' verify derivations kepler
-stops 'a bound that is exceeded' 's/at_most: 1\.9e-10/at_most: 1.8e-10/' 1 '(15) drops at most 1.8e-10 m/s^2: BROKEN: it is exceeded' \
-    verify derivations separation_small
+    ': expected to differ as printed: it holds' verify derivations kepler
+check 'its place' says 'BROKEN: paper/derivations.yaml:'
+stops 'a bound that is exceeded' 's/at_most: 1\.9e-10/at_most: 1.8e-10/' 1 \
+    '(15) drops at most 1.8e-10 m/s^2: BROKEN: paper/derivations.yaml:' verify derivations separation_small
+check 'its kind' says ': it is exceeded with'
 check 'the same as JSON' ends 1 "$wrong" verify derivations separation_small --json
-stops 'a bound that is too wide' 's/at_most: 1\.2e-9/at_most: 9.2e-9/' 1 'BROKEN: more than twice too wide' verify derivations torque_small
-stops 'a bound on other states' 's/dL: \[-0\.2, 0\.2\]/dL: [-0.9, 0.9]/' 1 'BROKEN: it is exceeded' verify derivations length_error
+stops 'a bound that is too wide' 's/at_most: 1\.2e-9/at_most: 9.2e-9/' 1 ': more than twice too wide with' verify derivations torque_small
+stops 'a bound on other states' 's/dL: \[-0\.2, 0\.2\]/dL: [-0.9, 0.9]/' 1 ': it is exceeded with' verify derivations length_error
 stops 'an equation without a step' 's/to: \["38"\]/to: ["37"]/' 1 'NOT BOUND: paper/derivations.yaml:' verify derivations kepler
 stops 'an operation that ref/ does not have' 's/^  eq41roots:/  eq41roops:/' 1 "no 'eq41roops' in verify/evaluate/reference.c" verify errors --count 1
 stops 'a row that rounds otherwise' 's/-1\.3306e-1/-1.3307e-1/' 1 ',no' table1 --csv

@@ -242,8 +242,8 @@ static void set_inputs(struct machine *m)
     struct symbolic *a = machine_value(m, 2);
     fmpq_set_si(number, 3, 5);
     fmpq_set_si(slope, 4, 5);
-    fmpz_mpoly_q_set_fmpq(&a->c, number, symbolic_context());
-    fmpz_mpoly_q_set_fmpq(&a->s, slope, symbolic_context());
+    fmpz_mpoly_q_set_fmpq(a->a + a->terms, number, symbolic_context());
+    fmpz_mpoly_q_set_fmpq(a->a + a->terms + 1, slope, symbolic_context());
     a->angle = true;
     a->fault = SYMBOLIC_FINE;
     struct symbolic *e = machine_value(m, 3);

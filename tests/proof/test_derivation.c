@@ -316,6 +316,8 @@ static const struct {
     {"    from: [\"38\"]\n    to: [\"7\"]\n    show: [((2^999)^999)^999 = 1]", "too large to normalise, bits of a number: "},
     {"    from: [\"38\"]\n    to: [\"7\"]\n    show: [((L^999)^999)^999 = L]", "too large to normalise, degree: "},
     {"    from: [\"38\"]\n    to: [\"7\"]\n    show: [(m1 + m2 + L + Omega)^900 = L]", "too large to normalise, terms: "},
+    {"    from: [\"38\"]\n    to: [\"7\"]\n    show: [((m1 + m2 + L + Omega)^8*(2^900)^8)^2 = L]",
+     "too large to normalise, terms times bits: "},
     {"    from: []\n    to: [\"39\"]\n    show: [eq39.L_G1 = 0, eq39.L_G2 = -3*Omega^2*I*theta, eq39.L_G3 = -3*Omega^2*I*psi]",
      "expected an equation or a principle in 'from'"},
     {"    from: [eq09.BO_11]\n    to: [eq10]\n    angles: [psi, theta]\n"

@@ -35,31 +35,28 @@ static void print_states(FILE *out, const struct document *d, const yaml_node_t 
     }
 }
 
+/* "BROKEN: file:line:column: " */
+static void print_broken(const struct document *d, const yaml_node_t *at)
+{
+    struct message place;
+    struct document document = *d;
+    document.why = &place;
+    parse_error(&document, at, 0, "%s", "");
+    printf("BROKEN: %s", place.text);
+}
+
 static void print_remainder(const struct document *d, const struct remainder *r, const struct remainder_proof *proof)
 {
     static const char *const states[] = {[REMAINDER_PROVED] = "certified",
-                                         [REMAINDER_EXCEEDED] = "BROKEN: it is exceeded",
-                                         [REMAINDER_TOO_WIDE] = "BROKEN: more than twice too wide",
-                                         [REMAINDER_UNDECIDED] = "BROKEN: not proved"};
-    printf("    (%s) drops at most %s %s: %s with %d boxes, %d %% of it reached, on ", r->equation, r->at_most, r->unit,
-           states[proof->state], proof->boxes, proof->percent);
+                                         [REMAINDER_EXCEEDED] = "it is exceeded",
+                                         [REMAINDER_TOO_WIDE] = "more than twice too wide",
+                                         [REMAINDER_UNDECIDED] = "not proved"};
+    printf("    (%s) drops at most %s %s: ", r->equation, r->at_most, r->unit);
+    if (proof->state != REMAINDER_PROVED)
+        print_broken(d, r->at);
+    printf("%s with %d boxes, %d %% of it reached, on ", states[proof->state], proof->boxes, proof->percent);
     print_states(stdout, d, r->on);
     putchar('\n');
-}
-
-/* Where a step breaks: at the first equality that does not hold, if that is what the evidence is of, else at the step. */
-static void print_broken(const struct derivations *d, const struct step *s, const struct proof *proof)
-{
-    const struct identities *t = &s->corrected;
-    struct message place;
-    struct document document = d->document;
-    const yaml_node_t *at = s->node;
-    for (int i = t->shown_count - 1; i >= 0; i--)
-        if (!proof->holds[i] && strncmp(proof->evidence, t->shown[i].text, strlen(t->shown[i].text)) == 0)
-            at = t->shown[i].at;
-    document.why = &place;
-    parse_error(&document, at, 0, "%s", "");
-    printf("    BROKEN: %s%s\n", place.text, proof->evidence);
 }
 
 static void print_step(const struct proof_results *p, int i)
@@ -77,15 +74,21 @@ static void print_step(const struct proof_results *p, int i)
         printf("  order %d", s->corrected.order);
     printf("  for %s%s%s\n", domain, s->where ? "; " : "", s->where ? s->where : "");
     free(domain);
-    if (proof->result != IDENTITY_HOLDS)
-        print_broken(&p->derivations, s, proof);
+    if (proof->result != IDENTITY_HOLDS) {
+        printf("    ");
+        print_broken(&p->derivations.document, proof->at);
+        puts(proof->evidence);
+    }
     if (derivation_fault(p, i) != NULL)
         printf("    NOT BOUND: %s\n", derivation_fault(p, i));
-    if (s->differs && p->printed[i].result == IDENTITY_DIFFERS)
+    if (s->differs && p->printed[i].result == IDENTITY_DIFFERS) {
         printf("    not as printed: %s\n", p->printed[i].evidence);
-    else if (s->differs)
-        printf("    BROKEN: expected to differ as printed: %s\n",
-               p->printed[i].result == IDENTITY_HOLDS ? "it holds" : p->printed[i].evidence);
+    } else if (s->differs) {
+        const struct proof *printed = &p->printed[i];
+        printf("    ");
+        print_broken(&p->derivations.document, printed->at ? printed->at : child(&p->derivations.document, s->node, "printed"));
+        printf("expected to differ as printed: %s\n", printed->evidence ? printed->evidence : "it holds");
+    }
     for (int k = 0; k < s->remainder_count; k++)
         print_remainder(&p->derivations.document, &s->remainders[k], &p->remainders[i][k]);
 }

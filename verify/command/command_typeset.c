@@ -11,6 +11,7 @@
 
 #include "command/command.h"
 #include "formula/typeset.h"
+#include "proof/derivation.h"
 
 /* One side of something: a formula that was understood when the sheet was read. */
 static void add_formula(struct tex *t, struct program *symbols, const char *text)
@@ -59,25 +60,13 @@ static void print_comparison(const struct section *s, const char *kind, const ch
     tex_clear(&t);
 }
 
-/* The numbers that no relation has are the outputs': one each where they are as many, else all of them at once. */
-static const char *output_number(const struct section *s, int output)
-{
-    const char *free_numbers[8] = {NULL};
-    int count = 0;
-    for (int i = 0; i < s->numbers; i++) {
-        bool taken = false;
-        for (int k = 0; k < s->relation_count; k++)
-            taken = taken || strcmp(s->relations[k].equation, s->equations[i]) == 0;
-        if (!taken)
-            free_numbers[count++] = s->equations[i];
-    }
-    return count == s->output_count ? free_numbers[output] : "";
-}
-
 static void typeset_formulas(const struct section *s, const char *kind, struct program *symbols, const struct formulas *f)
 {
-    for (int i = 0; i < s->output_count; i++)
-        print_definition(s, kind, output_number(s, i), symbols, s->outputs[i]->name, f->text[i]);
+    for (int i = 0; i < s->output_count; i++) {
+        bool alone;
+        const char *number = output_equation(s, i, &alone);
+        print_definition(s, kind, alone ? number : "", symbols, s->outputs[i]->name, f->text[i]);
+    }
 }
 
 /* Symbols are all quantities, and the section's own named subexpressions. */

@@ -1,6 +1,8 @@
 /* Rigorous enclosures: every result contains the exact one, whatever the inputs inside theirs. */
 #include "formula/arithmetic.h"
 
+#include "text/scope.h"
+
 static void ball_init(void *x, slong prec)
 {
     (void)prec;
@@ -51,8 +53,15 @@ static void ball_atan2(arb_t z, const arb_t y, const arb_t x, slong prec)
         arb_atan2(z, y, x, prec);
 }
 
-static void ball_positive(arb_t z, const arb_t x)
+static void ball_negate(arb_t z, const arb_t x, slong prec)
 {
+    (void)prec;
+    arb_neg(z, x);
+}
+
+static void ball_positive(arb_t z, const arb_t x, slong prec)
+{
+    (void)prec;
     if (arb_is_positive(x))
         arb_one(z);
     else if (arb_is_nonpositive(x))
@@ -61,62 +70,34 @@ static void ball_positive(arb_t z, const arb_t x)
         arb_indeterminate(z);
 }
 
-static void ball_apply(enum operator op, void *z, const void *x, const void *y, slong exponent,
-                       slong prec)
+/* The reciprocal of a wide ball, and a square, are sharper than products of it. */
+static void ball_power(arb_t z, const arb_t x, slong exponent, slong prec)
 {
-    switch (op) {
-    case OPERATOR_NEGATE:
-        arb_neg(z, x);
-        break;
-    case OPERATOR_ADD:
-        arb_add(z, x, y, prec);
-        break;
-    case OPERATOR_SUBTRACT:
-        arb_sub(z, x, y, prec);
-        if (x == y && arb_is_finite(x)) /* one number less itself, which no ball would know */
-            arb_zero(z);
-        break;
-    case OPERATOR_MULTIPLY:
-        arb_mul(z, x, y, prec);
-        break;
-    case OPERATOR_DIVIDE:
-        ball_divide(z, x, y, prec);
-        break;
-    case OPERATOR_POWER: {
-        arb_t base; /* arb_inv of a wide ball and a square are sharper than products of it */
-        arb_init(base);
-        if (exponent < 0)
-            arb_inv(base, x, prec);
-        else
-            arb_set(base, x);
-        arb_pow_ui(z, base, (ulong)(exponent < 0 ? -exponent : exponent), prec);
-        arb_clear(base);
-        break;
-    }
-    case OPERATOR_SQRT:
-        arb_sqrt(z, x, prec);
-        break;
-    case OPERATOR_SIN:
-        arb_sin(z, x, prec);
-        break;
-    case OPERATOR_COS:
-        arb_cos(z, x, prec);
-        break;
-    case OPERATOR_EXP:
-        arb_exp(z, x, prec);
-        break;
-    case OPERATOR_LOG:
-        arb_log(z, x, prec);
-        break;
-    case OPERATOR_ATAN2:
-        ball_atan2(z, x, y, prec);
-        break;
-    case OPERATOR_INPUT: /* no operations, these two: never asked for */
-    case OPERATOR_NUMBER:
-    case OPERATOR_POSITIVE:
-        ball_positive(z, x);
-        break;
-    }
+    SCOPE(arb, base);
+    if (exponent < 0)
+        arb_inv(base, x, prec);
+    else
+        arb_set(base, x);
+    arb_pow_ui(z, base, (ulong)(exponent < 0 ? -exponent : exponent), prec);
+}
+
+static void (*const unary[])(arb_t, const arb_t, slong) = {
+    [OPERATOR_NEGATE] = ball_negate, [OPERATOR_SQRT] = arb_sqrt, [OPERATOR_SIN] = arb_sin,           [OPERATOR_COS] = arb_cos,
+    [OPERATOR_EXP] = arb_exp,        [OPERATOR_LOG] = arb_log,   [OPERATOR_POSITIVE] = ball_positive,
+};
+static void (*const binary[OPERATOR_POSITIVE + 1])(arb_t, const arb_t, const arb_t, slong) = {
+    [OPERATOR_ADD] = arb_add,        [OPERATOR_SUBTRACT] = arb_sub, [OPERATOR_MULTIPLY] = arb_mul,
+    [OPERATOR_DIVIDE] = ball_divide, [OPERATOR_ATAN2] = ball_atan2,
+};
+
+static void ball_apply(enum operator op, void *z, const void *x, const void *y, slong exponent, slong prec)
+{
+    if (op == OPERATOR_POWER)
+        ball_power(z, x, exponent, prec);
+    else if (binary[op] != NULL)
+        binary[op](z, x, y, prec);
+    else
+        unary[op](z, x, prec);
 }
 
 const struct arithmetic arithmetic_ball = {

@@ -17,53 +17,29 @@ static void mpfr_number_set_rational(void *z, const fmpq_t q, slong prec)
     fmpq_get_mpfr(z, q, MPFR_RNDN);
 }
 
-static void mpfr_number_apply(enum operator op, void *z, const void *x, const void *y,
-                              slong exponent, slong prec)
+static int positive(mpfr_t z, mpfr_srcptr x, mpfr_rnd_t rounding)
+{
+    return mpfr_set_si(z, mpfr_sgn(x) > 0, rounding);
+}
+
+static int (*const unary[])(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t) = {
+    [OPERATOR_NEGATE] = mpfr_neg, [OPERATOR_SQRT] = mpfr_sqrt, [OPERATOR_SIN] = mpfr_sin,      [OPERATOR_COS] = mpfr_cos,
+    [OPERATOR_EXP] = mpfr_exp,    [OPERATOR_LOG] = mpfr_log,   [OPERATOR_POSITIVE] = positive,
+};
+static int (*const binary[OPERATOR_POSITIVE + 1])(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t) = {
+    [OPERATOR_ADD] = mpfr_add,    [OPERATOR_SUBTRACT] = mpfr_sub, [OPERATOR_MULTIPLY] = mpfr_mul,
+    [OPERATOR_DIVIDE] = mpfr_div, [OPERATOR_ATAN2] = mpfr_atan2,
+};
+
+static void mpfr_number_apply(enum operator op, void *z, const void *x, const void *y, slong exponent, slong prec)
 {
     (void)prec;
-    switch (op) {
-    case OPERATOR_NEGATE:
-        mpfr_neg(z, x, MPFR_RNDN);
-        break;
-    case OPERATOR_ADD:
-        mpfr_add(z, x, y, MPFR_RNDN);
-        break;
-    case OPERATOR_SUBTRACT:
-        mpfr_sub(z, x, y, MPFR_RNDN);
-        break;
-    case OPERATOR_MULTIPLY:
-        mpfr_mul(z, x, y, MPFR_RNDN);
-        break;
-    case OPERATOR_DIVIDE:
-        mpfr_div(z, x, y, MPFR_RNDN);
-        break;
-    case OPERATOR_POWER:
+    if (op == OPERATOR_POWER)
         mpfr_pow_si(z, x, exponent, MPFR_RNDN);
-        break;
-    case OPERATOR_SQRT:
-        mpfr_sqrt(z, x, MPFR_RNDN);
-        break;
-    case OPERATOR_SIN:
-        mpfr_sin(z, x, MPFR_RNDN);
-        break;
-    case OPERATOR_COS:
-        mpfr_cos(z, x, MPFR_RNDN);
-        break;
-    case OPERATOR_EXP:
-        mpfr_exp(z, x, MPFR_RNDN);
-        break;
-    case OPERATOR_LOG:
-        mpfr_log(z, x, MPFR_RNDN);
-        break;
-    case OPERATOR_ATAN2:
-        mpfr_atan2(z, x, y, MPFR_RNDN);
-        break;
-    case OPERATOR_INPUT: /* no operations, these two: never asked for */
-    case OPERATOR_NUMBER:
-    case OPERATOR_POSITIVE:
-        mpfr_set_si(z, mpfr_sgn((mpfr_srcptr)x) > 0, MPFR_RNDN);
-        break;
-    }
+    else if (binary[op] != NULL)
+        binary[op](z, x, y, MPFR_RNDN);
+    else
+        unary[op](z, x, MPFR_RNDN);
 }
 
 const struct arithmetic arithmetic_mpfr = {

@@ -27,9 +27,8 @@ enum symbolic_fault {
 };
 
 struct symbolic {
-    fmpz_mpoly_q_struct *a; /* the coefficients of epsilon^0, epsilon^1 ... */
+    fmpz_mpoly_q_struct *a; /* the coefficients of epsilon^0, epsilon^1 ..., then cosine and sine of the finite part of an angle */
     slong terms;
-    fmpz_mpoly_q_struct c, s; /* cosine and sine of the finite part of an angle */
     bool angle, large;
     enum symbolic_fault fault;
 };
@@ -55,9 +54,11 @@ const fmpz_mpoly_ctx_struct *symbolic_context(void);
 void symbolic_set_variable(struct symbolic *z, slong variable, slong power, const fmpq *point);
 void symbolic_set_angle(struct symbolic *z, slong variable, const fmpq *point);
 
-/* What x is at epsilon = 0 is a square root from now on (NULL: none is); strict: it is above zero, else not below it. */
+/* What x is at epsilon = 0 is a square root from now on; strict: it is above zero, else not below it. */
 void symbolic_root(const struct symbolic *x, bool strict);
 bool symbolic_root_used(int i);
+
+bool symbolic_is_square(const fmpz_mpoly_t f); /* false too where that would take too long to find out */
 
 /* A constant's value; a polynomial in the one variable. False where it is none; zero then. */
 bool symbolic_get_rational(fmpq_t q, const struct symbolic *x);

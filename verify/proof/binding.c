@@ -16,10 +16,9 @@ static bool is_number_of(const char *entry, const char *equation)
     return equation != NULL && strncmp(entry, equation, length) == 0 && (equation[length] < '0' || equation[length] > '9');
 }
 
-/* The number that an output has: those that no relation has are dealt out to the outputs in turn. */
-static const char *equation_of(const struct section *s, int output)
+const char *output_equation(const struct section *s, int output, bool *alone)
 {
-    const char *own[8];
+    const char *own[8] = {NULL};
     int count = 0;
     for (int i = 0; i < s->numbers; i++) {
         bool taken = false;
@@ -28,7 +27,14 @@ static const char *equation_of(const struct section *s, int output)
         if (!taken)
             own[count++] = s->equations[i];
     }
+    *alone = count == s->output_count;
     return s->numbers == 0 ? NULL : count > 0 ? own[output % count] : s->equations[output % s->numbers];
+}
+
+static const char *equation_of(const struct section *s, int output)
+{
+    bool alone;
+    return output_equation(s, output, &alone);
 }
 
 /* "eq10lin", "eq02.x1_ddot", the id of a definition: the section, and what stands after the point, NULL: nothing. */

@@ -48,6 +48,9 @@ struct entry_part {
     const char *name, *equation;     /* equation: its number; NULL of a definition */
 };
 
+/* The number of an output: those that no relation has are dealt out in turn; *alone: it is this output's and no other's. */
+const char *output_equation(const struct section *s, int output, bool *alone);
+
 enum { MOST_PARTS = 64 };
 int entry_parts(const struct derivations *d, const char *entry, struct entry_part *parts);
 

@@ -96,6 +96,7 @@ static bool read_remainder(const struct scope *s, const struct identities *t, co
     m->at_most = scalar(nodes[2]);
     m->unit = scalar(nodes[3]);
     m->on = nodes[4];
+    m->at = nodes[2];
     if (!read_number(d, nodes[2], m->bound) || !read_states(s, m->on, m))
         return false;
     return fmpq_sgn(m->bound) > 0 || parse_error(d, nodes[2], 0, "expected a bound above zero");

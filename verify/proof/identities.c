@@ -62,7 +62,7 @@ static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
         sum = combine(sum, term, true);
     }
     free(signs);
-    return sum == SIGN_ANY && fmpz_mpoly_is_square(f, ctx) ? SIGN_ZERO | SIGN_POSITIVE : sum;
+    return sum == SIGN_ANY && symbolic_is_square(f) ? SIGN_ZERO | SIGN_POSITIVE : sum;
 }
 
 static int signs(struct run *r, int i);
@@ -403,7 +403,8 @@ bool run_root(struct run *r, int node)
     const struct symbolic *x = value(r, node);
     const int s = x->fault == SYMBOLIC_FINE && !x->angle ? signs(r, node) : SIGN_ANY;
     const bool is_root = !(s & SIGN_NEGATIVE) && s != SIGN_ZERO;
-    symbolic_root(is_root ? x : NULL, s == SIGN_POSITIVE);
+    if (is_root)
+        symbolic_root(x, s == SIGN_POSITIVE);
     return is_root;
 }
 
@@ -437,36 +438,40 @@ enum result run_compare(struct run *r, int left, int right)
     return compare(r, left, right, &zero, &f);
 }
 
-static void tell(FILE *out, struct run *r, const struct equality *e, const struct finding *f, struct proof *p)
+/* How the sides of an equality differ, or why they have no value. */
+static char *tell(struct run *r, const struct equality *e, const struct finding *f, struct proof *p)
 {
-    if (p->result == IDENTITY_UNDECIDED) {
+    char *text;
+    size_t size;
+    FILE *out = text_open(&text, &size);
+    fprintf(out, "%s: ", e->text);
+    if (f->fault != SYMBOLIC_FINE) {
         fprintf(out, "no value, %s", symbolic_fault_text(f->fault));
         if (f->fault == SYMBOLIC_TOO_LARGE)
             fprintf(out, ", %s", symbolic_fault_size());
-        return;
+    } else {
+        const fmpz_mpoly_q_struct *x = value(r, e->left)->a + f->power, *y = value(r, e->right)->a + f->power;
+        if (r->terms > 1)
+            fprintf(out, "the coefficients of epsilon^%ld differ by ", (long)f->power);
+        else
+            fputs("the sides differ by ", out);
+        print_difference(out, r, x, y, p);
+        print_example(out, r, x, y);
     }
-    const fmpz_mpoly_q_struct *x = value(r, e->left)->a + f->power, *y = value(r, e->right)->a + f->power;
-    if (r->terms > 1)
-        fprintf(out, "the coefficients of epsilon^%ld differ by ", (long)f->power);
-    else
-        fputs("the sides differ by ", out);
-    print_difference(out, r, x, y, p);
-    print_example(out, r, x, y);
+    text_close(out);
+    return text;
 }
 
-/* The first thing that tells against the identities: what, where it stands, why. */
-static void refuse(struct proof *p, enum result result, const char *format, const char *what, const yaml_node_t *at,
-                   struct run *r, const struct equality *e, const struct finding *f)
+/* Where nothing told against the identities before: they are undecided, for what is said of `what`. */
+static void refuse(struct proof *p, const yaml_node_t *at, const char *format, const char *what)
 {
     size_t size;
-    if (p->result != IDENTITY_HOLDS || result == IDENTITY_HOLDS)
+    if (p->result != IDENTITY_HOLDS)
         return;
-    p->result = result;
+    p->result = IDENTITY_UNDECIDED;
     p->at = at;
     FILE *out = text_open(&p->evidence, &size);
     fprintf(out, format, what);
-    if (r != NULL)
-        tell(out, r, e, f, p);
     text_close(out);
 }
 
@@ -481,8 +486,7 @@ static void look_further(const struct identities *t, const bool *zero, struct pr
     for (int i = 0; i < t->shown_count; i++) {
         bool still = false;
         if (zero[i] && (compare(&r, t->shown[i].left, t->shown[i].right, &still, &f) != IDENTITY_HOLDS || !still))
-            refuse(p, IDENTITY_UNDECIDED, "%s: both sides vanish to this order: nothing is shown", t->shown[i].text,
-                   t->shown[i].at, NULL, NULL, NULL);
+            refuse(p, t->shown[i].at, "%s: both sides vanish to this order: nothing is shown", t->shown[i].text);
         p->holds[i] = p->holds[i] && (still || !zero[i]);
     }
     run_end(&r);
@@ -496,20 +500,22 @@ void identities_prove(const struct identities *t, struct proof *p)
     run_begin(&r, t, t->order + 1 + (t->order < 0), RUN_STRICT, 0);
     for (int i = 0; i < t->root_count; i++)
         if (!run_root(&r, t->roots[i].node))
-            refuse(p, IDENTITY_UNDECIDED, "square root %s is not proved to be positive", t->roots[i].text, t->roots[i].at,
-                   NULL, NULL, NULL);
+            refuse(p, t->roots[i].at, "square root %s is not proved to be positive", t->roots[i].text);
     for (int i = 0; i < t->shown_count; i++) {
         const struct equality *e = &t->shown[i];
         struct finding f;
         const enum result result = compare(&r, e->left, e->right, &zero[i], &f);
         p->holds[i] = result == IDENTITY_HOLDS;
         zero[i] = zero[i] && p->holds[i];
-        refuse(p, result, "%s: ", e->text, e->at, &r, e, &f);
+        if (p->result == IDENTITY_HOLDS && result != IDENTITY_HOLDS) {
+            p->result = result;
+            p->at = e->at;
+            p->evidence = tell(&r, e, &f, p);
+        }
     }
     for (int i = 0; i < t->root_count && !t->shared; i++)
         if (!symbolic_root_used(i))
-            refuse(p, IDENTITY_UNDECIDED, "square root %s is the root of nothing shown", t->roots[i].text, t->roots[i].at,
-                   NULL, NULL, NULL);
+            refuse(p, t->roots[i].at, "square root %s is the root of nothing shown", t->roots[i].text);
     run_end(&r);
     if (t->order >= 0 && p->result == IDENTITY_HOLDS)
         look_further(t, zero, p);

@@ -12,7 +12,7 @@
 
 struct remainder {
     const char *equation, *text, *unit, *at_most; /* equation: the number of the one that drops it */
-    const yaml_node_t *on;                        /* the states, as they are written              */
+    const yaml_node_t *on, *at;                   /* the states, as they are written; the bound is written there */
     struct program program; /* the formula alone; what it rests on are its inputs */
     int node;
     fmpq *low, *high;       /* of each input; equal where it is fixed */
