@@ -362,6 +362,20 @@ END_TEST
 
 enum { EMPTY_LEFT, EMPTY_RIGHT, EMPTY_DELETED };
 
+/* What stands before the steps, and one step: to read them all takes far longer. */
+static void keep_step(char *text, const char *id)
+{
+    char head[LONGEST_NAME + 8];
+    char *steps = strstr(text, "\nsteps:\n") + strlen("\nsteps:\n"), *step, *end;
+    snprintf(head, sizeof head, "\n  %s:\n", id);
+    step = strstr(steps - 1, head) + 1;
+    for (end = strchr(step, '\n'); end[1] == ' ' && !(end[2] == ' ' && end[3] != ' ' && end[3] != '#'); end = strchr(end + 1, '\n'))
+        if (strchr(end + 1, '\n') == NULL)
+            break;
+    end[1] = '\0';
+    memmove(steps, step, strlen(step) + 1);
+}
+
 /* The paper's steps, the k-th equality of one of them replaced by its left or right side twice, or left out. */
 static char *emptied(const struct step *s, int k, int how)
 {
@@ -385,6 +399,7 @@ static char *emptied(const struct step *s, int k, int how)
         snprintf(text, size, "%.*s\"%s = %s\"%s", (int)begin, all, sign + 1, sign + 1, all + end);
     }
     free(all);
+    keep_step(text, s->id);
     return text;
 }
 
@@ -393,7 +408,7 @@ START_TEST(emptied_step_is_refused)
 {
     struct derivations d, e;
     struct message why;
-    int tried = 0;
+    int tried = 0, proved = 0;
     open_steps(&d);
     for (int i = 0; i < d.step_count; i++)
         for (int k = 0; k < d.steps[i].corrected.shown_count; k++)
@@ -405,9 +420,10 @@ START_TEST(emptied_step_is_refused)
                 char *text = emptied(&d.steps[i], k, how);
                 const bool read = derivations_read(&e, sheet(), text, strlen(text), "t", &why) == 0;
                 if (read) {
-                    identities_prove(&e.steps[i].corrected, &p);
+                    identities_prove(&e.steps[0].corrected, &p);
+                    proved += p.result == IDENTITY_HOLDS;
                     if (p.result == IDENTITY_HOLDS)
-                        step_bind(&e, &e.steps[i], &b);
+                        step_bind(&e, &e.steps[0], &b);
                     ck_assert_msg(p.result != IDENTITY_HOLDS || strncmp(b.fault.text, "t:", 2) == 0, "%s: %s: %d",
                                   d.steps[i].id, d.steps[i].corrected.shown[k].text, how);
                     proof_clear(&p);
@@ -417,6 +433,7 @@ START_TEST(emptied_step_is_refused)
                 free(text);
             }
     ck_assert_int_gt(tried, 250);
+    ck_assert_int_gt(proved, 200);
     derivations_clear(&d);
 }
 END_TEST
