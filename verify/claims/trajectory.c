@@ -17,16 +17,11 @@ enum {
 
 /* ---- the simulation ---- */
 
-static void set_value(arb_t x, const struct sheet *s, const char *text, const char *name, slong prec)
-{
-    SCOPE(fmpq, value);
-    literal_read(value, text != NULL ? text : quantity_find(s, name)->value, true);
-    arb_set_fmpq(x, value, prec);
-}
-
 void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec)
 {
-    set_value(x, s, NULL, name, prec);
+    SCOPE(fmpq, value);
+    literal_read(value, quantity_find(s, name)->value, true);
+    arb_set_fmpq(x, value, prec);
 }
 
 static void enclose(const struct sheet *s, const char *id, arb_srcptr inputs, slong prec, arb_ptr outputs)
@@ -34,27 +29,19 @@ static void enclose(const struct sheet *s, const char *id, arb_srcptr inputs, sl
     section_enclose(section_find(s, id), inputs, prec, outputs);
 }
 
-/* Table 1, and the gains by (43) and (44) */
-static void set_parameters(struct flow_parameters *p, const struct simulation *s, slong prec)
+/* The paper's scenario with the simulation's values, or with its state to start from. */
+static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simulation *s, slong prec)
 {
-    VECTOR(arb, gains, 2);
-    set_value(p->Omega, s->sheet, NULL, "Omega", prec);
-    set_value(p->L_ref, s->sheet, NULL, "L_ref", prec);
-    set_value(p->k_c, s->sheet, NULL, "k_c", prec);
-    set_value(p->m1, s->sheet, s->m1, "m1", prec);
-    set_value(p->m2, s->sheet, s->m2, "m2", prec);
-    arb_set(gains, p->Omega);
-    set_value(gains + 1, s->sheet, s->n, "n", prec);
-    enclose(s->sheet, "eq43", gains, prec, p->C1);
-    enclose(s->sheet, "eq44", gains, prec, p->C2);
-}
-
-/* psi theta dL and rates in SI; a nonlinear motion's place and velocity by (10) and its exact derivative */
-static void set_initial(arb_ptr initial, const struct flow_parameters *p, const struct simulation *s, slong prec)
-{
-    set_value(initial + PSI, s->sheet, s->psi, "psi", prec);
-    set_value(initial + THETA, s->sheet, s->theta, "theta", prec);
-    set_value(initial + ETA, s->sheet, s->dL, "dL", prec);
+    const char *const texts[SCENARIO_VALUES] = {[SET_n] = s->n,   [SET_psi] = s->psi, [SET_theta] = s->theta,
+                                                [SET_dL] = s->dL, [SET_m1] = s->m1,   [SET_m2] = s->m2};
+    struct scenario scenario;
+    scenario_init(&scenario, s->sheet, true);
+    for (int i = 0; i < SCENARIO_VALUES; i++)
+        if (texts[i] != NULL)
+            literal_read(&scenario.value[i].value, texts[i], true);
+    scenario_parameters(p, &scenario, prec);
+    scenario_initial(initial, &scenario, p, s->nonlinear && s->start == NULL, prec);
+    scenario_clear(&scenario);
     for (int i = 0; i < FLOW_STATE && s->start != NULL; i++) {
         arb_set(initial + i, s->start + i);
         if (i >= PSI_DOT)
@@ -62,16 +49,8 @@ static void set_initial(arb_ptr initial, const struct flow_parameters *p, const 
         if (i % 3 == ETA)
             arb_mul(initial + i, initial + i, p->L_ref, prec);
     }
-    if (!s->nonlinear)
-        return;
-    arb_srcptr given[] = {p->m1, p->m2, p->L_ref, initial + PSI, initial + THETA, initial + ETA_DOT, initial + PSI_DOT,
-                          initial + THETA_DOT};
-    VECTOR(arb, in, 8); /* m1 m2 L psi theta L_dot psi_dot theta_dot */
-    for (int i = 0; i < 8; i++)
-        arb_set(in + i, given[i]);
-    arb_add(in + 2, in + 2, initial + ETA, prec);
-    enclose(s->sheet, "eq10", in, prec, initial);
-    enclose(s->sheet, "eq11exact", in, prec, initial + 3);
+    if (s->nonlinear && s->start != NULL)
+        state_from_angles(initial, s->sheet, p, prec);
 }
 
 /* ---- samples ---- */
@@ -213,7 +192,6 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     const slong digits = s->digits > 0 ? s->digits : TRAJECTORY_DIGITS;
     struct flow_parameters p;
     double reached;
-    enum flow_status status;
     SCOPE(fmpq, h);
     flow_parameters_init(&p);
     t->sheet = s->sheet;
@@ -224,20 +202,13 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     t->prec = s->rk4 ? rk4_precision(digits, radians) : flow_precision(digits, radians);
     VECTOR(arb, initial, FLOW_STATE);
     VECTOR(fmpq, times, t->count);
-    set_parameters(&p, s, t->prec);
-    set_initial(initial, &p, s, t->prec);
+    set_up(&p, initial, s, t->prec);
     trajectory_init(t, &p);
     for (slong k = 0; k < t->count; k++)
         fmpq_set_si(times + k, first + k * step, 1);
     fmpq_set_si(h, s->rk4, 1);
-    if (s->rk4 && s->nonlinear)
-        status = rk4_nonlinear(&p, initial, h, times, t->count, t->prec, take_sample, t, &reached);
-    else if (s->rk4)
-        status = rk4_linear(&p, initial, h, times, t->count, t->prec, take_sample, t, &reached);
-    else if (s->nonlinear)
-        status = flow_nonlinear(&p, initial, times, t->count, digits, t->prec, take_sample, t, &reached);
-    else
-        status = flow_linear(&p, initial, times, t->count, t->prec, take_sample, t, &reached);
+    const enum flow_status status =
+        flow_run(s->nonlinear, s->rk4 ? h : NULL, &p, initial, times, t->count, digits, t->prec, take_sample, t, &reached);
     flow_parameters_clear(&p);
     return status == FLOW_DONE;
 }

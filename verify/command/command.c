@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "text/decimal.h"
+#include "text/scope.h"
 
 int usage_error(int status, const char *format, ...)
 {
@@ -229,28 +230,22 @@ int option_number(const struct arguments *a, const char *name, uint64_t *number)
     return option_given(a, name) ? whole_number(name, option_value(a, name), number) : EXIT_DONE;
 }
 
-int literal_argument(const char *name, const char *text, bool exact, bool may_be_infinite,
-                     struct input *value)
+/* What a literal is that is no finite number. */
+static int refuse_literal(const char *name, const char *text, enum literal literal, bool exact)
 {
-    switch (literal_read(&value->value, text, exact)) {
-    case LITERAL_FINITE:
-        return EXIT_DONE;
-    case LITERAL_INFINITE:
-        value->infinite = may_be_infinite;
-        return may_be_infinite ? EXIT_DONE
-                               : usage_error(EXIT_FAILED_CHECK, "%s: expected a finite number, got '%s'",
-                                             name, text);
-    case LITERAL_NAN:
-    case LITERAL_NEGATIVE_INFINITE:
-        return usage_error(EXIT_FAILED_CHECK, "%s: expected a finite number, got '%s'", name, text);
-    case LITERAL_OVERFLOW:
+    if (literal == LITERAL_MALFORMED)
+        return usage_error(EXIT_USAGE, "%s: expected a number, got '%.40s'", name, text);
+    if (literal == LITERAL_OVERFLOW)
         return usage_error(EXIT_FAILED_CHECK, "%s: '%.40s' is too large%s", name, text,
                            exact ? ", expected an exponent within +-5000 and at most 10000 digits"
-                              : " for binary64, --exact takes it as it is");
-    case LITERAL_MALFORMED:
-        break;
-    }
-    return usage_error(EXIT_USAGE, "%s: expected a number, got '%.40s'", name, text);
+                                 : " for binary64, --exact takes it as it is");
+    return usage_error(EXIT_FAILED_CHECK, "%s: expected a finite number, got '%s'", name, text);
+}
+
+int finite_argument(fmpq_t value, const char *name, const char *text, bool exact)
+{
+    const enum literal literal = literal_read(value, text, exact);
+    return literal == LITERAL_FINITE ? EXIT_DONE : refuse_literal(name, text, literal, exact);
 }
 
 /* Which of the known names an assignment sets; -1 after a complaint. */
@@ -289,7 +284,7 @@ int read_assignments(const struct arguments *a, const char *const *known, int co
         const char *text = strchr(a->assignments[k], '=') + 1;
         enum literal literal = literal_read(&values[i].value, text, exact);
         if (literal == LITERAL_MALFORMED)
-            return literal_argument(known[i], text, exact, may_be_infinite[i], &values[i]);
+            return refuse_literal(known[i], text, literal, exact);
         values[i].infinite = literal == LITERAL_INFINITE && may_be_infinite[i];
         if (*refused == NULL && literal != LITERAL_FINITE && !values[i].infinite)
             *refused = a->assignments[k];
@@ -301,12 +296,9 @@ int refuse_assignment(const char *assignment, bool exact)
 {
     const char *equals = strchr(assignment, '=');
     char name[64];
-    struct input value = {.infinite = false};
+    SCOPE(fmpq, value);
     snprintf(name, sizeof name, "%.*s", (int)(equals - assignment), assignment);
-    fmpq_init(&value.value);
-    int status = literal_argument(name, equals + 1, exact, false, &value);
-    fmpq_clear(&value.value);
-    return status;
+    return refuse_literal(name, equals + 1, literal_read(value, equals + 1, exact), exact);
 }
 
 const struct section *section_argument(const struct sheet *sheet, const char *id)

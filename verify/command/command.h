@@ -64,11 +64,10 @@ int option_inputs(const struct arguments *a, enum input_form *form);
 int whole_number(const char *name, const char *text, uint64_t *value);
 
 /*
- * The value of one literal called `name`. A malformed one is wrong usage, one that is no finite number
- * (nan, inf, past binary64) lies outside the domain; +inf passes where it may be.
+ * The value of a literal called `name`. A malformed one is wrong usage, one that is no finite number (nan, inf, past binary64)
+ * lies outside the domain.
  */
-int literal_argument(const char *name, const char *text, bool exact, bool may_be_infinite,
-                     struct input *value);
+int finite_argument(fmpq_t value, const char *name, const char *text, bool exact);
 
 /*
  * All NAME=VALUE of an argument list into values[i] for known[i], and which were seen: EXIT_DONE or EXIT_USAGE. Wrong

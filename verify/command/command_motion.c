@@ -40,12 +40,8 @@ static int times_at(struct times *times, const char *list, bool exact)
         status = usage_error(EXIT_USAGE, "--at: expected times between the commas, got '%.40s'", list);
     for (char *text = strtok_r(copy, ",", &rest); text && status == EXIT_DONE;
          text = strtok_r(NULL, ",", &rest)) {
-        struct input value = {.infinite = false};
-        fmpq_init(&value.value);
-        status = literal_argument("--at", text, exact, false, &value);
         fmpq *t = times->t + times->count;
-        fmpq_set(t, &value.value);
-        fmpq_clear(&value.value);
+        status = finite_argument(t, "--at", text, exact);
         if (status != EXIT_DONE)
             break;
         times->texts[times->count++] = exact ? text_copy(text) : time_text(t);
@@ -59,37 +55,29 @@ static int times_at(struct times *times, const char *list, bool exact)
 
 int times_every(struct times *times, const char *every, const char *until, bool exact)
 {
-    struct input step = {.infinite = false}, end = {.infinite = false};
-    SCOPE(fmpq, rows);
+    SCOPE(fmpq, step, end, rows);
     SCOPE(fmpz, whole);
-    fmpq_init(&step.value);
-    fmpq_init(&end.value);
-    int status = literal_argument("--every", every, exact, false, &step);
+    int status = finite_argument(step, "--every", every, exact);
     if (status == EXIT_DONE)
-        status = literal_argument("--until", until, exact, false, &end);
-    if (status == EXIT_DONE && fmpq_sgn(&step.value) <= 0)
+        status = finite_argument(end, "--until", until, exact);
+    if (status == EXIT_DONE && fmpq_sgn(step) <= 0)
         status = usage_error(EXIT_FAILED_CHECK, "--every: expected a number > 0, got '%.40s'", every);
-    if (status == EXIT_DONE) {
-        fmpq_div(rows, &end.value, &step.value);
-        fmpz_tdiv_q(whole, fmpq_numref(rows), fmpq_denref(rows));
-        if (fmpz_cmpabs(whole, fmpq_numref(rows)) > 0 || fmpz_cmp_si(whole, MOST_ROWS) > 0 ||
-            fmpz_cmp_si(whole, -MOST_ROWS) < 0)
-            status = usage_error(EXIT_FAILED_CHECK, "--every: expected at most %d rows", MOST_ROWS);
+    if (status != EXIT_DONE)
+        return status;
+    fmpq_div(rows, end, step);
+    fmpz_tdiv_q(whole, fmpq_numref(rows), fmpq_denref(rows));
+    if (fmpz_cmpabs(whole, fmpq_numref(rows)) > 0 || fmpz_cmp_si(whole, MOST_ROWS) > 0 || fmpz_cmp_si(whole, -MOST_ROWS) < 0)
+        return usage_error(EXIT_FAILED_CHECK, "--every: expected at most %d rows", MOST_ROWS);
+    const slong last = fmpz_get_si(whole);
+    times->count = labs(last) + 1;
+    times->t = _fmpq_vec_init(times->count);
+    times->texts = xrealloc(NULL, (size_t)times->count, sizeof *times->texts);
+    for (slong i = 0; i < times->count; i++) {
+        fmpq_set_si(rows, last < 0 ? -i : i, 1);
+        fmpq_mul(times->t + i, step, rows);
+        times->texts[i] = time_text(times->t + i);
     }
-    if (status == EXIT_DONE) {
-        const slong last = fmpz_get_si(whole);
-        times->count = labs(last) + 1;
-        times->t = _fmpq_vec_init(times->count);
-        times->texts = xrealloc(NULL, (size_t)times->count, sizeof *times->texts);
-        for (slong i = 0; i < times->count; i++) {
-            fmpq_set_si(rows, last < 0 ? -i : i, 1);
-            fmpq_mul(times->t + i, &step.value, rows);
-            times->texts[i] = time_text(times->t + i);
-        }
-    }
-    fmpq_clear(&step.value);
-    fmpq_clear(&end.value);
-    return status;
+    return EXIT_DONE;
 }
 
 static int times_option(struct times *times, const struct arguments *a, bool exact)
@@ -177,12 +165,9 @@ int print_motion(const struct motion *m, const struct times *times, const int *c
 
 int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact)
 {
-    struct input value = {.infinite = false};
     SCOPE(fmpq, steps);
-    fmpq_init(&value.value);
     const char *text = option_value(a, "--rk4");
-    int status = literal_argument("--rk4", text, exact, false, &value);
-    fmpq_set(h, &value.value);
+    int status = finite_argument(h, "--rk4", text, exact);
     if (status == EXIT_DONE && fmpq_sgn(h) <= 0)
         status = usage_error(EXIT_FAILED_CHECK, "--rk4: expected a step > 0, got '%.40s'", text);
     for (slong i = 0; i < times->count && status == EXIT_DONE; i++) {
@@ -191,7 +176,6 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
             status = usage_error(EXIT_FAILED_CHECK, "--rk4: expected times >= 0 that are multiples of %s, got %s",
                                  text, times->texts[i]);
     }
-    fmpq_clear(&value.value);
     return status;
 }
 

@@ -8,6 +8,7 @@
 #include "command/command.h"
 #include "proof/proof_results.h"
 #include "text/decimal.h"
+#include "text/scope.h"
 
 enum { PARAMETER_DIGITS = 4, STUDY_DIGITS = 6, ROW_DIGITS = 12, STUDY_BITS = 192 };
 
@@ -69,7 +70,9 @@ static bool print_forced(const struct derivations *steps)
     enum { STEP = 1200, LAST = 6 * 86400 };
     struct trajectory motion, linear;
     struct second_order o;
-    arb_ptr forced = _arb_vec_init(FLOW_STATE), dL = _arb_vec_init(3), z = _arb_vec_init(1);
+    VECTOR(arb, forced, FLOW_STATE);
+    VECTOR(arb, dL, 3);
+    SCOPE(arb, z);
     bool proved = trajectory_run(&motion, &(struct simulation){.sheet = steps->sheet, .nonlinear = true}, 0, STEP, LAST);
     proved = trajectory_run(&linear, &(struct simulation){.sheet = steps->sheet, .nonlinear = false}, 0, STEP, LAST) && proved;
     second_order_init(&o, steps, motion.c1, motion.c2, STUDY_BITS);
@@ -90,9 +93,6 @@ static bool print_forced(const struct derivations *steps)
     second_order_clear(&o);
     trajectory_clear(&motion);
     trajectory_clear(&linear);
-    _arb_vec_clear(forced, FLOW_STATE);
-    _arb_vec_clear(dL, 3);
-    _arb_vec_clear(z, 1);
     return proved;
 }
 
@@ -102,8 +102,8 @@ static bool print_pitch(const struct derivations *steps)
     enum { STEP = 3600, LAST = 30 * 86400 };
     struct trajectory t;
     struct second_order o;
-    arb_ptr start = _arb_vec_init(FLOW_STATE), x = _arb_vec_init(5);
-    arb_ptr a = x, tau = x + 1, law = x + 2, shift = x + 3, amplitude = x + 4;
+    VECTOR(arb, start, FLOW_STATE);
+    SCOPE(arb, a, tau, law, shift, amplitude);
     bool proved = trajectory_run(&t, &(struct simulation){.sheet = steps->sheet, .nonlinear = true}, 0, 1, 0);
     second_order_init(&o, steps, t.c1, t.c2, STUDY_BITS);
     trajectory_clear(&t);
@@ -124,8 +124,6 @@ static bool print_pitch(const struct derivations *steps)
     }
     second_order_clear(&o);
     trajectory_clear(&t);
-    _arb_vec_clear(start, FLOW_STATE);
-    _arb_vec_clear(x, 5);
     return proved;
 }
 

@@ -202,39 +202,26 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
 {
     const enum method method = o->section->method;
     const bool linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
-    const struct input *in = inputs;
-    struct flow_parameters p;
-    VECTOR(arb, initial, FLOW_STATE);
-    double reached = 0.0;
-    flow_parameters_init(&p);
-    arb_set_fmpq(p.Omega, &in++->value, prec);
-    if (!linear) {
-        arb_set_fmpq(p.k_c, &in++->value, prec);
-        arb_set_fmpq(p.m1, &in++->value, prec);
-        arb_set_fmpq(p.m2, &in++->value, prec);
-    }
-    arb_set_fmpq(p.L_ref, &in++->value, prec);
-    arb_set_fmpq(p.C1, &in++->value, prec);
-    arb_set_fmpq(p.C2, &in++->value, prec);
-    const fmpq *t = &in++->value;
-    for (int i = 0; i < FLOW_STATE; i++)
-        arb_set_fmpq(initial + i, &in++->value, prec);
     const bool steps = method == METHOD_RK4_LINEAR || method == METHOD_RK4_NONLINEAR;
     const slong looks = o->until != 0 ? LOOKS : 1;
+    const fmpq *t = input_named(o, inputs, "t"), *h = steps ? input_named(o, inputs, "h") : NULL;
+    const struct input *in = inputs;
+    struct flow_parameters p;
     struct followed f = {outputs, o->until};
+    VECTOR(arb, initial, FLOW_STATE);
     VECTOR(fmpq, times, looks);
+    double reached = 0.0;
+    flow_parameters_init(&p);
+    arb_ptr order[] = {p.Omega, p.k_c, p.m1, p.m2, p.L_ref, p.C1, p.C2};
+    for (int i = 0; i < 7; i++)
+        if (!linear || i < 1 || i > 3) /* the linear model has neither k_c nor masses */
+            arb_set_fmpq(order[i], &in++->value, prec);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_fmpq(initial + i, &in[1 + i].value, prec); /* after t */
     fmpq_set(times, t);
     if (o->until != 0)
-        look_times(times, t, steps ? &in->value : NULL);
-    enum flow_status status = FLOW_DONE;
-    if (method == METHOD_FLOW_LINEAR)
-        status = flow_linear(&p, initial, times, looks, prec, take_state, &f, &reached);
-    else if (method == METHOD_FLOW_NONLINEAR)
-        status = flow_nonlinear(&p, initial, times, looks, digits, prec, take_state, &f, &reached);
-    else if (method == METHOD_RK4_LINEAR)
-        status = rk4_linear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
-    else
-        status = rk4_nonlinear(&p, initial, &in->value, times, looks, prec, take_state, &f, &reached);
+        look_times(times, t, h);
+    const enum flow_status status = flow_run(!linear, h, &p, initial, times, looks, digits, prec, take_state, &f, &reached);
     if (!linear && status == FLOW_DONE)
         flow_settle(initial,
                     is_equilibrium(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),

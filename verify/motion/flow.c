@@ -35,6 +35,16 @@ const char *flow_status_text(enum flow_status status)
     return texts[status];
 }
 
+enum flow_status flow_run(bool nonlinear, const fmpq *h, const struct flow_parameters *p, arb_srcptr initial, const fmpq *times,
+                          slong count, slong digits, slong prec, flow_receiver *receive, void *context, double *reached)
+{
+    if (h != NULL)
+        return (nonlinear ? rk4_nonlinear : rk4_linear)(p, initial, h, times, count, prec, receive, context, reached);
+    if (nonlinear)
+        return flow_nonlinear(p, initial, times, count, digits, prec, receive, context, reached);
+    return flow_linear(p, initial, times, count, prec, receive, context, reached);
+}
+
 bool flow_linear_domain(const struct flow_parameters *p, arb_srcptr initial)
 {
     return arb_is_positive(p->Omega) && arb_is_positive(p->L_ref) && arb_is_finite(p->Omega)

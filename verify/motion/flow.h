@@ -72,6 +72,10 @@ enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initi
                                const fmpq *times, slong count, slong prec, flow_receiver *receive,
                                void *context, double *reached);
 
+/* One of the four: of either model the motion itself, or where h is not NULL the method's steps. */
+enum flow_status flow_run(bool nonlinear, const fmpq *h, const struct flow_parameters *p, arb_srcptr initial, const fmpq *times,
+                          slong count, slong digits, slong prec, flow_receiver *receive, void *context, double *reached);
+
 /*
  * Working precision in bits for which `digits` digits at time t (in radians of orbit) are expected, with
  * gains near the paper's; where an unstable or stiff motion takes more, a second run at twice that.

@@ -73,9 +73,9 @@ static void get(arb_t x, const struct scenario *s, enum scenario_name name, slon
     arb_set_fmpq(x, &s->value[name].value, prec);
 }
 
-static void derive_parameters(struct flow_parameters *p, const struct scenario *s, slong prec)
+void scenario_parameters(struct flow_parameters *p, const struct scenario *s, slong prec)
 {
-    arb_ptr gain_inputs = _arb_vec_init(2); /* of Eqs. (43) and (44): Omega, n */
+    VECTOR(arb, gain_inputs, 2); /* of Eqs. (43) and (44): Omega, n */
     get(p->Omega, s, SET_Omega, prec);
     get(p->L_ref, s, SET_L_ref, prec);
     get(p->k_c, s, SET_k_c, prec);
@@ -91,28 +91,26 @@ static void derive_parameters(struct flow_parameters *p, const struct scenario *
         get(p->C2, s, SET_C2, prec);
     else
         section_enclose(section_find(s->sheet, "eq44"), gain_inputs, prec, p->C2);
-    _arb_vec_clear(gain_inputs, 2);
 }
 
-static void derive_initial(arb_ptr initial, const struct motion *m, slong prec)
+void state_from_angles(arb_ptr state, const struct sheet *sheet, const struct flow_parameters *p, slong prec)
 {
-    const struct scenario *s = m->scenario;
-    if (!m->nonlinear || cartesian(s)) {
-        for (int i = 0; i < FLOW_STATE; i++)
-            get(initial + i, s, (enum scenario_name)((m->nonlinear ? SET_x1 : SET_psi) + i), prec);
-        return;
-    }
-    static const enum scenario_name order[] = {SET_m1,     SET_m2,      SET_L_ref, SET_psi, SET_theta,
-                                              SET_dL_dot, SET_psi_dot, SET_theta_dot};
-    arb_ptr inputs = _arb_vec_init(8); /* m1 m2 L psi theta, and L_dot psi_dot theta_dot */
-    SCOPE(arb, dL);
+    arb_srcptr given[] = {p->m1, p->m2, p->L_ref, state, state + 1, state + 5, state + 3, state + 4};
+    VECTOR(arb, inputs, 8); /* m1 m2 L psi theta, and L_dot psi_dot theta_dot */
     for (int i = 0; i < 8; i++)
-        get(inputs + i, s, order[i], prec);
-    get(dL, s, SET_dL, prec);
-    arb_add(inputs + 2, inputs + 2, dL, prec);
-    section_enclose(section_find(s->sheet, "eq10"), inputs, prec, initial);
-    section_enclose(section_find(s->sheet, "eq11exact"), inputs, prec, initial + 3);
-    _arb_vec_clear(inputs, 8);
+        arb_set(inputs + i, given[i]);
+    arb_add(inputs + 2, inputs + 2, state + 2, prec);
+    section_enclose(section_find(sheet, "eq10"), inputs, prec, state);
+    section_enclose(section_find(sheet, "eq11exact"), inputs, prec, state + 3);
+}
+
+void scenario_initial(arb_ptr initial, const struct scenario *s, const struct flow_parameters *p, bool nonlinear, slong prec)
+{
+    const bool angles = !nonlinear || !cartesian(s);
+    for (int i = 0; i < FLOW_STATE; i++)
+        get(initial + i, s, (enum scenario_name)((angles ? SET_psi : SET_x1) + i), prec);
+    if (nonlinear && angles)
+        state_from_angles(initial, s->sheet, p, prec);
 }
 
 /* ---- charges along a motion: Eqs. (13), (7), (18), (21) ---- */
@@ -219,18 +217,10 @@ static int receive_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
 static enum flow_status one_pass(struct pass *p, const fmpq *times, slong count, double *reached)
 {
     const struct motion *m = p->motion;
-    derive_parameters(&p->parameters, m->scenario, p->prec);
-    derive_initial(p->initial, m, p->prec);
+    scenario_parameters(&p->parameters, m->scenario, p->prec);
+    scenario_initial(p->initial, m->scenario, &p->parameters, m->nonlinear, p->prec);
     p->undecided = false;
-    if (m->h != NULL && m->nonlinear)
-        return rk4_nonlinear(&p->parameters, p->initial, m->h, times, count, p->prec, receive_row, p,
-                             reached);
-    if (m->h != NULL)
-        return rk4_linear(&p->parameters, p->initial, m->h, times, count, p->prec, receive_row, p, reached);
-    if (m->nonlinear)
-        return flow_nonlinear(&p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p,
-                              reached);
-    return flow_linear(&p->parameters, p->initial, times, count, p->prec, receive_row, p, reached);
+    return flow_run(m->nonlinear, m->h, &p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p, reached);
 }
 
 /* Nothing displaced, in the angles; or x1 exactly where the static formation has it. */

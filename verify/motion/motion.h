@@ -32,6 +32,16 @@ void scenario_clear(struct scenario *s);
 /* False, and why, where a value lies outside its domain. Wrong combinations are the caller's business. */
 bool scenario_valid(const struct scenario *s, bool nonlinear, struct message *why);
 
+/*
+ * What a flow is given: the parameters, the gains by n where they are not given, and psi theta dL and their rates, or the state
+ * in the Hill frame. Nothing is rounded in between.
+ */
+void scenario_parameters(struct flow_parameters *p, const struct scenario *s, slong prec);
+void scenario_initial(arb_ptr initial, const struct scenario *s, const struct flow_parameters *p, bool nonlinear, slong prec);
+
+/* psi theta dL and their rates become position and velocity of craft 1: Eq. (10) and its exact derivative. */
+void state_from_angles(arb_ptr state, const struct sheet *sheet, const struct flow_parameters *p, slong prec);
+
 /* A row holds the state, and for a nonlinear motion q1 and q2 after it. */
 enum { ROW_NUMBERS = FLOW_STATE + 2 };
 

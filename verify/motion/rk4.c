@@ -182,38 +182,38 @@ static enum flow_status march_rows(struct march *m, arb_srcptr initial, const fm
     return FLOW_DONE;
 }
 
+static enum flow_status rk4(bool nonlinear, const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h,
+                            const fmpq *times, slong count, slong prec, flow_receiver *receive, void *context, double *reached)
+{
+    struct march m;
+    SCOPE(arb, length, mass);
+    *reached = 0;
+    if (!(nonlinear ? flow_nonlinear_domain : flow_linear_domain)(p, initial) || fmpq_sgn(h) <= 0)
+        return FLOW_DOMAIN;
+    if (!steps_in_reach(p, h, times, count))
+        return FLOW_STALLED;
+    arb_set(length, p->L_ref);
+    if (nonlinear) {
+        arb_add(mass, p->m1, p->m2, prec);
+        arb_mul(length, p->m2, length, prec);
+        arb_div(length, length, mass, prec);
+    }
+    march_init(&m, nonlinear ? nonlinear_rates : linear_rates, nonlinear ? 0 : 2, length, p, h, prec);
+    enum flow_status status = march_rows(&m, initial, h, times, count, prec, receive, context, reached);
+    march_clear(&m);
+    return status;
+}
+
 enum flow_status rk4_linear(const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h,
                             const fmpq *times, slong count, slong prec, flow_receiver *receive,
                             void *context, double *reached)
 {
-    *reached = 0;
-    if (!flow_linear_domain(p, initial) || fmpq_sgn(h) <= 0)
-        return FLOW_DOMAIN;
-    if (!steps_in_reach(p, h, times, count))
-        return FLOW_STALLED;
-    struct march m;
-    march_init(&m, linear_rates, 2, p->L_ref, p, h, prec);
-    enum flow_status status = march_rows(&m, initial, h, times, count, prec, receive, context, reached);
-    march_clear(&m);
-    return status;
+    return rk4(false, p, initial, h, times, count, prec, receive, context, reached);
 }
 
 enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h,
                                const fmpq *times, slong count, slong prec, flow_receiver *receive,
                                void *context, double *reached)
 {
-    *reached = 0;
-    if (!flow_nonlinear_domain(p, initial) || fmpq_sgn(h) <= 0)
-        return FLOW_DOMAIN;
-    if (!steps_in_reach(p, h, times, count))
-        return FLOW_STALLED;
-    struct march m;
-    SCOPE(arb, r_ref, mass);
-    arb_add(mass, p->m1, p->m2, prec);
-    arb_mul(r_ref, p->m2, p->L_ref, prec);
-    arb_div(r_ref, r_ref, mass, prec);
-    march_init(&m, nonlinear_rates, 0, r_ref, p, h, prec);
-    enum flow_status status = march_rows(&m, initial, h, times, count, prec, receive, context, reached);
-    march_clear(&m);
-    return status;
+    return rk4(true, p, initial, h, times, count, prec, receive, context, reached);
 }
