@@ -149,6 +149,8 @@ static const struct {
     {"a", "a: dL < 0", VERDICT_NONE, false, "t:7:8: c is undecided: 'a' is false"},
     {"a and not b", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is true"},
     {"a and b", "a: dL > 0\n    b: L > 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is found neither true nor false"},
+    {"a", "r: {root: y^2 - 2, of: y, in: [1, 2]}\n    a: r^2 < 2", VERDICT_NONE, false, "'a' is found neither true nor false"},
+    {"a", "r: {root: y^2 - 2, of: y, in: [1, 2]}\n    a: r^2 > 2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a, refuted: not a", "a: dL < 0", REFUTED, false, "t:7:8: c comes out as 'refuted', its evidence is written for 'holds': 'a' is false"},
     {"a, refuted: b", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "more than one of its conditions is true"},
     {"a, refuted: not a and b", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:8:8: c stands without 'b', or with its contrary"},

@@ -28,15 +28,13 @@ static void trajectory_of(struct trajectory *t, bool nonlinear, slong count, lon
 
 static void assert_at_least(const arb_t bound, const arb_t truth, double at_most, const char *what, int number)
 {
-    arb_t room;
-    arb_init(room);
+    SCOPE(arb, room);
     arb_set_d(room, at_most);
     arb_mul(room, room, truth, PREC);
     ck_assert_msg(arb_ge(bound, truth) || arb_overlaps(bound, truth), "%s %d: %.12g for %.12g", what, number,
                   arf_get_d(arb_midref(bound), ARF_RND_NEAR), arf_get_d(arb_midref(truth), ARF_RND_NEAR));
     ck_assert_msg(arb_le(bound, room) || arb_overlaps(bound, room), "%s %d: %.12g for %.12g, too much", what, number,
                   arf_get_d(arb_midref(bound), ARF_RND_NEAR), arf_get_d(arb_midref(truth), ARF_RND_NEAR));
-    arb_clear(room);
 }
 
 /* ---- B1: between rows ---- */
@@ -46,9 +44,7 @@ START_TEST(B1_a_parabola_rises_above_its_rows_by_an_eighth)
 {
     struct trajectory t;
     struct bounds b;
-    arb_t room, truth;
-    arb_init(room);
-    arb_init(truth);
+    SCOPE(arb, room, truth);
     bounds_init(&b);
     trajectory_of(&t, false, 1, 100 * (_i + 1), 10, 2);
     arb_set_ui(t.Omega, 1);
@@ -67,9 +63,6 @@ START_TEST(B1_a_parabola_rises_above_its_rows_by_an_eighth)
     }
     bounds_clear(&b);
     trajectory_clear(&t);
-    arb_clear(room);
-    arb_clear(truth);
-    flint_cleanup();
 }
 END_TEST
 
@@ -77,9 +70,7 @@ END_TEST
 START_TEST(B1_a_supremum_has_the_peak_between_rows)
 {
     struct trajectory t;
-    arb_t sup, one;
-    arb_init(sup);
-    arb_init(one);
+    SCOPE(arb, sup, one);
     arb_one(one);
     trajectory_of(&t, false, 2, 1 << 12, 10, 2); /* a quarter of a radian: cos(1/4) on both rows */
     for (slong k = 0; k < 2; k++) {
@@ -90,9 +81,6 @@ START_TEST(B1_a_supremum_has_the_peak_between_rows)
     ck_assert(arb_gt(sup, one));
     ck_assert(is_below(sup, 1.1));
     trajectory_clear(&t);
-    arb_clear(sup);
-    arb_clear(one);
-    flint_cleanup();
 }
 END_TEST
 
@@ -124,10 +112,8 @@ START_TEST(B2_B3_no_state_of_that_energy_exceeds_a_derivative)
     struct trajectory t;
     struct bounds b;
     arb_mat_t a, power;
-    arb_ptr g = _arb_vec_init(4);
-    arb_t truth, weight;
-    arb_init(truth);
-    arb_init(weight);
+    VECTOR(arb, g, 4);
+    SCOPE(arb, truth, weight);
     arb_mat_init(a, 4, 4);
     arb_mat_init(power, 4, 4);
     bounds_init(&b);
@@ -149,10 +135,6 @@ START_TEST(B2_B3_no_state_of_that_energy_exceeds_a_derivative)
     trajectory_clear(&t);
     arb_mat_clear(a);
     arb_mat_clear(power);
-    _arb_vec_clear(g, 4);
-    arb_clear(truth);
-    arb_clear(weight);
-    flint_cleanup();
 }
 END_TEST
 
@@ -161,8 +143,7 @@ START_TEST(B2_pitch_has_its_amplitude)
 {
     struct trajectory t;
     struct bounds b;
-    arb_t truth;
-    arb_init(truth);
+    SCOPE(arb, truth);
     bounds_init(&b);
     trajectory_of(&t, false, 1, 100, 10, 2);
     arb_set_d(trajectory_sample(&t, 0) + THETA, 0.25 * cos(0.3 * _i));
@@ -174,8 +155,6 @@ START_TEST(B2_pitch_has_its_amplitude)
     }
     bounds_clear(&b);
     trajectory_clear(&t);
-    arb_clear(truth);
-    flint_cleanup();
 }
 END_TEST
 
@@ -184,12 +163,8 @@ START_TEST(B3_places_have_all_products_of_derivatives)
 {
     struct trajectory t;
     struct bounds b;
-    arb_poly_t length, angle;
-    arb_t c, factorial;
-    arb_init(c);
-    arb_init(factorial);
-    arb_poly_init(length);
-    arb_poly_init(angle);
+    SCOPE(arb_poly, length, angle);
+    SCOPE(arb, c, factorial);
     bounds_init(&b);
     trajectory_of(&t, false, 1, 100, 12, 3);
     for (int i = PSI; i <= ETA_DOT; i++)
@@ -220,11 +195,6 @@ START_TEST(B3_places_have_all_products_of_derivatives)
     }
     bounds_clear(&b);
     trajectory_clear(&t);
-    arb_poly_clear(length);
-    arb_poly_clear(angle);
-    arb_clear(c);
-    arb_clear(factorial);
-    flint_cleanup();
 }
 END_TEST
 
@@ -239,8 +209,7 @@ START_TEST(B2_B6_no_state_at_L_ref_exceeds_its_place)
     } all[] = {{PSI, PLACE_Y, 0}, {THETA, PLACE_Z, 0}, {PSI_DOT, PLACE_Y, 1}, {THETA_DOT, PLACE_Z, 1}, {ETA_DOT, PLACE_X, 1}};
     struct trajectory t;
     struct bounds b;
-    arb_t truth;
-    arb_init(truth);
+    SCOPE(arb, truth);
     bounds_init(&b);
     trajectory_of(&t, true, 1, 100, 12, 2);
     arb_ptr given = trajectory_sample(&t, 0) + all[_i].given;
@@ -252,17 +221,13 @@ START_TEST(B2_B6_no_state_at_L_ref_exceeds_its_place)
     assert_at_least(b.of[all[_i].place] + all[_i].d, truth, all[_i].d == 0 ? 1 + 0x1p-20 : 1.5, "place", _i);
     bounds_clear(&b);
     trajectory_clear(&t);
-    arb_clear(truth);
-    flint_cleanup();
 }
 END_TEST
 
 /* G(l), written anew */
 static void potential(arb_t G, const struct trajectory *t, const arb_t eta)
 {
-    arb_t l, a;
-    arb_init(l);
-    arb_init(a);
+    SCOPE(arb, l, a);
     arb_add_ui(l, eta, 1, PREC);
     arb_log(G, l, PREC);
     arb_mul(G, G, t->c1, PREC);
@@ -275,8 +240,6 @@ static void potential(arb_t G, const struct trajectory *t, const arb_t eta)
     arb_mul_ui(a, a, 3, PREC);
     arb_mul_2exp_si(a, a, -1);
     arb_sub(G, G, a, PREC);
-    arb_clear(l);
-    arb_clear(a);
 }
 
 /*
@@ -288,7 +251,7 @@ START_TEST(B4_B5_no_length_of_that_energy_lies_beyond_its_bound)
     enum { CLOSE = 400 }; /* by 2^-11 of L' each: over more than an eighth of dL, to less than a gap between slices */
     struct trajectory t;
     struct bounds b;
-    arb_ptr x = _arb_vec_init(3);
+    VECTOR(arb, x, 3);
     arb_ptr G = x, energy = x + 1, eta = x + 2;
     bounds_init(&b);
     trajectory_of(&t, true, 1, 100, 12, 2);
@@ -308,8 +271,6 @@ START_TEST(B4_B5_no_length_of_that_energy_lies_beyond_its_bound)
     }
     bounds_clear(&b);
     trajectory_clear(&t);
-    _arb_vec_clear(x, 3);
-    flint_cleanup();
 }
 END_TEST
 
@@ -325,7 +286,6 @@ START_TEST(B4_both_sides_confine)
     ck_assert(arb_is_finite(b.of[ETA]) && !is_below(b.of[ETA], 0.1));
     bounds_clear(&b);
     trajectory_clear(&t);
-    flint_cleanup();
 }
 END_TEST
 
@@ -334,9 +294,7 @@ START_TEST(B4_what_is_beyond_the_hill_has_no_bounds)
 {
     struct trajectory t;
     struct bounds b;
-    arb_t hours, limit;
-    arb_init(hours);
-    arb_init(limit);
+    SCOPE(arb, hours, limit);
     bounds_init(&b);
     trajectory_of(&t, true, 2, 100, 12, 2);
     arb_set_d(trajectory_sample(&t, 0) + ETA, 0.4);
@@ -350,9 +308,6 @@ START_TEST(B4_what_is_beyond_the_hill_has_no_bounds)
     ck_assert(!trajectory_bounds(&b, &t, 0));
     bounds_clear(&b);
     trajectory_clear(&t);
-    arb_clear(hours);
-    arb_clear(limit);
-    flint_cleanup();
 }
 END_TEST
 
@@ -366,9 +321,7 @@ START_TEST(B7_what_rises_between_rows_has_not_settled)
 {
     enum { COUNT = 4 };
     struct trajectory t;
-    arb_t hours, limit;
-    arb_init(hours);
-    arb_init(limit);
+    SCOPE(arb, hours, limit);
     trajectory_of(&t, false, COUNT, 1 << 12, 10, 2);
     for (slong k = 0; k < COUNT; k++) {
         arb_set_d(trajectory_sample(&t, k) + THETA, k == 0 ? 3 : cos(0.25));
@@ -381,9 +334,6 @@ START_TEST(B7_what_rises_between_rows_has_not_settled)
     arb_set_d(limit, 4096.0 / 3600); /* from the first row, above, to the second, below: an hour and more */
     ck_assert(arb_contains_si(hours, 0) && arb_contains(hours, limit) && is_below(hours, 1.2));
     trajectory_clear(&t);
-    arb_clear(hours);
-    arb_clear(limit);
-    flint_cleanup();
 }
 END_TEST
 
@@ -403,7 +353,8 @@ START_TEST(what_moves_away_is_not_settled)
         {{5, 0, 0, 0x1p-20, 0, 0}, true, {0, 0, 1, 0, 0, 1}, false}, {{5, 0, 0, 0, 0x1p-20, 0}, true, {0, 0, 1, 0, 0, 1}, false},
         {{5, 0x1p-20, 0, 0, 0, 0}, true, {0, 0, 1, 0, 0, 1}, false}, {{5, 0, 0x1p-20, 0, 0, 0}, true, {0}, false},
         {{5, 0, 0, 0, 0, 0x1p-20}, true, {0}, false}};
-    arb_ptr start = _arb_vec_init(FLOW_STATE), state = _arb_vec_init(FLOW_STATE);
+    VECTOR(arb, start, FLOW_STATE);
+    VECTOR(arb, state, FLOW_STATE);
     for (int i = 0; i < FLOW_STATE; i++) {
         arb_set_d(start + i, all[_i].start[i]);
         arb_set_ui(state + i, 7);
@@ -416,9 +367,6 @@ START_TEST(what_moves_away_is_not_settled)
         else
             ck_assert_int_eq(arb_is_zero(state + i), all[_i].kept[i]);
     }
-    _arb_vec_clear(start, FLOW_STATE);
-    _arb_vec_clear(state, FLOW_STATE);
-    flint_cleanup();
 }
 END_TEST
 
@@ -437,12 +385,9 @@ START_TEST(a_row_waits_for_its_last_undecided_number)
 {
     struct scenario s;
     struct message why;
-    fmpq_t t;
-    arb_t quarter, Omega;
+    SCOPE(fmpq, t);
+    SCOPE(arb, quarter, Omega);
     slong rows = 0;
-    arb_init(quarter);
-    arb_init(Omega);
-    fmpq_init(t);
     scenario_init(&s, sheet(), false);
     arb_set_fmpq(Omega, &s.value[SET_Omega].value, 200);
     arb_const_pi(quarter, 120);
@@ -453,10 +398,6 @@ START_TEST(a_row_waits_for_its_last_undecided_number)
     ck_assert_msg(motion_rows(&m, t, 1, keep_whole_rows, &rows, &why) == 0, "%s", why.text);
     ck_assert_int_eq(rows, 1);
     scenario_clear(&s);
-    fmpq_clear(t);
-    arb_clear(quarter);
-    arb_clear(Omega);
-    flint_cleanup();
 }
 END_TEST
 
@@ -465,6 +406,7 @@ SUITE(test_trajectory_bounds)
     Suite *all = suite_create("trajectory");
     TCase *tests = tcase_create("error terms");
     suite_add_tcase(all, tests);
+    tcase_add_checked_fixture(tests, NULL, flint_cleanup);
     tcase_add_loop_test(tests, B1_a_parabola_rises_above_its_rows_by_an_eighth, 0, 3);
     tcase_add_test(tests, B1_a_supremum_has_the_peak_between_rows);
     tcase_add_loop_test(tests, B2_B3_no_state_of_that_energy_exceeds_a_derivative, 0, 2 * DERIVATIVES);
@@ -478,6 +420,7 @@ SUITE(test_trajectory_bounds)
 
     tests = tcase_create("rows");
     suite_add_tcase(all, tests);
+    tcase_add_checked_fixture(tests, NULL, flint_cleanup);
     tcase_add_loop_test(tests, what_moves_away_is_not_settled, 0, 13);
     tcase_add_test(tests, a_row_waits_for_its_last_undecided_number);
     return all;

@@ -75,47 +75,23 @@ static slong exponent_of(const arb_t x)
     return exponent;
 }
 
-/* A decimal d.ddde-XX as decimal_text writes it. */
-static char *plain_text(char *scientific)
+/* Its digits, where the enclosure decides them. */
+static char *number_text(const struct quoted_number *q, const arb_t x)
 {
-    SCOPE(fmpz, n);
-    char *mark = strchr(scientific, 'e'), *figures = xrealloc(NULL, strlen(scientific) + 1, 1), *to = figures;
-    for (const char *at = scientific; at < (mark != NULL ? mark : scientific + strlen(scientific)); at++)
-        if (*at != '.')
-            *to++ = *at;
-    *to = '\0';
-    fmpz_set_str(n, figures, 10);
-    const slong count = (slong)strlen(figures) - (*figures == '-');
-    char *text = decimal_text(n, mark != NULL ? count - 1 - strtol(mark + 1, NULL, 10) : 0, false);
-    free(figures);
-    free(scientific);
-    return text;
-}
-
-static char *enclosed_text(const struct quoted_number *q, const arb_t x)
-{
-    SCOPE(fmpz, n);
-    slong places = q->digits;
-    if (!arb_is_finite(x) || q->rounding == AS_RATIONAL)
+    SCOPE(fmpz, n, power);
+    slong places = q->digits - (q->rounding == TO_DECIMALS ? 0 : 1 + exponent_of(x));
+    if (q->rounding == AS_RATIONAL || !scaled_integer(n, x, places, q->rounding))
         return NULL;
-    if (q->rounding == TO_DIGITS) {
-        char *text = decimal_of_ball(x, q->digits);
-        return text != NULL ? plain_text(text) : NULL;
-    }
-    if (q->rounding != TO_DECIMALS) /* a bound */
-        places -= 1 + exponent_of(x);
-    return scaled_integer(n, x, places, q->rounding) ? decimal_text(n, places, q->rounding == TO_DECIMALS) : NULL;
+    fmpz_ui_pow_ui(power, 10, (ulong)q->digits);
+    if (q->rounding == TO_DIGITS && fmpz_cmpabs(n, power) >= 0 && !scaled_integer(n, x, --places, q->rounding)) /* 9.99 | 2 is 10 */
+        return NULL;
+    return decimal_text(n, places, q->rounding == TO_DECIMALS);
 }
 
-static char *rational_text(const struct quoted_number *q, const fmpq_t x)
+static char *rational_text(const fmpq_t x)
 {
-    char *text = NULL;
-    if (q->rounding == AS_RATIONAL) {
-        char *own = fmpq_get_str(NULL, 10, x);
-        text = text_copy(own);
-        flint_free(own);
-    } else if (q->rounding == TO_DIGITS)
-        text = fmpq_is_zero(x) ? text_copy("0") : plain_text(decimal_of_rational(x, q->digits));
+    char *own = fmpq_get_str(NULL, 10, x), *text = text_copy(own);
+    flint_free(own);
     return text;
 }
 
@@ -129,12 +105,12 @@ static void number_decide(struct statements *all, struct statement *s, struct qu
     if (q->decimal == NULL && formula_rational(exact, &q->formula, &b)) {
         q->how = EXACT;
         arb_set_fmpq(x, exact, LAST);
-        q->decimal = q->rounding == TO_DIGITS || q->rounding == AS_RATIONAL ? rational_text(q, exact) : enclosed_text(q, x);
+        q->decimal = q->rounding == AS_RATIONAL ? rational_text(exact) : number_text(q, x);
     }
     for (; q->decimal == NULL && b.bits <= LAST; b.bits *= 4) {
         formula_enclose(x, &q->how, &q->formula, &b);
         if (q->how != MEASURED || q->rounding == UPWARD || q->rounding == DOWNWARD)
-            q->decimal = enclosed_text(q, x);
+            q->decimal = number_text(q, x);
     }
 }
 

@@ -285,30 +285,21 @@ void trajectory_energy(arb_t energy, const struct trajectory *t, slong k)
     arb_add(energy, energy, G, prec);
 }
 
-/* A rate shares its coordinate's vector, from the first derivative on. */
+enum { BOUNDED = 6 }; /* coordinates that have a vector of their own: a rate shares its angle's, from the first derivative on */
+
 void bounds_init(struct bounds *b)
 {
+    b->all = _arb_vec_init(BOUNDED * DERIVATIVES);
     for (int i = PSI; i <= ETA; i++) {
-        b->of[i] = _arb_vec_init(DERIVATIVES);
+        b->of[i] = b->all + 2 * i * DERIVATIVES;
         b->of[i + PSI_DOT] = b->of[i] + 1;
-        b->of[i + PLACE_X] = _arb_vec_init(DERIVATIVES);
+        b->of[i + PLACE_X] = b->of[i] + DERIVATIVES;
     }
 }
 
 void bounds_clear(struct bounds *b)
 {
-    for (int i = PSI; i <= ETA; i++) {
-        _arb_vec_clear(b->of[i], DERIVATIVES);
-        _arb_vec_clear(b->of[i + PLACE_X], DERIVATIVES);
-    }
-}
-
-static void bounds_zero(struct bounds *b)
-{
-    for (int i = PSI; i <= ETA; i++) {
-        _arb_vec_zero(b->of[i], DERIVATIVES);
-        _arb_vec_zero(b->of[i + PLACE_X], DERIVATIVES);
-    }
+    _arb_vec_clear(b->all, BOUNDED * DERIVATIVES);
 }
 
 /* sqrt(factor E) */
@@ -456,7 +447,7 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
 {
     bool bounded = true;
     SCOPE(arb, E, eta);
-    bounds_zero(b);
+    _arb_vec_zero(b->all, BOUNDED * DERIVATIVES);
     trajectory_energy(E, t, k);
     if (t->nonlinear) {
         struct jet jet;

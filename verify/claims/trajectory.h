@@ -71,7 +71,7 @@ void trajectory_energy(arb_t energy, const struct trajectory *t, slong k);
 /* Bounds on a coordinate and its derivatives, from a sample on for ever; of a rate, up to the second. */
 enum { DERIVATIVES = 4 };
 struct bounds {
-    arb_ptr of[COORDINATES];
+    arb_ptr all, of[COORDINATES];
 };
 void bounds_init(struct bounds *b);
 void bounds_clear(struct bounds *b);
