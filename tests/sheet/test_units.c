@@ -10,8 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claims/statement.h"
 #include "evaluate/reference.h"
-#include "sheet/sheet.h"
+#include "text/decimal.h"
+#include "text/scope.h"
 
 enum { MOST = 40, BASES = 4 };
 
@@ -24,7 +26,8 @@ static bool add(const char *name, size_t length, int exponent, int power[BASES])
         const char *name;
         int power[BASES];
     } units[] = {{"m", {1, 0, 0, 0}}, {"kg", {0, 1, 0, 0}}, {"s", {0, 0, 1, 0}}, {"C", {0, 0, 0, 1}},
-                 {"N", {1, 1, -2, 0}}, {"rad", {0}}, {"1", {0}}, {"-", {0}}};
+                 {"N", {1, 1, -2, 0}}, {"rad", {0}}, {"1", {0}}, {"-", {0}},
+                 {"%", {0}}, {"km", {1, 0, 0, 0}}, {"mm", {1, 0, 0, 0}}, {"h", {0, 0, 1, 0}}, {"uC", {0, 0, 0, 1}}};
     for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
         if (strlen(units[i].name) != length || strncmp(units[i].name, name, length) != 0)
             continue;
@@ -98,12 +101,89 @@ START_TEST(both_sides_of_a_renaming_have_one_unit)
 }
 END_TEST
 
+/* ---- the numbers of the evidence ---- */
+
+/* The sheet's values, counted in the grown units; or as they were. */
+static void grow_values(const char **were, bool back)
+{
+    for (int i = 0; i < sheet()->quantity_count; i++) {
+        struct quantity *q = &sheet()->quantities[i];
+        SCOPE(fmpq, value, factor);
+        if (q->value == NULL)
+            continue;
+        literal_read(value, q->value, true);
+        const int power = (int)log2(growth(q->unit));
+        fmpq_one(factor);
+        fmpz_mul_2exp(power < 0 ? fmpq_denref(factor) : fmpq_numref(factor), fmpq_numref(factor), (ulong)abs(power));
+        fmpq_mul(value, value, factor);
+        if (!back)
+            were[i] = q->value;
+        q->value = back ? were[i] : decimal_of_rational(value, 60);
+    }
+}
+
+static void number_of(arb_t x, struct statements *claims, struct statement *s, const struct quoted_number *q)
+{
+    const struct bindings b = {.all = claims, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = 256};
+    enum how how;
+    formula_enclose(x, &how, &q->formula, &b);
+}
+
+/* What has numbers with units of their own: constants of nature, times of day, steps of 100 s, values of a case. */
+static bool has_other_units(const char *id)
+{
+    static const char *const all[] = {"non-keplerian-periods", "charge-error", "debye-escape", "coulomb-constant", "orbit-rate", "own-gravity",
+                                      "power-and-bandwidth", "charging-devices", "reach", "step-below-period", "two-revolutions",
+                                      "equal-distances"};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        if (strcmp(all[i], id) == 0)
+            return true;
+    return false;
+}
+
+/* Of what rests on the sheet's values alone, and on no computation. */
+START_TEST(numbers_of_the_evidence_have_their_units)
+{
+    struct proof_results proofs;
+    struct statements claims;
+    struct message why;
+    const char *were[200];
+    int checked = 0;
+    ck_assert(sheet()->quantity_count <= 200);
+    open_proofs(&proofs);
+    ck_assert(statements_read(&claims, &proofs, &whole_paper()->claims, &why) == 0);
+    for (int i = 0; i < claims.count; i++)
+        for (int k = 0; k < claims.list[i].number_count; k++) {
+            struct statement *s = &claims.list[i];
+            const struct quoted_number *q = &s->numbers[k];
+            SCOPE(arb, x, grown, due);
+            ulong computed = 0;
+            for (int a = 0; a < s->assertion_count; a++)
+                computed |= (ulong)(s->assertions[a].kind == ASSERT_COMPUTE) << a;
+            if ((q->formula.uses & computed) != 0 || has_other_units(s->id))
+                continue;
+            number_of(x, &claims, s, q);
+            grow_values(were, false);
+            number_of(grown, &claims, s, q);
+            grow_values(were, true);
+            arb_set_d(due, q->unit != NULL ? growth(q->unit) : 1);
+            arb_mul(due, due, x, 256);
+            ck_assert_msg(arb_is_finite(grown) && arb_overlaps(grown, due), "%s: %s is no number of [%s]", s->id, q->text, q->unit ? q->unit : "");
+            checked++;
+        }
+    ck_assert_int_gt(checked, 80);
+    statements_clear(&claims);
+    proof_results_clear(&proofs);
+}
+END_TEST
+
 SUITE(test_units)
 {
     Suite *suite = suite_create("units");
     TCase *units = tcase_create("units");
     tcase_add_loop_test(units, every_operation_holds_in_any_units, 0, sheet()->section_count);
     tcase_add_loop_test(units, both_sides_of_a_renaming_have_one_unit, 0, sheet()->section_count);
+    tcase_add_test(units, numbers_of_the_evidence_have_their_units);
     suite_add_tcase(suite, units);
     return suite;
 }
