@@ -582,6 +582,57 @@ START_TEST(ball_on_both_sides_of_zero_is_neither_positive_nor_not)
 }
 END_TEST
 
+START_TEST(ball_of_a_special_argument_is_the_function_there)
+{
+    static const struct {
+        const char *formula;
+        double x, y;
+        bool finite;
+        double value;
+    } cases[] = {
+        {"x/y", INFINITY, INFINITY, false, 0}, /* a finite number over infinity is 0, infinity over it is nothing */
+        {"x/y", 1, INFINITY, true, 0},
+        {"atan2(y, x)", -1, 0, true, 0x1.921fb54442d18p+1}, /* the nearest double of pi */
+        {"atan2(y, x)", 2, 0, true, 0},
+    };
+    struct program p;
+    struct machine m;
+    int node = parse_inputs(&p, cases[_i].formula);
+    machine_init(&m, &p, &arithmetic_ball, 64);
+    arb_set_d(machine_value(&m, 0), cases[_i].x);
+    arb_set_d(machine_value(&m, 1), cases[_i].y);
+    machine_run(&m);
+    arb_srcptr z = machine_value(&m, node);
+    ck_assert(arb_is_finite(z) == cases[_i].finite);
+    ck_assert(!cases[_i].finite || arf_get_d(arb_midref(z), ARF_RND_NEAR) == cases[_i].value); /* so near, exactly */
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
+/* Its jump apart, positive() has slope 0; so has x^0, at 0 too. */
+START_TEST(flat_functions_have_no_slope)
+{
+    static const char *const formulas[] = {"positive(x)*y", "x^0*y"};
+    struct program p;
+    struct machine m, adjoint;
+    int node = parse_inputs(&p, formulas[_i]), rate[] = {1, -1};
+    machine_init(&m, &p, &arithmetic_ball, 64);
+    machine_init(&adjoint, &p, &arithmetic_ball, 64);
+    arb_set_si(machine_value(&m, 0), 2);
+    arb_set_si(machine_value(&m, 1), 3);
+    machine_run(&m);
+    machine_gradient(&m, node, &adjoint);
+    ck_assert(arb_is_zero(machine_value(&adjoint, 0)));
+    ck_assert(arb_is_one(machine_value(&adjoint, 1)));
+    machine_clear(&adjoint);
+    machine_clear(&m);
+    const int slope = program_derivative(&p, node, rate, 2);
+    ck_assert(p.nodes[slope].op == OPERATOR_NUMBER && fmpq_is_zero(&p.nodes[slope].number));
+    program_clear(&p);
+}
+END_TEST
+
 START_TEST(a_number_is_positive_or_not)
 {
     static const int signs[][2] = {{-2, 0}, {0, 0}, {3, 1}}; /* of x, and what is said of it */
@@ -704,6 +755,8 @@ SUITE(test_expression)
     tcase_add_test(arithmetic, ball_and_mpfr_agree_with_the_exact_value);
     tcase_add_loop_test(arithmetic, a_number_is_positive_or_not, 0, 3);
     tcase_add_loop_test(arithmetic, ball_on_both_sides_of_zero_is_neither_positive_nor_not, 0, 4);
+    tcase_add_loop_test(arithmetic, ball_of_a_special_argument_is_the_function_there, 0, 4);
+    tcase_add_loop_test(arithmetic, flat_functions_have_no_slope, 0, 2);
     tcase_add_loop_test(arithmetic, normal_form_is_zero_or_refused, 0, COUNT(forms));
     tcase_add_test(arithmetic, given_root_is_taken);
 

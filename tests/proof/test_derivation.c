@@ -216,6 +216,11 @@ static const struct {
     {"    not negative: [s]\n    square roots: [s]\n    show: [sqrt(s^2) = s]", IDENTITY_HOLDS, ""},
     {"    not negative: [s]\n    small: [dL]\n    order: 1\n    square roots: [s]\n    show: [sqrt(s^2 + dL) = s]",
      IDENTITY_UNDECIDED, "sqrt(s^2 + dL) = s: no value, a series of a square root that may be zero"},
+    {"    not negative: [s]\n    small: [dL]\n    order: 1\n    square roots: [s^2]\n    show: [sqrt(s^4 + dL) = s^2]",
+     IDENTITY_UNDECIDED, "sqrt(s^4 + dL) = s^2: no value, a series of a square root that may be zero"},
+    {"    small: [dL]\n    order: 1\n    square roots: [L^2 - 2*L*L_ref + L_ref^2]\n"
+     "    show: [sqrt((L - L_ref)^4 + dL) = L^2 - 2*L*L_ref + L_ref^2]",
+     IDENTITY_UNDECIDED, "sqrt((L - L_ref)^4 + dL) = L^2 - 2*L*L_ref + L_ref^2: no value, a series of a square root that may be zero"},
     {"    angles: {psi: quarter turn}\n    square roots: [cos(psi)]\n    show: [sqrt(cos(psi)^2) = cos(psi)]", IDENTITY_HOLDS, ""},
     {"    show: [sin(L) = L]", IDENTITY_UNDECIDED, "sin(L) = L: no value, the sine or cosine of a number that is no angle"},
     {"    show: [exp(L) = L]", IDENTITY_UNDECIDED, "exp(L) = L: no value, a value that is no rational series"},
@@ -318,6 +323,7 @@ static const struct {
     {"    from: [\"38\"]\n    to: [\"7\"]\n    show: [(m1 + m2 + L + Omega)^900 = L]", "too large to normalise, terms: "},
     {"    from: [\"38\"]\n    to: [\"7\"]\n    show: [((m1 + m2 + L + Omega)^8*(2^900)^8)^2 = L]",
      "too large to normalise, terms times bits: "},
+    {"    from: [\"38\"]\n    to: [\"7\"]\n    show: [sqrt((m1 + m2 + L + Omega)^17) = L]", "too large to normalise, terms: "},
     {"    from: []\n    to: [\"39\"]\n    show: [eq39.L_G1 = 0, eq39.L_G2 = -3*Omega^2*I*theta, eq39.L_G3 = -3*Omega^2*I*psi]",
      "expected an equation or a principle in 'from'"},
     {"    from: [eq09.BO_11]\n    to: [eq10]\n    angles: [psi, theta]\n"

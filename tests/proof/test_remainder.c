@@ -57,6 +57,7 @@ static const struct known cases[] = {
     {"-x*(1 - x)", {"0", "1"}, {0}, "249/1000", REMAINDER_EXCEEDED},
     {"x^2*(1 - x)", {"0", "1"}, {0}, "149/1000", REMAINDER_PROVED}, /* 4/27 = 0.148148 at 2/3, neither corner nor centre */
     {"x^2*(1 - x)", {"0", "1"}, {0}, "148/1000", REMAINDER_EXCEEDED},
+    {"-x^2*(1 - x)", {"0", "1"}, {0}, "148/1000", REMAINDER_EXCEEDED}, /* below, and nowhere that the search above it goes */
     {"x*y", {"-2", "3"}, {"-5", "4"}, "151/10", REMAINDER_PROVED}, /* -15 at (3, -5) */
     {"x*y", {"-2", "3"}, {"-5", "4"}, "149/10", REMAINDER_EXCEEDED},
     {"x*y", {"-2", "3"}, {"-5", "4"}, "29", REMAINDER_PROVED},

@@ -217,7 +217,13 @@ static void check_coefficients(const struct fixture *f, slong prec)
 /* Order and accuracy as the header promises them, seen from the midpoints. */
 static void check_promises(const struct fixture *f, slong prec)
 {
+    SCOPE(acb, conjugate);
     for (int k = 0; k < 4; k++) {
+        bool paired = false;
+        acb_conj(conjugate, f->roots + k);
+        for (int j = 0; j < 4; j++)
+            paired = paired || acb_equal(conjugate, f->roots + j);
+        ck_assert(paired);
         for (int imaginary = 0; imaginary < 2; imaginary++)
             ck_assert(arb_rel_accuracy_bits(part(f->roots, k, imaginary)) >= prec);
         if (k == 3)

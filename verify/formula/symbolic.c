@@ -17,7 +17,7 @@ typedef fmpz_mpoly_q_t quotient_t;
  * before it is made, the bits of its numbers, both together, and the degree. Sums, products and quotients of two random
  * rational functions at these bounds, with a common factor or without one, took at most 0.7 s.
  */
-enum { MOST_TERMS = 1000000, MOST_BITS = 100000, MOST_WORK = 200000000, MOST_DEGREE = 100000, MOST_SECONDS = 2, MOST_ROOTS = 64 };
+enum { MOST_TERMS = 1000000, MOST_BITS = 100000, MOST_WORK = 200000000, MOST_DEGREE = 100000, MOST_SECONDS = 2, MOST_ROOTS = 128 };
 
 /* A variable that stands for a function's value. */
 struct opaque {
@@ -417,7 +417,7 @@ static void stand_for(struct symbolic *z, enum symbolic_fault fault, enum operat
 void symbolic_root(const struct symbolic *x, bool strict)
 {
     if (field->root_count == MOST_ROOTS)
-        return; /* LCOV_EXCL_LINE: a list of square roots is as long at most */
+        return; /* LCOV_EXCL_LINE: a list of square roots is half as long at most */
     quotient_init(&field->roots[field->root_count]);
     fmpz_mpoly_q_set(&field->roots[field->root_count], x->a, CTX);
     field->strict[field->root_count] = strict;
