@@ -394,8 +394,10 @@ $(EDITION)/coulomb-tether.tex: $(CHAPTERS) paper/page.tex $(WOVEN) | $(EDITION)/
 site: $(PAGES:%=$(SITE)/%.html) $(PLOTS:%=$(SITE)/plot-%.svg) $(addprefix $(SITE)/,page.css turn.js client.js vectors.js) $(OPERATIONS:%=$(SITE)/data/%.csv)
 	@awk -f paper/links.awk $(filter %.html,$^) >&2
 
+# The TeX that pandoc puts beside its MathML would make the pages half as large again.
 $(PAGES:%=$(SITE)/%.html): $(SITE)/%.html: paper/%.md paper/page.html $(WOVEN) $(GRAPHS:%=$(EDITION)/graph-%.svg) | $(EDITION)/tools.found
-	$(call PRINTED,$(WEAVE) -t html5 --mathml --template paper/page.html)
+	$(call PRINTED,$(WEAVE) -t html5 --mathml --template paper/page.html -o $@.woven.tmp && sed 's|<annotation [^>]*>[^<]*</annotation>||g' $@.woven.tmp)
+	@rm $@.woven.tmp
 
 $(SITE)/page.css: paper/page.css
 $(SITE)/turn.js: paper/turn.js

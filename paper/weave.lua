@@ -32,7 +32,7 @@ local current = ''  -- what is being woven, as it stands in the source
 
 local function lines_of(path)
   local file = io.open(path)
-  return file and file:lines() or nil
+  return file and file:lines()
 end
 
 local function read(path)
@@ -389,23 +389,18 @@ local function references(list)
   return table.concat(out, ', ')
 end
 
-local function step_parts(s)
-  local order = s.step.order or s.order
-  return {title = prose(s.title), from = references(s.from), to = #s.to > 0 and ' $\\;\\rightarrow\\;$ ' .. references(s.to) or '',
-          how = (order and 'to order ' .. order or 'exactly') .. ', for ' .. prose(s.domain),
-          printed = s.printed and (s.printed.difference and 'the sides differ by a multiple of $' .. s.printed.difference .. '$' or prose(s.printed.evidence)),
-          dropped = s.dropped and s.dropped ~= '' and prose(s.dropped)}
-end
-
 local function step_blocks(s)
-  local p = step_parts(s)
+  local from, to = references(s.from), #s.to > 0 and ' $\\;\\rightarrow\\;$ ' .. references(s.to) or ''
+  local how = (s.order and 'to order ' .. s.order or 'exactly') .. ', for ' .. prose(s.domain)
+  local printed = s.printed and (s.printed.difference and 'the sides differ by a multiple of $' .. s.printed.difference .. '$' or prose(s.printed.evidence))
+  local dropped = s.dropped and s.dropped ~= '' and prose(s.dropped)
   if not web then
-    return {raw(('\\step{%s}{%s}{%s}{%s}{%s}'):format(escape(s.id), p.title, p.from, p.to, p.how)
-                .. (p.printed and '\n\\stepprinted{' .. p.printed .. '}' or '') .. (p.dropped and '\n\\stepdropped{' .. p.dropped .. '}' or ''))}
+    return {raw(('\\step{%s}{%s}{%s}{%s}{%s}'):format(escape(s.id), prose(s.title), from, to, how)
+                .. (printed and '\n\\stepprinted{' .. printed .. '}' or '') .. (dropped and '\n\\stepdropped{' .. dropped .. '}' or ''))}
   end
-  local inside = pandoc.List {pandoc.Para(sequence('⊢ ', {pandoc.Code(s.id)}, ': ', inlines(p.title .. '. ' .. p.from .. p.to .. '. \\emph{Proved ' .. p.how .. '.}')))}
-  if p.printed then inside:insert(pandoc.Para(sequence('As printed it fails: ', inlines(p.printed), '.'))) end
-  if p.dropped then inside:insert(pandoc.Para(sequence('Certified: ', inlines(p.dropped), '.'))) end
+  local inside = pandoc.List {pandoc.Para(sequence('⊢ ', {pandoc.Code(s.id)}, ': ', inlines(prose(s.title) .. '. ' .. from .. to .. '. \\emph{Proved ' .. how .. '.}')))}
+  if printed then inside:insert(pandoc.Para(sequence('As printed it fails: ', inlines(printed), '.'))) end
+  if dropped then inside:insert(pandoc.Para(sequence('Certified: ', inlines(dropped), '.'))) end
   if s.step.show then inside:extend(details('what was shown', {pandoc.CodeBlock(table.concat(s.step.show, '\n'))})) end
   return {pandoc.Div(inside, {class = 'step'})}
 end
@@ -579,7 +574,7 @@ function block.symbols()
     for i, name in ipairs(words_of((names:gsub('"', '')))) do list[i] = '$' .. tex_of[name] .. '$' end
     rows[#rows + 1] = {inlines(table.concat(list, ', ')), inlines(unit == '-' and '' or prose(unit)), inlines(prose(meaning))}
   end
-  return {table_of({'symbol', 'unit', 'meaning'}, {0.35, 0.15, 0.5}, rows)}
+  return {table_of({'symbol', 'unit', 'meaning'}, {0.12, 0.13, 0.75}, rows)}
 end
 
 local function numbers_of(s)
@@ -773,8 +768,8 @@ end
 
 local function is_directives(para)
   for _, el in ipairs(para.content) do
-    if not (el.t == 'Code' and el.text:match '^<<.*>>$' and (block[el.text:match '^<<(%a*)'] or #para.content == 1 and not inline[el.text:match '^<<(%a*)']))
-       and el.t ~= 'SoftBreak' then return false end
+    local name = el.t == 'Code' and el.text:match '^<<(%a*).*>>$'
+    if el.t ~= 'SoftBreak' and (not name or inline[name]) then return false end
   end
   return true
 end
