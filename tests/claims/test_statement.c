@@ -234,6 +234,28 @@ START_TEST(numbers_have_proved_digits_or_none)
 }
 END_TEST
 
+/* What only a number rests on is needed all the same, directly or through another root. */
+START_TEST(a_verdict_needs_what_its_numbers_rest_on)
+{
+    char text[4096];
+    write_claim(text, "a", NULL, "a: dL > 0\n    r: {root: y^2 - 2, of: y, in: [1, 2]}\n    t: {root: y - r, of: y, in: [1, 2]}\n"
+                "    start: {compute: basin}", "{t | 3}, {start.returns_10 | 2}");
+    assert_ruled(text, HOLDS, true, "");
+}
+END_TEST
+
+/* A measured number has bounds, and no digits of its own. */
+START_TEST(measured_numbers_have_bounds_alone)
+{
+    char text[4096];
+    const char *const prove = "a: dL > 0\n    h: {compute: hill_in_orbit}";
+    write_claim(text, "a", NULL, prove, "{h.d_psi_0 | 2 up}");
+    assert_ruled(text, HOLDS, true, "");
+    write_claim(text, "a", NULL, prove, "{h.d_psi_0 | 2}");
+    assert_ruled(text, VERDICT_NONE, false, "the digits of h.d_psi_0 cannot be proved");
+}
+END_TEST
+
 START_TEST(evidence_is_written_in_both_forms)
 {
     char text[4096];
@@ -382,6 +404,8 @@ SUITE(test_statement)
     tcase_add_test(c, a_claim_may_rest_on_another);
     tcase_add_test(c, a_claim_has_not_too_many_assertions);
     LOOP(numbers_have_proved_digits_or_none, numbers);
+    tcase_add_test(c, a_verdict_needs_what_its_numbers_rest_on);
+    tcase_add_test(c, measured_numbers_have_bounds_alone);
     tcase_add_test(c, evidence_is_written_in_both_forms);
     LOOP(mistakes_are_told_with_their_place, mistakes);
     tcase_add_test(c, mathematics_is_set_token_by_token);
