@@ -4,8 +4,8 @@
  *
  *     mp.dps = 40; Om = mpf('7.2915e-5')
  *     A = lambda n: the matrix of (40) over psi theta l psi' theta' l', l = dL/L_ref, in radians of orbit
- *     rows of the linear model: expm(A(n)*Om*T)*matrix([0.01, 0.01, 0.01, 0, 0, 0])
- *     rows of the nonlinear model: odefun(f, 0, [0.01, 0.01, 0.01, 0, 0, 0])(Om*T), f with c1 = n, c2 = 2*sqrt(n - 9):
+ *     samples of the linear model: expm(A(n)*Om*T)*matrix([0.01, 0.01, 0.01, 0, 0, 0])
+ *     samples of the nonlinear model: odefun(f, 0, [0.01, 0.01, 0.01, 0, 0, 0])(Om*T), f with c1 = n, c2 = 2*sqrt(n - 9):
  *         psi''   = -2*(l'/l - theta'*tan(theta))*(1 + psi') - 3*sin(psi)*cos(psi)
  *         theta'' = -2*l'/l*theta' - sin(theta)*cos(theta)*((1 + psi')**2 + 3*cos(psi)**2)
  *         l''     = l*(theta'**2 + cos(theta)**2*((1 + psi')**2 + 3*cos(psi)**2) - 1) + (c1*(1 - l) - 3 - c2*l')/l**2
@@ -67,7 +67,7 @@ START_TEST(trajectories_agree_with_the_equations_in_the_angles)
 }
 END_TEST
 
-/* Nothing in these rows knows the masses: (3) closed by (7) and (18) has none in the angles and the distance. */
+/* Nothing in these samples knows the masses: (3) closed by (7) and (18) has none in the angles and the distance. */
 START_TEST(trajectories_are_the_same_for_all_masses)
 {
     struct trajectory equal, unequal;
@@ -81,7 +81,7 @@ START_TEST(trajectories_are_the_same_for_all_masses)
 }
 END_TEST
 
-/* A row is where a start from it begins: angles to place and back. */
+/* A sample is where a start from it begins: angles to place and back. */
 START_TEST(eq10_trajectories_start_where_another_ends)
 {
     struct trajectory whole, half, rest;
@@ -97,7 +97,7 @@ START_TEST(eq10_trajectories_start_where_another_ends)
 }
 END_TEST
 
-/* E falls from row to row, and by what C2 takes: -c2 (l'/l)^2, or -c2 eta'^2, by the trapezoidal rule. */
+/* E falls from sample to sample, and by what C2 takes: -c2 (l'/l)^2, or -c2 eta'^2, by the trapezoidal rule. */
 START_TEST(energy_falls_by_what_the_gain_takes)
 {
     struct trajectory t;
@@ -122,7 +122,7 @@ START_TEST(energy_falls_by_what_the_gain_takes)
 }
 END_TEST
 
-/* The rows of later times keep the bounds of an early one, and their differences those of the derivatives. */
+/* The samples of later times keep the bounds of an early one, and their differences those of the derivatives. */
 START_TEST(bounds_hold_for_what_follows)
 {
     struct trajectory t;
@@ -136,13 +136,13 @@ START_TEST(bounds_hold_for_what_follows)
             for (slong k = 40 * from; k + 2 < t.count; k++) {
                 arb_srcptr now = trajectory_sample(&t, k) + i, next = trajectory_sample(&t, k + 1) + i, last = trajectory_sample(&t, k + 2) + i;
                 arb_abs(x, now);
-                ck_assert_msg(arb_le(x, b.of[i]), "coordinate %d, row %ld", i, (long)k);
+                ck_assert_msg(arb_le(x, b.of[i]), "coordinate %d, sample %ld", i, (long)k);
                 arb_add(x, now, last, t.prec); /* |f0 - 2 f1 + f2| <= tau^2 max |f''| */
                 arb_submul_ui(x, next, 2, t.prec);
                 arb_abs(x, x);
                 bound_between_samples(x + 1, &t, &b, i);
                 arb_mul_2exp_si(x + 1, x + 1, 3);
-                ck_assert_msg(arb_le(x, x + 1), "second difference of %d, row %ld", i, (long)k);
+                ck_assert_msg(arb_le(x, x + 1), "second difference of %d, sample %ld", i, (long)k);
             }
     }
     bounds_clear(&b);
@@ -170,8 +170,8 @@ START_TEST(bounds_are_refused_beyond_the_hill)
 }
 END_TEST
 
-/* Between rows a day apart the motion goes beyond them: as far as trajectory_supremum allows, at most. */
-START_TEST(suprema_cover_what_rows_miss)
+/* Between samples a day apart the motion goes beyond them: as far as trajectory_supremum allows, at most. */
+START_TEST(suprema_cover_what_samples_miss)
 {
     struct trajectory coarse, fine;
     SCOPE(arb, sup, peak);
@@ -191,8 +191,8 @@ START_TEST(suprema_cover_what_rows_miss)
 }
 END_TEST
 
-/* The linear dL is last above 1/100 of the start at 43.25 h, psi at 29.17 h: rows of the linear flow, 100 s apart. */
-START_TEST(settling_is_found_between_rows)
+/* The linear dL is last above 1/100 of the start at 43.25 h, psi at 29.17 h: samples of the linear flow, 100 s apart. */
+START_TEST(settling_is_found_between_samples)
 {
     struct trajectory t;
     SCOPE(arb, hours, limit);
@@ -237,8 +237,8 @@ SUITE(test_trajectory)
     tcase_add_loop_test(c, energy_falls_by_what_the_gain_takes, 0, 2);
     tcase_add_loop_test(c, bounds_hold_for_what_follows, 0, 2);
     tcase_add_test(c, bounds_are_refused_beyond_the_hill);
-    tcase_add_test(c, suprema_cover_what_rows_miss);
-    tcase_add_test(c, settling_is_found_between_rows);
+    tcase_add_test(c, suprema_cover_what_samples_miss);
+    tcase_add_test(c, settling_is_found_between_samples);
     tcase_add_test(c, trajectories_end_where_the_pair_turns_over);
     tcase_set_timeout(c, 60); /* s, under a sanitizer too */
     suite_add_tcase(s, c);

@@ -1,5 +1,5 @@
 /*
- * verify/claims/trajectory.h: bounds between and after rows, and a test for every error term of the theorem in trajectory.c. Rows are
+ * verify/claims/trajectory.h: bounds between and after samples, and a test for every error term of the theorem in trajectory.c. Samples are
  * written by hand, so that what is true of them is known: the state of a given energy that goes furthest. And verify/motion.h:
  * what a row may leave out.
  */
@@ -13,7 +13,7 @@ enum { PREC = 128 };
 
 /* ---- trajectories whose samples are known ---- */
 
-/* One row at rest in its place; gains c1 Omega^2 and c2 Omega, rows `step` seconds apart, 2^-14 rad/s */
+/* One sample at rest in its place; gains c1 Omega^2 and c2 Omega, samples `step` seconds apart, 2^-14 rad/s */
 static void trajectory_of(struct trajectory *t, bool nonlinear, slong count, long step, double c1, double c2)
 {
     *t = (struct trajectory){.nonlinear = nonlinear, .prec = PREC, .count = count, .step = step};
@@ -28,23 +28,23 @@ static void trajectory_of(struct trajectory *t, bool nonlinear, slong count, lon
 
 static void assert_at_least(const arb_t bound, const arb_t truth, double at_most, const char *what, int number)
 {
-    SCOPE(arb, room);
-    arb_set_d(room, at_most);
-    arb_mul(room, room, truth, PREC);
+    SCOPE(arb, excess);
+    arb_set_d(excess, at_most);
+    arb_mul(excess, excess, truth, PREC);
     ck_assert_msg(arb_ge(bound, truth) || arb_overlaps(bound, truth), "%s %d: %.12g for %.12g", what, number,
                   arf_get_d(arb_midref(bound), ARF_RND_NEAR), arf_get_d(arb_midref(truth), ARF_RND_NEAR));
-    ck_assert_msg(arb_le(bound, room) || arb_overlaps(bound, room), "%s %d: %.12g for %.12g, too much", what, number,
+    ck_assert_msg(arb_le(bound, excess) || arb_overlaps(bound, excess), "%s %d: %.12g for %.12g, too much", what, number,
                   arf_get_d(arb_midref(bound), ARF_RND_NEAR), arf_get_d(arb_midref(truth), ARF_RND_NEAR));
 }
 
-/* ---- B1: between rows ---- */
+/* ---- B1: between samples ---- */
 
-/* A parabola with a second derivative of 1 stands tau^2/8 above rows a tau apart, and is that at the middle. */
-START_TEST(B1_a_parabola_rises_above_its_rows_by_an_eighth)
+/* A parabola with a second derivative of 1 stands tau^2/8 above samples a tau apart, and is that at the middle. */
+START_TEST(B1_a_parabola_rises_above_its_samples_by_an_eighth)
 {
     struct trajectory t;
     struct bounds b;
-    SCOPE(arb, room, truth);
+    SCOPE(arb, excess, truth);
     bounds_init(&b);
     trajectory_of(&t, false, 1, 100 * (_i + 1), 10, 2);
     arb_set_ui(t.Omega, 1);
@@ -53,26 +53,26 @@ START_TEST(B1_a_parabola_rises_above_its_rows_by_an_eighth)
         const int second = i >= PSI_DOT && i <= ETA_DOT ? i - PSI_DOT : i; /* a rate's derivatives are its coordinate's */
         _arb_vec_zero(b.of[second], DERIVATIVES);
         arb_one(b.of[i] + 2);
-        bound_between_samples(room, &t, &b, i);
+        bound_between_samples(excess, &t, &b, i);
         arb_set_si(truth, 100 * (_i + 1));
         arb_div_ui(truth, truth, 3 << 13, 2 * PREC);
         arb_sqr(truth, truth, 2 * PREC);
         arb_mul_2exp_si(truth, truth, -3);
-        assert_at_least(room, truth, 1 + 0x1p-100, "room", i);
-        ck_assert(arb_contains(room, truth) && !arb_is_exact(room)); /* a third is a ball */
+        assert_at_least(excess, truth, 1 + 0x1p-100, "excess", i);
+        ck_assert(arb_contains(excess, truth) && !arb_is_exact(excess)); /* a third is a ball */
     }
     bounds_clear(&b);
     trajectory_clear(&t);
 }
 END_TEST
 
-/* Pitch goes as cos 2 tau whatever the gains: its peak lies in the middle of two rows, and none but the room has it. */
-START_TEST(B1_a_supremum_has_the_peak_between_rows)
+/* Pitch goes as cos 2 tau whatever the gains: its peak lies in the middle of two samples, and none but the excess has it. */
+START_TEST(B1_a_supremum_has_the_peak_between_samples)
 {
     struct trajectory t;
     SCOPE(arb, sup, one);
     arb_one(one);
-    trajectory_of(&t, false, 2, 1 << 12, 10, 2); /* a quarter of a radian: cos(1/4) on both rows */
+    trajectory_of(&t, false, 2, 1 << 12, 10, 2); /* a quarter of a radian: cos(1/4) on both samples */
     for (slong k = 0; k < 2; k++) {
         arb_set_d(trajectory_sample(&t, k) + THETA, cos(0.25));
         arb_set_d(trajectory_sample(&t, k) + THETA_DOT, (k == 0 ? 2 : -2) * sin(0.25));
@@ -314,10 +314,10 @@ END_TEST
 /* ---- B7: settling ---- */
 
 /*
- * Pitch of amplitude 1 on rows of cos(1/4): never below 0.99 between them. What is below on every row but reaches above
- * between is not settled; below 1.2, room included, it is.
+ * Pitch of amplitude 1 on samples of cos(1/4): never below 0.99 between them. What is below on every sample but reaches above
+ * between is not settled; below 1.2, excess included, it is.
  */
-START_TEST(B7_what_rises_between_rows_has_not_settled)
+START_TEST(B7_what_rises_between_samples_has_not_settled)
 {
     enum { COUNT = 4 };
     struct trajectory t;
@@ -331,7 +331,7 @@ START_TEST(B7_what_rises_between_rows_has_not_settled)
     ck_assert(!settles(hours, &t, THETA, limit));
     arb_set_d(limit, 1.2);
     ck_assert(settles(hours, &t, THETA, limit));
-    arb_set_d(limit, 4096.0 / 3600); /* from the first row, above, to the second, below: an hour and more */
+    arb_set_d(limit, 4096.0 / 3600); /* from the first sample, above, to the second, below: an hour and more */
     ck_assert(arb_contains_si(hours, 0) && arb_contains(hours, limit) && is_below(hours, 1.2));
     trajectory_clear(&t);
 }
@@ -407,8 +407,8 @@ SUITE(test_trajectory_bounds)
     TCase *tests = tcase_create("error terms");
     suite_add_tcase(all, tests);
     tcase_add_checked_fixture(tests, NULL, flint_cleanup);
-    tcase_add_loop_test(tests, B1_a_parabola_rises_above_its_rows_by_an_eighth, 0, 3);
-    tcase_add_test(tests, B1_a_supremum_has_the_peak_between_rows);
+    tcase_add_loop_test(tests, B1_a_parabola_rises_above_its_samples_by_an_eighth, 0, 3);
+    tcase_add_test(tests, B1_a_supremum_has_the_peak_between_samples);
     tcase_add_loop_test(tests, B2_B3_no_state_of_that_energy_exceeds_a_derivative, 0, 2 * DERIVATIVES);
     tcase_add_loop_test(tests, B2_pitch_has_its_amplitude, 0, 6);
     tcase_add_test(tests, B3_places_have_all_products_of_derivatives);
@@ -416,7 +416,7 @@ SUITE(test_trajectory_bounds)
     tcase_add_loop_test(tests, B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 0, 4);
     tcase_add_loop_test(tests, B4_both_sides_confine, 0, 2);
     tcase_add_test(tests, B4_what_is_beyond_the_hill_has_no_bounds);
-    tcase_add_test(tests, B7_what_rises_between_rows_has_not_settled);
+    tcase_add_test(tests, B7_what_rises_between_samples_has_not_settled);
 
     tests = tcase_create("rows");
     suite_add_tcase(all, tests);

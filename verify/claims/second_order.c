@@ -30,14 +30,14 @@ arb_srcptr second_order_get(const struct second_order *o, const char *name)
     return value(o, name);
 }
 
-void second_order_at(arb_ptr row, struct second_order *o, const arb_t z_re, const arb_t z_im)
+void second_order_at(arb_ptr sample, struct second_order *o, const arb_t z_re, const arb_t z_im)
 {
     static const char *const names[FLOW_STATE] = {"psi", "theta", "dL", "psi_dot", "theta_dot", "dL_dot"};
     arb_set(value(o, "u"), z_re);
     arb_set(value(o, "v"), z_im);
     machine_run(&o->machine);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_set(row + i, value(o, names[i]));
+        arb_set(sample + i, value(o, names[i]));
 }
 
 void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_t a, const arb_t tau)
@@ -56,7 +56,7 @@ void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_
     arb_rsqrt(ratio, ratio, prec);
 }
 
-void second_order_after(arb_ptr row, struct second_order *o, const arb_t a, const arb_t tau)
+void second_order_after(arb_ptr sample, struct second_order *o, const arb_t a, const arb_t tau)
 {
     const slong prec = o->machine.prec;
     SCOPE(arb, size, angle, z_re, z_im);
@@ -66,5 +66,5 @@ void second_order_after(arb_ptr row, struct second_order *o, const arb_t a, cons
     arb_sin_cos(z_im, z_re, angle, prec);
     arb_mul(z_re, z_re, size, prec);
     arb_mul(z_im, z_im, size, prec);
-    second_order_at(row, o, z_re, z_im);
+    second_order_at(sample, o, z_re, z_im);
 }

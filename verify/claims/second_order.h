@@ -34,11 +34,11 @@ void second_order_clear(struct second_order *o);
 /* By name: B_re B_im A_re A_im T_re T_im, and k and s as decay and shift. */
 arb_srcptr second_order_get(const struct second_order *o, const char *name);
 
-/* psi theta dL and their rates at z, the first six of a track's row; */
-void second_order_at(arb_ptr row, struct second_order *o, const arb_t z_re, const arb_t z_im);
+/* psi theta dL and their rates at z, the first six numbers of a sample; */
+void second_order_at(arb_ptr sample, struct second_order *o, const arb_t z_re, const arb_t z_im);
 
 /* ... and at the z that was a, tau radians of orbit before. */
-void second_order_after(arb_ptr row, struct second_order *o, const arb_t a, const arb_t tau);
+void second_order_after(arb_ptr sample, struct second_order *o, const arb_t a, const arb_t tau);
 
 /* a(tau)/a(0) and phi(tau) - phi(0): (1 + 2 k a^2 tau)^(-1/2), s/(2 k) log(1 + 2 k a^2 tau) */
 void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_t a, const arb_t tau);
