@@ -90,7 +90,10 @@ static int signs_by_form(struct run *r, const struct node *n)
         return signs_power(n->exponent < 0 ? a & ~SIGN_ZERO : a, n->exponent);
     if (n->op == OPERATOR_SQRT)
         return a & ~SIGN_NEGATIVE;
-    return n->op == OPERATOR_POSITIVE ? (a & SIGN_POSITIVE) | (a & ~SIGN_POSITIVE ? SIGN_ZERO : 0) : SIGN_ANY;
+    if (n->op != OPERATOR_POSITIVE)
+        return SIGN_ANY;
+    const int may_be_one = a & (SIGN_POSITIVE | (r->terms > 1 ? SIGN_ZERO : 0)); /* zero at epsilon = 0 alone */
+    return (may_be_one ? SIGN_POSITIVE : 0) | (a & ~SIGN_POSITIVE ? SIGN_ZERO : 0);
 }
 
 /* The signs that a node may have at epsilon = 0: by its form, and where that does not tell by its normal form. */
@@ -149,7 +152,7 @@ static const struct symbolic *value(struct run *r, int i)
         const int sign = n->op == OPERATOR_POSITIVE && x->fault == SYMBOLIC_FINE ? signs(r, n->left) : SIGN_ANY;
         SCOPE(fmpq, truth);
         fmpq_set_si(truth, sign == SIGN_POSITIVE, 1);
-        if (sign == SIGN_POSITIVE || !(sign & SIGN_POSITIVE))
+        if (sign == SIGN_POSITIVE || !(sign & (SIGN_POSITIVE | (r->terms > 1 ? SIGN_ZERO : 0))))
             arithmetic_symbolic.set_rational(z, truth, r->terms);
         else
             arithmetic_symbolic.apply(n->op, z, x, y, n->exponent, r->terms);
@@ -484,10 +487,12 @@ static void look_further(const struct identities *t, const bool *zero, struct pr
     for (int i = 0; i < t->root_count; i++)
         run_root(&r, t->roots[i].node);
     for (int i = 0; i < t->shown_count; i++) {
-        bool still = false;
-        if (zero[i] && (compare(&r, t->shown[i].left, t->shown[i].right, &still, &f) != IDENTITY_HOLDS || !still))
+        bool still = true;
+        if (zero[i])
+            still = compare(&r, t->shown[i].left, t->shown[i].right, &still, &f) == IDENTITY_HOLDS && still;
+        if (!still)
             refuse(p, t->shown[i].at, "%s: both sides vanish to this order: nothing is shown", t->shown[i].text);
-        p->holds[i] = p->holds[i] && (still || !zero[i]);
+        p->holds[i] = p->holds[i] && still;
     }
     run_end(&r);
 }
