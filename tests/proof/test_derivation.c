@@ -420,9 +420,9 @@ static char *emptied(const struct step *s, int k, int how)
     char *all = steps_copy();
     const char *sign;
     const size_t size = strlen(all) + 2000;
-    const yaml_node_t *at = s->corrected.shown[k].at;
+    const struct yaml *at = s->corrected.shown[k].at;
     char *text = malloc(size);
-    const size_t begin = at->start_mark.index, end = at->end_mark.index;
+    const size_t begin = at->at.index, end = begin + strlen(at->text) + (at->plain ? 0 : 2);
     const char *equality = s->corrected.shown[k].text;
     int depth = 0;
     for (sign = equality; *sign != '=' || depth > 0; sign++)
@@ -595,7 +595,7 @@ static const struct {
     {"principles: {force: {text: a push, inputs: [b, c], outputs: {F: b*c}}}", "principles: force", "1:13: ",
      "expected a mapping, key: value"},
     {"properties:", "steps:", "3:1: ", "duplicate 'steps', expected each key once"},
-    {"{text: a push, inputs", "{inputs", "1:21: ", "missing text, expected text, inputs and outputs"},
+    {"{text: a push, inputs", "{inputs", "1:21: ", "missing text, expected a text"},
     {"text: a push", "text: [a, push]", "1:28: ", "expected a text"},
     {"text: a push", "texts: a push", "1:22: ", "unknown key 'texts', expected perhaps text"},
     {"inputs: [b, c]", "inputs: b", "1:44: ", "expected a list"},

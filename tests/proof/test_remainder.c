@@ -111,7 +111,7 @@ static const struct {
     {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3}]\n",
      "f:8:18: missing unit"},
     {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: [m]}]\n",
-     "f:8:92: expected a text"},
+     "f:8:92: missing unit, expected a text"},
     {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: [-0.1, 0.1]}, atmost: 3, unit: m}]\n", "f:8:74: unknown key"},
     {"    remainders: [{equation: \"5a\", of: a.q, on: {L: 2, psi: [-0.1, 0.1]}, at_most: 3, unit: m}]\n",
      "f:8:41: unknown output 'q'"},

@@ -182,13 +182,10 @@ static enum truth condition_decide(struct deciding *d, const struct verdict_cond
 
 /* ---- the verdict ---- */
 
-static void leave_open(const struct statements *all, struct ruling *r, const yaml_node_t *at, size_t offset, const char *text)
+static void leave_open(struct ruling *r, const struct yaml *at, size_t offset, const char *text)
 {
-    struct document d = all->document;
-    if (r->open.text[0] != '\0')
-        return;
-    d.why = &r->open;
-    parse_error(&d, at, offset, "%s", text);
+    if (r->open.text[0] == '\0')
+        node_message(&r->open, at, offset, "%s", text);
 }
 
 static void decide_numbers(struct deciding *d, struct ruling *r)
@@ -201,7 +198,7 @@ static void decide_numbers(struct deciding *d, struct ruling *r)
         d->how = FLINT_MAX(d->how, q->how);
         if (q->decimal == NULL || any_void(d, q->formula.uses)) {
             snprintf(text, sizeof text, "%s: the digits of %.100s cannot be proved", s->id, q->text);
-            leave_open(d->all, r, q->node, q->offset, text);
+            leave_open(r, q->node, q->offset, text);
             r->as_written = false;
         }
     }
@@ -234,7 +231,7 @@ void statement_decide(struct statements *all, struct statement *s, const struct 
     else
         snprintf(text, sizeof text, "%s is undecided: more than one of its conditions is true", s->id);
     if (!r->as_written)
-        leave_open(all, r, entry >= 0 ? s->assertions[entry].node : s->verdict, 0, text);
+        leave_open(r, entry >= 0 ? s->assertions[entry].node : s->verdict, 0, text);
     decide_numbers(&d, r);
     r->how = d.how;
     if (!r->as_written && many == 1 && found == 0)
@@ -262,7 +259,7 @@ void statement_rule(struct statements *all, struct statement *s, struct ruling *
     for (int i = 0; i < s->assertion_count && r->as_written; i++)
         if (!needs(all, s, i)) {
             snprintf(text, sizeof text, "%s stands without '%s', or with its contrary", s->id, s->assertions[i].name);
-            leave_open(all, r, s->assertions[i].node, 0, text);
+            leave_open(r, s->assertions[i].node, 0, text);
             r->as_written = false;
         }
 }

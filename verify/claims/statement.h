@@ -48,7 +48,7 @@ struct linear_system {
 
 struct assertion {
     const char *name;
-    const yaml_node_t *node;
+    const struct yaml *node;
     enum assertion_kind kind;
     enum ordering ordering;
     struct identities identity;   /* of an equality for all values                      */
@@ -80,7 +80,7 @@ struct quoted_number {
     const char *text, *unit;
     enum rounding rounding;
     slong digits;
-    const yaml_node_t *node;      /* where it stands */
+    const struct yaml *node;      /* where it stands */
     size_t offset;
     char *decimal;                /* NULL: its digits are not proved */
     enum how how;
@@ -93,7 +93,7 @@ struct verdict_condition {
 
 struct statement {
     const char *id, *where, *kind, *claim, *why, *evidence;
-    const yaml_node_t *given, *prove, *verdict;
+    const struct yaml *given, *prove, *verdict;
     struct assertion *assertions;
     int assertion_count;
     enum verdict verdicts[MOST_VERDICTS];
@@ -107,7 +107,7 @@ struct statement {
 };
 
 struct statements {
-    struct document document;
+    struct tree *tree;
     const struct sheet *sheet;
     const struct proof_results *proofs;
     struct statement *list;

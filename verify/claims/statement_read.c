@@ -11,9 +11,8 @@ enum { MOST_NAMES = 128 };
 /* What is being read. */
 struct reading {
     struct statements *all;
-    struct document *document;
     struct statement *statement;
-    const yaml_node_t *entry; /* a mapping of `prove`; NULL: none */
+    const struct yaml *entry; /* a mapping of `prove`; NULL: none */
     struct values *at;        /* read so far */
 };
 
@@ -27,26 +26,21 @@ static const char *keep(struct statements *s, const char *text, size_t length)
 }
 
 /* What the entry says under a key; NULL: nothing. */
-static const yaml_node_t *own(const struct reading *r, const char *key)
+static const struct yaml *own(const struct reading *r, const char *key)
 {
-    return r->entry != NULL ? child(r->document, r->entry, key) : NULL;
-}
-
-static const yaml_node_t *shared(const struct reading *r, const char *key)
-{
-    return r->statement->given != NULL ? child(r->document, r->statement->given, key) : NULL;
+    return under(r->entry, key);
 }
 
 /* The same or, where it says nothing, the statement's `given`. */
-static const yaml_node_t *given(const struct reading *r, const char *key)
+static const struct yaml *given(const struct reading *r, const char *key)
 {
-    return own(r, key) != NULL ? own(r, key) : shared(r, key);
+    return own(r, key) != NULL ? own(r, key) : under(r->statement->given, key);
 }
 
 /* A mistake at a node or, where it is missing, in the entry. */
-static bool refuse(const struct reading *r, const yaml_node_t *node, const char *expected)
+static bool refuse(const struct reading *r, const struct yaml *node, const char *expected)
 {
-    return parse_error(r->document, node != NULL ? node : r->entry, 0, "%s", expected);
+    return node_error(node != NULL ? node : r->entry, 0, "%s", expected);
 }
 
 /* ---- names ---- */
@@ -57,61 +51,46 @@ struct names {
     int count;
 };
 
-static bool is_declared(const struct reading *r, const char *name)
+static void add_name(struct names *n, const char *name)
 {
-    static const char *const lists[] = {"free", "angles", "positive", "not negative"};
-    for (size_t k = 0; k < sizeof lists / sizeof *lists; k++) {
-        const yaml_node_t *names = given(r, lists[k]);
-        for (int i = 0; names != NULL && i < length_of(names); i++) {
-            const yaml_node_t *item = names->type == YAML_MAPPING_NODE ? key_of(r->document, names, i) : item_of(r->document, names, i);
-            if (scalar(item) != NULL && strcmp(scalar(item), name) == 0)
-                return true;
-        }
-    }
-    return false;
-}
-
-static void add_name(const struct reading *r, struct names *n, const char *name)
-{
-    if (name == NULL || n->count == MOST_NAMES || quantity_find(r->all->sheet, name) != NULL || is_declared(r, name))
-        return;
-    for (int i = 0; i < n->count; i++)
+    for (int i = 0; i < n->count && name != NULL; i++)
         if (strcmp(n->list[i], name) == 0)
             return;
-    n->list[n->count++] = name;
+    if (name != NULL && n->count < MOST_NAMES)
+        n->list[n->count++] = name;
 }
 
-static void add_keys(const struct reading *r, struct names *n, const yaml_node_t *mapping)
+static void add_keys(struct names *n, const struct yaml *mapping)
 {
-    for (int i = 0; mapping != NULL && mapping->type == YAML_MAPPING_NODE && i < length_of(mapping); i++)
-        add_name(r, n, scalar(key_of(r->document, mapping, i)));
+    for (int i = 0; mapping != NULL && mapping->mapping && i < mapping->count; i++)
+        add_name(n, mapping->items[i].key);
 }
 
 /* What an entry of `prove` names: its root, the numbers of its computation; its values, what moves, what takes values. */
-static void add_entry(const struct reading *r, struct names *n, const char *key, const yaml_node_t *entry)
+static void add_entry(const struct reading *r, struct names *n, const struct yaml *entry)
 {
     static const char *const keys[] = {"at", "on", "for"};
-    const yaml_node_t *of = child(r->document, entry, "of"), *compute = child(r->document, entry, "compute");
-    const struct computed *c = compute != NULL && scalar(compute) != NULL ? computed_find(&r->all->computed, scalar(compute)) : NULL;
+    const struct yaml *of = under(entry, "of"), *compute = under(entry, "compute");
+    const struct computed *c = compute != NULL && compute->text != NULL ? computed_find(&r->all->computed, compute->text) : NULL;
     char name[2 * LONGEST_NAME + 2], word[64];
     for (size_t k = 0; k < 3; k++)
-        add_keys(r, n, child(r->document, entry, keys[k]));
-    add_name(r, n, of != NULL ? scalar(of) : NULL);
-    add_name(r, n, child(r->document, entry, "root") != NULL ? key : NULL);
+        add_keys(n, under(entry, keys[k]));
+    add_name(n, of != NULL ? of->text : NULL);
+    add_name(n, under(entry, "root") != NULL ? entry->key : NULL);
     for (const char *at = c != NULL ? computation_of(c)->numbers : ""; (at = next_name(at, word)) != NULL;) {
-        snprintf(name, sizeof name, "%.63s.%s", key, word);
-        add_name(r, n, keep(r->all, name, strlen(name)));
+        snprintf(name, sizeof name, "%.63s.%s", entry->key, word);
+        add_name(n, keep(r->all, name, strlen(name)));
     }
 }
 
 static void collect_names(const struct reading *r, struct names *n)
 {
-    const yaml_node_t *prove = r->statement->prove;
+    const struct yaml *prove = r->statement->prove;
     *n = (struct names){{"pi"}, 1};
-    add_keys(r, n, shared(r, "at"));
-    for (int i = 0; prove != NULL && prove->type == YAML_MAPPING_NODE && i < length_of(prove); i++)
-        if (value_of(r->document, prove, i)->type == YAML_MAPPING_NODE && scalar(key_of(r->document, prove, i)) != NULL)
-            add_entry(r, n, scalar(key_of(r->document, prove, i)), value_of(r->document, prove, i));
+    add_keys(n, under(r->statement->given, "at"));
+    for (int i = 0; prove != NULL && i < prove->count; i++)
+        if (prove->items[i].mapping)
+            add_entry(r, n, &prove->items[i]);
 }
 
 /* ---- formulas ---- */
@@ -126,23 +105,23 @@ struct parsing {
 
 static void parsing_open(struct parsing *f, const struct reading *r)
 {
-    static const yaml_node_t nothing = {.type = YAML_MAPPING_NODE};
+    static const struct yaml nothing = {.mapping = true};
     collect_names(r, &f->names);
     f->identities = (struct identities){.order = -1};
-    f->scope = (struct scope){.document = r->document, .sheet = r->all->sheet, .definitions = &r->all->proofs->derivations.definitions,
+    f->scope = (struct scope){.sheet = r->all->sheet, .definitions = &r->all->proofs->derivations.definitions,
                               .given = r->entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
                               .names = f->names.list, .name_count = f->names.count};
     f->fine = identities_open(&f->identities, &f->scope);
 }
 
 /* One that stands `shift` characters into a scalar: its node, or -1 after a complaint. */
-static int parsing_add(struct parsing *f, const yaml_node_t *node, const char *text, size_t shift)
+static int parsing_add(struct parsing *f, const struct yaml *node, const char *text, size_t shift)
 {
     struct message why;
     size_t where;
     const int result = f->fine ? identities_text(&f->identities, &f->scope, text, &where, &why) : -1;
     if (f->fine && result < 0)
-        f->fine = parse_error(f->scope.document, node, shift + where, "%s", why.text);
+        f->fine = node_error(node, shift + where, "%s", why.text);
     return result;
 }
 
@@ -170,8 +149,8 @@ static ulong uses_of(const struct reading *r, const struct program *p, int node)
     program_needs(p, node, NULL, needed);
     for (int i = 0; i < p->inputs && i <= node; i++) {
         const char *name = p->names[i].text;
-        for (int k = 0; needed[i] && r->statement->prove != NULL && k < length_of(r->statement->prove); k++)
-            if (is_number_of(name, scalar(key_of(r->document, r->statement->prove, k))))
+        for (int k = 0; needed[i] && r->statement->prove != NULL && k < r->statement->prove->count; k++)
+            if (is_number_of(name, r->statement->prove->items[k].key))
                 uses |= UWORD(1) << k;
         for (int k = 0; needed[i] && r->at != NULL && k < r->at->count; k++)
             if (strcmp(r->at->list[k].name, name) == 0)
@@ -181,7 +160,7 @@ static ulong uses_of(const struct reading *r, const struct program *p, int node)
     return uses;
 }
 
-static bool read_formula_text(struct reading *r, struct formula *f, const yaml_node_t *node, const char *text, size_t shift)
+static bool read_formula_text(struct reading *r, struct formula *f, const struct yaml *node, const char *text, size_t shift)
 {
     struct parsing one;
     parsing_open(&one, r);
@@ -191,42 +170,41 @@ static bool read_formula_text(struct reading *r, struct formula *f, const yaml_n
     return one.fine;
 }
 
-static bool read_scalar_formula(struct reading *r, struct formula *f, const yaml_node_t *node)
+static bool read_scalar_formula(struct reading *r, struct formula *f, const struct yaml *node)
 {
-    if (scalar(node) == NULL)
+    if (node->text == NULL)
         return refuse(r, node, "expected a formula");
-    return read_formula_text(r, f, node, scalar(node), 0);
+    return read_formula_text(r, f, node, node->text, 0);
 }
 
 /* ---- values ---- */
 
 /* One `name: value +- uncertainty`; its formulas may use the values before it. */
-static bool read_value(struct reading *r, struct value *v, const yaml_node_t *key, const yaml_node_t *text)
+static bool read_value(struct reading *r, struct value *v, const struct yaml *text)
 {
-    *v = (struct value){.name = scalar(key)};
-    const char *sign = scalar(text) != NULL ? strstr(scalar(text), "+-") : NULL;
+    *v = (struct value){.name = text->key};
+    const char *sign = text->text != NULL ? strstr(text->text, "+-") : NULL;
     v->uncertain = sign != NULL;
     if (sign == NULL)
         return read_scalar_formula(r, &v->formula, text);
-    const size_t length = (size_t)(sign - scalar(text));
-    return read_formula_text(r, &v->formula, text, keep(r->all, scalar(text), length), 0) &&
+    const size_t length = (size_t)(sign - text->text);
+    return read_formula_text(r, &v->formula, text, keep(r->all, text->text, length), 0) &&
            read_formula_text(r, &v->radius, text, sign + 2, length + 2);
 }
 
 /* `at` of the entry, then those of `given` that it does not name. */
 static bool read_values(struct reading *r, struct values *at)
 {
-    const yaml_node_t *const both[] = {own(r, "at"), shared(r, "at")};
+    const struct yaml *const both[] = {own(r, "at"), under(r->statement->given, "at")};
     r->at = at;
     for (int k = 0; k < 2; k++) {
-        if (both[k] != NULL && !is_mapping(r->document, both[k], NULL))
+        if (both[k] != NULL && !is_map(both[k]))
             return false;
-        for (int i = 0; both[k] != NULL && i < length_of(both[k]); i++) {
-            const yaml_node_t *key = key_of(r->document, both[k], i);
-            if (k == 1 && both[0] != NULL && child(r->document, both[0], scalar(key)) != NULL)
+        for (int i = 0; both[k] != NULL && i < both[k]->count; i++) {
+            if (k == 1 && under(both[0], both[1]->items[i].key) != NULL)
                 continue;
             struct value v;
-            const bool fine = read_value(r, &v, key, value_of(r->document, both[k], i));
+            const bool fine = read_value(r, &v, &both[k]->items[i]);
             at->list = xrealloc(at->list, (size_t)at->count + 1, sizeof *at->list);
             at->list[at->count++] = v;
             if (!fine)
@@ -237,14 +215,14 @@ static bool read_values(struct reading *r, struct values *at)
 }
 
 /* A list of formulas; its length, or -1 after a complaint */
-static int read_range(struct reading *r, const yaml_node_t *list, struct formula *f, int most)
+static int read_range(struct reading *r, const struct yaml *list, struct formula *f, int most)
 {
-    if (!is_list(r->document, list, most))
+    if (!is_texts(list, most))
         return -1;
-    for (int i = 0; i < length_of(list); i++)
-        if (!read_scalar_formula(r, &f[i], item_of(r->document, list, i)))
+    for (int i = 0; i < list->count; i++)
+        if (!read_scalar_formula(r, &f[i], &list->items[i]))
             return -1;
-    return length_of(list);
+    return list->count;
 }
 
 /* ---- assertions ---- */
@@ -269,9 +247,9 @@ static const char *find_ordering(const char *text, enum ordering *ordering, size
 }
 
 /* left - right of a relation in a scalar, `sign` between them. */
-static bool read_difference(struct reading *r, struct assertion *a, const yaml_node_t *node, const char *sign, size_t length)
+static bool read_difference(struct reading *r, struct assertion *a, const struct yaml *node, const char *sign, size_t length)
 {
-    const char *text = scalar(node), *left = keep(r->all, text, (size_t)(sign - text));
+    const char *text = node->text, *left = keep(r->all, text, (size_t)(sign - text));
     struct parsing f;
     parsing_open(&f, r);
     const int one = parsing_add(&f, node, left, 0), other = parsing_add(&f, node, sign + length, (size_t)(sign - text) + length);
@@ -283,13 +261,13 @@ static bool read_difference(struct reading *r, struct assertion *a, const yaml_n
 }
 
 /* An equality for all values, or a list of them. */
-static bool read_identity(struct reading *r, struct assertion *a, const yaml_node_t *node)
+static bool read_identity(struct reading *r, struct assertion *a, const struct yaml *node)
 {
     struct parsing f;
     parsing_open(&f, r);
-    const int count = scalar(node) != NULL ? 1 : length_of(node);
+    const int count = node->text != NULL ? 1 : node->count;
     for (int i = 0; i < count && f.fine; i++)
-        f.fine = identities_show(&f.identities, &f.scope, scalar(node) != NULL ? node : item_of(r->document, node, i));
+        f.fine = identities_show(&f.identities, &f.scope, node->text != NULL ? node : &node->items[i]);
     f.fine = f.fine && identities_close(&f.identities, &f.scope);
     a->everywhere = true;
     a->identity = f.identities;
@@ -309,57 +287,57 @@ static bool same_text(const char *a, const char *a_end, const char *b)
     }
 }
 
-static bool read_show(struct reading *r, struct assertion *a, const yaml_node_t *show)
+static bool read_show(struct reading *r, struct assertion *a, const struct yaml *show)
 {
     size_t length;
-    const char *sign = scalar(show) != NULL ? find_ordering(scalar(show), &a->ordering, &length) : NULL;
+    const char *sign = show->text != NULL ? find_ordering(show->text, &a->ordering, &length) : NULL;
     const bool somewhere = own(r, "at") != NULL || own(r, "for") != NULL;
-    if (show->type == YAML_SEQUENCE_NODE)
-        return is_list(r->document, show, MOST_SHOWN) && read_identity(r, a, show);
+    if (show->text == NULL && !show->mapping)
+        return is_texts(show, MOST_SHOWN) && read_identity(r, a, show);
     if (sign == NULL)
         return refuse(r, show, "expected left = right, or another sign of < > <= >= != between them");
-    if (same_text(scalar(show), sign, sign + length))
+    if (same_text(show->text, sign, sign + length))
         return refuse(r, show, "both sides are the same, expected what could be otherwise");
     return a->ordering == IS_EQUAL && !somewhere ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
 }
 
 /* What rests on no formula of the sheet, and says so. */
-static bool read_algebra(struct reading *r, struct assertion *a, const yaml_node_t *value)
+static bool read_algebra(struct reading *r, struct assertion *a, const struct yaml *value)
 {
     a->algebra = true;
     return read_show(r, a, value) && (a->everywhere || refuse(r, value, "expected equalities for all values"));
 }
 
-static bool read_count(struct reading *r, const yaml_node_t *node, long *count)
+static bool read_count(struct reading *r, const struct yaml *node, long *count)
 {
     char *end = NULL;
-    *count = node != NULL && scalar(node) != NULL ? strtol(scalar(node), &end, 10) : -1;
+    *count = node != NULL && node->text != NULL ? strtol(node->text, &end, 10) : -1;
     return (end != NULL && *end == '\0' && *count >= 0) || refuse(r, node, "expected a count: 0, 1, 2 ...");
 }
 
 /* Of the unknown that `of` names. */
-static bool read_polynomial(struct reading *r, struct assertion *a, const yaml_node_t *value)
+static bool read_polynomial(struct reading *r, struct assertion *a, const struct yaml *value)
 {
-    const yaml_node_t *of = own(r, "of");
-    a->variable = of != NULL ? scalar(of) : NULL;
+    const struct yaml *of = own(r, "of");
+    a->variable = of != NULL ? of->text : NULL;
     if (a->variable == NULL || a->variable[0] == '\0')
         return refuse(r, of, "missing of, expected the name of the unknown");
     return read_scalar_formula(r, &a->formula, value);
 }
 
-static bool read_root(struct reading *r, struct assertion *a, const yaml_node_t *value)
+static bool read_root(struct reading *r, struct assertion *a, const struct yaml *value)
 {
-    const yaml_node_t *in = own(r, "in");
+    const struct yaml *in = own(r, "in");
     if (!read_polynomial(r, a, value))
         return false;
-    if (in == NULL || in->type != YAML_SEQUENCE_NODE || length_of(in) != 2)
+    if (in == NULL || in->mapping || in->count != 2)
         return refuse(r, in, "expected in: [low, high]");
-    return read_scalar_formula(r, &a->low, item_of(r->document, in, 0)) && read_scalar_formula(r, &a->high, item_of(r->document, in, 1));
+    return read_scalar_formula(r, &a->low, &in->items[0]) && read_scalar_formula(r, &a->high, &in->items[1]);
 }
 
-static bool read_roots(struct reading *r, struct assertion *a, const yaml_node_t *value)
+static bool read_roots(struct reading *r, struct assertion *a, const struct yaml *value)
 {
-    const yaml_node_t *above = own(r, "above"), *below = own(r, "below");
+    const struct yaml *above = own(r, "above"), *below = own(r, "below");
     a->has_low = above != NULL;
     a->has_high = below != NULL;
     return read_polynomial(r, a, value) && (above == NULL || read_scalar_formula(r, &a->low, above)) &&
@@ -367,37 +345,36 @@ static bool read_roots(struct reading *r, struct assertion *a, const yaml_node_t
 }
 
 /* One state, its rate, and where it is to be taken. */
-static bool read_state(struct reading *r, struct parsing *f, struct linear_system *l, const yaml_node_t *state, const yaml_node_t *rate)
+static bool read_state(struct reading *r, struct parsing *f, struct linear_system *l, const struct yaml *rate)
 {
-    const yaml_node_t *about = given(r, "about"), *place = about != NULL ? child(r->document, about, scalar(state)) : NULL;
-    l->states[l->size] = program_find(&f->identities.program, scalar(state));
+    const struct yaml *about = given(r, "about"), *place = under(about, rate->key);
+    l->states[l->size] = program_find(&f->identities.program, rate->key);
     if (l->states[l->size] < 0)
-        return parse_error(r->document, state, 0, "unknown symbol '%s', expected a quantity or a free name", scalar(state));
-    if (scalar(rate) == NULL || (place != NULL && scalar(place) == NULL))
+        return node_error(rate, AT_KEY, "unknown symbol '%s', expected a quantity or a free name", rate->key);
+    if (rate->text == NULL || (place != NULL && place->text == NULL))
         return refuse(r, rate, "expected a formula");
-    l->rates[l->size] = parsing_add(f, rate, scalar(rate), 0);
-    l->about[l->size] = place != NULL ? parsing_add(f, place, scalar(place), 0) : -1;
+    l->rates[l->size] = parsing_add(f, rate, rate->text, 0);
+    l->about[l->size] = place != NULL ? parsing_add(f, place, place->text, 0) : -1;
     return f->fine;
 }
 
 /* `system` and `about`, in one program. */
 static bool read_system(struct reading *r, struct assertion *a)
 {
-    const yaml_node_t *system = given(r, "system"), *about = given(r, "about"), *control = own(r, "control"), *observe = own(r, "observe");
+    const struct yaml *system = given(r, "system"), *about = given(r, "about"), *control = own(r, "control"), *observe = own(r, "observe");
     struct linear_system *l = &a->system;
     struct parsing f;
-    if (system == NULL || !is_mapping(r->document, system, NULL) || length_of(system) > 12 || (about != NULL && !is_mapping(r->document, about, NULL)))
+    if (system == NULL || !is_map(system) || system->count > 12 || (about != NULL && !is_map(about)))
         return refuse(r, system, "expected a system, {state: its rate, ...} of at most 12 states");
     parsing_open(&f, r);
     l->observe = -1;
-    for (int i = 0; f.fine && i < length_of(system); i++) {
-        const yaml_node_t *state = key_of(r->document, system, i);
-        f.fine = read_state(r, &f, l, state, value_of(r->document, system, i));
-        if (observe != NULL && scalar(observe) != NULL && strcmp(scalar(observe), scalar(state)) == 0)
+    for (int i = 0; f.fine && i < system->count; i++) {
+        f.fine = read_state(r, &f, l, &system->items[i]);
+        if (observe != NULL && observe->text != NULL && strcmp(observe->text, system->items[i].key) == 0)
             l->observe = i;
         l->size = i + 1;
     }
-    l->control = control != NULL && scalar(control) != NULL ? program_find(&f.identities.program, scalar(control)) : -1;
+    l->control = control != NULL && control->text != NULL ? program_find(&f.identities.program, control->text) : -1;
     if (!parsing_close(&f, &l->program))
         return false;
     if ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0))
@@ -407,28 +384,28 @@ static bool read_system(struct reading *r, struct assertion *a)
     return true;
 }
 
-static bool read_characteristic(struct reading *r, struct assertion *a, const yaml_node_t *value)
+static bool read_characteristic(struct reading *r, struct assertion *a, const struct yaml *value)
 {
     return read_polynomial(r, a, value) && read_system(r, a);
 }
 
-static bool read_rank(struct reading *r, struct assertion *a, const yaml_node_t *value)
+static bool read_rank(struct reading *r, struct assertion *a, const struct yaml *value)
 {
     return read_count(r, value, &a->count) && read_system(r, a);
 }
 
 /* One id, or a list of them, each of which is known. */
-static bool read_cited(struct reading *r, struct assertion *a, const yaml_node_t *value, bool (*known)(const struct reading *r, const char *id),
+static bool read_cited(struct reading *r, struct assertion *a, const struct yaml *value, bool (*known)(const struct reading *r, const char *id),
                        const char *expected)
 {
-    const bool one = value->type != YAML_SEQUENCE_NODE;
-    if (!one && !is_list(r->document, value, MOST_CITED))
+    const bool one = value->text != NULL || value->mapping;
+    if (!one && !is_texts(value, MOST_CITED))
         return false;
-    for (int i = 0; i < (one ? 1 : length_of(value)); i++) {
-        const yaml_node_t *node = one ? value : item_of(r->document, value, i);
-        if (scalar(node) == NULL || !known(r, scalar(node)))
+    for (int i = 0; i < (one ? 1 : value->count); i++) {
+        const struct yaml *node = one ? value : &value->items[i];
+        if (node->text == NULL || !known(r, node->text))
             return refuse(r, node, expected);
-        a->cited[i] = scalar(node);
+        a->cited[i] = node->text;
     }
     return true;
 }
@@ -448,26 +425,26 @@ static bool stands_before(const struct reading *r, const char *id)
     return cited != NULL && cited != r->statement;
 }
 
-static bool read_step(struct reading *r, struct assertion *a, const yaml_node_t *value)
+static bool read_step(struct reading *r, struct assertion *a, const struct yaml *value)
 {
     return read_cited(r, a, value, is_step, "expected a step of derivations.yaml");
 }
 
-static bool read_claim(struct reading *r, struct assertion *a, const yaml_node_t *value)
+static bool read_claim(struct reading *r, struct assertion *a, const struct yaml *value)
 {
     return read_cited(r, a, value, stands_before, "expected a claim that stands before");
 }
 
-static bool read_compute(struct reading *r, struct assertion *a, const yaml_node_t *value)
+static bool read_compute(struct reading *r, struct assertion *a, const struct yaml *value)
 {
-    a->computed = scalar(value) != NULL ? computed_find(&r->all->computed, scalar(value)) : NULL;
+    a->computed = value->text != NULL ? computed_find(&r->all->computed, value->text) : NULL;
     return a->computed != NULL || refuse(r, value, "unknown computation, expected one of verify/claims/claims_*.c");
 }
 
 static const struct form {
     const char *key;
     enum assertion_kind kind;
-    bool (*read)(struct reading *r, struct assertion *a, const yaml_node_t *value);
+    bool (*read)(struct reading *r, struct assertion *a, const struct yaml *value);
 } forms[] = {{"show", ASSERT_SHOW, read_show},       {"algebra", ASSERT_SHOW, read_algebra}, {"root", ASSERT_ROOT, read_root},
              {"roots", ASSERT_ROOTS, read_roots},    {"characteristic", ASSERT_CHARACTERISTIC, read_characteristic},
              {"rank", ASSERT_RANK, read_rank},       {"step", ASSERT_STEP, read_step},
@@ -478,17 +455,17 @@ enum { FORMS = sizeof forms / sizeof *forms };
 /* for: {name: [value, ...], ...}, lists of one length */
 static bool read_turns(struct reading *r, struct assertion *a)
 {
-    const yaml_node_t *each = own(r, "for");
+    const struct yaml *each = own(r, "for");
     if (each == NULL)
         return true;
-    if (!is_mapping(r->document, each, NULL) || length_of(each) > MOST_EACH)
-        return parse_error(r->document, each, 0, "expected for: {name: [value, ...]} of at most %d names", MOST_EACH);
-    for (int i = 0; i < length_of(each); i++) {
-        const yaml_node_t *list = value_of(r->document, each, i);
+    if (!is_map(each) || each->count > MOST_EACH)
+        return node_error(each, 0, "expected for: {name: [value, ...]} of at most %d names", MOST_EACH);
+    for (int i = 0; i < each->count; i++) {
+        const struct yaml *list = &each->items[i];
         const int count = read_range(r, list, a->each_of[i], MOST_TURNS);
-        a->each[a->each_names++] = scalar(key_of(r->document, each, i));
+        a->each[a->each_names++] = each->items[i].key;
         if (count <= 0 || (i > 0 && count != a->turns))
-            return count < 0 ? false : parse_error(r->document, list, 0, "expected lists of one length, of at most %d values", MOST_TURNS);
+            return count < 0 ? false : node_error(list, 0, "expected lists of one length, of at most %d values", MOST_TURNS);
         a->turns = count;
     }
     return true;
@@ -497,38 +474,41 @@ static bool read_turns(struct reading *r, struct assertion *a)
 /* on: {name: [low, high]} */
 static bool read_interval(struct reading *r, struct assertion *a)
 {
-    const yaml_node_t *on = own(r, "on");
+    const struct yaml *on = own(r, "on");
     struct formula bounds[2];
     memset(bounds, 0, sizeof bounds);
     if (on == NULL)
         return true;
-    if (!is_mapping(r->document, on, NULL) || length_of(on) != 1)
+    if (!is_map(on) || on->count != 1)
         return refuse(r, on, "expected on: {name: [low, high]}");
-    const int count = read_range(r, value_of(r->document, on, 0), bounds, 2);
+    const int count = read_range(r, &on->items[0], bounds, 2);
     a->low = bounds[0];
     a->high = bounds[1];
-    a->variable = scalar(key_of(r->document, on, 0));
+    a->variable = on->items[0].key;
     return count == 2 || (count >= 0 && refuse(r, on, "expected on: {name: [low, high]}"));
 }
 
-/* The keys of an entry of `prove`; from CONTEXT on those of `given`, too. */
-enum { CONTEXT = 18 };
-static const char *const entry_keys[] = {"show", "algebra", "root", "roots", "characteristic", "rank", "step", "claim", "compute", "of", "in", "on", "for",
-                                         "above", "below", "count", "control", "observe", "angles", "positive", "free", "small", "order",
-                                         "rates", "let", "square roots", "not negative", "at", "system", "about", NULL};
+/* The keys of `given`, and the further ones of an entry of `prove`. */
+#define GIVEN_FIELDS IDENTITIES_FIELDS, {.key = "let"}, {.key = "at"}, {.key = "system"}, {.key = "about"}
+
+static const struct field given_fields[] = {GIVEN_FIELDS, {.key = NULL}};
+static const struct field entry_fields[] = {
+    {.key = "show"}, {.key = "algebra"}, {.key = "root"}, {.key = "roots"}, {.key = "characteristic"}, {.key = "rank"}, {.key = "step"},
+    {.key = "claim"}, {.key = "compute"}, {.key = "of"}, {.key = "in"}, {.key = "on"}, {.key = "for"}, {.key = "above"},
+    {.key = "below"}, {.key = "count"}, {.key = "control"}, {.key = "observe"}, GIVEN_FIELDS, {.key = NULL}};
 
 static bool read_assertion(struct reading *r, struct assertion *a)
 {
-    r->entry = a->node->type == YAML_MAPPING_NODE ? a->node : NULL;
+    r->entry = a->node->mapping ? a->node : NULL;
     r->at = NULL;
     if (!read_values(r, &a->at))
         return false;
     if (r->entry == NULL)
         return read_show(r, a, a->node);
-    if (!is_mapping(r->document, r->entry, entry_keys) || !read_turns(r, a) || !read_interval(r, a)) /* before the formulas that use them */
+    if (!fields_read(r->entry, entry_fields, a) || !read_turns(r, a) || !read_interval(r, a)) /* before the formulas that use them */
         return false;
     for (int i = 0; i < FORMS; i++) {
-        const yaml_node_t *value = child(r->document, a->node, forms[i].key);
+        const struct yaml *value = under(a->node, forms[i].key);
         a->kind = forms[i].kind;
         if (value != NULL)
             return forms[i].read(r, a, value);
@@ -537,32 +517,30 @@ static bool read_assertion(struct reading *r, struct assertion *a)
 }
 
 /* What it takes numbers of stands before it. */
-static bool read_uses(struct reading *r, struct assertion *a, int index)
+static bool read_uses(struct assertion *a, int index)
 {
     a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
     for (int k = 0; k < a->each_names * MOST_TURNS; k++)
         a->uses |= a->each_of[k / MOST_TURNS][k % MOST_TURNS].uses;
     if (a->kind == ASSERT_ROOT && strcmp(a->variable, a->name) == 0)
         a->uses &= ~(UWORD(1) << index); /* the unknown itself */
-    return a->uses >> index == 0 || parse_error(r->document, a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
+    return a->uses >> index == 0 || node_error(a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
 }
 
-static bool read_prove(struct reading *r, const yaml_node_t *prove)
+static bool read_prove(struct reading *r, const struct yaml *prove)
 {
     struct statement *s = r->statement;
     if (prove == NULL)
         return true;
-    if (!is_mapping(r->document, prove, NULL))
-        return false;
-    if (length_of(prove) > MOST_ASSERTIONS)
-        return parse_error(r->document, prove, 0, "expected at most %d assertions", MOST_ASSERTIONS);
-    s->assertions = xrealloc(NULL, (size_t)length_of(prove), sizeof *s->assertions);
-    memset(s->assertions, 0, (size_t)length_of(prove) * sizeof *s->assertions);
-    for (int i = 0; i < length_of(prove); i++) {
+    if (prove->count > MOST_ASSERTIONS)
+        return node_error(prove, 0, "expected at most %d assertions", MOST_ASSERTIONS);
+    s->assertions = xrealloc(NULL, (size_t)prove->count, sizeof *s->assertions);
+    memset(s->assertions, 0, (size_t)prove->count * sizeof *s->assertions);
+    for (int i = 0; i < prove->count; i++) {
         struct assertion *a = &s->assertions[s->assertion_count++];
-        a->name = scalar(key_of(r->document, prove, i));
-        a->node = value_of(r->document, prove, i);
-        if (!read_assertion(r, a) || !read_uses(r, a, i))
+        a->name = prove->items[i].key;
+        a->node = &prove->items[i];
+        if (!read_assertion(r, a) || !read_uses(a, i))
             return false;
     }
     return true;
@@ -571,25 +549,25 @@ static bool read_prove(struct reading *r, const yaml_node_t *prove)
 /* ---- verdicts ---- */
 
 /* Without a condition: all that is to be proved. */
-static bool read_verdict(struct reading *r, const yaml_node_t *key, const yaml_node_t *condition)
+static bool read_verdict(struct reading *r, const char *verdict, const struct yaml *at, size_t offset, const struct yaml *condition)
 {
     struct statement *s = r->statement;
     struct message why;
     size_t where;
     int v = HOLDS;
-    while (v <= NOT_DECIDABLE && (scalar(key) == NULL || strcmp(verdict_names[v], scalar(key)) != 0))
+    while (v <= NOT_DECIDABLE && strcmp(verdict_names[v], verdict) != 0)
         v++;
     if (v > NOT_DECIDABLE || s->verdict_count == MOST_VERDICTS)
-        return refuse(r, key, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
+        return node_error(at, offset, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
     struct verdict_condition *c = &s->conditions[s->verdict_count];
     s->verdicts[s->verdict_count++] = (enum verdict)v;
     for (int i = 0; condition == NULL && i < s->assertion_count; i++)
         c->wanted[i] = s->assertions[i].kind != ASSERT_COMPUTE;
     if (condition == NULL)
-        return s->assertion_count > 0 || v == NOT_DECIDABLE || refuse(r, key, "expected something to prove; only 'not decidable' needs nothing");
-    if (scalar(condition) == NULL)
+        return s->assertion_count > 0 || v == NOT_DECIDABLE || node_error(at, offset, "expected something to prove; only 'not decidable' needs nothing");
+    if (condition->text == NULL)
         return refuse(r, condition, "expected a condition, names of prove");
-    return condition_read(c, s, scalar(condition), &where, &why) || parse_error(r->document, condition, where, "%s", why.text);
+    return condition_read(c, s, condition->text, &where, &why) || node_error(condition, where, "%s", why.text);
 }
 
 /* Every assertion serves: a condition names it, a number of the evidence or another assertion is made of it. */
@@ -606,20 +584,18 @@ static bool all_serve(struct reading *r)
     }
     for (int i = 0; i < s->assertion_count; i++)
         if ((used >> i & 1) == 0)
-            return parse_error(r->document, s->assertions[i].node, 0, "'%s' serves no verdict and no number", s->assertions[i].name);
+            return node_error(s->assertions[i].node, 0, "'%s' serves no verdict and no number", s->assertions[i].name);
     return true;
 }
 
-static bool read_verdicts(struct reading *r, const yaml_node_t *node)
+static bool read_verdicts(struct reading *r, const struct yaml *node)
 {
-    if (node == NULL)
-        return refuse(r, r->entry, "missing verdict");
-    if (scalar(node) != NULL)
-        return read_verdict(r, node, NULL) && all_serve(r);
-    if (!is_mapping(r->document, node, NULL) || length_of(node) == 0)
+    if (node->text != NULL)
+        return read_verdict(r, node->text, node, 0, NULL) && all_serve(r);
+    if (!is_map(node) || node->count == 0)
         return refuse(r, node, "expected verdict: {holds: condition, ...}");
-    for (int i = 0; i < length_of(node); i++)
-        if (!read_verdict(r, key_of(r->document, node, i), value_of(r->document, node, i)))
+    for (int i = 0; i < node->count; i++)
+        if (!read_verdict(r, node->items[i].key, &node->items[i], AT_KEY, &node->items[i]))
             return false;
     return all_serve(r);
 }
@@ -628,7 +604,7 @@ static bool read_verdicts(struct reading *r, const yaml_node_t *node)
 
 struct quoting {
     struct reading *reading;
-    const yaml_node_t *node;
+    const struct yaml *node;
     bool fine;
 };
 
@@ -684,47 +660,44 @@ static void take_number(void *context, const char *at, size_t length)
     n->text = keep_trimmed(r->all, at, bar != NULL ? bar : at);
     n->unit = last != NULL ? keep_trimmed(r->all, last + 1, end) : NULL;
     if (bar == NULL || !read_rounding(keep_trimmed(r->all, bar + 1, last != NULL ? last : end), n))
-        q->fine = parse_error(r->document, q->node, start + (bar != NULL ? (size_t)(bar - at) + 1 : 0),
-                          "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
+        q->fine = node_error(q->node, start + (bar != NULL ? (size_t)(bar - at) + 1 : 0),
+                             "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
     else
         q->fine = read_formula_text(r, &n->formula, q->node, n->text, start + strspn(at, " "));
 }
 
-static bool read_marks(struct reading *r, const yaml_node_t *node, bool numbers)
+static bool read_marks(struct reading *r, const struct yaml *node, bool numbers)
 {
     struct quoting quoting = {r, node, true};
     const struct marked_parts parts = {&quoting, pass, pass, numbers ? take_number : NULL};
     struct message why;
     size_t where;
-    if (!marked_read(scalar(node), &parts, &where, &why))
-        return quoting.fine && parse_error(r->document, node, where, "%s", why.text);
+    if (!marked_read(node->text, &parts, &where, &why))
+        return quoting.fine && node_error(node, where, "%s", why.text);
     return quoting.fine;
 }
 
 /* ---- statements ---- */
 
-static bool read_words(struct reading *r, const char *key, bool required, const char **text)
-{
-    const yaml_node_t *node = own(r, key);
-    *text = node != NULL ? scalar(node) : NULL;
-    if (node == NULL ? required : *text == NULL || **text == '\0')
-        return parse_error(r->document, node ? node : r->entry, 0, "missing %s, expected a text", key);
-    return node == NULL || strcmp(key, "evidence") == 0 || read_marks(r, node, false);
-}
+struct written_statement {
+    struct statement s;
+    int kind;
+};
 
-static bool read_texts(struct reading *r, struct statement *s)
-{
-    static const char *const kinds[] = {"statement", "implied", "misprint", "number", "beyond"};
-    s->kind = kinds[0];
-    bool known = own(r, "kind") == NULL;
-    if (!read_words(r, "where", true, &s->where) || (!known && !read_words(r, "kind", true, &s->kind)))
-        return false;
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        known = known || (s->kind != NULL && strcmp(s->kind, kinds[i]) == 0);
-    if (!known)
-        return refuse(r, own(r, "kind"), "expected a kind: statement, implied, misprint, number or beyond");
-    return read_words(r, "claim", true, &s->claim) && read_words(r, "why", false, &s->why) && read_words(r, "evidence", true, &s->evidence);
-}
+static const char *const kinds[] = {"statement", "implied", "misprint", "number", "beyond", NULL};
+
+static const struct field statement_fields[] = {
+    FIELD("where", struct written_statement, s.where, FIELD_TEXT, .expected = "a text"),
+    FIELD("kind", struct written_statement, kind, FIELD_WORD, .words = kinds),
+    FIELD("claim", struct written_statement, s.claim, FIELD_TEXT, .expected = "a text"),
+    FIELD("why", struct written_statement, s.why, FIELD_TEXT),
+    FIELD("evidence", struct written_statement, s.evidence, FIELD_TEXT, .expected = "a text"),
+    FIELD("equations", struct written_statement, s.equations, FIELD_TEXTS, .most = 8,
+          .count = offsetof(struct written_statement, s.equation_count)),
+    FIELD("given", struct written_statement, s.given, FIELD_NODE),
+    FIELD("prove", struct written_statement, s.prove, FIELD_MAP),
+    FIELD("verdict", struct written_statement, s.verdict, FIELD_NODE, .expected = "{holds: condition, ...}"),
+    {.key = NULL}};
 
 bool has_equation(const struct section *s, const char *equation)
 {
@@ -734,49 +707,40 @@ bool has_equation(const struct section *s, const char *equation)
     return false;
 }
 
-static bool read_equations(struct reading *r, struct statement *s)
+static bool check_equations(const struct sheet *sheet, const struct yaml *list)
 {
-    const yaml_node_t *list = own(r, "equations");
-    if (list == NULL)
-        return true;
-    if (!is_list(r->document, list, 8))
-        return false;
-    for (; s->equation_count < length_of(list); s->equation_count++) {
-        const char *number = scalar(item_of(r->document, list, s->equation_count));
+    for (int k = 0; list != NULL && k < list->count; k++) {
         bool known = false;
-        for (int i = 0; i < r->all->sheet->section_count; i++)
-            known = known || has_equation(&r->all->sheet->sections[i], number);
+        for (int i = 0; i < sheet->section_count; i++)
+            known = known || has_equation(&sheet->sections[i], list->items[k].text);
         if (!known)
-            return parse_error(r->document, item_of(r->document, list, s->equation_count), 0, "unknown '%s', expected an equation number", number);
-        s->equations[s->equation_count] = number;
+            return node_error(&list->items[k], 0, "unknown '%s', expected an equation number", list->items[k].text);
     }
     return true;
 }
 
-static bool read_statement(struct statements *all, const yaml_node_t *key, const yaml_node_t *node)
+static bool read_statement(struct statements *all, const struct yaml *n)
 {
-    static const char *const known[] = {"where", "kind", "claim", "verdict", "why", "given", "prove", "evidence", "equations", NULL};
-    if (!is_mapping(&all->document, node, known))
+    static const char *const marked[] = {"where", "claim", "why"};
+    struct written_statement w = {.s = {.id = n->key}};
+    if (!fields_read(n, statement_fields, &w))
         return false;
     all->list = xrealloc(all->list, (size_t)all->count + 1, sizeof *all->list);
     struct statement *s = &all->list[all->count++];
-    *s = (struct statement){.id = scalar(key)};
-    struct reading r = {.all = all, .document = &all->document, .statement = s, .entry = node};
-    const yaml_node_t *evidence = own(&r, "evidence");
-    s->given = own(&r, "given");
-    s->prove = own(&r, "prove");
-    s->verdict = own(&r, "verdict");
-    if ((s->given != NULL && !is_mapping(&all->document, s->given, entry_keys + CONTEXT)) || !read_texts(&r, s) || !read_equations(&r, s) ||
+    struct reading r = {.all = all, .statement = s, .entry = n};
+    *s = w.s;
+    s->kind = kinds[w.kind];
+    for (int k = 0; k < 3; k++)
+        if (own(&r, marked[k]) != NULL && !read_marks(&r, own(&r, marked[k]), false))
+            return false;
+    if ((s->given != NULL && !fields_read(s->given, given_fields, s)) || !check_equations(all->sheet, own(&r, "equations")) ||
         !read_prove(&r, s->prove))
         return false;
     r.entry = NULL;
-    if (!read_values(&r, &s->at) || !read_marks(&r, evidence, true))
-        return false;
-    r.entry = node;
-    if (!read_verdicts(&r, s->verdict))
+    if (!read_values(&r, &s->at) || !read_marks(&r, under(n, "evidence"), true) || !read_verdicts(&r, s->verdict))
         return false;
     const bool plain = s->verdicts[0] == HOLDS || s->verdicts[0] == DEFINITION;
-    return plain || s->why != NULL || parse_error(&all->document, node, 0, "missing why, of a verdict other than holds and definition");
+    return plain || s->why != NULL || node_error(n, 0, "missing why, of a verdict other than holds and definition");
 }
 
 struct statement *statement_find(const struct statements *s, const char *id)
@@ -790,12 +754,10 @@ struct statement *statement_find(const struct statements *s, const char *id)
 int statements_read(struct statements *s, const struct proof_results *proofs, const struct source *source, struct message *why)
 {
     *s = (struct statements){.sheet = proofs->derivations.sheet, .proofs = proofs, .computed.steps = &proofs->derivations};
-    if (!document_open(&s->document, source->text, source->length, source->name, why))
-        return -1;
-    bool fine = is_mapping(&s->document, document_root(&s->document), NULL);
-    const yaml_node_t *root = document_root(&s->document);
-    for (int i = 0; fine && i < length_of(root); i++)
-        fine = read_statement(s, key_of(&s->document, root, i), value_of(&s->document, root, i));
+    s->tree = tree_open(source->text, source->length, source->name, why);
+    bool fine = s->tree != NULL && is_map(&s->tree->root);
+    for (int i = 0; fine && i < s->tree->root.count; i++)
+        fine = read_statement(s, &s->tree->root.items[i]);
     if (!fine)
         statements_clear(s);
     return fine ? 0 : -1;
@@ -842,6 +804,6 @@ void statements_clear(struct statements *s)
     free(s->texts);
     free(s->list);
     computations_clear(&s->computed);
-    document_close(&s->document);
+    tree_close(s->tree);
     *s = (struct statements){0};
 }

@@ -23,29 +23,27 @@ static const char *derivation_fault(const struct proof_results *p, int i)
 }
 
 /* NAME = VALUE, or NAME LOW ... HIGH: the states that a bound is proved on. */
-static void print_states(FILE *out, const struct document *d, const yaml_node_t *on)
+static void print_states(FILE *out, const struct yaml *on)
 {
-    for (int i = 0; i < length_of(on); i++) {
-        const yaml_node_t *range = value_of(d, on, i);
-        fprintf(out, "%s%s ", i ? ", " : "", scalar(key_of(d, on, i)));
-        if (scalar(range) != NULL)
-            fprintf(out, "= %s", scalar(range));
+    for (int i = 0; i < on->count; i++) {
+        const struct yaml *range = &on->items[i];
+        fprintf(out, "%s%s ", i ? ", " : "", on->items[i].key);
+        if (range->text != NULL)
+            fprintf(out, "= %s", range->text);
         else
-            fprintf(out, "%s ... %s", scalar(item_of(d, range, 0)), scalar(item_of(d, range, 1)));
+            fprintf(out, "%s ... %s", range->items[0].text, range->items[1].text);
     }
 }
 
 /* "BROKEN: file:line:column: " */
-static void print_broken(const struct document *d, const yaml_node_t *at)
+static void print_broken(const struct yaml *at)
 {
     struct message place;
-    struct document document = *d;
-    document.why = &place;
-    parse_error(&document, at, 0, "%s", "");
+    node_message(&place, at, 0, "%s", "");
     printf("BROKEN: %s", place.text);
 }
 
-static void print_remainder(const struct document *d, const struct remainder *r, const struct remainder_proof *proof)
+static void print_remainder(const struct remainder *r, const struct remainder_proof *proof)
 {
     static const char *const states[] = {[REMAINDER_PROVED] = "certified",
                                          [REMAINDER_EXCEEDED] = "it is exceeded",
@@ -53,9 +51,9 @@ static void print_remainder(const struct document *d, const struct remainder *r,
                                          [REMAINDER_UNDECIDED] = "not proved"};
     printf("    (%s) drops at most %s %s: ", r->equation, r->at_most, r->unit);
     if (proof->state != REMAINDER_PROVED)
-        print_broken(d, r->at);
+        print_broken(r->at);
     printf("%s with %d boxes, %d %% of it reached, on ", states[proof->state], proof->boxes, proof->percent);
-    print_states(stdout, d, r->on);
+    print_states(stdout, r->on);
     putchar('\n');
 }
 
@@ -76,7 +74,7 @@ static void print_step(const struct proof_results *p, int i)
     free(domain);
     if (proof->result != IDENTITY_HOLDS) {
         printf("    ");
-        print_broken(&p->derivations.document, proof->at);
+        print_broken(proof->at);
         puts(proof->evidence);
     }
     if (derivation_fault(p, i) != NULL)
@@ -86,11 +84,11 @@ static void print_step(const struct proof_results *p, int i)
     } else if (s->differs) {
         const struct proof *printed = &p->printed[i];
         printf("    ");
-        print_broken(&p->derivations.document, printed->at ? printed->at : child(&p->derivations.document, s->node, "printed"));
+        print_broken(printed->at ? printed->at : under(s->node, "printed"));
         printf("expected to differ as printed: %s\n", printed->evidence ? printed->evidence : "it holds");
     }
     for (int k = 0; k < s->remainder_count; k++)
-        print_remainder(&p->derivations.document, &s->remainders[k], &p->remainders[i][k]);
+        print_remainder(&s->remainders[k], &p->remainders[i][k]);
 }
 
 /* The steps from first to end. */
@@ -147,7 +145,7 @@ static void json_variables(struct json *j, const char *key, const struct identit
 }
 
 /* All that the step's equations drop, as one text. */
-static void json_dropped(struct json *j, const struct document *d, const struct step *s)
+static void json_dropped(struct json *j, const struct step *s)
 {
     char *text = NULL;
     size_t size;
@@ -157,7 +155,7 @@ static void json_dropped(struct json *j, const struct document *d, const struct 
     for (int k = 0; k < s->remainder_count; k++) {
         const struct remainder *r = &s->remainders[k];
         fprintf(out, "%s(%s) drops at most %s %s for ", k > 0 ? "; " : "", r->equation, r->at_most, r->unit);
-        print_states(out, d, r->on);
+        print_states(out, r->on);
     }
     if (fclose(out) != 0)
         out_of_memory();
@@ -182,10 +180,10 @@ static void json_step(struct json *j, const struct proof_results *p, int i)
     json_string(j, "where", s->where);
     json_string(j, "unbound", derivation_fault(p, i));
     free(domain);
-    json_dropped(j, &p->derivations.document, s);
+    json_dropped(j, s);
     json_open(j, "let", '{');
-    for (int k = 0; s->let != NULL && k < length_of(s->let); k++)
-        json_string(j, scalar(key_of(&p->derivations.document, s->let, k)), scalar(value_of(&p->derivations.document, s->let, k)));
+    for (int k = 0; s->let != NULL && k < s->let->count; k++)
+        json_string(j, s->let->items[k].key, s->let->items[k].text);
     json_close(j);
     json_identities(j, "step", &s->corrected, &p->corrected[i]);
     if (s->differs)

@@ -367,22 +367,20 @@ static bool tells(struct table *x, struct target target)
     return broken > 0;
 }
 
-static bool refuse(const struct table *table, const yaml_node_t *at, const char *format, ...)
+static bool refuse(const struct table *table, const struct yaml *at, size_t offset, const char *format, ...)
 {
-    struct document document = table->d->document;
     char text[300];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    document.why = &table->b->fault;
-    return parse_error(&document, at, 0, "step %s: %s", table->s->id, text);
+    node_message(&table->b->fault, at, offset, "step %s: %s", table->s->id, text);
+    return false;
 }
 
-static const yaml_node_t *item(const struct table *table, const char *key, int i)
+static const struct yaml *item(const struct table *table, const char *key, int i)
 {
-    const struct document *document = &table->d->document;
-    return item_of(document, child(document, table->s->node, key), i);
+    return &under(table->s->node, key)->items[i];
 }
 
 /* ---- no equality holds for any formulas ---- */
@@ -396,7 +394,7 @@ static bool no_tautology(struct table *table)
     for (int i = 0; i < table->t.shown_count && empty == NULL; i++)
         empty = equal_still(table, table->t.shown[i].left, table->t.shown[i].right) ? &table->t.shown[i] : NULL;
     restore(table);
-    return empty == NULL || refuse(table, empty->at, "%s holds whatever the formulas are: it shows nothing", empty->text);
+    return empty == NULL || refuse(table, empty->at, 0, "%s holds whatever the formulas are: it shows nothing", empty->text);
 }
 
 /* ---- from ---- */
@@ -404,22 +402,22 @@ static bool no_tautology(struct table *table)
 static bool all_used(struct table *table)
 {
     if (table->s->from_count == 0)
-        return refuse(table, table->s->node, "expected an equation or a principle in 'from'");
+        return refuse(table, table->s->node, 0, "expected an equation or a principle in 'from'");
     for (int i = 0; i < table->s->from_count; i++)
         if (!tells(table, (struct target){.change = CHANGE_ANY, .entry = table->s->from[i]}))
-            return refuse(table, item(table, "from", i), "'%s' is not used: any formula in its place would do", table->s->from[i]);
+            return refuse(table, item(table, "from", i), 0, "'%s' is not used: any formula in its place would do", table->s->from[i]);
     return true;
 }
 
 static bool is_named(const struct table *table, const struct use *u)
 {
     const struct step *s = table->s;
-    const yaml_node_t *also = child(&table->d->document, s->node, "also");
+    const struct yaml *also = under(s->node, "also");
     for (int i = 0; i < s->from_count + s->to_count; i++)
         if (entry_concerns(table->d, i < s->from_count ? s->from[i] : s->to[i - s->from_count], u))
             return true;
-    for (int i = 0; also != NULL && i < length_of(also); i++)
-        if (entry_concerns(table->d, scalar(key_of(&table->d->document, also, i)), u))
+    for (int i = 0; also != NULL && i < also->count; i++)
+        if (entry_concerns(table->d, also->items[i].key, u))
             return true;
     return false;
 }
@@ -430,17 +428,17 @@ static bool nothing_beyond(struct table *table)
     for (int i = 0; i < t->use_count; i++) {
         const struct use *u = &t->uses[i];
         if (!is_named(table, u))
-            return refuse(table, table->s->node, "it rests on %s%s, which neither from nor to names, nor also with a reason",
+            return refuse(table, table->s->node, 0, "it rests on %s%s, which neither from nor to names, nor also with a reason",
                           u->relation ? "a relation of " : "", u->section->id);
     }
-    const yaml_node_t *also = child(&table->d->document, table->s->node, "also");
-    for (int i = 0; also != NULL && i < length_of(also); i++) {
-        const yaml_node_t *key = key_of(&table->d->document, also, i);
+    const struct yaml *also = under(table->s->node, "also");
+    for (int i = 0; also != NULL && i < also->count; i++) {
+        const char *entry = also->items[i].key;
         bool used = false;
         for (int k = 0; k < t->use_count; k++)
-            used = used || entry_concerns(table->d, scalar(key), &t->uses[k]);
+            used = used || entry_concerns(table->d, entry, &t->uses[k]);
         if (!used)
-            return refuse(table, key, "'%s' is not used", scalar(key));
+            return refuse(table, &also->items[i], AT_KEY, "'%s' is not used", entry);
     }
     return true;
 }
@@ -511,7 +509,7 @@ static bool is_general(struct table *table, int to, const struct entry_part *par
         general = t->uses[i].section == part->section && t->uses[i].relation == NULL &&
                   t->uses[i].formulas == &part->section->corrected && t->uses[i].part == part->node &&
                   fills_open_set(t, &t->uses[i]);
-    return general || refuse(table, item(table, "to", to),
+    return general || refuse(table, item(table, "to", to), 0,
                              "%s is shown for some values of its inputs alone, expected free ones, or 'where' to say which",
                              part->name);
 }
@@ -576,7 +574,7 @@ static bool all_changes_tell(struct table *table, int to, const struct program *
                 silent = changes[target.change];
         }
     free(spoken);
-    return silent == NULL || refuse(table, item(table, "to", to), "%s may be altered (%s) and every equality holds still",
+    return silent == NULL || refuse(table, item(table, "to", to), 0, "%s may be altered (%s) and every equality holds still",
                                     target.part->name, silent);
 }
 
@@ -588,7 +586,7 @@ static bool relation_is_bound(struct table *table, int to, const struct entry_pa
         const struct target target = {.change = CHANGE_ANY, .part = part, .side = side};
         const int wanted = relation_program(&p, table->d->sheet, part->relation, side == 1);
         bound = tells(table, target) ||
-                refuse(table, item(table, "to", to), "%s stands in no equality as a whole: a side is not shown", part->name);
+                refuse(table, item(table, "to", to), 0, "%s stands in no equality as a whole: a side is not shown", part->name);
         bound = bound && all_changes_tell(table, to, &p, wanted, target);
         program_clear(&p);
     }
@@ -599,12 +597,12 @@ static bool output_is_bound(struct table *table, int to, const struct entry_part
 {
     const struct program *p = &part->section->corrected.program;
     if (!tells(table, (struct target){.change = CHANGE_ANY, .part = part}))
-        return refuse(table, item(table, "to", to), "%s stands in no equality", part->name);
+        return refuse(table, item(table, "to", to), 0, "%s stands in no equality", part->name);
     if (part->equation == NULL) /* the formula of a property says what is shown, and claims nothing */
         return tells(table, (struct target){.change = CHANGE_RESULT, .part = part}), true;
     if (!tells(table, (struct target){.change = CHANGE_RESULT, .part = part}) &&
         !is_equivalent(p, part->node, CHANGE_RESULT, part->node))
-        return refuse(table, item(table, "to", to), "%s may have the other sign and every equality holds still", part->name);
+        return refuse(table, item(table, "to", to), 0, "%s may have the other sign and every equality holds still", part->name);
     return is_general(table, to, part) && all_changes_tell(table, to, p, part->node, (struct target){.part = part});
 }
 
@@ -616,7 +614,7 @@ static bool is_new(struct table *table, int to, const struct entry_part *part)
         const int count = entry_parts(table->d, table->s->from[i], from);
         for (int k = 0; k < count; k++)
             if (same_part(&from[k], part))
-                return refuse(table, item(table, "to", to), "%s is in from already", part->name);
+                return refuse(table, item(table, "to", to), 0, "%s is in from already", part->name);
     }
     return true;
 }
@@ -624,7 +622,7 @@ static bool is_new(struct table *table, int to, const struct entry_part *part)
 static bool all_shown(struct table *table)
 {
     if (table->s->to_count == 0)
-        return refuse(table, table->s->node, "expected an equation or a property in 'to'");
+        return refuse(table, table->s->node, 0, "expected an equation or a property in 'to'");
     for (int i = 0; i < table->s->to_count; i++) {
         struct entry_part parts[MOST_PARTS];
         const int count = entry_parts(table->d, table->s->to[i], parts);
@@ -669,7 +667,7 @@ static bool all_wanted(struct table *table)
     note_names(table);
     for (int i = 0; i < t->shown_count; i++)
         if (!table->alone[i])
-            return refuse(table, t->shown[i].at, "%s could be left out: nothing in from and to needs it", t->shown[i].text);
+            return refuse(table, t->shown[i].at, 0, "%s could be left out: nothing in from and to needs it", t->shown[i].text);
     return true;
 }
 

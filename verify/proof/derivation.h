@@ -15,7 +15,7 @@ struct step {
     const char *where; /* of special values alone: which; NULL: of all */
     const char *from[MOST_EQUATIONS], *to[MOST_EQUATIONS]; /* see the head of derivations.yaml */
     int from_count, to_count;
-    const yaml_node_t *node, *let;  /* let: NULL, there is none */
+    const struct yaml *node, *let;  /* let: NULL, there is none */
     struct identities corrected, printed;
     bool differs;                   /* `printed` is there, and must not hold */
     struct remainder *remainders;   /* what is dropped, and how large that may be */
@@ -23,7 +23,7 @@ struct step {
 };
 
 struct derivations {
-    struct document document;       /* everything below points into it */
+    struct tree *tree;              /* everything below points into it */
     const struct sheet *sheet;
     struct definitions definitions; /* principles, then properties     */
     struct step *steps;

@@ -6,191 +6,170 @@
 
 /* ---- principles and properties ---- */
 
+struct written_definition {
+    const char *text;
+    const struct yaml *inputs, *let, *outputs;
+};
+
+static const struct field definition_fields[] = {
+    FIELD("text", struct written_definition, text, FIELD_TEXT, .expected = "a text"),
+    FIELD("inputs", struct written_definition, inputs, FIELD_LIST, .expected = "a list of names"),
+    FIELD("let", struct written_definition, let, FIELD_MAP),
+    FIELD("outputs", struct written_definition, outputs, FIELD_MAP, .expected = "{name: formula, ...}"),
+    {.key = NULL}};
+
 /* The names of the mapping's formulas, each appended to the program and named; their nodes, as far as wanted. */
-static bool read_formulas(struct document *d, const yaml_node_t *mapping, struct formulas *f, bool output)
+static bool read_formulas(const struct yaml *mapping, struct formulas *f, bool output)
 {
-    for (int i = 0; mapping != NULL && i < length_of(mapping); i++) {
-        const yaml_node_t *formula = value_of(d, mapping, i);
+    for (int i = 0; mapping != NULL && i < mapping->count; i++) {
+        const struct yaml *formula = &mapping->items[i];
         struct message expected = {""};
         size_t where = 0;
-        if (scalar(formula) == NULL)
-            return parse_error(d, formula, 0, "expected a formula");
+        if (!is_text(formula, "a formula"))
+            return false;
         const int count = f->program.count;
-        int node = program_parse(&f->program, scalar(formula), &where, &expected);
+        const int node = program_parse(&f->program, formula->text, &where, &expected);
         if (node < 0)
-            return parse_error(d, formula, where, "%s", expected.text);
-        node = program_own(&f->program, count, node); /* a name alone, too */
-        program_name(&f->program, node, scalar(key_of(d, mapping, i)));
+            return node_error(formula, where, "%s", expected.text);
+        const int own = program_own(&f->program, count, node);
+        program_name(&f->program, own, formula->key);
         if (output) {
-            f->outputs[i] = node;
-            f->text[i] = scalar(formula);
+            f->outputs[i] = own;
+            f->text[i] = formula->text;
         }
     }
     return true;
 }
 
-static bool read_definition(struct derivations *d, const yaml_node_t *key, const yaml_node_t *node)
+static bool read_definition(struct derivations *d, const struct yaml *n)
 {
-    static const char *const known[] = {"text", "inputs", "let", "outputs", NULL};
-    struct document *document = &d->document;
-    struct section *s = &d->definitions.sections[d->definitions.count];
-    const int most_inputs = sizeof s->inputs / sizeof *s->inputs, most_outputs = sizeof s->outputs / sizeof *s->outputs;
-    *s = (struct section){.sheet = d->sheet, .id = scalar(key), .method = METHOD_FORMULA};
-    if (!is_mapping(document, node, known))
+    struct definitions *all = &d->definitions;
+    struct written_definition w = {NULL};
+    struct section *s = &all->sections[all->count];
+    if (!fields_read(n, definition_fields, &w) || !is_texts(w.inputs, MOST_INPUTS))
         return false;
-    for (int i = 0; known[i] != NULL; i++)
-        if (strcmp(known[i], "let") != 0 && child(document, node, known[i]) == NULL)
-            return parse_error(document, node, 0, "missing %s, expected text, inputs and outputs", known[i]);
-    const yaml_node_t *inputs = child(document, node, "inputs"), *let = child(document, node, "let");
-    const yaml_node_t *outputs = child(document, node, "outputs");
-    s->title = scalar(child(document, node, "text"));
-    if (s->title == NULL)
-        return parse_error(document, child(document, node, "text"), 0, "expected a text");
-    if (!is_list(document, inputs, most_inputs) || (let != NULL && !is_mapping(document, let, NULL)) ||
-        !is_mapping(document, outputs, NULL))
-        return false;
-    if (length_of(outputs) == 0 || length_of(outputs) > most_outputs)
-        return parse_error(document, outputs, 0, "expected from 1 to %d outputs", most_outputs);
-    d->definitions.count++;
+    if (w.outputs->count == 0 || w.outputs->count > MOST_OUTPUTS)
+        return node_error(w.outputs, 0, "expected from 1 to %d outputs", MOST_OUTPUTS);
+    *s = (struct section){.sheet = d->sheet, .id = n->key, .title = w.text, .method = METHOD_FORMULA};
+    all->count++;
     program_init(&s->corrected.program);
-    for (int i = 0; i < length_of(inputs); i++)
-        program_input(&s->corrected.program, scalar(item_of(document, inputs, i)));
-    for (; s->output_count < length_of(outputs); s->output_count++) {
-        struct definitions *all = &d->definitions;
+    for (int i = 0; i < w.inputs->count; i++)
+        program_input(&s->corrected.program, w.inputs->items[i].text);
+    for (; s->output_count < w.outputs->count; s->output_count++) {
         struct quantity *q = xrealloc(NULL, 1, sizeof *q);
         all->outputs = xrealloc(all->outputs, (size_t)all->output_count + 1, sizeof *all->outputs);
         all->outputs[all->output_count++] = q;
-        *q = (struct quantity){.name = scalar(key_of(document, outputs, s->output_count))};
+        *q = (struct quantity){.name = w.outputs->items[s->output_count].key};
         s->outputs[s->output_count] = q;
     }
-    return read_formulas(document, let, &s->corrected, false) && read_formulas(document, outputs, &s->corrected, true);
+    return read_formulas(w.let, &s->corrected, false) && read_formulas(w.outputs, &s->corrected, true);
 }
 
-static bool read_definitions(struct derivations *d, const yaml_node_t *mapping)
+static bool read_definitions(struct derivations *d, const struct yaml *all)
 {
-    if (!is_mapping(&d->document, mapping, NULL))
-        return false;
-    d->definitions.sections = xrealloc(d->definitions.sections, (size_t)d->definitions.count + (size_t)length_of(mapping),
-                                       sizeof *d->definitions.sections);
-    for (int i = 0; i < length_of(mapping); i++)
-        if (!read_definition(d, key_of(&d->document, mapping, i), value_of(&d->document, mapping, i)))
+    d->definitions.sections = xrealloc(d->definitions.sections, (size_t)(d->definitions.count + all->count), sizeof *d->definitions.sections);
+    for (int i = 0; i < all->count; i++)
+        if (!read_definition(d, &all->items[i]))
             return false;
     return true;
 }
 
 /* ---- steps ---- */
 
-/* Equations and properties; for `from`, principles too. Their number, or -1 after a complaint. */
-static int read_ends(struct derivations *d, const yaml_node_t *step, const char *key, const char **ends)
+struct written_step {
+    struct step s;
+    const struct yaml *also, *printed;
+};
+
+static const struct field step_fields[] = {
+    FIELD("title", struct written_step, s.title, FIELD_TEXT, .expected = "a text"),
+    FIELD("note", struct written_step, s.note, FIELD_TEXT),
+    FIELD("where", struct written_step, s.where, FIELD_TEXT),
+    FIELD("from", struct written_step, s.from, FIELD_TEXTS, .most = MOST_EQUATIONS, .count = offsetof(struct written_step, s.from_count),
+          .may_be_empty = true, .expected = "a list of equation numbers"),
+    FIELD("to", struct written_step, s.to, FIELD_TEXTS, .most = MOST_EQUATIONS, .count = offsetof(struct written_step, s.to_count),
+          .may_be_empty = true, .expected = "a list of equation numbers"),
+    FIELD("also", struct written_step, also, FIELD_MAP),
+    FIELD("printed", struct written_step, printed, FIELD_NODE),
+    FIELD("let", struct written_step, s.let, FIELD_MAP),
+    {.key = "remainders"}, {.key = "show"}, IDENTITIES_FIELDS, {.key = NULL}};
+
+/* Of what is printed instead. */
+static const struct field variant_fields[] = {{.key = "let"}, {.key = "square roots"}, {.key = "show"}, {.key = NULL}};
+
+/* Equations and properties; for `from`, principles too. */
+static bool check_ends(const struct derivations *d, const struct yaml *list, bool to)
 {
-    struct document *document = &d->document;
-    const yaml_node_t *list = child(document, step, key);
     struct entry_part parts[MOST_PARTS];
-    if (list == NULL) {
-        parse_error(document, step, 0, "missing %s, expected a list of equation numbers", key);
-        return -1;
-    }
-    if (!is_list(document, list, MOST_EQUATIONS))
-        return -1;
-    for (int i = 0; i < length_of(list); i++) {
-        const yaml_node_t *item = item_of(document, list, i);
-        ends[i] = scalar(item);
+    for (int i = 0; i < list->count; i++) {
+        const struct yaml *end = &list->items[i];
         for (int k = 0; k < i; k++)
-            if (strcmp(ends[k], ends[i]) == 0) {
-                parse_error(document, item, 0, "duplicate '%s', expected each once", ends[i]);
-                return -1;
-            }
-        bool known = entry_parts(d, ends[i], parts) > 0;
-        for (int k = 0; k < d->principle_count && strcmp(key, "to") == 0; k++)
-            known = known && strcmp(d->definitions.sections[k].id, ends[i]) != 0;
-        if (!known) {
-            parse_error(document, item, 0, "unknown '%s', expected an equation that has a formula, or a %s", ends[i],
-                        strcmp(key, "to") == 0 ? "property" : "principle");
-            return -1;
-        }
+            if (strcmp(list->items[k].text, end->text) == 0)
+                return node_error(end, 0, "duplicate '%s', expected each once", end->text);
+        bool known = entry_parts(d, end->text, parts) > 0;
+        for (int k = 0; k < d->principle_count && to; k++)
+            known = known && strcmp(d->definitions.sections[k].id, end->text) != 0;
+        if (!known)
+            return node_error(end, 0, "unknown '%s', expected an equation that has a formula, or a %s", end->text,
+                              to ? "property" : "principle");
     }
-    return length_of(list);
-}
-
-static bool take_text(struct document *d, const yaml_node_t *mapping, const char *key, bool required,
-                    const char **text)
-{
-    const yaml_node_t *node = child(d, mapping, key);
-    *text = node != NULL ? scalar(node) : NULL;
-    if (node == NULL ? required : *text == NULL || **text == '\0')
-        return parse_error(d, node ? node : mapping, 0, "missing %s, expected a text", key);
     return true;
-}
-
-static struct scope step_scope(const struct derivations *d, const struct step *s)
-{
-    return (struct scope){.document = &d->document, .sheet = d->sheet,
-                          .definitions = &d->definitions, .given = s->node};
 }
 
 static bool read_identities(struct identities *t, const struct scope *s)
 {
-    const yaml_node_t *owner = s->variant ? s->variant : s->given, *show = child(s->document, owner, "show");
+    const struct yaml *owner = s->variant ? s->variant : s->given, *show = under(owner, "show");
     if (!identities_open(t, s))
         return false;
     if (show == NULL)
-        return parse_error(s->document, owner, 0, "missing show, expected a list of left = right");
-    if (!is_list(s->document, show, MOST_SHOWN))
+        return node_error(owner, 0, "missing show, expected a list of left = right");
+    if (!is_texts(show, MOST_SHOWN))
         return false;
-    if (length_of(show) == 0)
-        return parse_error(s->document, show, 0, "expected at least one left = right");
-    for (int i = 0; i < length_of(show); i++)
-        if (!identities_show(t, s, item_of(s->document, show, i)))
+    if (show->count == 0)
+        return node_error(show, 0, "expected at least one left = right");
+    for (int i = 0; i < show->count; i++)
+        if (!identities_show(t, s, &show->items[i]))
             return false;
     return identities_close(t, s);
 }
 
-static bool read_step(struct derivations *d, const yaml_node_t *key, const yaml_node_t *node)
+static bool read_step(struct derivations *d, const struct yaml *n)
 {
-    static const char *const own[] = {"title", "from", "to", "also", "printed", "remainders", "note", "where", NULL};
-    static const char *const variant[] = {"let", "square roots", "show", NULL};
-    const char *known[32] = {NULL};
-    struct document *document = &d->document;
-    for (int i = 0, count = 0; i < 2; i++)
-        for (const char *const *key = i == 0 ? own : identities_keys; *key != NULL; key++)
-            known[count++] = *key;
+    struct written_step w = {.s = {.id = n->key, .node = n}};
+    if (!fields_read(n, step_fields, &w))
+        return false;
     d->steps = xrealloc(d->steps, (size_t)d->step_count + 1, sizeof *d->steps);
     struct step *s = &d->steps[d->step_count++];
-    *s = (struct step){.id = scalar(key), .node = node};
-    const yaml_node_t *also = node->type == YAML_MAPPING_NODE ? child(document, node, "also") : NULL;
-    if (!is_mapping(document, node, known) || !take_text(document, node, "title", true, &s->title) ||
-        !take_text(document, node, "note", false, &s->note) || !take_text(document, node, "where", false, &s->where) ||
-        (also != NULL && !is_mapping(document, also, NULL)) ||
-        (s->from_count = read_ends(d, node, "from", s->from)) < 0 ||
-        (s->to_count = read_ends(d, node, "to", s->to)) < 0)
+    *s = w.s;
+    struct scope scope = {.sheet = d->sheet, .definitions = &d->definitions, .given = n};
+    if (!check_ends(d, under(n, "from"), false) || !check_ends(d, under(n, "to"), true) || !read_identities(&s->corrected, &scope) ||
+        !step_read_remainders(d, s, &scope))
         return false;
-    s->let = child(document, node, "let");
-    struct scope scope = step_scope(d, s);
-    if (!read_identities(&s->corrected, &scope) || !step_read_remainders(d, s, &scope))
-        return false;
-    scope.variant = child(document, node, "printed");
-    s->differs = scope.variant != NULL;
-    return !s->differs || (is_mapping(document, scope.variant, variant) && read_identities(&s->printed, &scope));
+    scope.variant = w.printed;
+    s->differs = w.printed != NULL;
+    return !s->differs || (fields_read(w.printed, variant_fields, s) && read_identities(&s->printed, &scope));
 }
+
+struct written_derivations {
+    const struct yaml *principles, *properties, *steps;
+};
+
+static const struct field derivations_fields[] = {
+    FIELD("principles", struct written_derivations, principles, FIELD_MAP, .expected = "definitions"),
+    FIELD("properties", struct written_derivations, properties, FIELD_MAP, .expected = "definitions"),
+    FIELD("steps", struct written_derivations, steps, FIELD_MAP, .expected = "{id: {title: ..., from: ...}, ...}"),
+    {.key = NULL}};
 
 static bool read_derivations(struct derivations *d)
 {
-    static const char *const known[] = {"principles", "properties", "steps", NULL};
-    struct document *document = &d->document;
-    const yaml_node_t *root = document_root(document);
-    if (!is_mapping(document, root, known))
-        return false;
-    for (int i = 0; known[i] != NULL; i++)
-        if (child(document, root, known[i]) == NULL)
-            return parse_error(document, root, 0, "missing %s", known[i]);
-    if (!read_definitions(d, child(document, root, "principles")))
+    struct written_derivations w = {NULL};
+    if (!fields_read(&d->tree->root, derivations_fields, &w) || !read_definitions(d, w.principles))
         return false;
     d->principle_count = d->definitions.count;
-    const yaml_node_t *steps = child(document, root, "steps");
-    if (!read_definitions(d, child(document, root, "properties")) || !is_mapping(document, steps, NULL))
+    if (!read_definitions(d, w.properties))
         return false;
-    for (int i = 0; i < length_of(steps); i++)
-        if (!read_step(d, key_of(document, steps, i), value_of(document, steps, i)))
+    for (int i = 0; i < w.steps->count; i++)
+        if (!read_step(d, &w.steps->items[i]))
             return false;
     return true;
 }
@@ -198,10 +177,8 @@ static bool read_derivations(struct derivations *d)
 int derivations_read(struct derivations *d, const struct sheet *s, const char *text, size_t length,
                      const char *name, struct message *why)
 {
-    *d = (struct derivations){.sheet = s};
-    if (!document_open(&d->document, text, length, name, why))
-        return -1;
-    if (read_derivations(d))
+    *d = (struct derivations){.sheet = s, .tree = tree_open(text, length, name, why)};
+    if (d->tree != NULL && read_derivations(d))
         return 0;
     derivations_clear(d);
     return -1;
@@ -223,6 +200,6 @@ void derivations_clear(struct derivations *d)
     free(d->definitions.outputs);
     free(d->definitions.sections);
     free(d->steps);
-    document_close(&d->document);
+    tree_close(d->tree);
     *d = (struct derivations){0};
 }

@@ -5,28 +5,28 @@
 #include "text/decimal.h"
 
 /* A number, exactly as it is written. */
-static bool read_number(const struct document *d, const yaml_node_t *node, fmpq_t value)
+static bool read_number(const struct yaml *node, fmpq_t value)
 {
-    if (scalar(node) == NULL || literal_read(value, scalar(node), true) != LITERAL_FINITE)
-        return parse_error(d, node, 0, "expected a number");
+    if (node->text == NULL || literal_read(value, node->text, true) != LITERAL_FINITE)
+        return node_error(node, 0, "expected a number");
     return true;
 }
 
 /* VALUE or [LOW, HIGH] */
-static bool read_range(const struct document *d, const yaml_node_t *node, fmpq_t low, fmpq_t high)
+static bool read_range(const struct yaml *node, fmpq_t low, fmpq_t high)
 {
-    if (scalar(node) != NULL) {
-        bool fine = read_number(d, node, low);
+    if (node->text != NULL) {
+        bool fine = read_number(node, low);
         fmpq_set(high, low);
         return fine;
     }
-    if (!is_list(d, node, 2))
+    if (!is_texts(node, 2))
         return false;
-    if (length_of(node) != 2)
-        return parse_error(d, node, 0, "expected [LOW, HIGH]");
-    if (!read_number(d, item_of(d, node, 0), low) || !read_number(d, item_of(d, node, 1), high))
+    if (node->count != 2)
+        return node_error(node, 0, "expected [LOW, HIGH]");
+    if (!read_number(&node->items[0], low) || !read_number(&node->items[1], high))
         return false;
-    return fmpq_cmp(low, high) < 0 || parse_error(d, node, 0, "expected [LOW, HIGH] with LOW below HIGH");
+    return fmpq_cmp(low, high) < 0 || node_error(node, 0, "expected [LOW, HIGH] with LOW below HIGH");
 }
 
 /* What the paper's Table 1 gives, and nothing else, needs not be stated. */
@@ -39,31 +39,30 @@ static bool value_of_table1(const struct sheet *s, const char *name, fmpq_t valu
     return false;
 }
 
-static bool read_states(const struct scope *s, const yaml_node_t *on, struct remainder *m)
+static bool read_states(const struct scope *s, const struct yaml *on, struct remainder *m)
 {
-    const struct document *d = s->document;
-    if (!is_mapping(d, on, NULL))
+    if (!is_map(on))
         return false;
     for (int i = 0; i < m->program.inputs; i++) {
         const char *name = m->program.names[i].text;
-        const yaml_node_t *range = child(d, on, name);
-        if (range != NULL && !read_range(d, range, m->low + i, m->high + i))
+        const struct yaml *range = under(on, name);
+        if (range != NULL && !read_range(range, m->low + i, m->high + i))
             return false;
         if (range == NULL && !value_of_table1(s->sheet, name, m->low + i))
-            return parse_error(d, on, 0, "missing '%s', which is not in Table 1", name);
+            return node_error(on, 0, "missing '%s', which is not in Table 1", name);
         if (range == NULL)
             fmpq_set(m->high + i, m->low + i);
     }
-    for (int i = 0; i < length_of(on); i++) {
-        const yaml_node_t *key = key_of(d, on, i);
-        if (program_find(&m->program, scalar(key)) < 0)
-            return parse_error(d, key, 0, "what is dropped does not rest on '%s'", scalar(key));
+    for (int i = 0; i < on->count; i++) {
+        const char *name = on->items[i].key;
+        if (program_find(&m->program, name) < 0)
+            return node_error(&on->items[i], AT_KEY, "what is dropped does not rest on '%s'", name);
     }
     return true;
 }
 
 /* The formula, over the names of the step; the step's own program stays as it is. */
-static bool read_dropped(const struct scope *s, const struct identities *t, const yaml_node_t *of, struct remainder *m)
+static bool read_dropped(const struct scope *s, const struct identities *t, const struct yaml *of, struct remainder *m)
 {
     struct identities copy = {0};
     program_copy(&copy.program, &t->program);
@@ -74,57 +73,53 @@ static bool read_dropped(const struct scope *s, const struct identities *t, cons
     return node >= 0;
 }
 
-static bool read_remainder(const struct scope *s, const struct identities *t, const yaml_node_t *item,
-                           struct remainder *m)
+static const struct field remainder_fields[] = {
+    FIELD("equation", struct remainder, equation, FIELD_TEXT, .expected = "an equation number"),
+    FIELD("of", struct remainder, text, FIELD_TEXT, .expected = "a formula"),
+    FIELD("at_most", struct remainder, at_most, FIELD_TEXT, .expected = "a number"),
+    FIELD("unit", struct remainder, unit, FIELD_TEXT, .expected = "a unit"),
+    FIELD("on", struct remainder, on, FIELD_MAP, .expected = "states, {name: value, name: [low, high], ...}"),
+    {.key = NULL}};
+
+static bool read_remainder(const struct scope *s, const struct identities *t, const struct yaml *item, struct remainder *m)
 {
-    static const char *const keys[] = {"equation", "of", "at_most", "unit", "on", NULL};
-    const struct document *d = s->document;
-    const yaml_node_t *nodes[5];
-    if (!is_mapping(d, item, keys))
+    struct remainder written = {.equation = NULL};
+    if (!fields_read(item, remainder_fields, &written) || !read_dropped(s, t, under(item, "of"), m))
         return false;
-    for (int i = 0; keys[i] != NULL; i++) {
-        nodes[i] = child(d, item, keys[i]);
-        if (nodes[i] == NULL)
-            return parse_error(d, item, 0, "missing %s", keys[i]);
-        if (i < 4 && scalar(nodes[i]) == NULL)
-            return parse_error(d, nodes[i], 0, "expected a text");
-    }
-    if (!read_dropped(s, t, nodes[1], m))
+    m->equation = written.equation;
+    m->text = written.text;
+    m->at_most = written.at_most;
+    m->unit = written.unit;
+    m->on = written.on;
+    m->at = under(item, "at_most");
+    if (!read_number(m->at, m->bound) || !read_states(s, m->on, m))
         return false;
-    m->equation = scalar(nodes[0]);
-    m->text = scalar(nodes[1]);
-    m->at_most = scalar(nodes[2]);
-    m->unit = scalar(nodes[3]);
-    m->on = nodes[4];
-    m->at = nodes[2];
-    if (!read_number(d, nodes[2], m->bound) || !read_states(s, m->on, m))
-        return false;
-    return fmpq_sgn(m->bound) > 0 || parse_error(d, nodes[2], 0, "expected a bound above zero");
+    return fmpq_sgn(m->bound) > 0 || node_error(m->at, 0, "expected a bound above zero");
 }
 
 /* What drops it is what the step leads to. */
-static bool check_equation(const struct derivations *d, const struct step *step, const yaml_node_t *equation)
+static bool check_equation(const struct derivations *d, const struct step *step, const struct yaml *equation)
 {
     for (int i = 0; i < step->to_count; i++)
-        if (entry_leads_to(d, step->to[i], scalar(equation)))
+        if (entry_leads_to(d, step->to[i], equation->text))
             return true;
-    return parse_error(&d->document, equation, 0, "expected an equation that the step leads to");
+    return node_error(equation, 0, "expected an equation that the step leads to");
 }
 
 bool step_read_remainders(const struct derivations *d, struct step *step, const struct scope *s)
 {
-    const yaml_node_t *list = child(s->document, step->node, "remainders");
+    const struct yaml *list = under(step->node, "remainders");
     if (list == NULL)
         return true;
-    if (list->type != YAML_SEQUENCE_NODE || length_of(list) == 0)
-        return parse_error(s->document, list, 0, "expected a list of what is dropped");
-    step->remainders = xrealloc(NULL, (size_t)length_of(list), sizeof *step->remainders);
-    while (step->remainder_count < length_of(list)) {
+    if (list->text != NULL || list->mapping || list->count == 0)
+        return node_error(list, 0, "expected a list of what is dropped");
+    step->remainders = xrealloc(NULL, (size_t)list->count, sizeof *step->remainders);
+    while (step->remainder_count < list->count) {
         struct remainder *m = &step->remainders[step->remainder_count];
-        const yaml_node_t *item = item_of(s->document, list, step->remainder_count++);
+        const struct yaml *item = &list->items[step->remainder_count++];
         *m = (struct remainder){.equation = NULL};
         if (!read_remainder(s, &step->corrected, item, m) ||
-            !check_equation(d, step, child(&d->document, item, "equation")))
+            !check_equation(d, step, under(item, "equation")))
             return false;
     }
     return true;

@@ -466,7 +466,7 @@ static char *tell(struct run *r, const struct equality *e, const struct finding 
 }
 
 /* Where nothing told against the identities before: they are undecided, for what is said of `what`. */
-static void refuse(struct proof *p, const yaml_node_t *at, const char *format, const char *what)
+static void refuse(struct proof *p, const struct yaml *at, const char *format, const char *what)
 {
     size_t size;
     if (p->result != IDENTITY_HOLDS)

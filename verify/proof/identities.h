@@ -8,7 +8,7 @@
 #define CT_IDENTITIES_H
 
 #include "sheet/sheet.h"
-#include "text/document.h"
+#include "text/tree.h"
 
 enum { SIGN_NEGATIVE = 1, SIGN_ZERO = 2, SIGN_POSITIVE = 4, SIGN_ANY = 7 }; /* sets of signs */
 enum { MOST_SHOWN = 32, MOST_BOUND = 40 };
@@ -22,14 +22,14 @@ struct variable {
 
 struct equality {
     const char *text;
-    const yaml_node_t *at;
+    const struct yaml *at;
     int left, right;
 };
 
 /* What a square root is said to be equal to: to be proved positive. */
 struct root {
     const char *text;
-    const yaml_node_t *at;
+    const struct yaml *at;
     int node;
 };
 
@@ -78,26 +78,27 @@ int relation_program(struct program *p, const struct sheet *sheet, const struct 
 
 /* What the names of formulas may stand for, and where they are written. */
 struct scope {
-    const struct document *document;
     const struct sheet *sheet;
     const struct definitions *definitions; /* NULL: none                              */
-    const yaml_node_t *given;              /* the mapping; NULL: everything is free   */
-    const yaml_node_t *shared;             /* of what it does not say; then not all need serve here. NULL: none */
-    const yaml_node_t *variant;            /* a mapping with another `let`; NULL: none */
+    const struct yaml *given;              /* the mapping; NULL: everything is free   */
+    const struct yaml *shared;             /* of what it does not say; then not all need serve here. NULL: none */
+    const struct yaml *variant;            /* a mapping with another `let`; NULL: none */
     const char *const *names;              /* further free names                      */
     int name_count;
 };
 
 /* Of an open scope, a formula each: its node, -1 after a complaint; an equality each, false after a complaint. */
 bool identities_open(struct identities *t, const struct scope *s);
-int identities_formula(struct identities *t, const struct scope *s, const yaml_node_t *node);
-bool identities_show(struct identities *t, const struct scope *s, const yaml_node_t *node);
+int identities_formula(struct identities *t, const struct scope *s, const struct yaml *node);
+bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node);
 /* What is declared and defined serves something (unless altered), and square roots are where they are needed. */
 bool identities_close(struct identities *t, const struct scope *s);
 void identities_clear(struct identities *t);
 
-/* The keys of the mapping, to tell them from others: NULL ends them. */
-extern const char *const identities_keys[];
+/* The keys of the mapping, for a table of fields that has others too. */
+#define IDENTITIES_FIELDS \
+    {.key = "free"}, {.key = "positive"}, {.key = "not negative"}, {.key = "angles"}, {.key = "small"}, {.key = "order"}, \
+    {.key = "rates"}, {.key = "square roots"}
 
 /* The node of a formula in the program's names and the sheet's; -1 with `why`: where it is already read. */
 int identities_text(struct identities *t, const struct scope *s, const char *text, size_t *where, struct message *why);
@@ -110,7 +111,7 @@ enum result { IDENTITY_HOLDS, IDENTITY_DIFFERS, IDENTITY_UNDECIDED };
 struct proof {
     enum result result;
     char *evidence;          /* NULL where all hold; else what does not, and one point as an example  */
-    const yaml_node_t *at;   /* where that stands, in the scope's document                            */
+    const struct yaml *at;   /* where that stands */
     char *difference;        /* the numerator's leading terms as TeX, of what differs; NULL: nothing  */
     bool holds[MOST_SHOWN];  /* equality by equality                                                  */
 };

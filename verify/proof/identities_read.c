@@ -24,10 +24,10 @@ struct reading {
     const struct scope *scope;
 };
 
-static const yaml_node_t *given(const struct scope *s, const char *key)
+static const struct yaml *given(const struct scope *s, const char *key)
 {
-    const yaml_node_t *own = s->given != NULL ? child(s->document, s->given, key) : NULL;
-    return own != NULL || s->shared == NULL ? own : child(s->document, s->shared, key);
+    const struct yaml *own = under(s->given, key);
+    return own != NULL ? own : under(s->shared, key);
 }
 
 /* ---- free quantities ---- */
@@ -45,9 +45,6 @@ static const struct declaration {
 
 enum { DECLARATIONS = sizeof declarations / sizeof *declarations };
 
-const char *const identities_keys[] = {"free",  "positive", "not negative", "angles", "small", "order",
-                                       "rates", "let",      "square roots", "show",   NULL};
-
 static int find_input(const struct program *p, const char *name)
 {
     for (int i = 0; i < p->inputs; i++)
@@ -56,60 +53,63 @@ static int find_input(const struct program *p, const char *name)
     return -1;
 }
 
-/* Angles may be a mapping: their names are its keys. */
-static const yaml_node_t *name_of(const struct document *d, const yaml_node_t *names, int i)
+/* Of a list of names; angles may be a mapping: their names are its keys. */
+static const char *name_of(const struct yaml *item)
 {
-    return names->type == YAML_MAPPING_NODE ? key_of(d, names, i) : item_of(d, names, i);
+    return item->key != NULL ? item->key : item->text;
+}
+
+static size_t place_of(const struct yaml *item)
+{
+    return item->key != NULL ? AT_KEY : 0;
 }
 
 /* Names beyond the sheet's become inputs; `free` are new ones, `small` are known. */
 static bool declare_names(struct identities *t, const struct scope *s, const struct declaration *declared)
 {
-    const yaml_node_t *names = given(s, declared->key);
+    const struct yaml *names = given(s, declared->key);
     if (names == NULL)
         return true;
-    const bool mapping = declared->angle && names->type == YAML_MAPPING_NODE;
-    if (mapping ? !is_mapping(s->document, names, NULL) : !is_list(s->document, names, MOST_NAMES))
+    if (!(declared->angle && names->mapping) && !is_texts(names, MOST_NAMES))
         return false;
-    for (int i = 0; i < length_of(names); i++) {
-        const yaml_node_t *name = name_of(s->document, names, i);
-        const bool known = find_input(&t->program, scalar(name)) >= 0;
+    for (int i = 0; i < names->count; i++) {
+        const struct yaml *item = &names->items[i];
+        const char *name = name_of(item);
+        const bool known = find_input(&t->program, name) >= 0;
         if (known && strcmp(declared->key, "free") == 0)
-            return parse_error(s->document, name, 0, "'%s' is known already, expected a new name", scalar(name));
+            return node_error(item, place_of(item), "'%s' is known already, expected a new name", name);
         if (!known && declared->small)
-            return parse_error(s->document, name, 0, "unknown symbol '%s', expected a free quantity", scalar(name));
+            return node_error(item, place_of(item), "unknown symbol '%s', expected a free quantity", name);
         if (!known)
-            program_input(&t->program, scalar(name));
+            program_input(&t->program, name);
     }
     return true;
 }
 
-static bool read_turn(const struct scope *s, const yaml_node_t *names, int i, struct variable *v)
+static bool read_turn(const struct yaml *item, struct variable *v)
 {
-    const yaml_node_t *range = names->type == YAML_MAPPING_NODE ? value_of(s->document, names, i) : NULL;
-    if (range != NULL && scalar(range) != NULL && strcmp(scalar(range), "quarter turn") == 0)
-        v->quarter_turn = true;
-    else if (range != NULL && (scalar(range) == NULL || strcmp(scalar(range), "any") != 0))
-        return parse_error(s->document, range, 0, "expected 'any' or 'quarter turn'");
-    return true;
+    v->quarter_turn = item->key != NULL && item->text != NULL && strcmp(item->text, "quarter turn") == 0;
+    return item->key == NULL || v->quarter_turn || (item->text != NULL && strcmp(item->text, "any") == 0) ||
+           node_error(item, 0, "expected 'any' or 'quarter turn'");
 }
 
 static bool qualify_names(struct identities *t, const struct scope *s, const struct declaration *declared)
 {
-    const yaml_node_t *names = given(s, declared->key);
-    for (int i = 0; names != NULL && i < length_of(names); i++) {
-        const yaml_node_t *name = name_of(s->document, names, i);
-        const int input = find_input(&t->program, scalar(name));
+    const struct yaml *names = given(s, declared->key);
+    for (int i = 0; names != NULL && i < names->count; i++) {
+        const struct yaml *item = &names->items[i];
+        const char *name = name_of(item);
+        const int input = find_input(&t->program, name);
         struct variable *v = &t->variables[input];
         if (v->angle || v->power > 0)
-            return parse_error(s->document, name, 0, "'%s' is an angle or small already", scalar(name));
+            return node_error(item, place_of(item), "'%s' is an angle or small already", name);
         if (input < s->sheet->quantity_count && (v->signs & ~declared->signs) != 0)
-            return parse_error(s->document, name, 0, "'%s' may be %s in the sheet, expected a name of its own", scalar(name),
-                               v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
+            return node_error(item, place_of(item), "'%s' may be %s in the sheet, expected a name of its own", name,
+                              v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
         v->power = declared->small;
         v->angle = declared->angle;
         v->signs &= declared->signs;
-        if (declared->angle && !read_turn(s, names, i, v))
+        if (declared->angle && !read_turn(item, v))
             return false;
     }
     return true;
@@ -125,11 +125,12 @@ static bool read_declarations(struct identities *t, const struct scope *s)
     struct program *p = &t->program;
     for (int i = 0; i < s->sheet->quantity_count; i++)
         program_input(p, s->sheet->quantities[i].name);
-    for (int i = 0; i < s->name_count; i++)
-        program_input(p, s->names[i]);
     for (int i = 0; i < DECLARATIONS; i++)
         if (!declare_names(t, s, &declarations[i]))
             return false;
+    for (int i = 0; i < s->name_count; i++)
+        if (find_input(p, s->names[i]) < 0)
+            program_input(p, s->names[i]);
     t->variables = xrealloc(NULL, (size_t)p->inputs, sizeof *t->variables);
     for (int i = 0; i < p->inputs; i++)
         t->variables[i] = (struct variable){
@@ -143,19 +144,19 @@ static bool read_declarations(struct identities *t, const struct scope *s)
 /* -1 where there is none; it has to be there where quantities are small. */
 static bool read_order(struct identities *t, const struct scope *s)
 {
-    const yaml_node_t *node = given(s, "order");
+    const struct yaml *node = given(s, "order");
     const bool small = given(s, "small") != NULL;
     t->order = -1;
     if (node == NULL && small)
-        return parse_error(s->document, s->given, 0, "missing order: up to which power of the small quantities");
+        return node_error(s->given, 0, "missing order: up to which power of the small quantities");
     if (node == NULL)
         return true;
     if (!small)
-        return parse_error(s->document, node, 0, "expected no order where no quantities are small");
-    if (scalar(node) == NULL || strlen(scalar(node)) != 1 || scalar(node)[0] < '0' ||
-        scalar(node)[0] > '0' + HIGHEST_ORDER)
-        return parse_error(s->document, node, 0, "expected an order from 0 to %d", HIGHEST_ORDER);
-    t->order = scalar(node)[0] - '0';
+        return node_error(node, 0, "expected no order where no quantities are small");
+    if (node->text == NULL || strlen(node->text) != 1 || node->text[0] < '0' ||
+        node->text[0] > '0' + HIGHEST_ORDER)
+        return node_error(node, 0, "expected an order from 0 to %d", HIGHEST_ORDER);
+    t->order = node->text[0] - '0';
     return true;
 }
 
@@ -180,17 +181,16 @@ static bool rate_name(const struct sheet *s, const char *name, char rate[LONGEST
 /* Every name that moves, and what it moves by, is known in the end, and goes by its own name. */
 static bool check_rates(const struct identities *t, const struct scope *s)
 {
-    const yaml_node_t *rates = given(s, "rates");
+    const struct yaml *rates = given(s, "rates");
     char rate[LONGEST_NAME + 8];
-    for (int i = 0; rates != NULL && i < length_of(rates); i++) {
-        const yaml_node_t *pair[] = {key_of(s->document, rates, i), value_of(s->document, rates, i)};
-        const bool constant = strcmp(scalar(pair[1]), "0") == 0;
+    for (int i = 0; rates != NULL && i < rates->count; i++) {
+        const struct yaml *by = &rates->items[i];
+        const bool constant = strcmp(by->text, "0") == 0;
         for (int k = 0; k < (constant ? 1 : 2); k++)
-            if (program_find(&t->program, scalar(pair[k])) < 0)
-                return parse_error(s->document, pair[k], 0, "unknown symbol '%s', expected name: its rate", scalar(pair[k]));
-        if (!constant && strlen(scalar(pair[0])) <= LONGEST_NAME && rate_name(s->sheet, scalar(pair[0]), rate) &&
-            strcmp(rate, scalar(pair[1])) != 0)
-            return parse_error(s->document, pair[1], 0, "the rate of %s is %s in the sheet", scalar(pair[0]), rate);
+            if (program_find(&t->program, k == 0 ? by->key : by->text) < 0)
+                return node_error(by, k == 0 ? AT_KEY : 0, "unknown symbol '%s', expected name: its rate", k == 0 ? by->key : by->text);
+        if (!constant && strlen(by->key) <= LONGEST_NAME && rate_name(s->sheet, by->key, rate) && strcmp(rate, by->text) != 0)
+            return node_error(by, 0, "the rate of %s is %s in the sheet", by->key, rate);
     }
     return true;
 }
@@ -199,7 +199,7 @@ static int read_rate(struct parser *p)
 {
     const struct reading *r = p->context;
     const struct scope *s = r->scope;
-    const yaml_node_t *rates = given(s, "rates");
+    const struct yaml *rates = given(s, "rates");
     const char *begin = p->at;
     char name[LONGEST_NAME + 8];
     p->at++; /* the bracket, without which it were a name */
@@ -217,10 +217,10 @@ static int read_rate(struct parser *p)
         open[i] = i < s->sheet->quantity_count && rate_name(s->sheet, s->sheet->quantities[i].name, name);
     }
     struct rate made = {.of = node, .first = count};
-    made.moving = xrealloc(NULL, rates != NULL ? 2 * (size_t)length_of(rates) : 1, sizeof *made.moving);
-    for (int i = 0; rates != NULL && i < length_of(rates); i++) {
-        const int moving = program_find(p->program, scalar(key_of(s->document, rates, i)));
-        const char *by = scalar(value_of(s->document, rates, i));
+    made.moving = xrealloc(NULL, rates != NULL ? 2 * (size_t)rates->count : 1, sizeof *made.moving);
+    for (int i = 0; rates != NULL && i < rates->count; i++) {
+        const int moving = program_find(p->program, rates->items[i].key);
+        const char *by = rates->items[i].text;
         if (moving < 0)
             continue;
         rate[moving] = program_find(p->program, by); /* no name is a number */
@@ -466,27 +466,27 @@ int identities_text(struct identities *t, const struct scope *s, const char *tex
 }
 
 /* The formula that stands `shift` characters into a scalar. */
-static int read_text(struct identities *t, const struct scope *s, const yaml_node_t *node, const char *text, size_t shift)
+static int read_text(struct identities *t, const struct scope *s, const struct yaml *node, const char *text, size_t shift)
 {
     struct message expected = {""};
     size_t where;
     const int result = identities_text(t, s, text, &where, &expected);
     if (result < 0)
-        parse_error(s->document, node, shift + where, "%s", expected.text);
+        node_error(node, shift + where, "%s", expected.text);
     return result;
 }
 
 /* Only then is a place in the text a place in the file. */
-static bool on_one_line(const struct scope *s, const yaml_node_t *node, const char *expected)
+static bool on_one_line(const struct yaml *node, const char *expected)
 {
-    if (scalar(node) == NULL || node->start_mark.line != node->end_mark.line)
-        return parse_error(s->document, node, 0, "expected %s, on one line", expected);
+    if (node->text == NULL || node->at.line != node->last_line)
+        return node_error(node, 0, "expected %s, on one line", expected);
     return true;
 }
 
-int identities_formula(struct identities *t, const struct scope *s, const yaml_node_t *node)
+int identities_formula(struct identities *t, const struct scope *s, const struct yaml *node)
 {
-    return on_one_line(s, node, "a formula") ? read_text(t, s, node, scalar(node), 0) : -1;
+    return on_one_line(node, "a formula") ? read_text(t, s, node, node->text, 0) : -1;
 }
 
 /* The sign outside brackets; NULL where there is none. */
@@ -498,19 +498,19 @@ static const char *equality_sign(const char *text)
     return *text == '=' ? text : NULL;
 }
 
-bool identities_show(struct identities *t, const struct scope *s, const yaml_node_t *node)
+bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node)
 {
     if (t->shown_count == MOST_SHOWN)
-        return parse_error(s->document, node, 0, "expected at most %d equalities", MOST_SHOWN); /* LCOV_EXCL_LINE: so is the list */
-    if (!on_one_line(s, node, "left = right"))
+        return node_error(node, 0, "expected at most %d equalities", MOST_SHOWN); /* LCOV_EXCL_LINE: so is the list */
+    if (!on_one_line(node, "left = right"))
         return false;
-    const char *sign = equality_sign(scalar(node));
+    const char *sign = equality_sign(node->text);
     if (sign == NULL)
-        return parse_error(s->document, node, 0, "expected left = right");
-    const size_t length = (size_t)(sign - scalar(node));
-    char *left = text_copy(scalar(node));
+        return node_error(node, 0, "expected left = right");
+    const size_t length = (size_t)(sign - node->text);
+    char *left = text_copy(node->text);
     left[length] = '\0';
-    struct equality e = {.text = scalar(node), .at = node, .left = read_text(t, s, node, left, 0)};
+    struct equality e = {.text = node->text, .at = node, .left = read_text(t, s, node, left, 0)};
     e.right = e.left < 0 ? -1 : read_text(t, s, node, sign + 1, length + 1);
     free(left);
     t->shown = xrealloc(t->shown, (size_t)t->shown_count + 1, sizeof *t->shown);
@@ -521,15 +521,15 @@ bool identities_show(struct identities *t, const struct scope *s, const yaml_nod
 /* ---- definitions ---- */
 
 /* What bears the name of an output of a section is that output, where it is one of that section. */
-static bool check_name(const struct scope *s, const yaml_node_t *key, const yaml_node_t *value)
+static bool check_name(const struct scope *s, const struct yaml *value)
 {
     char id[LONGEST_NAME + 1], output[LONGEST_NAME + 1];
-    if (sscanf(scalar(value), "%63[a-z0-9].%63[A-Za-z0-9_]", id, output) != 2)
+    if (sscanf(value->text, "%63[a-z0-9].%63[A-Za-z0-9_]", id, output) != 2)
         return true;
     const struct section *section = find_section(s, id);
     for (int i = 0; section != NULL && i < section->output_count; i++)
-        if (strcmp(section->outputs[i]->name, scalar(key)) == 0 && strcmp(output, scalar(key)) != 0)
-            return parse_error(s->document, value, 0, "%s has %s itself, expected another name than that", id, scalar(key));
+        if (strcmp(section->outputs[i]->name, value->key) == 0 && strcmp(output, value->key) != 0)
+            return node_error(value, 0, "%s has %s itself, expected another name than that", id, value->key);
     return true;
 }
 
@@ -552,41 +552,39 @@ static void add_let(struct identities *t, const char *name, const char *formula)
 /* What is printed differs in some definitions: by the same names, so that the order is the step's. */
 static bool read_let(struct identities *t, const struct scope *s)
 {
-    const yaml_node_t *let = given(s, "let"), *variant = s->variant ? child(s->document, s->variant, "let") : NULL;
-    if ((let != NULL && !is_mapping(s->document, let, NULL)) || (variant != NULL && !is_mapping(s->document, variant, NULL)))
+    const struct yaml *let = given(s, "let"), *variant = under(s->variant, "let");
+    if ((let != NULL && !is_map(let)) || (variant != NULL && !is_map(variant)))
         return false;
-    for (int i = 0; variant != NULL && i < length_of(variant); i++) {
-        const yaml_node_t *key = key_of(s->document, variant, i);
-        if (let == NULL || child(s->document, let, scalar(key)) == NULL)
-            return parse_error(s->document, key, 0, "unknown name '%s', expected one of the step's let", scalar(key));
+    for (int i = 0; variant != NULL && i < variant->count; i++) {
+        const struct yaml *own = &variant->items[i];
+        if (under(let, own->key) == NULL)
+            return node_error(own, AT_KEY, "unknown name '%s', expected one of the step's let", own->key);
     }
-    for (int i = 0; let != NULL && i < length_of(let); i++) {
-        const yaml_node_t *key = key_of(s->document, let, i);
-        const yaml_node_t *other = variant ? child(s->document, variant, scalar(key)) : NULL;
-        const yaml_node_t *definition = other ? other : value_of(s->document, let, i);
+    for (int i = 0; let != NULL && i < let->count; i++) {
+        const struct yaml *other = under(variant, let->items[i].key), *definition = other ? other : &let->items[i];
         const int node = identities_formula(t, s, definition);
-        if (node < 0 || !check_name(s, key, definition))
+        if (node < 0 || !check_name(s, definition))
             return false;
-        program_name(&t->program, node, scalar(key));
-        if (quantity_find(s->sheet, scalar(key)) != NULL && !takes_formula(scalar(definition)))
-            add_let(t, scalar(key), scalar(definition));
+        program_name(&t->program, node, definition->key);
+        if (quantity_find(s->sheet, definition->key) != NULL && !takes_formula(definition->text))
+            add_let(t, definition->key, definition->text);
     }
     return true;
 }
 
 static bool read_roots(struct identities *t, const struct scope *s)
 {
-    const yaml_node_t *other = s->variant ? child(s->document, s->variant, "square roots") : NULL;
-    const yaml_node_t *roots = other ? other : given(s, "square roots");
+    const struct yaml *other = under(s->variant, "square roots");
+    const struct yaml *roots = other ? other : given(s, "square roots");
     if (roots == NULL)
         return true;
-    if (!is_list(s->document, roots, MOST_NAMES))
+    if (!is_texts(roots, MOST_NAMES))
         return false;
-    t->roots = xrealloc(NULL, (size_t)length_of(roots), sizeof *t->roots);
-    for (; t->root_count < length_of(roots); t->root_count++) {
-        const yaml_node_t *item = item_of(s->document, roots, t->root_count);
+    t->roots = xrealloc(NULL, (size_t)roots->count, sizeof *t->roots);
+    for (; t->root_count < roots->count; t->root_count++) {
+        const struct yaml *item = &roots->items[t->root_count];
         struct root *root = &t->roots[t->root_count];
-        *root = (struct root){.text = scalar(item), .at = item, .node = identities_formula(t, s, item)};
+        *root = (struct root){.text = item->text, .at = item, .node = identities_formula(t, s, item)};
         if (root->node < 0)
             return false;
     }
@@ -595,12 +593,12 @@ static bool read_roots(struct identities *t, const struct scope *s)
 
 static bool are_texts(const struct scope *s, const char *key)
 {
-    const yaml_node_t *node = given(s, key);
-    if (node != NULL && !is_mapping(s->document, node, NULL))
+    const struct yaml *node = given(s, key);
+    if (node != NULL && !is_map(node))
         return false;
-    for (int i = 0; node != NULL && i < length_of(node); i++)
-        if (scalar(value_of(s->document, node, i)) == NULL)
-            return parse_error(s->document, value_of(s->document, node, i), 0, "expected a text");
+    for (int i = 0; node != NULL && i < node->count; i++)
+        if (node->items[i].text == NULL)
+            return node_error(&node->items[i], 0, "expected a text");
     return true;
 }
 
@@ -630,22 +628,22 @@ static bool all_needed(const struct identities *t, const struct scope *s)
 {
     const struct program *p = &t->program;
     for (int i = 0; i < DECLARATIONS; i++) {
-        const yaml_node_t *names = given(s, declarations[i].key);
-        for (int k = 0; names != NULL && k < length_of(names); k++) {
-            const yaml_node_t *name = name_of(s->document, names, k);
-            if (!t->needed[find_input(p, scalar(name))])
-                return parse_error(s->document, name, 0, "nothing shown rests on '%s'", scalar(name));
+        const struct yaml *names = given(s, declarations[i].key);
+        for (int k = 0; names != NULL && k < names->count; k++) {
+            const struct yaml *item = &names->items[k];
+            const char *name = name_of(item);
+            if (!t->needed[find_input(p, name)])
+                return node_error(item, place_of(item), "nothing shown rests on '%s'", name);
         }
     }
-    const yaml_node_t *let = given(s, "let");
-    for (int k = 0, first = p->inputs; let != NULL && k < length_of(let); k++) {
+    const struct yaml *let = given(s, "let");
+    for (int k = 0, first = p->inputs; let != NULL && k < let->count; k++) {
         const int last = p->names[p->inputs + k].node; /* its formula: nodes first ... last, or an older one */
         bool serves = t->needed[last];
         for (; first <= last; first++) /* rate() may take up parts of it alone */
             serves = serves || t->needed[first];
         if (!serves)
-            return parse_error(s->document, key_of(s->document, let, k), 0, "nothing shown rests on '%s'",
-                               p->names[p->inputs + k].text);
+            return node_error(&let->items[k], AT_KEY, "nothing shown rests on '%s'", p->names[p->inputs + k].text);
     }
     return true;
 }
@@ -657,8 +655,7 @@ static bool check_roots(const struct identities *t, const struct scope *s)
         radical = radical || (t->needed[i] && (t->program.nodes[i].op == OPERATOR_SQRT ||
                                                t->program.nodes[i].op == OPERATOR_ATAN2));
     if (!radical && t->root_count > 0)
-        return parse_error(s->document, given(s, "square roots"), 0,
-                           "expected no square roots, nothing shown rests on one");
+        return node_error(given(s, "square roots"), 0, "expected no square roots, nothing shown rests on one");
     return true;
 }
 

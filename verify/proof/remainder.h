@@ -8,11 +8,11 @@
 #define CT_REMAINDER_H
 
 #include "formula/expression.h"
-#include "text/document.h"
+#include "text/tree.h"
 
 struct remainder {
     const char *equation, *text, *unit, *at_most; /* equation: the number of the one that drops it */
-    const yaml_node_t *on, *at;                   /* the states, as they are written; the bound is written there */
+    const struct yaml *on, *at;                   /* the states, as they are written; the bound is written there */
     struct program program; /* the formula alone; what it rests on are its inputs */
     int node;
     fmpq *low, *high;       /* of each input; equal where it is fixed */

@@ -83,13 +83,8 @@ static const struct quantity *known_quantity(const struct sheet *s, const struct
     for (int i = 0; i < s->quantity_count; i++)
         names[i] = s->quantities[i].name;
     const char *near = nearest_name(name, names, (size_t)s->quantity_count);
-    struct message text;
-    message_set(&text, "unknown symbol '%s', expected a quantity of the sheet%s%s%s", name, near ? " (did you mean '" : "",
-                near ? near : "", near ? "'?)" : "");
-    if (name == n->key)
-        key_error(n, "%.400s", text.text);
-    else
-        node_error(n, 0, "%.400s", text.text);
+    node_error(n, name == n->key ? AT_KEY : 0, "unknown symbol '%s', expected a quantity of the sheet%s%s%s", name,
+               near ? " (did you mean '" : "", near ? near : "", near ? "'?)" : "");
     free(names);
     return NULL;
 }
@@ -142,7 +137,7 @@ static bool read_lets(const struct yaml *let, struct formulas *f)
     for (int i = 0; i < let->count; i++) {
         const struct yaml *n = &let->items[i];
         if (program_find(&f->program, n->key) >= 0)
-            return key_error(n, "'%s' is an input already, expected a new name", n->key);
+            return node_error(n, AT_KEY, "'%s' is an input already, expected a new name", n->key);
         const int result = is_text(n, "a formula") ? read_formula(&f->program, n, n->text, 0) : -1;
         if (result < 0)
             return false;
@@ -167,7 +162,7 @@ static bool read_outputs(const struct sheet *sheet, const struct yaml *outputs, 
         if (f == &s->corrected)
             s->outputs[s->output_count++] = q;
         else if (count >= s->output_count || s->outputs[count] != q)
-            return key_error(n, "expected the outputs of the corrected equation, in its order");
+            return node_error(n, AT_KEY, "expected the outputs of the corrected equation, in its order");
         f->text[count] = n->text;
         f->outputs[count] = read_formula(&f->program, n, n->text, 0);
         if (f->outputs[count] < 0)
@@ -338,7 +333,7 @@ static bool read_special(const struct yaml *n, struct section *s)
         if (strcmp(value->key, "flags") == 0)
             special->flags = value->text;
         else if (i == s->input_count)
-            return key_error(value, "'%s' is no input of %s", value->key, s->id);
+            return node_error(value, AT_KEY, "'%s' is no input of %s", value->key, s->id);
         else if (value->text == NULL || !is_literals(value->text))
             return node_error(value, 0, "expected a number");
         else

@@ -39,30 +39,29 @@ static struct mark place_in_text(const struct yaml *n, size_t offset)
     return place;
 }
 
-static bool tell(const struct tree *tree, struct mark at, const char *format, va_list arguments)
+static void tell(struct message *m, const struct yaml *at, size_t offset, const char *format, va_list arguments)
 {
     char text[384];
+    const struct mark place = offset == AT_KEY ? at->key_at : place_in_text(at, offset);
     vsnprintf(text, sizeof text, format, arguments);
-    message_set(tree->why, "%s:%zu:%zu: %s", tree->file, at.line + 1, at.column + 1, text);
-    return false;
+    message_set(m, "%s:%zu:%zu: %s", at->tree->file, place.line + 1, place.column + 1, text);
 }
 
 bool node_error(const struct yaml *at, size_t offset, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    tell(at->tree, place_in_text(at, offset), format, arguments);
+    tell(at->tree->why, at, offset, format, arguments);
     va_end(arguments);
     return false;
 }
 
-bool key_error(const struct yaml *at, const char *format, ...)
+void node_message(struct message *m, const struct yaml *at, size_t offset, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    tell(at->tree, at->key_at, format, arguments);
+    tell(m, at, offset, format, arguments);
     va_end(arguments);
-    return false;
 }
 
 /* ---- reading ---- */
@@ -95,10 +94,10 @@ static bool load_key(struct loading *l, const struct yaml *mapping, struct yaml 
 {
     item->key_at = place_of(l->event.start_mark);
     if (l->event.type != YAML_SCALAR_EVENT)
-        return key_error(item, "expected a plain key");
+        return node_error(item, AT_KEY, "expected a plain key");
     const char *key = (const char *)l->event.data.scalar.value;
     if (under(mapping, key) != NULL)
-        return key_error(item, "duplicate '%s', expected each key once", key);
+        return node_error(item, AT_KEY, "duplicate '%s', expected each key once", key);
     item->key = text_copy(key);
     item->key_quoted = l->event.data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
     return next_event(l);
@@ -204,17 +203,17 @@ bool is_text(const struct yaml *n, const char *expected)
     return n->text != NULL || node_error(n, 0, "expected %s", expected);
 }
 
-static bool is_list(const struct yaml *n)
+bool is_sequence(const struct yaml *n)
 {
     return (n->text == NULL && !n->mapping) || node_error(n, 0, "expected a list");
 }
 
 bool is_texts(const struct yaml *n, int most)
 {
-    for (int i = 0; is_list(n) && i < n->count; i++)
+    for (int i = 0; is_sequence(n) && i < n->count; i++)
         if (n->items[i].text == NULL || i == most)
             return node_error(&n->items[i], 0, "expected a list of at most %d texts", most);
-    return is_list(n);
+    return is_sequence(n);
 }
 
 bool is_positive_number(const struct yaml *n, double *value)
@@ -246,6 +245,8 @@ static bool read_field(const struct yaml *n, const struct field *f, char *into)
 {
     void *at = into + f->offset;
     switch (f->kind) {
+    case FIELD_ANY:
+        return true;
     case FIELD_TEXT:
         *(const char **)at = n->text;
         return (n->text != NULL && n->text[0] != '\0') || node_error(n, 0, "missing %s, expected a text", f->key);
@@ -253,14 +254,14 @@ static bool read_field(const struct yaml *n, const struct field *f, char *into)
         for (int i = 0; i < n->count && is_texts(n, f->most); i++)
             ((const char **)at)[i] = n->items[i].text;
         *(int *)(into + f->count) = n->count;
-        return is_texts(n, f->most) && (n->count > 0 || f->expected == NULL || node_error(n, 0, "expected at least one of %s", f->expected));
+        return is_texts(n, f->most) && (n->count > 0 || f->expected == NULL || f->may_be_empty || node_error(n, 0, "expected at least one of %s", f->expected));
     case FIELD_POSITIVE:
         return is_positive_number(n, at);
     case FIELD_WORD:
         return read_word(n, f, at);
     default:
         *(const struct yaml **)at = n;
-        return f->kind == FIELD_MAP ? is_map(n) : f->kind == FIELD_LIST ? is_list(n) : true;
+        return f->kind == FIELD_MAP ? is_map(n) : f->kind == FIELD_LIST ? is_sequence(n) : true;
     }
 }
 
@@ -274,7 +275,7 @@ static const struct field *find_field(const struct yaml *item, const struct fiel
         known[count++] = f->key;
     }
     const char *near = nearest_name(item->key, known, count);
-    key_error(item, "unknown key '%s', expected %s%s", item->key, near ? "perhaps " : "one of this kind of entry", near ? near : "");
+    node_error(item, AT_KEY, "unknown key '%s', expected %s%s", item->key, near ? "perhaps " : "one of this kind of entry", near ? near : "");
     return NULL;
 }
 

@@ -37,18 +37,20 @@ void tree_close(struct tree *tree);
 const struct yaml *under(const struct yaml *mapping, const char *key);
 
 /* The mistake stands `offset` characters into a node (of which only a scalar's own are counted, folded as it is). False. */
+#define AT_KEY ((size_t)-1) /* ... or at its key */
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
 bool node_error(const struct yaml *at, size_t offset, const char *format, ...);
 
-/* The same of the key of a node. */
+/* The same into a message of one's own. */
 #if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
+__attribute__((format(printf, 4, 5)))
 #endif
-bool key_error(const struct yaml *at, const char *format, ...);
+void node_message(struct message *m, const struct yaml *at, size_t offset, const char *format, ...);
 
 bool is_map(const struct yaml *n);
+bool is_sequence(const struct yaml *n);
 bool is_text(const struct yaml *n, const char *expected);
 
 /* Texts alone, `most` at most. */
@@ -60,6 +62,7 @@ bool is_positive_number(const struct yaml *n, double *value);
 /* ---- mappings whose keys are known ---- */
 
 enum field_kind {
+    FIELD_ANY,     /* known, and read elsewhere                  */
     FIELD_NODE,    /* const struct yaml *: whatever stands there */
     FIELD_MAP,     /* ... a mapping                              */
     FIELD_LIST,    /* ... a list                                 */
@@ -77,6 +80,7 @@ struct field {
     const char *expected;     /* where it is missing; NULL: it may be missing */
     const char *const *words; /* NULL ends them                               */
     int most;
+    bool may_be_empty;        /* of a list that has to be there               */
     size_t count;             /* the offset of the count                      */
 };
 
