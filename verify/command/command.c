@@ -215,19 +215,17 @@ int option_inputs(const struct arguments *a, enum input_form *form)
     return usage_error(EXIT_USAGE, "--inputs: expected shortest, exact or hex, got '%.40s'", text);
 }
 
-int whole_number(const char *name, const char *text, uint64_t *value)
+int option_number(const struct arguments *a, const char *name, uint64_t *number)
 {
+    const char *text = option_value(a, name);
     char *end;
+    if (text == NULL)
+        return EXIT_DONE;
     errno = 0;
-    *value = strtoull(text, &end, 10);
+    *number = strtoull(text, &end, 10);
     if (strspn(text, "0123456789") != strlen(text) || *text == '\0' || errno != 0)
         return usage_error(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
     return EXIT_DONE;
-}
-
-int option_number(const struct arguments *a, const char *name, uint64_t *number)
-{
-    return option_given(a, name) ? whole_number(name, option_value(a, name), number) : EXIT_DONE;
 }
 
 /* What a literal is that is no finite number. */

@@ -60,9 +60,6 @@ int option_digits(const struct arguments *a, long otherwise, long *digits);
 /* --inputs shortest|exact|hex. */
 int option_inputs(const struct arguments *a, enum input_form *form);
 
-/* A whole number below 2^63 in decimal digits. */
-int whole_number(const char *name, const char *text, uint64_t *value);
-
 /*
  * The value of a literal called `name`. A malformed one is wrong usage, one that is no finite number (nan, inf, past binary64)
  * lies outside the domain.

@@ -10,22 +10,11 @@
 /* K/N: the K-th of N contiguous parts, as even as can be. */
 static int take_shard(const char *text, uint64_t *first, uint64_t *count, bool *header)
 {
-    uint64_t k = 0, n = 0;
-    char *copy = text_copy(text), *slash = strchr(copy, '/');
-    int status = EXIT_USAGE;
-    if (slash == NULL) {
-        usage_error(EXIT_USAGE, "--shard: expected K/N, got '%.40s'", text);
-    } else {
-        *slash = '\0';
-        status = whole_number("--shard", copy, &k);
-        if (status == EXIT_DONE)
-            status = whole_number("--shard", slash + 1, &n);
-    }
-    if (status == EXIT_DONE && (k < 1 || k > n || n > 1000000))
-        status = usage_error(EXIT_USAGE, "--shard: expected K/N with 1 <= K <= N <= 1000000, got '%.40s'", text);
-    free(copy);
-    if (status != EXIT_DONE)
-        return status;
+    unsigned long k = 0, n = 0;
+    int length = 0;
+    if (strspn(text, "0123456789/") != strlen(text) || sscanf(text, "%7lu/%7lu%n", &k, &n, &length) != 2 ||
+        text[length] != '\0' || k < 1 || k > n || n > 1000000)
+        return usage_error(EXIT_USAGE, "--shard: expected K/N with 1 <= K <= N <= 1000000, got '%.40s'", text);
     const uint64_t all = *count, part = all / n, more = all % n; /* the first `more` parts have one more */
     *first = (k - 1) * part + (k - 1 < more ? k - 1 : more);
     *count = part + (k - 1 < more);

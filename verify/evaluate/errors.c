@@ -13,71 +13,71 @@ enum { TRUTH_BITS = 192 };
 
 /* ---- sensitivities ---- */
 
-/* Adds |x dy| to S. */
-static void add_term(arb_t S, const struct input *x, arb_srcptr derivative, slong prec)
+/* Adds |x dy| to S; an infinite x has no last digit that anything depends on. */
+static void add_term(arb_t S, arb_srcptr x, arb_srcptr derivative, slong prec)
 {
     SCOPE(arb, term);
-    if (x->infinite)
-        return; /* nothing depends on the last digit of infinity */
-    arb_set_fmpq(term, &x->value, prec);
-    arb_mul(term, term, derivative, prec);
+    if (!arb_is_finite(x))
+        return;
+    arb_mul(term, x, derivative, prec);
     arb_abs(term, term);
     arb_add(S, S, term, prec);
 }
 
-/* Of a root z, from p(z; x) = 0: dz/dx = -p_x(z) / p_z(z), coefficients and their gradients of Eq. (41). */
-static void root_sensitivity(arb_t S, acb_srcptr z, arb_srcptr coefficients, arb_srcptr gradients,
-                             const struct input *inputs, slong prec)
-{
-    SCOPE(acb, slope, p, power, term);
-    SCOPE(arb, modulus);
-    for (int k = 4; k >= 1; k--) {
-        acb_mul(slope, slope, z, prec);
-        arb_mul_ui(modulus, coefficients + k, (ulong)k, prec);
-        acb_add_arb(slope, slope, modulus, prec);
-    }
-    arb_zero(S);
-    for (int i = 0; i < 3; i++) {
-        acb_zero(p);
-        for (int k = 4; k >= 0; k--) {
-            acb_mul(p, p, z, prec);
-            acb_add_arb(p, p, gradients + 5 * i + k, prec);
-        }
-        acb_div(term, p, slope, prec);
-        acb_abs(modulus, term, prec);
-        add_term(S, &inputs[i], modulus, prec);
-    }
-}
+/* Of Eq. (41): its five coefficients, what each of the three inputs does to each of them, and the inputs. */
+enum { GRADIENTS = 5, VARIABLES41 = GRADIENTS + 15, POLYNOMIAL41 = VARIABLES41 + 3 };
 
-/* Coefficients of (41) and what each input does to them. */
-static void polynomial41(const struct sheet *sheet, const struct input *inputs, slong prec, arb_ptr coefficients, arb_ptr gradients)
+static void polynomial41(const struct sheet *sheet, const struct input *inputs, slong prec, arb_ptr p)
 {
     struct operation polynomial;
     struct machine adjoint;
     operation_init(&polynomial, section_find(sheet, "eq41"), false);
-    operation_enclose(&polynomial, inputs, prec, coefficients);
+    operation_enclose(&polynomial, inputs, prec, p);
     machine_init(&adjoint, polynomial.machine.program, &arithmetic_ball, prec);
     for (int k = 0; k < 5; k++) {
         machine_gradient(&polynomial.machine, polynomial.formulas->outputs[k], &adjoint);
         for (int i = 0; i < 3; i++)
-            arb_set(gradients + 5 * i + k, machine_value(&adjoint, i));
+            arb_set(p + GRADIENTS + 5 * i + k, machine_value(&adjoint, i));
     }
+    for (int i = 0; i < 3; i++)
+        arb_set(p + VARIABLES41 + i, machine_value(&polynomial.machine, i));
     machine_clear(&adjoint);
     operation_clear(&polynomial);
+}
+
+/* Of a root z, from p(z; x) = 0: dz/dx = -p_x(z) / p_z(z). */
+static void root_sensitivity(arb_t S, acb_srcptr z, arb_srcptr p, slong prec)
+{
+    SCOPE(acb, slope, change, term);
+    SCOPE(arb, modulus);
+    for (int k = 4; k >= 1; k--) {
+        acb_mul(slope, slope, z, prec);
+        arb_mul_ui(modulus, p + k, (ulong)k, prec);
+        acb_add_arb(slope, slope, modulus, prec);
+    }
+    arb_zero(S);
+    for (int i = 0; i < 3; i++) {
+        acb_zero(change);
+        for (int k = 4; k >= 0; k--) {
+            acb_mul(change, change, z, prec);
+            acb_add_arb(change, change, p + GRADIENTS + 5 * i + k, prec);
+        }
+        acb_div(term, change, slope, prec);
+        acb_abs(modulus, term, prec);
+        add_term(S, p + VARIABLES41 + i, modulus, prec);
+    }
 }
 
 static void roots_sensitivity(const struct sheet *sheet, const struct input *inputs, slong prec, arb_ptr S)
 {
     VECTOR(acb, roots, 4);
-    arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
-    polynomial41(sheet, inputs, prec, coefficients, gradients);
+    VECTOR(arb, p, POLYNOMIAL41);
+    polynomial41(sheet, inputs, prec, p);
     roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
     for (int k = 0; k < 4; k++) {
-        root_sensitivity(S + 2 * k, roots + k, coefficients, gradients, inputs, prec);
+        root_sensitivity(S + 2 * k, roots + k, p, prec);
         arb_set(S + 2 * k + 1, S + 2 * k);
     }
-    _arb_vec_clear(coefficients, 5);
-    _arb_vec_clear(gradients, 15);
 }
 
 bool operation_has_sensitivity(const struct section *s)
@@ -85,7 +85,7 @@ bool operation_has_sensitivity(const struct section *s)
     return s->method == METHOD_FORMULA || s->method == METHOD_ROOTS;
 }
 
-void formula_sensitivity(struct operation *o, const struct input *inputs, arb_ptr S)
+void formula_sensitivity(struct operation *o, arb_ptr S)
 {
     const struct section *s = o->section;
     const slong prec = o->machine.prec;
@@ -95,7 +95,7 @@ void formula_sensitivity(struct operation *o, const struct input *inputs, arb_pt
         machine_gradient(&o->machine, o->formulas->outputs[k], &o->adjoint);
         arb_zero(S + k);
         for (int i = 0; i < s->input_count; i++)
-            add_term(S + k, &inputs[i], machine_value(&o->adjoint, i), prec);
+            add_term(S + k, machine_value(&o->machine, i), machine_value(&o->adjoint, i), prec);
     }
 }
 
@@ -108,7 +108,7 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
     }
     VECTOR(arb, values, s->output_count);
     operation_enclose(o, inputs, prec, values); /* fills the machine */
-    formula_sensitivity(o, inputs, S);
+    formula_sensitivity(o, S);
 }
 
 void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
@@ -134,7 +134,7 @@ void operation_sensitivity_settled(struct operation *o, const struct input *inpu
         if (exact_is_undefined(derivative))
             arb_pos_inf(S);
         else if (!exact_is_zero(derivative) && arb_is_finite(S))
-            add_term(S, &inputs[i], machine_value(&balls, i), prec);
+            add_term(S, machine_value(&o->machine, i), machine_value(&balls, i), prec);
     }
     machine_clear(&exact);
     machine_clear(&derivatives);
@@ -205,8 +205,7 @@ struct error_bounds error_in_roundings(const arf_t y, const arb_t exact, const a
     arb_abs(distance, distance);
     arb_abs(weight, exact);
     arb_add(weight, weight, S, 64);
-    const struct error_bounds E = roundings(distance, weight, significand);
-    return E;
+    return roundings(distance, weight, significand);
 }
 
 /* ---- roots, complex numbers of which S is a modulus too ---- */
@@ -220,8 +219,7 @@ static struct error_bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S,
     arb_hypot(re, re, im, TRUTH_BITS);
     arb_hypot(im, z, z + 1, TRUTH_BITS);
     arb_add(im, im, S, TRUTH_BITS);
-    const struct error_bounds E = roundings(re, im, significand);
-    return E;
+    return roundings(re, im, significand);
 }
 
 /*
@@ -230,40 +228,29 @@ static struct error_bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S,
  */
 static struct error_bounds residual_error(const struct sheet *sheet, arb_srcptr y, const struct input *inputs, int significand)
 {
-    arb_ptr coefficients = _arb_vec_init(5), gradients = _arb_vec_init(15);
-    acb_t z, power, sum, moved[3];
+    VECTOR(arb, p, POLYNOMIAL41);
+    VECTOR(acb, moved, 3);
+    SCOPE(acb, z, power, sum);
     SCOPE(arb, weight, modulus);
-    acb_init(z);
-    acb_init(power);
-    acb_init(sum);
-    for (int i = 0; i < 3; i++)
-        acb_init(moved[i]);
-    polynomial41(sheet, inputs, TRUTH_BITS, coefficients, gradients);
+    polynomial41(sheet, inputs, TRUTH_BITS, p);
     acb_set_arb_arb(z, y, y + 1);
     acb_one(power);
     for (int k = 0; k < 5; k++) {
-        acb_addmul_arb(sum, power, coefficients + k, TRUTH_BITS);
+        acb_addmul_arb(sum, power, p + k, TRUTH_BITS);
         acb_abs(modulus, power, TRUTH_BITS);
-        arb_mul(modulus, modulus, coefficients + k, TRUTH_BITS);
+        arb_mul(modulus, modulus, p + k, TRUTH_BITS);
         arb_abs(modulus, modulus);
         arb_add(weight, weight, modulus, TRUTH_BITS);
         for (int i = 0; i < 3; i++)
-            acb_addmul_arb(moved[i], power, gradients + 5 * i + k, TRUTH_BITS);
+            acb_addmul_arb(moved + i, power, p + GRADIENTS + 5 * i + k, TRUTH_BITS);
         acb_mul(power, power, z, TRUTH_BITS);
     }
     for (int i = 0; i < 3; i++) {
-        acb_abs(modulus, moved[i], TRUTH_BITS);
-        add_term(weight, &inputs[i], modulus, TRUTH_BITS);
-        acb_clear(moved[i]);
+        acb_abs(modulus, moved + i, TRUTH_BITS);
+        add_term(weight, p + VARIABLES41 + i, modulus, TRUTH_BITS);
     }
     acb_abs(modulus, sum, TRUTH_BITS);
-    const struct error_bounds E = roundings(modulus, weight, significand);
-    acb_clear(z);
-    acb_clear(power);
-    acb_clear(sum);
-    _arb_vec_clear(coefficients, 5);
-    _arb_vec_clear(gradients, 15);
-    return E;
+    return roundings(modulus, weight, significand);
 }
 
 static double distance(arb_srcptr y, arb_srcptr z)
@@ -355,7 +342,9 @@ void measure_errors(struct measured *m, const struct section *s, long count, uin
 {
     double values[MOST_INPUTS], answers[MOST_OUTPUTS];
     struct input *inputs = inputs_new(s->input_count);
-    arb_ptr y = _arb_vec_init(MOST_OUTPUTS), exact = _arb_vec_init(MOST_OUTPUTS), S = _arb_vec_init(MOST_OUTPUTS);
+    VECTOR(arb, y, MOST_OUTPUTS);
+    VECTOR(arb, exact, MOST_OUTPUTS);
+    VECTOR(arb, S, MOST_OUTPUTS);
     reference_function *function = reference_find(s->id);
     struct operation o;
     operation_init(&o, s, false);
@@ -377,7 +366,4 @@ void measure_errors(struct measured *m, const struct section *s, long count, uin
     }
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
-    _arb_vec_clear(y, MOST_OUTPUTS);
-    _arb_vec_clear(exact, MOST_OUTPUTS);
-    _arb_vec_clear(S, MOST_OUTPUTS);
 }

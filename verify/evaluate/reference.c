@@ -49,6 +49,10 @@ static struct ct_spherical_rate spherical_rate(const double *in)
 
 /* ---- an operation each ---- */
 
+/* One number, or the three components of a vector, that a function of ref/ gives. */
+#define NUMBER(id, value) static void id(const double *in, double *out) { out[0] = (value); }
+#define TRIPLE(id, value) static void id(const double *in, double *out) { put(out, value); }
+
 static void eq02(const double *in, double *out)
 {
     struct ct_craft craft[3];
@@ -62,15 +66,8 @@ static void eq02(const double *in, double *out)
         put(out + 3 * i, acceleration[i]);
 }
 
-static void eq03(const double *in, double *out)
-{
-    put(out, ct_hill_acceleration(pair(in), hill_state(in + 5), in[4]));
-}
-
-static void eq04(const double *in, double *out)
-{
-    put(out, ct_second_position(masses(in), vector(in + 2)));
-}
+TRIPLE(eq03, ct_hill_acceleration(pair(in), hill_state(in + 5), in[4]))
+TRIPLE(eq04, ct_second_position(masses(in), vector(in + 2)))
 
 static void eq05(const double *in, double *out)
 {
@@ -79,10 +76,7 @@ static void eq05(const double *in, double *out)
     out[1] = x.x2;
 }
 
-static void eq07(const double *in, double *out)
-{
-    out[0] = ct_reference_charge_product(pair(in), in[4]);
-}
+NUMBER(eq07, ct_reference_charge_product(pair(in), in[4]))
 
 static void eq09(const double *in, double *out)
 {
@@ -91,15 +85,8 @@ static void eq09(const double *in, double *out)
         out[i] = BO.e[i / 3][i % 3];
 }
 
-static void eq10(const double *in, double *out)
-{
-    put(out, ct_position(masses(in), spherical(in + 2)));
-}
-
-static void eq10lin(const double *in, double *out)
-{
-    put(out, ct_position_small_angles(masses(in), spherical(in + 2)));
-}
+TRIPLE(eq10, ct_position(masses(in), spherical(in + 2)))
+TRIPLE(eq10lin, ct_position_small_angles(masses(in), spherical(in + 2)))
 
 static void eq10inv(const double *in, double *out)
 {
@@ -109,35 +96,12 @@ static void eq10inv(const double *in, double *out)
     out[2] = c.theta;
 }
 
-static void eq11exact(const double *in, double *out)
-{
-    put(out, ct_velocity(masses(in), spherical(in + 2), spherical_rate(in + 5)));
-}
-
-static void eq11(const double *in, double *out)
-{
-    put(out, ct_velocity_small_angles(masses(in), spherical(in + 2), spherical_rate(in + 5)));
-}
-
-static void eq12(const double *in, double *out)
-{
-    out[0] = ct_distance(vector(in), vector(in + 3));
-}
-
-static void eq13(const double *in, double *out)
-{
-    out[0] = ct_separation(masses(in), vector(in + 2));
-}
-
-static void eq14(const double *in, double *out)
-{
-    out[0] = ct_separation_acceleration(pair(in), hill_state(in + 5), in[4]);
-}
-
-static void eq15(const double *in, double *out)
-{
-    out[0] = ct_separation_acceleration_small_angles(pair(in), in[4], in[5], in[6]);
-}
+TRIPLE(eq11exact, ct_velocity(masses(in), spherical(in + 2), spherical_rate(in + 5)))
+TRIPLE(eq11, ct_velocity_small_angles(masses(in), spherical(in + 2), spherical_rate(in + 5)))
+NUMBER(eq12, ct_distance(vector(in), vector(in + 3)))
+NUMBER(eq13, ct_separation(masses(in), vector(in + 2)))
+NUMBER(eq14, ct_separation_acceleration(pair(in), hill_state(in + 5), in[4]))
+NUMBER(eq15, ct_separation_acceleration_small_angles(pair(in), in[4], in[5], in[6]))
 
 static void eq17(const double *in, double *out)
 {
@@ -166,30 +130,11 @@ static void eq21(const double *in, double *out)
     out[1] = q.q2;
 }
 
-static void eq25(const double *in, double *out)
-{
-    put(out, ct_orbit_angular_velocity(in[0], in[1]));
-}
-
-static void eq26(const double *in, double *out)
-{
-    put(out, ct_relative_angular_velocity(in[0], in[1], in[2]));
-}
-
-static void eq27(const double *in, double *out)
-{
-    put(out, ct_angular_velocity(in[0], in[1], in[2], in[3]));
-}
-
-static void eq28(const double *in, double *out)
-{
-    put(out, ct_angular_velocity_small_angles(in[0], in[1], in[2], in[3]));
-}
-
-static void eq29(const double *in, double *out)
-{
-    put(out, ct_angular_acceleration_small_angles(in[0], in[1], in[2], in[3]));
-}
+TRIPLE(eq25, ct_orbit_angular_velocity(in[0], in[1]))
+TRIPLE(eq26, ct_relative_angular_velocity(in[0], in[1], in[2]))
+TRIPLE(eq27, ct_angular_velocity(in[0], in[1], in[2], in[3]))
+TRIPLE(eq28, ct_angular_velocity_small_angles(in[0], in[1], in[2], in[3]))
+TRIPLE(eq29, ct_angular_acceleration_small_angles(in[0], in[1], in[2], in[3]))
 
 static void eq30(const double *in, double *out)
 {
@@ -199,35 +144,12 @@ static void eq30(const double *in, double *out)
         out[i] = I.e[row[i]][column[i]];
 }
 
-static void eq32(const double *in, double *out)
-{
-    out[0] = ct_inertia(masses(in), in[2]);
-}
-
-static void eq34(const double *in, double *out)
-{
-    out[0] = ct_inertia_rate(masses(in), in[2], in[3]);
-}
-
-static void eq36(const double *in, double *out)
-{
-    put(out, ct_centre_position(in[0], in[1], in[2]));
-}
-
-static void eq37(const double *in, double *out)
-{
-    put(out, ct_gravity_gradient(in[0], vector(in + 1), in[4]));
-}
-
-static void eq38(const double *in, double *out)
-{
-    out[0] = ct_orbit_rate(in[0], in[1]);
-}
-
-static void eq39(const double *in, double *out)
-{
-    put(out, ct_gravity_gradient_small_angles(in[0], in[1], in[2], in[3]));
-}
+NUMBER(eq32, ct_inertia(masses(in), in[2]))
+NUMBER(eq34, ct_inertia_rate(masses(in), in[2], in[3]))
+TRIPLE(eq36, ct_centre_position(in[0], in[1], in[2]))
+TRIPLE(eq37, ct_gravity_gradient(in[0], vector(in + 1), in[4]))
+NUMBER(eq38, ct_orbit_rate(in[0], in[1]))
+TRIPLE(eq39, ct_gravity_gradient_small_angles(in[0], in[1], in[2], in[3]))
 
 static void eq40(const double *in, double *out)
 {
@@ -265,15 +187,8 @@ static void eq42(const double *in, double *out)
     out[2] = m.stable;
 }
 
-static void eq43(const double *in, double *out)
-{
-    out[0] = ct_proportional_gain(in[0], in[1]);
-}
-
-static void eq44(const double *in, double *out)
-{
-    out[0] = ct_derivative_gain(in[0], in[1]);
-}
+NUMBER(eq43, ct_proportional_gain(in[0], in[1]))
+NUMBER(eq44, ct_derivative_gain(in[0], in[1]))
 
 /* Omega L_ref C1 C2 t, six of state, and h after them where h is not NULL */
 static void linear(const double *in, const double *h, double *out)

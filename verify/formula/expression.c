@@ -551,7 +551,7 @@ void machine_gradient(const struct machine *m, int node, struct machine *adjoint
     char *reached = xrealloc(NULL, (size_t)node + 1, 1);
     SCOPE(fmpq, number);
     memset(reached, 0, (size_t)node + 1);
-    for (int i = 0; i < p->count; i++)
+    for (int i = 0; i < p->inputs || i < node; i++) /* what lies above is not reached */
         m->arithmetic->set_rational(machine_value(adjoint, i), number, m->prec);
     fmpq_one(number);
     m->arithmetic->set_rational(machine_value(adjoint, node), number, m->prec);
