@@ -59,17 +59,17 @@ static const struct {
     {THREE "invalid", 1, " invalid where a value is due\n"},
     {THREE "value", 1, " a value where invalid is due\n"},
     {THREE "wrong-id", 1, "eq09: 26 missing\n"}, /* a vector fails once, the line is counted apart */
-    {THREE "wrong-id", 1, "105 vectors: 10 passed, 95 failed, 0 skipped; lines that answer nothing: 95\n"},
+    {THREE "wrong-id", 1, "108 vectors: 10 passed, 98 failed, 0 skipped; lines that answer nothing: 98\n"},
     {THREE "malformed", 1, "eq07: 1 malformed\n"},
     {THREE "binary", 1, "  1 no vector's name, the first is line 11: "},
-    {THREE "binary", 1, "105 vectors: 104 passed, 1 failed, 0 skipped; lines that answer nothing: 1\n"},
+    {THREE "binary", 1, "108 vectors: 107 passed, 1 failed, 0 skipped; lines that answer nothing: 1\n"},
     {THREE "too-long", 1, "  1 too long, the first is line 11: \n    it has more than 65536 bytes\n"},
     {THREE "missing", 1, "eq07: 1 missing\n  eq07-random-7: missing\n\n"}, /* it is not the vector's fault */
     {THREE "repeated", 1, "  1 repeated or out of order, the first is line 12: eq07-random-7 "},
     {THREE "reordered", 1, "  1 repeated or out of order, the first is line 12: eq07-random-7 "},
     {THREE "reordered", 1, "eq07: 1 missing\n"},
     {THREE "truncated", 1, "eq07: 1 truncated, "},
-    {THREE "extra", 1, "\nlines that answer nothing: 2\n  1 wrong id, the first is line 107: that was all\n"},
+    {THREE "extra", 1, "\nlines that answer nothing: 2\n  1 wrong id, the first is line 110: that was all\n"},
     {THREE "empty", 1, "eq09: 26 missing\n"},
     {THREE "hang", 1, " 1 time-out\n  eq07-random-7: time-out\n    Omega      4.497"},
     {THREE "crash", 1, " 1 crash\n"},
@@ -77,8 +77,8 @@ static const struct {
     {THREE "truncated", 1, "\nthe client ended after 10 of 108 answers\n"},
     {THREE "truncated", 1, "  first truncated: eq07-random-7 -1.3\n    the last line has no LF\n"},
     {THREE "malformed", 1, "  first malformed: eq07-random-7 1.5 oops\n    'oops' is no number\n"},
-    {THREE "wrong-id", 1, "  95 wrong id, the first is line 11: somebody "},
-    {THREE "flood", 1, "\nthe client was stopped for so many lines that answer nothing after 0 of 105 answers\n"},
+    {THREE "wrong-id", 1, "  98 wrong id, the first is line 11: somebody "},
+    {THREE "flood", 1, "\nthe client was stopped for so many lines that answer nothing after 0 of 108 answers\n"},
     {THREE "skip", 1, "every vector was skipped\n"},
     {"--only eq38 -- sh -c 'printf %150s; echo \"eq38-paper skip it\"; cat >/dev/null'", 1, "  25        1\n"},
     {"--only eq38 -- sh -c 'printf \"eq38-paper\\\\t\\\\033[1m\\\\n\"; cat >/dev/null'", 1, "got        ?[1m\n"},
@@ -153,7 +153,7 @@ END_TEST
 START_TEST(vectors_are_asked_one_by_one)
 {
     ck_assert_int_eq(conform("--only eq44-boundary,eq44-paper,eq44-boundary,eq43 -- FAULTY none"), 0);
-    assert_says("eq43                  29       29 ");
+    assert_says("eq43                  30       30 ");
     assert_says("eq44                   2        2 ");
     ck_assert_int_eq(conform("--only eq44-7-3,eq44-7-outside-0 --random 17 --seed 7 -- FAULTY none"), 0);
     assert_says("\n2 vectors: 2 passed, ");
@@ -162,14 +162,14 @@ START_TEST(vectors_are_asked_one_by_one)
 }
 END_TEST
 
-/* Five of eq38's vectors come after the tenth question and lie inside the domain; --all shows them all, else there is one. */
+/* Six of eq38's vectors come after the tenth question and lie inside the domain; --all shows them all, else there is one. */
 START_TEST(every_failing_vector_is_shown)
 {
     int shown = 0;
     ck_assert_int_eq(conform("--only eq38 --all -- FAULTY printed"), 1);
     for (const char *at = said; (at = strstr(at, ": wrong, E = ")) != NULL; at++)
         shown++;
-    ck_assert_int_eq(shown, 5);
+    ck_assert_int_eq(shown, 6);
     ck_assert_int_eq(conform("--only eq38 -- FAULTY printed"), 1);
     ck_assert_ptr_eq(strstr(strstr(said, ": wrong, E = ") + 1, ": wrong, E = "), NULL);
 }
@@ -189,10 +189,10 @@ START_TEST(expected_failures_are_none_and_what_passes_is_said)
 {
     ck_assert_int_eq(system("cd \"$CT_BUILD/tests\"; printf '# known\\neq38-random-10 the 3\\n\\n  eq38-paper\\neq07-paper\\n' >expect"), 0);
     ck_assert_int_eq(conform("--only eq38 --expect \"$CT_BUILD/tests/expect\" -- FAULTY printed"), 1);
-    assert_says("eq38                  25       20       4 ");
+    assert_says("eq38                  26       20       5 ");
     assert_says(", 1 failed as expected\n");
     assert_says("\neq38-paper was expected to fail, and passes\n");
-    assert_says("eq38: 5 wrong; 1 of them as expected\n");
+    assert_says("eq38: 6 wrong; 1 of them as expected\n");
     ck_assert_int_eq(conform("--only eq38-random-10,eq38-paper --all --report \"$CT_BUILD/tests/expect.xml\" --expect \"$CT_BUILD/tests/expect\" "
                              "-- sh -c 'for i in 1 2; do read o id in; echo $id 1; done'"), 0);
     assert_says("eq38-random-10: wrong, E = ");
@@ -305,8 +305,8 @@ START_TEST(answers_in_a_file_may_stand_in_any_order)
                             "tail -n 2 \"$f\" | head -n 1 >>\"$f\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07"), 1);
     assert_says("eq07: 1 missing\n");
-    assert_says("  1 repeated or out of order, the first is line 50: eq07-");
-    assert_says("  1 wrong id, the first is line 49: stranger 1\n");
+    assert_says("  1 repeated or out of order, the first is line 51: eq07-");
+    assert_says("  1 wrong id, the first is line 50: stranger 1\n");
 }
 END_TEST
 
@@ -340,7 +340,7 @@ START_TEST(tables_are_read_as_spreadsheets_write_them)
     snprintf(line, sizeof line, "awk -F, '%s' data/golden/eq07.csv >\"$CT_BUILD/tests/sheet.csv\"", programs[_i]);
     ck_assert_int_eq(system(line), 0);
     ck_assert_msg(conform("--answers \"$CT_BUILD/tests/sheet.csv\"") == 0, "%s", said);
-    assert_says("eq07                  49       49 ");
+    assert_says("eq07                  50       50 ");
 }
 END_TEST
 
@@ -352,7 +352,7 @@ START_TEST(a_table_that_is_none_is_told_with_its_place)
     ck_assert_int_eq(system("printf 'id;Q_ref\\neq07-paper;-0,00014\\neq07-random-1;\"1\\n2\"\\n' >\"$CT_BUILD/tests/comma.csv\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 1);
     assert_says("'-0,00014' has a decimal comma, a point is due\n");
-    assert_says("eq07: 1 wrong count, 1 malformed, 47 missing\n");
+    assert_says("eq07: 1 wrong count, 1 malformed, 48 missing\n");
 }
 END_TEST
 
@@ -385,7 +385,7 @@ static const char *file_text(const char *name)
 START_TEST(reports_for_machines_say_the_same)
 {
     ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.xml\" -- FAULTY printed"), 1);
-    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "<testsuite name=\"eq38\" tests=\"25\" failures=\"15\" errors=\"0\" skipped=\"0\""));
+    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "<testsuite name=\"eq38\" tests=\"26\" failures=\"16\" errors=\"0\" skipped=\"0\""));
     ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "looks like: as printed\n</failure></testcase>"));
     ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- "
                              "sh -c 'echo \"a <word>\" >&2; exec \"$0\" printed' FAULTY"), 1);
