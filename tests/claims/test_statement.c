@@ -207,6 +207,7 @@ static const struct {
     {"sqrt(2)/1000 | 2 up", "0.0015", EXACT}, {"pi | 6", "3.14159", EXACT},     {"x | 1", "1", CERTIFIED},
     {"x | 3", NULL, CERTIFIED},           {"x | 2 up", "1.4", CERTIFIED},       {"x | 2 down", "1.1", CERTIFIED},
     {"r | 6", "1.41421", EXACT},          {"L | 3", NULL, EXACT},
+    {"9.99 | 2", "10", EXACT},             {"sqrt(99.99) | 3", "10.0", EXACT},
     {"1.51e12*sqrt(1) | 2 up", "1.6e+12", EXACT}, {"dL - 1/10 | 2 up", "0", EXACT},
 };
 

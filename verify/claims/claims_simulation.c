@@ -18,6 +18,7 @@ struct request {
     int which;
     long numbers[2];                      /* the hours, or the part of an exit; -1: none */
     slong from, to;                       /* samples */
+    bool high;                            /* of the extremes the largest */
     struct exits *exits;
 };
 
@@ -56,8 +57,8 @@ static bool peak(arb_t x, const struct request *r)
     return true;
 }
 
-/* The least and the largest value on samples; of a place less where it rests. */
-static bool extreme(arb_t x, const struct request *r, bool high)
+/* The least or the largest value on samples; of a place less where it rests. */
+static bool extreme(arb_t x, const struct request *r)
 {
     SCOPE(arb, value);
     for (slong k = r->from; k <= r->to; k++) {
@@ -66,19 +67,9 @@ static bool extreme(arb_t x, const struct request *r, bool high)
             arb_sub_ui(value, value, 1, BITS);
         if (k == r->from)
             arb_set(x, value);
-        (high ? arb_max : arb_min)(x, x, value, BITS);
+        (r->high ? arb_max : arb_min)(x, x, value, BITS);
     }
     return true;
-}
-
-static bool low(arb_t x, const struct request *r)
-{
-    return extreme(x, r, false);
-}
-
-static bool high(arb_t x, const struct request *r)
-{
-    return extreme(x, r, true);
 }
 
 static bool value_at(arb_t x, const struct request *r)
@@ -176,22 +167,20 @@ static bool part(arb_t x, const struct request *r)
 /* ... and the first sample, in hours, where that is a tenth. */
 static bool parted(arb_t hours, const struct request *r)
 {
-    struct request until = *r;
+    struct request here = *r;
+    bool bounded = true, found = false;
     SCOPE(arb, x);
-    for (slong k = 0; k <= r->to; k++) {
-        until.from = until.to = k;
+    for (slong k = 0; k <= r->to && bounded && !found; k++) {
+        here.from = here.to = k;
         arb_zero(x);
-        if (!part(x, &until))
-            return false;
+        bounded = part(x, &here);
         arb_mul_ui(x, x, 10, BITS);
         arb_sub_ui(x, x, 1, BITS);
-        if (arb_is_positive(x)) {
-            arb_set_si(hours, k * r->of->step);
-            arb_div_ui(hours, hours, HOUR, BITS);
-            return true;
-        }
+        found = arb_is_positive(x);
+        arb_set_si(hours, k * r->of->step);
     }
-    return false;
+    arb_div_ui(hours, hours, HOUR, BITS);
+    return bounded && found;
 }
 
 /* The changes of sign that samples prove at least; of a rate, the turning points. */
@@ -214,7 +203,7 @@ static const struct measure {
     bool in_units; /* of the variable */
 } measures[] = {
     {"sup_", supremum, true},   {"ever_", ever, true},       {"bound_", bound, true},        {"peak_", peak, true},
-    {"low_", low, true},        {"high_", high, true},       {"at_", value_at, true},        {"energy_of_", energy, false},
+    {"low_", extreme, true},    {"high_", extreme, true},       {"at_", value_at, true},        {"energy_of_", energy, false},
     {"exit_", exit_of, false},  {"settled_", settled, false}, {"gap_", gap, true},           {"between_", gap_between, true},
     {"part_", part, false},     {"parted_", parted, false},  {"changes_", sign_changes, false},
 };
@@ -243,6 +232,7 @@ static void give_measure(struct computed *c, bool run, const struct trajectory *
     while (strncmp(name, m->name, strlen(m->name)) != 0)
         m++;
     const char *variable = name + strlen(m->name);
+    r.high = strcmp(m->name, "high_") == 0;
     r.which = variable_of(variable);
     const int count = sscanf(variable + strlen(variable_names[r.which]), "_%ld_%ld", &r.numbers[0], &r.numbers[1]);
     if (m->of == gap_between && count > 0)

@@ -80,12 +80,11 @@ static char *number_text(const struct quoted_number *q, const arb_t x)
 {
     SCOPE(fmpz, n, power);
     slong places = q->digits - (q->rounding == TO_DECIMALS ? 0 : 1 + exponent_of(x));
-    if (q->rounding == AS_RATIONAL || !scaled_integer(n, x, places, q->rounding))
-        return NULL;
+    bool decided = q->rounding != AS_RATIONAL && scaled_integer(n, x, places, q->rounding);
     fmpz_ui_pow_ui(power, 10, (ulong)q->digits);
-    if (q->rounding == TO_DIGITS && fmpz_cmpabs(n, power) >= 0 && !scaled_integer(n, x, --places, q->rounding)) /* 9.99 | 2 is 10 */
-        return NULL;
-    return decimal_text(n, places, q->rounding == TO_DECIMALS);
+    if (decided && q->rounding == TO_DIGITS && fmpz_cmpabs(n, power) >= 0)
+        decided = scaled_integer(n, x, --places, q->rounding); /* 9.99 | 2 is 10 */
+    return decided ? decimal_text(n, places, q->rounding == TO_DECIMALS) : NULL;
 }
 
 static char *rational_text(const fmpq_t x)
