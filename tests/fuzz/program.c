@@ -93,6 +93,8 @@ void protocol(const char *bytes, size_t size)
     memset(&e, 0, sizeof e);
     e.significand = significands[first >> 5 & 3];
     e.sets.seed = 1;
+    e.journal = tmpfile();
+    require(e.journal != NULL, "a file for the journal", "none");
     for (size_t i = 0; i < sizeof ids / sizeof *ids; i++)
         if (first >> i & 1)
             test_sets_add(&e.sets, section_find(sheet(), ids[i]), 2, e.significand, false);
