@@ -65,11 +65,14 @@ const roots = (n, c2) => {
 };
 const slowest = (n, c2) => max(...roots(n, c2).map(([re]) => re));
 
+// The curves that no slider moves.
+const rates = ((gains) => [(m) => compute('eq44', 1, m), () => 4].map((c2) => gains.map((m) => [m, slowest(m, c2(m))])))(range(9.001, 40, 150));
+
 const drawRoots = ({ n, c2 }) => {
   const byRule = compute('eq44', 1, n), chosen = c2 ?? byRule;
   draw(document.getElementById('turn-rate'), [9, 40], [-1.1, 0], 'n', 'slowest root / Ω', [
-    ['first', range(9.001, 40, 300).map((m) => [m, slowest(m, compute('eq44', 1, m))])],
-    ['second', range(9.001, 40, 300).map((m) => [m, slowest(m, 4)])],
+    ['first', rates[0]],
+    ['second', rates[1]],
     ['mark', [[n, slowest(n, chosen)]]],
   ]);
   draw(document.getElementById('turn-roots'), [-6, 1], [-3, 3], 'real part / Ω', 'imaginary part / Ω', [
@@ -134,9 +137,11 @@ const begin = () => {
   };
   document.getElementById('turn').addEventListener('input', redraw);
   redraw();
-  const { count, failed } = selfCheck();
-  document.getElementById('turn-check').textContent =
-    `${count - failed.length} of ${count} vectors passed in this browser${failed.length ? `, not ${failed.join(' ')}` : ''}.`;
+  setTimeout(() => { // a second's work, when all is drawn
+    const { count, failed } = selfCheck();
+    document.getElementById('turn-check').textContent =
+      `${count - failed.length} of ${count} vectors passed in this browser${failed.length ? `, not ${failed.join(' ')}` : ''}.`;
+  }, 50);
 };
 
 begin();

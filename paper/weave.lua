@@ -140,7 +140,7 @@ for line in output_of(program .. ' typeset'):gmatch '[^\n]+' do
   end
 end
 symbol.stable = nil  -- a word in prose that happens to be a quantity
-for name in ('pi lambda mu phi kappa epsilon rho omega'):gmatch '%a+' do symbol[name] = '\\' .. name .. ' ' end
+for name in ('pi lambda mu phi kappa epsilon rho omega cos sin tan'):gmatch '%a+' do symbol[name] = '\\' .. name .. ' ' end
 symbol.uC = '\\mathrm{\\mu C}'
 
 -- Which section has a number: of several the one that is named for it alone.
@@ -718,16 +718,16 @@ local function figure(el)
   local source = kind == 'plot' and 'paper/figures/plot-' .. name .. '.gp' or kind == 'graph' and 'paper/' .. name .. '.md'
   if not (source and read(source)) then stop(("unknown picture '%s', expected plot:NAME or graph:CHAPTER"):format(el.src)) end
   if #el.caption == 0 then stop(("'%s' has no caption"):format(el.src)) end
-  local label = (labels[id] or {text = '?'}).text
+  local label = labels[id] and 'Figure ' .. labels[id].text or ''  -- those on pages between the chapters have none
   if not web then
-    local blocks = pandoc.List {raw(('\\begin{figure}[htbp]\\centering\\%s{%s}\\def\\thefigure{%s}'):format(kind, name, label))}
+    local blocks = pandoc.List {raw(('\\begin{figure}[htbp]\\centering\\%s{%s}\\def\\thefigure{%s}'):format(kind, name, labels[id].text))}
     blocks:insert(pandoc.Plain(sequence({pandoc.RawInline('latex', '\\caption{')}, el.caption, {pandoc.RawInline('latex', '}\\label{' .. id .. '}\\end{figure}')})))
     return blocks
   end
   local picture = kind .. '-' .. name .. '.svg'
-  local drawn = kind == 'plot' and ('<img src="%s" alt="Figure %s">'):format(picture, label)
+  local drawn = kind == 'plot' and ('<img src="%s" alt="%s">'):format(picture, label)
                 or read(build .. '/paper/' .. picture):gsub('^.-<svg', '<svg')
-  return {html('<figure id="' .. id .. '">' .. drawn .. '<figcaption>'), pandoc.Plain(sequence({pandoc.Strong('Figure ' .. label .. '. ')}, el.caption)), html '</figcaption></figure>'}
+  return {html('<figure id="' .. id .. '">' .. drawn .. '<figcaption>'), pandoc.Plain(sequence({pandoc.Strong(label .. (label == '' and '' or '. '))}, el.caption)), html '</figcaption></figure>'}
 end
 
 ---- the document ----

@@ -6,11 +6,13 @@ folder=$(cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+command -v chromium >/dev/null || { echo 'chromium is missing: run "make deps-ci".' >&2; exit 1; }
+
 page() { # PAGE[#HASH] OPTION ...: what the page holds once its scripts have run
     page=$1
     shift
     timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking \
-        --disable-component-update --disable-sync --user-data-dir="$work/profile" --enable-logging=stderr --v=0 "$@" "file://$folder/$page" 2>"$work/log"
+        --disable-component-update --disable-sync --user-data-dir="$work/profile" --enable-logging=stderr --v=0 --virtual-time-budget=1000 "$@" "file://$folder/$page" 2>"$work/log"
 }
 fails() { echo "browser.sh: $1" >&2; exit 1; }
 
