@@ -295,37 +295,33 @@ static int parse_sign(struct parser *s)
     return operand < 0 ? -1 : program_append(s->program, OPERATOR_NEGATE, operand, -1, 0);
 }
 
-static int parse_product(struct parser *s)
+/* Operands with one of two operators between them, from left to right. */
+static int parse_chain(struct parser *s, int (*operand)(struct parser *), const char symbols[2], enum operator first,
+                       enum operator second)
 {
-    int left = parse_sign(s);
+    int left = operand(s);
     while (left >= 0) {
-        enum operator op = parse_symbol(s, '*')   ? OPERATOR_MULTIPLY
-                           : parse_symbol(s, '/') ? OPERATOR_DIVIDE
-                                            : OPERATOR_INPUT;
-        if (op == OPERATOR_INPUT)
+        const bool is_first = parse_symbol(s, symbols[0]);
+        if (!is_first && !parse_symbol(s, symbols[1]))
             break;
-        int right = parse_sign(s);
-        left = right < 0 ? -1 : program_append(s->program, op, left, right, 0);
+        const int right = operand(s);
+        left = right < 0 ? -1 : program_append(s->program, is_first ? first : second, left, right, 0);
     }
     return left;
+}
+
+static int parse_product(struct parser *s)
+{
+    return parse_chain(s, parse_sign, "*/", OPERATOR_MULTIPLY, OPERATOR_DIVIDE);
 }
 
 int parse_sum(struct parser *s)
 {
     if (++s->depth > DEEPEST)
         return parse_refuse(s, "less nesting");
-    int left = parse_product(s);
-    while (left >= 0) {
-        enum operator op = parse_symbol(s, '+')   ? OPERATOR_ADD
-                           : parse_symbol(s, '-') ? OPERATOR_SUBTRACT
-                                            : OPERATOR_INPUT;
-        if (op == OPERATOR_INPUT)
-            break;
-        int right = parse_product(s);
-        left = right < 0 ? -1 : program_append(s->program, op, left, right, 0);
-    }
+    const int sum = parse_chain(s, parse_product, "+-", OPERATOR_ADD, OPERATOR_SUBTRACT);
     s->depth--;
-    return left;
+    return sum;
 }
 
 int program_parse(struct program *p, const char *text, size_t *where, struct message *why)
