@@ -1,9 +1,9 @@
 /* paper/claims.yaml: what its statements say, assert and quote; every mistake with its place. */
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims/condition.h"
 #include "claims/statement.h"
 
 enum { MOST_NAMES = 128 };
@@ -548,12 +548,46 @@ static bool read_prove(struct reading *r, const struct yaml *prove)
 
 /* ---- verdicts ---- */
 
+/* The length of the word there, of letters, digits and '_', past blanks. */
+static size_t word_at(const char **at)
+{
+    size_t length = 0;
+    *at += strspn(*at, " ");
+    while (isalnum((unsigned char)(*at)[length]) || (*at)[length] == '_')
+        length++;
+    return length;
+}
+
+static bool passes(const char **at, const char *keyword)
+{
+    const size_t length = word_at(at);
+    const bool same = length == strlen(keyword) && strncmp(*at, keyword, length) == 0;
+    *at += same ? length : 0;
+    return same;
+}
+
+/* Names of assertions, each with `not` before it or without, joined by `and`. */
+static bool read_condition(struct verdict_condition *c, const struct statement *s, const struct yaml *condition)
+{
+    const char *at = condition->text;
+    do {
+        const signed char wanted = passes(&at, "not") ? -1 : 1;
+        const size_t length = word_at(&at);
+        int i = 0;
+        while (i < s->assertion_count && (strlen(s->assertions[i].name) != length || strncmp(s->assertions[i].name, at, length) != 0))
+            i++;
+        if (i == s->assertion_count || s->assertions[i].kind == ASSERT_COMPUTE)
+            return node_error(condition, (size_t)(at - condition->text), "expected a name of prove, but no computation");
+        c->wanted[i] = wanted;
+        at += length;
+    } while (passes(&at, "and"));
+    return *at == '\0' || node_error(condition, (size_t)(at - condition->text), "expected and, or the end of the condition");
+}
+
 /* Without a condition: all that is to be proved. */
 static bool read_verdict(struct reading *r, const char *verdict, const struct yaml *at, size_t offset, const struct yaml *condition)
 {
     struct statement *s = r->statement;
-    struct message why;
-    size_t where;
     int v = HOLDS;
     while (v <= NOT_DECIDABLE && strcmp(verdict_names[v], verdict) != 0)
         v++;
@@ -565,9 +599,7 @@ static bool read_verdict(struct reading *r, const char *verdict, const struct ya
         c->wanted[i] = s->assertions[i].kind != ASSERT_COMPUTE;
     if (condition == NULL)
         return s->assertion_count > 0 || v == NOT_DECIDABLE || node_error(at, offset, "expected something to prove; only 'not decidable' needs nothing");
-    if (condition->text == NULL)
-        return refuse(r, condition, "expected a condition, names of prove");
-    return condition_read(c, s, condition->text, &where, &why) || node_error(condition, where, "%s", why.text);
+    return condition->text != NULL ? read_condition(c, s, condition) : refuse(r, condition, "expected a condition, names of prove");
 }
 
 /* Every assertion serves: a condition names it, a number of the evidence or another assertion is made of it. */
@@ -588,8 +620,12 @@ static bool all_serve(struct reading *r)
     return true;
 }
 
-static bool read_verdicts(struct reading *r, const struct yaml *node)
+/* Where nothing is said it holds, a misprint as corrected. */
+static bool read_verdicts(struct reading *r, const struct yaml *node, const struct yaml *statement)
 {
+    const bool misprint = strcmp(r->statement->kind, "misprint") == 0;
+    if (node == NULL)
+        return read_verdict(r, verdict_names[misprint ? HOLDS_AS_CORRECTED : HOLDS], statement, 0, NULL) && all_serve(r);
     if (node->text != NULL)
         return read_verdict(r, node->text, node, 0, NULL) && all_serve(r);
     if (!is_map(node) || node->count == 0)
@@ -696,7 +732,7 @@ static const struct field statement_fields[] = {
           .count = offsetof(struct written_statement, s.equation_count)),
     FIELD("given", struct written_statement, s.given, FIELD_NODE),
     FIELD("prove", struct written_statement, s.prove, FIELD_MAP),
-    FIELD("verdict", struct written_statement, s.verdict, FIELD_NODE, .expected = "{holds: condition, ...}"),
+    FIELD("verdict", struct written_statement, s.verdict, FIELD_NODE),
     {.key = NULL}};
 
 bool has_equation(const struct section *s, const char *equation)
@@ -737,7 +773,7 @@ static bool read_statement(struct statements *all, const struct yaml *n)
         !read_prove(&r, s->prove))
         return false;
     r.entry = NULL;
-    if (!read_values(&r, &s->at) || !read_marks(&r, under(n, "evidence"), true) || !read_verdicts(&r, s->verdict))
+    if (!read_values(&r, &s->at) || !read_marks(&r, under(n, "evidence"), true) || !read_verdicts(&r, s->verdict, n))
         return false;
     const bool plain = s->verdicts[0] == HOLDS || s->verdicts[0] == DEFINITION;
     return plain || s->why != NULL || node_error(n, 0, "missing why, of a verdict other than holds and definition");
