@@ -94,7 +94,7 @@ static const char *read_digits(fmpz_t mantissa, slong *fraction, const char *tex
 /* A signed decimal integer, saturated far outside every range used. NULL when there is none. */
 static const char *read_exponent(slong *exponent, const char *text)
 {
-    const slong saturated = 1000000000000; /* a literal would need 10^12 digits to bring it back */
+    const slong saturated = 100000000; /* ten times that fits 32 bits, and a literal would need 10^8 digits to bring it back */
     bool negative = *text == '-';
     if (*text == '-' || *text == '+')
         text++;
@@ -255,8 +255,8 @@ char *decimal_of_ball(const arb_t x, slong digits)
 {
     if (arb_is_zero(x))
         return text_copy("0");
-    if (!arb_is_finite(x) || arb_contains_zero(x) || fmpz_bits(ARF_EXPREF(arb_midref(x))) > 50)
-        return NULL; /* MPFR's exponents end at 2^62 */
+    if (!arb_is_finite(x) || arb_contains_zero(x) || fmpz_bits(ARF_EXPREF(arb_midref(x))) > FLINT_BITS - 14)
+        return NULL; /* MPFR's exponents end at 2^62, at 2^30 where a word has 32 bits */
     const slong prec = FLINT_MAX(arf_bits(arb_midref(x)), 4 * digits) + 64; /* 4 > log2(10), and guard bits */
     const mpfr_exp_t least = mpfr_get_emin(), most = mpfr_get_emax();
     mpfr_t low, high;
