@@ -449,7 +449,7 @@ BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-d
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
 PAPER_PACKAGES = gnuplot-nox graphviz pandoc poppler-utils texlive-latex-base texlive-latex-recommended lmodern
 CI_PACKAGES    = clang libclang-rt-dev? clang-tidy cppcheck valgrind strace locales debootstrap parallel python3 python3-mpmath python3-gmpy2 \
-  octave gfortran nodejs pandoc chromium python3-pandas
+  octave gfortran nodejs pandoc chromium python3-pandas python3-yaml ruby libyaml-libyaml-perl node-yaml r-cran-yaml
 
 ## deps: install what building and checking need, where apt-get is at hand; name it elsewhere
 deps:
