@@ -60,4 +60,21 @@ fi
 if find_one Python python3; then
     client Python "$found" tests/clients/client.py
 fi
+if find_one Perl perl; then
+    client Perl "$found" tests/clients/client.pl
+fi
+
+# Reports are as their schema has them: of a client that is right, and of some that are not.
+is_as_described() {
+    "$CT_PROGRAM" conform --report "$work/report.json" --only eq07,eq38,eq42,roots,flow_linear -- "$CT_BUILD/tests/faulty" "$1"
+    python3 -c 'import json, jsonschema, sys; jsonschema.validate(json.load(open(sys.argv[1])), json.load(open(sys.argv[2])))' \
+        "$work/report.json" verify/report.schema.json
+}
+if python3 -c 'import jsonschema' 2>/dev/null; then
+    for fault in none wrong count value malformed wrong-id printed crash exit-3; do
+        check "the report of a client that is $fault" is_as_described "$fault"
+    done
+else
+    echo 'report.schema.json skipped: not found: python3 with jsonschema'
+fi
 finish

@@ -13,6 +13,7 @@
 #include "conform/conform.h"
 #include "evaluate/domain.h"
 #include "conform/hints.h"
+#include "conform/report.h"
 #include "evaluate/sample.h"
 #include "evaluate/vectors.h"
 #include "text/scope.h"
@@ -735,6 +736,37 @@ START_TEST(a_line_that_is_no_answer_is_told_in_words)
 }
 END_TEST
 
+static const struct {
+    const char *got, *expected;
+    int at;
+} digits[] = {
+    {"0.00014584", "1.4583000000000000476e-04", 9}, {"1.4584e-4", "1.4583000000000000476e-04", 5}, {"1.458e-4", "1.4583000000000000476e-04", 5},
+    {"-1.4583e-4", "1.4583000000000000476e-04", 1}, {"1e300", "1.4583000000000000476e-04", 0}, {"145.83", "145.83", -1},
+    {"145.93", "145.83", 4}, {"+146", "145.83", 4}, {"0x1p3", "7", -1}, {"nan", "7", -1}, {"0", "1e-3", 1}, {"12345", "12355", 3},
+};
+
+START_TEST(the_first_wrong_digit_is_found_as_it_was_written)
+{
+    ck_assert_msg(first_wrong_digit(digits[_i].got, digits[_i].expected) == digits[_i].at, "%s for %s: %d", digits[_i].got,
+                  digits[_i].expected, first_wrong_digit(digits[_i].got, digits[_i].expected));
+}
+END_TEST
+
+/* Of a quadruple precision client a number beyond binary64's range is one; infinity is none. */
+START_TEST(a_number_beyond_1e308_is_one_at_113_bits)
+{
+    struct test_run *e = run_of(section_find(sheet(), "eq43"), 0, BINARY128);
+    assert_found(e, 0, "1e400", OUTCOME_WRONG);
+    assert_found(e, 0, "-1e4000", OUTCOME_WRONG);
+    assert_found(e, 0, "inf", OUTCOME_INFINITE);
+    assert_found(e, 0, "nan", OUTCOME_NAN);
+    close_run(e);
+    e = run_of(section_find(sheet(), "eq43"), 0, BINARY64);
+    assert_found(e, 0, "1e400", OUTCOME_INFINITE);
+    close_run(e);
+}
+END_TEST
+
 START_TEST(the_last_line_has_an_end)
 {
     for (int ended = 0; ended < 2; ended++) {
@@ -834,6 +866,8 @@ SUITE(test_outcomes)
     tcase_add_test(c, a_line_without_an_end_is_heard_for_64_MiB);
     tcase_add_loop_test(c, a_line_begins_with_a_vectors_name, 0, sizeof lines / sizeof *lines);
     tcase_add_loop_test(c, a_line_that_is_no_answer_is_told_in_words, 0, sizeof hints / sizeof *hints);
+    tcase_add_loop_test(c, the_first_wrong_digit_is_found_as_it_was_written, 0, sizeof digits / sizeof *digits);
+    tcase_add_test(c, a_number_beyond_1e308_is_one_at_113_bits);
     tcase_add_test(c, the_last_line_has_an_end);
     tcase_add_test(c, an_answer_is_due_once_its_question_is_sent);
     tcase_add_test(c, so_many_lines_out_of_place_are_heard);

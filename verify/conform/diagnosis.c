@@ -6,9 +6,11 @@
 #include <string.h>
 #include <time.h>
 
+#include "conform/kinds.h"
 #include "evaluate/vectors.h"
 #include "formula/exact.h"
 #include "sheet/known_mistakes.h"
+#include "text/scope.h"
 
 /* ---- mistakes at work ---- */
 
@@ -91,18 +93,21 @@ static const struct input *inputs_of(struct mutant *x, const struct input *input
     return rational ? x->inputs : NULL;
 }
 
+static const double SHORT = 10.0;
+
 /* Beyond ten hours a motion tells the same mistakes at a higher price; such vectors show what errors grow to. */
-static bool is_long(const struct section *s, const struct input *inputs)
+static bool is_longer(const struct section *s, const struct input *inputs, double hours)
 {
     for (int i = 0; i < s->input_count; i++)
         if (strcmp(s->inputs[i]->name, "t") == 0 && is_motion(s))
-            return fabs(fmpq_get_d(&inputs[i].value)) > 36000.0;
+            return fabs(fmpq_get_d(&inputs[i].value)) > 3600.0 * hours;
     return false;
 }
 
 /* ---- diagnosis ---- */
 
-static const double PATIENCE = 1.0; /* seconds of processor time for an operation */
+/* Seconds of processor time for an operation: for the known mistakes, and with what they leave for all. */
+static const double PATIENCE_FOR_KNOWN = 0.7, PATIENCE = 1.0;
 
 /* Whether the mutant makes of the question what was answered. */
 static bool explains(struct mutant *x, const struct test_run *e, const struct record *f, const struct test_vector *q,
@@ -136,7 +141,7 @@ static bool is_domain_alone(const struct summary *t)
     return t->counts[OUTCOME_VALUE] > 0;
 }
 
-/* All failures that formulas can explain; of a motion the long ones only where there are no others. */
+/* All failures that formulas can explain, two at least; of a motion the long ones only where there are no others. */
 static bool explains_all(struct mutant *x, const struct test_run *e, const struct summary *t, double digits)
 {
     const enum outcome last = is_domain_alone(t) ? OUTCOME_VALUE : OUTCOME_INVALID;
@@ -151,13 +156,13 @@ static bool explains_all(struct mutant *x, const struct test_run *e, const struc
             if (f->outcome < OUTCOME_WRONG || f->outcome > last)
                 continue;
             test_vector_make(&q, &e->sets, f->position);
-            if (pass == 0 && q.numbers && is_long(q.set->operation.section, q.inputs))
+            if (pass == 0 && q.numbers && is_longer(q.set->operation.section, q.inputs, SHORT))
                 continue;
             all = clock() <= x->o.until && explains(x, e, f, &q, digits);
             explained++;
         }
     test_vector_clear(&q);
-    return all && explained > 0;
+    return all && explained > 1;
 }
 
 /* The fewest decimal digits (at most 15) that all wrong numbers are written with; 17 for more. */
@@ -217,30 +222,104 @@ static const char *format_mistake(const struct test_run *e, int set, char text[4
     return text;
 }
 
-static void add_diagnosis(struct summary *t, const char *name, const char *joint)
+static void add_diagnosis(struct summary *t, const char *kind, const char *name, const char *joint)
 {
     const size_t used = strlen(t->diagnosis);
-    snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s", used ? joint : "", name);
+    snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s%s", used ? joint : "", kind, name);
+}
+
+/* What failed in numbers, with the truth; of a motion what is soon computed. */
+static void gather(struct evidence *v, const struct test_run *e, int set, clock_t until)
+{
+    const struct summary *t = &e->summaries[set];
+    struct operation *o = e->comparators[set].operation;
+    const struct section *s = o->section;
+    struct test_vector q;
+    VECTOR(arb, exact, MOST_OUTPUTS);
+    *v = (struct evidence){.section = s, .operation = o, .until = until};
+    test_vector_init(&q);
+    o->until = until;
+    const int most = is_motion(s) ? 8 : MOST_FAILURES;
+    for (int i = 0; i < t->failure_count && v->count < most && clock() < until; i++) {
+        const struct record *r = &t->failures[i];
+        test_vector_make(&q, &e->sets, r->position);
+        if (r->outcome != OUTCOME_WRONG || is_longer(s, q.inputs, 12.0) ||
+            operation_follow(o, q.inputs, 15, is_motion(s) ? operation_precision(o, q.inputs, 15) : 128, exact) != OPERATION_PROVED)
+            continue;
+        v->records[v->count] = r;
+        for (int k = 0; k < s->input_count; k++)
+            v->x[v->count][k] = q.inputs[k].infinite ? INFINITY : fmpq_get_d(&q.inputs[k].value);
+        for (int k = 0; k < s->output_count; k++) {
+            v->y[v->count][k] = r->values[k];
+            v->exact[v->count][k] = arf_get_d(arb_midref(exact + k), ARF_RND_NEAR);
+        }
+        v->count++;
+    }
+    o->until = 0;
+    test_vector_clear(&q);
+}
+
+/* What no sheet lists. */
+static void diagnose_kind(struct test_run *e, int set, clock_t until)
+{
+    struct summary *t = &e->summaries[set];
+    struct evidence *v = xrealloc(NULL, 1, sizeof *v);
+    char text[300], written[48];
+    gather(v, e, set, until);
+    if (is_motion(v->section))
+        kind_of_motion(v, text, sizeof text);
+    else
+        kind_of_formula(v, text, sizeof text);
+    const char *format = *text == '\0' ? format_mistake(e, set, written) : text;
+    if (format != NULL)
+        add_diagnosis(t, "", format, "");
+    free(v);
+}
+
+/* Every answer outside the domain is NaN in each output: the word is missing, and not the check. */
+static bool is_nan_for_invalid(const struct summary *t, int outputs)
+{
+    bool nan = true;
+    for (int i = 0; i < t->failure_count; i++)
+        for (int k = 0; k < outputs && t->failures[i].outcome == OUTCOME_VALUE; k++)
+            nan = nan && isnan(t->failures[i].values[k]);
+    return nan;
+}
+
+/* Failures that a mistake of a formula may explain. */
+static int explainable(const struct summary *t)
+{
+    int count = 0;
+    for (int i = 0; i < t->failure_count; i++)
+        count += t->failures[i].outcome >= OUTCOME_WRONG && t->failures[i].outcome <= OUTCOME_VALUE;
+    return count;
 }
 
 void diagnose(struct test_run *e, int set)
 {
     struct summary *t = &e->summaries[set];
     const struct comparator *j = &e->comparators[set];
-    struct mutants list = mutants_of(j->operation->section);
-    const clock_t until = clock() + (clock_t)(PATIENCE * CLOCKS_PER_SEC);
-    char written[48];
-    for (int i = 0; i < list.count; i++) {
-        list.all[i].o.until = until;
-        if (explains_all(&list.all[i], e, t, j->digits))
-            add_diagnosis(t, list.all[i].name, "; or ");
+    const struct section *s = j->operation->section;
+    struct mutants list = mutants_of(s);
+    const clock_t start = clock(), until = start + (clock_t)(PATIENCE_FOR_KNOWN * CLOCKS_PER_SEC);
+    const bool nan = is_nan_for_invalid(t, s->output_count);
+    const bool several = explainable(t) > 1; /* one vector alone tells nothing */
+    for (int i = 0; i < list.count && several; i++) {
+        struct mutant *x = &list.all[i];
+        x->o.until = until;
+        if (nan && is_domain_alone(t))
+            continue;
+        if (explains_all(x, e, t, j->digits))
+            add_diagnosis(t, x->a.section == NULL ? "the paper's misprint: " : "a known mistake: ", x->a.section == NULL ? s->reason : x->name,
+                          "; or ");
     }
     t->hurried = clock() > until;
-    const char *format = t->diagnosis[0] == '\0' ? format_mistake(e, set, written) : NULL;
-    if (format != NULL)
-        add_diagnosis(t, format, "");
-    if (t->counts[OUTCOME_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
-        add_diagnosis(t, "inputs outside the domain are not refused", "; and ");
+    if (t->diagnosis[0] == '\0' && several)
+        diagnose_kind(e, set, start + (clock_t)(PATIENCE * CLOCKS_PER_SEC));
+    if (t->counts[OUTCOME_VALUE] > 0 && nan)
+        add_diagnosis(t, "", "nan where `invalid` is due", "; and ");
+    else if (t->counts[OUTCOME_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
+        add_diagnosis(t, "", "inputs outside the domain are not refused", "; and ");
     mutants_clear(&list);
 }
 
@@ -304,7 +383,7 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
     const bool inside = numbers && operation_valid(&k->o, k->inputs);
     int killed = 0;
     k->comparator.followed = false;
-    if (inside && is_long(o->section, k->inputs))
+    if (inside && is_longer(o->section, k->inputs, SHORT))
         return true;
     for (int i = 0; i < k->mutants.count && numbers; i++)
         if (tells(k, i, inside)) {

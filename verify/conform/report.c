@@ -92,6 +92,7 @@ int first_wrong_digit(const char *got, const char *expected)
         mpfr_sub(off, off, other, MPFR_RNDN);
         mpfr_abs(off, off, MPFR_RNDN);
         mpfr_log10(off, off, MPFR_RNDN);
+        mpfr_add_d(off, off, 1e-6, MPFR_RNDN); /* a digit's difference, but for what inputs are rounded */
         mpfr_floor(off, off);
         at = whole - 1 + exponent - mpfr_get_si(off, MPFR_RNDN); /* among the digits */
         at = at < 0 ? 0 : at + (at >= whole && point != NULL);
@@ -258,7 +259,7 @@ static void failure_text(const struct test_run *e, int k, bool all, FILE *file)
 static void diagnosis_text(const struct summary *t, FILE *file)
 {
     if (t->diagnosis[0] != '\0')
-        fprintf(file, "  looks like: %s\n", t->diagnosis);
+        fprintf(file, "  looks like %s\n", t->diagnosis);
     fputs(t->hurried ? "  not all known mistakes were tried, it would take too long\n" : "", file);
 }
 

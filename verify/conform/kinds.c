@@ -1,0 +1,394 @@
+#include "conform/kinds.h"
+
+#include <gsl/gsl_multifit.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "evaluate/domain.h"
+#include "text/scope.h"
+
+static const double PI = 3.14159265358979323846;
+
+bool is_same(double a, double b)
+{
+    return fabs(a - b) <= 1e-9 * fmax(fabs(a), fabs(b));
+}
+
+/* Words one after another, with something between them. */
+static void append(char *text, size_t size, const char *between, const char *word)
+{
+    const size_t used = strlen(text);
+    snprintf(text + used, size - used, "%s%s", used > 0 ? between : "", word);
+}
+
+static const char *output_name(const struct evidence *v, int k)
+{
+    return v->section->outputs[k]->name;
+}
+
+static int input_place(const struct section *s, const char *name)
+{
+    for (int i = 0; i < s->input_count; i++)
+        if (strcmp(s->inputs[i]->name, name) == 0)
+            return i;
+    return -1;
+}
+
+/* ---- all outputs alike ---- */
+
+static void all_zeros(const struct evidence *v, char *text, size_t size)
+{
+    for (int f = 0; f < v->count; f++)
+        for (int k = 0; k < v->section->output_count; k++)
+            if (v->y[f][k] != 0.0)
+                return;
+    snprintf(text, size, "all zeros");
+}
+
+/* The same digits after the point in every answer, no exponent, and right within half of the last of them. */
+static void fixed_decimals(const struct evidence *v, char *text, size_t size)
+{
+    int decimals = -1;
+    for (int f = 0; f < v->count; f++) {
+        const char *word = v->records[f]->text;
+        for (int k = 0; k < v->section->output_count; k++, word += strcspn(word, " "), word += strspn(word, " ")) {
+            const char *point = word + strcspn(word, ". ");
+            const int length = *point == '.' ? (int)strspn(point + 1, "0123456789") : -1;
+            if (length <= 0 || (decimals >= 0 && length != decimals) || strchr(" ", point[length + 1]) == NULL ||
+                fabs(v->y[f][k] - v->exact[f][k]) > 0.50001 * pow(10.0, -length))
+                return;
+            decimals = length;
+        }
+    }
+    snprintf(text, size, "written with %d decimals: small numbers lose their digits", decimals);
+}
+
+/* Each answer is another output's. */
+static void permuted_outputs(const struct evidence *v, char *text, size_t size)
+{
+    const int count = v->section->output_count;
+    char names[240] = "";
+    unsigned taken = 0;
+    bool moved = false;
+    for (int k = 0; k < count; k++) {
+        int from = -1;
+        for (int j = 0; j < count && from < 0; j++) {
+            bool same = (taken & 1U << j) == 0;
+            for (int f = 0; f < v->count && same; f++)
+                same = is_same(v->y[f][k], v->exact[f][j]);
+            from = same ? j : -1;
+        }
+        if (from < 0)
+            return;
+        taken |= 1U << from;
+        moved = moved || from != k;
+        append(names, sizeof names, " ", output_name(v, from));
+    }
+    if (moved)
+        snprintf(text, size, "the outputs in another order: %s", names);
+}
+
+/* ---- one output after another ---- */
+
+static bool is_right(const struct evidence *v, int k)
+{
+    bool right = true;
+    for (int f = 0; f < v->count; f++)
+        right = right && is_same(v->y[f][k], v->exact[f][k]);
+    return right;
+}
+
+/* What is wrong of one output, the same in every vector; "" where it is right, NULL where nothing fits. */
+static const char *angle_mistake(const struct evidence *v, int k)
+{
+    bool turns = true, half = true, exchanged = true;
+    for (int f = 0; f < v->count; f++) {
+        const double off = v->y[f][k] - v->exact[f][k], whole = off / (2.0 * PI);
+        const double quarter = (v->y[f][k] + v->exact[f][k] - PI / 2.0) / (2.0 * PI);
+        turns = turns && (is_same(v->y[f][k], v->exact[f][k]) || (round(whole) != 0.0 && fabs(whole - round(whole)) < 1e-9));
+        half = half && fabs(whole - 0.5 - round(whole - 0.5)) < 1e-9;
+        exchanged = exchanged && fabs(quarter - round(quarter)) < 1e-9;
+    }
+    return is_right(v, k) ? "" : turns ? "differs by 2 pi: it lies from -pi to pi" : half ? "differs by pi: the quadrant is lost" :
+           exchanged ? "is that of atan2 with its arguments exchanged" : NULL;
+}
+
+static const char *sign_mistake(const struct evidence *v, int k)
+{
+    bool other = true;
+    for (int f = 0; f < v->count; f++)
+        other = other && is_same(v->y[f][k], -v->exact[f][k]);
+    return is_right(v, k) ? "" : other ? "has the other sign" : NULL;
+}
+
+/* Outputs that are wrong all in one way, where the others are right. */
+static void wrong_outputs(const struct evidence *v, const char *(*mistake)(const struct evidence *, int), bool angles, char *text, size_t size)
+{
+    char names[240] = "";
+    const char *first = NULL;
+    for (int k = 0; k < v->section->output_count; k++) {
+        const bool asked = !angles || strcmp(v->section->outputs[k]->unit, "rad") == 0;
+        const char *what = asked ? mistake(v, k) : is_right(v, k) ? "" : NULL;
+        if (what == NULL || (*what != '\0' && first != NULL && strcmp(first, what) != 0))
+            return;
+        if (*what != '\0') {
+            first = what;
+            append(names, sizeof names, ", ", output_name(v, k));
+        }
+    }
+    if (first != NULL)
+        snprintf(text, size, "%s %s", names, first);
+}
+
+/* ---- a factor ---- */
+
+/* The one quotient of answers and truths, NAN where there are several: each output is right, or wrong by it. */
+static double quotient_of(const struct evidence *v, int f)
+{
+    double quotient = 1.0;
+    for (int k = 0; k < v->section->output_count; k++) {
+        const double q = v->y[f][k] / v->exact[f][k];
+        if (is_same(v->y[f][k], v->exact[f][k]))
+            continue;
+        if (v->exact[f][k] == 0.0 || !isfinite(q) || (quotient != 1.0 && !is_same(q, quotient)))
+            return NAN;
+        quotient = q;
+    }
+    return quotient;
+}
+
+static void constant_factor(const struct evidence *v, char *text, size_t size)
+{
+    static const struct {
+        double factor;
+        const char *name;
+    } known[] = {{57.295779513082320877, "180/pi, degrees for radians"}, {0.017453292519943295769, "pi/180, radians for degrees"},
+                 {6.2831853071795864769, "2 pi"}, {0.15915494309189533577, "1/(2 pi)"}, {3.14159265358979323846, "pi"}};
+    const double factor = quotient_of(v, 0);
+    for (int f = 0; f < v->count; f++)
+        if (!is_same(quotient_of(v, f), factor))
+            return;
+    if (fabs(factor) < 1.0 && is_same(round(1.0 / factor), 1.0 / factor))
+        snprintf(text, size, "a constant factor %s1/%.10g", factor < 0.0 ? "-" : "", fabs(1.0 / factor));
+    else
+        snprintf(text, size, "a constant factor %.10g", factor);
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (is_same(factor, known[i].factor))
+            snprintf(text, size, "a constant factor %s", known[i].name);
+}
+
+/* What a product of powers is made of: the inputs above zero that differ from vector to vector, and the sum of the masses. */
+struct bases {
+    int count;
+    char names[MOST_INPUTS + 1][40];
+    double logs[MOST_INPUTS + 1][MOST_FAILURES];
+};
+
+static void bases_of(struct bases *b, const struct evidence *v)
+{
+    const int m1 = input_place(v->section, "m1"), m2 = input_place(v->section, "m2");
+    b->count = 0;
+    for (int i = 0; i <= v->section->input_count; i++) {
+        const bool sum = i == v->section->input_count;
+        bool fits = !sum || (m1 >= 0 && m2 >= 0), differs = false;
+        for (int f = 0; f < v->count && fits; f++) {
+            const double x = sum ? v->x[f][m1] + v->x[f][m2] : v->x[f][i];
+            b->logs[b->count][f] = log(x);
+            fits = x > 0.0 && isfinite(x);
+            differs = differs || !is_same(b->logs[b->count][f], b->logs[b->count][0]);
+        }
+        if (fits && differs)
+            snprintf(b->names[b->count++], sizeof *b->names, "%s", sum ? "(m1 + m2)" : v->section->inputs[i]->name);
+    }
+}
+
+/* Least squares of the logarithms: powers[0] is that of the constant. False where there are too few vectors for it. */
+static bool fit_powers(const struct bases *b, const double *logs, int count, double *powers)
+{
+    if (count < b->count + 2)
+        return false;
+    const size_t rows = (size_t)count, columns = (size_t)b->count + 1;
+    gsl_multifit_linear_workspace *work = gsl_multifit_linear_alloc(rows, columns);
+    gsl_matrix *X = gsl_matrix_alloc(rows, columns), *covariance = gsl_matrix_alloc(columns, columns);
+    gsl_vector *y = gsl_vector_alloc(rows), *c = gsl_vector_alloc(columns);
+    double squares;
+    for (size_t f = 0; f < rows; f++) {
+        gsl_vector_set(y, f, logs[f]);
+        for (size_t i = 0; i < columns; i++)
+            gsl_matrix_set(X, f, i, i == 0 ? 1.0 : b->logs[i - 1][f]);
+    }
+    gsl_multifit_linear(X, y, c, covariance, &squares, work);
+    for (size_t i = 0; i < columns; i++)
+        powers[i] = gsl_vector_get(c, i);
+    gsl_vector_free(c);
+    gsl_vector_free(y);
+    gsl_matrix_free(covariance);
+    gsl_matrix_free(X);
+    gsl_multifit_linear_free(work);
+    return true;
+}
+
+/* Those bases with a power of that sign, as a product. */
+static void product_text(const struct bases *b, const double *powers, double sign, char *text, size_t size)
+{
+    *text = '\0';
+    for (int i = 0; i < b->count; i++) {
+        char word[60];
+        const double power = sign * powers[i + 1];
+        if (power <= 0.0)
+            continue;
+        snprintf(word, sizeof word, power == 1.0 ? "%s" : "%s^%g", b->names[i], power);
+        append(text, size, " ", word);
+    }
+    if (*text == '\0')
+        snprintf(text, size, "1");
+}
+
+/* A product of powers, halves among them, and of a constant: too much, or missing. */
+static void product_factor(const struct evidence *v, char *text, size_t size)
+{
+    struct bases b;
+    double logs[MOST_FAILURES], powers[MOST_INPUTS + 2], first = 0.0;
+    char above[120], below[120];
+    bases_of(&b, v);
+    for (int f = 0; f < v->count; f++)
+        logs[f] = log(fabs(quotient_of(v, f)));
+    for (int f = 0; f < v->count; f++)
+        if (!isfinite(logs[f]))
+            return;
+    if (!fit_powers(&b, logs, v->count, powers))
+        return;
+    for (int i = b.count; i >= 1; i--) {
+        powers[i] = round(2.0 * powers[i]) / 2.0;
+        first = powers[i] != 0.0 ? powers[i] : first;
+    }
+    for (int f = 0; f < v->count; f++)
+        for (int i = 0; i < b.count; i++)
+            logs[f] -= powers[i + 1] * b.logs[i][f];
+    for (int f = 0; f < v->count; f++)
+        if (fabs(logs[f] - logs[0]) > 1e-8 || first == 0.0)
+            return;
+    const double sign = first < 0.0 ? -1.0 : 1.0, constant = exp(sign * logs[0]);
+    product_text(&b, powers, sign, above, sizeof above);
+    product_text(&b, powers, -sign, below, sizeof below);
+    snprintf(text, size, "a factor ");
+    if (!is_same(constant, 1.0))
+        snprintf(text + strlen(text), size - strlen(text), "%.10g ", constant);
+    append(text, size, "", above);
+    if (strcmp(below, "1") != 0)
+        snprintf(text + strlen(text), size - strlen(text), strpbrk(below, " ") && below[0] != '(' ? "/(%s)" : "/%s", below);
+    append(text, size, " ", sign < 0.0 ? "is missing" : "too many");
+}
+
+/* ---- other inputs ---- */
+
+/* Whether the operation makes of these inputs what was answered, in every vector. */
+static bool explain(const struct evidence *v, const double inputs[MOST_FAILURES][MOST_INPUTS])
+{
+    struct input *read = inputs_new(v->section->input_count);
+    VECTOR(arb, other, MOST_OUTPUTS);
+    bool same = true;
+    for (int f = 0; f < v->count && same; f++) {
+        same = clock() < v->until && inputs_of_values(v->section, inputs[f], read) && operation_valid(v->operation, read) &&
+               operation_enclose(v->operation, read, 128, other) == OPERATION_PROVED;
+        for (int k = 0; k < v->section->output_count && same; k++)
+            same = is_same(v->y[f][k], arf_get_d(arb_midref(other + k), ARF_RND_NEAR));
+    }
+    inputs_free(read, v->section->input_count);
+    return same;
+}
+
+static void exchanged_inputs(const struct evidence *v, char *text, size_t size)
+{
+    double inputs[MOST_FAILURES][MOST_INPUTS];
+    for (int i = 0; i < v->section->input_count && *text == '\0'; i++)
+        for (int j = i + 1; j < v->section->input_count && *text == '\0'; j++) {
+            memcpy(inputs, v->x, sizeof inputs);
+            for (int f = 0; f < v->count; f++) {
+                inputs[f][i] = v->x[f][j];
+                inputs[f][j] = v->x[f][i];
+            }
+            if (explain(v, (const double(*)[MOST_INPUTS])inputs))
+                snprintf(text, size, "the inputs %s and %s exchanged", v->section->inputs[i]->name, v->section->inputs[j]->name);
+        }
+}
+
+/* An input with a factor that it should not have: it stands for a whole term where it stands in one alone. */
+static void input_with_a_factor(const struct evidence *v, char *text, size_t size)
+{
+    static const char *const names[] = {"-1", "2", "1/2", "3", "1/3", "m1 m2/(m1 + m2)", "(m1 + m2)/(m1 m2)", "(m1 m2/(m1 + m2))^2",
+                                        "((m1 + m2)/(m1 m2))^2", "m1/m2", "m2/m1"};
+    const int m1 = input_place(v->section, "m1"), m2 = input_place(v->section, "m2");
+    const size_t kinds = m1 >= 0 && m2 >= 0 ? sizeof names / sizeof *names : 5;
+    double inputs[MOST_FAILURES][MOST_INPUTS];
+    for (int i = 0; i < v->section->input_count && *text == '\0'; i++)
+        for (size_t kind = 0; kind < kinds && *text == '\0'; kind++) {
+            memcpy(inputs, v->x, sizeof inputs);
+            for (int f = 0; f < v->count; f++) {
+                const double a = m1 >= 0 ? v->x[f][m1] : 1.0, b = m2 >= 0 ? v->x[f][m2] : 1.0, reduced = a * b / (a + b);
+                const double factors[] = {-1.0, 2.0, 0.5, 3.0, 1.0 / 3.0, reduced, 1.0 / reduced, reduced * reduced, 1.0 / (reduced * reduced),
+                                          a / b, b / a};
+                inputs[f][i] *= factors[kind];
+            }
+            if (explain(v, (const double(*)[MOST_INPUTS])inputs))
+                snprintf(text, size, "%s with a factor %s too many", v->section->inputs[i]->name, names[kind]);
+        }
+}
+
+/* ---- roots ---- */
+
+/* Whether four complex numbers are these roots, times a factor, in whatever order; of the imaginary parts perhaps the sizes alone. */
+static bool are_roots(const double *y, const double *exact, double factor, bool sizes)
+{
+    unsigned taken = 0;
+    for (int k = 0; k < 8; k += 2) {
+        int found = -1;
+        for (int i = 0; i < 8 && found < 0; i += 2) {
+            const double im = sizes ? fabs(exact[i + 1]) : exact[i + 1];
+            const double off = hypot(y[k] - factor * exact[i], y[k + 1] - factor * im);
+            found = (taken & 1U << i) == 0 && off <= 1e-6 * factor * hypot(exact[i], exact[i + 1]) ? i : -1;
+        }
+        if (found < 0)
+            return false;
+        taken |= 1U << found;
+    }
+    return true;
+}
+
+static void kind_of_roots(const struct evidence *v, char *text, size_t size)
+{
+    bool sizes = true, scaled = true;
+    for (int f = 0; f < v->count; f++) {
+        sizes = sizes && are_roots(v->y[f], v->exact[f], 1.0, true);
+        scaled = scaled && are_roots(v->y[f], v->exact[f], 1.0 / v->x[f][input_place(v->section, "Omega")], false);
+    }
+    if (sizes)
+        snprintf(text, size, "conjugates are missing: the imaginary parts have lost their signs");
+    else if (scaled)
+        snprintf(text, size, "in units of Omega: a factor Omega is missing");
+}
+
+void kind_of_formula(const struct evidence *v, char *text, size_t size)
+{
+    static void (*const kinds[])(const struct evidence *, char *, size_t) = {
+        all_zeros, fixed_decimals, permuted_outputs, constant_factor, product_factor, exchanged_inputs, input_with_a_factor};
+    int wrong = 0;
+    *text = '\0';
+    for (int f = 0; f < v->count; f++)
+        for (int k = 0; k < v->section->output_count; k++)
+            if (!is_same(v->y[f][k], v->exact[f][k])) {
+                wrong++;
+                break;
+            }
+    if (wrong < 2) /* the others have lost digits alone */
+        return;
+    if (v->section->method == METHOD_ROOTS)
+        kind_of_roots(v, text, size);
+    if (*text == '\0')
+        wrong_outputs(v, angle_mistake, true, text, size);
+    if (*text == '\0')
+        wrong_outputs(v, sign_mistake, false, text, size);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds && *text == '\0'; i++)
+        kinds[i](v, text, size);
+}

@@ -1,0 +1,29 @@
+/*
+ * Kinds of mistakes that no sheet can list, each told from the numbers of several failing vectors: in words, or "" where none
+ * fits. Nothing is concluded from one vector alone, or from zeros where other numbers are due in some vectors only.
+ */
+#ifndef CT_KINDS_H
+#define CT_KINDS_H
+
+#include "conform/conform.h"
+
+/* The failing vectors of a summary that were answered in numbers: all as binary64, the truth too. */
+struct evidence {
+    const struct section *section;
+    struct operation *operation;
+    clock_t until;               /* of processor time, when no more is tried */
+    int count;
+    const struct record *records[MOST_FAILURES];
+    double x[MOST_FAILURES][MOST_INPUTS], y[MOST_FAILURES][MOST_OUTPUTS], exact[MOST_FAILURES][MOST_OUTPUTS];
+};
+
+/* Equal but for so little that no mistake of a formula makes it. */
+bool is_same(double a, double b);
+
+/* Of what an operation's formulas or roots come to. */
+void kind_of_formula(const struct evidence *v, char *text, size_t size);
+
+/* Of a motion: the integrator, its step, the sign of a term. */
+void kind_of_motion(const struct evidence *v, char *text, size_t size);
+
+#endif
