@@ -697,8 +697,10 @@ END_TEST
 START_TEST(given_root_is_taken)
 {
     struct symbolic u, z, w;
+    SCOPE(fmpq, number);
+    SCOPE(fmpq_poly, f);
     symbolic_end();
-    symbolic_begin(1, 4, true);
+    symbolic_begin(1, 8, true);
     arithmetic_symbolic.init(&u, 1);
     arithmetic_symbolic.init(&z, 1);
     arithmetic_symbolic.init(&w, 1);
@@ -719,6 +721,22 @@ START_TEST(given_root_is_taken)
     arithmetic_symbolic.apply(OPERATOR_SIN, &z, &u, NULL, 0, 1);
     arithmetic_symbolic.apply(OPERATOR_SIN, &w, &u, NULL, 0, 1);
     ck_assert(fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
+    symbolic_set_angle(&w, 0, NULL); /* the opposite angle has the same cosine, and another unknown */
+    arithmetic_symbolic.apply(OPERATOR_SUBTRACT, &u, &u, &w, 0, 1);
+    arithmetic_symbolic.apply(OPERATOR_SUBTRACT, &w, &u, &w, 0, 1);
+    arithmetic_symbolic.apply(OPERATOR_SIN, &w, &w, NULL, 0, 1);
+    ck_assert(!fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
+    symbolic_set_variable(&u, 0, 0, NULL);
+    for (int i = 0; i < 2; i++) { /* the angles of (1, u) and (2, u), by their cosines */
+        fmpq_set_si(number, i + 1, 1);
+        arithmetic_symbolic.set_rational(i ? &w : &z, number, 1);
+        arithmetic_symbolic.apply(OPERATOR_ATAN2, i ? &w : &z, &u, i ? &w : &z, 0, 1);
+    }
+    ck_assert(z.fault == SYMBOLIC_FINE && z.angle && w.angle);
+    ck_assert(!fmpz_mpoly_q_equal(z.a + 1, w.a + 1, symbolic_context()));
+    ck_assert(symbolic_get_polynomial(f, &u) && fmpq_poly_degree(f) == 1);
+    arithmetic_symbolic.apply(OPERATOR_POWER, &u, &u, NULL, -1, 1);
+    ck_assert(!symbolic_get_polynomial(f, &u));
     arithmetic_symbolic.clear(&u);
     arithmetic_symbolic.clear(&z);
     arithmetic_symbolic.clear(&w);
