@@ -351,7 +351,7 @@ void decimal_shortest(char text[32], double x)
     else if (last < 0)
         snprintf(text, room, "%.*s.%s", first + 1, digits, digits + first + 1);
     else
-        snprintf(text, room, "%ld", (long)x); /* below 10^16: the integer is x itself */
+        snprintf(text, room, "%.0f", x); /* below 10^16: the integer is x itself */
 }
 
 void decimal_bound(char text[32], const mag_t x)
