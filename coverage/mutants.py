@@ -587,6 +587,10 @@ def self_test():
         status = [summary({'ref/': chosen}, results, collections.Counter((m.file, m.shown) for m in known), complete) for known, complete
                   in (([], True), ([], False), ([planted], True), ([planted, killed], True), ([planted, killed], False))]
     assert status == [1, 1, 0, 1, 0], status
+    stems = {pathlib.Path(file).stem for file in FILES if file.startswith('verify/') and file.endswith('.c')}
+    without = [stem for stem in sorted(stems) if not any(stem.startswith(name) for name in NOTICED_BY)]
+    idle = [name for name in NOTICED_BY if not any(stem.startswith(name) for stem in stems)]
+    assert not without and not idle, f'coverage/noticed.txt: no line for {without}, no file for {idle}'
     print('the runner finds a planted survivor and a stale line')
     return 0
 
