@@ -28,11 +28,11 @@ static void nearest(fmpz_t n, const fmpz_t p, const fmpz_t q)
         fmpz_add_ui(n, n, 1);
 }
 
-/* p/q = |x| base^k */
-static void scale_decimal(fmpz_t p, fmpz_t q, const fmpq_t x, ulong base, slong k)
+/* p/q = |x| 10^k */
+static void scale_decimal(fmpz_t p, fmpz_t q, const fmpq_t x, slong k)
 {
     SCOPE(fmpz, power);
-    fmpz_ui_pow_ui(power, base, k < 0 ? -(ulong)k : (ulong)k);
+    fmpz_ui_pow_ui(power, 10, k < 0 ? -(ulong)k : (ulong)k);
     fmpz_abs(p, fmpq_numref(x));
     fmpz_set(q, fmpq_denref(x));
     if (k < 0)
@@ -43,128 +43,63 @@ static void scale_decimal(fmpz_t p, fmpz_t q, const fmpq_t x, ulong base, slong 
 
 /* ---- reading ---------------------------------------------------------- */
 
-/* The digit's value, or 16 (no digit in any base used here). */
-static int digit_value(char c)
+/* The literal's own value; strtod() has found it well formed and finite in syntax. False where it is too large to be told. */
+static bool own_value(fmpq_t value, const char *text)
 {
-    if (c >= '0' && c <= '9')
-        return c - '0';
-    if (c >= 'a' && c <= 'f')
-        return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F')
-        return c - 'A' + 10;
-    return 16;
-}
-
-/* Equal but for the case of ASCII letters; the word is in lower case. */
-static bool spells(const char *text, const char *word)
-{
-    while (*word != '\0' && (*text | 0x20) == *word) {
-        text++;
-        word++;
-    }
-    return *word == '\0' && *text == '\0';
-}
-
-/*
- * Digits of the base with at most one point, at least one digit: their integer, and
- * how many stood after the point. Returns what follows, NULL when there is no digit.
- */
-static const char *read_digits(fmpz_t mantissa, slong *fraction, const char *text, int base)
-{
-    size_t span = strspn(text, "0123456789abcdefABCDEF.");
-    char *digits = xrealloc(NULL, span + 1, 1);
+    const bool negative = *text == '-';
+    text += *text == '-' || *text == '+';
+    const bool hexadecimal = text[0] == '0' && (text[1] | 0x20) == 'x';
+    text += hexadecimal ? 2 : 0;
+    const size_t length = strcspn(text, hexadecimal ? "pP" : "eE");
+    slong exponent = text[length] != '\0' ? strtol(text + length + 1, NULL, 10) : 0, fraction = 0; /* saturated far outside */
+    char *digits = xrealloc(NULL, length + 1, 1);
     size_t count = 0;
-    bool point = false;
-    *fraction = 0;
-    for (; digit_value(*text) < base || (*text == '.' && !point); text++) {
-        if (*text == '.') {
-            point = true;
-        } else {
-            digits[count++] = *text;
-            *fraction += point;
-        }
-    }
+    SCOPE(fmpz, mantissa, power);
+    for (size_t i = 0; i < length; i++)
+        if (text[i] != '.')
+            digits[count++] = text[i];
     digits[count] = '\0';
-    if (count > 0)
-        fmpz_set_str(mantissa, digits, base);
+    if (count < length)
+        fraction = (slong)(length - 1 - strcspn(text, "."));
+    fmpz_set_str(mantissa, digits, hexadecimal ? 16 : 10);
     free(digits);
-    return count > 0 ? text : NULL;
-}
-
-/* A signed decimal integer, saturated far outside every range used. NULL when there is none. */
-static const char *read_exponent(slong *exponent, const char *text)
-{
-    const slong saturated = 100000000; /* ten times that fits 32 bits, and a literal would need 10^8 digits to bring it back */
-    bool negative = *text == '-';
-    if (*text == '-' || *text == '+')
-        text++;
-    if (digit_value(*text) >= 10)
-        return NULL;
-    slong value = 0;
-    for (; digit_value(*text) < 10; text++)
-        value = value < saturated ? 10 * value + digit_value(*text) : value;
-    *exponent = negative ? -value : value;
-    return text;
-}
-
-/* value = mantissa base^exponent */
-static void place_digits(fmpq_t value, const fmpz_t mantissa, ulong base, slong exponent)
-{
-    SCOPE(fmpq, x);
-    fmpq_set_fmpz(x, mantissa);
-    scale_decimal(fmpq_numref(x), fmpq_denref(x), x, base, exponent);
-    fmpq_canonicalise(x);
-    fmpq_swap(value, x);
-}
-
-/* value = the binary64 nearest to the literal, which strtod finds; false where it overflows. */
-static bool round_to_binary64(fmpq_t value, const char *literal)
-{
-    const double nearest = strtod(literal, NULL);
-    if (!isfinite(nearest))
-        return false;
-    SCOPE(arf, x);
-    arf_set_d(x, nearest);
-    arf_get_fmpq(value, x);
+    const bool giant = exponent < -LARGEST_EXPONENT || exponent > LARGEST_EXPONENT || fraction > MOST_DIGITS ||
+                       (slong)fmpz_bits(mantissa) > 4 * MOST_DIGITS;
+    if (fmpz_is_zero(mantissa))
+        fmpq_zero(value);
+    if (fmpz_is_zero(mantissa) || giant)
+        return fmpz_is_zero(mantissa);
+    exponent -= hexadecimal ? 4 * fraction : fraction;
+    fmpz_ui_pow_ui(power, hexadecimal ? 2 : 10, (ulong)labs(exponent));
+    if (negative)
+        fmpz_neg(mantissa, mantissa);
+    if (exponent < 0) {
+        fmpq_set_fmpz_frac(value, mantissa, power);
+    } else {
+        fmpz_mul(mantissa, mantissa, power);
+        fmpq_set_fmpz(value, mantissa);
+    }
     return true;
 }
 
 enum literal literal_read(fmpq_t value, const char *text, bool exact)
 {
-    const char *const literal = text;
-    const bool negative = *text == '-';
-    if (*text == '-' || *text == '+')
-        text++;
-    if (spells(text, "nan"))
+    char *end;
+    const double nearest = strtod(text, &end);
+    if (end == text || *end != '\0' || strpbrk(text, " \t\n\v\f\r(") != NULL) /* strtod() skips blanks, and takes nan(...) */
+        return LITERAL_MALFORMED;
+    if (isnan(nearest))
         return LITERAL_NAN;
-    if (spells(text, "inf") || spells(text, "infinity"))
-        return negative ? LITERAL_NEGATIVE_INFINITE : LITERAL_INFINITE;
-
-    const bool hexadecimal = text[0] == '0' && (text[1] | 0x20) == 'x';
-    slong fraction = 0, exponent = 0;
-    SCOPE(fmpz, mantissa);
-    text = hexadecimal ? read_digits(mantissa, &fraction, text + 2, 16)
-                       : read_digits(mantissa, &fraction, text, 10);
-    if (text != NULL && (*text | 0x20) == (hexadecimal ? 'p' : 'e'))
-        text = read_exponent(&exponent, text + 1);
-
-    enum literal what = LITERAL_FINITE;
-    const bool giant = labs(exponent) > LARGEST_EXPONENT || fraction > MOST_DIGITS ||
-                       (slong)fmpz_bits(mantissa) > 4 * MOST_DIGITS;
-    if (text == NULL || *text != '\0') {
-        what = LITERAL_MALFORMED;
-    } else if (fmpz_is_zero(mantissa)) {
-        fmpq_zero(value);
-    } else if (!exact) {
-        what = round_to_binary64(value, literal) ? LITERAL_FINITE : LITERAL_OVERFLOW;
-    } else if (giant) {
-        what = LITERAL_OVERFLOW;
-    } else {
-        place_digits(value, mantissa, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 * fraction : fraction));
-        if (negative)
-            fmpq_neg(value, value);
-    }
-    return what;
+    if (strpbrk(text, "iI") != NULL)
+        return nearest < 0 ? LITERAL_NEGATIVE_INFINITE : LITERAL_INFINITE;
+    if (exact)
+        return own_value(value, text) ? LITERAL_FINITE : LITERAL_OVERFLOW;
+    if (isinf(nearest))
+        return LITERAL_OVERFLOW;
+    SCOPE(arf, x);
+    arf_set_d(x, nearest);
+    arf_get_fmpq(value, x);
+    return LITERAL_FINITE;
 }
 
 /* ---- writing ---------------------------------------------------------- */
@@ -206,7 +141,7 @@ static slong decimal_exponent(double mantissa, slong exponent)
 }
 
 /* |x|, x not zero, to so many digits: their integer, and the exponent of the first. */
-static slong leading_digits(fmpz_t n, const fmpq_t x, slong digits, bool upward)
+static slong leading_digits(fmpz_t n, const fmpq_t x, slong digits)
 {
     SCOPE(fmpz, p, q, limit);
     fmpz_ui_pow_ui(limit, 10, (ulong)digits);
@@ -215,11 +150,8 @@ static slong leading_digits(fmpz_t n, const fmpq_t x, slong digits, bool upward)
     double below = fmpz_get_d_2exp(&bottom, fmpq_denref(x));
     slong exponent = decimal_exponent(fabs(above / below), top - bottom);
     for (;; exponent++) {
-        scale_decimal(p, q, x, 10, digits - 1 - exponent);
-        if (upward)
-            fmpz_cdiv_q(n, p, q);
-        else
-            nearest(n, p, q);
+        scale_decimal(p, q, x, digits - 1 - exponent);
+        nearest(n, p, q);
         /* A digit too many: the exponent was too low, or the value rounds to the next power of ten.
          */
         if (fmpz_cmp(n, limit) < 0)
@@ -233,7 +165,7 @@ char *decimal_of_rational(const fmpq_t x, slong digits)
     if (fmpq_is_zero(x))
         return text_copy("0");
     SCOPE(fmpz, n);
-    slong exponent = leading_digits(n, x, digits, false);
+    slong exponent = leading_digits(n, x, digits);
     return scientific(fmpq_sgn(x) < 0, n, exponent);
 }
 
@@ -356,19 +288,22 @@ void decimal_shortest(char text[32], double x)
 
 void decimal_bound(char text[32], const mag_t x)
 {
-    const slong least = -1000000,
-                most = 1000000; /* powers of two: what is beyond is bounded by them */
+    const slong least = -1000000, most = 1000000; /* powers of two: what is beyond is bounded by them */
     if (mag_is_zero(x) || mag_cmp_2exp_si(x, most) > 0) {
         snprintf(text, 32, "%s", mag_is_zero(x) ? "0" : "inf");
         return;
     }
     SCOPE(mag, bound);
-    SCOPE(fmpq, value);
-    SCOPE(fmpz, n);
+    SCOPE(arf, value);
+    mpfr_t y;
+    mpfr_exp_t exponent;
+    char digits[8]; /* two */
     mag_set_ui_2exp_si(bound, 1, least);
     mag_max(bound, bound, x);
-    mag_get_fmpq(value, bound);
-    const slong exponent = leading_digits(n, value, 2, true);
-    char digits[4]; /* two */
-    write_scientific(text, fmpz_get_str(digits, 10, n), exponent);
+    arf_set_mag(value, bound);
+    mpfr_init2(y, MAG_BITS + 2);
+    arf_get_mpfr(y, value, MPFR_RNDU); /* exact */
+    mpfr_get_str(digits, &exponent, 10, 2, y, MPFR_RNDU);
+    mpfr_clear(y);
+    write_scientific(text, digits, exponent - 1);
 }
