@@ -743,6 +743,36 @@ START_TEST(given_root_is_taken)
 }
 END_TEST
 
+/* Products of which each is allowed: 2 s of them are too much. */
+START_TEST(time_is_bounded)
+{
+    enum { MOST = 100000 };
+    static const char *const names[] = {"a", "b", "c", "d"};
+    struct program p;
+    struct machine m;
+    struct message why;
+    size_t where;
+    int times = 0;
+    symbolic_end();
+    symbolic_begin(4, 0, false);
+    program_init(&p);
+    for (int i = 0; i < 4; i++)
+        program_input(&p, names[i]);
+    const int node = program_parse(&p, "(a + b + c + d)^15*(a + 2*b + c + d)^15", &where, &why);
+    machine_init(&m, &p, &arithmetic_symbolic, 1);
+    for (int i = 0; i < 4; i++)
+        symbolic_set_variable(machine_value(&m, i), i, 0, NULL);
+    do
+        machine_run(&m);
+    while (state(machine_value(&m, node)) == SYMBOLIC_FINE && ++times < MOST);
+    ck_assert_int_gt(times, 0);
+    ck_assert_int_eq(state(machine_value(&m, node)), SYMBOLIC_TOO_LARGE);
+    ck_assert_msg(strncmp(symbolic_fault_size(), "seconds: ", 9) == 0, "%s", symbolic_fault_size());
+    machine_clear(&m);
+    program_clear(&p);
+}
+END_TEST
+
 static void begin(void)
 {
     symbolic_begin(0, 0, false);
@@ -778,8 +808,14 @@ SUITE(test_expression)
     tcase_add_loop_test(arithmetic, normal_form_is_zero_or_refused, 0, COUNT(forms));
     tcase_add_test(arithmetic, given_root_is_taken);
 
+    TCase *slow = tcase_create("slow");
+    tcase_set_timeout(slow, 120);
+    tcase_add_checked_fixture(slow, begin, symbolic_end);
+    tcase_add_test(slow, time_is_bounded);
+
     Suite *s = suite_create("expression");
     suite_add_tcase(s, parser);
     suite_add_tcase(s, arithmetic);
+    suite_add_tcase(s, slow);
     return s;
 }
