@@ -7,6 +7,7 @@
 #include "evaluate/errors.h"
 #include "evaluate/reference.h"
 #include "text/decimal.h"
+#include "text/json.h"
 #include "text/scope.h"
 
 enum { SEED = 1, PASS = 8 }; /* E beyond 8 is no rounding of a formula of the sheet: see the oracle's rule */
@@ -21,7 +22,10 @@ static void error_bound_text(char text[32], double E)
 
 bool print_errors(const struct sheet *sheet, long inputs, enum format format)
 {
-    bool fine = true, first = true;
+    struct json j = json_on(stdout);
+    bool fine = true;
+    if (format == FORMAT_JSON)
+        json_open(&j, NULL, '[');
     if (format == FORMAT_MARKDOWN)
         puts("| operation | inputs | E at most |\n|---|---|---|");
     if (format == FORMAT_TABLE)
@@ -40,18 +44,26 @@ bool print_errors(const struct sheet *sheet, long inputs, enum format format)
         measure_errors(&m, s, inputs, SEED);
         error_bound_text(text, m.worst);
         fine = fine && m.worst <= PASS && m.outside == 0;
-        if (format == FORMAT_JSON)
-            printf("%s{\"id\": \"%s\", \"inputs\": %ld, \"worst_E\": %s, \"vector\": \"%s-%d-%ld\", \"outside\": %ld}",
-                   first ? "[" : ",\n ", s->id, inputs, text, s->id, SEED, m.index, m.outside);
-        else if (format == FORMAT_MARKDOWN)
+        if (format == FORMAT_JSON) {
+            json_open(&j, NULL, '{');
+            json_string(&j, "id", s->id);
+            json_value(&j, "inputs", "%ld", inputs);
+            json_value(&j, "worst_E", "%s", text);
+            json_value(&j, "vector", "\"%s-%d-%ld\"", s->id, SEED, m.index);
+            json_value(&j, "outside", "%ld", m.outside);
+            json_close(&j);
+            json_line(&j, 1);
+        } else if (format == FORMAT_MARKDOWN)
             printf("| %s | %ld | %s |\n", s->id, inputs, text);
         else
             printf("%-10s %8ld %10s  %s\n", s->id, inputs, text,
                    s->method != METHOD_FORMULA ? "-" : m.outside == 0 ? "always" : "NO");
-        first = false;
     }
-    if (format == FORMAT_JSON)
-        puts("]");
+    if (format == FORMAT_JSON) {
+        json_line(&j, -1);
+        json_close(&j);
+        putchar('\n');
+    }
     if (format == FORMAT_TABLE)
         printf("\nE = |y - y*| / (2^-53 (|y*| + S)), S = sum |x dy/dx| over the inputs x: the error in roundings of result and inputs,\n"
                "its largest of all outputs of the reference library on the inputs, rounded up; at most %d passes. In the enclosure:\n"
