@@ -30,11 +30,6 @@ local current = ''  -- what is being woven, as it stands in the source
 
 ---- reading ----
 
-local function lines_of(path)
-  local file = io.open(path)
-  return file and file:lines()
-end
-
 local function read(path)
   local file = io.open(path)
   local text = file and file:read 'a'
@@ -72,45 +67,16 @@ local function words_of(text)
   return words
 end
 
+-- JSON is Lua but for brackets and colons; its strings are kept aside meanwhile.
 local function json(path)
-  local text, at = read(path) or error('no ' .. path .. ': run make check'), 1
-  local value
-  local function peek() at = text:find('%S', at); return text:sub(at, at) end
-  local function string()
-    local parts = {}
-    at = at + 1
-    while text:sub(at, at) ~= '"' do
-      local stretch = text:match('^[^"\\]+', at)
-      if not stretch then
-        local c = text:sub(at + 1, at + 1)
-        stretch = c == 'n' and '\n' or c == 't' and '\t' or c
-        at = at + 1 + #c - #stretch
-      end
-      parts[#parts + 1] = stretch
-      at = at + #stretch
-    end
-    at = at + 1
-    return table.concat(parts)
-  end
-  function value()
-    local c, all = peek(), {}
-    if c == '"' then return string() end
-    if c ~= '{' and c ~= '[' then
-      local word = text:match('^[^,%]}%s]+', at)
-      at = at + #word
-      return word
-    end
-    at = at + 1
-    while peek() ~= '}' and peek() ~= ']' do
-      local key = #all + 1
-      if c == '{' then key = string(); peek(); at = at + 1 end
-      all[key] = value()
-      if peek() == ',' then at = at + 1 end
-    end
-    at = at + 1
-    return all
-  end
-  return value()
+  local strings = {}
+  local text = (read(path) or error('no ' .. path .. ': run make check')):gsub('\\(.)', {['"'] = '\1', ['\\'] = '\2', n = '\n'})
+  text = text:gsub('"([^"]*)"', function(string)
+    strings[#strings + 1] = string:gsub('\1', '"'):gsub('\2', '\\')
+    return '"' .. #strings .. '"'
+  end)
+  text = text:gsub('%[', '{'):gsub('%]', '}'):gsub('"(%d+)": ', '[strings[%1]] = '):gsub('"(%d+)"', 'strings[%1]')
+  return load('local strings = ... return ' .. text)(strings)
 end
 
 -- A line of CSV; no field of ours has a quotation mark or a line break in it.
@@ -166,7 +132,7 @@ for _, v in ipairs(json(build .. '/claims.json').claims) do verdicts[v.id], verd
 for _, e in ipairs(json(build .. '/errors.json').errors) do errors[e.id], errors[#errors + 1] = e, e end
 do
   local heads
-  for line in lines_of(build .. '/gate.csv') or error('no ' .. build .. '/gate.csv: run make check') do
+  for line in (read(build .. '/gate.csv') or error('no ' .. build .. '/gate.csv: run make check')):gmatch '[^\n]+' do
     local row = csv(line)
     if heads then
       gate[#gate + 1] = {}
@@ -423,7 +389,7 @@ local inline = {}
 function inline.number(words)
   local path = data .. '/' .. (words[2] or '')
   if not (words[5] and #words <= 6) then stop 'expected <<number FILE ROW COLUMN DIGITS [SCALE]>>' end
-  local lines = lines_of(path) or stop(("no file '%s'"):format(path))
+  local lines = (read(path) or stop(("no file '%s'"):format(path))):gmatch '[^\n]+'
   local column, value, found
   for i, head in ipairs(csv(lines())) do column = head == words[4] and i or column end
   if not column then stop(("'%s' has no column '%s'"):format(path, words[4])) end
@@ -613,12 +579,13 @@ function block.places()
     local head = sequence('(' .. span_of(s.numbers) .. ') ', s.title and inlines(prose(s.title)) or '', qualified(s.id) and ', ' .. qualified(s.id) or '')
     blocks:insert(pandoc.Header(2, sequence({pandoc.Link('¶', '#' .. s.id, '', {class = 'permalink'})}, ' ', head), {id = s.id}))
     if s.id:match '^eq%d+$' then
-      local anchors = {}
+      local anchored = {}
       for _, number in ipairs(s.numbers) do
-        anchors['eq:' .. number] = true
-        anchors['eq:' .. number:gsub('%a$', '')] = true
+        for _, name in ipairs {number, (number:gsub('%a$', ''))} do
+          if not anchored[name] then blocks:insert(html('<a id="eq:' .. name .. '"></a>')) end
+          anchored[name] = true
+        end
       end
-      for anchor in pairs(anchors) do blocks:insert(html('<a id="' .. anchor .. '"></a>')) end
     end
     blocks:extend(equation_blocks(display(s, 'relation output let domain'), qualified(s.id)))
     if s.note then blocks:insert(pandoc.Para(inlines(prose(s.note)))) end
