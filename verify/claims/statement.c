@@ -132,22 +132,17 @@ struct deciding {
     enum how how;
 };
 
-/* Whether one of these assertions has no number: it was taken away, is no single root, or rests on such a one. */
+/* Whether one of these assertions has lost its number, as it was tampered with, or rests on such a one. */
 static bool any_void(const struct deciding *d, ulong uses)
 {
     const struct tampering *t = d->tampering;
-    for (int k = 0; k < d->statement->assertion_count; k++) {
-        struct assertion *a = &d->statement->assertions[k];
-        if ((uses >> k & 1) == 0)
-            continue;
-        if (t != NULL && t->assertion == k && (a->kind == ASSERT_ROOT || !t->negated))
-            return true;
-        if (a->kind == ASSERT_ROOT)
-            assertion_find(d->all, d->statement, a);
-        if ((a->kind == ASSERT_ROOT && a->truth != FOUND_TRUE) || any_void(d, a->uses))
-            return true;
+    bool lost = false;
+    for (int k = 0; t != NULL && k < d->statement->assertion_count; k++) {
+        const struct assertion *a = &d->statement->assertions[k];
+        if ((uses >> k & 1) != 0)
+            lost = lost || (t->assertion == k && (a->kind == ASSERT_ROOT || !t->negated)) || any_void(d, a->uses);
     }
-    return false;
+    return lost;
 }
 
 static enum truth truth_of(struct deciding *d, int index)
