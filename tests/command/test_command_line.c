@@ -401,6 +401,13 @@ START_TEST(question_lines_are_answered_up_to_the_first_that_is_none)
 }
 END_TEST
 
+START_TEST(questions_that_cannot_be_read_are_a_failure)
+{
+    ck_assert_int_eq(system("\"$CT_PROGRAM\" eval - <. 2>\"$CT_BUILD/tests/said\""), 256);
+    ck_assert_int_eq(system("grep -q '^coulomb-tether: standard input: ' \"$CT_BUILD/tests/said\""), 0);
+}
+END_TEST
+
 START_TEST(a_question_without_an_end_is_none)
 {
     static char line[70000];
@@ -637,10 +644,12 @@ START_TEST(a_full_disk_is_said_and_exits_1)
 {
     static const char *const asks[] = {"table1", "figure 4", "equations", "trajectory linear",
                                        "eval eq38 GM=8 R_c=2", "--help", "vectors eq43 --golden",
-                                       "verify derivations kepler"};
+                                       "verify derivations kepler", "eval -"};
     int full = open("/dev/full", O_WRONLY);
     ck_assert_int_ge(full, 0);
+    input = "eq43 a 1 1\neq43 b 1 1\n";
     ck_assert_int_eq(run_to(asks[_i], full), 1);
+    input = NULL;
     close(full);
     ck_assert_int_eq(lines(errors), 1);
     ck_assert_ptr_nonnull(strstr(errors, "standard output"));
@@ -767,6 +776,7 @@ SUITE(test_command_line)
     tcase_add_test(c, figure4_runs_from_9_to_40);
     tcase_add_loop_test(c, question_lines_are_answered_up_to_the_first_that_is_none, 0, 16);
     tcase_add_test(c, a_question_without_an_end_is_none);
+    tcase_add_test(c, questions_that_cannot_be_read_are_a_failure);
     tcase_add_loop_test(c, question_lines_of_golden_vectors_are_answered_as_they_are_there, 0, 6);
     tcase_add_loop_test(c, version_goes_to_standard_output, 0, 2);
     tcase_add_loop_test(c, help_names_every_subcommand, 0, 3);
@@ -776,7 +786,7 @@ SUITE(test_command_line)
     tcase_add_test(c, the_manual_page_has_every_option_and_example_and_no_macro_by_mistake);
     tcase_add_loop_test(c, bash_completes_what_the_tables_have, 0, 15);
     tcase_add_test(c, equations_lists_every_section_and_shows_one);
-    tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 8);
+    tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 9);
     tcase_add_test(c, a_closed_pipe_ends_quietly_with_1);
     tcase_add_test(c, rows_proved_before_the_charge_law_ends_are_kept);
     tcase_add_loop_test(c, what_ends_a_motion_is_said_behind_the_rows_proved, 0, 3);

@@ -85,10 +85,11 @@ bool operation_has_sensitivity(const struct section *s)
     return s->method == METHOD_FORMULA || s->method == METHOD_ROOTS;
 }
 
-void formula_sensitivity(struct operation *o, arb_ptr S)
+void formula_sensitivity(struct operation *o, slong prec, arb_ptr S)
 {
     const struct section *s = o->section;
-    const slong prec = o->machine.prec;
+    const slong whole = o->machine.prec;
+    o->machine.prec = prec; /* of derivatives, not of what they are derivatives of */
     if (o->adjoint.values == NULL)
         machine_init(&o->adjoint, o->machine.program, &arithmetic_ball, prec);
     for (int k = 0; k < s->output_count; k++) {
@@ -97,6 +98,7 @@ void formula_sensitivity(struct operation *o, arb_ptr S)
         for (int i = 0; i < s->input_count; i++)
             add_term(S + k, machine_value(&o->machine, i), machine_value(&o->adjoint, i), prec);
     }
+    o->machine.prec = whole;
 }
 
 void operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S)
@@ -108,7 +110,7 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
     }
     VECTOR(arb, values, s->output_count);
     operation_enclose(o, inputs, prec, values); /* fills the machine */
-    formula_sensitivity(o, S);
+    formula_sensitivity(o, prec, S);
 }
 
 void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,

@@ -68,6 +68,8 @@ static char *sensitivity_text(const arb_t S)
                                                          : text_copy("INF");
 }
 
+enum { QUICK_BITS = 128 }; /* two limbs: enough nearly always */
+
 static bool sensitivity_texts(struct operation *o, const struct input *inputs, char **texts)
 {
     const int count = o->section->output_count;
@@ -75,7 +77,7 @@ static bool sensitivity_texts(struct operation *o, const struct input *inputs, c
     int left = count;
     for (slong prec = 192; left > 0 && prec <= 16384; prec *= 2) {
         if (prec == 192 && o->section->method == METHOD_FORMULA)
-            formula_sensitivity(o, S); /* in as many bits as the outputs took */
+            formula_sensitivity(o, QUICK_BITS, S); /* from the outputs' own enclosure */
         else
             operation_sensitivity(o, inputs, prec, S);
         left = 0;
