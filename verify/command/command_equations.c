@@ -7,13 +7,6 @@
 #include "command/command.h"
 #include "text/json.h"
 
-static const char *const domains[] = {
-    [DOMAIN_FINITE] = "finite",
-    [DOMAIN_POSITIVE] = "> 0",
-    [DOMAIN_NOT_NEGATIVE] = ">= 0",
-    [DOMAIN_POSITIVE_OR_INFINITE] = "> 0 or inf",
-};
-
 /* The equation numbers, at least `width` wide. */
 static void print_equation_numbers(const struct section *s, int width)
 {
@@ -26,7 +19,7 @@ static void print_quantities(const char *heading, const struct quantity *const *
 {
     for (int i = 0; i < count; i++)
         printf("  %-8s %-10s %-10s %-10s %s\n", i ? "" : heading, quantities[i]->name,
-               quantities[i]->unit, domains[quantities[i]->domain], quantities[i]->meaning);
+               quantities[i]->unit, domain_names[quantities[i]->domain], quantities[i]->meaning);
 }
 
 static void print_formulas(const char *heading, const struct section *s, const struct formulas *f)
@@ -75,7 +68,7 @@ static void json_quantities(struct json *j, const char *key, const struct quanti
         json_open(j, NULL, '{');
         json_string(j, "name", quantities[i]->name);
         json_string(j, "unit", quantities[i]->unit);
-        json_string(j, "domain", domains[quantities[i]->domain]);
+        json_string(j, "domain", domain_names[quantities[i]->domain]);
         json_string(j, "meaning", quantities[i]->meaning);
         json_close(j);
     }

@@ -67,8 +67,8 @@ static const char about[] =
 enum { EXIT_STATUSES = 3 };
 static const char *const exit_statuses[EXIT_STATUSES] = {
     "Done.",
-    "A check failed, a value lies outside the domain of its equation (not a number, infinite, a negative mass, too large for "
-    "binary64), or reading or writing failed. A pipe that is closed ends the program quietly with this status.",
+    ("A check failed, a value lies outside the domain of its equation (not a number, infinite, a negative mass, too large "
+     "for binary64), or reading or writing failed. A pipe that is closed ends the program quietly with this status."),
     "Wrong usage: an argument is unknown, missing, repeated, malformed, or does nothing here.",
 };
 

@@ -89,21 +89,6 @@ static bool in_domain(enum domain domain, const struct input *x)
     return true;
 }
 
-static const char *domain_text(enum domain domain)
-{
-    switch (domain) {
-    case DOMAIN_POSITIVE:
-        return "finite and > 0";
-    case DOMAIN_POSITIVE_OR_INFINITE:
-        return "> 0 or inf";
-    case DOMAIN_NOT_NEGATIVE:
-        return "finite and >= 0";
-    case DOMAIN_FINITE:
-        break;
-    }
-    return "finite";
-}
-
 static bool compares(int sign, enum comparison comparison)
 {
     return comparison == LESS ? sign < 0 : comparison == GREATER ? sign > 0 : sign >= 0;
@@ -131,8 +116,7 @@ static bool valid_by(struct operation *o, const struct input *inputs, slong prec
     const struct section *s = o->section;
     for (int i = 0; i < s->input_count; i++)
         if (!in_domain(s->inputs[i]->domain, &inputs[i])) {
-            message_set(&o->why, "%s: expected a number %s", s->inputs[i]->name,
-                        domain_text(s->inputs[i]->domain));
+            message_set(&o->why, "%s: outside its domain, %s", s->inputs[i]->name, domain_names[s->inputs[i]->domain]);
             return false;
         }
     if (o->formulas->count > 0)

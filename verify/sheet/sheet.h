@@ -12,6 +12,7 @@
 enum { MOST_INPUTS = 40, MOST_OUTPUTS = 16, MOST_CHANGES = 12 };
 
 enum domain { DOMAIN_FINITE, DOMAIN_POSITIVE, DOMAIN_NOT_NEGATIVE, DOMAIN_POSITIVE_OR_INFINITE };
+extern const char *const domain_names[]; /* "finite", "> 0", ... as the sheet has them; NULL after the last */
 
 struct quantity {
     const char *name, *unit, *meaning;

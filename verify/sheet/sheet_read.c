@@ -14,7 +14,8 @@
 
 /* ---- quantities ---- */
 
-static const char *const domains[] = {"finite", "> 0", ">= 0", "> 0 or inf", NULL}, *const signs[] = {"either", NULL};
+const char *const domain_names[] = {"finite", "> 0", ">= 0", "> 0 or inf", NULL};
+static const char *const signs[] = {"either", NULL};
 
 struct written_quantity {
     struct quantity q;
@@ -25,7 +26,7 @@ struct written_quantity {
 static const struct field quantity_fields[] = {
     FIELD("unit", struct written_quantity, q.unit, FIELD_TEXT, .expected = "a text"),
     FIELD("meaning", struct written_quantity, q.meaning, FIELD_TEXT, .expected = "a text"),
-    FIELD("domain", struct written_quantity, q.domain, FIELD_WORD, .expected = "a domain", .words = domains),
+    FIELD("domain", struct written_quantity, q.domain, FIELD_WORD, .expected = "a domain", .words = domain_names),
     FIELD("range", struct written_quantity, range, FIELD_NODE),
     FIELD("sign", struct written_quantity, sign, FIELD_WORD, .words = signs),
     FIELD("value", struct written_quantity, q.value, FIELD_TEXT),
