@@ -55,7 +55,8 @@ static const char *value_unless_given(const struct quantity *q, int name)
 }
 
 static const char names_rule[] =
-    "n stands without C1 and C2. x1 ... z1_dot are for nonlinear motions, all six in place of the angles, dL and their rates.";
+    "n stands without C1 and C2. x1 ... z1_dot are for nonlinear motions, all six in place of the angles, dL and their "
+    "rates. A linear trajectory depends on neither k_c nor the masses.";
 
 static const char about[] =
     "Two charged spacecraft fly in line with the local vertical. The Coulomb force holds their distance and the gravity "
