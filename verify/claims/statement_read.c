@@ -493,8 +493,8 @@ static bool read_interval(struct reading *r, struct assertion *a)
 
 static const struct field given_fields[] = {GIVEN_FIELDS, {.key = NULL}};
 static const struct field entry_fields[] = {
-    {.key = "show"}, {.key = "algebra"}, {.key = "root"}, {.key = "roots"}, {.key = "characteristic"}, {.key = "rank"}, {.key = "step"},
-    {.key = "claim"}, {.key = "compute"}, {.key = "of"}, {.key = "in"}, {.key = "on"}, {.key = "for"}, {.key = "above"},
+    {.key = "show"}, {.key = "algebra"}, {.key = "root"}, {.key = "roots"}, {.key = "characteristic"}, {.key = "rank"},
+    {.key = "step"}, {.key = "claim"}, {.key = "compute"}, {.key = "of"}, {.key = "in"}, {.key = "on"}, {.key = "for"}, {.key = "above"},
     {.key = "below"}, {.key = "count"}, {.key = "control"}, {.key = "observe"}, GIVEN_FIELDS, {.key = NULL}};
 
 static bool read_assertion(struct reading *r, struct assertion *a)

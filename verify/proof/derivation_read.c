@@ -67,7 +67,8 @@ static bool read_definition(struct derivations *d, const struct yaml *n)
 
 static bool read_definitions(struct derivations *d, const struct yaml *all)
 {
-    d->definitions.sections = xrealloc(d->definitions.sections, (size_t)(d->definitions.count + all->count), sizeof *d->definitions.sections);
+    d->definitions.sections = xrealloc(d->definitions.sections, (size_t)(d->definitions.count + all->count),
+                                       sizeof *d->definitions.sections);
     for (int i = 0; i < all->count; i++)
         if (!read_definition(d, &all->items[i]))
             return false;
@@ -85,10 +86,10 @@ static const struct field step_fields[] = {
     FIELD("title", struct written_step, s.title, FIELD_TEXT, .expected = "a text"),
     FIELD("note", struct written_step, s.note, FIELD_TEXT),
     FIELD("where", struct written_step, s.where, FIELD_TEXT),
-    FIELD("from", struct written_step, s.from, FIELD_TEXTS, .most = MOST_EQUATIONS, .count = offsetof(struct written_step, s.from_count),
-          .may_be_empty = true, .expected = "a list of equation numbers"),
-    FIELD("to", struct written_step, s.to, FIELD_TEXTS, .most = MOST_EQUATIONS, .count = offsetof(struct written_step, s.to_count),
-          .may_be_empty = true, .expected = "a list of equation numbers"),
+    FIELD("from", struct written_step, s.from, FIELD_TEXTS, .most = MOST_EQUATIONS, .may_be_empty = true,
+          .count = offsetof(struct written_step, s.from_count), .expected = "a list of equation numbers"),
+    FIELD("to", struct written_step, s.to, FIELD_TEXTS, .most = MOST_EQUATIONS, .may_be_empty = true,
+          .count = offsetof(struct written_step, s.to_count), .expected = "a list of equation numbers"),
     FIELD("also", struct written_step, also, FIELD_MAP),
     FIELD("printed", struct written_step, printed, FIELD_NODE),
     FIELD("let", struct written_step, s.let, FIELD_MAP),
@@ -142,8 +143,8 @@ static bool read_step(struct derivations *d, const struct yaml *n)
     struct step *s = &d->steps[d->step_count++];
     *s = w.s;
     struct scope scope = {.sheet = d->sheet, .definitions = &d->definitions, .given = n};
-    if (!check_ends(d, under(n, "from"), false) || !check_ends(d, under(n, "to"), true) || !read_identities(&s->corrected, &scope) ||
-        !step_read_remainders(d, s, &scope))
+    if (!check_ends(d, under(n, "from"), false) || !check_ends(d, under(n, "to"), true) ||
+        !read_identities(&s->corrected, &scope) || !step_read_remainders(d, s, &scope))
         return false;
     scope.variant = w.printed;
     s->differs = w.printed != NULL;

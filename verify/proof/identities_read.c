@@ -188,7 +188,8 @@ static bool check_rates(const struct identities *t, const struct scope *s)
         const bool constant = strcmp(by->text, "0") == 0;
         for (int k = 0; k < (constant ? 1 : 2); k++)
             if (program_find(&t->program, k == 0 ? by->key : by->text) < 0)
-                return node_error(by, k == 0 ? AT_KEY : 0, "unknown symbol '%s', expected name: its rate", k == 0 ? by->key : by->text);
+                return node_error(by, k == 0 ? AT_KEY : 0, "unknown symbol '%s', expected name: its rate",
+                                  k == 0 ? by->key : by->text);
         if (!constant && strlen(by->key) <= LONGEST_NAME && rate_name(s->sheet, by->key, rate) && strcmp(rate, by->text) != 0)
             return node_error(by, 0, "the rate of %s is %s in the sheet", by->key, rate);
     }

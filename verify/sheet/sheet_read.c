@@ -9,8 +9,10 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-/* One more item of an array that its struct counts, all zero. */
-#define APPENDED(array, count) (array = xrealloc(array, (size_t)(count) + 1, sizeof *(array)), memset(&(array)[count], 0, sizeof *(array)), &(array)[(count)++])
+/* One more item of an array that is counted, all zero. */
+#define APPENDED(array, count) \
+    (array = xrealloc(array, (size_t)(count) + 1, sizeof *(array)), \
+     memset(&(array)[count], 0, sizeof *(array)), &(array)[(count)++])
 
 /* ---- quantities ---- */
 
@@ -246,10 +248,11 @@ static const struct field section_fields[] = {
     FIELD("mistakes", struct written_section, mistakes, FIELD_MAP),
     {.key = NULL}};
 
-static const struct field formulas_fields[] = {FIELD("let", struct written_formulas, let, FIELD_MAP),
-                                               FIELD("outputs", struct written_formulas, outputs, FIELD_MAP, .expected = "formulas"),
-                                               FIELD("domain", struct written_formulas, domain, FIELD_NODE),
-                                               {.key = NULL}};
+static const struct field formulas_fields[] = {
+    FIELD("let", struct written_formulas, let, FIELD_MAP),
+    FIELD("outputs", struct written_formulas, outputs, FIELD_MAP, .expected = "formulas"),
+    FIELD("domain", struct written_formulas, domain, FIELD_NODE),
+    {.key = NULL}};
 
 static bool read_formulas(const struct sheet *sheet, const struct written_formulas *w, struct section *s, struct formulas *f)
 {
@@ -348,9 +351,10 @@ struct tolerance {
     const char *reason;
 };
 
-static const struct field tolerance_fields[] = {FIELD("reason", struct tolerance, reason, FIELD_TEXT, .expected = "a text"),
-                                                FIELD("bound", struct tolerance, bound, FIELD_POSITIVE, .expected = "a positive number"),
-                                                {.key = NULL}};
+static const struct field tolerance_fields[] = {
+    FIELD("reason", struct tolerance, reason, FIELD_TEXT, .expected = "a text"),
+    FIELD("bound", struct tolerance, bound, FIELD_POSITIVE, .expected = "a positive number"),
+    {.key = NULL}};
 
 /* K: {bound: 8, reason: ...}; as it was where there is none */
 static bool read_K(const struct yaml *n, double *K, const char **reason)

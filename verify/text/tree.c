@@ -254,7 +254,8 @@ static bool read_field(const struct yaml *n, const struct field *f, char *into)
         for (int i = 0; i < n->count && is_texts(n, f->most); i++)
             ((const char **)at)[i] = n->items[i].text;
         *(int *)(into + f->count) = n->count;
-        return is_texts(n, f->most) && (n->count > 0 || f->expected == NULL || f->may_be_empty || node_error(n, 0, "expected at least one of %s", f->expected));
+        return is_texts(n, f->most) && (n->count > 0 || f->expected == NULL || f->may_be_empty ||
+                                        node_error(n, 0, "expected at least one of %s", f->expected));
     case FIELD_POSITIVE:
         return is_positive_number(n, at);
     case FIELD_WORD:
@@ -275,7 +276,8 @@ static const struct field *find_field(const struct yaml *item, const struct fiel
         known[count++] = f->key;
     }
     const char *near = nearest_name(item->key, known, count);
-    node_error(item, AT_KEY, "unknown key '%s', expected %s%s", item->key, near ? "perhaps " : "one of this kind of entry", near ? near : "");
+    node_error(item, AT_KEY, "unknown key '%s', expected %s%s", item->key, near ? "perhaps " : "one of this kind of entry",
+               near ? near : "");
     return NULL;
 }
 
