@@ -213,7 +213,8 @@ static int answer_questions(const struct arguments *a, long digits)
 {
     const struct sheet *sheet = &a->paper->sheet;
     const int sections = sheet->section_count;
-    struct questions q = {.sheet = sheet, .digits = digits, .exact = option_given(a, "--exact"), .as_printed = option_given(a, "--as-printed"),
+    struct questions q = {.sheet = sheet, .digits = digits, .exact = option_given(a, "--exact"),
+                          .as_printed = option_given(a, "--as-printed"),
                           .inputs = inputs_new(MOST_INPUTS)};
     q.operations = xrealloc(NULL, (size_t)sections, sizeof *q.operations);
     memset(q.operations, 0, (size_t)sections * sizeof *q.operations);

@@ -208,7 +208,8 @@ static void print_mdoc_way(const char *way)
         const bool optional = *way == '[';
         const size_t length = strcspn(way += optional, optional ? "]" : " ");
         const bool option = *way == '-', literal = (*way >= 'a' && *way <= 'z') || (*way >= '0' && *way <= '9');
-        printf(".%s%s %.*s\n", optional ? "Op " : "", option ? "Fl" : literal ? "Cm" : "Ar", (int)length - option, way + option);
+        printf(".%s%s", optional ? "Op " : "", option ? "Fl" : literal ? "Cm" : "Ar");
+        printf(length > option ? " %.*s\n" : "\n", (int)length - option, way + option); /* Fl alone is - */
         way += length;
         way += strspn(way, "] ");
     }

@@ -101,7 +101,8 @@ const struct option options[] = {
      "a vector's name a line: these may fail, and one that passes is named; # begins a comment"},
     {"--report", "FILE", NULL, NULL, "conform", "--|--answers", false, "a report as well: .xml for JUnit, or .json"},
     {"--answers", "FILE", NULL, NULL, "conform", NULL, false,
-     "the answers of one operation, CSV with a column id and one of each output; or what a client has written, of all that it was asked"},
+     "the answers of one operation, CSV with a column id and one of each output; or what a client has written, of all that it "
+     "was asked"},
     {"--questions", NULL, NULL, NULL, "conform", NULL, false,
      "no client: the lines that it would be asked, for one that cannot be started here; --answers takes what it writes"},
     {"--kills", NULL, NULL, NULL, "conform", NULL, false,
@@ -128,7 +129,8 @@ const struct example examples[] = {
     {"trajectory nonlinear m2=50 --every 600 --until 43200 --digits 8", "half a day with a lighter second craft"},
     {"trajectory linear C1=6e-8 C2=2e-4 --at 0,3600,86164 --exact", "three times, with gains of one's own"},
     {"trajectory linear --rk4 50 --every 100 --until 1000", "the paper's method at half its step"},
-    {"trajectory linear | gnuplot -p -e \"set datafile separator ','; set key autotitle columnhead; plot '<cat' using 1:4 with lines\"",
+    {"trajectory linear | gnuplot -p -e "
+     "\"set datafile separator ','; set key autotitle columnhead; plot '<cat' using 1:4 with lines\"",
      "the length error over three days, drawn"},
     {"verify", "all the proofs; exit status 0 says that they hold"},
     {"verify derivations --graph | dot -Tsvg >steps.svg", "which equation follows from which"},

@@ -236,7 +236,8 @@ slong operation_precision(const struct operation *o, const struct input *inputs,
         return flow_precision(digits, flow_radians(o, inputs));
     case METHOD_RK4_LINEAR:
     case METHOD_RK4_NONLINEAR:
-        return rk4_precision(digits, rk4_radians(input_named(o, inputs, "Omega"), input_named(o, inputs, "t"), input_named(o, inputs, "h")));
+        return rk4_precision(digits, rk4_radians(input_named(o, inputs, "Omega"), input_named(o, inputs, "t"),
+                                                 input_named(o, inputs, "h")));
     default:
         return formula_precision(digits);
     }

@@ -48,7 +48,7 @@ bool vector_leaves_range(struct operation *o, const struct input *inputs, int si
     return leaves;
 }
 
-/* Whether what the machine holds lies well within the normal range of binary64, zeros apart that are exact; false: look closer. */
+/* Whether what the machine holds lies well within binary64's normal range, exact zeros apart; false: look closer. */
 static bool well_within_range(const struct machine *m)
 {
     enum { WELL = 1000 };

@@ -116,8 +116,8 @@ void scenario_initial(arb_ptr initial, const struct scenario *s, const struct fl
 /* ---- charges along a motion: Eqs. (13), (7), (18), (21) ---- */
 
 /* Eq. (14) names the distance and its rate on its way. */
-static void distance_and_rate(arb_t L, arb_t L_dot, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state,
-                              slong prec)
+static void distance_and_rate(arb_t L, arb_t L_dot, const struct sheet *sheet, const struct flow_parameters *p,
+                              arb_srcptr state, slong prec)
 {
     const struct program *program = &section_find(sheet, "eq14")->corrected.program;
     static const char *const names[] = {"x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
@@ -134,7 +134,8 @@ static void distance_and_rate(arb_t L, arb_t L_dot, const struct sheet *sheet, c
 }
 
 /* q1 and q2; the charge product Q_ref + dQ itself goes to `product`. */
-static void charges(arb_ptr q, arb_t product, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state, slong prec)
+static void charges(arb_ptr q, arb_t product, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state,
+                    slong prec)
 {
     VECTOR(arb, in, 8);
     VECTOR(arb, Q, 2);
