@@ -44,7 +44,7 @@ static bool read_formulas(const struct yaml *mapping, struct formulas *f, bool o
 static bool read_definition(struct derivations *d, const struct yaml *n)
 {
     struct definitions *all = &d->definitions;
-    struct written_definition w = {NULL};
+    struct written_definition w = {.text = NULL};
     struct section *s = &all->sections[all->count];
     if (!fields_read(n, definition_fields, &w) || !is_texts(w.inputs, MOST_INPUTS))
         return false;
@@ -163,7 +163,7 @@ static const struct field derivations_fields[] = {
 
 static bool read_derivations(struct derivations *d)
 {
-    struct written_derivations w = {NULL};
+    struct written_derivations w = {.steps = NULL};
     if (!fields_read(&d->tree->root, derivations_fields, &w) || !read_definitions(d, w.principles))
         return false;
     d->principle_count = d->definitions.count;

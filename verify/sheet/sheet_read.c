@@ -383,7 +383,7 @@ static bool read_mistakes(const struct yaml *all, struct known_mistake **mistake
 {
     for (int i = 0; all != NULL && i < all->count; i++) {
         struct known_mistake *m = APPENDED(*mistakes, *count);
-        struct written_mistake w = {NULL};
+        struct written_mistake w = {.as = NULL};
         m->name = all->items[i].key;
         if (!fields_read(&all->items[i], mistake_fields, &w))
             return false;
@@ -459,7 +459,7 @@ static const struct field sheet_fields[] = {
 
 static bool read_sheet(struct sheet *s)
 {
-    struct written_sheet w = {NULL};
+    struct written_sheet w = {.K = NULL};
     if (!fields_read(&s->tree->root, sheet_fields, &w) || !read_quantities(s, w.quantities) || !read_table1(s, w.table1) ||
         !read_K(w.K, &s->K, &s->K_reason) || !read_mistakes(w.mistakes, &s->mistakes, &s->mistake_count))
         return false;
