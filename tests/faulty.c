@@ -75,8 +75,11 @@ static void spoil(struct asked *a, const char *fault)
         a->outputs--;
     else if (strcmp(fault, "invalid") == 0)
         a->valid = false;
-    else if (strcmp(fault, "value") == 0)
+    else if (strcmp(fault, "value") == 0) {
+        for (int i = 0; i < a->outputs && !a->valid; i++)
+            a->out[i] = 1.0;
         a->valid = true;
+    }
     else if (strcmp(fault, "wrong-id") == 0)
         snprintf(a->id, sizeof a->id, "somebody");
     else if (strcmp(fault, "printed") == 0 && strcmp(a->operation, "eq38") == 0)
@@ -178,6 +181,12 @@ static void mistake(struct asked *a, const char *fault)
         memset(a->out, 0, sizeof a->out);
     else if (strcmp(fault, "twice") == 0)
         a->out[0] *= 2.0;
+    else if (strcmp(fault, "half") == 0)
+        a->out[0] /= -2.0;
+    else if (strcmp(fault, "degrees") == 0)
+        a->out[0] *= 180.0 / pi;
+    else if (strcmp(fault, "three-Omega") == 0)
+        a->out[0] *= 3.0 * a->in[0];
     else if (strcmp(fault, "printed-38") == 0)
         a->out[0] *= sqrt(3.0);
     else if (strcmp(fault, "printed-30") == 0) {

@@ -178,6 +178,10 @@ static const struct {
     {"eq32", "one-mass-32", "  looks like a factor m2/(m1 + m2) is missing\n"},
     {"eq15", "inverted-15", "  looks like k_c with a factor (m1 m2/(m1 + m2))^2 too many\n"},
     {"eq43", "twice", "  looks like a constant factor 2\n"},
+    {"eq43", "half", "  looks like a constant factor -1/2\n"},
+    {"eq43", "degrees", "  looks like a constant factor 180/pi, degrees for radians\n"},
+    {"eq43", "three-Omega", "  looks like a factor 3 Omega too many\n"},
+    {"eq43", "value", "  looks like inputs outside the domain are not refused\n"},
     {"eq10inv", "turn", "  looks like psi differs by 2 pi: it lies from -pi to pi\n"},
     {"eq10inv", "atan2", "  looks like psi is that of atan2 with its arguments exchanged\n"},
     {"eq10inv", "permuted", "  looks like the outputs in another order: psi theta L\n"},
@@ -459,6 +463,11 @@ START_TEST(reports_for_machines_say_the_same)
                              "sh -c 'echo \"a <word>\" >&2; exec \"$0\" printed' FAULTY"), 1);
     ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"diagnosis\": \"the paper's misprint: Kepler"));
     ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"errors\": \"a <word>\\n\""));
+    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- FAULTY malformed"), 1);
+    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"line\": {\"outcome\": \"malformed\", \"text\": \"eq07-random-7 1.5 oops\", "
+                                                           "\"hint\": \"'oops' is no number\"}"));
+    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- FAULTY wrong-id"), 1);
+    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"lines\": [{\"count\": 66, \"first\": 11, \"outcome\": \"wrong id\", "));
     ck_assert_int_eq(conform("--only eq07 --report /nowhere/report.json -- FAULTY none"), 1);
     assert_says("/nowhere/report.json: No such file");
 }
