@@ -226,7 +226,7 @@ static const struct {
     {"verify derivation", 2, "did you mean 'derivations'"},
     {"verify claims x=1", 2, "x=1"},
     {"verify claims n12-optmal", 2, "did you mean 'n12-optimal'"},
-    {"verify claims equation-45", 2, "unknown claim 'equation-45'"},
+    {"verify claims equation-99", 2, "unknown claim 'equation-99'"},
     {"verify claims table1-m3", 2, "unknown claim 'table1-m3'"},
     {"verify errors n12-optimal", 2, "unexpected argument 'n12-optimal'"},
     {"verify claims --count 5", 2, "--count does nothing here, it goes with errors or no word"},

@@ -102,6 +102,7 @@ START_TEST(sheet_is_read)
     ck_assert_str_eq(formula->printed.text[0], "Omega*x1");
     ck_assert_int_eq(formula->printed.count, 3); /* the domain is that of the corrected one */
     ck_assert_int_eq(section_find(&s, "eq3")->method, METHOD_ROOTS);
+    ck_assert_str_eq(section_find(&s, "eq3")->kind, "equation");
     ck_assert_ptr_null(section_find(&s, "eq5"));
     const struct section *asked = section_find(&s, "eq4");
     ck_assert_int_eq(asked->special_count, 1);
@@ -148,6 +149,7 @@ static const struct {
     {"  eq2:", "  eq1:", "15:3: ", "duplicate 'eq1', expected each key once"},
     {"title: a formula", "titel: a formula", "16:5: ", "unknown key 'titel', expected perhaps title"},
     {"    title: a formula\n", "", "16:5: ", "missing title, expected a text"},
+    {"title: a formula\n", "title: a formula\n    kind: rumour\n", "17:11: ", "expected a kind: equation or beyond"},
     {"    equations: [2a, 2b]\n", "", "16:5: ", "missing equations, expected the equation numbers that it stands for"},
     {"[2a, 2b]", "[]", "17:16: ", "expected at least one of the equation numbers that it stands for"},
     {"[Omega, x1, y1]", "[Omga, x1, y1]", "18:14: ",

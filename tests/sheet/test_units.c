@@ -26,8 +26,8 @@ static bool add(const char *name, size_t length, int exponent, int power[BASES])
         const char *name;
         int power[BASES];
     } units[] = {{"m", {1, 0, 0, 0}}, {"kg", {0, 1, 0, 0}}, {"s", {0, 0, 1, 0}}, {"C", {0, 0, 0, 1}},
-                 {"N", {1, 1, -2, 0}}, {"rad", {0}}, {"1", {0}}, {"-", {0}},
-                 {"%", {0}}, {"km", {1, 0, 0, 0}}, {"mm", {1, 0, 0, 0}}, {"h", {0, 0, 1, 0}}, {"uC", {0, 0, 0, 1}}};
+                 {"N", {1, 1, -2, 0}}, {"J", {2, 1, -2, 0}}, {"W", {2, 1, -3, 0}}, {"V", {2, 1, -2, -1}},
+                 {"rad", {0}}, {"1", {0}}, {"-", {0}}, {"%", {0}}, {"km", {1, 0, 0, 0}}, {"mm", {1, 0, 0, 0}}, {"h", {0, 0, 1, 0}}, {"uC", {0, 0, 0, 1}}};
     for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
         if (strlen(units[i].name) != length || strncmp(units[i].name, name, length) != 0)
             continue;

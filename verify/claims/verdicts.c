@@ -243,7 +243,7 @@ static void equation_rows(struct giving *g)
             if (earlier || !wanted(g, id))
                 continue;
             snprintf(where, sizeof where, "Eq. (%s)", s->equations[k]);
-            struct verdict_row row = {.id = id, .where = where, .kind = "equation"};
+            struct verdict_row row = {.id = id, .where = where, .kind = s->kind};
             write_marked(&row.claim, s->title);
             verdict_on_equation(&row, g->proofs, g->claims, s, s->equations[k]);
             give_row(g, &row);

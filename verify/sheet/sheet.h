@@ -85,6 +85,7 @@ struct section {
     const struct sheet *sheet;  /* that it is of */
     const char *id, *title, *note, *reason;
     const char *defines;        /* the symbol that it is the definition of; NULL: none, or it computes nothing */
+    const char *kind;           /* of its verdicts: equation, or beyond, where it is none of the paper's */
     const char *equations[8];   /* the numbers it stands for: "2a", "2b", "2c" */
     int numbers;
     enum method method;         /* METHOD_NONE: a definition, computes nothing */

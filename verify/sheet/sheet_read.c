@@ -222,17 +222,19 @@ struct written_formulas {
 
 struct written_section {
     struct section s;
-    int method; /* -1: none */
+    int method, kind; /* method -1: none */
     const struct yaml *inputs, *printed, *relations, *vectors, *K, *mistakes;
     struct written_formulas f;
 };
 
 static const char *const methods[] = {"roots", "flow_linear", "flow_nonlinear", "rk4_linear", "rk4_nonlinear", NULL};
+static const char *const kinds[] = {"equation", "beyond", NULL};
 
 static const struct field section_fields[] = {
     FIELD("title", struct written_section, s.title, FIELD_TEXT, .expected = "a text"),
     FIELD("equations", struct written_section, s.equations, FIELD_TEXTS, .most = 8,
           .count = offsetof(struct written_section, s.numbers), .expected = "the equation numbers that it stands for"),
+    FIELD("kind", struct written_section, kind, FIELD_WORD, .words = kinds),
     FIELD("note", struct written_section, s.note, FIELD_TEXT),
     FIELD("defines", struct written_section, s.defines, FIELD_TEXT),
     FIELD("reason", struct written_section, s.reason, FIELD_TEXT),
@@ -427,6 +429,7 @@ static bool read_section(struct sheet *sheet, const struct yaml *n)
         return false;
     if (w.printed != NULL && s->reason == NULL)
         return node_error(n, 0, "missing reason, expected a text");
+    s->kind = kinds[w.kind];
     s->method = w.method >= 0 ? (enum method)(METHOD_ROOTS + w.method) : w.f.outputs != NULL ? METHOD_FORMULA : METHOD_NONE;
     if (w.method >= 0 && (w.inputs == NULL || w.f.outputs == NULL))
         return node_error(n, 0, "missing %s", w.inputs != NULL ? "outputs" : "inputs");
