@@ -123,6 +123,7 @@ check 'a quotation mark in CSV' says 'Kepler""s third'
 
 stops 'a step that is wrong' 's/dL_dot - 3\*Omega^2\*psi$/dL_dot - 4*Omega^2*psi/' 1 'BROKEN: paper/derivations.yaml:' verify derivations attitude
 check 'the same as JSON' ends 1 "$wrong" verify derivations attitude --json
+check 'its name' says 'coulomb-tether: step attitude is broken, see verify derivations attitude'
 stops 'a misprint that is none' 's/sqrt(3\*GM\/R_c^3)/sqrt(1*GM\/R_c^3)/; s/R_c^3\/3$/R_c^3\/1/' 1 \
     ': expected to differ as printed: it holds' verify derivations kepler
 check 'its place' says 'BROKEN: paper/derivations.yaml:'
@@ -133,6 +134,8 @@ check 'the same as JSON' ends 1 "$wrong" verify derivations separation_small --j
 stops 'a bound that is too wide' 's/at_most: 1\.2e-9/at_most: 9.2e-9/' 1 ': more than twice too wide with' verify derivations torque_small
 stops 'a bound on other states' 's/dL: \[-0\.2, 0\.2\]/dL: [-0.9, 0.9]/' 1 ': it is exceeded with' verify derivations length_error
 stops 'an equation without a step' 's/to: \["38"\]/to: ["37"]/' 1 'NOT BOUND: paper/derivations.yaml:' verify derivations kepler
+check 'what rests on it, as JSON' ends 1 "$wrong" verify derivations --json
+check 'its number' says 'coulomb-tether: equation 2a is reached by no step, and is no definition'
 stops 'an operation that ref/ does not have' 's/^  eq41roots:/  eq41roops:/' 1 "no 'eq41roops' in verify/evaluate/reference.c" verify errors --count 1
 stops 'a row that rounds otherwise' 's/-1\.3306e-1/-1.3307e-1/' 1 ',no' table1 --csv
 stops 'a mistake that makes no difference' 's/0\.0174532925199432957692369076848861271344/1.0000000000000000000000000000000000000001/g' 1 \

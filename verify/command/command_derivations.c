@@ -206,10 +206,24 @@ static void json_proofs(const struct proof_results *p, int first, int end)
     putchar('\n');
 }
 
+/* JSON is read by programs; what stops a build is told to whoever builds. */
+static void tell_broken(const struct proof_results *p, int first, int end)
+{
+    for (int i = first; i < end; i++)
+        if (!step_holds(p, i) || derivation_fault(p, i) != NULL)
+            fprintf(stderr, "coulomb-tether: step %s is broken, see verify derivations %s\n", p->derivations.steps[i].id,
+                    p->derivations.steps[i].id);
+    if (p->gap != NULL)
+        fprintf(stderr, "coulomb-tether: equation %s is reached by no step, and is no definition\n", p->gap);
+}
+
 bool print_proofs(const struct proof_results *p, const char *only, enum format format)
 {
     const struct derivations *d = &p->derivations;
     const int first = only != NULL ? (int)(step_named(d, only) - d->steps) : 0;
-    (format == FORMAT_JSON ? json_proofs : table_proofs)(p, first, only != NULL ? first + 1 : d->step_count);
+    const int end = only != NULL ? first + 1 : d->step_count;
+    (format == FORMAT_JSON ? json_proofs : table_proofs)(p, first, end);
+    if (format == FORMAT_JSON)
+        tell_broken(p, first, end);
     return p->fine;
 }
