@@ -35,7 +35,7 @@ capture() { quiet_lcov --capture --directory "$out/build" --base-directory . --n
 capture --initial --output-file "$out/none.info"
 capture --output-file "$out/run.info"
 quiet_lcov --add-tracefile "$out/none.info" --add-tracefile "$out/run.info" --output-file "$out/all.info"
-quiet_lcov --extract "$out/all.info" "*/ref/*" "*/verify/*" --output-file "$out/report.info"
+quiet_lcov --extract "$out/all.info" "$(pwd)/ref/*" "$(pwd)/verify/*" --output-file "$out/report.info"
 # shellcheck disable=SC2086
 logged genhtml --quiet --rc "$html_branches" $lenient --prefix "$(pwd)" --title 'The Coulomb tether' \
     --output-directory "$out" "$out/report.info"
@@ -52,7 +52,7 @@ unexecuted() { # FOLDER
 # lcov's summary has lines like "  branches...: 43.7% (7 of 16 branches)". The counts are compared, not the
 # rounded percentages: 99.96 % of the lines is not all of them.
 gate() { # FOLDER LINES FUNCTIONS BRANCHES
-    quiet_lcov --extract "$out/report.info" "*/$1/*" --output-file "$out/$1.info"
+    quiet_lcov --extract "$out/report.info" "$(pwd)/$1/*" --output-file "$out/$1.info"
     # shellcheck disable=SC2086
     lcov --rc "$branches" $lenient --summary "$out/$1.info" 2>&1 |
         awk -v folder="$1" -v lines="$2" -v functions="$3" -v branches="$4" '

@@ -209,6 +209,8 @@ static const struct {
      IDENTITY_HOLDS, ""},
     {"    square roots: [m1^2 - 2*m1*m2 + m2^2]\n    show: [sqrt((m1 - m2)^4) = m1^2 - 2*m1*m2 + m2^2]", IDENTITY_HOLDS, ""},
     {"    square roots: [-(-L)]\n    show: [sqrt(L^2) = L]", IDENTITY_HOLDS, ""},
+    {"    angles: [psi]\n    square roots: [sin(psi)]\n    show: [sqrt(sin(psi)^2) = sin(psi)]",
+     IDENTITY_UNDECIDED, "square root sin(psi) is not proved to be positive"},
     {"    square roots: [L*exp(0)]\n    show: [sqrt(L^2) = L]", IDENTITY_HOLDS, ""},
     {"    square roots: [L, sqrt(L^2)*m1]\n    show: [sqrt(L^2*m1^2) = L*m1]", IDENTITY_HOLDS, ""},
     {"    square roots: [L*(2 - positive(L))]\n    show: [sqrt(L^2) = L]", IDENTITY_HOLDS, ""},
@@ -593,6 +595,9 @@ static const struct {
 } mistakes[] = {
     {"principles:", "principle:", "1:1: ", "unknown key 'principle', expected perhaps principles"},
     {"principles: {force: {text: a push, inputs: [b, c], outputs: {F: b*c}}}", "principles: force", "1:13: ",
+     "expected a mapping, key: value"},
+    {"principles:", "\x01principles:", "1:1: ", "control characters are not allowed"},
+    {"properties: {length: {text: a length, inputs: [b], outputs: {p: b}}}", "properties: {length: 1}", "2:22: ",
      "expected a mapping, key: value"},
     {"properties:", "steps:", "3:1: ", "duplicate 'steps', expected each key once"},
     {"{text: a push, inputs", "{inputs", "1:21: ", "missing text, expected a text"},

@@ -41,8 +41,6 @@ static bool value_of_table1(const struct sheet *s, const char *name, fmpq_t valu
 
 static bool read_states(const struct scope *s, const struct yaml *on, struct remainder *m)
 {
-    if (!is_map(on))
-        return false;
     for (int i = 0; i < m->program.inputs; i++) {
         const char *name = m->program.names[i].text;
         const struct yaml *range = under(on, name);
