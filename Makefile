@@ -221,6 +221,10 @@ suites: $(RUN) $(ALONE) $(FAULTY) $(FAULTS)
 gate:
 	@BUILD='$(BUILD)' DATA='$(DATA)' tests/project/gate.sh
 
+## extend: one equation more, as README tells it, in a copy of the project: whether that is all it takes
+extend: all suites
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' LDFLAGS='$(LDFLAGS)' BUILD='$(BUILD)' tests/project/extend.sh
+
 ## reproduce: whether gcc and clang, from -O0 to -O3 -march=native, make the same data
 reproduce:
 	+coverage/reproduce.sh $(BUILD)/reproduce
@@ -535,6 +539,6 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check suites bench reproduce gate coverage mcdc mutants mutants-objects faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
+.PHONY: all check suites bench reproduce gate extend coverage mcdc mutants mutants-objects faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
   verify errors readme data figures pictures paper site deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/*/*/*/*.d)
