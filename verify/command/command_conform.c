@@ -461,8 +461,10 @@ static int conform(const struct arguments *a, struct choice *c)
     struct test_run *e = xrealloc(NULL, 1, sizeof *e);
     memset(e, 0, sizeof *e);
     status = file ? read_answers(e, a, c) : take_questions(e, a, c);
-    if (status == EXIT_DONE && !file)
-        status = questions ? print_questions(e) : run_client(e, a, a->client);
+    if (status == EXIT_DONE && questions)
+        status = print_questions(e);
+    if (status == EXIT_DONE && a->client != NULL)
+        status = run_client(e, a, a->client);
     if (e->summaries != NULL)
         test_run_clear(e);
     free(e);
