@@ -166,6 +166,7 @@ static const struct {
     {"L: Omega*r\n", "L: \"Omega*R\"\n", "22:17: ", "unknown symbol 'R'"},
     {"L: Omega*r\n", "M: Omega*r\n", "22:7: ", "unknown symbol 'M', expected a quantity of the sheet"},
     {"L: Omega*r\n", "L: {a: b}\n", "22:10: ", "expected a formula"},
+    {"x1 + y1 > 0", "sqrt(x1^2 + 2) > 1", "23:14: ", "expected a condition without functions: it is decided exactly"},
     {"x1 + y1 > 0", "x1 + y1", "23:14: ", "expected a condition with >, >= or <, or that ends"},
     {"x1 + y1 > 0", "x1 + z1 > 0", "23:19: ", "unknown symbol 'z1'"},
     {"x1 + y1 > 0", "x1 + y1 > z1", "23:24: ", "unknown symbol 'z1'"},

@@ -337,17 +337,19 @@ static void restore(struct table *x)
         run_forget(&x->run);
 }
 
+/* What is too large to tell does not break: nothing was decided. */
 static bool equal_still(struct table *x, int left, int right)
 {
+    bool large;
     if (x->map[left] == left && x->map[right] == right)
         return true;
-    if (run_compare(&x->point, x->map[left], x->map[right]) == IDENTITY_DIFFERS)
+    if (run_compare(&x->point, x->map[left], x->map[right], &large) == IDENTITY_DIFFERS)
         return false;
     if (x->run.field == NULL) {
         run_open(x, &x->run, RUN_LOOSE);
         run_altered(x, &x->run);
     }
-    return run_compare(&x->run, x->map[left], x->map[right]) == IDENTITY_HOLDS;
+    return run_compare(&x->run, x->map[left], x->map[right], &large) == IDENTITY_HOLDS || large;
 }
 
 /* Whether an equality breaks; where it is the only one, the step needs it. */
@@ -521,6 +523,7 @@ static bool is_equivalent(const struct program *p, int wanted, enum change chang
 {
     struct identities t = {.program = *p, .order = -1};
     struct table x = {.s = NULL};
+    bool large;
     t.variables = xrealloc(NULL, (size_t)p->inputs + 1, sizeof *t.variables);
     t.needed = xrealloc(NULL, (size_t)p->count, 1);
     memset(t.needed, 1, (size_t)p->count);
@@ -531,7 +534,7 @@ static bool is_equivalent(const struct program *p, int wanted, enum change chang
     alter(&x, change);
     run_open(&x, &x.run, RUN_LOOSE);
     run_extend(&x.run);
-    const bool same = run_compare(&x.run, wanted, x.map[wanted]) == IDENTITY_HOLDS;
+    const bool same = run_compare(&x.run, wanted, x.map[wanted], &large) == IDENTITY_HOLDS;
     table_close(&x);
     free(t.variables);
     free(t.needed);

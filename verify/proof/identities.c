@@ -433,12 +433,14 @@ static enum result compare(struct run *r, int left, int right, bool *zero, struc
     return IDENTITY_HOLDS;
 }
 
-enum result run_compare(struct run *r, int left, int right)
+enum result run_compare(struct run *r, int left, int right, bool *large)
 {
     bool zero;
     struct finding f;
     symbolic_use(r->field);
-    return compare(r, left, right, &zero, &f);
+    const enum result result = compare(r, left, right, &zero, &f);
+    *large = f.fault == SYMBOLIC_TOO_LARGE;
+    return result;
 }
 
 /* How the sides of an equality differ, or why they have no value. */

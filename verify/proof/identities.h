@@ -145,8 +145,8 @@ void run_keep(struct run *r, int count);
 void run_forget(struct run *r);
 void run_extend(struct run *r);
 
-/* A node becomes a square root, if it is proved to be positive; how two nodes compare. */
+/* A node becomes a square root, if it is proved to be positive; how two nodes compare, *large: they are too large to tell. */
 bool run_root(struct run *r, int node);
-enum result run_compare(struct run *r, int left, int right);
+enum result run_compare(struct run *r, int left, int right, bool *large);
 
 #endif

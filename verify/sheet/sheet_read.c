@@ -205,11 +205,25 @@ static bool read_condition(const struct yaml *n, struct formulas *f)
     return true;
 }
 
+/* A function of rational inputs that is rational itself: it can be compared with zero exactly. */
+static bool is_rational(const struct program *p, int node)
+{
+    bool rational = true;
+    char *needed = xrealloc(NULL, (size_t)p->count, 1);
+    program_needs(p, node, NULL, needed);
+    for (int i = 0; i <= node; i++)
+        rational = rational && (!needed[i] || p->nodes[i].op <= OPERATOR_POWER);
+    free(needed);
+    return rational;
+}
+
 static bool read_conditions(const struct yaml *domain, struct formulas *f)
 {
     bool fine = domain == NULL || is_texts(domain, 8);
     for (int i = 0; domain != NULL && i < domain->count && fine; i++)
-        fine = read_condition(&domain->items[i], f);
+        fine = read_condition(&domain->items[i], f) &&
+               (is_rational(&f->program, f->conditions[i].node) ||
+                node_error(&domain->items[i], 0, "expected a condition without functions: it is decided exactly"));
     return fine;
 }
 
