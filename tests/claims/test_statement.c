@@ -82,6 +82,8 @@ static const struct {
     {NULL, "a: {root: x^2 - 2, of: x, in: [2, 3]}", FOUND_FALSE, EXACT},
     {NULL, "a: {root: x^2 - 2, of: x, in: [-2, 2]}", FOUND_FALSE, EXACT}, /* two */
     {NULL, "a: {root: (x - 1)^2, of: x, in: [0, 3]}", UNDECIDED, EXACT}, /* touches zero */
+    {NULL, "a: {root: x - 1, of: x, in: [pi, 0]}", UNDECIDED, EXACT}, /* reversed */
+    {NULL, "a: {show: x > 0, on: {x: [pi, 1]}}", UNDECIDED, CERTIFIED},
     {NULL, "a: {root: exp(x) - n, of: x, in: [0, 3]}", FOUND_TRUE, CERTIFIED},
     /* real roots, counted */
     {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), of: x, above: 0, count: 2}", FOUND_TRUE, EXACT},
@@ -194,6 +196,8 @@ END_TEST
 
 /* ---- numbers ---- */
 
+#define ZEROS "000000000000000000000000000000000000000" /* 39 */
+
 static const struct {
     const char *number, *decimal; /* NULL: not proved */
     enum how how;
@@ -209,6 +213,8 @@ static const struct {
     {"r | 6", "1.41421", EXACT},          {"L | 3", NULL, EXACT},
     {"9.99 | 2", "10", EXACT},             {"sqrt(99.99) | 3", "10.0", EXACT},
     {"1.51e12*sqrt(1) | 2 up", "1.6e+12", EXACT}, {"dL - 1/10 | 2 up", "0", EXACT},
+    {"1.25e-18 | .20", "0.00000000000000000125", EXACT}, {"sqrt(2)/10^40 | .42", "0." ZEROS "141", EXACT},
+    {"0 | .20", "0.00000000000000000000", EXACT},
 };
 
 START_TEST(numbers_have_proved_digits_or_none)
@@ -254,6 +260,30 @@ START_TEST(measured_numbers_have_bounds_alone)
     assert_ruled(text, HOLDS, true, "");
     write_claim(text, "a", NULL, prove, "{h.d_psi_0 | 2}");
     assert_ruled(text, VERDICT_NONE, false, "the digits of h.d_psi_0 cannot be proved");
+}
+END_TEST
+
+/* What is known of a measured number alone is measured: as a radius, as either bound. */
+START_TEST(what_rests_on_a_measured_number_is_measured)
+{
+    static const char *const resting[] = {
+        "a: {show: x > -1000, at: {x: 1 +- h.d_psi_0}}",
+        "a: {show: x > -1000, on: {x: [h.d_psi_0 - 100, 1000]}}",
+        "a: {show: x > -1000, on: {x: [-100, h.d_psi_0]}}",
+        "a: {root: x, of: x, in: [h.d_psi_0 - 100, 1000]}",
+        "a: {root: x, of: x, in: [-100, 100 + h.d_psi_0]}",
+    };
+    char text[4096], prove[512];
+    for (size_t i = 0; i < sizeof resting / sizeof *resting; i++) {
+        struct statements s;
+        snprintf(prove, sizeof prove, "h: {compute: hill_in_orbit}\n    %s", resting[i]);
+        write_claim(text, "a", NULL, prove, NULL);
+        read_claim(&s, text);
+        struct assertion *a = &s.list[0].assertions[1];
+        assertion_find(&s, &s.list[0], a);
+        ck_assert_msg(a->truth == FOUND_TRUE && a->how == MEASURED, "%s: found %d, %s", resting[i], (int)a->truth, how_names[a->how]);
+        statements_clear(&s);
+    }
 }
 END_TEST
 
@@ -305,7 +335,32 @@ static const struct {
     {"a: dL > 0", "a: {algebra: dL > 0}", "t:7:18: expected equalities for all values"},
     {"a: dL > 0", "a: {show: dL <= dL}", "t:7:15: both sides are the same"},
     {"a: dL > 0", "a: dL > nothing", "t:7:13: unknown symbol 'nothing'"},
-    {"a: dL > 0", "a: {sohw: dL > 0}", "t:7:9: unknown key 'sohw'"},
+    {"a: dL > 0", "a: {sohw: dL > 0}", "t:7:8: expected left = right, or one of show,"},
+    {"a: dL > 0", "a: {show: dL > 0, fro: {x: [1]}}", "t:7:23: unknown key 'fro', expected perhaps for"},
+    {"a: dL > 0", "a: {step: kepler, claim: c}", "t:7:23: unknown key 'claim'"},
+    {"a: dL > 0", "a: {show: dL > 0, step: kepler}", "t:7:23: unknown key 'step'"},
+    {"a: dL > 0", "a: {root: x^2 - 2, of: x, in: [1, 2], for: {m: [1]}}", "t:7:43: unknown key 'for'"},
+    {"a: dL > 0", "a: {algebra: (s + 1)^2 = s^2 + 2*s + 1, free: [s], on: {s: [0, 1]}}", "unknown key 'on'"},
+    {"a: dL > 0", "a: {show: eq05.x1 - eq05.x2 = L, on: {x: [0, 1]}}", "t:7:15: expected no at, for or on"},
+    {"a: dL > 0", "a: {show: [eq05.x1 - eq05.x2 = L], at: {x: 1}}", "t:7:15: expected no at, for or on"},
+    {"a: dL > 0", "a: []", "t:7:8: expected equalities"},
+    {"a: dL > 0", "a: {show: []}", "t:7:15: expected equalities"},
+    {"a: dL > 0", "a: {algebra: []}", "t:7:18: expected equalities"},
+    {"a: dL > 0", "a: {step: []}", "t:7:15: expected a step"},
+    {"a: dL > 0", "a: {claim: []}", "t:7:16: expected a claim that stands before"},
+    {"a: dL > 0", "a: {rank: 0, system: {}}", "t:7:26: expected a system"},
+    {"a: dL > 0", "a: {show: x > 0, let: {x: 2}, at: {x: -1}}", "t:7:40: 'x' stands in let, too"},
+    {"a: dL > 0", "a: {show: x > 0, let: {x: 2}, on: {x: [-1, 1]}}", "t:7:40: 'x' stands in let, too"},
+    {"a: dL > 0", "a: {show: x > 0, let: {x: 2}, for: {x: [-1]}}", "t:7:41: 'x' stands in let, too"},
+    {"a: dL > 0", "a: {root: x^2 - 2, of: x, let: {x: dL}, in: [1, 2]}", "t:7:28: 'x' stands in let, too"},
+    {"  prove:\n    a: dL > 0", "  given: {let: {x: 2}}\n  prove:\n    a: {root: x^2 - 2, of: x, in: [1, 2]}", "t:8:28: 'x' stands in let, too"},
+    {"  prove:\n    a: dL > 0", "  given: {let: {x: 2}, at: {x: 1}}\n  prove:\n    a: x > 1", "t:6:29: 'x' stands in let, too"},
+    {"a: dL > 0", "a: {root: x - 1, of: x, in: [2, 0]}", "t:7:33: expected the lower bound first"},
+    {"a: dL > 0", "a: {show: x > 0, on: {x: [2, 1]}}", "t:7:30: expected the lower bound first"},
+    {"a: dL > 0", "a: {show: x > 0, on: {x: [1, m]}, for: {m: [2, 0]}}", "t:7:30: expected the lower bound first"},
+    {"a: dL > 0", "a: {roots: x, of: x, above: 2, below: 1, count: 0}", "t:7:33: expected the lower bound first"},
+    {"verdict: {holds: a and b}\n  prove:\n    a: dL > 0\n    b: dL < 1", "verdict: holds\n  prove:\n    a: {compute: basin}",
+     "t:5:12: expected something to prove"},
     {"a: dL > 0", "a: {on: {x: [0, 1]}}", "t:7:8: expected left = right, or one of"},
     {"a: dL > 0", "a: {show: dL > x, on: {x: [0]}}", "t:7:27: expected on"},
     {"a: dL > 0", "a: {show: dL > x, for: {x: [0], y: [1, 2]}}", "t:7:40: expected lists of one length"},
@@ -408,6 +463,7 @@ SUITE(test_statement)
     LOOP(numbers_have_proved_digits_or_none, numbers);
     tcase_add_test(c, a_verdict_needs_what_its_numbers_rest_on);
     tcase_add_test(c, measured_numbers_have_bounds_alone);
+    tcase_add_test(c, what_rests_on_a_measured_number_is_measured);
     tcase_add_test(c, evidence_is_written_in_both_forms);
     LOOP(mistakes_are_told_with_their_place, mistakes);
     tcase_add_test(c, mathematics_is_set_token_by_token);

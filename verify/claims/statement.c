@@ -53,8 +53,10 @@ static char *decimal_text(const fmpz_t n, slong places, bool fixed)
         tex_add(&t, "%s%c%s%se%s%02ld", sign, *digits, count > 1 ? "." : "", digits + 1, exponent < 0 ? "-" : "+", labs(exponent));
     else {
         tex_add(&t, "%s%.*s%.*s", sign, whole > 0 ? (int)whole : 1, whole > 0 ? digits : "0", places < 0 ? (int)-places : 0, "000000");
-        if (places > 0)
-            tex_add(&t, ".%.*s%s", whole < 0 ? (int)-whole : 0, "000000000000000", digits + (whole > 0 ? whole : 0));
+        tex_add(&t, "%s", places > 0 ? "." : "");
+        for (slong zeros = whole; zeros < 0; zeros++)
+            tex_add(&t, "0");
+        tex_add(&t, "%s", places > 0 ? digits + (whole > 0 ? whole : 0) : "");
     }
     flint_free(figures);
     return t.text;

@@ -34,7 +34,8 @@ static bool curve_init(struct curve *c, const struct formula *f, const char *var
     for (int i = 0; i < c->program.inputs; i++)
         rate[i] = -1;
     const int inputs = c->program.inputs;
-    rate[c->x] = program_parse(&c->program, "1", &where, &why);
+    if (c->x >= 0)
+        rate[c->x] = program_parse(&c->program, "1", &where, &why);
     c->slope = program_derivative(&c->program, c->node, rate, inputs);
     free(rate);
     arb_indeterminate(x);
@@ -43,6 +44,16 @@ static bool curve_init(struct curve *c, const struct formula *f, const char *var
     machine_init(&c->machine, &c->program, &arithmetic_ball, b->bits);
     machine_bind(&c->machine, c->node, how, &moving); /* the slope needs nothing more */
     return c->x >= 0;
+}
+
+/* The bounds between which an unknown moves, and the weaker way of how they are known; false: none, or reversed. */
+static bool bounds_enclose(arb_t low, arb_t high, enum how *how, const struct assertion *a, const struct bindings *b)
+{
+    enum how known;
+    formula_enclose(low, how, &a->low, b);
+    formula_enclose(high, &known, &a->high, b);
+    *how = FLINT_MAX(*how, known);
+    return arb_is_finite(low) && arb_is_finite(high) && !arb_gt(low, high);
 }
 
 static void curve_clear(struct curve *c)
@@ -159,15 +170,14 @@ static slong root_find(arb_t z, enum how *how, struct statements *all, struct st
 {
     struct bindings b = bindings_of(all, s, a);
     struct curve c;
-    enum how bound = EXACT;
+    enum how bound;
     arf_interval_t one;
     SCOPE(arb, low, high);
     arf_interval_init(one);
-    formula_enclose(low, &bound, &a->low, &b);
-    formula_enclose(high, &bound, &a->high, &b);
+    const bool bounded = bounds_enclose(low, high, &bound, a, &b);
     b.bits = 2 * bits;
-    bool fine = curve_init(&c, &a->formula, a->variable, &b, how);
-    const slong count = fine && arb_is_finite(low) && arb_is_finite(high) ? isolate(one, &c, low, high) : -1;
+    const slong count = curve_init(&c, &a->formula, a->variable, &b, how) && bounded ? isolate(one, &c, low, high) : -1;
+    *how = FLINT_MAX(*how, bound);
     arb_indeterminate(z);
     if (count == 1)
         refine(z, &c, one, bits);
@@ -220,12 +230,11 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b, e
 {
     const int sign = a->ordering == IS_ABOVE || a->ordering == IS_AT_LEAST ? 1 : -1;
     enum truth truth = UNDECIDED;
-    enum how known = EXACT, curved = EXACT;
+    enum how known, curved;
     struct curve c;
     SCOPE(arb, low, high);
-    formula_enclose(low, &known, &a->low, b);
-    formula_enclose(high, &known, &a->high, b);
-    if (curve_init(&c, &a->formula, a->variable, b, &curved) && arb_is_finite(low) && arb_is_finite(high) && a->ordering >= IS_BELOW) {
+    const bool bounded = bounds_enclose(low, high, &known, a, b);
+    if (curve_init(&c, &a->formula, a->variable, b, &curved) && bounded && a->ordering >= IS_BELOW) {
         if (sign_of(curve_at(&c, low)) == -sign || sign_of(curve_at(&c, high)) == -sign)
             truth = FOUND_FALSE;
         else if (sign_between(&c, low, high, sign, DEEPEST))

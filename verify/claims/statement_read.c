@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "claims/statement.h"
+#include "text/scope.h"
 
 enum { MOST_NAMES = 128 };
 
@@ -179,6 +180,13 @@ static bool read_scalar_formula(struct reading *r, struct formula *f, const stru
 
 /* ---- values ---- */
 
+/* No formula stands for a name that a value, an unknown or what moves has: `let` would silently take its place. */
+static bool is_no_let(const struct reading *r, const struct yaml *node, size_t offset, const char *name)
+{
+    const bool let = under(own(r, "let"), name) != NULL || under(under(r->statement->given, "let"), name) != NULL;
+    return !let || node_error(node, offset, "'%s' stands in let, too", name);
+}
+
 /* One `name: value +- uncertainty`; its formulas may use the values before it. */
 static bool read_value(struct reading *r, struct value *v, const struct yaml *text)
 {
@@ -204,7 +212,7 @@ static bool read_values(struct reading *r, struct values *at)
             if (k == 1 && under(both[0], both[1]->items[i].key) != NULL)
                 continue;
             struct value v;
-            const bool fine = read_value(r, &v, &both[k]->items[i]);
+            const bool fine = read_value(r, &v, &both[k]->items[i]) && is_no_let(r, &both[k]->items[i], AT_KEY, v.name);
             at->list = xrealloc(at->list, (size_t)at->count + 1, sizeof *at->list);
             at->list[at->count++] = v;
             if (!fine)
@@ -264,6 +272,8 @@ static bool read_difference(struct reading *r, struct assertion *a, const struct
 static bool read_identity(struct reading *r, struct assertion *a, const struct yaml *node)
 {
     struct parsing f;
+    if (own(r, "at") != NULL || own(r, "for") != NULL || own(r, "on") != NULL)
+        return refuse(r, node, "expected no at, for or on beside equalities for all values");
     parsing_open(&f, r);
     const int count = node->text != NULL ? 1 : node->count;
     for (int i = 0; i < count && f.fine; i++)
@@ -293,7 +303,7 @@ static bool read_show(struct reading *r, struct assertion *a, const struct yaml 
     const char *sign = show->text != NULL ? find_ordering(show->text, &a->ordering, &length) : NULL;
     const bool somewhere = own(r, "at") != NULL || own(r, "for") != NULL;
     if (show->text == NULL && !show->mapping)
-        return is_texts(show, MOST_SHOWN) && read_identity(r, a, show);
+        return is_texts(show, MOST_SHOWN) && (show->count > 0 || refuse(r, show, "expected equalities")) && read_identity(r, a, show);
     if (sign == NULL)
         return refuse(r, show, "expected left = right, or another sign of < > <= >= != between them");
     if (same_text(show->text, sign, sign + length))
@@ -322,7 +332,20 @@ static bool read_polynomial(struct reading *r, struct assertion *a, const struct
     a->variable = of != NULL ? of->text : NULL;
     if (a->variable == NULL || a->variable[0] == '\0')
         return refuse(r, of, "missing of, expected the name of the unknown");
-    return read_scalar_formula(r, &a->formula, value);
+    return is_no_let(r, of, 0, a->variable) && read_scalar_formula(r, &a->formula, value);
+}
+
+/* Bounds that are exact numbers stand in order, at each value of `for`; of others the prover asks the same. */
+static bool in_order(struct reading *r, const struct assertion *a, const struct yaml *node)
+{
+    struct bindings b = {.all = r->all, .statement = r->statement, .at = &a->at, .at_count = a->at.count,
+                         .each = a->each_names > 0 ? a : NULL};
+    bool ordered = true;
+    SCOPE(fmpq, low, high);
+    for (; b.turn < a->turns || b.turn == 0; b.turn++)
+        if (formula_rational(low, &a->low, &b) && formula_rational(high, &a->high, &b))
+            ordered = ordered && fmpq_cmp(low, high) <= 0;
+    return ordered || refuse(r, node, "expected the lower bound first, not above the other");
 }
 
 static bool read_root(struct reading *r, struct assertion *a, const struct yaml *value)
@@ -332,7 +355,7 @@ static bool read_root(struct reading *r, struct assertion *a, const struct yaml 
         return false;
     if (in == NULL || in->mapping || in->count != 2)
         return refuse(r, in, "expected in: [low, high]");
-    return read_scalar_formula(r, &a->low, &in->items[0]) && read_scalar_formula(r, &a->high, &in->items[1]);
+    return read_scalar_formula(r, &a->low, &in->items[0]) && read_scalar_formula(r, &a->high, &in->items[1]) && in_order(r, a, in);
 }
 
 static bool read_roots(struct reading *r, struct assertion *a, const struct yaml *value)
@@ -341,7 +364,8 @@ static bool read_roots(struct reading *r, struct assertion *a, const struct yaml
     a->has_low = above != NULL;
     a->has_high = below != NULL;
     return read_polynomial(r, a, value) && (above == NULL || read_scalar_formula(r, &a->low, above)) &&
-           (below == NULL || read_scalar_formula(r, &a->high, below)) && read_count(r, own(r, "count"), &a->count);
+           (below == NULL || read_scalar_formula(r, &a->high, below)) && read_count(r, own(r, "count"), &a->count) &&
+           (above == NULL || below == NULL || in_order(r, a, above));
 }
 
 /* One state, its rate, and where it is to be taken. */
@@ -364,7 +388,7 @@ static bool read_system(struct reading *r, struct assertion *a)
     const struct yaml *system = given(r, "system"), *about = given(r, "about"), *control = own(r, "control"), *observe = own(r, "observe");
     struct linear_system *l = &a->system;
     struct parsing f;
-    if (system == NULL || !is_map(system) || system->count > 12 || (about != NULL && !is_map(about)))
+    if (system == NULL || !is_map(system) || system->count == 0 || system->count > 12 || (about != NULL && !is_map(about)))
         return refuse(r, system, "expected a system, {state: its rate, ...} of at most 12 states");
     parsing_open(&f, r);
     l->observe = -1;
@@ -401,6 +425,8 @@ static bool read_cited(struct reading *r, struct assertion *a, const struct yaml
     const bool one = value->text != NULL || value->mapping;
     if (!one && !is_texts(value, MOST_CITED))
         return false;
+    if (!one && value->count == 0)
+        return refuse(r, value, expected);
     for (int i = 0; i < (one ? 1 : value->count); i++) {
         const struct yaml *node = one ? value : &value->items[i];
         if (node->text == NULL || !known(r, node->text))
@@ -441,14 +467,29 @@ static bool read_compute(struct reading *r, struct assertion *a, const struct ya
     return a->computed != NULL || refuse(r, value, "unknown computation, expected one of verify/claims/claims_*.c");
 }
 
+/* The keys of what has formulas. */
+#define FORMULA_FIELDS IDENTITIES_FIELDS, {.key = "let"}, {.key = "at"}
+#define KEYS(...) (const struct field[]){__VA_ARGS__, {.key = NULL}}
+
+/* The forms of an entry of `prove`, and the keys of each. */
 static const struct form {
     const char *key;
     enum assertion_kind kind;
     bool (*read)(struct reading *r, struct assertion *a, const struct yaml *value);
-} forms[] = {{"show", ASSERT_SHOW, read_show},       {"algebra", ASSERT_SHOW, read_algebra}, {"root", ASSERT_ROOT, read_root},
-             {"roots", ASSERT_ROOTS, read_roots},    {"characteristic", ASSERT_CHARACTERISTIC, read_characteristic},
-             {"rank", ASSERT_RANK, read_rank},       {"step", ASSERT_STEP, read_step},
-             {"claim", ASSERT_CLAIM, read_claim},    {"compute", ASSERT_COMPUTE, read_compute}};
+    const struct field *keys;
+} forms[] = {
+    {"show", ASSERT_SHOW, read_show, KEYS({.key = "show"}, {.key = "on"}, {.key = "for"}, FORMULA_FIELDS)},
+    {"algebra", ASSERT_SHOW, read_algebra, KEYS({.key = "algebra"}, FORMULA_FIELDS)},
+    {"root", ASSERT_ROOT, read_root, KEYS({.key = "root"}, {.key = "of"}, {.key = "in"}, FORMULA_FIELDS)},
+    {"roots", ASSERT_ROOTS, read_roots,
+     KEYS({.key = "roots"}, {.key = "of"}, {.key = "above"}, {.key = "below"}, {.key = "count"}, {.key = "for"}, FORMULA_FIELDS)},
+    {"characteristic", ASSERT_CHARACTERISTIC, read_characteristic,
+     KEYS({.key = "characteristic"}, {.key = "of"}, {.key = "system"}, {.key = "about"}, {.key = "for"}, FORMULA_FIELDS)},
+    {"rank", ASSERT_RANK, read_rank,
+     KEYS({.key = "rank"}, {.key = "system"}, {.key = "about"}, {.key = "control"}, {.key = "observe"}, {.key = "for"}, FORMULA_FIELDS)},
+    {"step", ASSERT_STEP, read_step, KEYS({.key = "step"})},
+    {"claim", ASSERT_CLAIM, read_claim, KEYS({.key = "claim"})},
+    {"compute", ASSERT_COMPUTE, read_compute, KEYS({.key = "compute"})}};
 
 enum { FORMS = sizeof forms / sizeof *forms };
 
@@ -462,6 +503,8 @@ static bool read_turns(struct reading *r, struct assertion *a)
         return node_error(each, 0, "expected for: {name: [value, ...]} of at most %d names", MOST_EACH);
     for (int i = 0; i < each->count; i++) {
         const struct yaml *list = &each->items[i];
+        if (!is_no_let(r, list, AT_KEY, list->key))
+            return false;
         const int count = read_range(r, list, a->each_of[i], MOST_TURNS);
         a->each[a->each_names++] = each->items[i].key;
         if (count <= 0 || (i > 0 && count != a->turns))
@@ -481,21 +524,16 @@ static bool read_interval(struct reading *r, struct assertion *a)
         return true;
     if (!is_map(on) || on->count != 1)
         return refuse(r, on, "expected on: {name: [low, high]}");
-    const int count = read_range(r, &on->items[0], bounds, 2);
+    const int count = is_no_let(r, &on->items[0], AT_KEY, on->items[0].key) ? read_range(r, &on->items[0], bounds, 2) : -1;
     a->low = bounds[0];
     a->high = bounds[1];
     a->variable = on->items[0].key;
-    return count == 2 || (count >= 0 && refuse(r, on, "expected on: {name: [low, high]}"));
+    if (count == 2)
+        return in_order(r, a, &on->items[0]);
+    return count >= 0 && refuse(r, on, "expected on: {name: [low, high]}");
 }
 
-/* The keys of `given`, and the further ones of an entry of `prove`. */
-#define GIVEN_FIELDS IDENTITIES_FIELDS, {.key = "let"}, {.key = "at"}, {.key = "system"}, {.key = "about"}
-
-static const struct field given_fields[] = {GIVEN_FIELDS, {.key = NULL}};
-static const struct field entry_fields[] = {
-    {.key = "show"}, {.key = "algebra"}, {.key = "root"}, {.key = "roots"}, {.key = "characteristic"}, {.key = "rank"},
-    {.key = "step"}, {.key = "claim"}, {.key = "compute"}, {.key = "of"}, {.key = "in"}, {.key = "on"}, {.key = "for"}, {.key = "above"},
-    {.key = "below"}, {.key = "count"}, {.key = "control"}, {.key = "observe"}, GIVEN_FIELDS, {.key = NULL}};
+static const struct field given_fields[] = {FORMULA_FIELDS, {.key = "system"}, {.key = "about"}, {.key = NULL}};
 
 static bool read_assertion(struct reading *r, struct assertion *a)
 {
@@ -505,13 +543,13 @@ static bool read_assertion(struct reading *r, struct assertion *a)
         return false;
     if (r->entry == NULL)
         return read_show(r, a, a->node);
-    if (!fields_read(r->entry, entry_fields, a) || !read_turns(r, a) || !read_interval(r, a)) /* before the formulas that use them */
-        return false;
-    for (int i = 0; i < FORMS; i++) {
-        const struct yaml *value = under(a->node, forms[i].key);
+    int i = 0;
+    while (i < FORMS && under(r->entry, forms[i].key) == NULL)
+        i++;
+    if (i < FORMS) {
         a->kind = forms[i].kind;
-        if (value != NULL)
-            return forms[i].read(r, a, value);
+        return fields_read(r->entry, forms[i].keys, a) && read_turns(r, a) && read_interval(r, a) && /* before the formulas that use them */
+               forms[i].read(r, a, under(r->entry, forms[i].key));
     }
     return refuse(r, a->node, "expected left = right, or one of show, algebra, root, roots, characteristic, rank, step, claim, compute");
 }
@@ -595,10 +633,13 @@ static bool read_verdict(struct reading *r, const char *verdict, const struct ya
         return node_error(at, offset, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
     struct verdict_condition *c = &s->conditions[s->verdict_count];
     s->verdicts[s->verdict_count++] = (enum verdict)v;
-    for (int i = 0; condition == NULL && i < s->assertion_count; i++)
+    bool wants = false;
+    for (int i = 0; condition == NULL && i < s->assertion_count; i++) {
         c->wanted[i] = s->assertions[i].kind != ASSERT_COMPUTE;
+        wants = wants || c->wanted[i] != 0;
+    }
     if (condition == NULL)
-        return s->assertion_count > 0 || v == NOT_DECIDABLE || node_error(at, offset, "expected something to prove; only 'not decidable' needs nothing");
+        return wants || v == NOT_DECIDABLE || node_error(at, offset, "expected something to prove; only 'not decidable' needs nothing");
     return condition->text != NULL ? read_condition(c, s, condition) : refuse(r, condition, "expected a condition, names of prove");
 }
 

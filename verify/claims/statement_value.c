@@ -72,9 +72,11 @@ static void name_enclose(arb_t z, enum how *how, const struct bindings *b, const
     else if (f != NULL) {
         formula_enclose(z, how, f, &within);
         if (value != NULL && value->uncertain) {
-            formula_enclose(radius, how, &value->radius, &within);
+            enum how known;
+            formula_enclose(radius, &known, &value->radius, &within);
             arb_add_error(z, radius);
-            *how = FLINT_MAX(*how, CERTIFIED);
+            known = FLINT_MAX(known, CERTIFIED);
+            *how = FLINT_MAX(*how, known);
         }
     } else if (strcmp(name, "pi") == 0)
         arb_const_pi(z, b->bits);
