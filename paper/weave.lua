@@ -25,7 +25,10 @@
 -- [(7)](#eq:7), [section](#ID), [Figure](#fig:NAME) and [](#ref:NAME) have to lead somewhere.
 
 local web = FORMAT:match 'html' ~= nil
-local program, data, build = os.getenv 'CT_PROGRAM', os.getenv 'CT_DATA', os.getenv 'CT_BUILD'
+-- A word of the shell: a folder may have any name.
+local function word(text) return "'" .. text:gsub("'", "'\\''") .. "'" end
+
+local program, data, build = word(os.getenv 'CT_PROGRAM' or ''), os.getenv 'CT_DATA', os.getenv 'CT_BUILD'
 local current = ''  -- what is being woven, as it stands in the source
 
 ---- reading ----
@@ -433,7 +436,7 @@ function inline.count(_, text)
   if what == 'steps' then return #steps, false end
   if what == 'verdicts' then return #verdicts, false end
   if what == 'inputs' then return errors[1].inputs, false end
-  if what == 'vectors' then return output_of("cat " .. data .. "/golden/*.csv | grep -vc '^id,'"):match '%d+', false end
+  if what == 'vectors' then return output_of('cat ' .. word(data) .. "/golden/*.csv | grep -vc '^id,'"):match '%d+', false end
   local kinds = {['not decidable'] = true, refuted = true}
   for _, v in ipairs(verdicts) do
     kinds[v.verdict] = true
@@ -785,7 +788,7 @@ local filter = {
 local function describe(meta)
   meta.version = output_of(program .. ' --version'):match '(%S+)%s*$'
   meta.date = os.getenv 'CT_DATE' or ''
-  meta.fingerprint = output_of("sha256sum '" .. data .. "/datapackage.json'"):sub(1, 16)
+  meta.fingerprint = output_of('sha256sum ' .. word(data .. '/datapackage.json')):sub(1, 16)
   local here
   for i, page in ipairs(pages) do
     if page.file == os.getenv 'CT_PAGE' then here = i end

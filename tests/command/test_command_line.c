@@ -317,6 +317,11 @@ static const struct {
     {"trajectory nonlinear --at 0,100 --digits 3 x1=5 y1=0 z1=0 x1_dot=0 y1_dot=0 z1_dot=0",
      "t,x1,y1,z1,x1_dot,y1_dot,z1_dot,q1,q2\n0,5.00e+00,0,0,0,0,0,3.65e-07,-3.65e-07\n"
      "100,5.00e+00,0,0,0,0,0,3.65e-07,-3.65e-07\n"},
+    /* rows at multiples of the decimal, the last one too; 0.3 is no sum of three binary64s 0.1 */
+    {"trajectory linear --every 0.1 --until 0.3 --digits 3 psi=0 theta=0 dL=0",
+     "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n0.1,0,0,0,0,0,0\n0.2,0,0,0,0,0,0\n0.3,0,0,0,0,0,0\n"},
+    {"trajectory linear --every 1.00000000000000000001 --until 1.5 --exact --digits 3 psi=0 theta=0 dL=0",
+     "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n1.00000000000000000001e+00,0,0,0,0,0,0\n"},
     {"trajectory linear --every 50 --until -50 --digits 3 psi=0 theta=0 dL=0",
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n-50,0,0,0,0,0,0\n"},
 };

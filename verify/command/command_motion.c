@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "evaluate/sample.h"
 #include "text/decimal.h"
 #include "text/progress.h"
 #include "text/scope.h"
@@ -21,12 +22,30 @@ void times_clear(struct times *times)
     free(times->texts);
 }
 
-/* An exact decimal is printed as such (12.5, 259200), anything else as the binary64 that it is. */
-static char *time_text(const fmpq_t t)
+static double nearest_binary64(const fmpq_t t)
+{
+    mpfr_t x;
+    mpfr_init2(x, 53);
+    fmpq_get_mpfr(x, t, MPFR_RNDN);
+    const double nearest = mpfr_get_d(x, MPFR_RNDN);
+    mpfr_clear(x);
+    return nearest;
+}
+
+/* The shortest decimal that means the time; where that means another, as decimals do when they are exact, all its digits. */
+static char *time_text(const fmpq_t t, bool exact)
 {
     char text[32];
-    decimal_shortest(text, fmpq_get_d(t));
-    return text_copy(text);
+    SCOPE(fmpq, meant);
+    SCOPE(fmpz, odd, scale);
+    decimal_shortest(text, nearest_binary64(t));
+    if (!exact || (literal_read(meant, text, true) == LITERAL_FINITE && fmpq_equal(meant, t)))
+        return text_copy(text);
+    fmpz_set_ui(scale, 5);
+    const ulong twos = fmpz_val2(fmpq_denref(t)), fives = (ulong)fmpz_remove(odd, fmpq_denref(t), scale);
+    fmpz_ui_pow_ui(scale, 10, FLINT_MAX(twos, fives));
+    fmpq_mul_fmpz(meant, t, scale);
+    return decimal_of_rational(t, (slong)fmpz_sizeinbase(fmpq_numref(meant), 10));
 }
 
 static int times_at(struct times *times, const char *list, bool exact)
@@ -44,7 +63,7 @@ static int times_at(struct times *times, const char *list, bool exact)
         status = finite_argument(t, "--at", text, exact);
         if (status != EXIT_DONE)
             break;
-        times->texts[times->count++] = exact ? text_copy(text) : time_text(t);
+        times->texts[times->count++] = exact ? text_copy(text) : time_text(t, false);
         if (times->count > 1 && (fmpq_cmp(t - 1, t) == 0 || (fmpq_sgn(t - 1) != 0 && fmpq_sgn(t - 1) != fmpq_sgn(t)) ||
                                  (fmpq_cmp(t - 1, t) < 0) != (fmpq_sgn(t) > 0)))
             status = usage_error(EXIT_USAGE, "--at: expected times of one sign, each further from 0 than the last");
@@ -53,29 +72,33 @@ static int times_at(struct times *times, const char *list, bool exact)
     return status;
 }
 
+/* Multiples of the decimal that is written; not exact, each time is the binary64 nearest to its own, as in --at. */
 int times_every(struct times *times, const char *every, const char *until, bool exact)
 {
     SCOPE(fmpq, step, end, rows);
     SCOPE(fmpz, whole);
-    int status = finite_argument(step, "--every", every, exact);
+    int status = finite_argument(step, "--every", every, true);
     if (status == EXIT_DONE)
-        status = finite_argument(end, "--until", until, exact);
+        status = finite_argument(end, "--until", until, true);
     if (status == EXIT_DONE && fmpq_sgn(step) <= 0)
         status = usage_error(EXIT_FAILED_CHECK, "--every: expected a number > 0, got '%.40s'", every);
     if (status != EXIT_DONE)
         return status;
     fmpq_div(rows, end, step);
     fmpz_tdiv_q(whole, fmpq_numref(rows), fmpq_denref(rows));
-    if (fmpz_cmpabs(whole, fmpq_numref(rows)) > 0 || fmpz_cmp_si(whole, MOST_ROWS) > 0 || fmpz_cmp_si(whole, -MOST_ROWS) < 0)
-        return usage_error(EXIT_FAILED_CHECK, "--every: expected at most %d rows", MOST_ROWS);
+    if (fmpz_cmp_si(whole, MOST_ROWS) > 0 || fmpz_cmp_si(whole, -MOST_ROWS) < 0)
+        return usage_error(EXIT_FAILED_CHECK, "--every, --until: expected at most %d rows", MOST_ROWS);
     const slong last = fmpz_get_si(whole);
     times->count = labs(last) + 1;
     times->t = _fmpq_vec_init(times->count);
     times->texts = xrealloc(NULL, (size_t)times->count, sizeof *times->texts);
     for (slong i = 0; i < times->count; i++) {
+        fmpq *t = times->t + i;
         fmpq_set_si(rows, last < 0 ? -i : i, 1);
-        fmpq_mul(times->t + i, step, rows);
-        times->texts[i] = time_text(times->t + i);
+        fmpq_mul(t, step, rows);
+        if (!exact)
+            fmpq_set_double(t, nearest_binary64(t));
+        times->texts[i] = time_text(t, exact);
     }
     return EXIT_DONE;
 }
@@ -173,8 +196,8 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
     for (slong i = 0; i < times->count && status == EXIT_DONE; i++) {
         fmpq_div(steps, times->t + i, h);
         if (fmpq_sgn(steps) < 0 || !fmpz_is_one(fmpq_denref(steps)))
-            status = usage_error(EXIT_FAILED_CHECK, "--rk4: expected times >= 0 that are multiples of %s, got %s",
-                                 text, times->texts[i]);
+            status = usage_error(EXIT_FAILED_CHECK, "--rk4: expected times >= 0 that are multiples of %s, got %s%s",
+                                 text, times->texts[i], exact ? "" : " (as binary64; --exact takes decimals as such)");
     }
     return status;
 }
