@@ -310,6 +310,41 @@ START_TEST(what_is_not_proved_is_not_given)
 }
 END_TEST
 
+/*
+ * psi starts a tenth, a ninth or an eleventh of what the motion beside may reach away from it. Of a tenth no enclosure tells
+ * whether it is one already: a later sample is not said to be the first.
+ */
+static const struct {
+    slong part;
+    bool given, at_once;
+} partings[] = {{9, true, true}, {10, false, false}, {11, true, false}};
+
+START_TEST(the_first_sample_stands_after_none_that_is_open)
+{
+    const struct simulation paper = {.n = "10", .sheet = steps()->sheet};
+    struct trajectory t;
+    struct bounds reach;
+    enum how how;
+    VECTOR(arb, start, COORDINATES);
+    SCOPE(arb, x);
+    ck_assert(trajectory_run(&t, &paper, 0, 1, 0));
+    bounds_init(&reach);
+    ck_assert(trajectory_bounds(&reach, &t, 0));
+    _arb_vec_set(start, trajectory_sample(&t, 0), COORDINATES);
+    arb_div_si(x, reach.of[PSI], partings[_i].part, PREC);
+    arb_add(start + PSI, start + PSI, x, PREC);
+    const struct sampled sampled = {{.n = "10", .start = start}, 0, 6400, 64000, &paper};
+    const struct computation of = {"here", run_simulation, "parted_psi", &sampled};
+    struct computed *c = computed_new(&of, steps());
+    ck_assert(computed_number(c, "parted_psi", x, &how));
+    ck_assert_int_eq(arb_is_finite(x), partings[_i].given);
+    ck_assert_int_eq(arb_is_zero(x), partings[_i].at_once);
+    computed_free(c);
+    bounds_clear(&reach);
+    trajectory_clear(&t);
+}
+END_TEST
+
 /* In SI: the start of the paper, and what is left of its dL after so many samples. */
 START_TEST(measures_are_in_SI)
 {
@@ -347,6 +382,7 @@ SUITE(test_convergence)
     tcase_add_test(c, eq02_is_the_limit_of_the_inverse_square);
     tcase_add_test(c, rk4_linear_shows_its_orders);
     tcase_add_loop_test(c, what_is_not_proved_is_not_given, 0, sizeof measured / sizeof *measured);
+    tcase_add_loop_test(c, the_first_sample_stands_after_none_that_is_open, 0, sizeof partings / sizeof *partings);
     tcase_add_test(c, measures_are_in_SI);
     tcase_add_test(c, what_two_body_computes_is_measured_and_the_rest_certified);
     tcase_add_test(c, hill_differs_by_what_the_inertial_motion_says);

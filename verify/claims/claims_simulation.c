@@ -164,7 +164,7 @@ static bool part(arb_t x, const struct request *r)
     return bounded;
 }
 
-/* ... and the first sample, in hours, where that is a tenth. */
+/* ... and the first sample, in hours, where that is a tenth; none is the first after one that leaves it open. */
 static bool parted(arb_t hours, const struct request *r)
 {
     struct request here = *r;
@@ -177,6 +177,7 @@ static bool parted(arb_t hours, const struct request *r)
         arb_mul_ui(x, x, 10, BITS);
         arb_sub_ui(x, x, 1, BITS);
         found = arb_is_positive(x);
+        bounded = bounded && (found || arb_is_nonpositive(x));
         arb_set_si(hours, k * r->of->step);
     }
     arb_div_ui(hours, hours, HOUR, BITS);
