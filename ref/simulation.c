@@ -7,6 +7,7 @@
 #include "internal.h"
 
 #include <float.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -311,7 +312,7 @@ int ct_nonlinear_flow(struct ct_params p, struct ct_gains g, struct ct_hill_stat
 int ct_formation_flow(double Omega, double k_c, double lambda_d, size_t N, const struct ct_craft *initial, double tolerance,
                       size_t count, const double *t, struct ct_craft *craft)
 {
-    struct work *block = N > 0 ? calloc(N, sizeof *block) : NULL;
+    struct work *block = N > 0 && N <= SIZE_MAX / sizeof *block ? calloc(N, sizeof *block) : NULL;
     if (!block)
         return N > 0 ? CT_MEMORY : CT_DOMAIN;
 

@@ -111,14 +111,18 @@ static void grow_values(const char **were, bool back)
         SCOPE(fmpq, value, factor);
         if (q->value == NULL)
             continue;
+        if (back) {
+            free((char *)q->value);
+            q->value = were[i];
+            continue;
+        }
         literal_read(value, q->value, true);
         const int power = (int)log2(growth(q->unit));
         fmpq_one(factor);
         fmpz_mul_2exp(power < 0 ? fmpq_denref(factor) : fmpq_numref(factor), fmpq_numref(factor), (ulong)abs(power));
         fmpq_mul(value, value, factor);
-        if (!back)
-            were[i] = q->value;
-        q->value = back ? were[i] : decimal_of_rational(value, 60);
+        were[i] = q->value;
+        q->value = decimal_of_rational(value, 60);
     }
 }
 

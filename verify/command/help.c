@@ -185,7 +185,7 @@ static void print_mdoc(const char *text)
         at += print_mdoc_word(text, length, at == 0);
         text += length;
         const int next = (int)strcspn(text + (*text == ' '), " ");
-        const bool sentence = text[-1] == '.' && *text == ' ' && text[1] >= 'A' && text[1] <= 'Z';
+        const bool sentence = length > 0 && text[-1] == '.' && *text == ' ' && text[1] >= 'A' && text[1] <= 'Z';
         if (*text == '\0' || sentence || at + 1 + next > 76) {
             putchar('\n');
             at = 0;
@@ -317,7 +317,7 @@ static void print_completed_words(const struct sheet *sheet, const struct subcom
             printf(" %s", o->name);
     for (int i = 0; s->ways[i] != NULL; i++)
         print_choices(s->ways[i]);
-    if (s->words == 1 && strstr(s->ways[0], "ID") != NULL)
+    if (s->words == 1 && s->ways[0] != NULL && strstr(s->ways[0], "ID") != NULL)
         print_ids(sheet, s->run == command_eval || s->run == command_vectors);
     for (int i = 0; i < SCENARIO_VALUES && takes_scenario(s); i++)
         printf(" %s=", scenario_names[i]);

@@ -390,13 +390,15 @@ static const struct yaml *item(const struct table *table, const char *key, int i
 static bool no_tautology(struct table *table)
 {
     const struct target everything = {.change = CHANGE_ANY};
-    const struct equality *empty = NULL;
+    const int shown = table->t.shown_count;
+    int empty = 0;
     mark(table, &everything);
     alter(table, CHANGE_ANY);
-    for (int i = 0; i < table->t.shown_count && empty == NULL; i++)
-        empty = equal_still(table, table->t.shown[i].left, table->t.shown[i].right) ? &table->t.shown[i] : NULL;
+    while (empty < shown && !equal_still(table, table->t.shown[empty].left, table->t.shown[empty].right))
+        empty++;
     restore(table);
-    return empty == NULL || refuse(table, empty->at, 0, "%s holds whatever the formulas are: it shows nothing", empty->text);
+    return empty == shown || refuse(table, table->t.shown[empty].at, 0, "%s holds whatever the formulas are: it shows nothing",
+                                    table->t.shown[empty].text);
 }
 
 /* ---- from ---- */

@@ -42,7 +42,7 @@ static int signs_power(int a, slong exponent)
     return exponent == 0 ? SIGN_POSITIVE : exponent % 2 ? a : square;
 }
 
-/* Of a polynomial: the signs of its terms, or those of a square. What stands for a function has any. */
+/* Of a polynomial: the signs of its terms, or those of a square. What stands for a function has any; at a point nothing else does. */
 static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
@@ -51,7 +51,7 @@ static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
     SCOPE(fmpz, c);
     for (slong k = 0; k < all; k++)
         signs[k] = SIGN_ANY;
-    for (int k = 0; k < r->t->program.inputs; k++)
+    for (int k = 0; k < r->t->program.inputs && !r->at_point; k++)
         if (r->variable[k] >= 0 && !r->t->variables[k].angle)
             signs[r->variable[k]] = r->t->variables[k].signs;
     for (slong i = 0; i < fmpz_mpoly_length(f, ctx) && sum != SIGN_ANY; i++) {

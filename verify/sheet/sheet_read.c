@@ -11,7 +11,7 @@
 
 /* One more item of an array that is counted, all zero. */
 #define APPENDED(array, count) \
-    (array = xrealloc(array, (size_t)(count) + 1, sizeof *(array)), \
+    ((array) = xrealloc(array, (size_t)(count) + 1, sizeof *(array)), \
      memset(&(array)[count], 0, sizeof *(array)), &(array)[(count)++])
 
 /* ---- quantities ---- */
@@ -275,7 +275,7 @@ static bool read_formulas(const struct sheet *sheet, const struct written_formul
     for (int i = 0; i < s->input_count; i++)
         program_input(&f->program, s->inputs[i]->name);
     return (w->let == NULL || read_lets(w->let, f)) &&
-           (s->method != METHOD_FORMULA || (is_map(w->outputs) && read_outputs(sheet, w->outputs, s, f))) &&
+           (s->method != METHOD_FORMULA || (w->outputs != NULL && is_map(w->outputs) && read_outputs(sheet, w->outputs, s, f))) &&
            read_conditions(w->domain, f);
 }
 
