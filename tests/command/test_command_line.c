@@ -522,6 +522,7 @@ START_TEST(the_examples_are_lines_that_are_understood_and_have_every_option_in_t
         snprintf(line, sizeof line, "%s", e->line);
         for (char *word = strtok_r(line, " ", &rest); word != NULL && strchr(until, *word) == NULL; word = strtok_r(NULL, " ", &rest))
             words[count++] = word;
+        ck_assert_int_gt(count, 0);
         const struct subcommand *s = subcommand_find(words[0]);
         ck_assert_msg(s != NULL, "%s", e->line);
         ck_assert_msg(arguments_read(&a, whole_paper(), s, count - 1, words + 1) == EXIT_DONE, "%s", e->line);

@@ -67,7 +67,7 @@ static bool read_definition(struct derivations *d, const struct yaml *n)
 
 static bool read_definitions(struct derivations *d, const struct yaml *all)
 {
-    d->definitions.sections = xrealloc(d->definitions.sections, (size_t)(d->definitions.count + all->count),
+    d->definitions.sections = xrealloc(d->definitions.sections, (size_t)d->definitions.count + (size_t)all->count,
                                        sizeof *d->definitions.sections);
     for (int i = 0; i < all->count; i++)
         if (!read_definition(d, &all->items[i]))
