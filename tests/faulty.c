@@ -69,8 +69,6 @@ static void spoil(struct asked *a, const char *fault)
         a->out[0] = INFINITY;
     else if (strcmp(fault, "wrong") == 0)
         a->out[0] *= 1.0 + 1e-13;
-    else if (strcmp(fault, "off") == 0)
-        a->out[0] *= 1.01;
     else if (strcmp(fault, "count") == 0)
         a->outputs--;
     else if (strcmp(fault, "invalid") == 0)
@@ -80,16 +78,13 @@ static void spoil(struct asked *a, const char *fault)
             a->out[i] = 1.0;
         a->valid = true;
     }
-    else if (strcmp(fault, "wrong-id") == 0)
+    else if (strcmp(fault, "zero-charge") == 0 && equal(a->in[0] + a->in[1], 0.0)) { /* of eq21, where it is to be refused */
+        memset(a->out, 0, sizeof a->out);
+        a->valid = true;
+    } else if (strcmp(fault, "wrong-id") == 0)
         snprintf(a->id, sizeof a->id, "somebody");
     else if (strcmp(fault, "printed") == 0 && strcmp(a->operation, "eq38") == 0)
         a->out[0] = sqrt(3.0 * a->in[0] / (a->in[1] * a->in[1] * a->in[1]));
-    else if (strcmp(fault, "backwards") == 0 && strcmp(a->operation, "flow_linear") == 0) {
-        a->in[4] = -a->in[4]; /* t */
-        compute(a);
-    } else if (strcmp(fault, "float") == 0)
-        for (int i = 0; i < a->outputs; i++)
-            a->out[i] = (double)(float)a->out[i];
 }
 
 /* A number as those write it that the oracle does not read. */
@@ -179,6 +174,16 @@ static void mistake(struct asked *a, const char *fault)
     const double pi = 3.14159265358979323846, reduced = a->in[2] * a->in[3] / (a->in[2] + a->in[3]); /* of eq07 and eq15 */
     if (strcmp(fault, "zeros") == 0)
         memset(a->out, 0, sizeof a->out);
+    else if (strcmp(fault, "off") == 0)
+        a->out[0] *= 1.01;
+    else if (strcmp(fault, "backwards") == 0) {
+        a->in[4] = -a->in[4]; /* t of flow_linear */
+        compute(a);
+    } else if (strcmp(fault, "float") == 0)
+        for (int i = 0; i < a->outputs; i++)
+            a->out[i] = (double)(float)a->out[i];
+    else if (strcmp(fault, "at-least") == 0)
+        a->out[2] = a->out[0] >= 0.0 && a->out[1] >= 0.0;
     else if (strcmp(fault, "twice") == 0)
         a->out[0] *= 2.0;
     else if (strcmp(fault, "half") == 0)

@@ -85,7 +85,7 @@ static const struct {
     {THREE "dies", 2, "exit status 9 before its first answer\n"},
     {"--only algebra -- FAULTY early", 1, "  1 early, the first is line 1: eq44-negative invalid\n"}, /* more questions than both buffers hold */
     {"--only eq07 --random 300 --seed 1 -- FAULTY invalid", 1, " failed"}, /* not 300 mod 256 = 44 */
-    {"--only eq38 -- FAULTY printed", 1, "looks like the paper's misprint: Kepler's third law has no factor of 3 there; the 3 of Eq. (39) is the one that Eq. (37) has already.\n"},
+    {"--only eq38 -- FAULTY printed-38", 1, "looks like the paper's misprint: Kepler's third law has no factor of 3 there; the 3 of Eq. (39) is the one that Eq. (37) has already.\n"},
     {"--only eq38 -- FAULTY printed", 1, "     0.6  eq38-"}, /* S = 2 Omega: -log10((sqrt(3) - 1)/3) = 0.61 digits */
     {"--only eq12,eq38 -- FAULTY float", 1, "looks like computed in single precision\n"},
     {"--significand 24 --only eq12,eq38 -- FAULTY float", 0, " 0 failed"},
@@ -199,6 +199,27 @@ START_TEST(a_mistake_that_people_make_is_told_in_words)
     snprintf(line, sizeof line, "--only %s -- FAULTY %s", people[_i].operation, people[_i].fault);
     ck_assert_int_eq(conform(line), 1);
     assert_says(people[_i].says);
+}
+END_TEST
+
+/* What passes contradicts what the failing vectors alone look like; failures that are expected speak as well. */
+START_TEST(a_mistake_explains_what_passes)
+{
+    ck_assert_int_eq(conform("--only eq21 -- FAULTY zero-charge"), 1);
+    assert_says("eq21: 4 a value where invalid is due\n");
+    assert_says("  looks like inputs outside the domain are not refused\n"); /* and not like the print's absolute value */
+    ck_assert_int_eq(conform("--only eq42 -- FAULTY at-least"), 1);
+    assert_says("eq42: 2 wrong\n");
+    ck_assert_ptr_null(strstr(said, "looks like"));
+    ck_assert_int_eq(conform("--only eq38 -- FAULTY printed"), 1); /* the first ten are right */
+    ck_assert_ptr_null(strstr(said, "looks like"));
+    ck_assert_int_eq(conform("--only eq44-paper,eq44-large-Omega -- FAULTY n-8"), 1); /* of one n */
+    assert_says("eq44: 2 wrong\n");
+    ck_assert_ptr_null(strstr(said, "looks like"));
+    ck_assert_int_eq(system("cut -d, -f1 data/golden/eq44.csv | grep -v -e '^id' -e paper -e large-Omega >\"$CT_BUILD/tests/most\""), 0);
+    ck_assert_int_eq(conform("--only eq44 --expect \"$CT_BUILD/tests/most\" -- FAULTY n-8"), 1);
+    assert_says(" of them as expected\n");
+    ck_assert_ptr_null(strstr(said, "looks like"));
 }
 END_TEST
 
@@ -1038,6 +1059,7 @@ SUITE(test_conform)
     tcase_add_test(c, a_factor_and_lost_digits_are_called_that);
     tcase_add_test(c, a_right_client_passes_everything);
     tcase_add_loop_test(c, a_mistake_that_people_make_is_told_in_words, 0, sizeof people / sizeof *people);
+    tcase_add_test(c, a_mistake_explains_what_passes);
     tcase_add_test(c, what_is_like_nothing_known_is_not_guessed);
     tcase_add_test(c, vectors_are_asked_one_by_one);
     tcase_add_test(c, every_failing_vector_is_shown);

@@ -1,5 +1,6 @@
 #include "conform/conform.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -53,6 +54,15 @@ static void expect(struct test_run *e, struct record *r)
         }
 }
 
+/* What a diagnosis is made from. */
+static void keep(struct summary *t, const struct record *r)
+{
+    if (r->outcome == OUTCOME_RIGHT && t->pass_count < MOST_PASSES)
+        t->passes[t->pass_count++] = *r;
+    if (r->outcome >= OUTCOME_WRONG && t->failure_count < MOST_FAILURES)
+        t->failures[t->failure_count++] = *r;
+}
+
 static void note(struct test_run *e, struct record *r, const struct test_vector *q)
 {
     struct summary *t = &e->summaries[q->set - e->sets.all];
@@ -63,6 +73,7 @@ static void note(struct test_run *e, struct record *r, const struct test_vector 
         fwrite(r, offsetof(struct record, text), 1, e->journal);
         fwrite(r->text, strlen(r->text) + 1, 1, e->journal);
     }
+    keep(t, r);
     if (r->outcome < OUTCOME_WRONG || r->expected)
         return;
     if (r->outcome >= OUTCOME_COUNT && r->outcome <= OUTCOME_TRUNCATED && *t->line == '\0') {
@@ -70,12 +81,10 @@ static void note(struct test_run *e, struct record *r, const struct test_vector 
         snprintf(t->line, sizeof t->line, "%s %.250s", q->id, r->text);
     }
     const int ease = ease_of(r, q->id);
-    if (t->failure_count == 0 || ease < t->ease) {
+    if (ease < t->ease) {
         t->shown = *r;
         t->ease = ease;
     }
-    if (t->failure_count < MOST_FAILURES)
-        t->failures[t->failure_count++] = *r;
 }
 
 bool test_run_record(const struct test_run *e, struct record *r)
@@ -317,7 +326,7 @@ void test_run_begin(struct test_run *e, const double *digits)
         memset(e->answered, 0, (size_t)e->sets.total + 1);
     }
     for (int k = 0; k < count; k++) {
-        e->summaries[k] = (struct summary){.digits = INFINITY, .worst = UINT64_MAX};
+        e->summaries[k] = (struct summary){.digits = INFINITY, .worst = UINT64_MAX, .ease = INT_MAX};
         comparator_init(&e->comparators[k], &e->sets.all[k].operation, e->significand, digits[k]);
     }
     test_vector_init(&e->asking);

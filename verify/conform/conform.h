@@ -15,7 +15,7 @@
 #include "conform/comparator.h"
 #include "conform/test_set.h"
 
-enum { LONGEST_LINE = 1 << 16, LONGEST_UNENDED = 1 << 26, LONGEST_SHOWN = 400, MOST_FAILURES = 32 };
+enum { LONGEST_LINE = 1 << 16, LONGEST_UNENDED = 1 << 26, LONGEST_SHOWN = 400, MOST_FAILURES = 32, MOST_PASSES = 64 };
 
 /* What came of a vector. */
 struct record {
@@ -36,7 +36,9 @@ struct summary {
     struct record shown;                 /* of the failures the one that is easiest to follow                      */
     int ease;                            /* ... how easy: the less the easier                                      */
     struct record failures[MOST_FAILURES];
-    int failure_count;
+    int failure_count;                   /* ... those that were expected among them                                */
+    struct record passes[MOST_PASSES];   /* what a mistake has to explain as well                                  */
+    int pass_count;
     char line[LONGEST_SHOWN];            /* the first answer with a word that is none, whole                       */
     enum outcome line_outcome;
     char reason[120];                    /* the first one for a skip                                               */

@@ -109,7 +109,7 @@ static bool is_longer(const struct section *s, const struct input *inputs, doubl
 /* Seconds of processor time for an operation: for the known mistakes, and with what they leave for all. */
 static const double PATIENCE_FOR_KNOWN = 0.7, PATIENCE = 1.0;
 
-/* Whether the mutant makes of the question what was answered. */
+/* Whether the mutant makes of the question what was answered, or, where that is right, nothing that is wrong there. */
 static bool explains(struct mutant *x, const struct test_run *e, const struct record *f, const struct test_vector *q,
                      double digits)
 {
@@ -117,14 +117,17 @@ static bool explains(struct mutant *x, const struct test_run *e, const struct re
     struct score score;
     const struct input *inputs = q->numbers ? inputs_of(x, q->inputs) : NULL;
     const bool inside = inputs != NULL && operation_valid(&x->o, inputs);
-    if (f->outcome == OUTCOME_INVALID || !inside)
-        return f->outcome == OUTCOME_INVALID && !inside;
+    const bool right_answer = f->outcome == OUTCOME_RIGHT, refused = f->outcome == OUTCOME_INVALID || (right_answer && !f->has_values);
+    if (refused || !inside)
+        return refused && !inside;
     comparator_init(&j, &x->o, e->significand, digits);
     j.once = true; /* what is to explain the answer cannot need more than the truth */
     for (int i = 0; i < x->o.section->output_count; i++)
         arb_set_d(j.y + i, f->values[i]);
     bool right = false;
-    if (f->outcome == OUTCOME_WRONG || f->outcome == OUTCOME_VALUE)
+    if (right_answer)
+        right = compare_answer(&j, inputs, &score) != OUTCOME_WRONG;
+    else if (f->outcome == OUTCOME_WRONG || f->outcome == OUTCOME_VALUE)
         right = compare_answer(&j, inputs, &score) == OUTCOME_RIGHT;
     else if (operation_enclose(&x->o, inputs, 128, j.exact) == OPERATION_PROVED)
         right = !_arb_vec_is_finite(j.exact, x->o.section->output_count); /* no number there either */
@@ -139,6 +142,26 @@ static bool is_domain_alone(const struct summary *t)
         if (t->counts[i] > 0)
             return false;
     return t->counts[OUTCOME_VALUE] > 0;
+}
+
+/*
+ * None of the vectors that pass speaks against it. Those that are refused may do so only where the domain is all that fails:
+ * else a client may check it first.
+ */
+static bool explains_passes(struct mutant *x, const struct test_run *e, const struct summary *t, double digits)
+{
+    const bool domain = is_domain_alone(t);
+    struct test_vector q;
+    bool all = true;
+    test_vector_init(&q);
+    for (int i = 0; i < t->pass_count && all; i++) {
+        const struct record *f = &t->passes[i];
+        test_vector_make(&q, &e->sets, f->position);
+        if (f->has_values ? !is_longer(q.set->operation.section, q.inputs, SHORT) : domain)
+            all = clock() <= x->o.until && explains(x, e, f, &q, digits);
+    }
+    test_vector_clear(&q);
+    return all;
 }
 
 /* All failures that formulas can explain, two at least; of a motion the long ones only where there are no others. */
@@ -162,17 +185,23 @@ static bool explains_all(struct mutant *x, const struct test_run *e, const struc
             explained++;
         }
     test_vector_clear(&q);
-    return all && explained > 1;
+    return all && explained > 1 && explains_passes(x, e, t, digits);
 }
 
-/* The fewest decimal digits (at most 15) that all wrong numbers are written with; 17 for more. */
+/* What was answered, failures first. */
+static const struct record *record_at(const struct summary *t, int i)
+{
+    return i < t->failure_count ? &t->failures[i] : &t->passes[i - t->failure_count];
+}
+
+/* The fewest decimal digits (at most 15) that all numbers are written with; 17 for more. */
 static int digits_written(const struct summary *t, int outputs)
 {
     int digits = 1;
-    for (int i = 0; i < t->failure_count; i++)
-        for (int k = 0; k < outputs && t->failures[i].has_values && digits <= 15; k++) {
+    for (int i = 0; i < t->failure_count + t->pass_count; i++)
+        for (int k = 0; k < outputs && record_at(t, i)->has_values && digits <= 15; k++) {
             char text[40];
-            const double value = t->failures[i].values[k];
+            const double value = record_at(t, i)->values[k];
             while (digits <= 15 && isfinite(value) &&
                    (snprintf(text, sizeof text, "%.*e", digits - 1, value), strtod(text, NULL) != value))
                 digits++;
@@ -183,9 +212,9 @@ static int digits_written(const struct summary *t, int outputs)
 static bool are_singles(const struct summary *t, int outputs)
 {
     bool singles = true;
-    for (int i = 0; i < t->failure_count; i++)
-        for (int k = 0; k < outputs && t->failures[i].has_values; k++) {
-            const double value = t->failures[i].values[k];
+    for (int i = 0; i < t->failure_count + t->pass_count; i++)
+        for (int k = 0; k < outputs && record_at(t, i)->has_values; k++) {
+            const double value = record_at(t, i)->values[k];
             singles = singles && fabs(value - (double)(float)value) <= 1e-9 * fabs(value); /* 9 digits write a float */
         }
     return singles;
@@ -228,7 +257,7 @@ static void add_diagnosis(struct summary *t, const char *kind, const char *name,
     snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s%s", used ? joint : "", kind, name);
 }
 
-/* What failed in numbers, with the truth; of a motion what is soon computed. */
+/* What failed in numbers, with the truth, then what passed; of a motion what fails and is soon computed. */
 static void gather(struct evidence *v, const struct test_run *e, int set, clock_t until)
 {
     const struct summary *t = &e->summaries[set];
@@ -239,19 +268,20 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
     *v = (struct evidence){.section = s, .operation = o, .until = until};
     test_vector_init(&q);
     o->until = until;
-    const int most = is_motion(s) ? 8 : MOST_FAILURES;
-    for (int i = 0; i < t->failure_count && v->count < most && clock() < until; i++) {
-        const struct record *r = &t->failures[i];
+    const int most = is_motion(s) ? 8 : MOST_EVIDENCE, records = t->failure_count + (is_motion(s) ? 0 : t->pass_count);
+    for (int i = 0; i < records && v->count < most && clock() < until; i++) {
+        const struct record *r = record_at(t, i);
+        const bool right = r->outcome == OUTCOME_RIGHT && r->has_values;
         test_vector_make(&q, &e->sets, r->position);
-        if (r->outcome != OUTCOME_WRONG || is_longer(s, q.inputs, 12.0) ||
+        if ((r->outcome != OUTCOME_WRONG && !right) || is_longer(s, q.inputs, 12.0) ||
             operation_follow(o, q.inputs, 15, is_motion(s) ? operation_precision(o, q.inputs, 15) : 128, exact) != OPERATION_PROVED)
             continue;
         v->records[v->count] = r;
         for (int k = 0; k < s->input_count; k++)
             v->x[v->count][k] = q.inputs[k].infinite ? INFINITY : fmpq_get_d(&q.inputs[k].value);
         for (int k = 0; k < s->output_count; k++) {
-            v->y[v->count][k] = r->values[k];
             v->exact[v->count][k] = arf_get_d(arb_midref(exact + k), ARF_RND_NEAR);
+            v->y[v->count][k] = right ? v->exact[v->count][k] : r->values[k]; /* but for roundings */
         }
         v->count++;
     }

@@ -107,8 +107,8 @@ static const char *angle_mistake(const struct evidence *v, int k)
         const double off = v->y[f][k] - v->exact[f][k], whole = off / (2.0 * PI);
         const double quarter = (v->y[f][k] + v->exact[f][k] - PI / 2.0) / (2.0 * PI);
         turns = turns && (is_same(v->y[f][k], v->exact[f][k]) || (round(whole) != 0.0 && fabs(whole - round(whole)) < 1e-9));
-        half = half && fabs(whole - 0.5 - round(whole - 0.5)) < 1e-9;
-        exchanged = exchanged && fabs(quarter - round(quarter)) < 1e-9;
+        half = half && (fabs(whole - 0.5 - round(whole - 0.5)) < 1e-9 || (off == 0.0 && cos(v->exact[f][k]) > -1e-9)); /* atan's own */
+        exchanged = exchanged && (fabs(quarter - round(quarter)) < 1e-9 || (off == 0.0 && v->exact[f][k] == 0.0)); /* atan2(0, 0) */
     }
     return is_right(v, k) ? "" : turns ? "differs by 2 pi: it lies from -pi to pi" : half ? "differs by pi: the quadrant is lost" :
            exchanged ? "is that of atan2 with its arguments exchanged" : NULL;
@@ -143,19 +143,48 @@ static void wrong_outputs(const struct evidence *v, const char *(*mistake)(const
 
 /* ---- a factor ---- */
 
-/* The one quotient of answers and truths, NAN where there are several: each output is right, or wrong by it. */
-static double quotient_of(const struct evidence *v, int f)
+/* Quotients of answers and truths, one a vector; of a vector with zeros alone where they are due there is none. */
+struct quotients {
+    int count;
+    int vectors[MOST_EVIDENCE];
+    double values[MOST_EVIDENCE];
+};
+
+/* Outputs that are wrong in some vector must all have one quotient in each; false where there are several in one. */
+static bool quotients_of(struct quotients *q, const struct evidence *v)
 {
-    double quotient = 1.0;
-    for (int k = 0; k < v->section->output_count; k++) {
-        const double q = v->y[f][k] / v->exact[f][k];
-        if (is_same(v->y[f][k], v->exact[f][k]))
-            continue;
-        if (v->exact[f][k] == 0.0 || !isfinite(q) || (quotient != 1.0 && !is_same(q, quotient)))
-            return NAN;
-        quotient = q;
+    bool wrong[MOST_OUTPUTS];
+    q->count = 0;
+    for (int k = 0; k < v->section->output_count; k++)
+        wrong[k] = !is_right(v, k);
+    for (int f = 0; f < v->count; f++) {
+        bool first = true;
+        for (int k = 0; k < v->section->output_count; k++) {
+            const double quotient = v->y[f][k] / v->exact[f][k];
+            if (!wrong[k] || (v->y[f][k] == 0.0 && v->exact[f][k] == 0.0))
+                continue;
+            if (v->exact[f][k] == 0.0 || !isnormal(quotient) || (!first && !is_same(quotient, q->values[q->count])))
+                return false;
+            q->values[q->count] = quotient;
+            first = false;
+        }
+        q->vectors[q->count] = f;
+        q->count += !first;
     }
-    return quotient;
+    return q->count > 1;
+}
+
+/* Where an input is the same in all of them, it may be what the factor is made of. */
+static bool inputs_differ(const struct quotients *q, const struct evidence *v)
+{
+    bool all = true;
+    for (int i = 0; i < v->section->input_count; i++) {
+        bool differs = false;
+        for (int f = 1; f < q->count; f++)
+            differs = differs || v->x[q->vectors[f]][i] != v->x[q->vectors[0]][i];
+        all = all && differs;
+    }
+    return all;
 }
 
 static void constant_factor(const struct evidence *v, char *text, size_t size)
@@ -165,9 +194,12 @@ static void constant_factor(const struct evidence *v, char *text, size_t size)
         const char *name;
     } known[] = {{57.295779513082320877, "180/pi, degrees for radians"}, {0.017453292519943295769, "pi/180, radians for degrees"},
                  {6.2831853071795864769, "2 pi"}, {0.15915494309189533577, "1/(2 pi)"}, {3.14159265358979323846, "pi"}};
-    const double factor = quotient_of(v, 0);
-    for (int f = 0; f < v->count; f++)
-        if (!is_same(quotient_of(v, f), factor))
+    struct quotients q;
+    if (!quotients_of(&q, v) || !inputs_differ(&q, v))
+        return;
+    const double factor = q.values[0];
+    for (int f = 1; f < q.count; f++)
+        if (!is_same(q.values[f], factor))
             return;
     if (fabs(factor) < 1.0 && is_same(round(1.0 / factor), 1.0 / factor))
         snprintf(text, size, "a constant factor %s1/%.10g", factor < 0.0 ? "-" : "", fabs(1.0 / factor));
@@ -182,18 +214,18 @@ static void constant_factor(const struct evidence *v, char *text, size_t size)
 struct bases {
     int count;
     char names[MOST_INPUTS + 1][40];
-    double logs[MOST_INPUTS + 1][MOST_FAILURES];
+    double logs[MOST_INPUTS + 1][MOST_EVIDENCE];
 };
 
-static void bases_of(struct bases *b, const struct evidence *v)
+static void bases_of(struct bases *b, const struct evidence *v, const struct quotients *q)
 {
     const int m1 = input_place(v->section, "m1"), m2 = input_place(v->section, "m2");
     b->count = 0;
     for (int i = 0; i <= v->section->input_count; i++) {
         const bool sum = i == v->section->input_count;
         bool fits = !sum || (m1 >= 0 && m2 >= 0), differs = false;
-        for (int f = 0; f < v->count && fits; f++) {
-            const double x = sum ? v->x[f][m1] + v->x[f][m2] : v->x[f][i];
+        for (int f = 0; f < q->count && fits; f++) {
+            const double *inputs = v->x[q->vectors[f]], x = sum ? inputs[m1] + inputs[m2] : inputs[i];
             b->logs[b->count][f] = log(x);
             fits = x > 0.0 && isfinite(x);
             differs = differs || !is_same(b->logs[b->count][f], b->logs[b->count][0]);
@@ -249,24 +281,24 @@ static void product_text(const struct bases *b, const double *powers, double sig
 static void product_factor(const struct evidence *v, char *text, size_t size)
 {
     struct bases b;
-    double logs[MOST_FAILURES], powers[MOST_INPUTS + 2], first = 0.0;
+    struct quotients q;
+    double logs[MOST_EVIDENCE] = {0.0}, powers[MOST_INPUTS + 2], first = 0.0;
     char above[120], below[120];
-    bases_of(&b, v);
-    for (int f = 0; f < v->count; f++)
-        logs[f] = log(fabs(quotient_of(v, f)));
-    for (int f = 0; f < v->count; f++)
-        if (!isfinite(logs[f]))
-            return;
-    if (!fit_powers(&b, logs, v->count, powers))
+    if (!quotients_of(&q, v) || !inputs_differ(&q, v))
+        return;
+    bases_of(&b, v, &q);
+    for (int f = 0; f < q.count; f++)
+        logs[f] = log(fabs(q.values[f]));
+    if (!fit_powers(&b, logs, q.count, powers))
         return;
     for (int i = b.count; i >= 1; i--) {
         powers[i] = round(2.0 * powers[i]) / 2.0;
         first = powers[i] != 0.0 ? powers[i] : first;
     }
-    for (int f = 0; f < v->count; f++)
+    for (int f = 0; f < q.count; f++)
         for (int i = 0; i < b.count; i++)
             logs[f] -= powers[i + 1] * b.logs[i][f];
-    for (int f = 0; f < v->count; f++)
+    for (int f = 0; f < q.count; f++)
         if (fabs(logs[f] - logs[0]) > 1e-8 || first == 0.0)
             return;
     const double sign = first < 0.0 ? -1.0 : 1.0, constant = exp(sign * logs[0]);
@@ -284,7 +316,7 @@ static void product_factor(const struct evidence *v, char *text, size_t size)
 /* ---- other inputs ---- */
 
 /* Whether the operation makes of these inputs what was answered, in every vector. */
-static bool explain(const struct evidence *v, const double inputs[MOST_FAILURES][MOST_INPUTS])
+static bool explain(const struct evidence *v, const double inputs[MOST_EVIDENCE][MOST_INPUTS])
 {
     struct input *read = inputs_new(v->section->input_count);
     VECTOR(arb, other, MOST_OUTPUTS);
@@ -301,7 +333,7 @@ static bool explain(const struct evidence *v, const double inputs[MOST_FAILURES]
 
 static void exchanged_inputs(const struct evidence *v, char *text, size_t size)
 {
-    double inputs[MOST_FAILURES][MOST_INPUTS];
+    double inputs[MOST_EVIDENCE][MOST_INPUTS];
     for (int i = 0; i < v->section->input_count && *text == '\0'; i++)
         for (int j = i + 1; j < v->section->input_count && *text == '\0'; j++) {
             memcpy(inputs, v->x, sizeof inputs);
@@ -321,7 +353,7 @@ static void input_with_a_factor(const struct evidence *v, char *text, size_t siz
                                         "((m1 + m2)/(m1 m2))^2", "m1/m2", "m2/m1"};
     const int m1 = input_place(v->section, "m1"), m2 = input_place(v->section, "m2");
     const size_t kinds = m1 >= 0 && m2 >= 0 ? sizeof names / sizeof *names : 5;
-    double inputs[MOST_FAILURES][MOST_INPUTS];
+    double inputs[MOST_EVIDENCE][MOST_INPUTS];
     for (int i = 0; i < v->section->input_count && *text == '\0'; i++)
         for (size_t kind = 0; kind < kinds && *text == '\0'; kind++) {
             memcpy(inputs, v->x, sizeof inputs);

@@ -1,20 +1,22 @@
 /*
- * Kinds of mistakes that no sheet can list, each told from the numbers of several failing vectors: in words, or "" where none
- * fits. Nothing is concluded from one vector alone, or from zeros where other numbers are due in some vectors only.
+ * Kinds of mistakes that no sheet can list, each told from the numbers of several failing vectors, and explaining those that
+ * pass: in words, or "" where none fits. Nothing is concluded from one vector alone, or from zeros where other numbers are due in some vectors only.
  */
 #ifndef CT_KINDS_H
 #define CT_KINDS_H
 
 #include "conform/conform.h"
 
-/* The failing vectors of a summary that were answered in numbers: all as binary64, the truth too. */
+enum { MOST_EVIDENCE = MOST_FAILURES + MOST_PASSES };
+
+/* The failing vectors of a summary that were answered in numbers, and those that pass: all as binary64, the truth too. */
 struct evidence {
     const struct section *section;
     struct operation *operation;
     clock_t until;               /* of processor time, when no more is tried */
     int count;
-    const struct record *records[MOST_FAILURES];
-    double x[MOST_FAILURES][MOST_INPUTS], y[MOST_FAILURES][MOST_OUTPUTS], exact[MOST_FAILURES][MOST_OUTPUTS];
+    const struct record *records[MOST_EVIDENCE];
+    double x[MOST_EVIDENCE][MOST_INPUTS], y[MOST_EVIDENCE][MOST_OUTPUTS], exact[MOST_EVIDENCE][MOST_OUTPUTS];
 };
 
 /* Equal but for so little that no mistake of a formula makes it. */
