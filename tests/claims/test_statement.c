@@ -82,6 +82,7 @@ static const struct {
     {NULL, "a: {root: x^2 - 2, of: x, in: [2, 3]}", FOUND_FALSE, EXACT},
     {NULL, "a: {root: x^2 - 2, of: x, in: [-2, 2]}", FOUND_FALSE, EXACT}, /* two */
     {NULL, "a: {root: (x - 1)^2, of: x, in: [0, 3]}", UNDECIDED, EXACT}, /* touches zero */
+    {"at: {y: 1.25 +- 0.06}", "a: {root: x - y, of: x, in: [1, 2]}", FOUND_TRUE, CERTIFIED}, /* while the sign is certain */
     {NULL, "a: {root: x - 1, of: x, in: [pi, 0]}", UNDECIDED, EXACT}, /* reversed */
     {NULL, "a: {show: x > 0, on: {x: [pi, 1]}}", UNDECIDED, CERTIFIED},
     {NULL, "a: {root: exp(x) - n, of: x, in: [0, 3]}", FOUND_TRUE, CERTIFIED},
