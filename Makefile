@@ -505,11 +505,6 @@ install: all $(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash $(BUILD)/cou
 	$(INSTALL) -m 644 $(BUILD)/coulombtether.3 $(call into,$(mandir)/man3/)
 	$(INSTALL) -m 644 $(BUILD)/coulomb-tether.bash $(call into,$(completiondir)/coulomb-tether)
 	@$(if $(DESTDIR),:,$(tell_loader))
-	$(if $(DESTDIR),,@$(TELL_LINKER))
-
-# Below /usr a shared library is found once ldconfig has seen it; elsewhere by LD_LIBRARY_PATH alone.
-TELL_LINKER = case $(call into,$(libdir)) in /usr/*) PATH=$$PATH:/usr/sbin:/sbin; if command -v ldconfig >/dev/null; then \
-  if [ "$$(id -u)" -eq 0 ]; then ldconfig; else echo 'Before the library is found, as root: ldconfig'; fi; fi ;; esac
 
 ## uninstall: take all of that away again
 uninstall:

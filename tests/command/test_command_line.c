@@ -424,6 +424,16 @@ START_TEST(a_question_without_an_end_is_none)
 }
 END_TEST
 
+START_TEST(a_question_with_a_zero_byte_is_none)
+{
+    static const char *const texts[] = {"eq43 a 1 1\\0 2", "eq43 a 1 1\\0 2\\n", "eq43 a 1 1\\0"};
+    static char command[512];
+    snprintf(command, sizeof command, "printf '%s' | \"$CT_PROGRAM\" eval - >\"$CT_BUILD/tests/answered\" 2>&1", texts[_i]);
+    ck_assert_int_eq(WEXITSTATUS(system(command)), 2);
+    ck_assert_int_eq(system("grep -qx 'coulomb-tether: standard input: line 1: .*with a zero byte' \"$CT_BUILD/tests/answered\""), 0);
+}
+END_TEST
+
 /* The questions of golden vectors have their answers in the columns beside them. */
 START_TEST(question_lines_of_golden_vectors_are_answered_as_they_are_there)
 {
@@ -782,6 +792,7 @@ SUITE(test_command_line)
     tcase_add_test(c, figure4_runs_from_9_to_40);
     tcase_add_loop_test(c, question_lines_are_answered_up_to_the_first_that_is_none, 0, 16);
     tcase_add_test(c, a_question_without_an_end_is_none);
+    tcase_add_loop_test(c, a_question_with_a_zero_byte_is_none, 0, 3);
     tcase_add_test(c, questions_that_cannot_be_read_are_a_failure);
     tcase_add_loop_test(c, question_lines_of_golden_vectors_are_answered_as_they_are_there, 0, 6);
     tcase_add_loop_test(c, version_goes_to_standard_output, 0, 2);

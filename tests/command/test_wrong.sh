@@ -134,9 +134,13 @@ check 'the same as JSON' ends 1 "$wrong" verify derivations separation_small --j
 stops 'a bound that is too wide' 's/at_most: 1\.2e-9/at_most: 9.2e-9/' 1 ': more than twice too wide with' verify derivations torque_small
 stops 'a bound on other states' 's/dL: \[-0\.2, 0\.2\]/dL: [-0.9, 0.9]/' 1 ': it is exceeded with' verify derivations length_error
 stops 'an equation without a step' 's/to: \["38"\]/to: ["37"]/' 1 'NOT BOUND: paper/derivations.yaml:' verify derivations kepler
+check 'a step that holds' ends 0 "$wrong" verify derivations attitude
+check 'the same as JSON' ends 0 "$wrong" verify derivations attitude --json
+check 'what holds' says '{"fine": true'
 check 'what rests on it, as JSON' ends 1 "$wrong" verify derivations --json
 check 'its number' says 'coulomb-tether: equation 2a is reached by no step, and is no definition'
 stops 'an operation that ref/ does not have' 's/^  eq41roots:/  eq41roops:/' 1 "no 'eq41roops' in verify/evaluate/reference.c" verify errors --count 1
+stops 'an error beyond all bounds' 's|      Omega: sqrt(GM/R_c^3)|      Omega: "0"|' 1 '"worst_E": "inf"' verify errors --count 10 --json
 stops 'a row that rounds otherwise' 's/-1\.3306e-1/-1.3307e-1/' 1 ',no' table1 --csv
 stops 'a mistake that makes no difference' 's/0\.0174532925199432957692369076848861271344/1.0000000000000000000000000000000000000001/g' 1 \
     'eq09: no golden vector kills the mistake: angles taken as degrees' conform --kills --only eq09
@@ -145,6 +149,7 @@ stops 'vectors without a purpose' '
     ': kills no mistake and pins no edge' conform --kills --only eq12
 stops 'a condition that nothing violates' 's/x1^2 + y1^2 + z1^2 > 0/x1^2 + y1^2 + z1^2 >-1/' 1 \
     'eq13: no edge found of x1^2 + y1^2 + z1^2 >-1' vectors eq13 --golden
+check 'questions without one' ends 1 "$wrong" conform --questions --only eq13
 stops 'a golden vector without end' 's/x1_0: 5\.05, y1_0: 0\.0, z1_0: -0\.0/x1_0: 0.00, y1_0: 0.0, z1_0: -1.0/' 1 'the craft come closer than L_ref/128' vectors flow_nonlinear --golden
 stops 'a title with a quotation mark and a tab' 's/title: orbital rate/title: orb"tal	rate/' 0 'orb\"tal\u0009rate' equations --json
 

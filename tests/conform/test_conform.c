@@ -254,6 +254,24 @@ START_TEST(vectors_are_asked_one_by_one)
 }
 END_TEST
 
+/* Such a line is cut for reports: within its blanks, its id, or its answer. */
+START_TEST(blanks_before_an_answer_do_not_push_it_out_of_its_room)
+{
+    static const struct {
+        int blanks;
+        const char *got;
+    } lines[] = {{380, "oops"}, {384, "oops"}, {385, "oop"}, {387, "o"}, {388, "nothing"}, {392, "nothing"}, {398, "nothing"}, {410, "nothing"}};
+    char arguments[200], got[40];
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        snprintf(arguments, sizeof arguments, "--only eq38-paper -- sh -c 'printf \"%%%ds\\n\" \"eq38-paper oops\"; cat >/dev/null'",
+                 lines[i].blanks + (int)strlen("eq38-paper oops"));
+        snprintf(got, sizeof got, "got        %s\n", lines[i].got);
+        ck_assert_int_eq(conform(arguments), 1);
+        assert_says(got);
+    }
+}
+END_TEST
+
 /* Six of eq38's vectors come after the tenth question and lie inside the domain; --all shows them all, else there is one. */
 START_TEST(every_failing_vector_is_shown)
 {
@@ -274,6 +292,18 @@ START_TEST(digits_are_shown_by_time)
     assert_says("\ndigits by time in s\n  flow_linear-rates                         100: ");
     assert_says("  43200: ");
     assert_says("\n  rk4_linear-rates                          100: ");
+}
+END_TEST
+
+/* What is no number has no digits, and a time keeps its sign. */
+START_TEST(digits_are_shown_of_numbers_alone)
+{
+    ck_assert_int_eq(conform("--only flow_linear-paper-0,flow_linear-paper--7200 --all -- sh -c 'for i in 1 2; do read o id in; "
+                             "echo $id 1 1 1 1 1 1; done'"), 1);
+    assert_says("\n  flow_linear-paper                         0: 0.0  -7200: 0.0\n");
+    ck_assert_int_eq(conform("--only flow_linear-paper-0,flow_linear-paper-100 --all -- sh -c 'for i in 1 2; do read o id in; "
+                             "echo $id nan 1 1 1 1 1; done'"), 1);
+    ck_assert_ptr_null(strstr(said, "digits by time"));
 }
 END_TEST
 
@@ -298,6 +328,8 @@ START_TEST(expected_failures_are_none_and_what_passes_is_said)
     ck_assert_int_eq(conform("--expect \"$CT_BUILD\" -- FAULTY none"), 1);
     assert_says("Is a directory");
     ck_assert_int_eq(conform("--expect /nowhere -- FAULTY none"), 2);
+    ck_assert_int_eq(system("printf 'eq38-paper%300s\\neq38-random-10\\neq07-paper%400s' why why >\"$CT_BUILD/tests/expect\""), 0);
+    ck_assert_int_eq(conform("--expect \"$CT_BUILD/tests/expect\" -- true"), 1); /* the rest of a long line names nothing */
 }
 END_TEST
 
@@ -312,6 +344,25 @@ START_TEST(questions_are_taken_away_and_a_transcript_brought_back)
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/transcript\""), 1);
     ck_assert_int_eq(conform("--answers data"), 1);
     assert_says("data: Is a directory");
+}
+END_TEST
+
+/* What the command writes comes to --answers through a pipe, which cannot be rewound. */
+static int conform_piped(const char *command)
+{
+    char line[512];
+    snprintf(line, sizeof line, "%s | \"$CT_PROGRAM\" conform --answers /dev/stdin >\"$CT_BUILD/tests/piped\" 2>&1", command);
+    const int status = system(line);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+START_TEST(answers_come_through_a_pipe_as_well)
+{
+    ck_assert_int_eq(conform_piped("cat data/golden/eq07.csv"), 0);
+    ck_assert_int_eq(system("grep -q '^50 vectors: 50 passed' \"$CT_BUILD/tests/piped\""), 0);
+    ck_assert_int_eq(conform_piped("\"$CT_PROGRAM\" conform --questions | \"$CT_BUILD/tests/faulty\""), 0);
+    ck_assert_int_eq(conform_piped("head -c 300000000 /dev/zero"), 1);
+    ck_assert_int_eq(system("grep -q 'expected at most 268435456 bytes through a pipe' \"$CT_BUILD/tests/piped\""), 0);
 }
 END_TEST
 
@@ -720,6 +771,23 @@ static void say(struct test_run *e, const char *line)
     test_run_hear(e, line, strlen(line));
 }
 
+/* A journal that can only be written: an error of its reading is not its end. */
+START_TEST(a_journal_that_cannot_be_read_makes_no_report)
+{
+    struct test_run *e = run_of(section_find(sheet(), "eq38"));
+    const struct report r = {.run = e, .client = "", .errors = ""};
+    char name[512];
+    snprintf(name, sizeof name, "%s/tests/unread.json", getenv("CT_BUILD"));
+    remove(name);
+    e->journal = fopen("/dev/null", "w");
+    ck_assert_ptr_nonnull(e->journal);
+    ck_assert_int_ne(report_write(&r, name), 0);
+    ck_assert_int_ne(access(name, F_OK), 0);
+    test_run_clear(e);
+    free(e);
+}
+END_TEST
+
 /* Answers every question with those formulas, in so many digits; 17 are binary64. */
 static void answer_in_digits(struct test_run *e, const struct formulas *formulas, int digits)
 {
@@ -1069,6 +1137,10 @@ SUITE(test_conform)
     tcase_add_loop_test(c, tables_are_read_as_spreadsheets_write_them, 0, 4);
     tcase_add_test(c, a_table_that_is_none_is_told_with_its_place);
     tcase_add_test(c, inputs_in_every_form_are_the_same_numbers);
+    tcase_add_test(c, blanks_before_an_answer_do_not_push_it_out_of_its_room);
+    tcase_add_test(c, digits_are_shown_of_numbers_alone);
+    tcase_add_test(c, answers_come_through_a_pipe_as_well);
+    tcase_add_test(c, a_journal_that_cannot_be_read_makes_no_report);
     tcase_add_test(c, random_vectors_of_every_level_pass);
     tcase_add_test(c, much_in_flight_both_ways_does_not_deadlock);
     tcase_add_loop_test(c, wrong_usage_is_one_line_and_exit_2, 0, sizeof mistakes / sizeof *mistakes);

@@ -16,9 +16,9 @@
 /* A sheet in small, without a mistake; the numbers of its lines stand beside it. */
 static const char good[] =
     "quantities:\n"                                                                   /*  1 */
-    "  Omega: {unit: rad/s, domain: \"> 0\", range: [1, 2], meaning: rate}\n"         /*  2 */
-    "  x1: {unit: m, domain: finite, range: [1, 9], sign: either, meaning: place}\n" /*  3 */
-    "  y1: {unit: m, domain: finite, range: [1, 9], sign: either, meaning: along}\n" /*  4 */
+    "  Omega: {unit: rad/s, domain: \"> 0\", range: [1, 2], meaning: rate, example: 2}\n" /*  2 */
+    "  x1: {unit: m, domain: finite, range: [1, 9], sign: either, meaning: place, example: 3}\n" /*  3 */
+    "  y1: {unit: m, domain: finite, range: [1, 9], sign: either, meaning: along, example: 1}\n" /*  4 */
     "  L: {unit: m, domain: \">= 0\", value: 10, meaning: distance}\n"                /*  5 */
     "  lambda_d: {unit: m, domain: \"> 0 or inf\", meaning: length}\n"                /*  6 */
     "table1:\n"                                                                       /*  7 */
@@ -226,6 +226,7 @@ static const struct {
     {"value: 10", "example: -10", "5:41: ", "expected a number of the quantity's own domain"},
     {"range: [1, 2]", "value: 0", "2:46: ", "expected a number of the quantity's own domain"},
     {"range: [1, 2]", "sign: either", "2:45: ", "expected no sign where the domain has but one"},
+    {", example: 3", "", "18:21: ", "expected an input that has a value or an example, 'x1' has neither"},
     {"{x1: 3", "{x1: three", "43:19: ", "expected a number"},
     {"{x1: 3", "{x1: 1e999", "43:19: ", "expected a number"},
     {"{x1: 3", "{x1: \"3 four\"", "43:19: ", "expected a number"},
@@ -254,6 +255,21 @@ START_TEST(mistake_is_told_with_its_place)
 }
 END_TEST
 
+/* A place is looked for in the text as long as it is, whatever stands behind it. */
+START_TEST(a_place_behind_the_end_is_the_end)
+{
+    static const char text[] = "a: >-\n  one\n  two\n\n\n\nmore";
+    struct message why = {""};
+    struct tree *tree = tree_open(text, strlen("a: >-\n  one\n  two\n"), "t.yaml", &why);
+    ck_assert_ptr_nonnull(tree);
+    const struct yaml *a = under(&tree->root, "a");
+    ck_assert_str_eq(a->text, "one two");
+    node_error(a, strlen(a->text), "expected more");
+    ck_assert_str_eq(why.text, "t.yaml:4:1: expected more");
+    tree_close(tree);
+}
+END_TEST
+
 START_TEST(empty_sheet_is_refused)
 {
     struct sheet s;
@@ -263,7 +279,7 @@ START_TEST(empty_sheet_is_refused)
 }
 END_TEST
 
-#define Q(name) name ": {unit: m, domain: finite, meaning: place}, "
+#define Q(name) name ": {unit: m, domain: finite, meaning: place, example: 1}, "
 
 /* Its inputs take the places of outputs, of which there are no more than 16. */
 START_TEST(mistake_in_a_method_of_17_inputs_is_refused)
@@ -463,6 +479,7 @@ SUITE(test_sheet)
     tcase_add_test(reading, definitions_are_these);
     tcase_add_test(reading, sections_stand_for_the_equation_in_their_name);
     tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
+    tcase_add_test(reading, a_place_behind_the_end_is_the_end);
     tcase_add_test(reading, empty_sheet_is_refused);
     tcase_add_test(reading, mistake_in_a_method_of_17_inputs_is_refused);
     tcase_add_test(reading, cut_sheet_is_read_or_refused);

@@ -221,7 +221,7 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
  * coordinate's derivatives there bounds them for ever, and between two samples a tau apart |f| exceeds the larger of theirs
  * by at most tau^2/8 sup |f''|.
  *
- * The error terms, each with a test of its name in tests/test_trajectory.c:
+ * The error terms, each with a test of its name in tests/claims/test_trajectory_bounds.c:
  *   (B1) the excess between samples, tau^2/8 sup |f''|                  (bound_between_samples, trajectory_supremum)
  *   (B2) of psi, psi', eta, eta', pitch and places the largest with that energy  (linear_bounds, energy_box)
  *   (B3) of their derivatives every term of (40), and of products all of Leibniz's rule   (linear_bounds)

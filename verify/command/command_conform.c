@@ -20,6 +20,7 @@
 static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;
 
 enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered is counted one by one */
+enum { MOST_PIPED = 1 << 28 };    /* bytes that are kept of a pipe */
 
 /* What is asked for: a number a section of the sheet. */
 struct choice {
@@ -130,6 +131,9 @@ static int take_expectations(struct test_run *e, const char *name, bool all)
     if (file == NULL)
         return usage_error(status_of_name(errno), "%s: %s", name, strerror(errno));
     for (int number = 1; status == EXIT_DONE && fgets(line, sizeof line, file) != NULL; number++) {
+        if (strlen(line) == sizeof line - 1 && line[sizeof line - 2] != '\n')
+            for (int c = 0; c != '\n' && c != EOF; c = getc(file)) /* the rest of the line, where its reason is long */
+                ;
         char *rest = NULL, *id = strtok_r(line, " \t\r\n", &rest);
         if (id == NULL || *id == '#')
             continue;
@@ -175,8 +179,9 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
         if (c->chosen[i] == NOTHING)
             continue;
         digits[e->sets.count] = c->digits[i];
-        test_sets_add(&e->sets, s, is_motion(s) && c->only == NULL ? 0 : random, e->significand, e->range || e->any_order);
-        if (c->chosen[i] == SOME_VECTORS)
+        if (!test_sets_add(&e->sets, s, is_motion(s) && c->only == NULL ? 0 : random, e->significand, e->range || e->any_order))
+            status = EXIT_FAILED_CHECK;
+        else if (c->chosen[i] == SOME_VECTORS)
             status = take_vectors(e, c);
     }
     test_run_begin(e, digits);
@@ -207,6 +212,8 @@ static int print_report(struct test_run *e, const struct arguments *a, const cha
         return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only on a full disk */
     report_text(&r, stdout);
     int status = output_finished();
+    if (e->journal_error != 0)
+        return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(e->journal_error)); /* LCOV_EXCL_LINE: only on a failing disk */
     const int why = name != NULL ? report_write(&r, name) : 0;
     if (why != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
@@ -388,6 +395,29 @@ static const struct section *section_of_file(const struct sheet *sheet, FILE *fi
     return s;
 }
 
+/* What comes through a pipe, which cannot be rewound, in a temporary file. NULL after a complaint; the pipe is closed. */
+static FILE *copy_of_pipe(FILE *pipe, const char *name)
+{
+    char bytes[1 << 12];
+    size_t size, total = 0;
+    FILE *copy = tmpfile();
+    int status = EXIT_DONE;
+    while (copy != NULL && total <= MOST_PIPED && (size = fread(bytes, 1, sizeof bytes, pipe)) > 0 && fwrite(bytes, 1, size, copy) == size)
+        total += size;
+    if (total > MOST_PIPED)
+        status = usage_error(EXIT_FAILED_CHECK, "%s: expected at most %d bytes through a pipe, write them to a file", name, MOST_PIPED);
+    else if (copy == NULL || !feof(pipe) || fflush(copy) != 0 || ferror(copy)) /* LCOV_EXCL_BR_LINE: a failing system call */
+        status = usage_error(EXIT_FAILED_CHECK, "%s, and a temporary file for it: %s", name, strerror(errno)); /* LCOV_EXCL_LINE: the same */
+    fclose(pipe);
+    if (status == EXIT_DONE) {
+        rewind(copy);
+        return copy;
+    }
+    if (copy != NULL) /* LCOV_EXCL_BR_LINE: the same */
+        fclose(copy);
+    return NULL;
+}
+
 /* Of one operation as CSV, which the word or the file names, or else of all that are asked. */
 static int read_answers(struct test_run *e, const struct arguments *a, struct choice *c)
 {
@@ -395,6 +425,8 @@ static int read_answers(struct test_run *e, const struct arguments *a, struct ch
     FILE *file = fopen(name, "r");
     if (file == NULL)
         return usage_error(status_of_name(errno), "%s: %s", name, strerror(errno));
+    if (a->word_count == 0 && fseek(file, 0, SEEK_SET) != 0 && (file = copy_of_pipe(file, name)) == NULL)
+        return EXIT_FAILED_CHECK;
     const struct section *s = a->word_count == 1 ? section_argument(c->sheet, a->words[0]) : section_of_file(c->sheet, file, name);
     int status = a->word_count == 1 && s == NULL ? EXIT_USAGE : EXIT_DONE;
     if (s != NULL && (option_given(a, "--only") || option_given(a, "--random")))

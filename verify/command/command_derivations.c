@@ -191,11 +191,20 @@ static void json_step(struct json *j, const struct proof_results *p, int i)
     json_close(j);
 }
 
+/* Whether those steps hold, and, where they are all, the graph as well. */
+static bool all_hold(const struct proof_results *p, int first, int end)
+{
+    bool fine = p->fine || end - first < p->derivations.step_count;
+    for (int i = first; i < end; i++)
+        fine = fine && step_holds(p, i) && derivation_fault(p, i) == NULL;
+    return fine;
+}
+
 static void json_proofs(const struct proof_results *p, int first, int end)
 {
     struct json j = json_on(stdout);
     json_open(&j, NULL, '{');
-    json_truth(&j, "fine", p->fine);
+    json_truth(&j, "fine", all_hold(p, first, end));
     json_open(&j, "steps", '[');
     for (int i = first; i < end; i++) {
         json_line(&j, 1);
@@ -213,7 +222,7 @@ static void tell_broken(const struct proof_results *p, int first, int end)
         if (!step_holds(p, i) || derivation_fault(p, i) != NULL)
             fprintf(stderr, "coulomb-tether: step %s is broken, see verify derivations %s\n", p->derivations.steps[i].id,
                     p->derivations.steps[i].id);
-    if (p->gap != NULL)
+    if (p->gap != NULL && end - first == p->derivations.step_count)
         fprintf(stderr, "coulomb-tether: equation %s is reached by no step, and is no definition\n", p->gap);
 }
 
@@ -225,5 +234,5 @@ bool print_proofs(const struct proof_results *p, const char *only, enum format f
     (format == FORMAT_JSON ? json_proofs : table_proofs)(p, first, end);
     if (format == FORMAT_JSON)
         tell_broken(p, first, end);
-    return p->fine;
+    return all_hold(p, first, end);
 }

@@ -1,6 +1,7 @@
 /* coulomb-tether verify errors: how wrong ref/ is on random inputs, against certified truth. */
 #include "command/command_verify.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "command/command.h"
@@ -48,7 +49,7 @@ bool print_errors(const struct sheet *sheet, long inputs, enum format format)
             json_open(&j, NULL, '{');
             json_string(&j, "id", s->id);
             json_value(&j, "inputs", "%ld", inputs);
-            json_value(&j, "worst_E", "%s", text);
+            json_value(&j, "worst_E", isfinite(m.worst) ? "%s" : "\"%s\"", text); /* JSON has no number for inf */
             json_value(&j, "vector", "\"%s-%d-%ld\"", s->id, SEED, m.index);
             json_value(&j, "outside", "%ld", m.outside);
             json_close(&j);

@@ -13,8 +13,9 @@ static void take_paper_case(const struct section *s, bool exact, bool *seen, str
 {
     for (int i = 0; i < s->input_count; i++) {
         const struct quantity *q = s->inputs[i];
+        const char *text = q->value != NULL ? q->value : q->example; /* the sheet's reader has seen to it that there is one */
         if (!seen[i])
-            literal_read(&inputs[i].value, q->value != NULL ? q->value : q->example, exact);
+            inputs[i].infinite = literal_read(&inputs[i].value, text, exact) == LITERAL_INFINITE;
         seen[i] = true;
     }
 }
@@ -187,14 +188,29 @@ static int answer_line(struct questions *q, char *line)
     return EXIT_DONE;
 }
 
+/* The next line without its LF; false at the end, or where it cannot be read. It is not fine with a zero byte, or too long. */
+static bool next_line(char line[LONGEST_QUESTION], bool *fine)
+{
+    size_t length = 0;
+    int c = 0;
+    *fine = true;
+    while (*fine && (c = getchar()) != EOF && c != '\n') {
+        line[length++] = (char)c;
+        *fine = c != '\0' && length < LONGEST_QUESTION;
+    }
+    line[*fine ? length : 0] = '\0';
+    return !ferror(stdin) && (c != EOF || length > 0);
+}
+
 /* Each line is answered before the next is read: who asks may wait for it. The first malformed one ends it. */
 static int answer_lines(struct questions *q)
 {
     static char line[LONGEST_QUESTION];
     int status = EXIT_DONE;
-    while (status == EXIT_DONE && fgets(line, sizeof line, stdin) != NULL) {
+    bool fine;
+    while (status == EXIT_DONE && next_line(line, &fine)) {
         q->line++;
-        if (strchr(line, '\n') == NULL && !feof(stdin))
+        if (!fine)
             status = malformed(q, "longer than %s bytes, or with a zero byte%s", "65535", "");
         else
             status = answer_line(q, line);

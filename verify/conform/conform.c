@@ -1,5 +1,6 @@
 #include "conform/conform.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stddef.h>
@@ -87,16 +88,25 @@ static void note(struct test_run *e, struct record *r, const struct test_vector 
     }
 }
 
-bool test_run_record(const struct test_run *e, struct record *r)
+void test_run_rewind(struct test_run *e)
+{
+    if (fseek(e->journal, 0, SEEK_SET) != 0)
+        e->journal_error = errno; /* LCOV_EXCL_LINE: only where a temporary file cannot be rewound */
+}
+
+bool test_run_record(struct test_run *e, struct record *r)
 {
     int c = '\0';
-    if (fread(r, offsetof(struct record, text), 1, e->journal) != 1)
+    if (fread(r, offsetof(struct record, text), 1, e->journal) != 1) {
+        e->journal_error = ferror(e->journal) ? errno : e->journal_error;
         return false;
+    }
     for (size_t i = 0; i < sizeof r->text && (c = getc(e->journal)) != EOF; i++) {
         r->text[i] = (char)c;
         if (c == '\0')
             break;
     }
+    e->journal_error = c == EOF && ferror(e->journal) ? errno : e->journal_error;
     return c == '\0';
 }
 
@@ -240,7 +250,8 @@ static void hear_line(struct test_run *e, char *line, bool ended)
         stray(e, position == UINT64_MAX ? OUTCOME_STRANGER : again ? OUTCOME_LATE : OUTCOME_EARLY, shown);
         return;
     }
-    const char *text = shown + strspn(shown, " ") + strlen(words[0]);
+    const char *text = shown + strspn(shown, " "); /* the line is cut, perhaps within its id */
+    text += strcspn(text, " ");
     text += strspn(text, " ");
     if (e->any_order) {
         answer_there(e, position, words + 1, count - 1, text);

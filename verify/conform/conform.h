@@ -72,6 +72,7 @@ struct test_run {
     uint64_t asked, next, heard;    /* questions sent; the first one without an outcome; lines */
     struct test_vector asking, due; /* the vectors at `asked` and `next`          */
     FILE *journal;                  /* of all records, for reports; NULL: none is wanted */
+    int journal_error;              /* the errno that its reading ended with; 0: with its end */
     char line[LONGEST_LINE + 1];
     size_t length, unended;         /* bytes kept of the line, and heard of it    */
     char ended[100];                /* how the client ended, where that was no end of a client */
@@ -90,8 +91,9 @@ bool test_run_hear(void *run, const char *bytes, size_t size);
 /* No more will come: what is unanswered is missing, the first of it for the reason given (or missing too). */
 void test_run_end(struct test_run *e, enum outcome why);
 
-/* The next record of the journal; false after the last one. To be rewound before the first. */
-bool test_run_record(const struct test_run *e, struct record *r);
+/* The next record of the journal; false after the last one, and where it cannot be read. To be rewound before the first. */
+void test_run_rewind(struct test_run *e);
+bool test_run_record(struct test_run *e, struct record *r);
 
 /* Failures of a summary but those that were expected; lines that answer nothing. */
 uint64_t summary_failed(const struct summary *t);

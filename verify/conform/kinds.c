@@ -235,7 +235,7 @@ static void bases_of(struct bases *b, const struct evidence *v, const struct quo
     }
 }
 
-/* Least squares of the logarithms: powers[0] is that of the constant. False where there are too few vectors for it. */
+/* Least squares of the logarithms: powers[0] is that of the constant. False where none is found, as of too few vectors. */
 static bool fit_powers(const struct bases *b, const double *logs, int count, double *powers)
 {
     if (count < b->count + 2)
@@ -250,7 +250,7 @@ static bool fit_powers(const struct bases *b, const double *logs, int count, dou
         for (size_t i = 0; i < columns; i++)
             gsl_matrix_set(X, f, i, i == 0 ? 1.0 : b->logs[i - 1][f]);
     }
-    gsl_multifit_linear(X, y, c, covariance, &squares, work);
+    const bool fits = gsl_multifit_linear(X, y, c, covariance, &squares, work) == GSL_SUCCESS;
     for (size_t i = 0; i < columns; i++)
         powers[i] = gsl_vector_get(c, i);
     gsl_vector_free(c);
@@ -258,7 +258,7 @@ static bool fit_powers(const struct bases *b, const double *logs, int count, dou
     gsl_matrix_free(covariance);
     gsl_matrix_free(X);
     gsl_multifit_linear_free(work);
-    return true;
+    return fits;
 }
 
 /* Those bases with a power of that sign, as a product. */

@@ -13,7 +13,7 @@
 #include "text/json.h"
 #include "text/scope.h"
 
-enum { SHOWN_DIGITS = 20, NUMBER = 40 };
+enum { SHOWN_DIGITS = 20, NUMBER = 40, FURTHEST = 1000000 /* exponent: beyond it the mark stands at an end anyway */ };
 
 const char *const level_names[LEVELS] = {"algebra", "roots", "flows", "method"};
 
@@ -83,7 +83,8 @@ int first_wrong_digit(const char *got, const char *expected)
 {
     const char *start = got + strspn(got, "+-"), *e = strpbrk(start, "eE"), *point = strchr(start, '.');
     const char *end = e != NULL ? e : start + strlen(start);
-    const long whole = (point != NULL ? point : end) - start, exponent = e != NULL ? strtol(e + 1, NULL, 10) : 0;
+    const long whole = (point != NULL ? point : end) - start, written = e != NULL ? strtol(e + 1, NULL, 10) : 0;
+    const long exponent = written > FURTHEST ? FURTHEST : written < -FURTHEST ? -FURTHEST : written;
     mpfr_t off, other;
     mpfr_inits2(256, off, other, (mpfr_ptr)NULL);
     long at = -1;
@@ -236,7 +237,7 @@ static void line_text(const struct test_run *e, const char *line, enum outcome o
         fprintf(file, "    %s\n", hint);
 }
 
-static void failure_text(const struct test_run *e, int k, bool all, FILE *file)
+static void failure_text(struct test_run *e, int k, bool all, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
     char text[512];
@@ -246,7 +247,7 @@ static void failure_text(const struct test_run *e, int k, bool all, FILE *file)
     if (!all)
         record_text(e, &t->shown, file);
     else
-        rewind(e->journal);
+        test_run_rewind(e);
     while (all && test_run_record(e, &r))
         if (r.outcome >= OUTCOME_WRONG && set_of(e, &r) == k)
             record_text(e, &r, file);
@@ -319,19 +320,26 @@ static void skips_text(const struct test_run *e, FILE *file)
     }
 }
 
+/* Whether numbers were answered that are right or wrong: no others have digits. */
+static bool is_judged(const struct record *r)
+{
+    return r->outcome == OUTCOME_WRONG || (r->outcome == OUTCOME_RIGHT && r->has_values);
+}
+
 /* How good an integrator is: a line a scenario, the digits reached at each of its times, in the order they were asked. */
-static void digits_by_time(const struct test_run *e, FILE *file)
+static void digits_by_time(struct test_run *e, FILE *file)
 {
     char scenario[LONGEST_ID + 1] = "", number[NUMBER];
     struct test_vector q;
     struct record r;
     test_vector_init(&q);
-    rewind(e->journal);
+    test_run_rewind(e);
     while (test_run_record(e, &r)) {
-        if (!r.has_values || !is_motion(e->comparators[set_of(e, &r)].operation->section))
+        if (!is_judged(&r) || !is_motion(e->comparators[set_of(e, &r)].operation->section))
             continue;
         test_vector_make(&q, &e->sets, r.position);
         const char *time = strrchr(q.id, '-');
+        time -= time > q.id && time[-1] == '-'; /* the other one is the time's sign */
         const size_t length = (size_t)(time - q.id);
         if (strncmp(scenario, q.id, length) != 0 || scenario[length] != '\0') {
             fprintf(file, *scenario == '\0' ? "\ndigits by time in s" : "");
@@ -440,7 +448,7 @@ static void write_case(const struct test_run *e, const struct record *r, FILE *f
 
 static void write_xml(const struct report *r, FILE *file)
 {
-    const struct test_run *e = r->run;
+    struct test_run *e = r->run;
     struct record one;
     int open = -1;
     fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"", file);
@@ -527,7 +535,7 @@ static void write_vector(struct json *j, const struct test_run *e, const struct 
     struct exhibit x;
     char number[NUMBER];
     exhibit_init(&x, e, r);
-    const bool motion = is_motion(x.section), judged = r->outcome == OUTCOME_WRONG || (r->outcome == OUTCOME_RIGHT && r->has_values);
+    const bool motion = is_motion(x.section), judged = is_judged(r);
     json_line(j, 4);
     json_open(j, NULL, '{');
     json_string(j, "id", x.vector.id);
@@ -557,7 +565,7 @@ static void write_vector(struct json *j, const struct test_run *e, const struct 
 
 static void write_json(const struct report *r, FILE *file)
 {
-    const struct test_run *e = r->run;
+    struct test_run *e = r->run;
     const struct totals sum = report_totals(e);
     struct record one;
     struct json j = json_on(file);
@@ -633,15 +641,15 @@ int report_write(const struct report *r, const char *name)
     char *unfinished = xrealloc(NULL, size, 1);
     FILE *file = open_beside(name, unfinished, size);
     int why = file == NULL ? errno : 0;
-    rewind(r->run->journal);
+    test_run_rewind(r->run);
     if (file != NULL) {
         if (report_format(name) == REPORT_XML)
             write_xml(r, file);
         else
             write_json(r, file);
-        const bool written = !ferror(file);
+        const bool written = !ferror(file) && r->run->journal_error == 0;
         if (fclose(file) != 0 || !written || rename(unfinished, name) != 0) {
-            why = errno != 0 ? errno : EIO;
+            why = r->run->journal_error != 0 ? r->run->journal_error : errno != 0 ? errno : EIO;
             remove(unfinished);
         }
     }

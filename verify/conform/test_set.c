@@ -44,10 +44,10 @@ struct test_set *test_sets_add(struct test_sets *sets, const struct section *s, 
     *set = (struct test_set){.random = random, .first = sets->total};
     operation_init(&set->operation, s, false);
     struct collection c = {set, inputs_new(s->input_count), significand, range};
-    golden_each(s, collect_golden, &c);
+    const bool fine = golden_each(s, collect_golden, &c);
     inputs_free(c.inputs, s->input_count);
     sets->total += test_set_total(set);
-    return set;
+    return fine ? set : NULL;
 }
 
 void test_sets_clear(struct test_sets *sets)

@@ -20,7 +20,7 @@ void scenario_init(struct scenario *s, const struct sheet *sheet, bool exact)
         const char *value = quantity_find(sheet, scenario_names[i])->value;
         fmpq_init(&s->value[i].value);
         if (value != NULL)
-            literal_read(&s->value[i].value, value, exact);
+            s->value[i].infinite = literal_read(&s->value[i].value, value, exact) == LITERAL_INFINITE;
     }
 }
 

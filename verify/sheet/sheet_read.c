@@ -294,6 +294,15 @@ static bool read_names(const struct sheet *sheet, const struct yaml *list, const
     return true;
 }
 
+/* The paper's case, which golden vectors and --table1 begin with, has a number for every input. */
+static bool have_values(const struct yaml *list, const struct section *s)
+{
+    for (int i = 0; i < list->count; i++)
+        if (s->inputs[i]->value == NULL && s->inputs[i]->example == NULL)
+            return node_error(&list->items[i], 0, "expected an input that has a value or an example, '%s' has neither", s->inputs[i]->name);
+    return true;
+}
+
 static const struct field relation_fields[] = {FIELD("equation", struct relation, equation, FIELD_TEXT, .expected = "a text"),
                                                FIELD("holds", struct relation, text, FIELD_TEXT, .expected = "left = right"),
                                                {.key = NULL}};
@@ -447,7 +456,7 @@ static bool read_section(struct sheet *sheet, const struct yaml *n)
     s->method = w.method >= 0 ? (enum method)(METHOD_ROOTS + w.method) : w.f.outputs != NULL ? METHOD_FORMULA : METHOD_NONE;
     if (w.method >= 0 && (w.inputs == NULL || w.f.outputs == NULL))
         return node_error(n, 0, "missing %s", w.inputs != NULL ? "outputs" : "inputs");
-    if ((w.inputs != NULL && !read_names(sheet, w.inputs, s->inputs, MOST_INPUTS, &s->input_count)) ||
+    if ((w.inputs != NULL && (!read_names(sheet, w.inputs, s->inputs, MOST_INPUTS, &s->input_count) || !have_values(w.inputs, s))) ||
         (w.method >= 0 && !read_names(sheet, w.f.outputs, s->outputs, MOST_OUTPUTS, &s->output_count)) ||
         !read_relations(sheet, w.relations, s) || !read_K(w.K, &s->K, &s->K_reason) ||
         !read_mistakes(w.mistakes, &s->mistakes, &s->mistake_count))

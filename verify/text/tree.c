@@ -29,7 +29,7 @@ static struct mark place_in_text(const struct yaml *n, size_t offset)
     for (size_t i = 0; i < offset && n->text[i] != '\0'; i++)
         ahead += !is_blank(n->text[i]);
     bool header = !n->plain; /* the quotation mark, or > and - */
-    for (const char *c = n->tree->source + place.index; *c != '\0'; c++) {
+    for (const char *c = n->tree->source + place.index; c < n->tree->source_end; c++) {
         header = header && strchr("\"'>|-+", *c) != NULL;
         if (!header && !is_blank(*c) && ahead-- == 0)
             break;
@@ -154,7 +154,7 @@ struct tree *tree_open(const char *text, size_t length, const char *file, struct
 {
     struct tree *tree = xrealloc(NULL, 1, sizeof *tree);
     struct loading l = {.tree = tree};
-    *tree = (struct tree){.file = file, .source = text, .why = why, .root.tree = tree};
+    *tree = (struct tree){.file = file, .source = text, .source_end = text + length, .why = why, .root.tree = tree};
     if (!yaml_parser_initialize(&l.parser))
         out_of_memory();
     yaml_parser_set_input_string(&l.parser, (const unsigned char *)text, length);

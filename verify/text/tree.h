@@ -24,7 +24,7 @@ struct yaml {
 };
 
 struct tree {
-    const char *file, *source; /* the source is needed as long as mistakes are told */
+    const char *file, *source, *source_end; /* the source is needed as long as mistakes are told */
     struct message *why;
     struct yaml root;
 };
