@@ -272,6 +272,13 @@ START_TEST(blanks_before_an_answer_do_not_push_it_out_of_its_room)
 }
 END_TEST
 
+START_TEST(digits_are_declared_once)
+{
+    ck_assert_int_eq(conform("--digits flow_linear=9 --digits flow_nonlinear=8 --digits flow_linear=8 -- FAULTY none"), 2);
+    assert_says("--digits: expected flow_linear once, got 'flow_linear=9' and 'flow_linear=8'\n");
+}
+END_TEST
+
 /* Six of eq38's vectors come after the tenth question and lie inside the domain; --all shows them all, else there is one. */
 START_TEST(every_failing_vector_is_shown)
 {
@@ -449,8 +456,8 @@ START_TEST(answers_in_a_file_may_stand_in_any_order)
                             "tail -n 2 \"$f\" | head -n 1 >>\"$f\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07"), 1);
     assert_says("eq07: 1 missing\n");
-    assert_says("  1 repeated or out of order, the first is line 51: eq07-");
-    assert_says("  1 wrong id, the first is line 50: stranger 1\n");
+    assert_says("  1 repeated or out of order, the first is line 52: eq07-");
+    assert_says("  1 wrong id, the first is line 51: stranger 1\n");
 }
 END_TEST
 
@@ -477,7 +484,7 @@ START_TEST(tables_are_read_as_spreadsheets_write_them)
     static const char *const programs[] = {
         "BEGIN {OFS = \";\"; printf \"\\357\\273\\277\"} {print \"a\", $1, $7 \"\\r\"}", /* a byte order mark, semicolons, CRLF */
         "BEGIN {OFS = \"\\t\"} {print $1, $7, \"\"}",
-        "{print $1 \",\" (NR > 1 && $7 == \"\" ? \"NaN\" : $7) \",\\\"a note\\nof two, lines\\\"\"}",
+        "{print $1 \",\" (NR > 1 && $7 == \"\" ? NR % 3 ? NR % 3 > 1 ? \"NaN\" : \"nan\" : \"NA\" : $7) \",\\\"a note\\nof two, lines\\\"\"}",
         "{print \"\\\"\" $1 \"\\\",\\\"\" $7 \"\\\"\"}",
     };
     char line[600];
@@ -497,6 +504,15 @@ START_TEST(a_table_that_is_none_is_told_with_its_place)
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 1);
     assert_says("'-0,00014' has a decimal comma, a point is due\n");
     assert_says("eq07: 1 wrong count, 1 malformed, 48 missing\n");
+    ck_assert_int_eq(system("printf 'id,C2\neq44-paper,1,5\n' >\"$CT_BUILD/tests/comma.csv\""), 0);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 2);
+    assert_says("comma.csv: line 2 has 3 cells, the header 2: a decimal comma?\n");
+    ck_assert_int_eq(system("printf 'id,C2\neq44-paper\n' >\"$CT_BUILD/tests/comma.csv\""), 0);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 2);
+    assert_says("comma.csv: line 2 has 1 cell, the header 2\n");
+    ck_assert_int_eq(system("printf 'id,C2,C2\neq44-paper,1,5\n' >\"$CT_BUILD/tests/comma.csv\""), 0);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 2);
+    assert_says("comma.csv: line 1: expected one column 'C2', found 2\n");
 }
 END_TEST
 
@@ -1131,6 +1147,7 @@ SUITE(test_conform)
     tcase_add_test(c, what_is_like_nothing_known_is_not_guessed);
     tcase_add_test(c, vectors_are_asked_one_by_one);
     tcase_add_test(c, every_failing_vector_is_shown);
+    tcase_add_test(c, digits_are_declared_once);
     tcase_add_test(c, digits_are_shown_by_time);
     tcase_add_test(c, expected_failures_are_none_and_what_passes_is_said);
     tcase_add_test(c, questions_are_taken_away_and_a_transcript_brought_back);

@@ -53,8 +53,14 @@ static int take_all_digits(struct choice *c, const struct arguments *a)
 {
     int status = EXIT_DONE, k = 0;
     const char *text;
-    while (status == EXIT_DONE && (text = option_next(a, "--digits", &k)) != NULL)
+    while (status == EXIT_DONE && (text = option_next(a, "--digits", &k)) != NULL) {
+        const int length = (int)strcspn(text, "=");
+        const char *earlier;
         status = take_digits(c, text);
+        for (int before = 0; status == EXIT_DONE && (earlier = option_next(a, "--digits", &before)) != text;)
+            if ((int)strcspn(earlier, "=") == length && strncmp(earlier, text, (size_t)length) == 0)
+                status = usage_error(EXIT_USAGE, "--digits: expected %.*s once, got '%.40s' and '%.40s'", length, text, earlier, text);
+    }
     return status;
 }
 
@@ -318,12 +324,24 @@ static void say(struct test_run *e, const char *text)
     test_run_hear(e, text, strlen(text));
 }
 
-/* The columns of the id and of the outputs; false after a complaint. */
+static int columns_named(const struct csv *c, const char *name)
+{
+    int count = 0;
+    for (int i = 0; i < c->count; i++)
+        count += strcmp(c->cells[i], name) == 0;
+    return count;
+}
+
+/* The columns of the id and of the outputs, one each; false after a complaint. */
 static bool take_header(const struct csv *c, const struct section *s, int *columns)
 {
     for (int i = 0; i <= s->output_count; i++) {
         const char *wanted = i == 0 ? "id" : s->outputs[i - 1]->name;
-        columns[i] = csv_column(c, wanted); /* of a motion the first state is the initial one, the second the output */
+        columns[i] = csv_column(c, wanted);
+        if (columns_named(c, wanted) > 1) {
+            usage_error(EXIT_USAGE, "%s: line %lu: expected one column '%s', found %d", c->name, c->line, wanted, columns_named(c, wanted));
+            return false;
+        }
         if (columns[i] < 0) {
             usage_error(EXIT_USAGE, "%s: line %lu: missing column '%s', expected id and every output of %s", c->name, c->line, wanted, s->id);
             return false;
@@ -332,21 +350,23 @@ static bool take_header(const struct csv *c, const struct section *s, int *colum
     return true;
 }
 
-static const char *cell_of(const struct csv *c, int column)
+/* As pandas, numpy and R write it. */
+static bool is_blank(const char *cell)
 {
-    return column < c->count ? c->cells[column] : "";
+    return *cell == '\0' || strcmp(cell, "NaN") == 0 || strcmp(cell, "nan") == 0 || strcmp(cell, "NA") == 0;
 }
 
-/* A row as a client would say it; where all outputs are blank, which pandas writes as NaN, that is `invalid`. */
+/* A row as a client would say it, told by its line; where all outputs are blank, that is `invalid`. */
 static void hear_row(struct test_run *e, const struct csv *c, const int *columns, int outputs)
 {
     bool blank = true;
     for (int i = 1; i <= outputs; i++)
-        blank = blank && (*cell_of(c, columns[i]) == '\0' || strcmp(cell_of(c, columns[i]), "NaN") == 0);
-    say(e, cell_of(c, columns[0]));
+        blank = blank && is_blank(c->cells[columns[i]]);
+    e->heard = c->line - 1;
+    say(e, c->cells[columns[0]]);
     for (int i = 1; i <= outputs && !blank; i++) {
         say(e, " ");
-        for (const char *at = cell_of(c, columns[i]); *at != '\0'; at++)
+        for (const char *at = c->cells[columns[i]]; *at != '\0'; at++)
             test_run_hear(e, *at == '\n' ? " " : at, 1);
     }
     say(e, blank ? " invalid\n" : "\n");
@@ -361,8 +381,13 @@ static int hear_csv(struct test_run *e, struct csv *c, const struct section *s)
         return usage_error(EXIT_USAGE, "%s: expected a header, id and every output of %s", c->name, s->id);
     if (result == CSV_ROW && !take_header(c, s, columns))
         return EXIT_USAGE;
-    while (result == CSV_ROW && (result = csv_next(c, &why)) == CSV_ROW)
+    const int cells = c->count;
+    while (result == CSV_ROW && (result = csv_next(c, &why)) == CSV_ROW) {
+        if (c->count != cells)
+            return usage_error(EXIT_USAGE, "%s: line %lu has %d cell%s, the header %d%s", c->name, c->line, c->count, c->count == 1 ? "" : "s", cells,
+                               c->count > cells && c->separator == ',' ? ": a decimal comma?" : "");
         hear_row(e, c, columns, s->output_count);
+    }
     return result == CSV_END ? EXIT_DONE : usage_error(result == CSV_MALFORMED ? EXIT_USAGE : EXIT_FAILED_CHECK, "%s", why.text);
 }
 
