@@ -332,6 +332,8 @@ START_TEST(expected_failures_are_none_and_what_passes_is_said)
     ck_assert_int_eq(system("echo eq38-papers >>\"$CT_BUILD/tests/expect\""), 0);
     ck_assert_int_eq(conform("--expect \"$CT_BUILD/tests/expect\" -- FAULTY none"), 2);
     assert_says("expect: line 6: unknown vector 'eq38-papers'\n");
+    ck_assert_int_eq(conform("--only eq07 --expect \"$CT_BUILD/tests/expect\" -- FAULTY none"), 2); /* none that is left out either */
+    assert_says("expect: line 6: unknown vector 'eq38-papers'\n");
     ck_assert_int_eq(conform("--expect \"$CT_BUILD\" -- FAULTY none"), 1);
     assert_says("Is a directory");
     ck_assert_int_eq(conform("--expect /nowhere -- FAULTY none"), 2);

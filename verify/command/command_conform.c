@@ -128,8 +128,21 @@ static int take_vectors(struct test_run *e, const struct choice *c)
     return status;
 }
 
+/* Whether there is a vector of that name, which --only may leave out. */
+static bool is_vector(const struct test_run *e, const struct choice *c, const char *id, uint64_t random)
+{
+    struct test_sets sets = {.seed = e->sets.seed};
+    char operation[40];
+    snprintf(operation, sizeof operation, "%.*s", (int)strcspn(id, "-"), id);
+    const struct section *s = section_find(c->sheet, operation);
+    const bool found = s != NULL && s->method != METHOD_NONE && test_sets_add(&sets, s, random, e->significand, true) != NULL &&
+                       test_sets_find(&sets, id) != UINT64_MAX;
+    test_sets_clear(&sets);
+    return found;
+}
+
 /* A vector a line of those that may fail, # before what is said of them. */
-static int take_expectations(struct test_run *e, const char *name, bool all)
+static int take_expectations(struct test_run *e, const struct choice *c, const char *name, uint64_t random)
 {
     char line[256];
     int status = EXIT_DONE;
@@ -138,14 +151,14 @@ static int take_expectations(struct test_run *e, const char *name, bool all)
         return usage_error(status_of_name(errno), "%s: %s", name, strerror(errno));
     for (int number = 1; status == EXIT_DONE && fgets(line, sizeof line, file) != NULL; number++) {
         if (strlen(line) == sizeof line - 1 && line[sizeof line - 2] != '\n')
-            for (int c = 0; c != '\n' && c != EOF; c = getc(file)) /* the rest of the line, where its reason is long */
+            for (int byte = 0; byte != '\n' && byte != EOF; byte = getc(file)) /* the rest of the line, where its reason is long */
                 ;
         char *rest = NULL, *id = strtok_r(line, " \t\r\n", &rest);
         if (id == NULL || *id == '#')
             continue;
         message_printable(id);
         const uint64_t position = test_sets_find(&e->sets, id);
-        if (position == UINT64_MAX && all) /* else it may be one that --only leaves out */
+        if (position == UINT64_MAX && !is_vector(e, c, id, random))
             status = usage_error(EXIT_USAGE, "%s: line %d: unknown vector '%.95s'", name, number, id);
         if (position == UINT64_MAX)
             continue;
@@ -193,7 +206,7 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
     test_run_begin(e, digits);
     free(digits);
     if (status == EXIT_DONE && option_given(a, "--expect"))
-        status = take_expectations(e, option_value(a, "--expect"), c->only == NULL);
+        status = take_expectations(e, c, option_value(a, "--expect"), random);
     if (status == EXIT_DONE && (option_given(a, "--all") || option_given(a, "--report")) && (e->journal = tmpfile()) == NULL)
         status = usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only without a place for one */
     return status;
