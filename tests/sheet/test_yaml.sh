@@ -21,6 +21,11 @@ reads() {
     done
 }
 
+# The project's own reader, which is always there: what was compiled in is what the files say.
+"$CT_PROGRAM" equations >"$work/within"
+check 'the program reads the files as it reads itself' sh -c '
+    "$CT_BUILD/sheet-check" paper/equations.yaml paper/derivations.yaml paper/claims.yaml equations | diff "$0" -' "$work/within"
+
 python=/usr/bin/python3 version=
 if has $python -c 'import yaml'; then
     for sheet in equations derivations claims; do
