@@ -151,7 +151,7 @@ START_TEST(numbers_of_the_evidence_have_their_units)
     struct proof_results proofs;
     struct statements claims;
     struct message why;
-    const char *were[200];
+    const char *were[200] = {NULL};
     int checked = 0;
     ck_assert(sheet()->quantity_count <= 200);
     open_proofs(&proofs);
