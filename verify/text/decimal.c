@@ -250,9 +250,9 @@ static bool reads_back(const char *digits, slong exponent, double x)
 static slong shortest_digits(char digits[24], double x)
 {
     int binary_exponent;
-    const bool power_of_two = !(frexp(x, &binary_exponent) > 0.5);
+    const int ways = frexp(x, &binary_exponent) > 0.5 ? 1 : 2; /* of a power of two the next above is tried too */
     for (size_t count = x < DBL_MIN ? 1 : DBL_DIG;; count++)
-        for (int above = 0; above <= power_of_two; above++) {
+        for (int above = 0; above < ways; above++) {
             const slong exponent = (above ? digits_above : nearest_digits)(digits, x, count);
             if (!reads_back(digits, exponent, x))
                 continue;
@@ -272,7 +272,7 @@ void decimal_shortest(char text[32], double x)
         snprintf(text, room, "%s", isnan(x) ? "nan" : x > 0 ? "inf" : "0");
         return;
     }
-    char digits[24]; /* at most 17 */
+    char digits[24] = ""; /* at most 17 */
     const int first = (int)shortest_digits(digits, x), last = first + 1 - (int)strlen(digits);
     /* Simple readers take in 17 digits, zeros before the first of them too: a small number has all of its own within them. */
     const bool small = first < 0 && (first < -4 || (int)strlen(digits) - first > 17);
