@@ -386,7 +386,7 @@ static const struct {
     {"python3 my_client.py", "did you mean conform -- python3 my_client.py?"},
     {"-- /nowhere/client", "/nowhere/client': No such file"},
     {"-- ./Makefile", "Permission denied, it is not executable: chmod +x, or its interpreter before it"},
-    {"-- README.md", "'README.md': No such file or directory, did you mean './README.md'?"},
+    {"-- README.md", ", did you mean './README.md'?"},
     {"-- false", "exit status 1 before its first answer"},
     {"-- sh -c 'kill -SEGV $$'", "signal 11 before its first answer"},
     {"--only eq7 -- FAULTY", "did you mean 'eq07'"},

@@ -298,7 +298,8 @@ static int conclude(struct test_run *e, enum ending ending, int status, const ch
 static const char *start_hint(const char *client, int why, char hint[120])
 {
     *hint = '\0';
-    if (why == ENOENT && strchr(client, '/') == NULL && access(client, F_OK) == 0)
+    /* EACCES: some folder of PATH may not be searched */
+    if ((why == ENOENT || why == EACCES) && strchr(client, '/') == NULL && access(client, F_OK) == 0)
         snprintf(hint, 120, ", did you mean './%.80s'?", client);
     else if (why == EACCES && access(client, F_OK) == 0)
         snprintf(hint, 120, ", it is not executable: chmod +x, or its interpreter before it");
