@@ -11,6 +11,14 @@
 
 enum { MOST_FLAT_INPUTS = 32 };
 
+TCase *add_case(Suite *all, const char *name)
+{
+    TCase *tests = tcase_create(name);
+    tcase_set_timeout(tests, 60);
+    suite_add_tcase(all, tests);
+    return tests;
+}
+
 static bool outside(char domain, double x)
 {
     if (isnan(x) || isinf(x))

@@ -26,6 +26,9 @@ void suite_add(struct named_suite *s);
     } \
     static Suite *file(void)
 
+/* A case of tests that take seconds under valgrind, on a busy machine. */
+TCase *add_case(Suite *all, const char *name);
+
 /* Within so many roundings (2^-53, relative) of an expected value that is not zero. NaN fails. */
 #define assert_close(actual, expected, roundings) \
     ck_assert_double_eq_tol(actual, expected, (roundings) * 0x1p-53 * fabs((double)(expected)))

@@ -1391,14 +1391,6 @@ START_TEST(foretold_precision_is_enough)
 }
 END_TEST
 
-static TCase *add_case(Suite *all, const char *name)
-{
-    TCase *tests = tcase_create(name);
-    tcase_set_timeout(tests, 60); /* under valgrind, on a busy machine */
-    suite_add_tcase(all, tests);
-    return tests;
-}
-
 SUITE(test_flow)
 {
     Suite *all = suite_create("flow");

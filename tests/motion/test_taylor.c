@@ -1032,14 +1032,6 @@ START_TEST(coefficients_may_be_computed_to_falling_precision)
 }
 END_TEST
 
-static TCase *add_case(Suite *all, const char *name)
-{
-    TCase *tests = tcase_create(name);
-    tcase_set_timeout(tests, 60); /* under valgrind, on a busy machine */
-    suite_add_tcase(all, tests);
-    return tests;
-}
-
 SUITE(test_taylor)
 {
     Suite *all = suite_create("taylor");
