@@ -173,6 +173,8 @@ static const struct {
     {"trajectory linear --at 5,1", 2, "--at"},
     {"trajectory linear --at -1,1", 2, "--at"},
     {"trajectory linear --every 0", 1, "--every"},
+    {"trajectory linear --every 1e400", 1, "--every: '1e400' is too large for binary64"},
+    {"trajectory linear --every 1e308 --until 1e309", 1, "--until: '1e309' is too large for binary64"},
     {"trajectory linear --every inf", 1, "--every: expected a finite number"},
     {"trajectory linear --until inf", 1, "--until: expected a finite number"},
     {"trajectory linear --every -1", 1, "--every"},

@@ -77,11 +77,15 @@ int times_every(struct times *times, const char *every, const char *until, bool 
 {
     SCOPE(fmpq, step, end, rows);
     SCOPE(fmpz, whole);
-    int status = finite_argument(step, "--every", every, true);
+    int status = finite_argument(step, "--every", every, exact);
     if (status == EXIT_DONE)
-        status = finite_argument(end, "--until", until, true);
+        status = finite_argument(end, "--until", until, exact);
     if (status == EXIT_DONE && fmpq_sgn(step) <= 0)
         status = usage_error(EXIT_FAILED_CHECK, "--every: expected a number > 0, got '%.40s'", every);
+    if (status == EXIT_DONE)
+        status = finite_argument(step, "--every", every, true);
+    if (status == EXIT_DONE)
+        status = finite_argument(end, "--until", until, true);
     if (status != EXIT_DONE)
         return status;
     fmpq_div(rows, end, step);
