@@ -493,7 +493,7 @@ START_TEST(help_explains_every_option_of_a_subcommand_with_unit_and_default)
             ck_assert_msg(o->otherwise == NULL || strstr(output, line) != NULL, "%s: %s", s->name, o->name);
             explained++;
         }
-        for (const char *at = output; (at = strstr(at, "\n  --")) != NULL; at++)
+        for (const char *at = output; (at = strstr(at, "\n  -")) != NULL; at++)
             explained--;
         ck_assert_int_eq(explained, 0);
         ck_assert_int_eq(strstr(output, "\n  m1 ") != NULL, strcmp(s->name, "trajectory") == 0 || strcmp(s->name, "figure") == 0);
@@ -674,6 +674,38 @@ START_TEST(a_full_disk_is_said_and_exits_1)
 }
 END_TEST
 
+/* What is printed elsewhere, byte for byte, and nothing of it here; a device is written as it is. */
+static const struct {
+    const char *line, *file, *says;
+} into[] = {
+    {"equations eq44", "out", NULL}, {"figure 4", "out", NULL}, {"conform --questions --only eq44", "out", NULL}, {"table1 --csv", "out", NULL},
+    {"figure 4", "/nowhere/out", "coulomb-tether: /nowhere/out: No such file or directory\n"},
+    {"eval eq44 Omega=1 n=8", "out", "coulomb-tether: eq44: expected n >= 9\n"},
+};
+
+START_TEST(o_names_a_file_that_is_there_whole_or_not_at_all)
+{
+    static char due[MOST_TEXT];
+    char line[600], file[500];
+    snprintf(file, sizeof file, *into[_i].file == '/' ? "%.0s%s" : "%s/tests/%s", getenv("CT_BUILD"), into[_i].file);
+    remove(file);
+    const int status = run(into[_i].line);
+    strcpy(due, output);
+    snprintf(line, sizeof line, "%s -o %s", into[_i].line, file);
+    ck_assert_int_eq(run(line), into[_i].says == NULL ? 0 : 1);
+    ck_assert_str_eq(output, "");
+    ck_assert_str_eq(errors, into[_i].says ? into[_i].says : "");
+    FILE *there = fopen(file, "r");
+    ck_assert((there == NULL) == (into[_i].says != NULL));
+    if (there == NULL)
+        return;
+    ck_assert_int_eq(status, 0);
+    read_back(there, output);
+    ck_assert_str_eq(output, due);
+    ck_assert_int_eq(run("table1 -o /dev/null"), 0);
+}
+END_TEST
+
 START_TEST(a_closed_pipe_ends_quietly_with_1)
 {
     int ends[2];
@@ -807,6 +839,7 @@ SUITE(test_command_line)
     tcase_add_test(c, equations_lists_every_section_and_shows_one);
     tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 9);
     tcase_add_test(c, a_closed_pipe_ends_quietly_with_1);
+    tcase_add_loop_test(c, o_names_a_file_that_is_there_whole_or_not_at_all, 0, sizeof into / sizeof *into);
     tcase_add_test(c, rows_proved_before_the_charge_law_ends_are_kept);
     tcase_add_loop_test(c, what_ends_a_motion_is_said_behind_the_rows_proved, 0, 3);
     tcase_add_loop_test(c, a_terminal_sees_how_far_it_is_and_nothing_in_the_end, 0, 3);

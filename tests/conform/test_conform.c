@@ -336,7 +336,7 @@ START_TEST(expected_failures_are_none_and_what_passes_is_said)
     assert_says("expect: line 6: unknown vector 'eq38-papers'\n");
     ck_assert_int_eq(conform("--expect \"$CT_BUILD\" -- FAULTY none"), 1);
     assert_says("Is a directory");
-    ck_assert_int_eq(conform("--expect /nowhere -- FAULTY none"), 2);
+    ck_assert_int_eq(conform("--expect /nowhere -- FAULTY none"), 1);
     ck_assert_int_eq(system("printf 'eq38-paper%300s\\neq38-random-10\\neq07-paper%400s' why why >\"$CT_BUILD/tests/expect\""), 0);
     ck_assert_int_eq(conform("--expect \"$CT_BUILD/tests/expect\" -- true"), 1); /* the rest of a long line names nothing */
 }
@@ -349,6 +349,11 @@ START_TEST(questions_are_taken_away_and_a_transcript_brought_back)
     ck_assert_int_eq(system("\"$CT_BUILD/tests/faulty\" <\"$CT_BUILD/tests/questions\" >\"$CT_BUILD/tests/transcript\""), 0);
     ck_assert_int_eq(conform("--only eq07,eq41roots --random 20 --seed 3 --answers \"$CT_BUILD/tests/transcript\""), 0);
     assert_says(" 0 failed, 0 skipped\n");
+    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && { printf '\\357\\273\\277'; cat transcript; } >marked && "
+                            "{ printf '\\377\\376'; cat transcript; } >utf16"), 0);
+    ck_assert_int_eq(conform("--only eq07,eq41roots --random 20 --seed 3 --answers \"$CT_BUILD/tests/marked\""), 0);
+    ck_assert_int_eq(conform("--only eq07,eq41roots --random 20 --seed 3 --answers \"$CT_BUILD/tests/utf16\""), 1);
+    assert_says("    it is written in UTF-16, UTF-8 is due\n");
     ck_assert_int_eq(system("yes | head -c 100000 >\"$CT_BUILD/tests/transcript\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/transcript\""), 1);
     ck_assert_int_eq(conform("--answers data"), 1);
@@ -409,13 +414,15 @@ static const struct {
     {"x=1 -- FAULTY", "unexpected argument 'x=1'"},
     {"eq07 -- FAULTY", "unexpected argument 'eq07'"},
     {"--seed 1 --random 5 --significand x -- FAULTY", "--significand"},
-    {"--report report -- FAULTY", ".xml or .json"},
+    {"--report report -- FAULTY", "--report: expected a file .xml or .json, got 'report'"},
+    {"-o report -- FAULTY", "-o: expected a file .xml or .json, got 'report'"},
+    {"-o a.xml --report b.xml -- FAULTY", "-o: expected without --report, it is the same"},
+    {"-- /tmp", "Permission denied, it is a folder, a program is due"},
     {"--significand 64 -- FAULTY", "24, 53 or 113"},
     {"--report report.txt -- FAULTY", ".xml or .json"},
     {"--answers data/golden/eq07.csv eq07 eq09", "id of one operation"},
     {"--answers data/golden/eq07.csv eq07 -- FAULTY", "expected -- CLIENT"},
     {"--answers data/golden/eq07.csv eq09", "missing column 'BO_11'"},
-    {"--answers data/nothing.csv eq07", "No such file"},
     {"--answers data/golden/eq07.csv --only eq07", "the file has the answers of eq07"},
     {"--answers /dev/null eq07", "header"},
     {"--answers data/golden/eq07.csv --random 1 --seed 1 eq07", "--random"},
@@ -703,6 +710,8 @@ START_TEST(answers_that_cannot_be_read_are_no_answers)
 {
     ck_assert_int_eq(conform("--answers data eq07"), 1);
     assert_says("data: Is a directory\n");
+    ck_assert_int_eq(conform("--answers data/nothing.csv eq07"), 1);
+    assert_says("data/nothing.csv: No such file or directory\n");
 }
 END_TEST
 
@@ -761,6 +770,14 @@ START_TEST(an_interrupt_leaves_no_process_behind)
     for (int i = 0; i < 500 && (runs(process) || runs(child)); i++)
         nap();
     ck_assert(!runs(process) && !runs(child));
+}
+END_TEST
+
+/* What is ignored, as in the background, interrupts nothing: the client ends by itself and is judged. */
+START_TEST(an_interrupt_that_is_ignored_does_nothing)
+{
+    ck_assert_int_eq(system("trap '' INT; \"$CT_PROGRAM\" conform --only eq38 -- sh -c 'kill -INT $PPID; exec \"$0\" none' "
+                            "\"$CT_BUILD/tests/faulty\" >/dev/null"), 0);
 }
 END_TEST
 
@@ -1188,6 +1205,7 @@ SUITE(test_conform)
     tcase_add_test(c, the_table_knows_exact_and_infinitely_wrong);
     tcase_add_test(c, each_reason_for_a_skip_is_said_once);
     tcase_add_loop_test(c, an_interrupt_leaves_no_process_behind, 0, 3);
+    tcase_add_test(c, an_interrupt_that_is_ignored_does_nothing);
     tcase_add_loop_test(c, a_known_mistake_is_called_by_its_name, 0, sheet()->section_count);
     tcase_add_test(c, every_mistake_of_the_sheet_can_be_made_somewhere);
     tcase_add_test(c, eq41roots_multiple_roots_are_judged_by_their_residual);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -148,7 +149,7 @@ static int take_expectations(struct test_run *e, const struct choice *c, const c
     int status = EXIT_DONE;
     FILE *file = fopen(name, "r");
     if (file == NULL)
-        return usage_error(status_of_name(errno), "%s: %s", name, strerror(errno));
+        return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
     for (int number = 1; status == EXIT_DONE && fgets(line, sizeof line, file) != NULL; number++) {
         if (strlen(line) == sizeof line - 1 && line[sizeof line - 2] != '\n')
             for (int byte = 0; byte != '\n' && byte != EOF; byte = getc(file)) /* the rest of the line, where its reason is long */
@@ -169,6 +170,13 @@ static int take_expectations(struct test_run *e, const struct choice *c, const c
         status = usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
     fclose(file);
     return status;
+}
+
+/* --report and -o are the same; NULL: none is wanted. */
+static const char *report_name(const struct arguments *a)
+{
+    const char *name = option_value(a, "--report");
+    return name != NULL ? name : option_value(a, "-o");
 }
 
 /* The questions; random ones about motions, which may have no end, only where they are asked for by name. */
@@ -207,7 +215,7 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
     free(digits);
     if (status == EXIT_DONE && option_given(a, "--expect"))
         status = take_expectations(e, c, option_value(a, "--expect"), random);
-    if (status == EXIT_DONE && (option_given(a, "--all") || option_given(a, "--report")) && (e->journal = tmpfile()) == NULL)
+    if (status == EXIT_DONE && (option_given(a, "--all") || report_name(a) != NULL) && (e->journal = tmpfile()) == NULL)
         status = usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only without a place for one */
     return status;
 }
@@ -225,7 +233,7 @@ static void diagnose_with_progress(struct test_run *e, int set)
 static int print_report(struct test_run *e, const struct arguments *a, const char *client, const char *errors)
 {
     const struct totals sum = report_totals(e);
-    const char *name = option_value(a, "--report");
+    const char *name = report_name(a);
     const struct report r = {e, client, errors, (double)clock() / CLOCKS_PER_SEC, diagnose_with_progress, option_given(a, "--all")};
     if (e->journal != NULL && (fflush(e->journal) != 0 || ferror(e->journal)))
         return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only on a full disk */
@@ -297,10 +305,13 @@ static int conclude(struct test_run *e, enum ending ending, int status, const ch
 /* What to write instead of a client that is not started, "" where that is not known. */
 static const char *start_hint(const char *client, int why, char hint[120])
 {
+    struct stat there;
     *hint = '\0';
     /* EACCES: some folder of PATH may not be searched */
     if ((why == ENOENT || why == EACCES) && strchr(client, '/') == NULL && access(client, F_OK) == 0)
         snprintf(hint, 120, ", did you mean './%.80s'?", client);
+    else if (why == EACCES && stat(client, &there) == 0 && S_ISDIR(there.st_mode))
+        snprintf(hint, 120, ", it is a folder, a program is due");
     else if (why == EACCES && access(client, F_OK) == 0)
         snprintf(hint, 120, ", it is not executable: chmod +x, or its interpreter before it");
     return hint;
@@ -409,10 +420,13 @@ static int hear_csv(struct test_run *e, struct csv *c, const struct section *s)
 static int hear_transcript(struct test_run *e, FILE *file, const char *name)
 {
     char bytes[1 << 12];
-    size_t size;
-    while ((size = fread(bytes, 1, sizeof bytes, file)) > 0)
-        if (!test_run_hear(e, bytes, size))
+    size_t size, skip = 3; /* a byte order mark before the first line is an editor's, not the client's */
+    while ((size = fread(bytes, 1, sizeof bytes, file)) > 0) {
+        skip = size >= skip && memcmp(bytes, "\357\273\277", skip) == 0 ? skip : 0;
+        if (!test_run_hear(e, bytes + skip, size - skip))
             return usage_error(EXIT_FAILED_CHECK, "%s: expected answers, found lines that answer nothing", name);
+        skip = 0;
+    }
     return ferror(file) ? usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno)) : EXIT_DONE;
 }
 
@@ -463,7 +477,7 @@ static int read_answers(struct test_run *e, const struct arguments *a, struct ch
     const char *name = option_value(a, "--answers");
     FILE *file = fopen(name, "r");
     if (file == NULL)
-        return usage_error(status_of_name(errno), "%s: %s", name, strerror(errno));
+        return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
     if (a->word_count == 0 && fseek(file, 0, SEEK_SET) != 0 && (file = copy_of_pipe(file, name)) == NULL)
         return EXIT_FAILED_CHECK;
     const struct section *s = a->word_count == 1 ? section_argument(c->sheet, a->words[0]) : section_of_file(c->sheet, file, name);
@@ -523,9 +537,11 @@ static int conform(const struct arguments *a, struct choice *c)
         return usage_error(EXIT_USAGE, "conform: expected -- CLIENT ARGS..., or --answers FILE, or --questions");
     if (a->word_count > 1)
         return usage_error(EXIT_USAGE, "--answers: expected the id of one operation or none, got '%s' and '%s'", a->words[0], a->words[1]);
-    const char *name = option_value(a, "--report");
-    if (name != NULL && report_format(name) == REPORT_NONE)
-        return usage_error(EXIT_USAGE, "--report: expected a file .xml or .json, got '%.100s'", name);
+    const char *name = report_name(a);
+    if (option_given(a, "--report") && option_given(a, "-o"))
+        return usage_error(EXIT_USAGE, "-o: expected without --report, it is the same");
+    if (name != NULL && !kills && !questions && report_format(name) == REPORT_NONE)
+        return usage_error(EXIT_USAGE, "%s: expected a file .xml or .json, got '%.100s'", option_given(a, "-o") ? "-o" : "--report", name);
     int status = file ? EXIT_DONE : take_only(c, option_value(a, "--only"));
     if (status != EXIT_DONE || kills)
         return status != EXIT_DONE ? status : print_all_kills(c);

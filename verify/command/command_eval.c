@@ -210,6 +210,8 @@ static int answer_lines(struct questions *q)
     bool fine;
     while (status == EXIT_DONE && next_line(line, &fine)) {
         q->line++;
+        if (q->line == 1 && strncmp(line, "\357\273\277", 3) == 0) /* an editor's byte order mark */
+            memset(line, ' ', 3);
         if (!fine)
             status = malformed(q, "longer than %s bytes, or with a zero byte%s", "65535", "");
         else

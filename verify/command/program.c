@@ -6,14 +6,36 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "command/command.h"
 #include "command/help.h"
 #include "text/flint.h"
+#include "text/whole_file.h"
 
 static bool asks_help(const char *text)
 {
     return strcmp(text, "--help") == 0 || strcmp(text, "-h") == 0;
+}
+
+/* What it prints is kept in a temporary file until it is done; it stands under that name then, or not at all. */
+static int run_into(const struct arguments *a, const char *name)
+{
+    FILE *kept = tmpfile();
+    char bytes[1 << 12];
+    size_t size;
+    if (kept == NULL || dup2(fileno(kept), STDOUT_FILENO) < 0)
+        return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only without a place for one */
+    int status = a->subcommand->run(a);
+    if (status != EXIT_DONE)
+        return status;
+    rewind(kept);
+    struct whole_file f = whole_file_open(name);
+    while (f.file != NULL && (size = fread(bytes, 1, sizeof bytes, kept)) > 0)
+        fwrite(bytes, 1, size, f.file);
+    const int why = whole_file_close(&f, !ferror(kept));
+    fclose(kept);
+    return why == 0 ? EXIT_DONE : usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
 }
 
 static int run_subcommand(const struct paper *paper, int count, char **texts)
@@ -36,8 +58,9 @@ static int run_subcommand(const struct paper *paper, int count, char **texts)
     }
     struct arguments a;
     int status = arguments_read(&a, paper, s, count - 2, texts + 2);
-    if (status == EXIT_DONE)
-        status = s->run(&a);
+    const char *file = option_value(&a, "-o");
+    if (status == EXIT_DONE) /* with a client or answers of one it names the report, which has a form of its own */
+        status = file == NULL || a.client != NULL || option_given(&a, "--answers") ? s->run(&a) : run_into(&a, file);
     arguments_clear(&a);
     return status;
 }

@@ -107,10 +107,12 @@ int client_start(struct client *c, char *const *arguments)
 static bool is_interrupted(const struct client *c)
 {
     sigset_t pending;
+    struct sigaction now; /* what is ignored, as by nohup, interrupts nothing */
     bool any = false;
     sigpending(&pending);
     for (int i = 0; i < INTERRUPTS; i++)
-        any = any || (sigismember(&pending, interrupts[i]) == 1 && sigismember(&c->signals, interrupts[i]) == 0);
+        any = any || (sigismember(&pending, interrupts[i]) == 1 && sigismember(&c->signals, interrupts[i]) == 0 &&
+                      sigaction(interrupts[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN);
     return any;
 }
 

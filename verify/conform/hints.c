@@ -60,6 +60,8 @@ static void name_hint(const struct sheet *sheet, const char *word, char *hint, s
         snprintf(hint, size, "'%s' is a number, the vector's name stands first", word);
     else if (strncmp(word, MARK, strlen(MARK)) == 0)
         snprintf(hint, size, "a byte order mark stands before '%s'", word + strlen(MARK));
+    else if (strncmp(word, "\377\376", 2) == 0)
+        snprintf(hint, size, "it is written in UTF-16, UTF-8 is due");
     else if (*odd != '\0')
         snprintf(hint, size, "its first word '%s' names no vector: no name has a '%c'", word, *odd);
     else

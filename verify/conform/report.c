@@ -1,17 +1,16 @@
 #include "conform/report.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "conform/hints.h"
 #include "text/decimal.h"
 #include "text/json.h"
 #include "text/scope.h"
+#include "text/whole_file.h"
 
 enum { SHOWN_DIGITS = 20, NUMBER = 40, FURTHEST = 1000000 /* exponent: beyond it the mark stands at an end anyway */ };
 
@@ -616,43 +615,13 @@ enum report_format report_format(const char *name)
     return end == NULL ? REPORT_NONE : strcmp(end, ".xml") == 0 ? REPORT_XML : strcmp(end, ".json") == 0 ? REPORT_JSON : REPORT_NONE;
 }
 
-/* A new file beside that name, and never one that is there: that is somebody else's, or leads elsewhere. */
-static FILE *open_beside(const char *name, char *unfinished, size_t size)
-{
-    int end = -1;
-    for (int k = 0; k < 100 && end < 0; k++) {
-        snprintf(unfinished, size, k == 0 ? "%s.tmp" : "%s.%d.tmp", name, k);
-        end = open(unfinished, O_WRONLY | O_CREAT | O_EXCL, 0666);
-        if (end < 0 && errno != EEXIST)
-            return NULL;
-    }
-    FILE *file = end < 0 ? NULL : fdopen(end, "w");
-    if (end >= 0 && file == NULL) { /* LCOV_EXCL_BR_LINE: only where memory runs out, make faults */
-        close(end);         /* LCOV_EXCL_LINE: the same */
-        remove(unfinished); /* LCOV_EXCL_LINE: the same */
-        errno = ENOMEM;     /* LCOV_EXCL_LINE: the same */
-    }
-    return file;
-}
-
 int report_write(const struct report *r, const char *name)
 {
-    const size_t size = strlen(name) + 40;
-    char *unfinished = xrealloc(NULL, size, 1);
-    FILE *file = open_beside(name, unfinished, size);
-    int why = file == NULL ? errno : 0;
-    test_run_rewind(r->run);
-    if (file != NULL) {
-        if (report_format(name) == REPORT_XML)
-            write_xml(r, file);
-        else
-            write_json(r, file);
-        const bool written = !ferror(file) && r->run->journal_error == 0;
-        if (fclose(file) != 0 || !written || rename(unfinished, name) != 0) {
-            why = r->run->journal_error != 0 ? r->run->journal_error : errno != 0 ? errno : EIO;
-            remove(unfinished);
-        }
+    struct whole_file f = whole_file_open(name);
+    if (f.file != NULL) {
+        test_run_rewind(r->run);
+        (report_format(name) == REPORT_XML ? write_xml : write_json)(r, f.file);
     }
-    free(unfinished);
-    return why;
+    const int why = whole_file_close(&f, r->run->journal_error == 0);
+    return r->run->journal_error != 0 ? r->run->journal_error : why;
 }

@@ -1,0 +1,21 @@
+/* A file that appears under its name whole or not at all; a device or a pipe that has the name is written as it is. */
+#ifndef CT_WHOLE_FILE_H
+#define CT_WHOLE_FILE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+struct whole_file {
+    FILE *file; /* NULL: it could not be opened */
+    const char *name;
+    char *unfinished; /* NULL of a device */
+    int why;          /* the errno of its opening */
+};
+
+/* A new file beside that name, and never one that is there: that is somebody else's, or leads elsewhere. */
+struct whole_file whole_file_open(const char *name);
+
+/* Under its name now where it is fine and every write was; else nothing is left of it. 0, or the errno that says why. */
+int whole_file_close(struct whole_file *f, bool fine);
+
+#endif
