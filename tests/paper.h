@@ -11,6 +11,7 @@ const struct sheet *sheet(void);
 
 /* Opened anew each time: what is proved belongs to its test. */
 void open_steps(struct derivations *d);
+const struct derivations *steps(void); /* opened once */
 void open_proofs(struct proof_results *p);
 
 #endif

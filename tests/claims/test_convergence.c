@@ -28,14 +28,6 @@ static void assert_number(const arb_t x, const char *text, double tolerance)
     ck_assert_msg(is_below(y, tolerance), "%s is off by %g", text, arf_get_d(arb_midref(y), ARF_RND_UP));
 }
 
-static const struct derivations *steps(void)
-{
-    static struct derivations opened;
-    if (opened.step_count == 0)
-        open_steps(&opened);
-    return &opened;
-}
-
 /* ---- the closed forms ---- */
 
 /* Gains that are not on (44): C1 = c1 Omega^2, C2 = c2 Omega. */
@@ -208,7 +200,7 @@ START_TEST(eq02_is_the_limit_of_the_inverse_square)
     place_at_start(&b);
     half_day(tau);
     two_body_move(&b, tau, 256);
-    ck_assert(trajectory_run(&t, &(struct simulation){.sheet = sheet(), .nonlinear = true}, 43200, 1, 43200));
+    ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = true}, 43200, 1, 43200));
     for (int k = 0; k < AXES; k++) {
         arb_mul_2exp_si(gap, b.place + k, 1); /* the arm is half L_ref */
         arb_sub(gap, gap, trajectory_sample(&t, 0) + PLACE_X + k, PREC);
@@ -261,7 +253,7 @@ START_TEST(hill_differs_by_what_the_inertial_motion_says)
     SCOPE(fmpq, smallness);
     fmpq_set_si(smallness, 1, 1000);
     ck_assert(s->differences(d, steps(), s, smallness));
-    ck_assert(trajectory_run(&t, &(struct simulation){.sheet = sheet(), .nonlinear = true}, 43200, 1, 43200));
+    ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = true}, 43200, 1, 43200));
     for (int i = 0; i < 2; i++) {
         arb_mul(x, trajectory_sample(&t, 0) + cases[i].which, i ? t.L_ref : t.arm, PREC);
         arb_set_str(y, cases[i].inertial, PREC);
@@ -321,7 +313,7 @@ static const struct {
 
 START_TEST(the_first_sample_stands_after_none_that_is_open)
 {
-    const struct simulation paper = {.n = "10", .sheet = steps()->sheet};
+    const struct simulation paper = {.n = "10", .steps = steps()};
     struct trajectory t;
     struct bounds reach;
     enum how how;

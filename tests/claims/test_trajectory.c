@@ -59,7 +59,7 @@ START_TEST(trajectories_agree_with_the_equations_in_the_angles)
 {
     struct trajectory t;
     struct simulation s = rows[_i].simulation;
-    s.sheet = sheet();
+    s.steps = steps();
     ck_assert(trajectory_run(&t, &s, 0, rows[_i].t, rows[_i].t));
     for (int i = 0; i < FLOW_STATE; i++)
         assert_ball(trajectory_sample(&t, 1) + i, rows[_i].row[i]);
@@ -71,8 +71,8 @@ END_TEST
 START_TEST(trajectories_are_the_same_for_all_masses)
 {
     struct trajectory equal, unequal;
-    ck_assert(trajectory_run(&equal, &(struct simulation){.sheet = sheet(), .nonlinear = true}, DAY, DAY, 3 * DAY));
-    ck_assert(trajectory_run(&unequal, &(struct simulation){.sheet = sheet(), .nonlinear = true, .m1 = "3", .m2 = "3000"}, DAY, DAY, 3 * DAY));
+    ck_assert(trajectory_run(&equal, &(struct simulation){.steps = steps(), .nonlinear = true}, DAY, DAY, 3 * DAY));
+    ck_assert(trajectory_run(&unequal, &(struct simulation){.steps = steps(), .nonlinear = true, .m1 = "3", .m2 = "3000"}, DAY, DAY, 3 * DAY));
     for (slong k = 0; k < 3; k++)
         for (int i = 0; i < COORDINATES; i++)
             ck_assert(arb_overlaps(trajectory_sample(&equal, k) + i, trajectory_sample(&unequal, k) + i));
@@ -85,9 +85,9 @@ END_TEST
 START_TEST(eq10_trajectories_start_where_another_ends)
 {
     struct trajectory whole, half, rest;
-    ck_assert(trajectory_run(&whole, &(struct simulation){.sheet = sheet(), .nonlinear = true}, 0, DAY, DAY));
-    ck_assert(trajectory_run(&half, &(struct simulation){.sheet = sheet(), .nonlinear = true}, 0, DAY / 4, DAY / 4));
-    const struct simulation from = {.sheet = sheet(), .nonlinear = true, .start = trajectory_sample(&half, 1)};
+    ck_assert(trajectory_run(&whole, &(struct simulation){.steps = steps(), .nonlinear = true}, 0, DAY, DAY));
+    ck_assert(trajectory_run(&half, &(struct simulation){.steps = steps(), .nonlinear = true}, 0, DAY / 4, DAY / 4));
+    const struct simulation from = {.steps = steps(), .nonlinear = true, .start = trajectory_sample(&half, 1)};
     ck_assert(trajectory_run(&rest, &from, 0, 3 * DAY / 4, 3 * DAY / 4));
     for (int i = 0; i < COORDINATES; i++)
         ck_assert(arb_overlaps(trajectory_sample(&whole, 1) + i, trajectory_sample(&rest, 1) + i));
@@ -102,7 +102,7 @@ START_TEST(energy_falls_by_what_the_gain_takes)
 {
     struct trajectory t;
     VECTOR(arb, x, 4);
-    ck_assert(trajectory_run(&t, &(struct simulation){.sheet = sheet(), .nonlinear = _i != 0, .theta = "0.03"}, 0, 10, 7200));
+    ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = _i != 0, .theta = "0.03"}, 0, 10, 7200));
     double lost = 0;
     for (slong k = 0; k < t.count; k++) {
         trajectory_energy(x + k % 2, &t, k);
@@ -129,7 +129,7 @@ START_TEST(bounds_hold_for_what_follows)
     struct bounds b;
     VECTOR(arb, x, 2);
     bounds_init(&b);
-    ck_assert(trajectory_run(&t, &(struct simulation){.sheet = sheet(), .nonlinear = _i != 0}, 0, 600, 2 * DAY));
+    ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = _i != 0}, 0, 600, 2 * DAY));
     for (slong from = 0; from < 3; from++) {
         ck_assert(trajectory_bounds(&b, &t, 40 * from));
         for (int i = 0; i < COORDINATES; i++)
@@ -161,7 +161,7 @@ START_TEST(bounds_are_refused_beyond_the_hill)
     bounds_init(&b);
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; i++) {
         struct trajectory t;
-        const struct simulation s = {.sheet = sheet(), .nonlinear = true, .psi = "0", .theta = "0", .dL = starts[i].dL};
+        const struct simulation s = {.steps = steps(), .nonlinear = true, .psi = "0", .theta = "0", .dL = starts[i].dL};
         ck_assert(trajectory_run(&t, &s, 0, 1, 0));
         ck_assert_int_eq(trajectory_bounds(&b, &t, 0), starts[i].bounded);
         trajectory_clear(&t);
@@ -175,7 +175,7 @@ START_TEST(suprema_cover_what_samples_miss)
 {
     struct trajectory coarse, fine;
     SCOPE(arb, sup, peak);
-    const struct simulation s = {.sheet = sheet(), .nonlinear = true};
+    const struct simulation s = {.steps = steps(), .nonlinear = true};
     ck_assert(trajectory_run(&coarse, &s, 0, DAY / 12, DAY));
     ck_assert(trajectory_run(&fine, &s, 0, 100, DAY));
     for (int i = 0; i < COORDINATES; i++) {
@@ -196,7 +196,7 @@ START_TEST(settling_is_found_between_samples)
 {
     struct trajectory t;
     SCOPE(arb, hours, limit);
-    ck_assert(trajectory_run(&t, &(struct simulation){.sheet = sheet(), .nonlinear = false}, 0, 200, 3 * DAY));
+    ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = false}, 0, 200, 3 * DAY));
     arb_set_d(limit, 1e-4);
     ck_assert(settles(hours, &t, ETA, limit));
     ck_assert(is_above(hours, 43.15) && is_below(hours, 43.36));
@@ -221,7 +221,7 @@ END_TEST
 START_TEST(trajectories_end_where_the_pair_turns_over)
 {
     struct trajectory t;
-    ck_assert(!trajectory_run(&t, &(struct simulation){.sheet = sheet(), .nonlinear = true, .psi = "1.6"}, 0, 100, 1000));
+    ck_assert(!trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = true, .psi = "1.6"}, 0, 100, 1000));
     trajectory_clear(&t);
 }
 END_TEST

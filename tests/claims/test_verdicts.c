@@ -194,14 +194,14 @@ END_TEST
 START_TEST(eq18_nothing_is_claimed_without_a_basin)
 {
     struct basin b;
-    basin_init(&b, 10);
+    basin_init(&b, steps(), 10);
     ck_assert(b.closed);
-    ck_assert_int_eq(basin_release(&b, sheet(), -198), RELEASE_OPEN); /* on the other side, where it returns to -L_ref */
+    ck_assert_int_eq(basin_release(&b, -198), RELEASE_OPEN); /* on the other side, where it returns to -L_ref */
     b.closed = false;
-    ck_assert_int_eq(basin_release(&b, sheet(), -1), RELEASE_OPEN);
+    ck_assert_int_eq(basin_release(&b, -1), RELEASE_OPEN);
     b.closed = true;
-    arb_set_ui(b.level, 5); /* below V at the equilibrium: no motion is below it */
-    ck_assert_int_eq(basin_release(&b, sheet(), 0), RELEASE_OPEN);
+    arb_set_si(b.level, -1); /* below E at the equilibrium: no motion is below it */
+    ck_assert_int_eq(basin_release(&b, 0), RELEASE_OPEN);
     basin_clear(&b);
 }
 END_TEST

@@ -3,34 +3,33 @@
 #include "claims/trajectory.h"
 #include "text/scope.h"
 
-/* V in the orbit plane, where the craft is at x along the radius and at the distance r. */
-static void potential(arb_t V, ulong n, const arb_t x, const arb_t r)
+/* At rest at the distance r, the angle psi from the radius. */
+static void potential(arb_t V, const struct basin *b, const arb_t r, const arb_t psi)
 {
-    SCOPE(arb, part);
-    arb_set_ui(part, n - 3);
-    arb_div(V, part, r, BASIN_BITS);
-    arb_log(part, r, BASIN_BITS);
-    arb_addmul_ui(V, part, n, BASIN_BITS);
-    arb_sqr(part, x, BASIN_BITS);
-    arb_mul_ui(part, part, 3, BASIN_BITS);
-    arb_mul_2exp_si(part, part, -1);
-    arb_sub(V, V, part, BASIN_BITS);
+    VECTOR(arb, at, FLOW_STATE);
+    SCOPE(arb, c1);
+    arb_set_ui(c1, b->gain);
+    arb_set(at + PSI, psi);
+    arb_sub_ui(at + ETA, r, 1, BASIN_BITS);
+    tether_energy(V, b->steps, c1, at, BASIN_BITS);
 }
 
-void basin_init(struct basin *b, ulong n)
+void basin_init(struct basin *b, const struct derivations *steps, ulong n)
 {
-    VECTOR(arb, a, 3);
-    arb_ptr r = a, nowhere = a + 1, V = a + 2;
+    SCOPE(arb, r, psi, V);
     arb_init(b->outer);
     arb_init(b->level);
+    b->steps = steps;
     b->gain = n;
     arb_sqrt_ui(b->outer, 12 * n - 27, BASIN_BITS); /* 3 r^2 + 3 r + 3 = n */
     arb_sub_ui(b->outer, b->outer, 3, BASIN_BITS);
     arb_div_ui(b->outer, b->outer, 6, BASIN_BITS);
-    potential(b->level, n, b->outer, b->outer);
+    potential(b->level, b, b->outer, psi);
     arb_set_ui(r, n - 3);
     arb_div_ui(r, r, n, BASIN_BITS);
-    potential(V, n, nowhere, r);
+    arb_const_pi(psi, BASIN_BITS);
+    arb_mul_2exp_si(psi, psi, -1);
+    potential(V, b, r, psi);
     b->closed = arb_gt(V, b->level);
 }
 
@@ -75,14 +74,14 @@ static int take_release(void *context, slong k, const fmpq_t t, arb_srcptr state
 {
     struct watch *watch = context;
     const struct basin *b = watch->basin;
-    VECTOR(arb, a, 3);
-    arb_ptr r = a, E = a + 1, speed = a + 2;
+    SCOPE(arb, r, psi, E, speed);
     (void)k;
     (void)t;
     arb_hypot(r, state, state + 1, BASIN_BITS);
     arb_dot(speed, NULL, 0, state + 3, 1, state + 3, 1, 2, BASIN_BITS);
     arb_mul_2exp_si(speed, speed, -1);
-    potential(E, b->gain, state, r);
+    arb_atan2(psi, state + 1, state, BASIN_BITS);
+    potential(E, b, r, psi);
     arb_add(E, E, speed, BASIN_BITS);
     if (arb_lt(E, b->level) && arb_lt(r, b->outer) && arb_is_positive(state))
         watch->release = RELEASE_RETURNS;
@@ -91,7 +90,7 @@ static int take_release(void *context, slong k, const fmpq_t t, arb_srcptr state
     return watch->release != RELEASE_OPEN;
 }
 
-enum release basin_release(const struct basin *b, const struct sheet *sheet, slong tenths)
+enum release basin_release(const struct basin *b, slong tenths)
 {
     enum { TIMES = 200, PER_RADIAN = 10 };
     struct watch watch = {b, RELEASE_OPEN};
@@ -99,7 +98,7 @@ enum release basin_release(const struct basin *b, const struct sheet *sheet, slo
     SCOPE(arb, start, L_ref);
     for (slong k = 0; k < TIMES; k++)
         fmpq_set_si(times + k, k + 1, PER_RADIAN);
-    sheet_value(L_ref, sheet, "L_ref", BASIN_BITS);
+    sheet_value(L_ref, b->steps->sheet, "L_ref", BASIN_BITS);
     arb_set_si(start, tenths);
     arb_div_ui(start, start, 10, BASIN_BITS);
     arb_div(start, start, L_ref, BASIN_BITS);

@@ -7,7 +7,7 @@
  *
  *     x'' = 2 y' + 3 x + P x,   y'' = -2 x' + P y,   z'' = -z + P z,   P = -(3 + n (r - 1) + c2 r')/r^3,
  *
- * and E = (x'^2 + y'^2 + z'^2)/2 + V, V = -(3 x^2 - z^2)/2 + (n - 3)/r + n log r, never grows: E' = -c2 r'^2/r^2. Of all
+ * and E = (x'^2 + y'^2 + z'^2)/2 + V never grows: E' = -c2 r'^2/r^2 (step `energy`). Of all
  * places at one distance those on the radius have the least V: a pair with less E than the separatrix level, V on the
  * radius at the second equilibrium, r = outer, never passes that distance. At constant charge n = c2 = 0, and E is
  * conserved. The claim basin-at-rest proves all this.
@@ -20,17 +20,18 @@
 #define CT_BASIN_H
 
 #include "motion/flow.h"
-#include "sheet/sheet.h"
+#include "proof/derivation.h"
 
 enum { BASIN_BITS = 128 };
 
 struct basin {
+    const struct derivations *steps;
     ulong gain; /* n */
     arb_t outer, level;
     bool closed; /* no way out is lower than the level: in the plane across the radius V is least at r = 1 - 3/n */
 };
 
-void basin_init(struct basin *b, ulong n);
+void basin_init(struct basin *b, const struct derivations *steps, ulong n);
 void basin_clear(struct basin *b);
 
 /* Follows the pair from rest on the radius at r = start; n = 0: at constant charge. */
@@ -39,6 +40,6 @@ enum flow_status follow_from_rest(ulong n, const arb_t start, const fmpq *times,
 
 /* What becomes of a pair let go from rest on the radius, so many tenths of a metre longer than L_ref. */
 enum release { RELEASE_OPEN, RELEASE_RETURNS, RELEASE_ESCAPES };
-enum release basin_release(const struct basin *b, const struct sheet *sheet, slong tenths);
+enum release basin_release(const struct basin *b, slong tenths);
 
 #endif

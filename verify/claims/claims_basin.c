@@ -57,10 +57,10 @@ static void basin(struct computed *c)
     SCOPE(arb, x);
     for (size_t i = 0; i < sizeof starts / sizeof *starts; i++) {
         struct basin b;
-        basin_init(&b, starts[i].n);
+        basin_init(&b, steps_of(c), starts[i].n);
         arb_set_si(x, starts[i].tenths);
         arb_div_ui(x, x, 10, BASIN_BITS);
-        give(c, CERTIFIED, basin_release(&b, sheet_of(c), starts[i].tenths) == starts[i].release, x, "%s", starts[i].name);
+        give(c, CERTIFIED, basin_release(&b, starts[i].tenths) == starts[i].release, x, "%s", starts[i].name);
         basin_clear(&b);
     }
 }

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sheet/input.h"
 #include "text/scope.h"
 
 enum { DAY = 86400, HOUR = 3600, BITS = 128 };
@@ -257,7 +258,7 @@ void run_simulation(struct computed *c)
     char name[64];
     VECTOR(arb, hours, PARTS);
     struct exits exits = {-1, false, hours};
-    one.sheet = other.sheet = sheet_of(c);
+    one.steps = other.steps = steps_of(c);
     bool run = trajectory_run(&t, &one, s->first, s->step, s->last);
     if (s->beside != NULL)
         run = trajectory_run(&beside, &other, s->first, s->step, s->last) && run;
@@ -273,16 +274,17 @@ void run_simulation(struct computed *c)
 /* Of (40), in radians of orbit and units of L_ref. */
 static void linear_rates(arb_ptr rate, arb_srcptr s, const struct trajectory *t)
 {
-    SCOPE(arb, stiffness);
+    VECTOR(arb, in, 9); /* Omega L_ref C1 C2 psi theta dL dL_dot psi_dot */
+    arb_one(in);
+    arb_one(in + 1);
+    arb_set(in + 2, t->c1);
+    arb_set(in + 3, t->c2);
+    _arb_vec_set(in + 4, s, 3);
+    arb_set(in + 7, s + ETA_DOT);
+    arb_set(in + 8, s + PSI_DOT);
     _arb_vec_set(rate, s + PSI_DOT, 3);
-    arb_mul_si(rate + PSI_DOT, s + PSI, -3, t->prec);
-    arb_submul_ui(rate + PSI_DOT, s + ETA_DOT, 2, t->prec);
-    arb_mul_si(rate + THETA_DOT, s + THETA, -4, t->prec);
-    arb_sub_ui(stiffness, t->c1, 9, t->prec); /* not term by term: balls would widen by both */
-    arb_mul(rate + ETA_DOT, stiffness, s + ETA, t->prec);
-    arb_neg(rate + ETA_DOT, rate + ETA_DOT);
-    arb_submul(rate + ETA_DOT, t->c2, s + ETA_DOT, t->prec);
-    arb_addmul_ui(rate + ETA_DOT, s + PSI_DOT, 2, t->prec);
+    section_enclose(section_find(t->steps->sheet, "eq40"), in, t->prec, rate + 3);
+    arb_swap(rate + PSI_DOT, rate + THETA_DOT); /* (40) has pitch first */
 }
 
 /*
@@ -308,7 +310,7 @@ static void method_step(arb_ptr state, const arb_t h, int order, const struct tr
 static void method_errors(struct computed *c)
 {
     enum { STEP = 100, SAMPLES = 12 * STEP };
-    const struct simulation s = {.sheet = sheet_of(c), .digits = 2 * TRAJECTORY_DIGITS};
+    const struct simulation s = {.steps = steps_of(c), .digits = 2 * TRAJECTORY_DIGITS};
     struct trajectory t;
     SCOPE(arb, h, off);
     const bool run = trajectory_run(&t, &s, 0, SAMPLES, 3 * DAY);

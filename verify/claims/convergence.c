@@ -39,7 +39,7 @@ static bool from_linear(arb_ptr d, const struct derivations *steps, const struct
 {
     VECTOR(arb, start, FLOW_STATE);
     SCOPE(arb, L_ref, factor);
-    struct simulation linear = {.sheet = steps->sheet, .start = start}, nonlinear = {.sheet = steps->sheet, .start = start, .nonlinear = true};
+    struct simulation linear = {.steps = steps, .start = start}, nonlinear = {.steps = steps, .start = start, .nonlinear = true};
     sheet_value(L_ref, steps->sheet, "L_ref", PREC);
     for (int i = PSI; i <= ETA; i++)
         if (!study->pitch_alone || i == THETA)
@@ -53,7 +53,7 @@ static bool from_linear(arb_ptr d, const struct derivations *steps, const struct
 /* The classical Runge-Kutta method against the motion; the parameter is its step in s. */
 static bool from_steps(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t h)
 {
-    struct simulation exact = {.sheet = steps->sheet, .nonlinear = study->nonlinear}, stepped = exact;
+    struct simulation exact = {.steps = steps, .nonlinear = study->nonlinear}, stepped = exact;
     stepped.rk4 = (long)fmpq_get_d(h);
     return compare(d, study, &stepped, &exact);
 }
@@ -66,13 +66,13 @@ static bool beside_closed_form(struct trajectory *t, arb_ptr closed, const struc
 {
     struct second_order o;
     SCOPE(arb, amplitude, tau);
-    bool proved = trajectory_run(t, &(struct simulation){.sheet = steps->sheet, .n = study->n}, 0, 1, 0); /* for the gains and Omega */
+    bool proved = trajectory_run(t, &(struct simulation){.steps = steps, .n = study->n}, 0, 1, 0); /* for the gains and Omega */
     second_order_init(&o, steps, t->c1, t->c2, PREC);
     arb_set_fmpq(amplitude, a, PREC);
     second_order_after(closed, &o, amplitude, tau);
     arb_mul_si(tau, t->Omega, seconds, PREC);
     trajectory_clear(t);
-    const struct simulation s = {.sheet = steps->sheet, .nonlinear = true, .n = study->n, .digits = digits, .start = closed};
+    const struct simulation s = {.steps = steps, .nonlinear = true, .n = study->n, .digits = digits, .start = closed};
     proved = trajectory_run(t, &s, seconds, 1, seconds) && proved;
     second_order_after(closed, &o, amplitude, tau);
     second_order_clear(&o);
@@ -85,7 +85,7 @@ static bool from_forced(arb_ptr d, const struct derivations *steps, const struct
     const bool slow = study->seconds == 0;
     struct trajectory motion, closed;
     SCOPE(arb, x);
-    bool proved = trajectory_run(&closed, &(struct simulation){.sheet = steps->sheet}, 0, 1, 0);
+    bool proved = trajectory_run(&closed, &(struct simulation){.steps = steps}, 0, 1, 0);
     const double amplitude = fmpq_get_d(a), Omega = arf_get_d(arb_midref(closed.Omega), ARF_RND_NEAR);
     const long seconds = slow ? (long)(1 / (amplitude * amplitude * Omega)) : study->seconds;
     const slong digits = slow ? SLOW_DIGITS : TRAJECTORY_DIGITS;
@@ -133,7 +133,7 @@ static void observe_pair(arb_ptr sample, const struct two_body *b)
 /* The parameter is L_ref/R_c. */
 static bool from_inverse_square(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t smallness)
 {
-    const struct simulation s = {.sheet = steps->sheet, .nonlinear = true, .m1 = study->m1, .m2 = study->m2};
+    const struct simulation s = {.steps = steps, .nonlinear = true, .m1 = study->m1, .m2 = study->m2};
     struct trajectory start, hill;
     struct two_body b;
     SCOPE(arb, tau);

@@ -35,7 +35,7 @@ static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simu
     const char *const texts[SCENARIO_VALUES] = {[SET_n] = s->n,   [SET_psi] = s->psi, [SET_theta] = s->theta,
                                                 [SET_dL] = s->dL, [SET_m1] = s->m1,   [SET_m2] = s->m2};
     struct scenario scenario;
-    scenario_init(&scenario, s->sheet, true);
+    scenario_init(&scenario, s->steps->sheet, true);
     for (int i = 0; i < SCENARIO_VALUES; i++)
         if (texts[i] != NULL)
             literal_read(&scenario.value[i].value, texts[i], true);
@@ -50,7 +50,7 @@ static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simu
             arb_mul(initial + i, initial + i, p->L_ref, prec);
     }
     if (s->nonlinear && s->start != NULL)
-        state_from_angles(initial, s->sheet, p, prec);
+        state_from_angles(initial, s->steps->sheet, p, prec);
 }
 
 /* ---- samples ---- */
@@ -151,8 +151,8 @@ static void small_angle_error(arb_t x, const struct trajectory *t, arb_srcptr sa
     arb_add_ui(in + 2, sample + ETA, 1, t->prec);
     arb_mul(in + 2, in + 2, t->L_ref, t->prec);
     _arb_vec_set(in + 3, sample, 2);
-    enclose(t->sheet, "eq10", in, t->prec, exact);
-    enclose(t->sheet, "eq10lin", in, t->prec, in);
+    enclose(t->steps->sheet, "eq10", in, t->prec, exact);
+    enclose(t->steps->sheet, "eq10lin", in, t->prec, in);
     arb_sub(x, in + axis, exact + axis, t->prec);
 }
 
@@ -194,7 +194,7 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     double reached;
     SCOPE(fmpq, h);
     flow_parameters_init(&p);
-    t->sheet = s->sheet;
+    t->steps = s->steps;
     t->nonlinear = s->nonlinear;
     t->first = first;
     t->step = step;
@@ -231,58 +231,35 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
  *   (B7) what stays within a limit is below it between the samples too  (trajectory_exits)
  */
 
-/* G(1 + eta) */
-static void tether_energy(arb_t G, const struct trajectory *t, const arb_t eta)
+void tether_energy(arb_t energy, const struct derivations *steps, const arb_t c1, arb_srcptr sample, slong prec)
 {
-    SCOPE(arb, l, a);
-    arb_add_ui(l, eta, 1, t->prec);
-    arb_sub_ui(a, t->c1, 3, t->prec);
-    arb_mul(a, a, eta, t->prec);
-    arb_div(a, a, l, t->prec);
-    arb_log(G, l, t->prec);
-    arb_mul(G, G, t->c1, t->prec);
-    arb_sub(G, G, a, t->prec);
-    arb_add_ui(l, l, 1, t->prec);
-    arb_mul(l, l, eta, t->prec);
-    arb_mul_ui(l, l, 3, t->prec);
-    arb_mul_2exp_si(l, l, -1);
-    arb_sub(G, G, l, t->prec);
+    VECTOR(arb, in, 1 + FLOW_STATE);
+    VECTOR(arb, parts, 2); /* kinetic, potential */
+    arb_set(in, c1);
+    _arb_vec_set(in + 1, sample, FLOW_STATE);
+    section_enclose(definition_find(&steps->definitions, "tether_energy"), in, prec, parts);
+    arb_add(energy, parts, parts + 1, prec);
 }
 
 void trajectory_energy(arb_t energy, const struct trajectory *t, slong k)
 {
-    enum { SQUARES = 5 };
+    enum { SQUARES = 4 };
+    static const int of[SQUARES] = {PSI_DOT, ETA_DOT, PSI, ETA};
     arb_srcptr sample = trajectory_sample(t, k);
-    const slong prec = t->prec;
-    VECTOR(arb, a, SQUARES); /* E = G + sum weight a^2 / 2 */
-    VECTOR(arb, weight, SQUARES);
-    SCOPE(arb, l, sine, cosine, G);
-    arb_set(a, sample + ETA_DOT);
-    for (int i = 0; i < SQUARES; i++)
-        arb_one(weight + i);
-    arb_set_ui(weight + 2, 3);
-    if (t->nonlinear) { /* u^2 + v^2 + w^2 = l'^2 + (l theta')^2 + (l cos(theta) psi')^2 */
-        arb_add_ui(l, sample + ETA, 1, prec);
-        arb_sin_cos(sine, cosine, sample + THETA, prec);
-        arb_mul(cosine, cosine, l, prec);
-        arb_mul(a + 1, cosine, sample + PSI_DOT, prec);
-        arb_sin(a + 2, sample + PSI, prec);
-        arb_mul(a + 2, a + 2, cosine, prec);
-        arb_mul(a + 3, l, sample + THETA_DOT, prec);
-        arb_mul(a + 4, l, sine, prec);
-        arb_set_ui(weight + 4, 4);
-        tether_energy(G, t, sample + ETA);
-    } else {
-        arb_set(a + 1, sample + PSI_DOT);
-        arb_set(a + 2, sample + PSI);
-        arb_set(a + 3, sample + ETA);
-        arb_sub_ui(weight + 3, t->c1, 9, prec);
+    if (t->nonlinear) {
+        tether_energy(energy, t->steps, t->c1, sample, t->prec);
+        return;
     }
-    for (int i = 0; i < SQUARES; i++)
-        arb_mul(weight + i, weight + i, a + i, prec);
-    arb_dot(energy, NULL, 0, weight, 1, a, 1, SQUARES, prec);
+    SCOPE(arb, a, weight);
+    arb_zero(energy);
+    for (int i = 0; i < SQUARES; i++) {
+        arb_set_ui(weight, of[i] == PSI ? 3 : 1);
+        if (of[i] == ETA)
+            arb_sub_ui(weight, t->c1, 9, t->prec);
+        arb_sqr(a, sample + of[i], t->prec);
+        arb_addmul(energy, weight, a, t->prec);
+    }
     arb_mul_2exp_si(energy, energy, -1);
-    arb_add(energy, energy, G, prec);
 }
 
 enum { BOUNDED = 6 }; /* coordinates that have a vector of their own: a rate shares its angle's, from the first derivative on */
@@ -348,11 +325,12 @@ static void linear_bounds(struct bounds *b, const struct trajectory *t, const ar
     }
 }
 
-/* The shortest eta (within an eighth) at which both G(1 + eta) and G(1 - eta) exceed E: no motion gets there. */
+/* The shortest eta (within an eighth) at which the potential at eta and at -eta exceeds E: no motion gets there. */
 static bool confine(arb_t eta, const struct trajectory *t, const arb_t E, slong k)
 {
     bool outside = false, inside;
-    SCOPE(arb, G, minus, now);
+    SCOPE(arb, potential, now);
+    VECTOR(arb, at, FLOW_STATE); /* rest on the radius */
     arb_abs(now, trajectory_sample(t, k) + ETA);
     arb_one(eta);
     arb_mul_2exp_si(eta, eta, -60);
@@ -360,11 +338,12 @@ static bool confine(arb_t eta, const struct trajectory *t, const arb_t E, slong 
         arb_mul_ui(eta, eta, 9, 16);
         arb_mul_2exp_si(eta, eta, -3);
         arb_get_mid_arb(eta, eta);
-        arb_neg(minus, eta);
-        tether_energy(G, t, eta);
-        outside = arb_gt(G, E);
-        tether_energy(G, t, minus);
-        outside = outside && arb_gt(G, E);
+        outside = true;
+        for (int side = 0; side < 2; side++) {
+            arb_mul_si(at + ETA, eta, side == 0 ? 1 : -1, t->prec);
+            tether_energy(potential, t->steps, t->c1, at, t->prec);
+            outside = outside && arb_gt(potential, E);
+        }
     }
     inside = arb_lt(now, eta);
     return outside && inside;

@@ -9,7 +9,7 @@
 #define CT_TRAJECTORY_H
 
 #include "motion/flow.h"
-#include "sheet/sheet.h"
+#include "proof/derivation.h"
 
 enum coordinate { PSI, THETA, ETA, PSI_DOT, THETA_DOT, ETA_DOT, PLACE_X, PLACE_Y, PLACE_Z, COORDINATES };
 
@@ -22,7 +22,7 @@ extern const char *const variable_names[VARIABLES];
 
 /* What is NULL is the paper's own: Table 1, n = 10, 0.01 rad, 0.01 rad, 0.1 m, no rates. */
 struct simulation {
-    const struct sheet *sheet;
+    const struct derivations *steps;  /* and the sheet that they are of */
     bool nonlinear;
     long rk4;                         /* step in s of the classical Runge-Kutta method, 0: the motion itself */
     slong digits;                     /* that the samples are proved to; 0: TRAJECTORY_DIGITS. Fewer run faster. */
@@ -32,7 +32,7 @@ struct simulation {
 };
 
 struct trajectory {
-    const struct sheet *sheet;
+    const struct derivations *steps;
     bool nonlinear;
     slong prec, count;
     long first, step;                 /* s: of the samples */
@@ -62,11 +62,11 @@ void trajectory_gap(arb_t gap, const struct trajectory *a, const struct trajecto
 /*
  * A Lyapunov function that no motion raises, so that its value at a sample bounds all that comes after.
  *     linear     E = (3 psi^2 + psi'^2 + (c1 - 9) eta^2 + eta'^2)/2              E' = -c2 eta'^2
- *     nonlinear  E = (u^2 + v^2 + w^2 + 3 y^2 + 4 z^2)/2 + G(l)                  E' = -c2 (l'/l)^2
- *                G = (c1 - 3)(1/l - 1) + c1 log l - 3/2 (l^2 - 1)
+ *     nonlinear  the property `tether_energy` of derivations.yaml                E' = -c2 (l'/l)^2, by the step `energy`
  * Pitch is left out of the linear one: there it is on its own.
  */
 void trajectory_energy(arb_t energy, const struct trajectory *t, slong k);
+void tether_energy(arb_t energy, const struct derivations *steps, const arb_t c1, arb_srcptr sample, slong prec);
 
 /* Bounds on a coordinate and its derivatives, from a sample on for ever; of a rate, up to the second. */
 enum { DERIVATIVES = 4 };

@@ -73,8 +73,8 @@ static bool print_forced(const struct derivations *steps)
     VECTOR(arb, forced, FLOW_STATE);
     VECTOR(arb, dL, 3);
     SCOPE(arb, z);
-    bool proved = trajectory_run(&motion, &(struct simulation){.sheet = steps->sheet, .nonlinear = true}, 0, STEP, LAST);
-    proved = trajectory_run(&linear, &(struct simulation){.sheet = steps->sheet, .nonlinear = false}, 0, STEP, LAST) && proved;
+    bool proved = trajectory_run(&motion, &(struct simulation){.steps = steps, .nonlinear = true}, 0, STEP, LAST);
+    proved = trajectory_run(&linear, &(struct simulation){.steps = steps, .nonlinear = false}, 0, STEP, LAST) && proved;
     second_order_init(&o, steps, motion.c1, motion.c2, STUDY_BITS);
     puts("t,psi,dL,psi_linear,dL_linear,psi_forced,dL_forced");
     for (slong k = 0; k < motion.count && proved; k++) {
@@ -104,13 +104,13 @@ static bool print_pitch(const struct derivations *steps)
     struct second_order o;
     VECTOR(arb, start, FLOW_STATE);
     SCOPE(arb, a, tau, law, shift, amplitude);
-    bool proved = trajectory_run(&t, &(struct simulation){.sheet = steps->sheet, .nonlinear = true}, 0, 1, 0);
+    bool proved = trajectory_run(&t, &(struct simulation){.steps = steps, .nonlinear = true}, 0, 1, 0);
     second_order_init(&o, steps, t.c1, t.c2, STUDY_BITS);
     trajectory_clear(&t);
     arb_set_ui(a, 5);
     arb_inv(a, a, STUDY_BITS);
     second_order_after(start, &o, a, tau);
-    proved = trajectory_run(&t, &(struct simulation){.sheet = steps->sheet, .nonlinear = true, .start = start}, 0, STEP, LAST) && proved;
+    proved = trajectory_run(&t, &(struct simulation){.steps = steps, .nonlinear = true, .start = start}, 0, STEP, LAST) && proved;
     puts("t,theta,amplitude,amplitude_law");
     for (slong k = 0; k < t.count && proved; k++) {
         arb_srcptr numbers[] = {trajectory_sample(&t, k) + THETA, amplitude, law};

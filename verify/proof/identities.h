@@ -73,6 +73,9 @@ struct definitions {
     int count, output_count;
 };
 
+/* NULL: there is none of that id. */
+const struct section *definition_find(const struct definitions *d, const char *id);
+
 /* The program of a side of a relation; its node. */
 int relation_program(struct program *p, const struct sheet *sheet, const struct relation *relation, bool right);
 

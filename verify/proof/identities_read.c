@@ -394,12 +394,18 @@ static const struct formulas *read_variant(struct parser *p, const struct sectio
     return NULL;
 }
 
+const struct section *definition_find(const struct definitions *d, const char *id)
+{
+    for (int i = 0; d != NULL && i < d->count; i++)
+        if (strcmp(d->sections[i].id, id) == 0)
+            return &d->sections[i];
+    return NULL;
+}
+
 static const struct section *find_section(const struct scope *s, const char *id)
 {
-    for (int i = 0; s->definitions != NULL && i < s->definitions->count; i++)
-        if (strcmp(s->definitions->sections[i].id, id) == 0)
-            return &s->definitions->sections[i];
-    return section_find(s->sheet, id);
+    const struct section *definition = definition_find(s->definitions, id);
+    return definition != NULL ? definition : section_find(s->sheet, id);
 }
 
 /* A name with a point in it, as further names may have: passed if it is one; -1. */

@@ -23,7 +23,7 @@ void section_enclose(const struct section *s, arb_srcptr inputs, slong prec, arb
 {
     struct machine m;
     machine_init(&m, &s->corrected.program, &arithmetic_ball, prec);
-    for (int i = 0; i < s->input_count; i++)
+    for (int i = 0; i < s->corrected.program.inputs; i++) /* definitions count theirs nowhere else */
         arb_set(machine_value(&m, i), inputs + i);
     machine_run(&m);
     for (int i = 0; i < s->output_count; i++)
