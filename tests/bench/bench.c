@@ -3,6 +3,8 @@
  *
  *     bench flow DIGITS DAYS      seconds with proofs, log10 of the largest radius over L_ref at the end
  *     bench unproved DIGITS DAYS  the same without proofs
+ *     bench square PREC DAYS      seconds of the pair in the inverse-square field, certified
+ *     bench picard PREC DAYS      the same by Picard's iteration, not certified
  *     bench scalar DIGITS COUNT   seconds for one certified eq07
  *     bench roots DIGITS COUNT    seconds for one certified set of roots of (41), n = 10
  */
@@ -15,8 +17,10 @@
 #include "text/decimal.h"
 #include "motion/flow.h"
 #include "motion/motion.h"
+#include "motion/two_body.h"
 #include "evaluate/operation.h"
 #include "proof/roots.h"
+#include "text/scope.h"
 #include "tests/paper.h"
 
 /* Processor time: other work on the machine does not count. */
@@ -101,6 +105,171 @@ static void bench_flow(flow_function *flow, long digits, double days)
     flow_parameters_clear(&p);
 }
 
+/* ---- the pair in the inverse-square field ---- */
+
+enum { SERIES = CRAFT * AXES, PICARD_ORDER = 28 }; /* the last term falls to 1e-28 */
+
+static const double PICARD_STEP = 0.2; /* radians */
+
+struct expansion {
+    arb_poly_struct place[SERIES], velocity[SERIES], acceleration[SERIES];
+};
+
+/* a.b */
+static void scalar_product(arb_poly_t z, const arb_poly_struct *a, const arb_poly_struct *b, slong n, slong prec)
+{
+    SCOPE(arb_poly, term);
+    arb_poly_zero(z);
+    for (int i = 0; i < AXES; i++) {
+        arb_poly_mullow(term, a + i, b + i, n, prec);
+        arb_poly_add(z, z, term, prec);
+    }
+}
+
+/*
+ * R = e_x/s + r, s the smallness: r_ddot = -R/|s R|^3 + (R - R_z) + twice Coriolis. With g = |s R|^-3 that is
+ * x (1 - g) + (1 - g)/s + 2 y_dot, y (1 - g) - 2 x_dot, -z g.
+ */
+static void attract(struct expansion *t, int craft, const arb_t s, slong n, slong prec)
+{
+    arb_poly_struct *r = t->place + AXES * craft, *v = t->velocity + AXES * craft, *a = t->acceleration + AXES * craft;
+    SCOPE(arb_poly, g, h);
+    SCOPE(arb, power);
+    scalar_product(g, r, r, n, prec); /* |s R|^2 = 1 + 2 s x + s^2 r.r */
+    arb_poly_scalar_mul(g, g, s, prec);
+    arb_poly_scalar_mul_2exp_si(h, r, 1);
+    arb_poly_add(g, g, h, prec);
+    arb_poly_scalar_mul(g, g, s, prec);
+    arb_poly_add_si(g, g, 1, prec);
+    arb_set_d(power, -1.5);
+    arb_poly_pow_arb_series(g, g, power, n, prec);
+
+    arb_poly_mullow(a + 2, r + 2, g, n, prec);
+    arb_poly_neg(a + 2, a + 2);
+    arb_poly_add_si(g, g, -1, prec);
+    arb_poly_neg(g, g);
+    arb_poly_scalar_div(h, g, s, prec);
+    arb_poly_mullow(a, r, g, n, prec);
+    arb_poly_add(a, a, h, prec);
+    arb_poly_mullow(a + 1, r + 1, g, n, prec);
+    arb_poly_scalar_mul_2exp_si(h, v + 1, 1);
+    arb_poly_add(a, a, h, prec);
+    arb_poly_scalar_mul_2exp_si(h, v, 1);
+    arb_poly_sub(a + 1, a + 1, h, prec);
+}
+
+/* Along the line d from craft 2 to craft 1: d (3 + c1 (L - 1) + c2 L_dot)/L^3, in shares of the other's mass. */
+static void pull(struct expansion *t, const struct two_body *b, slong n, slong prec)
+{
+    arb_poly_struct d[AXES], d_dot[AXES];
+    SCOPE(arb_poly, L, f, h);
+    for (int i = 0; i < AXES; i++) {
+        arb_poly_init(d + i);
+        arb_poly_init(d_dot + i);
+        arb_poly_sub(d + i, t->place + i, t->place + AXES + i, prec);
+        arb_poly_sub(d_dot + i, t->velocity + i, t->velocity + AXES + i, prec);
+    }
+    scalar_product(L, d, d, n, prec);
+    arb_poly_sqrt_series(L, L, n, prec);
+    scalar_product(f, d, d_dot, n, prec);
+    arb_poly_div_series(f, f, L, n, prec);
+    arb_poly_scalar_mul(f, f, b->c2, prec);
+    arb_poly_add_si(h, L, -1, prec);
+    arb_poly_scalar_mul(h, h, b->c1, prec);
+    arb_poly_add(f, f, h, prec);
+    arb_poly_add_si(f, f, 3, prec);
+    arb_poly_pow_ui_trunc_binexp(h, L, 3, n, prec);
+    arb_poly_div_series(f, f, h, n, prec);
+    for (int i = 0; i < AXES; i++) {
+        arb_poly_mullow(h, d + i, f, n, prec);
+        arb_poly_scalar_mul(d + i, h, b->mass + 1, prec);
+        arb_poly_sub(t->acceleration + i, t->acceleration + i, d + i, prec);
+        arb_poly_scalar_mul(d + i, h, b->mass, prec);
+        arb_poly_add(t->acceleration + AXES + i, t->acceleration + AXES + i, d + i, prec);
+        arb_poly_clear(d + i);
+        arb_poly_clear(d_dot + i);
+    }
+}
+
+/* Picard's iteration: each pass makes one more coefficient right. */
+static void expand(struct expansion *t, const struct two_body *b, slong prec)
+{
+    for (slong n = 1; n <= PICARD_ORDER; n++) {
+        for (int craft = 0; craft < CRAFT; craft++)
+            attract(t, craft, b->smallness, n, prec);
+        pull(t, b, n, prec);
+        for (int i = 0; i < SERIES; i++) {
+            arb_poly_integral(t->place + i, t->velocity + i, prec);
+            arb_poly_set_coeff_arb(t->place + i, 0, b->place + i);
+            arb_poly_integral(t->velocity + i, t->acceleration + i, prec);
+            arb_poly_set_coeff_arb(t->velocity + i, 0, b->velocity + i);
+        }
+    }
+}
+
+/* The sum at h, and its last term as the error. */
+static void sum_terms(arb_t z, const arb_poly_t f, const arb_t h, slong prec)
+{
+    SCOPE(arb, last, power);
+    arb_poly_evaluate(z, f, h, prec);
+    arb_poly_get_coeff_arb(last, f, PICARD_ORDER);
+    arb_pow_ui(power, h, PICARD_ORDER, prec);
+    arb_mul(last, last, power, prec);
+    arb_add_error(z, last);
+}
+
+/* two_body_move by Picard's iteration, with no proof of what it leaves out */
+static void picard_move(struct two_body *b, const arb_t tau, slong prec)
+{
+    const slong steps = (slong)ceil(arf_get_d(arb_midref(tau), ARF_RND_UP) / PICARD_STEP);
+    struct expansion t;
+    SCOPE(arb, h);
+    arb_div_si(h, tau, steps, prec);
+    for (slong k = 0; k < steps; k++) {
+        for (int i = 0; i < SERIES; i++) {
+            arb_poly_init(t.place + i);
+            arb_poly_init(t.velocity + i);
+            arb_poly_init(t.acceleration + i);
+            arb_poly_set_coeff_arb(t.place + i, 0, b->place + i);
+            arb_poly_set_coeff_arb(t.velocity + i, 0, b->velocity + i);
+        }
+        expand(&t, b, prec);
+        for (int i = 0; i < SERIES; i++) {
+            sum_terms(b->place + i, t.place + i, h, prec);
+            sum_terms(b->velocity + i, t.velocity + i, h, prec);
+            arb_poly_clear(t.place + i);
+            arb_poly_clear(t.velocity + i);
+            arb_poly_clear(t.acceleration + i);
+        }
+    }
+}
+
+/* Half a day from the paper's attitude at rest, L_ref/R_c = 10^-4 */
+static void bench_inverse_square(bool certified, long prec, double days)
+{
+    struct two_body b;
+    SCOPE(arb, tau);
+    two_body_init(&b);
+    arb_set_d(b.smallness, 1e-4);
+    arb_set_ui(b.c1, 10);
+    arb_set_ui(b.c2, 2);
+    for (int i = 0; i < CRAFT; i++) {
+        arb_set_d(b.mass + i, 0.5);
+        arb_set_d(b.place + AXES * i, i ? -0.505 : 0.505);
+        arb_set_d(b.place + AXES * i + 1, i ? -0.00505 : 0.00505);
+        arb_set_d(b.place + AXES * i + 2, i ? 0.00505 : -0.00505);
+    }
+    arb_set_d(tau, 7.2915e-5 * 86400 * days);
+    double start = seconds();
+    bool proved = true;
+    if (certified)
+        proved = two_body_move(&b, tau, prec);
+    else
+        picard_move(&b, tau, prec);
+    printf("%.9f\n", proved ? seconds() - start : NAN);
+    two_body_clear(&b);
+}
+
 /* ---- a formula, and the roots ---- */
 
 /* From binary64 inputs to an enclosure of so many digits. */
@@ -168,12 +337,14 @@ int main(int count, char **arguments)
     if (strcmp(what, "flow") == 0 || strcmp(what, "unproved") == 0) {
         bench_flow(*what == 'f' ? flow_nonlinear : unproved, strtol(arguments[2], NULL, 10),
                    strtod(arguments[3], NULL));
+    } else if (strcmp(what, "square") == 0 || strcmp(what, "picard") == 0) {
+        bench_inverse_square(*what == 's', strtol(arguments[2], NULL, 10), strtod(arguments[3], NULL));
     } else if (strcmp(what, "scalar") == 0) {
         bench_scalar(strtol(arguments[2], NULL, 10), strtol(arguments[3], NULL, 10));
     } else if (strcmp(what, "roots") == 0) {
         bench_roots(strtol(arguments[2], NULL, 10), strtol(arguments[3], NULL, 10));
     } else {
-        fprintf(stderr, "bench: expected flow or unproved DIGITS DAYS, scalar DIGITS COUNT or roots DIGITS COUNT\n");
+        fprintf(stderr, "bench: expected flow or unproved DIGITS DAYS, square or picard PREC DAYS, scalar DIGITS COUNT or roots DIGITS COUNT\n");
         return 2;
     }
     flint_cleanup();

@@ -252,42 +252,6 @@ START_TEST(a_verdict_needs_what_its_numbers_rest_on)
 }
 END_TEST
 
-/* A measured number has bounds, and no digits of its own. */
-START_TEST(measured_numbers_have_bounds_alone)
-{
-    char text[4096];
-    const char *const prove = "a: dL > 0\n    h: {compute: hill_in_orbit}";
-    write_claim(text, "a", NULL, prove, "{h.d_psi_0 | 2 up}");
-    assert_ruled(text, HOLDS, true, "");
-    write_claim(text, "a", NULL, prove, "{h.d_psi_0 | 2}");
-    assert_ruled(text, VERDICT_NONE, false, "the digits of h.d_psi_0 cannot be proved");
-}
-END_TEST
-
-/* Measured is what rests on a measured number: as a value, its radius, or either bound. */
-static const char *const resting[] = {
-    "a: {show: x > -1000, at: {x: h.d_psi_0 +- 1}}",
-    "a: {show: x > -1000, at: {x: 1 +- h.d_psi_0}}",
-    "a: {show: x > -1000, on: {x: [h.d_psi_0 - 100, 1000]}}",
-    "a: {show: x > -1000, on: {x: [-100, h.d_psi_0]}}",
-    "a: {root: x, of: x, in: [h.d_psi_0 - 100, 1000]}",
-    "a: {root: x, of: x, in: [-100, 100 + h.d_psi_0]}",
-};
-
-START_TEST(what_rests_on_a_measured_number_is_measured)
-{
-    char text[4096], prove[512];
-    struct statements s;
-    snprintf(prove, sizeof prove, "h: {compute: hill_in_orbit}\n    %s", resting[_i]);
-    write_claim(text, "a", NULL, prove, NULL);
-    read_claim(&s, text);
-    struct assertion *a = &s.list[0].assertions[1];
-    assertion_find(&s, &s.list[0], a);
-    ck_assert_msg(a->truth == FOUND_TRUE && a->how == MEASURED, "%s: found %d, %s", resting[_i], (int)a->truth, how_names[a->how]);
-    statements_clear(&s);
-}
-END_TEST
-
 START_TEST(evidence_is_written_in_both_forms)
 {
     char text[4096];
@@ -463,8 +427,6 @@ SUITE(test_statement)
     tcase_add_test(c, a_claim_has_not_too_many_assertions);
     LOOP(numbers_have_proved_digits_or_none, numbers);
     tcase_add_test(c, a_verdict_needs_what_its_numbers_rest_on);
-    tcase_add_test(c, measured_numbers_have_bounds_alone);
-    LOOP(what_rests_on_a_measured_number_is_measured, resting);
     tcase_add_test(c, evidence_is_written_in_both_forms);
     LOOP(mistakes_are_told_with_their_place, mistakes);
     tcase_add_test(c, mathematics_is_set_token_by_token);

@@ -86,12 +86,15 @@ struct known_case {
 };
 
 /* A column is one whose constants are all zero. */
-static void jet_known(struct jet *jet, slong order, const struct term *system, const double start[JET_STATES], bool column)
+static void jet_known(struct jet *jet, slong order, const struct term *terms, const double start[JET_STATES], bool column)
 {
+    static struct system system; /* a test has one */
     arb_t zero;
     arb_init(zero);
-    jet_init(jet, order);
-    jet->system = system;
+    jet_init(jet, &closed_loop, order);
+    system = closed_loop;
+    system.terms = terms;
+    jet->system = &system;
     if (!column)
         jet_constants(jet, zero, zero);
     for (int v = 0; v < JET_STATES; v++)
@@ -179,8 +182,8 @@ static void assert_rest_of(const struct known_case *c, double at_most)
     jet_known(&column, c->order, system, c->column, true);
     jet_extend(&jet, PREC, 0);
     jet_extend_column(&column, &jet, PREC);
-    majorant_init(&base, c->order);
-    majorant_init(&m, c->order);
+    majorant_init(&base, &closed_loop, c->order);
+    majorant_init(&m, &closed_loop, c->order);
     majorant_of(&base, &jet, one, 1, h);
     ck_assert(majorant_prove(&base, NULL, h));
     majorant_of(&m, &column, one, 1, h);
@@ -312,7 +315,7 @@ START_TEST(T7_T12_a_rest_is_h_over_n_plus_1_times_a_tail_rounded_up)
         mag_get_fmpq(exact, h);
         jet_known(&jet, n, system, from, false);
         jet_extend(&jet, PREC, 0);
-        majorant_init(&m, n);
+        majorant_init(&m, &closed_loop, n);
         majorant_of(&m, &jet, unit, 1, h);
         ck_assert(majorant_prove(&m, NULL, h));
         fractions(start, from);
@@ -358,7 +361,7 @@ START_TEST(T9_T10_a_majorant_has_every_column_and_its_radius)
     integral_of_product(system, Q, Q);
     jet_known(&jet, n, system, (const double[JET_STATES]){[Q] = 1}, false);
     jet_extend(&jet, PREC, 0);
-    majorant_init(&base, n);
+    majorant_init(&base, &closed_loop, n);
     mag_one(weights);
     majorant_of(&base, &jet, weights, 1, h);
     ck_assert(majorant_prove(&base, NULL, h));
@@ -373,7 +376,7 @@ START_TEST(T9_T10_a_majorant_has_every_column_and_its_radius)
     fmpq_set_si(start + Y, 13, 1);
     known_series(series, Y, start);
     add_beyond(truth, series, n, exact, one);
-    majorant_init(&m, n);
+    majorant_init(&m, &closed_loop, n);
     majorant_of(&m, column, weights, 3, h);
     ck_assert(majorant_prove(&m, &base, h));
     assert_bounds(m.remainder + Y, truth, A_LITTLE_MORE);
@@ -418,7 +421,7 @@ static void assert_proved_within_the_circle(int v, slong n)
     start[v] = 1;
     jet_known(&jet, n, system, start, false);
     jet_extend(&jet, PREC, 0);
-    majorant_init(&m, n);
+    majorant_init(&m, &closed_loop, n);
     for (int k = 1; k <= 96; k++) {
         const double step = k / 64.0;
         mag_set_d(h, step);
@@ -580,7 +583,7 @@ static void jet_of_exact(struct jet *jet, const struct exact_motion *e, slong or
     arb_set_fmpq(c2, e->c2, prec);
     move_and_widen(c1, wide[1]);
     move_and_widen(c2, wide[2]);
-    jet_init(jet, order);
+    jet_init(jet, &closed_loop, order);
     jet_constants(jet, c1, c2);
     for (int v = 0; v < JET_STATES; v++) {
         arb_set_fmpq(jet->c[v], e->state + v, prec);
@@ -651,7 +654,7 @@ START_TEST(T13_columns_in_balls_hold_the_exact_derivatives)
     }
     fmpq_addmul(moved.r, moved.r, delta);
     jet_of_exact(&jet, &e, TERMS, BITS, (double[3]){0});
-    jet_init(&column, TERMS);
+    jet_init(&column, &closed_loop, TERMS);
     for (int i = 0; i < 3; i++) {
         arb_set(column.c[i], jet.c[i]);
         arb_set_si(column.c[3 + i], i + 1);
@@ -721,7 +724,7 @@ START_TEST(T11_rests_of_the_closed_loop_hold_up_to_the_longest_step)
         }
     jet_of_exact(&jet, &e, n, PREC, (double[3]){0});
     jet_extend(&jet, PREC, 0);
-    majorant_init(&m, n);
+    majorant_init(&m, &closed_loop, n);
     double step = 0x1p-14;
     bool proved = true;
     for (; proved && step < 4; step *= 1.25) {
@@ -892,7 +895,7 @@ static void jet_at(struct jet *jet, slong order, slong prec)
     arb_init(c2);
     arb_set_ui(c1, 10);
     arb_set_ui(c2, 2);
-    jet_init(jet, order);
+    jet_init(jet, &closed_loop, order);
     jet_constants(jet, c1, c2);
     for (int v = 0; v < JET_STATES; v++)
         arb_set_d(jet->c[v], start[v]);
@@ -928,16 +931,16 @@ START_TEST(a_proved_remainder_bounds_the_series_beyond)
     mag_t h, one;
     jet_at(&shorter, n, PREC);
     jet_at(&longer, 59, PREC);
-    jet_init(&column, n);
-    jet_init(&longer_column, 59);
+    jet_init(&column, &closed_loop, n);
+    jet_init(&longer_column, &closed_loop, 59);
     for (int v = 0; v < JET_STATES; v++) {
         arb_set_si(column.c[v], 1 - v % 3);
         arb_set(longer_column.c[v], column.c[v]);
     }
     jet_extend_column(&column, &shorter, PREC);
     jet_extend_column(&longer_column, &longer, PREC);
-    majorant_init(&of_jet, n);
-    majorant_init(&of_column, n);
+    majorant_init(&of_jet, &closed_loop, n);
+    majorant_init(&of_column, &closed_loop, n);
     mag_init(h);
     mag_init(one);
     mag_one(one);
@@ -970,8 +973,8 @@ START_TEST(a_column_bounds_both_halves_of_a_product)
     struct majorant of_jet, of_column;
     mag_t one;
     jet_at(&jet, 12, PREC);
-    majorant_init(&of_jet, 12);
-    majorant_init(&of_column, 12);
+    majorant_init(&of_jet, &closed_loop, 12);
+    majorant_init(&of_column, &closed_loop, 12);
     mag_init(one);
     mag_one(one);
     majorant_of(&of_jet, &jet, one, 1, one);
@@ -997,7 +1000,7 @@ START_TEST(a_column_along_the_motion_is_its_derivative)
     arb_t expected;
     arb_init(expected);
     jet_at(&jet, 20, PREC);
-    jet_init(&column, 19);
+    jet_init(&column, &closed_loop, 19);
     for (int v = 0; v < JET_STATES; v++)
         arb_set(column.c[v], jet.c[v] + 1);
     jet_extend_column(&column, &jet, PREC);

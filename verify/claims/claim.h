@@ -15,7 +15,7 @@
 
 enum truth { UNDECIDED, FOUND_TRUE, FOUND_FALSE };
 
-enum how { EXACT, CERTIFIED, MEASURED };
+enum how { EXACT, CERTIFIED };
 
 enum verdict {
     VERDICT_NONE, /* undecided: a failure */
@@ -28,7 +28,7 @@ enum verdict {
 };
 
 extern const char *const verdict_names[]; /* "undecided", "holds", "holds as corrected", ... */
-extern const char *const how_names[];     /* "exact", "certified", "measured"                */
+extern const char *const how_names[];     /* "exact", "certified"                            */
 
 /* Proved true or not proved: what cannot be refuted this way stays undecided. */
 enum truth proved_or_open(bool proved);
@@ -39,7 +39,7 @@ const struct derivations *steps_of(const struct computed *c);
 const struct sheet *sheet_of(const struct computed *c);
 const struct computation *computation_of(const struct computed *c);
 
-/* One of its numbers, by its name (printf-like): the enclosure if it was proved (or found, MEASURED), else nothing. */
+/* One of its numbers, by its name (printf-like): the enclosure if it was proved, else nothing. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 5, 6)))
 #endif

@@ -13,7 +13,6 @@ static void run_study(struct computed *c)
 {
     const struct study *s = study_find(computation_of(c)->name);
     const int last = s->rows - 1, from = s->of_claims ? 0 : last - 1;
-    const enum how how = s->measured ? MEASURED : CERTIFIED;
     struct convergence study;
     SCOPE(arb, worst);
     const bool found = convergence_init(&study, steps_of(c), s, from);
@@ -21,16 +20,16 @@ static void run_study(struct computed *c)
         const char *variable = variable_names[s->which[i]];
         for (int row = from; row < s->rows; row++) {
             const int at = row * STUDIED + i;
-            give(c, how, found && row > from, study.orders + at, "p_%s_%d", variable, row);
-            give(c, how, found, study.differences + at, "d_%s_%d", variable, row);
+            give(c, CERTIFIED, found && row > from, study.orders + at, "p_%s_%d", variable, row);
+            give(c, CERTIFIED, found, study.differences + at, "d_%s_%d", variable, row);
         }
-        give(c, how, found, study.orders + last * STUDIED + i, "p_%s", variable);
-        give(c, how, found, study.constants + last * STUDIED + i, "c_%s", variable);
+        give(c, CERTIFIED, found, study.orders + last * STUDIED + i, "p_%s", variable);
+        give(c, CERTIFIED, found, study.constants + last * STUDIED + i, "c_%s", variable);
     }
     convergence_worst(worst, &study, last, last);
-    give(c, how, found, worst, "worst");
+    give(c, CERTIFIED, found, worst, "worst");
     convergence_worst(worst, &study, 1, last);
-    give(c, how, found && s->of_claims, worst, "worst_of_all");
+    give(c, CERTIFIED, found && s->of_claims, worst, "worst_of_all");
     convergence_clear(&study);
 }
 

@@ -9,8 +9,6 @@
  *     forced_*          nonlinear motion less the closed form of second_order.h that starts with it; the parameter is
  *                       the amplitude a of pitch in rad
  *     slow_law          the same after 1/a^2 radians of orbit: the amplitude, as a fraction, and the phase of pitch
- *
- * All are certified, but hill_*, which is measured: its Taylor steps have no proved bound on what they leave out.
  */
 #ifndef CT_CONVERGENCE_H
 #define CT_CONVERGENCE_H
@@ -32,7 +30,6 @@ struct study {
     bool (*differences)(arb_ptr d, const struct derivations *steps, const struct study *s, const fmpq_t parameter);
     long seconds, every;         /* after which motions are compared, or the largest difference until then, each `every` */
     bool nonlinear, pitch_alone;
-    bool measured;               /* false: certified */
     bool of_claims;              /* it serves claims alone, and stands in no file of data */
     const char *n, *m1, *m2;     /* where they are not the paper's */
 };

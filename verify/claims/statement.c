@@ -9,7 +9,7 @@
 #include "text/scope.h"
 
 const char *const verdict_names[] = {"undecided", "holds", "holds as corrected", "qualified", "refuted", "definition", "not decidable"};
-const char *const how_names[] = {"exact", "certified", "measured"};
+const char *const how_names[] = {"exact", "certified"};
 
 /* ---- numbers ---- */
 
@@ -96,7 +96,7 @@ static char *rational_text(const fmpq_t x)
     return text;
 }
 
-/* Its digits, proved: NULL where that fails. A measured number has none, only bounds. */
+/* Its digits, proved: NULL where that fails. */
 static void number_decide(struct statements *all, struct statement *s, struct quoted_number *q)
 {
     enum { FIRST = 128, LAST = 2048 };
@@ -110,8 +110,7 @@ static void number_decide(struct statements *all, struct statement *s, struct qu
     }
     for (; q->decimal == NULL && b.bits <= LAST; b.bits *= 4) {
         formula_enclose(x, &q->how, &q->formula, &b);
-        if (q->how != MEASURED || q->rounding == UPWARD || q->rounding == DOWNWARD)
-            q->decimal = number_text(q, x);
+        q->decimal = number_text(q, x);
     }
 }
 

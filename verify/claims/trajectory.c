@@ -430,7 +430,7 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
     trajectory_energy(E, t, k);
     if (t->nonlinear) {
         struct jet jet;
-        jet_init(&jet, DERIVATIVES - 1);
+        jet_init(&jet, &closed_loop, DERIVATIVES - 1);
         jet_constants(&jet, t->c1, t->c2);
         bounded = confine(eta, t, E, k);
         for (slong i = 0; i < SLICES; i++) {

@@ -24,7 +24,7 @@ static const struct {
     {"figure7a", "Figure 7a: charge of craft 1; certified, and by the 100 s Runge-Kutta method"},
     {"figure7b", "Figure 7b: charge of craft 2; certified, and by the 100 s Runge-Kutta method"},
     {"verdicts", "Verdicts: every equation and claim of the paper, with the evidence"},
-    {"convergence", "Convergence: observed orders, linear against nonlinear, Runge-Kutta, two-body motion; certified or measured"},
+    {"convergence", "Convergence: observed orders, linear against nonlinear, Runge-Kutta, two-body motion"},
     {"forced", "Forced response: what pitch leaves in length and yaw, against its closed form"},
     {"kills", "Kill table: the mistakes that each golden vector tells from the truth; motions of up to ten hours"},
     {"random", "Random vectors: a fingerprint of the first of each operation"},
@@ -63,7 +63,7 @@ static const struct column {
     {"kind", "string", NULL, "equation, number, statement, implied, misprint or beyond (the paper)"},
     {"claim", "string", NULL, "what is claimed there, in other words"},
     {"verdict", "string", NULL, "holds, holds as corrected, qualified, refuted, definition or not decidable"},
-    {"how", "string", NULL, "how it is known: exact, certified or measured"},
+    {"how", "string", NULL, "how it is known: exact or certified"},
     {"evidence", "string", NULL, "what the verdict rests on"},
     {"study", "string", NULL, "which two motions are compared, and after what time"},
     {"variable", "string", NULL, "quantity that is compared"},
@@ -194,8 +194,7 @@ static void print_top(struct json *j)
         {"version", CT_VERSION},
         {"description",
          "Numbers of the equations of a Coulomb tether formation. An input is the nearest binary64 of its decimal; an "
-         "output is correctly rounded to the digits that it shows, which is proved, exactly or by an enclosure, but in "
-         "the rows of convergence.csv that say measured. A reader has to round correctly to get the inputs exactly: "
+         "output is correctly rounded to the digits that it shows, which is proved, exactly or by an enclosure. A reader has to round correctly to get the inputs exactly: "
          "pandas does with read_csv(..., float_precision=\"round_trip\"), not without. A column S_X is the sensitivity "
          "of X to its inputs' last digits, the sum of |x dX/dx|; INF where it has none. Flags: invalid (outside the "
          "domain, outputs empty), range (a subexpression leaves binary64's normal range), and what the vector is there "

@@ -13,8 +13,7 @@
 enum { PARAMETER_DIGITS = 4, STUDY_DIGITS = 6, ROW_DIGITS = 12, STUDY_BITS = 192 };
 
 /*
- * The numbers of a row after its first, an empty field for NULL; false where a ball does not decide its digits. The
- * balls of a measured study hold what was computed, not what is true.
+ * The numbers of a row after its first, an empty field for NULL; false where a ball does not decide its digits.
  */
 static bool print_study_numbers(const arb_srcptr *x, int count, slong digits)
 {
@@ -40,7 +39,7 @@ static bool print_variable(const struct convergence *c, int variable)
         char *parameter = decimal_of_rational(c->parameters + row, PARAMETER_DIGITS);
         printf("%s,%s,%s", s->name, variable_names[s->which[variable]], parameter);
         decided = print_study_numbers(numbers, 3, STUDY_DIGITS) && decided;
-        printf(",%s\n", s->measured ? "measured" : "certified");
+        puts(",certified");
         free(parameter);
     }
     return decided;

@@ -30,8 +30,7 @@ const struct subcommand subcommands[] = {
      "(errors). Without a word, all three."},
     {"study", command_study, {"convergence|forced|pitch"}, 1,
      "Beyond the paper, as CSV: the observed orders of its approximations (convergence), what pitch forces on length and yaw "
-     "(forced), and the slow decay of pitch itself (pitch), beside their closed forms. Digits are certified but where the column "
-     "how says measured."},
+     "(forced), and the slow decay of pitch itself (pitch), beside their closed forms. Every digit is certified."},
     {"vectors", command_vectors, {"ID --count N --seed S", "ID --golden"}, 1,
      "Vectors of an operation as CSV: inputs, outputs of 40 digits, each proved, their sensitivities, and flags; random ones, "
      "which depend on seed and number alone, or those of data/golden."},

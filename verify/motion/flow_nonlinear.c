@@ -72,13 +72,13 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     arb_init(f->speed);
     arf_init(f->now);
     lohner_init(&f->set);
-    jet_init(&f->path, order);
-    jet_init(&f->a_priori, a_priori_order);
+    jet_init(&f->path, &closed_loop, order);
+    jet_init(&f->a_priori, &closed_loop, a_priori_order);
     for (int j = 0; j < FLOW_STATE; j++)
-        jet_init(&f->column[j], a_priori_order);
-    majorant_init(&f->path_bound, order);
-    majorant_init(&f->a_priori_bound, a_priori_order);
-    majorant_init(&f->spread_bound, a_priori_order);
+        jet_init(&f->column[j], &closed_loop, a_priori_order);
+    majorant_init(&f->path_bound, &closed_loop, order);
+    majorant_init(&f->a_priori_bound, &closed_loop, a_priori_order);
+    majorant_init(&f->spread_bound, &closed_loop, a_priori_order);
     f->power = _arb_vec_init(FLINT_MAX(order, a_priori_order) + 1);
     f->state = _arb_vec_init(FLOW_STATE);
     arb_init(f->s);

@@ -1,6 +1,6 @@
 /*
- * One table holds the closed loop; everything below interprets it: series coefficients, columns of
- * derivatives, tails, exact rates. No two of them can disagree about the equations.
+ * One table holds the closed loop, another one the pair in the inverse-square field; everything below interprets them: series
+ * coefficients, columns of derivatives, tails, exact rates. No two of them can disagree about the equations.
  */
 #include "motion/taylor.h"
 
@@ -8,7 +8,7 @@
 
 enum { X, Y, Z, U, V, W, Q, G, S, A, D, R, P, ONE, TWO, THREE, C1, C2 };
 
-const struct term closed_loop[JET_TERMS] = {
+static const struct term closed_loop_terms[JET_TERMS] = {
     {G, Q, Q, 1},
     {S, X, U, 1},     {S, Y, V, 1},      {S, Z, W, 1},
     {A, G, S, 1},
@@ -24,39 +24,42 @@ const struct term closed_loop[JET_TERMS] = {
     {Q, Q, A, -1},
 };
 
+const struct system closed_loop = {JET_STATES, JET_SERIES, JET_ALL, JET_TERMS, closed_loop_terms};
+
 _Static_assert(G == (int)JET_STATES && ONE == (int)JET_SERIES && C2 + 1 == JET_ALL, "series in order");
 
-static bool constant(int v)
+static bool constant(const struct system *system, int v)
 {
-    return v >= JET_SERIES;
+    return v >= system->series;
 }
 
-static bool first_of_sum(const struct term *system, int t)
+static bool first_of_sum(const struct system *system, int t)
 {
-    return t == 0 || system[t - 1].to != system[t].to;
+    return t == 0 || system->terms[t - 1].to != system->terms[t].to;
 }
 
-void jet_init(struct jet *jet, slong order)
+void jet_init(struct jet *jet, const struct system *system, slong order)
 {
     jet->order = order;
-    jet->system = closed_loop;
-    for (int v = 0; v < JET_ALL; v++)
+    jet->system = system;
+    for (int v = 0; v < system->all; v++)
         jet->c[v] = _arb_vec_init(order + 1);
 }
 
 void jet_clear(struct jet *jet)
 {
-    for (int v = 0; v < JET_ALL; v++)
+    for (int v = 0; v < jet->system->all; v++)
         _arb_vec_clear(jet->c[v], jet->order + 1);
 }
 
 void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
 {
-    arb_set_ui(jet->c[ONE], 1);
-    arb_set_ui(jet->c[TWO], 2);
-    arb_set_ui(jet->c[THREE], 3);
-    arb_set(jet->c[C1], c1);
-    arb_set(jet->c[C2], c2);
+    arb_ptr *const c = jet->c + jet->system->series - ONE;
+    arb_set_ui(c[ONE], 1);
+    arb_set_ui(c[TWO], 2);
+    arb_set_ui(c[THREE], 3);
+    arb_set(c[C1], c1);
+    arb_set(c[C2], c2);
 }
 
 /*
@@ -64,17 +67,17 @@ void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
  * theirs, lie in the balls here: (T13) arb_dot and arb_div_ui enclose their exact results, in however few bits.
  *
  * The rates' coefficients from `first` to `last` - 1, and the states' above them. */
-static void extend(arb_ptr const *c, const struct term *system, slong first, slong last, slong prec, double fall)
+static void extend(arb_ptr const *c, const struct system *system, slong first, slong last, slong prec, double fall)
 {
     for (slong k = first; k < last; k++) {
         slong bits = FLINT_MAX(prec - (slong)(fall * (double)k), 32);
-        for (int t = 0; t < JET_TERMS; t++) {
-            const struct term *f = system + t;
-            arb_ptr to = c[f->to] + k + (f->to < JET_STATES);
+        for (int t = 0; t < system->count; t++) {
+            const struct term *f = system->terms + t;
+            arb_ptr to = c[f->to] + k + (f->to < system->states);
             arb_dot(to, first_of_sum(system, t) ? NULL : to, f->sign < 0, c[f->a], 1, c[f->b] + k, -1,
-                    constant(f->a) ? 1 : k + 1, bits);
+                    constant(system, f->a) ? 1 : k + 1, bits);
         }
-        for (int v = 0; v < JET_STATES; v++)
+        for (int v = 0; v < system->states; v++)
             arb_div_ui(c[v] + k + 1, c[v] + k + 1, (ulong)(k + 1), bits);
     }
 }
@@ -91,14 +94,14 @@ void jet_extend(struct jet *jet, slong prec, double fall)
     extend(jet->c, jet->system, 0, split, prec, fall);
     if (split == n)
         return;
-    arb_ptr copy[JET_ALL] = {NULL};
-    for (int v = 0; v < JET_ALL; v++) {
+    arb_ptr copy[JET_MOST] = {NULL};
+    for (int v = 0; v < jet->system->all; v++) {
         copy[v] = _arb_vec_init(n + 1);
         _arb_vec_set_round(copy[v], jet->c[v], split + 1, 128);
     }
     extend(copy, jet->system, split, n, prec, fall);
-    for (int v = 0; v < JET_ALL; v++) {
-        for (slong k = split + (v < JET_STATES); k <= n && !constant(v); k++)
+    for (int v = 0; v < jet->system->all; v++) {
+        for (slong k = split + (v < jet->system->states); k <= n && !constant(jet->system, v); k++)
             arb_swap(jet->c[v] + k, copy[v] + k);
         _arb_vec_clear(copy[v], n + 1);
     }
@@ -106,46 +109,48 @@ void jet_extend(struct jet *jet, slong prec, double fall)
 
 void jet_extend_column(struct jet *column, const struct jet *jet, slong prec)
 {
+    const struct system *system = jet->system;
     arb_ptr const *c = jet->c;
     arb_ptr *d = column->c;
     for (slong k = 0; k < column->order; k++) {
-        for (int t = 0; t < JET_TERMS; t++) {
-            const struct term *f = jet->system + t;
-            arb_ptr to = d[f->to] + k + (f->to < JET_STATES);
-            arb_srcptr sum = first_of_sum(jet->system, t) ? NULL : to;
-            if (!constant(f->a)) {
+        for (int t = 0; t < system->count; t++) {
+            const struct term *f = system->terms + t;
+            arb_ptr to = d[f->to] + k + (f->to < system->states);
+            arb_srcptr sum = first_of_sum(system, t) ? NULL : to;
+            if (!constant(system, f->a)) {
                 arb_dot(to, sum, f->sign < 0, c[f->a], 1, d[f->b] + k, -1, k + 1, prec);
                 arb_dot(to, to, f->sign < 0, d[f->a], 1, c[f->b] + k, -1, k + 1, prec);
-            } else if (!constant(f->b)) {
+            } else if (!constant(system, f->b)) {
                 arb_dot(to, sum, f->sign < 0, c[f->a], 1, d[f->b] + k, -1, 1, prec);
             }
         }
-        for (int v = 0; v < JET_STATES; v++)
+        for (int v = 0; v < system->states; v++)
             arb_div_ui(d[v] + k + 1, d[v] + k + 1, (ulong)(k + 1), prec);
     }
 }
 
-void majorant_init(struct majorant *m, slong order)
+void majorant_init(struct majorant *m, const struct system *system, slong order)
 {
     m->order = order;
-    for (int v = 0; v < JET_ALL; v++) {
+    m->system = system;
+    for (int v = 0; v < system->all; v++) {
         m->size[v] = _mag_vec_init(order + 1);
         m->suffix[v] = _mag_vec_init(order + 1);
     }
-    m->tail = _mag_vec_init(JET_ALL);
-    m->remainder = _mag_vec_init(JET_STATES);
-    m->cross = _mag_vec_init(JET_TERMS);
+    m->tail = _mag_vec_init(system->all);
+    m->remainder = _mag_vec_init(system->states);
+    m->cross = _mag_vec_init(system->count);
 }
 
 void majorant_clear(struct majorant *m)
 {
-    for (int v = 0; v < JET_ALL; v++) {
+    for (int v = 0; v < m->system->all; v++) {
         _mag_vec_clear(m->size[v], m->order + 1);
         _mag_vec_clear(m->suffix[v], m->order + 1);
     }
-    _mag_vec_clear(m->tail, JET_ALL);
-    _mag_vec_clear(m->remainder, JET_STATES);
-    _mag_vec_clear(m->cross, JET_TERMS);
+    _mag_vec_clear(m->tail, m->system->all);
+    _mag_vec_clear(m->remainder, m->system->states);
+    _mag_vec_clear(m->cross, m->system->count);
 }
 
 void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights, slong count,
@@ -153,7 +158,7 @@ void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights,
 {
     SCOPE(mag, power, size);
     m->system = jets->system;
-    for (int v = 0; v < JET_ALL; v++) {
+    for (int v = 0; v < m->system->all; v++) {
         mag_one(power);
         for (slong k = 0; k <= m->order; k++) {
             mag_zero(m->size[v] + k);
@@ -173,7 +178,7 @@ void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights,
 /* sum += the part from degree n on of (known terms of a) (known terms of b) */
 static void add_cross(mag_t sum, const struct majorant *ma, int a, const struct majorant *mb, int b)
 {
-    for (slong i = 1; i < ma->order && !constant(a); i++)
+    for (slong i = 1; i < ma->order && !constant(ma->system, a); i++)
         mag_addmul(sum, ma->size[a] + i, mb->suffix[b] + ma->order - i);
 }
 
@@ -189,15 +194,15 @@ static void add_tail(mag_t sum, const struct majorant *ma, int a, const struct m
 static void remainder_image(mag_ptr image, struct majorant *m, const struct majorant *base,
                             const mag_t factor)
 {
-    for (int v = 0; v < JET_STATES; v++) {
+    for (int v = 0; v < m->system->states; v++) {
         mag_add(m->tail + v, m->size[v] + m->order, m->remainder + v);
         mag_zero(image + v);
     }
-    for (int v = JET_STATES; v < JET_SERIES; v++)
+    for (int v = m->system->states; v < m->system->series; v++)
         mag_zero(m->tail + v);
-    for (int t = 0; t < JET_TERMS; t++) {
-        const struct term *f = m->system + t;
-        mag_ptr sum = f->to < JET_STATES ? image + f->to : m->tail + f->to;
+    for (int t = 0; t < m->system->count; t++) {
+        const struct term *f = m->system->terms + t;
+        mag_ptr sum = f->to < m->system->states ? image + f->to : m->tail + f->to;
         mag_add(sum, sum, m->cross + t);
         if (base == NULL) {
             add_tail(sum, m, f->a, m, f->b);
@@ -206,14 +211,14 @@ static void remainder_image(mag_ptr image, struct majorant *m, const struct majo
             add_tail(sum, base, f->a, m, f->b);
         }
     }
-    for (int v = 0; v < JET_STATES; v++)
+    for (int v = 0; v < m->system->states; v++)
         mag_mul(image + v, image + v, factor);
 }
 
-static bool below(mag_srcptr image, mag_srcptr remainder)
+static bool below(mag_srcptr image, const struct majorant *m)
 {
-    for (int v = 0; v < JET_STATES; v++)
-        if (mag_is_inf(image + v) || mag_cmp(image + v, remainder + v) > 0)
+    for (int v = 0; v < m->system->states; v++)
+        if (mag_is_inf(image + v) || mag_cmp(image + v, m->remainder + v) > 0)
             return false;
     return true;
 }
@@ -247,26 +252,26 @@ static bool below(mag_srcptr image, mag_srcptr remainder)
 bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t h)
 {
     enum { ATTEMPTS = 24 }; /* a step that is short enough takes two or three */
-    VECTOR(mag, image, JET_STATES);
+    VECTOR(mag, image, m->system->states);
     SCOPE(mag, factor);
     mag_set_ui(factor, (ulong)(m->order + 1));
     mag_div(factor, h, factor);
 
-    for (int t = 0; t < JET_TERMS; t++) {
-        const struct term *f = m->system + t;
+    for (int t = 0; t < m->system->count; t++) {
+        const struct term *f = m->system->terms + t;
         mag_zero(m->cross + t);
         add_cross(m->cross + t, m, f->a, base == NULL ? m : base, f->b);
         if (base != NULL)
             add_cross(m->cross + t, base, f->a, m, f->b);
     }
-    for (int v = 0; v < JET_STATES; v++)
+    for (int v = 0; v < m->system->states; v++)
         mag_zero(m->remainder + v);
 
     bool proved = false;
     for (int attempt = 0; attempt < ATTEMPTS && !proved; attempt++) {
         remainder_image(image, m, base, factor);
-        proved = below(image, m->remainder);
-        for (int v = 0; v < JET_STATES; v++)
+        proved = below(image, m);
+        for (int v = 0; v < m->system->states; v++)
             mag_mul_2exp_si(m->remainder + v, image + v, proved ? 0 : 1);
     }
     return proved;
@@ -286,7 +291,7 @@ void closed_loop_rates(fmpq *rates, const fmpq *state, const fmpq_t c1, const fm
     fmpq_set(value + C1, c1);
     fmpq_set(value + C2, c2);
     for (int t = 0; t < JET_TERMS; t++) {
-        const struct term *f = &closed_loop[t];
+        const struct term *f = closed_loop.terms + t;
         fmpq *to = f->to < JET_STATES ? rates + f->to : value + f->to;
         fmpq_mul(product, value + f->a, value + f->b);
         if (f->sign < 0)

@@ -24,7 +24,8 @@ enum {
     JET_STATES = 7,  /* x y z u v w q */
     JET_SERIES = 13, /* and G = q^2, S = xu + yv + zw, A = G S, D = q - 1, R = c1 D - 3 q - c2 A, P = G R */
     JET_ALL = 18,    /* and the constants 1, 2, 3, c1, c2 */
-    JET_TERMS = 22   /* the products of which the system consists */
+    JET_TERMS = 22,  /* the products of which the system consists */
+    JET_MOST = 56    /* unknowns, series and constants of any system here */
 };
 
 /*
@@ -36,13 +37,19 @@ struct term {
     signed char sign;
 };
 
-extern const struct term closed_loop[JET_TERMS];
+/* Unknowns, then the series that they need, then constants, of which the first five are the closed loop's. */
+struct system {
+    int states, series, all, count;
+    const struct term *terms;
+};
+
+extern const struct system closed_loop;
 
 /* Taylor coefficients about the start of a step: c[v][k] of s^k; states to degree n, the others to n - 1. */
 struct jet {
     slong order;
-    const struct term *system; /* the closed loop; another one has solutions that are known, for tests */
-    arb_ptr c[JET_ALL];
+    const struct system *system;
+    arb_ptr c[JET_MOST];
 };
 
 /*
@@ -51,15 +58,15 @@ struct jet {
  */
 struct majorant {
     slong order;
-    const struct term *system; /* that of its jets                          */
-    mag_ptr size[JET_ALL];   /* size[v][k] >= |a_k| h^k                   */
-    mag_ptr suffix[JET_ALL]; /* suffix[v][k] >= sum of size[v][k ... n-1] */
+    const struct system *system; /* that of its jets, or one of the same sizes */
+    mag_ptr size[JET_MOST];   /* size[v][k] >= |a_k| h^k                   */
+    mag_ptr suffix[JET_MOST]; /* suffix[v][k] >= sum of size[v][k ... n-1] */
     mag_ptr cross;           /* of a product: what its known terms make from degree n on */
     mag_ptr tail, remainder;
 };
 
 /* order >= 1 */
-void jet_init(struct jet *jet, slong order);
+void jet_init(struct jet *jet, const struct system *system, slong order);
 void jet_clear(struct jet *jet);
 void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2);
 
@@ -72,7 +79,7 @@ void jet_extend(struct jet *jet, slong prec, double fall);
 /* The same for a column: a derivative, in some direction, of the jet with respect to its initial state. */
 void jet_extend_column(struct jet *column, const struct jet *jet, slong prec);
 
-void majorant_init(struct majorant *m, slong order);
+void majorant_init(struct majorant *m, const struct system *system, slong order);
 void majorant_clear(struct majorant *m);
 
 /* The majorant of sum_j weight_j |jet_j|; one jet of weight 1, or columns under the radius of each. */

@@ -1,19 +1,65 @@
+/*
+ * A second table for taylor.h. Of each craft R = e_x/s + r, s the smallness: r_ddot = -R/|s R|^3 + (R - R_z) + twice Coriolis. With
+ * F = 1/|s R| = 1 + s p that is, free of differences of near numbers,
+ *
+ *     x' = u   u' =  2v - M x - K           K = (F^3 - 1)/s = p (1 + F + F^2),  M = s K
+ *     y' = v   v' = -2u - M y               p' = -F^3 E,  E = u + s (xu + yv + zw)
+ *     z' = w   w' =     - M z - z
+ *
+ * and along the line d from craft 2 to craft 1 the pull P of taylor.h, of q = 1/|d|, in shares of the other's mass.
+ */
 #include "motion/two_body.h"
 
 #include <math.h>
 
+#include "motion/taylor.h"
 #include "text/scope.h"
 
-enum {
-    SERIES = CRAFT * AXES,
-    ORDER = 28 /* of the Taylor steps: the last term falls to 1e-28, balls then widen by 10^3 a radian */
-};
+enum { ORDER = 40 }; /* of the Taylor steps: the last term falls to 1e-40, balls widen by 10^3 a radian */
 
 static const double TWO_BODY_STEP = 0.2; /* radians */
 
-struct expansion {
-    arb_poly_struct place[SERIES], velocity[SERIES], acceleration[SERIES];
+enum { X, Y, Z, U, V, W, P, CRAFT_STATES }; /* of either craft, */
+enum { Q = CRAFT * CRAFT_STATES, STATES };
+enum { F, F2, F3, N, K, M, S, E, CRAFT_SERIES }; /* ... and its series */
+enum {
+    DX = STATES + CRAFT * CRAFT_SERIES, DY, DZ, DU, DV, DW, G, DS, A, D, R, PULL, PULL1, PULL2,
+    ONE, TWO, THREE, C1, C2, SMALLNESS, MASS1, MASS2, ALL
 };
+
+_Static_assert((int)ALL <= (int)JET_MOST, "a jet has room");
+
+#define AT(i, v) ((i) * CRAFT_STATES + (v))
+#define OF(i, v) (STATES + (i) * CRAFT_SERIES + (v))
+#define SERIES_OF(i) \
+    {OF(i, F), ONE, ONE, 1}, {OF(i, F), SMALLNESS, AT(i, P), 1}, {OF(i, F2), OF(i, F), OF(i, F), 1}, \
+    {OF(i, F3), OF(i, F), OF(i, F2), 1}, \
+    {OF(i, N), ONE, ONE, 1}, {OF(i, N), ONE, OF(i, F), 1}, {OF(i, N), ONE, OF(i, F2), 1}, \
+    {OF(i, K), AT(i, P), OF(i, N), 1}, {OF(i, M), SMALLNESS, OF(i, K), 1}, \
+    {OF(i, S), AT(i, X), AT(i, U), 1}, {OF(i, S), AT(i, Y), AT(i, V), 1}, {OF(i, S), AT(i, Z), AT(i, W), 1}, \
+    {OF(i, E), ONE, AT(i, U), 1}, {OF(i, E), SMALLNESS, OF(i, S), 1}
+#define RATES_OF(i, pull, sign) \
+    {AT(i, X), ONE, AT(i, U), 1}, {AT(i, Y), ONE, AT(i, V), 1}, {AT(i, Z), ONE, AT(i, W), 1}, \
+    {AT(i, U), TWO, AT(i, V), 1}, {AT(i, U), OF(i, M), AT(i, X), -1}, {AT(i, U), ONE, OF(i, K), -1}, {AT(i, U), pull, DX, sign}, \
+    {AT(i, V), TWO, AT(i, U), -1}, {AT(i, V), OF(i, M), AT(i, Y), -1}, {AT(i, V), pull, DY, sign}, \
+    {AT(i, W), ONE, AT(i, Z), -1}, {AT(i, W), OF(i, M), AT(i, Z), -1}, {AT(i, W), pull, DZ, sign}, \
+    {AT(i, P), OF(i, F3), OF(i, E), -1}
+#define LINE(to, v) {to, ONE, AT(0, v), 1}, {to, ONE, AT(1, v), -1}
+
+static const struct term terms[] = {
+    SERIES_OF(0), SERIES_OF(1),
+    LINE(DX, X), LINE(DY, Y), LINE(DZ, Z), LINE(DU, U), LINE(DV, V), LINE(DW, W),
+    {G, Q, Q, 1},
+    {DS, DX, DU, 1},  {DS, DY, DV, 1},   {DS, DZ, DW, 1},
+    {A, G, DS, 1},
+    {D, ONE, Q, 1},   {D, ONE, ONE, -1},
+    {R, C1, D, 1},    {R, THREE, Q, -1}, {R, C2, A, -1},
+    {PULL, G, R, 1},  {PULL1, MASS2, PULL, 1}, {PULL2, MASS1, PULL, 1},
+    RATES_OF(0, PULL1, 1), RATES_OF(1, PULL2, -1),
+    {Q, Q, A, -1},
+};
+
+static const struct system two_craft = {STATES, ONE, ALL, sizeof terms / sizeof *terms, terms};
 
 void two_body_init(struct two_body *b)
 {
@@ -21,8 +67,8 @@ void two_body_init(struct two_body *b)
     arb_init(b->c1);
     arb_init(b->c2);
     b->mass = _arb_vec_init(CRAFT);
-    b->place = _arb_vec_init(SERIES);
-    b->velocity = _arb_vec_init(SERIES);
+    b->place = _arb_vec_init(CRAFT * AXES);
+    b->velocity = _arb_vec_init(CRAFT * AXES);
 }
 
 void two_body_clear(struct two_body *b)
@@ -31,134 +77,81 @@ void two_body_clear(struct two_body *b)
     arb_clear(b->c1);
     arb_clear(b->c2);
     _arb_vec_clear(b->mass, CRAFT);
-    _arb_vec_clear(b->place, SERIES);
-    _arb_vec_clear(b->velocity, SERIES);
+    _arb_vec_clear(b->place, CRAFT * AXES);
+    _arb_vec_clear(b->velocity, CRAFT * AXES);
 }
 
-/* a.b */
-static void scalar_product(arb_poly_t z, const arb_poly_struct *a, const arb_poly_struct *b, slong n, slong prec)
+/* p = (F - 1)/s = -(2x + s r.r) F^2/(F + 1), from F^-2 = 1 + s (2x + s r.r) */
+static void start_p(arb_ptr const *c, int craft, const arb_t s, slong prec)
 {
-    SCOPE(arb_poly, term);
-    arb_poly_zero(z);
-    for (int i = 0; i < AXES; i++) {
-        arb_poly_mullow(term, a + i, b + i, n, prec);
-        arb_poly_add(z, z, term, prec);
-    }
+    SCOPE(arb, e, f);
+    for (int i = 0; i < AXES; i++)
+        arb_addmul(e, c[AT(craft, i)], c[AT(craft, i)], prec);
+    arb_mul(e, e, s, prec);
+    arb_addmul_ui(e, c[AT(craft, X)], 2, prec);
+    arb_one(f);
+    arb_addmul(f, s, e, prec);
+    arb_rsqrt(f, f, prec);
+    arb_mul(e, e, f, prec);
+    arb_mul(e, e, f, prec);
+    arb_add_ui(f, f, 1, prec);
+    arb_div(e, e, f, prec);
+    arb_neg(c[AT(craft, P)], e);
 }
 
-/*
- * R = e_x/s + r, s the smallness: r_ddot = -R/|s R|^3 + (R - R_z) + twice Coriolis. With g = |s R|^-3 that is
- * x (1 - g) + (1 - g)/s + 2 y_dot, y (1 - g) - 2 x_dot, -z g.
- */
-static void attract(struct expansion *t, int craft, const arb_t s, slong n, slong prec)
+/* q = 1/|d|, and all coefficients after those of degree 0 */
+static void expand(struct jet *jet, const struct two_body *b, slong prec)
 {
-    arb_poly_struct *r = t->place + AXES * craft, *v = t->velocity + AXES * craft, *a = t->acceleration + AXES * craft;
-    SCOPE(arb_poly, g, h);
-    SCOPE(arb, power);
-    scalar_product(g, r, r, n, prec); /* |s R|^2 = 1 + 2 s x + s^2 r.r */
-    arb_poly_scalar_mul(g, g, s, prec);
-    arb_poly_scalar_mul_2exp_si(h, r, 1);
-    arb_poly_add(g, g, h, prec);
-    arb_poly_scalar_mul(g, g, s, prec);
-    arb_poly_add_si(g, g, 1, prec);
-    arb_set_d(power, -1.5);
-    arb_poly_pow_arb_series(g, g, power, n, prec);
-
-    arb_poly_mullow(a + 2, r + 2, g, n, prec);
-    arb_poly_neg(a + 2, a + 2);
-    arb_poly_add_si(g, g, -1, prec);
-    arb_poly_neg(g, g);
-    arb_poly_scalar_div(h, g, s, prec);
-    arb_poly_mullow(a, r, g, n, prec);
-    arb_poly_add(a, a, h, prec);
-    arb_poly_mullow(a + 1, r + 1, g, n, prec);
-    arb_poly_scalar_mul_2exp_si(h, v + 1, 1);
-    arb_poly_add(a, a, h, prec);
-    arb_poly_scalar_mul_2exp_si(h, v, 1);
-    arb_poly_sub(a + 1, a + 1, h, prec);
-}
-
-/* Along the line d from craft 2 to craft 1: d (3 + c1 (L - 1) + c2 L_dot)/L^3, in shares of the other's mass. */
-static void pull(struct expansion *t, const struct two_body *b, slong n, slong prec)
-{
-    arb_poly_struct d[AXES], d_dot[AXES];
-    SCOPE(arb_poly, L, f, h);
-    for (int i = 0; i < AXES; i++) {
-        arb_poly_init(d + i);
-        arb_poly_init(d_dot + i);
-        arb_poly_sub(d + i, t->place + i, t->place + AXES + i, prec);
-        arb_poly_sub(d_dot + i, t->velocity + i, t->velocity + AXES + i, prec);
-    }
-    scalar_product(L, d, d, n, prec);
-    arb_poly_sqrt_series(L, L, n, prec);
-    scalar_product(f, d, d_dot, n, prec);
-    arb_poly_div_series(f, f, L, n, prec);
-    arb_poly_scalar_mul(f, f, b->c2, prec);
-    arb_poly_add_si(h, L, -1, prec);
-    arb_poly_scalar_mul(h, h, b->c1, prec);
-    arb_poly_add(f, f, h, prec);
-    arb_poly_add_si(f, f, 3, prec);
-    arb_poly_pow_ui_trunc_binexp(h, L, 3, n, prec);
-    arb_poly_div_series(f, f, h, n, prec);
-    for (int i = 0; i < AXES; i++) {
-        arb_poly_mullow(h, d + i, f, n, prec);
-        arb_poly_scalar_mul(d + i, h, b->mass + 1, prec);
-        arb_poly_sub(t->acceleration + i, t->acceleration + i, d + i, prec);
-        arb_poly_scalar_mul(d + i, h, b->mass, prec);
-        arb_poly_add(t->acceleration + AXES + i, t->acceleration + AXES + i, d + i, prec);
-        arb_poly_clear(d + i);
-        arb_poly_clear(d_dot + i);
-    }
-}
-
-/* Picard's iteration: each pass makes one more coefficient right. */
-static void expand(struct expansion *t, const struct two_body *b, slong prec)
-{
-    for (slong n = 1; n <= ORDER; n++) {
-        for (int craft = 0; craft < CRAFT; craft++)
-            attract(t, craft, b->smallness, n, prec);
-        pull(t, b, n, prec);
-        for (int i = 0; i < SERIES; i++) {
-            arb_poly_integral(t->place + i, t->velocity + i, prec);
-            arb_poly_set_coeff_arb(t->place + i, 0, b->place + i);
-            arb_poly_integral(t->velocity + i, t->acceleration + i, prec);
-            arb_poly_set_coeff_arb(t->velocity + i, 0, b->velocity + i);
+    SCOPE(arb, d, square);
+    for (int craft = 0; craft < CRAFT; craft++) {
+        for (int i = 0; i < AXES; i++) {
+            arb_set(jet->c[AT(craft, X + i)], b->place + AXES * craft + i);
+            arb_set(jet->c[AT(craft, U + i)], b->velocity + AXES * craft + i);
         }
+        start_p(jet->c, craft, b->smallness, prec);
     }
+    for (int i = 0; i < AXES; i++) {
+        arb_sub(d, b->place + i, b->place + AXES + i, prec);
+        arb_addmul(square, d, d, prec);
+    }
+    arb_rsqrt(jet->c[Q], square, prec);
+    jet_extend(jet, prec, 0);
 }
 
-/* The sum at h, and its last term as the error. */
-static void sum_terms(arb_t z, const arb_poly_t f, const arb_t h, slong prec)
+/* The sum at h, with what majorant_prove bounds of the rest */
+static void sum_terms(arb_t z, const struct jet *jet, const struct majorant *m, int v, const arb_t h, slong prec)
 {
-    SCOPE(arb, last, power);
-    arb_poly_evaluate(z, f, h, prec);
-    arb_poly_get_coeff_arb(last, f, ORDER);
-    arb_pow_ui(power, h, ORDER, prec);
-    arb_mul(last, last, power, prec);
-    arb_add_error(z, last);
+    _arb_poly_evaluate(z, jet->c[v], jet->order + 1, h, prec);
+    arb_add_error_mag(z, m->remainder + v);
 }
 
-void two_body_move(struct two_body *b, const arb_t tau, slong prec)
+bool two_body_move(struct two_body *b, const arb_t tau, slong prec)
 {
     const slong steps = (slong)ceil(arf_get_d(arb_midref(tau), ARF_RND_UP) / TWO_BODY_STEP);
-    struct expansion t;
+    bool proved = true;
+    struct jet jet;
+    struct majorant bound;
     SCOPE(arb, h);
+    SCOPE(mag, length, one);
+    jet_init(&jet, &two_craft, ORDER);
+    majorant_init(&bound, &two_craft, ORDER);
+    jet_constants(&jet, b->c1, b->c2);
+    arb_set(jet.c[SMALLNESS], b->smallness);
+    arb_set(jet.c[MASS1], b->mass);
+    arb_set(jet.c[MASS2], b->mass + 1);
     arb_div_si(h, tau, steps, prec);
-    for (slong k = 0; k < steps; k++) {
-        for (int i = 0; i < SERIES; i++) {
-            arb_poly_init(t.place + i);
-            arb_poly_init(t.velocity + i);
-            arb_poly_init(t.acceleration + i);
-            arb_poly_set_coeff_arb(t.place + i, 0, b->place + i);
-            arb_poly_set_coeff_arb(t.velocity + i, 0, b->velocity + i);
-        }
-        expand(&t, b, prec);
-        for (int i = 0; i < SERIES; i++) {
-            sum_terms(b->place + i, t.place + i, h, prec);
-            sum_terms(b->velocity + i, t.velocity + i, h, prec);
-            arb_poly_clear(t.place + i);
-            arb_poly_clear(t.velocity + i);
-            arb_poly_clear(t.acceleration + i);
+    arb_get_mag(length, h);
+    mag_one(one);
+    for (slong k = 0; k < steps && proved; k++) {
+        expand(&jet, b, prec);
+        majorant_of(&bound, &jet, one, 1, length);
+        proved = majorant_prove(&bound, NULL, length);
+        for (int i = 0; i < CRAFT * AXES; i++) {
+            sum_terms(b->place + i, &jet, &bound, AT(i / AXES, X + i % AXES), h, prec);
+            sum_terms(b->velocity + i, &jet, &bound, AT(i / AXES, U + i % AXES), h, prec);
         }
     }
+    majorant_clear(&bound);
+    jet_clear(&jet);
+    return proved;
 }

@@ -1,10 +1,11 @@
 /*
  * The pair in the Earth's inverse-square field, each craft on its own: the motion of which the paper's Eq. (2) keeps
- * the part linear in L/R_c. Measured, not proved: the balls hold all rounding, but the Taylor steps' remainders are
- * taken to be as small as their last terms.
+ * the part linear in L/R_c.
  */
 #ifndef CT_TWO_BODY_H
 #define CT_TWO_BODY_H
+
+#include <stdbool.h>
 
 #include "text/flint.h"
 
@@ -21,7 +22,10 @@ struct two_body {
 void two_body_init(struct two_body *b);
 void two_body_clear(struct two_body *b);
 
-/* The motion over tau radians, charges by (7) and (18) from the true distance and its rate. */
-void two_body_move(struct two_body *b, const arb_t tau, slong prec);
+/*
+ * The motion over tau >= 0 radians, charges by (7) and (18) from the true distance and its rate: an enclosure for all starts and
+ * parameters within the balls, or false where the series of a step were not proved.
+ */
+bool two_body_move(struct two_body *b, const arb_t tau, slong prec);
 
 #endif
