@@ -1,0 +1,286 @@
+/*
+ * verify/claims/guarantee.h, by another road: the energy in Cartesian coordinates at random points of the box, and motions
+ * of the pair with its errors by a plain Runge-Kutta method, in doubles: what is borne, and what is lost just beyond.
+ * Units: see guarantee.h.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "tests/claims/balls.h"
+#include "tests/run.h"
+#include "claims/guarantee.h"
+#include "motion/flow.h"
+
+enum { PREC = 192 };
+
+static arb_srcptr numbers(double n, double y)
+{
+    static arb_ptr values;
+    SCOPE(arb, gain, length);
+    if (values == NULL)
+        values = _arb_vec_init(GUARANTEES);
+    arb_set_d(gain, n);
+    arb_set_d(length, y);
+    ck_assert(guarantees_enclose(values, gain, y > 0 ? length : NULL, PREC));
+    return values;
+}
+
+static double number(const char *name, double n, double y)
+{
+    arb_srcptr z = numbers(n, y) + guarantee_find(name);
+    ck_assert_msg(arb_rel_accuracy_bits(z) > 40, "%s at n = %g is open", name, n);
+    return arf_get_d(arb_midref(z), ARF_RND_NEAR);
+}
+
+/* ---- boxes ---- */
+
+static double energy(double n, const double x[6])
+{
+    const double r = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+    const double square = x[3] * x[3] + x[4] * x[4] + x[5] * x[5] - 3 * x[0] * x[0] + x[2] * x[2];
+    return square / 2 + (n - 3) / r + n * log(r);
+}
+
+/* At psi, theta, dL/L_ref and their rates, which turn the vector of the craft about two axes. */
+static void place(double x[6], const double s[6])
+{
+    const double r = 1 + s[2], c = cos(s[1]), d = sin(s[1]);
+    const double out = s[5] * c - r * d * s[4], across = r * c * s[3];
+    x[0] = r * c * cos(s[0]);
+    x[1] = r * c * sin(s[0]);
+    x[2] = -r * d;
+    x[3] = out * cos(s[0]) - across * sin(s[0]);
+    x[4] = out * sin(s[0]) + across * cos(s[0]);
+    x[5] = -s[5] * d - r * c * s[4];
+}
+
+static unsigned long long state = 1;
+
+static double random_unit(void)
+{
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(state >> 11) * 0x1p-53;
+}
+
+/* Below the level in all of the box, and no more so in one a hundredth larger. */
+START_TEST(box_is_the_largest)
+{
+    static const double gains[] = {9.5, 10, 12, 20, 23, 40};
+    const double n = gains[_i], box = number("box", n, 0), level = number("level", n, 0);
+    double most = -INFINITY, beyond = -INFINITY, s[6], x[6];
+    for (int k = 0; k < 200000; k++) {
+        for (int i = 0; i < 6; i++) { /* its corners, edges and faces too */
+            const double u = 4 * random_unit() - 2;
+            s[i] = box * (u > 1 ? 1 : u < -1 ? -1 : u);
+        }
+        place(x, s);
+        most = fmax(most, energy(n, x));
+        for (int i = 0; i < 6; i++)
+            s[i] *= 1.01;
+        place(x, s);
+        beyond = fmax(beyond, energy(n, x));
+    }
+    ck_assert_double_lt(most, level + 1e-12); /* a hundred roundings of E, which is below 64 */
+    ck_assert_double_gt(beyond, level);
+}
+END_TEST
+
+/* Each alone: at the level there, and the other coordinates at rest. */
+START_TEST(half_widths_reach_the_level)
+{
+    static const char *const names[] = {"psi", "theta", "dL", "psi_dot", "psi_dot", "dL_dot"};
+    static const double gains[] = {9.5, 10, 12, 20, 23, 40};
+    const double n = gains[_i], level = number("level", n, 0);
+    for (int i = 0; i < 6; i++) {
+        double s[6] = {0}, x[6], most = -INFINITY;
+        for (int side = -1; side <= 1; side += 2) {
+            s[i] = side * number(names[i], n, 0);
+            place(x, s);
+            most = fmax(most, energy(n, x));
+        }
+        ck_assert_msg(fabs(most - level) < 1e-12, "%s at n = %g", names[i], n);
+    }
+}
+END_TEST
+
+static int take_last(void *context, slong k, const fmpq_t t, arb_srcptr at)
+{
+    (void)k;
+    (void)t;
+    _arb_vec_set(context, at, FLOW_STATE);
+    return 0;
+}
+
+/* A certified motion of unequal masses from next to a corner of the box: 60 radians later yaw and length are at rest. */
+START_TEST(corner_comes_back)
+{
+    struct flow_parameters p;
+    VECTOR(arb, at, FLOW_STATE);
+    SCOPE(arb, r, square);
+    double s[6], x[6], reached;
+    fmpq_t t;
+    fmpq_init(t);
+    fmpq_set_si(t, 60, 1);
+    for (int i = 0; i < 6; i++)
+        s[i] = 0.999 * number("box", 12, 0);
+    place(x, s);
+    flow_parameters_init(&p);
+    arb_one(p.Omega);
+    arb_one(p.k_c);
+    arb_one(p.m1);
+    arb_set_ui(p.m2, 3);
+    arb_one(p.L_ref);
+    arb_set_ui(p.C1, 12);
+    arb_set_ui(p.C2, 4);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_d(at + i, 0.75 * x[i]); /* craft 1 is at m2/(m1 + m2) of the distance */
+    ck_assert_int_eq(flow_nonlinear(&p, at, t, 1, 8, 128, take_last, at, &reached), FLOW_DONE);
+    arb_dot(square, NULL, 0, at, 1, at, 1, 3, PREC);
+    arb_sqrt(r, square, PREC);
+    arb_mul_ui(r, r, 4, PREC);
+    arb_div_ui(r, r, 3, PREC);
+    ck_assert(is_above(r, 0.99) && is_below(r, 1.01) && is_above(at, 0.74));
+    flow_parameters_clear(&p);
+    fmpq_clear(t);
+}
+END_TEST
+
+/* ---- errors that stay ---- */
+
+struct pair {
+    double n, c2, factor, screen, push[2], most; /* most: S, the charge product's bound; and none below zero */
+};
+
+static void rates(double d[6], const struct pair *p, double part, const double x[6])
+{
+    const double r = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+    const double r_dot = (x[0] * x[3] + x[1] * x[4] + x[2] * x[5]) / r;
+    const double u = part * p->screen * r, loss = (1 + u) * exp(-u) * (1 + part * p->factor);
+    const double command = 3 + p->n * (r - 1) + p->c2 * r_dot;
+    const double force = loss * (p->most > 0 ? fmax(0, fmin(p->most, command)) : command) / (r * r * r);
+    d[0] = x[3];
+    d[1] = x[4];
+    d[2] = x[5];
+    d[3] = 2 * x[4] + 3 * x[0] - force * x[0] + part * p->push[0];
+    d[4] = -2 * x[3] - force * x[1] + part * p->push[1];
+    d[5] = -x[2] - force * x[2];
+}
+
+/* From 0 to 1, gently at both ends. */
+static double grown(double t)
+{
+    return t < 1 ? t * t * (3 - 2 * t) : 1;
+}
+
+/* Whether the pair, with errors that grow to their size in `ramp` radians, is still at a length near L_ref 300 radians later. */
+static bool is_borne(const struct pair *p, double ramp, const double start[6])
+{
+    static const double h = 0.01, weights[] = {0, 0.5, 0.5, 1};
+    double x[6];
+    memcpy(x, start, sizeof x);
+    for (double t = 0; t < ramp + 300; t += h) {
+        double k[5][6] = {{0}}, at[6];
+        for (int stage = 0; stage < 4; stage++) {
+            for (int i = 0; i < 6; i++)
+                at[i] = x[i] + h * weights[stage] * k[stage][i];
+            rates(k[stage + 1], p, grown(ramp > 0 ? t / ramp : 1), at);
+        }
+        for (int i = 0; i < 6; i++)
+            x[i] += h / 6 * (k[1][i] + 2 * k[2][i] + 2 * k[3][i] + k[4][i]);
+        const double r = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+        if (!(r > 0.2 && r < 5 && x[0] > 0))
+            return false;
+    }
+    return true;
+}
+
+/* The error at `part` of what is borne. */
+static struct pair with_error(const char *name, double n, double c2, double part)
+{
+    struct pair p = {.n = n, .c2 = c2};
+    const double value = part * number(name, n, 0);
+    if (strncmp(name, "deficit", 7) == 0)
+        p.factor = -value;
+    else if (strncmp(name, "excess", 6) == 0)
+        p.factor = value;
+    else if (strcmp(name, "debye") == 0)
+        p.screen = part * part / value;
+    else
+        p.push[strncmp(name, "along", 5) == 0] = strncmp(name, "inward", 6) == 0 ? -value : value;
+    return p;
+}
+
+static const double gain_pairs[][2] = {{10, 2}, {12, 4}, {25, 8}};
+
+/* It grows slowly: a hundredth below the fold the pair follows, a hundredth above it is lost. */
+START_TEST(errors_are_borne_up_to_the_fold)
+{
+    static const char *const names[] = {"deficit", "debye", "outward", "inward", "along"};
+    const double start[] = {1, 1e-4, 1e-4, 0, 0, 0}; /* off the symmetry that a push keeps */
+    const char *name = names[_i % 5];
+    const double n = gain_pairs[_i / 5][0], c2 = gain_pairs[_i / 5][1];
+    struct pair below = with_error(name, n, c2, 0.99), above = with_error(name, n, c2, 1.01);
+    ck_assert_msg(is_borne(&below, 1000, start), "%s at n = %g", name, n);
+    ck_assert_msg(!is_borne(&above, 1000, start), "%s at n = %g", name, n);
+}
+END_TEST
+
+START_TEST(steps_are_borne)
+{
+    static const char *const names[] = {"deficit_step", "excess_step", "outward_step", "inward_step", "along_step"};
+    const double start[] = {1, 0, 0, 0, 0, 0};
+    const char *name = names[_i % 5];
+    const double n = gain_pairs[_i / 5][0];
+    struct pair p = with_error(name, n, 0.01, 0.999); /* hardly damped */
+    ck_assert_msg(is_borne(&p, 0, start), "%s at n = %g", name, n);
+}
+END_TEST
+
+/* Charges bounded to what holds 1.05 L_ref, and of one sign: from next to the corner of the box that is left. */
+START_TEST(bounded_charges_bring_back)
+{
+    const double n = gain_pairs[_i][0];
+    struct pair p = {.n = n, .c2 = gain_pairs[_i][1], .most = 3 * pow(1.05, 3)};
+    double s[6], x[6];
+    for (int i = 0; i < 6; i++)
+        s[i] = 0.999 * number("box", n, 1.05);
+    place(x, s);
+    ck_assert(is_borne(&p, 0, x));
+    ck_assert_double_lt(number("box", n, 1.05), number("box", n, 0));
+    ck_assert_double_eq_tol(number("held", n, 1.05), 1.05, 1e-12); /* nothing of that bound is spare */
+}
+END_TEST
+
+START_TEST(outside_the_domain_nothing_is_said)
+{
+    VECTOR(arb, values, GUARANTEES);
+    SCOPE(arb, n, y);
+    arb_set_ui(n, 9);
+    ck_assert(!guarantees_enclose(values, n, NULL, PREC) && !arb_is_finite(values));
+    arb_indeterminate(n);
+    ck_assert(!guarantees_enclose(values, n, NULL, PREC) && !arb_is_finite(values));
+    arb_set_ui(n, 10);
+    arb_one(y);
+    ck_assert(!guarantees_enclose(values, n, y, PREC) && !arb_is_finite(values));
+    ck_assert_int_eq(guarantee_find("nothing"), -1);
+    ck_assert_int_eq(guarantee_find(guarantees[GUARANTEES - 1].name), GUARANTEES - 1);
+    ck_assert_ptr_null(guarantees[GUARANTEES].name);
+    arb_set_d(n, 9 + 0x1p-40); /* so near that the doubled root leaves digits open: no wrong sign is guessed */
+    ck_assert(guarantees_enclose(values, n, NULL, 64));
+    ck_assert(arb_is_finite(values) && !arb_is_finite(values + guarantee_find("box")));
+}
+END_TEST
+
+SUITE(test_guarantee)
+{
+    Suite *s = suite_create("guarantee");
+    TCase *boxes = add_case(s, "boxes"), *errors = add_case(s, "errors");
+    tcase_add_loop_test(boxes, box_is_the_largest, 0, 6);
+    tcase_add_loop_test(boxes, half_widths_reach_the_level, 0, 6);
+    tcase_add_test(boxes, corner_comes_back);
+    tcase_add_test(boxes, outside_the_domain_nothing_is_said);
+    tcase_add_loop_test(errors, errors_are_borne_up_to_the_fold, 0, 15);
+    tcase_add_loop_test(errors, steps_are_borne, 0, 15);
+    tcase_add_loop_test(errors, bounded_charges_bring_back, 0, 3);
+    return s;
+}

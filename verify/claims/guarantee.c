@@ -1,0 +1,178 @@
+#include "claims/guarantee.h"
+
+#include <string.h>
+
+#include "formula/expression.h"
+#include "text/scope.h"
+
+/* U where the charges follow the command, where they have reached their bound (r > bound), and both; U' of the first. */
+#define FREE(r) "((n - 3)/(" r ") + n*log(" r "))"
+#define HELD(r) "(" FREE("bound") " + 3*outer^3*(1/bound - 1/(" r ")))"
+#define U(r) "(" FREE(r) " + positive(" r " - bound)*(" HELD(r) " - " FREE(r) "))"
+#define SLOPE(r) "((3 + n*(" r " - 1))/(" r ")^2)"
+
+/* E - U with psi, theta and all rates x, at the length r (claim basin-box). */
+#define MOVING(r) "(x^2 + (" r ")^2*(x^2 + sin(x)^2 + cos(x)^2*(x^2 - 3*cos(x)^2)))/2"
+
+/* Where the balance with the screened force folds, L/lambda_d = u: u^2/(1 + u) is the first of these, u the second. */
+#define LOSS "((3*n - 9 - 2*n*x)/(3 + n*(x - 1)))"
+#define SCREENED "((" LOSS " + sqrt(" LOSS "^2 + 4*" LOSS "))/2)"
+
+#define NO_ROOT {0}, NULL, NULL
+
+/*
+ * Why there is one root: E on the radius falls from r = 0 to 1, and rises to `outer`; the most of E in a box rises with the
+ * box; `saddle` rises with the length that can be held. The error by which a step lifts E at r = 1 to that of the saddle at
+ * r moves the difference by U(1) - U(r), by 1 - r; U'' falls, and is 3 + n - 9 at r = 1.
+ */
+const struct guarantee guarantees[] = {
+    {"equilibrium", 1, 0, "other equilibrium on the radius", {"(sqrt(12*n - 27) - 3)/6"}, NO_ROOT},
+    {"outer", 1, 0, "length that the pair never passes from within the separatrix level", {"equilibrium", "y"}, NO_ROOT},
+    {"bound", 1, 0, NULL, {"1 + 3*(outer^3 - 1)/n"}, NO_ROOT},
+    {"saddle", 0, 0, NULL, {HELD("outer") " - 3/2*outer^2"}, NO_ROOT},
+    {"across", 0, 0, NULL, {"n + n*log(1 - 3/n)"}, NO_ROOT},
+    {"level", 0, 0, "separatrix level of the energy", {"saddle", "across"}, NO_ROOT},
+    {"depth", 0, 0, "separatrix level over the energy of rest at L_ref", {"level - n + 9/2"}, NO_ROOT},
+    {"shortest", 1, 0, "shortest length from which the pair, let go on the radius, surely returns", {0},
+     {FREE("x") " - 3/2*x^2 - level"}, "(1 - 3/n)/2", "1"},
+    {"longest", 1, 0, "longest length from which the pair, let go on the radius, surely returns", {0},
+     {"level - " U("x") " + 3/2*x^2"}, "1", "outer"},
+    {"dL", 1, 0, "largest length error of either sign, all else at rest", {"1 - shortest", "longest - 1"}, NO_ROOT},
+    {"psi", 0, 0, "largest yaw, all else at rest", {"atan2(sqrt(2*depth/3), sqrt(1 - 2*depth/3))"}, NO_ROOT},
+    {"theta", 0, 0, "largest pitch, all else at rest", {"atan2(sqrt(depth/2), sqrt(1 - depth/2))"}, NO_ROOT},
+    {"psi_dot", 0, 1, "largest rate of yaw, or of pitch, all else at rest", {"sqrt(2*depth)"}, NO_ROOT},
+    {"dL_dot", 1, 1, "largest rate of the length, all else at rest", {"psi_dot"}, NO_ROOT},
+    {"widest", 0, 0, NULL, {"outer - 1", "1/2"}, NO_ROOT},
+    {"box", 0, 0, "bound of psi, theta, dL/L_ref and of their rates in radians of orbit, all at once", {0},
+     {"level - " MOVING("1 + x") " - " U("1 + x"), "level - " MOVING("1 - x") " - " FREE("1 - x")}, "0", "widest"},
+    {"held", 1, 0, NULL, {0},
+     {"level - " FREE("1 + 3*(x^3 - 1)/n") " - 3*x^3/(1 + 3*(x^3 - 1)/n) + 9/2*x^2"}, "1", "outer"},
+    {"q_max", 0, 0, "charge that a craft must bear for all of that, over its charge at rest", {"sqrt(held^3)"}, NO_ROOT},
+    {"fold", 1, 0, NULL, {"3*(n - 3)/(2*n)"}, NO_ROOT},
+    {"deficit", 0, 0, "part of the force that may be missing", {"1 - 81*(n - 3)^2/(4*n^3)"}, NO_ROOT},
+    {"deficit_step", 0, 0, "the same from one moment to the next, at rest at L_ref", {"1 - 3*x^3/(3 + n*(x - 1))"},
+     {"3/2*(x^2 - 1) + 3*x^3/(3 + n*(x - 1))*(n - 3 - " FREE("x") ")"}, "fold", "equilibrium"},
+    {"excess_step", 0, 0, "part by which the force may be too strong from one moment to the next",
+     {"3/(2*(n - 3 - across)) - 1"}, NO_ROOT},
+    {"debye", 1, 0, "shortest Debye length, the force being that of a screened potential", {"x/" SCREENED},
+     {"3*x^3 - (1 + " SCREENED ")*exp(-" SCREENED ")*(3 + n*(x - 1))"}, "1", "fold"},
+    {"inflection", 1, 0, NULL, {0}, {"3*x^3 + n*x - 2*(n - 3)"}, "1", "equilibrium"},
+    {"outward", 1, 2, "steady outward push", {SLOPE("inflection") " - 3*inflection"}, NO_ROOT},
+    {"outward_step", 1, 2, "the same from one moment to the next, at rest at L_ref", {SLOPE("x") " - 3*x"},
+     {FREE("x") " - 3/2*x^2 - n + 9/2 - (" SLOPE("x") " - 3*x)*(x - 1)"}, "inflection", "equilibrium"},
+    {"inward", 1, 2, "steady inward push", {"3 - 9/n"}, NO_ROOT},
+    {"inward_step", 1, 2, "the same from one moment to the next, at rest at L_ref",
+     {"3 - sqrt(9 - 6*(across - n + 9/2))"}, NO_ROOT},
+    {"along", 1, 2, "steady push along the track, whatever the gains", {"3"}, NO_ROOT},
+    {"turned", 1, 0, NULL, {0}, {FREE("x") " - " SLOPE("x") "*x - n + 9/2"}, "1 - 3/n", "1"},
+    {"along_step", 1, 2, "the same from one moment to the next, at rest at L_ref",
+     {"sqrt(6*(" FREE("equilibrium") " - 3/2*equilibrium^2 - n + 9/2))", SLOPE("turned")}, NO_ROOT},
+    {NULL, 0, 0, NULL, {0}, NO_ROOT},
+};
+
+int guarantee_find(const char *name)
+{
+    for (int i = 0; guarantees[i].name != NULL; i++)
+        if (strcmp(guarantees[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+/* ---- the table's formulas in balls ---- */
+
+enum { N, Y, X, FIRST }; /* inputs: these, then each number */
+
+/* Nodes of a number's formulas, -1 where it has none. */
+struct nodes {
+    int value[2], root[2], low, high;
+};
+
+static int parse(struct program *p, const char *formula)
+{
+    size_t where;
+    struct message why;
+    return formula != NULL ? program_parse(p, formula, &where, &why) : -1;
+}
+
+static void enclose(arb_t z, struct machine *m, const int nodes[2])
+{
+    for (int i = 0; i < 2 && nodes[i] >= 0; i++) {
+        machine_run_to(m, nodes[i]);
+        if (i == 0)
+            arb_set(z, machine_value(m, nodes[i]));
+        else
+            arb_min(z, z, machine_value(m, nodes[i]), m->prec);
+    }
+}
+
+static int sign_at(const arf_t x, struct machine *m, const int root[2])
+{
+    SCOPE(arb, z);
+    arb_set_arf(machine_value(m, X), x);
+    enclose(z, m, root);
+    return arb_is_positive(z) - arb_is_negative(z);
+}
+
+/* Halves the interval, into the node of x, while the sign is certain; at `high` the formula may vanish twice over. */
+static void find_root(struct machine *m, const struct nodes *of)
+{
+    SCOPE(arf, low, high, middle);
+    machine_run_to(m, of->low);
+    machine_run_to(m, of->high);
+    arb_get_ubound_arf(low, machine_value(m, of->low), m->prec);
+    arb_get_ubound_arf(high, machine_value(m, of->high), m->prec);
+    const int sign = sign_at(low, m, of->root);
+    bool found = sign != 0 && sign_at(high, m, of->root) != sign;
+    for (slong i = 0, at = sign; i < m->prec && found && at != 0; i++) {
+        arf_add(middle, low, high, m->prec, ARF_RND_NEAR);
+        arf_mul_2exp_si(middle, middle, -1);
+        at = sign_at(middle, m, of->root);
+        if (at == sign)
+            arf_set(low, middle);
+        else if (at != 0)
+            arf_set(high, middle);
+    }
+    if (found)
+        arb_set_interval_arf(machine_value(m, X), low, high, m->prec);
+    else
+        arb_indeterminate(machine_value(m, X));
+}
+
+bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits)
+{
+    struct program p;
+    struct machine m;
+    struct nodes nodes[GUARANTEES];
+    SCOPE(arb, least);
+    arb_set_ui(least, 9);
+    _arb_vec_indeterminate(values, GUARANTEES);
+    if (!arb_gt(n, least))
+        return false;
+    arb_one(least);
+    if (y != NULL && !arb_gt(y, least))
+        return false;
+    program_init(&p);
+    program_input(&p, "n");
+    program_input(&p, "y");
+    program_input(&p, "x");
+    for (int i = 0; i < GUARANTEES; i++)
+        program_input(&p, guarantees[i].name);
+    for (int i = 0; i < GUARANTEES; i++) {
+        const struct guarantee *g = &guarantees[i];
+        nodes[i] = (struct nodes){{parse(&p, g->value[0]), parse(&p, g->value[1])},
+                                  {parse(&p, g->root[0]), parse(&p, g->root[1])}, parse(&p, g->low), parse(&p, g->high)};
+    }
+    machine_init(&m, &p, &arithmetic_ball, bits);
+    arb_set(machine_value(&m, N), n);
+    arb_set(machine_value(&m, Y), y != NULL ? y : n); /* no length is longer than n */
+    for (int i = 0; i < GUARANTEES; i++) {
+        if (guarantees[i].low != NULL)
+            find_root(&m, &nodes[i]);
+        arb_set(values + i, machine_value(&m, X));
+        enclose(values + i, &m, nodes[i].value);
+        arb_set(machine_value(&m, FIRST + i), values + i);
+    }
+    machine_clear(&m);
+    program_clear(&p);
+    return true;
+}
