@@ -425,7 +425,7 @@ int program_derivative(struct program *p, int node, const int *rate, int rates)
 
 /* ---- machines ---- */
 
-enum { SCRATCH = 2 };
+enum { SCRATCH = 3 };
 
 void machine_init(struct machine *m, const struct program *p, const struct arithmetic *a, slong prec)
 {
@@ -480,33 +480,34 @@ void machine_run_to(struct machine *m, int node)
     free(needed);
 }
 
-/* d = the derivative of node i by its left operand (or its right one); e is scratch. */
-static void partial(const struct machine *m, int i, bool right, void *d, void *e)
+/* Whether what node i passes on to its left operand (or its right one) is taken away: multiply() leaves the sign out. */
+static bool is_negative(const struct node *node, bool right)
 {
-    const struct arithmetic *a = m->arithmetic;
+    return node->op == OPERATOR_NEGATE || node->op == OPERATOR_COS ||
+           (right && (node->op == OPERATOR_SUBTRACT || node->op == OPERATOR_DIVIDE || node->op == OPERATOR_ATAN2));
+}
+
+/* d, the derivative by node i, times that of the node by its left operand (or its right one); e and f are scratch. */
+static void multiply(const struct machine *m, int i, bool right, void *d, void *e, void *f)
+{
     const struct node *node = &m->program->nodes[i];
     void *x = machine_value(m, node->left), *z = machine_value(m, i);
     void *y = node->right < 0 ? NULL : machine_value(m, node->right);
     SCOPE(fmpq, number);
-    fmpq_set_si(number, right && node->op == OPERATOR_SUBTRACT ? -1 : 1, 1);
-    if (node->op == OPERATOR_NEGATE)
-        fmpq_set_si(number, -1, 1);
-    if (node->op == OPERATOR_POSITIVE)
-        fmpq_zero(number);
-    if (node->op == OPERATOR_POWER)
-        fmpq_set_si(number, node->exponent, 1);
-    a->set_rational(d, number, m->prec);
     switch (node->op) {
     case OPERATOR_MULTIPLY:
-        a->set(d, right ? x : y);
+        compute(m, OPERATOR_MULTIPLY, d, d, right ? x : y);
         break;
     case OPERATOR_DIVIDE:
-        if (right)
-            compute(m, OPERATOR_NEGATE, d, z, NULL);
         compute(m, OPERATOR_DIVIDE, d, d, y);
+        if (right)
+            compute(m, OPERATOR_MULTIPLY, d, d, z);
         break;
     case OPERATOR_POWER:
-        a->apply(OPERATOR_POWER, e, x, NULL, node->exponent - 1, m->prec);
+        fmpq_set_si(number, node->exponent, 1);
+        m->arithmetic->set_rational(e, number, m->prec);
+        compute(m, OPERATOR_MULTIPLY, d, d, e);
+        m->arithmetic->apply(OPERATOR_POWER, e, x, NULL, node->exponent - 1, m->prec);
         compute(m, OPERATOR_MULTIPLY, d, d, e);
         break;
     case OPERATOR_SQRT:
@@ -514,28 +515,27 @@ static void partial(const struct machine *m, int i, bool right, void *d, void *e
         compute(m, OPERATOR_DIVIDE, d, d, e);
         break;
     case OPERATOR_SIN:
-        compute(m, OPERATOR_COS, d, x, NULL);
-        break;
     case OPERATOR_COS:
-        compute(m, OPERATOR_SIN, d, x, NULL);
-        compute(m, OPERATOR_NEGATE, d, d, NULL);
+        compute(m, node->op == OPERATOR_SIN ? OPERATOR_COS : OPERATOR_SIN, e, x, NULL);
+        compute(m, OPERATOR_MULTIPLY, d, d, e);
         break;
     case OPERATOR_EXP:
-        a->set(d, z);
+        compute(m, OPERATOR_MULTIPLY, d, d, z);
         break;
     case OPERATOR_LOG:
         compute(m, OPERATOR_DIVIDE, d, d, x);
         break;
     case OPERATOR_ATAN2: /* by y: x / (x^2 + y^2), by x: -y / (x^2 + y^2); here x is y, and y is x */
-        compute(m, OPERATOR_MULTIPLY, d, x, x);
-        compute(m, OPERATOR_MULTIPLY, e, y, y);
-        compute(m, OPERATOR_ADD, e, d, e);
-        a->set(d, right ? x : y);
-        if (right)
-            compute(m, OPERATOR_NEGATE, d, d, NULL);
+        compute(m, OPERATOR_MULTIPLY, d, d, right ? x : y);
+        compute(m, OPERATOR_MULTIPLY, e, x, x);
+        compute(m, OPERATOR_MULTIPLY, f, y, y);
+        compute(m, OPERATOR_ADD, e, e, f);
         compute(m, OPERATOR_DIVIDE, d, d, e);
         break;
-    default:
+    case OPERATOR_POSITIVE: /* flat but for the jump, where the caller has no business */
+        m->arithmetic->set_rational(d, number, m->prec);
+        break;
+    default: /* of a sum the factor is 1 */
         break;
     }
 }
@@ -544,6 +544,7 @@ void machine_gradient(const struct machine *m, int node, struct machine *adjoint
 {
     const struct program *p = m->program;
     void *d = machine_value(adjoint, p->count), *e = machine_value(adjoint, p->count + 1);
+    void *f = machine_value(adjoint, p->count + 2);
     char *reached = xrealloc(NULL, (size_t)node + 1, 1);
     SCOPE(fmpq, number);
     memset(reached, 0, (size_t)node + 1);
@@ -553,14 +554,15 @@ void machine_gradient(const struct machine *m, int node, struct machine *adjoint
     m->arithmetic->set_rational(machine_value(adjoint, node), number, m->prec);
     reached[node] = 1;
     for (int i = node; i >= p->inputs; i--) {
-        const int operands[2] = {p->nodes[i].left, p->nodes[i].right};
+        const struct node *of = &p->nodes[i];
+        const int operands[2] = {of->left, of->right};
         for (int k = 0; k < 2 && reached[i]; k++) {
-            if (operands[k] < 0 || (p->nodes[i].op == OPERATOR_SUBTRACT && operands[0] == operands[1]))
+            if (operands[k] < 0 || (of->op == OPERATOR_SUBTRACT && operands[0] == operands[1]))
                 continue; /* no operand, or x - x, which does not change */
             void *sum_so_far = machine_value(adjoint, operands[k]);
-            partial(m, i, k == 1, d, e);
-            compute(m, OPERATOR_MULTIPLY, d, d, machine_value(adjoint, i));
-            compute(m, OPERATOR_ADD, sum_so_far, sum_so_far, d);
+            m->arithmetic->set(d, machine_value(adjoint, i));
+            multiply(m, i, k == 1, d, e, f);
+            compute(m, is_negative(of, k == 1) ? OPERATOR_SUBTRACT : OPERATOR_ADD, sum_so_far, sum_so_far, d);
             reached[operands[k]] = 1;
         }
     }

@@ -1,6 +1,6 @@
 /*
- * Numbers as text. Rationals go through exact integers, balls through MPFR, which rounds correctly; strtod does, too. No
- * locale but C's takes part: the program sets none.
+ * Numbers as text: integers of so many digits, which rationals and binary64 are rounded to exactly, and balls at both ends;
+ * strtod rounds correctly, too. No locale but C's takes part: the program sets none.
  */
 #include "text/decimal.h"
 
@@ -15,31 +15,6 @@
 
 /* Of an exact literal, beyond binary128's 10^+-4966: there certified roots still take but a second. */
 static const slong LARGEST_EXPONENT = 5000, MOST_DIGITS = 10000;
-static const slong MANTISSA_BITS = DBL_MANT_DIG; /* 53: a binary64's significand */
-
-/* n = p/q rounded to the nearest integer, ties to even; p >= 0, q > 0. */
-static void nearest(fmpz_t n, const fmpz_t p, const fmpz_t q)
-{
-    SCOPE(fmpz, remainder);
-    fmpz_fdiv_qr(n, remainder, p, q);
-    fmpz_mul_2exp(remainder, remainder, 1);
-    int half = fmpz_cmp(remainder, q);
-    if (half > 0 || (half == 0 && fmpz_is_odd(n)))
-        fmpz_add_ui(n, n, 1);
-}
-
-/* p/q = |x| 10^k */
-static void scale_decimal(fmpz_t p, fmpz_t q, const fmpq_t x, slong k)
-{
-    SCOPE(fmpz, power);
-    fmpz_ui_pow_ui(power, 10, k < 0 ? -(ulong)k : (ulong)k);
-    fmpz_abs(p, fmpq_numref(x));
-    fmpz_set(q, fmpq_denref(x));
-    if (k < 0)
-        fmpz_mul(q, q, power);
-    else
-        fmpz_mul(p, p, power);
-}
 
 /* ---- reading ---------------------------------------------------------- */
 
@@ -118,17 +93,6 @@ static void write_scientific(char *text, const char *digits, slong exponent)
     snprintf(text + more, BESIDE_DIGITS - 2, "e%c%02ld", exponent < 0 ? '-' : '+', labs(exponent));
 }
 
-/* The same with a sign, from their integer. */
-static char *scientific(bool negative, const fmpz_t digits, slong exponent)
-{
-    char *significand = fmpz_get_str(NULL, 10, digits);
-    char *text = xrealloc(NULL, strlen(significand) + BESIDE_DIGITS, 1);
-    text[0] = '-';
-    write_scientific(text + negative, significand, exponent);
-    flint_free(significand);
-    return text;
-}
-
 /*
  * A lower bound on floor(log10(x)), nearly always equal to it, for x = mantissa 2^exponent, x > 0,
  * |exponent| < 2^50. The margin covers the rounding of three operations in double.
@@ -140,126 +104,142 @@ static slong decimal_exponent(double mantissa, slong exponent)
     return (slong)floor(log10(mantissa) + (double)exponent * log10_2 - margin);
 }
 
-/* |x|, x not zero, to so many digits: their integer, and the exponent of the first. */
-static slong leading_digits(fmpz_t n, const fmpq_t x, slong digits)
+/* |x| 10^k to the nearest integer, ties to even: of an enclosure its end nearer zero, and false where the other rounds elsewhere. */
+typedef bool rounder(fmpz_t n, const void *x, slong k);
+
+/* From the exponent of the first digit, or one that is too low. */
+static char *scientific(rounder *round, const void *x, bool negative, slong digits, slong exponent)
 {
-    SCOPE(fmpz, p, q, limit);
-    fmpz_ui_pow_ui(limit, 10, (ulong)digits);
-    slong top, bottom;
-    double above = fmpz_get_d_2exp(&top, fmpq_numref(x));
-    double below = fmpz_get_d_2exp(&bottom, fmpq_denref(x));
-    slong exponent = decimal_exponent(fabs(above / below), top - bottom);
-    for (;; exponent++) {
-        scale_decimal(p, q, x, digits - 1 - exponent);
-        nearest(n, p, q);
-        /* A digit too many: the exponent was too low, or the value rounds to the next power of ten.
-         */
-        if (fmpz_cmp(n, limit) < 0)
-            break;
+    SCOPE(fmpz, n);
+    char *significand = NULL, *text = NULL;
+    bool decided, fits;
+    do {
+        flint_free(significand);
+        decided = round(n, x, digits - 1 - exponent);
+        significand = fmpz_get_str(NULL, 10, n);
+        fits = (slong)strlen(significand) <= digits; /* not where |x| rounds to the next power of ten, either */
+        exponent += !fits;
+    } while (!fits);
+    if (decided) {
+        text = xrealloc(NULL, (size_t)digits + BESIDE_DIGITS, 1);
+        text[0] = '-';
+        write_scientific(text + negative, significand, exponent);
     }
-    return exponent;
+    flint_free(significand);
+    return text;
+}
+
+/* p/q becomes p/q 10^k. */
+static void scale_decimal(fmpz_t p, fmpz_t q, slong k)
+{
+    SCOPE(fmpz, power);
+    fmpz_ui_pow_ui(power, 10, (ulong)labs(k));
+    fmpz_mul(k < 0 ? q : p, k < 0 ? q : p, power);
+}
+
+static bool round_rational(fmpz_t n, const void *x, slong k)
+{
+    SCOPE(fmpz, p, q, remainder);
+    fmpz_abs(p, fmpq_numref((const fmpq *)x));
+    fmpz_set(q, fmpq_denref((const fmpq *)x));
+    scale_decimal(p, q, k);
+    fmpz_fdiv_qr(n, remainder, p, q);
+    fmpz_mul_2exp(remainder, remainder, 1);
+    const int half = fmpz_cmp(remainder, q);
+    if (half > 0 || (half == 0 && fmpz_is_odd(n)))
+        fmpz_add_ui(n, n, 1);
+    return true;
 }
 
 char *decimal_of_rational(const fmpq_t x, slong digits)
 {
+    slong top, bottom;
+    const double above = fmpz_get_d_2exp(&top, fmpq_numref(x)), below = fmpz_get_d_2exp(&bottom, fmpq_denref(x));
     if (fmpq_is_zero(x))
         return text_copy("0");
-    SCOPE(fmpz, n);
-    slong exponent = leading_digits(n, x, digits);
-    return scientific(fmpq_sgn(x) < 0, n, exponent);
-}
-
-/* The text of a number other than zero, rounded to nearest, ties to even. */
-static char *decimal_of_mpfr(const mpfr_t x, slong digits)
-{
-    mpfr_exp_t exponent;
-    char *significand = mpfr_get_str(NULL, &exponent, 10, (size_t)digits, x, MPFR_RNDN);
-    const bool negative = *significand == '-';
-    char *text = xrealloc(NULL, (size_t)digits + BESIDE_DIGITS, 1);
-    text[0] = '-';
-    write_scientific(text + negative, significand + negative, exponent - 1);
-    mpfr_free_str(significand);
-    return text;
+    return scientific(round_rational, x, fmpq_sgn(x) < 0, digits, decimal_exponent(fabs(above / below), top - bottom));
 }
 
 /* What both ends round to, all between them rounds to. */
+static bool round_ball(fmpz_t n, const void *x, slong k)
+{
+    const double bits_a_digit = 3.3219280948873623; /* OEIS A020862 */
+    const slong bits = (slong)((double)fmpz_get_si(ARF_EXPREF(arb_midref((arb_srcptr)x))) + (double)k * bits_a_digit);
+    /* A tie is exact in these: it has `bits` and one of a half, and 5^k is a factor of it, or one of x. */
+    const slong prec = FLINT_MAX(bits, arf_bits(arb_midref((arb_srcptr)x))) + 64 + (slong)FLINT_BIT_COUNT(labs(k));
+    SCOPE(arb, y);
+    SCOPE(arf, end);
+    SCOPE(fmpz, other);
+    arb_ui_pow_ui(y, 10, (ulong)labs(k), prec);
+    if (k < 0)
+        arb_div(y, x, y, prec);
+    else
+        arb_mul(y, x, y, prec);
+    arb_abs(y, y);
+    arb_get_lbound_arf(end, y, prec);
+    arf_get_fmpz(n, end, ARF_RND_NEAR);
+    arb_get_ubound_arf(end, y, prec);
+    arf_get_fmpz(other, end, ARF_RND_NEAR);
+    return fmpz_equal(n, other);
+}
+
 char *decimal_of_ball(const arb_t x, slong digits)
 {
+    SCOPE(mag, least);
+    arb_get_mag_lower(least, x);
     if (arb_is_zero(x))
         return text_copy("0");
-    if (!arb_is_finite(x) || arb_contains_zero(x) || fmpz_bits(ARF_EXPREF(arb_midref(x))) > FLINT_BITS - 14)
-        return NULL; /* MPFR's exponents end at 2^62, at 2^30 where a word has 32 bits */
-    const slong prec = FLINT_MAX(arf_bits(arb_midref(x)), 4 * digits) + 64; /* 4 > log2(10), and guard bits */
-    const mpfr_exp_t least = mpfr_get_emin(), most = mpfr_get_emax();
-    mpfr_t low, high;
-    mpfr_set_emin(mpfr_get_emin_min());
-    mpfr_set_emax(mpfr_get_emax_max());
-    mpfr_init2(low, prec);
-    mpfr_init2(high, prec);
-    arb_get_interval_mpfr(low, high, x);
-    char *text = decimal_of_mpfr(low, digits), *other = decimal_of_mpfr(high, digits);
-    if (strcmp(text, other) != 0) {
-        free(text);
-        text = NULL;
-    }
-    free(other);
-    mpfr_clear(low);
-    mpfr_clear(high);
-    mpfr_set_emin(least);
-    mpfr_set_emax(most);
-    return text;
-}
-
-/* x > 0 to so many digits, without a point; returns the exponent of the first. C's library rounds to nearest. */
-static slong nearest_digits(char digits[24], double x, size_t count)
-{
-    char text[40];
-    snprintf(text, sizeof text, "%.*e", (int)count - 1, x);
-    const size_t point = count > 1;
-    digits[0] = text[0];
-    memcpy(digits + 1, text + 1 + point, count - 1);
-    digits[count] = '\0';
-    return strtol(text + count + point + 1, NULL, 10);
-}
-
-/* The same, rounded up. */
-static slong digits_above(char digits[24], double x, size_t count)
-{
-    mpfr_exp_t exponent;
-    mpfr_t y;
-    mpfr_init2(y, MANTISSA_BITS);
-    mpfr_set_d(y, x, MPFR_RNDN);
-    mpfr_get_str(digits, &exponent, 10, count, y, MPFR_RNDU);
-    mpfr_clear(y);
-    return exponent - 1;
-}
-
-static bool reads_back(const char *digits, slong exponent, double x)
-{
-    char text[40];
-    snprintf(text, sizeof text, "%se%ld", digits, exponent + 1 - (long)strlen(digits));
-    const double y = strtod(text, NULL);
-    return !(y < x) && !(y > x);
+    if (!arb_is_finite(x) || mag_is_zero(least) || fmpz_bits(MAG_EXPREF(least)) > FLINT_BITS - 14)
+        return NULL; /* nor are there exponents of more digits than a word has */
+    const slong exponent = decimal_exponent(ldexp((double)MAG_MAN(least), -MAG_BITS), fmpz_get_si(MAG_EXPREF(least)));
+    return scientific(round_ball, x, arf_sgn(arb_midref(x)) < 0, digits, exponent);
 }
 
 /*
- * The fewest digits that read back as x, the nearest of them. What reads back as a power of two reaches twice as far
- * above it as below: there the next decimal above may do where the nearest does not. Of a normal number no decimal of
- * fewer than DBL_DIG = 15 digits is lost on the way, so that it stands in the 15 digits, zeros after it.
+ * The fewest digits that read back as x > 0, the nearest of them, and the exponent of the first. In units of the last of 17
+ * digits, which are enough, x = n + rest/q. What lies within `reach`/q, half a binary unit, reads back as x, where x is even
+ * the ends do so too; below a power of two units are half as large. Of a normal number no decimal of fewer than DBL_DIG = 15
+ * digits is lost on the way, so that it stands among those, zeros after it.
  */
 static slong shortest_digits(char digits[24], double x)
 {
-    int binary_exponent;
-    const int ways = frexp(x, &binary_exponent) > 0.5 ? 1 : 2; /* of a power of two the next above is tried too */
-    for (size_t count = x < DBL_MIN ? 1 : DBL_DIG;; count++)
-        for (int above = 0; above < ways; above++) {
-            const slong exponent = (above ? digits_above : nearest_digits)(digits, x, count);
-            if (!reads_back(digits, exponent, x))
-                continue;
-            while (count > 1 && digits[count - 1] == '0')
-                digits[--count] = '\0';
-            return exponent;
-        }
+    enum { ENOUGH = 17 };
+    int binary;
+    const bool power = !(frexp(x, &binary) > 0.5) && x > DBL_MIN;
+    const slong exponent = decimal_exponent(x, 0);
+    slong dropped = x < DBL_MIN ? ENOUGH : ENOUGH - DBL_DIG + 1; /* the exponent may be too low, n of 18 digits */
+    SCOPE(fmpz, n, rest, q, reach, unit, shorter, below, above);
+    binary = (binary < DBL_MIN_EXP ? DBL_MIN_EXP : binary) - DBL_MANT_DIG;
+    fmpz_set_d(n, ldexp(x, -binary));
+    const bool even = fmpz_is_even(n);
+    fmpz_set_ui(q, 2);
+    fmpz_set_ui(reach, 1);
+    fmpz_mul_2exp(binary < 0 ? q : reach, binary < 0 ? q : reach, (ulong)abs(binary));
+    scale_decimal(reach, q, ENOUGH - 1 - exponent);
+    fmpz_mul(n, n, reach);
+    fmpz_mul_2exp(n, n, 1);
+    fmpz_fdiv_qr(n, rest, n, q);
+    for (;; dropped--) {
+        fmpz_ui_pow_ui(unit, 10, (ulong)dropped);
+        fmpz_fdiv_qr(shorter, below, n, unit);
+        fmpz_mul(below, below, q);
+        fmpz_add(below, below, rest);
+        fmpz_mul(above, unit, q);
+        fmpz_sub(above, above, below);
+        const int nearer = fmpz_cmp(below, above);
+        fmpz_mul_2exp(below, below, power);
+        const bool low = fmpz_cmp(below, reach) < even, high = fmpz_cmp(above, reach) < even;
+        if (high && (!low || nearer > 0 || (nearer == 0 && fmpz_is_odd(shorter))))
+            fmpz_add_ui(shorter, shorter, 1);
+        if (high || low)
+            break;
+    }
+    fmpz_get_str(digits, 10, shorter);
+    size_t count = strlen(digits);
+    const slong first = exponent + (slong)count + dropped - ENOUGH;
+    while (count > 1 && digits[count - 1] == '0')
+        digits[--count] = '\0';
+    return first;
 }
 
 void decimal_shortest(char text[32], double x)
