@@ -17,7 +17,7 @@ enum { TRUTH_BITS = 192 };
 static void add_term(arb_t S, arb_srcptr x, arb_srcptr derivative, slong prec)
 {
     SCOPE(arb, term);
-    if (!arb_is_finite(x))
+    if (!arb_is_finite(x) || arb_is_zero(derivative))
         return;
     arb_mul(term, x, derivative, prec);
     arb_abs(term, term);

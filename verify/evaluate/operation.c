@@ -10,7 +10,7 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-enum { GUARD_BITS = 64 };
+enum { GUARD_BITS = 64, FORMULA_GUARD_BITS = 58 }; /* so that 40 digits take three words */
 
 /* Beyond this no formula of the sheet should need to go; it is the end of a loop that has none else. */
 static const slong MOST_WORKING_BITS = 400000;
@@ -225,7 +225,7 @@ static double flow_radians(const struct operation *o, const struct input *inputs
 
 static slong formula_precision(slong digits)
 {
-    return (slong)((double)digits * 3.33) + GUARD_BITS; /* 3.33 > log2(10) */
+    return (slong)((double)digits * 3.33) + FORMULA_GUARD_BITS; /* 3.33 > log2(10) */
 }
 
 slong operation_precision(const struct operation *o, const struct input *inputs, slong digits)

@@ -464,10 +464,24 @@ static void run_node(struct machine *m, int i)
                              node->right < 0 ? NULL : machine_value(m, node->right), node->exponent, m->prec);
 }
 
+/* The value of a sine or cosine where a node before `end` is just that; NULL: none is. They take longest. */
+static void *known_value(const struct machine *m, enum operator op, int operand, int end)
+{
+    for (int i = m->program->inputs; i < end && (op == OPERATOR_SIN || op == OPERATOR_COS); i++)
+        if (m->program->nodes[i].op == op && m->program->nodes[i].left == operand)
+            return machine_value(m, i);
+    return NULL;
+}
+
 void machine_run(struct machine *m)
 {
-    for (int i = m->program->inputs; i < m->program->count; i++)
-        run_node(m, i);
+    for (int i = m->program->inputs; i < m->program->count; i++) {
+        const void *known = known_value(m, m->program->nodes[i].op, m->program->nodes[i].left, i);
+        if (known != NULL && m->arithmetic->set != NULL)
+            m->arithmetic->set(machine_value(m, i), known);
+        else
+            run_node(m, i);
+    }
 }
 
 void machine_run_to(struct machine *m, int node)
@@ -493,6 +507,8 @@ static void multiply(const struct machine *m, int i, bool right, void *d, void *
     const struct node *node = &m->program->nodes[i];
     void *x = machine_value(m, node->left), *z = machine_value(m, i);
     void *y = node->right < 0 ? NULL : machine_value(m, node->right);
+    const enum operator other = node->op == OPERATOR_SIN ? OPERATOR_COS : OPERATOR_SIN;
+    const void *known;
     SCOPE(fmpq, number);
     switch (node->op) {
     case OPERATOR_MULTIPLY:
@@ -516,8 +532,10 @@ static void multiply(const struct machine *m, int i, bool right, void *d, void *
         break;
     case OPERATOR_SIN:
     case OPERATOR_COS:
-        compute(m, node->op == OPERATOR_SIN ? OPERATOR_COS : OPERATOR_SIN, e, x, NULL);
-        compute(m, OPERATOR_MULTIPLY, d, d, e);
+        known = known_value(m, other, node->left, m->program->count);
+        if (known == NULL)
+            compute(m, other, e, x, NULL);
+        compute(m, OPERATOR_MULTIPLY, d, d, known != NULL ? known : e);
         break;
     case OPERATOR_EXP:
         compute(m, OPERATOR_MULTIPLY, d, d, z);

@@ -90,7 +90,16 @@ static void write_scientific(char *text, const char *digits, slong exponent)
     if (more > 0)
         *text++ = '.';
     memcpy(text, digits + 1, more);
-    snprintf(text + more, BESIDE_DIGITS - 2, "e%c%02ld", exponent < 0 ? '-' : '+', labs(exponent));
+    text += more;
+    *text++ = 'e';
+    *text++ = exponent < 0 ? '-' : '+';
+    if (labs(exponent) < 100) { /* nearly always, and printf() takes as long as all the rest */
+        *text++ = (char)('0' + labs(exponent) / 10);
+        *text++ = (char)('0' + labs(exponent) % 10);
+        *text = '\0';
+    } else {
+        snprintf(text, BESIDE_DIGITS - 4, "%ld", labs(exponent));
+    }
 }
 
 /*
@@ -256,14 +265,16 @@ void decimal_shortest(char text[32], double x)
     const int first = (int)shortest_digits(digits, x), last = first + 1 - (int)strlen(digits);
     /* Simple readers take in 17 digits, zeros before the first of them too: a small number has all of its own within them. */
     const bool small = first < 0 && (first < -4 || (int)strlen(digits) - first > 17);
-    if (small || first >= 16)
+    if (small || first >= 16) {
         write_scientific(text, digits, first);
-    else if (first < 0)
-        snprintf(text, room, "0.%.*s%s", -1 - first, "000", digits);
-    else if (last < 0)
-        snprintf(text, room, "%.*s.%s", first + 1, digits, digits + first + 1);
-    else
-        snprintf(text, room, "%.0f", x); /* below 10^16: the integer is x itself */
+        return;
+    }
+    for (int power = FLINT_MAX(first, 0); power >= FLINT_MIN(last, 0); power--) {
+        if (power == -1)
+            *text++ = '.';
+        *text++ = power > first || power < last ? '0' : digits[first - power];
+    }
+    *text = '\0';
 }
 
 void decimal_bound(char text[32], const mag_t x)
