@@ -224,6 +224,15 @@ START_TEST(a_mistake_explains_what_passes)
 END_TEST
 
 /* n - 8 for n - 9 is like nothing known, and no guess is better than a false one; nor is anything told from one vector. */
+/* Yaw of a client that follows the first ten vectors rightly: Euler's method would not. */
+START_TEST(a_motion_that_passes_refutes_a_hypothesis)
+{
+    ck_assert_int_eq(conform("--only flow_linear -- sh -c 'for i in 1 2 3 4 5 6 7 8 9 10; do read -r q; echo \"$q\"; done | "
+                             "\"$0\" none; exec \"$0\" euler' FAULTY"), 1);
+    ck_assert_ptr_null(strstr(said, "looks like"));
+}
+END_TEST
+
 START_TEST(what_is_like_nothing_known_is_not_guessed)
 {
     ck_assert_int_eq(conform("--only eq44 -- FAULTY n-8"), 1);
@@ -241,6 +250,19 @@ START_TEST(what_is_like_nothing_known_is_not_guessed)
 END_TEST
 
 /* ---- what is asked, shown and expected ---- */
+
+/* Each root beside the one that it is compared with, and a mark where one is off. */
+START_TEST(roots_are_shown_as_a_set_with_a_mark_below_what_is_wrong)
+{
+    ck_assert_int_eq(conform("--only eq41roots-paper -- sh -c 'read o id in; echo $id -3.0327232498739167e-05 3.8823610912141664e-05 "
+                             "-4.2587767501260836e-05 -1.8200486135682383e-04 -4.2587767501260836e-05 1.8200486145682383e-04 "
+                             "-3.0327232498739167e-05 -3.8823610912141664e-05'"), 1);
+    assert_says("    im2        expected 1.8200486135682382556e-04\n               got      1.8200486145682383e-04\n"
+                "                                  ^\n    re3 ");
+    assert_says("got      -3.0327232498739167e-05\n    im4        expected 3.8823610912141664092e-05\n");
+    ck_assert_ptr_eq(strchr(said, '^'), strrchr(said, '^'));
+}
+END_TEST
 
 START_TEST(vectors_are_asked_one_by_one)
 {
@@ -1163,7 +1185,9 @@ SUITE(test_conform)
     tcase_add_test(c, a_right_client_passes_everything);
     tcase_add_loop_test(c, a_mistake_that_people_make_is_told_in_words, 0, sizeof people / sizeof *people);
     tcase_add_test(c, a_mistake_explains_what_passes);
+    tcase_add_test(c, a_motion_that_passes_refutes_a_hypothesis);
     tcase_add_test(c, what_is_like_nothing_known_is_not_guessed);
+    tcase_add_test(c, roots_are_shown_as_a_set_with_a_mark_below_what_is_wrong);
     tcase_add_test(c, vectors_are_asked_one_by_one);
     tcase_add_test(c, every_failing_vector_is_shown);
     tcase_add_test(c, digits_are_declared_once);

@@ -3,7 +3,6 @@
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,10 +57,13 @@ static void expect(struct test_run *e, struct record *r)
 /* What a diagnosis is made from. */
 static void keep(struct summary *t, const struct record *r)
 {
-    if (r->outcome == OUTCOME_RIGHT && t->pass_count < MOST_PASSES)
-        t->passes[t->pass_count++] = *r;
-    if (r->outcome >= OUTCOME_WRONG && t->failure_count < MOST_FAILURES)
-        t->failures[t->failure_count++] = *r;
+    const bool right = r->outcome == OUTCOME_RIGHT;
+    if (r->outcome == OUTCOME_SKIPPED || t->kept_count == MOST_KEPT || (!right && t->kept_failures == MOST_FAILURES) ||
+        (right && t->kept_count - t->kept_failures == MOST_KEPT - MOST_FAILURES))
+        return;
+    t->kept[t->kept_count++] = right ? *r : t->kept[t->kept_failures];
+    if (!right)
+        t->kept[t->kept_failures++] = *r;
 }
 
 static void note(struct test_run *e, struct record *r, const struct test_vector *q)
@@ -70,10 +72,8 @@ static void note(struct test_run *e, struct record *r, const struct test_vector 
     expect(e, r);
     t->counts[r->outcome]++;
     t->expected += r->expected;
-    if (e->journal != NULL) { /* whether all went well is asked at its end */
-        fwrite(r, offsetof(struct record, text), 1, e->journal);
-        fwrite(r->text, strlen(r->text) + 1, 1, e->journal);
-    }
+    if (e->journal != NULL)
+        fwrite(r, sizeof *r, 1, e->journal); /* whether all went well is asked at its end */
     keep(t, r);
     if (r->outcome < OUTCOME_WRONG || r->expected)
         return;
@@ -96,18 +96,10 @@ void test_run_rewind(struct test_run *e)
 
 bool test_run_record(struct test_run *e, struct record *r)
 {
-    int c = '\0';
-    if (fread(r, offsetof(struct record, text), 1, e->journal) != 1) {
-        e->journal_error = ferror(e->journal) ? errno : e->journal_error;
-        return false;
-    }
-    for (size_t i = 0; i < sizeof r->text && (c = getc(e->journal)) != EOF; i++) {
-        r->text[i] = (char)c;
-        if (c == '\0')
-            break;
-    }
-    e->journal_error = c == EOF && ferror(e->journal) ? errno : e->journal_error;
-    return c == '\0';
+    const bool read = fread(r, sizeof *r, 1, e->journal) == 1;
+    if (!read && ferror(e->journal))
+        e->journal_error = errno;
+    return read;
 }
 
 /* The vector that is due has come to this, without an answer but that beginning of one; the next one is due. */

@@ -15,7 +15,7 @@
 #include "conform/comparator.h"
 #include "conform/test_set.h"
 
-enum { LONGEST_LINE = 1 << 16, LONGEST_UNENDED = 1 << 26, LONGEST_SHOWN = 400, MOST_FAILURES = 32, MOST_PASSES = 64 };
+enum { LONGEST_LINE = 1 << 16, LONGEST_UNENDED = 1 << 26, LONGEST_SHOWN = 400, MOST_FAILURES = 32, MOST_KEPT = 96 };
 
 /* What came of a vector. */
 struct record {
@@ -25,7 +25,7 @@ struct record {
     struct score score;
     bool has_values;
     double values[MOST_OUTPUTS]; /* what was answered; of `invalid` and the like nothing   */
-    char text[LONGEST_SHOWN];    /* ... as it was written, the last: a record's tail is cut */
+    char text[LONGEST_SHOWN];    /* ... as it was written                                 */
 };
 
 /* What was found about one operation. */
@@ -35,10 +35,8 @@ struct summary {
     uint64_t worst;                      /* the vector that they come from; UINT64_MAX: none                       */
     struct record shown;                 /* of the failures the one that is easiest to follow                      */
     int ease;                            /* ... how easy: the less the easier                                      */
-    struct record failures[MOST_FAILURES];
-    int failure_count;                   /* ... those that were expected among them                                */
-    struct record passes[MOST_PASSES];   /* what a mistake has to explain as well                                  */
-    int pass_count;
+    struct record kept[MOST_KEPT];       /* what a mistake has to explain: failures, expected ones among them, then what passes */
+    int kept_count, kept_failures;
     char line[LONGEST_SHOWN];            /* the first answer with a word that is none, whole                       */
     enum outcome line_outcome;
     char reason[120];                    /* the first one for a skip                                               */

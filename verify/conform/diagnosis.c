@@ -106,6 +106,8 @@ static bool is_longer(const struct section *s, const struct input *inputs, doubl
 
 /* ---- diagnosis ---- */
 
+enum { MOST_MOTIONS = 8 }; /* that fail and are followed */
+
 /* Seconds of processor time for an operation: for the known mistakes, and with what they leave for all. */
 static const double PATIENCE_FOR_KNOWN = 0.7, PATIENCE = 1.0;
 
@@ -145,63 +147,40 @@ static bool is_domain_alone(const struct summary *t)
 }
 
 /*
- * None of the vectors that pass speaks against it. Those that are refused may do so only where the domain is all that fails:
- * else a client may check it first.
+ * All failures that formulas can explain, two at least, and nothing that passes speaks against it; what is refused may do so only where
+ * the domain is all that fails: else a client may check it first. Of a motion the long ones are tried where no others fail.
  */
-static bool explains_passes(struct mutant *x, const struct test_run *e, const struct summary *t, double digits)
-{
-    const bool domain = is_domain_alone(t);
-    struct test_vector q;
-    bool all = true;
-    test_vector_init(&q);
-    for (int i = 0; i < t->pass_count && all; i++) {
-        const struct record *f = &t->passes[i];
-        test_vector_make(&q, &e->sets, f->position);
-        if (f->has_values ? !is_longer(q.set->operation.section, q.inputs, SHORT) : domain)
-            all = clock() <= x->o.until && explains(x, e, f, &q, digits);
-    }
-    test_vector_clear(&q);
-    return all;
-}
-
-/* All failures that formulas can explain, two at least; of a motion the long ones only where there are no others. */
 static bool explains_all(struct mutant *x, const struct test_run *e, const struct summary *t, double digits)
 {
-    const enum outcome last = is_domain_alone(t) ? OUTCOME_VALUE : OUTCOME_INVALID;
+    const bool domain = is_domain_alone(t);
     struct test_vector q;
     int explained = 0;
     bool all = true;
     test_vector_init(&q);
     for (int pass = 0; pass < 2 && explained == 0 && all; pass++)
-        for (int i = 0; i < t->failure_count && all; i++) {
-            const struct record *f = &t->failures[i];
-
-            if (f->outcome < OUTCOME_WRONG || f->outcome > last)
+        for (int i = 0; i < t->kept_count && all; i++) {
+            const struct record *r = &t->kept[i];
+            const bool right = r->outcome == OUTCOME_RIGHT;
+            if (right ? !r->has_values && !domain : r->outcome > (domain ? OUTCOME_VALUE : OUTCOME_INVALID))
                 continue;
-            test_vector_make(&q, &e->sets, f->position);
-            if (pass == 0 && q.numbers && is_longer(q.set->operation.section, q.inputs, SHORT))
+            test_vector_make(&q, &e->sets, r->position);
+            if ((pass == 0 || right) && q.numbers && is_longer(q.set->operation.section, q.inputs, SHORT))
                 continue;
-            all = clock() <= x->o.until && explains(x, e, f, &q, digits);
-            explained++;
+            all = clock() <= x->o.until && explains(x, e, r, &q, digits);
+            explained += !right;
         }
     test_vector_clear(&q);
-    return all && explained > 1 && explains_passes(x, e, t, digits);
-}
-
-/* What was answered, failures first. */
-static const struct record *record_at(const struct summary *t, int i)
-{
-    return i < t->failure_count ? &t->failures[i] : &t->passes[i - t->failure_count];
+    return all && explained > 1;
 }
 
 /* The fewest decimal digits (at most 15) that all numbers are written with; 17 for more. */
 static int digits_written(const struct summary *t, int outputs)
 {
     int digits = 1;
-    for (int i = 0; i < t->failure_count + t->pass_count; i++)
-        for (int k = 0; k < outputs && record_at(t, i)->has_values && digits <= 15; k++) {
+    for (int i = 0; i < t->kept_count; i++)
+        for (int k = 0; k < outputs && t->kept[i].has_values && digits <= 15; k++) {
             char text[40];
-            const double value = record_at(t, i)->values[k];
+            const double value = t->kept[i].values[k];
             while (digits <= 15 && isfinite(value) &&
                    (snprintf(text, sizeof text, "%.*e", digits - 1, value), strtod(text, NULL) != value))
                 digits++;
@@ -212,9 +191,9 @@ static int digits_written(const struct summary *t, int outputs)
 static bool are_singles(const struct summary *t, int outputs)
 {
     bool singles = true;
-    for (int i = 0; i < t->failure_count + t->pass_count; i++)
-        for (int k = 0; k < outputs && record_at(t, i)->has_values; k++) {
-            const double value = record_at(t, i)->values[k];
+    for (int i = 0; i < t->kept_count; i++)
+        for (int k = 0; k < outputs && t->kept[i].has_values; k++) {
+            const double value = t->kept[i].values[k];
             singles = singles && fabs(value - (double)(float)value) <= 1e-9 * fabs(value); /* 9 digits write a float */
         }
     return singles;
@@ -230,12 +209,12 @@ static const char *format_mistake(const struct test_run *e, int set, char text[4
     const int outputs = e->comparators[set].operation->section->output_count;
     const int digits = digits_written(t, outputs);
     double worst = 0.0;
-    for (int i = 0; i < t->failure_count; i++) {
-        if (t->failures[i].outcome == OUTCOME_VALUE)
+    for (int i = 0; i < t->kept_failures; i++) {
+        if (t->kept[i].outcome == OUTCOME_VALUE)
             continue;
-        if (t->failures[i].outcome != OUTCOME_WRONG)
+        if (t->kept[i].outcome != OUTCOME_WRONG)
             return NULL;
-        worst = fmax(worst, t->failures[i].score.E);
+        worst = fmax(worst, t->kept[i].score.E);
     }
     if (worst == 0.0 || is_motion(e->comparators[set].operation->section) || e->significand != BINARY64)
         return NULL;
@@ -257,7 +236,7 @@ static void add_diagnosis(struct summary *t, const char *kind, const char *name,
     snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s%s", used ? joint : "", kind, name);
 }
 
-/* What failed in numbers, with the truth, then what passed; of a motion what fails and is soon computed. */
+/* What failed in numbers, with the truth, then what passed, of which the answer is as good; of a motion what is soon computed. */
 static void gather(struct evidence *v, const struct test_run *e, int set, clock_t until)
 {
     const struct summary *t = &e->summaries[set];
@@ -265,22 +244,23 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
     const struct section *s = o->section;
     struct test_vector q;
     VECTOR(arb, exact, MOST_OUTPUTS);
-    *v = (struct evidence){.section = s, .operation = o, .until = until};
+    *v = (struct evidence){.section = s, .operation = o, .until = until, .digits = e->comparators[set].digits};
     test_vector_init(&q);
     o->until = until;
-    const int most = is_motion(s) ? 8 : MOST_EVIDENCE, records = t->failure_count + (is_motion(s) ? 0 : t->pass_count);
-    for (int i = 0; i < records && v->count < most && clock() < until; i++) {
-        const struct record *r = record_at(t, i);
-        const bool right = r->outcome == OUTCOME_RIGHT && r->has_values;
+    for (int i = 0; i < t->kept_count && clock() < until; i++) {
+        const struct record *r = &t->kept[i];
+        const bool right = r->outcome == OUTCOME_RIGHT && r->has_values, motion = is_motion(s);
         test_vector_make(&q, &e->sets, r->position);
-        if ((r->outcome != OUTCOME_WRONG && !right) || is_longer(s, q.inputs, 12.0) ||
-            operation_follow(o, q.inputs, 15, is_motion(s) ? operation_precision(o, q.inputs, 15) : 128, exact) != OPERATION_PROVED)
+        if ((r->outcome != OUTCOME_WRONG && !right) || is_longer(s, q.inputs, 12.0) || (motion && !right && v->count == MOST_MOTIONS))
+            continue;
+        if (!(motion && right) &&
+            operation_follow(o, q.inputs, 15, motion ? operation_precision(o, q.inputs, 15) : 128, exact) != OPERATION_PROVED)
             continue;
         v->records[v->count] = r;
         for (int k = 0; k < s->input_count; k++)
             v->x[v->count][k] = q.inputs[k].infinite ? INFINITY : fmpq_get_d(&q.inputs[k].value);
         for (int k = 0; k < s->output_count; k++) {
-            v->exact[v->count][k] = arf_get_d(arb_midref(exact + k), ARF_RND_NEAR);
+            v->exact[v->count][k] = motion && right ? r->values[k] : arf_get_d(arb_midref(exact + k), ARF_RND_NEAR);
             v->y[v->count][k] = right ? v->exact[v->count][k] : r->values[k]; /* but for roundings */
         }
         v->count++;
@@ -310,9 +290,9 @@ static void diagnose_kind(struct test_run *e, int set, clock_t until)
 static bool is_nan_for_invalid(const struct summary *t, int outputs)
 {
     bool nan = true;
-    for (int i = 0; i < t->failure_count; i++)
-        for (int k = 0; k < outputs && t->failures[i].outcome == OUTCOME_VALUE; k++)
-            nan = nan && isnan(t->failures[i].values[k]);
+    for (int i = 0; i < t->kept_failures; i++)
+        for (int k = 0; k < outputs && t->kept[i].outcome == OUTCOME_VALUE; k++)
+            nan = nan && isnan(t->kept[i].values[k]);
     return nan;
 }
 
@@ -320,8 +300,8 @@ static bool is_nan_for_invalid(const struct summary *t, int outputs)
 static int explainable(const struct summary *t)
 {
     int count = 0;
-    for (int i = 0; i < t->failure_count; i++)
-        count += t->failures[i].outcome >= OUTCOME_WRONG && t->failures[i].outcome <= OUTCOME_VALUE;
+    for (int i = 0; i < t->kept_failures; i++)
+        count += t->kept[i].outcome >= OUTCOME_WRONG && t->kept[i].outcome <= OUTCOME_VALUE;
     return count;
 }
 

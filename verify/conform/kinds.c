@@ -22,11 +22,6 @@ static void append(char *text, size_t size, const char *between, const char *wor
     snprintf(text + used, size - used, "%s%s", used > 0 ? between : "", word);
 }
 
-static const char *output_name(const struct evidence *v, int k)
-{
-    return v->section->outputs[k]->name;
-}
-
 static int input_place(const struct section *s, const char *name)
 {
     for (int i = 0; i < s->input_count; i++)
@@ -39,11 +34,11 @@ static int input_place(const struct section *s, const char *name)
 
 static void all_zeros(const struct evidence *v, char *text, size_t size)
 {
+    bool zeros = true;
     for (int f = 0; f < v->count; f++)
         for (int k = 0; k < v->section->output_count; k++)
-            if (v->y[f][k] != 0.0)
-                return;
-    snprintf(text, size, "all zeros");
+            zeros = zeros && v->y[f][k] == 0.0;
+    snprintf(text, size, "%s", zeros ? "all zeros" : "");
 }
 
 /* The same digits after the point in every answer, no exponent, and right within half of the last of them. */
@@ -83,7 +78,7 @@ static void permuted_outputs(const struct evidence *v, char *text, size_t size)
             return;
         taken |= 1U << from;
         moved = moved || from != k;
-        append(names, sizeof names, " ", output_name(v, from));
+        append(names, sizeof names, " ", v->section->outputs[from]->name);
     }
     if (moved)
         snprintf(text, size, "the outputs in another order: %s", names);
@@ -91,54 +86,63 @@ static void permuted_outputs(const struct evidence *v, char *text, size_t size)
 
 /* ---- one output after another ---- */
 
-static bool is_right(const struct evidence *v, int k)
+/* How far a number of turns is from a whole one. */
+static double part_of_a_turn(double turns)
 {
-    bool right = true;
-    for (int f = 0; f < v->count; f++)
-        right = right && is_same(v->y[f][k], v->exact[f][k]);
-    return right;
+    return fabs(turns - round(turns));
 }
 
-/* What is wrong of one output, the same in every vector; "" where it is right, NULL where nothing fits. */
-static const char *angle_mistake(const struct evidence *v, int k)
+static bool turns(double y, double exact)
 {
-    bool turns = true, half = true, exchanged = true;
-    for (int f = 0; f < v->count; f++) {
-        const double off = v->y[f][k] - v->exact[f][k], whole = off / (2.0 * PI);
-        const double quarter = (v->y[f][k] + v->exact[f][k] - PI / 2.0) / (2.0 * PI);
-        turns = turns && (is_same(v->y[f][k], v->exact[f][k]) || (round(whole) != 0.0 && fabs(whole - round(whole)) < 1e-9));
-        half = half && (fabs(whole - 0.5 - round(whole - 0.5)) < 1e-9 || (off == 0.0 && cos(v->exact[f][k]) > -1e-9)); /* atan's own */
-        exchanged = exchanged && (fabs(quarter - round(quarter)) < 1e-9 || (off == 0.0 && v->exact[f][k] == 0.0)); /* atan2(0, 0) */
-    }
-    return is_right(v, k) ? "" : turns ? "differs by 2 pi: it lies from -pi to pi" : half ? "differs by pi: the quadrant is lost" :
-           exchanged ? "is that of atan2 with its arguments exchanged" : NULL;
+    const double off = (y - exact) / (2.0 * PI);
+    return is_same(y, exact) || (round(off) != 0.0 && part_of_a_turn(off) < 1e-9);
 }
 
-static const char *sign_mistake(const struct evidence *v, int k)
+static bool half_a_turn(double y, double exact)
 {
-    bool other = true;
+    return part_of_a_turn((y - exact) / (2.0 * PI) - 0.5) < 1e-9 || (y == exact && cos(exact) > -1e-9); /* atan's own half */
+}
+
+static bool from_the_other_axis(double y, double exact)
+{
+    return part_of_a_turn((y + exact - PI / 2.0) / (2.0 * PI)) < 1e-9 || (y == exact && exact == 0.0); /* atan2(0, 0) */
+}
+
+static bool opposite(double y, double exact)
+{
+    return is_same(y, -exact);
+}
+
+/* Whether an output is so in every vector. */
+static bool is_always(const struct evidence *v, int k, bool (*so)(double y, double exact))
+{
+    bool always = true;
     for (int f = 0; f < v->count; f++)
-        other = other && is_same(v->y[f][k], -v->exact[f][k]);
-    return is_right(v, k) ? "" : other ? "has the other sign" : NULL;
+        always = always && so(v->y[f][k], v->exact[f][k]);
+    return always;
 }
 
 /* Outputs that are wrong all in one way, where the others are right. */
-static void wrong_outputs(const struct evidence *v, const char *(*mistake)(const struct evidence *, int), bool angles, char *text, size_t size)
+static void wrong_outputs(const struct evidence *v, char *text, size_t size)
 {
-    char names[240] = "";
-    const char *first = NULL;
-    for (int k = 0; k < v->section->output_count; k++) {
-        const bool asked = !angles || strcmp(v->section->outputs[k]->unit, "rad") == 0;
-        const char *what = asked ? mistake(v, k) : is_right(v, k) ? "" : NULL;
-        if (what == NULL || (*what != '\0' && first != NULL && strcmp(first, what) != 0))
-            return;
-        if (*what != '\0') {
-            first = what;
-            append(names, sizeof names, ", ", output_name(v, k));
+    static const struct {
+        bool (*so)(double y, double exact);
+        bool angle;
+        const char *what;
+    } ways[] = {{turns, true, "differs by 2 pi: it lies from -pi to pi"}, {half_a_turn, true, "differs by pi: the quadrant is lost"},
+                {from_the_other_axis, true, "is that of atan2 with its arguments exchanged"}, {opposite, false, "has the other sign"}};
+    for (size_t way = 0; way < sizeof ways / sizeof *ways && *text == '\0'; way++) {
+        char names[240] = "";
+        bool fits = true;
+        for (int k = 0; k < v->section->output_count; k++) {
+            if (is_always(v, k, is_same))
+                continue;
+            fits = fits && is_always(v, k, ways[way].so) && (!ways[way].angle || strcmp(v->section->outputs[k]->unit, "rad") == 0);
+            append(names, sizeof names, ", ", v->section->outputs[k]->name);
         }
+        if (fits && *names != '\0')
+            snprintf(text, size, "%s %s", names, ways[way].what);
     }
-    if (first != NULL)
-        snprintf(text, size, "%s %s", names, first);
 }
 
 /* ---- a factor ---- */
@@ -156,7 +160,7 @@ static bool quotients_of(struct quotients *q, const struct evidence *v)
     bool wrong[MOST_OUTPUTS];
     q->count = 0;
     for (int k = 0; k < v->section->output_count; k++)
-        wrong[k] = !is_right(v, k);
+        wrong[k] = !is_always(v, k, is_same);
     for (int f = 0; f < v->count; f++) {
         bool first = true;
         for (int k = 0; k < v->section->output_count; k++) {
@@ -187,20 +191,17 @@ static bool inputs_differ(const struct quotients *q, const struct evidence *v)
     return all;
 }
 
-static void constant_factor(const struct evidence *v, char *text, size_t size)
+static bool constant_factor(const struct quotients *q, char *text, size_t size)
 {
     static const struct {
         double factor;
         const char *name;
     } known[] = {{57.295779513082320877, "180/pi, degrees for radians"}, {0.017453292519943295769, "pi/180, radians for degrees"},
                  {6.2831853071795864769, "2 pi"}, {0.15915494309189533577, "1/(2 pi)"}, {3.14159265358979323846, "pi"}};
-    struct quotients q;
-    if (!quotients_of(&q, v) || !inputs_differ(&q, v))
-        return;
-    const double factor = q.values[0];
-    for (int f = 1; f < q.count; f++)
-        if (!is_same(q.values[f], factor))
-            return;
+    const double factor = q->values[0];
+    for (int f = 1; f < q->count; f++)
+        if (!is_same(q->values[f], factor))
+            return false;
     if (fabs(factor) < 1.0 && is_same(round(1.0 / factor), 1.0 / factor))
         snprintf(text, size, "a constant factor %s1/%.10g", factor < 0.0 ? "-" : "", fabs(1.0 / factor));
     else
@@ -208,6 +209,7 @@ static void constant_factor(const struct evidence *v, char *text, size_t size)
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (is_same(factor, known[i].factor))
             snprintf(text, size, "a constant factor %s", known[i].name);
+    return true;
 }
 
 /* What a product of powers is made of: the inputs above zero that differ from vector to vector, and the sum of the masses. */
@@ -277,14 +279,14 @@ static void product_text(const struct bases *b, const double *powers, double sig
         snprintf(text, size, "1");
 }
 
-/* A product of powers, halves among them, and of a constant: too much, or missing. */
-static void product_factor(const struct evidence *v, char *text, size_t size)
+/* A constant, or a product of powers, halves among them, and of a constant: too much, or missing. */
+static void factor(const struct evidence *v, char *text, size_t size)
 {
     struct bases b;
     struct quotients q;
     double logs[MOST_EVIDENCE] = {0.0}, powers[MOST_INPUTS + 2], first = 0.0;
-    char above[120], below[120];
-    if (!quotients_of(&q, v) || !inputs_differ(&q, v))
+    char above[120], below[120], number[40] = "";
+    if (!quotients_of(&q, v) || !inputs_differ(&q, v) || constant_factor(&q, text, size))
         return;
     bases_of(&b, v, &q);
     for (int f = 0; f < q.count; f++)
@@ -304,13 +306,11 @@ static void product_factor(const struct evidence *v, char *text, size_t size)
     const double sign = first < 0.0 ? -1.0 : 1.0, constant = exp(sign * logs[0]);
     product_text(&b, powers, sign, above, sizeof above);
     product_text(&b, powers, -sign, below, sizeof below);
-    snprintf(text, size, "a factor ");
     if (!is_same(constant, 1.0))
-        snprintf(text + strlen(text), size - strlen(text), "%.10g ", constant);
-    append(text, size, "", above);
-    if (strcmp(below, "1") != 0)
-        snprintf(text + strlen(text), size - strlen(text), strpbrk(below, " ") && below[0] != '(' ? "/(%s)" : "/%s", below);
-    append(text, size, " ", sign < 0.0 ? "is missing" : "too many");
+        snprintf(number, sizeof number, "%.10g ", constant);
+    const char *over = strcmp(below, "1") == 0 ? "" : strchr(below, ' ') != NULL && *below != '(' ? "/(" : "/";
+    snprintf(text, size, "a factor %s%s%s%s%s %s", number, above, over, *over ? below : "", over[strspn(over, "/")] ? ")" : "",
+             sign < 0.0 ? "is missing" : "too many");
 }
 
 /* ---- other inputs ---- */
@@ -331,41 +331,36 @@ static bool explain(const struct evidence *v, const double inputs[MOST_EVIDENCE]
     return same;
 }
 
-static void exchanged_inputs(const struct evidence *v, char *text, size_t size)
-{
-    double inputs[MOST_EVIDENCE][MOST_INPUTS];
-    for (int i = 0; i < v->section->input_count && *text == '\0'; i++)
-        for (int j = i + 1; j < v->section->input_count && *text == '\0'; j++) {
-            memcpy(inputs, v->x, sizeof inputs);
-            for (int f = 0; f < v->count; f++) {
-                inputs[f][i] = v->x[f][j];
-                inputs[f][j] = v->x[f][i];
-            }
-            if (explain(v, (const double(*)[MOST_INPUTS])inputs))
-                snprintf(text, size, "the inputs %s and %s exchanged", v->section->inputs[i]->name, v->section->inputs[j]->name);
-        }
-}
-
-/* An input with a factor that it should not have: it stands for a whole term where it stands in one alone. */
-static void input_with_a_factor(const struct evidence *v, char *text, size_t size)
+/*
+ * Two inputs exchanged, or one with a factor that it should not have: an input stands for a whole term where it stands in one
+ * alone.
+ */
+static void other_inputs(const struct evidence *v, char *text, size_t size)
 {
     static const char *const names[] = {"-1", "2", "1/2", "3", "1/3", "m1 m2/(m1 + m2)", "(m1 + m2)/(m1 m2)", "(m1 m2/(m1 + m2))^2",
                                         "((m1 + m2)/(m1 m2))^2", "m1/m2", "m2/m1"};
-    const int m1 = input_place(v->section, "m1"), m2 = input_place(v->section, "m2");
-    const size_t kinds = m1 >= 0 && m2 >= 0 ? sizeof names / sizeof *names : 5;
+    const struct section *s = v->section;
+    const int m1 = input_place(s, "m1"), m2 = input_place(s, "m2"), factors = m1 >= 0 && m2 >= 0 ? sizeof names / sizeof *names : 5;
     double inputs[MOST_EVIDENCE][MOST_INPUTS];
-    for (int i = 0; i < v->section->input_count && *text == '\0'; i++)
-        for (size_t kind = 0; kind < kinds && *text == '\0'; kind++) {
-            memcpy(inputs, v->x, sizeof inputs);
-            for (int f = 0; f < v->count; f++) {
-                const double a = m1 >= 0 ? v->x[f][m1] : 1.0, b = m2 >= 0 ? v->x[f][m2] : 1.0, reduced = a * b / (a + b);
-                const double factors[] = {-1.0, 2.0, 0.5, 3.0, 1.0 / 3.0, reduced, 1.0 / reduced, reduced * reduced, 1.0 / (reduced * reduced),
-                                          a / b, b / a};
-                inputs[f][i] *= factors[kind];
-            }
-            if (explain(v, (const double(*)[MOST_INPUTS])inputs))
-                snprintf(text, size, "%s with a factor %s too many", v->section->inputs[i]->name, names[kind]);
+    for (int i = 0; i < s->input_count * (s->input_count + factors) && *text == '\0'; i++) {
+        const int at = i % s->input_count, other = i / s->input_count, kind = other - s->input_count;
+        if (other <= at)
+            continue;
+        memcpy(inputs, v->x, sizeof inputs);
+        for (int f = 0; f < v->count; f++) {
+            const double *x = v->x[f], a = m1 >= 0 ? x[m1] : 1.0, b = m2 >= 0 ? x[m2] : 1.0, M = a * b / (a + b);
+            const double all[] = {-1.0, 2.0, 0.5, 3.0, 1.0 / 3.0, M, 1.0 / M, M * M, 1.0 / (M * M), a / b, b / a};
+            inputs[f][at] = kind < 0 ? x[other] : x[at] * all[kind];
+            if (kind < 0)
+                inputs[f][other] = x[at];
         }
+        if (!explain(v, (const double(*)[MOST_INPUTS])inputs))
+            continue;
+        if (kind < 0)
+            snprintf(text, size, "the inputs %s and %s exchanged", s->inputs[at]->name, s->inputs[other]->name);
+        else
+            snprintf(text, size, "%s with a factor %s too many", s->inputs[at]->name, names[kind]);
+    }
 }
 
 /* ---- roots ---- */
@@ -403,24 +398,20 @@ static void kind_of_roots(const struct evidence *v, char *text, size_t size)
 
 void kind_of_formula(const struct evidence *v, char *text, size_t size)
 {
-    static void (*const kinds[])(const struct evidence *, char *, size_t) = {
-        all_zeros, fixed_decimals, permuted_outputs, constant_factor, product_factor, exchanged_inputs, input_with_a_factor};
+    static void (*const kinds[])(const struct evidence *, char *, size_t) = {wrong_outputs, all_zeros, fixed_decimals, permuted_outputs,
+                                                                            factor, other_inputs};
     int wrong = 0;
     *text = '\0';
-    for (int f = 0; f < v->count; f++)
+    for (int f = 0; f < v->count; f++) {
+        bool right = true;
         for (int k = 0; k < v->section->output_count; k++)
-            if (!is_same(v->y[f][k], v->exact[f][k])) {
-                wrong++;
-                break;
-            }
+            right = right && is_same(v->y[f][k], v->exact[f][k]);
+        wrong += !right;
+    }
     if (wrong < 2) /* the others have lost digits alone */
         return;
     if (v->section->method == METHOD_ROOTS)
         kind_of_roots(v, text, size);
-    if (*text == '\0')
-        wrong_outputs(v, angle_mistake, true, text, size);
-    if (*text == '\0')
-        wrong_outputs(v, sign_mistake, false, text, size);
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds && *text == '\0'; i++)
         kinds[i](v, text, size);
 }

@@ -114,26 +114,33 @@ struct exhibit {
     bool invalid;
     char text[LONGEST_SHOWN];     /* the answer, cut into its words              */
     char *got[MOST_OUTPUTS];
+    bool marked[MOST_OUTPUTS];    /* it is what is wrong                         */
 };
 
-/* Roots are a set: each that was answered stands beside the nearest one that is left. */
+/* How far the root that was answered in one place is from that due in another. */
+static double root_distance(const struct exhibit *x, int got, int due)
+{
+    return hypot(strtod(x->got[got], NULL) - strtod(x->expected[due], NULL),
+                 strtod(x->got[got + 1], NULL) - strtod(x->expected[due + 1], NULL));
+}
+
+/* Roots are a set: each that was answered stands beside the nearest one that is left; those that are far off are what is wrong. */
 static void match_roots(struct exhibit *x)
 {
+    double worst = 0.0;
     for (int k = 0; k < 8; k += 2) {
         int best = k;
-        double least = INFINITY;
-        for (int i = k; i < 8; i += 2) {
-            const double off = hypot(strtod(x->got[i], NULL) - strtod(x->expected[k], NULL),
-                                     strtod(x->got[i + 1], NULL) - strtod(x->expected[k + 1], NULL));
-            best = off < least ? i : best;
-            least = fmin(least, off);
-        }
+        for (int i = k; i < 8; i += 2)
+            best = root_distance(x, i, k) < root_distance(x, best, k) ? i : best;
         for (int part = 0; part < 2; part++) {
             char *other = x->got[k + part];
             x->got[k + part] = x->got[best + part];
             x->got[best + part] = other;
         }
+        worst = fmax(worst, root_distance(x, k, k));
     }
+    for (int k = 0; k < 8; k++)
+        x->marked[k] = fabs(strtod(x->got[k], NULL) - strtod(x->expected[k], NULL)) > 1e-3 * worst;
 }
 
 static void exhibit_init(struct exhibit *x, const struct test_run *e, const struct record *r)
@@ -152,7 +159,9 @@ static void exhibit_init(struct exhibit *x, const struct test_run *e, const stru
     snprintf(x->text, sizeof x->text, "%s", r->text);
     for (int i = 0; i < o->section->output_count && r->has_values; i++)
         x->got[i] = strtok_r(i == 0 ? x->text : NULL, " ", &rest);
-    if (o->section->method == METHOD_ROOTS && r->has_values && x->got[7] != NULL && x->expected[0] != NULL)
+    for (int i = 0; i < o->section->output_count; i++)
+        x->marked[i] = r->outcome == OUTCOME_WRONG && (is_motion(o->section) || i == r->score.output);
+    if (o->section->method == METHOD_ROOTS && r->outcome == OUTCOME_WRONG && r->has_values && x->got[7] != NULL && x->expected[0] != NULL)
         match_roots(x);
 }
 
@@ -171,12 +180,11 @@ static const char *unit_text(const struct quantity *q)
 /* An output, and a mark below its first wrong digit where the output is what fails. */
 static void output_text(const struct exhibit *x, int i, FILE *file)
 {
-    const bool marked = x->record->outcome == OUTCOME_WRONG && (x->section->method != METHOD_FORMULA || i == x->record->score.output);
     fprintf(file, "    %-10s expected %s\n", x->section->outputs[i]->name, x->expected[i] ? x->expected[i] : "?");
     if (x->got[i] == NULL)
         return;
     fprintf(file, "    %-10s got      %s\n", "", x->got[i]);
-    const int wrong = marked && x->expected[i] ? first_wrong_digit(x->got[i], x->expected[i]) : -1;
+    const int wrong = x->marked[i] && x->expected[i] ? first_wrong_digit(x->got[i], x->expected[i]) : -1;
     if (wrong >= 0)
         fprintf(file, "%*s^\n", 24 + wrong, "");
 }
