@@ -260,7 +260,7 @@ START_TEST(roots_are_shown_as_a_set_with_a_mark_below_what_is_wrong)
     assert_says("    im2        expected 1.8200486135682382556e-04\n               got      1.8200486145682383e-04\n"
                 "                                  ^\n    re3 ");
     assert_says("got      -3.0327232498739167e-05\n    im4        expected 3.8823610912141664092e-05\n");
-    ck_assert_ptr_eq(strchr(said, '^'), strrchr(said, '^'));
+    ck_assert_ptr_null(strstr(strstr(said, " ^\n") + 1, " ^\n"));
 }
 END_TEST
 
