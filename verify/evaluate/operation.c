@@ -42,7 +42,7 @@ static void set_inputs(struct machine *m, const struct input *inputs)
     }
 }
 
-static void run_balls(struct operation *o, const struct input *inputs, slong prec)
+static void load_balls(struct operation *o, const struct input *inputs, slong prec)
 {
     if (o->constants < prec) {
         machine_clear(&o->machine);
@@ -51,7 +51,6 @@ static void run_balls(struct operation *o, const struct input *inputs, slong pre
     }
     o->machine.prec = prec;
     set_inputs(&o->machine, inputs);
-    machine_run(&o->machine);
 }
 
 void operation_exact(struct machine *m, const struct operation *o, const struct input *inputs)
@@ -110,8 +109,8 @@ static const fmpq *input_named(const struct operation *o, const struct input *in
     return &inputs[program_find(&o->formulas->program, name)].value;
 }
 
-/* In so many bits, which stay in the machine where there is a condition. */
-static bool valid_by(struct operation *o, const struct input *inputs, slong prec)
+/* Conditions alone where nothing else is asked for; else, where there is one, all is in the machine then, in so many bits. */
+static bool valid_by(struct operation *o, const struct input *inputs, slong prec, bool all)
 {
     const struct section *s = o->section;
     for (int i = 0; i < s->input_count; i++)
@@ -120,9 +119,13 @@ static bool valid_by(struct operation *o, const struct input *inputs, slong prec
             return false;
         }
     if (o->formulas->count > 0)
-        run_balls(o, inputs, prec);
+        load_balls(o, inputs, prec);
+    if (o->formulas->count > 0 && all)
+        machine_run(&o->machine);
     for (int i = 0; i < o->formulas->count; i++) {
         const struct condition *c = &o->formulas->conditions[i];
+        if (!all)
+            machine_run_to(&o->machine, c->node);
         if (!holds(o, inputs, c)) {
             message_set(&o->why, "%s: expected %s", s->id, c->text);
             return false;
@@ -133,7 +136,7 @@ static bool valid_by(struct operation *o, const struct input *inputs, slong prec
 
 bool operation_valid(struct operation *o, const struct input *inputs)
 {
-    return valid_by(o, inputs, 2 * GUARD_BITS);
+    return valid_by(o, inputs, 2 * GUARD_BITS, false);
 }
 
 /* ---- enclosures ---- */
@@ -253,8 +256,10 @@ static enum operation_status enclose_outputs(struct operation *o, const struct i
         enclose_roots(inputs, prec, outputs);
         return OPERATION_PROVED;
     }
-    if (!ran)
-        run_balls(o, inputs, prec);
+    if (!ran) {
+        load_balls(o, inputs, prec);
+        machine_run(&o->machine);
+    }
     for (int i = 0; i < o->section->output_count; i++)
         arb_set(outputs + i, machine_value(&o->machine, o->formulas->outputs[i]));
     return OPERATION_PROVED;
@@ -330,7 +335,7 @@ enum operation_status operation_digits(struct operation *o, const struct input *
     char *texts[MOST_OUTPUTS] = {NULL};
     const bool formulas = o->section->method == METHOD_FORMULA;
     slong prec = formulas ? formula_precision(digits) : 2 * GUARD_BITS;
-    if (!valid_by(o, inputs, prec))
+    if (!valid_by(o, inputs, prec, true))
         return OPERATION_INVALID;
     const bool ran = formulas && o->formulas->count > 0;
     VECTOR(arb, balls, count);

@@ -1,7 +1,7 @@
 /* Rigorous enclosures: every result contains the exact one, whatever the inputs inside theirs. */
 #include "formula/arithmetic.h"
 
-#include "text/scope.h"
+#include <stdlib.h>
 
 static void ball_init(void *x, slong prec)
 {
@@ -73,12 +73,9 @@ static void ball_positive(arb_t z, const arb_t x, slong prec)
 /* The reciprocal of a wide ball, and a square, are sharper than products of it. */
 static void ball_power(arb_t z, const arb_t x, slong exponent, slong prec)
 {
-    SCOPE(arb, base);
     if (exponent < 0)
-        arb_inv(base, x, prec);
-    else
-        arb_set(base, x);
-    arb_pow_ui(z, base, (ulong)(exponent < 0 ? -exponent : exponent), prec);
+        arb_inv(z, x, prec);
+    arb_pow_ui(z, exponent < 0 ? z : x, (ulong)labs(exponent), prec);
 }
 
 static void (*const unary[])(arb_t, const arb_t, slong) = {

@@ -563,10 +563,10 @@ void machine_gradient(const struct machine *m, int node, struct machine *adjoint
     const struct program *p = m->program;
     void *d = machine_value(adjoint, p->count), *e = machine_value(adjoint, p->count + 1);
     void *f = machine_value(adjoint, p->count + 2);
-    char *reached = xrealloc(NULL, (size_t)node + 1, 1);
+    char *reached = xrealloc(NULL, (size_t)p->count, 1);
     SCOPE(fmpq, number);
-    memset(reached, 0, (size_t)node + 1);
-    for (int i = 0; i < p->inputs || i < node; i++) /* what lies above is not reached */
+    memset(reached, 0, (size_t)p->count);
+    for (int i = 0; i < p->inputs; i++)
         m->arithmetic->set_rational(machine_value(adjoint, i), number, m->prec);
     fmpq_one(number);
     m->arithmetic->set_rational(machine_value(adjoint, node), number, m->prec);
@@ -577,10 +577,13 @@ void machine_gradient(const struct machine *m, int node, struct machine *adjoint
         for (int k = 0; k < 2 && reached[i]; k++) {
             if (operands[k] < 0 || (of->op == OPERATOR_SUBTRACT && operands[0] == operands[1]))
                 continue; /* no operand, or x - x, which does not change */
-            void *sum_so_far = machine_value(adjoint, operands[k]);
-            m->arithmetic->set(d, machine_value(adjoint, i));
-            multiply(m, i, k == 1, d, e, f);
-            compute(m, is_negative(of, k == 1) ? OPERATOR_SUBTRACT : OPERATOR_ADD, sum_so_far, sum_so_far, d);
+            void *sum = machine_value(adjoint, operands[k]), *term = reached[operands[k]] ? d : sum;
+            m->arithmetic->set(term, machine_value(adjoint, i));
+            multiply(m, i, k == 1, term, e, f);
+            if (reached[operands[k]])
+                compute(m, is_negative(of, k == 1) ? OPERATOR_SUBTRACT : OPERATOR_ADD, sum, sum, d);
+            else if (is_negative(of, k == 1))
+                compute(m, OPERATOR_NEGATE, sum, sum, NULL);
             reached[operands[k]] = 1;
         }
     }

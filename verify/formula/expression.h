@@ -129,8 +129,8 @@ void machine_run(struct machine *m);
 void machine_run_to(struct machine *m, int node);
 
 /*
- * After machine_run(m): the derivatives of one node by all the others, inputs included, into the
- * values of `adjoint`, a machine of the same program and arithmetic (reverse differentiation).
+ * After machine_run(m): the derivatives of one node by all inputs into the values of `adjoint`, a machine
+ * of the same program and arithmetic (reverse differentiation).
  */
 void machine_gradient(const struct machine *m, int node, struct machine *adjoint);
 
