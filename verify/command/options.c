@@ -24,6 +24,10 @@ const struct subcommand subcommands[] = {
      "A motion as CSV, every digit proved: attitude and length error by the linear model, or position and velocity of craft 1 "
      "and both charges by the nonlinear one. A nonlinear motion ends where the charge law has no charges, or where craft "
      "that come closer than L_ref/128 leave nothing to be proved; the rows before that are printed."},
+    {"design", command_design, {"[n=VALUE | C1=VALUE C2=VALUE] [NAME=VALUE ...]"}, 0,
+     "What one decides with, every digit proved: gains, charges, roots and frequencies, and how long the law may be held between "
+     "samples, or act late, before the linear model no longer comes to rest. NAME is Omega, L_ref, k_c, m1 or m2; gains outside "
+     "(42) end it with exit status 1."},
     {"verify", command_verify, {"", "derivations [STEP]", "claims [ID]", "errors"}, 2,
      "The proofs: of the derivation steps between the equations, with bounds of what they drop (derivations); of every claim "
      "of the paper, with its verdict (claims); the reference library's error, measured against the truth on random inputs "
@@ -51,13 +55,14 @@ const struct subcommand subcommands[] = {
 const struct option options[] = {
     /* what equations, points and motions have in common */
     {"--digits", "N", NULL, "40", "eval", NULL, false, "significant digits of every output, 1 to 10000"},
+    {"--digits", "N", NULL, "8", "design", NULL, false, "significant digits of every number, 1 to 10000"},
     {"--digits", "N", NULL, "17", "figure trajectory", NULL, false, "significant digits of every number, 1 to 10000"},
-    {"--exact", NULL, NULL, NULL, "eval figure trajectory", NULL, false,
+    {"--exact", NULL, NULL, NULL, "eval figure trajectory design", NULL, false,
      "a decimal means itself, defaults included, and not the binary64 nearest to it; exponents up to 5000"},
     {"--as-printed", NULL, NULL, NULL, "eval", NULL, false,
      "the formula as the paper prints it, where the sheet has a corrected one"},
     {"--table1", NULL, NULL, NULL, "eval", "ID", false, "the paper's case for every input that is not given"},
-    {"--json", NULL, NULL, NULL, "equations verify", NULL, false, "JSON in place of text for reading"},
+    {"--json", NULL, NULL, NULL, "equations verify design", NULL, false, "JSON in place of text for reading"},
     {"--json", NULL, NULL, NULL, "eval", "ID", false, "JSON in place of text for reading"},
     {"--csv", NULL, NULL, NULL, "table1", NULL, false, "CSV in place of text for reading"},
     {"-o", "FILE", NULL, NULL, "equations eval table1 figure trajectory verify study vectors typeset datapackage", NULL, false,
@@ -135,6 +140,7 @@ const struct example examples[] = {
     {"trajectory linear | gnuplot -p -e "
      "\"set datafile separator ','; set key autotitle columnhead; plot '<cat' using 1:4 with lines\"",
      "the length error over three days, drawn"},
+    {"design n=12 m2=50 --exact --digits 12 --json", "what one decides with, for another gain and a lighter second craft"},
     {"verify", "all the proofs; exit status 0 says that they hold"},
     {"verify derivations --graph | dot -Tsvg >steps.svg", "which equation follows from which"},
     {"verify claims n12-optimal", "one claim, its verdict and the evidence"},

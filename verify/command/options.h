@@ -49,6 +49,7 @@ int command_eval(const struct arguments *a);
 int command_table1(const struct arguments *a);
 int command_figure(const struct arguments *a);
 int command_trajectory(const struct arguments *a);
+int command_design(const struct arguments *a);
 int command_verify(const struct arguments *a);
 int command_vectors(const struct arguments *a);
 int command_conform(const struct arguments *a);

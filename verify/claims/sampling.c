@@ -1,0 +1,201 @@
+#include "claims/sampling.h"
+
+#include "formula/expression.h"
+#include "text/scope.h"
+
+/* ---- the law held ---- */
+
+/* The polynomial of v, over (1 - T v/2)^4 and positive factors: see sampling.h. S = sinh(a h)/h, R = sin(b h)/h, h = T/2. */
+static const char *const hold_inputs[] = {"h", "S", "C", "R", "D", "c1", "c2"};
+static const char *const hold_lines[][2] = {
+    {"a", "sqrt(2*sqrt(7) + 1)"},
+    {"b", "sqrt(2*sqrt(7) - 1)"},
+    {"A", "(a^2 + 3)/(a^2*(a^2 + b^2))"}, /* of the step response -1/9 + A cosh(a t) + B cos(b t) of the length */
+    {"B", "(3 - b^2)/(b^2*(a^2 + b^2))"},
+    {"A_1", "A*C*(c1*C - c2*a*h*S)"},
+    {"A_0", "A*S*(c2*a*C - c1*h*S)"},
+    {"B_1", "B*D*(c1*D + c2*b*h*R)"},
+    {"B_0", "-B*R*(c2*b*D - c1*h*R)"},
+    {"r_4", "(1 - c1/9)*C^2*D^2 + A_1*D^2 + B_1*C^2"},
+    {"r_3", "A_0*D^2 + B_0*C^2"},
+    {"r_2", "(1 - c1/9)*(C^2*R^2 - S^2*D^2) + A_1*R^2 - B_1*S^2"},
+    {"r_1", "A_0*R^2 - B_0*S^2"},
+    {"r_0", "(c1/9 - 1)*S^2*R^2"},
+    {"met", "r_4*(r_1*r_2*r_3 - r_0*r_3^2 - r_4*r_1^2)"},
+};
+enum { HOLD_INPUTS = sizeof hold_inputs / sizeof *hold_inputs, HOLD_LINES = sizeof hold_lines / sizeof *hold_lines };
+
+/* The derivatives of the first inputs by h. */
+static const char *const hold_rates[] = {"1", "(a*C - S)/h", "a*h*S", "(b*D - R)/h", "-b*h*R"};
+enum { HOLD_MOVING = sizeof hold_rates / sizeof *hold_rates };
+
+struct held_law {
+    struct program program;
+    struct machine machine;
+    int met, slope;
+};
+
+static void held_law_init(struct held_law *l, const arb_t c1, const arb_t c2, slong prec)
+{
+    int rate[HOLD_INPUTS] = {-1, -1, -1, -1, -1, -1, -1}, node = 0;
+    struct message why;
+    size_t where;
+    program_init(&l->program);
+    for (int i = 0; i < HOLD_INPUTS; i++)
+        program_input(&l->program, hold_inputs[i]);
+    for (int i = 0; i < HOLD_LINES; i++) {
+        node = program_parse(&l->program, hold_lines[i][1], &where, &why);
+        program_name(&l->program, node, hold_lines[i][0]);
+    }
+    l->met = node;
+    for (int i = 0; i < HOLD_MOVING; i++)
+        rate[i] = program_parse(&l->program, hold_rates[i], &where, &why);
+    l->slope = program_derivative(&l->program, l->met, rate, HOLD_INPUTS);
+    machine_init(&l->machine, &l->program, &arithmetic_ball, prec);
+    arb_set(machine_value(&l->machine, HOLD_INPUTS - 2), c1);
+    arb_set(machine_value(&l->machine, HOLD_INPUTS - 1), c2);
+}
+
+static void held_law_clear(struct held_law *l)
+{
+    machine_clear(&l->machine);
+    program_clear(&l->program);
+}
+
+static arb_srcptr held_law_at(struct held_law *l, const arb_t T, int node, slong prec)
+{
+    arb_ptr value[HOLD_MOVING];
+    SCOPE(acb, angle);
+    SCOPE(arb, frequency);
+    for (int i = 0; i < HOLD_MOVING; i++)
+        value[i] = machine_value(&l->machine, i);
+    arb_mul_2exp_si(value[0], T, -1);
+    for (int i = 0; i < 2; i++) {
+        arb_sqrt_ui(frequency, 28, prec); /* a^2 - 1 and b^2 + 1 */
+        arb_add_si(frequency, frequency, i == 0 ? 1 : -1, prec);
+        arb_sqrt(frequency, frequency, prec);
+        acb_zero(angle);
+        arb_mul(i == 0 ? acb_imagref(angle) : acb_realref(angle), value[0], frequency, prec);
+        acb_cos(angle, angle, prec);
+        arb_set(value[2 + 2 * i], acb_realref(angle));
+        acb_zero(angle);
+        arb_mul(i == 0 ? acb_imagref(angle) : acb_realref(angle), value[0], frequency, prec);
+        acb_sinc(angle, angle, prec);
+        arb_mul(value[1 + 2 * i], acb_realref(angle), frequency, prec);
+    }
+    machine_run_to(&l->machine, node);
+    return machine_value(&l->machine, node);
+}
+
+/* For arb_calc: the value, where there is a derivative the better of two enclosures, and the derivative. */
+static int circle_met(arb_ptr out, const arb_t T, void *law, slong order, slong prec)
+{
+    struct held_law *l = law;
+    SCOPE(arb, middle, slope);
+    arb_set(out, held_law_at(l, T, l->met, prec));
+    arb_mul_2exp_si(slope, held_law_at(l, T, l->slope, prec), -1);
+    if (order > 1)
+        arb_set(out + 1, slope);
+    if (order == 1 && arb_is_finite(slope)) {
+        arb_get_mid_arb(middle, T);
+        arb_sub(middle, T, middle, prec);
+        arb_mul(slope, slope, middle, prec);
+        arb_get_mid_arb(middle, T);
+        arb_add(slope, slope, held_law_at(l, middle, l->met, prec), prec);
+        arb_intersection(out, out, slope, prec);
+    }
+    return 0;
+}
+
+/* Newton's method on an interval that holds one zero, at which the function changes its sign. */
+static void narrow_root(arb_t root, arb_calc_func_t f, void *parameters, slong prec)
+{
+    VECTOR(arb, value, 2);
+    SCOPE(arb, middle, step);
+    for (slong bits = 8; bits < 2 * prec; bits *= 2) {
+        arb_get_mid_arb(middle, root);
+        f(value, root, parameters, 2, prec);
+        arb_set(step, value + 1);
+        f(value, middle, parameters, 1, prec);
+        arb_div(step, value, step, prec);
+        arb_sub(step, middle, step, prec);
+        arb_intersection(root, root, step, prec);
+    }
+}
+
+void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
+{
+    enum { DEEPEST = 60, EVALUATIONS = 2000, LONGEST = 3 }; /* below 2 pi/b, where z = 1 is met */
+    struct held_law law;
+    arf_interval_t all;
+    arf_interval_ptr blocks;
+    int *flags;
+    held_law_init(&law, c1, c2, prec);
+    arf_interval_init(all);
+    arf_set_si(&all->b, LONGEST);
+    const slong found = arb_calc_isolate_roots(&blocks, &flags, circle_met, &law, all, DEEPEST, EVALUATIONS, 1, prec);
+    arb_indeterminate(limit);
+    if (found > 0 && flags[0] == 1) {
+        arf_interval_get_arb(limit, blocks, prec);
+        narrow_root(limit, circle_met, &law, prec);
+    }
+    _arf_interval_vec_clear(blocks, found);
+    flint_free(flags);
+    arf_interval_clear(all);
+    held_law_clear(&law);
+}
+
+/* ---- the law late ---- */
+
+enum { CROSSINGS = 4 };
+
+/* The delay, below one turn, after which i w is a root, x = w^2; -R = (x^2 + 2 x - 27)/((c1 + i c2 w)(3 - x)). */
+static void delay_of_crossing(arb_t d, const arb_t x, const arb_t c1, const arb_t c2, slong prec)
+{
+    SCOPE(acb, opposite);
+    SCOPE(arb, w, part);
+    arb_sqrt(w, x, prec);
+    arb_set(acb_realref(opposite), c1);
+    arb_mul(acb_imagref(opposite), c2, w, prec);
+    arb_sub_ui(part, x, 3, prec);
+    arb_neg(part, part);
+    acb_mul_arb(opposite, opposite, part, prec);
+    arb_add_ui(part, x, 2, prec);
+    arb_mul(part, part, x, prec);
+    arb_sub_ui(part, part, 27, prec);
+    acb_inv(opposite, opposite, prec);
+    acb_mul_arb(opposite, opposite, part, prec);
+    acb_arg(d, opposite, prec);
+    arb_const_pi(part, prec);
+    arb_sub(d, part, d, prec);
+    arb_div(d, d, w, prec);
+}
+
+void largest_delay(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
+{
+    /* of x^k, times 1, c1^2 and c2^2 */
+    static const slong coefficients[CROSSINGS + 1][3] = {{729, -9, 0}, {-108, 6, -9}, {-50, -1, 6}, {4, 0, -1}, {1, 0, 0}};
+    SCOPE(acb_poly, p);
+    VECTOR(acb, roots, CROSSINGS);
+    VECTOR(arb, squares, 2);
+    SCOPE(acb, a);
+    SCOPE(arb, d);
+    arb_sqr(squares, c1, prec);
+    arb_sqr(squares + 1, c2, prec);
+    for (int k = CROSSINGS; k >= 0; k--) {
+        arb_set_si(acb_realref(a), coefficients[k][0]);
+        for (int j = 0; j < 2; j++)
+            arb_addmul_si(acb_realref(a), squares + j, coefficients[k][j + 1], prec);
+        acb_poly_set_coeff_acb(p, k, a);
+    }
+    arb_indeterminate(limit);
+    if (acb_poly_find_roots(roots, p, NULL, 0, prec) != CROSSINGS || !acb_poly_validate_real_roots(roots, p, prec))
+        return;
+    arb_pos_inf(limit); /* p is negative at 0, for c1 > 9: there is a positive root */
+    for (int k = 0; k < CROSSINGS; k++) {
+        if (!arb_contains_zero(acb_imagref(roots + k)) || arb_is_negative(acb_realref(roots + k)))
+            continue;
+        delay_of_crossing(d, acb_realref(roots + k), c1, c2, prec);
+        arb_min(limit, limit, d, prec);
+    }
+}

@@ -1,0 +1,26 @@
+/*
+ * The law (18) acting on a sample, or late: how long it may be held, how late it may act, before the linear model
+ * (17), (40) no longer comes to rest. Units: radians of orbit, L_ref; c1 = C1/Omega^2 > 9, c2 = C2/Omega > 0.
+ *
+ * Held for T, the state goes from one sample to the next by a matrix with four eigenvalues z, its multipliers. By
+ * z = (1 + T v/2)/(1 - T v/2) the unit disk is the left half plane of v, and their polynomial one of v with coefficients r_0 ... r_4,
+ * that of (41) at T = 0. A multiplier meets the unit circle only where r_0 = 0 (z = 1), r_4 = 0 (z = -1) or
+ * r_1 r_2 r_3 = r_0 r_3^2 + r_4 r_1^2 (a pair, by Orlando's formula), and from T = 0 to the first such T all lie inside. Without
+ * the law the model has the roots +-a, +-i b, a^2 = 2 sqrt(7) + 1, b^2 = 2 sqrt(7) - 1.
+ *
+ * Late by d, the roots are those of lambda^4 - 2 lambda^2 - 27 + (c1 + c2 lambda)(lambda^2 + 3) exp(-d lambda). In the right
+ * half plane they are bounded, so they get there over the axis: at lambda = i w, with x = w^2,
+ * (x^2 + 2 x - 27)^2 = (c1^2 + c2^2 x)(3 - x)^2 and exp(-i d w) = -(x^2 + 2 x - 27)/((c1 + i c2 w)(3 - x)).
+ */
+#ifndef CT_SAMPLING_H
+#define CT_SAMPLING_H
+
+#include "text/flint.h"
+
+/* The model comes to rest for every T in (0, limit), and not at the limit; indeterminate where prec does not suffice. */
+void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec);
+
+/* The same for every d in [0, limit). */
+void largest_delay(arb_t limit, const arb_t c1, const arb_t c2, slong prec);
+
+#endif
