@@ -287,16 +287,6 @@ static bool read_identity(struct reading *r, struct assertion *a, const struct y
 }
 
 /* The same but for blanks. */
-static bool same_text(const char *a, const char *a_end, const char *b)
-{
-    for (;; a++, b++) {
-        a += strspn(a, " ");
-        b += strspn(b, " ");
-        if (a >= a_end || *a != *b)
-            return a >= a_end && *b == '\0';
-    }
-}
-
 static bool read_show(struct reading *r, struct assertion *a, const struct yaml *show)
 {
     size_t length;

@@ -36,10 +36,10 @@ static void print_states(FILE *out, const struct yaml *on)
 }
 
 /* "BROKEN: file:line:column: " */
-static void print_broken(const struct yaml *at)
+static void print_broken(const struct yaml *at, size_t offset)
 {
     struct message place;
-    node_message(&place, at, 0, "%s", "");
+    node_message(&place, at, offset, "%s", "");
     printf("BROKEN: %s", place.text);
 }
 
@@ -51,10 +51,19 @@ static void print_remainder(const struct remainder *r, const struct remainder_pr
                                          [REMAINDER_UNDECIDED] = "not proved"};
     printf("    (%s) drops at most %s %s: ", r->equation, r->at_most, r->unit);
     if (proof->state != REMAINDER_PROVED)
-        print_broken(r->at);
+        print_broken(r->at, 0);
     printf("%s with %d boxes, %d %% of it reached, on ", states[proof->state], proof->boxes, proof->percent);
     print_states(stdout, r->on);
     putchar('\n');
+}
+
+static void print_fault(const struct proof *p)
+{
+    if (p->result == IDENTITY_HOLDS)
+        return;
+    printf("    ");
+    print_broken(p->at, p->offset);
+    puts(p->evidence);
 }
 
 static void print_step(const struct proof_results *p, int i)
@@ -72,11 +81,9 @@ static void print_step(const struct proof_results *p, int i)
         printf("  order %d", s->corrected.order);
     printf("  for %s%s%s\n", domain, s->where ? "; " : "", s->where ? s->where : "");
     free(domain);
-    if (proof->result != IDENTITY_HOLDS) {
-        printf("    ");
-        print_broken(proof->at);
-        puts(proof->evidence);
-    }
+    print_fault(proof);
+    if (p->lines != NULL)
+        print_fault(&p->lines[i]);
     if (derivation_fault(p, i) != NULL)
         printf("    NOT BOUND: %s\n", derivation_fault(p, i));
     if (s->differs && p->printed[i].result == IDENTITY_DIFFERS) {
@@ -84,7 +91,7 @@ static void print_step(const struct proof_results *p, int i)
     } else if (s->differs) {
         const struct proof *printed = &p->printed[i];
         printf("    ");
-        print_broken(printed->at ? printed->at : under(s->node, "printed"));
+        print_broken(printed->at ? printed->at : under(s->node, "printed"), 0);
         printf("expected to differ as printed: %s\n", printed->evidence ? printed->evidence : "it holds");
     }
     for (int k = 0; k < s->remainder_count; k++)
@@ -118,7 +125,26 @@ static void json_list(struct json *j, const char *key, const char *const *texts,
     json_close(j);
 }
 
-static void json_identities(struct json *j, const char *key, const struct identities *t, const struct proof *p)
+/* The sides of an equality, or of a chain of them. */
+static void json_sides(struct json *j, const char *key, const struct step *s, const struct sheet *sheet, const char *text)
+{
+    json_open(j, key, '[');
+    for (const char *end = side_end(text);; text = end + 1, end = side_end(text)) {
+        struct tex t = {NULL, 0};
+        char *side = text_copy(text);
+        side[end - text] = '\0';
+        typeset_side(&t, sheet, &s->corrected, side);
+        json_string(j, NULL, t.text);
+        tex_clear(&t);
+        free(side);
+        if (*end == '\0')
+            break;
+    }
+    json_close(j);
+}
+
+static void json_identities(struct json *j, const char *key, const struct step *s, const struct sheet *sheet, const struct identities *t,
+                            const struct proof *p)
 {
     static const char *const results[] = {
         [IDENTITY_HOLDS] = "holds", [IDENTITY_DIFFERS] = "differs", [IDENTITY_UNDECIDED] = "undecided"};
@@ -128,9 +154,27 @@ static void json_identities(struct json *j, const char *key, const struct identi
     for (int i = 0; i < t->shown_count; i++)
         json_string(j, NULL, t->shown[i].text);
     json_close(j);
+    json_open(j, "show_tex", '[');
+    for (int i = 0; i < t->shown_count; i++)
+        json_sides(j, NULL, s, sheet, t->shown[i].text);
+    json_close(j);
     json_string(j, "finding", results[p->result]);
     json_string(j, "evidence", p->evidence);
     json_string(j, "difference", p->difference);
+    json_close(j);
+}
+
+/* The algebra by hand, in mathematics. */
+static void json_by_hand(struct json *j, const struct step *s, const struct sheet *sheet)
+{
+    json_line(j, 2);
+    json_open(j, "lines", '[');
+    for (int i = 0; s->line_map != NULL && i < s->line_map->count; i++) {
+        json_open(j, NULL, '{');
+        json_string(j, "how", s->line_map->items[i].key);
+        json_sides(j, "tex", s, sheet, s->line_map->items[i].text);
+        json_close(j);
+    }
     json_close(j);
 }
 
@@ -166,6 +210,7 @@ static void json_dropped(struct json *j, const struct step *s)
 static void json_step(struct json *j, const struct proof_results *p, int i)
 {
     const struct step *s = &p->derivations.steps[i];
+    const struct sheet *sheet = p->derivations.sheet;
     char *domain = identities_domain(&s->corrected);
     json_open(j, NULL, '{');
     json_string(j, "id", s->id);
@@ -185,9 +230,10 @@ static void json_step(struct json *j, const struct proof_results *p, int i)
     for (int k = 0; s->let != NULL && k < s->let->count; k++)
         json_string(j, s->let->items[k].key, s->let->items[k].text);
     json_close(j);
-    json_identities(j, "step", &s->corrected, &p->corrected[i]);
+    json_identities(j, "step", s, sheet, &s->corrected, &p->corrected[i]);
+    json_by_hand(j, s, sheet);
     if (s->differs)
-        json_identities(j, "printed", &s->printed, &p->printed[i]);
+        json_identities(j, "printed", s, sheet, &s->printed, &p->printed[i]);
     json_close(j);
 }
 

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "command/command_verify.h"
+
 #include "command/command.h"
 #include "formula/typeset.h"
 #include "proof/derivation.h"
@@ -103,6 +105,116 @@ static void typeset_section(const struct section *s)
     }
     if (s->note != NULL)
         print_record(s->id, "note", "", "", s->note);
+    program_clear(&symbols);
+}
+
+/* ---- the sides of a step's equalities ---- */
+
+/* A symbol by its name, or where that is in braces by its LaTeX. */
+static int add_symbol(struct parser *p, const char *name)
+{
+    const int node = program_append(p->program, OPERATOR_INPUT, -1, -1, 0);
+    program_name(p->program, node, name);
+    return node;
+}
+
+/* eq14.L_dot(psi = 1), gravity.a_x: the output, below it the number or name of what it is of, and what it is taken at. */
+static int set_output(struct parser *p, const char *id)
+{
+    struct tex t = {NULL, 0};
+    char word[LONGEST_NAME + 1];
+    const int digits = strncmp(id, "eq", 2) == 0 ? (int)strspn(id + 2, "0123456789") : 0;
+    p->at++;
+    parse_word(p, word);
+    tex_add(&t, "{{");
+    typeset_symbol(&t, word);
+    if (digits > 0) /* eq03, eq10lin */
+        tex_add(&t, "}_{(%ld%s%s%s", strtol(id + 2, NULL, 10), id[2 + digits] ? "\\mathrm{" : "", id + 2 + digits,
+                id[2 + digits] ? "}" : "");
+    else
+        tex_add(&t, "}_{\\mathrm{%s}", id);
+    if (*p->at == '@') {
+        p->at++;
+        parse_word(p, word);
+        tex_add(&t, "\\,\\mathrm{%s}", word);
+    }
+    tex_add(&t, digits > 0 ? ")}" : "}");
+    const char *separator = "(";
+    while (*p->at == '(' || (*separator == ',' && parse_symbol(p, ','))) {
+        p->at += *separator == '(';
+        parse_word(p, word);
+        parse_symbol(p, '=');
+        const int node = parse_sum(p);
+        tex_add(&t, "%s", separator);
+        typeset_symbol(&t, word);
+        tex_add(&t, " = ");
+        typeset_formula(&t, p->program, node);
+        separator = ",\\, ";
+    }
+    tex_add(&t, *separator == ',' && parse_symbol(p, ')') ? ")}" : "}");
+    const int result = add_symbol(p, t.text);
+    tex_clear(&t);
+    return result;
+}
+
+/* The side itself. */
+static int set_relation(struct parser *p, bool right)
+{
+    char number[LONGEST_NAME + 1], index[LONGEST_NAME + 1] = "1";
+    const struct section *section;
+    size_t where;
+    p->at++;
+    parse_word(p, number);
+    if (parse_symbol(p, ','))
+        parse_word(p, index);
+    parse_symbol(p, ')');
+    char *side = text_copy(relation_find(p->context, number, index, &section)->text);
+    char *sign = strchr(side, '=');
+    *sign = '\0';
+    const int node = program_parse(p->program, right ? sign + 1 : side, &where, p->why);
+    free(side);
+    return node;
+}
+
+/* A dot above a symbol that has one at most, and of all else d/dt. */
+static int set_rate(struct parser *p)
+{
+    struct tex t = {NULL, 0};
+    p->at++;
+    const int node = parse_sum(p);
+    const char *name = "{";
+    for (int i = 0; i < p->program->named; i++)
+        name = p->program->names[i].node == node ? p->program->names[i].text : name;
+    const size_t length = strlen(name), stem = length > 4 && strcmp(name + length - 4, "_dot") == 0 ? length - 4 : length;
+    const bool symbol = p->program->nodes[node].op == OPERATOR_INPUT;
+    parse_symbol(p, ')');
+    if (symbol && *name != '{' && strstr(name, stem < length ? "_dot_" : "dot") == NULL) {
+        tex_add(&t, "%.*s%s", (int)stem, name, stem < length ? "_ddot" : "_dot");
+    } else {
+        tex_add(&t, symbol ? "{\\frac{d}{dt}" : "{\\frac{d}{dt}\\left(");
+        typeset_formula(&t, p->program, node);
+        tex_add(&t, symbol ? "}" : "\\right)}");
+    }
+    const int result = add_symbol(p, t.text);
+    tex_clear(&t);
+    return result;
+}
+
+static int set_reference(struct parser *p, const char *name)
+{
+    return *p->at == '.' ? set_output(p, name) : strcmp(name, "rate") == 0 ? set_rate(p) : set_relation(p, name[0] == 'r');
+}
+
+void typeset_side(struct tex *t, const struct sheet *sheet, const struct identities *names, const char *text)
+{
+    struct program symbols;
+    struct message why;
+    size_t where;
+    struct sheet context = *sheet; /* the parser hands it on as it is */
+    program_init(&symbols);
+    for (int i = 0; i < names->program.named; i++)
+        program_input(&symbols, names->program.names[i].text);
+    typeset_formula(t, &symbols, program_parse_with(&symbols, text, set_reference, &context, &where, &why));
     program_clear(&symbols);
 }
 

@@ -288,7 +288,10 @@ static void write_operator(const struct writer *w, int node)
     const struct writer exponent = {w->tex, w->program, true};
     switch (n->op) {
     case OPERATOR_INPUT:
-        typeset_symbol(w->tex, input_name(w->program, node));
+        if (*input_name(w->program, node) == '{')
+            tex_add(w->tex, "%s", input_name(w->program, node));
+        else
+            typeset_symbol(w->tex, input_name(w->program, node));
         break;
     case OPERATOR_NUMBER:
         write_number(w, n);

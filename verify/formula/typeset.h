@@ -23,7 +23,7 @@ void tex_add(struct tex *t, const char *format, ...);
 /* A symbol by its ASCII name: psi_dot is \dot\psi, L_ref is L_{\mathrm{ref}}, x1_ddot is \ddot x_{1}. */
 void typeset_symbol(struct tex *t, const char *name);
 
-/* The formula that ends in this node; an input is written by its name. */
+/* The formula that ends in this node; an input is written by its name, which in braces is LaTeX already. */
 void typeset_formula(struct tex *t, const struct program *p, int node);
 
 /*

@@ -428,9 +428,9 @@ static bool is_named(const struct table *table, const struct use *u)
 
 static bool nothing_beyond(struct table *table)
 {
-    const struct identities *t = &table->s->corrected;
-    for (int i = 0; i < t->use_count; i++) {
-        const struct use *u = &t->uses[i];
+    const struct identities *t = &table->s->corrected, *lines = &table->s->lines;
+    for (int i = 0; i < t->use_count + lines->use_count; i++) {
+        const struct use *u = i < t->use_count ? &t->uses[i] : &lines->uses[i - t->use_count];
         if (!is_named(table, u))
             return refuse(table, table->s->node, 0, "it rests on %s%s, which neither from nor to names, nor also with a reason",
                           u->relation ? "a relation of " : "", u->section->id);

@@ -16,8 +16,9 @@ struct step {
     const char *from[MOST_EQUATIONS], *to[MOST_EQUATIONS]; /* see the head of derivations.yaml */
     int from_count, to_count;
     const struct yaml *node, *let;  /* let: NULL, there is none */
-    struct identities corrected, printed;
+    struct identities corrected, printed, lines;
     bool differs;                   /* `printed` is there, and must not hold */
+    const struct yaml *line_map;    /* how: the algebra by hand, `lines`; NULL: there is none */
     struct remainder *remainders;   /* what is dropped, and how large that may be */
     int remainder_count;
 };

@@ -93,6 +93,7 @@ static const struct field step_fields[] = {
     FIELD("also", struct written_step, also, FIELD_MAP),
     FIELD("printed", struct written_step, printed, FIELD_NODE),
     FIELD("let", struct written_step, s.let, FIELD_MAP),
+    FIELD("lines", struct written_step, s.line_map, FIELD_MAP),
     {.key = "remainders"}, {.key = "show"}, IDENTITIES_FIELDS, {.key = NULL}};
 
 /* Of what is printed instead. */
@@ -134,6 +135,38 @@ static bool read_identities(struct identities *t, const struct scope *s)
     return identities_close(t, s);
 }
 
+/* A line says something, and something else than the equalities and lines before it. */
+static bool check_line(const struct step *s, const struct equality *line)
+{
+    const char *sign = side_end(line->text), *end = line->text + strlen(line->text);
+    if (same_text(line->text, sign, sign + 1))
+        return node_error(line->at, line->offset, "both sides read the same: the line says nothing");
+    for (int i = 0; i < s->corrected.shown_count; i++)
+        if (same_text(line->text, end, s->corrected.shown[i].text))
+            return node_error(line->at, line->offset, "that is what the step shows, expected how");
+    for (const struct equality *e = s->lines.shown; e < line; e++)
+        if (same_text(line->text, end, e->text))
+            return node_error(line->at, line->offset, "that is said already");
+    return true;
+}
+
+/* The algebra by hand, in the names of the step. */
+static bool read_lines(struct step *s, struct scope scope)
+{
+    if (s->line_map == NULL)
+        return true;
+    scope.shared = s->node;
+    if (!identities_open(&s->lines, &scope))
+        return false;
+    for (int i = 0; i < s->line_map->count; i++)
+        if (!identities_show(&s->lines, &scope, &s->line_map->items[i]))
+            return false;
+    for (int i = 0; i < s->lines.shown_count; i++)
+        if (!check_line(s, &s->lines.shown[i]))
+            return false;
+    return identities_close(&s->lines, &scope);
+}
+
 static bool read_step(struct derivations *d, const struct yaml *n)
 {
     struct written_step w = {.s = {.id = n->key, .node = n}};
@@ -144,7 +177,8 @@ static bool read_step(struct derivations *d, const struct yaml *n)
     *s = w.s;
     struct scope scope = {.sheet = d->sheet, .definitions = &d->definitions, .given = n};
     if (!check_ends(d, under(n, "from"), false) || !check_ends(d, under(n, "to"), true) ||
-        !read_identities(&s->corrected, &scope) || !step_read_remainders(d, s, &scope))
+        !read_identities(&s->corrected, &scope) || !step_read_remainders(d, s, &scope) ||
+        !read_lines(s, scope))
         return false;
     scope.variant = w.printed;
     s->differs = w.printed != NULL;
@@ -190,6 +224,7 @@ void derivations_clear(struct derivations *d)
     for (int i = 0; i < d->step_count; i++) {
         identities_clear(&d->steps[i].corrected);
         identities_clear(&d->steps[i].printed);
+        identities_clear(&d->steps[i].lines);
         for (int k = 0; k < d->steps[i].remainder_count; k++)
             remainder_clear(&d->steps[i].remainders[k]);
         free(d->steps[i].remainders);

@@ -517,6 +517,7 @@ void identities_prove(const struct identities *t, struct proof *p)
         if (p->result == IDENTITY_HOLDS && result != IDENTITY_HOLDS) {
             p->result = result;
             p->at = e->at;
+            p->offset = e->offset;
             p->evidence = tell(&r, e, &f, p);
         }
     }

@@ -21,8 +21,9 @@ struct variable {
 };
 
 struct equality {
-    const char *text;
+    char *text;
     const struct yaml *at;
+    size_t offset; /* where it stands in that text: of a = b = c, b = c is the second */
     int left, right;
 };
 
@@ -76,6 +77,10 @@ struct definitions {
 /* NULL: there is none of that id. */
 const struct section *definition_find(const struct definitions *d, const char *id);
 
+/* The relation of that number, the first, second ... ("1", "2" ...) of them; NULL when there is none. */
+const struct relation *relation_find(const struct sheet *sheet, const char *number, const char *index,
+                                     const struct section **section);
+
 /* The program of a side of a relation; its node. */
 int relation_program(struct program *p, const struct sheet *sheet, const struct relation *relation, bool right);
 
@@ -93,7 +98,10 @@ struct scope {
 /* Of an open scope, a formula each: its node, -1 after a complaint; an equality each, false after a complaint. */
 bool identities_open(struct identities *t, const struct scope *s);
 int identities_formula(struct identities *t, const struct scope *s, const struct yaml *node);
-bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node);
+bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node); /* a = b, or a = b = c */
+/* The next sign of equality outside brackets, or the end of the text; whether two texts are the same but for blanks. */
+const char *side_end(const char *text);
+bool same_text(const char *a, const char *a_end, const char *b);
 /* What is declared and defined serves something (unless altered), and square roots are where they are needed. */
 bool identities_close(struct identities *t, const struct scope *s);
 void identities_clear(struct identities *t);
@@ -115,6 +123,7 @@ struct proof {
     enum result result;
     char *evidence;          /* NULL where all hold; else what does not, and one point as an example  */
     const struct yaml *at;   /* where that stands */
+    size_t offset;
     char *difference;        /* the numerator's leading terms as TeX, of what differs; NULL: nothing  */
     bool holds[MOST_SHOWN];  /* equality by equality                                                  */
 };

@@ -271,9 +271,8 @@ static int take_part(const struct reading *r, struct use u, const struct program
     return u.node;
 }
 
-/* The relation of that number, the first, second ... ("1", "2" ...) of them; NULL when there is none. */
-static const struct relation *find_relation(const struct sheet *sheet, const char *number, const char *index,
-                                            const struct section **section)
+const struct relation *relation_find(const struct sheet *sheet, const char *number, const char *index,
+                                     const struct section **section)
 {
     char *end;
     long left = strtol(index, &end, 10);
@@ -315,7 +314,7 @@ static int read_side(struct parser *p, bool right)
         return -1;
     if (!parse_symbol(p, ')'))
         return parse_refuse(p, "',' or ')'");
-    u.relation = find_relation(r->scope->sheet, number, index, &u.section);
+    u.relation = relation_find(r->scope->sheet, number, index, &u.section);
     if (u.relation == NULL) {
         p->at = begin;
         message_set(p->why, "unknown relation %s of (%s), expected one of the sheet", index, number);
@@ -496,33 +495,65 @@ int identities_formula(struct identities *t, const struct scope *s, const struct
     return on_one_line(node, "a formula") ? read_text(t, s, node, node->text, 0) : -1;
 }
 
-/* The sign outside brackets; NULL where there is none. */
-static const char *equality_sign(const char *text)
+const char *side_end(const char *text)
 {
     int depth = 0;
     for (; *text != '\0' && (*text != '=' || depth > 0); text++)
         depth += *text == '(' ? 1 : *text == ')' ? -1 : 0;
-    return *text == '=' ? text : NULL;
+    return text;
+}
+
+bool same_text(const char *a, const char *a_end, const char *b)
+{
+    for (;; a++, b++) {
+        a += strspn(a, " ");
+        b += strspn(b, " ");
+        if (a >= a_end || *a != *b)
+            return a >= a_end && *b == '\0';
+    }
+}
+
+/* A part of a text, without blanks around it. */
+static char *text_part(const char *from, const char *end)
+{
+    for (; from < end && *from == ' '; from++)
+        continue;
+    char *part = text_copy(from);
+    for (; end > from && end[-1] == ' '; end--)
+        continue;
+    part[end - from] = '\0';
+    return part;
+}
+
+static int read_side_of(struct identities *t, const struct scope *s, const struct yaml *node, const char *from, const char *end)
+{
+    char *side = text_copy(from);
+    side[end - from] = '\0';
+    const int result = read_text(t, s, node, side, (size_t)(from - node->text));
+    free(side);
+    return result;
 }
 
 bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node)
 {
-    if (t->shown_count == MOST_SHOWN)
-        return node_error(node, 0, "expected at most %d equalities", MOST_SHOWN); /* LCOV_EXCL_LINE: so is the list */
     if (!on_one_line(node, "left = right"))
         return false;
-    const char *sign = equality_sign(node->text);
-    if (sign == NULL)
+    const char *from = node->text, *sign = side_end(from);
+    if (*sign == '\0')
         return node_error(node, 0, "expected left = right");
-    const size_t length = (size_t)(sign - node->text);
-    char *left = text_copy(node->text);
-    left[length] = '\0';
-    struct equality e = {.text = node->text, .at = node, .left = read_text(t, s, node, left, 0)};
-    e.right = e.left < 0 ? -1 : read_text(t, s, node, sign + 1, length + 1);
-    free(left);
-    t->shown = xrealloc(t->shown, (size_t)t->shown_count + 1, sizeof *t->shown);
-    t->shown[t->shown_count++] = e;
-    return e.right >= 0;
+    int left = read_side_of(t, s, node, from, sign);
+    while (left >= 0 && *sign != '\0') {
+        const char *end = side_end(sign + 1);
+        const int right = read_side_of(t, s, node, sign + 1, end);
+        if (t->shown_count == MOST_SHOWN)
+            return node_error(node, 0, "expected at most %d equalities", MOST_SHOWN);
+        t->shown = xrealloc(t->shown, (size_t)t->shown_count + 1, sizeof *t->shown);
+        t->shown[t->shown_count++] = (struct equality){text_part(from, end), node, (size_t)(from - node->text), left, right};
+        left = right;
+        from = sign + 1 + strspn(sign + 1, " ");
+        sign = end;
+    }
+    return left >= 0;
 }
 
 /* ---- definitions ---- */
@@ -678,6 +709,8 @@ void identities_clear(struct identities *t)
 {
     program_clear(&t->program);
     free(t->variables);
+    for (int i = 0; i < t->shown_count; i++)
+        free(t->shown[i].text);
     free(t->shown);
     free(t->roots);
     for (int i = 0; i < t->use_count; i++)

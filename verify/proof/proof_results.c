@@ -10,7 +10,7 @@ bool step_holds(const struct proof_results *p, int i)
     for (int k = 0; k < p->derivations.steps[i].remainder_count; k++)
         if (p->remainders[i][k].state != REMAINDER_PROVED)
             return false;
-    return p->corrected[i].result == IDENTITY_HOLDS &&
+    return p->corrected[i].result == IDENTITY_HOLDS && (p->lines == NULL || p->lines[i].result == IDENTITY_HOLDS) &&
            (!p->derivations.steps[i].differs || p->printed[i].result == IDENTITY_DIFFERS);
 }
 
@@ -44,13 +44,20 @@ int proof_results_init(struct proof_results *p, const struct paper *paper, struc
 
 void proof_results_bind(struct proof_results *p, const char *only)
 {
-    p->bindings = xrealloc(NULL, (size_t)p->derivations.step_count, sizeof *p->bindings);
+    const size_t count = (size_t)p->derivations.step_count;
+    p->bindings = xrealloc(NULL, count, sizeof *p->bindings);
+    p->lines = xrealloc(NULL, count, sizeof *p->lines);
+    memset(p->lines, 0, count * sizeof *p->lines);
     for (int i = 0; i < p->derivations.step_count; i++) {
+        const struct step *s = &p->derivations.steps[i];
+        const bool asked = only == NULL || strcmp(s->id, only) == 0;
         p->bindings[i] = (struct binding){.mutants = 0};
-        if (step_holds(p, i) && (only == NULL || strcmp(p->derivations.steps[i].id, only) == 0))
-            step_bind(&p->derivations, &p->derivations.steps[i], &p->bindings[i]);
+        if (asked && s->line_map != NULL)
+            identities_prove(&s->lines, &p->lines[i]);
+        if (asked && step_holds(p, i))
+            step_bind(&p->derivations, s, &p->bindings[i]);
         p->mutants += p->bindings[i].mutants;
-        p->fine = p->fine && p->bindings[i].fault.text[0] == '\0';
+        p->fine = p->fine && step_holds(p, i) && p->bindings[i].fault.text[0] == '\0';
     }
 }
 
@@ -81,11 +88,14 @@ void proof_results_clear(struct proof_results *p)
         proof_clear(&p->corrected[i]);
         if (p->derivations.steps[i].differs)
             proof_clear(&p->printed[i]);
+        if (p->lines != NULL)
+            proof_clear(&p->lines[i]);
         free(p->remainders[i]);
     }
     free(p->corrected);
     free(p->printed);
     free(p->remainders);
+    free(p->lines);
     free(p->bindings);
     derivations_clear(&p->derivations);
 }

@@ -8,6 +8,7 @@
 struct proof_results {
     struct derivations derivations;
     struct proof *corrected, *printed; /* a proof a step; printed: of those that differ            */
+    struct proof *lines;               /* of their lines; NULL where they were not asked for       */
     struct remainder_proof **remainders; /* of each step, one a remainder                         */
     struct binding *bindings;          /* NULL where they were not asked for                       */
     const char *gap;                   /* an equation that no step reaches, or NULL                */
@@ -27,7 +28,7 @@ int proof_results_init(struct proof_results *p, const struct paper *paper, struc
 /* Of steps that are open already, which are the results' own from then on. */
 void proof_results_of(struct proof_results *p);
 
-/* And what binds them to their equations, which takes ten times as long: all, or the step of that id alone. */
+/* And their lines, and what binds them to their equations, which takes ten times as long: all, or the step of that id alone. */
 void proof_results_bind(struct proof_results *p, const char *only);
 void proof_results_clear(struct proof_results *p);
 
