@@ -155,11 +155,13 @@ static const struct {
     {"figure 5a --rk4 30", 1, "--rk4"},
     {"figure 7a dL=-4 --rk4 100", 1, "Q_ref + dQ >= 0 at t = 0 s"}, /* a push: dL < -3 L_ref/n */
     {"design n=10 C1=6e-8", 2, "n: expected either n, or C1 and C2"},
-    {"design l_ref=3", 2, "unknown name 'l_ref', did you mean 'L_ref'? there are: m1 m2 L_ref k_c Omega n C1 C2"},
+    {"design l_ref=3", 2, "unknown name 'l_ref', did you mean 'L_ref'? there are: m1 m2 L_ref k_c Omega n C1 C2 lambda_d"},
     {"design psi=0.1", 2, "unknown name 'psi'"},
     {"design n=nan C1=word", 2, "C1"},
     {"design n=nan", 1, "n: expected a finite number"},
     {"design m1=0", 1, "m1"},
+    {"design lambda_d=0", 1, "lambda_d: expected a number > 0, or inf"},
+    {"design lambda_d=80 --digits 4", 1, "lambda_d: expected more than 8.068e+01 m, with less nothing rests near L_ref"},
     {"design n=9", 1, "n: expected a number > 9, the pair is not stable"},
     {"design C1=9 Omega=1", 1, "C1: expected more than 9 Omega^2, the pair is not stable"},
     {"design C1=10 C2=0 Omega=1", 1, "C2: expected a number > 0, the pair is not stable"},
@@ -271,22 +273,6 @@ START_TEST(a_mistake_gets_one_line_and_its_exit_code)
 END_TEST
 
 /* Lines that work, and all that they print. */
-/* T and d as data/sampling.csv has them, and tests/claims/test_sampling.c finds them. */
-#define DESIGN_12_4 \
-    "# gains of the law (18)\nC1 = 1.200e+01 1/s^2  # of the length error\nC2 = 4.000e+00 1/s  # of its rate\n" \
-    "# rest at L_ref\nQ_ref = -1.800e+01 C^2  # charge product\nq1 = 4.243e+00 C  # charge of craft 1\n" \
-    "q2 = -4.243e+00 C  # charge of craft 2\nx1 = 1.500e+00 m  # place of craft 1 on the radius\n" \
-    "x2 = -5.000e-01 m  # place of craft 2\n" \
-    "# roots of (41), yaw and length error\nre1 = -1.000e+00 1/s  # fastest decay\nim1 = -1.414e+00 rad/s  # its frequency\n" \
-    "re2 = -1.000e+00 1/s\nim2 = -1.414e+00 rad/s\nre3 = -1.000e+00 1/s\nim3 = 1.414e+00 rad/s\n" \
-    "re4 = -1.000e+00 1/s  # slowest decay\nim4 = 1.414e+00 rad/s  # its frequency\n" \
-    "t_fast = 1.000e+00 s  # time in which the fastest falls to 1/e\n" \
-    "t_slow = 1.000e+00 s  # time in which the slowest falls to 1/e\n" \
-    "# frequencies, each motion by itself\nw_theta = 2.000e+00 rad/s  # pitch, which no gain damps\n" \
-    "w_psi = 1.732e+00 rad/s  # yaw\nw_dL = 1.732e+00 rad/s  # length error\n" \
-    "# sampling, by the linear model\nT = 5.582e-01 s  # the law may be held for any time below this one\n" \
-    "d = 2.322e-01 s  # the law may act late by any time below this one\n"
-
 static const struct {
     const char *line, *prints;
 } uses[] = {
@@ -315,8 +301,6 @@ static const struct {
     {"eval eq38 GM=8 R_c=2 --digits 4 --json",
      "{\"id\": \"eq38\", \"as_printed\": false, \"digits\": 4, \"outputs\": "
      "[{\"name\": \"Omega\", \"value\": \"1.000e+00\", \"unit\": \"rad/s\"}]}\n"},
-    /* (41) is (s^2 + 2 s + 3)^2: -1 +- i sqrt(2), twice; Q_ref = -3 1^2 2^3/1 (1*3/(1 + 3)) = -18 */
-    {"design Omega=1 C1=12 C2=4 k_c=1 m1=1 m2=3 L_ref=2 --digits 4", DESIGN_12_4},
     /* the double root 0 of s^4 + 7 s^2, n = 9, and +-i sqrt(7): 2.645751311... */
     {"eval eq41roots Omega=1 C1=9 C2=0 --digits 4",
      "re1 = 0 1/s\nim1 = -2.646e+00 1/s\nre2 = 0 1/s\nim2 = 0 1/s\n"
@@ -677,6 +661,43 @@ START_TEST(verify_speaks_json_of_every_part)
 }
 END_TEST
 
+/*
+ * (41) is (s^2 + 2 s + 3)^2: -1 +- i sqrt(2), twice; Q_ref = -3 1^2 2^3/1 (1*3/(1 + 3)) = -18; T and d as those that
+ * tests/claims/test_sampling.c confirms; (1 + 1/5) e^(-1/5) = 0.98248; (sqrt(12*12 - 27) - 3)/6 L_ref = 2.60555 m.
+ */
+#define DESIGN_12_4 \
+    "# gains of the law (18)\nC1 = 1.200e+01 1/s^2  # of the length error\nC2 = 4.000e+00 1/s  # of its rate\n" \
+    "# rest at L_ref\nQ_ref = -1.800e+01 C^2  # charge product\nq1 = 4.243e+00 C  # charge of craft 1\n" \
+    "q2 = -4.243e+00 C  # charge of craft 2\nx1 = 1.500e+00 m  # place of craft 1 on the radius\n" \
+    "x2 = -5.000e-01 m  # place of craft 2\n" \
+    "# roots of (41), yaw and length error\nre1 = -1.000e+00 1/s  # fastest decay\nim1 = -1.414e+00 rad/s  # its frequency\n" \
+    "re2 = -1.000e+00 1/s\nim2 = -1.414e+00 rad/s\nre3 = -1.000e+00 1/s\nim3 = 1.414e+00 rad/s\n" \
+    "re4 = -1.000e+00 1/s  # slowest decay\nim4 = 1.414e+00 rad/s  # its frequency\n" \
+    "t_fast = 1.000e+00 s  # time in which the fastest falls to 1/e\n" \
+    "t_slow = 1.000e+00 s  # time in which the slowest falls to 1/e\n" \
+    "# frequencies, each motion by itself\nw_theta = 2.000e+00 rad/s  # pitch, which no gain damps\n" \
+    "w_psi = 1.732e+00 rad/s  # yaw\nw_dL = 1.732e+00 rad/s  # length error\n" \
+    "# sampling, by the linear model\nT = 5.582e-01 s  # the law may be held for any time below this one\n" \
+    "d = 2.322e-01 s  # the law may act late by any time below this one\n" \
+    "# screening at lambda_d\nlost = 1.752e-02 -  # part of the force that is missing\n" \
+    "# basin of rest at L_ref, by the energy of the nonlinear model\n" \
+    "equilibrium = 2.606e+00 m  # other equilibrium on the radius\n"
+
+START_TEST(design_prints_what_one_decides_with)
+{
+    ck_assert_int_eq(run("design Omega=1 C1=12 C2=4 k_c=1 m1=1 m2=3 L_ref=2 lambda_d=10 --digits 4"), 0);
+    ck_assert_int_lt((int)strlen(DESIGN_12_4), (int)strlen(output));
+    output[strlen(DESIGN_12_4)] = '\0';
+    ck_assert_str_eq(output, DESIGN_12_4);
+    ck_assert_int_eq(run("design lambda_d=inf --digits 4"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "\nlost = 0 -  # "));
+    /* 3 Omega^2 L_ref, units by name: 3*7.2915e-5**2*10 */
+    ck_assert_ptr_nonnull(strstr(output, "\nalong = 1.595e-07 m/s^2  # "));
+    ck_assert_ptr_nonnull(strstr(output, " rad/s  # largest rate of yaw, or of pitch"));
+    ck_assert_ptr_nonnull(strstr(output, "\ndebye = 8.068e+01 m  # "));
+}
+END_TEST
+
 START_TEST(design_speaks_json_of_all_that_it_prints)
 {
     static const char *const asks[] = {"design n=1e5 --digits 1", "design n=12 m2=50", "design C1=6e-8 --exact --digits 50"};
@@ -897,6 +918,7 @@ SUITE(test_command_line)
     tcase_set_timeout(long_work, 60);
     tcase_add_loop_test(long_work, figures_have_a_row_every_100_s_for_3_days, 0, 5);
     tcase_add_loop_test(long_work, verify_speaks_json_of_every_part, 0, 3);
+    tcase_add_test(long_work, design_prints_what_one_decides_with);
     tcase_add_loop_test(long_work, design_speaks_json_of_all_that_it_prints, 0, 3);
     tcase_add_loop_test(long_work, verify_prints_tables, 0, 5);
     tcase_add_test(long_work, rows_are_printed_once_however_many_bits_they_take);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claims/guarantee.h"
 #include "claims/sampling.h"
 #include "command/command.h"
 #include "motion/motion.h"
@@ -20,6 +21,8 @@ struct design_row {
 static const struct design_row design_rows[] = {
     {"", "L", "m", "L_ref", ""},
     {"", "dQ", "C^2", "0", ""},
+    {"", "n", "-", "C1/Omega^2", ""},
+    {"", "u", "-", "L_ref*inverse_debye", ""},
     {"gains of the law (18)", "C1", "1/s^2", "C1", "of the length error"},
     {NULL, "C2", "1/s", "C2", "of its rate"},
     {"rest at L_ref", "Q_ref", "C^2", "eq07.Q_ref", "charge product"},
@@ -42,19 +45,27 @@ static const struct design_row design_rows[] = {
     {NULL, "w_dL", "rad/s", "sqrt(C1 - 9*Omega^2)", "length error"},
     {"sampling, by the linear model", "T", "s", "hold/Omega", "the law may be held for any time below this one"},
     {NULL, "d", "s", "delay/Omega", "the law may act late by any time below this one"},
+    {"screening at lambda_d", "lost", "-", "1 - (1 + u)*exp(-u)", "part of the force that is missing"},
 };
 enum { DESIGN_ROWS = sizeof design_rows / sizeof *design_rows };
 
-/* What the formulas start from: the parameters, then in radians of orbit the roots, and the largest T and d. */
+/* What the formulas start from: the parameters, then in radians of orbit the roots, and the largest T and d; 1/lambda_d. */
 static const char *const design_inputs[] = {"Omega", "L_ref", "C1", "C2", "k_c", "m1", "m2", "re1", "im1", "re2", "im2",
-                                            "re3", "im3", "re4", "im4", "hold", "delay"};
+                                            "re3", "im3", "re4", "im4", "hold", "delay", "inverse_debye"};
 enum { DESIGN_PARAMETERS = 7, DESIGN_INPUTS = sizeof design_inputs / sizeof *design_inputs };
+
+struct design_number {
+    const char *group, *name, *unit, *meaning;
+    int node, guarantee; /* the latter where the former is -1 */
+    char *digits;
+};
 
 struct design {
     struct scenario scenario;
+    struct input lambda_d;
     struct program program;
-    int nodes[DESIGN_ROWS];
-    char *digits[DESIGN_ROWS];
+    struct design_number numbers[DESIGN_ROWS + GUARANTEES];
+    int count;
 };
 
 /* ---- numbers ---- */
@@ -76,18 +87,43 @@ static int sheet_node(struct program *p, const struct sheet *sheet, const char *
     return node;
 }
 
+static void design_add(struct design *d, const char *group, const struct design_row *r, int node, int guarantee)
+{
+    d->numbers[d->count++] = (struct design_number){group, r->name, r->unit, r->meaning, node, guarantee, NULL};
+}
+
 static void design_formulas(struct design *d)
 {
+    const char *group = "";
     struct message why;
     size_t where;
     program_init(&d->program);
     for (int i = 0; i < DESIGN_INPUTS; i++)
         program_input(&d->program, design_inputs[i]);
     for (int i = 0; i < DESIGN_ROWS; i++) {
-        const char *formula = design_rows[i].formula;
-        d->nodes[i] = strncmp(formula, "eq", 2) == 0 ? sheet_node(&d->program, d->scenario.sheet, formula)
-                                                     : program_parse(&d->program, formula, &where, &why);
-        program_name(&d->program, d->nodes[i], design_rows[i].name);
+        const struct design_row *r = &design_rows[i];
+        const int node = strncmp(r->formula, "eq", 2) == 0 ? sheet_node(&d->program, d->scenario.sheet, r->formula)
+                                                           : program_parse(&d->program, r->formula, &where, &why);
+        program_name(&d->program, node, r->name);
+        group = r->group != NULL ? r->group : group;
+        if (*group != '\0')
+            design_add(d, group, r, node, -1);
+    }
+}
+
+/* What the energy guarantees: yaw, pitch and rates have the units that the sheet gives these names. */
+static void design_guarantees(struct design *d)
+{
+    static const char *const units[2][3] = {{"-", "1/s", "1/s^2"}, {"m", "m/s", "m/s^2"}};
+    const char *group = "basin of rest at L_ref, by the energy of the nonlinear model";
+    for (int i = 0; i < GUARANTEES; i++) {
+        const struct guarantee *g = &guarantees[i];
+        const struct quantity *q = quantity_find(d->scenario.sheet, g->name);
+        if (strcmp(g->name, "deficit") == 0)
+            group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses), and pushes";
+        if (g->meaning != NULL)
+            design_add(d, group, &(struct design_row){NULL, g->name, q != NULL ? q->unit : units[g->lengths][g->rates], NULL, g->meaning},
+                       -1, i);
     }
 }
 
@@ -104,7 +140,7 @@ static bool enclose_root_parts(acb_ptr roots, const struct scenario *s, const ar
     return roots41(roots, one, exact_c1, exact_c2, prec);
 }
 
-static void enclose_inputs(struct machine *m, const struct scenario *s, slong prec)
+static void enclose_inputs(struct machine *m, const struct scenario *s, const struct input *lambda_d, slong prec)
 {
     struct flow_parameters p;
     SCOPE(arb, c1, c2);
@@ -117,6 +153,11 @@ static void enclose_inputs(struct machine *m, const struct scenario *s, slong pr
             arb_set(machine_value(m, i), parameters[i]);
         else
             arb_indeterminate(machine_value(m, i));
+    arb_set_fmpq(machine_value(m, DESIGN_INPUTS - 1), &lambda_d->value, prec);
+    if (lambda_d->infinite)
+        arb_zero(machine_value(m, DESIGN_INPUTS - 1));
+    else
+        arb_inv(machine_value(m, DESIGN_INPUTS - 1), machine_value(m, DESIGN_INPUTS - 1), prec);
     arb_div(c2, p.C2, p.Omega, prec);
     arb_div(c1, p.C1, p.Omega, prec);
     arb_div(c1, c1, p.Omega, prec);
@@ -125,49 +166,92 @@ static void enclose_inputs(struct machine *m, const struct scenario *s, slong pr
         arb_set(machine_value(m, DESIGN_PARAMETERS + 2 * i), acb_realref(roots + i));
         arb_set(machine_value(m, DESIGN_PARAMETERS + 2 * i + 1), acb_imagref(roots + i));
     }
-    largest_hold(machine_value(m, DESIGN_INPUTS - 2), c1, c2, prec);
-    largest_delay(machine_value(m, DESIGN_INPUTS - 1), c1, c2, prec);
+    largest_hold(machine_value(m, DESIGN_INPUTS - 3), c1, c2, prec);
+    largest_delay(machine_value(m, DESIGN_INPUTS - 2), c1, c2, prec);
     flow_parameters_clear(&p);
 }
 
-/* Every digit of every row, by more and more bits; else the first row that stays open. */
+static void enclose_number(arb_t z, const struct design_number *number, const struct machine *m, arb_srcptr guaranteed)
+{
+    if (number->node >= 0) {
+        arb_set(z, machine_value(m, number->node));
+        return;
+    }
+    const struct guarantee *g = &guarantees[number->guarantee];
+    arb_set(z, guaranteed + number->guarantee);
+    for (int i = 0; i < g->rates; i++)
+        arb_mul(z, z, machine_value(m, program_find(m->program, "Omega")), m->prec);
+    for (int i = 0; i < g->lengths; i++)
+        arb_mul(z, z, machine_value(m, program_find(m->program, "L_ref")), m->prec);
+}
+
+/* Every digit of every number, by more and more bits; else the first number that stays open, or there is no rest. */
 static int find_digits(struct design *d, slong digits)
 {
     const slong first = 4 * digits + 128, most = 8 * first;
+    const int shortest_debye = guarantee_find("debye");
     int open = 0;
-    for (slong prec = first; prec <= most && open < DESIGN_ROWS; prec *= 2) {
+    bool rests = true;
+    for (slong prec = first; prec <= most && open < d->count; prec *= 2) {
         struct machine m;
+        VECTOR(arb, guaranteed, GUARANTEES);
+        SCOPE(arb, z);
         machine_init(&m, &d->program, &arithmetic_ball, prec);
-        enclose_inputs(&m, &d->scenario, prec);
+        enclose_inputs(&m, &d->scenario, &d->lambda_d, prec);
         machine_run(&m);
-        for (int i = 0; i < DESIGN_ROWS; i++)
-            if (d->digits[i] == NULL)
-                d->digits[i] = decimal_of_ball(machine_value(&m, d->nodes[i]), digits);
+        guarantees_enclose(guaranteed, machine_value(&m, program_find(&d->program, "n")), NULL, prec);
+        arb_mul(z, machine_value(&m, program_find(&d->program, "u")), guaranteed + shortest_debye, prec);
+        arb_sub_ui(z, z, 1, prec);
+        rests = !arb_is_positive(z); /* L_ref/lambda_d times the least lambda_d/L_ref */
+        for (int i = 0; i < d->count; i++)
+            if (d->numbers[i].digits == NULL) {
+                enclose_number(z, &d->numbers[i], &m, guaranteed);
+                d->numbers[i].digits = decimal_of_ball(z, digits);
+            }
         machine_clear(&m);
-        for (open = 0; open < DESIGN_ROWS && d->digits[open] != NULL;)
+        for (open = 0; open < d->count && d->numbers[open].digits != NULL;)
             open++;
     }
-    return open == DESIGN_ROWS ? EXIT_DONE
-                               : usage_error(EXIT_FAILED_CHECK, "design: %s: %ld bits do not decide %ld digits",
-                                             design_rows[open].name, (long)most, (long)digits);
+    for (int i = 0; i < d->count && !rests; i++)
+        if (d->numbers[i].guarantee == shortest_debye)
+            return usage_error(EXIT_FAILED_CHECK, "lambda_d: expected more than %s m, with less nothing rests near L_ref",
+                               d->numbers[i].digits);
+    return open == d->count ? EXIT_DONE
+                            : usage_error(EXIT_FAILED_CHECK, "design: %s: %ld bits do not decide %ld digits",
+                                          d->numbers[open].name, (long)most, (long)digits);
 }
 
 /* ---- arguments ---- */
 
-static int read_design(struct scenario *s, const struct arguments *a)
+static int read_design(struct design *d, const struct arguments *a)
 {
-    enum { KNOWN = SET_C2 + 1 };
-    static const bool never_infinite[KNOWN] = {false};
-    const char *refused;
+    enum { KNOWN = SET_C2 + 2 };
+    struct scenario *s = &d->scenario;
+    const bool may_be_infinite[KNOWN] = {[KNOWN - 1] = true};
+    const char *known[KNOWN] = {NULL}, *refused;
+    bool given[KNOWN] = {false};
+    struct input *values = inputs_new(KNOWN);
     struct message why;
-    const int status = read_assignments(a, scenario_names, KNOWN, s->exact, never_infinite, s->given, s->value, &refused);
-    if (status != EXIT_DONE)
-        return status;
-    if (s->given[SET_n] && (s->given[SET_C1] || s->given[SET_C2]))
-        return usage_error(EXIT_USAGE, "n: expected either n, or C1 and C2");
-    if (refused != NULL)
-        return refuse_assignment(refused, s->exact);
-    return scenario_valid(s, false, &why) ? EXIT_DONE : usage_error(EXIT_FAILED_CHECK, "%s", why.text);
+    for (int i = 0; i < KNOWN; i++)
+        known[i] = i + 1 < KNOWN ? scenario_names[i] : "lambda_d";
+    int status = read_assignments(a, known, KNOWN, s->exact, may_be_infinite, given, values, &refused);
+    for (int i = 0; i < KNOWN; i++)
+        if (given[i]) {
+            struct input *to = i + 1 < KNOWN ? &s->value[i] : &d->lambda_d;
+            fmpq_swap(&to->value, &values[i].value);
+            to->infinite = values[i].infinite;
+            s->given[i] = i + 1 < KNOWN;
+        }
+    inputs_free(values, KNOWN);
+    if (status == EXIT_DONE && s->given[SET_n] && (s->given[SET_C1] || s->given[SET_C2]))
+        status = usage_error(EXIT_USAGE, "n: expected either n, or C1 and C2");
+    if (status == EXIT_DONE && refused != NULL)
+        status = refuse_assignment(refused, s->exact);
+    if (status == EXIT_DONE && !d->lambda_d.infinite && fmpq_sgn(&d->lambda_d.value) <= 0)
+        status = usage_error(EXIT_FAILED_CHECK, "lambda_d: expected a number > 0, or inf");
+    if (status == EXIT_DONE && !scenario_valid(s, false, &why))
+        status = usage_error(EXIT_FAILED_CHECK, "%s", why.text);
+    return status;
 }
 
 /* (42), exactly: with other gains the pair does not come to rest, and there is nothing to design. */
@@ -190,37 +274,28 @@ static int check_stable(const struct scenario *s)
 
 static void print_design(const struct design *d)
 {
-    const char *group = "";
-    for (int i = 0; i < DESIGN_ROWS; i++) {
-        const struct design_row *r = &design_rows[i];
-        if (r->group != NULL)
-            group = r->group;
-        if (*group == '\0')
-            continue;
-        if (r->group != NULL)
-            printf("# %s\n", group);
-        printf("%s = %s %s%s%s\n", r->name, d->digits[i], r->unit, *r->meaning ? "  # " : "", r->meaning);
+    for (int i = 0; i < d->count; i++) {
+        const struct design_number *z = &d->numbers[i];
+        if (i == 0 || z->group != z[-1].group)
+            printf("# %s\n", z->group);
+        printf("%s = %s %s%s%s\n", z->name, z->digits, z->unit, *z->meaning ? "  # " : "", z->meaning);
     }
 }
 
 static void print_design_json(const struct design *d, slong digits)
 {
-    const char *group = "";
     struct json j = json_on(stdout);
     json_open(&j, NULL, '{');
     json_value(&j, "digits", "%ld", (long)digits);
     json_open(&j, "outputs", '[');
-    for (int i = 0; i < DESIGN_ROWS; i++) {
-        const struct design_row *r = &design_rows[i];
-        group = r->group != NULL ? r->group : group;
-        if (*group == '\0')
-            continue;
+    for (int i = 0; i < d->count; i++) {
+        const struct design_number *z = &d->numbers[i];
         json_open(&j, NULL, '{');
-        json_string(&j, "group", group);
-        json_string(&j, "name", r->name);
-        json_string(&j, "value", d->digits[i]);
-        json_string(&j, "unit", r->unit);
-        json_string(&j, "meaning", r->meaning);
+        json_string(&j, "group", z->group);
+        json_string(&j, "name", z->name);
+        json_string(&j, "value", z->digits);
+        json_string(&j, "unit", z->unit);
+        json_string(&j, "meaning", z->meaning);
         json_close(&j);
     }
     json_close(&j);
@@ -230,28 +305,30 @@ static void print_design_json(const struct design *d, slong digits)
 
 int command_design(const struct arguments *a)
 {
-    struct design d = {0};
+    struct design d = {.lambda_d.infinite = true};
     long digits;
     if (option_digits(a, 8, &digits) != EXIT_DONE)
         return EXIT_USAGE;
     scenario_init(&d.scenario, &a->paper->sheet, option_given(a, "--exact"));
-    int status = read_design(&d.scenario, a);
+    fmpq_init(&d.lambda_d.value);
+    design_formulas(&d);
+    design_guarantees(&d);
+    int status = read_design(&d, a);
     if (status == EXIT_DONE)
         status = check_stable(&d.scenario);
-    if (status == EXIT_DONE) {
-        design_formulas(&d);
+    if (status == EXIT_DONE)
         status = find_digits(&d, digits);
-        if (status == EXIT_DONE) {
-            if (option_given(a, "--json"))
-                print_design_json(&d, digits);
-            else
-                print_design(&d);
-            status = output_finished();
-        }
-        program_clear(&d.program);
+    if (status == EXIT_DONE) {
+        if (option_given(a, "--json"))
+            print_design_json(&d, digits);
+        else
+            print_design(&d);
+        status = output_finished();
     }
-    for (int i = 0; i < DESIGN_ROWS; i++)
-        free(d.digits[i]);
+    for (int i = 0; i < d.count; i++)
+        free(d.numbers[i].digits);
+    program_clear(&d.program);
+    fmpq_clear(&d.lambda_d.value);
     scenario_clear(&d.scenario);
     return status;
 }
