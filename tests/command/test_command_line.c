@@ -109,6 +109,9 @@ static const struct {
     {"eval eq07 m1=1", 2, "missing Omega [rad/s], k_c [N m^2/C^2], m2 [kg], L [m]; --table1"},
     {"eval eq07 nonsense=1", 2, "unknown name 'nonsense', there are: Omega k_c m1 m2 L"},
     {"eval eq07 --table1 m1=-1", 1, "m1"},
+    {"eval flow_nonlinear --table1 m1=-150", 1, "m1"}, /* of no mass together there is no state to begin with */
+    {"eval eq44 N=10 omega=1", 2, "did you mean 'n'?"},
+    {"equations EQ7", 2, "did you mean 'eq07'?"},
     {"eval - n=3", 2, "n=3"},
     {"eval - --json", 2, "--json does nothing here"},
     {"eval - --table1", 2, "--table1 does nothing here"},
@@ -284,6 +287,10 @@ static const struct {
     {"eval eq07 Omega=0.1 k_c=1 m1=2 m2=2 L=1 --digits 20", "Q_ref = -3.0000000000000003331e-02 C^2\n"},
     /* L = 10.1 m as the simulation starts: -3 (7.2915e-5)^2 10.1^3/8.99e9 (150*50/200) */
     {"eval eq07 m2=50 --table1 --digits 5", "Q_ref = -6.8547e-14 C^2\n"},
+    /* python3: 5.05*cos(.01)**2, 5.05*cos(.01)*sin(.01), -5.05*sin(.01) */
+    {"eval flow_nonlinear --table1 t=0 x1_dot_0=2 --digits 12",
+     "x1 = 5.04949501683e+00 m\ny1 = 5.04966334007e-02 m\nz1 = -5.04991583375e-02 m\nx1_dot = 2.00000000000e+00 m/s\n"
+     "y1_dot = 0 m/s\nz1_dot = 0 m/s\n"},
     {"eval eq43 n=0.5 --table1 --exact --digits 12", "C1 = 2.65829861250e-09 1/s^2\n"}, /* (7.2915e-5)^2/2 */
     {"eval eq07 Omega=1e400 k_c=1e400 m1=1 m2=1 L=1e-300 --exact --digits 3", "Q_ref = -1.50e-500 C^2\n"},
     /* a tie, to the even digit: 2.5 and 3.5 */

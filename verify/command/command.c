@@ -311,7 +311,7 @@ const struct section *section_argument(const struct sheet *sheet, const char *id
         known[i] = sheet->sections[i].id;
     suggest(hint, id, known, count);
     free(known);
-    usage_error(EXIT_USAGE, "unknown operation '%.40s'%s", id, hint);
+    usage_error(EXIT_USAGE, "unknown operation '%.40s'%s", id, *hint ? hint : ", see coulomb-tether equations");
     return NULL;
 }
 

@@ -62,7 +62,7 @@ const struct option options[] = {
      "a decimal means itself, defaults included, and not the binary64 nearest to it; exponents up to 5000"},
     {"--as-printed", NULL, NULL, NULL, "eval", NULL, false,
      "the formula as the paper prints it, where the sheet has a corrected one"},
-    {"--table1", NULL, NULL, NULL, "eval", "ID", false, "the paper's case for every input that is not given"},
+    {"--table1", NULL, NULL, NULL, "eval", "ID", false, "the paper's case for every input that is not given; of a nonlinear motion the state by (10), the binary64 nearest to it"},
     {"--json", NULL, NULL, NULL, "equations verify design", NULL, false, "JSON in place of text for reading"},
     {"--json", NULL, NULL, NULL, "eval", "ID", false, "JSON in place of text for reading"},
     {"--csv", NULL, NULL, NULL, "table1", NULL, false, "CSV in place of text for reading"},

@@ -22,14 +22,6 @@ static void append(char *text, size_t size, const char *between, const char *wor
     snprintf(text + used, size - used, "%s%s", used > 0 ? between : "", word);
 }
 
-static int input_place(const struct section *s, const char *name)
-{
-    for (int i = 0; i < s->input_count; i++)
-        if (strcmp(s->inputs[i]->name, name) == 0)
-            return i;
-    return -1;
-}
-
 /* ---- all outputs alike ---- */
 
 static void all_zeros(const struct evidence *v, char *text, size_t size)

@@ -99,19 +99,12 @@ static bool nudge(struct operation *o, const struct input *step, int i, double *
     return false;
 }
 
-static const struct input *input_of(const struct section *s, const struct input *inputs, const char *name)
-{
-    for (int i = 0; i < s->input_count; i++)
-        if (strcmp(s->inputs[i]->name, name) == 0)
-            return &inputs[i];
-    return NULL;
-}
-
 bool domain_edge(struct operation *o, int condition, bool outside, double *values)
 {
     const struct section *s = o->section;
     struct input *inputs = inputs_new(s->input_count);
     int moved = -1, degree = 2;
+    const int h = input_place(s, "h");
     inputs_of_values(s, values, inputs);
     for (int i = 0; i < s->input_count && degree != 1; i++) {
         const int of_this = move_to_edge(o, condition, inputs, i);
@@ -120,7 +113,7 @@ bool domain_edge(struct operation *o, int condition, bool outside, double *value
         degree = of_this > 0 ? of_this : degree;
     }
     const bool found = moved >= 0 && (operation_valid(o, inputs) != outside ||
-                                      nudge(o, input_of(s, inputs, "h"), moved, values, inputs, outside));
+                                      nudge(o, h < 0 ? NULL : &inputs[h], moved, values, inputs, outside));
     inputs_free(inputs, s->input_count);
     return found;
 }
@@ -139,9 +132,8 @@ bool domain_between_steps(const struct section *s, double *values)
 {
     if (edge_count(&s->corrected) == s->corrected.count)
         return false;
-    for (int i = 0; i < s->input_count; i++)
-        if (strcmp(s->inputs[i]->name, "t") == 0)
-            values[i] = nextafter(values[i], INFINITY);
+    const int t = input_place(s, "t");
+    values[t] = nextafter(values[t], INFINITY);
     return true;
 }
 

@@ -43,14 +43,6 @@ static void replaced(struct golden *g, const char *how, int i, const char *text,
     hand_on(g, name, texts, flags);
 }
 
-static int input_place(const struct section *s, const char *name)
-{
-    for (int i = 0; i < s->input_count; i++)
-        if (strcmp(s->inputs[i]->name, name) == 0)
-            return i;
-    return -1;
-}
-
 /* The paper's masses are equal, which hides which is which. */
 static void unequal_masses(struct golden *g)
 {

@@ -39,13 +39,7 @@ static double draw(const struct quantity *q, uint64_t key)
 /* t of the Runge-Kutta methods is a whole number of steps: h keeps 20 bits, so that k h is exact. */
 static void fit_steps(const struct section *s, double *values, uint64_t key)
 {
-    int t = -1, h = -1;
-    for (int i = 0; i < s->input_count; i++) {
-        if (s->inputs[i]->name[1] == '\0' && s->inputs[i]->name[0] == 't')
-            t = i;
-        if (s->inputs[i]->name[1] == '\0' && s->inputs[i]->name[0] == 'h')
-            h = i;
-    }
+    const int t = input_place(s, "t"), h = input_place(s, "h");
     if (h < 0)
         return;
     int exponent;

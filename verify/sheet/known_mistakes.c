@@ -9,23 +9,15 @@ struct substitution {
     int value;  /* node of the mutation's program */
 };
 
-static int index_of(const struct quantity *const *names, int count, const char *name)
-{
-    for (int i = 0; i < count; i++)
-        if (strcmp(names[i]->name, name) == 0)
-            return i;
-    return -1;
-}
-
 static int target_of(const struct section *s, const struct section *end, enum place place, const char *name)
 {
     if (place == PLACE_INPUT)
-        return index_of(end->inputs, end->input_count, name);
+        return input_place(end, name);
     if (s->method != METHOD_FORMULA || s != end)
         return -1;
     if (place == PLACE_OUTPUT)
-        return index_of(s->outputs, s->output_count, name);
-    return index_of(s->inputs, s->input_count, name) < 0 ? program_find(&s->corrected.program, name) : -1;
+        return quantity_place(s->outputs, s->output_count, name);
+    return input_place(s, name) < 0 ? program_find(&s->corrected.program, name) : -1;
 }
 
 /* Reads the changes in the names of the section as it should be; false where they do not fit it. */
@@ -67,7 +59,7 @@ static bool take_stand_ins(int *stand_in, const struct section *s, const struct 
                            const struct known_mistake *m, const struct substitution *changes, struct message *why)
 {
     for (int i = 0; i < end->corrected.program.count; i++)
-        stand_in[i] = i < end->input_count ? index_of(s->inputs, s->input_count, end->inputs[i]->name) : -1;
+        stand_in[i] = i < end->input_count ? input_place(s, end->inputs[i]->name) : -1;
     for (int k = 0; k < m->count; k++)
         if (changes[k].target >= 0 && m->changes[k].place != PLACE_OUTPUT)
             stand_in[changes[k].target] = changes[k].value;

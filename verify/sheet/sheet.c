@@ -42,3 +42,16 @@ const struct quantity *quantity_find(const struct sheet *s, const char *name)
             return &s->quantities[i];
     return NULL;
 }
+
+int quantity_place(const struct quantity *const *list, int count, const char *name)
+{
+    int place = count - 1;
+    while (place >= 0 && strcmp(list[place]->name, name) != 0)
+        place--;
+    return place;
+}
+
+int input_place(const struct section *s, const char *name)
+{
+    return quantity_place(s->inputs, s->input_count, name);
+}

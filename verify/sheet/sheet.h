@@ -119,4 +119,8 @@ void sheet_clear(struct sheet *s);
 const struct section *section_find(const struct sheet *s, const char *id);
 const struct quantity *quantity_find(const struct sheet *s, const char *name);
 
+/* The place of that name in a list, and among a section's inputs; -1: it is not there. */
+int quantity_place(const struct quantity *const *list, int count, const char *name);
+int input_place(const struct section *s, const char *name);
+
 #endif

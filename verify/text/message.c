@@ -1,5 +1,6 @@
 #include "text/message.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -42,7 +43,7 @@ char *text_copy(const char *text)
     return memcpy(xrealloc(NULL, size, 1), text, size);
 }
 
-/* Levenshtein's distance of two short names, row by row. */
+/* Levenshtein's distance of two short names, row by row; capitals are the small letters. */
 static size_t edit_distance(const char *a, const char *b)
 {
     enum { LONGEST = 32 };
@@ -56,7 +57,7 @@ static size_t edit_distance(const char *a, const char *b)
         row[0] = i;
         for (size_t j = 1; j <= length; j++) {
             size_t above = row[j];
-            size_t best = diagonal + (a[i - 1] != b[j - 1]);
+            size_t best = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
             if (above + 1 < best)
                 best = above + 1;
             if (row[j - 1] + 1 < best)
