@@ -88,7 +88,7 @@ END_TEST
 /* Each alone: at the level there, and the other coordinates at rest. */
 START_TEST(half_widths_reach_the_level)
 {
-    static const char *const names[] = {"psi", "theta", "dL", "psi_dot", "psi_dot", "dL_dot"};
+    static const char *const names[] = {"yaw", "pitch", "length", "angle_rate", "angle_rate", "length_rate"};
     static const double gains[] = {9.5, 10, 12, 20, 23, 40};
     const double n = gains[_i], level = number("level", n, 0);
     for (int i = 0; i < 6; i++) {

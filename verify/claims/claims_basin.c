@@ -1,6 +1,7 @@
 /* A pair let go from rest on the radius, at constant charge and under the law (18), signed Q. Units: see basin.h. */
 #include "claims/basin.h"
 #include "claims/claim.h"
+#include "claims/guarantee.h"
 #include "claims/trajectory.h"
 #include "text/decimal.h"
 #include "text/scope.h"
@@ -65,7 +66,25 @@ static void basin(struct computed *c)
     }
 }
 
+/* The numbers of guarantee.h at n = 10 and 12. */
+static void guaranteed(struct computed *c)
+{
+    VECTOR(arb, values, GUARANTEES);
+    SCOPE(arb, n);
+    for (int gain = 10; gain <= 12; gain += 2) {
+        arb_set_si(n, gain);
+        const bool found = guarantees_enclose(values, n, NULL, BASIN_BITS);
+        for (int i = 0; i < GUARANTEES; i++)
+            give(c, CERTIFIED, found, values + i, "%s_%d", guarantees[i].name, gain);
+    }
+}
+
+#define BASIN(n) " depth_" n " yaw_" n " pitch_" n " angle_rate_" n " shortest_" n " longest_" n " box_" n " q_max_" n " across_" n
+#define STEADY(n) " deficit_" n " debye_" n " outward_" n " inward_" n " along_" n
+#define SUDDEN(n) " deficit_step_" n " excess_step_" n " outward_step_" n " inward_step_" n " along_step_" n
+
 const struct computation computations_basin[] = {
+    {"guaranteed", guaranteed, BASIN("10") BASIN("12") STEADY("10") STEADY("12") SUDDEN("10") SUDDEN("12"), NULL},
     {"released", released, "longer_12 longer_24 shorter_12 shorter_24", NULL},
     {"basin", basin, "returns_10 escapes_10 returns_12 escapes_12 half_escapes_10 half_returns_12", NULL},
     {NULL, NULL, NULL, NULL},

@@ -37,11 +37,11 @@ const struct guarantee guarantees[] = {
      {FREE("x") " - 3/2*x^2 - level"}, "(1 - 3/n)/2", "1"},
     {"longest", 1, 0, "longest length from which the pair, let go on the radius, surely returns", {0},
      {"level - " U("x") " + 3/2*x^2"}, "1", "outer"},
-    {"dL", 1, 0, "largest length error of either sign, all else at rest", {"1 - shortest", "longest - 1"}, NO_ROOT},
-    {"psi", 0, 0, "largest yaw, all else at rest", {"atan2(sqrt(2*depth/3), sqrt(1 - 2*depth/3))"}, NO_ROOT},
-    {"theta", 0, 0, "largest pitch, all else at rest", {"atan2(sqrt(depth/2), sqrt(1 - depth/2))"}, NO_ROOT},
-    {"psi_dot", 0, 1, "largest rate of yaw, or of pitch, all else at rest", {"sqrt(2*depth)"}, NO_ROOT},
-    {"dL_dot", 1, 1, "largest rate of the length, all else at rest", {"psi_dot"}, NO_ROOT},
+    {"length", 1, 0, "largest length error of either sign, all else at rest", {"1 - shortest", "longest - 1"}, NO_ROOT},
+    {"yaw", 0, 0, "largest yaw, all else at rest", {"atan2(sqrt(2*depth/3), sqrt(1 - 2*depth/3))"}, NO_ROOT},
+    {"pitch", 0, 0, "largest pitch, all else at rest", {"atan2(sqrt(depth/2), sqrt(1 - depth/2))"}, NO_ROOT},
+    {"angle_rate", 0, 1, "largest rate of yaw, or of pitch, all else at rest", {"sqrt(2*depth)"}, NO_ROOT},
+    {"length_rate", 1, 1, "largest rate of the length, all else at rest", {"angle_rate"}, NO_ROOT},
     {"widest", 0, 0, NULL, {"outer - 1", "1/2"}, NO_ROOT},
     {"box", 0, 0, "bound of psi, theta, dL/L_ref and of their rates in radians of orbit, all at once", {0},
      {"level - " MOVING("1 + x") " - " U("1 + x"), "level - " MOVING("1 - x") " - " FREE("1 - x")}, "0", "widest"},
@@ -80,21 +80,21 @@ int guarantee_find(const char *name)
 
 /* ---- the table's formulas in balls ---- */
 
-enum { N, Y, X, FIRST }; /* inputs: these, then each number */
+enum { GIVEN_N, GIVEN_Y, UNKNOWN_X, FIRST_NUMBER }; /* inputs: these, then each number */
 
 /* Nodes of a number's formulas, -1 where it has none. */
-struct nodes {
+struct formula_nodes {
     int value[2], root[2], low, high;
 };
 
-static int parse(struct program *p, const char *formula)
+static int formula_node(struct program *p, const char *formula)
 {
     size_t where;
     struct message why;
     return formula != NULL ? program_parse(p, formula, &where, &why) : -1;
 }
 
-static void enclose(arb_t z, struct machine *m, const int nodes[2])
+static void least_of(arb_t z, struct machine *m, const int nodes[2])
 {
     for (int i = 0; i < 2 && nodes[i] >= 0; i++) {
         machine_run_to(m, nodes[i]);
@@ -105,44 +105,44 @@ static void enclose(arb_t z, struct machine *m, const int nodes[2])
     }
 }
 
-static int sign_at(const arf_t x, struct machine *m, const int root[2])
+static int sign_of_least(const arf_t x, struct machine *m, const int root[2])
 {
     SCOPE(arb, z);
-    arb_set_arf(machine_value(m, X), x);
-    enclose(z, m, root);
+    arb_set_arf(machine_value(m, UNKNOWN_X), x);
+    least_of(z, m, root);
     return arb_is_positive(z) - arb_is_negative(z);
 }
 
 /* Halves the interval, into the node of x, while the sign is certain; at `high` the formula may vanish twice over. */
-static void find_root(struct machine *m, const struct nodes *of)
+static void halve_bracket(struct machine *m, const struct formula_nodes *of)
 {
     SCOPE(arf, low, high, middle);
     machine_run_to(m, of->low);
     machine_run_to(m, of->high);
     arb_get_ubound_arf(low, machine_value(m, of->low), m->prec);
     arb_get_ubound_arf(high, machine_value(m, of->high), m->prec);
-    const int sign = sign_at(low, m, of->root);
-    bool found = sign != 0 && sign_at(high, m, of->root) != sign;
+    const int sign = sign_of_least(low, m, of->root);
+    bool found = sign != 0 && sign_of_least(high, m, of->root) != sign;
     for (slong i = 0, at = sign; i < m->prec && found && at != 0; i++) {
         arf_add(middle, low, high, m->prec, ARF_RND_NEAR);
         arf_mul_2exp_si(middle, middle, -1);
-        at = sign_at(middle, m, of->root);
+        at = sign_of_least(middle, m, of->root);
         if (at == sign)
             arf_set(low, middle);
         else if (at != 0)
             arf_set(high, middle);
     }
     if (found)
-        arb_set_interval_arf(machine_value(m, X), low, high, m->prec);
+        arb_set_interval_arf(machine_value(m, UNKNOWN_X), low, high, m->prec);
     else
-        arb_indeterminate(machine_value(m, X));
+        arb_indeterminate(machine_value(m, UNKNOWN_X));
 }
 
 bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits)
 {
     struct program p;
     struct machine m;
-    struct nodes nodes[GUARANTEES];
+    struct formula_nodes nodes[GUARANTEES];
     SCOPE(arb, least);
     arb_set_ui(least, 9);
     _arb_vec_indeterminate(values, GUARANTEES);
@@ -159,18 +159,19 @@ bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits
         program_input(&p, guarantees[i].name);
     for (int i = 0; i < GUARANTEES; i++) {
         const struct guarantee *g = &guarantees[i];
-        nodes[i] = (struct nodes){{parse(&p, g->value[0]), parse(&p, g->value[1])},
-                                  {parse(&p, g->root[0]), parse(&p, g->root[1])}, parse(&p, g->low), parse(&p, g->high)};
+        nodes[i] = (struct formula_nodes){{formula_node(&p, g->value[0]), formula_node(&p, g->value[1])},
+                                         {formula_node(&p, g->root[0]), formula_node(&p, g->root[1])},
+                                         formula_node(&p, g->low), formula_node(&p, g->high)};
     }
     machine_init(&m, &p, &arithmetic_ball, bits);
-    arb_set(machine_value(&m, N), n);
-    arb_set(machine_value(&m, Y), y != NULL ? y : n); /* no length is longer than n */
+    arb_set(machine_value(&m, GIVEN_N), n);
+    arb_set(machine_value(&m, GIVEN_Y), y != NULL ? y : n); /* no length is longer than n */
     for (int i = 0; i < GUARANTEES; i++) {
         if (guarantees[i].low != NULL)
-            find_root(&m, &nodes[i]);
-        arb_set(values + i, machine_value(&m, X));
-        enclose(values + i, &m, nodes[i].value);
-        arb_set(machine_value(&m, FIRST + i), values + i);
+            halve_bracket(&m, &nodes[i]);
+        arb_set(values + i, machine_value(&m, UNKNOWN_X));
+        least_of(values + i, &m, nodes[i].value);
+        arb_set(machine_value(&m, FIRST_NUMBER + i), values + i);
     }
     machine_clear(&m);
     program_clear(&p);
