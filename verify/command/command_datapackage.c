@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claims/guarantee.h"
 #include "command/command.h"
 #include "text/json.h"
 
@@ -29,6 +30,10 @@ static const struct {
     {"kills", "Kill table: the mistakes that each golden vector tells from the truth; motions of up to ten hours"},
     {"random", "Random vectors: a fingerprint of the first of each operation"},
     {"errata", "Errata: golden vectors that were wrong, with the old value and the new"},
+    {"basin", "Basin of rest at L_ref: separatrix level and the largest boxes in it, for gains from n = 9.5 to 40"},
+    {"saturation", "Basin of rest at L_ref where a craft's charge has a bound"},
+    {"tolerance", "Errors that stay: how much of each the pair bears, for gains from n = 9.5 to 40"},
+    {"balance", "Lengths of rest on the radius, with the force or the push that moves rest there"},
     {"pitch", "Pitch of 0.2 rad over 30 days: its amplitude, against the slow law"},
 };
 
@@ -79,6 +84,12 @@ static const struct column {
     {"new", "string", NULL, "the digits that are right"},
     {"amplitude", "number", "rad", "amplitude of pitch"},
     {"amplitude_law", "number", "rad", "amplitude of pitch by the slow law"},
+    {"c1", "number", NULL, "gain C1 over Omega^2"},
+    {"c2", "number", NULL, "gain C2 over Omega"},
+    {"charge", "number", NULL, "most that a craft can bear, over its charge at rest"},
+    {"rest", "number", "L_ref", "length of rest on the radius"},
+    {"force", "number", NULL, "part of the commanded force under which that is a length of rest, where the command attracts"},
+    {"push", "number", "Omega^2 L_ref", "acceleration of craft 1 relative to craft 2, outward, under which it is one"},
     {"q1_uC", "number", "uC", "charge of craft 1"},
     {"q2_uC", "number", "uC", "charge of craft 2"},
 };
@@ -104,6 +115,13 @@ static void print_field(struct json *j, const struct sheet *sheet, const char *c
             variant = variants[i].description;
             *suffix = '\0';
         }
+    }
+    const int guarantee = guarantee_find(base);
+    if (guarantee >= 0) {
+        static const char *const units[][3] = {{NULL, "Omega", NULL}, {"L_ref", "Omega L_ref", "Omega^2 L_ref"}};
+        type = "number";
+        unit = units[guarantees[guarantee].lengths][guarantees[guarantee].rates];
+        meaning = guarantees[guarantee].meaning;
     }
     const struct quantity *q = quantity_find(sheet, base);
     if (q != NULL) {

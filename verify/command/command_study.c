@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "claims/convergence.h"
+#include "claims/guarantee.h"
 #include "claims/second_order.h"
 #include "command/command.h"
 #include "proof/proof_results.h"
@@ -126,25 +127,151 @@ static bool print_pitch(const struct derivations *steps)
     return proved;
 }
 
+/* ---- what the energy guarantees, in radians of orbit and L_ref ---------- */
+
+static const struct {
+    const char *c1, *c2; /* c2 = NULL: by (44) */
+} guaranteed_gains[] = {
+    {"9.5", NULL}, {"10", NULL}, {"10.5", NULL}, {"11", NULL}, {"11.5", NULL}, {"12", NULL}, {"12", "4"},
+    {"13", NULL},  {"14", NULL}, {"15", NULL},   {"16", NULL}, {"18", NULL},   {"20", NULL}, {"22", NULL},
+    {"24", NULL},  {"28", NULL}, {"32", NULL},   {"36", NULL}, {"40", NULL},
+};
+
+/* c1, c2; the bound of the charge over the charge at rest, if there is one; and the numbers from `first` to before `end`. */
+static bool print_guaranteed(size_t gain, const char *charge, const char *first, const char *end)
+{
+    VECTOR(arb, values, GUARANTEES);
+    SCOPE(arb, c1, c2, y);
+    arb_srcptr numbers[GUARANTEES];
+    int count = 0;
+    const char *c2_text = guaranteed_gains[gain].c2;
+    arb_set_str(c1, guaranteed_gains[gain].c1, STUDY_BITS);
+    arb_sub_ui(c2, c1, 9, STUDY_BITS);
+    arb_sqrt(c2, c2, STUDY_BITS);
+    arb_mul_2exp_si(c2, c2, 1);
+    if (c2_text != NULL)
+        arb_set_str(c2, c2_text, STUDY_BITS);
+    if (charge != NULL) {
+        arb_set_str(y, charge, STUDY_BITS);
+        arb_sqr(y, y, STUDY_BITS);
+        arb_root_ui(y, y, 3, STUDY_BITS);
+    }
+    bool proved = guarantees_enclose(values, c1, charge != NULL ? y : NULL, STUDY_BITS);
+    for (int i = guarantee_find(first); guarantees[i].name != NULL && strcmp(guarantees[i].name, end) != 0; i++)
+        if (guarantees[i].meaning != NULL)
+            numbers[count++] = values + i;
+    printf("%s", guaranteed_gains[gain].c1);
+    arb_srcptr second = c2;
+    proved = print_study_numbers(&second, 1, STUDY_DIGITS) && proved;
+    if (charge != NULL)
+        printf(",%s", charge);
+    proved = print_study_numbers(numbers, count, ROW_DIGITS) && proved;
+    putchar('\n');
+    return proved;
+}
+
+static bool print_guarantees(const char *const *charges, int charge_count, const char *first, const char *end)
+{
+    bool proved = true;
+    fputs(charges[0] != NULL ? "c1,c2,charge" : "c1,c2", stdout);
+    for (int i = guarantee_find(first); guarantees[i].name != NULL && strcmp(guarantees[i].name, end) != 0; i++)
+        if (guarantees[i].meaning != NULL)
+            printf(",%s", guarantees[i].name);
+    putchar('\n');
+    for (size_t gain = 0; gain < sizeof guaranteed_gains / sizeof *guaranteed_gains; gain++)
+        for (int k = 0; k < charge_count; k++)
+            proved = print_guaranteed(gain, charges[k], first, end) && proved;
+    return proved;
+}
+
+static bool print_basin(const struct derivations *steps)
+{
+    static const char *const unbounded[] = {NULL};
+    (void)steps;
+    return print_guarantees(unbounded, 1, "equilibrium", "deficit");
+}
+
+static bool print_saturation(const struct derivations *steps)
+{
+    static const char *const charges[] = {"1.02", "1.05", "1.1", "1.2", "1.5", "2"};
+    (void)steps;
+    return print_guarantees(charges, 6, "outer", "q_max");
+}
+
+static bool print_tolerance(const struct derivations *steps)
+{
+    static const char *const unbounded[] = {NULL};
+    (void)steps;
+    return print_guarantees(unbounded, 1, "deficit", "");
+}
+
+static void print_rational(const fmpq_t x)
+{
+    char *text = decimal_of_rational(x, ROW_DIGITS);
+    printf(",%s", text);
+    free(text);
+}
+
+/* At rest on the radius: 3 r^3 over the command 3 + n (r - 1), where that attracts, and the command over r^2 less 3 r. */
+static bool print_balance(const struct derivations *steps)
+{
+    enum { FROM = 80, TO = 160 };
+    static const slong gains[] = {10, 12, 20, 40};
+    SCOPE(fmpq, r, command, force, push);
+    (void)steps;
+    puts("c1,rest,force,push");
+    for (int i = 0; i < 4; i++)
+        for (slong hundredths = FROM; hundredths <= TO; hundredths++) {
+            fmpq_set_si(r, hundredths, 100);
+            fmpq_sub_si(command, r, 1);
+            fmpq_mul_si(command, command, gains[i]);
+            fmpq_add_si(command, command, 3);
+            fmpq_pow_si(force, r, 3);
+            fmpq_mul_si(force, force, 3);
+            fmpq_sub(push, command, force);
+            fmpq_div(push, push, r);
+            fmpq_div(push, push, r);
+            printf("%ld,%ld.%02ld", (long)gains[i], (long)(hundredths / 100), (long)(hundredths % 100));
+            if (fmpq_sgn(command) > 0) {
+                fmpq_div(force, force, command);
+                print_rational(force);
+            } else
+                putchar(',');
+            print_rational(push);
+            putchar('\n');
+        }
+    return true;
+}
+
 int command_study(const struct arguments *a)
 {
-    static const char *const names[] = {"convergence", "forced", "pitch"};
-    static bool (*const prints[])(const struct derivations *) = {print_convergence, print_forced, print_pitch};
+    static const struct {
+        const char *name;
+        bool (*print)(const struct derivations *);
+    } tables[] = {
+        {"convergence", print_convergence}, {"forced", print_forced}, {"pitch", print_pitch}, {"basin", print_basin},
+        {"saturation", print_saturation}, {"tolerance", print_tolerance}, {"balance", print_balance},
+    };
+    enum { TABLES = sizeof tables / sizeof *tables };
+    static const char expected[] = "study: expected convergence, forced, pitch, basin, saturation, tolerance or balance";
+    const char *names[TABLES];
     char hint[80];
     if (a->word_count == 0)
-        return usage_error(EXIT_USAGE, "study: expected convergence, forced or pitch");
-    for (int i = 0; i < 3; i++)
+        return usage_error(EXIT_USAGE, "%s", expected);
+    for (int i = 0; i < TABLES; i++) {
+        names[i] = tables[i].name;
         if (strcmp(names[i], a->words[0]) == 0) {
             struct derivations steps;
             struct message why;
             if (derivations_open(&steps, a->paper, &why) != 0)
                 return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-            bool proved = prints[i](&steps);
+            bool proved = tables[i].print(&steps);
             derivations_clear(&steps);
             int written = output_finished();
             return written != EXIT_DONE || proved ? written
                                                   : usage_error(EXIT_FAILED_CHECK, "study %s: digits undecided", names[i]);
         }
-    suggest(hint, a->words[0], names, 3);
-    return usage_error(EXIT_USAGE, "study: expected convergence, forced or pitch, got '%s'%s", a->words[0], hint);
+    }
+    suggest(hint, a->words[0], names, TABLES);
+    return usage_error(EXIT_USAGE, "%s, got '%s'%s", expected, a->words[0], hint);
 }
