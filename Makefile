@@ -376,11 +376,10 @@ SITE     := $(BUILD)/site
 CHAPTERS := $(sort $(wildcard paper/[0-9]*.md))
 PAGES    := $(patsubst paper/%.md,%,$(wildcard paper/*.md))
 PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard paper/figures/plot-*.gp)))
-GRAPHS   := $(shell sed -n 's/.*\](graph:\([a-z0-9-]*\)).*/\1/p' $(CHAPTERS))
 # The day of the last change: of the history where there is one, else of the archive that `git archive` made.
 DATED     = $(shell git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
 # What the weaver reads.
-WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv
+WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv $(BUILD)/derivations.gv
 # Directives become code, which pandoc leaves as it is; a file begins a paragraph.
 WEAVE     = awk 'FNR == 1 { print "" } { gsub(/<</, "`&"); gsub(/>>/, "&`") } 1' $(filter %.md,$^) | LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' \
   CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' CT_DATE='$(DATED)' CT_PAGE='$(@F)' pandoc --fail-if-warnings -f markdown-implicit_figures -L paper/weave.lua --no-highlight
@@ -388,36 +387,39 @@ WEAVE     = awk 'FNR == 1 { print "" } { gsub(/<</, "`&"); gsub(/>>/, "&`") } 1'
 ## paper: the literate edition, build/coulomb-tether.pdf
 paper: $(BUILD)/coulomb-tether.pdf
 
-$(BUILD)/coulomb-tether.pdf: $(EDITION)/coulomb-tether.tex $(PLOTS:%=$(EDITION)/plot-%.tex) $(GRAPHS:%=$(EDITION)/graph-%.pdf) paper/typeset.sh
+$(BUILD)/coulomb-tether.pdf: $(EDITION)/coulomb-tether.tex $(PLOTS:%=$(EDITION)/plot-%.tex) paper/typeset.sh
 	paper/typeset.sh $(EDITION) $@
 
 $(EDITION)/coulomb-tether.tex: $(CHAPTERS) paper/page.tex $(WOVEN) | $(EDITION)/tools.found
 	$(call PRINTED,$(WEAVE) -t latex --template paper/page.tex)
 
 ## site: the same for a browser, build/site/index.html
-site: $(PAGES:%=$(SITE)/%.html) $(PLOTS:%=$(SITE)/plot-%.svg) $(addprefix $(SITE)/,page.css turn.js client.js vectors.js) $(OPERATIONS:%=$(SITE)/data/%.csv)
-	@awk -f paper/links.awk $(filter %.html,$^) >&2
+site: $(PAGES:%=$(SITE)/%.html) $(PLOTS:%=$(SITE)/plot-%.svg) $(addprefix $(SITE)/,page.css turn.js client.js vectors.js) $(OPERATIONS:%=$(SITE)/data/%.csv.gz)
 
-# The TeX that pandoc puts beside its MathML would make the pages half as large again.
-$(PAGES:%=$(SITE)/%.html): $(SITE)/%.html: paper/%.md paper/page.html $(WOVEN) $(GRAPHS:%=$(EDITION)/graph-%.svg) | $(EDITION)/tools.found
-	$(call PRINTED,$(WEAVE) -t html5 --mathml --template paper/page.html -o $@.woven.tmp && sed 's|<annotation [^>]*>[^<]*</annotation>||g' $@.woven.tmp)
+# The TeX that pandoc puts beside its MathML, and what a formula in HTML has unsaid, would make the pages half as large again.
+SLIMMER = s/<semantics>(<mrow>)?|(<.mrow>)?<annotation [^>]*>[^<]*<.annotation><.semantics>| (display="inline" )?xmlns="[^"]*MathML"//g; \
+  s/<mo stretchy="true" form="[a-z]*">/<mo>/g; s/<mspace width="([^"]*)"><.mspace>/<mspace width="\1"\/>/g; \
+  s/<mtext mathvariant="normal">/<mtext>/g
+$(PAGES:%=$(SITE)/%.html): $(SITE)/%.html: paper/%.md paper/page.html $(WOVEN) | $(EDITION)/tools.found
+	$(call PRINTED,$(WEAVE) -t html5 --mathml --template paper/page.html -o $@.woven.tmp && sed -E '$(SLIMMER)' $@.woven.tmp)
 	@rm $@.woven.tmp
 
 $(SITE)/page.css: paper/page.css
 $(SITE)/client.js: tests/clients/client.js
 $(SITE)/turn.js: $(patsubst %,paper/turn/%.js,plot check motion gains basin page)
-$(OPERATIONS:%=$(SITE)/data/%.csv): $(SITE)/data/%.csv: $(DATA)/golden/%.csv
-$(addprefix $(SITE)/,page.css turn.js client.js) $(OPERATIONS:%=$(SITE)/data/%.csv):
+$(addprefix $(SITE)/,page.css turn.js client.js):
 	$(call PRINTED,cat $^)
+$(OPERATIONS:%=$(SITE)/data/%.csv.gz): $(SITE)/data/%.csv.gz: $(DATA)/golden/%.csv
+	$(call PRINTED,gzip -9 -n -c $<)
 
 # A page from the file system may read scripts alone: what the figures that turn are checked against and drawn over. Twenty
 # digits of forty are more than a browser has.
 TURNED := $(patsubst %,$(DATA)/golden/%.csv,eq07 eq10 eq10inv eq10lin eq18 eq21 eq41 eq41roots eq44 flow_linear flow_nonlinear)
-# Columns of a figure's data, a row of so many.
-CERTIFIED = printf 'figure$(1): `'; cut -d , -f $(2) $(DATA)/figure$(1).csv | awk 'NR == 1 || NR % $(3) == 2 % $(3)'; echo '`$(comma)'
+# Columns of a figure's data, a row of so many, with the digits that a drawing has.
+CERTIFIED = printf 'figure$(1): `'; cut -d , -f $(2) $(DATA)/figure$(1).csv | awk 'NR == 1 || NR % $(3) == 2 % $(3)' | sed -E 's/([0-9]\.[0-9]{6})[0-9]+/\1/g'; echo '`$(comma)'
 $(SITE)/vectors.js: $(TURNED) $(TABLES)
 	$(call PRINTED,{ echo 'const golden = {'; for f in $(TURNED); do printf '%s: `' "$$(basename $$f .csv)"; cat $$f; echo '`$(comma)'; done; \
-	  echo '}; const certified = {'; $(call CERTIFIED,4,1-2,1); $(call CERTIFIED,5a,1-4,12); $(call CERTIFIED,6,1-4,12); $(call CERTIFIED,7a,1-2,12); echo '};'; } \
+	  echo '}; const certified = {'; $(call CERTIFIED,4,1-2,1); $(call CERTIFIED,5a,1-4,18); $(call CERTIFIED,6,1-4,18); $(call CERTIFIED,7a,1-2,18); echo '};'; } \
 	  | sed -E 's/([0-9]\.[0-9]{19})[0-9]+/\1/g')
 
 $(EVIDENCE): $(BUILD)/%.json: $(PROGRAM)
@@ -433,18 +435,15 @@ $(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TAB
 	@mkdir -p $(@D)
 	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
 
-# For the web LaTeX sets all plots, each on a page of its size. Two decimals of a point are enough.
-$(EDITION)/plots.pdf: paper/plots.tex $(PLOTS:%=$(EDITION)/plot-%.tex)
-	cd $(@D) && pdflatex -interaction=batchmode -halt-on-error -jobname plots '\def\PLOTS{$(PLOTS:%=\plot{%})}\input{$(abspath $<)}' >/dev/null
-
-$(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: $(EDITION)/plots.pdf
-	$(call PRINTED,page=$$(printf '%s\n' $(PLOTS) | grep -nx '$*' | cut -d : -f 1); pdftocairo -svg -f $$page -l $$page $< - | sed -E 's/([0-9]\.[0-9]{2})[0-9]+/\1/g')
-
-$(EDITION)/graph-%.pdf: paper/%.md $(BUILD)/derivations.gv paper/graph.awk | $(EDITION)/tools.found
-	$(call GRAPH,pdf)
-$(EDITION)/graph-%.svg: paper/%.md $(BUILD)/derivations.gv paper/graph.awk | $(EDITION)/tools.found
-	$(call GRAPH,svg)
-GRAPH = $(call PRINTED,awk -f paper/graph.awk $< $(BUILD)/derivations.gv $(BUILD)/derivations.gv | dot -T$(1))
+# For the web gnuplot sets the labels itself, where a letter takes one byte and not a drawing.
+$(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: paper/figures/plot-%.gp paper/figures/plot-style.gp paper/figures/plain.sed $(TABLES) $(STUDIES) $(VERDICTS)
+	@mkdir -p $(@D)
+	sed -E -f paper/figures/plain.sed paper/figures/plot-style.gp $< >$@.gp.tmp
+	LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; picture='$@.drawn.tmp'" $@.gp.tmp
+	$(call PRINTED,sed -E -z 's/<g [^>]*>\n<.g>\n//g; \
+	  s/ (stroke-linecap="butt"|stroke-linejoin="miter"|font-family="serif"|fill="none"|color="black"|stroke="currentColor")|<filter.*<.filter>//g; \
+	  s/gnuplot_canvas"/& fill="none" stroke="currentColor"/; s/([0-9]\.[0-9])[0-9]+/\1/g; s/ +L/L/g' $@.drawn.tmp)
+	@rm $@.gp.tmp $@.drawn.tmp
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
 $(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(CHAPTERS) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \

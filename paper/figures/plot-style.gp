@@ -1,11 +1,13 @@
-# What the plots of the literate edition share: LaTeX sets their text, in the fonts of the page.
-# From the command line: `data`, the folder of the CSV files; `name`, the plot. Lines differ by dash or width as
+# What the plots of the literate edition share. On paper LaTeX sets their text, in the fonts of the page; for the web
+# plain.sed has made it plain. From the command line: `data`, the folder of the CSV files; `name`, the plot, for paper;
+# `picture`, the file, for the web. Lines differ by dash or width as
 # well as by shade: nothing is lost in grayscale.
 set encoding utf8
 set datafile separator ','
 set datafile columnheaders
-tall(height) = sprintf("set terminal cairolatex pdf size 15.2cm,%.2fcm font ',9' linewidth 1.6 dashlength 1 butt", height)
-open = "set output 'plot-'.name.'.tex'"
+tall(height) = exists('picture') ? sprintf("set terminal svg enhanced size 575,%.0f font 'serif,12' linewidth 0.8 dashlength 0.7 butt", 37.8 * height) \
+               : sprintf("set terminal cairolatex pdf size 15.2cm,%.2fcm font ',9' linewidth 1.6 dashlength 1 butt", height)
+open = exists('picture') ? "set output picture" : "set output 'plot-'.name.'.tex'"
 eval tall(7.4)
 eval open
 

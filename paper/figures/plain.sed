@@ -1,0 +1,19 @@
+# TeX in the labels of the plots as gnuplot's own enhanced text, for pictures that LaTeX does not set; and half of the samples.
+s/every 6 /every 12 /
+/system/!{
+  s/\\+mathrm//g
+  s/\\+frac\{([^}]*)\}\{([^}]*)\}/\1\/(\2)/g
+  s/\\+sqrt\{([^}]*)\}/√\1/g
+  s/\\+hat ([a-z])/\1̂/g
+  s/\\+(mathcal|boldsymbol)//g
+  s/\\+delta ?/δ/g
+  s/\\+theta/θ/g
+  s/\\+psi/ψ/g
+  s/\\+rho/ρ/g
+  s/\\+mu/µ/g
+  s/\\+Omega/Ω/g
+  s/\\+[,!]/ /g
+  s/\\+ / /g
+  s/--/–/g
+  s/\$([^$']*)\$/\1/g
+}
