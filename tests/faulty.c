@@ -224,7 +224,12 @@ static void mistake(struct asked *a, const char *fault)
     else if (strcmp(fault, "conjugates") == 0)
         for (int i = 1; i < 8; i += 2)
             a->out[i] = fabs(a->out[i]);
-    else if (strcmp(fault, "euler") == 0)
+    else if (strcmp(fault, "cross") == 0) { /* eq37 as r x (I r), which is right */
+        const double *r = a->in + 1, I = a->in[4], R = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]), c = 3.0 * a->in[0] / pow(R, 5.0);
+        a->out[0] = c * (r[1] * (I * r[2]) - r[2] * (I * r[1]));
+        a->out[1] = c * (r[2] * (0.0 * r[0]) - r[0] * (I * r[2]));
+        a->out[2] = c * (r[0] * (I * r[1]) - r[1] * (0.0 * r[0]));
+    } else if (strcmp(fault, "euler") == 0)
         integrate(a, a->inputs > 11 ? a->in[11] : 10.0, true);
     else if (strcmp(fault, "coupling") == 0)
         integrate(a, 1.0, false);

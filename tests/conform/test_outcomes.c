@@ -118,19 +118,29 @@ static void limit_of(arb_t limit, const arb_t exact, const arb_t S, int sign, do
     arb_add(limit, exact, reach, BITS);
 }
 
-/* Components of a vector: by an S that is at least the largest |y*| + S of the three. */
-static void raise_to_vectors(arb_ptr S, arb_srcptr exact, const struct section *s)
+/* Components of a vector: by an S that is at least the largest |y*| + S of the three, with inputs as large as their vectors. */
+static void raise_to_vectors(arb_ptr S, arb_srcptr exact, struct operation *o, const struct input *inputs)
 {
-    arb_ptr size = _arb_vec_init(s->output_count);
+    const struct section *s = o->section;
+    arb_ptr size = _arb_vec_init(s->output_count), x = _arb_vec_init(s->input_count);
+    for (int i = 0; i < s->input_count; i++) {
+        arf_set_d(arb_midref(x + i), inputs[i].infinite ? INFINITY : fabs(fmpq_get_d(&inputs[i].value)));
+        for (int k = 0; k < s->input_count; k++)
+            if (vector_components(s->inputs, s->input_count, i) & UINT64_C(1) << k)
+                arf_set_d(arb_midref(x + i), fmax(arf_get_d(arb_midref(x + i), ARF_RND_NEAR), fabs(fmpq_get_d(&inputs[k].value))));
+    }
+    formula_sensitivity(o, BITS, x, size);
     for (int k = 0; k < s->output_count; k++) {
-        arb_abs(size + k, exact + k);
-        arb_add(size + k, size + k, S + k, BITS);
+        SCOPE(arb, y);
+        arb_abs(y, exact + k);
+        arb_add(size + k, size + k, y, BITS);
     }
     for (int k = 0; k < s->output_count; k++)
         for (int i = 0; i < s->output_count; i++)
-            if (vector_components(s, k) & 1U << i)
+            if (vector_components(s->outputs, s->output_count, k) & UINT64_C(1) << i)
                 arb_max(S + k, S + k, size + i, BITS);
     _arb_vec_clear(size, s->output_count);
+    _arb_vec_clear(x, s->input_count);
 }
 
 /* Which outputs those are, for every operation that has some: bits from the first output on. */
@@ -141,13 +151,15 @@ START_TEST(vectors_are_three_components_of_a_name_and_unit)
                                       "eq37", "eq39"};
     const struct section *s = section_find(sheet(), "eq02");
     for (int i = 0; i < 9; i++)
-        ck_assert_uint_eq(vector_components(s, i), 7U << i / 3 * 3);
+        ck_assert_uint_eq(vector_components(s->outputs, s->output_count, i), 7U << i / 3 * 3);
     for (size_t k = 0; k < sizeof one / sizeof *one; k++)
         for (int i = 0; i < 3; i++)
-            ck_assert_uint_eq(vector_components(section_find(sheet(), one[k]), i), 7);
-    for (size_t k = 0; k < sizeof none / sizeof *none; k++)
-        for (int i = 0; i < section_find(sheet(), none[k])->output_count; i++)
-            ck_assert_msg(vector_components(section_find(sheet(), none[k]), i) == 0, "%s", none[k]);
+            ck_assert_uint_eq(vector_components(section_find(sheet(), one[k])->outputs, 3, i), 7);
+    for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
+        s = section_find(sheet(), none[k]);
+        for (int i = 0; i < s->output_count; i++)
+            ck_assert_msg(vector_components(s->outputs, s->output_count, i) == 0, "%s", none[k]);
+    }
 }
 END_TEST
 
@@ -164,7 +176,7 @@ static void assert_limits(struct test_run *e, uint64_t position)
     test_vector_make(&q, &e->sets, position);
     operation_sensitivity(o, q.inputs, BITS, S);
     operation_enclose(o, q.inputs, BITS, exact);
-    raise_to_vectors(S, exact, o->section);
+    raise_to_vectors(S, exact, o, q.inputs);
     ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
     assert_found(e, position, right_but(outputs, count, -1, ""), OUTCOME_RIGHT);
     for (int i = 0; i < 2 * count; i++) {
@@ -176,7 +188,7 @@ static void assert_limits(struct test_run *e, uint64_t position)
         snprintf(text, sizeof text, "%.17g", inner);
         assert_found(e, position, right_but(outputs, count, k, text), OUTCOME_RIGHT);
         double outer = nextafter(inner, sign * INFINITY);
-        for (int n = 0; n < 3 && vector_components(o->section, k) != 0; n++)
+        for (int n = 0; n < 3 && vector_components(o->section->outputs, o->section->output_count, k) != 0; n++)
             outer = nextafter(outer, sign * INFINITY); /* no rational numbers decide on E within a rounding of K, a binary64 */
         snprintf(text, sizeof text, "%.17g", outer);
         assert_found(e, position, right_but(outputs, count, k, text), OUTCOME_WRONG);
@@ -406,6 +418,28 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     }
     free_all(outputs, 6);
     test_vector_clear(&q);
+    close_run(e);
+}
+END_TEST
+
+/*
+ * At L = (1 - 3/n) L_ref, at rest as a length, the law asks for no charge; the relative orbit x = r sin(tau), y = 2 r cos(tau),
+ * z = sqrt(3) r sin(tau) of Clohessy and Wiltshire has the constant length 2 r: it is a motion of the closed loop, in 11 digits of its binary64 inputs.
+ */
+START_TEST(a_motion_without_charge_is_clohessys_and_wiltshires)
+{
+    const double times[] = {-7200, 100, 43200, 172800}, Omega = 7.2915e-5, r = 1.4;
+    struct test_run *e = run_of(section_find(sheet(), "flow_nonlinear"), 0, BINARY64);
+    char id[60], words[400];
+    e->comparators[0].digits = 11;
+    for (int i = 0; i < 4; i++) {
+        const double s = sin(Omega * times[i]), c = cos(Omega * times[i]);
+        snprintf(id, sizeof id, "flow_nonlinear-no-charge-%g", times[i]);
+        snprintf(words, sizeof words, "%.17g %.17g %.17g %.17g %.17g %.17g", r * s, 2 * r * c, sqrt(3) * r * s, r * Omega * c, -2 * r * Omega * s,
+                 sqrt(3) * r * Omega * c);
+        assert_found(e, test_sets_find(&e->sets, id), words, OUTCOME_RIGHT);
+    }
+    assert_found(e, test_sets_find(&e->sets, "flow_nonlinear-no-charge-at-rest-432000"), "0 1 0 0 0 0", OUTCOME_RIGHT);
     close_run(e);
 }
 END_TEST
@@ -857,6 +891,7 @@ SUITE(test_outcomes)
     tcase_add_loop_test(c, eq42_stable_is_judged_beyond_roundings, 0, sizeof boundary / sizeof *boundary);
     tcase_add_test(c, eq41roots_residual_of_a_double_root_is_within_K_roundings);
     tcase_add_loop_test(c, a_motion_passes_with_the_digits_due_and_no_fewer, 0, 4);
+    tcase_add_test(c, a_motion_without_charge_is_clohessys_and_wiltshires);
     tcase_add_test(c, a_motion_that_dies_away_is_judged_by_what_there_was);
     tcase_add_test(c, the_failure_that_is_easiest_to_follow_is_shown);
     tcase_add_loop_test(c, a_line_has_the_outcome_that_it_says, 0, sections);

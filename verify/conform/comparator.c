@@ -98,39 +98,59 @@ static bool stem_of(const char *name, char stem[40])
     return letter || digit;
 }
 
-unsigned vector_components(const struct section *s, int output)
+uint64_t vector_components(const struct quantity *const *all, int count, int which)
 {
     char stem[40], other[40];
-    unsigned components = 0;
-    int count = 0;
-    for (int i = 0; i < s->output_count && stem_of(s->outputs[output]->name, stem); i++)
-        if (stem_of(s->outputs[i]->name, other) && strcmp(other, stem) == 0 && strcmp(s->outputs[i]->unit, s->outputs[output]->unit) == 0) {
-            components |= 1U << i;
-            count++;
+    uint64_t components = 0;
+    int found = 0;
+    for (int i = 0; i < count && stem_of(all[which]->name, stem); i++)
+        if (stem_of(all[i]->name, other) && strcmp(other, stem) == 0 && strcmp(all[i]->unit, all[which]->unit) == 0) {
+            components |= UINT64_C(1) << i;
+            found++;
         }
-    return count == 3 ? components : 0;
+    return found == 3 ? components : 0;
+}
+
+/* What roundings of the inputs do where a component of a vector is as large as the vector, which a turn of the axes makes it. */
+static void turned_sensitivity(arb_ptr S, struct operation *o, slong prec)
+{
+    const struct section *s = o->section;
+    VECTOR(arb, sizes, MOST_INPUTS);
+    SCOPE(arb, size);
+    for (int i = 0; i < s->input_count; i++) {
+        const uint64_t components = vector_components(s->inputs, s->input_count, i) | UINT64_C(1) << i;
+        for (int k = 0; k < s->input_count; k++) {
+            arb_abs(size, machine_value(&o->machine, k));
+            if (components & UINT64_C(1) << k)
+                arb_max(sizes + i, sizes + i, size, prec);
+        }
+    }
+    formula_sensitivity(o, prec, sizes, S);
 }
 
 /*
  * A component's S is at least the largest |y*| + S among the vector's: any turn of the axes makes such an error, and where
- * a component is zero or far smaller than the vector it is the axes that make it so.
+ * a component is zero or far smaller than the vector it is the axes that make it so. S is the turned inputs' there: r x (I r) of
+ * a craft near one plane of the axes has the roundings of its other coordinates.
  */
-static void raise_to_the_vector(struct comparator *j)
+static void raise_to_the_vector(struct comparator *j, slong prec)
 {
     const struct section *s = j->operation->section;
+    VECTOR(arb, turned, MOST_OUTPUTS);
     VECTOR(arb, least, MOST_OUTPUTS);
     SCOPE(arb, size);
+    j->raised = 0;
+    if (vector_components(s->outputs, s->output_count, 0) == 0)
+        return;
+    turned_sensitivity(turned, j->operation, prec);
     for (int i = 0; i < s->output_count; i++) {
-        const unsigned components = vector_components(s, i);
+        const uint64_t components = vector_components(s->outputs, s->output_count, i);
         for (int k = 0; k < s->output_count; k++) {
             arb_abs(size, j->exact + k);
-            arb_add(size, size, j->S + k, 64);
-            if ((components & 1U << k) && arb_is_finite(size))
+            arb_add(size, size, turned + k, 64);
+            if ((components & UINT64_C(1) << k) && arb_is_finite(size))
                 arb_max(least + i, least + i, size, 64);
         }
-    }
-    j->raised = 0;
-    for (int i = 0; i < s->output_count; i++) {
         if (!arb_gt(least + i, j->S + i))
             continue;
         j->raised |= 1U << i;
@@ -138,12 +158,12 @@ static void raise_to_the_vector(struct comparator *j)
     }
 }
 
-static struct error_bounds error_of(struct comparator *j, const struct input *inputs, struct score *score)
+static struct error_bounds error_of(struct comparator *j, const struct input *inputs, slong prec, struct score *score)
 {
     const struct section *s = j->operation->section;
     score->strict = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output).upper;
     if (s->method == METHOD_FORMULA)
-        raise_to_the_vector(j);
+        raise_to_the_vector(j, prec);
     const struct error_bounds E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output);
     score->E = E.upper;
     return E;
@@ -203,14 +223,15 @@ static enum outcome compare_in_roundings(struct comparator *j, const struct inpu
     for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most && outcome == OUTCOME_SKIPPED; prec *= 4) {
         operation_enclose(j->operation, inputs, prec, j->exact);
         _arb_vec_zero(j->S, s->output_count);
-        if (s->method == METHOD_FORMULA && (error_of(j, inputs, score), score->strict <= fmin(j->K, j->worst)))
+        score->strict = score->E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output).upper;
+        if (s->method == METHOD_FORMULA && score->E <= fmin(j->K, j->worst))
             return OUTCOME_RIGHT; /* without S already, and no new worst */
         operation_sensitivity(j->operation, inputs, prec, j->S);
         if (4 * prec > most && s->method == METHOD_FORMULA)
             settle(j, inputs, prec);
         if (compares_stability)
             allow_either(j);
-        outcome = outcome_of_bounds(error_of(j, inputs, score), j->K);
+        outcome = outcome_of_bounds(error_of(j, inputs, prec, score), j->K);
     }
     return outcome == OUTCOME_SKIPPED && s->method == METHOD_FORMULA ? compare_outputs_exactly(j, inputs, score) : outcome;
 }

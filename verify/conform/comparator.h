@@ -53,8 +53,8 @@ struct score {
 
 bool is_motion(const struct section *s);
 
-/* The outputs that are components of one vector with that output: a bit each; 0 where it is none. */
-unsigned vector_components(const struct section *s, int output);
+/* Of inputs or outputs those that are components of one vector with that one: a bit each; 0 where it is none. */
+uint64_t vector_components(const struct quantity *const *all, int count, int which);
 
 /* The operation stays the caller's. */
 void comparator_init(struct comparator *j, struct operation *o, int significand, double digits);

@@ -85,7 +85,7 @@ bool operation_has_sensitivity(const struct section *s)
     return s->method == METHOD_FORMULA || s->method == METHOD_ROOTS;
 }
 
-void formula_sensitivity(struct operation *o, slong prec, arb_ptr S)
+void formula_sensitivity(struct operation *o, slong prec, arb_srcptr sizes, arb_ptr S)
 {
     const struct section *s = o->section;
     const slong whole = o->machine.prec;
@@ -96,7 +96,7 @@ void formula_sensitivity(struct operation *o, slong prec, arb_ptr S)
         machine_gradient(&o->machine, o->formulas->outputs[k], &o->adjoint);
         arb_zero(S + k);
         for (int i = 0; i < s->input_count; i++)
-            add_term(S + k, machine_value(&o->machine, i), machine_value(&o->adjoint, i), prec);
+            add_term(S + k, sizes != NULL ? sizes + i : machine_value(&o->machine, i), machine_value(&o->adjoint, i), prec);
     }
     o->machine.prec = whole;
 }
@@ -110,7 +110,7 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
     }
     VECTOR(arb, values, s->output_count);
     operation_enclose(o, inputs, prec, values); /* fills the machine */
-    formula_sensitivity(o, prec, S);
+    formula_sensitivity(o, prec, NULL, S);
 }
 
 void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,

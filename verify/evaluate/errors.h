@@ -24,8 +24,11 @@ bool operation_has_sensitivity(const struct section *s);
  */
 void operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S);
 
-/* The same of formulas and their last inputs, from what the last enclosure left in the machine; derivatives have prec bits. */
-void formula_sensitivity(struct operation *o, slong prec, arb_ptr S);
+/*
+ * The same of formulas and their last inputs, from what the last enclosure left in the machine; derivatives have prec bits. What
+ * roundings of numbers of those sizes do; NULL: of the inputs themselves.
+ */
+void formula_sensitivity(struct operation *o, slong prec, arb_srcptr sizes, arb_ptr S);
 
 /* S of one output, where a derivative that is exactly zero adds nothing and a pole makes it infinite. */
 void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,

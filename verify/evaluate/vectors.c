@@ -77,7 +77,7 @@ static bool sensitivity_texts(struct operation *o, const struct input *inputs, c
     int left = count;
     for (slong prec = 192; left > 0 && prec <= 16384; prec *= 2) {
         if (prec == 192 && o->section->method == METHOD_FORMULA)
-            formula_sensitivity(o, QUICK_BITS, S); /* from the outputs' own enclosure */
+            formula_sensitivity(o, QUICK_BITS, NULL, S); /* from the outputs' own enclosure */
         else
             operation_sensitivity(o, inputs, prec, S);
         left = 0;
