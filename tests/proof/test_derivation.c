@@ -540,14 +540,18 @@ END_TEST
 START_TEST(changed_ends_are_refused)
 {
     static const struct {
-        const char *from, *to, *said;
+        const char *from, *to, *said, *step;
     } changes[] = {
-        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\"]\n    to: [\"19\"]", "it rests on eq18, which neither"},
-        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\", \"9\"]\n    to: [\"19\"]", "'9' is not used"},
-        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"15\"]\n    to: [\"19\"]", "it rests on eq18, which neither"},
-        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\"]\n    to: [40c]", "it rests on eq19, which neither"},
-        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\"]\n    to: [\"19\", \"15\"]", "L_ddot stands in no equality"},
-        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\"]\n    to: []", "it rests on eq19, which neither"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\"]\n    to: [\"19\"]", "it rests on eq18, which neither", "closed_loop"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\", \"9\"]\n    to: [\"19\"]", "'9' is not used", "closed_loop"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"15\"]\n    to: [\"19\"]", "it rests on eq18, which neither", "closed_loop"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\"]\n    to: [40c]", "it rests on eq19, which neither", "closed_loop"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\"]\n    to: [\"19\", \"15\"]", "L_ddot stands in no equality", "closed_loop"},
+        {"    from: [\"17\", \"18\"]\n    to: [\"19\"]", "    from: [\"17\", \"18\"]\n    to: []", "it rests on eq19, which neither", "closed_loop"},
+        /* what stands in brackets is the step's, and no alteration of the sheet's formula changes it */
+        {"= eq37.L_G2 - dropped*R_c3\n      - p1*F1_2 + p2*F2_2 = eq37.L_G3 + ",
+         "= eq37.L_G2(I_11 = 0) - dropped*R_c3\n      - p1*F1_2 + p2*F2_2 = eq37.L_G3(I_11 = 0) + ",
+         "L_G2 may be altered (a number or exponent)", "gravity_gradient"},
     };
     char *all = steps_copy();
     struct derivations d;
@@ -558,7 +562,7 @@ START_TEST(changed_ends_are_refused)
     ck_assert_ptr_nonnull(at);
     sprintf(text, "%.*s%s%s", (int)(at - all), all, changes[_i].to, at + strlen(changes[_i].from));
     ck_assert_msg(derivations_read(&d, sheet(), text, strlen(text), "t", &why) == 0, "%s", why.text);
-    step_bind(&d, step_named(&d, "closed_loop"), &b);
+    step_bind(&d, step_named(&d, changes[_i].step), &b);
     ck_assert_msg(strstr(b.fault.text, changes[_i].said) != NULL, "'%s'", b.fault.text);
     derivations_clear(&d);
     free(text);
@@ -837,7 +841,7 @@ SUITE(test_derivation)
     tcase_add_loop_test(binding, false_step_is_refused, 0, COUNT(refused));
     tcase_add_test(binding, emptied_step_is_refused);
     tcase_add_test(binding, altered_line_is_noticed);
-    tcase_add_loop_test(binding, changed_ends_are_refused, 0, 6);
+    tcase_add_loop_test(binding, changed_ends_are_refused, 0, 7);
     tcase_add_test(binding, entry_stands_for_its_parts);
     tcase_add_test(binding, gap_is_found);
 

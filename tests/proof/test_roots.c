@@ -139,6 +139,8 @@ static const struct {
     {"1", "9", "-2", {"0", "0", "1/2", NULL, "1/2", NULL, "1", "0"}},
     /* c2^2 = 4 (c1 - 8), c1 < 12: two pairs with one real part */
     {"1", "41/4", "3", {"-3/4", NULL, "-3/4", NULL, "-3/4", NULL, "-3/4", NULL}},
+    /* the same where -c2/4 is no binary fraction: c1 = 8 + c2^2/4 */
+    {"1", "97/9", "10/3", {"-5/6", NULL, "-5/6", NULL, "-5/6", NULL, "-5/6", NULL}},
     /* c1 = 9: s (s^3 + 5 s^2 + 7 s + 15) */
     {"1", "9", "5", {NULL, "0", NULL, NULL, NULL, NULL, "0", "0"}},
     /* (s + 1)^2 (s^2 + 3/2 s + 9/2), (s + 3)^2 (s^2 + 1/2 s + 5/2): a double real root and a pair
@@ -447,6 +449,30 @@ START_TEST(eq41_gains_that_do_not_decide_are_refused)
 }
 END_TEST
 
+/* Enclosures as squares: centre and half a side. Whether the roots in them may be told real or conjugate. */
+static const struct {
+    double re[4], im[4], radius;
+    bool told;
+} squares[] = {
+    {{-2, -1, -1, 1}, {0, -1, 1, 0}, 0.375, true},
+    {{-2, -1, -1, 1}, {0, -1.25, 1, 0.25}, 0.375, true},       /* they need not be mirror images */
+    {{-2, -1, -1, 1}, {0, -0.25, 0.625, 0}, 0.375, false},     /* one touches the axis, and its conjugate may be below */
+    {{-2, -1, -1, 1}, {0, -3, 1, 0}, 0.375, false},            /* a conjugate is nowhere */
+    {{-2, -1, -1, -1.25}, {0, -0.75, 1, -1.75}, 0.375, false}, /* it may be in either of two */
+};
+
+START_TEST(eq41_enclosures_are_paired_where_that_is_certain)
+{
+    VECTOR(acb, roots, 4);
+    for (int k = 0; k < 4; k++) {
+        acb_set_d_d(roots + k, squares[_i].re[k], squares[_i].im[k]);
+        mag_set_d(arb_radref(acb_realref(roots + k)), squares[_i].radius);
+        mag_set_d(arb_radref(acb_imagref(roots + k)), squares[_i].radius);
+    }
+    ck_assert_int_eq(roots41_conjugates(roots), squares[_i].told);
+}
+END_TEST
+
 #define COUNT(table) (int)(sizeof(table) / sizeof *(table))
 
 SUITE(test_roots)
@@ -465,6 +491,8 @@ SUITE(test_roots)
     tcase_add_test(cases, eq44_gains_have_certified_roots);
     tcase_add_test(cases, eq41_wide_gains_enclose_exact_roots);
     tcase_add_loop_test(cases, eq41_gains_that_do_not_decide_are_refused, 0, COUNT(undecided));
+
+    tcase_add_loop_test(cases, eq41_enclosures_are_paired_where_that_is_certain, 0, COUNT(squares));
 
     Suite *s = suite_create("roots");
     suite_add_tcase(s, cases);

@@ -77,31 +77,25 @@ static void approximate(acb_ptr roots, const acb_poly_t p)
         acb_set_d_d(roots + k, creal(z[k]), cimag(z[k]));
 }
 
-/*
- * p is real, so each root off the axis has its conjugate among the others: the one enclosure that
- * meets the conjugate of its own holds it.
- */
-static bool pair_up(acb_ptr roots)
+bool roots41_conjugates(acb_ptr roots)
 {
-    bool paired = true;
     SCOPE(acb, conjugate);
     for (int k = 0; k < DEGREE; k++) {
-        if (arb_contains_zero(acb_imagref(roots + k)))
-            arb_zero(acb_imagref(roots + k));
-        if (!arb_is_positive(acb_imagref(roots + k)))
-            continue;
         int partners = 0, partner = k;
         acb_conj(conjugate, roots + k);
-        for (int j = 0; j < DEGREE; j++) {
+        for (int j = 0; j < DEGREE; j++)
             if (acb_overlaps(roots + j, conjugate)) {
                 partners++;
                 partner = j;
             }
-        }
-        paired = paired && partners == 1;
-        acb_set(roots + partner, conjugate);
+        if (partners != 1)
+            return false;
+        if (partner == k)
+            arb_zero(acb_imagref(roots + k));
+        else
+            acb_set(roots + partner, conjugate);
     }
-    return paired;
+    return true;
 }
 
 /*
@@ -135,8 +129,8 @@ bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec)
     set_balls(p, c1, c2, prec);
     approximate(start, p);
     return (acb_poly_find_roots(roots, p, start, 0, prec) == DEGREE ||
-            acb_poly_find_roots(roots, p, NULL, 0, prec) == DEGREE) && acb_poly_validate_real_roots(roots, p, prec) &&
-           pair_up(roots) && sort(roots);
+            acb_poly_find_roots(roots, p, NULL, 0, prec) == DEGREE) &&
+           roots41_conjugates(roots) && sort(roots);
 }
 
 /* ---- what may be equal ------------------------------------------------ */
@@ -165,7 +159,7 @@ static void exact_roots(qqbar_ptr z, const fmpq_poly_t p)
         }
 }
 
-/* Equal parts get equal enclosures. */
+/* Equal roots get equal enclosures. */
 static void enclose_exact_roots(acb_ptr roots, const fmpq_poly_t p, slong prec)
 {
     VECTOR(qqbar, z, DEGREE);
@@ -176,8 +170,6 @@ static void enclose_exact_roots(acb_ptr roots, const fmpq_poly_t p, slong prec)
             arb_zero(acb_realref(roots + k));
         if (qqbar_sgn_im(z + k) == 0)
             arb_zero(acb_imagref(roots + k));
-        if (k > 0 && qqbar_cmp_re(z + k, z + k - 1) == 0)
-            arb_set(acb_realref(roots + k), acb_realref(roots + k - 1));
         if (k > 0 && qqbar_equal(z + k, z + k - 1))
             acb_set(roots + k, roots + k - 1);
     }

@@ -22,6 +22,12 @@ bool roots41(acb_ptr roots, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2
  */
 bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec);
 
+/*
+ * Four enclosures, a root of a real polynomial in each: those off the axis get conjugate ones, those that touch it hold a real root.
+ * That is so where the conjugate of each meets one enclosure alone: there the conjugate root is. False where it is not.
+ */
+bool roots41_conjugates(acb_ptr roots);
+
 /* True when the real (or imaginary) part of root k, in that order, is rational: value. By algebraic numbers, for ties. */
 bool roots41_rational(fmpq_t value, int k, bool imaginary, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2);
 
