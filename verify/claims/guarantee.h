@@ -22,7 +22,8 @@
 
 struct guarantee {
     const char *name;        /* in formulas, and as a column of data/basin.csv or data/tolerance.csv */
-    int lengths, rates;      /* in SI: times L_ref^lengths Omega^rates; both 0: a number, or an angle in rad */
+    int lengths, rates;      /* in SI: times L_ref^lengths Omega^rates */
+    const char *unit;        /* there; "-": a number */
     const char *meaning;     /* NULL: serves the others alone */
     const char *value[2];    /* the formula; of two the lesser; NULL: the root x itself */
     const char *root[2];     /* vanishes at x, once between low and high; of two, which fall, the lesser */

@@ -111,19 +111,16 @@ static void design_formulas(struct design *d)
     }
 }
 
-/* What the energy guarantees: yaw, pitch and rates have the units that the sheet gives these names. */
+/* What the energy guarantees. */
 static void design_guarantees(struct design *d)
 {
-    static const char *const units[2][3] = {{"-", "1/s", "1/s^2"}, {"m", "m/s", "m/s^2"}};
     const char *group = "basin of rest at L_ref, by the energy of the nonlinear model";
     for (int i = 0; i < GUARANTEES; i++) {
         const struct guarantee *g = &guarantees[i];
-        const struct quantity *q = quantity_find(d->scenario.sheet, g->name);
         if (strcmp(g->name, "deficit") == 0)
             group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses), and pushes";
         if (g->meaning != NULL)
-            design_add(d, group, &(struct design_row){NULL, g->name, q != NULL ? q->unit : units[g->lengths][g->rates], NULL, g->meaning},
-                       -1, i);
+            design_add(d, group, &(struct design_row){NULL, g->name, g->unit, NULL, g->meaning}, -1, i);
     }
 }
 
