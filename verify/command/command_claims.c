@@ -28,11 +28,8 @@ static void print_numbers(struct json *j, const struct statement *s)
     for (int i = 0; s != NULL && i < s->number_count; i++) {
         const struct quoted_number *q = &s->numbers[i];
         json_open(j, NULL, '{');
-        json_string(j, "formula", q->text);
-        json_string(j, "value", q->decimal != NULL ? q->decimal : "undecided");
-        json_string(j, "unit", q->unit);
-        json_string(j, "how", how_names[q->how]);
-        json_string(j, "rounding", roundings[q->rounding]);
+        json_strings(j, "formula", q->text, "value", q->decimal != NULL ? q->decimal : "undecided", "unit", q->unit,
+                     "how", how_names[q->how], "rounding", roundings[q->rounding], NULL);
         json_value(j, "digits", "%ld", (long)q->digits);
         json_close(j);
     }
@@ -43,17 +40,10 @@ static void print_json(struct json *j, const struct verdict_row *r)
 {
     const bool why = r->why.plain.length > 0;
     json_open(j, NULL, '{');
-    json_string(j, "id", r->id);
-    json_string(j, "where", r->where);
-    json_string(j, "kind", r->kind);
-    json_string(j, "claim", text_of(&r->claim.plain));
-    json_string(j, "verdict", verdict_names[r->verdict]);
-    json_string(j, "how", how_names[r->how]);
-    json_string(j, "evidence", text_of(&r->evidence.plain));
-    json_string(j, "why", why ? text_of(&r->why.plain) : NULL);
-    json_string(j, "why_tex", why ? text_of(&r->why.latex) : NULL);
-    json_string(j, "claim_tex", text_of(&r->claim.latex));
-    json_string(j, "evidence_tex", text_of(&r->evidence.latex));
+    json_strings(j, "id", r->id, "where", r->where, "kind", r->kind, "claim", text_of(&r->claim.plain),
+                 "verdict", verdict_names[r->verdict], "how", how_names[r->how], "evidence", text_of(&r->evidence.plain),
+                 "why", why ? text_of(&r->why.plain) : NULL, "why_tex", why ? text_of(&r->why.latex) : NULL,
+                 "claim_tex", text_of(&r->claim.latex), "evidence_tex", text_of(&r->evidence.latex), NULL);
     print_numbers(j, r->statement);
     json_close(j);
     json_line(j, 1);

@@ -511,7 +511,7 @@ static int print_questions(struct test_run *e)
     size_t size;
     while ((size = test_run_ask(e, room, sizeof room)) > 0)
         fwrite(room, 1, size, stdout);
-    return output_finished();
+    return EXIT_DONE;
 }
 
 /* ---- the command ---- */
@@ -523,8 +523,7 @@ static int print_all_kills(const struct choice *c)
     for (int i = 0; i < c->sheet->section_count; i++)
         if (c->chosen[i])
             fine = kills_print(&c->sheet->sections[i], c->digits[i]) && fine;
-    const int status = output_finished();
-    return fine ? status : EXIT_FAILED_CHECK;
+    return fine ? EXIT_DONE : EXIT_FAILED_CHECK;
 }
 
 static int conform(const struct arguments *a, struct choice *c)

@@ -138,12 +138,7 @@ static void print_field(struct json *j, const struct sheet *sheet, const char *c
     snprintf(description, sizeof description, "%s%s%s%s", sensitivity ? "sensitivity of this to its inputs' last digits, sum |x dX/dx|: " : "",
              meaning ? meaning : "", *variant ? ", " : "", variant);
     json_line(j, 4);
-    json_open(j, NULL, '{');
-    json_string(j, "name", column);
-    json_string(j, "type", type);
-    json_string(j, "unit", unit);
-    json_string(j, "description", meaning ? description : NULL);
-    json_close(j);
+    json_record(j, NULL, "name", column, "type", type, "unit", unit, "description", meaning ? description : NULL);
 }
 
 /* The first line of a file, and its size. */
@@ -178,22 +173,16 @@ static int print_resource(struct json *j, const struct sheet *sheet, const char 
     snprintf(fingerprint, sizeof fingerprint, "sha256:%s", hash);
     json_line(j, 2);
     json_open(j, NULL, '{');
-    json_string(j, "name", name);
-    json_string(j, "path", relative);
-    json_string(j, "profile", "tabular-data-resource");
+    json_strings(j, "name", name, "path", relative, "profile", "tabular-data-resource", NULL);
     json_line(j, 3);
     json_string(j, "title", title_of(sheet, path));
     json_line(j, 3);
-    json_string(j, "format", "csv");
-    json_string(j, "mediatype", "text/csv");
-    json_string(j, "encoding", "utf-8");
+    json_strings(j, "format", "csv", "mediatype", "text/csv", "encoding", "utf-8", NULL);
     json_value(j, "bytes", "%ld", size);
     json_string(j, "hash", fingerprint);
     json_line(j, 3);
     json_open(j, "schema", '{');
-    json_open(j, "missingValues", '[');
-    json_string(j, NULL, "");
-    json_close(j);
+    json_texts(j, "missingValues", (const char *const[]){""}, 1);
     json_open(j, "fields", '[');
     for (char *column = strtok_r(head, ",", &rest); column; column = strtok_r(NULL, ",", &rest))
         print_field(j, sheet, column);
@@ -227,17 +216,12 @@ static void print_top(struct json *j)
         json_line(j, 1);
     }
     json_open(j, "licenses", '[');
-    json_open(j, NULL, '{');
-    json_string(j, "name", "CC0-1.0");
-    json_string(j, "title", "Creative Commons Zero 1.0");
-    json_string(j, "path", "https://creativecommons.org/publicdomain/zero/1.0/");
-    json_close(j);
+    json_record(j, NULL, "name", "CC0-1.0", "title", "Creative Commons Zero 1.0",
+                "path", "https://creativecommons.org/publicdomain/zero/1.0/");
     json_close(j);
     json_line(j, 1);
     json_open(j, "sources", '[');
-    json_open(j, NULL, '{');
-    json_string(j, "title", "Natarajan and Schaub, Linear dynamics and stability analysis of a Coulomb tether formation");
-    json_close(j);
+    json_record(j, NULL, "title", "Natarajan and Schaub, Linear dynamics and stability analysis of a Coulomb tether formation");
     json_close(j);
     json_line(j, 1);
     json_open(j, "resources", '[');
@@ -265,6 +249,5 @@ int command_datapackage(const struct arguments *a)
         json_close(&json);
         putchar('\n');
     }
-    int written = output_finished();
-    return status != EXIT_DONE ? status : written;
+    return status;
 }

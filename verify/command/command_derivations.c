@@ -117,14 +117,6 @@ static void table_proofs(const struct proof_results *p, int first, int end)
 
 /* ---- the same as JSON ---- */
 
-static void json_list(struct json *j, const char *key, const char *const *texts, int count)
-{
-    json_open(j, key, '[');
-    for (int i = 0; i < count; i++)
-        json_string(j, NULL, texts[i]);
-    json_close(j);
-}
-
 /* The sides of an equality, or of a chain of them. */
 static void json_sides(struct json *j, const char *key, const struct step *s, const struct sheet *sheet, const char *text)
 {
@@ -158,9 +150,7 @@ static void json_identities(struct json *j, const char *key, const struct step *
     for (int i = 0; i < t->shown_count; i++)
         json_sides(j, NULL, s, sheet, t->shown[i].text);
     json_close(j);
-    json_string(j, "finding", results[p->result]);
-    json_string(j, "evidence", p->evidence);
-    json_string(j, "difference", p->difference);
+    json_strings(j, "finding", results[p->result], "evidence", p->evidence, "difference", p->difference, NULL);
     json_close(j);
 }
 
@@ -213,17 +203,14 @@ static void json_step(struct json *j, const struct proof_results *p, int i)
     const struct sheet *sheet = p->derivations.sheet;
     char *domain = identities_domain(&s->corrected);
     json_open(j, NULL, '{');
-    json_string(j, "id", s->id);
-    json_string(j, "title", s->title);
-    json_list(j, "from", s->from, s->from_count);
-    json_list(j, "to", s->to, s->to_count);
+    json_strings(j, "id", s->id, "title", s->title, NULL);
+    json_texts(j, "from", s->from, s->from_count);
+    json_texts(j, "to", s->to, s->to_count);
     if (s->corrected.order >= 0)
         json_value(j, "order", "%d", s->corrected.order);
     json_variables(j, "small", &s->corrected, true);
     json_variables(j, "angles", &s->corrected, false);
-    json_string(j, "domain", domain);
-    json_string(j, "where", s->where);
-    json_string(j, "unbound", derivation_fault(p, i));
+    json_strings(j, "domain", domain, "where", s->where, "unbound", derivation_fault(p, i), NULL);
     free(domain);
     json_dropped(j, s);
     json_open(j, "let", '{');

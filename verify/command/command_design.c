@@ -287,13 +287,7 @@ static void print_design_json(const struct design *d, slong digits)
     json_open(&j, "outputs", '[');
     for (int i = 0; i < d->count; i++) {
         const struct design_number *z = &d->numbers[i];
-        json_open(&j, NULL, '{');
-        json_string(&j, "group", z->group);
-        json_string(&j, "name", z->name);
-        json_string(&j, "value", z->digits);
-        json_string(&j, "unit", z->unit);
-        json_string(&j, "meaning", z->meaning);
-        json_close(&j);
+        json_record(&j, NULL, "group", z->group, "name", z->name, "value", z->digits, "unit", z->unit, "meaning", z->meaning);
     }
     json_close(&j);
     json_close(&j);
@@ -320,7 +314,6 @@ int command_design(const struct arguments *a)
             print_design_json(&d, digits);
         else
             print_design(&d);
-        status = output_finished();
     }
     for (int i = 0; i < d.count; i++)
         free(d.numbers[i].digits);

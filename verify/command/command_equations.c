@@ -64,14 +64,9 @@ static void print_section(const struct proof_results *p, const struct section *s
 static void json_quantities(struct json *j, const char *key, const struct quantity *const *quantities, int count)
 {
     json_open(j, key, '[');
-    for (int i = 0; i < count; i++) {
-        json_open(j, NULL, '{');
-        json_string(j, "name", quantities[i]->name);
-        json_string(j, "unit", quantities[i]->unit);
-        json_string(j, "domain", domain_names[quantities[i]->domain]);
-        json_string(j, "meaning", quantities[i]->meaning);
-        json_close(j);
-    }
+    for (int i = 0; i < count; i++)
+        json_record(j, NULL, "name", quantities[i]->name, "unit", quantities[i]->unit,
+                    "domain", domain_names[quantities[i]->domain], "meaning", quantities[i]->meaning);
     json_close(j);
 }
 
@@ -97,10 +92,7 @@ static void json_section(struct json *j, const struct proof_results *p, const st
 {
     json_open(j, NULL, '{');
     json_string(j, "id", s->id);
-    json_open(j, "equations", '[');
-    for (int i = 0; i < s->numbers; i++)
-        json_string(j, NULL, s->equations[i]);
-    json_close(j);
+    json_texts(j, "equations", s->equations, s->numbers);
     json_string(j, "title", s->title);
     json_truth(j, "computes", s->method != METHOD_NONE);
     json_quantities(j, "inputs", s->inputs, s->input_count);
@@ -163,5 +155,5 @@ int command_equations(const struct arguments *a)
     proof_results_clear(&proofs);
     if (json)
         putchar('\n');
-    return output_finished();
+    return EXIT_DONE;
 }

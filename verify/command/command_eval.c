@@ -93,13 +93,8 @@ static void print_values_json(const struct section *s, bool as_printed, long cou
     json_truth(&j, "as_printed", as_printed);
     json_value(&j, "digits", "%ld", count);
     json_open(&j, "outputs", '[');
-    for (int i = 0; i < s->output_count; i++) {
-        json_open(&j, NULL, '{');
-        json_string(&j, "name", s->outputs[i]->name);
-        json_string(&j, "value", digits[i]);
-        json_string(&j, "unit", s->outputs[i]->unit);
-        json_close(&j);
-    }
+    for (int i = 0; i < s->output_count; i++)
+        json_record(&j, NULL, "name", s->outputs[i]->name, "value", digits[i], "unit", s->outputs[i]->unit);
     json_close(&j);
     json_close(&j);
     putchar('\n');
@@ -120,7 +115,6 @@ static int evaluate_section(const struct arguments *a, const struct section *s, 
             print_values_json(s, as_printed, digits, outputs);
         else
             print_outputs(s, outputs);
-        status = output_finished();
     }
     for (int i = 0; i < s->output_count; i++)
         free(outputs[i]);

@@ -24,26 +24,6 @@ static const struct figure {
     {"7b", true, true, false, {7}, 1, {"q2_uC"}},
 };
 
-/* The columns of the Runge-Kutta method, kept as text until the motion's own rows are there. */
-struct collector {
-    const int *columns;
-    int count;
-    char **lines;
-};
-
-static int collect_row(void *context, slong k, const fmpq_t t, char *const *numbers)
-{
-    struct collector *c = context;
-    size_t length = 1;
-    (void)t;
-    for (int i = 0; i < c->count; i++)
-        length += strlen(numbers[c->columns[i]]) + 1;
-    char *line = c->lines[k] = xrealloc(NULL, length, 1);
-    for (int i = 0; i < c->count; i++)
-        line += sprintf(line, ",%s", numbers[c->columns[i]]);
-    return 0;
-}
-
 static void print_heads(const struct figure *f, bool rk4)
 {
     putchar('t');
@@ -60,26 +40,23 @@ static int print_motion_figure(const struct figure *f, const struct scenario *s,
     struct motion m = {.scenario = s, .nonlinear = f->nonlinear, .charges = f->charges,
                        .small_angles = f->small_angles, .digits = digits, .microcoulomb = f->charges};
     struct times times = {0};
-    struct collector beside = {f->columns, f->count, NULL};
-    struct message why;
+    char *beside = NULL;
+    const bool rk4 = option_given(a, "--rk4");
     SCOPE(fmpq, h);
     int status = times_every(&times, "100", "259200", false);
-    if (status == EXIT_DONE && option_given(a, "--rk4")) {
+    if (status == EXIT_DONE && rk4)
         status = read_rk4(h, a, &times, s->exact);
-        beside.lines = xrealloc(NULL, (size_t)times.count, sizeof *beside.lines);
-        memset(beside.lines, 0, (size_t)times.count * sizeof *beside.lines);
+    if (status == EXIT_DONE && rk4) {
         m.h = h;
-        if (status == EXIT_DONE && motion_rows(&m, times.t, times.count, collect_row, &beside, &why) != 0)
-            status = usage_error(EXIT_FAILED_CHECK, "%s", why.text);
+        beside = motion_text(&m, &times, f->columns, f->count);
         m.h = NULL;
+        status = beside != NULL ? EXIT_DONE : EXIT_FAILED_CHECK;
     }
     if (status == EXIT_DONE) {
-        print_heads(f, beside.lines != NULL);
-        status = print_motion(&m, &times, f->columns, f->count, (const char *const *)beside.lines);
+        print_heads(f, rk4);
+        status = print_motion(&m, &times, f->columns, f->count, beside);
     }
-    for (slong i = 0; i < times.count && beside.lines != NULL; i++)
-        free(beside.lines[i]);
-    free(beside.lines);
+    free(beside);
     times_clear(&times);
     return status;
 }
@@ -185,8 +162,7 @@ static int print_figure4(const struct scenario *s, long digits)
         decimal_shortest(name, tenths / 10.0);
         status = print_roots(n, name, s, digits);
     }
-    int written = output_finished();
-    return status != EXIT_DONE ? status : written;
+    return status;
 }
 
 static int check_figure4(const struct scenario *s)

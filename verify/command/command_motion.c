@@ -156,10 +156,11 @@ int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
 /* ---- rows ---- */
 
 struct row_printer {
-    const struct times *times;
-    const int *columns; /* which numbers of a row */
+    FILE *out;
+    const struct times *times; /* NULL: rows without one */
+    const int *columns;        /* which numbers of a row */
     int count;
-    const char *const *beside; /* further columns, a line each; NULL for none */
+    const char *beside; /* what stands beside the rows that are left, a line each; NULL: nothing */
     struct progress progress;
 };
 
@@ -167,27 +168,46 @@ static int print_motion_row(void *context, slong k, const fmpq_t t, char *const 
 {
     struct row_printer *p = context;
     (void)t;
-    fputs(p->times->texts[k], stdout);
+    if (p->times != NULL) {
+        fputs(p->times->texts[k], p->out);
+        progress_show(&p->progress, (uint64_t)k + 1, (uint64_t)p->times->count);
+    }
     for (int i = 0; i < p->count; i++)
-        printf(",%s", numbers[p->columns[i]]);
-    if (p->beside != NULL)
-        fputs(p->beside[k], stdout);
-    putchar('\n');
-    progress_show(&p->progress, (uint64_t)k + 1, (uint64_t)p->times->count);
-    return ferror(stdout);
+        fprintf(p->out, ",%s", numbers[p->columns[i]]);
+    if (p->beside != NULL) {
+        const size_t length = strcspn(p->beside, "\n");
+        fwrite(p->beside, 1, length, p->out);
+        p->beside += length + 1;
+    }
+    putc('\n', p->out);
+    return ferror(p->out);
 }
 
-int print_motion(const struct motion *m, const struct times *times, const int *columns, int count,
-                        const char *const *beside)
+int print_motion(const struct motion *m, const struct times *times, const int *columns, int count, const char *beside)
 {
     struct message why;
-    struct row_printer p = {times, columns, count, beside, progress_begin(true)};
+    struct row_printer p = {stdout, times, columns, count, beside, progress_begin(true)};
     int failed = motion_rows(m, times->t, times->count, print_motion_row, &p, &why);
     progress_end(&p.progress);
-    int written = output_finished();
-    return written != EXIT_DONE ? written
-           : failed             ? usage_error(EXIT_FAILED_CHECK, "%s", why.text)
-                                : EXIT_DONE;
+    return failed && !ferror(stdout) ? usage_error(EXIT_FAILED_CHECK, "%s", why.text) : EXIT_DONE;
+}
+
+char *motion_text(const struct motion *m, const struct times *times, const int *columns, int count)
+{
+    struct message why;
+    char *text = NULL;
+    size_t size;
+    struct row_printer p = {.out = open_memstream(&text, &size), .columns = columns, .count = count};
+    if (p.out == NULL)
+        out_of_memory();
+    const bool failed = motion_rows(m, times->t, times->count, print_motion_row, &p, &why) != 0;
+    if (fclose(p.out) != 0)
+        out_of_memory();
+    if (!failed)
+        return text;
+    usage_error(EXIT_FAILED_CHECK, "%s", why.text);
+    free(text);
+    return NULL;
 }
 
 int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact)

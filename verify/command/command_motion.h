@@ -21,8 +21,10 @@ int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
 /* --rk4 H: H > 0, and every time a multiple of it, none before 0. */
 int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact);
 
-/* A line a time: t, those columns of the row, and what stands beside (NULL: nothing). */
-int print_motion(const struct motion *m, const struct times *times, const int *columns, int count,
-                 const char *const *beside);
+/* A line a time: t, those columns of the row, and what stands beside in lines of its own (NULL: nothing). */
+int print_motion(const struct motion *m, const struct times *times, const int *columns, int count, const char *beside);
+
+/* The same without t as a text; NULL after a complaint. */
+char *motion_text(const struct motion *m, const struct times *times, const int *columns, int count);
 
 #endif

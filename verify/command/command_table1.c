@@ -23,6 +23,5 @@ int command_table1(const struct arguments *a)
     for (int i = 0; i < sheet->row_count; i++)
         if (!print_table_row(sheet, &sheet->table1[i], format))
             status = EXIT_FAILED_CHECK;
-    int written = output_finished();
-    return written != EXIT_DONE ? written : status;
+    return status;
 }

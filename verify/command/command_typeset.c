@@ -239,5 +239,5 @@ int command_typeset(const struct arguments *a)
     for (int i = 0; i < sheet->section_count; i++)
         if (one == NULL || one == &sheet->sections[i])
             typeset_section(&sheet->sections[i]);
-    return output_finished();
+    return EXIT_DONE;
 }

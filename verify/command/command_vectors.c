@@ -56,8 +56,5 @@ int command_vectors(const struct arguments *a)
         status = vectors_golden(s, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
     else if (status == EXIT_DONE)
         status = print_random_vectors(a, s, form);
-    if (status == EXIT_USAGE)
-        return status;
-    int written = output_finished();
-    return status != EXIT_DONE ? status : written;
+    return status;
 }

@@ -157,9 +157,5 @@ int command_verify(const struct arguments *a)
 {
     struct request request;
     int status = read_request(a, &request);
-    if (status != EXIT_DONE)
-        return status;
-    status = verify(&request);
-    const int output = output_finished();
-    return status != EXIT_DONE ? status : output;
+    return status == EXIT_DONE ? verify(&request) : status;
 }

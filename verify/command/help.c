@@ -391,5 +391,5 @@ int command_help(const struct arguments *a)
         print_completion(sheet);
     else
         help_print(sheet, s);
-    return output_finished();
+    return EXIT_DONE;
 }

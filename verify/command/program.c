@@ -27,6 +27,8 @@ static int run_into(const struct arguments *a, const char *name)
     if (kept == NULL || dup2(fileno(kept), STDOUT_FILENO) < 0)
         return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only without a place for one */
     int status = a->subcommand->run(a);
+    if (status == EXIT_DONE)
+        status = output_finished();
     if (status != EXIT_DONE)
         return status;
     rewind(kept);
@@ -46,7 +48,7 @@ static int run_subcommand(const struct paper *paper, int count, char **texts)
     bool help = asks_help(texts[1]);
     if (strcmp(texts[1], "--version") == 0 || strcmp(texts[1], "-V") == 0) {
         puts("coulomb-tether " CT_VERSION);
-        return output_finished();
+        return EXIT_DONE;
     }
     if (s == NULL && !help)
         return unknown_subcommand(texts[1]);
@@ -54,7 +56,7 @@ static int run_subcommand(const struct paper *paper, int count, char **texts)
         help = help || asks_help(texts[i]);
     if (help) {
         help_print(&paper->sheet, s);
-        return output_finished();
+        return EXIT_DONE;
     }
     struct arguments a;
     int status = arguments_read(&a, paper, s, count - 2, texts + 2);
@@ -133,7 +135,9 @@ int program_run(const struct sources *sources, int count, char **arguments)
         return usage_error(EXIT_FAILED_CHECK, "/dev/null: %s", strerror(errno)); /* LCOV_EXCL_LINE: the same */
     if (paper_open(&paper, sources, &why) != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-    const int status = run_subcommand(&paper, count, arguments);
+    int status = run_subcommand(&paper, count, arguments);
+    if (status == EXIT_DONE)
+        status = output_finished();
     paper_close(&paper);
     flint_cleanup();
     mpfr_free_cache();

@@ -32,6 +32,24 @@ static struct ct_params pair(const double *in)
     return (struct ct_params){.Omega = in[0], .k_c = in[1], .m1 = in[2], .m2 = in[3]};
 }
 
+/* Omega k_c m1 m2 L_ref */
+static struct ct_params whole(const double *in)
+{
+    return (struct ct_params){in[0], in[1], in[2], in[3], in[4]};
+}
+
+/* Omega L_ref */
+static struct ct_params orbit(const double *in)
+{
+    return (struct ct_params){.Omega = in[0], .L_ref = in[1]};
+}
+
+/* C1 C2 */
+static struct ct_gains gains(const double *in)
+{
+    return (struct ct_gains){in[0], in[1]};
+}
+
 static struct ct_hill_state hill_state(const double *in)
 {
     return (struct ct_hill_state){in[0], in[1], in[2], in[3], in[4], in[5]};
@@ -49,9 +67,16 @@ static struct ct_spherical_rate spherical_rate(const double *in)
 
 /* ---- an operation each ---- */
 
-/* One number, or the three components of a vector, that a function of ref/ gives. */
-#define NUMBER(id, value) static void id(const double *in, double *out) { out[0] = (value); }
+/* One number, the three components of a vector, or members of a struct r, that a function of ref/ gives. */
+#define NUMBER(id, ...) static void id(const double *in, double *out) { out[0] = (__VA_ARGS__); }
 #define TRIPLE(id, value) static void id(const double *in, double *out) { put(out, value); }
+#define STRUCT(id, type, value, ...) \
+    static void id(const double *in, double *out) \
+    { \
+        const struct type r = value; \
+        const double members[] = {__VA_ARGS__}; \
+        memcpy(out, members, sizeof members); \
+    }
 
 static void eq02(const double *in, double *out)
 {
@@ -68,14 +93,7 @@ static void eq02(const double *in, double *out)
 
 TRIPLE(eq03, ct_hill_acceleration(pair(in), hill_state(in + 5), in[4]))
 TRIPLE(eq04, ct_second_position(masses(in), vector(in + 2)))
-
-static void eq05(const double *in, double *out)
-{
-    const struct ct_static_places x = ct_static_positions(masses(in), in[2]);
-    out[0] = x.x1;
-    out[1] = x.x2;
-}
-
+STRUCT(eq05, ct_static_places, ct_static_positions(masses(in), in[2]), r.x1, r.x2)
 NUMBER(eq07, ct_reference_charge_product(pair(in), in[4]))
 
 static void eq09(const double *in, double *out)
@@ -87,40 +105,16 @@ static void eq09(const double *in, double *out)
 
 TRIPLE(eq10, ct_position(masses(in), spherical(in + 2)))
 TRIPLE(eq10lin, ct_position_small_angles(masses(in), spherical(in + 2)))
-
-static void eq10inv(const double *in, double *out)
-{
-    const struct ct_spherical c = ct_spherical_coordinates(masses(in), vector(in + 2));
-    out[0] = c.L;
-    out[1] = c.psi;
-    out[2] = c.theta;
-}
-
+STRUCT(eq10inv, ct_spherical, ct_spherical_coordinates(masses(in), vector(in + 2)), r.L, r.psi, r.theta)
 TRIPLE(eq11exact, ct_velocity(masses(in), spherical(in + 2), spherical_rate(in + 5)))
 TRIPLE(eq11, ct_velocity_small_angles(masses(in), spherical(in + 2), spherical_rate(in + 5)))
 NUMBER(eq12, ct_distance(vector(in), vector(in + 3)))
 NUMBER(eq13, ct_separation(masses(in), vector(in + 2)))
 NUMBER(eq14, ct_separation_acceleration(pair(in), hill_state(in + 5), in[4]))
 NUMBER(eq15, ct_separation_acceleration_small_angles(pair(in), in[4], in[5], in[6]))
-
-static void eq17(const double *in, double *out)
-{
-    struct ct_params p = pair(in);
-    p.L_ref = in[4];
-    out[0] = ct_length_error_acceleration(p, in[5], in[6], in[7]);
-}
-
-static void eq18(const double *in, double *out)
-{
-    const struct ct_params p = {.k_c = in[0], .m1 = in[1], .m2 = in[2], .L_ref = in[3]};
-    out[0] = ct_charge_product_variation(p, (struct ct_gains){in[4], in[5]}, in[6], in[7]);
-}
-
-static void eq19(const double *in, double *out)
-{
-    const struct ct_params p = {.Omega = in[0], .L_ref = in[1]};
-    out[0] = ct_closed_loop_acceleration(p, (struct ct_gains){in[2], in[3]}, in[4], in[5], in[6]);
-}
+NUMBER(eq17, ct_length_error_acceleration(whole(in), in[5], in[6], in[7]))
+NUMBER(eq18, ct_charge_product_variation((struct ct_params){0.0, in[0], in[1], in[2], in[3]}, gains(in + 4), in[6], in[7]))
+NUMBER(eq19, ct_closed_loop_acceleration(orbit(in), gains(in + 2), in[4], in[5], in[6]))
 
 static void eq21(const double *in, double *out)
 {
@@ -150,51 +144,30 @@ TRIPLE(eq36, ct_centre_position(in[0], in[1], in[2]))
 TRIPLE(eq37, ct_gravity_gradient(in[0], vector(in + 1), in[4]))
 NUMBER(eq38, ct_orbit_rate(in[0], in[1]))
 TRIPLE(eq39, ct_gravity_gradient_small_angles(in[0], in[1], in[2], in[3]))
-
-static void eq40(const double *in, double *out)
-{
-    const struct ct_params p = {.Omega = in[0], .L_ref = in[1]};
-    const struct ct_tether_state s = {
-        .psi = in[4], .theta = in[5], .dL = in[6], .dL_dot = in[7], .psi_dot = in[8]};
-    const struct ct_tether_acceleration a = ct_linear_acceleration(p, (struct ct_gains){in[2], in[3]}, s);
-    out[0] = a.theta_ddot;
-    out[1] = a.psi_ddot;
-    out[2] = a.dL_ddot;
-}
-
-static void eq41(const double *in, double *out)
-{
-    const struct ct_quartic a = ct_characteristic_polynomial(in[0], (struct ct_gains){in[1], in[2]});
-    const double coefficients[] = {a.a0, a.a1, a.a2, a.a3, a.a4};
-    memcpy(out, coefficients, sizeof coefficients);
-}
+STRUCT(eq40, ct_tether_acceleration,
+       ct_linear_acceleration(orbit(in), gains(in + 2), (struct ct_tether_state){in[4], in[5], in[6], in[8], 0.0, in[7]}),
+       r.theta_ddot, r.psi_ddot, r.dL_ddot)
+STRUCT(eq41, ct_quartic, ct_characteristic_polynomial(in[0], gains(in + 1)), r.a0, r.a1, r.a2, r.a3, r.a4)
 
 static void eq41roots(const double *in, double *out)
 {
     struct ct_root root[4];
-    ct_characteristic_roots(in[0], (struct ct_gains){in[1], in[2]}, root);
+    ct_characteristic_roots(in[0], gains(in + 1), root);
     for (int i = 0; i < 4; i++) {
         out[2 * i] = root[i].re;
         out[2 * i + 1] = root[i].im;
     }
 }
 
-static void eq42(const double *in, double *out)
-{
-    const struct ct_margins m = ct_routh_margins(in[0], (struct ct_gains){in[1], in[2]});
-    out[0] = m.margin1;
-    out[1] = m.margin2;
-    out[2] = m.stable;
-}
-
+STRUCT(eq42, ct_margins, ct_routh_margins(in[0], gains(in + 1)), r.margin1, r.margin2, r.stable)
 NUMBER(eq43, ct_proportional_gain(in[0], in[1]))
 NUMBER(eq44, ct_derivative_gain(in[0], in[1]))
 
 /* Omega L_ref C1 C2 t, six of state, and h after them where h is not NULL */
 static void linear(const double *in, const double *h, double *out)
 {
-    const struct ct_params p = {.Omega = in[0], .L_ref = in[1]};
-    const struct ct_gains g = {in[2], in[3]};
+    const struct ct_params p = orbit(in);
+    const struct ct_gains g = gains(in + 2);
     struct ct_tether_state s = {in[5], in[6], in[7], in[8], in[9], in[10]};
     if (h != NULL)
         ct_linear_runge_kutta(p, g, s, *h, 1, in + 4, &s);
@@ -216,10 +189,9 @@ static void rk4_linear(const double *in, double *out)
 
 static void nonlinear(const double *in, const double *h, double *out)
 {
-    struct ct_params p = pair(in);
-    const struct ct_gains g = {in[5], in[6]};
+    const struct ct_params p = whole(in);
+    const struct ct_gains g = gains(in + 5);
     struct ct_hill_state s = hill_state(in + 8);
-    p.L_ref = in[4];
     if (h != NULL)
         ct_nonlinear_runge_kutta(p, g, s, *h, 1, in + 7, &s);
     else

@@ -81,6 +81,23 @@ void json_string(struct json *j, const char *key, const char *text)
     put_string(j->file, text);
 }
 
+void json_strings(struct json *j, ...)
+{
+    va_list arguments;
+    va_start(arguments, j);
+    for (const char *key; (key = va_arg(arguments, const char *)) != NULL;)
+        json_string(j, key, va_arg(arguments, const char *));
+    va_end(arguments);
+}
+
+void json_texts(struct json *j, const char *key, const char *const *texts, int count)
+{
+    json_open(j, key, '[');
+    for (int i = 0; i < count; i++)
+        json_string(j, NULL, texts[i]);
+    json_close(j);
+}
+
 void json_value(struct json *j, const char *key, const char *format, ...)
 {
     va_list arguments;

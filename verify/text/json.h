@@ -24,6 +24,16 @@ void json_close(struct json *j);
 /* Text, what is no UTF-8 in it as question marks; NULL is left out. */
 void json_string(struct json *j, const char *key, const char *text);
 
+/* Several texts, key and text by turns; a key that is NULL ends them. json_record(): an object of these. */
+#if defined(__GNUC__)
+__attribute__((sentinel))
+#endif
+void json_strings(struct json *j, ...);
+#define json_record(j, key, ...) (json_open(j, key, '{'), json_strings(j, __VA_ARGS__, NULL), json_close(j))
+
+/* A list of texts. */
+void json_texts(struct json *j, const char *key, const char *const *texts, int count);
+
 /* A number, true or false, by printf's format. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
