@@ -27,6 +27,10 @@ SHA256     := $(shell if command -v sha256sum >/dev/null 2>&1; then echo sha256s
 
 # A product and a sum fused into one rounding would differ from machine to machine: no contraction.
 STANDARD := -std=c11 -Wall -Wextra -Wpedantic -ffp-contract=off -D_POSIX_C_SOURCE=200809L
+# Of i386's two arithmetics the one that rounds to binary64 at every step.
+ifeq ($(shell echo __FLT_EVAL_METHOD__ | $(CC) -std=c11 $(CFLAGS) -E -P - 2>/dev/null),2)
+STANDARD += -msse2 -mfpmath=sse
+endif
 
 package      = $(shell $(PKG_CONFIG) $(1) 2>/dev/null)
 GSL_CFLAGS   := $(call package,--cflags gsl)
