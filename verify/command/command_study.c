@@ -178,8 +178,8 @@ static bool print_guarantees(const char *const *charges, int charge_count, const
         if (guarantees[i].meaning != NULL)
             printf(",%s", guarantees[i].name);
     putchar('\n');
-    for (size_t gain = 0; gain < sizeof guaranteed_gains / sizeof *guaranteed_gains; gain++)
-        for (int k = 0; k < charge_count; k++)
+    for (int k = 0; k < charge_count; k++)
+        for (size_t gain = 0; gain < sizeof guaranteed_gains / sizeof *guaranteed_gains; gain++)
             proved = print_guaranteed(gain, charges[k], first, end) && proved;
     return proved;
 }
