@@ -3,11 +3,14 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+
+extern char **environ;
 
 enum { QUESTIONS = 1 << 16, ANSWERS = 1 << 12 }; /* a pipe that polls as ready takes 4096 bytes at once */
 
@@ -25,7 +28,7 @@ static void close_end(int *end)
 static bool open_pipe(int ends[2], int own)
 {
     return pipe(ends) == 0 && fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 && fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0 &&
-           (own < 0 || fcntl(ends[own], F_SETFL, O_NONBLOCK) == 0);
+           fcntl(ends[own], F_SETFL, O_NONBLOCK) == 0;
 }
 
 static bool is_passing(int error)
@@ -44,31 +47,35 @@ static void end_group(void)
     kill(-running, SIGKILL); /* not yet waited for, the client keeps its group's number */
 }
 
-static void become(char *const *arguments, int in, int out, int errors, int failure, const sigset_t *signals)
+/* In a group of its own, those ends its standard streams, its signals as ours were; 0, or the errno that says why not. */
+static int spawn(struct client *c, char *const *arguments, int in, int out, int errors)
 {
-    setpgid(0, 0);
-    signal(SIGPIPE, SIG_DFL);
-    sigprocmask(SIG_SETMASK, signals, NULL);
-    if (dup2(in, 0) >= 0 && dup2(out, 1) >= 0 && dup2(errors, 2) >= 0)
-        execvp(arguments[0], arguments);                     /* LCOV_EXCL_LINE: exec ends what counts */
-    const int why = errno;                                   /* LCOV_EXCL_LINE: _exit() writes no counts */
-    _exit(write(failure, &why, sizeof why) < 0 ? 126 : 127); /* LCOV_EXCL_LINE: _exit() writes no counts */
-}
-
-/* Waits for exec's close of the failure pipe; 0, or the errno that came instead. */
-static int exec_failure(int failure)
-{
-    int why = 0;
-    ssize_t got;
-    do
-        got = read(failure, &why, sizeof why);
-    while (got < 0 && errno == EINTR);
-    return got < 0 ? errno : got == (ssize_t)sizeof why ? why : 0;
+    posix_spawnattr_t how;
+    posix_spawn_file_actions_t streams;
+    sigset_t pipe_signal;
+    int why = posix_spawnattr_init(&how);
+    if (why != 0)
+        return why; /* LCOV_EXCL_LINE: only where memory runs out */
+    why = posix_spawn_file_actions_init(&streams);
+    if (why == 0) { /* LCOV_EXCL_BR_LINE: the same */
+        sigemptyset(&pipe_signal);
+        sigaddset(&pipe_signal, SIGPIPE);
+        if ((why = posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF)) == 0 &&
+            (why = posix_spawnattr_setpgroup(&how, 0)) == 0 && (why = posix_spawnattr_setsigmask(&how, &c->signals)) == 0 &&
+            (why = posix_spawnattr_setsigdefault(&how, &pipe_signal)) == 0 &&
+            (why = posix_spawn_file_actions_adddup2(&streams, in, 0)) == 0 &&
+            (why = posix_spawn_file_actions_adddup2(&streams, out, 1)) == 0 &&
+            (why = posix_spawn_file_actions_adddup2(&streams, errors, 2)) == 0)
+            why = posix_spawnp(&c->pid, arguments[0], &streams, &how, arguments, environ);
+        posix_spawn_file_actions_destroy(&streams);
+    }
+    posix_spawnattr_destroy(&how);
+    return why;
 }
 
 int client_start(struct client *c, char *const *arguments)
 {
-    int in[2] = {-1, -1}, out[2] = {-1, -1}, errors[2] = {-1, -1}, failure[2] = {-1, -1};
+    int in[2] = {-1, -1}, out[2] = {-1, -1}, errors[2] = {-1, -1}, why = 0;
     static bool at_exit;
     sigset_t blocked;
     *c = (struct client){.pid = -1, .to = -1, .from = -1, .errors = -1};
@@ -76,29 +83,21 @@ int client_start(struct client *c, char *const *arguments)
     for (int i = 0; i < INTERRUPTS; i++)
         sigaddset(&blocked, interrupts[i]);
     sigprocmask(SIG_BLOCK, &blocked, &c->signals);
-    int why = 0;
     at_exit = at_exit || atexit(end_group) == 0;
     if (!at_exit)
-        errno = ENOMEM; /* LCOV_EXCL_LINE: only where memory runs out, make faults */
-    else if (open_pipe(in, 1) && open_pipe(out, 0) && open_pipe(errors, 0) && open_pipe(failure, -1))
-        c->pid = fork();
-    if (c->pid == 0)
-        become(arguments, in[0], out[1], errors[1], failure[1], &c->signals);
-    if (c->pid < 0)
+        why = ENOMEM; /* LCOV_EXCL_LINE: only where memory runs out, make faults */
+    else if (!open_pipe(in, 1) || !open_pipe(out, 0) || !open_pipe(errors, 0))
         why = errno;
     else
-        setpgid(c->pid, c->pid); /* here too: whoever comes first */
+        why = spawn(c, arguments, in[0], out[1], errors[1]);
+    c->pid = why == 0 ? c->pid : -1;
     running = c->pid;
     close_end(&in[0]);
     close_end(&out[1]);
     close_end(&errors[1]);
-    close_end(&failure[1]);
     c->to = in[1];
     c->from = out[0];
     c->errors = errors[0];
-    if (c->pid > 0)
-        why = exec_failure(failure[0]);
-    close_end(&failure[0]);
     if (why != 0)
         client_close(c);
     return why;
