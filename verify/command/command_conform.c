@@ -232,7 +232,7 @@ static void diagnose_with_progress(struct test_run *e, int set)
 /* The table, the file, and the exit code that they come to. */
 static int print_report(struct test_run *e, const struct arguments *a, const char *client, const char *errors)
 {
-    const struct totals sum = report_totals(e);
+    const struct totals sum = report_totals(e, -1);
     const char *name = report_name(a);
     const struct report r = {e, client, errors, (double)clock() / CLOCKS_PER_SEC, diagnose_with_progress, option_given(a, "--all")};
     if (e->journal != NULL && (fflush(e->journal) != 0 || ferror(e->journal)))

@@ -22,10 +22,13 @@ int level_of(const struct section *s)
     return s->method == METHOD_FORMULA ? 0 : s->method == METHOD_ROOTS ? 1 : rk4 ? 3 : 2;
 }
 
-struct totals report_totals(const struct test_run *e)
+struct totals report_totals(const struct test_run *e, int set)
 {
-    struct totals sum = {0, 0, 0, 0};
+    struct totals sum = {0, 0, 0, 0, 0};
     for (int k = 0; k < e->sets.count; k++) {
+        if (set >= 0 && set != k)
+            continue;
+        sum.vectors += test_set_total(&e->sets.all[k]);
         sum.passed += e->summaries[k].counts[OUTCOME_RIGHT];
         sum.failed += summary_failed(&e->summaries[k]);
         sum.expected += e->summaries[k].expected;
@@ -34,11 +37,34 @@ struct totals report_totals(const struct test_run *e)
     return sum;
 }
 
+static const struct section *section_of(const struct test_run *e, int set)
+{
+    return e->comparators[set].operation->section;
+}
+
+static int set_of(const struct test_run *e, const struct record *r)
+{
+    return (int)(test_sets_at(&e->sets, r->position) - e->sets.all);
+}
+
+/* Until the next one is asked for. */
+static const char *name_of(const struct test_run *e, uint64_t position)
+{
+    static char name[LONGEST_ID + 1];
+    struct test_vector q;
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, position);
+    snprintf(name, sizeof name, "%s", q.id);
+    test_vector_clear(&q);
+    return name;
+}
+
 /* ---- numbers as text ---- */
 
-/* E, rounded up to two digits. */
-static const char *error_text(double E, char text[NUMBER])
+/* E, rounded up to two digits; until the next one is asked for. */
+static const char *error_text(double E)
 {
+    static char text[NUMBER];
     SCOPE(mag, bound);
     if (isinf(E) || E == 0.0)
         return E == 0.0 ? "0" : "inf";
@@ -47,9 +73,10 @@ static const char *error_text(double E, char text[NUMBER])
     return text;
 }
 
-/* Digits, rounded down to one after the point. */
-static const char *digits_text(double digits, char text[NUMBER])
+/* Digits, rounded down to one after the point; until the next ones are asked for. */
+static const char *digits_text(double digits)
 {
+    static char text[NUMBER];
     if (isinf(digits) && digits > 0.0)
         return "exact";
     snprintf(text, NUMBER, "%.1f", floor(10.0 * fmax(digits, 0.0)) / 10.0);
@@ -59,7 +86,7 @@ static const char *digits_text(double digits, char text[NUMBER])
 static double summary_digits(const struct test_run *e, int set)
 {
     const struct summary *t = &e->summaries[set];
-    if (is_motion(e->comparators[set].operation->section))
+    if (is_motion(section_of(e, set)))
         return t->digits;
     return t->worst_E > 0.0 ? -log10(ldexp(t->worst_E, -e->significand)) : INFINITY;
 }
@@ -172,11 +199,6 @@ static void exhibit_clear(struct exhibit *x)
     test_vector_clear(&x->vector);
 }
 
-static const char *unit_text(const struct quantity *q)
-{
-    return strcmp(q->unit, "-") == 0 ? "" : q->unit;
-}
-
 /* An output, and a mark below its first wrong digit where the output is what fails. */
 static void output_text(const struct exhibit *x, int i, FILE *file)
 {
@@ -189,72 +211,58 @@ static void output_text(const struct exhibit *x, int i, FILE *file)
         fprintf(file, "%*s^\n", 24 + wrong, "");
 }
 
-static void exhibit_text(const struct exhibit *x, double due, FILE *file)
-{
-    const struct record *r = x->record;
-    const struct section *s = x->section;
-    char number[NUMBER];
-    fprintf(file, "  %s: %s", x->vector.id, outcome_names[r->outcome]);
-    if (r->outcome == OUTCOME_WRONG && is_motion(s))
-        fprintf(file, ", %s digits, %g are due", digits_text(r->score.digits, number), due);
-    else if (r->outcome == OUTCOME_WRONG)
-        fprintf(file, ", E = %s, at most %g passes", error_text(r->score.E, number), s->K);
-    fputs(r->expected ? ", as expected\n" : "\n", file);
-    if (r->outcome == OUTCOME_MISSING) /* it is not the vector's fault */
-        return;
-    for (int i = 0; i < s->input_count; i++)
-        fprintf(file, "    %-10s %s%s%s\n", s->inputs[i]->name, x->inputs[i], *unit_text(s->inputs[i]) ? " " : "",
-                unit_text(s->inputs[i]));
-    for (int i = 0; i < s->output_count && !x->invalid; i++)
-        output_text(x, i, file);
-    if (x->invalid)
-        fprintf(file, "    expected   invalid\n");
-    if (!r->has_values || x->invalid)
-        fprintf(file, "    got        %s\n", *r->text ? r->text : "nothing");
-}
-
 static void record_text(const struct test_run *e, const struct record *r, FILE *file)
 {
     struct exhibit x;
     exhibit_init(&x, e, r);
-    exhibit_text(&x, e->comparators[x.vector.set - e->sets.all].digits, file);
+    const struct section *s = x.section;
+    fprintf(file, "  %s: %s", x.vector.id, outcome_names[r->outcome]);
+    if (r->outcome == OUTCOME_WRONG && is_motion(s))
+        fprintf(file, ", %s digits, %g are due", digits_text(r->score.digits), e->comparators[set_of(e, r)].digits);
+    else if (r->outcome == OUTCOME_WRONG)
+        fprintf(file, ", E = %s, at most %g passes", error_text(r->score.E), s->K);
+    fputs(r->expected ? ", as expected\n" : "\n", file);
+    const bool shown = r->outcome != OUTCOME_MISSING; /* else it is not the vector's fault */
+    for (int i = 0; i < s->input_count && shown; i++) {
+        const char *unit = strcmp(s->inputs[i]->unit, "-") == 0 ? "" : s->inputs[i]->unit;
+        fprintf(file, "    %-10s %s%s%s\n", s->inputs[i]->name, x.inputs[i], *unit ? " " : "", unit);
+    }
+    for (int i = 0; i < s->output_count && shown && !x.invalid; i++)
+        output_text(&x, i, file);
+    if (x.invalid && shown)
+        fprintf(file, "    expected   invalid\n");
+    if ((!r->has_values || x.invalid) && shown)
+        fprintf(file, "    got        %s\n", *r->text ? r->text : "nothing");
     exhibit_clear(&x);
-}
-
-static int set_of(const struct test_run *e, const struct record *r)
-{
-    return (int)(test_sets_at(&e->sets, r->position) - e->sets.all);
 }
 
 /* ---- what failed, as text ---- */
 
-/* Of the operations asked; NULL: none is. */
-static const struct sheet *sheet_of_run(const struct test_run *e)
+/* The first line of a kind, and why it is no answer. */
+static const char *hint_of(const struct test_run *e, const char *line, enum outcome outcome)
 {
-    return e->sets.count > 0 ? e->comparators[0].operation->section->sheet : NULL;
+    static char hint[240];
+    line_hint(e->sets.count > 0 ? section_of(e, 0)->sheet : NULL, line, outcome, hint, sizeof hint);
+    return hint;
 }
 
-/* The first line of a kind, and why it is no answer. */
 static void line_text(const struct test_run *e, const char *line, enum outcome outcome, FILE *file)
 {
-    char hint[240];
-    line_hint(sheet_of_run(e), line, outcome, hint, sizeof hint);
-    fprintf(file, ": %s\n", line);
-    if (*hint != '\0')
-        fprintf(file, "    %s\n", hint);
+    const char *hint = hint_of(e, line, outcome);
+    fprintf(file, *hint != '\0' ? ": %s\n    %s\n" : ": %s\n", line, hint);
 }
 
 static void failure_text(struct test_run *e, int k, bool all, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
     char text[512];
-    outcomes_text(t, text, sizeof text);
-    fprintf(file, "\n%s: %s\n", e->comparators[k].operation->section->id, text);
     struct record r;
-    if (!all)
-        record_text(e, &t->shown, file);
-    else
+    outcomes_text(t, text, sizeof text);
+    fprintf(file, "\n%s: %s\n", section_of(e, k)->id, text);
+    if (all)
         test_run_rewind(e);
+    else
+        record_text(e, &t->shown, file);
     while (all && test_run_record(e, &r))
         if (r.outcome >= OUTCOME_WRONG && set_of(e, &r) == k)
             record_text(e, &r, file);
@@ -290,23 +298,14 @@ static void client_text(const struct test_run *e, FILE *file)
 static void row_text(const struct test_run *e, int k, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
-    const struct section *s = e->comparators[k].operation->section;
-    const uint64_t total = test_set_total(&e->sets.all[k]);
-    char E[NUMBER], digits[NUMBER];
-    struct test_vector q;
-    if (t->counts[OUTCOME_SKIPPED] == total && *t->reason != '\0')
+    const struct totals sum = report_totals(e, k);
+    if (sum.skipped == sum.vectors && *t->reason != '\0')
         return; /* named with its reason */
-    fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, s->id, total, t->counts[OUTCOME_RIGHT],
-            summary_failed(t), t->counts[OUTCOME_SKIPPED]);
-    if (t->worst == UINT64_MAX) {
-        fputc('\n', file);
-        return;
-    }
-    test_vector_init(&q);
-    test_vector_make(&q, &e->sets, t->worst);
-    fprintf(file, "  %8s  %6s  %s\n", is_motion(s) ? "-" : error_text(t->worst_E, E),
-            digits_text(summary_digits(e, k), digits), q.id);
-    test_vector_clear(&q);
+    fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, section_of(e, k)->id, sum.vectors, sum.passed, sum.failed, sum.skipped);
+    if (t->worst != UINT64_MAX)
+        fprintf(file, "  %8s  %6s  %s", is_motion(section_of(e, k)) ? "-" : error_text(t->worst_E), digits_text(summary_digits(e, k)),
+                name_of(e, t->worst));
+    fputc('\n', file);
 }
 
 /* A line for each reason that a client gave, with the operations that it gave it for first. */
@@ -322,7 +321,7 @@ static void skips_text(const struct test_run *e, FILE *file)
         fprintf(file, "\nskipped,%s:", reason);
         for (int i = k; i < e->sets.count; i++)
             if (strcmp(e->summaries[i].reason, reason) == 0)
-                fprintf(file, " %s", e->comparators[i].operation->section->id);
+                fprintf(file, " %s", section_of(e, i)->id);
         fputc('\n', file);
     }
 }
@@ -336,45 +335,29 @@ static bool is_judged(const struct record *r)
 /* How good an integrator is: a line a scenario, the digits reached at each of its times, in the order they were asked. */
 static void digits_by_time(struct test_run *e, FILE *file)
 {
-    char scenario[LONGEST_ID + 1] = "", number[NUMBER];
-    struct test_vector q;
+    char scenario[LONGEST_ID + 1] = "";
     struct record r;
-    test_vector_init(&q);
     test_run_rewind(e);
     while (test_run_record(e, &r)) {
-        if (!is_judged(&r) || !is_motion(e->comparators[set_of(e, &r)].operation->section))
+        if (!is_judged(&r) || !is_motion(section_of(e, set_of(e, &r))))
             continue;
-        test_vector_make(&q, &e->sets, r.position);
-        const char *time = strrchr(q.id, '-');
-        time -= time > q.id && time[-1] == '-'; /* the other one is the time's sign */
-        const size_t length = (size_t)(time - q.id);
-        if (strncmp(scenario, q.id, length) != 0 || scenario[length] != '\0') {
+        const char *name = name_of(e, r.position), *time = strrchr(name, '-');
+        time -= time > name && time[-1] == '-'; /* the other one is the time's sign */
+        const size_t length = (size_t)(time - name);
+        if (strncmp(scenario, name, length) != 0 || scenario[length] != '\0') {
             fprintf(file, *scenario == '\0' ? "\ndigits by time in s" : "");
-            snprintf(scenario, sizeof scenario, "%.*s", (int)length, q.id);
+            snprintf(scenario, sizeof scenario, "%.*s", (int)length, name);
             fprintf(file, "\n  %-40s", scenario);
         }
-        fprintf(file, "  %s: %s", time + 1, digits_text(r.score.digits, number));
+        fprintf(file, "  %s: %s", time + 1, digits_text(r.score.digits));
     }
     fputs(*scenario != '\0' ? "\n" : "", file);
-    test_vector_clear(&q);
-}
-
-static void unexpected_text(const struct test_run *e, FILE *file)
-{
-    struct test_vector q;
-    test_vector_init(&q);
-    for (int i = 0; i < e->expected_count; i++)
-        if (e->expected[i].passed) {
-            test_vector_make(&q, &e->sets, e->expected[i].position);
-            fprintf(file, "\n%s was expected to fail, and passes\n", q.id);
-        }
-    test_vector_clear(&q);
 }
 
 void report_text(const struct report *r, FILE *file)
 {
     struct test_run *e = r->run;
-    const struct totals sum = report_totals(e);
+    const struct totals sum = report_totals(e, -1);
     fputs("operation        vectors   passed  failed  skipped   worst E  digits  worst vector\n", file);
     for (int k = 0; k < e->sets.count; k++)
         row_text(e, k, file);
@@ -390,9 +373,11 @@ void report_text(const struct report *r, FILE *file)
     if (r->all)
         digits_by_time(e, file);
     skips_text(e, file);
-    unexpected_text(e, file);
-    fprintf(file, "\n%" PRIu64 " vectors: %" PRIu64 " passed, %" PRIu64 " failed, %" PRIu64 " skipped", e->sets.total,
-            sum.passed, sum.failed, sum.skipped);
+    for (int i = 0; i < e->expected_count; i++)
+        if (e->expected[i].passed)
+            fprintf(file, "\n%s was expected to fail, and passes\n", name_of(e, e->expected[i].position));
+    fprintf(file, "\n%" PRIu64 " vectors: %" PRIu64 " passed, %" PRIu64 " failed, %" PRIu64 " skipped", sum.vectors, sum.passed,
+            sum.failed, sum.skipped);
     if (sum.expected > 0)
         fprintf(file, ", %" PRIu64 " failed as expected", sum.expected);
     if (stray_count(e) > 0)
@@ -416,7 +401,7 @@ static void put_xml(FILE *file, const char *text)
     }
 }
 
-/* What the function writes, escaped. */
+/* What is said of the client (no record), or of a vector, escaped. */
 static void put_written(FILE *file, const struct test_run *e, const struct record *r)
 {
     char *text = NULL;
@@ -424,29 +409,32 @@ static void put_written(FILE *file, const struct test_run *e, const struct recor
     FILE *stream = open_memstream(&text, &size);
     if (stream == NULL)
         out_of_memory();
-    if (r == NULL)
+    if (r == NULL) {
         client_text(e, stream);
-    else
+    } else {
         record_text(e, r, stream);
-    if (r != NULL)
         diagnosis_text(&e->summaries[set_of(e, r)], stream);
+    }
     if (fclose(stream) != 0)
         out_of_memory();
     put_xml(file, text);
     free(text);
 }
 
-static void write_case(const struct test_run *e, const struct record *r, FILE *file)
+static void write_suite(const char *name, uint64_t tests, uint64_t failures, uint64_t skipped, FILE *file)
 {
-    struct test_vector q;
-    test_vector_init(&q);
-    test_vector_make(&q, &e->sets, r->position);
-    fprintf(file, "<testcase classname=\"%s\" name=\"%s\">", q.set->operation.section->id, q.id);
-    test_vector_clear(&q);
-    if (r->outcome == OUTCOME_SKIPPED || r->expected) {
+    fprintf(file, "<testsuite name=\"%s\" tests=\"%" PRIu64 "\" failures=\"%" PRIu64 "\" errors=\"0\" skipped=\"%" PRIu64 "\">\n", name, tests,
+            failures, skipped);
+}
+
+/* A vector of an operation, or what is said of the client itself (no record). */
+static void write_case(const struct test_run *e, const char *set, const char *name, const struct record *r, const char *failure, FILE *file)
+{
+    fprintf(file, "<testcase classname=\"%s\" name=\"%s\">", set, name);
+    if (r != NULL && (r->outcome == OUTCOME_SKIPPED || r->expected)) {
         fprintf(file, "<skipped message=\"%s\"/>", r->expected ? "fails as expected" : "skipped");
-    } else if (r->outcome != OUTCOME_RIGHT) {
-        fprintf(file, "<failure message=\"%s\">", outcome_names[r->outcome]);
+    } else if (failure != NULL) {
+        fprintf(file, "<failure message=\"%s\">", failure);
         put_written(file, e, r);
         fputs("</failure>", file);
     }
@@ -463,76 +451,68 @@ static void write_xml(const struct report *r, FILE *file)
     fputs("\">\n", file);
     while (test_run_record(e, &one)) {
         const int k = set_of(e, &one);
-        const struct summary *t = &e->summaries[k];
-        if (k != open)
-            fprintf(file, "%s<testsuite name=\"%s\" tests=\"%" PRIu64 "\" failures=\"%" PRIu64 "\" errors=\"0\" skipped=\"%" PRIu64 "\">\n",
-                    open >= 0 ? "</testsuite>\n" : "", e->comparators[k].operation->section->id, test_set_total(&e->sets.all[k]),
-                    summary_failed(t), t->counts[OUTCOME_SKIPPED] + t->expected);
+        const struct totals sum = report_totals(e, k);
+        if (k != open) {
+            fputs(open >= 0 ? "</testsuite>\n" : "", file);
+            write_suite(section_of(e, k)->id, sum.vectors, sum.failed, sum.skipped + sum.expected, file);
+        }
         open = k;
-        write_case(e, &one, file);
+        write_case(e, section_of(e, k)->id, name_of(e, one.position), &one, one.outcome == OUTCOME_RIGHT ? NULL : outcome_names[one.outcome], file);
     }
     const bool bad = stray_count(e) > 0 || *e->ended != '\0';
-    fprintf(file, "%s<testsuite name=\"client\" tests=\"1\" failures=\"%d\" errors=\"0\" skipped=\"0\">\n"
-            "<testcase classname=\"client\" name=\"lines\">", open >= 0 ? "</testsuite>\n" : "", bad);
-    fputs(bad ? "<failure message=\"lines that answer nothing, or an end that is none\">" : "", file);
-    put_written(file, e, NULL);
-    fputs(bad ? "</failure>" : "", file);
-    fputs("</testcase>\n<system-err>", file);
+    fputs(open >= 0 ? "</testsuite>\n" : "", file);
+    write_suite("client", 1, bad, 0, file);
+    write_case(e, "client", "lines", NULL, bad ? "lines that answer nothing, or an end that is none" : NULL, file);
+    fputs("<system-err>", file);
     put_xml(file, r->errors);
     fputs("</system-err>\n</testsuite>\n</testsuites>\n", file);
 }
 
 /* ---- JSON ---- */
 
-static void write_outcomes(struct json *j, const struct summary *t)
+static void write_totals(struct json *j, const struct totals *sum)
 {
-    json_open(j, "outcomes", '{');
-    for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED; i++)
-        if (t->counts[i] > 0)
-            json_value(j, outcome_names[i], "%" PRIu64, t->counts[i]);
-    json_close(j);
+    json_value(j, "vectors", "%" PRIu64, sum->vectors);
+    json_value(j, "passed", "%" PRIu64, sum->passed);
+    json_value(j, "failed", "%" PRIu64, sum->failed);
+    json_value(j, "expected", "%" PRIu64, sum->expected);
+    json_value(j, "skipped", "%" PRIu64, sum->skipped);
 }
 
 static void write_line(struct json *j, const struct test_run *e, enum outcome outcome, const char *line)
 {
-    char hint[240];
-    line_hint(sheet_of_run(e), line, outcome, hint, sizeof hint);
     json_string(j, "outcome", outcome_names[outcome]);
     json_string(j, "text", line);
-    json_string(j, "hint", hint);
+    json_string(j, "hint", hint_of(e, line, outcome));
 }
 
 static void write_operation(struct json *j, const struct test_run *e, int k)
 {
     const struct summary *t = &e->summaries[k];
-    const struct section *s = e->comparators[k].operation->section;
-    char number[NUMBER];
+    const struct section *s = section_of(e, k);
+    const struct totals sum = report_totals(e, k);
     json_line(j, 4);
     json_open(j, NULL, '{');
     json_string(j, "id", s->id);
     json_string(j, "level", level_names[level_of(s)]);
-    json_value(j, "vectors", "%" PRIu64, test_set_total(&e->sets.all[k]));
-    json_value(j, "passed", "%" PRIu64, t->counts[OUTCOME_RIGHT]);
-    json_value(j, "failed", "%" PRIu64, summary_failed(t));
-    json_value(j, "expected", "%" PRIu64, t->expected);
-    json_value(j, "skipped", "%" PRIu64, t->counts[OUTCOME_SKIPPED]);
+    write_totals(j, &sum);
     json_value(j, is_motion(s) ? "digits_due" : "K", "%g", is_motion(s) ? e->comparators[k].digits : e->comparators[k].K);
     if (t->worst != UINT64_MAX) {
-        struct test_vector q;
-        test_vector_init(&q);
-        test_vector_make(&q, &e->sets, t->worst);
-        json_string(j, "worst_E", is_motion(s) ? NULL : error_text(t->worst_E, number));
-        json_string(j, "digits", digits_text(summary_digits(e, k), number));
-        json_string(j, "worst", q.id);
-        test_vector_clear(&q);
+        json_string(j, "worst_E", is_motion(s) ? NULL : error_text(t->worst_E));
+        json_string(j, "digits", digits_text(summary_digits(e, k)));
+        json_string(j, "worst", name_of(e, t->worst));
     }
-    write_outcomes(j, t);
+    json_open(j, "outcomes", '{');
+    for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED; i++)
+        if (t->counts[i] > 0)
+            json_value(j, outcome_names[i], "%" PRIu64, t->counts[i]);
+    json_close(j);
     if (*t->line != '\0') {
         json_open(j, "line", '{');
         write_line(j, e, t->line_outcome, t->line);
         json_close(j);
     }
-    json_string(j, "diagnosis", summary_failed(t) > 0 ? t->diagnosis : NULL);
+    json_string(j, "diagnosis", sum.failed > 0 ? t->diagnosis : NULL);
     json_close(j);
 }
 
@@ -540,7 +520,6 @@ static void write_operation(struct json *j, const struct test_run *e, int k)
 static void write_vector(struct json *j, const struct test_run *e, const struct record *r)
 {
     struct exhibit x;
-    char number[NUMBER];
     exhibit_init(&x, e, r);
     const bool motion = is_motion(x.section), judged = is_judged(r);
     json_line(j, 4);
@@ -550,21 +529,21 @@ static void write_vector(struct json *j, const struct test_run *e, const struct 
     json_string(j, "outcome", outcome_names[r->outcome]);
     if (r->expected)
         json_truth(j, "expected_to_fail", true);
-    json_string(j, "digits", judged && motion ? digits_text(r->score.digits, number) : NULL);
-    json_string(j, "E", judged && !motion ? error_text(r->score.E, number) : NULL);
-    json_string(j, "strict_E", judged && !motion ? error_text(r->score.strict, number) : NULL);
+    json_string(j, "digits", judged && motion ? digits_text(r->score.digits) : NULL);
+    json_string(j, "E", judged && !motion ? error_text(r->score.E) : NULL);
+    json_string(j, "strict_E", judged && !motion ? error_text(r->score.strict) : NULL);
     json_open(j, "inputs", '{');
     for (int i = 0; i < x.section->input_count; i++)
         json_string(j, x.section->inputs[i]->name, x.inputs[i]);
     json_close(j);
-    if (x.invalid)
+    if (x.invalid) {
         json_string(j, "expected", "invalid");
-    else
+    } else {
         json_open(j, "expected", '{');
-    for (int i = 0; i < x.section->output_count && !x.invalid; i++)
-        json_string(j, x.section->outputs[i]->name, x.expected[i] ? x.expected[i] : "?");
-    if (!x.invalid)
+        for (int i = 0; i < x.section->output_count; i++)
+            json_string(j, x.section->outputs[i]->name, x.expected[i] ? x.expected[i] : "?");
         json_close(j);
+    }
     json_string(j, "got", r->text);
     json_close(j);
     exhibit_clear(&x);
@@ -573,18 +552,14 @@ static void write_vector(struct json *j, const struct test_run *e, const struct 
 static void write_json(const struct report *r, FILE *file)
 {
     struct test_run *e = r->run;
-    const struct totals sum = report_totals(e);
+    const struct totals sum = report_totals(e, -1);
     struct record one;
     struct json j = json_on(file);
     json_open(&j, NULL, '{');
     json_line(&j, 2);
     json_string(&j, "client", r->client);
     json_line(&j, 2);
-    json_value(&j, "vectors", "%" PRIu64, e->sets.total);
-    json_value(&j, "passed", "%" PRIu64, sum.passed);
-    json_value(&j, "failed", "%" PRIu64, sum.failed);
-    json_value(&j, "expected", "%" PRIu64, sum.expected);
-    json_value(&j, "skipped", "%" PRIu64, sum.skipped);
+    write_totals(&j, &sum);
     json_value(&j, "oracle_seconds", "%.3f", r->seconds);
     json_line(&j, 2);
     json_string(&j, "ended", e->ended);

@@ -19,11 +19,11 @@ enum { LEVELS = 4 };
 extern const char *const level_names[LEVELS]; /* algebra, roots, flows, method */
 int level_of(const struct section *s);
 
-/* The sums of all summaries: vectors right, vectors that fail, those that fail as expected, vectors skipped. */
+/* Of one test set, or of all (-1): how many vectors, those that are right, fail, fail as expected, and are skipped. */
 struct totals {
-    uint64_t passed, failed, expected, skipped;
+    uint64_t vectors, passed, failed, expected, skipped;
 };
-struct totals report_totals(const struct test_run *e);
+struct totals report_totals(const struct test_run *e, int set);
 
 void report_text(const struct report *r, FILE *file);
 
