@@ -31,51 +31,46 @@ struct choice {
     double *digits;
 };
 
-static int take_digits(struct choice *c, const char *text)
+/* Those of --digits, once a motion. */
+static int take_digits(struct choice *c, const struct arguments *a)
 {
-    const char *equals = strchr(text, '=');
-    char id[40], *end;
-    if (equals == NULL)
-        return usage_error(EXIT_USAGE, "--digits: expected ID=DIGITS, got '%.40s'", text);
-    snprintf(id, sizeof id, "%.*s", (int)(equals - text), text);
-    const struct section *s = section_argument(c->sheet, id);
-    if (s == NULL)
-        return EXIT_USAGE;
-    const long digits = strtol(equals + 1, &end, 10);
-    if (!is_motion(s))
-        return usage_error(EXIT_USAGE, "--digits: expected a motion, %s is judged by E", id);
-    if (end == equals + 1 || *end != '\0' || digits < 1 || digits > 30)
-        return usage_error(EXIT_USAGE, "--digits: expected an integer from 1 to 30, got '%.40s'", equals + 1);
-    c->digits[s - c->sheet->sections] = (double)digits;
-    return EXIT_DONE;
-}
-
-static int take_all_digits(struct choice *c, const struct arguments *a)
-{
-    int status = EXIT_DONE, k = 0;
     const char *text;
-    while (status == EXIT_DONE && (text = option_next(a, "--digits", &k)) != NULL) {
-        const int length = (int)strcspn(text, "=");
-        const char *earlier;
-        status = take_digits(c, text);
-        for (int before = 0; status == EXIT_DONE && (earlier = option_next(a, "--digits", &before)) != text;)
-            if ((int)strcspn(earlier, "=") == length && strncmp(earlier, text, (size_t)length) == 0)
-                status = usage_error(EXIT_USAGE, "--digits: expected %.*s once, got '%.40s' and '%.40s'", length, text, earlier, text);
+    for (int k = 0; (text = option_next(a, "--digits", &k)) != NULL;) {
+        const char *equals = strchr(text, '=');
+        char id[40], *end;
+        if (equals == NULL)
+            return usage_error(EXIT_USAGE, "--digits: expected ID=DIGITS, got '%.40s'", text);
+        snprintf(id, sizeof id, "%.*s", (int)(equals - text), text);
+        const struct section *s = section_argument(c->sheet, id);
+        if (s == NULL)
+            return EXIT_USAGE;
+        double *given = &c->digits[s - c->sheet->sections];
+        const long digits = strtol(equals + 1, &end, 10);
+        if (!is_motion(s))
+            return usage_error(EXIT_USAGE, "--digits: expected a motion, %s is judged by E", id);
+        if (end == equals + 1 || *end != '\0' || digits < 1 || digits > 30)
+            return usage_error(EXIT_USAGE, "--digits: expected an integer from 1 to 30, got '%.40s'", equals + 1);
+        if (*given > 0.0)
+            return usage_error(EXIT_USAGE, "--digits: expected %s once, got '%s=%g' and '%.40s'", id, id, *given, text);
+        *given = (double)digits;
     }
-    return status;
+    for (int i = 0; i < c->sheet->section_count; i++)
+        if (!(c->digits[i] > 0.0))
+            c->digits[i] = c->sheet->sections[i].method >= METHOD_RK4_LINEAR ? METHOD_DIGITS : FLOW_DIGITS;
+    return EXIT_DONE;
 }
 
 /* A level, an operation, or an operation's vector, whose name goes on after a hyphen. */
 static int choose(struct choice *c, const char *word)
 {
-    for (int level = 0; level < LEVELS; level++) {
-        if (strcmp(word, level_names[level]) != 0)
-            continue;
-        for (int i = 0; i < c->sheet->section_count; i++)
-            if (c->sheet->sections[i].method != METHOD_NONE && level_of(&c->sheet->sections[i]) == level)
-                c->chosen[i] = ALL_VECTORS;
+    bool level = false;
+    for (int i = 0; i < c->sheet->section_count; i++)
+        if (c->sheet->sections[i].method != METHOD_NONE && strcmp(word, level_names[level_of(&c->sheet->sections[i])]) == 0) {
+            c->chosen[i] = ALL_VECTORS;
+            level = true;
+        }
+    if (level)
         return EXIT_DONE;
-    }
     char id[40];
     snprintf(id, sizeof id, "%.*s", (int)strcspn(word, "-"), word);
     const struct section *s = section_argument(c->sheet, id);
@@ -111,20 +106,18 @@ static int take_only(struct choice *c, const char *only)
 static int take_vectors(struct test_run *e, const struct choice *c)
 {
     const struct test_set *set = &e->sets.all[e->sets.count - 1];
-    const char *id = set->operation.section->id;
-    char *words = text_copy(c->only), *rest = NULL;
+    const size_t length = strlen(set->operation.section->id);
+    const char **known = xrealloc(NULL, (size_t)set->golden_count, sizeof *known);
+    char *words = text_copy(c->only), *rest = NULL, hint[80];
     int status = EXIT_DONE;
-    for (char *word = strtok_r(words, ",", &rest); word && status == EXIT_DONE; word = strtok_r(NULL, ",", &rest)) {
-        if (strncmp(word, id, strlen(id)) != 0 || word[strlen(id)] != '-' || test_sets_want(&e->sets, word))
-            continue;
-        const char **known = xrealloc(NULL, (size_t)set->golden_count, sizeof *known);
-        char hint[80];
-        for (int i = 0; i < set->golden_count; i++)
-            known[i] = set->golden[i].id;
-        suggest(hint, word, known, set->golden_count);
-        status = usage_error(EXIT_USAGE, "--only: unknown vector '%.95s'%s", word, hint);
-        free(known);
-    }
+    for (int i = 0; i < set->golden_count; i++)
+        known[i] = set->golden[i].id;
+    for (char *word = strtok_r(words, ",", &rest); word && status == EXIT_DONE; word = strtok_r(NULL, ",", &rest))
+        if (strncmp(word, set->operation.section->id, length) == 0 && word[length] == '-' && !test_sets_want(&e->sets, word)) {
+            suggest(hint, word, known, set->golden_count);
+            status = usage_error(EXIT_USAGE, "--only: unknown vector '%.95s'%s", word, hint);
+        }
+    free(known);
     free(words);
     return status;
 }
@@ -183,21 +176,16 @@ static const char *report_name(const struct arguments *a)
 static int take_questions(struct test_run *e, const struct arguments *a, const struct choice *c)
 {
     uint64_t random = 0, significand = BINARY64;
-    int status = option_number(a, "--random", &random);
-    if (status == EXIT_DONE)
-        status = option_number(a, "--seed", &e->sets.seed);
-    if (status == EXIT_DONE)
-        status = option_inputs(a, &e->sets.form);
-    if (status == EXIT_DONE)
-        status = option_number(a, "--significand", &significand);
-    if (status == EXIT_DONE && option_given(a, "--random") != option_given(a, "--seed"))
-        status = usage_error(EXIT_USAGE, "conform: expected --random N and --seed S together");
-    if (status == EXIT_DONE && random > MOST_RANDOM)
-        status = usage_error(EXIT_USAGE, "--random: expected at most %d vectors an operation", MOST_RANDOM);
-    if (status == EXIT_DONE && significand != BINARY32 && significand != BINARY64 && significand != BINARY128)
-        status = usage_error(EXIT_USAGE, "--significand: expected 24, 53 or 113");
-    if (status != EXIT_DONE)
+    int status;
+    if ((status = option_number(a, "--random", &random)) != EXIT_DONE || (status = option_number(a, "--seed", &e->sets.seed)) != EXIT_DONE ||
+        (status = option_inputs(a, &e->sets.form)) != EXIT_DONE || (status = option_number(a, "--significand", &significand)) != EXIT_DONE)
         return status;
+    if (option_given(a, "--random") != option_given(a, "--seed"))
+        return usage_error(EXIT_USAGE, "conform: expected --random N and --seed S together");
+    if (random > MOST_RANDOM)
+        return usage_error(EXIT_USAGE, "--random: expected at most %d vectors an operation", MOST_RANDOM);
+    if (significand != BINARY32 && significand != BINARY64 && significand != BINARY128)
+        return usage_error(EXIT_USAGE, "--significand: expected 24, 53 or 113");
     e->significand = (int)significand;
     e->range = option_given(a, "--range");
     double *digits = xrealloc(NULL, (size_t)c->sheet->section_count, sizeof *digits);
@@ -448,27 +436,27 @@ static const struct section *section_of_file(const struct sheet *sheet, FILE *fi
     return s;
 }
 
-/* What comes through a pipe, which cannot be rewound, in a temporary file. NULL after a complaint; the pipe is closed. */
-static FILE *copy_of_pipe(FILE *pipe, const char *name)
+/* What comes through a pipe, which cannot be rewound, in a temporary file; another file as it is. NULL after a complaint; it is closed then. */
+static FILE *rewindable(FILE *file, const char *name)
 {
     char bytes[1 << 12];
     size_t size, total = 0;
+    if (fseek(file, 0, SEEK_SET) == 0)
+        return file;
     FILE *copy = tmpfile();
-    int status = EXIT_DONE;
-    while (copy != NULL && total <= MOST_PIPED && (size = fread(bytes, 1, sizeof bytes, pipe)) > 0 && fwrite(bytes, 1, size, copy) == size)
+    while (copy != NULL && total <= MOST_PIPED && (size = fread(bytes, 1, sizeof bytes, file)) > 0 && fwrite(bytes, 1, size, copy) == size)
         total += size;
+    const bool whole = copy != NULL && feof(file) && fflush(copy) == 0 && !ferror(copy); /* LCOV_EXCL_BR_LINE: a failing system call */
     if (total > MOST_PIPED)
-        status = usage_error(EXIT_FAILED_CHECK, "%s: expected at most %d bytes through a pipe, write them to a file", name, MOST_PIPED);
-    else if (copy == NULL || !feof(pipe) || fflush(copy) != 0 || ferror(copy)) /* LCOV_EXCL_BR_LINE: a failing system call */
-        status = usage_error(EXIT_FAILED_CHECK, "%s, and a temporary file for it: %s", name, strerror(errno)); /* LCOV_EXCL_LINE: the same */
-    fclose(pipe);
-    if (status == EXIT_DONE) {
+        usage_error(EXIT_FAILED_CHECK, "%s: expected at most %d bytes through a pipe, write them to a file", name, MOST_PIPED);
+    else if (!whole) /* LCOV_EXCL_BR_LINE: the same */
+        usage_error(EXIT_FAILED_CHECK, "%s, and a temporary file for it: %s", name, strerror(errno)); /* LCOV_EXCL_LINE: the same */
+    fclose(file);
+    if (whole)
         rewind(copy);
-        return copy;
-    }
-    if (copy != NULL) /* LCOV_EXCL_BR_LINE: the same */
+    else if (copy != NULL) /* LCOV_EXCL_BR_LINE: the same */
         fclose(copy);
-    return NULL;
+    return whole ? copy : NULL;
 }
 
 /* Of one operation as CSV, which the word or the file names, or else of all that are asked. */
@@ -478,7 +466,7 @@ static int read_answers(struct test_run *e, const struct arguments *a, struct ch
     FILE *file = fopen(name, "r");
     if (file == NULL)
         return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
-    if (a->word_count == 0 && fseek(file, 0, SEEK_SET) != 0 && (file = copy_of_pipe(file, name)) == NULL)
+    if (a->word_count == 0 && (file = rewindable(file, name)) == NULL)
         return EXIT_FAILED_CHECK;
     const struct section *s = a->word_count == 1 ? section_argument(c->sheet, a->words[0]) : section_of_file(c->sheet, file, name);
     int status = a->word_count == 1 && s == NULL ? EXIT_USAGE : EXIT_DONE;
@@ -564,9 +552,8 @@ int command_conform(const struct arguments *a)
     struct choice c = {.sheet = sheet,
                        .chosen = xrealloc(NULL, sections, sizeof *c.chosen),
                        .digits = xrealloc(NULL, sections, sizeof *c.digits)};
-    for (size_t i = 0; i < sections; i++)
-        c.digits[i] = sheet->sections[i].method >= METHOD_RK4_LINEAR ? METHOD_DIGITS : FLOW_DIGITS;
-    int status = take_all_digits(&c, a);
+    memset(c.digits, 0, sections * sizeof *c.digits);
+    int status = take_digits(&c, a);
     if (status == EXIT_DONE && a->client != NULL && *a->client == NULL)
         status = usage_error(EXIT_USAGE, "conform: expected a client after --");
     if (status == EXIT_DONE)

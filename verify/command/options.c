@@ -66,7 +66,7 @@ const struct option options[] = {
     {"--json", NULL, NULL, NULL, "equations verify design", NULL, false, "JSON in place of text for reading"},
     {"--json", NULL, NULL, NULL, "eval", "ID", false, "JSON in place of text for reading"},
     {"--csv", NULL, NULL, NULL, "table1", NULL, false, "CSV in place of text for reading"},
-    {"-o", "FILE", NULL, NULL, "equations eval table1 figure trajectory verify study vectors typeset datapackage", NULL, false,
+    {"-o", "FILE", NULL, NULL, "equations eval table1 figure trajectory verify study design vectors typeset datapackage", NULL, false,
      "in place of standard output a file, which is there whole or not at all"},
     /* motions */
     {"--at", "T,...", "s", NULL, "trajectory", NULL, false,
