@@ -162,17 +162,17 @@ static int set_relation(struct parser *p, bool right)
 {
     char number[LONGEST_NAME + 1], index[LONGEST_NAME + 1] = "1";
     const struct section *section;
-    size_t where;
     p->at++;
     parse_word(p, number);
     if (parse_symbol(p, ','))
         parse_word(p, index);
     parse_symbol(p, ')');
-    char *side = text_copy(relation_find(p->context, number, index, &section)->text);
-    char *sign = strchr(side, '=');
-    *sign = '\0';
-    const int node = program_parse(p->program, right ? sign + 1 : side, &where, p->why);
-    free(side);
+    const struct formulas *sides = &relation_find(p->context, number, index, &section)->sides;
+    int *here = xrealloc(NULL, (size_t)sides->program.count, sizeof *here);
+    for (int i = 0; i < sides->program.count; i++)
+        here[i] = i < sides->program.inputs ? program_find(p->program, sides->program.names[i].text) : -1;
+    const int node = program_copy_node(p->program, &sides->program, sides->outputs[right], here);
+    free(here);
     return node;
 }
 

@@ -57,7 +57,7 @@ static void add_outputs(const struct section *s, const char *number, const char 
     for (int i = 0; i < s->output_count && s->method == METHOD_FORMULA && *count < MOST_PARTS; i++) {
         const char *equation = equation_of(s, i);
         if ((number == NULL || is_number_of(number, equation)) && (name == NULL || strcmp(name, s->outputs[i]->name) == 0))
-            parts[(*count)++] = (struct entry_part){s, NULL, s->corrected.outputs[i], s->outputs[i]->name, equation};
+            parts[(*count)++] = (struct entry_part){s, &s->corrected, s->corrected.outputs[i], s->outputs[i]->name, equation};
     }
 }
 
@@ -71,59 +71,59 @@ int entry_parts(const struct derivations *d, const char *entry, struct entry_par
     if (section != NULL && section->method == METHOD_FORMULA && count == 0 && name != NULL) {
         const int node = program_find(&section->corrected.program, name);
         if (node >= section->corrected.program.inputs)
-            parts[count++] = (struct entry_part){section, NULL, node, name, equation_of(section, 0)};
+            parts[count++] = (struct entry_part){section, &section->corrected, node, name, equation_of(section, 0)};
     }
     for (int i = 0; i < d->sheet->section_count && section == NULL; i++) {
         const struct section *s = &d->sheet->sections[i];
         add_outputs(s, entry, NULL, parts, &count);
-        for (int k = 0; k < s->relation_count && count < MOST_PARTS; k++)
-            if (is_number_of(entry, s->relations[k].equation))
-                parts[count++] = (struct entry_part){s, &s->relations[k], -1, s->relations[k].text, s->relations[k].equation};
+        for (int k = 0; k < 2 * s->relation_count && count < MOST_PARTS; k++) {
+            const struct relation *r = &s->relations[k / 2];
+            if (is_number_of(entry, r->equation))
+                parts[count++] = (struct entry_part){s, &r->sides, r->sides.outputs[k % 2], r->text, r->equation};
+        }
     }
     return count;
 }
 
 bool same_part(const struct entry_part *a, const struct entry_part *b)
 {
-    return a->section == b->section && a->relation == b->relation && a->node == b->node;
+    return a->formulas == b->formulas && a->node == b->node;
 }
 
+/* Neither an output nor a relation. */
+static bool is_subexpression(const struct section *s, const char *name)
+{
+    bool other = strchr(name, '=') != NULL;
+    for (int i = 0; i < s->output_count; i++)
+        other = other || strcmp(s->outputs[i]->name, name) == 0;
+    return !other;
+}
+
+/* What an entry stands for it has by name; a subexpression that it does not name is part of all that it stands for. */
 bool entry_concerns(const struct derivations *d, const char *entry, const struct use *u)
 {
-    const char *name;
-    const struct section *section = section_of_entry(d, entry, &name);
-    int output = -1;
-    for (int i = 0; u->relation == NULL && i < u->section->output_count; i++)
-        output = u->formulas->outputs[i] == u->part ? i : output;
-    if (section != NULL && name == NULL)
-        return section == u->section;
-    if (section != NULL)
-        return section == u->section && u->relation == NULL &&
-               (output >= 0 ? strcmp(section->outputs[output]->name, name) == 0
-                            : program_find(&u->formulas->program, name) == u->part);
-    if (u->relation != NULL)
-        return is_number_of(entry, u->relation->equation);
-    bool any = false;
-    for (int i = 0; i < u->section->numbers && output < 0; i++)
-        any = any || is_number_of(entry, u->section->equations[i]);
-    return any || (output >= 0 && u->section->numbers > 0 && is_number_of(entry, equation_of(u->section, output)));
+    struct entry_part parts[MOST_PARTS];
+    const int count = entry_parts(d, entry, parts);
+    bool concerns = false;
+    for (int i = 0; i < count; i++)
+        concerns = concerns || (parts[i].section == u->section &&
+                                (strcmp(parts[i].name, u->name) == 0 || (is_subexpression(u->section, u->name) &&
+                                                                         !is_subexpression(u->section, parts[i].name))));
+    return concerns;
 }
 
 bool entry_leads_to(const struct derivations *d, const char *entry, const char *equation)
 {
     struct entry_part parts[MOST_PARTS];
     const int count = entry_parts(d, entry, parts);
+    bool leads = false;
     for (int i = 0; i < count; i++) {
         const struct section *s = parts[i].section;
-        bool output = parts[i].relation != NULL, leads = false;
-        for (int k = 0; k < s->output_count; k++)
-            output = output || strcmp(s->outputs[k]->name, parts[i].name) == 0;
-        for (int k = 0; k < s->numbers; k++) /* a named subexpression is of all the section's equations */
-            leads = leads || strcmp(output ? parts[i].equation : s->equations[k], equation) == 0;
-        if (leads)
-            return true;
+        const bool of_all = is_subexpression(s, parts[i].name); /* of the section's equations */
+        for (int k = 0; k < s->numbers; k++)
+            leads = leads || strcmp(of_all ? s->equations[k] : parts[i].equation, equation) == 0;
     }
-    return false;
+    return leads;
 }
 
 /* ---- alterations ---- */
@@ -185,13 +185,12 @@ static void table_close(struct table *x)
     free(x->map);
 }
 
-/* What to alter: what an entry stands for, or a part, of a relation one side; where all that is NULL, everything. */
+/* What to alter: what an entry stands for, or a part; where all that is NULL, everything. */
 struct target {
     enum change change;
     int node; /* of the part's program, which changes */
     const char *entry;
     const struct entry_part *part;
-    int side;
 };
 
 static bool concerns(const struct table *x, const struct target *target, const struct use *u)
@@ -201,10 +200,7 @@ static bool concerns(const struct table *x, const struct target *target, const s
         return entry_concerns(x->d, target->entry, u);
     if (part == NULL)
         return true;
-    if (part->relation != NULL)
-        return u->relation == part->relation && u->part == target->side;
-    return u->relation == NULL && u->section == part->section && u->formulas == &part->section->corrected &&
-           (target->change >= CHANGE_SIGN || u->part == part->node);
+    return u->formulas == part->formulas && (target->change >= CHANGE_SIGN || u->part == part->node);
 }
 
 /* Marks what a target alters; all uses of one formula have one pair. */
@@ -221,7 +217,7 @@ static void mark(struct table *x, const struct target *target)
             continue;
         for (int k = 0; k < i; k++) {
             const struct use *other = &x->t.uses[k];
-            if (other->formulas == u->formulas && other->relation == u->relation && other->part == u->part)
+            if (other->formulas == u->formulas && other->part == u->part)
                 x->mark[at] = x->mark[other->node];
         }
         x->mark[at] = target->change >= CHANGE_SIGN ? 1 : x->mark[at] > 0 ? x->mark[at] : ++pairs;
@@ -432,8 +428,8 @@ static bool nothing_beyond(struct table *table)
     for (int i = 0; i < t->use_count + lines->use_count; i++) {
         const struct use *u = i < t->use_count ? &t->uses[i] : &lines->uses[i - t->use_count];
         if (!is_named(table, u))
-            return refuse(table, table->s->node, 0, "it rests on %s%s, which neither from nor to names, nor also with a reason",
-                          u->relation ? "a relation of " : "", u->section->id);
+            return refuse(table, table->s->node, 0, "it rests on %s, which neither from nor to names, nor also with a reason",
+                          u->section->id);
     }
     const struct yaml *also = under(table->s->node, "also");
     for (int i = 0; also != NULL && i < also->count; i++) {
@@ -510,9 +506,7 @@ static bool is_general(struct table *table, int to, const struct entry_part *par
     const struct identities *t = &table->s->corrected;
     bool general = table->s->where != NULL;
     for (int i = 0; i < t->use_count && !general; i++)
-        general = t->uses[i].section == part->section && t->uses[i].relation == NULL &&
-                  t->uses[i].formulas == &part->section->corrected && t->uses[i].part == part->node &&
-                  fills_open_set(t, &t->uses[i]);
+        general = t->uses[i].formulas == part->formulas && t->uses[i].part == part->node && fills_open_set(t, &t->uses[i]);
     return general || refuse(table, item(table, "to", to), 0,
                              "%s is shown for some values of its inputs alone, expected free ones, or 'where' to say which",
                              part->name);
@@ -583,19 +577,12 @@ static bool all_changes_tell(struct table *table, int to, const struct program *
                                     target.part->name, silent);
 }
 
-static bool relation_is_bound(struct table *table, int to, const struct entry_part *part)
+static bool side_is_bound(struct table *table, int to, const struct entry_part *part)
 {
-    bool bound = true;
-    for (int side = 0; side < 2 && bound; side++) {
-        struct program p;
-        const struct target target = {.change = CHANGE_ANY, .part = part, .side = side};
-        const int wanted = relation_program(&p, table->d->sheet, part->relation, side == 1);
-        bound = tells(table, target) ||
-                refuse(table, item(table, "to", to), 0, "%s stands in no equality as a whole: a side is not shown", part->name);
-        bound = bound && all_changes_tell(table, to, &p, wanted, target);
-        program_clear(&p);
-    }
-    return bound;
+    const struct target target = {.change = CHANGE_ANY, .part = part};
+    if (!tells(table, target))
+        return refuse(table, item(table, "to", to), 0, "%s stands in no equality as a whole: a side is not shown", part->name);
+    return all_changes_tell(table, to, &part->formulas->program, part->node, target);
 }
 
 static bool output_is_bound(struct table *table, int to, const struct entry_part *part)
@@ -633,7 +620,7 @@ static bool all_shown(struct table *table)
         const int count = entry_parts(table->d, table->s->to[i], parts);
         for (int k = 0; k < count; k++)
             if (!is_new(table, i, &parts[k]) ||
-                !(parts[k].relation != NULL ? relation_is_bound : output_is_bound)(table, i, &parts[k]))
+                !(parts[k].formulas != &parts[k].section->corrected ? side_is_bound : output_is_bound)(table, i, &parts[k]))
                 return false;
     }
     return true;

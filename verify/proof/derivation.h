@@ -41,12 +41,12 @@ bool step_read_remainders(const struct derivations *d, struct step *step, const 
 
 /* ---- what `from` and `to` name ---- */
 
-/* A formula that an entry stands for: an output or named subexpression of a section, or both sides of a relation. */
+/* A formula that an entry stands for: an output or named subexpression of a section, or a side of a relation. */
 struct entry_part {
     const struct section *section;
-    const struct relation *relation; /* NULL: none */
+    const struct formulas *formulas;
     int node;
-    const char *name, *equation;     /* equation: its number; NULL of a definition */
+    const char *name, *equation; /* name: of a side, the relation's text; equation: its number; NULL of a definition */
 };
 
 /* The number of an output: those that no relation has are dealt out in turn; *alone: it is this output's and no other's. */

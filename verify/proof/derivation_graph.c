@@ -48,7 +48,7 @@ static struct ground *add_open(const struct derivations *d, struct ground *g, in
         for (int u = 0; u < t->use_count; u++) {
             const struct section *s = t->uses[u].section;
             const struct program *p = &s->corrected.program;
-            for (int k = p->inputs; k < p->named && s->numbers > 0 && t->uses[u].relation == NULL; k++) {
+            for (int k = p->inputs; k < p->named && s->numbers > 0 && strchr(t->uses[u].name, '=') == NULL; k++) {
                 const int here = program_find(&t->program, p->names[k].text);
                 struct entry_part parts[MOST_PARTS];
                 char entry[128];

@@ -34,13 +34,13 @@ struct root {
     int node;
 };
 
-/* What a formula takes of the sheet or of the definitions: a node of a section's program, or a side of a relation. */
+/* What a formula takes of the sheet or of the definitions: an output, a named subexpression, a side of a relation. */
 struct use {
     const struct section *section;
-    const struct relation *relation; /* NULL: none                               */
-    const struct formulas *formulas;
-    int part;                        /* the node in the section's program; 0 left, 1 right */
-    int bound[MOST_BOUND];           /* what the section's inputs are            */
+    const struct formulas *formulas; /* the section's, as printed too, or a relation's */
+    const char *name;                /* of a side, the relation's text */
+    int part;                        /* the node in that program    */
+    int bound[MOST_BOUND];           /* what its inputs are         */
     int node, first;                 /* what it became: a node, of those from `first` on */
     int *copy;                       /* what each node of that program became; older than first, it was bound */
 };
@@ -80,9 +80,6 @@ const struct section *definition_find(const struct definitions *d, const char *i
 /* The relation of that number, the first, second ... ("1", "2" ...) of them; NULL when there is none. */
 const struct relation *relation_find(const struct sheet *sheet, const char *number, const char *index,
                                      const struct section **section);
-
-/* The program of a side of a relation; its node. */
-int relation_program(struct program *p, const struct sheet *sheet, const struct relation *relation, bool right);
 
 /* What the names of formulas may stand for, and where they are written. */
 struct scope {

@@ -258,13 +258,14 @@ static int unknown_name(struct parser *p, const char *name, const char *kind, co
 }
 
 /* Copies the part of a program into the identities', and remembers what became of it: of the map, which it keeps. */
-static int take_part(const struct reading *r, struct use u, const struct program *from, int wanted, int *map)
+static int take_part(const struct reading *r, struct use u, int *map)
 {
     struct identities *t = r->t;
+    const struct program *from = &u.formulas->program;
     for (int i = 0; i < from->inputs && i < MOST_BOUND; i++)
         u.bound[i] = map[i];
     u.first = t->program.count;
-    u.node = program_own(&t->program, u.first, program_copy_node(&t->program, from, wanted, map));
+    u.node = program_own(&t->program, u.first, program_copy_node(&t->program, from, u.part, map));
     u.copy = map;
     t->uses = xrealloc(t->uses, (size_t)t->use_count + 1, sizeof *t->uses);
     t->uses[t->use_count++] = u;
@@ -288,45 +289,31 @@ const struct relation *relation_find(const struct sheet *sheet, const char *numb
     return NULL;
 }
 
-int relation_program(struct program *p, const struct sheet *sheet, const struct relation *relation, bool right)
-{
-    struct message why;
-    size_t where, left = strcspn(relation->text, "="); /* every relation has one */
-    char *side = text_copy(relation->text);
-    side[left] = '\0';
-    program_init(p);
-    for (int i = 0; i < sheet->quantity_count; i++)
-        program_input(p, sheet->quantities[i].name);
-    const int node = program_parse(p, right ? side + left + 1 : side, &where, &why);
-    free(side);
-    return node;
-}
-
 static int read_side(struct parser *p, bool right)
 {
     const struct reading *r = p->context;
     const char *begin = p->at;
     char number[LONGEST_NAME + 1], index[LONGEST_NAME + 1] = "1";
-    struct use u = {.part = right};
-    struct program side;
+    struct use u = {.node = -1};
     p->at++;
     if (!parse_word(p, number) || (parse_symbol(p, ',') && !parse_word(p, index)))
         return -1;
     if (!parse_symbol(p, ')'))
         return parse_refuse(p, "',' or ')'");
-    u.relation = relation_find(r->scope->sheet, number, index, &u.section);
-    if (u.relation == NULL) {
+    const struct relation *relation = relation_find(r->scope->sheet, number, index, &u.section);
+    if (relation == NULL) {
         p->at = begin;
         message_set(p->why, "unknown relation %s of (%s), expected one of the sheet", index, number);
         return -1;
     }
-    const int wanted = relation_program(&side, r->scope->sheet, u.relation, right);
-    int *stand_in = xrealloc(NULL, (size_t)side.count, sizeof *stand_in);
-    for (int i = 0; i < side.count; i++)
-        stand_in[i] = i < side.inputs ? program_find(p->program, side.names[i].text) : -1;
-    const int node = take_part(r, u, &side, wanted, stand_in);
-    program_clear(&side);
-    return node;
+    const struct program *from = &relation->sides.program;
+    int *stand_in = xrealloc(NULL, (size_t)from->count, sizeof *stand_in);
+    for (int i = 0; i < from->count; i++)
+        stand_in[i] = i < from->inputs ? program_find(p->program, from->names[i].text) : -1;
+    u.formulas = &relation->sides;
+    u.name = relation->text;
+    u.part = relation->sides.outputs[right];
+    return take_part(r, u, stand_in);
 }
 
 /* (name = formula, ...) */
@@ -370,12 +357,20 @@ static const char *bind_names(const struct reading *r, const struct program *fro
     return missing;
 }
 
-static int find_output(const struct section *section, const struct formulas *f, const char *name)
+/* An output, or the last of that name in the program. */
+static bool find_output(struct use *u, const char *name)
 {
-    for (int i = 0; i < section->output_count; i++)
-        if (strcmp(section->outputs[i]->name, name) == 0)
-            return f->outputs[i];
-    return program_find(&f->program, name);
+    const struct program *p = &u->formulas->program;
+    for (int i = 0; i < p->named; i++)
+        if (strcmp(p->names[i].text, name) == 0)
+            u->name = p->names[u->part = i].text;
+    u->part = u->name != NULL ? p->names[u->part].node : -1;
+    for (int i = 0; i < u->section->output_count; i++)
+        if (strcmp(u->section->outputs[i]->name, name) == 0) {
+            u->name = u->section->outputs[i]->name;
+            u->part = u->formulas->outputs[i];
+        }
+    return u->name != NULL;
 }
 
 /* @printed, if it stands there; NULL after a complaint */
@@ -436,8 +431,7 @@ static int read_output(struct parser *p, const char *id)
     if (u.formulas == NULL)
         return -1;
     const struct program *from = &u.formulas->program;
-    u.part = find_output(u.section, u.formulas, name);
-    if (u.part < 0) {
+    if (!find_output(&u, name)) {
         p->at = behind;
         return unknown_name(p, name, "output", "an output or a named subexpression of that section");
     }
@@ -447,7 +441,7 @@ static int read_output(struct parser *p, const char *id)
     if (*p->at != '(' || (p->at++, read_bindings(p, from, stand_in))) {
         const char *missing = bind_names(r, from, u.part, stand_in);
         if (missing == NULL)
-            return take_part(r, u, from, u.part, stand_in);
+            return take_part(r, u, stand_in);
         message_set(p->why, "nothing here is called '%s', expected %s = ... in brackets after %s", missing, missing, name);
     }
     free(stand_in);

@@ -15,6 +15,8 @@ void sheet_clear(struct sheet *s)
     for (int i = 0; i < s->section_count; i++) {
         formulas_clear(&s->sections[i].corrected);
         formulas_clear(&s->sections[i].printed);
+        for (int k = 0; k < s->sections[i].relation_count; k++)
+            formulas_clear(&s->sections[i].relations[k].sides);
         free(s->sections[i].relations);
         free(s->sections[i].specials);
         free(s->sections[i].mistakes);

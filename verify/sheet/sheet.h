@@ -50,7 +50,8 @@ struct formulas {
 
 struct relation {
     const char *equation;       /* "6a" */
-    const char *text; /* "left = right" */
+    const char *text;           /* "left = right" */
+    struct formulas sides;      /* over the quantities; outputs 0 and 1 */
 };
 
 /* A golden vector of its own: the paper's case with some inputs replaced, NULL where not. */

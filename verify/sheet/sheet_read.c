@@ -307,28 +307,23 @@ static const struct field relation_fields[] = {FIELD("equation", struct relation
                                                FIELD("holds", struct relation, text, FIELD_TEXT, .expected = "left = right"),
                                                {.key = NULL}};
 
-/* Both sides of a relation are formulas over the quantities: parsed to be sure, kept as text. */
-static bool check_relation(const struct sheet *s, const struct yaml *n)
+static bool read_relation(const struct sheet *s, const struct yaml *n, struct formulas *f)
 {
     const char *sign = strchr(n->text, '=');
-    struct program p;
-    int sides[2];
     if (sign == NULL)
         return node_error(n, 0, "expected left = right");
-    program_init(&p);
     for (int i = 0; i < s->quantity_count; i++)
-        program_input(&p, s->quantities[i].name);
-    const bool fine = read_sides(&p, n, sign, 1, sides);
-    program_clear(&p);
-    return fine;
+        program_input(&f->program, s->quantities[i].name);
+    return read_sides(&f->program, n, sign, 1, f->outputs);
 }
 
 static bool read_relations(const struct sheet *sheet, const struct yaml *list, struct section *s)
 {
-    for (int i = 0; list != NULL && i < list->count; i++)
-        if (!fields_read(&list->items[i], relation_fields, APPENDED(s->relations, s->relation_count)) ||
-            !check_relation(sheet, under(&list->items[i], "holds")))
+    for (int i = 0; list != NULL && i < list->count; i++) {
+        struct relation *r = APPENDED(s->relations, s->relation_count);
+        if (!fields_read(&list->items[i], relation_fields, r) || !read_relation(sheet, under(&list->items[i], "holds"), &r->sides))
             return false;
+    }
     return true;
 }
 
