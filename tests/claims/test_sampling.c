@@ -1,11 +1,15 @@
 /*
  * How long the law may be held, and how late it may act, by other roads than the program's: the multipliers of the exact matrix
  * exponential of the model with its charge held, and the zeros of the characteristic function counted by how often its
- * values turn around 0.
+ * values turn around 0. Motions are followed by the classical Runge-Kutta method in double, by (3) and the law as they are said.
  */
+#include "claims/pitch.h"
 #include "claims/sampling.h"
+#include "tests/paper.h"
 #include "tests/run.h"
 #include "text/scope.h"
+
+#include <string.h>
 
 #include <complex.h> /* after FLINT, which has names I of its own */
 
@@ -122,6 +126,123 @@ START_TEST(what_few_bits_do_not_prove_stays_open)
 }
 END_TEST
 
+/* ---- motions: x y z and rates, in radians of orbit and units of the arm ---- */
+
+struct held_or_moved {
+    double c1, c2, S_re, S_im;
+    bool held;
+    double command; /* Q/Q_ref, where it is held */
+};
+
+static void distance(const double s[6], double *r, double *rate)
+{
+    *r = sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+    *rate = (s[0] * s[3] + s[1] * s[4] + s[2] * s[5]) / *r;
+}
+
+/* Q/Q_ref, the length asked for being 1 + sigma */
+static double command(const struct held_or_moved *l, const double s[6])
+{
+    double r, rate;
+    distance(s, &r, &rate);
+    const double sine = s[2] / r, sine_rate = s[5] / r - s[2] * rate / (r * r);
+    const double sigma = l->S_re * (sine * sine - sine_rate * sine_rate / 4) + l->S_im * sine * sine_rate;
+    return 1 + (l->c1 * (r - 1 - sigma) + l->c2 * rate) / 3;
+}
+
+static void motion(const struct held_or_moved *l, const double s[6], double f[6])
+{
+    double r, rate;
+    distance(s, &r, &rate);
+    const double pull = -3 * (l->held ? l->command : command(l, s)) / (r * r * r);
+    const double rates[] = {s[3], s[4], s[5], 2 * s[4] + 3 * s[0] + pull * s[0], -2 * s[3] + pull * s[1], -s[2] + pull * s[2]};
+    memcpy(f, rates, sizeof rates);
+}
+
+static void follow_in_double(const struct held_or_moved *l, double s[6], double tau, int steps)
+{
+    static const double at[] = {0, 0.5, 0.5, 1}, weight[] = {1, 2, 2, 1};
+    const double h = tau / steps;
+    for (int k = 0; k < steps; k++) {
+        double sum[6] = {0}, f[6] = {0}, here[6];
+        for (int stage = 0; stage < 4; stage++) {
+            for (int i = 0; i < 6; i++)
+                here[i] = s[i] + h * at[stage] * f[i];
+            motion(l, here, f);
+            for (int i = 0; i < 6; i++)
+                sum[i] += weight[stage] * f[i];
+        }
+        for (int i = 0; i < 6; i++)
+            s[i] += h * sum[i] / 6;
+    }
+}
+
+static double middle(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+START_TEST(a_held_law_moves_the_pair_as_the_reference_says)
+{
+    enum { COUNT = 20 };
+    struct held_or_moved l = {12, 4, 0, 0, true, 0};
+    double s[6] = {1.02, -0.03, 0.01, 0.001, 0.02, -0.03};
+    VECTOR(arb, start, 6);
+    VECTOR(arb, states, 6 * COUNT);
+    SCOPE(arb, c1, c2);
+    SCOPE(fmpq, T);
+    for (int i = 0; i < 6; i++)
+        arb_set_d(start + i, s[i]);
+    arb_set_ui(c1, 12);
+    arb_set_ui(c2, 4);
+    fmpq_set_si(T, 1, 4);
+    ck_assert_int_eq(hold_follow(states, start, c1, c2, T, COUNT, 10, 256), FLOW_DONE);
+    for (int k = 0; k < COUNT; k++) {
+        l.command = command(&l, s);
+        follow_in_double(&l, s, 0.25, 100);
+        for (int i = 0; i < 6; i++) /* a step errs by 0.0025^5, and grows with e^2.5 a radian where it is held */
+            ck_assert_double_eq_tol(s[i], middle(states + 6 * k + i), 1e-9);
+    }
+}
+END_TEST
+
+START_TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
+{
+    enum { TIMES = 2 };
+    struct pitch_law law;
+    VECTOR(fmpq, times, TIMES);
+    VECTOR(arb, states, 6 * TIMES);
+    SCOPE(arb, c1, c2, swing, a, ratio, tau);
+    SCOPE(arb, amplitude, eta, charge);
+    arb_set_ui(c1, 10);
+    arb_set_ui(c2, 2);
+    arb_set_d(swing, 0.01);
+    arb_set_d(a, 0.02);
+    pitch_law_init(&law, steps(), c1, c2, swing, a, BITS);
+    fmpq_set_si(times, 1, 1000);
+    fmpq_set_si(times + 1, 10, 1);
+    ck_assert_int_eq(pitch_law_follow(states, &law, times, TIMES, 12), FLOW_DONE);
+    /* from z = a the length swings in quadrature, by a hundredth: dL = 0, dL' = -4/100 */
+    pitch_law_numbers(amplitude, eta, charge, &law, states, BITS);
+    ck_assert_double_eq_tol(middle(eta), -0.04 * 0.001, 1e-7);
+    ck_assert_double_eq_tol(middle(amplitude), 0.02, 0.02 * 0.01);
+    const struct held_or_moved l = {10, 2, middle(law.S_re), middle(law.S_im), false, 0};
+    double s[6];
+    for (int i = 0; i < 6; i++)
+        s[i] = middle(states + i);
+    ck_assert_double_eq_tol(middle(charge), command(&l, s) - 1, 1e-12);
+    follow_in_double(&l, s, 9.999, 5000);
+    for (int i = 0; i < 6; i++) /* a step errs by 0.002^5 */
+        ck_assert_double_eq_tol(s[i], middle(states + 6 + i), 1e-9);
+    pitch_law_ratio(ratio, &law, tau, BITS);
+    ck_assert(arb_is_one(ratio));
+    arb_set_ui(tau, 10); /* a' = -18/13 (swing/a^2) a^3 */
+    pitch_law_ratio(ratio, &law, tau, BITS);
+    ck_assert_double_eq_tol(middle(ratio), 1 / sqrt(1 + 2 * 18.0 / 13 * 0.01 * 10), 1e-12);
+    pitch_law_clear(&law);
+}
+END_TEST
+
 SUITE(test_sampling)
 {
     Suite *s = suite_create("sampling");
@@ -130,6 +251,8 @@ SUITE(test_sampling)
                         sizeof gains / sizeof *gains);
     tcase_add_loop_test(c, no_root_is_right_of_the_axis_up_to_the_largest_delay_and_a_pair_beyond, 0,
                         sizeof gains / sizeof *gains);
+    tcase_add_test(c, a_held_law_moves_the_pair_as_the_reference_says);
+    tcase_add_test(c, a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says);
     tcase_add_test(c, what_few_bits_do_not_prove_stays_open);
     return s;
 }

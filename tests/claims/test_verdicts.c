@@ -53,6 +53,11 @@ static const struct {
     {"charge-error", "-0.2298 m, -0.09363 m"}, /* s = 1 + d */
     {"charge-error", "+0.1078 m at n = 12"},
     {"charge-error", "0.7750 % too little (n = 10), 5.078 %"}, /* 1 - 81*49/4000, 1 - 81*81/6912 */
+    /* expm of the model with its charge held and largest |eigenvalue| 1 by bisection, to 10 digits */
+    {"sampled-law", "0.41546766 (n = 10), 0.65162675 (n = 12), 0.55819849 rad"},
+    /* min over polyroots x > 0 of (pi - arg((x**2 + 2*x - 27)/((c1 + 1j*c2*sqrt(x))*(3 - x))))/sqrt(x) */
+    {"late-law", "0.18066995 (n = 10), 0.22120544 (n = 12), 0.23222548 rad"},
+    {"pitch-damped", "by the averaged law 0.004720"}, /* 0.01/sqrt(1 + 2*18/mpf(13)/100*20*86400*7.2915e-5) */
     {"screened-force", "1.0071 to 1.1 "},
     {"debye-order", "0.09516"}, /* 1 - exp(-0.1) */
     {"debye-order", "0.004679"}, /* 1 - 1.1*exp(-0.1) */

@@ -199,3 +199,58 @@ void largest_delay(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
         arb_min(limit, limit, d, prec);
     }
 }
+
+/* ---- the nonlinear motion, the law held ---- */
+
+void unit_parameters(struct flow_parameters *p, const arb_t c1, const arb_t c2)
+{
+    flow_parameters_init(p);
+    arb_one(p->Omega);
+    arb_one(p->k_c);
+    arb_one(p->m1);
+    arb_one(p->m2);
+    arb_set_ui(p->L_ref, 2);
+    arb_set(p->C1, c1);
+    arb_set(p->C2, c2);
+}
+
+void commanded(arb_t eta, arb_t rate, arb_t charge, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec)
+{
+    SCOPE(arb, r);
+    arb_dot(r, NULL, 0, state, 1, state, 1, FLOW_HALF, prec);
+    arb_sqrt(r, r, prec);
+    arb_sub_ui(eta, r, 1, prec);
+    arb_dot(rate, NULL, 0, state, 1, state + FLOW_HALF, 1, FLOW_HALF, prec);
+    arb_div(rate, rate, r, prec);
+    arb_mul(charge, c1, eta, prec);
+    arb_addmul(charge, c2, rate, prec);
+    arb_div_ui(charge, charge, 3, prec);
+}
+
+static int take_held(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    (void)k;
+    (void)t;
+    _arb_vec_set(context, state, FLOW_STATE);
+    return 0;
+}
+
+enum flow_status hold_follow(arb_ptr states, arb_srcptr start, const arb_t c1, const arb_t c2, const fmpq_t T, slong count,
+                             slong digits, slong prec)
+{
+    struct flow_parameters p;
+    enum flow_status status = FLOW_DONE;
+    double reached;
+    SCOPE(arb, eta, rate, charge);
+    unit_parameters(&p, eta, eta); /* no feedback between samples */
+    for (slong k = 0; k < count && status == FLOW_DONE; k++) {
+        arb_srcptr state = k == 0 ? start : states + FLOW_STATE * (k - 1);
+        commanded(eta, rate, charge, state, c1, c2, prec);
+        arb_add_ui(charge, charge, 1, prec);
+        arb_root_ui(charge, charge, 3, prec); /* (7): Q goes like the cube of the length that it holds */
+        arb_mul_2exp_si(p.L_ref, charge, 1);
+        status = flow_nonlinear(&p, state, T, 1, digits, prec, take_held, states + FLOW_STATE * k, &reached);
+    }
+    flow_parameters_clear(&p);
+    return status;
+}

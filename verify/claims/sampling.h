@@ -15,12 +15,25 @@
 #ifndef CT_SAMPLING_H
 #define CT_SAMPLING_H
 
-#include "text/flint.h"
+#include "motion/flow.h"
 
 /* The model comes to rest for every T in (0, limit), and not at the limit; indeterminate where prec does not suffice. */
 void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec);
 
 /* The same for every d in [0, limit). */
 void largest_delay(arb_t limit, const arb_t c1, const arb_t c2, slong prec);
+
+/* Parameters of a pair in radians of orbit and units of the arm of craft 1, r_ref = 1; to be cleared. */
+void unit_parameters(struct flow_parameters *p, const arb_t c1, const arb_t c2);
+
+/* r - 1 and r' of craft 1, and the charge product over Q_ref less 1 that (18) commands there. */
+void commanded(arb_t eta, arb_t rate, arb_t charge, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec);
+
+/*
+ * The nonlinear motion with the law held for T again and again, from a state in these units: after each T the state, FLOW_STATE
+ * numbers each time. Under a held charge the pair moves as without feedback about the length which that charge holds.
+ */
+enum flow_status hold_follow(arb_ptr states, arb_srcptr start, const arb_t c1, const arb_t c2, const fmpq_t T, slong count,
+                             slong digits, slong prec);
 
 #endif

@@ -46,6 +46,7 @@ struct flow {
     slong prec, bits;                  /* a step leaves out 2^-bits of the distance, roughly     */
     int direction;                     /* of time, 1 or -1                                       */
     bool proving;
+    const struct system *system;
     double proposed;                   /* a step, or 0: what the series propose                   */
     arf_t now;                         /* radians of orbit where the step starts; exact          */
     struct lohner set;
@@ -65,6 +66,7 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     const slong a_priori_order = how->derivative_order != 0 ? how->derivative_order : A_PRIORI_ORDER;
     f->proposed = how->step;
     f->proving = !how->unproved;
+    f->system = how->system != NULL ? how->system : &closed_loop;
     arb_init(f->Omega);
     arb_init(f->c1);
     arb_init(f->c2);
@@ -72,13 +74,13 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     arb_init(f->speed);
     arf_init(f->now);
     lohner_init(&f->set);
-    jet_init(&f->path, &closed_loop, order);
-    jet_init(&f->a_priori, &closed_loop, a_priori_order);
+    jet_init(&f->path, f->system, order);
+    jet_init(&f->a_priori, f->system, a_priori_order);
     for (int j = 0; j < FLOW_STATE; j++)
-        jet_init(&f->column[j], &closed_loop, a_priori_order);
-    majorant_init(&f->path_bound, &closed_loop, order);
-    majorant_init(&f->a_priori_bound, &closed_loop, a_priori_order);
-    majorant_init(&f->spread_bound, &closed_loop, a_priori_order);
+        jet_init(&f->column[j], f->system, a_priori_order);
+    majorant_init(&f->path_bound, f->system, order);
+    majorant_init(&f->a_priori_bound, f->system, a_priori_order);
+    majorant_init(&f->spread_bound, f->system, a_priori_order);
     f->power = _arb_vec_init(FLINT_MAX(order, a_priori_order) + 1);
     f->state = _arb_vec_init(FLOW_STATE);
     arb_init(f->s);
@@ -106,7 +108,7 @@ static void flow_clear(struct flow *f)
 }
 
 /* Into radians of orbit and units of r_ref. A quotient that is exact stays so. */
-static void set_problem(struct flow *f, const struct flow_parameters *p, arb_srcptr initial)
+static void set_problem(struct flow *f, const struct flow_steps *how, const struct flow_parameters *p, arb_srcptr initial)
 {
     VECTOR(arb, state, FLOW_STATE);
     SCOPE(arb, mass);
@@ -123,6 +125,11 @@ static void set_problem(struct flow *f, const struct flow_parameters *p, arb_src
     lohner_from_box(&f->set, state);
     jet_constants(&f->path, f->c1, f->c2);
     jet_constants(&f->a_priori, f->c1, f->c2);
+    const int first = f->system->series + closed_loop.all - closed_loop.series;
+    for (int v = first; v < f->system->all; v++) {
+        arb_set(f->path.c[v], how->constants + v - first);
+        arb_set(f->a_priori.c[v], how->constants + v - first);
+    }
 }
 
 /* q = 1/|x| of the state whose coefficients 0 stand in the jet */
@@ -387,7 +394,7 @@ enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct fl
     struct flow f;
     flow_init(&f, prec, how);
     f.direction = direction;
-    set_problem(&f, p, initial);
+    set_problem(&f, how, p, initial);
     enum flow_status status = follow(&f, initial, times, count, digits, receive, context, reached);
     flow_clear(&f);
     return status;

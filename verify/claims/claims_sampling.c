@@ -1,0 +1,119 @@
+/* The law held between samples or acting late, and a reference length that moves with pitch. Units: see sampling.h, pitch.h. */
+#include "claims/claim.h"
+#include "claims/pitch.h"
+#include "claims/sampling.h"
+#include "claims/trajectory.h"
+#include "motion/motion.h"
+#include "text/decimal.h"
+#include "text/scope.h"
+
+enum { SAMPLING_BITS = 192 };
+
+/* By (44) where c2 is 0. */
+static const struct {
+    const char *name;
+    ulong c1, c2;
+} sampled_gains[] = {{"10", 10, 0}, {"12", 12, 0}, {"best", 12, 4}};
+enum { SAMPLED_GAINS = 3 };
+
+static void set_gains(arb_t c1, arb_t c2, int k)
+{
+    arb_set_ui(c1, sampled_gains[k].c1);
+    arb_sqrt_ui(c2, 4 * (sampled_gains[k].c1 - 9), SAMPLING_BITS);
+    if (sampled_gains[k].c2 != 0)
+        arb_set_ui(c2, sampled_gains[k].c2);
+}
+
+static void sampling(struct computed *c)
+{
+    SCOPE(arb, c1, c2, limit);
+    for (int k = 0; k < SAMPLED_GAINS; k++) {
+        set_gains(c1, c2, k);
+        largest_hold(limit, c1, c2, SAMPLING_BITS);
+        give(c, CERTIFIED, true, limit, "hold_%s", sampled_gains[k].name);
+        largest_delay(limit, c1, c2, SAMPLING_BITS);
+        give(c, CERTIFIED, true, limit, "delay_%s", sampled_gains[k].name);
+    }
+}
+
+/* The paper's start with its gains, the law held for 0.2077 rad: |dL|/L_ref and the angle to the radius after whole days. */
+static void held_motion(struct computed *c)
+{
+    enum { A_DAY = 30, DAYS = 3, DIGITS = 10, BITS = 320 }; /* restarts from a box lose some 10 bits a radian */
+    static const char *const names[FLOW_STATE] = {"psi", "theta", "dL"};
+    struct flow_parameters p;
+    VECTOR(arb, start, FLOW_STATE);
+    VECTOR(arb, states, FLOW_STATE * A_DAY * DAYS);
+    SCOPE(fmpq, T);
+    SCOPE(arb, c1, c2, eta, rate, charge, across);
+    set_gains(c1, c2, 0);
+    unit_parameters(&p, c1, c2);
+    for (int i = 0; i < FLOW_HALF; i++)
+        sheet_value(start + i, sheet_of(c), names[i], BITS);
+    sheet_value(eta, sheet_of(c), "L_ref", BITS);
+    arb_div(start + 2, start + 2, eta, BITS);
+    arb_mul(start + 2, start + 2, p.L_ref, BITS);
+    state_from_angles(start, sheet_of(c), &p, BITS);
+    flow_parameters_clear(&p);
+    fmpq_set_si(T, 2077, 10000);
+    const bool proved = hold_follow(states, start, c1, c2, T, A_DAY * DAYS, DIGITS, BITS) == FLOW_DONE;
+    arb_set_fmpq(rate, T, BITS);
+    give(c, CERTIFIED, true, rate, "hold");
+    for (int day = 1; day <= DAYS; day++) {
+        arb_srcptr state = states + FLOW_STATE * (A_DAY * day - 1);
+        commanded(eta, rate, charge, state, c1, c2, BITS);
+        arb_atan2(across, state + 1, state, BITS);
+        arb_abs(across, across);
+        arb_abs(eta, eta);
+        give(c, CERTIFIED, proved, eta, "length_%d", day);
+        give(c, CERTIFIED, proved, across, "yaw_%d", day);
+    }
+}
+
+/* From 0.01 rad with a swing of 1/100 at the start, for 20 days: every hour; and the averaged law's amplitude in the end. */
+static void damped(struct computed *c)
+{
+    enum { HOURS = 480, DIGITS = 12 };
+    struct pitch_law l;
+    VECTOR(arb, states, FLOW_STATE * HOURS);
+    VECTOR(fmpq, times, HOURS);
+    SCOPE(arb, c1, c2, a, amplitude, law, gap, tau);
+    SCOPE(arb, charge, swing, eta, product);
+    literal_read(times, quantity_find(sheet_of(c), "Omega")->value, true);
+    for (slong k = HOURS - 1; k >= 0; k--)
+        fmpq_mul_si(times + k, times, 3600 * (k + 1));
+    sheet_value(a, sheet_of(c), "theta", SAMPLING_BITS);
+    arb_set_ui(swing, 1);
+    arb_div_ui(swing, swing, 100, SAMPLING_BITS);
+    for (int k = 0; k < SAMPLED_GAINS; k += 2) {
+        set_gains(c1, c2, k);
+        pitch_law_init(&l, steps_of(c), c1, c2, swing, a, SAMPLING_BITS);
+        const bool proved = pitch_law_follow(states, &l, times, HOURS, DIGITS) == FLOW_DONE;
+        arb_zero(gap);
+        arb_zero(charge);
+        for (slong i = 0; i < HOURS; i++) {
+            pitch_law_numbers(amplitude, eta, product, &l, states + FLOW_STATE * i, SAMPLING_BITS);
+            arb_set_fmpq(tau, times + i, SAMPLING_BITS);
+            pitch_law_ratio(law, &l, tau, SAMPLING_BITS);
+            arb_mul(law, law, a, SAMPLING_BITS);
+            arb_sub(tau, amplitude, law, SAMPLING_BITS);
+            arb_div(tau, tau, law, SAMPLING_BITS);
+            arb_abs(tau, tau);
+            arb_max(gap, gap, tau, SAMPLING_BITS);
+            arb_abs(product, product);
+            arb_max(charge, charge, product, SAMPLING_BITS);
+        }
+        give(c, CERTIFIED, proved, amplitude, "amplitude_%s", sampled_gains[k].name);
+        give(c, CERTIFIED, proved, law, "law_%s", sampled_gains[k].name);
+        give(c, CERTIFIED, proved, gap, "gap_%s", sampled_gains[k].name);
+        give(c, CERTIFIED, proved, charge, "charge_%s", sampled_gains[k].name);
+        pitch_law_clear(&l);
+    }
+}
+
+const struct computation computations_sampling[] = {
+    {"sampling", sampling, "hold_10 hold_12 hold_best delay_10 delay_12 delay_best", NULL},
+    {"held_motion", held_motion, "hold length_1 length_2 length_3 yaw_1 yaw_2 yaw_3", NULL},
+    {"damped", damped, "amplitude_10 law_10 gap_10 charge_10 amplitude_best law_best gap_best charge_best", NULL},
+    {NULL, NULL, NULL, NULL},
+};
