@@ -178,12 +178,12 @@ static bool is_borne(const struct pair *p, double ramp, const double start[6])
     static const double h = 0.01, weights[] = {0, 0.5, 0.5, 1};
     double x[6];
     memcpy(x, start, sizeof x);
-    for (double t = 0; t < ramp + 300; t += h) {
+    for (int step = 0; step * h < ramp + 300; step++) {
         double k[5][6] = {{0}}, at[6];
         for (int stage = 0; stage < 4; stage++) {
             for (int i = 0; i < 6; i++)
                 at[i] = x[i] + h * weights[stage] * k[stage][i];
-            rates(k[stage + 1], p, grown(ramp > 0 ? t / ramp : 1), at);
+            rates(k[stage + 1], p, grown(ramp > 0 ? step * h / ramp : 1), at);
         }
         for (int i = 0; i < 6; i++)
             x[i] += h / 6 * (k[1][i] + 2 * k[2][i] + 2 * k[3][i] + k[4][i]);
