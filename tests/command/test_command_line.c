@@ -103,6 +103,7 @@ static const struct {
     {"eval", 2, "operation"},
     {"eval eq077", 2, "did you mean 'eq07'"},
     {"eval eq08", 2, "definition"},
+    {"eval -- eq07", 2, "unknown option '--'\n"}, /* near to -o in no more than its dashes */
     {"eval eq07 " TABLE1 " extra", 2, "extra"},
     {"eval eq07 " TABLE1 " ''", 2, "empty"},
     {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150", 2, "missing L [m]; --table1"},

@@ -72,10 +72,11 @@ static size_t edit_distance(const char *a, const char *b)
 const char *nearest_name(const char *mistaken, const char *const *known, size_t count)
 {
     const char *nearest = NULL;
-    size_t least = 4; /* further away than three edits is no suggestion */
+    const size_t letters = strlen(mistaken + strspn(mistaken, "-")); /* something of them stays */
+    size_t least = letters < 4 ? letters : 4;                        /* further away than three edits is no suggestion */
     for (size_t i = 0; i < count; i++) {
         size_t distance = edit_distance(mistaken, known[i]);
-        if (distance < least && distance < strlen(mistaken)) {
+        if (distance < least) {
             least = distance;
             nearest = known[i];
         }
