@@ -12,9 +12,7 @@
  * radius at the second equilibrium, r = outer, never passes that distance. At constant charge n = c2 = 0, and E is
  * conserved. The claim basin-at-rest proves all this.
  *
- * A bounded motion in the orbit plane comes to one with r' = 0 throughout (LaSalle). There, phi being the angle
- * from the radius, phi'^2 + 2 phi' + 3 cos^2 phi + P = 0 and phi'' = -3 sin phi cos phi; the derivative of
- * the first is 2 phi'' (2 phi' + 1) = 0, so phi' is constant, sin phi cos phi = 0, and the pair at rest.
+ * Without bounds of the charges and with C2 > 0 all that stays within comes to rest, in space too: claim basin-converges.
  */
 #ifndef CT_BASIN_H
 #define CT_BASIN_H
