@@ -94,7 +94,7 @@ SONAME  := libcoulombtether.so.$(firstword $(subst ., ,$(VERSION)))
 # What gate, weaver and README read of the proofs, of the measured errors and of the verdicts.
 EVIDENCE := $(BUILD)/derivations.json $(BUILD)/errors.json $(BUILD)/claims.json
 TABLES  := $(DATA)/table1.csv $(patsubst %,$(DATA)/figure%.csv,4 5a 5b 6 7a 7b)
-STUDIES := $(patsubst %,$(DATA)/%.csv,convergence forced pitch basin saturation tolerance balance)
+STUDIES := $(patsubst %,$(DATA)/%.csv,convergence forced pitch basin saturation tolerance balance sampling)
 # The operations: every section of the sheet that has outputs.
 OPERATIONS := $(shell awk '/^equations:/ { on = 1 } on && /^  [a-z0-9_]+:$$/ { id = $$1; sub(":", "", id) } \
   on && /^    outputs:/ { print id }' paper/equations.yaml 2>/dev/null)

@@ -33,6 +33,7 @@ static const struct {
     {"basin", "Basin of rest at L_ref: separatrix level and the largest boxes in it, for gains from n = 9.5 to 40"},
     {"saturation", "Basin of rest at L_ref where a craft's charge has a bound"},
     {"tolerance", "Errors that stay: how much of each the pair bears, for gains from n = 9.5 to 40"},
+    {"sampling", "How long the law may be held between samples, and how late it may act, for gains from n = 9.5 to 40"},
     {"balance", "Lengths of rest on the radius, with the force or the push that moves rest there"},
     {"pitch", "Pitch of 0.2 rad over 30 days: its amplitude, against the slow law"},
 };
@@ -87,6 +88,8 @@ static const struct column {
     {"c1", "number", NULL, "gain C1 over Omega^2"},
     {"c2", "number", NULL, "gain C2 over Omega"},
     {"charge", "number", NULL, "most that a craft can bear, over its charge at rest"},
+    {"hold", "number", "1/Omega", "time for which the law may be held: below it all multipliers lie inside the unit circle"},
+    {"delay", "number", "1/Omega", "time by which the law may act late: below it all roots have negative real parts"},
     {"rest", "number", "L_ref", "length of rest on the radius"},
     {"force", "number", NULL, "part of the commanded force under which that is a length of rest, where the command attracts"},
     {"push", "number", "Omega^2 L_ref", "acceleration of craft 1 relative to craft 2, outward, under which it is one"},

@@ -5,6 +5,7 @@
 
 #include "claims/convergence.h"
 #include "claims/guarantee.h"
+#include "claims/sampling.h"
 #include "claims/second_order.h"
 #include "command/command.h"
 #include "proof/proof_results.h"
@@ -137,6 +138,17 @@ static const struct {
     {"24", NULL},  {"28", NULL}, {"32", NULL},   {"36", NULL}, {"40", NULL},
 };
 
+static void set_study_gains(arb_t c1, arb_t c2, size_t gain)
+{
+    const char *text = guaranteed_gains[gain].c2;
+    arb_set_str(c1, guaranteed_gains[gain].c1, STUDY_BITS);
+    arb_sub_ui(c2, c1, 9, STUDY_BITS);
+    arb_sqrt(c2, c2, STUDY_BITS);
+    arb_mul_2exp_si(c2, c2, 1);
+    if (text != NULL)
+        arb_set_str(c2, text, STUDY_BITS);
+}
+
 /* c1, c2; the bound of the charge over the charge at rest, if there is one; and the numbers from `first` to before `end`. */
 static bool print_guaranteed(size_t gain, const char *charge, const char *first, const char *end)
 {
@@ -144,13 +156,7 @@ static bool print_guaranteed(size_t gain, const char *charge, const char *first,
     SCOPE(arb, c1, c2, y);
     arb_srcptr numbers[GUARANTEES];
     int count = 0;
-    const char *c2_text = guaranteed_gains[gain].c2;
-    arb_set_str(c1, guaranteed_gains[gain].c1, STUDY_BITS);
-    arb_sub_ui(c2, c1, 9, STUDY_BITS);
-    arb_sqrt(c2, c2, STUDY_BITS);
-    arb_mul_2exp_si(c2, c2, 1);
-    if (c2_text != NULL)
-        arb_set_str(c2, c2_text, STUDY_BITS);
+    set_study_gains(c1, c2, gain);
     if (charge != NULL) {
         arb_set_str(y, charge, STUDY_BITS);
         arb_sqr(y, y, STUDY_BITS);
@@ -205,6 +211,26 @@ static bool print_tolerance(const struct derivations *steps)
     return print_guarantees(unbounded, 1, "deficit", "");
 }
 
+/* How long the law may be held, and how late it may act, in radians of orbit. */
+static bool print_sampling(const struct derivations *steps)
+{
+    bool proved = true;
+    SCOPE(arb, c1, c2, hold, delay);
+    (void)steps;
+    puts("c1,c2,hold,delay");
+    for (size_t gain = 0; gain < sizeof guaranteed_gains / sizeof *guaranteed_gains; gain++) {
+        arb_srcptr second = c2, numbers[] = {hold, delay};
+        set_study_gains(c1, c2, gain);
+        largest_hold(hold, c1, c2, STUDY_BITS);
+        largest_delay(delay, c1, c2, STUDY_BITS);
+        printf("%s", guaranteed_gains[gain].c1);
+        proved = print_study_numbers(&second, 1, STUDY_DIGITS) && proved;
+        proved = print_study_numbers(numbers, 2, ROW_DIGITS) && proved;
+        putchar('\n');
+    }
+    return proved;
+}
+
 static void print_rational(const fmpq_t x)
 {
     char *text = decimal_of_rational(x, ROW_DIGITS);
@@ -250,10 +276,10 @@ int command_study(const struct arguments *a)
         bool (*print)(const struct derivations *);
     } tables[] = {
         {"convergence", print_convergence}, {"forced", print_forced}, {"pitch", print_pitch}, {"basin", print_basin},
-        {"saturation", print_saturation}, {"tolerance", print_tolerance}, {"balance", print_balance},
+        {"saturation", print_saturation}, {"tolerance", print_tolerance}, {"balance", print_balance}, {"sampling", print_sampling},
     };
     enum { TABLES = sizeof tables / sizeof *tables };
-    static const char expected[] = "study: expected convergence, forced, pitch, basin, saturation, tolerance or balance";
+    static const char expected[] = "study: expected convergence, forced, pitch, basin, saturation, tolerance, balance or sampling";
     const char *names[TABLES];
     char hint[80];
     if (a->word_count == 0)

@@ -33,7 +33,7 @@ const struct subcommand subcommands[] = {
      "The proofs: of the derivation steps between the equations, with bounds of what they drop (derivations); of every claim "
      "of the paper, with its verdict (claims); the reference library's error, measured against the truth on random inputs "
      "(errors). Without a word, all three."},
-    {"study", command_study, {"convergence|forced|pitch|basin|saturation|tolerance|balance"}, 1,
+    {"study", command_study, {"convergence|forced|pitch|basin|saturation|tolerance|balance|sampling"}, 1,
      "Beyond the paper, as CSV: the observed orders of its approximations (convergence), what pitch forces on length and yaw "
      "(forced), and the slow decay of pitch itself (pitch), beside their closed forms. Every digit is certified."},
     {"vectors", command_vectors, {"ID --count N --seed S", "ID --golden"}, 1,
