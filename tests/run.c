@@ -57,6 +57,51 @@ void suite_add(struct named_suite *s)
     suites = s;
 }
 
+/* By file and line, in whichever order they come: constructors have none. */
+static struct test_mark *marks;
+
+void test_mark_add(struct test_mark *m)
+{
+    struct test_mark **at = &marks;
+    while (*at != NULL && (strcmp((*at)->file, m->file) < 0 || (strcmp((*at)->file, m->file) == 0 && (*at)->line < m->line)))
+        at = &(*at)->next;
+    m->next = *at;
+    *at = m;
+}
+
+static const char *base_name(const char *file)
+{
+    const char *slash = strrchr(file, '/');
+    return slash != NULL ? slash + 1 : file;
+}
+
+/* The marks of one file, and where those of the next begin. */
+static Suite *suite_of(const struct test_mark *first, const struct test_mark *after)
+{
+    const char *name = base_name(first->file);
+    Suite *all = suite_create(name);
+    TCase *tests = NULL;
+    for (const struct test_mark *m = first; m != after; m = m->next) {
+        if (m->test == NULL || tests == NULL) {
+            tests = tcase_create(m->name != NULL ? m->name : name);
+            tcase_set_timeout(tests, 120); /* s, under valgrind on a busy machine */
+            tcase_add_checked_fixture(tests, m->begin, m->end);
+            suite_add_tcase(all, tests);
+        }
+        if (m->test != NULL)
+            tcase_add_loop_test(tests, *m->test, m->first(), m->last());
+    }
+    return all;
+}
+
+static const struct test_mark *next_file(const struct test_mark *m)
+{
+    const char *file = m->file;
+    while (m != NULL && strcmp(m->file, file) == 0)
+        m = m->next;
+    return m;
+}
+
 /* Where the environment does not say where things were built, they were where this program was: in BUILD/tests/. */
 static void find_build(const char *program)
 {
@@ -75,10 +120,11 @@ static void find_build(const char *program)
     free(build);
 }
 
-static bool is_asked_for(const struct named_suite *s, int count, char **names)
+static bool is_asked_for(const char *file, int count, char **names)
 {
+    const char *name = base_name(file);
     for (int i = 1; i < count; i++)
-        if (strcmp(names[i], s->name) == 0)
+        if (strncmp(names[i], name, strlen(names[i])) == 0 && strcmp(name + strlen(names[i]), ".c") == 0)
             return true;
     return count <= 1;
 }
@@ -90,16 +136,25 @@ int main(int count, char **names)
     int found = 0;
 
     find_build(names[0]);
-    for (const struct named_suite *s = suites; s != NULL; s = s->next) {
-        if (!is_asked_for(s, count, names))
+    for (const struct test_mark *m = marks; m != NULL; m = next_file(m)) {
+        if (!is_asked_for(m->file, count, names))
             continue;
-        srunner_add_suite(runner, s->make());
+        srunner_add_suite(runner, suite_of(m, next_file(m)));
         found++;
+    }
+    for (const struct named_suite *s = suites; s != NULL; s = s->next) {
+        bool asked = count <= 1;
+        for (int i = 1; i < count; i++)
+            asked = asked || strcmp(names[i], s->name) == 0;
+        if (asked) {
+            srunner_add_suite(runner, s->make());
+            found++;
+        }
     }
     if (found < count - 1) {
         fprintf(stderr, "%s: not all of these suites are here; there are:", names[0]);
-        for (const struct named_suite *s = suites; s != NULL; s = s->next)
-            fprintf(stderr, " %s", s->name);
+        for (const struct test_mark *m = marks; m != NULL; m = next_file(m))
+            fprintf(stderr, " %.*s", (int)(strlen(base_name(m->file)) - strlen(".c")), base_name(m->file));
         fputc('\n', stderr);
         srunner_free(runner);
         return EXIT_FAILURE;

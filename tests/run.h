@@ -9,7 +9,42 @@
 
 #include <check.h>
 
-/* The tests of a file, by its name: SUITE(test_flow) { ... } makes the suite. What is linked is known to run.c by itself. */
+/*
+ * A file of tests is a suite of its name, and knows of its tests where they stand: TEST(name) { ... } is one, EACH(name, count) { ... }
+ * one for each _i from 0 to count - 1, RANGE(name, from, to) one for each from `from` to to - 1. CASE(name, begin, end) begins a case
+ * of tests that run by themselves on CK_RUN_CASE=name; begin() before each of them and end() after it, where not NULL.
+ */
+struct test_mark {
+    const char *file;
+    int line;
+    const char *name;             /* of the case that begins; NULL at a test */
+    const TTest *const *test;
+    int (*first)(void), (*last)(void);
+    void (*begin)(void), (*end)(void);
+    struct test_mark *next;
+};
+void test_mark_add(struct test_mark *m);
+
+#define COUNT(table) ((int)(sizeof(table) / sizeof(table)[0]))
+#define TEST(name) RANGE(name, 0, 1)
+#define EACH(name, count) RANGE(name, 0, count)
+#define RANGE(name, from, to) \
+    static const TTest *name; \
+    static int name##_first(void) { return (int)(from); } \
+    static int name##_last(void) { return (int)(to); } \
+    MARK(name##_mark, NULL, &name, name##_first, name##_last, NULL, NULL) \
+    START_TEST(name)
+#define CASE(name, begin, end) CASE_AT(name, begin, end, __LINE__)
+#define CASE_AT(name, begin, end, line) CASE_MARKED(name, begin, end, line)
+#define CASE_MARKED(name, begin, end, line) MARK(name##line##_mark, #name, NULL, NULL, NULL, begin, end)
+#define MARK(id, ...) \
+    __attribute__((constructor)) static void id(void) \
+    { \
+        static struct test_mark m = {__FILE__, __LINE__, __VA_ARGS__, NULL}; \
+        test_mark_add(&m); \
+    }
+
+/* Until all files say it as above: SUITE(test_flow) { ... } makes the suite. */
 struct named_suite {
     const char *name;
     Suite *(*make)(void);

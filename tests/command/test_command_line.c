@@ -267,14 +267,15 @@ static const struct {
     {"datapackage x=1", 2, "x=1"},
 };
 
-START_TEST(a_mistake_gets_one_line_and_its_exit_code)
+CASE(command_line, NULL, NULL)
+
+EACH(a_mistake_gets_one_line_and_its_exit_code, COUNT(mistakes))
 {
     ck_assert_msg(run(mistakes[_i].line) == mistakes[_i].status, "%s: %s", mistakes[_i].line, errors);
     ck_assert_msg(lines(errors) == 1, "%s: %s", mistakes[_i].line, errors);
     ck_assert_msg(strstr(errors, mistakes[_i].says) != NULL, "%s: %s", mistakes[_i].line, errors);
     ck_assert_msg(output[0] == '\0', "%s: %s", mistakes[_i].line, output);
 }
-END_TEST
 
 /* Lines that work, and all that they print. */
 static const struct {
@@ -350,15 +351,14 @@ static const struct {
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n-50,0,0,0,0,0,0\n"},
 };
 
-START_TEST(a_use_prints_exactly_this)
+EACH(a_use_prints_exactly_this, COUNT(uses))
 {
     ck_assert_msg(run(uses[_i].line) == 0, "%s: %s", uses[_i].line, errors);
     ck_assert_str_eq(output, uses[_i].prints);
     ck_assert_str_eq(errors, "");
 }
-END_TEST
 
-START_TEST(table1_rounds_in_every_row)
+TEST(table1_rounds_in_every_row)
 {
     ck_assert_int_eq(run("table1 --csv"), 0);
     ck_assert_int_eq(lines(output), 7);
@@ -366,18 +366,18 @@ START_TEST(table1_rounds_in_every_row)
     ck_assert_ptr_nonnull(strstr(output, "Q_ref,-1.3306e-1,-1.33062778"));
     ck_assert_ptr_null(strstr(output, ",no\n"));
 }
-END_TEST
 
-START_TEST(figure4_runs_from_9_to_40)
+TEST(figure4_runs_from_9_to_40)
 {
     ck_assert_int_eq(run("figure 4"), 0);
     ck_assert_int_eq(lines(output), 312);
     ck_assert_ptr_nonnull(strstr(output, "n,re1,im1,re2,im2\n9,0,0,0,"));
     ck_assert_ptr_nonnull(strstr(output, "\n40,"));
 }
-END_TEST
 
-START_TEST(figures_have_a_row_every_100_s_for_3_days)
+CASE(long_work, NULL, NULL) /* under valgrind it takes too long */
+
+EACH(figures_have_a_row_every_100_s_for_3_days, 5)
 {
     static const char *const lines_of[] = {"figure 5a", "figure 5b", "figure 6", "figure 7a", "figure 7b"};
     static const char *const heads[] = {"t,psi,theta,dL\n", "t,x1,y1,z1\n", "t,x1,y1,z1\n", "t,q1_uC\n", "t,q2_uC\n"};
@@ -386,10 +386,11 @@ START_TEST(figures_have_a_row_every_100_s_for_3_days)
     ck_assert_int_eq(strncmp(output, heads[_i], strlen(heads[_i])), 0);
     ck_assert_ptr_nonnull(strstr(output, "\n259200,"));
 }
-END_TEST
 
 /* Answers in the order of the questions, the last without an end of its line; up to the first line that is none. */
-START_TEST(question_lines_are_answered_up_to_the_first_that_is_none)
+CASE(command_line, NULL, NULL)
+
+EACH(question_lines_are_answered_up_to_the_first_that_is_none, 16)
 {
     static const struct {
         const char *line, *asks, *answers;
@@ -428,16 +429,14 @@ START_TEST(question_lines_are_answered_up_to_the_first_that_is_none)
     ck_assert_int_eq(status, cases[_i].status);
     ck_assert_int_eq(lines(errors), status != 0);
 }
-END_TEST
 
-START_TEST(questions_that_cannot_be_read_are_a_failure)
+TEST(questions_that_cannot_be_read_are_a_failure)
 {
     ck_assert_int_eq(system("\"$CT_PROGRAM\" eval - <. 2>\"$CT_BUILD/tests/said\""), 256);
     ck_assert_int_eq(system("grep -q '^coulomb-tether: standard input: ' \"$CT_BUILD/tests/said\""), 0);
 }
-END_TEST
 
-START_TEST(a_question_without_an_end_is_none)
+TEST(a_question_without_an_end_is_none)
 {
     static char line[70000];
     memset(line, 'a', sizeof line - 1);
@@ -446,9 +445,8 @@ START_TEST(a_question_without_an_end_is_none)
     input = NULL;
     ck_assert_ptr_nonnull(strstr(errors, "line 1: longer than 65535 bytes"));
 }
-END_TEST
 
-START_TEST(a_question_with_a_zero_byte_is_none)
+EACH(a_question_with_a_zero_byte_is_none, 3)
 {
     static const char *const texts[] = {"eq43 a 1 1\\0 2", "eq43 a 1 1\\0 2\\n", "eq43 a 1 1\\0"};
     static char command[512];
@@ -456,10 +454,9 @@ START_TEST(a_question_with_a_zero_byte_is_none)
     ck_assert_int_eq(WEXITSTATUS(system(command)), 2);
     ck_assert_int_eq(system("grep -qx 'coulomb-tether: standard input: line 1: .*with a zero byte' \"$CT_BUILD/tests/answered\""), 0);
 }
-END_TEST
 
 /* The questions of golden vectors have their answers in the columns beside them. */
-START_TEST(question_lines_of_golden_vectors_are_answered_as_they_are_there)
+EACH(question_lines_of_golden_vectors_are_answered_as_they_are_there, 6)
 {
     static const char *const ids[] = {"eq03", "eq10inv", "eq21", "eq37", "eq41roots", "rk4_linear"};
     static char command[1024];
@@ -473,18 +470,16 @@ START_TEST(question_lines_of_golden_vectors_are_answered_as_they_are_there)
              s->id, s->id, first, s->id, first, first, last);
     ck_assert_int_eq(system(command), 0);
 }
-END_TEST
 
-START_TEST(version_goes_to_standard_output)
+EACH(version_goes_to_standard_output, 2)
 {
     static const char *const asks[] = {"--version", "-V"};
     ck_assert_int_eq(run(asks[_i]), 0);
     ck_assert_str_eq(output, "coulomb-tether " CT_VERSION "\n");
     ck_assert_str_eq(errors, "");
 }
-END_TEST
 
-START_TEST(help_names_every_subcommand)
+EACH(help_names_every_subcommand, 3)
 {
     static const char *const asks[] = {"--help", "-h", "help"};
     ck_assert_int_eq(run(asks[_i]), 0);
@@ -495,9 +490,8 @@ START_TEST(help_names_every_subcommand)
         ck_assert_msg(strstr(output, line) != NULL, "%s", s->name);
     }
 }
-END_TEST
 
-START_TEST(help_explains_every_option_of_a_subcommand_with_unit_and_default)
+EACH(help_explains_every_option_of_a_subcommand_with_unit_and_default, 3)
 {
     static const char *const asks[] = {"help %s", "%s --help", "%s -h"};
     for (const struct subcommand *s = subcommands; s->name != NULL; s++) {
@@ -524,9 +518,8 @@ START_TEST(help_explains_every_option_of_a_subcommand_with_unit_and_default)
     ck_assert_ptr_nonnull(strstr(output, "\n  --every S             a row at 0 and every S from there [s, unless given: 100]\n"));
     ck_assert_ptr_nonnull(strstr(output, "\n  Omega      rad/s      7.2915e-5 "));
 }
-END_TEST
 
-START_TEST(no_line_of_help_is_wider_than_it_should_be)
+TEST(no_line_of_help_is_wider_than_it_should_be)
 {
     for (const struct subcommand *s = subcommands; s->name != NULL; s++) {
         char line[64];
@@ -542,10 +535,9 @@ START_TEST(no_line_of_help_is_wider_than_it_should_be)
         }
     }
 }
-END_TEST
 
 /* The words of an example up to where the shell takes over. */
-START_TEST(the_examples_are_lines_that_are_understood_and_have_every_option_in_them)
+TEST(the_examples_are_lines_that_are_understood_and_have_every_option_in_them)
 {
     static const char until[] = "|<>";
     bool used[100] = {false};
@@ -573,9 +565,8 @@ START_TEST(the_examples_are_lines_that_are_understood_and_have_every_option_in_t
         ck_assert_msg(shown, "no example of %s", s->name);
     }
 }
-END_TEST
 
-START_TEST(the_manual_page_has_every_option_and_example_and_no_macro_by_mistake)
+TEST(the_manual_page_has_every_option_and_example_and_no_macro_by_mistake)
 {
     static const char *const sections[] = {"NAME", "SYNOPSIS", "DESCRIPTION", "EXIT STATUS", "EXAMPLES", "SEE ALSO", "STANDARDS"};
     const char *at = output;
@@ -594,10 +585,9 @@ START_TEST(the_manual_page_has_every_option_and_example_and_no_macro_by_mistake)
     for (at = output; *at != '\0'; at = strchr(at, '\n') + 1)
         ck_assert_msg(*at != '.' || isupper((unsigned char)at[1]), "%.40s", at);
 }
-END_TEST
 
 /* What bash offers for the last of some words; where there is no bash, nothing. */
-START_TEST(bash_completes_what_the_tables_have)
+EACH(bash_completes_what_the_tables_have, 15)
 {
     static const struct {
         const char *words, *offers;
@@ -631,9 +621,8 @@ START_TEST(bash_completes_what_the_tables_have)
     line[strcspn(line, "\n")] = '\0';
     ck_assert_str_eq(line, lines_of[_i].offers);
 }
-END_TEST
 
-START_TEST(equations_lists_every_section_and_shows_one)
+TEST(equations_lists_every_section_and_shows_one)
 {
     ck_assert_int_eq(run("equations"), 0);
     ck_assert_ptr_nonnull(strstr(output, "flow_nonlinear"));
@@ -655,9 +644,10 @@ START_TEST(equations_lists_every_section_and_shows_one)
     ck_assert_int_eq(run("equations --json"), 0);
     ck_assert_int_eq(output[0], '[');
 }
-END_TEST
 
-START_TEST(verify_speaks_json_of_every_part)
+CASE(long_work, NULL, NULL)
+
+EACH(verify_speaks_json_of_every_part, 3)
 {
     static const char *const parts[] = {"derivations kepler", "claims n12-optimal", "errors --count 2"};
     char line[64];
@@ -667,7 +657,6 @@ START_TEST(verify_speaks_json_of_every_part)
     ck_assert_str_eq(output + strlen(output) - 2, "}\n");
     ck_assert_str_eq(errors, "");
 }
-END_TEST
 
 /*
  * (41) is (s^2 + 2 s + 3)^2: -1 +- i sqrt(2), twice; Q_ref = -3 1^2 2^3/1 (1*3/(1 + 3)) = -18; T and d as those that
@@ -691,7 +680,7 @@ END_TEST
     "# basin of rest at L_ref, by the energy of the nonlinear model\n" \
     "equilibrium = 2.606e+00 m  # other equilibrium on the radius\n"
 
-START_TEST(design_prints_what_one_decides_with)
+TEST(design_prints_what_one_decides_with)
 {
     ck_assert_int_eq(run("design Omega=1 C1=12 C2=4 k_c=1 m1=1 m2=3 L_ref=2 lambda_d=10 --digits 4"), 0);
     ck_assert_int_lt((int)strlen(DESIGN_12_4), (int)strlen(output));
@@ -704,9 +693,8 @@ START_TEST(design_prints_what_one_decides_with)
     ck_assert_ptr_nonnull(strstr(output, " rad/s  # largest rate of yaw, or of pitch"));
     ck_assert_ptr_nonnull(strstr(output, "\ndebye = 8.068e+01 m  # "));
 }
-END_TEST
 
-START_TEST(design_speaks_json_of_all_that_it_prints)
+EACH(design_speaks_json_of_all_that_it_prints, 3)
 {
     static const char *const asks[] = {"design n=1e5 --digits 1", "design n=12 m2=50", "design C1=6e-8 --exact --digits 50"};
     char line[64];
@@ -722,9 +710,8 @@ START_TEST(design_speaks_json_of_all_that_it_prints)
     ck_assert_int_eq(strncmp(output, "{\"digits\": ", 11), 0);
     ck_assert_str_eq(output + strlen(output) - 4, "}]}\n");
 }
-END_TEST
 
-START_TEST(verify_prints_tables)
+EACH(verify_prints_tables, 5)
 {
     static const char *const lines_of[] = {"verify claims n12-optimal", "verify claims equation-38", "verify claims table1-Q_ref",
                                            "verify errors --count 2", "verify errors --count 2 --markdown"};
@@ -733,9 +720,10 @@ START_TEST(verify_prints_tables)
     ck_assert_int_eq(run(lines_of[_i]), 0);
     ck_assert_ptr_nonnull(strstr(output, says[_i]));
 }
-END_TEST
 
-START_TEST(a_full_disk_is_said_and_exits_1)
+CASE(command_line, NULL, NULL)
+
+EACH(a_full_disk_is_said_and_exits_1, 9)
 {
     static const char *const asks[] = {"table1", "figure 4", "equations", "trajectory linear",
                                        "eval eq38 GM=8 R_c=2", "--help", "vectors eq43 --golden",
@@ -749,7 +737,6 @@ START_TEST(a_full_disk_is_said_and_exits_1)
     ck_assert_int_eq(lines(errors), 1);
     ck_assert_ptr_nonnull(strstr(errors, "standard output"));
 }
-END_TEST
 
 /* What is printed elsewhere, byte for byte, and nothing of it here; a device is written as it is. */
 static const struct {
@@ -760,7 +747,7 @@ static const struct {
     {"eval eq44 Omega=1 n=8", "out", "coulomb-tether: eq44: expected n >= 9\n"},
 };
 
-START_TEST(o_names_a_file_that_is_there_whole_or_not_at_all)
+EACH(o_names_a_file_that_is_there_whole_or_not_at_all, COUNT(into))
 {
     static char due[MOST_TEXT];
     char line[600], file[500];
@@ -781,9 +768,8 @@ START_TEST(o_names_a_file_that_is_there_whole_or_not_at_all)
     ck_assert_str_eq(output, due);
     ck_assert_int_eq(run("table1 -o /dev/null"), 0);
 }
-END_TEST
 
-START_TEST(a_closed_pipe_ends_quietly_with_1)
+TEST(a_closed_pipe_ends_quietly_with_1)
 {
     int ends[2];
     ck_assert_int_eq(pipe(ends), 0);
@@ -792,9 +778,8 @@ START_TEST(a_closed_pipe_ends_quietly_with_1)
     close(ends[1]);
     ck_assert_str_eq(errors, "");
 }
-END_TEST
 
-START_TEST(rows_proved_before_the_charge_law_ends_are_kept)
+TEST(rows_proved_before_the_charge_law_ends_are_kept)
 {
     /* hardly damped, and moving inwards towards the law's edge: dL = -3 Omega^2 L_ref/C1 = -3 m */
     ck_assert_int_eq(run("trajectory nonlinear C1=5.3165972e-8 C2=1e-9 psi=0 theta=0 dL=-2.9 dL_dot=-3e-4"), 1);
@@ -802,9 +787,8 @@ START_TEST(rows_proved_before_the_charge_law_ends_are_kept)
     ck_assert_ptr_nonnull(strstr(errors, "Q_ref + dQ >= 0 from t = 355.77"));
     ck_assert_int_eq(lines(errors), 1);
 }
-END_TEST
 
-START_TEST(what_ends_a_motion_is_said_behind_the_rows_proved)
+EACH(what_ends_a_motion_is_said_behind_the_rows_proved, 3)
 {
     static const struct {
         const char *line;
@@ -823,11 +807,12 @@ START_TEST(what_ends_a_motion_is_said_behind_the_rows_proved)
     ck_assert_msg(strstr(errors, ends[_i].says) != NULL, "%s", errors);
     ck_assert_int_eq(lines(errors), 1);
 }
-END_TEST
 
 /* At rest without a spring, C1 = 9 Omega^2; but 0.1 and 0.09 are no binary fractions, and so the zeros around which
    the enclosures shrink are never known to be such. */
-START_TEST(what_no_number_of_bits_decides_is_said)
+CASE(long_work, NULL, NULL)
+
+TEST(what_no_number_of_bits_decides_is_said)
 {
     ck_assert_int_eq(run("eval flow_linear Omega=0.1 L_ref=1 C1=0.09 C2=0.1 t=1 psi_0=0 theta_0=0 dL_0=1 psi_dot_0=0 theta_dot_0=0 "
                          "dL_dot_0=0 --exact --digits 3"), 1);
@@ -835,26 +820,23 @@ START_TEST(what_no_number_of_bits_decides_is_said)
     ck_assert_int_eq(lines(errors), 1);
     ck_assert_str_eq(output, "");
 }
-END_TEST
 
-START_TEST(random_vectors_end_before_one_that_cannot_be_certified)
+TEST(random_vectors_end_before_one_that_cannot_be_certified)
 {
     ck_assert_int_eq(run("vectors flow_nonlinear --count 5 --seed 5"), 1); /* the fourth falls together */
     ck_assert_int_eq(lines(output), 4);
     ck_assert_ptr_nonnull(strstr(errors, "the craft come closer than L_ref/128"));
     ck_assert_int_eq(lines(errors), 1);
 }
-END_TEST
 
 /* The craft fall past each other, very close: more bits are taken when the first rows are out already. */
-START_TEST(rows_are_printed_once_however_many_bits_they_take)
+TEST(rows_are_printed_once_however_many_bits_they_take)
 {
     ck_assert_int_eq(run("trajectory nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 x1=0.05 y1=0 z1=1 "
                          "x1_dot=0 y1_dot=0 z1_dot=0 --every 1 --until 3 --digits 3"), 0);
     ck_assert_int_eq(lines(output), 5);
     ck_assert_ptr_nonnull(strstr(output, "\n3,"));
 }
-END_TEST
 
 /* The program on a terminal of its own, its standard output elsewhere: what the terminal shows. */
 static const char *on_a_terminal(const char *line)
@@ -876,7 +858,9 @@ static const char *on_a_terminal(const char *line)
     return shown;
 }
 
-START_TEST(a_terminal_sees_how_far_it_is_and_nothing_in_the_end)
+CASE(command_line, NULL, NULL)
+
+EACH(a_terminal_sees_how_far_it_is_and_nothing_in_the_end, 3)
 {
     static const struct {
         const char *line, *shows;
@@ -889,49 +873,4 @@ START_TEST(a_terminal_sees_how_far_it_is_and_nothing_in_the_end)
         return;
     ck_assert_msg(strstr(shown, runs[_i].shows) != NULL, "%s", shown);
     ck_assert_str_eq(shown + strlen(shown) - strlen(cleared), cleared);
-}
-END_TEST
-
-SUITE(test_command_line)
-{
-    Suite *s = suite_create("command line");
-    TCase *c = tcase_create("command line");
-    tcase_set_timeout(c, 60);
-    tcase_add_loop_test(c, a_mistake_gets_one_line_and_its_exit_code, 0, sizeof mistakes / sizeof *mistakes);
-    tcase_add_loop_test(c, a_use_prints_exactly_this, 0, sizeof uses / sizeof *uses);
-    tcase_add_test(c, table1_rounds_in_every_row);
-    tcase_add_test(c, figure4_runs_from_9_to_40);
-    tcase_add_loop_test(c, question_lines_are_answered_up_to_the_first_that_is_none, 0, 16);
-    tcase_add_test(c, a_question_without_an_end_is_none);
-    tcase_add_loop_test(c, a_question_with_a_zero_byte_is_none, 0, 3);
-    tcase_add_test(c, questions_that_cannot_be_read_are_a_failure);
-    tcase_add_loop_test(c, question_lines_of_golden_vectors_are_answered_as_they_are_there, 0, 6);
-    tcase_add_loop_test(c, version_goes_to_standard_output, 0, 2);
-    tcase_add_loop_test(c, help_names_every_subcommand, 0, 3);
-    tcase_add_loop_test(c, help_explains_every_option_of_a_subcommand_with_unit_and_default, 0, 3);
-    tcase_add_test(c, no_line_of_help_is_wider_than_it_should_be);
-    tcase_add_test(c, the_examples_are_lines_that_are_understood_and_have_every_option_in_them);
-    tcase_add_test(c, the_manual_page_has_every_option_and_example_and_no_macro_by_mistake);
-    tcase_add_loop_test(c, bash_completes_what_the_tables_have, 0, 15);
-    tcase_add_test(c, equations_lists_every_section_and_shows_one);
-    tcase_add_loop_test(c, a_full_disk_is_said_and_exits_1, 0, 9);
-    tcase_add_test(c, a_closed_pipe_ends_quietly_with_1);
-    tcase_add_loop_test(c, o_names_a_file_that_is_there_whole_or_not_at_all, 0, sizeof into / sizeof *into);
-    tcase_add_test(c, rows_proved_before_the_charge_law_ends_are_kept);
-    tcase_add_loop_test(c, what_ends_a_motion_is_said_behind_the_rows_proved, 0, 3);
-    tcase_add_loop_test(c, a_terminal_sees_how_far_it_is_and_nothing_in_the_end, 0, 3);
-    suite_add_tcase(s, c);
-
-    TCase *long_work = tcase_create("long work"); /* a case of its own: under valgrind it takes too long */
-    tcase_set_timeout(long_work, 60);
-    tcase_add_loop_test(long_work, figures_have_a_row_every_100_s_for_3_days, 0, 5);
-    tcase_add_loop_test(long_work, verify_speaks_json_of_every_part, 0, 3);
-    tcase_add_test(long_work, design_prints_what_one_decides_with);
-    tcase_add_loop_test(long_work, design_speaks_json_of_all_that_it_prints, 0, 3);
-    tcase_add_loop_test(long_work, verify_prints_tables, 0, 5);
-    tcase_add_test(long_work, rows_are_printed_once_however_many_bits_they_take);
-    tcase_add_test(long_work, random_vectors_end_before_one_that_cannot_be_certified);
-    tcase_add_test(long_work, what_no_number_of_bits_decides_is_said);
-    suite_add_tcase(s, long_work);
-    return s;
 }

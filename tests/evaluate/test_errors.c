@@ -78,28 +78,25 @@ static void assert_bounded(double y, double exact, double exact_radius, double S
 }
 
 /* Dyadic radii, so that the corners are numbers of a double. */
-START_TEST(E1_the_distance_is_a_ball)
+EACH(E1_the_distance_is_a_ball, CASES)
 {
     assert_bounded(1, 1 + ldexp(1 + floor(16 * scattered(_i)), -20), 0x1p-21, 0.5, 0, 1);
     assert_bounded(1, 1 + 0x1p-22, 0x1p-20, 0.5, 0, 1); /* y may be right: E = 0 too */
 }
-END_TEST
 
-START_TEST(E2_the_weight_is_a_ball)
+EACH(E2_the_weight_is_a_ball, CASES)
 {
     assert_bounded(2, 1, 0, 0.5 + floor(16 * scattered(_i)), 0.25, 0.5);
     assert_bounded(-1024, 1 + floor(16 * scattered(_i)), 0.5, 0, 0, 0.8);
 }
-END_TEST
 
 /* Nothing is rounded before the quotient, nor is its bound loose: two numbers next to each other, mostly. */
-START_TEST(E4_the_quotient_is_rounded_outward)
+EACH(E4_the_quotient_is_rounded_outward, CASES)
 {
     assert_bounded(1 + scattered(_i), 1, 0, 1 + floor(1024 * scattered(_i + 7)), 0, 0x1p-50);
 }
-END_TEST
 
-START_TEST(E3_a_weight_that_may_be_zero_has_no_upper_bound)
+TEST(E3_a_weight_that_may_be_zero_has_no_upper_bound)
 {
     SCOPE(arb, exact, S);
     SCOPE(arf, y);
@@ -122,10 +119,9 @@ START_TEST(E3_a_weight_that_may_be_zero_has_no_upper_bound)
     ck_assert(isinf(E.lower) && isinf(E.upper));
     flint_cleanup();
 }
-END_TEST
 
 /* eq04 has three outputs: whichever is off by three, five and seven roundings, the worst of them counts, and is named. */
-START_TEST(E5_the_worst_output_counts)
+EACH(E5_the_worst_output_counts, 3)
 {
     const struct section *s = section_find(sheet(), "eq04");
     arb_ptr y = _arb_vec_init(3), exact = _arb_vec_init(3), S = _arb_vec_init(3);
@@ -142,10 +138,9 @@ START_TEST(E5_the_worst_output_counts)
     _arb_vec_clear(S, 3);
     flint_cleanup();
 }
-END_TEST
 
 /* Inside for the right ball; and outside for every output alone, moved by a tenth more than the room that MPFR gets. */
-START_TEST(E6_mpfr_is_inside_for_every_output)
+EACH(E6_mpfr_is_inside_for_every_output, sheet()->section_count)
 {
     enum { INPUTS = 40, OUTPUTS = 16, ROOM = 16 - 2 * PREC };
     const struct section *s = &sheet()->sections[_i];
@@ -179,19 +174,4 @@ START_TEST(E6_mpfr_is_inside_for_every_output)
     _arb_vec_clear(exact, OUTPUTS);
     _arb_vec_clear(S, OUTPUTS);
     flint_cleanup();
-}
-END_TEST
-
-SUITE(test_errors)
-{
-    Suite *all = suite_create("errors");
-    TCase *tests = tcase_create("error terms");
-    suite_add_tcase(all, tests);
-    tcase_add_loop_test(tests, E1_the_distance_is_a_ball, 0, CASES);
-    tcase_add_loop_test(tests, E2_the_weight_is_a_ball, 0, CASES);
-    tcase_add_test(tests, E3_a_weight_that_may_be_zero_has_no_upper_bound);
-    tcase_add_loop_test(tests, E4_the_quotient_is_rounded_outward, 0, CASES);
-    tcase_add_loop_test(tests, E5_the_worst_output_counts, 0, 3);
-    tcase_add_loop_test(tests, E6_mpfr_is_inside_for_every_output, 0, sheet()->section_count);
-    return all;
 }

@@ -27,7 +27,7 @@ static const struct section *operation_at(int i)
  * sheet has some thirty, but rounding errors rarely agree: the worst of 10^5 inputs is 4.0, in eq02
  * (make errors). 8 leaves room for another libm's sin, cos and exp, and catches three lost bits.
  */
-START_TEST(worst_error_of_ref_stays_below_the_bound)
+EACH(worst_error_of_ref_stays_below_the_bound, sheet()->section_count)
 {
     const struct section *s = operation_at(_i);
     struct measured m;
@@ -37,17 +37,15 @@ START_TEST(worst_error_of_ref_stays_below_the_bound)
     ck_assert_msg(m.worst > 0.0 && m.worst <= BOUND, "%s: E = %g at %ld", s->id, m.worst, m.index);
     ck_assert_msg(m.outside == 0, "%s: %ld MPFR values outside the ball", s->id, m.outside);
 }
-END_TEST
 
-START_TEST(every_operation_has_a_reference)
+EACH(every_operation_has_a_reference, sheet()->section_count)
 {
     const struct section *s = operation_at(_i);
     ck_assert_double_eq(s->K, BOUND); /* what the oracle asks of others is what is asked here of ref/ */
     ck_assert_msg((reference_find(s->id) != NULL) == (s->method != METHOD_NONE), "%s", s->id);
 }
-END_TEST
 
-START_TEST(E_of_one_rounding_is_below_one)
+TEST(E_of_one_rounding_is_below_one)
 {
     /* y* = 1/3 and S = 0: the nearest double is at most u |y*| away, and its neighbour more than u/2 |y*| */
     SCOPE(arb, exact, S);
@@ -67,9 +65,8 @@ START_TEST(E_of_one_rounding_is_below_one)
     ck_assert(single > 0.0 && single <= 1.0);
     ck_assert_double_infinite(none);
 }
-END_TEST
 
-START_TEST(E_is_zero_for_equality_and_infinite_where_nothing_may_be_off)
+TEST(E_is_zero_for_equality_and_infinite_where_nothing_may_be_off)
 {
     SCOPE(arb, exact, S);
     SCOPE(arf, y);
@@ -77,13 +74,12 @@ START_TEST(E_is_zero_for_equality_and_infinite_where_nothing_may_be_off)
     arf_set_d(y, 5e-324);
     ck_assert_double_infinite(error_in_roundings(y, exact, S, BINARY64).upper);
 }
-END_TEST
 
 /*
  * (38): S = |GM dOmega/dGM| + |R_c dOmega/dR_c| = (1/2 + 3/2) Omega, rational where Omega is. (2) with uncharged craft: x1_ddot =
  * 2 Omega y1_dot + 3 Omega^2 x1, S = 4 Omega |y1_dot| + 9 Omega^2 |x1|, to which an infinite lambda_d adds nothing.
  */
-START_TEST(a_sensitivity_is_rational_where_every_derivative_is)
+EACH(a_sensitivity_is_rational_where_every_derivative_is, 3)
 {
     static const struct {
         const char *id;
@@ -104,9 +100,8 @@ START_TEST(a_sensitivity_is_rational_where_every_derivative_is)
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
 }
-END_TEST
 
-START_TEST(a_sample_depends_on_seed_and_index_alone)
+TEST(a_sample_depends_on_seed_and_index_alone)
 {
     const struct section *s = section_find(sheet(), "eq27");
     struct operation o;
@@ -123,9 +118,8 @@ START_TEST(a_sample_depends_on_seed_and_index_alone)
     ck_assert_mem_ne(first, other, sizeof first);
     ck_assert_mem_ne(first, seeded, sizeof first);
 }
-END_TEST
 
-START_TEST(samples_lie_in_their_ranges)
+TEST(samples_lie_in_their_ranges)
 {
     const struct section *s = section_find(sheet(), "eq02");
     struct operation o;
@@ -146,13 +140,14 @@ START_TEST(samples_lie_in_their_ranges)
     inputs_free(inputs, s->input_count);
     ck_assert_int_gt(negative, 200 * 8); /* of 200 * 21 signed ones about half */
 }
-END_TEST
 
 /*
  * A sheet's operation is valid where ref/ gives numbers, and nowhere else. So few values make craft meet, angles vanish
  * and n reach 9 by themselves, and every sign turn up. Flows stay where they begin, for craft may meet on the way.
  */
-START_TEST(domain_of_the_sheet_is_that_of_ref)
+CASE(domains, NULL, NULL)
+
+EACH(domain_of_the_sheet_is_that_of_ref, sheet()->section_count)
 {
     static const double values[] = {-9, -2, -1, 0, 1, 2, 9, 9.000000000000002, 1, -1};
     const struct section *s = &sheet()->sections[_i];
@@ -185,10 +180,9 @@ START_TEST(domain_of_the_sheet_is_that_of_ref)
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
 }
-END_TEST
 
 /* Each in its rotation: a condition just violated, a value outside, a time between Runge-Kutta steps. */
-START_TEST(a_defect_leaves_the_domain)
+EACH(a_defect_leaves_the_domain, sheet()->section_count)
 {
     const struct section *s = operation_at(_i);
     struct operation o;
@@ -206,13 +200,12 @@ START_TEST(a_defect_leaves_the_domain)
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
 }
-END_TEST
 
 /*
  * What the program enforces stands in the sheet: for whatever reason it refuses a defect, the text is a condition of the
  * operation, or the domain of an input; and of the methods it refuses a time between steps by the text that says so.
  */
-START_TEST(a_defect_is_refused_by_a_text_of_the_sheet)
+EACH(a_defect_is_refused_by_a_text_of_the_sheet, sheet()->section_count)
 {
     const struct section *s = operation_at(_i);
     struct operation o;
@@ -244,7 +237,6 @@ START_TEST(a_defect_is_refused_by_a_text_of_the_sheet)
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
 }
-END_TEST
 
 /* ---- the program's vectors ---- */
 
@@ -261,7 +253,9 @@ static char *printed(const char *arguments)
     return text;
 }
 
-START_TEST(four_shards_are_one_run)
+CASE(vectors, NULL, NULL)
+
+TEST(four_shards_are_one_run)
 {
     char *whole = text_copy(printed("eq14 --count 11 --seed 5")), *end = whole;
     for (int k = 1; k <= 4; k++) {
@@ -274,16 +268,14 @@ START_TEST(four_shards_are_one_run)
     ck_assert_int_eq(*end, '\0');
     free(whole);
 }
-END_TEST
 
-START_TEST(a_seed_has_64_bits)
+TEST(a_seed_has_64_bits)
 {
     ck_assert_ptr_nonnull(strstr(printed("eq43 --count 1 --seed 18446744073709551615"), "\neq43-18446744073709551615-0,"));
 }
-END_TEST
 
 /* Omega > 0 and n > 0 of (43), each from just outside and just inside, after what was there before. */
-START_TEST(golden_lines_ask_each_condition)
+TEST(golden_lines_ask_each_condition)
 {
     const char *text = printed("eq43 --golden");
     ck_assert_ptr_nonnull(strstr(text, "\neq43-minus-inf-Omega,-INF,10,,,invalid\neq43-domain-1-outside,7.2915e-5,0,,,invalid\n"
@@ -291,9 +283,8 @@ START_TEST(golden_lines_ask_each_condition)
     ck_assert_ptr_nonnull(strstr(printed("eq39 --golden"), ",-2.2250738585072014e-308,0.01,0.01,,,,,,,invalid\neq39-zero-I,7.2915e-5,0,0.01,0.01,0,0,0,"));
     ck_assert_ptr_nonnull(strstr(printed("rk4_linear --golden"), "\nrk4_linear-between-steps,7.2915e-5,10,5.316597225e-8,1.4583e-4,43200.00000000001,"));
 }
-END_TEST
 
-START_TEST(golden_lines_have_their_flags)
+TEST(golden_lines_have_their_flags)
 {
     const char *text = printed("eq44 --golden");
     ck_assert_int_eq(strncmp(text, "id,Omega,n,C2,S_C2,flags\n", 25), 0);
@@ -302,7 +293,6 @@ START_TEST(golden_lines_have_their_flags)
     ck_assert_ptr_nonnull(strstr(text, "\neq44-nan-Omega,NaN,10,,,invalid\n"));
     ck_assert_ptr_nonnull(strstr(text, ",paper\n"));
 }
-END_TEST
 
 /* 0.1 and the least number above zero in full, by hand: 3602879701896397/2^55 and 2^-1074. */
 static const struct {
@@ -321,15 +311,14 @@ static const struct {
     {"1e400", INPUTS_EXACT, "1e400"},
 };
 
-START_TEST(inputs_are_written_in_every_form)
+EACH(inputs_are_written_in_every_form, COUNT(forms))
 {
     char text[LONGEST_INPUT];
     input_write(text, forms[_i].literal, forms[_i].form);
     ck_assert_str_eq(text, forms[_i].written);
 }
-END_TEST
 
-START_TEST(the_longest_input_has_all_its_digits)
+TEST(the_longest_input_has_all_its_digits)
 {
     char text[LONGEST_INPUT], exponent[] = "e-308";
     input_write(text, "2.2250738585072009e-308", INPUTS_EXACT); /* the largest number below the normal ones */
@@ -338,9 +327,8 @@ START_TEST(the_longest_input_has_all_its_digits)
     ck_assert_str_eq(text + length - strlen(exponent), exponent);
     ck_assert(strtod(text, NULL) == 2.2250738585072009e-308);
 }
-END_TEST
 
-START_TEST(a_subexpression_out_of_range_is_flagged)
+TEST(a_subexpression_out_of_range_is_flagged)
 {
     struct operation o;
     const struct section *s = section_find(sheet(), "eq32"); /* m1 m2/(m1 + m2) L^2 */
@@ -363,10 +351,9 @@ START_TEST(a_subexpression_out_of_range_is_flagged)
     fclose(file);
     ck_assert_ptr_nonnull(strstr(line, ",range here\n"));
 }
-END_TEST
 
 /* Omega^2 of (43) at the least and the greatest normal numbers, 2^-1022 and 2^1024 (of floats 2^-126 and 2^128), and beside them. */
-START_TEST(the_normal_range_is_that_of_the_format)
+EACH(the_normal_range_is_that_of_the_format, 10)
 {
     static const struct {
         const char *Omega;
@@ -390,7 +377,6 @@ START_TEST(the_normal_range_is_that_of_the_format)
     inputs_free(inputs, s->input_count);
     ck_assert_msg(leaves == edges[_i].leaves, "%s", edges[_i].Omega);
 }
-END_TEST
 
 /* ---- golden files ---- */
 
@@ -408,7 +394,9 @@ static bool is_next_line(void *context, struct operation *o, const char *id, con
     return true;
 }
 
-START_TEST(golden_files_have_these_inputs)
+CASE(golden, NULL, NULL)
+
+EACH(golden_files_have_these_inputs, sheet()->section_count)
 {
     const struct section *s = operation_at(_i);
     char name[80], line[4096];
@@ -420,40 +408,4 @@ START_TEST(golden_files_have_these_inputs)
     golden_each(s, is_next_line, file);
     ck_assert_msg(fgets(line, sizeof line, file) == NULL, "%s has more: %s", name, line);
     fclose(file);
-}
-END_TEST
-
-SUITE(test_vectors)
-{
-    Suite *s = suite_create("vectors");
-    TCase *c = tcase_create("vectors");
-    const int sections = sheet()->section_count;
-    tcase_set_timeout(c, 120);
-    tcase_add_loop_test(c, worst_error_of_ref_stays_below_the_bound, 0, sections);
-    tcase_add_loop_test(c, every_operation_has_a_reference, 0, sections);
-    tcase_add_test(c, E_of_one_rounding_is_below_one);
-    tcase_add_test(c, E_is_zero_for_equality_and_infinite_where_nothing_may_be_off);
-    tcase_add_loop_test(c, a_sensitivity_is_rational_where_every_derivative_is, 0, 3);
-    tcase_add_test(c, a_sample_depends_on_seed_and_index_alone);
-    tcase_add_test(c, samples_lie_in_their_ranges);
-    tcase_add_test(c, four_shards_are_one_run);
-    tcase_add_test(c, golden_lines_have_their_flags);
-    tcase_add_test(c, golden_lines_ask_each_condition);
-    tcase_add_test(c, a_seed_has_64_bits);
-    tcase_add_loop_test(c, the_normal_range_is_that_of_the_format, 0, 10);
-    tcase_add_loop_test(c, inputs_are_written_in_every_form, 0, sizeof forms / sizeof *forms);
-    tcase_add_test(c, the_longest_input_has_all_its_digits);
-    tcase_add_test(c, a_subexpression_out_of_range_is_flagged);
-    suite_add_tcase(s, c);
-    c = tcase_create("golden");
-    tcase_set_timeout(c, 60);
-    tcase_add_loop_test(c, golden_files_have_these_inputs, 0, sections);
-    suite_add_tcase(s, c);
-    c = tcase_create("domains");
-    tcase_set_timeout(c, 60);
-    tcase_add_loop_test(c, domain_of_the_sheet_is_that_of_ref, 0, sections);
-    tcase_add_loop_test(c, a_defect_leaves_the_domain, 0, sections);
-    tcase_add_loop_test(c, a_defect_is_refused_by_a_text_of_the_sheet, 0, sections);
-    suite_add_tcase(s, c);
-    return s;
 }

@@ -113,7 +113,7 @@ static int run(struct machine *m, struct program *p, const struct arithmetic *a,
     return node;
 }
 
-START_TEST(formula_is_decided)
+EACH(formula_is_decided, COUNT(decided))
 {
     struct program p, q;
     struct machine m, balls;
@@ -136,10 +136,9 @@ START_TEST(formula_is_decided)
     program_clear(&p);
     program_clear(&q);
 }
-END_TEST
 
 /* Derivatives run backwards, through values that are copied: those of sqrt(z + 4) exp(z) at 0 are 1/4 + 2. */
-START_TEST(gradient_is_exact)
+TEST(gradient_is_exact)
 {
     struct program p;
     struct machine m, slope;
@@ -152,15 +151,4 @@ START_TEST(gradient_is_exact)
     machine_clear(&slope);
     machine_clear(&m);
     program_clear(&p);
-}
-END_TEST
-
-SUITE(test_exact)
-{
-    Suite *s = suite_create("exact numbers");
-    TCase *c = tcase_create("exact");
-    tcase_add_loop_test(c, formula_is_decided, 0, sizeof decided / sizeof *decided);
-    tcase_add_test(c, gradient_is_exact);
-    suite_add_tcase(s, c);
-    return s;
 }

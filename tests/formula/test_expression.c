@@ -13,7 +13,6 @@
 #include "formula/symbolic.h"
 #include "text/scope.h"
 
-#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
 /* The coefficient of epsilon^k, a number. */
 static void get_coefficient(fmpq_t q, const void *value, slong k)
@@ -98,14 +97,20 @@ static const struct {
     {"positive(1)", "a value that is no rational series, or whose sign is not known"},
 };
 
-START_TEST(formula_has_its_value)
+static void begin(void)
+{
+    symbolic_begin(0, 0, false);
+}
+
+CASE(formulas, begin, symbolic_end)
+
+EACH(formula_has_its_value, COUNT(values))
 {
     char text[200];
     size_t where;
     evaluate(values[_i].formula, text, &where);
     ck_assert_str_eq(text, values[_i].value);
 }
-END_TEST
 
 static const struct {
     const char *formula;
@@ -133,7 +138,7 @@ static const struct {
     {"1 # 2", 2, "expected an operator or the end of the formula, found '#'"},
 };
 
-START_TEST(mistake_is_told_with_its_place)
+EACH(mistake_is_told_with_its_place, COUNT(mistakes))
 {
     char text[200];
     size_t where;
@@ -141,9 +146,8 @@ START_TEST(mistake_is_told_with_its_place)
     ck_assert_str_eq(text, mistakes[_i].expected);
     ck_assert_uint_eq(where, mistakes[_i].where);
 }
-END_TEST
 
-START_TEST(unknown_symbol_has_a_suggestion)
+TEST(unknown_symbol_has_a_suggestion)
 {
     struct program p;
     struct message why = {""};
@@ -154,10 +158,9 @@ START_TEST(unknown_symbol_has_a_suggestion)
     ck_assert_ptr_nonnull(strstr(why.text, "did you mean 'Omega'?"));
     program_clear(&p);
 }
-END_TEST
 
 /* 10,000 brackets would take the C stack, were they not refused. */
-START_TEST(deep_nesting_is_refused)
+TEST(deep_nesting_is_refused)
 {
     enum { DEPTH = 10000 };
     static char brackets[DEPTH + 1], signs[DEPTH + 1];
@@ -170,9 +173,8 @@ START_TEST(deep_nesting_is_refused)
     evaluate(signs, text, &where);
     ck_assert_ptr_nonnull(strstr(text, "expected less nesting"));
 }
-END_TEST
 
-START_TEST(long_words_are_refused)
+TEST(long_words_are_refused)
 {
     char word[80], text[200];
     size_t where;
@@ -184,9 +186,8 @@ START_TEST(long_words_are_refused)
     evaluate(word, text, &where);
     ck_assert_ptr_nonnull(strstr(text, "expected a number of less than 64 characters"));
 }
-END_TEST
 
-START_TEST(later_name_shadows_earlier)
+TEST(later_name_shadows_earlier)
 {
     struct program p;
     program_init(&p);
@@ -196,9 +197,8 @@ START_TEST(later_name_shadows_earlier)
     ck_assert_int_eq(program_find(&p, "x"), y);
     program_clear(&p);
 }
-END_TEST
 
-START_TEST(copy_is_independent)
+TEST(copy_is_independent)
 {
     struct program p, copy;
     struct message why = {""};
@@ -222,7 +222,6 @@ START_TEST(copy_is_independent)
     machine_clear(&m);
     program_clear(&copy);
 }
-END_TEST
 
 /* ---- programs over two inputs ---- */
 
@@ -324,13 +323,12 @@ static const struct {
     {"atan2(e, 1)", 2, "a value that is no rational series, or whose sign is not known"},
 };
 
-START_TEST(series_is_exact)
+EACH(series_is_exact, COUNT(expansions))
 {
     char text[200];
     expand(expansions[_i].formula, expansions[_i].terms, text);
     ck_assert_str_eq(text, expansions[_i].series);
 }
-END_TEST
 
 /* Every operator, alone and composed; the rates are those of set_inputs: x 1, y -2, a 7. */
 static const char *const differentiable[] = {
@@ -339,7 +337,7 @@ static const char *const differentiable[] = {
     "(x + y)*(x - y)/(x^2 + y^2)", "((x/y)^2 - 1/x)^-3", "cos(a + a)*sin(a - a + a)", "7", "x - x",
 };
 
-START_TEST(derivative_is_the_first_coefficient)
+EACH(derivative_is_the_first_coefficient, COUNT(differentiable))
 {
     struct program p;
     struct machine m;
@@ -366,10 +364,9 @@ START_TEST(derivative_is_the_first_coefficient)
     machine_clear(&m);
     program_clear(&p);
 }
-END_TEST
 
 /* d atan2(y, x) = (x dy - y dx)/(x^2 + y^2): at x = 9/4, y = 5/3 with dx = 1, dy = -2 it is -888/1129. */
-START_TEST(derivative_of_an_arc_tangent)
+TEST(derivative_of_an_arc_tangent)
 {
     struct program p;
     struct machine m;
@@ -390,9 +387,8 @@ START_TEST(derivative_of_an_arc_tangent)
     machine_clear(&m);
     program_clear(&p);
 }
-END_TEST
 
-START_TEST(derivative_follows_a_named_node)
+TEST(derivative_follows_a_named_node)
 {
     struct program p;
     int node = parse_inputs(&p, "x*x"); /* x x, when x x itself is said to move by y */
@@ -404,9 +400,8 @@ START_TEST(derivative_follows_a_named_node)
     free(rate);
     program_clear(&p);
 }
-END_TEST
 
-START_TEST(gradient_is_the_derivative_by_every_input)
+EACH(gradient_is_the_derivative_by_every_input, COUNT(differentiable))
 {
     struct program p;
     struct machine m, adjoint;
@@ -433,10 +428,9 @@ START_TEST(gradient_is_the_derivative_by_every_input)
     machine_clear(&m);
     program_clear(&p);
 }
-END_TEST
 
 /* by y x/(x^2 + y^2) = 324/1129, by x -y/(x^2 + y^2) = -240/1129 */
-START_TEST(gradient_of_an_arc_tangent)
+TEST(gradient_of_an_arc_tangent)
 {
     struct program p;
     struct machine m, adjoint;
@@ -457,10 +451,9 @@ START_TEST(gradient_of_an_arc_tangent)
     machine_clear(&m);
     program_clear(&p);
 }
-END_TEST
 
 /* f(x) = x^2 + 1 with y - 1 in the place of x, beside what p has already */
-START_TEST(inlined_program_takes_the_place_of_its_inputs)
+TEST(inlined_program_takes_the_place_of_its_inputs)
 {
     struct program p, other;
     struct machine m;
@@ -484,10 +477,9 @@ START_TEST(inlined_program_takes_the_place_of_its_inputs)
     machine_clear(&m);
     program_clear(&p);
 }
-END_TEST
 
 /* x log(y) at x = 9/4, y = 5/3: by x log(5/3), by y 27/20; the symbolic arithmetic has no logarithm. */
-START_TEST(gradient_of_a_logarithm)
+TEST(gradient_of_a_logarithm)
 {
     struct program p;
     struct machine ball, adjoint, multiple;
@@ -523,11 +515,10 @@ START_TEST(gradient_of_a_logarithm)
     machine_clear(&ball);
     program_clear(&p);
 }
-END_TEST
 
 /* ---- the arithmetics agree ---- */
 
-START_TEST(ball_and_mpfr_agree_with_the_exact_value)
+TEST(ball_and_mpfr_agree_with_the_exact_value)
 {
     struct program p;
     struct machine exact, ball, multiple;
@@ -560,10 +551,9 @@ START_TEST(ball_and_mpfr_agree_with_the_exact_value)
     machine_clear(&multiple);
     program_clear(&p);
 }
-END_TEST
 
 /* 1 for [1/2, 1], 0 for [-1, -1/2] and 0, anything for [-1/2, 1] */
-START_TEST(ball_on_both_sides_of_zero_is_neither_positive_nor_not)
+EACH(ball_on_both_sides_of_zero_is_neither_positive_nor_not, 4)
 {
     static const struct {
         double middle, radius, positive;
@@ -580,9 +570,8 @@ START_TEST(ball_on_both_sides_of_zero_is_neither_positive_nor_not)
     machine_clear(&m);
     program_clear(&p);
 }
-END_TEST
 
-START_TEST(ball_of_a_special_argument_is_the_function_there)
+EACH(ball_of_a_special_argument_is_the_function_there, 4)
 {
     static const struct {
         const char *formula;
@@ -608,10 +597,9 @@ START_TEST(ball_of_a_special_argument_is_the_function_there)
     machine_clear(&m);
     program_clear(&p);
 }
-END_TEST
 
 /* Its jump apart, positive() has slope 0; so has x^0, at 0 too. */
-START_TEST(flat_functions_have_no_slope)
+EACH(flat_functions_have_no_slope, 2)
 {
     static const char *const formulas[] = {"positive(x)*y", "x^0*y"};
     struct program p;
@@ -631,9 +619,8 @@ START_TEST(flat_functions_have_no_slope)
     ck_assert(p.nodes[slope].op == OPERATOR_NUMBER && fmpq_is_zero(&p.nodes[slope].number));
     program_clear(&p);
 }
-END_TEST
 
-START_TEST(a_number_is_positive_or_not)
+EACH(a_number_is_positive_or_not, 3)
 {
     static const int signs[][2] = {{-2, 0}, {0, 0}, {3, 1}}; /* of x, and what is said of it */
     struct program p;
@@ -647,7 +634,6 @@ START_TEST(a_number_is_positive_or_not)
     machine_clear(&m);
     program_clear(&p);
 }
-END_TEST
 
 /* ---- normal forms ---- */
 
@@ -669,7 +655,7 @@ static const struct {
     {"sqrt(u)", SYMBOLIC_NO_SQUARE},
 };
 
-START_TEST(normal_form_is_zero_or_refused)
+EACH(normal_form_is_zero_or_refused, COUNT(forms))
 {
     struct program p;
     struct machine m;
@@ -691,10 +677,9 @@ START_TEST(normal_form_is_zero_or_refused)
     machine_clear(&m);
     program_clear(&p);
 }
-END_TEST
 
 /* A root is the one that was given, of either sign; and the same unknown stands for the same function's value. */
-START_TEST(given_root_is_taken)
+TEST(given_root_is_taken)
 {
     struct symbolic u, z, w;
     SCOPE(fmpq, number);
@@ -741,10 +726,9 @@ START_TEST(given_root_is_taken)
     arithmetic_symbolic.clear(&z);
     arithmetic_symbolic.clear(&w);
 }
-END_TEST
 
 /* Products of which each is allowed: 2 s of them are too much. */
-START_TEST(time_is_bounded)
+TEST(time_is_bounded)
 {
     enum { MOST = 100000 };
     static const char *const names[] = {"a", "b", "c", "d"};
@@ -770,52 +754,4 @@ START_TEST(time_is_bounded)
     ck_assert_msg(strncmp(symbolic_fault_size(), "seconds: ", 9) == 0, "%s", symbolic_fault_size());
     machine_clear(&m);
     program_clear(&p);
-}
-END_TEST
-
-static void begin(void)
-{
-    symbolic_begin(0, 0, false);
-}
-
-SUITE(test_expression)
-{
-    TCase *parser = tcase_create("parser");
-    tcase_add_checked_fixture(parser, begin, symbolic_end);
-    tcase_add_loop_test(parser, formula_has_its_value, 0, COUNT(values));
-    tcase_add_loop_test(parser, mistake_is_told_with_its_place, 0, COUNT(mistakes));
-    tcase_add_test(parser, unknown_symbol_has_a_suggestion);
-    tcase_add_test(parser, deep_nesting_is_refused);
-    tcase_add_test(parser, long_words_are_refused);
-    tcase_add_test(parser, later_name_shadows_earlier);
-    tcase_add_test(parser, copy_is_independent);
-    tcase_add_test(parser, inlined_program_takes_the_place_of_its_inputs);
-
-    TCase *arithmetic = tcase_create("arithmetic");
-    tcase_add_checked_fixture(arithmetic, begin, symbolic_end);
-    tcase_add_loop_test(arithmetic, series_is_exact, 0, COUNT(expansions));
-    tcase_add_loop_test(arithmetic, derivative_is_the_first_coefficient, 0, COUNT(differentiable));
-    tcase_add_test(arithmetic, derivative_of_an_arc_tangent);
-    tcase_add_test(arithmetic, derivative_follows_a_named_node);
-    tcase_add_loop_test(arithmetic, gradient_is_the_derivative_by_every_input, 0, COUNT(differentiable));
-    tcase_add_test(arithmetic, gradient_of_an_arc_tangent);
-    tcase_add_test(arithmetic, gradient_of_a_logarithm);
-    tcase_add_test(arithmetic, ball_and_mpfr_agree_with_the_exact_value);
-    tcase_add_loop_test(arithmetic, a_number_is_positive_or_not, 0, 3);
-    tcase_add_loop_test(arithmetic, ball_on_both_sides_of_zero_is_neither_positive_nor_not, 0, 4);
-    tcase_add_loop_test(arithmetic, ball_of_a_special_argument_is_the_function_there, 0, 4);
-    tcase_add_loop_test(arithmetic, flat_functions_have_no_slope, 0, 2);
-    tcase_add_loop_test(arithmetic, normal_form_is_zero_or_refused, 0, COUNT(forms));
-    tcase_add_test(arithmetic, given_root_is_taken);
-
-    TCase *slow = tcase_create("slow");
-    tcase_set_timeout(slow, 120);
-    tcase_add_checked_fixture(slow, begin, symbolic_end);
-    tcase_add_test(slow, time_is_bounded);
-
-    Suite *s = suite_create("expression");
-    suite_add_tcase(s, parser);
-    suite_add_tcase(s, arithmetic);
-    suite_add_tcase(s, slow);
-    return s;
 }

@@ -30,7 +30,7 @@ static void assert_typeset(const struct pair *pair)
     program_clear(&p);
 }
 
-START_TEST(symbols_carry_index_and_accent)
+EACH(symbols_carry_index_and_accent, 16)
 {
     static const struct pair pairs[] = {
         {"Omega", "\\Omega "},          {"k_c", "k_{c}"},
@@ -46,9 +46,8 @@ START_TEST(symbols_carry_index_and_accent)
     ck_assert_str_eq(t.text, pairs[_i].expected);
     tex_clear(&t);
 }
-END_TEST
 
-START_TEST(brackets_stand_where_they_are_needed)
+EACH(brackets_stand_where_they_are_needed, 13)
 {
     static const struct pair pairs[] = {
         {"L*(m1 + m2)", "L(m_{1} + m_{2})"},
@@ -66,9 +65,8 @@ START_TEST(brackets_stand_where_they_are_needed)
         {"L*2*3", "L\\cdot 2\\cdot 3"}};
     assert_typeset(&pairs[_i]);
 }
-END_TEST
 
-START_TEST(each_division_is_a_line)
+EACH(each_division_is_a_line, 12)
 {
     static const struct pair pairs[] = {
         {"m1/m2", "\\frac{m_{1}}{m_{2}}"},
@@ -85,9 +83,8 @@ START_TEST(each_division_is_a_line)
         {"sin(psi)/m1", "\\frac{\\sin \\psi }{m_{1}}"}};
     assert_typeset(&pairs[_i]);
 }
-END_TEST
 
-START_TEST(functions_have_their_own_notation)
+EACH(functions_have_their_own_notation, 10)
 {
     static const struct pair pairs[] = {
         {"cos(theta)*sin(psi)", "\\cos \\theta \\sin \\psi "},
@@ -104,10 +101,9 @@ START_TEST(functions_have_their_own_notation)
         {"positive(C1 - 9)", "[C_{1} - 9 > 0]"}};
     assert_typeset(&pairs[_i]);
 }
-END_TEST
 
 /* As many factors as one writes, each in its place. */
-START_TEST(products_are_as_long_as_one_writes_them)
+TEST(products_are_as_long_as_one_writes_them)
 {
     struct tex formula = {NULL, 0}, expected = {NULL, 0};
     tex_add(&formula, "L");
@@ -123,18 +119,4 @@ START_TEST(products_are_as_long_as_one_writes_them)
     tex_clear(&formula);
     tex_clear(&expected);
     tex_clear(&fraction);
-}
-END_TEST
-
-SUITE(test_typeset)
-{
-    Suite *s = suite_create("typeset");
-    TCase *t = tcase_create("formulas");
-    tcase_add_loop_test(t, symbols_carry_index_and_accent, 0, 16);
-    tcase_add_loop_test(t, brackets_stand_where_they_are_needed, 0, 13);
-    tcase_add_loop_test(t, each_division_is_a_line, 0, 12);
-    tcase_add_loop_test(t, functions_have_their_own_notation, 0, 10);
-    tcase_add_test(t, products_are_as_long_as_one_writes_them);
-    suite_add_tcase(s, t);
-    return s;
 }

@@ -84,16 +84,12 @@ END
 END
 }
 put_test() {
-    before tests/ref/test_ref_hill.c 'SUITE(' <<'END'
-START_TEST(eq45_whole_numbers)
+    cat >>tests/ref/test_ref_hill.c <<'END'
+
+TEST(eq45_whole_numbers)
 {
     ck_assert_double_eq(ct_potential_energy((struct ct_params){1, 1, 2, 2, NAN}, 8, (struct ct_spherical){2, 0, 0}), -2);
 }
-END_TEST
-
-END
-    before tests/ref/test_ref_hill.c '    suite_add_tcase(s, pair);' <<'END'
-    tcase_add_test(pair, eq45_whole_numbers);
 END
 }
 put_place() { before paper/12-beyond.md '## Hill' <<'END'

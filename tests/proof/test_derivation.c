@@ -16,12 +16,11 @@
 #include "motion/taylor.h"
 #include "text/scope.h"
 
-#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
 /* ---- the paper's steps ---- */
 
 /* That each is bound to its equations is shown once, by the program, before the suites run (BUILD/derivations.json). */
-START_TEST(every_step_holds_and_differs_as_printed)
+TEST(every_step_holds_and_differs_as_printed)
 {
     struct proof_results p;
     open_proofs(&p);
@@ -34,9 +33,8 @@ START_TEST(every_step_holds_and_differs_as_printed)
     ck_assert(p.fine);
     proof_results_clear(&p);
 }
-END_TEST
 
-START_TEST(every_equation_is_in_the_sheet)
+TEST(every_equation_is_in_the_sheet)
 {
     bool numbers[100] = {false};
     for (int i = 0; i < sheet()->section_count; i++)
@@ -45,7 +43,6 @@ START_TEST(every_equation_is_in_the_sheet)
     for (int i = 1; i <= 44; i++)
         ck_assert_msg(numbers[i], "equation %d is not in the sheet", i);
 }
-END_TEST
 
 /* The misprints that steps show: the difference that the print makes, and a point. */
 static const struct {
@@ -64,7 +61,7 @@ static const struct {
      "Omega = 1, theta = 1 epsilon, I = 1"},
 };
 
-START_TEST(misprints_are_these)
+TEST(misprints_are_these)
 {
     struct proof_results p;
     int found = 0;
@@ -81,12 +78,11 @@ START_TEST(misprints_are_these)
     ck_assert_int_eq(found, COUNT(misprints));
     proof_results_clear(&p);
 }
-END_TEST
 
 /* ---- the integrator's own form ---- */
 
 /* The closed loop's table in taylor.c, at a rational point, against Eq. (3) with (7) and (18) as the sheet has them. */
-START_TEST(eq03_closed_by_eq07_eq18_is_the_quadratic_system)
+TEST(eq03_closed_by_eq07_eq18_is_the_quadratic_system)
 {
     /* x = 2, y = -3, z = 6, r = 7; Omega = 1 and r_ref = 1 by L_ref = 7/2, m1 = 5, m2 = 2 */
     static const slong start[] = {2, -3, 6, 4, 1, -1};
@@ -143,7 +139,6 @@ START_TEST(eq03_closed_by_eq07_eq18_is_the_quadratic_system)
     _fmpq_vec_clear(rates, JET_STATES);
     derivations_clear(&d);
 }
-END_TEST
 
 /* ---- the prover ---- */
 
@@ -265,7 +260,7 @@ static const struct {
      IDENTITY_HOLDS, ""},
 };
 
-START_TEST(prover_finds)
+EACH(prover_finds, COUNT(findings))
 {
     struct derivations d;
     struct proof p;
@@ -279,7 +274,6 @@ START_TEST(prover_finds)
     proof_clear(&p);
     derivations_clear(&d);
 }
-END_TEST
 
 /* ---- false and careless steps ---- */
 
@@ -391,13 +385,12 @@ static const struct {
     {"    from: [\"9\"]\n    to: [eq10]\n    let:\n      x1: eq10.y1\n    show: [x1 = x1]", "eq10 has x1 itself"},
 };
 
-START_TEST(false_step_is_refused)
+EACH(false_step_is_refused, COUNT(refused))
 {
     char said[600];
     judge_step(refused[_i].step, said);
     ck_assert_msg(strstr(said, refused[_i].said) != NULL, "%s", said);
 }
-END_TEST
 
 /* ---- emptied steps ---- */
 
@@ -445,7 +438,7 @@ static char *emptied(const struct step *s, int k, int how)
 }
 
 /* Every equality of every step, emptied; of deletions, which take a whole binding each, some. */
-START_TEST(emptied_step_is_refused)
+TEST(emptied_step_is_refused)
 {
     struct derivations d, e;
     struct message why;
@@ -477,7 +470,6 @@ START_TEST(emptied_step_is_refused)
     ck_assert_int_gt(proved, 200);
     derivations_clear(&d);
 }
-END_TEST
 
 /* What an alteration makes of a place in a line; 0: nothing. */
 static char altered_character(const char *text, size_t i)
@@ -493,7 +485,7 @@ static char altered_character(const char *text, size_t i)
  * Signs and numbers of all lines of the algebra by hand, one at a time. An altered line that is true still cannot be told
  * from a right one: of terms that are zero, as the third component of (8), and of squares of what may have either sign.
  */
-START_TEST(altered_line_is_noticed)
+TEST(altered_line_is_noticed)
 {
     struct derivations d, e;
     struct message why;
@@ -534,10 +526,9 @@ START_TEST(altered_line_is_noticed)
     ck_assert_int_lt(true_still, tried/50);
     derivations_clear(&d);
 }
-END_TEST
 
 /* What from and to say is what is so: each entry left out, put into the other's place, or doubled with another. */
-START_TEST(changed_ends_are_refused)
+EACH(changed_ends_are_refused, 7)
 {
     static const struct {
         const char *from, *to, *said, *step;
@@ -568,9 +559,8 @@ START_TEST(changed_ends_are_refused)
     free(text);
     free(all);
 }
-END_TEST
 
-START_TEST(entry_stands_for_its_parts)
+TEST(entry_stands_for_its_parts)
 {
     struct derivations d;
     struct entry_part parts[MOST_PARTS];
@@ -588,10 +578,9 @@ START_TEST(entry_stands_for_its_parts)
     ck_assert_int_eq(entry_parts(&d, "eq02.f_12", parts), 1);
     derivations_clear(&d);
 }
-END_TEST
 
 /* Nothing is reached from what is not reached itself: (25) rests on (9). */
-START_TEST(gap_is_found)
+TEST(gap_is_found)
 {
     struct derivations d;
     struct message why = {""};
@@ -599,7 +588,6 @@ START_TEST(gap_is_found)
     ck_assert_str_eq(derivations_gap(&d), "2a");
     derivations_clear(&d);
 }
-END_TEST
 
 #define TEN_TIMES " = 2 = 3 = 4 = 5 = 6 = 7 = 8 = 9 = 10 = 11"
 #define TWENTY_RATES "rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate(rate"
@@ -635,7 +623,7 @@ static const char good[] =
     "    to: []\n"                                     /* 28 */
     "    show: [\"left(24, 2) = left(24, 2)\"]\n";     /* 29 */
 
-START_TEST(good_file_is_read)
+TEST(good_file_is_read)
 {
     struct derivations d;
     struct message why = {""};
@@ -651,7 +639,6 @@ START_TEST(good_file_is_read)
     ck_assert_int_eq(d.steps[0].corrected.root_count, 1);
     derivations_clear(&d);
 }
-END_TEST
 
 static const struct {
     const char *from, *to, *place, *expected;
@@ -759,7 +746,7 @@ static const struct {
     {"[force, \"10\"]", "[force, \"10\"", "", "expected YAML: "},
 };
 
-START_TEST(mistake_is_told_with_its_place)
+EACH(mistake_is_told_with_its_place, COUNT(mistakes))
 {
     struct derivations d;
     struct message why = {""};
@@ -773,10 +760,9 @@ START_TEST(mistake_is_told_with_its_place)
     ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "'%s' has no '%s'", why.text, mistakes[_i].expected);
     free(text);
 }
-END_TEST
 
 /* Wherever the file ends too early, it is read or refused in words, never worse. */
-START_TEST(cut_file_is_read_or_refused)
+TEST(cut_file_is_read_or_refused)
 {
     for (size_t length = 0; length < strlen(good); length++) {
         struct derivations d;
@@ -787,7 +773,6 @@ START_TEST(cut_file_is_read_or_refused)
             ck_assert_msg(strncmp(why.text, "t.yaml:", 7) == 0, "%s", why.text);
     }
 }
-END_TEST
 
 /* ---- the command ---- */
 
@@ -818,44 +803,7 @@ static const struct {
     {"\"$CT_PROGRAM\" verify derivations --graph >/dev/full 2>/dev/null", 1},
 };
 
-START_TEST(command_has_its_status)
+EACH(command_has_its_status, COUNT(commands))
 {
     ck_assert_int_eq(shell(commands[_i].line), commands[_i].status);
-}
-END_TEST
-
-SUITE(test_derivation)
-{
-    TCase *paper = tcase_create("paper");
-    tcase_set_timeout(paper, 120);
-    tcase_add_test(paper, every_step_holds_and_differs_as_printed);
-    tcase_add_test(paper, every_equation_is_in_the_sheet);
-    tcase_add_test(paper, misprints_are_these);
-    tcase_add_test(paper, eq03_closed_by_eq07_eq18_is_the_quadratic_system);
-
-    TCase *prover = tcase_create("prover");
-    tcase_add_loop_test(prover, prover_finds, 0, COUNT(findings));
-
-    TCase *binding = tcase_create("binding");
-    tcase_set_timeout(binding, 120); /* some 500 bindings, most of which end at once */
-    tcase_add_loop_test(binding, false_step_is_refused, 0, COUNT(refused));
-    tcase_add_test(binding, emptied_step_is_refused);
-    tcase_add_test(binding, altered_line_is_noticed);
-    tcase_add_loop_test(binding, changed_ends_are_refused, 0, 7);
-    tcase_add_test(binding, entry_stands_for_its_parts);
-    tcase_add_test(binding, gap_is_found);
-
-    TCase *reading = tcase_create("reading");
-    tcase_set_timeout(reading, 60);
-    tcase_add_test(reading, good_file_is_read);
-    tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
-    tcase_add_test(reading, cut_file_is_read_or_refused);
-    tcase_add_loop_test(reading, command_has_its_status, 0, COUNT(commands));
-
-    Suite *s = suite_create("derivation");
-    suite_add_tcase(s, paper);
-    suite_add_tcase(s, prover);
-    suite_add_tcase(s, binding);
-    suite_add_tcase(s, reading);
-    return s;
 }

@@ -71,20 +71,18 @@ static const struct known cases[] = {
     {"1/(x - 1/3)", {"1/3", "1"}, {0}, "1000", REMAINDER_EXCEEDED},
 };
 
-START_TEST(bound_is_proved_or_the_reason_told)
+EACH(bound_is_proved_or_the_reason_told, COUNT(cases))
 {
     const struct remainder_proof proof = prove(&cases[_i]);
     ck_assert_msg(proof.state == cases[_i].state, "%s: state %d, %d boxes, %d %%", cases[_i].formula, proof.state,
                   proof.boxes, proof.percent);
 }
-END_TEST
 
-START_TEST(percent_is_what_is_reached)
+TEST(percent_is_what_is_reached)
 {
     ck_assert_int_eq(prove(&(struct known){"x*y", {"-2", "3"}, {"-5", "4"}, "20", REMAINDER_PROVED}).percent, 75);
     ck_assert_int_eq(prove(&(struct known){"x*y", {"-2", "3"}, {"-5", "4"}, "14", REMAINDER_PROVED}).percent, 100);
 }
-END_TEST
 
 /* ---- what is read ---- */
 
@@ -140,7 +138,7 @@ static const struct {
      "f:8:56: expected a number"},
 };
 
-START_TEST(what_is_written_is_read_or_the_mistake_told_with_its_place)
+EACH(what_is_written_is_read_or_the_mistake_told_with_its_place, COUNT(files))
 {
     struct derivations d;
     struct message why = {""};
@@ -161,7 +159,6 @@ START_TEST(what_is_written_is_read_or_the_mistake_told_with_its_place)
         derivations_clear(&d);
     }
 }
-END_TEST
 
 /* ---- what the steps say ---- */
 
@@ -231,7 +228,7 @@ static double sampled_maximum(const struct remainder *r)
     return best;
 }
 
-START_TEST(what_is_dropped_stays_below_its_bound_and_above_half_of_it)
+TEST(what_is_dropped_stays_below_its_bound_and_above_half_of_it)
 {
     struct derivations d;
     struct remainder_proof proof;
@@ -246,9 +243,8 @@ START_TEST(what_is_dropped_stays_below_its_bound_and_above_half_of_it)
     ck_assert_int_ge(count, 8);
     derivations_clear(&d);
 }
-END_TEST
 
-START_TEST(a_bound_one_percent_below_what_is_reached_is_refused)
+TEST(a_bound_one_percent_below_what_is_reached_is_refused)
 {
     struct derivations d;
     struct remainder_proof proof;
@@ -265,10 +261,9 @@ START_TEST(a_bound_one_percent_below_what_is_reached_is_refused)
     }
     derivations_clear(&d);
 }
-END_TEST
 
 /* (15), (17), (39) and (40) drop something, and say how much: at Table 1, and of unequal masses where it has masses. */
-START_TEST(every_linearisation_has_its_bound)
+TEST(every_linearisation_has_its_bound)
 {
     static const char *const equations[] = {"15", "17", "39", "40a", "40b", "40c"};
     struct derivations d;
@@ -287,21 +282,4 @@ START_TEST(every_linearisation_has_its_bound)
     }
     ck_assert_int_ge(unequal, 2);
     derivations_clear(&d);
-}
-END_TEST
-
-SUITE(test_remainder)
-{
-    Suite *s = suite_create("remainder");
-    TCase *c = tcase_create("remainder");
-    tcase_set_timeout(c, 60);
-    tcase_add_loop_test(c, bound_is_proved_or_the_reason_told, 0, (int)(sizeof cases / sizeof *cases));
-    tcase_add_test(c, percent_is_what_is_reached);
-    tcase_add_loop_test(c, what_is_written_is_read_or_the_mistake_told_with_its_place, 0,
-                        (int)(sizeof files / sizeof *files));
-    tcase_add_test(c, what_is_dropped_stays_below_its_bound_and_above_half_of_it);
-    tcase_add_test(c, a_bound_one_percent_below_what_is_reached_is_refused);
-    tcase_add_test(c, every_linearisation_has_its_bound);
-    suite_add_tcase(s, c);
-    return s;
 }

@@ -99,7 +99,7 @@ static const struct {
       "-0.2360906955966193593672917352756750781455", "1.532144487232662239970225819940841425509"}},
 };
 
-START_TEST(eq41_roots_agree_with_mpmath)
+EACH(eq41_roots_agree_with_mpmath, COUNT(known))
 {
     struct fixture f;
     SCOPE(arb, expected);
@@ -118,7 +118,6 @@ START_TEST(eq41_roots_agree_with_mpmath)
     }
     close_fixture(&f);
 }
-END_TEST
 
 /* Exactly known parts, as fractions; NULL is an irrational one. */
 static const struct {
@@ -159,7 +158,7 @@ static const struct {
      {"-1536/1993", NULL, "-1536/1993", NULL, "-1/2", "-3/4", "-1/2", "3/4"}},
 };
 
-START_TEST(eq41_rational_parts_are_found)
+EACH(eq41_rational_parts_are_found, COUNT(exact))
 {
     struct fixture f;
     SCOPE(fmpq, value, expected);
@@ -174,10 +173,9 @@ START_TEST(eq41_rational_parts_are_found)
     }
     close_fixture(&f);
 }
-END_TEST
 
 /* A zero part is an exact zero, for no decimal of an enclosure around zero can be decided. */
-START_TEST(eq41_zero_parts_are_exact_zeros)
+EACH(eq41_zero_parts_are_exact_zeros, COUNT(exact))
 {
     struct fixture f;
     open_fixture(&f, exact[_i].Omega, exact[_i].C1, exact[_i].C2);
@@ -190,7 +188,6 @@ START_TEST(eq41_zero_parts_are_exact_zeros)
     }
     close_fixture(&f);
 }
-END_TEST
 
 /* The coefficients of (41) are the symmetric functions of its roots (Vieta). */
 static void check_coefficients(const struct fixture *f, slong prec)
@@ -238,7 +235,7 @@ static void check_promises(const struct fixture *f, slong prec)
     }
 }
 
-START_TEST(eq41_exact_cases_have_the_coefficients)
+EACH(eq41_exact_cases_have_the_coefficients, COUNT(exact))
 {
     struct fixture f;
     open_fixture(&f, exact[_i].Omega, exact[_i].C1, exact[_i].C2);
@@ -249,10 +246,9 @@ START_TEST(eq41_exact_cases_have_the_coefficients)
     }
     close_fixture(&f);
 }
-END_TEST
 
 /* Small fractions of every sign: real and complex roots, stable and unstable. */
-START_TEST(eq41_grid_has_the_coefficients)
+TEST(eq41_grid_has_the_coefficients)
 {
     struct fixture f;
     open_fixture(&f, "3/7", "0", "0");
@@ -267,7 +263,6 @@ START_TEST(eq41_grid_has_the_coefficients)
     }
     close_fixture(&f);
 }
-END_TEST
 
 /* Nearly multiple, nearly equal real parts, tiny, huge: what makes isolation hard. */
 static const struct {
@@ -307,7 +302,7 @@ static const struct {
     {"1000000000000000000000000000000", "3", "-2"},
 };
 
-START_TEST(eq41_hard_cases_have_the_coefficients)
+EACH(eq41_hard_cases_have_the_coefficients, COUNT(hard))
 {
     struct fixture f;
     open_fixture(&f, hard[_i].Omega, hard[_i].C1, hard[_i].C2);
@@ -316,10 +311,9 @@ START_TEST(eq41_hard_cases_have_the_coefficients)
     check_promises(&f, 53);
     close_fixture(&f);
 }
-END_TEST
 
 /* No double can hold these coefficients, so the iteration in double starts nothing. */
-START_TEST(eq41_roots_beyond_the_range_of_double)
+TEST(eq41_roots_beyond_the_range_of_double)
 {
     struct fixture f;
     open_fixture(&f, "1", "0", "0");
@@ -329,10 +323,9 @@ START_TEST(eq41_roots_beyond_the_range_of_double)
     check_coefficients(&f, 4000);
     close_fixture(&f);
 }
-END_TEST
 
 /* (42): all real parts negative exactly when C1 > 9 Omega^2 and C2 > 0. */
-START_TEST(eq42_tells_the_sign_of_the_greatest_real_part)
+TEST(eq42_tells_the_sign_of_the_greatest_real_part)
 {
     struct fixture f;
     open_fixture(&f, "1/3", "0", "0");
@@ -349,9 +342,8 @@ START_TEST(eq42_tells_the_sign_of_the_greatest_real_part)
     }
     close_fixture(&f);
 }
-END_TEST
 
-START_TEST(eq41_refuses_a_rate_that_is_not_positive)
+TEST(eq41_refuses_a_rate_that_is_not_positive)
 {
     struct fixture f;
     open_fixture(&f, "0", "10", "2");
@@ -360,13 +352,12 @@ START_TEST(eq41_refuses_a_rate_that_is_not_positive)
     ck_assert(!roots41(f.roots, f.Omega, f.C1, f.C2, 64));
     close_fixture(&f);
 }
-END_TEST
 
 /*
  * Near C1 = 17, C2 = 6 both pairs have nearly one imaginary part. With a root at -0.236090695597
  * + 1.532144487233 i exactly, the other pair's differs by 1.1e-11.
  */
-START_TEST(eq41_rational_part_is_not_taken_for_its_neighbour)
+TEST(eq41_rational_part_is_not_taken_for_its_neighbour)
 {
     struct fixture f;
     SCOPE(fmpq, value);
@@ -381,10 +372,9 @@ START_TEST(eq41_rational_part_is_not_taken_for_its_neighbour)
     ck_assert_int_eq(rational, 2);
     close_fixture(&f);
 }
-END_TEST
 
 /* (44) at n = 12: c2 = 2 sqrt(3), no fraction. mpmath, as above. */
-START_TEST(eq44_gains_have_certified_roots)
+TEST(eq44_gains_have_certified_roots)
 {
     static const char *const value[8] = {
         "-1.13598031767247161518427813175453100947",   "-2.1040185957563881357867565322273166587",
@@ -405,11 +395,10 @@ START_TEST(eq44_gains_have_certified_roots)
                       "part %d", k); /* 160 bits less a few */
     }
 }
-END_TEST
 
 /* Each enclosure holds the root of every polynomial in the balls: here of the one with exact gains.
  */
-START_TEST(eq41_wide_gains_enclose_exact_roots)
+TEST(eq41_wide_gains_enclose_exact_roots)
 {
     struct fixture f;
     VECTOR(acb, roots, 4);
@@ -425,7 +414,6 @@ START_TEST(eq41_wide_gains_enclose_exact_roots)
         ck_assert(acb_contains(roots + k, f.roots + k));
     close_fixture(&f);
 }
-END_TEST
 
 static const struct {
     double c1, c1_radius, c2, c2_radius;
@@ -437,7 +425,7 @@ static const struct {
     {NAN, 0, 2, 0},
 };
 
-START_TEST(eq41_gains_that_do_not_decide_are_refused)
+EACH(eq41_gains_that_do_not_decide_are_refused, COUNT(undecided))
 {
     VECTOR(acb, roots, 4);
     SCOPE(arb, c1, c2);
@@ -447,7 +435,6 @@ START_TEST(eq41_gains_that_do_not_decide_are_refused)
     mag_set_d(arb_radref(c2), undecided[_i].c2_radius);
     ck_assert(!roots41_gains(roots, c1, c2, 128));
 }
-END_TEST
 
 /* Enclosures as squares: centre and half a side. Whether the roots in them may be told real or conjugate. */
 static const struct {
@@ -461,7 +448,7 @@ static const struct {
     {{-2, -1, -1, -1.25}, {0, -0.75, 1, -1.75}, 0.375, false}, /* it may be in either of two */
 };
 
-START_TEST(eq41_enclosures_are_paired_where_that_is_certain)
+EACH(eq41_enclosures_are_paired_where_that_is_certain, COUNT(squares))
 {
     VECTOR(acb, roots, 4);
     for (int k = 0; k < 4; k++) {
@@ -470,31 +457,4 @@ START_TEST(eq41_enclosures_are_paired_where_that_is_certain)
         mag_set_d(arb_radref(acb_imagref(roots + k)), squares[_i].radius);
     }
     ck_assert_int_eq(roots41_conjugates(roots), squares[_i].told);
-}
-END_TEST
-
-#define COUNT(table) (int)(sizeof(table) / sizeof *(table))
-
-SUITE(test_roots)
-{
-    TCase *cases = tcase_create("eq41");
-    tcase_add_loop_test(cases, eq41_roots_agree_with_mpmath, 0, COUNT(known));
-    tcase_add_loop_test(cases, eq41_rational_parts_are_found, 0, COUNT(exact));
-    tcase_add_loop_test(cases, eq41_zero_parts_are_exact_zeros, 0, COUNT(exact));
-    tcase_add_loop_test(cases, eq41_exact_cases_have_the_coefficients, 0, COUNT(exact));
-    tcase_add_test(cases, eq41_grid_has_the_coefficients);
-    tcase_add_loop_test(cases, eq41_hard_cases_have_the_coefficients, 0, COUNT(hard));
-    tcase_add_test(cases, eq41_roots_beyond_the_range_of_double);
-    tcase_add_test(cases, eq42_tells_the_sign_of_the_greatest_real_part);
-    tcase_add_test(cases, eq41_refuses_a_rate_that_is_not_positive);
-    tcase_add_test(cases, eq41_rational_part_is_not_taken_for_its_neighbour);
-    tcase_add_test(cases, eq44_gains_have_certified_roots);
-    tcase_add_test(cases, eq41_wide_gains_enclose_exact_roots);
-    tcase_add_loop_test(cases, eq41_gains_that_do_not_decide_are_refused, 0, COUNT(undecided));
-
-    tcase_add_loop_test(cases, eq41_enclosures_are_paired_where_that_is_certain, 0, COUNT(squares));
-
-    Suite *s = suite_create("roots");
-    suite_add_tcase(s, cases);
-    return s;
 }

@@ -22,7 +22,7 @@ static size_t flat(struct ct_vector v, double y[])
     return 3;
 }
 
-START_TEST(eq25_is_the_third_column_of_eq09)
+EACH(eq25_is_the_third_column_of_eq09, PITCHES)
 {
     const double theta = pitches[_i];
     const struct ct_matrix BO = ct_direction_cosines(2, theta); /* whatever the yaw */
@@ -32,20 +32,18 @@ START_TEST(eq25_is_the_third_column_of_eq09)
     ck_assert_double_eq(omega.y, 3 * BO.e[1][2]);
     ck_assert_double_eq(omega.z, 3 * BO.e[2][2]);
 }
-END_TEST
 
 static size_t eq25(const double x[], double y[])
 {
     return flat(ct_orbit_angular_velocity(x[0], x[1]), y);
 }
 
-START_TEST(eq25_rejects_each_input_outside_its_domain)
+TEST(eq25_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq25, "+r", (const double[]){1, -2});
 }
-END_TEST
 
-START_TEST(eq26_level_body_yaws_about_its_third_axis)
+TEST(eq26_level_body_yaws_about_its_third_axis)
 {
     const struct ct_vector omega = ct_relative_angular_velocity(0, 5, -7);
 
@@ -53,18 +51,16 @@ START_TEST(eq26_level_body_yaws_about_its_third_axis)
     ck_assert_double_eq(omega.y, -7);
     ck_assert_double_eq(omega.z, 5);
 }
-END_TEST
 
-START_TEST(eq26_yaw_and_pitch_axes_are_perpendicular)
+EACH(eq26_yaw_and_pitch_axes_are_perpendicular, PITCHES)
 {
     const struct ct_vector omega = ct_relative_angular_velocity(pitches[_i], -3, 4);
 
     assert_close(scalar_product(omega, omega), 9 + 16, 8);
 }
-END_TEST
 
 /* What carries the columns of [BO] along: d/dt (BO v) = -omega x (BO v) for v at rest in the orbit frame. */
-START_TEST(eq26_turns_eq09)
+EACH(eq26_turns_eq09, PITCHES)
 {
     const double psi = 0.4, theta = pitches[_i], psi_dot = 0.5, theta_dot = -0.25, h = 0x1p-17;
     const struct ct_matrix now = ct_direction_cosines(psi, theta);
@@ -79,50 +75,45 @@ START_TEST(eq26_turns_eq09)
             ck_assert_double_eq_tol((after.e[j][k] - before.e[j][k]) / (2 * h), turned[j], 2e-10);
     }
 }
-END_TEST
 
 static size_t eq26(const double x[], double y[])
 {
     return flat(ct_relative_angular_velocity(x[0], x[1], x[2]), y);
 }
 
-START_TEST(eq26_rejects_each_input_outside_its_domain)
+TEST(eq26_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq26, "rrr", (const double[]){1, -2, 3});
 }
-END_TEST
 
 /* Yaw and orbit turn about the same axis, across that of the pitch. */
-START_TEST(eq27_adds_yaw_rate_and_orbit_rate)
+EACH(eq27_adds_yaw_rate_and_orbit_rate, PITCHES)
 {
     const struct ct_vector omega = ct_angular_velocity(5, pitches[_i], -2, 4);
 
     assert_close(scalar_product(omega, omega), 9 + 16, 16);
     ck_assert_double_eq(omega.y, 4);
 }
-END_TEST
 
-START_TEST(eq27_vanishes_against_the_orbit)
+EACH(eq27_vanishes_against_the_orbit, PITCHES)
 {
     const struct ct_vector omega = ct_angular_velocity(5, pitches[_i], -5, 0);
 
     ck_assert_double_eq(omega.x, 0);
     ck_assert_double_eq(omega.z, 0);
 }
-END_TEST
 
 static size_t eq27(const double x[], double y[])
 {
     return flat(ct_angular_velocity(x[0], x[1], x[2], x[3]), y);
 }
 
-START_TEST(eq27_rejects_each_input_outside_its_domain)
+TEST(eq27_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq27, "+rrr", (const double[]){1, -2, 3, -4});
 }
-END_TEST
 
-START_TEST(eq28_whole_numbers)
+TEST(eq28_whole_numbers)
 {
     const struct ct_vector omega = ct_angular_velocity_small_angles(2, -3, 5, 7);
 
@@ -130,9 +121,8 @@ START_TEST(eq28_whole_numbers)
     ck_assert_double_eq(omega.y, 7);
     ck_assert_double_eq(omega.z, 7);
 }
-END_TEST
 
-START_TEST(eq28_errs_from_eq27_by_second_order)
+TEST(eq28_errs_from_eq27_by_second_order)
 {
     const double e = 1e-5;
     const struct ct_vector exact = ct_angular_velocity(1, e, 2 * e, -3 * e);
@@ -142,21 +132,19 @@ START_TEST(eq28_errs_from_eq27_by_second_order)
     ck_assert_double_eq(linear.y, exact.y);
     ck_assert_double_eq_tol(linear.z, exact.z, e * e); /* the term left out is theta^2/2 */
 }
-END_TEST
 
 static size_t eq28(const double x[], double y[])
 {
     return flat(ct_angular_velocity_small_angles(x[0], x[1], x[2], x[3]), y);
 }
 
-START_TEST(eq28_rejects_each_input_outside_its_domain)
+TEST(eq28_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq28, "+rrr", (const double[]){1, -2, 3, -4});
 }
-END_TEST
 
 /* (28) is linear, so that its rate is its own value at the rates, the constant left out. */
-START_TEST(eq29_is_the_rate_of_eq28)
+TEST(eq29_is_the_rate_of_eq28)
 {
     const struct ct_vector rate = ct_angular_acceleration_small_angles(2, -3, 7, 5);
     const struct ct_vector at_rates = ct_angular_velocity_small_angles(2, -3, 5, 7);
@@ -165,21 +153,19 @@ START_TEST(eq29_is_the_rate_of_eq28)
     ck_assert_double_eq(rate.y, at_rates.y);
     ck_assert_double_eq(rate.z, at_rates.z - 2);
 }
-END_TEST
 
 static size_t eq29(const double x[], double y[])
 {
     return flat(ct_angular_acceleration_small_angles(x[0], x[1], x[2], x[3]), y);
 }
 
-START_TEST(eq29_rejects_each_input_outside_its_domain)
+TEST(eq29_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq29, "+rrr", (const double[]){1, -2, 3, -4});
 }
-END_TEST
 
 /* 2 kg at (1, 2, 3) and 5 kg at (-1, 0, 2); m1 in the second place, as printed, would give 2*(13 + 4) for I_11. */
-START_TEST(eq30_whole_numbers)
+TEST(eq30_whole_numbers)
 {
     const struct ct_matrix inertia =
         ct_inertia_matrix((struct ct_params){.m1 = 2, .m2 = 5}, (struct ct_vector){1, 2, 3}, (struct ct_vector){-1, 0, 2});
@@ -191,9 +177,8 @@ START_TEST(eq30_whole_numbers)
     ck_assert_double_eq(inertia.e[0][2], -2 * 3 + 5 * 2);
     ck_assert_double_eq(inertia.e[1][2], -2 * 6);
 }
-END_TEST
 
-START_TEST(eq30_is_symmetric)
+TEST(eq30_is_symmetric)
 {
     const struct ct_matrix inertia =
         ct_inertia_matrix(unequal, (struct ct_vector){1.1, -2.3, 3.7}, (struct ct_vector){-4.1, 5.3, 6.7});
@@ -202,9 +187,8 @@ START_TEST(eq30_is_symmetric)
         for (int k = 0; k < j; k++)
             ck_assert_double_eq(inertia.e[j][k], inertia.e[k][j]);
 }
-END_TEST
 
-START_TEST(eq30_of_the_tether_has_the_inertia_of_eq32)
+TEST(eq30_of_the_tether_has_the_inertia_of_eq32)
 {
     const struct ct_static_places at = ct_static_positions(unequal, 23);
     const struct ct_matrix inertia =
@@ -214,7 +198,6 @@ START_TEST(eq30_of_the_tether_has_the_inertia_of_eq32)
     assert_close(inertia.e[1][1], ct_inertia(unequal, 23), 16);
     assert_close(inertia.e[2][2], ct_inertia(unequal, 23), 16);
 }
-END_TEST
 
 static size_t eq30(const double x[], double y[])
 {
@@ -226,17 +209,15 @@ static size_t eq30(const double x[], double y[])
     return 9;
 }
 
-START_TEST(eq30_rejects_each_input_outside_its_domain)
+TEST(eq30_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq30, "++rrrrrr", (const double[]){1, 2, -3, 4, -5, 6, -7, 8});
 }
-END_TEST
 
-START_TEST(eq32_whole_numbers)
+TEST(eq32_whole_numbers)
 {
     ck_assert_double_eq(ct_inertia((struct ct_params){.m1 = 1, .m2 = 3}, 2), 3);
 }
-END_TEST
 
 static size_t eq32(const double x[], double y[])
 {
@@ -244,26 +225,23 @@ static size_t eq32(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq32_rejects_each_input_outside_its_domain)
+TEST(eq32_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq32, "+++", (const double[]){1, 2, 3});
 }
-END_TEST
 
-START_TEST(eq34_whole_numbers)
+TEST(eq34_whole_numbers)
 {
     ck_assert_double_eq(ct_inertia_rate((struct ct_params){.m1 = 1, .m2 = 3}, 2, -5), -15);
 }
-END_TEST
 
 /* I is a square: its central difference is exact for any step. */
-START_TEST(eq34_is_the_rate_of_eq32)
+TEST(eq34_is_the_rate_of_eq32)
 {
     const double quotient = (ct_inertia(unequal, 23 + 4) - ct_inertia(unequal, 23 - 4)) / 8;
 
     assert_close(ct_inertia_rate(unequal, 23, 1), quotient, 16);
 }
-END_TEST
 
 static size_t eq34(const double x[], double y[])
 {
@@ -271,13 +249,12 @@ static size_t eq34(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq34_rejects_each_input_outside_its_domain)
+TEST(eq34_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq34, "+++r", (const double[]){1, 2, 3, -4});
 }
-END_TEST
 
-START_TEST(eq36_is_the_first_column_of_eq09)
+EACH(eq36_is_the_first_column_of_eq09, PITCHES)
 {
     const double psi = -0.9, theta = pitches[_i];
     const struct ct_matrix BO = ct_direction_cosines(psi, theta);
@@ -287,21 +264,19 @@ START_TEST(eq36_is_the_first_column_of_eq09)
     ck_assert_double_eq(R_c.y, 4 * BO.e[1][0]);
     ck_assert_double_eq(R_c.z, 4 * BO.e[2][0]);
 }
-END_TEST
 
 static size_t eq36(const double x[], double y[])
 {
     return flat(ct_centre_position(x[0], x[1], x[2]), y);
 }
 
-START_TEST(eq36_rejects_each_input_outside_its_domain)
+TEST(eq36_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq36, "+rr", (const double[]){1, -2, 3});
 }
-END_TEST
 
 /* R_c = 3: 3*81/3^5 = 1 times the inertia 5 times the products of the components */
-START_TEST(eq37_whole_numbers)
+TEST(eq37_whole_numbers)
 {
     const struct ct_vector torque = ct_gravity_gradient(81, (struct ct_vector){1, -2, 2}, 5);
 
@@ -312,18 +287,16 @@ START_TEST(eq37_whole_numbers)
     /* a quarter of the distance, a 64th of GM: the domain begins at 0, not at a metre */
     assert_close(ct_gravity_gradient(81. / 64, (struct ct_vector){0.25, -0.5, 0.5}, 5).y, -10, 8);
 }
-END_TEST
 
-START_TEST(eq37_has_no_torque_about_the_vertical)
+TEST(eq37_has_no_torque_about_the_vertical)
 {
     const struct ct_vector R_c = {3e6, -4e7, 7e6};
     const struct ct_vector torque = ct_gravity_gradient(3.986e14, R_c, 1e4);
 
     ck_assert_double_le(fabs(scalar_product(torque, R_c)), 16 * 0x1p-53 * fabs(torque.y * R_c.y));
 }
-END_TEST
 
-START_TEST(eq37_vanishes_in_equilibrium)
+TEST(eq37_vanishes_in_equilibrium)
 {
     const struct ct_vector upright = ct_gravity_gradient(1, (struct ct_vector){-7, 0, 0}, 5);
     const struct ct_vector massless = ct_gravity_gradient(1, (struct ct_vector){1, 2, 3}, 0);
@@ -333,43 +306,37 @@ START_TEST(eq37_vanishes_in_equilibrium)
     ck_assert_double_eq(massless.y, 0);
     ck_assert_double_eq(massless.z, 0);
 }
-END_TEST
 
-START_TEST(eq37_does_not_overflow_with_the_fifth_power)
+TEST(eq37_does_not_overflow_with_the_fifth_power)
 {
     /* 3 * 1e200/1e100^3 * 1e100 * (3/5)(4/5), while 1e100^5 has no double */
     assert_close(ct_gravity_gradient(1e200, (struct ct_vector){6e99, 8e99, 0}, 1e100).z, 1.44, 16);
 }
-END_TEST
 
 static size_t eq37(const double x[], double y[])
 {
     return flat(ct_gravity_gradient(x[0], (struct ct_vector){x[1], x[2], x[3]}, x[4]), y);
 }
 
-START_TEST(eq37_rejects_each_input_outside_its_domain)
+TEST(eq37_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq37, "+rrr0", (const double[]){1, 2, -3, 4, 5});
 }
-END_TEST
 
-START_TEST(eq37_rejects_the_planets_centre)
+TEST(eq37_rejects_the_planets_centre)
 {
     ck_assert_double_nan(ct_gravity_gradient(1, (struct ct_vector){0, 0, 0}, 1).x);
 }
-END_TEST
 
-START_TEST(eq38_is_keplers_third_law)
+TEST(eq38_is_keplers_third_law)
 {
     ck_assert_double_eq(ct_orbit_rate(18, 2), 1.5); /* as printed, with 3 GM, this would be 2.6 */
 }
-END_TEST
 
-START_TEST(eq38_does_not_overflow_with_the_cube)
+TEST(eq38_does_not_overflow_with_the_cube)
 {
     assert_close(ct_orbit_rate(4e200, 1e200), 2e-200, 8);
 }
-END_TEST
 
 static size_t eq38(const double x[], double y[])
 {
@@ -377,13 +344,12 @@ static size_t eq38(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq38_rejects_each_input_outside_its_domain)
+TEST(eq38_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq38, "++", (const double[]){1, 2});
 }
-END_TEST
 
-START_TEST(eq39_whole_numbers)
+TEST(eq39_whole_numbers)
 {
     const struct ct_vector torque = ct_gravity_gradient_small_angles(2, 5, 7, -3);
 
@@ -391,18 +357,16 @@ START_TEST(eq39_whole_numbers)
     ck_assert_double_eq(torque.y, 180);
     ck_assert_double_eq(torque.z, -420);
 }
-END_TEST
 
-START_TEST(eq39_turns_nothing_without_inertia)
+TEST(eq39_turns_nothing_without_inertia)
 {
     const struct ct_vector torque = ct_gravity_gradient_small_angles(2, 0, 7, -3);
 
     ck_assert_double_eq(torque.y, 0);
     ck_assert_double_eq(torque.z, 0);
 }
-END_TEST
 
-START_TEST(eq39_is_eq37_of_eq36_to_first_order)
+TEST(eq39_is_eq37_of_eq36_to_first_order)
 {
     const double GM = 4e14, R_c = 4.2e7, I = 1e4, psi = -2e-5, theta = 1e-5;
     const struct ct_vector exact = ct_gravity_gradient(GM, ct_centre_position(R_c, psi, theta), I);
@@ -411,76 +375,13 @@ START_TEST(eq39_is_eq37_of_eq36_to_first_order)
     assert_close(linear.y, exact.y, 1e-9 * 0x1p53); /* terms of third order: 4/3 of 4e-10 and less */
     assert_close(linear.z, exact.z, 1e-9 * 0x1p53);
 }
-END_TEST
 
 static size_t eq39(const double x[], double y[])
 {
     return flat(ct_gravity_gradient_small_angles(x[0], x[1], x[2], x[3]), y);
 }
 
-START_TEST(eq39_rejects_each_input_outside_its_domain)
+TEST(eq39_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq39, "+0rr", (const double[]){1, 2, -3, 4});
-}
-END_TEST
-
-static TCase *rotation(void)
-{
-    TCase *c = tcase_create("eq25 to eq29");
-
-    tcase_add_loop_test(c, eq25_is_the_third_column_of_eq09, 0, PITCHES);
-    tcase_add_test(c, eq25_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq26_level_body_yaws_about_its_third_axis);
-    tcase_add_loop_test(c, eq26_yaw_and_pitch_axes_are_perpendicular, 0, PITCHES);
-    tcase_add_loop_test(c, eq26_turns_eq09, 0, PITCHES);
-    tcase_add_test(c, eq26_rejects_each_input_outside_its_domain);
-    tcase_add_loop_test(c, eq27_adds_yaw_rate_and_orbit_rate, 0, PITCHES);
-    tcase_add_loop_test(c, eq27_vanishes_against_the_orbit, 0, PITCHES);
-    tcase_add_test(c, eq27_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq28_whole_numbers);
-    tcase_add_test(c, eq28_errs_from_eq27_by_second_order);
-    tcase_add_test(c, eq28_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq29_is_the_rate_of_eq28);
-    tcase_add_test(c, eq29_rejects_each_input_outside_its_domain);
-    return c;
-}
-
-static TCase *inertia_and_torque(void)
-{
-    TCase *c = tcase_create("eq30 to eq39");
-
-    tcase_add_test(c, eq30_whole_numbers);
-    tcase_add_test(c, eq30_is_symmetric);
-    tcase_add_test(c, eq30_of_the_tether_has_the_inertia_of_eq32);
-    tcase_add_test(c, eq30_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq32_whole_numbers);
-    tcase_add_test(c, eq32_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq34_whole_numbers);
-    tcase_add_test(c, eq34_is_the_rate_of_eq32);
-    tcase_add_test(c, eq34_rejects_each_input_outside_its_domain);
-    tcase_add_loop_test(c, eq36_is_the_first_column_of_eq09, 0, PITCHES);
-    tcase_add_test(c, eq36_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq37_whole_numbers);
-    tcase_add_test(c, eq37_has_no_torque_about_the_vertical);
-    tcase_add_test(c, eq37_vanishes_in_equilibrium);
-    tcase_add_test(c, eq37_does_not_overflow_with_the_fifth_power);
-    tcase_add_test(c, eq37_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq37_rejects_the_planets_centre);
-    tcase_add_test(c, eq38_is_keplers_third_law);
-    tcase_add_test(c, eq38_does_not_overflow_with_the_cube);
-    tcase_add_test(c, eq38_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq39_whole_numbers);
-    tcase_add_test(c, eq39_turns_nothing_without_inertia);
-    tcase_add_test(c, eq39_is_eq37_of_eq36_to_first_order);
-    tcase_add_test(c, eq39_rejects_each_input_outside_its_domain);
-    return c;
-}
-
-SUITE(test_ref_attitude)
-{
-    Suite *s = suite_create("ref/attitude.c");
-
-    suite_add_tcase(s, rotation());
-    suite_add_tcase(s, inertia_and_torque());
-    return s;
 }

@@ -11,19 +11,17 @@ static const struct ct_params paper = {7.2915e-5, 8.99e9, 150, 150, 10};
 static const struct ct_params unequal = {7.2915e-5, 8.99e9, 120, 410, 23};
 
 /* 3/4 * 4^2/3 * (-2*3 + 5*1) */
-START_TEST(eq18_whole_numbers)
+TEST(eq18_whole_numbers)
 {
     const struct ct_params p = {.k_c = 3, .m1 = 1, .m2 = 3, .L_ref = 4};
 
     ck_assert_double_eq(ct_charge_product_variation(p, (struct ct_gains){2, 5}, 3, -1), -4);
 }
-END_TEST
 
-START_TEST(eq18_commands_nothing_without_an_error)
+TEST(eq18_commands_nothing_without_an_error)
 {
     ck_assert_double_eq(ct_charge_product_variation(paper, (struct ct_gains){5e-8, 1e-4}, 0, 0), 0);
 }
-END_TEST
 
 static size_t eq18(const double x[], double y[])
 {
@@ -33,30 +31,27 @@ static size_t eq18(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq18_rejects_each_input_outside_its_domain)
+TEST(eq18_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq18, "++++rrrr", (const double[]){1, 2, 3, 4, -5, 6, 7, -8});
 }
-END_TEST
 
 /* -(5 - 9*4) 3 - 7*(-2) + 2*2*10*(-1) */
-START_TEST(eq19_whole_numbers)
+TEST(eq19_whole_numbers)
 {
     const struct ct_params p = {.Omega = 2, .L_ref = 10};
 
     ck_assert_double_eq(ct_closed_loop_acceleration(p, (struct ct_gains){5, 7}, 3, -2, -1), 93 + 14 - 40);
 }
-END_TEST
 
-START_TEST(eq19_gain_of_nine_just_undoes_the_tide)
+TEST(eq19_gain_of_nine_just_undoes_the_tide)
 {
     const struct ct_params p = {.Omega = 2, .L_ref = 10};
 
     ck_assert_double_eq(ct_closed_loop_acceleration(p, (struct ct_gains){36, 0}, 1e3, 0, 0), 0);
 }
-END_TEST
 
-START_TEST(eq19_is_eq17_under_the_law_of_eq18)
+EACH(eq19_is_eq17_under_the_law_of_eq18, 4)
 {
     const struct ct_gains g[] = {{6e-8, 2e-4}, {-6e-8, 2e-4}, {6e-8, -2e-4}, {-6e-8, -2e-4}};
     const double dL = 0.7, dL_dot = -3e-4, psi_dot = 2e-5;
@@ -68,7 +63,6 @@ START_TEST(eq19_is_eq17_under_the_law_of_eq18)
                             ct_length_error_acceleration(unequal, psi_dot, dL, dQ),
                             16 * 0x1p-53 * scale); /* every term passes through about eight roundings on each road */
 }
-END_TEST
 
 static size_t eq19(const double x[], double y[])
 {
@@ -78,13 +72,12 @@ static size_t eq19(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq19_rejects_each_input_outside_its_domain)
+TEST(eq19_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq19, "++rrrrr", (const double[]){1, 2, -3, 4, 5, -6, 7});
 }
-END_TEST
 
-START_TEST(eq21_whole_numbers)
+TEST(eq21_whole_numbers)
 {
     struct ct_charge_pair q;
 
@@ -92,18 +85,16 @@ START_TEST(eq21_whole_numbers)
     ck_assert_double_eq(q.q1, 2);
     ck_assert_double_eq(q.q2, -2);
 }
-END_TEST
 
-START_TEST(eq21_takes_a_positive_reference_that_the_variation_outweighs)
+TEST(eq21_takes_a_positive_reference_that_the_variation_outweighs)
 {
     struct ct_charge_pair q;
 
     ck_assert_int_eq(ct_charges(7, -16, &q), CT_OK);
     ck_assert_double_eq(q.q1, 3);
 }
-END_TEST
 
-START_TEST(eq21_rejects_like_charges)
+TEST(eq21_rejects_like_charges)
 {
     struct ct_charge_pair q;
 
@@ -111,16 +102,14 @@ START_TEST(eq21_rejects_like_charges)
     ck_assert_double_nan(q.q1);
     ck_assert_double_nan(q.q2);
 }
-END_TEST
 
-START_TEST(eq21_rejects_neutral_craft)
+TEST(eq21_rejects_neutral_craft)
 {
     struct ct_charge_pair q;
 
     ck_assert_int_eq(ct_charges(-5, 5, &q), CT_DOMAIN);
     ck_assert_double_nan(q.q1);
 }
-END_TEST
 
 static size_t eq21(const double x[], double y[])
 {
@@ -132,13 +121,12 @@ static size_t eq21(const double x[], double y[])
     return 2;
 }
 
-START_TEST(eq21_rejects_each_input_outside_its_domain)
+TEST(eq21_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq21, "rr", (const double[]){-3, 2});
 }
-END_TEST
 
-START_TEST(eq21_charges_at_rest_are_a_third_of_a_microcoulomb)
+TEST(eq21_charges_at_rest_are_a_third_of_a_microcoulomb)
 {
     const struct ct_hill_state rest = {.x1 = 5};
     struct ct_charge_pair q;
@@ -148,10 +136,9 @@ START_TEST(eq21_charges_at_rest_are_a_third_of_a_microcoulomb)
     ck_assert_double_eq_tol(q.q1, 3.6477e-7, 2e-11);
     ck_assert_double_eq(q.q2, -q.q1);
 }
-END_TEST
 
 /* Where L = 1.25 L_ref, L_dot = Omega L_ref/2, C1 = 12 Omega^2, C2 = 4 Omega: Q = Q_ref (1 + (12/4 + 4/2)/3). */
-START_TEST(eq21_follows_length_and_rate)
+TEST(eq21_follows_length_and_rate)
 {
     const double Omega = unequal.Omega, share = unequal.m2 / (unequal.m1 + unequal.m2);
     const struct ct_gains g = {12 * Omega * Omega, 4 * Omega};
@@ -162,10 +149,9 @@ START_TEST(eq21_follows_length_and_rate)
     ck_assert_int_eq(ct_commanded_charges(unequal, g, s, &q), CT_OK);
     assert_close(q.q1 * q.q1, -Q_ref * (1 + 5.0 / 3), 64); /* each road takes about thirty roundings */
 }
-END_TEST
 
 /* With C1 = 10 Omega^2 the law commands to repel where dL < -0.3 L_ref. */
-START_TEST(eq21_rejects_a_state_in_which_the_law_repels)
+TEST(eq21_rejects_a_state_in_which_the_law_repels)
 {
     const struct ct_gains g = {10 * paper.Omega * paper.Omega, 0};
     struct ct_charge_pair q;
@@ -175,7 +161,6 @@ START_TEST(eq21_rejects_a_state_in_which_the_law_repels)
     ck_assert_double_nan(q.q1);
     ck_assert_double_nan(q.q2);
 }
-END_TEST
 
 static size_t commanded_charges(const double x[], double y[])
 {
@@ -189,45 +174,15 @@ static size_t commanded_charges(const double x[], double y[])
     return 2;
 }
 
-START_TEST(eq21_along_a_motion_rejects_each_input_outside_its_domain)
+TEST(eq21_along_a_motion_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(commanded_charges, "+++++rrrrrrrr", (const double[]){1, 1, 1, 1, 9, 5, 6, 7, 8, 9, 1, 2, 3});
 }
-END_TEST
 
-START_TEST(eq21_along_a_motion_rejects_the_origin)
+TEST(eq21_along_a_motion_rejects_the_origin)
 {
     struct ct_charge_pair q;
 
     ck_assert_int_eq(ct_commanded_charges(paper, (struct ct_gains){0, 0}, (struct ct_hill_state){0}, &q), CT_DOMAIN);
     ck_assert_double_nan(q.q1);
-}
-END_TEST
-
-SUITE(test_ref_control)
-{
-    Suite *s = suite_create("ref/control.c");
-    TCase *law = tcase_create("eq18 and eq19"), *charges = tcase_create("eq21");
-
-    tcase_add_test(law, eq18_whole_numbers);
-    tcase_add_test(law, eq18_commands_nothing_without_an_error);
-    tcase_add_test(law, eq18_rejects_each_input_outside_its_domain);
-    tcase_add_test(law, eq19_whole_numbers);
-    tcase_add_test(law, eq19_gain_of_nine_just_undoes_the_tide);
-    tcase_add_loop_test(law, eq19_is_eq17_under_the_law_of_eq18, 0, 4);
-    tcase_add_test(law, eq19_rejects_each_input_outside_its_domain);
-    suite_add_tcase(s, law);
-
-    tcase_add_test(charges, eq21_whole_numbers);
-    tcase_add_test(charges, eq21_takes_a_positive_reference_that_the_variation_outweighs);
-    tcase_add_test(charges, eq21_rejects_like_charges);
-    tcase_add_test(charges, eq21_rejects_neutral_craft);
-    tcase_add_test(charges, eq21_rejects_each_input_outside_its_domain);
-    tcase_add_test(charges, eq21_charges_at_rest_are_a_third_of_a_microcoulomb);
-    tcase_add_test(charges, eq21_follows_length_and_rate);
-    tcase_add_test(charges, eq21_rejects_a_state_in_which_the_law_repels);
-    tcase_add_test(charges, eq21_along_a_motion_rejects_each_input_outside_its_domain);
-    tcase_add_test(charges, eq21_along_a_motion_rejects_the_origin);
-    suite_add_tcase(s, charges);
-    return s;
 }

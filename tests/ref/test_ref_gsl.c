@@ -91,28 +91,25 @@ static int roots_status(void)
     return status;
 }
 
-START_TEST(eq41_roots_report_exhausted_memory)
+TEST(eq41_roots_report_exhausted_memory)
 {
     failing = WORKSPACE;
     ck_assert_int_eq(roots_status(), CT_MEMORY);
 }
-END_TEST
 
-START_TEST(eq41_roots_report_a_solver_without_convergence)
+TEST(eq41_roots_report_a_solver_without_convergence)
 {
     failing = SOLVE;
     ck_assert_int_eq(roots_status(), CT_CONVERGENCE);
 }
-END_TEST
 
-START_TEST(eq41_roots_report_what_is_no_root)
+TEST(eq41_roots_report_what_is_no_root)
 {
     failing = ROOTS;
     ck_assert_int_eq(roots_status(), CT_CONVERGENCE);
 }
-END_TEST
 
-START_TEST(eq40_flow_reports_exhausted_memory)
+RANGE(eq40_flow_reports_exhausted_memory, STEP, EVOLVE + 1)
 {
     const struct ct_params p = {.Omega = 1, .L_ref = 1};
     const struct ct_tether_state start = {.psi = 1};
@@ -125,9 +122,8 @@ START_TEST(eq40_flow_reports_exhausted_memory)
     ck_assert_double_nan(s[1].dL_dot);
     ck_assert_int_eq(held, 0);
 }
-END_TEST
 
-START_TEST(eq03_flow_reports_exhausted_memory)
+RANGE(eq03_flow_reports_exhausted_memory, STEP, EVOLVE + 1)
 {
     const struct ct_params p = {1, 1, 1, 1, 1};
     const struct ct_hill_state start = {.x1 = 1};
@@ -138,19 +134,4 @@ START_TEST(eq03_flow_reports_exhausted_memory)
     ck_assert_int_eq(ct_nonlinear_flow(p, (struct ct_gains){10, 2}, start, 1e-9, 1, &t, &s), CT_MEMORY);
     ck_assert_double_nan(s.x1);
     ck_assert_int_eq(held, 0);
-}
-END_TEST
-
-SUITE(test_ref_gsl)
-{
-    Suite *s = suite_create("ref/ where GSL fails");
-    TCase *c = tcase_create("status and NaN");
-
-    tcase_add_test(c, eq41_roots_report_exhausted_memory);
-    tcase_add_test(c, eq41_roots_report_a_solver_without_convergence);
-    tcase_add_test(c, eq41_roots_report_what_is_no_root);
-    tcase_add_loop_test(c, eq40_flow_reports_exhausted_memory, STEP, EVOLVE + 1);
-    tcase_add_loop_test(c, eq03_flow_reports_exhausted_memory, STEP, EVOLVE + 1);
-    suite_add_tcase(s, c);
-    return s;
 }

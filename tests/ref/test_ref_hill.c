@@ -14,7 +14,7 @@ static const struct ct_params unequal = {7.2915e-5, 8.99e9, 120, 410, 23};
 /* Craft of 2 kg and 1 kg where Omega = k_c = 1: the centre of mass takes (3, 4, 12) to (-6, -8, -24), 39 m away. */
 static const struct ct_params whole = {1, 1, 2, 1, NAN};
 
-START_TEST(eq02_single_craft_feels_the_orbit_alone)
+TEST(eq02_single_craft_feels_the_orbit_alone)
 {
     const struct ct_craft craft = {5, 7, {1, 2, 3}, {-4, 5, 6}};
     struct ct_vector a;
@@ -24,10 +24,9 @@ START_TEST(eq02_single_craft_feels_the_orbit_alone)
     ck_assert_double_eq(a.y, -2 * 2 * -4);
     ck_assert_double_eq(a.z, -4 * 3);
 }
-END_TEST
 
 /* 13 m apart; 13 * 169 C^2 against the cube of the distance leaves the difference of the positions, and 1/m of it. */
-START_TEST(eq02_like_charges_push_by_the_inverse_square)
+TEST(eq02_like_charges_push_by_the_inverse_square)
 {
     const struct ct_craft craft[2] = {{1, 169, {3, 4, 12}, {0, 0, 0}}, {2, 13, {0, 0, 0}, {0, 0, 0}}};
     struct ct_vector a[2];
@@ -40,9 +39,8 @@ START_TEST(eq02_like_charges_push_by_the_inverse_square)
     ck_assert_double_eq(a[1].y, -2);
     ck_assert_double_eq(a[1].z, -6);
 }
-END_TEST
 
-START_TEST(eq02_shielding_divides_by_e_at_one_debye_length)
+TEST(eq02_shielding_divides_by_e_at_one_debye_length)
 {
     const struct ct_craft craft[2] = {{1, 169, {3, 4, 12}, {0, 0, 0}}, {2, -13, {0, 0, 0}, {0, 0, 0}}};
     const double inverse_of_e = 0.36787944117144232160; /* exp(-1) */
@@ -52,9 +50,8 @@ START_TEST(eq02_shielding_divides_by_e_at_one_debye_length)
     assert_close(a[0].y, -4 * inverse_of_e, 4); /* exp, quotient and two products */
     assert_close(a[1].z, 6 * inverse_of_e, 4);
 }
-END_TEST
 
-START_TEST(eq02_two_unshielded_craft_obey_eq03)
+TEST(eq02_two_unshielded_craft_obey_eq03)
 {
     const struct ct_params p = unequal;
     const struct ct_hill_state s = {-7, 11, 3, 0.001, -0.002, 0.003};
@@ -71,9 +68,8 @@ START_TEST(eq02_two_unshielded_craft_obey_eq03)
     assert_close(a[0].y, of_eq03.y, 16);
     assert_close(a[0].z, of_eq03.z, 16);
 }
-END_TEST
 
-START_TEST(eq02_forces_between_craft_leave_the_momentum)
+TEST(eq02_forces_between_craft_leave_the_momentum)
 {
     const struct ct_craft craft[4] = {
         {100, 1e-6, {10, -20, 30}, {0, 0, 0}},
@@ -92,9 +88,8 @@ START_TEST(eq02_forces_between_craft_leave_the_momentum)
     ck_assert_double_gt(force, 0);
     ck_assert_double_le(fabs(sum), 32 * 0x1p-53 * force); /* each force twice, sixteen roundings each */
 }
-END_TEST
 
-START_TEST(eq02_charge_of_one_craft_alone_moves_nobody)
+TEST(eq02_charge_of_one_craft_alone_moves_nobody)
 {
     const struct ct_craft craft[2] = {{1, 1, {0, 1, 0}, {0, 0, 0}}, {1, 0, {0, 0, 0}, {0, 0, 0}}};
     struct ct_vector a[2];
@@ -103,15 +98,13 @@ START_TEST(eq02_charge_of_one_craft_alone_moves_nobody)
     ck_assert_double_eq(a[0].y, 0);
     ck_assert_double_eq(a[1].y, 0);
 }
-END_TEST
 
-START_TEST(eq02_no_craft_is_no_error)
+TEST(eq02_no_craft_is_no_error)
 {
     ck_assert_int_eq(ct_formation_acceleration(1, 1, 1, 0, NULL, NULL), CT_OK);
 }
-END_TEST
 
-START_TEST(eq02_rejects_two_craft_in_one_place)
+TEST(eq02_rejects_two_craft_in_one_place)
 {
     const struct ct_craft craft[3] = {
         {1, 1, {1, 2, 3}, {0, 0, 0}},
@@ -129,7 +122,6 @@ START_TEST(eq02_rejects_two_craft_in_one_place)
     const struct ct_craft last_two[3] = {craft[1], craft[0], craft[2]};
     ck_assert_int_eq(ct_formation_acceleration(1, 1, 1, 3, last_two, a), CT_DOMAIN);
 }
-END_TEST
 
 static size_t eq02(const double x[], double y[])
 {
@@ -145,16 +137,15 @@ static size_t eq02(const double x[], double y[])
     return 6;
 }
 
-START_TEST(eq02_rejects_each_input_outside_its_domain)
+TEST(eq02_rejects_each_input_outside_its_domain)
 {
     const double inside[] = {1, 1, 1, 5, -6, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14};
 
     assert_rejects_outside(eq02, "++i+rrrrrrr+rrrrrrr", inside);
 }
-END_TEST
 
 /* k_c/m1 Q/L^3 = 1/2 * 2 * 39^3/39^3, so that the craft push each other with (9, 12, 36). */
-START_TEST(eq03_whole_numbers)
+TEST(eq03_whole_numbers)
 {
     const struct ct_vector a = ct_hill_acceleration(whole, (struct ct_hill_state){3, 4, 12, 1, 2, -5}, 2 * 59319);
 
@@ -162,18 +153,16 @@ START_TEST(eq03_whole_numbers)
     ck_assert_double_eq(a.y, -2 * 1 + 12);
     ck_assert_double_eq(a.z, -12 + 36);
 }
-END_TEST
 
-START_TEST(eq03_opposite_charges_attract)
+TEST(eq03_opposite_charges_attract)
 {
     const struct ct_hill_state s = {0, -4, 0, 0, 0, 0};
 
     ck_assert_double_gt(ct_hill_acceleration(unequal, s, -1e-12).y, 0);
     ck_assert_double_lt(ct_hill_acceleration(unequal, s, 1e-12).y, 0);
 }
-END_TEST
 
-START_TEST(eq03_rests_where_eq05_and_eq07_say)
+TEST(eq03_rests_where_eq05_and_eq07_say)
 {
     const struct ct_hill_state s = {.x1 = ct_static_positions(unequal, 23).x1};
     const struct ct_vector a = ct_hill_acceleration(unequal, s, ct_reference_charge_product(unequal, 23));
@@ -183,7 +172,6 @@ START_TEST(eq03_rests_where_eq05_and_eq07_say)
     ck_assert_double_eq(a.y, 0);
     ck_assert_double_eq(a.z, 0);
 }
-END_TEST
 
 static size_t eq03(const double x[], double y[])
 {
@@ -195,19 +183,17 @@ static size_t eq03(const double x[], double y[])
     return 3;
 }
 
-START_TEST(eq03_rejects_each_input_outside_its_domain)
+TEST(eq03_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq03, "++++rrrrrrr", (const double[]){1, 2, 3, 4, -5, 6, -7, 8, -9, 10, -11});
 }
-END_TEST
 
-START_TEST(eq03_rejects_craft_1_in_the_centre_of_mass)
+TEST(eq03_rejects_craft_1_in_the_centre_of_mass)
 {
     ck_assert_double_nan(ct_hill_acceleration(paper, (struct ct_hill_state){0, 0, 0, 1, 1, 1}, -1).x);
 }
-END_TEST
 
-START_TEST(eq04_centre_of_mass_stays_in_the_origin)
+TEST(eq04_centre_of_mass_stays_in_the_origin)
 {
     const struct ct_vector r2 = ct_second_position(whole, (struct ct_vector){3, -4, 12});
 
@@ -215,9 +201,8 @@ START_TEST(eq04_centre_of_mass_stays_in_the_origin)
     ck_assert_double_eq(r2.y, 8);
     ck_assert_double_eq(r2.z, -24);
 }
-END_TEST
 
-START_TEST(eq04_craft_1_in_the_origin_takes_craft_2_there)
+TEST(eq04_craft_1_in_the_origin_takes_craft_2_there)
 {
     const struct ct_vector r2 = ct_second_position(unequal, (struct ct_vector){0, 0, 0});
 
@@ -225,7 +210,6 @@ START_TEST(eq04_craft_1_in_the_origin_takes_craft_2_there)
     ck_assert_double_eq(r2.y, 0);
     ck_assert_double_eq(r2.z, 0);
 }
-END_TEST
 
 static size_t eq04(const double x[], double y[])
 {
@@ -236,29 +220,26 @@ static size_t eq04(const double x[], double y[])
     return 3;
 }
 
-START_TEST(eq04_rejects_each_input_outside_its_domain)
+TEST(eq04_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq04, "++rrr", (const double[]){1, 2, 3, -4, 5});
 }
-END_TEST
 
-START_TEST(eq05_lighter_craft_is_farther_out)
+TEST(eq05_lighter_craft_is_farther_out)
 {
     const struct ct_static_places at = ct_static_positions((struct ct_params){.m1 = 1, .m2 = 3}, 8);
 
     ck_assert_double_eq(at.x1, 6);
     ck_assert_double_eq(at.x2, -2);
 }
-END_TEST
 
-START_TEST(eq05_paper_formation_is_symmetric)
+TEST(eq05_paper_formation_is_symmetric)
 {
     const struct ct_static_places at = ct_static_positions(paper, paper.L_ref);
 
     ck_assert_double_eq(at.x1, 5);
     ck_assert_double_eq(at.x2, -5);
 }
-END_TEST
 
 static size_t eq05(const double x[], double y[])
 {
@@ -268,34 +249,30 @@ static size_t eq05(const double x[], double y[])
     return 2;
 }
 
-START_TEST(eq05_rejects_each_input_outside_its_domain)
+TEST(eq05_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq05, "+++", (const double[]){1, 2, 3});
 }
-END_TEST
 
 /* -3 * 2^2 * 2^3/3 * 3/4 */
-START_TEST(eq07_whole_numbers)
+TEST(eq07_whole_numbers)
 {
     ck_assert_double_eq(ct_reference_charge_product((struct ct_params){2, 3, 1, 3, NAN}, 2), -24);
 }
-END_TEST
 
-START_TEST(eq07_rounds_to_table_1)
+TEST(eq07_rounds_to_table_1)
 {
     /* printed -1.3306e-1 uC^2: half a unit of the last digit is 5e-6 uC^2 */
     ck_assert_double_eq_tol(ct_reference_charge_product(paper, paper.L_ref), -1.3306e-13, 5e-18);
 }
-END_TEST
 
-START_TEST(eq07_craft_can_change_places)
+TEST(eq07_craft_can_change_places)
 {
     const struct ct_params swapped = {unequal.Omega, unequal.k_c, unequal.m2, unequal.m1, unequal.L_ref};
 
     /* two roundings of the reduced mass each */
     assert_close(ct_reference_charge_product(swapped, 5), ct_reference_charge_product(unequal, 5), 4);
 }
-END_TEST
 
 static size_t eq07(const double x[], double y[])
 {
@@ -303,44 +280,7 @@ static size_t eq07(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq07_rejects_each_input_outside_its_domain)
+TEST(eq07_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq07, "+++++", (const double[]){1, 2, 3, 4, 5});
-}
-END_TEST
-
-SUITE(test_ref_hill)
-{
-    Suite *s = suite_create("ref/hill.c");
-    TCase *formation = tcase_create("eq02");
-    TCase *pair = tcase_create("eq03 to eq07");
-
-    tcase_add_test(formation, eq02_single_craft_feels_the_orbit_alone);
-    tcase_add_test(formation, eq02_like_charges_push_by_the_inverse_square);
-    tcase_add_test(formation, eq02_shielding_divides_by_e_at_one_debye_length);
-    tcase_add_test(formation, eq02_two_unshielded_craft_obey_eq03);
-    tcase_add_test(formation, eq02_forces_between_craft_leave_the_momentum);
-    tcase_add_test(formation, eq02_charge_of_one_craft_alone_moves_nobody);
-    tcase_add_test(formation, eq02_no_craft_is_no_error);
-    tcase_add_test(formation, eq02_rejects_two_craft_in_one_place);
-    tcase_add_test(formation, eq02_rejects_each_input_outside_its_domain);
-    suite_add_tcase(s, formation);
-
-    tcase_add_test(pair, eq03_whole_numbers);
-    tcase_add_test(pair, eq03_opposite_charges_attract);
-    tcase_add_test(pair, eq03_rests_where_eq05_and_eq07_say);
-    tcase_add_test(pair, eq03_rejects_each_input_outside_its_domain);
-    tcase_add_test(pair, eq03_rejects_craft_1_in_the_centre_of_mass);
-    tcase_add_test(pair, eq04_centre_of_mass_stays_in_the_origin);
-    tcase_add_test(pair, eq04_craft_1_in_the_origin_takes_craft_2_there);
-    tcase_add_test(pair, eq04_rejects_each_input_outside_its_domain);
-    tcase_add_test(pair, eq05_lighter_craft_is_farther_out);
-    tcase_add_test(pair, eq05_paper_formation_is_symmetric);
-    tcase_add_test(pair, eq05_rejects_each_input_outside_its_domain);
-    tcase_add_test(pair, eq07_whole_numbers);
-    tcase_add_test(pair, eq07_rounds_to_table_1);
-    tcase_add_test(pair, eq07_craft_can_change_places);
-    tcase_add_test(pair, eq07_rejects_each_input_outside_its_domain);
-    suite_add_tcase(s, pair);
-    return s;
 }

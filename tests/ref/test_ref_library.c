@@ -8,7 +8,7 @@
 
 #include "coulombtether.h"
 
-START_TEST(version_is_that_of_the_header)
+TEST(version_is_that_of_the_header)
 {
     char text[40];
 
@@ -16,9 +16,8 @@ START_TEST(version_is_that_of_the_header)
     ck_assert_str_eq(ct_version(), text);
     ck_assert_str_eq(ct_version(), CT_VERSION);
 }
-END_TEST
 
-START_TEST(each_status_has_words_of_its_own)
+TEST(each_status_has_words_of_its_own)
 {
     static const int statuses[] = {CT_OK, CT_DOMAIN, CT_MEMORY, CT_CONVERGENCE, CT_CONVERGENCE + 1};
     const size_t count = sizeof statuses / sizeof statuses[0];
@@ -29,26 +28,12 @@ START_TEST(each_status_has_words_of_its_own)
     ck_assert_str_eq(ct_status_string(-1), ct_status_string(CT_CONVERGENCE + 1));
     ck_assert_str_eq(ct_status_string(CT_OK), "done");
 }
-END_TEST
 
 /* The paper prints Q_ref = -0.13306 uC^2. */
-START_TEST(table1_gives_its_charge_product)
+TEST(table1_gives_its_charge_product)
 {
     const struct ct_params p = CT_TABLE1;
 
     ck_assert_double_eq_tol(ct_reference_charge_product(p, p.L_ref), -0.13306e-12, 0.000005e-12);
     ck_assert_double_eq(p.m1, p.m2);
-}
-END_TEST
-
-SUITE(test_ref_library)
-{
-    Suite *s = suite_create("ref/library.c");
-    TCase *c = tcase_create("library");
-
-    tcase_add_test(c, version_is_that_of_the_header);
-    tcase_add_test(c, each_status_has_words_of_its_own);
-    tcase_add_test(c, table1_gives_its_charge_product);
-    suite_add_tcase(s, c);
-    return s;
 }

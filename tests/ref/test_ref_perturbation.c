@@ -38,7 +38,7 @@ static double scalar_product(struct ct_vector a, struct ct_vector b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-START_TEST(eq09_is_the_identity_at_zero)
+TEST(eq09_is_the_identity_at_zero)
 {
     const struct ct_matrix BO = ct_direction_cosines(0, 0);
 
@@ -46,10 +46,9 @@ START_TEST(eq09_is_the_identity_at_zero)
         for (int k = 0; k < 3; k++)
             ck_assert_double_eq(BO.e[j][k], j == k);
 }
-END_TEST
 
 /* First about the third axis by psi, then about the new second axis by theta. */
-START_TEST(eq09_is_yaw_then_pitch)
+EACH(eq09_is_yaw_then_pitch, ATTITUDES)
 {
     const double psi = angles[_i][0], theta = angles[_i][1];
     const double yaw[3][3] = {{cos(psi), sin(psi), 0}, {-sin(psi), cos(psi), 0}, {0, 0, 1}};
@@ -60,9 +59,8 @@ START_TEST(eq09_is_yaw_then_pitch)
         for (int k = 0; k < 3; k++)
             ck_assert_double_eq(BO.e[j][k], pitch[j][0] * yaw[0][k] + pitch[j][1] * yaw[1][k] + pitch[j][2] * yaw[2][k]);
 }
-END_TEST
 
-START_TEST(eq09_rows_are_orthonormal)
+EACH(eq09_rows_are_orthonormal, ATTITUDES)
 {
     const struct ct_matrix BO = ct_direction_cosines(angles[_i][0], angles[_i][1]);
 
@@ -70,7 +68,6 @@ START_TEST(eq09_rows_are_orthonormal)
         for (int k = 0; k < 3; k++) /* up to eight roundings of numbers below one */
             ck_assert_double_eq_tol(scalar_product(vector(BO.e[j]), vector(BO.e[k])), j == k, 8 * 0x1p-53);
 }
-END_TEST
 
 static size_t eq09(const double x[], double y[])
 {
@@ -80,13 +77,12 @@ static size_t eq09(const double x[], double y[])
     return 9;
 }
 
-START_TEST(eq09_rejects_each_input_outside_its_domain)
+TEST(eq09_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq09, "rr", (const double[]){1, -2});
 }
-END_TEST
 
-START_TEST(eq10_lies_on_the_nadir_line_at_zero)
+TEST(eq10_lies_on_the_nadir_line_at_zero)
 {
     const struct ct_vector r1 = ct_position(whole, (struct ct_spherical){12, 0, 0});
 
@@ -94,21 +90,18 @@ START_TEST(eq10_lies_on_the_nadir_line_at_zero)
     ck_assert_double_eq(r1.y, 0);
     ck_assert_double_eq(r1.z, 0);
 }
-END_TEST
 
-START_TEST(eq10_quarter_yaw_points_along_the_velocity)
+TEST(eq10_quarter_yaw_points_along_the_velocity)
 {
     assert_close(ct_position(whole, (struct ct_spherical){12, quarter_turn, 0}).y, 4, 4);
 }
-END_TEST
 
-START_TEST(eq10_quarter_pitch_points_against_the_orbit_normal)
+TEST(eq10_quarter_pitch_points_against_the_orbit_normal)
 {
     assert_close(ct_position(whole, (struct ct_spherical){12, 0, quarter_turn}).z, -4, 4);
 }
-END_TEST
 
-START_TEST(eq10_and_its_inverse_make_a_round_trip)
+EACH(eq10_and_its_inverse_make_a_round_trip, ATTITUDES)
 {
     const struct ct_spherical c = {23.5, angles[_i][0], angles[_i][1]};
     const struct ct_spherical back = ct_spherical_coordinates(unequal, ct_position(unequal, c));
@@ -117,7 +110,6 @@ START_TEST(eq10_and_its_inverse_make_a_round_trip)
     ck_assert_double_eq_tol(back.psi, c.psi, 32 * 0x1p-53 / cos(c.theta)); /* the yaw of a short horizontal part */
     ck_assert_double_eq_tol(back.theta, c.theta, 16 * 0x1p-53);
 }
-END_TEST
 
 static size_t eq10(const double x[], double y[])
 {
@@ -127,14 +119,13 @@ static size_t eq10(const double x[], double y[])
     return 3;
 }
 
-START_TEST(eq10_rejects_each_input_outside_its_domain)
+TEST(eq10_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq10, "+++rr", (const double[]){1, 2, 3, -4, 5});
 }
-END_TEST
 
 /* Taylor: the terms left out are of second order, the largest of them r (psi^2 + theta^2)/2 along x. */
-START_TEST(eq10_small_angles_err_by_their_square)
+TEST(eq10_small_angles_err_by_their_square)
 {
     const struct ct_spherical c = {53, 1e-4, -2e-4};
     const struct ct_vector exact = ct_position(unequal, c), linear = ct_position_small_angles(unequal, c);
@@ -145,9 +136,8 @@ START_TEST(eq10_small_angles_err_by_their_square)
     ck_assert_double_eq_tol(linear.y, exact.y, r * squares * 1e-4);
     ck_assert_double_eq_tol(linear.z, exact.z, r * squares * 1e-4);
 }
-END_TEST
 
-START_TEST(eq10_small_angles_whole_numbers)
+TEST(eq10_small_angles_whole_numbers)
 {
     const struct ct_params p = {.m1 = 1, .m2 = 3};
     const struct ct_vector r1 = ct_position_small_angles(p, (struct ct_spherical){8, 2, -5});
@@ -156,7 +146,6 @@ START_TEST(eq10_small_angles_whole_numbers)
     ck_assert_double_eq(r1.y, 12);
     ck_assert_double_eq(r1.z, 30);
 }
-END_TEST
 
 static size_t eq10_small_angles(const double x[], double y[])
 {
@@ -166,19 +155,17 @@ static size_t eq10_small_angles(const double x[], double y[])
     return 3;
 }
 
-START_TEST(eq10_small_angles_reject_each_input_outside_its_domain)
+TEST(eq10_small_angles_reject_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq10_small_angles, "+++rr", (const double[]){1, 2, 3, -4, 5});
 }
-END_TEST
 
-START_TEST(eq10_inverse_whole_distance)
+TEST(eq10_inverse_whole_distance)
 {
     assert_close(ct_spherical_coordinates(whole, (struct ct_vector){3, 4, 12}).L, 39, 2);
 }
-END_TEST
 
-START_TEST(eq10_inverse_has_no_yaw_on_the_orbit_normal)
+TEST(eq10_inverse_has_no_yaw_on_the_orbit_normal)
 {
     const struct ct_spherical up = ct_spherical_coordinates(whole, (struct ct_vector){-0.0, -0.0, 5});
     const struct ct_spherical down = ct_spherical_coordinates(whole, (struct ct_vector){-0.0, 0.0, -5});
@@ -188,9 +175,8 @@ START_TEST(eq10_inverse_has_no_yaw_on_the_orbit_normal)
     ck_assert_double_eq(up.theta, -quarter_turn);
     ck_assert_double_eq(down.theta, quarter_turn);
 }
-END_TEST
 
-START_TEST(eq10_inverse_takes_a_negative_zero_for_zero)
+TEST(eq10_inverse_takes_a_negative_zero_for_zero)
 {
     const struct ct_spherical behind = ct_spherical_coordinates(whole, (struct ct_vector){-5, -0.0, -0.0});
     const struct ct_spherical ahead = ct_spherical_coordinates(whole, (struct ct_vector){5, -0.0, 0.0});
@@ -200,7 +186,6 @@ START_TEST(eq10_inverse_takes_a_negative_zero_for_zero)
     ck_assert_int_eq(!!signbit(ahead.psi), 0);
     ck_assert_int_eq(!!signbit(ahead.theta), 0);
 }
-END_TEST
 
 static size_t eq10_inverse(const double x[], double y[])
 {
@@ -210,20 +195,18 @@ static size_t eq10_inverse(const double x[], double y[])
     return 3;
 }
 
-START_TEST(eq10_inverse_rejects_each_input_outside_its_domain)
+TEST(eq10_inverse_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq10_inverse, "++rrr", (const double[]){1, 2, 3, -4, 5});
 }
-END_TEST
 
-START_TEST(eq10_inverse_rejects_the_origin)
+TEST(eq10_inverse_rejects_the_origin)
 {
     ck_assert_double_nan(ct_spherical_coordinates(whole, (struct ct_vector){0, 0, 0}).psi);
 }
-END_TEST
 
 /* The central difference over a step of 2^-17 errs by its square, 6e-11, and by one rounding over the step, 2e-11. */
-START_TEST(eq11_exact_is_the_derivative_of_eq10)
+EACH(eq11_exact_is_the_derivative_of_eq10, ATTITUDES)
 {
     const struct ct_spherical c = {17, angles[_i][0], angles[_i][1]};
     const struct ct_spherical_rate c_dot = {0.5, -0.75, 0.25};
@@ -237,10 +220,9 @@ START_TEST(eq11_exact_is_the_derivative_of_eq10)
     ck_assert_double_eq_tol(v1.y, (a.y - b.y) / (2 * h), 1e-8);
     ck_assert_double_eq_tol(v1.z, (a.z - b.z) / (2 * h), 1e-8);
 }
-END_TEST
 
 /* In spherical coordinates v^2 = r_dot^2 + r^2 (theta_dot^2 + cos^2(theta) psi_dot^2). */
-START_TEST(eq11_exact_has_the_speed_of_spherical_coordinates)
+EACH(eq11_exact_has_the_speed_of_spherical_coordinates, ATTITUDES)
 {
     const struct ct_spherical c = {12, angles[_i][0], angles[_i][1]};
     const struct ct_vector v1 = ct_velocity(whole, c, (struct ct_spherical_rate){-3, 0.5, 0.25});
@@ -248,7 +230,6 @@ START_TEST(eq11_exact_has_the_speed_of_spherical_coordinates)
 
     assert_close(scalar_product(v1, v1), 1 + 1 + across * across, 32); /* twice some sixteen roundings */
 }
-END_TEST
 
 static size_t eq11_exact(const double x[], double y[])
 {
@@ -259,14 +240,13 @@ static size_t eq11_exact(const double x[], double y[])
     return 3;
 }
 
-START_TEST(eq11_exact_rejects_each_input_outside_its_domain)
+TEST(eq11_exact_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq11_exact, "+++rrrrr", (const double[]){1, 2, 3, -4, 5, -6, 7, -8});
 }
-END_TEST
 
 /* 3/4 of L_dot, of psi L_dot + psi_dot L, of -theta L_dot - theta_dot L */
-START_TEST(eq11_whole_numbers)
+TEST(eq11_whole_numbers)
 {
     const struct ct_params p = {.m1 = 1, .m2 = 3};
     const struct ct_vector v1 =
@@ -276,9 +256,8 @@ START_TEST(eq11_whole_numbers)
     ck_assert_double_eq(v1.y, 0.75 * (2 * 4 - 1 * 8));
     ck_assert_double_eq(v1.z, 0.75 * (5 * 4 - 3 * 8));
 }
-END_TEST
 
-START_TEST(eq11_is_exact_at_zero_angles)
+TEST(eq11_is_exact_at_zero_angles)
 {
     const struct ct_spherical c = {8, 0, 0};
     const struct ct_spherical_rate c_dot = {-0.5, 0.3, -0.2};
@@ -288,7 +267,6 @@ START_TEST(eq11_is_exact_at_zero_angles)
     assert_close(linear.y, exact.y, 4);
     assert_close(linear.z, exact.z, 4);
 }
-END_TEST
 
 static size_t eq11(const double x[], double y[])
 {
@@ -299,26 +277,23 @@ static size_t eq11(const double x[], double y[])
     return 3;
 }
 
-START_TEST(eq11_rejects_each_input_outside_its_domain)
+TEST(eq11_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq11, "+++rrrrr", (const double[]){1, 2, 3, -4, 5, -6, 7, -8});
 }
-END_TEST
 
-START_TEST(eq12_whole_numbers)
+TEST(eq12_whole_numbers)
 {
     ck_assert_double_eq(ct_distance((struct ct_vector){2, -1, 5}, (struct ct_vector){-1, 3, -7}), 13);
 }
-END_TEST
 
-START_TEST(eq12_neither_overflows_nor_vanishes)
+TEST(eq12_neither_overflows_nor_vanishes)
 {
     const struct ct_vector origin = {0, 0, 0};
 
     assert_close(ct_distance((struct ct_vector){3e200, 4e200, 0}, origin), 5e200, 4);
     assert_close(ct_distance((struct ct_vector){0, 3e-200, 4e-200}, origin), 5e-200, 4);
 }
-END_TEST
 
 static size_t eq12(const double x[], double y[])
 {
@@ -326,31 +301,27 @@ static size_t eq12(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq12_rejects_each_input_outside_its_domain)
+TEST(eq12_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq12, "rrrrrr", (const double[]){1, -2, 3, -4, 5, -6});
 }
-END_TEST
 
-START_TEST(eq12_rejects_craft_in_one_place)
+TEST(eq12_rejects_craft_in_one_place)
 {
     ck_assert_double_nan(ct_distance((struct ct_vector){1, -2, 3}, (struct ct_vector){1, -2, 3}));
 }
-END_TEST
 
-START_TEST(eq13_whole_numbers)
+TEST(eq13_whole_numbers)
 {
     ck_assert_double_eq(ct_separation(whole, (struct ct_vector){-3, 4, -12}), 39);
 }
-END_TEST
 
-START_TEST(eq13_agrees_with_eq04_and_eq12)
+TEST(eq13_agrees_with_eq04_and_eq12)
 {
     const struct ct_vector r1 = {5, -7, 0.25};
 
     assert_close(ct_separation(unequal, r1), ct_distance(r1, ct_second_position(unequal, r1)), 8);
 }
-END_TEST
 
 static size_t eq13(const double x[], double y[])
 {
@@ -358,26 +329,23 @@ static size_t eq13(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq13_rejects_each_input_outside_its_domain)
+TEST(eq13_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq13, "++rrr", (const double[]){1, 2, 3, -4, 5});
 }
-END_TEST
 
-START_TEST(eq13_rejects_the_origin)
+TEST(eq13_rejects_the_origin)
 {
     ck_assert_double_nan(ct_separation(whole, (struct ct_vector){0, 0, 0}));
 }
-END_TEST
 
 /* 3 r.v/r with r.v = 3 + 8 - 12 and r = 13 */
-START_TEST(eq13_rate_whole_numbers)
+TEST(eq13_rate_whole_numbers)
 {
     assert_close(ct_separation_rate(whole, (struct ct_hill_state){3, 4, 12, 1, 2, -1}), -3.0 / 13, 4);
 }
-END_TEST
 
-START_TEST(eq13_rate_comes_back_from_eq11)
+EACH(eq13_rate_comes_back_from_eq11, ATTITUDES)
 {
     const struct ct_spherical c = {23.5, angles[_i][0], angles[_i][1]};
     const struct ct_spherical_rate c_dot = {-2, 0.1, 0.2};
@@ -387,7 +355,6 @@ START_TEST(eq13_rate_comes_back_from_eq11)
     /* r.v takes up to sixteen roundings of r |v|, and with L = 23.5 m |v| is up to three times L_dot */
     assert_close(ct_separation_rate(unequal, s), -2, 48);
 }
-END_TEST
 
 static size_t eq13_rate(const double x[], double y[])
 {
@@ -395,31 +362,28 @@ static size_t eq13_rate(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq13_rate_rejects_each_input_outside_its_domain)
+TEST(eq13_rate_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq13_rate, "++rrrrrr", (const double[]){1, 2, 3, -4, 5, -6, 7, -8});
 }
-END_TEST
 
-START_TEST(eq13_rate_rejects_the_origin)
+TEST(eq13_rate_rejects_the_origin)
 {
     ck_assert_double_nan(ct_separation_rate(whole, (struct ct_hill_state){0, 0, 0, 1, 2, 3}));
 }
-END_TEST
 
 /*
  * By (3) a1 = (22, 10, 24), as in eq03_whole_numbers, so that 9 (v1.v1 + r1.a1) = 9 (6 + 394) = 3600,
  * L_dot = 3 * 23/13, L = 39, and L_ddot = (3600 - (69/13)^2)/39 = 201213/2197.
  */
-START_TEST(eq14_whole_numbers)
+TEST(eq14_whole_numbers)
 {
     const struct ct_hill_state s = {3, 4, 12, 1, 2, 1};
 
     assert_close(ct_separation_acceleration(whole, s, 2 * 59319), 201213.0 / 2197, 8);
 }
-END_TEST
 
-START_TEST(eq14_satisfies_the_printed_relation)
+TEST(eq14_satisfies_the_printed_relation)
 {
     const struct ct_hill_state s = {-5, 7, 2, 2e-4, 3e-4, -4e-4};
     const double Q = -3e-12, M_over_m2 = (unequal.m1 + unequal.m2) / unequal.m2;
@@ -430,19 +394,17 @@ START_TEST(eq14_satisfies_the_printed_relation)
 
     assert_close(L_dot * L_dot + L * ct_separation_acceleration(unequal, s, Q), right, 32); /* about sixteen each side */
 }
-END_TEST
 
 /* Along the line of the craft nothing turns: v1.v1 - L_dot^2 m2^2/M^2 vanishes and 3 r1.a1/r is left, r1.a1 = 27 - 144. */
-START_TEST(eq14_motion_along_the_line_adds_nothing)
+TEST(eq14_motion_along_the_line_adds_nothing)
 {
     const struct ct_hill_state s = {3, 4, 12, 3e8, 4e8, 12e8};
 
     assert_close(ct_separation_acceleration(whole, s, 0), 3 * (27.0 - 144) / 13, 8);
 }
-END_TEST
 
 /* At zero angles and without motion along the line, (15) lacks only the centrifugal term psi_dot^2 L of (14). */
-START_TEST(eq14_differs_from_eq15_by_the_centrifugal_term)
+TEST(eq14_differs_from_eq15_by_the_centrifugal_term)
 {
     const double L = 12, psi_dot = -0.5, Q = 40;
     const struct ct_hill_state s = {.x1 = 4, .y1_dot = 4 * psi_dot};
@@ -451,7 +413,6 @@ START_TEST(eq14_differs_from_eq15_by_the_centrifugal_term)
 
     ck_assert_double_eq_tol(difference, psi_dot * psi_dot * L, 64 * 0x1p-53 * 36); /* of terms up to 3 L = 36 */
 }
-END_TEST
 
 static size_t eq14(const double x[], double y[])
 {
@@ -459,43 +420,38 @@ static size_t eq14(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq14_rejects_each_input_outside_its_domain)
+TEST(eq14_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq14, "++++rrrrrrr", (const double[]){1, 2, 3, 4, -5, 6, -7, 8, -9, 10, -11});
 }
-END_TEST
 
-START_TEST(eq14_rejects_the_origin)
+TEST(eq14_rejects_the_origin)
 {
     ck_assert_double_nan(ct_separation_acceleration(whole, (struct ct_hill_state){0, 0, 0, 1, 2, 3}, 1));
 }
-END_TEST
 
 /* (2*2*(-5) + 3*4) 4 + 3/16 * (1 + 3)/3 * (-8) */
-START_TEST(eq15_whole_numbers)
+TEST(eq15_whole_numbers)
 {
     const struct ct_params p = {2, 3, 1, 3, NAN};
 
     ck_assert_double_eq(ct_separation_acceleration_small_angles(p, 4, -5, -8), -32 - 2);
 }
-END_TEST
 
-START_TEST(eq15_uncharged_craft_at_rest_drift_apart)
+TEST(eq15_uncharged_craft_at_rest_drift_apart)
 {
     const struct ct_params p = {2, 8.99e9, 120, 410, NAN};
 
     ck_assert_double_eq(ct_separation_acceleration_small_angles(p, 7, 0, 0), 3 * 4 * 7);
 }
-END_TEST
 
-START_TEST(eq15_rests_under_the_charges_of_eq07)
+TEST(eq15_rests_under_the_charges_of_eq07)
 {
     const double L = 23, tide = 3 * unequal.Omega * unequal.Omega * L;
     const double L_ddot = ct_separation_acceleration_small_angles(unequal, L, 0, ct_reference_charge_product(unequal, L));
 
     ck_assert_double_le(fabs(L_ddot), 16 * 0x1p-53 * tide); /* what cancels carries about sixteen roundings */
 }
-END_TEST
 
 static size_t eq15(const double x[], double y[])
 {
@@ -503,23 +459,21 @@ static size_t eq15(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq15_rejects_each_input_outside_its_domain)
+TEST(eq15_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq15, "+++++rr", (const double[]){1, 2, 3, 4, 5, -6, -7});
 }
-END_TEST
 
 /* 2*2*2*(-5) + 9*4*7 + 3/4 * (1 + 3)/3 * (-8) */
-START_TEST(eq17_whole_numbers)
+TEST(eq17_whole_numbers)
 {
     const struct ct_params p = {2, 3, 1, 3, 2};
 
     ck_assert_double_eq(ct_length_error_acceleration(p, -5, 7, -8), -40 + 252 - 8);
 }
-END_TEST
 
 /* What (15) gives at L_ref + e dL, e psi_dot, Q_ref + e dQ, less what it gives at -e, over 2 e, is (17) but for e^2. */
-START_TEST(eq17_linearises_eq15)
+TEST(eq17_linearises_eq15)
 {
     const struct ct_params p = unequal;
     const double psi_dot = -3e-5, dL = 2, dQ = 4e-13, Q_ref = ct_reference_charge_product(p, p.L_ref), e = 0x1p-13;
@@ -532,7 +486,6 @@ START_TEST(eq17_linearises_eq15)
     /* e^2 = 1.5e-8 times (dL/L_ref)^2 below 0.01, and roundings of 3 Omega^2 L_ref over e: 5e-12 of scale */
     ck_assert_double_eq_tol((after - before) / (2 * e), ct_length_error_acceleration(p, psi_dot, dL, dQ), 1e-9 * scale);
 }
-END_TEST
 
 static size_t eq17(const double x[], double y[])
 {
@@ -540,11 +493,10 @@ static size_t eq17(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq17_rejects_each_input_outside_its_domain)
+TEST(eq17_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq17, "+++++rrr", (const double[]){1, 2, 3, 4, 5, -6, 7, -8});
 }
-END_TEST
 
 /* ---- whole states ---- */
 
@@ -566,7 +518,7 @@ static size_t hill_to_tether(const double x[], double y[])
     return 6;
 }
 
-START_TEST(eq10_state_and_its_inverse_make_a_round_trip)
+EACH(eq10_state_and_its_inverse_make_a_round_trip, ATTITUDES)
 {
     const double dL = 0.25, psi_dot = -3e-5, theta_dot = 2e-5, dL_dot = 4e-4, masses[] = {unequal.m1, unequal.m2, unequal.L_ref};
     double x[9], back[9];
@@ -585,10 +537,9 @@ START_TEST(eq10_state_and_its_inverse_make_a_round_trip)
     ck_assert_double_eq_tol(x[7], theta_dot, 1e-18);
     ck_assert_double_eq_tol(x[8], dL_dot, 1e-17);
 }
-END_TEST
 
 /* Three metres off along the radius, half of that by craft 1, which goes up and ahead: by hand. */
-START_TEST(eq10_state_on_the_radius)
+TEST(eq10_state_on_the_radius)
 {
     double y[6];
 
@@ -598,113 +549,25 @@ START_TEST(eq10_state_on_the_radius)
     ck_assert_double_eq(y[4], 4);
     ck_assert_double_eq(y[5], 1);
 }
-END_TEST
 
-START_TEST(eq10_state_on_the_orbit_normal_has_no_yaw)
+TEST(eq10_state_on_the_orbit_normal_has_no_yaw)
 {
     double y[6];
 
     for (size_t k = hill_to_tether((const double[]){1, 2, 3, 0, 0, 5, 1, 2, 3}, y); k-- > 0;)
         ck_assert_double_nan(y[k]);
 }
-END_TEST
 
-START_TEST(eq10_states_reject_each_input_outside_their_domain)
+TEST(eq10_states_reject_each_input_outside_their_domain)
 {
     assert_rejects_outside(tether_to_hill, "+++rrrrrr", (const double[]){1, 2, 3, -4, 5, 6, -7, 8, -9});
     assert_rejects_outside(hill_to_tether, "+++rrrrrr", (const double[]){1, 2, 3, -4, 5, 6, -7, 8, -9});
 }
-END_TEST
 
-START_TEST(eq10_state_rejects_craft_that_are_not_apart)
+TEST(eq10_state_rejects_craft_that_are_not_apart)
 {
     double y[6];
 
     for (size_t k = tether_to_hill((const double[]){1, 2, 3, 0, 0, -3, 1, 2, 3}, y); k-- > 0;)
         ck_assert_double_nan(y[k]);
-}
-END_TEST
-
-static TCase *states(void)
-{
-    TCase *c = tcase_create("eq10 states");
-
-    tcase_add_loop_test(c, eq10_state_and_its_inverse_make_a_round_trip, 0, ATTITUDES);
-    tcase_add_test(c, eq10_state_on_the_radius);
-    tcase_add_test(c, eq10_state_on_the_orbit_normal_has_no_yaw);
-    tcase_add_test(c, eq10_states_reject_each_input_outside_their_domain);
-    tcase_add_test(c, eq10_state_rejects_craft_that_are_not_apart);
-    return c;
-}
-
-static TCase *kinematics(void)
-{
-    TCase *c = tcase_create("eq09 to eq11");
-
-    tcase_add_test(c, eq09_is_the_identity_at_zero);
-    tcase_add_loop_test(c, eq09_is_yaw_then_pitch, 0, ATTITUDES);
-    tcase_add_loop_test(c, eq09_rows_are_orthonormal, 0, ATTITUDES);
-    tcase_add_test(c, eq09_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq10_lies_on_the_nadir_line_at_zero);
-    tcase_add_test(c, eq10_quarter_yaw_points_along_the_velocity);
-    tcase_add_test(c, eq10_quarter_pitch_points_against_the_orbit_normal);
-    tcase_add_loop_test(c, eq10_and_its_inverse_make_a_round_trip, 0, ATTITUDES);
-    tcase_add_test(c, eq10_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq10_small_angles_err_by_their_square);
-    tcase_add_test(c, eq10_small_angles_whole_numbers);
-    tcase_add_test(c, eq10_small_angles_reject_each_input_outside_its_domain);
-    tcase_add_test(c, eq10_inverse_whole_distance);
-    tcase_add_test(c, eq10_inverse_has_no_yaw_on_the_orbit_normal);
-    tcase_add_test(c, eq10_inverse_takes_a_negative_zero_for_zero);
-    tcase_add_test(c, eq10_inverse_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq10_inverse_rejects_the_origin);
-    tcase_add_loop_test(c, eq11_exact_is_the_derivative_of_eq10, 0, ATTITUDES);
-    tcase_add_loop_test(c, eq11_exact_has_the_speed_of_spherical_coordinates, 0, ATTITUDES);
-    tcase_add_test(c, eq11_exact_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq11_whole_numbers);
-    tcase_add_test(c, eq11_is_exact_at_zero_angles);
-    tcase_add_test(c, eq11_rejects_each_input_outside_its_domain);
-    return c;
-}
-
-static TCase *separation(void)
-{
-    TCase *c = tcase_create("eq12 to eq17");
-
-    tcase_add_test(c, eq12_whole_numbers);
-    tcase_add_test(c, eq12_neither_overflows_nor_vanishes);
-    tcase_add_test(c, eq12_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq12_rejects_craft_in_one_place);
-    tcase_add_test(c, eq13_whole_numbers);
-    tcase_add_test(c, eq13_agrees_with_eq04_and_eq12);
-    tcase_add_test(c, eq13_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq13_rejects_the_origin);
-    tcase_add_test(c, eq13_rate_whole_numbers);
-    tcase_add_loop_test(c, eq13_rate_comes_back_from_eq11, 0, ATTITUDES);
-    tcase_add_test(c, eq13_rate_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq13_rate_rejects_the_origin);
-    tcase_add_test(c, eq14_whole_numbers);
-    tcase_add_test(c, eq14_satisfies_the_printed_relation);
-    tcase_add_test(c, eq14_motion_along_the_line_adds_nothing);
-    tcase_add_test(c, eq14_differs_from_eq15_by_the_centrifugal_term);
-    tcase_add_test(c, eq14_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq14_rejects_the_origin);
-    tcase_add_test(c, eq15_whole_numbers);
-    tcase_add_test(c, eq15_uncharged_craft_at_rest_drift_apart);
-    tcase_add_test(c, eq15_rests_under_the_charges_of_eq07);
-    tcase_add_test(c, eq15_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq17_whole_numbers);
-    tcase_add_test(c, eq17_linearises_eq15);
-    tcase_add_test(c, eq17_rejects_each_input_outside_its_domain);
-    return c;
-}
-
-SUITE(test_ref_perturbation)
-{
-    Suite *s = suite_create("ref/perturbation.c");
-
-    suite_add_tcase(s, kinematics());
-    suite_add_tcase(s, separation());
-    suite_add_tcase(s, states());
-    return s;
 }

@@ -31,7 +31,7 @@ static struct ct_tether_state linear(double t)
     return s;
 }
 
-START_TEST(eq40_flow_at_zero_is_the_initial_state)
+TEST(eq40_flow_at_zero_is_the_initial_state)
 {
     const struct ct_tether_state start = {1, -2, 3, -4, 5, -6};
     const double t = 0;
@@ -42,14 +42,13 @@ START_TEST(eq40_flow_at_zero_is_the_initial_state)
     assert_close(s.psi_dot, -4, 2); /* into units of Omega and back */
     assert_close(s.dL_dot, -6, 2);
 }
-END_TEST
 
 /*
  * mpmath 1.3, mp.dps = 30: expm(A*tau)*matrix(['0.01', '0.01', '0.1', 0, 0, 0]) in units of Omega, tau = 7.2915e-5 t, where
  * A = matrix(6); A[0,3] = A[1,4] = A[2,5] = 1; A[3,0] = -3; A[3,5] = -mpf(2)/10; A[4,1] = -4; A[5,2] = -1; A[5,5] = -2;
  * A[5,3] = 20. A thousand roundings on the way from 0.1 to 1e-5 cost four of the sixteen digits.
  */
-START_TEST(eq40_flow_of_the_paper)
+TEST(eq40_flow_of_the_paper)
 {
     const struct ct_tether_state day = linear(86400), three_days = linear(259200);
 
@@ -63,9 +62,8 @@ START_TEST(eq40_flow_of_the_paper)
     ck_assert_double_eq_tol(three_days.theta, 9.9500175331959826e-3, 1e-11 * 1e-2);
     ck_assert_double_eq_tol(three_days.dL, -9.8500768957325006e-6, 1e-11 * 9.9e-6);
 }
-END_TEST
 
-START_TEST(eq40_flow_pitch_is_an_oscillator_of_twice_the_orbit_rate)
+TEST(eq40_flow_pitch_is_an_oscillator_of_twice_the_orbit_rate)
 {
     const struct ct_tether_state start = {.psi = -0.3, .theta = 0.2, .theta_dot = -0.7};
     const double t = 5;
@@ -75,9 +73,8 @@ START_TEST(eq40_flow_pitch_is_an_oscillator_of_twice_the_orbit_rate)
     ck_assert_double_eq_tol(s.theta, 0.2 * cos(10) - 0.35 * sin(10), 1e-12); /* some tens of steps of 1e-13 */
     ck_assert_double_eq_tol(s.theta_dot, -0.4 * sin(10) - 0.7 * cos(10), 1e-12);
 }
-END_TEST
 
-START_TEST(eq40_flow_along_an_eigenvector_grows_exponentially)
+TEST(eq40_flow_along_an_eigenvector_grows_exponentially)
 {
     const double t[] = {1, 10, -1};
     struct ct_tether_state s[3];
@@ -88,9 +85,8 @@ START_TEST(eq40_flow_along_an_eigenvector_grows_exponentially)
         assert_close(s[i].dL_dot, -8 * exp(t[i]), 1e-11 * 0x1p53);
     }
 }
-END_TEST
 
-START_TEST(eq40_flow_takes_times_in_any_order)
+TEST(eq40_flow_takes_times_in_any_order)
 {
     const double t[] = {5000, -3000, -3000, 0};
     struct ct_tether_state s[4];
@@ -101,10 +97,9 @@ START_TEST(eq40_flow_takes_times_in_any_order)
     ck_assert_double_eq(s[2].psi, s[1].psi);
     assert_close(s[3].psi, 0.01, 1e-11 * 0x1p53);
 }
-END_TEST
 
 /* Backwards, what this motion forgets within a hundredth of an orbit would come back e^80 and e^160 times as large. */
-START_TEST(eq40_flow_does_not_go_back_on_its_way)
+TEST(eq40_flow_does_not_go_back_on_its_way)
 {
     const struct ct_gains strong = {1e4, 200};
     const double t[] = {0.9, 0.1, -0.1, -0.05}, direct[] = {0.1, -0.05};
@@ -117,10 +112,9 @@ START_TEST(eq40_flow_does_not_go_back_on_its_way)
         assert_close(s[2 * i + 1].dL, d[i].dL, 1e-11 * 0x1p53);
     }
 }
-END_TEST
 
 /* The model is linear, powers of 2 round nothing, and an error is measured by the state: all is to scale. */
-START_TEST(eq40_flow_is_to_scale)
+TEST(eq40_flow_is_to_scale)
 {
     const double t = 3, scale[] = {0x1p-40, 0x1p40};
     const struct ct_tether_state start = {1, -2, 3, -4, 5, -6};
@@ -135,9 +129,8 @@ START_TEST(eq40_flow_is_to_scale)
         ck_assert_double_eq(s.dL_dot, k * one.dL_dot);
     }
 }
-END_TEST
 
-START_TEST(eq40_flow_at_rest_stays_at_rest)
+TEST(eq40_flow_at_rest_stays_at_rest)
 {
     const struct ct_tether_state rest = {0};
     const double t = 1e6;
@@ -147,15 +140,13 @@ START_TEST(eq40_flow_at_rest_stays_at_rest)
     ck_assert_double_eq(s.psi, 0);
     ck_assert_double_eq(s.dL, 0);
 }
-END_TEST
 
-START_TEST(eq40_flow_of_no_times_is_no_error)
+TEST(eq40_flow_of_no_times_is_no_error)
 {
     ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, fine, 0, NULL, NULL), CT_OK);
 }
-END_TEST
 
-START_TEST(eq40_flow_keeps_the_states_before_it_overflows)
+TEST(eq40_flow_keeps_the_states_before_it_overflows)
 {
     const double t[] = {1, 1000, 2};
     struct ct_tether_state s[3];
@@ -165,10 +156,9 @@ START_TEST(eq40_flow_keeps_the_states_before_it_overflows)
     ck_assert_double_nan(s[1].psi);
     ck_assert_double_nan(s[2].dL_dot);
 }
-END_TEST
 
 /* A motion faster than the orbit by 1e10 turns would take more steps than anybody waits for. */
-START_TEST(eq40_flow_gives_up_after_many_steps)
+TEST(eq40_flow_gives_up_after_many_steps)
 {
     const double t = 100;
     struct ct_tether_state s;
@@ -176,7 +166,6 @@ START_TEST(eq40_flow_gives_up_after_many_steps)
     ck_assert_int_eq(ct_linear_flow(unit, (struct ct_gains){1e20, 0}, growing_start, fine, 1, &t, &s), CT_CONVERGENCE);
     ck_assert_double_nan(s.psi);
 }
-END_TEST
 
 static size_t linear_flow(const double x[], double y[])
 {
@@ -190,13 +179,12 @@ static size_t linear_flow(const double x[], double y[])
     return 6;
 }
 
-START_TEST(eq40_flow_rejects_each_input_outside_its_domain)
+TEST(eq40_flow_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(linear_flow, "++rrrrrrrr+r", (const double[]){1, 2, -3, 4, -5, 6, -7, 8, -9, 10, 1e-9, -0.5});
 }
-END_TEST
 
-START_TEST(eq40_flow_rejects_tolerances_beyond_double)
+EACH(eq40_flow_rejects_tolerances_beyond_double, 2)
 {
     const double t = 1, tolerance[] = {1e-16, 1};
     struct ct_tether_state s;
@@ -204,18 +192,16 @@ START_TEST(eq40_flow_rejects_tolerances_beyond_double)
     ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, tolerance[_i], 1, &t, &s), CT_DOMAIN);
     ck_assert_double_nan(s.theta);
 }
-END_TEST
 
-START_TEST(eq40_flow_takes_the_tolerance_of_a_rounding)
+TEST(eq40_flow_takes_the_tolerance_of_a_rounding)
 {
     const double t = 1;
     struct ct_tether_state s;
 
     ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, 0x1p-52, 1, &t, &s), CT_OK);
 }
-END_TEST
 
-START_TEST(eq40_flow_outside_its_domain_leaves_no_state_unset)
+TEST(eq40_flow_outside_its_domain_leaves_no_state_unset)
 {
     const double t[] = {1, 2, 3};
     struct ct_tether_state s[3] = {{0}};
@@ -224,7 +210,6 @@ START_TEST(eq40_flow_outside_its_domain_leaves_no_state_unset)
     for (int i = 0; i < 3; i++)
         ck_assert_double_nan(s[i].theta);
 }
-END_TEST
 
 static struct ct_hill_state in_hill_frame(struct ct_params p, struct ct_tether_state s)
 {
@@ -239,7 +224,7 @@ static struct ct_hill_state in_hill_frame(struct ct_params p, struct ct_tether_s
  * mpmath 1.3, mp.dps = 30: odefun(f, 0, y0)(7.2915e-5*86400), where y0 is (10) at psi = theta = 0.01, L = 10.1, at rest, and
  * f(tau, y) is (3) in units of Omega with k_c Q/m1 (m1 + m2)/m2/L^3 = (-3*10**3 + 10**2*(-10*(L - 10) - 2*L'))/L**3.
  */
-START_TEST(eq03_flow_of_the_paper)
+TEST(eq03_flow_of_the_paper)
 {
     const double t = 86400, velocity = 5 * 7.2915e-5;
     struct ct_hill_state s;
@@ -252,10 +237,9 @@ START_TEST(eq03_flow_of_the_paper)
     ck_assert_double_eq_tol(s.y1_dot, 6.6342043836361531e-8, 1e-12 * velocity);
     ck_assert_double_eq_tol(s.z1_dot, 2.1027810076321075e-7, 1e-12 * velocity);
 }
-END_TEST
 
 /* All forces grow as the lengths do, and the noise is measured by them: with powers of 2 all is to scale. */
-START_TEST(eq03_flow_is_to_scale)
+TEST(eq03_flow_is_to_scale)
 {
     const double t = 50000, scale[] = {0x1p-20, 0x1p20};
     const struct ct_hill_state start = in_hill_frame(unequal, paper_start);
@@ -273,9 +257,8 @@ START_TEST(eq03_flow_is_to_scale)
         ck_assert_double_eq(s.z1_dot, k * one.z1_dot);
     }
 }
-END_TEST
 
-START_TEST(eq03_flow_rests_where_eq05_says)
+TEST(eq03_flow_rests_where_eq05_says)
 {
     const struct ct_hill_state rest = {.x1 = ct_static_positions(unequal, unequal.L_ref).x1};
     const double t = 1e5;
@@ -286,7 +269,6 @@ START_TEST(eq03_flow_rests_where_eq05_says)
     ck_assert_double_eq_tol(s.y1, 0, 64 * 0x1p-53 * rest.x1);
     ck_assert_double_eq(s.z1, 0);
 }
-END_TEST
 
 /* Without gains the charges stay, and energy and Hill's potentials with them. Everything per kilogram of craft 1. */
 static double jacobi_integral(struct ct_params p, struct ct_hill_state s)
@@ -298,7 +280,7 @@ static double jacobi_integral(struct ct_params p, struct ct_hill_state s)
            p.Omega * p.Omega * (s.z1 * s.z1 - 3 * s.x1 * s.x1) / 2 + p.k_c / p.m1 * Q * share * share / r;
 }
 
-START_TEST(eq03_flow_without_gains_conserves_the_jacobi_integral)
+TEST(eq03_flow_without_gains_conserves_the_jacobi_integral)
 {
     const struct ct_hill_state start = {14, -9, 6, 2e-4, 5e-4, -3e-4};
     const double t = 40000;
@@ -308,10 +290,9 @@ START_TEST(eq03_flow_without_gains_conserves_the_jacobi_integral)
     ck_assert_double_gt(fabs(s.x1 - start.x1), 1); /* it did go somewhere */
     assert_close(jacobi_integral(unequal, s), jacobi_integral(unequal, start), 1e-10 * 0x1p53); /* hundreds of steps */
 }
-END_TEST
 
 /* A ten-thousandth of the paper's errors: what the linear model leaves out is as much smaller as their square. */
-START_TEST(eq03_flow_of_small_errors_is_that_of_eq40)
+TEST(eq03_flow_of_small_errors_is_that_of_eq40)
 {
     const double e = 1e-6, t = 20000;
     const struct ct_tether_state start = {.psi = e, .theta = -2 * e, .dL = 23 * e, .psi_dot = 3 * e * unequal.Omega};
@@ -325,10 +306,9 @@ START_TEST(eq03_flow_of_small_errors_is_that_of_eq40)
     ck_assert_double_eq_tol(c.theta, tether.theta, 100 * e * e);
     ck_assert_double_eq_tol(c.L - unequal.L_ref, tether.dL, 100 * 23 * e * e);
 }
-END_TEST
 
 /* On the orbit normal only the attraction and the tide act, and both draw the craft together. */
-START_TEST(eq03_flow_reports_a_collision)
+TEST(eq03_flow_reports_a_collision)
 {
     const double t[] = {100, 1e6};
     struct ct_hill_state s[2];
@@ -339,7 +319,6 @@ START_TEST(eq03_flow_reports_a_collision)
     ck_assert_double_nan(s[1].z1);
     ck_assert_double_nan(s[1].x1_dot);
 }
-END_TEST
 
 static size_t nonlinear_flow(const double x[], double y[])
 {
@@ -353,14 +332,13 @@ static size_t nonlinear_flow(const double x[], double y[])
     return 6;
 }
 
-START_TEST(eq03_flow_rejects_each_input_outside_its_domain)
+TEST(eq03_flow_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(nonlinear_flow, "+++++rrrrrrrr+r",
                            (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 12, -13, 1e-9, 0.01});
 }
-END_TEST
 
-START_TEST(eq03_flow_rejects_the_origin)
+TEST(eq03_flow_rejects_the_origin)
 {
     const double t = 1;
     struct ct_hill_state s;
@@ -368,10 +346,9 @@ START_TEST(eq03_flow_rejects_the_origin)
     ck_assert_int_eq(ct_nonlinear_flow(paper, paper_gains, (struct ct_hill_state){.x1_dot = 1}, fine, 1, &t, &s), CT_DOMAIN);
     ck_assert_double_nan(s.x1);
 }
-END_TEST
 
 /* Along an eigenvector a step multiplies by 1 + a + a^2/2 + a^3/6 + a^4/24, a = 0.1. Two steps of 0.05 would give ...1255. */
-START_TEST(eq40_runge_kutta_step_is_the_classical_one)
+TEST(eq40_runge_kutta_step_is_the_classical_one)
 {
     const double t[] = {0, 0.1};
     struct ct_tether_state s[2];
@@ -382,10 +359,9 @@ START_TEST(eq40_runge_kutta_step_is_the_classical_one)
     assert_close(s[1].dL, -8 * 1.10517083333333333, 16);
     assert_close(s[1].psi_dot, 1.10517083333333333, 16);
 }
-END_TEST
 
 /* Pitch alone: the step multiplies theta + i theta_dot/(2 Omega) by the same polynomial in -2i Omega h. */
-START_TEST(eq40_runge_kutta_of_the_pitch_oscillator)
+TEST(eq40_runge_kutta_of_the_pitch_oscillator)
 {
     const struct ct_tether_state start = {.theta = 1};
     const double t = 0.25; /* 2 Omega h = 1/2 */
@@ -395,9 +371,8 @@ START_TEST(eq40_runge_kutta_of_the_pitch_oscillator)
     assert_close(s.theta, 1 - 1.0 / 8 + 1.0 / 384, 8);
     assert_close(s.theta_dot, 2 * (-1.0 / 2 + 1.0 / 48), 8);
 }
-END_TEST
 
-START_TEST(eq40_runge_kutta_is_of_fourth_order)
+TEST(eq40_runge_kutta_is_of_fourth_order)
 {
     const double t = 6400;
     struct ct_tether_state exact = linear(t), coarse, half;
@@ -409,9 +384,8 @@ START_TEST(eq40_runge_kutta_is_of_fourth_order)
     ck_assert_double_eq_tol((coarse.theta - exact.theta) / (half.theta - exact.theta), 16, 1);
     ck_assert_double_eq_tol((coarse.dL - exact.dL) / (half.dL - exact.dL), 16, 1);
 }
-END_TEST
 
-START_TEST(eq40_runge_kutta_reports_overflow)
+TEST(eq40_runge_kutta_reports_overflow)
 {
     const double t[] = {0, 1e5};
     struct ct_tether_state s[2];
@@ -420,10 +394,9 @@ START_TEST(eq40_runge_kutta_reports_overflow)
     ck_assert_double_eq(s[0].psi, 1);
     ck_assert_double_nan(s[1].psi);
 }
-END_TEST
 
 /* The four stages stay below 1.7977e308, the largest double; what they add up to does not. */
-START_TEST(eq40_runge_kutta_reports_overflow_of_the_last_step)
+TEST(eq40_runge_kutta_reports_overflow_of_the_last_step)
 {
     const struct ct_tether_state start = {.dL = 1.756e308, .dL_dot = 1e307};
     const double t = 0.7;
@@ -432,10 +405,9 @@ START_TEST(eq40_runge_kutta_reports_overflow_of_the_last_step)
     ck_assert_int_eq(ct_linear_runge_kutta(unit, (struct ct_gains){9, 0}, start, 0.7, 1, &t, &s), CT_CONVERGENCE);
     ck_assert_double_nan(s.dL);
 }
-END_TEST
 
 /* Times that whole steps of 100 s from zero do not reach one after the other. */
-START_TEST(eq40_runge_kutta_rejects_times_off_its_steps)
+EACH(eq40_runge_kutta_rejects_times_off_its_steps, 7)
 {
     const double times[][2] = {{50, 100}, {100, 150}, {200, 100}, {-100, 0}, {NAN, 100}, {0, NAN}, {0, INFINITY}};
     struct ct_tether_state s[2];
@@ -444,9 +416,8 @@ START_TEST(eq40_runge_kutta_rejects_times_off_its_steps)
     ck_assert_double_nan(s[0].psi);
     ck_assert_double_nan(s[1].psi);
 }
-END_TEST
 
-START_TEST(eq40_runge_kutta_rejects_more_steps_than_can_be_counted)
+TEST(eq40_runge_kutta_rejects_more_steps_than_can_be_counted)
 {
     const double t = 1;
     struct ct_tether_state s;
@@ -457,9 +428,8 @@ START_TEST(eq40_runge_kutta_rejects_more_steps_than_can_be_counted)
     const double most = 0x1p52; /* can be counted; this motion overflows long before */
     ck_assert_int_eq(ct_linear_runge_kutta(unit, growing, growing_start, 1, 1, &most, &s), CT_CONVERGENCE);
 }
-END_TEST
 
-START_TEST(eq40_runge_kutta_compares_each_time_with_the_last)
+TEST(eq40_runge_kutta_compares_each_time_with_the_last)
 {
     const double back[] = {200, 400, 300}, before[] = {-0.5, 0}, around[] = {1e9, 100, 100, 300};
     struct ct_tether_state s[3];
@@ -468,7 +438,6 @@ START_TEST(eq40_runge_kutta_compares_each_time_with_the_last)
     ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 0.5, 2, before, s), CT_DOMAIN);
     ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 3, around + 1, s), CT_OK);
 }
-END_TEST
 
 static size_t linear_runge_kutta(const double x[], double y[])
 {
@@ -483,17 +452,16 @@ static size_t linear_runge_kutta(const double x[], double y[])
     return 6;
 }
 
-START_TEST(eq40_runge_kutta_rejects_each_input_outside_its_domain)
+TEST(eq40_runge_kutta_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(linear_runge_kutta, "++rrrrrrrr+", (const double[]){1, 2, -3, 4, -5, 6, -7, 8, -9, 10, 1.5});
 }
-END_TEST
 
 /*
  * Forty steps of 1000 s in mpmath 1.3, mp.dps = 40: the classical method on (3) in seconds, with Omega = mpf(1)/16384,
  * k_c Q/m1 (m1 + m2)/m2/L^3 = (-3*Omega**2*L_ref**3 + L_ref**2*(-12*Omega**2*(L - L_ref) - 3*Omega*L_dot))/L**3.
  */
-START_TEST(eq03_runge_kutta_is_that_of_exact_arithmetic)
+TEST(eq03_runge_kutta_is_that_of_exact_arithmetic)
 {
     const struct ct_hill_state start = {17, -2, 3, -5 * 0x1p-16, 7 * 0x1p-16, 11 * 0x1p-16};
     const double t = 40000, velocity = 20 * 0x1p-14;
@@ -507,9 +475,8 @@ START_TEST(eq03_runge_kutta_is_that_of_exact_arithmetic)
     ck_assert_double_eq_tol(s.y1_dot, -1.4405606438340458229e-5, 1e-14 * velocity);
     ck_assert_double_eq_tol(s.z1_dot, 3.8905872553005165618e-4, 1e-14 * velocity);
 }
-END_TEST
 
-START_TEST(eq03_runge_kutta_of_the_paper_is_good_to_a_micrometre)
+TEST(eq03_runge_kutta_of_the_paper_is_good_to_a_micrometre)
 {
     const struct ct_hill_state start = in_hill_frame(paper, paper_start);
     const double t[] = {100, 86400};
@@ -523,10 +490,9 @@ START_TEST(eq03_runge_kutta_of_the_paper_is_good_to_a_micrometre)
         ck_assert_double_eq_tol(stepped[i].z1, exact[i].z1, 1e-6);
     }
 }
-END_TEST
 
 /* Half a step at -2 m/s takes craft 1 from 1 m into the origin, where (3) has no value. */
-START_TEST(eq03_runge_kutta_reports_craft_in_one_point)
+TEST(eq03_runge_kutta_reports_craft_in_one_point)
 {
     const struct ct_params p = {1, 1, 1, 1, 1};
     const struct ct_hill_state start = {.z1 = 1, .z1_dot = -2};
@@ -536,7 +502,6 @@ START_TEST(eq03_runge_kutta_reports_craft_in_one_point)
     ck_assert_int_eq(ct_nonlinear_runge_kutta(p, (struct ct_gains){0, 0}, start, 1, 1, &t, &s), CT_CONVERGENCE);
     ck_assert_double_nan(s.z1);
 }
-END_TEST
 
 static size_t nonlinear_runge_kutta(const double x[], double y[])
 {
@@ -551,17 +516,16 @@ static size_t nonlinear_runge_kutta(const double x[], double y[])
     return 6;
 }
 
-START_TEST(eq03_runge_kutta_rejects_each_input_outside_its_domain)
+TEST(eq03_runge_kutta_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(nonlinear_runge_kutta, "+++++rrrrrrrr+",
                            (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 12, -13, 0.015});
 }
-END_TEST
 
 /* ---- N craft ---- */
 
 /* Two craft that keep the charges of rest move as (3) has it with both gains 0; both craft, and in times back and forth. */
-START_TEST(eq02_flow_of_two_is_that_of_eq03)
+TEST(eq02_flow_of_two_is_that_of_eq03)
 {
     const double q = sqrt(-ct_reference_charge_product(unequal, unequal.L_ref));
     const struct ct_hill_state start = {16, 3, -2, 1e-4, -2e-4, 3e-4};
@@ -587,10 +551,9 @@ START_TEST(eq02_flow_of_two_is_that_of_eq03)
         ck_assert_double_eq(two.q, -q);
     }
 }
-END_TEST
 
 /* Clohessy and Wiltshire's solution: x = 4 - 3 cos nt, y = 6 (sin nt - nt), z = cos nt from (1, 0, 1) at rest. */
-START_TEST(eq02_flow_of_one_is_the_free_motion)
+TEST(eq02_flow_of_one_is_the_free_motion)
 {
     const struct ct_craft craft = {1, 5, {1, 0, 1}, {0, 0, 0}};
     const double t = 10;
@@ -602,9 +565,8 @@ START_TEST(eq02_flow_of_one_is_the_free_motion)
     ck_assert_double_eq_tol(moved.position.z, cos(5), 1e-11);
     ck_assert_double_eq_tol(moved.velocity.x, 1.5 * sin(5), 1e-11);
 }
-END_TEST
 
-START_TEST(eq02_flow_reports_a_collision_and_keeps_what_does_not_move)
+TEST(eq02_flow_reports_a_collision_and_keeps_what_does_not_move)
 {
     const struct ct_craft craft[] = {{1, 2, {0, 0, 1}, {0, 0, 0}}, {3, -4, {0, 0, -1}, {0, 0, 0}}};
     const double t = 100;
@@ -616,7 +578,6 @@ START_TEST(eq02_flow_reports_a_collision_and_keeps_what_does_not_move)
     ck_assert_double_eq(moved[1].m, 3);
     ck_assert_double_eq(moved[1].q, -4);
 }
-END_TEST
 
 static int formation_status(size_t N, const struct ct_craft *craft, double tolerance)
 {
@@ -629,7 +590,7 @@ static int formation_status(size_t N, const struct ct_craft *craft, double toler
     return status;
 }
 
-START_TEST(eq02_flow_rejects_what_is_no_formation)
+TEST(eq02_flow_rejects_what_is_no_formation)
 {
     const struct ct_craft together[] = {{1, 1, {1, 2, 3}, {0, 0, 0}}, {1, 1, {1, 2, 3}, {0, 0, 0}}};
     const struct ct_craft beyond[] = {{1, 1e200, {1, 2, 3}, {0, 0, 0}}, {1, 1e200, {1, 2, 4}, {0, 0, 0}}};
@@ -642,7 +603,6 @@ START_TEST(eq02_flow_rejects_what_is_no_formation)
     ck_assert_int_eq(formation_status(0, NULL, 1e-9), CT_DOMAIN);
     ck_assert_int_eq(formation_status(too_many, NULL, 1e-9), CT_MEMORY);
 }
-END_TEST
 
 static size_t formation_flow(const double x[], double y[])
 {
@@ -655,88 +615,7 @@ static size_t formation_flow(const double x[], double y[])
     return 6;
 }
 
-START_TEST(eq02_flow_rejects_each_input_outside_its_domain)
+TEST(eq02_flow_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(formation_flow, "++i+rrrrrrrr", (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 0.1});
-}
-END_TEST
-
-static TCase *motion_of_N(void)
-{
-    TCase *c = tcase_create("eq02 flow");
-
-    tcase_add_test(c, eq02_flow_of_two_is_that_of_eq03);
-    tcase_add_test(c, eq02_flow_of_one_is_the_free_motion);
-    tcase_add_test(c, eq02_flow_reports_a_collision_and_keeps_what_does_not_move);
-    tcase_add_test(c, eq02_flow_rejects_what_is_no_formation);
-    tcase_add_test(c, eq02_flow_rejects_each_input_outside_its_domain);
-    return c;
-}
-
-static TCase *linear_motion(void)
-{
-    TCase *c = tcase_create("eq40 flow");
-
-    tcase_add_test(c, eq40_flow_at_zero_is_the_initial_state);
-    tcase_add_test(c, eq40_flow_of_the_paper);
-    tcase_add_test(c, eq40_flow_pitch_is_an_oscillator_of_twice_the_orbit_rate);
-    tcase_add_test(c, eq40_flow_along_an_eigenvector_grows_exponentially);
-    tcase_add_test(c, eq40_flow_takes_times_in_any_order);
-    tcase_add_test(c, eq40_flow_does_not_go_back_on_its_way);
-    tcase_add_test(c, eq40_flow_is_to_scale);
-    tcase_add_test(c, eq40_flow_takes_the_tolerance_of_a_rounding);
-    tcase_add_test(c, eq40_flow_outside_its_domain_leaves_no_state_unset);
-    tcase_add_test(c, eq40_flow_at_rest_stays_at_rest);
-    tcase_add_test(c, eq40_flow_of_no_times_is_no_error);
-    tcase_add_test(c, eq40_flow_keeps_the_states_before_it_overflows);
-    tcase_add_test(c, eq40_flow_gives_up_after_many_steps);
-    tcase_add_test(c, eq40_flow_rejects_each_input_outside_its_domain);
-    tcase_add_loop_test(c, eq40_flow_rejects_tolerances_beyond_double, 0, 2);
-    return c;
-}
-
-static TCase *nonlinear_motion(void)
-{
-    TCase *c = tcase_create("eq03 flow");
-
-    tcase_add_test(c, eq03_flow_of_the_paper);
-    tcase_add_test(c, eq03_flow_rests_where_eq05_says);
-    tcase_add_test(c, eq03_flow_is_to_scale);
-    tcase_add_test(c, eq03_flow_without_gains_conserves_the_jacobi_integral);
-    tcase_add_test(c, eq03_flow_of_small_errors_is_that_of_eq40);
-    tcase_add_test(c, eq03_flow_reports_a_collision);
-    tcase_add_test(c, eq03_flow_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq03_flow_rejects_the_origin);
-    return c;
-}
-
-static TCase *fixed_steps(void)
-{
-    TCase *c = tcase_create("Runge-Kutta");
-
-    tcase_add_test(c, eq40_runge_kutta_step_is_the_classical_one);
-    tcase_add_test(c, eq40_runge_kutta_of_the_pitch_oscillator);
-    tcase_add_test(c, eq40_runge_kutta_is_of_fourth_order);
-    tcase_add_test(c, eq40_runge_kutta_reports_overflow);
-    tcase_add_test(c, eq40_runge_kutta_reports_overflow_of_the_last_step);
-    tcase_add_loop_test(c, eq40_runge_kutta_rejects_times_off_its_steps, 0, 7);
-    tcase_add_test(c, eq40_runge_kutta_rejects_more_steps_than_can_be_counted);
-    tcase_add_test(c, eq40_runge_kutta_compares_each_time_with_the_last);
-    tcase_add_test(c, eq40_runge_kutta_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq03_runge_kutta_is_that_of_exact_arithmetic);
-    tcase_add_test(c, eq03_runge_kutta_of_the_paper_is_good_to_a_micrometre);
-    tcase_add_test(c, eq03_runge_kutta_reports_craft_in_one_point);
-    tcase_add_test(c, eq03_runge_kutta_rejects_each_input_outside_its_domain);
-    return c;
-}
-
-SUITE(test_ref_simulation)
-{
-    Suite *s = suite_create("ref/simulation.c");
-
-    suite_add_tcase(s, linear_motion());
-    suite_add_tcase(s, nonlinear_motion());
-    suite_add_tcase(s, fixed_steps());
-    suite_add_tcase(s, motion_of_N());
-    return s;
 }

@@ -16,7 +16,7 @@ static struct ct_gains gains(double c1, double c2)
     return (struct ct_gains){c1 * Omega * Omega, c2 * Omega};
 }
 
-START_TEST(eq40_whole_numbers)
+TEST(eq40_whole_numbers)
 {
     const struct ct_params p = {.Omega = 2, .L_ref = 4};
     const struct ct_tether_state s = {.psi = 3, .theta = -5, .dL = 7, .psi_dot = -1, .theta_dot = 9, .dL_dot = 2};
@@ -26,9 +26,8 @@ START_TEST(eq40_whole_numbers)
     ck_assert_double_eq(a.psi_ddot, -2.0 * 2 * 2 / 4 - 3 * 4 * 3);
     ck_assert_double_eq(a.dL_ddot, -(40 - 36) * 7 + 6 * 2 - 2 * 2 * 4);
 }
-END_TEST
 
-START_TEST(eq40_pitch_stands_alone)
+TEST(eq40_pitch_stands_alone)
 {
     const struct ct_params p = {.Omega = 2, .L_ref = 4};
     const struct ct_tether_state s = {.theta = 1};
@@ -37,7 +36,6 @@ START_TEST(eq40_pitch_stands_alone)
     ck_assert_double_eq(a.psi_ddot, 0);
     ck_assert_double_eq(a.dL_ddot, 0);
 }
-END_TEST
 
 static size_t eq40(const double x[], double y[])
 {
@@ -49,14 +47,13 @@ static size_t eq40(const double x[], double y[])
     return 3;
 }
 
-START_TEST(eq40_rejects_each_input_outside_its_domain)
+TEST(eq40_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq40, "++rrrrrrr", (const double[]){1, 2, -3, 4, -5, 6, -7, 8, -9});
 }
-END_TEST
 
 /* 3 (3*4 - 9*16), 3*(-5)*4, 3 - 2*4, -5, 1 */
-START_TEST(eq41_whole_numbers)
+TEST(eq41_whole_numbers)
 {
     const struct ct_quartic a = ct_characteristic_polynomial(2, (struct ct_gains){3, -5});
 
@@ -66,10 +63,9 @@ START_TEST(eq41_whole_numbers)
     ck_assert_double_eq(a.a3, -5);
     ck_assert_double_eq(a.a4, 1);
 }
-END_TEST
 
 /* Where exp(lambda t) solves (40), the determinant of the two coupled equations is zero, whatever L_ref. */
-START_TEST(eq41_is_the_determinant_of_eq40)
+RANGE(eq41_is_the_determinant_of_eq40, -3, 4)
 {
     const double lambda = _i, L_ref = 8, C1 = -7, C2 = 5;
     const struct ct_params p = {.Omega = 2, .L_ref = L_ref};
@@ -83,7 +79,6 @@ START_TEST(eq41_is_the_determinant_of_eq40)
 
     ck_assert_double_eq(a.a0 + lambda * (a.a1 + lambda * (a.a2 + lambda * (a.a3 + lambda * a.a4))), determinant);
 }
-END_TEST
 
 static size_t eq41(const double x[], double y[])
 {
@@ -93,11 +88,10 @@ static size_t eq41(const double x[], double y[])
     return 5;
 }
 
-START_TEST(eq41_rejects_each_input_outside_its_domain)
+TEST(eq41_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq41, "+rr", (const double[]){1, -2, 3});
 }
-END_TEST
 
 /*
  * Known roots in units of Omega, in the order of the library; tolerance in roundings of the modulus. Where no closed form
@@ -131,7 +125,7 @@ static const struct {
 };
 enum { KNOWN = sizeof known / sizeof known[0] };
 
-START_TEST(eq41_roots_are_the_known_ones)
+EACH(eq41_roots_are_the_known_ones, KNOWN)
 {
     struct ct_root root[4];
 
@@ -141,10 +135,9 @@ START_TEST(eq41_roots_are_the_known_ones)
         ck_assert_double_le(cabs(z - expected), known[_i].roundings * 0x1p-53 * cabs(expected));
     }
 }
-END_TEST
 
 /* lambda^2 is real then: four roots on the imaginary axis where C1 > 9, two on either axis below. The order is exact. */
-START_TEST(eq41_roots_without_damping_lie_on_the_axes)
+EACH(eq41_roots_without_damping_lie_on_the_axes, 80)
 {
     struct ct_root r[4];
     const double c1 = 9 + 0.37 * (_i < 40 ? _i + 1 : 39 - _i);
@@ -157,9 +150,8 @@ START_TEST(eq41_roots_without_damping_lie_on_the_axes)
     else
         ck_assert(r[0].re < 0 && r[1].im < 0 && r[2].im > 0 && r[3].re > 0);
 }
-END_TEST
 
-START_TEST(eq41_roots_sum_and_multiply_to_the_coefficients)
+EACH(eq41_roots_sum_and_multiply_to_the_coefficients, 9)
 {
     const double c[][2] = {
         {30, 5}, {-30, 5}, {30, -5}, {-30, -5}, {1e-3, 1e3}, {1e6, 1e-3}, {-1e6, 1e-3}, {1, 1e6},
@@ -179,9 +171,8 @@ START_TEST(eq41_roots_sum_and_multiply_to_the_coefficients)
     ck_assert_double_le(cabs(sum + c[_i][1]), 16 * 0x1p-53 * size); /* four roots, a few roundings each */
     ck_assert_double_le(cabs(product / (3 * (c[_i][0] - 9)) - 1), 64 * 0x1p-53);
 }
-END_TEST
 
-START_TEST(eq41_root_at_zero_on_the_stability_boundary_is_exact)
+TEST(eq41_root_at_zero_on_the_stability_boundary_is_exact)
 {
     struct ct_root root[4];
 
@@ -190,9 +181,8 @@ START_TEST(eq41_root_at_zero_on_the_stability_boundary_is_exact)
     ck_assert_double_eq(root[3].im, 0);
     ck_assert_double_lt(root[2].re, 0);
 }
-END_TEST
 
-START_TEST(eq41_roots_scale_with_the_orbit_rate)
+TEST(eq41_roots_scale_with_the_orbit_rate)
 {
     struct ct_root slow[4], fast[4];
 
@@ -203,9 +193,8 @@ START_TEST(eq41_roots_scale_with_the_orbit_rate)
         ck_assert_double_eq(fast[k].im, 16 * slow[k].im);
     }
 }
-END_TEST
 
-START_TEST(eq41_roots_ascend)
+EACH(eq41_roots_ascend, 20)
 {
     struct ct_root root[4];
 
@@ -216,7 +205,6 @@ START_TEST(eq41_roots_ascend)
             ck_assert_double_le(root[k - 1].im, root[k].im);
     }
 }
-END_TEST
 
 static size_t roots(const double x[], double y[])
 {
@@ -228,23 +216,21 @@ static size_t roots(const double x[], double y[])
     return 8;
 }
 
-START_TEST(eq41_roots_reject_each_input_outside_its_domain)
+TEST(eq41_roots_reject_each_input_outside_its_domain)
 {
     assert_rejects_outside(roots, "+rr", (const double[]){1, -2, 3});
 }
-END_TEST
 
-START_TEST(eq41_roots_reject_gains_beyond_double_in_units_of_Omega)
+TEST(eq41_roots_reject_gains_beyond_double_in_units_of_Omega)
 {
     struct ct_root root[4];
 
     ck_assert_int_eq(ct_characteristic_roots(1e-200, (struct ct_gains){1, 1}, root), CT_DOMAIN);
     ck_assert_double_nan(root[3].im);
 }
-END_TEST
 
 /* Here GSL takes three of the four for zero, and Newton's method all three to one root: a wrong set must not pass. */
-START_TEST(eq41_roots_report_a_set_that_is_not_complete)
+TEST(eq41_roots_report_a_set_that_is_not_complete)
 {
     struct ct_root root[4];
 
@@ -252,9 +238,8 @@ START_TEST(eq41_roots_report_a_set_that_is_not_complete)
     ck_assert_double_nan(root[0].re);
     ck_assert_double_nan(root[3].im);
 }
-END_TEST
 
-START_TEST(eq42_whole_numbers)
+TEST(eq42_whole_numbers)
 {
     const struct ct_margins m = ct_routh_margins(2, (struct ct_gains){40, 3});
 
@@ -262,17 +247,15 @@ START_TEST(eq42_whole_numbers)
     ck_assert_double_eq(m.margin2, 3);
     ck_assert_int_eq(m.stable, 1);
 }
-END_TEST
 
-START_TEST(eq42_boundary_is_not_stable)
+TEST(eq42_boundary_is_not_stable)
 {
     ck_assert_int_eq(ct_routh_margins(2, (struct ct_gains){36, 3}).stable, 0);
     ck_assert_int_eq(ct_routh_margins(2, (struct ct_gains){40, 0}).stable, 0);
 }
-END_TEST
 
 /* Over a grid on both sides of both bounds: all real parts are negative exactly where (42) says so. */
-START_TEST(eq42_is_the_sign_of_the_roots_of_eq41)
+EACH(eq42_is_the_sign_of_the_roots_of_eq41, 48)
 {
     const double c1[] = {-20, -5, 0, 3, 8.5, 9.5, 12, 40}, c2[] = {-10, -1, -0.1, 0.1, 1, 10};
     const struct ct_gains g = gains(c1[_i % 8], c2[_i / 8]);
@@ -281,7 +264,6 @@ START_TEST(eq42_is_the_sign_of_the_roots_of_eq41)
     ck_assert_int_eq(ct_characteristic_roots(Omega, g, root), CT_OK);
     ck_assert_int_eq(ct_routh_margins(Omega, g).stable, root[3].re < 0); /* the last has the largest real part */
 }
-END_TEST
 
 static size_t eq42(const double x[], double y[])
 {
@@ -294,13 +276,12 @@ static size_t eq42(const double x[], double y[])
     return 2;
 }
 
-START_TEST(eq42_rejects_each_input_outside_its_domain)
+TEST(eq42_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq42, "+rr", (const double[]){1, -2, 3});
 }
-END_TEST
 
-START_TEST(eq41_roots_reject_coefficients_that_overflow)
+EACH(eq41_roots_reject_coefficients_that_overflow, 3)
 {
     /* finite, but not three times as much; the third without damping */
     const struct ct_gains gains[] = {{1e308, 1}, {1, 1e308}, {1e308, 0}};
@@ -309,10 +290,9 @@ START_TEST(eq41_roots_reject_coefficients_that_overflow)
     ck_assert_int_eq(ct_characteristic_roots(1, gains[_i], r), CT_DOMAIN);
     ck_assert_double_nan(r[0].re);
 }
-END_TEST
 
 /* Pairs of which the real part is the greater, and the smaller, of either sign, and real roots; whatever order GSL finds them in. */
-START_TEST(eq41_roots_are_in_order_for_all_gains)
+TEST(eq41_roots_are_in_order_for_all_gains)
 {
     int strong = 0;
     for (int n = -60; n <= 60; n++) {
@@ -327,13 +307,11 @@ START_TEST(eq41_roots_are_in_order_for_all_gains)
     }
     ck_assert_int_gt(strong, 100);
 }
-END_TEST
 
-START_TEST(eq43_whole_numbers)
+TEST(eq43_whole_numbers)
 {
     ck_assert_double_eq(ct_proportional_gain(3, 10), 90);
 }
-END_TEST
 
 static size_t eq43(const double x[], double y[])
 {
@@ -341,40 +319,35 @@ static size_t eq43(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq43_rejects_each_input_outside_its_domain)
+TEST(eq43_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq43, "++", (const double[]){1, 0.5});
 }
-END_TEST
 
-START_TEST(eq44_whole_numbers)
+TEST(eq44_whole_numbers)
 {
     ck_assert_double_eq(ct_derivative_gain(3, 10), 6);
     ck_assert_double_eq(ct_derivative_gain(3, 25), 24);
 }
-END_TEST
 
-START_TEST(eq44_vanishes_at_nine)
+TEST(eq44_vanishes_at_nine)
 {
     ck_assert_double_eq(ct_derivative_gain(3, 9), 0);
 }
-END_TEST
 
-START_TEST(eq44_rejects_n_below_nine)
+TEST(eq44_rejects_n_below_nine)
 {
     ck_assert_double_nan(ct_derivative_gain(3, nextafter(9, 0)));
 }
-END_TEST
 
 /* dL_ddot + C2 dL_dot + (C1 - 9 Omega^2) dL has a double root where C2^2 = 4 (C1 - 9 Omega^2). */
-START_TEST(eq44_damps_critically)
+RANGE(eq44_damps_critically, 1, 17)
 {
     const double n = 9.0 + _i / 8.0, C2 = ct_derivative_gain(Omega, n);
     const struct ct_gains g = {ct_proportional_gain(Omega, n), C2};
 
     assert_close(C2 * C2, 4 * ct_routh_margins(Omega, g).margin1, 4); /* a root and its square */
 }
-END_TEST
 
 static size_t eq44(const double x[], double y[])
 {
@@ -382,59 +355,7 @@ static size_t eq44(const double x[], double y[])
     return 1;
 }
 
-START_TEST(eq44_rejects_each_input_outside_its_domain)
+TEST(eq44_rejects_each_input_outside_its_domain)
 {
     assert_rejects_outside(eq44, "++", (const double[]){1, 10});
-}
-END_TEST
-
-static TCase *linear_model(void)
-{
-    TCase *c = tcase_create("eq40 and eq41");
-
-    tcase_add_test(c, eq40_whole_numbers);
-    tcase_add_test(c, eq40_pitch_stands_alone);
-    tcase_add_test(c, eq40_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq41_whole_numbers);
-    tcase_add_loop_test(c, eq41_is_the_determinant_of_eq40, -3, 4);
-    tcase_add_test(c, eq41_rejects_each_input_outside_its_domain);
-    tcase_add_loop_test(c, eq41_roots_are_the_known_ones, 0, KNOWN);
-    tcase_add_loop_test(c, eq41_roots_without_damping_lie_on_the_axes, 0, 80);
-    tcase_add_loop_test(c, eq41_roots_sum_and_multiply_to_the_coefficients, 0, 9);
-    tcase_add_test(c, eq41_root_at_zero_on_the_stability_boundary_is_exact);
-    tcase_add_test(c, eq41_roots_scale_with_the_orbit_rate);
-    tcase_add_loop_test(c, eq41_roots_ascend, 0, 20);
-    tcase_add_test(c, eq41_roots_reject_each_input_outside_its_domain);
-    tcase_add_test(c, eq41_roots_reject_gains_beyond_double_in_units_of_Omega);
-    tcase_add_test(c, eq41_roots_report_a_set_that_is_not_complete);
-    return c;
-}
-
-static TCase *gain_choice(void)
-{
-    TCase *c = tcase_create("eq42 to eq44");
-
-    tcase_add_test(c, eq42_whole_numbers);
-    tcase_add_test(c, eq42_boundary_is_not_stable);
-    tcase_add_loop_test(c, eq42_is_the_sign_of_the_roots_of_eq41, 0, 48);
-    tcase_add_test(c, eq42_rejects_each_input_outside_its_domain);
-    tcase_add_test(c, eq43_whole_numbers);
-    tcase_add_test(c, eq43_rejects_each_input_outside_its_domain);
-    tcase_add_loop_test(c, eq41_roots_reject_coefficients_that_overflow, 0, 3);
-    tcase_add_test(c, eq41_roots_are_in_order_for_all_gains);
-    tcase_add_test(c, eq44_whole_numbers);
-    tcase_add_test(c, eq44_vanishes_at_nine);
-    tcase_add_test(c, eq44_rejects_n_below_nine);
-    tcase_add_loop_test(c, eq44_damps_critically, 1, 17);
-    tcase_add_test(c, eq44_rejects_each_input_outside_its_domain);
-    return c;
-}
-
-SUITE(test_ref_stability)
-{
-    Suite *s = suite_create("ref/stability.c");
-
-    suite_add_tcase(s, linear_model());
-    suite_add_tcase(s, gain_choice());
-    return s;
 }

@@ -354,15 +354,14 @@ static bool made(const struct section *s, const struct known_mistake *mistake, b
     return true;
 }
 
-START_TEST(every_mistake_of_an_equation_is_made_right)
+EACH(every_mistake_of_an_equation_is_made_right, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
     for (int k = 0; k < s->mistake_count; k++)
         ck_assert_msg(made(s, &s->mistakes[k], true), "%s, %s: expected in this file", s->id, s->mistakes[k].name);
 }
-END_TEST
 
-START_TEST(every_mistake_made_anywhere_is_made_right)
+EACH(every_mistake_made_anywhere_is_made_right, sheet()->mistake_count)
 {
     const struct known_mistake *mistake = &sheet()->mistakes[_i];
     int places = 0;
@@ -371,7 +370,6 @@ START_TEST(every_mistake_made_anywhere_is_made_right)
             places += made(&sheet()->sections[i], mistake, false);
     ck_assert_msg(places > 0, "%s: expected in this file", mistake->name);
 }
-END_TEST
 
 /* ---- and nothing mistaken ---- */
 
@@ -394,7 +392,7 @@ static void as_printed(const struct section *s, double *x, double *y)
         y[0] = sqrt(3 * x[0] / pow(x[1], 3));
 }
 
-START_TEST(formulas_are_right_and_misprints_wrong_in_their_way)
+EACH(formulas_are_right_and_misprints_wrong_in_their_way, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
     double x[MOST] = {0}, y[MOST] = {0}, due[MOST] = {0};
@@ -412,16 +410,4 @@ START_TEST(formulas_are_right_and_misprints_wrong_in_their_way)
         for (int i = 0; i < s->output_count; i++)
             ck_assert_msg(same(y[i], due[i]), "%s printed: %s is %g, expected %g", s->id, s->outputs[i]->name, y[i], due[i]);
     }
-}
-END_TEST
-
-SUITE(test_mistakes)
-{
-    Suite *suite = suite_create("mistakes");
-    TCase *mistakes = tcase_create("mistakes");
-    tcase_add_loop_test(mistakes, every_mistake_of_an_equation_is_made_right, 0, sheet()->section_count);
-    tcase_add_loop_test(mistakes, every_mistake_made_anywhere_is_made_right, 0, sheet()->mistake_count);
-    tcase_add_loop_test(mistakes, formulas_are_right_and_misprints_wrong_in_their_way, 0, sheet()->section_count);
-    suite_add_tcase(suite, mistakes);
-    return suite;
 }

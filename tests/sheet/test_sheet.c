@@ -11,7 +11,6 @@
 
 #include "sheet/sheet.h"
 
-#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
 /* A sheet in small, without a mistake; the numbers of its lines stand beside it. */
 static const char good[] =
@@ -75,7 +74,7 @@ static char *changed(const char *from, const char *to)
     return text;
 }
 
-START_TEST(sheet_is_read)
+TEST(sheet_is_read)
 {
     struct sheet s;
     struct message why = {""};
@@ -116,7 +115,6 @@ START_TEST(sheet_is_read)
     ck_assert_int_eq(s.mistake_count, 1);
     sheet_clear(&s);
 }
-END_TEST
 
 /* In place of `from`, `to`; the message begins with the place and has this text. */
 static const struct {
@@ -240,7 +238,7 @@ static const struct {
     {"equations:\n  eq1:", "equations:\n\teq1:", "", "expected YAML: "},
 };
 
-START_TEST(mistake_is_told_with_its_place)
+EACH(mistake_is_told_with_its_place, COUNT(mistakes))
 {
     struct sheet s;
     struct message why = {""};
@@ -253,10 +251,9 @@ START_TEST(mistake_is_told_with_its_place)
                   mistakes[_i].expected);
     free(text);
 }
-END_TEST
 
 /* A place is looked for in the text as long as it is, whatever stands behind it. */
-START_TEST(a_place_behind_the_end_is_the_end)
+TEST(a_place_behind_the_end_is_the_end)
 {
     static const char text[] = "a: >-\n  one\n  two\n\n\n\nmore";
     struct message why = {""};
@@ -268,21 +265,19 @@ START_TEST(a_place_behind_the_end_is_the_end)
     ck_assert_str_eq(why.text, "t.yaml:4:1: expected more");
     tree_close(tree);
 }
-END_TEST
 
-START_TEST(empty_sheet_is_refused)
+TEST(empty_sheet_is_refused)
 {
     struct sheet s;
     struct message why = {""};
     ck_assert_int_ne(sheet_read(&s, "", 0, "t.yaml", &why), 0);
     ck_assert_msg(strncmp(why.text, "t.yaml:1:1: expected", 20) == 0, "%s", why.text);
 }
-END_TEST
 
 #define Q(name) name ": {unit: m, domain: finite, meaning: place, example: 1}, "
 
 /* Its inputs take the places of outputs, of which there are no more than 16. */
-START_TEST(mistake_in_a_method_of_17_inputs_is_refused)
+TEST(mistake_in_a_method_of_17_inputs_is_refused)
 {
     static const char text[] =
         "quantities:\n"
@@ -302,10 +297,9 @@ START_TEST(mistake_in_a_method_of_17_inputs_is_refused)
     ck_assert_int_ne(sheet_read(&s, text, strlen(text), "t.yaml", &why), 0);
     ck_assert_str_eq(why.text, "t.yaml:12:14: expected a formula, or a method of at most 16 inputs");
 }
-END_TEST
 
 /* Whatever byte of the sheet is lost, it is read or refused in words, never worse. */
-START_TEST(cut_sheet_is_read_or_refused)
+TEST(cut_sheet_is_read_or_refused)
 {
     for (size_t length = 0; length < strlen(good); length++) {
         struct sheet s;
@@ -316,7 +310,6 @@ START_TEST(cut_sheet_is_read_or_refused)
             ck_assert_msg(strncmp(why.text, "t.yaml:", 7) == 0, "%s", why.text);
     }
 }
-END_TEST
 
 /* ---- the paper's sheet ---- */
 
@@ -355,7 +348,7 @@ static const struct {
     {"h", 1, 1000, false},
 };
 
-START_TEST(ranges_are_these)
+TEST(ranges_are_these)
 {
     int with_range = 0;
     for (int k = 0; k < COUNT(ranges); k++) {
@@ -371,10 +364,9 @@ START_TEST(ranges_are_these)
         with_range -= sheet()->quantities[i].high > 0;
     ck_assert_int_eq(with_range, 0);
 }
-END_TEST
 
 /* Table 1, the gains and the initial values: what commands fall back on, and the user may override. */
-START_TEST(values_of_the_simulation_are_these)
+TEST(values_of_the_simulation_are_these)
 {
     static const char names[] = " Omega k_c m1 m2 L_ref n dL dL_dot psi theta psi_dot theta_dot dL_0 dL_dot_0 psi_0 theta_0 psi_dot_0 theta_dot_0 ";
     for (int i = 0; i < sheet()->quantity_count; i++) {
@@ -385,10 +377,9 @@ START_TEST(values_of_the_simulation_are_these)
         ck_assert_msg(q->value == NULL || q->example == NULL, "%s", q->name);
     }
 }
-END_TEST
 
 /* eq10lin stands for Eq. (10); a motion for the equations that it obeys. */
-START_TEST(sections_stand_for_the_equation_in_their_name)
+TEST(sections_stand_for_the_equation_in_their_name)
 {
     for (int i = 0; i < sheet()->section_count; i++) {
         const struct section *s = &sheet()->sections[i];
@@ -403,10 +394,9 @@ START_TEST(sections_stand_for_the_equation_in_their_name)
                                   s->equations[2][strlen(s->equations[2]) - 1] == 'c'), "%s", s->id);
     }
 }
-END_TEST
 
 /* Nothing follows a definition, so that nothing holds it: it is written twice. */
-START_TEST(definitions_are_these)
+TEST(definitions_are_these)
 {
     static const char *const texts[][5] = {{"L = L_ref + dL", "Q = Q_ref + dQ"}, {"w_1 = 0", "w_2 = 0", "w_3 = Omega"}};
     const struct section *sections[] = {section_find(sheet(), "eq16"), section_find(sheet(), "eq23")};
@@ -414,9 +404,8 @@ START_TEST(definitions_are_these)
         for (int k = 0; k < sections[i]->relation_count; k++)
             ck_assert_str_eq(sections[i]->relations[k].text, texts[i][k]);
 }
-END_TEST
 
-START_TEST(no_relation_stands_twice)
+TEST(no_relation_stands_twice)
 {
     for (int i = 0; i < sheet()->section_count; i++) {
         const struct section *s = &sheet()->sections[i];
@@ -425,7 +414,6 @@ START_TEST(no_relation_stands_twice)
                 ck_assert_str_ne(s->relations[k].text, s->relations[r].text);
     }
 }
-END_TEST
 
 /* YAML 1.1 takes these for true and false, and an exponent without a sign or a point for text; YAML 1.2 does not. */
 static bool means_two_things(const char *plain)
@@ -454,7 +442,7 @@ static void look_for_two_meanings(const struct yaml *n)
     }
 }
 
-START_TEST(sheets_mean_the_same_in_every_yaml)
+EACH(sheets_mean_the_same_in_every_yaml, 3)
 {
     const struct sources all = embedded_sources();
     const struct source s = _i == 0 ? all.equations : _i == 1 ? all.derivations : all.claims;
@@ -465,26 +453,4 @@ START_TEST(sheets_mean_the_same_in_every_yaml)
     ck_assert_ptr_nonnull(tree);
     look_for_two_meanings(&tree->root);
     tree_close(tree);
-}
-END_TEST
-
-SUITE(test_sheet)
-{
-    TCase *reading = tcase_create("reading");
-    tcase_add_test(reading, sheet_is_read);
-    tcase_add_loop_test(reading, sheets_mean_the_same_in_every_yaml, 0, 3);
-    tcase_add_test(reading, ranges_are_these);
-    tcase_add_test(reading, values_of_the_simulation_are_these);
-    tcase_add_test(reading, no_relation_stands_twice);
-    tcase_add_test(reading, definitions_are_these);
-    tcase_add_test(reading, sections_stand_for_the_equation_in_their_name);
-    tcase_add_loop_test(reading, mistake_is_told_with_its_place, 0, COUNT(mistakes));
-    tcase_add_test(reading, a_place_behind_the_end_is_the_end);
-    tcase_add_test(reading, empty_sheet_is_refused);
-    tcase_add_test(reading, mistake_in_a_method_of_17_inputs_is_refused);
-    tcase_add_test(reading, cut_sheet_is_read_or_refused);
-
-    Suite *s = suite_create("sheet");
-    suite_add_tcase(s, reading);
-    return s;
 }

@@ -64,7 +64,7 @@ static double example(const struct quantity *q)
     return value != 0 ? value : sqrt(q->low * q->high);
 }
 
-START_TEST(every_operation_holds_in_any_units)
+EACH(every_operation_holds_in_any_units, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
     reference_function *f = reference_find(s->id);
@@ -84,10 +84,9 @@ START_TEST(every_operation_holds_in_any_units)
         ck_assert_msg(fabs(out[i] - due) <= 1e-9 * fabs(due), "%s: %s is %g [%s], expected %g", s->id, q->name, out[i], q->unit, due);
     }
 }
-END_TEST
 
 /* What no operation computes stands in relations, as another name for what one does. */
-START_TEST(both_sides_of_a_renaming_have_one_unit)
+EACH(both_sides_of_a_renaming_have_one_unit, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
     for (int i = 0; i < s->relation_count; i++) {
@@ -99,7 +98,6 @@ START_TEST(both_sides_of_a_renaming_have_one_unit)
             ck_assert_msg(growth(a->unit) == growth(b->unit), "%s [%s], %s [%s]", left, a->unit, right, b->unit);
     }
 }
-END_TEST
 
 /* ---- the numbers of the evidence ---- */
 
@@ -146,7 +144,7 @@ static bool has_other_units(const char *id)
 }
 
 /* Of what rests on the sheet's values alone, and on no computation. */
-START_TEST(numbers_of_the_evidence_have_their_units)
+TEST(numbers_of_the_evidence_have_their_units)
 {
     struct proof_results proofs;
     struct statements claims;
@@ -178,16 +176,4 @@ START_TEST(numbers_of_the_evidence_have_their_units)
     ck_assert_int_gt(checked, 80);
     statements_clear(&claims);
     proof_results_clear(&proofs);
-}
-END_TEST
-
-SUITE(test_units)
-{
-    Suite *suite = suite_create("units");
-    TCase *units = tcase_create("units");
-    tcase_add_loop_test(units, every_operation_holds_in_any_units, 0, sheet()->section_count);
-    tcase_add_loop_test(units, both_sides_of_a_renaming_have_one_unit, 0, sheet()->section_count);
-    tcase_add_test(units, numbers_of_the_evidence_have_their_units);
-    suite_add_tcase(suite, units);
-    return suite;
 }

@@ -81,15 +81,14 @@ static const struct {
     {"0x0p99999999999999999999", 0.0},
 };
 
-START_TEST(literal_means_the_nearest_double)
+EACH(literal_means_the_nearest_double, COUNT(nearest_double))
 {
     ck_assert_msg(read_double(nearest_double[_i].text) == nearest_double[_i].value, "%s is %a",
                   nearest_double[_i].text, read_double(nearest_double[_i].text));
 }
-END_TEST
 
 /* Other road: libc's strtod. */
-START_TEST(literal_agrees_with_strtod)
+TEST(literal_agrees_with_strtod)
 {
     uint64_t state = 1;
     for (int k = 0; k < 2000; k++) {
@@ -101,7 +100,6 @@ START_TEST(literal_agrees_with_strtod)
             ck_assert_msg(read_double(text) == expected, "%s", text);
     }
 }
-END_TEST
 
 static const struct {
     const char *text;
@@ -149,19 +147,17 @@ static const struct {
     {"0e99999999999999999999", LITERAL_FINITE, LITERAL_FINITE},
 };
 
-START_TEST(literal_kind_is_told)
+EACH(literal_kind_is_told, COUNT(kinds))
 {
     SCOPE(fmpq, value);
     ck_assert_int_eq(literal_read(value, kinds[_i].text, false), kinds[_i].kind);
 }
-END_TEST
 
-START_TEST(exact_literal_kind_is_told)
+EACH(exact_literal_kind_is_told, COUNT(kinds))
 {
     SCOPE(fmpq, value);
     ck_assert_int_eq(literal_read(value, kinds[_i].text, true), kinds[_i].exact_kind);
 }
-END_TEST
 
 static const struct {
     const char *text;
@@ -173,16 +169,15 @@ static const struct {
     {"0.0000001e7", 1, 1}, {"0x0.01p8", 1, 1},
 };
 
-START_TEST(exact_literal_is_its_own_value)
+EACH(exact_literal_is_its_own_value, COUNT(exact_values))
 {
     SCOPE(fmpq, value, expected);
     fmpq_set_si(expected, exact_values[_i].p, exact_values[_i].q);
     literal_read(value, exact_values[_i].text, true);
     ck_assert(fmpq_equal(value, expected));
 }
-END_TEST
 
-START_TEST(exact_literal_of_giant_length_is_refused)
+TEST(exact_literal_of_giant_length_is_refused)
 {
     static char text[20000];
     SCOPE(fmpq, value);
@@ -195,10 +190,9 @@ START_TEST(exact_literal_of_giant_length_is_refused)
     ck_assert_int_eq(literal_read(value, text, false), LITERAL_FINITE);
     ck_assert(fmpq_is_one(value));
 }
-END_TEST
 
 /* 1.000...0001 with 4,999 zeros lies above the tie at 1 + 2^-53 only through its last digit. */
-START_TEST(literal_of_thousands_of_digits_is_not_cut)
+TEST(literal_of_thousands_of_digits_is_not_cut)
 {
     static const char tie[] =
         "1.00000000000000011102230246251565404236316680908203125"; /* 1 + 2^-53 */
@@ -210,7 +204,6 @@ START_TEST(literal_of_thousands_of_digits_is_not_cut)
     ck_assert(read_double(tie) == 1.0);
     ck_assert(read_double(text) == 0x1.0000000000001p0);
 }
-END_TEST
 
 static const struct {
     slong p;
@@ -236,7 +229,7 @@ static const struct {
     {123456789, 1, 9, "1.23456789e+08"},
 };
 
-START_TEST(rational_rounds_to_nearest_even)
+EACH(rational_rounds_to_nearest_even, COUNT(rationals))
 {
     SCOPE(fmpq, x);
     fmpq_set_si(x, rationals[_i].p, rationals[_i].q);
@@ -244,10 +237,9 @@ START_TEST(rational_rounds_to_nearest_even)
     ck_assert_str_eq(text, rationals[_i].text);
     free(text);
 }
-END_TEST
 
 /* The exponent's first guess errs, if at all, at powers of ten. */
-START_TEST(rational_power_of_ten_is_written_as_such)
+TEST(rational_power_of_ten_is_written_as_such)
 {
     SCOPE(fmpq, x);
     for (int k = -400; k <= 400; k++) {
@@ -260,10 +252,9 @@ START_TEST(rational_power_of_ten_is_written_as_such)
         free(text);
     }
 }
-END_TEST
 
 /* 1/7 repeats 142857: digit 10,000 is an 8, and 5 comes next. */
-START_TEST(rational_gives_ten_thousand_digits)
+TEST(rational_gives_ten_thousand_digits)
 {
     char expected[10006] = "1.";
     for (int k = 1; k < 9999; k++)
@@ -275,10 +266,9 @@ START_TEST(rational_gives_ten_thousand_digits)
     ck_assert_str_eq(text, expected);
     free(text);
 }
-END_TEST
 
 /* The definition: so many digits, and no further than half a unit of the last from x. */
-START_TEST(rational_text_is_within_half_a_unit)
+TEST(rational_text_is_within_half_a_unit)
 {
     uint64_t state = 2;
     SCOPE(fmpq, x, y, unit);
@@ -297,10 +287,9 @@ START_TEST(rational_text_is_within_half_a_unit)
         free(text);
     }
 }
-END_TEST
 
 /* mpmath.mp.dps = 60; mpmath.nstr(mpmath.pi, 40), and so on. */
-START_TEST(ball_of_pi_is_rounded)
+TEST(ball_of_pi_is_rounded)
 {
     SCOPE(arb, x);
     arb_const_pi(x, 160);
@@ -312,15 +301,13 @@ START_TEST(ball_of_pi_is_rounded)
     ck_assert_pstr_eq(text, "-3.14159265358979323846264338328e+00");
     free(text);
 }
-END_TEST
 
-START_TEST(ball_too_wide_is_refused)
+TEST(ball_too_wide_is_refused)
 {
     SCOPE(arb, x);
     arb_const_pi(x, 100);
     ck_assert_ptr_null(decimal_of_ball(x, 40));
 }
-END_TEST
 
 /* Ball [low, high] / 100 as integers; NULL where two numbers in it round differently. */
 static const struct {
@@ -341,7 +328,7 @@ static const struct {
     {0, 0, 7, "0"},
 };
 
-START_TEST(ball_is_decided_when_all_of_it_rounds_alike)
+EACH(ball_is_decided_when_all_of_it_rounds_alike, COUNT(balls))
 {
     SCOPE(arb, x);
     arb_set_si(x, balls[_i].low + balls[_i].high);
@@ -351,9 +338,8 @@ START_TEST(ball_is_decided_when_all_of_it_rounds_alike)
     ck_assert_pstr_eq(text, balls[_i].text);
     free(text);
 }
-END_TEST
 
-START_TEST(ball_without_a_finite_value_is_refused)
+TEST(ball_without_a_finite_value_is_refused)
 {
     SCOPE(arb, x);
     arb_pos_inf(x);
@@ -363,10 +349,9 @@ START_TEST(ball_without_a_finite_value_is_refused)
     arb_zero_pm_inf(x);
     ck_assert_ptr_null(decimal_of_ball(x, 5));
 }
-END_TEST
 
 /* mpmath.mp.dps = 60; mpmath.nstr(mpmath.exp(-mpmath.mpf(10)**10), 20) */
-START_TEST(ball_of_tiny_value_has_its_exponent)
+TEST(ball_of_tiny_value_has_its_exponent)
 {
     SCOPE(arb, x);
     arb_set_si(x, -10000000000);
@@ -375,9 +360,8 @@ START_TEST(ball_of_tiny_value_has_its_exponent)
     ck_assert_pstr_eq(text, "9.2785844203248725781e-4342944820");
     free(text);
 }
-END_TEST
 
-START_TEST(ball_of_absurd_exponent_is_refused)
+TEST(ball_of_absurd_exponent_is_refused)
 {
     SCOPE(fmpz, exponent);
     SCOPE(arb, x);
@@ -389,7 +373,6 @@ START_TEST(ball_of_absurd_exponent_is_refused)
     arb_mul_2exp_fmpz(x, x, exponent);
     ck_assert_ptr_null(decimal_of_ball(x, 5));
 }
-END_TEST
 
 /* python3: repr(x), without its trailing ".0" */
 static const struct {
@@ -429,16 +412,15 @@ static const struct {
     {NAN, "nan"},
 };
 
-START_TEST(shortest_decimal_is_known)
+EACH(shortest_decimal_is_known, COUNT(shortest))
 {
     char text[32];
     decimal_shortest(text, shortest[_i].x);
     ck_assert_str_eq(text, shortest[_i].text);
 }
-END_TEST
 
 /* Other road: libc's strtod reads it back, and no number of libc's with a digit less does so. */
-START_TEST(shortest_decimal_reads_back_and_none_shorter)
+TEST(shortest_decimal_reads_back_and_none_shorter)
 {
     uint64_t state = 3;
     for (int k = 0; k < 2000; k++) {
@@ -453,7 +435,6 @@ START_TEST(shortest_decimal_reads_back_and_none_shorter)
         ck_assert_msg(strtod(shorter, NULL) != x, "%s", text);
     }
 }
-END_TEST
 
 static const struct {
     ulong mantissa;
@@ -474,7 +455,7 @@ static const struct {
     {1, 2000000, "inf"},
 };
 
-START_TEST(bound_is_rounded_up)
+EACH(bound_is_rounded_up, COUNT(bounds))
 {
     char text[32];
     SCOPE(mag, x);
@@ -482,49 +463,12 @@ START_TEST(bound_is_rounded_up)
     decimal_bound(text, x);
     ck_assert_str_eq(text, bounds[_i].text);
 }
-END_TEST
 
-START_TEST(bound_of_infinity_is_inf)
+TEST(bound_of_infinity_is_inf)
 {
     char text[32];
     SCOPE(mag, x);
     mag_inf(x);
     decimal_bound(text, x);
     ck_assert_str_eq(text, "inf");
-}
-END_TEST
-
-#define COUNT(table) (int)(sizeof(table) / sizeof *(table))
-
-SUITE(test_decimal)
-{
-    TCase *reading = tcase_create("reading");
-    tcase_add_loop_test(reading, literal_means_the_nearest_double, 0, COUNT(nearest_double));
-    tcase_add_test(reading, literal_agrees_with_strtod);
-    tcase_add_loop_test(reading, literal_kind_is_told, 0, COUNT(kinds));
-    tcase_add_loop_test(reading, exact_literal_kind_is_told, 0, COUNT(kinds));
-    tcase_add_loop_test(reading, exact_literal_is_its_own_value, 0, COUNT(exact_values));
-    tcase_add_test(reading, exact_literal_of_giant_length_is_refused);
-    tcase_add_test(reading, literal_of_thousands_of_digits_is_not_cut);
-
-    TCase *writing = tcase_create("writing");
-    tcase_add_loop_test(writing, rational_rounds_to_nearest_even, 0, COUNT(rationals));
-    tcase_add_test(writing, rational_power_of_ten_is_written_as_such);
-    tcase_add_test(writing, rational_gives_ten_thousand_digits);
-    tcase_add_test(writing, rational_text_is_within_half_a_unit);
-    tcase_add_test(writing, ball_of_pi_is_rounded);
-    tcase_add_test(writing, ball_too_wide_is_refused);
-    tcase_add_loop_test(writing, ball_is_decided_when_all_of_it_rounds_alike, 0, COUNT(balls));
-    tcase_add_test(writing, ball_without_a_finite_value_is_refused);
-    tcase_add_test(writing, ball_of_tiny_value_has_its_exponent);
-    tcase_add_test(writing, ball_of_absurd_exponent_is_refused);
-    tcase_add_loop_test(writing, shortest_decimal_is_known, 0, COUNT(shortest));
-    tcase_add_test(writing, shortest_decimal_reads_back_and_none_shorter);
-    tcase_add_loop_test(writing, bound_is_rounded_up, 0, COUNT(bounds));
-    tcase_add_test(writing, bound_of_infinity_is_inf);
-
-    Suite *s = suite_create("decimal");
-    suite_add_tcase(s, reading);
-    suite_add_tcase(s, writing);
-    return s;
 }

@@ -46,23 +46,21 @@ static const struct {
     {"a\n\"234567890123456789012345678901234567890 ", "[a]\nf.csv: line 2, cell 1: expected an end of a quoted cell"},
 };
 
-START_TEST(csv_is_read_as_spreadsheets_write_it)
+EACH(csv_is_read_as_spreadsheets_write_it, COUNT(tables))
 {
     char *rows = rows_of(tables[_i].bytes, strlen(tables[_i].bytes));
     ck_assert_str_eq(rows, tables[_i].rows);
     free(rows);
 }
-END_TEST
 
-START_TEST(csv_in_utf_16_is_refused)
+TEST(csv_in_utf_16_is_refused)
 {
     char *rows = rows_of("\xff\xfei\0d\0", 6);
     ck_assert_str_eq(rows, "f.csv: line 1, cell 1: found a zero byte, expected text in UTF-8");
     free(rows);
 }
-END_TEST
 
-START_TEST(csv_that_cannot_be_read_is_told)
+TEST(csv_that_cannot_be_read_is_told)
 {
     struct message why = {""};
     FILE *folder = fopen("/", "r");
@@ -72,9 +70,8 @@ START_TEST(csv_that_cannot_be_read_is_told)
     csv_clear(&c);
     fclose(folder);
 }
-END_TEST
 
-START_TEST(csv_columns_are_found_from_the_end)
+TEST(csv_columns_are_found_from_the_end)
 {
     struct message why;
     FILE *in = fmemopen((void *)"id,psi,psi\n", 11, "r");
@@ -86,9 +83,8 @@ START_TEST(csv_columns_are_found_from_the_end)
     csv_clear(&c);
     fclose(in);
 }
-END_TEST
 
-START_TEST(csv_that_is_written_is_read_again)
+TEST(csv_that_is_written_is_read_again)
 {
     static const char *const cells[] = {"plain", "", "a, \"b\"", "c\nd", "\""};
     struct message why;
@@ -108,11 +104,10 @@ START_TEST(csv_that_is_written_is_read_again)
     fclose(in);
     free(text);
 }
-END_TEST
 
 /* ---- JSON ---- */
 
-START_TEST(json_puts_commas_and_lines_where_they_belong)
+TEST(json_puts_commas_and_lines_where_they_belong)
 {
     char *text;
     size_t size;
@@ -136,9 +131,8 @@ START_TEST(json_puts_commas_and_lines_where_they_belong)
     ck_assert_str_eq(text, "{\"a\": \"b\", \"list\": [\n  1,\n  false\n], \"empty\": {}, \"c\": true}");
     free(text);
 }
-END_TEST
 
-START_TEST(json_text_is_utf_8_whatever_it_was)
+EACH(json_text_is_utf_8_whatever_it_was, 5)
 {
     static const struct {
         const char *text, *written;
@@ -155,20 +149,4 @@ START_TEST(json_text_is_utf_8_whatever_it_was)
     fclose(out);
     ck_assert_str_eq(text, texts[_i].written);
     free(text);
-}
-END_TEST
-
-SUITE(test_text)
-{
-    Suite *s = suite_create("text");
-    TCase *c = tcase_create("text");
-    tcase_add_loop_test(c, csv_is_read_as_spreadsheets_write_it, 0, sizeof tables / sizeof *tables);
-    tcase_add_test(c, csv_in_utf_16_is_refused);
-    tcase_add_test(c, csv_that_cannot_be_read_is_told);
-    tcase_add_test(c, csv_columns_are_found_from_the_end);
-    tcase_add_test(c, csv_that_is_written_is_read_again);
-    tcase_add_test(c, json_puts_commas_and_lines_where_they_belong);
-    tcase_add_loop_test(c, json_text_is_utf_8_whatever_it_was, 0, 5);
-    suite_add_tcase(s, c);
-    return s;
 }
