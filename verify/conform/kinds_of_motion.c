@@ -8,7 +8,7 @@
  * Both motions in binary64, integrated as others do it, with one step, perhaps with the other sign of one term: where that makes
  * of the vectors what was answered, right or wrong, the mistake has its name.
  */
-enum { TERMS = 6, MOST_STEPS = 20000, STEPS = 7 };
+enum { TERMS = 6, MOST_STEPS = 50000, STEPS = 7 };
 
 static const char *const terms[2][TERMS] = {
     {"the radial Coriolis term 2 Omega y1_dot", "3 Omega^2 x1", "the along-track Coriolis term -2 Omega x1_dot", "-Omega^2 z1",
