@@ -704,7 +704,7 @@ local filter = {
 local function describe(meta)
   meta.version = output_of(program .. ' --version'):match '(%S+)%s*$'
   meta.date = os.getenv 'CT_DATE' or ''
-  meta.fingerprint = output_of('sha256sum ' .. word(data .. '/datapackage.json')):sub(1, 16)
+  meta.fingerprint = output_of('$(command -v sha256sum || echo shasum -a 256) ' .. word(data .. '/datapackage.json')):sub(1, 16)
   meta.title, meta.pages = 'The Coulomb tether, checked by machine', pages
   for i, page in ipairs(pages) do
     if page.file == os.getenv 'CT_PAGE' then meta.title, meta.before, meta.after = page.title, pages[i - 1], pages[i + 1] end

@@ -119,7 +119,7 @@ END
         echo 'Text.' >"$work/prose.md"
         echo '$version$ $date$ $fingerprint$' >"$work/page.tex"
         weave latex --template "$work/page.tex" &&
-            [ "$(cat "$work/out")" = "$("$CT_PROGRAM" --version | cut -d ' ' -f 2) 2000-01-01 $(sha256sum data/datapackage.json | cut -c 1-16)" ] || shown
+            [ "$(cat "$work/out")" = "$("$CT_PROGRAM" --version | cut -d ' ' -f 2) 2000-01-01 $($(command -v sha256sum || echo shasum -a 256) data/datapackage.json | cut -c 1-16)" ] || shown
     }
     check 'version, date and fingerprint' told
 
