@@ -7,7 +7,7 @@ set format x '$%g$'
 set xlabel '$n$'
 set xrange [9:40]
 set xtics 10
-set yrange [2e-3:5]
+set yrange [5e-4:5]
 set ytics 10
 set key at graph 0.97, 0.03 bottom right vertical Right noreverse
 eval beside(1)
