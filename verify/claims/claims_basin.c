@@ -67,7 +67,7 @@ static void basin(struct computed *c)
 }
 
 /* The numbers of guarantee.h at n = 10 and 12. */
-static void guaranteed(struct computed *c)
+static void give_guarantees(struct computed *c)
 {
     VECTOR(arb, values, GUARANTEES);
     SCOPE(arb, n);
@@ -84,7 +84,7 @@ static void guaranteed(struct computed *c)
 #define SUDDEN(n) " deficit_step_" n " excess_step_" n " outward_step_" n " inward_step_" n " along_step_" n
 
 const struct computation computations_basin[] = {
-    {"guaranteed", guaranteed, BASIN("10") BASIN("12") STEADY("10") STEADY("12") SUDDEN("10") SUDDEN("12"), NULL},
+    {"guaranteed", give_guarantees, BASIN("10") BASIN("12") STEADY("10") STEADY("12") SUDDEN("10") SUDDEN("12"), NULL},
     {"released", released, "longer_12 longer_24 shorter_12 shorter_24", NULL},
     {"basin", basin, "returns_10 escapes_10 returns_12 escapes_12 half_escapes_10 half_returns_12", NULL},
     {NULL, NULL, NULL, NULL},

@@ -231,7 +231,7 @@ static bool print_sampling(const struct derivations *steps)
     return proved;
 }
 
-static void print_rational(const fmpq_t x)
+static void print_exact(const fmpq_t x)
 {
     char *text = decimal_of_rational(x, ROW_DIGITS);
     printf(",%s", text);
@@ -260,10 +260,10 @@ static bool print_balance(const struct derivations *steps)
             printf("%ld,%ld.%02ld", (long)gains[i], (long)(hundredths / 100), (long)(hundredths % 100));
             if (fmpq_sgn(command) > 0) {
                 fmpq_div(force, force, command);
-                print_rational(force);
+                print_exact(force);
             } else
                 putchar(',');
-            print_rational(push);
+            print_exact(push);
             putchar('\n');
         }
     return true;
