@@ -225,8 +225,8 @@ local function decimal(value, digits)
   return ('%%.%df'):format(math.max(digits - 1 - exponent, 0)):format(value)
 end
 
--- In MathML upright letters are text, or each would be one of its own.
-local function upright(tex) return web and tex:gsub('\\mathrm(%b{})', '\\text%1') or tex end
+-- In MathML upright letters are text, or each would be one of its own; and a product has its space anyway.
+local function upright(tex) return web and tex:gsub('\\mathrm(%b{})', '{\\text%1}'):gsub('\\,', ' ') or tex end
 
 -- TeX of the build as inlines: for LaTeX as it is, for the web as pandoc reads it.
 local function inlines(tex)
@@ -371,33 +371,38 @@ local function references(list)
   return table.concat(out, ', ')
 end
 
--- The algebra: each line an equality after the other, and how one comes to it.
+-- The algebra: each line equalities one after the other, and how one comes to them.
 local function algebra(lines)
   local blocks = pandoc.List()
   for _, line in ipairs(lines or {}) do
-    blocks:insert(para(inlines(prose(line.how) .. ':')))
-    local tex = '\\begin{aligned}' .. table.concat(line.tex, ' \\\\\n&= '):gsub(' \\\\\n&= ', ' &= ', 1) .. '\\end{aligned}'
-    blocks:extend(web and box('equation', {pandoc.Plain {pandoc.Math('DisplayMath', upright(tex))}}) or {raw('\\fit{' .. tex .. '}')})
+    local sides = {}
+    for i, tex in ipairs(line.tex) do sides[i] = tex:gsub('\\mathrm{eta}', '\\eta '):gsub('{{(\\d*ot )', '{{{}%1') end  -- TeX unpacks an accent
+    local chain = table.concat(sides, ' = ')
+    if web then blocks:insert(para(inlines(prose(line.how) .. ':'), ' ', {pandoc.Math('InlineMath', upright(chain))}))
+    else
+      local rows = sides[1] .. ' &= ' .. table.concat(sides, ' \\\\ &= ', 2)
+      blocks:insert(raw(('\\derive{%s}{%s}{\\begin{aligned}%s\\end{aligned}}'):format(prose(line.how), chain, rows)))
+    end
   end
   return blocks
 end
 
 -- In full in its chapter, in a line elsewhere.
 local function step_blocks(s, brief)
-  local title = pandoc.List(web and brief and page_of_step[s.id] and {pandoc.Link(pandoc.Code(s.id), page_of_step[s.id] .. '#step-' .. s.id)}
+  local title = pandoc.List(brief and page_of_step[s.id] and {pandoc.Link(pandoc.Code(s.id), page_of_step[s.id] .. '#step-' .. s.id)}
                             or {pandoc.Code(s.id)})
   local blocks = pandoc.List {para(inlines '$\\vdash$ ', title, inlines(': ' .. prose(s.title) .. '. ' .. references(s.from)
     .. (#s.to > 0 and ' $\\;\\rightarrow\\;$ ' .. references(s.to) or '') .. '. \\emph{Proved '
-    .. (s.order and 'to order ' .. s.order or 'exactly') .. ', for ' .. prose(s.domain) .. '.}'))}
-  if brief and page_of_step[s.id] then return box('step', blocks) end
-  blocks:extend(web and s.lines and details('the algebra, line by line', algebra(s.lines)) or algebra(s.lines))
+    .. (s.order and 'to order ' .. s.order or 'exactly') .. (web and '' or ', for ' .. prose(s.domain)) .. '.}'))}
+  if brief then return box('step', blocks) end
+  blocks:extend(not web and algebra(s.lines) or details('the algebra, line by line',
+    join(algebra(s.lines), {pandoc.CodeBlock('for ' .. s.domain .. '\n' .. table.concat(s.step.show or {}, '\n'))})))
   if s.printed then
     local difference = s.printed.difference
     blocks:insert(para(inlines('As printed it fails: ' .. (difference and 'the sides differ by a multiple of $' .. difference .. '$'
                                                             or prose(s.printed.evidence)) .. '.')))
   end
   if (s.dropped or '') ~= '' then blocks:insert(para(inlines('Certified: ' .. prose(s.dropped) .. '.'))) end
-  if web and s.step.show then blocks:extend(details('what was shown', {pandoc.CodeBlock(table.concat(s.step.show, '\n'))})) end
   return box('step', blocks, 'step-' .. s.id)
 end
 
@@ -409,9 +414,8 @@ end
 local function verdict_blocks(v, evidence, id)
   local blocks = pandoc.List {para({pandoc.Strong(v.verdict .. ':')}, ' ', inlines(v.claim_tex .. ' (' .. prose(capital(v.where)) .. ')'), ' ', name_of(v))}
   if web and v.why_tex then blocks:insert(para(inlines(v.why_tex))) end
-  local found = para(inlines(v.evidence_tex .. '.'))
-  if not web then blocks:extend(box('evidence', {raw('\\emph{Evidence (' .. v.how .. '):}'), found}))
-  elseif evidence then blocks:extend(details('evidence, ' .. v.how, {found})) end
+  if not web then blocks:extend(box('evidence', {para({pandoc.Emph('Evidence (' .. v.how .. '):')}, ' ', inlines(v.evidence_tex .. '.'))}))
+  elseif evidence then blocks:extend(details('evidence, ' .. v.how, {para(inlines(v.evidence_tex .. '.'))})) end
   return box('verdict ' .. v.verdict:match '%a+', blocks, id)
 end
 
@@ -621,12 +625,22 @@ local function graph_of(chapter)
                  or read('paper/' .. chapter .. '.md'):find('\n<<step ' .. to:sub(2, -2) .. '>>', 1, true)
     if step then used[from], used[to], edges[#edges + 1] = true, true, from .. ' -> ' .. to end
   end
-  for name, attributes in graph:gmatch '\n  (%b"") %[([^\n]*)%];' do
-    local number = name:match '^"(%d[^ "]*)'
-    if used[name] then nodes[#nodes + 1] = name .. ' [' .. (number and 'URL="equations.html#eq:' .. number .. '", ' or '') .. attributes .. ']' end
+  for name, attributes in graph:gsub(', tooltip="[^\n]*"', ''):gmatch '\n  (%b"") %[([^\n]*)%];' do
+    local number, step = name:match '^"(%d[^ "]*)', not attributes:match 'shape'
+    local url = number and 'equations.html#eq:' .. number or step and '#step-' .. name:sub(2, -2)
+    if used[name] then
+      nodes[#nodes + 1] = ('%s [%s%s%s]'):format(name, url and 'URL="' .. url .. '", ' or '', step and '' or 'style=solid, ', attributes)
+    end
   end
-  return 'digraph chapter { ranksep=0.3; nodesep=0.06; margin=0; node [fontname="Helvetica", fontsize=10, height=0.1, width=0.1, margin="0.03,0.02"];'
-         .. table.concat(nodes, ';') .. ';' .. table.concat(edges, ';') .. '}'
+  return 'digraph chapter { ranksep=0.3; nodesep=0.06; margin=0; node [fontname="Helvetica", fontsize=10, height=0.1, width=0.1, '
+         .. 'margin="0.03,0.02", shape=box, style=filled, fillcolor="#eeeeee"];' .. table.concat(nodes, ';') .. ';' .. table.concat(edges, ';') .. '}'
+end
+
+-- The picture within the page, without what a style sheet says better.
+local function inline_svg(chapter)
+  local svg = pandoc.pipe('dot', {'-Tsvg'}, graph_of(chapter)):match '<svg.*'
+  return (svg:gsub('<title>.-</title>\n', ''):gsub('<!%-%-.-%-%->\n', ''):gsub('<g id="[en].-">\n', ''):gsub('</g>\n', ''):gsub('</svg>', '</g></svg>')
+             :gsub(' font%-%a+="[^"]*"', ''):gsub(' text%-anchor="middle"', ''):gsub(' xlink:title="[^"]*"', ''):gsub(' stroke="black"', ''))
 end
 
 local function figure(el)
@@ -637,14 +651,14 @@ local function figure(el)
   if not (source and read(source)) then stop("unknown picture '%s', expected plot:NAME or graph:CHAPTER", el.src) end
   if #el.caption == 0 then stop("'%s' has no caption", el.src) end
   local label, drawn = labels[id] and labels[id].text, nil  -- pages between the chapters have none
-  if kind == 'graph' and web then drawn = pandoc.pipe('dot', {'-Tsvg'}, graph_of(name)):gsub('^.-<svg', '<svg'):gsub('<title>.-</title>\n', ''):gsub('<!%-%-.-%-%->\n', ''):gsub(' font%-%a+="[^"]*"', '')
+  if kind == 'graph' and web then drawn = inline_svg(name)
   elseif kind == 'graph' then pandoc.pipe('dot', {'-Tpdf', '-o', build .. '/paper/graph-' .. name .. '.pdf'}, graph_of(name))
   else drawn = ('<img src="plot-%s.svg" alt="%s">'):format(name, label and 'Figure ' .. label or '') end
   if web then
     return {raw('<figure id="' .. id .. '">' .. drawn .. '<figcaption>'), pandoc.Plain(join(label and {pandoc.Strong('Figure ' .. label .. '. ')} or '', el.caption)),
             raw '</figcaption></figure>'}
   end
-  return {raw(('\\begin{figure}[htbp]\\centering\\%s{%s}\\def\\thefigure{%s}'):format(kind, name, label)),
+  return {raw(('\\begin{figure}[tbp]\\centering\\%s{%s}\\def\\thefigure{%s}'):format(kind, name, label)),
           pandoc.Plain(join({pandoc.RawInline('latex', '\\caption{')}, el.caption, {pandoc.RawInline('latex', '}\\label{' .. id .. '}\\end{figure}')}))}
 end
 
