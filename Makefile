@@ -403,7 +403,7 @@ site: $(PAGES:%=$(SITE)/%.html) $(PLOTS:%=$(SITE)/plot-%.svg) $(addprefix $(SITE
 # The TeX that pandoc puts beside its MathML, and what a formula in HTML has unsaid, would make the pages half as large again.
 SLIMMER = s/<semantics>(<mrow>)?|(<.mrow>)?<annotation [^>]*>[^<]*<.annotation><.semantics>| (display="inline" )?xmlns="[^"]*MathML"//g; \
   s/<mo stretchy="true" form="[a-z]*">/<mo>/g; s/<mspace width="([^"]*)"><.mspace>/<mspace width="\1"\/>/g; \
-  s/<mtext mathvariant="normal">/<mtext>/g
+  s/<mtext mathvariant="normal">/<mtext>/g; s/ (accent="true"|columnalign="[a-z]*")//g
 $(PAGES:%=$(SITE)/%.html): $(SITE)/%.html: paper/%.md paper/page.html $(WOVEN) | $(EDITION)/tools.found
 	$(call PRINTED,$(WEAVE) -t html5 --mathml --template paper/page.html -o $@.woven.tmp && sed -E '$(SLIMMER)' $@.woven.tmp)
 	@rm $@.woven.tmp
@@ -440,12 +440,13 @@ $(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TAB
 	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
 
 # For the web gnuplot sets the labels itself, where a letter takes one byte and not a drawing.
-$(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: paper/figures/plot-%.gp paper/figures/plot-style.gp paper/figures/plain.sed paper/figures/slim.sed $(TABLES) $(STUDIES) $(VERDICTS)
+$(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: paper/figures/plot-%.gp paper/figures/plot-style.gp paper/figures/plain.sed paper/figures/slim.sed paper/figures/slim.awk $(TABLES) $(STUDIES) $(VERDICTS)
 	@mkdir -p $(@D)
 	sed -E -f paper/figures/plain.sed paper/figures/plot-style.gp $< >$@.gp.tmp
 	LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; picture='$@.drawn.tmp'" $@.gp.tmp
-	$(call PRINTED,sed -E -z -f paper/figures/slim.sed $@.drawn.tmp)
-	@rm $@.gp.tmp $@.drawn.tmp
+	LC_ALL=C awk -f paper/figures/slim.awk $@.drawn.tmp >$@.slim.tmp
+	$(call PRINTED,sed -E -z -f paper/figures/slim.sed $@.slim.tmp)
+	@rm $@.gp.tmp $@.drawn.tmp $@.slim.tmp
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
 $(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(CHAPTERS) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \

@@ -12,6 +12,7 @@
 --   <<step ID>>                       a derivation step, its algebra, where it holds, and what is dropped
 --   <<verdict ID>>                    a verdict;  <<findings VERDICT>>  a table of those that have it, and why
 --   <<run ARGUMENT ...>>              a command of the program, and what it prints
+--   <<gains N ... C1,C2>>             a table of what `coulomb-tether design` finds for these gains, in units of the orbit
 --   <<symbols>>, <<index>>            the quantities of the sheet; the index of equations
 --   <<places>>, <<verdicts>>          for the web: each equation with all that belongs to it; all verdicts
 -- Within a line, in mathematics too:
@@ -168,6 +169,7 @@ do
       labels[id] = {text = '[' .. cited .. ']', page = page}
     end
     for id in text:gmatch '\n<<step ([%w_]+)>>' do page_of_step[id] = page end
+    for id, tex in text:gmatch '\n<<equation (%w+) = ([^\n]*)>>' do (sections[id] or {}).defined = tex end
   end
 end
 
@@ -531,6 +533,27 @@ function block.run(_, text)
               .. (output_of(program .. ' ' .. arguments) or stop('coulomb-tether %s failed', arguments)))
 end
 
+-- In units of Omega and L_ref, but for times: these are hours at the rate of Table 1.
+function block.gains(words)
+  local rows, hour = {}, nil
+  for _, row in ipairs((rows_of(read(data .. '/table1.csv')))) do hour = row.name == 'Omega' and 3600 * row.computed or hour end
+  for i = 2, #words do
+    local c1, c2 = words[i]:match '^([^,]+),(.+)$'
+    local arguments = (c1 and 'C1=' .. c1 .. ' C2=' .. c2 or 'n=' .. words[i]) .. ' Omega=1 L_ref=1'
+    local found = {}
+    for name, value in (output_of(program .. ' design ' .. arguments) or stop('coulomb-tether design %s failed', arguments)):gmatch '\n([%w_]+) = (%S+)' do
+      found[name] = value
+    end
+    local cells = {c1 or words[i], decimal(found.C2, 4), decimal(-found.re4, 4), decimal(found.shortest, 4) .. '\\text{ to }' .. decimal(found.longest, 4),
+                   decimal(found.box, 3), decimal(100 * found.deficit, 3) .. '\\,\\%', decimal(found.T / hour, 3), decimal(found.d / hour, 3)}
+    for k, cell in ipairs(cells) do cells[k] = inlines('$' .. cell .. '$') end
+    rows[i - 1] = cells
+  end
+  local heads = {'$n=C_1/\\Omega^2$', '$C_2/\\Omega$', 'decay $/\\Omega$', 'returns from $L/L_{\\mathrm{ref}}$', 'box', 'force may lack', '$T$ [h]', '$d$ [h]'}
+  for k, head in ipairs(heads) do heads[k] = inlines(head) end
+  return {table_of(heads, {0.12, 0.1, 0.12, 0.22, 0.1, 0.14, 0.1, 0.1}, rows)}
+end
+
 -- The sheet's quantities: "  NAME ...: {unit: U, ..., meaning: M}".
 function block.symbols()
   local rows = {}
@@ -575,7 +598,7 @@ function block.places()
     blocks:insert(pandoc.Header(2, join({pandoc.Link('¶', '#' .. s.id, '', {class = 'permalink'})}, ' (' .. span_of(s.numbers) .. ') ',
                                         inlines(prose(s.title)), q and ', ' .. q or ''), {id = s.id}))
     for _, name in ipairs(s.id:match '^eq%d+$' and names_of(s) or {}) do blocks:insert(raw('<a id="eq:' .. name .. '"></a>')) end
-    blocks:extend(equation_blocks(s, display(s, 'relation output let domain'), q))
+    blocks:extend(equation_blocks(s, s.defined and {{tex = s.defined, tag = span_of(s.numbers)}} or display(s, 'relation output let domain'), q))
     if s.note then blocks:insert(para(inlines(prose(s.note)))) end
     if s.reason then blocks:extend(block.printed {'printed', s.id}) end
     local said = {}  -- once where (2a), (2b) and (2c) have the same
