@@ -1,5 +1,9 @@
 # TeX in the labels of the plots as gnuplot's own enhanced text, for pictures that LaTeX does not set; and half of the samples.
 s/every 6 /every 12 /
+# Where gnuplot's own labels stand.
+s/(set xlabel '[^']*')/\1 offset 0, 0.7/g
+s/^(set ylabel '[^']*').*/\1 offset 0.8, 0/
+s/samplen 2.4 width 1/samplen 2.4 width -1/
 /system/!{
   s/\\+mathrm//g
   s/\\+frac\{([^}]*)\}\{([^}]*)\}/\1\/(\2)/g

@@ -1,5 +1,5 @@
 # What gnuplot says in SVG and a browser knows anyway: with -z, the file as one line. Tenths of a pixel are enough.
-s/<g [^>]*>\n<.g>\n//g
+s/<g [^>]*>\n<.g>\n|<rect x="0" y="0"[^>]*>\n//g
 s/<filter.*<.filter>|<(title|desc)>[^<]*<.(title|desc)>//g
 s/ (stroke-linecap="butt"|stroke-linejoin="miter"|font-family="serif"|fill="none"|color="black"|stroke="currentColor"|class="gridline"|font-size="12.00" )//g
 s/gnuplot_canvas"/& fill="none" stroke="currentColor" font-family="serif" font-size="12"/
