@@ -780,6 +780,7 @@ static const struct {
     {"eq44-paper 0,00014", "'0,00014' has a decimal comma, a point is due", OUTCOME_MALFORMED},
     {"eq25-paper 1 [2 3]", "'[2' is no number for its '['", OUTCOME_MALFORMED},
     {"eq25-paper 1, 2, 3", "'1,' is no number for its ','", OUTCOME_MALFORMED},
+    {"eq44-paper \342\210\2221.2", "'\342\210\2221.2' has a typeset dash, '-' is due", OUTCOME_MALFORMED},
     {"eq44-paper oops", "'oops' is no number", OUTCOME_MALFORMED},
     {"eq44-paper 1.2", "the last line has no LF", OUTCOME_TRUNCATED},
     {"", "an empty line", OUTCOME_UNNAMED},

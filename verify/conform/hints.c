@@ -44,6 +44,8 @@ static void number_hint(const char *word, char *hint, size_t size)
         snprintf(hint, size, "'%s' has Fortran's D exponent, E is due", word);
     else if (is_number_with(word, ",", '.') && word[strlen(word) - 1] != ',')
         snprintf(hint, size, "'%s' has a decimal comma, a point is due", word);
+    else if (strstr(word, "\342\200\223") != NULL || strstr(word, "\342\210\222") != NULL)
+        snprintf(hint, size, "'%s' has a typeset dash, '-' is due", word);
     else if (odd != NULL)
         snprintf(hint, size, "'%s' is no number for its '%c'", word, *odd);
     else

@@ -2,13 +2,14 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /*
  * Both motions in binary64, integrated as others do it, with one step, perhaps with the other sign of one term: where that makes
  * of the vectors what was answered, right or wrong, the mistake has its name.
  */
-enum { TERMS = 6, MOST_STEPS = 50000, STEPS = 7 };
+enum { TERMS = 6, MOST_STEPS = 50000 };
 
 static const char *const terms[2][TERMS] = {
     {"the radial Coriolis term 2 Omega y1_dot", "3 Omega^2 x1", "the along-track Coriolis term -2 Omega x1_dot", "-Omega^2 z1",
@@ -16,18 +17,24 @@ static const char *const terms[2][TERMS] = {
     {"-2 Omega/L_ref dL_dot in psi_ddot", "-3 Omega^2 psi", "-4 Omega^2 theta", "-C2 dL_dot", "2 Omega L_ref psi_dot in dL_ddot",
      "-(C1 - 9 Omega^2) dL"}};
 
-/* Explicit Runge-Kutta methods of four stages at most, each stage from the one before it alone. */
+/*
+ * Explicit Runge-Kutta methods of four stages at most, each stage from the one before it alone; after Euler's that with the new
+ * rates for the places. On a linear motion all of two stages and order 2 are one.
+ */
 static const struct integrator {
-    const char *name;
-    int stages;
+    const char *name, *linear_name;
+    int order, stages;
+    bool new_rates;
     double from[4], weights[4];
 } integrators[] = {
-    {"Euler's method", 1, {0.0}, {1.0}},
-    {"the midpoint method", 2, {0.0, 0.5}, {0.0, 1.0}},
-    {"Heun's method", 2, {0.0, 1.0}, {0.5, 0.5}},
-    {"the classical Runge-Kutta method", 4, {0.0, 0.5, 0.5, 1.0}, {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}},
+    {"Euler's method", "Euler's method", 1, 1, false, {0.0}, {1.0}},
+    {"Euler's semi-implicit method", "Euler's semi-implicit method", 1, 1, true, {0.0}, {1.0}},
+    {"the midpoint method", "the midpoint method, or Heun's,", 2, 2, false, {0.0, 0.5}, {0.0, 1.0}},
+    {"Heun's method", "", 2, 2, false, {0.0, 1.0}, {0.5, 0.5}},
+    {"the classical Runge-Kutta method", "the classical Runge-Kutta method", 4, 4, false, {0.0, 0.5, 0.5, 1.0},
+     {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}},
 };
-enum { CLASSICAL = 3, INTEGRATORS = 4 };
+enum { INTEGRATORS = 5, CLASSICAL = 4 };
 
 /* What somebody may have done: a term's sign (-1: none), a method, and its step in s, or in the steps h that are given. */
 struct hypothesis {
@@ -73,37 +80,77 @@ static void take_step(const struct hypothesis *p, const double *x, const double 
     }
     for (int i = 0; i < 6; i++)
         y[i] += sum[i];
+    for (int i = 0; i < 3 && p->method->new_rates; i++)
+        y[i] += h * sum[i + 3];
+}
+
+static void integrate(const struct hypothesis *p, const double *x, double steps, double y[6])
+{
+    const double *initial = x + (p->linear ? 5 : 8);
+    double signs[TERMS];
+    for (int i = 0; i < TERMS; i++)
+        signs[i] = i == p->turned ? -1.0 : 1.0;
+    memcpy(y, initial, 6 * sizeof *y);
+    for (int n = 0; n < (int)steps; n++)
+        take_step(p, x, signs, initial[-1] / steps, y);
+}
+
+/* The largest difference of two states, lengths over L_ref and time in radians; infinite where one is no number. */
+static double state_distance(const struct hypothesis *p, const double *x, const double a[6], const double b[6])
+{
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = fabs(a[i] - b[i]) / ((p->linear && i % 3 < 2 ? 1.0 : x[p->linear ? 1 : 4]) * (i < 3 ? 1.0 : x[0]));
+        most = isnan(off) ? INFINITY : fmax(most, off);
+    }
+    return most;
+}
+
+/* The time of a vector, and what the step is in s. */
+static double time_of(const struct evidence *v, int f, const struct hypothesis *p, double *unit)
+{
+    const int at = p->linear ? 4 : 7;
+    *unit = p->in_h ? v->x[f][at + 7] : 1.0;
+    return fabs(v->x[f][at]);
 }
 
 /* Whether it ends where the answer is: of a wrong one by far closer than the truth does, of a right one within the digits due. */
 static bool ends_there(const struct evidence *v, int f, const struct hypothesis *p, double steps)
 {
-    const double *x = v->x[f], *initial = x + (p->linear ? 5 : 8), L_ref = x[p->linear ? 1 : 4];
-    double y[6], signs[TERMS], off = 0.0, was = 0.0, scale = 0.0;
-    for (int i = 0; i < TERMS; i++)
-        signs[i] = i == p->turned ? -1.0 : 1.0;
-    memcpy(y, initial, sizeof y);
-    for (int n = 0; n < (int)steps; n++)
-        take_step(p, x, signs, initial[-1] / steps, y);
-    for (int i = 0; i < 6; i++) {
-        const double unit = (p->linear && i % 3 < 2 ? 1.0 : L_ref) * (i < 3 ? 1.0 : x[0]);
-        off = fmax(off, fabs(y[i] - v->y[f][i]) / unit);
-        was = fmax(was, fabs(v->exact[f][i] - v->y[f][i]) / unit);
-        scale = fmax(scale, fmax(fabs(initial[i]), fabs(v->exact[f][i])) / unit);
-        if (isnan(y[i]))
-            return false;
+    static const double nowhere[6];
+    const double *x = v->x[f];
+    double y[6];
+    integrate(p, x, steps, y);
+    const double off = state_distance(p, x, y, v->y[f]), scale = fmax(state_distance(p, x, x + (p->linear ? 5 : 8), nowhere), state_distance(p, x, v->exact[f], nowhere));
+    return off <= (v->records[f]->outcome == OUTCOME_RIGHT ? 2.0 * pow(10.0, -v->digits) * scale : 1e-3 * state_distance(p, x, v->exact[f], v->y[f]));
+}
+
+/* The step, of two digits, with which the first failing motion is as far off as the answer: errors go with its power, the method's order. */
+static double likely_step(const struct evidence *v, struct hypothesis *p)
+{
+    double unit, step = p->in_h ? 1.0 : 10.0, y[6];
+    char rounded[20];
+    int f = 0;
+    while (f < v->count && (v->records[f]->outcome == OUTCOME_RIGHT || !(time_of(v, f, p, &unit) > 0.0)))
+        f++;
+    for (int i = 0; i < 5 && f < v->count; i++) {
+        const double t = time_of(v, f, p, &unit), steps = fmax(1.0, round(t / (step * unit)));
+        if (!(steps <= MOST_STEPS) || clock() >= v->until)
+            return 0.0;
+        integrate(p, v->x[f], steps, y);
+        step = t / (steps * unit) * pow(state_distance(p, v->x[f], v->y[f], v->exact[f]) / state_distance(p, v->x[f], y, v->exact[f]), 1.0 / p->method->order);
     }
-    return off <= (v->records[f]->outcome == OUTCOME_RIGHT ? 2.0 * pow(10.0, -v->digits) * scale : 1e-3 * was);
+    snprintf(rounded, sizeof rounded, "%.2g", step);
+    return strtod(rounded, NULL);
 }
 
 /* Every vector that takes few enough steps; failing ones of two times among them, for one time tells no step. */
-static bool explains_all(const struct evidence *v, const struct hypothesis *p)
+static bool fits_all(const struct evidence *v, const struct hypothesis *p)
 {
-    const int at = p->linear ? 4 : 7;
-    double first = 0.0;
+    double first = 0.0, unit;
     bool two = false;
     for (int f = 0; f < v->count; f++) {
-        const double t = fabs(v->x[f][at]), steps = round(t / (p->in_h ? p->step * v->x[f][at + 7] : p->step));
+        const double t = time_of(v, f, p, &unit), steps = round(t / (p->step * unit));
         if (!(steps >= 1.0 && steps <= MOST_STEPS))
             continue;
         if (clock() >= v->until || !ends_there(v, f, p, steps))
@@ -118,20 +165,18 @@ static bool explains_all(const struct evidence *v, const struct hypothesis *p)
 
 void kind_of_motion(const struct evidence *v, char *text, size_t size)
 {
-    static const double in_seconds[STEPS] = {1.0, 10.0, 50.0, 60.0, 100.0, 0.1, 1000.0}, in_h[STEPS] = {1.0, 2.0, 0.5};
     const enum method method = v->section->method;
     struct hypothesis p = {.linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR, .in_h = method >= METHOD_RK4_LINEAR};
     *text = '\0';
-    for (int k = 0; k < TERMS + STEPS * INTEGRATORS && *text == '\0'; k++) {
-        const int other = k - TERMS;
-        p.turned = other < 0 ? k : -1;
-        p.method = &integrators[other < 0 ? CLASSICAL : other % INTEGRATORS];
-        p.step = (p.in_h ? in_h : in_seconds)[other < 0 ? 0 : other / INTEGRATORS];
-        if (!(p.step > 0.0) || !explains_all(v, &p))
+    for (int k = 0; k < TERMS + INTEGRATORS && *text == '\0'; k++) {
+        p.turned = k < TERMS ? k : -1;
+        p.method = &integrators[k < TERMS ? CLASSICAL : k - TERMS];
+        p.step = k < TERMS ? 1.0 : likely_step(v, &p);
+        if (!(p.step > 0.0) || !fits_all(v, &p))
             continue;
-        if (other < 0)
+        if (k < TERMS)
             snprintf(text, size, "%s with the other sign", terms[p.linear][k]);
         else
-            snprintf(text, size, "%s with steps of %g %s", p.method->name, p.step, p.in_h ? "h" : "s");
+            snprintf(text, size, "%s with steps of %g %s", p.linear ? p.method->linear_name : p.method->name, p.step, p.in_h ? "h" : "s");
     }
 }

@@ -37,7 +37,7 @@ struct totals report_totals(const struct test_run *e, int set)
     return sum;
 }
 
-static const struct section *section_of(const struct test_run *e, int set)
+static const struct section *section_of_set(const struct test_run *e, int set)
 {
     return e->comparators[set].operation->section;
 }
@@ -48,7 +48,7 @@ static int set_of(const struct test_run *e, const struct record *r)
 }
 
 /* Until the next one is asked for. */
-static const char *name_of(const struct test_run *e, uint64_t position)
+static const char *vector_name(const struct test_run *e, uint64_t position)
 {
     static char name[LONGEST_ID + 1];
     struct test_vector q;
@@ -86,7 +86,7 @@ static const char *digits_text(double digits)
 static double summary_digits(const struct test_run *e, int set)
 {
     const struct summary *t = &e->summaries[set];
-    if (is_motion(section_of(e, set)))
+    if (is_motion(section_of_set(e, set)))
         return t->digits;
     return t->worst_E > 0.0 ? -log10(ldexp(t->worst_E, -e->significand)) : INFINITY;
 }
@@ -242,7 +242,7 @@ static void record_text(const struct test_run *e, const struct record *r, FILE *
 static const char *hint_of(const struct test_run *e, const char *line, enum outcome outcome)
 {
     static char hint[240];
-    line_hint(e->sets.count > 0 ? section_of(e, 0)->sheet : NULL, line, outcome, hint, sizeof hint);
+    line_hint(e->sets.count > 0 ? section_of_set(e, 0)->sheet : NULL, line, outcome, hint, sizeof hint);
     return hint;
 }
 
@@ -258,7 +258,7 @@ static void failure_text(struct test_run *e, int k, bool all, FILE *file)
     char text[512];
     struct record r;
     outcomes_text(t, text, sizeof text);
-    fprintf(file, "\n%s: %s\n", section_of(e, k)->id, text);
+    fprintf(file, "\n%s: %s\n", section_of_set(e, k)->id, text);
     if (all)
         test_run_rewind(e);
     else
@@ -301,10 +301,10 @@ static void row_text(const struct test_run *e, int k, FILE *file)
     const struct totals sum = report_totals(e, k);
     if (sum.skipped == sum.vectors && *t->reason != '\0')
         return; /* named with its reason */
-    fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, section_of(e, k)->id, sum.vectors, sum.passed, sum.failed, sum.skipped);
+    fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, section_of_set(e, k)->id, sum.vectors, sum.passed, sum.failed, sum.skipped);
     if (t->worst != UINT64_MAX)
-        fprintf(file, "  %8s  %6s  %s", is_motion(section_of(e, k)) ? "-" : error_text(t->worst_E), digits_text(summary_digits(e, k)),
-                name_of(e, t->worst));
+        fprintf(file, "  %8s  %6s  %s", is_motion(section_of_set(e, k)) ? "-" : error_text(t->worst_E), digits_text(summary_digits(e, k)),
+                vector_name(e, t->worst));
     fputc('\n', file);
 }
 
@@ -321,7 +321,7 @@ static void skips_text(const struct test_run *e, FILE *file)
         fprintf(file, "\nskipped,%s:", reason);
         for (int i = k; i < e->sets.count; i++)
             if (strcmp(e->summaries[i].reason, reason) == 0)
-                fprintf(file, " %s", section_of(e, i)->id);
+                fprintf(file, " %s", section_of_set(e, i)->id);
         fputc('\n', file);
     }
 }
@@ -339,9 +339,9 @@ static void digits_by_time(struct test_run *e, FILE *file)
     struct record r;
     test_run_rewind(e);
     while (test_run_record(e, &r)) {
-        if (!is_judged(&r) || !is_motion(section_of(e, set_of(e, &r))))
+        if (!is_judged(&r) || !is_motion(section_of_set(e, set_of(e, &r))))
             continue;
-        const char *name = name_of(e, r.position), *time = strrchr(name, '-');
+        const char *name = vector_name(e, r.position), *time = strrchr(name, '-');
         time -= time > name && time[-1] == '-'; /* the other one is the time's sign */
         const size_t length = (size_t)(time - name);
         if (strncmp(scenario, name, length) != 0 || scenario[length] != '\0') {
@@ -375,7 +375,7 @@ void report_text(const struct report *r, FILE *file)
     skips_text(e, file);
     for (int i = 0; i < e->expected_count; i++)
         if (e->expected[i].passed)
-            fprintf(file, "\n%s was expected to fail, and passes\n", name_of(e, e->expected[i].position));
+            fprintf(file, "\n%s was expected to fail, and passes\n", vector_name(e, e->expected[i].position));
     fprintf(file, "\n%" PRIu64 " vectors: %" PRIu64 " passed, %" PRIu64 " failed, %" PRIu64 " skipped", sum.vectors, sum.passed,
             sum.failed, sum.skipped);
     if (sum.expected > 0)
@@ -454,10 +454,10 @@ static void write_xml(const struct report *r, FILE *file)
         const struct totals sum = report_totals(e, k);
         if (k != open) {
             fputs(open >= 0 ? "</testsuite>\n" : "", file);
-            write_suite(section_of(e, k)->id, sum.vectors, sum.failed, sum.skipped + sum.expected, file);
+            write_suite(section_of_set(e, k)->id, sum.vectors, sum.failed, sum.skipped + sum.expected, file);
         }
         open = k;
-        write_case(e, section_of(e, k)->id, name_of(e, one.position), &one, one.outcome == OUTCOME_RIGHT ? NULL : outcome_names[one.outcome], file);
+        write_case(e, section_of_set(e, k)->id, vector_name(e, one.position), &one, one.outcome == OUTCOME_RIGHT ? NULL : outcome_names[one.outcome], file);
     }
     const bool bad = stray_count(e) > 0 || *e->ended != '\0';
     fputs(open >= 0 ? "</testsuite>\n" : "", file);
@@ -489,7 +489,7 @@ static void write_line(struct json *j, const struct test_run *e, enum outcome ou
 static void write_operation(struct json *j, const struct test_run *e, int k)
 {
     const struct summary *t = &e->summaries[k];
-    const struct section *s = section_of(e, k);
+    const struct section *s = section_of_set(e, k);
     const struct totals sum = report_totals(e, k);
     json_line(j, 4);
     json_open(j, NULL, '{');
@@ -500,7 +500,7 @@ static void write_operation(struct json *j, const struct test_run *e, int k)
     if (t->worst != UINT64_MAX) {
         json_string(j, "worst_E", is_motion(s) ? NULL : error_text(t->worst_E));
         json_string(j, "digits", digits_text(summary_digits(e, k)));
-        json_string(j, "worst", name_of(e, t->worst));
+        json_string(j, "worst", vector_name(e, t->worst));
     }
     json_open(j, "outcomes", '{');
     for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED; i++)
