@@ -32,6 +32,6 @@ EACH(nearest_name_is_three_edits_away_at_most, 7)
         const char *mistaken, *nearest;
     } pairs[] = {{"thta", "theta"}, {"htea", "theta"}, {"lamda", "lambda_d"}, {"lmd", NULL}, {"", NULL}, {"qq", NULL},
                  {"a_name_of_more_than_thirty_letter", NULL}}; /* too long to be compared */
-    const char *nearest = nearest_name(pairs[_i].mistaken, known, 4);
+    const char *nearest = nearest_name(pairs[_i].mistaken, known, 4, sizeof *known);
     ck_assert_pstr_eq(nearest, pairs[_i].nearest);
 }

@@ -27,12 +27,9 @@ int status_of_name(int why)
     return out_of_means ? EXIT_FAILED_CHECK : EXIT_USAGE;
 }
 
-void suggest(char text[80], const char *mistaken, const char *const *known, int count)
+int unknown_name(const char *what, const char *name, const char *near)
 {
-    const char *near = nearest_name(mistaken, known, (size_t)count);
-    text[0] = '\0';
-    if (near != NULL)
-        snprintf(text, 80, ", did you mean '%s'?", near);
+    return usage_error(EXIT_USAGE, "%s '%.95s'%s%s%s", what, name, near ? ", did you mean '" : "", near ? near : "", near ? "'?" : "");
 }
 
 /* ---- arguments ---- */
@@ -56,7 +53,7 @@ static int unknown_option(const struct arguments *a, const char *text)
     enum { MOST_KNOWN = 64 };
     const char *known[MOST_KNOWN] = {"--help"};
     int count = 1;
-    char text_of[256] = "", hint[80];
+    char text_of[256] = "", what[64];
     for (const struct option *o = options; o->name != NULL; o++) {
         if (option_belongs(o, a->subcommand))
             known[count++] = o->name;
@@ -65,8 +62,8 @@ static int unknown_option(const struct arguments *a, const char *text)
     }
     if (*text_of != '\0')
         return usage_error(EXIT_USAGE, "%s: %s does nothing here, it belongs to: %s", a->subcommand->name, text, text_of);
-    suggest(hint, text, known, count);
-    return usage_error(EXIT_USAGE, "%s: unknown option '%s'%s", a->subcommand->name, text, hint);
+    snprintf(what, sizeof what, "%s: unknown option", a->subcommand->name);
+    return unknown_name(what, text, nearest_name(text, known, (size_t)count, sizeof *known));
 }
 
 static int take_option(struct arguments *a, int count, char **texts, int *i)
@@ -251,7 +248,7 @@ static int assignment_index(const char *assignment, const char *const *known, in
                             const bool *seen)
 {
     const char *equals = strchr(assignment, '=');
-    char name[64], hint[80];
+    char name[64];
     snprintf(name, sizeof name, "%.*s", (int)(equals - assignment), assignment);
     for (int i = 0; i < count; i++) {
         if (strcmp(name, known[i]) != 0)
@@ -262,11 +259,12 @@ static int assignment_index(const char *assignment, const char *const *known, in
         }
         return i;
     }
-    suggest(hint, name, known, count);
+    const char *near = nearest_name(name, known, (size_t)count, sizeof *known);
     char names[1024] = "";
     for (int i = 0; i < count; i++)
         add_text(names, sizeof names, " ", known[i]);
-    usage_error(EXIT_USAGE, "unknown name '%s'%s%s there are:%s", name, hint, *hint ? "" : ",", names);
+    usage_error(EXIT_USAGE, "unknown name '%s',%s%s%s there are:%s", name, near ? " did you mean '" : "", near ? near : "",
+                near ? "'?" : "", names);
     return -1;
 }
 
@@ -302,17 +300,9 @@ int refuse_assignment(const char *assignment, bool exact)
 const struct section *section_argument(const struct sheet *sheet, const char *id)
 {
     const struct section *found = section_find(sheet, id);
-    if (found != NULL)
-        return found;
-    const int count = sheet->section_count;
-    const char **known = xrealloc(NULL, (size_t)count, sizeof *known);
-    char hint[80];
-    for (int i = 0; i < count; i++)
-        known[i] = sheet->sections[i].id;
-    suggest(hint, id, known, count);
-    free(known);
-    usage_error(EXIT_USAGE, "unknown operation '%.40s'%s", id, *hint ? hint : ", see coulomb-tether equations");
-    return NULL;
+    if (found == NULL)
+        unknown_name("unknown operation", id, NEAREST(id, sheet->sections, sheet->section_count, id));
+    return found;
 }
 
 const struct section *operation_argument(const struct arguments *a)

@@ -39,8 +39,8 @@ int usage_error(int status, const char *format, ...);
 /* Appends a separator and more to a text, as far as its room goes. */
 void add_text(char *text, size_t size, const char *separator, const char *more);
 
-/* ", did you mean 'x'?" or "". */
-void suggest(char text[80], const char *mistaken, const char *const *known, int count);
+/* Wrong usage: what is unknown, its name, and the known one that is near (NULL: none is). */
+int unknown_name(const char *what, const char *name, const char *near);
 
 /* Of a name that could not be opened or run: wrong usage, unless the machine is out of means. */
 int status_of_name(int why);

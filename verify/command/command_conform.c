@@ -107,17 +107,11 @@ static int take_vectors(struct test_run *e, const struct choice *c)
 {
     const struct test_set *set = &e->sets.all[e->sets.count - 1];
     const size_t length = strlen(set->operation.section->id);
-    const char **known = xrealloc(NULL, (size_t)set->golden_count, sizeof *known);
-    char *words = text_copy(c->only), *rest = NULL, hint[80];
+    char *words = text_copy(c->only), *rest = NULL;
     int status = EXIT_DONE;
-    for (int i = 0; i < set->golden_count; i++)
-        known[i] = set->golden[i].id;
     for (char *word = strtok_r(words, ",", &rest); word && status == EXIT_DONE; word = strtok_r(NULL, ",", &rest))
-        if (strncmp(word, set->operation.section->id, length) == 0 && word[length] == '-' && !test_sets_want(&e->sets, word)) {
-            suggest(hint, word, known, set->golden_count);
-            status = usage_error(EXIT_USAGE, "--only: unknown vector '%.95s'%s", word, hint);
-        }
-    free(known);
+        if (strncmp(word, set->operation.section->id, length) == 0 && word[length] == '-' && !test_sets_want(&e->sets, word))
+            status = unknown_name("--only: unknown vector", word, NEAREST(word, set->golden, set->golden_count, id));
     free(words);
     return status;
 }

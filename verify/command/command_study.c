@@ -279,23 +279,17 @@ int command_study(const struct arguments *a)
         {"saturation", print_saturation}, {"tolerance", print_tolerance}, {"balance", print_balance}, {"sampling", print_sampling},
     };
     enum { TABLES = sizeof tables / sizeof *tables };
-    static const char expected[] = "study: expected convergence, forced, pitch, basin, saturation, tolerance, balance or sampling";
-    const char *names[TABLES];
-    char hint[80];
-    if (a->word_count == 0)
-        return usage_error(EXIT_USAGE, "%s", expected);
-    for (int i = 0; i < TABLES; i++) {
-        names[i] = tables[i].name;
-        if (strcmp(names[i], a->words[0]) == 0) {
+    static const char expected[] = "study: expected convergence, forced, pitch, basin, saturation, tolerance, balance or sampling, got";
+    const char *name = a->word_count > 0 ? a->words[0] : "";
+    for (int i = 0; i < TABLES; i++)
+        if (strcmp(tables[i].name, name) == 0) {
             struct derivations steps;
             struct message why;
             if (derivations_open(&steps, a->paper, &why) != 0)
                 return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
             bool proved = tables[i].print(&steps);
             derivations_clear(&steps);
-            return proved ? EXIT_DONE : usage_error(EXIT_FAILED_CHECK, "study %s: digits undecided", names[i]);
+            return proved ? EXIT_DONE : usage_error(EXIT_FAILED_CHECK, "study %s: digits undecided", name);
         }
-    }
-    suggest(hint, a->words[0], names, TABLES);
-    return usage_error(EXIT_USAGE, "%s, got '%s'%s", expected, a->words[0], hint);
+    return unknown_name(expected, name, NEAREST(name, tables, TABLES, name));
 }

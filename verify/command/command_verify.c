@@ -54,16 +54,11 @@ enum { PARTS = sizeof parts / sizeof *parts };
 
 static int check_request(const struct request *r)
 {
-    const char *known[PARTS];
-    char hint[80];
     bool found = r->part == NULL;
-    for (int i = 0; i < PARTS; i++) {
-        known[i] = parts[i].name;
-        found = found || strcmp(r->part, known[i]) == 0;
-    }
-    suggest(hint, found ? "" : r->part, known, PARTS);
+    for (int i = 0; i < PARTS; i++)
+        found = found || strcmp(r->part, parts[i].name) == 0;
     if (!found)
-        return usage_error(EXIT_USAGE, "verify: unknown part '%s'%s", r->part, hint);
+        return unknown_name("verify: unknown part", r->part, NEAREST(r->part, parts, PARTS, name));
     if (r->claim != NULL && (r->part == NULL || strcmp(r->part, "errors") == 0 || r->graph))
         return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
     if (r->count < 1)
@@ -93,16 +88,7 @@ static int read_request(const struct arguments *a, struct request *r)
 
 static int check_step(const struct derivations *d, const char *id)
 {
-    char hint[80];
-    bool known = false;
-    const char **ids = xrealloc(NULL, (size_t)d->step_count, sizeof *ids);
-    for (int i = 0; i < d->step_count; i++) {
-        ids[i] = d->steps[i].id;
-        known = known || strcmp(ids[i], id) == 0;
-    }
-    suggest(hint, id, ids, (size_t)d->step_count);
-    free(ids);
-    return known ? EXIT_DONE : usage_error(EXIT_USAGE, "unknown step '%s'%s", id, hint);
+    return step_named(d, id) != NULL ? EXIT_DONE : unknown_name("unknown step", id, NEAREST(id, d->steps, d->step_count, id));
 }
 
 /* Of a row of the verdicts: those of equations and of Table 1 included. */
@@ -110,17 +96,12 @@ static int check_claim(const struct proof_results *p, const struct paper *paper,
 {
     struct statements claims;
     struct message why;
-    char hint[80];
     if (statements_read(&claims, p, &paper->claims, &why) != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-    const char **ids = xrealloc(NULL, (size_t)claims.count + 1, sizeof *ids);
-    for (int i = 0; i < claims.count; i++)
-        ids[i] = claims.list[i].id;
-    suggest(hint, id, ids, (size_t)claims.count);
-    const bool known = verdict_known(&claims, id);
-    free(ids);
+    const int status = verdict_known(&claims, id) ? EXIT_DONE
+                                                  : unknown_name("unknown claim", id, NEAREST(id, claims.list, claims.count, id));
     statements_clear(&claims);
-    return known ? EXIT_DONE : usage_error(EXIT_USAGE, "unknown claim '%s'%s", id, hint);
+    return status;
 }
 
 /* What was asked for; as JSON, an object with a member a part. */

@@ -369,12 +369,10 @@ static void print_completion(const struct sheet *sheet)
 int unknown_subcommand(const char *name)
 {
     const char *known[32] = {"--help", "--version"};
-    int count = 2;
-    char hint[80];
+    size_t count = 2;
     for (const struct subcommand *s = subcommands; s->name != NULL; s++)
         known[count++] = s->name;
-    suggest(hint, name, known, count);
-    return usage_error(EXIT_USAGE, "unknown %s '%s'%s", *name == '-' ? "option" : "subcommand", name, hint);
+    return unknown_name(*name == '-' ? "unknown option" : "unknown subcommand", name, nearest_name(name, known, count, sizeof *known));
 }
 
 int command_help(const struct arguments *a)

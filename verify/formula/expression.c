@@ -219,13 +219,9 @@ bool parse_word(struct parser *s, char word[LONGEST_NAME + 1])
 
 static int unknown_symbol(struct parser *s, const char *name)
 {
-    const char **known = xrealloc(NULL, (size_t)s->program->named, sizeof *known);
-    for (int i = 0; i < s->program->named; i++)
-        known[i] = s->program->names[i].text;
-    const char *near = nearest_name(name, known, (size_t)s->program->named);
+    const char *near = NEAREST(name, s->program->names, s->program->named, text);
     message_set(s->why, "unknown symbol '%s', expected an input or a named subexpression%s%s%s", name,
                 near ? " (did you mean '" : "", near ? near : "", near ? "'?)" : "");
-    free(known);
     return -1;
 }
 

@@ -82,13 +82,9 @@ static const struct quantity *known_quantity(const struct sheet *s, const struct
     const struct quantity *q = quantity_find(s, name);
     if (q != NULL)
         return q;
-    const char **names = xrealloc(NULL, (size_t)s->quantity_count, sizeof *names);
-    for (int i = 0; i < s->quantity_count; i++)
-        names[i] = s->quantities[i].name;
-    const char *near = nearest_name(name, names, (size_t)s->quantity_count);
+    const char *near = NEAREST(name, s->quantities, s->quantity_count, name);
     node_error(n, name == n->key ? AT_KEY : 0, "unknown symbol '%s', expected a quantity of the sheet%s%s%s", name,
                near ? " (did you mean '" : "", near ? near : "", near ? "'?)" : "");
-    free(names);
     return NULL;
 }
 
@@ -351,12 +347,10 @@ static bool read_special(const struct yaml *n, struct section *s)
         return false;
     for (int k = 0; k < n->count; k++) {
         const struct yaml *value = &n->items[k];
-        int i = 0;
-        while (i < s->input_count && strcmp(s->inputs[i]->name, value->key) != 0)
-            i++;
+        const int i = input_place(s, value->key);
         if (strcmp(value->key, "flags") == 0)
             special->flags = value->text;
-        else if (i == s->input_count)
+        else if (i < 0)
             return node_error(value, AT_KEY, "'%s' is no input of %s", value->key, s->id);
         else if (value->text == NULL || !is_literals(value->text))
             return node_error(value, 0, "expected a number");

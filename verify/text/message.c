@@ -69,16 +69,17 @@ static size_t edit_distance(const char *a, const char *b)
     return row[length];
 }
 
-const char *nearest_name(const char *mistaken, const char *const *known, size_t count)
+const char *nearest_name(const char *mistaken, const void *known, size_t count, size_t stride)
 {
     const char *nearest = NULL;
     const size_t letters = strlen(mistaken + strspn(mistaken, "-")); /* something of them stays */
     size_t least = letters < 4 ? letters : 4;                        /* further away than three edits is no suggestion */
     for (size_t i = 0; i < count; i++) {
-        size_t distance = edit_distance(mistaken, known[i]);
+        const char *name = *(const char *const *)((const char *)known + i * stride);
+        size_t distance = edit_distance(mistaken, name);
         if (distance < least) {
             least = distance;
-            nearest = known[i];
+            nearest = name;
         }
     }
     return nearest;

@@ -16,8 +16,12 @@ void message_set(struct message *m, const char *format, ...);
 /* What would move a cursor or end the line becomes a question mark. */
 void message_printable(char *text);
 
-/* The known name nearest to a mistaken one (edit distance), NULL when none is near. */
-const char *nearest_name(const char *mistaken, const char *const *known, size_t count);
+/* Of names that stand so many bytes apart in memory the nearest to a mistaken one (edit distance), NULL when none is near. */
+const char *nearest_name(const char *mistaken, const void *known, size_t count, size_t stride);
+
+/* The same of a member of each struct in an array. */
+#define NEAREST(mistaken, array, count, member) \
+    nearest_name(mistaken, (count) > 0 ? &(array)->member : NULL, (size_t)(count), sizeof *(array))
 
 /* One line on standard error and exit status 1. */
 __attribute__((noreturn)) void out_of_memory(void);

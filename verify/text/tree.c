@@ -268,14 +268,11 @@ static bool read_field(const struct yaml *n, const struct field *f, char *into)
 
 static const struct field *find_field(const struct yaml *item, const struct field *fields)
 {
-    const char *known[64];
     size_t count = 0;
-    for (const struct field *f = fields; f->key != NULL; f++) {
-        if (strcmp(f->key, item->key) == 0)
-            return f;
-        known[count++] = f->key;
-    }
-    const char *near = nearest_name(item->key, known, count);
+    for (; fields[count].key != NULL; count++)
+        if (strcmp(fields[count].key, item->key) == 0)
+            return &fields[count];
+    const char *near = NEAREST(item->key, fields, count, key);
     node_error(item, AT_KEY, "unknown key '%s', expected %s%s", item->key, near ? "perhaps " : "one of this kind of entry",
                near ? near : "");
     return NULL;
