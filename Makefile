@@ -401,9 +401,11 @@ $(EDITION)/coulomb-tether.tex: $(CHAPTERS) paper/page.tex $(WOVEN) | $(EDITION)/
 site: $(PAGES:%=$(SITE)/%.html) $(PLOTS:%=$(SITE)/plot-%.svg) $(addprefix $(SITE)/,page.css turn.js client.js vectors.js) $(OPERATIONS:%=$(SITE)/data/%.csv.gz)
 
 # The TeX that pandoc puts beside its MathML, and what a formula in HTML has unsaid, would make the pages half as large again.
+# A dot that combines with the letter before it has none in a formula: it takes one that stands by itself.
 SLIMMER = s/<semantics>(<mrow>)?|(<.mrow>)?<annotation [^>]*>[^<]*<.annotation><.semantics>| (display="inline" )?xmlns="[^"]*MathML"//g; \
   s/<mo stretchy="true" form="[a-z]*">/<mo>/g; s/<mspace width="([^"]*)"><.mspace>/<mspace width="\1"\/>/g; \
-  s/<mtext mathvariant="normal">/<mtext>/g; s/ (accent="true"|columnalign="[a-z]*")//g
+  s/<mtext mathvariant="normal">/<mtext>/g; s/ columnalign="[a-z]*"//g; \
+  s/<mo accent="true">̇</<mo accent="true">˙</g; s/<mo accent="true">̈</<mo accent="true">¨</g; s/<mo accent="true">̂</<mo accent="true">^</g
 $(PAGES:%=$(SITE)/%.html): $(SITE)/%.html: paper/%.md paper/page.html $(WOVEN) | $(EDITION)/tools.found
 	$(call PRINTED,$(WEAVE) -t html5 --mathml --template paper/page.html -o $@.woven.tmp && sed -E '$(SLIMMER)' $@.woven.tmp)
 	@rm $@.woven.tmp
