@@ -25,8 +25,8 @@ TEST(every_step_holds_and_differs_as_printed)
     struct proof_results p;
     open_proofs(&p);
     for (int i = 0; i < p.derivations.step_count; i++) {
-        ck_assert_msg(step_holds(&p, i), "%s: %s", p.derivations.steps[i].id,
-                      p.corrected[i].evidence ? p.corrected[i].evidence : "holds as printed");
+        ck_assert_msg(step_holds(&p.derivations.steps[i]), "%s: %s", p.derivations.steps[i].id,
+                      p.derivations.steps[i].proof.evidence ? p.derivations.steps[i].proof.evidence : "holds as printed");
     }
     ck_assert_int_ge(p.derivations.step_count, 60);
     ck_assert_ptr_null(p.gap);
@@ -71,8 +71,8 @@ TEST(misprints_are_these)
             continue;
         ck_assert_int_lt(found, COUNT(misprints));
         ck_assert_str_eq(p.derivations.steps[i].id, misprints[found].id);
-        ck_assert_str_eq(p.printed[i].evidence, misprints[found].evidence);
-        ck_assert_ptr_nonnull(p.printed[i].difference);
+        ck_assert_str_eq(p.derivations.steps[i].printed_proof.evidence, misprints[found].evidence);
+        ck_assert_ptr_nonnull(p.derivations.steps[i].printed_proof.difference);
         found++;
     }
     ck_assert_int_eq(found, COUNT(misprints));

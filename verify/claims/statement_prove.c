@@ -400,14 +400,6 @@ static enum truth identity_found(const struct identities *t)
     return truth;
 }
 
-static enum truth step_found(const struct proof_results *p, const char *id)
-{
-    for (int i = 0; i < p->derivations.step_count; i++)
-        if (strcmp(p->derivations.steps[i].id, id) == 0)
-            return proved_or_open(step_holds(p, i));
-    return UNDECIDED; /* LCOV_EXCL_LINE: the reader knows the step */
-}
-
 static enum truth claim_found(struct statements *all, const char *id, enum how *how)
 {
     struct statement *s = statement_find(all, id);
@@ -421,7 +413,8 @@ static enum truth cited_found(struct statements *all, const struct assertion *a,
 {
     enum truth truth = FOUND_TRUE;
     for (int i = 0; i < MOST_CITED && a->cited[i] != NULL; i++)
-        truth = truth_both(truth, a->kind == ASSERT_STEP ? step_found(all->proofs, a->cited[i]) : claim_found(all, a->cited[i], how));
+        truth = truth_both(truth, a->kind != ASSERT_STEP ? claim_found(all, a->cited[i], how)
+                                         : proved_or_open(step_holds(step_named(&all->proofs->derivations, a->cited[i]))));
     return truth;
 }
 

@@ -132,7 +132,7 @@ static bool steps_to(struct verdict_row *row, const struct proof_results *p, con
         if (step->corrected.order >= 0)
             add(row, " (to order %d)", step->corrected.order);
         (*count)++;
-        fine = fine && step_holds(p, i);
+        fine = fine && step_holds(step);
     }
     return fine;
 }

@@ -17,9 +17,14 @@ static void print_list(const char *const *texts, int count, int width)
     printf("%*s", width > 0 ? width : 0, "");
 }
 
-static const char *derivation_fault(const struct proof_results *p, int i)
+static const char *derivation_fault(const struct step *s)
 {
-    return p->bindings != NULL && p->bindings[i].fault.text[0] != '\0' ? p->bindings[i].fault.text : NULL;
+    return s->binding.fault.text[0] != '\0' ? s->binding.fault.text : NULL;
+}
+
+static bool step_is_fine(const struct step *s)
+{
+    return step_holds(s) && derivation_fault(s) == NULL;
 }
 
 /* NAME = VALUE, or NAME LOW ... HIGH: the states that a bound is proved on. */
@@ -43,8 +48,9 @@ static void print_broken(const struct yaml *at, size_t offset)
     printf("BROKEN: %s", place.text);
 }
 
-static void print_remainder(const struct remainder *r, const struct remainder_proof *proof)
+static void print_remainder(const struct remainder *r)
 {
+    const struct remainder_proof *proof = &r->proof;
     static const char *const states[] = {[REMAINDER_PROVED] = "certified",
                                          [REMAINDER_EXCEEDED] = "it is exceeded",
                                          [REMAINDER_TOO_WIDE] = "more than twice too wide",
@@ -66,10 +72,9 @@ static void print_fault(const struct proof *p)
     puts(p->evidence);
 }
 
-static void print_step(const struct proof_results *p, int i)
+static void print_step(const struct step *s)
 {
-    const struct step *s = &p->derivations.steps[i];
-    const struct proof *proof = &p->corrected[i];
+    const struct proof *printed = &s->printed_proof;
     char *domain = identities_domain(&s->corrected);
     printf("%-24s ", s->id);
     print_list(s->from, s->from_count, 26);
@@ -81,21 +86,19 @@ static void print_step(const struct proof_results *p, int i)
         printf("  order %d", s->corrected.order);
     printf("  for %s%s%s\n", domain, s->where ? "; " : "", s->where ? s->where : "");
     free(domain);
-    print_fault(proof);
-    if (p->lines != NULL)
-        print_fault(&p->lines[i]);
-    if (derivation_fault(p, i) != NULL)
-        printf("    NOT BOUND: %s\n", derivation_fault(p, i));
-    if (s->differs && p->printed[i].result == IDENTITY_DIFFERS) {
-        printf("    not as printed: %s\n", p->printed[i].evidence);
+    print_fault(&s->proof);
+    print_fault(&s->line_proof);
+    if (derivation_fault(s) != NULL)
+        printf("    NOT BOUND: %s\n", derivation_fault(s));
+    if (s->differs && printed->result == IDENTITY_DIFFERS) {
+        printf("    not as printed: %s\n", printed->evidence);
     } else if (s->differs) {
-        const struct proof *printed = &p->printed[i];
         printf("    ");
         print_broken(printed->at ? printed->at : under(s->node, "printed"), 0);
         printf("expected to differ as printed: %s\n", printed->evidence ? printed->evidence : "it holds");
     }
     for (int k = 0; k < s->remainder_count; k++)
-        print_remainder(&s->remainders[k], &p->remainders[i][k]);
+        print_remainder(&s->remainders[k]);
 }
 
 /* The steps from first to end. */
@@ -103,11 +106,11 @@ static void table_proofs(const struct proof_results *p, int first, int end)
 {
     int holding = 0;
     for (int i = first; i < end; i++) {
-        print_step(p, i);
-        holding += step_holds(p, i) && derivation_fault(p, i) == NULL;
+        print_step(&p->derivations.steps[i]);
+        holding += step_is_fine(&p->derivations.steps[i]);
     }
     printf("%d of %d steps hold, by normal forms\n", holding, end - first);
-    if (p->bindings != NULL)
+    if (p->bound)
         printf("%d alterations of their equations were tried\n", p->mutants);
     if (p->gap != NULL)
         printf("equation %s is reached by no step, and is no definition\n", p->gap);
@@ -197,10 +200,8 @@ static void json_dropped(struct json *j, const struct step *s)
     free(text);
 }
 
-static void json_step(struct json *j, const struct proof_results *p, int i)
+static void json_step(struct json *j, const struct step *s, const struct sheet *sheet)
 {
-    const struct step *s = &p->derivations.steps[i];
-    const struct sheet *sheet = p->derivations.sheet;
     char *domain = identities_domain(&s->corrected);
     json_open(j, NULL, '{');
     json_strings(j, "id", s->id, "title", s->title, NULL);
@@ -210,17 +211,17 @@ static void json_step(struct json *j, const struct proof_results *p, int i)
         json_value(j, "order", "%d", s->corrected.order);
     json_variables(j, "small", &s->corrected, true);
     json_variables(j, "angles", &s->corrected, false);
-    json_strings(j, "domain", domain, "where", s->where, "unbound", derivation_fault(p, i), NULL);
+    json_strings(j, "domain", domain, "where", s->where, "unbound", derivation_fault(s), NULL);
     free(domain);
     json_dropped(j, s);
     json_open(j, "let", '{');
     for (int k = 0; s->let != NULL && k < s->let->count; k++)
         json_string(j, s->let->items[k].key, s->let->items[k].text);
     json_close(j);
-    json_identities(j, "step", s, sheet, &s->corrected, &p->corrected[i]);
+    json_identities(j, "step", s, sheet, &s->corrected, &s->proof);
     json_by_hand(j, s, sheet);
     if (s->differs)
-        json_identities(j, "printed", s, sheet, &s->printed, &p->printed[i]);
+        json_identities(j, "printed", s, sheet, &s->printed, &s->printed_proof);
     json_close(j);
 }
 
@@ -229,7 +230,7 @@ static bool all_hold(const struct proof_results *p, int first, int end)
 {
     bool fine = p->fine || end - first < p->derivations.step_count;
     for (int i = first; i < end; i++)
-        fine = fine && step_holds(p, i) && derivation_fault(p, i) == NULL;
+        fine = fine && step_is_fine(&p->derivations.steps[i]);
     return fine;
 }
 
@@ -241,7 +242,7 @@ static void json_proofs(const struct proof_results *p, int first, int end)
     json_open(&j, "steps", '[');
     for (int i = first; i < end; i++) {
         json_line(&j, 1);
-        json_step(&j, p, i);
+        json_step(&j, &p->derivations.steps[i], p->derivations.sheet);
     }
     json_close(&j);
     json_close(&j);
@@ -252,7 +253,7 @@ static void json_proofs(const struct proof_results *p, int first, int end)
 static void tell_broken(const struct proof_results *p, int first, int end)
 {
     for (int i = first; i < end; i++)
-        if (!step_holds(p, i) || derivation_fault(p, i) != NULL)
+        if (!step_is_fine(&p->derivations.steps[i]))
             fprintf(stderr, "coulomb-tether: step %s is broken, see verify derivations %s\n", p->derivations.steps[i].id,
                     p->derivations.steps[i].id);
     if (p->gap != NULL && end - first == p->derivations.step_count)

@@ -10,6 +10,11 @@
 
 enum { MOST_EQUATIONS = 16 }; /* that a step leads from, or to */
 
+struct binding {
+    struct message fault; /* empty: the step shows what it says; else file, line, column and what is wrong */
+    int mutants;          /* formulas altered, one at a time */
+};
+
 struct step {
     const char *id, *title, *note;
     const char *where; /* of special values alone: which; NULL: of all */
@@ -21,6 +26,8 @@ struct step {
     const struct yaml *line_map;    /* how: the algebra by hand, `lines`; NULL: there is none */
     struct remainder *remainders;   /* what is dropped, and how large that may be */
     int remainder_count;
+    struct proof proof, printed_proof, line_proof; /* those that were asked for */
+    struct binding binding;
 };
 
 struct derivations {
@@ -71,12 +78,7 @@ const char *derivations_gap(const struct derivations *d);
 
 /* ---- what binds a step ---- */
 
-struct binding {
-    struct message fault; /* empty: the step shows what it says; else file, line, column and what is wrong */
-    int mutants;          /* formulas altered, one at a time */
-};
-
-/* Of a step whose identities hold. */
+/* Of a step whose identities hold: what it says of from and to is so. */
 void step_bind(const struct derivations *d, const struct step *s, struct binding *b);
 
 /* The graph of equations, principles and steps on standard output, for Graphviz's dot. */

@@ -222,12 +222,16 @@ int derivations_read(struct derivations *d, const struct sheet *s, const char *t
 void derivations_clear(struct derivations *d)
 {
     for (int i = 0; i < d->step_count; i++) {
-        identities_clear(&d->steps[i].corrected);
-        identities_clear(&d->steps[i].printed);
-        identities_clear(&d->steps[i].lines);
-        for (int k = 0; k < d->steps[i].remainder_count; k++)
-            remainder_clear(&d->steps[i].remainders[k]);
-        free(d->steps[i].remainders);
+        struct step *s = &d->steps[i];
+        identities_clear(&s->corrected);
+        identities_clear(&s->printed);
+        identities_clear(&s->lines);
+        proof_clear(&s->proof);
+        proof_clear(&s->printed_proof);
+        proof_clear(&s->line_proof);
+        for (int k = 0; k < s->remainder_count; k++)
+            remainder_clear(&s->remainders[k]);
+        free(s->remainders);
     }
     for (int i = 0; i < d->definitions.count; i++)
         program_clear(&d->definitions.sections[i].corrected.program);

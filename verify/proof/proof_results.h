@@ -7,13 +7,10 @@
 
 struct proof_results {
     struct derivations derivations;
-    struct proof *corrected, *printed; /* a proof a step; printed: of those that differ            */
-    struct proof *lines;               /* of their lines; NULL where they were not asked for       */
-    struct remainder_proof **remainders; /* of each step, one a remainder                         */
-    struct binding *bindings;          /* NULL where they were not asked for                       */
-    const char *gap;                   /* an equation that no step reaches, or NULL                */
+    const char *gap; /* an equation that no step reaches, or NULL          */
+    bool bound;      /* whether what binds the steps was asked for         */
     int mutants;
-    bool fine;                         /* everything holds and is bound, and there is no gap       */
+    bool fine;       /* everything holds and is bound, and there is no gap */
 };
 
 /* Reads the paper's steps; -1, and `why`, where they are broken. */
@@ -25,14 +22,11 @@ const struct step *step_named(const struct derivations *d, const char *id);
 /* Of the paper's steps. */
 int proof_results_init(struct proof_results *p, const struct paper *paper, struct message *why);
 
-/* Of steps that are open already, which are the results' own from then on. */
-void proof_results_of(struct proof_results *p);
-
 /* And their lines, and what binds them to their equations, which takes ten times as long: all, or the step of that id alone. */
 void proof_results_bind(struct proof_results *p, const char *only);
 void proof_results_clear(struct proof_results *p);
 
-/* The step holds, what is printed instead does not, and what is dropped is bounded. */
-bool step_holds(const struct proof_results *p, int i);
+/* The step and its lines hold, what is printed instead does not, and what is dropped is bounded. */
+bool step_holds(const struct step *s);
 
 #endif

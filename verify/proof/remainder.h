@@ -10,15 +10,6 @@
 #include "formula/expression.h"
 #include "text/tree.h"
 
-struct remainder {
-    const char *equation, *text, *unit, *at_most; /* equation: the number of the one that drops it */
-    const struct yaml *on, *at;                   /* the states, as they are written; the bound is written there */
-    struct program program; /* the formula alone; what it rests on are its inputs */
-    int node;
-    fmpq *low, *high;       /* of each input; equal where it is fixed */
-    fmpq_t bound;
-};
-
 enum remainder_state {
     REMAINDER_PROVED,
     REMAINDER_EXCEEDED, /* a state of the set is above the bound                */
@@ -30,6 +21,16 @@ struct remainder_proof {
     enum remainder_state state;
     int boxes;
     int percent; /* of the bound are reached, at least, somewhere in the set */
+};
+
+struct remainder {
+    const char *equation, *text, *unit, *at_most; /* equation: the number of the one that drops it */
+    const struct yaml *on, *at;                   /* the states, as they are written; the bound is written there */
+    struct program program; /* the formula alone; what it rests on are its inputs */
+    int node;
+    fmpq *low, *high;       /* of each input; equal where it is fixed */
+    fmpq_t bound;
+    struct remainder_proof proof; /* once it was asked for */
 };
 
 /* The formula of `node`, copied out of a program; its ranges and its bound are the caller's to fill in. */
