@@ -467,14 +467,14 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
     enum { BITS = 256 };
     const struct program *p = &u->formulas->program;
     char *needed = xrealloc(NULL, (size_t)p->count, 1);
-    slong rows[MOST_BOUND], count = 0;
+    slong rows[MOST_INPUTS], count = 0;
     struct machine m, adjoint;
     arb_mat_t J, transposed, square;
     SCOPE(arb, determinant);
     program_needs(p, u->part, NULL, needed);
-    for (int i = 0; i < p->inputs && i <= u->part && i < MOST_BOUND; i++)
+    for (int i = 0; i < p->inputs && i <= u->part; i++)
         if (needed[i])
-            rows[count++] = u->bound[i];
+            rows[count++] = u->copy[i];
     machine_init(&m, &t->program, &arithmetic_ball, BITS);
     machine_init(&adjoint, &t->program, &arithmetic_ball, BITS);
     arb_mat_init(J, count, t->program.inputs);

@@ -81,14 +81,8 @@ static const struct field remainder_fields[] = {
 
 static bool read_remainder(const struct scope *s, const struct identities *t, const struct yaml *item, struct remainder *m)
 {
-    struct remainder written = {.equation = NULL};
-    if (!fields_read(item, remainder_fields, &written) || !read_dropped(s, t, under(item, "of"), m))
+    if (!fields_read(item, remainder_fields, m) || !read_dropped(s, t, under(item, "of"), m))
         return false;
-    m->equation = written.equation;
-    m->text = written.text;
-    m->at_most = written.at_most;
-    m->unit = written.unit;
-    m->on = written.on;
     m->at = under(item, "at_most");
     if (!read_number(m->at, m->bound) || !read_states(s, m->on, m))
         return false;

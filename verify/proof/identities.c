@@ -350,24 +350,6 @@ static char *polynomial_text(const fmpz_mpoly_t f, char **names)
     return text;
 }
 
-static char *polynomial_tex(const char *text, char *const *names, slong count, bool cut)
-{
-    struct program p;
-    struct tex t = {NULL, 0};
-    struct message why;
-    size_t where;
-    program_init(&p);
-    for (slong i = 0; i < count; i++)
-        program_input(&p, names[i]);
-    const int node = program_parse(&p, text, &where, &why);
-    if (node >= 0)
-        typeset_formula(&t, &p, node);
-    if (node >= 0 && cut)
-        tex_add(&t, " + \\dots");
-    program_clear(&p);
-    return t.text;
-}
-
 /* The difference of two coefficients, not zero. */
 static void print_difference(FILE *out, const struct run *r, const fmpz_mpoly_q_struct *x,
                              const fmpz_mpoly_q_struct *y, struct proof *p)
@@ -386,7 +368,10 @@ static void print_difference(FILE *out, const struct run *r, const fmpz_mpoly_q_
                 fmpz_mpoly_length(fmpz_mpoly_q_denref(difference), ctx) > SHOWN_TERMS ? "+..." : "");
         flint_free(under);
     }
-    p->difference = polynomial_tex(over, names, r->variables, length > SHOWN_TERMS);
+    struct tex tex = {NULL, 0};
+    typeset_inline(&tex, over, strlen(over));
+    tex_add(&tex, length > SHOWN_TERMS ? " + \\dots" : "");
+    p->difference = tex.text;
     flint_free(over);
     fmpz_mpoly_q_clear(difference, ctx);
     free_names(names, FLINT_MAX(r->variables, 1));

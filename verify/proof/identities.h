@@ -11,7 +11,7 @@
 #include "text/tree.h"
 
 enum { SIGN_NEGATIVE = 1, SIGN_ZERO = 2, SIGN_POSITIVE = 4, SIGN_ANY = 7 }; /* sets of signs */
-enum { MOST_SHOWN = 32, MOST_BOUND = 40 };
+enum { MOST_SHOWN = 32 };
 
 /* A free quantity: its signs, and what else is said of it. */
 struct variable {
@@ -40,7 +40,6 @@ struct use {
     const struct formulas *formulas; /* the section's, as printed too, or a relation's */
     const char *name;                /* of a side, the relation's text */
     int part;                        /* the node in that program    */
-    int bound[MOST_BOUND];           /* what its inputs are         */
     int node, first;                 /* what it became: a node, of those from `first` on */
     int *copy;                       /* what each node of that program became; older than first, it was bound */
 };

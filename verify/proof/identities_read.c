@@ -64,28 +64,6 @@ static size_t place_of(const struct yaml *item)
     return item->key != NULL ? AT_KEY : 0;
 }
 
-/* Names beyond the sheet's become inputs; `free` are new ones, `small` are known. */
-static bool declare_names(struct identities *t, const struct scope *s, const struct declaration *declared)
-{
-    const struct yaml *names = given(s, declared->key);
-    if (names == NULL)
-        return true;
-    if (!(declared->angle && names->mapping) && !is_texts(names, MOST_NAMES))
-        return false;
-    for (int i = 0; i < names->count; i++) {
-        const struct yaml *item = &names->items[i];
-        const char *name = name_of(item);
-        const bool known = find_input(&t->program, name) >= 0;
-        if (known && strcmp(declared->key, "free") == 0)
-            return node_error(item, place_of(item), "'%s' is known already, expected a new name", name);
-        if (!known && declared->small)
-            return node_error(item, place_of(item), "unknown symbol '%s', expected a free quantity", name);
-        if (!known)
-            program_input(&t->program, name);
-    }
-    return true;
-}
-
 static bool read_turn(const struct yaml *item, struct variable *v)
 {
     v->quarter_turn = item->key != NULL && item->text != NULL && strcmp(item->text, "quarter turn") == 0;
@@ -93,26 +71,35 @@ static bool read_turn(const struct yaml *item, struct variable *v)
            node_error(item, 0, "expected 'any' or 'quarter turn'");
 }
 
-static bool qualify_names(struct identities *t, const struct scope *s, const struct declaration *declared)
+static int add_variable(struct identities *t, const char *name, int signs)
 {
-    const struct yaml *names = given(s, declared->key);
-    for (int i = 0; names != NULL && i < names->count; i++) {
-        const struct yaml *item = &names->items[i];
-        const char *name = name_of(item);
-        const int input = find_input(&t->program, name);
-        struct variable *v = &t->variables[input];
-        if (v->angle || v->power > 0)
-            return node_error(item, place_of(item), "'%s' is an angle or small already", name);
-        if (input < s->sheet->quantity_count && (v->signs & ~declared->signs) != 0)
-            return node_error(item, place_of(item), "'%s' may be %s in the sheet, expected a name of its own", name,
-                              v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
-        v->power = declared->small;
-        v->angle = declared->angle;
-        v->signs &= declared->signs;
-        if (declared->angle && !read_turn(item, v))
-            return false;
-    }
-    return true;
+    const int input = program_input(&t->program, name);
+    t->variables = xrealloc(t->variables, (size_t)input + 1, sizeof *t->variables);
+    t->variables[input] = (struct variable){.signs = signs};
+    return input;
+}
+
+/* Names beyond the sheet's become inputs; `free` are new ones, `small` are known. */
+static bool declare_name(struct identities *t, const struct scope *s, const struct declaration *declared, const struct yaml *item)
+{
+    const char *name = name_of(item);
+    int input = find_input(&t->program, name);
+    if (input >= 0 && strcmp(declared->key, "free") == 0)
+        return node_error(item, place_of(item), "'%s' is known already, expected a new name", name);
+    if (input < 0 && declared->small)
+        return node_error(item, place_of(item), "unknown symbol '%s', expected a free quantity", name);
+    if (input < 0)
+        input = add_variable(t, name, SIGN_ANY);
+    struct variable *v = &t->variables[input];
+    if (v->angle || v->power > 0)
+        return node_error(item, place_of(item), "'%s' is an angle or small already", name);
+    if (input < s->sheet->quantity_count && (v->signs & ~declared->signs) != 0)
+        return node_error(item, place_of(item), "'%s' may be %s in the sheet, expected a name of its own", name,
+                          v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
+    v->power = declared->small;
+    v->angle = declared->angle;
+    v->signs &= declared->signs;
+    return !declared->angle || read_turn(item, v);
 }
 
 static int signs_of(enum domain domain)
@@ -122,22 +109,19 @@ static int signs_of(enum domain domain)
 
 static bool read_declarations(struct identities *t, const struct scope *s)
 {
-    struct program *p = &t->program;
     for (int i = 0; i < s->sheet->quantity_count; i++)
-        program_input(p, s->sheet->quantities[i].name);
-    for (int i = 0; i < DECLARATIONS; i++)
-        if (!declare_names(t, s, &declarations[i]))
+        add_variable(t, s->sheet->quantities[i].name, signs_of(s->sheet->quantities[i].domain));
+    for (int i = 0; i < DECLARATIONS; i++) {
+        const struct yaml *names = given(s, declarations[i].key);
+        if (names != NULL && !(declarations[i].angle && names->mapping) && !is_texts(names, MOST_NAMES))
             return false;
+        for (int k = 0; names != NULL && k < names->count; k++)
+            if (!declare_name(t, s, &declarations[i], &names->items[k]))
+                return false;
+    }
     for (int i = 0; i < s->name_count; i++)
-        if (find_input(p, s->names[i]) < 0)
-            program_input(p, s->names[i]);
-    t->variables = xrealloc(NULL, (size_t)p->inputs, sizeof *t->variables);
-    for (int i = 0; i < p->inputs; i++)
-        t->variables[i] = (struct variable){
-            .signs = i < s->sheet->quantity_count ? signs_of(s->sheet->quantities[i].domain) : SIGN_ANY};
-    for (int i = 0; i < DECLARATIONS; i++)
-        if (!qualify_names(t, s, &declarations[i]))
-            return false;
+        if (find_input(&t->program, s->names[i]) < 0)
+            add_variable(t, s->names[i], SIGN_ANY);
     return true;
 }
 
@@ -262,8 +246,6 @@ static int take_part(const struct reading *r, struct use u, int *map)
 {
     struct identities *t = r->t;
     const struct program *from = &u.formulas->program;
-    for (int i = 0; i < from->inputs && i < MOST_BOUND; i++)
-        u.bound[i] = map[i];
     u.first = t->program.count;
     u.node = program_own(&t->program, u.first, program_copy_node(&t->program, from, u.part, map));
     u.copy = map;
@@ -585,7 +567,7 @@ static void add_let(struct identities *t, const char *name, const char *formula)
 static bool read_let(struct identities *t, const struct scope *s)
 {
     const struct yaml *let = given(s, "let"), *variant = under(s->variant, "let");
-    if ((let != NULL && !is_map(let)) || (variant != NULL && !is_map(variant)))
+    if (variant != NULL && !is_map(variant))
         return false;
     for (int i = 0; variant != NULL && i < variant->count; i++) {
         const struct yaml *own = &variant->items[i];
