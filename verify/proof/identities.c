@@ -1,7 +1,6 @@
 /* The proof of identities: signs, normal forms, and what they show where they differ. */
 #include "proof/identities.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -220,45 +219,6 @@ void run_end(struct run *r)
 
 /* ---- evidence ---- */
 
-static FILE *text_open(char **text, size_t *size)
-{
-    FILE *out = open_memstream(text, size);
-    if (out == NULL)
-        out_of_memory();
-    return out;
-}
-
-static void text_close(FILE *out)
-{
-    if (fclose(out) != 0)
-        out_of_memory();
-}
-
-/* Of the inputs that are variables, in their order; an angle is known by t, the tangent of its half. */
-static char **variable_names(const struct run *r)
-{
-    char **names = xrealloc(NULL, (size_t)r->variables + 1, sizeof *names);
-    names[r->variables] = NULL;
-    if (r->variables == 0) /* FLINT has one variable at least */
-        names[0] = text_copy("none");
-    for (int i = 0; i < r->t->program.inputs; i++) {
-        const char *name = r->t->program.names[i].text;
-        if (r->variable[i] < 0)
-            continue;
-        char *text = xrealloc(NULL, strlen(name) + 3, 1);
-        sprintf(text, "%s%s", r->t->variables[i].angle ? "t_" : "", name);
-        names[r->variable[i]] = text;
-    }
-    return names;
-}
-
-static void free_names(char **names, slong count)
-{
-    for (slong i = 0; i < count; i++)
-        free(names[i]);
-    free(names);
-}
-
 static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, fmpq *point)
 {
     const fmpq_mpoly_ctx_t ctx = {{.zctx = {*symbolic_context()}}};
@@ -295,15 +255,15 @@ static void choose_point(fmpq *point, const struct run *r, int attempt)
     }
 }
 
-static void print_rational(FILE *out, const fmpq_t q)
+static void print_rational(struct tex *out, const fmpq_t q)
 {
     char *text = fmpq_get_str(NULL, 10, q);
-    fputs(text, out);
+    tex_add(out, "%s", text);
     flint_free(text);
 }
 
 /* "; LEFT is not RIGHT where NAME = ...": a point where the two differ. */
-static void print_example(FILE *out, const struct run *r, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y)
+static void print_example(struct tex *out, const struct run *r, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y)
 {
     enum { ATTEMPTS = 100 };
     VECTOR(fmpq, point, r->variables + 1);
@@ -316,9 +276,9 @@ static void print_example(FILE *out, const struct run *r, const fmpz_mpoly_q_str
         choose_point(point, r, attempt);
     while (attempt++ < ATTEMPTS &&
            (!evaluate(left, x, point) || !evaluate(right, y, point) || fmpq_equal(left, right)));
-    fputs("; ", out);
+    tex_add(out, "; ");
     print_rational(out, left);
-    fputs(" is not ", out);
+    tex_add(out, " is not ");
     print_rational(out, right);
     const char *separator = " where ";
     for (int i = 0; i < r->t->program.inputs && attempt <= ATTEMPTS; i++) {
@@ -326,9 +286,9 @@ static void print_example(FILE *out, const struct run *r, const fmpz_mpoly_q_str
         if (k < 0 || !(used[k] || used[all + k]))
             continue;
         const char *name = r->t->program.names[i].text;
-        fprintf(out, r->t->variables[i].angle ? "%stan(%s/2) = " : "%s%s = ", separator, name);
+        tex_add(out, r->t->variables[i].angle ? "%stan(%s/2) = " : "%s%s = ", separator, name);
         print_rational(out, point + k);
-        fputs(r->t->variables[i].power > 0 ? " epsilon" : "", out);
+        tex_add(out, r->t->variables[i].power > 0 ? " epsilon" : "");
         separator = ", ";
     }
     free(used);
@@ -336,45 +296,56 @@ static void print_example(FILE *out, const struct run *r, const fmpz_mpoly_q_str
 
 enum { SHOWN_TERMS = 6 };
 
-/* The leading terms of a polynomial, in the names of the inputs. */
-static char *polynomial_text(const fmpz_mpoly_t f, char **names)
+/* The leading terms of a polynomial, in the names of the inputs; an angle is known by t, the tangent of its half. */
+static void print_polynomial(struct tex *out, const struct run *r, const fmpz_mpoly_t f)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
+    struct tex *names = xrealloc(NULL, (size_t)r->variables + 1, sizeof *names);
+    const char **texts = xrealloc(NULL, (size_t)r->variables + 1, sizeof *texts);
     fmpz_mpoly_t head;
+    texts[0] = "none"; /* FLINT has one variable at least */
+    for (int i = 0; i < r->t->program.inputs; i++) {
+        const slong k = r->variable[i];
+        if (k < 0)
+            continue;
+        names[k] = (struct tex){NULL, 0};
+        tex_add(&names[k], "%s%s", r->t->variables[i].angle ? "t_" : "", r->t->program.names[i].text);
+        texts[k] = names[k].text;
+    }
     fmpz_mpoly_init(head, ctx);
     fmpz_mpoly_set(head, f, ctx);
-    if (fmpz_mpoly_length(head, ctx) > SHOWN_TERMS)
-        fmpz_mpoly_resize(head, SHOWN_TERMS, ctx);
-    char *text = fmpz_mpoly_get_str_pretty(head, (const char **)names, ctx);
+    fmpz_mpoly_resize(head, FLINT_MIN(fmpz_mpoly_length(head, ctx), SHOWN_TERMS), ctx);
+    char *text = fmpz_mpoly_get_str_pretty(head, texts, ctx);
+    tex_add(out, "%s", text);
+    flint_free(text);
     fmpz_mpoly_clear(head, ctx);
-    return text;
+    for (slong k = 0; k < r->variables; k++)
+        tex_clear(&names[k]);
+    free(names);
+    free(texts);
 }
 
 /* The difference of two coefficients, not zero. */
-static void print_difference(FILE *out, const struct run *r, const fmpz_mpoly_q_struct *x,
+static void print_difference(struct tex *out, const struct run *r, const fmpz_mpoly_q_struct *x,
                              const fmpz_mpoly_q_struct *y, struct proof *p)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    char **names = variable_names(r);
+    struct tex over = {NULL, 0}, under = {NULL, 0}, tex = {NULL, 0};
     fmpz_mpoly_q_t difference;
     fmpz_mpoly_q_init(difference, ctx);
     fmpz_mpoly_q_sub(difference, x, y, ctx);
     const slong length = fmpz_mpoly_length(fmpz_mpoly_q_numref(difference), ctx);
-    char *over = polynomial_text(fmpz_mpoly_q_numref(difference), names);
-    fprintf(out, length > SHOWN_TERMS ? "(%s+...%ld terms)" : length > 1 ? "(%s)" : "%s", over, (long)length);
-    if (!fmpz_mpoly_is_one(fmpz_mpoly_q_denref(difference), ctx)) {
-        char *under = polynomial_text(fmpz_mpoly_q_denref(difference), names);
-        fprintf(out, "/(%s%s)", under,
-                fmpz_mpoly_length(fmpz_mpoly_q_denref(difference), ctx) > SHOWN_TERMS ? "+..." : "");
-        flint_free(under);
-    }
-    struct tex tex = {NULL, 0};
-    typeset_inline(&tex, over, strlen(over));
+    print_polynomial(&over, r, fmpz_mpoly_q_numref(difference));
+    print_polynomial(&under, r, fmpz_mpoly_q_denref(difference));
+    tex_add(out, length > SHOWN_TERMS ? "(%s+...%ld terms)" : length > 1 ? "(%s)" : "%s", over.text, (long)length);
+    if (!fmpz_mpoly_is_one(fmpz_mpoly_q_denref(difference), ctx))
+        tex_add(out, "/(%s%s)", under.text, fmpz_mpoly_length(fmpz_mpoly_q_denref(difference), ctx) > SHOWN_TERMS ? "+..." : "");
+    typeset_inline(&tex, over.text, over.length);
     tex_add(&tex, length > SHOWN_TERMS ? " + \\dots" : "");
     p->difference = tex.text;
-    flint_free(over);
+    tex_clear(&over);
+    tex_clear(&under);
     fmpz_mpoly_q_clear(difference, ctx);
-    free_names(names, FLINT_MAX(r->variables, 1));
 }
 
 /* ---- the proof ---- */
@@ -431,38 +402,33 @@ enum result run_compare(struct run *r, int left, int right, bool *large)
 /* How the sides of an equality differ, or why they have no value. */
 static char *tell(struct run *r, const struct equality *e, const struct finding *f, struct proof *p)
 {
-    char *text;
-    size_t size;
-    FILE *out = text_open(&text, &size);
-    fprintf(out, "%s: ", e->text);
+    struct tex out = {NULL, 0};
+    tex_add(&out, "%s: ", e->text);
     if (f->fault != SYMBOLIC_FINE) {
-        fprintf(out, "no value, %s", symbolic_fault_text(f->fault));
-        if (f->fault == SYMBOLIC_TOO_LARGE)
-            fprintf(out, ", %s", symbolic_fault_size());
-    } else {
-        const fmpz_mpoly_q_struct *x = value(r, e->left)->a + f->power, *y = value(r, e->right)->a + f->power;
-        if (r->terms > 1)
-            fprintf(out, "the coefficients of epsilon^%ld differ by ", (long)f->power);
-        else
-            fputs("the sides differ by ", out);
-        print_difference(out, r, x, y, p);
-        print_example(out, r, x, y);
+        const bool large = f->fault == SYMBOLIC_TOO_LARGE;
+        tex_add(&out, "no value, %s%s%s", symbolic_fault_text(f->fault), large ? ", " : "", large ? symbolic_fault_size() : "");
+        return out.text;
     }
-    text_close(out);
-    return text;
+    const fmpz_mpoly_q_struct *x = value(r, e->left)->a + f->power, *y = value(r, e->right)->a + f->power;
+    if (r->terms > 1)
+        tex_add(&out, "the coefficients of epsilon^%ld differ by ", (long)f->power);
+    else
+        tex_add(&out, "the sides differ by ");
+    print_difference(&out, r, x, y, p);
+    print_example(&out, r, x, y);
+    return out.text;
 }
 
 /* Where nothing told against the identities before: they are undecided, for what is said of `what`. */
 static void refuse(struct proof *p, const struct yaml *at, const char *format, const char *what)
 {
-    size_t size;
+    struct tex out = {NULL, 0};
     if (p->result != IDENTITY_HOLDS)
         return;
+    tex_add(&out, format, what);
     p->result = IDENTITY_UNDECIDED;
     p->at = at;
-    FILE *out = text_open(&p->evidence, &size);
-    fprintf(out, format, what);
-    text_close(out);
+    p->evidence = out.text;
 }
 
 /* Whether equalities of which both sides vanish do so for good, and not for want of further terms. */
@@ -525,25 +491,20 @@ void proof_clear(struct proof *p)
 char *identities_domain(const struct identities *t)
 {
     static const char *const bounds[] = {[SIGN_POSITIVE] = " > 0", [SIGN_POSITIVE | SIGN_ZERO] = " >= 0", [SIGN_ANY] = ""};
-    char *text = NULL;
+    struct tex out = {NULL, 0};
     const char *separator = "";
-    size_t size;
-    FILE *out = text_open(&text, &size);
     for (int i = 0; i < t->program.inputs; i++) {
         const struct variable *v = &t->variables[i];
         if (!t->needed[i] || (!v->angle && v->power == 0 && v->signs == SIGN_ANY))
             continue;
-        fprintf(out, "%s%s%s", separator, t->program.names[i].text, v->angle ? "" : bounds[v->signs]);
-        fputs(v->quarter_turn ? " within a quarter turn" : v->angle ? " any angle" : "", out);
-        fputs(v->power > 0 ? " small" : "", out);
+        tex_add(&out, "%s%s%s%s", separator, t->program.names[i].text,
+                v->quarter_turn ? " within a quarter turn" : v->angle ? " any angle" : bounds[v->signs], v->power > 0 ? " small" : "");
         separator = ", ";
     }
     for (int i = 0; i < t->sheet_lets; i++) {
-        fprintf(out, "%s%s", separator, t->lets[i]);
+        tex_add(&out, "%s%s", separator, t->lets[i]);
         separator = ", ";
     }
-    if (*separator == '\0')
-        fputs("all values", out);
-    text_close(out);
-    return text;
+    tex_add(&out, *separator == '\0' ? "all values" : "");
+    return out.text;
 }
