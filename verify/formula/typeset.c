@@ -98,35 +98,30 @@ struct writer {
     bool flat; /* in an exponent: a/b in place of a fraction */
 };
 
-enum binding { SUM, PRODUCT, POWER, ATOM };
+/* How tightly it binds, and the name of a function: sin x has to be bracketed to be raised, as a product has. */
+enum tightness { SUM, PRODUCT, POWER, ATOM };
 
-static void write_node(const struct writer *w, int node, enum binding least);
+static const struct {
+    enum tightness tightness;
+    const char *function;
+} operators[] = {
+    [OPERATOR_ADD] = {SUM, NULL},          [OPERATOR_SUBTRACT] = {SUM, NULL},   [OPERATOR_NEGATE] = {SUM, NULL},
+    [OPERATOR_MULTIPLY] = {PRODUCT, NULL}, [OPERATOR_DIVIDE] = {PRODUCT, NULL}, [OPERATOR_SIN] = {PRODUCT, "sin"},
+    [OPERATOR_COS] = {PRODUCT, "cos"},     [OPERATOR_LOG] = {PRODUCT, "ln"},    [OPERATOR_POWER] = {POWER, NULL},
+    [OPERATOR_EXP] = {POWER, NULL},        [OPERATOR_INPUT] = {ATOM, NULL},     [OPERATOR_NUMBER] = {ATOM, NULL},
+    [OPERATOR_SQRT] = {ATOM, NULL},        [OPERATOR_ATAN2] = {ATOM, NULL},     [OPERATOR_POSITIVE] = {ATOM, NULL},
+};
 
-static enum binding binding_of(const struct program *p, int node)
+static void write_node(const struct writer *w, int node, enum tightness least);
+
+static enum tightness tightness_of(const struct program *p, int node)
 {
-    switch (p->nodes[node].op) {
-    case OPERATOR_ADD:
-    case OPERATOR_SUBTRACT:
-    case OPERATOR_NEGATE:
-        return SUM;
-    case OPERATOR_MULTIPLY:
-    case OPERATOR_DIVIDE:
-    case OPERATOR_SIN: /* sin x has to be bracketed to be raised, as a product has */
-    case OPERATOR_COS:
-    case OPERATOR_LOG:
-        return PRODUCT;
-    case OPERATOR_POWER:
-    case OPERATOR_EXP:
-        return POWER;
-    default:
-        return ATOM;
-    }
+    return operators[p->nodes[node].op].tightness;
 }
 
 static bool is_function(const struct program *p, int node)
 {
-    const enum operator op = p->nodes[node].op;
-    return op == OPERATOR_SIN || op == OPERATOR_COS || op == OPERATOR_LOG;
+    return operators[p->nodes[node].op].function != NULL;
 }
 
 static const char *input_name(const struct program *p, int node)
@@ -175,7 +170,7 @@ static void collect(const struct program *p, int node, bool below, struct factor
 }
 
 /* Factors from first to last - 1, side by side, in brackets where they bind less than `least`. */
-static void write_factors(const struct writer *w, const struct factors *f, int first, int last, enum binding least)
+static void write_factors(const struct writer *w, const struct factors *f, int first, int last, enum tightness least)
 {
     for (int i = first; i < last; i++) {
         const bool function = is_function(w->program, f->list[i].node);
@@ -230,7 +225,7 @@ static void write_product(const struct writer *w, int node)
 static void write_call(const struct writer *w, const char *name, int argument)
 {
     tex_add(w->tex, "\\%s ", name);
-    if (binding_of(w->program, argument) == ATOM)
+    if (tightness_of(w->program, argument) == ATOM)
         write_node(w, argument, SUM);
     else
         write_brackets(w, argument, "(", ")");
@@ -313,10 +308,8 @@ static void write_operator(const struct writer *w, int node)
         break;
     case OPERATOR_SIN:
     case OPERATOR_COS:
-        write_call(w, n->op == OPERATOR_SIN ? "sin" : "cos", n->left);
-        break;
     case OPERATOR_LOG:
-        write_call(w, "ln", n->left);
+        write_call(w, operators[n->op].function, n->left);
         break;
     case OPERATOR_EXP:
         tex_add(w->tex, "e^{");
@@ -337,9 +330,9 @@ static void write_operator(const struct writer *w, int node)
 }
 
 /* In brackets where it binds less than its place asks for. */
-static void write_node(const struct writer *w, int node, enum binding least)
+static void write_node(const struct writer *w, int node, enum tightness least)
 {
-    if (binding_of(w->program, node) < least)
+    if (tightness_of(w->program, node) < least)
         write_brackets(w, node, "(", ")");
     else
         write_operator(w, node);

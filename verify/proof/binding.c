@@ -40,16 +40,11 @@ static const char *equation_of(const struct section *s, int output)
 /* "eq10lin", "eq02.x1_ddot", the id of a definition: the section, and what stands after the point, NULL: nothing. */
 static const struct section *section_of_entry(const struct derivations *d, const char *entry, const char **name)
 {
+    char id[LONGEST_NAME + 1];
     const size_t length = strcspn(entry, ".");
-    const struct section *found = NULL;
     *name = entry[length] == '.' ? entry + length + 1 : NULL;
-    for (int i = 0; i < d->definitions.count + d->sheet->section_count; i++) {
-        const struct section *s = i < d->definitions.count ? &d->definitions.sections[i]
-                                                           : &d->sheet->sections[i - d->definitions.count];
-        if (found == NULL && strlen(s->id) == length && strncmp(s->id, entry, length) == 0)
-            found = s;
-    }
-    return found;
+    snprintf(id, sizeof id, "%.*s", (int)length, entry);
+    return section_or_definition(d->sheet, &d->definitions, id);
 }
 
 static void add_outputs(const struct section *s, const char *number, const char *name, struct entry_part *parts, int *count)

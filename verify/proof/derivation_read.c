@@ -56,24 +56,13 @@ static bool read_definition(struct derivations *d, const struct yaml *n)
     for (int i = 0; i < w.inputs->count; i++)
         program_input(&s->corrected.program, w.inputs->items[i].text);
     for (; s->output_count < w.outputs->count; s->output_count++) {
-        struct quantity *q = xrealloc(NULL, 1, sizeof *q);
-        all->outputs = xrealloc(all->outputs, (size_t)all->output_count + 1, sizeof *all->outputs);
-        all->outputs[all->output_count++] = q;
+        struct quantity *q = &all->outputs[all->count - 1][s->output_count];
         *q = (struct quantity){.name = w.outputs->items[s->output_count].key};
         s->outputs[s->output_count] = q;
     }
     return read_formulas(w.let, &s->corrected, false) && read_formulas(w.outputs, &s->corrected, true);
 }
 
-static bool read_definitions(struct derivations *d, const struct yaml *all)
-{
-    d->definitions.sections = xrealloc(d->definitions.sections, (size_t)d->definitions.count + (size_t)all->count,
-                                       sizeof *d->definitions.sections);
-    for (int i = 0; i < all->count; i++)
-        if (!read_definition(d, &all->items[i]))
-            return false;
-    return true;
-}
 
 /* ---- steps ---- */
 
@@ -198,11 +187,15 @@ static const struct field derivations_fields[] = {
 static bool read_derivations(struct derivations *d)
 {
     struct written_derivations w = {.steps = NULL};
-    if (!fields_read(&d->tree->root, derivations_fields, &w) || !read_definitions(d, w.principles))
+    if (!fields_read(&d->tree->root, derivations_fields, &w))
         return false;
-    d->principle_count = d->definitions.count;
-    if (!read_definitions(d, w.properties))
-        return false;
+    d->principle_count = w.principles->count;
+    const int definitions = w.principles->count + w.properties->count;
+    d->definitions.sections = xrealloc(NULL, (size_t)definitions + 1, sizeof *d->definitions.sections);
+    d->definitions.outputs = xrealloc(NULL, (size_t)definitions + 1, sizeof *d->definitions.outputs);
+    for (int i = 0; i < definitions; i++)
+        if (!read_definition(d, i < w.principles->count ? &w.principles->items[i] : &w.properties->items[i - w.principles->count]))
+            return false;
     for (int i = 0; i < w.steps->count; i++)
         if (!read_step(d, &w.steps->items[i]))
             return false;
@@ -235,8 +228,6 @@ void derivations_clear(struct derivations *d)
     }
     for (int i = 0; i < d->definitions.count; i++)
         program_clear(&d->definitions.sections[i].corrected.program);
-    for (int i = 0; i < d->definitions.output_count; i++)
-        free(d->definitions.outputs[i]);
     free(d->definitions.outputs);
     free(d->definitions.sections);
     free(d->steps);

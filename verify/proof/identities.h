@@ -69,12 +69,13 @@ struct identities {
 /* Principles and properties: sections that have formulas, but no equation number. */
 struct definitions {
     struct section *sections;
-    struct quantity **outputs; /* what the sections' outputs point to */
-    int count, output_count;
+    struct quantity (*outputs)[MOST_OUTPUTS]; /* what the sections' outputs point to */
+    int count;
 };
 
-/* NULL: there is none of that id. */
+/* NULL: there is none of that id; nor in the sheet. */
 const struct section *definition_find(const struct definitions *d, const char *id);
+const struct section *section_or_definition(const struct sheet *sheet, const struct definitions *d, const char *id);
 
 /* The relation of that number, the first, second ... ("1", "2" ...) of them; NULL when there is none. */
 const struct relation *relation_find(const struct sheet *sheet, const char *number, const char *index,

@@ -195,27 +195,27 @@ static int read_rate(struct parser *p)
     if (count > MOST_MOVING)
         return parse_refuse(p, "fewer rates of rates");
     int *rate = xrealloc(NULL, (size_t)count, sizeof *rate);
-    char *needed = xrealloc(NULL, (size_t)count, 1), *open = xrealloc(NULL, (size_t)count, 1);
+    char *needed = xrealloc(NULL, (size_t)count, 1);
     const char *still = NULL; /* the sheet knows its rate, and nothing here does */
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         rate[i] = -1;
-        open[i] = i < s->sheet->quantity_count && rate_name(s->sheet, s->sheet->quantities[i].name, name);
-    }
     struct rate made = {.of = node, .first = count};
     made.moving = xrealloc(NULL, rates != NULL ? 2 * (size_t)rates->count : 1, sizeof *made.moving);
     for (int i = 0; rates != NULL && i < rates->count; i++) {
         const int moving = program_find(p->program, rates->items[i].key);
-        const char *by = rates->items[i].text;
         if (moving < 0)
             continue;
-        rate[moving] = program_find(p->program, by); /* no name is a number */
-        open[moving] = open[moving] && rate[moving] < 0 && strcmp(by, "0") != 0;
+        rate[moving] = program_find(p->program, rates->items[i].text); /* no name is a number */
         made.moving[2 * made.count] = moving;
         made.moving[2 * made.count++ + 1] = rate[moving];
     }
     program_needs(p->program, node, rate, needed);
-    for (int i = 0; i <= node && i < s->sheet->quantity_count; i++)
-        still = needed[i] && open[i] ? s->sheet->quantities[i].name : still;
+    for (int i = 0; i <= node && i < s->sheet->quantity_count; i++) {
+        const char *own = s->sheet->quantities[i].name;
+        const struct yaml *by = program_find(p->program, own) == i ? under(rates, own) : NULL;
+        if (needed[i] && rate[i] < 0 && !(by != NULL && strcmp(by->text, "0") == 0) && rate_name(s->sheet, own, name))
+            still = own;
+    }
     if (still != NULL) {
         p->at = begin;
         rate_name(s->sheet, still, name);
@@ -227,7 +227,6 @@ static int read_rate(struct parser *p)
     r->t->rates[r->t->rate_count++] = made;
     free(rate);
     free(needed);
-    free(open);
     return still != NULL ? -1 : made.result;
 }
 
@@ -378,10 +377,10 @@ const struct section *definition_find(const struct definitions *d, const char *i
     return NULL;
 }
 
-static const struct section *find_section(const struct scope *s, const char *id)
+const struct section *section_or_definition(const struct sheet *sheet, const struct definitions *d, const char *id)
 {
-    const struct section *definition = definition_find(s->definitions, id);
-    return definition != NULL ? definition : section_find(s->sheet, id);
+    const struct section *definition = definition_find(d, id);
+    return definition != NULL ? definition : section_find(sheet, id);
 }
 
 /* A name with a point in it, as further names may have: passed if it is one; -1. */
@@ -398,7 +397,7 @@ static int find_dotted(struct parser *p, const char *id)
 static int read_output(struct parser *p, const char *id)
 {
     const struct reading *r = p->context;
-    struct use u = {.section = find_section(r->scope, id)};
+    struct use u = {.section = section_or_definition(r->scope->sheet, r->scope->definitions, id)};
     char name[LONGEST_NAME + 1];
     const int dotted = u.section == NULL ? find_dotted(p, id) : -1;
     if (dotted >= 0)
@@ -540,7 +539,7 @@ static bool check_name(const struct scope *s, const struct yaml *value)
     char id[LONGEST_NAME + 1], output[LONGEST_NAME + 1];
     if (sscanf(value->text, "%63[a-z0-9].%63[A-Za-z0-9_]", id, output) != 2)
         return true;
-    const struct section *section = find_section(s, id);
+    const struct section *section = section_or_definition(s->sheet, s->definitions, id);
     for (int i = 0; section != NULL && i < section->output_count; i++)
         if (strcmp(section->outputs[i]->name, value->key) == 0 && strcmp(output, value->key) != 0)
             return node_error(value, 0, "%s has %s itself, expected another name than that", id, value->key);

@@ -34,7 +34,7 @@ void remainder_clear(struct remainder *r)
 struct search {
     const struct remainder *of;
     struct machine value, slope;
-    arb_t bound, reached; /* |formula| is at least `reached` somewhere in the set */
+    arb_ptr bound, reached; /* |formula| is at least `reached` somewhere in the set */
     int inputs, boxes;
 };
 
@@ -131,12 +131,11 @@ static void try_corners(struct search *s, arb_srcptr box)
 
 void remainder_prove(const struct remainder *r, struct remainder_proof *proof)
 {
-    struct search s = {.of = r, .inputs = r->program.inputs};
+    SCOPE(arb, bound, reached);
+    struct search s = {.of = r, .inputs = r->program.inputs, .bound = bound, .reached = reached};
     VECTOR(arb, box, 2 * s.inputs);
     machine_init(&s.value, &r->program, &arithmetic_ball, BITS);
     machine_init(&s.slope, &r->program, &arithmetic_ball, BITS);
-    arb_init(s.bound);
-    arb_init(s.reached);
     arb_set_fmpq(s.bound, r->bound, BITS);
     for (int i = 0; i < s.inputs; i++) {
         arb_set_fmpq(box + i, r->low + i, BITS);
@@ -152,8 +151,6 @@ void remainder_prove(const struct remainder *r, struct remainder_proof *proof)
                    : !below              ? REMAINDER_UNDECIDED
                    : proof->percent < 50 ? REMAINDER_TOO_WIDE
                                          : REMAINDER_PROVED;
-    arb_clear(s.bound);
-    arb_clear(s.reached);
     machine_clear(&s.value);
     machine_clear(&s.slope);
 }
