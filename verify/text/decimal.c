@@ -217,7 +217,8 @@ static slong shortest_digits(char digits[24], double x)
     const bool power = !(frexp(x, &binary) > 0.5) && x > DBL_MIN;
     const slong exponent = decimal_exponent(x, 0);
     slong dropped = x < DBL_MIN ? ENOUGH : ENOUGH - DBL_DIG + 1; /* the exponent may be too low, n of 18 digits */
-    SCOPE(fmpz, n, rest, q, reach, unit, shorter, below, above);
+    SCOPE(fmpz, n, rest, q, reach, most);
+    SCOPE(fmpz, unit, shorter, below, above);
     binary = (binary < DBL_MIN_EXP ? DBL_MIN_EXP : binary) - DBL_MANT_DIG;
     fmpz_set_d(n, ldexp(x, -binary));
     const bool even = fmpz_is_even(n);
@@ -228,9 +229,14 @@ static slong shortest_digits(char digits[24], double x)
     fmpz_mul(n, n, reach);
     fmpz_mul_2exp(n, n, 1);
     fmpz_fdiv_qr(n, rest, n, q);
+    fmpz_fdiv_q(most, reach, q);
+    fmpz_add_ui(most, most, 1);
     for (;; dropped--) {
         fmpz_ui_pow_ui(unit, 10, (ulong)dropped);
         fmpz_fdiv_qr(shorter, below, n, unit);
+        fmpz_sub(above, unit, below);
+        if (fmpz_cmp(below, most) > 0 && fmpz_cmp(above, most) > 0)
+            continue; /* too far away, both */
         fmpz_mul(below, below, q);
         fmpz_add(below, below, rest);
         fmpz_mul(above, unit, q);
