@@ -65,62 +65,43 @@ static void held_law_clear(struct held_law *l)
 static arb_srcptr held_law_at(struct held_law *l, const arb_t T, int node, slong prec)
 {
     arb_ptr value[HOLD_MOVING];
-    SCOPE(acb, angle);
+    SCOPE(acb, angle, z);
     SCOPE(arb, frequency);
     for (int i = 0; i < HOLD_MOVING; i++)
         value[i] = machine_value(&l->machine, i);
     arb_mul_2exp_si(value[0], T, -1);
-    for (int i = 0; i < 2; i++) {
-        arb_sqrt_ui(frequency, 28, prec); /* a^2 - 1 and b^2 + 1 */
-        arb_add_si(frequency, frequency, i == 0 ? 1 : -1, prec);
+    for (int i = 0; i < 2; i++) { /* i a h, and b h */
+        arb_sqrt_ui(frequency, 28, prec);
+        arb_add_si(frequency, frequency, 1 - 2 * i, prec);
         arb_sqrt(frequency, frequency, prec);
         acb_zero(angle);
         arb_mul(i == 0 ? acb_imagref(angle) : acb_realref(angle), value[0], frequency, prec);
-        acb_cos(angle, angle, prec);
-        arb_set(value[2 + 2 * i], acb_realref(angle));
-        acb_zero(angle);
-        arb_mul(i == 0 ? acb_imagref(angle) : acb_realref(angle), value[0], frequency, prec);
-        acb_sinc(angle, angle, prec);
-        arb_mul(value[1 + 2 * i], acb_realref(angle), frequency, prec);
+        acb_sinc(z, angle, prec);
+        arb_mul(value[2 * i + 1], acb_realref(z), frequency, prec);
+        acb_cos(z, angle, prec);
+        arb_set(value[2 * i + 2], acb_realref(z));
     }
     machine_run_to(&l->machine, node);
     return machine_value(&l->machine, node);
 }
 
-/* For arb_calc: the value, where there is a derivative the better of two enclosures, and the derivative. */
+/* For arb_calc: the value, by itself and by the mean value theorem, where there is a derivative; and the derivative. */
 static int circle_met(arb_ptr out, const arb_t T, void *law, slong order, slong prec)
 {
     struct held_law *l = law;
-    SCOPE(arb, middle, slope);
+    SCOPE(arb, middle, slope, away);
     arb_set(out, held_law_at(l, T, l->met, prec));
     arb_mul_2exp_si(slope, held_law_at(l, T, l->slope, prec), -1);
     if (order > 1)
         arb_set(out + 1, slope);
-    if (order == 1 && arb_is_finite(slope)) {
+    if (arb_is_finite(slope)) {
         arb_get_mid_arb(middle, T);
-        arb_sub(middle, T, middle, prec);
-        arb_mul(slope, slope, middle, prec);
-        arb_get_mid_arb(middle, T);
+        arb_sub(away, T, middle, prec);
+        arb_mul(slope, slope, away, prec);
         arb_add(slope, slope, held_law_at(l, middle, l->met, prec), prec);
         arb_intersection(out, out, slope, prec);
     }
     return 0;
-}
-
-/* Newton's method on an interval that holds one zero, at which the function changes its sign. */
-static void narrow_root(arb_t root, arb_calc_func_t f, void *parameters, slong prec)
-{
-    VECTOR(arb, value, 2);
-    SCOPE(arb, middle, step);
-    for (slong bits = 8; bits < 2 * prec; bits *= 2) {
-        arb_get_mid_arb(middle, root);
-        f(value, root, parameters, 2, prec);
-        arb_set(step, value + 1);
-        f(value, middle, parameters, 1, prec);
-        arb_div(step, value, step, prec);
-        arb_sub(step, middle, step, prec);
-        arb_intersection(root, root, step, prec);
-    }
 }
 
 void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
@@ -136,8 +117,8 @@ void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
     const slong found = arb_calc_isolate_roots(&blocks, &flags, circle_met, &law, all, DEEPEST, EVALUATIONS, 1, prec);
     arb_indeterminate(limit);
     if (found > 0 && flags[0] == 1) {
+        arb_calc_refine_root_bisect(blocks, circle_met, &law, blocks, prec, prec);
         arf_interval_get_arb(limit, blocks, prec);
-        narrow_root(limit, circle_met, &law, prec);
     }
     _arf_interval_vec_clear(blocks, found);
     flint_free(flags);
