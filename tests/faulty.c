@@ -142,8 +142,8 @@ static void exchange(double *a, double *b)
     *b = kept;
 }
 
-/* Euler's method, or one term's sign, in the linear model: a coupling of dL_dot to psi_ddot. */
-static void integrate(struct asked *a, double h, bool euler)
+/* Euler's method, the classical Runge-Kutta method, and that with another sign in the linear model: a coupling of dL_dot to psi_ddot. */
+static void integrate(struct asked *a, double h, bool euler, double sign)
 {
     double y[6], rate[6], at[6], sum[6];
     const double Omega = a->in[0], L_ref = a->in[1], C1 = a->in[2], C2 = a->in[3], t = a->in[4];
@@ -154,7 +154,7 @@ static void integrate(struct asked *a, double h, bool euler)
         memset(sum, 0, sizeof sum);
         for (int stage = 0; stage < (euler ? 1 : 4); stage++) {
             memcpy(rate, at + 3, 3 * sizeof *rate);
-            rate[3] = (euler ? -2.0 : 2.0) * Omega / L_ref * at[5] - 3.0 * Omega * Omega * at[0];
+            rate[3] = sign * 2.0 * Omega / L_ref * at[5] - 3.0 * Omega * Omega * at[0];
             rate[4] = -4.0 * Omega * Omega * at[1];
             rate[5] = -C2 * at[5] + 2.0 * Omega * L_ref * at[3] - (C1 - 9.0 * Omega * Omega) * at[2];
             for (int i = 0; i < 6; i++) {
@@ -230,9 +230,11 @@ static void mistake(struct asked *a, const char *fault)
         a->out[1] = c * (r[2] * (0.0 * r[0]) - r[0] * (I * r[2]));
         a->out[2] = c * (r[0] * (I * r[1]) - r[1] * (0.0 * r[0]));
     } else if (strcmp(fault, "euler") == 0)
-        integrate(a, a->inputs > 11 ? a->in[11] : 10.0, true);
+        integrate(a, a->inputs > 11 ? a->in[11] : 10.0, true, -1.0);
     else if (strcmp(fault, "coupling") == 0)
-        integrate(a, 1.0, false);
+        integrate(a, 1.0, false, 1.0);
+    else if (strcmp(fault, "long-step") == 0)
+        integrate(a, a->inputs > 11 ? 2.0 * a->in[11] : 300.0, false, -1.0);
 }
 
 /* Two processes, their numbers in the file, that only a signal ends. */

@@ -188,6 +188,8 @@ static const struct {
     {"eq41roots", "conjugates", "  looks like conjugates are missing: the imaginary parts have lost their signs\n"},
     {"flow_linear-paper-100,flow_linear-paper-43200,flow_linear-rates-100,flow_linear-rates-43200", "euler", "  looks like Euler's method with steps of 10 s\n"},
     {"rk4_linear-paper-100,rk4_linear-paper-43200,rk4_linear-rates-100,rk4_linear-rates-43200", "euler", "  looks like Euler's method with steps of 1 h\n"},
+    {"flow_linear-paper-43200,flow_linear-rates-43200,flow_linear-other-orbit-7200", "long-step", "  looks like the classical Runge-Kutta method with steps of 300 s\n"},
+    {"rk4_linear-paper-43200,rk4_linear-rates-43200,rk4_linear-other-orbit-7200", "long-step", "  looks like the classical Runge-Kutta method with steps of 2 h\n"},
     {"flow_linear-paper-100,flow_linear-paper-43200,flow_linear-rates-100,flow_linear-rates-43200", "coupling", "  looks like -2 Omega/L_ref dL_dot in psi_ddot with the other sign\n"},
 };
 

@@ -106,7 +106,7 @@ static bool is_longer(const struct section *s, const struct input *inputs, doubl
 
 /* ---- diagnosis ---- */
 
-enum { MOST_MOTIONS = 8 }; /* that fail and are followed */
+enum { MOST_ALIKE = 2 }; /* failing motions of one time that are followed */
 
 /* Seconds of processor time for an operation: for the known mistakes, and with what they leave for all. */
 static const double PATIENCE_FOR_KNOWN = 0.7, PATIENCE = 1.0;
@@ -250,8 +250,11 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
     for (int i = 0; i < t->kept_count && clock() < until; i++) {
         const struct record *r = &t->kept[i];
         const bool right = r->outcome == OUTCOME_RIGHT && r->has_values, motion = is_motion(s);
+        int alike = 0;
         test_vector_make(&q, &e->sets, r->position);
-        if ((r->outcome != OUTCOME_WRONG && !right) || is_longer(s, q.inputs, 12.0) || (motion && !right && v->count == MOST_MOTIONS))
+        for (int f = 0; f < v->count && motion && !right; f++)
+            alike += v->x[f][input_place(s, "t")] == fmpq_get_d(&q.inputs[input_place(s, "t")].value);
+        if ((r->outcome != OUTCOME_WRONG && !right) || is_longer(s, q.inputs, 12.0) || alike == MOST_ALIKE)
             continue;
         if (!(motion && right) &&
             operation_follow(o, q.inputs, 15, motion ? operation_precision(o, q.inputs, 15) : 128, exact) != OPERATION_PROVED)

@@ -121,14 +121,17 @@ static bool ends_there(const struct evidence *v, int f, const struct hypothesis 
     const double *x = v->x[f];
     double y[6];
     integrate(p, x, steps, y);
-    const double off = state_distance(p, x, y, v->y[f]), scale = fmax(state_distance(p, x, x + (p->linear ? 5 : 8), nowhere), state_distance(p, x, v->exact[f], nowhere));
-    return off <= (v->records[f]->outcome == OUTCOME_RIGHT ? 2.0 * pow(10.0, -v->digits) * scale : 1e-3 * state_distance(p, x, v->exact[f], v->y[f]));
+    const double off = state_distance(p, x, y, v->y[f]), was = state_distance(p, x, v->exact[f], v->y[f]);
+    const double scale = fmax(state_distance(p, x, x + (p->linear ? 5 : 8), nowhere), state_distance(p, x, v->exact[f], nowhere));
+    if (v->records[f]->outcome == OUTCOME_RIGHT)
+        return off <= 2.0 * pow(10.0, -v->digits) * scale;
+    return off <= fmin(0.1 * was, fmax(1e-3 * was, 1e-12 * scale)); /* binary64 loses three digits in thousands of steps */
 }
 
 /* The step, of two digits, with which the first failing motion is as far off as the answer: errors go with its power, the method's order. */
 static double likely_step(const struct evidence *v, struct hypothesis *p)
 {
-    double unit, step = p->in_h ? 1.0 : 10.0, y[6];
+    double unit, step = p->in_h ? 2.0 : 10.0, y[6];
     char rounded[20];
     int f = 0;
     while (f < v->count && (v->records[f]->outcome == OUTCOME_RIGHT || !(time_of(v, f, p, &unit) > 0.0)))
@@ -168,10 +171,11 @@ void kind_of_motion(const struct evidence *v, char *text, size_t size)
     const enum method method = v->section->method;
     struct hypothesis p = {.linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR, .in_h = method >= METHOD_RK4_LINEAR};
     *text = '\0';
-    for (int k = 0; k < TERMS + INTEGRATORS && *text == '\0'; k++) {
+    for (int k = 0; k < TERMS + INTEGRATORS + p.in_h && *text == '\0'; k++) {
+        const bool half = k == TERMS + INTEGRATORS; /* of h: it is off by as much as one of h, which is right */
         p.turned = k < TERMS ? k : -1;
-        p.method = &integrators[k < TERMS ? CLASSICAL : k - TERMS];
-        p.step = k < TERMS ? 1.0 : likely_step(v, &p);
+        p.method = &integrators[k < TERMS || half ? CLASSICAL : k - TERMS];
+        p.step = k < TERMS ? 1.0 : half ? 0.5 : likely_step(v, &p);
         if (!(p.step > 0.0) || !fits_all(v, &p))
             continue;
         if (k < TERMS)
