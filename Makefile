@@ -125,15 +125,24 @@ linker_takes = $(shell echo 'int main(void) { return 0; }' >$(BUILD)/linked.c &&
 $(BUILD)/ref/%.o: ref/%.c | $(BUILD)/packages.found
 	$(COMPILE) -fPIC $(GSL_CFLAGS) -ffile-prefix-map=$(call word_of,$(CURDIR)=.)
 
-$(BUILD)/verify/%.o: verify/%.c | $(BUILD)/packages.found
-	$(COMPILE) $(VERIFY_CFLAGS)
+# FLINT's headers are parsed once, and kept; ccache would keep nothing then. What asks the C library for more than POSIX.1 does
+# so before any header.
+PARSED = $(BUILD)/parsed/$(1)/flint.h
+parsed = $(if $(findstring ccache,$(CC))$(filter tests/run.c tests/command/test_command_line.c,$<),,-include $(call PARSED,$(1)))
+
+$(BUILD)/verify/%.o: verify/%.c $(call PARSED,verify).gch | $(BUILD)/packages.found
+	$(COMPILE) $(VERIFY_CFLAGS) $(call parsed,verify)
+
+$(call PARSED,verify).gch $(call PARSED,tests).gch: $(BUILD)/parsed/%/flint.h.gch: verify/text/flint.h | $(BUILD)/packages.found
+	@mkdir -p $(@D) && cp $< $(@D)/
+	$(COMPILE) $(VERIFY_CFLAGS) $(if $(filter tests,$*),$(CHECK_CFLAGS) -O0)
 
 # These know the version, which stands there.
 $(call objects,$(wildcard verify/command/*.c)): ref/coulombtether.h
 
 # A suite's own code runs once, in no time: what would be won by optimising it is lost by compiling it.
-$(BUILD)/tests/%.o: tests/%.c | $(BUILD)/packages.found
-	$(COMPILE) -I. $(VERIFY_CFLAGS) $(CHECK_CFLAGS) $(if $(findstring /test_,$@),-O0)
+$(BUILD)/tests/%.o: tests/%.c $(call PARSED,tests).gch | $(BUILD)/packages.found
+	$(COMPILE) -I. $(VERIFY_CFLAGS) $(CHECK_CFLAGS) $(if $(findstring /test_,$@),-O0 $(call parsed,tests))
 
 $(BUILD)/packages.found:
 	@$(PKG_CONFIG) --exists gsl mpfr yaml-0.1 || { echo 'Packages are missing: run "make deps".' >&2; exit 1; }
