@@ -287,32 +287,27 @@ START_TEST(eq40_flow_follows_an_exact_mode)
 }
 END_TEST
 
-/*
- * Every number that is not known is a ball: gains, Omega, L_ref and state, one at a time, hold both of their ends; and Omega
- * where pitch, from its rate alone, is at its peak theta'/(2 Omega): there it does not depend on Omega t.
- */
-START_TEST(eq40_flow_holds_both_ends_of_every_ball)
+/* A ball among C1, C2, Omega, L_ref, m1, m2 and the state holds both of its ends at time t, in steps of h. */
+static void assert_ball_holds_its_ends(enum method method, int which, const double start[FLOW_STATE], slong t, slong h)
 {
-    struct scenario wide = scenario_of(0x1p-14, 150, 150, 8, 10, 3), end = scenario_of(0x1p-14, 150, 150, 8, 10, 3);
-    const bool peak = _i == 4 + FLOW_STATE;
-    const slong t = peak ? 12868 : 1 << 14; /* pi/4 radians, or one */
-    const double start[] = {0.5, peak ? 0 : 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14};
+    struct scenario wide = scenario_of(0x1p-14, 150, 120, 8, 10, 3), end = scenario_of(0x1p-14, 150, 120, 8, 10, 3);
     start_at(&wide, start[0], start[1], start[2], start[3], start[4], start[5]);
     start_at(&end, start[0], start[1], start[2], start[3], start[4], start[5]);
-    arb_ptr all[] = {wide.p.C1, wide.p.C2, wide.p.Omega, wide.p.L_ref}, one[] = {end.p.C1, end.p.C2, end.p.Omega, end.p.L_ref};
-    arb_ptr ball = peak ? all[2] : _i < 4 ? all[_i] : wide.start + _i - 4;
-    arb_ptr member = peak ? one[2] : _i < 4 ? one[_i] : end.start + _i - 4;
+    arb_ptr all[] = {wide.p.C1, wide.p.C2, wide.p.Omega, wide.p.L_ref, wide.p.m1, wide.p.m2};
+    arb_ptr one[] = {end.p.C1, end.p.C2, end.p.Omega, end.p.L_ref, end.p.m1, end.p.m2};
+    arb_ptr ball = which < 6 ? all[which] : wide.start + which - 6, member = which < 6 ? one[which] : end.start + which - 6;
     arb_t centre;
     arb_init(centre);
     arb_set(centre, ball);
-    mag_set_d(arb_radref(ball), fabs(number(ball)) * 0x1p-10);
-    wide.prec = 40 + 10 * (_i % 3);
-    struct run r = run_to(&wide, LINEAR, t);
+    mag_set_d(arb_radref(ball), fabs(number(ball)) * 0x1p-24);
+    wide.prec = 60 + 10 * (which % 3);
+    struct run r = run_through(&wide, method, &t, 1, 17, h, 0);
+    ck_assert_int_eq(r.status, FLOW_DONE);
     for (int side = -1; side <= 1; side += 2) {
-        arb_mul_2exp_si(member, centre, -10);
+        arb_mul_2exp_si(member, centre, -24);
         arb_mul_si(member, member, side, PREC);
         arb_add(member, member, centre, PREC);
-        struct run truth = run_to(&end, LINEAR, t);
+        struct run truth = run_through(&end, method, &t, 1, 17, h, 0);
         assert_holds(r.states, truth.states);
         run_close(&truth);
     }
@@ -320,6 +315,26 @@ START_TEST(eq40_flow_holds_both_ends_of_every_ball)
     run_close(&r);
     scenario_close(&wide);
     scenario_close(&end);
+}
+
+/*
+ * Every number that is not known is a ball: gains, Omega, L_ref and state, one at a time, hold both of their ends; and Omega
+ * where pitch, from its rate alone, is at its peak theta'/(2 Omega): there it does not depend on Omega t.
+ */
+START_TEST(eq40_flow_holds_both_ends_of_every_ball)
+{
+    const bool peak = _i == 6 + FLOW_STATE;
+    const double start[] = {0.5, peak ? 0 : 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14};
+    assert_ball_holds_its_ends(LINEAR, peak ? 2 : _i, start, peak ? 12868 : 1 << 14, 1); /* pi/4 radians, or one */
+}
+END_TEST
+
+/* And so do Runge and Kutta's steps, two of an eighth of a radian; a mass on its own has its part in the nonlinear model alone. */
+START_TEST(rk4_holds_both_ends_of_every_ball)
+{
+    const double angles[] = {0.5, 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14}, places[] = {4, 1, 0.5, 0x1p-12, -0x1p-12, 0x1p-14};
+    const bool linear = _i < 6 + FLOW_STATE;
+    assert_ball_holds_its_ends(linear ? RK4_LINEAR : RK4_NONLINEAR, _i % (6 + FLOW_STATE), linear ? angles : places, 1 << 12, 1 << 11);
 }
 END_TEST
 
@@ -1396,7 +1411,7 @@ SUITE(test_flow)
     Suite *all = suite_create("flow");
     TCase *tests = add_case(all, "linear");
     tcase_add_test(tests, eq40_flow_follows_an_exact_mode);
-    tcase_add_loop_test(tests, eq40_flow_holds_both_ends_of_every_ball, 0, 5 + FLOW_STATE);
+    tcase_add_loop_test(tests, eq40_flow_holds_both_ends_of_every_ball, 0, 7 + FLOW_STATE);
     tcase_add_test(tests, eq40_flow_composes);
     tcase_add_test(tests, eq40_flow_returns);
     tcase_add_test(tests, eq40_flow_keeps_what_is_zero);
@@ -1464,6 +1479,7 @@ SUITE(test_flow)
     tcase_add_test(tests, rk4_is_of_order_four);
     tcase_add_test(tests, rk4_keeps_the_static_formation_exactly);
     tcase_add_loop_test(tests, rk4_takes_whole_steps_forward, 0, 4);
+    tcase_add_loop_test(tests, rk4_holds_both_ends_of_every_ball, 0, 2 * (6 + FLOW_STATE));
     tcase_add_test(tests, rk4_reports_an_enclosure_past_use);
     return all;
 }
