@@ -33,8 +33,7 @@ struct computed *computed_new(const struct computation *of, const struct derivat
     char name[64];
     *c = (struct computed){.of = of, .steps = steps};
     for (const char *at = of->numbers; (at = next_name(at, name)) != NULL;) {
-        c->numbers = xrealloc(c->numbers, (size_t)c->count + 1, sizeof *c->numbers);
-        struct handed *n = &c->numbers[c->count++];
+        struct handed *n = APPENDED(c->numbers, c->count);
         memcpy(n->name, name, sizeof name);
         arb_init(n->value);
         arb_indeterminate(n->value);
@@ -52,8 +51,7 @@ struct computed *computed_find(struct computations *all, const char *name)
     for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
         for (const struct computation *c = lists[l]; c->name != NULL; c++)
             if (strcmp(c->name, name) == 0) {
-                all->of = xrealloc(all->of, (size_t)all->count + 1, sizeof *all->of);
-                return all->of[all->count++] = computed_new(c, all->steps);
+                return *APPENDED(all->of, all->count) = computed_new(c, all->steps);
             }
     return NULL;
 }

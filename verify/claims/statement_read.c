@@ -22,8 +22,7 @@ static const char *keep(struct statements *s, const char *text, size_t length)
     char *copy = xrealloc(NULL, length + 1, 1);
     memcpy(copy, text, length);
     copy[length] = '\0';
-    s->texts = xrealloc(s->texts, (size_t)s->text_count + 1, sizeof *s->texts);
-    return s->texts[s->text_count++] = copy;
+    return *APPENDED(s->texts, s->text_count) = copy;
 }
 
 /* What the entry says under a key; NULL: nothing. */
@@ -213,8 +212,7 @@ static bool read_values(struct reading *r, struct values *at)
                 continue;
             struct value v;
             const bool fine = read_value(r, &v, &both[k]->items[i]) && is_no_let(r, &both[k]->items[i], AT_KEY, v.name);
-            at->list = xrealloc(at->list, (size_t)at->count + 1, sizeof *at->list);
-            at->list[at->count++] = v;
+            *APPENDED(at->list, at->count) = v;
             if (!fine)
                 return false;
         }
@@ -721,8 +719,7 @@ static void take_number(void *context, const char *at, size_t length)
     const char *last = bar != NULL ? memchr(bar + 1, '|', (size_t)(end - bar) - 1) : NULL;
     if (!q->fine)
         return;
-    s->numbers = xrealloc(s->numbers, (size_t)s->number_count + 1, sizeof *s->numbers);
-    struct quoted_number *n = &s->numbers[s->number_count++];
+    struct quoted_number *n = APPENDED(s->numbers, s->number_count);
     *n = (struct quoted_number){.node = q->node, .offset = start};
     n->text = keep_trimmed(r->all, at, bar != NULL ? bar : at);
     n->unit = last != NULL ? keep_trimmed(r->all, last + 1, end) : NULL;
@@ -792,8 +789,7 @@ static bool read_statement(struct statements *all, const struct yaml *n)
     struct written_statement w = {.s = {.id = n->key}};
     if (!fields_read(n, statement_fields, &w))
         return false;
-    all->list = xrealloc(all->list, (size_t)all->count + 1, sizeof *all->list);
-    struct statement *s = &all->list[all->count++];
+    struct statement *s = APPENDED(all->list, all->count);
     struct reading r = {.all = all, .statement = s, .entry = n};
     *s = w.s;
     s->kind = kinds[w.kind];

@@ -150,8 +150,7 @@ static int take_expectations(struct test_run *e, const struct choice *c, const c
             status = usage_error(EXIT_USAGE, "%s: line %d: unknown vector '%.95s'", name, number, id);
         if (position == UINT64_MAX)
             continue;
-        e->expected = xrealloc(e->expected, (size_t)e->expected_count + 1, sizeof *e->expected);
-        e->expected[e->expected_count++] = (struct expectation){.position = position};
+        *APPENDED(e->expected, e->expected_count) = (struct expectation){.position = position};
     }
     if (status == EXIT_DONE && ferror(file))
         status = usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));

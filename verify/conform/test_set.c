@@ -29,8 +29,7 @@ static bool collect_golden(void *context, struct operation *o, const char *id, c
     if (range && !c->range)
         return true;
     struct test_set *set = c->set;
-    set->golden = xrealloc(set->golden, (size_t)set->golden_count + 1, sizeof *set->golden);
-    struct golden_vector *v = &set->golden[set->golden_count++];
+    struct golden_vector *v = APPENDED(set->golden, set->golden_count);
     *v = (struct golden_vector){.id = text_copy(id), .range = range};
     for (int i = 0; i < s->input_count; i++)
         v->texts[i] = text_copy(texts[i]);
@@ -39,8 +38,7 @@ static bool collect_golden(void *context, struct operation *o, const char *id, c
 
 struct test_set *test_sets_add(struct test_sets *sets, const struct section *s, uint64_t random, int significand, bool range)
 {
-    sets->all = xrealloc(sets->all, (size_t)sets->count + 1, sizeof *sets->all);
-    struct test_set *set = &sets->all[sets->count++];
+    struct test_set *set = APPENDED(sets->all, sets->count);
     *set = (struct test_set){.random = random, .first = sets->total};
     operation_init(&set->operation, s, false);
     struct collection c = {set, inputs_new(s->input_count), significand, range};
@@ -190,8 +188,7 @@ bool test_sets_want(struct test_sets *sets, const char *id)
     for (uint64_t i = 0; i < set->want_count; i++)
         if (set->wanted[i] == place)
             return true;
-    set->wanted = xrealloc(set->wanted, set->want_count + 1, sizeof *set->wanted);
-    set->wanted[set->want_count++] = place;
+    *APPENDED(set->wanted, set->want_count) = place;
     sets->total = set->first + set->want_count;
     return true;
 }

@@ -72,8 +72,7 @@ int program_find(const struct program *p, const char *name)
 
 void program_name(struct program *p, int node, const char *name)
 {
-    p->names = xrealloc(p->names, (size_t)p->named + 1, sizeof *p->names);
-    p->names[p->named++] = (struct name){text_copy(name), node};
+    *APPENDED(p->names, p->named) = (struct name){text_copy(name), node};
 }
 
 int program_difference(struct program *p, int left, int right)

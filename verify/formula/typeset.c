@@ -164,8 +164,7 @@ static void collect(const struct program *p, int node, bool below, struct factor
         f->negative = true;
         collect(p, n->left, below, f);
     } else {
-        f->list = xrealloc(f->list, (size_t)f->count + 1, sizeof *f->list);
-        f->list[f->count++] = (struct factor){node, below};
+        *APPENDED(f->list, f->count) = (struct factor){node, below};
     }
 }
 

@@ -80,8 +80,7 @@ const char *derivations_gap(const struct derivations *d)
             for (int j = 0; j < most; j++) {
                 if (parts[j].section != s || strcmp(parts[j].equation, s->equations[k]) != 0)
                     continue;
-                g = xrealloc(g, (size_t)count + 1, sizeof *g);
-                g[count++] = (struct ground){.part = parts[j]};
+                *APPENDED(g, count) = (struct ground){.part = parts[j]};
             }
         }
     }

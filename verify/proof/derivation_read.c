@@ -161,8 +161,7 @@ static bool read_step(struct derivations *d, const struct yaml *n)
     struct written_step w = {.s = {.id = n->key, .node = n}};
     if (!fields_read(n, step_fields, &w))
         return false;
-    d->steps = xrealloc(d->steps, (size_t)d->step_count + 1, sizeof *d->steps);
-    struct step *s = &d->steps[d->step_count++];
+    struct step *s = APPENDED(d->steps, d->step_count);
     *s = w.s;
     struct scope scope = {.sheet = d->sheet, .definitions = &d->definitions, .given = n};
     if (!check_ends(d, under(n, "from"), false) || !check_ends(d, under(n, "to"), true) ||

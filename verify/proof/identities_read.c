@@ -223,8 +223,7 @@ static int read_rate(struct parser *p)
     } else {
         made.result = program_own(p->program, count, program_derivative(p->program, node, rate, count));
     }
-    r->t->rates = xrealloc(r->t->rates, (size_t)r->t->rate_count + 1, sizeof *r->t->rates);
-    r->t->rates[r->t->rate_count++] = made;
+    *APPENDED(r->t->rates, r->t->rate_count) = made;
     free(rate);
     free(needed);
     return still != NULL ? -1 : made.result;
@@ -248,8 +247,7 @@ static int take_part(const struct reading *r, struct use u, int *map)
     u.first = t->program.count;
     u.node = program_own(&t->program, u.first, program_copy_node(&t->program, from, u.part, map));
     u.copy = map;
-    t->uses = xrealloc(t->uses, (size_t)t->use_count + 1, sizeof *t->uses);
-    t->uses[t->use_count++] = u;
+    *APPENDED(t->uses, t->use_count) = u;
     return u.node;
 }
 
@@ -522,8 +520,7 @@ bool identities_show(struct identities *t, const struct scope *s, const struct y
         const int right = read_side_of(t, s, node, sign + 1, end);
         if (t->shown_count == MOST_SHOWN)
             return node_error(node, 0, "expected at most %d equalities", MOST_SHOWN);
-        t->shown = xrealloc(t->shown, (size_t)t->shown_count + 1, sizeof *t->shown);
-        t->shown[t->shown_count++] = (struct equality){text_part(from, end), node, (size_t)(from - node->text), left, right};
+        *APPENDED(t->shown, t->shown_count) = (struct equality){text_part(from, end), node, (size_t)(from - node->text), left, right};
         left = right;
         from = sign + 1 + strspn(sign + 1, " ");
         sign = end;
@@ -558,8 +555,7 @@ static void add_let(struct identities *t, const char *name, const char *formula)
     char text[LONGEST_NAME + SHORT + 24];
     const bool is_short = strlen(formula) < SHORT;
     snprintf(text, sizeof text, "%s%s%s", name, is_short ? " = " : " by its definition", is_short ? formula : "");
-    t->lets = xrealloc(t->lets, (size_t)t->sheet_lets + 1, sizeof *t->lets);
-    t->lets[t->sheet_lets++] = text_copy(text);
+    *APPENDED(t->lets, t->sheet_lets) = text_copy(text);
 }
 
 /* What is printed differs in some definitions: by the same names, so that the order is the step's. */

@@ -9,11 +9,6 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-/* One more item of an array that is counted, all zero. */
-#define APPENDED(array, count) \
-    ((array) = xrealloc(array, (size_t)(count) + 1, sizeof *(array)), \
-     memset(&(array)[count], 0, sizeof *(array)), &(array)[(count)++])
-
 /* ---- quantities ---- */
 
 const char *const domain_names[] = {"finite", "> 0", ">= 0", "> 0 or inf", NULL};

@@ -102,8 +102,7 @@ static bool take_cell(struct csv *c, char **at, struct message *why)
 {
     const bool quoted = **at == '"';
     char *from = *at + quoted, *to = *at;
-    c->cells = xrealloc(c->cells, (size_t)c->count + 1, sizeof *c->cells);
-    c->cells[c->count++] = to;
+    *APPENDED(c->cells, c->count) = to;
     while (*from != '\0' && (quoted ? *from != '"' || from[1] == '"' : *from != c->separator)) {
         if (*from == '"' && !quoted)
             return refuse(c, why, "a quotation mark inside a cell, expected the mark twice, and one around the cell");

@@ -3,6 +3,7 @@
 #define CT_MESSAGE_H
 
 #include <stddef.h>
+#include <string.h>
 
 struct message {
     char text[512];
@@ -28,6 +29,11 @@ __attribute__((noreturn)) void out_of_memory(void);
 
 /* Memory that is there, or the end. */
 void *xrealloc(void *old, size_t count, size_t size);
+
+/* One more item of an array that is counted, all zero. */
+#define APPENDED(array, count) \
+    ((array) = xrealloc(array, (size_t)(count) + 1, sizeof *(array)), \
+     memset(&(array)[count], 0, sizeof *(array)), &(array)[(count)++])
 char *text_copy(const char *text);
 
 #endif

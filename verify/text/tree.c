@@ -123,8 +123,7 @@ static bool load_node(struct loading *l, struct yaml *n, int depth)
         struct yaml item = {.tree = n->tree};
         bool fine = !n->mapping || load_key(l, n, &item);
         fine = fine && load_node(l, &item, depth + 1);
-        n->items = xrealloc(n->items, (size_t)n->count + 1, sizeof item);
-        n->items[n->count++] = item;
+        *APPENDED(n->items, n->count) = item;
         if (!fine)
             return false;
     }
