@@ -45,12 +45,15 @@ local function output_of(command)
   return pipe:close() and text or nil
 end
 
-local chapters = {}
-for path in output_of 'ls paper/[0-9]*.md':gmatch '%S+' do chapters[#chapters + 1] = path end
+local chapters, sources = {}, {}
+for path in output_of 'ls paper/*.md':gmatch '%S+' do
+  sources[#sources + 1] = path
+  if path:match 'paper/%d' then chapters[#chapters + 1] = path end
+end
 
 local function stop(text, ...)
   local where = current
-  for _, path in ipairs(os.getenv 'CT_PROSE' and {os.getenv 'CT_PROSE'} or chapters) do
+  for _, path in ipairs(os.getenv 'CT_PROSE' and {os.getenv 'CT_PROSE'} or sources) do
     local number = 0
     for line in io.lines(path) do
       number = number + 1

@@ -3,7 +3,7 @@ s/every 6 /every 12 /
 # Where gnuplot's own labels stand.
 s/(set xlabel '[^']*')/\1 offset 0, 0.7/g
 s/^(set ylabel '[^']*').*/\1 offset 0.8, 0/
-s/samplen 2.4 width 1/samplen 2.4 width -1/
+s/samplen 2.4 width 1/samplen 2.4 width 0/
 /system/!{
   s/\\+mathrm//g
   s/\\+frac\{([^}]*)\}\{([^}]*)\}/\1\/(\2)/g
