@@ -399,7 +399,7 @@ EACH(question_lines_are_answered_up_to_the_first_that_is_none, 16)
     } cases[] = {
         /* 4 (1/2)^2 = 1, 2 (1/2) sqrt(25 - 9) = 4, k_c cancels against nothing: -3 (1/4) 2^3/1 (3/4) = -9/2 */
         {"eval - --digits 3", "eq43 a 0.5 4\neq44 b.1 0.5 25\r\neq07 c-2 0.5\t1 1 3 2", "a 1.00e+00\nb.1 4.00e+00\nc-2 -4.50e+00\n", 0, ""},
-        {"eval - --digits 3", "eq38 x 3 1\n", "x 1.73e+00\n", 0, ""}, /* sqrt 3 */
+        {"eval - --digits 3", "\357\273\277eq38 x 3 1\n", "x 1.73e+00\n", 0, ""}, /* sqrt 3, after an editor's byte order mark */
         {"eval - --digits 3 --as-printed", "eq38 x 3 1\n", "x 3.00e+00\n", 0, ""}, /* sqrt(3 3) */
         {"eval - --digits 20", "eq43 x 1 0.1\n", "x 1.0000000000000000555e-01\n", 0, ""},
         {"eval - --digits 20 --exact", "eq43 x 1 0.1\n", "x 1.0000000000000000000e-01\n", 0, ""},

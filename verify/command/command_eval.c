@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "command/command.h"
+#include "conform/test_set.h"
 #include "evaluate/sample.h"
 #include "motion/motion.h"
 #include "text/decimal.h"
@@ -141,11 +142,6 @@ static int malformed(const struct questions *q, const char *format, const char *
     char text[512];
     snprintf(text, sizeof text, format, what, more); /* NOLINT: each format takes two texts */
     return usage_error(EXIT_USAGE, "standard input: line %lu: %s", q->line, text);
-}
-
-static bool is_vector_id(const char *word)
-{
-    return *word != '\0' && word[strspn(word, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-")] == '\0';
 }
 
 static struct operation *operation_asked(struct questions *q, const char *id)

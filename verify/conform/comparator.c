@@ -243,14 +243,6 @@ static double midpoint(const arb_t x)
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-static int place_of(const struct section *s, const char *name)
-{
-    int i = 0;
-    while (i < s->input_count && strcmp(s->inputs[i]->name, name) != 0)
-        i++;
-    return i;
-}
-
 static double digits_of(double off, double scale)
 {
     return off == 0.0 ? INFINITY : scale > 0.0 ? -log10(off / scale) : 0.0;
@@ -261,9 +253,9 @@ static void digits_reached(const struct comparator *j, const struct input *input
 {
     const struct section *s = j->operation->section;
     const bool linear = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_RK4_LINEAR;
-    const double Omega = fmpq_get_d(&inputs[place_of(s, "Omega")].value);
-    const double L_ref = fmpq_get_d(&inputs[place_of(s, "L_ref")].value);
-    const struct input *initial = inputs + place_of(s, "t") + 1;
+    const double Omega = fmpq_get_d(&inputs[input_place(s, "Omega")].value);
+    const double L_ref = fmpq_get_d(&inputs[input_place(s, "L_ref")].value);
+    const struct input *initial = inputs + input_place(s, "t") + 1;
     double scale = 0.0, off = 0.0, off_at_least = 0.0, wide = 0.0;
     SCOPE(arb, difference);
     SCOPE(mag, bound);

@@ -118,12 +118,6 @@ static void pass_over(struct test_run *e, enum outcome outcome, const char *text
 
 /* ---- one line ---- */
 
-static bool is_id(const char *text)
-{
-    static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-";
-    return *text != '\0' && text[strspn(text, letters)] == '\0';
-}
-
 /* Words between blanks, `most` at most; returns how many there are in all. */
 static int split(char *line, char **words, int most)
 {
@@ -231,7 +225,7 @@ static void hear_line(struct test_run *e, char *line, bool ended)
         *c = *c == '\t' ? ' ' : *c;
     message_printable(shown);
     const int count = split(line, words, MOST_OUTPUTS + 2);
-    if (count == 0 || !is_id(words[0])) {
+    if (count == 0 || !is_vector_id(words[0])) {
         stray(e, OUTCOME_UNNAMED, shown);
         return;
     }
@@ -262,17 +256,12 @@ static void hear_line(struct test_run *e, char *line, bool ended)
 
 /* ---- the stream ---- */
 
-static bool is_too_long(const struct test_run *e)
-{
-    return e->unended > LONGEST_LINE;
-}
-
 /* The line that has been heard, with its end or without. */
 static void take_line(struct test_run *e, bool ended)
 {
     e->heard++;
     e->line[e->length] = '\0';
-    if (is_too_long(e))
+    if (e->unended > LONGEST_LINE)
         stray(e, OUTCOME_TOO_LONG, "");
     else
         hear_line(e, e->line, ended);

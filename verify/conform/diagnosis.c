@@ -20,6 +20,8 @@ struct mutant {
     struct mutation a;
     struct operation o;
     struct input *inputs;  /* those others */
+    int killed;            /* by so many vectors                        */
+    bool differs;          /* else so small a difference does no harm   */
 };
 
 struct mutants {
@@ -98,10 +100,7 @@ static const double SHORT = 10.0;
 /* Beyond ten hours a motion tells the same mistakes at a higher price; such vectors show what errors grow to. */
 static bool is_longer(const struct section *s, const struct input *inputs, double hours)
 {
-    for (int i = 0; i < s->input_count; i++)
-        if (strcmp(s->inputs[i]->name, "t") == 0 && is_motion(s))
-            return fabs(fmpq_get_d(&inputs[i].value)) > 3600.0 * hours;
-    return false;
+    return is_motion(s) && fabs(fmpq_get_d(&inputs[input_place(s, "t")].value)) > 3600.0 * hours;
 }
 
 /* ---- diagnosis ---- */
@@ -343,8 +342,6 @@ struct kills {
     struct operation o;
     struct comparator comparator;
     struct input *inputs;
-    int *killed;   /* vectors, of each mutant                */
-    bool *differs; /* so small a difference does no harm here */
     bool fine;
 };
 
@@ -376,7 +373,7 @@ static bool tells(struct kills *k, int i, bool inside)
     const enum outcome outcome = compare_answer(j, k->inputs, &score);
     j->followed = is_motion(k->o.section) && outcome != OUTCOME_SKIPPED; /* the next mutant is held against the same motion */
     for (int n = 0; n < count; n++)
-        k->differs[i] = k->differs[i] || !arb_overlaps(j->exact + n, j->y + n);
+        x->differs = x->differs || !arb_overlaps(j->exact + n, j->y + n);
     return outcome == OUTCOME_WRONG;
 }
 
@@ -402,7 +399,7 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
         if (tells(k, i, inside)) {
             fputs(killed == 0 ? id : "", stdout);
             printf("%s%s", killed == 0 ? "," : "; ", k->mutants.all[i].name);
-            k->killed[i]++;
+            k->mutants.all[i].killed++;
             killed++;
         }
     if (killed > 0)
@@ -417,24 +414,17 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
 bool kills_print(const struct section *s, double digits)
 {
     struct kills k = {.mutants = mutants_of(s), .inputs = inputs_new(s->input_count), .fine = true};
-    const size_t count = (size_t)k.mutants.count;
-    k.killed = xrealloc(NULL, count, sizeof *k.killed);
-    k.differs = xrealloc(NULL, count, sizeof *k.differs);
-    memset(k.killed, 0, count * sizeof *k.killed);
-    memset(k.differs, 0, count * sizeof *k.differs);
     operation_init(&k.o, s, false);
     comparator_init(&k.comparator, &k.o, BINARY64, digits);
     golden_each(s, print_kills, &k);
-    for (size_t i = 0; i < count; i++)
-        if (k.killed[i] == 0 && k.differs[i]) {
+    for (int i = 0; i < k.mutants.count; i++)
+        if (k.mutants.all[i].killed == 0 && k.mutants.all[i].differs) {
             fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, k.mutants.all[i].name);
             k.fine = false;
         }
     comparator_clear(&k.comparator);
     operation_clear(&k.o);
     inputs_free(k.inputs, s->input_count);
-    free(k.killed);
-    free(k.differs);
     mutants_clear(&k.mutants);
     return k.fine;
 }

@@ -10,8 +10,7 @@
 
 enum { WORD = 80 };
 
-/* What names are made of; UTF-8's byte order mark. */
-static const char LETTERS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-", MARK[] = "\357\273\277";
+static const char MARK[] = "\357\273\277"; /* UTF-8's byte order mark */
 
 static bool is_number(const char *word)
 {
@@ -55,7 +54,7 @@ static void number_hint(const char *word, char *hint, size_t size)
 /* A first word that names no vector. */
 static void name_hint(const struct sheet *sheet, const char *word, char *hint, size_t size)
 {
-    const char *odd = word + strspn(word, LETTERS);
+    const char *odd = word + strspn(word, id_letters);
     if (sheet != NULL && section_find(sheet, word) != NULL)
         snprintf(hint, size, "'%s' is an operation, the vector's name alone stands first", word);
     else if (is_number(word))

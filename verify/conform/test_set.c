@@ -10,6 +10,13 @@
 #include "evaluate/vectors.h"
 #include "text/decimal.h"
 
+const char id_letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-";
+
+bool is_vector_id(const char *text)
+{
+    return *text != '\0' && text[strspn(text, id_letters)] == '\0';
+}
+
 /* ---- golden vectors ---- */
 
 struct collection {

@@ -12,6 +12,10 @@
 
 enum { LONGEST_ID = 95 };
 
+/* What the names of vectors are made of. */
+extern const char id_letters[];
+bool is_vector_id(const char *text);
+
 struct golden_vector {
     char *id, *texts[MOST_INPUTS];
     bool range; /* leaves the normal range of the client's numbers */
