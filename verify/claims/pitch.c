@@ -1,38 +1,49 @@
 #include "claims/pitch.h"
 
+#include <string.h>
+
 #include "claims/sampling.h"
 #include "motion/motion.h"
 #include "motion/taylor.h"
 #include "proof/proof_results.h"
 #include "text/scope.h"
 
-/* The closed loop of taylor.h; and Z = z q, V = (z q)', their products, sigma c1 as F, and W = q F in R. */
+/* Of the closed loop (taylor.h) z, w, q, A and R; further series, F = c1 sigma, and constants, c1 S_im, c1 S_re, c1 S_re/4. */
 enum {
-    LAW_X, LAW_Y, LAW_Z, LAW_U, LAW_V, LAW_W, LAW_Q, LAW_G, LAW_S, LAW_A, LAW_D, LAW_SINE, LAW_RATE, LAW_PRODUCT, LAW_SQUARE, LAW_RATE_SQUARE,
-    LAW_F, LAW_R, LAW_P, LAW_ONE, LAW_TWO, LAW_THREE, LAW_C1, LAW_C2, LAW_IM, LAW_RE, LAW_QUARTER, LAW_ALL
+    LAW_Z = 2, LAW_W = 5, LAW_Q = 6, LAW_A = JET_STATES + 2, LAW_R = JET_STATES + 4,
+    LAW_SINE = JET_SERIES, LAW_RATE, LAW_PRODUCT, LAW_SQUARE, LAW_RATE_SQUARE, LAW_F, LAW_SERIES,
+    LAW_IM = LAW_SERIES + JET_ALL - JET_SERIES, LAW_RE, LAW_QUARTER, LAW_ALL
 };
 
-static const struct term pitch_terms[] = {
-    {LAW_G, LAW_Q, LAW_Q, 1},
-    {LAW_S, LAW_X, LAW_U, 1}, {LAW_S, LAW_Y, LAW_V, 1}, {LAW_S, LAW_Z, LAW_W, 1},
-    {LAW_A, LAW_G, LAW_S, 1},
-    {LAW_D, LAW_ONE, LAW_Q, 1}, {LAW_D, LAW_ONE, LAW_ONE, -1},
+static const struct term moved_terms[] = {
     {LAW_SINE, LAW_Z, LAW_Q, 1},
     {LAW_RATE, LAW_W, LAW_Q, 1}, {LAW_RATE, LAW_SINE, LAW_A, -1},
     {LAW_PRODUCT, LAW_SINE, LAW_RATE, 1}, {LAW_SQUARE, LAW_SINE, LAW_SINE, 1}, {LAW_RATE_SQUARE, LAW_RATE, LAW_RATE, 1},
     {LAW_F, LAW_IM, LAW_PRODUCT, 1}, {LAW_F, LAW_RE, LAW_SQUARE, 1}, {LAW_F, LAW_QUARTER, LAW_RATE_SQUARE, -1},
-    {LAW_R, LAW_C1, LAW_D, 1}, {LAW_R, LAW_THREE, LAW_Q, -1}, {LAW_R, LAW_C2, LAW_A, -1}, {LAW_R, LAW_Q, LAW_F, 1},
-    {LAW_P, LAW_G, LAW_R, 1},
-    {LAW_X, LAW_ONE, LAW_U, 1},
-    {LAW_Y, LAW_ONE, LAW_V, 1},
-    {LAW_Z, LAW_ONE, LAW_W, 1},
-    {LAW_U, LAW_TWO, LAW_V, 1}, {LAW_U, LAW_THREE, LAW_X, 1}, {LAW_U, LAW_P, LAW_X, 1},
-    {LAW_V, LAW_TWO, LAW_U, -1}, {LAW_V, LAW_P, LAW_Y, 1},
-    {LAW_W, LAW_ONE, LAW_Z, -1}, {LAW_W, LAW_P, LAW_Z, 1},
-    {LAW_Q, LAW_Q, LAW_A, -1},
 };
+enum { MOVED_TERMS = sizeof moved_terms / sizeof *moved_terms, LAW_TERMS = JET_TERMS + MOVED_TERMS + 1 };
 
-static const struct system pitch_loop = {JET_STATES, LAW_ONE, LAW_ALL, sizeof pitch_terms / sizeof *pitch_terms, pitch_terms};
+static unsigned char law_place(unsigned char v)
+{
+    return (unsigned char)(v < JET_SERIES ? v : v + LAW_SERIES - JET_SERIES);
+}
+
+/* The closed loop with these series before R, and + q F in it. */
+static struct system pitch_loop(struct term *terms)
+{
+    int count = 0;
+    for (int t = 0; t < closed_loop.count; t++) {
+        const struct term *f = closed_loop.terms + t;
+        if (f->to == LAW_R && f[-1].to != LAW_R) {
+            memcpy(terms + count, moved_terms, sizeof moved_terms);
+            count += MOVED_TERMS;
+        }
+        terms[count++] = (struct term){f->to, law_place(f->a), law_place(f->b), f->sign};
+        if (f->to == LAW_R && f[1].to != LAW_R)
+            terms[count++] = (struct term){LAW_R, LAW_Q, LAW_F, 1};
+    }
+    return (struct system){JET_STATES, LAW_SERIES, LAW_ALL, count, terms};
+}
 
 /* ---- the averaged law ---- */
 
@@ -61,7 +72,8 @@ void pitch_law_init(struct pitch_law *l, const struct derivations *d, const arb_
                     const arb_t a, slong prec)
 {
     struct machine m;
-    SCOPE(arb, A);
+    SCOPE(acb, S);
+    SCOPE(arb, part);
     l->steps = d;
     arb_init(l->c1);
     arb_init(l->c2);
@@ -72,19 +84,20 @@ void pitch_law_init(struct pitch_law *l, const struct derivations *d, const arb_
     arb_set(l->c1, c1);
     arb_set(l->c2, c2);
     arb_set(l->a, a);
-    arb_sqr(A, a, prec);
-    arb_div(A, swing, A, prec); /* A itself is i times that */
-    arb_mul(l->S_re, A, c2, prec);
-    arb_mul_si(l->S_re, l->S_re, -52, prec);
-    arb_add_ui(l->S_re, l->S_re, 36, prec);
-    arb_mul_ui(l->S_im, c1, 13, prec);
-    arb_sub_ui(l->S_im, l->S_im, 261, prec);
-    arb_mul(l->S_im, l->S_im, A, prec);
-    for (int i = 0; i < 2; i++) {
-        arb_ptr part = i == 0 ? l->S_re : l->S_im;
-        arb_div_ui(part, part, 13, prec);
-        arb_div(part, part, c1, prec);
-    }
+    arb_set_ui(part, 261);
+    arb_div_ui(part, part, 13, prec);
+    arb_sub(acb_realref(S), c1, part, prec);
+    arb_mul_2exp_si(acb_imagref(S), c2, 2);
+    arb_sqr(part, a, prec);
+    arb_div(part, swing, part, prec); /* A itself is i times that */
+    acb_mul_arb(S, S, part, prec);
+    acb_mul_onei(S, S);
+    arb_set_ui(part, 36);
+    arb_div_ui(part, part, 13, prec);
+    acb_add_arb(S, S, part, prec);
+    acb_div_arb(S, S, c1, prec);
+    acb_get_real(l->S_re, S);
+    acb_get_imag(l->S_im, S);
     law_machine(&m, l, prec);
     arb_set(l->k, law_value(&m, "decay"));
     machine_clear(&m);
@@ -123,6 +136,7 @@ enum flow_status pitch_law_follow(arb_ptr states, const struct pitch_law *l, con
 {
     static const char *const names[FLOW_STATE] = {"psi", "theta", "dL", "psi_dot", "theta_dot", "dL_dot"};
     const slong prec = flow_precision(digits, fmpq_get_d(times + count - 1));
+    struct term terms[LAW_TERMS];
     struct flow_parameters p;
     struct machine m;
     double reached;
@@ -137,7 +151,8 @@ enum flow_status pitch_law_follow(arb_ptr states, const struct pitch_law *l, con
     arb_mul(constants, l->S_im, l->c1, prec);
     arb_mul(constants + 1, l->S_re, l->c1, prec);
     arb_mul_2exp_si(constants + 2, constants + 1, -2);
-    const struct flow_steps how = {.system = &pitch_loop, .constants = constants};
+    const struct system loop = pitch_loop(terms);
+    const struct flow_steps how = {.system = &loop, .constants = constants};
     const enum flow_status status = flow_nonlinear_by(&how, &p, state, times, count, digits, prec, take_state_of_pitch, states, &reached);
     flow_parameters_clear(&p);
     return status;
