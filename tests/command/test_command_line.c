@@ -769,6 +769,17 @@ EACH(o_names_a_file_that_is_there_whole_or_not_at_all, COUNT(into))
     ck_assert_int_eq(run("table1 -o /dev/null"), 0);
 }
 
+TEST(help_says_what_each_study_is)
+{
+    char words[200], due[60];
+    snprintf(words, sizeof words, "%s", subcommand_find("study")->ways[0]);
+    ck_assert_int_eq(run("help study"), 0);
+    for (char *word = strtok(words, "|"); word != NULL; word = strtok(NULL, "|")) {
+        snprintf(due, sizeof due, "(%s)", word);
+        ck_assert_msg(strstr(output, due) != NULL, "%s", due);
+    }
+}
+
 TEST(a_closed_pipe_ends_quietly_with_1)
 {
     int ends[2];

@@ -124,6 +124,9 @@ check 'a quotation mark in CSV' says 'Kepler""s third'
 stops 'a step that is wrong' 's/dL_dot - 3\*Omega^2\*psi$/dL_dot - 4*Omega^2*psi/' 1 'BROKEN: paper/derivations.yaml:' verify derivations attitude
 check 'the same as JSON' ends 1 "$wrong" verify derivations attitude --json
 check 'its name' says 'coulomb-tether: step attitude is broken, see verify derivations attitude'
+check 'its report in a file' ends 1 "$wrong" verify derivations attitude -o report
+check 'nothing else' nothing_in "$work/said"
+check 'the report says why' grep -q 'BROKEN: paper/derivations.yaml:' "$work/report"
 stops 'a misprint that is none' 's/sqrt(3\*GM\/R_c^3)/sqrt(1*GM\/R_c^3)/; s/R_c^3\/3$/R_c^3\/1/' 1 \
     ': expected to differ as printed: it holds' verify derivations kepler
 check 'its place' says 'BROKEN: paper/derivations.yaml:'

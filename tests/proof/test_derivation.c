@@ -728,6 +728,7 @@ static const struct {
     {"      show:\n        - a = k*u\n", "", "21:7: ", "missing show, expected a list of left = right"},
     {"      show:\n        - a = k*u\n", "      shown:\n        - a = k*u\n", "23:7: ",
      "unknown key 'shown', expected perhaps show"},
+    {"    printed:\n", "    lines: {' ': a = k*u}\n    printed:\n", "20:18: ", "expected how it follows, and not a blank key"},
     {"    printed:\n", "    lines: {put it: u = u}\n    printed:\n", "20:21: ", "both sides read the same: the line says nothing"},
     {"    printed:\n", "    lines: {put it: a + b*theta = theta*b+a}\n    printed:\n", "20:21: ", "that is what the step shows, expected how"},
     {"    printed:\n", "    lines: {put it: a = k*u, and: u*k = a = k*u}\n    printed:\n", "20:41: ", "that is said already"},

@@ -13,6 +13,7 @@
 #include "sheet/paper.h"
 
 enum { EXIT_DONE = 0, EXIT_FAILED_CHECK = 1, EXIT_USAGE = 2 };
+enum { REPORTED_CHECK = 3 }; /* EXIT_FAILED_CHECK to the caller: a check failed, and what is printed is whole and says which */
 
 /* An argument list, read: words, NAME=VALUE, options, and a client with its own arguments. */
 struct arguments {

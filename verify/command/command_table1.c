@@ -22,6 +22,6 @@ int command_table1(const struct arguments *a)
     printf(format, "name", "printed", "computed", "unit", "rounds");
     for (int i = 0; i < sheet->row_count; i++)
         if (!print_table_row(sheet, &sheet->table1[i], format))
-            status = EXIT_FAILED_CHECK;
+            status = REPORTED_CHECK;
     return status;
 }

@@ -126,7 +126,7 @@ static int verify(const struct request *request)
             printf("%s\"%s\": ", separator, parts[i].name);
         separator = ",";
         if (!parts[i].verify(&p, request))
-            status = EXIT_FAILED_CHECK;
+            status = REPORTED_CHECK;
     }
     proof_results_clear(&p);
     if (request->format == FORMAT_JSON && known)

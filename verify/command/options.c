@@ -35,7 +35,10 @@ const struct subcommand subcommands[] = {
      "(errors). Without a word, all three."},
     {"study", command_study, {"convergence|forced|pitch|basin|saturation|tolerance|balance|sampling"}, 1,
      "Beyond the paper, as CSV: the observed orders of its approximations (convergence), what pitch forces on length and yaw "
-     "(forced), and the slow decay of pitch itself (pitch), beside their closed forms. Every digit is certified."},
+     "(forced), and the slow decay of pitch itself (pitch), beside their closed forms; over the gains, in radians of orbit and "
+     "L_ref, the basin of rest (basin), that of charges with a bound (saturation), the errors that stay and are borne "
+     "(tolerance), the push under which a length is one of rest (balance), and how long the law may be held or how late it "
+     "may act (sampling). Every digit is certified."},
     {"vectors", command_vectors, {"ID --count N --seed S", "ID --golden"}, 1,
      "Vectors of an operation as CSV: inputs, outputs of 40 digits, each proved, their sensitivities, and flags; random ones, "
      "which depend on seed and number alone, or those of data/golden."},

@@ -27,9 +27,9 @@ static int run_into(const struct arguments *a, const char *name)
     if (kept == NULL || dup2(fileno(kept), STDOUT_FILENO) < 0)
         return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only without a place for one */
     int status = a->subcommand->run(a);
-    if (status == EXIT_DONE)
-        status = output_finished();
-    if (status != EXIT_DONE)
+    if (status == EXIT_DONE || status == REPORTED_CHECK)
+        status = output_finished() == EXIT_DONE ? status : EXIT_FAILED_CHECK;
+    if (status != EXIT_DONE && status != REPORTED_CHECK)
         return status;
     rewind(kept);
     struct whole_file f = whole_file_open(name);
@@ -37,7 +37,7 @@ static int run_into(const struct arguments *a, const char *name)
         fwrite(bytes, 1, size, f.file);
     const int why = whole_file_close(&f, !ferror(kept));
     fclose(kept);
-    return why == 0 ? EXIT_DONE : usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
+    return why == 0 ? status : usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
 }
 
 static int run_subcommand(const struct paper *paper, int count, char **texts)
@@ -64,7 +64,7 @@ static int run_subcommand(const struct paper *paper, int count, char **texts)
     if (status == EXIT_DONE) /* with a client or answers of one it names the report, which has a form of its own */
         status = file == NULL || a.client != NULL || option_given(&a, "--answers") ? s->run(&a) : run_into(&a, file);
     arguments_clear(&a);
-    return status;
+    return status == REPORTED_CHECK ? EXIT_FAILED_CHECK : status;
 }
 
 /* ---- memory: where it runs out the libraries would end by a signal ---- */

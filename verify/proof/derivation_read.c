@@ -128,6 +128,8 @@ static bool read_identities(struct identities *t, const struct scope *s)
 static bool check_line(const struct step *s, const struct equality *line)
 {
     const char *sign = side_end(line->text), *end = line->text + strlen(line->text);
+    if (line->at->key[strspn(line->at->key, " ")] == '\0')
+        return node_error(line->at, line->offset, "expected how it follows, and not a blank key");
     if (same_text(line->text, sign, sign + 1))
         return node_error(line->at, line->offset, "both sides read the same: the line says nothing");
     for (int i = 0; i < s->corrected.shown_count; i++)
