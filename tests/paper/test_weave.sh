@@ -61,7 +61,7 @@ END
     gives '<<function rk4_linear>>' 'int ct_linear_runge_kutta('
     gives '<<helper arm>>' 'return p.m2 / (p.m1 + p.m2) * L;'
     gives '<<step reference_charge>>' '\eq{6a}, \eq{6b} $\;\rightarrow\;$ \eq{7}. \emph{Proved exactly, for $\Omega $'
-    gives '<<step kepler>>' 'As printed it fails: the sides differ by a multiple of $2\Omega'
+    gives '<<step kepler>>' 'As printed it fails: the sides differ by a multiple of $2'
     gives '<<step hill>>' '$\;\rightarrow\;$ \eq{2}~$\ddot x_{1}$'
     gives '<<step separation>>' '\derive{'
     gives '<<step linearised_hill>>' 'Certified: (40a) drops at most'
