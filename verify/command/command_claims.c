@@ -29,7 +29,7 @@ static void print_numbers(struct json *j, const struct statement *s)
         const struct quoted_number *q = &s->numbers[i];
         json_open(j, NULL, '{');
         json_strings(j, "formula", q->text, "value", q->decimal != NULL ? q->decimal : "undecided", "unit", q->unit,
-                     "how", how_names[q->how], "rounding", roundings[q->rounding], NULL);
+                     "how", how_names[q->how], "rounding", roundings[q->rounding]);
         json_value(j, "digits", "%ld", (long)q->digits);
         json_close(j);
     }
@@ -43,7 +43,7 @@ static void print_json(struct json *j, const struct verdict_row *r)
     json_strings(j, "id", r->id, "where", r->where, "kind", r->kind, "claim", text_of(&r->claim.plain),
                  "verdict", verdict_names[r->verdict], "how", how_names[r->how], "evidence", text_of(&r->evidence.plain),
                  "why", why ? text_of(&r->why.plain) : NULL, "why_tex", why ? text_of(&r->why.latex) : NULL,
-                 "claim_tex", text_of(&r->claim.latex), "evidence_tex", text_of(&r->evidence.latex), NULL);
+                 "claim_tex", text_of(&r->claim.latex), "evidence_tex", text_of(&r->evidence.latex));
     print_numbers(j, r->statement);
     json_close(j);
     json_line(j, 1);

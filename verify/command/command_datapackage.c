@@ -176,11 +176,11 @@ static int print_resource(struct json *j, const struct sheet *sheet, const char 
     snprintf(fingerprint, sizeof fingerprint, "sha256:%s", hash);
     json_line(j, 2);
     json_open(j, NULL, '{');
-    json_strings(j, "name", name, "path", relative, "profile", "tabular-data-resource", NULL);
+    json_strings(j, "name", name, "path", relative, "profile", "tabular-data-resource");
     json_line(j, 3);
     json_string(j, "title", title_of(sheet, path));
     json_line(j, 3);
-    json_strings(j, "format", "csv", "mediatype", "text/csv", "encoding", "utf-8", NULL);
+    json_strings(j, "format", "csv", "mediatype", "text/csv", "encoding", "utf-8");
     json_value(j, "bytes", "%ld", size);
     json_string(j, "hash", fingerprint);
     json_line(j, 3);

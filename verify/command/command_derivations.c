@@ -153,7 +153,7 @@ static void json_identities(struct json *j, const char *key, const struct step *
     for (int i = 0; i < t->shown_count; i++)
         json_sides(j, NULL, s, sheet, t->shown[i].text);
     json_close(j);
-    json_strings(j, "finding", results[p->result], "evidence", p->evidence, "difference", p->difference, NULL);
+    json_strings(j, "finding", results[p->result], "evidence", p->evidence, "difference", p->difference);
     json_close(j);
 }
 
@@ -204,14 +204,14 @@ static void json_step(struct json *j, const struct step *s, const struct sheet *
 {
     char *domain = identities_domain(&s->corrected);
     json_open(j, NULL, '{');
-    json_strings(j, "id", s->id, "title", s->title, NULL);
+    json_strings(j, "id", s->id, "title", s->title);
     json_texts(j, "from", s->from, s->from_count);
     json_texts(j, "to", s->to, s->to_count);
     if (s->corrected.order >= 0)
         json_value(j, "order", "%d", s->corrected.order);
     json_variables(j, "small", &s->corrected, true);
     json_variables(j, "angles", &s->corrected, false);
-    json_strings(j, "domain", domain, "where", s->where, "unbound", derivation_fault(s), NULL);
+    json_strings(j, "domain", domain, "where", s->where, "unbound", derivation_fault(s));
     free(domain);
     json_dropped(j, s);
     json_open(j, "let", '{');

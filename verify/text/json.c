@@ -81,13 +81,10 @@ void json_string(struct json *j, const char *key, const char *text)
     put_string(j->file, text);
 }
 
-void json_strings(struct json *j, ...)
+void json_pairs(struct json *j, const char *const *texts, size_t count)
 {
-    va_list arguments;
-    va_start(arguments, j);
-    for (const char *key; (key = va_arg(arguments, const char *)) != NULL;)
-        json_string(j, key, va_arg(arguments, const char *));
-    va_end(arguments);
+    for (size_t i = 0; i < count; i += 2)
+        json_string(j, texts[i], texts[i + 1]);
 }
 
 void json_texts(struct json *j, const char *key, const char *const *texts, int count)

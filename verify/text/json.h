@@ -24,12 +24,11 @@ void json_close(struct json *j);
 /* Text, what is no UTF-8 in it as question marks; NULL is left out. */
 void json_string(struct json *j, const char *key, const char *text);
 
-/* Several texts, key and text by turns; a key that is NULL ends them. json_record(): an object of these. */
-#if defined(__GNUC__)
-__attribute__((sentinel))
-#endif
-void json_strings(struct json *j, ...);
-#define json_record(j, key, ...) (json_open(j, key, '{'), json_strings(j, __VA_ARGS__, NULL), json_close(j))
+/* Several texts, key and text by turns; json_record(): an object of these. */
+void json_pairs(struct json *j, const char *const *texts, size_t count);
+#define json_strings(j, ...) \
+    json_pairs(j, (const char *const[]){__VA_ARGS__}, sizeof((const char *const[]){__VA_ARGS__}) / sizeof(const char *))
+#define json_record(j, key, ...) (json_open(j, key, '{'), json_strings(j, __VA_ARGS__), json_close(j))
 
 /* A list of texts. */
 void json_texts(struct json *j, const char *key, const char *const *texts, int count);
