@@ -166,6 +166,8 @@ static const struct {
     {"design m1=0", 1, "m1"},
     {"design lambda_d=0", 1, "lambda_d: expected a number > 0, or inf"},
     {"design lambda_d=80 --digits 4", 1, "lambda_d: expected more than 8.068e+01 m, with less nothing rests near L_ref"},
+    {"design n=5", 1, "n: expected a number > 9, the pair is not stable"},
+    {"design Omega=0 C1=1", 1, "Omega: expected a number > 0"},
     {"design n=9", 1, "n: expected a number > 9, the pair is not stable"},
     {"design C1=9 Omega=1", 1, "C1: expected more than 9 Omega^2, the pair is not stable"},
     {"design C1=10 C2=0 Omega=1", 1, "C2: expected a number > 0, the pair is not stable"},

@@ -222,6 +222,23 @@ static int find_digits(struct design *d, slong digits)
 
 /* ---- arguments ---- */
 
+/* (42), exactly: with other gains the pair does not come to rest, and there is nothing to design. */
+static int check_stable(const struct scenario *s)
+{
+    const bool by_C1 = s->given[SET_C1];
+    SCOPE(fmpq, margin);
+    fmpq_set(margin, &s->value[by_C1 ? SET_C1 : SET_n].value);
+    for (int i = 0; i < 2 && by_C1; i++)
+        fmpq_div(margin, margin, &s->value[SET_Omega].value);
+    fmpq_sub_si(margin, margin, 9);
+    if (fmpq_sgn(margin) <= 0)
+        return usage_error(EXIT_FAILED_CHECK, "%s, the pair is not stable, Eq. (42)",
+                           by_C1 ? "C1: expected more than 9 Omega^2" : "n: expected a number > 9");
+    if (s->given[SET_C2] && fmpq_sgn(&s->value[SET_C2].value) <= 0)
+        return usage_error(EXIT_FAILED_CHECK, "C2: expected a number > 0, the pair is not stable, Eq. (42)");
+    return EXIT_DONE;
+}
+
 static int read_design(struct design *d, const struct arguments *a)
 {
     enum { KNOWN = SET_C2 + 2 };
@@ -248,25 +265,11 @@ static int read_design(struct design *d, const struct arguments *a)
         status = refuse_assignment(refused, s->exact);
     if (status == EXIT_DONE && !d->lambda_d.infinite && fmpq_sgn(&d->lambda_d.value) <= 0)
         status = usage_error(EXIT_FAILED_CHECK, "lambda_d: expected a number > 0, or inf");
+    if (status == EXIT_DONE && fmpq_sgn(&s->value[SET_Omega].value) > 0)
+        status = check_stable(s);
     if (status == EXIT_DONE && !scenario_valid(s, false, &why))
         status = usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     return status;
-}
-
-/* (42), exactly: with other gains the pair does not come to rest, and there is nothing to design. */
-static int check_stable(const struct scenario *s)
-{
-    SCOPE(fmpq, least);
-    fmpq_set_si(least, 9, 1);
-    if (!s->given[SET_C1] && fmpq_cmp(&s->value[SET_n].value, least) <= 0)
-        return usage_error(EXIT_FAILED_CHECK, "n: expected a number > 9, the pair is not stable, Eq. (42)");
-    fmpq_mul(least, least, &s->value[SET_Omega].value);
-    fmpq_mul(least, least, &s->value[SET_Omega].value);
-    if (s->given[SET_C1] && fmpq_cmp(&s->value[SET_C1].value, least) <= 0)
-        return usage_error(EXIT_FAILED_CHECK, "C1: expected more than 9 Omega^2, the pair is not stable, Eq. (42)");
-    if (s->given[SET_C2] && fmpq_sgn(&s->value[SET_C2].value) <= 0)
-        return usage_error(EXIT_FAILED_CHECK, "C2: expected a number > 0, the pair is not stable, Eq. (42)");
-    return EXIT_DONE;
 }
 
 /* ---- print ---- */
@@ -314,12 +317,9 @@ int command_design(const struct arguments *a)
     design_guarantees(&d);
     int status = read_design(&d, a);
     if (status == EXIT_DONE)
-        status = check_stable(&d.scenario);
-    if (status == EXIT_DONE)
         status = find_digits(&d, digits);
-    if (status == EXIT_DONE) {
+    if (status == EXIT_DONE)
         print_design(&d, digits, option_given(a, "--json"));
-    }
     for (int i = 0; i < d.count; i++)
         free(d.numbers[i].digits);
     program_clear(&d.program);
