@@ -694,6 +694,9 @@ TEST(design_prints_what_one_decides_with)
     ck_assert_ptr_nonnull(strstr(output, "\nalong = 1.595e-07 m/s^2  # "));
     ck_assert_ptr_nonnull(strstr(output, " rad/s  # largest rate of yaw, or of pitch"));
     ck_assert_ptr_nonnull(strstr(output, "\ndebye = 8.068e+01 m  # "));
+    /* 1 - 81 (40 - 3)^2/(4 40^3) = 0.56683984375, a tie of ten digits */
+    ck_assert_int_eq(run("design n=40 --digits 10"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "\ndeficit = 5.6683984375e-01 -  # "));
 }
 
 EACH(design_speaks_json_of_all_that_it_prints, 3)
