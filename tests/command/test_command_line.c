@@ -514,7 +514,7 @@ EACH(help_explains_every_option_of_a_subcommand_with_unit_and_default, 3)
         for (const char *at = output; (at = strstr(at, "\n  -")) != NULL; at++)
             explained--;
         ck_assert_int_eq(explained, 0);
-        ck_assert_int_eq(strstr(output, "\n  m1 ") != NULL, strcmp(s->name, "trajectory") == 0 || strcmp(s->name, "figure") == 0);
+        ck_assert_int_eq(strstr(output, "\n  m1 ") != NULL, word_in("trajectory figure design", " ", s->name));
     }
     ck_assert_int_eq(run("help trajectory"), 0);
     ck_assert_ptr_nonnull(strstr(output, "\n  --every S             a row at 0 and every S from there [s, unless given: 100]\n"));
@@ -772,6 +772,16 @@ EACH(o_names_a_file_that_is_there_whole_or_not_at_all, COUNT(into))
     read_back(there, output);
     ck_assert_str_eq(output, due);
     ck_assert_int_eq(run("table1 -o /dev/null"), 0);
+}
+
+TEST(help_says_units_and_defaults_of_what_design_takes)
+{
+    ck_assert_int_eq(run("help design"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "\n  L_ref      m          10 "));
+    ck_assert_ptr_nonnull(strstr(output, "\n  lambda_d   m          inf "));
+    ck_assert_ptr_null(strstr(output, "psi_dot"));
+    ck_assert_int_eq(run("help --completion"), 0);
+    ck_assert_ptr_nonnull(strstr(output, " C2= lambda_d='"));
 }
 
 TEST(help_says_what_each_study_is)

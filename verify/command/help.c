@@ -34,10 +34,12 @@ static bool stands_beside(const struct option *o, const struct subcommand *s, co
     return with;
 }
 
-/* Those of a motion: which values of the scenario may be given to a subcommand by name. */
-static bool takes_scenario(const struct subcommand *s)
+/* The names whose values may be given to a subcommand; NULL after the last. */
+static const char *name_taken(const struct subcommand *s, int i)
 {
-    return s->run == command_trajectory || s->run == command_figure;
+    const bool motion = s->run == command_trajectory || s->run == command_figure, design = s->run == command_design;
+    const int count = motion ? SCENARIO_VALUES : design ? SET_C2 + 1 : 0;
+    return i < count ? scenario_names[i] : design && i == count ? "lambda_d" : NULL;
 }
 
 /* What an option does, the unit of its argument, and what this is unless given. */
@@ -49,13 +51,14 @@ static void option_text(char text[512], const struct option *o)
              unit || otherwise ? "]" : "");
 }
 
-static const char *value_unless_given(const struct quantity *q, int name)
+static const char *value_unless_given(const struct quantity *q)
 {
-    return q->value != NULL ? q->value : name == SET_C1 || name == SET_C2 ? "by n" : "by angles";
+    return q->value != NULL ? q->value : *q->name == 'C' ? "by n" : *q->name == 'l' ? "inf" : "by angles";
 }
 
-static const char names_rule[] =
-    "n stands without C1 and C2. x1 ... z1_dot are for nonlinear motions, all six in place of the angles, dL and their "
+static const char names_rule[] = "n stands without C1 and C2.";
+static const char motions_rule[] =
+    "x1 ... z1_dot are for nonlinear motions, all six in place of the angles, dL and their "
     "rates. A linear trajectory depends on neither k_c nor the masses.";
 
 static const char about[] =
@@ -118,14 +121,16 @@ static void print_option(const struct option *o)
     print_wrapped(text, COLUMN);
 }
 
-static void print_names(const struct sheet *sheet)
+static void print_names(const struct sheet *sheet, const struct subcommand *s)
 {
     puts("\nNames, their units and what they are unless given:");
-    for (int i = 0; i < SCENARIO_VALUES; i++) {
-        const struct quantity *q = quantity_find(sheet, scenario_names[i]);
-        printf("  %-10s %-10s %-12s %s\n", q->name, q->unit, value_unless_given(q, i), q->meaning);
+    for (int i = 0; name_taken(s, i) != NULL; i++) {
+        const struct quantity *q = quantity_find(sheet, name_taken(s, i));
+        printf("  %-10s %-10s %-12s %s\n", q->name, q->unit, value_unless_given(q), q->meaning);
     }
     print_wrapped(names_rule, 0);
+    if (s->run != command_design)
+        print_wrapped(motions_rule, 0);
 }
 
 void help_print(const struct sheet *sheet, const struct subcommand *s)
@@ -155,8 +160,8 @@ void help_print(const struct sheet *sheet, const struct subcommand *s)
             heading = "";
             print_option(o);
         }
-    if (takes_scenario(s))
-        print_names(sheet);
+    if (name_taken(s, 0) != NULL)
+        print_names(sheet, s);
     puts("\nExamples:");
     for (const struct example *e = examples; e->line != NULL; e++)
         if (strncmp(e->line, s->name, strcspn(e->line, " ")) == 0 && s->name[strcspn(e->line, " ")] == '\0')
@@ -248,10 +253,11 @@ static void print_manual_names(const struct sheet *sheet)
     puts(".Pp\n.Bl -column \"theta_dot\" \"N m^2/C^2\" \"from angles\" \"mass of a craft\" -compact");
     for (int i = 0; i < SCENARIO_VALUES; i++) {
         const struct quantity *q = quantity_find(sheet, scenario_names[i]);
-        printf(".It %s Ta %s Ta %s Ta %s\n", q->name, q->unit, value_unless_given(q, i), q->meaning);
+        printf(".It %s Ta %s Ta %s Ta %s\n", q->name, q->unit, value_unless_given(q), q->meaning);
     }
     puts(".El\n.Pp");
     print_mdoc(names_rule);
+    print_mdoc(motions_rule);
 }
 
 static void print_manual(const struct sheet *sheet)
@@ -319,8 +325,8 @@ static void print_completed_words(const struct sheet *sheet, const struct subcom
         print_choices(s->ways[i]);
     if (s->words == 1 && s->ways[0] != NULL && strstr(s->ways[0], "ID") != NULL)
         print_ids(sheet, s->run == command_eval || s->run == command_vectors);
-    for (int i = 0; i < SCENARIO_VALUES && takes_scenario(s); i++)
-        printf(" %s=", scenario_names[i]);
+    for (int i = 0; name_taken(s, i) != NULL; i++)
+        printf(" %s=", name_taken(s, i));
     for (const struct subcommand *other = subcommands; other->name != NULL && s->run == command_help; other++)
         printf(" %s", other->name);
     puts("' ;;");
