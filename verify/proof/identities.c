@@ -77,18 +77,10 @@ static int signs_by_form(struct run *r, const struct node *n)
     if (n->op == OPERATOR_EXP)
         return SIGN_POSITIVE;
     const int a = signs(r, n->left), b = n->right < 0 ? SIGN_ANY : signs(r, n->right);
-    if (n->op == OPERATOR_NEGATE)
-        return combine(a, SIGN_NEGATIVE, false);
-    if (n->op == OPERATOR_ADD || n->op == OPERATOR_SUBTRACT)
-        return combine(a, n->op == OPERATOR_ADD ? b : combine(b, SIGN_NEGATIVE, false), true);
     if (n->op == OPERATOR_MULTIPLY)
-        return n->left == n->right ? signs_power(a, 2) : combine(a, b, false);
+        return combine(a, b, false);
     if (n->op == OPERATOR_DIVIDE)
         return combine(a, b & ~SIGN_ZERO, false);
-    if (n->op == OPERATOR_POWER)
-        return signs_power(n->exponent < 0 ? a & ~SIGN_ZERO : a, n->exponent);
-    if (n->op == OPERATOR_SQRT)
-        return a & ~SIGN_NEGATIVE;
     if (n->op != OPERATOR_POSITIVE)
         return SIGN_ANY;
     const int may_be_one = a & (SIGN_POSITIVE | (r->terms > 1 ? SIGN_ZERO : 0)); /* zero at epsilon = 0 alone */

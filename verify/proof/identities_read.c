@@ -657,23 +657,12 @@ static bool all_needed(const struct identities *t, const struct scope *s)
     return true;
 }
 
-static bool check_roots(const struct identities *t, const struct scope *s)
-{
-    bool radical = false;
-    for (int i = 0; i < t->program.count; i++)
-        radical = radical || (t->needed[i] && (t->program.nodes[i].op == OPERATOR_SQRT ||
-                                               t->program.nodes[i].op == OPERATOR_ATAN2));
-    if (!radical && t->root_count > 0)
-        return node_error(given(s, "square roots"), 0, "expected no square roots, nothing shown rests on one");
-    return true;
-}
-
 bool identities_close(struct identities *t, const struct scope *s)
 {
     if (!check_rates(t, s))
         return false;
     mark_needed(t);
-    return s->variant != NULL || s->shared != NULL || (all_needed(t, s) && check_roots(t, s));
+    return s->variant != NULL || s->shared != NULL || all_needed(t, s);
 }
 
 void identities_clear(struct identities *t)
