@@ -117,11 +117,8 @@ static void parsing_open(struct parsing *f, const struct reading *r)
 /* One that stands `shift` characters into a scalar: its node, or -1 after a complaint. */
 static int parsing_add(struct parsing *f, const struct yaml *node, const char *text, size_t shift)
 {
-    struct message why;
-    size_t where;
-    const int result = f->fine ? identities_text(&f->identities, &f->scope, text, &where, &why) : -1;
-    if (f->fine && result < 0)
-        f->fine = node_error(node, shift + where, "%s", why.text);
+    const int result = f->fine ? identities_text(&f->identities, &f->scope, node, text, shift) : -1;
+    f->fine = result >= 0;
     return result;
 }
 

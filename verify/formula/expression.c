@@ -337,6 +337,16 @@ int program_parse_with(struct program *p, const char *text, reference_reader *re
     return node;
 }
 
+int program_read(struct program *p, const struct yaml *n, const char *text, size_t shift, reference_reader *reference, void *context)
+{
+    struct message expected = {""};
+    size_t where;
+    const int result = program_parse_with(p, text, reference, context, &where, &expected);
+    if (result < 0)
+        node_error(n, shift + where, "%s", expected.text);
+    return result;
+}
+
 /* ---- derivatives of programs ---- */
 
 static int product(struct program *p, int a, int b)

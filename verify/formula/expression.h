@@ -8,7 +8,7 @@
 #define CT_EXPRESSION_H
 
 #include "formula/arithmetic.h"
-#include "text/message.h"
+#include "text/tree.h"
 
 struct node {
     enum operator op;
@@ -68,6 +68,9 @@ struct parser {
 
 int program_parse_with(struct program *p, const char *text, reference_reader *reference, void *context,
                        size_t *where, struct message *why);
+
+/* The formula that stands `shift` characters into a scalar; -1 after a complaint that points into it. */
+int program_read(struct program *p, const struct yaml *n, const char *text, size_t shift, reference_reader *reference, void *context);
 
 enum { LONGEST_NAME = 63 };
 int parse_sum(struct parser *s);

@@ -628,24 +628,22 @@ static void note_names(struct table *table)
 {
     const struct identities *t = &table->s->corrected;
     const struct program *p = &t->program;
-    char *left = xrealloc(NULL, (size_t)p->count, 1), *right = xrealloc(NULL, (size_t)p->count, 1);
-    for (int i = p->inputs; i < p->named; i++) {
-        const int node = p->names[i].node;
-        int count = 0, last = -1;
-        for (int e = 0; e < t->shown_count; e++) {
-            const struct equality *shown = &t->shown[e];
-            program_needs(p, shown->left, NULL, left);
-            program_needs(p, shown->right, NULL, right);
-            if ((node <= shown->left && left[node]) || (node <= shown->right && right[node])) {
-                count++;
-                last = e;
-            }
-        }
-        if (count == 1)
-            table->alone[last] = true;
+    char *needed = xrealloc(NULL, (size_t)p->count, 1);
+    int *by = xrealloc(NULL, (size_t)p->named, sizeof *by); /* 1 + the equality; -1: several */
+    memset(by, 0, (size_t)p->named * sizeof *by);
+    for (int e = 0; e < t->shown_count; e++) {
+        memset(needed, 0, (size_t)p->count);
+        program_mark(p, t->shown[e].left, NULL, needed);
+        program_mark(p, t->shown[e].right, NULL, needed);
+        for (int i = p->inputs; i < p->named; i++)
+            if (needed[p->names[i].node])
+                by[i] = by[i] == 0 ? 1 + e : -1;
     }
-    free(left);
-    free(right);
+    for (int i = p->inputs; i < p->named; i++)
+        if (by[i] > 0)
+            table->alone[by[i] - 1] = true;
+    free(needed);
+    free(by);
 }
 
 static bool all_wanted(struct table *table)

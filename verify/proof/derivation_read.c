@@ -23,14 +23,12 @@ static bool read_formulas(const struct yaml *mapping, struct formulas *f, bool o
 {
     for (int i = 0; mapping != NULL && i < mapping->count; i++) {
         const struct yaml *formula = &mapping->items[i];
-        struct message expected = {""};
-        size_t where = 0;
         if (!is_text(formula, "a formula"))
             return false;
         const int count = f->program.count;
-        const int node = program_parse(&f->program, formula->text, &where, &expected);
+        const int node = program_read(&f->program, formula, formula->text, 0, NULL, NULL);
         if (node < 0)
-            return node_error(formula, where, "%s", expected.text);
+            return false;
         const int own = program_own(&f->program, count, node);
         program_name(&f->program, own, formula->key);
         if (output) {

@@ -108,8 +108,8 @@ void identities_clear(struct identities *t);
     {.key = "free"}, {.key = "positive"}, {.key = "not negative"}, {.key = "angles"}, {.key = "small"}, {.key = "order"}, \
     {.key = "rates"}, {.key = "square roots"}
 
-/* The node of a formula in the program's names and the sheet's; -1 with `why`: where it is already read. */
-int identities_text(struct identities *t, const struct scope *s, const char *text, size_t *where, struct message *why);
+/* The node of a formula that stands `shift` characters into a scalar; -1 after a complaint. */
+int identities_text(struct identities *t, const struct scope *s, const struct yaml *node, const char *text, size_t shift);
 
 /* Where the identities hold: "Omega > 0, psi any angle". Text to be freed. */
 char *identities_domain(const struct identities *t);

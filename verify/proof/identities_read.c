@@ -438,21 +438,10 @@ static int read_reference(struct parser *p, const char *name)
     return unknown_name(p, name, "function", "rate, left, right, sqrt, sin, cos, exp or atan2");
 }
 
-int identities_text(struct identities *t, const struct scope *s, const char *text, size_t *where, struct message *why)
+int identities_text(struct identities *t, const struct scope *s, const struct yaml *node, const char *text, size_t shift)
 {
     struct reading r = {t, s};
-    return program_parse_with(&t->program, text, read_reference, &r, where, why);
-}
-
-/* The formula that stands `shift` characters into a scalar. */
-static int read_text(struct identities *t, const struct scope *s, const struct yaml *node, const char *text, size_t shift)
-{
-    struct message expected = {""};
-    size_t where;
-    const int result = identities_text(t, s, text, &where, &expected);
-    if (result < 0)
-        node_error(node, shift + where, "%s", expected.text);
-    return result;
+    return program_read(&t->program, node, text, shift, read_reference, &r);
 }
 
 /* Only then is a place in the text a place in the file. */
@@ -465,7 +454,7 @@ static bool on_one_line(const struct yaml *node, const char *expected)
 
 int identities_formula(struct identities *t, const struct scope *s, const struct yaml *node)
 {
-    return on_one_line(node, "a formula") ? read_text(t, s, node, node->text, 0) : -1;
+    return on_one_line(node, "a formula") ? identities_text(t, s, node, node->text, 0) : -1;
 }
 
 const char *side_end(const char *text)
@@ -502,7 +491,7 @@ static int read_side_of(struct identities *t, const struct scope *s, const struc
 {
     char *side = text_copy(from);
     side[end - from] = '\0';
-    const int result = read_text(t, s, node, side, (size_t)(from - node->text));
+    const int result = identities_text(t, s, node, side, (size_t)(from - node->text));
     free(side);
     return result;
 }

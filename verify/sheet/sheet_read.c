@@ -103,25 +103,14 @@ static bool read_table1(struct sheet *s, const struct yaml *rows)
 
 /* ---- formulas ---- */
 
-/* One formula of the program; the node, or -1 and a complaint that points into the formula. */
-static int read_formula(struct program *p, const struct yaml *n, const char *text, size_t shift)
-{
-    struct message expected;
-    size_t where;
-    const int result = program_parse(p, text, &where, &expected);
-    if (result < 0)
-        node_error(n, shift + where, "%s", expected.text);
-    return result;
-}
-
 /* Both sides of a sign that stands in a text. */
 static bool read_sides(struct program *p, const struct yaml *n, const char *sign, size_t length, int sides[2])
 {
     char *left = text_copy(n->text);
     const size_t at = (size_t)(sign - n->text);
     left[at] = '\0';
-    sides[0] = read_formula(p, n, left, 0);
-    sides[1] = sides[0] < 0 ? -1 : read_formula(p, n, sign + length, at + length);
+    sides[0] = program_read(p, n, left, 0, NULL, NULL);
+    sides[1] = sides[0] < 0 ? -1 : program_read(p, n, sign + length, at + length, NULL, NULL);
     free(left);
     return sides[1] >= 0;
 }
@@ -132,7 +121,7 @@ static bool read_lets(const struct yaml *let, struct formulas *f)
         const struct yaml *n = &let->items[i];
         if (program_find(&f->program, n->key) >= 0)
             return node_error(n, AT_KEY, "'%s' is an input already, expected a new name", n->key);
-        const int result = is_text(n, "a formula") ? read_formula(&f->program, n, n->text, 0) : -1;
+        const int result = is_text(n, "a formula") ? program_read(&f->program, n, n->text, 0, NULL, NULL) : -1;
         if (result < 0)
             return false;
         program_name(&f->program, result, n->key);
@@ -158,7 +147,7 @@ static bool read_outputs(const struct sheet *sheet, const struct yaml *outputs, 
         else if (count >= s->output_count || s->outputs[count] != q)
             return node_error(n, AT_KEY, "expected the outputs of the corrected equation, in its order");
         f->text[count] = n->text;
-        f->outputs[count] = read_formula(&f->program, n, n->text, 0);
+        f->outputs[count] = program_read(&f->program, n, n->text, 0, NULL, NULL);
         if (f->outputs[count] < 0)
             return false;
     }
@@ -179,7 +168,7 @@ static bool read_condition(const struct yaml *n, struct formulas *f)
     if (length > strlen(integer) && strcmp(n->text + length - strlen(integer), integer) == 0) {
         char *formula = text_copy(n->text);
         formula[length - strlen(integer)] = '\0';
-        sides[0] = read_formula(&f->program, n, formula, 0);
+        sides[0] = program_read(&f->program, n, formula, 0, NULL, NULL);
         free(formula);
         if (sides[0] >= 0)
             *APPENDED(f->conditions, f->count) = (struct condition){n->text, sides[0], INTEGER};
