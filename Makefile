@@ -429,7 +429,7 @@ $(OPERATIONS:%=$(SITE)/data/%.csv.gz): $(SITE)/data/%.csv.gz: $(DATA)/golden/%.c
 
 # A page from the file system may read scripts alone: what the figures that turn are checked against and drawn over. Seventeen
 # digits of forty are all that a browser has; of the flows each third vector.
-TURNED := $(patsubst %,$(DATA)/golden/%.csv,eq07 eq10 eq10inv eq10lin eq18 eq21 eq41 eq41roots eq44 flow_linear flow_nonlinear)
+TURNED := $(patsubst %,$(DATA)/golden/%.csv,eq07 eq10 eq10inv eq18 eq21 eq41roots eq44 flow_linear flow_nonlinear)
 # Columns of a figure's data, a row of so many, with the digits that a drawing has.
 CERTIFIED = printf 'figure$(1): `'; cut -d , -f $(2) $(DATA)/figure$(1).csv | awk 'NR == 1 || NR % $(3) == 2 % $(3)' | sed -E 's/([0-9]\.[0-9]{6})[0-9]+/\1/g'; echo '`$(comma)'
 $(SITE)/vectors.js: $(TURNED) $(TABLES)

@@ -401,7 +401,7 @@ local function step_blocks(s, brief)
     .. (s.order and 'to order ' .. s.order or 'exactly') .. (web and '' or ', for ' .. prose(s.domain)) .. '.}'))}
   if brief then return box('step', blocks) end
   blocks:extend(not web and algebra(s.lines) or details('the algebra, line by line',
-    join(algebra(s.lines), {pandoc.CodeBlock('for ' .. s.domain .. '\n' .. table.concat(s.step.show or {}, '\n'))})))
+    join(algebra(s.lines), {pandoc.CodeBlock('for ' .. s.domain)})))
   if s.printed then
     local difference = s.printed.difference
     blocks:insert(para(inlines('As printed it fails: ' .. (difference and 'the sides differ by a multiple of $' .. difference .. '$'
