@@ -679,7 +679,7 @@ EACH(verify_speaks_json_of_every_part, 3)
     "# sampling, by the linear model\nT = 5.582e-01 s  # the law may be held for any time below this one\n" \
     "d = 2.322e-01 s  # the law may act late by any time below this one\n" \
     "# screening at lambda_d\nlost = 1.752e-02 -  # part of the force that is missing\n" \
-    "# basin of rest at L_ref, by the energy of the nonlinear model\n" \
+    "# basin of rest at L_ref, by the energy of the nonlinear model without screening\n" \
     "equilibrium = 2.606e+00 m  # other equilibrium on the radius\n"
 
 TEST(design_prints_what_one_decides_with)

@@ -114,7 +114,7 @@ static void design_formulas(struct design *d)
 /* What the energy guarantees. */
 static void design_guarantees(struct design *d)
 {
-    const char *group = "basin of rest at L_ref, by the energy of the nonlinear model";
+    const char *group = "basin of rest at L_ref, by the energy of the nonlinear model without screening";
     for (int i = 0; i < GUARANTEES; i++) {
         const struct guarantee *g = &guarantees[i];
         if (strcmp(g->name, "deficit") == 0)

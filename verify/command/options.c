@@ -27,8 +27,9 @@ const struct subcommand subcommands[] = {
     {"design", command_design, {"[n=VALUE | C1=VALUE C2=VALUE] [NAME=VALUE ...]"}, 0,
      "What one decides with, every digit proved: gains, charges, roots and frequencies; how long the law may be held between "
      "samples, or act late, before the linear model no longer comes to rest; the basin of rest in the nonlinear one, and the errors "
-     "that it bears. NAME is Omega, L_ref, k_c, m1, m2 or lambda_d, which is infinite unless given; gains outside (42), and a "
-     "lambda_d at which nothing rests near L_ref, end it with exit status 1."},
+     "that it bears. NAME is Omega, L_ref, k_c, m1, m2 or lambda_d, of which the force that is missing is told, all other "
+     "numbers being those without screening; gains outside (42), and a lambda_d at which nothing rests near L_ref, end it with "
+     "exit status 1."},
     {"verify", command_verify, {"", "derivations [STEP]", "claims [ID]", "errors"}, 2,
      "The proofs: of the derivation steps between the equations, with bounds of what they drop (derivations); of every claim "
      "of the paper, with its verdict (claims); the reference library's error, measured against the truth on random inputs "
