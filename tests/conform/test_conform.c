@@ -43,6 +43,8 @@ static void assert_says(const char *text)
 /* ---- faults ---- */
 
 /* eq07, eq09 and eq44 have 50, 26 and 32 golden vectors; faults begin with the eleventh question. */
+#define TWO_TIMES(motion) motion "-paper-100," motion "-paper-43200," motion "-rates-100," motion "-rates-43200"
+#define LATER(motion) motion "-paper-43200," motion "-rates-43200," motion "-other-orbit-7200"
 #define THREE "--only eq07,eq09,eq44 --timeout 1 -- FAULTY "
 
 static const struct {
@@ -92,7 +94,7 @@ static const struct {
     {"--significand 24 --only eq12,eq38 -- FAULTY float", 0, " 0 failed"},
     /* R_c^5 leaves binary32's range for the larger of 200 orbits; golden vectors, and 13 from outside the domain, are without such */
     {"--significand 24 --only eq37 --random 200 --seed 1 -- FAULTY float", 0, " 0 failed, 61 skipped\n"},
-    {"--only flow_linear-paper-100,flow_linear-paper-43200,flow_linear-rates-100,flow_linear-rates-43200 -- FAULTY backwards", 1, "looks like a known mistake: backwards in time\n"},
+    {"--only " TWO_TIMES("flow_linear") " -- FAULTY backwards", 1, "looks like a known mistake: backwards in time\n"},
     {"--significand 113 --only eq12,eq38 -- FAULTY none", 1, " wrong\n"},
     {"--only flow_linear-paper-43200,flow_linear-paper-432000 --digits flow_linear=15 -- FAULTY none", 1, " wrong\n"},
 };
@@ -186,11 +188,11 @@ static const struct {
     {"eq40", "exchanged", "  looks like the inputs dL_dot and psi_dot exchanged\n"},
     {"eq41roots", "units", "  looks like in units of Omega: a factor Omega is missing\n"},
     {"eq41roots", "conjugates", "  looks like conjugates are missing: the imaginary parts have lost their signs\n"},
-    {"flow_linear-paper-100,flow_linear-paper-43200,flow_linear-rates-100,flow_linear-rates-43200", "euler", "  looks like Euler's method with steps of 10 s\n"},
-    {"rk4_linear-paper-100,rk4_linear-paper-43200,rk4_linear-rates-100,rk4_linear-rates-43200", "euler", "  looks like Euler's method with steps of 1 h\n"},
-    {"flow_linear-paper-43200,flow_linear-rates-43200,flow_linear-other-orbit-7200", "long-step", "  looks like the classical Runge-Kutta method with steps of 300 s\n"},
-    {"rk4_linear-paper-43200,rk4_linear-rates-43200,rk4_linear-other-orbit-7200", "long-step", "  looks like the classical Runge-Kutta method with steps of 2 h\n"},
-    {"flow_linear-paper-100,flow_linear-paper-43200,flow_linear-rates-100,flow_linear-rates-43200", "coupling", "  looks like -2 Omega/L_ref dL_dot in psi_ddot with the other sign\n"},
+    {TWO_TIMES("flow_linear"), "euler", "  looks like Euler's method with steps of 10 s\n"},
+    {TWO_TIMES("rk4_linear"), "euler", "  looks like Euler's method with steps of 1 h\n"},
+    {LATER("flow_linear"), "long-step", "  looks like the classical Runge-Kutta method with steps of 300 s\n"},
+    {LATER("rk4_linear"), "long-step", "  looks like the classical Runge-Kutta method with steps of 2 h\n"},
+    {TWO_TIMES("flow_linear"), "coupling", "  looks like -2 Omega/L_ref dL_dot in psi_ddot with the other sign\n"},
 };
 
 START_TEST(a_mistake_that_people_make_is_told_in_words)
@@ -227,7 +229,7 @@ END_TEST
 /* A client that follows the first two vectors rightly: Euler's method would not. */
 START_TEST(a_motion_that_passes_refutes_a_hypothesis)
 {
-    ck_assert_int_eq(conform("--only flow_linear-paper-100,flow_linear-paper-43200,flow_linear-rates-100,flow_linear-rates-43200 -- sh -c 'for i in 1 2; do read -r q; echo \"$q\"; done | "
+    ck_assert_int_eq(conform("--only " TWO_TIMES("flow_linear") " -- sh -c 'for i in 1 2; do read -r q; echo \"$q\"; done | "
                              "\"$0\" none; exec \"$0\" euler' FAULTY"), 1);
     ck_assert_ptr_null(strstr(said, "looks like"));
 }

@@ -436,7 +436,8 @@ END_TEST
 
 /*
  * At L = (1 - 3/n) L_ref, at rest as a length, the law asks for no charge; the relative orbit x = r sin(tau), y = 2 r cos(tau),
- * z = sqrt(3) r sin(tau) of Clohessy and Wiltshire has the constant length 2 r: it is a motion of the closed loop, in 11 digits of its binary64 inputs.
+ * z = sqrt(3) r sin(tau) of Clohessy and Wiltshire has the constant length 2 r: it is a motion of the closed loop, but for what
+ * rounds sqrt(3), in 11 digits.
  */
 START_TEST(a_motion_without_charge_is_clohessys_and_wiltshires)
 {

@@ -170,8 +170,10 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
 {
     uint64_t random = 0, significand = BINARY64;
     int status;
-    if ((status = option_number(a, "--random", &random)) != EXIT_DONE || (status = option_number(a, "--seed", &e->sets.seed)) != EXIT_DONE ||
-        (status = option_inputs(a, &e->sets.form)) != EXIT_DONE || (status = option_number(a, "--significand", &significand)) != EXIT_DONE)
+    if ((status = option_number(a, "--random", &random)) != EXIT_DONE ||
+        (status = option_number(a, "--seed", &e->sets.seed)) != EXIT_DONE ||
+        (status = option_number(a, "--significand", &significand)) != EXIT_DONE ||
+        (status = option_inputs(a, &e->sets.form)) != EXIT_DONE)
         return status;
     if (option_given(a, "--random") != option_given(a, "--seed"))
         return usage_error(EXIT_USAGE, "conform: expected --random N and --seed S together");
@@ -429,7 +431,7 @@ static const struct section *section_of_file(const struct sheet *sheet, FILE *fi
     return s;
 }
 
-/* What comes through a pipe, which cannot be rewound, in a temporary file; another file as it is. NULL after a complaint; it is closed then. */
+/* What comes through a pipe, which cannot be rewound, in a temporary file; another file as it is. NULL, and it is closed, after a complaint. */
 static FILE *rewindable(FILE *file, const char *name)
 {
     char bytes[1 << 12];
@@ -437,7 +439,8 @@ static FILE *rewindable(FILE *file, const char *name)
     if (fseek(file, 0, SEEK_SET) == 0)
         return file;
     FILE *copy = tmpfile();
-    while (copy != NULL && total <= MOST_PIPED && (size = fread(bytes, 1, sizeof bytes, file)) > 0 && fwrite(bytes, 1, size, copy) == size)
+    while (copy != NULL && total <= MOST_PIPED && (size = fread(bytes, 1, sizeof bytes, file)) > 0 &&
+           fwrite(bytes, 1, size, copy) == size)
         total += size;
     const bool whole = copy != NULL && feof(file) && fflush(copy) == 0 && !ferror(copy); /* LCOV_EXCL_BR_LINE: a failing system call */
     if (total > MOST_PIPED)

@@ -128,7 +128,10 @@ static bool ends_there(const struct evidence *v, int f, const struct hypothesis 
     return off <= fmin(0.1 * was, fmax(1e-3 * was, 1e-12 * scale)); /* binary64 loses three digits in thousands of steps */
 }
 
-/* The step, of two digits, with which the first failing motion is as far off as the answer: errors go with its power, the method's order. */
+/*
+ * The step, of two digits, with which the first failing motion is as far off as the answer: errors go with that power of it
+ * which is the method's order.
+ */
 static double likely_step(const struct evidence *v, struct hypothesis *p)
 {
     double unit, step = p->in_h ? 2.0 : 10.0, y[6];
@@ -141,7 +144,8 @@ static double likely_step(const struct evidence *v, struct hypothesis *p)
         if (!(steps <= MOST_STEPS) || clock() >= v->until)
             return 0.0;
         integrate(p, v->x[f], steps, y);
-        step = t / (steps * unit) * pow(state_distance(p, v->x[f], v->y[f], v->exact[f]) / state_distance(p, v->x[f], y, v->exact[f]), 1.0 / p->method->order);
+        const double off = state_distance(p, v->x[f], v->y[f], v->exact[f]) / state_distance(p, v->x[f], y, v->exact[f]);
+        step = t / (steps * unit) * pow(off, 1.0 / p->method->order);
     }
     snprintf(rounded, sizeof rounded, "%.2g", step);
     return strtod(rounded, NULL);
@@ -169,7 +173,8 @@ static bool fits_all(const struct evidence *v, const struct hypothesis *p)
 void kind_of_motion(const struct evidence *v, char *text, size_t size)
 {
     const enum method method = v->section->method;
-    struct hypothesis p = {.linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR, .in_h = method >= METHOD_RK4_LINEAR};
+    struct hypothesis p = {.in_h = method >= METHOD_RK4_LINEAR};
+    p.linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
     *text = '\0';
     for (int k = 0; k < TERMS + INTEGRATORS + p.in_h && *text == '\0'; k++) {
         const bool half = k == TERMS + INTEGRATORS; /* of h: it is off by as much as one of h, which is right */
@@ -181,6 +186,7 @@ void kind_of_motion(const struct evidence *v, char *text, size_t size)
         if (k < TERMS)
             snprintf(text, size, "%s with the other sign", terms[p.linear][k]);
         else
-            snprintf(text, size, "%s with steps of %g %s", p.linear ? p.method->linear_name : p.method->name, p.step, p.in_h ? "h" : "s");
+            snprintf(text, size, "%s with steps of %g %s", p.linear ? p.method->linear_name : p.method->name, p.step,
+                     p.in_h ? "h" : "s");
     }
 }

@@ -188,7 +188,8 @@ static void exhibit_init(struct exhibit *x, const struct test_run *e, const stru
         x->got[i] = strtok_r(i == 0 ? x->text : NULL, " ", &rest);
     for (int i = 0; i < o->section->output_count; i++)
         x->marked[i] = r->outcome == OUTCOME_WRONG && (is_motion(o->section) || i == r->score.output);
-    if (o->section->method == METHOD_ROOTS && r->outcome == OUTCOME_WRONG && r->has_values && x->got[7] != NULL && x->expected[0] != NULL)
+    if (o->section->method == METHOD_ROOTS && r->outcome == OUTCOME_WRONG && r->has_values && x->got[7] != NULL &&
+        x->expected[0] != NULL)
         match_roots(x);
 }
 
@@ -301,10 +302,11 @@ static void row_text(const struct test_run *e, int k, FILE *file)
     const struct totals sum = report_totals(e, k);
     if (sum.skipped == sum.vectors && *t->reason != '\0')
         return; /* named with its reason */
-    fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, section_of_set(e, k)->id, sum.vectors, sum.passed, sum.failed, sum.skipped);
+    fprintf(file, "%-15s %8" PRIu64 " %8" PRIu64 " %7" PRIu64 " %8" PRIu64, section_of_set(e, k)->id, sum.vectors,
+            sum.passed, sum.failed, sum.skipped);
     if (t->worst != UINT64_MAX)
-        fprintf(file, "  %8s  %6s  %s", is_motion(section_of_set(e, k)) ? "-" : error_text(t->worst_E), digits_text(summary_digits(e, k)),
-                vector_name(e, t->worst));
+        fprintf(file, "  %8s  %6s  %s", is_motion(section_of_set(e, k)) ? "-" : error_text(t->worst_E),
+                digits_text(summary_digits(e, k)), vector_name(e, t->worst));
     fputc('\n', file);
 }
 
@@ -423,12 +425,13 @@ static void put_written(FILE *file, const struct test_run *e, const struct recor
 
 static void write_suite(const char *name, uint64_t tests, uint64_t failures, uint64_t skipped, FILE *file)
 {
-    fprintf(file, "<testsuite name=\"%s\" tests=\"%" PRIu64 "\" failures=\"%" PRIu64 "\" errors=\"0\" skipped=\"%" PRIu64 "\">\n", name, tests,
-            failures, skipped);
+    fprintf(file, "<testsuite name=\"%s\" tests=\"%" PRIu64 "\" failures=\"%" PRIu64 "\" errors=\"0\" skipped=\"%" PRIu64 "\">\n",
+            name, tests, failures, skipped);
 }
 
 /* A vector of an operation, or what is said of the client itself (no record). */
-static void write_case(const struct test_run *e, const char *set, const char *name, const struct record *r, const char *failure, FILE *file)
+static void write_case(const struct test_run *e, const char *set, const char *name, const struct record *r, const char *failure,
+                       FILE *file)
 {
     fprintf(file, "<testcase classname=\"%s\" name=\"%s\">", set, name);
     if (r != NULL && (r->outcome == OUTCOME_SKIPPED || r->expected)) {
@@ -457,7 +460,8 @@ static void write_xml(const struct report *r, FILE *file)
             write_suite(section_of_set(e, k)->id, sum.vectors, sum.failed, sum.skipped + sum.expected, file);
         }
         open = k;
-        write_case(e, section_of_set(e, k)->id, vector_name(e, one.position), &one, one.outcome == OUTCOME_RIGHT ? NULL : outcome_names[one.outcome], file);
+        write_case(e, section_of_set(e, k)->id, vector_name(e, one.position), &one,
+                   one.outcome == OUTCOME_RIGHT ? NULL : outcome_names[one.outcome], file);
     }
     const bool bad = stray_count(e) > 0 || *e->ended != '\0';
     fputs(open >= 0 ? "</testsuite>\n" : "", file);
