@@ -43,7 +43,7 @@ static void assert_says(const char *text)
 /* ---- faults ---- */
 
 /* eq07, eq09 and eq44 have 50, 26 and 32 golden vectors; faults begin with the eleventh question. */
-#define TWO_TIMES(motion) motion "-paper-100," motion "-paper-43200," motion "-rates-100," motion "-rates-43200"
+#define TWO_TIMES(motion) motion "-paper-100," motion "-paper-43200," motion "-rates-100," motion "-rates-43200," motion "-at-rest-100"
 #define LATER(motion) motion "-paper-43200," motion "-rates-43200," motion "-other-orbit-7200"
 #define THREE "--only eq07,eq09,eq44 --timeout 1 -- FAULTY "
 
@@ -589,6 +589,9 @@ START_TEST(reports_for_machines_say_the_same)
                                                            "\"hint\": \"'oops' is no number\"}"));
     ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- FAULTY wrong-id"), 1);
     ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"lines\": [{\"count\": 66, \"first\": 11, \"outcome\": \"wrong id\", "));
+    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.xml\" -- FAULTY wrong-id"), 1);
+    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "<testcase classname=\"client\" name=\"lines\"><failure message=\"lines that answer "
+                                                          "nothing, or an end that is none\">\nlines that answer nothing: 66\n"));
     ck_assert_int_eq(conform("--only eq07 --report /nowhere/report.json -- FAULTY none"), 1);
     assert_says("/nowhere/report.json: No such file");
 }

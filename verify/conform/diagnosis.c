@@ -253,10 +253,9 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
         test_vector_make(&q, &e->sets, r->position);
         for (int f = 0; f < v->count && motion && !right; f++)
             alike += v->x[f][input_place(s, "t")] == fmpq_get_d(&q.inputs[input_place(s, "t")].value);
-        if ((r->outcome != OUTCOME_WRONG && !right) || is_longer(s, q.inputs, 12.0) || alike == MOST_ALIKE)
-            continue;
-        if (!(motion && right) &&
-            operation_follow(o, q.inputs, 15, motion ? operation_precision(o, q.inputs, 15) : 128, exact) != OPERATION_PROVED)
+        if ((r->outcome != OUTCOME_WRONG && !right) || is_longer(s, q.inputs, 12.0) || alike == MOST_ALIKE ||
+            (!(motion && right) &&
+             operation_follow(o, q.inputs, 15, motion ? operation_precision(o, q.inputs, 15) : 128, exact) != OPERATION_PROVED))
             continue;
         v->records[v->count] = r;
         for (int k = 0; k < s->input_count; k++)
