@@ -12,6 +12,7 @@
 #include "evaluate/reference.h"
 #include "evaluate/sample.h"
 #include "evaluate/vectors.h"
+#include "text/csv.h"
 #include "text/scope.h"
 
 /* Largest E of ref/ that a test lets pass, and why: see worst_error_of_ref_stays_below_the_bound. */
@@ -282,6 +283,74 @@ TEST(golden_lines_ask_each_condition)
                                        "eq43-domain-1-inside,7.2915e-5,7.888609052210118e-31,")); /* 2^-100 */
     ck_assert_ptr_nonnull(strstr(printed("eq39 --golden"), ",-2.2250738585072014e-308,0.01,0.01,,,,,,,invalid\neq39-zero-I,7.2915e-5,0,0.01,0.01,0,0,0,"));
     ck_assert_ptr_nonnull(strstr(printed("rk4_linear --golden"), "\nrk4_linear-between-steps,7.2915e-5,10,5.316597225e-8,1.4583e-4,43200.00000000001,"));
+}
+
+/* Whether two rows of inputs differ in one number alone, and in that by what rounding an edge takes. */
+static bool are_neighbours(const double *a, const double *b, int count)
+{
+    int others = 0;
+    bool near = true;
+    for (int i = 0; i < count; i++)
+        if (a[i] != b[i]) {
+            others++;
+            near = near && fabs(a[i] - b[i]) <= 0x1p-48 * fmax(1, fabs(a[i]));
+        }
+    return others == 1 && near;
+}
+
+/*
+ * Every condition is asked by a golden vector that it alone refuses, and by a neighbour of it that is inside. A motion's is
+ * asked from outside: a whole step lies between, or craft so near that no motion is followed.
+ */
+EACH(every_condition_is_asked_from_just_outside_and_just_inside, sheet()->section_count)
+{
+    enum { MOST_ROWS = 400 };
+    static double row[MOST_ROWS][MOST_INPUTS];
+    const struct section *s = operation_at(_i);
+    struct operation o;
+    struct message why;
+    char path[64];
+    int rows = 0;
+    if (s->method == METHOD_NONE)
+        return;
+    snprintf(path, sizeof path, "data/golden/%s.csv", s->id);
+    FILE *file = fopen(path, "r");
+    ck_assert_ptr_nonnull(file);
+    struct csv c = csv_on(file, path, 100000);
+    ck_assert_int_eq(csv_next(&c, &why), CSV_ROW);
+    for (; csv_next(&c, &why) == CSV_ROW; rows++)
+        for (int i = 0; i < s->input_count; i++)
+            row[rows][i] = strtod(c.cells[1 + i], NULL);
+    csv_clear(&c);
+    fclose(file);
+
+    operation_init(&o, s, false);
+    const struct formulas whole = *o.formulas;
+    struct input *inputs = inputs_new(s->input_count);
+    for (int k = 0; k < whole.count; k++) {
+        struct formulas without = whole;
+        struct condition others[16];
+        bool valid[MOST_ROWS], refused[MOST_ROWS], asked = false;
+        ck_assert_int_le(whole.count, 16);
+        without.conditions = others;
+        without.count = 0;
+        for (int i = 0; i < whole.count; i++)
+            if (i != k)
+                others[without.count++] = whole.conditions[i];
+        for (int r = 0; r < rows; r++) {
+            const bool numbers = inputs_of_values(s, row[r], inputs);
+            o.formulas = &whole;
+            valid[r] = numbers && operation_valid(&o, inputs);
+            o.formulas = &without;
+            refused[r] = numbers && !valid[r] && operation_valid(&o, inputs);
+        }
+        for (int r = 0; r < rows && !asked; r++)
+            for (int i = 0; i < rows && refused[r] && !asked; i++)
+                asked = !operation_has_sensitivity(s) || (valid[i] && are_neighbours(row[r], row[i], s->input_count));
+        ck_assert_msg(asked, "%s: %s", s->id, whole.conditions[k].text);
+    }
+    inputs_free(inputs, s->input_count);
+    operation_clear(&o);
 }
 
 TEST(golden_lines_have_their_flags)
