@@ -319,6 +319,14 @@ const struct section *operation_argument(const struct arguments *a)
     return s;
 }
 
+void print_list(const char *const *texts, int count, int width)
+{
+    width -= count == 0 ? printf("-") : 0;
+    for (int i = 0; i < count; i++)
+        width -= printf("%s%s", i ? " " : "", texts[i]);
+    printf("%*s", width > 0 ? width : 0, "");
+}
+
 int output_finished(void)
 {
     if (fflush(stdout) == 0 && !ferror(stdout))

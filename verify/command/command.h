@@ -88,6 +88,9 @@ const struct section *section_argument(const struct sheet *sheet, const char *id
 /* The whole program, on those sheets: its exit status. */
 int program_run(const struct sources *sources, int count, char **arguments);
 
+/* Texts, blanks between them, padded to a width; "-" where there is none. */
+void print_list(const char *const *texts, int count, int width);
+
 /* Everything that was printed is out: EXIT_DONE, or EXIT_FAILED_CHECK after a complaint. */
 int output_finished(void);
 

@@ -8,15 +8,6 @@
 #include "command/command.h"
 #include "text/json.h"
 
-/* Blank-separated, padded to a width; "-" where there is nothing. */
-static void print_list(const char *const *texts, int count, int width)
-{
-    width -= count == 0 ? printf("-") : 0;
-    for (int i = 0; i < count; i++)
-        width -= printf("%s%s", i ? " " : "", texts[i]);
-    printf("%*s", width > 0 ? width : 0, "");
-}
-
 static const char *derivation_fault(const struct step *s)
 {
     return s->binding.fault.text[0] != '\0' ? s->binding.fault.text : NULL;

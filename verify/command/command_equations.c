@@ -7,14 +7,6 @@
 #include "command/command.h"
 #include "text/json.h"
 
-/* The equation numbers, at least `width` wide. */
-static void print_equation_numbers(const struct section *s, int width)
-{
-    for (int i = 0; i < s->numbers; i++)
-        width -= printf("%s%s", i ? " " : "", s->equations[i]);
-    printf("%*s", width > 0 ? width : 0, "");
-}
-
 static void print_quantities(const char *heading, const struct quantity *const *quantities, int count)
 {
     for (int i = 0; i < count; i++)
@@ -45,7 +37,7 @@ static void print_verdicts(const struct proof_results *p, const struct section *
 static void print_section(const struct proof_results *p, const struct section *s)
 {
     printf("%s  Eq. ", s->id);
-    print_equation_numbers(s, 0);
+    print_list(s->equations, s->numbers, 0);
     printf("  %s\n", s->title);
     print_quantities("given", s->inputs, s->input_count);
     print_quantities("returns", s->outputs, s->output_count);
@@ -128,7 +120,7 @@ static void print_sections(const struct sheet *sheet)
     for (int i = 0; i < sheet->section_count; i++) {
         const struct section *s = &sheet->sections[i];
         printf("%-15s ", s->id);
-        print_equation_numbers(s, 14);
+        print_list(s->equations, s->numbers, 14);
         printf("  %s%s\n", s->title, s->differs ? " (misprinted)" : "");
     }
 }

@@ -130,18 +130,11 @@ static void domain_edges(struct golden *g)
 /* The random vector of that number. */
 static void sampled(struct golden *g, uint64_t seed, uint64_t k, const char *name, const char *flags)
 {
-    const struct section *s = g->o.section;
-    struct input *inputs = inputs_new(s->input_count);
+    struct input *inputs = inputs_new(g->o.section->input_count);
     double values[MOST_INPUTS];
-    char decimals[MOST_INPUTS][32];
-    const char *texts[MOST_INPUTS] = {NULL};
     sample(&g->o, seed, k, values, inputs);
-    for (int i = 0; i < s->input_count; i++) {
-        decimal_shortest(decimals[i], values[i]);
-        texts[i] = decimals[i];
-    }
-    hand_on(g, name, texts, flags);
-    inputs_free(inputs, s->input_count);
+    hand_on_values(g, name, values, flags);
+    inputs_free(inputs, g->o.section->input_count);
 }
 
 static void random_golden(struct golden *g)

@@ -265,15 +265,15 @@ static enum operation_status enclose_outputs(struct operation *o, const struct i
     return OPERATION_PROVED;
 }
 
-enum operation_status operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs)
-{
-    return enclose_outputs(o, inputs, (slong)((double)prec / 3.33), prec, false, outputs);
-}
-
 enum operation_status operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
                                        arb_ptr outputs)
 {
     return enclose_outputs(o, inputs, digits, prec, false, outputs);
+}
+
+enum operation_status operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs)
+{
+    return operation_follow(o, inputs, (slong)((double)prec / 3.33), prec, outputs);
 }
 
 /* ---- digits ---- */
