@@ -205,6 +205,22 @@ static const struct {
     {"trajectory linear psi=0.1 psi=0.1", 2, "twice"},
     {"trajectory linear phi=0.1", 2, "psi"},
     {"trajectory linear n=10 C2=1", 2, "n"},
+    /* sets */
+    {"trajectory nonlinear psi=0.01+-0.001", 2, "psi=0.01+-0.001: a value with a radius is a set of motions, expected with --set"},
+    {"trajectory nonlinear psi=0.01+-abc --set", 2, "psi: expected a number, got 'abc'"},
+    {"trajectory nonlinear psi=0.01+- --set", 2, "psi: expected a number, got ''"},
+    {"trajectory nonlinear psi=abc+-1 --set", 2, "psi: expected a number, got 'abc'"},
+    {"trajectory nonlinear psi=0.01+-nan --set", 1, "psi: expected a finite number"},
+    {"trajectory nonlinear psi=0.01+--1 --set", 1, "psi: expected a number >= 0 after +-, got '-1'"},
+    {"trajectory nonlinear psi=0.01+-1+-1 --set", 2, "psi: expected a number, got '1+-1'"},
+    {"trajectory nonlinear Omega=7e-5+-1e-6 --set", 2, "Omega: expected without +-"},
+    {"trajectory nonlinear dL=-9+-1 --set", 1, "dL: expected the two craft apart, L > 0, in all of the box"},
+    {"trajectory nonlinear L_ref=10+-10 --set", 1, "L_ref: expected numbers > 0 in all of the box"},
+    {"trajectory nonlinear m1=150+-150 --set", 1, "m1: expected numbers > 0 in all of the box"},
+    {"trajectory nonlinear x1=1+-1 y1=0+-1 z1=1+-2 x1_dot=0 y1_dot=0 z1_dot=0 --set", 1, "x1 y1 z1: expected the two craft apart"},
+    {"trajectory linear psi=0.01+-0.001 --set", 2, "--set does nothing here, it goes with nonlinear"},
+    {"trajectory nonlinear --set --rk4 100", 2, "--set: expected without --rk4"},
+    {"trajectory nonlinear Q_factor=1.01", 2, "unknown name 'Q_factor'"},
     /* on the orbit normal two attracting craft fall straight into each other */
     {"eval flow_nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 t=10 x1_0=0 y1_0=0 z1_0=1 x1_dot_0=0 y1_dot_0=0 z1_dot_0=0", 1,
      "the craft come closer than L_ref/128, nothing is proved beyond, last proved time 0.5"},
@@ -349,6 +365,10 @@ static const struct {
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n0.1,0,0,0,0,0,0\n0.2,0,0,0,0,0,0\n0.3,0,0,0,0,0,0\n"},
     {"trajectory linear --every 1.00000000000000000001 --until 1.5 --exact --digits 3 psi=0 theta=0 dL=0",
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n1.00000000000000000001e+00,0,0,0,0,0,0\n"},
+    /* at the start 5 and 5.05 cm and what is given beside, outward to three digits */
+    {"trajectory nonlinear x1=5+-0.015 y1=0 z1=-0.0505+-0.01 x1_dot=0 y1_dot=0 z1_dot=0 --set --at 0 --digits 3",
+     "t,x1_low,x1_high,y1_low,y1_high,z1_low,z1_high,x1_dot_low,x1_dot_high,y1_dot_low,y1_dot_high,z1_dot_low,z1_dot_high\n"
+     "0,4.98e+00,5.02e+00,0,0,-6.06e-02,-4.04e-02,0,0,0,0,0,0\n"},
     {"trajectory linear --every 50 --until -50 --digits 3 psi=0 theta=0 dL=0",
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n-50,0,0,0,0,0,0\n"},
 };
@@ -690,6 +710,9 @@ TEST(design_prints_what_one_decides_with)
     ck_assert_str_eq(output, DESIGN_12_4);
     ck_assert_int_eq(run("design lambda_d=inf --digits 4"), 0);
     ck_assert_ptr_nonnull(strstr(output, "\nlost = 0 -  # "));
+    /* polyroots([1, 2, 8, 6, 3]): -0.4159254 +- 0.5324503i the slower, times 7.2915e-5 */
+    ck_assert_ptr_nonnull(strstr(output, "\nre4 = -3.033e-05 1/s  # slowest decay\nim4 = 3.882e-05 rad/s"));
+    ck_assert_ptr_nonnull(strstr(output, "\nt_slow = 3.297e+04 s  # "));
     /* 3 Omega^2 L_ref, units by name: 3*7.2915e-5**2*10 */
     ck_assert_ptr_nonnull(strstr(output, "\nalong = 1.595e-07 m/s^2  # "));
     ck_assert_ptr_nonnull(strstr(output, " rad/s  # largest rate of yaw, or of pitch"));

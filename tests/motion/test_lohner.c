@@ -107,7 +107,7 @@ static bool move_and_compare(struct lohner *set, const struct map *m, slong prec
     fmpq_mat_init(inverse, N, N);
     for (int j = 0; j < N; j++)
         mag_set(before + j, set->radius + j);
-    const bool moved = lohner_move(set, m->image, m->derivative, m->error, prec);
+    const bool moved = lohner_move(set, m->image, m->derivative, 1, m->error, prec);
     basis_of(inverse, set);
     ck_assert(fmpq_mat_inv(inverse, inverse));
     for (int j = 0; j < N && moved; j++) {
@@ -296,7 +296,7 @@ START_TEST(L8_a_reach_that_is_not_finite_is_no_set)
     arb_mat_one(m.derivative);
     mag_inf(m.error + _i);
     box_of(&set, 1);
-    ck_assert(!lohner_move(&set, m.image, m.derivative, m.error, LOHNER_BITS));
+    ck_assert(!lohner_move(&set, m.image, m.derivative, 1, m.error, LOHNER_BITS));
     lohner_clear(&set);
     map_clear(&m);
     flint_cleanup();
@@ -394,7 +394,7 @@ START_TEST(a_set_turns_without_growing)
             for (int j = 0; j < LOHNER_SIZE; j++)
                 arb_set_d(arb_mat_entry(derivative, i, j), set.basis[i][j]);
         arb_mat_mul(derivative, turn, derivative, 64);
-        ck_assert(lohner_move(&set, image, derivative, error, LOHNER_BITS));
+        ck_assert(lohner_move(&set, image, derivative, 1, error, LOHNER_BITS));
     }
     lohner_to_box(box, &set);
     arb_mul_ui(angle, angle, 1000, 64);
@@ -427,18 +427,18 @@ START_TEST(a_set_under_a_singular_map_stays_bounded)
         mag_one(arb_radref(box + i));
     lohner_init(&set);
     lohner_from_box(&set, box);
-    ck_assert(lohner_move(&set, image, derivative, error, LOHNER_BITS));
+    ck_assert(lohner_move(&set, image, derivative, 1, error, LOHNER_BITS));
     lohner_to_box(box, &set);
     for (int i = 0; i < LOHNER_SIZE; i++)
         ck_assert_double_eq_tol(mag_get_d(arb_radref(box + i)), i == 3, 1e-6);
     arb_mat_zero(derivative);
     mag_set_ui(error + 2, 5); /* what the map leaves open is in the image */
-    ck_assert(lohner_move(&set, image, derivative, error, LOHNER_BITS));
+    ck_assert(lohner_move(&set, image, derivative, 1, error, LOHNER_BITS));
     lohner_to_box(box, &set);
     for (int i = 0; i < LOHNER_SIZE; i++)
         ck_assert_double_eq_tol(mag_get_d(arb_radref(box + i)), i == 2 ? 5 : 0, 1e-6);
     arb_indeterminate(arb_mat_entry(derivative, 0, 0));
-    ck_assert(!lohner_move(&set, image, derivative, error, LOHNER_BITS));
+    ck_assert(!lohner_move(&set, image, derivative, 1, error, LOHNER_BITS));
     _arb_vec_clear(box, LOHNER_SIZE);
     _arb_vec_clear(image, LOHNER_SIZE);
     _mag_vec_clear(error, LOHNER_SIZE);

@@ -21,7 +21,7 @@ static const struct term moved_terms[] = {
     {LAW_PRODUCT, LAW_SINE, LAW_RATE, 1}, {LAW_SQUARE, LAW_SINE, LAW_SINE, 1}, {LAW_RATE_SQUARE, LAW_RATE, LAW_RATE, 1},
     {LAW_F, LAW_IM, LAW_PRODUCT, 1}, {LAW_F, LAW_RE, LAW_SQUARE, 1}, {LAW_F, LAW_QUARTER, LAW_RATE_SQUARE, -1},
 };
-enum { MOVED_TERMS = sizeof moved_terms / sizeof *moved_terms, LAW_TERMS = JET_TERMS + MOVED_TERMS + 1 };
+enum { MOVED_TERMS = sizeof moved_terms / sizeof *moved_terms, LAW_TERMS = JET_TERMS + MOVED_TERMS + 1, LAW_NUMBERS = 6 };
 
 static unsigned char law_place(unsigned char v)
 {
@@ -74,13 +74,8 @@ void pitch_law_init(struct pitch_law *l, const struct derivations *d, const arb_
     struct machine m;
     SCOPE(acb, S);
     SCOPE(arb, part);
-    l->steps = d;
-    arb_init(l->c1);
-    arb_init(l->c2);
-    arb_init(l->S_re);
-    arb_init(l->S_im);
-    arb_init(l->a);
-    arb_init(l->k);
+    arb_ptr of = _arb_vec_init(LAW_NUMBERS);
+    *l = (struct pitch_law){d, of, of + 1, of + 2, of + 3, of + 4, of + 5};
     arb_set(l->c1, c1);
     arb_set(l->c2, c2);
     arb_set(l->a, a);
@@ -105,12 +100,7 @@ void pitch_law_init(struct pitch_law *l, const struct derivations *d, const arb_
 
 void pitch_law_clear(struct pitch_law *l)
 {
-    arb_clear(l->c1);
-    arb_clear(l->c2);
-    arb_clear(l->S_re);
-    arb_clear(l->S_im);
-    arb_clear(l->a);
-    arb_clear(l->k);
+    _arb_vec_clear(l->c1, LAW_NUMBERS);
 }
 
 void pitch_law_ratio(arb_t ratio, const struct pitch_law *l, const arb_t tau, slong prec)

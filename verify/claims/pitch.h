@@ -15,7 +15,7 @@
 
 struct pitch_law {
     const struct derivations *steps;
-    arb_t c1, c2, S_re, S_im, a, k;
+    arb_ptr c1, c2, S_re, S_im, a, k;
 };
 
 /* `swing` of the length over L_ref at pitch a, in rad; c1 = C1/Omega^2, c2 = C2/Omega. */

@@ -30,14 +30,14 @@ static const struct design_row design_rows[] = {
     {NULL, "q2", "C", "eq21.q2", "charge of craft 2"},
     {NULL, "x1", "m", "eq05.x1", "place of craft 1 on the radius"},
     {NULL, "x2", "m", "eq05.x2", "place of craft 2"},
-    {"roots of (41), yaw and length error", "re1", "1/s", "re1*Omega", "fastest decay"},
-    {NULL, "im1", "rad/s", "im1*Omega", "its frequency"},
-    {NULL, "re2", "1/s", "re2*Omega", ""},
-    {NULL, "im2", "rad/s", "im2*Omega", ""},
-    {NULL, "re3", "1/s", "re3*Omega", ""},
-    {NULL, "im3", "rad/s", "im3*Omega", ""},
-    {NULL, "re4", "1/s", "re4*Omega", "slowest decay"},
-    {NULL, "im4", "rad/s", "im4*Omega", "its frequency"},
+    {"roots of (41), yaw and length error", "re1", "1/s", "re1", "fastest decay"},
+    {NULL, "im1", "rad/s", "im1", "its frequency"},
+    {NULL, "re2", "1/s", "re2", ""},
+    {NULL, "im2", "rad/s", "im2", ""},
+    {NULL, "re3", "1/s", "re3", ""},
+    {NULL, "im3", "rad/s", "im3", ""},
+    {NULL, "re4", "1/s", "re4", "slowest decay"},
+    {NULL, "im4", "rad/s", "im4", "its frequency"},
     {NULL, "t_fast", "s", "-1/re1", "time in which the fastest falls to 1/e"},
     {NULL, "t_slow", "s", "-1/re4", "time in which the slowest falls to 1/e"},
     {"frequencies, each motion by itself", "w_theta", "rad/s", "2*Omega", "pitch, which no gain damps"},
@@ -49,7 +49,7 @@ static const struct design_row design_rows[] = {
 };
 enum { DESIGN_ROWS = sizeof design_rows / sizeof *design_rows };
 
-/* What the formulas start from: the parameters, then in radians of orbit the roots, and the largest T and d; 1/lambda_d. */
+/* What the formulas start from: the parameters, the roots; in radians of orbit the largest T and d; 1/lambda_d. */
 static const char *const design_inputs[] = {"Omega", "L_ref", "C1", "C2", "k_c", "m1", "m2", "re1", "im1", "re2", "im2",
                                             "re3", "im3", "re4", "im4", "hold", "delay", "inverse_debye"};
 enum { DESIGN_PARAMETERS = 7, DESIGN_INPUTS = sizeof design_inputs / sizeof *design_inputs };
@@ -87,11 +87,6 @@ static int sheet_node(struct program *p, const struct sheet *sheet, const char *
     return node;
 }
 
-static void design_add(struct design *d, const char *group, const struct design_row *r, int node, int guarantee)
-{
-    d->numbers[d->count++] = (struct design_number){group, r->name, r->unit, r->meaning, node, guarantee, NULL};
-}
-
 static void design_formulas(struct design *d)
 {
     const char *group = "";
@@ -107,7 +102,7 @@ static void design_formulas(struct design *d)
         program_name(&d->program, node, r->name);
         group = r->group != NULL ? r->group : group;
         if (*group != '\0')
-            design_add(d, group, r, node, -1);
+            d->numbers[d->count++] = (struct design_number){group, r->name, r->unit, r->meaning, node, -1, NULL};
     }
 }
 
@@ -120,21 +115,20 @@ static void design_guarantees(struct design *d)
         if (strcmp(g->name, "deficit") == 0)
             group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses), and pushes";
         if (g->meaning != NULL)
-            design_add(d, group, &(struct design_row){NULL, g->name, g->unit, NULL, g->meaning}, -1, i);
+            d->numbers[d->count++] = (struct design_number){group, g->name, g->unit, g->meaning, -1, i, NULL};
     }
 }
 
-/* The roots over Omega; exact gains may have equal ones. */
-static bool enclose_root_parts(acb_ptr roots, const struct scenario *s, const arb_t c1, const arb_t c2, slong prec)
+/* Exact gains may have equal roots. */
+static bool enclose_root_parts(acb_ptr roots, const struct scenario *s, const arb_t c1, const arb_t c2, const arb_t Omega, slong prec)
 {
-    SCOPE(fmpq, one, exact_c1, exact_c2);
-    if (!s->given[SET_C1] || !s->given[SET_C2])
-        return roots41_gains(roots, c1, c2, prec);
-    fmpq_one(one);
-    fmpq_div(exact_c2, &s->value[SET_C2].value, &s->value[SET_Omega].value);
-    fmpq_div(exact_c1, &s->value[SET_C1].value, &s->value[SET_Omega].value);
-    fmpq_div(exact_c1, exact_c1, &s->value[SET_Omega].value);
-    return roots41(roots, one, exact_c1, exact_c2, prec);
+    const struct input *value = s->value;
+    if (s->given[SET_C1] && s->given[SET_C2])
+        return roots41(roots, &value[SET_Omega].value, &value[SET_C1].value, &value[SET_C2].value, prec);
+    const bool isolated = roots41_gains(roots, c1, c2, prec);
+    for (int i = 0; i < 4; i++)
+        acb_mul_arb(roots + i, roots + i, Omega, prec);
+    return isolated;
 }
 
 static void enclose_inputs(struct machine *m, const struct scenario *s, const struct input *lambda_d, slong prec)
@@ -158,7 +152,7 @@ static void enclose_inputs(struct machine *m, const struct scenario *s, const st
     arb_div(c2, p.C2, p.Omega, prec);
     arb_div(c1, p.C1, p.Omega, prec);
     arb_div(c1, c1, p.Omega, prec);
-    const bool isolated = enclose_root_parts(roots, s, c1, c2, prec);
+    const bool isolated = enclose_root_parts(roots, s, c1, c2, p.Omega, prec);
     for (int i = 0; i < 4 && isolated; i++) {
         arb_set(machine_value(m, DESIGN_PARAMETERS + 2 * i), acb_realref(roots + i));
         arb_set(machine_value(m, DESIGN_PARAMETERS + 2 * i + 1), acb_imagref(roots + i));

@@ -139,10 +139,11 @@ static int check_combination(const struct scenario *s, bool nonlinear)
 
 int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
 {
-    static const bool never_infinite[SCENARIO_VALUES] = {false};
+    static const bool never_infinite[SET_VALUES] = {false};
+    const int count = a->subcommand != NULL && option_given(a, "--set") ? SET_VALUES : SCENARIO_VALUES;
     struct message why;
     const char *refused;
-    int status = read_assignments(a, scenario_names, SCENARIO_VALUES, s->exact, never_infinite, s->given, s->value, &refused);
+    int status = read_assignments(a, scenario_names, count, s->exact, never_infinite, s->given, s->value, &refused);
     if (status == EXIT_DONE)
         status = check_combination(s, nonlinear);
     if (status != EXIT_DONE)
@@ -151,6 +152,48 @@ int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
         return refuse_assignment(refused, s->exact);
     return scenario_valid(s, nonlinear, &why) ? EXIT_DONE
                                              : usage_error(EXIT_FAILED_CHECK, "%s", why.text);
+}
+
+/* NAME=VALUE+-RADIUS into the scenario's values and radii. */
+static int read_set(struct scenario *s, const struct arguments *a)
+{
+    struct arguments plain = *a;
+    struct message why;
+    int status = EXIT_DONE;
+    plain.assignments = xrealloc(NULL, (size_t)a->assignment_count + 1, sizeof *plain.assignments);
+    for (int k = 0; k < a->assignment_count; k++) {
+        const char *end = strstr(a->assignments[k], "+-");
+        plain.assignments[k] = text_copy(a->assignments[k]);
+        if (end != NULL)
+            plain.assignments[k][end - a->assignments[k]] = '\0';
+    }
+    status = read_scenario(s, &plain, true);
+    for (int k = 0; k < a->assignment_count; k++) {
+        const char *end = strstr(a->assignments[k], "+-");
+        const size_t length = strcspn(a->assignments[k], "=");
+        for (int i = 0; i < SET_VALUES && status == EXIT_DONE && end != NULL; i++) {
+            const char *name = scenario_names[i];
+            if (strlen(name) != length || strncmp(name, a->assignments[k], length) != 0)
+                continue;
+            status = may_have_radius((enum scenario_name)i) ? finite_argument(s->radius + i, name, end + 2, s->exact)
+                                                             : usage_error(EXIT_USAGE, "%s: expected without +-", name);
+            if (status == EXIT_DONE && fmpq_sgn(s->radius + i) < 0)
+                status = usage_error(EXIT_FAILED_CHECK, "%s: expected a number >= 0 after +-, got '%.40s'", name, end + 2);
+        }
+        free(plain.assignments[k]);
+    }
+    free(plain.assignments);
+    if (status == EXIT_DONE && !set_valid(s, &why))
+        status = usage_error(EXIT_FAILED_CHECK, "%s", why.text);
+    return status;
+}
+
+static int refuse_radius(const struct arguments *a)
+{
+    for (int k = 0; k < a->assignment_count; k++)
+        if (strstr(a->assignments[k], "+-") != NULL)
+            return usage_error(EXIT_USAGE, "%.60s: a value with a radius is a set of motions, expected with --set", a->assignments[k]);
+    return EXIT_DONE;
 }
 
 /* ---- rows ---- */
@@ -226,10 +269,26 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
     return status;
 }
 
+/* The bounds of all motions of a set */
+static int print_set(const struct scenario *s, slong digits, const struct times *times)
+{
+    enum { MOST_PIECES = 256 }; /* some minutes of processor time */
+    static const int columns[SET_NUMBERS] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+    struct message why;
+    struct row_printer p = {stdout, times, columns, SET_NUMBERS, NULL, progress_begin(true)};
+    putchar('t');
+    for (int i = SET_x1; i <= SET_z1_dot; i++)
+        printf(",%s_low,%s_high", scenario_names[i], scenario_names[i]);
+    putchar('\n');
+    const int failed = motion_set_rows(s, digits, MOST_PIECES, times->t, times->count, print_motion_row, &p, &why);
+    progress_end(&p.progress);
+    return failed && !ferror(stdout) ? usage_error(EXIT_FAILED_CHECK, "%s", why.text) : EXIT_DONE;
+}
+
 int command_trajectory(const struct arguments *a)
 {
     int status = EXIT_DONE;
-    const bool exact = option_given(a, "--exact");
+    const bool exact = option_given(a, "--exact"), set = option_given(a, "--set");
     static const int columns[ROW_NUMBERS] = {0, 1, 2, 3, 4, 5, 6, 7};
     struct motion m = {0};
     struct scenario s;
@@ -241,9 +300,13 @@ int command_trajectory(const struct arguments *a)
     if (!m.nonlinear && (a->word_count == 0 || strcmp(a->words[0], "linear") != 0))
         status = usage_error(EXIT_USAGE, "trajectory: expected linear or nonlinear%s%s",
                              a->word_count ? ", got " : "", a->word_count ? a->words[0] : "");
+    if (status == EXIT_DONE && set && option_given(a, "--rk4"))
+        status = usage_error(EXIT_USAGE, "--set: expected without --rk4");
     if (status == EXIT_DONE)
         status = option_digits(a, 17, &m.digits);
     if (status == EXIT_DONE)
+        status = set ? read_set(&s, a) : refuse_radius(a);
+    if (status == EXIT_DONE && !set)
         status = read_scenario(&s, a, m.nonlinear);
     if (status == EXIT_DONE)
         status = times_option(&times, a, exact);
@@ -251,7 +314,9 @@ int command_trajectory(const struct arguments *a)
         status = read_rk4(h, a, &times, exact);
         m.h = h;
     }
-    if (status == EXIT_DONE) {
+    if (status == EXIT_DONE && set)
+        status = print_set(&s, m.digits, &times);
+    else if (status == EXIT_DONE) {
         puts(m.nonlinear ? "t,x1,y1,z1,x1_dot,y1_dot,z1_dot,q1,q2"
                          : "t,psi,theta,dL,psi_dot,theta_dot,dL_dot");
         status = print_motion(&m, &times, columns, m.nonlinear ? ROW_NUMBERS : FLOW_STATE, NULL);

@@ -126,7 +126,7 @@ static int set_output(struct parser *p, const char *id)
     const int digits = strncmp(id, "eq", 2) == 0 ? (int)strspn(id + 2, "0123456789") : 0;
     p->at++;
     parse_word(p, word);
-    tex_add(&t, "{{");
+    tex_add(&t, strstr(word, "dot") != NULL ? "{{{}" : "{{"); /* TeX takes a group of an accent alone for the accent itself */
     typeset_symbol(&t, word);
     if (digits > 0) /* eq03, eq10lin */
         tex_add(&t, "}_{(%ld%s%s%s", strtol(id + 2, NULL, 10), id[2 + digits] ? "\\mathrm{" : "", id + 2 + digits,

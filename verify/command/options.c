@@ -77,6 +77,9 @@ const struct option options[] = {
      "the times wanted, all of one sign, each further from 0 than the last; in place of --every and --until"},
     {"--every", "S", "s", "100", "trajectory", NULL, false, "a row at 0 and every S from there"},
     {"--until", "S", "s", "259200", "trajectory", NULL, false, "the end of the rows; before 0 they go back in time"},
+    {"--set", NULL, NULL, NULL, "trajectory", "nonlinear", false,
+     "bounds, NAME_low and NAME_high, of all motions for values given as VALUE+-RADIUS, but Omega, n and k_c; Q_factor, 1, is the "
+     "charges' product over what the law commands. A set that is wide is split, into 256 parts at most"},
     {"--rk4", "H", "s", NULL, "trajectory", NULL, false,
      "the classical Runge-Kutta method in steps of H, free of rounding, in place of the motion itself; times are multiples of H"},
     {"--rk4", "H", "s", NULL, "figure", MOTIONS, false,
@@ -140,6 +143,7 @@ const struct example examples[] = {
     {"figure 5a n=20 --rk4 100 --digits 6 --exact",
      "the attitude with another gain, certified and by the paper's own method"},
     {"trajectory nonlinear m2=50 --every 600 --until 43200 --digits 8", "half a day with a lighter second craft"},
+    {"trajectory nonlinear psi=0.01+-0.001 dL=0.1+-0.01 m1=150+-1 --set --every 3600", "where the pair may be, somewhere in a box"},
     {"trajectory linear C1=6e-8 C2=2e-4 --at 0,3600,86164 --exact", "three times, with gains of one's own"},
     {"trajectory linear --rk4 50 --every 100 --until 1000", "the paper's method at half its step"},
     {"trajectory linear | gnuplot -p -e "

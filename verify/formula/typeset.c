@@ -30,7 +30,7 @@ void tex_add(struct tex *t, const char *format, ...)
 static bool is_greek(const char *word, size_t length)
 {
     static const char *const letters[] = {"Omega", "psi", "theta", "lambda", "phi", "kappa", "mu", "tau", "rho",
-                                          "delta", "omega", "pi"};
+                                          "delta", "omega", "pi", "eta"};
     for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
         if (strlen(letters[i]) == length && strncmp(letters[i], word, length) == 0)
             return true;

@@ -282,7 +282,7 @@ static bool advance_set(struct flow *f, double step)
             for (int j = 0; j < FLOW_STATE; j++)
                 arb_dot(arb_mat_entry(derivative, i, j), NULL, 0, f->column[j].c[i], 1, f->power, 1, terms,
                         LOHNER_BITS);
-        bounded = lohner_move(&f->set, image, derivative, f->spread_bound.remainder, LOHNER_BITS);
+        bounded = lohner_move(&f->set, image, derivative, 1, f->spread_bound.remainder, LOHNER_BITS);
     } else {
         lohner_from_box(&f->set, image);
     }

@@ -127,14 +127,14 @@ static void add_absolute(mag_ptr sum, const arb_mat_t a, mag_srcptr x)
  * precision, decides how sharp the set is, never whether it holds the image: the inverse is enclosed.
  *
  * The error terms, each with a test of its name in tests/motion/test_lohner.c:
- *   (L1) |basis'^-1 derivative| radius, of all directions  (L2) the radii of that product
+ *   (L1) |basis'^-1 derivative| radius, of all directions and parts  (L2) the radii of that product
  *   (L3) |basis'^-1| times the image's own ball            (L4) and times the error
  *   (L5) the radii of the inverse
  *   (L6) a box becomes a set with all its radii            (lohner_from_box)
  *   (L7) a set becomes a box by |basis| radius, upward     (lohner_to_box)
  *   (L8) a basis without an inverse, or a radius that is not finite, is no set
  */
-bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivative, mag_srcptr error, slong prec)
+bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_struct *derivative, int count, mag_srcptr error, slong prec)
 {
     arb_mat_t basis, unit, inverse, turned;
     mag_ptr loose = _mag_vec_init(N), radius = _mag_vec_init(N);
@@ -152,8 +152,10 @@ bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivativ
     }
     arb_mat_one(unit);
     bool bounded = arb_mat_solve_lu(inverse, basis, unit, prec); /* elimination keeps zeros */
-    arb_mat_mul(turned, inverse, derivative, prec);
-    add_absolute(radius, turned, set->radius);
+    for (int i = 0; i < count; i++) {
+        arb_mat_mul(turned, inverse, derivative + i, prec);
+        add_absolute(radius, turned, set->radius);
+    }
     add_absolute(radius, inverse, loose);
     for (int i = 0; i < N; i++) {
         mag_swap(set->radius + i, radius + i);

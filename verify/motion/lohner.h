@@ -26,9 +26,9 @@ void lohner_from_box(struct lohner *set, arb_srcptr box);
 void lohner_to_box(arb_ptr box, const struct lohner *set);
 
 /*
- * The image of the set under a map that takes centre + basis e into image + derivative e + error, where
- * |error_i| <= error[i]; false if no bounded set was found.
+ * The image of the set under a map that takes centre + basis e into image + D e + error, where |error_i| <= error[i] and D lies in
+ * derivative[0] + sum s_i derivative[i], i from 1 to count - 1, for any |s_i| <= 1; false if no bounded set was found.
  */
-bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_t derivative, mag_srcptr error, slong prec);
+bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_struct *derivative, int count, mag_srcptr error, slong prec);
 
 #endif

@@ -6,14 +6,14 @@
 
 #include "text/scope.h"
 
-enum { X, Y, Z, U, V, W, Q, G, S, A, D, R, P, ONE, TWO, THREE, C1, C2 };
+enum { X, Y, Z, U, V, W, Q, G, S, A, D, R, P, ONE, TWO, THREE, C1, C2, LAMBDA, HOLD };
 
 static const struct term closed_loop_terms[JET_TERMS] = {
     {G, Q, Q, 1},
     {S, X, U, 1},     {S, Y, V, 1},      {S, Z, W, 1},
     {A, G, S, 1},
-    {D, ONE, Q, 1},   {D, ONE, ONE, -1},
-    {R, C1, D, 1},    {R, THREE, Q, -1}, {R, C2, A, -1},
+    {D, LAMBDA, Q, 1}, {D, ONE, ONE, -1},
+    {R, C1, D, 1},     {R, HOLD, Q, -1}, {R, C2, A, -1},
     {P, G, R, 1},
     {X, ONE, U, 1},
     {Y, ONE, V, 1},
@@ -26,17 +26,7 @@ static const struct term closed_loop_terms[JET_TERMS] = {
 
 const struct system closed_loop = {JET_STATES, JET_SERIES, JET_ALL, JET_TERMS, closed_loop_terms};
 
-_Static_assert(G == (int)JET_STATES && ONE == (int)JET_SERIES && C2 + 1 == JET_ALL, "series in order");
-
-static bool constant(const struct system *system, int v)
-{
-    return v >= system->series;
-}
-
-static bool first_of_sum(const struct system *system, int t)
-{
-    return t == 0 || system->terms[t - 1].to != system->terms[t].to;
-}
+_Static_assert(G == (int)JET_STATES && ONE == (int)JET_SERIES && HOLD + 1 == JET_ALL, "series in order");
 
 void jet_init(struct jet *jet, const struct system *system, slong order)
 {
@@ -60,6 +50,8 @@ void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
     arb_set_ui(c[THREE], 3);
     arb_set(c[C1], c1);
     arb_set(c[C2], c2);
+    arb_set_ui(c[LAMBDA], 1);
+    arb_set_ui(c[HOLD], 3);
 }
 
 /*
@@ -75,7 +67,7 @@ static void extend(arb_ptr const *c, const struct system *system, slong first, s
             const struct term *f = system->terms + t;
             arb_ptr to = c[f->to] + k + (f->to < system->states);
             arb_dot(to, first_of_sum(system, t) ? NULL : to, f->sign < 0, c[f->a], 1, c[f->b] + k, -1,
-                    constant(system, f->a) ? 1 : k + 1, bits);
+                    is_constant(system, f->a) ? 1 : k + 1, bits);
         }
         for (int v = 0; v < system->states; v++)
             arb_div_ui(c[v] + k + 1, c[v] + k + 1, (ulong)(k + 1), bits);
@@ -101,7 +93,7 @@ void jet_extend(struct jet *jet, slong prec, double fall)
     }
     extend(copy, jet->system, split, n, prec, fall);
     for (int v = 0; v < jet->system->all; v++) {
-        for (slong k = split + (v < jet->system->states); k <= n && !constant(jet->system, v); k++)
+        for (slong k = split + (v < jet->system->states); k <= n && !is_constant(jet->system, v); k++)
             arb_swap(jet->c[v] + k, copy[v] + k);
         _arb_vec_clear(copy[v], n + 1);
     }
@@ -117,10 +109,10 @@ void jet_extend_column(struct jet *column, const struct jet *jet, slong prec)
             const struct term *f = system->terms + t;
             arb_ptr to = d[f->to] + k + (f->to < system->states);
             arb_srcptr sum = first_of_sum(system, t) ? NULL : to;
-            if (!constant(system, f->a)) {
+            if (!is_constant(system, f->a)) {
                 arb_dot(to, sum, f->sign < 0, c[f->a], 1, d[f->b] + k, -1, k + 1, prec);
                 arb_dot(to, to, f->sign < 0, d[f->a], 1, c[f->b] + k, -1, k + 1, prec);
-            } else if (!constant(system, f->b)) {
+            } else if (!is_constant(system, f->b)) {
                 arb_dot(to, sum, f->sign < 0, c[f->a], 1, d[f->b] + k, -1, 1, prec);
             }
         }
@@ -178,7 +170,7 @@ void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights,
 /* sum += the part from degree n on of (known terms of a) (known terms of b) */
 static void add_cross(mag_t sum, const struct majorant *ma, int a, const struct majorant *mb, int b)
 {
-    for (slong i = 1; i < ma->order && !constant(ma->system, a); i++)
+    for (slong i = 1; i < ma->order && !is_constant(ma->system, a); i++)
         mag_addmul(sum, ma->size[a] + i, mb->suffix[b] + ma->order - i);
 }
 
@@ -290,6 +282,8 @@ void closed_loop_rates(fmpq *rates, const fmpq *state, const fmpq_t c1, const fm
     fmpq_set_si(value + THREE, 3, 1);
     fmpq_set(value + C1, c1);
     fmpq_set(value + C2, c2);
+    fmpq_set_si(value + LAMBDA, 1, 1);
+    fmpq_set_si(value + HOLD, 3, 1);
     for (int t = 0; t < JET_TERMS; t++) {
         const struct term *f = closed_loop.terms + t;
         fmpq *to = f->to < JET_STATES ? rates + f->to : value + f->to;

@@ -12,6 +12,9 @@
  * P is k_c Q / (m1 L^3) (1 + m1/m2) in units of Omega^2; it is written so that the equilibrium
  * x = q = 1, all else 0, has rates that are zero exactly in balls too. q is one more unknown: q |x| stays
  * 1 when it starts there, for (q^2 |x|^2)' = 2A (1 - q^2 |x|^2).
+ *
+ * Sets of parameters have r_ref = lambda times the unit and charges whose product is k times what (7) and (18) command: D = lambda q - 1,
+ * and c1, 3 and c2 in R are k lambda^2 c1, 3 k lambda^3 and k lambda^2 c2.
  */
 #ifndef CT_TAYLOR_H
 #define CT_TAYLOR_H
@@ -23,7 +26,7 @@
 enum {
     JET_STATES = 7,  /* x y z u v w q */
     JET_SERIES = 13, /* and G = q^2, S = xu + yv + zw, A = G S, D = q - 1, R = c1 D - 3 q - c2 A, P = G R */
-    JET_ALL = 18,    /* and the constants 1, 2, 3, c1, c2 */
+    JET_ALL = 20,    /* and the constants 1, 2, 3, c1, c2, lambda, 3 again */
     JET_TERMS = 22,  /* the products of which the system consists */
     JET_MOST = 56    /* unknowns, series and constants of any system here */
 };
@@ -37,13 +40,24 @@ struct term {
     signed char sign;
 };
 
-/* Unknowns, then the series that they need, then constants, of which the first five are the closed loop's. */
+/* Unknowns, then the series that they need, then constants, of which the first seven are the closed loop's. */
 struct system {
     int states, series, all, count;
     const struct term *terms;
 };
 
 extern const struct system closed_loop;
+
+/* Whether unknown or series v is a constant, and term t the first of its sum */
+static inline bool is_constant(const struct system *system, int v)
+{
+    return v >= system->series;
+}
+
+static inline bool first_of_sum(const struct system *system, int t)
+{
+    return t == 0 || system->terms[t - 1].to != system->terms[t].to;
+}
 
 /* Taylor coefficients about the start of a step: c[v][k] of s^k; states to degree n, the others to n - 1. */
 struct jet {

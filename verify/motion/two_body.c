@@ -24,7 +24,7 @@ enum { Q = CRAFT * CRAFT_STATES, STATES };
 enum { F, F2, F3, N, K, M, S, E, CRAFT_SERIES }; /* ... and its series */
 enum {
     DX = STATES + CRAFT * CRAFT_SERIES, DY, DZ, DU, DV, DW, G, DS, A, D, R, PULL, PULL1, PULL2,
-    ONE, TWO, THREE, C1, C2, SMALLNESS, MASS1, MASS2, ALL
+    ONE, TWO, THREE, C1, C2, LAMBDA, HOLD, SMALLNESS, MASS1, MASS2, ALL
 };
 
 _Static_assert((int)ALL <= (int)JET_MOST, "a jet has room");
@@ -32,9 +32,9 @@ _Static_assert((int)ALL <= (int)JET_MOST, "a jet has room");
 #define AT(i, v) ((i) * CRAFT_STATES + (v))
 #define OF(i, v) (STATES + (i) * CRAFT_SERIES + (v))
 #define SERIES_OF(i) \
-    {OF(i, F), ONE, ONE, 1}, {OF(i, F), SMALLNESS, AT(i, P), 1}, {OF(i, F2), OF(i, F), OF(i, F), 1}, \
+    {OF(i, F), SMALLNESS, AT(i, P), 1}, {OF(i, F), ONE, ONE, 1}, {OF(i, F2), OF(i, F), OF(i, F), 1}, \
     {OF(i, F3), OF(i, F), OF(i, F2), 1}, \
-    {OF(i, N), ONE, ONE, 1}, {OF(i, N), ONE, OF(i, F), 1}, {OF(i, N), ONE, OF(i, F2), 1}, \
+    {OF(i, N), ONE, OF(i, F), 1}, {OF(i, N), ONE, OF(i, F2), 1}, {OF(i, N), ONE, ONE, 1}, \
     {OF(i, K), AT(i, P), OF(i, N), 1}, {OF(i, M), SMALLNESS, OF(i, K), 1}, \
     {OF(i, S), AT(i, X), AT(i, U), 1}, {OF(i, S), AT(i, Y), AT(i, V), 1}, {OF(i, S), AT(i, Z), AT(i, W), 1}, \
     {OF(i, E), ONE, AT(i, U), 1}, {OF(i, E), SMALLNESS, OF(i, S), 1}
@@ -52,8 +52,8 @@ static const struct term terms[] = {
     {G, Q, Q, 1},
     {DS, DX, DU, 1},  {DS, DY, DV, 1},   {DS, DZ, DW, 1},
     {A, G, DS, 1},
-    {D, ONE, Q, 1},   {D, ONE, ONE, -1},
-    {R, C1, D, 1},    {R, THREE, Q, -1}, {R, C2, A, -1},
+    {D, LAMBDA, Q, 1}, {D, ONE, ONE, -1},
+    {R, C1, D, 1},     {R, HOLD, Q, -1}, {R, C2, A, -1},
     {PULL, G, R, 1},  {PULL1, MASS2, PULL, 1}, {PULL2, MASS1, PULL, 1},
     RATES_OF(0, PULL1, 1), RATES_OF(1, PULL2, -1),
     {Q, Q, A, -1},

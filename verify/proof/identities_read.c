@@ -475,14 +475,12 @@ bool same_text(const char *a, const char *a_end, const char *b)
     }
 }
 
-/* A part of a text, without blanks around it. */
+/* A part of a text, without blanks behind it. */
 static char *text_part(const char *from, const char *end)
 {
-    for (; from < end && *from == ' '; from++)
-        continue;
     char *part = text_copy(from);
-    for (; end > from && end[-1] == ' '; end--)
-        continue;
+    while (end > from && end[-1] == ' ')
+        end--;
     part[end - from] = '\0';
     return part;
 }

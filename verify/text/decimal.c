@@ -204,6 +204,43 @@ char *decimal_of_ball(const arb_t x, slong digits)
     return scientific(round_ball, x, arf_sgn(arb_midref(x)) < 0, digits, exponent);
 }
 
+static bool round_down(fmpz_t n, const void *x, slong k)
+{
+    SCOPE(fmpz, p, q);
+    fmpz_abs(p, fmpq_numref((const fmpq *)x));
+    fmpz_set(q, fmpq_denref((const fmpq *)x));
+    scale_decimal(p, q, k);
+    fmpz_fdiv_q(n, p, q);
+    return true;
+}
+
+static bool round_up(fmpz_t n, const void *x, slong k)
+{
+    SCOPE(fmpz, p, q);
+    fmpz_abs(p, fmpq_numref((const fmpq *)x));
+    fmpz_set(q, fmpq_denref((const fmpq *)x));
+    scale_decimal(p, q, k);
+    fmpz_cdiv_q(n, p, q);
+    return true;
+}
+
+char *decimal_of_end(const arb_t x, slong digits, bool upper)
+{
+    SCOPE(arf, end);
+    SCOPE(fmpq, exact);
+    slong top, bottom;
+    if (upper)
+        arb_get_ubound_arf(end, x, 64);
+    else
+        arb_get_lbound_arf(end, x, 64);
+    arf_get_fmpq(exact, end);
+    if (fmpq_is_zero(exact))
+        return text_copy("0");
+    const double above = fmpz_get_d_2exp(&top, fmpq_numref(exact)), below = fmpz_get_d_2exp(&bottom, fmpq_denref(exact));
+    return scientific(upper == (fmpq_sgn(exact) > 0) ? round_up : round_down, exact, fmpq_sgn(exact) < 0, digits,
+                      decimal_exponent(fabs(above / below), top - bottom));
+}
+
 /*
  * The fewest digits that read back as x > 0, the nearest of them, and the exponent of the first. In units of the last of 17
  * digits, which are enough, x = n + rest/q. What lies within `reach`/q, half a binary unit, reads back as x, where x is even

@@ -33,6 +33,9 @@ char *decimal_of_rational(const fmpq_t x, slong digits);
 /* The same for a real number known by an enclosure; NULL when the enclosure does not decide every digit. */
 char *decimal_of_ball(const arb_t x, slong digits);
 
+/* The lower or upper end of a ball, rounded outward: all of a finite ball lies above the one and below the other. */
+char *decimal_of_end(const arb_t x, slong digits, bool upper);
+
 /* The shortest decimal that reads back as the same binary64: 100, 0.01, 7.2915e-05, -1.5e+20. */
 void decimal_shortest(char text[32], double x);
 

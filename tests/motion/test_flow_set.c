@@ -1,0 +1,281 @@
+/*
+ * verify/motion/flow_set.h and motion_set_rows: certified motions from anywhere in a box, its corners first, keep within what is
+ * proved of the set; where one error term outweighs all others, a bound without it would lose them.
+ */
+#include "tests/run.h"
+#include "tests/paper.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "motion/flow_set.h"
+#include "motion/motion.h"
+#include "text/decimal.h"
+#include "text/scope.h"
+
+enum { PREC = 128, TIMES = 3 };
+
+static double number(int k)
+{
+    return 2 * fmod(k * 0.6180339887498949, 1) - 1;
+}
+
+/* ---- boxes of the command line ---- */
+
+struct interval {
+    enum scenario_name name;
+    const char *value, *radius;
+};
+
+struct box {
+    struct interval of[8];
+    double seconds;
+    int motions;
+    double most; /* times as wide as what the motions fill, at most: positions, at the end */
+};
+
+#define PLACE(r, v) \
+    {SET_x1, "5.05", r}, {SET_y1, "0.0505", r}, {SET_z1, "-0.0505", r}, {SET_x1_dot, "0", v}, {SET_y1_dot, "0", v}, {SET_z1_dot, "0", v}
+
+static const struct box boxes[] = {
+    {{PLACE("0.001", "1e-7")}, 86400, 40, 1.3},
+    {{PLACE("0.01", "1e-6")}, 43200, 80, 1.4},
+    {{PLACE("0.005", "0"), {SET_C1, "5.3166497225e-08", "5.3e-10"}}, 43200, 40, 1.6},
+    {{{SET_psi, "0.01", "0.001"}, {SET_theta, "0.02", "0.002"}, {SET_dL, "0.1", "0.01"}, {SET_m1, "150", "1"}}, 43200, 40, 1.5},
+    {{{SET_psi_dot, "1e-6", "1e-7"}, {SET_theta_dot, "-1e-6", "1e-7"}, {SET_dL_dot, "1e-5", "1e-6"}, {SET_m2, "100", "2"},
+      {SET_L_ref, "10", "0.01"}}, 21600, 40, 1.5},
+    {{{SET_C1, "6e-8", "1e-9"}, {SET_C2, "1.5e-4", "1e-6"}}, -20000, 12, 1.6},
+    {{PLACE("0", "0")}, 259200, 1, HUGE_VAL},
+};
+
+static void give(struct scenario *s, const struct interval *i, bool with_radius)
+{
+    s->given[i->name] = true;
+    ck_assert_int_eq(literal_read(&s->value[i->name].value, i->value, true), LITERAL_FINITE);
+    if (with_radius)
+        ck_assert_int_eq(literal_read(s->radius + i->name, i->radius, true), LITERAL_FINITE);
+}
+
+struct rows {
+    fmpq *low, *high;
+};
+
+static int keep_bounds(void *context, slong k, const fmpq_t t, char *const *numbers)
+{
+    struct rows *r = context;
+    (void)t;
+    for (int v = 0; v < FLOW_STATE; v++) {
+        ck_assert_int_eq(literal_read(r->low + FLOW_STATE * k + v, numbers[2 * v], true), LITERAL_FINITE);
+        ck_assert_int_eq(literal_read(r->high + FLOW_STATE * k + v, numbers[2 * v + 1], true), LITERAL_FINITE);
+    }
+    return 0;
+}
+
+struct seen {
+    const struct rows *rows;
+    double low[FLOW_STATE], high[FLOW_STATE]; /* of the last row, over all motions */
+    slong count;
+};
+
+static int look(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    struct seen *s = context;
+    SCOPE(arb, end);
+    (void)t;
+    for (int v = 0; v < FLOW_STATE; v++) {
+        arb_set_fmpq(end, s->rows->low + FLOW_STATE * k + v, PREC);
+        ck_assert_msg(!arb_gt(end, state + v), "row %d, coordinate %d: below", (int)k, v);
+        arb_set_fmpq(end, s->rows->high + FLOW_STATE * k + v, PREC);
+        ck_assert_msg(!arb_lt(end, state + v), "row %d, coordinate %d: above", (int)k, v);
+        const double x = arf_get_d(arb_midref(state + v), ARF_RND_NEAR);
+        if (k == TIMES - 1) {
+            s->low[v] = fmin(s->low[v], x);
+            s->high[v] = fmax(s->high[v], x);
+        }
+    }
+    s->count++;
+    return 0;
+}
+
+static void times_until(fmpq *times, double seconds)
+{
+    for (int k = 0; k < TIMES; k++)
+        fmpq_set_si(times + k, (slong)(seconds * k / (TIMES - 1)), 1);
+}
+
+/* One motion of the box: a corner, or something within. */
+static void follow_one(struct seen *seen, const struct box *box, const fmpq *times, int motion)
+{
+    struct scenario s;
+    struct flow_parameters p;
+    VECTOR(arb, initial, FLOW_STATE);
+    SCOPE(fmpq, share);
+    double reached;
+    scenario_init(&s, sheet(), true);
+    for (int i = 0; i < 8 && box->of[i].value != NULL; i++) {
+        const struct interval *of = &box->of[i];
+        SCOPE(arf, x);
+        give(&s, of, true);
+        arf_set_d(x, motion < 2 * box->motions / 3 ? ((motion * 2654435761u >> (8 + i)) & 1) * 2.0 - 1 : number(8 * motion + i));
+        arf_get_fmpq(share, x);
+        fmpq_mul(share, share, s.radius + of->name);
+        fmpq_add(&s.value[of->name].value, &s.value[of->name].value, share);
+    }
+    flow_parameters_init(&p);
+    scenario_parameters(&p, &s, PREC);
+    scenario_initial(initial, &s, &p, true, PREC);
+    ck_assert_int_eq(flow_nonlinear(&p, initial, times, TIMES, 14, PREC, look, seen, &reached), FLOW_DONE);
+    flow_parameters_clear(&p);
+    scenario_clear(&s);
+}
+
+START_TEST(motions_from_all_of_a_box_keep_within_its_bounds)
+{
+    const struct box *box = &boxes[_i];
+    struct scenario s;
+    struct message why;
+    VECTOR(fmpq, times, TIMES);
+    VECTOR(fmpq, low, TIMES * FLOW_STATE);
+    VECTOR(fmpq, high, TIMES * FLOW_STATE);
+    struct rows rows = {low, high};
+    struct seen seen = {.rows = &rows};
+    times_until(times, box->seconds);
+    scenario_init(&s, sheet(), true);
+    for (int i = 0; i < 8 && box->of[i].value != NULL; i++)
+        give(&s, &box->of[i], true);
+    ck_assert_msg(motion_set_rows(&s, 17, 8, times, TIMES, keep_bounds, &rows, &why) == 0, "%s", why.text);
+    for (int v = 0; v < FLOW_STATE; v++) {
+        seen.low[v] = HUGE_VAL;
+        seen.high[v] = -HUGE_VAL;
+    }
+    for (int motion = 0; motion < box->motions; motion++)
+        follow_one(&seen, box, times, motion);
+    ck_assert_int_eq(seen.count, TIMES * box->motions);
+    for (int v = 0; v < FLOW_HALF; v++) {
+        const double width = fmpq_get_d(high + FLOW_STATE * (TIMES - 1) + v) - fmpq_get_d(low + FLOW_STATE * (TIMES - 1) + v);
+        ck_assert_double_le(width, fmax(box->most * (seen.high[v] - seen.low[v]), box->motions == 1 ? 1e-8 : 0));
+    }
+    scenario_clear(&s);
+}
+END_TEST
+
+/* ---- one error term larger than all others ---- */
+
+/*
+ * In units of r_ref and radians: x = 1.01 + w e_1, y = 0.0101 + w e_2, z = -0.0101, at rest; c1 = 10 + c e_3, c2 = 2. Models of
+ * that degree, series to these orders in steps of that length; each motion, corners of the box among them, has to keep within.
+ */
+static const struct {
+    const char *term;
+    double w, c;
+    int degree;
+    slong order, derivative_order;
+    double step, until;
+    int pieces; /* that are enough, where one is not; 0: one will do */
+    bool rests; /* w is no unknown, but what the models are off at first */
+} terms[] = {
+    {"S1: models of degree 1", 0.01, 0.1, 1, 0, 0, 0.0625, 0.6, 0, false},
+    {"S2: series to degree 2", 0, 0, 1, 2, 4, 0.03125, 0.5, 0, false},
+    {"S2: series to degree 1", 0, 0, 1, 1, 3, 0.0078125, 0.25, 0, false},
+    {"S3, S7: derivatives to degree 1", 0.0001, 0, 1, 8, 1, 0.03125, 0.7, 0, true},
+    {"S4, S6: derivatives from a wide box", 0.005, 0, 1, 0, 0, 0.0625, 0.6, 0, true},
+    {"S5: derivatives for all parameters", 0.0001, 1.5, 2, 0, 0, 0.03125, 1, 0, true},
+    {"S7: rows within long steps", 0.002, 0, 1, 4, 2, 0.125, 0.45, 0, false},
+    {"all together, degree 2", 0.02, 0.2, 2, 5, 3, 0.125, 1, 0, false},
+    {"S9: both halves of what was split", 0.02, 0.3, 4, 0, 0, 0, 4, 64, false},
+};
+
+static void start_term(struct flow_set *set, int i)
+{
+    const double start[] = {1.01, 0.0101, -0.0101, 0, 0, 0, 10, 2, 1, 3};
+    SCOPE(arb, x, radius);
+    flow_set_init(set, terms[i].w > 0 ? 3 : 0, terms[i].degree);
+    set->how = (struct flow_steps){.order = terms[i].order, .derivative_order = terms[i].derivative_order, .step = terms[i].step};
+    for (int v = 0; v < SET_MODELS; v++) {
+        const int unknown = v < 2 ? v : v == FLOW_STATE ? 2 : -1;
+        arb_set_d(x, start[v]);
+        arb_set_d(radius, v < 2 ? terms[i].w : terms[i].c);
+        if (unknown >= 0 && terms[i].rests && v < 2)
+            mag_set_d(arb_radref(x), terms[i].w);
+        if (unknown >= 0 && terms[i].w > 0 && !(terms[i].rests && v < 2))
+            model_set_variable(&set->model[v], x, radius, unknown);
+        else
+            model_set_ball(&set->model[v], x);
+    }
+    arb_one(set->Omega);
+    arb_one(set->unit);
+}
+
+struct bounds_at {
+    arb_srcptr rows;
+    slong count;
+};
+
+static int compare(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    const struct bounds_at *b = context;
+    (void)t;
+    for (int v = 0; v < FLOW_STATE && k < b->count; v++)
+        ck_assert_msg(arb_overlaps(b->rows + FLOW_STATE * k + v, state + v), "row %d, coordinate %d", (int)k, v);
+    return 0;
+}
+
+START_TEST(S1_to_S9_each_motion_keeps_within_its_set)
+{
+    enum { ROWS = 9, MOTIONS = 11 };
+    struct flow_set set;
+    struct flow_parameters p;
+    VECTOR(fmpq, times, ROWS);
+    VECTOR(arb, rows, ROWS * FLOW_STATE);
+    VECTOR(arb, initial, FLOW_STATE);
+    slong proved;
+    double reached;
+    for (int k = 0; k < ROWS; k++) {
+        fmpq_set_si(times + k, (slong)(terms[_i].until * 1000 * (k + 1)), 1000 * ROWS);
+        fmpq_canonicalise(times + k);
+    }
+    start_term(&set, _i);
+    if (terms[_i].pieces > 0)
+        ck_assert_int_eq(flow_set(&set, times, ROWS, rows, &proved, &reached), FLOW_WIDE);
+    set.most_pieces = FLINT_MAX(terms[_i].pieces, 1);
+    (void)flow_set(&set, times, ROWS, rows, &proved, &reached);
+    ck_assert_msg(proved == ROWS, "%s: %d rows, %g", terms[_i].term, (int)proved, reached);
+    flow_parameters_init(&p);
+    arb_one(p.Omega);
+    arb_set_ui(p.L_ref, 2);
+    arb_set_ui(p.C2, 2);
+    arb_one(p.k_c);
+    arb_one(p.m1);
+    arb_one(p.m2);
+    for (int motion = 0; motion < MOTIONS; motion++) {
+        struct bounds_at b = {rows, proved};
+        for (int v = 0; v < FLOW_STATE; v++)
+            model_set_ball(&set.model[v], initial + v); /* frees nothing, sets nothing of use: the set is done */
+        arb_set_d(initial, 1.01);
+        arb_set_d(initial + 1, 0.0101);
+        arb_set_d(initial + 2, -0.0101);
+        for (int v = 3; v < FLOW_STATE; v++)
+            arb_zero(initial + v);
+        arb_set_ui(p.C1, 10);
+        for (int i = 0; i < 3; i++) {
+            SCOPE(arb, off);
+            arb_set_d(off, (i < 2 ? terms[_i].w : terms[_i].c) * (motion < 8 ? ((motion >> i) & 1) * 2 - 1 : number(3 * motion + i)));
+            arb_add(i < 2 ? initial + i : p.C1, i < 2 ? initial + i : p.C1, off, PREC);
+        }
+        ck_assert_int_eq(flow_nonlinear(&p, initial, times, ROWS, 18, PREC, compare, &b, &reached), FLOW_DONE);
+    }
+    flow_parameters_clear(&p);
+    flow_set_clear(&set);
+}
+END_TEST
+
+SUITE(test_flow_set)
+{
+    Suite *all = suite_create("flow_set");
+    TCase *tests = add_case(all, "boxes");
+    tcase_set_timeout(tests, 120);
+    tcase_add_loop_test(tests, motions_from_all_of_a_box_keep_within_its_bounds, 0, sizeof boxes / sizeof *boxes);
+    tests = add_case(all, "error terms");
+    tcase_add_loop_test(tests, S1_to_S9_each_motion_keeps_within_its_set, 0, sizeof terms / sizeof *terms);
+    return all;
+}

@@ -1,0 +1,327 @@
+/*
+ * verify/motion/model.h: what a model says of a number holds for all its unknowns, against balls of many bits; a test for every
+ * error term of the theorem in model.c.
+ */
+#include "tests/run.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "motion/model.h"
+#include "text/scope.h"
+
+enum { PREC = 320, POINTS = 9 };
+
+/* Binary64 numbers between -1 and 1 with all their bits */
+static double number(int k)
+{
+    return sin(k);
+}
+
+/* Point number k of the unknowns: corners first */
+static double unknown(int k, int i)
+{
+    return k < 4 ? ((k >> i % 2) & 1) * 2 - 1 : number(7 * k + i);
+}
+
+/* x at a point */
+static void value_at(arb_t z, const struct model *x, int point)
+{
+    const struct space *s = x->space;
+    SCOPE(arb, term, e);
+    arb_zero(z);
+    for (int b = 0; b < s->size; b++) {
+        arb_set_d(term, x->c[b]);
+        for (int i = 0; i < s->variables; i++) {
+            arb_set_d(e, unknown(point, i));
+            arb_pow_ui(e, e, s->exponent[b * s->variables + i], PREC);
+            arb_mul(term, term, e, PREC);
+        }
+        arb_add(z, z, term, PREC);
+    }
+}
+
+/* |truth - x| <= rest there, for certain; and the rest is not more than `most` */
+static void assert_holds(const struct model *x, const arb_t truth, int point, double most)
+{
+    SCOPE(arb, off, rest);
+    value_at(off, x, point);
+    arb_sub(off, off, truth, PREC);
+    arb_abs(off, off);
+    arb_set_d(rest, x->rest);
+    ck_assert_msg(arb_le(off, rest), "point %d", point);
+    ck_assert_double_le(x->rest, most);
+}
+
+static void random_model(struct model *x, const struct space *s, int seed, double rest)
+{
+    SCOPE(arb, zero);
+    model_init(x, s);
+    model_set_ball(x, zero);
+    for (int b = 0; b < s->size; b++)
+        x->c[b] = number(seed + 3 * b);
+    model_scale(x, 1); /* finds its norms */
+    x->rest = rest;
+}
+
+START_TEST(monomials_are_in_order_and_multiply)
+{
+    struct space s;
+    space_init(&s, 4, 5);
+    ck_assert_int_eq(s.size, 126);
+    for (int i = 0; i < 4; i++)
+        ck_assert_int_eq(s.exponent[(1 + i) * 4 + i], 1);
+    for (int a = 0; a < s.size; a++)
+        for (int b = 0; b < s.first[s.degree - space_degree(&s, a) + 1]; b++)
+            for (int i = 0; i < 4; i++)
+                ck_assert_int_eq(s.exponent[s.product[a][b] * 4 + i], s.exponent[a * 4 + i] + s.exponent[b * 4 + i]);
+    space_clear(&s);
+}
+END_TEST
+
+/* Three products and a sum of polynomials of degree 2, nothing cut off: what is left is rounding. */
+START_TEST(M1_sums_of_products_are_rounded)
+{
+    struct space s;
+    struct model x[3], y[3], z;
+    SCOPE(arb, truth, a, b);
+    space_init(&s, 3, 4);
+    for (int k = 0; k < 3; k++) {
+        random_model(&x[k], &s, 11 * _i + k, 0);
+        random_model(&y[k], &s, 17 * _i + 5 * k, 0);
+        for (int c = s.first[3]; c < s.size; c++)
+            x[k].c[c] = y[k].c[c] = 0;
+        model_scale(&x[k], 1);
+        model_scale(&y[k], 1);
+        x[k].rest = y[k].rest = 0;
+    }
+    random_model(&z, &s, _i, 0);
+    for (int point = 0; point < POINTS; point++) {
+        value_at(a, &z, point);
+        model_dot(&z, true, -1, x, y + 2, 3);
+        arb_set(truth, a);
+        for (int k = 0; k < 3; k++) {
+            value_at(a, &x[k], point);
+            value_at(b, &y[2 - k], point);
+            arb_submul(truth, a, b, PREC);
+        }
+        assert_holds(&z, truth, point, 1e-10);
+        z.rest = 0;
+    }
+    for (int k = 0; k < 3; k++) {
+        model_clear(&x[k]);
+        model_clear(&y[k]);
+    }
+    model_clear(&z);
+    space_clear(&s);
+}
+END_TEST
+
+/* Rests alone, of which the products are no binary64; or the bounds of what is cut off. */
+static const struct {
+    double x, y; /* coefficients of e^2, of degree 2 */
+    double rest_x, rest_y, rest_z;
+    bool exactly; /* else there is rounding too */
+} rests[] = {
+    {1, 1, 0, 0, 0, false},       /* (M3) */
+    {0.1, 0, 0, 0.3, 0, true},    /* (M4) */
+    {0, 0.7, 0.1, 0, 0, true},    /* (M5) */
+    {0, 0, 0.1, 0.3, 0, true},    /* (M6) */
+    {0, 0, 0, 0, 0.1, true},      /* (M7) */
+};
+
+START_TEST(M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests)
+{
+    struct space s;
+    struct model x, y, z;
+    SCOPE(arb, truth, a, b, rest);
+    space_init(&s, 1, 2);
+    random_model(&x, &s, 0, 0);
+    random_model(&y, &s, 0, 0);
+    random_model(&z, &s, 0, 0);
+    for (int k = 0; k < 200; k++) {
+        const double scale = 1 + fabs(number(k)); /* any bits */
+        memset(x.c, 0, 3 * sizeof *x.c);
+        memset(y.c, 0, 3 * sizeof *y.c);
+        memset(z.c, 0, 3 * sizeof *z.c);
+        x.c[2] = rests[_i].x * scale;
+        y.c[2] = rests[_i].y * scale;
+        model_scale(&x, 1);
+        model_scale(&y, 1);
+        model_scale(&z, 1);
+        x.rest = rests[_i].rest_x * scale;
+        y.rest = rests[_i].rest_y * scale;
+        z.rest = rests[_i].rest_z * scale;
+        arb_set_d(truth, z.rest);
+        arb_set_d(a, x.c[2] + x.rest); /* one of them is 0 */
+        arb_set_d(b, y.c[2] + y.rest);
+        arb_addmul(truth, a, b, PREC);
+        model_dot(&z, true, 1, &x, &y, 1);
+        arb_set_d(rest, z.rest);
+        ck_assert(arb_le(truth, rest));
+        ck_assert_double_le(z.rest, arf_get_d(arb_midref(truth), ARF_RND_UP) * (1 + 1e-8));
+    }
+    model_clear(&x);
+    model_clear(&y);
+    model_clear(&z);
+    space_clear(&s);
+}
+END_TEST
+
+/* A third is no binary64, and a linear model of what is not linear is off by that. */
+START_TEST(M8_numbers_and_models_that_do_not_fit_leave_a_rest)
+{
+    struct space s, linear;
+    struct model x, cut;
+    SCOPE(arb, third, truth, e);
+    space_init(&s, 2, 3);
+    space_init(&linear, 2, 1);
+    model_init(&x, &s);
+    model_init(&cut, &linear);
+    arb_set_ui(third, 1);
+    arb_div_ui(third, third, 3, PREC);
+    model_set_ball(&x, third);
+    assert_holds(&x, third, 4, 1e-16);
+    model_set_variable(&x, third, third, 1);
+    for (int point = 0; point < POINTS; point++) {
+        arb_set_d(e, unknown(point, 1));
+        arb_mul(truth, third, e, PREC);
+        arb_add(truth, truth, third, PREC);
+        assert_holds(&x, truth, point, 2e-16);
+    }
+    for (int b = 0; b < s.size; b++)
+        x.c[b] = number(b);
+    model_scale(&x, 1);
+    x.rest = 0.25;
+    model_cut(&cut, &x);
+    for (int point = 0; point < POINTS; point++) {
+        value_at(truth, &x, point);
+        mag_set_d(arb_radref(truth), 0.25);
+        assert_holds(&cut, truth, point, 10);
+    }
+    model_clear(&x);
+    model_clear(&cut);
+    space_clear(&s);
+    space_clear(&linear);
+}
+END_TEST
+
+/* x = 2 + e_1/2 - e_2/4 +- 1e-3: of degree `_i` and what that leaves out */
+START_TEST(M9_roots_sines_and_cosines_hold)
+{
+    static const double most[] = {10, 1, 0.1, 0.1, 0.02, 0.02, 0.02};
+    struct space s;
+    struct model x, root, sine, cosine;
+    SCOPE(arb, value, truth, other);
+    space_init(&s, 2, _i);
+    random_model(&x, &s, 0, 0);
+    model_init(&root, &s);
+    model_init(&sine, &s);
+    model_init(&cosine, &s);
+    memset(x.c, 0, (size_t)s.size * sizeof *x.c);
+    x.c[0] = 2;
+    x.c[1] = 0.5;
+    x.c[2] = -0.25;
+    model_scale(&x, 1);
+    x.rest = 1e-3;
+    model_inverse_root(&root, &x);
+    model_sine_cosine(&sine, &cosine, &x);
+    for (int point = 0; point < POINTS; point++)
+        for (int side = -1; side <= 1; side++) {
+            value_at(value, &x, point);
+            arb_set_d(other, side * 1e-3);
+            arb_add(value, value, other, PREC);
+            arb_rsqrt(truth, value, PREC);
+            assert_holds(&root, truth, point, most[_i]);
+            arb_sin_cos(truth, other, value, PREC);
+            assert_holds(&sine, truth, point, most[_i]);
+            assert_holds(&cosine, other, point, most[_i]);
+        }
+    x.c[0] = 0.5; /* down to -0.25 */
+    model_scale(&x, 1);
+    model_inverse_root(&root, &x);
+    ck_assert(isinf(root.rest));
+    model_clear(&x);
+    model_clear(&root);
+    model_clear(&sine);
+    model_clear(&cosine);
+    space_clear(&s);
+}
+END_TEST
+
+/* Either half is the polynomial on half of the box; all of a polynomial lies in its range, at 0 and at corners. */
+START_TEST(halves_ranges_and_sums_hold)
+{
+    struct space s;
+    struct model x, half, sum[3], at;
+    SCOPE(arb, truth, e, range, power);
+    space_init(&s, 2, 4);
+    random_model(&x, &s, _i, 0);
+    model_init(&half, &s);
+    model_init(&at, &s);
+    for (int side = -1; side <= 1; side += 2) {
+        model_set(&half, &x);
+        model_halve(&half, 1, side);
+        for (int point = 0; point < POINTS; point++) {
+            arb_zero(truth);
+            for (int b = 0; b < s.size; b++) {
+                arb_set_d(range, x.c[b]);
+                for (int i = 0; i < 2; i++) {
+                    arb_set_d(e, unknown(point, i));
+                    if (i == 1) {
+                        arb_add_si(e, e, side, PREC);
+                        arb_mul_2exp_si(e, e, -1);
+                    }
+                    arb_pow_ui(e, e, s.exponent[2 * b + i], PREC);
+                    arb_mul(range, range, e, PREC);
+                }
+                arb_add(truth, truth, range, PREC);
+            }
+            assert_holds(&half, truth, point, 1e-12);
+        }
+    }
+    model_range(range, &x);
+    for (int k = 0; k < 3; k++)
+        random_model(&sum[k], &s, 5 * k + _i, 1e-20 * k);
+    model_evaluate(&at, sum, 3, -0.3);
+    for (int point = 0; point < POINTS; point++) {
+        value_at(truth, &x, point);
+        ck_assert(arb_contains(range, truth));
+        arb_zero(truth);
+        arb_set_d(e, -0.3);
+        for (int k = 2; k >= 0; k--) {
+            value_at(power, &sum[k], point);
+            arb_mul(truth, truth, e, PREC);
+            arb_add(truth, truth, power, PREC);
+        }
+        assert_holds(&at, truth, point, 1e-13);
+    }
+    for (int k = 0; k < 3; k++)
+        model_clear(&sum[k]);
+    memset(x.c, 0, (size_t)s.size * sizeof *x.c);
+    x.c[s.product[1][1]] = 1; /* e_1^2 lies in [0, 1] */
+    model_scale(&x, 1);
+    model_range(range, &x);
+    arb_set_si(truth, -1);
+    ck_assert(!arb_contains(range, truth));
+    arb_one(truth);
+    ck_assert(arb_contains_si(range, 0) && arb_contains(range, truth));
+    model_clear(&x);
+    model_clear(&half);
+    model_clear(&at);
+    space_clear(&s);
+}
+END_TEST
+
+SUITE(test_model)
+{
+    Suite *all = suite_create("model");
+    TCase *tests = add_case(all, "models");
+    tcase_add_test(tests, monomials_are_in_order_and_multiply);
+    tcase_add_loop_test(tests, M1_sums_of_products_are_rounded, 0, 20);
+    tcase_add_loop_test(tests, M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests, 0, sizeof rests / sizeof *rests);
+    tcase_add_test(tests, M8_numbers_and_models_that_do_not_fit_leave_a_rest);
+    tcase_add_loop_test(tests, M9_roots_sines_and_cosines_hold, 1, 7);
+    tcase_add_loop_test(tests, halves_ranges_and_sums_hold, 0, 10);
+    return all;
+}

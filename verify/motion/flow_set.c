@@ -1,0 +1,567 @@
+/*
+ * Theorem (a step of a set). The set is { P(e) + B s : |e_i| <= 1, |s_j| <= radius_j }, P polynomials, for parameters that are
+ * polynomials in e too. For each e: the motion from P(e) after h has the series of taylor.h, here in models, of which
+ * majorant_prove bounds what is left out: its norms hold for each e. The motion from P(e) + B s differs from it by J(e, s) B s,
+ * where J lies in the enclosure of the derivatives from all of { P(e) + B s : s }, a box and thus convex: the mean value theorem,
+ * for this e. These derivatives are models of degree 1, J_0 + sum e_i J_i + rest. So the set after h is
+ *
+ *     { P'(e) + d + J(e, s) B s },   d the rests of the models and of the series,
+ *
+ * of which lohner_move makes P'(e) + B' s'. No roundings are left: models and balls take them up.
+ *
+ * The error terms, each with a test of its name in tests/motion/test_flow_set.c:
+ *   (S1) the rest of the models P'                            (S2) the remainder of their series in time
+ *   (S3) the remainder of J B s at the step's end             (S4) the rests of J, in derivative[0]
+ *   (S5) the parts of J that are linear in e                  (lohner_move)
+ *   (S6) the start of J is from all of P(e) + B s             (start_hull)
+ *   (S7) within the step all of |J B s|                       (row)
+ *   (S8) the time is a ball, the step's polynomial is evaluated at a binary64 near it
+ *   (S9) after a split either half is followed                (split)
+ */
+#include "motion/flow_set.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "motion/lohner.h"
+#include "text/message.h"
+#include "text/scope.h"
+
+enum {
+    ORDER = 14,           /* of the states' series, and ... */
+    DERIVATIVE_ORDER = 8, /* ... of the derivatives' */
+    MOST_HALVINGS = 6,    /* of a step before it is given up */
+    MOST_STEPS = 20000,
+    MOST_DEPTH = 30,      /* of splitting */
+    BITS = 64
+};
+
+/* A step leaves out this part of the set; where the rest is more than that part of it, the set is split. */
+static const double LEFT_OUT = 1e-7, MOST_REST = 0.1;
+
+static const double LONGEST = 0.25; /* step, radians: at rest the series propose none */
+
+struct model_jet {
+    slong order;
+    const struct system *system;
+    struct model *c[JET_ALL];
+};
+
+/* Part of the set: where it stands, its rows before k, and what it was halved along to come from the whole. */
+struct piece {
+    struct model model[SET_MODELS];
+    struct lohner rest; /* its centre is 0 */
+    double now;         /* radians of orbit, exact */
+    slong k;
+    arb_ptr rows;
+    int halvings;
+    signed char half[MOST_DEPTH]; /* i + 1, or -(i + 1) for the lower half */
+    struct piece *next;
+};
+
+struct follower {
+    const struct flow_set *set;
+    struct model_jet path, hull, column[FLOW_STATE];
+    struct jet sizes, hull_sizes, column_sizes[FLOW_STATE]; /* 0 +- norms: what majorants are made of */
+    struct majorant path_bound, hull_bound, spread_bound;
+    struct model end[FLOW_STATE], at; /* of the step's end, and of an answer */
+    mag_ptr error;
+    slong order, derivative_order;
+    int direction;
+};
+
+/* ---- series of models ---- */
+
+static void model_jet_init(struct model_jet *jet, const struct space *s, slong order)
+{
+    jet->order = order;
+    jet->system = &closed_loop;
+    for (int v = 0; v < JET_ALL; v++) {
+        jet->c[v] = xrealloc(NULL, (size_t)order + 1, sizeof **jet->c);
+        for (slong k = 0; k <= order; k++)
+            model_init(jet->c[v] + k, s);
+    }
+}
+
+static void model_jet_clear(struct model_jet *jet)
+{
+    for (int v = 0; v < JET_ALL; v++) {
+        for (slong k = 0; k <= jet->order; k++)
+            model_clear(jet->c[v] + k);
+        free(jet->c[v]);
+    }
+}
+
+static void divide(struct model_jet *jet, slong k)
+{
+    for (int v = 0; v < JET_STATES; v++)
+        model_scale(jet->c[v] + k + 1, 1.0 / (double)(k + 1));
+}
+
+/* As jet_extend and jet_extend_column of taylor.c */
+static void extend(struct model_jet *jet)
+{
+    const struct system *system = jet->system;
+    for (slong k = 0; k < jet->order; k++) {
+        for (int t = 0; t < system->count; t++) {
+            const struct term *f = system->terms + t;
+            model_dot(jet->c[f->to] + k + (f->to < JET_STATES), !first_of_sum(system, t), f->sign, jet->c[f->a], jet->c[f->b] + k,
+                      is_constant(system, f->a) ? 1 : (int)k + 1);
+        }
+        divide(jet, k);
+    }
+}
+
+static void extend_column(struct model_jet *column, const struct model_jet *jet)
+{
+    const struct system *system = jet->system;
+    struct model *const *c = jet->c, *const *d = column->c;
+    for (slong k = 0; k < column->order; k++) {
+        for (int t = 0; t < system->count; t++) {
+            const struct term *f = system->terms + t;
+            struct model *to = d[f->to] + k + (f->to < JET_STATES);
+            const bool add = !first_of_sum(system, t);
+            if (!is_constant(system, f->a)) {
+                model_dot(to, add, f->sign, c[f->a], d[f->b] + k, (int)k + 1);
+                model_dot(to, true, f->sign, d[f->a], c[f->b] + k, (int)k + 1);
+            } else if (!is_constant(system, f->b)) {
+                model_dot(to, add, f->sign, c[f->a], d[f->b] + k, 1);
+            }
+        }
+        divide(column, k);
+    }
+}
+
+static void set_constants(struct model_jet *jet, const struct piece *p)
+{
+    enum { ONE = JET_SERIES, TWO, THREE, C1 };
+    SCOPE(arb, x);
+    for (int i = 0; i < 3; i++) {
+        arb_set_ui(x, (ulong)i + 1);
+        model_set_ball(jet->c[ONE + i], x);
+    }
+    for (int i = FLOW_STATE; i < SET_MODELS; i++)
+        model_cut(jet->c[C1 + i - FLOW_STATE], &p->model[i]);
+}
+
+/* q = 1/|x| */
+static void start_q(struct model_jet *jet)
+{
+    struct model square;
+    model_init(&square, jet->c[0]->space);
+    for (int i = 0; i < FLOW_HALF; i++)
+        model_dot(&square, i > 0, 1, jet->c[i], jet->c[i], 1);
+    model_inverse_root(jet->c[FLOW_STATE], &square);
+    model_clear(&square);
+}
+
+/* ---- pieces ---- */
+
+/* The half of a piece, or of the whole set, where it stood at first */
+static struct piece *piece_new(const struct flow_set *set, const struct piece *of, int half, slong count)
+{
+    VECTOR(arb, nothing, FLOW_STATE);
+    struct piece *p = xrealloc(NULL, 1, sizeof *p);
+    *p = (struct piece){.rows = _arb_vec_init(FLOW_STATE * count)};
+    if (of != NULL) {
+        memcpy(p->half, of->half, sizeof p->half);
+        p->halvings = of->halvings;
+        p->half[p->halvings++] = (signed char)half;
+    }
+    for (int v = 0; v < SET_MODELS; v++) {
+        model_init(&p->model[v], &set->space);
+        model_set(&p->model[v], &set->model[v]);
+        for (int j = 0; j < p->halvings; j++)
+            model_halve(&p->model[v], abs(p->half[j]) - 1, p->half[j] > 0 ? 1 : -1);
+    }
+    lohner_init(&p->rest);
+    lohner_from_box(&p->rest, nothing);
+    return p;
+}
+
+static void piece_free(struct piece *p, slong count)
+{
+    for (int v = 0; v < SET_MODELS; v++)
+        model_clear(&p->model[v]);
+    lohner_clear(&p->rest);
+    _arb_vec_clear(p->rows, FLOW_STATE * count);
+    free(p);
+}
+
+/* The unknown on which what is not linear depends most, or else what is linear; -1 where nothing depends on any */
+static int steepest(const struct piece *p)
+{
+    const struct space *s = p->model[0].space;
+    double most = 0;
+    int found = -1;
+    for (int i = 0; i < s->variables; i++) {
+        double bend = 0;
+        for (int v = 0; v < FLOW_STATE; v++)
+            for (int b = 1; b < s->size; b++)
+                bend += (b <= s->variables ? 1e-9 : 1) * fabs(p->model[v].c[b]) * s->exponent[b * s->variables + i];
+        if (bend > most) {
+            most = bend;
+            found = i;
+        }
+    }
+    return found;
+}
+
+/* ---- steps ---- */
+
+static void follower_init(struct follower *f, const struct flow_set *set, int direction)
+{
+    f->set = set;
+    f->direction = direction;
+    f->order = set->how.order != 0 ? set->how.order : ORDER;
+    f->derivative_order = set->how.derivative_order != 0 ? set->how.derivative_order : DERIVATIVE_ORDER;
+    model_jet_init(&f->path, &set->space, f->order);
+    model_jet_init(&f->hull, &set->linear, f->derivative_order);
+    jet_init(&f->sizes, &closed_loop, f->order);
+    jet_init(&f->hull_sizes, &closed_loop, f->derivative_order);
+    majorant_init(&f->path_bound, &closed_loop, f->order);
+    majorant_init(&f->hull_bound, &closed_loop, f->derivative_order);
+    majorant_init(&f->spread_bound, &closed_loop, f->derivative_order);
+    for (int j = 0; j < FLOW_STATE; j++) {
+        model_jet_init(&f->column[j], &set->linear, f->derivative_order);
+        jet_init(&f->column_sizes[j], &closed_loop, f->derivative_order);
+        model_init(&f->end[j], &set->space);
+    }
+    model_init(&f->at, &set->space);
+    f->error = _mag_vec_init(FLOW_STATE);
+}
+
+static void follower_clear(struct follower *f)
+{
+    model_jet_clear(&f->path);
+    model_jet_clear(&f->hull);
+    jet_clear(&f->sizes);
+    jet_clear(&f->hull_sizes);
+    majorant_clear(&f->path_bound);
+    majorant_clear(&f->hull_bound);
+    majorant_clear(&f->spread_bound);
+    for (int j = 0; j < FLOW_STATE; j++) {
+        model_jet_clear(&f->column[j]);
+        jet_clear(&f->column_sizes[j]);
+        model_clear(&f->end[j]);
+    }
+    model_clear(&f->at);
+    _mag_vec_clear(f->error, FLOW_STATE);
+}
+
+static void find_sizes(struct jet *sizes, const struct model_jet *jet)
+{
+    for (int v = 0; v < JET_ALL; v++)
+        for (slong k = 0; k <= jet->order; k++)
+            mag_set_d(arb_radref(sizes->c[v] + k), model_size(jet->c[v] + k));
+}
+
+/* All of P(e) + B s, linear in e, s in the rest (S6) */
+static void start_hull(struct follower *f, const struct piece *p)
+{
+    VECTOR(arb, box, FLOW_STATE);
+    lohner_to_box(box, &p->rest);
+    for (int v = 0; v < FLOW_STATE; v++) {
+        model_cut(f->hull.c[v], &p->model[v]);
+        model_widen(f->hull.c[v], arb_radref(box + v));
+    }
+    set_constants(&f->hull, p);
+    start_q(&f->hull);
+}
+
+/* Direction j of the basis, in which q = 1/|x| changes by -q^3 x.dx */
+static void start_column(struct follower *f, const struct piece *p, int j)
+{
+    struct model *const *c = f->hull.c, *const *d = f->column[j].c;
+    struct model product, other;
+    SCOPE(arb, x);
+    model_init(&product, &f->set->linear);
+    model_init(&other, &f->set->linear);
+    for (int v = 0; v < FLOW_STATE; v++) {
+        arb_set_d(x, p->rest.basis[v][j]);
+        model_set_ball(d[v], x);
+        if (v < FLOW_HALF)
+            model_dot(&product, v > 0, -1, c[v], d[v], 1);
+    }
+    for (int i = 0; i < 3; i++) {
+        model_dot(&other, false, 1, &product, c[FLOW_STATE], 1);
+        model_set(&product, &other);
+    }
+    model_set(d[FLOW_STATE], &product);
+    model_clear(&product);
+    model_clear(&other);
+}
+
+static void expand(struct follower *f, const struct piece *p)
+{
+    for (int v = 0; v < FLOW_STATE; v++)
+        model_set(f->path.c[v], &p->model[v]);
+    set_constants(&f->path, p);
+    start_q(&f->path);
+    extend(&f->path);
+    find_sizes(&f->sizes, &f->path);
+    start_hull(f, p);
+    extend(&f->hull);
+    find_sizes(&f->hull_sizes, &f->hull);
+    for (int j = 0; j < FLOW_STATE; j++) {
+        start_column(f, p, j);
+        extend_column(&f->column[j], &f->hull);
+        find_sizes(&f->column_sizes[j], &f->column[j]);
+    }
+}
+
+/* How far the polynomial of a coordinate goes; a guide, no bound */
+static double width(const struct model *x)
+{
+    return model_size(x) - fabs(x->c[0]);
+}
+
+/* Whether what is carried beside the polynomials has grown too large for them */
+static bool is_loose(const struct piece *p)
+{
+    VECTOR(arb, box, FLOW_STATE);
+    double rest = 0, widest = 0;
+    lohner_to_box(box, &p->rest);
+    for (int v = 0; v < FLOW_STATE; v++) {
+        rest = fmax(rest, mag_get_d(arb_radref(box + v)));
+        widest = fmax(widest, width(&p->model[v]));
+    }
+    return rest > MOST_REST * widest;
+}
+
+/* The step at which the last two terms fall to a part of the set, or of rounding: a dyadic of 8 bits. */
+static double step_length(const struct follower *f, const struct piece *p)
+{
+    double left_out = 0x1p-46, step = LONGEST;
+    if (f->set->how.step > 0)
+        return f->set->how.step;
+    for (int v = 0; v < FLOW_STATE; v++)
+        left_out = fmax(left_out, LEFT_OUT * width(&p->model[v]));
+    for (slong k = f->order - 1; k <= f->order; k++)
+        for (int v = 0; v < FLOW_HALF; v++)
+            step = fmin(step, pow(left_out / model_size(f->path.c[v] + k), 1.0 / (double)k));
+    int exponent;
+    const double fraction = frexp(step, &exponent);
+    return ldexp(floor(ldexp(fraction, 8)), exponent - 8);
+}
+
+static bool prove_step(struct follower *f, const struct piece *p, double step)
+{
+    SCOPE(mag, h, one);
+    mag_set_d(h, step);
+    mag_one(one);
+    majorant_of(&f->path_bound, &f->sizes, one, 1, h);
+    majorant_of(&f->hull_bound, &f->hull_sizes, one, 1, h);
+    majorant_of(&f->spread_bound, f->column_sizes, p->rest.radius, FLOW_STATE, h);
+    return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->hull_bound, NULL, h)
+           && majorant_prove(&f->spread_bound, &f->hull_bound, h);
+}
+
+/* P' and what the set after the step is off from it, but for J B s: (S1) to (S3) */
+static void find_end(struct follower *f, double step)
+{
+    SCOPE(mag, rest);
+    for (int v = 0; v < FLOW_STATE; v++) {
+        model_evaluate(&f->end[v], f->path.c[v], (int)f->order + 1, f->direction * step);
+        mag_set_d(rest, f->end[v].rest);
+        mag_add(f->error + v, f->path_bound.remainder + v, f->spread_bound.remainder + v);
+        mag_add(f->error + v, f->error + v, rest);
+        f->end[v].rest = 0;
+    }
+}
+
+/* The set at the end of the step; false if it is lost. */
+static bool advance(struct follower *f, struct piece *p, double step)
+{
+    const int count = f->set->linear.size;
+    VECTOR(arb, image, FLOW_STATE);
+    struct model at_end;
+    SCOPE(mag, rest);
+    find_end(f, step);
+    arb_mat_struct *derivative = xrealloc(NULL, (size_t)count, sizeof *derivative);
+    model_init(&at_end, &f->set->linear);
+    for (int i = 0; i < count; i++)
+        arb_mat_init(derivative + i, FLOW_STATE, FLOW_STATE);
+    for (int v = 0; v < FLOW_STATE; v++)
+        for (int j = 0; j < FLOW_STATE; j++) {
+            model_evaluate(&at_end, f->column[j].c[v], (int)f->derivative_order + 1, f->direction * step);
+            for (int i = 0; i < count; i++)
+                arb_set_d(arb_mat_entry(derivative + i, v, j), at_end.c[i]); /* (S5) */
+            mag_set_d(rest, at_end.rest);
+            arb_add_error_mag(arb_mat_entry(derivative, v, j), rest); /* (S4) */
+        }
+    const bool bounded = lohner_move(&p->rest, image, derivative, count, f->error, BITS);
+    for (int v = 0; v < FLOW_STATE; v++)
+        model_set(&p->model[v], &f->end[v]);
+    p->now += f->direction * step;
+    for (int i = 0; i < count; i++)
+        arb_mat_clear(derivative + i);
+    free(derivative);
+    model_clear(&at_end);
+    return bounded;
+}
+
+/* A ball of coordinate v at s radians after now, |s| <= step, in SI, for all of the piece */
+static void row(arb_t x, struct follower *f, int v, double now, const arb_t s, double step)
+{
+    const bool at_start = arb_is_zero(s) && !(fabs(now) > 0); /* there the models are all */
+    const double near = arf_get_d(arb_midref(s), ARF_RND_NEAR);
+    const struct majorant *path = &f->path_bound, *spread = &f->spread_bound;
+    SCOPE(arb, off);
+    SCOPE(mag, by, h);
+    model_evaluate(&f->at, f->path.c[v], (int)f->order + 1, near);
+    model_range(x, &f->at);
+    arb_add_error_mag(x, path->remainder + v);
+    arb_add_error_mag(x, spread->suffix[v]); /* (S7): below degree n, ... */
+    arb_add_error_mag(x, spread->size[v] + spread->order);
+    arb_add_error_mag(x, spread->remainder + v);
+    arb_set_d(off, near); /* (S8): (|s - near|/h) sum k |a_k| h^k */
+    arb_sub(off, off, s, BITS);
+    arb_get_mag(by, off);
+    mag_set_d(h, step);
+    mag_div(by, by, h);
+    if (at_start)
+        model_range(x, f->path.c[v]);
+    for (slong k = 1; k <= f->order; k++) {
+        mag_mul_ui(h, path->size[v] + k, (ulong)k);
+        mag_mul(h, h, by);
+        arb_add_error_mag(x, h);
+    }
+    arb_mul(x, x, f->set->unit, BITS);
+    if (v >= FLOW_HALF)
+        arb_mul(x, x, f->set->Omega, BITS);
+}
+
+/* ---- all pieces ---- */
+
+struct work {
+    const struct flow_set *set;
+    const fmpq *times;
+    slong count, limit; /* rows wanted, and those that no piece has failed to prove yet */
+    arb_ptr rows;
+    slong seen;         /* rows before that one hold a piece already                    */
+    struct piece *open; /* pieces to be followed                                        */
+    int pieces;         /* how many there are, done ones too                            */
+    double reached;     /* radians, by all                                              */
+};
+
+/* Balls that hold what is there and the piece's */
+static void join(struct work *w, const struct piece *p)
+{
+    for (slong i = 0; i < FLOW_STATE * FLINT_MIN(p->k, w->limit); i++)
+        if (i < FLOW_STATE * w->seen)
+            arb_union(w->rows + i, w->rows + i, p->rows + i, BITS);
+        else
+            arb_set(w->rows + i, p->rows + i);
+    w->seen = FLINT_MAX(w->seen, p->k);
+}
+
+/* s = Omega t - now, and whether |s| <= step for certain */
+static bool within(const struct work *w, const struct piece *p, arb_t s, double step)
+{
+    SCOPE(arb, now);
+    SCOPE(arf, bound);
+    arb_set_fmpq(s, w->times + p->k, 2 * BITS);
+    arb_mul(s, s, w->set->Omega, 2 * BITS);
+    arb_set_d(now, p->now);
+    arb_sub(s, s, now, 2 * BITS);
+    arb_get_abs_ubound_arf(bound, s, 53);
+    return arf_cmp_d(bound, step) <= 0;
+}
+
+/* The longest of step, step/2, ... that can be proved, or 0 */
+static double proved_step(struct follower *f, const struct piece *p, double step)
+{
+    int halvings = 0;
+    for (; halvings < MOST_HALVINGS && !prove_step(f, p, step); halvings++)
+        step /= 2;
+    return halvings < MOST_HALVINGS ? step : 0;
+}
+
+/* To the last time, or to where nothing more is proved; FLOW_STOPPED where the piece should be split. */
+static enum flow_status follow(const struct work *w, struct follower *f, struct piece *p, bool splitting)
+{
+    SCOPE(arb, s);
+    for (int steps = 0; p->k < w->limit; steps++) {
+        if (steps == MOST_STEPS)
+            return FLOW_STALLED;
+        expand(f, p);
+        const double step = proved_step(f, p, step_length(f, p));
+        if (splitting && (!(step > 0) || is_loose(p)) && steepest(p) >= 0)
+            return FLOW_STOPPED;
+        if (!(step > 0))
+            return FLOW_WIDE;
+        for (; p->k < w->limit && within(w, p, s, step); p->k++)
+            for (int v = 0; v < FLOW_STATE; v++)
+                row(p->rows + FLOW_STATE * p->k + v, f, v, p->now, s, step);
+        if (p->k < w->limit && !advance(f, p, step))
+            return FLOW_WIDE;
+    }
+    return FLOW_DONE;
+}
+
+static void add_piece(struct work *w, struct piece *p)
+{
+    p->next = w->open;
+    w->open = p;
+}
+
+enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong count, arb_ptr rows, slong *proved, double *reached)
+{
+    struct work w = {.set = s, .times = times, .count = count, .limit = count, .rows = rows, .pieces = 1, .reached = HUGE_VAL};
+    struct follower f;
+    enum flow_status status = FLOW_DONE;
+    const int direction = count > 0 && fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
+    SCOPE(arb, seconds);
+    add_piece(&w, piece_new(s, NULL, 0, count));
+    follower_init(&f, s, direction);
+    while (w.open != NULL) {
+        struct piece *p = w.open;
+        w.open = p->next;
+        const bool splitting = w.pieces < s->most_pieces && p->halvings < MOST_DEPTH;
+        const enum flow_status one = follow(&w, &f, p, splitting);
+        if (one == FLOW_STOPPED) {
+            const int i = steepest(p);
+            add_piece(&w, piece_new(s, p, i + 1, count));
+            add_piece(&w, piece_new(s, p, -i - 1, count));
+            w.pieces++;
+        } else {
+            join(&w, p);
+            if (one != FLOW_DONE) {
+                status = one;
+                w.limit = p->k;
+                w.reached = fmin(w.reached, fabs(p->now));
+            }
+        }
+        piece_free(p, count);
+    }
+    follower_clear(&f);
+    *proved = w.limit;
+    arb_set_d(seconds, w.reached);
+    arb_div(seconds, seconds, s->Omega, BITS);
+    *reached = direction * arf_get_d(arb_midref(seconds), ARF_RND_DOWN);
+    return status;
+}
+
+void flow_set_init(struct flow_set *s, int variables, int degree)
+{
+    space_init(&s->space, variables, degree);
+    space_init(&s->linear, variables, 1);
+    for (int i = 0; i < SET_MODELS; i++)
+        model_init(&s->model[i], &s->space);
+    arb_init(s->Omega);
+    arb_init(s->unit);
+    s->most_pieces = 1;
+    s->how = (struct flow_steps){.order = 0};
+}
+
+void flow_set_clear(struct flow_set *s)
+{
+    for (int i = 0; i < SET_MODELS; i++)
+        model_clear(&s->model[i]);
+    space_clear(&s->space);
+    space_clear(&s->linear);
+    arb_clear(s->Omega);
+    arb_clear(s->unit);
+}

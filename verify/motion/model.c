@@ -1,0 +1,387 @@
+/*
+ * Theorem (bounds by doubles). Let u = 2^-52: a sum, product or quotient of binary64 numbers is off by at most u times itself, on
+ * machines with extended registers too, or by 2^-1074 where it is subnormal. So
+ *
+ *   (M1) what is a sum of products of n factors and signs in all is off by at most n u/(1 - n u) times the sum of their absolute
+ *        values (rounding, with the longest chain of roundings that a coefficient of that degree has);
+ *   (M2) a bound that is itself computed from bounds, by chains of at most 2^16 sums and products of numbers >= 0, is a bound
+ *        after upward(): times 1 + 2^-30, plus 2^-1000.
+ *
+ * For all |e_i| <= 1 a polynomial is at most the sum of its coefficients' absolute values, ||x|| = sum of norm. Of a product
+ * (x + d_x) (y + d_y) the model keeps the terms of x y to its degree, and its rest takes
+ *
+ *   (M3) what is cut off: sum of norm_p(x) norm_q(y), p + q beyond the degree
+ *   (M4) ||x|| rest_y   (M5) rest_x ||y||   (M6) rest_x rest_y
+ *   (M7) the rest that a sum has already
+ *   (M8) of numbers that are no binary64, and of models cut to a smaller space, the difference
+ *   (M9) of x^(-1/2) and of sine and cosine what stands at the functions
+ *
+ * Each has a test of its name in tests/motion/test_model.c.
+ */
+#include "motion/model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text/message.h"
+#include "text/scope.h"
+
+static const double U = 0x1p-52;
+
+/* (M2) */
+static double upward(double x)
+{
+    return x * (1 + 0x1p-30) + 0x1p-1000;
+}
+
+static void *zeros(int count, size_t size)
+{
+    return memset(xrealloc(NULL, (size_t)count, size), 0, (size_t)count * size);
+}
+
+/* ---- monomials ---- */
+
+static int last_variable(const struct space *s, int b)
+{
+    int i = s->variables - 1;
+    while (s->exponent[b * s->variables + i] == 0)
+        i--;
+    return i;
+}
+
+/* b/e_last, of which `up` leads back: those of one degree less stand in the same order. */
+static int parent(const struct space *s, int b, int last)
+{
+    int a = s->first[space_degree(s, b) - 1];
+    while (s->up[a * s->variables + last] != b)
+        a++;
+    return a;
+}
+
+int space_degree(const struct space *s, int monomial)
+{
+    int d = 0;
+    while (s->first[d + 1] <= monomial)
+        d++;
+    return d;
+}
+
+/* The monomials of degree d + 1: each of degree d times each e_i from its last one on; then the others' places. */
+static void next_degree(struct space *s, int d)
+{
+    const int n = s->variables;
+    int size = s->first[d + 1];
+    for (int b = s->first[d]; b < s->first[d + 1]; b++)
+        for (int i = d == 0 ? 0 : last_variable(s, b); i < n; i++) {
+            memcpy(s->exponent + size * n, s->exponent + b * n, (size_t)n);
+            s->exponent[size * n + i]++;
+            s->up[b * n + i] = size++;
+        }
+    for (int b = s->first[d]; b < s->first[d + 1] && d > 0; b++) {
+        const int last = last_variable(s, b), before = parent(s, b, last);
+        for (int i = 0; i < last; i++) /* e_i b = (e_i b/e_last) e_last */
+            s->up[b * n + i] = s->up[s->up[before * n + i] * n + last];
+    }
+    s->first[d + 2] = size;
+}
+
+void space_init(struct space *s, int variables, int degree)
+{
+    const int n = variables;
+    *s = (struct space){.variables = n, .degree = n == 0 ? 0 : degree, .first = {0, 1}};
+    s->size = 1;
+    for (int d = 1; d <= s->degree; d++)
+        s->size = s->size * (n + d) / d;
+    s->exponent = zeros(s->size * n + 1, 1);
+    s->up = zeros(s->size * n + 1, sizeof *s->up);
+    for (int d = 0; d < s->degree; d++)
+        next_degree(s, d);
+    s->product = zeros(s->size, sizeof *s->product);
+    for (int a = 0; a < s->size; a++) {
+        const int most = s->first[s->degree - space_degree(s, a) + 1];
+        s->product[a] = zeros(most, sizeof **s->product);
+        for (int b = 0; b < most; b++) {
+            int c = a;
+            for (int i = 0; i < n; i++)
+                for (int k = 0; k < s->exponent[b * n + i]; k++)
+                    c = s->up[c * n + i];
+            s->product[a][b] = c;
+        }
+    }
+}
+
+void space_clear(struct space *s)
+{
+    for (int a = 0; a < s->size; a++)
+        free(s->product[a]);
+    free(s->product);
+    free(s->up);
+    free(s->exponent);
+}
+
+/* ---- models ---- */
+
+void model_init(struct model *m, const struct space *s)
+{
+    *m = (struct model){.space = s, .c = zeros(s->size, sizeof *m->c)};
+}
+
+void model_clear(struct model *m)
+{
+    free(m->c);
+}
+
+void model_set(struct model *z, const struct model *x)
+{
+    memcpy(z->c, x->c, (size_t)x->space->size * sizeof *x->c);
+    memcpy(z->norm, x->norm, sizeof x->norm);
+    z->rest = x->rest;
+}
+
+static void zero(struct model *z)
+{
+    memset(z->c, 0, (size_t)z->space->size * sizeof *z->c);
+    memset(z->norm, 0, sizeof z->norm);
+    z->rest = 0;
+}
+
+static void find_norms(struct model *z)
+{
+    for (int d = 0; d <= z->space->degree; d++) {
+        z->norm[d] = 0;
+        for (int b = z->space->first[d]; b < z->space->first[d + 1]; b++)
+            z->norm[d] += fabs(z->c[b]);
+    }
+}
+
+static double norm(const struct model *x)
+{
+    double sum = 0;
+    for (int d = 0; d <= x->space->degree; d++)
+        sum += x->norm[d];
+    return sum;
+}
+
+double model_size(const struct model *x)
+{
+    return upward(norm(x) + x->rest);
+}
+
+/* The nearest binary64, and how far x is from it at most (M8) */
+static double nearest(double *off, const arb_t x)
+{
+    SCOPE(arb, d);
+    SCOPE(mag, m);
+    const double value = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    arb_set_d(d, value);
+    arb_sub(d, d, x, 64);
+    arb_get_mag(m, d);
+    *off += mag_get_d(m);
+    return value;
+}
+
+void model_set_ball(struct model *z, const arb_t x)
+{
+    zero(z);
+    z->c[0] = nearest(&z->rest, x);
+    z->rest = z->rest > 0 ? upward(z->rest) : 0;
+    find_norms(z);
+}
+
+void model_set_variable(struct model *z, const arb_t x, const arb_t radius, int i)
+{
+    zero(z);
+    z->c[0] = nearest(&z->rest, x);
+    z->c[1 + i] = nearest(&z->rest, radius);
+    z->rest = upward(z->rest);
+    find_norms(z);
+}
+
+void model_cut(struct model *z, const struct model *x)
+{
+    double beyond = x->rest;
+    memcpy(z->c, x->c, (size_t)z->space->size * sizeof *z->c);
+    for (int d = z->space->degree + 1; d <= x->space->degree; d++)
+        beyond += x->norm[d];
+    z->rest = upward(beyond);
+    find_norms(z);
+}
+
+/* The part of z += sign x y that lies in the space */
+static void multiply(struct model *z, int sign, const struct model *x, const struct model *y)
+{
+    const struct space *s = z->space;
+    double *c = z->c;
+    for (int d = 0; d <= s->degree; d++)
+        for (int a = s->first[d], most = s->first[s->degree - d + 1]; a < s->first[d + 1]; a++) {
+            const double factor = sign * x->c[a];
+            const int *place = s->product[a];
+            for (int b = 0; b < most && factor != 0; b++)
+                c[place[b]] += factor * y->c[b];
+        }
+}
+
+void model_dot(struct model *z, bool add, int sign, const struct model *x, const struct model *y, int count)
+{
+    const int degree = z->space->degree;
+    double sum[MODEL_DEGREE + 1] = {0}, rest;
+    if (!add)
+        zero(z);
+    rest = z->rest; /* (M7) */
+    memcpy(sum, z->norm, sizeof sum);
+    for (int j = 0; j < count; j++) {
+        const struct model *a = x + j, *b = y - j;
+        multiply(z, sign, a, b);
+        for (int p = 0; p <= degree; p++)
+            for (int q = 0; q <= degree; q++)
+                *(p + q <= degree ? &sum[p + q] : &rest) += a->norm[p] * b->norm[q]; /* (M3) */
+        rest += norm(a) * b->rest;   /* (M4) */
+        rest += a->rest * norm(b);   /* (M5) */
+        rest += a->rest * b->rest;   /* (M6) */
+    }
+    for (int d = 0; d <= degree; d++)
+        rest += (ldexp(count, d) + 2) * U * sum[d]; /* (M1): of degree d at most 2^d pairs make up a monomial */
+    z->rest = upward(rest);
+    find_norms(z);
+}
+
+void model_scale(struct model *z, double factor)
+{
+    for (int b = 0; b < z->space->size; b++)
+        z->c[b] *= factor;
+    z->rest = upward(fabs(factor) * (z->rest + 2 * U * norm(z))); /* (M1): and one for the factor, which may be 1/k */
+    find_norms(z);
+}
+
+void model_widen(struct model *z, const mag_t by)
+{
+    z->rest = upward(z->rest + mag_get_d(by)); /* exact: 30 bits */
+}
+
+void model_evaluate(struct model *z, const struct model *x, int count, double h)
+{
+    double size = 0, rest = 0;
+    zero(z);
+    for (int k = count - 1; k >= 0; k--) {
+        for (int b = 0; b < z->space->size; b++)
+            z->c[b] = z->c[b] * h + x[k].c[b];
+        size = size * fabs(h) + norm(x + k);
+        rest = rest * fabs(h) + x[k].rest;
+    }
+    z->rest = upward(rest + 2 * count * U * size); /* (M1) */
+    find_norms(z);
+}
+
+/* z -= 1, in one rounding */
+static void subtract_one(struct model *z)
+{
+    z->c[0] -= 1;
+    z->rest = upward(z->rest + U * fabs(z->c[0]));
+    find_norms(z);
+}
+
+/*
+ * (M9) Whatever polynomial z is: with x z^2 = 1 + d, |d| <= e < 1/2 for all e_i, z does not vanish, so that it is positive
+ * everywhere if it is at 0; and x^(-1/2) = z (1 + d)^(-1/2) is off from z by at most ||z|| e/(2 (1 - e)).
+ */
+void model_inverse_root(struct model *z, const struct model *x)
+{
+    struct model square, d;
+    model_init(&square, z->space);
+    model_init(&d, z->space);
+    zero(z);
+    z->c[0] = 1 / sqrt(x->c[0]);
+    find_norms(z);
+    for (int correct = 1; correct <= 2 * z->space->degree + 2; correct *= 2) { /* Newton's steps: z (1 - d/2) */
+        model_dot(&square, false, 1, z, z, 1);
+        model_dot(&d, false, 1, x, &square, 1);
+        subtract_one(&d);
+        model_scale(&d, -0.5);
+        model_set(&square, z);
+        model_dot(z, true, 1, &square, &d, 1);
+        z->rest = 0;
+    }
+    model_dot(&square, false, 1, z, z, 1);
+    model_dot(&d, false, 1, x, &square, 1);
+    subtract_one(&d);
+    const double e = model_size(&d);
+    z->rest = e < 0.5 && z->c[0] > 0 ? upward(norm(z) * e / (2 * (1 - e) * (1 - 4 * U))) : HUGE_VAL;
+    model_clear(&square);
+    model_clear(&d);
+}
+
+/*
+ * (M9) With x = x_0 + d: the terms of sin(x_0 + d) = sum sin^(k)(x_0) d^k/k! to k = degree, and the rest of the series, at most
+ * |d|^n/n!, n = degree + 1, in all.
+ */
+void model_sine_cosine(struct model *sine, struct model *cosine, const struct model *x)
+{
+    const struct space *s = x->space;
+    struct model d, power, next, value[2];
+    struct model *const to[] = {sine, cosine};
+    SCOPE(arb, angle, at_sine, at_cosine);
+    model_init(&d, s);
+    model_init(&power, s);
+    model_init(&next, s);
+    for (int i = 0; i < 2; i++) {
+        model_init(&value[i], s);
+        zero(to[i]);
+    }
+    arb_set_d(angle, x->c[0]);
+    arb_sin_cos(at_sine, at_cosine, angle, 128);
+    model_set_ball(&value[0], at_sine);
+    model_set_ball(&value[1], at_cosine);
+    model_set(&d, x);
+    d.c[0] = 0;
+    find_norms(&d);
+    power.c[0] = 1;
+    find_norms(&power);
+    for (int k = 0; k <= s->degree; k++) {
+        for (int i = 0; i < 2; i++) /* sin, cos, -sin, -cos; and cos, -sin, -cos, sin */
+            model_dot(to[i], true, (k + i) % 4 < 2 ? 1 : -1, &value[(k + i) % 2], &power, 1);
+        model_dot(&next, false, 1, &power, &d, 1);
+        model_scale(&next, 1.0 / (k + 1));
+        model_set(&power, &next);
+    }
+    for (int i = 0; i < 2; i++) {
+        to[i]->rest = upward(to[i]->rest + model_size(&power));
+        model_clear(&value[i]);
+    }
+    model_clear(&d);
+    model_clear(&power);
+    model_clear(&next);
+}
+
+/* The sum of absolute values of all that is added is ||z||: with the binomial coefficients each c_b is shared out over 2^-p (1 + 1)^p. */
+void model_halve(struct model *z, int i, int side)
+{
+    const struct space *s = z->space;
+    for (int b = 0; b < s->size; b++)
+        z->c[b] = ldexp(z->c[b], -s->exponent[b * s->variables + i]);
+    for (int j = 0; j < s->degree; j++)
+        for (int b = s->first[s->degree] - 1; b >= 0; b--)
+            if (s->exponent[b * s->variables + i] >= j)
+                z->c[b] += side * z->c[s->up[b * s->variables + i]];
+    z->rest = upward(z->rest + (s->degree * s->degree + 2) * U * norm(z)); /* (M1) */
+    find_norms(z);
+}
+
+/* A monomial whose exponents are all even lies in [0, 1]: of c_b b, c_b/2 joins the middle. */
+void model_range(arb_t range, const struct model *x)
+{
+    const struct space *s = x->space;
+    double middle = x->c[0], radius = x->rest;
+    for (int b = 1; b < s->size; b++) {
+        bool even = true;
+        for (int i = 0; i < s->variables; i++)
+            even = even && s->exponent[b * s->variables + i] % 2 == 0;
+        middle += even ? x->c[b] / 2 : 0;
+        radius += even ? fabs(x->c[b]) / 2 : fabs(x->c[b]);
+    }
+    SCOPE(mag, r);
+    if (radius > 0 || norm(x) > 0)
+        mag_set_d(r, upward(radius + s->size * U * norm(x))); /* (M1) */
+    arb_set_d(range, middle);
+    arb_add_error_mag(range, r);
+}

@@ -1,0 +1,194 @@
+/* Scenarios some of whose values have a radius: their Taylor models, and the rows of the set. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "motion/flow_set.h"
+#include "motion/motion.h"
+#include "text/decimal.h"
+#include "text/scope.h"
+
+enum { PREC = 128, DEGREE = 6, FEW = 6 }; /* of the models, of up to so many unknowns; of more the cost forbids it */
+
+/* Omega and n enter by roots and as the unit of time; k_c has no effect on a motion. */
+bool may_have_radius(enum scenario_name name)
+{
+    return name != SET_Omega && name != SET_n && name != SET_k_c;
+}
+
+struct reader {
+    const struct scenario *scenario;
+    int known; /* unknowns that have been given out */
+};
+
+/* The value, all of it within its radius, in the unit; `middle` NULL for that of the scenario */
+static void read_value(struct model *z, struct reader *r, enum scenario_name name, arb_srcptr middle, const arb_t unit)
+{
+    SCOPE(arb, x, radius);
+    arb_set_fmpq(x, &r->scenario->value[name].value, PREC);
+    arb_div(x, middle != NULL ? middle : x, unit, PREC);
+    arb_set_fmpq(radius, r->scenario->radius + name, PREC);
+    arb_div(radius, radius, unit, PREC);
+    if (arb_is_zero(radius))
+        model_set_ball(z, x);
+    else
+        model_set_variable(z, x, radius, r->known++);
+}
+
+static void multiply(struct model *z, const struct model *x, const struct model *y)
+{
+    struct model product;
+    model_init(&product, z->space);
+    model_dot(&product, false, 1, x, y, 1);
+    model_set(z, &product);
+    model_clear(&product);
+}
+
+enum { M1, M2, LENGTH, FACTOR, PSI, THETA, DL, PSI_DOT, THETA_DOT, DL_DOT, SINE_PSI, COSINE_PSI, SINE, COSINE, ARM, SUM, ANGLE_MODELS };
+
+/*
+ * (10) and its exact derivative: with e = (cos theta cos psi, cos theta sin psi, -sin theta) the place is arm L e, the velocity
+ * arm (L_dot e + L psi_dot (-e_y, e_x, 0) - L theta_dot (sin theta cos psi, sin theta sin psi, cos theta)).
+ */
+static void place(struct model *state, struct model *m)
+{
+    struct model *const e = m + SUM; /* free by now */
+    const struct model *const across[] = {m + COSINE_PSI, m + SINE_PSI};
+    model_sine_cosine(m + SINE_PSI, m + COSINE_PSI, m + PSI);
+    model_sine_cosine(m + SINE, m + COSINE, m + THETA);
+    multiply(m + DL_DOT, m + DL_DOT, m + ARM);
+    multiply(m + DL, m + DL, m + ARM); /* arm L, by now */
+    multiply(m + PSI_DOT, m + PSI_DOT, m + DL);
+    multiply(m + THETA_DOT, m + THETA_DOT, m + DL);
+    for (int i = 0; i < FLOW_HALF; i++) {
+        model_set(e, i < 2 ? m + COSINE : m + SINE);
+        if (i < 2)
+            multiply(e, e, across[i]);
+        else
+            model_scale(e, -1);
+        model_dot(state + i, false, 1, m + DL, e, 1);
+        model_dot(state + FLOW_HALF + i, false, 1, m + DL_DOT, e, 1);
+        model_set(e, i < 2 ? m + SINE : m + COSINE);
+        if (i < 2)
+            multiply(e, e, across[i]);
+        model_dot(state + FLOW_HALF + i, true, -1, m + THETA_DOT, e, 1);
+    }
+    for (int i = 0; i < 2; i++) {
+        model_set(e, m + COSINE);
+        multiply(e, e, across[1 - i]);
+        model_dot(state + FLOW_HALF + i, true, i == 0 ? -1 : 1, m + PSI_DOT, e, 1);
+    }
+}
+
+/* In units of r_ref of the middles, or near it, and radians of orbit */
+static void models_of(struct flow_set *set, const struct scenario *s)
+{
+    struct model m[ANGLE_MODELS];
+    struct reader r = {s, 0};
+    struct flow_parameters p;
+    SCOPE(arb, one, mass, speed, square);
+    for (int i = 0; i < ANGLE_MODELS; i++)
+        model_init(&m[i], &set->space);
+    flow_parameters_init(&p);
+    scenario_parameters(&p, s, PREC);
+    arb_one(one);
+    arb_add(mass, p.m1, p.m2, PREC);
+    arb_set(set->Omega, p.Omega);
+    arb_mul(set->unit, p.m2, p.L_ref, PREC);
+    arb_div(set->unit, set->unit, mass, PREC);
+    arb_get_mid_arb(set->unit, set->unit);
+    arb_mul(speed, set->unit, p.Omega, PREC);
+    arb_sqr(square, p.Omega, PREC);
+
+    read_value(m + M1, &r, SET_m1, NULL, mass);
+    read_value(m + M2, &r, SET_m2, NULL, mass);
+    read_value(m + LENGTH, &r, SET_L_ref, NULL, set->unit);
+    read_value(m + FACTOR, &r, SET_Q_factor, NULL, one);
+    struct model *const c1 = set->model + FLOW_STATE, *const c2 = c1 + 1, *const lambda = c1 + 2, *const hold = c1 + 3;
+    read_value(c1, &r, SET_C1, p.C1, square);
+    read_value(c2, &r, SET_C2, p.C2, p.Omega);
+    model_set(m + SUM, m + M1); /* arm = m2/(m1 + m2) by the square of a root */
+    model_set_ball(hold, one);
+    model_dot(m + SUM, true, 1, hold, m + M2, 1);
+    model_inverse_root(m + ARM, m + SUM);
+    multiply(m + ARM, m + ARM, m + ARM);
+    multiply(m + ARM, m + ARM, m + M2);
+    multiply(lambda, m + ARM, m + LENGTH);
+    multiply(m + FACTOR, m + FACTOR, lambda);
+    multiply(m + FACTOR, m + FACTOR, lambda); /* k lambda^2, by now */
+    multiply(c1, c1, m + FACTOR);
+    multiply(c2, c2, m + FACTOR);
+    multiply(hold, m + FACTOR, lambda);
+    model_scale(hold, 3);
+
+    if (s->given[SET_x1]) {
+        for (int i = 0; i < FLOW_STATE; i++)
+            read_value(set->model + i, &r, (enum scenario_name)(SET_x1 + i), NULL, i < FLOW_HALF ? set->unit : speed);
+    } else {
+        for (int i = 0; i < FLOW_STATE; i++)
+            read_value(m + PSI + i, &r, (enum scenario_name)(SET_psi + i), NULL,
+                       i == 2 ? set->unit : i < 3 ? one : i == 5 ? speed : p.Omega);
+        model_set_ball(m + SUM, one);
+        model_dot(m + DL, true, 1, m + SUM, m + LENGTH, 1); /* L */
+        place(set->model, m);
+    }
+    flow_parameters_clear(&p);
+    for (int i = 0; i < ANGLE_MODELS; i++)
+        model_clear(&m[i]);
+}
+
+/* What has to be positive everywhere in the box: masses and L_ref, and a length that no craft meet at */
+bool set_valid(const struct scenario *s, struct message *why)
+{
+    static const enum scenario_name positive[] = {SET_m1, SET_m2, SET_L_ref};
+    SCOPE(fmpq, x);
+    for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
+        if (fmpq_cmp(&s->value[positive[i]].value, s->radius + positive[i]) <= 0) {
+            message_set(why, "%s: expected numbers > 0 in all of the box", scenario_names[positive[i]]);
+            return false;
+        }
+    bool apart = false;
+    if (s->given[SET_x1]) {
+        for (int i = SET_x1; i <= SET_z1; i++) {
+            fmpq_abs(x, &s->value[i].value);
+            apart = apart || fmpq_cmp(x, s->radius + i) > 0;
+        }
+    } else {
+        fmpq_add(x, &s->value[SET_L_ref].value, &s->value[SET_dL].value);
+        fmpq_sub(x, x, s->radius + SET_L_ref);
+        apart = fmpq_cmp(x, s->radius + SET_dL) > 0;
+    }
+    if (!apart)
+        message_set(why, "%s: expected the two craft apart, L > 0, in all of the box", s->given[SET_x1] ? "x1 y1 z1" : "dL");
+    return apart;
+}
+
+int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, const fmpq *times, slong count, row_receiver *receive,
+                    void *context, struct message *why)
+{
+    int unknowns = 0;
+    for (int i = 0; i < SET_VALUES; i++)
+        unknowns += !fmpq_is_zero(s->radius + i);
+    VECTOR(arb, rows, FLOW_STATE * count);
+    struct flow_set set;
+    slong proved;
+    double reached;
+    flow_set_init(&set, unknowns, unknowns <= FEW ? DEGREE : unknowns == FEW + 1 ? DEGREE - 1 : DEGREE - 3);
+    set.most_pieces = most_pieces;
+    models_of(&set, s);
+    const enum flow_status status = flow_set(&set, times, count, rows, &proved, &reached);
+    flow_set_clear(&set);
+    int stopped = 0;
+    for (slong k = 0; k < proved && stopped == 0; k++) {
+        char *numbers[SET_NUMBERS];
+        for (int i = 0; i < SET_NUMBERS; i++)
+            numbers[i] = decimal_of_end(rows + FLOW_STATE * k + i / 2, digits, i % 2);
+        stopped = receive(context, k, times + k, numbers);
+        for (int i = 0; i < SET_NUMBERS; i++)
+            free(numbers[i]);
+    }
+    if (status == FLOW_DONE || stopped != 0)
+        return 0;
+    message_set(why, status == FLOW_WIDE ? "the set grew past use, last proved time %.9g s" : "too many steps, last proved time %.9g s",
+                reached);
+    return -1;
+}
