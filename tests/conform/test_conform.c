@@ -99,25 +99,23 @@ static const struct {
     {"--only flow_linear-paper-43200,flow_linear-paper-432000 --digits flow_linear=15 -- FAULTY none", 1, " wrong\n"},
 };
 
-START_TEST(a_factor_and_lost_digits_are_called_that)
+TEST(a_factor_and_lost_digits_are_called_that)
 {
     ck_assert_int_eq(conform("--only eq07 -- FAULTY off"), 1);
     assert_says("looks like a constant factor 1.01\n");
     ck_assert_int_eq(conform("--only eq07 -- FAULTY wrong"), 1);
     assert_says("looks like right in 13 digits, the others are lost\n");
 }
-END_TEST
 
-START_TEST(a_fault_has_its_own_outcome)
+EACH(a_fault_has_its_own_outcome, COUNT(faults))
 {
     const int status = conform(faults[_i].arguments);
     ck_assert_msg(status == faults[_i].status, "%s: exit %d\n%s", faults[_i].arguments, status, said);
     assert_says(faults[_i].says);
 }
-END_TEST
 
 /* All golden vectors, and random ones of every level. */
-START_TEST(a_right_client_passes_everything)
+TEST(a_right_client_passes_everything)
 {
     ck_assert_int_eq(conform("--only algebra,roots --random 50 --seed 11 -- FAULTY none"), 0);
     assert_says(" 0 failed, 0 skipped\n");
@@ -126,18 +124,16 @@ START_TEST(a_right_client_passes_everything)
     assert_says("\nrk4_nonlinear ");
     ck_assert_int_eq(conform("--only flow_linear-11-0,flow_linear-11-19,rk4_linear-11-0,rk4_linear-11-19 --random 20 --seed 11 -- FAULTY none"), 0);
 }
-END_TEST
 
-START_TEST(inputs_in_every_form_are_the_same_numbers)
+TEST(inputs_in_every_form_are_the_same_numbers)
 {
     ck_assert_int_eq(conform("--only algebra --inputs exact -- FAULTY none"), 0);
     ck_assert_int_eq(conform("--only algebra --inputs hex -- FAULTY none"), 0);
     ck_assert_int_eq(conform("--only eq38 --inputs hex -- FAULTY printed"), 1);
     assert_says("GM         0x");
 }
-END_TEST
 
-START_TEST(much_in_flight_both_ways_does_not_deadlock)
+TEST(much_in_flight_both_ways_does_not_deadlock)
 {
     /* a client that answers at once, one that hears everything first, one with a megabyte to complain */
     ck_assert_int_eq(conform("--only eq07 --random 20000 --seed 1 -- FAULTY none"), 0);
@@ -145,7 +141,6 @@ START_TEST(much_in_flight_both_ways_does_not_deadlock)
                              "exec \"$CT_BUILD/tests/faulty\" <\"$CT_BUILD/tests/asked\"'"), 0);
     ck_assert_int_eq(conform("--only eq07 -- sh -c 'head -c 1000000 /dev/zero >&2; exec \"$CT_BUILD/tests/faulty\"'"), 0);
 }
-END_TEST
 
 /* ---- mistakes that people make ---- */
 
@@ -195,17 +190,16 @@ static const struct {
     {TWO_TIMES("flow_linear"), "coupling", "  looks like -2 Omega/L_ref dL_dot in psi_ddot with the other sign\n"},
 };
 
-START_TEST(a_mistake_that_people_make_is_told_in_words)
+EACH(a_mistake_that_people_make_is_told_in_words, COUNT(people))
 {
     char line[300];
     snprintf(line, sizeof line, "--only %s -- FAULTY %s", people[_i].operation, people[_i].fault);
     ck_assert_int_eq(conform(line), 1);
     assert_says(people[_i].says);
 }
-END_TEST
 
 /* What passes contradicts what the failing vectors alone look like; failures that are expected speak as well. */
-START_TEST(a_mistake_explains_what_passes)
+TEST(a_mistake_explains_what_passes)
 {
     ck_assert_int_eq(conform("--only eq21 -- FAULTY zero-charge"), 1);
     assert_says("eq21: 4 a value where invalid is due\n");
@@ -223,19 +217,17 @@ START_TEST(a_mistake_explains_what_passes)
     assert_says(" of them as expected\n");
     ck_assert_ptr_null(strstr(said, "looks like"));
 }
-END_TEST
 
 /* n - 8 for n - 9 is like nothing known, and no guess is better than a false one; nor is anything told from one vector. */
 /* A client that follows the first two vectors rightly: Euler's method would not. */
-START_TEST(a_motion_that_passes_refutes_a_hypothesis)
+TEST(a_motion_that_passes_refutes_a_hypothesis)
 {
     ck_assert_int_eq(conform("--only " TWO_TIMES("flow_linear") " -- sh -c 'for i in 1 2; do read -r q; echo \"$q\"; done | "
                              "\"$0\" none; exec \"$0\" euler' FAULTY"), 1);
     ck_assert_ptr_null(strstr(said, "looks like"));
 }
-END_TEST
 
-START_TEST(what_is_like_nothing_known_is_not_guessed)
+TEST(what_is_like_nothing_known_is_not_guessed)
 {
     ck_assert_int_eq(conform("--only eq44 -- FAULTY n-8"), 1);
     ck_assert_ptr_null(strstr(said, "looks like"));
@@ -249,12 +241,11 @@ START_TEST(what_is_like_nothing_known_is_not_guessed)
     assert_says("eq38: 1 wrong\n");
     ck_assert_ptr_null(strstr(said, "looks like"));
 }
-END_TEST
 
 /* ---- what is asked, shown and expected ---- */
 
 /* Each root beside the one that it is compared with, and a mark where one is off. */
-START_TEST(roots_are_shown_as_a_set_with_a_mark_below_what_is_wrong)
+TEST(roots_are_shown_as_a_set_with_a_mark_below_what_is_wrong)
 {
     ck_assert_int_eq(conform("--only eq41roots-paper -- sh -c 'read o id in; echo $id -3.0327232498739167e-05 3.8823610912141664e-05 "
                              "-4.2587767501260836e-05 -1.8200486135682383e-04 -4.2587767501260836e-05 1.8200486145682383e-04 "
@@ -264,9 +255,8 @@ START_TEST(roots_are_shown_as_a_set_with_a_mark_below_what_is_wrong)
     assert_says("got      -3.0327232498739167e-05\n    im4        expected 3.8823610912141664092e-05\n");
     ck_assert_ptr_null(strstr(strstr(said, " ^\n") + 1, " ^\n"));
 }
-END_TEST
 
-START_TEST(vectors_are_asked_one_by_one)
+TEST(vectors_are_asked_one_by_one)
 {
     ck_assert_int_eq(conform("--only eq44-boundary,eq44-paper,eq44-boundary,eq43 -- FAULTY none"), 0);
     assert_says("eq43                  30       30 ");
@@ -276,10 +266,9 @@ START_TEST(vectors_are_asked_one_by_one)
     ck_assert_int_eq(conform("--only eq44-paper -- sh -c 'read q; echo eq44-boundary 0; cat >/dev/null'"), 1); /* it is not asked */
     assert_says("  1 wrong id, ");
 }
-END_TEST
 
 /* Such a line is cut for reports: within its blanks, its id, or its answer. */
-START_TEST(blanks_before_an_answer_do_not_push_it_out_of_its_room)
+TEST(blanks_before_an_answer_do_not_push_it_out_of_its_room)
 {
     static const struct {
         int blanks;
@@ -294,17 +283,15 @@ START_TEST(blanks_before_an_answer_do_not_push_it_out_of_its_room)
         assert_says(got);
     }
 }
-END_TEST
 
-START_TEST(digits_are_declared_once)
+TEST(digits_are_declared_once)
 {
     ck_assert_int_eq(conform("--digits flow_linear=9 --digits flow_nonlinear=8 --digits flow_linear=8 -- FAULTY none"), 2);
     assert_says("--digits: expected flow_linear once, got 'flow_linear=9' and 'flow_linear=8'\n");
 }
-END_TEST
 
 /* Six of eq38's vectors come after the tenth question and lie inside the domain; --all shows them all, else there is one. */
-START_TEST(every_failing_vector_is_shown)
+TEST(every_failing_vector_is_shown)
 {
     int shown = 0;
     ck_assert_int_eq(conform("--only eq38 --all -- FAULTY printed"), 1);
@@ -314,20 +301,18 @@ START_TEST(every_failing_vector_is_shown)
     ck_assert_int_eq(conform("--only eq38 -- FAULTY printed"), 1);
     ck_assert_ptr_eq(strstr(strstr(said, ": wrong, E = ") + 1, ": wrong, E = "), NULL);
 }
-END_TEST
 
 /* How good an integrator is: a line a scenario. */
-START_TEST(digits_are_shown_by_time)
+TEST(digits_are_shown_by_time)
 {
     ck_assert_int_eq(conform("--only flow_linear-rates-100,flow_linear-rates-43200,rk4_linear-rates-100,eq43-paper --all -- FAULTY none"), 0);
     assert_says("\ndigits by time in s\n  flow_linear-rates                         100: ");
     assert_says("  43200: ");
     assert_says("\n  rk4_linear-rates                          100: ");
 }
-END_TEST
 
 /* What is no number has no digits, and a time keeps its sign. */
-START_TEST(digits_are_shown_of_numbers_alone)
+TEST(digits_are_shown_of_numbers_alone)
 {
     ck_assert_int_eq(conform("--only flow_linear-paper-0,flow_linear-paper--7200 --all -- sh -c 'for i in 1 2; do read o id in; "
                              "echo $id 1 1 1 1 1 1; done'"), 1);
@@ -336,9 +321,8 @@ START_TEST(digits_are_shown_of_numbers_alone)
                              "echo $id nan 1 1 1 1 1; done'"), 1);
     ck_assert_ptr_null(strstr(said, "digits by time"));
 }
-END_TEST
 
-START_TEST(expected_failures_are_none_and_what_passes_is_said)
+TEST(expected_failures_are_none_and_what_passes_is_said)
 {
     ck_assert_int_eq(system("cd \"$CT_BUILD/tests\"; printf '# known\\neq38-random-10 the 3\\n\\n  eq38-paper\\neq07-paper\\n' >expect"), 0);
     ck_assert_int_eq(conform("--only eq38 --expect \"$CT_BUILD/tests/expect\" --report \"$CT_BUILD/tests/expect.json\" -- FAULTY printed"), 1);
@@ -364,10 +348,9 @@ START_TEST(expected_failures_are_none_and_what_passes_is_said)
     ck_assert_int_eq(system("printf 'eq38-paper%300s\\neq38-random-10\\neq07-paper%400s' why why >\"$CT_BUILD/tests/expect\""), 0);
     ck_assert_int_eq(conform("--expect \"$CT_BUILD/tests/expect\" -- true"), 1); /* the rest of a long line names nothing */
 }
-END_TEST
 
 /* The questions go somewhere else, and what came of them there comes back. */
-START_TEST(questions_are_taken_away_and_a_transcript_brought_back)
+TEST(questions_are_taken_away_and_a_transcript_brought_back)
 {
     ck_assert_int_eq(conform("--questions --only eq07,eq41roots --random 20 --seed 3 >\"$CT_BUILD/tests/questions\""), 0);
     ck_assert_int_eq(system("\"$CT_BUILD/tests/faulty\" <\"$CT_BUILD/tests/questions\" >\"$CT_BUILD/tests/transcript\""), 0);
@@ -383,7 +366,6 @@ START_TEST(questions_are_taken_away_and_a_transcript_brought_back)
     ck_assert_int_eq(conform("--answers data"), 1);
     assert_says("data: Is a directory");
 }
-END_TEST
 
 /* What the command writes comes to --answers through a pipe, which cannot be rewound. */
 static int conform_piped(const char *command, const char *only)
@@ -394,7 +376,7 @@ static int conform_piped(const char *command, const char *only)
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-START_TEST(answers_come_through_a_pipe_as_well)
+TEST(answers_come_through_a_pipe_as_well)
 {
     ck_assert_int_eq(conform_piped("cat data/golden/eq07.csv", ""), 0);
     ck_assert_int_eq(system("grep -q '^50 vectors: 50 passed' \"$CT_BUILD/tests/piped\""), 0);
@@ -402,7 +384,6 @@ START_TEST(answers_come_through_a_pipe_as_well)
     ck_assert_int_eq(conform_piped("head -c 300000000 /dev/zero", ""), 1);
     ck_assert_int_eq(system("grep -q 'expected at most 268435456 bytes through a pipe' \"$CT_BUILD/tests/piped\""), 0);
 }
-END_TEST
 
 /* ---- wrong usage ---- */
 
@@ -458,7 +439,7 @@ static const struct {
     {"--random 5 --seed 18446744073709551616 -- FAULTY", "below 2^64"},
 };
 
-START_TEST(wrong_usage_is_one_line_and_exit_2)
+EACH(wrong_usage_is_one_line_and_exit_2, COUNT(mistakes))
 {
     ck_assert_int_eq(system("head -c 70000 /dev/zero | tr '\\0' a >\"$CT_BUILD/tests/wide.csv\""), 0);
     const int status = conform(mistakes[_i].arguments);
@@ -466,20 +447,18 @@ START_TEST(wrong_usage_is_one_line_and_exit_2)
     assert_says(mistakes[_i].says);
     ck_assert_ptr_eq(strchr(said, '\n') + 1, said + strlen(said));
 }
-END_TEST
 
 /* ---- files ---- */
 
-START_TEST(golden_files_are_right_answers)
+EACH(golden_files_are_right_answers, 6)
 {
     static const char *const files[] = {"eq02", "eq07", "eq27", "eq41roots", "eq42", "flow_linear"};
     char arguments[100];
     snprintf(arguments, sizeof arguments, "--answers data/golden/%s.csv %s", files[_i], files[_i]);
     ck_assert_msg(conform(arguments) == 0, "%s", said);
 }
-END_TEST
 
-START_TEST(answers_in_a_file_may_stand_in_any_order)
+TEST(answers_in_a_file_may_stand_in_any_order)
 {
     ck_assert_int_eq(system("f=\"$CT_BUILD/tests/answers.csv\"; echo 'Q_ref,id' >\"$f\"; "
                             "sed 1d data/golden/eq07.csv | cut -d, -f1,7 | sed 's/\\(.*\\),\\(.*\\)/\"\\2\",\\1/' | "
@@ -492,27 +471,24 @@ START_TEST(answers_in_a_file_may_stand_in_any_order)
     assert_says("  1 repeated or out of order, the first is line 52: eq07-");
     assert_says("  1 wrong id, the first is line 51: stranger 1\n");
 }
-END_TEST
 
-START_TEST(a_row_longer_than_a_line_is_told_with_its_place)
+TEST(a_row_longer_than_a_line_is_told_with_its_place)
 {
     ck_assert_int_eq(system("f=\"$CT_BUILD/tests/long.csv\"; { echo 'id,Q_ref'; head -c 70000 /dev/zero | tr '\\0' a; "
                             "echo ',1'; } >$f"), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/long.csv\" eq07"), 2);
     assert_says("long.csv: line 2, cell 1: expected a shorter row\n");
 }
-END_TEST
 
-START_TEST(cells_are_quoted_as_in_RFC_4180)
+TEST(cells_are_quoted_as_in_RFC_4180)
 {
     ck_assert_int_eq(system("f=\"$CT_BUILD/tests/quoted.csv\"; echo 'note,id,\"Q_ref\"' >\"$f\"; "
                             "sed 1d data/golden/eq07.csv | awk -F, '{printf \"\\\"a, \\\"\\\"b\\\"\\\"\\\",\\\"%s\\\",%s\\r\\n\", $1, $7}' >>\"$f\""), 0);
     ck_assert_msg(conform("--answers \"$CT_BUILD/tests/quoted.csv\" eq07") == 0, "%s", said);
 }
-END_TEST
 
 /* A table as spreadsheets of several countries and data frames write it: whose answers it has is told by its vectors' names. */
-START_TEST(tables_are_read_as_spreadsheets_write_them)
+EACH(tables_are_read_as_spreadsheets_write_them, 4)
 {
     static const char *const programs[] = {
         "BEGIN {OFS = \";\"; printf \"\\357\\273\\277\"} {print \"a\", $1, $7 \"\\r\"}", /* a byte order mark, semicolons, CRLF */
@@ -526,9 +502,8 @@ START_TEST(tables_are_read_as_spreadsheets_write_them)
     ck_assert_msg(conform("--answers \"$CT_BUILD/tests/sheet.csv\"") == 0, "%s", said);
     assert_says("eq07                  50       50 ");
 }
-END_TEST
 
-START_TEST(a_table_that_is_none_is_told_with_its_place)
+TEST(a_table_that_is_none_is_told_with_its_place)
 {
     ck_assert_int_eq(system("printf 'id,Q_ref\\neq07-paper,\"1\\n' >\"$CT_BUILD/tests/open.csv\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/open.csv\" eq07"), 2);
@@ -547,10 +522,9 @@ START_TEST(a_table_that_is_none_is_told_with_its_place)
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 2);
     assert_says("comma.csv: line 1: expected one column 'C2', found 2\n");
 }
-END_TEST
 
 /* Half a digit short after five days, where C1 and C2 exchanged make a motion of five thousand radians. */
-START_TEST(a_diagnosis_ends)
+TEST(a_diagnosis_ends)
 {
     ck_assert_int_eq(system("printf 'id,x1,y1,z1,x1_dot,y1_dot,z1_dot\\nflow_nonlinear-heavy-and-light-432000,0.00998963217150906,"
                             "-6.355638513927242e-08,9.971916278925862e-05,-3.0083669320652085e-11,2.1976059168129117e-11,"
@@ -561,7 +535,6 @@ START_TEST(a_diagnosis_ends)
     assert_says("-432000: wrong, 8.6 digits, 9 are due\n");
     ck_assert(time(NULL) - before < 30); /* ten minutes without a limit */
 }
-END_TEST
 
 static const char *file_text(const char *name)
 {
@@ -575,7 +548,7 @@ static const char *file_text(const char *name)
     return text;
 }
 
-START_TEST(reports_for_machines_say_the_same)
+TEST(reports_for_machines_say_the_same)
 {
     ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.xml\" -- FAULTY printed"), 1);
     ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "<testsuite name=\"eq38\" tests=\"26\" failures=\"16\" errors=\"0\" skipped=\"0\""));
@@ -595,10 +568,9 @@ START_TEST(reports_for_machines_say_the_same)
     ck_assert_int_eq(conform("--only eq07 --report /nowhere/report.json -- FAULTY none"), 1);
     assert_says("/nowhere/report.json: No such file");
 }
-END_TEST
 
 /* In however many pieces it comes, its last 2000 bytes. */
-START_TEST(the_end_of_standard_error_is_kept)
+TEST(the_end_of_standard_error_is_kept)
 {
     ck_assert_int_eq(conform("--only eq38 --report \"$CT_BUILD/tests/pieces.json\" -- "
                              "sh -c 'echo one >&2; sleep 0.1; echo two >&2; exec \"$0\" none' FAULTY"), 0);
@@ -611,10 +583,9 @@ START_TEST(the_end_of_standard_error_is_kept)
     ck_assert_uint_eq(strspn(end, " "), 2000 - strlen("end\n"));
     ck_assert_int_eq(strncmp(end + strspn(end, " "), "end\\n\"", 6), 0);
 }
-END_TEST
 
 /* A full disk, and a name that is taken by a folder: no report, and nothing of it left. */
-START_TEST(a_report_is_there_whole_or_not_at_all)
+TEST(a_report_is_there_whole_or_not_at_all)
 {
     ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -rf full taken.xml* && mkdir full taken.xml && cd full && "
                             "trap '' XFSZ && ulimit -f 0 && ! \"$CT_PROGRAM\" conform --only eq07 --report full.json -- "
@@ -623,10 +594,9 @@ START_TEST(a_report_is_there_whole_or_not_at_all)
     assert_says("/tests/taken.xml: Is a directory\n");
     ck_assert_int_ne(system("cd \"$CT_BUILD/tests\" && ls taken.xml*tmp 2>/dev/null | grep ."), 0);
 }
-END_TEST
 
 /* What lies beside it, a link or somebody's file of the like name, stays what it is; and a link under its name is not followed. */
-START_TEST(a_report_overwrites_nothing_but_itself)
+TEST(a_report_overwrites_nothing_but_itself)
 {
     ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -rf mine && mkdir mine && cd mine && echo mine >a && echo mine >r.json.tmp && "
                             "ln -s a r.xml.tmp && ln -s a r.xml && for r in r.json r.xml; do \"$CT_PROGRAM\" conform --only eq07 "
@@ -634,10 +604,9 @@ START_TEST(a_report_overwrites_nothing_but_itself)
                             "test -L r.xml.tmp && test \"$(cat a r.json.tmp r.xml.tmp)\" = \"$(printf 'mine\\nmine\\nmine')\" && "
                             "test \"$(ls | wc -l)\" = 5"), 0);
 }
-END_TEST
 
 /* A dot-file's name is all ending. */
-START_TEST(a_report_is_of_the_kind_that_its_name_ends_with)
+TEST(a_report_is_of_the_kind_that_its_name_ends_with)
 {
     ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/.xml\" -- FAULTY none"), 0);
     ck_assert_int_eq(strncmp(file_text(".xml"), "<?xml ", 6), 0);
@@ -650,7 +619,6 @@ START_TEST(a_report_is_of_the_kind_that_its_name_ends_with)
     ck_assert_int_eq(report_format("a.xml/b"), REPORT_NONE);
     ck_assert_int_eq(report_format("json"), REPORT_NONE);
 }
-END_TEST
 
 /* ---- time ---- */
 
@@ -665,7 +633,7 @@ static const struct {
     {"--only eq38 --timeout 1 -- cat /dev/zero", "1 too long", 1},
 };
 
-START_TEST(time_is_up_by_the_clock)
+EACH(time_is_up_by_the_clock, COUNT(slow))
 {
     struct timespec before, after;
     clock_gettime(CLOCK_MONOTONIC, &before);
@@ -675,26 +643,23 @@ START_TEST(time_is_up_by_the_clock)
     assert_says(slow[_i].says);
     ck_assert_int_lt(after.tv_sec - before.tv_sec, 8); /* and not the sleeper's minute */
 }
-END_TEST
 
 /* An answer every half second of two is in time, though all of them take longer. */
-START_TEST(who_answers_now_and_then_has_time)
+TEST(who_answers_now_and_then_has_time)
 {
     ck_assert_int_eq(conform("--only eq38 --timeout 2 -- sh -c 'head -n 5 >/dev/null; for i in 1 2 3 4 5; do sleep 0.5; "
                              "echo eq38-random-$i skip it; done; cat >/dev/null'"), 1);
     ck_assert_ptr_null(strstr(said, "time-out"));
 }
-END_TEST
 
-START_TEST(a_zero_byte_hides_nothing_of_standard_error)
+TEST(a_zero_byte_hides_nothing_of_standard_error)
 {
     ck_assert_int_eq(conform("--only eq38 --report \"$CT_BUILD/tests/zero.json\" -- "
                              "sh -c 'printf \"before\\000after\" >&2; exec \"$0\" none' FAULTY"), 0);
     ck_assert_ptr_nonnull(strstr(file_text("zero.json"), "\"errors\": \"before\\u0001after\""));
 }
-END_TEST
 
-START_TEST(what_a_client_says_breaks_no_report)
+EACH(what_a_client_says_breaks_no_report, 2)
 {
     static const char *const clients[] = {"report.xml", "report.json"};
     static const char *const escaped[] = {"&#60;&#62;&#38;&#34;'\\?\n", "<>&\\\"'\\\\\\u0001\\n"};
@@ -706,10 +671,9 @@ START_TEST(what_a_client_says_breaks_no_report)
     if (_i == 0)
         ck_assert_ptr_nonnull(strstr(file_text(clients[_i]), "name=\"eq07-paper\"><skipped message=\"skipped\"/></testcase>"));
 }
-END_TEST
 
 /* Each pipe to the client takes two descriptors, and some more the program: with fewer it says so. */
-START_TEST(a_client_is_not_started_without_descriptors)
+TEST(a_client_is_not_started_without_descriptors)
 {
     for (int most = 4; most < 9; most++) {
         char line[300];
@@ -722,25 +686,22 @@ START_TEST(a_client_is_not_started_without_descriptors)
         assert_says("client 'true': Too many open files\n");
     }
 }
-END_TEST
 
 /* Nobody hears what a client complains of, and the client is judged by its answers none the less. */
-START_TEST(complaints_that_find_no_place_do_no_harm)
+TEST(complaints_that_find_no_place_do_no_harm)
 {
     ck_assert_int_eq(system("\"$CT_PROGRAM\" conform --only eq07 -- sh -c 'echo oh >&2; exec \"$CT_BUILD/tests/faulty\"' "
                             ">/dev/null 2>/dev/full"), 0);
 }
-END_TEST
 
 /* A file that can be opened and not be read: a folder. */
-START_TEST(answers_that_cannot_be_read_are_no_answers)
+TEST(answers_that_cannot_be_read_are_no_answers)
 {
     ck_assert_int_eq(conform("--answers data eq07"), 1);
     assert_says("data: Is a directory\n");
     ck_assert_int_eq(conform("--answers data/nothing.csv eq07"), 1);
     assert_says("data/nothing.csv: No such file or directory\n");
 }
-END_TEST
 
 /* ---- an interrupt ---- */
 
@@ -763,7 +724,7 @@ static void nap(void)
     nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
 }
 
-START_TEST(an_interrupt_leaves_no_process_behind)
+EACH(an_interrupt_leaves_no_process_behind, 3)
 {
     static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
     char client[512], pids[512];
@@ -798,15 +759,13 @@ START_TEST(an_interrupt_leaves_no_process_behind)
         nap();
     ck_assert(!runs(process) && !runs(child));
 }
-END_TEST
 
 /* What is ignored, as in the background, interrupts nothing: the client ends by itself and is judged. */
-START_TEST(an_interrupt_that_is_ignored_does_nothing)
+TEST(an_interrupt_that_is_ignored_does_nothing)
 {
     ck_assert_int_eq(system("trap '' INT; \"$CT_PROGRAM\" conform --only eq38 -- sh -c 'kill -INT $PPID; exec \"$0\" none' "
                             "\"$CT_BUILD/tests/faulty\" >/dev/null"), 0);
 }
-END_TEST
 
 /* ---- mistakes and what finds them ---- */
 
@@ -834,7 +793,7 @@ static void say(struct test_run *e, const char *line)
 }
 
 /* A journal that can only be written: an error of its reading is not its end. */
-START_TEST(a_journal_that_cannot_be_read_makes_no_report)
+TEST(a_journal_that_cannot_be_read_makes_no_report)
 {
     struct test_run *e = run_of(section_find(sheet(), "eq38"));
     const struct report r = {.run = e, .client = "", .errors = ""};
@@ -848,7 +807,6 @@ START_TEST(a_journal_that_cannot_be_read_makes_no_report)
     test_run_clear(e);
     free(e);
 }
-END_TEST
 
 /* Answers every question with those formulas, in so many digits; 17 are binary64. */
 static void answer_in_digits(struct test_run *e, const struct formulas *formulas, int digits)
@@ -892,7 +850,7 @@ static void close_run(struct test_run *e)
 }
 
 /* Every mistake of the sheet that the operation can make, all its formulas in turn. */
-START_TEST(a_known_mistake_is_called_by_its_name)
+EACH(a_known_mistake_is_called_by_its_name, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
     if (s->method != METHOD_FORMULA)
@@ -922,9 +880,8 @@ START_TEST(a_known_mistake_is_called_by_its_name)
     ck_assert_uint_eq(summary_failed(&e->summaries[0]), 0);
     close_run(e);
 }
-END_TEST
 
-START_TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
+TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
 {
     for (int k = 0; k < sheet()->mistake_count; k++) {
         int places = 0;
@@ -940,9 +897,8 @@ START_TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
         ck_assert_msg(places > 0, "%s", sheet()->mistakes[k].name);
     }
 }
-END_TEST
 
-START_TEST(right_but_for_the_digits_written_is_called_that)
+TEST(right_but_for_the_digits_written_is_called_that)
 {
     const struct section *s = section_find(sheet(), "eq12");
     struct test_run *e = run_of(s);
@@ -950,10 +906,9 @@ START_TEST(right_but_for_the_digits_written_is_called_that)
     ck_assert_str_eq(e->summaries[0].diagnosis, "written with only 6 digits");
     close_run(e);
 }
-END_TEST
 
 /* A line that is no answer has nothing against a mistake that explains all the others. */
-START_TEST(a_mistake_explains_numbers_and_not_lines)
+TEST(a_mistake_explains_numbers_and_not_lines)
 {
     const struct section *s = section_find(sheet(), "eq38");
     struct test_run *e = run_of(s);
@@ -964,7 +919,6 @@ START_TEST(a_mistake_explains_numbers_and_not_lines)
     ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "the paper's misprint: ", 22), 0);
     close_run(e);
 }
-END_TEST
 
 /* ---- order ---- */
 
@@ -977,7 +931,7 @@ static void skip(struct test_run *e, int number)
 }
 
 /* What is passed over is missing for good, and an answer that comes after all answers nothing. */
-START_TEST(answers_come_in_the_order_of_the_questions)
+TEST(answers_come_in_the_order_of_the_questions)
 {
     struct test_run *e = long_run_of(section_find(sheet(), "eq43"), 9);
     const struct summary *t = &e->summaries[0];
@@ -994,10 +948,9 @@ START_TEST(answers_come_in_the_order_of_the_questions)
     ck_assert_uint_eq(t->counts[OUTCOME_SKIPPED], 2);
     close_run(e);
 }
-END_TEST
 
 /* What was heard of it is no answer to what it begins with. */
-START_TEST(a_line_without_an_end_may_be_too_long_as_well)
+TEST(a_line_without_an_end_may_be_too_long_as_well)
 {
     struct test_run *e = run_of(section_find(sheet(), "eq43"));
     e->asked = e->sets.total;
@@ -1008,9 +961,8 @@ START_TEST(a_line_without_an_end_may_be_too_long_as_well)
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MISSING], e->sets.total);
     close_run(e);
 }
-END_TEST
 
-START_TEST(an_id_is_the_one_that_was_sent_to_the_letter)
+EACH(an_id_is_the_one_that_was_sent_to_the_letter, 16)
 {
     static const char *const strangers[] = {"eq43", "eq43-", "eq43-1", "eq43-1-", "eq43-1-5", "eq43-01-4", "eq43-1-04",
                                             "eq43-2-4", "eq43-1-4x", "eq44-1-4", "eq4-1-4", "eq43-papers", "eq43-1-outside-1",
@@ -1022,7 +974,6 @@ START_TEST(an_id_is_the_one_that_was_sent_to_the_letter)
     ck_assert_uint_eq(test_sets_find(&e->sets, strangers[_i]), UINT64_MAX);
     close_run(e);
 }
-END_TEST
 
 /* ---- what the table says ---- */
 
@@ -1051,7 +1002,7 @@ static const char *table_of(const char *const *answers, int significand)
     return said;
 }
 
-START_TEST(the_table_knows_exact_and_infinitely_wrong)
+TEST(the_table_knows_exact_and_infinitely_wrong)
 {
     /* 0 is margin1 at C1 = 9, Omega = 1; margin2 and stable of n = 10 have E = 0 or infinity */
     static const char *const exact[] = {"eq42-boundary 0 1 0\n", NULL};
@@ -1059,16 +1010,14 @@ START_TEST(the_table_knows_exact_and_infinitely_wrong)
     ck_assert_ptr_nonnull(strstr(table_of(exact, BINARY64), "        0   exact  eq42-boundary\n"));
     ck_assert_ptr_nonnull(strstr(table_of(wrong, BINARY64), "      inf     0.0  eq42-no-damping\n"));
 }
-END_TEST
 
-START_TEST(each_reason_for_a_skip_is_said_once)
+TEST(each_reason_for_a_skip_is_said_once)
 {
     static const char *const two[] = {"eq42-paper skip not yet\n", "eq43-paper skip never\n", NULL};
     static const char *const one[] = {"eq42-paper skip not yet\n", "eq43-paper skip not yet\n", NULL};
     ck_assert_ptr_nonnull(strstr(table_of(two, BINARY64), "\nskipped, not yet: eq42\n\nskipped, never: eq43\n"));
     ck_assert_ptr_nonnull(strstr(table_of(one, BINARY64), "\nskipped, not yet: eq42 eq43\n"));
 }
-END_TEST
 
 /* ---- judgement ---- */
 
@@ -1118,14 +1067,13 @@ static const struct {
     {"flow_linear-pitch-alone-0", "4e-9 0.5 0 0 0 0", OUTCOME_WRONG},
 };
 
-START_TEST(an_answer_is_judged_as_PROTOCOL_says)
+EACH(an_answer_is_judged_as_PROTOCOL_says, COUNT(judgements))
 {
     ck_assert_msg(outcome_on(judgements[_i].id, judgements[_i].outputs) == judgements[_i].outcome, "%s %s", judgements[_i].id, judgements[_i].outputs);
 }
-END_TEST
 
 /* The craft fall into each other after 0.58 s, whatever is answered for 10 s. */
-START_TEST(a_motion_that_cannot_be_followed_is_not_judged)
+TEST(a_motion_that_cannot_be_followed_is_not_judged)
 {
     /* Omega k_c m1 m2 L_ref C1 C2 t, past the most radians that are followed, and at rest on the orbit normal */
     static const char *const texts[] = {"1", "1", "1", "1", "2", "0", "0", "1e7", "0", "0", "1", "0", "0", "0"};
@@ -1142,77 +1090,12 @@ START_TEST(a_motion_that_cannot_be_followed_is_not_judged)
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
 }
-END_TEST
 
 /* ---- the kill table ---- */
 
-START_TEST(a_vector_kills_mistakes_or_pins_an_edge)
+TEST(a_vector_kills_mistakes_or_pins_an_edge)
 {
     ck_assert_msg(conform("--kills --only eq21,eq38") == 0, "%s", said); /* data/kills.csv is all of it */
     ck_assert_int_eq(strncmp(said, "id,mistakes\n", 12), 0);
     assert_says("\neq38-paper,as printed; the square of it\n");
-}
-END_TEST
-
-SUITE(test_conform)
-{
-    Suite *s = suite_create("conform");
-    TCase *c = tcase_create("conform");
-    tcase_set_timeout(c, 120);
-    tcase_add_loop_test(c, a_fault_has_its_own_outcome, 0, sizeof faults / sizeof *faults);
-    tcase_add_test(c, a_factor_and_lost_digits_are_called_that);
-    tcase_add_test(c, a_right_client_passes_everything);
-    tcase_add_loop_test(c, a_mistake_that_people_make_is_told_in_words, 0, sizeof people / sizeof *people);
-    tcase_add_test(c, a_mistake_explains_what_passes);
-    tcase_add_test(c, a_motion_that_passes_refutes_a_hypothesis);
-    tcase_add_test(c, what_is_like_nothing_known_is_not_guessed);
-    tcase_add_test(c, roots_are_shown_as_a_set_with_a_mark_below_what_is_wrong);
-    tcase_add_test(c, vectors_are_asked_one_by_one);
-    tcase_add_test(c, every_failing_vector_is_shown);
-    tcase_add_test(c, digits_are_declared_once);
-    tcase_add_test(c, digits_are_shown_by_time);
-    tcase_add_test(c, expected_failures_are_none_and_what_passes_is_said);
-    tcase_add_test(c, questions_are_taken_away_and_a_transcript_brought_back);
-    tcase_add_loop_test(c, tables_are_read_as_spreadsheets_write_them, 0, 4);
-    tcase_add_test(c, a_table_that_is_none_is_told_with_its_place);
-    tcase_add_test(c, inputs_in_every_form_are_the_same_numbers);
-    tcase_add_test(c, blanks_before_an_answer_do_not_push_it_out_of_its_room);
-    tcase_add_test(c, digits_are_shown_of_numbers_alone);
-    tcase_add_test(c, answers_come_through_a_pipe_as_well);
-    tcase_add_test(c, a_journal_that_cannot_be_read_makes_no_report);
-    tcase_add_test(c, much_in_flight_both_ways_does_not_deadlock);
-    tcase_add_loop_test(c, wrong_usage_is_one_line_and_exit_2, 0, sizeof mistakes / sizeof *mistakes);
-    tcase_add_loop_test(c, golden_files_are_right_answers, 0, 6);
-    tcase_add_test(c, answers_in_a_file_may_stand_in_any_order);
-    tcase_add_test(c, a_row_longer_than_a_line_is_told_with_its_place);
-    tcase_add_test(c, reports_for_machines_say_the_same);
-    tcase_add_test(c, the_end_of_standard_error_is_kept);
-    tcase_add_test(c, a_report_is_there_whole_or_not_at_all);
-    tcase_add_test(c, a_report_overwrites_nothing_but_itself);
-    tcase_add_test(c, a_report_is_of_the_kind_that_its_name_ends_with);
-    tcase_add_loop_test(c, time_is_up_by_the_clock, 0, sizeof slow / sizeof *slow);
-    tcase_add_test(c, who_answers_now_and_then_has_time);
-    tcase_add_test(c, a_zero_byte_hides_nothing_of_standard_error);
-    tcase_add_test(c, a_diagnosis_ends);
-    tcase_add_test(c, cells_are_quoted_as_in_RFC_4180);
-    tcase_add_loop_test(c, what_a_client_says_breaks_no_report, 0, 2);
-    tcase_add_test(c, a_client_is_not_started_without_descriptors);
-    tcase_add_test(c, complaints_that_find_no_place_do_no_harm);
-    tcase_add_test(c, answers_that_cannot_be_read_are_no_answers);
-    tcase_add_test(c, right_but_for_the_digits_written_is_called_that);
-    tcase_add_test(c, a_mistake_explains_numbers_and_not_lines);
-    tcase_add_test(c, answers_come_in_the_order_of_the_questions);
-    tcase_add_test(c, a_line_without_an_end_may_be_too_long_as_well);
-    tcase_add_loop_test(c, an_id_is_the_one_that_was_sent_to_the_letter, 0, 16);
-    tcase_add_test(c, the_table_knows_exact_and_infinitely_wrong);
-    tcase_add_test(c, each_reason_for_a_skip_is_said_once);
-    tcase_add_loop_test(c, an_interrupt_leaves_no_process_behind, 0, 3);
-    tcase_add_test(c, an_interrupt_that_is_ignored_does_nothing);
-    tcase_add_loop_test(c, a_known_mistake_is_called_by_its_name, 0, sheet()->section_count);
-    tcase_add_test(c, every_mistake_of_the_sheet_can_be_made_somewhere);
-    tcase_add_loop_test(c, an_answer_is_judged_as_PROTOCOL_says, 0, sizeof judgements / sizeof *judgements);
-    tcase_add_test(c, a_motion_that_cannot_be_followed_is_not_judged);
-    tcase_add_test(c, a_vector_kills_mistakes_or_pins_an_edge);
-    suite_add_tcase(s, c);
-    return s;
 }

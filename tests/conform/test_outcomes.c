@@ -150,7 +150,7 @@ static void raise_to_vectors(arb_ptr S, arb_srcptr exact, struct operation *o, c
 }
 
 /* Which outputs those are, for every operation that has some: bits from the first output on. */
-START_TEST(vectors_are_three_components_of_a_name_and_unit)
+TEST(vectors_are_three_components_of_a_name_and_unit)
 {
     static const char *const none[] = {"eq05", "eq07", "eq09", "eq10inv", "eq12", "eq21", "eq30", "eq40", "eq41", "eq42"};
     static const char *const one[] = {"eq03", "eq04", "eq10", "eq10lin", "eq11", "eq11exact", "eq25", "eq26", "eq27", "eq28", "eq29", "eq36",
@@ -167,7 +167,6 @@ START_TEST(vectors_are_three_components_of_a_name_and_unit)
             ck_assert_msg(vector_components(s->outputs, s->output_count, i) == 0, "%s", none[k]);
     }
 }
-END_TEST
 
 /* The last binary64 up to the limit passes, the next one does not. */
 static void assert_limits(struct test_run *e, uint64_t position)
@@ -210,7 +209,7 @@ static void assert_limits(struct test_run *e, uint64_t position)
     _arb_vec_clear(S, count);
 }
 
-START_TEST(each_output_passes_up_to_K_and_no_further)
+EACH(each_output_passes_up_to_K_and_no_further, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
     if (s->method != METHOD_FORMULA && s->method != METHOD_ROOTS)
@@ -223,10 +222,9 @@ START_TEST(each_output_passes_up_to_K_and_no_further)
     assert_limits(e, random + 1);
     close_run(e);
 }
-END_TEST
 
 /* A float's last bit is 2^29 of binary64's, quadruple precision's is read with all its digits. */
-START_TEST(K_counts_roundings_of_the_clients_own_numbers)
+EACH(K_counts_roundings_of_the_clients_own_numbers, 2)
 {
     static const int significands[] = {BINARY32, BINARY128};
     const int significand = significands[_i];
@@ -253,7 +251,6 @@ START_TEST(K_counts_roundings_of_the_clients_own_numbers)
     _arb_vec_clear(S, 1);
     close_run(e);
 }
-END_TEST
 
 /* ---- judgements on inputs of our own ---- */
 
@@ -282,7 +279,7 @@ static enum outcome judged(const char *operation, const char *const *inputs, con
  * The torque goes with GM, I and the fifth and second powers of the position: |y*| + S is at most ten times the torque, and 8 roundings
  * of that are 6e-16.
  */
-START_TEST(a_component_is_judged_by_its_vector)
+TEST(a_component_is_judged_by_its_vector)
 {
     static const char *const torque[] = {"66520513248467.25", "-850078.3873134808", "-2740055.0869406248", "143952.85488739322",
                                          "28120.45381672888"};
@@ -303,13 +300,12 @@ START_TEST(a_component_is_judged_by_its_vector)
     operation_clear(&o);
     inputs_free(read, s->input_count);
 }
-END_TEST
 
 /*
  * m1 = 1, m2 = 192, L = 1: I = 192/193 and S = 3 I, so E = K = 8 at I (1 + 32 2^-53) = 192 (2^48 + 1)/193 2^-48, which is a binary64,
  * for 193 divides 2^48 + 1: no enclosure of 1/193 ever tells E from 8, and E <= 8 passes.
  */
-START_TEST(E_that_is_K_passes)
+TEST(E_that_is_K_passes)
 {
     static const char *const inputs[] = {"1", "192", "1"};
     char at[40], beyond[40];
@@ -321,9 +317,8 @@ START_TEST(E_that_is_K_passes)
     ck_assert_int_eq(judged("eq32", inputs, equal, BINARY64), OUTCOME_RIGHT);
     ck_assert_int_eq(judged("eq32", inputs, more, BINARY64), OUTCOME_WRONG);
 }
-END_TEST
 
-START_TEST(what_no_bound_decides_is_neither_right_nor_wrong)
+TEST(what_no_bound_decides_is_neither_right_nor_wrong)
 {
     ck_assert_int_eq(outcome_of_bounds((struct error_bounds){7, 8}, 8), OUTCOME_RIGHT);
     ck_assert_int_eq(outcome_of_bounds((struct error_bounds){7, 8.0000001}, 8), OUTCOME_SKIPPED);
@@ -331,7 +326,6 @@ START_TEST(what_no_bound_decides_is_neither_right_nor_wrong)
     ck_assert_int_eq(outcome_of_bounds((struct error_bounds){8.0000001, INFINITY}, 8), OUTCOME_WRONG);
     ck_assert_int_eq(outcome_of_bounds((struct error_bounds){NAN, NAN}, 8), OUTCOME_SKIPPED);
 }
-END_TEST
 
 /*
  * Omega = 1, C2 = 1: margin1 = C1 - 9 is 16 u an ulp of 9 (one of 9 is 2^-49), S = C1 + 18 = 27 and K u S = 216 u: 13 ulps are within,
@@ -370,19 +364,18 @@ static const struct {
     {"10", "-2.2250738585072014e-308", "1", "-2.2250738585072014e-308", "1", BINARY64, OUTCOME_WRONG},
 };
 
-START_TEST(eq42_stable_is_judged_beyond_roundings)
+EACH(eq42_stable_is_judged_beyond_roundings, COUNT(boundary))
 {
     const char *const inputs[] = {"1", boundary[_i].C1, boundary[_i].C2};
     const char *const answers[] = {boundary[_i].margin1, boundary[_i].margin2, boundary[_i].stable};
     ck_assert_int_eq(judged("eq42", inputs, answers, boundary[_i].significand), boundary[_i].outcome);
 }
-END_TEST
 
 /*
  * Omega = 1, C1 = 12, C2 = 4: (s^2 + 2 s + 3)^2. At z = -1 + d +- i sqrt(2) |p| = 8 d^2; its terms are 48 + 24 sqrt(3) = 89.6 and one
  * rounding of Omega, C1, C2 does 72, 24 sqrt(3) = 41.6 and 24 to it: 227.1 in all, so |p| <= 8 u 227.1 up to d = 1.588e-7.
  */
-START_TEST(eq41roots_residual_of_a_double_root_is_within_K_roundings)
+TEST(eq41roots_residual_of_a_double_root_is_within_K_roundings)
 {
     static const char *const inputs[] = {"1", "12", "4"};
     static const char *const inner[] = {"-1.000000158", "-1.4142135623730951", "-0.999999842", "-1.4142135623730951",
@@ -392,12 +385,11 @@ START_TEST(eq41roots_residual_of_a_double_root_is_within_K_roundings)
     ck_assert_int_eq(judged("eq41roots", inputs, inner, BINARY64), OUTCOME_RIGHT);
     ck_assert_int_eq(judged("eq41roots", inputs, outer, BINARY64), OUTCOME_WRONG);
 }
-END_TEST
 
 /* ---- what passes: digits ---- */
 
 /* Where the coordinate that is off by the last digit due is moved so much, of the largest one: see PROTOCOL. */
-START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
+EACH(a_motion_passes_with_the_digits_due_and_no_fewer, 4)
 {
     static const char *const motions[] = {"flow_linear", "flow_nonlinear", "rk4_linear", "rk4_nonlinear"};
     const struct section *s = section_find(sheet(), motions[_i]);
@@ -432,14 +424,13 @@ START_TEST(a_motion_passes_with_the_digits_due_and_no_fewer)
     test_vector_clear(&q);
     close_run(e);
 }
-END_TEST
 
 /*
  * At L = (1 - 3/n) L_ref, at rest as a length, the law asks for no charge; the relative orbit x = r sin(tau), y = 2 r cos(tau),
  * z = sqrt(3) r sin(tau) of Clohessy and Wiltshire has the constant length 2 r: it is a motion of the closed loop, but for what
  * rounds sqrt(3), in 11 digits.
  */
-START_TEST(a_motion_without_charge_is_clohessys_and_wiltshires)
+TEST(a_motion_without_charge_is_clohessys_and_wiltshires)
 {
     const double times[] = {-7200, 100, 43200, 172800}, Omega = 7.2915e-5, r = 1.4;
     struct test_run *e = run_of(section_find(sheet(), "flow_nonlinear"), 0, BINARY64);
@@ -455,10 +446,9 @@ START_TEST(a_motion_without_charge_is_clohessys_and_wiltshires)
     assert_found(e, test_sets_find(&e->sets, "flow_nonlinear-no-charge-at-rest-432000"), "0 1 0 0 0 0", OUTCOME_RIGHT);
     close_run(e);
 }
-END_TEST
 
 /* Yaw of 0.1 rad dies away in five days, to 1e-7 and less; what is off is held against what there was. */
-START_TEST(a_motion_that_dies_away_is_judged_by_what_there_was)
+TEST(a_motion_that_dies_away_is_judged_by_what_there_was)
 {
     static const char *const texts[] = {"7.2915e-5", "10", "5.316597225e-8", "1.4583e-4", "432000", "0.1", "0", "0", "0", "0", "0"};
     const struct section *s = section_find(sheet(), "flow_linear");
@@ -478,13 +468,12 @@ START_TEST(a_motion_that_dies_away_is_judged_by_what_there_was)
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
 }
-END_TEST
 
 /*
  * Of several failures the one that is shown, in whichever order they come: the paper's case, a number that can be followed, one
  * on no scale (E is infinite where 0 is due and S = 0), and a word that is no number last.
  */
-START_TEST(the_failure_that_is_easiest_to_follow_is_shown)
+TEST(the_failure_that_is_easiest_to_follow_is_shown)
 {
     static const struct {
         const char *id, *words;
@@ -500,7 +489,6 @@ START_TEST(the_failure_that_is_easiest_to_follow_is_shown)
     ck_assert_uint_eq(e->summaries[0].shown.position, test_sets_find(&e->sets, "eq44-paper"));
     close_run(e);
 }
-END_TEST
 
 /* ---- outcomes of a line ---- */
 
@@ -557,7 +545,7 @@ static void assert_outside(struct test_run *e, uint64_t position)
 }
 
 /* Random motions may have no end: their questions inside are not answered with numbers here. */
-START_TEST(a_line_has_the_outcome_that_it_says)
+EACH(a_line_has_the_outcome_that_it_says, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
     char *outputs[MOST_OUTPUTS] = {NULL};
@@ -583,12 +571,11 @@ START_TEST(a_line_has_the_outcome_that_it_says)
     test_vector_clear(&q);
     close_run(e);
 }
-END_TEST
 
 /* ---- random questions ---- */
 
 /* Each is answered by its truth and passes; those from inside are the vectors that `vectors` writes, by name and number. */
-START_TEST(random_questions_are_those_of_the_seed)
+EACH(random_questions_are_those_of_the_seed, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
     double values[MOST_INPUTS];
@@ -620,10 +607,9 @@ START_TEST(random_questions_are_those_of_the_seed)
     inputs_free(inputs, s->input_count);
     close_run(e);
 }
-END_TEST
 
 /* So many that each defect of the longest list, eq02's with its three conditions, has had its turn. */
-START_TEST(random_questions_from_outside_have_every_defect)
+EACH(random_questions_from_outside_have_every_defect, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
     int nans[MOST_INPUTS] = {0}, last = 0;
@@ -649,10 +635,9 @@ START_TEST(random_questions_from_outside_have_every_defect)
     test_vector_clear(&q);
     close_run(e);
 }
-END_TEST
 
 /* Of a float's numbers, what leaves their range is not judged; and nothing else is left out, for floats or for doubles. */
-START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
+EACH(what_leaves_the_clients_range_is_skipped_and_nothing_else, 4)
 {
     const int significand = _i % 2 ? BINARY32 : BINARY64;
     const struct section *s = section_find(sheet(), _i < 2 ? "eq37" : "eq12");
@@ -674,10 +659,9 @@ START_TEST(what_leaves_the_clients_range_is_skipped_and_nothing_else)
     test_vector_clear(&q);
     close_run(e);
 }
-END_TEST
 
 /* A golden vector that leaves it is asked with --range alone: eq43's n = 1e-300, and none is of eq44's. */
-START_TEST(golden_vectors_that_leave_the_range_are_asked_on_request)
+TEST(golden_vectors_that_leave_the_range_are_asked_on_request)
 {
     int total[2][2];
     for (int range = 0; range < 2; range++)
@@ -690,7 +674,6 @@ START_TEST(golden_vectors_that_leave_the_range_are_asked_on_request)
     ck_assert_int_gt(total[0][1], total[0][0]);
     ck_assert_int_eq(total[1][1], total[1][0]);
 }
-END_TEST
 
 /* ---- lines ---- */
 
@@ -706,7 +689,7 @@ static const uint64_t *said(struct test_run *e, const char *text)
 }
 
 /* C1 of n = 10 is 5.316597225e-8. */
-START_TEST(a_line_may_have_65536_bytes)
+TEST(a_line_may_have_65536_bytes)
 {
     static char line[LONGEST_LINE + 3];
     for (int more = 0; more < 2; more++) {
@@ -721,9 +704,8 @@ START_TEST(a_line_may_have_65536_bytes)
         close_run(e);
     }
 }
-END_TEST
 
-START_TEST(a_line_without_an_end_is_heard_for_64_MiB)
+TEST(a_line_without_an_end_is_heard_for_64_MiB)
 {
     enum { PIECE = 1 << 16 };
     static char piece[PIECE];
@@ -734,7 +716,6 @@ START_TEST(a_line_without_an_end_is_heard_for_64_MiB)
     ck_assert(!test_run_hear(e, piece, 1));
     close_run(e);
 }
-END_TEST
 
 static const struct {
     const char *text;
@@ -754,7 +735,7 @@ static const struct {
     {"eq43 eq43-paper 5.316597225e-8\n", OUTCOME_STRANGER},
 };
 
-START_TEST(a_line_begins_with_a_vectors_name)
+EACH(a_line_begins_with_a_vectors_name, COUNT(lines))
 {
     struct test_run *e = eq43();
     const uint64_t *counts = said(e, lines[_i].text);
@@ -762,7 +743,6 @@ START_TEST(a_line_begins_with_a_vectors_name)
         ck_assert_msg((i < OUTCOME_UNNAMED ? counts[i] : e->strays[i].count) == (i == (int)lines[_i].outcome), "%s is %s", lines[_i].text, outcome_names[i]);
     close_run(e);
 }
-END_TEST
 
 static const struct {
     const char *line, *hint;
@@ -792,13 +772,12 @@ static const struct {
     {"", "it has more than 65536 bytes", OUTCOME_TOO_LONG},
 };
 
-START_TEST(a_line_that_is_no_answer_is_told_in_words)
+EACH(a_line_that_is_no_answer_is_told_in_words, COUNT(hints))
 {
     char hint[240];
     line_hint(sheet(), hints[_i].line, hints[_i].outcome, hint, sizeof hint);
     ck_assert_str_eq(hint, hints[_i].hint);
 }
-END_TEST
 
 static const struct {
     const char *got, *expected;
@@ -810,15 +789,14 @@ static const struct {
     {"1e-99999999999999999999", "20", 0}, {"1e99999999999999999999", "20", 0},
 };
 
-START_TEST(the_first_wrong_digit_is_found_as_it_was_written)
+EACH(the_first_wrong_digit_is_found_as_it_was_written, COUNT(digits))
 {
     ck_assert_msg(first_wrong_digit(digits[_i].got, digits[_i].expected) == digits[_i].at, "%s for %s: %d", digits[_i].got,
                   digits[_i].expected, first_wrong_digit(digits[_i].got, digits[_i].expected));
 }
-END_TEST
 
 /* Of a quadruple precision client a number beyond binary64's range is one; infinity is none. */
-START_TEST(a_number_beyond_1e308_is_one_at_113_bits)
+TEST(a_number_beyond_1e308_is_one_at_113_bits)
 {
     struct test_run *e = run_of(section_find(sheet(), "eq43"), 0, BINARY128);
     assert_found(e, 0, "1e400", OUTCOME_WRONG);
@@ -830,9 +808,8 @@ START_TEST(a_number_beyond_1e308_is_one_at_113_bits)
     assert_found(e, 0, "1e400", OUTCOME_INFINITE);
     close_run(e);
 }
-END_TEST
 
-START_TEST(the_last_line_has_an_end)
+TEST(the_last_line_has_an_end)
 {
     for (int ended = 0; ended < 2; ended++) {
         struct test_run *e = eq43();
@@ -844,9 +821,8 @@ START_TEST(the_last_line_has_an_end)
         close_run(e);
     }
 }
-END_TEST
 
-START_TEST(an_answer_is_due_once_its_question_is_sent)
+TEST(an_answer_is_due_once_its_question_is_sent)
 {
     struct test_run *e = eq43();
     e->asked = 2;
@@ -857,10 +833,9 @@ START_TEST(an_answer_is_due_once_its_question_is_sent)
     ck_assert_uint_eq(e->strays[OUTCOME_LATE].count, 2);
     close_run(e);
 }
-END_TEST
 
 /* As many as there are questions twice, and 10000 at least. */
-START_TEST(so_many_lines_out_of_place_are_heard)
+TEST(so_many_lines_out_of_place_are_heard)
 {
     struct test_run *few = eq43(), *many = run_of(section_find(sheet(), "eq43"), 6000, BINARY64);
     const uint64_t most = 2 * many->sets.total;
@@ -874,12 +849,11 @@ START_TEST(so_many_lines_out_of_place_are_heard)
     close_run(few);
     close_run(many);
 }
-END_TEST
 
 /* ---- the truth ---- */
 
 /* Off by 2^-300 in one output, which balls of 192 bits do not show and MPFR of 384 does: it lies outside. */
-START_TEST(mpfr_has_to_lie_within_in_every_output)
+TEST(mpfr_has_to_lie_within_in_every_output)
 {
     const struct section *s = section_find(sheet(), "eq27");
     struct operation o;
@@ -903,42 +877,4 @@ START_TEST(mpfr_has_to_lie_within_in_every_output)
     inputs_free(inputs, s->input_count);
     _arb_vec_clear(exact, 3);
     _arb_vec_clear(S, 3);
-}
-END_TEST
-
-SUITE(test_outcomes)
-{
-    Suite *s = suite_create("outcomes");
-    TCase *c = tcase_create("outcomes");
-    const int sections = sheet()->section_count;
-    tcase_set_timeout(c, 120);
-    tcase_add_loop_test(c, each_output_passes_up_to_K_and_no_further, 0, sections);
-    tcase_add_loop_test(c, K_counts_roundings_of_the_clients_own_numbers, 0, 2);
-    tcase_add_test(c, E_that_is_K_passes);
-    tcase_add_test(c, vectors_are_three_components_of_a_name_and_unit);
-    tcase_add_test(c, a_component_is_judged_by_its_vector);
-    tcase_add_test(c, what_no_bound_decides_is_neither_right_nor_wrong);
-    tcase_add_loop_test(c, eq42_stable_is_judged_beyond_roundings, 0, sizeof boundary / sizeof *boundary);
-    tcase_add_test(c, eq41roots_residual_of_a_double_root_is_within_K_roundings);
-    tcase_add_loop_test(c, a_motion_passes_with_the_digits_due_and_no_fewer, 0, 4);
-    tcase_add_test(c, a_motion_without_charge_is_clohessys_and_wiltshires);
-    tcase_add_test(c, a_motion_that_dies_away_is_judged_by_what_there_was);
-    tcase_add_test(c, the_failure_that_is_easiest_to_follow_is_shown);
-    tcase_add_loop_test(c, a_line_has_the_outcome_that_it_says, 0, sections);
-    tcase_add_loop_test(c, random_questions_are_those_of_the_seed, 0, sections);
-    tcase_add_loop_test(c, random_questions_from_outside_have_every_defect, 0, sections);
-    tcase_add_loop_test(c, what_leaves_the_clients_range_is_skipped_and_nothing_else, 0, 4);
-    tcase_add_test(c, golden_vectors_that_leave_the_range_are_asked_on_request);
-    tcase_add_test(c, a_line_may_have_65536_bytes);
-    tcase_add_test(c, a_line_without_an_end_is_heard_for_64_MiB);
-    tcase_add_loop_test(c, a_line_begins_with_a_vectors_name, 0, sizeof lines / sizeof *lines);
-    tcase_add_loop_test(c, a_line_that_is_no_answer_is_told_in_words, 0, sizeof hints / sizeof *hints);
-    tcase_add_loop_test(c, the_first_wrong_digit_is_found_as_it_was_written, 0, sizeof digits / sizeof *digits);
-    tcase_add_test(c, a_number_beyond_1e308_is_one_at_113_bits);
-    tcase_add_test(c, the_last_line_has_an_end);
-    tcase_add_test(c, an_answer_is_due_once_its_question_is_sent);
-    tcase_add_test(c, so_many_lines_out_of_place_are_heard);
-    tcase_add_test(c, mpfr_has_to_lie_within_in_every_output);
-    suite_add_tcase(s, c);
-    return s;
 }
