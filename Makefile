@@ -375,8 +375,7 @@ readme: $(PROGRAM) $(BUILD)/claims.json
 	{ echo '```'; $(PROGRAM) table1; echo '```'; } >$(BUILD)/table1.md
 	LC_ALL=C awk -f paper/read.awk -f paper/findings.awk $(BUILD)/claims.json >$(BUILD)/findings.md
 	$(PROGRAM) verify errors --count 100000 --markdown >$(BUILD)/errors.md
-	paper/readme.sh README.md table1=$(BUILD)/table1.md findings=$(BUILD)/findings.md errors=$(BUILD)/errors.md \
-	  $(patsubst %,bench=%,$(wildcard $(BUILD)/bench.md)) >$(BUILD)/README.tmp
+	awk -v folder='$(BUILD)' -f paper/readme.awk README.md >$(BUILD)/README.tmp
 	@mv $(BUILD)/README.tmp README.md
 
 ## pictures: the two figures that README shows, drawn anew
