@@ -380,12 +380,10 @@ end
 local function algebra(lines)
   local blocks = pandoc.List()
   for _, line in ipairs(lines or {}) do
-    local sides = {}
-    for i, tex in ipairs(line.tex) do sides[i] = tex:gsub('\\mathrm{eta}', '\\eta '):gsub('{{(\\d*ot )', '{{{}%1') end  -- TeX unpacks an accent
-    local chain = table.concat(sides, ' = ')
+    local chain = table.concat(line.tex, ' = ')
     if web then blocks:insert(para(inlines(prose(line.how) .. ':'), ' ', {pandoc.Math('InlineMath', upright(chain))}))
     else
-      local rows = sides[1] .. ' &= ' .. table.concat(sides, ' \\\\ &= ', 2)
+      local rows = line.tex[1] .. ' &= ' .. table.concat(line.tex, ' \\\\ &= ', 2)
       blocks:insert(raw(('\\derive{%s}{%s}{\\begin{aligned}%s\\end{aligned}}'):format(prose(line.how), chain, rows)))
     end
   end
