@@ -1,4 +1,4 @@
-/* The law held between samples or acting late, and a reference length that moves with pitch. Units: see sampling.h, pitch.h. */
+/* The law held between samples or acting late, and a reference length that moves with pitch. Units: sampling.h, pitch.h. */
 #include "claims/claim.h"
 #include "claims/pitch.h"
 #include "claims/sampling.h"

@@ -8,7 +8,7 @@
 #include "proof/proof_results.h"
 #include "text/scope.h"
 
-/* Of the closed loop (taylor.h) z, w, q, A and R; further series, F = c1 sigma, and constants, c1 S_im, c1 S_re, c1 S_re/4. */
+/* Of the closed loop (taylor.h) z, w, q, A and R; further series, F = c1 sigma; constants, c1 S_im, c1 S_re, c1 S_re/4. */
 enum {
     LAW_Z = 2, LAW_W = 5, LAW_Q = 6, LAW_A = JET_STATES + 2, LAW_R = JET_STATES + 4,
     LAW_SINE = JET_SERIES, LAW_RATE, LAW_PRODUCT, LAW_SQUARE, LAW_RATE_SQUARE, LAW_F, LAW_SERIES,
@@ -143,7 +143,8 @@ enum flow_status pitch_law_follow(arb_ptr states, const struct pitch_law *l, con
     arb_mul_2exp_si(constants + 2, constants + 1, -2);
     const struct system loop = pitch_loop(terms);
     const struct flow_steps how = {.system = &loop, .constants = constants};
-    const enum flow_status status = flow_nonlinear_by(&how, &p, state, times, count, digits, prec, take_state_of_pitch, states, &reached);
+    const enum flow_status status = flow_nonlinear_by(&how, &p, state, times, count, digits, prec, take_state_of_pitch, states,
+                                                      &reached);
     flow_parameters_clear(&p);
     return status;
 }

@@ -113,14 +113,15 @@ static void design_guarantees(struct design *d)
     for (int i = 0; i < GUARANTEES; i++) {
         const struct guarantee *g = &guarantees[i];
         if (strcmp(g->name, "deficit") == 0)
-            group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses), and pushes";
+            group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses); pushes";
         if (g->meaning != NULL)
             d->numbers[d->count++] = (struct design_number){group, g->name, g->unit, g->meaning, -1, i, NULL};
     }
 }
 
 /* Exact gains may have equal roots. */
-static bool enclose_root_parts(acb_ptr roots, const struct scenario *s, const arb_t c1, const arb_t c2, const arb_t Omega, slong prec)
+static bool enclose_root_parts(acb_ptr roots, const struct scenario *s, const arb_t c1, const arb_t c2, const arb_t Omega,
+                               slong prec)
 {
     const struct input *value = s->value;
     if (s->given[SET_C1] && s->given[SET_C2])
