@@ -113,7 +113,8 @@ static slong decimal_exponent(double mantissa, slong exponent)
     return (slong)floor(log10(mantissa) + (double)exponent * log10_2 - margin);
 }
 
-/* |x| 10^k to the nearest integer, ties to even: of an enclosure its end nearer zero, and false where the other rounds elsewhere. */
+/* |x| 10^k as an integer, the nearest one, ties to even: of an enclosure its end nearer zero, and false where the other rounds
+   elsewhere. Two of them round down and up. */
 typedef bool rounder(fmpz_t n, const void *x, slong k);
 
 /* From the exponent of the first digit, or one that is too low. */
@@ -146,12 +147,18 @@ static void scale_decimal(fmpz_t p, fmpz_t q, slong k)
     fmpz_mul(k < 0 ? q : p, k < 0 ? q : p, power);
 }
 
+/* p/q = |x| 10^k */
+static void scaled_parts(fmpz_t p, fmpz_t q, const fmpq *x, slong k)
+{
+    fmpz_abs(p, fmpq_numref(x));
+    fmpz_set(q, fmpq_denref(x));
+    scale_decimal(p, q, k);
+}
+
 static bool round_rational(fmpz_t n, const void *x, slong k)
 {
     SCOPE(fmpz, p, q, remainder);
-    fmpz_abs(p, fmpq_numref((const fmpq *)x));
-    fmpz_set(q, fmpq_denref((const fmpq *)x));
-    scale_decimal(p, q, k);
+    scaled_parts(p, q, x, k);
     fmpz_fdiv_qr(n, remainder, p, q);
     fmpz_mul_2exp(remainder, remainder, 1);
     const int half = fmpz_cmp(remainder, q);
@@ -160,13 +167,35 @@ static bool round_rational(fmpz_t n, const void *x, slong k)
     return true;
 }
 
-char *decimal_of_rational(const fmpq_t x, slong digits)
+/* Towards zero, and away from it. */
+static bool round_down(fmpz_t n, const void *x, slong k)
+{
+    SCOPE(fmpz, p, q);
+    scaled_parts(p, q, x, k);
+    fmpz_fdiv_q(n, p, q);
+    return true;
+}
+
+static bool round_up(fmpz_t n, const void *x, slong k)
+{
+    SCOPE(fmpz, p, q);
+    scaled_parts(p, q, x, k);
+    fmpz_cdiv_q(n, p, q);
+    return true;
+}
+
+static char *rational_text(rounder *round, const fmpq_t x, slong digits)
 {
     slong top, bottom;
     const double above = fmpz_get_d_2exp(&top, fmpq_numref(x)), below = fmpz_get_d_2exp(&bottom, fmpq_denref(x));
     if (fmpq_is_zero(x))
         return text_copy("0");
-    return scientific(round_rational, x, fmpq_sgn(x) < 0, digits, decimal_exponent(fabs(above / below), top - bottom));
+    return scientific(round, x, fmpq_sgn(x) < 0, digits, decimal_exponent(fabs(above / below), top - bottom));
+}
+
+char *decimal_of_rational(const fmpq_t x, slong digits)
+{
+    return rational_text(round_rational, x, digits);
 }
 
 /* What both ends round to, all between them rounds to. */
@@ -204,41 +233,16 @@ char *decimal_of_ball(const arb_t x, slong digits)
     return scientific(round_ball, x, arf_sgn(arb_midref(x)) < 0, digits, exponent);
 }
 
-static bool round_down(fmpz_t n, const void *x, slong k)
-{
-    SCOPE(fmpz, p, q);
-    fmpz_abs(p, fmpq_numref((const fmpq *)x));
-    fmpz_set(q, fmpq_denref((const fmpq *)x));
-    scale_decimal(p, q, k);
-    fmpz_fdiv_q(n, p, q);
-    return true;
-}
-
-static bool round_up(fmpz_t n, const void *x, slong k)
-{
-    SCOPE(fmpz, p, q);
-    fmpz_abs(p, fmpq_numref((const fmpq *)x));
-    fmpz_set(q, fmpq_denref((const fmpq *)x));
-    scale_decimal(p, q, k);
-    fmpz_cdiv_q(n, p, q);
-    return true;
-}
-
 char *decimal_of_end(const arb_t x, slong digits, bool upper)
 {
     SCOPE(arf, end);
     SCOPE(fmpq, exact);
-    slong top, bottom;
     if (upper)
         arb_get_ubound_arf(end, x, 64);
     else
         arb_get_lbound_arf(end, x, 64);
     arf_get_fmpq(exact, end);
-    if (fmpq_is_zero(exact))
-        return text_copy("0");
-    const double above = fmpz_get_d_2exp(&top, fmpq_numref(exact)), below = fmpz_get_d_2exp(&bottom, fmpq_denref(exact));
-    return scientific(upper == (fmpq_sgn(exact) > 0) ? round_up : round_down, exact, fmpq_sgn(exact) < 0, digits,
-                      decimal_exponent(fabs(above / below), top - bottom));
+    return rational_text(upper == (fmpq_sgn(exact) > 0) ? round_up : round_down, exact, digits);
 }
 
 /*
@@ -329,15 +333,12 @@ void decimal_bound(char text[32], const mag_t x)
     }
     SCOPE(mag, bound);
     SCOPE(arf, value);
-    mpfr_t y;
-    mpfr_exp_t exponent;
-    char digits[8]; /* two */
+    SCOPE(fmpq, exact);
     mag_set_ui_2exp_si(bound, 1, least);
     mag_max(bound, bound, x);
     arf_set_mag(value, bound);
-    mpfr_init2(y, MAG_BITS + 2);
-    arf_get_mpfr(y, value, MPFR_RNDU); /* exact */
-    mpfr_get_str(digits, &exponent, 10, 2, y, MPFR_RNDU);
-    mpfr_clear(y);
-    write_scientific(text, digits, exponent - 1);
+    arf_get_fmpq(exact, value);
+    char *digits = rational_text(round_up, exact, 2);
+    snprintf(text, 32, "%s", digits);
+    free(digits);
 }
