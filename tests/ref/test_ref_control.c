@@ -23,19 +23,6 @@ TEST(eq18_commands_nothing_without_an_error)
     ck_assert_double_eq(ct_charge_product_variation(paper, (struct ct_gains){5e-8, 1e-4}, 0, 0), 0);
 }
 
-static size_t eq18(const double x[], double y[])
-{
-    const struct ct_params p = {NAN, x[0], x[1], x[2], x[3]};
-
-    y[0] = ct_charge_product_variation(p, (struct ct_gains){x[4], x[5]}, x[6], x[7]);
-    return 1;
-}
-
-TEST(eq18_rejects_each_input_outside_its_domain)
-{
-    assert_rejects_outside(eq18, "++++rrrr", (const double[]){1, 2, 3, 4, -5, 6, 7, -8});
-}
-
 /* -(5 - 9*4) 3 - 7*(-2) + 2*2*10*(-1) */
 TEST(eq19_whole_numbers)
 {
@@ -62,19 +49,6 @@ EACH(eq19_is_eq17_under_the_law_of_eq18, 4)
     ck_assert_double_eq_tol(ct_closed_loop_acceleration(unequal, g[_i], dL, dL_dot, psi_dot),
                             ct_length_error_acceleration(unequal, psi_dot, dL, dQ),
                             16 * 0x1p-53 * scale); /* every term passes through about eight roundings on each road */
-}
-
-static size_t eq19(const double x[], double y[])
-{
-    const struct ct_params p = {x[0], NAN, NAN, NAN, x[1]};
-
-    y[0] = ct_closed_loop_acceleration(p, (struct ct_gains){x[2], x[3]}, x[4], x[5], x[6]);
-    return 1;
-}
-
-TEST(eq19_rejects_each_input_outside_its_domain)
-{
-    assert_rejects_outside(eq19, "++rrrrr", (const double[]){1, 2, -3, 4, 5, -6, 7});
 }
 
 TEST(eq21_whole_numbers)
