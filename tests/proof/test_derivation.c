@@ -732,6 +732,7 @@ static const struct {
     {"    printed:\n", "    lines: {put it: a + b*theta = theta*b+a}\n    printed:\n", "20:21: ", "that is what the step shows, expected how"},
     {"    printed:\n", "    lines: {put it: a = k*u, and: u*k = a = k*u}\n    printed:\n", "20:41: ", "that is said already"},
     {"    printed:\n", "    lines: {put it: a = k*u = w}\n    printed:\n", "20:31: ", "unknown symbol 'w'"},
+    {"    printed:\n", "    lines: {}\n    printed:\n", "20:12: ", "expected at least one line"},
     {"    printed:\n", "    lines: [a = k*u]\n    printed:\n", "20:12: ", "expected a mapping, key: value"},
     {"    show:\n", "    lines: {put it: 1 = 1" TEN_TIMES TEN_TIMES TEN_TIMES TEN_TIMES "}\n    show:\n", "18:21: ", "expected at most 32 equalities"},
     {"  two:", "  one:", "25:3: ", "duplicate 'one', expected each key once"},

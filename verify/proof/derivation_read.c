@@ -145,6 +145,8 @@ static bool read_lines(struct step *s, struct scope scope)
     if (s->line_map == NULL)
         return true;
     scope.shared = s->node;
+    if (s->line_map->count == 0)
+        return node_error(s->line_map, 0, "expected at least one line");
     if (!identities_open(&s->lines, &scope))
         return false;
     for (int i = 0; i < s->line_map->count; i++)
