@@ -60,7 +60,8 @@ const struct subcommand subcommands[] = {
 const struct option options[] = {
     /* what equations, points and motions have in common */
     {"--digits", "N", NULL, "40", "eval", NULL, false, "significant digits of every output, 1 to 10000"},
-    {"--digits", "N", NULL, "8", "design", NULL, false, "significant digits of every number, 1 to 10000"},
+    {"--digits", "N", NULL, "8", "design", NULL, false,
+     "significant digits of every number, 1 to 10000; rounded to the nearest, limits too"},
     {"--digits", "N", NULL, "17", "figure trajectory", NULL, false, "significant digits of every number, 1 to 10000"},
     {"--exact", NULL, NULL, NULL, "eval figure trajectory design", NULL, false,
      "a decimal means itself, defaults included, and not the binary64 nearest to it; exponents up to 5000"},
