@@ -143,8 +143,8 @@ enum flow_status pitch_law_follow(arb_ptr states, const struct pitch_law *l, con
     arb_mul_2exp_si(constants + 2, constants + 1, -2);
     const struct system loop = pitch_loop(terms);
     const struct flow_steps how = {.system = &loop, .constants = constants};
-    const enum flow_status status = flow_nonlinear_by(&how, &p, state, times, count, digits, prec, take_state_of_pitch, states,
-                                                      &reached);
+    const enum flow_status status = flow_nonlinear_by(&how, &p, state, times, count, digits, prec, take_state_of_pitch,
+                                                      states, &reached);
     flow_parameters_clear(&p);
     return status;
 }

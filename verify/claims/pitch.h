@@ -4,8 +4,9 @@
  *     sigma = Re(S z^2) = S_re (theta^2 - theta_dot^2/(4 Omega^2)) + S_im theta theta_dot/Omega
  *
  * in its first term alone, z = theta - i theta_dot/(2 Omega). By the step pitch_law a small pitch has, in radians of orbit,
- * z' = 2 i z + 9/4 B |z|^2 z, so that its amplitude a = |z| obeys a' = -k a^3, k = 18/13 Im A, where dL/L_ref = Re(A z^2): the length in quadrature damps, and
- * nothing else of it. Here it is all in quadrature, A = i swing/a^2 at the pitch a that a law is made for.
+ * z' = 2 i z + 9/4 B |z|^2 z, so that its amplitude a = |z| obeys a' = -k a^3, k = 18/13 Im A, where
+ * dL/L_ref = Re(A z^2): the length in quadrature damps, and nothing else of it. Here it is all in quadrature, A = i swing/a^2
+ * at the pitch a that a law is made for.
  */
 #ifndef CT_PITCH_H
 #define CT_PITCH_H

@@ -6,7 +6,7 @@
  * z = (1 + T v/2)/(1 - T v/2) the unit disk is the left half plane of v, and their polynomial one of v with
  * coefficients r_0 ... r_4, that of (41) at T = 0. A multiplier meets the unit circle only where r_0 = 0 (z = 1), r_4 = 0
  * (z = -1) or r_1 r_2 r_3 = r_0 r_3^2 + r_4 r_1^2 (a pair, by Orlando's formula), and from T = 0 to the first such T all
- * lie inside. Without the law the model has the roots +-a, +-i b, a^2 = 2 sqrt(7) + 1, b^2 = 2 sqrt(7) - 1. (Claim sampled-law.)
+ * lie inside. Without the law the model has the roots +-a, +-i b, a^2 = 2 sqrt(7) + 1, b^2 = 2 sqrt(7) - 1.
  *
  * Late by d, the roots are those of lambda^4 - 2 lambda^2 - 27 + (c1 + c2 lambda)(lambda^2 + 3) exp(-d lambda). In the right
  * half plane they are bounded, so they get there over the axis: at lambda = i w, with x = w^2,
@@ -31,7 +31,8 @@ void commanded(arb_t eta, arb_t rate, arb_t charge, arb_srcptr state, const arb_
 
 /*
  * The nonlinear motion with the law held for T again and again, from a state in these units: after each T the state,
- * FLOW_STATE numbers each time. Under a held charge the pair moves as without feedback about the length which that charge holds.
+ * FLOW_STATE numbers each time. Under a held charge the pair moves as without feedback about the length which that
+ * charge holds.
  */
 enum flow_status hold_follow(arb_ptr states, arb_srcptr start, const arb_t c1, const arb_t c2, const fmpq_t T, slong count,
                              slong digits, slong prec);
