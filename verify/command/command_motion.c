@@ -137,13 +137,40 @@ static int check_combination(const struct scenario *s, bool nonlinear)
     return EXIT_DONE;
 }
 
+/* Where some of x1 ... z1_dot are given of a set, the others are the binary64 nearest to where the angles have them. */
+static void complete_start(struct scenario *s)
+{
+    enum { BITS = 128 };
+    int given = 0;
+    for (int i = SET_x1; i <= SET_z1_dot; i++)
+        given += s->given[i];
+    if (given == 0)
+        return;
+    struct flow_parameters p;
+    VECTOR(arb, state, FLOW_STATE);
+    SCOPE(arf, near);
+    flow_parameters_init(&p);
+    scenario_parameters(&p, s, BITS);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_fmpq(state + i, &s->value[SET_psi + i].value, BITS);
+    state_from_angles(state, s->sheet, &p, BITS);
+    for (int i = 0; i < FLOW_STATE; i++)
+        if (!s->given[SET_x1 + i] && arb_is_finite(state + i)) {
+            arf_set_round(near, arb_midref(state + i), 53, ARF_RND_NEAR);
+            arf_get_fmpq(&s->value[SET_x1 + i].value, near);
+            s->given[SET_x1 + i] = true;
+        }
+    flow_parameters_clear(&p);
+}
+
 int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
 {
-    static const bool never_infinite[SET_VALUES] = {false};
-    const int count = a->subcommand != NULL && option_given(a, "--set") ? SET_VALUES : SCENARIO_VALUES;
+    static const bool never_infinite[SCENARIO_VALUES] = {false};
     struct message why;
     const char *refused;
-    int status = read_assignments(a, scenario_names, count, s->exact, never_infinite, s->given, s->value, &refused);
+    int status = read_assignments(a, scenario_names, SCENARIO_VALUES, s->exact, never_infinite, s->given, s->value, &refused);
+    if (status == EXIT_DONE && option_given(a, "--set"))
+        complete_start(s);
     if (status == EXIT_DONE)
         status = check_combination(s, nonlinear);
     if (status != EXIT_DONE)
@@ -171,7 +198,7 @@ static int read_set(struct scenario *s, const struct arguments *a)
     for (int k = 0; k < a->assignment_count; k++) {
         const char *end = strstr(a->assignments[k], "+-");
         const size_t length = strcspn(a->assignments[k], "=");
-        for (int i = 0; i < SET_VALUES && status == EXIT_DONE && end != NULL; i++) {
+        for (int i = 0; i < SCENARIO_VALUES && status == EXIT_DONE && end != NULL; i++) {
             const char *name = scenario_names[i];
             if (strlen(name) != length || strncmp(name, a->assignments[k], length) != 0)
                 continue;

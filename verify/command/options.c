@@ -79,8 +79,8 @@ const struct option options[] = {
     {"--every", "S", "s", "100", "trajectory", NULL, false, "a row at 0 and every S from there"},
     {"--until", "S", "s", "259200", "trajectory", NULL, false, "the end of the rows; before 0 they go back in time"},
     {"--set", NULL, NULL, NULL, "trajectory", "nonlinear", false,
-     "bounds, NAME_low and NAME_high, of all motions for values given as VALUE+-RADIUS, but Omega, n and k_c; Q_factor, 1, is the "
-     "charges' product over what the law commands. A set that is wide is split, into 256 parts at most"},
+     "bounds, NAME_low and NAME_high, of all motions for values given as VALUE+-RADIUS, but Omega and n; that of k_c is a factor on "
+     "the force alone, the law has its middle; of x1 ... z1_dot some will do, the angles say the others. A set that is wide is split, into 256 parts at most"},
     {"--rk4", "H", "s", NULL, "trajectory", NULL, false,
      "the classical Runge-Kutta method in steps of H, free of rounding, in place of the motion itself; times are multiples of H"},
     {"--rk4", "H", "s", NULL, "figure", MOTIONS, false,

@@ -139,6 +139,19 @@ void model_set(struct model *z, const struct model *x)
     z->rest = x->rest;
 }
 
+static double norm(const struct model *x)
+{
+    double sum = 0;
+    for (int d = 0; d <= x->space->degree; d++)
+        sum += x->norm[d];
+    return sum;
+}
+
+static bool is_zero(const struct model *x)
+{
+    return !(norm(x) > 0 || x->rest > 0);
+}
+
 static void zero(struct model *z)
 {
     memset(z->c, 0, (size_t)z->space->size * sizeof *z->c);
@@ -155,17 +168,9 @@ static void find_norms(struct model *z)
     }
 }
 
-static double norm(const struct model *x)
-{
-    double sum = 0;
-    for (int d = 0; d <= x->space->degree; d++)
-        sum += x->norm[d];
-    return sum;
-}
-
 double model_size(const struct model *x)
 {
-    return upward(norm(x) + x->rest);
+    return is_zero(x) ? 0 : upward(norm(x) + x->rest);
 }
 
 /* The nearest binary64, and how far x is from it at most (M8) */
@@ -204,7 +209,7 @@ void model_cut(struct model *z, const struct model *x)
     memcpy(z->c, x->c, (size_t)z->space->size * sizeof *z->c);
     for (int d = z->space->degree + 1; d <= x->space->degree; d++)
         beyond += x->norm[d];
-    z->rest = upward(beyond);
+    z->rest = beyond > 0 ? upward(beyond) : 0;
     find_norms(z);
 }
 
@@ -226,12 +231,16 @@ void model_dot(struct model *z, bool add, int sign, const struct model *x, const
 {
     const int degree = z->space->degree;
     double sum[MODEL_DEGREE + 1] = {0}, rest;
+    bool nothing = true;
     if (!add)
         zero(z);
     rest = z->rest; /* (M7) */
     memcpy(sum, z->norm, sizeof sum);
     for (int j = 0; j < count; j++) {
         const struct model *a = x + j, *b = y - j;
+        if (is_zero(a) || is_zero(b)) /* what is 0 stays 0 */
+            continue;
+        nothing = false;
         multiply(z, sign, a, b);
         for (int p = 0; p <= degree; p++)
             for (int q = 0; q <= degree; q++)
@@ -240,6 +249,8 @@ void model_dot(struct model *z, bool add, int sign, const struct model *x, const
         rest += a->rest * norm(b);   /* (M5) */
         rest += a->rest * b->rest;   /* (M6) */
     }
+    if (nothing)
+        return;
     for (int d = 0; d <= degree; d++)
         rest += (ldexp(count, d) + 2) * U * sum[d]; /* (M1): of degree d at most 2^d pairs make up a monomial */
     z->rest = upward(rest);
@@ -248,6 +259,9 @@ void model_dot(struct model *z, bool add, int sign, const struct model *x, const
 
 void model_scale(struct model *z, double factor)
 {
+    find_norms(z);
+    if (is_zero(z))
+        return;
     for (int b = 0; b < z->space->size; b++)
         z->c[b] *= factor;
     z->rest = upward(fabs(factor) * (z->rest + 2 * U * norm(z))); /* (M1): and one for the factor, which may be 1/k */
@@ -256,13 +270,19 @@ void model_scale(struct model *z, double factor)
 
 void model_widen(struct model *z, const mag_t by)
 {
-    z->rest = upward(z->rest + mag_get_d(by)); /* exact: 30 bits */
+    if (!mag_is_zero(by))
+        z->rest = upward(z->rest + mag_get_d(by)); /* exact: 30 bits */
 }
 
 void model_evaluate(struct model *z, const struct model *x, int count, double h)
 {
     double size = 0, rest = 0;
+    bool nothing = true;
     zero(z);
+    for (int k = 0; k < count; k++)
+        nothing = nothing && is_zero(x + k);
+    if (nothing)
+        return;
     for (int k = count - 1; k >= 0; k--) {
         for (int b = 0; b < z->space->size; b++)
             z->c[b] = z->c[b] * h + x[k].c[b];
@@ -345,7 +365,8 @@ void model_sine_cosine(struct model *sine, struct model *cosine, const struct mo
         model_set(&power, &next);
     }
     for (int i = 0; i < 2; i++) {
-        to[i]->rest = upward(to[i]->rest + model_size(&power));
+        if (!is_zero(&power))
+            to[i]->rest = upward(to[i]->rest + model_size(&power));
         model_clear(&value[i]);
     }
     model_clear(&d);
@@ -357,6 +378,8 @@ void model_sine_cosine(struct model *sine, struct model *cosine, const struct mo
 void model_halve(struct model *z, int i, int side)
 {
     const struct space *s = z->space;
+    if (is_zero(z))
+        return;
     for (int b = 0; b < s->size; b++)
         z->c[b] = ldexp(z->c[b], -s->exponent[b * s->variables + i]);
     for (int j = 0; j < s->degree; j++)

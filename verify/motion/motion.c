@@ -7,17 +7,17 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-const char *const scenario_names[SET_VALUES] = {
+const char *const scenario_names[SCENARIO_VALUES] = {
     "m1",  "m2",    "L_ref", "k_c",     "Omega",     "n",      "C1", "C2", "psi", "theta",
-    "dL", "psi_dot", "theta_dot", "dL_dot", "x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot", "Q_factor"};
+    "dL", "psi_dot", "theta_dot", "dL_dot", "x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
 
 /* ---- scenario ---- */
 
 void scenario_init(struct scenario *s, const struct sheet *sheet, bool exact)
 {
     *s = (struct scenario){.sheet = sheet, .exact = exact};
-    for (int i = 0; i < SET_VALUES; i++) {
-        const char *value = i == SET_Q_factor ? "1" : quantity_find(sheet, scenario_names[i])->value;
+    for (int i = 0; i < SCENARIO_VALUES; i++) {
+        const char *value = quantity_find(sheet, scenario_names[i])->value;
         fmpq_init(&s->value[i].value);
         fmpq_init(s->radius + i);
         if (value != NULL)
@@ -27,7 +27,7 @@ void scenario_init(struct scenario *s, const struct sheet *sheet, bool exact)
 
 void scenario_clear(struct scenario *s)
 {
-    for (int i = 0; i < SET_VALUES; i++) {
+    for (int i = 0; i < SCENARIO_VALUES; i++) {
         fmpq_clear(&s->value[i].value);
         fmpq_clear(s->radius + i);
     }
@@ -123,7 +123,7 @@ static void distance_and_rate(arb_t L, arb_t L_dot, const struct sheet *sheet, c
                               arb_srcptr state, slong prec)
 {
     const struct program *program = &section_find(sheet, "eq14")->corrected.program;
-    static const char *const names[] = {"x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot", "Q_factor"};
+    static const char *const names[] = {"x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
     struct machine m;
     machine_init(&m, program, &arithmetic_ball, prec);
     arb_set(machine_value(&m, program_find(program, "m1")), p->m1);

@@ -13,20 +13,18 @@ enum scenario_name {
     SET_m1, SET_m2, SET_L_ref, SET_k_c, SET_Omega, SET_n, SET_C1, SET_C2,
     SET_psi, SET_theta, SET_dL, SET_psi_dot, SET_theta_dot, SET_dL_dot,
     SET_x1, SET_y1, SET_z1, SET_x1_dot, SET_y1_dot, SET_z1_dot,
-    SCENARIO_VALUES,
-    SET_Q_factor = SCENARIO_VALUES, /* of sets alone: the charges' product over what (7) and (18) command */
-    SET_VALUES
+    SCENARIO_VALUES
 };
 
 struct scenario {
     const struct sheet *sheet;
-    struct input value[SET_VALUES];
-    bool given[SET_VALUES];      /* replaced by the user */
-    fmpq radius[SET_VALUES]; /* of a set: how far from its value each may be, >= 0 */
+    struct input value[SCENARIO_VALUES];
+    bool given[SCENARIO_VALUES];      /* replaced by the user */
+    fmpq radius[SCENARIO_VALUES]; /* of a set: how far from its value each may be, >= 0 */
     bool exact;                  /* defaults are the decimals themselves, not the nearest binary64 */
 };
 
-extern const char *const scenario_names[SET_VALUES];
+extern const char *const scenario_names[SCENARIO_VALUES];
 
 /* The sheet's values: Table 1, n = 10, the initial attitude and length error. */
 void scenario_init(struct scenario *s, const struct sheet *sheet, bool exact);
@@ -65,7 +63,7 @@ struct motion {
  * or -1 with the reason. `most_pieces`: see flow_set.h.
  */
 enum { SET_NUMBERS = 2 * FLOW_STATE };
-bool may_have_radius(enum scenario_name name);
+bool may_have_radius(enum scenario_name name); /* k_c's is the force's alone: the law has its middle */
 bool set_valid(const struct scenario *s, struct message *why);
 int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, const fmpq *times, slong count, row_receiver *receive,
                     void *context, struct message *why);

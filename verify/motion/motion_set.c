@@ -9,10 +9,10 @@
 
 enum { PREC = 128, DEGREE = 6, FEW = 6 }; /* of the models, of up to so many unknowns; of more the cost forbids it */
 
-/* Omega and n enter by roots and as the unit of time; k_c has no effect on a motion. */
+/* Omega and n enter by roots and as the unit of time. */
 bool may_have_radius(enum scenario_name name)
 {
-    return name != SET_Omega && name != SET_n && name != SET_k_c;
+    return name != SET_Omega && name != SET_n;
 }
 
 struct reader {
@@ -102,7 +102,7 @@ static void models_of(struct flow_set *set, const struct scenario *s)
     read_value(m + M1, &r, SET_m1, NULL, mass);
     read_value(m + M2, &r, SET_m2, NULL, mass);
     read_value(m + LENGTH, &r, SET_L_ref, NULL, set->unit);
-    read_value(m + FACTOR, &r, SET_Q_factor, NULL, one);
+    read_value(m + FACTOR, &r, SET_k_c, p.k_c, p.k_c);
     struct model *const c1 = set->model + FLOW_STATE, *const c2 = c1 + 1, *const lambda = c1 + 2, *const hold = c1 + 3;
     read_value(c1, &r, SET_C1, p.C1, square);
     read_value(c2, &r, SET_C2, p.C2, p.Omega);
@@ -136,10 +136,10 @@ static void models_of(struct flow_set *set, const struct scenario *s)
         model_clear(&m[i]);
 }
 
-/* What has to be positive everywhere in the box: masses and L_ref, and a length that no craft meet at */
+/* What has to be positive everywhere in the box: masses, L_ref and k_c, and a length that no craft meet at */
 bool set_valid(const struct scenario *s, struct message *why)
 {
-    static const enum scenario_name positive[] = {SET_m1, SET_m2, SET_L_ref};
+    static const enum scenario_name positive[] = {SET_m1, SET_m2, SET_L_ref, SET_k_c};
     SCOPE(fmpq, x);
     for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
         if (fmpq_cmp(&s->value[positive[i]].value, s->radius + positive[i]) <= 0) {
@@ -166,7 +166,7 @@ int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, con
                     void *context, struct message *why)
 {
     int unknowns = 0;
-    for (int i = 0; i < SET_VALUES; i++)
+    for (int i = 0; i < SCENARIO_VALUES; i++)
         unknowns += !fmpq_is_zero(s->radius + i);
     VECTOR(arb, rows, FLOW_STATE * count);
     struct flow_set set;
