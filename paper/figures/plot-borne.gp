@@ -12,7 +12,7 @@ set xrange [0.6:1.8]
 set xtics 0.6, 0.4
 set yrange [0.8:1.6]
 set ytics 0.2
-set key at graph 0.03, 0.02 bottom left vertical Left reverse
+set key at graph 0.97, 0.6 top right vertical Right noreverse
 gain(c1) = sprintf("data.'/balance.csv' using (column('c1') == %d ? column('force') : NaN):'rest' with lines", c1)
 eval 'plot '.gain(10).' linestyle 1 title "$n=10$", '.gain(12).' linestyle 2 title "12", '.gain(20).' linestyle 3 title "20", '.gain(40).' linestyle 8 title "40"'
 eval beside(2)
