@@ -85,7 +85,7 @@ static Suite *suite_of(const struct test_mark *first, const struct test_mark *af
         if (m->test == NULL || tests == NULL) {
             tests = tcase_create(m->name != NULL ? m->name : name);
             tcase_set_timeout(tests, 120); /* s, under valgrind on a busy machine */
-            tcase_add_checked_fixture(tests, m->begin, m->end);
+            (m->once ? tcase_add_unchecked_fixture : tcase_add_checked_fixture)(tests, m->begin, m->end);
             suite_add_tcase(all, tests);
         }
         if (m->test != NULL)

@@ -5,6 +5,7 @@
 #define COULOMBTETHER_TESTS_RUN_H
 
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 #include <check.h>
@@ -12,7 +13,8 @@
 /*
  * A file of tests is a suite of its name, and knows of its tests where they stand: TEST(name) { ... } is one, EACH(name, count) { ... }
  * one for each _i from 0 to count - 1, RANGE(name, from, to) one for each from `from` to to - 1. CASE(name, begin, end) begins a case
- * of tests that run by themselves on CK_RUN_CASE=name; begin() before each of them and end() after it, where not NULL.
+ * of tests that run by themselves on CK_RUN_CASE=name; begin() before each of them and end() after it, where not NULL; of CASE_ONCE
+ * before the first and after the last.
  */
 struct test_mark {
     const char *file;
@@ -21,6 +23,7 @@ struct test_mark {
     const TTest *const *test;
     int (*first)(void), (*last)(void);
     void (*begin)(void), (*end)(void);
+    bool once;
     struct test_mark *next;
 };
 void test_mark_add(struct test_mark *m);
@@ -32,11 +35,12 @@ void test_mark_add(struct test_mark *m);
     static const TTest *name; \
     static int name##_first(void) { return (int)(from); } \
     static int name##_last(void) { return (int)(to); } \
-    MARK(name##_mark, NULL, &name, name##_first, name##_last, NULL, NULL) \
+    MARK(name##_mark, NULL, &name, name##_first, name##_last, NULL, NULL, false) \
     START_TEST(name)
-#define CASE(name, begin, end) CASE_AT(name, begin, end, __LINE__)
-#define CASE_AT(name, begin, end, line) CASE_MARKED(name, begin, end, line)
-#define CASE_MARKED(name, begin, end, line) MARK(name##line##_mark, #name, NULL, NULL, NULL, begin, end)
+#define CASE(name, begin, end) CASE_AT(name, begin, end, false, __LINE__)
+#define CASE_ONCE(name, begin, end) CASE_AT(name, begin, end, true, __LINE__)
+#define CASE_AT(name, begin, end, once, line) CASE_MARKED(name, begin, end, once, line)
+#define CASE_MARKED(name, begin, end, once, line) MARK(name##line##_mark, #name, NULL, NULL, NULL, begin, end, once)
 #define MARK(id, ...) \
     __attribute__((constructor)) static void id(void) \
     { \

@@ -47,7 +47,9 @@ static void complex_of(acb_t z, const struct second_order *o, const char *re, co
     arb_set(acb_imagref(z), second_order_get(o, im));
 }
 
-START_TEST(second_order_solves_eq03_exactly)
+CASE(convergence, NULL, close_all)
+
+TEST(second_order_solves_eq03_exactly)
 {
     struct second_order o = response(10, 2);
     struct proof p;
@@ -56,14 +58,13 @@ START_TEST(second_order_solves_eq03_exactly)
     proof_clear(&p);
     second_order_clear(&o);
 }
-END_TEST
 
 /*
  * Of second order in pitch Re(z), z' = 2 i z, the plane's equations are l'' + c2 l' + (c1 - 9) l - 2 psi' = theta'^2 -
  * 4 theta^2 = Re(-4 z^2) and psi'' + 3 psi + 2 l' = 2 theta theta' = Re(2 i z^2): for l = Re(A z^2), psi = Re(B z^2)
  * (c1 - 25 + 4 i c2) A - 8 i B = -4 and 8 i A - 13 B = 2 i.
  */
-START_TEST(eq40_driven_by_pitch_gives_A_and_B)
+TEST(eq40_driven_by_pitch_gives_A_and_B)
 {
     static const slong gains[][2] = {{10, 2}, {12, 4}, {40, 11}, {20, 1}};
     SCOPE(acb, A, B, x);
@@ -87,10 +88,9 @@ START_TEST(eq40_driven_by_pitch_gives_A_and_B)
         second_order_clear(&o);
     }
 }
-END_TEST
 
 /* The energy of pitch per reduced mass, 2 a^2, loses what C2 takes: the mean of c2 l'^2 is 8 c2 |A|^2 a^4. */
-START_TEST(pitch_loses_what_the_feedback_takes)
+TEST(pitch_loses_what_the_feedback_takes)
 {
     SCOPE(acb, A);
     SCOPE(arb, k, loss);
@@ -105,10 +105,9 @@ START_TEST(pitch_loses_what_the_feedback_takes)
         second_order_clear(&o);
     }
 }
-END_TEST
 
 /* n = 10: k = 2592*2/27977, s = -9/2*701/27977, N = 131^2 + 104^2 = 27977; a halves when 2 k a^2 tau = 3. */
-START_TEST(slow_law_halves_pitch)
+TEST(slow_law_halves_pitch)
 {
     struct second_order o = response(10, 2);
     SCOPE(arb, a, tau, ratio, shift, expected);
@@ -126,7 +125,6 @@ START_TEST(slow_law_halves_pitch)
     assert_number(expected, "0", 1e-50);
     second_order_clear(&o);
 }
-END_TEST
 
 /* ---- the pair in the inverse-square field ---- */
 
@@ -171,7 +169,7 @@ static void half_day(arb_t tau)
  * mpmath 1.2.1, 30 digits: odefun over 43200*7.2915e-5 radians in the inertial frame, X'' = -X/(s^3 |X|^3) and the
  * charges' pull along the line, s = 0.001, turned back into the Hill frame; craft 1 in L_ref.
  */
-START_TEST(two_body_is_the_inertial_motion)
+TEST(two_body_is_the_inertial_motion)
 {
     static const struct {
         slong share, of;
@@ -189,10 +187,9 @@ START_TEST(two_body_is_the_inertial_motion)
         two_body_clear(&b);
     }
 }
-END_TEST
 
 /* One step of 0.2 radians and two of half its length end in the same place: balls without what is left out would not meet. */
-START_TEST(two_body_bounds_what_its_series_leave_out)
+TEST(two_body_bounds_what_its_series_leave_out)
 {
     enum { BITS = 1024 };
     struct two_body one = pair(1, 3, "0.001"), two = pair(1, 3, "0.001"), near = pair(1, 2, "0.001");
@@ -215,10 +212,9 @@ START_TEST(two_body_bounds_what_its_series_leave_out)
     two_body_clear(&two);
     two_body_clear(&near);
 }
-END_TEST
 
 /* Where R_c is very large the field is Hill's: what is left is (3), which the certified flow moves. */
-START_TEST(eq02_is_the_limit_of_the_inverse_square)
+TEST(eq02_is_the_limit_of_the_inverse_square)
 {
     struct two_body b = pair(1, 2, "1e-25");
     struct trajectory t;
@@ -235,12 +231,11 @@ START_TEST(eq02_is_the_limit_of_the_inverse_square)
     trajectory_clear(&t);
     two_body_clear(&b);
 }
-END_TEST
 
 /* ---- observed orders ---- */
 
 /* The others' orders stand in claims, that they are near is what these prove. */
-START_TEST(rk4_linear_shows_its_orders)
+TEST(rk4_linear_shows_its_orders)
 {
     struct convergence c;
     const struct study *s = study_find("rk4_linear_24000s");
@@ -255,10 +250,9 @@ START_TEST(rk4_linear_shows_its_orders)
     convergence_clear(&c);
     ck_assert_ptr_null(study_find("linear"));
 }
-END_TEST
 
 /* Hill's motion less mpmath's of two_body_is_the_inertial_motion: x1 and dL in m. */
-START_TEST(hill_differs_by_what_the_inertial_motion_says)
+TEST(hill_differs_by_what_the_inertial_motion_says)
 {
     static const struct {
         int which, variable;
@@ -282,7 +276,6 @@ START_TEST(hill_differs_by_what_the_inertial_motion_says)
     }
     trajectory_clear(&t);
 }
-END_TEST
 
 /* ---- what is measured of trajectories ---- */
 
@@ -307,7 +300,7 @@ static const struct {
     {"peak_psi", {{.nonlinear = true, .psi = "1.6"}, 0, 100, 1000, NULL}, false},
 };
 
-START_TEST(what_is_not_proved_is_not_given)
+EACH(what_is_not_proved_is_not_given, COUNT(measured))
 {
     const struct computation of = {"here", run_simulation, measured[_i].name, &measured[_i].sampled};
     struct computed *c = computed_new(&of, steps());
@@ -318,7 +311,6 @@ START_TEST(what_is_not_proved_is_not_given)
     ck_assert(!computed_number(c, "sup_theta", x, &how));
     computed_free(c);
 }
-END_TEST
 
 /*
  * psi starts a tenth, a ninth or an eleventh of what the motion beside may reach away from it. Of a tenth no enclosure tells
@@ -329,7 +321,7 @@ static const struct {
     bool given, at_once;
 } partings[] = {{9, true, true}, {10, false, false}, {11, true, false}};
 
-START_TEST(the_first_sample_stands_after_none_that_is_open)
+EACH(the_first_sample_stands_after_none_that_is_open, COUNT(partings))
 {
     const struct simulation paper = {.n = "10", .steps = steps()};
     struct trajectory t;
@@ -353,10 +345,9 @@ START_TEST(the_first_sample_stands_after_none_that_is_open)
     bounds_clear(&reach);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* In SI: the start of the paper, and what is left of its dL after so many samples. */
-START_TEST(measures_are_in_SI)
+TEST(measures_are_in_SI)
 {
     const struct sampled start = {{.n = "10"}, 0, 3600, 2 * 3600, NULL};
     const struct computation of = {"here", run_simulation, "peak_dL at_x1_0 at_psi_0 low_dL_1_2 at_dL_2 energy_of_psi", &start};
@@ -375,27 +366,4 @@ START_TEST(measures_are_in_SI)
     ck_assert(computed_number(c, "energy_of_psi", x, &how));
     assert_number(x, "0.0002", 1e-15); /* (3 + (c1 - 9))/2 of 1e-4 */
     computed_free(c);
-}
-END_TEST
-
-SUITE(test_convergence)
-{
-    Suite *s = suite_create("convergence");
-    TCase *c = tcase_create("convergence");
-    tcase_set_timeout(c, 60);
-    tcase_add_test(c, second_order_solves_eq03_exactly);
-    tcase_add_checked_fixture(c, NULL, close_all);
-    tcase_add_test(c, eq40_driven_by_pitch_gives_A_and_B);
-    tcase_add_test(c, pitch_loses_what_the_feedback_takes);
-    tcase_add_test(c, slow_law_halves_pitch);
-    tcase_add_test(c, two_body_is_the_inertial_motion);
-    tcase_add_test(c, two_body_bounds_what_its_series_leave_out);
-    tcase_add_test(c, eq02_is_the_limit_of_the_inverse_square);
-    tcase_add_test(c, rk4_linear_shows_its_orders);
-    tcase_add_loop_test(c, what_is_not_proved_is_not_given, 0, sizeof measured / sizeof *measured);
-    tcase_add_loop_test(c, the_first_sample_stands_after_none_that_is_open, 0, sizeof partings / sizeof *partings);
-    tcase_add_test(c, measures_are_in_SI);
-    tcase_add_test(c, hill_differs_by_what_the_inertial_motion_says);
-    suite_add_tcase(s, c);
-    return s;
 }

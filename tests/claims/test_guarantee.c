@@ -63,7 +63,7 @@ static double random_unit(void)
 }
 
 /* Below the level in all of the box, and no more so in one a hundredth larger. */
-START_TEST(box_is_the_largest)
+EACH(box_is_the_largest, 6)
 {
     static const double gains[] = {9.5, 10, 12, 20, 23, 40};
     const double n = gains[_i], box = number("box", n, 0), level = number("level", n, 0);
@@ -83,10 +83,9 @@ START_TEST(box_is_the_largest)
     ck_assert_double_lt(most, level + 1e-12); /* a hundred roundings of E, which is below 64 */
     ck_assert_double_gt(beyond, level);
 }
-END_TEST
 
 /* Each alone: at the level there, and the other coordinates at rest. */
-START_TEST(half_widths_reach_the_level)
+EACH(half_widths_reach_the_level, 6)
 {
     static const char *const names[] = {"yaw", "pitch", "length", "angle_rate", "angle_rate", "length_rate"};
     static const double gains[] = {9.5, 10, 12, 20, 23, 40};
@@ -101,7 +100,6 @@ START_TEST(half_widths_reach_the_level)
         ck_assert_msg(fabs(most - level) < 1e-12, "%s at n = %g", names[i], n);
     }
 }
-END_TEST
 
 static int take_last(void *context, slong k, const fmpq_t t, arb_srcptr at)
 {
@@ -112,7 +110,7 @@ static int take_last(void *context, slong k, const fmpq_t t, arb_srcptr at)
 }
 
 /* A certified motion of unequal masses from next to a corner of the box: 60 radians later yaw and length are at rest. */
-START_TEST(corner_comes_back)
+TEST(corner_comes_back)
 {
     struct flow_parameters p;
     VECTOR(arb, at, FLOW_STATE);
@@ -143,7 +141,6 @@ START_TEST(corner_comes_back)
     flow_parameters_clear(&p);
     fmpq_clear(t);
 }
-END_TEST
 
 /* ---- errors that stay ---- */
 
@@ -213,7 +210,7 @@ static struct pair with_error(const char *name, double n, double c2, double part
 static const double gain_pairs[][2] = {{10, 2}, {12, 4}, {25, 8}};
 
 /* It grows slowly: a hundredth below the fold the pair follows, a hundredth above it is lost. */
-START_TEST(errors_are_borne_up_to_the_fold)
+EACH(errors_are_borne_up_to_the_fold, 15)
 {
     static const char *const names[] = {"deficit", "debye", "outward", "inward", "along"};
     const double start[] = {1, 1e-4, 1e-4, 0, 0, 0}; /* off the symmetry that a push keeps */
@@ -223,9 +220,8 @@ START_TEST(errors_are_borne_up_to_the_fold)
     ck_assert_msg(is_borne(&below, 1000, start), "%s at n = %g", name, n);
     ck_assert_msg(!is_borne(&above, 1000, start), "%s at n = %g", name, n);
 }
-END_TEST
 
-START_TEST(steps_are_borne)
+EACH(steps_are_borne, 15)
 {
     static const char *const names[] = {"deficit_step", "excess_step", "outward_step", "inward_step", "along_step"};
     const double start[] = {1, 0, 0, 0, 0, 0};
@@ -234,10 +230,9 @@ START_TEST(steps_are_borne)
     struct pair p = with_error(name, n, 0.01, 0.999); /* hardly damped */
     ck_assert_msg(is_borne(&p, 0, start), "%s at n = %g", name, n);
 }
-END_TEST
 
 /* Charges bounded to what holds 1.05 L_ref, and of one sign: from next to the corner of the box that is left. */
-START_TEST(bounded_charges_bring_back)
+EACH(bounded_charges_bring_back, 3)
 {
     const double n = gain_pairs[_i][0];
     struct pair p = {.n = n, .c2 = gain_pairs[_i][1], .most = 3 * pow(1.05, 3)};
@@ -249,9 +244,8 @@ START_TEST(bounded_charges_bring_back)
     ck_assert_double_lt(number("box", n, 1.05), number("box", n, 0));
     ck_assert_double_eq_tol(number("held", n, 1.05), 1.05, 1e-12); /* nothing of that bound is spare */
 }
-END_TEST
 
-START_TEST(outside_the_domain_nothing_is_said)
+TEST(outside_the_domain_nothing_is_said)
 {
     VECTOR(arb, values, GUARANTEES);
     SCOPE(arb, n, y);
@@ -268,19 +262,4 @@ START_TEST(outside_the_domain_nothing_is_said)
     arb_set_d(n, 9 + 0x1p-40); /* so near that the doubled root leaves digits open: no wrong sign is guessed */
     ck_assert(guarantees_enclose(values, n, NULL, 64));
     ck_assert(arb_is_finite(values) && !arb_is_finite(values + guarantee_find("box")));
-}
-END_TEST
-
-SUITE(test_guarantee)
-{
-    Suite *s = suite_create("guarantee");
-    TCase *boxes = add_case(s, "boxes"), *errors = add_case(s, "errors");
-    tcase_add_loop_test(boxes, box_is_the_largest, 0, 6);
-    tcase_add_loop_test(boxes, half_widths_reach_the_level, 0, 6);
-    tcase_add_test(boxes, corner_comes_back);
-    tcase_add_test(boxes, outside_the_domain_nothing_is_said);
-    tcase_add_loop_test(errors, errors_are_borne_up_to_the_fold, 0, 15);
-    tcase_add_loop_test(errors, steps_are_borne, 0, 15);
-    tcase_add_loop_test(errors, bounded_charges_bring_back, 0, 3);
-    return s;
 }

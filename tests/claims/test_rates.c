@@ -10,7 +10,9 @@
 enum { BITS = 256, DEGREE = 4 };
 
 /* Gains in quarters, Omega = 1: (42) agrees with the signs of the certified roots, on the boundary too. */
-START_TEST(eq42_agrees_with_the_roots)
+CASE(rates, NULL, flint_cleanup)
+
+TEST(eq42_agrees_with_the_roots)
 {
     VECTOR(acb, roots, DEGREE);
     SCOPE(fmpq, Omega, C1, C2);
@@ -27,7 +29,6 @@ START_TEST(eq42_agrees_with_the_roots)
         }
     }
 }
-END_TEST
 
 /* The rate of the slowest root at c1, c2 (over Omega, Omega^2). */
 static void slowest(arb_t rate, const arb_t c1, const arb_t c2)
@@ -48,7 +49,7 @@ static void rate_at(arb_t rate, const arb_t n)
 }
 
 /* The n and the rate of n12-optimal, by the roots themselves. */
-START_TEST(eq44_optimum_beats_its_neighbours)
+TEST(eq44_optimum_beats_its_neighbours)
 {
     SCOPE(arb, best, n, rate, greatest);
     arb_set_str(best, "11.8116019489994475627782", BITS);
@@ -62,10 +63,9 @@ START_TEST(eq44_optimum_beats_its_neighbours)
         ck_assert(arb_lt(rate, greatest));
     }
 }
-END_TEST
 
 /* u = sqrt(n - 9) from 1/16 to 16: the bounds of real-parts-vanish against the roots themselves. */
-START_TEST(eq44_rates_keep_their_bounds)
+TEST(eq44_rates_keep_their_bounds)
 {
     SCOPE(arb, n, rate, u, bound);
     for (int k = -16; k <= 16; k++) {
@@ -92,10 +92,9 @@ START_TEST(eq44_rates_keep_their_bounds)
         ck_assert(arb_gt(rate, bound)); /* 12/u^3 (1 - 14/u^2) */
     }
 }
-END_TEST
 
 /* The discriminant of complex-pairs, as the product of the squared differences of the roots. */
-START_TEST(eq41_discriminant_from_the_roots)
+TEST(eq41_discriminant_from_the_roots)
 {
     VECTOR(acb, roots, DEGREE);
     SCOPE(acb, product, difference);
@@ -115,10 +114,9 @@ START_TEST(eq41_discriminant_from_the_roots)
         ck_assert(arb_contains_si(acb_realref(product), 192 * w * w * w * w + 4032 * w * w * w - 33984 * w * w + 65856 * w));
     }
 }
-END_TEST
 
 /* Around C1 = 12, C2 = 4 (Omega = 1), near and far, no gains decay as fast as Omega. */
-START_TEST(eq41_no_gains_beat_omega)
+TEST(eq41_no_gains_beat_omega)
 {
     SCOPE(arb, c1, c2, rate);
     for (int scale = 0; scale <= 20; scale += 4) {
@@ -132,10 +130,9 @@ START_TEST(eq41_no_gains_beat_omega)
         }
     }
 }
-END_TEST
 
 /* The polynomial at those gains is (s^2 + 2 s + 3)^2: two double roots, -1 +- i sqrt 2. */
-START_TEST(eq41_best_gains_reach_omega)
+TEST(eq41_best_gains_reach_omega)
 {
     VECTOR(acb, roots, DEGREE);
     SCOPE(acb, z);
@@ -150,20 +147,4 @@ START_TEST(eq41_best_gains_reach_omega)
         ck_assert(arb_contains_zero(acb_imagref(z)) && arb_contains_si(acb_realref(z), -2));
         ck_assert(arb_contains_si(acb_realref(roots + i), -1));
     }
-}
-END_TEST
-
-SUITE(test_rates)
-{
-    Suite *s = suite_create("rates");
-    TCase *c = tcase_create("rates");
-    tcase_add_checked_fixture(c, NULL, flint_cleanup);
-    tcase_add_test(c, eq42_agrees_with_the_roots);
-    tcase_add_test(c, eq44_optimum_beats_its_neighbours);
-    tcase_add_test(c, eq44_rates_keep_their_bounds);
-    tcase_add_test(c, eq41_discriminant_from_the_roots);
-    tcase_add_test(c, eq41_no_gains_beat_omega);
-    tcase_add_test(c, eq41_best_gains_reach_omega);
-    suite_add_tcase(s, c);
-    return s;
 }

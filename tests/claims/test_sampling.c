@@ -57,7 +57,7 @@ static void largest_multiplier(arb_t size, const arb_t T, double c1, double c2)
     arb_mat_clear(X);
 }
 
-START_TEST(all_multipliers_lie_inside_the_unit_circle_up_to_the_longest_hold_and_not_beyond)
+EACH(all_multipliers_lie_inside_the_unit_circle_up_to_the_longest_hold_and_not_beyond, COUNT(gains))
 {
     enum { STEPS = 50, CLOSE = 1000000 };
     SCOPE(arb, c1, c2, longest, T, size, one);
@@ -75,7 +75,6 @@ START_TEST(all_multipliers_lie_inside_the_unit_circle_up_to_the_longest_hold_and
     if (gains[_i].T > 0)
         ck_assert_double_eq_tol(arf_get_d(arb_midref(longest), ARF_RND_NEAR) / 7.2915e-5 / 3600, gains[_i].T, 0.05);
 }
-END_TEST
 
 /* Zeros to the right of the axis: none lies further out than `far`, and no value is close to 0. */
 static int zeros_to_the_right(double c1, double c2, double d)
@@ -96,7 +95,7 @@ static int zeros_to_the_right(double c1, double c2, double d)
     return (int)lround(turned / (2 * pi));
 }
 
-START_TEST(no_root_is_right_of_the_axis_up_to_the_largest_delay_and_a_pair_beyond)
+EACH(no_root_is_right_of_the_axis_up_to_the_largest_delay_and_a_pair_beyond, COUNT(gains))
 {
     SCOPE(arb, c1, c2, longest);
     arb_set_d(c1, gains[_i].c1);
@@ -111,9 +110,8 @@ START_TEST(no_root_is_right_of_the_axis_up_to_the_largest_delay_and_a_pair_beyon
     if (gains[_i].d > 0)
         ck_assert_double_eq_tol(d / 7.2915e-5 / 3600, gains[_i].d, 0.005);
 }
-END_TEST
 
-START_TEST(what_few_bits_do_not_prove_stays_open)
+TEST(what_few_bits_do_not_prove_stays_open)
 {
     SCOPE(arb, c1, c2, longest);
     arb_set_ui(c1, 12);
@@ -124,7 +122,6 @@ START_TEST(what_few_bits_do_not_prove_stays_open)
     largest_delay(longest, c1, c2, 8);
     ck_assert(!arb_is_finite(longest));
 }
-END_TEST
 
 /* ---- motions: x y z and rates, in radians of orbit and units of the arm ---- */
 
@@ -182,7 +179,7 @@ static double middle(const arb_t x)
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-START_TEST(a_held_law_moves_the_pair_as_the_reference_says)
+TEST(a_held_law_moves_the_pair_as_the_reference_says)
 {
     enum { COUNT = 20 };
     struct held_or_moved l = {12, 4, 0, 0, true, 0};
@@ -204,9 +201,8 @@ START_TEST(a_held_law_moves_the_pair_as_the_reference_says)
             ck_assert_double_eq_tol(s[i], middle(states + 6 * k + i), 1e-9);
     }
 }
-END_TEST
 
-START_TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
+TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
 {
     enum { TIMES = 2 };
     struct pitch_law law;
@@ -240,19 +236,4 @@ START_TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
     pitch_law_ratio(ratio, &law, tau, BITS);
     ck_assert_double_eq_tol(middle(ratio), 1 / sqrt(1 + 2 * 18.0 / 13 * 0.01 * 10), 1e-12);
     pitch_law_clear(&law);
-}
-END_TEST
-
-SUITE(test_sampling)
-{
-    Suite *s = suite_create("sampling");
-    TCase *c = add_case(s, "sampling");
-    tcase_add_loop_test(c, all_multipliers_lie_inside_the_unit_circle_up_to_the_longest_hold_and_not_beyond, 0,
-                        sizeof gains / sizeof *gains);
-    tcase_add_loop_test(c, no_root_is_right_of_the_axis_up_to_the_largest_delay_and_a_pair_beyond, 0,
-                        sizeof gains / sizeof *gains);
-    tcase_add_test(c, a_held_law_moves_the_pair_as_the_reference_says);
-    tcase_add_test(c, a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says);
-    tcase_add_test(c, what_few_bits_do_not_prove_stays_open);
-    return s;
 }

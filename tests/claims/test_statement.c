@@ -112,7 +112,9 @@ static const struct {
     {NULL, "a: {algebra: [s + s = 2*s, (s + 1)^2 = s^2 + 2*s], free: [s]}", FOUND_FALSE, EXACT},
 };
 
-START_TEST(assertions_are_found_true_or_false_or_stay_open)
+CASE_ONCE(statements, open_all, close_all)
+
+EACH(assertions_are_found_true_or_false_or_stay_open, COUNT(assertions))
 {
     char text[4096];
     struct statements s;
@@ -124,7 +126,6 @@ START_TEST(assertions_are_found_true_or_false_or_stay_open)
     ck_assert_msg(a->how == assertions[_i].how, "%s: %s", assertions[_i].entry, how_names[a->how]);
     statements_clear(&s);
 }
-END_TEST
 
 /* ---- verdicts ---- */
 
@@ -161,15 +162,14 @@ static const struct {
     {"a and returns", "a: dL > 0\n    start: {compute: basin}\n    returns: start.returns_10 > 0", VERDICT_NONE, false, "'returns' is false"},
 };
 
-START_TEST(verdicts_follow_from_conditions)
+EACH(verdicts_follow_from_conditions, COUNT(rulings))
 {
     char text[4096];
     write_claim(text, rulings[_i].condition, NULL, rulings[_i].prove, NULL);
     assert_ruled(text, rulings[_i].verdict, rulings[_i].as_written, rulings[_i].open);
 }
-END_TEST
 
-START_TEST(a_claim_has_not_too_many_assertions)
+TEST(a_claim_has_not_too_many_assertions)
 {
     char text[4096], prove[1024] = "";
     struct statements s;
@@ -180,9 +180,8 @@ START_TEST(a_claim_has_not_too_many_assertions)
     ck_assert_int_eq(statements_read(&s, &proofs, &(struct source){"t", text, strlen(text)}, &why), -1);
     ck_assert_ptr_nonnull(strstr(why.text, "expected at most 40 assertions"));
 }
-END_TEST
 
-START_TEST(a_claim_may_rest_on_another)
+TEST(a_claim_may_rest_on_another)
 {
     char text[4096], both[8192];
     write_claim(text, "a", NULL, "a: dL > 0", NULL);
@@ -193,7 +192,6 @@ START_TEST(a_claim_may_rest_on_another)
     strstr(both, "dL > 0")[3] = '<';
     assert_ruled(both, VERDICT_NONE, false, "d is undecided: 'a'");
 }
-END_TEST
 
 /* ---- numbers ---- */
 
@@ -218,7 +216,7 @@ static const struct {
     {"0 | .20", "0.00000000000000000000", EXACT},
 };
 
-START_TEST(numbers_have_proved_digits_or_none)
+EACH(numbers_have_proved_digits_or_none, COUNT(numbers))
 {
     char text[4096], evidence[128];
     struct statements s;
@@ -240,19 +238,17 @@ START_TEST(numbers_have_proved_digits_or_none)
     }
     statements_clear(&s);
 }
-END_TEST
 
 /* What only a number rests on is needed all the same, directly or through another root. */
-START_TEST(a_verdict_needs_what_its_numbers_rest_on)
+TEST(a_verdict_needs_what_its_numbers_rest_on)
 {
     char text[4096];
     write_claim(text, "a", NULL, "a: dL > 0\n    r: {root: y^2 - 2, of: y, in: [1, 2]}\n    t: {root: y - r, of: y, in: [1, 2]}\n"
                 "    start: {compute: basin}", "{t | 3}, {start.returns_10 | 2}");
     assert_ruled(text, HOLDS, true, "");
 }
-END_TEST
 
-START_TEST(evidence_is_written_in_both_forms)
+TEST(evidence_is_written_in_both_forms)
 {
     char text[4096];
     struct statements s;
@@ -272,7 +268,6 @@ START_TEST(evidence_is_written_in_both_forms)
     written_clear(&w);
     statements_clear(&s);
 }
-END_TEST
 
 /* ---- mistakes ---- */
 
@@ -370,7 +365,7 @@ static const struct {
     {"(nothing)", "{c", "expected YAML"},
 };
 
-START_TEST(mistakes_are_told_with_their_place)
+EACH(mistakes_are_told_with_their_place, COUNT(mistakes))
 {
     char good[4096], text[8192];
     struct statements s;
@@ -386,11 +381,10 @@ START_TEST(mistakes_are_told_with_their_place)
     ck_assert_int_eq(statements_read(&s, &proofs, &(struct source){"t", text, strlen(text)}, &why), -1);
     ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "%s\n%s", why.text, text);
 }
-END_TEST
 
 /* ---- mathematics in a sentence ---- */
 
-START_TEST(mathematics_is_set_token_by_token)
+TEST(mathematics_is_set_token_by_token)
 {
     static const struct {
         const char *given, *expected;
@@ -410,26 +404,4 @@ START_TEST(mathematics_is_set_token_by_token)
         ck_assert_str_eq(t.text, pairs[i].expected);
         tex_clear(&t);
     }
-}
-END_TEST
-
-#define LOOP(test, table) tcase_add_loop_test(c, test, 0, sizeof(table) / sizeof(table)[0])
-
-SUITE(test_statement)
-{
-    Suite *s = suite_create("statement");
-    TCase *c = tcase_create("statements");
-    tcase_add_unchecked_fixture(c, open_all, close_all);
-    tcase_set_timeout(c, 60);
-    LOOP(assertions_are_found_true_or_false_or_stay_open, assertions);
-    LOOP(verdicts_follow_from_conditions, rulings);
-    tcase_add_test(c, a_claim_may_rest_on_another);
-    tcase_add_test(c, a_claim_has_not_too_many_assertions);
-    LOOP(numbers_have_proved_digits_or_none, numbers);
-    tcase_add_test(c, a_verdict_needs_what_its_numbers_rest_on);
-    tcase_add_test(c, evidence_is_written_in_both_forms);
-    LOOP(mistakes_are_told_with_their_place, mistakes);
-    tcase_add_test(c, mathematics_is_set_token_by_token);
-    suite_add_tcase(s, c);
-    return s;
 }

@@ -55,7 +55,9 @@ static const struct {
       "-1.1486353536523273143e-7", "-0.0019971490571237121188", "-7.8508583102803106936e-8"}},
 };
 
-START_TEST(trajectories_agree_with_the_equations_in_the_angles)
+CASE(trajectory, NULL, close_all)
+
+EACH(trajectories_agree_with_the_equations_in_the_angles, COUNT(rows))
 {
     struct trajectory t;
     struct simulation s = rows[_i].simulation;
@@ -65,10 +67,9 @@ START_TEST(trajectories_agree_with_the_equations_in_the_angles)
         assert_ball(trajectory_sample(&t, 1) + i, rows[_i].row[i]);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* Nothing in these samples knows the masses: (3) closed by (7) and (18) has none in the angles and the distance. */
-START_TEST(trajectories_are_the_same_for_all_masses)
+TEST(trajectories_are_the_same_for_all_masses)
 {
     struct trajectory equal, unequal;
     ck_assert(trajectory_run(&equal, &(struct simulation){.steps = steps(), .nonlinear = true}, DAY, DAY, 3 * DAY));
@@ -79,10 +80,9 @@ START_TEST(trajectories_are_the_same_for_all_masses)
     trajectory_clear(&unequal);
     trajectory_clear(&equal);
 }
-END_TEST
 
 /* A sample is where a start from it begins: angles to place and back. */
-START_TEST(eq10_trajectories_start_where_another_ends)
+TEST(eq10_trajectories_start_where_another_ends)
 {
     struct trajectory whole, half, rest;
     ck_assert(trajectory_run(&whole, &(struct simulation){.steps = steps(), .nonlinear = true}, 0, DAY, DAY));
@@ -95,10 +95,9 @@ START_TEST(eq10_trajectories_start_where_another_ends)
     trajectory_clear(&half);
     trajectory_clear(&whole);
 }
-END_TEST
 
 /* E falls from sample to sample, and by what C2 takes: -c2 (l'/l)^2, or -c2 eta'^2, by the trapezoidal rule. */
-START_TEST(energy_falls_by_what_the_gain_takes)
+EACH(energy_falls_by_what_the_gain_takes, 2)
 {
     struct trajectory t;
     VECTOR(arb, x, 4);
@@ -120,10 +119,9 @@ START_TEST(energy_falls_by_what_the_gain_takes)
     ck_assert_double_eq_tol(arf_get_d(arb_midref(x), ARF_RND_NEAR) / lost, 1, 1e-5);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* The samples of later times keep the bounds of an early one, and their differences those of the derivatives. */
-START_TEST(bounds_hold_for_what_follows)
+EACH(bounds_hold_for_what_follows, 2)
 {
     struct trajectory t;
     struct bounds b;
@@ -148,10 +146,9 @@ START_TEST(bounds_hold_for_what_follows)
     bounds_clear(&b);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* With n = 10 the hill of E is at dL = 1.0728 m, (sqrt(93) - 3)/6 = 1.10728: beyond, E holds nothing. */
-START_TEST(bounds_are_refused_beyond_the_hill)
+TEST(bounds_are_refused_beyond_the_hill)
 {
     static const struct {
         const char *dL;
@@ -168,10 +165,9 @@ START_TEST(bounds_are_refused_beyond_the_hill)
     }
     bounds_clear(&b);
 }
-END_TEST
 
 /* Between samples a day apart the motion goes beyond them: as far as trajectory_supremum allows, at most. */
-START_TEST(suprema_cover_what_samples_miss)
+TEST(suprema_cover_what_samples_miss)
 {
     struct trajectory coarse, fine;
     SCOPE(arb, sup, peak);
@@ -189,10 +185,9 @@ START_TEST(suprema_cover_what_samples_miss)
     trajectory_clear(&fine);
     trajectory_clear(&coarse);
 }
-END_TEST
 
 /* The linear dL is last above 1/100 of the start at 43.25 h, psi at 29.17 h: samples of the linear flow, 100 s apart. */
-START_TEST(settling_is_found_between_samples)
+TEST(settling_is_found_between_samples)
 {
     struct trajectory t;
     SCOPE(arb, hours, limit);
@@ -215,32 +210,11 @@ START_TEST(settling_is_found_between_samples)
     _arb_vec_clear(both, 2);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* A pair that separates turns over, or leaves binary64's reach: no trajectory. */
-START_TEST(trajectories_end_where_the_pair_turns_over)
+TEST(trajectories_end_where_the_pair_turns_over)
 {
     struct trajectory t;
     ck_assert(!trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = true, .psi = "1.6"}, 0, 100, 1000));
     trajectory_clear(&t);
-}
-END_TEST
-
-SUITE(test_trajectory)
-{
-    Suite *s = suite_create("trajectory");
-    TCase *c = tcase_create("trajectory");
-    tcase_add_checked_fixture(c, NULL, close_all);
-    tcase_add_loop_test(c, trajectories_agree_with_the_equations_in_the_angles, 0, sizeof rows / sizeof rows[0]);
-    tcase_add_test(c, trajectories_are_the_same_for_all_masses);
-    tcase_add_test(c, eq10_trajectories_start_where_another_ends);
-    tcase_add_loop_test(c, energy_falls_by_what_the_gain_takes, 0, 2);
-    tcase_add_loop_test(c, bounds_hold_for_what_follows, 0, 2);
-    tcase_add_test(c, bounds_are_refused_beyond_the_hill);
-    tcase_add_test(c, suprema_cover_what_samples_miss);
-    tcase_add_test(c, settling_is_found_between_samples);
-    tcase_add_test(c, trajectories_end_where_the_pair_turns_over);
-    tcase_set_timeout(c, 60); /* s, under a sanitizer too */
-    suite_add_tcase(s, c);
-    return s;
 }

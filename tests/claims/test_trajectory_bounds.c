@@ -40,7 +40,9 @@ static void assert_at_least(const arb_t bound, const arb_t truth, double at_most
 /* ---- B1: between samples ---- */
 
 /* A parabola with a second derivative of 1 stands tau^2/8 above samples a tau apart, and is that at the middle. */
-START_TEST(B1_a_parabola_rises_above_its_samples_by_an_eighth)
+CASE(error_terms, NULL, flint_cleanup)
+
+EACH(B1_a_parabola_rises_above_its_samples_by_an_eighth, 3)
 {
     struct trajectory t;
     struct bounds b;
@@ -64,10 +66,9 @@ START_TEST(B1_a_parabola_rises_above_its_samples_by_an_eighth)
     bounds_clear(&b);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* Pitch goes as cos 2 tau whatever the gains: its peak lies in the middle of two samples, and none but the excess has it. */
-START_TEST(B1_a_supremum_has_the_peak_between_samples)
+TEST(B1_a_supremum_has_the_peak_between_samples)
 {
     struct trajectory t;
     SCOPE(arb, sup, one);
@@ -82,7 +83,6 @@ START_TEST(B1_a_supremum_has_the_peak_between_samples)
     ck_assert(is_below(sup, 1.1));
     trajectory_clear(&t);
 }
-END_TEST
 
 /* ---- B2, B3: the linear model ---- */
 
@@ -105,7 +105,7 @@ static void linear_rates(arb_mat_t a, const struct trajectory *t)
  * the row g of A^d, over those weights. Up to the first derivative the bound is exact; then it adds what cannot be
  * at once.
  */
-START_TEST(B2_B3_no_state_of_that_energy_exceeds_a_derivative)
+EACH(B2_B3_no_state_of_that_energy_exceeds_a_derivative, 2 * DERIVATIVES)
 {
     static const int place[] = {PSI, PSI_DOT, ETA, ETA_DOT};
     const int d = _i / 2, which = _i % 2; /* psi or eta */
@@ -136,10 +136,9 @@ START_TEST(B2_B3_no_state_of_that_energy_exceeds_a_derivative)
     arb_mat_clear(a);
     arb_mat_clear(power);
 }
-END_TEST
 
 /* theta = a cos(2 tau) + b/2 sin(2 tau), wherever it starts on its way */
-START_TEST(B2_pitch_has_its_amplitude)
+EACH(B2_pitch_has_its_amplitude, 6)
 {
     struct trajectory t;
     struct bounds b;
@@ -156,10 +155,9 @@ START_TEST(B2_pitch_has_its_amplitude)
     bounds_clear(&b);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* Whatever eta and psi are within their bounds, 1 + eta, (1 + eta) psi and (1 + eta) theta are within theirs: as polynomials. */
-START_TEST(B3_places_have_all_products_of_derivatives)
+TEST(B3_places_have_all_products_of_derivatives)
 {
     struct trajectory t;
     struct bounds b;
@@ -196,12 +194,11 @@ START_TEST(B3_places_have_all_products_of_derivatives)
     bounds_clear(&b);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* ---- B4 to B6: the nonlinear model ---- */
 
 /* At L_ref, all of the energy in one coordinate: it, or the rate that goes with it, is as large as it can be. */
-START_TEST(B2_B6_no_state_at_L_ref_exceeds_its_place)
+EACH(B2_B6_no_state_at_L_ref_exceeds_its_place, 5)
 {
     static const struct {
         enum coordinate given, place;
@@ -222,7 +219,6 @@ START_TEST(B2_B6_no_state_at_L_ref_exceeds_its_place)
     bounds_clear(&b);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* G(l), written anew */
 static void potential(arb_t G, const struct trajectory *t, const arb_t eta)
@@ -246,7 +242,7 @@ static void potential(arb_t G, const struct trajectory *t, const arb_t eta)
  * All the energy in L', from much to little of it and so closely that some of it is only just too little for the length
  * at which it is confined: at the bounds of dL and x1 the potential on either side exceeds it.
  */
-START_TEST(B4_B5_no_length_of_that_energy_lies_beyond_its_bound)
+EACH(B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 4)
 {
     enum { CLOSE = 400 }; /* by 2^-11 of L' each: over more than an eighth of dL, to less than a gap between slices */
     struct trajectory t;
@@ -272,10 +268,9 @@ START_TEST(B4_B5_no_length_of_that_energy_lies_beyond_its_bound)
     bounds_clear(&b);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* At rest a tenth longer: the potential is less there than a tenth shorter, and its side decides. */
-START_TEST(B4_both_sides_confine)
+EACH(B4_both_sides_confine, 2)
 {
     struct trajectory t;
     struct bounds b;
@@ -287,10 +282,9 @@ START_TEST(B4_both_sides_confine)
     bounds_clear(&b);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* With c1 = 12 the hill is at 1.3 L_ref. At 1.4 the energy is less than there, but the motion is on the other side. */
-START_TEST(B4_what_is_beyond_the_hill_has_no_bounds)
+TEST(B4_what_is_beyond_the_hill_has_no_bounds)
 {
     struct trajectory t;
     struct bounds b;
@@ -309,7 +303,6 @@ START_TEST(B4_what_is_beyond_the_hill_has_no_bounds)
     bounds_clear(&b);
     trajectory_clear(&t);
 }
-END_TEST
 
 /* ---- B7: settling ---- */
 
@@ -317,7 +310,7 @@ END_TEST
  * Pitch of amplitude 1 on samples of cos(1/4): never below 0.99 between them. What is below on every sample but reaches above
  * between is not settled; below 1.2, excess included, it is.
  */
-START_TEST(B7_what_rises_between_samples_has_not_settled)
+TEST(B7_what_rises_between_samples_has_not_settled)
 {
     enum { COUNT = 4 };
     struct trajectory t;
@@ -335,12 +328,11 @@ START_TEST(B7_what_rises_between_samples_has_not_settled)
     ck_assert(arb_contains_si(hours, 0) && arb_contains(hours, limit) && is_below(hours, 1.2));
     trajectory_clear(&t);
 }
-END_TEST
 
 /* ---- rows of a motion ---- */
 
 /* Symmetry keeps a pair in the plane, on the normal or at its equilibrium only where no velocity leads away from it. */
-START_TEST(what_moves_away_is_not_settled)
+EACH(what_moves_away_is_not_settled, 13)
 {
     static const struct {
         double start[FLOW_STATE];
@@ -368,7 +360,6 @@ START_TEST(what_moves_away_is_not_settled)
             ck_assert_int_eq(arb_is_zero(state + i), all[_i].kept[i]);
     }
 }
-END_TEST
 
 static int keep_whole_rows(void *context, slong k, const fmpq_t t, char *const *numbers)
 {
@@ -381,7 +372,7 @@ static int keep_whole_rows(void *context, slong k, const fmpq_t t, char *const *
 }
 
 /* At pi/(4 Omega), to 120 bits, pitch is zero to as many: the first pass has 116, and no row goes out without it. */
-START_TEST(a_row_waits_for_its_last_undecided_number)
+TEST(a_row_waits_for_its_last_undecided_number)
 {
     struct scenario s;
     struct message why;
@@ -398,30 +389,4 @@ START_TEST(a_row_waits_for_its_last_undecided_number)
     ck_assert_msg(motion_rows(&m, t, 1, keep_whole_rows, &rows, &why) == 0, "%s", why.text);
     ck_assert_int_eq(rows, 1);
     scenario_clear(&s);
-}
-END_TEST
-
-SUITE(test_trajectory_bounds)
-{
-    Suite *all = suite_create("trajectory");
-    TCase *tests = tcase_create("error terms");
-    suite_add_tcase(all, tests);
-    tcase_add_checked_fixture(tests, NULL, flint_cleanup);
-    tcase_add_loop_test(tests, B1_a_parabola_rises_above_its_samples_by_an_eighth, 0, 3);
-    tcase_add_test(tests, B1_a_supremum_has_the_peak_between_samples);
-    tcase_add_loop_test(tests, B2_B3_no_state_of_that_energy_exceeds_a_derivative, 0, 2 * DERIVATIVES);
-    tcase_add_loop_test(tests, B2_pitch_has_its_amplitude, 0, 6);
-    tcase_add_test(tests, B3_places_have_all_products_of_derivatives);
-    tcase_add_loop_test(tests, B2_B6_no_state_at_L_ref_exceeds_its_place, 0, 5);
-    tcase_add_loop_test(tests, B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 0, 4);
-    tcase_add_loop_test(tests, B4_both_sides_confine, 0, 2);
-    tcase_add_test(tests, B4_what_is_beyond_the_hill_has_no_bounds);
-    tcase_add_test(tests, B7_what_rises_between_samples_has_not_settled);
-
-    tests = tcase_create("rows");
-    suite_add_tcase(all, tests);
-    tcase_add_checked_fixture(tests, NULL, flint_cleanup);
-    tcase_add_loop_test(tests, what_moves_away_is_not_settled, 0, 13);
-    tcase_add_test(tests, a_row_waits_for_its_last_undecided_number);
-    return all;
 }

@@ -137,7 +137,7 @@ static const struct {
     {"pitch-best-gain", "= 11.48825648793501,"}, /* 9 + (32*sqrt(133) - 272)/39 */
 };
 
-START_TEST(evidence_says_what_another_road_finds)
+EACH(evidence_says_what_another_road_finds, COUNT(expected))
 {
     char line[8192];
     const size_t length = strlen(expected[_i].id);
@@ -150,7 +150,6 @@ START_TEST(evidence_says_what_another_road_finds)
     ck_assert_msg(found, "no verdict '%s'", expected[_i].id);
     ck_assert_msg(strstr(line, expected[_i].says) != NULL, "no '%s' in: %s", expected[_i].says, line);
 }
-END_TEST
 
 /* ---- the same motions by another method ---- */
 
@@ -164,7 +163,7 @@ static double length_after(double n, double start, double tau)
     return hypot(s.x1, s.y1);
 }
 
-START_TEST(eq03_constant_charge_agrees_with_gsl)
+TEST(eq03_constant_charge_agrees_with_gsl)
 {
     const double day = 7.2915e-5 * 86400;
     /* five digits stand in the evidence; the growth e^(2.5 tau) of the method's 1e-12 stays below 1e-5 */
@@ -173,30 +172,27 @@ START_TEST(eq03_constant_charge_agrees_with_gsl)
     ck_assert_double_eq_tol(10 * length_after(0, 0.99, day / 2), 3.2397, 0.00005);
     ck_assert_double_eq_tol(10 * length_after(0, 0.99, day), 8.8297, 0.00005);
 }
-END_TEST
 
 /* the slowest mode decays as e^(-0.42 tau), n = 10: 1e-3 is far below what 30 radians leave of a return */
-START_TEST(eq18_returns_agree_with_gsl)
+TEST(eq18_returns_agree_with_gsl)
 {
     ck_assert_double_eq_tol(length_after(10, 0.76, 30), 1, 1e-3);
     ck_assert_double_eq_tol(length_after(12, 0.2, 30), 1, 1e-3);
     ck_assert_double_eq_tol(length_after(12, 0.5, 30), 1, 1e-3);
     ck_assert_double_eq_tol(length_after(10, 1 + 0.107, 60), 1, 1e-3); /* just inside the outer place of rest */
 }
-END_TEST
 
-START_TEST(eq18_escapes_agree_with_gsl)
+TEST(eq18_escapes_agree_with_gsl)
 {
     ck_assert_double_gt(length_after(10, 0.75, 30), 2);
     ck_assert_double_gt(length_after(12, 0.15, 30), 2);
     ck_assert_double_gt(length_after(10, 0.5, 30), 2);
     ck_assert_double_gt(length_after(10, 1 + 0.108, 60), 2); /* just outside */
 }
-END_TEST
 
 /* ---- what the proofs refuse ---- */
 
-START_TEST(eq18_nothing_is_claimed_without_a_basin)
+TEST(eq18_nothing_is_claimed_without_a_basin)
 {
     struct basin b;
     basin_init(&b, steps(), 10);
@@ -208,19 +204,4 @@ START_TEST(eq18_nothing_is_claimed_without_a_basin)
     arb_set_si(b.level, -1); /* below E at the equilibrium: no motion is below it */
     ck_assert_int_eq(basin_release(&b, 0), RELEASE_OPEN);
     basin_clear(&b);
-}
-END_TEST
-
-SUITE(test_verdicts)
-{
-    Suite *s = suite_create("verdicts");
-    TCase *c = tcase_create("verdicts");
-    tcase_set_timeout(c, 120);
-    tcase_add_loop_test(c, evidence_says_what_another_road_finds, 0, sizeof expected / sizeof expected[0]);
-    tcase_add_test(c, eq03_constant_charge_agrees_with_gsl);
-    tcase_add_test(c, eq18_returns_agree_with_gsl);
-    tcase_add_test(c, eq18_escapes_agree_with_gsl);
-    tcase_add_test(c, eq18_nothing_is_claimed_without_a_basin);
-    suite_add_tcase(s, c);
-    return s;
 }

@@ -263,7 +263,7 @@ static void assert_agrees_with_rk8pd(const struct scenario *s, double seconds, d
  * lambda = -1 solves (41) where 4 c1 = 4 c2 + 28; with c1 = 10, c2 = 3 the mode psi = 1, dL = 2 L_ref decays
  * as exp(-tau). Pitch goes as cos 2 tau.
  */
-START_TEST(eq40_flow_follows_an_exact_mode)
+TEST(eq40_flow_follows_an_exact_mode)
 {
     struct scenario s = scenario_of(0x1p-14, 150, 150, 8, 10, 3);
     start_at(&s, 0.5, 0.25, 8, -0x1p-15, 0, -0x1p-11);
@@ -285,7 +285,6 @@ START_TEST(eq40_flow_follows_an_exact_mode)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
 /* A ball among C1, C2, Omega, L_ref, m1, m2 and the state holds both of its ends at time t, in steps of h. */
 static void assert_ball_holds_its_ends(enum method method, int which, const double start[FLOW_STATE], slong t, slong h)
@@ -321,24 +320,22 @@ static void assert_ball_holds_its_ends(enum method method, int which, const doub
  * Every number that is not known is a ball: gains, Omega, L_ref and state, one at a time, hold both of their ends; and Omega
  * where pitch, from its rate alone, is at its peak theta'/(2 Omega): there it does not depend on Omega t.
  */
-START_TEST(eq40_flow_holds_both_ends_of_every_ball)
+EACH(eq40_flow_holds_both_ends_of_every_ball, 7 + FLOW_STATE)
 {
     const bool peak = _i == 6 + FLOW_STATE;
     const double start[] = {0.5, peak ? 0 : 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14};
     assert_ball_holds_its_ends(LINEAR, peak ? 2 : _i, start, peak ? 12868 : 1 << 14, 1); /* pi/4 radians, or one */
 }
-END_TEST
 
 /* And so do Runge and Kutta's steps, two of an eighth of a radian; a mass on its own has its part in the nonlinear model alone. */
-START_TEST(rk4_holds_both_ends_of_every_ball)
+EACH(rk4_holds_both_ends_of_every_ball, 2 * (6 + FLOW_STATE))
 {
     const double angles[] = {0.5, 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14}, places[] = {4, 1, 0.5, 0x1p-12, -0x1p-12, 0x1p-14};
     const bool linear = _i < 6 + FLOW_STATE;
     assert_ball_holds_its_ends(linear ? RK4_LINEAR : RK4_NONLINEAR, _i % (6 + FLOW_STATE), linear ? angles : places, 1 << 12, 1 << 11);
 }
-END_TEST
 
-START_TEST(eq40_flow_composes)
+TEST(eq40_flow_composes)
 {
     struct scenario s = paper();
     start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
@@ -352,9 +349,8 @@ START_TEST(eq40_flow_composes)
     run_close(&rest);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(eq40_flow_returns)
+TEST(eq40_flow_returns)
 {
     struct scenario s = paper();
     start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
@@ -369,9 +365,8 @@ START_TEST(eq40_flow_returns)
     run_close(&back);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(eq40_flow_keeps_what_is_zero)
+TEST(eq40_flow_keeps_what_is_zero)
 {
     struct scenario s = paper();
     start_at(&s, 0, 1, 0, 0, 0, 0);
@@ -386,7 +381,6 @@ START_TEST(eq40_flow_keeps_what_is_zero)
     run_close(&yaw);
     scenario_close(&s);
 }
-END_TEST
 
 /* ---- the nonlinear flow, against other roads ---- */
 
@@ -397,7 +391,7 @@ END_TEST
  *   return [u, v, w, 2*v + 3*x + P*x, -2*u + P*y, -z + P*z]
  * from 1.01 (cos t cos p, cos t sin p, -sin t), t = p = mpf(0.01), Omega = mpf(7.2915e-5), then in SI.
  */
-START_TEST(eq03_flow_of_the_paper)
+TEST(eq03_flow_of_the_paper)
 {
     static const char *const expected[FLOW_STATE] = {
         "4.9999437953916800220567873796713413968112114937463 +/- 1e-47",
@@ -415,38 +409,34 @@ START_TEST(eq03_flow_of_the_paper)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
 /* rk8pd's local error of 1e-14 in some thousand steps of a motion that does not diverge */
-START_TEST(eq03_flow_of_unequal_craft_agrees_with_rk8pd)
+TEST(eq03_flow_of_unequal_craft_agrees_with_rk8pd)
 {
     struct scenario s = scenario_of(0x1p-14, 120, 410, 23, 12, 4);
     start_at_angles(&s, 0.3, -0.4, 2);
     assert_agrees_with_rk8pd(&s, 3 * DAY, 1e-10);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(eq03_flow_at_large_angles_agrees_with_rk8pd)
+TEST(eq03_flow_at_large_angles_agrees_with_rk8pd)
 {
     struct scenario s = scenario_of(7.2915e-5, 1, 1000, 10, 10, 2);
     start_at_angles(&s, 1.2, 0.9, -3);
     assert_agrees_with_rk8pd(&s, DAY, 1e-10);
     scenario_close(&s);
 }
-END_TEST
 
 /* ... and a motion that does: errors grow like exp(3 tau) until the craft part after two days */
-START_TEST(eq03_flow_that_grows_agrees_with_rk8pd)
+TEST(eq03_flow_that_grows_agrees_with_rk8pd)
 {
     struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 8, 1);
     start_at_angles(&s, 0.01, 0.01, 0.1);
     assert_agrees_with_rk8pd(&s, 2 * DAY, 1e-7);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(eq03_flow_returns)
+TEST(eq03_flow_returns)
 {
     struct scenario s = paper_nonlinear();
     struct run there = run_to(&s, NONLINEAR, DAY);
@@ -462,9 +452,8 @@ START_TEST(eq03_flow_returns)
     run_close(&back);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(eq03_flow_composes)
+TEST(eq03_flow_composes)
 {
     struct scenario s = paper_nonlinear();
     struct run whole = run_to(&s, NONLINEAR, 100000), part = run_to(&s, NONLINEAR, 61803);
@@ -477,10 +466,9 @@ START_TEST(eq03_flow_composes)
     run_close(&rest);
     scenario_close(&s);
 }
-END_TEST
 
 /* Two precisions are two integrations: other orders, other steps. */
-START_TEST(eq03_flow_at_two_precisions_overlaps)
+TEST(eq03_flow_at_two_precisions_overlaps)
 {
     struct scenario s = paper_nonlinear();
     struct run fine = run_to(&s, NONLINEAR, 5 * DAY);
@@ -492,10 +480,9 @@ START_TEST(eq03_flow_at_two_precisions_overlaps)
     run_close(&coarse);
     scenario_close(&s);
 }
-END_TEST
 
 /* At 48 bits what a step leaves out outweighs its rounding: without its remainder the fine states would stand outside. */
-START_TEST(what_steps_leave_out_is_in_the_enclosure)
+TEST(what_steps_leave_out_is_in_the_enclosure)
 {
     enum { ROWS = 60 };
     slong times[ROWS];
@@ -513,9 +500,8 @@ START_TEST(what_steps_leave_out_is_in_the_enclosure)
     run_close(&coarse);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(dense_output_is_the_flow)
+TEST(dense_output_is_the_flow)
 {
     enum { ROWS = 40 };
     slong times[ROWS];
@@ -533,11 +519,10 @@ START_TEST(dense_output_is_the_flow)
     run_close(&dense);
     scenario_close(&s);
 }
-END_TEST
 
 /* ---- the nonlinear flow, exact cases ---- */
 
-START_TEST(eq05_static_formation_stays_exactly)
+TEST(eq05_static_formation_stays_exactly)
 {
     struct scenario s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
     start_at(&s, 6, 0, 0, 0, 0, 0); /* m2 L_ref / (m1 + m2) */
@@ -546,9 +531,8 @@ START_TEST(eq05_static_formation_stays_exactly)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(eq03_plane_motion_stays_in_the_plane)
+TEST(eq03_plane_motion_stays_in_the_plane)
 {
     struct scenario s = paper();
     start_at_angles(&s, 0.5, 0, 0.1);
@@ -558,9 +542,8 @@ START_TEST(eq03_plane_motion_stays_in_the_plane)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(eq03_flow_commutes_with_reflections)
+TEST(eq03_flow_commutes_with_reflections)
 {
     struct scenario s = paper();
     start_at_angles(&s, 0.3, 0.2, 0.1);
@@ -577,9 +560,8 @@ START_TEST(eq03_flow_commutes_with_reflections)
     run_close(&other);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(eq03_masses_only_scale)
+TEST(eq03_masses_only_scale)
 {
     struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 10, 2);
     struct scenario t = scenario_of(7.2915e-5, 1, 1023, 10, 10, 2); /* m2/(m1 + m2) = 1023/1024 */
@@ -597,11 +579,10 @@ START_TEST(eq03_masses_only_scale)
     scenario_close(&t);
     scenario_close(&s);
 }
-END_TEST
 
 /* ---- enclosures ---- */
 
-START_TEST(five_days_at_50_digits_end_within_1e_49)
+TEST(five_days_at_50_digits_end_within_1e_49)
 {
     struct scenario s = paper_nonlinear();
     slong t = 5 * DAY;
@@ -617,10 +598,9 @@ START_TEST(five_days_at_50_digits_end_within_1e_49)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
 /* Wide initial balls, and a gain that is not known: what they hold, the enclosure holds, corners included. */
-START_TEST(an_enclosure_holds_the_motions_from_a_box)
+TEST(an_enclosure_holds_the_motions_from_a_box)
 {
     enum { CORNERS = 1 << FLOW_STATE };
     struct scenario s = paper(), box = paper();
@@ -647,9 +627,8 @@ START_TEST(an_enclosure_holds_the_motions_from_a_box)
     scenario_close(&box);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(motions_that_grow_are_followed)
+TEST(motions_that_grow_are_followed)
 {
     struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 10, -0.5);
     start_at_angles(&s, 0.01, 0.01, 0.1);
@@ -659,9 +638,8 @@ START_TEST(motions_that_grow_are_followed)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(stiff_gains_do_not_inflate_the_set)
+TEST(stiff_gains_do_not_inflate_the_set)
 {
     struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 1e6, 2000);
     start_at_angles(&s, 0.01, 0.01, 0.1);
@@ -671,7 +649,6 @@ START_TEST(stiff_gains_do_not_inflate_the_set)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
 /* ---- the error terms of a step ---- */
 
@@ -759,7 +736,7 @@ static void assert_box_holds(const double centre[FLOW_STATE], const double c[2],
 }
 
 /* Orders 2 to 6, from a point, in 60 bits: what a series leaves out is a million times what is rounded. */
-START_TEST(F1_the_path_has_a_remainder)
+RANGE(F1_the_path_has_a_remainder, 2, 7)
 {
     struct scenario s = plain_scenario(10, 1), fine = plain_scenario(10, 1);
     const struct flow_steps how = {.order = _i, .step = 0x1p-5};
@@ -774,56 +751,49 @@ START_TEST(F1_the_path_has_a_remainder)
     scenario_close(&s);
     scenario_close(&fine);
 }
-END_TEST
 
 /* 1/16 to either side in x: at once every row has that width. */
-START_TEST(F2_a_set_has_its_width)
+RANGE(F2_a_set_has_its_width, 1, 4)
 {
     assert_box_holds((double[]){1, 0.25, 0, 0, 0, 0}, (double[]){10, 1}, (double[UNKNOWN]){0x1p-4},
                      &(struct flow_steps){.derivative_order = _i, .step = 0x1p-8}, 0x1p-8);
 }
-END_TEST
 
 /* To degree 1, x = u s: the width of u is that of x over s. */
-START_TEST(F3_a_spread_has_its_term_of_degree_n)
+TEST(F3_a_spread_has_its_term_of_degree_n)
 {
     assert_box_holds((double[]){1, 0.25, 0, 0, 0, 0}, (double[]){10, 1}, (double[UNKNOWN]){0, 0, 0, 0x1p-4, 0x1p-4, 0x1p-4},
                      &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-8);
 }
-END_TEST
 
 /* To degree 1 again, but v' = -2u and u' grows with x: the width of x is one of v over s^2. */
-START_TEST(F4_a_spread_has_its_remainder)
+TEST(F4_a_spread_has_its_remainder)
 {
     assert_box_holds((double[]){0.75, 0, 0, 0, 0, 0}, (double[]){10, 1}, (double[UNKNOWN]){0x1p-12},
                      &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-8);
 }
-END_TEST
 
 /* The same two steps later: of its width of v, 4 h^2, the second step's bound has 3, and the first left out the fourth. */
-START_TEST(F5_a_set_moves_by_the_remainder_too)
+TEST(F5_a_set_moves_by_the_remainder_too)
 {
     assert_box_holds((double[]){0.75, 0, 0, 0, 0, 0}, (double[]){10, 1}, (double[UNKNOWN]){0x1p-12},
                      &(struct flow_steps){.derivative_order = 1, .step = 0x1p-8}, 0x1p-7);
 }
-END_TEST
 
 /* Every direction moves, ... */
-START_TEST(F5_a_set_moves_in_every_direction)
+EACH(F5_a_set_moves_in_every_direction, FLOW_STATE)
 {
     double radius[UNKNOWN] = {0};
     radius[_i] = 0x1p-6;
     assert_box_holds((double[]){0.75, 0.25, 0, 0, 0, 0.5}, (double[]){10, 1}, radius, &(struct flow_steps){.step = 0x1p-8}, 0x1p-7);
 }
-END_TEST
 
 /* ... and by all that its derivatives may be: with c1 = 9 from rest by 9 d^2, where in the middle they are zero. */
-START_TEST(F5_a_set_moves_by_derivatives_in_balls)
+TEST(F5_a_set_moves_by_derivatives_in_balls)
 {
     assert_box_holds((double[]){1, 0, 0, 0, 0, 0}, (double[]){9, 0}, (double[UNKNOWN]){0x1p-6},
                      &(struct flow_steps){.step = 0x1p-12}, 0x1p-7); /* 32 steps: a row has the width of its own step anyhow */
 }
-END_TEST
 
 /*
  * A quarter or less to either side, and times so short that only the first derivatives count:
@@ -832,48 +802,44 @@ END_TEST
  *   in x    with c1 = 9 the derivative in the middle is zero, whatever x is, where 1/|x| is 1
  *   in z    by w = 1 and the damping u' changes by -z, which only the velocity of the box tells
  */
-START_TEST(F6_derivatives_are_those_of_all_the_box)
+EACH(F6_derivatives_are_those_of_all_the_box, 5)
 {
     static const double centre[][FLOW_STATE] = {{1}, {1}, {0, 1}, {1}, {1, 0, 0, 0, 0, 1}};
     static const double gains[][2] = {{10, 1}, {0, 1}, {0, 1}, {9, 1}, {0, 1}};
     static const double radius[][UNKNOWN] = {{0.25}, {0, 0.25}, {0, 0, 0.25}, {0x1p-6}, {0, 0, 0x1p-6}};
     assert_box_holds(centre[_i], gains[_i], radius[_i], &(struct flow_steps){.step = 0x1p-12}, 0x1p-12);
 }
-END_TEST
 
 /* Gains are known to a half of themselves: far from rest, and in motion, the path shows it, ... */
-START_TEST(F7_the_path_has_every_gain)
+EACH(F7_the_path_has_every_gain, 2)
 {
     assert_box_holds((double[]){1.25, 0, 0, _i, 0, 0}, (double[]){10, 1},
                      (double[UNKNOWN]){[6] = _i == 0 ? 5 : 0, [7] = _i == 0 ? 0 : 0.5},
                      &(struct flow_steps){.step = 0x1p-8}, 0x1p-8);
 }
-END_TEST
 
 /* ... and at rest, where they have no effect, its derivatives do. */
-START_TEST(F7_derivatives_have_every_gain)
+EACH(F7_derivatives_have_every_gain, 2)
 {
     assert_box_holds((double[]){1, 0, 0, 0, 0, 0}, (double[]){10, 1},
                      (double[UNKNOWN]){[0] = _i == 0 ? 0x1p-6 : 0, [3] = _i == 0 ? 0 : 0x1p-6, [6] = _i == 0 ? 8 : 0,
                                        [7] = _i == 0 ? 0 : 0.75},
                      &(struct flow_steps){.step = 0x1p-10}, 0x1p-10);
 }
-END_TEST
 
 /* L_ref, or m1, is known to a sixteenth of itself: so is r_ref, in which the flow measures. */
-START_TEST(F7_lengths_are_measured_in_balls)
+EACH(F7_lengths_are_measured_in_balls, 2)
 {
     assert_box_holds((double[]){1.25, 0, 0, 0, 0, 0}, (double[]){10, 1},
                      (double[UNKNOWN]){[8] = _i == 0 ? 0x1p-4 : 0, [9] = _i == 0 ? 0 : 0x1p-4},
                      &(struct flow_steps){.step = 0x1p-4}, 0x1p-3);
 }
-END_TEST
 
 /*
  * A radian known to a fifth of a step, without gains and from rest. The row lies between 0.96 and 1.44 steps, so that the
  * first step's bounds do not hold for it: y goes as s^3, and an order of 2 leaves all of that to the remainder.
  */
-START_TEST(F9_a_row_is_within_its_step_for_certain)
+TEST(F9_a_row_is_within_its_step_for_certain)
 {
     const double h = 0x1p-8, share = 0.2;
     const struct flow_steps how = {.order = 2, .step = h};
@@ -899,7 +865,6 @@ START_TEST(F9_a_row_is_within_its_step_for_certain)
     scenario_close(&s);
     scenario_close(&fine);
 }
-END_TEST
 
 /* All rows to an eighth of a radian, by a step of one that no series here bears: it is halved until all three do. */
 static void assert_halved(const struct flow_steps *how, double width)
@@ -916,20 +881,18 @@ static void assert_halved(const struct flow_steps *how, double width)
     scenario_close(&s);
 }
 
-START_TEST(F8_a_step_is_one_that_the_path_bears)
+RANGE(F8_a_step_is_one_that_the_path_bears, 2, 5)
 {
     assert_halved(&(struct flow_steps){.order = _i, .derivative_order = 12, .step = 1}, 0);
 }
-END_TEST
 
-START_TEST(F8_a_step_is_one_that_the_derivatives_bear)
+RANGE(F8_a_step_is_one_that_the_derivatives_bear, 1, 5)
 {
     assert_halved(&(struct flow_steps){.order = 24, .derivative_order = _i, .step = 1}, 0x1p-20);
 }
-END_TEST
 
 /* A gain of anything to 1e300 bears no step of 2^-37 radians: no row, not even one that soon. */
-START_TEST(F8_what_no_halving_proves_is_no_step)
+TEST(F8_what_no_halving_proves_is_no_step)
 {
     struct scenario s = plain_scenario(10, 1);
     const struct flow_steps how = {.step = 0x1p-5};
@@ -945,10 +908,9 @@ START_TEST(F8_what_no_halving_proves_is_no_step)
     fmpq_clear(t);
     scenario_close(&s);
 }
-END_TEST
 
 /* Steps are a fraction of 2^-5 radians; whatever Omega is in its ball, no more of them than were proved have been reached. */
-START_TEST(what_is_reached_is_rounded_towards_the_start)
+EACH(what_is_reached_is_rounded_towards_the_start, 4)
 {
     struct scenario s = scenario_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
     const struct flow_steps how = {.step = 0x1p-5};
@@ -982,11 +944,10 @@ START_TEST(what_is_reached_is_rounded_towards_the_start)
     fmpq_clear(Omega);
     scenario_close(&s);
 }
-END_TEST
 
 /* ---- ends ---- */
 
-START_TEST(an_enclosure_past_use_is_reported)
+TEST(an_enclosure_past_use_is_reported)
 {
     struct scenario s = paper_nonlinear();
     const slong times[] = {DAY, 5 * DAY};
@@ -999,10 +960,9 @@ START_TEST(an_enclosure_past_use_is_reported)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
 /* Omega t known to half a radian: no step holds all of that. And no exponential one of all gains. */
-START_TEST(a_vague_time_is_reported)
+TEST(a_vague_time_is_reported)
 {
     struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 6, 0, 0, 0, 0, 0);
@@ -1016,14 +976,13 @@ START_TEST(a_vague_time_is_reported)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
 /*
  * From rest on the orbit normal at r_ref, no gains: z'' = -z - 3/z^2, so z'^2 = 6/z - 6 + 1 - z^2, and z = sin^2 a
  * makes the time of the fall the integral of 2 sin^2 a / sqrt(sin^4 a + sin^2 a + 6) over a from 0 to pi/2;
  * mpmath 1.2.1, mp.dps = 40: quad(lambda a: 2*sin(a)**2/sqrt(sin(a)**4 + sin(a)**2 + 6), [0, pi/2]).
  */
-START_TEST(craft_too_close_to_follow_are_reported_with_the_time)
+TEST(craft_too_close_to_follow_are_reported_with_the_time)
 {
     const double fall = 0.57976169347716177911871646922770217;
     struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
@@ -1036,10 +995,9 @@ START_TEST(craft_too_close_to_follow_are_reported_with_the_time)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
 /* Without attraction enough to meet, craft that nearly do are followed through. */
-START_TEST(a_near_miss_is_followed_through)
+TEST(a_near_miss_is_followed_through)
 {
     struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 0.5, 0, 5, 0, 0, 0);
@@ -1048,9 +1006,8 @@ START_TEST(a_near_miss_is_followed_through)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(a_receiver_stops_a_flow)
+EACH(a_receiver_stops_a_flow, 4)
 {
     static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
     const slong times[] = {0, 100, 200, 300};
@@ -1062,9 +1019,8 @@ START_TEST(a_receiver_stops_a_flow)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(outside_the_domain_no_flow_starts)
+TEST(outside_the_domain_no_flow_starts)
 {
     struct scenario s = paper_nonlinear();
     arb_ptr positive[] = {s.p.Omega, s.p.L_ref, s.p.k_c, s.p.m1, s.p.m2};
@@ -1098,10 +1054,9 @@ START_TEST(outside_the_domain_no_flow_starts)
     run_close(&vague);
     scenario_close(&s);
 }
-END_TEST
 
 /* Whichever coordinate is wide, and whichever is the largest; what has no bound is wide beside anything. */
-START_TEST(any_coordinate_makes_an_enclosure_wide)
+EACH(any_coordinate_makes_an_enclosure_wide, FLOW_STATE)
 {
     arb_ptr state = _arb_vec_init(FLOW_STATE);
     arb_set_ui(state + (_i + 1) % FLOW_STATE, 8);
@@ -1115,10 +1070,9 @@ START_TEST(any_coordinate_makes_an_enclosure_wide)
     _arb_vec_clear(state, FLOW_STATE);
     flint_cleanup();
 }
-END_TEST
 
 /* Zero is outside, and so is a ball that reaches it. */
-START_TEST(at_the_edge_of_the_domain_no_flow_starts)
+EACH(at_the_edge_of_the_domain_no_flow_starts, 5)
 {
     struct scenario s = paper_nonlinear();
     arb_ptr positive[] = {s.p.Omega, s.p.L_ref, s.p.k_c, s.p.m1, s.p.m2};
@@ -1140,10 +1094,9 @@ START_TEST(at_the_edge_of_the_domain_no_flow_starts)
     }
     scenario_close(&s);
 }
-END_TEST
 
 /* Nor where the craft may be in one place, if not for the centre of the ball. */
-START_TEST(where_craft_may_meet_no_flow_starts)
+TEST(where_craft_may_meet_no_flow_starts)
 {
     struct scenario s = paper();
     start_at(&s, 0.5, 0, 0.25, 0, 0, 0);
@@ -1154,10 +1107,9 @@ START_TEST(where_craft_may_meet_no_flow_starts)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
 /* Nor with anything infinite or undefined. */
-START_TEST(outside_all_numbers_no_flow_starts)
+EACH(outside_all_numbers_no_flow_starts, 9)
 {
     struct scenario s = paper_nonlinear();
     arb_ptr value[] = {s.p.Omega, s.p.L_ref, s.p.C1, s.p.C2, s.start, s.start + 5, s.p.k_c, s.p.m1, s.p.m2};
@@ -1176,10 +1128,9 @@ START_TEST(outside_all_numbers_no_flow_starts)
             }
     scenario_close(&s);
 }
-END_TEST
 
 /* At 0 alone, once or twice, the state is the initial one itself, and nothing else is said. */
-START_TEST(at_time_zero_the_state_is_the_initial_one)
+RANGE(at_time_zero_the_state_is_the_initial_one, 1, 3)
 {
     const slong times[] = {0, 0};
     struct scenario s = paper_nonlinear();
@@ -1192,19 +1143,17 @@ START_TEST(at_time_zero_the_state_is_the_initial_one)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(no_time_at_all_is_in_reach)
+TEST(no_time_at_all_is_in_reach)
 {
     struct scenario s = paper();
     ck_assert(flow_in_reach(&s.p, NULL, 0));
     ck_assert(rk4_in_reach(&s.p, NULL, 0));
     scenario_close(&s);
 }
-END_TEST
 
 /* A million radians for a flow, ten thousand and ten million steps for the method: none of them starts. */
-START_TEST(beyond_reach_no_motion_starts)
+EACH(beyond_reach_no_motion_starts, 6)
 {
     static const struct {
         enum method method;
@@ -1220,9 +1169,8 @@ START_TEST(beyond_reach_no_motion_starts)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(times_out_of_order_are_refused)
+TEST(times_out_of_order_are_refused)
 {
     const slong back[] = {200, 100}, both[] = {100, -100};
     struct scenario s = paper_nonlinear();
@@ -1233,9 +1181,8 @@ START_TEST(times_out_of_order_are_refused)
     run_close(&b);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(steps_without_proof_are_the_same_steps)
+TEST(steps_without_proof_are_the_same_steps)
 {
     struct scenario s = paper_nonlinear();
     struct run proved = run_to(&s, NONLINEAR, DAY), bare = run_to(&s, UNPROVED, DAY);
@@ -1246,12 +1193,11 @@ START_TEST(steps_without_proof_are_the_same_steps)
     run_close(&bare);
     scenario_close(&s);
 }
-END_TEST
 
 /* ---- Runge and Kutta ---- */
 
 /* One step of y' = A y is y + Z y + Z^2 y/2 + Z^3 y/6 + Z^4 y/24, Z = h A: fractions, Omega = 1, L_ref = 1, h = 1. */
-START_TEST(rk4_step_of_the_linear_model_is_its_polynomial)
+TEST(rk4_step_of_the_linear_model_is_its_polynomial)
 {
     static const int rates[FLOW_STATE][FLOW_STATE] = {{0, 0, 0, 1, 0, 0},  {0, 0, 0, 0, 1, 0},  {0, 0, 0, 0, 0, 1},
                                                       {-3, 0, 0, 0, 0, -2}, {0, -4, 0, 0, 0, 0}, {0, 0, -1, 2, 0, -3}};
@@ -1287,10 +1233,9 @@ START_TEST(rk4_step_of_the_linear_model_is_its_polynomial)
     fmpq_mat_clear(sum);
     scenario_close(&s);
 }
-END_TEST
 
 /* A hundred steps of it in doubles, from the equations in SI: a hundred times some roundings. */
-START_TEST(rk4_steps_of_the_nonlinear_model_are_an_implementers)
+TEST(rk4_steps_of_the_nonlinear_model_are_an_implementers)
 {
     enum { STEPS = 100, H = 100 };
     struct scenario s = scenario_of(7.2915e-5, 120, 410, 23, 12, 4);
@@ -1313,7 +1258,6 @@ START_TEST(rk4_steps_of_the_nonlinear_model_are_an_implementers)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
 /* Largest error in psi, theta, dL or in x1, y1, z1 after a day with that step */
 static double rk4_error(const struct scenario *s, enum method rk4, enum method flow, slong h)
@@ -1332,7 +1276,7 @@ static double rk4_error(const struct scenario *s, enum method rk4, enum method f
 }
 
 /* The error is C h^4 + D h^5 ..., so halving h near a hundredth of a radian divides it by 16 within some per cent. */
-START_TEST(rk4_is_of_order_four)
+TEST(rk4_is_of_order_four)
 {
     struct scenario s = paper_nonlinear();
     const double nonlinear = rk4_error(&s, RK4_NONLINEAR, NONLINEAR, 100) / rk4_error(&s, RK4_NONLINEAR, NONLINEAR, 50);
@@ -1342,9 +1286,8 @@ START_TEST(rk4_is_of_order_four)
     ck_assert_double_eq_tol(linear, 16, 0.5);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(rk4_keeps_the_static_formation_exactly)
+TEST(rk4_keeps_the_static_formation_exactly)
 {
     struct scenario s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
     start_at(&s, 6, 0, 0, 0, 0, 0);
@@ -1353,9 +1296,8 @@ START_TEST(rk4_keeps_the_static_formation_exactly)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(rk4_takes_whole_steps_forward)
+EACH(rk4_takes_whole_steps_forward, 4)
 {
     static const slong wrong[][2] = {{150, 100}, {-100, 100}, {100, 0}, {100, -100}};
     struct scenario s = paper_nonlinear();
@@ -1367,9 +1309,8 @@ START_TEST(rk4_takes_whole_steps_forward)
     }
     scenario_close(&s);
 }
-END_TEST
 
-START_TEST(rk4_reports_an_enclosure_past_use)
+TEST(rk4_reports_an_enclosure_past_use)
 {
     struct scenario s = paper_nonlinear();
     s.prec = 128; /* ten bits a radian last for two days */
@@ -1380,12 +1321,11 @@ START_TEST(rk4_reports_an_enclosure_past_use)
     run_close(&r);
     scenario_close(&s);
 }
-END_TEST
 
 /* ---- working precisions ---- */
 
 /* At the precision that is foretold, every coordinate has its digits: five days, n = 10 and n = 40. */
-START_TEST(foretold_precision_is_enough)
+EACH(foretold_precision_is_enough, 8)
 {
     static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
     const enum method m = methods[_i / 2];
@@ -1403,83 +1343,4 @@ START_TEST(foretold_precision_is_enough)
         ck_assert_double_gt((double)arb_rel_accuracy_bits(r.states + i), log2(10) * (double)digits + 1);
     run_close(&r);
     scenario_close(&s);
-}
-END_TEST
-
-SUITE(test_flow)
-{
-    Suite *all = suite_create("flow");
-    TCase *tests = add_case(all, "linear");
-    tcase_add_test(tests, eq40_flow_follows_an_exact_mode);
-    tcase_add_loop_test(tests, eq40_flow_holds_both_ends_of_every_ball, 0, 7 + FLOW_STATE);
-    tcase_add_test(tests, eq40_flow_composes);
-    tcase_add_test(tests, eq40_flow_returns);
-    tcase_add_test(tests, eq40_flow_keeps_what_is_zero);
-
-    tests = add_case(all, "nonlinear");
-    tcase_add_test(tests, eq03_flow_of_the_paper);
-    tcase_add_test(tests, eq03_flow_of_unequal_craft_agrees_with_rk8pd);
-    tcase_add_test(tests, eq03_flow_at_large_angles_agrees_with_rk8pd);
-    tcase_add_test(tests, eq03_flow_that_grows_agrees_with_rk8pd);
-    tcase_add_test(tests, eq03_flow_returns);
-    tcase_add_test(tests, eq03_flow_composes);
-    tcase_add_test(tests, eq03_flow_at_two_precisions_overlaps);
-    tcase_add_test(tests, what_steps_leave_out_is_in_the_enclosure);
-    tcase_add_test(tests, dense_output_is_the_flow);
-    tcase_add_test(tests, eq05_static_formation_stays_exactly);
-    tcase_add_test(tests, eq03_plane_motion_stays_in_the_plane);
-    tcase_add_test(tests, eq03_flow_commutes_with_reflections);
-    tcase_add_test(tests, eq03_masses_only_scale);
-
-    tests = add_case(all, "enclosures");
-    tcase_add_test(tests, five_days_at_50_digits_end_within_1e_49);
-    tcase_add_test(tests, an_enclosure_holds_the_motions_from_a_box);
-    tcase_add_test(tests, motions_that_grow_are_followed);
-    tcase_add_test(tests, stiff_gains_do_not_inflate_the_set);
-    tcase_add_loop_test(tests, foretold_precision_is_enough, 0, 8);
-
-    tests = add_case(all, "error terms");
-    tcase_add_loop_test(tests, F1_the_path_has_a_remainder, 2, 7);
-    tcase_add_loop_test(tests, F2_a_set_has_its_width, 1, 4);
-    tcase_add_test(tests, F3_a_spread_has_its_term_of_degree_n);
-    tcase_add_test(tests, F4_a_spread_has_its_remainder);
-    tcase_add_test(tests, F5_a_set_moves_by_the_remainder_too);
-    tcase_add_loop_test(tests, F5_a_set_moves_in_every_direction, 0, FLOW_STATE);
-    tcase_add_test(tests, F5_a_set_moves_by_derivatives_in_balls);
-    tcase_add_loop_test(tests, F6_derivatives_are_those_of_all_the_box, 0, 5);
-    tcase_add_loop_test(tests, F7_the_path_has_every_gain, 0, 2);
-    tcase_add_loop_test(tests, F7_derivatives_have_every_gain, 0, 2);
-    tcase_add_loop_test(tests, F7_lengths_are_measured_in_balls, 0, 2);
-    tcase_add_loop_test(tests, F8_a_step_is_one_that_the_path_bears, 2, 5);
-    tcase_add_loop_test(tests, F8_a_step_is_one_that_the_derivatives_bear, 1, 5);
-    tcase_add_test(tests, F8_what_no_halving_proves_is_no_step);
-    tcase_add_test(tests, F9_a_row_is_within_its_step_for_certain);
-    tcase_add_loop_test(tests, what_is_reached_is_rounded_towards_the_start, 0, 4);
-
-    tests = add_case(all, "ends");
-    tcase_add_test(tests, an_enclosure_past_use_is_reported);
-    tcase_add_test(tests, a_vague_time_is_reported);
-    tcase_add_test(tests, craft_too_close_to_follow_are_reported_with_the_time);
-    tcase_add_test(tests, a_near_miss_is_followed_through);
-    tcase_add_loop_test(tests, a_receiver_stops_a_flow, 0, 4);
-    tcase_add_test(tests, outside_the_domain_no_flow_starts);
-    tcase_add_loop_test(tests, at_the_edge_of_the_domain_no_flow_starts, 0, 5);
-    tcase_add_loop_test(tests, any_coordinate_makes_an_enclosure_wide, 0, FLOW_STATE);
-    tcase_add_test(tests, where_craft_may_meet_no_flow_starts);
-    tcase_add_loop_test(tests, outside_all_numbers_no_flow_starts, 0, 9);
-    tcase_add_loop_test(tests, at_time_zero_the_state_is_the_initial_one, 1, 3);
-    tcase_add_test(tests, times_out_of_order_are_refused);
-    tcase_add_test(tests, no_time_at_all_is_in_reach);
-    tcase_add_loop_test(tests, beyond_reach_no_motion_starts, 0, 6);
-    tcase_add_test(tests, steps_without_proof_are_the_same_steps);
-
-    tests = add_case(all, "Runge-Kutta");
-    tcase_add_test(tests, rk4_step_of_the_linear_model_is_its_polynomial);
-    tcase_add_test(tests, rk4_steps_of_the_nonlinear_model_are_an_implementers);
-    tcase_add_test(tests, rk4_is_of_order_four);
-    tcase_add_test(tests, rk4_keeps_the_static_formation_exactly);
-    tcase_add_loop_test(tests, rk4_takes_whole_steps_forward, 0, 4);
-    tcase_add_loop_test(tests, rk4_holds_both_ends_of_every_ball, 0, 2 * (6 + FLOW_STATE));
-    tcase_add_test(tests, rk4_reports_an_enclosure_past_use);
-    return all;
 }

@@ -129,7 +129,7 @@ static void follow_one(struct seen *seen, const struct box *box, const fmpq *tim
     scenario_clear(&s);
 }
 
-START_TEST(motions_from_all_of_a_box_keep_within_its_bounds)
+EACH(motions_from_all_of_a_box_keep_within_its_bounds, COUNT(boxes))
 {
     const struct box *box = &boxes[_i];
     struct scenario s;
@@ -157,7 +157,6 @@ START_TEST(motions_from_all_of_a_box_keep_within_its_bounds)
     }
     scenario_clear(&s);
 }
-END_TEST
 
 /* ---- one error term larger than all others ---- */
 
@@ -220,7 +219,7 @@ static int compare(void *context, slong k, const fmpq_t t, arb_srcptr state)
     return 0;
 }
 
-START_TEST(S1_to_S9_each_motion_keeps_within_its_set)
+EACH(S1_to_S9_each_motion_keeps_within_its_set, COUNT(terms))
 {
     enum { ROWS = 9, MOTIONS = 11 };
     struct flow_set set;
@@ -266,16 +265,4 @@ START_TEST(S1_to_S9_each_motion_keeps_within_its_set)
     }
     flow_parameters_clear(&p);
     flow_set_clear(&set);
-}
-END_TEST
-
-SUITE(test_flow_set)
-{
-    Suite *all = suite_create("flow_set");
-    TCase *tests = add_case(all, "boxes");
-    tcase_set_timeout(tests, 120);
-    tcase_add_loop_test(tests, motions_from_all_of_a_box_keep_within_its_bounds, 0, sizeof boxes / sizeof *boxes);
-    tests = add_case(all, "error terms");
-    tcase_add_loop_test(tests, S1_to_S9_each_motion_keeps_within_its_set, 0, sizeof terms / sizeof *terms);
-    return all;
 }

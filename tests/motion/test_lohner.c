@@ -173,7 +173,7 @@ static const double ROUNDED = 1 + 0x1p-20; /* mag_t has thirty bits, of which su
 
 /* ---- the error terms ---- */
 
-START_TEST(L1_every_direction_moves)
+EACH(L1_every_direction_moves, MAPS)
 {
     struct lohner set;
     struct map m;
@@ -187,10 +187,9 @@ START_TEST(L1_every_direction_moves)
     map_clear(&m);
     flint_cleanup();
 }
-END_TEST
 
 /* A diagonal map leaves the axes: the inverse is exact, the product is rounded to a few bits. */
-START_TEST(L2_the_product_is_rounded)
+EACH(L2_the_product_is_rounded, MAPS)
 {
     struct lohner set;
     struct map m;
@@ -203,10 +202,9 @@ START_TEST(L2_the_product_is_rounded)
     map_clear(&m);
     flint_cleanup();
 }
-END_TEST
 
 /* The derivative is a ball, as wide as it is large. */
-START_TEST(L2_the_derivative_is_a_ball)
+EACH(L2_the_derivative_is_a_ball, MAPS)
 {
     struct lohner set;
     struct map m;
@@ -221,7 +219,6 @@ START_TEST(L2_the_derivative_is_a_ball)
     map_clear(&m);
     flint_cleanup();
 }
-END_TEST
 
 /* From a point: all there is comes from the image's radius, or from the error. */
 static void assert_loose(int number, bool error, slong prec, double at_most)
@@ -244,20 +241,18 @@ static void assert_loose(int number, bool error, slong prec, double at_most)
     flint_cleanup();
 }
 
-START_TEST(L3_the_image_has_a_radius)
+EACH(L3_the_image_has_a_radius, MAPS)
 {
     assert_loose(_i, false, LOHNER_BITS, ROUNDED);
 }
-END_TEST
 
-START_TEST(L4_the_map_has_an_error)
+EACH(L4_the_map_has_an_error, MAPS)
 {
     assert_loose(_i, true, LOHNER_BITS, ROUNDED);
 }
-END_TEST
 
 /* Along the axes nothing else is rounded than their sum, whose last bits a mag_t cannot hold. */
-START_TEST(L3_L4_radius_and_error_add_up)
+EACH(L3_L4_radius_and_error_add_up, MAPS)
 {
     struct lohner set;
     struct map m;
@@ -273,22 +268,19 @@ START_TEST(L3_L4_radius_and_error_add_up)
     map_clear(&m);
     flint_cleanup();
 }
-END_TEST
 
 /* In eight bits the inverse is rounded more than all else, in two it may not be found. */
-START_TEST(L5_the_inverse_is_rounded)
+EACH(L5_the_inverse_is_rounded, MAPS)
 {
     assert_loose(_i, true, 8, 5);
 }
-END_TEST
 
-START_TEST(L8_a_basis_whose_inverse_is_not_found_is_no_set)
+EACH(L8_a_basis_whose_inverse_is_not_found_is_no_set, MAPS)
 {
     assert_loose(_i, true, 2, INFINITY);
 }
-END_TEST
 
-START_TEST(L8_a_reach_that_is_not_finite_is_no_set)
+EACH(L8_a_reach_that_is_not_finite_is_no_set, N)
 {
     struct lohner set;
     struct map m;
@@ -301,9 +293,8 @@ START_TEST(L8_a_reach_that_is_not_finite_is_no_set)
     map_clear(&m);
     flint_cleanup();
 }
-END_TEST
 
-START_TEST(L6_a_set_has_the_radii_of_its_box)
+TEST(L6_a_set_has_the_radii_of_its_box)
 {
     struct lohner set;
     arb_ptr box = _arb_vec_init(N);
@@ -324,10 +315,9 @@ START_TEST(L6_a_set_has_the_radii_of_its_box)
     _arb_vec_clear(box, N);
     flint_cleanup();
 }
-END_TEST
 
 /* One direction alone, whose entries no mag_t can hold: rounded down, they would fall short. */
-START_TEST(L7_a_box_has_all_of_its_set)
+EACH(L7_a_box_has_all_of_its_set, 2 * N)
 {
     struct lohner set;
     fmpq_t need, have, entry;
@@ -360,7 +350,6 @@ START_TEST(L7_a_box_has_all_of_its_set)
     fmpq_clear(entry);
     flint_cleanup();
 }
-END_TEST
 
 /* ---- sets that last ---- */
 
@@ -370,7 +359,7 @@ static double number(const arb_t x)
 }
 
 /* A thousand turns by one radian in each plane (i, i + 3): boxes would grow by 1.38 a turn, to 1e140. */
-START_TEST(a_set_turns_without_growing)
+TEST(a_set_turns_without_growing)
 {
     struct lohner set;
     arb_ptr box = _arb_vec_init(LOHNER_SIZE), image = _arb_vec_init(LOHNER_SIZE);
@@ -413,9 +402,8 @@ START_TEST(a_set_turns_without_growing)
     lohner_clear(&set);
     flint_cleanup();
 }
-END_TEST
 
-START_TEST(a_set_under_a_singular_map_stays_bounded)
+TEST(a_set_under_a_singular_map_stays_bounded)
 {
     struct lohner set;
     arb_ptr box = _arb_vec_init(LOHNER_SIZE), image = _arb_vec_init(LOHNER_SIZE);
@@ -445,29 +433,4 @@ START_TEST(a_set_under_a_singular_map_stays_bounded)
     arb_mat_clear(derivative);
     lohner_clear(&set);
     flint_cleanup();
-}
-END_TEST
-
-SUITE(test_lohner)
-{
-    Suite *all = suite_create("lohner");
-    TCase *tests = tcase_create("error terms");
-    suite_add_tcase(all, tests);
-    tcase_add_loop_test(tests, L1_every_direction_moves, 0, MAPS);
-    tcase_add_loop_test(tests, L2_the_product_is_rounded, 0, MAPS);
-    tcase_add_loop_test(tests, L2_the_derivative_is_a_ball, 0, MAPS);
-    tcase_add_loop_test(tests, L3_the_image_has_a_radius, 0, MAPS);
-    tcase_add_loop_test(tests, L4_the_map_has_an_error, 0, MAPS);
-    tcase_add_loop_test(tests, L3_L4_radius_and_error_add_up, 0, MAPS);
-    tcase_add_loop_test(tests, L5_the_inverse_is_rounded, 0, MAPS);
-    tcase_add_test(tests, L6_a_set_has_the_radii_of_its_box);
-    tcase_add_loop_test(tests, L7_a_box_has_all_of_its_set, 0, 2 * N);
-    tcase_add_loop_test(tests, L8_a_basis_whose_inverse_is_not_found_is_no_set, 0, MAPS);
-    tcase_add_loop_test(tests, L8_a_reach_that_is_not_finite_is_no_set, 0, N);
-
-    tests = tcase_create("sets that last");
-    suite_add_tcase(all, tests);
-    tcase_add_test(tests, a_set_turns_without_growing);
-    tcase_add_test(tests, a_set_under_a_singular_map_stays_bounded);
-    return all;
 }

@@ -64,7 +64,7 @@ static void random_model(struct model *x, const struct space *s, int seed, doubl
     x->rest = rest;
 }
 
-START_TEST(monomials_are_in_order_and_multiply)
+TEST(monomials_are_in_order_and_multiply)
 {
     struct space s;
     space_init(&s, 4, 5);
@@ -77,10 +77,9 @@ START_TEST(monomials_are_in_order_and_multiply)
                 ck_assert_int_eq(s.exponent[s.product[a][b] * 4 + i], s.exponent[a * 4 + i] + s.exponent[b * 4 + i]);
     space_clear(&s);
 }
-END_TEST
 
 /* Three products and a sum of polynomials of degree 2, nothing cut off: what is left is rounding. */
-START_TEST(M1_sums_of_products_are_rounded)
+EACH(M1_sums_of_products_are_rounded, 20)
 {
     struct space s;
     struct model x[3], y[3], z;
@@ -115,7 +114,6 @@ START_TEST(M1_sums_of_products_are_rounded)
     model_clear(&z);
     space_clear(&s);
 }
-END_TEST
 
 /* Rests alone, of which the products are no binary64; or the bounds of what is cut off. */
 static const struct {
@@ -130,7 +128,7 @@ static const struct {
     {0, 0, 0, 0, 0.1, true},      /* (M7) */
 };
 
-START_TEST(M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests)
+EACH(M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests, COUNT(rests))
 {
     struct space s;
     struct model x, y, z;
@@ -166,10 +164,9 @@ START_TEST(M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests)
     model_clear(&z);
     space_clear(&s);
 }
-END_TEST
 
 /* A third is no binary64, and a linear model of what is not linear is off by that. */
-START_TEST(M8_numbers_and_models_that_do_not_fit_leave_a_rest)
+TEST(M8_numbers_and_models_that_do_not_fit_leave_a_rest)
 {
     struct space s, linear;
     struct model x, cut;
@@ -204,10 +201,9 @@ START_TEST(M8_numbers_and_models_that_do_not_fit_leave_a_rest)
     space_clear(&s);
     space_clear(&linear);
 }
-END_TEST
 
 /* x = 2 + e_1/2 - e_2/4 +- 1e-3: of degree `_i` and what that leaves out */
-START_TEST(M9_roots_sines_and_cosines_hold)
+RANGE(M9_roots_sines_and_cosines_hold, 1, 7)
 {
     static const double most[] = {10, 1, 0.1, 0.1, 0.02, 0.02, 0.02};
     struct space s;
@@ -247,10 +243,9 @@ START_TEST(M9_roots_sines_and_cosines_hold)
     model_clear(&cosine);
     space_clear(&s);
 }
-END_TEST
 
 /* Either half is the polynomial on half of the box; all of a polynomial lies in its range, at 0 and at corners. */
-START_TEST(halves_ranges_and_sums_hold)
+EACH(halves_ranges_and_sums_hold, 10)
 {
     struct space s;
     struct model x, half, sum[3], at;
@@ -310,18 +305,4 @@ START_TEST(halves_ranges_and_sums_hold)
     model_clear(&half);
     model_clear(&at);
     space_clear(&s);
-}
-END_TEST
-
-SUITE(test_model)
-{
-    Suite *all = suite_create("model");
-    TCase *tests = add_case(all, "models");
-    tcase_add_test(tests, monomials_are_in_order_and_multiply);
-    tcase_add_loop_test(tests, M1_sums_of_products_are_rounded, 0, 20);
-    tcase_add_loop_test(tests, M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests, 0, sizeof rests / sizeof *rests);
-    tcase_add_test(tests, M8_numbers_and_models_that_do_not_fit_leave_a_rest);
-    tcase_add_loop_test(tests, M9_roots_sines_and_cosines_hold, 1, 7);
-    tcase_add_loop_test(tests, halves_ranges_and_sums_hold, 0, 10);
-    return all;
 }

@@ -208,76 +208,68 @@ static const double SHORT = 0x1p-10, A_LITTLE_MORE = 1.01; /* all else is a thou
 static const double MOST_BITS = 1 + 0x1p-40;               /* of a number that mag_t has to round up */
 
 /* A polynomial of degree below n, squared: no tails, only what its known terms make. */
-START_TEST(T1_products_of_known_terms_reach_beyond_their_degree)
+RANGE(T1_products_of_known_terms_reach_beyond_their_degree, 2, LAST_ORDER + 1)
 {
     const slong n = _i;
     const struct known_case c = {.a = X, .b = X, .order = n, .h = SHORT,
                                  .start = {[X] = n == 6 ? 0 : 1, [U] = MOST_BITS, [V] = n > 2, [W] = n > 3}};
     assert_rest_of(&c, n == 6 ? 2.1 : A_LITTLE_MORE); /* s^6 alone would be exact */
 }
-END_TEST
 
-START_TEST(T2_known_terms_meet_the_tail_of_the_second_factor)
+RANGE(T2_known_terms_meet_the_tail_of_the_second_factor, FIRST_ORDER, LAST_ORDER + 1)
 {
     const struct known_case c = {.a = Q, .b = Y, .order = _i, .h = SHORT, .start = {[Q] = 3, [Y] = MOST_BITS}};
     assert_rest_of(&c, A_LITTLE_MORE);
 }
-END_TEST
 
-START_TEST(T3_known_terms_meet_the_tail_of_the_first_factor)
+RANGE(T3_known_terms_meet_the_tail_of_the_first_factor, FIRST_ORDER, LAST_ORDER + 1)
 {
     const struct known_case c = {.a = Y, .b = Q, .order = _i, .h = SHORT, .start = {[Q] = 3, [Y] = MOST_BITS}};
     assert_rest_of(&c, A_LITTLE_MORE);
 }
-END_TEST
 
 /* s^n squared, where the remainder begins with degree 2n + 1 and the factor is h/(n+1) */
-START_TEST(T4_tails_meet_tails)
+RANGE(T4_tails_meet_tails, 1, 4)
 {
     const slong n = _i;
     const struct known_case c = {.a = X, .b = X, .order = n, .h = SHORT, .start = {[U] = n == 1, [V] = n == 2, [W] = n == 3}};
     assert_rest_of(&c, 2);
 }
-END_TEST
 
 /* Q s^n/n!, whose remainder is exact: nothing beyond degree n */
-START_TEST(T5_a_tail_has_its_term_of_degree_n)
+RANGE(T5_a_tail_has_its_term_of_degree_n, 1, 4)
 {
     const slong n = _i;
     const struct known_case c = {.a = Q, .b = X, .order = n, .h = SHORT,
                                  .start = {[Q] = 3, [U] = n == 1, [V] = n == 2, [W] = n == 3}};
     assert_rest_of(&c, 1 + 0x1p-20);
 }
-END_TEST
 
 /* Q s^(n+1)/(n+1)!: the tail is a remainder itself */
-START_TEST(T6_a_tail_has_its_rest)
+RANGE(T6_a_tail_has_its_rest, 1, 3)
 {
     const slong n = _i;
     const struct known_case c = {.a = Q, .b = X, .order = n, .h = SHORT, .start = {[Q] = 3, [V] = n == 1, [W] = n == 2}};
     assert_rest_of(&c, 3.1); /* the image of a remainder that was doubled to be proved */
 }
-END_TEST
 
 /* da b with da and b both growing, and a db: one of them alone each time */
-START_TEST(T8_a_column_has_the_change_of_the_first_factor)
+RANGE(T8_a_column_has_the_change_of_the_first_factor, FIRST_ORDER, LAST_ORDER + 1)
 {
     const struct known_case c = {.a = X, .b = Y, .order = _i, .h = SHORT, .of_column = true,
                                  .start = {[X] = 5, [U] = 7, [Y] = 1}, .column = {[X] = 1, [U] = 1, [V] = 1, [W] = 1}};
     assert_rest_of(&c, A_LITTLE_MORE);
 }
-END_TEST
 
-START_TEST(T8_a_column_has_the_change_of_the_second_factor)
+RANGE(T8_a_column_has_the_change_of_the_second_factor, FIRST_ORDER, LAST_ORDER + 1)
 {
     const struct known_case c = {.a = X, .b = Y, .order = _i, .h = SHORT, .of_column = true,
                                  .start = {[X] = 1, [U] = 1, [V] = 1, [W] = 1, [Y] = 9}, .column = {[Y] = 1}};
     assert_rest_of(&c, A_LITTLE_MORE);
 }
-END_TEST
 
 /* Tails alone: the product of s^n and s^n, one of which is the column's */
-START_TEST(T8_a_column_has_the_products_of_tails)
+RANGE(T8_a_column_has_the_products_of_tails, 1, 4)
 {
     const slong n = _i;
     const struct known_case c = {.a = X, .b = X, .order = n, .h = SHORT, .of_column = true,
@@ -285,10 +277,9 @@ START_TEST(T8_a_column_has_the_products_of_tails)
                                  .column = {[U] = n == 1, [V] = n == 2, [W] = n == 3}};
     assert_rest_of(&c, 2);
 }
-END_TEST
 
 /* The remainder of X alone: u_n h^(n+1)/(n+1), where the bound is exact but for roundings, and they go up. */
-START_TEST(T7_T12_a_rest_is_h_over_n_plus_1_times_a_tail_rounded_up)
+TEST(T7_T12_a_rest_is_h_over_n_plus_1_times_a_tail_rounded_up)
 {
     enum { CASES = 300 };
     struct term system[JET_TERMS];
@@ -335,10 +326,9 @@ START_TEST(T7_T12_a_rest_is_h_over_n_plus_1_times_a_tail_rounded_up)
     fmpq_clear(one);
     flint_cleanup();
 }
-END_TEST
 
 /* Three exponentials from 1, 2 and 3 under weights 1/2, 1/4 and 4: as one of 13. And one from the ball 0 +- 13. */
-START_TEST(T9_T10_a_majorant_has_every_column_and_its_radius)
+RANGE(T9_T10_a_majorant_has_every_column_and_its_radius, FIRST_ORDER, LAST_ORDER + 1)
 {
     static const double factor[] = {1, 2, 3}, weight[] = {0.5, 0.25, 4};
     const slong n = _i;
@@ -398,7 +388,6 @@ START_TEST(T9_T10_a_majorant_has_every_column_and_its_radius)
     mag_clear(h);
     flint_cleanup();
 }
-END_TEST
 
 /*
  * v' = v^2 from 1 is 1/(1 - s): what is proved lies within the circle of convergence, and bounds h^(n+1)/(1 - h); what
@@ -443,12 +432,11 @@ static void assert_proved_within_the_circle(int v, slong n)
     flint_cleanup();
 }
 
-START_TEST(T11_nothing_is_proved_that_does_not_converge)
+RANGE(T11_nothing_is_proved_that_does_not_converge, FIRST_ORDER, 2 * LAST_ORDER)
 {
     for (int v = 0; v < JET_STATES; v++)
         assert_proved_within_the_circle(v, _i);
 }
-END_TEST
 
 /* ---- the closed loop in fractions ---- */
 
@@ -594,7 +582,7 @@ static void jet_of_exact(struct jet *jet, const struct exact_motion *e, slong or
 }
 
 /* In 32 bits, in falling precision, and where copies of 128 bits take over, the balls hold the fractions. */
-START_TEST(T13_coefficients_in_balls_hold_the_exact_ones)
+EACH(T13_coefficients_in_balls_hold_the_exact_ones, CLOSED_LOOPS)
 {
     static const struct {
         slong prec;
@@ -626,13 +614,12 @@ START_TEST(T13_coefficients_in_balls_hold_the_exact_ones)
     fmpq_clear(c);
     flint_cleanup();
 }
-END_TEST
 
 /*
  * Ten bits, and a direction in which the radius stays a fraction: x grows by x, u by (1, 2, 3). What the coefficients
  * change by, over 2^-200, is the derivative to some 2^-190.
  */
-START_TEST(T13_columns_in_balls_hold_the_exact_derivatives)
+EACH(T13_columns_in_balls_hold_the_exact_derivatives, CLOSED_LOOPS)
 {
     enum { SHIFT = 200, TERMS = 6, BITS = 10 };
     struct exact_motion e, moved;
@@ -691,10 +678,9 @@ START_TEST(T13_columns_in_balls_hold_the_exact_derivatives)
     arb_clear(truth);
     flint_cleanup();
 }
-END_TEST
 
 /* Orders 2 to 6, and steps that grow until none is proved any more: what is proved holds the six degrees beyond. */
-START_TEST(T11_rests_of_the_closed_loop_hold_up_to_the_longest_step)
+EACH(T11_rests_of_the_closed_loop_hold_up_to_the_longest_step, 5 * CLOSED_LOOPS)
 {
     enum { BEYOND = 7 };
     const slong n = 2 + _i % 5;
@@ -758,10 +744,9 @@ START_TEST(T11_rests_of_the_closed_loop_hold_up_to_the_longest_step)
     mag_clear(one);
     flint_cleanup();
 }
-END_TEST
 
 /* Pythagorean points make every quantity rational: the table's rates against (3), (7), (13), (18) in fractions. */
-START_TEST(the_quadratic_system_is_the_closed_loop)
+EACH(the_quadratic_system_is_the_closed_loop, POINTS)
 {
     fmpq *state = _fmpq_vec_init(JET_STATES), *rate = _fmpq_vec_init(JET_STATES), *x = state, *u = state + 3;
     fmpq_t c1, c2, r, r_dot, p, expected;
@@ -815,13 +800,12 @@ START_TEST(the_quadratic_system_is_the_closed_loop)
     fmpq_clear(p);
     fmpq_clear(expected);
 }
-END_TEST
 
 /*
  * m1 = 5, m2 = 3 and L_ref = 8 make r_ref = 3, Omega = 2^-14: the sheet's (3) under its (7) + (18) holds the table's rates,
  * and ref/, in some roundings of the largest part, is that too.
  */
-START_TEST(eq03_closed_by_eq07_eq18_is_one_in_sheet_ref_and_flow)
+EACH(eq03_closed_by_eq07_eq18_is_one_in_sheet_ref_and_flow, CLOSED_LOOPS)
 {
     static const double tidal[] = {3, 0, -1}, Omega = 0x1p-14, k_c = 8.99e9;
     struct exact_motion e;
@@ -885,7 +869,6 @@ START_TEST(eq03_closed_by_eq07_eq18_is_one_in_sheet_ref_and_flow)
     exact_motion_clear(&e);
     flint_cleanup();
 }
-END_TEST
 
 static void jet_at(struct jet *jet, slong order, slong prec)
 {
@@ -922,7 +905,7 @@ static void assert_rest(const struct majorant *m, const struct jet *longer, doub
 }
 
 /* Orders 2 to 6 and 12, a jet and a column of it; the shorter the series, the more its bound has in hand. */
-START_TEST(a_proved_remainder_bounds_the_series_beyond)
+RANGE(a_proved_remainder_bounds_the_series_beyond, 2, 8)
 {
     const slong n = _i == 7 ? 12 : _i;
     const double at_most = n == 12 ? 10 : 50;
@@ -964,10 +947,9 @@ START_TEST(a_proved_remainder_bounds_the_series_beyond)
     jet_clear(&longer_column);
     flint_cleanup();
 }
-END_TEST
 
 /* d(ab) = da b + a db: where da is a and db is b, twice the products of a and b stand beyond degree n. */
-START_TEST(a_column_bounds_both_halves_of_a_product)
+TEST(a_column_bounds_both_halves_of_a_product)
 {
     struct jet jet;
     struct majorant of_jet, of_column;
@@ -991,10 +973,9 @@ START_TEST(a_column_bounds_both_halves_of_a_product)
     jet_clear(&jet);
     flint_cleanup();
 }
-END_TEST
 
 /* The column along the motion itself is the jet's derivative: of x(s + e), coefficient k is (k + 1) x_{k+1}. */
-START_TEST(a_column_along_the_motion_is_its_derivative)
+TEST(a_column_along_the_motion_is_its_derivative)
 {
     struct jet jet, column;
     arb_t expected;
@@ -1015,10 +996,9 @@ START_TEST(a_column_along_the_motion_is_its_derivative)
     jet_clear(&jet);
     flint_cleanup();
 }
-END_TEST
 
 /* Falling precision and two-limb copies give the same series, as sharp as the fall says. */
-START_TEST(coefficients_may_be_computed_to_falling_precision)
+TEST(coefficients_may_be_computed_to_falling_precision)
 {
     struct jet full, falling;
     jet_at(&full, 60, PREC);
@@ -1032,35 +1012,4 @@ START_TEST(coefficients_may_be_computed_to_falling_precision)
     jet_clear(&full);
     jet_clear(&falling);
     flint_cleanup();
-}
-END_TEST
-
-SUITE(test_taylor)
-{
-    Suite *all = suite_create("taylor");
-    TCase *tests = add_case(all, "error terms");
-    tcase_add_loop_test(tests, T1_products_of_known_terms_reach_beyond_their_degree, 2, LAST_ORDER + 1);
-    tcase_add_loop_test(tests, T2_known_terms_meet_the_tail_of_the_second_factor, FIRST_ORDER, LAST_ORDER + 1);
-    tcase_add_loop_test(tests, T3_known_terms_meet_the_tail_of_the_first_factor, FIRST_ORDER, LAST_ORDER + 1);
-    tcase_add_loop_test(tests, T4_tails_meet_tails, 1, 4);
-    tcase_add_loop_test(tests, T5_a_tail_has_its_term_of_degree_n, 1, 4);
-    tcase_add_loop_test(tests, T6_a_tail_has_its_rest, 1, 3);
-    tcase_add_test(tests, T7_T12_a_rest_is_h_over_n_plus_1_times_a_tail_rounded_up);
-    tcase_add_loop_test(tests, T8_a_column_has_the_change_of_the_first_factor, FIRST_ORDER, LAST_ORDER + 1);
-    tcase_add_loop_test(tests, T8_a_column_has_the_change_of_the_second_factor, FIRST_ORDER, LAST_ORDER + 1);
-    tcase_add_loop_test(tests, T8_a_column_has_the_products_of_tails, 1, 4);
-    tcase_add_loop_test(tests, T9_T10_a_majorant_has_every_column_and_its_radius, FIRST_ORDER, LAST_ORDER + 1);
-    tcase_add_loop_test(tests, T11_nothing_is_proved_that_does_not_converge, FIRST_ORDER, 2 * LAST_ORDER);
-
-    tests = add_case(all, "closed loop");
-    tcase_add_loop_test(tests, the_quadratic_system_is_the_closed_loop, 0, POINTS);
-    tcase_add_loop_test(tests, eq03_closed_by_eq07_eq18_is_one_in_sheet_ref_and_flow, 0, CLOSED_LOOPS);
-    tcase_add_loop_test(tests, T13_coefficients_in_balls_hold_the_exact_ones, 0, CLOSED_LOOPS);
-    tcase_add_loop_test(tests, T13_columns_in_balls_hold_the_exact_derivatives, 0, CLOSED_LOOPS);
-    tcase_add_loop_test(tests, T11_rests_of_the_closed_loop_hold_up_to_the_longest_step, 0, 5 * CLOSED_LOOPS);
-    tcase_add_loop_test(tests, a_proved_remainder_bounds_the_series_beyond, 2, 8);
-    tcase_add_test(tests, a_column_bounds_both_halves_of_a_product);
-    tcase_add_test(tests, a_column_along_the_motion_is_its_derivative);
-    tcase_add_test(tests, coefficients_may_be_computed_to_falling_precision);
-    return all;
 }
