@@ -11,14 +11,6 @@
 
 enum { MOST_FLAT_INPUTS = 32 };
 
-TCase *add_case(Suite *all, const char *name)
-{
-    TCase *tests = tcase_create(name);
-    tcase_set_timeout(tests, 60);
-    suite_add_tcase(all, tests);
-    return tests;
-}
-
 static bool outside(char domain, double x)
 {
     if (isnan(x) || isinf(x))
@@ -47,14 +39,6 @@ void assert_rejects_outside(flat_function *f, const char *domain, const double i
         }
         x[i] = inside[i];
     }
-}
-
-static struct named_suite *suites;
-
-void suite_add(struct named_suite *s)
-{
-    s->next = suites;
-    suites = s;
 }
 
 /* By file and line, in whichever order they come: constructors have none. */
@@ -141,15 +125,6 @@ int main(int count, char **names)
             continue;
         srunner_add_suite(runner, suite_of(m, next_file(m)));
         found++;
-    }
-    for (const struct named_suite *s = suites; s != NULL; s = s->next) {
-        bool asked = count <= 1;
-        for (int i = 1; i < count; i++)
-            asked = asked || strcmp(names[i], s->name) == 0;
-        if (asked) {
-            srunner_add_suite(runner, s->make());
-            found++;
-        }
     }
     if (found < count - 1) {
         fprintf(stderr, "%s: not all of these suites are here; there are:", names[0]);

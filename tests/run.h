@@ -48,26 +48,6 @@ void test_mark_add(struct test_mark *m);
         test_mark_add(&m); \
     }
 
-/* Until all files say it as above: SUITE(test_flow) { ... } makes the suite. */
-struct named_suite {
-    const char *name;
-    Suite *(*make)(void);
-    struct named_suite *next;
-};
-void suite_add(struct named_suite *s);
-
-#define SUITE(file) \
-    static Suite *file(void); \
-    __attribute__((constructor)) static void file##_add(void) \
-    { \
-        static struct named_suite s = {#file, file, NULL}; \
-        suite_add(&s); \
-    } \
-    static Suite *file(void)
-
-/* A case of tests that take seconds under valgrind, on a busy machine. */
-TCase *add_case(Suite *all, const char *name);
-
 /* Within so many roundings (2^-53, relative) of an expected value that is not zero. NaN fails. */
 #define assert_close(actual, expected, roundings) \
     ck_assert_double_eq_tol(actual, expected, (roundings) * 0x1p-53 * fabs((double)(expected)))
