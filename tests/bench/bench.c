@@ -5,6 +5,8 @@
  *     bench unproved DIGITS DAYS  the same without proofs
  *     bench square PREC DAYS      seconds of the pair in the inverse-square field, certified
  *     bench picard PREC DAYS      the same by Picard's iteration, not certified
+ *     bench set CM PERCENT MOTIONS  seconds of the paper's start +- CM and C1 +- PERCENT over 3 days, and its bounds' widths over
+ *                                 those that so many motions fill, the largest
  *     bench scalar DIGITS COUNT   seconds for one certified eq07
  *     bench roots DIGITS COUNT    seconds for one certified set of roots of (41), n = 10
  */
@@ -18,6 +20,7 @@
 #include "motion/flow.h"
 #include "motion/motion.h"
 #include "motion/two_body.h"
+#include "evaluate/sample.h"
 #include "evaluate/operation.h"
 #include "proof/roots.h"
 #include "text/scope.h"
@@ -270,6 +273,84 @@ static void bench_inverse_square(bool certified, long prec, double days)
     two_body_clear(&b);
 }
 
+/* ---- sets of motions ---- */
+
+/* Bounds of the last row, and what motions from the box fill of it */
+struct filled {
+    double low[FLOW_STATE], high[FLOW_STATE];
+};
+
+static int keep_set(void *context, slong k, const fmpq_t t, char *const *numbers)
+{
+    struct filled *f = context;
+    (void)k;
+    (void)t;
+    for (int v = 0; v < FLOW_STATE; v++) {
+        f->low[v] = strtod(numbers[2 * v], NULL);
+        f->high[v] = strtod(numbers[2 * v + 1], NULL);
+    }
+    return 0;
+}
+
+/* The paper's start +- cm and a ten-thousandth of it a second, C1 +- percent: seconds, and the widest bound over what is filled. */
+static void bench_set(double cm, double percent, long motions)
+{
+    static const double start[] = {5.05, 0.0505, -0.0505, 0, 0, 0};
+    struct scenario s;
+    struct message why;
+    struct filled bounds, filled;
+    double factor = 0, reached;
+    fmpq *t = _fmpq_vec_init(1);
+    arb_ptr state = _arb_vec_init(FLOW_STATE);
+    fmpq_set_si(t, 259200, 1);
+    scenario_init(&s, sheet(), true);
+    for (int v = 0; v < FLOW_STATE; v++) {
+        s.given[SET_x1 + v] = true;
+        fmpq_set_double(&s.value[SET_x1 + v].value, start[v]);
+        fmpq_set_double(s.radius + SET_x1 + v, cm * (v < 3 ? 1e-2 : 1e-6));
+        filled.low[v] = HUGE_VAL;
+        filled.high[v] = -HUGE_VAL;
+    }
+    const double C1 = 10 * 7.2915e-5 * 7.2915e-5;
+    if (percent > 0) {
+        s.given[SET_C1] = true;
+        fmpq_set_double(&s.value[SET_C1].value, C1);
+        fmpq_set_double(s.radius + SET_C1, C1 * percent / 100);
+    }
+    const double begin = seconds();
+    const int failed = motion_set_rows(&s, 17, 256, t, 1, keep_set, &bounds, &why);
+    const double taken = seconds() - begin;
+    for (long k = 0; k < motions && !failed; k++) {
+        struct flow_parameters p;
+        flow_parameters_init(&p);
+        scenario_parameters(&p, &s, 128);
+        for (int v = 0; v <= FLOW_STATE; v++) { /* the corners, then anywhere */
+            const double share = k < 128 ? (double)((k >> v) & 1) * 2 - 1 : 2 * fmod((double)(7 * k + v) * 0.6180339887498949, 1) - 1;
+            if (v < FLOW_STATE)
+                arb_set_d(state + v, start[v] + share * cm * (v < 3 ? 1e-2 : 1e-6));
+            else if (percent > 0)
+                arb_set_d(p.C1, C1 * (1 + share * percent / 100));
+        }
+        if (flow_nonlinear(&p, state, t, 1, 8, 80, keep, state, &reached) != FLOW_DONE)
+            factor = NAN;
+        for (int v = 0; v < FLOW_STATE; v++) {
+            const double x = arf_get_d(arb_midref(state + v), ARF_RND_NEAR);
+            filled.low[v] = fmin(filled.low[v], x);
+            filled.high[v] = fmax(filled.high[v], x);
+        }
+        flow_parameters_clear(&p);
+    }
+    for (int v = 0; v < FLOW_STATE && motions > 0; v++)
+        factor = fmax(factor, (bounds.high[v] - bounds.low[v]) / (filled.high[v] - filled.low[v]));
+    if (failed)
+        fprintf(stderr, "bench: %s\n", why.text);
+    else
+        printf("%.9f %.3f\n", taken, factor);
+    _fmpq_vec_clear(t, 1);
+    _arb_vec_clear(state, FLOW_STATE);
+    scenario_clear(&s);
+}
+
 /* ---- a formula, and the roots ---- */
 
 /* From binary64 inputs to an enclosure of so many digits. */
@@ -339,6 +420,8 @@ int main(int count, char **arguments)
                    strtod(arguments[3], NULL));
     } else if (strcmp(what, "square") == 0 || strcmp(what, "picard") == 0) {
         bench_inverse_square(*what == 's', strtol(arguments[2], NULL, 10), strtod(arguments[3], NULL));
+    } else if (count == 5 && strcmp(arguments[1], "set") == 0) {
+        bench_set(strtod(arguments[2], NULL), strtod(arguments[3], NULL), strtol(arguments[4], NULL, 10));
     } else if (strcmp(what, "scalar") == 0) {
         bench_scalar(strtol(arguments[2], NULL, 10), strtol(arguments[3], NULL, 10));
     } else if (strcmp(what, "roots") == 0) {

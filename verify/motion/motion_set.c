@@ -162,6 +162,18 @@ bool set_valid(const struct scenario *s, struct message *why)
     return apart;
 }
 
+/* Whether the box is so wide, against the distance, that one degree more is worth its cost */
+static bool is_wide(const struct scenario *s)
+{
+    static const enum scenario_name places[] = {SET_x1, SET_y1, SET_z1, SET_dL};
+    double most = fmax(fmpq_get_d(s->radius + SET_psi), fmpq_get_d(s->radius + SET_theta));
+    if (fmpq_sgn(s->radius + SET_C1) > 0)
+        most = fmax(most, fmpq_get_d(s->radius + SET_C1) / fabs(fmpq_get_d(&s->value[SET_C1].value)));
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+        most = fmax(most, fmpq_get_d(s->radius + places[i]) / fmpq_get_d(&s->value[SET_L_ref].value));
+    return most > 0.0015;
+}
+
 int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, const fmpq *times, slong count, row_receiver *receive,
                     void *context, struct message *why)
 {
@@ -172,7 +184,8 @@ int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, con
     struct flow_set set;
     slong proved;
     double reached;
-    flow_set_init(&set, unknowns, unknowns <= FEW ? DEGREE : unknowns == FEW + 1 ? DEGREE - 1 : DEGREE - 3);
+    const int degree = unknowns <= FEW + 1 ? DEGREE : unknowns == FEW + 2 ? DEGREE - 1 : DEGREE - 3;
+    flow_set_init(&set, unknowns, degree + (unknowns <= FEW + 1 && is_wide(s)));
     set.most_pieces = most_pieces;
     models_of(&set, s);
     const enum flow_status status = flow_set(&set, times, count, rows, &proved, &reached);
