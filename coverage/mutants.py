@@ -172,8 +172,8 @@ class Place:
                    for f in files)
         return [str(self.build / 'made' / f'{pathlib.Path(f).stem}.{into}') for f in files] if fine else None
 
-    def make(self, mutant, whole):
-        """Whether the mutant could be built; what is in one piece, where a check wants it."""
+    def make(self, mutant):
+        """Whether the mutant could be built."""
         self.write(mutant)
         made = self.build / 'made'
         if mutant.file in SHEETS:  # the build stops where sheet-check does
@@ -192,17 +192,7 @@ class Place:
             'libembedded.so' if mutant.file == 'verify/sheet/embedded.c' else 'libverify.so'
         others = {'libcoulombtether.so': objects(self.base / 'ref', stems), 'libembedded.so': [],
                   'libverify.so': objects(self.base / 'verify', stems | NOT_IN_LIBRARY)}[library]
-        return self.compiler('-shared', *changed, *others, '-o', str(made / library)) and \
-            (mutant.file.startswith('ref/') or not whole or self.whole(stems, changed))
-
-    def whole(self, stems, changed):
-        """What is in one piece: the program that wrong sheets are written into, and the test in which proofs are made to fail."""
-        fine = True
-        for name, others, left_out, flags in in_one_piece(self.base):
-            (self.build / name).unlink()
-            fine = fine and self.compiler(*changed, *others, *objects(self.base / 'ref', stems),
-                                          *objects(self.base / 'verify', stems | left_out), '-o', str(self.build / name), *flags, *LIBS)
-        return fine
+        return self.compiler('-shared', *changed, *others, '-o', str(made / library))
 
     def same_code(self, mutant):
         """Whether the compiler makes the same of the mutant: then nothing can tell them apart."""
@@ -242,11 +232,6 @@ APART = {'test_ref_gsl'}  # has functions in the place of GSL's
 NOT_IN_LIBRARY = {'main', 'sheet_check', 'embedded'}
 
 
-def in_one_piece(base):
-    """(name, objects besides, what is left out of verify/, flags)"""
-    return (('whole', [], {'sheet_check'}, []),)
-
-
 def link_all(base):
     """Everything that make has compiled, linked to shared libraries, so that a mutant is one library."""
     newest = max(file.stat().st_mtime for folder in ('ref', 'verify', 'tests') for file in (base / folder).glob('**/*.o'))
@@ -273,11 +258,9 @@ def link_all(base):
     (linked / 'tests').mkdir(exist_ok=True)
     for name, parts in programs.items():
         compiler(*(str(base / part) for part in parts), '-o', str(linked / name), f'-L{linked}', *LINKED)
-    for name, others, left_out, more in in_one_piece(base):
-        compiler(*others, *objects(base / 'ref'), *objects(base / 'verify', left_out), '-o', str(linked / name), *more, *LIBS)
     # The gate wants the names of the tests that passed; the suites are checks of their own.
     names = [name for file in sorted((ROOT / 'tests').glob('*/test_*.c'))
-             for name in re.findall(r'^(?:START_TEST|TEST|EACH|RANGE)\((\w+)[,)]', file.read_text(), re.M)]
+             for name in re.findall(r'^(?:TEST|EACH|RANGE)\((\w+)[,)]', file.read_text(), re.M)]
     (linked / 'tests/all.tap').write_text(''.join(f'ok - all:all:{name}: Passed\n' for name in names))
     with open(linked / 'errors.json', 'wb') as file:
         subprocess.run([linked / 'coulomb-tether', 'verify', 'errors', '--json'], stdout=file, check=True,
@@ -304,7 +287,7 @@ def available_checks():
               'oracle scalar': ([program, 'conform', '--only', SCALAR, '--', 'build/client'], None),
               'gate': (['sh', '-c', 'rm -f build/derivations.json && build/coulomb-tether verify derivations --json '
                                     '>build/derivations.json && tests/project/gate.sh'], None),
-              'wrong': (['sh', '-c', 'CT_PROGRAM=$CT_BUILD/whole tests/command/test_wrong.sh'], None),
+              'wrong': (['tests/command/test_wrong.sh'], None),
               'package': (['sh', '-c', 'find data -name "*.csv" | LC_ALL=C sort | xargs sha256sum | build/coulomb-tether datapackage'],
                           data('datapackage.json')),
               'errors': ([program, 'verify', 'errors'], None),
@@ -410,7 +393,7 @@ def verdict_on(place, mutant, checks, stage):
     if stage == 'clean':  # the sanitizers multiply what they look at
         first = [name for name in first if SLOW.get(name, 0) < MOST_SANITIZED]
     try:
-        if not place.make(mutant, stage == 'survived' or {'wrong', 'evidence', 'evidence all'} & set(first)):
+        if not place.make(mutant):
             return ('killed', 'sheet-check') if mutant.file in SHEETS else ('not viable', 'compiler')
         reached = re.compile(REACHED.get(part_of(mutant.file), ''))
         others = [n for n in checks.names if n not in first and reached.match(n)]
