@@ -11,7 +11,7 @@
 #include "sheet/input.h"
 #include "text/scope.h"
 
-enum { DAY = 86400, HOUR = 3600, BITS = 128 };
+enum { DAY = 86400, HOUR = 3600, MEASURE_BITS = 128 };
 
 /* What a name asks for. */
 struct request {
@@ -65,10 +65,10 @@ static bool extreme(arb_t x, const struct request *r)
     for (slong k = r->from; k <= r->to; k++) {
         trajectory_value(value, r->of, k, r->which);
         if (r->which == PLACE_X)
-            arb_sub_ui(value, value, 1, BITS);
+            arb_sub_ui(value, value, 1, MEASURE_BITS);
         if (k == r->from)
             arb_set(x, value);
-        (r->high ? arb_max : arb_min)(x, x, value, BITS);
+        (r->high ? arb_max : arb_min)(x, x, value, MEASURE_BITS);
     }
     return true;
 }
@@ -102,7 +102,7 @@ static bool exit_of(arb_t hours, const struct request *r)
     int part = 0;
     VECTOR(arb, limits, PARTS);
     for (int i = 0; i < PARTS; i++) {
-        arb_div_ui(limits + i, trajectory_sample(r->of, 0) + r->which, parts[i], BITS);
+        arb_div_ui(limits + i, trajectory_sample(r->of, 0) + r->which, parts[i], MEASURE_BITS);
         part = parts[i] == (ulong)r->numbers[0] ? i : part;
     }
     if (e->which != r->which)
@@ -118,7 +118,7 @@ static bool settled(arb_t hours, const struct request *r)
     struct bounds after;
     SCOPE(arb, limit);
     bounds_init(&after);
-    arb_div_si(limit, trajectory_sample(r->of, 0) + r->which, r->numbers[0], BITS);
+    arb_div_si(limit, trajectory_sample(r->of, 0) + r->which, r->numbers[0], MEASURE_BITS);
     const bool bounded = trajectory_bounds(&after, r->of, r->of->count - 1) && arb_lt(after.of[r->which], limit);
     bounds_clear(&after);
     return exit_of(hours, r) && bounded;
@@ -142,7 +142,7 @@ static bool gap_between(arb_t x, const struct request *r)
     for (int i = 0; i < 2; i++) {
         bounded = trajectory_bounds(&b, both[i], 0) && bounded;
         bound_between_samples(excess, both[i], &b, r->which);
-        arb_add(x, x, excess, BITS);
+        arb_add(x, x, excess, MEASURE_BITS);
     }
     bounds_clear(&b);
     return bounded;
@@ -158,8 +158,8 @@ static bool part(arb_t x, const struct request *r)
     for (slong k = r->from; k <= r->to && bounded; k++) {
         bounded = trajectory_bounds(&left, r->beside, k);
         trajectory_gap(y, r->of, r->beside, r->which, k, k);
-        arb_div(y, y, left.of[r->which], BITS);
-        arb_max(x, x, y, BITS);
+        arb_div(y, y, left.of[r->which], MEASURE_BITS);
+        arb_max(x, x, y, MEASURE_BITS);
     }
     bounds_clear(&left);
     return bounded;
@@ -175,13 +175,13 @@ static bool parted(arb_t hours, const struct request *r)
         here.from = here.to = k;
         arb_zero(x);
         bounded = part(x, &here);
-        arb_mul_ui(x, x, 10, BITS);
-        arb_sub_ui(x, x, 1, BITS);
+        arb_mul_ui(x, x, 10, MEASURE_BITS);
+        arb_sub_ui(x, x, 1, MEASURE_BITS);
         found = arb_is_positive(x);
         bounded = bounded && (found || arb_is_nonpositive(x));
         arb_set_si(hours, k * r->of->step);
     }
-    arb_div_ui(hours, hours, HOUR, BITS);
+    arb_div_ui(hours, hours, HOUR, MEASURE_BITS);
     return bounded && found;
 }
 
@@ -272,7 +272,7 @@ void run_simulation(struct computed *c)
 /* ---- the methods of order 1 to 4, in the linear model ---- */
 
 /* Of (40), in radians of orbit and units of L_ref. */
-static void linear_rates(arb_ptr rate, arb_srcptr s, const struct trajectory *t)
+static void rates_by_40(arb_ptr rate, arb_srcptr s, const struct trajectory *t)
 {
     VECTOR(arb, in, 9); /* Omega L_ref C1 C2 psi theta dL dL_dot psi_dot */
     arb_one(in);
@@ -298,7 +298,7 @@ static void method_step(arb_ptr state, const arb_t h, int order, const struct tr
     SCOPE(arb, part_of_h);
     _arb_vec_set(sum, state, FLOW_STATE);
     for (int k = order; k > 0; k--) {
-        linear_rates(rate, sum, t);
+        rates_by_40(rate, sum, t);
         arb_div_ui(part_of_h, h, (ulong)k, t->prec);
         _arb_vec_set(sum, state, FLOW_STATE);
         _arb_vec_scalar_addmul(sum, rate, FLOW_STATE, part_of_h, t->prec);

@@ -55,25 +55,25 @@ static void forced_response(struct computed *c)
     }
 }
 
-#define ANGLES(before, after) " " before "psi" after " " before "theta" after " " before "dL" after
-#define TETHER ANGLES("p_", "") ANGLES("p_", "_dot")
-#define STEPS "worst_of_all" ANGLES("p_", "_1") ANGLES("p_", "_2") ANGLES("p_", "_3")
-#define ORBIT ANGLES("d_", "_0") " d_x1_0 d_y1_0 d_z1_0"
+#define STUDY_ANGLES(before, after) " " before "psi" after " " before "theta" after " " before "dL" after
+#define STUDY_TETHER STUDY_ANGLES("p_", "") STUDY_ANGLES("p_", "_dot")
+#define STEPS "worst_of_all" STUDY_ANGLES("p_", "_1") STUDY_ANGLES("p_", "_2") STUDY_ANGLES("p_", "_3")
+#define ORBIT STUDY_ANGLES("d_", "_0") " d_x1_0 d_y1_0 d_z1_0"
 
 const struct computation computations_studies[] = {
-    {"linear_43200s", run_study, "worst" TETHER, NULL},
-    {"linear_172800s", run_study, "worst" TETHER, NULL},
-    {"linear_pitch_172800s", run_study, "worst" TETHER, NULL},
-    {"rk4_nonlinear_24000s", run_study, "worst" TETHER, NULL},
+    {"linear_43200s", run_study, "worst" STUDY_TETHER, NULL},
+    {"linear_172800s", run_study, "worst" STUDY_TETHER, NULL},
+    {"linear_pitch_172800s", run_study, "worst" STUDY_TETHER, NULL},
+    {"rk4_nonlinear_24000s", run_study, "worst" STUDY_TETHER, NULL},
     {"hill_43200s", run_study, "worst", NULL},
     {"hill_unequal_43200s", run_study, "worst", NULL},
-    {"forced_43200s", run_study, "worst" TETHER, NULL},
+    {"forced_43200s", run_study, "worst" STUDY_TETHER, NULL},
     {"slow_law", run_study, "worst p_amplitude p_phase c_amplitude c_phase", NULL},
     {"rk4_linear_day", run_study, STEPS, NULL},
     {"rk4_nonlinear_day", run_study, STEPS, NULL},
-    {"linear_day", run_study, "worst" ANGLES("p_", "") ANGLES("c_", "") " p_x1 p_y1 p_z1 c_x1 c_y1 c_z1", NULL},
-    {"forced_10", run_study, "worst" ANGLES("p_", "") ANGLES("d_", "_0"), NULL},
-    {"forced_12", run_study, "worst" ANGLES("p_", "") ANGLES("d_", "_0"), NULL},
+    {"linear_day", run_study, "worst" STUDY_ANGLES("p_", "") STUDY_ANGLES("c_", "") " p_x1 p_y1 p_z1 c_x1 c_y1 c_z1", NULL},
+    {"forced_10", run_study, "worst" STUDY_ANGLES("p_", "") STUDY_ANGLES("d_", "_0"), NULL},
+    {"forced_12", run_study, "worst" STUDY_ANGLES("p_", "") STUDY_ANGLES("d_", "_0"), NULL},
     {"hill_in_orbit", run_study, ORBIT, NULL},
     {"hill_unequal_in_orbit", run_study, ORBIT, NULL},
     {"forced_response", forced_response,

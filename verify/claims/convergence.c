@@ -22,7 +22,7 @@ static void differences(arb_ptr d, const struct study *study, const struct traje
     }
 }
 
-static bool compare(arb_ptr d, const struct study *study, const struct simulation *one, const struct simulation *other)
+static bool compare_motions(arb_ptr d, const struct study *study, const struct simulation *one, const struct simulation *other)
 {
     const long first = study->every > 0 ? 0 : study->seconds, step = study->every > 0 ? study->every : 1;
     struct trajectory a, b;
@@ -47,7 +47,7 @@ static bool from_linear(arb_ptr d, const struct derivations *steps, const struct
     arb_div(start + ETA, start + ETA, L_ref, PREC);
     arb_set_fmpq(factor, scale, PREC);
     _arb_vec_scalar_mul(start, start, FLOW_STATE, factor, PREC);
-    return compare(d, study, &nonlinear, &linear);
+    return compare_motions(d, study, &nonlinear, &linear);
 }
 
 /* The classical Runge-Kutta method against the motion; the parameter is its step in s. */
@@ -55,7 +55,7 @@ static bool from_steps(arb_ptr d, const struct derivations *steps, const struct 
 {
     struct simulation exact = {.steps = steps, .nonlinear = study->nonlinear}, stepped = exact;
     stepped.rk4 = (long)fmpq_get_d(h);
-    return compare(d, study, &stepped, &exact);
+    return compare_motions(d, study, &stepped, &exact);
 }
 
 /* ---- the closed forms of second_order.h -------------------------------- */
@@ -153,35 +153,35 @@ static bool from_inverse_square(arb_ptr d, const struct derivations *steps, cons
 
 /* ---- the studies ------------------------------------------------------- */
 
-#define TETHER {PSI, THETA, ETA, PSI_DOT, THETA_DOT, ETA_DOT}, 6
-#define PAIR {PLACE_X, PLACE_Y, PLACE_Z, PSI, THETA, ETA}, 6
-#define ANGLES {PSI, THETA, ETA}, 3
-#define PITCH {AMPLITUDE, PHASE}, 2
+#define OF_TETHER {PSI, THETA, ETA, PSI_DOT, THETA_DOT, ETA_DOT}, 6
+#define OF_PAIR {PLACE_X, PLACE_Y, PLACE_Z, PSI, THETA, ETA}, 6
+#define OF_ANGLES {PSI, THETA, ETA}, 3
+#define OF_PITCH {AMPLITUDE, PHASE}, 2
 
 enum { DAY = 86400 };
 
 /* After half a day and two days; the Runge-Kutta method where no error is near one of its zeros. */
 const struct study studies[] = {
-    {"linear_43200s", TETHER, {2, 2, 2, 2, 2, 2}, 1, 1, 10, 5, from_linear, .seconds = DAY / 2},
-    {"linear_172800s", TETHER, {2, 2, 2, 2, 2, 2}, 1, 1, 10, 5, from_linear, .seconds = 2 * DAY},
-    {"linear_pitch_172800s", TETHER, {2, 3, 2, 2, 3, 2}, 1, 1, 10, 4, from_linear, .seconds = 2 * DAY, .pitch_alone = true},
-    {"rk4_linear_24000s", TETHER, {4, 4, 4, 4, 4, 4}, 320, 1, 2, 7, from_steps, .seconds = 24000},
-    {"rk4_nonlinear_24000s", TETHER, {4, 4, 4, 4, 4, 4}, 320, 1, 2, 7, from_steps, .seconds = 24000, .nonlinear = true},
-    {"hill_43200s", PAIR, {1, 1, 1, 2, 2, 2}, 1, 1000, 10, 3, from_inverse_square, .seconds = DAY / 2},
-    {"hill_unequal_43200s", PAIR, {1, 1, 1, 1, 1, 1}, 1, 1000, 10, 3, from_inverse_square, .seconds = DAY / 2,
+    {"linear_43200s", OF_TETHER, {2, 2, 2, 2, 2, 2}, 1, 1, 10, 5, from_linear, .seconds = DAY / 2},
+    {"linear_172800s", OF_TETHER, {2, 2, 2, 2, 2, 2}, 1, 1, 10, 5, from_linear, .seconds = 2 * DAY},
+    {"linear_pitch_172800s", OF_TETHER, {2, 3, 2, 2, 3, 2}, 1, 1, 10, 4, from_linear, .seconds = 2 * DAY, .pitch_alone = true},
+    {"rk4_linear_24000s", OF_TETHER, {4, 4, 4, 4, 4, 4}, 320, 1, 2, 7, from_steps, .seconds = 24000},
+    {"rk4_nonlinear_24000s", OF_TETHER, {4, 4, 4, 4, 4, 4}, 320, 1, 2, 7, from_steps, .seconds = 24000, .nonlinear = true},
+    {"hill_43200s", OF_PAIR, {1, 1, 1, 2, 2, 2}, 1, 1000, 10, 3, from_inverse_square, .seconds = DAY / 2},
+    {"hill_unequal_43200s", OF_PAIR, {1, 1, 1, 1, 1, 1}, 1, 1000, 10, 3, from_inverse_square, .seconds = DAY / 2,
      .m1 = "100", .m2 = "200"},
-    {"forced_43200s", TETHER, {4, 5, 4, 4, 5, 4}, 1, 10, 10, 4, from_forced, .seconds = DAY / 2},
-    {"slow_law", PITCH, {2, 2}, 1, 5, 2, 3, from_forced, .seconds = 0},
+    {"forced_43200s", OF_TETHER, {4, 5, 4, 4, 5, 4}, 1, 10, 10, 4, from_forced, .seconds = DAY / 2},
+    {"slow_law", OF_PITCH, {2, 2}, 1, 5, 2, 3, from_forced, .seconds = 0},
     /* of the claims: the largest errors of a day, small disturbances, three days, the sheet's orbit (L_ref = 10 m, R_c in m) */
-    {"rk4_linear_day", ANGLES, {4, 4, 4}, 400, 1, 2, 4, from_steps, .seconds = DAY, .every = 400, .of_claims = true},
-    {"rk4_nonlinear_day", ANGLES, {4, 4, 4}, 400, 1, 2, 4, from_steps, .seconds = DAY, .every = 400, .nonlinear = true, .of_claims = true},
+    {"rk4_linear_day", OF_ANGLES, {4, 4, 4}, 400, 1, 2, 4, from_steps, .seconds = DAY, .every = 400, .of_claims = true},
+    {"rk4_nonlinear_day", OF_ANGLES, {4, 4, 4}, 400, 1, 2, 4, from_steps, .seconds = DAY, .every = 400, .nonlinear = true, .of_claims = true},
     {"linear_day", {PSI, THETA, ETA, PLACE_X, PLACE_Y, PLACE_Z}, 6, {2, 2, 2, 2, 2, 2}, 1, 1000, 10, 2, from_linear, .seconds = DAY,
      .of_claims = true},
-    {"forced_10", ANGLES, {4, 5, 4}, 1, 100, 10, 3, from_forced, .seconds = 3 * DAY, .of_claims = true},
-    {"forced_12", ANGLES, {4, 5, 4}, 1, 100, 10, 3, from_forced, .seconds = 3 * DAY, .of_claims = true, .n = "12"},
-    {"hill_in_orbit", PAIR, {1, 1, 1, 2, 2, 2}, 10, 42164000, 10, 1, from_inverse_square, .seconds = DAY / 2,
+    {"forced_10", OF_ANGLES, {4, 5, 4}, 1, 100, 10, 3, from_forced, .seconds = 3 * DAY, .of_claims = true},
+    {"forced_12", OF_ANGLES, {4, 5, 4}, 1, 100, 10, 3, from_forced, .seconds = 3 * DAY, .of_claims = true, .n = "12"},
+    {"hill_in_orbit", OF_PAIR, {1, 1, 1, 2, 2, 2}, 10, 42164000, 10, 1, from_inverse_square, .seconds = DAY / 2,
      .of_claims = true},
-    {"hill_unequal_in_orbit", PAIR, {1, 1, 1, 1, 1, 1}, 10, 42164000, 10, 1, from_inverse_square, .seconds = DAY / 2,
+    {"hill_unequal_in_orbit", OF_PAIR, {1, 1, 1, 1, 1, 1}, 10, 42164000, 10, 1, from_inverse_square, .seconds = DAY / 2,
      .of_claims = true, .m1 = "100", .m2 = "200"},
     {.name = NULL}};
 

@@ -4,7 +4,7 @@
 
 /* ---- taking it apart ---- */
 
-static bool refuse(size_t at, size_t *where, struct message *why, const char *expected)
+static bool mark_error(size_t at, size_t *where, struct message *why, const char *expected)
 {
     *where = at;
     message_set(why, "%s", expected);
@@ -21,13 +21,13 @@ bool marked_read(const char *text, const struct marked_parts *parts, size_t *whe
         if (*at == '\0')
             break;
         if (*at == '}')
-            return refuse(offset, where, why, "expected '{' before '}'");
+            return mark_error(offset, where, why, "expected '{' before '}'");
         const bool number = *at == '{';
         if (number && parts->number == NULL)
-            return refuse(offset, where, why, "expected no number {...} here");
+            return mark_error(offset, where, why, "expected no number {...} here");
         const char *end = strpbrk(at + 1, number ? "{}" : "$");
         if (end == NULL || *end == '{' || end == at + 1)
-            return refuse(offset, where, why, number ? "expected {FORMULA | DIGITS}" : "expected $...$, closed");
+            return mark_error(offset, where, why, number ? "expected {FORMULA | DIGITS}" : "expected $...$, closed");
         (number ? parts->number : parts->mathematics)(parts->context, at + 1, (size_t)(end - at) - 1);
         at = end + 1;
     }

@@ -4,7 +4,7 @@
 #include "proof/proof_results.h"
 #include "text/scope.h"
 
-static arb_ptr value(const struct second_order *o, const char *name)
+static arb_ptr step_value(const struct second_order *o, const char *name)
 {
     return machine_value(&o->machine, program_find(o->machine.program, name));
 }
@@ -14,9 +14,9 @@ void second_order_init(struct second_order *o, const struct derivations *d, cons
     static const char *const units[] = {"Omega", "L_ref", "m1", "m2", "k_c"};
     machine_init(&o->machine, &step_named(d, "second_order")->corrected.program, &arithmetic_ball, prec);
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        arb_one(value(o, units[i]));
-    arb_set(value(o, "c1"), c1);
-    arb_set(value(o, "c2"), c2);
+        arb_one(step_value(o, units[i]));
+    arb_set(step_value(o, "c1"), c1);
+    arb_set(step_value(o, "c2"), c2);
     machine_run(&o->machine);
 }
 
@@ -27,17 +27,17 @@ void second_order_clear(struct second_order *o)
 
 arb_srcptr second_order_get(const struct second_order *o, const char *name)
 {
-    return value(o, name);
+    return step_value(o, name);
 }
 
 void second_order_at(arb_ptr sample, struct second_order *o, const arb_t z_re, const arb_t z_im)
 {
     static const char *const names[FLOW_STATE] = {"psi", "theta", "dL", "psi_dot", "theta_dot", "dL_dot"};
-    arb_set(value(o, "u"), z_re);
-    arb_set(value(o, "v"), z_im);
+    arb_set(step_value(o, "u"), z_re);
+    arb_set(step_value(o, "v"), z_im);
     machine_run(&o->machine);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_set(sample + i, value(o, names[i]));
+        arb_set(sample + i, step_value(o, names[i]));
 }
 
 void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_t a, const arb_t tau)

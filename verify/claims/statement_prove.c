@@ -6,11 +6,11 @@
 #include "formula/symbolic.h"
 #include "text/scope.h"
 
-enum { BITS = 128, MOST_BITS = 1024, DEEPEST = 16 };
+enum { PROVING_BITS = 128, MOST_PROVING_BITS = 1024, DEEPEST_BISECTION = 16 };
 
 static struct bindings bindings_of(struct statements *all, struct statement *s, const struct assertion *a)
 {
-    return (struct bindings){.all = all, .statement = s, .at = &a->at, .at_count = a->at.count, .bits = BITS};
+    return (struct bindings){.all = all, .statement = s, .at = &a->at, .at_count = a->at.count, .bits = PROVING_BITS};
 }
 
 /* ---- a formula of one unknown ---- */
@@ -80,7 +80,7 @@ static int curve_series(arb_ptr out, const arb_t x, void *param, slong order, sl
     return 0;
 }
 
-static int sign_of(const arb_t z)
+static int sign_of_ball(const arb_t z)
 {
     return arb_is_positive(z) ? 1 : arb_is_negative(z) ? -1 : 0;
 }
@@ -89,8 +89,8 @@ static int sign_of(const arb_t z)
 static bool sign_between(struct curve *c, const arb_t low, const arb_t high, int sign, int depth)
 {
     SCOPE(arb, x, middle);
-    arb_union(x, low, high, BITS);
-    bool certain = sign_of(curve_at(c, x)) == sign;
+    arb_union(x, low, high, PROVING_BITS);
+    bool certain = sign_of_ball(curve_at(c, x)) == sign;
     if (!certain && depth > 0) {
         arb_get_mid_arb(middle, x);
         certain = sign_between(c, low, middle, sign, depth - 1) && sign_between(c, middle, high, sign, depth - 1);
@@ -109,9 +109,9 @@ static slong isolate(arf_interval_t one, struct curve *c, const arb_t low, const
     int *flags = NULL;
     slong count = 0;
     arf_interval_init(block);
-    arb_get_lbound_arf(&block->a, low, BITS);
-    arb_get_ubound_arf(&block->b, high, BITS);
-    const slong found = arb_calc_isolate_roots(&blocks, &flags, curve_series, c, block, 2 * DEEPEST, EVALUATIONS, ROOTS, BITS);
+    arb_get_lbound_arf(&block->a, low, PROVING_BITS);
+    arb_get_ubound_arf(&block->b, high, PROVING_BITS);
+    const slong found = arb_calc_isolate_roots(&blocks, &flags, curve_series, c, block, 2 * DEEPEST_BISECTION, EVALUATIONS, ROOTS, PROVING_BITS);
     for (slong i = 0; i < found; i++) {
         count = count < 0 || flags[i] != 1 ? -1 : count + 1;
         arf_interval_set(one, blocks + i);
@@ -129,7 +129,7 @@ static void refine(arb_t z, struct curve *c, const arf_interval_t one, slong bit
     SCOPE(arb, a, b, x, step);
     arb_set_arf(a, &one->a);
     arb_set_arf(b, &one->b);
-    const int left = sign_of(curve_at(c, a));
+    const int left = sign_of_ball(curve_at(c, a));
     for (slong i = 0; i < bits; i++) {
         int sign = 0;
         arb_sub(step, b, a, 2 * bits);
@@ -137,7 +137,7 @@ static void refine(arb_t z, struct curve *c, const arf_interval_t one, slong bit
         for (int eighth = 4; eighth < 6 && sign == 0; eighth++) { /* the middle itself may be the root */
             arb_mul_si(x, step, eighth, 2 * bits);
             arb_add(x, a, x, 2 * bits);
-            sign = sign_of(curve_at(c, x));
+            sign = sign_of_ball(curve_at(c, x));
         }
         if (sign == 0)
             break;
@@ -214,11 +214,11 @@ static enum truth sign_at(const struct assertion *a, const struct bindings *at, 
     SCOPE(arb, z);
     if (formula_rational(q, &a->formula, &b))
         truth = by_sign(a->ordering, fmpq_sgn(q));
-    for (b.bits = BITS; truth == UNDECIDED && b.bits <= MOST_BITS; b.bits *= 2) {
+    for (b.bits = PROVING_BITS; truth == UNDECIDED && b.bits <= MOST_PROVING_BITS; b.bits *= 2) {
         enum how known;
         formula_enclose(z, &known, &a->formula, &b);
-        if (sign_of(z) != 0)
-            truth = by_sign(a->ordering, sign_of(z));
+        if (sign_of_ball(z) != 0)
+            truth = by_sign(a->ordering, sign_of_ball(z));
         known = FLINT_MAX(known, CERTIFIED);
         *how = FLINT_MAX(*how, known);
     }
@@ -235,9 +235,9 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b, e
     SCOPE(arb, low, high);
     const bool bounded = bounds_enclose(low, high, &known, a, b);
     if (curve_init(&c, &a->formula, a->variable, b, &curved) && bounded && a->ordering >= IS_BELOW) {
-        if (sign_of(curve_at(&c, low)) == -sign || sign_of(curve_at(&c, high)) == -sign)
+        if (sign_of_ball(curve_at(&c, low)) == -sign || sign_of_ball(curve_at(&c, high)) == -sign)
             truth = FOUND_FALSE;
-        else if (sign_between(&c, low, high, sign, DEEPEST))
+        else if (sign_between(&c, low, high, sign, DEEPEST_BISECTION))
             truth = FOUND_TRUE;
     }
     known = FLINT_MAX(known, curved);
@@ -421,7 +421,7 @@ static enum truth cited_found(struct statements *all, const struct assertion *a,
 static enum truth root_found(struct statements *all, struct statement *s, struct assertion *a, enum how *how)
 {
     SCOPE(arb, z);
-    const slong count = root_find(z, how, all, s, a, BITS);
+    const slong count = root_find(z, how, all, s, a, PROVING_BITS);
     return count < 0 ? UNDECIDED : count == 1 ? FOUND_TRUE : FOUND_FALSE;
 }
 

@@ -10,14 +10,14 @@
 enum { MOST_NAMES = 128 };
 
 /* What is being read. */
-struct reading {
+struct claim_reading {
     struct statements *all;
     struct statement *statement;
     const struct yaml *entry; /* a mapping of `prove`; NULL: none */
     struct values *at;        /* read so far */
 };
 
-static const char *keep(struct statements *s, const char *text, size_t length)
+static const char *keep_text(struct statements *s, const char *text, size_t length)
 {
     char *copy = xrealloc(NULL, length + 1, 1);
     memcpy(copy, text, length);
@@ -26,19 +26,19 @@ static const char *keep(struct statements *s, const char *text, size_t length)
 }
 
 /* What the entry says under a key; NULL: nothing. */
-static const struct yaml *own(const struct reading *r, const char *key)
+static const struct yaml *own(const struct claim_reading *r, const char *key)
 {
     return under(r->entry, key);
 }
 
 /* The same or, where it says nothing, the statement's `given`. */
-static const struct yaml *given(const struct reading *r, const char *key)
+static const struct yaml *entry_given(const struct claim_reading *r, const char *key)
 {
     return own(r, key) != NULL ? own(r, key) : under(r->statement->given, key);
 }
 
 /* A mistake at a node or, where it is missing, in the entry. */
-static bool refuse(const struct reading *r, const struct yaml *node, const char *expected)
+static bool entry_error(const struct claim_reading *r, const struct yaml *node, const char *expected)
 {
     return node_error(node != NULL ? node : r->entry, 0, "%s", expected);
 }
@@ -67,7 +67,7 @@ static void add_keys(struct names *n, const struct yaml *mapping)
 }
 
 /* What an entry of `prove` names: its root, the numbers of its computation; its values, what moves, what takes values. */
-static void add_entry(const struct reading *r, struct names *n, const struct yaml *entry)
+static void add_entry(const struct claim_reading *r, struct names *n, const struct yaml *entry)
 {
     static const char *const keys[] = {"at", "on", "for"};
     const struct yaml *of = under(entry, "of"), *compute = under(entry, "compute");
@@ -79,11 +79,11 @@ static void add_entry(const struct reading *r, struct names *n, const struct yam
     add_name(n, under(entry, "root") != NULL ? entry->key : NULL);
     for (const char *at = c != NULL ? computation_of(c)->numbers : ""; (at = next_name(at, word)) != NULL;) {
         snprintf(name, sizeof name, "%.63s.%s", entry->key, word);
-        add_name(n, keep(r->all, name, strlen(name)));
+        add_name(n, keep_text(r->all, name, strlen(name)));
     }
 }
 
-static void collect_names(const struct reading *r, struct names *n)
+static void collect_names(const struct claim_reading *r, struct names *n)
 {
     const struct yaml *prove = r->statement->prove;
     *n = (struct names){{"pi"}, 1};
@@ -103,7 +103,7 @@ struct parsing {
     bool fine; /* as yet */
 };
 
-static void parsing_open(struct parsing *f, const struct reading *r)
+static void parsing_open(struct parsing *f, const struct claim_reading *r)
 {
     static const struct yaml nothing = {.mapping = true};
     collect_names(r, &f->names);
@@ -132,14 +132,14 @@ static bool parsing_close(struct parsing *f, struct program *p)
 }
 
 /* Whether a name is the number of an entry: ENTRY or ENTRY.number. */
-static bool is_number_of(const char *name, const char *entry)
+static bool is_given_by(const char *name, const char *entry)
 {
     const size_t length = strlen(entry);
     return strncmp(name, entry, length) == 0 && strchr(".", name[length]) != NULL;
 }
 
 /* Which assertions a node takes numbers of; those that stand after it are open, and with them the node. */
-static ulong uses_of(const struct reading *r, const struct program *p, int node)
+static ulong uses_of(const struct claim_reading *r, const struct program *p, int node)
 {
     char *needed = xrealloc(NULL, (size_t)node + 1, 1);
     ulong uses = 0;
@@ -147,7 +147,7 @@ static ulong uses_of(const struct reading *r, const struct program *p, int node)
     for (int i = 0; i < p->inputs && i <= node; i++) {
         const char *name = p->names[i].text;
         for (int k = 0; needed[i] && r->statement->prove != NULL && k < r->statement->prove->count; k++)
-            if (is_number_of(name, r->statement->prove->items[k].key))
+            if (is_given_by(name, r->statement->prove->items[k].key))
                 uses |= UWORD(1) << k;
         for (int k = 0; needed[i] && r->at != NULL && k < r->at->count; k++)
             if (strcmp(r->at->list[k].name, name) == 0)
@@ -157,7 +157,7 @@ static ulong uses_of(const struct reading *r, const struct program *p, int node)
     return uses;
 }
 
-static bool read_formula_text(struct reading *r, struct formula *f, const struct yaml *node, const char *text, size_t shift)
+static bool read_formula_text(struct claim_reading *r, struct formula *f, const struct yaml *node, const char *text, size_t shift)
 {
     struct parsing one;
     parsing_open(&one, r);
@@ -167,24 +167,24 @@ static bool read_formula_text(struct reading *r, struct formula *f, const struct
     return one.fine;
 }
 
-static bool read_scalar_formula(struct reading *r, struct formula *f, const struct yaml *node)
+static bool read_scalar_formula(struct claim_reading *r, struct formula *f, const struct yaml *node)
 {
     if (node->text == NULL)
-        return refuse(r, node, "expected a formula");
+        return entry_error(r, node, "expected a formula");
     return read_formula_text(r, f, node, node->text, 0);
 }
 
 /* ---- values ---- */
 
 /* No formula stands for a name that a value, an unknown or what moves has: `let` would silently take its place. */
-static bool is_no_let(const struct reading *r, const struct yaml *node, size_t offset, const char *name)
+static bool is_no_let(const struct claim_reading *r, const struct yaml *node, size_t offset, const char *name)
 {
     const bool let = under(own(r, "let"), name) != NULL || under(under(r->statement->given, "let"), name) != NULL;
     return !let || node_error(node, offset, "'%s' stands in let, too", name);
 }
 
 /* One `name: value +- uncertainty`; its formulas may use the values before it. */
-static bool read_value(struct reading *r, struct value *v, const struct yaml *text)
+static bool read_value(struct claim_reading *r, struct value *v, const struct yaml *text)
 {
     *v = (struct value){.name = text->key};
     const char *sign = text->text != NULL ? strstr(text->text, "+-") : NULL;
@@ -192,12 +192,12 @@ static bool read_value(struct reading *r, struct value *v, const struct yaml *te
     if (sign == NULL)
         return read_scalar_formula(r, &v->formula, text);
     const size_t length = (size_t)(sign - text->text);
-    return read_formula_text(r, &v->formula, text, keep(r->all, text->text, length), 0) &&
+    return read_formula_text(r, &v->formula, text, keep_text(r->all, text->text, length), 0) &&
            read_formula_text(r, &v->radius, text, sign + 2, length + 2);
 }
 
 /* `at` of the entry, then those of `given` that it does not name. */
-static bool read_values(struct reading *r, struct values *at)
+static bool read_values(struct claim_reading *r, struct values *at)
 {
     const struct yaml *const both[] = {own(r, "at"), under(r->statement->given, "at")};
     r->at = at;
@@ -218,7 +218,7 @@ static bool read_values(struct reading *r, struct values *at)
 }
 
 /* A list of formulas; its length, or -1 after a complaint */
-static int read_range(struct reading *r, const struct yaml *list, struct formula *f, int most)
+static int read_list(struct claim_reading *r, const struct yaml *list, struct formula *f, int most)
 {
     if (!is_texts(list, most))
         return -1;
@@ -250,9 +250,9 @@ static const char *find_ordering(const char *text, enum ordering *ordering, size
 }
 
 /* left - right of a relation in a scalar, `sign` between them. */
-static bool read_difference(struct reading *r, struct assertion *a, const struct yaml *node, const char *sign, size_t length)
+static bool read_difference(struct claim_reading *r, struct assertion *a, const struct yaml *node, const char *sign, size_t length)
 {
-    const char *text = node->text, *left = keep(r->all, text, (size_t)(sign - text));
+    const char *text = node->text, *left = keep_text(r->all, text, (size_t)(sign - text));
     struct parsing f;
     parsing_open(&f, r);
     const int one = parsing_add(&f, node, left, 0), other = parsing_add(&f, node, sign + length, (size_t)(sign - text) + length);
@@ -264,11 +264,11 @@ static bool read_difference(struct reading *r, struct assertion *a, const struct
 }
 
 /* An equality for all values, or a list of them. */
-static bool read_identity(struct reading *r, struct assertion *a, const struct yaml *node)
+static bool read_identity(struct claim_reading *r, struct assertion *a, const struct yaml *node)
 {
     struct parsing f;
     if (own(r, "at") != NULL || own(r, "for") != NULL || own(r, "on") != NULL)
-        return refuse(r, node, "expected no at, for or on beside equalities for all values");
+        return entry_error(r, node, "expected no at, for or on beside equalities for all values");
     parsing_open(&f, r);
     const int count = node->text != NULL ? 1 : node->count;
     for (int i = 0; i < count && f.fine; i++)
@@ -277,51 +277,51 @@ static bool read_identity(struct reading *r, struct assertion *a, const struct y
     a->everywhere = true;
     a->identity = f.identities;
     if (f.fine && !a->algebra && f.identities.use_count == 0)
-        return refuse(r, node, "nothing of the sheet is in it, expected {algebra: left = right} for what is algebra alone");
+        return entry_error(r, node, "nothing of the sheet is in it, expected {algebra: left = right} for what is algebra alone");
     return f.fine;
 }
 
 /* The same but for blanks. */
-static bool read_show(struct reading *r, struct assertion *a, const struct yaml *show)
+static bool read_show(struct claim_reading *r, struct assertion *a, const struct yaml *show)
 {
     size_t length;
     const char *sign = show->text != NULL ? find_ordering(show->text, &a->ordering, &length) : NULL;
     const bool somewhere = own(r, "at") != NULL || own(r, "for") != NULL;
     if (show->text == NULL && !show->mapping)
-        return is_texts(show, MOST_SHOWN) && (show->count > 0 || refuse(r, show, "expected equalities")) && read_identity(r, a, show);
+        return is_texts(show, MOST_SHOWN) && (show->count > 0 || entry_error(r, show, "expected equalities")) && read_identity(r, a, show);
     if (sign == NULL)
-        return refuse(r, show, "expected left = right, or another sign of < > <= >= != between them");
+        return entry_error(r, show, "expected left = right, or another sign of < > <= >= != between them");
     if (same_text(show->text, sign, sign + length))
-        return refuse(r, show, "both sides are the same, expected what could be otherwise");
+        return entry_error(r, show, "both sides are the same, expected what could be otherwise");
     return a->ordering == IS_EQUAL && !somewhere ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
 }
 
 /* What rests on no formula of the sheet, and says so. */
-static bool read_algebra(struct reading *r, struct assertion *a, const struct yaml *value)
+static bool read_algebra(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     a->algebra = true;
-    return read_show(r, a, value) && (a->everywhere || refuse(r, value, "expected equalities for all values"));
+    return read_show(r, a, value) && (a->everywhere || entry_error(r, value, "expected equalities for all values"));
 }
 
-static bool read_count(struct reading *r, const struct yaml *node, long *count)
+static bool read_count(struct claim_reading *r, const struct yaml *node, long *count)
 {
     char *end = NULL;
     *count = node != NULL && node->text != NULL ? strtol(node->text, &end, 10) : -1;
-    return (end != NULL && *end == '\0' && *count >= 0) || refuse(r, node, "expected a count: 0, 1, 2 ...");
+    return (end != NULL && *end == '\0' && *count >= 0) || entry_error(r, node, "expected a count: 0, 1, 2 ...");
 }
 
 /* Of the unknown that `of` names. */
-static bool read_polynomial(struct reading *r, struct assertion *a, const struct yaml *value)
+static bool read_polynomial(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     const struct yaml *of = own(r, "of");
     a->variable = of != NULL ? of->text : NULL;
     if (a->variable == NULL || a->variable[0] == '\0')
-        return refuse(r, of, "missing of, expected the name of the unknown");
+        return entry_error(r, of, "missing of, expected the name of the unknown");
     return is_no_let(r, of, 0, a->variable) && read_scalar_formula(r, &a->formula, value);
 }
 
 /* Bounds that are exact numbers stand in order, at each value of `for`; of others the prover asks the same. */
-static bool in_order(struct reading *r, const struct assertion *a, const struct yaml *node)
+static bool in_order(struct claim_reading *r, const struct assertion *a, const struct yaml *node)
 {
     struct bindings b = {.all = r->all, .statement = r->statement, .at = &a->at, .at_count = a->at.count,
                          .each = a->each_names > 0 ? a : NULL};
@@ -330,20 +330,20 @@ static bool in_order(struct reading *r, const struct assertion *a, const struct 
     for (; b.turn < a->turns || b.turn == 0; b.turn++)
         if (formula_rational(low, &a->low, &b) && formula_rational(high, &a->high, &b))
             ordered = ordered && fmpq_cmp(low, high) <= 0;
-    return ordered || refuse(r, node, "expected the lower bound first, not above the other");
+    return ordered || entry_error(r, node, "expected the lower bound first, not above the other");
 }
 
-static bool read_root(struct reading *r, struct assertion *a, const struct yaml *value)
+static bool read_root(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     const struct yaml *in = own(r, "in");
     if (!read_polynomial(r, a, value))
         return false;
     if (in == NULL || in->mapping || in->count != 2)
-        return refuse(r, in, "expected in: [low, high]");
+        return entry_error(r, in, "expected in: [low, high]");
     return read_scalar_formula(r, &a->low, &in->items[0]) && read_scalar_formula(r, &a->high, &in->items[1]) && in_order(r, a, in);
 }
 
-static bool read_roots(struct reading *r, struct assertion *a, const struct yaml *value)
+static bool read_root_count(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     const struct yaml *above = own(r, "above"), *below = own(r, "below");
     a->has_low = above != NULL;
@@ -354,27 +354,27 @@ static bool read_roots(struct reading *r, struct assertion *a, const struct yaml
 }
 
 /* One state, its rate, and where it is to be taken. */
-static bool read_state(struct reading *r, struct parsing *f, struct linear_system *l, const struct yaml *rate)
+static bool read_state(struct claim_reading *r, struct parsing *f, struct linear_system *l, const struct yaml *rate)
 {
-    const struct yaml *about = given(r, "about"), *place = under(about, rate->key);
+    const struct yaml *about = entry_given(r, "about"), *place = under(about, rate->key);
     l->states[l->size] = program_find(&f->identities.program, rate->key);
     if (l->states[l->size] < 0)
         return node_error(rate, AT_KEY, "unknown symbol '%s', expected a quantity or a free name", rate->key);
     if (rate->text == NULL || (place != NULL && place->text == NULL))
-        return refuse(r, rate, "expected a formula");
+        return entry_error(r, rate, "expected a formula");
     l->rates[l->size] = parsing_add(f, rate, rate->text, 0);
     l->about[l->size] = place != NULL ? parsing_add(f, place, place->text, 0) : -1;
     return f->fine;
 }
 
 /* `system` and `about`, in one program. */
-static bool read_system(struct reading *r, struct assertion *a)
+static bool read_system(struct claim_reading *r, struct assertion *a)
 {
-    const struct yaml *system = given(r, "system"), *about = given(r, "about"), *control = own(r, "control"), *observe = own(r, "observe");
+    const struct yaml *system = entry_given(r, "system"), *about = entry_given(r, "about"), *control = own(r, "control"), *observe = own(r, "observe");
     struct linear_system *l = &a->system;
     struct parsing f;
     if (system == NULL || !is_map(system) || system->count == 0 || system->count > 12 || (about != NULL && !is_map(about)))
-        return refuse(r, system, "expected a system, {state: its rate, ...} of at most 12 states");
+        return entry_error(r, system, "expected a system, {state: its rate, ...} of at most 12 states");
     parsing_open(&f, r);
     l->observe = -1;
     for (int i = 0; f.fine && i < system->count; i++) {
@@ -387,41 +387,41 @@ static bool read_system(struct reading *r, struct assertion *a)
     if (!parsing_close(&f, &l->program))
         return false;
     if ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0))
-        return refuse(r, control != NULL ? control : observe, "expected control: a quantity, or observe: a state");
+        return entry_error(r, control != NULL ? control : observe, "expected control: a quantity, or observe: a state");
     for (int i = 0; i < l->size; i++)
         l->uses |= uses_of(r, &l->program, l->rates[i]) | (l->about[i] >= 0 ? uses_of(r, &l->program, l->about[i]) : 0);
     return true;
 }
 
-static bool read_characteristic(struct reading *r, struct assertion *a, const struct yaml *value)
+static bool read_characteristic(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     return read_polynomial(r, a, value) && read_system(r, a);
 }
 
-static bool read_rank(struct reading *r, struct assertion *a, const struct yaml *value)
+static bool read_rank(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     return read_count(r, value, &a->count) && read_system(r, a);
 }
 
 /* One id, or a list of them, each of which is known. */
-static bool read_cited(struct reading *r, struct assertion *a, const struct yaml *value, bool (*known)(const struct reading *r, const char *id),
+static bool read_cited(struct claim_reading *r, struct assertion *a, const struct yaml *value, bool (*known)(const struct claim_reading *r, const char *id),
                        const char *expected)
 {
     const bool one = value->text != NULL || value->mapping;
     if (!one && !is_texts(value, MOST_CITED))
         return false;
     if (!one && value->count == 0)
-        return refuse(r, value, expected);
+        return entry_error(r, value, expected);
     for (int i = 0; i < (one ? 1 : value->count); i++) {
         const struct yaml *node = one ? value : &value->items[i];
         if (node->text == NULL || !known(r, node->text))
-            return refuse(r, node, expected);
+            return entry_error(r, node, expected);
         a->cited[i] = node->text;
     }
     return true;
 }
 
-static bool is_step(const struct reading *r, const char *id)
+static bool is_step(const struct claim_reading *r, const char *id)
 {
     const struct derivations *d = &r->all->proofs->derivations;
     for (int i = 0; i < d->step_count; i++)
@@ -430,26 +430,26 @@ static bool is_step(const struct reading *r, const char *id)
     return false;
 }
 
-static bool stands_before(const struct reading *r, const char *id)
+static bool stands_before(const struct claim_reading *r, const char *id)
 {
     const struct statement *cited = statement_find(r->all, id);
     return cited != NULL && cited != r->statement;
 }
 
-static bool read_step(struct reading *r, struct assertion *a, const struct yaml *value)
+static bool read_cited_step(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     return read_cited(r, a, value, is_step, "expected a step of derivations.yaml");
 }
 
-static bool read_claim(struct reading *r, struct assertion *a, const struct yaml *value)
+static bool read_claim(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     return read_cited(r, a, value, stands_before, "expected a claim that stands before");
 }
 
-static bool read_compute(struct reading *r, struct assertion *a, const struct yaml *value)
+static bool read_compute(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     a->computed = value->text != NULL ? computed_find(&r->all->computed, value->text) : NULL;
-    return a->computed != NULL || refuse(r, value, "unknown computation, expected one of verify/claims/claims_*.c");
+    return a->computed != NULL || entry_error(r, value, "unknown computation, expected one of verify/claims/claims_*.c");
 }
 
 /* The keys of what has formulas. */
@@ -460,26 +460,26 @@ static bool read_compute(struct reading *r, struct assertion *a, const struct ya
 static const struct form {
     const char *key;
     enum assertion_kind kind;
-    bool (*read)(struct reading *r, struct assertion *a, const struct yaml *value);
+    bool (*read)(struct claim_reading *r, struct assertion *a, const struct yaml *value);
     const struct field *keys;
 } forms[] = {
     {"show", ASSERT_SHOW, read_show, KEYS({.key = "show"}, {.key = "on"}, {.key = "for"}, FORMULA_FIELDS)},
     {"algebra", ASSERT_SHOW, read_algebra, KEYS({.key = "algebra"}, FORMULA_FIELDS)},
     {"root", ASSERT_ROOT, read_root, KEYS({.key = "root"}, {.key = "of"}, {.key = "in"}, FORMULA_FIELDS)},
-    {"roots", ASSERT_ROOTS, read_roots,
+    {"roots", ASSERT_ROOTS, read_root_count,
      KEYS({.key = "roots"}, {.key = "of"}, {.key = "above"}, {.key = "below"}, {.key = "count"}, {.key = "for"}, FORMULA_FIELDS)},
     {"characteristic", ASSERT_CHARACTERISTIC, read_characteristic,
      KEYS({.key = "characteristic"}, {.key = "of"}, {.key = "system"}, {.key = "about"}, {.key = "for"}, FORMULA_FIELDS)},
     {"rank", ASSERT_RANK, read_rank,
      KEYS({.key = "rank"}, {.key = "system"}, {.key = "about"}, {.key = "control"}, {.key = "observe"}, {.key = "for"}, FORMULA_FIELDS)},
-    {"step", ASSERT_STEP, read_step, KEYS({.key = "step"})},
+    {"step", ASSERT_STEP, read_cited_step, KEYS({.key = "step"})},
     {"claim", ASSERT_CLAIM, read_claim, KEYS({.key = "claim"})},
     {"compute", ASSERT_COMPUTE, read_compute, KEYS({.key = "compute"})}};
 
 enum { FORMS = sizeof forms / sizeof *forms };
 
 /* for: {name: [value, ...], ...}, lists of one length */
-static bool read_turns(struct reading *r, struct assertion *a)
+static bool read_turns(struct claim_reading *r, struct assertion *a)
 {
     const struct yaml *each = own(r, "for");
     if (each == NULL)
@@ -490,7 +490,7 @@ static bool read_turns(struct reading *r, struct assertion *a)
         const struct yaml *list = &each->items[i];
         if (!is_no_let(r, list, AT_KEY, list->key))
             return false;
-        const int count = read_range(r, list, a->each_of[i], MOST_TURNS);
+        const int count = read_list(r, list, a->each_of[i], MOST_TURNS);
         a->each[a->each_names++] = each->items[i].key;
         if (count <= 0 || (i > 0 && count != a->turns))
             return count < 0 ? false : node_error(list, 0, "expected lists of one length, of at most %d values", MOST_TURNS);
@@ -500,7 +500,7 @@ static bool read_turns(struct reading *r, struct assertion *a)
 }
 
 /* on: {name: [low, high]} */
-static bool read_interval(struct reading *r, struct assertion *a)
+static bool read_interval(struct claim_reading *r, struct assertion *a)
 {
     const struct yaml *on = own(r, "on");
     struct formula bounds[2];
@@ -508,19 +508,19 @@ static bool read_interval(struct reading *r, struct assertion *a)
     if (on == NULL)
         return true;
     if (!is_map(on) || on->count != 1)
-        return refuse(r, on, "expected on: {name: [low, high]}");
-    const int count = is_no_let(r, &on->items[0], AT_KEY, on->items[0].key) ? read_range(r, &on->items[0], bounds, 2) : -1;
+        return entry_error(r, on, "expected on: {name: [low, high]}");
+    const int count = is_no_let(r, &on->items[0], AT_KEY, on->items[0].key) ? read_list(r, &on->items[0], bounds, 2) : -1;
     a->low = bounds[0];
     a->high = bounds[1];
     a->variable = on->items[0].key;
     if (count == 2)
         return in_order(r, a, &on->items[0]);
-    return count >= 0 && refuse(r, on, "expected on: {name: [low, high]}");
+    return count >= 0 && entry_error(r, on, "expected on: {name: [low, high]}");
 }
 
 static const struct field given_fields[] = {FORMULA_FIELDS, {.key = "system"}, {.key = "about"}, {.key = NULL}};
 
-static bool read_assertion(struct reading *r, struct assertion *a)
+static bool read_assertion(struct claim_reading *r, struct assertion *a)
 {
     r->entry = a->node->mapping ? a->node : NULL;
     r->at = NULL;
@@ -536,7 +536,7 @@ static bool read_assertion(struct reading *r, struct assertion *a)
         return fields_read(r->entry, forms[i].keys, a) && read_turns(r, a) && read_interval(r, a) && /* before the formulas that use them */
                forms[i].read(r, a, under(r->entry, forms[i].key));
     }
-    return refuse(r, a->node, "expected left = right, or one of show, algebra, root, roots, characteristic, rank, step, claim, compute");
+    return entry_error(r, a->node, "expected left = right, or one of show, algebra, root, roots, characteristic, rank, step, claim, compute");
 }
 
 /* What it takes numbers of stands before it. */
@@ -550,7 +550,7 @@ static bool read_uses(struct assertion *a, int index)
     return a->uses >> index == 0 || node_error(a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
 }
 
-static bool read_prove(struct reading *r, const struct yaml *prove)
+static bool read_prove(struct claim_reading *r, const struct yaml *prove)
 {
     struct statement *s = r->statement;
     if (prove == NULL)
@@ -590,7 +590,7 @@ static bool passes(const char **at, const char *keyword)
 }
 
 /* Names of assertions, each with `not` before it or without, joined by `and`. */
-static bool read_condition(struct verdict_condition *c, const struct statement *s, const struct yaml *condition)
+static bool read_wanted(struct verdict_condition *c, const struct statement *s, const struct yaml *condition)
 {
     const char *at = condition->text;
     do {
@@ -608,7 +608,7 @@ static bool read_condition(struct verdict_condition *c, const struct statement *
 }
 
 /* Without a condition: all that is to be proved. */
-static bool read_verdict(struct reading *r, const char *verdict, const struct yaml *at, size_t offset, const struct yaml *condition)
+static bool read_verdict(struct claim_reading *r, const char *verdict, const struct yaml *at, size_t offset, const struct yaml *condition)
 {
     struct statement *s = r->statement;
     int v = HOLDS;
@@ -625,11 +625,11 @@ static bool read_verdict(struct reading *r, const char *verdict, const struct ya
     }
     if (condition == NULL)
         return wants || v == NOT_DECIDABLE || node_error(at, offset, "expected something to prove; only 'not decidable' needs nothing");
-    return condition->text != NULL ? read_condition(c, s, condition) : refuse(r, condition, "expected a condition, names of prove");
+    return condition->text != NULL ? read_wanted(c, s, condition) : entry_error(r, condition, "expected a condition, names of prove");
 }
 
 /* Every assertion serves: a condition names it, a number of the evidence or another assertion is made of it. */
-static bool all_serve(struct reading *r)
+static bool all_serve(struct claim_reading *r)
 {
     const struct statement *s = r->statement;
     ulong used = 0;
@@ -647,7 +647,7 @@ static bool all_serve(struct reading *r)
 }
 
 /* Where nothing is said it holds, a misprint as corrected. */
-static bool read_verdicts(struct reading *r, const struct yaml *node, const struct yaml *statement)
+static bool read_verdicts(struct claim_reading *r, const struct yaml *node, const struct yaml *statement)
 {
     const bool misprint = strcmp(r->statement->kind, "misprint") == 0;
     if (node == NULL)
@@ -655,7 +655,7 @@ static bool read_verdicts(struct reading *r, const struct yaml *node, const stru
     if (node->text != NULL)
         return read_verdict(r, node->text, node, 0, NULL) && all_serve(r);
     if (!is_map(node) || node->count == 0)
-        return refuse(r, node, "expected verdict: {holds: condition, ...}");
+        return entry_error(r, node, "expected verdict: {holds: condition, ...}");
     for (int i = 0; i < node->count; i++)
         if (!read_verdict(r, node->items[i].key, &node->items[i], AT_KEY, &node->items[i]))
             return false;
@@ -665,7 +665,7 @@ static bool read_verdicts(struct reading *r, const struct yaml *node, const stru
 /* ---- evidence ---- */
 
 struct quoting {
-    struct reading *reading;
+    struct claim_reading *reading;
     const struct yaml *node;
     bool fine;
 };
@@ -702,14 +702,14 @@ static const char *keep_trimmed(struct statements *s, const char *from, const ch
         from++;
     while (from < to && to[-1] == ' ')
         to--;
-    return keep(s, from, (size_t)(to - from));
+    return keep_text(s, from, (size_t)(to - from));
 }
 
 /* FORMULA | DIGITS, or FORMULA | DIGITS | UNIT */
 static void take_number(void *context, const char *at, size_t length)
 {
     struct quoting *q = context;
-    struct reading *r = q->reading;
+    struct claim_reading *r = q->reading;
     struct statement *s = r->statement;
     const size_t start = (size_t)(at - s->evidence);
     const char *end = at + length, *bar = memchr(at, '|', length);
@@ -727,7 +727,7 @@ static void take_number(void *context, const char *at, size_t length)
         q->fine = read_formula_text(r, &n->formula, q->node, n->text, start + strspn(at, " "));
 }
 
-static bool read_marks(struct reading *r, const struct yaml *node, bool numbers)
+static bool read_marks(struct claim_reading *r, const struct yaml *node, bool numbers)
 {
     struct quoting quoting = {r, node, true};
     const struct marked_parts parts = {&quoting, pass, pass, numbers ? take_number : NULL};
@@ -745,11 +745,11 @@ struct written_statement {
     int kind;
 };
 
-static const char *const kinds[] = {"statement", "implied", "misprint", "number", "beyond", NULL};
+static const char *const claim_kinds[] = {"statement", "implied", "misprint", "number", "beyond", NULL};
 
 static const struct field statement_fields[] = {
     FIELD("where", struct written_statement, s.where, FIELD_TEXT, .expected = "a text"),
-    FIELD("kind", struct written_statement, kind, FIELD_WORD, .words = kinds),
+    FIELD("kind", struct written_statement, kind, FIELD_WORD, .words = claim_kinds),
     FIELD("claim", struct written_statement, s.claim, FIELD_TEXT, .expected = "a text"),
     FIELD("why", struct written_statement, s.why, FIELD_TEXT),
     FIELD("evidence", struct written_statement, s.evidence, FIELD_TEXT, .expected = "a text"),
@@ -787,9 +787,9 @@ static bool read_statement(struct statements *all, const struct yaml *n)
     if (!fields_read(n, statement_fields, &w))
         return false;
     struct statement *s = APPENDED(all->list, all->count);
-    struct reading r = {.all = all, .statement = s, .entry = n};
+    struct claim_reading r = {.all = all, .statement = s, .entry = n};
     *s = w.s;
-    s->kind = kinds[w.kind];
+    s->kind = claim_kinds[w.kind];
     for (int k = 0; k < 3; k++)
         if (own(&r, marked[k]) != NULL && !read_marks(&r, own(&r, marked[k]), false))
             return false;

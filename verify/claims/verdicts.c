@@ -20,7 +20,7 @@ void verdict_row_clear(struct verdict_row *row)
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-static void add(struct verdict_row *row, const char *format, ...)
+static void add_words(struct verdict_row *row, const char *format, ...)
 {
     char text[1024];
     va_list arguments;
@@ -58,26 +58,26 @@ static bool values(char **texts, const struct section *s, bool as_printed, const
 /* "; CASE: NAME = corrected, as printed ..." for the outputs that differ. What there is to say of one case. */
 enum difference { NONE, OUTSIDE, INSIDE };
 
-static enum difference compare(struct verdict_row *row, const struct section *s, const struct instance *instance)
+static enum difference compare_prints(struct verdict_row *row, const struct section *s, const struct instance *instance)
 {
     char *right[MOST_OUTPUTS] = {NULL}, *printed[MOST_OUTPUTS] = {NULL};
     enum difference difference = NONE;
     const bool inside = values(right, s, false, instance);
     if (values(printed, s, true, instance)) {
-        add(row, "; %s:", instance->name);
+        add_words(row, "; %s:", instance->name);
         for (int i = 0; i < s->output_count; i++)
             if (!inside || strcmp(right[i], printed[i]) != 0) {
-                add(row, "%s $%s$ = ", difference == NONE ? "" : ",", s->outputs[i]->name);
+                add_words(row, "%s $%s$ = ", difference == NONE ? "" : ",", s->outputs[i]->name);
                 if (inside)
                     write_decimal(&row->evidence, right[i], NULL);
                 else
-                    add(row, "none");
-                add(row, ", as printed ");
+                    add_words(row, "none");
+                add_words(row, ", as printed ");
                 write_decimal(&row->evidence, printed[i], NULL);
                 difference = inside ? INSIDE : OUTSIDE;
             }
         if (difference == NONE)
-            add(row, " no difference");
+            add_words(row, " no difference");
     }
     for (int i = 0; i < s->output_count; i++) {
         free(right[i]);
@@ -97,9 +97,9 @@ static enum difference compare_instances(struct verdict_row *row, const struct s
                                                                    : NULL;
         masses = masses || unequal.texts[i] != NULL;
     }
-    enum difference differs = compare(row, s, &paper);
+    enum difference differs = compare_prints(row, s, &paper);
     if (masses) {
-        const enum difference further = compare(row, s, &unequal);
+        const enum difference further = compare_prints(row, s, &unequal);
         differs = FLINT_MAX(differs, further);
     }
     for (int k = 0; k < s->special_count && differs == NONE; k++) {
@@ -111,7 +111,7 @@ static enum difference compare_instances(struct verdict_row *row, const struct s
                 snprintf(name + strlen(name), sizeof name - strlen(name), "%s$%s = %s$", *name ? ", " : "",
                          s->inputs[i]->name, special.texts[i]);
         if (strcmp(s->specials[k].flags, "invalid") == 0)
-            differs = compare(row, s, &special);
+            differs = compare_prints(row, s, &special);
     }
     return differs;
 }
@@ -128,9 +128,9 @@ static bool steps_to(struct verdict_row *row, const struct proof_results *p, con
             leads = leads || entry_leads_to(&p->derivations, step->to[k], equation);
         if (!leads)
             continue;
-        add(row, "%s%s", *count ? ", " : "proved by ", step->id);
+        add_words(row, "%s%s", *count ? ", " : "proved by ", step->id);
         if (step->corrected.order >= 0)
-            add(row, " (to order %d)", step->corrected.order);
+            add_words(row, " (to order %d)", step->corrected.order);
         (*count)++;
         fine = fine && step_holds(step);
     }
@@ -161,7 +161,7 @@ static void add_claims(struct verdict_row *row, struct statements *claims, const
             if (strcmp(s->equations[k], equation) != 0)
                 continue;
             statement_decide(claims, s, NULL, &ruling);
-            add(row, "; claim %s: %s", s->id, verdict_names[ruling.verdict]);
+            add_words(row, "; claim %s: %s", s->id, verdict_names[ruling.verdict]);
             if (s->why != NULL && ruling.verdict != HOLDS && ruling.verdict != DEFINITION)
                 add_reason(row, s->why);
             if (weakness(ruling.verdict) > weakness(row->verdict))
@@ -179,12 +179,12 @@ void verdict_on_equation(struct verdict_row *row, const struct proof_results *p,
     const bool defines = s->method == METHOD_NONE && steps == 0;
     row->verdict = proved && (steps > 0 || defines) ? (defines || s->defines != NULL) ? DEFINITION : HOLDS : VERDICT_NONE;
     if (s->differs) {
-        add(row, "; %.*s", (int)strlen(s->reason) - 1, s->reason); /* but for its full stop */
+        add_words(row, "; %.*s", (int)strlen(s->reason) - 1, s->reason); /* but for its full stop */
         const enum difference differs = compare_instances(row, s);
         if (differs == INSIDE)
             add_reason(row, s->reason);
         else
-            add(row, ": outside the condition that the paper states for it");
+            add_words(row, ": outside the condition that the paper states for it");
         if (differs != OUTSIDE) /* what is printed must differ somewhere */
             row->verdict = differs == INSIDE && row->verdict == HOLDS ? HOLDS_AS_CORRECTED : VERDICT_NONE;
     }
@@ -192,14 +192,14 @@ void verdict_on_equation(struct verdict_row *row, const struct proof_results *p,
         const char *before = steps > 0 ? "; " : "a definition, ";
         for (int i = 0; i < s->relation_count; i++)
             if (strcmp(s->relations[i].equation, equation) == 0) {
-                add(row, "%s$%s$", before, s->relations[i].text);
+                add_words(row, "%s$%s$", before, s->relations[i].text);
                 before = ", ";
             }
         if (row->evidence.plain.length == 0)
-            add(row, "a definition");
+            add_words(row, "a definition");
     }
     if (s->defines != NULL)
-        add(row, "; it defines $%s$", s->defines);
+        add_words(row, "; it defines $%s$", s->defines);
     add_claims(row, claims, equation);
 }
 
@@ -265,9 +265,9 @@ static void table_rows(struct giving *g)
         struct verdict_row row = {.id = id, .where = "Table 1", .kind = "number"};
         write_marked(&row.claim, claim);
         char *value = table_row_value(sheet, t, &rounds);
-        add(&row, "%s", table_row_is_computed(sheet, t) ? "by (7) from the other rows: " : "an input of the simulation, used as printed: ");
+        add_words(&row, "%s", table_row_is_computed(sheet, t) ? "by (7) from the other rows: " : "an input of the simulation, used as printed: ");
         write_decimal(&row.evidence, value, t->unit);
-        add(&row, "%s", table_row_is_computed(sheet, t) ? ", which rounds to the print" : "");
+        add_words(&row, "%s", table_row_is_computed(sheet, t) ? ", which rounds to the print" : "");
         row.verdict = !rounds ? VERDICT_NONE : table_row_is_computed(sheet, t) ? HOLDS : DEFINITION;
         give_row(g, &row);
         free(value);

@@ -55,7 +55,7 @@ static void expect(struct test_run *e, struct record *r)
 }
 
 /* What a diagnosis is made from. */
-static void keep(struct summary *t, const struct record *r)
+static void keep_record(struct summary *t, const struct record *r)
 {
     const bool right = r->outcome == OUTCOME_RIGHT;
     if (r->outcome == OUTCOME_SKIPPED || t->kept_count == MOST_KEPT || (!right && t->kept_failures == MOST_FAILURES) ||
@@ -74,7 +74,7 @@ static void note(struct test_run *e, struct record *r, const struct test_vector 
     t->expected += r->expected;
     if (e->journal != NULL)
         fwrite(r, sizeof *r, 1, e->journal); /* whether all went well is asked at its end */
-    keep(t, r);
+    keep_record(t, r);
     if (r->outcome < OUTCOME_WRONG || r->expected)
         return;
     if (r->outcome >= OUTCOME_COUNT && r->outcome <= OUTCOME_TRUNCATED && *t->line == '\0') {

@@ -353,7 +353,7 @@ static bool are_equal(const struct input *a, const struct input *b, int count)
 }
 
 /* Whether a vector tells a mutant from the truth. */
-static bool tells(struct kills *k, int i, bool inside)
+static bool mistake_told(struct kills *k, int i, bool inside)
 {
     struct mutant *x = &k->mutants.all[i];
     struct comparator *j = &k->comparator;
@@ -395,7 +395,7 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
     if (inside && is_longer(o->section, k->inputs, SHORT))
         return true;
     for (int i = 0; i < k->mutants.count && numbers; i++)
-        if (tells(k, i, inside)) {
+        if (mistake_told(k, i, inside)) {
             fputs(killed == 0 ? id : "", stdout);
             printf("%s%s", killed == 0 ? "," : "; ", k->mutants.all[i].name);
             k->mutants.all[i].killed++;

@@ -9,9 +9,9 @@
  * Both motions in binary64, integrated as others do it, with one step, perhaps with the other sign of one term: where that makes
  * of the vectors what was answered, right or wrong, the mistake has its name.
  */
-enum { TERMS = 6, MOST_STEPS = 50000 };
+enum { TERMS = 6, MOST_FOLLOWED = 50000 };
 
-static const char *const terms[2][TERMS] = {
+static const char *const coupling_terms[2][TERMS] = {
     {"the radial Coriolis term 2 Omega y1_dot", "3 Omega^2 x1", "the along-track Coriolis term -2 Omega x1_dot", "-Omega^2 z1",
      "the charges' force", "C2 L_dot in the charge law"},
     {"-2 Omega/L_ref dL_dot in psi_ddot", "-3 Omega^2 psi", "-4 Omega^2 theta", "-C2 dL_dot", "2 Omega L_ref psi_dot in dL_ddot",
@@ -141,7 +141,7 @@ static double likely_step(const struct evidence *v, struct hypothesis *p)
         f++;
     for (int i = 0; i < 5 && f < v->count; i++) {
         const double t = time_of(v, f, p, &unit), steps = fmax(1.0, round(t / (step * unit)));
-        if (!(steps <= MOST_STEPS) || clock() >= v->until)
+        if (!(steps <= MOST_FOLLOWED) || clock() >= v->until)
             return 0.0;
         integrate(p, v->x[f], steps, y);
         const double off = state_distance(p, v->x[f], v->y[f], v->exact[f]) / state_distance(p, v->x[f], y, v->exact[f]);
@@ -158,7 +158,7 @@ static bool fits_all(const struct evidence *v, const struct hypothesis *p)
     bool two = false;
     for (int f = 0; f < v->count; f++) {
         const double t = time_of(v, f, p, &unit), steps = round(t / (p->step * unit));
-        if (!(steps >= 1.0 && steps <= MOST_STEPS))
+        if (!(steps >= 1.0 && steps <= MOST_FOLLOWED))
             continue;
         if (clock() >= v->until || !ends_there(v, f, p, steps))
             return false;
@@ -184,7 +184,7 @@ void kind_of_motion(const struct evidence *v, char *text, size_t size)
         if (!(p.step > 0.0) || !fits_all(v, &p))
             continue;
         if (k < TERMS)
-            snprintf(text, size, "%s with the other sign", terms[p.linear][k]);
+            snprintf(text, size, "%s with the other sign", coupling_terms[p.linear][k]);
         else
             snprintf(text, size, "%s with steps of %g %s", p.linear ? p.method->linear_name : p.method->name, p.step,
                      p.in_h ? "h" : "s");

@@ -12,7 +12,7 @@
 #include "text/scope.h"
 #include "text/whole_file.h"
 
-enum { SHOWN_DIGITS = 20, NUMBER = 40, FURTHEST = 1000000 /* exponent: beyond it the mark stands at an end anyway */ };
+enum { SHOWN_DIGITS = 20, LONGEST_NUMBER = 40, FURTHEST = 1000000 /* exponent: beyond it the mark stands at an end anyway */ };
 
 const char *const level_names[LEVELS] = {"algebra", "roots", "flows", "method"};
 
@@ -64,7 +64,7 @@ static const char *vector_name(const struct test_run *e, uint64_t position)
 /* E, rounded up to two digits; until the next one is asked for. */
 static const char *error_text(double E)
 {
-    static char text[NUMBER];
+    static char text[LONGEST_NUMBER];
     SCOPE(mag, bound);
     if (isinf(E) || E == 0.0)
         return E == 0.0 ? "0" : "inf";
@@ -76,10 +76,10 @@ static const char *error_text(double E)
 /* Digits, rounded down to one after the point; until the next ones are asked for. */
 static const char *digits_text(double digits)
 {
-    static char text[NUMBER];
+    static char text[LONGEST_NUMBER];
     if (isinf(digits) && digits > 0.0)
         return "exact";
-    snprintf(text, NUMBER, "%.1f", floor(10.0 * fmax(digits, 0.0)) / 10.0);
+    snprintf(text, LONGEST_NUMBER, "%.1f", floor(10.0 * fmax(digits, 0.0)) / 10.0);
     return text;
 }
 

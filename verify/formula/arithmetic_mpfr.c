@@ -17,14 +17,14 @@ static void mpfr_number_set_rational(void *z, const fmpq_t q, slong prec)
     fmpq_get_mpfr(z, q, MPFR_RNDN);
 }
 
-static int positive(mpfr_t z, mpfr_srcptr x, mpfr_rnd_t rounding)
+static int mpfr_positive(mpfr_t z, mpfr_srcptr x, mpfr_rnd_t rounding)
 {
     return mpfr_set_si(z, mpfr_sgn(x) > 0, rounding);
 }
 
 static int (*const unary[])(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t) = {
     [OPERATOR_NEGATE] = mpfr_neg, [OPERATOR_SQRT] = mpfr_sqrt, [OPERATOR_SIN] = mpfr_sin,      [OPERATOR_COS] = mpfr_cos,
-    [OPERATOR_EXP] = mpfr_exp,    [OPERATOR_LOG] = mpfr_log,   [OPERATOR_POSITIVE] = positive,
+    [OPERATOR_EXP] = mpfr_exp,    [OPERATOR_LOG] = mpfr_log,   [OPERATOR_POSITIVE] = mpfr_positive,
 };
 static int (*const binary[OPERATOR_POSITIVE + 1])(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t) = {
     [OPERATOR_ADD] = mpfr_add,    [OPERATOR_SUBTRACT] = mpfr_sub, [OPERATOR_MULTIPLY] = mpfr_mul,

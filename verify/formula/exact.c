@@ -27,7 +27,7 @@ static void set(void *z, const void *x)
     ca_set(z, x, context);
 }
 
-static void set_rational(void *z, const fmpq_t q, slong prec)
+static void exact_set_rational(void *z, const fmpq_t q, slong prec)
 {
     (void)prec;
     ca_set_fmpq(z, q, context);
@@ -38,7 +38,7 @@ static void set_infinity(void *z)
     ca_pos_inf(z, context);
 }
 
-static truth_t is_positive(const ca_t x)
+static truth_t exact_is_positive(const ca_t x)
 {
     ca_t zero;
     ca_init(zero, context);
@@ -58,16 +58,16 @@ static void root(ca_t z, const ca_t x, ca_ctx_t ctx)
 /* The angle of (x, y): of those that are rational there is 0 alone, where y = 0 and x > 0 (Lindemann, Weierstrass). */
 static void angle(ca_t z, const ca_t y, const ca_t x, ca_ctx_t ctx)
 {
-    if (ca_check_is_zero(y, ctx) == T_TRUE && is_positive(x) == T_TRUE)
+    if (ca_check_is_zero(y, ctx) == T_TRUE && exact_is_positive(x) == T_TRUE)
         ca_zero(z, ctx);
     else
         ca_unknown(z, ctx);
 }
 
 /* 1 where x > 0, else 0 */
-static void positive(ca_t z, const ca_t x, ca_ctx_t ctx)
+static void exact_positive(ca_t z, const ca_t x, ca_ctx_t ctx)
 {
-    const truth_t above = is_positive(x);
+    const truth_t above = exact_is_positive(x);
     ca_set_si(z, above == T_TRUE, ctx);
     if (above == T_UNKNOWN)
         ca_unknown(z, ctx);
@@ -75,7 +75,7 @@ static void positive(ca_t z, const ca_t x, ca_ctx_t ctx)
 
 static void logarithm(ca_t z, const ca_t x, ca_ctx_t ctx)
 {
-    if (is_positive(x) == T_TRUE)
+    if (exact_is_positive(x) == T_TRUE)
         ca_log(z, x, ctx);
     else
         ca_unknown(z, ctx);
@@ -83,14 +83,14 @@ static void logarithm(ca_t z, const ca_t x, ca_ctx_t ctx)
 
 static void (*const unary[])(ca_t, const ca_t, ca_ctx_t) = {
     [OPERATOR_NEGATE] = ca_neg,  [OPERATOR_SQRT] = root,     [OPERATOR_SIN] = ca_sin,         [OPERATOR_COS] = ca_cos,
-    [OPERATOR_EXP] = ca_exp,     [OPERATOR_LOG] = logarithm, [OPERATOR_POSITIVE] = positive,
+    [OPERATOR_EXP] = ca_exp,     [OPERATOR_LOG] = logarithm, [OPERATOR_POSITIVE] = exact_positive,
 };
 static void (*const binary[OPERATOR_POSITIVE + 1])(ca_t, const ca_t, const ca_t, ca_ctx_t) = {
     [OPERATOR_ADD] = ca_add,    [OPERATOR_SUBTRACT] = ca_sub, [OPERATOR_MULTIPLY] = ca_mul,
     [OPERATOR_DIVIDE] = ca_div, [OPERATOR_ATAN2] = angle,
 };
 
-static void apply(enum operator op, void *z, const void *x, const void *y, slong exponent, slong prec)
+static void exact_apply(enum operator op, void *z, const void *x, const void *y, slong exponent, slong prec)
 {
     (void)prec;
     if (op == OPERATOR_POWER)
@@ -107,9 +107,9 @@ const struct arithmetic arithmetic_exact = {
     .init = init_exact,
     .clear = clear_exact,
     .set = set,
-    .set_rational = set_rational,
+    .set_rational = exact_set_rational,
     .set_infinity = set_infinity,
-    .apply = apply,
+    .apply = exact_apply,
 };
 
 bool exact_is_undefined(const struct exact *x)

@@ -138,7 +138,7 @@ void program_truncate(struct program *p, int count)
 
 /* ---- the parser: recursive descent, one function a level of binding ---- */
 
-enum { DEEPEST = 200 }; /* brackets within brackets: far beyond any formula, far below the C stack's end */
+enum { DEEPEST_FORMULA = 200 }; /* brackets within brackets: far beyond any formula, far below the C stack's end */
 
 static void skip_blanks(struct parser *s)
 {
@@ -283,7 +283,7 @@ static int parse_sign(struct parser *s)
 {
     if (!parse_symbol(s, '-'))
         return parse_power(s);
-    if (++s->depth > DEEPEST)
+    if (++s->depth > DEEPEST_FORMULA)
         return parse_refuse(s, "less nesting");
     int operand = parse_sign(s);
     s->depth--;
@@ -312,7 +312,7 @@ static int parse_product(struct parser *s)
 
 int parse_sum(struct parser *s)
 {
-    if (++s->depth > DEEPEST)
+    if (++s->depth > DEEPEST_FORMULA)
         return parse_refuse(s, "less nesting");
     const int sum = parse_chain(s, parse_product, "+-", OPERATOR_ADD, OPERATOR_SUBTRACT);
     s->depth--;
@@ -349,7 +349,7 @@ int program_read(struct program *p, const struct yaml *n, const char *text, size
 
 /* ---- derivatives of programs ---- */
 
-static int product(struct program *p, int a, int b)
+static int product_node(struct program *p, int a, int b)
 {
     return a < 0 || b < 0 ? -1 : program_append(p, OPERATOR_MULTIPLY, a, b, 0);
 }
@@ -381,27 +381,27 @@ static int node_rate(struct program *p, int i, int a, int b)
     case OPERATOR_SUBTRACT:
         return sum(p, a, negative(p, b));
     case OPERATOR_MULTIPLY:
-        return sum(p, product(p, a, node.right), product(p, node.left, b));
+        return sum(p, product_node(p, a, node.right), product_node(p, node.left, b));
     case OPERATOR_DIVIDE: /* (l/r)' = (l' - (l/r) r') / r */
-        return quotient(p, sum(p, a, negative(p, product(p, i, b))), node.right);
+        return quotient(p, sum(p, a, negative(p, product_node(p, i, b))), node.right);
     case OPERATOR_POWER:
         if (a < 0 || node.exponent == 0)
             return -1;
-        return product(p, a, product(p, append_integer(p, node.exponent),
+        return product_node(p, a, product_node(p, append_integer(p, node.exponent),
                                      program_append(p, OPERATOR_POWER, node.left, -1, node.exponent - 1)));
     case OPERATOR_SQRT:
-        return a < 0 ? -1 : quotient(p, a, product(p, append_integer(p, 2), i));
+        return a < 0 ? -1 : quotient(p, a, product_node(p, append_integer(p, 2), i));
     case OPERATOR_SIN:
-        return a < 0 ? -1 : product(p, a, program_append(p, OPERATOR_COS, node.left, -1, 0));
+        return a < 0 ? -1 : product_node(p, a, program_append(p, OPERATOR_COS, node.left, -1, 0));
     case OPERATOR_COS:
-        return a < 0 ? -1 : negative(p, product(p, a, program_append(p, OPERATOR_SIN, node.left, -1, 0)));
+        return a < 0 ? -1 : negative(p, product_node(p, a, program_append(p, OPERATOR_SIN, node.left, -1, 0)));
     case OPERATOR_EXP:
-        return product(p, a, i);
+        return product_node(p, a, i);
     case OPERATOR_LOG:
         return quotient(p, a, node.left);
     case OPERATOR_ATAN2: /* (x y' - y x') / (x^2 + y^2) */
-        return quotient(p, sum(p, product(p, node.right, a), negative(p, product(p, node.left, b))),
-                        sum(p, product(p, node.left, node.left), product(p, node.right, node.right)));
+        return quotient(p, sum(p, product_node(p, node.right, a), negative(p, product_node(p, node.left, b))),
+                        sum(p, product_node(p, node.left, node.left), product_node(p, node.right, node.right)));
     case OPERATOR_INPUT:
     case OPERATOR_NUMBER:
     case OPERATOR_POSITIVE: /* flat but for the jump, where the caller has no business */

@@ -17,7 +17,7 @@ typedef fmpz_mpoly_q_t quotient_t;
  * before it is made, the bits of its numbers, both together, and the degree. Sums, products and quotients of two random
  * rational functions at these bounds, with a common factor or without one, took at most 0.7 s.
  */
-enum { MOST_TERMS = 1000000, MOST_BITS = 100000, MOST_WORK = 200000000, MOST_DEGREE = 100000, MOST_SECONDS = 2, MOST_ROOTS = 128 };
+enum { MOST_TERMS = 1000000, MOST_NUMBER_BITS = 100000, MOST_WORK = 200000000, MOST_DEGREE = 100000, MOST_SECONDS = 2, MOST_ROOTS = 128 };
 
 /* A variable that stands for a function's value. */
 struct opaque {
@@ -26,8 +26,8 @@ struct opaque {
 };
 
 /* The field at work, within an outer one. */
-static struct field {
-    struct field *outer;
+static struct symbolic_field {
+    struct symbolic_field *outer;
     fmpz_mpoly_ctx_t ctx;
     slong variables, more, opaques, kept_opaques;
     bool loose, large;
@@ -69,17 +69,17 @@ static void _quotient_vec_clear(quotient *v, slong count)
 SCOPED(quotient)
 SCOPED_VECTOR(quotient, quotient_ptr)
 
-struct field *symbolic_begin(slong variables, slong more, bool loose)
+struct symbolic_field *symbolic_begin(slong variables, slong more, bool loose)
 {
-    struct field *outer = field;
+    struct symbolic_field *outer = field;
     field = xrealloc(NULL, 1, sizeof *field);
-    *field = (struct field){.outer = outer, .variables = variables, .more = more, .loose = loose, .start = clock()};
+    *field = (struct symbolic_field){.outer = outer, .variables = variables, .more = more, .loose = loose, .start = clock()};
     fmpz_mpoly_ctx_init(CTX, variables + more > 0 ? variables + more : 1, ORD_DEGLEX);
     field->opaque = xrealloc(NULL, (size_t)more + 1, sizeof *field->opaque);
     return field;
 }
 
-void symbolic_use(struct field *f)
+void symbolic_use(struct symbolic_field *f)
 {
     field = f;
 }
@@ -107,7 +107,7 @@ void symbolic_end(void)
 {
     field->kept_opaques = field->kept_roots = 0;
     symbolic_forget();
-    struct field *outer = field->outer;
+    struct symbolic_field *outer = field->outer;
     free(field->opaque);
     fmpz_mpoly_ctx_clear(CTX);
     free(field);
@@ -164,7 +164,7 @@ static double terms_of(const quotient *x)
     return (double)(fmpz_mpoly_length(fmpz_mpoly_q_numref(x), CTX) + fmpz_mpoly_length(fmpz_mpoly_q_denref(x), CTX));
 }
 
-static bool refuse(const char *what, double size)
+static bool too_large(const char *what, double size)
 {
     field->large = true;
     snprintf(field->size, sizeof field->size, "%s: %.3g", what, size);
@@ -178,14 +178,14 @@ static bool may_combine(const quotient *x, const quotient *y)
     if (field->large)
         return false;
     if (terms_of(x) * terms_of(y) > MOST_TERMS)
-        return refuse("terms", terms_of(x) * terms_of(y));
-    if (bits_of(x) + bits_of(y) > MOST_BITS)
-        return refuse("bits of a number", bits_of(x) + bits_of(y));
+        return too_large("terms", terms_of(x) * terms_of(y));
+    if (bits_of(x) + bits_of(y) > MOST_NUMBER_BITS)
+        return too_large("bits of a number", bits_of(x) + bits_of(y));
     if (terms_of(x) * terms_of(y) * (bits_of(x) + bits_of(y)) > MOST_WORK)
-        return refuse("terms times bits", terms_of(x) * terms_of(y) * (bits_of(x) + bits_of(y)));
+        return too_large("terms times bits", terms_of(x) * terms_of(y) * (bits_of(x) + bits_of(y)));
     if (degree_of(x) + degree_of(y) > MOST_DEGREE)
-        return refuse("degree", degree_of(x) + degree_of(y));
-    return seconds <= MOST_SECONDS || refuse("seconds", seconds);
+        return too_large("degree", degree_of(x) + degree_of(y));
+    return seconds <= MOST_SECONDS || too_large("seconds", seconds);
 }
 
 /* z += sign x */
@@ -223,7 +223,7 @@ bool symbolic_is_square(const fmpz_mpoly_t f)
 
 /* ---- series: z is zero before, and is not x or y ---- */
 
-static void product(quotient *z, const quotient *x, const quotient *y, slong terms)
+static void quotient_product(quotient *z, const quotient *x, const quotient *y, slong terms)
 {
     for (slong k = 0; k < terms; k++)
         for (slong j = 0; j <= k; j++)
@@ -254,7 +254,7 @@ static void power(quotient *z, const quotient *x, slong exponent, slong terms)
     for (slong bit = (slong)FLINT_BIT_COUNT(size); bit-- > 0;)
         for (int with_x = 0; with_x <= (size >> bit & 1) && !field->large; with_x++) {
             VECTOR(quotient, next, terms);
-            product(next, z, with_x ? x : z, terms);
+            quotient_product(next, z, with_x ? x : z, terms);
             exchange(z, next, terms);
         }
     if (exponent < 0 && !field->large) {
@@ -311,7 +311,7 @@ static void take(struct symbolic *z, quotient *a)
     z->angle = z->large = false;
 }
 
-static void set_rational(void *x, const fmpq_t q, slong terms)
+static void symbolic_set_rational(void *x, const fmpq_t q, slong terms)
 {
     struct symbolic *z = x;
     VECTOR(quotient, a, terms);
@@ -342,7 +342,7 @@ void symbolic_set_angle(struct symbolic *z, slong variable, const fmpq *point)
 {
     SCOPE(fmpq, zero);
     SCOPE(quotient, t, under);
-    set_rational(z, zero, z->terms);
+    symbolic_set_rational(z, zero, z->terms);
     set_generator(t, variable, point);
     fmpz_mpoly_q_mul(under, t, t, CTX);
     fmpz_mpoly_q_sub(cosine(z), cosine(z), under, CTX);
@@ -525,7 +525,7 @@ static void arc_tangent(struct symbolic *z, const struct symbolic *y, const stru
 
 /* ---- arithmetic ---- */
 
-static void add(struct symbolic *z, const struct symbolic *x, const struct symbolic *y, slong sign)
+static void symbolic_add(struct symbolic *z, const struct symbolic *x, const struct symbolic *y, slong sign)
 {
     VECTOR(quotient, sum, z->terms);
     SCOPE(quotient, c, s);
@@ -549,7 +549,7 @@ static void quotient_of(struct symbolic *z, const struct symbolic *x, const stru
     const bool pole = is_zero(y->a) && !y->large, large = pole && !is_zero(x->a);
     VECTOR(quotient, a, x->terms);
     if (y->large)
-        product(a, x->a, y->a, x->terms);
+        quotient_product(a, x->a, y->a, x->terms);
     else if (large)
         ratio(a, y->a, x->a, x->terms);
     else if (!pole)
@@ -576,9 +576,9 @@ static void apply_fine(enum operator op, struct symbolic *z, const struct symbol
             fmpz_mpoly_q_neg(z->a + k, z->a + k, CTX);
         fmpz_mpoly_q_neg(sine(z), sine(z), CTX);
     } else if (op == OPERATOR_ADD || op == OPERATOR_SUBTRACT) {
-        add(z, x, y, op == OPERATOR_ADD ? 1 : -1);
+        symbolic_add(z, x, y, op == OPERATOR_ADD ? 1 : -1);
     } else if (op == OPERATOR_MULTIPLY) {
-        product(a, x->a, y->a, z->terms);
+        quotient_product(a, x->a, y->a, z->terms);
         take(z, a);
     } else if (op == OPERATOR_DIVIDE) {
         quotient_of(z, x, y);
@@ -601,7 +601,7 @@ static void apply_fine(enum operator op, struct symbolic *z, const struct symbol
     }
 }
 
-static void apply(enum operator op, void *result, const void *left, const void *right, slong exponent, slong terms)
+static void symbolic_apply(enum operator op, void *result, const void *left, const void *right, slong exponent, slong terms)
 {
     struct symbolic *z = result;
     const struct symbolic *x = left, *y = right != NULL ? right : left;
@@ -625,6 +625,6 @@ const struct arithmetic arithmetic_symbolic = {
     .init = symbolic_init,
     .clear = symbolic_clear,
     .set = symbolic_set,
-    .set_rational = set_rational,
-    .apply = apply,
+    .set_rational = symbolic_set_rational,
+    .apply = symbolic_apply,
 };

@@ -99,15 +99,15 @@ struct writer {
 };
 
 /* How tightly it binds, and the name of a function: sin x has to be bracketed to be raised, as a product has. */
-enum tightness { SUM, PRODUCT, POWER, ATOM };
+enum tightness { SUM, BINDS_PRODUCT, POWER, ATOM };
 
 static const struct {
     enum tightness tightness;
     const char *function;
 } operators[] = {
     [OPERATOR_ADD] = {SUM, NULL},          [OPERATOR_SUBTRACT] = {SUM, NULL},   [OPERATOR_NEGATE] = {SUM, NULL},
-    [OPERATOR_MULTIPLY] = {PRODUCT, NULL}, [OPERATOR_DIVIDE] = {PRODUCT, NULL}, [OPERATOR_SIN] = {PRODUCT, "sin"},
-    [OPERATOR_COS] = {PRODUCT, "cos"},     [OPERATOR_LOG] = {PRODUCT, "ln"},    [OPERATOR_POWER] = {POWER, NULL},
+    [OPERATOR_MULTIPLY] = {BINDS_PRODUCT, NULL}, [OPERATOR_DIVIDE] = {BINDS_PRODUCT, NULL}, [OPERATOR_SIN] = {BINDS_PRODUCT, "sin"},
+    [OPERATOR_COS] = {BINDS_PRODUCT, "cos"},     [OPERATOR_LOG] = {BINDS_PRODUCT, "ln"},    [OPERATOR_POWER] = {POWER, NULL},
     [OPERATOR_EXP] = {POWER, NULL},        [OPERATOR_INPUT] = {ATOM, NULL},     [OPERATOR_NUMBER] = {ATOM, NULL},
     [OPERATOR_SQRT] = {ATOM, NULL},        [OPERATOR_ATAN2] = {ATOM, NULL},     [OPERATOR_POSITIVE] = {ATOM, NULL},
 };
@@ -234,12 +234,12 @@ static void write_sum(const struct writer *w, const struct node *n)
 {
     if (n->op == OPERATOR_NEGATE) {
         tex_add(w->tex, "-");
-        write_node(w, n->left, PRODUCT);
+        write_node(w, n->left, BINDS_PRODUCT);
         return;
     }
     write_node(w, n->left, SUM);
     tex_add(w->tex, n->op == OPERATOR_ADD ? " + " : " - ");
-    write_node(w, n->right, n->op == OPERATOR_ADD && w->program->nodes[n->right].op != OPERATOR_NEGATE ? SUM : PRODUCT);
+    write_node(w, n->right, n->op == OPERATOR_ADD && w->program->nodes[n->right].op != OPERATOR_NEGATE ? SUM : BINDS_PRODUCT);
 }
 
 static void write_power(const struct writer *w, const struct node *n)

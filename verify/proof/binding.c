@@ -10,7 +10,7 @@
 
 /* ---- what `from` and `to` name ---- */
 
-static bool is_number_of(const char *entry, const char *equation)
+static bool is_part_of_number(const char *entry, const char *equation)
 {
     const size_t length = strlen(entry);
     return equation != NULL && strncmp(entry, equation, length) == 0 && (equation[length] < '0' || equation[length] > '9');
@@ -51,7 +51,7 @@ static void add_outputs(const struct section *s, const char *number, const char 
 {
     for (int i = 0; i < s->output_count && s->method == METHOD_FORMULA && *count < MOST_PARTS; i++) {
         const char *equation = equation_of(s, i);
-        if ((number == NULL || is_number_of(number, equation)) && (name == NULL || strcmp(name, s->outputs[i]->name) == 0))
+        if ((number == NULL || is_part_of_number(number, equation)) && (name == NULL || strcmp(name, s->outputs[i]->name) == 0))
             parts[(*count)++] = (struct entry_part){s, &s->corrected, s->corrected.outputs[i], s->outputs[i]->name, equation};
     }
 }
@@ -73,7 +73,7 @@ int entry_parts(const struct derivations *d, const char *entry, struct entry_par
         add_outputs(s, entry, NULL, parts, &count);
         for (int k = 0; k < 2 * s->relation_count && count < MOST_PARTS; k++) {
             const struct relation *r = &s->relations[k / 2];
-            if (is_number_of(entry, r->equation))
+            if (is_part_of_number(entry, r->equation))
                 parts[count++] = (struct entry_part){s, &r->sides, r->sides.outputs[k % 2], r->text, r->equation};
         }
     }
@@ -344,7 +344,7 @@ static bool equal_still(struct table *x, int left, int right)
 }
 
 /* Whether an equality breaks; where it is the only one, the step needs it. */
-static bool tells(struct table *x, struct target target)
+static bool breaks_by(struct table *x, struct target target)
 {
     int broken = 0, last = -1;
     mark(x, &target);
@@ -360,7 +360,7 @@ static bool tells(struct table *x, struct target target)
     return broken > 0;
 }
 
-static bool refuse(const struct table *table, const struct yaml *at, size_t offset, const char *format, ...)
+static bool binding_fault(const struct table *table, const struct yaml *at, size_t offset, const char *format, ...)
 {
     char text[300];
     va_list arguments;
@@ -388,7 +388,7 @@ static bool no_tautology(struct table *table)
     while (empty < shown && !equal_still(table, table->t.shown[empty].left, table->t.shown[empty].right))
         empty++;
     restore(table);
-    return empty == shown || refuse(table, table->t.shown[empty].at, 0, "%s holds whatever the formulas are: it shows nothing",
+    return empty == shown || binding_fault(table, table->t.shown[empty].at, 0, "%s holds whatever the formulas are: it shows nothing",
                                     table->t.shown[empty].text);
 }
 
@@ -397,10 +397,10 @@ static bool no_tautology(struct table *table)
 static bool all_used(struct table *table)
 {
     if (table->s->from_count == 0)
-        return refuse(table, table->s->node, 0, "expected an equation or a principle in 'from'");
+        return binding_fault(table, table->s->node, 0, "expected an equation or a principle in 'from'");
     for (int i = 0; i < table->s->from_count; i++)
-        if (!tells(table, (struct target){.change = CHANGE_ANY, .entry = table->s->from[i]}))
-            return refuse(table, item(table, "from", i), 0, "'%s' is not used: any formula in its place would do", table->s->from[i]);
+        if (!breaks_by(table, (struct target){.change = CHANGE_ANY, .entry = table->s->from[i]}))
+            return binding_fault(table, item(table, "from", i), 0, "'%s' is not used: any formula in its place would do", table->s->from[i]);
     return true;
 }
 
@@ -423,7 +423,7 @@ static bool nothing_beyond(struct table *table)
     for (int i = 0; i < t->use_count + lines->use_count; i++) {
         const struct use *u = i < t->use_count ? &t->uses[i] : &lines->uses[i - t->use_count];
         if (!is_named(table, u))
-            return refuse(table, table->s->node, 0, "it rests on %s, which neither from nor to names, nor also with a reason",
+            return binding_fault(table, table->s->node, 0, "it rests on %s, which neither from nor to names, nor also with a reason",
                           u->section->id);
     }
     const struct yaml *also = under(table->s->node, "also");
@@ -433,7 +433,7 @@ static bool nothing_beyond(struct table *table)
         for (int k = 0; k < t->use_count; k++)
             used = used || entry_concerns(table->d, entry, &t->uses[k]);
         if (!used)
-            return refuse(table, &also->items[i], AT_KEY, "'%s' is not used", entry);
+            return binding_fault(table, &also->items[i], AT_KEY, "'%s' is not used", entry);
     }
     return true;
 }
@@ -502,7 +502,7 @@ static bool is_general(struct table *table, int to, const struct entry_part *par
     bool general = table->s->where != NULL;
     for (int i = 0; i < t->use_count && !general; i++)
         general = t->uses[i].formulas == part->formulas && t->uses[i].part == part->node && fills_open_set(t, &t->uses[i]);
-    return general || refuse(table, item(table, "to", to), 0,
+    return general || binding_fault(table, item(table, "to", to), 0,
                              "%s is shown for some values of its inputs alone, expected free ones, or 'where' to say which",
                              part->name);
 }
@@ -564,32 +564,32 @@ static bool all_changes_tell(struct table *table, int to, const struct program *
             if (!change_node(&n, target.change, &instead))
                 continue;
             table->b->mutants++;
-            if (!tells(table, target) && !is_equivalent(p, wanted, target.change, target.node))
+            if (!breaks_by(table, target) && !is_equivalent(p, wanted, target.change, target.node))
                 silent = changes[target.change];
         }
     free(spoken);
-    return silent == NULL || refuse(table, item(table, "to", to), 0, "%s may be altered (%s) and every equality holds still",
+    return silent == NULL || binding_fault(table, item(table, "to", to), 0, "%s may be altered (%s) and every equality holds still",
                                     target.part->name, silent);
 }
 
 static bool side_is_bound(struct table *table, int to, const struct entry_part *part)
 {
     const struct target target = {.change = CHANGE_ANY, .part = part};
-    if (!tells(table, target))
-        return refuse(table, item(table, "to", to), 0, "%s stands in no equality as a whole: a side is not shown", part->name);
+    if (!breaks_by(table, target))
+        return binding_fault(table, item(table, "to", to), 0, "%s stands in no equality as a whole: a side is not shown", part->name);
     return all_changes_tell(table, to, &part->formulas->program, part->node, target);
 }
 
 static bool output_is_bound(struct table *table, int to, const struct entry_part *part)
 {
     const struct program *p = &part->section->corrected.program;
-    if (!tells(table, (struct target){.change = CHANGE_ANY, .part = part}))
-        return refuse(table, item(table, "to", to), 0, "%s stands in no equality", part->name);
+    if (!breaks_by(table, (struct target){.change = CHANGE_ANY, .part = part}))
+        return binding_fault(table, item(table, "to", to), 0, "%s stands in no equality", part->name);
     if (part->equation == NULL) /* the formula of a property says what is shown, and claims nothing */
-        return tells(table, (struct target){.change = CHANGE_RESULT, .part = part}), true;
-    if (!tells(table, (struct target){.change = CHANGE_RESULT, .part = part}) &&
+        return breaks_by(table, (struct target){.change = CHANGE_RESULT, .part = part}), true;
+    if (!breaks_by(table, (struct target){.change = CHANGE_RESULT, .part = part}) &&
         !is_equivalent(p, part->node, CHANGE_RESULT, part->node))
-        return refuse(table, item(table, "to", to), 0, "%s may have the other sign and every equality holds still", part->name);
+        return binding_fault(table, item(table, "to", to), 0, "%s may have the other sign and every equality holds still", part->name);
     return is_general(table, to, part) && all_changes_tell(table, to, p, part->node, (struct target){.part = part});
 }
 
@@ -601,7 +601,7 @@ static bool is_new(struct table *table, int to, const struct entry_part *part)
         const int count = entry_parts(table->d, table->s->from[i], from);
         for (int k = 0; k < count; k++)
             if (same_part(&from[k], part))
-                return refuse(table, item(table, "to", to), 0, "%s is in from already", part->name);
+                return binding_fault(table, item(table, "to", to), 0, "%s is in from already", part->name);
     }
     return true;
 }
@@ -609,7 +609,7 @@ static bool is_new(struct table *table, int to, const struct entry_part *part)
 static bool all_shown(struct table *table)
 {
     if (table->s->to_count == 0)
-        return refuse(table, table->s->node, 0, "expected an equation or a property in 'to'");
+        return binding_fault(table, table->s->node, 0, "expected an equation or a property in 'to'");
     for (int i = 0; i < table->s->to_count; i++) {
         struct entry_part parts[MOST_PARTS];
         const int count = entry_parts(table->d, table->s->to[i], parts);
@@ -652,7 +652,7 @@ static bool all_wanted(struct table *table)
     note_names(table);
     for (int i = 0; i < t->shown_count; i++)
         if (!table->alone[i])
-            return refuse(table, t->shown[i].at, 0, "%s could be left out: nothing in from and to needs it", t->shown[i].text);
+            return binding_fault(table, t->shown[i].at, 0, "%s could be left out: nothing in from and to needs it", t->shown[i].text);
     return true;
 }
 

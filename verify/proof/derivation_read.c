@@ -19,7 +19,7 @@ static const struct field definition_fields[] = {
     {.key = NULL}};
 
 /* The names of the mapping's formulas, each appended to the program and named; their nodes, as far as wanted. */
-static bool read_formulas(const struct yaml *mapping, struct formulas *f, bool output)
+static bool read_definition_formulas(const struct yaml *mapping, struct formulas *f, bool output)
 {
     for (int i = 0; mapping != NULL && i < mapping->count; i++) {
         const struct yaml *formula = &mapping->items[i];
@@ -58,7 +58,7 @@ static bool read_definition(struct derivations *d, const struct yaml *n)
         *q = (struct quantity){.name = w.outputs->items[s->output_count].key};
         s->outputs[s->output_count] = q;
     }
-    return read_formulas(w.let, &s->corrected, false) && read_formulas(w.outputs, &s->corrected, true);
+    return read_definition_formulas(w.let, &s->corrected, false) && read_definition_formulas(w.outputs, &s->corrected, true);
 }
 
 

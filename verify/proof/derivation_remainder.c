@@ -13,7 +13,7 @@ static bool read_number(const struct yaml *node, fmpq_t value)
 }
 
 /* VALUE or [LOW, HIGH] */
-static bool read_range(const struct yaml *node, fmpq_t low, fmpq_t high)
+static bool read_bounds_of(const struct yaml *node, fmpq_t low, fmpq_t high)
 {
     if (node->text != NULL) {
         bool fine = read_number(node, low);
@@ -44,7 +44,7 @@ static bool read_states(const struct scope *s, const struct yaml *on, struct rem
     for (int i = 0; i < m->program.inputs; i++) {
         const char *name = m->program.names[i].text;
         const struct yaml *range = under(on, name);
-        if (range != NULL && !read_range(range, m->low + i, m->high + i))
+        if (range != NULL && !read_bounds_of(range, m->low + i, m->high + i))
             return false;
         if (range == NULL && !value_of_table1(s->sheet, name, m->low + i))
             return node_error(on, 0, "missing '%s', which is not in Table 1", name);

@@ -15,11 +15,11 @@ struct known {
     int signs;
 };
 
-static const struct symbolic *value(struct run *r, int i);
+static const struct symbolic *value_of(struct run *r, int i);
 
 /* ---- signs at epsilon = 0 ---- */
 
-static int sign_of(int number)
+static int signs_of_number(int number)
 {
     return number > 0 ? SIGN_POSITIVE : number < 0 ? SIGN_NEGATIVE : SIGN_ZERO;
 }
@@ -30,8 +30,8 @@ static int combine(int a, int b, bool sum)
     int result = 0;
     for (int x = -1; x <= 1; x++)
         for (int y = -1; y <= 1; y++)
-            if ((a & sign_of(x)) && (b & sign_of(y)))
-                result |= !sum ? sign_of(x * y) : x * y < 0 ? SIGN_ANY : sign_of(x + y);
+            if ((a & signs_of_number(x)) && (b & signs_of_number(y)))
+                result |= !sum ? signs_of_number(x * y) : x * y < 0 ? SIGN_ANY : signs_of_number(x + y);
     return result;
 }
 
@@ -55,7 +55,7 @@ static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
             signs[r->variable[k]] = r->t->variables[k].signs;
     for (slong i = 0; i < fmpz_mpoly_length(f, ctx) && sum != SIGN_ANY; i++) {
         fmpz_mpoly_get_term_coeff_fmpz(c, f, i, ctx);
-        int term = sign_of(fmpz_sgn(c));
+        int term = signs_of_number(fmpz_sgn(c));
         for (slong k = 0; k < all; k++)
             term = combine(term, signs_power(signs[k], fmpz_mpoly_get_term_var_exp_si(f, i, k, ctx)), false);
         sum = combine(sum, term, true);
@@ -64,19 +64,19 @@ static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
     return sum == SIGN_ANY && symbolic_is_square(f) ? SIGN_ZERO | SIGN_POSITIVE : sum;
 }
 
-static int signs(struct run *r, int i);
+static int signs_of(struct run *r, int i);
 
 /* By its form; none where it divides by zero. */
 static int signs_by_form(struct run *r, const struct node *n)
 {
     const struct variable *v = n->left >= 0 && n->left < r->t->program.inputs ? &r->t->variables[n->left] : NULL;
     if (n->op == OPERATOR_NUMBER)
-        return sign_of(fmpq_sgn(&n->number));
+        return signs_of_number(fmpq_sgn(&n->number));
     if (n->op == OPERATOR_COS)
         return v != NULL && (v->quarter_turn || v->power > 0) ? SIGN_POSITIVE : SIGN_ANY;
     if (n->op == OPERATOR_EXP)
         return SIGN_POSITIVE;
-    const int a = signs(r, n->left), b = n->right < 0 ? SIGN_ANY : signs(r, n->right);
+    const int a = signs_of(r, n->left), b = n->right < 0 ? SIGN_ANY : signs_of(r, n->right);
     if (n->op == OPERATOR_MULTIPLY)
         return combine(a, b, false);
     if (n->op == OPERATOR_DIVIDE)
@@ -88,7 +88,7 @@ static int signs_by_form(struct run *r, const struct node *n)
 }
 
 /* The signs that a node may have at epsilon = 0: by its form, and where that does not tell by its normal form. */
-static int signs(struct run *r, int i)
+static int signs_of(struct run *r, int i)
 {
     int *result = &r->nodes[i].signs;
     if (i < r->t->program.inputs)
@@ -96,7 +96,7 @@ static int signs(struct run *r, int i)
     if (r->t->program.nodes[i].op == OPERATOR_INPUT)
         return SIGN_ANY;
     if (*result == 0 && ((*result = signs_by_form(r, &r->t->program.nodes[i])) == 0 || *result == SIGN_ANY)) {
-        const struct symbolic *x = value(r, i);
+        const struct symbolic *x = value_of(r, i);
         *result = SIGN_ANY;
         if (x->fault == SYMBOLIC_FINE && !x->angle)
             *result = combine(signs_of_polynomial(r, fmpz_mpoly_q_numref(x->a)),
@@ -126,7 +126,7 @@ static void set_input(struct run *r, struct symbolic *z, int i)
         symbolic_set_variable(z, variable, power, r->at_point ? point : NULL);
 }
 
-static const struct symbolic *value(struct run *r, int i)
+static const struct symbolic *value_of(struct run *r, int i)
 {
     const struct node *n = &r->t->program.nodes[i];
     struct symbolic *z = &r->nodes[i].value;
@@ -139,8 +139,8 @@ static const struct symbolic *value(struct run *r, int i)
     } else if (n->op == OPERATOR_NUMBER) {
         arithmetic_symbolic.set_rational(z, &n->number, r->terms);
     } else {
-        const struct symbolic *x = value(r, n->left), *y = n->right < 0 ? NULL : value(r, n->right);
-        const int sign = n->op == OPERATOR_POSITIVE && x->fault == SYMBOLIC_FINE ? signs(r, n->left) : SIGN_ANY;
+        const struct symbolic *x = value_of(r, n->left), *y = n->right < 0 ? NULL : value_of(r, n->right);
+        const int sign = n->op == OPERATOR_POSITIVE && x->fault == SYMBOLIC_FINE ? signs_of(r, n->left) : SIGN_ANY;
         SCOPE(fmpq, truth);
         fmpq_set_si(truth, sign == SIGN_POSITIVE, 1);
         if (sign == SIGN_POSITIVE || !(sign & (SIGN_POSITIVE | (r->terms > 1 ? SIGN_ZERO : 0))))
@@ -179,7 +179,7 @@ void run_keep(struct run *r, int count)
     symbolic_use(r->field);
     for (int i = 0; i < count; i++) {
         if (r->t->needed[i])
-            value(r, i);
+            value_of(r, i);
         r->nodes[i].kept = r->nodes[i].done;
     }
     symbolic_keep();
@@ -224,7 +224,7 @@ static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, fmpq *point)
 }
 
 /* False at a pole. */
-static bool evaluate(fmpq_t y, const fmpz_mpoly_q_struct *f, fmpq *point)
+static bool rational_at(fmpq_t y, const fmpz_mpoly_q_struct *f, fmpq *point)
 {
     SCOPE(fmpq, under);
     evaluate_polynomial(y, fmpz_mpoly_q_numref(f), point);
@@ -267,7 +267,7 @@ static void print_example(struct tex *out, const struct run *r, const fmpz_mpoly
     do
         choose_point(point, r, attempt);
     while (attempt++ < ATTEMPTS &&
-           (!evaluate(left, x, point) || !evaluate(right, y, point) || fmpq_equal(left, right)));
+           (!rational_at(left, x, point) || !rational_at(right, y, point) || fmpq_equal(left, right)));
     tex_add(out, "; ");
     print_rational(out, left);
     tex_add(out, " is not ");
@@ -351,8 +351,8 @@ struct finding {
 bool run_root(struct run *r, int node)
 {
     symbolic_use(r->field);
-    const struct symbolic *x = value(r, node);
-    const int s = x->fault == SYMBOLIC_FINE && !x->angle ? signs(r, node) : SIGN_ANY;
+    const struct symbolic *x = value_of(r, node);
+    const int s = x->fault == SYMBOLIC_FINE && !x->angle ? signs_of(r, node) : SIGN_ANY;
     const bool is_root = !(s & SIGN_NEGATIVE) && s != SIGN_ZERO;
     if (is_root)
         symbolic_root(x, s == SIGN_POSITIVE);
@@ -366,9 +366,9 @@ static enum symbolic_fault fault_of(const struct symbolic *x)
 }
 
 /* Of two nodes; *zero: both vanish, to this order. */
-static enum result compare(struct run *r, int left, int right, bool *zero, struct finding *f)
+static enum result compare_nodes(struct run *r, int left, int right, bool *zero, struct finding *f)
 {
-    const struct symbolic *x = value(r, left), *y = value(r, right);
+    const struct symbolic *x = value_of(r, left), *y = value_of(r, right);
     f->fault = fault_of(x) != SYMBOLIC_FINE ? fault_of(x) : fault_of(y);
     if (f->fault != SYMBOLIC_FINE)
         return IDENTITY_UNDECIDED;
@@ -386,13 +386,13 @@ enum result run_compare(struct run *r, int left, int right, bool *large)
     bool zero;
     struct finding f;
     symbolic_use(r->field);
-    const enum result result = compare(r, left, right, &zero, &f);
+    const enum result result = compare_nodes(r, left, right, &zero, &f);
     *large = f.fault == SYMBOLIC_TOO_LARGE;
     return result;
 }
 
 /* How the sides of an equality differ, or why they have no value. */
-static char *tell(struct run *r, const struct equality *e, const struct finding *f, struct proof *p)
+static char *tell_difference(struct run *r, const struct equality *e, const struct finding *f, struct proof *p)
 {
     struct tex out = {NULL, 0};
     tex_add(&out, "%s: ", e->text);
@@ -401,7 +401,7 @@ static char *tell(struct run *r, const struct equality *e, const struct finding 
         tex_add(&out, "no value, %s%s%s", symbolic_fault_text(f->fault), large ? ", " : "", large ? symbolic_fault_size() : "");
         return out.text;
     }
-    const fmpz_mpoly_q_struct *x = value(r, e->left)->a + f->power, *y = value(r, e->right)->a + f->power;
+    const fmpz_mpoly_q_struct *x = value_of(r, e->left)->a + f->power, *y = value_of(r, e->right)->a + f->power;
     if (r->terms > 1)
         tex_add(&out, "the coefficients of epsilon^%ld differ by ", (long)f->power);
     else
@@ -412,7 +412,7 @@ static char *tell(struct run *r, const struct equality *e, const struct finding 
 }
 
 /* Where nothing told against the identities before: they are undecided, for what is said of `what`. */
-static void refuse(struct proof *p, const struct yaml *at, const char *format, const char *what)
+static void proof_fails(struct proof *p, const struct yaml *at, const char *format, const char *what)
 {
     struct tex out = {NULL, 0};
     if (p->result != IDENTITY_HOLDS)
@@ -434,9 +434,9 @@ static void look_further(const struct identities *t, const bool *zero, struct pr
     for (int i = 0; i < t->shown_count; i++) {
         bool still = true;
         if (zero[i])
-            still = compare(&r, t->shown[i].left, t->shown[i].right, &still, &f) == IDENTITY_HOLDS && still;
+            still = compare_nodes(&r, t->shown[i].left, t->shown[i].right, &still, &f) == IDENTITY_HOLDS && still;
         if (!still)
-            refuse(p, t->shown[i].at, "%s: both sides vanish to this order: nothing is shown", t->shown[i].text);
+            proof_fails(p, t->shown[i].at, "%s: both sides vanish to this order: nothing is shown", t->shown[i].text);
         p->holds[i] = p->holds[i] && still;
     }
     run_end(&r);
@@ -450,23 +450,23 @@ void identities_prove(const struct identities *t, struct proof *p)
     run_begin(&r, t, t->order + 1 + (t->order < 0), RUN_STRICT, 0);
     for (int i = 0; i < t->root_count; i++)
         if (!run_root(&r, t->roots[i].node))
-            refuse(p, t->roots[i].at, "square root %s is not proved to be positive", t->roots[i].text);
+            proof_fails(p, t->roots[i].at, "square root %s is not proved to be positive", t->roots[i].text);
     for (int i = 0; i < t->shown_count; i++) {
         const struct equality *e = &t->shown[i];
         struct finding f;
-        const enum result result = compare(&r, e->left, e->right, &zero[i], &f);
+        const enum result result = compare_nodes(&r, e->left, e->right, &zero[i], &f);
         p->holds[i] = result == IDENTITY_HOLDS;
         zero[i] = zero[i] && p->holds[i];
         if (p->result == IDENTITY_HOLDS && result != IDENTITY_HOLDS) {
             p->result = result;
             p->at = e->at;
             p->offset = e->offset;
-            p->evidence = tell(&r, e, &f, p);
+            p->evidence = tell_difference(&r, e, &f, p);
         }
     }
     for (int i = 0; i < t->root_count && !t->shared; i++)
         if (!symbolic_root_used(i))
-            refuse(p, t->roots[i].at, "square root %s is the root of nothing shown", t->roots[i].text);
+            proof_fails(p, t->roots[i].at, "square root %s is the root of nothing shown", t->roots[i].text);
     run_end(&r);
     if (t->order >= 0 && p->result == IDENTITY_HOLDS)
         look_further(t, zero, p);

@@ -134,7 +134,7 @@ void proof_clear(struct proof *p);
 /* The values and signs of nodes, in a field of normal forms of its own: worked out when they are first asked for. */
 struct run {
     const struct identities *t;
-    struct field *field;
+    struct symbolic_field *field;
     struct known *nodes;
     int count;         /* of nodes                                    */
     slong *variable;   /* of an input; -1 where nothing rests on it   */

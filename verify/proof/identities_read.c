@@ -16,7 +16,7 @@
 
 #include "proof/identities.h"
 
-enum { MOST_NAMES = 64, HIGHEST_ORDER = 9, MOST_MOVING = 10000 };
+enum { MOST_FURTHER_NAMES = 64, HIGHEST_ORDER = 9, MOST_RATES = 10000 };
 
 /* Both halves of what a formula is read with. */
 struct reading {
@@ -24,7 +24,7 @@ struct reading {
     const struct scope *scope;
 };
 
-static const struct yaml *given(const struct scope *s, const char *key)
+static const struct yaml *scope_given(const struct scope *s, const char *key)
 {
     const struct yaml *own = under(s->given, key);
     return own != NULL ? own : under(s->shared, key);
@@ -59,7 +59,7 @@ static const char *name_of(const struct yaml *item)
     return item->key != NULL ? item->key : item->text;
 }
 
-static size_t place_of(const struct yaml *item)
+static size_t offset_of_item(const struct yaml *item)
 {
     return item->key != NULL ? AT_KEY : 0;
 }
@@ -85,16 +85,16 @@ static bool declare_name(struct identities *t, const struct scope *s, const stru
     const char *name = name_of(item);
     int input = find_input(&t->program, name);
     if (input >= 0 && strcmp(declared->key, "free") == 0)
-        return node_error(item, place_of(item), "'%s' is known already, expected a new name", name);
+        return node_error(item, offset_of_item(item), "'%s' is known already, expected a new name", name);
     if (input < 0 && declared->small)
-        return node_error(item, place_of(item), "unknown symbol '%s', expected a free quantity", name);
+        return node_error(item, offset_of_item(item), "unknown symbol '%s', expected a free quantity", name);
     if (input < 0)
         input = add_variable(t, name, SIGN_ANY);
     struct variable *v = &t->variables[input];
     if (v->angle || v->power > 0)
-        return node_error(item, place_of(item), "'%s' is an angle or small already", name);
+        return node_error(item, offset_of_item(item), "'%s' is an angle or small already", name);
     if (input < s->sheet->quantity_count && (v->signs & ~declared->signs) != 0)
-        return node_error(item, place_of(item), "'%s' may be %s in the sheet, expected a name of its own", name,
+        return node_error(item, offset_of_item(item), "'%s' may be %s in the sheet, expected a name of its own", name,
                           v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
     v->power = declared->small;
     v->angle = declared->angle;
@@ -112,8 +112,8 @@ static bool read_declarations(struct identities *t, const struct scope *s)
     for (int i = 0; i < s->sheet->quantity_count; i++)
         add_variable(t, s->sheet->quantities[i].name, signs_of(s->sheet->quantities[i].domain));
     for (int i = 0; i < DECLARATIONS; i++) {
-        const struct yaml *names = given(s, declarations[i].key);
-        if (names != NULL && !(declarations[i].angle && names->mapping) && !is_texts(names, MOST_NAMES))
+        const struct yaml *names = scope_given(s, declarations[i].key);
+        if (names != NULL && !(declarations[i].angle && names->mapping) && !is_texts(names, MOST_FURTHER_NAMES))
             return false;
         for (int k = 0; names != NULL && k < names->count; k++)
             if (!declare_name(t, s, &declarations[i], &names->items[k]))
@@ -128,8 +128,8 @@ static bool read_declarations(struct identities *t, const struct scope *s)
 /* -1 where there is none; it has to be there where quantities are small. */
 static bool read_order(struct identities *t, const struct scope *s)
 {
-    const struct yaml *node = given(s, "order");
-    const bool small = given(s, "small") != NULL;
+    const struct yaml *node = scope_given(s, "order");
+    const bool small = scope_given(s, "small") != NULL;
     t->order = -1;
     if (node == NULL && small)
         return node_error(s->given, 0, "missing order: up to which power of the small quantities");
@@ -165,7 +165,7 @@ static bool rate_name(const struct sheet *s, const char *name, char rate[LONGEST
 /* Every name that moves, and what it moves by, is known in the end, and goes by its own name. */
 static bool check_rates(const struct identities *t, const struct scope *s)
 {
-    const struct yaml *rates = given(s, "rates");
+    const struct yaml *rates = scope_given(s, "rates");
     char rate[LONGEST_NAME + 8];
     for (int i = 0; rates != NULL && i < rates->count; i++) {
         const struct yaml *by = &rates->items[i];
@@ -184,7 +184,7 @@ static int read_rate(struct parser *p)
 {
     const struct reading *r = p->context;
     const struct scope *s = r->scope;
-    const struct yaml *rates = given(s, "rates");
+    const struct yaml *rates = scope_given(s, "rates");
     const char *begin = p->at;
     char name[LONGEST_NAME + 8];
     p->at++; /* the bracket, without which it were a name */
@@ -192,7 +192,7 @@ static int read_rate(struct parser *p)
     if (node < 0 || !parse_symbol(p, ')'))
         return node < 0 ? -1 : parse_refuse(p, "')' or an operator");
     const int count = p->program->count;
-    if (count > MOST_MOVING)
+    if (count > MOST_RATES)
         return parse_refuse(p, "fewer rates of rates");
     int *rate = xrealloc(NULL, (size_t)count, sizeof *rate);
     char *needed = xrealloc(NULL, (size_t)count, 1);
@@ -232,7 +232,7 @@ static int read_rate(struct parser *p)
 /* ---- what a formula takes of the sheet ---- */
 
 /* -1, the mistake being the name that was just passed. */
-static int unknown_name(struct parser *p, const char *name, const char *kind, const char *expected)
+static int unknown_in_formula(struct parser *p, const char *name, const char *kind, const char *expected)
 {
     p->at -= strlen(name);
     message_set(p->why, "unknown %s '%s', expected %s", kind, name, expected);
@@ -304,7 +304,7 @@ static bool read_bindings(struct parser *p, const struct program *from, int *sta
             return false;
         int node = program_find(from, name);
         if (node < 0)
-            return unknown_name(p, name, "name", "an input or a named subexpression of that section") >= 0;
+            return unknown_in_formula(p, name, "name", "an input or a named subexpression of that section") >= 0;
         if (!parse_symbol(p, '='))
             return parse_refuse(p, "'='") >= 0;
         if ((stand_in[node] = parse_sum(p)) < 0)
@@ -363,7 +363,7 @@ static const struct formulas *read_variant(struct parser *p, const struct sectio
         return NULL;
     if (strcmp(variant, "printed") == 0 && section->differs)
         return &section->printed;
-    unknown_name(p, variant, "variant", "'printed', of a section that the sheet has as printed too");
+    unknown_in_formula(p, variant, "variant", "'printed', of a section that the sheet has as printed too");
     return NULL;
 }
 
@@ -401,7 +401,7 @@ static int read_output(struct parser *p, const char *id)
     if (dotted >= 0)
         return dotted;
     if (u.section == NULL || u.section->method != METHOD_FORMULA)
-        return unknown_name(p, id, "section", "one of the sheet that has formulas, as eq10");
+        return unknown_in_formula(p, id, "section", "one of the sheet that has formulas, as eq10");
     p->at++;
     if (!parse_word(p, name))
         return -1;
@@ -412,7 +412,7 @@ static int read_output(struct parser *p, const char *id)
     const struct program *from = &u.formulas->program;
     if (!find_output(&u, name)) {
         p->at = behind;
-        return unknown_name(p, name, "output", "an output or a named subexpression of that section");
+        return unknown_in_formula(p, name, "output", "an output or a named subexpression of that section");
     }
     int *stand_in = xrealloc(NULL, (size_t)from->count, sizeof *stand_in);
     for (int i = 0; i < from->count; i++)
@@ -435,7 +435,7 @@ static int read_reference(struct parser *p, const char *name)
         return read_rate(p);
     if (strcmp(name, "left") == 0 || strcmp(name, "right") == 0)
         return read_side(p, name[0] == 'r');
-    return unknown_name(p, name, "function", "rate, left, right, sqrt, sin, cos, exp or atan2");
+    return unknown_in_formula(p, name, "function", "rate, left, right, sqrt, sin, cos, exp or atan2");
 }
 
 int identities_text(struct identities *t, const struct scope *s, const struct yaml *node, const char *text, size_t shift)
@@ -548,7 +548,7 @@ static void add_let(struct identities *t, const char *name, const char *formula)
 /* What is printed differs in some definitions: by the same names, so that the order is the step's. */
 static bool read_let(struct identities *t, const struct scope *s)
 {
-    const struct yaml *let = given(s, "let"), *variant = under(s->variant, "let");
+    const struct yaml *let = scope_given(s, "let"), *variant = under(s->variant, "let");
     if (variant != NULL && !is_map(variant))
         return false;
     for (int i = 0; variant != NULL && i < variant->count; i++) {
@@ -568,13 +568,13 @@ static bool read_let(struct identities *t, const struct scope *s)
     return true;
 }
 
-static bool read_roots(struct identities *t, const struct scope *s)
+static bool read_square_roots(struct identities *t, const struct scope *s)
 {
     const struct yaml *other = under(s->variant, "square roots");
-    const struct yaml *roots = other ? other : given(s, "square roots");
+    const struct yaml *roots = other ? other : scope_given(s, "square roots");
     if (roots == NULL)
         return true;
-    if (!is_texts(roots, MOST_NAMES))
+    if (!is_texts(roots, MOST_FURTHER_NAMES))
         return false;
     t->roots = xrealloc(NULL, (size_t)roots->count, sizeof *t->roots);
     for (; t->root_count < roots->count; t->root_count++) {
@@ -589,7 +589,7 @@ static bool read_roots(struct identities *t, const struct scope *s)
 
 static bool are_texts(const struct scope *s, const char *key)
 {
-    const struct yaml *node = given(s, key);
+    const struct yaml *node = scope_given(s, key);
     if (node != NULL && !is_map(node))
         return false;
     for (int i = 0; node != NULL && i < node->count; i++)
@@ -603,7 +603,7 @@ bool identities_open(struct identities *t, const struct scope *s)
     *t = (struct identities){.shared = s->shared != NULL};
     program_init(&t->program);
     return are_texts(s, "rates") && are_texts(s, "let") && read_order(t, s) && read_declarations(t, s) &&
-           read_let(t, s) && read_roots(t, s);
+           read_let(t, s) && read_square_roots(t, s);
 }
 
 /* ---- what serves nothing ---- */
@@ -624,15 +624,15 @@ static bool all_needed(const struct identities *t, const struct scope *s)
 {
     const struct program *p = &t->program;
     for (int i = 0; i < DECLARATIONS; i++) {
-        const struct yaml *names = given(s, declarations[i].key);
+        const struct yaml *names = scope_given(s, declarations[i].key);
         for (int k = 0; names != NULL && k < names->count; k++) {
             const struct yaml *item = &names->items[k];
             const char *name = name_of(item);
             if (!t->needed[find_input(p, name)])
-                return node_error(item, place_of(item), "nothing shown rests on '%s'", name);
+                return node_error(item, offset_of_item(item), "nothing shown rests on '%s'", name);
         }
     }
-    const struct yaml *let = given(s, "let");
+    const struct yaml *let = scope_given(s, "let");
     for (int k = 0, first = p->inputs; let != NULL && k < let->count; k++) {
         const int last = p->names[p->inputs + k].node; /* its formula: nodes first ... last, or an older one */
         bool serves = t->needed[last];

@@ -4,7 +4,7 @@
 
 #include "text/scope.h"
 
-enum { BITS = 128, MOST_BOXES = 20000, DEEPEST = 200, MOST_MOVING = 12 };
+enum { SEARCH_BITS = 128, MOST_BOXES = 20000, DEEPEST_SEARCH = 200, MOST_SEARCHED = 12 };
 
 void remainder_init(struct remainder *r, const struct program *p, int node)
 {
@@ -39,14 +39,14 @@ struct search {
 };
 
 /* The formula for states within these balls. */
-static void evaluate(struct search *s, arb_t z, arb_srcptr state)
+static void enclose_at(struct search *s, arb_t z, arb_srcptr state)
 {
     SCOPE(arb, least);
     for (int i = 0; i < s->inputs; i++)
         arb_set(machine_value(&s->value, i), state + i);
     machine_run(&s->value);
     arb_set(z, machine_value(&s->value, s->of->node));
-    arb_get_abs_lbound_arf(arb_midref(least), z, BITS);
+    arb_get_abs_lbound_arf(arb_midref(least), z, SEARCH_BITS);
     if (arb_gt(least, s->reached))
         arb_set(s->reached, least);
 }
@@ -64,11 +64,11 @@ static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
     SCOPE(mag, change, most, all);
     int widest = -1;
     for (int i = 0; i < inputs; i++)
-        arb_union(state + i, low + i, high + i, BITS);
-    evaluate(s, z, state);
+        arb_union(state + i, low + i, high + i, SEARCH_BITS);
+    enclose_at(s, z, state);
     machine_gradient(&s->value, s->of->node, &s->slope);
     for (int i = 0; i < inputs; i++) {
-        arb_mul_si(z, machine_value(&s->slope, i), sign, BITS);
+        arb_mul_si(z, machine_value(&s->slope, i), sign, SEARCH_BITS);
         if (arb_is_finite(z) && arb_is_nonnegative(z)) {
             arb_set(low + i, high + i);
         } else if (arb_is_finite(z) && arb_is_nonpositive(z)) {
@@ -82,11 +82,11 @@ static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
                 widest = i;
             }
         }
-        arb_add(state + i, low + i, high + i, BITS);
+        arb_add(state + i, low + i, high + i, SEARCH_BITS);
         arb_mul_2exp_si(state + i, state + i, -1);
     }
-    evaluate(s, z, state);
-    arb_mul_si(z, z, sign, BITS);
+    enclose_at(s, z, state);
+    arb_mul_si(z, z, sign, SEARCH_BITS);
     arb_add_error_mag(z, all);
     return widest;
 }
@@ -100,9 +100,9 @@ static bool is_below(struct search *s, arb_srcptr box, int sign, int depth)
     _arb_vec_set(part, box, 2 * s->inputs);
     const int i = bound_above(s, z, part, sign);
     bool below = arb_le(z, s->bound);
-    if (!below && i >= 0 && depth < DEEPEST && ++s->boxes < MOST_BOXES && !arb_gt(s->reached, s->bound)) {
+    if (!below && i >= 0 && depth < DEEPEST_SEARCH && ++s->boxes < MOST_BOXES && !arb_gt(s->reached, s->bound)) {
         arb_set(end, high + i);
-        arb_add(high + i, low + i, high + i, BITS);
+        arb_add(high + i, low + i, high + i, SEARCH_BITS);
         arb_mul_2exp_si(high + i, high + i, -1);
         below = is_below(s, part, sign, depth + 1);
         arb_swap(low + i, high + i);
@@ -115,17 +115,17 @@ static bool is_below(struct search *s, arb_srcptr box, int sign, int depth)
 /* What is dropped is mostly largest at a corner: a bound below it is found out at once. */
 static void try_corners(struct search *s, arb_srcptr box)
 {
-    int moving[MOST_MOVING] = {0}, count = 0;
+    int moving[MOST_SEARCHED] = {0}, count = 0;
     VECTOR(arb, corner, s->inputs);
     SCOPE(arb, z);
     _arb_vec_set(corner, box, s->inputs);
-    for (int i = 0; i < s->inputs && count < MOST_MOVING; i++)
+    for (int i = 0; i < s->inputs && count < MOST_SEARCHED; i++)
         if (!fmpq_equal(s->of->low + i, s->of->high + i))
             moving[count++] = i;
     for (int k = 0; k < 1 << count; k++) {
         for (int j = 0; j < count; j++)
             arb_set(corner + moving[j], box + moving[j] + (k >> j & 1 ? s->inputs : 0));
-        evaluate(s, z, corner);
+        enclose_at(s, z, corner);
     }
 }
 
@@ -134,17 +134,17 @@ void remainder_prove(const struct remainder *r, struct remainder_proof *proof)
     SCOPE(arb, bound, reached);
     struct search s = {.of = r, .inputs = r->program.inputs, .bound = bound, .reached = reached};
     VECTOR(arb, box, 2 * s.inputs);
-    machine_init(&s.value, &r->program, &arithmetic_ball, BITS);
-    machine_init(&s.slope, &r->program, &arithmetic_ball, BITS);
-    arb_set_fmpq(s.bound, r->bound, BITS);
+    machine_init(&s.value, &r->program, &arithmetic_ball, SEARCH_BITS);
+    machine_init(&s.slope, &r->program, &arithmetic_ball, SEARCH_BITS);
+    arb_set_fmpq(s.bound, r->bound, SEARCH_BITS);
     for (int i = 0; i < s.inputs; i++) {
-        arb_set_fmpq(box + i, r->low + i, BITS);
-        arb_set_fmpq(box + s.inputs + i, r->high + i, BITS);
+        arb_set_fmpq(box + i, r->low + i, SEARCH_BITS);
+        arb_set_fmpq(box + s.inputs + i, r->high + i, SEARCH_BITS);
     }
     try_corners(&s, box);
     const bool below = is_below(&s, box, 1, 0) && is_below(&s, box, -1, 0), above = arb_gt(s.reached, s.bound);
-    arb_div(s.reached, s.reached, s.bound, BITS);
-    arb_mul_ui(s.reached, s.reached, 100, BITS);
+    arb_div(s.reached, s.reached, s.bound, SEARCH_BITS);
+    arb_mul_ui(s.reached, s.reached, 100, SEARCH_BITS);
     proof->boxes = s.boxes;
     proof->percent = above ? 100 : (int)arf_get_d(arb_midref(s.reached), ARF_RND_DOWN);
     proof->state = above                 ? REMAINDER_EXCEEDED
