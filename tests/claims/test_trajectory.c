@@ -16,7 +16,6 @@
 #include "tests/paper.h"
 #include "sheet/sheet.h"
 
-enum { DAY = 86400 };
 
 static void close_all(void)
 {

@@ -80,11 +80,11 @@ static void give_guarantees(struct computed *c)
 }
 
 #define BASIN(n) " depth_" n " yaw_" n " pitch_" n " angle_rate_" n " shortest_" n " longest_" n " box_" n " q_max_" n " across_" n
-#define STEADY(n) " deficit_" n " debye_" n " outward_" n " inward_" n " along_" n
+#define STEADY_ERRORS(n) " deficit_" n " debye_" n " outward_" n " inward_" n " along_" n
 #define SUDDEN(n) " deficit_step_" n " excess_step_" n " outward_step_" n " inward_step_" n " along_step_" n
 
 const struct computation computations_basin[] = {
-    {"guaranteed", give_guarantees, BASIN("10") BASIN("12") STEADY("10") STEADY("12") SUDDEN("10") SUDDEN("12"), NULL},
+    {"guaranteed", give_guarantees, BASIN("10") BASIN("12") STEADY_ERRORS("10") STEADY_ERRORS("12") SUDDEN("10") SUDDEN("12"), NULL},
     {"released", released, "longer_12 longer_24 shorter_12 shorter_24", NULL},
     {"basin", basin, "returns_10 escapes_10 returns_12 escapes_12 half_escapes_10 half_returns_12", NULL},
     {NULL, NULL, NULL, NULL},

@@ -11,7 +11,7 @@
 #include "sheet/input.h"
 #include "text/scope.h"
 
-enum { DAY = 86400, HOUR = 3600, MEASURE_BITS = 128 };
+enum { MEASURE_BITS = 128 };
 
 /* What a name asks for. */
 struct request {

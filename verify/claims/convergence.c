@@ -158,7 +158,6 @@ static bool from_inverse_square(arb_ptr d, const struct derivations *steps, cons
 #define OF_ANGLES {PSI, THETA, ETA}, 3
 #define OF_PITCH {AMPLITUDE, PHASE}, 2
 
-enum { DAY = 86400 };
 
 /* After half a day and two days; the Runge-Kutta method where no error is near one of its zeros. */
 const struct study studies[] = {

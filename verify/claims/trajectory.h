@@ -41,7 +41,7 @@ struct trajectory {
     arb_ptr samples;
 };
 
-enum { TRAJECTORY_DIGITS = 20 };
+enum { TRAJECTORY_DIGITS = 20, HOUR = 3600, DAY = 24 * HOUR };
 
 /* The value that the paper's simulation gives a quantity: Table 1 and the initial conditions. */
 void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec);

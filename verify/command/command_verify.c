@@ -11,7 +11,7 @@
 enum { INPUTS = 1000, MOST_COUNT = 100000000 }; /* for each operation of verify errors, unless --count says otherwise */
 
 /* What was asked for. */
-struct request {
+struct verify_request {
     const struct paper *paper;
     const char *part; /* NULL: all */
     const char *claim; /* its id, or a step's; NULL: all */
@@ -20,7 +20,7 @@ struct request {
     long count;
 };
 
-static bool verify_derivations(const struct proof_results *p, const struct request *request)
+static bool verify_derivations(const struct proof_results *p, const struct verify_request *request)
 {
     if (!request->graph)
         return print_proofs(p, request->claim, request->format);
@@ -28,7 +28,7 @@ static bool verify_derivations(const struct proof_results *p, const struct reque
     return p->fine;
 }
 
-static bool verify_claims(const struct proof_results *p, const struct request *request)
+static bool verify_claims(const struct proof_results *p, const struct verify_request *request)
 {
     struct statements claims;
     struct message why;
@@ -39,7 +39,7 @@ static bool verify_claims(const struct proof_results *p, const struct request *r
     return fine;
 }
 
-static bool verify_errors(const struct proof_results *p, const struct request *request)
+static bool verify_errors(const struct proof_results *p, const struct verify_request *request)
 {
     (void)p;
     return print_errors(&request->paper->sheet, request->count, request->format);
@@ -47,18 +47,18 @@ static bool verify_errors(const struct proof_results *p, const struct request *r
 
 static const struct part {
     const char *name;
-    bool (*verify)(const struct proof_results *p, const struct request *request); /* whether all of it holds */
+    bool (*verify)(const struct proof_results *p, const struct verify_request *request); /* whether all of it holds */
 } parts[] = {{"derivations", verify_derivations}, {"claims", verify_claims}, {"errors", verify_errors}};
 
-enum { PARTS = sizeof parts / sizeof *parts };
+enum { PARTS_OF_VERIFY = sizeof parts / sizeof *parts };
 
-static int check_request(const struct request *r)
+static int check_request(const struct verify_request *r)
 {
     bool found = r->part == NULL;
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PARTS_OF_VERIFY; i++)
         found = found || strcmp(r->part, parts[i].name) == 0;
     if (!found)
-        return unknown_name("verify: unknown part", r->part, NEAREST(r->part, parts, PARTS, name));
+        return unknown_name("verify: unknown part", r->part, NEAREST(r->part, parts, PARTS_OF_VERIFY, name));
     if (r->claim != NULL && (r->part == NULL || strcmp(r->part, "errors") == 0 || r->graph))
         return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", r->claim);
     if (r->count < 1)
@@ -66,12 +66,12 @@ static int check_request(const struct request *r)
     return EXIT_DONE;
 }
 
-static int read_request(const struct arguments *a, struct request *r)
+static int read_request(const struct arguments *a, struct verify_request *r)
 {
     const bool json = option_given(a, "--json"), csv = option_given(a, "--csv");
     const bool markdown = option_given(a, "--markdown");
     uint64_t count = INPUTS;
-    *r = (struct request){.paper = a->paper,
+    *r = (struct verify_request){.paper = a->paper,
                           .part = a->word_count > 0 ? a->words[0] : NULL,
                           .claim = a->word_count > 1 ? a->words[1] : NULL,
                           .graph = option_given(a, "--graph"),
@@ -105,7 +105,7 @@ static int check_claim(const struct proof_results *p, const struct paper *paper,
 }
 
 /* What was asked for; as JSON, an object with a member a part. */
-static int verify(const struct request *request)
+static int verify(const struct verify_request *request)
 {
     int status = EXIT_DONE;
     const char *separator = "{";
@@ -119,7 +119,7 @@ static int verify(const struct request *request)
     const bool known = status == EXIT_DONE;
     if (derivations && !request->graph && known)
         proof_results_bind(&p, request->claim);
-    for (int i = 0; i < PARTS && known; i++) {
+    for (int i = 0; i < PARTS_OF_VERIFY && known; i++) {
         if (request->part != NULL && strcmp(request->part, parts[i].name) != 0)
             continue;
         if (request->format == FORMAT_JSON)
@@ -136,7 +136,7 @@ static int verify(const struct request *request)
 
 int command_verify(const struct arguments *a)
 {
-    struct request request;
+    struct verify_request request;
     int status = read_request(a, &request);
     return status == EXIT_DONE ? verify(&request) : status;
 }

@@ -14,7 +14,7 @@ static struct ct_vector vector(const double *in)
     return (struct ct_vector){in[0], in[1], in[2]};
 }
 
-static void put(double *out, struct ct_vector v)
+static void put_vector(double *out, struct ct_vector v)
 {
     out[0] = v.x;
     out[1] = v.y;
@@ -69,7 +69,7 @@ static struct ct_spherical_rate spherical_rate(const double *in)
 
 /* One number, the three components of a vector, or members of a struct r, that a function of ref/ gives. */
 #define NUMBER(id, ...) static void id(const double *in, double *out) { out[0] = (__VA_ARGS__); }
-#define TRIPLE(id, value) static void id(const double *in, double *out) { put(out, value); }
+#define TRIPLE(id, value) static void id(const double *in, double *out) { put_vector(out, value); }
 #define STRUCT(id, type, value, ...) \
     static void id(const double *in, double *out) \
     { \
@@ -88,7 +88,7 @@ static void eq02(const double *in, double *out)
     }
     ct_formation_acceleration(in[0], in[1], in[2], 3, craft, acceleration);
     for (int i = 0; i < 3; i++)
-        put(out + 3 * i, acceleration[i]);
+        put_vector(out + 3 * i, acceleration[i]);
 }
 
 TRIPLE(eq03, ct_hill_acceleration(pair(in), hill_state(in + 5), in[4]))
@@ -164,7 +164,7 @@ NUMBER(eq43, ct_proportional_gain(in[0], in[1]))
 NUMBER(eq44, ct_derivative_gain(in[0], in[1]))
 
 /* Omega L_ref C1 C2 t, six of state, and h after them where h is not NULL */
-static void linear(const double *in, const double *h, double *out)
+static void linear_motion(const double *in, const double *h, double *out)
 {
     const struct ct_params p = orbit(in);
     const struct ct_gains g = gains(in + 2);
@@ -177,17 +177,17 @@ static void linear(const double *in, const double *h, double *out)
     memcpy(out, state, sizeof state);
 }
 
-static void flow_linear(const double *in, double *out)
+static void linear_flow(const double *in, double *out)
 {
-    linear(in, NULL, out);
+    linear_motion(in, NULL, out);
 }
 
-static void rk4_linear(const double *in, double *out)
+static void linear_steps(const double *in, double *out)
 {
-    linear(in, in + 11, out);
+    linear_motion(in, in + 11, out);
 }
 
-static void nonlinear(const double *in, const double *h, double *out)
+static void nonlinear_motion(const double *in, const double *h, double *out)
 {
     const struct ct_params p = whole(in);
     const struct ct_gains g = gains(in + 5);
@@ -200,14 +200,14 @@ static void nonlinear(const double *in, const double *h, double *out)
     memcpy(out, state, sizeof state);
 }
 
-static void flow_nonlinear(const double *in, double *out)
+static void nonlinear_flow(const double *in, double *out)
 {
-    nonlinear(in, NULL, out);
+    nonlinear_motion(in, NULL, out);
 }
 
-static void rk4_nonlinear(const double *in, double *out)
+static void nonlinear_steps(const double *in, double *out)
 {
-    nonlinear(in, in + 14, out);
+    nonlinear_motion(in, in + 14, out);
 }
 
 #define OPERATION(name) {#name, name}
@@ -222,8 +222,8 @@ static const struct {
     OPERATION(eq26), OPERATION(eq27), OPERATION(eq28), OPERATION(eq29), OPERATION(eq30),
     OPERATION(eq32), OPERATION(eq34), OPERATION(eq36), OPERATION(eq37), OPERATION(eq38),
     OPERATION(eq39), OPERATION(eq40), OPERATION(eq41), OPERATION(eq41roots), OPERATION(eq42),
-    OPERATION(eq43), OPERATION(eq44), OPERATION(flow_linear), OPERATION(flow_nonlinear),
-    OPERATION(rk4_linear), OPERATION(rk4_nonlinear),
+    OPERATION(eq43), OPERATION(eq44), {"flow_linear", linear_flow}, {"flow_nonlinear", nonlinear_flow},
+    {"rk4_linear", linear_steps}, {"rk4_nonlinear", nonlinear_steps},
 };
 
 reference_function *reference_find(const char *id)

@@ -102,7 +102,7 @@ static bool declare_name(struct identities *t, const struct scope *s, const stru
     return !declared->angle || read_turn(item, v);
 }
 
-static int signs_of(enum domain domain)
+static int signs_of_domain(enum domain domain)
 {
     return domain == DOMAIN_FINITE ? SIGN_ANY : domain == DOMAIN_NOT_NEGATIVE ? SIGN_ZERO | SIGN_POSITIVE : SIGN_POSITIVE;
 }
@@ -110,7 +110,7 @@ static int signs_of(enum domain domain)
 static bool read_declarations(struct identities *t, const struct scope *s)
 {
     for (int i = 0; i < s->sheet->quantity_count; i++)
-        add_variable(t, s->sheet->quantities[i].name, signs_of(s->sheet->quantities[i].domain));
+        add_variable(t, s->sheet->quantities[i].name, signs_of_domain(s->sheet->quantities[i].domain));
     for (int i = 0; i < DECLARATIONS; i++) {
         const struct yaml *names = scope_given(s, declarations[i].key);
         if (names != NULL && !(declarations[i].angle && names->mapping) && !is_texts(names, MOST_FURTHER_NAMES))

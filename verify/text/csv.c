@@ -41,7 +41,7 @@ static bool refuse(const struct csv *c, struct message *why, const char *expecte
     return false;
 }
 
-static void put(struct csv *c, char byte)
+static void put_cell(struct csv *c, char byte)
 {
     if (c->length == c->size)
         c->text = xrealloc(c->text, c->size = 2 * c->size + 256, 1);
@@ -65,7 +65,7 @@ static enum csv_result read_row(struct csv *c, struct message *why)
             fine = refuse(c, why, quoted ? "expected an end of a quoted cell" : "expected a shorter row");
         quoted ^= byte == '"';
         c->next += byte == '\n';
-        put(c, (char)byte);
+        put_cell(c, (char)byte);
     }
     if (ferror(c->file)) {
         message_set(why, "%s: %s", c->name, strerror(errno));
@@ -74,7 +74,7 @@ static enum csv_result read_row(struct csv *c, struct message *why)
     c->next++;
     if (c->length > 0 && c->text[c->length - 1] == '\r')
         c->length--;
-    put(c, '\0');
+    put_cell(c, '\0');
     if (fine && quoted)
         fine = refuse(c, why, "expected an end of a quoted cell");
     return fine ? CSV_ROW : CSV_MALFORMED;

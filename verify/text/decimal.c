@@ -184,7 +184,7 @@ static bool round_up(fmpz_t n, const void *x, slong k)
     return true;
 }
 
-static char *rational_text(rounder *round, const fmpq_t x, slong digits)
+static char *rounded_text(rounder *round, const fmpq_t x, slong digits)
 {
     slong top, bottom;
     const double above = fmpz_get_d_2exp(&top, fmpq_numref(x)), below = fmpz_get_d_2exp(&bottom, fmpq_denref(x));
@@ -195,7 +195,7 @@ static char *rational_text(rounder *round, const fmpq_t x, slong digits)
 
 char *decimal_of_rational(const fmpq_t x, slong digits)
 {
-    return rational_text(round_rational, x, digits);
+    return rounded_text(round_rational, x, digits);
 }
 
 /* What both ends round to, all between them rounds to. */
@@ -242,7 +242,7 @@ char *decimal_of_end(const arb_t x, slong digits, bool upper)
     else
         arb_get_lbound_arf(end, x, 64);
     arf_get_fmpq(exact, end);
-    return rational_text(upper == (fmpq_sgn(exact) > 0) ? round_up : round_down, exact, digits);
+    return rounded_text(upper == (fmpq_sgn(exact) > 0) ? round_up : round_down, exact, digits);
 }
 
 /*
@@ -338,7 +338,7 @@ void decimal_bound(char text[32], const mag_t x)
     mag_max(bound, bound, x);
     arf_set_mag(value, bound);
     arf_get_fmpq(exact, value);
-    char *digits = rational_text(round_up, exact, 2);
+    char *digits = rounded_text(round_up, exact, 2);
     snprintf(text, 32, "%s", digits);
     free(digits);
 }

@@ -12,7 +12,7 @@ enum { DEEPEST = 32 };
 
 /* ---- mistakes ---- */
 
-static bool is_blank(char c)
+static bool is_white(char c)
 {
     return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
@@ -27,11 +27,11 @@ static struct mark place_in_text(const struct yaml *n, size_t offset)
     }
     size_t ahead = 0; /* characters that are no blanks */
     for (size_t i = 0; i < offset && n->text[i] != '\0'; i++)
-        ahead += !is_blank(n->text[i]);
+        ahead += !is_white(n->text[i]);
     bool header = !n->plain; /* the quotation mark, or > and - */
     for (const char *c = n->tree->source + place.index; c < n->tree->source_end; c++) {
         header = header && strchr("\"'>|-+", *c) != NULL;
-        if (!header && !is_blank(*c) && ahead-- == 0)
+        if (!header && !is_white(*c) && ahead-- == 0)
             break;
         place.column = *c == '\n' ? 0 : place.column + 1;
         place.line += *c == '\n';
