@@ -12,6 +12,7 @@
 #include "text/flint.h"
 
 enum { FLOW_STATE = 6, FLOW_HALF = FLOW_STATE / 2 }; /* positions, or the angles and dL; then their rates */
+enum { PSI, THETA, DL, PSI_DOT, THETA_DOT, DL_DOT };
 
 /* Enclosures of the parameters; the caller makes them as sharp as the working precision. */
 struct flow_parameters {

@@ -10,7 +10,6 @@
 
 #include "text/scope.h"
 
-enum { PSI, THETA, DL, PSI_DOT, THETA_DOT, DL_DOT };
 enum { COUPLED = 4 };
 
 /* A */

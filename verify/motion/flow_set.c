@@ -29,10 +29,10 @@
 #include "text/scope.h"
 
 enum {
-    ORDER = 14,           /* of the states' series, and ... */
+    SET_ORDER = 14,           /* of the states' series, and ... */
     DERIVATIVE_ORDER = 8, /* ... of the derivatives' */
-    MOST_HALVINGS = 6,    /* of a step before it is given up */
-    MOST_STEPS = 20000,
+    MOST_SET_HALVINGS = 6,    /* of a step before it is given up */
+    MOST_SET_STEPS = 20000,
     MOST_DEPTH = 30,      /* of splitting */
     BITS = 64
 };
@@ -93,14 +93,14 @@ static void model_jet_clear(struct model_jet *jet)
     }
 }
 
-static void divide(struct model_jet *jet, slong k)
+static void divide_models(struct model_jet *jet, slong k)
 {
     for (int v = 0; v < JET_STATES; v++)
         model_scale(jet->c[v] + k + 1, 1.0 / (double)(k + 1));
 }
 
 /* As jet_extend and jet_extend_column of taylor.c */
-static void extend(struct model_jet *jet)
+static void extend_models(struct model_jet *jet)
 {
     const struct system *system = jet->system;
     for (slong k = 0; k < jet->order; k++) {
@@ -109,7 +109,7 @@ static void extend(struct model_jet *jet)
             model_dot(jet->c[f->to] + k + (f->to < JET_STATES), !first_of_sum(system, t), f->sign, jet->c[f->a], jet->c[f->b] + k,
                       is_constant(system, f->a) ? 1 : (int)k + 1);
         }
-        divide(jet, k);
+        divide_models(jet, k);
     }
 }
 
@@ -129,7 +129,7 @@ static void extend_column(struct model_jet *column, const struct model_jet *jet)
                 model_dot(to, add, f->sign, c[f->a], d[f->b] + k, 1);
             }
         }
-        divide(column, k);
+        divide_models(column, k);
     }
 }
 
@@ -146,7 +146,7 @@ static void set_constants(struct model_jet *jet, const struct piece *p)
 }
 
 /* q = 1/|x| */
-static void start_q(struct model_jet *jet)
+static void start_set_q(struct model_jet *jet)
 {
     struct model square;
     model_init(&square, jet->c[0]->space);
@@ -214,7 +214,7 @@ static void follower_init(struct follower *f, const struct flow_set *set, int di
 {
     f->set = set;
     f->direction = direction;
-    f->order = set->how.order != 0 ? set->how.order : ORDER;
+    f->order = set->how.order != 0 ? set->how.order : SET_ORDER;
     f->derivative_order = set->how.derivative_order != 0 ? set->how.derivative_order : DERIVATIVE_ORDER;
     model_jet_init(&f->path, &set->space, f->order);
     model_jet_init(&f->hull, &set->linear, f->derivative_order);
@@ -267,11 +267,11 @@ static void start_hull(struct follower *f, const struct piece *p)
         model_widen(f->hull.c[v], arb_radref(box + v));
     }
     set_constants(&f->hull, p);
-    start_q(&f->hull);
+    start_set_q(&f->hull);
 }
 
 /* Direction j of the basis, in which q = 1/|x| changes by -q^3 x.dx */
-static void start_column(struct follower *f, const struct piece *p, int j)
+static void start_set_column(struct follower *f, const struct piece *p, int j)
 {
     struct model *const *c = f->hull.c, *const *d = f->column[j].c;
     struct model product, other;
@@ -293,19 +293,19 @@ static void start_column(struct follower *f, const struct piece *p, int j)
     model_clear(&other);
 }
 
-static void expand(struct follower *f, const struct piece *p)
+static void expand_models(struct follower *f, const struct piece *p)
 {
     for (int v = 0; v < FLOW_STATE; v++)
         model_set(f->path.c[v], &p->model[v]);
     set_constants(&f->path, p);
-    start_q(&f->path);
-    extend(&f->path);
+    start_set_q(&f->path);
+    extend_models(&f->path);
     find_sizes(&f->sizes, &f->path);
     start_hull(f, p);
-    extend(&f->hull);
+    extend_models(&f->hull);
     find_sizes(&f->hull_sizes, &f->hull);
     for (int j = 0; j < FLOW_STATE; j++) {
-        start_column(f, p, j);
+        start_set_column(f, p, j);
         extend_column(&f->column[j], &f->hull);
         find_sizes(&f->column_sizes[j], &f->column[j]);
     }
@@ -331,7 +331,7 @@ static bool is_loose(const struct piece *p)
 }
 
 /* The step at which the last two terms fall to a part of the set, or of rounding: a dyadic of 8 bits. */
-static double step_length(const struct follower *f, const struct piece *p)
+static double set_step_length(const struct follower *f, const struct piece *p)
 {
     double left_out = 0x1p-46, step = LONGEST;
     if (f->set->how.step > 0)
@@ -346,7 +346,7 @@ static double step_length(const struct follower *f, const struct piece *p)
     return ldexp(floor(ldexp(fraction, 8)), exponent - 8);
 }
 
-static bool prove_step(struct follower *f, const struct piece *p, double step)
+static bool prove_set_step(struct follower *f, const struct piece *p, double step)
 {
     SCOPE(mag, h, one);
     mag_set_d(h, step);
@@ -372,7 +372,7 @@ static void find_end(struct follower *f, double step)
 }
 
 /* The set at the end of the step; false if it is lost. */
-static bool advance(struct follower *f, struct piece *p, double step)
+static bool advance_models(struct follower *f, struct piece *p, double step)
 {
     const int count = f->set->linear.size;
     VECTOR(arb, image, FLOW_STATE);
@@ -458,7 +458,7 @@ static void join(struct work *w, const struct piece *p)
 }
 
 /* s = Omega t - now, and whether |s| <= step for certain */
-static bool within(const struct work *w, const struct piece *p, arb_t s, double step)
+static bool within_set(const struct work *w, const struct piece *p, arb_t s, double step)
 {
     SCOPE(arb, now);
     SCOPE(arf, bound);
@@ -471,31 +471,31 @@ static bool within(const struct work *w, const struct piece *p, arb_t s, double 
 }
 
 /* The longest of step, step/2, ... that can be proved, or 0 */
-static double proved_step(struct follower *f, const struct piece *p, double step)
+static double proved_set_step(struct follower *f, const struct piece *p, double step)
 {
     int halvings = 0;
-    for (; halvings < MOST_HALVINGS && !prove_step(f, p, step); halvings++)
+    for (; halvings < MOST_SET_HALVINGS && !prove_set_step(f, p, step); halvings++)
         step /= 2;
-    return halvings < MOST_HALVINGS ? step : 0;
+    return halvings < MOST_SET_HALVINGS ? step : 0;
 }
 
 /* To the last time, or to where nothing more is proved; FLOW_STOPPED where the piece should be split. */
-static enum flow_status follow(const struct work *w, struct follower *f, struct piece *p, bool splitting)
+static enum flow_status follow_set(const struct work *w, struct follower *f, struct piece *p, bool splitting)
 {
     SCOPE(arb, s);
     for (int steps = 0; p->k < w->limit; steps++) {
-        if (steps == MOST_STEPS)
+        if (steps == MOST_SET_STEPS)
             return FLOW_STALLED;
-        expand(f, p);
-        const double step = proved_step(f, p, step_length(f, p));
+        expand_models(f, p);
+        const double step = proved_set_step(f, p, set_step_length(f, p));
         if (splitting && (!(step > 0) || is_loose(p)) && steepest(p) >= 0)
             return FLOW_STOPPED;
         if (!(step > 0))
             return FLOW_WIDE;
-        for (; p->k < w->limit && within(w, p, s, step); p->k++)
+        for (; p->k < w->limit && within_set(w, p, s, step); p->k++)
             for (int v = 0; v < FLOW_STATE; v++)
                 row(p->rows + FLOW_STATE * p->k + v, f, v, p->now, s, step);
-        if (p->k < w->limit && !advance(f, p, step))
+        if (p->k < w->limit && !advance_models(f, p, step))
             return FLOW_WIDE;
     }
     return FLOW_DONE;
@@ -520,7 +520,7 @@ enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong cou
         struct piece *p = w.open;
         w.open = p->next;
         const bool splitting = w.pieces < s->most_pieces && p->halvings < MOST_DEPTH;
-        const enum flow_status one = follow(&w, &f, p, splitting);
+        const enum flow_status one = follow_set(&w, &f, p, splitting);
         if (one == FLOW_STOPPED) {
             const int i = steepest(p);
             add_piece(&w, piece_new(s, p, i + 1, count));

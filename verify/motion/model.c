@@ -147,7 +147,7 @@ static double norm(const struct model *x)
     return sum;
 }
 
-static bool is_zero(const struct model *x)
+static bool is_zero_model(const struct model *x)
 {
     return !(norm(x) > 0 || x->rest > 0);
 }
@@ -170,7 +170,7 @@ static void find_norms(struct model *z)
 
 double model_size(const struct model *x)
 {
-    return is_zero(x) ? 0 : upward(norm(x) + x->rest);
+    return is_zero_model(x) ? 0 : upward(norm(x) + x->rest);
 }
 
 /* The nearest binary64, and how far x is from it at most (M8) */
@@ -214,7 +214,7 @@ void model_cut(struct model *z, const struct model *x)
 }
 
 /* The part of z += sign x y that lies in the space */
-static void multiply(struct model *z, int sign, const struct model *x, const struct model *y)
+static void multiply_models(struct model *z, int sign, const struct model *x, const struct model *y)
 {
     const struct space *s = z->space;
     double *c = z->c;
@@ -238,10 +238,10 @@ void model_dot(struct model *z, bool add, int sign, const struct model *x, const
     memcpy(sum, z->norm, sizeof sum);
     for (int j = 0; j < count; j++) {
         const struct model *a = x + j, *b = y - j;
-        if (is_zero(a) || is_zero(b)) /* what is 0 stays 0 */
+        if (is_zero_model(a) || is_zero_model(b)) /* what is 0 stays 0 */
             continue;
         nothing = false;
-        multiply(z, sign, a, b);
+        multiply_models(z, sign, a, b);
         for (int p = 0; p <= degree; p++)
             for (int q = 0; q <= degree; q++)
                 *(p + q <= degree ? &sum[p + q] : &rest) += a->norm[p] * b->norm[q]; /* (M3) */
@@ -260,7 +260,7 @@ void model_dot(struct model *z, bool add, int sign, const struct model *x, const
 void model_scale(struct model *z, double factor)
 {
     find_norms(z);
-    if (is_zero(z))
+    if (is_zero_model(z))
         return;
     for (int b = 0; b < z->space->size; b++)
         z->c[b] *= factor;
@@ -280,7 +280,7 @@ void model_evaluate(struct model *z, const struct model *x, int count, double h)
     bool nothing = true;
     zero(z);
     for (int k = 0; k < count; k++)
-        nothing = nothing && is_zero(x + k);
+        nothing = nothing && is_zero_model(x + k);
     if (nothing)
         return;
     for (int k = count - 1; k >= 0; k--) {
@@ -365,7 +365,7 @@ void model_sine_cosine(struct model *sine, struct model *cosine, const struct mo
         model_set(&power, &next);
     }
     for (int i = 0; i < 2; i++) {
-        if (!is_zero(&power))
+        if (!is_zero_model(&power))
             to[i]->rest = upward(to[i]->rest + model_size(&power));
         model_clear(&value[i]);
     }
@@ -378,7 +378,7 @@ void model_sine_cosine(struct model *sine, struct model *cosine, const struct mo
 void model_halve(struct model *z, int i, int side)
 {
     const struct space *s = z->space;
-    if (is_zero(z))
+    if (is_zero_model(z))
         return;
     for (int b = 0; b < s->size; b++)
         z->c[b] = ldexp(z->c[b], -s->exponent[b * s->variables + i]);

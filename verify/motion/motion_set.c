@@ -7,7 +7,7 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-enum { PREC = 128, DEGREE = 6, FEW = 6 }; /* of the models, of up to so many unknowns; of more the cost forbids it */
+enum { SET_BITS = 128, SET_DEGREE = 6, FEW = 6 }; /* of the models, of up to so many unknowns; of more the cost forbids it */
 
 /* Omega and n enter by roots and as the unit of time. */
 bool may_have_radius(enum scenario_name name)
@@ -21,20 +21,20 @@ struct reader {
 };
 
 /* The value, all of it within its radius, in the unit; `middle` NULL for that of the scenario */
-static void read_value(struct model *z, struct reader *r, enum scenario_name name, arb_srcptr middle, const arb_t unit)
+static void read_bounds(struct model *z, struct reader *r, enum scenario_name name, arb_srcptr middle, const arb_t unit)
 {
     SCOPE(arb, x, radius);
-    arb_set_fmpq(x, &r->scenario->value[name].value, PREC);
-    arb_div(x, middle != NULL ? middle : x, unit, PREC);
-    arb_set_fmpq(radius, r->scenario->radius + name, PREC);
-    arb_div(radius, radius, unit, PREC);
+    arb_set_fmpq(x, &r->scenario->value[name].value, SET_BITS);
+    arb_div(x, middle != NULL ? middle : x, unit, SET_BITS);
+    arb_set_fmpq(radius, r->scenario->radius + name, SET_BITS);
+    arb_div(radius, radius, unit, SET_BITS);
     if (arb_is_zero(radius))
         model_set_ball(z, x);
     else
         model_set_variable(z, x, radius, r->known++);
 }
 
-static void multiply(struct model *z, const struct model *x, const struct model *y)
+static void times_model(struct model *z, const struct model *x, const struct model *y)
 {
     struct model product;
     model_init(&product, z->space);
@@ -43,7 +43,7 @@ static void multiply(struct model *z, const struct model *x, const struct model 
     model_clear(&product);
 }
 
-enum { M1, M2, LENGTH, FACTOR, PSI, THETA, DL, PSI_DOT, THETA_DOT, DL_DOT, SINE_PSI, COSINE_PSI, SINE, COSINE, ARM, SUM, ANGLE_MODELS };
+enum { M1, M2, LENGTH, FACTOR, AT_PSI, AT_THETA, AT_DL, AT_PSI_DOT, AT_THETA_DOT, AT_DL_DOT, SINE_PSI, COSINE_PSI, SINE, COSINE, ARM, MASSES, ANGLE_MODELS };
 
 /*
  * (10) and its exact derivative: with e = (cos theta cos psi, cos theta sin psi, -sin theta) the place is arm L e, the velocity
@@ -51,31 +51,31 @@ enum { M1, M2, LENGTH, FACTOR, PSI, THETA, DL, PSI_DOT, THETA_DOT, DL_DOT, SINE_
  */
 static void place(struct model *state, struct model *m)
 {
-    struct model *const e = m + SUM; /* free by now */
+    struct model *const e = m + MASSES; /* free by now */
     const struct model *const across[] = {m + COSINE_PSI, m + SINE_PSI};
-    model_sine_cosine(m + SINE_PSI, m + COSINE_PSI, m + PSI);
-    model_sine_cosine(m + SINE, m + COSINE, m + THETA);
-    multiply(m + DL_DOT, m + DL_DOT, m + ARM);
-    multiply(m + DL, m + DL, m + ARM); /* arm L, by now */
-    multiply(m + PSI_DOT, m + PSI_DOT, m + DL);
-    multiply(m + THETA_DOT, m + THETA_DOT, m + DL);
+    model_sine_cosine(m + SINE_PSI, m + COSINE_PSI, m + AT_PSI);
+    model_sine_cosine(m + SINE, m + COSINE, m + AT_THETA);
+    times_model(m + AT_DL_DOT, m + AT_DL_DOT, m + ARM);
+    times_model(m + AT_DL, m + AT_DL, m + ARM); /* arm L, by now */
+    times_model(m + AT_PSI_DOT, m + AT_PSI_DOT, m + AT_DL);
+    times_model(m + AT_THETA_DOT, m + AT_THETA_DOT, m + AT_DL);
     for (int i = 0; i < FLOW_HALF; i++) {
         model_set(e, i < 2 ? m + COSINE : m + SINE);
         if (i < 2)
-            multiply(e, e, across[i]);
+            times_model(e, e, across[i]);
         else
             model_scale(e, -1);
-        model_dot(state + i, false, 1, m + DL, e, 1);
-        model_dot(state + FLOW_HALF + i, false, 1, m + DL_DOT, e, 1);
+        model_dot(state + i, false, 1, m + AT_DL, e, 1);
+        model_dot(state + FLOW_HALF + i, false, 1, m + AT_DL_DOT, e, 1);
         model_set(e, i < 2 ? m + SINE : m + COSINE);
         if (i < 2)
-            multiply(e, e, across[i]);
-        model_dot(state + FLOW_HALF + i, true, -1, m + THETA_DOT, e, 1);
+            times_model(e, e, across[i]);
+        model_dot(state + FLOW_HALF + i, true, -1, m + AT_THETA_DOT, e, 1);
     }
     for (int i = 0; i < 2; i++) {
         model_set(e, m + COSINE);
-        multiply(e, e, across[1 - i]);
-        model_dot(state + FLOW_HALF + i, true, i == 0 ? -1 : 1, m + PSI_DOT, e, 1);
+        times_model(e, e, across[1 - i]);
+        model_dot(state + FLOW_HALF + i, true, i == 0 ? -1 : 1, m + AT_PSI_DOT, e, 1);
     }
 }
 
@@ -89,46 +89,46 @@ static void models_of(struct flow_set *set, const struct scenario *s)
     for (int i = 0; i < ANGLE_MODELS; i++)
         model_init(&m[i], &set->space);
     flow_parameters_init(&p);
-    scenario_parameters(&p, s, PREC);
+    scenario_parameters(&p, s, SET_BITS);
     arb_one(one);
-    arb_add(mass, p.m1, p.m2, PREC);
+    arb_add(mass, p.m1, p.m2, SET_BITS);
     arb_set(set->Omega, p.Omega);
-    arb_mul(set->unit, p.m2, p.L_ref, PREC);
-    arb_div(set->unit, set->unit, mass, PREC);
+    arb_mul(set->unit, p.m2, p.L_ref, SET_BITS);
+    arb_div(set->unit, set->unit, mass, SET_BITS);
     arb_get_mid_arb(set->unit, set->unit);
-    arb_mul(speed, set->unit, p.Omega, PREC);
-    arb_sqr(square, p.Omega, PREC);
+    arb_mul(speed, set->unit, p.Omega, SET_BITS);
+    arb_sqr(square, p.Omega, SET_BITS);
 
-    read_value(m + M1, &r, SET_m1, NULL, mass);
-    read_value(m + M2, &r, SET_m2, NULL, mass);
-    read_value(m + LENGTH, &r, SET_L_ref, NULL, set->unit);
-    read_value(m + FACTOR, &r, SET_k_c, p.k_c, p.k_c);
+    read_bounds(m + M1, &r, SET_m1, NULL, mass);
+    read_bounds(m + M2, &r, SET_m2, NULL, mass);
+    read_bounds(m + LENGTH, &r, SET_L_ref, NULL, set->unit);
+    read_bounds(m + FACTOR, &r, SET_k_c, p.k_c, p.k_c);
     struct model *const c1 = set->model + FLOW_STATE, *const c2 = c1 + 1, *const lambda = c1 + 2, *const hold = c1 + 3;
-    read_value(c1, &r, SET_C1, p.C1, square);
-    read_value(c2, &r, SET_C2, p.C2, p.Omega);
-    model_set(m + SUM, m + M1); /* arm = m2/(m1 + m2) by the square of a root */
+    read_bounds(c1, &r, SET_C1, p.C1, square);
+    read_bounds(c2, &r, SET_C2, p.C2, p.Omega);
+    model_set(m + MASSES, m + M1); /* arm = m2/(m1 + m2) by the square of a root */
     model_set_ball(hold, one);
-    model_dot(m + SUM, true, 1, hold, m + M2, 1);
-    model_inverse_root(m + ARM, m + SUM);
-    multiply(m + ARM, m + ARM, m + ARM);
-    multiply(m + ARM, m + ARM, m + M2);
-    multiply(lambda, m + ARM, m + LENGTH);
-    multiply(m + FACTOR, m + FACTOR, lambda);
-    multiply(m + FACTOR, m + FACTOR, lambda); /* k lambda^2, by now */
-    multiply(c1, c1, m + FACTOR);
-    multiply(c2, c2, m + FACTOR);
-    multiply(hold, m + FACTOR, lambda);
+    model_dot(m + MASSES, true, 1, hold, m + M2, 1);
+    model_inverse_root(m + ARM, m + MASSES);
+    times_model(m + ARM, m + ARM, m + ARM);
+    times_model(m + ARM, m + ARM, m + M2);
+    times_model(lambda, m + ARM, m + LENGTH);
+    times_model(m + FACTOR, m + FACTOR, lambda);
+    times_model(m + FACTOR, m + FACTOR, lambda); /* k lambda^2, by now */
+    times_model(c1, c1, m + FACTOR);
+    times_model(c2, c2, m + FACTOR);
+    times_model(hold, m + FACTOR, lambda);
     model_scale(hold, 3);
 
     if (s->given[SET_x1]) {
         for (int i = 0; i < FLOW_STATE; i++)
-            read_value(set->model + i, &r, (enum scenario_name)(SET_x1 + i), NULL, i < FLOW_HALF ? set->unit : speed);
+            read_bounds(set->model + i, &r, (enum scenario_name)(SET_x1 + i), NULL, i < FLOW_HALF ? set->unit : speed);
     } else {
         for (int i = 0; i < FLOW_STATE; i++)
-            read_value(m + PSI + i, &r, (enum scenario_name)(SET_psi + i), NULL,
+            read_bounds(m + AT_PSI + i, &r, (enum scenario_name)(SET_psi + i), NULL,
                        i == 2 ? set->unit : i < 3 ? one : i == 5 ? speed : p.Omega);
-        model_set_ball(m + SUM, one);
-        model_dot(m + DL, true, 1, m + SUM, m + LENGTH, 1); /* L */
+        model_set_ball(m + MASSES, one);
+        model_dot(m + AT_DL, true, 1, m + MASSES, m + LENGTH, 1); /* L */
         place(set->model, m);
     }
     flow_parameters_clear(&p);
@@ -184,7 +184,7 @@ int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, con
     struct flow_set set;
     slong proved;
     double reached;
-    const int degree = unknowns <= FEW + 1 ? DEGREE : unknowns == FEW + 2 ? DEGREE - 1 : DEGREE - 3;
+    const int degree = unknowns <= FEW + 1 ? SET_DEGREE : unknowns == FEW + 2 ? SET_DEGREE - 1 : SET_DEGREE - 3;
     flow_set_init(&set, unknowns, degree + (unknowns <= FEW + 1 && is_wide(s)));
     set.most_pieces = most_pieces;
     models_of(&set, s);

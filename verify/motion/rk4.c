@@ -14,7 +14,7 @@
 
 enum {
     USEFUL_BITS = 16,      /* balls wider than 2^-16 of the state widen at once */
-    MOST_STEPS = 10000000, /* an hour                                          */
+    MOST_RK4_STEPS = 10000000, /* an hour                                          */
     FEW_STEPS = 8          /* however long: each may lose all bits of a binary64's range, four times over */
 };
 
@@ -27,7 +27,6 @@ typedef void rates_function(arb_ptr rate, arb_srcptr state, const struct gains *
 /* (40): psi theta l, then their rates */
 static void linear_rates(arb_ptr rate, arb_srcptr state, const struct gains *g, slong prec)
 {
-    enum { PSI, THETA, DL, PSI_DOT, THETA_DOT, DL_DOT };
     SCOPE(arb, stiffness);
     _arb_vec_set(rate, state + FLOW_HALF, FLOW_HALF);
     arb_mul_si(rate + PSI_DOT, state + PSI, -3, prec);
@@ -165,7 +164,7 @@ static enum flow_status march_rows(struct march *m, arb_srcptr initial, const fm
         slong n = steps_until(times + k, h);
         if (n < done)
             return FLOW_DOMAIN;
-        if (n > MOST_STEPS)
+        if (n > MOST_RK4_STEPS)
             return FLOW_STALLED;
         for (; done < n; done++) {
             *reached = fmpq_get_d(h) * (double)done;

@@ -59,7 +59,7 @@ void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
  * theirs, lie in the balls here: (T13) arb_dot and arb_div_ui enclose their exact results, in however few bits.
  *
  * The rates' coefficients from `first` to `last` - 1, and the states' above them. */
-static void extend(arb_ptr const *c, const struct system *system, slong first, slong last, slong prec, double fall)
+static void extend_series(arb_ptr const *c, const struct system *system, slong first, slong last, slong prec, double fall)
 {
     for (slong k = first; k < last; k++) {
         slong bits = FLINT_MAX(prec - (slong)(fall * (double)k), 32);
@@ -83,7 +83,7 @@ void jet_extend(struct jet *jet, slong prec, double fall)
     slong n = jet->order, split = 0;
     while (split < n && (prec <= 128 || prec - (slong)(fall * (double)split) > 120))
         split++;
-    extend(jet->c, jet->system, 0, split, prec, fall);
+    extend_series(jet->c, jet->system, 0, split, prec, fall);
     if (split == n)
         return;
     arb_ptr copy[JET_MOST] = {NULL};
@@ -91,7 +91,7 @@ void jet_extend(struct jet *jet, slong prec, double fall)
         copy[v] = _arb_vec_init(n + 1);
         _arb_vec_set_round(copy[v], jet->c[v], split + 1, 128);
     }
-    extend(copy, jet->system, split, n, prec, fall);
+    extend_series(copy, jet->system, split, n, prec, fall);
     for (int v = 0; v < jet->system->all; v++) {
         for (slong k = split + (v < jet->system->states); k <= n && !is_constant(jet->system, v); k++)
             arb_swap(jet->c[v] + k, copy[v] + k);

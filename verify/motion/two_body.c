@@ -15,7 +15,7 @@
 #include "motion/taylor.h"
 #include "text/scope.h"
 
-enum { ORDER = 40 }; /* of the Taylor steps: the last term falls to 1e-40, balls widen by 10^3 a radian */
+enum { PAIR_ORDER = 40 }; /* of the Taylor steps: the last term falls to 1e-40, balls widen by 10^3 a radian */
 
 static const double TWO_BODY_STEP = 0.2; /* radians */
 
@@ -100,7 +100,7 @@ static void start_p(arb_ptr const *c, int craft, const arb_t s, slong prec)
 }
 
 /* q = 1/|d|, and all coefficients after those of degree 0 */
-static void expand(struct jet *jet, const struct two_body *b, slong prec)
+static void expand_pair(struct jet *jet, const struct two_body *b, slong prec)
 {
     SCOPE(arb, d, square);
     for (int craft = 0; craft < CRAFT; craft++) {
@@ -133,8 +133,8 @@ bool two_body_move(struct two_body *b, const arb_t tau, slong prec)
     struct majorant bound;
     SCOPE(arb, h);
     SCOPE(mag, length, one);
-    jet_init(&jet, &two_craft, ORDER);
-    majorant_init(&bound, &two_craft, ORDER);
+    jet_init(&jet, &two_craft, PAIR_ORDER);
+    majorant_init(&bound, &two_craft, PAIR_ORDER);
     jet_constants(&jet, b->c1, b->c2);
     arb_set(jet.c[SMALLNESS], b->smallness);
     arb_set(jet.c[MASS1], b->mass);
@@ -143,7 +143,7 @@ bool two_body_move(struct two_body *b, const arb_t tau, slong prec)
     arb_get_mag(length, h);
     mag_one(one);
     for (slong k = 0; k < steps && proved; k++) {
-        expand(&jet, b, prec);
+        expand_pair(&jet, b, prec);
         majorant_of(&bound, &jet, one, 1, length);
         proved = majorant_prove(&bound, NULL, length);
         for (int i = 0; i < CRAFT * AXES; i++) {
