@@ -201,7 +201,7 @@ TEST(B3_places_have_all_products_of_derivatives)
 EACH(B2_B6_no_state_at_L_ref_exceeds_its_place, 5)
 {
     static const struct {
-        enum coordinate given, place;
+        int given, place;
         int d;
     } all[] = {{PSI, PLACE_Y, 0}, {THETA, PLACE_Z, 0}, {PSI_DOT, PLACE_Y, 1}, {THETA_DOT, PLACE_Z, 1}, {ETA_DOT, PLACE_X, 1}};
     struct trajectory t;

@@ -11,7 +11,7 @@
 #include "motion/flow.h"
 #include "proof/derivation.h"
 
-enum coordinate { ETA = DL, ETA_DOT = DL_DOT, PLACE_X, PLACE_Y, PLACE_Z, COORDINATES }; /* and PSI, THETA and their rates of flow.h */
+enum { ETA = DL, ETA_DOT = DL_DOT, PLACE_X, PLACE_Y, PLACE_Z, COORDINATES }; /* and PSI, THETA and their rates of flow.h */
 
 /*
  * What follows from them: the charges, dQ/Q_ref = (c1 eta + c2 eta')/3 by (7) and (18); the amplitude of pitch,
