@@ -782,7 +782,7 @@ EACH(o_names_a_file_that_is_there_whole_or_not_at_all, COUNT(into))
     snprintf(file, sizeof file, *into[_i].file == '/' ? "%.0s%s" : "%s/tests/%s", getenv("CT_BUILD"), into[_i].file);
     remove(file);
     const int status = run(into[_i].line);
-    strcpy(due, output);
+    snprintf(due, sizeof due, "%s", output);
     snprintf(line, sizeof line, "%s -o %s", into[_i].line, file);
     ck_assert_int_eq(run(line), into[_i].says == NULL ? 0 : 1);
     ck_assert_str_eq(output, "");
@@ -872,6 +872,18 @@ TEST(what_no_number_of_bits_decides_is_said)
     ck_assert_ptr_nonnull(strstr(errors, "bits do not decide every digit"));
     ck_assert_int_eq(lines(errors), 1);
     ck_assert_str_eq(output, "");
+}
+
+/* The same number in each form. */
+TEST(inputs_of_random_vectors_are_written_as_asked)
+{
+    ck_assert_int_eq(run("vectors eq44 --count 1 --seed 1 --inputs hex"), 0);
+    ck_assert_ptr_nonnull(strstr(output, "eq44-1-0,0x1."));
+    const double n = strtod(strchr(strstr(output, "eq44-1-0,") + 9, ',') + 1, NULL);
+    ck_assert_int_eq(run("vectors eq44 --count 1 --seed 1 --inputs exact"), 0);
+    const char *exact = strchr(strstr(output, "eq44-1-0,") + 9, ',') + 1;
+    ck_assert(strtod(exact, NULL) == n);
+    ck_assert_uint_gt(strcspn(exact, ","), 40); /* of a binary64 all decimals, where the shortest have 17 at most */
 }
 
 TEST(random_vectors_end_before_one_that_cannot_be_certified)

@@ -276,9 +276,9 @@ static bool read_identity(struct claim_reading *r, struct assertion *a, const st
     f.fine = f.fine && identities_close(&f.identities, &f.scope);
     a->everywhere = true;
     a->identity = f.identities;
-    if (f.fine && !a->algebra && f.identities.use_count == 0)
-        return entry_error(r, node, "nothing of the sheet is in it, expected {algebra: left = right} for what is algebra alone");
-    return f.fine;
+    const struct equality *empty = f.fine && !a->algebra ? identities_tautology(&f.identities) : NULL;
+    return f.fine && (empty == NULL || node_error(empty->at, 0, "it holds whatever the sheet says, expected {algebra: left = right} for "
+                                                                "what is algebra alone"));
 }
 
 /* The same but for blanks. */

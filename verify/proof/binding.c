@@ -378,7 +378,8 @@ static const struct yaml *item(const struct table *table, const char *key, int i
 
 /* ---- no equality holds for any formulas ---- */
 
-static bool no_tautology(struct table *table)
+/* The first of them; the number of equalities where there is none. */
+static int first_tautology(struct table *table)
 {
     const struct target everything = {.change = CHANGE_ANY};
     const int shown = table->t.shown_count;
@@ -388,8 +389,23 @@ static bool no_tautology(struct table *table)
     while (empty < shown && !equal_still(table, table->t.shown[empty].left, table->t.shown[empty].right))
         empty++;
     restore(table);
-    return empty == shown || binding_fault(table, table->t.shown[empty].at, 0, "%s holds whatever the formulas are: it shows nothing",
-                                    table->t.shown[empty].text);
+    return empty;
+}
+
+static bool no_tautology(struct table *table)
+{
+    const int empty = first_tautology(table);
+    return empty == table->t.shown_count ||
+           binding_fault(table, table->t.shown[empty].at, 0, "%s holds whatever the formulas are: it shows nothing", table->t.shown[empty].text);
+}
+
+const struct equality *identities_tautology(const struct identities *t)
+{
+    struct table table = {.d = NULL};
+    table_open(&table, t);
+    const int empty = first_tautology(&table);
+    table_close(&table);
+    return empty < t->shown_count ? &t->shown[empty] : NULL;
 }
 
 /* ---- from ---- */

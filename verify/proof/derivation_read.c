@@ -147,15 +147,12 @@ static bool read_lines(struct step *s, struct scope scope)
     scope.shared = s->node;
     if (s->line_map->count == 0)
         return node_error(s->line_map, 0, "expected at least one line");
-    if (!identities_open(&s->lines, &scope))
-        return false;
+    bool fine = identities_open(&s->lines, &scope);
     for (int i = 0; i < s->line_map->count; i++)
-        if (!identities_show(&s->lines, &scope, &s->line_map->items[i]))
-            return false;
+        fine = fine && identities_show(&s->lines, &scope, &s->line_map->items[i]);
     for (int i = 0; i < s->lines.shown_count; i++)
-        if (!check_line(s, &s->lines.shown[i]))
-            return false;
-    return identities_close(&s->lines, &scope);
+        fine = fine && check_line(s, &s->lines.shown[i]);
+    return fine && identities_close(&s->lines, &scope);
 }
 
 static bool read_step(struct derivations *d, const struct yaml *n)

@@ -127,6 +127,9 @@ struct proof {
 
 void identities_prove(const struct identities *t, struct proof *p);
 
+/* The first equality that holds whatever the formulas of the sheet are, NULL: none does. (binding.c) */
+const struct equality *identities_tautology(const struct identities *t);
+
 void proof_clear(struct proof *p);
 
 /* ---- at work ---- */
