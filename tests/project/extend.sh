@@ -79,7 +79,7 @@ put_operation() {
 NUMBER(eq45, ct_potential_energy(pair(in), in[4], spherical(in + 5)))
 
 END
-    before verify/evaluate/reference.c '    OPERATION(rk4_linear)' <<'END'
+    before verify/evaluate/reference.c '    {"rk4_linear"' <<'END'
     OPERATION(eq45),
 END
 }
