@@ -46,6 +46,9 @@ put_step() { cat >>paper/derivations.yaml <<'END'
       y1_dot: eq11exact.y1_dot
       z1_dot: eq11exact.z1_dot
       work: x1_dot*eq03.x1_ddot + y1_dot*eq03.y1_ddot + z1_dot*eq03.z1_ddot
+    lines:
+      the tide by the place: eq45.U(Q = 0) = m1*(m1 + m2)/m2*Omega^2*(z1^2 - 3*x1^2)/2
+      its rate: rate(eq45.U(Q = 0)) = m1*(m1 + m2)/m2*Omega^2*(z1*z1_dot - 3*x1*x1_dot)
     show:
       - m1*(m1 + m2)/m2*work = -rate(eq45.U)
 END
