@@ -278,7 +278,7 @@ mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/comm
 ## lint: clang-tidy and cppcheck, without findings
 lint: $(patsubst %.c,$(BUILD)/lint/%.tidied,$(SOURCES))
 	cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,performance,portability \
-	  --inline-suppr --suppress=missingIncludeSystem --suppress=ctuuninitvar --suppress=uninitvar:verify/formula/symbolic.c -Iref -Iverify ref verify tests
+	  --inline-suppr --suppress=missingIncludeSystem --suppress=ctuuninitvar --suppress=uninitvar:verify/formula/symbolic.c -I. -Iref -Iverify ref verify tests
 
 $(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*/*.h tests/*.h tests/fuzz/*.h)
 	@mkdir -p $(@D)

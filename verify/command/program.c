@@ -24,19 +24,20 @@ static int run_into(const struct arguments *a, const char *name)
     FILE *kept = tmpfile();
     char bytes[1 << 12];
     size_t size;
-    if (kept == NULL || dup2(fileno(kept), STDOUT_FILENO) < 0)
-        return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only without a place for one */
-    int status = a->subcommand->run(a);
+    int why = 0;
+    const bool ready = kept != NULL && dup2(fileno(kept), STDOUT_FILENO) >= 0;
+    int status = ready ? a->subcommand->run(a) : usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno));
     if (status == EXIT_DONE || status == REPORTED_CHECK)
         status = output_finished() == EXIT_DONE ? status : EXIT_FAILED_CHECK;
-    if (status != EXIT_DONE && status != REPORTED_CHECK)
-        return status;
-    rewind(kept);
-    struct whole_file f = whole_file_open(name);
-    while (f.file != NULL && (size = fread(bytes, 1, sizeof bytes, kept)) > 0)
-        fwrite(bytes, 1, size, f.file);
-    const int why = whole_file_close(&f, !ferror(kept));
-    fclose(kept);
+    if (status == EXIT_DONE || status == REPORTED_CHECK) {
+        rewind(kept);
+        struct whole_file f = whole_file_open(name);
+        while (f.file != NULL && (size = fread(bytes, 1, sizeof bytes, kept)) > 0)
+            fwrite(bytes, 1, size, f.file);
+        why = whole_file_close(&f, !ferror(kept));
+    }
+    if (kept != NULL)
+        fclose(kept);
     return why == 0 ? status : usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
 }
 

@@ -303,10 +303,9 @@ static void run_altered(const struct table *x, struct run *r)
 /* What is marked changes, and all that rests on it. */
 static void alter(struct table *x, enum change change)
 {
-    const struct rate *rate = x->t.rates, *end = rate + x->t.rate_count;
-    for (int i = 0; i < x->count; i++) {
-        if (rate < end && i == rate->first) {
-            const struct rate *here = rate++;
+    for (int i = 0, rates = 0; i < x->count; i++) {
+        if (rates < x->t.rate_count && i == x->t.rates[rates].first) {
+            const struct rate *here = &x->t.rates[rates++];
             if (alter_rate(x, here)) {
                 for (; i < here->result; i++)
                     x->map[i] = i; /* nothing else rests on them */
