@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "command/command.h"
@@ -795,6 +796,22 @@ EACH(o_names_a_file_that_is_there_whole_or_not_at_all, COUNT(into))
     read_back(there, output);
     ck_assert_str_eq(output, due);
     ck_assert_int_eq(run("table1 -o /dev/null"), 0);
+}
+
+TEST(o_keeps_from_others_what_was_kept_from_them)
+{
+    char line[600], file[500];
+    struct stat there;
+    snprintf(file, sizeof file, "%s/tests/private", getenv("CT_BUILD"));
+    remove(file);
+    const int end = open(file, O_WRONLY | O_CREAT, 0600);
+    ck_assert_int_ge(end, 0);
+    close(end);
+    snprintf(line, sizeof line, "eval eq43 Omega=1 n=12 -o %s", file);
+    ck_assert_int_eq(run(line), 0);
+    ck_assert_int_eq(stat(file, &there), 0);
+    ck_assert_int_gt(there.st_size, 0);
+    ck_assert_int_eq(there.st_mode & 0777, 0600);
 }
 
 TEST(help_says_units_and_defaults_of_what_design_takes)

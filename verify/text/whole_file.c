@@ -14,13 +14,14 @@ struct whole_file whole_file_open(const char *name)
     const size_t size = strlen(name) + 40;
     struct whole_file f = {.name = name};
     struct stat there;
-    const bool special = stat(name, &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode);
+    const bool exists = stat(name, &there) == 0, special = exists && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode);
+    const mode_t mode = exists && !special ? there.st_mode & 0666 : 0666; /* what nobody else may read stays so */
     int end = special ? open(name, O_WRONLY) : -1;
     if (!special)
         f.unfinished = xrealloc(NULL, size, 1);
     for (int k = 0; k < 100 && end < 0 && !special && (k == 0 || errno == EEXIST); k++) {
         snprintf(f.unfinished, size, k == 0 ? "%s.tmp" : "%s.%d.tmp", name, k);
-        end = open(f.unfinished, O_WRONLY | O_CREAT | O_EXCL, 0666);
+        end = open(f.unfinished, O_WRONLY | O_CREAT | O_EXCL, mode);
     }
     f.why = end < 0 ? errno : 0;
     f.file = end < 0 ? NULL : fdopen(end, "w");
