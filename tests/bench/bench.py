@@ -127,10 +127,10 @@ def main():
         if cm == 1:
             rows.append(('its processor time in single motions of 16 digits', f'{taken/single:.0f}', '<= 100', taken <= 100*single))
     ratio = t['flow']/t['unproved']
-    rows.append(('the same trajectory, against the integrator without its proofs', f'{ratio:.2f}', '<= 2.5',
+    rows.append(('the nonlinear trajectory, against the integrator without its proofs', f'{ratio:.2f}', '<= 2.5',
                  ratio <= 2.5))
     for name, days, most in (('flow', 2, -50), ('flow5', 5, -49)):
-        rows.append((f'its radius over L_ref after {days} days', f'1e{math.ceil(radius[name])}', f'<= 1e{most}',
+        rows.append((f'radius of the nonlinear trajectory over L_ref after {days} days', f'1e{math.ceil(radius[name])}', f'<= 1e{most}',
                      radius[name] <= most))
     fine = show(rows)
     print('\nmilliseconds: ' + ', '.join(f'{name} {1e3*seconds:.3g}' for name, seconds in t.items()))
