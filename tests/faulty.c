@@ -206,8 +206,8 @@ static void mistake(struct asked *a, const char *fault)
     else if (strcmp(fault, "inverted-15") == 0) {
         a->in[6] *= reduced * reduced;
         compute(a);
-    } else if (strcmp(fault, "n-8") == 0)
-        a->out[0] = 2.0 * a->in[0] * sqrt(a->in[1] - 8.0);
+    } else if (strncmp(fault, "n-", 2) == 0) /* n-8 for n - 9 */
+        a->out[0] = 2.0 * a->in[0] * sqrt(a->in[1] - strtod(fault + 2, NULL));
     else if (strcmp(fault, "turn") == 0)
         a->out[1] += a->out[1] < 0.0 ? 2.0 * pi : 0.0;
     else if (strcmp(fault, "atan2") == 0)
@@ -235,6 +235,8 @@ static void mistake(struct asked *a, const char *fault)
         integrate(a, 1.0, false, 1.0);
     else if (strcmp(fault, "long-step") == 0)
         integrate(a, a->inputs > 11 ? 2.0 * a->in[11] : 300.0, false, -1.0);
+    else if (strcmp(fault, "short-step") == 0)
+        integrate(a, 0.25 * a->in[11], false, -1.0);
 }
 
 /* Two processes, their numbers in the file, that only a signal ends. */

@@ -323,33 +323,46 @@ static bool explain(const struct evidence *v, const double inputs[MOST_EVIDENCE]
     return same;
 }
 
+/* Whether an input is not the same in all vectors. */
+static bool input_differs(const struct evidence *v, int i)
+{
+    bool differs = false;
+    for (int f = 1; f < v->count; f++)
+        differs = differs || v->x[f][i] != v->x[0][i];
+    return differs;
+}
+
 /*
- * Two inputs exchanged, or one with a factor that it should not have: an input stands for a whole term where it stands in one
- * alone.
+ * Two inputs exchanged, or one of them off by one, or with a factor that it should not have: an input stands for a whole term where
+ * it stands in one alone.
  */
 static void other_inputs(const struct evidence *v, char *text, size_t size)
 {
-    static const char *const names[] = {"-1", "2", "1/2", "3", "1/3", "m1 m2/(m1 + m2)", "(m1 + m2)/(m1 m2)", "(m1 m2/(m1 + m2))^2",
+    enum { OFF_BY_ONE = 2, WITHOUT_MASSES = 7 };
+    static const char *const names[] = {"+", "-", "-1", "2", "1/2", "3", "1/3", "m1 m2/(m1 + m2)", "(m1 + m2)/(m1 m2)", "(m1 m2/(m1 + m2))^2",
                                         "((m1 + m2)/(m1 m2))^2", "m1/m2", "m2/m1"};
     const struct section *s = v->section;
-    const int m1 = input_place(s, "m1"), m2 = input_place(s, "m2"), factors = m1 >= 0 && m2 >= 0 ? sizeof names / sizeof *names : 5;
+    const int m1 = input_place(s, "m1"), m2 = input_place(s, "m2"), kinds = m1 >= 0 && m2 >= 0 ? sizeof names / sizeof *names : WITHOUT_MASSES;
     double inputs[MOST_EVIDENCE][MOST_INPUTS];
-    for (int i = 0; i < s->input_count * (s->input_count + factors) && *text == '\0'; i++) {
+    for (int i = 0; i < s->input_count * (s->input_count + kinds) && *text == '\0'; i++) {
         const int at = i % s->input_count, other = i / s->input_count, kind = other - s->input_count;
-        if (other <= at)
+        if (other <= at || (kind >= 0 && kind < OFF_BY_ONE && !input_differs(v, at)))
             continue;
         memcpy(inputs, v->x, sizeof inputs);
         for (int f = 0; f < v->count; f++) {
-            const double *x = v->x[f], a = m1 >= 0 ? x[m1] : 1.0, b = m2 >= 0 ? x[m2] : 1.0, M = a * b / (a + b);
-            const double all[] = {-1.0, 2.0, 0.5, 3.0, 1.0 / 3.0, M, 1.0 / M, M * M, 1.0 / (M * M), a / b, b / a};
-            inputs[f][at] = kind < 0 ? x[other] : x[at] * all[kind];
+            const double *x = v->x[f], is = x[at], a = m1 >= 0 ? x[m1] : 1.0, b = m2 >= 0 ? x[m2] : 1.0, M = a * b / (a + b);
+            const double all[] = {is + 1.0, is - 1.0, -is, 2.0 * is, 0.5 * is, 3.0 * is, is / 3.0, is * M, is / M, is * M * M, is / (M * M),
+                                  is * a / b, is * b / a};
+            inputs[f][at] = kind < 0 ? x[other] : all[kind];
             if (kind < 0)
-                inputs[f][other] = x[at];
+                inputs[f][other] = is;
         }
         if (!explain(v, (const double(*)[MOST_INPUTS])inputs))
             continue;
         if (kind < 0)
             snprintf(text, size, "the inputs %s and %s exchanged", s->inputs[at]->name, s->inputs[other]->name);
+        else if (kind < OFF_BY_ONE)
+            snprintf(text, size, "%s %s 1 in place of %s", s->inputs[at]->name, names[kind], s->inputs[at]->name);
         else
             snprintf(text, size, "%s with a factor %s too many", s->inputs[at]->name, names[kind]);
     }

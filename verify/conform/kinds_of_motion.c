@@ -34,7 +34,7 @@ static const struct integrator {
     {"the classical Runge-Kutta method", "the classical Runge-Kutta method", 4, 4, false, {0.0, 0.5, 0.5, 1.0},
      {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}},
 };
-enum { INTEGRATORS = 5, CLASSICAL = 4 };
+enum { INTEGRATORS = 5, CLASSICAL = 4, PARTS = 4 /* h/2 ... h/5: less comes too close to the motion itself */ };
 
 /* What somebody may have done: a term's sign (-1: none), a method, and its step in s, or in the steps h that are given. */
 struct hypothesis {
@@ -176,17 +176,17 @@ void kind_of_motion(const struct evidence *v, char *text, size_t size)
     struct hypothesis p = {.in_h = method >= METHOD_RK4_LINEAR};
     p.linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
     *text = '\0';
-    for (int k = 0; k < TERMS + INTEGRATORS + p.in_h && *text == '\0'; k++) {
-        const bool half = k == TERMS + INTEGRATORS; /* of h: it is off by as much as one of h, which is right */
+    for (int k = 0; k < TERMS + INTEGRATORS + (p.in_h ? PARTS : 0) && *text == '\0'; k++) {
+        const int part = k - TERMS - INTEGRATORS + 2; /* of h: such steps are off by about as much as those of h, which are right */
         p.turned = k < TERMS ? k : -1;
-        p.method = &integrators[k < TERMS || half ? CLASSICAL : k - TERMS];
-        p.step = k < TERMS ? 1.0 : half ? 0.5 : likely_step(v, &p);
+        p.method = &integrators[k < TERMS || part > 1 ? CLASSICAL : k - TERMS];
+        p.step = k < TERMS ? 1.0 : part > 1 ? 1.0 / part : likely_step(v, &p);
         if (!(p.step > 0.0) || !fits_all(v, &p))
             continue;
         if (k < TERMS)
             snprintf(text, size, "%s with the other sign", coupling_terms[p.linear][k]);
         else
-            snprintf(text, size, "%s with steps of %g %s", p.linear ? p.method->linear_name : p.method->name, p.step,
+            snprintf(text, size, "%s with steps of %.3g %s", p.linear ? p.method->linear_name : p.method->name, p.step,
                      p.in_h ? "h" : "s");
     }
 }
