@@ -362,11 +362,13 @@ WORD = re.compile(r'[A-Za-z_][\w.]*(?:-[A-Za-z_]\w*)*|\d+(?:\.\d+)?(?:[eE][+-]?\
 
 def yaml_spans(text):
     """The stretches of the file that are neither comment nor prose."""
-    at, prose_indent, principles = 0, None, False
+    at, prose_indent, lines_indent, principles = 0, None, None, False
     for line in text.splitlines(keepends=True):
         indent = len(line) - len(line.lstrip())
         if prose_indent is not None and line.strip() and indent <= prose_indent:
             prose_indent = None
+        if lines_indent is not None and line.strip() and indent <= lines_indent:
+            lines_indent = None
         if indent == 0 and line.strip() and not line.startswith('#'):
             principles = line.startswith('principles:')
         end = at + len(line.rstrip('\n'))
@@ -378,10 +380,14 @@ def yaml_spans(text):
             if key and key.group(1) in PROSE or principles and key:
                 yield at + key.start(1), at + key.end(1)
                 prose_indent = indent
+            elif lines_indent is not None:  # how: the algebra by hand
+                yield at + re.match(r'\s*(?:"[^"]*"|[^"]*?): ', line).end(), end
             else:
                 inline = re.search(r'[{,] (?:meaning|reason|note): |\{(?:meaning|reason): ', line)
                 inline = re.search(r', meaning: ', line) or inline
                 yield at, min(end, at + inline.end() if inline else end)
+        if key is None and line.strip() == 'lines:':
+            lines_indent = indent
         at += len(line)
 
 

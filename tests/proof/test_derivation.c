@@ -299,6 +299,9 @@ static void judge_step(const char *step, char said[600])
     derivations_clear(&d);
 }
 
+#define CLOSED_LOOP \
+    "    from: [\"17\", \"18\"]\n    to: [\"19\"]\n    let:\n      a: eq17.dL_ddot(dQ = eq18.dQ)\n      b: eq19.dL_ddot\n    show: [a = b]\n"
+
 static const struct {
     const char *step, *said;
 } refused[] = {
@@ -383,6 +386,12 @@ static const struct {
      "could be left out: nothing in from and to needs it"},
     {"    from: [geometry]\n    to: [\"7\"]\n    show: [geometry.dot = 0]", "nothing here is called 'p_1', expected p_1 = ... in brackets"},
     {"    from: [\"9\"]\n    to: [eq10]\n    let:\n      x1: eq10.y1\n    show: [x1 = x1]", "eq10 has x1 itself"},
+    /* lines that are true of anything: of no name of the step, of its definition a in any sense, and by way of another such line */
+    {CLOSED_LOOP "    lines: {so: x1 - x1 = 0}", ":17: step one: x1 - x1 = 0 holds whatever the formulas are: it shows nothing"},
+    {CLOSED_LOOP "    lines: {so: a - b = eq19.dL_ddot - a, and: a - a = 0}", ":48: step one: a - a = 0 holds whatever"},
+    {CLOSED_LOOP "    lines: {so: 1 = a^0}", "1 = a^0 holds whatever the formulas are"},
+    {CLOSED_LOOP "    lines: {so: x1 - x1 = y1 - y1 = 0}", "y1 - y1 = 0 holds whatever the formulas are"},
+    {CLOSED_LOOP "    lines: {so: b - a = 0, and: b - a = x1 - x1 = 0, rest: 2*a = a + a}", "nothing"},
 };
 
 EACH(false_step_is_refused, COUNT(refused))

@@ -146,7 +146,7 @@ struct table {
 
 static void run_open(const struct table *x, struct run *r, enum manner manner)
 {
-    run_begin(r, &x->t, FLINT_MAX(x->t.order, 0) + 1, manner, 2 * x->t.use_count);
+    run_begin(r, &x->t, FLINT_MAX(x->t.order, 0) + 1, manner, 2 * (x->t.use_count + x->t.program.named - x->t.program.inputs));
     for (int i = 0; i < x->t.root_count; i++)
         run_root(r, x->t.roots[i].node);
     run_keep(r, x->count);
@@ -198,8 +198,8 @@ static bool concerns(const struct table *x, const struct target *target, const s
     return u->formulas == part->formulas && (target->change >= CHANGE_SIGN || u->part == part->node);
 }
 
-/* Marks what a target alters; all uses of one formula have one pair. */
-static void mark(struct table *x, const struct target *target)
+/* Marks what a target alters; all uses of one formula have one pair. Their number. */
+static int mark(struct table *x, const struct target *target)
 {
     int pairs = 0;
     memset(x->mark, 0, (size_t)x->count * sizeof *x->mark);
@@ -217,6 +217,7 @@ static void mark(struct table *x, const struct target *target)
         }
         x->mark[at] = target->change >= CHANGE_SIGN ? 1 : x->mark[at] > 0 ? x->mark[at] : ++pairs;
     }
+    return pairs;
 }
 
 /* Changes a node, or says what stands in its place; false where this change is none of this node. Of a number n.exponent is added. */
@@ -377,34 +378,55 @@ static const struct yaml *item(const struct table *table, const char *key, int i
 
 /* ---- no equality holds for any formulas ---- */
 
-/* The first of them; the number of equalities where there is none. */
-static int first_tautology(struct table *table)
+/* A line of algebra is true of any formulas, and may be; but what is said to be a number has to be of the step. */
+static bool says_number(const struct identities *t, const struct equality *e)
 {
-    const struct target everything = {.change = CHANGE_ANY};
-    const int shown = table->t.shown_count;
-    int empty = 0;
-    mark(table, &everything);
-    alter(table, CHANGE_ANY);
-    while (empty < shown && !equal_still(table, table->t.shown[empty].left, table->t.shown[empty].right))
-        empty++;
-    restore(table);
-    return empty;
+    const struct node *nodes = t->program.nodes;
+    return nodes[e->left].op == OPERATOR_NUMBER || nodes[e->right].op == OPERATOR_NUMBER;
 }
 
-static bool no_tautology(struct table *table)
+/* The first of the equalities, NULL where there is none; of lines, whatever the definitions are, and none that goes on another. */
+static const struct equality *first_tautology(struct table *x, bool lines)
 {
-    const int empty = first_tautology(table);
-    return empty == table->t.shown_count ||
-           binding_fault(table, table->t.shown[empty].at, 0, "%s holds whatever the formulas are: it shows nothing", table->t.shown[empty].text);
+    const struct identities *t = &x->t;
+    const struct target everything = {.change = CHANGE_ANY};
+    const struct equality *e = t->shown, *const end = t->shown + t->shown_count;
+    bool speaks = true;
+    int pairs = mark(x, &everything);
+    for (int i = t->program.inputs; i < t->program.named && lines; i++)
+        if (x->mark[t->program.names[i].node] == 0)
+            x->mark[t->program.names[i].node] = ++pairs;
+    alter(x, CHANGE_ANY);
+    for (; e < end && speaks; e++) {
+        speaks = (lines && !says_number(t, e)) || !equal_still(x, e->left, e->right);
+        for (const struct equality *link = e; !speaks && lines && link->offset > 0; link--)
+            speaks = !equal_still(x, link[-1].left, link[-1].right);
+    }
+    restore(x);
+    return speaks ? NULL : e - 1;
+}
+
+static const struct equality *tautology_of(const struct identities *t, bool lines)
+{
+    struct table x = {.d = NULL};
+    table_open(&x, t);
+    const struct equality *empty = first_tautology(&x, lines);
+    table_close(&x);
+    return empty;
 }
 
 const struct equality *identities_tautology(const struct identities *t)
 {
-    struct table table = {.d = NULL};
-    table_open(&table, t);
-    const int empty = first_tautology(&table);
-    table_close(&table);
-    return empty < t->shown_count ? &t->shown[empty] : NULL;
+    return tautology_of(t, false);
+}
+
+static bool no_tautology(struct table *table)
+{
+    const struct equality *empty = first_tautology(table, false);
+    if (empty == NULL)
+        empty = tautology_of(&table->s->lines, true);
+    return empty == NULL ||
+           binding_fault(table, empty->at, empty->offset, "%s holds whatever the formulas are: it shows nothing", empty->text);
 }
 
 /* ---- from ---- */
