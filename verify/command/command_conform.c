@@ -21,7 +21,6 @@
 static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;
 
 enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered is counted one by one */
-enum { MOST_PIPED = 1 << 28 };    /* bytes that are kept of a pipe */
 
 /* What is asked for: a number a section of the sheet. */
 struct choice {
@@ -254,16 +253,6 @@ static bool hear(void *context, const char *bytes, size_t size, bool *answered)
     return on;
 }
 
-/* Vectors that have an answer. */
-static uint64_t answers_of(const struct test_run *e)
-{
-    uint64_t count = 0;
-    for (int k = 0; k < e->sets.count; k++)
-        for (int i = 0; i < OUTCOME_MISSING; i++)
-            count += e->summaries[k].counts[i];
-    return count;
-}
-
 /* What the end of the client means; EXIT_USAGE where it was none. */
 static int conclude(struct test_run *e, enum ending ending, int status, const char *name, double timeout)
 {
@@ -278,9 +267,9 @@ static int conclude(struct test_run *e, enum ending ending, int status, const ch
         snprintf(how, sizeof how, "was stopped for %s", e->unended < LONGEST_UNENDED ? "so many lines that answer nothing" : "a line without end");
     else if (ending == ENDING_TIMEOUT)
         snprintf(how, sizeof how, "was stopped for %g s of silence", timeout);
-    const uint64_t answered = answers_of(e);
     if (status != 0 || ending != ENDING_EXIT || (e->next < e->sets.total && stray_count(e) == 0))
-        snprintf(e->ended, sizeof e->ended, "%s after %" PRIu64 " of %" PRIu64 " answers", how, answered, e->sets.total);
+        snprintf(e->ended, sizeof e->ended, "%s after %" PRIu64 " of %" PRIu64 " answers", how, e->heard - stray_count(e),
+                 e->sets.total);
     test_run_end(e, ending == ENDING_TIMEOUT ? OUTCOME_TIMEOUT : ending == ENDING_EXIT && signalled ? OUTCOME_CRASH : OUTCOME_MISSING);
     return EXIT_DONE;
 }
@@ -332,26 +321,18 @@ static void say(struct test_run *e, const char *text)
     test_run_hear(e, text, strlen(text));
 }
 
-static int columns_named(const struct csv *c, const char *name)
-{
-    int count = 0;
-    for (int i = 0; i < c->count; i++)
-        count += strcmp(c->cells[i], name) == 0;
-    return count;
-}
-
 /* The columns of the id and of the outputs, one each; false after a complaint. */
 static bool take_header(const struct csv *c, const struct section *s, int *columns)
 {
     for (int i = 0; i <= s->output_count; i++) {
         const char *wanted = i == 0 ? "id" : s->outputs[i - 1]->name;
+        int found = 0;
         columns[i] = csv_column(c, wanted);
-        if (columns_named(c, wanted) > 1) {
-            usage_error(EXIT_USAGE, "%s: line %lu: expected one column '%s', found %d", c->name, c->line, wanted, columns_named(c, wanted));
-            return false;
-        }
-        if (columns[i] < 0) {
-            usage_error(EXIT_USAGE, "%s: line %lu: missing column '%s', expected id and every output of %s", c->name, c->line, wanted, s->id);
+        for (int k = 0; k < c->count; k++)
+            found += strcmp(c->cells[k], wanted) == 0;
+        if (found != 1) {
+            usage_error(EXIT_USAGE, "%s: line %lu: expected id and every output of %s in one column each, found %d of '%s'", c->name, c->line, s->id,
+                        found, wanted);
             return false;
         }
     }
@@ -374,8 +355,9 @@ static void hear_row(struct test_run *e, const struct csv *c, const int *columns
     say(e, c->cells[columns[0]]);
     for (int i = 1; i <= outputs && !blank; i++) {
         say(e, " ");
-        for (const char *at = c->cells[columns[i]]; *at != '\0'; at++)
-            test_run_hear(e, *at == '\n' ? " " : at, 1);
+        for (char *at = c->cells[columns[i]]; (at = strchr(at, '\n')) != NULL;)
+            *at = ' ';
+        say(e, c->cells[columns[i]]);
     }
     say(e, blank ? " invalid\n" : "\n");
 }
@@ -431,30 +413,6 @@ static const struct section *section_of_file(const struct sheet *sheet, FILE *fi
     return s;
 }
 
-/* What comes through a pipe, which cannot be rewound, in a temporary file; another file as it is. NULL, and it is closed, after a complaint. */
-static FILE *rewindable(FILE *file, const char *name)
-{
-    char bytes[1 << 12];
-    size_t size, total = 0;
-    if (fseek(file, 0, SEEK_SET) == 0)
-        return file;
-    FILE *copy = tmpfile();
-    while (copy != NULL && total <= MOST_PIPED && (size = fread(bytes, 1, sizeof bytes, file)) > 0 &&
-           fwrite(bytes, 1, size, copy) == size)
-        total += size;
-    const bool whole = copy != NULL && feof(file) && fflush(copy) == 0 && !ferror(copy); /* LCOV_EXCL_BR_LINE: a failing system call */
-    if (total > MOST_PIPED)
-        usage_error(EXIT_FAILED_CHECK, "%s: expected at most %d bytes through a pipe, write them to a file", name, MOST_PIPED);
-    else if (!whole) /* LCOV_EXCL_BR_LINE: the same */
-        usage_error(EXIT_FAILED_CHECK, "%s, and a temporary file for it: %s", name, strerror(errno)); /* LCOV_EXCL_LINE: the same */
-    fclose(file);
-    if (whole)
-        rewind(copy);
-    else if (copy != NULL) /* LCOV_EXCL_BR_LINE: the same */
-        fclose(copy);
-    return whole ? copy : NULL;
-}
-
 /* Of one operation as CSV, which the word or the file names, or else of all that are asked. */
 static int read_answers(struct test_run *e, const struct arguments *a, struct choice *c)
 {
@@ -462,10 +420,11 @@ static int read_answers(struct test_run *e, const struct arguments *a, struct ch
     FILE *file = fopen(name, "r");
     if (file == NULL)
         return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
-    if (a->word_count == 0 && (file = rewindable(file, name)) == NULL)
-        return EXIT_FAILED_CHECK;
-    const struct section *s = a->word_count == 1 ? section_argument(c->sheet, a->words[0]) : section_of_file(c->sheet, file, name);
+    const bool twice = a->word_count == 0 && fseek(file, 0, SEEK_SET) == 0;
+    const struct section *s = a->word_count == 1 ? section_argument(c->sheet, a->words[0]) : twice ? section_of_file(c->sheet, file, name) : NULL;
     int status = a->word_count == 1 && s == NULL ? EXIT_USAGE : EXIT_DONE;
+    if (a->word_count == 0 && !twice)
+        status = usage_error(EXIT_USAGE, "%s: expected a file, whose answers a pipe has is not found out: name the operation, or write it to a file", name);
     if (s != NULL && (option_given(a, "--only") || option_given(a, "--random")))
         status = usage_error(EXIT_USAGE, "--answers: expected without --only and --random, the file has the answers of %s", s->id);
     e->any_order = s != NULL;
