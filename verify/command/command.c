@@ -21,12 +21,6 @@ int usage_error(int status, const char *format, ...)
     return status;
 }
 
-int status_of_name(int why)
-{
-    const bool out_of_means = why == ENOMEM || why == EAGAIN || why == EMFILE || why == ENFILE || why == EIO;
-    return out_of_means ? EXIT_FAILED_CHECK : EXIT_USAGE;
-}
-
 int unknown_name(const char *what, const char *name, const char *near)
 {
     return usage_error(EXIT_USAGE, "%s '%.95s'%s%s%s", what, name, near ? ", did you mean '" : "", near ? near : "", near ? "'?" : "");

@@ -43,9 +43,6 @@ void add_text(char *text, size_t size, const char *separator, const char *more);
 /* Wrong usage: what is unknown, its name, and the known one that is near (NULL: none is). */
 int unknown_name(const char *what, const char *name, const char *near);
 
-/* Of a name that could not be opened or run: wrong usage, unless the machine is out of means. */
-int status_of_name(int why);
-
 /* Reads what follows the subcommand, against the tables of options.h: EXIT_DONE or EXIT_USAGE. */
 int arguments_read(struct arguments *a, const struct paper *paper, const struct subcommand *s, int count, char **texts);
 void arguments_clear(struct arguments *a);

@@ -289,6 +289,13 @@ static const char *start_hint(const char *client, int why, char hint[120])
     return hint;
 }
 
+/* Of a client that could not be started: wrong usage, unless the machine is out of means. */
+static int status_of_start(int why)
+{
+    const bool out_of_means = why == ENOMEM || why == EAGAIN || why == EMFILE || why == ENFILE || why == EIO;
+    return out_of_means ? EXIT_FAILED_CHECK : EXIT_USAGE;
+}
+
 static int run_client(struct test_run *e, const struct arguments *a, char **client)
 {
     double timeout = 60.0;
@@ -303,7 +310,7 @@ static int run_client(struct test_run *e, const struct arguments *a, char **clie
     const struct conversation talk = {&w, ask, hear};
     const int why = client_start(&c, client);
     if (why != 0)
-        return usage_error(status_of_name(why), "client '%s': %s%s", client[0], strerror(why), start_hint(client[0], why, hint));
+        return usage_error(status_of_start(why), "client '%s': %s%s", client[0], strerror(why), start_hint(client[0], why, hint));
     const enum ending ending = client_converse(&c, &talk, timeout);
     const int status = client_close(&c); /* an interrupt ends the program here */
     progress_end(&w.progress);

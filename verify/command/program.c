@@ -22,13 +22,17 @@ static bool asks_help(const char *text)
 static int run_into(const struct arguments *a, const char *name)
 {
     FILE *kept = tmpfile();
+    const int out = dup(STDOUT_FILENO); /* which the name may mean */
     char bytes[1 << 12];
     size_t size;
     int why = 0;
-    const bool ready = kept != NULL && dup2(fileno(kept), STDOUT_FILENO) >= 0;
-    int status = ready ? a->subcommand->run(a) : usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno));
-    if (status == EXIT_DONE || status == REPORTED_CHECK)
-        status = output_finished() == EXIT_DONE ? status : EXIT_FAILED_CHECK;
+    bool ready = kept != NULL && out >= 0 && dup2(fileno(kept), STDOUT_FILENO) >= 0;
+    int status = ready ? a->subcommand->run(a) : EXIT_FAILED_CHECK;
+    if (ready && output_finished() != EXIT_DONE)
+        status = EXIT_FAILED_CHECK;
+    ready = ready && dup2(out, STDOUT_FILENO) >= 0;
+    if (!ready)
+        status = usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno));
     if (status == EXIT_DONE || status == REPORTED_CHECK) {
         rewind(kept);
         struct whole_file f = whole_file_open(name);
@@ -38,6 +42,7 @@ static int run_into(const struct arguments *a, const char *name)
     }
     if (kept != NULL)
         fclose(kept);
+    close(out);
     return why == 0 ? status : usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
 }
 

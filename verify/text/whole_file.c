@@ -9,26 +9,50 @@
 
 #include "text/message.h"
 
+/* Where a name leads, link after link: there may be nothing yet. */
+static char *end_of_links(const char *name)
+{
+    enum { LONGEST_LINK = 4096 };
+    char link[LONGEST_LINK], *path = text_copy(name);
+    for (ssize_t length; (length = readlink(path, link, LONGEST_LINK)) > 0;) {
+        const char *slash = *link == '/' ? NULL : strrchr(path, '/');
+        const int folder = slash != NULL ? (int)(slash + 1 - path) : 0;
+        const size_t size = (size_t)folder + (size_t)length + 1;
+        char *next = xrealloc(NULL, size, 1);
+        snprintf(next, size, "%.*s%.*s", folder, path, (int)length, link);
+        free(path);
+        path = next;
+    }
+    return path;
+}
+
 struct whole_file whole_file_open(const char *name)
 {
-    const size_t size = strlen(name) + 40;
-    struct whole_file f = {.name = name};
-    struct stat there;
+    struct whole_file f = {.file = NULL};
+    struct stat there, out;
     const bool exists = stat(name, &there) == 0, special = exists && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode);
     const mode_t mode = exists && !special ? there.st_mode & 0666 : 0666; /* what nobody else may read stays so */
-    int end = special ? open(name, O_WRONLY) : -1;
-    if (!special)
+    int end = -1;
+    if (exists && fstat(STDOUT_FILENO, &out) == 0 && out.st_dev == there.st_dev && out.st_ino == there.st_ino) {
+        end = dup(STDOUT_FILENO); /* /dev/stdout, whatever that is */
+    } else if (special) {
+        end = open(name, O_WRONLY);
+    } else if (exists || errno == ENOENT) { /* not where links lead nowhere else than to links */
+        f.name = end_of_links(name);
+        const size_t size = strlen(f.name) + 40;
         f.unfinished = xrealloc(NULL, size, 1);
-    for (int k = 0; k < 100 && end < 0 && !special && (k == 0 || errno == EEXIST); k++) {
-        snprintf(f.unfinished, size, k == 0 ? "%s.tmp" : "%s.%d.tmp", name, k);
-        end = open(f.unfinished, O_WRONLY | O_CREAT | O_EXCL, mode);
+        for (int k = 0; k < 100 && end < 0 && (k == 0 || errno == EEXIST); k++) {
+            snprintf(f.unfinished, size, k == 0 ? "%s.tmp" : "%s.%d.tmp", f.name, k);
+            end = open(f.unfinished, O_WRONLY | O_CREAT | O_EXCL, mode);
+        }
     }
     f.why = end < 0 ? errno : 0;
     f.file = end < 0 ? NULL : fdopen(end, "w");
     if (end >= 0 && f.file == NULL) { /* LCOV_EXCL_BR_LINE: only where memory runs out, make faults */
         close(end);                  /* LCOV_EXCL_LINE: the same */
-        remove(f.unfinished);        /* LCOV_EXCL_LINE: the same */
         f.why = ENOMEM;              /* LCOV_EXCL_LINE: the same */
+        if (f.unfinished != NULL)    /* LCOV_EXCL_LINE: the same */
+            remove(f.unfinished);    /* LCOV_EXCL_LINE: the same */
     }
     return f;
 }
@@ -45,5 +69,6 @@ int whole_file_close(struct whole_file *f, bool fine)
         }
     }
     free(f->unfinished);
+    free(f->name);
     return f->why;
 }

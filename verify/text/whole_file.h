@@ -1,4 +1,7 @@
-/* A file that appears under its name whole or not at all; a device or a pipe that has the name is written as it is. */
+/*
+ * A file that appears under its name whole or not at all: where that is a link, where it leads. A device, a pipe, or
+ * standard output that has the name is written as it is.
+ */
 #ifndef CT_WHOLE_FILE_H
 #define CT_WHOLE_FILE_H
 
@@ -6,10 +9,9 @@
 #include <stdio.h>
 
 struct whole_file {
-    FILE *file; /* NULL: it could not be opened */
-    const char *name;
-    char *unfinished; /* NULL of a device */
-    int why;          /* the errno of its opening */
+    FILE *file;              /* NULL: it could not be opened */
+    char *name, *unfinished; /* NULL of a device */
+    int why;                 /* the errno of its opening */
 };
 
 /* A new file beside that name, and never one that is there: that is somebody else's, or leads elsewhere. */
