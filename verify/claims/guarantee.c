@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "formula/expression.h"
+#include "claims/curve.h"
 #include "text/scope.h"
 
 /* U where the charges follow the command, where they have reached their bound (r > bound), and both; U' of the first. */
@@ -18,7 +18,7 @@
 #define LOSS "((3*n - 9 - 2*n*x)/(3 + n*(x - 1)))"
 #define SCREENED "((" LOSS " + sqrt(" LOSS "^2 + 4*" LOSS "))/2)"
 
-#define NO_ROOT {0}, NULL, NULL
+#define NO_ROOT NULL, NULL, NULL
 
 /*
  * Why there is one root: E on the radius falls from r = 0 to 1, and rises to `outer`; the most of E in a box rises with the
@@ -35,19 +35,21 @@ const struct guarantee guarantees[] = {
     {"level", 0, 0, "-", "separatrix level of the energy", {"saddle", "across"}, NO_ROOT},
     {"depth", 0, 0, "-", "separatrix level over the energy of rest at L_ref", {"level - n + 9/2"}, NO_ROOT},
     {"shortest", 1, 0, "m", "shortest length from which the pair, let go on the radius, surely returns", {0},
-     {FREE("x") " - 3/2*x^2 - level"}, "(1 - 3/n)/2", "1"},
+     FREE("x") " - 3/2*x^2 - level", "(1 - 3/n)/2", "1"},
     {"longest", 1, 0, "m", "longest length from which the pair, let go on the radius, surely returns", {0},
-     {"level - " U("x") " + 3/2*x^2"}, "1", "outer"},
+     "level - " U("x") " + 3/2*x^2", "1", "outer"},
     {"length", 1, 0, "m", "largest length error of either sign, all else at rest", {"1 - shortest", "longest - 1"}, NO_ROOT},
     {"yaw", 0, 0, "rad", "largest yaw, all else at rest", {"atan2(sqrt(2*depth/3), sqrt(1 - 2*depth/3))"}, NO_ROOT},
     {"pitch", 0, 0, "rad", "largest pitch, all else at rest", {"atan2(sqrt(depth/2), sqrt(1 - depth/2))"}, NO_ROOT},
     {"angle_rate", 0, 1, "rad/s", "largest rate of yaw, or of pitch, all else at rest", {"sqrt(2*depth)"}, NO_ROOT},
     {"length_rate", 1, 1, "m/s", "largest rate of the length, all else at rest", {"angle_rate"}, NO_ROOT},
     {"widest", 0, 0, "-", NULL, {"outer - 1", "1/2"}, NO_ROOT},
-    {"box", 0, 0, "-", "bound of psi, theta, dL/L_ref and of their rates in radians of orbit, all at once", {0},
-     {"level - " MOVING("1 + x") " - " U("1 + x"), "level - " MOVING("1 - x") " - " FREE("1 - x")}, "0", "widest"},
+    {"longer", 0, 0, "-", NULL, {0}, "level - " MOVING("1 + x") " - " U("1 + x"), "0", "widest"},
+    {"shorter", 0, 0, "-", NULL, {0}, "level - " MOVING("1 - x") " - " FREE("1 - x"), "0", "widest"},
+    {"box", 0, 0, "-", "bound of psi, theta, dL/L_ref and of their rates in radians of orbit, all at once",
+     {"longer", "shorter"}, NO_ROOT},
     {"held", 1, 0, "m", NULL, {0},
-     {"level - " FREE("1 + 3*(x^3 - 1)/n") " - 3*x^3/(1 + 3*(x^3 - 1)/n) + 9/2*x^2"}, "1", "outer"},
+     "level - " FREE("1 + 3*(x^3 - 1)/n") " - 3*x^3/(1 + 3*(x^3 - 1)/n) + 9/2*x^2", "1", "outer"},
     {"q_max", 0, 0, "-", "charge that a craft must bear for all of that, over its charge at rest",
      {"sqrt(held^3)"}, NO_ROOT},
     {"fold", 1, 0, "m", NULL, {"3*(n - 3)/(2*n)"}, NO_ROOT},
@@ -55,21 +57,21 @@ const struct guarantee guarantees[] = {
      {"1 - 81*(n - 3)^2/(4*n^3)"}, NO_ROOT},
     {"deficit_step", 0, 0, "-", "part of the force that may be missing at once, at rest at L_ref",
      {"1 - 3*x^3/(3 + n*(x - 1))"},
-     {"3/2*(x^2 - 1) + 3*x^3/(3 + n*(x - 1))*(n - 3 - " FREE("x") ")"}, "fold", "equilibrium"},
+     "3/2*(x^2 - 1) + 3*x^3/(3 + n*(x - 1))*(n - 3 - " FREE("x") ")", "fold", "equilibrium"},
     {"excess_step", 0, 0, "-", "part by which the force may be too strong at once, at rest at L_ref",
      {"3/(2*(n - 3 - across)) - 1"}, NO_ROOT},
     {"debye", 1, 0, "m", "shortest Debye length, reached slowly, the force being that of a screened potential",
      {"x/" SCREENED},
-     {"3*x^3 - (1 + " SCREENED ")*exp(-" SCREENED ")*(3 + n*(x - 1))"}, "1", "fold"},
-    {"inflection", 1, 0, "m", NULL, {0}, {"3*x^3 + n*x - 2*(n - 3)"}, "1", "equilibrium"},
+     "3*x^3 - (1 + " SCREENED ")*exp(-" SCREENED ")*(3 + n*(x - 1))", "1", "fold"},
+    {"inflection", 1, 0, "m", NULL, {0}, "3*x^3 + n*x - 2*(n - 3)", "1", "equilibrium"},
     {"outward", 1, 2, "m/s^2", "steady outward push, coming on slowly", {SLOPE("inflection") " - 3*inflection"}, NO_ROOT},
     {"outward_step", 1, 2, "m/s^2", "outward push that may come on at once, at rest at L_ref", {SLOPE("x") " - 3*x"},
-     {FREE("x") " - 3/2*x^2 - n + 9/2 - (" SLOPE("x") " - 3*x)*(x - 1)"}, "inflection", "equilibrium"},
+     FREE("x") " - 3/2*x^2 - n + 9/2 - (" SLOPE("x") " - 3*x)*(x - 1)", "inflection", "equilibrium"},
     {"inward", 1, 2, "m/s^2", "steady inward push, coming on slowly", {"3 - 9/n"}, NO_ROOT},
     {"inward_step", 1, 2, "m/s^2", "inward push that may come on at once, at rest at L_ref",
      {"3 - sqrt(9 - 6*(across - n + 9/2))"}, NO_ROOT},
     {"along", 1, 2, "m/s^2", "steady push along the track, coming on slowly, whatever the gains", {"3"}, NO_ROOT},
-    {"turned", 1, 0, "m", NULL, {0}, {FREE("x") " - " SLOPE("x") "*x - n + 9/2"}, "1 - 3/n", "1"},
+    {"turned", 1, 0, "m", NULL, {0}, FREE("x") " - " SLOPE("x") "*x - n + 9/2", "1 - 3/n", "1"},
     {"along_step", 1, 2, "m/s^2", "push along the track that may come on at once, at rest at L_ref",
      {"sqrt(6*(" FREE("equilibrium") " - 3/2*equilibrium^2 - n + 9/2))", SLOPE("turned")}, NO_ROOT},
     {NULL, 0, 0, NULL, NULL, {0}, NO_ROOT},
@@ -89,7 +91,8 @@ enum { GIVEN_N, GIVEN_Y, UNKNOWN_X, FIRST_NUMBER }; /* inputs: these, then each 
 
 /* Nodes of a number's formulas, -1 where it has none. */
 struct formula_nodes {
-    int value[2], root[2], low, high;
+    int value[2], low, high;
+    struct curve root;
 };
 
 static int formula_node(struct program *p, const char *formula)
@@ -99,50 +102,40 @@ static int formula_node(struct program *p, const char *formula)
     return formula != NULL ? program_parse(p, formula, &where, &why) : -1;
 }
 
-static void least_of(arb_t z, struct machine *m, const int nodes[2])
+static int sign_at_end(struct curve *c, const arf_t x)
 {
-    for (int i = 0; i < 2 && nodes[i] >= 0; i++) {
-        machine_run_to(m, nodes[i]);
-        if (i == 0)
-            arb_set(z, machine_value(m, nodes[i]));
-        else
-            arb_min(z, z, machine_value(m, nodes[i]), m->prec);
-    }
+    SCOPE(arb, at);
+    arb_set_arf(at, x);
+    return sign_of_ball(curve_at(c, at));
 }
 
-static int sign_of_least(const arf_t x, struct machine *m, const int root[2])
+/*
+ * The root between the bounds. At the upper one, or next to it, the formula may vanish twice over: then the root lies beyond where
+ * its sign is still certain, 2^-j of the interval before the end, and j grows by halves.
+ */
+static void find_root(arb_t x, struct formula_nodes *of)
 {
-    SCOPE(arb, z);
-    arb_set_arf(machine_value(m, UNKNOWN_X), x);
-    least_of(z, m, root);
-    return arb_is_positive(z) - arb_is_negative(z);
-}
-
-/* Narrows the interval, into the node of x, while the sign is certain; at `high` the formula may vanish twice over. */
-static void narrow_bracket(struct machine *m, const struct formula_nodes *of)
-{
-    SCOPE(arf, low, high, middle);
+    struct machine *m = of->root.machine;
+    SCOPE(arf, low, high, near, width);
     machine_run_to(m, of->low);
     machine_run_to(m, of->high);
     arb_get_ubound_arf(low, machine_value(m, of->low), m->prec);
     arb_get_ubound_arf(high, machine_value(m, of->high), m->prec);
-    const int sign = sign_of_least(low, m, of->root);
-    bool found = sign != 0 && sign_of_least(high, m, of->root) != sign;
-    for (slong i = 0, at = sign; i < m->prec && found && at != 0; i++) {
-        arf_sub(middle, high, low, m->prec, ARF_RND_NEAR); /* 7/16 of it: halves are where formulas have their kinks */
-        arf_mul_ui(middle, middle, 7, m->prec, ARF_RND_NEAR);
-        arf_mul_2exp_si(middle, middle, -4);
-        arf_add(middle, middle, low, m->prec, ARF_RND_NEAR);
-        at = sign_of_least(middle, m, of->root);
-        if (at == sign)
-            arf_set(low, middle);
-        else if (at != 0)
-            arf_set(high, middle);
+    const int sign = sign_at_end(&of->root, low), end = sign_at_end(&of->root, high);
+    arf_sub(width, high, low, m->prec, ARF_RND_DOWN);
+    for (slong step = m->prec / 2; step > 0 && sign != 0 && end == 0; step /= 2) {
+        arf_mul_2exp_si(near, width, -step);
+        arf_sub(near, high, near, m->prec, ARF_RND_DOWN);
+        if (sign_at_end(&of->root, near) == sign) {
+            arf_set(low, near);
+            arf_mul_2exp_si(width, width, -step);
+        }
     }
-    if (found)
-        arb_set_interval_arf(machine_value(m, UNKNOWN_X), low, high, m->prec);
+    arb_set_interval_arf(x, low, high, m->prec);
+    if (sign != 0 && end != sign)
+        narrow_root(x, curve_series, &of->root, m->prec);
     else
-        arb_indeterminate(machine_value(m, UNKNOWN_X));
+        arb_indeterminate(x);
 }
 
 bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits)
@@ -167,17 +160,27 @@ bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits
     for (int i = 0; i < GUARANTEES; i++) {
         const struct guarantee *g = &guarantees[i];
         nodes[i] = (struct formula_nodes){{formula_node(&p, g->value[0]), formula_node(&p, g->value[1])},
-                                         {formula_node(&p, g->root[0]), formula_node(&p, g->root[1])},
-                                         formula_node(&p, g->low), formula_node(&p, g->high)};
+                                         formula_node(&p, g->low), formula_node(&p, g->high),
+                                         {&m, UNKNOWN_X, formula_node(&p, g->root), -1}};
+        if (g->root != NULL)
+            nodes[i].root.slope = program_slope(&p, nodes[i].root.node, UNKNOWN_X);
     }
     machine_init(&m, &p, &arithmetic_ball, bits);
     arb_set(machine_value(&m, GIVEN_N), n);
     arb_set(machine_value(&m, GIVEN_Y), y != NULL ? y : n); /* no length is longer than n */
     for (int i = 0; i < GUARANTEES; i++) {
-        if (guarantees[i].low != NULL)
-            narrow_bracket(&m, &nodes[i]);
-        arb_set(values + i, machine_value(&m, UNKNOWN_X));
-        least_of(values + i, &m, nodes[i].value);
+        if (guarantees[i].root != NULL) {
+            find_root(values + i, &nodes[i]);
+            arb_set(machine_value(&m, UNKNOWN_X), values + i);
+        }
+        for (int k = 0; k < 2 && nodes[i].value[k] >= 0; k++) {
+            machine_run_to(&m, nodes[i].value[k]);
+            arb_srcptr value = machine_value(&m, nodes[i].value[k]);
+            if (k == 0)
+                arb_set(values + i, value);
+            else
+                arb_min(values + i, values + i, value, bits);
+        }
         arb_set(machine_value(&m, FIRST_NUMBER + i), values + i);
     }
     machine_clear(&m);

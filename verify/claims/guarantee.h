@@ -26,13 +26,12 @@ struct guarantee {
     const char *unit;        /* there; "-": a number */
     const char *meaning;     /* NULL: serves the others alone */
     const char *value[2];    /* the formula; of two the lesser; NULL: the root x itself */
-    const char *root[2];     /* vanishes at x, once between low and high; of two, which fall, the lesser */
-    const char *low, *high;
+    const char *root, *low, *high; /* vanishes at x, once between low and high */
 };
 
 /* Each rests on those before it; the last one has no name. */
 extern const struct guarantee guarantees[];
-enum { GUARANTEES = 31 };
+enum { GUARANTEES = 33 };
 
 /*
  * All of them, into GUARANTEES balls, for every n and y of these balls. n > 9; y > 1, the longest length that the charges

@@ -1,6 +1,6 @@
 #include "claims/sampling.h"
 
-#include "formula/expression.h"
+#include "claims/curve.h"
 #include "text/scope.h"
 
 /* ---- the law held ---- */
@@ -117,8 +117,8 @@ void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
     const slong found = arb_calc_isolate_roots(&blocks, &flags, circle_met, &law, all, DEEPEST, EVALUATIONS, 1, prec);
     arb_indeterminate(limit);
     if (found > 0 && flags[0] == 1) {
-        arb_calc_refine_root_bisect(blocks, circle_met, &law, blocks, prec, prec);
         arf_interval_get_arb(limit, blocks, prec);
+        narrow_root(limit, circle_met, &law, prec);
     }
     _arf_interval_vec_clear(blocks, found);
     flint_free(flags);

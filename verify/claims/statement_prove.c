@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claims/curve.h"
 #include "claims/statement.h"
 #include "formula/symbolic.h"
 #include "text/scope.h"
@@ -15,35 +16,27 @@ static struct bindings bindings_of(struct statements *all, struct statement *s, 
 
 /* ---- a formula of one unknown ---- */
 
-struct curve {
+/* A formula at work, all but the unknown bound. */
+struct graph {
     struct program program;
     struct machine machine;
-    int x, node, slope;
+    struct curve curve;
 };
 
-static bool curve_init(struct curve *c, const struct formula *f, const char *variable, const struct bindings *b, enum how *how)
+static bool graph_init(struct graph *g, const struct formula *f, const char *variable, const struct bindings *b, enum how *how)
 {
     struct bindings moving = *b;
-    struct message why;
-    size_t where;
     SCOPE(arb, x);
-    program_copy(&c->program, &f->program);
-    c->node = f->node;
-    c->x = program_find(&c->program, variable);
-    int *rate = xrealloc(NULL, (size_t)c->program.inputs, sizeof *rate);
-    for (int i = 0; i < c->program.inputs; i++)
-        rate[i] = -1;
-    const int inputs = c->program.inputs;
-    if (c->x >= 0)
-        rate[c->x] = program_parse(&c->program, "1", &where, &why);
-    c->slope = program_derivative(&c->program, c->node, rate, inputs);
-    free(rate);
+    program_copy(&g->program, &f->program);
+    g->curve = (struct curve){&g->machine, program_find(&g->program, variable), f->node, f->node};
+    if (g->curve.x >= 0)
+        g->curve.slope = program_slope(&g->program, f->node, g->curve.x);
     arb_indeterminate(x);
     moving.moving = variable;
     moving.moving_value = x;
-    machine_init(&c->machine, &c->program, &arithmetic_ball, b->bits);
-    machine_bind(&c->machine, c->node, how, &moving); /* the slope needs nothing more */
-    return c->x >= 0;
+    machine_init(&g->machine, &g->program, &arithmetic_ball, b->bits);
+    machine_bind(&g->machine, f->node, how, &moving); /* the slope needs nothing more */
+    return g->curve.x >= 0;
 }
 
 /* The bounds between which an unknown moves, and the weaker way of how they are known; false: none, or reversed. */
@@ -56,33 +49,10 @@ static bool bounds_enclose(arb_t low, arb_t high, enum how *how, const struct as
     return arb_is_finite(low) && arb_is_finite(high) && !arb_gt(low, high);
 }
 
-static void curve_clear(struct curve *c)
+static void graph_clear(struct graph *g)
 {
-    machine_clear(&c->machine);
-    program_clear(&c->program);
-}
-
-static arb_srcptr curve_at(struct curve *c, const arb_t x)
-{
-    arb_set(machine_value(&c->machine, c->x), x);
-    machine_run(&c->machine);
-    return machine_value(&c->machine, c->node);
-}
-
-/* For arb_calc: the value and the derivative. */
-static int curve_series(arb_ptr out, const arb_t x, void *param, slong order, slong prec)
-{
-    struct curve *c = param;
-    (void)prec;
-    arb_set(out, curve_at(c, x));
-    if (order > 1)
-        arb_set(out + 1, machine_value(&c->machine, c->slope));
-    return 0;
-}
-
-static int sign_of_ball(const arb_t z)
-{
-    return arb_is_positive(z) ? 1 : arb_is_negative(z) ? -1 : 0;
+    machine_clear(&g->machine);
+    program_clear(&g->program);
 }
 
 /* The same certain sign everywhere between. */
@@ -100,8 +70,8 @@ static bool sign_between(struct curve *c, const arb_t low, const arb_t high, int
 
 /* ---- roots ---- */
 
-/* The number of roots between low and high, or -1 where it stays open; *one is the last of them. */
-static slong isolate(arf_interval_t one, struct curve *c, const arb_t low, const arb_t high)
+/* The number of roots between low and high, or -1 where it stays open; `one` is about the last of them. */
+static slong isolate(arb_t one, struct curve *c, const arb_t low, const arb_t high)
 {
     enum { EVALUATIONS = 20000, ROOTS = 10 };
     arf_interval_t block;
@@ -114,36 +84,13 @@ static slong isolate(arf_interval_t one, struct curve *c, const arb_t low, const
     const slong found = arb_calc_isolate_roots(&blocks, &flags, curve_series, c, block, 2 * DEEPEST_BISECTION, EVALUATIONS, ROOTS, PROVING_BITS);
     for (slong i = 0; i < found; i++) {
         count = count < 0 || flags[i] != 1 ? -1 : count + 1;
-        arf_interval_set(one, blocks + i);
+        arf_interval_get_arb(one, blocks + i, PROVING_BITS);
         arf_interval_clear(blocks + i);
     }
     flint_free(blocks);
     flint_free(flags);
     arf_interval_clear(block);
     return count;
-}
-
-/* Between a and b, where the signs differ, halved as long as the sign in between is certain. */
-static void refine(arb_t z, struct curve *c, const arf_interval_t one, slong bits)
-{
-    SCOPE(arb, a, b, x, step);
-    arb_set_arf(a, &one->a);
-    arb_set_arf(b, &one->b);
-    const int left = sign_of_ball(curve_at(c, a));
-    for (slong i = 0; i < bits; i++) {
-        int sign = 0;
-        arb_sub(step, b, a, 2 * bits);
-        arb_mul_2exp_si(step, step, -3);
-        for (int eighth = 4; eighth < 6 && sign == 0; eighth++) { /* the middle itself may be the root */
-            arb_mul_si(x, step, eighth, 2 * bits);
-            arb_add(x, a, x, 2 * bits);
-            sign = sign_of_ball(curve_at(c, x));
-        }
-        if (sign == 0)
-            break;
-        arb_set(sign == left ? a : b, x);
-    }
-    arb_union(z, a, b, bits);
 }
 
 static bool is_polynomial(const struct formula *f, const char *variable)
@@ -169,22 +116,21 @@ static bool is_polynomial(const struct formula *f, const char *variable)
 static slong root_find(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits)
 {
     struct bindings b = bindings_of(all, s, a);
-    struct curve c;
+    struct graph g;
     enum how bound;
-    arf_interval_t one;
-    SCOPE(arb, low, high);
-    arf_interval_init(one);
+    SCOPE(arb, low, high, one);
     const bool bounded = bounds_enclose(low, high, &bound, a, &b);
     b.bits = 2 * bits;
-    const slong count = curve_init(&c, &a->formula, a->variable, &b, how) && bounded ? isolate(one, &c, low, high) : -1;
+    const slong count = graph_init(&g, &a->formula, a->variable, &b, how) && bounded ? isolate(one, &g.curve, low, high) : -1;
     *how = FLINT_MAX(*how, bound);
     arb_indeterminate(z);
-    if (count == 1)
-        refine(z, &c, one, bits);
+    if (count == 1) {
+        narrow_root(one, curve_series, &g.curve, 2 * bits);
+        arb_set(z, one);
+    }
     if (!is_polynomial(&a->formula, a->variable))
         *how = FLINT_MAX(*how, CERTIFIED);
-    curve_clear(&c);
-    arf_interval_clear(one);
+    graph_clear(&g);
     return count;
 }
 
@@ -231,18 +177,18 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b, e
     const int sign = a->ordering == IS_ABOVE || a->ordering == IS_AT_LEAST ? 1 : -1;
     enum truth truth = UNDECIDED;
     enum how known, curved;
-    struct curve c;
+    struct graph g;
     SCOPE(arb, low, high);
     const bool bounded = bounds_enclose(low, high, &known, a, b);
-    if (curve_init(&c, &a->formula, a->variable, b, &curved) && bounded && a->ordering >= IS_BELOW) {
-        if (sign_of_ball(curve_at(&c, low)) == -sign || sign_of_ball(curve_at(&c, high)) == -sign)
+    if (graph_init(&g, &a->formula, a->variable, b, &curved) && bounded && a->ordering >= IS_BELOW) {
+        if (sign_of_ball(curve_at(&g.curve, low)) == -sign || sign_of_ball(curve_at(&g.curve, high)) == -sign)
             truth = FOUND_FALSE;
-        else if (sign_between(&c, low, high, sign, DEEPEST_BISECTION))
+        else if (sign_between(&g.curve, low, high, sign, DEEPEST_BISECTION))
             truth = FOUND_TRUE;
     }
     known = FLINT_MAX(known, curved);
     *how = FLINT_MAX(FLINT_MAX(*how, CERTIFIED), known);
-    curve_clear(&c);
+    graph_clear(&g);
     return truth;
 }
 
@@ -308,24 +254,17 @@ static enum truth roots_counted(const struct assertion *a, const struct bindings
 static bool system_matrix(fmpq_mat_t A, fmpq_mat_t column, const struct linear_system *l, const struct bindings *b)
 {
     struct program p;
-    struct message why;
-    size_t where;
     bool rational = true;
-    int *rate, *place;
     program_copy(&p, &l->program);
-    const int inputs = p.inputs, one = program_parse(&p, "1", &where, &why);
-    rate = xrealloc(NULL, (size_t)inputs, sizeof *rate);
     for (int i = 0; i < l->size; i++)
         for (int j = 0; j <= l->size && rational; j++) {
             const int by = j < l->size ? l->states[j] : l->control;
             if (by < 0)
                 continue;
-            for (int k = 0; k < inputs; k++)
-                rate[k] = k == by ? one : -1;
-            const int slope = program_derivative(&p, l->rates[i], rate, inputs);
-            place = xrealloc(NULL, (size_t)p.count, sizeof *place);
+            const int slope = program_slope(&p, l->rates[i], by);
+            int *place = xrealloc(NULL, (size_t)p.count, sizeof *place);
             for (int k = 0; k < p.count; k++)
-                place[k] = k < inputs ? k : -1;
+                place[k] = k < p.inputs ? k : -1;
             for (int k = 0; k < l->size; k++)
                 if (l->about[k] >= 0)
                     place[l->states[k]] = l->about[k];
@@ -337,7 +276,6 @@ static bool system_matrix(fmpq_mat_t A, fmpq_mat_t column, const struct linear_s
             program_clear(&from);
             free(place);
         }
-    free(rate);
     program_clear(&p);
     return rational;
 }

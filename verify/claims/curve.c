@@ -1,0 +1,80 @@
+#include "claims/curve.h"
+
+#include <stdlib.h>
+
+#include "text/scope.h"
+
+int program_slope(struct program *p, int node, int x)
+{
+    struct message why;
+    size_t where;
+    const int inputs = p->inputs;
+    int *rate = xrealloc(NULL, (size_t)inputs, sizeof *rate);
+    for (int i = 0; i < inputs; i++)
+        rate[i] = -1;
+    rate[x] = program_parse(p, "1", &where, &why);
+    const int slope = program_derivative(p, node, rate, inputs);
+    free(rate);
+    return slope;
+}
+
+arb_srcptr curve_at(struct curve *c, const arb_t x)
+{
+    arb_set(machine_value(c->machine, c->x), x);
+    machine_run_to(c->machine, c->node);
+    return machine_value(c->machine, c->node);
+}
+
+int curve_series(arb_ptr out, const arb_t x, void *curve, slong order, slong prec)
+{
+    struct curve *c = curve;
+    (void)prec;
+    arb_set(out, curve_at(c, x));
+    if (order > 1) {
+        machine_run_to(c->machine, c->slope);
+        arb_set(out + 1, machine_value(c->machine, c->slope));
+    }
+    return 0;
+}
+
+int sign_of_ball(const arb_t z)
+{
+    return arb_is_positive(z) ? 1 : arb_is_negative(z) ? -1 : 0;
+}
+
+/*
+ * Theorem. The root lies in m - f(m)/f'(X) if it lies in X, m in X (the mean value theorem); and beyond m, if f has the sign there
+ * that it has at the lower end, before m, if it has the other. (N1) f(m), (N2) f'(X) with their radii, (N3) the side of m.
+ */
+void narrow_root(arb_t root, arb_calc_func_t f, void *of, slong prec)
+{
+    SCOPE(arb, at, image);
+    SCOPE(arf, low, high, between);
+    SCOPE(mag, narrow);
+    VECTOR(arb, value, 2);
+    arb_get_interval_arf(low, high, root, prec);
+    arb_set_arf(at, low);
+    f(value, at, of, 1, prec);
+    const int sign = sign_of_ball(value);
+    do { /* as long as the interval loses a fourth */
+        mag_mul_ui(narrow, arb_radref(root), 3);
+        mag_mul_2exp_si(narrow, narrow, -2);
+        f(value, root, of, 2, prec);
+        arb_swap(image, value + 1);
+        arb_get_interval_arf(low, high, root, prec);
+        arf_sub(between, high, low, prec, ARF_RND_NEAR); /* 7/16 of it: halves are where formulas have their kinks */
+        arf_mul_ui(between, between, 7, prec, ARF_RND_NEAR);
+        arf_mul_2exp_si(between, between, -4);
+        arf_add(between, between, low, prec, ARF_RND_NEAR);
+        arb_set_arf(at, between);
+        f(value, at, of, 1, prec);
+        arb_div(image, value, image, prec);
+        arb_sub(image, at, image, prec);
+        if (arb_is_finite(image))
+            arb_intersection(root, root, image, prec);
+        if (mag_cmp(arb_radref(root), narrow) >= 0 && sign * sign_of_ball(value) != 0) {
+            arf_swap(sign_of_ball(value) == sign ? low : high, between);
+            arb_set_interval_arf(root, low, high, prec);
+        }
+    } while (mag_cmp(arb_radref(root), narrow) < 0);
+}
