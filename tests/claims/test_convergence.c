@@ -297,7 +297,7 @@ static const struct {
     {"peak_dL", {{.nonlinear = true, .dL = "3"}, 0, 1, 0, NULL}, true},
     {"sup_dL", {{.nonlinear = true, .dL = "3"}, 0, 1, 0, NULL}, false},
     {"bound_dL", {{.nonlinear = true, .dL = "3"}, 0, 1, 0, NULL}, false},
-    {"peak_psi", {{.nonlinear = true, .psi = "1.6"}, 0, 100, 1000, NULL}, false},
+    {"peak_psi", {{.nonlinear = true, .psi = "1.6"}, 0, 100, 1000, NULL}, true},
 };
 
 EACH(what_is_not_proved_is_not_given, COUNT(measured))

@@ -158,8 +158,8 @@ static const struct {
     {"a, refuted: not a", "a: dL < 0", REFUTED, false, "t:7:8: c comes out as 'refuted', its evidence is written for 'holds': 'a' is false"},
     {"a, refuted: b", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "more than one of its conditions is true"},
     {"a, refuted: not a and b", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:8:8: c stands without 'b', or with its contrary"},
-    {"a and returns", "a: dL > 0\n    start: {compute: basin}\n    returns: start.returns_10 < 0", HOLDS, true, ""},
-    {"a and returns", "a: dL > 0\n    start: {compute: basin}\n    returns: start.returns_10 > 0", VERDICT_NONE, false, "'returns' is false"},
+    {"a and returns", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 < 0", HOLDS, true, ""},
+    {"a and returns", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 > 0", VERDICT_NONE, false, "'returns' is false"},
 };
 
 EACH(verdicts_follow_from_conditions, COUNT(rulings))
@@ -244,7 +244,7 @@ TEST(a_verdict_needs_what_its_numbers_rest_on)
 {
     char text[4096];
     write_claim(text, "a", NULL, "a: dL > 0\n    r: {root: y^2 - 2, of: y, in: [1, 2]}\n    t: {root: y - r, of: y, in: [1, 2]}\n"
-                "    start: {compute: basin}", "{t | 3}, {start.returns_10 | 2}");
+                "    start: {compute: escaping_10}", "{t | 3}, {start.at_dL_0 | 3}");
     assert_ruled(text, HOLDS, true, "");
 }
 
@@ -321,7 +321,7 @@ static const struct {
     {"a: dL > 0", "a: {show: x > 0, on: {x: [2, 1]}}", "t:7:30: expected the lower bound first"},
     {"a: dL > 0", "a: {show: x > 0, on: {x: [1, m]}, for: {m: [2, 0]}}", "t:7:30: expected the lower bound first"},
     {"a: dL > 0", "a: {roots: x, of: x, above: 2, below: 1, count: 0}", "t:7:33: expected the lower bound first"},
-    {"verdict: {holds: a and b}\n  prove:\n    a: dL > 0\n    b: dL < 1", "verdict: holds\n  prove:\n    a: {compute: basin}",
+    {"verdict: {holds: a and b}\n  prove:\n    a: dL > 0\n    b: dL < 1", "verdict: holds\n  prove:\n    a: {compute: escaping_10}",
      "t:5:12: expected something to prove"},
     {"a: dL > 0", "a: {on: {x: [0, 1]}}", "t:7:8: expected left = right, or one of"},
     {"a: dL > 0", "a: {show: dL > x, on: {x: [0]}}", "t:7:27: expected on"},

@@ -210,10 +210,14 @@ TEST(settling_is_found_between_samples)
     trajectory_clear(&t);
 }
 
-/* A pair that separates turns over, or leaves binary64's reach: no trajectory. */
-TEST(trajectories_end_where_the_pair_turns_over)
+/* Next to rest on the other side, with as little energy: psi stays near pi, not near 0. */
+TEST(nothing_is_bounded_where_the_pair_has_turned_over)
 {
     struct trajectory t;
-    ck_assert(!trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = true, .psi = "1.6"}, 0, 100, 1000));
+    struct bounds b;
+    bounds_init(&b);
+    ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = true, .psi = "3.14"}, 0, 100, 1000));
+    ck_assert(!trajectory_bounds(&b, &t, 0));
     trajectory_clear(&t);
+    bounds_clear(&b);
 }

@@ -13,7 +13,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "claims/basin.h"
 #include "coulombtether.h"
 #include "tests/run.h"
 #include "tests/paper.h"
@@ -188,20 +187,4 @@ TEST(eq18_escapes_agree_with_gsl)
     ck_assert_double_gt(length_after(12, 0.15, 30), 2);
     ck_assert_double_gt(length_after(10, 0.5, 30), 2);
     ck_assert_double_gt(length_after(10, 1 + 0.108, 60), 2); /* just outside */
-}
-
-/* ---- what the proofs refuse ---- */
-
-TEST(eq18_nothing_is_claimed_without_a_basin)
-{
-    struct basin b;
-    basin_init(&b, steps(), 10);
-    ck_assert(b.closed);
-    ck_assert_int_eq(basin_release(&b, -198), RELEASE_OPEN); /* on the other side, where it returns to -L_ref */
-    b.closed = false;
-    ck_assert_int_eq(basin_release(&b, -1), RELEASE_OPEN);
-    b.closed = true;
-    arb_set_si(b.level, -1); /* below E at the equilibrium: no motion is below it */
-    ck_assert_int_eq(basin_release(&b, 0), RELEASE_OPEN);
-    basin_clear(&b);
 }

@@ -58,7 +58,6 @@ const char *next_name(const char *names, char name[64]);
 
 extern const struct computation computations_simulation[]; /* claims_simulation.c */
 extern const struct computation computations_studies[];    /* claims_studies.c    */
-extern const struct computation computations_basin[];      /* claims_basin.c      */
 extern const struct computation computations_sampling[];   /* claims_sampling.c   */
 
 #endif

@@ -1,5 +1,9 @@
-/* The law held between samples or acting late, and a reference length that moves with pitch. Units: sampling.h, pitch.h. */
+/*
+ * The law held between samples or acting late, a reference length that moves with pitch, and what the energy guarantees. Units:
+ * sampling.h, pitch.h, guarantee.h.
+ */
 #include "claims/claim.h"
+#include "claims/guarantee.h"
 #include "claims/pitch.h"
 #include "claims/sampling.h"
 #include "claims/trajectory.h"
@@ -111,7 +115,25 @@ static void damped(struct computed *c)
     }
 }
 
+/* The numbers of guarantee.h at n = 10 and 12. */
+static void give_guarantees(struct computed *c)
+{
+    VECTOR(arb, values, GUARANTEES);
+    SCOPE(arb, n);
+    for (int gain = 10; gain <= 12; gain += 2) {
+        arb_set_si(n, gain);
+        const bool found = guarantees_enclose(values, n, NULL, SAMPLING_BITS);
+        for (int i = 0; i < GUARANTEES; i++)
+            give(c, CERTIFIED, found, values + i, "%s_%d", guarantees[i].name, gain);
+    }
+}
+
+#define BASIN(n) " depth_" n " yaw_" n " pitch_" n " angle_rate_" n " shortest_" n " longest_" n " box_" n " q_max_" n " across_" n
+#define STEADY_ERRORS(n) " deficit_" n " debye_" n " outward_" n " inward_" n " along_" n
+#define SUDDEN(n) " deficit_step_" n " excess_step_" n " outward_step_" n " inward_step_" n " along_step_" n
+
 const struct computation computations_sampling[] = {
+    {"guaranteed", give_guarantees, BASIN("10") BASIN("12") STEADY_ERRORS("10") STEADY_ERRORS("12") SUDDEN("10") SUDDEN("12"), NULL},
     {"sampling", sampling, "hold_10 hold_12 hold_best delay_10 delay_12 delay_best", NULL},
     {"held_motion", held_motion, "hold length_30 length_60 length_90 yaw_30 yaw_60 yaw_90", NULL},
     {"damped", damped, "amplitude_10 law_10 gap_10 charge_10 amplitude_best law_best gap_best charge_best", NULL},

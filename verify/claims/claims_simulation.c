@@ -354,6 +354,11 @@ static const struct simulation linear = {LINEAR}, linear_planar = {LINEAR, .thet
 
 #define SAMPLED(...) &(const struct sampled){__VA_ARGS__}
 
+/* From rest on the radius: where it is, and what energy is left. */
+#define RELEASED(step, last, ...) \
+    SAMPLED({.nonlinear = true, .digits = 8, .psi = "0", .theta = "0", __VA_ARGS__}, 0, step, last, NULL)
+#define LET_GO "at_dL_0 at_dL_72 energy_of_psi_72"
+
 const struct computation computations_simulation[] = {
     {"linear_steps", run_simulation, ANGLES("gap_", ""), SAMPLED({LINEAR}, 0, 100, 3 * DAY, &linear_steps)},
     {"nonlinear_steps", run_simulation, ANGLES("gap_", ""), SAMPLED({.nonlinear = true}, 0, 100, 3 * DAY, &nonlinear_steps)},
@@ -395,5 +400,14 @@ const struct computation computations_simulation[] = {
     {"linear_energy", run_simulation, "energy_of_psi_96 energy_of_psi_192", SAMPLED({LINEAR, .theta = "0"}, 4 * DAY, 4 * DAY, 8 * DAY, NULL)},
     {"pitched_energy", run_simulation, "energy_of_psi_120 energy_of_psi_312", SAMPLED({.nonlinear = true}, 5 * DAY, 8 * DAY, 13 * DAY, NULL)},
     {"start", run_simulation, "energy_of_psi" ANGLES("bound_", ""), SAMPLED({.nonlinear = true}, 0, 1, 0, NULL)},
+
+    {"longer", run_simulation, "at_dL_12 at_dL_24", RELEASED(12 * HOUR, DAY, .dL = "0.1", .C1 = "0", .C2 = "0")},
+    {"shorter", run_simulation, "at_dL_12 at_dL_24", RELEASED(12 * HOUR, DAY, .dL = "-0.1", .C1 = "0", .C2 = "0")},
+    {"returning_10", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-2.4")},
+    {"escaping_10", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-2.5")},
+    {"half_10", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-5")},
+    {"returning_12", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-8", .n = "12")},
+    {"escaping_12", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-8.5", .n = "12")},
+    {"half_12", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-5", .n = "12")},
     {NULL, NULL, NULL, NULL},
 };

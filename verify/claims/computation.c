@@ -43,8 +43,7 @@ struct computed *computed_new(const struct computation *of, const struct derivat
 
 struct computed *computed_find(struct computations *all, const char *name)
 {
-    static const struct computation *const lists[] = {computations_simulation, computations_studies, computations_basin,
-                                                     computations_sampling};
+    static const struct computation *const lists[] = {computations_simulation, computations_studies, computations_sampling};
     for (int i = 0; i < all->count; i++)
         if (strcmp(all->of[i]->of->name, name) == 0)
             return all->of[i];

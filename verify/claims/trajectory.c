@@ -33,12 +33,15 @@ static void enclose(const struct sheet *s, const char *id, arb_srcptr inputs, sl
 static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simulation *s, slong prec)
 {
     const char *const texts[SCENARIO_VALUES] = {[SET_n] = s->n,   [SET_psi] = s->psi, [SET_theta] = s->theta,
-                                                [SET_dL] = s->dL, [SET_m1] = s->m1,   [SET_m2] = s->m2};
+                                                [SET_dL] = s->dL, [SET_C1] = s->C1,   [SET_C2] = s->C2,
+                                                [SET_m1] = s->m1, [SET_m2] = s->m2};
     struct scenario scenario;
     scenario_init(&scenario, s->steps->sheet, true);
     for (int i = 0; i < SCENARIO_VALUES; i++)
-        if (texts[i] != NULL)
+        if (texts[i] != NULL) {
             literal_read(&scenario.value[i].value, texts[i], true);
+            scenario.given[i] = true;
+        }
     scenario_parameters(p, &scenario, prec);
     scenario_initial(initial, &scenario, p, s->nonlinear && s->start == NULL, prec);
     scenario_clear(&scenario);
@@ -55,7 +58,7 @@ static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simu
 
 /* ---- samples ---- */
 
-/* From place and velocity in units of the arm and of Omega; x > 0. */
+/* From place and velocity in units of the arm and of Omega. */
 static void to_angles(arb_ptr sample, arb_srcptr s, slong prec)
 {
     VECTOR(arb, a, 4);
@@ -69,8 +72,7 @@ static void to_angles(arb_ptr sample, arb_srcptr s, slong prec)
     arb_sqrt(l, l, prec);
     arb_dot(l_dot, NULL, 0, s, 1, s + U, 1, 3, prec);
     arb_div(l_dot, l_dot, l, prec);
-    arb_div(sample + PSI, s + Y, s + X, prec);
-    arb_atan(sample + PSI, sample + PSI, prec);
+    arb_atan2(sample + PSI, s + Y, s + X, prec);
     arb_div(x, s + Z, l, prec);
     arb_asin(sample + THETA, x, prec);
     arb_neg(sample + THETA, sample + THETA);
@@ -99,7 +101,8 @@ static int take_sample(void *context, slong k, const fmpq_t time, arb_srcptr sta
     if (t->nonlinear) {
         to_angles(sample, own, t->prec);
         _arb_vec_set(sample + PLACE_X, own, 3);
-        return !arb_is_positive(own + X); /* it has turned over */
+        t->turned = t->turned || !arb_is_positive(own + X);
+        return 0;
     }
     _arb_vec_set(sample, own, FLOW_STATE);
     arb_add_ui(sample + PLACE_X, sample + ETA, 1, t->prec); /* eq10lin */
@@ -196,6 +199,7 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     flow_parameters_init(&p);
     t->steps = s->steps;
     t->nonlinear = s->nonlinear;
+    t->turned = false;
     t->first = first;
     t->step = step;
     t->count = (last - first) / step + 1;
@@ -424,7 +428,7 @@ static void nonlinear_bounds(struct bounds *b, const struct jet *jet, slong prec
 
 bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
 {
-    bool bounded = true;
+    bool bounded = !t->turned;
     SCOPE(arb, E, eta);
     _arb_vec_zero(b->all, BOUNDED * DERIVATIVES);
     trajectory_energy(E, t, k);
@@ -432,7 +436,7 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
         struct jet jet;
         jet_init(&jet, &closed_loop, DERIVATIVES - 1);
         jet_constants(&jet, t->c1, t->c2);
-        bounded = confine(eta, t, E, k);
+        bounded = confine(eta, t, E, k) && bounded;
         for (slong i = 0; i < SLICES; i++) {
             energy_box(&jet, E, eta, i, BOUND_BITS);
             jet_extend(&jet, BOUND_BITS, 0);

@@ -27,13 +27,13 @@ struct simulation {
     long rk4;                         /* step in s of the classical Runge-Kutta method, 0: the motion itself */
     slong digits;                     /* that the samples are proved to; 0: TRAJECTORY_DIGITS. Fewer run faster. */
     const char *n, *psi, *theta, *dL; /* exact decimals, SI */
-    const char *m1, *m2;
+    const char *m1, *m2, *C1, *C2;
     arb_srcptr start;                 /* a sample to start from instead of the angles */
 };
 
 struct trajectory {
     const struct derivations *steps;
-    bool nonlinear;
+    bool nonlinear, turned;           /* turned: not all samples have x > 0, and nothing is bounded */
     slong prec, count;
     long first, step;                 /* s: of the samples */
     arb_t c1, c2;                     /* C1/Omega^2, C2/Omega */
@@ -46,7 +46,7 @@ enum { TRAJECTORY_DIGITS = 20, HOUR = 3600, DAY = 24 * HOUR };
 /* The value that the paper's simulation gives a quantity: Table 1 and the initial conditions. */
 void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec);
 
-/* Samples at first, first + step, ... last, whole seconds; false when the flow ended before, or the pair turned over. */
+/* Samples at first, first + step, ... last, whole seconds; false when the flow ended before. */
 bool trajectory_run(struct trajectory *t, const struct simulation *s, long first, long step, long last);
 void trajectory_clear(struct trajectory *t);
 arb_ptr trajectory_sample(const struct trajectory *t, slong k);
