@@ -392,9 +392,8 @@ PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard p
 DATED     = $(shell git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
 # What the weaver reads.
 WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv $(BUILD)/derivations.gv
-# Directives become code, which pandoc leaves as it is; a file begins a paragraph.
-WEAVE     = awk 'FNR == 1 { print "" } { gsub(/<</, "`&"); gsub(/>>/, "&`") } 1' $(filter %.md,$^) | LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' \
-  CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' CT_DATE='$(DATED)' CT_PAGE='$(@F)' pandoc --fail-if-warnings -f markdown-implicit_figures -L paper/weave.lua --no-highlight
+WEAVE     = LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' CT_DATE='$(DATED)' $(1) pandoc --fail-if-warnings \
+  -f paper/weave.lua --no-highlight $(filter %.md,$^)
 
 ## paper: the literate edition, build/coulomb-tether.pdf
 paper: $(BUILD)/coulomb-tether.pdf
@@ -403,7 +402,7 @@ $(BUILD)/coulomb-tether.pdf: $(EDITION)/coulomb-tether.tex $(PLOTS:%=$(EDITION)/
 	paper/typeset.sh $(EDITION) $@
 
 $(EDITION)/coulomb-tether.tex: $(CHAPTERS) paper/page.tex $(WOVEN) | $(EDITION)/tools.found
-	$(call PRINTED,$(WEAVE) -t latex --template paper/page.tex)
+	$(call PRINTED,$(call WEAVE) -t latex --template paper/page.tex)
 
 ## site: the same for a browser, build/site/index.html
 site: $(PAGES:%=$(SITE)/%.html) $(PLOTS:%=$(SITE)/plot-%.svg) $(addprefix $(SITE)/,page.css turn.js client.js vectors.js) $(OPERATIONS:%=$(SITE)/data/%.csv.gz)
@@ -415,7 +414,7 @@ SLIMMER = s/<semantics>(<mrow>)?|(<.mrow>)?<annotation [^>]*>[^<]*<.annotation><
   s/<mtext mathvariant="normal">/<mtext>/g; s/ columnalign="[a-z]*"//g; \
   s/<mo accent="true">̇</<mo accent="true">˙</g; s/<mo accent="true">̈</<mo accent="true">¨</g; s/<mo accent="true">̂</<mo accent="true">^</g
 $(PAGES:%=$(SITE)/%.html): $(SITE)/%.html: paper/%.md paper/page.html $(WOVEN) | $(EDITION)/tools.found
-	$(call PRINTED,$(WEAVE) -t html5 --mathml --template paper/page.html -o $@.woven.tmp && sed -E '$(SLIMMER)' $@.woven.tmp)
+	$(call PRINTED,$(call WEAVE,CT_PAGE='$(@F)') -t html5 --mathml --template paper/page.html -o $@.woven.tmp && sed -E '$(SLIMMER)' $@.woven.tmp)
 	@rm $@.woven.tmp
 
 $(SITE)/page.css: paper/page.css

@@ -5,8 +5,11 @@
 . tests/harness.sh
 
 weave() { # FORMAT [OPTION ...]: $work/prose.md woven
-    awk '{ gsub(/<</, "`&"); gsub(/>>/, "&`") } 1' "$work/prose.md" | CT_DATA=data CT_BUILD=$work CT_PROSE=$work/prose.md CT_DATE=2000-01-01 \
-        pandoc -f markdown-implicit_figures -L paper/weave.lua --wrap=none --mathml --no-highlight -t "$@" >"$work/out" 2>"$work/err"
+    (
+        if [ "$1" = html5 ]; then export CT_PAGE=prose.html; fi
+        CT_DATA=data CT_BUILD=$work CT_DATE=2000-01-01 \
+            pandoc -f paper/weave.lua --wrap=none --mathml --no-highlight "$work/prose.md" -t "$@" >"$work/out" 2>"$work/err"
+    )
 }
 
 shown() { cat "$work/out" "$work/err"; return 1; }
@@ -60,15 +63,15 @@ END
     gives '<<function eq43>>' 'return POSITIVE(Omega, n) ? n * Omega * Omega : NAN;'
     gives '<<function rk4_linear>>' 'int ct_linear_runge_kutta('
     gives '<<helper arm>>' 'return p.m2 / (p.m1 + p.m2) * L;'
-    gives '<<step reference_charge>>' '\eq{6a}, \eq{6b} $\;\rightarrow\;$ \eq{7}. \emph{Proved exactly, for $\Omega $'
-    gives '<<step kepler>>' 'As printed it fails: the sides differ by a multiple of $2'
-    gives '<<step hill>>' '$\;\rightarrow\;$ \eq{2}~$\ddot x_{1}$'
+    gives '<<step reference_charge>>' '\hyperref[eq:6a]{(6a)}, \hyperref[eq:6b]{(6b)} \(\;\rightarrow\;\) \hyperref[eq:7]{(7)}. \emph{Proved exactly, for \(\Omega\)'
+    gives '<<step kepler>>' 'As printed it fails: the sides differ by a multiple of \(2'
+    gives '<<step hill>>' '\(\;\rightarrow\;\) \hyperref[eq:2]{(2)}~\(\ddot x_{1}\)'
     gives '<<step separation>>' '\derive{'
     gives '<<step linearised_hill>>' 'Certified: (40a) drops at most'
     gives '<<verdict equation-7>>' '{verdict}  \textbf{holds:} charge product'
     gives '<<verdict equation-7>>' '\emph{Evidence (exact):} proved by reference\_charge.'
-    gives '<<verdict product-negative>>' '$Q_{\mathrm{ref}} + \delta Q < 0$ exactly where'
-    gives '<<verdict coulomb-constant>>' 'is $8.9875518\cdot 10^{9}$~N m$^{2}$/C$^{2}$ (CODATA'
+    gives '<<verdict product-negative>>' '\(Q_{\mathrm{ref}} + \delta Q < 0\) exactly where'
+    gives '<<verdict coulomb-constant>>' 'is \(8.9875518\cdot 10^{9}\)~N m\(^{2}\)/C\(^{2}\) (CODATA'
     gives '<<findings refuted>>' 'None.'
     gives '<<findings qualified>>' '\claim{n12-optimal}'
     gives '![At $n=12$.](plot:4)' '\plot{4}\def\thefigure{4}'
@@ -76,18 +79,18 @@ END
     gives '![Roots.](plot:locus)' '\def\thefigure{H}'
     gives '![Steps.](graph:09-stability)' '\graph{09-stability}'
     gives '<<run eval eq43 Omega=2 n=3 --digits 2>>' 'C1 = 1.2e+01 1/s^2'
-    gives '<<index>>' '\eq{6a}--\eq{7}'
+    gives '<<index>>' '\hyperref[eq:6a]{(6a)}--\hyperref[eq:7]{(7)}'
     gives '<<index>>' '\pageref{place:eq07}'
-    gives '<<symbols>>' '$L_{G1}$ & N m & '
-    gives 'It is <<number table1.csv Omega computed 3>>.' 'It is \(7.29\times 10^{-5}\).'
+    gives '<<symbols>>' '\(L_{G1}\) & N m & '
+    gives '<<rows 10 12,4.00000e+00>> At $@1$: $<<number tolerance.csv @ deficit 2*100>>$.' 'At \(10\): \(0.78\). At \(12\): \(5.1\).'
     gives 'It is $x=<<number table1.csv Omega computed 3>>$.' 'It is \(x=7.29\times 10^{-5}\).'
-    gives 'So <<number golden/eq43.csv eq43-tiny n 1>>' '\(1\times 10^{-300}\)'
-    gives 'So <<number figure4.csv 9 im2 3 1e4>>' '\(1.93\)'
-    gives 'So <<number convergence.csv hill_43200s,psi,1.000e-05 order 3>>' '\(2.00\)'
-    gives 'So <<value C2 3 eval eq44 Omega=2 n=10>>' '\(4.00\)'
-    gives 'So <<number gate.csv eq07 error 2>>' '\(0.59\)'
+    gives 'So $<<number golden/eq43.csv eq43-tiny n 1>>$' '\(1\times 10^{-300}\)'
+    gives 'So $<<number figure4.csv 9 im2 3*1e4>>$' '\(1.93\)'
+    gives 'So $<<number convergence.csv hill_43200s,psi,1.000e-05 order 3>>$' '\(2.00\)'
+    gives 'So $<<value C2 3 eval eq44 Omega=2 n=10>>$' '\(4.00\)'
+    gives 'So $<<number gate.csv eq07 error 2>>$' '\(0.59\)'
     gives 'So <<quote equation-7 proved by |reference_charge|>>.' 'So reference\_charge.'
-    gives 'By [(40a)](#eq:40a).' 'By \eq{40a}.'
+    gives 'By [(40a)](#eq:40a).' 'By \hyperref[eq:40a]{(40a)}.'
     gives 'In [section](#control).' 'In \hyperref[control]{'
     gives 'By <<count inputs>>.' 'By 1000.'
     gives 'By <<count misprints>>.' "By $(grep -c '"id": "equation-.*"verdict": "holds as corrected"' "$work/claims.json")."
@@ -128,7 +131,7 @@ END
     stops '<<equatoin eq07>>' "unknown directive 'equatoin'"
     stops 'In a line, <<nmber table1.csv>>.' "unknown directive 'nmber'"
     stops 'In $x=<<nmber table1.csv>>$.' "unknown directive 'nmber'"
-    stops 'In a line, <<number table1.csv`' "'<<' without its '>>'"
+    stops 'In a line, <<number table1.csv' "'<<' without its '>>'"
     stops '<<equation eq06>>' "unknown equation 'eq06'"
     stops '<<equation eq07 only x1>>' "'eq07' has no 'x1'"
     stops '<<equation eq01>>' "'eq01' has no formula in the sheet"
@@ -144,18 +147,19 @@ END
     stops '![What is not there.](plot:9)' "unknown picture 'plot:9'"
     stops '![](plot:4)' "'plot:4' has no caption"
     stops '<<run eval eq07>>' 'coulomb-tether eval eq07 failed'
-    stops 'By <<number table2.csv Omega computed 3>>' "no file 'data/table2.csv'"
-    stops 'By <<number table1.csv Omega calculated 3>>' "'data/table1.csv' has no column 'calculated'"
-    stops 'By <<number table1.csv omega computed 3>>' "'data/table1.csv' has no row 'omega'"
-    stops 'By <<number convergence.csv hill_43200s,psi order 3>>' "'data/convergence.csv' has 3 rows 'hill_43200s,psi'"
-    stops 'By <<number table1.csv Omega unit 3>>' "'rad/s' in 'data/table1.csv' is no number"
-    stops 'By <<value C2 3 eval eq99 Omega=2 n=10>>' "coulomb-tether eval eq99 Omega=2 n=10 gives no 'C2'"
-    stops 'By <<value C1 3 eval eq44 Omega=2 n=10>>' "coulomb-tether eval eq44 Omega=2 n=10 gives no 'C1'"
-    stops 'By <<value C2 3 eval eq44 Omega=2 n=8>>' "coulomb-tether eval eq44 Omega=2 n=8 gives no 'C2'"
-    stops 'By <<value C2 3>>' 'expected <<value NAME DIGITS ARGUMENT ...>>'
+    stops 'By <<number table1.csv Omega computed 3>>' "'number table1.csv Omega computed 3' is mathematics, expected dollars around it"
+    stops 'By $<<number table2.csv Omega computed 3>>$' "no file 'data/table2.csv'"
+    stops 'By $<<number table1.csv Omega calculated 3>>$' "'data/table1.csv' has no column 'calculated'"
+    stops 'By $<<number table1.csv omega computed 3>>$' "'data/table1.csv' has no row 'omega'"
+    stops 'By $<<number convergence.csv hill_43200s,psi order 3>>$' "'data/convergence.csv' has 3 rows 'hill_43200s,psi'"
+    stops 'By $<<number table1.csv Omega unit 3>>$' "'rad/s' in 'data/table1.csv' is no number"
+    stops 'By $<<value C2 3 eval eq99 Omega=2 n=10>>$' "coulomb-tether eval eq99 Omega=2 n=10 gives no 'C2'"
+    stops 'By $<<value C1 3 eval eq44 Omega=2 n=10>>$' "coulomb-tether eval eq44 Omega=2 n=10 gives no 'C1'"
+    stops 'By $<<value C2 3 eval eq44 Omega=2 n=8>>$' "coulomb-tether eval eq44 Omega=2 n=8 gives no 'C2'"
+    stops 'By $<<value C2 3>>$' 'expected <<value NAME DIGITS[*SCALE] ARGUMENT ...>>'
     stops 'By <<quote equation-7 proved by |magic|>>' "the evidence of 'equation-7' does not read 'proved by magic'"
     stops 'By <<count sheep>>' "cannot count 'sheep'"
-    stops 'By <<number gate.csv rk4_linear error 2>>' "'digits' in 'data/gate.csv' is no number"
+    stops 'By $<<number gate.csv rk4_linear error 2>>$' "'digits' in 'data/gate.csv' is no number"
     stops 'By [(99)](#eq:99).' "unknown equation '99'"
     stops 'In [section](#nowhere).' "unknown reference 'nowhere'"
 
