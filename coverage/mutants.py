@@ -281,8 +281,6 @@ def available_checks():
     def data(file):
         return (ROOT / 'data' / file).read_bytes()
     checks = {'derivations': ([program, 'verify', 'derivations'], None),
-              'golden inputs': (['env', 'CK_RUN_CASE=golden', 'build/tests/run', 'test_vectors'], None),
-              'domains': (['env', 'CK_RUN_CASE=domains', 'build/tests/run', 'test_vectors'], None),
               'oracle': ([program, 'conform', '--', 'build/client'], None),
               'oracle scalar': ([program, 'conform', '--only', SCALAR, '--', 'build/client'], None),
               'gate': (['sh', '-c', 'rm -f build/derivations.json && build/coulomb-tether verify derivations --json '
@@ -305,6 +303,8 @@ def available_checks():
     for suite in sorted((ROOT / 'tests').glob('*/test_*.c')):
         if suite.stem not in OTHERWISE_LINKED:
             checks[suite.stem] = ([f'build/tests/{suite.stem}'] if suite.stem in APART else ['build/tests/run', suite.stem], None)
+            for case in re.findall(r'^CASE(?:_ONCE)?\((\w+),', suite.read_text(), re.M):
+                checks[f'{suite.stem} {case}'] = (['env', f'CK_RUN_CASE={case}', *checks[suite.stem][0]], None)
     return checks
 
 
@@ -371,8 +371,8 @@ def likely(mutant):
     stem = pathlib.Path(mutant.file).stem
     if mutant.file == SHEETS[0]:
         section = section_at(mutant)
-        return ['golden inputs', 'golden ' + section, *of_quantity(section), 'test_units', 'test_mistakes', 'derivations', 'test_sheet',
-                'domains', 'gate', 'table1']
+        return ['test_vectors golden', 'golden ' + section, *of_quantity(section), 'test_units', 'test_mistakes', 'derivations', 'test_sheet',
+                'test_vectors domains', 'gate', 'table1']
     if mutant.file == SHEETS[1]:
         return ['derivations', 'gate']
     if mutant.file == SHEETS[2]:

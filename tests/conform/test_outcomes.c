@@ -9,13 +9,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "conform/conform.h"
+#include "conform/diagnosis.h"
 #include "evaluate/domain.h"
 #include "conform/hints.h"
 #include "conform/report.h"
 #include "evaluate/sample.h"
 #include "evaluate/vectors.h"
+#include "sheet/known_mistakes.h"
 #include "text/scope.h"
 
 enum { RANDOM = 48, BITS = 256, DIGITS = 40, LONG = 4096 };
@@ -848,6 +851,269 @@ TEST(so_many_lines_out_of_place_are_heard)
     }
     close_run(few);
     close_run(many);
+}
+
+/* ---- mistakes and what finds them ---- */
+
+/* A journal that can only be written: an error of its reading is not its end. */
+TEST(a_journal_that_cannot_be_read_makes_no_report)
+{
+    struct test_run *e = run_of(section_find(sheet(), "eq38"), 0, BINARY64);
+    const struct report r = {.run = e, .client = "", .errors = ""};
+    char name[512];
+    snprintf(name, sizeof name, "%s/tests/unread.json", getenv("CT_BUILD"));
+    remove(name);
+    e->journal = fopen("/dev/null", "w");
+    ck_assert_ptr_nonnull(e->journal);
+    ck_assert_int_ne(report_write(&r, name), 0);
+    ck_assert_int_ne(access(name, F_OK), 0);
+    close_run(e);
+}
+
+/* Answers every question with those formulas, in so many digits; 17 are binary64. */
+static void answer_in_digits(struct test_run *e, const struct formulas *formulas, int digits)
+{
+    struct test_vector q;
+    struct operation o = {.section = e->comparators[0].operation->section, .formulas = formulas};
+    VECTOR(arb, y, MOST_OUTPUTS);
+    machine_init(&o.machine, &formulas->program, &arithmetic_ball, 128);
+    test_vector_init(&q);
+    for (uint64_t p = 0; p < e->sets.total; p++) {
+        char line[1000];
+        test_vector_make(&q, &e->sets, p);
+        int used = snprintf(line, sizeof line, "%s", q.id);
+        if (!q.numbers || !operation_valid(&o, q.inputs)) {
+            snprintf(line + used, sizeof line - (size_t)used, " invalid\n");
+        } else {
+            operation_enclose(&o, q.inputs, 256, y);
+            for (int i = 0; i < o.section->output_count; i++)
+                used += snprintf(line + used, sizeof line - (size_t)used, " %.*g", digits,
+                                 arf_get_d(arb_midref(y + i), ARF_RND_NEAR));
+            snprintf(line + used, sizeof line - (size_t)used, "\n");
+        }
+        said(e, line);
+    }
+    test_run_end(e, OUTCOME_MISSING);
+    diagnose(e, 0);
+    test_vector_clear(&q);
+    operation_clear(&o);
+}
+
+/* Every mistake of the sheet that the operation can make, all its formulas in turn. */
+EACH(a_known_mistake_is_called_by_its_name, sheet()->section_count)
+{
+    const struct section *s = &sheet()->sections[_i];
+    if (s->method != METHOD_FORMULA)
+        return;
+    for (int k = 0; k < s->mistake_count + sheet()->mistake_count; k++) {
+        const struct known_mistake *mistake = k < s->mistake_count ? &s->mistakes[k] : &sheet()->mistakes[k - s->mistake_count];
+        struct mutation a;
+        struct message why;
+        if (!mutation_init(&a, sheet(), s, mistake, false, &why))
+            continue;
+        struct test_run *e = run_of(s, 0, BINARY64);
+        answer_in_digits(e, &a.formulas, 17);
+        ck_assert_msg(summary_failed(&e->summaries[0]) < 2 || strstr(e->summaries[0].diagnosis, mistake->name) != NULL,
+                      "%s: %s is taken for: %s", s->id, mistake->name, e->summaries[0].diagnosis);
+        close_run(e);
+        mutation_clear(&a);
+    }
+    if (s->differs) {
+        struct test_run *e = run_of(s, 0, BINARY64);
+        answer_in_digits(e, &s->printed, 17);
+        ck_assert_uint_gt(summary_failed(&e->summaries[0]), 0);
+        ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "the paper's misprint: ", 22), 0);
+        close_run(e);
+    }
+    struct test_run *e = run_of(s, 0, BINARY64);
+    answer_in_digits(e, &s->corrected, 17);
+    ck_assert_uint_eq(summary_failed(&e->summaries[0]), 0);
+    close_run(e);
+}
+
+TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
+{
+    for (int k = 0; k < sheet()->mistake_count; k++) {
+        int places = 0;
+        for (int i = 0; i < sheet()->section_count; i++) {
+            struct mutation a;
+            struct message why;
+            if (sheet()->sections[i].method == METHOD_NONE ||
+                !mutation_init(&a, sheet(), &sheet()->sections[i], &sheet()->mistakes[k], false, &why))
+                continue;
+            places++;
+            mutation_clear(&a);
+        }
+        ck_assert_msg(places > 0, "%s", sheet()->mistakes[k].name);
+    }
+}
+
+TEST(right_but_for_the_digits_written_is_called_that)
+{
+    const struct section *s = section_find(sheet(), "eq12");
+    struct test_run *e = run_of(s, 0, BINARY64);
+    answer_in_digits(e, &s->corrected, 6);
+    ck_assert_str_eq(e->summaries[0].diagnosis, "written with only 6 digits");
+    close_run(e);
+}
+
+/* A line that is no answer has nothing against a mistake that explains all the others. */
+TEST(a_mistake_explains_numbers_and_not_lines)
+{
+    const struct section *s = section_find(sheet(), "eq38");
+    struct test_run *e = run_of(s, 0, BINARY64);
+    said(e, "eq38-paper 7.3e-5 oops\n");
+    answer_in_digits(e, &s->printed, 17);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MALFORMED], 1);
+    ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "the paper's misprint: ", 22), 0);
+    close_run(e);
+}
+
+/* ---- order ---- */
+
+/* The number-th random question of eq43, skipped. */
+static void skip(struct test_run *e, int number)
+{
+    char line[64];
+    snprintf(line, sizeof line, "eq43-1-%d skip\n", number);
+    said(e, line);
+}
+
+/* What is passed over is missing for good, and an answer that comes after all answers nothing. */
+TEST(answers_come_in_the_order_of_the_questions)
+{
+    struct test_run *e = run_of(section_find(sheet(), "eq43"), 9, BINARY64);
+    const struct summary *t = &e->summaries[0];
+    const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
+    skip(e, 3);
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 3);
+    skip(e, 1);
+    skip(e, 3);
+    ck_assert_uint_eq(e->strays[OUTCOME_LATE].count, 2);
+    skip(e, 8);
+    test_run_end(e, OUTCOME_MISSING);
+    ck_assert_uint_eq(t->counts[OUTCOME_MISSING], golden + 7 + test_set_defects(&e->sets.all[0]));
+    ck_assert_uint_eq(t->counts[OUTCOME_SKIPPED], 2);
+    close_run(e);
+}
+
+/* What was heard of it is no answer to what it begins with. */
+TEST(a_line_without_an_end_may_be_too_long_as_well)
+{
+    struct test_run *e = run_of(section_find(sheet(), "eq43"), 0, BINARY64);
+    for (int i = 0; i <= LONGEST_LINE; i++)
+        said(e, "1");
+    test_run_end(e, OUTCOME_MISSING);
+    ck_assert_uint_eq(e->strays[OUTCOME_TOO_LONG].count, 1);
+    ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MISSING], e->sets.total);
+    close_run(e);
+}
+
+EACH(an_id_is_the_one_that_was_sent_to_the_letter, 16)
+{
+    static const char *const strangers[] = {"eq43", "eq43-", "eq43-1", "eq43-1-", "eq43-1-5", "eq43-01-4", "eq43-1-04",
+                                            "eq43-2-4", "eq43-1-4x", "eq44-1-4", "eq4-1-4", "eq43-papers", "eq43-1-outside-1",
+                                            "eq43-1-outside-", "eq43-1-outside", "eq43-1-outside-00"};
+    struct test_run *e = run_of(section_find(sheet(), "eq43"), 5, BINARY64);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-paper"), 0);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-1-4"), e->sets.total - 2);
+    ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-1-outside-0"), e->sets.total - 1);
+    ck_assert_uint_eq(test_sets_find(&e->sets, strangers[_i]), UINT64_MAX);
+    close_run(e);
+}
+
+/* ---- what the table says ---- */
+
+/* The report on two operations, each with a few answers. */
+static const char *table_of(const char *const *answers, int significand)
+{
+    static char table[1 << 14];
+    struct test_run *e = calloc(1, sizeof *e);
+    const double digits[] = {9, 9};
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    ck_assert(e != NULL && file != NULL);
+    e->significand = significand;
+    test_sets_add(&e->sets, section_find(sheet(), "eq42"), 0, significand, false);
+    test_sets_add(&e->sets, section_find(sheet(), "eq43"), 0, significand, false);
+    test_run_begin(e, digits);
+    e->asked = e->sets.total;
+    for (; *answers != NULL; answers++)
+        said(e, *answers);
+    const struct report r = {e, "client", "", 0.0, NULL, false};
+    report_text(&r, file);
+    ck_assert_int_eq(fclose(file), 0);
+    snprintf(table, sizeof table, "%s", text);
+    free(text);
+    close_run(e);
+    return table;
+}
+
+TEST(the_table_knows_exact_and_infinitely_wrong)
+{
+    /* 0 is margin1 at C1 = 9, Omega = 1; margin2 and stable of n = 10 have E = 0 or infinity */
+    static const char *const exact[] = {"eq42-boundary 0 1 0\n", NULL};
+    static const char *const wrong[] = {"eq42-no-damping 1 1e-300 0\n", NULL};
+    ck_assert_ptr_nonnull(strstr(table_of(exact, BINARY64), "        0   exact  eq42-boundary\n"));
+    ck_assert_ptr_nonnull(strstr(table_of(wrong, BINARY64), "      inf     0.0  eq42-no-damping\n"));
+}
+
+TEST(each_reason_for_a_skip_is_said_once)
+{
+    static const char *const two[] = {"eq42-paper skip not yet\n", "eq43-paper skip never\n", NULL};
+    static const char *const one[] = {"eq42-paper skip not yet\n", "eq43-paper skip not yet\n", NULL};
+    ck_assert_ptr_nonnull(strstr(table_of(two, BINARY64), "\nskipped, not yet: eq42\n\nskipped, never: eq43\n"));
+    ck_assert_ptr_nonnull(strstr(table_of(one, BINARY64), "\nskipped, not yet: eq42 eq43\n"));
+}
+
+/* ---- judgement ---- */
+
+static const struct {
+    const char *id, *outputs;
+    enum outcome outcome;
+} judgements[] = {
+    /* Omega = 1, C1 = 12, C2 = 4: (s^2 + 2 s + 3)^2, the roots -1 +- i sqrt(2) twice; off by 1e-9, as a good solver may be, or more, or one four times */
+    {"eq41roots-free-gains", "-1.000000001 -1.414213562 -0.999999999 -1.414213562 -1.000000001 1.414213562 -0.999999999 1.414213562", OUTCOME_RIGHT},
+    {"eq41roots-free-gains", "-1.000001 -1.414213562 -0.999999 -1.414213562 -1.000001 1.414213562 -0.999999 1.414213562", OUTCOME_WRONG},
+    {"eq41roots-free-gains", "-1 1.4142135623730951 -1 1.4142135623730951 -1 1.4142135623730951 -1 1.4142135623730951", OUTCOME_WRONG},
+    /* Omega = 1, C1 = 9, C2 = 0: s^2 (s^2 + 7), sqrt(7) = 2.6457513110645906; in any order */
+    {"eq41roots-double-zero", "0 2.6457513110645906 0 0 0 -2.6457513110645906 0 0", OUTCOME_RIGHT},
+    {"eq41roots-double-zero", "0 2.6457513110645906 0 0 0 2.6457513110645906 0 0", OUTCOME_WRONG},
+    /* on the boundary of (42) it may be either */
+    {"eq42-boundary", "0 1 0", OUTCOME_RIGHT},
+    {"eq42-boundary", "0 1 1", OUTCOME_RIGHT},
+    {"eq42-boundary-above", "1.7763568394002505e-15 1 0", OUTCOME_RIGHT},
+    {"eq42-paper", "5.3165972250000061e-09 1.4583e-4 0", OUTCOME_WRONG},
+    /* an infinite S excuses nothing; of theta it is infinite on the normal, |z| by |z| over zero, and pi/2 = 1.5707963267948966192 */
+    {"eq44-boundary", "0", OUTCOME_RIGHT},
+    {"eq44-boundary", "-0.0", OUTCOME_RIGHT},
+    {"eq44-boundary", "1e-300", OUTCOME_WRONG},
+    {"eq10inv-on-the-normal", "10 0 -1.5707963267948966", OUTCOME_RIGHT},
+    {"eq10inv-on-the-normal", "10 0 -1.570796326794890", OUTCOME_WRONG},
+    /* at rest: exactly so, for ever; theta = 0.5 cos(2 tau) is the scale of psi's error: 4e-10 of 0.5 are 9 digits, 4e-9 are not */
+    {"flow_linear-at-rest-43200", "0 0 0 0 0 0", OUTCOME_RIGHT},
+    {"flow_linear-at-rest-43200", "0 0 1e-30 0 0 0", OUTCOME_WRONG},
+    {"flow_linear-pitch-alone-0", "4e-10 0.5 0 0 0 0", OUTCOME_RIGHT},
+    {"flow_linear-pitch-alone-0", "4e-9 0.5 0 0 0 0", OUTCOME_WRONG},
+};
+
+EACH(an_answer_is_judged_as_PROTOCOL_says, COUNT(judgements))
+{
+    char operation[40];
+    snprintf(operation, sizeof operation, "%.*s", (int)strcspn(judgements[_i].id, "-"), judgements[_i].id);
+    struct test_run *e = run_of(section_find(sheet(), operation), 0, BINARY64);
+    assert_found(e, test_sets_find(&e->sets, judgements[_i].id), judgements[_i].outputs, judgements[_i].outcome);
+    close_run(e);
+}
+
+/* The craft fall into each other after 0.58 s, whatever is answered for 10 s. */
+TEST(a_motion_that_cannot_be_followed_is_not_judged)
+{
+    /* Omega k_c m1 m2 L_ref C1 C2 t, past the most radians that are followed, and at rest on the orbit normal */
+    static const char *const texts[] = {"1", "1", "1", "1", "2", "0", "0", "1e7", "0", "0", "1", "0", "0", "0"};
+    static const char *const zeros[] = {"0", "0", "0", "0", "0", "0"};
+    ck_assert_int_eq(judged("flow_nonlinear", texts, zeros, BINARY64), OUTCOME_SKIPPED);
 }
 
 /* ---- the truth ---- */

@@ -34,7 +34,7 @@ static const struct integrator {
     {"the classical Runge-Kutta method", "the classical Runge-Kutta method", 4, 4, false, {0.0, 0.5, 0.5, 1.0},
      {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}},
 };
-enum { INTEGRATORS = 5, CLASSICAL = 4, PARTS = 4 /* h/2 ... h/5: less comes too close to the motion itself */ };
+enum { INTEGRATORS = 5, CLASSICAL = 4, SHORTER = 4 /* h/2 ... h/5: less comes too close to the motion itself */ };
 
 /* What somebody may have done: a term's sign (-1: none), a method, and its step in s, or in the steps h that are given. */
 struct hypothesis {
@@ -176,7 +176,7 @@ void kind_of_motion(const struct evidence *v, char *text, size_t size)
     struct hypothesis p = {.in_h = method >= METHOD_RK4_LINEAR};
     p.linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
     *text = '\0';
-    for (int k = 0; k < TERMS + INTEGRATORS + (p.in_h ? PARTS : 0) && *text == '\0'; k++) {
+    for (int k = 0; k < TERMS + INTEGRATORS + (p.in_h ? SHORTER : 0) && *text == '\0'; k++) {
         const int part = k - TERMS - INTEGRATORS + 2; /* of h: such steps are off by about as much as those of h, which are right */
         p.turned = k < TERMS ? k : -1;
         p.method = &integrators[k < TERMS || part > 1 ? CLASSICAL : k - TERMS];
