@@ -1,5 +1,5 @@
 /*
- * run.c   runs suites: BUILD/tests/run [NAME ...]; Check itself reads the name of the TAP log from CK_TAP_LOG_FILE_NAME
+ * run.c   runs suites, or single tests: BUILD/tests/run [NAME ...]; Check itself reads the name of the TAP log from CK_TAP_LOG_FILE_NAME
  */
 #define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): realpath() */
 #include "tests/run.h"
@@ -59,21 +59,54 @@ static const char *base_name(const char *file)
     return slash != NULL ? slash + 1 : file;
 }
 
-/* The marks of one file, and where those of the next begin. */
-static Suite *suite_of(const struct test_mark *first, const struct test_mark *after)
+/* By the name of its suite, or by its own. */
+static bool is_named(const struct test_mark *m, const char *name)
+{
+    const char *file = base_name(m->file);
+    const size_t length = strlen(name);
+    return (strncmp(name, file, length) == 0 && strcmp(file + length, ".c") == 0) || (m->test != NULL && strcmp(name, (*m->test)->name) == 0);
+}
+
+static bool is_asked_for(const struct test_mark *m, int count, char **names)
+{
+    for (int i = 1; i < count; i++)
+        if (is_named(m, names[i]))
+            return true;
+    return count <= 1;
+}
+
+static bool is_here(const char *name)
+{
+    for (const struct test_mark *m = marks; m != NULL; m = m->next)
+        if (is_named(m, name))
+            return true;
+    return false;
+}
+
+/* What is asked for of the marks of one file, up to where those of the next begin; NULL where that is nothing. */
+static Suite *suite_of(const struct test_mark *first, const struct test_mark *after, int count, char **names)
 {
     const char *name = base_name(first->file);
-    Suite *all = suite_create(name);
+    const struct test_mark *begun = NULL;
+    Suite *all = NULL;
     TCase *tests = NULL;
     for (const struct test_mark *m = first; m != after; m = m->next) {
-        if (m->test == NULL || tests == NULL) {
-            tests = tcase_create(m->name != NULL ? m->name : name);
+        if (m->test == NULL) {
+            begun = m;
+            tests = NULL;
+        }
+        if (m->test == NULL || !is_asked_for(m, count, names))
+            continue;
+        if (all == NULL)
+            all = suite_create(name);
+        if (tests == NULL) {
+            tests = tcase_create(begun != NULL ? begun->name : name);
             tcase_set_timeout(tests, 120); /* s, under valgrind on a busy machine */
-            (m->once ? tcase_add_unchecked_fixture : tcase_add_checked_fixture)(tests, m->begin, m->end);
+            if (begun != NULL)
+                (begun->once ? tcase_add_unchecked_fixture : tcase_add_checked_fixture)(tests, begun->begin, begun->end);
             suite_add_tcase(all, tests);
         }
-        if (m->test != NULL)
-            tcase_add_loop_test(tests, *m->test, m->first(), m->last());
+        tcase_add_loop_test(tests, *m->test, m->first(), m->last());
     }
     return all;
 }
@@ -104,35 +137,23 @@ static void find_build(const char *program)
     free(build);
 }
 
-static bool is_asked_for(const char *file, int count, char **names)
-{
-    const char *name = base_name(file);
-    for (int i = 1; i < count; i++)
-        if (strncmp(names[i], name, strlen(names[i])) == 0 && strcmp(name + strlen(names[i]), ".c") == 0)
-            return true;
-    return count <= 1;
-}
-
-/* The suites named, or all. A suite that is not there is none that passes. */
+/* What is named, or all. What is not there is none that passes. */
 int main(int count, char **names)
 {
-    SRunner *runner = srunner_create(NULL);
-    int found = 0;
-
     find_build(names[0]);
+    for (int i = 1; i < count; i++)
+        if (!is_here(names[i])) {
+            fprintf(stderr, "%s: '%s' is not here; there are the suites:", names[0], names[i]);
+            for (const struct test_mark *m = marks; m != NULL; m = next_file(m))
+                fprintf(stderr, " %.*s", (int)(strlen(base_name(m->file)) - strlen(".c")), base_name(m->file));
+            fputc('\n', stderr);
+            return EXIT_FAILURE;
+        }
+    SRunner *runner = srunner_create(NULL);
     for (const struct test_mark *m = marks; m != NULL; m = next_file(m)) {
-        if (!is_asked_for(m->file, count, names))
-            continue;
-        srunner_add_suite(runner, suite_of(m, next_file(m)));
-        found++;
-    }
-    if (found < count - 1) {
-        fprintf(stderr, "%s: not all of these suites are here; there are:", names[0]);
-        for (const struct test_mark *m = marks; m != NULL; m = next_file(m))
-            fprintf(stderr, " %.*s", (int)(strlen(base_name(m->file)) - strlen(".c")), base_name(m->file));
-        fputc('\n', stderr);
-        srunner_free(runner);
-        return EXIT_FAILURE;
+        Suite *suite = suite_of(m, next_file(m), count, names);
+        if (suite != NULL)
+            srunner_add_suite(runner, suite);
     }
     srunner_run_all(runner, CK_NORMAL);
     const int failed = srunner_ntests_failed(runner);

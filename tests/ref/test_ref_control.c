@@ -10,25 +10,9 @@
 static const struct ct_params paper = {7.2915e-5, 8.99e9, 150, 150, 10};
 static const struct ct_params unequal = {7.2915e-5, 8.99e9, 120, 410, 23};
 
-/* 3/4 * 4^2/3 * (-2*3 + 5*1) */
-TEST(eq18_whole_numbers)
-{
-    const struct ct_params p = {.k_c = 3, .m1 = 1, .m2 = 3, .L_ref = 4};
-
-    ck_assert_double_eq(ct_charge_product_variation(p, (struct ct_gains){2, 5}, 3, -1), -4);
-}
-
 TEST(eq18_commands_nothing_without_an_error)
 {
     ck_assert_double_eq(ct_charge_product_variation(paper, (struct ct_gains){5e-8, 1e-4}, 0, 0), 0);
-}
-
-/* -(5 - 9*4) 3 - 7*(-2) + 2*2*10*(-1) */
-TEST(eq19_whole_numbers)
-{
-    const struct ct_params p = {.Omega = 2, .L_ref = 10};
-
-    ck_assert_double_eq(ct_closed_loop_acceleration(p, (struct ct_gains){5, 7}, 3, -2, -1), 93 + 14 - 40);
 }
 
 TEST(eq19_gain_of_nine_just_undoes_the_tide)
@@ -49,15 +33,6 @@ EACH(eq19_is_eq17_under_the_law_of_eq18, 4)
     ck_assert_double_eq_tol(ct_closed_loop_acceleration(unequal, g[_i], dL, dL_dot, psi_dot),
                             ct_length_error_acceleration(unequal, psi_dot, dL, dQ),
                             16 * 0x1p-53 * scale); /* every term passes through about eight roundings on each road */
-}
-
-TEST(eq21_whole_numbers)
-{
-    struct ct_charge_pair q;
-
-    ck_assert_int_eq(ct_charges(-5, 1, &q), CT_OK);
-    ck_assert_double_eq(q.q1, 2);
-    ck_assert_double_eq(q.q2, -2);
 }
 
 TEST(eq21_takes_a_positive_reference_that_the_variation_outweighs)

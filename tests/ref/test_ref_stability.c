@@ -16,17 +16,6 @@ static struct ct_gains gains(double c1, double c2)
     return (struct ct_gains){c1 * Omega * Omega, c2 * Omega};
 }
 
-TEST(eq40_whole_numbers)
-{
-    const struct ct_params p = {.Omega = 2, .L_ref = 4};
-    const struct ct_tether_state s = {.psi = 3, .theta = -5, .dL = 7, .psi_dot = -1, .theta_dot = 9, .dL_dot = 2};
-    const struct ct_tether_acceleration a = ct_linear_acceleration(p, (struct ct_gains){40, -6}, s);
-
-    ck_assert_double_eq(a.theta_ddot, 4 * 4 * 5);
-    ck_assert_double_eq(a.psi_ddot, -2.0 * 2 * 2 / 4 - 3 * 4 * 3);
-    ck_assert_double_eq(a.dL_ddot, -(40 - 36) * 7 + 6 * 2 - 2 * 2 * 4);
-}
-
 TEST(eq40_pitch_stands_alone)
 {
     const struct ct_params p = {.Omega = 2, .L_ref = 4};
@@ -35,18 +24,6 @@ TEST(eq40_pitch_stands_alone)
 
     ck_assert_double_eq(a.psi_ddot, 0);
     ck_assert_double_eq(a.dL_ddot, 0);
-}
-
-/* 3 (3*4 - 9*16), 3*(-5)*4, 3 - 2*4, -5, 1 */
-TEST(eq41_whole_numbers)
-{
-    const struct ct_quartic a = ct_characteristic_polynomial(2, (struct ct_gains){3, -5});
-
-    ck_assert_double_eq(a.a0, -396);
-    ck_assert_double_eq(a.a1, -60);
-    ck_assert_double_eq(a.a2, -5);
-    ck_assert_double_eq(a.a3, -5);
-    ck_assert_double_eq(a.a4, 1);
 }
 
 /* Where exp(lambda t) solves (40), the determinant of the two coupled equations is zero, whatever L_ref. */
@@ -211,15 +188,6 @@ TEST(eq41_roots_report_a_set_that_is_not_complete)
     ck_assert_double_nan(root[3].im);
 }
 
-TEST(eq42_whole_numbers)
-{
-    const struct ct_margins m = ct_routh_margins(2, (struct ct_gains){40, 3});
-
-    ck_assert_double_eq(m.margin1, 4);
-    ck_assert_double_eq(m.margin2, 3);
-    ck_assert_int_eq(m.stable, 1);
-}
-
 TEST(eq42_boundary_is_not_stable)
 {
     ck_assert_int_eq(ct_routh_margins(2, (struct ct_gains){36, 3}).stable, 0);
@@ -285,20 +253,9 @@ TEST(eq43_whole_numbers)
     ck_assert_double_eq(ct_proportional_gain(3, 10), 90);
 }
 
-TEST(eq44_whole_numbers)
-{
-    ck_assert_double_eq(ct_derivative_gain(3, 10), 6);
-    ck_assert_double_eq(ct_derivative_gain(3, 25), 24);
-}
-
 TEST(eq44_vanishes_at_nine)
 {
     ck_assert_double_eq(ct_derivative_gain(3, 9), 0);
-}
-
-TEST(eq44_rejects_n_below_nine)
-{
-    ck_assert_double_nan(ct_derivative_gain(3, nextafter(9, 0)));
 }
 
 /* dL_ddot + C2 dL_dot + (C1 - 9 Omega^2) dL has a double root where C2^2 = 4 (C1 - 9 Omega^2). */
