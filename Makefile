@@ -315,8 +315,8 @@ $(DATA)/figure%.csv: $(PROGRAM)
 $(STUDIES): $(DATA)/%.csv: $(PROGRAM)
 	$(call PRINTED,$(PROGRAM) study $*)
 
-$(VERDICTS): $(BUILD)/claims.json paper/verdicts.awk
-	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/verdicts.awk $<)
+$(VERDICTS): $(BUILD)/claims.json paper/read.awk paper/claims.awk
+	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/claims.awk $<)
 
 $(DATA)/golden/%.csv: $(PROGRAM)
 	$(call PRINTED,$(PROGRAM) vectors $* --golden)
@@ -373,7 +373,7 @@ $(BUILD)/tests/bench/bench: $(BUILD)/tests/bench/bench.o $(BUILD)/tests/paper.o 
 ## readme: README's tables, made anew; that of speed where make bench has been run
 readme: $(PROGRAM) $(BUILD)/claims.json
 	{ echo '```'; $(PROGRAM) table1; echo '```'; } >$(BUILD)/table1.md
-	LC_ALL=C awk -f paper/read.awk -f paper/findings.awk $(BUILD)/claims.json >$(BUILD)/findings.md
+	LC_ALL=C awk -f paper/read.awk -f paper/claims.awk -v markdown=1 $(BUILD)/claims.json >$(BUILD)/findings.md
 	$(PROGRAM) verify errors --count 100000 --markdown >$(BUILD)/errors.md
 	awk -v folder='$(BUILD)' -f paper/readme.awk README.md >$(BUILD)/README.tmp
 	@mv $(BUILD)/README.tmp README.md

@@ -25,6 +25,6 @@ notices '/^Title,/s/,,aim$/,equation-1,aim/' 'expected rows of data/verdicts.csv
 notices '/^Title,/s/,aim$/,dull/' "unknown reason 'dull'"
 notices '/^Title,/s/^Title,/,/' 'expected a section and a sentence'
 notices '/^Title,/s/,aim$/,aim,/' 'expected 4 fields'
-notices '2,9999d' 'with sentences'
+notices '2,9999d' 'expected sentences'
 
 finish

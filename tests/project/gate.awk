@@ -46,6 +46,33 @@ function add_number(number,    base) {
 
 # ---- ref/ ----
 
+# The functions of ref/*.c. A header comment begins "Eq. (10), small angles   purpose" or "Eqs. (3a)-(3c)   purpose": the key of
+# the function after it is "10, small angles" or "3". functions_of[key] counts them, function_of[key] is one.
+function read_functions(path,    line, key) {
+    while ((getline line < path) > 0)
+        if (match(line, /^ \* Eqs?\. \(/)) {
+            key = substr(line, RLENGTH + 1)
+            sub(/   .*/, "", key)
+            sub(/\)(-\([0-9a-z]+\))?/, "", key)
+            key = key + 0 substr(key, match(key, /(,.*)?$/))
+        } else if (key != "" && line ~ /^[a-z].*\(/ && line !~ /;$|^typedef/) {
+            sub(/\(.*/, "", line)
+            sub(/.*[ *]/, "", line)
+            functions_of[key]++
+            function_of[key] = line
+            key = ""
+        }
+    close(path)
+}
+
+# A section's key in ref/: what stands around the digits of its id says which function of that number.
+function function_key(id, number,    tail) {
+    tail = id
+    sub(/^eq[0-9]+/, "", tail)
+    sub(/_.*/, "", tail)
+    return (id ~ /^eq/ ? substr(id, 3) : number) + 0 (tail == "" ? "" : ", " qualifier[tail])
+}
+
 function read_ref(    line, key, id, i) {
     while (("ls ref/*.c" | getline line) > 0)
         read_functions(line)
@@ -148,11 +175,23 @@ function read_errors(    line, id, path, i) {
     }
 }
 
+# The proofs that `coulomb-tether verify derivations --json` prints: some lines a step.
+function read_steps(path,    line, id) {
+    while ((getline line < path) > 0)
+        if (line ~ /\{"id": /) {
+            id = step[++steps] = member(line, "id")
+            step_from[id] = member(line, "from")
+            step_to[id] = member(line, "to")
+        } else if (line ~ /^ +"step": /)
+            holds[id] = member(line, "finding") == "holds"
+    close(path)
+}
+
 # Every number of a section that computes is reached by steps that hold.
 function read_proofs(    i, k, n, part, id, name) {
     read_steps(build "/derivations.json")
     for (i = 1; i <= steps; i++) {
-        if (finding[step[i], "step"] != "holds")
+        if (!holds[step[i]])
             broken("derivations", "step " step[i] " does not hold")
         check_ends(step[i], step_from[step[i]])
         check_ends(step[i], step_to[step[i]])
@@ -197,7 +236,7 @@ function steps_to(number,    i, base, out, list) {
     sub(/[a-z]$/, "", base)
     for (i = 1; i <= steps; i++) {
         list = numbers_of(step_to[step[i]])
-        if (finding[step[i], "step"] == "holds" && (index(list, ", " number ", ") || index(list, ", " base ", ")))
+        if (holds[step[i]] && (index(list, ", " number ", ") || index(list, ", " base ", ")))
             out = out (out == "" ? "" : " ") step[i]
     }
     return out
@@ -308,6 +347,12 @@ function table(    i, id, row, format) {
 }
 
 BEGIN {
+    qualifier["lin"] = "small angles"
+    qualifier["inv"] = "inverse"
+    qualifier["exact"] = "exact"
+    qualifier["roots"] = "roots"
+    qualifier["flow"] = "flow"
+    qualifier["rk4"] = "Runge-Kutta"
     read_sheet("paper/equations.yaml")
     read_ref()
     read_tests()

@@ -22,7 +22,7 @@ fi
 
 # README's Table 1 and findings are those of the program.
 { echo '```'; "$CT_PROGRAM" table1; echo '```'; } >"$work/table1.md"
-LC_ALL=C awk -f paper/read.awk -f paper/findings.awk "$CT_BUILD/claims.json" >"$work/findings.md"
+LC_ALL=C awk -f paper/read.awk -f paper/claims.awk -v markdown=1 "$CT_BUILD/claims.json" >"$work/findings.md"
 awk -v folder="$work" -f paper/readme.awk README.md >"$work/README.new"
 check README cmp "$work/README.new" README.md
 finish
