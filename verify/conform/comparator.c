@@ -79,7 +79,7 @@ static void settle(struct comparator *j, const struct input *inputs, slong prec)
     for (int i = 0; i < o->section->output_count; i++) {
         if (exact_is_rational(value, machine_value(&values, o->formulas->outputs[i])))
             arb_set_fmpq(j->exact + i, value, prec);
-        operation_sensitivity_settled(j->operation, inputs, prec, i, j->S + i);
+        operation_sensitivity_exact(j->operation, inputs, prec, i, j->S + i, value);
         if (!arb_is_finite(j->S + i))
             arb_zero(j->S + i);
     }
@@ -178,8 +178,9 @@ enum outcome outcome_of_bounds(struct error_bounds E, double K)
 static enum outcome compare_output_exactly(struct comparator *j, const struct input *inputs, const fmpq_t exact, int output)
 {
     SCOPE(fmpq, S, off, allowed);
+    SCOPE(arb, enclosed);
     enum outcome outcome = OUTCOME_SKIPPED;
-    if (operation_sensitivity_rational(j->operation, inputs, output, S)) {
+    if (operation_sensitivity_exact(j->operation, inputs, 64, output, enclosed, S)) {
         arf_get_fmpq(off, arb_midref(j->y + output));
         fmpq_sub(off, off, exact);
         fmpq_abs(off, off);

@@ -17,7 +17,7 @@ enum { TRUTH_BITS = 192 };
 static void add_term(arb_t S, arb_srcptr x, arb_srcptr derivative, slong prec)
 {
     SCOPE(arb, term);
-    if (!arb_is_finite(x) || arb_is_zero(derivative))
+    if (!arb_is_finite(x))
         return;
     arb_mul(term, x, derivative, prec);
     arb_abs(term, term);
@@ -45,37 +45,33 @@ static void polynomial41(const struct sheet *sheet, const struct input *inputs, 
     operation_clear(&polynomial);
 }
 
-/* Of a root z, from p(z; x) = 0: dz/dx = -p_x(z) / p_z(z). */
-static void root_sensitivity(arb_t S, acb_srcptr z, arb_srcptr p, slong prec)
+/* Adds the sum over the inputs of |x_i dp/dx_i| at z. */
+static void add_changes41(arb_t S, acb_srcptr z, arb_srcptr p, slong prec)
 {
-    SCOPE(acb, slope, change, term);
+    SCOPE(acb, change);
     SCOPE(arb, modulus);
-    for (int k = 4; k >= 1; k--) {
-        acb_mul(slope, slope, z, prec);
-        arb_mul_ui(modulus, p + k, (ulong)k, prec);
-        acb_add_arb(slope, slope, modulus, prec);
-    }
-    arb_zero(S);
     for (int i = 0; i < 3; i++) {
-        acb_zero(change);
-        for (int k = 4; k >= 0; k--) {
-            acb_mul(change, change, z, prec);
-            acb_add_arb(change, change, p + GRADIENTS + 5 * i + k, prec);
-        }
-        acb_div(term, change, slope, prec);
-        acb_abs(modulus, term, prec);
+        _arb_poly_evaluate_acb(change, p + GRADIENTS + 5 * i, 5, z, prec);
+        acb_abs(modulus, change, prec);
         add_term(S, p + VARIABLES41 + i, modulus, prec);
     }
 }
 
+/* Of a root z, from p(z; x) = 0: dz/dx = -p_x(z) / p_z(z). */
 static void roots_sensitivity(const struct sheet *sheet, const struct input *inputs, slong prec, arb_ptr S)
 {
     VECTOR(acb, roots, 4);
     VECTOR(arb, p, POLYNOMIAL41);
+    SCOPE(acb, zero, slope);
+    SCOPE(arb, modulus);
     polynomial41(sheet, inputs, prec, p);
     roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
     for (int k = 0; k < 4; k++) {
-        root_sensitivity(S + 2 * k, roots + k, p, prec);
+        _arb_poly_evaluate2_acb(zero, slope, p, 5, roots + k, prec);
+        acb_abs(modulus, slope, prec);
+        arb_zero(S + 2 * k);
+        add_changes41(S + 2 * k, roots + k, p, prec);
+        arb_div(S + 2 * k, S + 2 * k, modulus, prec);
         arb_set(S + 2 * k + 1, S + 2 * k);
     }
 }
@@ -113,17 +109,18 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
     formula_sensitivity(o, prec, NULL, S);
 }
 
-void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
-                                   arb_t S)
+bool operation_sensitivity_exact(struct operation *o, const struct input *inputs, slong prec, int output, arb_t S, fmpq_t rational)
 {
     const struct section *s = o->section;
     if (s->method == METHOD_ROOTS) {
         arb_pos_inf(S); /* of a multiple root, which moves like the root of a change */
-        return;
+        return false;
     }
     struct machine exact, derivatives, balls;
     VECTOR(arb, values, s->output_count);
+    SCOPE(fmpq, term);
     const int node = o->formulas->outputs[output];
+    bool all = true;
     operation_enclose(o, inputs, prec, values);
     operation_exact(&exact, o, inputs);
     machine_init(&derivatives, exact.program, &arithmetic_exact, 0);
@@ -131,39 +128,24 @@ void operation_sensitivity_settled(struct operation *o, const struct input *inpu
     machine_gradient(&exact, node, &derivatives);
     machine_gradient(&o->machine, node, &balls);
     arb_zero(S);
+    fmpq_zero(rational);
     for (int i = 0; i < s->input_count; i++) {
         const struct exact *derivative = machine_value(&derivatives, i);
+        all = exact_is_rational(term, derivative) && all;
         if (exact_is_undefined(derivative))
             arb_pos_inf(S);
-        else if (!exact_is_zero(derivative) && arb_is_finite(S))
+        else if (!exact_is_zero(derivative))
             add_term(S, machine_value(&o->machine, i), machine_value(&balls, i), prec);
+        if (!all || inputs[i].infinite)
+            continue;
+        fmpq_mul(term, term, &inputs[i].value);
+        fmpq_abs(term, term);
+        fmpq_add(rational, rational, term);
     }
     machine_clear(&exact);
     machine_clear(&derivatives);
     machine_clear(&balls);
-}
-
-bool operation_sensitivity_rational(struct operation *o, const struct input *inputs, int output, fmpq_t S)
-{
-    struct machine exact, derivatives;
-    SCOPE(fmpq, term);
-    bool rational = true;
-    operation_exact(&exact, o, inputs);
-    machine_init(&derivatives, exact.program, &arithmetic_exact, 0);
-    machine_gradient(&exact, o->formulas->outputs[output], &derivatives);
-    fmpq_zero(S);
-    for (int i = 0; i < o->section->input_count; i++) {
-        const struct exact *derivative = machine_value(&derivatives, i);
-        rational = rational && exact_is_rational(term, derivative);
-        if (!rational || inputs[i].infinite)
-            continue;
-        fmpq_mul(term, term, &inputs[i].value);
-        fmpq_abs(term, term);
-        fmpq_add(S, S, term);
-    }
-    machine_clear(&derivatives);
-    machine_clear(&exact);
-    return rational;
+    return all;
 }
 
 /* ---- the unit of error ---- */
@@ -185,12 +167,14 @@ static struct error_bounds roundings(const arb_t distance, const arb_t weight, i
     if (arb_is_zero(distance))
         return E;
     E.upper = INFINITY;
-    if (arb_is_zero(weight) || (arf_is_pos_inf(arb_midref(weight)) && !arb_contains_zero(distance)))
+    if (arb_is_zero(weight) || arf_is_pos_inf(arb_midref(weight)))
         E.lower = arb_contains_zero(distance) ? 0.0 : INFINITY;
-    if (!arb_is_finite(distance) || !arb_is_finite(weight) || arb_contains_zero(weight))
+    if (!arb_is_finite(weight))
         return E;
     arb_mul_2exp_si(quotient, weight, -significand);
     arb_div(quotient, distance, quotient, 64);
+    if (!arb_is_finite(quotient)) /* the weight may be zero */
+        return E;
     arb_get_ubound_arf(bound, quotient, 64);
     E.upper = arf_get_d(bound, ARF_RND_UP);
     arb_get_lbound_arf(bound, quotient, 64);
@@ -231,27 +215,17 @@ static struct error_bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S,
 static struct error_bounds residual_error(const struct sheet *sheet, arb_srcptr y, const struct input *inputs, int significand)
 {
     VECTOR(arb, p, POLYNOMIAL41);
-    VECTOR(acb, moved, 3);
-    SCOPE(acb, z, power, sum);
+    SCOPE(acb, z, value);
     SCOPE(arb, weight, modulus);
     polynomial41(sheet, inputs, TRUTH_BITS, p);
     acb_set_arb_arb(z, y, y + 1);
-    acb_one(power);
-    for (int k = 0; k < 5; k++) {
-        acb_addmul_arb(sum, power, p + k, TRUTH_BITS);
-        acb_abs(modulus, power, TRUTH_BITS);
-        arb_mul(modulus, modulus, p + k, TRUTH_BITS);
-        arb_abs(modulus, modulus);
-        arb_add(weight, weight, modulus, TRUTH_BITS);
-        for (int i = 0; i < 3; i++)
-            acb_addmul_arb(moved + i, power, p + GRADIENTS + 5 * i + k, TRUTH_BITS);
-        acb_mul(power, power, z, TRUTH_BITS);
-    }
-    for (int i = 0; i < 3; i++) {
-        acb_abs(modulus, moved + i, TRUTH_BITS);
-        add_term(weight, p + VARIABLES41 + i, modulus, TRUTH_BITS);
-    }
-    acb_abs(modulus, sum, TRUTH_BITS);
+    _arb_poly_evaluate_acb(value, p, 5, z, TRUTH_BITS);
+    for (int k = 0; k < 5; k++)
+        arb_abs(p + k, p + k);
+    acb_abs(modulus, z, TRUTH_BITS);
+    _arb_poly_evaluate(weight, p, 5, modulus, TRUTH_BITS);
+    add_changes41(weight, z, p, TRUTH_BITS);
+    acb_abs(modulus, value, TRUTH_BITS);
     return roundings(modulus, weight, significand);
 }
 
@@ -276,24 +250,16 @@ static struct error_bounds one_of_four(const struct sheet *sheet, arb_srcptr y, 
     return nearest ? residual_error(sheet, y, inputs, significand) : (struct error_bounds){INFINITY, INFINITY};
 }
 
-/* Roots are a set: of all 24 ways to match them, the one with the least worst E. */
-static struct error_bounds matched_error(const struct sheet *sheet, const struct input *inputs, arb_srcptr y, arb_srcptr exact,
-                                         arb_srcptr S, int significand)
+/* Answers i and after to roots that none before took: of all ways to match them, the one with the least worst E. */
+static struct error_bounds matched(struct error_bounds E[4][4], int i, unsigned taken)
 {
-    struct error_bounds E[4][4], least = {INFINITY, INFINITY};
-    for (int i = 0; i < 16; i++)
-        E[i / 4][i % 4] = one_of_four(sheet, y + 2 * (i / 4), exact, S, i % 4, inputs, significand);
-    for (int code = 0; code < 256; code++) {
-        const int to[4] = {code & 3, (code >> 2) & 3, (code >> 4) & 3, (code >> 6) & 3};
-        if (((1 << to[0]) | (1 << to[1]) | (1 << to[2]) | (1 << to[3])) != 15)
+    struct error_bounds least = {i < 4 ? INFINITY : 0.0, i < 4 ? INFINITY : 0.0};
+    for (int j = 0; j < 4 && i < 4; j++) {
+        if (taken & 1U << j)
             continue;
-        struct error_bounds worst = {0.0, 0.0};
-        for (int i = 0; i < 4; i++) {
-            worst.lower = fmax(worst.lower, E[i][to[i]].lower);
-            worst.upper = fmax(worst.upper, E[i][to[i]].upper);
-        }
-        least.lower = fmin(least.lower, worst.lower);
-        least.upper = fmin(least.upper, worst.upper);
+        const struct error_bounds rest = matched(E, i + 1, taken | 1U << j);
+        least.lower = fmin(least.lower, fmax(E[i][j].lower, rest.lower));
+        least.upper = fmin(least.upper, fmax(E[i][j].upper, rest.upper));
     }
     return least;
 }
@@ -303,8 +269,12 @@ struct error_bounds worst_error(const struct section *s, const struct input *inp
 {
     struct error_bounds worst = {0.0, -1.0};
     *output = 0;
-    if (s->method == METHOD_ROOTS)
-        return matched_error(s->sheet, inputs, y, exact, S, significand);
+    if (s->method == METHOD_ROOTS) { /* a set */
+        struct error_bounds E[4][4];
+        for (int i = 0; i < 16; i++)
+            E[i / 4][i % 4] = one_of_four(s->sheet, y + 2 * (i / 4), exact, S, i % 4, inputs, significand);
+        return matched(E, 0, 0);
+    }
     for (int i = 0; i < s->output_count; i++) {
         const struct error_bounds E = error_in_roundings(arb_midref(y + i), exact + i, S + i, significand);
         worst.lower = fmax(worst.lower, E.lower);

@@ -20,7 +20,7 @@ bool operation_has_sensitivity(const struct section *s);
 
 /*
  * Enclosures of S for every output. Of roots: for each the modulus, on its real and its imaginary
- * part alike. One that no enclosure settles (it is zero, or infinite) is settled by the second function.
+ * part alike. One that no enclosure settles (it is zero, or infinite) is settled by operation_sensitivity_exact().
  */
 void operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S);
 
@@ -30,12 +30,11 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
  */
 void formula_sensitivity(struct operation *o, slong prec, arb_srcptr sizes, arb_ptr S);
 
-/* S of one output, where a derivative that is exactly zero adds nothing and a pole makes it infinite. */
-void operation_sensitivity_settled(struct operation *o, const struct input *inputs, slong prec, int output,
-                                   arb_t S);
-
-/* The same where every derivative of a formula is rational; false elsewhere. */
-bool operation_sensitivity_rational(struct operation *o, const struct input *inputs, int output, fmpq_t S);
+/*
+ * S of one output, where a derivative that is exactly zero adds nothing and a pole makes it infinite. True where every derivative
+ * of its formula is rational, and `rational` is S.
+ */
+bool operation_sensitivity_exact(struct operation *o, const struct input *inputs, slong prec, int output, arb_t S, fmpq_t rational);
 
 struct error_bounds {
     double lower, upper; /* rounded outward */
