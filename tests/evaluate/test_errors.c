@@ -5,7 +5,11 @@
 #include "tests/run.h"
 #include "tests/paper.h"
 
+#include <string.h>
+
+#include "evaluate/domain.h"
 #include "evaluate/errors.h"
+#include "evaluate/reference.h"
 #include "evaluate/sample.h"
 #include "text/scope.h"
 
@@ -173,5 +177,189 @@ EACH(E6_mpfr_is_inside_for_every_output, sheet()->section_count)
     inputs_free(inputs, s->input_count);
     _arb_vec_clear(exact, OUTPUTS);
     _arb_vec_clear(S, OUTPUTS);
+    flint_cleanup();
+}
+
+/* ---- roots ---- */
+
+/* (41) with Omega = 1: (lambda + 1)^2 (lambda^2 + 3/2 lambda + 9/2), by hand; and four simple ones, two of them real: C1 = 8, C2 = 1. */
+enum { DOUBLE, SIMPLE };
+static const double coefficients[][3] = {{1, 10.5, 3.5}, {1, 8, 1}};
+
+/* E of four answers, parts by turns, to the roots of a quartic, of which each ball has that radius. */
+static struct error_bounds error_of_roots(int quartic, const double *y, double radius, double S)
+{
+    const struct section *s = section_find(sheet(), "eq41roots");
+    struct operation o;
+    struct input *inputs = inputs_new(3);
+    VECTOR(arb, exact, 8);
+    VECTOR(arb, sizes, 8);
+    VECTOR(arb, answers, 8);
+    int output;
+    operation_init(&o, s, false);
+    ck_assert(inputs_of_values(s, coefficients[quartic], inputs));
+    operation_enclose(&o, inputs, PREC, exact);
+    for (int i = 0; i < 8; i++) {
+        arb_set_d(answers + i, y[i]);
+        arb_set_d(sizes + i, S);
+        if (radius > 0) {
+            arb_set_d(exact + i, arf_get_d(arb_midref(exact + i), ARF_RND_NEAR));
+            mag_set_d(arb_radref(exact + i), radius);
+        }
+    }
+    const struct error_bounds E = worst_error(s, inputs, answers, exact, sizes, BINARY64, &output);
+    operation_clear(&o);
+    inputs_free(inputs, 3);
+    flint_cleanup();
+    return E;
+}
+
+static void nearest_roots(int quartic, double *y)
+{
+    const double at = sqrt(63) / 4; /* of (9/2 - 9/16)^(1/2) */
+    const double twice[] = {-1, 0, -1, 0, -0.75, -at, -0.75, at};
+    double in[3];
+    memcpy(in, coefficients[quartic], sizeof in);
+    if (quartic == SIMPLE)
+        reference_find("eq41roots")(in, y);
+    else
+        memcpy(y, twice, sizeof twice);
+}
+
+/* One answer moved by a known way d: E = d / (u (|z| + S)), whichever place the others take. */
+EACH(E5_the_distance_of_a_simple_root_is_that_in_the_plane, 24)
+{
+    static const double moves[][2] = {{0x1p-20, 0}, {0, 0x1p-20}, {0x1.8p-20, -0x1p-19}};
+    static const int orders[][4] = {{0, 1, 2, 3}, {3, 2, 1, 0}};
+    const double *move = moves[_i % 3];
+    const int which = _i / 3 % 4, *order = orders[_i / 12];
+    double y[8], z[8];
+    nearest_roots(SIMPLE, z);
+    const double *root = z + 2 * which, due = hypot(move[0], move[1]) * 0x1p53 / (hypot(root[0], root[1]) + 0.25);
+    for (int k = 0; k < 4; k++) {
+        const int from = order[k];
+        y[2 * k] = z[2 * from] + (from == which ? move[0] : 0);
+        y[2 * k + 1] = z[2 * from + 1] + (from == which ? move[1] : 0);
+    }
+    struct error_bounds E = error_of_roots(SIMPLE, y, 0, 0.25);
+    ck_assert_msg(fabs(E.upper / due - 1) < 1e-6 && fabs(E.lower / due - 1) < 1e-6, "%.17g to %.17g, expected %.17g", E.lower, E.upper, due);
+}
+
+/* The same of balls: E at their corners, where a moved answer lies inwards or outwards of its root by a quarter of its modulus. */
+EACH(E1_and_E2_a_root_is_a_ball, 8)
+{
+    const double radius = 0x1p-6, S = 0.25, by = _i < 4 ? 1.25 : 0.75;
+    double y[8], z[8];
+    nearest_roots(SIMPLE, z);
+    memcpy(y, z, sizeof y);
+    double *answer = y + 2 * (_i % 4), *root = z + 2 * (_i % 4);
+    answer[0] *= by;
+    answer[1] *= by;
+    const struct error_bounds E = error_of_roots(SIMPLE, y, radius, S);
+    for (int corner = 0; corner < 4; corner++) {
+        const double re = root[0] + (corner & 1 ? radius : -radius), im = root[1] + (corner & 2 ? radius : -radius);
+        const double due = hypot(answer[0] - re, answer[1] - im) / (hypot(re, im) + S) * 0x1p53;
+        ck_assert_msg(E.lower <= due && due <= E.upper && E.upper < 2 * E.lower, "%.17g to %.17g, corner %.17g", E.lower, E.upper, due);
+    }
+}
+
+/*
+ * A double root may come out as two roots d apart on either side, of which p is about d^2 as large as its terms: 54/(27 + what the
+ * inputs do) is between 1 and 2 here. No other root may stand for it, and none of it for another.
+ */
+EACH(E5_a_double_root_is_judged_by_its_residual, 7)
+{
+    static const struct {
+        double y[8]; /* the last two: 0 for the root itself */
+        double lower, upper;
+    } answers[] = {
+        {{-1, 0, -1, 0}, 0, 1},
+        {{-1 - 0x1p-26, 0, -1 + 0x1p-26, 0}, 0.02, 2},
+        {{-1, 0x1p-26, -1, -0x1p-26}, 0.02, 2},
+        {{-1 - 0x1p-20, 0, -1 + 0x1p-20, 0}, 0.02 * 0x1p12, 2 * 0x1p12},
+        {{-0.75, 1, -1, 0}, 1e12, INFINITY},
+        {{-0.75, 1.9843134832984430, -1, 0}, INFINITY, INFINITY}, /* the simple root in its place */
+        {{7, 0, -1, 0}, INFINITY, INFINITY},                     /* as far from one as from the other */
+    };
+    double y[8];
+    nearest_roots(DOUBLE, y);
+    memcpy(y, answers[_i].y, 4 * sizeof *y);
+    const struct error_bounds E = error_of_roots(DOUBLE, y, 0, 0);
+    ck_assert_msg(E.lower >= answers[_i].lower && E.upper >= E.lower && E.upper <= answers[_i].upper, "%g to %g", E.lower, E.upper);
+    y[4] = y[0] = -1; /* the double root in a simple one's place */
+    y[5] = y[1] = 0;
+    ck_assert(error_of_roots(DOUBLE, y, 0, 0).lower > 1e12);
+}
+
+/* ---- sensitivities ---- */
+
+/* S by differences: every input in turn x (1 + h) and x (1 - h). The remainder is h^2 as large. */
+static void difference_S(struct operation *o, struct input *inputs, arb_ptr S)
+{
+    enum { BITS = 800, STEP = 100 };
+    const int outputs = o->section->output_count;
+    const bool roots = o->section->method == METHOD_ROOTS;
+    VECTOR(arb, low, MOST_OUTPUTS);
+    VECTOR(arb, high, MOST_OUTPUTS);
+    SCOPE(fmpq, h, kept);
+    fmpq_one(h);
+    fmpq_div_2exp(h, h, STEP);
+    _arb_vec_zero(S, outputs);
+    for (int i = 0; i < o->section->input_count; i++) {
+        fmpq_set(kept, &inputs[i].value);
+        fmpq_addmul(&inputs[i].value, kept, h);
+        operation_enclose(o, inputs, BITS, high);
+        fmpq_set(&inputs[i].value, kept);
+        fmpq_submul(&inputs[i].value, kept, h);
+        operation_enclose(o, inputs, BITS, low);
+        fmpq_set(&inputs[i].value, kept);
+        _arb_vec_sub(high, high, low, outputs, BITS);
+        for (int k = 0; k < outputs; k++) {
+            if (roots)
+                arb_hypot(low + k, high + k, high + (k ^ 1), BITS);
+            else
+                arb_abs(low + k, high + k);
+            arb_mul_2exp_si(low + k, low + k, STEP - 1);
+            arb_add(S + k, S + k, low + k, BITS);
+        }
+    }
+}
+
+/* By few bits and by many, S holds what the differences make of it, and the outputs hold their values of many bits. */
+EACH(E7_enclosures_of_few_bits_hold_outputs_and_S, sheet()->section_count)
+{
+    enum { VECTORS = 6, MANY = 600 };
+    static const slong few[] = {20, 30, 53};
+    const struct section *s = &sheet()->sections[_i];
+    if (!operation_has_sensitivity(s))
+        return;
+    struct operation o;
+    double values[MOST_INPUTS];
+    struct input *inputs = inputs_new(s->input_count);
+    VECTOR(arb, truth, MOST_OUTPUTS);
+    VECTOR(arb, true_S, MOST_OUTPUTS);
+    VECTOR(arb, y, MOST_OUTPUTS);
+    VECTOR(arb, S, MOST_OUTPUTS);
+    SCOPE(fmpq, rational);
+    operation_init(&o, s, false);
+    for (uint64_t k = 0; k < VECTORS; k++) {
+        sample(&o, 5, k, values, inputs);
+        operation_enclose(&o, inputs, MANY, truth);
+        difference_S(&o, inputs, true_S);
+        for (int f = 0; f < COUNT(few); f++) {
+            operation_enclose(&o, inputs, few[f], y);
+            operation_sensitivity(&o, inputs, few[f], S);
+            for (int i = 0; i < s->output_count; i++) {
+                ck_assert_msg(arb_contains(y + i, truth + i), "%s: %ld bits of output %d", s->id, few[f], i);
+                ck_assert_msg(arb_contains_arf(S + i, arb_midref(true_S + i)), "%s: %ld bits of S %d", s->id, few[f], i);
+                if (s->method != METHOD_ROOTS && k == 0 && f == 0) {
+                    operation_sensitivity_exact(&o, inputs, few[f], i, S + i, rational);
+                    ck_assert_msg(arb_contains_arf(S + i, arb_midref(true_S + i)), "%s: S %d by exact derivatives", s->id, i);
+                }
+            }
+        }
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
     flint_cleanup();
 }
