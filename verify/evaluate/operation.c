@@ -220,12 +220,6 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
     return status == FLOW_DONE ? OPERATION_PROVED : OPERATION_UNDECIDED;
 }
 
-/* Radians of orbit that a motion covers: what its loss of digits grows with. */
-static double flow_radians(const struct operation *o, const struct input *inputs)
-{
-    return fabs(fmpq_get_d(input_named(o, inputs, "Omega")) * fmpq_get_d(input_named(o, inputs, "t")));
-}
-
 static slong formula_precision(slong digits)
 {
     return (slong)((double)digits * 3.33) + FORMULA_GUARD_BITS; /* 3.33 > log2(10) */
@@ -233,17 +227,12 @@ static slong formula_precision(slong digits)
 
 slong operation_precision(const struct operation *o, const struct input *inputs, slong digits)
 {
-    switch (o->section->method) {
-    case METHOD_FLOW_LINEAR:
-    case METHOD_FLOW_NONLINEAR:
-        return flow_precision(digits, flow_radians(o, inputs));
-    case METHOD_RK4_LINEAR:
-    case METHOD_RK4_NONLINEAR:
-        return rk4_precision(digits, rk4_radians(input_named(o, inputs, "Omega"), input_named(o, inputs, "t"),
-                                                 input_named(o, inputs, "h")));
-    default:
+    if (o->section->method == METHOD_FORMULA || o->section->method == METHOD_ROOTS)
         return formula_precision(digits);
-    }
+    const fmpq *Omega = input_named(o, inputs, "Omega"), *t = input_named(o, inputs, "t");
+    if (o->section->method >= METHOD_RK4_LINEAR)
+        return rk4_precision(digits, rk4_radians(Omega, t, input_named(o, inputs, "h")));
+    return flow_precision(digits, fabs(fmpq_get_d(Omega) * fmpq_get_d(t))); /* radians of orbit: what loss of digits grows with */
 }
 
 /* ran: the formulas of these inputs are in the machine already, to prec bits. */
@@ -278,55 +267,53 @@ enum operation_status operation_enclose(struct operation *o, const struct input 
 
 /* ---- digits ---- */
 
-static void decide_rational_roots(const struct input *inputs, slong digits, char **texts)
-{
-    SCOPE(fmpq, value);
-    for (int i = 0; i < 8; i++)
-        if (texts[i] == NULL &&
-            roots41_rational(value, i / 2, i % 2, &inputs[0].value, &inputs[1].value, &inputs[2].value))
-            texts[i] = decimal_of_rational(value, digits);
-}
-
-/* Rational outputs, zeros and ties among them, may have no enclosure that ever decides them. */
-static void decide_exactly(const struct operation *o, const struct input *inputs, slong digits, char **texts)
-{
-    if (o->section->method == METHOD_ROOTS)
-        decide_rational_roots(inputs, digits, texts);
-    if (o->section->method != METHOD_FORMULA)
-        return;
-    struct machine values;
-    SCOPE(fmpq, value);
-    operation_exact(&values, o, inputs);
-    for (int i = 0; i < o->section->output_count; i++)
-        if (texts[i] == NULL && exact_is_rational(value, machine_value(&values, o->formulas->outputs[i])))
-            texts[i] = decimal_of_rational(value, digits);
-    machine_clear(&values);
-}
-
-static int unset(char *const *texts, int count)
+/* Texts of what the enclosures decide; how many are left. */
+static int decide(arb_srcptr balls, slong digits, char **texts, int count)
 {
     int left = 0;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
+        if (texts[i] == NULL)
+            texts[i] = decimal_of_ball(balls + i, digits);
         left += texts[i] == NULL;
+    }
     return left;
 }
 
-/* A number other than zero of which no decimal is written: its exponent alone would have fifteen digits and more. */
-static bool is_beyond_decimals(struct operation *o, arb_srcptr balls, int i)
+/* Rational outputs, zeros and ties among them, may have no enclosure that ever decides them. How many are left. */
+static int decide_exactly(const struct operation *o, const struct input *inputs, slong digits, char **texts)
+{
+    const bool formulas = o->section->method == METHOD_FORMULA, roots = o->section->method == METHOD_ROOTS;
+    struct machine values;
+    SCOPE(fmpq, value);
+    int left = 0;
+    if (formulas)
+        operation_exact(&values, o, inputs);
+    for (int i = 0; i < o->section->output_count; i++) {
+        if (texts[i] == NULL &&
+            ((formulas && exact_is_rational(value, machine_value(&values, o->formulas->outputs[i]))) ||
+             (roots && roots41_rational(value, i / 2, i % 2, &inputs[0].value, &inputs[1].value, &inputs[2].value))))
+            texts[i] = decimal_of_rational(value, digits);
+        left += texts[i] == NULL;
+    }
+    if (formulas)
+        machine_clear(&values);
+    return left;
+}
+
+/* Whether one that is left is not zero, and has no decimal: its exponent alone would have fifteen digits and more. */
+static bool is_beyond_decimals(struct operation *o, arb_srcptr balls, char *const *texts)
 {
     enum { EXPONENT_BITS = 50 }; /* as decimal_of_ball has it */
-    SCOPE(arf, bound);
-    bool tiny, huge;
-    if (arb_contains_zero(balls + i) || !arb_is_finite(balls + i))
-        return false;
-    arb_get_abs_ubound_arf(bound, balls + i, 64);
-    tiny = fmpz_bits(ARF_EXPREF(bound)) >= EXPONENT_BITS && fmpz_sgn(ARF_EXPREF(bound)) < 0;
-    arb_get_abs_lbound_arf(bound, balls + i, 64);
-    huge = fmpz_bits(ARF_EXPREF(bound)) >= EXPONENT_BITS && fmpz_sgn(ARF_EXPREF(bound)) > 0;
-    if (tiny || huge)
-        message_set(&o->why, "%s: not zero, but %s 2^%s(2^49), of which no decimal is written", o->section->outputs[i]->name,
-                    tiny ? "below" : "above", tiny ? "-" : "");
-    return tiny || huge;
+    bool beyond = false;
+    for (int i = 0; i < o->section->output_count && !beyond; i++) {
+        const fmpz *exponent = ARF_EXPREF(arb_midref(balls + i));
+        if (texts[i] != NULL || arb_rel_accuracy_bits(balls + i) < 2 || fmpz_bits(exponent) <= EXPONENT_BITS)
+            continue;
+        message_set(&o->why, "%s: not zero, but %s, of which no decimal is written", o->section->outputs[i]->name,
+                    fmpz_sgn(exponent) < 0 ? "below 2^-(2^49)" : "above 2^(2^49)");
+        beyond = true;
+    }
+    return beyond;
 }
 
 enum operation_status operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs)
@@ -334,30 +321,24 @@ enum operation_status operation_digits(struct operation *o, const struct input *
     const int count = o->section->output_count;
     char *texts[MOST_OUTPUTS] = {NULL};
     const bool formulas = o->section->method == METHOD_FORMULA;
-    slong prec = formulas ? formula_precision(digits) : 2 * GUARD_BITS;
-    if (!valid_by(o, inputs, prec, true))
+    if (!valid_by(o, inputs, formulas ? formula_precision(digits) : 2 * GUARD_BITS, true))
         return OPERATION_INVALID;
-    const bool ran = formulas && o->formulas->count > 0;
+    bool ran = formulas && o->formulas->count > 0;
     VECTOR(arb, balls, count);
-    prec = operation_precision(o, inputs, digits);
-    const slong most = 8 * prec + MOST_WORKING_BITS / 8;
-    int left = count;
-    enum operation_status status = OPERATION_PROVED;
-    for (bool first = true; left > 0 && status == OPERATION_PROVED; first = false, prec *= 2) {
-        status = prec > most ? OPERATION_UNDECIDED : enclose_outputs(o, inputs, digits, prec, ran && first, balls);
-        if (prec > most)
+    const slong first = operation_precision(o, inputs, digits), most = 8 * first + MOST_WORKING_BITS / 8;
+    enum operation_status status;
+    for (slong prec = first;; prec *= 2, ran = false) {
+        status = enclose_outputs(o, inputs, digits, prec, ran, balls);
+        if (status != OPERATION_PROVED || decide(balls, digits, texts, count) == 0)
+            break;
+        const bool beyond = is_beyond_decimals(o, balls, texts), last = 2 * prec > most;
+        if (!beyond && prec == first && decide_exactly(o, inputs, digits, texts) == 0)
+            break;
+        status = OPERATION_UNDECIDED;
+        if (!beyond && last)
             message_set(&o->why, "%s: %ld bits do not decide every digit", o->section->id, (long)most);
-        for (int i = 0; i < count && status == OPERATION_PROVED; i++)
-            if (texts[i] == NULL)
-                texts[i] = decimal_of_ball(balls + i, digits);
-        for (int i = 0; i < count && status == OPERATION_PROVED; i++)
-            if (texts[i] == NULL && is_beyond_decimals(o, balls, i))
-                status = OPERATION_UNDECIDED;
-        left = unset(texts, count);
-        if (left > 0 && status == OPERATION_PROVED && first) {
-            decide_exactly(o, inputs, digits, texts);
-            left = unset(texts, count);
-        }
+        if (beyond || last)
+            break;
     }
     for (int i = 0; i < count; i++) {
         if (status == OPERATION_PROVED)
