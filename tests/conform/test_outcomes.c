@@ -948,12 +948,12 @@ TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
     }
 }
 
-TEST(right_but_for_the_digits_written_is_called_that)
+TEST(what_is_written_with_few_digits_has_lost_the_others)
 {
     const struct section *s = section_find(sheet(), "eq12");
     struct test_run *e = run_of(s, 0, BINARY64);
     answer_in_digits(e, &s->corrected, 6);
-    ck_assert_str_eq(e->summaries[0].diagnosis, "written with only 6 digits");
+    ck_assert_str_eq(e->summaries[0].diagnosis, "right in 5 digits, the others are lost");
     close_run(e);
 }
 

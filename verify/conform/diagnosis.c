@@ -136,13 +136,19 @@ static bool explains(struct mutant *x, const struct test_run *e, const struct re
     return right;
 }
 
+/* Failures of these outcomes. */
+static uint64_t failures(const struct summary *t, enum outcome first, enum outcome last)
+{
+    uint64_t count = 0;
+    for (enum outcome i = first; i <= last; i++)
+        count += t->counts[i];
+    return count;
+}
+
 /* No more is wrong than that values stand where `invalid` is due. */
 static bool is_domain_alone(const struct summary *t)
 {
-    for (int i = OUTCOME_WRONG; i < OUTCOME_VALUE; i++)
-        if (t->counts[i] > 0)
-            return false;
-    return t->counts[OUTCOME_VALUE] > 0;
+    return failures(t, OUTCOME_WRONG, OUTCOME_INVALID) == 0 && t->counts[OUTCOME_VALUE] > 0;
 }
 
 /*
@@ -172,21 +178,6 @@ static bool explains_all(struct mutant *x, const struct test_run *e, const struc
     return all && explained > 1;
 }
 
-/* The fewest decimal digits (at most 15) that all numbers are written with; 17 for more. */
-static int digits_written(const struct summary *t, int outputs)
-{
-    int digits = 1;
-    for (int i = 0; i < t->kept_count; i++)
-        for (int k = 0; k < outputs && t->kept[i].has_values && digits <= 15; k++) {
-            char text[40];
-            const double value = t->kept[i].values[k];
-            while (digits <= 15 && isfinite(value) &&
-                   (snprintf(text, sizeof text, "%.*e", digits - 1, value), strtod(text, NULL) != value))
-                digits++;
-        }
-    return digits <= 15 ? digits : 17;
-}
-
 static bool are_singles(const struct summary *t, int outputs)
 {
     bool singles = true;
@@ -198,35 +189,24 @@ static bool are_singles(const struct summary *t, int outputs)
     return singles;
 }
 
-/* Right in so many digits no formula is by chance. */
-static const double LOST = 1e-9;
+/* So far off is what is right but for its digits, where it is like nothing else. */
+static const double LOST = 1e-4;
 
 /* Right but for the number format: how it is computed, or how it is written. */
-static const char *format_mistake(const struct test_run *e, int set, char text[48])
+static void format_mistake(const struct test_run *e, int set, char *text, size_t size)
 {
     const struct summary *t = &e->summaries[set];
-    const int outputs = e->comparators[set].operation->section->output_count;
-    const int digits = digits_written(t, outputs);
+    const struct comparator *j = &e->comparators[set];
     double worst = 0.0;
-    for (int i = 0; i < t->kept_failures; i++) {
-        if (t->kept[i].outcome == OUTCOME_VALUE)
-            continue;
-        if (t->kept[i].outcome != OUTCOME_WRONG)
-            return NULL;
-        worst = fmax(worst, t->kept[i].score.E);
-    }
-    if (worst == 0.0 || is_motion(e->comparators[set].operation->section) || e->significand != BINARY64)
-        return NULL;
-    worst = ldexp(worst, -BINARY64); /* relative to |y*| + S */
-    if (are_singles(t, outputs) && worst <= ldexp(e->comparators[set].K, -BINARY32))
-        return "computed in single precision";
-    snprintf(text, 48, "written with only %d digits", digits);
-    if (digits < 17 && worst <= 10.0 * pow(10.0, -digits))
-        return text;
-    if (!(worst < LOST))
-        return NULL;
-    snprintf(text, 48, "right in %d digits, the others are lost", (int)-log10(worst));
-    return text;
+    for (int i = 0; i < t->kept_failures; i++)
+        if (t->kept[i].outcome != OUTCOME_VALUE)
+            worst = fmax(worst, t->kept[i].outcome == OUTCOME_WRONG ? ldexp(t->kept[i].score.E, -BINARY64) : INFINITY); /* of |y*| + S */
+    if (worst == 0.0 || !(worst < LOST) || is_motion(j->operation->section) || e->significand != BINARY64)
+        return;
+    if (are_singles(t, j->operation->section->output_count) && worst <= ldexp(j->K, -BINARY32))
+        snprintf(text, size, "computed in single precision");
+    else
+        snprintf(text, size, "right in %d digits, the others are lost", (int)-log10(worst));
 }
 
 static void add_diagnosis(struct summary *t, const char *kind, const char *name, const char *joint)
@@ -275,15 +255,15 @@ static void diagnose_kind(struct test_run *e, int set, clock_t until)
 {
     struct summary *t = &e->summaries[set];
     struct evidence *v = xrealloc(NULL, 1, sizeof *v);
-    char text[300], written[48];
+    char text[300];
     gather(v, e, set, until);
     if (is_motion(v->section))
         kind_of_motion(v, text, sizeof text);
     else
         kind_of_formula(v, text, sizeof text);
-    const char *format = *text == '\0' ? format_mistake(e, set, written) : text;
-    if (format != NULL)
-        add_diagnosis(t, "", format, "");
+    if (*text == '\0')
+        format_mistake(e, set, text, sizeof text);
+    add_diagnosis(t, "", text, "");
     free(v);
 }
 
@@ -297,15 +277,6 @@ static bool is_nan_for_invalid(const struct summary *t, int outputs)
     return nan;
 }
 
-/* Failures that a mistake of a formula may explain. */
-static int explainable(const struct summary *t)
-{
-    int count = 0;
-    for (int i = 0; i < t->kept_failures; i++)
-        count += t->kept[i].outcome >= OUTCOME_WRONG && t->kept[i].outcome <= OUTCOME_VALUE;
-    return count;
-}
-
 void diagnose(struct test_run *e, int set)
 {
     struct summary *t = &e->summaries[set];
@@ -314,7 +285,7 @@ void diagnose(struct test_run *e, int set)
     struct mutants list = mutants_of(s);
     const clock_t start = clock(), until = start + (clock_t)(PATIENCE_FOR_KNOWN * CLOCKS_PER_SEC);
     const bool nan = is_nan_for_invalid(t, s->output_count);
-    const bool several = explainable(t) > 1; /* one vector alone tells nothing */
+    const bool several = failures(t, OUTCOME_WRONG, OUTCOME_VALUE) > 1; /* one vector alone tells nothing */
     for (int i = 0; i < list.count && several; i++) {
         struct mutant *x = &list.all[i];
         x->o.until = until;
