@@ -9,17 +9,8 @@
 #include "evaluate/reference.h"
 #include "text/decimal.h"
 #include "text/json.h"
-#include "text/scope.h"
 
 enum { SEED = 1, PASS = 8 }; /* E beyond 8 is no rounding of a formula of the sheet: see the oracle's rule */
-
-/* The largest E, rounded up to two digits: the same text wherever libm rounds a little differently. */
-static void error_bound_text(char text[32], double E)
-{
-    SCOPE(mag, bound);
-    mag_set_d(bound, E);
-    decimal_bound(text, bound);
-}
 
 bool print_errors(const struct sheet *sheet, long inputs, enum format format)
 {
@@ -43,7 +34,7 @@ bool print_errors(const struct sheet *sheet, long inputs, enum format format)
             continue;
         }
         measure_errors(&m, s, inputs, SEED);
-        error_bound_text(text, m.worst);
+        decimal_bound(text, m.worst); /* the same wherever libm rounds a little differently */
         fine = fine && m.worst <= PASS && m.outside == 0;
         if (format == FORMAT_JSON) {
             json_open(&j, NULL, '{');

@@ -9,7 +9,6 @@
 #include "conform/hints.h"
 #include "text/decimal.h"
 #include "text/json.h"
-#include "text/scope.h"
 #include "text/whole_file.h"
 
 enum { SHOWN_DIGITS = 20, LONGEST_NUMBER = 40, FURTHEST = 1000000 /* exponent: beyond it the mark stands at an end anyway */ };
@@ -64,12 +63,8 @@ static const char *vector_name(const struct test_run *e, uint64_t position)
 /* E, rounded up to two digits; until the next one is asked for. */
 static const char *error_text(double E)
 {
-    static char text[LONGEST_NUMBER];
-    SCOPE(mag, bound);
-    if (isinf(E) || E == 0.0)
-        return E == 0.0 ? "0" : "inf";
-    mag_set_d(bound, E);
-    decimal_bound(text, bound);
+    static char text[32];
+    decimal_bound(text, E);
     return text;
 }
 

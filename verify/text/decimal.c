@@ -324,19 +324,15 @@ void decimal_shortest(char text[32], double x)
     *text = '\0';
 }
 
-void decimal_bound(char text[32], const mag_t x)
+void decimal_bound(char text[32], double x)
 {
-    const slong least = -1000000, most = 1000000; /* powers of two: what is beyond is bounded by them */
-    if (mag_is_zero(x) || mag_cmp_2exp_si(x, most) > 0) {
-        snprintf(text, 32, "%s", mag_is_zero(x) ? "0" : "inf");
+    SCOPE(fmpq, exact);
+    SCOPE(arf, value);
+    arf_set_d(value, x);
+    if (!arf_is_normal(value)) {
+        snprintf(text, 32, "%s", arf_is_zero(value) ? "0" : "inf");
         return;
     }
-    SCOPE(mag, bound);
-    SCOPE(arf, value);
-    SCOPE(fmpq, exact);
-    mag_set_ui_2exp_si(bound, 1, least);
-    mag_max(bound, bound, x);
-    arf_set_mag(value, bound);
     arf_get_fmpq(exact, value);
     char *digits = rounded_text(round_up, exact, 2);
     snprintf(text, 32, "%s", digits);

@@ -39,7 +39,7 @@ char *decimal_of_end(const arb_t x, slong digits, bool upper);
 /* The shortest decimal that reads back as the same binary64: 100, 0.01, 7.2915e-05, -1.5e+20. */
 void decimal_shortest(char text[32], double x);
 
-/* A bound on |x|, rounded outward (up) to two significant digits: 1.3e-12. */
-void decimal_bound(char text[32], const mag_t x);
+/* Of what is not below zero a bound, two significant digits rounded up: 1.3e-12. */
+void decimal_bound(char text[32], double x);
 
 #endif
