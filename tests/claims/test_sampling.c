@@ -3,8 +3,10 @@
  * exponential of the model with its charge held, and the zeros of the characteristic function counted by how often its
  * values turn around 0. Motions are followed by the classical Runge-Kutta method in double, by (3) and the law as they are said.
  */
-#include "claims/pitch.h"
 #include "claims/sampling.h"
+#include "claims/second_order.h"
+#include "claims/trajectory.h"
+#include "motion/motion.h"
 #include "tests/paper.h"
 #include "tests/run.h"
 #include "text/scope.h"
@@ -204,36 +206,48 @@ TEST(a_held_law_moves_the_pair_as_the_reference_says)
 
 TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
 {
-    enum { TIMES = 2 };
-    struct pitch_law law;
-    VECTOR(fmpq, times, TIMES);
-    VECTOR(arb, states, 6 * TIMES);
-    SCOPE(arb, c1, c2, swing, a, ratio, tau);
-    SCOPE(arb, amplitude, eta, charge);
+    struct second_order o;
+    struct moved_loop loop;
+    struct trajectory t;
+    struct flow_parameters p;
+    VECTOR(arb, start, COORDINATES);
+    SCOPE(arb, c1, c2, swing, a, ratio, tau, shift, sigma);
+    SCOPE(acb, S);
+    double s[6];
     arb_set_ui(c1, 10);
     arb_set_ui(c2, 2);
     arb_set_d(swing, 0.01);
     arb_set_d(a, 0.02);
-    pitch_law_init(&law, steps(), c1, c2, swing, a, BITS);
-    fmpq_set_si(times, 1, 1000);
-    fmpq_set_si(times + 1, 10, 1);
-    ck_assert_int_eq(pitch_law_follow(states, &law, times, TIMES, 12), FLOW_DONE);
-    /* from z = a the length swings in quadrature, by a hundredth: dL = 0, dL' = -4/100 */
-    pitch_law_numbers(amplitude, eta, charge, &law, states, BITS);
-    ck_assert_double_eq_tol(middle(eta), -0.04 * 0.001, 1e-7);
-    ck_assert_double_eq_tol(middle(amplitude), 0.02, 0.02 * 0.01);
-    const struct held_or_moved l = {10, 2, middle(law.S_re), middle(law.S_im), false, 0};
-    double s[6];
+    quadrature_reference(S, c1, c2, swing, a, BITS);
+    second_order_init(&o, steps(), c1, c2, S, BITS);
+    moved_loop_init(&loop, c1, S, BITS);
+    second_order_after(start, &o, a, tau);
+    const struct simulation moved = {.steps = steps(), .nonlinear = true, .digits = 12, .start = start, .by = &loop.steps};
+    ck_assert(trajectory_run(&t, &moved, 0, 137143, 137143)); /* 10 radians */
+    /* at z = a the length swings in quadrature, by a hundredth: dL = 0, dL' = -4/100 */
+    ck_assert_double_eq_tol(middle(start + ETA), 0, 1e-12);
+    ck_assert_double_eq_tol(middle(start + ETA_DOT), -0.04, 1e-5);
+    unit_parameters(&p, c1, c2);
+    arb_mul_2exp_si(start + ETA, start + ETA, 1); /* L_ref = 2 */
+    arb_mul_2exp_si(start + ETA_DOT, start + ETA_DOT, 1);
+    state_from_angles(start, sheet(), &p, BITS);
     for (int i = 0; i < 6; i++)
-        s[i] = middle(states + i);
-    ck_assert_double_eq_tol(middle(charge), command(&l, s) - 1, 1e-12);
-    follow_in_double(&l, s, 9.999, 5000);
-    for (int i = 0; i < 6; i++) /* a step errs by 0.002^5 */
-        ck_assert_double_eq_tol(s[i], middle(states + 6 + i), 1e-9);
-    pitch_law_ratio(ratio, &law, tau, BITS);
+        s[i] = middle(start + i);
+    const struct held_or_moved l = {10, 2, middle(acb_realref(S)), middle(acb_imagref(S)), false, 0};
+    trajectory_value(ratio, &t, 0, PRODUCT);
+    moved_reference(sigma, S, trajectory_sample(&t, 0), BITS);
+    ck_assert_double_eq_tol(middle(ratio) - 10 * middle(sigma) / 3, command(&l, s) - 1, 1e-12);
+    follow_in_double(&l, s, 137143 * 7.2915e-5, 5000);
+    for (int i = 0; i < 3; i++) /* a step errs by 0.002^5 */
+        ck_assert_double_eq_tol(s[i], middle(trajectory_sample(&t, 1) + PLACE_X + i), 1e-9);
+    slow_law(ratio, shift, &o, a, tau);
     ck_assert(arb_is_one(ratio));
     arb_set_ui(tau, 10); /* a' = -18/13 (swing/a^2) a^3 */
-    pitch_law_ratio(ratio, &law, tau, BITS);
+    slow_law(ratio, shift, &o, a, tau);
     ck_assert_double_eq_tol(middle(ratio), 1 / sqrt(1 + 2 * 18.0 / 13 * 0.01 * 10), 1e-12);
-    pitch_law_clear(&law);
+    ck_assert(!t.bounded);
+    trajectory_clear(&t);
+    moved_loop_clear(&loop);
+    second_order_clear(&o);
+    flow_parameters_clear(&p);
 }

@@ -16,7 +16,7 @@ enum { PREC = 128 };
 /* One sample at rest in its place; gains c1 Omega^2 and c2 Omega, samples `step` seconds apart, 2^-14 rad/s */
 static void trajectory_of(struct trajectory *t, bool nonlinear, slong count, long step, double c1, double c2)
 {
-    *t = (struct trajectory){.steps = steps(), .nonlinear = nonlinear, .prec = PREC, .count = count, .step = step};
+    *t = (struct trajectory){.steps = steps(), .nonlinear = nonlinear, .bounded = true, .prec = PREC, .count = count, .step = step};
     arb_ptr values[] = {t->c1, t->c2, t->Omega, t->L_ref, t->arm};
     const double given[] = {c1, c2, 0x1p-14, 10, 5};
     for (int i = 0; i < 5; i++) {

@@ -1,11 +1,11 @@
 /*
  * The law held between samples or acting late, a reference length that moves with pitch, and what the energy guarantees. Units:
- * sampling.h, pitch.h, guarantee.h.
+ * sampling.h, second_order.h, guarantee.h.
  */
 #include "claims/claim.h"
 #include "claims/guarantee.h"
-#include "claims/pitch.h"
 #include "claims/sampling.h"
+#include "claims/second_order.h"
 #include "claims/trajectory.h"
 #include "motion/motion.h"
 #include "text/decimal.h"
@@ -74,36 +74,47 @@ static void held_motion(struct computed *c)
     }
 }
 
-/* From 0.01 rad with a swing of 1/100 at the start, for 20 days: every hour; and the averaged law's amplitude in the end. */
+/* From the paper's pitch with a swing of 1/100 at the start, for 20 days: every hour; and the averaged law's amplitude in the end. */
 static void damped(struct computed *c)
 {
     enum { HOURS = 480, DIGITS = 12 };
-    struct pitch_law l;
-    VECTOR(arb, states, FLOW_STATE * HOURS);
-    VECTOR(fmpq, times, HOURS);
-    SCOPE(arb, c1, c2, a, amplitude, law, gap, tau);
-    SCOPE(arb, charge, swing, eta, product);
-    literal_read(times, quantity_find(sheet_of(c), "Omega")->value, true);
-    for (slong k = HOURS - 1; k >= 0; k--)
-        fmpq_mul_si(times + k, times, 3600 * (k + 1));
+    static const char *const C2[SAMPLED_GAINS] = {NULL, NULL, "2.9166e-4"}; /* 4 Omega */
+    VECTOR(arb, start, COORDINATES);
+    SCOPE(arb, c1, c2, a, amplitude, law, gap, tau, charge);
+    SCOPE(arb, swing, shift, product, sigma);
+    SCOPE(acb, S);
     sheet_value(a, sheet_of(c), "theta", SAMPLING_BITS);
     arb_set_ui(swing, 1);
     arb_div_ui(swing, swing, 100, SAMPLING_BITS);
     for (int k = 0; k < SAMPLED_GAINS; k += 2) {
+        struct second_order o;
+        struct moved_loop loop;
+        struct trajectory t;
         set_gains(c1, c2, k);
-        pitch_law_init(&l, steps_of(c), c1, c2, swing, a, SAMPLING_BITS);
-        const bool proved = pitch_law_follow(states, &l, times, HOURS, DIGITS) == FLOW_DONE;
+        quadrature_reference(S, c1, c2, swing, a, SAMPLING_BITS);
+        second_order_init(&o, steps_of(c), c1, c2, S, SAMPLING_BITS);
+        moved_loop_init(&loop, c1, S, SAMPLING_BITS);
+        arb_zero(tau);
+        second_order_after(start, &o, a, tau);
+        const struct simulation s = {.steps = steps_of(c), .nonlinear = true, .digits = DIGITS, .start = start, .by = &loop.steps,
+                                     .n = k > 0 ? "12" : "10", .C2 = C2[k]};
+        const bool proved = trajectory_run(&t, &s, HOUR, HOUR, HOURS * HOUR);
         arb_zero(gap);
         arb_zero(charge);
-        for (slong i = 0; i < HOURS; i++) {
-            pitch_law_numbers(amplitude, eta, product, &l, states + FLOW_STATE * i, SAMPLING_BITS);
-            arb_set_fmpq(tau, times + i, SAMPLING_BITS);
-            pitch_law_ratio(law, &l, tau, SAMPLING_BITS);
+        for (slong i = 0; i < t.count; i++) {
+            trajectory_value(amplitude, &t, i, AMPLITUDE);
+            arb_mul_si(tau, t.Omega, (i + 1) * HOUR, SAMPLING_BITS);
+            slow_law(law, shift, &o, a, tau);
             arb_mul(law, law, a, SAMPLING_BITS);
             arb_sub(tau, amplitude, law, SAMPLING_BITS);
             arb_div(tau, tau, law, SAMPLING_BITS);
             arb_abs(tau, tau);
             arb_max(gap, gap, tau, SAMPLING_BITS);
+            trajectory_value(product, &t, i, PRODUCT);
+            moved_reference(sigma, S, trajectory_sample(&t, i), SAMPLING_BITS);
+            arb_mul(sigma, sigma, c1, SAMPLING_BITS);
+            arb_div_ui(sigma, sigma, 3, SAMPLING_BITS);
+            arb_sub(product, product, sigma, SAMPLING_BITS);
             arb_abs(product, product);
             arb_max(charge, charge, product, SAMPLING_BITS);
         }
@@ -111,7 +122,9 @@ static void damped(struct computed *c)
         give(c, CERTIFIED, proved, law, "law_%s", sampled_gains[k].name);
         give(c, CERTIFIED, proved, gap, "gap_%s", sampled_gains[k].name);
         give(c, CERTIFIED, proved, charge, "charge_%s", sampled_gains[k].name);
-        pitch_law_clear(&l);
+        trajectory_clear(&t);
+        moved_loop_clear(&loop);
+        second_order_clear(&o);
     }
 }
 

@@ -43,7 +43,7 @@ static void forced_response(struct computed *c)
         struct second_order o;
         struct trajectory t;
         const bool ready = trajectory_run(&t, &(struct simulation){.steps = steps_of(c), .n = gains[i]}, 0, 1, 0);
-        second_order_init(&o, steps_of(c), t.c1, t.c2, BITS);
+        second_order_init(&o, steps_of(c), t.c1, t.c2, NULL, BITS);
         arb_hypot(size, second_order_get(&o, "A_re"), second_order_get(&o, "A_im"), BITS);
         give(c, CERTIFIED, ready, size, "length_%s", names[i]);
         arb_hypot(size, second_order_get(&o, "B_re"), second_order_get(&o, "B_im"), BITS);

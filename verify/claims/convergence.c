@@ -67,7 +67,7 @@ static bool beside_closed_form(struct trajectory *t, arb_ptr closed, const struc
     struct second_order o;
     SCOPE(arb, amplitude, tau);
     bool proved = trajectory_run(t, &(struct simulation){.steps = steps, .n = study->n}, 0, 1, 0); /* for the gains and Omega */
-    second_order_init(&o, steps, t->c1, t->c2, PREC);
+    second_order_init(&o, steps, t->c1, t->c2, NULL, PREC);
     arb_set_fmpq(amplitude, a, PREC);
     second_order_after(closed, &o, amplitude, tau);
     arb_mul_si(tau, t->Omega, seconds, PREC);

@@ -113,7 +113,7 @@ static int sign_at_end(struct curve *c, const arf_t x)
  * The root between the bounds. At the upper one, or next to it, the formula may vanish twice over: then the root lies beyond where
  * its sign is still certain, 2^-j of the interval before the end, and j grows by halves.
  */
-static void find_root(arb_t x, struct formula_nodes *of)
+static void guarantee_root(arb_t x, struct formula_nodes *of)
 {
     struct machine *m = of->root.machine;
     SCOPE(arf, low, high, near, width);
@@ -170,7 +170,7 @@ bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits
     arb_set(machine_value(&m, GIVEN_Y), y != NULL ? y : n); /* no length is longer than n */
     for (int i = 0; i < GUARANTEES; i++) {
         if (guarantees[i].root != NULL) {
-            find_root(values + i, &nodes[i]);
+            guarantee_root(values + i, &nodes[i]);
             arb_set(machine_value(&m, UNKNOWN_X), values + i);
         }
         for (int k = 0; k < 2 && nodes[i].value[k] >= 0; k++) {

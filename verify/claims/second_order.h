@@ -14,21 +14,31 @@
  *
  *     k = 2592 c2/N     s = -9/2 ((c1 - 9)(13 c1 - 261) + 208 c2^2)/N     N = (13 c1 - 261)^2 + (52 c2)^2
  *
- * The formulas stand once, as the step second_order of paper/derivations.yaml: x1 and y1 hold psi and dL and are even
- * in z, z1 holds theta and is odd, so that what is left of (3) is of the fourth order in the first two, of the fifth in
- * the last. Its program runs in balls for their values.
+ * Pitch is damped by a reference length that moves with it: the law (18) holds the length to L_ref (1 + sigma),
+ *
+ *     sigma = Re(S z^2) = S_re (theta^2 - theta_dot^2/(4 Omega^2)) + S_im theta theta_dot/Omega
+ *
+ * in its first term alone. By the step pitch_law, of which second_order is the case S = 0, all of the above holds with other A
+ * and B, and k = 18/13 Im A: the length in quadrature damps, and nothing else of it.
+ *
+ * The formulas stand once, in paper/derivations.yaml: x1 and y1 hold psi and dL and are even in z, z1 holds theta and is odd,
+ * so that what is left of (3) is of the fourth order in the first two, of the fifth in the last. The program of pitch_law runs
+ * in balls for their values.
  */
 #ifndef CT_SECOND_ORDER_H
 #define CT_SECOND_ORDER_H
 
+#include "motion/flow.h"
+#include "motion/taylor.h"
 #include "proof/derivation.h"
 
 struct second_order {
     struct machine machine; /* of the step, in balls, in radians of orbit and units of L_ref */
 };
 
-/* `d` has the step. */
-void second_order_init(struct second_order *o, const struct derivations *d, const arb_t c1, const arb_t c2, slong prec);
+/* `d` has the step. S NULL: 0, the law (18) as it is. */
+void second_order_init(struct second_order *o, const struct derivations *d, const arb_t c1, const arb_t c2, const acb_t S,
+                       slong prec);
 void second_order_clear(struct second_order *o);
 
 /* By name: B_re B_im A_re A_im T_re T_im, and k and s as decay and shift. */
@@ -42,5 +52,21 @@ void second_order_after(arb_ptr sample, struct second_order *o, const arb_t a, c
 
 /* a(tau)/a(0) and phi(tau) - phi(0): (1 + 2 k a^2 tau)^(-1/2), s/(2 k) log(1 + 2 k a^2 tau) */
 void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_t a, const arb_t tau);
+
+/* The S by which the length swings in quadrature alone, A = i swing/a^2. */
+void quadrature_reference(acb_t S, const arb_t c1, const arb_t c2, const arb_t swing, const arb_t a, slong prec);
+
+/* The nonlinear closed loop with the reference length so. */
+struct moved_loop {
+    struct term terms[JET_MOST];
+    struct system system;
+    arb_ptr constants;
+    struct flow_steps steps;
+};
+void moved_loop_init(struct moved_loop *l, const arb_t c1, const acb_t S, slong prec);
+void moved_loop_clear(struct moved_loop *l);
+
+/* sigma of a sample, sin(theta) in place of theta, as the loop has it. */
+void moved_reference(arb_t sigma, const acb_t S, arb_srcptr sample, slong prec);
 
 #endif

@@ -101,7 +101,7 @@ static int take_sample(void *context, slong k, const fmpq_t time, arb_srcptr sta
     if (t->nonlinear) {
         to_angles(sample, own, t->prec);
         _arb_vec_set(sample + PLACE_X, own, 3);
-        t->turned = t->turned || !arb_is_positive(own + X);
+        t->bounded = t->bounded && arb_is_positive(own + X);
         return 0;
     }
     _arb_vec_set(sample, own, FLOW_STATE);
@@ -199,7 +199,7 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     flow_parameters_init(&p);
     t->steps = s->steps;
     t->nonlinear = s->nonlinear;
-    t->turned = false;
+    t->bounded = s->by == NULL;
     t->first = first;
     t->step = step;
     t->count = (last - first) / step + 1;
@@ -212,7 +212,8 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
         fmpq_set_si(times + k, first + k * step, 1);
     fmpq_set_si(h, s->rk4, 1);
     const enum flow_status status =
-        flow_run(s->nonlinear, s->rk4 ? h : NULL, &p, initial, times, t->count, digits, t->prec, take_sample, t, &reached);
+        s->by != NULL ? flow_nonlinear_by(s->by, &p, initial, times, t->count, digits, t->prec, take_sample, t, &reached)
+                      : flow_run(s->nonlinear, s->rk4 ? h : NULL, &p, initial, times, t->count, digits, t->prec, take_sample, t, &reached);
     flow_parameters_clear(&p);
     return status == FLOW_DONE;
 }
@@ -428,7 +429,7 @@ static void nonlinear_bounds(struct bounds *b, const struct jet *jet, slong prec
 
 bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
 {
-    bool bounded = !t->turned;
+    bool bounded = t->bounded;
     SCOPE(arb, E, eta);
     _arb_vec_zero(b->all, BOUNDED * DERIVATIVES);
     trajectory_energy(E, t, k);

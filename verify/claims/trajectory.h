@@ -29,11 +29,12 @@ struct simulation {
     const char *n, *psi, *theta, *dL; /* exact decimals, SI */
     const char *m1, *m2, *C1, *C2;
     arb_srcptr start;                 /* a sample to start from instead of the angles */
+    const struct flow_steps *by;      /* of a nonlinear motion: by another law; no bounds are proved of it */
 };
 
 struct trajectory {
     const struct derivations *steps;
-    bool nonlinear, turned;           /* turned: not all samples have x > 0, and nothing is bounded */
+    bool nonlinear, bounded;          /* bounded: by (18), all samples having x > 0; of others no bounds are proved */
     slong prec, count;
     long first, step;                 /* s: of the samples */
     arb_t c1, c2;                     /* C1/Omega^2, C2/Omega */

@@ -76,7 +76,7 @@ static bool print_forced(const struct derivations *steps)
     SCOPE(arb, z);
     bool proved = trajectory_run(&motion, &(struct simulation){.steps = steps, .nonlinear = true}, 0, STEP, LAST);
     proved = trajectory_run(&linear, &(struct simulation){.steps = steps, .nonlinear = false}, 0, STEP, LAST) && proved;
-    second_order_init(&o, steps, motion.c1, motion.c2, STUDY_BITS);
+    second_order_init(&o, steps, motion.c1, motion.c2, NULL, STUDY_BITS);
     puts("t,psi,dL,psi_linear,dL_linear,psi_forced,dL_forced");
     for (slong k = 0; k < motion.count && proved; k++) {
         arb_srcptr row = trajectory_sample(&motion, k), other = trajectory_sample(&linear, k);
@@ -106,7 +106,7 @@ static bool print_pitch(const struct derivations *steps)
     VECTOR(arb, start, FLOW_STATE);
     SCOPE(arb, a, tau, law, shift, amplitude);
     bool proved = trajectory_run(&t, &(struct simulation){.steps = steps, .nonlinear = true}, 0, 1, 0);
-    second_order_init(&o, steps, t.c1, t.c2, STUDY_BITS);
+    second_order_init(&o, steps, t.c1, t.c2, NULL, STUDY_BITS);
     trajectory_clear(&t);
     arb_set_ui(a, 5);
     arb_inv(a, a, STUDY_BITS);
