@@ -55,8 +55,8 @@ static const struct {
     /* at values, in exact numbers */
     {NULL, "a: {show: sqrt(x) = 3, at: {x: 9}}", FOUND_TRUE, EXACT},
     {NULL, "a: {show: sqrt(x) = 3, at: {x: 10}}", FOUND_FALSE, CERTIFIED},
-    {NULL, "a: {show: x^2 = y, for: {x: [1, 2, -3], y: [1, 4, 9]}}", FOUND_TRUE, EXACT},
-    {NULL, "a: {show: x^2 = y, for: {x: [1, 2, -3], y: [1, 4, -9]}}", FOUND_FALSE, EXACT},
+    {NULL, "a: {show: x^2 = y, at: {x: [1, 2, -3], y: [1, 4, 9]}}", FOUND_TRUE, EXACT},
+    {NULL, "a: {show: x^2 = y, at: {x: [1, 2, -3], y: [1, 4, -9]}}", FOUND_FALSE, EXACT},
     /* signs */
     {NULL, "a: dL < L_ref", FOUND_TRUE, EXACT},
     {NULL, "a: dL > L_ref", FOUND_FALSE, EXACT},
@@ -69,7 +69,7 @@ static const struct {
     {"at: {x: 1 +- 1/10}", "a: x > 1", UNDECIDED, CERTIFIED},
     {"at: {y: 2, x: y^2}", "a: {show: x > 4, at: {y: 3}}", FOUND_TRUE, EXACT}, /* its own y, and x by it */
     {"at: {n: 12}", "a: n > 11", FOUND_TRUE, EXACT}, /* not the sheet's 10 */
-    {NULL, "a: {show: n < m, for: {n: [1, 2], m: [2, 3]}}", FOUND_TRUE, EXACT},
+    {NULL, "a: {show: n < m, at: {n: [1, 2], m: [2, 3]}}", FOUND_TRUE, EXACT},
     /* signs on intervals */
     {NULL, "a: {show: x^2 - x + 0.2501 > 0, on: {x: [0, 1]}}", FOUND_TRUE, CERTIFIED}, /* least 0.0001 */
     {NULL, "a: {show: x^2 - x + 0.25 > 0, on: {x: [0, 1]}}", UNDECIDED, CERTIFIED},    /* touches zero */
@@ -77,28 +77,24 @@ static const struct {
     {NULL, "a: {show: log(x) < x, on: {x: [1/2, 3]}}", FOUND_TRUE, CERTIFIED},
     {NULL, "a: {show: 1 > 0, on: {x: [0, 1/(1 - 1)]}}", UNDECIDED, CERTIFIED},
     /* one root between bounds */
-    {NULL, "a: {root: x^2 - 2, of: x, in: [1, 2]}", FOUND_TRUE, EXACT},
-    {NULL, "a: {root: 3/2 - x, of: x, in: [1, 2]}", FOUND_TRUE, EXACT}, /* met exactly by halving */
-    {NULL, "a: {root: x^2 - 2, of: x, in: [2, 3]}", FOUND_FALSE, EXACT},
-    {NULL, "a: {root: x^2 - 2, of: x, in: [-2, 2]}", FOUND_FALSE, EXACT}, /* two */
-    {NULL, "a: {root: (x - 1)^2, of: x, in: [0, 3]}", UNDECIDED, EXACT}, /* touches zero */
-    {"at: {y: 1.25 +- 0.06}", "a: {root: x - y, of: x, in: [1, 2]}", FOUND_TRUE, CERTIFIED}, /* while the sign is certain */
-    {NULL, "a: {root: x - 1, of: x, in: [pi, 0]}", UNDECIDED, EXACT}, /* reversed */
+    {NULL, "a: {root: x^2 - 2, on: {x: [1, 2]}}", FOUND_TRUE, EXACT},
+    {NULL, "a: {root: 3/2 - x, on: {x: [1, 2]}}", FOUND_TRUE, EXACT}, /* met exactly by halving */
+    {NULL, "a: {root: x^2 - 2, on: {x: [2, 3]}}", FOUND_FALSE, EXACT},
+    {NULL, "a: {root: x^2 - 2, on: {x: [-2, 2]}}", FOUND_FALSE, EXACT}, /* two */
+    {NULL, "a: {root: (x - 1)^2, on: {x: [0, 3]}}", UNDECIDED, EXACT}, /* touches zero */
+    {"at: {y: 1.25 +- 0.06}", "a: {root: x - y, on: {x: [1, 2]}}", FOUND_TRUE, CERTIFIED}, /* while the sign is certain */
+    {NULL, "a: {root: x - 1, on: {x: [pi, 0]}}", UNDECIDED, EXACT}, /* reversed */
     {NULL, "a: {show: x > 0, on: {x: [pi, 1]}}", UNDECIDED, CERTIFIED},
-    {NULL, "a: {root: exp(x) - n, of: x, in: [0, 3]}", FOUND_TRUE, CERTIFIED},
+    {NULL, "a: {root: exp(x) - n, on: {x: [0, 3]}}", FOUND_TRUE, CERTIFIED},
     /* real roots, counted */
-    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), of: x, above: 0, count: 2}", FOUND_TRUE, EXACT},
-    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), of: x, count: 3}", FOUND_TRUE, EXACT},
-    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), of: x, above: -4, below: 2, count: 2}", FOUND_TRUE, EXACT}, /* not 2 itself */
-    {NULL, "a: {roots: x^2 + 1, of: x, count: 1}", FOUND_FALSE, EXACT},
-    {NULL, "a: {roots: x^2 - m, of: x, count: 2, for: {m: [1, 5]}}", FOUND_TRUE, EXACT},
-    {NULL, "a: {roots: exp(x), of: x, count: 0}", UNDECIDED, EXACT},
-    {NULL, "a: {roots: x - x, of: x, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [0]}, count: 2}", FOUND_TRUE, EXACT},
+    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: []}, count: 3}", FOUND_TRUE, EXACT},
+    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [-4, 2]}, count: 2}", FOUND_TRUE, EXACT}, /* not 2 itself */
+    {NULL, "a: {roots: x^2 + 1, on: {x: []}, count: 1}", FOUND_FALSE, EXACT},
+    {NULL, "a: {roots: x^2 - m, on: {x: []}, count: 2, at: {m: [1, 5]}}", FOUND_TRUE, EXACT},
+    {NULL, "a: {roots: exp(x), on: {x: []}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: x - x, on: {x: []}, count: 0}", UNDECIDED, EXACT},
     /* matrices */
-    {"free: [u, v], system: {u: v, v: -4*u}", "a: {characteristic: s^2 + 4, of: s}", FOUND_TRUE, EXACT},
-    {"free: [u, v], system: {u: v, v: -4*u}", "a: {characteristic: s^2 - 4, of: s}", FOUND_FALSE, EXACT},
-    {"free: [u, v], system: {u: v, v: -u^3}, about: {u: 2}", "a: {characteristic: s^2 + 12, of: s}", FOUND_TRUE, EXACT},
-    {"free: [u, v], system: {u: v, v: -k*u}", "a: {characteristic: s^2 + k, of: s, for: {k: [1, 2]}}", FOUND_TRUE, EXACT},
     {"free: [u, v], system: {u: v, v: 0*u}", "a: {rank: 1}", FOUND_TRUE, EXACT},
     {"free: [u, v], system: {u: v, v: dQ}, at: {dQ: 0}", "a: {rank: 2, control: dQ}", FOUND_TRUE, EXACT},
     {"free: [u, v], system: {u: v, v: dQ}, at: {dQ: 0}", "a: {rank: 1, observe: v}", FOUND_TRUE, EXACT},
@@ -153,8 +149,8 @@ static const struct {
     {"a", "a: dL < 0", VERDICT_NONE, false, "t:7:8: c is undecided: 'a' is false"},
     {"a and not b", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is true"},
     {"a and b", "a: dL > 0\n    b: L > 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is found neither true nor false"},
-    {"a", "r: {root: 3/2 - y, of: y, in: [1, 2]}\n    a: r < 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
-    {"a", "r: {root: 3/2 - y, of: y, in: [1, 2]}\n    a: r > 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
+    {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r < 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
+    {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r > 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a, refuted: not a", "a: dL < 0", REFUTED, false, "t:7:8: c comes out as 'refuted', its evidence is written for 'holds': 'a' is false"},
     {"a, refuted: b", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "more than one of its conditions is true"},
     {"a, refuted: not a and b", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:8:8: c stands without 'b', or with its contrary"},
@@ -222,7 +218,7 @@ EACH(numbers_have_proved_digits_or_none, COUNT(numbers))
     struct statements s;
     struct ruling r;
     snprintf(evidence, sizeof evidence, "{%s}, {r | 3}, {x | 1}", numbers[_i].number);
-    write_claim(text, "a", "at: {x: 1.25 +- 0.06}", "a: dL > 0\n    r: {root: y^2 - 2, of: y, in: [1, 2]}", evidence);
+    write_claim(text, "a", "at: {x: 1.25 +- 0.06}", "a: dL > 0\n    r: {root: y^2 - 2, on: {y: [1, 2]}}", evidence);
     read_claim(&s, text);
     statement_decide(&s, &s.list[0], NULL, &r);
     const struct quoted_number *q = &s.list[0].numbers[0];
@@ -243,7 +239,7 @@ EACH(numbers_have_proved_digits_or_none, COUNT(numbers))
 TEST(a_verdict_needs_what_its_numbers_rest_on)
 {
     char text[4096];
-    write_claim(text, "a", NULL, "a: dL > 0\n    r: {root: y^2 - 2, of: y, in: [1, 2]}\n    t: {root: y - r, of: y, in: [1, 2]}\n"
+    write_claim(text, "a", NULL, "a: dL > 0\n    r: {root: y^2 - 2, on: {y: [1, 2]}}\n    t: {root: y - r, on: {y: [1, 2]}}\n"
                 "    start: {compute: escaping_10}", "{t | 3}, {start.at_dL_0 | 3}");
     assert_ruled(text, HOLDS, true, "");
 }
@@ -298,13 +294,13 @@ static const struct {
     {"a: dL > 0", "a: {show: dL <= dL}", "t:7:15: both sides are the same"},
     {"a: dL > 0", "a: dL > nothing", "t:7:13: unknown symbol 'nothing'"},
     {"a: dL > 0", "a: {sohw: dL > 0}", "t:7:8: expected left = right, or one of show,"},
-    {"a: dL > 0", "a: {show: dL > 0, fro: {x: [1]}}", "t:7:23: unknown key 'fro', expected perhaps for"},
+    {"a: dL > 0", "a: {show: dL > 0, att: {x: [1]}}", "t:7:23: unknown key 'att', expected perhaps at"},
     {"a: dL > 0", "a: {step: kepler, claim: c}", "t:7:23: unknown key 'claim'"},
     {"a: dL > 0", "a: {show: dL > 0, step: kepler}", "t:7:23: unknown key 'step'"},
-    {"a: dL > 0", "a: {root: x^2 - 2, of: x, in: [1, 2], for: {m: [1]}}", "t:7:43: unknown key 'for'"},
+    {"a: dL > 0", "a: {root: x^2 - 2, on: {x: [1, 2]}, at: {m: [1, 2]}}", "t:7:45: expected one value each"},
     {"a: dL > 0", "a: {algebra: (s + 1)^2 = s^2 + 2*s + 1, free: [s], on: {s: [0, 1]}}", "unknown key 'on'"},
-    {"a: dL > 0", "a: {show: eq05.x1 - eq05.x2 = L, on: {x: [0, 1]}}", "t:7:15: expected no at, for or on"},
-    {"a: dL > 0", "a: {show: [eq05.x1 - eq05.x2 = L], at: {x: 1}}", "t:7:15: expected no at, for or on"},
+    {"a: dL > 0", "a: {show: eq05.x1 - eq05.x2 = L, on: {x: [0, 1]}}", "t:7:15: expected no at and no on"},
+    {"a: dL > 0", "a: {show: [eq05.x1 - eq05.x2 = L], at: {x: 1}}", "t:7:15: expected no at and no on"},
     {"a: dL > 0", "a: []", "t:7:8: expected equalities"},
     {"a: dL > 0", "a: {show: []}", "t:7:15: expected equalities"},
     {"a: dL > 0", "a: {algebra: []}", "t:7:18: expected equalities"},
@@ -313,23 +309,24 @@ static const struct {
     {"a: dL > 0", "a: {rank: 0, system: {}}", "t:7:26: expected a system"},
     {"a: dL > 0", "a: {show: x > 0, let: {x: 2}, at: {x: -1}}", "t:7:40: 'x' stands in let, too"},
     {"a: dL > 0", "a: {show: x > 0, let: {x: 2}, on: {x: [-1, 1]}}", "t:7:40: 'x' stands in let, too"},
-    {"a: dL > 0", "a: {show: x > 0, let: {x: 2}, for: {x: [-1]}}", "t:7:41: 'x' stands in let, too"},
-    {"a: dL > 0", "a: {root: x^2 - 2, of: x, let: {x: dL}, in: [1, 2]}", "t:7:28: 'x' stands in let, too"},
-    {"  prove:\n    a: dL > 0", "  given: {let: {x: 2}}\n  prove:\n    a: {root: x^2 - 2, of: x, in: [1, 2]}", "t:8:28: 'x' stands in let, too"},
+    {"a: dL > 0", "a: {show: x > 0, let: {x: 2}, at: {x: [-1, 1]}}", "t:7:40: 'x' stands in let, too"},
+    {"a: dL > 0", "a: {root: x^2 - 2, let: {x: dL}, on: {x: [1, 2]}}", "t:7:43: 'x' stands in let, too"},
+    {"  prove:\n    a: dL > 0", "  given: {let: {x: 2}}\n  prove:\n    a: {root: x^2 - 2, on: {x: [1, 2]}}", "t:8:29: 'x' stands in let, too"},
     {"  prove:\n    a: dL > 0", "  given: {let: {x: 2}, at: {x: 1}}\n  prove:\n    a: x > 1", "t:6:29: 'x' stands in let, too"},
-    {"a: dL > 0", "a: {root: x - 1, of: x, in: [2, 0]}", "t:7:33: expected the lower bound first"},
+    {"a: dL > 0", "a: {root: x - 1, on: {x: [2, 0]}}", "t:7:30: expected the lower bound first"},
     {"a: dL > 0", "a: {show: x > 0, on: {x: [2, 1]}}", "t:7:30: expected the lower bound first"},
-    {"a: dL > 0", "a: {show: x > 0, on: {x: [1, m]}, for: {m: [2, 0]}}", "t:7:30: expected the lower bound first"},
-    {"a: dL > 0", "a: {roots: x, of: x, above: 2, below: 1, count: 0}", "t:7:33: expected the lower bound first"},
+    {"a: dL > 0", "a: {show: x > 0, on: {x: [1, m]}, at: {m: [2, 0]}}", "t:7:30: expected the lower bound first"},
+    {"a: dL > 0", "a: {roots: x, on: {x: [2, 1]}, count: 0}", "t:7:27: expected the lower bound first"},
     {"verdict: {holds: a and b}\n  prove:\n    a: dL > 0\n    b: dL < 1", "verdict: holds\n  prove:\n    a: {compute: escaping_10}",
      "t:5:12: expected something to prove"},
     {"a: dL > 0", "a: {on: {x: [0, 1]}}", "t:7:8: expected left = right, or one of"},
     {"a: dL > 0", "a: {show: dL > x, on: {x: [0]}}", "t:7:27: expected on"},
-    {"a: dL > 0", "a: {show: dL > x, for: {x: [0], y: [1, 2]}}", "t:7:40: expected lists of one length"},
-    {"a: dL > 0", "a: {root: x, in: [0, 1]}", "t:7:8: missing of"},
-    {"a: dL > 0", "a: {root: 1, of: '', in: [0, 1]}", "t:7:22: missing of"},
-    {"a: dL > 0", "a: {root: x, of: x, in: [0]}", "t:7:29: expected in"},
-    {"a: dL > 0", "a: {roots: x, of: x, count: many}", "t:7:33: expected a count"},
+    {"a: dL > 0", "a: {show: dL > x, at: {x: [0, 3], y: [1, 2, 4]}}", "t:7:42: expected lists of one length"},
+    {"a: dL > 0", "a: {root: x}", "t:7:8: expected on"},
+    {"a: dL > 0", "a: {root: 1, on: {'': [0, 1]}}", "t:7:22: expected on"},
+    {"a: dL > 0", "a: {root: x, on: {x: [0]}}", "t:7:22: expected on"},
+    {"a: dL > 0", "a: {roots: x, on: {x: [0, 1, 2]}, count: 0}", "t:7:23: expected on"},
+    {"a: dL > 0", "a: {roots: x, on: {x: []}, count: many}", "t:7:39: expected a count"},
     {"a: dL > 0", "a: {rank: 1}", "t:7:8: expected a system"},
     {"a: dL > 0", "a: {step: [kepler, nowhere]}", "t:7:24: expected a step"},
     {"a: dL > 0", "a: {step: [kepler, [kepler]]}", "t:7:24: expected a list"},
@@ -351,16 +348,15 @@ static const struct {
     {"  evidence: >-\n    so it is\n", "", "missing evidence"},
     {"  prove:\n    a: dL > 0\n    b: dL < 1", "  prove: [a]", "t:6:10: expected a mapping"},
     {"a: dL > 0", "a: [dL > 0]", "t:7:9: expected left = right"},
-    {"a: dL > 0", "a: {root: [1], of: x, in: [0, 1]}", "t:7:15: expected a formula"},
+    {"a: dL > 0", "a: {root: [1], on: {x: [0, 1]}}", "t:7:15: expected a formula"},
     {"a: dL > 0", "a: {show: dL > 0, at: [1]}", "t:7:27: expected a mapping"},
-    {"a: dL > 0", "a: {show: dL > x, for: {x: 1}}", "t:7:32: expected a list"},
-    {"a: dL > 0", "a: {show: dL > x, for: {x: [y]}}", "t:7:33: unknown symbol 'y'"},
-    {"a: dL > 0", "a: {show: dL > x, for: {x: [1], y: [1], z: [1], w: [1]}}", "t:7:28: expected for"},
+    {"a: dL > 0", "a: {show: dL > x, at: {x: []}}", "t:7:31: expected a value, or several"},
+    {"a: dL > 0", "a: {show: dL > x, at: {x: [y]}}", "t:7:32: unknown symbol 'y'"},
     {"a: dL > 0", "a: {show: dL > x, on: {x: [0, 1], y: [0, 1]}}", "t:7:27: expected on"},
     {"a: dL > 0", "a: {rank: 1, system: {nowhere: 1}}", "t:7:27: unknown symbol 'nowhere'"},
     {"a: dL > 0", "a: {rank: 1, system: {psi: [1]}}", "t:7:32: expected a formula"},
     {"a: dL > 0", "a: {rank: 1, system: {psi: psi_dot}, control: nowhere}", "t:7:51: expected control"},
-    {"a: dL > 0\n    b: dL < 1", "a: b > 0\n    b: {root: x - 1, of: x, in: [0, 2]}", "t:7:8: 'a' rests on itself, or on what stands after it"},
+    {"a: dL > 0\n    b: dL < 1", "a: b > 0\n    b: {root: x - 1, on: {x: [0, 2]}}", "t:7:8: 'a' rests on itself, or on what stands after it"},
     {"evidence: >-\n    so", "evidence: >-\n    {dM | 2} {dL | 2}", "t:10:6: unknown symbol 'dM'"},
     {"(nothing)", "c: 5", "t:1:4: expected a mapping"},
     {"(nothing)", "[c]", "t:1:1: expected a mapping"},

@@ -128,7 +128,7 @@ static void number_of(arb_t x, struct statements *claims, struct statement *s, c
 {
     const struct bindings b = {.all = claims, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = 256};
     enum how how;
-    formula_enclose(x, &how, &q->formula, &b);
+    formula_enclose(x, &how, q->formula, &b);
 }
 
 /* What has numbers with units of their own: constants of nature, times of day, steps of 100 s, values of a case. */
@@ -162,7 +162,7 @@ TEST(numbers_of_the_evidence_have_their_units)
             ulong computed = 0;
             for (int a = 0; a < s->assertion_count; a++)
                 computed |= (ulong)(s->assertions[a].kind == ASSERT_COMPUTE) << a;
-            if ((q->formula.uses & computed) != 0 || has_other_units(s->id))
+            if ((q->formula->uses & computed) != 0 || has_other_units(s->id))
                 continue;
             number_of(x, &claims, s, q);
             grow_values(were, false);

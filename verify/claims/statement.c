@@ -103,13 +103,13 @@ static void number_decide(struct statements *all, struct statement *s, struct qu
     struct bindings b = {.all = all, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = FIRST};
     SCOPE(fmpq, exact);
     SCOPE(arb, x);
-    if (q->decimal == NULL && formula_rational(exact, &q->formula, &b)) {
+    if (q->decimal == NULL && formula_rational(exact, q->formula, &b)) {
         q->how = EXACT;
         arb_set_fmpq(x, exact, LAST);
         q->decimal = q->rounding == AS_RATIONAL ? rational_text(exact) : number_text(q, x);
     }
     for (; q->decimal == NULL && b.bits <= LAST; b.bits *= 4) {
-        formula_enclose(x, &q->how, &q->formula, &b);
+        formula_enclose(x, &q->how, q->formula, &b);
         q->decimal = number_text(q, x);
     }
 }
@@ -191,7 +191,7 @@ static void decide_numbers(struct deciding *d, struct ruling *r)
         struct quoted_number *q = &s->numbers[i];
         number_decide(d->all, s, q);
         d->how = FLINT_MAX(d->how, q->how);
-        if (q->decimal == NULL || any_void(d, q->formula.uses)) {
+        if (q->decimal == NULL || any_void(d, q->formula->uses)) {
             snprintf(text, sizeof text, "%s: the digits of %.100s cannot be proved", s->id, q->text);
             leave_open(r, q->node, q->offset, text);
             r->as_written = false;

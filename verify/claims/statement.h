@@ -11,7 +11,7 @@
 #include "claims/marked.h"
 #include "proof/proof_results.h"
 
-enum { MOST_ASSERTIONS = 40, MOST_VERDICTS = 4, MOST_EACH = 3, MOST_TURNS = 8, MOST_CITED = 8 };
+enum { MOST_ASSERTIONS = 40, MOST_VERDICTS = 4, MOST_TURNS = 8, MOST_CITED = 8 };
 
 /* A formula over whatever has a name where it stands. */
 struct formula {
@@ -20,30 +20,30 @@ struct formula {
     ulong uses; /* a bit for each assertion that it takes a number of */
 };
 
-/* `at`: name, value, and its uncertainty. */
+/* `at`: a name's values, one after another, or its one value and its uncertainty; NULL: it has none. */
 struct value {
     const char *name;
-    struct formula formula, radius;
-    bool uncertain;
+    const struct formula *of[MOST_TURNS], *radius;
+    int turns;
+    ulong uses;
 };
 
 struct values {
     struct value *list;
-    int count;
+    int count, turns; /* turns: so many values has each that has more than one */
 };
 
 enum assertion_kind {
-    ASSERT_SHOW, ASSERT_ROOT, ASSERT_ROOTS, ASSERT_CHARACTERISTIC, ASSERT_RANK, ASSERT_STEP, ASSERT_CLAIM, ASSERT_COMPUTE
+    ASSERT_SHOW, ASSERT_ROOT, ASSERT_ROOTS, ASSERT_RANK, ASSERT_STEP, ASSERT_CLAIM, ASSERT_COMPUTE
 };
 enum ordering { IS_EQUAL, IS_UNEQUAL, IS_BELOW, IS_ABOVE, IS_AT_MOST, IS_AT_LEAST };
 
-/* States, their rates, and where the matrix of the two is taken. */
+/* States and their rates, in which they are linear. */
 struct linear_system {
     int size;
-    struct program program;
-    int states[12], rates[12], about[12]; /* nodes; about -1: wherever */
+    const struct formula *of;             /* its program */
+    int states[12], rates[12];            /* nodes */
     int control, observe;                 /* a node, -1; a state's index, -1 */
-    ulong uses;
 };
 
 struct assertion {
@@ -54,14 +54,10 @@ struct assertion {
     struct identities identity;   /* of an equality for all values                      */
     bool everywhere;              /* ... which it is                                    */
     bool algebra;                 /* ... with nothing of the sheet in it                */
-    struct formula formula;       /* left - right; whose roots; a polynomial            */
+    const struct formula *formula; /* left - right; whose roots                         */
     const char *variable;         /* that moves between low and high; NULL: none        */
-    struct formula low, high;
-    bool has_low, has_high;
+    const struct formula *low, *high; /* NULL: no bound                                 */
     struct values at;
-    const char *each[MOST_EACH];  /* `for`: names that take one value after another, together */
-    struct formula each_of[MOST_EACH][MOST_TURNS];
-    int each_names, turns;
     long count;
     struct linear_system system;
     const char *cited[MOST_CITED]; /* the ids of steps or of claims; NULL: no further one */
@@ -76,7 +72,7 @@ struct assertion {
 enum rounding { TO_DIGITS, TO_DECIMALS, UPWARD, DOWNWARD, AS_RATIONAL };
 
 struct quoted_number {
-    struct formula formula;
+    const struct formula *formula;
     const char *text, *unit;
     enum rounding rounding;
     slong digits;
@@ -114,7 +110,8 @@ struct statements {
     int count;
     struct computations computed;
     char **texts;
-    int text_count;
+    struct formula **formulas;
+    int text_count, formula_count;
 };
 
 /* Reads them; -1 and "name:line:column: expected ..." where the sheet is broken. `proofs` may have proved nothing yet. */
@@ -158,8 +155,7 @@ struct bindings {
     struct statement *statement;
     const struct values *at;
     int at_count;                      /* of them: those that may be used */
-    const struct assertion *each;      /* whose `for` gives some names one value after another; NULL: none */
-    int turn;                          /* which of these they have now */
+    int turn;                          /* which of its values each has now */
     const char *moving;                /* a name that moves */
     arb_srcptr moving_value;
     slong bits;

@@ -43,8 +43,8 @@ static bool graph_init(struct graph *g, const struct formula *f, const char *var
 static bool bounds_enclose(arb_t low, arb_t high, enum how *how, const struct assertion *a, const struct bindings *b)
 {
     enum how known;
-    formula_enclose(low, how, &a->low, b);
-    formula_enclose(high, &known, &a->high, b);
+    formula_enclose(low, how, a->low, b);
+    formula_enclose(high, &known, a->high, b);
     *how = FLINT_MAX(*how, known);
     return arb_is_finite(low) && arb_is_finite(high) && !arb_gt(low, high);
 }
@@ -121,14 +121,14 @@ static slong root_find(arb_t z, enum how *how, struct statements *all, struct st
     SCOPE(arb, low, high, one);
     const bool bounded = bounds_enclose(low, high, &bound, a, &b);
     b.bits = 2 * bits;
-    const slong count = graph_init(&g, &a->formula, a->variable, &b, how) && bounded ? isolate(one, &g.curve, low, high) : -1;
+    const slong count = graph_init(&g, a->formula, a->variable, &b, how) && bounded ? isolate(one, &g.curve, low, high) : -1;
     *how = FLINT_MAX(*how, bound);
     arb_indeterminate(z);
     if (count == 1) {
         narrow_root(one, curve_series, &g.curve, 2 * bits);
         arb_set(z, one);
     }
-    if (!is_polynomial(&a->formula, a->variable))
+    if (!is_polynomial(a->formula, a->variable))
         *how = FLINT_MAX(*how, CERTIFIED);
     graph_clear(&g);
     return count;
@@ -158,11 +158,11 @@ static enum truth sign_at(const struct assertion *a, const struct bindings *at, 
     enum truth truth = UNDECIDED;
     SCOPE(fmpq, q);
     SCOPE(arb, z);
-    if (formula_rational(q, &a->formula, &b))
+    if (formula_rational(q, a->formula, &b))
         truth = by_sign(a->ordering, fmpq_sgn(q));
     for (b.bits = PROVING_BITS; truth == UNDECIDED && b.bits <= MOST_PROVING_BITS; b.bits *= 2) {
         enum how known;
-        formula_enclose(z, &known, &a->formula, &b);
+        formula_enclose(z, &known, a->formula, &b);
         if (sign_of_ball(z) != 0)
             truth = by_sign(a->ordering, sign_of_ball(z));
         known = FLINT_MAX(known, CERTIFIED);
@@ -180,7 +180,7 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b, e
     struct graph g;
     SCOPE(arb, low, high);
     const bool bounded = bounds_enclose(low, high, &known, a, b);
-    if (graph_init(&g, &a->formula, a->variable, b, &curved) && bounded && a->ordering >= IS_BELOW) {
+    if (graph_init(&g, a->formula, a->variable, b, &curved) && bounded && a->ordering >= IS_BELOW) {
         if (sign_of_ball(curve_at(&g.curve, low)) == -sign || sign_of_ball(curve_at(&g.curve, high)) == -sign)
             truth = FOUND_FALSE;
         else if (sign_between(&g.curve, low, high, sign, DEEPEST_BISECTION))
@@ -239,10 +239,10 @@ static enum truth roots_counted(const struct assertion *a, const struct bindings
     SCOPE(fmpq_poly, f);
     SCOPE(fmpq, low, high, value);
     slong count = -1;
-    if (polynomial_of(f, &a->formula, a->variable, b) && !fmpq_poly_is_zero(f) && (!a->has_low || formula_rational(low, &a->low, b)) &&
-        (!a->has_high || formula_rational(high, &a->high, b))) {
-        count = roots_beyond(f, a->has_low, low);
-        if (a->has_high) {
+    if (polynomial_of(f, a->formula, a->variable, b) && !fmpq_poly_is_zero(f) && (a->low == NULL || formula_rational(low, a->low, b)) &&
+        (a->high == NULL || formula_rational(high, a->high, b))) {
+        count = roots_beyond(f, a->low != NULL, low);
+        if (a->high != NULL) {
             fmpq_poly_evaluate_fmpq(value, f, high);
             count -= roots_beyond(f, true, high) + fmpq_is_zero(value);
         }
@@ -250,51 +250,22 @@ static enum truth roots_counted(const struct assertion *a, const struct bindings
     return count < 0 ? UNDECIDED : count == a->count ? FOUND_TRUE : FOUND_FALSE;
 }
 
-/* A derivative of each rate by each state, and by the control, where the states are what `about` says. */
+/* A derivative of each rate by each state, and by the control. */
 static bool system_matrix(fmpq_mat_t A, fmpq_mat_t column, const struct linear_system *l, const struct bindings *b)
 {
-    struct program p;
+    struct formula entry;
     bool rational = true;
-    program_copy(&p, &l->program);
+    program_copy(&entry.program, &l->of->program);
     for (int i = 0; i < l->size; i++)
         for (int j = 0; j <= l->size && rational; j++) {
             const int by = j < l->size ? l->states[j] : l->control;
             if (by < 0)
                 continue;
-            const int slope = program_slope(&p, l->rates[i], by);
-            int *place = xrealloc(NULL, (size_t)p.count, sizeof *place);
-            for (int k = 0; k < p.count; k++)
-                place[k] = k < p.inputs ? k : -1;
-            for (int k = 0; k < l->size; k++)
-                if (l->about[k] >= 0)
-                    place[l->states[k]] = l->about[k];
-            struct program from;
-            program_copy(&from, &p);
-            const int here = program_inline(&p, &from, slope, place);
-            const struct formula entry = {.program = p, .node = here};
+            entry.node = program_slope(&entry.program, l->rates[i], by);
             rational = formula_rational(j < l->size ? fmpq_mat_entry(A, i, j) : fmpq_mat_entry(column, i, 0), &entry, b);
-            program_clear(&from);
-            free(place);
         }
-    program_clear(&p);
+    program_clear(&entry.program);
     return rational;
-}
-
-static enum truth characteristic_found(const struct assertion *a, const struct bindings *b)
-{
-    const slong size = a->system.size;
-    enum truth truth = UNDECIDED;
-    SCOPE(fmpq_poly, f, g);
-    fmpq_mat_t A, column;
-    fmpq_mat_init(A, size, size);
-    fmpq_mat_init(column, size, 1);
-    if (system_matrix(A, column, &a->system, b) && polynomial_of(g, &a->formula, a->variable, b)) {
-        fmpq_mat_charpoly(f, A);
-        truth = fmpq_poly_equal(f, g) ? FOUND_TRUE : FOUND_FALSE;
-    }
-    fmpq_mat_clear(A);
-    fmpq_mat_clear(column);
-    return truth;
 }
 
 /* Of the matrix itself, or of b, A b, A^2 b ...; observing a state: of the transposed matrix, b its unit vector. */
@@ -363,27 +334,19 @@ static enum truth root_found(struct statements *all, struct statement *s, struct
     return count < 0 ? UNDECIDED : count == 1 ? FOUND_TRUE : FOUND_FALSE;
 }
 
-/* At the values given; with `for` at one of these. */
+/* At the values given, of several at those of this turn. */
 static enum truth found_at(struct assertion *a, const struct bindings *b, enum how *how)
 {
-    switch (a->kind) {
-    case ASSERT_SHOW:
+    if (a->kind == ASSERT_SHOW)
         return a->variable != NULL ? sign_on(a, b, how) : sign_at(a, b, how);
-    case ASSERT_ROOTS:
-        return roots_counted(a, b);
-    case ASSERT_CHARACTERISTIC:
-        return characteristic_found(a, b);
-    default:
-        return rank_found(a, b);
-    }
+    return a->kind == ASSERT_ROOTS ? roots_counted(a, b) : rank_found(a, b);
 }
 
 static enum truth found_at_each(struct statements *all, struct statement *s, struct assertion *a, enum how *how)
 {
     struct bindings b = bindings_of(all, s, a);
     enum truth truth = FOUND_TRUE;
-    b.each = a->each_names > 0 ? a : NULL;
-    for (; b.turn < a->turns || b.turn == 0; b.turn++)
+    for (; b.turn < a->at.turns; b.turn++)
         truth = truth_both(truth, found_at(a, &b, how));
     return truth;
 }

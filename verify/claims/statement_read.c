@@ -15,6 +15,7 @@ struct claim_reading {
     struct statement *statement;
     const struct yaml *entry; /* a mapping of `prove`; NULL: none */
     struct values *at;        /* read so far */
+    ulong uses;               /* the assertions that formulas took numbers of */
 };
 
 static const char *keep_text(struct statements *s, const char *text, size_t length)
@@ -66,16 +67,14 @@ static void add_keys(struct names *n, const struct yaml *mapping)
         add_name(n, mapping->items[i].key);
 }
 
-/* What an entry of `prove` names: its root, the numbers of its computation; its values, what moves, what takes values. */
+/* What an entry of `prove` names: its root, the numbers of its computation; its values, what moves. */
 static void add_entry(const struct claim_reading *r, struct names *n, const struct yaml *entry)
 {
-    static const char *const keys[] = {"at", "on", "for"};
-    const struct yaml *of = under(entry, "of"), *compute = under(entry, "compute");
+    const struct yaml *compute = under(entry, "compute");
     const struct computed *c = compute != NULL && compute->text != NULL ? computed_find(&r->all->computed, compute->text) : NULL;
     char name[2 * LONGEST_NAME + 2], word[64];
-    for (size_t k = 0; k < 3; k++)
-        add_keys(n, under(entry, keys[k]));
-    add_name(n, of != NULL ? of->text : NULL);
+    add_keys(n, under(entry, "at"));
+    add_keys(n, under(entry, "on"));
     add_name(n, under(entry, "root") != NULL ? entry->key : NULL);
     for (const char *at = c != NULL ? computation_of(c)->numbers : ""; (at = next_name(at, word)) != NULL;) {
         snprintf(name, sizeof name, "%.63s.%s", entry->key, word);
@@ -122,15 +121,6 @@ static int parsing_add(struct parsing *f, const struct yaml *node, const char *t
     return result;
 }
 
-/* The program is taken, all else of them goes. */
-static bool parsing_close(struct parsing *f, struct program *p)
-{
-    *p = f->identities.program;
-    program_init(&f->identities.program);
-    identities_clear(&f->identities);
-    return f->fine;
-}
-
 /* Whether a name is the number of an entry: ENTRY or ENTRY.number. */
 static bool is_given_by(const char *name, const char *entry)
 {
@@ -151,27 +141,38 @@ static ulong uses_of(const struct claim_reading *r, const struct program *p, int
                 uses |= UWORD(1) << k;
         for (int k = 0; needed[i] && r->at != NULL && k < r->at->count; k++)
             if (strcmp(r->at->list[k].name, name) == 0)
-                uses |= r->at->list[k].formula.uses | r->at->list[k].radius.uses;
+                uses |= r->at->list[k].uses;
     }
     free(needed);
     return uses;
 }
 
-static bool read_formula_text(struct claim_reading *r, struct formula *f, const struct yaml *node, const char *text, size_t shift)
+/* A formula has the program, all else of them goes; NULL after a complaint. Without a node it is one of several. */
+static struct formula *parsing_close(struct parsing *f, struct claim_reading *r, int node)
+{
+    struct formula *formula = xrealloc(NULL, 1, sizeof *formula);
+    *formula = (struct formula){f->identities.program, node, f->fine && node >= 0 ? uses_of(r, &f->identities.program, node) : 0};
+    *APPENDED(r->all->formulas, r->all->formula_count) = formula;
+    r->uses |= formula->uses;
+    program_init(&f->identities.program);
+    identities_clear(&f->identities);
+    return f->fine ? formula : NULL;
+}
+
+static const struct formula *read_formula_text(struct claim_reading *r, const struct yaml *node, const char *text, size_t shift)
 {
     struct parsing one;
     parsing_open(&one, r);
-    f->node = parsing_add(&one, node, text, shift);
-    parsing_close(&one, &f->program);
-    f->uses = one.fine ? uses_of(r, &f->program, f->node) : 0;
-    return one.fine;
+    const int found = parsing_add(&one, node, text, shift);
+    return parsing_close(&one, r, found);
 }
 
-static bool read_scalar_formula(struct claim_reading *r, struct formula *f, const struct yaml *node)
+static const struct formula *read_formula(struct claim_reading *r, const struct yaml *node)
 {
-    if (node->text == NULL)
-        return entry_error(r, node, "expected a formula");
-    return read_formula_text(r, f, node, node->text, 0);
+    if (node->text != NULL)
+        return read_formula_text(r, node, node->text, 0);
+    entry_error(r, node, "expected a formula");
+    return NULL;
 }
 
 /* ---- values ---- */
@@ -183,17 +184,27 @@ static bool is_no_let(const struct claim_reading *r, const struct yaml *node, si
     return !let || node_error(node, offset, "'%s' stands in let, too", name);
 }
 
-/* One `name: value +- uncertainty`; its formulas may use the values before it. */
-static bool read_value(struct claim_reading *r, struct value *v, const struct yaml *text)
+/* One `name: value`, `name: value +- uncertainty` or `name: [value, ...]`; its formulas may use the values before it. */
+static bool read_value(struct claim_reading *r, struct value *v, const struct yaml *node)
 {
-    *v = (struct value){.name = text->key};
-    const char *sign = text->text != NULL ? strstr(text->text, "+-") : NULL;
-    v->uncertain = sign != NULL;
-    if (sign == NULL)
-        return read_scalar_formula(r, &v->formula, text);
-    const size_t length = (size_t)(sign - text->text);
-    return read_formula_text(r, &v->formula, text, keep_text(r->all, text->text, length), 0) &&
-           read_formula_text(r, &v->radius, text, sign + 2, length + 2);
+    const char *sign = node->text != NULL ? strstr(node->text, "+-") : NULL;
+    const size_t length = sign != NULL ? (size_t)(sign - node->text) : 0;
+    *v = (struct value){.name = node->key, .turns = 1};
+    r->uses = 0;
+    if (node->text == NULL) {
+        if (!is_texts(node, MOST_TURNS) || (v->turns = node->count) == 0)
+            return entry_error(r, node, "expected a value, or several");
+        for (int i = 0; i < v->turns; i++)
+            if ((v->of[i] = read_formula(r, &node->items[i])) == NULL)
+                return false;
+    } else if (sign == NULL)
+        v->of[0] = read_formula(r, node);
+    else {
+        v->of[0] = read_formula_text(r, node, keep_text(r->all, node->text, length), 0);
+        v->radius = v->of[0] != NULL ? read_formula_text(r, node, sign + 2, length + 2) : NULL;
+    }
+    v->uses = r->uses;
+    return v->of[0] != NULL && (sign == NULL || v->radius != NULL);
 }
 
 /* `at` of the entry, then those of `given` that it does not name. */
@@ -201,34 +212,53 @@ static bool read_values(struct claim_reading *r, struct values *at)
 {
     const struct yaml *const both[] = {own(r, "at"), under(r->statement->given, "at")};
     r->at = at;
+    at->turns = 1;
     for (int k = 0; k < 2; k++) {
         if (both[k] != NULL && !is_map(both[k]))
             return false;
         for (int i = 0; both[k] != NULL && i < both[k]->count; i++) {
-            if (k == 1 && under(both[0], both[1]->items[i].key) != NULL)
-                continue;
+            const struct yaml *node = &both[k]->items[i];
             struct value v;
-            const bool fine = read_value(r, &v, &both[k]->items[i]) && is_no_let(r, &both[k]->items[i], AT_KEY, v.name);
-            *APPENDED(at->list, at->count) = v;
-            if (!fine)
+            if (k == 1 && under(both[0], node->key) != NULL)
+                continue;
+            if (!read_value(r, &v, node) || !is_no_let(r, node, AT_KEY, v.name))
                 return false;
+            if (v.turns > 1 && at->turns > 1 && v.turns != at->turns)
+                return entry_error(r, node, "expected lists of one length");
+            *APPENDED(at->list, at->count) = v;
+            at->turns = FLINT_MAX(at->turns, v.turns);
         }
     }
+    r->uses = 0;
     return true;
 }
 
-/* A list of formulas; its length, or -1 after a complaint */
-static int read_list(struct claim_reading *r, const struct yaml *list, struct formula *f, int most)
+/* ---- assertions ---- */
+
+/* Bounds that are exact numbers stand in order, at each turn; of others the prover asks the same. */
+static bool in_order(struct claim_reading *r, const struct assertion *a, const struct yaml *node)
 {
-    if (!is_texts(list, most))
-        return -1;
-    for (int i = 0; i < list->count; i++)
-        if (!read_scalar_formula(r, &f[i], &list->items[i]))
-            return -1;
-    return list->count;
+    struct bindings b = {.all = r->all, .statement = r->statement, .at = &a->at, .at_count = a->at.count};
+    bool ordered = true;
+    SCOPE(fmpq, low, high);
+    for (; b.turn < a->at.turns; b.turn++)
+        if (formula_rational(low, a->low, &b) && formula_rational(high, a->high, &b))
+            ordered = ordered && fmpq_cmp(low, high) <= 0;
+    return ordered || entry_error(r, node, "expected the lower bound first, not above the other");
 }
 
-/* ---- assertions ---- */
+/* on: {name: [low, high]}; with fewer bounds, beyond low, or everywhere. */
+static bool read_interval(struct claim_reading *r, struct assertion *a, int bounds)
+{
+    const struct yaml *on = own(r, "on"), *range = on != NULL && on->mapping && on->count == 1 ? &on->items[0] : NULL;
+    if (range == NULL || range->key[0] == '\0' || range->text != NULL || range->mapping || range->count < bounds || range->count > 2)
+        return entry_error(r, on, "expected on: {name: [low, high]}");
+    a->variable = range->key;
+    if (!is_no_let(r, range, AT_KEY, range->key) || (range->count > 0 && (a->low = read_formula(r, &range->items[0])) == NULL) ||
+        (range->count > 1 && (a->high = read_formula(r, &range->items[1])) == NULL))
+        return false;
+    return range->count < 2 || in_order(r, a, range);
+}
 
 static const char *find_ordering(const char *text, enum ordering *ordering, size_t *length)
 {
@@ -256,19 +286,16 @@ static bool read_difference(struct claim_reading *r, struct assertion *a, const 
     struct parsing f;
     parsing_open(&f, r);
     const int one = parsing_add(&f, node, left, 0), other = parsing_add(&f, node, sign + length, (size_t)(sign - text) + length);
-    if (f.fine) {
-        a->formula.node = program_difference(&f.identities.program, one, other);
-        a->formula.uses = uses_of(r, &f.identities.program, a->formula.node);
-    }
-    return parsing_close(&f, &a->formula.program);
+    a->formula = parsing_close(&f, r, f.fine ? program_difference(&f.identities.program, one, other) : -1);
+    return a->formula != NULL;
 }
 
 /* An equality for all values, or a list of them. */
 static bool read_identity(struct claim_reading *r, struct assertion *a, const struct yaml *node)
 {
     struct parsing f;
-    if (own(r, "at") != NULL || own(r, "for") != NULL || own(r, "on") != NULL)
-        return entry_error(r, node, "expected no at, for or on beside equalities for all values");
+    if (own(r, "at") != NULL || own(r, "on") != NULL)
+        return entry_error(r, node, "expected no at and no on beside equalities for all values");
     parsing_open(&f, r);
     const int count = node->text != NULL ? 1 : node->count;
     for (int i = 0; i < count && f.fine; i++)
@@ -286,14 +313,15 @@ static bool read_show(struct claim_reading *r, struct assertion *a, const struct
 {
     size_t length;
     const char *sign = show->text != NULL ? find_ordering(show->text, &a->ordering, &length) : NULL;
-    const bool somewhere = own(r, "at") != NULL || own(r, "for") != NULL;
     if (show->text == NULL && !show->mapping)
         return is_texts(show, MOST_SHOWN) && (show->count > 0 || entry_error(r, show, "expected equalities")) && read_identity(r, a, show);
     if (sign == NULL)
         return entry_error(r, show, "expected left = right, or another sign of < > <= >= != between them");
+    if (own(r, "on") != NULL && !read_interval(r, a, 2))
+        return false;
     if (same_text(show->text, sign, sign + length))
         return entry_error(r, show, "both sides are the same, expected what could be otherwise");
-    return a->ordering == IS_EQUAL && !somewhere ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
+    return a->ordering == IS_EQUAL && own(r, "at") == NULL ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
 }
 
 /* What rests on no formula of the sheet, and says so. */
@@ -310,97 +338,52 @@ static bool read_count(struct claim_reading *r, const struct yaml *node, long *c
     return (end != NULL && *end == '\0' && *count >= 0) || entry_error(r, node, "expected a count: 0, 1, 2 ...");
 }
 
-/* Of the unknown that `of` names. */
-static bool read_polynomial(struct claim_reading *r, struct assertion *a, const struct yaml *value)
-{
-    const struct yaml *of = own(r, "of");
-    a->variable = of != NULL ? of->text : NULL;
-    if (a->variable == NULL || a->variable[0] == '\0')
-        return entry_error(r, of, "missing of, expected the name of the unknown");
-    return is_no_let(r, of, 0, a->variable) && read_scalar_formula(r, &a->formula, value);
-}
-
-/* Bounds that are exact numbers stand in order, at each value of `for`; of others the prover asks the same. */
-static bool in_order(struct claim_reading *r, const struct assertion *a, const struct yaml *node)
-{
-    struct bindings b = {.all = r->all, .statement = r->statement, .at = &a->at, .at_count = a->at.count,
-                         .each = a->each_names > 0 ? a : NULL};
-    bool ordered = true;
-    SCOPE(fmpq, low, high);
-    for (; b.turn < a->turns || b.turn == 0; b.turn++)
-        if (formula_rational(low, &a->low, &b) && formula_rational(high, &a->high, &b))
-            ordered = ordered && fmpq_cmp(low, high) <= 0;
-    return ordered || entry_error(r, node, "expected the lower bound first, not above the other");
-}
-
 static bool read_root(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
-    const struct yaml *in = own(r, "in");
-    if (!read_polynomial(r, a, value))
-        return false;
-    if (in == NULL || in->mapping || in->count != 2)
-        return entry_error(r, in, "expected in: [low, high]");
-    return read_scalar_formula(r, &a->low, &in->items[0]) && read_scalar_formula(r, &a->high, &in->items[1]) && in_order(r, a, in);
+    if (a->at.turns > 1)
+        return entry_error(r, own(r, "at"), "expected one value each: a root is one number");
+    return read_interval(r, a, 2) && (a->formula = read_formula(r, value)) != NULL;
 }
 
 static bool read_root_count(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
-    const struct yaml *above = own(r, "above"), *below = own(r, "below");
-    a->has_low = above != NULL;
-    a->has_high = below != NULL;
-    return read_polynomial(r, a, value) && (above == NULL || read_scalar_formula(r, &a->low, above)) &&
-           (below == NULL || read_scalar_formula(r, &a->high, below)) && read_count(r, own(r, "count"), &a->count) &&
-           (above == NULL || below == NULL || in_order(r, a, above));
+    return read_interval(r, a, 0) && (a->formula = read_formula(r, value)) != NULL && read_count(r, own(r, "count"), &a->count);
 }
 
-/* One state, its rate, and where it is to be taken. */
-static bool read_state(struct claim_reading *r, struct parsing *f, struct linear_system *l, const struct yaml *rate)
+/* The rank of a system's matrix: states and their rates, in one program. */
+static bool read_rank(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
-    const struct yaml *about = entry_given(r, "about"), *place = under(about, rate->key);
-    l->states[l->size] = program_find(&f->identities.program, rate->key);
-    if (l->states[l->size] < 0)
-        return node_error(rate, AT_KEY, "unknown symbol '%s', expected a quantity or a free name", rate->key);
-    if (rate->text == NULL || (place != NULL && place->text == NULL))
-        return entry_error(r, rate, "expected a formula");
-    l->rates[l->size] = parsing_add(f, rate, rate->text, 0);
-    l->about[l->size] = place != NULL ? parsing_add(f, place, place->text, 0) : -1;
-    return f->fine;
-}
-
-/* `system` and `about`, in one program. */
-static bool read_system(struct claim_reading *r, struct assertion *a)
-{
-    const struct yaml *system = entry_given(r, "system"), *about = entry_given(r, "about"), *control = own(r, "control"), *observe = own(r, "observe");
+    const struct yaml *system = entry_given(r, "system"), *control = own(r, "control"), *observe = own(r, "observe");
     struct linear_system *l = &a->system;
     struct parsing f;
-    if (system == NULL || !is_map(system) || system->count == 0 || system->count > 12 || (about != NULL && !is_map(about)))
+    if (!read_count(r, value, &a->count))
+        return false;
+    if (system == NULL || !is_map(system) || system->count == 0 || system->count > 12)
         return entry_error(r, system, "expected a system, {state: its rate, ...} of at most 12 states");
     parsing_open(&f, r);
     l->observe = -1;
     for (int i = 0; f.fine && i < system->count; i++) {
-        f.fine = read_state(r, &f, l, &system->items[i]);
-        if (observe != NULL && observe->text != NULL && strcmp(observe->text, system->items[i].key) == 0)
+        const struct yaml *rate = &system->items[i];
+        l->states[i] = program_find(&f.identities.program, rate->key);
+        if (l->states[i] < 0)
+            f.fine = node_error(rate, AT_KEY, "unknown symbol '%s', expected a quantity or a free name", rate->key);
+        else if (rate->text == NULL)
+            f.fine = entry_error(r, rate, "expected a formula");
+        else
+            l->rates[i] = parsing_add(&f, rate, rate->text, 0);
+        if (observe != NULL && observe->text != NULL && strcmp(observe->text, rate->key) == 0)
             l->observe = i;
-        l->size = i + 1;
     }
+    l->size = system->count;
     l->control = control != NULL && control->text != NULL ? program_find(&f.identities.program, control->text) : -1;
-    if (!parsing_close(&f, &l->program))
+    l->of = parsing_close(&f, r, -1);
+    if (l->of == NULL)
         return false;
     if ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0))
         return entry_error(r, control != NULL ? control : observe, "expected control: a quantity, or observe: a state");
     for (int i = 0; i < l->size; i++)
-        l->uses |= uses_of(r, &l->program, l->rates[i]) | (l->about[i] >= 0 ? uses_of(r, &l->program, l->about[i]) : 0);
+        r->uses |= uses_of(r, &l->of->program, l->rates[i]);
     return true;
-}
-
-static bool read_characteristic(struct claim_reading *r, struct assertion *a, const struct yaml *value)
-{
-    return read_polynomial(r, a, value) && read_system(r, a);
-}
-
-static bool read_rank(struct claim_reading *r, struct assertion *a, const struct yaml *value)
-{
-    return read_count(r, value, &a->count) && read_system(r, a);
 }
 
 /* One id, or a list of them, each of which is known. */
@@ -463,62 +446,19 @@ static const struct form {
     bool (*read)(struct claim_reading *r, struct assertion *a, const struct yaml *value);
     const struct field *keys;
 } forms[] = {
-    {"show", ASSERT_SHOW, read_show, KEYS({.key = "show"}, {.key = "on"}, {.key = "for"}, FORMULA_FIELDS)},
+    {"show", ASSERT_SHOW, read_show, KEYS({.key = "show"}, {.key = "on"}, FORMULA_FIELDS)},
     {"algebra", ASSERT_SHOW, read_algebra, KEYS({.key = "algebra"}, FORMULA_FIELDS)},
-    {"root", ASSERT_ROOT, read_root, KEYS({.key = "root"}, {.key = "of"}, {.key = "in"}, FORMULA_FIELDS)},
-    {"roots", ASSERT_ROOTS, read_root_count,
-     KEYS({.key = "roots"}, {.key = "of"}, {.key = "above"}, {.key = "below"}, {.key = "count"}, {.key = "for"}, FORMULA_FIELDS)},
-    {"characteristic", ASSERT_CHARACTERISTIC, read_characteristic,
-     KEYS({.key = "characteristic"}, {.key = "of"}, {.key = "system"}, {.key = "about"}, {.key = "for"}, FORMULA_FIELDS)},
+    {"root", ASSERT_ROOT, read_root, KEYS({.key = "root"}, {.key = "on"}, FORMULA_FIELDS)},
+    {"roots", ASSERT_ROOTS, read_root_count, KEYS({.key = "roots"}, {.key = "on"}, {.key = "count"}, FORMULA_FIELDS)},
     {"rank", ASSERT_RANK, read_rank,
-     KEYS({.key = "rank"}, {.key = "system"}, {.key = "about"}, {.key = "control"}, {.key = "observe"}, {.key = "for"}, FORMULA_FIELDS)},
+     KEYS({.key = "rank"}, {.key = "system"}, {.key = "control"}, {.key = "observe"}, FORMULA_FIELDS)},
     {"step", ASSERT_STEP, read_cited_step, KEYS({.key = "step"})},
     {"claim", ASSERT_CLAIM, read_claim, KEYS({.key = "claim"})},
     {"compute", ASSERT_COMPUTE, read_compute, KEYS({.key = "compute"})}};
 
 enum { FORMS = sizeof forms / sizeof *forms };
 
-/* for: {name: [value, ...], ...}, lists of one length */
-static bool read_turns(struct claim_reading *r, struct assertion *a)
-{
-    const struct yaml *each = own(r, "for");
-    if (each == NULL)
-        return true;
-    if (!is_map(each) || each->count > MOST_EACH)
-        return node_error(each, 0, "expected for: {name: [value, ...]} of at most %d names", MOST_EACH);
-    for (int i = 0; i < each->count; i++) {
-        const struct yaml *list = &each->items[i];
-        if (!is_no_let(r, list, AT_KEY, list->key))
-            return false;
-        const int count = read_list(r, list, a->each_of[i], MOST_TURNS);
-        a->each[a->each_names++] = each->items[i].key;
-        if (count <= 0 || (i > 0 && count != a->turns))
-            return count < 0 ? false : node_error(list, 0, "expected lists of one length, of at most %d values", MOST_TURNS);
-        a->turns = count;
-    }
-    return true;
-}
-
-/* on: {name: [low, high]} */
-static bool read_interval(struct claim_reading *r, struct assertion *a)
-{
-    const struct yaml *on = own(r, "on");
-    struct formula bounds[2];
-    memset(bounds, 0, sizeof bounds);
-    if (on == NULL)
-        return true;
-    if (!is_map(on) || on->count != 1)
-        return entry_error(r, on, "expected on: {name: [low, high]}");
-    const int count = is_no_let(r, &on->items[0], AT_KEY, on->items[0].key) ? read_list(r, &on->items[0], bounds, 2) : -1;
-    a->low = bounds[0];
-    a->high = bounds[1];
-    a->variable = on->items[0].key;
-    if (count == 2)
-        return in_order(r, a, &on->items[0]);
-    return count >= 0 && entry_error(r, on, "expected on: {name: [low, high]}");
-}
-
-static const struct field given_fields[] = {FORMULA_FIELDS, {.key = "system"}, {.key = "about"}, {.key = NULL}};
+static const struct field given_fields[] = {FORMULA_FIELDS, {.key = "system"}, {.key = NULL}};
 
 static bool read_assertion(struct claim_reading *r, struct assertion *a)
 {
@@ -533,21 +473,9 @@ static bool read_assertion(struct claim_reading *r, struct assertion *a)
         i++;
     if (i < FORMS) {
         a->kind = forms[i].kind;
-        return fields_read(r->entry, forms[i].keys, a) && read_turns(r, a) && read_interval(r, a) && /* before the formulas that use them */
-               forms[i].read(r, a, under(r->entry, forms[i].key));
+        return fields_read(r->entry, forms[i].keys, a) && forms[i].read(r, a, under(r->entry, forms[i].key));
     }
-    return entry_error(r, a->node, "expected left = right, or one of show, algebra, root, roots, characteristic, rank, step, claim, compute");
-}
-
-/* What it takes numbers of stands before it. */
-static bool read_uses(struct assertion *a, int index)
-{
-    a->uses = a->formula.uses | a->low.uses | a->high.uses | a->system.uses;
-    for (int k = 0; k < a->each_names * MOST_TURNS; k++)
-        a->uses |= a->each_of[k / MOST_TURNS][k % MOST_TURNS].uses;
-    if (a->kind == ASSERT_ROOT && strcmp(a->variable, a->name) == 0)
-        a->uses &= ~(UWORD(1) << index); /* the unknown itself */
-    return a->uses >> index == 0 || node_error(a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
+    return entry_error(r, a->node, "expected left = right, or one of show, algebra, root, roots, rank, step, claim, compute");
 }
 
 static bool read_prove(struct claim_reading *r, const struct yaml *prove)
@@ -563,8 +491,13 @@ static bool read_prove(struct claim_reading *r, const struct yaml *prove)
         struct assertion *a = &s->assertions[s->assertion_count++];
         a->name = prove->items[i].key;
         a->node = &prove->items[i];
-        if (!read_assertion(r, a) || !read_uses(a, i))
+        if (!read_assertion(r, a))
             return false;
+        a->uses = r->uses;
+        if (a->kind == ASSERT_ROOT && strcmp(a->variable, a->name) == 0)
+            a->uses &= ~(UWORD(1) << i); /* the unknown itself */
+        if (a->uses >> i != 0)
+            return node_error(a->node, 0, "'%s' rests on itself, or on what stands after it", a->name);
     }
     return true;
 }
@@ -634,7 +567,7 @@ static bool all_serve(struct claim_reading *r)
     const struct statement *s = r->statement;
     ulong used = 0;
     for (int i = 0; i < s->number_count; i++)
-        used |= s->numbers[i].formula.uses;
+        used |= s->numbers[i].formula->uses;
     for (int i = 0; i < s->assertion_count; i++) {
         used |= s->assertions[i].uses;
         for (int v = 0; v < s->verdict_count; v++)
@@ -724,7 +657,7 @@ static void take_number(void *context, const char *at, size_t length)
         q->fine = node_error(q->node, start + (bar != NULL ? (size_t)(bar - at) + 1 : 0),
                              "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
     else
-        q->fine = read_formula_text(r, &n->formula, q->node, n->text, start + strspn(at, " "));
+        q->fine = (n->formula = read_formula_text(r, q->node, n->text, start + strspn(at, " "))) != NULL;
 }
 
 static bool read_marks(struct claim_reading *r, const struct yaml *node, bool numbers)
@@ -823,44 +756,28 @@ int statements_read(struct statements *s, const struct proof_results *proofs, co
     return fine ? 0 : -1;
 }
 
-static void values_clear(struct values *v)
-{
-    for (int i = 0; i < v->count; i++) {
-        program_clear(&v->list[i].formula.program);
-        program_clear(&v->list[i].radius.program);
-    }
-    free(v->list);
-}
-
-static void assertion_clear(struct assertion *a)
-{
-    for (int i = 0; i < MOST_EACH; i++)
-        for (int k = 0; k < MOST_TURNS; k++)
-            program_clear(&a->each_of[i][k].program);
-    program_clear(&a->formula.program);
-    program_clear(&a->low.program);
-    program_clear(&a->high.program);
-    program_clear(&a->system.program);
-    values_clear(&a->at);
-    if (a->everywhere)
-        identities_clear(&a->identity);
-}
-
 void statements_clear(struct statements *s)
 {
     for (int i = 0; i < s->count; i++) {
-        for (int k = 0; k < s->list[i].assertion_count; k++)
-            assertion_clear(&s->list[i].assertions[k]);
-        for (int k = 0; k < s->list[i].number_count; k++) {
-            program_clear(&s->list[i].numbers[k].formula.program);
-            free(s->list[i].numbers[k].decimal);
+        struct statement *claim = &s->list[i];
+        for (int k = 0; k < claim->assertion_count; k++) {
+            free(claim->assertions[k].at.list);
+            if (claim->assertions[k].everywhere)
+                identities_clear(&claim->assertions[k].identity);
         }
-        values_clear(&s->list[i].at);
-        free(s->list[i].assertions);
-        free(s->list[i].numbers);
+        for (int k = 0; k < claim->number_count; k++)
+            free(claim->numbers[k].decimal);
+        free(claim->at.list);
+        free(claim->assertions);
+        free(claim->numbers);
+    }
+    for (int i = 0; i < s->formula_count; i++) {
+        program_clear(&s->formulas[i]->program);
+        free(s->formulas[i]);
     }
     for (int i = 0; i < s->text_count; i++)
         free(s->texts[i]);
+    free(s->formulas);
     free(s->texts);
     free(s->list);
     computations_clear(&s->computed);

@@ -7,26 +7,20 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-/*
- * The formula that a name stands for, and what the names in it stand for: `for` gives it one, whose own names are
- * outside of that, or `at` does, of the values before it (*value). NULL: none does.
- */
-static const struct formula *formula_of_name(struct bindings *within, const struct value **value, const struct bindings *b,
-                                             const char *name)
+/* The value that a name has, by the values before it (*within). NULL: none. */
+static const struct value *value_of_name(struct bindings *within, const struct bindings *b, const char *name)
 {
     *within = *b;
-    *value = NULL;
-    within->each = NULL;
-    for (int i = 0; b->each != NULL && i < b->each->each_names; i++)
-        if (strcmp(b->each->each[i], name) == 0)
-            return &b->each->each_of[i][b->turn];
-    within->each = b->each;
     while (within->at_count-- > 0)
-        if (strcmp(b->at->list[within->at_count].name, name) == 0) {
-            *value = &b->at->list[within->at_count];
-            return &(*value)->formula;
-        }
+        if (strcmp(b->at->list[within->at_count].name, name) == 0)
+            return &b->at->list[within->at_count];
     return NULL;
+}
+
+/* Now, if it has several. */
+static const struct formula *value_now(const struct value *v, const struct bindings *b)
+{
+    return v->of[v->turns > 1 ? b->turn : 0];
 }
 
 static bool is_moving(const struct bindings *b, const char *name)
@@ -60,20 +54,19 @@ static bool sheet_rational(fmpq_t q, const struct sheet *s, const char *name)
 
 static void name_enclose(arb_t z, enum how *how, const struct bindings *b, const char *name)
 {
-    const struct value *value;
     struct bindings within;
-    const struct formula *f = formula_of_name(&within, &value, b, name);
+    const struct value *value = value_of_name(&within, b, name);
     SCOPE(fmpq, q);
     SCOPE(arb, radius);
     arb_indeterminate(z);
     *how = EXACT;
     if (is_moving(b, name))
         arb_set(z, b->moving_value);
-    else if (f != NULL) {
-        formula_enclose(z, how, f, &within);
-        if (value != NULL && value->uncertain) {
+    else if (value != NULL) {
+        formula_enclose(z, how, value_now(value, b), &within);
+        if (value->radius != NULL) {
             enum how known;
-            formula_enclose(radius, &known, &value->radius, &within);
+            formula_enclose(radius, &known, value->radius, &within);
             arb_add_error(z, radius);
             known = FLINT_MAX(known, CERTIFIED);
             *how = FLINT_MAX(*how, known);
@@ -112,12 +105,11 @@ void formula_enclose(arb_t z, enum how *how, const struct formula *f, const stru
 
 static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
 {
-    const struct value *value;
     struct bindings within;
-    const struct formula *f = formula_of_name(&within, &value, b, name);
+    const struct value *value = value_of_name(&within, b, name);
     const size_t length = strcspn(name, ".");
-    if (f != NULL)
-        return !(value != NULL && value->uncertain) && formula_rational(q, f, &within);
+    if (value != NULL)
+        return value->radius == NULL && formula_rational(q, value_now(value, b), &within);
     for (int i = 0; i < b->statement->assertion_count; i++) {
         const char *assertion = b->statement->assertions[i].name;
         if (strlen(assertion) == length && strncmp(name, assertion, length) == 0)
