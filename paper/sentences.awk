@@ -24,7 +24,7 @@ FNR > 1 { # section,sentence,rows,reason
         wrong("expected a section and a sentence")
     if ((field[3] == "") == (field[4] == ""))
         wrong("expected rows of data/verdicts.csv, or a reason why there are none")
-    if (field[4] !~ /^(aim|definition|input|cited|background|)$/)
+    if (field[4] != "" && field[4] !~ /^(aim|definition|input|cited|background)$/)
         wrong("unknown reason '" field[4] "', expected aim, definition, input, cited or background")
     count = split(field[3], names, " ")
     for (k = 1; k <= count; k++) {

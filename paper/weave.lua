@@ -1,9 +1,9 @@
--- The weaver: a reader of pandoc that puts what the build found in place of the directives in paper/*.md, for LaTeX and for the
--- web. What it puts there is Markdown. What cannot be found stops it, with file and line.
+-- The weaver: a reader of pandoc that puts what the build found in place of the directives in paper/*.md, for LaTeX and for
+-- the web. What it puts there is Markdown. What cannot be found stops it, with file and line.
 --
---     pandoc -f paper/weave.lua -t latex CHAPTER.md ...        CT_PAGE=CHAPTER.html pandoc -f paper/weave.lua -t html CHAPTER.md
+--     pandoc -f paper/weave.lua -t latex CHAPTER.md ...
 --
--- From the environment: CT_PROGRAM, CT_DATA, CT_BUILD; CT_DATE, the day of the source; CT_PAGE, the page of the web.
+-- From the environment: CT_PROGRAM, CT_DATA, CT_BUILD; CT_DATE, the day of the source; for the web CT_PAGE, the page's name.
 -- A line by itself:
 --   <<equation ID [only NAME ...]>>   the formula from the sheet as parsed, under its number
 --   <<equation ID = TEX>>             the same for a section of the sheet that has no formula
@@ -15,7 +15,7 @@
 --   <<rows KEY ...>> LINE             the line for each key, in place of @; @1 and @2 are the parts of a key A,B
 --   <<symbols>>, <<index>>            the quantities of the sheet; the index of equations
 --   <<places>>, <<verdicts>>          for the web: each equation with all that belongs to it; all verdicts
---   ![CAPTION](plot:NAME)             a plot of data/;  ![CAPTION](graph:CHAPTER)  what that chapter's steps lead from and to
+--   ![CAPTION](plot:NAME)             a plot of data/;  ![CAPTION](graph:CHAPTER)  what a chapter's steps lead from and to
 -- Within a line, the first two and a number that is quoted between dollars:
 --   <<number FILE ROW COLUMN DIGITS[*SCALE]>>   from data/FILE or build/FILE, the row by its first column, or columns: A,B
 --   <<value NAME DIGITS[*SCALE] ARGUMENT ...>>  what a command of the program finds
@@ -53,7 +53,7 @@ local function output_of(command)
   return pipe:close() and text or nil
 end
 
-local function run(arguments) return output_of(program .. ' ' .. arguments) or stop('coulomb-tether %s failed', arguments) end
+local function run(words) return output_of(program .. ' ' .. words) or stop('coulomb-tether %s failed', words) end
 
 local function split(text, pattern)
   local parts = {}
@@ -89,7 +89,7 @@ local steps, verdicts, errors = entries_of 'derivations.json', entries_of 'claim
 local gate = rows_of(made 'gate.csv')
 for _, row in ipairs(gate) do gate[row.id] = row end
 
-local counts = {steps = #steps, verdicts = #verdicts, inputs = errors[1].inputs, vectors = 0, misprints = 0, refuted = 0, ['not decidable'] = 0}
+local counts = {steps = #steps, verdicts = #verdicts, inputs = errors[1].inputs, vectors = 0, misprints = 0, refuted = 0}
 for _, row in ipairs(gate) do counts.vectors = counts.vectors + (tonumber(row.vectors) or 0) end
 for _, v in ipairs(verdicts) do
   counts[v.verdict] = (counts[v.verdict] or 0) + 1
@@ -169,7 +169,8 @@ local function link(text, id)
   if number and not section_of[number] then stop("unknown equation '%s', expected a number of the paper", number) end
   if not number and not label then stop("unknown reference '%s', expected a section, figure or reference", id) end
   if label then text = text .. (text == '' and '' or '\u{a0}') .. label.text end
-  return web and ('[%s](%s#%s)'):format(text, label and label.page or 'equations.html', id) or ('\\hyperref[%s]{%s}'):format(id, text)
+  if not web then return ('\\hyperref[%s]{%s}'):format(id, text) end
+  return ('[%s](%s#%s)'):format(text, label and label.page or 'equations.html', id)
 end
 local function equation_link(number) return link('(' .. number .. ')', 'eq:' .. number) end
 
@@ -184,8 +185,8 @@ end
 
 -- A text of the sheet or of a step, without marks: its symbols, its signs and powers that are numbers become mathematics.
 local digit, sign = R '09', P(false)
-for _, pair in ipairs {{'<=', '\\le'}, {'>=', '\\ge'}, {'<<', '\\ll'}, {'->', '\\to'}, {'+-', '\\pm'}, {'-+', '\\mp'}, {'*', '\\cdot'}} do
-  sign = sign + P(pair[1]) / ('$' .. pair[2] .. '$')
+for text, name in ('<= le >= ge << ll -> to +- pm -+ mp * cdot'):gmatch '(%S+) (%S+)' do
+  sign = sign + P(text) / ('$\\' .. name .. '$')
 end
 local name = R('az', 'AZ') * (R('az', 'AZ', '09') + '_')^0
 local marked = Cs((C((digit + '.')^1) * 'e' * C(S '+-'^-1 * digit^1) / function(...) return formula(scientific(...)) end
@@ -214,7 +215,9 @@ local function raw_inline(text) return '`' .. text .. '`{=latex}' end
 -- Blocks of a class: what LaTeX calls an environment.
 local function box(class, text, id) return ('\n\n::: {.%s%s}\n%s\n:::\n\n'):format(class, id and ' #' .. id or '', text) end
 -- What a reader opens on demand.
-local function details(summary, text) return raw('<details><summary>' .. summary .. '</summary>', 'html') .. text .. raw('</details>', 'html') end
+local function details(summary, text)
+  return raw('<details><summary>' .. summary .. '</summary>', 'html') .. text .. raw('</details>', 'html')
+end
 
 local function table_of(heads, widths, rows)
   local lines = {table.concat(heads, ' | '), ''}
@@ -225,22 +228,29 @@ end
 
 ---- equations ----
 
-local qualifier = {lin = 'small angles', inv = 'inverse', exact = 'exact', roots = 'roots', flow = 'flow', rk4 = 'Runge-Kutta'}
+local qualifier = {lin = 'small angles', inv = 'inverse', exact = 'exact', roots = 'roots', flow = 'flow',
+                   rk4 = 'Runge-Kutta'}
 local function qualified(id) return qualifier[id:match '^eq%d+(.*)$' or id:match '^%a+%d?'] end
 
 -- {2a, 2b, 2c} as the reader sees it: 2a to 2c.
 local function span_of(list) return #list < 2 and list[1] or list[1] .. (#list == 2 and ', ' or '–') .. list[#list] end
 
-local function section(id) return sections[id] or stop("unknown equation '%s', expected a section of paper/equations.yaml", id) end
+local function section(id)
+  return sections[id] or stop("unknown equation '%s', expected a section of paper/equations.yaml", id)
+end
 
 -- Rows that share a number, side by side or in columns where they are short.
 local function group(kind, texts)
   local longest = 0
   for _, text in ipairs(texts) do longest = math.max(longest, #text) end
   if #texts == 1 then return texts[1] end
-  if longest < 32 and (kind == 'relation' or kind == 'domain') then return (table.concat(texts, ',\\quad '):gsub('&', '')) end
+  if longest < 32 and (kind == 'relation' or kind == 'domain') then
+    return (table.concat(texts, ',\\quad '):gsub('&', ''))
+  end
   local columns, out = #texts >= 6 and (longest < 45 and 3 or longest < 75 and 2) or 1, ''
-  for i, text in ipairs(texts) do out = out .. text .. (i == #texts and '' or i % columns ~= 0 and ' &\\qquad ' or ' \\\\\n') end
+  for i, text in ipairs(texts) do
+    out = out .. text .. (i == #texts and '' or i % columns ~= 0 and ' &\\qquad ' or ' \\\\\n')
+  end
   return '\\begin{aligned}\n' .. out .. '\n\\end{aligned}'
 end
 
@@ -271,11 +281,13 @@ local function display(s, kinds, words)
   return lines
 end
 
--- On paper a section stands for the index, and its numbers for references, where it comes first.
+-- Where a section stands for the index and its numbers for references, once.
 local placed = {}
 local function targets(s)
   local out = web and '' or '\\place{' .. s.id .. '}'
-  for _, name in ipairs(s.id:match '^eq%d+$' and names_of(s) or {}) do out = out .. (web and '<a id="eq:%s"></a>' or '\\target{%s}'):format(name) end
+  for _, name in ipairs(s.id:match '^eq%d+$' and names_of(s) or {}) do
+    out = out .. (web and '<a id="eq:%s"></a>' or '\\target{%s}'):format(name)
+  end
   if placed[s.id] then return '' end
   placed[s.id] = true
   return out
@@ -291,8 +303,9 @@ local function equation(s, lines, suffix)
     out[i] = web and box('equation', '$$' .. tex .. '$$' .. (tag and '[(' .. tag .. ')]{.number}' or ''))
              or tex .. (tag and '\\tag{' .. tag:gsub('–', '--') .. '}' or '\\notag')
   end
+  if web then return table.concat(out) end
   local kind = aligned and 'align' or 'gather'
-  return web and table.concat(out) or raw(targets(s) .. ('%%\n\\begin{%s}\n%s\n\\end{%s}'):format(kind, table.concat(out, ' \\\\\n'), kind))
+  return raw(targets(s) .. ('%%\n\\begin{%s}\n%s\n\\end{%s}'):format(kind, table.concat(out, ' \\\\\n'), kind))
 end
 
 -- Code of more lines would leave much of a page empty, and may be torn on paper.
@@ -308,13 +321,17 @@ local function listing(name) return code(functions[name].text, functions[name].p
 
 ---- steps and verdicts ----
 
--- An equation number, a section or one formula of it, or a principle or property.
-local function references(list)
+-- Equation numbers, sections or formulas of them, principles and properties; as a whole, each once.
+local function references(list, whole)
   local out = {}
-  for i, entry in ipairs(list) do
+  for _, entry in ipairs(list) do
     local id, name = entry:match '^([^.]*)%.?(.*)$'
-    local number = section_of[entry] and entry or sections[id] and sections[id].numbers[1]:gsub('%a$', '')
-    out[i] = number and equation_link(number) .. (name == '' and '' or '\u{a0}' .. formula(symbol[name] or name:gsub('_(.*)', '_{%1}'))) or entry:gsub('_', '\\_')
+    local number = sections[id] and sections[id].numbers[1]:gsub('%a$', '') or section_of[entry] and entry
+    local text = number and equation_link(number) or (whole and id or entry):gsub('_', '\\_')
+    if number and name ~= '' and not whole then
+      text = text .. '\u{a0}' .. formula(symbol[name] or name:gsub('_(.*)', '_{%1}'))
+    end
+    if not (whole and out[text]) then out[text], out[#out + 1] = true, text end
   end
   return table.concat(out, ', ')
 end
@@ -324,35 +341,43 @@ local function algebra(lines)
   local out = ''
   for _, line in ipairs(lines) do
     local how, chain = prose(line.how), table.concat(line.tex, ' = ')
-    out = out .. '\n\n' .. (web and how .. ': ' .. formula(chain) or raw_inline '\\derive{' .. how
-      .. raw_inline(('}{%s}{\\begin{aligned}%s &= %s\\end{aligned}}'):format(chain, line.tex[1], table.concat(line.tex, ' \\\\ &= ', 2))))
+    local rows = line.tex[1] .. ' &= ' .. table.concat(line.tex, ' \\\\ &= ', 2)
+    out = out .. '\n\n' .. (web and how .. ': ' .. formula(chain)
+      or raw_inline '\\derive{' .. how .. raw_inline(('}{%s}{\\begin{aligned}%s\\end{aligned}}'):format(chain, rows)))
   end
   return out .. '\n\n'
 end
 
 -- In full in its chapter, in a line elsewhere.
 local function step_of(s, brief)
-  local name = '`' .. s.id .. '`'
-  local text = ('$\\vdash$ %s: %s. %s%s. *Proved %s%s.*'):format(brief and page_of_step[s.id] and ('[%s](%s#step-%s)'):format(name, page_of_step[s.id], s.id) or name,
-    prose(s.title), references(s.from), #s.to > 0 and ' $\\;\\rightarrow\\;$ ' .. references(s.to) or '', s.order and 'to order ' .. s.order or 'exactly',
-    web and '' or ', for ' .. prose(s.domain))
+  local name, chapter = '`' .. s.id .. '`', page_of_step[s.id]
+  if brief and chapter then name = ('[%s](%s#step-%s)'):format(name, chapter, s.id) end
+  local leads = references(s.from) .. (#s.to > 0 and ' $\\;\\rightarrow\\;$ ' .. references(s.to) or '')
+  local proved = (s.order and 'to order ' .. s.order or 'exactly') .. (web and '' or ', for ' .. prose(s.domain))
+  local text = ('$\\vdash$ %s: %s. %s. *Proved %s.*'):format(name, prose(s.title), leads, proved)
   if brief then return box('step', text) end
-  text = text .. (web and details('the algebra, line by line', algebra(s.lines) .. '```\nfor ' .. s.domain .. '\n```') or algebra(s.lines))
+  local lines = algebra(s.lines)
+  text = text .. (web and details('the algebra, line by line', lines .. '```\nfor ' .. s.domain .. '\n```') or lines)
   if s.printed then
-    local difference = s.printed.difference
-    text = text .. '\n\nAs printed it fails: ' .. (difference and 'the sides differ by a multiple of ' .. formula(difference) or prose(s.printed.evidence)) .. '.'
+    local by = s.printed.difference
+    text = text .. ('\n\nAs printed it fails: %s.'):format(by and 'the sides differ by a multiple of ' .. formula(by)
+                                                          or prose(s.printed.evidence))
   end
-  return box('step', text .. ((s.dropped or '') ~= '' and '\n\nCertified: ' .. prose(s.dropped) .. '.' or ''), 'step-' .. s.id)
+  if (s.dropped or '') ~= '' then text = text .. '\n\nCertified: ' .. prose(s.dropped) .. '.' end
+  return box('step', text, 'step-' .. s.id)
 end
 
-local function name_of(v) return web and ('[%s](verdicts.html#%s){.id}'):format(v.id, v.id) or raw_inline('\\claim{' .. v.id .. '}') end
+local function name_of(v)
+  return web and ('[%s](verdicts.html#%s){.id}'):format(v.id, v.id) or raw_inline('\\claim{' .. v.id .. '}')
+end
 
 -- On paper the evidence follows at once; on the web it stands with all verdicts, and at an equation's place.
 local function verdict_of(v, evidence, id)
-  local proof = from_tex:match(v.evidence_tex) .. '.'
-  return box('verdict .' .. v.verdict:match '%a+', ('**%s:** %s (%s) %s\n\n'):format(v.verdict, from_tex:match(v.claim_tex), sentence(v.where), name_of(v))
-    .. (web and from_tex:match(v.why_tex or '') or box('evidence', '*Evidence (' .. v.how .. '):* ' .. proof))
-    .. (evidence and details('evidence, ' .. v.how, proof) or ''), id)
+  local claim, proof = from_tex:match(v.claim_tex), from_tex:match(v.evidence_tex) .. '.'
+  local text = ('**%s:** %s (%s) %s\n\n'):format(v.verdict, claim, sentence(v.where), name_of(v))
+  if not web then text = text .. box('evidence', '*Evidence (' .. v.how .. '):* ' .. proof)
+  else text = text .. from_tex:match(v.why_tex or '') .. (evidence and details('evidence, ' .. v.how, proof) or '') end
+  return box('verdict .' .. v.verdict:match '%a+', text, id)
 end
 
 ---- within a line ----
@@ -390,7 +415,8 @@ function inline.quote(_, text)
 end
 
 function inline.count(_, what)
-  return tostring(counts[what] or stop("cannot count '%s', expected steps, vectors, inputs, misprints, verdicts or a kind of verdict", what))
+  return tostring(counts[what] or stop("cannot count '%s', expected %s or a kind of verdict", what,
+                                       'steps, vectors, inputs, misprints, verdicts'))
 end
 
 ---- a line by itself ----
@@ -401,7 +427,7 @@ function block.equation(words, text)
   local s, tex = section(words[1]), text:match '^%S+ = (.+)$'
   if tex and #s.rows > 0 then stop("'%s' has its formula in the sheet, expected <<equation %s>>", s.id, s.id) end
   if tex then return equation(s, {{tex = tex, tag = span_of(s.numbers)}}) end
-  if #s.rows == 0 then stop("'%s' has no formula in the sheet, expected <<equation %s = TEX>> or <<function %s>>", s.id, s.id, s.id) end
+  if #s.rows == 0 then stop("'%s' has no formula in the sheet, expected <<equation %s = TEX>>", s.id, s.id) end
   return equation(s, display(s, 'relation output let domain', words), qualified(s.id))
 end
 
@@ -436,7 +462,8 @@ function block.findings(_, kind)
   local rows = {}
   if not counts[kind] then stop("no verdict '%s'", kind) end
   for _, v in ipairs(verdicts) do
-    if v.verdict == kind then rows[#rows + 1] = {from_tex:match(v.claim_tex) .. ' ' .. name_of(v), sentence(v.where), from_tex:match(v.why_tex or '')} end
+    local claim, why = from_tex:match(v.claim_tex), from_tex:match(v.why_tex or '')
+    if v.verdict == kind then rows[#rows + 1] = {claim .. ' ' .. name_of(v), sentence(v.where), why} end
   end
   return #rows == 0 and '\n\nNone.\n\n' or box('findings', table_of({'claim', 'where', 'why'}, {37, 19, 44}, rows))
 end
@@ -459,57 +486,57 @@ function block.index()
   local rows = {}
   for i, g in ipairs(gate) do
     local numbers, q, name = sections[g.id].numbers, qualified(g.id), g['function']
-    rows[i] = {equation_link(numbers[1]) .. (#numbers > 1 and (#numbers == 2 and ', ' or '–') .. equation_link(numbers[#numbers]) or '') .. (q and ' ' .. q or ''),
+    local links = equation_link(numbers[1])
+    if #numbers > 1 then links = links .. (#numbers == 2 and ', ' or '–') .. equation_link(numbers[#numbers]) end
+    rows[i] = {links .. (q and ' ' .. q or ''),
                web and '[¶](equations.html#' .. g.id .. ')' or raw_inline('\\pageref{place:' .. g.id .. '}'),
                web and '`' .. name .. '`' or raw_inline('{\\condensed ' .. name:gsub('_', '\\_') .. '}'),
                g.tests, tonumber(g.error) and formula(decimal(g.error, '2')) or g.error, g.vectors, g.verdict}
   end
-  return table_of({'Eq.', web and '' or 'page', 'function', 'tests', '$E\\le$', 'vectors', 'verdict'}, {17, 6, 39, 7, 8, 9, 14}, rows)
-end
-
--- The equations, principles and properties that steps lead from or to, each once.
-local function add_new(list, entries)
-  for _, entry in ipairs(entries) do
-    local name = entry:match '^[^.]*'
-    name = sections[name] and sections[name].numbers[1]:gsub('%a$', '') or name
-    if not list[name] then list[name], list[#list + 1] = true, name end
-  end
+  return table_of({'Eq.', web and '' or 'page', 'function', 'tests', '$E\\le$', 'vectors', 'verdict'},
+                  {17, 6, 39, 7, 8, 9, 14}, rows)
 end
 
 -- Each equation with all that belongs to it.
 function block.places()
   local out = {}
-  local function add(...) for _, text in ipairs {...} do out[#out + 1] = text end end
+  local function add(text, ...) out[#out + 1] = text:format(...) end
   for _, s in ipairs(sections) do
     local g, q = gate[s.id], qualified(s.id)
-    add(('\n\n## [¶](#%s){.permalink} (%s) %s%s {#%s}\n\n'):format(s.id, span_of(s.numbers), prose(s.title), q and ', ' .. q or '', s.id), raw(targets(s), 'html'),
-        equation(s, s.defined and {{tex = s.defined, tag = span_of(s.numbers)}} or display(s, 'relation output let domain', {s.id}), q), prose(s.note or ''))
-    if s.reason then add(block.printed {s.id}) end
+    local title, tag = prose(s.title) .. (q and ', ' .. q or ''), span_of(s.numbers)
+    local lines = s.defined and {{tex = s.defined, tag = tag}} or display(s, 'relation output let domain', {s.id})
+    add('\n\n## [¶](#%s){.permalink} (%s) %s {#%s}\n\n', s.id, tag, title, s.id)
+    add('%s%s%s', raw(targets(s), 'html'), equation(s, lines, q), prose(s.note or ''))
+    if s.reason then add('%s', block.printed {s.id}) end
     local said = {}  -- once where (2a), (2b) and (2c) have the same
-    for _, number in ipairs(s.numbers) do
+    for _, number in ipairs(s.id:match '^eq%d+$' and s.numbers or {}) do
       local v = verdicts['equation-' .. number]
       local same = v and v.verdict .. v.claim .. (v.why or '') .. v.evidence
-      if v and s.id:match '^eq%d+$' and not said[same] then add(verdict_of(v, true)) end
-      if v then said[same] = true end
+      if v and not said[same] then add('%s', verdict_of(v, true)) end
+      said[same or ''] = true
     end
     local f = g and functions[g['function']]
-    if f then add(details('C: <code>' .. g['function'] .. '</code> in <code>' .. f.path .. '</code>', listing(g['function']))) end
-    local to, from, proofs = {}, {}, ''
-    for _, step in ipairs(steps) do
-      local ends = {}
-      for _, side in ipairs {'to', 'from'} do
-        for _, entry in ipairs(step[side]) do ends[side] = ends[side] or (section_of[entry] or entry:match '^[^.]*') == s.id end
-      end
-      if ends.to then add_new(to, step.from); proofs = proofs .. step_of(step, true) end
-      if ends.from then add_new(from, step.to) end
+    if f then
+      add('%s', details(('C: <code>%s</code> in <code>%s</code>'):format(g['function'], f.path), listing(g['function'])))
     end
-    if #to > 0 then add('\n\n**Comes from** ' .. references(to)) end
-    if #from > 0 then add('\n\n**Leads to** ' .. references(from)) end
-    if proofs ~= '' then add(details('proof', proofs)) end
+    local to, from, proofs = pandoc.List(), pandoc.List(), ''
+    for _, step in ipairs(steps) do
+      local function at(side)
+        for _, entry in ipairs(step[side]) do
+          if (section_of[entry] or entry:match '^[^.]*') == s.id then return true end
+        end
+      end
+      if at 'to' then to:extend(step.from); proofs = proofs .. step_of(step, true) end
+      if at 'from' then from:extend(step.to) end
+    end
+    if #to > 0 then add('\n\n**Comes from** %s', references(to, true)) end
+    if #from > 0 then add('\n\n**Leads to** %s', references(from, true)) end
+    if proofs ~= '' then add('%s', details('proof', proofs)) end
     if g and g.vectors ~= '-' then
-      add('\n\n**Error and vectors.** ', tonumber(g.error) and 'The largest backward error of the function is $E=' .. decimal(g.error, '2') .. '$ on ' .. errors[1].inputs
-          .. ' random inputs;' or 'Judged by correct digits;', (' %s tests, [%s golden vectors](data/%s.csv.gz). How to check yours:'):format(g.tests, g.vectors, s.id),
-          code('coulomb-tether conform --only ' .. s.id .. ' -- ./my-client'))
+      add('\n\n**Error and vectors.** %s %s tests, [%s golden vectors](data/%s.csv.gz). How to check yours:%s',
+          tonumber(g.error) and ('The largest backward error of the function is $E=%s$ on %d random inputs;')
+                                :format(decimal(g.error, '2'), errors[1].inputs) or 'Judged by correct digits;',
+          g.tests, g.vectors, s.id, code('coulomb-tether conform --only ' .. s.id .. ' -- ./my-client'))
     end
   end
   return table.concat(out)
@@ -527,22 +554,30 @@ end
 local function graph_of(chapter)
   local graph, file, used, nodes, edges = made 'derivations.gv', chapter .. '.html', {}, {}, {}
   for from, to in graph:gmatch '\n  "([^"]*)" %-> "([^"]*)"' do
-    if page_of_step[from] == file or page_of_step[to] == file then used[from], used[to], edges[#edges + 1] = true, true, ('"%s" -> "%s"'):format(from, to) end
+    if page_of_step[from] == file or page_of_step[to] == file then
+      used[from], used[to], edges[#edges + 1] = true, true, ('"%s" -> "%s"'):format(from, to)
+    end
   end
   for name, attributes in graph:gsub(', tooltip="[^\n]*"', ''):gmatch '\n  "([^"]*)" %[([^\n]*)%];' do
-    local number, step = name:match '^%d[^ ]*', not attributes:match 'shape'
-    local url = number and 'equations.html#eq:' .. number or step and '#step-' .. name
-    if used[name] then nodes[#nodes + 1] = ('"%s" [%s%s%s]'):format(name, url and 'URL="' .. url .. '", ' or '', step and '' or 'style=solid, ', attributes) end
+    local step, url = page_of_step[name], name:match '^%d' and 'equations.html#eq:' .. name
+    if step then url = (step == file and '' or step) .. '#step-' .. name end
+    if used[name] then
+      nodes[#nodes + 1] = ('"%s" [%sURL="%s"; %s]'):format(name, step and '' or 'style=solid; ', url or '', attributes)
+    end
   end
-  return 'digraph chapter { ranksep=0.3; nodesep=0.06; margin=0; node [fontname="Helvetica", fontsize=10, height=0.1, width=0.1, '
-         .. 'margin="0.03,0.02", shape=box, style=filled, fillcolor="#eeeeee"];' .. table.concat(nodes, ';') .. ';' .. table.concat(edges, ';') .. '}'
+  return 'digraph { ranksep=0.3; nodesep=0.06; margin=0; node [fontname=Helvetica, fontsize=10, height=0.1, width=0.1, '
+         .. 'margin="0.03,0.02", shape=box, style=filled, fillcolor="#eeeeee"];'
+         .. table.concat(nodes, ';') .. ';' .. table.concat(edges, ';') .. '}'
 end
 
 -- The picture within the page, without what a style sheet says better.
 local function inline_svg(chapter)
   local svg = pandoc.pipe('dot', {'-Tsvg'}, graph_of(chapter)):match '<svg.*'
-  return (svg:gsub('<title>.-</title>\n', ''):gsub('<!%-%-.-%-%->\n', ''):gsub('<g id="[en].-">\n', ''):gsub('</g>\n', ''):gsub('</svg>', '</g></svg>')
-             :gsub(' font%-%a+="[^"]*"', ''):gsub(' text%-anchor="middle"', ''):gsub(' xlink:title="[^"]*"', ''):gsub(' stroke="black"', ''))
+  for _, clutter in ipairs {'<title>.-</title>\n', '<!%-%-.-%-%->\n', ' font%-%a+="[^"]*"', ' text%-anchor="middle"',
+                            ' xlink:title="[^"]*"', ' stroke="black"', '<g id="[en].-">\n', '</g>\n'} do
+    svg = svg:gsub(clutter, '')
+  end
+  return (svg:gsub('</svg>', '</g></svg>'))
 end
 
 local function figure(caption, target)
@@ -553,12 +588,14 @@ local function figure(caption, target)
   local id = (kind == 'graph' and 'fig:graph-' or 'fig:') .. name
   local label = labels[id] and labels[id].text  -- pages between the chapters have none
   if web then
-    local drawn = kind == 'graph' and inline_svg(name) or ('<img src="plot-%s.svg" alt="%s">'):format(name, label and 'Figure ' .. label or '')
-    return raw('<figure id="' .. id .. '">' .. drawn .. '<figcaption>', 'html') .. (label and '**Figure ' .. label .. '.** ' or '') .. caption .. raw('</figcaption></figure>', 'html')
+    local named = label and 'Figure ' .. label or ''
+    local drawn = kind == 'graph' and inline_svg(name) or ('<img src="plot-%s.svg" alt="%s">'):format(name, named)
+    return raw('<figure id="' .. id .. '">' .. drawn .. '<figcaption>', 'html') .. (label and '**' .. named .. '.** ' or '')
+           .. caption .. raw('</figcaption></figure>', 'html')
   end
   if kind == 'graph' then pandoc.pipe('dot', {'-Tpdf', '-o', build .. '/paper/graph-' .. name .. '.pdf'}, graph_of(name)) end
-  return raw_inline(('\\begin{figure}[tbp]\\centering\\%s{%s}\\def\\thefigure{%s}\\caption{'):format(kind, name, label)) .. caption
-         .. raw_inline('}\\label{' .. id .. '}\\end{figure}')
+  local begin = ('\\begin{figure}[tbp]\\centering\\%s{%s}\\def\\thefigure{%s}\\caption{'):format(kind, name, label)
+  return raw_inline(begin) .. caption .. raw_inline('}\\label{' .. id .. '}\\end{figure}')
 end
 
 ---- the document ----
@@ -574,7 +611,7 @@ function woven(line)
     end):sub(1, -2))
   end
   local name, rest = line:match '^<<(%a*) *(.*)>>$'
-  if name and not inline[name] then return '\n\n' .. (block[name] or stop("unknown directive '%s'", name))(split(rest), rest) .. '\n\n' end
+  if name and not inline[name] then return (block[name] or stop("unknown directive '%s'", name))(split(rest), rest) end
   line = line:gsub('()<<((%a*) *(.-))>>', function(at, text, name, rest)
     if (name == 'number' or name == 'value') and select(2, line:sub(1, at):gsub('%$', '')) % 2 == 0 then
       stop("'%s' is mathematics, expected dollars around it", text)
@@ -582,7 +619,8 @@ function woven(line)
     return (inline[name] or stop("unknown directive '%s' within a line", name))(split(rest), rest)
   end)
   if line:find('<<', 1, true) then stop "'<<' without its '>>' on the same line" end
-  line = line:gsub('%[([^%[%]]*)%]%(#([^%s()]+)%)', link):gsub('%[%]{#(ref:%w+)}', web and '%0' or '\\phantomsection\\label{%1}')
+  line = line:gsub('%[([^%[%]]*)%]%(#([^%s()]+)%)', link)
+  if not web then line = line:gsub('%[%]{#(ref:%w+)}', '\\phantomsection\\label{%1}') end
   local title, id = line:match '^# (.*) {#(%S+)}$'
   if web and id then return ('# %s %s {#%s}'):format(labels[id].text, title, id) end
   local caption, target = line:match '^!%[(.*)%]%(([^()]*)%)$'
@@ -591,9 +629,9 @@ end
 
 -- What the templates ask for: the version, the day, the data; for the web the pages, and those before and after this one.
 local function metadata()
-  local meta = {version = output_of(program .. ' --version'):match '(%S+)%s*$', date = os.getenv 'CT_DATE' or '', pages = pages,
-                fingerprint = output_of('$(command -v sha256sum || echo shasum -a 256) ' .. word(data .. '/datapackage.json')):sub(1, 16),
-                title = 'The Coulomb tether, checked by machine'}
+  local sum = output_of('$(command -v sha256sum || echo shasum -a 256) ' .. word(data .. '/datapackage.json'))
+  local meta = {title = 'The Coulomb tether, checked by machine', version = run '--version':match '(%S+)%s*$',
+                date = os.getenv 'CT_DATE' or '', pages = pages, fingerprint = sum:sub(1, 16)}
   for i, p in ipairs(pages) do
     if p.file == page then meta.title, meta.before, meta.after = p.title, pages[i - 1], pages[i + 1] end
   end
@@ -617,8 +655,9 @@ function Reader(sources)
     -- In MathML upright letters are text, or each would be one of its own; and a product has its space anyway.
     Math = web and function(el) el.text = el.text:gsub('\\mathrm(%b{})', '{\\text%1}'):gsub('\\,', ' ') return el end,
     Div = not web and function(el)
-      local class = el.classes[1]
-      return class and {pandoc.RawBlock('latex', '\\begin{' .. class .. '}'), pandoc.Div(el.content), pandoc.RawBlock('latex', '\\end{' .. class .. '}')}
+      el.content:insert(1, pandoc.RawBlock('latex', '\\begin{' .. el.classes[1] .. '}'))
+      el.content:insert(pandoc.RawBlock('latex', '\\end{' .. el.classes[1] .. '}'))
+      return el.content
     end,
   }
 end
