@@ -121,11 +121,14 @@ def main():
     ratio = t['square']/t['picard']
     rows.append(('inverse-square field, certified, against Picard iteration without proofs', f'{ratio:.2f}', '<= 3', ratio <= 3))
     single = program('flow', 16, 3)[0]
-    for what, cm, percent, most in (('+-1 cm', 1, 0, 1.2), ('+-2.5 cm', 2.5, 0, 1.6), ('+-5 mm and C1 +-1 %', 0.5, 1, 1.6)):
+    for what, cm, percent, most in (('+-1 cm', 1, 0, 1.2), ('+-2.5 cm', 2.5, 0, 1.6), ('+-5 mm and C1 +-1 %', 0.5, 1, 1.6),
+                                    ('+-5 cm', 5, 0, math.inf)):
         taken, factor = program('set', cm, percent, 1000)
-        rows.append((f'bounds of a set, {what}, over what 1,000 motions fill, 3 days', f'{factor:.2f}', f'<= {most}', factor <= most))
+        rows.append((f'bounds of a set, {what}, over what 1,000 motions fill, 3 days', f'{factor:.2f}', f'<= {most}' if most < math.inf else '', factor <= most))
         if cm == 1:
             rows.append(('its processor time in single motions of 16 digits', f'{taken/single:.0f}', '<= 100', taken <= 100*single))
+        if cm == 5:
+            rows.append(('its processor time, seconds', f'{taken:.0f}', '<= 120', taken <= 120))
     ratio = t['flow']/t['unproved']
     rows.append(('the nonlinear trajectory, against the integrator without its proofs', f'{ratio:.2f}', '<= 2.5',
                  ratio <= 2.5))

@@ -808,6 +808,10 @@ TEST(rows_proved_before_the_charge_law_ends_are_kept)
     ck_assert_int_ge(lines(output), 2);
     ck_assert_ptr_nonnull(strstr(errors, "Q_ref + dQ >= 0 from t = 355.77"));
     ck_assert_int_eq(lines(errors), 1);
+    /* so does the first motion of a set: 1 mm is passed in 4 s */
+    ck_assert_int_eq(run("trajectory nonlinear C1=5.3165972e-8 C2=1e-9 psi=0 theta=0 dL=-2.9+-1e-3 dL_dot=-3e-4 --set --every 10"), 1);
+    ck_assert_int_eq(lines(output), 2 + 35);
+    ck_assert_str_eq(errors, "coulomb-tether: Q_ref + dQ >= 0 may be in the set: Eq. (21) has no charges there, last proved time 350 s\n");
 }
 
 EACH(what_ends_a_motion_is_said_behind_the_rows_proved, 4)
@@ -823,7 +827,7 @@ EACH(what_ends_a_motion_is_said_behind_the_rows_proved, 4)
          "--every 0.25 --until 10 --digits 4", 4, "the craft come closer than L_ref/128, nothing is proved beyond, last proved time 0.579"},
         /* and from 1 % nearer, what was split included: after 0.57 s at the earliest */
         {"trajectory nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 x1=0 y1=0 z1=1+-0.01 x1_dot=0 y1_dot=0 z1_dot=0 --set "
-         "--every 0.25 --until 10 --digits 4", 4, "the set grew past use, last proved time 0.5"},
+         "--every 0.25 --until 10 --digits 4", 4, "the enclosure grew past use, last proved time 0.5"},
         /* y1 = 0.3125 (1/3) 12 m = 1.25 m, a tie that an enclosure of 1/3 leaves undecided */
         {"figure 5b m1=100 m2=50 dL=2 psi=0.3125 --digits 2", 1, "bits do not decide every digit of row 1"},
     };

@@ -29,6 +29,7 @@ enum flow_status {
     FLOW_WIDE,      /* the enclosure grew past use: more precision may help                     */
     FLOW_CLOSE,     /* at `reached` L < L_ref/128, proved, and steps become too short to go on: whether
                        the craft meet is not known                                              */
+    FLOW_UNCHARGED, /* of a set: at the row after the last, Q_ref + dQ may be >= 0 for some motion   */
     FLOW_DOMAIN,    /* a parameter, the initial state or a time lies outside the domain         */
     FLOW_STALLED    /* too many steps: gains so stiff, or a time so late, that no end is in sight */
 };

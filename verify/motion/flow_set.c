@@ -18,28 +18,33 @@
  *   (S7) within the step all of |J B s|                       (row)
  *   (S8) the time is a ball, the step's polynomial is evaluated at a binary64 near it
  *   (S9) after a split either half is followed                (split)
+ *
+ * A split halves the unknowns, not time: { P(e) + B s } is the union of its halves, e_i = (e'_i +- 1)/2, wherever it stands.
  */
 #include "motion/flow_set.h"
 
+#include <flint/thread_support.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "motion/lohner.h"
 #include "text/message.h"
+#include "text/progress.h"
 #include "text/scope.h"
 
 enum {
     SET_ORDER = 14,           /* of the states' series, and ... */
     DERIVATIVE_ORDER = 8, /* ... of the derivatives' */
     MOST_SET_HALVINGS = 6,    /* of a step before it is given up */
-    MOST_SET_STEPS = 20000,
-    MOST_DEPTH = 30,      /* of splitting */
+    MOST_ROUNDS = 20000,
     BITS = 64
 };
 
-/* A step leaves out this part of the set; where the rest is more than that part of it, the set is split. */
-static const double LEFT_OUT = 1e-7, MOST_REST = 0.1;
+/* A step's series leave out this part of the set; where its models leave out more than that part, and than roundings, it is split. */
+static const double LEFT_OUT = 1e-7, MOST_ADDED = 1.5e-7, ROUNDINGS = 1e-11;
 
 static const double LONGEST = 0.25; /* step, radians: at rest the series propose none */
 
@@ -49,16 +54,14 @@ struct model_jet {
     struct model *c[JET_ALL];
 };
 
-/* Part of the set: where it stands, its rows before k, and what it was halved along to come from the whole. */
+/* Part of the set, and where it stands */
 struct piece {
     struct model model[SET_MODELS];
-    struct lohner rest; /* its centre is 0 */
-    double now;         /* radians of orbit, exact */
-    slong k;
-    arb_ptr rows;
-    int halvings;
-    signed char half[MOST_DEPTH]; /* i + 1, or -(i + 1) for the lower half */
-    struct piece *next;
+    struct lohner rest; /* its centre is 0                             */
+    double now;         /* radians of orbit, exact                     */
+    slong k;            /* rows that hold it                           */
+    int split;          /* the unknown that it is to be halved along: -1 for none */
+    enum flow_status status; /* FLOW_DONE while all is well            */
 };
 
 struct follower {
@@ -68,6 +71,7 @@ struct follower {
     struct majorant path_bound, hull_bound, spread_bound;
     struct model end[FLOW_STATE], at; /* of the step's end, and of an answer */
     mag_ptr error;
+    double left; /* out by the models at the step's end, of one coordinate at most */
     slong order, derivative_order;
     int direction;
 };
@@ -159,35 +163,39 @@ static void start_set_q(struct model_jet *jet)
 
 /* ---- pieces ---- */
 
-/* The half of a piece, or of the whole set, where it stood at first */
-static struct piece *piece_new(const struct flow_set *set, const struct piece *of, int half, slong count)
+static void piece_init(struct piece *p, const struct model *model)
 {
     VECTOR(arb, nothing, FLOW_STATE);
-    struct piece *p = xrealloc(NULL, 1, sizeof *p);
-    *p = (struct piece){.rows = _arb_vec_init(FLOW_STATE * count)};
-    if (of != NULL) {
-        memcpy(p->half, of->half, sizeof p->half);
-        p->halvings = of->halvings;
-        p->half[p->halvings++] = (signed char)half;
-    }
+    *p = (struct piece){.split = -1};
     for (int v = 0; v < SET_MODELS; v++) {
-        model_init(&p->model[v], &set->space);
-        model_set(&p->model[v], &set->model[v]);
-        for (int j = 0; j < p->halvings; j++)
-            model_halve(&p->model[v], abs(p->half[j]) - 1, p->half[j] > 0 ? 1 : -1);
+        model_init(&p->model[v], model->space);
+        model_set(&p->model[v], model + v);
     }
     lohner_init(&p->rest);
     lohner_from_box(&p->rest, nothing);
-    return p;
 }
 
-static void piece_free(struct piece *p, slong count)
+static void piece_clear(struct piece *p)
 {
     for (int v = 0; v < SET_MODELS; v++)
         model_clear(&p->model[v]);
     lohner_clear(&p->rest);
-    _arb_vec_clear(p->rows, FLOW_STATE * count);
-    free(p);
+}
+
+/* The upper half of p, which becomes the lower one; either has all that p is off */
+static void piece_split(struct piece *upper, struct piece *p)
+{
+    piece_init(upper, p->model);
+    memcpy(upper->rest.basis, p->rest.basis, sizeof p->rest.basis);
+    for (int j = 0; j < FLOW_STATE; j++)
+        mag_set(upper->rest.radius + j, p->rest.radius + j);
+    upper->now = p->now;
+    upper->k = p->k;
+    for (int v = 0; v < SET_MODELS; v++) {
+        model_halve(&upper->model[v], p->split, 1);
+        model_halve(&p->model[v], p->split, -1);
+    }
+    p->split = -1;
 }
 
 /* The unknown on which what is not linear depends most, or else what is linear; -1 where nothing depends on any */
@@ -318,19 +326,6 @@ static double width(const struct model *x)
     return model_size(x) - fabs(x->c[0]);
 }
 
-/* Whether what is carried beside the polynomials has grown too large for them */
-static bool is_loose(const struct piece *p)
-{
-    VECTOR(arb, box, FLOW_STATE);
-    double rest = 0, widest = 0;
-    lohner_to_box(box, &p->rest);
-    for (int v = 0; v < FLOW_STATE; v++) {
-        rest = fmax(rest, mag_get_d(arb_radref(box + v)));
-        widest = fmax(widest, width(&p->model[v]));
-    }
-    return rest > MOST_REST * widest;
-}
-
 /* The step at which the last two terms fall to a part of the set, or of rounding: a dyadic of 8 bits. */
 static double set_step_length(const struct follower *f, const struct piece *p)
 {
@@ -363,13 +358,24 @@ static bool prove_set_step(struct follower *f, const struct piece *p, double ste
 static void find_end(struct follower *f, double step)
 {
     SCOPE(mag, rest);
+    f->left = 0;
     for (int v = 0; v < FLOW_STATE; v++) {
         model_evaluate(&f->end[v], f->path.c[v], (int)f->order + 1, f->direction * step);
         mag_set_d(rest, f->end[v].rest);
         mag_add(f->error + v, f->path_bound.remainder + v, f->spread_bound.remainder + v);
         mag_add(f->error + v, f->error + v, rest);
+        f->left = fmax(f->left, f->end[v].rest);
         f->end[v].rest = 0;
     }
+}
+
+/* Whether the step's polynomials leave out so much that they should be those of a smaller set */
+static bool is_loose(const struct follower *f, const struct piece *p)
+{
+    double widest = 0;
+    for (int v = 0; v < FLOW_STATE; v++)
+        widest = fmax(widest, width(&p->model[v]));
+    return f->left > fmax(MOST_ADDED * widest, ROUNDINGS);
 }
 
 /* The set at the end of the step; false if it is lost. */
@@ -379,7 +385,6 @@ static bool advance_models(struct follower *f, struct piece *p, double step)
     VECTOR(arb, image, FLOW_STATE);
     struct model at_end;
     SCOPE(mag, rest);
-    find_end(f, step);
     arb_mat_struct *derivative = xrealloc(NULL, (size_t)count, sizeof *derivative);
     model_init(&at_end, &f->set->linear);
     for (int i = 0; i < count; i++)
@@ -403,20 +408,20 @@ static bool advance_models(struct follower *f, struct piece *p, double step)
     return bounded;
 }
 
-/* A ball of coordinate v at s radians after now, |s| <= step, in SI, for all of the piece */
+/* A ball of state or series v at s radians after now, |s| <= step, for all of the piece */
 static void row(arb_t x, struct follower *f, int v, double now, const arb_t s, double step)
 {
-    const bool at_start = arb_is_zero(s) && !(fabs(now) > 0); /* there the models are all */
+    const bool at_start = arb_is_zero(s) && !(fabs(now) > 0) && v < JET_STATES; /* there the models are all */
     const double near = arf_get_d(arb_midref(s), ARF_RND_NEAR);
     const struct majorant *path = &f->path_bound, *spread = &f->spread_bound;
     SCOPE(arb, off);
     SCOPE(mag, by, h);
     model_evaluate(&f->at, f->path.c[v], (int)f->order + 1, near);
     model_range(x, &f->at);
-    arb_add_error_mag(x, path->remainder + v);
+    arb_add_error_mag(x, v < JET_STATES ? path->remainder + v : path->tail + v);
     arb_add_error_mag(x, spread->suffix[v]); /* (S7): below degree n, ... */
     arb_add_error_mag(x, spread->size[v] + spread->order);
-    arb_add_error_mag(x, spread->remainder + v);
+    arb_add_error_mag(x, v < JET_STATES ? spread->remainder + v : spread->tail + v);
     arb_set_d(off, near); /* (S8): (|s - near|/h) sum k |a_k| h^k */
     arb_sub(off, off, s, BITS);
     arb_get_mag(by, off);
@@ -429,9 +434,6 @@ static void row(arb_t x, struct follower *f, int v, double now, const arb_t s, d
         mag_mul(h, h, by);
         arb_add_error_mag(x, h);
     }
-    arb_mul(x, x, f->set->unit, BITS);
-    if (v >= FLOW_HALF)
-        arb_mul(x, x, f->set->Omega, BITS);
 }
 
 /* ---- all pieces ---- */
@@ -439,24 +441,15 @@ static void row(arb_t x, struct follower *f, int v, double now, const arb_t s, d
 struct work {
     const struct flow_set *set;
     const fmpq *times;
-    slong count, limit; /* rows wanted, and those that no piece has failed to prove yet */
-    arb_ptr rows;
-    slong seen;         /* rows before that one hold a piece already                    */
-    struct piece *open; /* pieces to be followed                                        */
-    int pieces;         /* how many there are, done ones too                            */
-    double reached;     /* radians, by all                                              */
+    slong limit, proved; /* rows that are wanted and that no piece has failed to prove, and those that all have */
+    double now;        /* radians that all have been followed            */
+    enum flow_status status;
+    double *low, *high; /* of all rows                                   */
+    struct piece *piece;
+    int count, next;   /* pieces, and the one that is next in this round */
+    pthread_mutex_t lock; /* of the rows and of `next`                   */
+    struct follower follower[MOST_THREADS];
 };
-
-/* Balls that hold what is there and the piece's */
-static void join(struct work *w, const struct piece *p)
-{
-    for (slong i = 0; i < FLOW_STATE * FLINT_MIN(p->k, w->limit); i++)
-        if (i < FLOW_STATE * w->seen)
-            arb_union(w->rows + i, w->rows + i, p->rows + i, BITS);
-        else
-            arb_set(w->rows + i, p->rows + i);
-    w->seen = FLINT_MAX(w->seen, p->k);
-}
 
 /* s = Omega t - now, and whether |s| <= step for certain */
 static bool within_set(const struct work *w, const struct piece *p, arb_t s, double step)
@@ -480,67 +473,171 @@ static double proved_set_step(struct follower *f, const struct piece *p, double 
     return halvings < MOST_SET_HALVINGS ? step : 0;
 }
 
-/* To the last time, or to where nothing more is proved; FLOW_STOPPED where the piece should be split. */
-static enum flow_status follow_set(const struct work *w, struct follower *f, struct piece *p, bool splitting)
+/* Row k's bounds are made wide enough for the piece; false where (21) may have no charges. */
+static bool widen_row(struct work *w, struct follower *f, const struct piece *p, const arb_t s, double step)
 {
-    bool bounded = true;
+    SCOPE(arb, x);
+    SCOPE(arf, end);
+    double low[FLOW_STATE], high[FLOW_STATE];
+    row(x, f, JET_CHARGE, p->now, s, step);
+    if (w->set->charged && !arb_is_negative(x))
+        return false;
+    for (int v = 0; v < FLOW_STATE; v++) {
+        row(x, f, v, p->now, s, step);
+        arb_mul(x, x, w->set->unit, BITS);
+        if (v >= FLOW_HALF)
+            arb_mul(x, x, w->set->Omega, BITS);
+        arb_get_lbound_arf(end, x, BITS);
+        low[v] = arf_get_d(end, ARF_RND_FLOOR);
+        arb_get_ubound_arf(end, x, BITS);
+        high[v] = arf_get_d(end, ARF_RND_CEIL);
+    }
+    pthread_mutex_lock(&w->lock);
+    for (int v = 0; v < FLOW_STATE; v++) {
+        w->low[FLOW_STATE * p->k + v] = fmin(w->low[FLOW_STATE * p->k + v], low[v]);
+        w->high[FLOW_STATE * p->k + v] = fmax(w->high[FLOW_STATE * p->k + v], high[v]);
+    }
+    pthread_mutex_unlock(&w->lock);
+    return true;
+}
+
+/* A step of the piece, or that it should be split, or that no step is proved */
+static void follow_piece(struct work *w, struct follower *f, struct piece *p)
+{
     SCOPE(arb, s);
-    for (int steps = 0; p->k < w->limit && bounded; steps++) {
-        expand_models(f, p);
-        const double step = proved_set_step(f, p, set_step_length(f, p));
-        if (splitting && (!(step > 0) || is_loose(p)) && steepest(p) >= 0)
-            return FLOW_STOPPED;
-        if (!(step > 0) || steps == MOST_SET_STEPS)
-            return step > 0 ? FLOW_STALLED : FLOW_WIDE;
-        for (; p->k < w->limit && within_set(w, p, s, step); p->k++)
-            for (int v = 0; v < FLOW_STATE; v++)
-                row(p->rows + FLOW_STATE * p->k + v, f, v, p->now, s, step);
-        bounded = p->k == w->limit || advance_models(f, p, step);
-    }
-    return bounded ? FLOW_DONE : FLOW_WIDE;
-}
-
-static void add_piece(struct work *w, struct piece *p)
-{
-    p->next = w->open;
-    w->open = p;
-}
-
-enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong count, arb_ptr rows, slong *proved, double *reached)
-{
-    struct work w = {.set = s, .times = times, .count = count, .limit = count, .rows = rows, .pieces = 1, .reached = HUGE_VAL};
-    struct follower f;
-    enum flow_status status = FLOW_DONE;
-    const int direction = count > 0 && fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
-    SCOPE(arb, seconds);
-    add_piece(&w, piece_new(s, NULL, 0, count));
-    follower_init(&f, s, direction);
-    while (w.open != NULL) {
-        struct piece *p = w.open;
-        w.open = p->next;
-        const bool splitting = w.pieces < s->most_pieces && p->halvings < MOST_DEPTH;
-        const enum flow_status one = follow_set(&w, &f, p, splitting);
-        if (one == FLOW_STOPPED) {
-            const int i = steepest(p);
-            add_piece(&w, piece_new(s, p, i + 1, count));
-            add_piece(&w, piece_new(s, p, -i - 1, count));
-            w.pieces++;
-        } else {
-            join(&w, p);
-            if (one != FLOW_DONE) {
-                status = one;
-                w.limit = p->k;
-                w.reached = fmin(w.reached, fabs(p->now));
-            }
+    expand_models(f, p);
+    const double step = proved_set_step(f, p, set_step_length(f, p));
+    find_end(f, step);
+    if (w->count < w->set->most_pieces && (!(step > 0) || is_loose(f, p)))
+        p->split = steepest(p);
+    if (p->split >= 0)
+        return;
+    if (!(step > 0))
+        p->status = FLOW_WIDE;
+    for (; p->k < w->limit && p->status == FLOW_DONE && within_set(w, p, s, step); p->k++)
+        if (!widen_row(w, f, p, s, step)) {
+            p->status = FLOW_UNCHARGED;
+            return;
         }
-        piece_free(p, count);
+    if (p->k < w->limit && p->status == FLOW_DONE && !advance_models(f, p, step))
+        p->status = FLOW_WIDE;
+}
+
+/* Pieces as they come, each of them once in a round */
+static void follow_some(slong thread, void *context)
+{
+    struct work *w = context;
+    for (;;) {
+        pthread_mutex_lock(&w->lock);
+        const int i = w->next++;
+        pthread_mutex_unlock(&w->lock);
+        if (i >= w->count)
+            return;
+        if (w->piece[i].k < w->limit)
+            follow_piece(w, &w->follower[thread], &w->piece[i]);
     }
-    follower_clear(&f);
-    *proved = w.limit;
-    arb_set_d(seconds, w.reached);
-    arb_div(seconds, seconds, s->Omega, BITS);
-    *reached = direction * arf_get_d(arb_midref(seconds), ARF_RND_DOWN);
-    return status;
+}
+
+/* What a round has found: pieces to be split, as long as there may be more, how far all are, and what cannot be proved */
+static void end_round(struct work *w)
+{
+    const int before = w->count;
+    w->now = HUGE_VAL;
+    for (int i = 0; i < before; i++) {
+        if (w->piece[i].split >= 0 && w->count < w->set->most_pieces) {
+            w->piece = xrealloc(w->piece, (size_t)w->count + 1, sizeof *w->piece);
+            piece_split(&w->piece[w->count++], &w->piece[i]);
+        }
+        struct piece *p = &w->piece[i];
+        p->split = -1;
+        if (p->status != FLOW_DONE && p->k < w->limit) {
+            w->status = p->status;
+            w->limit = p->k;
+        }
+        w->now = fmin(w->now, fabs(p->now));
+    }
+    w->proved = w->limit;
+    for (int i = 0; i < before; i++)
+        w->proved = FLINT_MIN(w->proved, w->piece[i].k);
+}
+
+/* Rows that all pieces have, from the k-th on; false where the receiver has enough */
+static bool hand_rows(const struct work *w, slong k, flow_receiver *receive, void *context)
+{
+    VECTOR(arb, state, FLOW_STATE);
+    SCOPE(arf, low, high);
+    bool wanted = true;
+    for (; k < w->proved && wanted; k++) {
+        for (int v = 0; v < FLOW_STATE; v++) {
+            arf_set_d(low, w->low[FLOW_STATE * k + v]);
+            arf_set_d(high, w->high[FLOW_STATE * k + v]);
+            arb_set_interval_arf(state + v, low, high, BITS);
+        }
+        wanted = receive(context, k, w->times + k, state) == 0;
+    }
+    return wanted;
+}
+
+/* Seconds up to which all pieces, or rows, have been proved */
+static double seconds_proved(const struct work *w)
+{
+    SCOPE(arb, t);
+    SCOPE(arf, bound);
+    arb_set_d(t, w->now);
+    arb_div(t, t, w->set->Omega, BITS);
+    arb_get_lbound_arf(bound, t, 53);
+    return fmax(arf_get_d(bound, ARF_RND_DOWN), w->proved > 0 ? fabs(fmpq_get_d(w->times + w->proved - 1)) : 0);
+}
+
+static void follow_all(struct work *w, flow_receiver *receive, void *context, double *reached)
+{
+    struct progress progress = progress_begin(true);
+    for (int rounds = 0; w->proved < w->limit && w->status != FLOW_STOPPED; rounds++) {
+        const slong k = w->proved;
+        w->next = 0;
+        flint_parallel_do(follow_some, w, w->set->threads, -1, FLINT_PARALLEL_STRIDED);
+        end_round(w);
+        *reached = seconds_proved(w);
+        progress_show(&progress, (uint64_t)*reached, (uint64_t)fabs(fmpq_get_d(w->times + w->limit - 1)));
+        if (!hand_rows(w, k, receive, context))
+            w->status = FLOW_STOPPED;
+        else if (rounds == MOST_ROUNDS && w->proved < w->limit) {
+            w->status = FLOW_STALLED;
+            w->limit = w->proved;
+        }
+    }
+    progress_end(&progress);
+}
+
+enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong count, flow_receiver *receive, void *context,
+                          double *reached)
+{
+    const int direction = count > 0 && fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
+    struct work w = {.set = s, .times = times, .limit = count, .count = 1};
+    w.low = xrealloc(NULL, (size_t)(2 * FLOW_STATE * count + 1), sizeof *w.low);
+    w.high = w.low + FLOW_STATE * count;
+    for (slong i = 0; i < FLOW_STATE * count; i++) {
+        w.low[i] = HUGE_VAL;
+        w.high[i] = -HUGE_VAL;
+    }
+    w.piece = xrealloc(NULL, 1, sizeof *w.piece);
+    piece_init(w.piece, s->model);
+    for (int i = 0; i < s->threads; i++)
+        follower_init(&w.follower[i], s, direction);
+    pthread_mutex_init(&w.lock, NULL);
+    flint_set_num_threads(s->threads);
+    *reached = 0;
+    follow_all(&w, receive, context, reached);
+    *reached *= direction;
+    flint_set_num_threads(1);
+    pthread_mutex_destroy(&w.lock);
+    for (int i = 0; i < s->threads; i++)
+        follower_clear(&w.follower[i]);
+    for (int i = 0; i < w.count; i++)
+        piece_clear(&w.piece[i]);
+    free(w.piece);
+    free(w.low);
+    return w.status;
 }
 
 void flow_set_init(struct flow_set *s, int variables, int degree)
@@ -552,6 +649,8 @@ void flow_set_init(struct flow_set *s, int variables, int degree)
     arb_init(s->Omega);
     arb_init(s->unit);
     s->most_pieces = 1;
+    s->charged = false;
+    s->threads = (int)FLINT_MAX(1, FLINT_MIN(MOST_THREADS, sysconf(_SC_NPROCESSORS_ONLN)));
     s->how = (struct flow_steps){.order = 0};
 }
 

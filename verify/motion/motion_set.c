@@ -174,34 +174,42 @@ static bool is_wide(const struct scenario *s)
     return most > 0.0015;
 }
 
+struct set_rows {
+    row_receiver *receive;
+    void *context;
+    slong digits;
+};
+
+static int print_bounds(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    const struct set_rows *rows = context;
+    char *numbers[SET_NUMBERS];
+    for (int i = 0; i < SET_NUMBERS; i++)
+        numbers[i] = decimal_of_end(state + i / 2, rows->digits, i % 2);
+    const int stopped = rows->receive(rows->context, k, t, numbers);
+    for (int i = 0; i < SET_NUMBERS; i++)
+        free(numbers[i]);
+    return stopped;
+}
+
 int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, const fmpq *times, slong count, row_receiver *receive,
                     void *context, struct message *why)
 {
     int unknowns = 0;
     for (int i = 0; i < SCENARIO_VALUES; i++)
         unknowns += !fmpq_is_zero(s->radius + i);
-    VECTOR(arb, rows, FLOW_STATE * count);
+    struct set_rows rows = {receive, context, digits};
     struct flow_set set;
-    slong proved;
     double reached;
     const int degree = unknowns <= FEW + 1 ? SET_DEGREE : unknowns == FEW + 2 ? SET_DEGREE - 1 : SET_DEGREE - 3;
     flow_set_init(&set, unknowns, degree + (unknowns <= FEW + 1 && is_wide(s)));
     set.most_pieces = most_pieces;
+    set.charged = true;
     models_of(&set, s);
-    const enum flow_status status = flow_set(&set, times, count, rows, &proved, &reached);
+    const enum flow_status status = flow_set(&set, times, count, print_bounds, &rows, &reached);
     flow_set_clear(&set);
-    int stopped = 0;
-    for (slong k = 0; k < proved && stopped == 0; k++) {
-        char *numbers[SET_NUMBERS];
-        for (int i = 0; i < SET_NUMBERS; i++)
-            numbers[i] = decimal_of_end(rows + FLOW_STATE * k + i / 2, digits, i % 2);
-        stopped = receive(context, k, times + k, numbers);
-        for (int i = 0; i < SET_NUMBERS; i++)
-            free(numbers[i]);
-    }
-    if (status == FLOW_DONE || stopped != 0)
+    if (status == FLOW_DONE || status == FLOW_STOPPED)
         return 0;
-    message_set(why, status == FLOW_WIDE ? "the set grew past use, last proved time %.9g s" : "too many steps, last proved time %.9g s",
-                reached);
+    message_set(why, "%s, last proved time %.9g s", flow_status_text(status), reached);
     return -1;
 }

@@ -26,7 +26,7 @@ static const struct term closed_loop_terms[JET_TERMS] = {
 
 const struct system closed_loop = {JET_STATES, JET_SERIES, JET_ALL, JET_TERMS, closed_loop_terms};
 
-_Static_assert(G == (int)JET_STATES && ONE == (int)JET_SERIES && HOLD + 1 == JET_ALL, "series in order");
+_Static_assert(R == (int)JET_CHARGE && G == (int)JET_STATES && ONE == (int)JET_SERIES && HOLD + 1 == JET_ALL, "series in order");
 
 void jet_init(struct jet *jet, const struct system *system, slong order)
 {

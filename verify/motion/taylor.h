@@ -26,6 +26,7 @@
 enum {
     JET_STATES = 7,  /* x y z u v w q */
     JET_SERIES = 13, /* and G = q^2, S = xu + yv + zw, A = G S, D = q - 1, R = c1 D - 3 q - c2 A, P = G R */
+    JET_CHARGE = 11, /* R, of the sign of Q_ref + dQ */
     JET_ALL = 20,    /* and the constants 1, 2, 3, c1, c2, lambda, 3 again */
     JET_TERMS = 22,  /* the products of which the system consists */
     JET_MOST = 56    /* unknowns, series and constants of any system here */
