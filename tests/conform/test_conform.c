@@ -401,6 +401,7 @@ static const struct {
     {"--timeout 0 -- FAULTY", "--timeout"},
     {"--inputs octal -- FAULTY", "expected shortest, exact or hex, got 'octal'"},
     {"--digits eq07=9 -- FAULTY", "judged by E"},
+    {"--digits eq01=9 -- FAULTY", "judged by E"},
     {"--digits flow_linear -- FAULTY", "ID=DIGITS"},
     {"--digits flow_linear=0 -- FAULTY", "from 1 to 30"},
     {"--digits eq1=9 -- FAULTY", "did you mean 'eq01'"},

@@ -408,6 +408,7 @@ EACH(a_motion_passes_with_the_digits_due_and_no_fewer, 4)
     test_vector_make(&q, &e->sets, p);
     ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
     assert_found(e, p, right_but(outputs, 6, -1, ""), OUTCOME_RIGHT);
+    ck_assert_double_ge(e->summaries[0].digits, e->comparators[0].digits + 4); /* how much better than declared is seen */
     const struct input *initial = q.inputs + (linear ? 5 : 8);
     for (int i = 0; i < 6; i++) { /* L_ref = 10 m, Omega = 7.2915e-5 rad/s in these; angles are numbers already */
         unit[i] = (linear && i % 3 < 2 ? 1 : 10) * (i < 3 ? 1 : 7.2915e-5);

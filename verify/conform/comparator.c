@@ -93,7 +93,7 @@ static bool stem_of(const char *name, char stem[40])
 {
     const size_t length = strlen(name);
     const bool letter = strchr("xyz", name[0]) != NULL;
-    const bool digit = length > 1 && strchr("123", name[length - 1]) != NULL && strchr("123", name[length - 2]) == NULL;
+    const bool digit = strchr("123", name[length - 1]) != NULL && strchr("123", name[length - 2]) == NULL; /* no name is a digit */
     snprintf(stem, 40, "%s%.*s", letter ? "r" : "", (int)length - (letter ? 1 : digit), name + letter);
     return letter || digit;
 }
@@ -225,7 +225,7 @@ static enum outcome compare_in_roundings(struct comparator *j, const struct inpu
         operation_enclose(j->operation, inputs, prec, j->exact);
         _arb_vec_zero(j->S, s->output_count);
         score->strict = score->E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output).upper;
-        if (s->method == METHOD_FORMULA && score->E <= fmin(j->K, j->worst))
+        if (score->E <= fmin(j->K, j->worst))
             return OUTCOME_RIGHT; /* without S already, and no new worst */
         operation_sensitivity(j->operation, inputs, prec, j->S);
         if (4 * prec > most && s->method == METHOD_FORMULA)
@@ -242,11 +242,6 @@ static enum outcome compare_in_roundings(struct comparator *j, const struct inpu
 static double midpoint(const arb_t x)
 {
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
-}
-
-static double digits_of(double off, double scale)
-{
-    return off == 0.0 ? INFINITY : scale > 0.0 ? -log10(off / scale) : 0.0;
 }
 
 /* Bounds on the digits of the largest coordinate that are right; `lost` gets what the truth's enclosures are wide, on its scale. */
@@ -271,8 +266,8 @@ static void digits_reached(const struct comparator *j, const struct input *input
         wide = fmax(wide, unit * mag_get_d(arb_radref(j->exact + i))); /* whatever the answer is: more bits make no other */
     }
     *lost = scale > 0.0 ? wide / scale : wide;
-    *least = digits_of(off, scale);
-    *most = digits_of(off_at_least, scale);
+    *least = off == 0.0 ? INFINITY : -log10(off / scale);
+    *most = off_at_least == 0.0 ? INFINITY : -log10(off_at_least / scale);
 }
 
 static enum outcome compare_in_digits(struct comparator *j, const struct input *inputs, struct score *score)

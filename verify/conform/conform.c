@@ -58,8 +58,8 @@ static void expect(struct test_run *e, struct record *r)
 static void keep_record(struct summary *t, const struct record *r)
 {
     const bool right = r->outcome == OUTCOME_RIGHT;
-    if (r->outcome == OUTCOME_SKIPPED || t->kept_count == MOST_KEPT || (!right && t->kept_failures == MOST_FAILURES) ||
-        (right && t->kept_count - t->kept_failures == MOST_KEPT - MOST_FAILURES))
+    if (r->outcome == OUTCOME_SKIPPED ||
+        (right ? t->kept_count - t->kept_failures == MOST_KEPT - MOST_FAILURES : t->kept_failures == MOST_FAILURES))
         return;
     t->kept[t->kept_count++] = right ? *r : t->kept[t->kept_failures];
     if (!right)

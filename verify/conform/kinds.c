@@ -170,17 +170,13 @@ static bool quotients_of(struct quotients *q, const struct evidence *v)
     return q->count > 1;
 }
 
-/* Where an input is the same in all of them, it may be what the factor is made of. */
-static bool inputs_differ(const struct quotients *q, const struct evidence *v)
+/* Whether an input is not the same in all vectors. */
+static bool input_differs(const struct evidence *v, int i)
 {
-    bool all = true;
-    for (int i = 0; i < v->section->input_count; i++) {
-        bool differs = false;
-        for (int f = 1; f < q->count; f++)
-            differs = differs || v->x[q->vectors[f]][i] != v->x[q->vectors[0]][i];
-        all = all && differs;
-    }
-    return all;
+    bool differs = false;
+    for (int f = 1; f < v->count; f++)
+        differs = differs || v->x[f][i] != v->x[0][i];
+    return differs;
 }
 
 static bool constant_factor(const struct quotients *q, char *text, size_t size)
@@ -278,7 +274,10 @@ static void factor(const struct evidence *v, char *text, size_t size)
     struct quotients q;
     double logs[MOST_EVIDENCE] = {0.0}, powers[MOST_INPUTS + 2], first = 0.0;
     char above[120], below[120], number[40] = "";
-    if (!quotients_of(&q, v) || !inputs_differ(&q, v) || constant_factor(&q, text, size))
+    bool differ = true; /* else what is the same in all may be what the factor is made of */
+    for (int i = 0; i < v->section->input_count; i++)
+        differ = differ && input_differs(v, i);
+    if (!differ || !quotients_of(&q, v) || constant_factor(&q, text, size))
         return;
     bases_of(&b, v, &q);
     for (int f = 0; f < q.count; f++)
@@ -321,15 +320,6 @@ static bool explain(const struct evidence *v, const double inputs[MOST_EVIDENCE]
     }
     inputs_free(read, v->section->input_count);
     return same;
-}
-
-/* Whether an input is not the same in all vectors. */
-static bool input_differs(const struct evidence *v, int i)
-{
-    bool differs = false;
-    for (int f = 1; f < v->count; f++)
-        differs = differs || v->x[f][i] != v->x[0][i];
-    return differs;
 }
 
 /*

@@ -106,12 +106,11 @@ static double state_distance(const struct hypothesis *p, const double *x, const 
     return most;
 }
 
-/* The time of a vector, and what the step is in s. */
-static double time_of(const struct evidence *v, int f, const struct hypothesis *p, double *unit)
+/* The time of a vector, in what the step is in. */
+static double time_of(const struct evidence *v, int f, const struct hypothesis *p)
 {
     const int at = p->linear ? 4 : 7;
-    *unit = p->in_h ? v->x[f][at + 7] : 1.0;
-    return fabs(v->x[f][at]);
+    return fabs(v->x[f][at]) / (p->in_h ? v->x[f][at + 7] : 1.0);
 }
 
 /* Whether it ends where the answer is: of a wrong one by far closer than the truth does, of a right one within the digits due. */
@@ -134,18 +133,18 @@ static bool ends_there(const struct evidence *v, int f, const struct hypothesis 
  */
 static double likely_step(const struct evidence *v, struct hypothesis *p)
 {
-    double unit, step = p->in_h ? 2.0 : 10.0, y[6];
+    double step = p->in_h ? 2.0 : 10.0, y[6];
     char rounded[20];
     int f = 0;
-    while (f < v->count && (v->records[f]->outcome == OUTCOME_RIGHT || !(time_of(v, f, p, &unit) > 0.0)))
+    while (f < v->count && (v->records[f]->outcome == OUTCOME_RIGHT || !(time_of(v, f, p) > 0.0)))
         f++;
     for (int i = 0; i < 5 && f < v->count; i++) {
-        const double t = time_of(v, f, p, &unit), steps = fmax(1.0, round(t / (step * unit)));
+        const double t = time_of(v, f, p), steps = fmax(1.0, round(t / step));
         if (!(steps <= MOST_FOLLOWED) || clock() >= v->until)
             return 0.0;
         integrate(p, v->x[f], steps, y);
         const double off = state_distance(p, v->x[f], v->y[f], v->exact[f]) / state_distance(p, v->x[f], y, v->exact[f]);
-        step = t / (steps * unit) * pow(off, 1.0 / p->method->order);
+        step = t / steps * pow(off, 1.0 / p->method->order);
     }
     snprintf(rounded, sizeof rounded, "%.2g", step);
     return strtod(rounded, NULL);
@@ -154,10 +153,10 @@ static double likely_step(const struct evidence *v, struct hypothesis *p)
 /* Every vector that takes few enough steps; failing ones of two times among them, for one time tells no step. */
 static bool fits_all(const struct evidence *v, const struct hypothesis *p)
 {
-    double first = 0.0, unit;
+    double first = 0.0;
     bool two = false;
     for (int f = 0; f < v->count; f++) {
-        const double t = time_of(v, f, p, &unit), steps = round(t / (p->step * unit));
+        const double t = time_of(v, f, p), steps = round(t / p->step);
         if (!(steps >= 1.0 && steps <= MOST_FOLLOWED))
             continue;
         if (clock() >= v->until || !ends_there(v, f, p, steps))
