@@ -107,11 +107,11 @@ static bool check_ends(const struct derivations *d, const struct yaml *list, boo
 
 static bool read_identities(struct identities *t, const struct scope *s)
 {
-    const struct yaml *owner = s->variant ? s->variant : s->given, *show = under(owner, "show");
+    const struct yaml *show = under(s->given, "show");
     if (!identities_open(t, s))
         return false;
     if (show == NULL)
-        return node_error(owner, 0, "missing show, expected a list of left = right");
+        return node_error(s->given, 0, "missing show, expected a list of left = right");
     if (!is_texts(show, MOST_SHOWN))
         return false;
     if (show->count == 0)
@@ -167,7 +167,8 @@ static bool read_step(struct derivations *d, const struct yaml *n)
         !read_identities(&s->corrected, &scope) || !step_read_remainders(d, s, &scope) ||
         !read_lines(s, scope))
         return false;
-    scope.variant = w.printed;
+    scope.given = w.printed;
+    scope.shared = n;
     s->differs = w.printed != NULL;
     return !s->differs || (fields_read(w.printed, variant_fields, s) && read_identities(&s->printed, &scope));
 }

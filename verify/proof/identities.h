@@ -87,7 +87,6 @@ struct scope {
     const struct definitions *definitions; /* NULL: none                              */
     const struct yaml *given;              /* the mapping; NULL: everything is free   */
     const struct yaml *shared;             /* of what it does not say; then not all need serve here. NULL: none */
-    const struct yaml *variant;            /* a mapping with another `let`; NULL: none */
     const char *const *names;              /* further free names                      */
     int name_count;
 };

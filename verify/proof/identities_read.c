@@ -545,19 +545,11 @@ static void add_let(struct identities *t, const char *name, const char *formula)
     *APPENDED(t->lets, t->sheet_lets) = text_copy(text);
 }
 
-/* What is printed differs in some definitions: by the same names, so that the order is the step's. */
 static bool read_let(struct identities *t, const struct scope *s)
 {
-    const struct yaml *let = scope_given(s, "let"), *variant = under(s->variant, "let");
-    if (variant != NULL && !is_map(variant))
-        return false;
-    for (int i = 0; variant != NULL && i < variant->count; i++) {
-        const struct yaml *own = &variant->items[i];
-        if (under(let, own->key) == NULL)
-            return node_error(own, AT_KEY, "unknown name '%s', expected one of the step's let", own->key);
-    }
+    const struct yaml *let = scope_given(s, "let");
     for (int i = 0; let != NULL && i < let->count; i++) {
-        const struct yaml *other = under(variant, let->items[i].key), *definition = other ? other : &let->items[i];
+        const struct yaml *definition = &let->items[i];
         const int node = identities_formula(t, s, definition);
         if (node < 0 || !check_name(s, definition))
             return false;
@@ -570,8 +562,7 @@ static bool read_let(struct identities *t, const struct scope *s)
 
 static bool read_square_roots(struct identities *t, const struct scope *s)
 {
-    const struct yaml *other = under(s->variant, "square roots");
-    const struct yaml *roots = other ? other : scope_given(s, "square roots");
+    const struct yaml *roots = scope_given(s, "square roots");
     if (roots == NULL)
         return true;
     if (!is_texts(roots, MOST_FURTHER_NAMES))
@@ -649,7 +640,7 @@ bool identities_close(struct identities *t, const struct scope *s)
     if (!check_rates(t, s))
         return false;
     mark_needed(t);
-    return s->variant != NULL || s->shared != NULL || all_needed(t, s);
+    return s->shared != NULL || all_needed(t, s);
 }
 
 void identities_clear(struct identities *t)
