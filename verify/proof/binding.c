@@ -85,25 +85,18 @@ bool same_part(const struct entry_part *a, const struct entry_part *b)
     return a->formulas == b->formulas && a->node == b->node;
 }
 
-/* Neither an output nor a relation. */
-static bool is_subexpression(const struct section *s, const char *name)
-{
-    bool other = strchr(name, '=') != NULL;
-    for (int i = 0; i < s->output_count; i++)
-        other = other || strcmp(s->outputs[i]->name, name) == 0;
-    return !other;
-}
-
-/* What an entry stands for it has by name; a subexpression that it does not name is part of all that it stands for. */
 bool entry_concerns(const struct derivations *d, const char *entry, const struct use *u)
 {
     struct entry_part parts[MOST_PARTS];
     const int count = entry_parts(d, entry, parts);
     bool concerns = false;
-    for (int i = 0; i < count; i++)
-        concerns = concerns || (parts[i].section == u->section &&
-                                (strcmp(parts[i].name, u->name) == 0 || (is_subexpression(u->section, u->name) &&
-                                                                         !is_subexpression(u->section, parts[i].name))));
+    for (int i = 0; i < count && !concerns; i++) {
+        char *needed = xrealloc(NULL, (size_t)parts[i].formulas->program.count, 1);
+        memset(needed, 0, (size_t)parts[i].formulas->program.count);
+        program_mark(&parts[i].formulas->program, parts[i].node, NULL, needed);
+        concerns = parts[i].formulas == u->formulas && needed[u->part];
+        free(needed);
+    }
     return concerns;
 }
 
@@ -112,12 +105,8 @@ bool entry_leads_to(const struct derivations *d, const char *entry, const char *
     struct entry_part parts[MOST_PARTS];
     const int count = entry_parts(d, entry, parts);
     bool leads = false;
-    for (int i = 0; i < count; i++) {
-        const struct section *s = parts[i].section;
-        const bool of_all = is_subexpression(s, parts[i].name); /* of the section's equations */
-        for (int k = 0; k < s->numbers; k++)
-            leads = leads || strcmp(of_all ? s->equations[k] : parts[i].equation, equation) == 0;
-    }
+    for (int i = 0; i < count && !leads; i++)
+        leads = entry_concerns(d, equation, &(struct use){.formulas = parts[i].formulas, .part = parts[i].node});
     return leads;
 }
 

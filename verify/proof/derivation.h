@@ -64,7 +64,7 @@ int entry_parts(const struct derivations *d, const char *entry, struct entry_par
 
 bool same_part(const struct entry_part *a, const struct entry_part *b);
 
-/* Whether the entry stands for what a formula takes of the sheet. */
+/* Whether the entry stands for what a formula takes of the sheet, or for something that rests on it. */
 bool entry_concerns(const struct derivations *d, const char *entry, const struct use *u);
 
 /* Whether it stands for an equation of this number ("6" and "6a" do for 6a, eq10lin and eq10.x1 for 10). */

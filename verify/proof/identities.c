@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "formula/symbolic.h"
-#include "formula/typeset.h"
+
 #include "text/scope.h"
 
 /* What is known of a node. */
@@ -484,19 +484,14 @@ char *identities_domain(const struct identities *t)
 {
     static const char *const bounds[] = {[SIGN_POSITIVE] = " > 0", [SIGN_POSITIVE | SIGN_ZERO] = " >= 0", [SIGN_ANY] = ""};
     struct tex out = {NULL, 0};
-    const char *separator = "";
     for (int i = 0; i < t->program.inputs; i++) {
         const struct variable *v = &t->variables[i];
-        if (!t->needed[i] || (!v->angle && v->power == 0 && v->signs == SIGN_ANY))
-            continue;
-        tex_add(&out, "%s%s%s%s", separator, t->program.names[i].text,
-                v->quarter_turn ? " within a quarter turn" : v->angle ? " any angle" : bounds[v->signs], v->power > 0 ? " small" : "");
-        separator = ", ";
+        if (t->needed[i] && (v->angle || v->power > 0 || v->signs != SIGN_ANY))
+            tex_add(&out, ", %s%s%s", t->program.names[i].text,
+                    v->quarter_turn ? " within a quarter turn" : v->angle ? " any angle" : bounds[v->signs], v->power > 0 ? " small" : "");
     }
-    for (int i = 0; i < t->sheet_lets; i++) {
-        tex_add(&out, "%s%s", separator, t->lets[i]);
-        separator = ", ";
-    }
-    tex_add(&out, *separator == '\0' ? "all values" : "");
-    return out.text;
+    tex_add(&out, "%s", t->lets.text != NULL ? t->lets.text : "");
+    char *domain = text_copy(out.length > 0 ? out.text + 2 : "all values");
+    tex_clear(&out);
+    return domain;
 }

@@ -7,6 +7,7 @@
 #ifndef CT_IDENTITIES_H
 #define CT_IDENTITIES_H
 
+#include "formula/typeset.h"
 #include "sheet/sheet.h"
 #include "text/tree.h"
 
@@ -61,8 +62,7 @@ struct identities {
     int shown_count, root_count, use_count, rate_count;
     int order;                  /* the highest power of epsilon that is compared; -1: exact */
     bool shared;                /* what is given serves others too: not all need serve here */
-    char **lets;                /* "C2 = 0": quantities of the sheet that are bound to a formula of their own */
-    int sheet_lets;
+    struct tex lets;            /* ", C2 = 0": quantities of the sheet that are bound to a formula of their own */
     char *needed;               /* needed[i]: something shown rests on node i */
 };
 
@@ -104,8 +104,8 @@ void identities_clear(struct identities *t);
 
 /* The keys of the mapping, for a table of fields that has others too. */
 #define IDENTITIES_FIELDS \
-    {.key = "free"}, {.key = "positive"}, {.key = "not negative"}, {.key = "angles"}, {.key = "small"}, {.key = "order"}, \
-    {.key = "rates"}, {.key = "square roots"}
+    {.key = "free"}, {.key = "positive"}, {.key = "not negative"}, {.key = "angles"}, {.key = "quarter turns"}, {.key = "small"}, \
+    {.key = "order"}, {.key = "rates"}, {.key = "square roots"}
 
 /* The node of a formula that stands `shift` characters into a scalar; -1 after a complaint. */
 int identities_text(struct identities *t, const struct scope *s, const struct yaml *node, const char *text, size_t shift);

@@ -33,15 +33,15 @@ static const struct yaml *scope_given(const struct scope *s, const char *key)
 /* ---- free quantities ---- */
 
 /* The lists that name free quantities, and what they say of them. */
-static const struct declaration {
+static const struct {
     const char *key;
-    int signs;
-    bool angle, small;
-} declarations[] = {{"free", SIGN_ANY, false, false},
-                    {"positive", SIGN_POSITIVE, false, false},
-                    {"not negative", SIGN_ZERO | SIGN_POSITIVE, false, false},
-                    {"angles", SIGN_ANY, true, false},
-                    {"small", SIGN_ANY, false, true}};
+    struct variable as;
+} declarations[] = {{"free", {.signs = SIGN_ANY}},
+                    {"positive", {.signs = SIGN_POSITIVE}},
+                    {"not negative", {.signs = SIGN_ZERO | SIGN_POSITIVE}},
+                    {"angles", {.signs = SIGN_ANY, .angle = true}},
+                    {"quarter turns", {.signs = SIGN_ANY, .angle = true, .quarter_turn = true}},
+                    {"small", {.signs = SIGN_ANY, .power = 1}}};
 
 enum { DECLARATIONS = sizeof declarations / sizeof *declarations };
 
@@ -53,24 +53,6 @@ static int find_input(const struct program *p, const char *name)
     return -1;
 }
 
-/* Of a list of names; angles may be a mapping: their names are its keys. */
-static const char *name_of(const struct yaml *item)
-{
-    return item->key != NULL ? item->key : item->text;
-}
-
-static size_t offset_of_item(const struct yaml *item)
-{
-    return item->key != NULL ? AT_KEY : 0;
-}
-
-static bool read_turn(const struct yaml *item, struct variable *v)
-{
-    v->quarter_turn = item->key != NULL && item->text != NULL && strcmp(item->text, "quarter turn") == 0;
-    return item->key == NULL || v->quarter_turn || (item->text != NULL && strcmp(item->text, "any") == 0) ||
-           node_error(item, 0, "expected 'any' or 'quarter turn'");
-}
-
 static int add_variable(struct identities *t, const char *name, int signs)
 {
     const int input = program_input(&t->program, name);
@@ -79,27 +61,27 @@ static int add_variable(struct identities *t, const char *name, int signs)
     return input;
 }
 
-/* Names beyond the sheet's become inputs; `free` are new ones, `small` are known. */
-static bool declare_name(struct identities *t, const struct scope *s, const struct declaration *declared, const struct yaml *item)
+/* Names beyond the sheet's become inputs; those of `free` are new ones, those of `small` are known. */
+static bool declare_name(struct identities *t, const struct scope *s, int list, const struct yaml *item)
 {
-    const char *name = name_of(item);
+    const struct variable as = declarations[list].as;
+    const char *name = item->text;
     int input = find_input(&t->program, name);
-    if (input >= 0 && strcmp(declared->key, "free") == 0)
-        return node_error(item, offset_of_item(item), "'%s' is known already, expected a new name", name);
-    if (input < 0 && declared->small)
-        return node_error(item, offset_of_item(item), "unknown symbol '%s', expected a free quantity", name);
+    if (input >= 0 && list == 0)
+        return node_error(item, 0, "'%s' is known already, expected a new name", name);
+    if (input < 0 && as.power > 0)
+        return node_error(item, 0, "unknown symbol '%s', expected a free quantity", name);
     if (input < 0)
         input = add_variable(t, name, SIGN_ANY);
     struct variable *v = &t->variables[input];
+    const int excess = v->signs & ~as.signs;
     if (v->angle || v->power > 0)
-        return node_error(item, offset_of_item(item), "'%s' is an angle or small already", name);
-    if (input < s->sheet->quantity_count && (v->signs & ~declared->signs) != 0)
-        return node_error(item, offset_of_item(item), "'%s' may be %s in the sheet, expected a name of its own", name,
-                          v->signs & ~declared->signs & SIGN_NEGATIVE ? "negative" : "zero");
-    v->power = declared->small;
-    v->angle = declared->angle;
-    v->signs &= declared->signs;
-    return !declared->angle || read_turn(item, v);
+        return node_error(item, 0, "'%s' is an angle or small already", name);
+    if (input < s->sheet->quantity_count && excess != 0)
+        return node_error(item, 0, "'%s' may be %s in the sheet, expected a name of its own", name,
+                          excess & SIGN_NEGATIVE ? "negative" : "zero");
+    *v = (struct variable){v->signs & as.signs, as.angle, as.quarter_turn, as.power};
+    return true;
 }
 
 static int signs_of_domain(enum domain domain)
@@ -113,10 +95,10 @@ static bool read_declarations(struct identities *t, const struct scope *s)
         add_variable(t, s->sheet->quantities[i].name, signs_of_domain(s->sheet->quantities[i].domain));
     for (int i = 0; i < DECLARATIONS; i++) {
         const struct yaml *names = scope_given(s, declarations[i].key);
-        if (names != NULL && !(declarations[i].angle && names->mapping) && !is_texts(names, MOST_FURTHER_NAMES))
+        if (names != NULL && !is_texts(names, MOST_FURTHER_NAMES))
             return false;
         for (int k = 0; names != NULL && k < names->count; k++)
-            if (!declare_name(t, s, &declarations[i], &names->items[k]))
+            if (!declare_name(t, s, i, &names->items[k]))
                 return false;
     }
     for (int i = 0; i < s->name_count; i++)
@@ -485,34 +467,28 @@ static char *text_part(const char *from, const char *end)
     return part;
 }
 
-static int read_side_of(struct identities *t, const struct scope *s, const struct yaml *node, const char *from, const char *end)
-{
-    char *side = text_copy(from);
-    side[end - from] = '\0';
-    const int result = identities_text(t, s, node, side, (size_t)(from - node->text));
-    free(side);
-    return result;
-}
-
 bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node)
 {
+    int left = -1;
     if (!on_one_line(node, "left = right"))
         return false;
-    const char *from = node->text, *sign = side_end(from);
-    if (*sign == '\0')
+    if (*side_end(node->text) == '\0')
         return node_error(node, 0, "expected left = right");
-    int left = read_side_of(t, s, node, from, sign);
-    while (left >= 0 && *sign != '\0') {
-        const char *end = side_end(sign + 1);
-        const int right = read_side_of(t, s, node, sign + 1, end);
+    for (const char *before = NULL, *from = node->text, *end; from != NULL; from = *end == '\0' ? NULL : end + 1) {
+        end = side_end(from);
+        char *side = text_part(from, end);
+        const int right = identities_text(t, s, node, side, (size_t)(from - node->text));
+        free(side);
+        if (right < 0)
+            return false;
         if (t->shown_count == MOST_SHOWN)
             return node_error(node, 0, "expected at most %d equalities", MOST_SHOWN);
-        *APPENDED(t->shown, t->shown_count) = (struct equality){text_part(from, end), node, (size_t)(from - node->text), left, right};
+        if (before != NULL)
+            *APPENDED(t->shown, t->shown_count) = (struct equality){text_part(before, end), node, (size_t)(before - node->text), left, right};
+        before = from + strspn(from, " ");
         left = right;
-        from = sign + 1 + strspn(sign + 1, " ");
-        sign = end;
     }
-    return left >= 0;
+    return true;
 }
 
 /* ---- definitions ---- */
@@ -536,17 +512,9 @@ static bool takes_formula(const char *text)
     return strncmp(text, "eq", 2) == 0 || strncmp(text, "right(", 6) == 0 || strncmp(text, "rate(", 5) == 0;
 }
 
-static void add_let(struct identities *t, const char *name, const char *formula)
-{
-    enum { SHORT = 40 };
-    char text[LONGEST_NAME + SHORT + 24];
-    const bool is_short = strlen(formula) < SHORT;
-    snprintf(text, sizeof text, "%s%s%s", name, is_short ? " = " : " by its definition", is_short ? formula : "");
-    *APPENDED(t->lets, t->sheet_lets) = text_copy(text);
-}
-
 static bool read_let(struct identities *t, const struct scope *s)
 {
+    enum { SHORT = 40 };
     const struct yaml *let = scope_given(s, "let");
     for (int i = 0; let != NULL && i < let->count; i++) {
         const struct yaml *definition = &let->items[i];
@@ -555,7 +523,7 @@ static bool read_let(struct identities *t, const struct scope *s)
             return false;
         program_name(&t->program, node, definition->key);
         if (quantity_find(s->sheet, definition->key) != NULL && !takes_formula(definition->text))
-            add_let(t, definition->key, definition->text);
+            tex_add(&t->lets, strlen(definition->text) < SHORT ? ", %s = %s" : ", %s by its definition", definition->key, definition->text);
     }
     return true;
 }
@@ -618,9 +586,8 @@ static bool all_needed(const struct identities *t, const struct scope *s)
         const struct yaml *names = scope_given(s, declarations[i].key);
         for (int k = 0; names != NULL && k < names->count; k++) {
             const struct yaml *item = &names->items[k];
-            const char *name = name_of(item);
-            if (!t->needed[find_input(p, name)])
-                return node_error(item, offset_of_item(item), "nothing shown rests on '%s'", name);
+            if (!t->needed[find_input(p, item->text)])
+                return node_error(item, 0, "nothing shown rests on '%s'", item->text);
         }
     }
     const struct yaml *let = scope_given(s, "let");
@@ -658,7 +625,5 @@ void identities_clear(struct identities *t)
     free(t->uses);
     free(t->rates);
     free(t->needed);
-    for (int i = 0; i < t->sheet_lets; i++)
-        free(t->lets[i]);
-    free(t->lets);
+    tex_clear(&t->lets);
 }
