@@ -40,31 +40,23 @@ static bool advance(const struct derivations *d, const struct step *s, struct gr
     return news;
 }
 
-/* A step that leaves a named subexpression open speaks of the rest of a formula alone: that is to be reached too. */
-static struct ground *add_open(const struct derivations *d, struct ground *g, int *count)
+static void add_ground(struct ground **g, int *count, struct entry_part part)
 {
-    for (int i = 0; i < d->step_count; i++) {
-        const struct identities *t = &d->steps[i].corrected;
-        for (int u = 0; u < t->use_count; u++) {
-            const struct section *s = t->uses[u].section;
-            const struct program *p = &s->corrected.program;
-            for (int k = p->inputs; k < p->named && s->numbers > 0 && strchr(t->uses[u].name, '=') == NULL; k++) {
-                const int here = program_find(&t->program, p->names[k].text);
-                struct entry_part parts[MOST_PARTS];
-                char entry[128];
-                snprintf(entry, sizeof entry, "%s.%s", s->id, p->names[k].text);
-                if (here < d->sheet->quantity_count || here >= t->program.inputs || entry_parts(d, entry, parts) != 1)
-                    continue;
-                bool known = false;
-                for (int j = 0; j < *count; j++)
-                    known = known || same_part(&g[j].part, &parts[0]);
-                g = xrealloc(g, (size_t)*count + 1, sizeof *g);
-                g[*count] = (struct ground){.part = parts[0]};
-                *count += !known;
-            }
-        }
+    for (int i = 0; i < *count; i++)
+        if (same_part(&(*g)[i].part, &part))
+            return;
+    APPENDED(*g, *count)->part = part;
+}
+
+/* A step that leaves a named subexpression open speaks of the rest of a formula alone: that is to be reached too. */
+static void add_open(const struct derivations *d, const struct identities *t, const struct section *s, struct ground **g, int *count)
+{
+    const struct program *p = &s->corrected.program;
+    for (int k = p->inputs; k < p->named && s->numbers > 0; k++) {
+        const int here = program_find(&t->program, p->names[k].text);
+        if (here >= d->sheet->quantity_count && here < t->program.inputs)
+            add_ground(g, count, (struct entry_part){s, &s->corrected, p->names[k].node, p->names[k].text, s->equations[0]});
     }
-    return g;
 }
 
 const char *derivations_gap(const struct derivations *d)
@@ -75,16 +67,14 @@ const char *derivations_gap(const struct derivations *d)
     int count = 0;
     for (int i = 0; i < d->sheet->section_count; i++) {
         const struct section *s = &d->sheet->sections[i];
-        for (int k = 0; k < s->numbers && s->method == METHOD_FORMULA; k++) {
-            const int most = entry_parts(d, s->equations[k], parts);
-            for (int j = 0; j < most; j++) {
-                if (parts[j].section != s || strcmp(parts[j].equation, s->equations[k]) != 0)
-                    continue;
-                *APPENDED(g, count) = (struct ground){.part = parts[j]};
-            }
-        }
+        for (int k = 0; k < s->numbers && s->method == METHOD_FORMULA; k++)
+            for (int j = entry_parts(d, s->equations[k], parts); j-- > 0;)
+                if (parts[j].section == s)
+                    add_ground(&g, &count, parts[j]);
     }
-    g = add_open(d, g, &count);
+    for (int i = 0; i < d->step_count; i++)
+        for (int u = 0; u < d->steps[i].corrected.use_count; u++)
+            add_open(d, &d->steps[i].corrected, d->steps[i].corrected.uses[u].section, &g, &count);
     for (bool news = true; news;) {
         news = false;
         for (int i = 0; i < d->step_count; i++)
@@ -138,24 +128,16 @@ static const struct section *section_of(const struct sheet *sheet, const char *n
 
 static void print_equations(const struct sheet *sheet)
 {
-    enum { MOST = 100 };
-    for (int number = 1; number < MOST; number++) {
-        char text[16];
-        snprintf(text, sizeof text, "%d", number);
-        const struct section *s = section_of(sheet, text);
-        if (s == NULL)
-            continue;
-        printf("  \"%s\" [shape=%s, label=\"", text, s->method == METHOD_NONE ? "doubleoctagon" : "ellipse");
-        const char *separator = "";
-        for (int k = 0; k < s->numbers; k++)
-            if (same_node(s->equations[k], text)) {
-                printf("%s%s", separator, s->equations[k]);
-                separator = " ";
-            }
-        printf("\", tooltip=");
-        print_quoted(s->title);
-        puts("];");
-    }
+    for (int i = 0; i < sheet->section_count; i++)
+        for (int k = 0; k < sheet->sections[i].numbers; k++) {
+            const struct section *s = &sheet->sections[i];
+            if (section_of(sheet, s->equations[k]) != s || (k > 0 && same_node(s->equations[k - 1], s->equations[k])))
+                continue;
+            printf("  \"%.*s\" [shape=%s, tooltip=", node_name_length(s->equations[k]), s->equations[k],
+                   s->method == METHOD_NONE ? "doubleoctagon" : "ellipse");
+            print_quoted(s->title);
+            puts("];");
+        }
 }
 
 /* An edge a node, however many of its parts the step names. */
