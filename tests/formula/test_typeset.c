@@ -120,3 +120,37 @@ TEST(products_are_as_long_as_one_writes_them)
     tex_clear(&expected);
     tex_clear(&fraction);
 }
+
+/* Mathematics within a sentence: each token by itself, and at the text's end. */
+EACH(sentences_are_set_token_by_token, 24)
+{
+    static const struct pair pairs[] = {
+        {"12", "12"},
+        {"1.5", "1.5"},
+        {"at 2.", "\\mathrm{at}\\,2."},
+        {"1.2e-13", "1.2\\cdot 10^{-13}"},
+        {"3e+10", "3\\cdot 10^{10}"},
+        {"2e", "2e"},
+        {"sqrt 7", "\\sqrt{7}"},
+        {"sqrt(x + 1) y", "\\sqrt{x + 1}\\,y"},
+        {"sqrt((a + b) c)", "\\sqrt{(a + b)\\,c}"},
+        {"sqrt", "\\sqrt{}"},
+        {"sqrt(x", "\\sqrt{x}"},
+        {"x^2", "x^{2}"},
+        {"x^-2 y", "x^{-2}\\,y"},
+        {"x^(n + 1)", "x^{n + 1}"},
+        {"x^", "x^{}"},
+        {"(a) (b)", "(a)\\,(b)"},
+        {"a) + (b", "a) + (b"},
+        {"f' g", "f'\\,g"},
+        {" a ", " a "},
+        {"a <= b << c", "a \\le  b \\ll  c"},
+        {"{|x|}", "\\{\\vert x\\vert \\}"},
+        {"dL eps AB w1_ddot", "\\delta L\\,\\varepsilon \\,{AB}\\,\\ddot \\omega _{1}"},
+        {"sin x_max and ln 2", "\\sin \\,x_{\\mathrm{max}}\\,\\text{ and }\\,\\ln \\,2"},
+        {"dx Dy abc e_12", "\\mathrm{dx}\\,{Dy}\\,\\mathrm{abc}\\,e_{12}"}};
+    struct tex t = {NULL, 0};
+    typeset_inline(&t, pairs[_i].given, strlen(pairs[_i].given));
+    ck_assert_str_eq(t.text, pairs[_i].expected);
+    tex_clear(&t);
+}

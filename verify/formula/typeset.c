@@ -358,106 +358,106 @@ static const struct {
 } words[] = {{"sin", "\\sin "}, {"cos", "\\cos "}, {"log", "\\ln "}, {"ln", "\\ln "}, {"exp", "\\exp "}, {"det", "\\det "},
              {"cosh", "\\cosh "}, {"Re", "\\operatorname{Re}"}, {"infinity", "\\infty "}, {"and", "\\text{ and }"}};
 
-/* The length of what a bracket at the start of a text encloses, itself included; 0 when it is not closed. */
-static size_t bracket(const char *text, size_t length)
+static const char *inline_part(struct tex *t, const char *at);
+
+static size_t word_length(const char *text)
 {
-    int depth = 0;
-    for (size_t i = 0; i < length; i++) {
-        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
-        if (depth == 0)
-            return i + 1;
+    return strspn(text, "_0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+}
+
+static const char *inline_number(struct tex *t, const char *at)
+{
+    size_t length = strspn(at, "0123456789");
+    if (at[length] == '.')
+        length += strspn(at + length + 1, "0123456789") > 0 ? 1 + strspn(at + length + 1, "0123456789") : 0;
+    tex_add(t, "%.*s", (int)length, at);
+    at += length;
+    if (*at == 'e' && strspn(at + 1, "+-0123456789") > 0) {
+        char *end;
+        tex_add(t, "\\cdot 10^{%ld}", strtol(at + 1, &end, 10));
+        at = end;
     }
-    return 0;
+    return at;
 }
 
-static size_t word_length(const char *text, size_t length)
+/* In braces: what stands in brackets here, or a word, -n too. */
+static const char *inline_argument(struct tex *t, const char *at)
 {
-    size_t i = 0;
-    while (i < length && (isalnum((unsigned char)text[i]) || text[i] == '_'))
-        i++;
-    return i;
-}
-
-static size_t inline_number(struct tex *t, const char *text, size_t length)
-{
-    size_t i = 0;
-    while (i < length && (isdigit((unsigned char)text[i]) || (text[i] == '.' && i + 1 < length && isdigit((unsigned char)text[i + 1]))))
-        i++;
-    tex_add(t, "%.*s", (int)i, text);
-    if (i + 1 < length && text[i] == 'e' && (isdigit((unsigned char)text[i + 1]) || strchr("+-", text[i + 1]) != NULL)) {
-        size_t end = i + 2;
-        while (end < length && isdigit((unsigned char)text[end]))
-            end++;
-        tex_add(t, "\\cdot 10^{%ld}", strtol(text + i + 1, NULL, 10));
-        return end;
+    const size_t minus = *at == '-', plain = minus + word_length(at + minus);
+    tex_add(t, "{");
+    if (*at == '(') {
+        at = inline_part(t, at + 1);
+        at += *at == ')';
+    } else {
+        typeset_inline(t, at, plain);
+        at += plain;
     }
-    return i;
+    tex_add(t, "}");
+    return at;
 }
 
-static size_t inline_word(struct tex *t, const char *text, size_t length)
+static const char *inline_word(struct tex *t, const char *at)
 {
     char name[64];
-    const size_t letters = word_length(text, length), inside = bracket(text + letters, length - letters);
-    snprintf(name, sizeof name, "%.*s", (int)letters, text);
+    const size_t length = word_length(at);
+    snprintf(name, sizeof name, "%.*s", (int)length, at);
+    at += length;
+    if (strcmp(name, "sqrt") == 0) { /* sqrt(x), sqrt 7 */
+        tex_add(t, "\\sqrt");
+        return inline_argument(t, at + (*at == ' '));
+    }
     for (size_t k = 0; k < sizeof words / sizeof *words; k++)
         if (strcmp(name, words[k].text) == 0) {
             tex_add(t, "%s", words[k].latex);
-            return letters;
+            return at;
         }
-    if (strcmp(name, "sqrt") == 0) { /* sqrt(x), sqrt 7 */
-        const size_t skip = letters < length && text[letters] == ' ', plain = word_length(text + letters + skip, length - letters - skip);
-        const bool round = letters < length && text[letters] == '(' && inside > 0;
-        tex_add(t, "\\sqrt{");
-        typeset_inline(t, text + letters + 1, round ? inside - 2 : plain);
-        tex_add(t, "}");
-        return letters + (round ? inside : skip + plain);
-    }
     typeset_symbol(t, name);
-    return letters;
-}
-
-/* ^2, ^-2, ^(n + 1), ^k */
-static size_t inline_exponent(struct tex *t, const char *text, size_t length)
-{
-    const size_t minus = length > 1 && text[1] == '-', inside = bracket(text + 1, length - 1);
-    const bool round = length > 1 && text[1] == '(' && inside > 0;
-    const size_t plain = minus + word_length(text + 1 + minus, length - 1 - minus);
-    tex_add(t, "^{");
-    typeset_inline(t, text + 1 + round, round ? inside - 2 : plain);
-    tex_add(t, "}");
-    return 1 + (round ? inside : plain);
+    return at;
 }
 
 /* A blank is a product between what ends a factor and what begins one. */
-static bool is_product(const char *text, size_t at, size_t length)
+static bool is_product(char before, char after)
 {
-    const char before = at > 0 ? text[at - 1] : ' ', after = at + 1 < length ? text[at + 1] : ' ';
-    return (isalnum((unsigned char)before) || strchr(")'", before) != NULL) && (isalnum((unsigned char)after) || after == '(');
+    return (isalnum((unsigned char)before) || before == ')' || before == '\'') && (isalnum((unsigned char)after) || after == '(');
 }
 
-static size_t inline_token(struct tex *t, const char *text, size_t at, size_t length)
+static const char *inline_token(struct tex *t, const char *at)
 {
-    const char *here = text + at;
-    if (isdigit((unsigned char)*here))
-        return inline_number(t, here, length - at);
-    if (isalpha((unsigned char)*here))
-        return inline_word(t, here, length - at);
-    if (*here == '^')
-        return inline_exponent(t, here, length - at);
+    if (isdigit((unsigned char)*at))
+        return inline_number(t, at);
+    if (isalpha((unsigned char)*at))
+        return inline_word(t, at);
+    if (*at == '^') {
+        tex_add(t, "^");
+        return inline_argument(t, at + 1);
+    }
     for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
-        if (strlen(signs[k].text) <= length - at && strncmp(here, signs[k].text, strlen(signs[k].text)) == 0) {
+        if (strncmp(at, signs[k].text, strlen(signs[k].text)) == 0) {
             tex_add(t, "%s", signs[k].latex);
-            return strlen(signs[k].text);
+            return at + strlen(signs[k].text);
         }
-    if (*here == ' ')
-        tex_add(t, "%s", is_product(text, at, length) ? "\\," : " ");
+    if (*at == ' ' && is_product(at[-1], at[1]))
+        tex_add(t, "\\,");
     else
-        tex_add(t, "%c", *here);
-    return 1;
+        tex_add(t, "%c", *at);
+    return at + 1;
+}
+
+/* To the end, or to the bracket that closes what was opened before; there. */
+static const char *inline_part(struct tex *t, const char *at)
+{
+    for (int depth = 0; *at != '\0' && (*at != ')' || depth > 0);) {
+        depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
+        at = inline_token(t, at);
+    }
+    return at;
 }
 
 void typeset_inline(struct tex *t, const char *text, size_t length)
 {
-    for (size_t at = 0; at < length;)
-        at += inline_token(t, text, at, length);
+    struct tex copy = {NULL, 0};
+    tex_add(&copy, " %.*s", (int)length, text); /* a blank before the first one, so that each has something before it */
+    for (const char *at = copy.text + 1; *(at = inline_part(t, at)) != '\0'; at++)
+        tex_add(t, ")");
+    tex_clear(&copy);
 }
