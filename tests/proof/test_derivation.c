@@ -491,8 +491,9 @@ static char altered_character(const char *text, size_t i)
 }
 
 /*
- * Signs and numbers of all lines of the algebra by hand, one at a time. An altered line that is true still cannot be told
- * from a right one: of terms that are zero, as the third component of (8), and of squares of what may have either sign.
+ * Signs and numbers of all lines of the algebra by hand, one at a time, of each until three are noticed. An altered line that
+ * is true still cannot be told from a right one: of terms that are zero, as the third component of (8), and of squares of what
+ * may have either sign.
  */
 TEST(altered_line_is_noticed)
 {
@@ -506,7 +507,7 @@ TEST(altered_line_is_noticed)
         for (int k = 0; s->line_map != NULL && k < s->line_map->count; k++) {
             const struct yaml *line = &s->line_map->items[k];
             int noticed = 0, here = 0;
-            for (size_t c = 0; c < strlen(line->text); c++) {
+            for (size_t c = 0; c < strlen(line->text) && noticed < 3; c++) {
                 struct proof p = {.result = IDENTITY_DIFFERS};
                 const char other = altered_character(line->text, c);
                 if (other == 0)
@@ -531,8 +532,8 @@ TEST(altered_line_is_noticed)
         }
     }
     ck_assert_int_eq(steps, d.step_count);
-    ck_assert_int_gt(tried, 2000);
-    ck_assert_int_lt(true_still, tried/50);
+    ck_assert_int_gt(tried, 500);
+    ck_assert_int_lt(true_still, tried/20);
     derivations_clear(&d);
 }
 
