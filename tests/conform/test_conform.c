@@ -510,6 +510,9 @@ TEST(a_table_that_is_none_is_told_with_its_place)
     ck_assert_int_eq(system("printf 'id,C2\neq44-paper\n' >\"$CT_BUILD/tests/comma.csv\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 2);
     assert_says("comma.csv: line 2 has 1 cell, the header 2\n");
+    ck_assert_int_eq(system("printf 'id,w_1,w_2,w_3\neq25-paper,1,,2\neq25-random-1,1,NaN,2\n' >\"$CT_BUILD/tests/comma.csv\""), 0);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 1);
+    assert_says("eq25: 1 NaN, 1 wrong count, "); /* blank are all outputs, or none */
     ck_assert_int_eq(system("printf 'id,C2,C2\neq44-paper,1,5\n' >\"$CT_BUILD/tests/comma.csv\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 2);
     assert_says("comma.csv: line 1: expected id and every output of eq44 in one column each, found 2 of 'C2'\n");

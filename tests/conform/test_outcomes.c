@@ -171,6 +171,22 @@ TEST(vectors_are_three_components_of_a_name_and_unit)
     }
 }
 
+/* Names that no sheet has yet: what tells components apart, and what does not. */
+TEST(components_are_told_by_the_first_letter_or_the_last_digit)
+{
+    static const struct {
+        const char *names[3], *unit;
+        uint64_t components;
+    } triples[] = {{{"a1", "a2", "a3"}, "m", 7}, {{"xa", "ya", "za"}, "m", 7}, {{"x", "y", "z"}, "m", 7}, {{"a1", "a2", "a3"}, "s", 0},
+                   {{"ab", "ac", "ad"}, "m", 0}, {{"a1", "a2", "a4"}, "m", 0}, {{"a11", "a12", "a13"}, "m", 0}, {{"xa", "ya", "wa"}, "m", 0}};
+    for (size_t k = 0; k < sizeof triples / sizeof *triples; k++) {
+        struct quantity three[3] = {{.name = triples[k].names[0], .unit = "m"}, {.name = triples[k].names[1], .unit = "m"},
+                                    {.name = triples[k].names[2], .unit = triples[k].unit}};
+        const struct quantity *const all[] = {&three[0], &three[1], &three[2]};
+        ck_assert_msg(vector_components(all, 3, 0) == triples[k].components, "%s", triples[k].names[0]);
+    }
+}
+
 /* The last binary64 up to the limit passes, the next one does not. */
 static void assert_limits(struct test_run *e, uint64_t position)
 {

@@ -40,7 +40,6 @@ struct comparator {
     double K, digits;     /* what passes: E of at most K, digits of at least so many */
     double worst;         /* E below this need not be known exactly                  */
     arb_ptr y, exact, S;  /* the answer; its truth; S raised to the vector's size    */
-    unsigned raised;      /* a bit for each output whose S has been                  */
     bool followed;        /* exact holds the truth of this motion from the last time */
     bool once;            /* a motion is followed with the first precision alone     */
 };
