@@ -14,7 +14,7 @@
  *
  * The error terms, each with a test of its name in tests/motion/test_flow.c:
  *   (F1) the remainder of the path                        (path_bound.remainder, in path_at)
- *   (F2) of sum_j ||J_ij|| radius_j the degrees below n    (spread_bound.suffix, in state_at)
+ *   (F2) of sum_j ||J_ij|| radius_j the degrees below n    (spread_bound.suffix, in expansion_spread)
  *   (F3) ... degree n                                      (spread_bound.size)
  *   (F4) ... and the remainder                             (spread_bound.remainder)
  *   (F5) the remainder of J e at the step's end            (handed to lohner_move as its error)
@@ -27,14 +27,12 @@
 
 #include <math.h>
 
-#include "motion/lohner.h"
-#include "motion/taylor.h"
+#include "motion/expansion.h"
 #include "text/scope.h"
 
 enum {
     GUARD = 12,           /* bits: by then rounding adds 4 per cent to what the steps leave out, measured */
-    A_PRIORI_ORDER = 12,  /* degree of the derivatives, which only steer the set: ...                     */
-    STEADY = 10,          /* ... to know them to 2^-10 will do                                            */
+    A_PRIORI_ORDER = 12,  /* degree of the derivatives, which only steer the set                          */
     LEAST_STEP = -32,     /* log2 of radians: shorter steps ...                                           */
     CLOSE = -7,           /* ... where r < 2^-7 r_ref are given up                                        */
     MOST_HALVINGS = 32,   /* of a step too long to prove: beyond that the set is too wide                 */
@@ -50,8 +48,7 @@ struct flow {
     double proposed;                   /* a step, or 0: what the series propose                   */
     arf_t now;                         /* radians of orbit where the step starts; exact          */
     struct lohner set;
-    struct jet path, a_priori, column[FLOW_STATE]; /* from the centre, from the box, and its derivatives */
-    struct majorant path_bound, a_priori_bound, spread_bound; /* spread: |J| radius */
+    struct expansion of;               /* its centre and the box around it                       */
     arb_ptr power;                     /* s^k                                                    */
     arb_ptr state;                     /* the answer at s, ...                                   */
     arb_t s;                           /* ... radians after now                                  */
@@ -74,13 +71,7 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     arb_init(f->speed);
     arf_init(f->now);
     lohner_init(&f->set);
-    jet_init(&f->path, f->system, order);
-    jet_init(&f->a_priori, f->system, a_priori_order);
-    for (int j = 0; j < FLOW_STATE; j++)
-        jet_init(&f->column[j], f->system, a_priori_order);
-    majorant_init(&f->path_bound, f->system, order);
-    majorant_init(&f->a_priori_bound, f->system, a_priori_order);
-    majorant_init(&f->spread_bound, f->system, a_priori_order);
+    expansion_init(&f->of, f->system, order, a_priori_order, NULL, NULL);
     f->power = _arb_vec_init(FLINT_MAX(order, a_priori_order) + 1);
     f->state = _arb_vec_init(FLOW_STATE);
     arb_init(f->s);
@@ -90,14 +81,8 @@ static void flow_clear(struct flow *f)
 {
     arb_clear(f->s);
     _arb_vec_clear(f->state, FLOW_STATE);
-    _arb_vec_clear(f->power, FLINT_MAX(f->path.order, f->a_priori.order) + 1);
-    majorant_clear(&f->spread_bound);
-    majorant_clear(&f->a_priori_bound);
-    majorant_clear(&f->path_bound);
-    for (int j = 0; j < FLOW_STATE; j++)
-        jet_clear(&f->column[j]);
-    jet_clear(&f->a_priori);
-    jet_clear(&f->path);
+    _arb_vec_clear(f->power, FLINT_MAX(f->of.path.order, f->of.hull.order) + 1);
+    expansion_clear(&f->of);
     lohner_clear(&f->set);
     arf_clear(f->now);
     arb_clear(f->speed);
@@ -123,143 +108,54 @@ static void set_problem(struct flow *f, const struct flow_steps *how, const stru
     for (int i = 0; i < FLOW_STATE; i++)
         arb_div(state + i, initial + i, i < FLOW_HALF ? f->r_ref : f->speed, f->prec);
     lohner_from_box(&f->set, state);
-    jet_constants(&f->path, f->c1, f->c2);
-    jet_constants(&f->a_priori, f->c1, f->c2);
+    jet_constants(&f->of.path, f->c1, f->c2);
+    jet_constants(&f->of.hull, f->c1, f->c2);
     const int first = f->system->series + closed_loop.all - closed_loop.series;
     for (int v = first; v < f->system->all; v++) {
-        arb_set(f->path.c[v], how->constants + v - first);
-        arb_set(f->a_priori.c[v], how->constants + v - first);
+        arb_set(f->of.path.c[v], how->constants + v - first);
+        arb_set(f->of.hull.c[v], how->constants + v - first);
     }
-}
-
-/* q = 1/|x| of the state whose coefficients 0 stand in the jet */
-static void start_q(struct jet *jet, slong prec)
-{
-    arb_ptr q = jet->c[FLOW_STATE];
-    arb_zero(q);
-    for (int i = 0; i < FLOW_HALF; i++)
-        arb_addmul(q, jet->c[i], jet->c[i], prec);
-    arb_sqrt(q, q, prec);
-    arb_inv(q, q, prec);
-}
-
-/* Direction j of the basis, in which q = 1/|x| changes by -q^3 x.dx */
-static void start_column(struct flow *f, int j)
-{
-    arb_ptr const *c = f->a_priori.c;
-    arb_ptr *d = f->column[j].c;
-    arb_zero(d[FLOW_STATE]);
-    for (int i = 0; i < FLOW_STATE; i++) {
-        arb_set_d(d[i], f->set.basis[i][j]);
-        if (i < FLOW_HALF)
-            arb_submul(d[FLOW_STATE], c[i], d[i], LOHNER_BITS);
-    }
-    for (int i = 0; i < 3; i++)
-        arb_mul(d[FLOW_STATE], d[FLOW_STATE], c[FLOW_STATE], LOHNER_BITS);
 }
 
 static void expand_series(struct flow *f)
 {
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_set(f->path.c[i], f->set.centre + i);
-    start_q(&f->path, f->prec);
-    jet_extend(&f->path, f->prec, (double)f->bits / (double)f->path.order);
+        arb_set(f->of.path.c[i], f->set.centre + i);
+    expansion_path(&f->of, f->prec, (double)f->bits / (double)f->of.path.order);
     if (!f->proving)
         return;
     VECTOR(arb, box, FLOW_STATE);
     lohner_to_box(box, &f->set);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_set_round(f->a_priori.c[i], box + i, LOHNER_BITS);
-    start_q(&f->a_priori, LOHNER_BITS);
-    jet_extend(&f->a_priori, LOHNER_BITS, 0);
-    for (int j = 0; j < FLOW_STATE; j++) {
-        start_column(f, j);
-        jet_extend_column(&f->column[j], &f->a_priori, LOHNER_BITS);
-    }
+        arb_set_round(f->of.hull.c[i], box + i, LOHNER_BITS);
+    expansion_derivatives(&f->of, &f->set);
 }
 
-/* log2 of the largest coefficient k of the position; a guide, no bound */
-static double position_size(const struct flow *f, slong k)
-{
-    double size = -HUGE_VAL;
-    SCOPE(mag, m);
-    for (int i = 0; i < FLOW_HALF; i++) {
-        arb_get_mag(m, f->path.c[i] + k);
-        size = fmax(size, mag_get_d_log2_approx(m));
-    }
-    return size;
-}
-
-/* The step at which the last two coefficients fall to 2^-bits of the distance: a dyadic of 8 bits. */
+/* Where terms fall to 2^-bits of the distance; at rest one radian */
 static double step_length(const struct flow *f)
 {
-    double step = 0, r = position_size(f, 0); /* log2: at rest the step is one radian */
-    if (f->proposed > 0)
-        return f->proposed;
-    for (slong k = f->path.order - 1; k <= f->path.order; k++)
-        step = fmin(step, (r - (double)f->bits - position_size(f, k)) / (double)k);
-    int exponent;
-    double fraction = frexp(exp2(step), &exponent);
-    return ldexp(floor(ldexp(fraction, 8)), exponent - 8);
-}
-
-/* Whether the derivatives are known well enough to steer by; else each step would inflate the set. */
-static bool steady(const struct majorant *spread)
-{
-    SCOPE(mag, all, remainder);
-    for (int i = 0; i < FLOW_STATE; i++) {
-        mag_max(all, all, spread->suffix[i]);
-        mag_max(remainder, remainder, spread->remainder + i);
-    }
-    mag_mul_2exp_si(remainder, remainder, STEADY);
-    return mag_cmp(remainder, all) <= 0;
-}
-
-/* Bounds on |s| <= step; false where it is too long for them. */
-static bool prove_step(struct flow *f, double step)
-{
-    SCOPE(mag, h, one);
-    mag_set_d(h, step);
-    mag_one(one);
-    majorant_of(&f->path_bound, &f->path, one, 1, h);
-    majorant_of(&f->a_priori_bound, &f->a_priori, one, 1, h);
-    majorant_of(&f->spread_bound, f->column, f->set.radius, FLOW_STATE, h);
-    return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->a_priori_bound, NULL, h)
-           && majorant_prove(&f->spread_bound, &f->a_priori_bound, h) && steady(&f->spread_bound);
-}
-
-/* The longest of step, step/2, ... that can be proved, or 0 */
-static double proved_step(struct flow *f, double step)
-{
-    int halvings = 0;
-    for (; halvings < MOST_HALVINGS && f->proving && !prove_step(f, step); halvings++)
-        step /= 2;
-    return halvings < MOST_HALVINGS ? step : 0;
+    return f->proposed > 0 ? f->proposed : expansion_step(&f->of, expansion_position(&f->of, 0) - (double)f->bits, 1);
 }
 
 /* The motion from the centre at s, |s| <= h. */
 static void path_at(const struct flow *f, arb_ptr state, const arb_t s)
 {
-    slong terms = f->path.order + 1;
+    slong terms = f->of.path.order + 1;
     _arb_vec_set_powers(f->power, s, terms, f->prec);
     for (int i = 0; i < FLOW_STATE; i++) {
-        arb_dot(state + i, NULL, 0, f->path.c[i], 1, f->power, 1, terms, f->prec);
+        arb_dot(state + i, NULL, 0, f->of.path.c[i], 1, f->power, 1, terms, f->prec);
         if (f->proving)
-            arb_add_error_mag(state + i, f->path_bound.remainder + i);
+            arb_add_error_mag(state + i, f->of.path_bound.remainder + i);
     }
 }
 
 /* The motions from all the set at s, |s| <= h, in SI. */
 static void state_at(const struct flow *f, arb_ptr state, const arb_t s)
 {
-    const struct majorant *spread = &f->spread_bound;
     path_at(f, state, s);
     for (int i = 0; i < FLOW_STATE; i++) {
-        if (f->proving) {
-            arb_add_error_mag(state + i, spread->suffix[i]); /* below degree n, ... */
-            arb_add_error_mag(state + i, spread->size[i] + spread->order);
-            arb_add_error_mag(state + i, spread->remainder + i);
-        }
+        if (f->proving)
+            expansion_spread(state + i, &f->of, i);
         arb_mul(state + i, state + i, i < FLOW_HALF ? f->r_ref : f->speed, f->prec);
     }
 }
@@ -276,13 +172,13 @@ static bool advance_set(struct flow *f, double step)
     arf_add(f->now, f->now, arb_midref(s), ARF_PREC_EXACT, ARF_RND_DOWN);
     path_at(f, image, s);
     if (f->proving) {
-        const slong terms = f->a_priori.order + 1;
+        const slong terms = f->of.hull.order + 1;
         _arb_vec_set_powers(f->power, s, terms, LOHNER_BITS);
         for (int i = 0; i < FLOW_STATE; i++)
             for (int j = 0; j < FLOW_STATE; j++)
-                arb_dot(arb_mat_entry(derivative, i, j), NULL, 0, f->column[j].c[i], 1, f->power, 1, terms,
+                arb_dot(arb_mat_entry(derivative, i, j), NULL, 0, f->of.column[j].c[i], 1, f->power, 1, terms,
                         LOHNER_BITS);
-        bounded = lohner_move(&f->set, image, derivative, 1, f->spread_bound.remainder, LOHNER_BITS);
+        bounded = lohner_move(&f->set, image, derivative, 1, f->of.spread_bound.remainder, LOHNER_BITS);
     } else {
         lohner_from_box(&f->set, image);
     }
@@ -307,17 +203,6 @@ static double start_in_seconds(const struct flow *f)
     arb_div(t, t, f->Omega, 64);
     arb_get_abs_lbound_arf(bound, t, 53);
     return f->direction * arf_get_d(bound, ARF_RND_DOWN);
-}
-
-/* s = Omega t - now, and whether |s| <= step for certain */
-static bool within(const struct flow *f, arb_t s, const fmpq_t t, double step)
-{
-    SCOPE(arf, bound);
-    arb_set_fmpq(s, t, f->prec);
-    arb_mul(s, s, f->Omega, f->prec);
-    arb_sub_arf(s, s, f->now, f->prec);
-    arb_get_abs_ubound_arf(bound, s, 53);
-    return arf_cmp_d(bound, step) <= 0;
 }
 
 /* Whether the times go away from 0. */
@@ -350,7 +235,8 @@ static enum flow_status begin_step(struct flow *f, slong digits, double *step)
     *step = step_length(f);
     if (*step < ldexp(1, LEAST_STEP) && is_close(f))
         return FLOW_CLOSE;
-    *step = proved_step(f, *step);
+    if (f->proving)
+        *step = expansion_prove(&f->of, &f->set, *step, MOST_HALVINGS, true);
     return *step > 0 ? FLOW_DONE : FLOW_WIDE;
 }
 
@@ -366,7 +252,7 @@ static enum flow_status follow(struct flow *f, arb_srcptr initial, const fmpq *t
         enum flow_status status = steps < MOST_STEPS ? begin_step(f, digits, &step) : FLOW_STALLED;
         if (status != FLOW_DONE)
             return status;
-        for (; k < count && within(f, f->s, times + k, step); k++) {
+        for (; k < count && time_within(f->s, times + k, f->Omega, f->now, step, f->prec); k++) {
             state_at(f, f->state, f->s);
             *reached = fmpq_get_d(times + k);
             if (receive(context, k, times + k, f->state) != 0)

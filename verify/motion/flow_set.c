@@ -14,7 +14,7 @@
  *   (S1) the rest of the models P'                            (S2) the remainder of their series in time
  *   (S3) the remainder of J B s at the step's end             (S4) the rests of J, in derivative[0]
  *   (S5) the parts of J that are linear in e                  (lohner_move)
- *   (S6) the start of J is from all of P(e) + B s             (start_hull)
+ *   (S6) the start of J is from all of P(e) + B s             (expand_models)
  *   (S7) within the step all of |J B s|                       (row)
  *   (S8) the time is a ball, the step's polynomial is evaluated at a binary64 near it
  *   (S9) after a split either half is followed                (split)
@@ -30,7 +30,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "motion/lohner.h"
+#include "motion/expansion.h"
 #include "text/message.h"
 #include "text/progress.h"
 #include "text/scope.h"
@@ -48,12 +48,6 @@ static const double LEFT_OUT = 1e-7, MOST_ADDED = 1.5e-7, ROUNDINGS = 1e-11;
 
 static const double LONGEST = 0.25; /* step, radians: at rest the series propose none */
 
-struct model_jet {
-    slong order;
-    const struct system *system;
-    struct model *c[JET_ALL];
-};
-
 /* Part of the set, and where it stands */
 struct piece {
     struct model model[SET_MODELS];
@@ -66,99 +60,23 @@ struct piece {
 
 struct follower {
     const struct flow_set *set;
-    struct model_jet path, hull, column[FLOW_STATE];
-    struct jet sizes, hull_sizes, column_sizes[FLOW_STATE]; /* 0 +- norms: what majorants are made of */
-    struct majorant path_bound, hull_bound, spread_bound;
+    struct expansion of;
     struct model end[FLOW_STATE], at; /* of the step's end, and of an answer */
     mag_ptr error;
     double left; /* out by the models at the step's end, of one coordinate at most */
-    slong order, derivative_order;
     int direction;
 };
 
-/* ---- series of models ---- */
-
-static void model_jet_init(struct model_jet *jet, const struct space *s, slong order)
-{
-    jet->order = order;
-    jet->system = &closed_loop;
-    for (int v = 0; v < JET_ALL; v++) {
-        jet->c[v] = xrealloc(NULL, (size_t)order + 1, sizeof **jet->c);
-        for (slong k = 0; k <= order; k++)
-            model_init(jet->c[v] + k, s);
-    }
-}
-
-static void model_jet_clear(struct model_jet *jet)
-{
-    for (int v = 0; v < JET_ALL; v++) {
-        for (slong k = 0; k <= jet->order; k++)
-            model_clear(jet->c[v] + k);
-        free(jet->c[v]);
-    }
-}
-
-static void divide_models(struct model_jet *jet, slong k)
-{
-    for (int v = 0; v < JET_STATES; v++)
-        model_scale(jet->c[v] + k + 1, 1.0 / (double)(k + 1));
-}
-
-/* As jet_extend and jet_extend_column of taylor.c */
-static void extend_models(struct model_jet *jet)
-{
-    const struct system *system = jet->system;
-    for (slong k = 0; k < jet->order; k++) {
-        for (int t = 0; t < system->count; t++) {
-            const struct term *f = system->terms + t;
-            model_dot(jet->c[f->to] + k + (f->to < JET_STATES), !first_of_sum(system, t), f->sign, jet->c[f->a], jet->c[f->b] + k,
-                      is_constant(system, f->a) ? 1 : (int)k + 1);
-        }
-        divide_models(jet, k);
-    }
-}
-
-static void extend_column(struct model_jet *column, const struct model_jet *jet)
-{
-    const struct system *system = jet->system;
-    struct model *const *c = jet->c, *const *d = column->c;
-    for (slong k = 0; k < column->order; k++) {
-        for (int t = 0; t < system->count; t++) {
-            const struct term *f = system->terms + t;
-            struct model *to = d[f->to] + k + (f->to < JET_STATES);
-            const bool add = !first_of_sum(system, t);
-            if (!is_constant(system, f->a)) {
-                model_dot(to, add, f->sign, c[f->a], d[f->b] + k, (int)k + 1);
-                model_dot(to, true, f->sign, d[f->a], c[f->b] + k, (int)k + 1);
-            } else if (!is_constant(system, f->b)) {
-                model_dot(to, add, f->sign, c[f->a], d[f->b] + k, 1);
-            }
-        }
-        divide_models(column, k);
-    }
-}
-
-static void set_constants(struct model_jet *jet, const struct piece *p)
+static void set_constants(struct jet *jet, const struct piece *p)
 {
     enum { ONE = JET_SERIES, TWO, THREE, C1 };
     SCOPE(arb, x);
     for (int i = 0; i < 3; i++) {
         arb_set_ui(x, (ulong)i + 1);
-        model_set_ball(jet->c[ONE + i], x);
+        model_set_ball(jet->m[ONE + i], x);
     }
     for (int i = FLOW_STATE; i < SET_MODELS; i++)
-        model_cut(jet->c[C1 + i - FLOW_STATE], &p->model[i]);
-}
-
-/* q = 1/|x| */
-static void start_set_q(struct model_jet *jet)
-{
-    struct model square;
-    model_init(&square, jet->c[0]->space);
-    for (int i = 0; i < FLOW_HALF; i++)
-        model_dot(&square, i > 0, 1, jet->c[i], jet->c[i], 1);
-    model_inverse_root(jet->c[FLOW_STATE], &square);
-    model_clear(&square);
+        model_cut(jet->m[C1 + i - FLOW_STATE], &p->model[i]);
 }
 
 /* ---- pieces ---- */
@@ -223,101 +141,37 @@ static void follower_init(struct follower *f, const struct flow_set *set, int di
 {
     f->set = set;
     f->direction = direction;
-    f->order = set->how.order != 0 ? set->how.order : SET_ORDER;
-    f->derivative_order = set->how.derivative_order != 0 ? set->how.derivative_order : DERIVATIVE_ORDER;
-    model_jet_init(&f->path, &set->space, f->order);
-    model_jet_init(&f->hull, &set->linear, f->derivative_order);
-    jet_init(&f->sizes, &closed_loop, f->order);
-    jet_init(&f->hull_sizes, &closed_loop, f->derivative_order);
-    majorant_init(&f->path_bound, &closed_loop, f->order);
-    majorant_init(&f->hull_bound, &closed_loop, f->derivative_order);
-    majorant_init(&f->spread_bound, &closed_loop, f->derivative_order);
-    for (int j = 0; j < FLOW_STATE; j++) {
-        model_jet_init(&f->column[j], &set->linear, f->derivative_order);
-        jet_init(&f->column_sizes[j], &closed_loop, f->derivative_order);
+    expansion_init(&f->of, &closed_loop, set->how.order != 0 ? set->how.order : SET_ORDER,
+                   set->how.derivative_order != 0 ? set->how.derivative_order : DERIVATIVE_ORDER, &set->space, &set->linear);
+    for (int j = 0; j < FLOW_STATE; j++)
         model_init(&f->end[j], &set->space);
-    }
     model_init(&f->at, &set->space);
     f->error = _mag_vec_init(FLOW_STATE);
 }
 
 static void follower_clear(struct follower *f)
 {
-    model_jet_clear(&f->path);
-    model_jet_clear(&f->hull);
-    jet_clear(&f->sizes);
-    jet_clear(&f->hull_sizes);
-    majorant_clear(&f->path_bound);
-    majorant_clear(&f->hull_bound);
-    majorant_clear(&f->spread_bound);
-    for (int j = 0; j < FLOW_STATE; j++) {
-        model_jet_clear(&f->column[j]);
-        jet_clear(&f->column_sizes[j]);
+    expansion_clear(&f->of);
+    for (int j = 0; j < FLOW_STATE; j++)
         model_clear(&f->end[j]);
-    }
     model_clear(&f->at);
     _mag_vec_clear(f->error, FLOW_STATE);
 }
 
-static void find_sizes(struct jet *sizes, const struct model_jet *jet)
-{
-    for (int v = 0; v < JET_ALL; v++)
-        for (slong k = 0; k <= jet->order; k++)
-            mag_set_d(arb_radref(sizes->c[v] + k), model_size(jet->c[v] + k));
-}
-
-/* All of P(e) + B s, linear in e, s in the rest (S6) */
-static void start_hull(struct follower *f, const struct piece *p)
+/* From P(e), and from all of P(e) + B s, linear in e, s in the rest (S6) */
+static void expand_models(struct follower *f, const struct piece *p)
 {
     VECTOR(arb, box, FLOW_STATE);
     lohner_to_box(box, &p->rest);
     for (int v = 0; v < FLOW_STATE; v++) {
-        model_cut(f->hull.c[v], &p->model[v]);
-        model_widen(f->hull.c[v], arb_radref(box + v));
+        model_set(f->of.path.m[v], &p->model[v]);
+        model_cut(f->of.hull.m[v], &p->model[v]);
+        model_widen(f->of.hull.m[v], arb_radref(box + v));
     }
-    set_constants(&f->hull, p);
-    start_set_q(&f->hull);
-}
-
-/* Direction j of the basis, in which q = 1/|x| changes by -q^3 x.dx */
-static void start_set_column(struct follower *f, const struct piece *p, int j)
-{
-    struct model *const *c = f->hull.c, *const *d = f->column[j].c;
-    struct model product, other;
-    SCOPE(arb, x);
-    model_init(&product, &f->set->linear);
-    model_init(&other, &f->set->linear);
-    for (int v = 0; v < FLOW_STATE; v++) {
-        arb_set_d(x, p->rest.basis[v][j]);
-        model_set_ball(d[v], x);
-        if (v < FLOW_HALF)
-            model_dot(&product, v > 0, -1, c[v], d[v], 1);
-    }
-    for (int i = 0; i < 3; i++) {
-        model_dot(&other, false, 1, &product, c[FLOW_STATE], 1);
-        model_set(&product, &other);
-    }
-    model_set(d[FLOW_STATE], &product);
-    model_clear(&product);
-    model_clear(&other);
-}
-
-static void expand_models(struct follower *f, const struct piece *p)
-{
-    for (int v = 0; v < FLOW_STATE; v++)
-        model_set(f->path.c[v], &p->model[v]);
-    set_constants(&f->path, p);
-    start_set_q(&f->path);
-    extend_models(&f->path);
-    find_sizes(&f->sizes, &f->path);
-    start_hull(f, p);
-    extend_models(&f->hull);
-    find_sizes(&f->hull_sizes, &f->hull);
-    for (int j = 0; j < FLOW_STATE; j++) {
-        start_set_column(f, p, j);
-        extend_column(&f->column[j], &f->hull);
-        find_sizes(&f->column_sizes[j], &f->column[j]);
-    }
+    set_constants(&f->of.path, p);
+    set_constants(&f->of.hull, p);
+    expansion_path(&f->of, BITS, 0);
+    expansion_derivatives(&f->of, &p->rest);
 }
 
 /* How far the polynomial of a coordinate goes; a guide, no bound */
@@ -326,32 +180,13 @@ static double width(const struct model *x)
     return model_size(x) - fabs(x->c[0]);
 }
 
-/* The step at which the last two terms fall to a part of the set, or of rounding: a dyadic of 8 bits. */
+/* Where terms fall to a part of the set, or of rounding */
 static double set_step_length(const struct follower *f, const struct piece *p)
 {
-    double left_out = 0x1p-46, step = LONGEST;
-    if (f->set->how.step > 0)
-        return f->set->how.step;
+    double left_out = 0x1p-46;
     for (int v = 0; v < FLOW_STATE; v++)
         left_out = fmax(left_out, LEFT_OUT * width(&p->model[v]));
-    for (slong k = f->order - 1; k <= f->order; k++)
-        for (int v = 0; v < FLOW_HALF; v++)
-            step = fmin(step, pow(left_out / model_size(f->path.c[v] + k), 1.0 / (double)k));
-    int exponent;
-    const double fraction = frexp(step, &exponent);
-    return ldexp(floor(ldexp(fraction, 8)), exponent - 8);
-}
-
-static bool prove_set_step(struct follower *f, const struct piece *p, double step)
-{
-    SCOPE(mag, h, one);
-    mag_set_d(h, step);
-    mag_one(one);
-    majorant_of(&f->path_bound, &f->sizes, one, 1, h);
-    majorant_of(&f->hull_bound, &f->hull_sizes, one, 1, h);
-    majorant_of(&f->spread_bound, f->column_sizes, p->rest.radius, FLOW_STATE, h);
-    return majorant_prove(&f->path_bound, NULL, h) && majorant_prove(&f->hull_bound, NULL, h)
-           && majorant_prove(&f->spread_bound, &f->hull_bound, h);
+    return f->set->how.step > 0 ? f->set->how.step : expansion_step(&f->of, log2(left_out), LONGEST);
 }
 
 /* P' and what the set after the step is off from it, but for J B s: (S1) to (S3) */
@@ -360,9 +195,9 @@ static void find_end(struct follower *f, double step)
     SCOPE(mag, rest);
     f->left = 0;
     for (int v = 0; v < FLOW_STATE; v++) {
-        model_evaluate(&f->end[v], f->path.c[v], (int)f->order + 1, f->direction * step);
+        model_evaluate(&f->end[v], f->of.path.m[v], (int)f->of.path.order + 1, f->direction * step);
         mag_set_d(rest, f->end[v].rest);
-        mag_add(f->error + v, f->path_bound.remainder + v, f->spread_bound.remainder + v);
+        mag_add(f->error + v, f->of.path_bound.remainder + v, f->of.spread_bound.remainder + v);
         mag_add(f->error + v, f->error + v, rest);
         f->left = fmax(f->left, f->end[v].rest);
         f->end[v].rest = 0;
@@ -391,7 +226,7 @@ static bool advance_models(struct follower *f, struct piece *p, double step)
         arb_mat_init(derivative + i, FLOW_STATE, FLOW_STATE);
     for (int v = 0; v < FLOW_STATE; v++)
         for (int j = 0; j < FLOW_STATE; j++) {
-            model_evaluate(&at_end, f->column[j].c[v], (int)f->derivative_order + 1, f->direction * step);
+            model_evaluate(&at_end, f->of.column[j].m[v], (int)f->of.hull.order + 1, f->direction * step);
             for (int i = 0; i < count; i++)
                 arb_set_d(arb_mat_entry(derivative + i, v, j), at_end.c[i]); /* (S5) */
             mag_set_d(rest, at_end.rest);
@@ -413,23 +248,21 @@ static void row(arb_t x, struct follower *f, int v, double now, const arb_t s, d
 {
     const bool at_start = arb_is_zero(s) && !(fabs(now) > 0) && v < JET_STATES; /* there the models are all */
     const double near = arf_get_d(arb_midref(s), ARF_RND_NEAR);
-    const struct majorant *path = &f->path_bound, *spread = &f->spread_bound;
+    const struct majorant *path = &f->of.path_bound;
     SCOPE(arb, off);
     SCOPE(mag, by, h);
-    model_evaluate(&f->at, f->path.c[v], (int)f->order + 1, near);
+    model_evaluate(&f->at, f->of.path.m[v], (int)path->order + 1, near);
     model_range(x, &f->at);
     arb_add_error_mag(x, v < JET_STATES ? path->remainder + v : path->tail + v);
-    arb_add_error_mag(x, spread->suffix[v]); /* (S7): below degree n, ... */
-    arb_add_error_mag(x, spread->size[v] + spread->order);
-    arb_add_error_mag(x, v < JET_STATES ? spread->remainder + v : spread->tail + v);
+    expansion_spread(x, &f->of, v); /* (S7) */
     arb_set_d(off, near); /* (S8): (|s - near|/h) sum k |a_k| h^k */
     arb_sub(off, off, s, BITS);
     arb_get_mag(by, off);
     mag_set_d(h, step);
     mag_div(by, by, h);
     if (at_start)
-        model_range(x, f->path.c[v]);
-    for (slong k = 1; k <= f->order; k++) {
+        model_range(x, f->of.path.m[v]);
+    for (slong k = 1; k <= path->order; k++) {
         mag_mul_ui(h, path->size[v] + k, (ulong)k);
         mag_mul(h, h, by);
         arb_add_error_mag(x, h);
@@ -450,28 +283,6 @@ struct work {
     pthread_mutex_t lock; /* of the rows and of `next`                   */
     struct follower follower[MOST_THREADS];
 };
-
-/* s = Omega t - now, and whether |s| <= step for certain */
-static bool within_set(const struct work *w, const struct piece *p, arb_t s, double step)
-{
-    SCOPE(arb, now);
-    SCOPE(arf, bound);
-    arb_set_fmpq(s, w->times + p->k, 2 * BITS);
-    arb_mul(s, s, w->set->Omega, 2 * BITS);
-    arb_set_d(now, p->now);
-    arb_sub(s, s, now, 2 * BITS);
-    arb_get_abs_ubound_arf(bound, s, 53);
-    return arf_cmp_d(bound, step) <= 0;
-}
-
-/* The longest of step, step/2, ... that can be proved, or 0 */
-static double proved_set_step(struct follower *f, const struct piece *p, double step)
-{
-    int halvings = 0;
-    for (; halvings < MOST_SET_HALVINGS && !prove_set_step(f, p, step); halvings++)
-        step /= 2;
-    return halvings < MOST_SET_HALVINGS ? step : 0;
-}
 
 /* Row k's bounds are made wide enough for the piece; false where (21) may have no charges. */
 static bool widen_row(struct work *w, struct follower *f, const struct piece *p, const arb_t s, double step)
@@ -505,8 +316,10 @@ static bool widen_row(struct work *w, struct follower *f, const struct piece *p,
 static void follow_piece(struct work *w, struct follower *f, struct piece *p)
 {
     SCOPE(arb, s);
+    SCOPE(arf, now);
+    arf_set_d(now, p->now);
     expand_models(f, p);
-    const double step = proved_set_step(f, p, set_step_length(f, p));
+    const double step = expansion_prove(&f->of, &p->rest, set_step_length(f, p), MOST_SET_HALVINGS, false);
     find_end(f, step);
     if (w->count < w->set->most_pieces && (!(step > 0) || is_loose(f, p)))
         p->split = steepest(p);
@@ -514,7 +327,7 @@ static void follow_piece(struct work *w, struct follower *f, struct piece *p)
         return;
     if (!(step > 0))
         p->status = FLOW_WIDE;
-    for (; p->k < w->limit && p->status == FLOW_DONE && within_set(w, p, s, step); p->k++)
+    for (; p->k < w->limit && p->status == FLOW_DONE && time_within(s, w->times + p->k, w->set->Omega, now, step, 2 * BITS); p->k++)
         if (!widen_row(w, f, p, s, step)) {
             p->status = FLOW_UNCHARGED;
             return;

@@ -4,6 +4,9 @@
  */
 #include "motion/taylor.h"
 
+#include <stdlib.h>
+
+#include "text/message.h"
 #include "text/scope.h"
 
 enum { X, Y, Z, U, V, W, Q, G, S, A, D, R, P, ONE, TWO, THREE, C1, C2, LAMBDA, HOLD };
@@ -28,18 +31,36 @@ const struct system closed_loop = {JET_STATES, JET_SERIES, JET_ALL, JET_TERMS, c
 
 _Static_assert(R == (int)JET_CHARGE && G == (int)JET_STATES && ONE == (int)JET_SERIES && HOLD + 1 == JET_ALL, "series in order");
 
+void jet_init_models(struct jet *jet, const struct system *system, slong order, const struct space *space)
+{
+    *jet = (struct jet){.order = order, .system = system, .space = space};
+    for (int v = 0; v < system->all; v++) {
+        if (space == NULL) {
+            jet->c[v] = _arb_vec_init(order + 1);
+            continue;
+        }
+        jet->m[v] = xrealloc(NULL, (size_t)order + 1, sizeof *jet->m[v]);
+        for (slong k = 0; k <= order; k++)
+            model_init(jet->m[v] + k, space);
+    }
+}
+
 void jet_init(struct jet *jet, const struct system *system, slong order)
 {
-    jet->order = order;
-    jet->system = system;
-    for (int v = 0; v < system->all; v++)
-        jet->c[v] = _arb_vec_init(order + 1);
+    jet_init_models(jet, system, order, NULL);
 }
 
 void jet_clear(struct jet *jet)
 {
-    for (int v = 0; v < jet->system->all; v++)
-        _arb_vec_clear(jet->c[v], jet->order + 1);
+    for (int v = 0; v < jet->system->all; v++) {
+        if (jet->space == NULL) {
+            _arb_vec_clear(jet->c[v], jet->order + 1);
+            continue;
+        }
+        for (slong k = 0; k <= jet->order; k++)
+            model_clear(jet->m[v] + k);
+        free(jet->m[v]);
+    }
 }
 
 void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
@@ -54,23 +75,65 @@ void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
     arb_set_ui(c[HOLD], 3);
 }
 
-/*
- * Theorem (a series in balls). The coefficients of every motion that starts in the balls given, with parameters in
- * theirs, lie in the balls here: (T13) arb_dot and arb_div_ui enclose their exact results, in however few bits.
- *
- * The rates' coefficients from `first` to `last` - 1, and the states' above them. */
-static void extend_series(arb_ptr const *c, const struct system *system, slong first, slong last, slong prec, double fall)
+/* Coefficient `at` of z's v becomes, or gets added, sign sum_{j < count} x_a[j] y_b[k - j]. */
+static void add_products(struct jet *z, int v, slong at, bool add, int sign, const struct jet *x, int a, const struct jet *y, int b,
+                         slong k, slong count, slong prec)
 {
+    if (z->space != NULL) {
+        model_dot(z->m[v] + at, add, sign, x->m[a], y->m[b] + k, (int)count);
+        return;
+    }
+    arb_ptr to = z->c[v] + at;
+    arb_dot(to, add ? to : NULL, sign < 0, x->c[a], 1, y->c[b] + k, -1, count, prec);
+}
+
+void jet_start_q(struct jet *jet, slong prec)
+{
+    for (int i = 0; i < 3; i++)
+        add_products(jet, G, 0, i > 0, 1, jet, X + i, jet, X + i, 0, 1, prec);
+    if (jet->space != NULL) {
+        model_inverse_root(jet->m[Q], jet->m[G]);
+        return;
+    }
+    arb_sqrt(jet->c[Q], jet->c[G], prec);
+    arb_inv(jet->c[Q], jet->c[Q], prec);
+}
+
+void jet_start_column_q(struct jet *column, const struct jet *jet, slong prec)
+{
+    for (int i = 0; i < 3; i++)
+        add_products(column, G, 0, i > 0, -1, jet, X + i, column, X + i, 0, 1, prec);
+    add_products(column, S, 0, false, 1, jet, Q, column, G, 0, 1, prec);
+    add_products(column, G, 0, false, 1, jet, Q, column, S, 0, 1, prec);
+    add_products(column, Q, 0, false, 1, jet, Q, column, G, 0, 1, prec);
+}
+
+/*
+ * Theorem (a series in balls, or in models). The coefficients of every motion that starts in the balls given, with parameters in
+ * theirs, lie in the balls here: (T13) arb_dot and arb_div_ui enclose their exact results, in however few bits; of models see model.c.
+ *
+ * The rates' coefficients from `first` to `last` - 1, and the states' above them; of z itself, or of z as a column of jet: a term
+ * a b of the rates has the derivative a db + da b.
+ */
+static void extend_series(struct jet *z, const struct jet *jet, slong first, slong last, slong prec, double fall)
+{
+    const struct system *system = jet->system;
     for (slong k = first; k < last; k++) {
         slong bits = FLINT_MAX(prec - (slong)(fall * (double)k), 32);
         for (int t = 0; t < system->count; t++) {
             const struct term *f = system->terms + t;
-            arb_ptr to = c[f->to] + k + (f->to < system->states);
-            arb_dot(to, first_of_sum(system, t) ? NULL : to, f->sign < 0, c[f->a], 1, c[f->b] + k, -1,
-                    is_constant(system, f->a) ? 1 : k + 1, bits);
+            const slong at = k + (f->to < system->states);
+            const bool add = !first_of_sum(system, t), factor = is_constant(system, f->a);
+            if (z == jet || !is_constant(system, f->b))
+                add_products(z, f->to, at, add, f->sign, jet, f->a, z, f->b, k, factor ? 1 : k + 1, bits);
+            if (z != jet && !factor)
+                add_products(z, f->to, at, true, f->sign, z, f->a, jet, f->b, k, k + 1, bits);
         }
         for (int v = 0; v < system->states; v++)
-            arb_div_ui(c[v] + k + 1, c[v] + k + 1, (ulong)(k + 1), bits);
+            if (z->space != NULL)
+                model_scale(z->m[v] + k + 1, 1.0 / (double)(k + 1));
+            else
+                arb_div_ui(z->c[v] + k + 1, z->c[v] + k + 1, (ulong)(k + 1), bits);
     }
 }
 
@@ -83,42 +146,31 @@ void jet_extend(struct jet *jet, slong prec, double fall)
     slong n = jet->order, split = 0;
     while (split < n && (prec <= 128 || prec - (slong)(fall * (double)split) > 120))
         split++;
-    extend_series(jet->c, jet->system, 0, split, prec, fall);
+    extend_series(jet, jet, 0, split, prec, fall);
     if (split == n)
         return;
-    arb_ptr copy[JET_MOST] = {NULL};
-    for (int v = 0; v < jet->system->all; v++) {
-        copy[v] = _arb_vec_init(n + 1);
-        _arb_vec_set_round(copy[v], jet->c[v], split + 1, 128);
-    }
-    extend_series(copy, jet->system, split, n, prec, fall);
-    for (int v = 0; v < jet->system->all; v++) {
-        for (slong k = split + (v < jet->system->states); k <= n && !is_constant(jet->system, v); k++)
-            arb_swap(jet->c[v] + k, copy[v] + k);
-        _arb_vec_clear(copy[v], n + 1);
-    }
+    struct jet copy;
+    jet_init(&copy, jet->system, n);
+    for (int v = 0; v < jet->system->all; v++)
+        _arb_vec_set_round(copy.c[v], jet->c[v], split + 1, 128);
+    extend_series(&copy, &copy, split, n, prec, fall);
+    for (int v = 0; v < jet->system->series; v++)
+        for (slong k = split + (v < jet->system->states); k <= n; k++)
+            arb_swap(jet->c[v] + k, copy.c[v] + k);
+    jet_clear(&copy);
 }
 
 void jet_extend_column(struct jet *column, const struct jet *jet, slong prec)
 {
-    const struct system *system = jet->system;
-    arb_ptr const *c = jet->c;
-    arb_ptr *d = column->c;
-    for (slong k = 0; k < column->order; k++) {
-        for (int t = 0; t < system->count; t++) {
-            const struct term *f = system->terms + t;
-            arb_ptr to = d[f->to] + k + (f->to < system->states);
-            arb_srcptr sum = first_of_sum(system, t) ? NULL : to;
-            if (!is_constant(system, f->a)) {
-                arb_dot(to, sum, f->sign < 0, c[f->a], 1, d[f->b] + k, -1, k + 1, prec);
-                arb_dot(to, to, f->sign < 0, d[f->a], 1, c[f->b] + k, -1, k + 1, prec);
-            } else if (!is_constant(system, f->b)) {
-                arb_dot(to, sum, f->sign < 0, c[f->a], 1, d[f->b] + k, -1, 1, prec);
-            }
-        }
-        for (int v = 0; v < system->states; v++)
-            arb_div_ui(d[v] + k + 1, d[v] + k + 1, (ulong)(k + 1), prec);
-    }
+    extend_series(column, jet, 0, column->order, prec, 0);
+}
+
+void jet_size(mag_t size, const struct jet *jet, int v, slong k)
+{
+    if (jet->space != NULL)
+        mag_set_d(size, model_size(jet->m[v] + k));
+    else
+        arb_get_mag(size, jet->c[v] + k);
 }
 
 void majorant_init(struct majorant *m, const struct system *system, slong order)
@@ -155,7 +207,7 @@ void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights,
         for (slong k = 0; k <= m->order; k++) {
             mag_zero(m->size[v] + k);
             for (slong j = 0; j < count; j++) {
-                arb_get_mag(size, jets[j].c[v] + k);
+                jet_size(size, jets + j, v, k);
                 mag_addmul(m->size[v] + k, size, weights + j);
             }
             mag_mul(m->size[v] + k, m->size[v] + k, power);

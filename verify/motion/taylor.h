@@ -21,7 +21,7 @@
 
 #include <stdbool.h>
 
-#include "text/flint.h"
+#include "motion/model.h"
 
 enum {
     JET_STATES = 7,  /* x y z u v w q */
@@ -60,11 +60,15 @@ static inline bool first_of_sum(const struct system *system, int t)
     return t == 0 || system->terms[t - 1].to != system->terms[t].to;
 }
 
-/* Taylor coefficients about the start of a step: c[v][k] of s^k; states to degree n, the others to n - 1. */
+/* Taylor coefficients about the start of a step: c[v][k] of s^k, or m[v][k]; states to degree n, the others to n - 1. */
 struct jet {
     slong order;
     const struct system *system;
-    arb_ptr c[JET_MOST];
+    const struct space *space; /* of models; NULL: balls */
+    union {
+        arb_ptr c[JET_MOST];
+        struct model *m[JET_MOST];
+    };
 };
 
 /*
@@ -82,17 +86,25 @@ struct majorant {
 
 /* order >= 1 */
 void jet_init(struct jet *jet, const struct system *system, slong order);
+void jet_init_models(struct jet *jet, const struct system *system, slong order, const struct space *space);
 void jet_clear(struct jet *jet);
 void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2);
 
+/* Of the closed loop or another law: q = 1/|x|, and by how much it changes along a column, -q^3 x.dx, from the other states. */
+void jet_start_q(struct jet *jet, slong prec);
+void jet_start_column_q(struct jet *column, const struct jet *jet, slong prec);
+
 /*
- * From the coefficients 0 of the states to all others. Coefficient k is computed to prec - fall k bits
+ * From the coefficients 0 of the states to all others. Of models `prec` and `fall` mean nothing; of balls coefficient k is computed to prec - fall k bits
  * (32 at least): where a_k h^k falls by `fall` bits a degree, nothing is lost by it and half the time is won.
  */
 void jet_extend(struct jet *jet, slong prec, double fall);
 
 /* The same for a column: a derivative, in some direction, of the jet with respect to its initial state. */
 void jet_extend_column(struct jet *column, const struct jet *jet, slong prec);
+
+/* A bound on |coefficient k of v| */
+void jet_size(mag_t size, const struct jet *jet, int v, slong k);
 
 void majorant_init(struct majorant *m, const struct system *system, slong order);
 void majorant_clear(struct majorant *m);
