@@ -2,63 +2,10 @@
  * A client of the oracle for the oracle's own test: right in everything but the fault that its first argument
  * names. The second, where a fault needs one, is a file for its process number.
  */
-#include <math.h>
-#include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/types.h>
 #include <unistd.h>
 
-#include "evaluate/reference.h"
-
-enum { MOST_NUMBERS = 40, OUTPUTS = 16, LONGEST = 4096 };
-
-struct asked {
-    char operation[40], id[100];
-    double in[MOST_NUMBERS], out[OUTPUTS];
-    int inputs, outputs;
-    bool valid;
-};
-
-static bool equal(double x, double y)
-{
-    return !(x < y) && !(x > y) && !isnan(x);
-}
-
-static void compute(struct asked *a)
-{
-    reference_function *function = reference_find(a->operation);
-    const double unset = -0x1.23456789abcdep-1000; /* ref/ does not tell how many outputs there are: it sets them */
-    for (int i = 0; i < OUTPUTS; i++)
-        a->out[i] = unset;
-    if (function != NULL)
-        function(a->in, a->out);
-    for (a->outputs = 0; a->outputs < OUTPUTS && !equal(a->out[a->outputs], unset); a->outputs++)
-        continue;
-    a->valid = function != NULL && !isnan(a->out[0]);
-}
-
-static void understand(struct asked *a, char *line)
-{
-    char *rest = NULL, *word = strtok_r(line, " \n", &rest);
-    *a = (struct asked){.outputs = 1};
-    snprintf(a->operation, sizeof a->operation, "%s", word ? word : "");
-    word = strtok_r(NULL, " \n", &rest);
-    snprintf(a->id, sizeof a->id, "%s", word ? word : "");
-    while (a->inputs < MOST_NUMBERS && (word = strtok_r(NULL, " \n", &rest)) != NULL)
-        a->in[a->inputs++] = strtod(word, NULL);
-}
-
-static void say(const struct asked *a, const char *end)
-{
-    fputs(a->id, stdout);
-    if (!a->valid)
-        fputs(" invalid", stdout);
-    for (int i = 0; i < a->outputs && a->valid; i++)
-        printf(" %.17g", a->out[i]);
-    fputs(end, stdout);
-}
+#include "tests/clients/answer.h"
 
 /* Mistakes in the answers themselves; `fault` is at work from the 11th question on. */
 static void spoil(struct asked *a, const char *fault)

@@ -25,8 +25,8 @@ client() {
 # CC, FC and their flags are several words each.
 # shellcheck disable=SC2046,SC2086
 compile_c() {
-    ${CC:-cc} -std=c11 -Wall -Wextra -Wpedantic -D_POSIX_C_SOURCE=200809L -Iref ${CFLAGS-} -o "$work/c" \
-        tests/clients/client.c "$CT_BUILD/libcoulombtether.a" $(${PKG_CONFIG:-pkg-config} --libs gsl) -lm ${LDFLAGS-}
+    ${CC:-cc} -std=c11 -Wall -Wextra -Wpedantic -D_POSIX_C_SOURCE=200809L -I. -Iref -Iverify ${CFLAGS-} -o "$work/c" \
+        tests/clients/client.c verify/evaluate/reference.c "$CT_BUILD/libcoulombtether.a" $(${PKG_CONFIG:-pkg-config} --libs gsl) -lm ${LDFLAGS-}
 }
 # shellcheck disable=SC2086
 compile_fortran() { ${FC:-gfortran} -std=f2018 -Wall ${FFLAGS--O2} -J "$work" -o "$work/fortran" tests/clients/client.f90; }
