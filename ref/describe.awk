@@ -54,7 +54,7 @@ FILENAME ~ /\.h$/ {
             print ""
             describe(name)
         }
-        print name != "" ? declaration : $0
+        print (name != "" ? declaration : $0)
     } else if (name != "") {
         print ".Ss " name "\n.Bd -literal"
         print declaration

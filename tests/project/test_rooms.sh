@@ -2,7 +2,7 @@
 # The rooms of verify/: an include leads to the same room or to one that a room may use, and no file leads back to itself.
 set -u
 
-LC_ALL=C awk -v house='
+LC_ALL=C house='
 text:
 formula:  text
 sheet:    text formula
@@ -11,9 +11,9 @@ motion:   text formula sheet
 evaluate: text formula sheet proof motion
 claims:   text formula sheet proof motion evaluate
 conform:  text formula sheet proof motion evaluate
-command:  text formula sheet proof motion evaluate claims conform' '
+command:  text formula sheet proof motion evaluate claims conform' awk '
 BEGIN {
-    rooms = split(house, lines, "\n")
+    rooms = split(ENVIRON["house"], lines, "\n")
     for (i = 1; i <= rooms; i++) {
         words = split(lines[i], word, /[: ]+/)
         for (k = 1; k <= words; k++)
