@@ -466,9 +466,7 @@ static void write_totals(struct json *j, const struct totals *sum)
 
 static void write_line(struct json *j, const struct test_run *e, enum outcome outcome, const char *line)
 {
-    json_string(j, "outcome", outcome_names[outcome]);
-    json_string(j, "text", line);
-    json_string(j, "hint", hint_of(e, line, outcome));
+    json_strings(j, "outcome", outcome_names[outcome], "text", line, "hint", hint_of(e, line, outcome));
 }
 
 static void write_operation(struct json *j, const struct test_run *e, int k)
@@ -478,15 +476,12 @@ static void write_operation(struct json *j, const struct test_run *e, int k)
     const struct totals sum = report_totals(e, k);
     json_line(j, 4);
     json_open(j, NULL, '{');
-    json_string(j, "id", s->id);
-    json_string(j, "level", level_names[level_of(s)]);
+    json_strings(j, "id", s->id, "level", level_names[level_of(s)]);
     write_totals(j, &sum);
     json_value(j, is_motion(s) ? "digits_due" : "K", "%g", is_motion(s) ? e->comparators[k].digits : e->comparators[k].K);
-    if (t->worst != UINT64_MAX) {
-        json_string(j, "worst_E", is_motion(s) ? NULL : error_text(t->worst_E));
-        json_string(j, "digits", digits_text(summary_digits(e, k)));
-        json_string(j, "worst", vector_name(e, t->worst));
-    }
+    if (t->worst != UINT64_MAX)
+        json_strings(j, "worst_E", is_motion(s) ? NULL : error_text(t->worst_E), "digits", digits_text(summary_digits(e, k)), "worst",
+                     vector_name(e, t->worst));
     json_open(j, "outcomes", '{');
     for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED; i++)
         if (t->counts[i] > 0)
@@ -509,9 +504,7 @@ static void write_vector(struct json *j, const struct test_run *e, const struct 
     const bool motion = is_motion(x.section), judged = is_judged(r);
     json_line(j, 4);
     json_open(j, NULL, '{');
-    json_string(j, "id", x.vector.id);
-    json_string(j, "operation", x.section->id);
-    json_string(j, "outcome", outcome_names[r->outcome]);
+    json_strings(j, "id", x.vector.id, "operation", x.section->id, "outcome", outcome_names[r->outcome]);
     if (r->expected)
         json_truth(j, "expected_to_fail", true);
     json_string(j, "digits", judged && motion ? digits_text(r->score.digits) : NULL);
@@ -547,8 +540,7 @@ static void write_json(const struct report *r, FILE *file)
     write_totals(&j, &sum);
     json_value(&j, "oracle_seconds", "%.3f", r->seconds);
     json_line(&j, 2);
-    json_string(&j, "ended", e->ended);
-    json_string(&j, "errors", r->errors);
+    json_strings(&j, "ended", e->ended, "errors", r->errors);
     json_line(&j, 2);
     json_open(&j, "lines", '[');
     for (int i = OUTCOME_UNNAMED; i < OUTCOMES; i++)
