@@ -1,14 +1,8 @@
 #include "sheet/known_mistakes.h"
 
 #include <stdlib.h>
-#include <string.h>
 
-/* A mistake at work in a section: what each change is about, and the value that it puts there. */
-struct substitution {
-    int target; /* index of an input or output, node of a subexpression; -1: not in this section */
-    int value;  /* node of the mutation's program */
-};
-
+/* What a change is about: the index of an input or output, or a subexpression's node, of the section computed in the end; -1: nothing. */
 static int target_of(const struct section *s, const struct section *end, enum place place, const char *name)
 {
     if (place == PLACE_INPUT)
@@ -20,86 +14,48 @@ static int target_of(const struct section *s, const struct section *end, enum pl
     return input_place(s, name) < 0 ? program_find(&s->corrected.program, name) : -1;
 }
 
-/* Reads the changes in the names of the section as it should be; false where they do not fit it. */
-static bool take_changes(struct substitution *changes, struct program *p, struct program *right,
-                         const struct section *s, const struct section *end, const struct known_mistake *m,
-                         bool strict, struct message *why)
+/*
+ * Reads the changes in the names of the section as it should be: nodes that stand for inputs and subexpressions of the end, or for
+ * its outputs. False where they do not fit it.
+ */
+static bool take_changes(struct mutation *a, const struct section *s, const struct known_mistake *m, bool strict, int *stand_in,
+                         int *outputs, struct message *why)
 {
     int taken = m->as != NULL;
     for (int k = 0; k < m->count; k++) {
         const char *name = m->changes[k].name;
+        const int target = target_of(s, a->section, m->changes[k].place, name);
         struct message expected;
         size_t where;
-        changes[k].target = target_of(s, end, m->changes[k].place, name);
-        if (changes[k].target < 0 && strict)
+        if (target < 0 && strict) {
             message_set(why, "'%s' is not there to be changed", name);
-        if (changes[k].target < 0 && strict)
             return false;
-        if (changes[k].target < 0)
+        }
+        if (target < 0)
             continue;
-        int node = program_parse(right, m->changes[k].formula, &where, &expected);
+        const int node = program_parse(&a->formulas.program, m->changes[k].formula, &where, &expected);
         if (node < 0) {
             message_set(why, "%s: %.200s", name, expected.text);
             return false;
         }
-        int *identity = xrealloc(NULL, (size_t)right->count, sizeof *identity);
-        for (int i = 0; i < right->count; i++)
-            identity[i] = i < right->inputs ? i : -1;
-        changes[k].value = program_inline(p, right, node, identity);
-        free(identity);
+        (m->changes[k].place == PLACE_OUTPUT ? outputs : stand_in)[target] = node;
         taken++;
     }
     if (taken == 0)
         message_set(why, "nothing is changed");
-    return taken > 0;
-}
-
-/* What stands for the inputs, and for changed subexpressions, of the section that is computed in the end. */
-static bool take_stand_ins(int *stand_in, const struct section *s, const struct section *end,
-                           const struct known_mistake *m, const struct substitution *changes, struct message *why)
-{
-    for (int i = 0; i < end->corrected.program.count; i++)
-        stand_in[i] = i < end->input_count ? input_place(s, end->inputs[i]->name) : -1;
-    for (int k = 0; k < m->count; k++)
-        if (changes[k].target >= 0 && m->changes[k].place != PLACE_OUTPUT)
-            stand_in[changes[k].target] = changes[k].value;
-    for (int i = 0; i < end->input_count; i++)
+    for (int i = 0; i < a->section->input_count && taken > 0; i++)
         if (stand_in[i] < 0) {
-            message_set(why, "%s needs %s", end->id, end->inputs[i]->name);
-            return false;
+            message_set(why, "%s needs %s", a->section->id, a->section->inputs[i]->name);
+            taken = 0;
         }
-    return true;
-}
-
-static void take_outputs(struct mutation *a, const struct section *s, const struct known_mistake *m,
-                         const struct substitution *changes, const int *stand_in)
-{
-    const struct formulas *end = &a->section->corrected, *right = &s->corrected;
-    struct formulas *f = &a->formulas;
-    for (int i = 0; i < (a->formulas_end ? s->output_count : a->section->input_count); i++)
-        f->outputs[i] = a->formulas_end ? program_inline(&f->program, &end->program, end->outputs[i], stand_in)
-                                        : stand_in[i];
-    for (int k = 0; k < m->count; k++)
-        if (m->changes[k].place == PLACE_OUTPUT && changes[k].target >= 0)
-            f->outputs[changes[k].target] = changes[k].value;
-    int *identity = xrealloc(NULL, (size_t)right->program.count + 1, sizeof *identity);
-    for (int i = 0; i < right->program.count; i++)
-        identity[i] = i < right->program.inputs ? i : -1;
-    f->conditions = xrealloc(NULL, (size_t)right->count + 1, sizeof *f->conditions);
-    for (f->count = 0; f->count < right->count; f->count++) {
-        f->conditions[f->count] = right->conditions[f->count];
-        f->conditions[f->count].node =
-            program_inline(&f->program, &right->program, right->conditions[f->count].node, identity);
-    }
-    free(identity);
+    return taken > 0;
 }
 
 bool mutation_init(struct mutation *a, const struct sheet *sheet, const struct section *s,
                    const struct known_mistake *m, bool strict, struct message *why)
 {
     const struct section *end = m->as ? section_find(sheet, m->as) : s;
-    struct substitution changes[MOST_CHANGES];
-    struct program right;
+    struct formulas *f = &a->formulas;
     *a = (struct mutation){.section = end};
     if (end == NULL || end->method == METHOD_NONE || end->output_count != s->output_count) {
         message_set(why, "as: expected an operation with as many outputs");
@@ -110,19 +66,23 @@ bool mutation_init(struct mutation *a, const struct sheet *sheet, const struct s
         message_set(why, "expected a formula, or a method of at most %d inputs", MOST_OUTPUTS);
         return false;
     }
-    for (int i = 0; i < s->input_count; i++)
-        program_input(&a->formulas.program, s->inputs[i]->name);
-    program_copy(&right, &s->corrected.program);
+    program_copy(&f->program, &s->corrected.program);
     for (int i = 0; i < s->output_count && s->method == METHOD_FORMULA; i++)
-        if (program_find(&right, s->outputs[i]->name) < 0)
-            program_name(&right, s->corrected.outputs[i], s->outputs[i]->name);
+        if (program_find(&f->program, s->outputs[i]->name) < 0)
+            program_name(&f->program, s->corrected.outputs[i], s->outputs[i]->name);
     int *stand_in = xrealloc(NULL, (size_t)end->corrected.program.count, sizeof *stand_in);
-    bool fits = take_changes(changes, &a->formulas.program, &right, s, end, m, strict, why) &&
-                take_stand_ins(stand_in, s, end, m, changes, why);
-    if (fits)
-        take_outputs(a, s, m, changes, stand_in);
+    for (int i = 0; i < end->corrected.program.count; i++)
+        stand_in[i] = i < end->input_count ? input_place(s, end->inputs[i]->name) : -1;
+    for (int i = 0; i < MOST_OUTPUTS; i++)
+        f->outputs[i] = -1;
+    const bool fits = take_changes(a, s, m, strict, stand_in, f->outputs, why);
+    for (int i = 0; i < (a->formulas_end ? end->output_count : end->input_count) && fits; i++)
+        if (f->outputs[i] < 0)
+            f->outputs[i] = a->formulas_end ? program_inline(&f->program, &end->corrected.program, end->corrected.outputs[i], stand_in)
+                                            : stand_in[i];
+    f->conditions = s->corrected.conditions; /* of the same nodes */
+    f->count = s->corrected.count;
     free(stand_in);
-    program_clear(&right);
     if (!fits)
         mutation_clear(a);
     return fits;
@@ -131,5 +91,4 @@ bool mutation_init(struct mutation *a, const struct sheet *sheet, const struct s
 void mutation_clear(struct mutation *a)
 {
     program_clear(&a->formulas.program);
-    free(a->formulas.conditions);
 }
