@@ -72,22 +72,6 @@ void operation_condition(fmpq_t value, const struct operation *o, const struct i
 
 /* ---- the domain ---- */
 
-static bool in_domain(enum domain domain, const struct input *x)
-{
-    if (x->infinite)
-        return domain == DOMAIN_POSITIVE_OR_INFINITE;
-    switch (domain) {
-    case DOMAIN_POSITIVE:
-    case DOMAIN_POSITIVE_OR_INFINITE:
-        return fmpq_sgn(&x->value) > 0;
-    case DOMAIN_NOT_NEGATIVE:
-        return fmpq_sgn(&x->value) >= 0;
-    case DOMAIN_FINITE:
-        break;
-    }
-    return true;
-}
-
 static bool compares(int sign, enum comparison comparison)
 {
     return comparison == LESS ? sign < 0 : comparison == GREATER ? sign > 0 : sign >= 0;
@@ -114,7 +98,7 @@ static bool valid_by(struct operation *o, const struct input *inputs, slong prec
 {
     const struct section *s = o->section;
     for (int i = 0; i < s->input_count; i++)
-        if (!in_domain(s->inputs[i]->domain, &inputs[i])) {
+        if (!input_in_domain(&inputs[i], s->inputs[i]->domain)) {
             message_set(&o->why, "%s: outside its domain, %s", s->inputs[i]->name, domain_names[s->inputs[i]->domain]);
             return false;
         }

@@ -151,13 +151,10 @@ static void print_line(const char *id, const struct section *s, const char *cons
 
 bool vector_read(const struct section *s, const char *const *texts, struct input *inputs)
 {
-    bool finite = true;
-    for (int i = 0; i < s->input_count; i++) {
-        enum literal literal = literal_read(&inputs[i].value, texts[i], false);
-        inputs[i].infinite = literal == LITERAL_INFINITE;
-        finite = finite && (literal == LITERAL_FINITE || inputs[i].infinite);
-    }
-    return finite;
+    bool numbers = true;
+    for (int i = 0; i < s->input_count; i++)
+        numbers = input_read(&inputs[i], texts[i]) && numbers;
+    return numbers;
 }
 
 /* numbers: the inputs are numbers, read from those literals. */

@@ -2,6 +2,23 @@
 
 #include <stdlib.h>
 
+#include "text/decimal.h"
+
+bool input_read(struct input *x, const char *literal)
+{
+    const enum literal kind = literal_read(&x->value, literal, false);
+    x->infinite = kind == LITERAL_INFINITE;
+    return kind == LITERAL_FINITE || x->infinite;
+}
+
+bool input_in_domain(const struct input *x, enum domain domain)
+{
+    const int sign = fmpq_sgn(&x->value);
+    if (x->infinite)
+        return domain == DOMAIN_POSITIVE_OR_INFINITE;
+    return domain == DOMAIN_FINITE || sign > 0 || (sign == 0 && domain == DOMAIN_NOT_NEGATIVE);
+}
+
 struct input *inputs_new(int count)
 {
     struct input *inputs = xrealloc(NULL, (size_t)count, sizeof *inputs);

@@ -11,6 +11,10 @@ struct input {
     bool infinite; /* only where the domain lets it be */
 };
 
+/* The binary64 nearest to a literal, or infinity; false where it is no such number. */
+bool input_read(struct input *x, const char *literal);
+bool input_in_domain(const struct input *x, enum domain domain);
+
 struct input *inputs_new(int count);
 void inputs_free(struct input *inputs, int count);
 

@@ -99,7 +99,6 @@ struct section {
     struct known_mistake *mistakes;
     int relation_count, special_count, mistake_count;
     double K;                   /* the largest E that the oracle lets pass */
-    const char *K_reason;
 };
 
 struct sheet {
@@ -109,7 +108,6 @@ struct sheet {
     struct known_mistake *mistakes;         /* of every section that has the names they change */
     int quantity_count, section_count, row_count, mistake_count;
     double K;                   /* of every section that says nothing of its own */
-    const char *K_reason;
     struct tree *tree;          /* everything the above points into */
 };
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sheet/input.h"
 #include "sheet/known_mistakes.h"
 #include "text/decimal.h"
 #include "text/scope.h"
@@ -43,12 +44,10 @@ static bool read_range(const struct yaml *range, struct quantity *q)
 /* Whether a literal is a number of that domain. */
 static bool lies_in_domain(const char *text, enum domain domain)
 {
-    SCOPE(fmpq, value);
-    const enum literal literal = literal_read(value, text, false);
-    const int sign = literal == LITERAL_FINITE ? fmpq_sgn(value) : 1;
-    if (literal == LITERAL_INFINITE)
-        return domain == DOMAIN_POSITIVE_OR_INFINITE;
-    return literal == LITERAL_FINITE && (domain == DOMAIN_FINITE || sign > 0 || (sign == 0 && domain == DOMAIN_NOT_NEGATIVE));
+    struct input *x = inputs_new(1);
+    const bool lies = input_read(x, text) && input_in_domain(x, domain);
+    inputs_free(x, 1);
+    return lies;
 }
 
 static bool read_quantities(struct sheet *s, const struct yaml *all)
@@ -103,16 +102,17 @@ static bool read_table1(struct sheet *s, const struct yaml *rows)
 
 /* ---- formulas ---- */
 
-/* Both sides of a sign that stands in a text. */
-static bool read_sides(struct program *p, const struct yaml *n, const char *sign, size_t length, int sides[2])
+/* Both sides of a sign that stands in a text, or the first alone. */
+static bool read_sides(struct program *p, const struct yaml *n, const char *sign, size_t length, int count, int *sides)
 {
     char *left = text_copy(n->text);
     const size_t at = (size_t)(sign - n->text);
     left[at] = '\0';
     sides[0] = program_read(p, n, left, 0, NULL, NULL);
-    sides[1] = sides[0] < 0 ? -1 : program_read(p, n, sign + length, at + length, NULL, NULL);
     free(left);
-    return sides[1] >= 0;
+    if (count > 1 && sides[0] >= 0)
+        sides[1] = program_read(p, n, sign + length, at + length, NULL, NULL);
+    return sides[0] >= 0 && sides[count - 1] >= 0;
 }
 
 static bool read_lets(const struct yaml *let, struct formulas *f)
@@ -160,28 +160,18 @@ static bool read_condition(const struct yaml *n, struct formulas *f)
     static const struct {
         const char *sign;
         enum comparison comparison;
-    } comparisons[] = {{">=", NOT_LESS}, {">", GREATER}, {"<", LESS}};
-    static const char integer[] = " an integer";
+    } comparisons[] = {{" an integer", INTEGER}, {">=", NOT_LESS}, {">", GREATER}, {"<", LESS}};
     const char *sign = NULL;
     int k = 0, sides[2];
-    const size_t length = strlen(n->text);
-    if (length > strlen(integer) && strcmp(n->text + length - strlen(integer), integer) == 0) {
-        char *formula = text_copy(n->text);
-        formula[length - strlen(integer)] = '\0';
-        sides[0] = program_read(&f->program, n, formula, 0, NULL, NULL);
-        free(formula);
-        if (sides[0] >= 0)
-            *APPENDED(f->conditions, f->count) = (struct condition){n->text, sides[0], INTEGER};
-        return sides[0] >= 0;
-    }
-    while (k < 3 && (sign = strstr(n->text, comparisons[k].sign)) == NULL)
+    while (k < 4 && (sign = strstr(n->text, comparisons[k].sign)) == NULL)
         k++;
-    if (sign == NULL)
+    if (sign == NULL || (comparisons[k].comparison == INTEGER && strlen(sign) > strlen(comparisons[k].sign)))
         return node_error(n, 0, "expected a condition with >, >= or <, or that ends in 'an integer'");
-    if (!read_sides(&f->program, n, sign, strlen(comparisons[k].sign), sides))
+    const bool integer = comparisons[k].comparison == INTEGER;
+    if (!read_sides(&f->program, n, sign, strlen(comparisons[k].sign), integer ? 1 : 2, sides))
         return false;
-    *APPENDED(f->conditions, f->count) =
-        (struct condition){n->text, program_difference(&f->program, sides[0], sides[1]), comparisons[k].comparison};
+    const int node = integer ? sides[0] : program_difference(&f->program, sides[0], sides[1]);
+    *APPENDED(f->conditions, f->count) = (struct condition){n->text, node, comparisons[k].comparison};
     return true;
 }
 
@@ -294,7 +284,7 @@ static bool read_relation(const struct sheet *s, const struct yaml *n, struct fo
         return node_error(n, 0, "expected left = right");
     for (int i = 0; i < s->quantity_count; i++)
         program_input(&f->program, s->quantities[i].name);
-    return read_sides(&f->program, n, sign, 1, f->outputs);
+    return read_sides(&f->program, n, sign, 1, 2, f->outputs);
 }
 
 static bool read_relations(const struct sheet *sheet, const struct yaml *list, struct section *s)
@@ -355,12 +345,11 @@ static const struct field tolerance_fields[] = {
     {.key = NULL}};
 
 /* K: {bound: 8, reason: ...}; as it was where there is none */
-static bool read_K(const struct yaml *n, double *K, const char **reason)
+static bool read_K(const struct yaml *n, double *K)
 {
-    struct tolerance t = {*K, *reason};
+    struct tolerance t = {.bound = *K};
     const bool fine = n == NULL || fields_read(n, tolerance_fields, &t);
     *K = t.bound;
-    *reason = t.reason;
     return fine;
 }
 
@@ -417,7 +406,7 @@ static bool check_known_mistakes(const struct sheet *sheet, const struct yaml *e
 
 static bool read_section(struct sheet *sheet, const struct yaml *n)
 {
-    struct written_section w = {.method = -1, .s = {.sheet = sheet, .id = n->key, .K = sheet->K, .K_reason = sheet->K_reason}};
+    struct written_section w = {.method = -1, .s = {.sheet = sheet, .id = n->key, .K = sheet->K}};
     const bool fine = fields_read(n, section_fields, &w);
     struct section *s = APPENDED(sheet->sections, sheet->section_count);
     *s = w.s;
@@ -431,7 +420,7 @@ static bool read_section(struct sheet *sheet, const struct yaml *n)
         return node_error(n, 0, "missing %s", w.inputs != NULL ? "outputs" : "inputs");
     if ((w.inputs != NULL && (!read_names(sheet, w.inputs, s->inputs, MOST_INPUTS, &s->input_count) || !have_values(w.inputs, s))) ||
         (w.method >= 0 && !read_names(sheet, w.f.outputs, s->outputs, MOST_OUTPUTS, &s->output_count)) ||
-        !read_relations(sheet, w.relations, s) || !read_K(w.K, &s->K, &s->K_reason) ||
+        !read_relations(sheet, w.relations, s) || !read_K(w.K, &s->K) ||
         !read_mistakes(w.mistakes, &s->mistakes, &s->mistake_count))
         return false;
     for (int i = 0; w.vectors != NULL && i < w.vectors->count; i++)
@@ -460,7 +449,7 @@ static bool read_sheet(struct sheet *s)
 {
     struct written_sheet w = {.K = NULL};
     if (!fields_read(&s->tree->root, sheet_fields, &w) || !read_quantities(s, w.quantities) || !read_table1(s, w.table1) ||
-        !read_K(w.K, &s->K, &s->K_reason) || !read_mistakes(w.mistakes, &s->mistakes, &s->mistake_count))
+        !read_K(w.K, &s->K) || !read_mistakes(w.mistakes, &s->mistakes, &s->mistake_count))
         return false;
     for (int i = 0; i < w.equations->count; i++)
         if (!read_section(s, &w.equations->items[i]))
