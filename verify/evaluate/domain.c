@@ -44,42 +44,30 @@ bool inputs_of_values(const struct section *s, const double *values, struct inpu
 
 /* ---- conditions ---- */
 
-/* A condition's left side at some inputs, of which one is another: conditions are rational in their inputs. */
-static void condition_value(fmpq_t f, const struct operation *o, int condition, struct input *inputs, int other, slong x)
-{
-    SCOPE(fmpq, kept);
-    fmpq_set(kept, &inputs[other].value);
-    fmpq_set_si(&inputs[other].value, x, 1);
-    operation_condition(f, o, inputs, o->formulas->conditions[condition].node);
-    fmpq_set(&inputs[other].value, kept);
-}
-
 /*
- * A condition f (compared with zero) is linear or quadratic in each input, f = a x^2 + b x + c: x becomes the zero of a line,
- * and where the least f of a parabola is. 1: a line's, 2: a parabola's, 0: nothing depends on this input.
+ * A condition f (compared with zero) is rational in its inputs, and linear or quadratic in each, f = a x^2 + b x + c: x becomes the
+ * zero of a line, and where the least f of a parabola is. 1: a line's, 2: a parabola's, 0: nothing depends on this input.
  */
 static int move_to_edge(const struct operation *o, int condition, struct input *inputs, int i)
 {
-    SCOPE(fmpq, a, b, c, x);
-    int degree = 0;
-    condition_value(c, o, condition, inputs, i, 0);
-    condition_value(a, o, condition, inputs, i, 1);
-    condition_value(x, o, condition, inputs, i, -1);
-    fmpq_sub(b, a, x);
-    fmpq_div_2exp(b, b, 1);
-    fmpq_add(a, a, x);
-    fmpq_div_2exp(a, a, 1);
-    fmpq_sub(a, a, c);
-    if (!fmpq_is_zero(a) || !fmpq_is_zero(b)) {
-        degree = fmpq_is_zero(a) ? 1 : 2;
-        if (degree == 1) {
-            fmpq_div(x, c, b);
-        } else {
-            fmpq_div(x, b, a);
-            fmpq_div_2exp(x, x, 1);
-        }
-        fmpq_neg(&inputs[i].value, x);
-        fmpq_set_double(&inputs[i].value, fmpq_get_d(&inputs[i].value)); /* a number that can be asked */
+    VECTOR(fmpq, f, 3); /* at -1, 0 and 1 */
+    SCOPE(fmpq, kept, slope, curvature);
+    fmpq *x = &inputs[i].value;
+    fmpq_set(kept, x);
+    for (int k = 0; k < 3; k++) {
+        fmpq_set_si(x, k - 1, 1);
+        operation_node(f + k, o, inputs, o->formulas->conditions[condition].node);
+    }
+    fmpq_sub(slope, f + 2, f);          /* 2 b */
+    fmpq_add(curvature, f + 2, f);
+    fmpq_mul_2exp(f + 1, f + 1, 1);     /* 2 c */
+    fmpq_sub(curvature, curvature, f + 1); /* 2 a */
+    const int degree = !fmpq_is_zero(curvature) ? 2 : !fmpq_is_zero(slope) ? 1 : 0;
+    fmpq_mul_2exp(curvature, curvature, 1);
+    fmpq_set(x, kept);
+    if (degree > 0) {
+        fmpq_div(kept, degree == 1 ? f + 1 : slope, degree == 1 ? slope : curvature);
+        fmpq_set_double(x, -fmpq_get_d(kept)); /* a number that can be asked */
     }
     return degree;
 }
@@ -108,9 +96,11 @@ bool domain_edge(struct operation *o, int condition, bool outside, double *value
     inputs_of_values(s, values, inputs);
     for (int i = 0; i < s->input_count && degree != 1; i++) {
         const int of_this = move_to_edge(o, condition, inputs, i);
-        values[i] = inputs[i].infinite ? INFINITY : fmpq_get_d(&inputs[i].value);
-        moved = of_this > 0 ? i : moved;
-        degree = of_this > 0 ? of_this : degree;
+        if (of_this == 0)
+            continue;
+        degree = of_this;
+        moved = i;
+        values[i] = fmpq_get_d(&inputs[i].value);
     }
     const bool found = moved >= 0 && (operation_valid(o, inputs) != outside ||
                                       nudge(o, h < 0 ? NULL : &inputs[h], moved, values, inputs, outside));
@@ -140,21 +130,22 @@ bool domain_between_steps(const struct section *s, double *values)
 void domain_defect(struct operation *o, uint64_t k, double *values)
 {
     const struct section *s = o->section;
-    uint64_t count = (uint64_t)o->formulas->count;
+    const int edges = edge_count(o->formulas);
+    struct {
+        double *at, value;
+    } defects[MOST_INPUTS * EXTREMES];
+    int count = 0;
     for (int i = 0; i < s->input_count; i++)
         for (int n = 0; n < EXTREMES; n++)
-            count += extremes[n].outside && extreme_of(&extremes[n], s->inputs[i]);
-    k %= count;
-    for (int c = 0; c < edge_count(o->formulas); c++)
-        if (k-- == 0) {
-            domain_edge(o, c, true, values);
-            return;
-        }
-    for (int i = 0; i < s->input_count; i++)
-        for (int n = 0; n < EXTREMES; n++)
-            if (extremes[n].outside && extreme_of(&extremes[n], s->inputs[i]) && k-- == 0) {
-                values[i] = extremes[n].value;
-                return;
+            if (extremes[n].outside && extreme_of(&extremes[n], s->inputs[i])) {
+                defects[count].at = &values[i];
+                defects[count++].value = extremes[n].value;
             }
-    domain_between_steps(s, values);
+    const int which = (int)(k % (uint64_t)(o->formulas->count + count));
+    if (which < edges)
+        domain_edge(o, which, true, values);
+    else if (which < edges + count)
+        *defects[which - edges].at = defects[which - edges].value;
+    else
+        domain_between_steps(s, values);
 }

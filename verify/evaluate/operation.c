@@ -60,7 +60,7 @@ void operation_exact(struct machine *m, const struct operation *o, const struct 
     machine_run(m);
 }
 
-void operation_condition(fmpq_t value, const struct operation *o, const struct input *inputs, int node)
+void operation_node(fmpq_t value, const struct operation *o, const struct input *inputs, int node)
 {
     struct machine exact;
     machine_init(&exact, &o->formulas->program, &arithmetic_exact, 0);
@@ -84,7 +84,7 @@ static bool holds(const struct operation *o, const struct input *inputs, const s
     if (c->comparison != INTEGER && !arb_contains_zero(ball))
         return compares(arf_sgn(arb_midref(ball)), c->comparison);
     SCOPE(fmpq, value);
-    operation_condition(value, o, inputs, c->node);
+    operation_node(value, o, inputs, c->node);
     return c->comparison == INTEGER ? fmpz_is_one(fmpq_denref(value)) : compares(fmpq_sgn(value), c->comparison);
 }
 

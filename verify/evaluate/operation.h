@@ -51,7 +51,7 @@ enum operation_status operation_digits(struct operation *o, const struct input *
 /* The formulas in exact numbers: initialises the machine and runs it. */
 void operation_exact(struct machine *m, const struct operation *o, const struct input *inputs);
 
-/* The exact value of a condition's node: conditions are rational in their inputs. Roots in what they do not need take long. */
-void operation_condition(fmpq_t value, const struct operation *o, const struct input *inputs, int node);
+/* The exact value of a node that is rational in its inputs, and of what it needs alone: roots elsewhere take long. */
+void operation_node(fmpq_t value, const struct operation *o, const struct input *inputs, int node);
 
 #endif

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "formula/symbolic.h"
+#include "evaluate/operation.h"
 #include "text/decimal.h"
 #include "text/scope.h"
 
@@ -21,22 +21,18 @@ static long printed_digits(const char *printed)
 static void table_value(fmpq_t value, const struct sheet *sheet, const struct table_row *row)
 {
     const struct section *s = section_find(sheet, "eq07");
+    const struct operation o = {.section = s, .formulas = &s->corrected};
     if (!table_row_is_computed(sheet, row)) {
         literal_read(value, quantity_find(sheet, row->name)->value, true);
         return;
     }
-    struct machine m;
-    symbolic_begin(0, 0, false);
-    machine_init(&m, &s->corrected.program, &arithmetic_symbolic, 1);
+    struct input *inputs = inputs_new(s->input_count);
     for (int i = 0; i < s->input_count; i++) {
         const char *name = s->inputs[i]->name;
-        literal_read(value, quantity_find(sheet, strcmp(name, "L") == 0 ? "L_ref" : name)->value, true);
-        arithmetic_symbolic.set_rational(machine_value(&m, i), value, 1);
+        literal_read(&inputs[i].value, quantity_find(sheet, strcmp(name, "L") == 0 ? "L_ref" : name)->value, true);
     }
-    machine_run(&m);
-    symbolic_get_rational(value, machine_value(&m, s->corrected.outputs[0]));
-    machine_clear(&m);
-    symbolic_end();
+    operation_node(value, &o, inputs, s->corrected.outputs[0]);
+    inputs_free(inputs, s->input_count);
 }
 
 bool table_row_is_computed(const struct sheet *sheet, const struct table_row *row)
