@@ -183,21 +183,39 @@ local function scientific(digits, exponent)
   return digits .. (exponent == 0 and '' or ('\\times 10^{%d}'):format(exponent))
 end
 
--- A text of the sheet or of a step, without marks: its symbols, its signs and powers that are numbers become mathematics.
-local digit, sign = R '09', P(false)
+-- A text of the sheet, of a step or of the program, without marks: its symbols, its signs and powers that are numbers become
+-- mathematics. In a text that has no units, or when it asks for it, so do names of one letter, with a digit or an index.
+local digit, letter, sign = R '09', R('az', 'AZ'), P(false)
+local real = digit^1 * ('.' * digit^1)^-1
 for text, name in ('<= le >= ge << ll -> to +- pm -+ mp * cdot'):gmatch '(%S+) (%S+)' do
-  sign = sign + P(text) / ('$\\' .. name .. '$')
+  -- with the digits behind it: a dollar before a digit is none
+  sign = sign + P(text) * C(real^-1) / function(digits) return formula('\\' .. name .. ' ' .. digits) end
 end
-local name = R('az', 'AZ') * (R('az', 'AZ', '09') + '_')^0
-local marked = Cs((C((digit + '.')^1) * 'e' * C(S '+-'^-1 * digit^1) / function(...) return formula(scientific(...)) end
-                   + C(name) / function(text) return symbol[text] and formula(symbol[text]) or text:gsub('_', '\\_') end
-                   + P '^' * C(P '-'^-1 * digit^1) / '$^{%1}$' + sign + S '\\`*_{}[]<>#|~^$@"' / '\\%0' + 1)^0)
-local function prose(text) return (marked:match(text):gsub('%$%$', ' ')) end
+sign = sign + (lpeg.B(S ' (') + -lpeg.B(1)) * (P '-' * (real + #(letter + ' '))) / formula
+local number = C(P '-'^-1 * real) * 'e' * C(S '+-'^-1 * digit^1) / function(...) return formula(scientific(...)) end
+               + P '^' * C(P '-'^-1 * digit^1) / '$^{%1}$'
+local function marked(letters)
+  local function named(text)
+    local index = letters and text:match '^%a([_%d]?%w*)$'
+    if symbol[text] then return formula(symbol[text]) end
+    if index and (#text < 3 and not index:match '%a' or text:sub(2, 2) == '_') then
+      return formula(text:sub(1, 1) .. (index == '' and '' or '_{\\mathrm{' .. index:gsub('_', '') .. '}}'))
+    end
+    return text:gsub('_', '\\_')
+  end
+  local article = P 'a' * #(P ' ' * letter)
+  local name = letter * (letter + digit + '_' + P "'" * #letter)^0
+  return Cs((number + digit * letter / '%0' + article + C(name) / named + sign + S '\\`*_{}[]<>#|~^$@"' / '\\%0' + 1)^0)
+end
+local with_units, with_letters = marked(false), marked(true)
+local function prose(text, letters)
+  return ((letters and with_letters or with_units):match(text):gsub('%$%$', ' '))
+end
 local function sentence(text) return prose(text:sub(1, 1):upper() .. text:sub(2)) end
 
 -- TeX of the program: its mathematics stands between dollars.
 local dollars = '$' * C((1 - P '$')^0) * '$' / formula
-local from_tex = Cs((dollars + P '~' / '\u{a0}' + P '\\textmu{}' / 'µ' + P '\\' * 1 + S '`*[]<>#|^@"' / '\\%0' + 1)^0)
+local from_tex = Cs((dollars + P '~' / '\u{a0}' + P '\\textmu{}' / 'µ' + P '\\' * 1 + sign + S '`[]#|^@"<>' / '\\%0' + 1)^0)
 
 -- So many significant digits, with a power of ten where the number is far from one: "3", or "3*SCALE".
 local function decimal(value, form)
@@ -296,16 +314,16 @@ end
 -- Lines that stand alone are aligned at their signs; groups have their own alignment and are centred.
 local function equation(s, lines, suffix)
   local aligned, out = not web, {}
-  for _, line in ipairs(lines) do aligned = aligned and not line.aside and not line.tex:find('aligned', 1, true) end
+  for _, line in ipairs(lines) do aligned = aligned and not line.aside and line.tex:match '^[^&]*&[^&]*$' end
   for i, line in ipairs(lines) do
-    local tex = (aligned or line.tex:find('aligned', 1, true)) and line.tex or line.tex:gsub('&', '')
+    local tex = (aligned or line.tex:find('{aligned}', 1, true)) and line.tex or line.tex:gsub('&', '')
     local tag = line.tag and line.tag .. (suffix and ', ' .. suffix or '')
     out[i] = web and box('equation', '$$' .. tex .. '$$' .. (tag and '[(' .. tag .. ')]{.number}' or ''))
              or tex .. (tag and '\\tag{' .. tag:gsub('–', '--') .. '}' or '\\notag')
   end
   if web then return table.concat(out) end
   local kind = aligned and 'align' or 'gather'
-  return raw(targets(s) .. ('%%\n\\begin{%s}\n%s\n\\end{%s}'):format(kind, table.concat(out, ' \\\\\n'), kind))
+  return raw('\\joined' .. targets(s) .. ('%%\n\\begin{%s}\n%s\n\\end{%s}'):format(kind, table.concat(out, ' \\\\\n'), kind))
 end
 
 -- Code of more lines would leave much of a page empty, and may be torn on paper.
@@ -340,7 +358,7 @@ end
 local function algebra(lines)
   local out = ''
   for _, line in ipairs(lines) do
-    local how, chain = prose(line.how), table.concat(line.tex, ' = ')
+    local how, chain = prose(line.how, true), table.concat(line.tex, ' = ')
     local rows = line.tex[1] .. ' &= ' .. table.concat(line.tex, ' \\\\ &= ', 2)
     out = out .. '\n\n' .. (web and how .. ': ' .. formula(chain)
       or raw_inline '\\derive{' .. how .. raw_inline(('}{%s}{\\begin{aligned}%s\\end{aligned}}'):format(chain, rows)))
@@ -353,8 +371,8 @@ local function step_of(s, brief)
   local name, chapter = '`' .. s.id .. '`', page_of_step[s.id]
   if brief and chapter then name = ('[%s](%s#step-%s)'):format(name, chapter, s.id) end
   local leads = references(s.from) .. (#s.to > 0 and ' $\\;\\rightarrow\\;$ ' .. references(s.to) or '')
-  local proved = (s.order and 'to order ' .. s.order or 'exactly') .. (web and '' or ', for ' .. prose(s.domain))
-  local text = ('$\\vdash$ %s: %s. %s. *Proved %s.*'):format(name, prose(s.title), leads, proved)
+  local proved = (s.order and 'to order ' .. s.order or 'exactly') .. (web and '' or ', for ' .. prose(s.domain, true))
+  local text = ('$\\vdash$ %s: %s. %s. *Proved %s.*'):format(name, prose(s.title, true), leads, proved)
   if brief then return box('step', text) end
   local lines = algebra(s.lines)
   text = text .. (web and details('the algebra, line by line', lines .. '```\nfor ' .. s.domain .. '\n```') or lines)
@@ -363,7 +381,8 @@ local function step_of(s, brief)
     text = text .. ('\n\nAs printed it fails: %s.'):format(by and 'the sides differ by a multiple of ' .. formula(by)
                                                           or prose(s.printed.evidence))
   end
-  if (s.dropped or '') ~= '' then text = text .. '\n\nCertified: ' .. prose(s.dropped) .. '.' end
+  local dropped = (s.dropped or ''):gsub('([%w_]+) %-(%d[%d.e+-]*) %.%.%. %2', '|%1| <= %2')
+  if dropped ~= '' then text = text .. '\n\nCertified: ' .. prose(dropped) .. '.' end
   return box('step', text, 'step-' .. s.id)
 end
 
@@ -476,7 +495,7 @@ function block.symbols()
   for names, rest in read 'paper/equations.yaml':match '\nquantities:\n(.-)\n%a':gmatch '  ([^:\n]+): (%b{})' do
     local unit, meaning, list = rest:match 'unit: "?([^,"]*)', rest:match 'meaning: "?(.-)"?}$', split((names:gsub('"', '')))
     for i, name in ipairs(list) do list[i] = formula(tex_of[name]) end
-    rows[#rows + 1] = {table.concat(list, ', '), unit == '-' and '' or prose(unit), prose(meaning)}
+    rows[#rows + 1] = {table.concat(list, ', '), unit == '-' and '' or prose(unit), prose(meaning, true)}
   end
   return table_of({'symbol', 'unit', 'meaning'}, {12, 13, 75}, rows)
 end
@@ -494,7 +513,7 @@ function block.index()
                g.tests, tonumber(g.error) and formula(decimal(g.error, '2')) or g.error, g.vectors, g.verdict}
   end
   return table_of({'Eq.', web and '' or 'page', 'function', 'tests', '$E\\le$', 'vectors', 'verdict'},
-                  {17, 6, 39, 7, 8, 9, 14}, rows)
+                  {20, 6, 38, 7, 8, 8, 13}, rows)
 end
 
 -- Each equation with all that belongs to it.

@@ -23,7 +23,7 @@ set style line 9 linewidth 0.6 linecolor '#dddddd' dashtype solid    # the grid
 set border 3 linewidth 0.9 linecolor '#333333'
 set tics nomirror out scale 0.6
 set grid linestyle 9
-set key noautotitle horizontal samplen 2.4 width 1 at graph 1, 1.03 bottom right
+set key noautotitle horizontal samplen 2.4 width 1 spacing 1.3 at graph 1, 1.03 bottom right
 set lmargin at screen 0.13
 set rmargin at screen 0.985
 set tmargin at screen 0.9
