@@ -8,35 +8,7 @@
 
 module coulomb_tether
     use, intrinsic :: iso_fortran_env, only: dp => real64
-    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
     implicit none
-
-    ! A model in units of time in which Omega = 1: three coordinates and their rates, and their slope.
-    type, abstract :: model
-    contains
-        procedure(slope_of), deferred :: slope
-    end type
-
-    abstract interface
-        pure function slope_of(self, y) result(slope)
-            import :: model, dp
-            class(model), intent(in) :: self
-            real(dp), intent(in) :: y(6)
-            real(dp) :: slope(6)
-        end function
-    end interface
-
-    type, extends(model) :: linear_model
-        real(dp) :: L_ref, C1, C2
-    contains
-        procedure :: slope => linear_slope
-    end type
-
-    type, extends(model) :: nonlinear_model
-        real(dp) :: k_c, m1, m2, L_ref, C1, C2
-    contains
-        procedure :: slope => nonlinear_slope
-    end type
 
 contains
 
@@ -156,13 +128,6 @@ contains
         real(dp), intent(in) :: m1, m2, r1(3)
 
         L = (m1 + m2)/m2*norm2(r1)
-    end function
-
-    ! (13), its rate
-    pure real(dp) function eq13_dot(m1, m2, r1, v1) result(L_dot)
-        real(dp), intent(in) :: m1, m2, r1(3), v1(3)
-
-        L_dot = (m1 + m2)/m2*dot_product(r1, v1)/norm2(r1)
     end function
 
     ! (14) solved for L_ddot, where r^2 v^2 - (r . v)^2 = |r x v|^2
@@ -388,102 +353,6 @@ contains
         C2 = 2*Omega*sqrt(n - 9)
     end function
 
-    ! ---- motions ----
-
-    ! (40)
-    pure function linear_slope(self, y) result(slope)
-        class(linear_model), intent(in) :: self
-        real(dp), intent(in) :: y(6)
-        real(dp) :: slope(6), a(3)
-
-        associate (psi => y(1), theta => y(2), dL => y(3), psi_dot => y(4), dL_dot => y(6))
-            a = eq40(1.0_dp, self%L_ref, self%C1, self%C2, psi, theta, dL, dL_dot, psi_dot)
-        end associate
-        slope = [y(4:6), a(2), a(1), a(3)]
-    end function
-
-    ! (3) with the charge product of (7) and (18)
-    pure function nonlinear_slope(self, y) result(slope)
-        class(nonlinear_model), intent(in) :: self
-        real(dp), intent(in) :: y(6)
-        real(dp) :: slope(6), dL, L_dot, Q
-
-        associate (k_c => self%k_c, m1 => self%m1, m2 => self%m2, L_ref => self%L_ref, r1 => y(1:3), v1 => y(4:6))
-            dL = eq13(m1, m2, r1) - L_ref
-            L_dot = eq13_dot(m1, m2, r1, v1)
-            Q = eq07(1.0_dp, k_c, m1, m2, L_ref) + eq18(k_c, m1, m2, L_ref, self%C1, self%C2, dL, L_dot)
-            slope = [v1, eq03(1.0_dp, k_c, m1, m2, Q, r1, v1)]
-        end associate
-    end function
-
-    ! y after tau by Fehlberg's pair of orders 7 and 8, NASA TR R-287 (1968); NaN where the step shrinks to nothing
-    pure function fehlberg(m, y0, tau) result(y)
-        class(model), intent(in) :: m
-        real(dp), intent(in) :: y0(6), tau
-        real(dp) :: y(6)
-        real(dp), parameter :: tolerance = 1e-14_dp, o = 0
-        real(dp), parameter :: b(*) = [ &
-            2/27._dp, &
-            1/36._dp, 1/12._dp, &
-            1/24._dp, o, 1/8._dp, &
-            5/12._dp, o, -25/16._dp, 25/16._dp, &
-            1/20._dp, o, o, 1/4._dp, 1/5._dp, &
-            -25/108._dp, o, o, 125/108._dp, -65/27._dp, 125/54._dp, &
-            31/300._dp, o, o, o, 61/225._dp, -2/9._dp, 13/900._dp, &
-            2._dp, o, o, -53/6._dp, 704/45._dp, -107/9._dp, 67/90._dp, 3._dp, &
-            -91/108._dp, o, o, 23/108._dp, -976/135._dp, 311/54._dp, -19/60._dp, 17/6._dp, -1/12._dp, &
-            2383/4100._dp, o, o, -341/164._dp, 4496/1025._dp, -301/82._dp, 2133/4100._dp, 45/82._dp, 45/164._dp, &
-            18/41._dp, &
-            3/205._dp, o, o, o, o, -6/41._dp, -3/205._dp, -3/41._dp, 3/41._dp, 6/41._dp, o, &
-            -1777/4100._dp, o, o, -341/164._dp, 4496/1025._dp, -289/82._dp, 2193/4100._dp, 51/82._dp, 33/164._dp, &
-            12/41._dp, o, 1._dp]
-        real(dp), parameter :: c(13) = [ &
-            o, o, o, o, o, 34/105._dp, 9/35._dp, 9/35._dp, 9/280._dp, 9/280._dp, o, 41/840._dp, 41/840._dp]
-        real(dp) :: k(6, 13), now, h, error
-        logical :: last
-        integer :: i, row
-
-        y = y0
-        now = 0
-        h = sign(0.1_dp, tau)
-        do while (now /= tau)
-            last = abs(tau - now) <= abs(h)
-            if (last) h = tau - now
-            k(:, 1) = m%slope(y)
-            do i = 2, 13
-                row = (i - 1)*(i - 2)/2
-                k(:, i) = m%slope(y + h*matmul(k(:, 1:i - 1), b(row + 1:row + i - 1)))
-            end do
-            error = 41/840._dp*abs(h)*norm2(k(:, 1) + k(:, 11) - k(:, 12) - k(:, 13))/max(norm2(y), tiny(h))
-            if (error <= tolerance) then
-                y = y + h*matmul(k, c)
-                now = merge(tau, now + h, last)
-            else if (now + h == now) then
-                y = ieee_value(y, ieee_quiet_nan)
-                return
-            end if
-            h = h*min(2.0_dp, max(0.2_dp, 0.9_dp*(tolerance/max(error, tiny(h)))**(1/8._dp)))
-        end do
-    end function
-
-    ! the classical method
-    pure function runge_kutta(m, y0, h, steps) result(y)
-        class(model), intent(in) :: m
-        real(dp), intent(in) :: y0(6), h
-        integer, intent(in) :: steps
-        real(dp) :: y(6), k1(6), k2(6), k3(6), k4(6)
-        integer :: n
-
-        y = y0
-        do n = 1, steps
-            k1 = m%slope(y)
-            k2 = m%slope(y + h/2*k1)
-            k3 = m%slope(y + h/2*k2)
-            k4 = m%slope(y + h*k3)
-            y = y + h/6*(k1 + 2*k2 + 2*k3 + k4)
-        end do
-    end function
-
 end module coulomb_tether
 
 program client
@@ -511,9 +380,7 @@ program client
         operation('eq29', '+...'), operation('eq30', '++......'), operation('eq32', '+++'), &
         operation('eq34', '+++.'), operation('eq36', '+..'), operation('eq37', '+...0'), operation('eq38', '++'), &
         operation('eq39', '+0..'), operation('eq40', '++.......'), operation('eq41', '+..'), &
-        operation('eq41roots', '+..'), operation('eq42', '+..'), operation('eq43', '++'), operation('eq44', '+.'), &
-        operation('flow_linear', '++.........'), operation('flow_nonlinear', '+++++.........'), &
-        operation('rk4_linear', '++.........+'), operation('rk4_nonlinear', '+++++.........+')]
+        operation('eq41roots', '+..'), operation('eq42', '+..'), operation('eq43', '++'), operation('eq44', '+.')]
 
     character(4096) :: line
     character(512) :: id, vector
@@ -618,86 +485,7 @@ contains
         case ('eq42'); y = eq42(x(1), x(2), x(3))
         case ('eq43'); y = [eq43(x(1), x(2))]
         case ('eq44'); if (x(2) >= 9) y = [eq44(x(1), x(2))]
-        case ('flow_linear'); y = flow_linear(x)
-        case ('flow_nonlinear'); if (any(x(9:11) /= 0)) y = flow_nonlinear(x)
-        case ('rk4_linear'); if (whole_steps(x(5), x(12))) y = rk4_linear(x)
-        case ('rk4_nonlinear'); if (any(x(9:11) /= 0) .and. whole_steps(x(8), x(15))) y = rk4_nonlinear(x)
         end select
-    end function
-
-    ! mod is exact
-    pure logical function whole_steps(t, h)
-        real(dp), intent(in) :: t, h
-
-        whole_steps = t >= 0 .and. mod(t, h) == 0
-    end function
-
-    pure function linear(Omega, L_ref, C1, C2) result(m)
-        real(dp), intent(in) :: Omega, L_ref, C1, C2
-        type(linear_model) :: m
-
-        m = linear_model(L_ref, C1/Omega/Omega, C2/Omega)
-    end function
-
-    pure function nonlinear(Omega, k_c, m1, m2, L_ref, C1, C2) result(m)
-        real(dp), intent(in) :: Omega, k_c, m1, m2, L_ref, C1, C2
-        type(nonlinear_model) :: m
-
-        m = nonlinear_model(k_c/Omega/Omega, m1, m2, L_ref, C1/Omega/Omega, C2/Omega)
-    end function
-
-    ! what a state is multiplied by to become one in which Omega = 1
-    pure function per_radian(Omega) result(unit)
-        real(dp), intent(in) :: Omega
-        real(dp) :: unit(6)
-
-        unit = [1.0_dp, 1.0_dp, 1.0_dp, 1/Omega, 1/Omega, 1/Omega]
-    end function
-
-    ! Pitch (40a) goes its own way, and would outlast what decays: it has a formula, the rest is integrated.
-    pure function flow_linear(x) result(y)
-        real(dp), intent(in) :: x(:)
-        real(dp) :: y(6), theta, theta_dot
-
-        associate (Omega => x(1), tau => x(1)*x(5))
-            y = x(6:11)*per_radian(Omega)
-            theta = cos(2*tau)*y(2) + sin(2*tau)/2*y(5)
-            theta_dot = cos(2*tau)*y(5) - 2*sin(2*tau)*y(2)
-            y([2, 5]) = 0
-            y = fehlberg(linear(Omega, x(2), x(3), x(4)), y, tau)
-            y([2, 5]) = [theta, theta_dot]
-            y = y/per_radian(Omega)
-        end associate
-    end function
-
-    pure function flow_nonlinear(x) result(y)
-        real(dp), intent(in) :: x(:)
-        real(dp) :: y(6)
-
-        associate (Omega => x(1), t => x(8))
-            y = x(9:14)*per_radian(Omega)
-            y = fehlberg(nonlinear(Omega, x(2), x(3), x(4), x(5), x(6), x(7)), y, Omega*t)/per_radian(Omega)
-        end associate
-    end function
-
-    pure function rk4_linear(x) result(y)
-        real(dp), intent(in) :: x(:)
-        real(dp) :: y(6)
-
-        associate (Omega => x(1), t => x(5), h => x(12))
-            y = x(6:11)*per_radian(Omega)
-            y = runge_kutta(linear(Omega, x(2), x(3), x(4)), y, Omega*h, nint(t/h))/per_radian(Omega)
-        end associate
-    end function
-
-    pure function rk4_nonlinear(x) result(y)
-        real(dp), intent(in) :: x(:)
-        real(dp) :: y(6)
-
-        associate (Omega => x(1), t => x(8), h => x(15))
-            y = x(9:14)*per_radian(Omega)
-            y = runge_kutta(nonlinear(Omega, x(2), x(3), x(4), x(5), x(6), x(7)), y, Omega*h, nint(t/h))/per_radian(Omega)
-        end associate
     end function
 
 end program client
