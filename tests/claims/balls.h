@@ -22,7 +22,7 @@ static inline bool is_above(const arb_t x, double limit)
 /* It falls below the limit and stays there. */
 static inline bool settles(arb_t hours, const struct trajectory *t, int which, const arb_t limit)
 {
-    return trajectory_exits(hours, t, which, limit, 1) && arb_is_finite(hours);
+    return trajectory_exit(hours, t, which, limit) && arb_is_finite(hours);
 }
 
 #endif

@@ -200,13 +200,6 @@ TEST(settling_is_found_between_samples)
     ck_assert(!settles(hours, &t, ETA, limit));
     arb_set_d(limit, 1); /* it was never above */
     ck_assert(!settles(hours, &t, ETA, limit));
-    arb_ptr both = _arb_vec_init(2), limits = _arb_vec_init(2); /* one after the other or at once */
-    arb_set_d(limits, 1e-9);
-    arb_set_d(limits + 1, 1e-4);
-    ck_assert(trajectory_exits(both, &t, ETA, limits, 2));
-    ck_assert(!arb_is_finite(both) && settles(hours, &t, ETA, limits + 1) && arb_equal(both + 1, hours));
-    _arb_vec_clear(limits, 2);
-    _arb_vec_clear(both, 2);
     trajectory_clear(&t);
 }
 

@@ -20,7 +20,6 @@ struct request {
     long numbers[2];                      /* the hours, or the part of an exit; -1: none */
     slong from, to;                       /* samples */
     bool high;                            /* of the extremes the largest */
-    struct exits *exits;
 };
 
 /* ---- measures: false where nothing is proved ---- */
@@ -85,34 +84,15 @@ static bool energy(arb_t x, const struct request *r)
     return true;
 }
 
-/* Parts of the start, and in hours when it is below each of them until the last sample: found for all at once, since that takes
-   the same bounds. */
-enum { PARTS = 5 };
-static const ulong parts[PARTS] = {100, 200, 300, 500, 1000};
-
-struct exits {
-    int which; /* -1: not yet found */
-    bool bounded;
-    arb_ptr hours;
-};
-
+/* In hours, when it is below a part of its start until the last sample; ... */
 static bool exit_of(arb_t hours, const struct request *r)
 {
-    struct exits *e = r->exits;
-    int part = 0;
-    VECTOR(arb, limits, PARTS);
-    for (int i = 0; i < PARTS; i++) {
-        arb_div_ui(limits + i, trajectory_sample(r->of, 0) + r->which, parts[i], MEASURE_BITS);
-        part = parts[i] == (ulong)r->numbers[0] ? i : part;
-    }
-    if (e->which != r->which)
-        e->bounded = trajectory_exits(e->hours, r->of, r->which, limits, PARTS);
-    e->which = r->which;
-    arb_set(hours, e->hours + part);
-    return e->bounded;
+    SCOPE(arb, limit);
+    arb_div_si(limit, trajectory_sample(r->of, 0) + r->which, r->numbers[0], MEASURE_BITS);
+    return trajectory_exit(hours, r->of, r->which, limit);
 }
 
-/* The same for ever, by the energy of the last sample. */
+/* ... and for ever, by the energy of the last sample. */
 static bool settled(arb_t hours, const struct request *r)
 {
     struct bounds after;
@@ -225,10 +205,9 @@ static int variable_of(const char *name)
     return found;
 }
 
-static void give_measure(struct computed *c, bool run, const struct trajectory *t, const struct trajectory *beside, struct exits *exits,
-                         const char *name)
+static void give_measure(struct computed *c, bool run, const struct trajectory *t, const struct trajectory *beside, const char *name)
 {
-    struct request r = {.of = t, .beside = beside, .exits = exits, .numbers = {-1, -1}, .to = t->count - 1};
+    struct request r = {.of = t, .beside = beside, .numbers = {-1, -1}, .to = t->count - 1};
     const struct measure *m = measures;
     SCOPE(arb, x, unit);
     while (strncmp(name, m->name, strlen(m->name)) != 0)
@@ -256,14 +235,12 @@ void run_simulation(struct computed *c)
     struct simulation one = s->simulation, other = s->beside != NULL ? *s->beside : one;
     struct trajectory t, beside;
     char name[64];
-    VECTOR(arb, hours, PARTS);
-    struct exits exits = {-1, false, hours};
     one.steps = other.steps = steps_of(c);
     bool run = trajectory_run(&t, &one, s->first, s->step, s->last);
     if (s->beside != NULL)
         run = trajectory_run(&beside, &other, s->first, s->step, s->last) && run;
     for (const char *at = computation_of(c)->numbers; (at = next_name(at, name)) != NULL;)
-        give_measure(c, run, &t, &beside, &exits, name);
+        give_measure(c, run, &t, &beside, name);
     if (s->beside != NULL)
         trajectory_clear(&beside);
     trajectory_clear(&t);
@@ -401,8 +378,8 @@ const struct computation computations_simulation[] = {
     {"pitched_energy", run_simulation, "energy_of_psi_120 energy_of_psi_312", SAMPLED({.nonlinear = true}, 5 * DAY, 8 * DAY, 13 * DAY, NULL)},
     {"start", run_simulation, "energy_of_psi" ANGLES("bound_", ""), SAMPLED({.nonlinear = true}, 0, 1, 0, NULL)},
 
-    {"longer", run_simulation, "at_dL_12 at_dL_24", RELEASED(12 * HOUR, DAY, .dL = "0.1", .C1 = "0", .C2 = "0")},
-    {"shorter", run_simulation, "at_dL_12 at_dL_24", RELEASED(12 * HOUR, DAY, .dL = "-0.1", .C1 = "0", .C2 = "0")},
+    {"longer", run_simulation, "at_dL_0 at_dL_12 at_dL_24", RELEASED(12 * HOUR, DAY, .dL = "0.1", .C1 = "0", .C2 = "0")},
+    {"shorter", run_simulation, "at_dL_0 at_dL_12 at_dL_24", RELEASED(12 * HOUR, DAY, .dL = "-0.1", .C1 = "0", .C2 = "0")},
     {"returning_10", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-2.4")},
     {"escaping_10", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-2.5")},
     {"half_10", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-5")},

@@ -233,7 +233,7 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
  *   (B4) the length is confined on both sides, and the sample is between them; else nothing is  (confine)
  *   (B5) the slices leave no length out                                 (energy_box)
  *   (B6) k! times coefficient k, its radius included                    (set_bounds)
- *   (B7) what stays within a limit is below it between the samples too  (trajectory_exits)
+ *   (B7) what stays within a limit is below it between the samples too  (trajectory_exit)
  */
 
 void tether_energy(arb_t energy, const struct derivations *steps, const arb_t c1, arb_srcptr sample, slong prec)
@@ -512,37 +512,26 @@ static void time_between(arb_t hours, const struct trajectory *t, slong above, s
     arb_div_ui(hours, hours, 3600, t->prec);
 }
 
-bool trajectory_exits(arb_ptr hours, const struct trajectory *t, int which, arb_srcptr limits, int count)
+bool trajectory_exit(arb_t hours, const struct trajectory *t, int which, const arb_t limit)
 {
     enum { RENEWED = 256 }; /* samples: bounds hold on; renewed, they are sharper */
     struct bounds b;
     SCOPE(arb, value, bound);
-    slong below[count]; /* from that sample on it is below, between samples too */
-    bool bounded = true, open = true;
+    slong below = t->count; /* from that sample on it is below, between samples too */
+    bool bounded = true, above = false;
     bounds_init(&b);
-    for (int i = 0; i < count; i++) {
-        arb_indeterminate(hours + i);
-        below[i] = t->count;
-    }
-    for (slong k = t->count - 1; k >= 0 && open; k--) {
+    arb_indeterminate(hours);
+    for (slong k = t->count - 1; k >= 0 && !above; k--) {
         if (k % RENEWED == RENEWED - 1 || k == t->count - 1)
             bounded = trajectory_bounds(&b, t, k - k % RENEWED) && bounded;
         arb_abs(value, trajectory_sample(t, k) + which);
         bound_between_samples(bound, t, &b, which);
         arb_add(bound, bound, value, t->prec);
-        open = false;
-        for (int i = 0; i < count; i++) {
-            if (below[i] < 0)
-                continue;
-            if (below[i] == k + 1 && arb_lt(bound, limits + i))
-                below[i] = k;
-            if (arb_gt(value, limits + i)) {
-                if (below[i] < t->count)
-                    time_between(hours + i, t, k, below[i]);
-                below[i] = -1;
-            }
-            open = open || below[i] >= 0;
-        }
+        above = arb_gt(value, limit);
+        if (above && below < t->count)
+            time_between(hours, t, k, below);
+        if (below == k + 1 && arb_lt(bound, limit))
+            below = k;
     }
     bounds_clear(&b);
     return bounded;

@@ -85,10 +85,10 @@ void bound_between_samples(arb_t excess, const struct trajectory *t, const struc
 bool trajectory_supremum(arb_t supremum, const struct trajectory *t, int which, slong from, slong to);
 
 /*
- * When |coordinate| falls below each of these limits and stays so until the last sample: the last sample above and the
- * first one after which it is below on samples and between them, as an enclosure of the time in hours; indeterminate if
- * it does not. False where there are no bounds.
+ * When |coordinate| falls below a limit and stays so until the last sample: the last sample above and the first one after
+ * which it is below on samples and between them, as an enclosure of the time in hours; indeterminate if it does not. False
+ * where there are no bounds.
  */
-bool trajectory_exits(arb_ptr hours, const struct trajectory *t, int which, arb_srcptr limits, int count);
+bool trajectory_exit(arb_t hours, const struct trajectory *t, int which, const arb_t limit);
 
 #endif
