@@ -155,7 +155,9 @@ static const struct {
     {"design n=9", 1, "n: expected a number > 9, the pair is not stable"},
     {"design C1=9 Omega=1", 1, "C1: expected more than 9 Omega^2, the pair is not stable"},
     {"design C1=10 C2=0 Omega=1", 1, "C2: expected a number > 0, the pair is not stable"},
-    {"design n=1e12 --digits 2", 1, "design: T: 1088 bits do not decide 2 digits"},
+    {"design n=1e12 --digits 2", 1, "n: expected at most a million"},
+    {"design C1=12 C2=4", 1, "C1: expected 1/s^2, at most a million Omega^2"},
+    {"design C1=6e-8 C2=1e20 --digits 2", 1, "design: T: 568 bits do not decide 2 digits"},
     {"trajectory", 2, "linear or nonlinear"},
     {"trajectory circular", 2, "circular"},
     {"trajectory linear --untl 5", 2, "did you mean '--until'"},
@@ -629,10 +631,11 @@ EACH(verify_speaks_json_of_every_part, 3)
  */
 #define DESIGN_12_4 \
     "# gains of the law (18)\nC1 = 1.200e+01 1/s^2  # of the length error\nC2 = 4.000e+00 1/s  # of its rate\n" \
+    "c1 = 1.200e+01 -  # C1 over Omega^2, which is n by (43)\nc2 = 4.000e+00 -  # C2 over Omega\n" \
     "# rest at L_ref\nQ_ref = -1.800e+01 C^2  # charge product\nq1 = 4.243e+00 C  # charge of craft 1\n" \
     "q2 = -4.243e+00 C  # charge of craft 2\nx1 = 1.500e+00 m  # place of craft 1 on the radius\n" \
-    "x2 = -5.000e-01 m  # place of craft 2\n" \
-    "# roots of (41), yaw and length error\nre1 = -1.000e+00 1/s  # fastest decay\nim1 = -1.414e+00 rad/s  # its frequency\n" \
+    "x2 = -5.000e-01 m  # place of craft 2 there\n" \
+    "# roots of (41), yaw and length error, the fastest decay first\nre1 = -1.000e+00 1/s  # fastest decay\nim1 = -1.414e+00 rad/s  # its frequency\n" \
     "re2 = -1.000e+00 1/s\nim2 = -1.414e+00 rad/s\nre3 = -1.000e+00 1/s\nim3 = 1.414e+00 rad/s\n" \
     "re4 = -1.000e+00 1/s  # slowest decay\nim4 = 1.414e+00 rad/s  # its frequency\n" \
     "t_fast = 1.000e+00 s  # time in which the fastest falls to 1/e\n" \

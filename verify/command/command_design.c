@@ -21,16 +21,18 @@ struct design_row {
 static const struct design_row design_rows[] = {
     {"", "L", "m", "L_ref", ""},
     {"", "dQ", "C^2", "0", ""},
-    {"", "n", "-", "C1/Omega^2", ""},
     {"", "u", "-", "L_ref*inverse_debye", ""},
+    {"", "spare", "-", "u*debye - 1", ""},
     {"gains of the law (18)", "C1", "1/s^2", "C1", "of the length error"},
     {NULL, "C2", "1/s", "C2", "of its rate"},
+    {NULL, "c1", "-", "C1/Omega^2", "C1 over Omega^2, which is n by (43)"},
+    {NULL, "c2", "-", "C2/Omega", "C2 over Omega"},
     {"rest at L_ref", "Q_ref", "C^2", "eq07.Q_ref", "charge product"},
     {NULL, "q1", "C", "eq21.q1", "charge of craft 1"},
     {NULL, "q2", "C", "eq21.q2", "charge of craft 2"},
     {NULL, "x1", "m", "eq05.x1", "place of craft 1 on the radius"},
-    {NULL, "x2", "m", "eq05.x2", "place of craft 2"},
-    {"roots of (41), yaw and length error", "re1", "1/s", "re1", "fastest decay"},
+    {NULL, "x2", "m", "eq05.x2", "place of craft 2 there"},
+    {"roots of (41), yaw and length error, the fastest decay first", "re1", "1/s", "re1", "fastest decay"},
     {NULL, "im1", "rad/s", "im1", "its frequency"},
     {NULL, "re2", "1/s", "re2", ""},
     {NULL, "im2", "rad/s", "im2", ""},
@@ -56,7 +58,7 @@ enum { DESIGN_PARAMETERS = 7, DESIGN_INPUTS = sizeof design_inputs / sizeof *des
 
 struct design_number {
     const char *group, *name, *unit, *meaning;
-    int node, guarantee; /* the latter where the former is -1 */
+    int node;
     char *digits;
 };
 
@@ -87,35 +89,42 @@ static int sheet_node(struct program *p, const struct sheet *sheet, const char *
     return node;
 }
 
+static void add_number(struct design *d, const char *group, const char *name, const char *unit, const char *meaning, int node)
+{
+    program_name(&d->program, node, name);
+    if (*group != '\0')
+        d->numbers[d->count++] = (struct design_number){group, name, unit, meaning, node, NULL};
+}
+
+/* The rows, then what the energy guarantees, in SI. */
 static void design_formulas(struct design *d)
 {
     const char *group = "";
+    struct program *p = &d->program;
     struct message why;
     size_t where;
-    program_init(&d->program);
+    program_init(p);
     for (int i = 0; i < DESIGN_INPUTS; i++)
-        program_input(&d->program, design_inputs[i]);
+        program_input(p, design_inputs[i]);
+    for (int i = 0; i < GUARANTEES; i++)
+        program_input(p, guarantees[i].name);
     for (int i = 0; i < DESIGN_ROWS; i++) {
         const struct design_row *r = &design_rows[i];
-        const int node = strncmp(r->formula, "eq", 2) == 0 ? sheet_node(&d->program, d->scenario.sheet, r->formula)
-                                                           : program_parse(&d->program, r->formula, &where, &why);
-        program_name(&d->program, node, r->name);
+        const bool of_sheet = strncmp(r->formula, "eq", 2) == 0 && r->formula[4] == '.';
         group = r->group != NULL ? r->group : group;
-        if (*group != '\0')
-            d->numbers[d->count++] = (struct design_number){group, r->name, r->unit, r->meaning, node, -1, NULL};
+        add_number(d, group, r->name, r->unit, r->meaning,
+                   of_sheet ? sheet_node(p, d->scenario.sheet, r->formula) : program_parse(p, r->formula, &where, &why));
     }
-}
-
-/* What the energy guarantees. */
-static void design_guarantees(struct design *d)
-{
-    const char *group = "basin of rest at L_ref, by the energy of the nonlinear model without screening";
+    group = "basin of rest at L_ref, by the energy of the nonlinear model without screening";
     for (int i = 0; i < GUARANTEES; i++) {
         const struct guarantee *g = &guarantees[i];
+        char formula[64];
+        snprintf(formula, sizeof formula, "%s*L_ref^%d*Omega^%d", g->name, g->lengths, g->rates);
         if (strcmp(g->name, "deficit") == 0)
-            group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses); pushes";
+            group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses); pushes of one craft "
+                    "against the other";
         if (g->meaning != NULL)
-            d->numbers[d->count++] = (struct design_number){group, g->name, g->unit, g->meaning, -1, i, NULL};
+            add_number(d, group, g->name, g->unit, g->meaning, program_parse(p, formula, &where, &why));
     }
 }
 
@@ -137,67 +146,51 @@ static void enclose_inputs(struct machine *m, const struct scenario *s, const st
     struct flow_parameters p;
     SCOPE(arb, c1, c2);
     VECTOR(acb, roots, 4);
+    VECTOR(arb, guaranteed, GUARANTEES);
     flow_parameters_init(&p);
     scenario_parameters(&p, s, prec);
     arb_srcptr parameters[DESIGN_PARAMETERS] = {p.Omega, p.L_ref, p.C1, p.C2, p.k_c, p.m1, p.m2};
-    for (int i = 0; i < DESIGN_INPUTS; i++)
-        if (i < DESIGN_PARAMETERS)
-            arb_set(machine_value(m, i), parameters[i]);
-        else
-            arb_indeterminate(machine_value(m, i));
-    arb_set_fmpq(machine_value(m, DESIGN_INPUTS - 1), &lambda_d->value, prec);
-    if (lambda_d->infinite)
-        arb_zero(machine_value(m, DESIGN_INPUTS - 1));
-    else
-        arb_inv(machine_value(m, DESIGN_INPUTS - 1), machine_value(m, DESIGN_INPUTS - 1), prec);
+    int next = 0;
+    for (int i = 0; i < DESIGN_PARAMETERS; i++)
+        arb_set(machine_value(m, next++), parameters[i]);
     arb_div(c2, p.C2, p.Omega, prec);
     arb_div(c1, p.C1, p.Omega, prec);
     arb_div(c1, c1, p.Omega, prec);
     const bool isolated = enclose_root_parts(roots, s, c1, c2, p.Omega, prec);
-    for (int i = 0; i < 4 && isolated; i++) {
-        arb_set(machine_value(m, DESIGN_PARAMETERS + 2 * i), acb_realref(roots + i));
-        arb_set(machine_value(m, DESIGN_PARAMETERS + 2 * i + 1), acb_imagref(roots + i));
+    for (int i = 0; i < 4; i++) {
+        if (!isolated)
+            acb_indeterminate(roots + i);
+        acb_get_real(machine_value(m, next++), roots + i);
+        acb_get_imag(machine_value(m, next++), roots + i);
     }
-    largest_hold(machine_value(m, DESIGN_INPUTS - 3), c1, c2, prec);
-    largest_delay(machine_value(m, DESIGN_INPUTS - 2), c1, c2, prec);
+    largest_hold(machine_value(m, next++), c1, c2, prec);
+    largest_delay(machine_value(m, next++), c1, c2, prec);
+    if (!lambda_d->infinite) {
+        arb_set_fmpq(machine_value(m, next), &lambda_d->value, prec);
+        arb_inv(machine_value(m, next), machine_value(m, next), prec);
+    }
+    guarantees_enclose(guaranteed, c1, NULL, prec);
+    for (int i = 0; i < GUARANTEES; i++)
+        arb_set(machine_value(m, ++next), guaranteed + i);
     flow_parameters_clear(&p);
-}
-
-static void enclose_number(arb_t z, const struct design_number *number, const struct machine *m, arb_srcptr guaranteed)
-{
-    if (number->node >= 0) {
-        arb_set(z, machine_value(m, number->node));
-        return;
-    }
-    const struct guarantee *g = &guarantees[number->guarantee];
-    arb_set(z, guaranteed + number->guarantee);
-    for (int i = 0; i < g->rates; i++)
-        arb_mul(z, z, machine_value(m, program_find(m->program, "Omega")), m->prec);
-    for (int i = 0; i < g->lengths; i++)
-        arb_mul(z, z, machine_value(m, program_find(m->program, "L_ref")), m->prec);
 }
 
 /* Every digit of every number, by more and more bits; else the first number that stays open, or there is no rest. */
 static int find_digits(struct design *d, slong digits)
 {
-    const slong first = 4 * digits + 128, most = 8 * first;
-    const int shortest_debye = guarantee_find("debye");
+    const slong first = 7 * digits + 128, most = 4 * first; /* a double root has half of them */
     int open = 0;
     bool rests = true;
     for (slong prec = first; prec <= most && open < d->count; prec *= 2) {
         struct machine m;
-        VECTOR(arb, guaranteed, GUARANTEES);
         SCOPE(arb, z);
         machine_init(&m, &d->program, &arithmetic_ball, prec);
         enclose_inputs(&m, &d->scenario, &d->lambda_d, prec);
         machine_run(&m);
-        guarantees_enclose(guaranteed, machine_value(&m, program_find(&d->program, "n")), NULL, prec);
-        arb_mul(z, machine_value(&m, program_find(&d->program, "u")), guaranteed + shortest_debye, prec);
-        arb_sub_ui(z, z, 1, prec);
-        rests = !arb_is_positive(z); /* L_ref/lambda_d times the least lambda_d/L_ref */
+        rests = !arb_is_positive(machine_value(&m, program_find(&d->program, "spare")));
         for (int i = 0; i < d->count; i++)
             if (d->numbers[i].digits == NULL) {
-                enclose_number(z, &d->numbers[i], &m, guaranteed);
+                arb_set(z, machine_value(&m, d->numbers[i].node));
                 d->numbers[i].digits = decimal_of_ball(z, digits);
                 if (d->numbers[i].digits == NULL && 2 * prec > most) /* a tie, it seems, which has one digit more */
                     d->numbers[i].digits = decimal_of_ball(z, digits + 1);
@@ -207,7 +200,7 @@ static int find_digits(struct design *d, slong digits)
             open++;
     }
     for (int i = 0; i < d->count && !rests; i++)
-        if (d->numbers[i].guarantee == shortest_debye)
+        if (strcmp(d->numbers[i].name, "debye") == 0)
             return usage_error(EXIT_FAILED_CHECK, "lambda_d: expected more than %s m, with less nothing rests near L_ref",
                                d->numbers[i].digits);
     return open == d->count ? EXIT_DONE
@@ -229,6 +222,8 @@ static int check_stable(const struct scenario *s)
     if (fmpq_sgn(margin) <= 0)
         return usage_error(EXIT_FAILED_CHECK, "%s, the pair is not stable, Eq. (42)",
                            by_C1 ? "C1: expected more than 9 Omega^2" : "n: expected a number > 9");
+    if (fmpq_cmp_si(margin, 1000000) > 0)
+        return usage_error(EXIT_FAILED_CHECK, by_C1 ? "C1: expected 1/s^2, at most a million Omega^2" : "n: expected at most a million");
     if (s->given[SET_C2] && fmpq_sgn(&s->value[SET_C2].value) <= 0)
         return usage_error(EXIT_FAILED_CHECK, "C2: expected a number > 0, the pair is not stable, Eq. (42)");
     return EXIT_DONE;
@@ -309,7 +304,6 @@ int command_design(const struct arguments *a)
     scenario_init(&d.scenario, &a->paper->sheet, option_given(a, "--exact"));
     fmpq_init(&d.lambda_d.value);
     design_formulas(&d);
-    design_guarantees(&d);
     int status = read_design(&d, a);
     if (status == EXIT_DONE)
         status = find_digits(&d, digits);
