@@ -143,19 +143,19 @@ static const struct {
     const char *open;
 } rulings[] = {
     {"a", "a: dL > 0", HOLDS, true, ""},
-    {"a and b", "a: dL > 0\n    b: dL < 1", HOLDS, true, ""},
+    {"[a, b]", "a: dL > 0\n    b: dL < 1", HOLDS, true, ""},
     {"not a", "a: dL < 0", HOLDS, true, ""},
-    {"a and not b and not d", "a: dL > 0\n    b: dL < 0\n    d: dL > 1", HOLDS, true, ""},
+    {"[a, not b, not d]", "a: dL > 0\n    b: dL < 0\n    d: dL > 1", HOLDS, true, ""},
     {"a", "a: dL < 0", VERDICT_NONE, false, "t:7:8: c is undecided: 'a' is false"},
-    {"a and not b", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is true"},
-    {"a and b", "a: dL > 0\n    b: L > 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is found neither true nor false"},
+    {"[a, not b]", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is true"},
+    {"[a, b]", "a: dL > 0\n    b: L > 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is found neither true nor false"},
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r < 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r > 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a, refuted: not a", "a: dL < 0", REFUTED, false, "t:7:8: c comes out as 'refuted', its evidence is written for 'holds': 'a' is false"},
     {"a, refuted: b", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "more than one of its conditions is true"},
-    {"a, refuted: not a and b", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:8:8: c stands without 'b', or with its contrary"},
-    {"a and returns", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 < 0", HOLDS, true, ""},
-    {"a and returns", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 > 0", VERDICT_NONE, false, "'returns' is false"},
+    {"a, refuted: [not a, b]", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:8:8: c stands without 'b', or with its contrary"},
+    {"[a, returns]", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 < 0", HOLDS, true, ""},
+    {"[a, returns]", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 > 0", VERDICT_NONE, false, "'returns' is false"},
 };
 
 EACH(verdicts_follow_from_conditions, COUNT(rulings))
@@ -273,17 +273,17 @@ static const struct {
     {"kind: beyond", "kind: rumour", "t:3:9: expected a kind"},
     {"  where: here\n", "", "t:2:3: missing where"},
     {"where: here", "were: here", "t:2:3: unknown key 'were'"},
-    {"verdict: {holds: a and b}", "verdict: {stands: a and b}", "t:5:13: expected a verdict"},
-    {"verdict: {holds: a and b}", "verdict: stands", "t:5:12: expected a verdict"},
-    {"verdict: {holds: a and b}", "verdict: {holds: [a, b]}", "t:5:20: expected a condition"},
-    {"  verdict: {holds: a and b}\n  prove:\n    a: dL > 0\n    b: dL < 1\n", "  verdict: holds\n", "t:5:12: expected something to prove"},
-    {"verdict: {holds: a and b}", "verdict: {}", "t:5:12: expected verdict"},
-    {"{holds: a and b}", "{holds: a and b and d}", "t:5:32: expected a name of prove"},
-    {"{holds: a and b}", "{holds: a and}", "t:5:25: expected a name of prove"},
-    {"{holds: a and b}", "{holds: a b}", "t:5:22: expected and"},
-    {"{holds: a and b}", "{holds: a.x and b}", "t:5:21: expected and"},
-    {"{holds: a and b}", "{holds: a}", "t:8:8: 'b' serves no verdict and no number"},
-    {"{holds: a and b}", "{refuted: a and b}", "missing why"},
+    {"{holds: [a, b]}", "{stands: [a, b]}", "t:5:13: expected a verdict"},
+    {"verdict: {holds: [a, b]}", "verdict: stands", "t:5:12: expected a verdict"},
+    {"{holds: [a, b]}", "{holds: {a: b}}", "t:5:20: expected a list"},
+    {"  verdict: {holds: [a, b]}\n  prove:\n    a: dL > 0\n    b: dL < 1\n", "  verdict: holds\n", "t:5:12: expected something to prove"},
+    {"verdict: {holds: [a, b]}", "verdict: {}", "t:5:12: expected verdict"},
+    {"{holds: [a, b]}", "{holds: [a, b, d]}", "t:5:27: expected a name of prove"},
+    {"{holds: [a, b]}", "{holds: [a, not d]}", "t:5:28: expected a name of prove"},
+    {"{holds: [a, b]}", "{holds: a b}", "t:5:20: expected a name of prove"},
+    {"{holds: [a, b]}", "{holds: []}", "t:5:20: expected a name of prove"},
+    {"{holds: [a, b]}", "{holds: a}", "t:8:8: 'b' serves no verdict and no number"},
+    {"{holds: [a, b]}", "{refuted: [a, b]}", "missing why"},
     {"a: dL > 0", "a: dL", "t:7:8: expected left = right"},
     {"a: dL > 0", "a: eq05.x1 + 1 = eq05.x1+1", "t:7:8: both sides are the same"},
     {"a: dL > 0", "a: m1 - m1 + m2 = m2", "t:7:8: it holds whatever the sheet says, expected {algebra: left = right}"},
@@ -317,7 +317,7 @@ static const struct {
     {"a: dL > 0", "a: {show: x > 0, on: {x: [2, 1]}}", "t:7:30: expected the lower bound first"},
     {"a: dL > 0", "a: {show: x > 0, on: {x: [1, m]}, at: {m: [2, 0]}}", "t:7:30: expected the lower bound first"},
     {"a: dL > 0", "a: {roots: x, on: {x: [2, 1]}, count: 0}", "t:7:27: expected the lower bound first"},
-    {"verdict: {holds: a and b}\n  prove:\n    a: dL > 0\n    b: dL < 1", "verdict: holds\n  prove:\n    a: {compute: escaping_10}",
+    {"verdict: {holds: [a, b]}\n  prove:\n    a: dL > 0\n    b: dL < 1", "verdict: holds\n  prove:\n    a: {compute: escaping_10}",
      "t:5:12: expected something to prove"},
     {"a: dL > 0", "a: {on: {x: [0, 1]}}", "t:7:8: expected left = right, or one of"},
     {"a: dL > 0", "a: {show: dL > x, on: {x: [0]}}", "t:7:27: expected on"},
@@ -343,8 +343,8 @@ static const struct {
     {"claim: it", "claim: it {dL | 2}", "t:4:13: expected no number"},
     {"kind: beyond", "kind: beyond\n  equations: ['99']", "unknown '99', expected an equation number"},
     {"kind: beyond", "kind: beyond\n  equations: 99", "t:4:14: expected a list"},
-    {"  verdict: {holds: a and b}\n  prove:\n    a: dL > 0\n    b: dL < 1\n", "", "expected something to prove"},
-    {"kind: beyond\n  claim: it is so\n  verdict: {holds: a and b}", "kind: misprint\n  claim: it is so", "missing why, of a verdict other"},
+    {"  verdict: {holds: [a, b]}\n  prove:\n    a: dL > 0\n    b: dL < 1\n", "", "expected something to prove"},
+    {"kind: beyond\n  claim: it is so\n  verdict: {holds: [a, b]}", "kind: misprint\n  claim: it is so", "missing why, of a verdict other"},
     {"  evidence: >-\n    so it is\n", "", "missing evidence"},
     {"  prove:\n    a: dL > 0\n    b: dL < 1", "  prove: [a]", "t:6:10: expected a mapping"},
     {"a: dL > 0", "a: [dL > 0]", "t:7:9: expected left = right"},
@@ -368,7 +368,7 @@ EACH(mistakes_are_told_with_their_place, COUNT(mistakes))
     char good[4096], text[8192];
     struct statements s;
     struct message why = {""};
-    write_claim(good, "a and b", NULL, "a: dL > 0\n    b: dL < 1", NULL);
+    write_claim(good, "[a, b]", NULL, "a: dL > 0\n    b: dL < 1", NULL);
     const char *at = strstr(good, mistakes[_i].from);
     const bool whole = strcmp(mistakes[_i].from, "(nothing)") == 0;
     ck_assert_msg(at != NULL || whole, "%s", mistakes[_i].from);

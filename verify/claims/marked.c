@@ -2,36 +2,23 @@
 
 #include <string.h>
 
-/* ---- taking it apart ---- */
-
-static bool mark_error(size_t at, size_t *where, struct message *why, const char *expected)
+struct marked_part marked_next(const char **text)
 {
-    *where = at;
-    message_set(why, "%s", expected);
-    return false;
-}
-
-bool marked_read(const char *text, const struct marked_parts *parts, size_t *where, struct message *why)
-{
-    for (const char *at = text; *at != '\0';) {
-        const size_t words = strcspn(at, "${}"), offset = (size_t)(at - text) + words;
-        if (words > 0)
-            parts->words(parts->context, at, words);
-        at += words;
-        if (*at == '\0')
-            break;
-        if (*at == '}')
-            return mark_error(offset, where, why, "expected '{' before '}'");
-        const bool number = *at == '{';
-        if (number && parts->number == NULL)
-            return mark_error(offset, where, why, "expected no number {...} here");
-        const char *end = strpbrk(at + 1, number ? "{}" : "$");
-        if (end == NULL || *end == '{' || end == at + 1)
-            return mark_error(offset, where, why, number ? "expected {FORMULA | DIGITS}" : "expected $...$, closed");
-        (number ? parts->number : parts->mathematics)(parts->context, at + 1, (size_t)(end - at) - 1);
-        at = end + 1;
-    }
-    return true;
+    const char *at = *text;
+    const size_t words = strcspn(at, "${}");
+    *text += words;
+    if (words > 0)
+        return (struct marked_part){PART_WORDS, at, NULL, words};
+    if (*at == '\0')
+        return (struct marked_part){PART_END, at, NULL, 0};
+    if (*at == '}')
+        return (struct marked_part){PART_WRONG, at, "expected '{' before '}'", 0};
+    const bool number = *at == '{';
+    const char *end = strpbrk(at + 1, number ? "{}" : "$");
+    if (end == NULL || *end == '{' || end == at + 1)
+        return (struct marked_part){PART_WRONG, at, number ? "expected {FORMULA | DIGITS}" : "expected $...$, closed", 0};
+    *text = end + 1;
+    return (struct marked_part){number ? PART_NUMBER : PART_MATHEMATICS, at + 1, NULL, (size_t)(end - at) - 1};
 }
 
 /* ---- writing it out ---- */
@@ -65,20 +52,15 @@ static void latex_words(struct tex *t, const char *at, size_t length)
     }
 }
 
-void write_words(void *written, const char *at, size_t length)
+void write_part(struct written *w, const struct marked_part *part)
 {
-    struct written *w = written;
-    tex_add(&w->plain, "%.*s", (int)length, at);
-    latex_words(&w->latex, at, length);
-}
-
-void write_mathematics(void *written, const char *at, size_t length)
-{
-    struct written *w = written;
-    tex_add(&w->plain, "%.*s", (int)length, at);
-    tex_add(&w->latex, "$");
-    typeset_inline(&w->latex, at, length);
-    tex_add(&w->latex, "$");
+    tex_add(&w->plain, "%.*s", (int)part->length, part->at);
+    if (part->kind == PART_MATHEMATICS) {
+        tex_add(&w->latex, "$");
+        typeset_inline(&w->latex, part->at, part->length);
+        tex_add(&w->latex, "$");
+    } else
+        latex_words(&w->latex, part->at, part->length);
 }
 
 void write_decimal(struct written *w, const char *decimal, const char *unit)
@@ -101,9 +83,11 @@ void write_decimal(struct written *w, const char *decimal, const char *unit)
 
 void write_marked(struct written *w, const char *text)
 {
-    const struct marked_parts parts = {w, write_words, write_mathematics, NULL};
-    struct message why;
-    size_t where;
-    if (!marked_read(text, &parts, &where, &why)) /* what has no marks in mind, as a title */
-        write_words(w, text + where, strlen(text + where));
+    const char *from = text;
+    struct marked_part part = marked_next(&text);
+    for (; part.kind == PART_WORDS || part.kind == PART_MATHEMATICS; part = marked_next(&text)) {
+        write_part(w, &part);
+        from = text;
+    }
+    write_part(w, &(struct marked_part){PART_WORDS, from, NULL, strlen(from)});
 }

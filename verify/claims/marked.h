@@ -8,16 +8,16 @@
 
 #include "formula/typeset.h"
 
-/* What receives the parts, in turn: where they begin, and how long they are. NULL: such a part is refused. */
-struct marked_parts {
-    void *context;
-    void (*words)(void *context, const char *at, size_t length);
-    void (*mathematics)(void *context, const char *at, size_t length);
-    void (*number)(void *context, const char *at, size_t length); /* without its braces */
+enum part_kind { PART_END, PART_WORDS, PART_MATHEMATICS, PART_NUMBER, PART_WRONG };
+
+struct marked_part {
+    enum part_kind kind;
+    const char *at, *expected; /* where it begins, without its mark; expected: of what is wrong */
+    size_t length;
 };
 
-/* False where a mark is not closed or not expected: *where is its offset, `why` what was expected. */
-bool marked_read(const char *text, const struct marked_parts *parts, size_t *where, struct message *why);
+/* The part that begins at *text, which goes on behind it. */
+struct marked_part marked_next(const char **text);
 
 /* One text in both forms. */
 struct written {
@@ -25,13 +25,12 @@ struct written {
 };
 
 void written_clear(struct written *w);
-void write_words(void *written, const char *at, size_t length);
-void write_mathematics(void *written, const char *at, size_t length);
+void write_part(struct written *w, const struct marked_part *part);
 
 /* A decimal, -1.3e-12 or 0.034, and its unit or NULL. */
 void write_decimal(struct written *w, const char *decimal, const char *unit);
 
-/* Text without numbers, whose marks have been read before. */
+/* Text without numbers; what has no marks in mind, as a title, from there on as it stands. */
 void write_marked(struct written *w, const char *text);
 
 #endif

@@ -261,39 +261,15 @@ void statement_rule(struct statements *all, struct statement *s, struct ruling *
 
 /* ---- the evidence ---- */
 
-struct writing {
-    struct written *written;
-    const struct statement *statement;
-    int next;
-};
-
-static void words_of(void *context, const char *at, size_t length)
-{
-    write_words(((struct writing *)context)->written, at, length);
-}
-
-static void mathematics_of(void *context, const char *at, size_t length)
-{
-    write_mathematics(((struct writing *)context)->written, at, length);
-}
-
-static void number_of_it(void *context, const char *at, size_t length)
-{
-    struct writing *w = context;
-    const struct quoted_number *q = &w->statement->numbers[w->next++];
-    (void)at;
-    (void)length;
-    if (q->decimal != NULL)
-        write_decimal(w->written, q->decimal, q->unit);
-    else
-        write_words(w->written, "undecided", 9);
-}
-
 void statement_evidence(const struct statement *s, struct written *w)
 {
-    struct writing writing = {w, s, 0};
-    const struct marked_parts parts = {&writing, words_of, mathematics_of, number_of_it};
-    struct message why;
-    size_t where;
-    marked_read(s->evidence, &parts, &where, &why);
+    const struct quoted_number *q = s->numbers;
+    const char *at = s->evidence;
+    for (struct marked_part part = marked_next(&at); part.kind != PART_END; part = marked_next(&at))
+        if (part.kind != PART_NUMBER)
+            write_part(w, &part);
+        else {
+            write_decimal(w, q->decimal != NULL ? q->decimal : "undecided", q->decimal != NULL ? q->unit : NULL);
+            q++;
+        }
 }

@@ -1,5 +1,4 @@
 /* paper/claims.yaml: what its statements say, assert and quote; every mistake with its place. */
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -504,40 +503,24 @@ static bool read_prove(struct claim_reading *r, const struct yaml *prove)
 
 /* ---- verdicts ---- */
 
-/* The length of the word there, of letters, digits and '_', past blanks. */
-static size_t word_at(const char **at)
-{
-    size_t length = 0;
-    *at += strspn(*at, " ");
-    while (isalnum((unsigned char)(*at)[length]) || (*at)[length] == '_')
-        length++;
-    return length;
-}
-
-static bool passes(const char **at, const char *keyword)
-{
-    const size_t length = word_at(at);
-    const bool same = length == strlen(keyword) && strncmp(*at, keyword, length) == 0;
-    *at += same ? length : 0;
-    return same;
-}
-
-/* Names of assertions, each with `not` before it or without, joined by `and`. */
+/* Names of assertions, each with `not` before it or without: one, or a list. */
 static bool read_wanted(struct verdict_condition *c, const struct statement *s, const struct yaml *condition)
 {
-    const char *at = condition->text;
-    do {
-        const signed char wanted = passes(&at, "not") ? -1 : 1;
-        const size_t length = word_at(&at);
+    if (condition->text == NULL && !is_texts(condition, MOST_ASSERTIONS))
+        return false;
+    if (condition->text == NULL && condition->count == 0)
+        return node_error(condition, 0, "expected a name of prove");
+    for (int k = 0; k < (condition->text != NULL ? 1 : condition->count); k++) {
+        const struct yaml *node = condition->text != NULL ? condition : &condition->items[k];
+        const size_t not = strncmp(node->text, "not ", 4) == 0 ? 4 : 0;
         int i = 0;
-        while (i < s->assertion_count && (strlen(s->assertions[i].name) != length || strncmp(s->assertions[i].name, at, length) != 0))
+        while (i < s->assertion_count && strcmp(s->assertions[i].name, node->text + not) != 0)
             i++;
         if (i == s->assertion_count || s->assertions[i].kind == ASSERT_COMPUTE)
-            return node_error(condition, (size_t)(at - condition->text), "expected a name of prove, but no computation");
-        c->wanted[i] = wanted;
-        at += length;
-    } while (passes(&at, "and"));
-    return *at == '\0' || node_error(condition, (size_t)(at - condition->text), "expected and, or the end of the condition");
+            return node_error(node, not, "expected a name of prove, but no computation");
+        c->wanted[i] = not > 0 ? -1 : 1;
+    }
+    return true;
 }
 
 /* Without a condition: all that is to be proved. */
@@ -558,7 +541,7 @@ static bool read_verdict(struct claim_reading *r, const char *verdict, const str
     }
     if (condition == NULL)
         return wants || v == NOT_DECIDABLE || node_error(at, offset, "expected something to prove; only 'not decidable' needs nothing");
-    return condition->text != NULL ? read_wanted(c, s, condition) : entry_error(r, condition, "expected a condition, names of prove");
+    return read_wanted(c, s, condition);
 }
 
 /* Every assertion serves: a condition names it, a number of the evidence or another assertion is made of it. */
@@ -597,19 +580,6 @@ static bool read_verdicts(struct claim_reading *r, const struct yaml *node, cons
 
 /* ---- evidence ---- */
 
-struct quoting {
-    struct claim_reading *reading;
-    const struct yaml *node;
-    bool fine;
-};
-
-static void pass(void *context, const char *at, size_t length)
-{
-    (void)context;
-    (void)at;
-    (void)length;
-}
-
 /* "4", ".2", "exact", "2 up", "2 down" */
 static bool read_rounding(const char *text, struct quoted_number *n)
 {
@@ -639,36 +609,34 @@ static const char *keep_trimmed(struct statements *s, const char *from, const ch
 }
 
 /* FORMULA | DIGITS, or FORMULA | DIGITS | UNIT */
-static void take_number(void *context, const char *at, size_t length)
+static bool read_number(struct claim_reading *r, const struct yaml *node, const char *at, size_t length)
 {
-    struct quoting *q = context;
-    struct claim_reading *r = q->reading;
     struct statement *s = r->statement;
-    const size_t start = (size_t)(at - s->evidence);
+    const size_t start = (size_t)(at - node->text);
     const char *end = at + length, *bar = memchr(at, '|', length);
     const char *last = bar != NULL ? memchr(bar + 1, '|', (size_t)(end - bar) - 1) : NULL;
-    if (!q->fine)
-        return;
     struct quoted_number *n = APPENDED(s->numbers, s->number_count);
-    *n = (struct quoted_number){.node = q->node, .offset = start};
+    *n = (struct quoted_number){.node = node, .offset = start};
     n->text = keep_trimmed(r->all, at, bar != NULL ? bar : at);
     n->unit = last != NULL ? keep_trimmed(r->all, last + 1, end) : NULL;
     if (bar == NULL || !read_rounding(keep_trimmed(r->all, bar + 1, last != NULL ? last : end), n))
-        q->fine = node_error(q->node, start + (bar != NULL ? (size_t)(bar - at) + 1 : 0),
-                             "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
-    else
-        q->fine = (n->formula = read_formula_text(r, q->node, n->text, start + strspn(at, " "))) != NULL;
+        return node_error(node, start + (bar != NULL ? (size_t)(bar - at) + 1 : 0),
+                          "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
+    return (n->formula = read_formula_text(r, node, n->text, start + strspn(at, " "))) != NULL;
 }
 
 static bool read_marks(struct claim_reading *r, const struct yaml *node, bool numbers)
 {
-    struct quoting quoting = {r, node, true};
-    const struct marked_parts parts = {&quoting, pass, pass, numbers ? take_number : NULL};
-    struct message why;
-    size_t where;
-    if (!marked_read(node->text, &parts, &where, &why))
-        return quoting.fine && node_error(node, where, "%s", why.text);
-    return quoting.fine;
+    const char *at = node->text;
+    for (struct marked_part part = marked_next(&at); part.kind != PART_END; part = marked_next(&at)) {
+        if (part.kind == PART_WRONG)
+            return node_error(node, (size_t)(part.at - node->text), "%s", part.expected);
+        if (part.kind == PART_NUMBER && !numbers)
+            return node_error(node, (size_t)(part.at - node->text) - 1, "expected no number {...} here");
+        if (part.kind == PART_NUMBER && !read_number(r, node, part.at, part.length))
+            return false;
+    }
+    return true;
 }
 
 /* ---- statements ---- */
