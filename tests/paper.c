@@ -3,6 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "motion/taylor.h"
+#include "text/scope.h"
+
 static void end(const struct message *why)
 {
     fprintf(stderr, "%s\n", why->text);
@@ -44,4 +47,31 @@ const struct derivations *steps(void)
     if (opened.step_count == 0)
         open_steps(&opened);
     return &opened;
+}
+
+void closed_loop_rates(fmpq *rates, const fmpq *state, const fmpq_t c1, const fmpq_t c2)
+{
+    enum { ONE = JET_SERIES, TWO, THREE, C1, C2, LAMBDA, HOLD };
+    VECTOR(fmpq, value, JET_ALL);
+    SCOPE(fmpq, product);
+    for (int v = 0; v < JET_STATES; v++) {
+        fmpq_set(value + v, state + v);
+        fmpq_zero(rates + v);
+    }
+    fmpq_set_si(value + ONE, 1, 1);
+    fmpq_set_si(value + TWO, 2, 1);
+    fmpq_set_si(value + THREE, 3, 1);
+    fmpq_set(value + C1, c1);
+    fmpq_set(value + C2, c2);
+    fmpq_set_si(value + LAMBDA, 1, 1);
+    fmpq_set_si(value + HOLD, 3, 1);
+    for (int t = 0; t < JET_TERMS; t++) {
+        const struct term *f = closed_loop.terms + t;
+        fmpq *to = f->to < JET_STATES ? rates + f->to : value + f->to;
+        fmpq_mul(product, value + f->a, value + f->b);
+        if (f->sign < 0)
+            fmpq_sub(to, to, product);
+        else
+            fmpq_add(to, to, product);
+    }
 }

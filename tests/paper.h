@@ -14,4 +14,7 @@ void open_steps(struct derivations *d);
 const struct derivations *steps(void); /* opened once */
 void open_proofs(struct proof_results *p);
 
+/* The rates of x y z u v w q in fractions, by the table of the Taylor series: for the proof that it is the paper's closed loop. */
+void closed_loop_rates(fmpq *rates, const fmpq *state, const fmpq_t c1, const fmpq_t c2);
+
 #endif

@@ -160,10 +160,10 @@ enum flow_status __wrap_flow_nonlinear(const struct flow_parameters *p, arb_srcp
     return FLOW_STALLED;
 }
 
-enum flow_status __wrap_rk4_linear(const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h,
-                                   const fmpq *times, slong count, slong prec, flow_receiver *receive, void *context,
-                                   double *reached)
+enum flow_status __wrap_rk4(bool nonlinear, const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h, const fmpq *times,
+                            slong count, slong prec, flow_receiver *receive, void *context, double *reached)
 {
+    (void)nonlinear;
     (void)p;
     (void)initial;
     (void)h;
@@ -174,12 +174,5 @@ enum flow_status __wrap_rk4_linear(const struct flow_parameters *p, arb_srcptr i
     (void)context;
     *reached = 0.0;
     return FLOW_STALLED;
-}
-
-enum flow_status __wrap_rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h,
-                                      const fmpq *times, slong count, slong prec, flow_receiver *receive,
-                                      void *context, double *reached)
-{
-    return __wrap_rk4_linear(p, initial, h, times, count, prec, receive, context, reached);
 }
 /* NOLINTEND(bugprone-reserved-identifier) */

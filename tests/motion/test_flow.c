@@ -139,10 +139,8 @@ static struct run run_through(const struct scenario *s, enum method method, cons
     else if (method == UNPROVED)
         r.status = flow_nonlinear_by(&(struct flow_steps){.unproved = true}, &s->p, s->start, times, count, digits, s->prec,
                                      keep, &record, &r.reached);
-    else if (method == RK4_LINEAR)
-        r.status = rk4_linear(&s->p, s->start, step, times, count, s->prec, keep, &record, &r.reached);
     else
-        r.status = rk4_nonlinear(&s->p, s->start, step, times, count, s->prec, keep, &record, &r.reached);
+        r.status = rk4(method != RK4_LINEAR, &s->p, s->start, step, times, count, s->prec, keep, &record, &r.reached);
     r.rows = record.rows;
     _fmpq_vec_clear(times, count);
     fmpq_clear(step);

@@ -1,7 +1,9 @@
 #include "motion/expansion.h"
 
 #include <math.h>
+#include <stdlib.h>
 
+#include "text/message.h"
 #include "text/scope.h"
 
 enum { STEADY = 10 }; /* to know the derivatives to 2^-10 will do */
@@ -124,4 +126,40 @@ bool time_within(arb_t s, const fmpq_t t, const arb_t Omega, const arf_t now, do
     arb_sub_arf(s, s, now, prec);
     arb_get_abs_ubound_arf(bound, s, 53);
     return arf_cmp_d(bound, step) <= 0;
+}
+
+bool expansion_move(struct lohner *set, arb_srcptr image, const struct expansion *e, const arb_t h, mag_srcptr error)
+{
+    const struct space *space = e->hull.space;
+    const slong terms = e->hull.order + 1;
+    const int count = space != NULL ? space->size : 1;
+    arb_mat_struct *derivative = xrealloc(NULL, (size_t)count, sizeof *derivative);
+    struct model at_end;
+    VECTOR(arb, power, terms);
+    SCOPE(mag, rest);
+    _arb_vec_set_powers(power, h, terms, LOHNER_BITS);
+    for (int i = 0; i < count; i++)
+        arb_mat_init(derivative + i, FLOW_STATE, FLOW_STATE);
+    if (space != NULL)
+        model_init(&at_end, space);
+    for (int v = 0; v < FLOW_STATE; v++)
+        for (int j = 0; j < FLOW_STATE; j++) {
+            arb_ptr entry = arb_mat_entry(derivative, v, j);
+            if (space == NULL) {
+                arb_dot(entry, NULL, 0, e->column[j].c[v], 1, power, 1, terms, LOHNER_BITS);
+                continue;
+            }
+            model_evaluate(&at_end, e->column[j].m[v], (int)terms, arf_get_d(arb_midref(h), ARF_RND_NEAR));
+            for (int i = 0; i < count; i++)
+                arb_set_d(arb_mat_entry(derivative + i, v, j), at_end.c[i]); /* (S5) */
+            mag_set_d(rest, at_end.rest);
+            arb_add_error_mag(entry, rest); /* (S4) */
+        }
+    const bool bounded = lohner_move(set, image, derivative, count, error, LOHNER_BITS);
+    for (int i = 0; i < count; i++)
+        arb_mat_clear(derivative + i);
+    free(derivative);
+    if (space != NULL)
+        model_clear(&at_end);
+    return bounded;
 }

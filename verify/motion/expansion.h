@@ -37,6 +37,9 @@ double expansion_position(const struct expansion *e, slong k);
 /* x gets the error that all of |J B s| makes within the step, of state or series v. */
 void expansion_spread(arb_t x, const struct expansion *e, int v);
 
+/* The set at the step's end h, exact: the path there has the image, error is what else the motions are off; false if it is lost. */
+bool expansion_move(struct lohner *set, arb_srcptr image, const struct expansion *e, const arb_t h, mag_srcptr error);
+
 /* s = Omega t - now, and whether |s| <= step for certain */
 bool time_within(arb_t s, const fmpq_t t, const arb_t Omega, const arf_t now, double step, slong prec);
 

@@ -24,6 +24,13 @@ void flow_parameters_clear(struct flow_parameters *p)
         arb_clear(all[i]);
 }
 
+void flow_gains(arb_t c1, arb_t c2, const struct flow_parameters *p, slong prec)
+{
+    arb_div(c2, p->C2, p->Omega, prec);
+    arb_div(c1, p->C1, p->Omega, prec);
+    arb_div(c1, c1, p->Omega, prec);
+}
+
 const char *flow_status_text(enum flow_status status)
 {
     static const char *const texts[] = {[FLOW_DONE] = "done",
@@ -40,7 +47,7 @@ enum flow_status flow_run(bool nonlinear, const fmpq *h, const struct flow_param
                           slong count, slong digits, slong prec, flow_receiver *receive, void *context, double *reached)
 {
     if (h != NULL)
-        return (nonlinear ? rk4_nonlinear : rk4_linear)(p, initial, h, times, count, prec, receive, context, reached);
+        return rk4(nonlinear, p, initial, h, times, count, prec, receive, context, reached);
     if (nonlinear)
         return flow_nonlinear(p, initial, times, count, digits, prec, receive, context, reached);
     return flow_linear(p, initial, times, count, prec, receive, context, reached);

@@ -23,6 +23,9 @@ struct flow_parameters {
 void flow_parameters_init(struct flow_parameters *p);
 void flow_parameters_clear(struct flow_parameters *p);
 
+/* C1/Omega^2 and C2/Omega: the gains in radians of orbit */
+void flow_gains(arb_t c1, arb_t c2, const struct flow_parameters *p, slong prec);
+
 enum flow_status {
     FLOW_DONE,
     FLOW_STOPPED,   /* the receiver asked to stop                                               */
@@ -69,13 +72,9 @@ enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct fl
                                    const fmpq *times, slong count, slong digits, slong prec,
                                    flow_receiver *receive, void *context, double *reached);
 
-/* Steps of h > 0 of the classical Runge-Kutta method; every time is a multiple of h, t >= 0. */
-enum flow_status rk4_linear(const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h,
-                            const fmpq *times, slong count, slong prec, flow_receiver *receive,
-                            void *context, double *reached);
-enum flow_status rk4_nonlinear(const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h,
-                               const fmpq *times, slong count, slong prec, flow_receiver *receive,
-                               void *context, double *reached);
+/* Steps of h > 0 of the classical Runge-Kutta method on either model; every time is a multiple of h, t >= 0. */
+enum flow_status rk4(bool nonlinear, const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h, const fmpq *times,
+                     slong count, slong prec, flow_receiver *receive, void *context, double *reached);
 
 /* One of the four: of either model the motion itself, or where h is not NULL the method's steps. */
 enum flow_status flow_run(bool nonlinear, const fmpq *h, const struct flow_parameters *p, arb_srcptr initial, const fmpq *times,

@@ -16,15 +16,13 @@ enum { COUPLED = 4 };
 static void set_rates(arb_mat_t a, const struct flow_parameters *p, slong prec)
 {
     static const int integer[COUPLED][COUPLED] = {{0, 0, 1, 0}, {0, 0, 0, 1}, {-3, 0, 0, -2}, {0, 9, 2, 0}};
-    SCOPE(arb, c);
+    SCOPE(arb, c1, c2);
     for (int i = 0; i < COUPLED; i++)
         for (int j = 0; j < COUPLED; j++)
             arb_set_si(arb_mat_entry(a, i, j), integer[i][j]);
-    arb_div(c, p->C1, p->Omega, prec);
-    arb_div(c, c, p->Omega, prec);
-    arb_sub(arb_mat_entry(a, 3, 1), arb_mat_entry(a, 3, 1), c, prec);
-    arb_div(c, p->C2, p->Omega, prec);
-    arb_sub(arb_mat_entry(a, 3, 3), arb_mat_entry(a, 3, 3), c, prec);
+    flow_gains(c1, c2, p, prec);
+    arb_sub(arb_mat_entry(a, 3, 1), arb_mat_entry(a, 3, 1), c1, prec);
+    arb_sub(arb_mat_entry(a, 3, 3), arb_mat_entry(a, 3, 3), c2, prec);
 }
 
 /* (psi, l, psi', l') at tau; `unit` is what one of each is in SI */
@@ -70,7 +68,8 @@ enum flow_status flow_linear(const struct flow_parameters *p, arb_srcptr initial
                              double *reached)
 {
     enum flow_status status = FLOW_DONE;
-    arb_ptr state = _arb_vec_init(FLOW_STATE), unit = _arb_vec_init(COUPLED);
+    VECTOR(arb, state, FLOW_STATE);
+    VECTOR(arb, unit, COUPLED);
     arb_mat_t rates;
     SCOPE(arb, tau);
     arb_mat_init(rates, COUPLED, COUPLED);
@@ -100,7 +99,5 @@ enum flow_status flow_linear(const struct flow_parameters *p, arb_srcptr initial
         }
     }
     arb_mat_clear(rates);
-    _arb_vec_clear(state, FLOW_STATE);
-    _arb_vec_clear(unit, COUPLED);
     return status;
 }

@@ -40,7 +40,7 @@ enum {
 };
 
 struct flow {
-    arb_t Omega, c1, c2, r_ref, speed; /* speed = Omega r_ref                                    */
+    arb_t Omega, r_ref, speed;         /* speed = Omega r_ref                                    */
     slong prec, bits;                  /* a step leaves out 2^-bits of the distance, roughly     */
     int direction;                     /* of time, 1 or -1                                       */
     bool proving;
@@ -49,9 +49,6 @@ struct flow {
     arf_t now;                         /* radians of orbit where the step starts; exact          */
     struct lohner set;
     struct expansion of;               /* its centre and the box around it                       */
-    arb_ptr power;                     /* s^k                                                    */
-    arb_ptr state;                     /* the answer at s, ...                                   */
-    arb_t s;                           /* ... radians after now                                  */
 };
 
 static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
@@ -65,30 +62,20 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     f->proving = !how->unproved;
     f->system = how->system != NULL ? how->system : &closed_loop;
     arb_init(f->Omega);
-    arb_init(f->c1);
-    arb_init(f->c2);
     arb_init(f->r_ref);
     arb_init(f->speed);
     arf_init(f->now);
     lohner_init(&f->set);
     expansion_init(&f->of, f->system, order, a_priori_order, NULL, NULL);
-    f->power = _arb_vec_init(FLINT_MAX(order, a_priori_order) + 1);
-    f->state = _arb_vec_init(FLOW_STATE);
-    arb_init(f->s);
 }
 
 static void flow_clear(struct flow *f)
 {
-    arb_clear(f->s);
-    _arb_vec_clear(f->state, FLOW_STATE);
-    _arb_vec_clear(f->power, FLINT_MAX(f->of.path.order, f->of.hull.order) + 1);
     expansion_clear(&f->of);
     lohner_clear(&f->set);
     arf_clear(f->now);
     arb_clear(f->speed);
     arb_clear(f->r_ref);
-    arb_clear(f->c2);
-    arb_clear(f->c1);
     arb_clear(f->Omega);
 }
 
@@ -96,11 +83,9 @@ static void flow_clear(struct flow *f)
 static void set_problem(struct flow *f, const struct flow_steps *how, const struct flow_parameters *p, arb_srcptr initial)
 {
     VECTOR(arb, state, FLOW_STATE);
-    SCOPE(arb, mass);
+    SCOPE(arb, mass, c1, c2);
     arb_set(f->Omega, p->Omega);
-    arb_div(f->c2, p->C2, p->Omega, f->prec);
-    arb_div(f->c1, p->C1, p->Omega, f->prec);
-    arb_div(f->c1, f->c1, p->Omega, f->prec);
+    flow_gains(c1, c2, p, f->prec);
     arb_add(mass, p->m1, p->m2, f->prec);
     arb_mul(f->r_ref, p->m2, p->L_ref, f->prec);
     arb_div(f->r_ref, f->r_ref, mass, f->prec);
@@ -108,8 +93,8 @@ static void set_problem(struct flow *f, const struct flow_steps *how, const stru
     for (int i = 0; i < FLOW_STATE; i++)
         arb_div(state + i, initial + i, i < FLOW_HALF ? f->r_ref : f->speed, f->prec);
     lohner_from_box(&f->set, state);
-    jet_constants(&f->of.path, f->c1, f->c2);
-    jet_constants(&f->of.hull, f->c1, f->c2);
+    jet_constants(&f->of.path, c1, c2);
+    jet_constants(&f->of.hull, c1, c2);
     const int first = f->system->series + closed_loop.all - closed_loop.series;
     for (int v = first; v < f->system->all; v++) {
         arb_set(f->of.path.c[v], how->constants + v - first);
@@ -140,10 +125,11 @@ static double step_length(const struct flow *f)
 /* The motion from the centre at s, |s| <= h. */
 static void path_at(const struct flow *f, arb_ptr state, const arb_t s)
 {
-    slong terms = f->of.path.order + 1;
-    _arb_vec_set_powers(f->power, s, terms, f->prec);
+    const slong terms = f->of.path.order + 1;
+    VECTOR(arb, power, terms);
+    _arb_vec_set_powers(power, s, terms, f->prec);
     for (int i = 0; i < FLOW_STATE; i++) {
-        arb_dot(state + i, NULL, 0, f->of.path.c[i], 1, f->power, 1, terms, f->prec);
+        arb_dot(state + i, NULL, 0, f->of.path.c[i], 1, power, 1, terms, f->prec);
         if (f->proving)
             arb_add_error_mag(state + i, f->of.path_bound.remainder + i);
     }
@@ -164,26 +150,14 @@ static void state_at(const struct flow *f, arb_ptr state, const arb_t s)
 static bool advance_set(struct flow *f, double step)
 {
     VECTOR(arb, image, FLOW_STATE);
-    arb_mat_t derivative;
-    SCOPE(arb, s);
-    bool bounded = true;
-    arb_mat_init(derivative, FLOW_STATE, FLOW_STATE);
-    arb_set_d(s, f->direction * step);
-    arf_add(f->now, f->now, arb_midref(s), ARF_PREC_EXACT, ARF_RND_DOWN);
-    path_at(f, image, s);
-    if (f->proving) {
-        const slong terms = f->of.hull.order + 1;
-        _arb_vec_set_powers(f->power, s, terms, LOHNER_BITS);
-        for (int i = 0; i < FLOW_STATE; i++)
-            for (int j = 0; j < FLOW_STATE; j++)
-                arb_dot(arb_mat_entry(derivative, i, j), NULL, 0, f->of.column[j].c[i], 1, f->power, 1, terms,
-                        LOHNER_BITS);
-        bounded = lohner_move(&f->set, image, derivative, 1, f->of.spread_bound.remainder, LOHNER_BITS);
-    } else {
-        lohner_from_box(&f->set, image);
-    }
-    arb_mat_clear(derivative);
-    return bounded;
+    SCOPE(arb, h);
+    arb_set_d(h, f->direction * step);
+    arf_add(f->now, f->now, arb_midref(h), ARF_PREC_EXACT, ARF_RND_DOWN);
+    path_at(f, image, h);
+    if (f->proving)
+        return expansion_move(&f->set, image, &f->of, h, f->of.spread_bound.remainder);
+    lohner_from_box(&f->set, image);
+    return true;
 }
 
 /* Whether the set has lost so many digits. */
@@ -243,6 +217,8 @@ static enum flow_status begin_step(struct flow *f, slong digits, double *step)
 static enum flow_status follow(struct flow *f, arb_srcptr initial, const fmpq *times, slong count,
                                slong digits, flow_receiver *receive, void *context, double *reached)
 {
+    VECTOR(arb, state, FLOW_STATE);
+    SCOPE(arb, s);
     slong k = 0;
     for (; k < count && fmpq_is_zero(times + k); k++)
         if (receive(context, k, times + k, initial) != 0)
@@ -252,15 +228,15 @@ static enum flow_status follow(struct flow *f, arb_srcptr initial, const fmpq *t
         enum flow_status status = steps < MOST_STEPS ? begin_step(f, digits, &step) : FLOW_STALLED;
         if (status != FLOW_DONE)
             return status;
-        for (; k < count && time_within(f->s, times + k, f->Omega, f->now, step, f->prec); k++) {
-            state_at(f, f->state, f->s);
+        for (; k < count && time_within(s, times + k, f->Omega, f->now, step, f->prec); k++) {
+            state_at(f, state, s);
             *reached = fmpq_get_d(times + k);
-            if (receive(context, k, times + k, f->state) != 0)
+            if (receive(context, k, times + k, state) != 0)
                 return FLOW_STOPPED;
         }
         if (k == count)
             break;
-        if (mag_get_d(arb_radref(f->s)) > step / 4 || !advance_set(f, step))
+        if (mag_get_d(arb_radref(s)) > step / 4 || !advance_set(f, step))
             return FLOW_WIDE; /* a time so vague might fall between all steps */
         *reached = start_in_seconds(f);
     }

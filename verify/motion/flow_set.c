@@ -13,7 +13,7 @@
  * has been less, in every box tried, than what the other bounds have to spare:
  *   (S1) the rest of the models P'                            (S2) the remainder of their series in time
  *   (S3) the remainder of J B s at the step's end             (S4) the rests of J, in derivative[0]
- *   (S5) the parts of J that are linear in e                  (lohner_move)
+ *   (S5) the parts of J that are linear in e                  (expansion_move)
  *   (S6) the start of J is from all of P(e) + B s             (expand_models)
  *   (S7) within the step all of |J B s|                       (row)
  *   (S8) the time is a ball, the step's polynomial is evaluated at a binary64 near it
@@ -216,31 +216,13 @@ static bool is_loose(const struct follower *f, const struct piece *p)
 /* The set at the end of the step; false if it is lost. */
 static bool advance_models(struct follower *f, struct piece *p, double step)
 {
-    const int count = f->set->linear.size;
-    VECTOR(arb, image, FLOW_STATE);
-    struct model at_end;
-    SCOPE(mag, rest);
-    arb_mat_struct *derivative = xrealloc(NULL, (size_t)count, sizeof *derivative);
-    model_init(&at_end, &f->set->linear);
-    for (int i = 0; i < count; i++)
-        arb_mat_init(derivative + i, FLOW_STATE, FLOW_STATE);
-    for (int v = 0; v < FLOW_STATE; v++)
-        for (int j = 0; j < FLOW_STATE; j++) {
-            model_evaluate(&at_end, f->of.column[j].m[v], (int)f->of.hull.order + 1, f->direction * step);
-            for (int i = 0; i < count; i++)
-                arb_set_d(arb_mat_entry(derivative + i, v, j), at_end.c[i]); /* (S5) */
-            mag_set_d(rest, at_end.rest);
-            arb_add_error_mag(arb_mat_entry(derivative, v, j), rest); /* (S4) */
-        }
-    const bool bounded = lohner_move(&p->rest, image, derivative, count, f->error, BITS);
+    VECTOR(arb, nothing, FLOW_STATE);
+    SCOPE(arb, h);
+    arb_set_d(h, f->direction * step);
     for (int v = 0; v < FLOW_STATE; v++)
         model_set(&p->model[v], &f->end[v]);
     p->now += f->direction * step;
-    for (int i = 0; i < count; i++)
-        arb_mat_clear(derivative + i);
-    free(derivative);
-    model_clear(&at_end);
-    return bounded;
+    return expansion_move(&p->rest, nothing, &f->of, h, f->error);
 }
 
 /* A ball of state or series v at s radians after now, |s| <= step, for all of the piece */

@@ -42,23 +42,6 @@ static void *zeros(int count, size_t size)
 
 /* ---- monomials ---- */
 
-static int last_variable(const struct space *s, int b)
-{
-    int i = s->variables - 1;
-    while (s->exponent[b * s->variables + i] == 0)
-        i--;
-    return i;
-}
-
-/* b/e_last, of which `up` leads back: those of one degree less stand in the same order. */
-static int parent(const struct space *s, int b, int last)
-{
-    int a = s->first[space_degree(s, b) - 1];
-    while (s->up[a * s->variables + last] != b)
-        a++;
-    return a;
-}
-
 int space_degree(const struct space *s, int monomial)
 {
     int d = 0;
@@ -67,21 +50,33 @@ int space_degree(const struct space *s, int monomial)
     return d;
 }
 
-/* The monomials of degree d + 1: each of degree d times each e_i from its last one on; then the others' places. */
+/* The monomial of that degree with those exponents: each degree's stand from e_1^d down */
+static int find_monomial(const struct space *s, int degree, const unsigned char *exponent)
+{
+    int low = s->first[degree], high = s->first[degree + 1];
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        if (memcmp(s->exponent + middle * s->variables, exponent, (size_t)s->variables) >= 0)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* The monomials of degree d + 1: each of degree d times each e_i from its last one on */
 static void next_degree(struct space *s, int d)
 {
     const int n = s->variables;
     int size = s->first[d + 1];
-    for (int b = s->first[d]; b < s->first[d + 1]; b++)
-        for (int i = d == 0 ? 0 : last_variable(s, b); i < n; i++) {
+    for (int b = s->first[d]; b < s->first[d + 1]; b++) {
+        int last = d == 0 ? 0 : n - 1;
+        while (d > 0 && s->exponent[b * n + last] == 0)
+            last--;
+        for (int i = last; i < n; i++, size++) {
             memcpy(s->exponent + size * n, s->exponent + b * n, (size_t)n);
             s->exponent[size * n + i]++;
-            s->up[b * n + i] = size++;
         }
-    for (int b = s->first[d]; b < s->first[d + 1] && d > 0; b++) {
-        const int last = last_variable(s, b), before = parent(s, b, last);
-        for (int i = 0; i < last; i++) /* e_i b = (e_i b/e_last) e_last */
-            s->up[b * n + i] = s->up[s->up[before * n + i] * n + last];
     }
     s->first[d + 2] = size;
 }
@@ -94,21 +89,20 @@ void space_init(struct space *s, int variables, int degree)
     for (int d = 1; d <= s->degree; d++)
         s->size = s->size * (n + d) / d;
     s->exponent = zeros(s->size * n + 1, 1);
-    s->up = zeros(s->size * n + 1, sizeof *s->up);
     for (int d = 0; d < s->degree; d++)
         next_degree(s, d);
     s->product = zeros(s->size, sizeof *s->product);
+    unsigned char *sum = zeros(n + 1, 1);
     for (int a = 0; a < s->size; a++) {
         const int most = s->first[s->degree - space_degree(s, a) + 1];
         s->product[a] = zeros(most, sizeof **s->product);
         for (int b = 0; b < most; b++) {
-            int c = a;
             for (int i = 0; i < n; i++)
-                for (int k = 0; k < s->exponent[b * n + i]; k++)
-                    c = s->up[c * n + i];
-            s->product[a][b] = c;
+                sum[i] = s->exponent[a * n + i] + s->exponent[b * n + i];
+            s->product[a][b] = find_monomial(s, space_degree(s, a) + space_degree(s, b), sum);
         }
     }
+    free(sum);
 }
 
 void space_clear(struct space *s)
@@ -116,7 +110,6 @@ void space_clear(struct space *s)
     for (int a = 0; a < s->size; a++)
         free(s->product[a]);
     free(s->product);
-    free(s->up);
     free(s->exponent);
 }
 
@@ -385,7 +378,7 @@ void model_halve(struct model *z, int i, int side)
     for (int j = 0; j < s->degree; j++)
         for (int b = s->first[s->degree] - 1; b >= 0; b--)
             if (s->exponent[b * s->variables + i] >= j)
-                z->c[b] += side * z->c[s->up[b * s->variables + i]];
+                z->c[b] += side * z->c[s->product[b][1 + i]];
     z->rest = upward(z->rest + (s->degree * s->degree + 2) * U * norm(z)); /* (M1) */
     find_norms(z);
 }

@@ -16,7 +16,6 @@ struct space {
     int variables, degree, size;
     int first[MODEL_DEGREE + 2]; /* of each degree; after the last, size                       */
     unsigned char *exponent;     /* [b variables + i]                                          */
-    int *up;                     /* [b variables + i]: e_i b, where that is not beyond         */
     int **product;               /* product[a][b], where that is not beyond                    */
 };
 

@@ -43,40 +43,38 @@ static void times_model(struct model *z, const struct model *x, const struct mod
     model_clear(&product);
 }
 
-enum { M1, M2, LENGTH, FACTOR, AT_PSI, AT_THETA, AT_DL, AT_PSI_DOT, AT_THETA_DOT, AT_DL_DOT, SINE_PSI, COSINE_PSI, SINE, COSINE, ARM, MASSES, ANGLE_MODELS };
+enum { M1, M2, LENGTH, FACTOR, AT_PSI, AT_THETA, AT_DL, AT_PSI_DOT, AT_THETA_DOT, AT_DL_DOT, SINE_PSI, COSINE_PSI, SINE, COSINE, ARM, MASSES, UNIT, ANGLE_MODELS };
 
 /*
  * (10) and its exact derivative: with e = (cos theta cos psi, cos theta sin psi, -sin theta) the place is arm L e, the velocity
- * arm (L_dot e + L psi_dot (-e_y, e_x, 0) - L theta_dot (sin theta cos psi, sin theta sin psi, cos theta)).
+ * arm L_dot e + arm L psi_dot de/dpsi + arm L theta_dot de/dtheta.
  */
 static void place(struct model *state, struct model *m)
 {
-    struct model *const e = m + MASSES; /* free by now */
-    const struct model *const across[] = {m + COSINE_PSI, m + SINE_PSI};
+    static const struct {
+        signed char sign;
+        unsigned char by, times;
+    } e[][FLOW_HALF] = {{{1, COSINE, COSINE_PSI}, {1, COSINE, SINE_PSI}, {-1, SINE, UNIT}},
+                        {{-1, COSINE, SINE_PSI}, {1, COSINE, COSINE_PSI}, {0, UNIT, UNIT}},
+                        {{-1, SINE, COSINE_PSI}, {-1, SINE, SINE_PSI}, {-1, COSINE, UNIT}}};
+    static const int rate[] = {AT_DL_DOT, AT_PSI_DOT, AT_THETA_DOT};
+    struct model product;
+    model_init(&product, state->space);
     model_sine_cosine(m + SINE_PSI, m + COSINE_PSI, m + AT_PSI);
     model_sine_cosine(m + SINE, m + COSINE, m + AT_THETA);
-    times_model(m + AT_DL_DOT, m + AT_DL_DOT, m + ARM);
     times_model(m + AT_DL, m + AT_DL, m + ARM); /* arm L, by now */
+    times_model(m + AT_DL_DOT, m + AT_DL_DOT, m + ARM);
     times_model(m + AT_PSI_DOT, m + AT_PSI_DOT, m + AT_DL);
     times_model(m + AT_THETA_DOT, m + AT_THETA_DOT, m + AT_DL);
-    for (int i = 0; i < FLOW_HALF; i++) {
-        model_set(e, i < 2 ? m + COSINE : m + SINE);
-        if (i < 2)
-            times_model(e, e, across[i]);
-        else
-            model_scale(e, -1);
-        model_dot(state + i, false, 1, m + AT_DL, e, 1);
-        model_dot(state + FLOW_HALF + i, false, 1, m + AT_DL_DOT, e, 1);
-        model_set(e, i < 2 ? m + SINE : m + COSINE);
-        if (i < 2)
-            times_model(e, e, across[i]);
-        model_dot(state + FLOW_HALF + i, true, -1, m + AT_THETA_DOT, e, 1);
-    }
-    for (int i = 0; i < 2; i++) {
-        model_set(e, m + COSINE);
-        times_model(e, e, across[1 - i]);
-        model_dot(state + FLOW_HALF + i, true, i == 0 ? -1 : 1, m + AT_PSI_DOT, e, 1);
-    }
+    for (int d = 0; d < 3; d++)
+        for (int i = 0; i < FLOW_HALF; i++) {
+            model_dot(&product, false, e[d][i].sign, m + e[d][i].by, m + e[d][i].times, 1);
+            if (d == 0)
+                model_dot(state + i, false, 1, m + AT_DL, &product, 1);
+            if (e[d][i].sign != 0)
+                model_dot(state + FLOW_HALF + i, d > 0, 1, m + rate[d], &product, 1);
+        }
+    model_clear(&product);
 }
 
 /* In units of r_ref of the middles, or near it, and radians of orbit */
@@ -127,8 +125,8 @@ static void models_of(struct flow_set *set, const struct scenario *s)
         for (int i = 0; i < FLOW_STATE; i++)
             read_bounds(m + AT_PSI + i, &r, (enum scenario_name)(SET_psi + i), NULL,
                        i == 2 ? set->unit : i < 3 ? one : i == 5 ? speed : p.Omega);
-        model_set_ball(m + MASSES, one);
-        model_dot(m + AT_DL, true, 1, m + MASSES, m + LENGTH, 1); /* L */
+        model_set_ball(m + UNIT, one);
+        model_dot(m + AT_DL, true, 1, m + UNIT, m + LENGTH, 1); /* L */
         place(set->model, m);
     }
     flow_parameters_clear(&p);

@@ -119,7 +119,4 @@ void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights,
  */
 bool majorant_prove(struct majorant *m, const struct majorant *base, const mag_t h);
 
-/* The rates of x y z u v w q in fractions, by the same table: for the proof that it is the paper's closed loop. */
-void closed_loop_rates(fmpq *rates, const fmpq *state, const fmpq_t c1, const fmpq_t c2);
-
 #endif
