@@ -12,31 +12,30 @@ struct ground {
     bool reached;
 };
 
-/* An entry of `from` is firm when all that it stands for is reached; a principle always is. */
-static bool is_firm(const struct derivations *d, const struct ground *g, int count, const char *entry)
+/* Whether all that an entry stands for is reached; a principle always is. It may be reached from now on. */
+static bool is_reached(const struct derivations *d, struct ground *g, int count, const char *entry, bool from_now_on)
 {
     struct entry_part parts[MOST_PARTS];
     const int most = entry_parts(d, entry, parts);
+    bool all = true;
     for (int i = 0; i < count; i++)
-        for (int k = 0; k < most && !g[i].reached; k++)
-            if (same_part(&g[i].part, &parts[k]))
-                return false;
-    return true;
+        for (int k = 0; k < most; k++)
+            if (same_part(&g[i].part, &parts[k])) {
+                all = all && g[i].reached;
+                g[i].reached = g[i].reached || from_now_on;
+            }
+    return all;
 }
 
+/* Whether the step reaches something new. */
 static bool advance(const struct derivations *d, const struct step *s, struct ground *g, int count)
 {
-    struct entry_part parts[MOST_PARTS];
     bool news = false;
     for (int i = 0; i < s->from_count; i++)
-        if (!is_firm(d, g, count, s->from[i]))
+        if (!is_reached(d, g, count, s->from[i], false))
             return false;
-    for (int e = 0; e < s->to_count; e++) {
-        const int most = entry_parts(d, s->to[e], parts);
-        for (int i = 0; i < count; i++)
-            for (int k = 0; k < most && !g[i].reached; k++)
-                news |= g[i].reached = same_part(&g[i].part, &parts[k]);
-    }
+    for (int i = 0; i < s->to_count; i++)
+        news |= !is_reached(d, g, count, s->to[i], true);
     return news;
 }
 
@@ -88,86 +87,47 @@ const char *derivations_gap(const struct derivations *d)
 
 /* ---- for Graphviz ---- */
 
-/* "6a" and "6b" are the node 6, and so is an entry of its section; a principle is its own. */
-static int node_name_length(const char *entry)
+/* "6a", "eq06" and "eq06.x1" are the node 6; what begins with no number, and what it has, is its own. */
+static void print_node(const char *entry)
 {
-    size_t digits = strspn(entry, "0123456789");
-    return (int)(digits > 0 ? digits : strlen(entry));
+    const char *number = entry + (strncmp(entry, "eq", 2) == 0 ? 2 : 0);
+    number += strspn(number, "0");
+    const int digits = (int)strspn(number, "0123456789");
+    printf("\"%.*s\"", digits > 0 ? digits : (int)strcspn(entry, "."), digits > 0 ? number : entry);
 }
 
-/* The equation number that an entry stands for first; of a principle or a property, itself. */
-static const char *number_of(const struct derivations *d, const char *entry)
+/* Within quotation marks. */
+static void print_text(const char *text)
 {
-    struct entry_part parts[MOST_PARTS];
-    return entry_parts(d, entry, parts) == 0 ? entry : parts[0].equation ? parts[0].equation : parts[0].section->id;
-}
-
-static bool same_node(const char *a, const char *b)
-{
-    const int length = node_name_length(a);
-    return length == node_name_length(b) && strncmp(a, b, (size_t)length) == 0;
-}
-
-static void print_quoted(const char *text)
-{
-    putchar('"');
     for (; *text != '\0'; text++)
         printf(*text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
-    putchar('"');
 }
 
-/* The section that has the equation of this number, or a part of it, first. */
-static const struct section *section_of(const struct sheet *sheet, const char *number)
-{
-    for (int i = 0; i < sheet->section_count; i++)
-        for (int k = 0; k < sheet->sections[i].numbers; k++)
-            if (same_node(sheet->sections[i].equations[k], number))
-                return &sheet->sections[i];
-    return NULL;
-}
-
+/* Backwards: of several sections of one number the first has the last word. */
 static void print_equations(const struct sheet *sheet)
 {
-    for (int i = 0; i < sheet->section_count; i++)
+    for (int i = sheet->section_count; i-- > 0;)
         for (int k = 0; k < sheet->sections[i].numbers; k++) {
             const struct section *s = &sheet->sections[i];
-            if (section_of(sheet, s->equations[k]) != s || (k > 0 && same_node(s->equations[k - 1], s->equations[k])))
-                continue;
-            printf("  \"%.*s\" [shape=%s, tooltip=", node_name_length(s->equations[k]), s->equations[k],
-                   s->method == METHOD_NONE ? "doubleoctagon" : "ellipse");
-            print_quoted(s->title);
-            puts("];");
+            print_node(s->equations[k]);
+            printf(" [shape=%s, tooltip=\"", s->method == METHOD_NONE ? "doubleoctagon" : "ellipse");
+            print_text(s->title);
+            puts("\"];");
         }
-}
-
-/* An edge a node, however many of its parts the step names. */
-static void print_edges(const struct derivations *d, const struct step *s, const char *const *ends, int count, bool from)
-{
-    for (int i = 0; i < count; i++) {
-        const char *end = number_of(d, ends[i]);
-        bool drawn = false;
-        for (int k = 0; k < i; k++)
-            drawn = drawn || same_node(number_of(d, ends[k]), end);
-        const int length = node_name_length(end);
-        if (!drawn && from)
-            printf("  \"%.*s\" -> \"%s\" [arrowhead=none];\n", length, end, s->id);
-        else if (!drawn)
-            printf("  \"%s\" -> \"%.*s\";\n", s->id, length, end);
-    }
 }
 
 void derivations_graph(const struct derivations *d)
 {
-    puts("digraph derivations {\n"
+    puts("strict digraph derivations {\n" /* one edge between two nodes, however many parts of one the step names */
          "  ranksep=0.22; nodesep=0.14; fontname=\"Helvetica\"; node [fontname=\"Helvetica\", fontsize=12];\n"
          "  subgraph cluster_legend {\n"
          "    principle [shape=house]; definition [shape=doubleoctagon]; equation [shape=ellipse];\n"
          "    step [shape=box, fontsize=10, height=0.2, margin=\"0.05,0.03\"];\n"
          "  }");
     for (int i = 0; i < d->definitions.count; i++) {
-        printf("  \"%s\" [shape=%s, tooltip=", d->definitions.sections[i].id, i < d->principle_count ? "house" : "note");
-        print_quoted(d->definitions.sections[i].title);
-        puts("];");
+        printf("  \"%s\" [shape=%s, tooltip=\"", d->definitions.sections[i].id, i < d->principle_count ? "house" : "note");
+        print_text(d->definitions.sections[i].title);
+        puts("\"];");
     }
     print_equations(d->sheet);
     puts("  node [shape=box, fontsize=10, height=0.2, margin=\"0.05,0.03\"];");
@@ -176,11 +136,15 @@ void derivations_graph(const struct derivations *d)
         printf("  \"%s\" [label=\"", s->id);
         for (const char *c = s->id; *c != '\0'; c++)
             putchar(*c == '_' ? ' ' : *c);
-        printf("\", tooltip=");
-        print_quoted(s->title);
-        puts("];");
-        print_edges(d, s, s->from, s->from_count, true);
-        print_edges(d, s, s->to, s->to_count, false);
+        printf("\", tooltip=\"");
+        print_text(s->title);
+        puts("\"];");
+        for (int k = 0; k < s->from_count + s->to_count; k++) {
+            print_node(k < s->from_count ? s->from[k] : s->id);
+            printf(" -> ");
+            print_node(k < s->from_count ? s->id : s->to[k - s->from_count]);
+            puts(k < s->from_count ? " [arrowhead=none];" : ";");
+        }
     }
     puts("}");
 }
