@@ -151,10 +151,14 @@ static void table_open(struct table *x, const struct identities *t)
     memset(x->mark, 0, (size_t)x->count * sizeof *x->mark);
     x->t.needed = xrealloc(NULL, (size_t)x->count, 1);
     memcpy(x->t.needed, t->needed, (size_t)x->count);
-    for (int i = 0; i < t->rate_count; i++) /* what another derivative may rest on */
-        for (int k = -1; k < 2 * t->rates[i].count; k++)
-            if (k < 0 || t->rates[i].moving[k] >= 0)
-                program_mark(&x->t.program, k < 0 ? t->rates[i].of : t->rates[i].moving[k], NULL, x->t.needed);
+    for (const struct rate *r = t->rates; r < t->rates + t->rate_count; r++) { /* what another derivative may rest on */
+        program_mark(&x->t.program, r->of, NULL, x->t.needed);
+        for (int i = 0; i < r->first; i++)
+            if (r->by[i] >= 0) {
+                program_mark(&x->t.program, i, NULL, x->t.needed);
+                program_mark(&x->t.program, r->by[i], NULL, x->t.needed);
+            }
+    }
     run_open(x, &x->point, RUN_AT_POINT);
 }
 
@@ -266,16 +270,17 @@ static bool alter_rate(struct table *x, const struct rate *r)
 {
     struct program *p = &x->t.program;
     bool moved = x->map[r->of] != r->of;
-    for (int k = 0; k < 2 * r->count; k++)
-        moved = moved || (r->moving[k] >= 0 && x->map[r->moving[k]] != r->moving[k]);
+    for (int i = 0; i < r->first; i++)
+        moved = moved || (r->by[i] >= 0 && (x->map[i] != i || x->map[r->by[i]] != r->by[i]));
     if (!moved)
         return false;
     const int count = p->count;
     int *rates = xrealloc(NULL, (size_t)count, sizeof *rates);
     for (int i = 0; i < count; i++)
         rates[i] = -1;
-    for (int k = 0; k < r->count; k++)
-        rates[x->map[r->moving[2 * k]]] = r->moving[2 * k + 1] < 0 ? -1 : x->map[r->moving[2 * k + 1]];
+    for (int i = 0; i < r->first; i++)
+        if (r->by[i] >= 0)
+            rates[x->map[i]] = x->map[r->by[i]];
     x->map[r->result] = program_derivative(p, x->map[r->of], rates, count);
     free(rates);
     return true;

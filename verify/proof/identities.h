@@ -45,11 +45,10 @@ struct use {
     int *copy;                       /* what each node of that program became; older than first, it was bound */
 };
 
-/* A rate(): of a node, by pairs of nodes, what moves and its rate (-1: none); the nodes from `first` to the result. */
+/* A rate(): of a node; by[i] is the rate of node i of those before `first`, -1: none of its own; the nodes from `first` to the result. */
 struct rate {
     int of, first, result;
-    int *moving;
-    int count;
+    int *by;
 };
 
 struct identities {

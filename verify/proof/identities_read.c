@@ -170,45 +170,37 @@ static int read_rate(struct parser *p)
     const char *begin = p->at;
     char name[LONGEST_NAME + 8];
     p->at++; /* the bracket, without which it were a name */
-    int node = parse_sum(p);
-    if (node < 0 || !parse_symbol(p, ')'))
-        return node < 0 ? -1 : parse_refuse(p, "')' or an operator");
-    const int count = p->program->count;
-    if (count > MOST_RATES)
+    struct rate made = {.of = parse_sum(p), .first = p->program->count};
+    if (made.of < 0 || !parse_symbol(p, ')'))
+        return made.of < 0 ? -1 : parse_refuse(p, "')' or an operator");
+    if (made.first > MOST_RATES)
         return parse_refuse(p, "fewer rates of rates");
-    int *rate = xrealloc(NULL, (size_t)count, sizeof *rate);
-    char *needed = xrealloc(NULL, (size_t)count, 1);
+    char *needed = xrealloc(NULL, (size_t)made.first, 1);
     const char *still = NULL; /* the sheet knows its rate, and nothing here does */
-    for (int i = 0; i < count; i++)
-        rate[i] = -1;
-    struct rate made = {.of = node, .first = count};
-    made.moving = xrealloc(NULL, rates != NULL ? 2 * (size_t)rates->count : 1, sizeof *made.moving);
+    made.by = xrealloc(NULL, (size_t)made.first, sizeof *made.by);
+    for (int i = 0; i < made.first; i++)
+        made.by[i] = -1;
     for (int i = 0; rates != NULL && i < rates->count; i++) {
         const int moving = program_find(p->program, rates->items[i].key);
-        if (moving < 0)
-            continue;
-        rate[moving] = program_find(p->program, rates->items[i].text); /* no name is a number */
-        made.moving[2 * made.count] = moving;
-        made.moving[2 * made.count++ + 1] = rate[moving];
+        if (moving >= 0)
+            made.by[moving] = program_find(p->program, rates->items[i].text); /* no name is a number */
     }
-    program_needs(p->program, node, rate, needed);
-    for (int i = 0; i <= node && i < s->sheet->quantity_count; i++) {
+    program_needs(p->program, made.of, made.by, needed);
+    for (int i = 0; i <= made.of && i < s->sheet->quantity_count; i++) {
         const char *own = s->sheet->quantities[i].name;
         const struct yaml *by = program_find(p->program, own) == i ? under(rates, own) : NULL;
-        if (needed[i] && rate[i] < 0 && !(by != NULL && strcmp(by->text, "0") == 0) && rate_name(s->sheet, own, name))
+        if (needed[i] && made.by[i] < 0 && !(by != NULL && strcmp(by->text, "0") == 0) && rate_name(s->sheet, own, name))
             still = own;
     }
-    if (still != NULL) {
-        p->at = begin;
-        rate_name(s->sheet, still, name);
-        message_set(p->why, "rate() of what rests on %s, expected %s: %s among the rates, or %s: 0", still, still, name, still);
-    } else {
-        made.result = program_own(p->program, count, program_derivative(p->program, node, rate, count));
-    }
-    *APPENDED(r->t->rates, r->t->rate_count) = made;
-    free(rate);
     free(needed);
-    return still != NULL ? -1 : made.result;
+    made.result = program_own(p->program, made.first, program_derivative(p->program, made.of, made.by, made.first));
+    *APPENDED(r->t->rates, r->t->rate_count) = made;
+    if (still == NULL)
+        return made.result;
+    p->at = begin;
+    rate_name(s->sheet, still, name);
+    message_set(p->why, "rate() of what rests on %s, expected %s: %s among the rates, or %s: 0", still, still, name, still);
+    return -1;
 }
 
 /* ---- what a formula takes of the sheet ---- */
@@ -621,7 +613,7 @@ void identities_clear(struct identities *t)
     for (int i = 0; i < t->use_count; i++)
         free(t->uses[i].copy);
     for (int i = 0; i < t->rate_count; i++)
-        free(t->rates[i].moving);
+        free(t->rates[i].by);
     free(t->uses);
     free(t->rates);
     free(t->needed);
