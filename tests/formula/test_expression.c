@@ -552,6 +552,38 @@ TEST(ball_and_mpfr_agree_with_the_exact_value)
     program_clear(&p);
 }
 
+/*
+ * Each function's ball has (1) its rounding, (2) what its arguments' radii make of it. Of thin arguments at 20 bits it holds what
+ * 300 bits say, and no binary number of 20 bits is that; of wide ones what 300 bits say at their corners.
+ */
+static const char *const of_balls[] = {"-x/3", "x + y/3", "x - y/3", "x*y/3", "x/y", "x^3/3", "x^-1", "x^-2", "x^0/3", "sqrt(x)", "sin(x)",
+                                       "cos(x)", "exp(x)", "log(x)", "atan2(y, x)", "atan2(-y, x)", "atan2(y, -x)"};
+
+EACH(ball_of_each_function_has_rounding_and_radius, 2*COUNT(of_balls))
+{
+    struct program p;
+    struct machine m, fine;
+    const bool wide = _i >= COUNT(of_balls);
+    const int node = parse_inputs(&p, of_balls[_i % COUNT(of_balls)]);
+    machine_init(&m, &p, &arithmetic_ball, 20);
+    machine_init(&fine, &p, &arithmetic_ball, 300);
+    for (int corner = 0; corner < (wide ? 4 : 1); corner++) {
+        for (int i = 0; i < 2; i++) { /* 11/4 and 3, or as much as 1/16 to either side */
+            arb_set_si(machine_value(&fine, i), wide ? 4*(11 + i) + (corner >> i & 1 ? 1 : -1) : 11 + i);
+            arb_mul_2exp_si(machine_value(&fine, i), machine_value(&fine, i), wide ? -4 : -2);
+            arb_set_si(machine_value(&m, i), 11 + i);
+            arb_mul_2exp_si(machine_value(&m, i), machine_value(&m, i), -2);
+            mag_set_d(arb_radref((arb_ptr)machine_value(&m, i)), wide ? 0x1p-4 : 0);
+        }
+        machine_run(&m);
+        machine_run(&fine);
+        ck_assert(arb_contains(machine_value(&m, node), machine_value(&fine, node)));
+    }
+    machine_clear(&m);
+    machine_clear(&fine);
+    program_clear(&p);
+}
+
 /* 1 for [1/2, 1], 0 for [-1, -1/2] and 0, anything for [-1/2, 1] */
 EACH(ball_on_both_sides_of_zero_is_neither_positive_nor_not, 4)
 {

@@ -52,9 +52,14 @@ static void enclose_at(struct search *s, arb_t z, arb_srcptr state)
 }
 
 /*
- * An upper bound z of sign * formula on a box. An input that it is monotonic in stands at the end where it is
- * largest, which narrows the box; by each of the others it changes by at most |slope| * radius from the centre.
- * Returns the one of these that changes it most, -1: there is none.
+ * An upper bound z of sign * formula on a box:
+ *
+ *   (1) the formula at the centre, with the radius of its evaluation,
+ *   (2) for each input |slope| * radius, the slope's enclosure being that on all of the box,
+ *   (3) but where that slope has one sign, the input stands at the end where the formula is largest, and the box is narrower.
+ *
+ * Returns the input that changes it most by (2), -1: there is none. is_below() adds: (4) a box is both its halves, which
+ * share the cut, and remainder_prove(): (5) the formula is bounded from above and from below.
  */
 static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
 {
