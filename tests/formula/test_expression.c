@@ -603,7 +603,7 @@ EACH(ball_on_both_sides_of_zero_is_neither_positive_nor_not, 4)
     program_clear(&p);
 }
 
-EACH(ball_of_a_special_argument_is_the_function_there, 4)
+EACH(ball_of_a_special_argument_is_the_function_there, 6)
 {
     static const struct {
         const char *formula;
@@ -615,6 +615,8 @@ EACH(ball_of_a_special_argument_is_the_function_there, 4)
         {"x/y", 1, INFINITY, true, 0},
         {"atan2(y, x)", -1, 0, true, 0x1.921fb54442d18p+1}, /* the nearest double of pi */
         {"atan2(y, x)", 2, 0, true, 0},
+        {"x^-1", 4, 0, true, 0.25},
+        {"y^0", 4, 0, true, 1},
     };
     struct program p;
     struct machine m;
