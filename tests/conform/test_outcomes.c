@@ -273,24 +273,48 @@ EACH(K_counts_roundings_of_the_clients_own_numbers, 2)
 
 /* ---- judgements on inputs of our own ---- */
 
-static enum outcome judged(const char *operation, const char *const *inputs, const char *const *answers, int significand)
+struct judgement {
+    struct operation operation;
+    struct comparator comparator;
+    struct input *inputs;
+    struct score score;
+};
+
+static void judgement_begin(struct judgement *k, const char *operation, const char *const *inputs, int significand, double digits)
 {
     const struct section *s = section_find(sheet(), operation);
-    struct operation o;
-    struct comparator j;
-    struct score score;
-    struct input *read = inputs_new(s->input_count);
-    ck_assert(vector_read(s, inputs, read));
-    operation_init(&o, s, false);
-    ck_assert(operation_valid(&o, read));
-    comparator_init(&j, &o, significand, 9);
-    for (int i = 0; i < s->output_count; i++)
-        arb_set_d(j.y + i, strtod(answers[i], NULL));
-    const enum outcome outcome = compare_answer(&j, read, &score);
-    comparator_clear(&j);
-    operation_clear(&o);
-    inputs_free(read, s->input_count);
+    k->inputs = inputs_new(s->input_count);
+    ck_assert(vector_read(s, inputs, k->inputs));
+    operation_init(&k->operation, s, false);
+    ck_assert(operation_valid(&k->operation, k->inputs));
+    comparator_init(&k->comparator, &k->operation, significand, digits);
+}
+
+static enum outcome judgement_end(struct judgement *k)
+{
+    const enum outcome outcome = compare_answer(&k->comparator, k->inputs, &k->score);
+    comparator_clear(&k->comparator);
+    inputs_free(k->inputs, k->operation.section->input_count);
+    operation_clear(&k->operation);
     return outcome;
+}
+
+static enum outcome judged(const char *operation, const char *const *inputs, const char *const *answers, int significand)
+{
+    struct judgement k;
+    judgement_begin(&k, operation, inputs, significand, 9);
+    for (int i = 0; i < k.operation.section->output_count; i++)
+        arb_set_d(k.comparator.y + i, strtod(answers[i], NULL));
+    return judgement_end(&k);
+}
+
+/* The truth of an operation, in so many digits; to be freed. */
+static void truth_of(char **outputs, const char *operation, const char *const *inputs)
+{
+    struct judgement k;
+    judgement_begin(&k, operation, inputs, BINARY64, 9);
+    ck_assert_int_eq(operation_digits(&k.operation, k.inputs, DIGITS, outputs), OPERATION_PROVED);
+    judgement_end(&k);
 }
 
 /*
@@ -303,21 +327,35 @@ TEST(a_component_is_judged_by_its_vector)
     static const char *const torque[] = {"66520513248467.25", "-850078.3873134808", "-2740055.0869406248", "143952.85488739322",
                                          "28120.45381672888"};
     static const char *const off[] = {"0", "-1.7e-18", "5e-17", "-5e-17", "7e-16", "-7e-16", "1e-10", "nan"};
-    const struct section *s = section_find(sheet(), "eq37");
-    struct operation o;
-    struct input *read = inputs_new(s->input_count);
     char *outputs[MOST_OUTPUTS] = {NULL};
-    ck_assert(vector_read(s, torque, read));
-    operation_init(&o, s, false);
-    ck_assert_int_eq(operation_digits(&o, read, DIGITS, outputs), OPERATION_PROVED);
+    truth_of(outputs, "eq37", torque);
     for (size_t i = 0; i < sizeof off / sizeof *off; i++) {
         const char *const answers[] = {off[i], outputs[1], outputs[2]};
         const enum outcome outcome = judged("eq37", torque, answers, BINARY64);
         ck_assert_msg(i < 4 ? outcome == OUTCOME_RIGHT : outcome != OUTCOME_RIGHT, "%s", off[i]);
     }
-    free_all(outputs, s->output_count);
-    operation_clear(&o);
-    inputs_free(read, s->input_count);
+    free_all(outputs, 3);
+}
+
+/* I = m1 m2 L^2/(m1 + m2) = 192/193, S = 3 I; and where E without S is no new worst, it is what is said. */
+EACH(E_is_said_from_above, 2)
+{
+    static const char *const inputs[] = {"1", "192", "1"};
+    const double y = nextafter(192.0 / 193.0, 2.0);
+    struct judgement k;
+    SCOPE(arb, E, said_E, strict);
+    judgement_begin(&k, "eq32", inputs, BINARY64, 9);
+    k.comparator.worst = _i ? INFINITY : 0.0;
+    arb_set_d(k.comparator.y, y);
+    ck_assert_int_eq(judgement_end(&k), OUTCOME_RIGHT);
+    arb_set_d(E, y);
+    arb_mul_si(E, E, 193, BITS);
+    arb_div_si(E, E, 192, BITS);
+    arb_sub_si(E, E, 1, BITS);
+    arb_mul_2exp_si(E, E, BINARY64 - (_i ? 0 : 2));
+    arb_set_d(said_E, k.score.E);
+    arb_set_d(strict, k.score.strict);
+    ck_assert(arb_gt(said_E, E) && arb_gt(strict, E));
 }
 
 /*
@@ -445,6 +483,20 @@ EACH(a_motion_passes_with_the_digits_due_and_no_fewer, 4)
     close_run(e);
 }
 
+/* Of a truth known to 9e-7 of the motion's size: more than a digit is right, fewer is wrong, and what lies between is neither. */
+EACH(digits_that_the_enclosure_leaves_open_are_not_judged, 3)
+{
+    static const char *const texts[] = {"7.2915e-5", "10", "5.3e-8", "1.4e-4", "1", "1", "0", "0", "0", "0", "0"}; /* psi_0 = 1 */
+    static const double answers[] = {0.099999, 0.1, 0.100001};
+    static const enum outcome outcomes[] = {OUTCOME_RIGHT, OUTCOME_SKIPPED, OUTCOME_WRONG};
+    struct judgement k;
+    judgement_begin(&k, "flow_linear", texts, BINARY64, 1);
+    k.comparator.followed = true;
+    mag_set_d(arb_radref(k.comparator.exact), 9e-7);
+    arb_set_d(k.comparator.y, answers[_i]);
+    ck_assert_int_eq(judgement_end(&k), outcomes[_i]);
+}
+
 /*
  * At L = (1 - 3/n) L_ref, at rest as a length, the law asks for no charge; the relative orbit x = r sin(tau), y = 2 r cos(tau),
  * z = sqrt(3) r sin(tau) of Clohessy and Wiltshire has the constant length 2 r: it is a motion of the closed loop, but for what
@@ -471,22 +523,15 @@ TEST(a_motion_without_charge_is_clohessys_and_wiltshires)
 TEST(a_motion_that_dies_away_is_judged_by_what_there_was)
 {
     static const char *const texts[] = {"7.2915e-5", "10", "5.316597225e-8", "1.4583e-4", "432000", "0.1", "0", "0", "0", "0", "0"};
-    const struct section *s = section_find(sheet(), "flow_linear");
-    struct operation o;
-    struct input *inputs = inputs_new(s->input_count);
     char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
-    ck_assert(vector_read(s, texts, inputs));
-    operation_init(&o, s, false);
-    ck_assert_int_eq(operation_digits(&o, inputs, DIGITS, outputs), OPERATION_PROVED);
+    truth_of(outputs, "flow_linear", texts);
     ck_assert_double_lt(fabs(strtod(outputs[0], NULL)), 1e-6);
     for (int i = 0; i < 2; i++) {
         const char *const answers[] = {text, outputs[1], outputs[2], outputs[3], outputs[4], outputs[5]};
         snprintf(text, sizeof text, "%.17g", strtod(outputs[0], NULL) + (i ? 1.001e-10 : 0.999e-10));
         ck_assert_int_eq(judged("flow_linear", texts, answers, BINARY64), i ? OUTCOME_WRONG : OUTCOME_RIGHT);
     }
-    free_all(outputs, s->output_count);
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
+    free_all(outputs, 6);
 }
 
 /*
