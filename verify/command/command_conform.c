@@ -233,26 +233,6 @@ static int print_report(struct test_run *e, const struct arguments *a, const cha
 
 /* ---- a client ---- */
 
-/* The run, with its progress on a terminal. */
-struct watched {
-    struct test_run *run;
-    struct progress progress;
-};
-
-static size_t ask(void *context, char *room, size_t size)
-{
-    return test_run_ask(((struct watched *)context)->run, room, size);
-}
-
-static bool hear(void *context, const char *bytes, size_t size, bool *answered)
-{
-    struct watched *w = context;
-    const bool on = test_run_hear(w->run, bytes, size);
-    *answered = memchr(bytes, '\n', size) != NULL;
-    progress_show(&w->progress, w->run->next, w->run->sets.total);
-    return on;
-}
-
 /* What the end of the client means; EXIT_USAGE where it was none. */
 static int conclude(struct test_run *e, enum ending ending, int status, const char *name, double timeout)
 {
@@ -306,14 +286,11 @@ static int run_client(struct test_run *e, const struct arguments *a, char **clie
     if (text != NULL && (*end != '\0' || !(timeout > 0.0 && timeout <= 1e6)))
         return usage_error(EXIT_USAGE, "--timeout: expected seconds, more than 0, got '%.40s'", text);
     struct client c;
-    struct watched w = {e, progress_begin(false)};
-    const struct conversation talk = {&w, ask, hear};
     const int why = client_start(&c, client);
     if (why != 0)
         return usage_error(status_of_start(why), "client '%s': %s%s", client[0], strerror(why), start_hint(client[0], why, hint));
-    const enum ending ending = client_converse(&c, &talk, timeout);
+    const enum ending ending = client_converse(&c, e, timeout);
     const int status = client_close(&c); /* an interrupt ends the program here */
-    progress_end(&w.progress);
     if (ending == ENDING_BROKEN) /* LCOV_EXCL_BR_LINE: a failing system call, make faults */
         return usage_error(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why)); /* LCOV_EXCL_LINE: the same */
     const int concluded = conclude(e, ending, status, client[0], timeout);

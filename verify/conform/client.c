@@ -10,6 +10,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "text/progress.h"
+
 extern char **environ;
 
 enum { QUESTIONS = 1 << 16, ANSWERS = 1 << 12 }; /* a pipe that polls as ready takes 4096 bytes at once */
@@ -176,11 +178,11 @@ struct outgoing {
 };
 
 /* Sends what the pipe takes; true when it took something. */
-static bool send_questions(struct client *c, const struct conversation *talk, struct outgoing *o)
+static bool send_questions(struct client *c, struct test_run *run, struct outgoing *o)
 {
     if (o->begin == o->end) {
         o->begin = 0;
-        o->end = talk->ask(talk->context, o->room, sizeof o->room);
+        o->end = test_run_ask(run, o->room, sizeof o->room);
     }
     ssize_t sent = o->begin < o->end ? write(c->to, o->room + o->begin, o->end - o->begin) : -1;
     if (sent > 0)
@@ -193,31 +195,34 @@ static bool send_questions(struct client *c, const struct conversation *talk, st
 }
 
 /* Takes what there is; *enough when nobody wants to hear more of it, *answered when a line ended in it. */
-static bool hear_answers(struct client *c, const struct conversation *talk, bool *enough, bool *answered)
+static bool hear_answers(struct client *c, struct test_run *run, bool *enough, bool *answered)
 {
     char bytes[ANSWERS];
     ssize_t got = read(c->from, bytes, sizeof bytes);
-    if (got > 0)
-        *enough = !talk->hear(talk->context, bytes, (size_t)got, answered);
-    else if (got == 0)
+    if (got > 0) {
+        *enough = !test_run_hear(run, bytes, (size_t)got);
+        *answered = memchr(bytes, '\n', (size_t)got) != NULL;
+    } else if (got == 0) {
         close_end(&c->from);
-    else if (!is_passing(errno)) /* LCOV_EXCL_LINE: a failing system call, make faults */
-        c->why = errno;         /* LCOV_EXCL_LINE: a failing system call, make faults */
+    } else if (!is_passing(errno)) { /* LCOV_EXCL_LINE: a failing system call, make faults */
+        c->why = errno;              /* LCOV_EXCL_LINE: a failing system call, make faults */
+    }
     return got > 0;
 }
 
 /* What an ended client has left in its pipe, which somebody else may still hold open. */
-static void hear_the_rest(struct client *c, const struct conversation *talk, bool *enough)
+static void hear_the_rest(struct client *c, struct test_run *run, bool *enough)
 {
     bool answered;
-    while (c->from >= 0 && !*enough && c->why == 0 && hear_answers(c, talk, enough, &answered))
+    while (c->from >= 0 && !*enough && c->why == 0 && hear_answers(c, run, enough, &answered))
         ;
     hear_errors(c);
 }
 
-enum ending client_converse(struct client *c, const struct conversation *talk, double timeout)
+enum ending client_converse(struct client *c, struct test_run *run, double timeout)
 {
     struct outgoing o = {.begin = 0, .end = 0};
+    struct progress progress = progress_begin(false);
     double moved = clock_seconds(); /* since when only the client could have done something, and did not */
     bool enough = false, ended = false;
     while (!ended && clock_seconds() - moved < timeout && !enough && c->why == 0 && !is_interrupted(c)) {
@@ -227,17 +232,19 @@ enum ending client_converse(struct client *c, const struct conversation *talk, d
         if (poll(ends, 3, slice) < 0 && !is_passing(errno))
             c->why = errno; /* LCOV_EXCL_LINE: a failing system call, make faults */
         if (ends[0].revents != 0)
-            taken = send_questions(c, talk, &o);
+            taken = send_questions(c, run, &o);
         if (ends[1].revents != 0)
-            hear_answers(c, talk, &enough, &answered);
+            hear_answers(c, run, &enough, &answered);
         if (ends[2].revents != 0)
             moved += hear_errors(c);
         if (taken || answered)
             moved = clock_seconds();
+        progress_show(&progress, run->next, run->sets.total);
         ended = ends[1].revents == 0 && has_ended(c);
     }
+    progress_end(&progress);
     if (ended)
-        hear_the_rest(c, talk, &enough);
+        hear_the_rest(c, run, &enough);
     else
         hear_errors(c);
     return is_interrupted(c) ? ENDING_INTERRUPTED

@@ -11,6 +11,8 @@
 #include <stddef.h>
 #include <sys/types.h>
 
+#include "conform/conform.h"
+
 enum { CLIENT_TAIL = 2000 };
 
 struct client {
@@ -22,23 +24,16 @@ struct client {
     int why;                     /* the errno that broke the conversation on our side */
 };
 
-struct conversation {
-    void *context;
-    size_t (*ask)(void *context, char *room, size_t size); /* the next bytes; 0: that was all */
-    /* false: more of this need not be heard; *answered where a line ended */
-    bool (*hear)(void *context, const char *bytes, size_t size, bool *answered);
-};
-
 enum ending { ENDING_EXIT, ENDING_TIMEOUT, ENDING_STOPPED, ENDING_INTERRUPTED, ENDING_BROKEN };
 
 /* 0, or the errno that says why there is none. */
 int client_start(struct client *c, char *const *arguments);
 
 /*
- * Until it has ended, or for so many seconds has neither taken a question nor ended a line of an answer. Whoever has
+ * The run's questions and answers, with progress on a terminal, until it has ended, or for so many seconds has neither taken a question nor ended a line of an answer. Whoever has
  * inherited its standard output and holds it open is not waited for.
  */
-enum ending client_converse(struct client *c, const struct conversation *talk, double timeout);
+enum ending client_converse(struct client *c, struct test_run *run, double timeout);
 
 /* Ends its process group and returns its status as waitpid() has it. A pending interrupt arrives now. */
 int client_close(struct client *c);
