@@ -453,7 +453,7 @@ end
 function block.printed(words)
   local s = section(words[1])
   if not s.reason then stop("'%s' is printed as the sheet has it, expected an equation with a printed form", s.id) end
-  return '\n\n**As printed.** ' .. prose(s.reason) .. equation(s, display(s, 'printed', words), 'as printed')
+  return '\n\n**As printed.** ' .. prose(s.reason, true) .. equation(s, display(s, 'printed', words), 'as printed')
 end
 
 block['function'] = function(words)
@@ -522,10 +522,10 @@ function block.places()
   local function add(text, ...) out[#out + 1] = text:format(...) end
   for _, s in ipairs(sections) do
     local g, q = gate[s.id], qualified(s.id)
-    local title, tag = prose(s.title) .. (q and ', ' .. q or ''), span_of(s.numbers)
+    local title, tag = prose(s.title, true) .. (q and ', ' .. q or ''), span_of(s.numbers)
     local lines = s.defined and {{tex = s.defined, tag = tag}} or display(s, 'relation output let domain', {s.id})
     add('\n\n## [¶](#%s){.permalink} (%s) %s {#%s}\n\n', s.id, tag, title, s.id)
-    add('%s%s%s', raw(targets(s), 'html'), equation(s, lines, q), prose(s.note or ''))
+    add('%s%s%s', raw(targets(s), 'html'), equation(s, lines, q), prose(s.note or '', true))
     if s.reason then add('%s', block.printed {s.id}) end
     local said = {}  -- once where (2a), (2b) and (2c) have the same
     for _, number in ipairs(s.id:match '^eq%d+$' and s.numbers or {}) do

@@ -3,8 +3,8 @@
 
 // browser.js FOLDER [PICTURES]: the edition's pages in a real browser, chromium without a window, told what to do over its
 // debugging pipe. No page writes to the console or asks for anything but files; every link and anchor leads somewhere; no
-// page is wider than its window; the figures pass their golden vectors; sliders change the curves; the start that is
-// dragged, by mouse, by finger or by keys, changes the motion. PICTURES is a folder for a picture of each page at 1280 and
+// page is wider than its window; the figures pass their golden vectors; live curves lie on the certified ones; sliders change
+// the curves; the start that is dragged, by mouse, by finger or by keys, changes the motion. PICTURES is a folder for a picture of each page at 1280 and
 // at 390 pixels. Exit status 1 and a line each where that is not so.
 
 const { spawn } = require('node:child_process');
@@ -101,6 +101,17 @@ const checkPages = async (pages) => {
   console.log(`${pages.length} pages without a message on the console, ${links.length / 2} links that lead somewhere`);
 };
 
+// How far, in pixels, the certified curves of a figure lie from the live ones of a kind, each from its own; all their points.
+const apart = (id, kind, which = 0) => evaluate(`{
+  const curve = (kind, which) => (document.querySelectorAll('#${id} path.' + kind)[which]?.getAttribute('d') ?? 'M').slice(1).split(/[ML]/)
+    .map((point) => point.split(' ').map(Number));
+  const [certified, live] = [curve('pale', ${which}), curve('${kind}', 0)];
+  const toLine = (x, y, [x0, y0], [x1, y1]) => {
+    const t = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / Math.hypot(x1 - x0, y1 - y0) ** 2, s = Math.min(Math.max(t || 0, 0), 1);
+    return Math.hypot(x - x0 - s * (x1 - x0), y - y0 - s * (y1 - y0));
+  };
+  [certified.length, Math.max(...certified.map(([x, y]) => Math.min(...live.slice(1).map((end, i) => toLine(x, y, live[i], end)))))]; }`);
+
 const checkFigures = async () => {
   await open('turn.html', 1280);
   const drawn = await evaluate('Math.round(performance.now())');
@@ -108,6 +119,16 @@ const checkFigures = async () => {
   const [, passed, all] = (await said('turn-check')).match(/(\d+) of (\d+) vectors passed/) ?? [];
   console.log(`${await said('turn-check')} Drawn ${drawn} ms after the page was asked for.`);
   expect(Number(passed) === Number(all) && all > 100, 'the figures do not pass their vectors');
+
+  // As the page opens, in the paper's case: the gains' curve, then nonlinear motions under the solid lines, linear ones under the dashed.
+  const motions = ['turn-psi', 'turn-theta', 'turn-dL'];
+  const pairs = [['turn-rate', 'first'], ['turn-charge', 'first'], ...motions.map((id) => [id, 'first']), ...motions.map((id) => [id, 'second', 1])];
+  for (const pair of pairs) {
+    const [points, pixels] = await apart(...pair);
+    expect(points > 100 && pixels < 1, `${pair[0]}: the live curve lies ${pixels} pixels from ${points} certified points`);
+  }
+  const [, different] = await apart('turn-rate', 'second');
+  expect(different > 10, `turn-rate: a curve for another C2 lies only ${different} pixels from the certified one`);
 
   const figures = ['turn-rate', 'turn-roots', 'turn-psi', 'turn-theta', 'turn-dL', 'turn-charge', 'turn-basin'];
   const sliders = { n: [20, figures], c2: [4, figures], psi: [-0.3, ['turn-psi', 'turn-dL']], theta: [0.5, ['turn-theta', 'turn-dL']],
@@ -151,6 +172,7 @@ const checkFigures = async () => {
     expect(fate.test(await said('turn-fate')), `from ${x} above: ${await said('turn-fate')}`);
   }
   expect(messages.length === 0, `turn.html: ${messages}`);
+  console.log(`${pairs.length} live curves lie within a pixel of the certified ones`);
   console.log('sliders, mouse, finger and keys move the figures');
 };
 
