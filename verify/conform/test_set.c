@@ -12,9 +12,9 @@
 
 const char id_letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-";
 
-bool is_vector_id(const char *text)
+bool is_vector_id(const char *word)
 {
-    return *text != '\0' && text[strspn(text, id_letters)] == '\0';
+    return word[strspn(word, id_letters)] == '\0';
 }
 
 /* ---- golden vectors ---- */

@@ -12,9 +12,9 @@
 
 enum { LONGEST_ID = 95 };
 
-/* What the names of vectors are made of. */
+/* What the names of vectors are made of; and whether a word, which is never empty, may be one. */
 extern const char id_letters[];
-bool is_vector_id(const char *text);
+bool is_vector_id(const char *word);
 
 struct golden_vector {
     char *id, *texts[MOST_INPUTS];
