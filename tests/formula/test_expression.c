@@ -466,7 +466,7 @@ TEST(inlined_program_takes_the_place_of_its_inputs)
     int f = program_parse(&other, "x^2 + 1", &where, &why);
     int stand_in[8] = {y, -1, -1, -1, -1, -1, -1, -1};
     ck_assert_int_le(other.count, 8);
-    int node = program_inline(&p, &other, f, stand_in);
+    int node = program_copy_node(&p, &other, f, stand_in);
     program_clear(&other);
     machine_init(&m, &p, &arithmetic_symbolic, 1);
     set_inputs(&m);

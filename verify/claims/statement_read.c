@@ -285,7 +285,7 @@ static bool read_difference(struct claim_reading *r, struct assertion *a, const 
     struct parsing f;
     parsing_open(&f, r);
     const int one = parsing_add(&f, node, left, 0), other = parsing_add(&f, node, sign + length, (size_t)(sign - text) + length);
-    a->formula = parsing_close(&f, r, f.fine ? program_difference(&f.identities.program, one, other) : -1);
+    a->formula = parsing_close(&f, r, f.fine ? program_append(&f.identities.program, OPERATOR_SUBTRACT, one, other, 0) : -1);
     return a->formula != NULL;
 }
 

@@ -84,7 +84,7 @@ static int sheet_node(struct program *p, const struct sheet *sheet, const char *
         stand_in[i] = i < s->input_count ? program_find(p, s->inputs[i]->name) : -1;
     while (strcmp(s->outputs[output]->name, formula + sizeof id) != 0)
         output++;
-    const int node = program_inline(p, &f->program, f->outputs[output], stand_in);
+    const int node = program_copy_node(p, &f->program, f->outputs[output], stand_in);
     free(stand_in);
     return node;
 }

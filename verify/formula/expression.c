@@ -75,11 +75,6 @@ void program_name(struct program *p, int node, const char *name)
     *APPENDED(p->names, p->named) = (struct name){text_copy(name), node};
 }
 
-int program_difference(struct program *p, int left, int right)
-{
-    return program_append(p, OPERATOR_SUBTRACT, left, right, 0);
-}
-
 void program_needs(const struct program *p, int node, const int *stand_in, char *needed)
 {
     memset(needed, 0, (size_t)node + 1);
@@ -112,15 +107,6 @@ int program_copy_node(struct program *p, const struct program *from, int node, i
     }
     free(needed);
     return map[node];
-}
-
-int program_inline(struct program *p, const struct program *from, int node, const int *stand_in)
-{
-    int *map = xrealloc(NULL, (size_t)node + 1, sizeof *map);
-    memcpy(map, stand_in, ((size_t)node + 1) * sizeof *map);
-    const int result = program_copy_node(p, from, node, map);
-    free(map);
-    return result;
 }
 
 int program_own(struct program *p, int first, int node)

@@ -79,12 +79,9 @@ bool parse_word(struct parser *s, char word[LONGEST_NAME + 1]);    /* letters, d
 int parse_refuse(struct parser *s, const char *expected);          /* -1, and "expected ..., found ..." */
 
 /*
- * Copies a node of another program with all that it rests on; stand_in[i] >= 0 is a node of p that takes
- * the place of node i of the other (all inputs that it needs have one). Returns the copy.
+ * Copies a node of another program with all that it rests on: map[i] is the node that takes the place of node i, -1: none
+ * (all inputs that it needs have one), and becomes what node i is in p, of all that is copied. Returns the copy.
  */
-int program_inline(struct program *p, const struct program *from, int node, const int *stand_in);
-
-/* The same, where map[i] is the stand-in of node i, -1: none, and becomes what node i is in p, of all that the node needs. */
 int program_copy_node(struct program *p, const struct program *from, int node, int *map);
 
 /* The node, or twice its negative where it is older than `first`: a node of its own. */
@@ -101,9 +98,6 @@ void program_mark(const struct program *p, int node, const int *stand_in, char *
 
 /* One more node; operands that an operator does not have are -1. */
 int program_append(struct program *p, enum operator op, int left, int right, slong exponent);
-
-/* The node of left - right. */
-int program_difference(struct program *p, int left, int right);
 
 /*
  * The derivative of a node when named quantities move: rate[i] is the node that stands for the

@@ -584,8 +584,9 @@ static char *nodes_spoken_of(const struct table *table, const struct program *p,
 }
 
 /* Every change of every node of the formula breaks an equality, or nothing would tell. */
-static bool all_changes_tell(struct table *table, int to, const struct program *p, int wanted, struct target target)
+static bool all_changes_tell(struct table *table, int to, const struct program *p, int wanted, const struct entry_part *part)
 {
+    struct target target = {.part = part};
     char *spoken = nodes_spoken_of(table, p, wanted);
     const char *silent = NULL;
     for (target.node = 0; target.node <= wanted && silent == NULL; target.node++)
@@ -600,40 +601,29 @@ static bool all_changes_tell(struct table *table, int to, const struct program *
         }
     free(spoken);
     return silent == NULL || binding_fault(table, item(table, "to", to), 0, "%s may be altered (%s) and every equality holds still",
-                                    target.part->name, silent);
+                                    part->name, silent);
 }
 
-static bool side_is_bound(struct table *table, int to, const struct entry_part *part)
+/* An output or a side of a relation; the formula of a property says what is shown, and claims nothing. */
+static bool part_is_bound(struct table *table, int to, const struct entry_part *part)
 {
-    const struct target target = {.change = CHANGE_ANY, .part = part};
-    if (!breaks_by(table, target))
-        return binding_fault(table, item(table, "to", to), 0, "%s stands in no equality as a whole: a side is not shown", part->name);
-    return all_changes_tell(table, to, &part->formulas->program, part->node, target);
-}
-
-static bool output_is_bound(struct table *table, int to, const struct entry_part *part)
-{
-    const struct program *p = &part->section->corrected.program;
+    const struct program *p = &part->formulas->program;
+    const bool side = part->formulas != &part->section->corrected;
     if (!breaks_by(table, (struct target){.change = CHANGE_ANY, .part = part}))
-        return binding_fault(table, item(table, "to", to), 0, "%s stands in no equality", part->name);
-    if (part->equation == NULL) /* the formula of a property says what is shown, and claims nothing */
-        return breaks_by(table, (struct target){.change = CHANGE_RESULT, .part = part}), true;
-    if (!breaks_by(table, (struct target){.change = CHANGE_RESULT, .part = part}) &&
+        return binding_fault(table, item(table, "to", to), 0, "%s stands in no equality%s", part->name,
+                             side ? " as a whole: a side is not shown" : "");
+    if (!side && !breaks_by(table, (struct target){.change = CHANGE_RESULT, .part = part}) && part->equation != NULL &&
         !is_equivalent(p, part->node, CHANGE_RESULT, part->node))
         return binding_fault(table, item(table, "to", to), 0, "%s may have the other sign and every equality holds still", part->name);
-    return is_general(table, to, part) && all_changes_tell(table, to, p, part->node, (struct target){.part = part});
+    return part->equation == NULL || ((side || is_general(table, to, part)) && all_changes_tell(table, to, p, part->node, part));
 }
 
 /* What a step starts from it cannot lead to. */
 static bool is_new(struct table *table, int to, const struct entry_part *part)
 {
-    struct entry_part from[MOST_PARTS];
-    for (int i = 0; i < table->s->from_count; i++) {
-        const int count = entry_parts(table->d, table->s->from[i], from);
-        for (int k = 0; k < count; k++)
-            if (same_part(&from[k], part))
-                return binding_fault(table, item(table, "to", to), 0, "%s is in from already", part->name);
-    }
+    for (int i = 0; i < table->s->from_count; i++)
+        if (entry_concerns(table->d, table->s->from[i], &(struct use){.formulas = part->formulas, .part = part->node}))
+            return binding_fault(table, item(table, "to", to), 0, "%s is in from already", part->name);
     return true;
 }
 
@@ -645,8 +635,7 @@ static bool all_shown(struct table *table)
         struct entry_part parts[MOST_PARTS];
         const int count = entry_parts(table->d, table->s->to[i], parts);
         for (int k = 0; k < count; k++)
-            if (!is_new(table, i, &parts[k]) ||
-                !(parts[k].formulas != &parts[k].section->corrected ? side_is_bound : output_is_bound)(table, i, &parts[k]))
+            if (!is_new(table, i, &parts[k]) || !part_is_bound(table, i, &parts[k]))
                 return false;
     }
     return true;

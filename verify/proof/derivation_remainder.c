@@ -5,7 +5,7 @@
 #include "text/decimal.h"
 
 /* A number, exactly as it is written. */
-static bool read_number(const struct yaml *node, fmpq_t value)
+static bool read_exactly(const struct yaml *node, fmpq_t value)
 {
     if (node->text == NULL || literal_read(value, node->text, true) != LITERAL_FINITE)
         return node_error(node, 0, "expected a number");
@@ -16,7 +16,7 @@ static bool read_number(const struct yaml *node, fmpq_t value)
 static bool read_bounds_of(const struct yaml *node, fmpq_t low, fmpq_t high)
 {
     if (node->text != NULL) {
-        bool fine = read_number(node, low);
+        bool fine = read_exactly(node, low);
         fmpq_set(high, low);
         return fine;
     }
@@ -24,7 +24,7 @@ static bool read_bounds_of(const struct yaml *node, fmpq_t low, fmpq_t high)
         return false;
     if (node->count != 2)
         return node_error(node, 0, "expected [LOW, HIGH]");
-    if (!read_number(&node->items[0], low) || !read_number(&node->items[1], high))
+    if (!read_exactly(&node->items[0], low) || !read_exactly(&node->items[1], high))
         return false;
     return fmpq_cmp(low, high) < 0 || node_error(node, 0, "expected [LOW, HIGH] with LOW below HIGH");
 }
@@ -84,7 +84,7 @@ static bool read_remainder(const struct scope *s, const struct identities *t, co
     if (!fields_read(item, remainder_fields, m) || !read_dropped(s, t, under(item, "of"), m))
         return false;
     m->at = under(item, "at_most");
-    if (!read_number(m->at, m->bound) || !read_states(s, m->on, m))
+    if (!read_exactly(m->at, m->bound) || !read_states(s, m->on, m))
         return false;
     return fmpq_sgn(m->bound) > 0 || node_error(m->at, 0, "expected a bound above zero");
 }

@@ -294,7 +294,7 @@ static void print_polynomial(struct tex *out, const struct run *r, const fmpz_mp
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
     struct tex *names = xrealloc(NULL, (size_t)r->variables + 1, sizeof *names);
     const char **texts = xrealloc(NULL, (size_t)r->variables + 1, sizeof *texts);
-    fmpz_mpoly_t head;
+    fmpz_mpoly_struct head = *f; /* borrows it */
     texts[0] = "none"; /* FLINT has one variable at least */
     for (int i = 0; i < r->t->program.inputs; i++) {
         const slong k = r->variable[i];
@@ -304,13 +304,10 @@ static void print_polynomial(struct tex *out, const struct run *r, const fmpz_mp
         tex_add(&names[k], "%s%s", r->t->variables[i].angle ? "t_" : "", r->t->program.names[i].text);
         texts[k] = names[k].text;
     }
-    fmpz_mpoly_init(head, ctx);
-    fmpz_mpoly_set(head, f, ctx);
-    fmpz_mpoly_resize(head, FLINT_MIN(fmpz_mpoly_length(head, ctx), SHOWN_TERMS), ctx);
-    char *text = fmpz_mpoly_get_str_pretty(head, texts, ctx);
+    head.length = FLINT_MIN(head.length, SHOWN_TERMS);
+    char *text = fmpz_mpoly_get_str_pretty(&head, texts, ctx);
     tex_add(out, "%s", text);
     flint_free(text);
-    fmpz_mpoly_clear(head, ctx);
     for (slong k = 0; k < r->variables; k++)
         tex_clear(&names[k]);
     free(names);

@@ -14,7 +14,7 @@ void remainder_init(struct remainder *r, const struct program *p, int node)
     program_needs(p, node, NULL, needed);
     for (int i = 0; i <= node; i++)
         stand_in[i] = i < p->inputs && needed[i] ? program_input(&r->program, p->names[i].text) : -1;
-    r->node = program_inline(&r->program, p, node, stand_in);
+    r->node = program_copy_node(&r->program, p, node, stand_in);
     r->low = _fmpq_vec_init(r->program.inputs);
     r->high = _fmpq_vec_init(r->program.inputs);
     fmpq_init(r->bound);

@@ -78,7 +78,7 @@ bool mutation_init(struct mutation *a, const struct sheet *sheet, const struct s
     const bool fits = take_changes(a, s, m, strict, stand_in, f->outputs, why);
     for (int i = 0; i < (a->formulas_end ? end->output_count : end->input_count) && fits; i++)
         if (f->outputs[i] < 0)
-            f->outputs[i] = a->formulas_end ? program_inline(&f->program, &end->corrected.program, end->corrected.outputs[i], stand_in)
+            f->outputs[i] = a->formulas_end ? program_copy_node(&f->program, &end->corrected.program, end->corrected.outputs[i], stand_in)
                                             : stand_in[i];
     f->conditions = s->corrected.conditions; /* of the same nodes */
     f->count = s->corrected.count;

@@ -170,7 +170,7 @@ static bool read_condition(const struct yaml *n, struct formulas *f)
     const bool integer = comparisons[k].comparison == INTEGER;
     if (!read_sides(&f->program, n, sign, strlen(comparisons[k].sign), integer ? 1 : 2, sides))
         return false;
-    const int node = integer ? sides[0] : program_difference(&f->program, sides[0], sides[1]);
+    const int node = integer ? sides[0] : program_append(&f->program, OPERATOR_SUBTRACT, sides[0], sides[1], 0);
     *APPENDED(f->conditions, f->count) = (struct condition){n->text, node, comparisons[k].comparison};
     return true;
 }
