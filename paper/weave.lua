@@ -572,19 +572,20 @@ end
 -- The lines of the graph of derivations at one of whose ends a step of the chapter stands, and the nodes there.
 local function graph_of(chapter)
   local graph, file, used, nodes, edges = made 'derivations.gv', chapter .. '.html', {}, {}, {}
-  for from, to in graph:gmatch '\n  "([^"]*)" %-> "([^"]*)"' do
+  for from, to, arrow in graph:gmatch '\n *"([^"]*)" %-> "([^"]*)"([^;]*)' do
     if page_of_step[from] == file or page_of_step[to] == file then
-      used[from], used[to], edges[#edges + 1] = true, true, ('"%s" -> "%s"'):format(from, to)
+      used[from], used[to], edges[#edges + 1] = true, true, ('"%s" -> "%s"%s'):format(from, to, arrow)
     end
   end
-  for name, attributes in graph:gsub(', tooltip="[^\n]*"', ''):gmatch '\n  "([^"]*)" %[([^\n]*)%];' do
+  for name, attributes in graph:gsub(', tooltip="[^\n]*"', ''):gmatch '\n *"([^"]*)" %[([^\n]*)%];' do
     local step, url = page_of_step[name], name:match '^%d' and 'equations.html#eq:' .. name
     if step then url = (step == file and '' or step) .. '#step-' .. name end
     if used[name] then
+      used[name] = nil  -- an equation of several parts stands there for each
       nodes[#nodes + 1] = ('"%s" [%sURL="%s"; %s]'):format(name, step and '' or 'style=solid; ', url or '', attributes)
     end
   end
-  return 'digraph { ranksep=0.3; nodesep=0.06; margin=0; node [fontname=Helvetica, fontsize=10, height=0.1, width=0.1, '
+  return 'strict digraph { ranksep=0.3; nodesep=0.06; margin=0; node [fontname=Helvetica, fontsize=10, height=0.1, width=0.1, '
          .. 'margin="0.03,0.02", shape=box, style=filled, fillcolor="#eeeeee"];'
          .. table.concat(nodes, ';') .. ';' .. table.concat(edges, ';') .. '}'
 end
