@@ -9,11 +9,11 @@
 #include "motion/two_body.h"
 #include "text/scope.h"
 
-enum { MOST = 17, PREC = 64, ENDS_PREC = 256, WIDTH = 24 };
+enum { MOST = 18, PREC = 64, ENDS_PREC = 256, WIDTH = 36 };
 
 typedef void moved(arb_ptr out, arb_srcptr in, slong prec);
 
-/* The pair in the inverse-square field after the 32nd part of a radian, one step; in: smallness, c1, c2, shares of mass, places, velocities. */
+/* (B1) to (B3): the pair in the inverse-square field, one step; in: smallness, c1, c2, shares of mass, places, velocities, radians. */
 static void pair_in_the_inverse_square_field(arb_ptr out, arb_srcptr in, slong prec)
 {
     struct two_body b;
@@ -25,7 +25,7 @@ static void pair_in_the_inverse_square_field(arb_ptr out, arb_srcptr in, slong p
     _arb_vec_set(b.mass, in + 3, CRAFT);
     _arb_vec_set(b.place, in + 5, CRAFT * AXES);
     _arb_vec_set(b.velocity, in + 11, CRAFT * AXES);
-    arb_set_d(tau, 0x1p-5);
+    arb_set(tau, in + 17);
     ck_assert(two_body_move(&b, tau, prec));
     _arb_vec_set(out, b.place, CRAFT * AXES);
     _arb_vec_set(out + 6, b.velocity, CRAFT * AXES);
@@ -45,13 +45,67 @@ static void coordinates_of_angles(arb_ptr out, arb_srcptr in, slong prec)
     flow_parameters_clear(&p);
 }
 
+static int take(void *context, slong k, const fmpq_t t, arb_srcptr state)
+{
+    (void)k;
+    (void)t;
+    _arb_vec_set(context, state, FLOW_STATE);
+    return 0;
+}
+
+/* Omega, L_ref, C1, C2, of the nonlinear model k_c, m1, m2 as well, and the state; one step of a second. */
+static void one_step(arb_ptr out, bool nonlinear, arb_srcptr in, slong prec)
+{
+    struct flow_parameters p;
+    SCOPE(fmpq, second);
+    double reached;
+    flow_parameters_init(&p);
+    arb_ptr all[] = {p.Omega, p.L_ref, p.C1, p.C2, p.k_c, p.m1, p.m2};
+    const int parameters = nonlinear ? 7 : 4;
+    for (int i = 0; i < parameters; i++)
+        arb_set(all[i], in + i);
+    fmpq_one(second);
+    ck_assert_int_eq(rk4(nonlinear, &p, in + parameters, second, second, 1, prec, take, out, &reached), FLOW_DONE);
+    flow_parameters_clear(&p);
+}
+
+static void steps_of_the_method(arb_ptr out, arb_srcptr in, slong prec)
+{
+    one_step(out, true, in, prec);
+}
+
+static void steps_of_the_linear_method(arb_ptr out, arb_srcptr in, slong prec)
+{
+    one_step(out, false, in, prec);
+}
+
+/* (7), (18), (13), (14) and (21); in: as for a step */
+static void charges_of_a_state(arb_ptr out, arb_srcptr in, slong prec)
+{
+    struct flow_parameters p;
+    flow_parameters_init(&p);
+    arb_ptr all[] = {p.Omega, p.L_ref, p.C1, p.C2, p.k_c, p.m1, p.m2};
+    for (int i = 0; i < 7; i++)
+        arb_set(all[i], in + i);
+    charges_of_state(out, out + 2, sheet(), &p, in + 7, prec);
+    flow_parameters_clear(&p);
+}
+
 static const struct {
     moved *move;
     int inputs, outputs;
     double in[MOST];
 } moves[] = {
-    {pair_in_the_inverse_square_field, 17, 12,
-     {0.125, 10, 2, 0.25, 0.75, 0.5, 0.25, 0.125, -0.5, -0.125, -0.25, 0.0625, -0.0625, 0.125, 0.03125, -0.0625, -0.125}},
+    {pair_in_the_inverse_square_field, 18, 12,
+     {0.125, 10, 2, 0.25, 0.75, 0.5, 0.25, 0.125, -0.5, -0.125, -0.25, 0.0625, -0.0625, 0.125, 0.03125, -0.0625, -0.125, 0x1p-5}},
+    /* p steers alone: places near (1, 0, 0)/s, where it is large, and a step as long as is proved there */
+    {pair_in_the_inverse_square_field, 18, 12,
+     {0.5, 0.125, 0.125, 0.5, 0.5, -0.875, 0.5, 0.25, 0.75, -0.75, -0.5, 0.0625, -0.0625, 0.125, 0.03125, -0.0625, -0.125, 0.1875}},
+    {steps_of_the_method, 13, 6, {1, 2, 10, 8, 1, 1, 1, 1, 0.5, 0.25, 0.5, -0.25, 0.125}}, /* (R1), (R2) */
+    {steps_of_the_method, 13, 6, {1, 2, 0.125, 0.125, 1, 1, 1, 0.25, 0.25, 0.125, 0.5, -0.25, 0.125}},
+    {steps_of_the_method, 13, 6, {4, 25, 512, 16, 1, 3, 2, 0.5, 0.25, 100, 0.5, -0.25, 400}}, /* (R3) */
+    {steps_of_the_linear_method, 10, 6, {8, 2, 640, 16, 0.5, 0.25, 0.125, 4, -2, 1}},
+    {charges_of_a_state, 13, 3, {0.0625, 10, 0.03125, 0.125, 8e9, 150, 100, 4, 0.5, 0.25, 0x1p-6, -0x1p-7, 0x1p-6}},
     {coordinates_of_angles, 9, 6, {150, 100, 25, 0.5, 0.25, 1, 0x1p-12, -0x1p-13, 0x1p-6}},
 };
 

@@ -5,6 +5,12 @@
  *
  * so (psi, l, psi', l') moves by exp(tau A), which arb_mat_exp encloses, and pitch is a sine. Each time has
  * an exponential of its own, 0.05 ms: no error is handed on from row to row.
+ *
+ * Theorem (the linear motion in balls). The state at t lies in the balls for all initial states and parameters in theirs:
+ *   (A1) arb_mat_exp encloses exp of all matrices in tau A; of A the entries c1 and c2 are balls   (set_rates, move_coupled)
+ *   (A2) sine and cosine of 2 tau, tau = Omega t a ball                                           (move_pitch)
+ *   (A3) the units of angles' rates and of lengths, on the way in and out                         (flow_linear)
+ * In eq40_flow_holds_both_ends_of_every_ball (tests/motion/test_flow.c) each ball of what goes in is the widest in turn.
  */
 #include "motion/flow.h"
 

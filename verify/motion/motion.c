@@ -136,9 +136,8 @@ static void distance_and_rate(arb_t L, arb_t L_dot, const struct sheet *sheet, c
     machine_clear(&m);
 }
 
-/* q1 and q2; the charge product Q_ref + dQ itself goes to `product`. */
-static void charges(arb_ptr q, arb_t product, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state,
-                    slong prec)
+void charges_of_state(arb_ptr q, arb_t product, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state,
+                      slong prec)
 {
     VECTOR(arb, in, 8);
     VECTOR(arb, Q, 2);
@@ -178,7 +177,7 @@ static int row_balls(struct pass *p, arb_srcptr state, arb_ptr row)
         flow_settle(p->initial, p->at_equilibrium, row);
     if (m->charges) {
         SCOPE(arb, product);
-        charges(row + FLOW_STATE, product, m->scenario->sheet, &p->parameters, row, p->prec);
+        charges_of_state(row + FLOW_STATE, product, m->scenario->sheet, &p->parameters, row, p->prec);
         p->outside = arb_is_nonnegative(product);
         for (int i = FLOW_STATE; i < ROW_NUMBERS && m->microcoulomb; i++)
             arb_mul_ui(row + i, row + i, 1000000, p->prec);

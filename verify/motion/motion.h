@@ -43,6 +43,10 @@ void scenario_initial(arb_ptr initial, const struct scenario *s, const struct fl
 /* psi theta dL and their rates become position and velocity of craft 1: Eq. (10) and its exact derivative. */
 void state_from_angles(arb_ptr state, const struct sheet *sheet, const struct flow_parameters *p, slong prec);
 
+/* q1 and q2 of a nonlinear motion's state, and Q_ref + dQ */
+void charges_of_state(arb_ptr q, arb_t product, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state,
+                      slong prec);
+
 /* A row holds the state, and for a nonlinear motion q1 and q2 after it. */
 enum { ROW_NUMBERS = FLOW_STATE + 2 };
 

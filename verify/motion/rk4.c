@@ -5,6 +5,13 @@
  * orbit and lengths in L_ref (linear) or r_ref = m2 L_ref / (m1 + m2) (nonlinear, on the Cartesian state)
  * give the steps that an implementer takes in SI, exactly. Plain balls lose a fixed number of bits per
  * radian, whatever the step; rk4_precision pays for that beforehand.
+ *
+ * Theorem (steps in balls). After any number of steps the ball of each coordinate holds it for all initial states and parameters in
+ * theirs: each operation's ball holds the operation's result for all numbers in the balls that it is given. A ball that is lost is
+ *   (R1) of the rates: the distance and its rate, the law's pull, the state         (linear_rates, nonlinear_rates)
+ *   (R2) of a step: h, a stage's part of it, the stages and their sum                (rk4_step)
+ *   (R3) of the units and gains, on the way in and out                               (set_units, flow_gains)
+ * tests/motion/test_balls.c makes each ball of what goes in the widest, in steps so long that each of these has to be there.
  */
 #include "motion/flow.h"
 

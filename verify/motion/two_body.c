@@ -6,7 +6,14 @@
  *     y' = v   v' = -2u - M y               p' = -F^3 E,  E = u + s (xu + yv + zw)
  *     z' = w   w' =     - M z - z
  *
- * and along the line d from craft 2 to craft 1 the pull P of taylor.h, of q = 1/|d|, in shares of the other's mass.
+ * Theorem (steps without a set). With series in balls, majorant_prove of taylor.h bounds what they leave out from every start in
+ * the balls: after each step, from the balls as they then are, the motion of every start and parameter lies in
+ *   (B1) the sum of the series at the ball h             (sum_terms)
+ *   (B2) and the remainder, proved for all of |s| <= |h|  (two_body_move: with the upper bound of |h|, or nothing is said)
+ *   (B3) p and q in balls of all that the craft's are      (start_p, expand_pair)
+ * Each has a test of its name, in tests/motion/test_balls.c or tests/claims/test_convergence.c.
+ *
+ * And along the line d from craft 2 to craft 1 the pull P of taylor.h, of q = 1/|d|, in shares of the other's mass.
  */
 #include "motion/two_body.h"
 

@@ -1,0 +1,198 @@
+/*
+ * verify/motion/motion.h: which scenarios are no motions, what is derived from their values, and which rows a receiver gets.
+ */
+#include "tests/run.h"
+#include "tests/paper.h"
+
+#include "motion/motion.h"
+#include "text/scope.h"
+
+static void give(struct scenario *s, enum scenario_name name, slong numerator, ulong denominator)
+{
+    fmpq_set_si(&s->value[name].value, numerator, denominator);
+    s->given[name] = true;
+}
+
+/* ---- domains ---- */
+
+struct given {
+    enum scenario_name name;
+    slong numerator, denominator;
+};
+
+static const struct {
+    struct given of[6];
+    bool linear, nonlinear;
+    const char *says;
+} domains[] = {
+    {{{SET_Omega, 0, 1}}, false, false, "Omega: expected a number > 0"},
+    {{{SET_L_ref, 0, 1}}, false, false, "L_ref: expected a number > 0"},
+    {{{SET_k_c, 0, 1}}, false, false, "k_c: expected a number > 0"},
+    {{{SET_m1, 0, 1}}, false, false, "m1: expected a number > 0"},
+    {{{SET_m2, 0, 1}}, false, false, "m2: expected a number > 0"},
+    {{{SET_m2, -1, 1}}, false, false, "m2: expected a number > 0"},
+    {{{SET_n, 9, 1}}, true, true, NULL},
+    {{{SET_n, 89, 10}}, false, false, "n: expected a number >= 9"},
+    {{{SET_n, 19, 2}}, true, true, NULL},
+    {{{SET_n, 5, 1}, {SET_C1, 1, 1}}, true, true, NULL},
+    {{{SET_n, 5, 1}, {SET_C2, 1, 1}}, true, true, NULL},
+    {{{SET_dL, -10, 1}}, true, false, "dL: expected the two craft apart"},
+    {{{SET_dL, -11, 1}}, true, false, "dL: expected the two craft apart"},
+    {{{SET_dL, -9, 1}}, true, true, NULL},
+    {{{SET_x1, 0, 1}, {SET_y1, 0, 1}, {SET_z1, 0, 1}}, true, false, "x1 y1 z1: expected the two craft apart"},
+    {{{SET_x1, 1, 1}, {SET_y1, 0, 1}, {SET_z1, 0, 1}}, true, true, NULL},
+    {{{SET_x1, 0, 1}, {SET_y1, 1, 1}, {SET_z1, 0, 1}}, true, true, NULL},
+    {{{SET_x1, 0, 1}, {SET_y1, 0, 1}, {SET_z1, 1, 1}, {SET_dL, -11, 1}}, true, true, NULL},
+};
+
+EACH(outside_its_domain_a_scenario_is_refused, COUNT(domains))
+{
+    struct scenario s;
+    struct message why;
+    scenario_init(&s, sheet(), false);
+    for (int i = 0; i < 6 && domains[_i].of[i].denominator != 0; i++)
+        give(&s, domains[_i].of[i].name, domains[_i].of[i].numerator, (ulong)domains[_i].of[i].denominator);
+    ck_assert_int_eq(scenario_valid(&s, false, &why), domains[_i].linear);
+    ck_assert_int_eq(scenario_valid(&s, true, &why), domains[_i].nonlinear);
+    if (domains[_i].says != NULL)
+        ck_assert_ptr_nonnull(strstr(why.text, domains[_i].says));
+    scenario_clear(&s);
+}
+
+/* ---- what is derived ---- */
+
+/* Of thirds, in so few bits that their balls are wide; n = 28/3: C1 = n Omega^2, C2 = 2 sqrt(n - 9) Omega */
+TEST(parameters_are_the_exact_values_in_balls)
+{
+    enum { BITS = 8 };
+    static const enum scenario_name names[] = {SET_Omega, SET_L_ref, SET_k_c, SET_m1, SET_m2};
+    struct scenario s;
+    struct flow_parameters p;
+    SCOPE(fmpq, exact, half);
+    SCOPE(arb, square);
+    flow_parameters_init(&p);
+    arb_ptr found[] = {p.Omega, p.L_ref, p.k_c, p.m1, p.m2};
+    scenario_init(&s, sheet(), true);
+    for (int i = 0; i < 5; i++)
+        give(&s, names[i], 3 * i + 1, 3);
+    give(&s, SET_n, 28, 3);
+    scenario_parameters(&p, &s, BITS);
+    for (int i = 0; i < 5; i++)
+        ck_assert(arb_contains_fmpq(found[i], &s.value[names[i]].value));
+    fmpq_mul(exact, &s.value[SET_Omega].value, &s.value[SET_Omega].value);
+    fmpq_mul(exact, exact, &s.value[SET_n].value);
+    ck_assert(arb_contains_fmpq(p.C1, exact));
+    arb_sqr(square, p.C2, 64);
+    fmpq_set_si(half, 4, 27); /* C2^2 = 4 (n - 9) Omega^2 */
+    ck_assert(arb_contains_fmpq(square, half));
+    ck_assert(mag_cmp_2exp_si(arb_radref(p.C1), 0) < 0); /* known at all */
+    give(&s, SET_C1, 1, 7);
+    give(&s, SET_C2, 2, 7);
+    scenario_parameters(&p, &s, BITS);
+    ck_assert(arb_contains_fmpq(p.C1, &s.value[SET_C1].value) && arb_contains_fmpq(p.C2, &s.value[SET_C2].value));
+    flow_parameters_clear(&p);
+    scenario_clear(&s);
+}
+
+/* Of either model, by either kind of start: each number at its own place, in its ball */
+EACH(initial_states_are_those_given, 3)
+{
+    enum { BITS = 8 };
+    const bool nonlinear = _i > 0, angles = _i < 2;
+    struct scenario s;
+    struct flow_parameters p;
+    VECTOR(arb, initial, FLOW_STATE);
+    VECTOR(arb, expected, FLOW_STATE);
+    flow_parameters_init(&p);
+    scenario_init(&s, sheet(), true);
+    for (int i = 0; i < FLOW_STATE; i++)
+        give(&s, (enum scenario_name)((angles ? SET_psi : SET_x1) + i), i + 1, 7);
+    scenario_parameters(&p, &s, BITS);
+    scenario_initial(initial, &s, &p, nonlinear, BITS);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_fmpq(expected + i, &s.value[(angles ? SET_psi : SET_x1) + i].value, 64);
+    if (nonlinear && angles)
+        state_from_angles(expected, sheet(), &p, 64);
+    for (int i = 0; i < FLOW_STATE; i++) {
+        ck_assert(nonlinear && angles ? arb_overlaps(initial + i, expected + i) : arb_contains_fmpq(initial + i, &s.value[(angles ? SET_psi : SET_x1) + i].value));
+        ck_assert(!(nonlinear && angles) || !arb_contains_fmpq(initial + i, &s.value[SET_psi + i].value));
+    }
+    flow_parameters_clear(&p);
+    scenario_clear(&s);
+}
+
+/* ---- rows ---- */
+
+struct rows {
+    slong count, stop_after;
+    char first[ROW_NUMBERS][40];
+};
+
+static int count_row(void *context, slong k, const fmpq_t t, char *const *numbers)
+{
+    struct rows *r = context;
+    (void)t;
+    ck_assert_int_eq(k, r->count++);
+    for (int i = 0; i < ROW_NUMBERS; i++)
+        snprintf(r->first[i], sizeof r->first[i], "%.39s", numbers[i] != NULL ? numbers[i] : "");
+    return r->count == r->stop_after;
+}
+
+/* The pair is repelled: 20 radians on the first bits are not enough, and what has been handed on is not handed on again. */
+TEST(rows_that_take_more_bits_come_once)
+{
+    enum { ROWS = 12 };
+    struct scenario s;
+    struct message why;
+    struct rows r = {0};
+    VECTOR(fmpq, times, ROWS);
+    scenario_init(&s, sheet(), false);
+    for (int k = 0; k < ROWS; k++)
+        fmpq_set_si(times + k, 25000 * k, 1);
+    give(&s, SET_C1, -53, 10000000);
+    give(&s, SET_C2, 0, 1);
+    const struct motion m = {.scenario = &s, .nonlinear = true, .digits = 8};
+    ck_assert_msg(motion_rows(&m, times, ROWS, count_row, &r, &why) == 0, "%s", why.text);
+    ck_assert_int_eq(r.count, ROWS);
+    r = (struct rows){.stop_after = 3};
+    ck_assert_int_eq(motion_rows(&m, times, ROWS, count_row, &r, &why), 0);
+    ck_assert_int_eq(r.count, 3);
+    scenario_clear(&s);
+}
+
+/* Omega = 1/32: all is exact. At rest Q = -3 Omega^2 L^3 m1 m2/(k_c (m1 + m2)), q1 its root: 3/8 C, and of small angles x1 = L m2/(m1 + m2) */
+TEST(a_row_is_in_the_unit_that_is_asked_for)
+{
+    struct scenario s;
+    struct message why;
+    struct rows r = {0};
+    VECTOR(fmpq, time, 1);
+    scenario_init(&s, sheet(), false);
+    give(&s, SET_Omega, 1, 32);
+    give(&s, SET_k_c, 1, 3);
+    give(&s, SET_m1, 1, 1);
+    give(&s, SET_m2, 1, 1);
+    give(&s, SET_L_ref, 4, 1);
+    for (int i = SET_psi; i <= SET_dL_dot; i++)
+        give(&s, (enum scenario_name)i, 0, 1);
+    struct motion m = {.scenario = &s, .nonlinear = true, .charges = true, .digits = 6};
+    ck_assert_msg(motion_rows(&m, time, 1, count_row, &r, &why) == 0, "%s", why.text);
+    ck_assert_double_eq_tol(strtod(r.first[FLOW_STATE], NULL), 0.530330, 1e-6); /* sqrt(9/32) */
+    ck_assert_double_eq_tol(strtod(r.first[FLOW_STATE + 1], NULL), -0.530330, 1e-6);
+    r.count = 0;
+    m.microcoulomb = true;
+    ck_assert_int_eq(motion_rows(&m, time, 1, count_row, &r, &why), 0);
+    ck_assert_double_eq_tol(strtod(r.first[FLOW_STATE], NULL), 530330, 1);
+    ck_assert_double_eq_tol(strtod(r.first[FLOW_STATE + 1], NULL), -530330, 1);
+    r.count = 0;
+    m = (struct motion){.scenario = &s, .small_angles = true, .digits = 6};
+    give(&s, SET_psi, 1, 4);
+    give(&s, SET_theta, 1, 8);
+    give(&s, SET_dL, 4, 1);
+    give(&s, SET_m1, 3, 1);
+    ck_assert_int_eq(motion_rows(&m, time, 1, count_row, &r, &why), 0);
+    ck_assert_double_eq(strtod(r.first[0], NULL), 2);
+    ck_assert_double_eq(strtod(r.first[1], NULL), 0.5);
+    ck_assert_double_eq(strtod(r.first[2], NULL), -0.25);
+    scenario_clear(&s);
+}
