@@ -210,7 +210,7 @@ static int read_set(struct scenario *s, const struct arguments *a)
         free(plain.assignments[k]);
     }
     free(plain.assignments);
-    if (status == EXIT_DONE && !set_valid(s, &why))
+    if (status == EXIT_DONE && !scenario_valid(s, true, &why))
         status = usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     return status;
 }

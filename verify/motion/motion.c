@@ -33,40 +33,53 @@ void scenario_clear(struct scenario *s)
     }
 }
 
-static bool is_positive(const struct scenario *s, enum scenario_name name)
-{
-    return fmpq_sgn(&s->value[name].value) > 0;
-}
-
 static bool cartesian(const struct scenario *s)
 {
     return s->given[SET_x1];
 }
 
+/* Whether all numbers within the radius of the value are > 0 */
+static bool is_positive(const struct scenario *s, enum scenario_name name)
+{
+    return fmpq_cmp(&s->value[name].value, s->radius + name) > 0;
+}
+
+/* Whether no two craft meet: some coordinate never vanishes, or the length is positive. */
+static bool is_apart(const struct scenario *s)
+{
+    SCOPE(fmpq, x, y);
+    bool apart = false;
+    for (int i = SET_x1; i <= SET_z1 && cartesian(s); i++) {
+        fmpq_abs(x, &s->value[i].value);
+        apart = apart || fmpq_cmp(x, s->radius + i) > 0;
+    }
+    if (cartesian(s))
+        return apart;
+    fmpq_add(x, &s->value[SET_L_ref].value, &s->value[SET_dL].value);
+    fmpq_add(y, s->radius + SET_L_ref, s->radius + SET_dL);
+    return fmpq_cmp(x, y) > 0;
+}
+
 bool scenario_valid(const struct scenario *s, bool nonlinear, struct message *why)
 {
     static const enum scenario_name positive[] = {SET_Omega, SET_L_ref, SET_k_c, SET_m1, SET_m2};
-    const fmpq *const value = &s->value[SET_n].value;
+    const char *where = "";
+    for (int i = 0; i < SCENARIO_VALUES; i++)
+        if (!fmpq_is_zero(s->radius + i))
+            where = ", in all of the box";
     for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
         if (!is_positive(s, positive[i])) {
-            message_set(why, "%s: expected a number > 0", scenario_names[positive[i]]);
+            message_set(why, "%s: expected a number > 0%s", scenario_names[positive[i]], where);
             return false;
         }
-    if (!s->given[SET_C1] && !s->given[SET_C2] && fmpq_cmp_si(value, 9) < 0) {
+    if (!s->given[SET_C1] && !s->given[SET_C2] && fmpq_cmp_si(&s->value[SET_n].value, 9) < 0) {
         message_set(why, "n: expected a number >= 9, Eq. (44)");
         return false;
     }
-    if (!nonlinear)
+    if (!nonlinear || is_apart(s))
         return true;
-    SCOPE(fmpq, length);
-    fmpq_add(length, &s->value[SET_L_ref].value, &s->value[SET_dL].value);
-    bool apart = fmpq_sgn(length) > 0;
-    if (cartesian(s))
-        apart = !(fmpq_is_zero(&s->value[SET_x1].value) && fmpq_is_zero(&s->value[SET_y1].value) &&
-                  fmpq_is_zero(&s->value[SET_z1].value));
-    if (!apart)
-        message_set(why, "%s: expected the two craft apart, L > 0", cartesian(s) ? "x1 y1 z1" : "dL");
-    return apart;
+    message_set(why, "%s: expected the two craft apart, L > 0%s", cartesian(s) ? "x1 y1 z1" : "dL", where);
+    return false;
 }
 
 /* ---- parameters and initial states, derived without rounding ---- */

@@ -30,7 +30,7 @@ extern const char *const scenario_names[SCENARIO_VALUES];
 void scenario_init(struct scenario *s, const struct sheet *sheet, bool exact);
 void scenario_clear(struct scenario *s);
 
-/* False, and why, where a value lies outside its domain. Wrong combinations are the caller's business. */
+/* False, and why, where a value, or one within its radius, lies outside its domain. Wrong combinations are the caller's business. */
 bool scenario_valid(const struct scenario *s, bool nonlinear, struct message *why);
 
 /*
@@ -68,7 +68,6 @@ struct motion {
  */
 enum { SET_NUMBERS = 2 * FLOW_STATE };
 bool may_have_radius(enum scenario_name name); /* k_c's is the force's alone: the law has its middle */
-bool set_valid(const struct scenario *s, struct message *why);
 int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, const fmpq *times, slong count, row_receiver *receive,
                     void *context, struct message *why);
 

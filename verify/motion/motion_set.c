@@ -134,32 +134,6 @@ static void models_of(struct flow_set *set, const struct scenario *s)
         model_clear(&m[i]);
 }
 
-/* What has to be positive everywhere in the box: masses, L_ref and k_c, and a length that no craft meet at */
-bool set_valid(const struct scenario *s, struct message *why)
-{
-    static const enum scenario_name positive[] = {SET_m1, SET_m2, SET_L_ref, SET_k_c};
-    SCOPE(fmpq, x);
-    for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
-        if (fmpq_cmp(&s->value[positive[i]].value, s->radius + positive[i]) <= 0) {
-            message_set(why, "%s: expected numbers > 0 in all of the box", scenario_names[positive[i]]);
-            return false;
-        }
-    bool apart = false;
-    if (s->given[SET_x1]) {
-        for (int i = SET_x1; i <= SET_z1; i++) {
-            fmpq_abs(x, &s->value[i].value);
-            apart = apart || fmpq_cmp(x, s->radius + i) > 0;
-        }
-    } else {
-        fmpq_add(x, &s->value[SET_L_ref].value, &s->value[SET_dL].value);
-        fmpq_sub(x, x, s->radius + SET_L_ref);
-        apart = fmpq_cmp(x, s->radius + SET_dL) > 0;
-    }
-    if (!apart)
-        message_set(why, "%s: expected the two craft apart, L > 0, in all of the box", s->given[SET_x1] ? "x1 y1 z1" : "dL");
-    return apart;
-}
-
 /* Whether the box is so wide, against the distance, that one degree more is worth its cost */
 static bool is_wide(const struct scenario *s)
 {
