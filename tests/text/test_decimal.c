@@ -328,7 +328,7 @@ static const struct {
     {0, 0, 7, "0"},
 };
 
-EACH(ball_is_decided_when_all_of_it_rounds_alike, COUNT(balls))
+EACH(D1_a_ball_is_decided_when_all_of_it_rounds_alike, COUNT(balls))
 {
     SCOPE(arb, x);
     arb_set_si(x, balls[_i].low + balls[_i].high);
@@ -336,6 +336,94 @@ EACH(ball_is_decided_when_all_of_it_rounds_alike, COUNT(balls))
     arb_div_ui(x, x, 200, 60);
     char *text = decimal_of_ball(x, balls[_i].digits);
     ck_assert_pstr_eq(text, balls[_i].text);
+    free(text);
+}
+
+/*
+ * An m near one of 200 bits of which m P/Q is about 2^-71 from n + 1/2: of the convergents of P/Q, with remainders that alternate and
+ * shrink, as many are taken away as bring m P mod Q nearest to Q/2.
+ */
+static void beside_a_tie(fmpz_t m, const fmpz_t P, const fmpz_t Q, uint64_t *random)
+{
+    SCOPE(fmpz, off, large, small, before, now, times);
+    SCOPE(fmpz, half, rest);
+    fmpz_set(large, Q);
+    fmpz_mod(small, P, Q);
+    fmpz_one(now);
+    fmpz_one(m);
+    for (int k = 0; k < 4; k++) {
+        fmpz_mul_2exp(m, m, 50);
+        fmpz_add_ui(m, m, (ulong)(next_random(random) >> 14));
+    }
+    fmpz_mul(off, m, P);
+    fmpz_mod(off, off, Q);
+    fmpz_fdiv_q_2exp(half, Q, 1);
+    fmpz_sub(off, off, half);
+    for (int sign = 1; fmpz_bits(now) < 70; sign = -sign) {
+        fmpz_fdiv_q_2exp(rest, small, 1);
+        fmpz_add(rest, rest, off);
+        fmpz_fdiv_q(times, rest, small); /* off = times small, nearly */
+        fmpz_submul(off, times, small);
+        fmpz_submul(m, times, now);
+        fmpz_fdiv_qr(times, rest, large, small);
+        fmpz_swap(large, small);
+        fmpz_swap(small, rest);
+        fmpz_addmul(before, times, now);
+        fmpz_swap(before, now);
+        fmpz_neg(off, off); /* as the next remainder counts the other way */
+    }
+}
+
+/* |x| 10^k next to a tie, exactly known, where 10^k has far more bits than it is given: right, or refused. Both happen. */
+EACH(D2_and_D3_products_and_quotients_beside_a_tie_are_right_or_refused, 2)
+{
+    enum { EXPONENT = 400, TWOS = 929, NUMBERS = 2000 }; /* 5^400 is about 2^929 */
+    const bool product = _i == 0;
+    uint64_t random = 88172645463325252;
+    int decided = 0;
+    SCOPE(fmpz, m, fives, twos, n);
+    SCOPE(fmpq, exact);
+    SCOPE(arb, x);
+    fmpz_ui_pow_ui(fives, 5, EXPONENT);
+    fmpz_one_2exp(twos, TWOS);
+    for (int i = 0; i < NUMBERS; i++) {
+        beside_a_tie(m, product ? fives : twos, product ? twos : fives, &random);
+        fmpz_mul(n, m, product ? fives : twos);
+        fmpz_fdiv_q(n, n, product ? twos : fives);
+        const slong digits = (slong)fmpz_sizeinbase(n, 10);
+        arb_set_fmpz(x, m);
+        arb_mul_2exp_si(x, x, product ? -TWOS - EXPONENT : TWOS + EXPONENT);
+        arf_get_fmpq(exact, arb_midref(x));
+        char *text = decimal_of_ball(x, digits), *due = decimal_of_rational(exact, digits);
+        decided += text != NULL;
+        if (text != NULL)
+            ck_assert_str_eq(text, due);
+        free(text);
+        free(due);
+    }
+    ck_assert_int_gt(decided, NUMBERS / 10);
+    ck_assert_int_lt(decided, NUMBERS - NUMBERS / 10);
+}
+
+/* (2 j + 1)/2 10^k for whole numbers of 60 digits is exact, as are odd multiples of 2^-k. */
+EACH(D4_a_tie_is_decided_and_goes_to_the_even, 200)
+{
+    SCOPE(fmpz, j, power);
+    SCOPE(arb, x);
+    char due[80];
+    fmpz_ui_pow_ui(j, 7, 70); /* an odd number of 60 digits: j/2 is a tie */
+    fmpz_add_ui(j, j, 2 * (ulong)_i);
+    arb_set_fmpz(x, j);
+    fmpz_ui_pow_ui(power, 10, (ulong)_i);
+    arb_mul_fmpz(x, x, power, ARF_PREC_EXACT);
+    arb_mul_2exp_si(x, x, -1);
+    fmpz_fdiv_q_2exp(j, j, 1);
+    fmpz_add_ui(j, j, fmpz_is_odd(j));
+    fmpz_get_str(due, 10, j);
+    char *text = decimal_of_ball(x, (slong)strlen(due));
+    ck_assert_ptr_nonnull(text);
+    ck_assert_int_eq(text[0], due[0]);
+    ck_assert_int_eq(strncmp(text + 2, due + 1, strlen(due) - 1), 0);
     free(text);
 }
 

@@ -198,7 +198,11 @@ char *decimal_of_rational(const fmpq_t x, slong digits)
     return rounded_text(round_rational, x, digits);
 }
 
-/* What both ends round to, all between them rounds to. */
+/*
+ * Theorem. n is the integer nearest to |x| 10^k, ties to even, for every x of the ball. It rests on these, each with a test of its name
+ * in tests/text/test_decimal.c: (D1) the ball's radius; (D2) the roundings of 10^k and of the product or quotient, to prec bits;
+ * (D3) ends rounded outward, of which both round to n, and so does all between them; (D4) a tie, of which nothing is rounded.
+ */
 static bool round_ball(fmpz_t n, const void *x, slong k)
 {
     const double bits_a_digit = 3.3219280948873623; /* OEIS A020862 */
