@@ -262,18 +262,10 @@ $(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS)
 mcdc:
 	@CC='$(CC)' MAKE='$(MAKE)' coverage/mcdc.sh $(BUILD)/mcdc
 
-# Everything is compiled for shared libraries, so that a mutant is one library made anew.
 ## mutants: wrong programs, one point away from the right one, and whether the tests notice; SAMPLE=200 SEED=... a sample; KIND=soundness
 mutants:
-	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) coverage/mutants.py --self-test
-	$(MAKE) BUILD=$(BUILD)/mutants CFLAGS='-O1 -fPIC' mutants-objects
-	$(if $(KIND),,$(MAKE) BUILD=$(BUILD)/mutants/sanitized CFLAGS='-O1 -fPIC $(SANITIZE)' mutants-objects)
-	@CC='$(CC)' MUTANT_FLAGS='-fPIC $(STANDARD) -I. $(subst ','\'',$(VERIFY_CFLAGS)) $(CHECK_CFLAGS)' \
-	  MUTANT_LIBS='$(CHECK_LIBS) $(VERIFY_LIBS)' MUTANT_SANITIZE='$(SANITIZE)' \
-	  PYTHONDONTWRITEBYTECODE=1 \
-	  $(PYTHON) coverage/mutants.py $(BUILD)/mutants $(addprefix --kind ,$(KIND)) $(addprefix --sample ,$(SAMPLE)) $(addprefix --seed ,$(SEED)) $(addprefix --only ,$(ONLY))
-
-mutants-objects: $(REF) $(VERIFY) $(EMBED) $(patsubst %,$(BUILD)/%.o,verify/command/main verify/command/sheet_check $(basename $(wildcard tests/*.c tests/clients/*.c) $(SUITES)))
+	@export PYTHONDONTWRITEBYTECODE=1; $(PYTHON) coverage/mutants.py --self-test && CC='$(CC)' $(PYTHON) coverage/mutants.py $(BUILD)/mutants \
+	  $(foreach option,KIND SAMPLE SEED ONLY BUDGET,$(addprefix --$(shell echo $(option) | tr A-Z a-z) ,$($(option)))) $(if $(README),--readme)
 
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar), and what SCOPE initialises in symbolic.c for unset.
 ## lint: clang-tidy and cppcheck, without findings
@@ -557,6 +549,6 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check suites bench reproduce gate extend coverage mcdc mutants mutants-objects faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
+.PHONY: all check suites bench reproduce gate extend coverage mcdc mutants faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
   verify errors readme data million figures pictures paper site deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/*/*/*/*.d)

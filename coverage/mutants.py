@@ -1,18 +1,21 @@
 """Mutants: wrong programs, one point away from the right one, and whether the tests notice.
 
-    python3 coverage/mutants.py BUILD [--kind soundness] [--sample N] [--seed S] [--only FILE, or how its name begins] [--workers N]
+    python3 coverage/mutants.py BUILD [--kind tokens|soundness] [--sample N] [--seed S] [--only FILE, or how its name begins]
+                                      [--budget SECONDS] [--workers N] [--readme]
     python3 coverage/mutants.py --self-test
 
-Every mutant of ref/ and of the three sheets, and a sample of verify/, is built and put before the fastest check that should
-notice it; what passes of verify/, before the same under the sanitizers; what survives, before all. A mutant is one shared
-library made anew, in a shadow of the source tree whose files are links. --kind soundness takes all of verify/ instead, by what makes a bound too narrow or a proof none, and
-stops where the checks that should notice do not: no such survivor is let pass. Verdicts are kept in BUILD/results.csv, by the
-mutant's content: a run that was cut short goes on, a kill stands, a survivor is asked again once anything in the project
-has changed. coverage/survivors.csv lists the mutants that no check can kill, each with its reason. Run by `make mutants`,
-which builds BUILD and BUILD/sanitized, and hands the commands over.
+All mutants of C are in one program: a function that has some is there once for each, beside the right one, and the environment
+says which of them is called (mutants.c). So they are compiled and linked once, in a copy of the tree, and no more is
+done for a mutant than to run tests. Only what a macro or a table has wrong is compiled by itself; a sheet that is wrong is read
+instead of the one in the program.
+Every test of the suites, and every command that makes data, is a check. The right program passes each first, which tells how long it
+takes and which functions it reaches. A mutant is put before those that reach it, first those that have noticed others of
+its function and its file, the quick ones before the slow, until one notices it or its processor time is spent.
+Verdicts are kept in BUILD/results.csv by the mutant's content: a run that was cut short goes on, a kill stands, a survivor is
+asked again once anything in the project has changed. coverage/survivors.csv lists the mutants that no check can kill, each with its
+reason. Run by `make mutants`.
 """
 import argparse
-import atexit
 import collections
 import concurrent.futures
 import contextlib
@@ -20,38 +23,27 @@ import csv
 import functools
 import hashlib
 import itertools
+import json
 import math
 import os
 import pathlib
-import queue
 import re
-import shlex
 import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
-import time
 
-from mutants_of import mutants
+from mutants_of import C, mutants
 
 ROOT = pathlib.Path.cwd()
-LISTED = ROOT / 'coverage/survivors.csv'
-VERIFY_SAMPLE, VERIFY_SEED, VERIFY_LEAST = 250, 1, 0.9
-LIKELY_LEAST = 0.8  # of the mutants of verify/ that the likely checks alone have to notice, in a sample; measured: 0.89
-CC = shlex.split(os.environ.get('CC', 'cc'))
-FLAGS = shlex.split(os.environ.get('MUTANT_FLAGS', ''))
-LIBS = shlex.split(os.environ.get('MUTANT_LIBS', ''))
-SANITIZE = shlex.split(os.environ.get('MUTANT_SANITIZE', ''))
-STRICT = ['-O2', '-Wall', '-Wextra', '-Wpedantic', '-Werror']
-ALONE = {'verify/command/main.c': 'coulomb-tether', 'verify/command/sheet_check.c': 'sheet-check'}
+LISTED, README = ROOT / 'coverage/survivors.csv', ROOT / 'coverage/README.md'
+KINDS = ('tokens', 'soundness')
 SHEETS = ('paper/equations.yaml', 'paper/derivations.yaml', 'paper/claims.yaml')
-COUNTED = ('verify/', *SHEETS[1:])  # what a sample of these survives is counted, not pursued: not all that is equivalent is listed
-
-Check = collections.namedtuple('Check', 'name command expected seconds')  # expected: what it has to print, where that counts
-
-
+PROVES = {SHEETS[1]: 'derivations', SHEETS[2]: '--csv'}  # what verify proves of a sheet as a whole
+VERIFY_SAMPLE, VERIFY_SEED, VERIFY_LEAST = 250, 1, 0.9  # of the tokens of verify/, which are too many; and how many must be noticed
+SAMPLE_LEAST = 0.5  # of so few that 80 % of all may well be 60 % of them
+COUNTED = ('verify/', *SHEETS[1:])  # in a sample: not all that is equivalent there is listed
 FILES = [str(file.relative_to(ROOT)) for folder in ('', 'coverage', 'data', 'paper', 'ref', 'tests', 'verify')
          for file in sorted((ROOT / folder).glob('**/*' if folder else '*')) if file.is_file()]
 
@@ -59,355 +51,305 @@ FILES = [str(file.relative_to(ROOT)) for folder in ('', 'coverage', 'data', 'pap
 class Mutant:
     """text[start:end] of a file replaced."""
 
-    def __init__(self, file, text, start, end, by):
-        self.file, self.right, self.change = file, text, (start, end, by)
+    def __init__(self, file, text, start, end, by, what, kind):
+        self.file, self.right, self.start, self.end, self.by, self.what, self.kind = file, text, start, end, by, what, kind
+        self.number = self.function = 0
 
     @property
     def text(self):
-        start, end, by = self.change
-        return self.right[:start] + by + self.right[end:]
+        return self.right[:self.start] + self.by + self.right[self.end:]
 
     @property
     def line(self):
-        return self.right.count('\n', 0, self.change[0]) + 1
+        return self.right.count('\n', 0, self.start) + 1
 
     @functools.cached_property
     def shown(self):
         """The changed line as a word diff, on one line."""
-        start, end, by = self.change
-        first, last = self.right.rfind('\n', 0, start) + 1, self.right.find('\n', end)
-        line = f'{self.right[first:start]}[-{self.right[start:end]}-]{{+{by}+}}{self.right[end:last]}'
+        first, last = self.right.rfind('\n', 0, self.start) + 1, self.right.find('\n', self.end)
+        line = f'{self.right[first:self.start]}[-{self.right[self.start:self.end]}-]{{+{self.by}+}}{self.right[self.end:last]}'
         return ' '.join(line.split())
 
     @functools.cached_property
     def key(self):
         return hashlib.sha256(f'{self.file}\0{self.text}'.encode()).hexdigest()[:20]
 
-
-def mutants_of_file(file, kind):
-    text = (ROOT / file).read_text()
-    return [Mutant(file, text, *change) for change in mutants(file, text, kind)]
-
-
-def part_of(file):
-    return file if file in SHEETS else file.split('/')[0] + '/'
+    @property
+    def part(self):
+        return self.file if self.file in SHEETS else 'ref/' if self.file.startswith('ref/') else '/'.join(self.file.split('/')[:2]) + '/'
 
 
-def all_mutants(only, kind):
-    """By part: ref/, either sheet, verify/. Headers of verify/ and the public one declare, and compute nothing."""
-    parts = collections.defaultdict(list)
-    for file in FILES:
-        if not file.startswith(only):
+def all_mutants(only):
+    """Headers of verify/ and the public one declare, and compute nothing."""
+    return [Mutant(file, text, *change, kind) for file in FILES if file.startswith(only)
+            if file in (*SHEETS, 'ref/internal.h') or file.startswith(('ref/', 'verify/')) and file.endswith('.c')
+            for text in [(ROOT / file).read_text()] for kind in KINDS if kind == 'tokens' or file.startswith('verify/')
+            for change in mutants(file, text, kind if kind == 'soundness' else '')]
+
+
+# ---- one program of them all ----
+
+FUNCTION = re.compile(r'^(?P<sign>[a-z_][^\n;{}#=]*(?:\n[ \t][^\n;{}=]*)*\))\n\{\n(?P<body>(?:(?!\}).*\n)*)^\}\n', re.M)
+
+
+def signature(sign):
+    """Where a function's name stands in its signature, and the names of its parameters; None where their number varies."""
+    c = C(sign)
+    opening = min(i for i in c.partner if c.word(i) == '(' and c.kind(i - 1) == 'name' and c.word(i - 1) != '__attribute__')
+    parameters = [c.source(*part) for part in c.parts(opening)]
+    if '...' in parameters:
+        return None
+    names = [re.search(r'\(\s*\*\s*(?:const\s+)?(\w+)', p) or re.search(r'(\w+)\s*(?:\[[^\]]*\]\s*)*$', p) for p in parameters]
+    return c.marks[opening - 1][2:], [m.group(1) for m in names if m.group(1) != 'void']
+
+
+def schemata(file, text, chosen, functions):
+    """The text of a file in which each function that has mutants calls the one that is chosen."""
+    pieces, at = [f'extern int mutant_; extern unsigned char *mutant_reached_;\n#line 1 "{file}"\n'], 0
+    for f in FUNCTION.finditer(text):
+        begin, end, sign = *f.span('body'), f.group('sign')
+        (first, last), names = signature(sign) or ((0, len(sign)), None)
+        name = sign[first:last]
+        number = functions.setdefault(f'{file}:{name}', len(functions) + 1)
+        mine = [m for m in chosen if begin <= m.start and m.end <= end]
+        if not mine or names is None:
             continue
-        if (file in SHEETS or file == 'ref/internal.h' or file.startswith(('ref/', 'verify/')) and file.endswith('.c')) and \
-                (not kind or file.startswith('verify/')):
-            parts[part_of(file)].extend(mutants_of_file(file, kind))
-    return dict(parts)
+
+        def copy(tag, body):
+            renamed = re.sub(r'\b(static|extern|inline)\b\s*', '', f'{sign[:last]}__{tag}{sign[last:]}')
+            return f'#line 1 "{tag}"\nstatic {renamed}\n{{\n{body}}}\n'
+
+        def call(tag):
+            called = f'{name}__{tag}({", ".join(names)});'
+            return f'{called} return;' if re.search(r'\bvoid\s*$', sign[:first]) else f'return {called}'
+        pieces += [text[at:f.start()], sign, ';\n', copy('right', text[begin:end])]
+        for m in mine:
+            m.function = number
+            pieces.append(copy(f'm{m.number}', text[begin:m.start] + m.by + text[m.end:end]))
+        cases = ''.join(f'    case {m.number}: {call(f"m{m.number}")}\n' for m in mine)
+        line = text.count('\n', 0, f.end()) + 1
+        pieces.append(f'{sign}\n{{\n    mutant_reached_[{number}] = 1;\n    switch (mutant_) {{\n{cases}    default: {call("right")}\n    }}\n}}\n'
+                      f'#line {line} "{file}"\n')
+        at = f.end()
+    return ''.join([*pieces, text[at:]])
 
 
-# ---- running ----
-
-def kill_session(session):
-    """The tests start processes in groups of their own; what they have in common is the session."""
-    for entry in pathlib.Path('/proc').glob('[0-9]*/stat'):
-        try:
-            if int(entry.read_text().rpartition(')')[2].split()[3]) == session:
-                os.kill(int(entry.parent.name), signal.SIGKILL)
-        except (OSError, ValueError, IndexError):
-            pass  # it has ended by itself
+def put(path, content):
+    content = content.encode() if isinstance(content, str) else content
+    if not path.is_file() or path.read_bytes() != content:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
 
 
-def run(command, limit, output=subprocess.DEVNULL, **options):
-    """Exit status, or None where it had to be stopped."""
-    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, start_new_session=True,
-                          **options) as process:
-        try:
-            return process.wait(limit)
-        except subprocess.TimeoutExpired:
-            kill_session(process.pid)
-            return None
+class Tree:
+    """A copy of the project with all that is chosen in its program."""
 
-
-def objects(folder, besides=()):
-    return sorted(str(o) for o in folder.glob('**/*.o') if o.stem not in besides)
-
-
-class Place:
-    """A shadow of the source tree and of the build, in which one mutant at a time lives."""
-
-    def __init__(self, linked, name):
-        self.linked, self.base = linked, linked.parent
-        self.flags = FLAGS + SANITIZE * (self.base.name == 'sanitized')
-        (self.base / 'places').mkdir(exist_ok=True)
-        self.root = pathlib.Path(tempfile.mkdtemp(prefix=f'{name}-', dir=self.base / 'places'))
-        self.build = self.root / 'build'
-        atexit.register(shutil.rmtree, self.root, ignore_errors=True)
+    def __init__(self, base):
+        self.root, self.build, self.functions = base / 'tree', base / 'tree/build', {}
         for file in FILES:
-            (self.root / file).parent.mkdir(parents=True, exist_ok=True)
-            (self.root / file).symlink_to(ROOT / file)
-        (self.build / 'tests').mkdir(parents=True)
-        self.right = {}  # the code of files as they are
-        self.fresh()
-        self.environment = dict(
-            os.environ, BUILD='build', CT_BUILD=str(self.build), CT_PROGRAM=str(self.build / 'coulomb-tether'),
-            LD_LIBRARY_PATH=f'{self.build}/made:{linked}', LC_ALL='C',
-            CK_TIMEOUT_MULTIPLIER='10' if self.base.name == 'sanitized' else '1')
+            if not file.endswith(('.c', 'internal.h')):
+                put(self.root / file, (ROOT / file).read_bytes())
+                shutil.copymode(ROOT / file, self.root / file)
+        put(self.root / 'ref/mutants.c', (ROOT / 'coverage/mutants.c').read_text())
 
-    def fresh(self):
-        shutil.rmtree(self.build / 'made', ignore_errors=True)
-        (self.build / 'made').mkdir()
-        for file in itertools.chain(*(self.linked.glob(part) for part in ('*', 'tests/*'))):
-            link = self.build / file.relative_to(self.linked)
-            if file.is_file() and file.suffix != '.so':
-                link.unlink(missing_ok=True)
-                link.symlink_to(file)
+    def make(self):
+        """What the compiler says; and whether it made everything."""
+        wraps = ''.join(f' -Wl,--wrap={name}' for name in ('_ck_assert_failed', 'kill', 'embedded_sources'))
+        environment = {name: value for name, value in os.environ.items() if name not in ('MAKEFLAGS', 'MAKELEVEL', 'MFLAGS', 'CT_MAKE', 'BUILD')}
+        made = subprocess.run(['make', '-s', '-k', 'all', 'suites', 'BUILD=build', 'CPPFLAGS=-Iverify -I.', 'LDFLAGS=' + wraps,
+                               'CFLAGS=-O1 -fno-inline ' + os.environ.get('MUTANT_CFLAGS', '')],
+                              cwd=self.root, env=environment, capture_output=True, text=True)
+        return made.stderr, made.returncode == 0
 
-    def compiler(self, *arguments):
-        return run([*CC, *self.flags, *arguments], 120, cwd=self.root) == 0
+    def compile(self, chosen):
+        """Those that the compiler refuses, or warns of, by number."""
+        of, dead = collections.defaultdict(list), set()
+        for number, mutant in enumerate(chosen, 1):
+            mutant.number = number
+            of[mutant.file].append(mutant)
+        while True:
+            self.functions.clear()
+            for file in FILES:
+                if file.endswith(('.c', 'internal.h')):
+                    text = (ROOT / file).read_text()
+                    live = [m for m in of[file] if m.number not in dead]
+                    put(self.root / file, schemata(file, text, live, self.functions) if file.startswith(('ref/', 'verify/')) else text)
+            said, made = self.make()
+            warned = {int(n) for n in re.findall(r'^m(\d+):\d+:\d+: (?:error|warning)', said, re.M)}
+            if made:
+                return dead | warned
+            if warned <= dead:
+                sys.exit(f'mutants: the tree cannot be made:\n{said}')
+            dead |= warned
 
-    def compiled(self, file, *flags, into='mutant'):
-        """The objects of a file, or of all that includes it."""
-        files = [file] if file.endswith('.c') else [f for f in FILES if f.startswith('ref/') and f.endswith('.c')]
-        fine = all(self.compiler(*flags, '-c', f, '-o', str(self.build / 'made' / f'{pathlib.Path(f).stem}.{into}'))
-                   for f in files)
-        return [str(self.build / 'made' / f'{pathlib.Path(f).stem}.{into}') for f in files] if fine else None
-
-    def make(self, mutant):
-        """Whether the mutant could be built."""
-        self.write(mutant)
-        made = self.build / 'made'
-        if mutant.file in SHEETS:  # the build stops where sheet-check does
-            return run(['build/sheet-check', *SHEETS], 60, cwd=self.root, env=self.environment) == 0 and \
-                run(['as', str(self.linked / 'embedded.s'), '-o', str(made / 'embedded.o')], 60, cwd=self.root) == 0 and \
-                run(['ld', '-shared', str(made / 'embedded.o'), '-o', str(made / 'libembedded.so')], 60) == 0
-        changed = self.compiled(mutant.file, '-w', '-Werror=return-type', '-Werror=implicit-function-declaration', '-O1')
-        if changed is None:
-            return False
-        stems = {pathlib.Path(o).stem for o in changed}
-        if mutant.file in ALONE:
-            program = self.build / ALONE[mutant.file]
-            program.unlink()
-            return self.compiler(*changed, '-o', str(program), f'-L{self.linked}', *LINKED)
-        library = 'libcoulombtether.so' if mutant.file.startswith('ref/') else \
-            'libembedded.so' if mutant.file == 'verify/sheet/embedded.c' else 'libverify.so'
-        others = {'libcoulombtether.so': objects(self.base / 'ref', stems), 'libembedded.so': [],
-                  'libverify.so': objects(self.base / 'verify', stems | NOT_IN_LIBRARY)}[library]
-        return self.compiler('-shared', *changed, *others, '-o', str(made / library))
-
-    def same_code(self, mutant):
-        """Whether the compiler makes the same of the mutant: then nothing can tell them apart."""
-        if mutant.file in SHEETS:
-            return False
-        if mutant.file not in self.right:
-            self.restore(mutant)
-            self.right[mutant.file] = [pathlib.Path(o).read_bytes() for o in self.compiled(mutant.file, '-O2', '-w', into='right')]
-            self.write(mutant)
-        return self.right[mutant.file] == [pathlib.Path(o).read_bytes() for o in self.compiled(mutant.file, '-O2', '-w', into='same')]
-
-    def refused(self, mutant):
-        """Whether the compiler refuses it where warnings are errors."""
-        return mutant.file not in SHEETS and self.compiled(mutant.file, *STRICT) is None
-
-    def write(self, mutant):
-        (self.root / mutant.file).unlink()
-        (self.root / mutant.file).write_text(mutant.text)
-
-    def restore(self, mutant):
-        (self.root / mutant.file).unlink()
-        (self.root / mutant.file).symlink_to(ROOT / mutant.file)
-
-    def passes(self, check):
-        """True, False, or None where it took too long."""
-        output = self.build / 'printed'
-        with open(output, 'wb') as sink:
-            status = run(check.command, 6 + 4 * check.seconds, sink, cwd=self.root, env=self.environment)
-        if status is None:
-            return None
-        return status == 0 and (check.expected is None or output.read_bytes() == check.expected)
-
-
-LINKED = ['-lverify', '-lembedded', '-lcoulombtether', *LIBS]
-OTHERWISE_LINKED = {'test_corpora'}  # asks that nothing crashes, not that anything is right
-APART = {'test_ref_gsl'}  # has functions in the place of GSL's
-NOT_IN_LIBRARY = {'main', 'sheet_check', 'embedded'}
-
-
-def link_all(base):
-    """Everything that make has compiled, linked to shared libraries, so that a mutant is one library."""
-    newest = max(file.stat().st_mtime for folder in ('ref', 'verify', 'tests') for file in (base / folder).glob('**/*.o'))
-    linked = base / f'linked-{newest}'
-    if linked.exists():
-        return linked
-    final, linked = linked, base / f'linked-{os.getpid()}'
-    linked.mkdir()
-    flags = FLAGS + SANITIZE * (base.name == 'sanitized')
-
-    def compiler(*arguments):
-        subprocess.run([*CC, *flags, *arguments], check=True)
-
-    compiler('-shared', *objects(base / 'ref'), '-o', str(linked / 'libcoulombtether.so'))
-    compiler('-shared', *objects(base / 'verify', NOT_IN_LIBRARY), '-o', str(linked / 'libverify.so'))
-    compiler('-shared', str(base / 'verify/sheet/embedded.o'), '-o', str(linked / 'libembedded.so'))
-    compiler('-S', 'verify/sheet/embedded.c', '-o', str(linked / 'embedded.s'))
-    programs = {'coulomb-tether': ['verify/command/main.o'], 'sheet-check': ['verify/command/sheet_check.o'],
-                'client': ['tests/clients/client.o'], 'tests/faulty': ['tests/faulty.o']}
-    suites = [o.relative_to(base) for o in base.glob('tests/*/test_*.o') if o.stem not in OTHERWISE_LINKED | APART]
-    programs['tests/run'] = ['tests/run.o', 'tests/paper.o', *suites]
-    for name in APART:
-        programs[f'tests/{name}'] = ['tests/run.o', 'tests/paper.o', *(o.relative_to(base) for o in base.glob(f'tests/*/{name}.o'))]
-    (linked / 'tests').mkdir(exist_ok=True)
-    for name, parts in programs.items():
-        compiler(*(str(base / part) for part in parts), '-o', str(linked / name), f'-L{linked}', *LINKED)
-    # The gate wants the names of the tests that passed; the suites are checks of their own.
-    names = [name for file in sorted((ROOT / 'tests').glob('*/test_*.c'))
-             for name in re.findall(r'^(?:TEST|EACH|RANGE)\((\w+)[,)]', file.read_text(), re.M)]
-    (linked / 'tests/all.tap').write_text(''.join(f'ok - all:all:{name}: Passed\n' for name in names))
-    with open(linked / 'errors.json', 'wb') as file:
-        subprocess.run([linked / 'coulomb-tether', 'verify', 'errors', '--json'], stdout=file, check=True,
-                       env=dict(os.environ, LD_LIBRARY_PATH=str(linked)))
-    try:
-        return linked.rename(final)
-    except OSError:  # another run was faster
-        shutil.rmtree(linked)
-        return final
+    def same_code(self):
+        """Those of which the compiler makes what it makes of the right function."""
+        same = set()
+        for file in self.build.glob('[rv]e*/**/*.o'):
+            code = {}
+            shown = subprocess.run(['objdump', '-dr', '--no-addresses', '--no-show-raw-insn', file], stdout=subprocess.PIPE, text=True, check=True)
+            for name, tag, body in re.findall(r'^<(\w+)__(m\d+|right)>:\n((?:.+\n)*)', shown.stdout, re.M):
+                code[name, tag] = body.replace(f'{name}__{tag}', name)
+            same |= {int(tag[1:]) for (name, tag), body in code.items() if body == code.get((name, 'right')) and tag != 'right'}
+        return same
 
 
 # ---- the checks ----
 
-SCALAR = ','.join(sorted(file.stem for file in (ROOT / 'data/golden').glob('eq*.csv')))
+class Place:
+    """The tree as one process at a time sees it: its own folder of what was built, its own sheets, all else links."""
 
-def available_checks():
-    program = 'build/coulomb-tether'
-    def data(file):
-        return (ROOT / 'data' / file).read_bytes()
-    checks = {'derivations': ([program, 'verify', 'derivations'], None),
-              'oracle': ([program, 'conform', '--', 'build/client'], None),
-              'oracle scalar': ([program, 'conform', '--only', SCALAR, '--', 'build/client'], None),
-              'gate': (['sh', '-c', 'rm -f build/derivations.json && build/coulomb-tether verify derivations --json '
-                                    '>build/derivations.json && tests/project/gate.sh'], None),
-              'wrong': (['tests/command/test_wrong.sh'], None),
-              'package': (['sh', '-c', 'find data -name "*.csv" | LC_ALL=C sort | xargs sha256sum | build/coulomb-tether datapackage'],
-                          data('datapackage.json')),
-              'errors': ([program, 'verify', 'errors'], None),
-              'verdicts': ([program, 'verify', 'claims', '--csv'], data('verdicts.csv')),
-              'table1': ([program, 'table1', '--csv'], data('table1.csv')),
-              'figure4': ([program, 'figure', '4'], data('figure4.csv'))}
-    for figure in ('5a', '5b', '6', '7a', '7b'):
-        checks['figure' + figure] = ([program, 'figure', figure, '--rk4', '100'], data(f'figure{figure}.csv'))
-    for study in ('convergence', 'forced', 'pitch'):
-        checks['study ' + study] = ([program, 'study', study], data(f'{study}.csv'))
-    for golden in sorted((ROOT / 'data/golden').glob('*.csv')):
-        checks['golden ' + golden.stem] = ([program, 'vectors', golden.stem, '--golden'], golden.read_bytes())
-        kills = [line for line in data('kills.csv').splitlines(keepends=True) if line.startswith((b'id,', f'{golden.stem}-'.encode()))]
-        checks['kills ' + golden.stem] = ([program, 'conform', '--kills', '--only', golden.stem], b''.join(kills))
-    for suite in sorted((ROOT / 'tests').glob('*/test_*.c')):
-        if suite.stem not in OTHERWISE_LINKED:
-            checks[suite.stem] = ([f'build/tests/{suite.stem}'] if suite.stem in APART else ['build/tests/run', suite.stem], None)
-            for case in re.findall(r'^CASE(?:_ONCE)?\((\w+),', suite.read_text(), re.M):
-                checks[f'{suite.stem} {case}'] = (['env', f'CK_RUN_CASE={case}', *checks[suite.stem][0]], None)
-    return checks
+    def __init__(self, tree, name):
+        self.root = tree.root.parent / 'places' / name
+        shutil.rmtree(self.root, ignore_errors=True)
+        for folder in ('', 'paper', 'build', 'build/tests'):
+            (self.root / folder).mkdir(parents=True)
+            for entry in (tree.root / folder).iterdir():
+                if entry.name not in ('paper', 'build') and str(entry) != f'{tree.build}/tests':
+                    (self.root / folder / entry.name).symlink_to(entry)
+        (self.root / 'reached').write_bytes(bytes(8192))
+        self.environment = dict(os.environ, BUILD='build', CT_BUILD=f'{self.root}/build', CT_PROGRAM=f'{self.root}/build/coulomb-tether',
+                                MUTANT_SHEETS=str(self.root), LC_ALL='C')
 
+    def run(self, check, limit, mutant=0, reached=False):
+        """What it printed, how it ended, and its processor time."""
+        options = {'MUTANT_REACHED': f'{self.root}/reached'} if reached else {}
+        with open(self.root / 'printed', 'w+b') as output, subprocess.Popen(
+                check.command, cwd=self.root, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, start_new_session=True,
+                env=dict(self.environment, CK_FORK=check.fork, MUTANT=str(mutant), MUTANT_SECONDS=str(math.ceil(limit)), **options)) as process:
+            late = threading.Timer(30 + 30 * limit, os.killpg, (process.pid, signal.SIGKILL))
+            late.start()
+            _, status, used = os.wait4(process.pid, 0)
+            late.cancel()
+            process.returncode = os.waitstatus_to_exitcode(status)
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            output.seek(0)
+            printed = hashlib.sha256(output.read()).hexdigest() if check.prints else ''
+        return printed, process.returncode, used.ru_utime + used.ru_stime
 
-REF = ('hill', 'perturbation', 'control', 'attitude', 'stability', 'simulation', 'gsl')
-
-# What takes more than a second, and about how many; the order of the checks alone depends on it.
-SLOW = {'golden flow_nonlinear': 1.3, 'golden rk4_nonlinear': 1, 'golden rk4_linear': 0.4, 'study convergence': 2.3, 'study pitch': 0.5,
-        'kills flow_nonlinear': 8, 'kills rk4_nonlinear': 8, 'kills rk4_linear': 4, 'kills flow_linear': 4,
-        'oracle': 3, 'errors': 1.5, 'verdicts': 7, 'wrong': 10, 'test_trajectory': 2, 'test_statement': 1.3,
-        'test_command_line': 24, 'test_conform': 18, 'test_convergence': 10, 'test_derivation': 5, 'test_flow': 6, 'test_vectors': 3}
+    @contextlib.contextmanager
+    def sheet(self, file, text):
+        (self.root / file).unlink()
+        (self.root / file).write_text(text)
+        yield
+        (self.root / file).unlink()
+        (self.root / file).symlink_to(ROOT / file)
 
 
-class Checks:
-    """The checks by name. Each is first put before the right program: that has to pass, and tells the time."""
+class Check:
+    """A test by its name, or a command of which every byte counts."""
 
-    def __init__(self, linked):
-        self.linked, self.locks, self.known = linked, collections.defaultdict(threading.Lock), {}
-        self.commands = available_checks()
-        self.names = sorted(self.commands, key=lambda name: SLOW.get(name, 0))
+    def __init__(self, name, command, room='', prints=False):
+        self.name, self.command, self.room, self.prints, self.fork = name, command, room, prints, 'no'
+        self.right, self.cost, self.reached = ('', 0), 0, set()
 
-    def __getitem__(self, name):
-        with self.locks[name]:
-            if name not in self.known:
-                began, place = time.monotonic(), Place(self.linked, 'right-' + name.replace(' ', '-'))
-                check = Check(name, *self.commands[name], 120)
-                if not place.passes(check):
-                    print(f'mutants: {name} does not pass the program as it is', (place.build / 'printed').read_text(), file=sys.stderr)
-                    os._exit(2)
-                self.known[name] = check._replace(seconds=time.monotonic() - began)
-            return self.known[name]
+    def learn(self, place):
+        """What the right program makes of it."""
+        for self.fork in ('no', 'yes'):  # what ends its process on purpose needs one of its own
+            (place.root / 'reached').write_bytes(bytes(8192))
+            printed, status, self.cost = place.run(self, 300, reached=True)
+            self.right = printed, status
+            self.reached = {number for number, hit in enumerate((place.root / 'reached').read_bytes()) if hit}
+            if status == 0:
+                break
+
+    def notices(self, place, mutant):
+        """'' or how."""
+        printed, status, _ = place.run(self, 2 + 5 * self.cost, mutant.number)
+        late = status in (-signal.SIGXCPU, -signal.SIGKILL)
+        return '' if (printed, status) == self.right else self.name + ' (time)' * late
+
+
+def all_checks():
+    program, golden = 'build/coulomb-tether', sorted(file.stem for file in (ROOT / 'data/golden').glob('*.csv'))
+    commands = [*(f'vectors {g} --golden' for g in golden), *(f'conform --kills --only {g}' for g in golden),
+                *(f'figure {f} --rk4 100' for f in ('5a', '5b', '6', '7a', '7b')), 'figure 4', 'table1', 'verify derivations',
+                'verify claims --csv', 'verify errors', *(f'study {s}' for s in ('convergence', 'forced', 'pitch', 'sampling'))]
+    yield from (Check(command, [program, *command.split()], prints=True) for command in commands)
+    yield Check('sheet-check', ['build/sheet-check', *SHEETS])
+    yield Check('wrong', ['tests/command/test_wrong.sh'])
+    for file in sorted((ROOT / 'tests').glob('*/test_*.c')):
+        alone = file.stem in ('test_ref_gsl', 'test_corpora')
+        names = [file.stem] if alone else re.findall(r'^(?:TEST|EACH|RANGE)\((\w+)[,)]', file.read_text(), re.M)
+        for name in names:
+            yield Check(name, [f'build/tests/{file.stem}'] if alone else ['build/tests/run', name], file.parent.name)
+
+
+class Judge:
+    def __init__(self, tree, arguments, world, traced):
+        self.tree, self.budget, self.noticed, self.lock = tree, arguments.budget, collections.Counter(), threading.Lock()
+        self.places = [Place(tree, str(n)) for n in range(arguments.workers)]
+        self.pool = concurrent.futures.ThreadPoolExecutor(arguments.workers)
+        self.checks, known = list(all_checks()), tree.root.parent / 'checks.json'
+        kept = json.loads(known.read_text()) if known.exists() else {}
+        if kept.get('world') != world or not set(traced) <= set(kept['traced']):
+            list(self.each(Check.learn, self.checks))
+            kept = {'world': world, 'traced': traced, 'checks': [[c.name, c.fork, c.right, c.cost, sorted(c.reached)] for c in self.checks]}
+            known.write_text(json.dumps(kept))
+        for check, (check.name, check.fork, check.right, check.cost, reached) in zip(self.checks, kept['checks']):
+            check.right, check.reached = tuple(check.right), set(reached)
+        for check in [c for c in self.checks if c.right[1] != 0]:
+            print(f'mutants: {check.name} does not pass the program as it is, and is left out', file=sys.stderr)
+            self.checks.remove(check)
+
+    def each(self, work, tasks):
+        def in_a_place(task):
+            with self.lock:
+                place = self.places.pop()
+            try:
+                return work(task, place)
+            finally:
+                self.places.append(place)
+        return self.pool.map(in_a_place, tasks)
+
+    def order(self, mutant):
+        """The checks that reach a mutant, those first that are likely to notice it soon."""
+        near, function = mutant.file.split('/')[-2], mutant.function or section_at(mutant)
+
+        def worth(check):
+            met = 30 * self.noticed[mutant.file, function, check.name] + 6 * self.noticed[mutant.file, check.name]
+            named = 4 * (check.room == near) + 1000 * (mutant.file in SHEETS and bool({function, PROVES.get(mutant.file)} & set(check.name.split())))
+            return (1 + met + 0.5 * self.noticed[check.name] + named) / (check.cost + 0.03)
+        with self.lock:
+            return sorted((c for c in self.checks if not mutant.function or mutant.function in c.reached), key=worth, reverse=True)
+
+    def ask(self, mutant, place):
+        spent = 0
+        for check in self.order(mutant):
+            if spent and spent + check.cost > self.budget:
+                continue
+            by = check.notices(place, mutant)
+            if by:
+                with self.lock:
+                    for key in ((mutant.file, mutant.function or section_at(mutant), check.name), (mutant.file, check.name), check.name):
+                        self.noticed[key] += 1
+                return 'killed', by
+            spent += check.cost
+        return 'survived', f'{spent:.1f} s'
+
+    def verdict(self, mutant, place):
+        if mutant.file in SHEETS:
+            with place.sheet(mutant.file, mutant.text):
+                return mutant, *self.ask(mutant, place)
+        if mutant.function:
+            return mutant, *self.ask(mutant, place)
+        put(self.tree.root / mutant.file, mutant.text)  # by itself, with nobody beside it
+        said, made = self.tree.make()
+        refused = not made or re.search(rf'^{mutant.file}:\d+:\d+: (?:error|warning)', said, re.M)
+        return mutant, *(('not viable', 'compiler') if refused else self.ask(mutant, place))
+
+    def verdicts(self, chosen):
+        alone = [m for m in chosen if not m.function and m.file not in SHEETS]
+        yield from self.each(self.verdict, [m for m in chosen if m.function or m.file in SHEETS])
+        for file, mutants_of_it in itertools.groupby(alone, key=lambda m: m.file):
+            yield from (self.verdict(mutant, self.places[0]) for mutant in mutants_of_it)
+            put(self.tree.root / file, (ROOT / file).read_text())
 
 
 def section_at(mutant):
-    """The section of the sheet that a line lies in."""
-    for line in reversed(mutant.text.split('\n')[:mutant.line]):
-        if line.startswith('  ') and line[2:3] not in (' ', '-', ''):
-            return line.strip().split(':')[0]
-    return ''
-
-
-def of_quantity(names):
-    """The golden vectors of one section that has an input of these."""
-    named = set(names.replace('"', '').split())
-    for golden in sorted((ROOT / 'data/golden').glob('eq*.csv'), key=lambda file: file.stat().st_size):
-        header = golden.open().readline().strip().split(',')
-        outputs = {column[2:] for column in header if column.startswith('S_')}
-        if named & set(header) - outputs:
-            return ['golden ' + golden.stem]
-    return []
-
-
-# The checks that a part reaches at all, as regular expressions: verify/ calls ref/ in reference.c alone, and reads the steps
-# in proof_results.c alone.
-REACHED = {'ref/': 'test_ref_|test_units|test_mistakes|test_vectors|test_conform|test_verdicts|test_command|oracle|errors|gate',
-           SHEETS[2]: 'verdicts|wrong|test_statement|test_verdicts',
-           SHEETS[1]: 'derivations|gate|test_derivation|verdicts|test_trajectory|test_convergence|study|test_command|test_typeset'}
-
-# The checks that should notice a mutant of a file in verify/, the fastest first, by the longest beginning of its name.
-NOTICED_BY = dict((line.split()[0], ' '.join(line.split()[1:]).split(', ')) for line in (ROOT / 'coverage/noticed.txt').read_text().splitlines())
-
-
-def likely(mutant):
-    """The checks that should notice a mutant, the fastest first."""
-    stem = pathlib.Path(mutant.file).stem
-    if mutant.file == SHEETS[0]:
-        section = section_at(mutant)
-        return ['test_vectors golden', 'golden ' + section, *of_quantity(section), 'test_units', 'test_mistakes', 'derivations', 'test_sheet',
-                'test_vectors domains', 'gate', 'table1']
-    if mutant.file == SHEETS[1]:
-        return ['derivations', 'gate']
-    if mutant.file == SHEETS[2]:
-        return ['verdicts', 'test_verdicts']
-    if mutant.file.startswith('ref/'):
-        return [f'test_ref_{stem}', 'oracle scalar', *(f'test_ref_{other}' for other in REF)]
-    return NOTICED_BY[max((name for name in NOTICED_BY if stem.startswith(name)), key=len)]
-
-
-MOST_SANITIZED = 30  # seconds
-STAGES = ('', 'passed', 'clean', 'survived')  # what comes of a mutant that nothing notices
-
-
-def verdict_on(place, mutant, checks, stage):
-    """(killed, same code, not viable, or where nothing notices the stage; and by what)."""
-    place.fresh()
-    first = [name for name in dict.fromkeys(likely(mutant)) if name in checks.commands]
-    if stage == 'clean':  # the sanitizers multiply what they look at
-        first = [name for name in first if SLOW.get(name, 0) < MOST_SANITIZED]
-    try:
-        if not place.make(mutant):
-            return ('killed', 'sheet-check') if mutant.file in SHEETS else ('not viable', 'compiler')
-        reached = re.compile(REACHED.get(part_of(mutant.file), ''))
-        others = [n for n in checks.names if n not in first and reached.match(n)]
-        for number, name in enumerate(others if stage == 'survived' else first):
-            if number == 1 and stage == 'passed' and place.same_code(mutant):
-                return 'same code', 'compiler'
-            passed = place.passes(checks[name])
-            if not passed:
-                return 'killed', name + (' (time)' if passed is None else ' (sanitizers)' * (stage == 'clean'))
-        if stage == 'passed' and place.refused(mutant):
-            return 'not viable', 'compiler, warnings are errors'
-        return stage, ''
-    finally:
-        place.restore(mutant)
+    """The section of a sheet that a mutant lies in."""
+    return ''.join(re.findall(r'^  (\w+):', mutant.right[:mutant.end], re.M)[-1:]) if mutant.file in SHEETS else ''
 
 
 # ---- many of them ----
@@ -416,59 +358,16 @@ class Results:
     """What is known, in BUILD/results.csv; a survivor only so long as the project is what it was."""
 
     def __init__(self, path):
-        self.path, self.lock, self.known, self.before = path, threading.Lock(), {}, set()
-        world = hashlib.sha256()
-        for file in FILES:
-            if not file.startswith('coverage/') and (ROOT / file).is_file():
-                world.update((ROOT / file).read_bytes())
-        self.world = world.hexdigest()[:20]
-        if path.exists():
-            for row in csv.reader(path.open(newline='')):
-                if len(row) == 4 and (row[1] not in STAGES or row[3] == self.world):
-                    self.known[row[0]] = (row[1], row[2])
-                self.before.add(row[0])
+        world = hashlib.sha256(b''.join((ROOT / file).read_bytes() for file in FILES if not file.startswith('coverage/')))
+        self.path, self.known, self.world = path, {}, world.hexdigest()[:20]
+        for row in csv.reader(path.open(newline='')) if path.exists() else ():
+            if row[1] != 'survived' or row[3] == self.world:
+                self.known[row[0]] = (row[1], row[2])
 
     def add(self, mutant, verdict, by):
-        with self.lock:
-            self.known[mutant.key] = (verdict, by)
-            with self.path.open('a', newline='') as file:
-                csv.writer(file).writerow([mutant.key, verdict, by, self.world])
-
-
-def judge(linked, chosen, results, stage, workers):
-    """Every processor takes the next mutant of those that the stages before have left."""
-    left, checks = queue.SimpleQueue(), Checks(linked)
-    before = STAGES[:STAGES.index(stage)]
-    asked = [mutant for mutant in chosen if results.known.get(mutant.key, ('', ''))[0] in before]
-    for mutant in sorted(asked, key=lambda mutant: mutant.key in results.before):  # the new ones first
-        left.put(mutant)
-    began, done = time.monotonic(), itertools.count(1)
-
-    def work(name):
-        place = Place(linked, name)
-        while True:
-            try:
-                mutant = left.get_nowait()
-            except queue.Empty:
-                return
-            verdict, by = verdict_on(place, mutant, checks, stage)
-            results.add(mutant, verdict, by)
-            number = next(done)
-            if sys.stderr.isatty():
-                rest = (time.monotonic() - began) / number * (len(asked) - number)
-                print(f'\r{number} of {len(asked)} mutants, {rest / 60:.0f} min left \x1b[K', end='', file=sys.stderr)
-            if verdict == stage:
-                print(f'{verdict}: {mutant.file}:{mutant.line}: {mutant.shown}', flush=True)
-
-    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-        try:
-            list(pool.map(work, map(str, range(workers))))
-        except BaseException:
-            while not left.empty():  # nobody begins another
-                left.get()
-            raise
-    if sys.stderr.isatty() and asked:
-        print(file=sys.stderr)
+        self.known[mutant.key] = (verdict, by)
+        with self.path.open('a', newline='') as file:
+            csv.writer(file).writerow([mutant.key, verdict, by, self.world])
 
 
 def listed():
@@ -481,99 +380,91 @@ def listed():
     return collections.Counter((row['file'], row['mutant']) for row in rows)
 
 
-def most_survivors(made):
-    """Of so many, more than these survive with a chance of 1 in 1000 where 1 - LIKELY_LEAST is the share of all."""
-    share, rest = 1 - LIKELY_LEAST, 1.0
-    for number in range(made + 1):
-        rest -= math.comb(made, number) * share**number * (1 - share)**(made - number)
-        if rest < 0.001:
-            return number
-    return made
+def table(title, rows):
+    """A row of Markdown for each name, and their sum."""
+    lines = [f'| {title} | made | viable | killed | of these by time | equivalent | survived | score |', '|---|' + '---|' * 7]
+    for name, c in [*rows.items(), *([('all', sum(rows.values(), collections.Counter()))] if len(rows) > 1 else [])]:
+        judged = c['killed'] + c['survived']
+        lines.append(f"| {name} | {c['made']} | {c['made'] - c['not viable']} | {c['killed']} | {c['time']} | {c['listed'] + c['same code']} | "
+                     f"{c['survived']} | {math.floor(1000 * c['killed'] / judged) / 10 if judged else 100.0} % |")
+    return '\n'.join(lines) + '\n'
 
 
-def summary(parts, results, known, complete, every=False):
-    """A line a part, then what is wrong; the status."""
-    status, unlisted = 0, []
-    stale = collections.Counter(known)
-    print(f"{'':24}{'made':>7}{'viable':>8}{'killed':>8}{'by time':>9}{'equivalent':>12}{'survived':>10}{'score':>9}")
-    for part, chosen in parts.items():
-        count, survivors = collections.Counter(), []
-        for mutant in chosen:
-            verdict, by = results.known.get(mutant.key, ('unknown', ''))
-            count[verdict] += 1
-            count['time'] += by.endswith('(time)')
-            if verdict in STAGES:
-                name = (mutant.file, mutant.shown)
-                if stale[name] > 0:
-                    stale[name] -= 1
-                    count['listed'] += 1
-                else:
-                    survivors.append(mutant)
-        judged = count['killed'] + len(survivors)
-        score = count['killed'] / judged if judged else 1
-        print(f"{part:24}{len(chosen):7}{len(chosen) - count['not viable']:8}{count['killed']:8}{count['time']:9}"
-              f"{count['listed'] + count['same code']:12}{len(survivors):10}{math.floor(1000 * score) / 10:7.1f} %")
-        if part not in COUNTED or every or complete and part != 'verify/':
-            unlisted += survivors
-        elif len(survivors) > (judged * (1 - VERIFY_LEAST) if complete else most_survivors(judged)):
-            unlisted += survivors
-    for mutant in unlisted:
-        print(f'survives, and is not in coverage/survivors.csv: {mutant.file}:{mutant.line}: {mutant.shown}')
-        status = 1
-    asked = {(mutant.file, mutant.shown) for chosen in parts.values() for mutant in chosen}
-    for (file, text), number in stale.items():
-        if complete and number > 0 and ((file, text) in asked or part_of(file) in parts and not file.startswith('verify/')):
-            print(f'is in coverage/survivors.csv, and does not survive: {file}: {text}')
+def summary(chosen, known, listing, everything):
+    """The tables, what is wrong, and the status; of a sample `everything` is empty."""
+    complete = bool(everything)
+    stale, by_part, by_what, judged = collections.Counter(listing), {}, {}, collections.defaultdict(list)
+    for mutant in chosen:
+        verdict, by = known.get(mutant.key, ('unknown', ''))
+        name = (mutant.file, mutant.shown)
+        if verdict == 'survived' and stale[name] > 0:
+            stale[name] -= 1
+            verdict = 'listed'
+        of = '' if mutant.file in SHEETS else f', {mutant.kind}'
+        for rows, row in ((by_part, f'`{mutant.part}`{of}'), (by_what, f'{mutant.what}{of}')):
+            rows.setdefault(row, collections.Counter()).update(['made', verdict] + ['time'] * by.endswith('(time)'))
+        group = mutant.file if mutant.file in SHEETS else mutant.file.split('/')[0] + '/'
+        if verdict in ('survived', 'killed'):
+            judged[group, mutant.kind == 'tokens'].append(mutant if verdict == 'survived' else None)
+    tables = table('part', by_part) + '\n' + table('what is changed', by_what)
+    print(tables)
+    status = 0
+    for (group, tokens), those in judged.items():
+        survivors = [mutant for mutant in those if mutant]
+        least = VERIFY_LEAST if complete and group == 'verify/' and tokens else SAMPLE_LEAST if not complete and group in COUNTED else 1
+        enough = len(survivors) <= (1 - least) * len(those)
+        for mutant in survivors:
+            print(f"survives{'' if enough else ', and is not in coverage/survivors.csv'}: {mutant.file}:{mutant.line}: {mutant.shown}")
+        status |= not enough
+    asked, there = ({(mutant.file, mutant.shown) for mutant in of} for of in (chosen, everything))
+    for name, number in stale.items():
+        if complete and number > 0 and (name in asked or name not in there and name[0] in {file for file, _ in asked}):
+            print(f'is in coverage/survivors.csv, and does not survive: {name[0]}: {name[1]}')
             status = 1
-    return status
+    return status, tables
 
 
 def draw(chosen, number, seed):
     """So many of the mutants, by lot. A change elsewhere leaves them drawn: the lot of each is its own."""
-    def lot(mutant):
-        return hashlib.sha256(f'{seed}\0{mutant.file}\0{mutant.shown}'.encode()).digest()
-    return sorted(chosen, key=lot)[:number]
+    return sorted(chosen, key=lambda m: hashlib.sha256(f'{seed}\0{m.file}\0{m.shown}'.encode()).digest())[:number]
 
 
-def choose(parts, arguments, known):
-    """All of ref/ and the sheets and a sample of verify/; or of each part a sample of what is not listed.
-
-    A mutant of verify/, or of the claims, takes as long as a dozen others, for its checks follow motions, and so a tenth of the
-    sample is of each.
-    """
-    if arguments.kind and not arguments.sample:
-        return parts
-    if not arguments.sample:
-        return {part: draw(chosen, VERIFY_SAMPLE, VERIFY_SEED) if part == 'verify/' else chosen for part, chosen in parts.items()}
-    return {part: draw([mutant for mutant in chosen if (mutant.file, mutant.shown) not in known],
-                       math.ceil(arguments.sample * (0.1 if part in ('verify/', SHEETS[2]) else 0.3)), arguments.seed)
-            for part, chosen in parts.items()}
+def choose(everything, sample, seed, listing):
+    """All but of the tokens of verify/, which are sampled; or of each part a share of a sample of what is not listed."""
+    groups = collections.defaultdict(list)
+    for m in everything:
+        groups[m.file if m.file in SHEETS else (m.file.split('/')[0], m.kind)].append(m)
+    if not sample:
+        return [m for group, of in groups.items() for m in (draw(of, VERIFY_SAMPLE, VERIFY_SEED) if group == ('verify', 'tokens') else of)]
+    return [m for group, of in groups.items() for m in draw([m for m in of if (m.file, m.shown) not in listing], math.ceil(
+        sample * (0.3 if group in (('ref', 'tokens'), *SHEETS[:2]) else 0.1)), seed)]
 
 
 def self_test():
     """The points of a line of C are those written here; a survivor that is not listed is found, and a line without one."""
     text = 'double f(double m1, double m2) { return m1 * sin(m2) - 2; }\n'
-    found = {text[:start] + by + text[end:] for start, end, by in mutants('f.c', text)}
+    found = {text[:start] + by + text[end:] for start, end, by, _ in mutants('f.c', text)}
     assert {'double f(double m1, double m2) { ' + statement + ' }\n' for statement in (
         ';', 'return -m1 * sin(m2) - 2;', 'return m2 * sin(m2) - 2;', 'return m1 / sin(m2) - 2;', 'return m1  - 2;', 'return  sin(m2) - 2;',
         'return m1 * cos(m2) - 2;', 'return m1 * (m2) - 2;', 'return m1 * sin(m1) - 2;', 'return m1 * sin(m2) + 2;', 'return m1 * sin(m2) ;',
         'return - 2;', 'return m1 * sin(m2) - 1;', 'return m1 * sin(m2) - 3;')} == found, found
     text = 'steps:\n  a:\n    title: b + c\n    show: [x1 = -2*y1]  # d\n'
-    found = {text[:start] + by + text[end:] for start, end, by in mutants('f.yaml', text)}
+    found = {text[:start] + by + text[end:] for start, end, by, _ in mutants('f.yaml', text)}
     assert all('title: b + c' in mutant and '# d' in mutant for mutant in found - {text.replace('title', 'titlex')}), found
     assert {text.replace('-2', '2'), text.replace('*', '/'), text.replace('-2', '-3'), text.replace('x1', 'y1')} <= found, found
+    text = 'int f(int a, int (*g)(int), double c[2])\n{\n    return a + 1;\n}\n'
+    mutant = Mutant('ref/f.c', text, 49 + text[49:].index('+'), 50 + text[49:].index('+'), '-', 'operator', 'tokens')
+    mutant.number = 7
+    made = schemata('ref/f.c', text, [mutant], {})
+    assert mutant.function == 1 and 'return a - 1;' in made and 'case 7: return f__m7(a, g, c);' in made, made
 
-    chosen = [Mutant('ref/f.c', 'a + b\n', 2, 3, by) for by in '-*/']
+    chosen = [Mutant('ref/f.c', 'a + b\n', 2, 3, by, 'operator', 'tokens') for by in '-*/']
     planted, killed, other = chosen
-    results = argparse.Namespace(known={planted.key: ('survived', ''), killed.key: ('killed', 'x'), other.key: ('killed', 'y (time)')})
+    results = {planted.key: ('survived', ''), killed.key: ('killed', 'x'), other.key: ('killed', 'y (time)')}
     with contextlib.redirect_stdout(None):
-        status = [summary({'ref/': chosen}, results, collections.Counter((m.file, m.shown) for m in known), complete) for known, complete
-                  in (([], True), ([], False), ([planted], True), ([planted, killed], True), ([planted, killed], False))]
+        status = [summary(chosen, results, collections.Counter((m.file, m.shown) for m in known), everything)[0] for known, everything
+                  in (([], chosen), ([], []), ([planted], chosen), ([planted, killed], chosen), ([planted, killed], []))]
     assert status == [1, 1, 0, 1, 0], status
-    stems = {pathlib.Path(file).stem for file in FILES if file.startswith('verify/') and file.endswith('.c')}
-    without = [stem for stem in sorted(stems) if not any(stem.startswith(name) for name in NOTICED_BY)]
-    idle = [name for name in NOTICED_BY if not any(stem.startswith(name) for stem in stems)]
-    assert not without and not idle, f'coverage/noticed.txt: no line for {without}, no file for {idle}'
     print('the runner finds a planted survivor and a stale line')
     return 0
 
@@ -582,31 +473,35 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('build', type=pathlib.Path, nargs='?')
     parser.add_argument('--self-test', action='store_true')
-    parser.add_argument('--kind', choices=['soundness'], default='')
+    parser.add_argument('--readme', action='store_true')
+    parser.add_argument('--kind', choices=KINDS)
     parser.add_argument('--sample', type=int, default=0)
     parser.add_argument('--seed', default='1')
     parser.add_argument('--only', default='')
+    parser.add_argument('--budget', type=float, default=60)
     parser.add_argument('--workers', type=int, default=os.cpu_count() or 1)
     arguments = parser.parse_args()
     if arguments.self_test:
         return self_test()
-    base = arguments.build.resolve()
-    known = listed()
-    parts = choose(all_mutants(arguments.only, arguments.kind), arguments, known)
-    results = Results(base / 'results.csv')
-    linked = link_all(base)
-    chosen = list(itertools.chain(*parts.values()))
-    judge(linked, chosen, results, 'passed', arguments.workers)
-    if arguments.kind:
-        return summary(parts, results, known, not arguments.sample, not arguments.sample)
-    # What is listed is equivalent, and so no check will kill it; what a sample of verify/ survives is counted, not pursued.
-    chosen = [mutant for mutant in chosen if (mutant.file, mutant.shown) not in known]
-    judge(link_all(base / 'sanitized'), [mutant for mutant in chosen if mutant.file.startswith('verify/')], results, 'clean',
-          arguments.workers)
-    if arguments.sample:
-        chosen = [mutant for mutant in chosen if part_of(mutant.file) not in COUNTED]
-    judge(linked, chosen, results, 'survived', arguments.workers)
-    return summary(parts, results, known, not arguments.sample)
+    base, listing = arguments.build.resolve(), listed()
+    everything = all_mutants(arguments.only)
+    chosen = choose([m for m in everything if arguments.kind in (None, m.kind)], arguments.sample, arguments.seed, listing)
+    tree, results = Tree(base), Results(base / 'results.csv')
+    asked = [m for m in chosen if m.key not in results.known]
+    if asked:
+        dead, same = tree.compile([m for m in asked if m.file not in SHEETS]), tree.same_code()
+        for m in asked:
+            if m.number and m.number in dead | same:
+                results.add(m, 'not viable' if m.number in dead else 'same code', 'compiler')
+        judge = Judge(tree, arguments, results.world, sorted({m.function for m in asked}))
+        for m, verdict, by in judge.verdicts([m for m in asked if m.key not in results.known]):
+            results.add(m, verdict, by)
+            if verdict == 'survived' and (m.file, m.shown) not in listing:
+                print(f'survived {by}: {m.file}:{m.line}: {m.shown}', flush=True)
+    status, tables = summary(chosen, results.known, listing, [] if arguments.sample else everything)
+    if arguments.readme:
+        put(README, re.sub(r'(?<=<!-- mutants -->\n).*(?=<!-- end -->)', lambda _: tables, README.read_text(), flags=re.S))
+    return status
 
 
 if __name__ == '__main__':

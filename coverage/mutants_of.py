@@ -1,6 +1,6 @@
 """The one-point mutants of a source file: of C, and of the formula sheet and the derivation steps.
 
-mutants(path, text, kind) yields (start, end, replacement): text[start:end] is to be replaced.
+mutants(path, text, kind) yields (start, end, replacement, what): text[start:end] is to be replaced; `what` names it in the table.
 
 Of C: every operator, sign, constant, comparison, argument, term, index and statement inside braces, one at a time; a
 name that has a sibling (m1 and m2, x, y and z) is exchanged for it. Not mutated, for no program is wrong by it: comments,
@@ -13,6 +13,8 @@ a tautology, an entry of from or to left out.
 """
 import itertools
 import re
+
+import yaml
 
 # ---- names that are mistaken for each other ----
 
@@ -83,27 +85,28 @@ TRANSPARENT = {'sqrt', 'exp', 'sin', 'cos', 'fabs', 'cabs'}
 
 class C:
     def __init__(self, text):
-        self.text = text
-        self.tokens = [(m.lastgroup, m.group(), m.start(), m.end()) for m in TOKEN.finditer(text) if m.lastgroup != 'blank']
-        self.partner, stack = {}, []
-        for i, (_, word, _, _) in enumerate(self.tokens):
+        self.text, self.partner, stack = text, {}, []
+        self.marks = [(m.lastgroup, m.group(), m.start(), m.end()) for m in TOKEN.finditer(text) if m.lastgroup != 'blank']
+        for i, (_, word, _, _) in enumerate(self.marks):
             if word in OPEN:
                 stack.append(i)
             elif word in CLOSE and stack:
                 self.partner[i], self.partner[stack[-1]] = stack[-1], i
                 stack.pop()
+        self.live, self.block = self.regions()
+        self.simple, self.declarators = self.statements()
 
     def word(self, i):
-        return self.tokens[i][1] if 0 <= i < len(self.tokens) else ''
+        return self.marks[i][1] if 0 <= i < len(self.marks) else ''
 
     def kind(self, i):
-        return self.tokens[i][0] if 0 <= i < len(self.tokens) else ''
+        return self.marks[i][0] if 0 <= i < len(self.marks) else ''
 
     def source(self, first, last):
-        return self.text[self.tokens[first][2]:self.tokens[last][3]]
+        return self.text[self.marks[first][2]:self.marks[last][3]]
 
-    def replace(self, first, last, by):
-        return self.tokens[first][2], self.tokens[last][3], by
+    def replace(self, first, last, by, what):
+        return self.marks[first][2], self.marks[last][3], by, what
 
     def operand_before(self, i):
         """Whether token i - 1 ends an operand, so that an operator at i is binary."""
@@ -113,137 +116,110 @@ class C:
             return self.word(self.partner[i - 1] + 1) not in TYPES or self.word(self.partner[i - 1] - 1) == 'sizeof'
         return self.kind(i - 1) in ('number', 'text') or self.word(i - 1) == ']'
 
-    def right(self, i, least):
-        """The last token of the operand that begins behind the operator i, of operators above `least`."""
-        k = i + 1
-        while k < len(self.tokens):
+    def operand(self, i, step, least):
+        """The last token of the operand beside the operator i, behind it or (step -1) before it, of operators that bind more than `least`."""
+        k = i + step
+        while 0 <= k < len(self.marks):
             word = self.word(k)
-            if word in OPEN:
+            if word in (OPEN if step > 0 else CLOSE) and (word != '}' or self.word(self.partner.get(k, k) - 1) == ')'):
                 k = self.partner.get(k, k)
-            elif word in CLOSE or word in (',', ';', '?', ':') or word in ASSIGNMENT:
+            elif word in OPEN or word in CLOSE or word in {',', ';', '?', ':', 'return'} | ASSIGNMENT:
                 break
-            elif PRECEDENCE.get(word, 99) <= least and self.operand_before(k):
+            elif PRECEDENCE.get(word, 99) < least + (step > 0) and self.operand_before(k):
                 break
-            k += 1
-        return k - 1
-
-    def left(self, i, least):
-        k = i - 1
-        while k >= 0:
-            word = self.word(k)
-            if word in (')', ']') or word == '}' and self.word(self.partner.get(k, k) - 1) == ')':
-                k = self.partner.get(k, k)
-            elif word in OPEN or word in CLOSE or word in (',', ';', '?', ':', 'return') or word in ASSIGNMENT:
-                break
-            elif PRECEDENCE.get(word, 99) < least and self.operand_before(k):
-                break
-            k -= 1
-        return k + 1
+            k += step
+        return k - step
 
     def parts(self, opening):
         """What stands between the commas of a bracket, as (first, last)."""
-        parts, first, k = [], opening + 1, opening + 1
-        end = self.partner[opening]
+        parts, first, end = [], opening + 1, self.partner[opening]
+        k = first
         while k < end:
-            if self.word(k) in OPEN:
-                k = self.partner[k]
-            elif self.word(k) == ',':
+            k = self.partner[k] if self.word(k) in OPEN else k
+            if self.word(k) == ';':
+                return []
+            if self.word(k) == ',':
                 parts.append((first, k - 1))
                 first = k + 1
-            elif self.word(k) == ';':
-                return []
             k += 1
         return parts + [(first, end - 1)] if first < end else parts
 
-    def declares(self, first):
-        words = [self.word(first + k) for k in range(3)]
-        return words[0] in TYPES or self.kind(first) == 'name' and words[0] not in CONTROL and (
-            self.kind(first + 1) == 'name' or words[1] == '*' and self.kind(first + 2) == 'name')
-
     def regions(self):
         """For each token whether it may be mutated: inside braces that hold no members, and in macros; and where blocks open."""
-        live, block = [False] * len(self.tokens), set()
+        live, block = [False] * len(self.marks), set()
         for i, end in self.partner.items():
-            if self.word(i) != '{':
-                continue
-            fields = {self.word(i - 1), self.word(i - 2) if self.kind(i - 1) == 'name' else ''} & {'struct', 'union'}
-            if not fields and ';' in (self.word(k) for k in range(i, end)):
-                block.add(i)
-            for k in range(i + 1, end):
-                live[k] = not fields
-        for k in (k for k, token in enumerate(self.tokens) if token[0] == 'define'):
-            end = re.compile(r'(?<!\\)\n').search(self.text, self.tokens[k][3]).start()
-            for q in range(k + 1, len(self.tokens)):
-                live[q] |= self.tokens[q][2] < end
+            if self.word(i) == '{':
+                fields = {self.word(i - 1), self.word(i - 2) if self.kind(i - 1) == 'name' else ''} & {'struct', 'union'}
+                if not fields and ';' in (self.word(k) for k in range(i, end)):
+                    block.add(i)
+                live[i + 1:end] = [not fields] * (end - i - 1)
+        for k in (k for k, token in enumerate(self.marks) if token[0] == 'define'):
+            end = re.compile(r'(?<!\\)\n').search(self.text, self.marks[k][3]).start()
+            live[k + 1:] = [may or self.marks[q][2] < end for q, may in enumerate(live[k + 1:], k + 1)]
         return live, block
 
-    def statements(self, block):
+    def statements(self):
         """The simple statements, as (first, last), and for each declaration the tokens before its '='."""
         simple, declarators = [], set()
-        for opening in block:
+        for opening in self.block:
             k, end = opening + 1, self.partner[opening]
             while k < end:
                 first = k
-                while self.word(first) in ('if', 'for', 'while', 'switch', 'else', 'do', 'case', 'default'):
-                    if self.word(first) in ('case', 'default'):
-                        while self.word(first) != ':':
-                            first += 1
-                    elif self.word(first + 1) == '(' and self.word(first) != 'else':
+                while (word := self.word(first)) in CONTROL - {'return', 'sizeof', 'goto'}:
+                    if word in ('case', 'default'):
+                        first = next(q for q in range(first, end) if self.word(q) == ':')
+                    elif self.word(first + 1) == '(' and word != 'else':
                         first = self.partner[first + 1]
                     first += 1
-                if self.word(first) == '{' and first in block:
+                if word == '{' and first in self.block:
                     k = self.partner[first] + 1
                     continue
                 last = first
                 while last < end and self.word(last) != ';':
-                    last = self.partner[last] + 1 if self.word(last) in OPEN else last + 1
+                    last = self.partner.get(last, last) + 1 if self.word(last) in OPEN else last + 1
                 if self.declares(first):
-                    q = first
-                    while q < last and self.word(q) != '=':
-                        declarators.add(q)
-                        q += 1
+                    declarators.update(itertools.takewhile(lambda q: self.word(q) != '=', range(first, last)))
                 elif last > first:
                     simple.append((first, last))
                 k = last + 1
         return simple, declarators
 
-    def mutants(self):
-        live, block = self.regions()
-        simple, declarators = self.statements(block)
-        for first, last in simple:
-            yield self.replace(first, last, ';')
-        for i, (kind, word, start, end) in enumerate(self.tokens):
-            if not live[i] or i in declarators:
+    def declares(self, first):
+        word, after = self.word(first), first + 1 + (self.word(first + 1) == '*')
+        return word in TYPES or self.kind(first) == 'name' and word not in CONTROL and self.kind(after) == 'name'
+
+    def tokens(self):
+        for first, last in self.simple:
+            yield self.replace(first, last, ';', 'statement')
+        for i, (kind, word, start, end) in enumerate(self.marks):
+            if not self.live[i] or i in self.declarators:
                 continue
             if kind == 'number':
                 yield from self.constants(i)
             elif kind == 'name':
-                yield from self.names(i)
-            elif word in '([{':
-                yield from self.exchanges(i, block)
+                if word in SIBLING:
+                    yield start, end, SIBLING[word], 'name'
+                if word in TRANSPARENT and self.word(i + 1) == '(':
+                    yield start, end, '', 'name'
+            elif word in OPEN:
+                yield from self.exchanges(i)
             if word == '[' and i in self.partner and not (self.kind(i + 1) == 'number' and self.partner[i] == i + 2) and \
                     self.partner[i] > i + 1 and self.operand_before(i):
-                for change in (' + 1', ' - 1'):
-                    yield self.tokens[self.partner[i]][2], self.tokens[self.partner[i]][2], change
-            if word == '!' and self.word(i + 1) != '=':
-                yield start, end, ''
-            if word in PRECEDENCE and not self.operand_before(i):
-                if word == '-':
-                    yield start, end, ''
-            elif word in OPERATOR:
-                yield from ((start, end, other) for other in OPERATOR[word])
+                yield from ((self.marks[self.partner[i]][2],) * 2 + (change, 'index') for change in (' + 1', ' - 1'))
+            if word == '!' or word == '-' and not self.operand_before(i):
+                yield start, end, '', 'sign'
+            elif word in OPERATOR and (word not in PRECEDENCE or self.operand_before(i)):
+                yield from ((start, end, other, 'operator') for other in OPERATOR[word])
                 yield from self.drops(i)
             if word in ('return', '=', '?', ':', ',', '{') and self.signs(i):
-                yield self.tokens[i + 1][2], self.tokens[i + 1][2], '-'
+                yield self.marks[i + 1][2], self.marks[i + 1][2], '-', 'sign'
 
     def signs(self, i):
         """Whether an arithmetic expression without a sign begins behind token i."""
-        last = self.right(i, 0)
+        last = self.operand(i, 1, 0)
         words = {self.word(k) for k in range(i + 1, last + 1)}
-        if last == i or self.word(i) in (',', '{') and not self.in_list(i):
-            return False
-        return self.word(i + 1) not in {'-', '!', '&', '(', '.', '*', '0', 'NAN', 'true', 'false', '~'} | TYPES and \
-            self.kind(i + 1) in ('name', 'number') and not words & {'&&', '||', '<', '>', '<=', '>=', '==', '!=', '?'}
+        return last > i and (self.word(i) not in (',', '{') or self.in_list(i)) and self.kind(i + 1) in ('name', 'number') and \
+            self.word(i + 1) not in {'0', 'NAN', 'true', 'false'} | TYPES and not words & {'&&', '||', '<', '>', '<=', '>=', '==', '!=', '?'}
 
     def opening(self, i):
         """The bracket that token i stands in."""
@@ -256,146 +232,112 @@ class C:
         return self.word(k) == '{' and not any(self.word(q) == ';' for q in range(k, self.partner.get(k, k)))
 
     def constants(self, i):
-        _, word, start, end = self.tokens[i]
+        _, word, start, end = self.marks[i]
         if re.fullmatch(r'\d+[uUlL]*', word):
             value, suffix = re.fullmatch(r'(\d+)(.*)', word).groups()
-            yield start, end, f'{int(value) + 1}{suffix}'
-            yield start, end, f'{int(value) - 1}{suffix}' if int(value) else '-1'
-        elif float(word.rstrip('fFlLuU') if 'x' not in word.lower() else float.fromhex(word.rstrip('uUlL'))) == 0:
-            yield start, end, '1.0'
+            others = f'{int(value) + 1}{suffix}', f'{int(value) - 1}{suffix}' if int(value) else '-1'
         else:
-            yield start, end, f'(2 * {word})'
-            yield start, end, f'({word} / 2)'
+            zero = float(word.rstrip('fFlLuU') if 'x' not in word.lower() else float.fromhex(word.rstrip('uUlL'))) == 0
+            others = ('1.0',) if zero else (f'(2 * {word})', f'({word} / 2)')
+        yield from ((start, end, other, 'constant') for other in others)
 
-    def names(self, i):
-        _, word, start, end = self.tokens[i]
-        if word in SIBLING:
-            yield start, end, SIBLING[word]
-        if word in TRANSPARENT and self.word(i + 1) == '(':
-            yield start, end, ''
-
-    def exchanges(self, i, block):
+    def exchanges(self, i):
         """Neighbours in a list exchanged; in a set that must all be within its bounds, each left out."""
-        if i not in self.partner or i in block:
-            return
         called = self.word(i - 1) if self.word(i) == '(' and self.kind(i - 1) == 'name' else ''
-        if self.word(i) == '[' or self.word(i) == '(' and (not called or called in CONTROL):
+        if i not in self.partner or i in self.block or self.word(i) != '{' and (not called or called in CONTROL):
             return
         parts = self.parts(i)
-        if called in ('POSITIVE', 'FINITE'):
-            for k, (first, last) in enumerate(parts):
-                if len(parts) > 1:
-                    first, last = (first - 1, last) if k else (first, last + 1)
-                    yield self.replace(first, last, '')
-        elif called not in ORDERLESS:
-            for number, ((a, b), (c, d)) in enumerate(zip(parts, parts[1:])):
-                if number == 1 and COMMUTATIVE.fullmatch(called):
-                    continue
-                if self.source(a, b) != self.source(c, d) and self.word(a) != '.':
-                    yield self.replace(a, d, f'{self.source(c, d)}, {self.source(a, b)}')
+        if called in ('POSITIVE', 'FINITE') and len(parts) > 1:
+            yield from (self.replace(first - (k > 0), last + (k == 0), '', 'argument') for k, (first, last) in enumerate(parts))
+        for number, ((a, b), (c, d)) in enumerate(zip(parts, parts[1:])):
+            if called not in ORDERLESS and not (number == 1 and COMMUTATIVE.fullmatch(called)) and \
+                    self.source(a, b) != self.source(c, d) and self.word(a) != '.':
+                yield self.replace(a, d, f'{self.source(c, d)}, {self.source(a, b)}', 'argument')
 
     def drops(self, i):
         word = self.word(i)
-        if word not in DROPPED:
-            return
-        first, last = self.left(i, PRECEDENCE[word]), self.right(i, PRECEDENCE[word])
-        if first < i <= last - 1:
-            yield self.replace(i, last, '')
-            if DROPPED[word] == 'both':
-                yield self.replace(first, i, '-' if word == '-' else '')
-
-
-    def guides(self):
-        """The tokens of functions that guide, and bound nothing."""
-        return {k for i, end in self.partner.items() if self.word(i) == '{' and self.word(i - 1) == ')'
-                and GUIDES.fullmatch(self.word(self.partner[i - 1] - 1)) for k in range(i, end)}
+        if word in DROPPED:
+            first, last = self.operand(i, -1, PRECEDENCE[word]), self.operand(i, 1, PRECEDENCE[word])
+            if first < i < last + 1:
+                what = 'condition left out' if word in ('&&', '||') else 'term left out'
+                yield self.replace(i, last, '', what)
+                if DROPPED[word] == 'both':
+                    yield self.replace(first, i, '-' if word == '-' else '', what)
 
     def soundness(self):
         """An error not added, a radius cleared, a bound exchanged or off by one, a proof or a refusal not asked for."""
-        (live, block), guides = self.regions(), self.guides()
-        for first, last in self.statements(block)[0]:
+        guides = {k for i, end in self.partner.items() if self.word(i) == '{' and self.word(i - 1) == ')'
+                  and GUIDES.fullmatch(self.word(self.partner[i - 1] - 1)) for k in range(i, end)}
+        for first, last in self.simple:
             if ADDS.fullmatch(self.word(first)) and first not in guides:
-                yield self.replace(first, last, ';')
+                yield self.replace(first, last, ';', 'error not added')
             if BALL.fullmatch(self.word(first)) and first not in guides:
                 ball = self.source(*self.parts(first + 1)[0])
-                yield self.replace(first, last, f'{{ {self.source(first, last)} mag_zero(arb_radref({ball})); }}')
-        for i, (kind, word, start, end) in enumerate(self.tokens):
-            if not live[i] or i in guides:
+                yield self.replace(first, last, f'{{ {self.source(first, last)} mag_zero(arb_radref({ball})); }}', 'radius cleared')
+        for i, (kind, word, start, end) in enumerate(self.marks):
+            if not self.live[i] or i in guides:
                 continue
             after, around = self.partner.get(i + 1, i) + 1, self.opening(i)
             caller = self.word(around - 1) if self.word(around) == '(' else ''
             if word in LOOSER:
-                yield start, end, LOOSER[word]
+                yield start, end, LOOSER[word], 'bound exchanged'
             elif kind == 'number' and word.isdigit() and NUMERIC.fullmatch(caller) and int(word) < MOST_FACTOR and \
                     self.word(i - 1) not in ('+', '-'):
                 yield from self.constants(i)
             elif kind == 'number' and word.isdigit() and self.in_list(i) and '=' in (self.word(i - 1), self.word(i - 2)):
-                yield start, end, f'(2 * {word})'
+                yield start, end, f'(2 * {word})', 'constant'
             elif word in ('<', '>', '<=', '>=') and self.operand_before(i) and caller != 'for' and \
                     not re.fullmatch('[A-Z_]+', self.word(i + 1)):  # by which an index is classified
-                yield start, end, OPERATOR[word][0]
-            elif word == '&&' or word == '||' and caller in CONTROL or word in ('+', '-') and self.operand_before(i) and not re.match('[a-z_]', caller):
+                yield start, end, OPERATOR[word][0], 'comparison loosened'
+            elif word == '&&' or word == '||' and caller in CONTROL or \
+                    word in ('+', '-') and self.operand_before(i) and not re.match('[a-z_]', caller):
                 yield from self.drops(i)
             elif word == '!' and self.kind(i + 1) == 'name':
-                yield start, end, 'false && !'
-            elif word in ('return', '=') and set('&<>') & {self.word(k)[0] for k in range(i + 1, self.right(i, 0) + 1)
-                                                           if self.operand_before(k)}:
-                yield self.replace(i + 1, self.right(i, 0), f'({self.source(i + 1, self.right(i, 0))}) || true')
+                yield start, end, 'false && !', 'condition left out'
+            elif word in ('return', '='):
+                last = self.operand(i, 1, 0)
+                if set('&<>') & {self.word(k)[0] for k in range(i + 1, last + 1) if self.operand_before(k)}:
+                    yield self.replace(i + 1, last, f'({self.source(i + 1, last)}) || true', 'always true')
             elif word == 'for':
-                first, second = [k for k in range(i, after) if self.word(k) == ';']
-                compared = next((k for k in range(first, second) if self.word(k) in ('<=', '>=', '>', '<')), 0)
-                last = self.right(compared, PRECEDENCE['&&'])
-                if compared:
-                    strict = self.word(compared)[0] if '=' in self.word(compared) else self.word(compared)
-                    shorter = {'<': f'{self.source(compared + 1, last)} - 1', '>': f'{self.source(compared + 1, last)} + 1'}
-                    yield self.replace(compared, last, f'{strict} ' + (
-                        self.source(compared + 1, last) if strict != self.word(compared) else shorter[strict]))
+                yield from self.shorter(i, after)
             elif word == 'if' and self.word(after) == 'return':
-                yield self.replace(i, next(k for k in range(after, len(self.tokens)) if self.word(k) == ';'), ';')
+                yield self.replace(i, next(k for k in range(after, len(self.marks)) if self.word(k) == ';'), ';', 'early return')
+
+    def shorter(self, i, after):
+        """A loop that takes a turn less."""
+        first, second = [k for k in range(i, after) if self.word(k) == ';']
+        for compared in [k for k in range(first, second) if self.word(k) in ('<=', '>=', '>', '<')][:1]:
+            last, sign = self.operand(compared, 1, PRECEDENCE['&&']), self.word(compared)
+            end = self.source(compared + 1, last) + {'<': ' - 1', '>': ' + 1'}.get(sign, '')
+            yield self.replace(compared, last, f'{sign[0]} {end}', 'loop a turn short')
 
 
 # ---- YAML ----
 
-PROSE = ('title', 'note', 'meaning', 'reason', 'why', 'claim', 'where')
+PROSE = ('title', 'note', 'text', 'meaning', 'reason', 'why', 'claim', 'where')
 WORD = re.compile(r'[A-Za-z_][\w.]*(?:-[A-Za-z_]\w*)*|\d+(?:\.\d+)?(?:[eE][+-]?\d+)?[a-z]?(?![\w.])|<=|>=|[-+*/^<>=@]')
+YAML_OPERATOR = {'+': '-', '-': '+', '*': '/', '/': '*', '^': '*', '<': '>', '>': '<', '<=': '<', '>=': '>', '=': '-', '@': ''}
 
 
-def yaml_spans(text):
-    """The stretches of the file that are neither comment nor prose."""
-    at, prose_indent, lines_indent, principles = 0, None, None, False
-    for line in text.splitlines(keepends=True):
-        indent = len(line) - len(line.lstrip())
-        if prose_indent is not None and line.strip() and indent <= prose_indent:
-            prose_indent = None
-        if lines_indent is not None and line.strip() and indent <= lines_indent:
-            lines_indent = None
-        if indent == 0 and line.strip() and not line.startswith('#'):
-            principles = line.startswith('principles:')
-        end = at + len(line.rstrip('\n'))
-        comment = re.search(r'(?:^|\s)#.*', line)
-        if comment and not line.strip().startswith('"'):
-            end = min(end, at + comment.start())
-        key = re.match(r'\s*(?:- )?(\w+): ', line)
-        if prose_indent is None and end > at:
-            if key and key.group(1) in PROSE or principles and key:
-                yield at + key.start(1), at + key.end(1)
-                prose_indent = indent
-            elif lines_indent is not None:  # how: the algebra by hand
-                yield at + re.match(r'\s*(?:"[^"]*"|[^"]*?): ', line).end(), end
-            else:
-                inline = re.search(r'[{,] (?:meaning|reason|note): |\{(?:meaning|reason): ', line)
-                inline = re.search(r', meaning: ', line) or inline
-                yield at, min(end, at + inline.end() if inline else end)
-        if key is None and line.strip() == 'lines:':
-            lines_indent = indent
-        at += len(line)
+def yaml_texts(node, keys=True):
+    """Where the keys stand, and the texts that are no prose."""
+    if isinstance(node, yaml.MappingNode):
+        for key, value in node.value:
+            if keys:
+                yield from yaml_texts(key)
+            if key.value not in PROSE:
+                yield from yaml_texts(value, key.value != 'lines')  # whose keys say how it is reckoned
+    elif isinstance(node, yaml.SequenceNode):
+        for value in node.value:
+            yield from yaml_texts(value)
+    else:
+        yield node.start_mark.index + (node.style in ('>', '|')), node.end_mark.index
 
 
 def yaml_number(word):
-    value, suffix = re.fullmatch(r'(.*?)([a-z]?)', word).groups()
-    mantissa, _, exponent = re.sub('[eE]', 'e', value).partition('e')
+    mantissa, rest = re.fullmatch(r'([\d.]+)(.*)', word).groups()
     last = str((int(mantissa[-1]) + 1) % 10) if mantissa[-1] != '9' or '.' in mantissa else '8'
-    return mantissa[:-1] + last + ('e' + exponent if exponent else '') + suffix
+    return mantissa[:-1] + last + rest
 
 
 def yaml_other(word, names):
@@ -403,56 +345,49 @@ def yaml_other(word, names):
     section, dot, name = word.rpartition('.')
     if name in YAML_SIBLING:
         return section + dot + YAML_SIBLING[name]
-    if word in names and len(names) > 1:
-        return names[(names.index(word) + 1) % len(names)]
-    return word + 'x'
-
-
-YAML_OPERATOR = {'+': '-', '-': '+', '*': '/', '/': '*', '^': '*', '<': '>', '>': '<', '<=': '<', '>=': '>', '=': '-', '@': ''}
+    return names[(names.index(word) + 1) % len(names)] if word in names and len(names) > 1 else word + 'x'
 
 
 def yaml_names(text, at):
     """The names of the section around: its inputs, then what it defines."""
-    start = max((m.start() for m in re.finditer(r'^  ?[\w" ]+:', text[:at], re.M)), default=0)
-    following = re.compile(r'^  ?[\w" ]+:', re.M).search(text, at)
+    heading = re.compile(r'^  ?[\w" ]+:', re.M)
+    start = max((m.start() for m in heading.finditer(text, 0, at)), default=0)
+    following = heading.search(text, at)
     body = text[start:following.start() if following else len(text)]
     lists = ' '.join(re.findall(r'(?:inputs|free|angles|positive): \[(.*?)\]', body, re.S))
     return list(dict.fromkeys(re.findall(r'\w+', lists) + re.findall(r'^      (\w+): ', body, re.M)))
 
 
 def yaml_mutants(text):
-    for start, end in yaml_spans(text):
+    for start, end in yaml_texts(yaml.compose(text, yaml.CSafeLoader)):
         names = yaml_names(text, start)
         for m in WORD.finditer(text, start, end):
             word, a, b = m.group(), m.start(), m.end()
-            before = text[start:a].strip()
-            if word == '-' and not before and text[b] == ' ':
-                continue  # the mark of a list's item
             if word[0].isdigit():
-                yield a, b, yaml_number(word)
+                yield a, b, yaml_number(word), 'number'
             elif word in YAML_OPERATOR:
-                yield a, b, '' if word in '+-' and before[-1:] in '(=:{[,"^*/' else YAML_OPERATOR[word]
+                unary = word in '+-' and text[start:a].strip()[-1:] in ('', *'(=:{[,"^*/')
+                yield a, b, '' if unary else YAML_OPERATOR[word], 'operator'
             else:
-                yield a, b, yaml_other(word, names)
+                yield a, b, yaml_other(word, names), 'name'
 
 
 def step_mutants(text):
     """A step that shows less than it says: an equality left out or made a tautology, an entry of from or to left out."""
     for m in re.finditer(r'^      - ([^\n"]+?) = ([^\n"]+)\n(?!        )', text, re.M):
-        yield m.start(), m.end(), ''
-        yield m.start(1), m.end(2), f'{m.group(1)} = {m.group(1)}'
-        yield m.start(1), m.end(2), f'{m.group(2)} = {m.group(2)}'
+        yield m.start(), m.end(), '', 'equality'
+        for side in (1, 2):
+            yield m.start(1), m.end(2), f'{m.group(side)} = {m.group(side)}', 'equality'
     for m in re.finditer(r'^    (?:from|to): \[(.*)\]$', text, re.M):
         entries = m.group(1).split(', ')
-        yield from ((m.start(1), m.end(1), ', '.join(entries[:i] + entries[i + 1:])) for i in range(len(entries)))
+        yield from ((m.start(1), m.end(1), ', '.join(entries[:i] + entries[i + 1:]), 'relation') for i in range(len(entries)))
 
 
 def mutants(path, text, kind=''):
     """In the order of the file, without repetition."""
     seen = set()
-    found = yaml_mutants(text) if path.endswith('.yaml') else C(text).soundness() if kind else C(text).mutants()
-    for mutant in sorted(itertools.chain(found, step_mutants(text) if path.endswith('derivations.yaml') else ())):
-        start, end, by = mutant
-        if text[start:end] != by and mutant not in seen:
-            seen.add(mutant)
-            yield mutant
+    found = yaml_mutants(text) if path.endswith('.yaml') else C(text).soundness() if kind else C(text).tokens()
+    for start, end, by, what in sorted(itertools.chain(found, step_mutants(text) if path.endswith('derivations.yaml') else ())):
+        if text[start:end] != by and (start, end, by) not in seen:
+            seen.add((start, end, by))
+            yield start, end, by, what
