@@ -14,16 +14,12 @@ static char *file_text(const char *name, size_t *length)
 {
     FILE *file = fopen(name, "rb");
     char *text = NULL;
-    size_t got;
-    *length = 0;
+    size_t size = 0;
     if (file == NULL)
         return NULL;
-    do {
-        text = xrealloc(text, *length + 4096, 1);
-        got = fread(text + *length, 1, 4096, file);
-        *length += got;
-    } while (got == 4096);
-    bool fine = !ferror(file);
+    const ssize_t got = getdelim(&text, &size, '\0', file); /* text has no zero byte */
+    const bool fine = got >= 0 || feof(file);
+    *length = got >= 0 ? (size_t)got : 0;
     if (fclose(file) != 0 || !fine) {
         free(text);
         return NULL;

@@ -147,55 +147,44 @@ static void scale_decimal(fmpz_t p, fmpz_t q, slong k)
     fmpz_mul(k < 0 ? q : p, k < 0 ? q : p, power);
 }
 
-/* p/q = |x| 10^k */
-static void scaled_parts(fmpz_t p, fmpz_t q, const fmpq *x, slong k)
-{
-    fmpz_abs(p, fmpq_numref(x));
-    fmpz_set(q, fmpq_denref(x));
-    scale_decimal(p, q, k);
-}
+/* Away from zero, towards it, or to the nearest. */
+struct rounded {
+    const fmpq *x;
+    arf_rnd_t way;
+};
 
-static bool round_rational(fmpz_t n, const void *x, slong k)
+static bool round_rational(fmpz_t n, const void *what, slong k)
 {
+    const struct rounded *r = what;
     SCOPE(fmpz, p, q, remainder);
-    scaled_parts(p, q, x, k);
+    fmpz_abs(p, fmpq_numref(r->x));
+    fmpz_set(q, fmpq_denref(r->x));
+    scale_decimal(p, q, k);
     fmpz_fdiv_qr(n, remainder, p, q);
-    fmpz_mul_2exp(remainder, remainder, 1);
-    const int half = fmpz_cmp(remainder, q);
-    if (half > 0 || (half == 0 && fmpz_is_odd(n)))
+    bool more = r->way == ARF_RND_UP && !fmpz_is_zero(remainder);
+    if (r->way == ARF_RND_NEAR) {
+        fmpz_mul_2exp(remainder, remainder, 1);
+        const int half = fmpz_cmp(remainder, q);
+        more = half > 0 || (half == 0 && fmpz_is_odd(n));
+    }
+    if (more)
         fmpz_add_ui(n, n, 1);
     return true;
 }
 
-/* Towards zero, and away from it. */
-static bool round_down(fmpz_t n, const void *x, slong k)
+static char *rounded_text(arf_rnd_t way, const fmpq_t x, slong digits)
 {
-    SCOPE(fmpz, p, q);
-    scaled_parts(p, q, x, k);
-    fmpz_fdiv_q(n, p, q);
-    return true;
-}
-
-static bool round_up(fmpz_t n, const void *x, slong k)
-{
-    SCOPE(fmpz, p, q);
-    scaled_parts(p, q, x, k);
-    fmpz_cdiv_q(n, p, q);
-    return true;
-}
-
-static char *rounded_text(rounder *round, const fmpq_t x, slong digits)
-{
+    const struct rounded r = {x, way};
     slong top, bottom;
     const double above = fmpz_get_d_2exp(&top, fmpq_numref(x)), below = fmpz_get_d_2exp(&bottom, fmpq_denref(x));
     if (fmpq_is_zero(x))
         return text_copy("0");
-    return scientific(round, x, fmpq_sgn(x) < 0, digits, decimal_exponent(fabs(above / below), top - bottom));
+    return scientific(round_rational, &r, fmpq_sgn(x) < 0, digits, decimal_exponent(fabs(above / below), top - bottom));
 }
 
 char *decimal_of_rational(const fmpq_t x, slong digits)
 {
-    return rounded_text(round_rational, x, digits);
+    return rounded_text(ARF_RND_NEAR, x, digits);
 }
 
 /*
@@ -246,7 +235,7 @@ char *decimal_of_end(const arb_t x, slong digits, bool upper)
     else
         arb_get_lbound_arf(end, x, 64);
     arf_get_fmpq(exact, end);
-    return rounded_text(upper == (fmpq_sgn(exact) > 0) ? round_up : round_down, exact, digits);
+    return rounded_text(upper == (fmpq_sgn(exact) > 0) ? ARF_RND_UP : ARF_RND_DOWN, exact, digits);
 }
 
 /*
@@ -338,7 +327,7 @@ void decimal_bound(char text[32], double x)
         return;
     }
     arf_get_fmpq(exact, value);
-    char *digits = rounded_text(round_up, exact, 2);
+    char *digits = rounded_text(ARF_RND_UP, exact, 2);
     snprintf(text, 32, "%s", digits);
     free(digits);
 }

@@ -39,29 +39,16 @@ static struct mark place_in_text(const struct yaml *n, size_t offset)
     return place;
 }
 
-static void tell(struct message *m, const struct yaml *at, size_t offset, const char *format, va_list arguments)
+bool node_message(struct message *m, const struct yaml *at, size_t offset, const char *format, ...)
 {
     char text[384];
+    va_list arguments;
     const struct mark place = offset == AT_KEY ? at->key_at : place_in_text(at, offset);
+    va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
     message_set(m, "%s:%zu:%zu: %s", at->tree->file, place.line + 1, place.column + 1, text);
-}
-
-bool node_error(const struct yaml *at, size_t offset, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    tell(at->tree->why, at, offset, format, arguments);
-    va_end(arguments);
     return false;
-}
-
-void node_message(struct message *m, const struct yaml *at, size_t offset, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    tell(m, at, offset, format, arguments);
-    va_end(arguments);
 }
 
 /* ---- reading ---- */

@@ -39,15 +39,12 @@ const struct yaml *under(const struct yaml *mapping, const char *key);
 /* The mistake stands `offset` characters into a node (of which only a scalar's own are counted, folded as it is). False. */
 #define AT_KEY ((size_t)-1) /* ... or at its key */
 #if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
-#endif
-bool node_error(const struct yaml *at, size_t offset, const char *format, ...);
-
-/* The same into a message of one's own. */
-#if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))
 #endif
-void node_message(struct message *m, const struct yaml *at, size_t offset, const char *format, ...);
+bool node_message(struct message *m, const struct yaml *at, size_t offset, const char *format, ...);
+
+/* The same as the tree's own message. */
+#define node_error(at, ...) node_message((at)->tree->why, at, __VA_ARGS__)
 
 bool is_map(const struct yaml *n);
 bool is_sequence(const struct yaml *n);
