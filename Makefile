@@ -506,7 +506,7 @@ $(BUILD)/coulombtether.h $(BUILD)/coulombtether.3: ref/describe.awk $(wildcard r
 ## install: library, header, pkg-config file, program, manual pages and completion, below prefix (and DESTDIR)
 install: all $(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash $(BUILD)/coulombtether.h $(BUILD)/coulombtether.3
 	@sed $(foreach name,prefix exec_prefix libdir includedir,-e $(call word_of,s|@$(name)@|$(call pc_value,$($(name)))|)) \
-	  -e 's|@version@|$(VERSION)|' ref/coulombtether.pc.in >$(BUILD)/coulombtether.pc
+	  -e 's|@version@|$(VERSION)|' -e "$$([ -e $(SHARED) ] || echo s/Requires.private/Requires/)" ref/coulombtether.pc.in >$(BUILD)/coulombtether.pc
 	$(INSTALL) -d $(call into,$(bindir)) $(call into,$(libdir)) $(call into,$(pkgconfigdir)) $(call into,$(includedir)) $(call into,$(mandir)/man1) \
 	  $(call into,$(mandir)/man3) $(call into,$(completiondir))
 	$(INSTALL) -m 755 $(PROGRAM) $(call into,$(bindir)/)
