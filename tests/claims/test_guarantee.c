@@ -8,7 +8,11 @@
 
 #include "tests/claims/balls.h"
 #include "tests/run.h"
+#include "claims/curve.h"
 #include "claims/guarantee.h"
+#include "claims/sampling.h"
+#include "claims/second_order.h"
+#include "tests/paper.h"
 #include "motion/flow.h"
 
 enum { PREC = 192 };
@@ -262,4 +266,118 @@ TEST(outside_the_domain_nothing_is_said)
     arb_set_d(n, 9 + 0x1p-40); /* so near that the doubled root leaves digits open: no wrong sign is guessed */
     ck_assert(guarantees_enclose(values, n, NULL, 64));
     ck_assert(arb_is_finite(values) && !arb_is_finite(values + guarantee_find("box")));
+}
+
+/* ---- what is proved of all values of a ball ---- */
+
+enum { NUMBERS_OF_GAINS = 7 };
+
+/* By name, of gains: how long they may be held, how late they may act, what they make of pitch. */
+static void of_gains(arb_ptr z, const arb_t c1, const arb_t c2, slong prec)
+{
+    static const char *const names[] = {"A_re", "A_im", "B_re", "decay", "shift"};
+    struct second_order o;
+    second_order_init(&o, steps(), c1, c2, NULL, prec);
+    for (int i = 0; i < 5; i++)
+        arb_set(z + i, second_order_get(&o, names[i]));
+    second_order_clear(&o);
+    largest_hold(z + 5, c1, c2, prec);
+    largest_delay(z + 6, c1, c2, prec);
+}
+
+/* The numbers of a ball of gains hold those of its ends, and of its middle, which have three times the bits. */
+EACH(numbers_of_a_ball_hold_those_of_its_gains, 6)
+{
+    static const double gains[] = {9.5, 10, 12, 15, 23, 40};
+    static const int few_bits[] = {40, 53, 64};
+    SCOPE(arb, n, one, c2, y);
+    for (int k = 0; k < 3; k++) {
+        VECTOR(arb, wide, GUARANTEES + NUMBERS_OF_GAINS);
+        VECTOR(arb, sharp, GUARANTEES + NUMBERS_OF_GAINS);
+        arb_set_d(n, gains[_i]);
+        mag_set_d(arb_radref(n), ldexp(1, -14 * k - 8));
+        arb_set_d(y, 1.25);
+        mag_set_d(arb_radref(y), ldexp(1, -14 * k - 8));
+        arb_sub_ui(c2, n, 9, few_bits[k]);
+        arb_sqrt(c2, c2, few_bits[k]);
+        arb_mul_2exp_si(c2, c2, 1);
+        guarantees_enclose(wide, n, _i % 2 ? y : NULL, few_bits[k]);
+        of_gains(wide + GUARANTEES, n, c2, few_bits[k]);
+        for (int end = -1; end <= 1; end++) {
+            arb_set_d(one, gains[_i] + end * ldexp(1, -14 * k - 8));
+            arb_set_d(y, 1.25 + end * ldexp(1, -14 * k - 8));
+            arb_sub_ui(c2, one, 9, PREC);
+            arb_sqrt(c2, c2, PREC);
+            arb_mul_2exp_si(c2, c2, 1);
+            guarantees_enclose(sharp, one, _i % 2 ? y : NULL, PREC);
+            of_gains(sharp + GUARANTEES, one, c2, PREC);
+            for (int i = 0; i < GUARANTEES + NUMBERS_OF_GAINS; i++)
+                ck_assert_msg(arb_contains(wide + i, sharp + i) || !arb_is_finite(wide + i), "number %d at n = %g", i, gains[_i]);
+        }
+    }
+}
+
+/* ---- the error terms of narrow_root, curve.c ---- */
+
+/* a x + b x^2 - c, with balls for a, b and c */
+struct parabola {
+    arb_t a, b, c;
+};
+
+static int parabola_at(arb_ptr out, const arb_t x, void *of, slong order, slong prec)
+{
+    const struct parabola *p = of;
+    SCOPE(arb, part);
+    arb_mul(part, p->b, x, prec);
+    arb_add(out, p->a, part, prec);
+    arb_mul(out, out, x, prec);
+    arb_sub(out, out, p->c, prec);
+    if (order > 1) {
+        arb_mul_2exp_si(part, part, 1);
+        arb_add(out + 1, p->a, part, prec);
+    }
+    return 0;
+}
+
+/* The root of a x + b x^2 = c on [0, 4], at the ends of each ball: a = 1 +- r, b = s, c = 2 +- t. */
+static const struct {
+    const char *name;
+    double r, s, t;
+    slong prec;
+} narrowings[] = {
+    {"N1_the_value_has_a_radius", 0, 0, 0.25, 53},      {"N1_and_few_bits", 0, 0.3, 0, 8},
+    {"N2_the_slope_has_a_radius", 0.125, 0, 0, 53},     {"N2_and_varies_over_the_interval", 0, 2, 0, 12},
+    {"N3_the_side_is_found_where_the_slope_is_open", 0, -0.125, 0, 53}, {"all", 0.0625, 0.5, 0.0625, 20},
+};
+
+EACH(a_narrowed_root_holds_those_of_all_values, COUNT(narrowings))
+{
+    struct parabola p;
+    SCOPE(arb, root, exact);
+    arb_init(p.a);
+    arb_init(p.b);
+    arb_init(p.c);
+    arb_set_ui(p.a, 1);
+    mag_set_d(arb_radref(p.a), narrowings[_i].r);
+    arb_set_d(p.b, narrowings[_i].s);
+    arb_set_ui(p.c, 2);
+    mag_set_d(arb_radref(p.c), narrowings[_i].t);
+    arb_set_ui(root, 2);
+    mag_set_ui(arb_radref(root), 2);
+    narrow_root(root, parabola_at, &p, narrowings[_i].prec);
+    for (int corner = 0; corner < 4; corner++) {
+        const double a = 1 + (corner & 1 ? 1 : -1) * narrowings[_i].r, c = 2 + (corner & 2 ? 1 : -1) * narrowings[_i].t, b = narrowings[_i].s;
+        arb_set_d(exact, a * a + 4 * b * c); /* exact, and so is 2 c */
+        arb_sqrt(exact, exact, PREC);
+        SCOPE(arb, part);
+        arb_set_d(part, a);
+        arb_add(exact, exact, part, PREC);
+        arb_set_d(part, 2 * c);
+        arb_div(exact, part, exact, PREC);
+        ck_assert_msg(arb_contains(root, exact), "%s", narrowings[_i].name);
+    }
+    ck_assert_msg(mag_cmp_2exp_si(arb_radref(root), 0) < 0, "%s", narrowings[_i].name); /* and is narrowed */
+    arb_clear(p.a);
+    arb_clear(p.b);
+    arb_clear(p.c);
 }
