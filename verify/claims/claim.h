@@ -33,11 +33,14 @@ extern const char *const how_names[];     /* "exact", "certified"               
 /* Proved true or not proved: what cannot be refuted this way stays undecided. */
 enum truth proved_or_open(bool proved);
 
-/* What a computation hands its results to, and the derivation steps that it may use, with them the sheet. */
-struct computed;
-const struct derivations *steps_of(const struct computed *c);
-const struct sheet *sheet_of(const struct computed *c);
-const struct computation *computation_of(const struct computed *c);
+/* What a computation hands its results to. */
+struct computed {
+    const struct computation *of;
+    const struct derivations *steps; /* that it may use, with them the sheet */
+    bool done;
+    struct handed *numbers;
+    int count;
+};
 
 /* One of its numbers, by its name (printf-like): the enclosure if it was proved, else nothing. */
 #if defined(__GNUC__)
@@ -53,11 +56,34 @@ struct computation {
     const void *of;      /* what is particular to this one of several that run alike */
 };
 
+/*
+ * Of one that is `of` a struct sampled: numbers in SI, each named for its measure, the variable and, in hours, from when on or from
+ * when to when (sup_psi_48_72); of exits, for the part of the start (exit_dL_200).
+ */
+void run_simulation(struct computed *c);
+
 /* The next of such names, of at most 63 characters; NULL at the end. */
 const char *next_name(const char *names, char name[64]);
 
 extern const struct computation computations_simulation[]; /* claims_simulation.c */
 extern const struct computation computations_studies[];    /* claims_studies.c    */
 extern const struct computation computations_sampling[];   /* claims_sampling.c   */
+
+/* Those that have been asked for. */
+struct computations {
+    const struct derivations *steps;
+    struct computed **of;
+    int count;
+};
+void computations_clear(struct computations *all);
+
+/* The computation of that name, not yet run; NULL: there is none. */
+struct computed *computed_find(struct computations *all, const char *name);
+
+struct computed *computed_new(const struct computation *of, const struct derivations *steps);
+void computed_free(struct computed *c);
+
+/* One of its numbers; the computation runs when the first is asked for. False: it gives none of that name. */
+bool computed_number(struct computed *c, const char *name, arb_t value, enum how *how);
 
 #endif

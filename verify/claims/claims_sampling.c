@@ -53,11 +53,11 @@ static void held_motion(struct computed *c)
     set_gains(c1, c2, 0);
     unit_parameters(&p, c1, c2);
     for (int i = 0; i < FLOW_HALF; i++)
-        sheet_value(start + i, sheet_of(c), names[i], BITS);
-    sheet_value(eta, sheet_of(c), "L_ref", BITS);
+        sheet_value(start + i, c->steps->sheet, names[i], BITS);
+    sheet_value(eta, c->steps->sheet, "L_ref", BITS);
     arb_div(start + 2, start + 2, eta, BITS);
     arb_mul(start + 2, start + 2, p.L_ref, BITS);
-    state_from_angles(start, sheet_of(c), &p, BITS);
+    state_from_angles(start, c->steps->sheet, &p, BITS);
     flow_parameters_clear(&p);
     fmpq_set_si(T, 2077, 10000);
     const bool proved = hold_follow(states, start, c1, c2, T, HOLDS, DIGITS, BITS) == FLOW_DONE;
@@ -83,7 +83,7 @@ static void damped(struct computed *c)
     SCOPE(arb, c1, c2, a, amplitude, law, gap, tau, charge);
     SCOPE(arb, swing, shift, product, sigma);
     SCOPE(acb, S);
-    sheet_value(a, sheet_of(c), "theta", SAMPLING_BITS);
+    sheet_value(a, c->steps->sheet, "theta", SAMPLING_BITS);
     arb_set_ui(swing, 1);
     arb_div_ui(swing, swing, 100, SAMPLING_BITS);
     for (int k = 0; k < SAMPLED_GAINS; k += 2) {
@@ -92,11 +92,11 @@ static void damped(struct computed *c)
         struct trajectory t;
         set_gains(c1, c2, k);
         quadrature_reference(S, c1, c2, swing, a, SAMPLING_BITS);
-        second_order_init(&o, steps_of(c), c1, c2, S, SAMPLING_BITS);
+        second_order_init(&o, c->steps, c1, c2, S, SAMPLING_BITS);
         moved_loop_init(&loop, c1, S, SAMPLING_BITS);
         arb_zero(tau);
         second_order_after(start, &o, a, tau);
-        const struct simulation s = {.steps = steps_of(c), .nonlinear = true, .digits = DIGITS, .start = start, .by = &loop.steps,
+        const struct simulation s = {.steps = c->steps, .nonlinear = true, .digits = DIGITS, .start = start, .by = &loop.steps,
                                      .n = k > 0 ? "12" : "10", .C2 = C2[k]};
         const bool proved = trajectory_run(&t, &s, HOUR, HOUR, HOURS * HOUR);
         arb_zero(gap);

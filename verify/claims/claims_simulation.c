@@ -2,12 +2,12 @@
  * The paper's simulation, its linear model and their variations: a table of trajectories, and what is measured of each.
  * Samples come from certified flows; what happens between and after them is bounded in trajectory.h.
  */
-#include "claims/simulation.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "claims/claim.h"
+#include "claims/trajectory.h"
 #include "sheet/input.h"
 #include "text/scope.h"
 
@@ -231,15 +231,15 @@ static void give_measure(struct computed *c, bool run, const struct trajectory *
 
 void run_simulation(struct computed *c)
 {
-    const struct sampled *s = computation_of(c)->of;
+    const struct sampled *s = c->of->of;
     struct simulation one = s->simulation, other = s->beside != NULL ? *s->beside : one;
     struct trajectory t, beside;
     char name[64];
-    one.steps = other.steps = steps_of(c);
+    one.steps = other.steps = c->steps;
     bool run = trajectory_run(&t, &one, s->first, s->step, s->last);
     if (s->beside != NULL)
         run = trajectory_run(&beside, &other, s->first, s->step, s->last) && run;
-    for (const char *at = computation_of(c)->numbers; (at = next_name(at, name)) != NULL;)
+    for (const char *at = c->of->numbers; (at = next_name(at, name)) != NULL;)
         give_measure(c, run, &t, &beside, name);
     if (s->beside != NULL)
         trajectory_clear(&beside);
@@ -287,7 +287,7 @@ static void method_step(arb_ptr state, const arb_t h, int order, const struct tr
 static void method_errors(struct computed *c)
 {
     enum { STEP = 100, SAMPLES = 12 * STEP };
-    const struct simulation s = {.steps = steps_of(c), .digits = 2 * TRAJECTORY_DIGITS};
+    const struct simulation s = {.steps = c->steps, .digits = 2 * TRAJECTORY_DIGITS};
     struct trajectory t;
     SCOPE(arb, h, off);
     const bool run = trajectory_run(&t, &s, 0, SAMPLES, 3 * DAY);

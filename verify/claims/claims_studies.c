@@ -11,11 +11,11 @@
  */
 static void run_study(struct computed *c)
 {
-    const struct study *s = study_find(computation_of(c)->name);
+    const struct study *s = study_find(c->of->name);
     const int last = s->rows - 1, from = s->of_claims ? 0 : last - 1;
     struct convergence study;
     SCOPE(arb, worst);
-    const bool found = convergence_init(&study, steps_of(c), s, from);
+    const bool found = convergence_init(&study, c->steps, s, from);
     for (int i = 0; i < s->count; i++) {
         const char *variable = variable_names[s->which[i]];
         for (int row = from; row < s->rows; row++) {
@@ -42,8 +42,8 @@ static void forced_response(struct computed *c)
     for (int i = 0; i < 3; i++) {
         struct second_order o;
         struct trajectory t;
-        const bool ready = trajectory_run(&t, &(struct simulation){.steps = steps_of(c), .n = gains[i]}, 0, 1, 0);
-        second_order_init(&o, steps_of(c), t.c1, t.c2, NULL, BITS);
+        const bool ready = trajectory_run(&t, &(struct simulation){.steps = c->steps, .n = gains[i]}, 0, 1, 0);
+        second_order_init(&o, c->steps, t.c1, t.c2, NULL, BITS);
         arb_hypot(size, second_order_get(&o, "A_re"), second_order_get(&o, "A_im"), BITS);
         give(c, CERTIFIED, ready, size, "length_%s", names[i]);
         arb_hypot(size, second_order_get(&o, "B_re"), second_order_get(&o, "B_im"), BITS);

@@ -1,4 +1,4 @@
-#include "claims/computation.h"
+#include "claims/claim.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -11,14 +11,6 @@ struct handed {
     char name[64];
     arb_t value;
     enum how how;
-};
-
-struct computed {
-    const struct computation *of;
-    const struct derivations *steps;
-    bool done;
-    struct handed *numbers;
-    int count;
 };
 
 const char *next_name(const char *names, char name[64])
@@ -68,21 +60,6 @@ void computations_clear(struct computations *all)
     for (int i = 0; i < all->count; i++)
         computed_free(all->of[i]);
     free(all->of);
-}
-
-const struct computation *computation_of(const struct computed *c)
-{
-    return c->of;
-}
-
-const struct derivations *steps_of(const struct computed *c)
-{
-    return c->steps;
-}
-
-const struct sheet *sheet_of(const struct computed *c)
-{
-    return c->steps->sheet;
 }
 
 static struct handed *announced(const struct computed *c, const char *name)

@@ -13,80 +13,49 @@ const char *const how_names[] = {"exact", "certified"};
 
 /* ---- numbers ---- */
 
-/* round(x 10^places), where the enclosure decides it; a bound always. */
-static bool scaled_integer(fmpz_t n, const arb_t x, slong places, enum rounding rounding)
-{
-    SCOPE(arb, y);
-    SCOPE(arf, end);
-    SCOPE(fmpz, power);
-    fmpz_ui_pow_ui(power, 10, (ulong)(places < 0 ? -places : places));
-    if (places < 0)
-        arb_div_fmpz(y, x, power, 4096);
-    else
-        arb_mul_fmpz(y, x, power, 4096);
-    bool unique = arb_is_finite(y);
-    if (unique && rounding == UPWARD) {
-        arb_get_ubound_arf(end, y, 4096);
-        arf_get_fmpz(n, end, ARF_RND_CEIL);
-    } else if (unique && rounding == DOWNWARD) {
-        arb_get_lbound_arf(end, y, 4096);
-        arf_get_fmpz(n, end, ARF_RND_FLOOR);
-    } else if (unique) {
-        arf_set_d(end, 0.5);
-        arb_add_arf(y, y, end, 4096);
-        arb_floor(y, y, 4096);
-        unique = arb_get_unique_fmpz(n, y);
-    }
-    return unique;
-}
-
-/* n/10^places, to that many decimals (fixed) or with scientific notation where it takes many zeros. */
-static char *decimal_text(const fmpz_t n, slong places, bool fixed)
+/* d.ddde-05 to that many decimals or, if that is -1, without an exponent where it takes few zeros. */
+static char *plain_decimal(const char *scientific, slong decimals)
 {
     struct tex t = {NULL, 0};
-    char *figures = fmpz_get_str(NULL, 10, n);
-    const char *digits = figures + (*figures == '-'), *sign = *figures == '-' ? "-" : "";
-    const slong count = (slong)strlen(digits), whole = count - places, exponent = whole - 1;
-    if (fmpz_is_zero(n) && !fixed)
-        tex_add(&t, "0");
-    else if (!fixed && (exponent < -4 || exponent > 6))
-        tex_add(&t, "%s%c%s%se%s%02ld", sign, *digits, count > 1 ? "." : "", digits + 1, exponent < 0 ? "-" : "+", labs(exponent));
-    else {
-        tex_add(&t, "%s%.*s%.*s", sign, whole > 0 ? (int)whole : 1, whole > 0 ? digits : "0", places < 0 ? (int)-places : 0, "000000");
-        tex_add(&t, "%s", places > 0 ? "." : "");
-        for (slong zeros = whole; zeros < 0; zeros++)
-            tex_add(&t, "0");
-        tex_add(&t, "%s", places > 0 ? digits + (whole > 0 ? whole : 0) : "");
+    const char *digits = scientific + (*scientific == '-'), *mark = strchr(digits, 'e');
+    const slong exponent = mark != NULL ? strtol(mark + 1, NULL, 10) : 0; /* "0" has none */
+    const slong count = mark != NULL ? mark - digits - (digits[1] == '.') : 1;
+    const slong places = decimals >= 0 ? decimals : FLINT_MAX(count - 1 - exponent, 0);
+    if (decimals < 0 && (exponent < -4 || exponent > 6))
+        return text_copy(scientific);
+    tex_add(&t, "%s", *scientific == '-' ? "-" : "");
+    for (slong power = FLINT_MAX(exponent, 0); power >= -places; power--) {
+        const slong k = exponent - power;
+        tex_add(&t, "%s%c", power == -1 ? "." : "", k < 0 || k >= count ? '0' : digits[k + (k > 0)]);
     }
-    flint_free(figures);
     return t.text;
 }
 
-/* How many digits before the point, less one, an upper or lower bound has. */
+/* Of the first digit of an upper bound; 0 of zero. */
 static slong exponent_of(const arb_t x)
 {
-    char *text = NULL;
     SCOPE(arb, y);
-    SCOPE(arf, end);
-    arb_get_abs_ubound_arf(end, x, 64);
-    arb_set_arf(y, end);
-    slong exponent = 0;
-    if (arb_is_positive(y) && (text = decimal_of_ball(y, 20)) != NULL)
-        exponent = strtol(strchr(text, 'e') + 1, NULL, 10);
+    arb_get_abs_ubound_arf(arb_midref(y), x, 64);
+    char *text = decimal_of_ball(y, 20);
+    const char *mark = text != NULL ? strchr(text, 'e') : NULL;
+    const slong exponent = mark != NULL ? strtol(mark + 1, NULL, 10) : 0;
     free(text);
     return exponent;
 }
 
-/* Its digits, where the enclosure decides them. */
-static char *number_text(const struct quoted_number *q, const arb_t x)
+/* Its digits, where the enclosure or, if it is rational, the number itself decides them. */
+static char *number_text(const struct quoted_number *q, const arb_t x, const fmpq_t exact)
 {
-    SCOPE(fmpz, n, power);
-    slong places = q->digits - (q->rounding == TO_DECIMALS ? 0 : 1 + exponent_of(x));
-    bool decided = q->rounding != AS_RATIONAL && scaled_integer(n, x, places, q->rounding);
-    fmpz_ui_pow_ui(power, 10, (ulong)q->digits);
-    if (decided && q->rounding == TO_DIGITS && fmpz_cmpabs(n, power) >= 0)
-        decided = scaled_integer(n, x, --places, q->rounding); /* 9.99 | 2 is 10 */
-    return decided ? decimal_text(n, places, q->rounding == TO_DECIMALS) : NULL;
+    const bool fixed = q->rounding == TO_DECIMALS, bound = q->rounding == UPWARD || q->rounding == DOWNWARD;
+    const slong digits = q->digits + (fixed ? 1 + exponent_of(x) : 0);
+    if (q->rounding == AS_RATIONAL || digits < 1 || !arb_is_finite(x))
+        return NULL;
+    char *text = bound           ? decimal_of_end(x, digits, q->rounding == UPWARD)
+                 : exact != NULL ? decimal_of_rational(exact, digits)
+                                 : decimal_of_ball(x, digits);
+    char *plain = text != NULL ? plain_decimal(text, fixed ? q->digits : -1) : NULL;
+    free(text);
+    return plain;
 }
 
 static char *rational_text(const fmpq_t x)
@@ -106,11 +75,11 @@ static void number_decide(struct statements *all, struct statement *s, struct qu
     if (q->decimal == NULL && formula_rational(exact, q->formula, &b)) {
         q->how = EXACT;
         arb_set_fmpq(x, exact, LAST);
-        q->decimal = q->rounding == AS_RATIONAL ? rational_text(exact) : number_text(q, x);
+        q->decimal = q->rounding == AS_RATIONAL ? rational_text(exact) : number_text(q, x, exact);
     }
     for (; q->decimal == NULL && b.bits <= LAST; b.bits *= 4) {
         formula_enclose(x, &q->how, q->formula, &b);
-        q->decimal = number_text(q, x);
+        q->decimal = number_text(q, x, NULL);
     }
 }
 

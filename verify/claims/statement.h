@@ -7,7 +7,7 @@
 #ifndef CT_STATEMENT_H
 #define CT_STATEMENT_H
 
-#include "claims/computation.h"
+#include "claims/claim.h"
 #include "claims/marked.h"
 #include "proof/proof_results.h"
 

@@ -75,7 +75,7 @@ static void add_entry(const struct claim_reading *r, struct names *n, const stru
     add_keys(n, under(entry, "at"));
     add_keys(n, under(entry, "on"));
     add_name(n, under(entry, "root") != NULL ? entry->key : NULL);
-    for (const char *at = c != NULL ? computation_of(c)->numbers : ""; (at = next_name(at, word)) != NULL;) {
+    for (const char *at = c != NULL ? c->of->numbers : ""; (at = next_name(at, word)) != NULL;) {
         snprintf(name, sizeof name, "%.63s.%s", entry->key, word);
         add_name(n, keep_text(r->all, name, strlen(name)));
     }

@@ -32,6 +32,13 @@ struct simulation {
     const struct flow_steps *by;      /* of a nonlinear motion: by another law; no bounds are proved of it */
 };
 
+/* Sampled from first to last, each `step` seconds; and another, to compare it with, NULL: none. */
+struct sampled {
+    struct simulation simulation;
+    long first, step, last;
+    const struct simulation *beside;
+};
+
 struct trajectory {
     const struct derivations *steps;
     bool nonlinear, bounded;          /* bounded: by (18), all samples having x > 0; of others no bounds are proved */
