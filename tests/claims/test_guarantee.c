@@ -270,14 +270,25 @@ TEST(outside_the_domain_nothing_is_said)
 
 /* ---- what is proved of all values of a ball ---- */
 
-enum { NUMBERS_OF_GAINS = 7 };
+enum { NUMBERS_OF_GAINS = 18 };
 
 /* By name, of gains: how long they may be held, how late they may act, what they make of pitch. */
 static void of_gains(arb_ptr z, const arb_t c1, const arb_t c2, slong prec)
 {
     static const char *const names[] = {"A_re", "A_im", "B_re", "decay", "shift"};
     struct second_order o;
-    second_order_init(&o, steps(), c1, c2, NULL, prec);
+    SCOPE(acb, S);
+    SCOPE(arb, a, tau);
+    arb_set_d(a, 0.125);
+    arb_set_ui(tau, 3);
+    arb_one(z); /* a swing of L_ref */
+    quadrature_reference(S, c1, c2, z, a, prec);
+    acb_get_real(z + 7, S);
+    acb_get_imag(z + 8, S);
+    second_order_init(&o, steps(), c1, c2, S, prec); /* which says all of S */
+    second_order_after(z + 9, &o, a, tau);
+    moved_reference(z + 15, S, z + 9, prec);
+    slow_law(z + 16, z + 17, &o, a, tau);
     for (int i = 0; i < 5; i++)
         arb_set(z + i, second_order_get(&o, names[i]));
     second_order_clear(&o);
