@@ -66,7 +66,7 @@ void run_simulation(struct computed *c);
 const char *next_name(const char *names, char name[64]);
 
 extern const struct computation computations_simulation[]; /* claims_simulation.c */
-extern const struct computation computations_studies[];    /* claims_studies.c    */
+extern const struct computation computations_studies[];    /* convergence.c       */
 extern const struct computation computations_sampling[];   /* claims_sampling.c   */
 
 /* Those that have been asked for. */

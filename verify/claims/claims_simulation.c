@@ -57,24 +57,16 @@ static bool peak(arb_t x, const struct request *r)
     return true;
 }
 
-/* The least or the largest value on samples; of a place less where it rests. */
+/* The least or the largest value on samples. */
 static bool extreme(arb_t x, const struct request *r)
 {
     SCOPE(arb, value);
     for (slong k = r->from; k <= r->to; k++) {
         trajectory_value(value, r->of, k, r->which);
-        if (r->which == PLACE_X)
-            arb_sub_ui(value, value, 1, MEASURE_BITS);
         if (k == r->from)
             arb_set(x, value);
         (r->high ? arb_max : arb_min)(x, x, value, MEASURE_BITS);
     }
-    return true;
-}
-
-static bool value_at(arb_t x, const struct request *r)
-{
-    trajectory_value(x, r->of, r->from, r->which);
     return true;
 }
 
@@ -185,7 +177,7 @@ static const struct measure {
     bool in_units; /* of the variable */
 } measures[] = {
     {"sup_", supremum, true},   {"ever_", ever, true},       {"bound_", bound, true},        {"peak_", peak, true},
-    {"low_", extreme, true},    {"high_", extreme, true},       {"at_", value_at, true},        {"energy_of_", energy, false},
+    {"low_", extreme, true},    {"high_", extreme, true},       {"at_", extreme, true},        {"energy_of_", energy, false},
     {"exit_", exit_of, false},  {"settled_", settled, false}, {"gap_", gap, true},           {"between_", gap_between, true},
     {"part_", part, false},     {"parted_", parted, false},  {"changes_", sign_changes, false},
 };
@@ -220,6 +212,8 @@ static void give_measure(struct computed *c, bool run, const struct trajectory *
         r.to = (r.numbers[0] * HOUR - t->first) / t->step;
     else if (count > 0 && m->of != exit_of && m->of != settled)
         r.from = (r.numbers[0] * HOUR - t->first) / t->step;
+    if (strcmp(m->name, "at_") == 0)
+        r.to = r.from;
     if (count > 1)
         r.to = (r.numbers[1] * HOUR - t->first) / t->step;
     const bool proved = run && m->of(x, &r);

@@ -167,12 +167,11 @@ void formula_enclose(arb_t z, enum how *how, const struct formula *f, const stru
 /* Its value as an exact number, where all its names have one and it is rational. */
 bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *b);
 
-/* Sets the inputs that a node needs: in balls; or in an exact arithmetic, false where one has no rational value. */
-void machine_bind(struct machine *m, int node, enum how *how, const struct bindings *b);
-bool machine_bind_exact(struct machine *m, int node, const struct bindings *b);
+/* Sets the inputs that a node needs: in balls; or, without `how`, exactly, false where one has no rational value. */
+bool machine_bind(struct machine *m, int node, enum how *how, const struct bindings *b);
 
-/* The root that an assertion names, once it was found to be the only one there. */
-void root_enclose(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits);
+/* The root that an assertion names, where it is the only one there; how many there are, -1: that stays open. */
+slong root_enclose(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits);
 
 void assertion_find(struct statements *all, struct statement *s, struct assertion *a);
 

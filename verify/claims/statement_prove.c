@@ -112,8 +112,7 @@ static bool is_polynomial(const struct formula *f, const char *variable)
     return polynomial;
 }
 
-/* The root within the bounds; how many there are, -1 where that stays open. */
-static slong root_find(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits)
+slong root_enclose(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits)
 {
     struct bindings b = bindings_of(all, s, a);
     struct graph g;
@@ -132,11 +131,6 @@ static slong root_find(arb_t z, enum how *how, struct statements *all, struct st
         *how = FLINT_MAX(*how, CERTIFIED);
     graph_clear(&g);
     return count;
-}
-
-void root_enclose(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits)
-{
-    root_find(z, how, all, s, a, bits);
 }
 
 /* ---- signs ---- */
@@ -202,7 +196,7 @@ static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const ch
     b.moving = variable;
     symbolic_begin(1, 0, false);
     machine_init(&m, &formula->program, &arithmetic_symbolic, 1);
-    bool known = is_polynomial(formula, variable) && machine_bind_exact(&m, formula->node, &b);
+    bool known = is_polynomial(formula, variable) && machine_bind(&m, formula->node, NULL, &b);
     if (known) {
         symbolic_set_variable(machine_value(&m, program_find(&formula->program, variable)), 0, 0, NULL);
         machine_run(&m);
@@ -330,7 +324,7 @@ static enum truth cited_found(struct statements *all, const struct assertion *a,
 static enum truth root_found(struct statements *all, struct statement *s, struct assertion *a, enum how *how)
 {
     SCOPE(arb, z);
-    const slong count = root_find(z, how, all, s, a, PROVING_BITS);
+    const slong count = root_enclose(z, how, all, s, a, PROVING_BITS);
     return count < 0 ? UNDECIDED : count == 1 ? FOUND_TRUE : FOUND_FALSE;
 }
 

@@ -77,32 +77,6 @@ static void name_enclose(arb_t z, enum how *how, const struct bindings *b, const
         arb_set_fmpq(z, q, b->bits);
 }
 
-void machine_bind(struct machine *m, int node, enum how *how, const struct bindings *b)
-{
-    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
-    program_needs(m->program, node, NULL, needed);
-    *how = EXACT;
-    for (int i = 0; i < m->program->inputs; i++) {
-        enum how known = EXACT;
-        if (i <= node && needed[i])
-            name_enclose(machine_value(m, i), &known, b, m->program->names[i].text);
-        *how = FLINT_MAX(*how, known);
-    }
-    free(needed);
-}
-
-void formula_enclose(arb_t z, enum how *how, const struct formula *f, const struct bindings *b)
-{
-    struct machine m;
-    machine_init(&m, &f->program, &arithmetic_ball, b->bits);
-    machine_bind(&m, f->node, how, b);
-    machine_run(&m);
-    arb_set(z, machine_value(&m, f->node));
-    machine_clear(&m);
-}
-
-/* ---- exact numbers ---- */
-
 static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
 {
     struct bindings within;
@@ -118,26 +92,46 @@ static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
     return sheet_rational(q, b->all->sheet, name);
 }
 
-bool machine_bind_exact(struct machine *m, int node, const struct bindings *b)
+bool machine_bind(struct machine *m, int node, enum how *how, const struct bindings *b)
 {
     char *needed = xrealloc(NULL, (size_t)node + 1, 1);
-    bool rational = true;
+    bool known = true;
     SCOPE(fmpq, q);
     program_needs(m->program, node, NULL, needed);
-    for (int i = 0; i < m->program->inputs && i <= node && rational; i++)
-        if (needed[i] && !is_moving(b, m->program->names[i].text)) {
-            rational = name_rational(q, b, m->program->names[i].text);
+    if (how != NULL)
+        *how = EXACT;
+    for (int i = 0; i < m->program->inputs && i <= node && known; i++) {
+        const char *name = m->program->names[i].text;
+        enum how here;
+        if (!needed[i] || (how == NULL && is_moving(b, name)))
+            continue;
+        if (how != NULL) {
+            name_enclose(machine_value(m, i), &here, b, name);
+            *how = FLINT_MAX(*how, here);
+        } else {
+            known = name_rational(q, b, name);
             m->arithmetic->set_rational(machine_value(m, i), q, m->prec);
         }
+    }
     free(needed);
-    return rational;
+    return known;
+}
+
+void formula_enclose(arb_t z, enum how *how, const struct formula *f, const struct bindings *b)
+{
+    struct machine m;
+    machine_init(&m, &f->program, &arithmetic_ball, b->bits);
+    machine_bind(&m, f->node, how, b);
+    machine_run(&m);
+    arb_set(z, machine_value(&m, f->node));
+    machine_clear(&m);
 }
 
 bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *b)
 {
     struct machine m;
     machine_init(&m, &f->program, &arithmetic_exact, 0);
-    bool rational = machine_bind_exact(&m, f->node, b);
+    bool rational = machine_bind(&m, f->node, NULL, b);
     if (rational) {
         machine_run(&m);
         rational = exact_is_rational(q, machine_value(&m, f->node));
