@@ -18,9 +18,22 @@ BEGIN {
     print markdown ? "| where | claim | verdict | why |\n|---|---|---|---|" : "id,where,kind,claim,verdict,how,evidence"
 }
 
+# Rows of README that differ in their place alone are one.
+function printed(place, rest) {
+    if (rest != last && last != "")
+        print "| " toupper(substr(places, 1, 1)) substr(places, 2) last " |"
+    places = rest == last ? places ", " place : place
+    last = rest
+}
+
 index($0, markdown ? "\"why\": " : "{\"id\": ") {
-    line = cell(member($0, keys[1]))
+    line = ""
     for (i = 2; i <= count; i++)
         line = line (markdown ? " | " : ",") cell(member($0, keys[i]))
-    print markdown ? "| " toupper(substr(line, 1, 1)) substr(line, 2) " |" : line
+    if (markdown)
+        printed(cell(member($0, keys[1])), line)
+    else
+        print cell(member($0, keys[1])) line
 }
+
+END { printed() }

@@ -585,8 +585,8 @@ local function graph_of(chapter)
       nodes[#nodes + 1] = ('"%s" [%sURL="%s"; %s]'):format(name, step and '' or 'style=solid; ', url or '', attributes)
     end
   end
-  return 'strict digraph { ranksep=0.3; nodesep=0.06; margin=0; node [fontname=Helvetica, fontsize=10, height=0.1, width=0.1, '
-         .. 'margin="0.03,0.02", shape=box, style=filled, fillcolor="#eeeeee"];'
+  return 'strict digraph { bgcolor=transparent; ranksep=0.3; nodesep=0.06; margin=0; node [fontname=Helvetica, fontsize=10, '
+         .. 'height=0.1, width=0.1, margin="0.03,0.02", shape=box, style=filled, fillcolor="#eeeeee"];'
          .. table.concat(nodes, ';') .. ';' .. table.concat(edges, ';') .. '}'
 end
 
