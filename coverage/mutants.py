@@ -141,6 +141,9 @@ def put(path, content):
         path.write_bytes(content)
 
 
+WRAPS = ' '.join(f'-Wl,--wrap={name}' for name in ('_ck_assert_failed', 'kill', 'embedded_sources'))
+
+
 class Tree:
     """A copy of the project with all that is chosen in its program."""
 
@@ -154,9 +157,9 @@ class Tree:
 
     def make(self):
         """What the compiler says; and whether it made everything."""
-        wraps = ''.join(f' -Wl,--wrap={name}' for name in ('_ck_assert_failed', 'kill', 'embedded_sources'))
         environment = {name: value for name, value in os.environ.items() if name not in ('MAKEFLAGS', 'MAKELEVEL', 'MFLAGS', 'CT_MAKE', 'BUILD')}
-        made = subprocess.run(['make', '-s', '-k', 'all', 'suites', 'BUILD=build', 'CPPFLAGS=-Iverify -I.', 'LDFLAGS=' + wraps,
+        made = subprocess.run(['make', '-s', '-k', 'all', 'suites', 'build/derivations.json', 'build/errors.json', 'BUILD=build',
+                               'CPPFLAGS=-Iverify -I.', 'LDFLAGS=' + WRAPS,
                                'CFLAGS=-O1 -fno-inline ' + os.environ.get('MUTANT_CFLAGS', '')],
                               cwd=self.root, env=environment, capture_output=True, text=True)
         return made.stderr, made.returncode == 0
@@ -209,7 +212,7 @@ class Place:
                     (self.root / folder / entry.name).symlink_to(entry)
         (self.root / 'reached').write_bytes(bytes(8192))
         self.environment = dict(os.environ, BUILD='build', CT_BUILD=f'{self.root}/build', CT_PROGRAM=f'{self.root}/build/coulomb-tether',
-                                MUTANT_SHEETS=str(self.root), LC_ALL='C')
+                                MUTANT_SHEETS=str(self.root), LC_ALL='C', LDFLAGS=WRAPS)
 
     def run(self, check, limit, mutant=0, reached=False):
         """What it printed, how it ended, and its processor time."""
@@ -268,7 +271,8 @@ def all_checks():
                 'verify claims --csv', 'verify errors', *(f'study {s}' for s in ('convergence', 'forced', 'pitch', 'sampling'))]
     yield from (Check(command, [program, *command.split()], prints=True) for command in commands)
     yield Check('sheet-check', ['build/sheet-check', *SHEETS])
-    yield Check('wrong', ['tests/command/test_wrong.sh'])
+    for script in ('command/test_wrong.sh', 'conform/test_clients.sh', 'project/test_gate.sh'):
+        yield Check(script, [f'tests/{script}'])
     for file in sorted((ROOT / 'tests').glob('*/test_*.c')):
         alone = file.stem in ('test_ref_gsl', 'test_corpora')
         names = [file.stem] if alone else re.findall(r'^(?:TEST|EACH|RANGE)\((\w+)[,)]', file.read_text(), re.M)
