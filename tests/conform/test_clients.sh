@@ -60,9 +60,6 @@ fi
 if find_one Python python3; then
     client Python "$found" tests/clients/client.py
 fi
-if find_one Perl perl; then
-    client Perl "$found" tests/clients/client.pl
-fi
 
 # Reports are as their schema has them: of a client that is right, and of some that are not.
 is_as_described() {
