@@ -80,13 +80,14 @@ TEST(E_is_zero_for_equality_and_infinite_where_nothing_may_be_off)
  * (38): S = |GM dOmega/dGM| + |R_c dOmega/dR_c| = (1/2 + 3/2) Omega, rational where Omega is. (2) with uncharged craft: x1_ddot =
  * 2 Omega y1_dot + 3 Omega^2 x1, S = 4 Omega |y1_dot| + 9 Omega^2 |x1|, to which an infinite lambda_d adds nothing.
  */
-EACH(a_sensitivity_is_rational_where_every_derivative_is, 3)
+EACH(a_sensitivity_is_rational_where_every_derivative_is, 4)
 {
     static const struct {
         const char *id;
         double values[30];
         long S; /* 0: not rational */
-    } cases[] = {{"eq38", {4, 1}, 4}, {"eq38", {2, 1}, 0},
+    } cases[] = {{"eq38", {4, 1}, 4}, {"eq38", {2, 1}, 0}, {"eq36", {1, 1, 0}, 0}, /* R_c cos(theta) cos(psi): by theta alone it is */
+                
                  {"eq02", {2, 1, INFINITY, 1, 0, 3, 0, 0, 0, 5, 0, 1, 0, 0, 4, 0, 0, 0, 0, 1, 0, 9, 0, 0, 0, 0, 0}, 40 + 108}};
     const struct section *s = section_find(sheet(), cases[_i].id);
     struct operation o;
@@ -422,22 +423,23 @@ TEST(a_subexpression_out_of_range_is_flagged)
     ck_assert_ptr_nonnull(strstr(line, ",range here\n"));
 }
 
-/* Omega^2 of (43) at the least and the greatest normal numbers, 2^-1022 and 2^1024 (of floats 2^-126 and 2^128), and beside them. */
-EACH(the_normal_range_is_that_of_the_format, 10)
+/* Omega^2 of (43), and n times that, at the least and the greatest normal numbers, 2^-1022 and 2^1024 (of floats 2^-126 and 2^128), and beside them. */
+EACH(the_normal_range_is_that_of_the_format, 12)
 {
     static const struct {
-        const char *Omega;
+        const char *Omega, *n;
         int significand;
         bool leaves;
     } edges[] = {
-        {"0x1p-511", BINARY64, false}, {"0x1.fffffffffffffp-512", BINARY64, true},
-        {"0x1.fffffffffffffp511", BINARY64, false}, {"0x1p512", BINARY64, true},
-        {"0x1p-63", BINARY32, false}, {"0x1.fffffffffffffp-64", BINARY32, true},
-        {"0x1.fffffffffffffp63", BINARY32, false}, {"0x1p64", BINARY32, true},
-        {"0x1p-512", BINARY128, false}, {"0x1p512", BINARY128, false},
+        {"0x1p-511", "1", BINARY64, false}, {"0x1.fffffffffffffp-512", "1", BINARY64, true},
+        {"0x1.fffffffffffffp511", "1", BINARY64, false}, {"0x1p512", "1", BINARY64, true},
+        {"0x1p-63", "1", BINARY32, false}, {"0x1.fffffffffffffp-64", "1", BINARY32, true},
+        {"0x1.fffffffffffffp63", "1", BINARY32, false}, {"0x1p64", "1", BINARY32, true},
+        {"0x1p-512", "1", BINARY128, false}, {"0x1p512", "1", BINARY128, false},
+        {"0x1p-510", "0.25", BINARY64, false}, {"0x1p-510", "0.125", BINARY64, true},
     };
     const struct section *s = section_find(sheet(), "eq43");
-    const char *texts[] = {edges[_i].Omega, "1"};
+    const char *texts[] = {edges[_i].Omega, edges[_i].n};
     struct operation o;
     struct input *inputs = inputs_new(s->input_count);
     operation_init(&o, s, false);
@@ -478,4 +480,55 @@ EACH(golden_files_have_these_inputs, sheet()->section_count)
     golden_each(s, is_next_line, file);
     ck_assert_msg(fgets(line, sizeof line, file) == NULL, "%s has more: %s", name, line);
     fclose(file);
+}
+
+/* ---- motions ---- */
+
+CASE(motions, NULL, NULL)
+
+/* At rest in the equilibrium, of unequal masses: exact, forever. */
+TEST(an_equilibrium_is_exact)
+{
+    const struct section *s = section_find(sheet(), "flow_nonlinear");
+    const char *texts[] = {"7.2915e-5", "8.99e+9", "100", "300", "10", "5e-8", "1e-4", "123456", "7.5", "0", "0", "0", "0", "0"};
+    char *outputs[MOST_OUTPUTS];
+    struct operation o;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    ck_assert(vector_read(s, texts, inputs));
+    ck_assert_msg(operation_digits(&o, inputs, 40, outputs) == OPERATION_PROVED, "%s", o.why.text);
+    for (int i = 0; i < s->output_count; i++) {
+        ck_assert_double_eq(strtod(outputs[i], NULL), i == 0 ? 7.5 : 0);
+        free(outputs[i]);
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+
+/* A time of the clock that has not come changes no enclosure by more than its width; one that is over ends the motion. */
+EACH(a_motion_is_given_up_when_its_time_is_over, sheet()->section_count)
+{
+    const struct section *s = operation_at(_i);
+    struct operation o;
+    double values[MOST_INPUTS];
+    VECTOR(arb, whole, MOST_OUTPUTS);
+    VECTOR(arb, looked_at, MOST_OUTPUTS);
+    if (s->method < METHOD_FLOW_LINEAR)
+        return;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    for (int i = 0; i < s->input_count; i++)
+        values[i] = strtod(s->inputs[i]->value ? s->inputs[i]->value : s->inputs[i]->example, NULL);
+    values[input_place(s, "t")] = 7200;
+    ck_assert(inputs_of_values(s, values, inputs));
+    ck_assert_int_eq(operation_follow(&o, inputs, 12, 128, whole), OPERATION_PROVED);
+    o.until = clock() + 60 * CLOCKS_PER_SEC;
+    ck_assert_int_eq(operation_follow(&o, inputs, 12, 128, looked_at), OPERATION_PROVED);
+    for (int i = 0; i < s->output_count; i++)
+        ck_assert(arb_overlaps(whole + i, looked_at + i) && arb_rel_accuracy_bits(looked_at + i) > 30);
+    o.until = 1;
+    ck_assert_int_eq(operation_follow(&o, inputs, 12, 128, looked_at), OPERATION_UNDECIDED);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    flint_cleanup();
 }

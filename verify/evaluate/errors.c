@@ -136,8 +136,6 @@ bool operation_sensitivity_exact(struct operation *o, const struct input *inputs
             arb_pos_inf(S);
         else if (!exact_is_zero(derivative))
             add_term(S, machine_value(&o->machine, i), machine_value(&balls, i), prec);
-        if (!all || inputs[i].infinite)
-            continue;
         fmpq_mul(term, term, &inputs[i].value);
         fmpq_abs(term, term);
         fmpq_add(rational, rational, term);
@@ -254,7 +252,7 @@ static struct error_bounds one_of_four(const struct sheet *sheet, arb_srcptr y, 
 static struct error_bounds matched(struct error_bounds E[4][4], int i, unsigned taken)
 {
     struct error_bounds least = {i < 4 ? INFINITY : 0.0, i < 4 ? INFINITY : 0.0};
-    for (int j = 0; j < 4 && i < 4; j++) {
+    for (int j = 0; j < 4; j++) {
         if (taken & 1U << j)
             continue;
         const struct error_bounds rest = matched(E, i + 1, taken | 1U << j);

@@ -11,9 +11,8 @@
 static long printed_digits(const char *printed)
 {
     long digits = 0;
-    for (; *printed != '\0' && *printed != 'e'; printed++)
-        if (*printed >= '0' && *printed <= '9' && (digits > 0 || *printed != '0'))
-            digits++;
+    for (const char *at = printed + strcspn(printed, "123456789"); *at != '\0' && *at != 'e'; at++)
+        digits += *at != '.';
     return digits;
 }
 

@@ -118,7 +118,7 @@ void input_write(char text[LONGEST_INPUT], const char *literal, enum input_form 
 
 const char *schema_text(const char *text)
 {
-    if (text[strspn(text, "+-.")] >= '0' && text[strspn(text, "+-.")] <= '9')
+    if (strpbrk(text, "0123456789") != NULL)
         return text;
     const double x = strtod(text, NULL);
     return isnan(x) ? "NaN" : x > 0 ? "INF" : "-INF";
@@ -202,8 +202,8 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
     const char *texts[MOST_INPUTS];
     bool fine = true;
     struct progress progress = progress_begin(true);
-    for (int i = 0; i < MOST_INPUTS; i++)
-        texts[i] = strcpy(decimals[i], "");
+    for (int i = 0; i < s->input_count; i++)
+        texts[i] = decimals[i];
     operation_init(&o, s, false);
     for (uint64_t k = first; k - first < count && fine && !ferror(stdout); k++) {
         sample(&o, seed, k, values, inputs);
