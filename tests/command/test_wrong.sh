@@ -133,7 +133,7 @@ stops 'a bound that is exceeded' 's/at_most: 1\.9e-10/at_most: 1.8e-10/' 1 \
     '(15) drops at most 1.8e-10 m/s^2: BROKEN: paper/derivations.yaml:' verify derivations separation_small
 check 'its kind' says ': it is exceeded with'
 check 'the same as JSON' ends 1 "$wrong" verify derivations separation_small --json
-stops 'a bound that is too wide' 's/at_most: 1\.2e-9/at_most: 9.2e-9/' 1 ': more than twice too wide with' verify derivations torque_small
+stops 'a bound that is too wide' 's/at_most: 1\.2e-9/at_most: 9.2e-9/' 1 ': not found to be half reached with' verify derivations torque_small
 stops 'a bound on other states' 's/dL: \[-0\.2, 0\.2\]/dL: [-0.9, 0.9]/' 1 ': it is exceeded with' verify derivations length_error
 stops 'an equation without a step' 's/to: \["38"\]/to: ["37"]/' 1 'NOT BOUND: paper/derivations.yaml:' verify derivations kepler
 check 'a step that holds' ends 0 "$wrong" verify derivations attitude

@@ -60,8 +60,9 @@ static const struct known cases[] = {
     {"-x^2*(1 - x)", {"0", "1"}, {0}, "148/1000", REMAINDER_EXCEEDED}, /* below, and nowhere that the search above it goes */
     {"x*y", {"-2", "3"}, {"-5", "4"}, "151/10", REMAINDER_PROVED}, /* -15 at (3, -5) */
     {"x*y", {"-2", "3"}, {"-5", "4"}, "149/10", REMAINDER_EXCEEDED},
-    {"x*y", {"-2", "3"}, {"-5", "4"}, "29", REMAINDER_PROVED},
     {"x*y", {"-2", "3"}, {"-5", "4"}, "301/10", REMAINDER_TOO_WIDE}, /* more than twice 15 */
+    {"x*y", {"1", "3"}, {"1", "5"}, "30", REMAINDER_PROVED},
+    {"x*y", {"1", "3"}, {"1", "5"}, "301/10", REMAINDER_TOO_WIDE},
     {"x*y", {"-2", "3"}, {"5", "5"}, "15", REMAINDER_PROVED}, /* integers are balls without radius */
     {"sin(x) - x", {"-1/50", "1/50"}, {0}, "134/100000000", REMAINDER_PROVED}, /* 0.02^3/6 = 1.3333e-6 */
     {"sin(x) - x", {"-1/50", "1/50"}, {0}, "133/100000000", REMAINDER_EXCEEDED},
@@ -109,7 +110,7 @@ EACH(each_term_of_the_bound_counts, COUNT(terms))
 
 TEST(percent_is_what_is_reached)
 {
-    ck_assert_int_eq(prove(&(struct known){"x*y", {"-2", "3"}, {"-5", "4"}, "20", REMAINDER_PROVED}).percent, 75);
+    ck_assert_int_eq(prove(&(struct known){"x*y", {"1", "3"}, {"1", "5"}, "20", REMAINDER_PROVED}).percent, 75);
     ck_assert_int_eq(prove(&(struct known){"x*y", {"-2", "3"}, {"-5", "4"}, "14", REMAINDER_PROVED}).percent, 100);
 }
 

@@ -44,7 +44,7 @@ static void print_remainder(const struct remainder *r)
     const struct remainder_proof *proof = &r->proof;
     static const char *const states[] = {[REMAINDER_PROVED] = "certified",
                                          [REMAINDER_EXCEEDED] = "it is exceeded",
-                                         [REMAINDER_TOO_WIDE] = "more than twice too wide",
+                                         [REMAINDER_TOO_WIDE] = "not found to be half reached",
                                          [REMAINDER_UNDECIDED] = "not proved"};
     printf("    (%s) drops at most %s %s: ", r->equation, r->at_most, r->unit);
     if (proof->state != REMAINDER_PROVED)

@@ -4,7 +4,7 @@
 
 #include "text/scope.h"
 
-enum { SEARCH_BITS = 128, MOST_BOXES = 20000, DEEPEST_SEARCH = 200, MOST_SEARCHED = 12 };
+enum { SEARCH_BITS = 128, MOST_BOXES = 20000, DEEPEST_SEARCH = 200 };
 
 void remainder_init(struct remainder *r, const struct program *p, int node)
 {
@@ -117,23 +117,6 @@ static bool is_below(struct search *s, arb_srcptr box, int sign, int depth)
     return below;
 }
 
-/* What is dropped is mostly largest at a corner: a bound below it is found out at once. */
-static void try_corners(struct search *s, arb_srcptr box)
-{
-    int moving[MOST_SEARCHED] = {0}, count = 0;
-    VECTOR(arb, corner, s->inputs);
-    SCOPE(arb, z);
-    _arb_vec_set(corner, box, s->inputs);
-    for (int i = 0; i < s->inputs && count < MOST_SEARCHED; i++)
-        if (!fmpq_equal(s->of->low + i, s->of->high + i))
-            moving[count++] = i;
-    for (int k = 0; k < 1 << count; k++) {
-        for (int j = 0; j < count; j++)
-            arb_set(corner + moving[j], box + moving[j] + (k >> j & 1 ? s->inputs : 0));
-        enclose_at(s, z, corner);
-    }
-}
-
 void remainder_prove(const struct remainder *r, struct remainder_proof *proof)
 {
     SCOPE(arb, bound, reached);
@@ -146,7 +129,6 @@ void remainder_prove(const struct remainder *r, struct remainder_proof *proof)
         arb_set_fmpq(box + i, r->low + i, SEARCH_BITS);
         arb_set_fmpq(box + s.inputs + i, r->high + i, SEARCH_BITS);
     }
-    try_corners(&s, box);
     const bool below = is_below(&s, box, 1, 0) && is_below(&s, box, -1, 0), above = arb_gt(s.reached, s.bound);
     arb_div(s.reached, s.reached, s.bound, SEARCH_BITS);
     arb_mul_ui(s.reached, s.reached, 100, SEARCH_BITS);
