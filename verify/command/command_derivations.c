@@ -101,8 +101,7 @@ static void table_proofs(const struct proof_results *p, int first, int end)
         holding += step_is_fine(&p->derivations.steps[i]);
     }
     printf("%d of %d steps hold, by normal forms\n", holding, end - first);
-    if (p->bound)
-        printf("%d alterations of their equations were tried\n", p->mutants);
+    printf("%d alterations of their equations were tried\n", p->mutants);
     if (p->gap != NULL)
         printf("equation %s is reached by no step, and is no definition\n", p->gap);
     else

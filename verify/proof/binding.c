@@ -1,5 +1,4 @@
 /* What binds a step to the equations that it leads from and to: tried, by altering their formulas. */
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -354,16 +353,9 @@ static bool breaks_by(struct table *x, struct target target)
     return broken > 0;
 }
 
-static bool binding_fault(const struct table *table, const struct yaml *at, size_t offset, const char *format, ...)
-{
-    char text[300];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    node_message(&table->b->fault, at, offset, "step %s: %s", table->s->id, text);
-    return false;
-}
+/* False, after what is wrong was said of the step. */
+#define BINDING_FAULT(table, at, offset, format, ...) \
+    (node_message(&(table)->b->fault, at, offset, "step %s: " format, (table)->s->id, __VA_ARGS__), false)
 
 static const struct yaml *item(const struct table *table, const char *key, int i)
 {
@@ -420,7 +412,7 @@ static bool no_tautology(struct table *table)
     if (empty == NULL)
         empty = tautology_of(&table->s->lines, true);
     return empty == NULL ||
-           binding_fault(table, empty->at, empty->offset, "%s holds whatever the formulas are: it shows nothing", empty->text);
+           BINDING_FAULT(table, empty->at, empty->offset, "%s holds whatever the formulas are: it shows nothing", empty->text);
 }
 
 /* ---- from ---- */
@@ -428,10 +420,10 @@ static bool no_tautology(struct table *table)
 static bool all_used(struct table *table)
 {
     if (table->s->from_count == 0)
-        return binding_fault(table, table->s->node, 0, "expected an equation or a principle in 'from'");
+        return BINDING_FAULT(table, table->s->node, 0, "expected an equation or a %s", "principle in 'from'");
     for (int i = 0; i < table->s->from_count; i++)
         if (!breaks_by(table, (struct target){.change = CHANGE_ANY, .entry = table->s->from[i]}))
-            return binding_fault(table, item(table, "from", i), 0, "'%s' is not used: any formula in its place would do", table->s->from[i]);
+            return BINDING_FAULT(table, item(table, "from", i), 0, "'%s' is not used: any formula in its place would do", table->s->from[i]);
     return true;
 }
 
@@ -454,7 +446,7 @@ static bool nothing_beyond(struct table *table)
     for (int i = 0; i < t->use_count + lines->use_count; i++) {
         const struct use *u = i < t->use_count ? &t->uses[i] : &lines->uses[i - t->use_count];
         if (!is_named(table, u))
-            return binding_fault(table, table->s->node, 0, "it rests on %s, which neither from nor to names, nor also with a reason",
+            return BINDING_FAULT(table, table->s->node, 0, "it rests on %s, which neither from nor to names, nor also with a reason",
                           u->section->id);
     }
     const struct yaml *also = under(table->s->node, "also");
@@ -464,27 +456,15 @@ static bool nothing_beyond(struct table *table)
         for (int k = 0; k < t->use_count; k++)
             used = used || entry_concerns(table->d, entry, &t->uses[k]);
         if (!used)
-            return binding_fault(table, &also->items[i], AT_KEY, "'%s' is not used", entry);
+            return BINDING_FAULT(table, &also->items[i], AT_KEY, "'%s' is not used", entry);
     }
     return true;
 }
 
 /* ---- for which values ---- */
 
-/* Numbers at which nothing here happens to vanish: 1 + 1/2, 1 + 1/3 ... of any domain, and within a quarter turn. */
-static void set_point(struct machine *m, const struct identities *t)
-{
-    for (int i = 0; i < t->program.inputs; i++) {
-        arb_ptr x = machine_value(m, i);
-        arb_set_ui(x, 1);
-        arb_div_ui(x, x, (ulong)i % 23 + 2, m->prec);
-        if (!t->variables[i].angle && t->variables[i].power == 0)
-            arb_add_ui(x, x, 1, m->prec);
-    }
-}
-
 /*
- * Whether what a formula's inputs are bound to fills an open set: their derivatives by the free quantities are
+ * Whether what a formula's inputs are bound to fills an open set: their derivatives J by the free quantities are
  * independent at a point, J J^T having a determinant other than zero there, in balls. An equality of analytic
  * functions on an open set is one everywhere.
  */
@@ -492,33 +472,38 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
 {
     enum { BITS = 256 };
     const struct program *p = &u->formulas->program;
+    const int inputs = t->program.inputs;
     char *needed = xrealloc(NULL, (size_t)p->count, 1);
     slong rows[MOST_INPUTS], count = 0;
     struct machine m, adjoint;
-    arb_mat_t J, transposed, square;
+    arb_mat_t square;
     SCOPE(arb, determinant);
     program_needs(p, u->part, NULL, needed);
     for (int i = 0; i < p->inputs && i <= u->part; i++)
         if (needed[i])
             rows[count++] = u->copy[i];
+    VECTOR(arb, J, count * inputs);
     machine_init(&m, &t->program, &arithmetic_ball, BITS);
     machine_init(&adjoint, &t->program, &arithmetic_ball, BITS);
-    arb_mat_init(J, count, t->program.inputs);
-    arb_mat_init(transposed, t->program.inputs, count);
     arb_mat_init(square, count, count);
-    set_point(&m, t);
+    for (int i = 0; i < inputs; i++) { /* 1 + 1/2, 1 + 1/3 ..., where nothing happens to vanish, and within a quarter turn */
+        arb_ptr x = machine_value(&m, i);
+        arb_set_ui(x, 1);
+        arb_div_ui(x, x, (ulong)i % 23 + 2, BITS);
+        if (!t->variables[i].angle && t->variables[i].power == 0)
+            arb_add_ui(x, x, 1, BITS);
+    }
     machine_run(&m);
     for (slong i = 0; i < count; i++) {
         machine_gradient(&m, (int)rows[i], &adjoint);
-        for (slong k = 0; k < t->program.inputs; k++)
-            arb_set(arb_mat_entry(J, i, k), machine_value(&adjoint, (int)k));
+        _arb_vec_set(J + i * inputs, machine_value(&adjoint, 0), inputs);
+        for (slong k = 0; k <= i; k++) {
+            arb_dot(arb_mat_entry(square, i, k), NULL, 0, J + i * inputs, 1, J + k * inputs, 1, inputs, BITS);
+            arb_set(arb_mat_entry(square, k, i), arb_mat_entry(square, i, k));
+        }
     }
-    arb_mat_transpose(transposed, J);
-    arb_mat_mul(square, J, transposed, BITS);
     arb_mat_det(determinant, square, BITS);
     const bool fills = arb_is_finite(determinant) && !arb_contains_zero(determinant);
-    arb_mat_clear(J);
-    arb_mat_clear(transposed);
     arb_mat_clear(square);
     machine_clear(&m);
     machine_clear(&adjoint);
@@ -533,7 +518,7 @@ static bool is_general(struct table *table, int to, const struct entry_part *par
     bool general = table->s->where != NULL;
     for (int i = 0; i < t->use_count && !general; i++)
         general = t->uses[i].formulas == part->formulas && t->uses[i].part == part->node && fills_open_set(t, &t->uses[i]);
-    return general || binding_fault(table, item(table, "to", to), 0,
+    return general || BINDING_FAULT(table, item(table, "to", to), 0,
                              "%s is shown for some values of its inputs alone, expected free ones, or 'where' to say which",
                              part->name);
 }
@@ -600,7 +585,7 @@ static bool all_changes_tell(struct table *table, int to, const struct program *
                 silent = changes[target.change];
         }
     free(spoken);
-    return silent == NULL || binding_fault(table, item(table, "to", to), 0, "%s may be altered (%s) and every equality holds still",
+    return silent == NULL || BINDING_FAULT(table, item(table, "to", to), 0, "%s may be altered (%s) and every equality holds still",
                                     part->name, silent);
 }
 
@@ -610,11 +595,11 @@ static bool part_is_bound(struct table *table, int to, const struct entry_part *
     const struct program *p = &part->formulas->program;
     const bool side = part->formulas != &part->section->corrected;
     if (!breaks_by(table, (struct target){.change = CHANGE_ANY, .part = part}))
-        return binding_fault(table, item(table, "to", to), 0, "%s stands in no equality%s", part->name,
+        return BINDING_FAULT(table, item(table, "to", to), 0, "%s stands in no equality%s", part->name,
                              side ? " as a whole: a side is not shown" : "");
     if (!side && !breaks_by(table, (struct target){.change = CHANGE_RESULT, .part = part}) && part->equation != NULL &&
         !is_equivalent(p, part->node, CHANGE_RESULT, part->node))
-        return binding_fault(table, item(table, "to", to), 0, "%s may have the other sign and every equality holds still", part->name);
+        return BINDING_FAULT(table, item(table, "to", to), 0, "%s may have the other sign and every equality holds still", part->name);
     return part->equation == NULL || ((side || is_general(table, to, part)) && all_changes_tell(table, to, p, part->node, part));
 }
 
@@ -623,14 +608,14 @@ static bool is_new(struct table *table, int to, const struct entry_part *part)
 {
     for (int i = 0; i < table->s->from_count; i++)
         if (entry_concerns(table->d, table->s->from[i], &(struct use){.formulas = part->formulas, .part = part->node}))
-            return binding_fault(table, item(table, "to", to), 0, "%s is in from already", part->name);
+            return BINDING_FAULT(table, item(table, "to", to), 0, "%s is in from already", part->name);
     return true;
 }
 
 static bool all_shown(struct table *table)
 {
     if (table->s->to_count == 0)
-        return binding_fault(table, table->s->node, 0, "expected an equation or a property in 'to'");
+        return BINDING_FAULT(table, table->s->node, 0, "expected an equation or a %s", "property in 'to'");
     for (int i = 0; i < table->s->to_count; i++) {
         struct entry_part parts[MOST_PARTS];
         const int count = entry_parts(table->d, table->s->to[i], parts);
@@ -672,7 +657,7 @@ static bool all_wanted(struct table *table)
     note_names(table);
     for (int i = 0; i < t->shown_count; i++)
         if (!table->alone[i])
-            return binding_fault(table, t->shown[i].at, 0, "%s could be left out: nothing in from and to needs it", t->shown[i].text);
+            return BINDING_FAULT(table, t->shown[i].at, 0, "%s could be left out: nothing in from and to needs it", t->shown[i].text);
     return true;
 }
 

@@ -52,7 +52,6 @@ int proof_results_init(struct proof_results *p, const struct paper *paper, struc
 
 void proof_results_bind(struct proof_results *p, const char *only)
 {
-    p->bound = true;
     for (int i = 0; i < p->derivations.step_count; i++) {
         struct step *s = &p->derivations.steps[i];
         if (only != NULL && strcmp(s->id, only) != 0)

@@ -8,7 +8,6 @@
 struct proof_results {
     struct derivations derivations;
     const char *gap; /* an equation that no step reaches, or NULL          */
-    bool bound;      /* whether what binds the steps was asked for         */
     int mutants;
     bool fine;       /* everything holds and is bound, and there is no gap */
 };
