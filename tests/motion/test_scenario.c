@@ -196,3 +196,16 @@ TEST(a_row_is_in_the_unit_that_is_asked_for)
     ck_assert_double_eq(strtod(r.first[2], NULL), -0.25);
     scenario_clear(&s);
 }
+
+/* 2 kg and 1 kg at 3 m: craft 1 rests 1 m from the centre of mass, on either side. */
+TEST(equilibria_are_where_the_masses_have_them)
+{
+    SCOPE(fmpq, m1, m2, L_ref, x1);
+    fmpq_set_si(m1, 2, 1);
+    fmpq_set_si(m2, 1, 1);
+    fmpq_set_si(L_ref, 3, 1);
+    for (int x = -2; x <= 2; x++) {
+        fmpq_set_si(x1, x, 1);
+        ck_assert_int_eq(is_equilibrium(m1, m2, L_ref, x1), x == 1 || x == -1);
+    }
+}

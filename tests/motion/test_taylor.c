@@ -8,6 +8,7 @@
 #include "coulombtether.h"
 #include "evaluate/operation.h"
 #include "motion/taylor.h"
+#include "text/scope.h"
 
 enum { PREC = 256 };
 
@@ -1012,4 +1013,46 @@ TEST(coefficients_may_be_computed_to_falling_precision)
     jet_clear(&full);
     jet_clear(&falling);
     flint_cleanup();
+}
+
+/* ---- a system of its own: x' = x, y' = y^2, so that y = 1/(1 - s) from 1; the last state and the last term are the hard ones ---- */
+
+enum { EASY, HARD, EASY_ONE, EASY_ALL };
+static const struct term easy_terms[] = {{EASY, EASY_ONE, EASY, 1}, {HARD, HARD, HARD, 1}};
+static const struct system easy = {2, 2, EASY_ALL, 2, easy_terms};
+
+static bool prove_easy(struct majorant *m, slong order, double step)
+{
+    struct jet jet;
+    SCOPE(mag, h, one);
+    jet_init(&jet, &easy, order);
+    for (int v = 0; v < EASY_ALL; v++)
+        arb_one(jet.c[v]);
+    jet_extend(&jet, 64, 0);
+    for (slong k = 0; k <= order; k++)
+        ck_assert(arb_is_one(jet.c[HARD] + k)); /* the geometric series */
+    majorant_init(m, &easy, order);
+    mag_set_d(h, step);
+    mag_one(one);
+    majorant_of(m, &jet, one, 1, h);
+    const bool proved = majorant_prove(m, NULL, h);
+    jet_clear(&jet);
+    return proved;
+}
+
+/* Beyond degree n there is h^(n+1)/(1 - h), most of it from the products of known terms. */
+RANGE(T1_the_last_term_has_its_products, 2, 8)
+{
+    struct majorant m;
+    ck_assert(prove_easy(&m, _i, 0.25));
+    ck_assert_double_ge(mag_get_d(m.remainder + HARD), pow(0.25, _i + 1) / 0.75);
+    majorant_clear(&m);
+}
+
+/* The last state has no value at 1, nor has its series a sum at 2. */
+EACH(T11_the_last_state_is_asked_too, 2)
+{
+    struct majorant m;
+    ck_assert(!prove_easy(&m, 6, _i + 1));
+    majorant_clear(&m);
 }

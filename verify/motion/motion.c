@@ -122,7 +122,7 @@ void state_from_angles(arb_ptr state, const struct sheet *sheet, const struct fl
 
 void scenario_initial(arb_ptr initial, const struct scenario *s, const struct flow_parameters *p, bool nonlinear, slong prec)
 {
-    const bool angles = !nonlinear || !cartesian(s);
+    const bool angles = !cartesian(s); /* of a linear motion always */
     for (int i = 0; i < FLOW_STATE; i++)
         get(initial + i, s, (enum scenario_name)((angles ? SET_psi : SET_x1) + i), prec);
     if (nonlinear && angles)

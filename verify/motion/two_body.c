@@ -22,6 +22,7 @@
 #include "motion/taylor.h"
 #include "text/scope.h"
 
+enum { NUMBERS = 3 + CRAFT + 2 * CRAFT * AXES }; /* of a pair, side by side */
 enum { PAIR_ORDER = 40 }; /* of the Taylor steps: the last term falls to 1e-40, balls widen by 10^3 a radian */
 
 static const double TWO_BODY_STEP = 0.2; /* radians */
@@ -70,22 +71,13 @@ static const struct system two_craft = {STATES, ONE, ALL, sizeof terms / sizeof 
 
 void two_body_init(struct two_body *b)
 {
-    arb_init(b->smallness);
-    arb_init(b->c1);
-    arb_init(b->c2);
-    b->mass = _arb_vec_init(CRAFT);
-    b->place = _arb_vec_init(CRAFT * AXES);
-    b->velocity = _arb_vec_init(CRAFT * AXES);
+    arb_ptr all = _arb_vec_init(NUMBERS);
+    *b = (struct two_body){all, all + 1, all + 2, all + 3, all + 3 + CRAFT, all + 3 + CRAFT + CRAFT * AXES};
 }
 
 void two_body_clear(struct two_body *b)
 {
-    arb_clear(b->smallness);
-    arb_clear(b->c1);
-    arb_clear(b->c2);
-    _arb_vec_clear(b->mass, CRAFT);
-    _arb_vec_clear(b->place, CRAFT * AXES);
-    _arb_vec_clear(b->velocity, CRAFT * AXES);
+    _arb_vec_clear(b->smallness, NUMBERS);
 }
 
 /* p = (F - 1)/s = -(2x + s r.r) F^2/(F + 1), from F^-2 = 1 + s (2x + s r.r) */

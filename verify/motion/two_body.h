@@ -13,8 +13,8 @@ enum { CRAFT = 2, AXES = 3 };
 
 /* Units: radians of orbit, lengths in L_ref, masses in m1 + m2; places in the Hill frame of the circle R_c. */
 struct two_body {
-    arb_t smallness;        /* L_ref/R_c > 0                     */
-    arb_t c1, c2;           /* C1/Omega^2, C2/Omega              */
+    arb_ptr smallness;      /* L_ref/R_c > 0                     */
+    arb_ptr c1, c2;         /* C1/Omega^2, C2/Omega              */
     arb_ptr mass;           /* two shares, of sum 1              */
     arb_ptr place, velocity; /* x y z of craft 1, then of craft 2 */
 };
