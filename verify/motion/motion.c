@@ -239,15 +239,11 @@ static enum flow_status one_pass(struct pass *p, const fmpq *times, slong count,
     return flow_run(m->nonlinear, m->h, &p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p, reached);
 }
 
-/* Nothing displaced, in the angles; or x1 exactly where the static formation has it. */
+/* The length, or x1, exactly where the static formation has it: all else flow_settle asks. */
 static bool starts_at_equilibrium(const struct scenario *s)
 {
-    bool same = true;
-    if (!cartesian(s)) {
-        for (int i = SET_psi; i <= SET_dL_dot; i++)
-            same = same && fmpq_is_zero(&s->value[i].value);
-        return same;
-    }
+    if (!cartesian(s))
+        return fmpq_is_zero(&s->value[SET_dL].value);
     return is_equilibrium(&s->value[SET_m1].value, &s->value[SET_m2].value,
                           &s->value[SET_L_ref].value, &s->value[SET_x1].value);
 }
