@@ -24,12 +24,17 @@ static void print_formulas(const char *heading, const struct section *s, const s
         printf("  %-8s %s\n", i ? "" : "domain", f->conditions[i].text);
 }
 
-static void print_verdicts(const struct proof_results *p, const struct section *s)
+/* Of each of a section's equations, as JSON or (NULL) with its evidence. */
+static void print_verdicts(struct json *j, const struct proof_results *p, const struct section *s)
 {
     for (int i = 0; i < s->numbers; i++) {
         struct verdict_row row = {.id = s->id};
         verdict_on_equation(&row, p, NULL, s, s->equations[i]);
-        printf("  %-8s (%s) %s: %s\n", i ? "" : "verdict", s->equations[i], verdict_names[row.verdict], row.evidence.plain.text);
+        const char *verdict = verdict_names[row.verdict];
+        if (j != NULL)
+            json_string(j, s->equations[i], verdict);
+        else
+            printf("  %-8s (%s) %s: %s\n", i ? "" : "verdict", s->equations[i], verdict, row.evidence.plain.text);
         verdict_row_clear(&row);
     }
 }
@@ -50,7 +55,7 @@ static void print_section(const struct proof_results *p, const struct section *s
     }
     if (s->note != NULL)
         printf("  %-8s %s\n", "note", s->note);
-    print_verdicts(p, s);
+    print_verdicts(NULL, p, s);
 }
 
 static void json_quantities(struct json *j, const char *key, const struct quantity *const *quantities, int count)
@@ -94,40 +99,22 @@ static void json_section(struct json *j, const struct proof_results *p, const st
     if (s->differs)
         json_formulas(j, "printed", s, &s->printed);
     json_open(j, "verdicts", '{');
-    for (int i = 0; i < s->numbers; i++) {
-        struct verdict_row row = {.id = s->id};
-        verdict_on_equation(&row, p, NULL, s, s->equations[i]);
-        json_string(j, s->equations[i], verdict_names[row.verdict]);
-        verdict_row_clear(&row);
-    }
+    print_verdicts(j, p, s);
     json_close(j);
     json_close(j);
 }
 
-static void json_sections(struct json *j, const struct proof_results *p)
+static void print_line(const struct section *s)
 {
-    const struct sheet *sheet = p->derivations.sheet;
-    json_open(j, NULL, '[');
-    for (int i = 0; i < sheet->section_count; i++) {
-        json_section(j, p, &sheet->sections[i]);
-        json_line(j, i + 1 < sheet->section_count ? 1 : -1);
-    }
-    json_close(j);
-}
-
-static void print_sections(const struct sheet *sheet)
-{
-    for (int i = 0; i < sheet->section_count; i++) {
-        const struct section *s = &sheet->sections[i];
-        printf("%-15s ", s->id);
-        print_list(s->equations, s->numbers, 14);
-        printf("  %s%s\n", s->title, s->differs ? " (misprinted)" : "");
-    }
+    printf("%-15s ", s->id);
+    print_list(s->equations, s->numbers, 14);
+    printf("  %s%s\n", s->title, s->differs ? " (misprinted)" : "");
 }
 
 int command_equations(const struct arguments *a)
 {
-    const struct section *one = a->word_count > 0 ? section_argument(&a->paper->sheet, a->words[0]) : NULL;
+    const struct sheet *sheet = &a->paper->sheet;
+    const struct section *one = a->word_count > 0 ? section_argument(sheet, a->words[0]) : NULL;
     if (a->word_count > 0 && one == NULL)
         return EXIT_USAGE;
     const bool json = option_given(a, "--json");
@@ -136,16 +123,22 @@ int command_equations(const struct arguments *a)
     if (proof_results_init(&proofs, a->paper, &why) != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     struct json j = json_on(stdout);
-    if (one != NULL && json)
-        json_section(&j, &proofs, one);
-    else if (one != NULL)
-        print_section(&proofs, one);
-    else if (json)
-        json_sections(&j, &proofs);
-    else
-        print_sections(&a->paper->sheet);
-    proof_results_clear(&proofs);
+    if (json && one == NULL)
+        json_open(&j, NULL, '[');
+    for (int i = 0; i < sheet->section_count; i++) {
+        const struct section *s = &sheet->sections[i];
+        if (json && (one == NULL || one == s))
+            json_section(&j, &proofs, s);
+        else if (one == NULL)
+            print_line(s);
+        else if (one == s)
+            print_section(&proofs, s);
+        json_line(&j, one == NULL && i + 1 < sheet->section_count ? 1 : -1);
+    }
+    if (json && one == NULL)
+        json_close(&j);
     if (json)
         putchar('\n');
+    proof_results_clear(&proofs);
     return EXIT_DONE;
 }

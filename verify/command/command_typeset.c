@@ -23,19 +23,6 @@ static void add_formula(struct tex *t, struct program *symbols, const char *text
     typeset_formula(t, symbols, program_parse(symbols, text, &where, &why));
 }
 
-/* "left SIGN right" with an alignment mark; the sign is the first of = > >= < in it. */
-static void add_comparison(struct tex *t, struct program *symbols, const char *text)
-{
-    const size_t left = strcspn(text, "=<>");
-    const size_t sign = strspn(text + left, "=<>");
-    char *copy = text_copy(text);
-    copy[left] = '\0';
-    add_formula(t, symbols, copy);
-    tex_add(t, " &%s ", sign == 2 ? "\\ge" : (const char[]){text[left], '\0'});
-    add_formula(t, symbols, copy + left + sign);
-    free(copy);
-}
-
 static void print_record(const char *id, const char *kind, const char *number, const char *name, const char *text)
 {
     printf("%s\t%s\t%s\t%s\t%s\n", id, kind, number, name, text);
@@ -53,13 +40,21 @@ static void print_definition(const struct section *s, const char *kind, const ch
     tex_clear(&t);
 }
 
+/* "left SIGN right" with an alignment mark; the sign is the first of = > >= < in it. */
 static void print_comparison(const struct section *s, const char *kind, const char *number, struct program *symbols,
                              const char *text)
 {
+    const size_t left = strcspn(text, "=<>");
+    const size_t sign = strspn(text + left, "=<>");
     struct tex t = {NULL, 0};
-    add_comparison(&t, symbols, text);
+    char *copy = text_copy(text);
+    copy[left] = '\0';
+    add_formula(&t, symbols, copy);
+    tex_add(&t, " &%s ", sign == 2 ? "\\ge" : (const char[]){text[left], '\0'});
+    add_formula(&t, symbols, copy + left + sign);
     print_record(s->id, kind, number, "", t.text);
     tex_clear(&t);
+    free(copy);
 }
 
 static void typeset_formulas(const struct section *s, const char *kind, struct program *symbols, const struct formulas *f)

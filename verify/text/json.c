@@ -104,11 +104,6 @@ void json_value(struct json *j, const char *key, const char *format, ...)
     va_end(arguments);
 }
 
-void json_truth(struct json *j, const char *key, bool truth)
-{
-    json_value(j, key, truth ? "true" : "false");
-}
-
 void json_line(struct json *j, int indent)
 {
     j->indent = indent;

@@ -38,7 +38,7 @@ void json_texts(struct json *j, const char *key, const char *const *texts, int c
 __attribute__((format(printf, 3, 4)))
 #endif
 void json_value(struct json *j, const char *key, const char *format, ...);
-void json_truth(struct json *j, const char *key, bool truth);
+#define json_truth(j, key, truth) json_value(j, key, (truth) ? "true" : "false")
 
 /* The next value, or the next closing bracket, begins a line, so many blanks in; -1: it does not. */
 void json_line(struct json *j, int indent);
