@@ -121,16 +121,13 @@ static void print_option(const struct option *o)
     print_wrapped(text, COLUMN);
 }
 
-static void print_names(const struct sheet *sheet, const struct subcommand *s)
+/* By the format of a row: name, unit, value and meaning. */
+static void print_names(const struct sheet *sheet, const struct subcommand *s, const char *row)
 {
-    puts("\nNames, their units and what they are unless given:");
     for (int i = 0; name_taken(s, i) != NULL; i++) {
         const struct quantity *q = quantity_find(sheet, name_taken(s, i));
-        printf("  %-10s %-10s %-12s %s\n", q->name, q->unit, value_unless_given(q), q->meaning);
+        printf(row, q->name, q->unit, value_unless_given(q), q->meaning);
     }
-    print_wrapped(names_rule, 0);
-    if (s->run != command_design)
-        print_wrapped(motions_rule, 0);
 }
 
 void help_print(const struct sheet *sheet, const struct subcommand *s)
@@ -160,8 +157,13 @@ void help_print(const struct sheet *sheet, const struct subcommand *s)
             heading = "";
             print_option(o);
         }
-    if (name_taken(s, 0) != NULL)
-        print_names(sheet, s);
+    if (name_taken(s, 0) != NULL) {
+        puts("\nNames, their units and what they are unless given:");
+        print_names(sheet, s, "  %-10s %-10s %-12s %s\n");
+        print_wrapped(names_rule, 0);
+        if (s->run != command_design)
+            print_wrapped(motions_rule, 0);
+    }
     puts("\nExamples:");
     for (const struct example *e = examples; e->line != NULL; e++)
         if (strncmp(e->line, s->name, strcspn(e->line, " ")) == 0 && s->name[strcspn(e->line, " ")] == '\0')
@@ -248,18 +250,6 @@ static void print_manual_options(const struct subcommand *s)
     fputs(end, stdout);
 }
 
-static void print_manual_names(const struct sheet *sheet)
-{
-    puts(".Pp\n.Bl -column \"theta_dot\" \"N m^2/C^2\" \"from angles\" \"mass of a craft\" -compact");
-    for (int i = 0; i < SCENARIO_VALUES; i++) {
-        const struct quantity *q = quantity_find(sheet, scenario_names[i]);
-        printf(".It %s Ta %s Ta %s Ta %s\n", q->name, q->unit, value_unless_given(q), q->meaning);
-    }
-    puts(".El\n.Pp");
-    print_mdoc(names_rule);
-    print_mdoc(motions_rule);
-}
-
 static void print_manual(const struct sheet *sheet)
 {
     puts(".Dd November 28, 2026\n.Dt COULOMB-TETHER 1\n.Os\n.Sh NAME\n.Nm coulomb-tether\n"
@@ -273,8 +263,13 @@ static void print_manual(const struct sheet *sheet)
         printf(".It Cm %s\n", s->name);
         print_mdoc(s->does);
         print_manual_options(s);
-        if (s->run == command_trajectory)
-            print_manual_names(sheet);
+        if (s->run == command_trajectory) {
+            puts(".Pp\n.Bl -column \"theta_dot\" \"N m^2/C^2\" \"from angles\" \"mass of a craft\" -compact");
+            print_names(sheet, s, ".It %s Ta %s Ta %s Ta %s\n");
+            puts(".El\n.Pp");
+            print_mdoc(names_rule);
+            print_mdoc(motions_rule);
+        }
     }
     puts(".El\n.Sh EXIT STATUS\n.Bl -tag -width Ds");
     for (int i = 0; i < EXIT_STATUSES; i++) {
