@@ -37,7 +37,7 @@ static void assert_says(const char *text)
 
 /* ---- faults ---- */
 
-/* eq07, eq09 and eq44 have 50, 26 and 32 golden vectors; faults begin with the eleventh question. */
+/* eq07, eq09 and eq44 have 51, 27 and 33 golden vectors; faults begin with the eleventh question. */
 #define TWO_TIMES(motion) motion "-paper-100," motion "-paper-43200," motion "-rates-100," motion "-rates-43200," motion "-at-rest-100"
 #define LATER(motion) motion "-paper-43200," motion "-rates-43200," motion "-other-orbit-7200"
 #define THREE "--only eq07,eq09,eq44 --timeout 1 -- FAULTY "
@@ -55,29 +55,29 @@ static const struct {
     {THREE "count", 1, " wrong count\n"},
     {THREE "invalid", 1, " invalid where a value is due\n"},
     {THREE "value", 1, " a value where invalid is due\n"},
-    {THREE "wrong-id", 1, "eq09: 26 missing\n"}, /* a vector fails once, the line is counted apart */
-    {THREE "wrong-id", 1, "108 vectors: 10 passed, 98 failed, 0 skipped; lines that answer nothing: 98\n"},
+    {THREE "wrong-id", 1, "eq09: 27 missing\n"}, /* a vector fails once, the line is counted apart */
+    {THREE "wrong-id", 1, "111 vectors: 10 passed, 101 failed, 0 skipped; lines that answer nothing: 101\n"},
     {THREE "malformed", 1, "eq07: 1 malformed\n"},
     {THREE "binary", 1, "  1 no vector's name, the first is line 11: "},
-    {THREE "binary", 1, "108 vectors: 107 passed, 1 failed, 0 skipped; lines that answer nothing: 1\n"},
+    {THREE "binary", 1, "111 vectors: 110 passed, 1 failed, 0 skipped; lines that answer nothing: 1\n"},
     {THREE "too-long", 1, "  1 too long, the first is line 11: \n    it has more than 65536 bytes\n"},
     {THREE "missing", 1, "eq07: 1 missing\n  eq07-random-7: missing\n\n"}, /* it is not the vector's fault */
     {THREE "repeated", 1, "  1 repeated or out of order, the first is line 12: eq07-random-7 "},
     {THREE "reordered", 1, "  1 repeated or out of order, the first is line 12: eq07-random-7 "},
     {THREE "reordered", 1, "eq07: 1 missing\n"},
     {THREE "truncated", 1, "eq07: 1 truncated, "},
-    {THREE "extra", 1, "\nlines that answer nothing: 2\n  1 wrong id, the first is line 110: that was all\n"},
-    {THREE "empty", 1, "eq09: 26 missing\n"},
+    {THREE "extra", 1, "\nlines that answer nothing: 2\n  1 wrong id, the first is line 113: that was all\n"},
+    {THREE "empty", 1, "eq09: 27 missing\n"},
     {THREE "hang", 1, " 1 time-out\n  eq07-random-7: time-out\n    Omega      4.497"},
     {THREE "crash", 1, " 1 crash\n"},
-    {THREE "exit-3", 1, "\nthe client ended with exit status 3 after 108 of 108 answers\n"},
-    {THREE "truncated", 1, "\nthe client ended after 10 of 108 answers\n"},
+    {THREE "exit-3", 1, "\nthe client ended with exit status 3 after 111 of 111 answers\n"},
+    {THREE "truncated", 1, "\nthe client ended after 10 of 111 answers\n"},
     {THREE "truncated", 1, "  first truncated: eq07-random-7 -1.3\n    the last line has no LF\n"},
     {THREE "malformed", 1, "  first malformed: eq07-random-7 1.5 oops\n    'oops' is no number\n"},
-    {THREE "wrong-id", 1, "  98 wrong id, the first is line 11: somebody "},
-    {THREE "flood", 1, "\nthe client was stopped for so many lines that answer nothing after 0 of 108 answers\n"},
+    {THREE "wrong-id", 1, "  101 wrong id, the first is line 11: somebody "},
+    {THREE "flood", 1, "\nthe client was stopped for so many lines that answer nothing after 0 of 111 answers\n"},
     {THREE "skip", 1, "every vector was skipped\n"},
-    {"--only eq38 -- sh -c 'printf %150s; echo \"eq38-paper skip it\"; cat >/dev/null'", 1, "  25        1\n"},
+    {"--only eq38 -- sh -c 'printf %150s; echo \"eq38-paper skip it\"; cat >/dev/null'", 1, "  26        1\n"},
     {"--only eq38 -- sh -c 'printf \"eq38-paper\\\\t\\\\033[1m\\\\n\"; cat >/dev/null'", 1, "got        ?[1m\n"},
     {THREE "dies", 2, "exit status 9 before its first answer\n"},
     {"--only algebra -- FAULTY early", 1, "  1 early, the first is line 1: eq44-negative invalid\n"}, /* more questions than both buffers hold */
@@ -145,12 +145,12 @@ static const struct {
     const char *operation, *fault, *says;
 } people[] = {
     {"eq44", "banner", "the first is line 1: Tether library 2.1, all rights reserved\n    its first word 'Tether' names no vector\n"},
-    {"eq44", "debug", "32 no vector's name, the first is line 1: debug: computing\n    its first word 'debug:' names no vector: no name has a ':'\n"},
+    {"eq44", "debug", "33 no vector's name, the first is line 1: debug: computing\n    its first word 'debug:' names no vector: no name has a ':'\n"},
     {"eq44", "echo", "    'eq44' is an operation, the vector's name alone stands first\n"},
     {"eq44", "no-id", "is a number, the vector's name stands first\n"},
     {"eq07", "truncated", "the last line has no LF\n"},
-    {"eq44", "exit-3", "\nthe client ended with exit status 3 after 32 of 32 answers\n"},
-    {"eq44", "ends-in-the-middle", "\nthe client ended after 5 of 32 answers\n"},
+    {"eq44", "exit-3", "\nthe client ended with exit status 3 after 33 of 33 answers\n"},
+    {"eq44", "ends-in-the-middle", "\nthe client ended after 5 of 33 answers\n"},
     {"eq42", "true", "    'true' is no number, 1 or 0 is due\n"},
     {"eq44", "INVALID", "    'INVALID': did you mean invalid, alone and in small letters?\n"},
     {"eq44", "fortran", "has Fortran's D exponent, E is due\n"},
@@ -259,7 +259,7 @@ TEST(roots_are_shown_as_a_set_with_a_mark_below_what_is_wrong)
 TEST(vectors_are_asked_one_by_one)
 {
     ck_assert_int_eq(conform("--only eq44-boundary,eq44-paper,eq44-boundary,eq43 -- FAULTY none"), 0);
-    assert_says("eq43                  30       30 ");
+    assert_says("eq43                  31       31 ");
     assert_says("eq44                   2        2 ");
     ck_assert_int_eq(conform("--only eq44-7-3,eq44-7-outside-0 --random 17 --seed 7 -- FAULTY none"), 0);
     assert_says("\n2 vectors: 2 passed, ");
@@ -290,14 +290,14 @@ TEST(digits_are_declared_once)
     assert_says("--digits: expected flow_linear once, got 'flow_linear=9' and 'flow_linear=8'\n");
 }
 
-/* Six of eq38's vectors come after the tenth question and lie inside the domain; --all shows them all, else there is one. */
+/* Seven of eq38's vectors come after the tenth question and lie inside the domain; --all shows them all, else there is one. */
 TEST(every_failing_vector_is_shown)
 {
     int shown = 0;
     ck_assert_int_eq(conform("--only eq38 --all -- FAULTY printed"), 1);
     for (const char *at = said; (at = strstr(at, ": wrong, E = ")) != NULL; at++)
         shown++;
-    ck_assert_int_eq(shown, 6);
+    ck_assert_int_eq(shown, 7);
     ck_assert_int_eq(conform("--only eq38 -- FAULTY printed"), 1);
     ck_assert_ptr_eq(strstr(strstr(said, ": wrong, E = ") + 1, ": wrong, E = "), NULL);
 }
@@ -327,10 +327,10 @@ TEST(expected_failures_are_none_and_what_passes_is_said)
     ck_assert_int_eq(system("cd \"$CT_BUILD/tests\"; printf '# known\\neq38-random-10 the 3\\n\\n  eq38-paper\\neq07-paper\\n' >expect"), 0);
     ck_assert_int_eq(conform("--only eq38 --expect \"$CT_BUILD/tests/expect\" --report \"$CT_BUILD/tests/expect.json\" -- FAULTY printed"), 1);
     ck_assert_int_eq(system("grep -q '\"expected_to_fail\": true' \"$CT_BUILD/tests/expect.json\""), 0);
-    assert_says("eq38                  26       20       5 ");
+    assert_says("eq38                  27       20       6 ");
     assert_says(", 1 failed as expected\n");
     assert_says("\neq38-paper was expected to fail, and passes\n");
-    assert_says("eq38: 6 wrong; 1 of them as expected\n");
+    assert_says("eq38: 7 wrong; 1 of them as expected\n");
     ck_assert_int_eq(conform("--only eq38-random-10,eq38-paper --all --report \"$CT_BUILD/tests/expect.xml\" --expect \"$CT_BUILD/tests/expect\" "
                              "-- sh -c 'for i in 1 2; do read o id in; echo $id 1; done'"), 0);
     assert_says("eq38-random-10: wrong, E = ");
@@ -459,8 +459,8 @@ TEST(answers_in_a_file_may_stand_in_any_order)
                             "tail -n 2 \"$f\" | head -n 1 >>\"$f\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/answers.csv\" eq07"), 1);
     assert_says("eq07: 1 missing\n");
-    assert_says("  1 repeated or out of order, the first is line 52: eq07-");
-    assert_says("  1 wrong id, the first is line 51: stranger 1\n");
+    assert_says("  1 repeated or out of order, the first is line 53: eq07-");
+    assert_says("  1 wrong id, the first is line 52: stranger 1\n");
 }
 
 TEST(a_row_longer_than_a_line_is_told_with_its_place)
@@ -491,7 +491,7 @@ EACH(tables_are_read_as_spreadsheets_write_them, 4)
     snprintf(line, sizeof line, "awk -F, '%s' data/golden/eq07.csv >\"$CT_BUILD/tests/sheet.csv\"", programs[_i]);
     ck_assert_int_eq(system(line), 0);
     ck_assert_msg(conform("--answers \"$CT_BUILD/tests/sheet.csv\"") == 0, "%s", said);
-    assert_says("eq07                  50       50 ");
+    assert_says("eq07                  51       51 ");
 }
 
 TEST(a_table_that_is_none_is_told_with_its_place)
@@ -502,7 +502,7 @@ TEST(a_table_that_is_none_is_told_with_its_place)
     ck_assert_int_eq(system("printf 'id;Q_ref\\neq07-paper;-0,00014\\neq07-random-1;\"1\\n2\"\\n' >\"$CT_BUILD/tests/comma.csv\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 1);
     assert_says("'-0,00014' has a decimal comma, a point is due\n");
-    assert_says("eq07: 1 wrong count, 1 malformed, 48 missing\n");
+    assert_says("eq07: 1 wrong count, 1 malformed, 49 missing\n");
     ck_assert_int_eq(system("printf 'id,C2\neq44-paper,1,5\n' >\"$CT_BUILD/tests/comma.csv\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/comma.csv\""), 2);
     assert_says("comma.csv: line 2 has 3 cells, the header 2: a decimal comma?\n");
@@ -545,7 +545,7 @@ static const char *file_text(const char *name)
 TEST(reports_for_machines_say_the_same)
 {
     ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.xml\" -- FAULTY printed"), 1);
-    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), " tests=\"77\" failures=\"16\" errors=\"0\" skipped=\"0\""));
+    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), " tests=\"79\" failures=\"17\" errors=\"0\" skipped=\"0\""));
     ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "looks like the paper's misprint: Kepler's third law has no factor of 3 there; the 3 of Eq. (39) is the one that Eq. (37) has already.\n</failure></testcase>"));
     ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- "
                              "sh -c 'echo \"a <word>\" >&2; exec \"$0\" printed' FAULTY"), 1);
@@ -555,10 +555,10 @@ TEST(reports_for_machines_say_the_same)
     ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"line\": {\"outcome\": \"malformed\", \"text\": \"eq07-random-7 1.5 oops\", "
                                                            "\"hint\": \"'oops' is no number\"}"));
     ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- FAULTY wrong-id"), 1);
-    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"lines\": [{\"count\": 66, \"first\": 11, \"outcome\": \"wrong id\", "));
+    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"lines\": [{\"count\": 68, \"first\": 11, \"outcome\": \"wrong id\", "));
     ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.xml\" -- FAULTY wrong-id"), 1);
     ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "<testcase classname=\"client\" name=\"lines\"><failure message=\"lines that answer "
-                                                          "nothing, or an end that is none\">\nlines that answer nothing: 66\n"));
+                                                          "nothing, or an end that is none\">\nlines that answer nothing: 68\n"));
     ck_assert_int_eq(conform("--only eq07 --report /nowhere/report.json -- FAULTY none"), 1);
     assert_says("/nowhere/report.json: No such file");
 }

@@ -687,6 +687,7 @@ EACH(random_questions_from_outside_have_every_defect, sheet()->section_count)
         int defects = 0;
         test_vector_make(&q, &e->sets, p);
         ck_assert_msg(!q.numbers || !operation_valid(e->comparators[0].operation, q.inputs), "%s", q.id);
+        ck_assert_uint_eq(test_sets_find(&e->sets, q.id), p);
         for (int i = 0; i < s->input_count; i++) {
             nans[i] += isnan(q.values[i]);
             defects += !isfinite(q.values[i]);
@@ -1082,6 +1083,17 @@ EACH(an_id_is_the_one_that_was_sent_to_the_letter, 16)
     ck_assert_uint_eq(test_sets_find(&e->sets, "eq43-1-outside-0"), e->sets.total - 1);
     ck_assert_uint_eq(test_sets_find(&e->sets, strangers[_i]), UINT64_MAX);
     close_run(e);
+}
+
+/* Of two operations, the first of which begins as the second does. */
+TEST(an_id_is_not_that_of_an_operation_that_begins_alike)
+{
+    struct test_sets sets = {.seed = 1};
+    test_sets_add(&sets, section_find(sheet(), "eq11exact"), 5, BINARY64, false);
+    test_sets_add(&sets, section_find(sheet(), "eq11"), 5, BINARY64, false);
+    ck_assert_uint_eq(test_sets_find(&sets, "eq11-paper"), sets.all[1].first);
+    ck_assert_uint_eq(test_sets_find(&sets, "eq11exact-1-4"), sets.all[1].first - 2); /* one from outside comes after it */
+    test_sets_clear(&sets);
 }
 
 /* ---- what the table says ---- */

@@ -177,7 +177,7 @@ uint64_t test_sets_find(const struct test_sets *sets, const char *id)
         if (strlen(operation) != length || strncmp(operation, id, length) != 0 || id[length] == '\0')
             continue;
         const uint64_t place = place_of_id(sets, set, id);
-        if (place == UINT64_MAX || set->wanted == NULL)
+        if (set->wanted == NULL)
             return place == UINT64_MAX ? place : set->first + place;
         for (uint64_t i = 0; i < set->want_count; i++)
             if (set->wanted[i] == place)
