@@ -270,17 +270,19 @@ TEST(outside_the_domain_nothing_is_said)
 
 /* ---- what is proved of all values of a ball ---- */
 
-enum { NUMBERS_OF_GAINS = 18 };
+enum { NUMBERS_OF_GAINS = 21 };
 
-/* By name, of gains: how long they may be held, how late they may act, what they make of pitch. */
-static void of_gains(arb_ptr z, const arb_t c1, const arb_t c2, slong prec)
+/* Of gains: how long they may be held, how late they may act, what they make of a pitch of 1/8 + away after 3 + away. */
+static void of_gains(arb_ptr z, const arb_t c1, const arb_t c2, const arb_t away, slong prec)
 {
     static const char *const names[] = {"A_re", "A_im", "B_re", "decay", "shift"};
     struct second_order o;
+    struct moved_loop loop;
     SCOPE(acb, S);
     SCOPE(arb, a, tau);
     arb_set_d(a, 0.125);
-    arb_set_ui(tau, 3);
+    arb_add(a, a, away, prec);
+    arb_add_ui(tau, away, 3, prec);
     arb_one(z); /* a swing of L_ref */
     quadrature_reference(S, c1, c2, z, a, prec);
     acb_get_real(z + 7, S);
@@ -288,6 +290,9 @@ static void of_gains(arb_ptr z, const arb_t c1, const arb_t c2, slong prec)
     second_order_init(&o, steps(), c1, c2, S, prec); /* which says all of S */
     second_order_after(z + 9, &o, a, tau);
     moved_reference(z + 15, S, z + 9, prec);
+    moved_loop_init(&loop, c1, S, prec);
+    _arb_vec_set(z + 18, loop.constants, 3);
+    moved_loop_clear(&loop);
     slow_law(z + 16, z + 17, &o, a, tau);
     for (int i = 0; i < 5; i++)
         arb_set(z + i, second_order_get(&o, names[i]));
@@ -313,7 +318,8 @@ EACH(numbers_of_a_ball_hold_those_of_its_gains, 6)
         arb_sqrt(c2, c2, few_bits[k]);
         arb_mul_2exp_si(c2, c2, 1);
         guarantees_enclose(wide, n, _i % 2 ? y : NULL, few_bits[k]);
-        of_gains(wide + GUARANTEES, n, c2, few_bits[k]);
+        arb_sub(one, n, n, few_bits[k]); /* 0, away as far as twice the radius of n */
+        of_gains(wide + GUARANTEES, n, c2, one, few_bits[k]);
         for (int end = -1; end <= 1; end++) {
             arb_set_d(one, gains[_i] + end * ldexp(1, -14 * k - 8));
             arb_set_d(y, 1.25 + end * ldexp(1, -14 * k - 8));
@@ -321,7 +327,8 @@ EACH(numbers_of_a_ball_hold_those_of_its_gains, 6)
             arb_sqrt(c2, c2, PREC);
             arb_mul_2exp_si(c2, c2, 1);
             guarantees_enclose(sharp, one, _i % 2 ? y : NULL, PREC);
-            of_gains(sharp + GUARANTEES, one, c2, PREC);
+            arb_set_d(y, end * ldexp(1, -14 * k - 7));
+            of_gains(sharp + GUARANTEES, one, c2, y, PREC);
             for (int i = 0; i < GUARANTEES + NUMBERS_OF_GAINS; i++)
                 ck_assert_msg(arb_contains(wide + i, sharp + i) || !arb_is_finite(wide + i), "number %d at n = %g", i, gains[_i]);
         }
