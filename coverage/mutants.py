@@ -209,7 +209,8 @@ class Place:
             (self.root / folder).mkdir(parents=True)
             for entry in (tree.root / folder).iterdir():
                 if entry.name not in ('paper', 'build') and str(entry) != f'{tree.build}/tests':
-                    (self.root / folder / entry.name).symlink_to(entry)
+                    sources = entry.name in ('ref', 'verify') and not folder  # as people have them
+                    (self.root / folder / entry.name).symlink_to(ROOT / entry.name if sources else entry)
         (self.root / 'reached').write_bytes(bytes(8192))
         self.environment = dict(os.environ, BUILD='build', CT_BUILD=f'{self.root}/build', CT_PROGRAM=f'{self.root}/build/coulomb-tether',
                                 MUTANT_SHEETS=str(self.root), LC_ALL='C', LDFLAGS=WRAPS)

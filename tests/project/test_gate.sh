@@ -10,9 +10,9 @@ fresh() {
     rm -rf "$work/copy"
     mkdir -p "$work/copy/data" "$work/copy/build/tests" "$work/copy/tests/project" || exit 1
     cd "$work/copy" || exit 1
-    cp -r "$project/Makefile" "$project/ref" "$project/paper" .
+    cp -RL "$project/Makefile" "$project/ref" "$project/paper" .
     cp "$project/tests/project/gate.sh" "$project/tests/project/gate.awk" tests/project/
-    cp -r "$project/data/golden" "$project/data/verdicts.csv" data/
+    cp -RL "$project/data/golden" "$project/data/verdicts.csv" data/
     cp "$work/derivations.json" "$work/errors.json" build/
     cp "$work/all.tap" build/tests/
     chmod -R u+w . # whatever the project's own files allow
