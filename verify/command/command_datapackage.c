@@ -109,7 +109,8 @@ static const struct {
 static void print_field(struct json *j, const struct sheet *sheet, const char *column)
 {
     char base[64], description[512];
-    const char *variant = "", *type = "string", *unit = NULL, *meaning = NULL;
+    const char *variant = "";
+    struct column c = {.type = "string"};
     const bool sensitivity = strncmp(column, "S_", 2) == 0;
     snprintf(base, sizeof base, "%s", sensitivity ? column + 2 : column);
     for (size_t i = 0; i < sizeof variants / sizeof *variants; i++) {
@@ -122,26 +123,19 @@ static void print_field(struct json *j, const struct sheet *sheet, const char *c
     const int guarantee = guarantee_find(base);
     if (guarantee >= 0) {
         static const char *const units[][3] = {{NULL, "Omega", NULL}, {"L_ref", "Omega L_ref", "Omega^2 L_ref"}};
-        type = "number";
-        unit = units[guarantees[guarantee].lengths][guarantees[guarantee].rates];
-        meaning = guarantees[guarantee].meaning;
+        const struct guarantee *g = &guarantees[guarantee];
+        c = (struct column){base, "number", units[g->lengths][g->rates], g->meaning};
     }
     const struct quantity *q = quantity_find(sheet, base);
-    if (q != NULL) {
-        type = "number";
-        unit = q->unit;
-        meaning = q->meaning;
-    }
+    if (q != NULL)
+        c = (struct column){base, "number", q->unit, q->meaning};
     for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
-        if (strcmp(columns[i].name, base) == 0) {
-            type = columns[i].type;
-            unit = columns[i].unit;
-            meaning = columns[i].description;
-        }
+        if (strcmp(columns[i].name, base) == 0)
+            c = columns[i];
     snprintf(description, sizeof description, "%s%s%s%s", sensitivity ? "sensitivity of this to its inputs' last digits, sum |x dX/dx|: " : "",
-             meaning ? meaning : "", *variant ? ", " : "", variant);
+             c.description ? c.description : "", *variant ? ", " : "", variant);
     json_line(j, 4);
-    json_record(j, NULL, "name", column, "type", type, "unit", unit, "description", meaning ? description : NULL);
+    json_record(j, NULL, "name", column, "type", c.type, "unit", c.unit, "description", c.description ? description : NULL);
 }
 
 /* The first line of a file, and its size. */

@@ -47,7 +47,6 @@ static int check(const struct sources *s, int count, struct message *why)
 
 int main(int count, char **arguments)
 {
-    char *texts[SHEETS] = {NULL};
     struct source sources[SHEETS] = {{NULL, NULL, 0}};
     struct message why = {""};
     const int files = count - 1 < SHEETS ? count - 1 : SHEETS;
@@ -58,8 +57,8 @@ int main(int count, char **arguments)
     }
     for (int i = 0; i < files && status == 0; i++) {
         sources[i].name = arguments[i + 1];
-        sources[i].text = texts[i] = file_text(arguments[i + 1], &sources[i].length);
-        if (texts[i] == NULL) {
+        sources[i].text = file_text(arguments[i + 1], &sources[i].length);
+        if (sources[i].text == NULL) {
             message_set(&why, "%s: cannot be read", arguments[i + 1]);
             status = 1;
         }
@@ -72,7 +71,7 @@ int main(int count, char **arguments)
     if (why.text[0] != '\0')
         fprintf(stderr, "%s\n", why.text);
     for (int i = 0; i < SHEETS; i++)
-        free(texts[i]);
+        free((char *)sources[i].text);
     flint_cleanup();
     return status;
 }
