@@ -104,7 +104,7 @@ static void json_section(struct json *j, const struct proof_results *p, const st
     json_close(j);
 }
 
-static void print_line(const struct section *s)
+static void print_section_line(const struct section *s)
 {
     printf("%-15s ", s->id);
     print_list(s->equations, s->numbers, 14);
@@ -130,7 +130,7 @@ int command_equations(const struct arguments *a)
         if (json && (one == NULL || one == s))
             json_section(&j, &proofs, s);
         else if (one == NULL)
-            print_line(s);
+            print_section_line(s);
         else if (one == s)
             print_section(&proofs, s);
         json_line(&j, one == NULL && i + 1 < sheet->section_count ? 1 : -1);
