@@ -35,7 +35,6 @@ enum operator
 };
 
 struct arithmetic {
-    const char *name;
     size_t size; /* of a number, in bytes */
     void (*init)(void *x, slong prec);
     void (*clear)(void *x);

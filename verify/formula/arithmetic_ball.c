@@ -98,7 +98,6 @@ static void ball_apply(enum operator op, void *z, const void *x, const void *y, 
 }
 
 const struct arithmetic arithmetic_ball = {
-    .name = "ball",
     .size = sizeof(arb_struct),
     .init = ball_init,
     .clear = ball_clear,

@@ -43,7 +43,6 @@ static void mpfr_number_apply(enum operator op, void *z, const void *x, const vo
 }
 
 const struct arithmetic arithmetic_mpfr = {
-    .name = "mpfr",
     .size = sizeof(mpfr_t),
     .init = mpfr_number_init,
     .clear = mpfr_number_clear,

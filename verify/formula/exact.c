@@ -102,7 +102,6 @@ static void exact_apply(enum operator op, void *z, const void *x, const void *y,
 }
 
 const struct arithmetic arithmetic_exact = {
-    .name = "exact",
     .size = sizeof(struct exact),
     .init = init_exact,
     .clear = clear_exact,

@@ -620,7 +620,6 @@ static void symbolic_apply(enum operator op, void *result, const void *left, con
 }
 
 const struct arithmetic arithmetic_symbolic = {
-    .name = "symbolic",
     .size = sizeof(struct symbolic),
     .init = symbolic_init,
     .clear = symbolic_clear,
