@@ -178,7 +178,9 @@ class Tree:
                     live = [m for m in of[file] if m.number not in dead]
                     put(self.root / file, schemata(file, text, live, self.functions) if file.startswith(('ref/', 'verify/')) else text)
             said, made = self.make()
-            warned = {int(n) for n in re.findall(r'^m(\d+):\d+:\d+: (?:error|warning)', said, re.M)}
+            idle = set(re.findall(r'^right:.* warning: .*\[(-W.*)\]$', said, re.M))  # so it warns of what is right, too
+            warned = {int(n) for n, what, option in re.findall(r'^m(\d+):\d+:\d+: (error|warning): .*?(?:\[(-W.*)\])?$', said, re.M)
+                      if what == 'error' or option not in idle}
             if made:
                 return dead | warned
             if warned <= dead:

@@ -12,7 +12,7 @@ fuzz() {
     mkdir -p "$folder/found/$target" "$folder/failed"
     status=0
     "$folder/$target" -seed="${SEED:-0}" -max_total_time="$seconds" -timeout="${CASE_SECONDS:-10}" -rss_limit_mb=2048 -max_len=4096 \
-        -dict=tests/fuzz/words.dict -artifact_prefix="$folder/failed/$target-" -print_final_stats=1 \
+        -dict="$folder/words.dict" -artifact_prefix="$folder/failed/$target-" -print_final_stats=1 \
         "$folder/found/$target" "tests/fuzz/corpus/$target" >"$log" 2>&1 || status=$?
     awk -v target="$target" -v status="$status" '
         { for (i = 1; i < NF; i++) if ($i == "cov:") edges = $(i + 1) }
@@ -32,4 +32,10 @@ if [ "$1" = --one ]; then
 fi
 folder=$1 seconds=$2
 shift 2
+# What the inputs are made of: keys, functions and names of the sheets, options and words of the command line, strange numbers.
+{
+    grep -ohE '^ *(- )?[A-Za-z0-9_]+:|[a-z0-9]+\(|eq[0-9]+\.[A-Za-z0-9_]+' paper/equations.yaml paper/derivations.yaml | tr -d ' -'
+    grep -ohE '"-?-?[a-z0-9-]+"' verify/command/options.c | tr -d '"'
+    printf '%s\n' nan -inf 1e308 1e400 1e-400 0x1p-1074 '>=' @printed eq07-paper eq07-1-0 L=10 Omega=7.2915e-5 skip invalid
+} | sort -u | sed 's/.*/"&"/' >"$folder/words.dict"
 printf '%s\0' "$@" | xargs -0 -n 1 -P 2 "$0" --one "$folder" "$seconds"
