@@ -230,3 +230,71 @@ EACH(only_the_static_formation_stays, 1 + FLOW_STATE)
     ck_assert_int_eq(strcmp(r.first[FLOW_HALF], "0") == 0, _i == FLOW_STATE);
     scenario_clear(&s);
 }
+
+/* ---- where rows end ---- */
+
+/* Hardly damped and moving inwards: Q_ref + dQ = 0 where dL is -3 Omega^2 L_ref/C1 and C2 little; from one row to the next in tenths */
+TEST(charges_end_within_a_millionth_of_a_step)
+{
+    enum { ROWS = 7 };
+    struct scenario s;
+    struct message why;
+    struct rows r = {0};
+    double after, before;
+    VECTOR(fmpq, times, ROWS);
+    scenario_init(&s, sheet(), false);
+    for (int k = 0; k < ROWS; k++)
+        fmpq_set_si(times + k, 100 * k, 1);
+    give(&s, SET_C1, 53165972, 1000000000000000);
+    give(&s, SET_C2, 1, 1000000000);
+    give(&s, SET_psi, 0, 1);
+    give(&s, SET_theta, 0, 1);
+    give(&s, SET_dL, -29, 10);
+    give(&s, SET_dL_dot, -3, 10000);
+    const struct motion m = {.scenario = &s, .nonlinear = true, .charges = true, .digits = 6};
+    ck_assert_int_eq(motion_rows(&m, times, ROWS, count_row, &r, &why), -1);
+    ck_assert_int_eq(r.count, 4);
+    ck_assert_int_eq(sscanf(why.text, "Q_ref + dQ >= 0 from t = %lf s, proved < 0 at t = %lf s", &after, &before), 2);
+    ck_assert_double_eq_tol(after, 355.77, 0.01);
+    ck_assert_double_eq_tol(after - before, 1e-4, 1.5e-6); /* nine digits of each are told */
+    scenario_clear(&s);
+}
+
+/* Kepler's fall: the craft meet after 0.58 radians, and nothing is said of what follows. */
+TEST(a_motion_that_is_not_followed_to_its_end_is_no_success)
+{
+    struct scenario s;
+    struct message why;
+    struct rows r = {0};
+    VECTOR(fmpq, time, 1);
+    scenario_init(&s, sheet(), false);
+    for (int i = 0; i < SCENARIO_VALUES; i++)
+        if (i != SET_n && (i < SET_psi || i > SET_dL_dot))
+            give(&s, (enum scenario_name)i, i < SET_n || i == SET_z1, 1);
+    give(&s, SET_L_ref, 2, 1);
+    fmpq_one(time);
+    const struct motion m = {.scenario = &s, .nonlinear = true, .digits = 4};
+    ck_assert_int_eq(motion_rows(&m, time, 1, count_row, &r, &why), -1);
+    ck_assert_msg(strstr(why.text, "closer than L_ref/128") != NULL, "%s", why.text);
+    ck_assert_int_eq(r.count, 0);
+    scenario_clear(&s);
+}
+
+/* y1 = (1/3) 12 m 0.3125 = 1.25 m, a tie of two digits that an enclosure of 1/3 leaves undecided */
+TEST(digits_that_no_bits_decide_are_given_up)
+{
+    struct scenario s;
+    struct message why;
+    struct rows r = {0};
+    VECTOR(fmpq, time, 1);
+    scenario_init(&s, sheet(), false);
+    give(&s, SET_m1, 100, 1);
+    give(&s, SET_m2, 50, 1);
+    give(&s, SET_dL, 2, 1);
+    give(&s, SET_psi, 5, 16);
+    const struct motion m = {.scenario = &s, .small_angles = true, .digits = 2};
+    ck_assert_int_eq(motion_rows(&m, time, 1, count_row, &r, &why), -1);
+    ck_assert_ptr_nonnull(strstr(why.text, "bits do not decide every digit of row 1"));
+    ck_assert_int_eq(r.count, 0);
+    scenario_clear(&s);
+}
