@@ -390,7 +390,8 @@ PAGES    := $(patsubst paper/%.md,%,$(wildcard paper/*.md))
 PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard paper/figures/plot-*.gp)))
 # The day of the last change: of the history where there is one, else of the archive that `git archive` made.
 DATED     = $(shell git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
-# What the weaver reads.
+# What the plots draw, and what the weaver reads.
+DRAWN_FROM = $(TABLES) $(STUDIES) $(VERDICTS) $(BUILD)/set.csv
 WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv $(BUILD)/derivations.gv
 WEAVE     = LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' CT_DATE='$(DATED)' $(1) pandoc --fail-if-warnings \
   -f paper/weave.lua --no-highlight $(filter %.md,$^)
@@ -443,16 +444,20 @@ $(EDITION)/tools.found: paper/typeset.sh
 	@paper/typeset.sh
 	@mkdir -p $(@D) && touch $@
 
+# What the edition draws of a set of motions.
+$(BUILD)/set.csv: $(PROGRAM)
+	$(call PRINTED,$(PROGRAM) trajectory nonlinear dL=0.1+-0.02 psi=0.01+-0.001 --set --every 1800 --until 259200 --digits 8)
+
 # gnuplot names its pictures as it is told to, and so is told without a folder.
-$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(TABLES) $(STUDIES) $(VERDICTS) | $(EDITION)/tools.found
+$(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(DRAWN_FROM) | $(EDITION)/tools.found
 	@mkdir -p $(@D)
-	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
+	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; build='$(abspath $(BUILD))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
 
 # For the web gnuplot sets the labels itself, where a letter takes one byte and not a drawing.
-$(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: paper/figures/plot-%.gp paper/figures/plot-style.gp paper/figures/plain.sed paper/figures/slim.sed paper/figures/slim.awk $(TABLES) $(STUDIES) $(VERDICTS)
+$(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: paper/figures/plot-%.gp paper/figures/plot-style.gp paper/figures/plain.sed paper/figures/slim.sed paper/figures/slim.awk $(DRAWN_FROM)
 	@mkdir -p $(@D)
 	sed -E -f paper/figures/plain.sed paper/figures/plot-style.gp $< >$@.gp.tmp
-	LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; picture='$@.drawn.tmp'" $@.gp.tmp
+	LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; build='$(abspath $(BUILD))'; picture='$@.drawn.tmp'" $@.gp.tmp
 	LC_ALL=C awk -f paper/figures/slim.awk $@.drawn.tmp >$@.slim.tmp
 	$(call PRINTED,sed -E -z -f paper/figures/slim.sed $@.slim.tmp)
 	@rm $@.gp.tmp $@.drawn.tmp $@.slim.tmp
