@@ -149,6 +149,10 @@ class Tree:
 
     def __init__(self, base):
         self.root, self.build, self.functions = base / 'tree', base / 'tree/build', {}
+        for folder in ('ref', 'tests', 'verify'):
+            for file in (self.root / folder).glob('**/*.*'):
+                if str(file.relative_to(self.root)) not in FILES:
+                    file.unlink()  # of an earlier run
         for file in FILES:
             if not file.endswith(('.c', 'internal.h')):
                 put(self.root / file, (ROOT / file).read_bytes())
