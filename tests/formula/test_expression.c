@@ -413,6 +413,7 @@ EACH(gradient_is_the_derivative_by_every_input, COUNT(differentiable))
         fmpq_one(&p.nodes[rate[i]].number);
         derivative[i] = program_derivative(&p, node, rate, 3);
     }
+    const int by_first = program_derivative(&p, node, (const int[]){-1, 0, -1}, 3); /* y moves by x, the first node of all */
     machine_init(&m, &p, &arithmetic_symbolic, 1);
     machine_init(&adjoint, &p, &arithmetic_symbolic, 1);
     set_inputs(&m);
@@ -424,6 +425,11 @@ EACH(gradient_is_the_derivative_by_every_input, COUNT(differentiable))
         ck_assert_int_eq(state(machine_value(&adjoint, i)), SYMBOLIC_FINE);
         ck_assert(fmpq_equal(value, expected));
     }
+    get_coefficient(value, machine_value(&adjoint, 1), 0);
+    get_coefficient(expected, machine_value(&m, 0), 0);
+    fmpq_mul(expected, expected, value);
+    get_coefficient(value, machine_value(&m, by_first), 0);
+    ck_assert(fmpq_equal(value, expected));
     machine_clear(&adjoint);
     machine_clear(&m);
     program_clear(&p);

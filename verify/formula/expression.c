@@ -403,7 +403,7 @@ int program_derivative(struct program *p, int node, const int *rate, int rates)
     program_needs(p, node, NULL, needed);
     for (int i = 0; i <= node; i++) {
         int left = p->nodes[i].left, right = p->nodes[i].right;
-        derivative[i] = i < rates && rate[i] >= 0 ? rate[i] : -1;
+        derivative[i] = i < rates ? rate[i] : -1;
         if (derivative[i] < 0 && needed[i])
             derivative[i] = node_rate(p, i, left < 0 ? -1 : derivative[left],
                                       right < 0 ? -1 : derivative[right]);
