@@ -29,12 +29,10 @@ void vectors_header(const struct section *s)
 static bool leaves_range(const arb_t x, slong exponent)
 {
     SCOPE(arf, bound);
-    bool leaves = false;
     if (arb_contains_zero(x) || !arb_is_finite(x))
         return false; /* zero: what underflows to it is seen in its operands; infinity: an input that may be */
     arb_get_abs_lbound_arf(bound, x, 64);
-    leaves = arf_cmpabs_2exp_si(bound, 2 - exponent) < 0 || arf_cmpabs_2exp_si(bound, exponent) >= 0;
-    return leaves;
+    return arf_cmpabs_2exp_si(bound, 2 - exponent) < 0 || arf_cmpabs_2exp_si(bound, exponent) >= 0;
 }
 
 bool vector_leaves_range(struct operation *o, const struct input *inputs, int significand)
