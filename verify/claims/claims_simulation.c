@@ -30,25 +30,27 @@ static bool supremum(arb_t x, const struct request *r)
     return trajectory_supremum(x, r->of, r->which, r->from, r->to);
 }
 
-/* From then on for ever: the last sample's energy allows no more. */
-static bool ever(arb_t x, const struct request *r)
-{
-    struct bounds after;
-    bounds_init(&after);
-    const bool bounded = supremum(x, r) && trajectory_bounds(&after, r->of, r->to) && arb_lt(after.of[r->which], x);
-    bounds_clear(&after);
-    return bounded;
-}
-
-/* What the energy at the start allows, for ever. */
-static bool bound(arb_t x, const struct request *r)
+/* What the energy at a sample allows from then on, for ever. */
+static bool reach_from(arb_t x, const struct trajectory *t, int which, slong k)
 {
     struct bounds b;
     bounds_init(&b);
-    const bool bounded = trajectory_bounds(&b, r->of, r->from);
-    arb_set(x, b.of[r->which]);
+    const bool bounded = trajectory_bounds(&b, t, k);
+    arb_set(x, b.of[which]);
     bounds_clear(&b);
     return bounded;
+}
+
+/* From then on for ever: the last sample's energy allows no more. */
+static bool ever(arb_t x, const struct request *r)
+{
+    SCOPE(arb, after);
+    return supremum(x, r) && reach_from(after, r->of, r->which, r->to) && arb_lt(after, x);
+}
+
+static bool bound(arb_t x, const struct request *r)
+{
+    return reach_from(x, r->of, r->which, r->from);
 }
 
 static bool peak(arb_t x, const struct request *r)
@@ -87,13 +89,9 @@ static bool exit_of(arb_t hours, const struct request *r)
 /* ... and for ever, by the energy of the last sample. */
 static bool settled(arb_t hours, const struct request *r)
 {
-    struct bounds after;
-    SCOPE(arb, limit);
-    bounds_init(&after);
+    SCOPE(arb, limit, after);
     arb_div_si(limit, trajectory_sample(r->of, 0) + r->which, r->numbers[0], MEASURE_BITS);
-    const bool bounded = trajectory_bounds(&after, r->of, r->of->count - 1) && arb_lt(after.of[r->which], limit);
-    bounds_clear(&after);
-    return exit_of(hours, r) && bounded;
+    return exit_of(hours, r) && reach_from(after, r->of, r->which, r->of->count - 1) && arb_lt(after, limit);
 }
 
 /* The largest difference on samples from the start on, ... */
@@ -123,17 +121,14 @@ static bool gap_between(arb_t x, const struct request *r)
 /* The largest difference on samples as a part of what the linear motion beside may still reach; ... */
 static bool part(arb_t x, const struct request *r)
 {
-    struct bounds left;
-    SCOPE(arb, y);
+    SCOPE(arb, left, y);
     bool bounded = true;
-    bounds_init(&left);
     for (slong k = r->from; k <= r->to && bounded; k++) {
-        bounded = trajectory_bounds(&left, r->beside, k);
+        bounded = reach_from(left, r->beside, r->which, k);
         trajectory_gap(y, r->of, r->beside, r->which, k, k);
-        arb_div(y, y, left.of[r->which], MEASURE_BITS);
+        arb_div(y, y, left, MEASURE_BITS);
         arb_max(x, x, y, MEASURE_BITS);
     }
-    bounds_clear(&left);
     return bounded;
 }
 

@@ -5,7 +5,7 @@
 #include "proof/proof_results.h"
 #include "text/scope.h"
 
-static arb_ptr step_value(const struct second_order *o, const char *name)
+arb_ptr second_order_get(const struct second_order *o, const char *name)
 {
     return machine_value(&o->machine, program_find(o->machine.program, name));
 }
@@ -16,12 +16,12 @@ void second_order_init(struct second_order *o, const struct derivations *d, cons
     static const char *const units[] = {"Omega", "L_ref", "m1", "m2", "k_c"};
     machine_init(&o->machine, &step_named(d, "pitch_law")->corrected.program, &arithmetic_ball, prec);
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        arb_one(step_value(o, units[i]));
-    arb_set(step_value(o, "c1"), c1);
-    arb_set(step_value(o, "c2"), c2);
+        arb_one(second_order_get(o, units[i]));
+    arb_set(second_order_get(o, "c1"), c1);
+    arb_set(second_order_get(o, "c2"), c2);
     if (S != NULL) {
-        acb_get_real(step_value(o, "S_re"), S);
-        acb_get_imag(step_value(o, "S_im"), S);
+        acb_get_real(second_order_get(o, "S_re"), S);
+        acb_get_imag(second_order_get(o, "S_im"), S);
     }
     machine_run(&o->machine);
 }
@@ -31,19 +31,14 @@ void second_order_clear(struct second_order *o)
     machine_clear(&o->machine);
 }
 
-arb_srcptr second_order_get(const struct second_order *o, const char *name)
-{
-    return step_value(o, name);
-}
-
 void second_order_at(arb_ptr sample, struct second_order *o, const arb_t z_re, const arb_t z_im)
 {
     static const char *const names[FLOW_STATE] = {"psi", "theta", "dL", "psi_dot", "theta_dot", "dL_dot"};
-    arb_set(step_value(o, "u"), z_re);
-    arb_set(step_value(o, "v"), z_im);
+    arb_set(second_order_get(o, "u"), z_re);
+    arb_set(second_order_get(o, "v"), z_im);
     machine_run(&o->machine);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_set(sample + i, step_value(o, names[i]));
+        arb_set(sample + i, second_order_get(o, names[i]));
 }
 
 void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_t a, const arb_t tau)

@@ -42,7 +42,7 @@ void second_order_init(struct second_order *o, const struct derivations *d, cons
 void second_order_clear(struct second_order *o);
 
 /* By name: B_re B_im A_re A_im T_re T_im, and k and s as decay and shift. */
-arb_srcptr second_order_get(const struct second_order *o, const char *name);
+arb_ptr second_order_get(const struct second_order *o, const char *name);
 
 /* psi theta dL and their rates at z, the first six numbers of a sample; */
 void second_order_at(arb_ptr sample, struct second_order *o, const arb_t z_re, const arb_t z_im);

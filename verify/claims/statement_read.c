@@ -431,7 +431,7 @@ static bool read_claim(struct claim_reading *r, struct assertion *a, const struc
 static bool read_compute(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     a->computed = value->text != NULL ? computed_find(&r->all->computed, value->text) : NULL;
-    return a->computed != NULL || entry_error(r, value, "unknown computation, expected one of verify/claims/claims_*.c");
+    return a->computed != NULL || entry_error(r, value, "unknown computation, expected one of verify/claims/");
 }
 
 /* The keys of what has formulas. */
