@@ -384,7 +384,8 @@ EACH(a_narrowed_root_holds_those_of_all_values, COUNT(narrowings))
     mag_set_ui(arb_radref(root), 2);
     narrow_root(root, parabola_at, &p, narrowings[_i].prec);
     for (int corner = 0; corner < 4; corner++) {
-        const double a = 1 + (corner & 1 ? 1 : -1) * narrowings[_i].r, c = 2 + (corner & 2 ? 1 : -1) * narrowings[_i].t, b = narrowings[_i].s;
+        const double a = 1 + (corner & 1 ? 1 : -1) * narrowings[_i].r, b = narrowings[_i].s;
+        const double c = 2 + (corner & 2 ? 1 : -1) * narrowings[_i].t;
         arb_set_d(exact, a * a + 4 * b * c); /* exact, and so is 2 c */
         arb_sqrt(exact, exact, PREC);
         SCOPE(arb, part);

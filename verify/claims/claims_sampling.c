@@ -74,7 +74,7 @@ static void held_motion(struct computed *c)
     }
 }
 
-/* From the paper's pitch with a swing of 1/100 at the start, for 20 days: every hour; and the averaged law's amplitude in the end. */
+/* From the paper's pitch with a swing of 1/100 at the start, for 20 days, hourly; and the averaged law's amplitude. */
 static void damped(struct computed *c)
 {
     enum { HOURS = 480, DIGITS = 12 };

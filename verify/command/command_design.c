@@ -121,8 +121,8 @@ static void design_formulas(struct design *d)
         char formula[64];
         snprintf(formula, sizeof formula, "%s*L_ref^%d*Omega^%d", g->name, g->lengths, g->rates);
         if (strcmp(g->name, "deficit") == 0)
-            group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses); pushes of one craft "
-                    "against the other";
+            group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses); pushes of one "
+                    "craft against the other";
         if (g->meaning != NULL)
             add_number(d, group, g->name, g->unit, g->meaning, program_parse(p, formula, &where, &why));
     }
@@ -223,7 +223,8 @@ static int check_stable(const struct scenario *s)
         return usage_error(EXIT_FAILED_CHECK, "%s, the pair is not stable, Eq. (42)",
                            by_C1 ? "C1: expected more than 9 Omega^2" : "n: expected a number > 9");
     if (fmpq_cmp_si(margin, 1000000) > 0)
-        return usage_error(EXIT_FAILED_CHECK, by_C1 ? "C1: expected 1/s^2, at most a million Omega^2" : "n: expected at most a million");
+        return usage_error(EXIT_FAILED_CHECK, "%s", by_C1 ? "C1: expected 1/s^2, at most a million Omega^2"
+                                                          : "n: expected at most a million");
     if (s->given[SET_C2] && fmpq_sgn(&s->value[SET_C2].value) <= 0)
         return usage_error(EXIT_FAILED_CHECK, "C2: expected a number > 0, the pair is not stable, Eq. (42)");
     return EXIT_DONE;
