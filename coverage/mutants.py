@@ -416,7 +416,7 @@ def summary(chosen, known, listing, everything):
             rows.setdefault(row, collections.Counter()).update(['made', verdict] + ['time'] * by.endswith('(time)'))
         group = mutant.file if mutant.file in SHEETS else mutant.file.split('/')[0] + '/'
         if verdict in ('survived', 'killed'):
-            judged[group, mutant.kind == 'tokens'].append(mutant if verdict == 'survived' else None)
+            judged[group, mutant.kind == 'tokens' or not complete].append(mutant if verdict == 'survived' else None)
     tables = table('part', by_part) + '\n' + table('what is changed', by_what)
     print(tables)
     status = 0
