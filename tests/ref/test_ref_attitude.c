@@ -103,10 +103,13 @@ TEST(eq30_is_symmetric)
 {
     const struct ct_matrix inertia =
         ct_inertia_matrix(unequal, (struct ct_vector){1.1, -2.3, 3.7}, (struct ct_vector){-4.1, 5.3, 6.7});
+    const struct ct_matrix none = ct_inertia_matrix(unequal, (struct ct_vector){NAN, 0, 0}, (struct ct_vector){0, 0, 0});
 
     for (int j = 0; j < 3; j++)
-        for (int k = 0; k < j; k++)
+        for (int k = 0; k < j; k++) {
             ck_assert_double_eq(inertia.e[j][k], inertia.e[k][j]);
+            ck_assert_double_nan(none.e[j][k]); /* and so it is where there is none */
+        }
 }
 
 TEST(eq30_of_the_tether_has_the_inertia_of_eq32)
