@@ -18,9 +18,10 @@ struct verify_request {
     bool graph;
     enum format format;
     long count;
+    struct statements claims; /* where they are asked for */
 };
 
-static bool verify_derivations(const struct proof_results *p, const struct verify_request *request)
+static bool verify_derivations(const struct proof_results *p, struct verify_request *request)
 {
     if (!request->graph)
         return print_proofs(p, request->claim, request->format);
@@ -28,18 +29,12 @@ static bool verify_derivations(const struct proof_results *p, const struct verif
     return p->fine;
 }
 
-static bool verify_claims(const struct proof_results *p, const struct verify_request *request)
+static bool verify_claims(const struct proof_results *p, struct verify_request *request)
 {
-    struct statements claims;
-    struct message why;
-    if (statements_read(&claims, p, &request->paper->claims, &why) != 0)
-        return usage_error(EXIT_FAILED_CHECK, "%s", why.text) == EXIT_DONE;
-    const bool fine = print_claims(&claims, p, request->claim, request->format);
-    statements_clear(&claims);
-    return fine;
+    return print_claims(&request->claims, p, request->claim, request->format);
 }
 
-static bool verify_errors(const struct proof_results *p, const struct verify_request *request)
+static bool verify_errors(const struct proof_results *p, struct verify_request *request)
 {
     (void)p;
     return print_errors(&request->paper->sheet, request->count, request->format);
@@ -47,7 +42,7 @@ static bool verify_errors(const struct proof_results *p, const struct verify_req
 
 static const struct part {
     const char *name;
-    bool (*verify)(const struct proof_results *p, const struct verify_request *request); /* whether all of it holds */
+    bool (*verify)(const struct proof_results *p, struct verify_request *request); /* whether all of it holds */
 } parts[] = {{"derivations", verify_derivations}, {"claims", verify_claims}, {"errors", verify_errors}};
 
 enum { PARTS_OF_VERIFY = sizeof parts / sizeof *parts };
@@ -86,41 +81,43 @@ static int read_request(const struct arguments *a, struct verify_request *r)
     return status != EXIT_DONE ? status : check_request(r);
 }
 
-static int check_step(const struct derivations *d, const char *id)
+static bool asked_for(const struct verify_request *r, int part)
 {
-    return step_named(d, id) != NULL ? EXIT_DONE : unknown_name("unknown step", id, NEAREST(id, d->steps, d->step_count, id));
+    return r->part == NULL || strcmp(r->part, parts[part].name) == 0;
 }
 
-/* Of a row of the verdicts: those of equations and of Table 1 included. */
-static int check_claim(const struct proof_results *p, const struct paper *paper, const char *id)
+/* Whether there is a step, or a row of the verdicts: those of equations and of Table 1 included. */
+static int check_asked_name(const struct derivations *d, const struct verify_request *r)
 {
-    struct statements claims;
-    struct message why;
-    if (statements_read(&claims, p, &paper->claims, &why) != 0)
-        return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-    const int status = verdict_known(&claims, id) ? EXIT_DONE
-                                                  : unknown_name("unknown claim", id, NEAREST(id, claims.list, claims.count, id));
-    statements_clear(&claims);
-    return status;
+    if (r->claim == NULL)
+        return EXIT_DONE;
+    if (asked_for(r, 0))
+        return step_named(d, r->claim) != NULL ? EXIT_DONE
+                                               : unknown_name("unknown step", r->claim, NEAREST(r->claim, d->steps, d->step_count, id));
+    return verdict_known(&r->claims, r->claim)
+               ? EXIT_DONE
+               : unknown_name("unknown claim", r->claim, NEAREST(r->claim, r->claims.list, r->claims.count, id));
 }
 
 /* What was asked for; as JSON, an object with a member a part. */
-static int verify(const struct verify_request *request)
+static int verify(struct verify_request *request)
 {
-    int status = EXIT_DONE;
     const char *separator = "{";
+    const bool claims = asked_for(request, 1);
     struct proof_results p;
     struct message why;
     if (proof_results_init(&p, request->paper, &why) != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-    const bool derivations = request->part == NULL || strcmp(request->part, parts[0].name) == 0;
-    if (request->claim != NULL)
-        status = derivations ? check_step(&p.derivations, request->claim) : check_claim(&p, request->paper, request->claim);
+    if (claims && statements_read(&request->claims, &p, &request->paper->claims, &why) != 0) {
+        proof_results_clear(&p);
+        return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
+    }
+    int status = check_asked_name(&p.derivations, request);
     const bool known = status == EXIT_DONE;
-    if (derivations && !request->graph && known)
+    if (asked_for(request, 0) && !request->graph && known)
         proof_results_bind(&p, request->claim);
     for (int i = 0; i < PARTS_OF_VERIFY && known; i++) {
-        if (request->part != NULL && strcmp(request->part, parts[i].name) != 0)
+        if (!asked_for(request, i))
             continue;
         if (request->format == FORMAT_JSON)
             printf("%s\"%s\": ", separator, parts[i].name);
@@ -128,6 +125,8 @@ static int verify(const struct verify_request *request)
         if (!parts[i].verify(&p, request))
             status = REPORTED_CHECK;
     }
+    if (claims)
+        statements_clear(&request->claims);
     proof_results_clear(&p);
     if (request->format == FORMAT_JSON && known)
         puts("}");
