@@ -446,7 +446,7 @@ $(EDITION)/tools.found: paper/typeset.sh
 
 # What the edition draws of a set of motions.
 $(BUILD)/set.csv: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) trajectory nonlinear dL=0.1+-0.02 psi=0.01+-0.001 --set --every 1800 --until 259200 --digits 8)
+	$(call PRINTED,$(PROGRAM) trajectory nonlinear dL=0.1+-0.02 psi=0.01+-0.001 --set --every 3600 --until 259200 --digits 8)
 
 # gnuplot names its pictures as it is told to, and so is told without a folder.
 $(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(DRAWN_FROM) | $(EDITION)/tools.found
