@@ -149,7 +149,8 @@ static void table_open(struct table *x, const struct identities *t)
     x->map = xrealloc(NULL, (size_t)x->count, sizeof *x->map);
     memset(x->mark, 0, (size_t)x->count * sizeof *x->mark);
     x->t.needed = xrealloc(NULL, (size_t)x->count, 1);
-    memcpy(x->t.needed, t->needed, (size_t)x->count);
+    for (int i = 0; i < x->count; i++)
+        x->t.needed[i] = t->needed[i];
     for (const struct rate *r = t->rates; r < t->rates + t->rate_count; r++) { /* what another derivative may rest on */
         program_mark(&x->t.program, r->of, NULL, x->t.needed);
         for (int i = 0; i < r->first; i++)
