@@ -66,6 +66,17 @@ EACH(brackets_stand_where_they_are_needed, 13)
     assert_typeset(&pairs[_i]);
 }
 
+/* A word among factors stands apart from them. */
+EACH(words_stand_apart, 4)
+{
+    static const struct pair pairs[] = {
+        {"2*margin1*L", "2\\,\\mathrm{margin}_{1}\\,L"},
+        {"margin1*(L + h)", "\\mathrm{margin}_{1}\\,(L + h)"},
+        {"margin1*sin(psi)/m1", "\\frac{\\mathrm{margin}_{1}\\sin \\psi }{m_{1}}"},
+        {"L*2*margin1", "L\\cdot 2\\,\\mathrm{margin}_{1}"}};
+    assert_typeset(&pairs[_i]);
+}
+
 EACH(each_division_is_a_line, 12)
 {
     static const struct pair pairs[] = {
@@ -84,7 +95,7 @@ EACH(each_division_is_a_line, 12)
     assert_typeset(&pairs[_i]);
 }
 
-EACH(functions_have_their_own_notation, 10)
+EACH(functions_have_their_own_notation, 12)
 {
     static const struct pair pairs[] = {
         {"cos(theta)*sin(psi)", "\\cos \\theta \\sin \\psi "},

@@ -132,6 +132,18 @@ static const char *input_name(const struct program *p, int node)
     return p->names[i].text;
 }
 
+/* Whether it is an input whose name is set upright, as a word */
+static bool is_word(const struct program *p, int node)
+{
+    struct tex t = {NULL, 0};
+    if (p->nodes[node].op != OPERATOR_INPUT)
+        return false;
+    typeset_symbol(&t, input_name(p, node));
+    const bool word = strncmp(t.text, "\\mathrm", strlen("\\mathrm")) == 0;
+    tex_clear(&t);
+    return word;
+}
+
 /* In brackets as high as what they hold. */
 static void write_brackets(const struct writer *w, int node, const char *left, const char *right)
 {
@@ -171,13 +183,16 @@ static void collect(const struct program *p, int node, bool below, struct factor
 /* Factors from first to last - 1, side by side, in brackets where they bind less than `least`. */
 static void write_factors(const struct writer *w, const struct factors *f, int first, int last, enum tightness least)
 {
+    bool apart = false; /* from what comes next */
     for (int i = first; i < last; i++) {
-        const bool function = is_function(w->program, f->list[i].node);
-        if (i > first && w->program->nodes[f->list[i].node].op == OPERATOR_NUMBER)
+        const int node = f->list[i].node;
+        const bool function = is_function(w->program, node), word = is_word(w->program, node);
+        if (i > first && w->program->nodes[node].op == OPERATOR_NUMBER)
             tex_add(w->tex, "\\cdot ");
-        else if (i > first && !function && is_function(w->program, f->list[i - 1].node))
+        else if (i > first && !function && (apart || word))
             tex_add(w->tex, "\\,");
-        write_node(w, f->list[i].node, function ? SUM : least);
+        write_node(w, node, function ? SUM : least);
+        apart = function || word;
     }
 }
 
