@@ -330,8 +330,9 @@ static const struct {
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n1.00000000000000000001e+00,0,0,0,0,0,0\n"},
     /* at the start 5 and 5.05 cm and what is given beside, outward to three digits */
     {"trajectory nonlinear x1=5+-0.015 y1=0 z1=-0.0505+-0.01 --set --at 0 --digits 3",
-     "t,x1_low,x1_high,y1_low,y1_high,z1_low,z1_high,x1_dot_low,x1_dot_high,y1_dot_low,y1_dot_high,z1_dot_low,z1_dot_high\n"
-     "0,4.98e+00,5.02e+00,0,0,-6.06e-02,-4.04e-02,0,0,0,0,0,0\n"},
+     "t,x1_low,x1_high,y1_low,y1_high,z1_low,z1_high,x1_dot_low,x1_dot_high,y1_dot_low,y1_dot_high,z1_dot_low,z1_dot_high,"
+     "q1_low,q1_high,q2_low,q2_high\n"
+     "0,4.98e+00,5.02e+00,0,0,-6.06e-02,-4.04e-02,0,0,0,0,0,0,3.62e-07,3.67e-07,-3.67e-07,-3.62e-07\n"},
     {"trajectory linear --every 50 --until -50 --digits 3 psi=0 theta=0 dL=0",
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n-50,0,0,0,0,0,0\n"},
 };

@@ -64,30 +64,34 @@ static int keep_bounds(void *context, slong k, const fmpq_t t, char *const *numb
 {
     struct rows *r = context;
     (void)t;
-    for (int v = 0; v < FLOW_STATE; v++) {
-        ck_assert_int_eq(literal_read(r->low + FLOW_STATE * k + v, numbers[2 * v], true), LITERAL_FINITE);
-        ck_assert_int_eq(literal_read(r->high + FLOW_STATE * k + v, numbers[2 * v + 1], true), LITERAL_FINITE);
+    for (int v = 0; v < ROW_NUMBERS; v++) {
+        ck_assert_int_eq(literal_read(r->low + ROW_NUMBERS * k + v, numbers[2 * v], true), LITERAL_FINITE);
+        ck_assert_int_eq(literal_read(r->high + ROW_NUMBERS * k + v, numbers[2 * v + 1], true), LITERAL_FINITE);
     }
     return 0;
 }
 
 struct seen {
     const struct rows *rows;
-    double low[FLOW_STATE], high[FLOW_STATE]; /* of the last row, over all motions */
+    const struct flow_parameters *parameters; /* of the motion */
+    double low[ROW_NUMBERS], high[ROW_NUMBERS]; /* of the last row, over all motions */
     slong count;
 };
 
 static int look(void *context, slong k, const fmpq_t t, arb_srcptr state)
 {
     struct seen *s = context;
-    SCOPE(arb, end);
+    VECTOR(arb, row, ROW_NUMBERS);
+    SCOPE(arb, end, product);
     (void)t;
-    for (int v = 0; v < FLOW_STATE; v++) {
-        arb_set_fmpq(end, s->rows->low + FLOW_STATE * k + v, PREC);
-        ck_assert_msg(!arb_gt(end, state + v), "row %d, coordinate %d: below", (int)k, v);
-        arb_set_fmpq(end, s->rows->high + FLOW_STATE * k + v, PREC);
-        ck_assert_msg(!arb_lt(end, state + v), "row %d, coordinate %d: above", (int)k, v);
-        const double x = arf_get_d(arb_midref(state + v), ARF_RND_NEAR);
+    _arb_vec_set(row, state, FLOW_STATE);
+    charges_of_state(row + FLOW_STATE, product, sheet(), s->parameters, state, PREC);
+    for (int v = 0; v < ROW_NUMBERS; v++) {
+        arb_set_fmpq(end, s->rows->low + ROW_NUMBERS * k + v, PREC);
+        ck_assert_msg(!arb_gt(end, row + v), "row %d, number %d: below", (int)k, v);
+        arb_set_fmpq(end, s->rows->high + ROW_NUMBERS * k + v, PREC);
+        ck_assert_msg(!arb_lt(end, row + v), "row %d, number %d: above", (int)k, v);
+        const double x = arf_get_d(arb_midref(row + v), ARF_RND_NEAR);
         if (k == TIMES - 1) {
             s->low[v] = fmin(s->low[v], x);
             s->high[v] = fmax(s->high[v], x);
@@ -124,6 +128,7 @@ static void follow_one(struct seen *seen, const struct box *box, const fmpq *tim
     flow_parameters_init(&p);
     scenario_parameters(&p, &s, PREC);
     scenario_initial(initial, &s, &p, true, PREC);
+    seen->parameters = &p;
     ck_assert_int_eq(flow_nonlinear(&p, initial, times, TIMES, 14, PREC, look, seen, &reached), FLOW_DONE);
     flow_parameters_clear(&p);
     scenario_clear(&s);
@@ -135,8 +140,8 @@ EACH(motions_from_all_of_a_box_keep_within_its_bounds, COUNT(boxes))
     struct scenario s;
     struct message why;
     VECTOR(fmpq, times, TIMES);
-    VECTOR(fmpq, low, TIMES * FLOW_STATE);
-    VECTOR(fmpq, high, TIMES * FLOW_STATE);
+    VECTOR(fmpq, low, TIMES * ROW_NUMBERS);
+    VECTOR(fmpq, high, TIMES * ROW_NUMBERS);
     struct rows rows = {low, high};
     struct seen seen = {.rows = &rows};
     times_until(times, box->seconds);
@@ -144,15 +149,15 @@ EACH(motions_from_all_of_a_box_keep_within_its_bounds, COUNT(boxes))
     for (int i = 0; i < 8 && box->of[i].value != NULL; i++)
         give(&s, &box->of[i], true);
     ck_assert_msg(motion_set_rows(&s, 17, 8, times, TIMES, keep_bounds, &rows, &why) == 0, "%s", why.text);
-    for (int v = 0; v < FLOW_STATE; v++) {
+    for (int v = 0; v < ROW_NUMBERS; v++) {
         seen.low[v] = HUGE_VAL;
         seen.high[v] = -HUGE_VAL;
     }
     for (int motion = 0; motion < box->motions; motion++)
         follow_one(&seen, box, times, motion);
     ck_assert_int_eq(seen.count, TIMES * box->motions);
-    for (int v = 0; v < FLOW_HALF; v++) {
-        const double width = fmpq_get_d(high + FLOW_STATE * (TIMES - 1) + v) - fmpq_get_d(low + FLOW_STATE * (TIMES - 1) + v);
+    for (int v = 0; v < ROW_NUMBERS; v += v == FLOW_HALF - 1 ? 1 + FLOW_HALF : 1) {
+        const double width = fmpq_get_d(high + ROW_NUMBERS * (TIMES - 1) + v) - fmpq_get_d(low + ROW_NUMBERS * (TIMES - 1) + v);
         ck_assert_double_le(width, fmax(box->most * (seen.high[v] - seen.low[v]), box->motions == 1 ? 1e-8 : 0));
     }
     scenario_clear(&s);
@@ -193,7 +198,7 @@ static void start_term(struct flow_set *set, int i)
     SCOPE(arb, x, radius);
     flow_set_init(set, terms[i].w > 0 ? 3 : 0, terms[i].degree);
     set->how = (struct flow_steps){.order = terms[i].order, .derivative_order = terms[i].derivative_order, .step = terms[i].step};
-    for (int v = 0; v < SET_MODELS; v++) {
+    for (int v = 0; v < SET_CHARGE; v++) {
         const int unknown = v < 2 ? v : v == FLOW_STATE ? 2 : -1;
         arb_set_d(x, start[v]);
         arb_set_d(radius, v < 2 ? terms[i].w : terms[i].c);

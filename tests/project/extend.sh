@@ -78,11 +78,10 @@ END
 END
 }
 put_operation() {
-    before verify/evaluate/reference.c '/* Omega L_ref C1' <<'END'
-NUMBER(eq45, ct_potential_energy(pair(in), in[4], spherical(in + 5)))
-
+    before verify/evaluate/reference.c 'FILLS(flow_linear' <<'END'
+RETURNS(eq45, double, ct_potential_energy(FORMATION, in[4], AT(ct_spherical, 5)))
 END
-    before verify/evaluate/reference.c '    {"rk4_linear"' <<'END'
+    before verify/evaluate/reference.c '    OPERATION(eq44)' <<'END'
     OPERATION(eq45),
 END
 }

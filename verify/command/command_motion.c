@@ -300,13 +300,13 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
 static int print_set(const struct scenario *s, slong digits, const struct times *times)
 {
     enum { MOST_PIECES = 256 }; /* some minutes of processor time; options.c says so */
-    static const int columns[SET_NUMBERS] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+    static const int columns[SET_NUMBERS] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     struct message why;
     struct row_printer p = {stdout, times, columns, SET_NUMBERS, NULL, {false}};
     putchar('t');
     for (int i = SET_x1; i <= SET_z1_dot; i++)
         printf(",%s_low,%s_high", scenario_names[i], scenario_names[i]);
-    putchar('\n');
+    puts(",q1_low,q1_high,q2_low,q2_high");
     const int failed = motion_set_rows(s, digits, MOST_PIECES, times->t, times->count, print_motion_row, &p, &why);
     return failed && !ferror(stdout) ? usage_error(EXIT_FAILED_CHECK, "%s", why.text) : EXIT_DONE;
 }

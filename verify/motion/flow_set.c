@@ -62,6 +62,7 @@ struct follower {
     const struct flow_set *set;
     struct expansion of;
     struct model end[FLOW_STATE], at; /* of the step's end, and of an answer */
+    struct model charge[4]; /* R, q and what is made of them, linear */
     mag_ptr error;
     double left; /* out by the models at the step's end, of one coordinate at most */
     int direction;
@@ -75,7 +76,7 @@ static void set_constants(struct jet *jet, const struct piece *p)
         arb_set_ui(x, (ulong)i + 1);
         model_set_ball(jet->m[ONE + i], x);
     }
-    for (int i = FLOW_STATE; i < SET_MODELS; i++)
+    for (int i = FLOW_STATE; i < SET_CHARGE; i++)
         model_cut(jet->m[C1 + i - FLOW_STATE], &p->model[i]);
 }
 
@@ -146,6 +147,8 @@ static void follower_init(struct follower *f, const struct flow_set *set, int di
     for (int j = 0; j < FLOW_STATE; j++)
         model_init(&f->end[j], &set->space);
     model_init(&f->at, &set->space);
+    for (int i = 0; i < 4; i++)
+        model_init(&f->charge[i], &set->linear);
     f->error = _mag_vec_init(FLOW_STATE);
 }
 
@@ -155,6 +158,8 @@ static void follower_clear(struct follower *f)
     for (int j = 0; j < FLOW_STATE; j++)
         model_clear(&f->end[j]);
     model_clear(&f->at);
+    for (int i = 0; i < 4; i++)
+        model_clear(&f->charge[i]);
     _mag_vec_clear(f->error, FLOW_STATE);
 }
 
@@ -225,30 +230,51 @@ static bool advance_models(struct follower *f, struct piece *p, double step)
     return expansion_move(&p->rest, nothing, &f->of, h, f->error);
 }
 
-/* A ball of state or series v at s radians after now, |s| <= step, for all of the piece */
-static void row(arb_t x, struct follower *f, int v, double now, const arb_t s, double step)
+/* The model of state or series v at s radians after now, |s| <= step, for all of the piece */
+static void row(struct follower *f, int v, double now, const arb_t s, double step)
 {
-    const bool at_start = arb_is_zero(s) && !(fabs(now) > 0) && v < JET_STATES; /* there the models are all */
     const double near = arf_get_d(arb_midref(s), ARF_RND_NEAR);
     const struct majorant *path = &f->of.path_bound;
-    SCOPE(arb, off);
+    SCOPE(arb, off, error);
     SCOPE(mag, by, h);
+    if (arb_is_zero(s) && !(fabs(now) > 0)) { /* there the models are all */
+        model_set(&f->at, f->of.path.m[v]);
+        return;
+    }
     model_evaluate(&f->at, f->of.path.m[v], (int)path->order + 1, near);
-    model_range(x, &f->at);
-    arb_add_error_mag(x, v < JET_STATES ? path->remainder + v : path->tail + v);
-    expansion_spread(x, &f->of, v); /* (S7) */
+    arb_add_error_mag(error, v < JET_STATES ? path->remainder + v : path->tail + v);
+    expansion_spread(error, &f->of, v); /* (S7) */
     arb_set_d(off, near); /* (S8): (|s - near|/h) sum k |a_k| h^k */
     arb_sub(off, off, s, BITS);
     arb_get_mag(by, off);
     mag_set_d(h, step);
     mag_div(by, by, h);
-    if (at_start)
-        model_range(x, f->of.path.m[v]);
     for (slong k = 1; k <= path->order; k++) {
         mag_mul_ui(h, path->size[v] + k, (ulong)k);
         mag_mul(h, h, by);
-        arb_add_error_mag(x, h);
+        arb_add_error_mag(error, h);
     }
+    model_widen(&f->at, arb_radref(error));
+}
+
+/* Q_ref + dQ, in units of the set's; false where it may be >= 0: what charges there are is linear in the unknowns but for a rest */
+static bool charge_row(arb_t x, struct follower *f, const struct piece *p, const arb_t s, double step)
+{
+    struct model *const R = f->charge, *const q = R + 1, *const square = R + 2, *const length = R + 3;
+    row(f, JET_CHARGE, p->now, s, step);
+    model_range(x, &f->at);
+    if (!arb_is_negative(x))
+        return false;
+    model_cut(R, &f->at);
+    row(f, JET_STATES - 1, p->now, s, step);
+    model_cut(q, &f->at);
+    model_dot(square, false, 1, q, q, 1);
+    model_inverse_root(length, square);
+    model_dot(square, false, 1, R, length, 1);
+    model_cut(q, &p->model[SET_CHARGE]);
+    model_dot(R, false, 1, square, q, 1);
+    model_range(x, R);
+    return true;
 }
 
 /* ---- all pieces ---- */
@@ -271,14 +297,17 @@ static bool widen_row(struct work *w, struct follower *f, const struct piece *p,
 {
     SCOPE(arb, x);
     SCOPE(arf, end);
-    double low[FLOW_STATE], high[FLOW_STATE];
-    row(x, f, JET_CHARGE, p->now, s, step);
-    if (w->set->charged && !arb_is_negative(x))
+    double low[SET_BOUNDS], high[SET_BOUNDS];
+    if (w->set->charged && !charge_row(x, f, p, s, step))
         return false;
-    for (int v = 0; v < FLOW_STATE; v++) {
-        row(x, f, v, p->now, s, step);
-        arb_mul(x, x, w->set->unit, BITS);
-        if (v >= FLOW_HALF)
+    arb_mul(x, x, w->set->charge, BITS);
+    for (int v = FLOW_STATE; v >= 0; v--) {
+        if (v < FLOW_STATE) {
+            row(f, v, p->now, s, step);
+            model_range(x, &f->at);
+            arb_mul(x, x, w->set->unit, BITS);
+        }
+        if (v < FLOW_STATE && v >= FLOW_HALF)
             arb_mul(x, x, w->set->Omega, BITS);
         arb_get_lbound_arf(end, x, BITS);
         low[v] = arf_get_d(end, ARF_RND_FLOOR);
@@ -286,9 +315,9 @@ static bool widen_row(struct work *w, struct follower *f, const struct piece *p,
         high[v] = arf_get_d(end, ARF_RND_CEIL);
     }
     pthread_mutex_lock(&w->lock);
-    for (int v = 0; v < FLOW_STATE; v++) {
-        w->low[FLOW_STATE * p->k + v] = fmin(w->low[FLOW_STATE * p->k + v], low[v]);
-        w->high[FLOW_STATE * p->k + v] = fmax(w->high[FLOW_STATE * p->k + v], high[v]);
+    for (int v = 0; v < SET_BOUNDS; v++) {
+        w->low[SET_BOUNDS * p->k + v] = fmin(w->low[SET_BOUNDS * p->k + v], low[v]);
+        w->high[SET_BOUNDS * p->k + v] = fmax(w->high[SET_BOUNDS * p->k + v], high[v]);
     }
     pthread_mutex_unlock(&w->lock);
     return true;
@@ -359,13 +388,13 @@ static void end_round(struct work *w)
 /* Rows that all pieces have, from the k-th on; false where the receiver has enough */
 static bool hand_rows(const struct work *w, slong k, flow_receiver *receive, void *context)
 {
-    VECTOR(arb, state, FLOW_STATE);
+    VECTOR(arb, state, SET_BOUNDS);
     SCOPE(arf, low, high);
     bool wanted = true;
     for (; k < w->proved && wanted; k++) {
-        for (int v = 0; v < FLOW_STATE; v++) {
-            arf_set_d(low, w->low[FLOW_STATE * k + v]);
-            arf_set_d(high, w->high[FLOW_STATE * k + v]);
+        for (int v = 0; v < SET_BOUNDS; v++) {
+            arf_set_d(low, w->low[SET_BOUNDS * k + v]);
+            arf_set_d(high, w->high[SET_BOUNDS * k + v]);
             arb_set_interval_arf(state + v, low, high, BITS);
         }
         wanted = receive(context, k, w->times + k, state) == 0;
@@ -409,9 +438,9 @@ enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong cou
 {
     const int direction = count > 0 && fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
     struct work w = {.set = s, .times = times, .limit = count, .count = 1};
-    w.low = xrealloc(NULL, (size_t)(2 * FLOW_STATE * count + 1), sizeof *w.low);
-    w.high = w.low + FLOW_STATE * count;
-    for (slong i = 0; i < FLOW_STATE * count; i++) {
+    w.low = xrealloc(NULL, (size_t)(2 * SET_BOUNDS * count + 1), sizeof *w.low);
+    w.high = w.low + SET_BOUNDS * count;
+    for (slong i = 0; i < SET_BOUNDS * count; i++) {
         w.low[i] = HUGE_VAL;
         w.high[i] = -HUGE_VAL;
     }
@@ -443,6 +472,7 @@ void flow_set_init(struct flow_set *s, int variables, int degree)
         model_init(&s->model[i], &s->space);
     arb_init(s->Omega);
     arb_init(s->unit);
+    arb_init(s->charge);
     s->most_pieces = 1;
     s->charged = false;
     s->threads = (int)FLINT_MAX(1, FLINT_MIN(MOST_THREADS, sysconf(_SC_NPROCESSORS_ONLN)));
@@ -457,4 +487,5 @@ void flow_set_clear(struct flow_set *s)
     space_clear(&s->linear);
     arb_clear(s->Omega);
     arb_clear(s->unit);
+    arb_clear(s->charge);
 }

@@ -63,10 +63,10 @@ struct motion {
 };
 
 /*
- * A set of nonlinear motions: for each time bounds of all of them, two numbers a coordinate, x1 ... z1_dot, rounded outward; then 0,
- * or -1 with the reason. `most_pieces`: see flow_set.h.
+ * A set of nonlinear motions: for each time bounds of all of them, two numbers each of x1 ... z1_dot, q1 and q2, rounded outward;
+ * then 0, or -1 with the reason. `most_pieces`: see flow_set.h.
  */
-enum { SET_NUMBERS = 2 * FLOW_STATE };
+enum { SET_NUMBERS = 2 * ROW_NUMBERS };
 bool may_have_radius(enum scenario_name name); /* k_c's is the force's alone: the law has its middle */
 int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, const fmpq *times, slong count, row_receiver *receive,
                     void *context, struct message *why);

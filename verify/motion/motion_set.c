@@ -77,6 +77,16 @@ static void place(struct model *state, struct model *m)
     model_clear(&product);
 }
 
+/* By taylor.h Q is R/q m1 unit^3 Omega^2/(k_c arm^2), arm = m2/(m1 + m2): lambda = arm length, and `force` is k lambda^2. */
+static void charge_model(struct model *charge, struct model *m, const struct model *force)
+{
+    times_model(charge, m + M1, m + LENGTH);
+    times_model(charge, charge, m + LENGTH);
+    times_model(m + M1, force, force);
+    model_inverse_root(m + M2, m + M1);
+    times_model(charge, charge, m + M2);
+}
+
 /* In units of r_ref of the middles, or near it, and radians of orbit */
 static void models_of(struct flow_set *set, const struct scenario *s)
 {
@@ -129,6 +139,11 @@ static void models_of(struct flow_set *set, const struct scenario *s)
         model_dot(m + AT_DL, true, 1, m + UNIT, m + LENGTH, 1); /* L */
         place(set->model, m);
     }
+    charge_model(set->model + SET_CHARGE, m, m + FACTOR);
+    arb_pow_ui(set->charge, set->unit, 3, SET_BITS);
+    arb_mul(set->charge, set->charge, square, SET_BITS);
+    arb_mul(set->charge, set->charge, mass, SET_BITS);
+    arb_div(set->charge, set->charge, p.k_c, SET_BITS);
     flow_parameters_clear(&p);
     for (int i = 0; i < ANGLE_MODELS; i++)
         model_clear(&m[i]);
@@ -156,8 +171,13 @@ static int print_bounds(void *context, slong k, const fmpq_t t, arb_srcptr state
 {
     const struct set_rows *rows = context;
     char *numbers[SET_NUMBERS];
+    VECTOR(arb, row, ROW_NUMBERS);
+    _arb_vec_set(row, state, FLOW_STATE);
+    arb_neg(row + FLOW_STATE, state + FLOW_STATE); /* (21) */
+    arb_sqrt(row + FLOW_STATE, row + FLOW_STATE, SET_BITS);
+    arb_neg(row + FLOW_STATE + 1, row + FLOW_STATE);
     for (int i = 0; i < SET_NUMBERS; i++)
-        numbers[i] = decimal_of_end(state + i / 2, rows->digits, i % 2);
+        numbers[i] = decimal_of_end(row + i / 2, rows->digits, i % 2);
     const int stopped = rows->receive(rows->context, k, t, numbers);
     for (int i = 0; i < SET_NUMBERS; i++)
         free(numbers[i]);
