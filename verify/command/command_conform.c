@@ -20,6 +20,7 @@
 /* Digits that a motion has to reach unless --digits says otherwise; PROTOCOL.md has the reasons. */
 static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;
 
+enum { MOST_PIPED = 1 << 28 };    /* bytes that are kept of a pipe */
 enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered is counted one by one */
 
 /* What is asked for: a number a section of the sheet. */
@@ -397,6 +398,30 @@ static const struct section *section_of_file(const struct sheet *sheet, FILE *fi
     return s;
 }
 
+/* What comes through a pipe, which is read once, in a temporary file; another file as it is. NULL, and it is closed, after a complaint. */
+static FILE *rewindable(FILE *file, const char *name)
+{
+    char bytes[1 << 12];
+    size_t size, total = 0;
+    if (fseek(file, 0, SEEK_SET) == 0)
+        return file;
+    FILE *copy = tmpfile();
+    while (copy != NULL && total <= MOST_PIPED && (size = fread(bytes, 1, sizeof bytes, file)) > 0 &&
+           fwrite(bytes, 1, size, copy) == size)
+        total += size;
+    const bool whole = copy != NULL && feof(file) && fflush(copy) == 0 && !ferror(copy); /* LCOV_EXCL_BR_LINE: a failing system call */
+    if (total > MOST_PIPED)
+        usage_error(EXIT_FAILED_CHECK, "%s: expected at most %d bytes through a pipe, write them to a file", name, MOST_PIPED);
+    else if (!whole) /* LCOV_EXCL_BR_LINE: the same */
+        usage_error(EXIT_FAILED_CHECK, "%s, and a temporary file for it: %s", name, strerror(errno)); /* LCOV_EXCL_LINE: the same */
+    fclose(file);
+    if (whole)
+        rewind(copy);
+    else if (copy != NULL) /* LCOV_EXCL_BR_LINE: the same */
+        fclose(copy);
+    return whole ? copy : NULL;
+}
+
 /* Of one operation as CSV, which the word or the file names, or else of all that are asked. */
 static int read_answers(struct test_run *e, const struct arguments *a, struct choice *c)
 {
@@ -404,11 +429,10 @@ static int read_answers(struct test_run *e, const struct arguments *a, struct ch
     FILE *file = fopen(name, "r");
     if (file == NULL)
         return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
-    const bool twice = a->word_count == 0 && fseek(file, 0, SEEK_SET) == 0;
-    const struct section *s = a->word_count == 1 ? section_argument(c->sheet, a->words[0]) : twice ? section_of_file(c->sheet, file, name) : NULL;
+    if (a->word_count == 0 && (file = rewindable(file, name)) == NULL)
+        return EXIT_FAILED_CHECK;
+    const struct section *s = a->word_count == 1 ? section_argument(c->sheet, a->words[0]) : section_of_file(c->sheet, file, name);
     int status = a->word_count == 1 && s == NULL ? EXIT_USAGE : EXIT_DONE;
-    if (a->word_count == 0 && !twice)
-        status = usage_error(EXIT_USAGE, "%s: expected a file, whose answers a pipe has is not found out: name the operation, or write it to a file", name);
     if (s != NULL && (option_given(a, "--only") || option_given(a, "--random")))
         status = usage_error(EXIT_USAGE, "--answers: expected without --only and --random, the file has the answers of %s", s->id);
     e->any_order = s != NULL;

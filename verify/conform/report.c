@@ -418,6 +418,12 @@ static void put_written(FILE *file, const struct test_run *e, const struct recor
     free(text);
 }
 
+static void write_suite(const char *name, uint64_t tests, uint64_t failures, uint64_t skipped, FILE *file)
+{
+    fprintf(file, "<testsuite name=\"%s\" tests=\"%" PRIu64 "\" failures=\"%" PRIu64 "\" errors=\"0\" skipped=\"%" PRIu64 "\">\n",
+            name, tests, failures, skipped);
+}
+
 /* A vector of an operation, or what is said of the client itself (no record). */
 static void write_case(const struct test_run *e, const char *set, const char *name, const struct record *r, const char *failure,
                        FILE *file)
@@ -433,24 +439,32 @@ static void write_case(const struct test_run *e, const char *set, const char *na
     fputs("</testcase>\n", file);
 }
 
-/* Cases of operations, and one of the client. */
 static void write_xml(const struct report *r, FILE *file)
 {
     struct test_run *e = r->run;
-    const struct totals sum = report_totals(e, -1);
-    const bool bad = stray_count(e) > 0 || *e->ended != '\0';
     struct record one;
-    fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites><testsuite name=\"", file);
+    int open = -1;
+    fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"", file);
     put_xml(file, r->client);
-    fprintf(file, "\" tests=\"%" PRIu64 "\" failures=\"%" PRIu64 "\" errors=\"0\" skipped=\"%" PRIu64 "\">\n", sum.vectors + 1,
-            sum.failed + bad, sum.skipped + sum.expected);
-    while (test_run_record(e, &one))
-        write_case(e, section_of_set(e, set_of(e, &one))->id, vector_name(e, one.position), &one,
+    fputs("\">\n", file);
+    while (test_run_record(e, &one)) {
+        const int k = set_of(e, &one);
+        const struct totals sum = report_totals(e, k);
+        if (k != open) {
+            fputs(open >= 0 ? "</testsuite>\n" : "", file);
+            write_suite(section_of_set(e, k)->id, sum.vectors, sum.failed, sum.skipped + sum.expected, file);
+        }
+        open = k;
+        write_case(e, section_of_set(e, k)->id, vector_name(e, one.position), &one,
                    one.outcome == OUTCOME_RIGHT ? NULL : outcome_names[one.outcome], file);
+    }
+    const bool bad = stray_count(e) > 0 || *e->ended != '\0';
+    fputs(open >= 0 ? "</testsuite>\n" : "", file);
+    write_suite("client", 1, bad, 0, file);
     write_case(e, "client", "lines", NULL, bad ? "lines that answer nothing, or an end that is none" : NULL, file);
     fputs("<system-err>", file);
     put_xml(file, r->errors);
-    fputs("</system-err>\n</testsuite></testsuites>\n", file);
+    fputs("</system-err>\n</testsuite>\n</testsuites>\n", file);
 }
 
 /* ---- JSON ---- */
