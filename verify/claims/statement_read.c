@@ -643,14 +643,13 @@ static bool read_marks(struct claim_reading *r, const struct yaml *node, bool nu
 
 struct written_statement {
     struct statement s;
-    const struct yaml *where;
     int kind;
 };
 
 static const char *const claim_kinds[] = {"statement", "implied", "misprint", "number", "beyond", NULL};
 
 static const struct field statement_fields[] = {
-    FIELD("where", struct written_statement, where, FIELD_NODE, .expected = "a text"),
+    FIELD("where", struct written_statement, s.where, FIELD_TEXT, .expected = "a text"),
     FIELD("kind", struct written_statement, kind, FIELD_WORD, .words = claim_kinds),
     FIELD("claim", struct written_statement, s.claim, FIELD_TEXT, .expected = "a text"),
     FIELD("why", struct written_statement, s.why, FIELD_TEXT),
@@ -682,38 +681,17 @@ static bool check_equations(const struct sheet *sheet, const struct yaml *list)
     return true;
 }
 
-/* The place alone, or a list: the place, and what else there is to say of kind and verdict in a word. */
-static bool read_where(struct written_statement *w)
-{
-    const struct yaml *const where = w->where;
-    if (where->text == NULL && (!is_texts(where, 3) || where->count == 0))
-        return node_error(where, 0, "expected a text, or a list that begins with one");
-    w->s.where = where->text != NULL ? where->text : where->items[0].text;
-    for (int i = 1; where->text == NULL && i < where->count; i++) {
-        int kind = 0;
-        while (claim_kinds[kind] != NULL && strcmp(claim_kinds[kind], where->items[i].text) != 0)
-            kind++;
-        if (claim_kinds[kind] != NULL)
-            w->kind = kind;
-        else if (w->s.verdict == NULL)
-            w->s.verdict = &where->items[i];
-        else
-            return node_error(&where->items[i], 0, "expected a kind, as the verdict stands elsewhere");
-    }
-    return true;
-}
-
 static bool read_statement(struct statements *all, const struct yaml *n)
 {
-    static const char *const marked[] = {"claim", "why"};
+    static const char *const marked[] = {"where", "claim", "why"};
     struct written_statement w = {.s = {.id = n->key}};
-    if (!fields_read(n, statement_fields, &w) || !read_where(&w))
+    if (!fields_read(n, statement_fields, &w))
         return false;
     struct statement *s = APPENDED(all->list, all->count);
     struct claim_reading r = {.all = all, .statement = s, .entry = n};
     *s = w.s;
     s->kind = claim_kinds[w.kind];
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 3; k++)
         if (own(&r, marked[k]) != NULL && !read_marks(&r, own(&r, marked[k]), false))
             return false;
     if ((s->given != NULL && !fields_read(s->given, given_fields, s)) || !check_equations(all->sheet, own(&r, "equations")) ||
