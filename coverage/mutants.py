@@ -42,7 +42,7 @@ KINDS = ('tokens', 'soundness')
 SHEETS = ('paper/equations.yaml', 'paper/derivations.yaml', 'paper/claims.yaml')
 PROVES = {SHEETS[1]: 'derivations', SHEETS[2]: '--csv'}  # what verify proves of a sheet as a whole
 VERIFY_SAMPLE, VERIFY_SEED, VERIFY_LEAST = 250, 1, 0.9  # of the tokens of verify/, which are too many; and how many must be noticed
-SAMPLE_LEAST = 0.5  # of so few that 80 % of all may well be 60 % of them
+SAMPLE_LEAST = 0.5  # a sample is so small that it may show 60 % where 80 % are noticed
 COUNTED = ('verify/', *SHEETS[1:])  # in a sample: not all that is equivalent there is listed
 FILES = [str(file.relative_to(ROOT)) for folder in ('', 'coverage', 'data', 'paper', 'ref', 'tests', 'verify')
          for file in sorted((ROOT / folder).glob('**/*' if folder else '*')) if file.is_file()]
@@ -275,7 +275,7 @@ def all_checks():
     program, golden = 'build/coulomb-tether', sorted(file.stem for file in (ROOT / 'data/golden').glob('*.csv'))
     commands = [*(f'vectors {g} --golden' for g in golden), *(f'conform --kills --only {g}' for g in golden),
                 *(f'figure {f} --rk4 100' for f in ('5a', '5b', '6', '7a', '7b')), 'figure 4', 'table1', 'verify derivations',
-                'verify claims --csv', 'verify errors', *(f'study {s}' for s in ('convergence', 'forced', 'pitch', 'sampling'))]
+                'verify claims --csv', 'verify errors', *(f'study {s}' for s in ('balance', 'basin', 'convergence', 'forced', 'pitch', 'sampling', 'saturation', 'tolerance'))]
     yield from (Check(command, [program, *command.split()], prints=True) for command in commands)
     yield Check('sheet-check', ['build/sheet-check', *SHEETS])
     for script in ('command/test_wrong.sh', 'conform/test_clients.sh', 'project/test_gate.sh'):

@@ -1,4 +1,4 @@
-"""The one-point mutants of a source file: of C, and of the formula sheet and the derivation steps.
+"""The one-point mutants of a source file: of C, and of the three sheets.
 
 mutants(path, text, kind) yields (start, end, replacement, what): text[start:end] is to be replaced; `what` names it in the table.
 
@@ -38,7 +38,7 @@ def siblings(families):
 
 SIBLING = siblings(FAMILIES)
 
-# What stands in the two sheets beside formulas.
+# What stands in the sheets beside formulas.
 YAML_SIBLING = siblings("""m s kg C N rad; geometry motion gravity coulomb feedback stability; free positive angles;
 flow_linear rk4_linear; flow_nonlinear rk4_nonlinear; edge sign zero cancellation large small paper gains; let outputs inputs;
 sqrt exp; atan2 sin; from to; value example; rate sin; inf 1; eq10 eq10lin; eq11 eq11exact""") | SIBLING

@@ -28,7 +28,7 @@ static const struct {
     {"convergence", "Convergence: observed orders, linear against nonlinear, Runge-Kutta, two-body motion"},
     {"forced", "Forced response: what pitch leaves in length and yaw, against its closed form"},
     {"kills", "Kill table: the mistakes that each golden vector tells from the truth; motions of up to ten hours"},
-    {"random", "Random vectors: a fingerprint of the first of each operation"},
+    {"random", "Random vectors: SHA-256 of the first thousand, and of the first million, of an operation"},
     {"errata", "Errata: golden vectors that were wrong, with the old value and the new"},
     {"basin", "Basin of rest at L_ref: separatrix level and the largest boxes in it, for gains from n = 9.5 to 40"},
     {"saturation", "Basin of rest at L_ref where a craft's charge has a bound"},
@@ -57,7 +57,7 @@ static const char *title_of(const struct sheet *sheet, const char *path)
 static const struct column {
     const char *name, *type, *unit, *description;
 } columns[] = {
-    {"id", "string", NULL, "name of the row, which never changes"},
+    {"id", "string", NULL, "name of the row, which never changes; of random vectors the operation, a row for each count"},
     {"flags", "string", NULL, "invalid: outside the domain; range: on the way to the result binary64's normal range is left; "
                               "and what the vector is there for; blanks between them"},
     {"name", "string", NULL, "symbol of the quantity"},

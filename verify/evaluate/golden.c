@@ -147,12 +147,11 @@ static void random_golden(struct golden *g)
 }
 
 /*
- * What costs a straightforward implementation most: the largest error of ref/ of 100,000 inputs, and of a million where that is
- * another: `verify errors --count 1000000 --json`.
+ * What ref/ was found to err most at: of 100,000 inputs, and of a million where that is another: `verify errors --count 1000000 --json`.
  */
 static const struct {
     const char *id;
-    uint64_t k, of_a_million; /* of seed 1; 0: no other is known */
+    uint64_t k, of_a_million; /* of seed 1; 0: the same one, or not searched */
 } hardest[] = {
     {"eq02", 7355, 0}, {"eq03", 73491, 915866}, {"eq04", 31612, 505558}, {"eq05", 96478, 877019},
     {"eq07", 95341, 279632}, {"eq09", 36252, 885930}, {"eq10", 47001, 0}, {"eq10lin", 57466, 131290},
