@@ -320,6 +320,8 @@ EACH(numbers_of_a_ball_hold_those_of_its_gains, 6)
         guarantees_enclose(wide, n, _i % 2 ? y : NULL, few_bits[k]);
         arb_sub(one, n, n, few_bits[k]); /* 0, away as far as twice the radius of n */
         of_gains(wide + GUARANTEES, n, c2, one, few_bits[k]);
+        for (int i = 0; i < GUARANTEES + NUMBERS_OF_GAINS && k == 2; i++)
+            ck_assert_msg(arb_is_finite(wide + i), "number %d at n = %g", i, gains[_i]);
         for (int end = -1; end <= 1; end++) {
             arb_set_d(one, gains[_i] + end * ldexp(1, -14 * k - 8));
             arb_set_d(y, 1.25 + end * ldexp(1, -14 * k - 8));

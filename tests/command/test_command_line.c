@@ -184,6 +184,23 @@ static const struct {
     {"trajectory linear --at -100 --rk4 100", 1, "multiples"},
     {"trajectory linear phi=0.1", 2, "psi"},
     /* sets */
+    {"eval --hlep", 2, "did you mean '--help'"},
+    {"eval eq07 Omega= k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
+    {"eval eq07 Omega=7,2915e-5 k_c=8.99e9 m1=150 m2=150 L=10", 2, "Omega"},
+    {"eval eq07 Omega=-inf k_c=8.99e9 m1=150 m2=150 L=10", 1, "Omega"},
+    {"eval eq07 " TABLE1 " --digits -1", 2, "--digits"},
+    {"eval eq07 " TABLE1 " --digits many", 2, "--digits"},
+    {"figure 8", 2, "8"},
+    {"figure 5a --rk4 0", 1, "--rk4"},
+    {"trajectory linear --until many", 2, "--until"},
+    {"trajectory linear --at 0,one", 2, "--at"},
+    {"trajectory linear --every inf", 1, "--every: expected a finite number"},
+    {"trajectory linear psi=0.1 psi=0.1", 2, "twice"},
+    {"trajectory linear n=10 C2=1", 2, "n"},
+    {"vectors eq08 --count 1 --seed 1", 2, "definition"},
+    {"vectors eq07 --count five --seed 1", 2, "--count"},
+    {"vectors eq07 --count 5 --seed 1 --shard a/4", 2, "--shard"},
+    {"verify errors --count few", 2, "--count"},
     {"trajectory nonlinear psi=0.01+-0.001", 2, "psi=0.01+-0.001: a value with a radius is a set of motions, expected with --set"},
     {"trajectory nonlinear psi=0.01+-abc --set", 2, "psi: expected a number, got 'abc'"},
     {"trajectory nonlinear psi=0.01+- --set", 2, "psi: expected a number, got ''"},
@@ -815,7 +832,10 @@ TEST(rows_proved_before_the_charge_law_ends_are_kept)
     /* so does the first motion of a set: 1 mm is passed in 4 s */
     ck_assert_int_eq(run("trajectory nonlinear C1=5.3165972e-8 C2=1e-9 psi=0 theta=0 dL=-2.9+-1e-3 dL_dot=-3e-4 --set --every 10"), 1);
     ck_assert_int_eq(lines(output), 2 + 35);
-    ck_assert_str_eq(errors, "coulomb-tether: Q_ref + dQ >= 0 may be in the set: Eq. (21) has no charges there, last proved time 350 s\n");
+    ck_assert_str_eq(errors, "coulomb-tether: Q_ref + dQ may be >= 0 in the set, where Eq. (21) has no charges, last proved time 350 s\n");
+    ck_assert_int_eq(run("trajectory nonlinear dL=-4+-0.01 --set"), 1); /* before any row */
+    ck_assert_int_eq(lines(output), 1);
+    ck_assert_ptr_nonnull(strstr(errors, "has no charges, last proved time 0 s\n"));
 }
 
 EACH(what_ends_a_motion_is_said_behind_the_rows_proved, 4)

@@ -87,7 +87,6 @@ EACH(a_sensitivity_is_rational_where_every_derivative_is, 4)
         double values[30];
         long S; /* 0: not rational */
     } cases[] = {{"eq38", {4, 1}, 4}, {"eq38", {2, 1}, 0}, {"eq36", {1, 1, 0}, 0}, /* R_c cos(theta) cos(psi): by theta alone it is */
-                
                  {"eq02", {2, 1, INFINITY, 1, 0, 3, 0, 0, 0, 5, 0, 1, 0, 0, 4, 0, 0, 0, 0, 1, 0, 9, 0, 0, 0, 0, 0}, 40 + 108}};
     const struct section *s = section_find(sheet(), cases[_i].id);
     struct operation o;

@@ -507,8 +507,9 @@ TEST(altered_line_is_noticed)
         for (int k = 0; s->line_map != NULL && k < s->line_map->count; k++) {
             const struct yaml *line = &s->line_map->items[k];
             int noticed = 0, here = 0;
-            for (size_t c = 0; c < strlen(line->text) && noticed < 3; c++) {
+            for (size_t j = 0; j < strlen(line->text) && noticed < 3; j++) {
                 struct proof p = {.result = IDENTITY_DIFFERS};
+                const size_t c = k % 2 ? strlen(line->text) - 1 - j : j; /* of every other line from its end */
                 const char other = altered_character(line->text, c);
                 if (other == 0)
                     continue;
@@ -533,7 +534,7 @@ TEST(altered_line_is_noticed)
     }
     ck_assert_int_eq(steps, d.step_count);
     ck_assert_int_gt(tried, 500);
-    ck_assert_int_lt(true_still, tried/20);
+    ck_assert_int_lt(true_still, tried/25); /* one in thirty, of as few as it takes to notice three */
     derivations_clear(&d);
 }
 

@@ -300,6 +300,15 @@ TEST(eq03_flow_rejects_each_input_outside_its_domain)
                            (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 12, -13, 1e-9, 0.01});
 }
 
+TEST(eq03_flow_rejects_the_origin)
+{
+    const double t = 1;
+    struct ct_hill_state s;
+
+    ck_assert_int_eq(ct_nonlinear_flow(paper, paper_gains, (struct ct_hill_state){.x1_dot = 1}, fine, 1, &t, &s), CT_DOMAIN);
+    ck_assert_double_nan(s.x1);
+}
+
 /* Along an eigenvector a step multiplies by 1 + a + a^2/2 + a^3/6 + a^4/24, a = 0.1. Two steps of 0.05 would give ...1255. */
 TEST(eq40_runge_kutta_step_is_the_classical_one)
 {

@@ -281,7 +281,7 @@ static void run_study(struct computed *c)
 /* |A|, |B| of the closed form, and the coefficients of the slow law, for the gains (43), (44) of some n; n = 11.8 as 118. */
 static void forced_response(struct computed *c)
 {
-        static const char *const gains[] = {"10", "11.8", "12"}, *const names[] = {"10", "118", "12"};
+    static const char *const gains[] = {"10", "11.8", "12"}, *const names[] = {"10", "118", "12"};
     SCOPE(arb, size);
     for (int i = 0; i < 3; i++) {
         struct second_order o;

@@ -59,9 +59,10 @@ void narrow_root(arb_t root, arb_calc_func_t f, void *of, slong prec)
     do { /* as long as the interval loses a fourth */
         mag_mul_ui(narrow, arb_radref(root), 3);
         mag_mul_2exp_si(narrow, narrow, -2);
-        f(value, root, of, 2, prec);
-        arb_swap(image, value + 1);
         arb_get_interval_arf(low, high, root, prec);
+        arb_set_interval_arf(at, low, high, prec); /* X, with its ends */
+        f(value, at, of, 2, prec);
+        arb_swap(image, value + 1);
         arf_sub(between, high, low, prec, ARF_RND_NEAR); /* 7/16 of it: halves are where formulas have their kinks */
         arf_mul_ui(between, between, 7, prec, ARF_RND_NEAR);
         arf_mul_2exp_si(between, between, -4);

@@ -101,7 +101,7 @@ static const struct term moved_terms[] = {
     {LAW_PRODUCT, LAW_SINE, LAW_RATE, 1}, {LAW_SQUARE, LAW_SINE, LAW_SINE, 1}, {LAW_RATE_SQUARE, LAW_RATE, LAW_RATE, 1},
     {LAW_F, LAW_IM, LAW_PRODUCT, 1}, {LAW_F, LAW_RE, LAW_SQUARE, 1}, {LAW_F, LAW_QUARTER, LAW_RATE_SQUARE, -1},
 };
-enum { MOVED_TERMS = sizeof moved_terms / sizeof *moved_terms, LAW_TERMS = JET_TERMS + MOVED_TERMS + 1 };
+enum { MOVED_TERMS = sizeof moved_terms / sizeof *moved_terms };
 
 static unsigned char law_place(unsigned char v)
 {

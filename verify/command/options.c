@@ -81,7 +81,7 @@ const struct option options[] = {
     {"--set", NULL, NULL, NULL, "trajectory", "nonlinear", false,
      "bounds, NAME_low and NAME_high, of all motions for values given as VALUE+-RADIUS, but Omega and n; that of k_c is a factor on "
      "the force alone, the law has its middle; of x1 ... z1_dot some will do, the angles say the others. A set that is wide is "
-     "split, into 256 parts at most, followed on all processors; the rows end where (21) may have no charges"},
+     "split, into 256 parts at most, followed on all processors; the rows end at the first at which (21) may have no charges"},
     {"--rk4", "H", "s", NULL, "trajectory", NULL, false,
      "the classical Runge-Kutta method in steps of H, free of rounding, in place of the motion itself; times are multiples of H"},
     {"--rk4", "H", "s", NULL, "figure", MOTIONS, false,

@@ -18,7 +18,7 @@ static char *file_text(const char *name, size_t *length)
     if (file == NULL)
         return NULL;
     const ssize_t got = getdelim(&text, &size, '\0', file); /* text has no zero byte */
-    const bool fine = got >= 0 || feof(file);
+    const bool fine = !ferror(file) && feof(file);
     *length = got >= 0 ? (size_t)got : 0;
     if (fclose(file) != 0 || !fine) {
         free(text);

@@ -30,8 +30,8 @@ enum ending { ENDING_EXIT, ENDING_TIMEOUT, ENDING_STOPPED, ENDING_INTERRUPTED, E
 int client_start(struct client *c, char *const *arguments);
 
 /*
- * The run's questions and answers, with progress on a terminal, until it has ended, or for so many seconds has neither taken a question nor ended a line of an answer. Whoever has
- * inherited its standard output and holds it open is not waited for.
+ * The run's questions and answers, with progress on a terminal, until it has ended, or for so many seconds has neither taken a
+ * question nor ended a line of an answer. Whoever has inherited its standard output and holds it open is not waited for.
  */
 enum ending client_converse(struct client *c, struct test_run *run, double timeout);
 

@@ -287,14 +287,13 @@ static int decide_exactly(const struct operation *o, const struct input *inputs,
 /* Whether one that is left is not zero, and has no decimal: its exponent alone would have fifteen digits and more. */
 static bool is_beyond_decimals(struct operation *o, arb_srcptr balls, char *const *texts)
 {
-    enum { EXPONENT_BITS = 50 }; /* as decimal_of_ball has it */
     bool beyond = false;
     for (int i = 0; i < o->section->output_count && !beyond; i++) {
         const fmpz *exponent = ARF_EXPREF(arb_midref(balls + i));
         if (texts[i] != NULL || arb_rel_accuracy_bits(balls + i) < 2 || fmpz_bits(exponent) <= EXPONENT_BITS)
             continue;
-        message_set(&o->why, "%s: not zero, but %s, of which no decimal is written", o->section->outputs[i]->name,
-                    fmpz_sgn(exponent) < 0 ? "below 2^-(2^49)" : "above 2^(2^49)");
+        message_set(&o->why, "%s: not zero, but %s2^%d), of which no decimal is written", o->section->outputs[i]->name,
+                    fmpz_sgn(exponent) < 0 ? "below 2^-(" : "above 2^(", EXPONENT_BITS - 1);
         beyond = true;
     }
     return beyond;

@@ -37,7 +37,7 @@ const char *flow_status_text(enum flow_status status)
                                         [FLOW_STOPPED] = "stopped",
                                         [FLOW_WIDE] = "the enclosure grew past use",
                                         [FLOW_CLOSE] = "the craft come closer than L_ref/128, nothing is proved beyond",
-                                        [FLOW_UNCHARGED] = "Q_ref + dQ >= 0 may be in the set: Eq. (21) has no charges there",
+                                        [FLOW_UNCHARGED] = "Q_ref + dQ may be >= 0 in the set, where Eq. (21) has no charges",
                                         [FLOW_DOMAIN] = "a parameter lies outside the domain",
                                         [FLOW_STALLED] = "too many steps or orbits, no end in sight"};
     return texts[status];

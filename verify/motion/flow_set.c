@@ -17,7 +17,7 @@
  *   (S6) the start of J is from all of P(e) + B s             (expand_models)
  *   (S7) within the step all of |J B s|                       (row)
  *   (S8) the time is a ball, the step's polynomial is evaluated at a binary64 near it
- *   (S9) after a split either half is followed                (split)
+ *   (S9) after a split either half is followed                (piece_split)
  *
  * A split halves the unknowns, not time: { P(e) + B s } is the union of its halves, e_i = (e'_i +- 1)/2, wherever it stands.
  */
@@ -257,14 +257,11 @@ static void row(struct follower *f, int v, double now, const arb_t s, double ste
     model_widen(&f->at, arb_radref(error));
 }
 
-/* Q_ref + dQ, in units of the set's; false where it may be >= 0: what charges there are is linear in the unknowns but for a rest */
+/* Q_ref + dQ, in units of the set's, linear in the unknowns but for a rest; false where it may be >= 0 */
 static bool charge_row(arb_t x, struct follower *f, const struct piece *p, const arb_t s, double step)
 {
     struct model *const R = f->charge, *const q = R + 1, *const square = R + 2, *const length = R + 3;
     row(f, JET_CHARGE, p->now, s, step);
-    model_range(x, &f->at);
-    if (!arb_is_negative(x))
-        return false;
     model_cut(R, &f->at);
     row(f, JET_STATES - 1, p->now, s, step);
     model_cut(q, &f->at);
@@ -274,7 +271,7 @@ static bool charge_row(arb_t x, struct follower *f, const struct piece *p, const
     model_cut(q, &p->model[SET_CHARGE]);
     model_dot(R, false, 1, square, q, 1);
     model_range(x, R);
-    return true;
+    return arb_is_negative(x);
 }
 
 /* ---- all pieces ---- */
@@ -416,13 +413,14 @@ static double seconds_proved(const struct work *w)
 static void follow_all(struct work *w, flow_receiver *receive, void *context, double *reached)
 {
     struct progress progress = progress_begin(true);
+    const uint64_t wanted = w->limit > 0 ? (uint64_t)fabs(fmpq_get_d(w->times + w->limit - 1)) : 0;
     for (int rounds = 0; w->proved < w->limit && w->status != FLOW_STOPPED; rounds++) {
         const slong k = w->proved;
         w->next = 0;
         flint_parallel_do(follow_some, w, w->set->threads, -1, FLINT_PARALLEL_STRIDED);
         end_round(w);
         *reached = seconds_proved(w);
-        progress_show(&progress, (uint64_t)*reached, (uint64_t)fabs(fmpq_get_d(w->times + w->limit - 1)));
+        progress_show(&progress, (uint64_t)*reached, wanted);
         if (!hand_rows(w, k, receive, context))
             w->status = FLOW_STOPPED;
         else if (rounds == MOST_ROUNDS && w->proved < w->limit) {

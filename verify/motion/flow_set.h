@@ -23,7 +23,7 @@ struct flow_set {
     arb_t Omega, unit, charge;  /* of lengths, m, and of the charge product, C^2       */
     int most_pieces;            /* into which the set may be split: 1 for none         */
     int threads;                /* that follow them, as many as there are processors: the rows are the same however many */
-    bool charged;               /* it ends where Q_ref + dQ may be >= 0 for some motion */
+    bool charged;               /* it ends at the first row at which Q_ref + dQ may be >= 0 */
     struct flow_steps how;      /* orders and step, where a test sets them             */
 };
 

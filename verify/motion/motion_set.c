@@ -174,7 +174,7 @@ static int print_bounds(void *context, slong k, const fmpq_t t, arb_srcptr state
     VECTOR(arb, row, ROW_NUMBERS);
     _arb_vec_set(row, state, FLOW_STATE);
     arb_neg(row + FLOW_STATE, state + FLOW_STATE); /* (21) */
-    arb_sqrt(row + FLOW_STATE, row + FLOW_STATE, SET_BITS);
+    arb_sqrtpos(row + FLOW_STATE, row + FLOW_STATE, SET_BITS); /* it is positive, though its ball may reach beyond 0 */
     arb_neg(row + FLOW_STATE + 1, row + FLOW_STATE);
     for (int i = 0; i < SET_NUMBERS; i++)
         numbers[i] = decimal_of_end(row + i / 2, rows->digits, i % 2);

@@ -1,6 +1,6 @@
 /*
  * One table holds the closed loop, another one the pair in the inverse-square field; everything below interprets them: series
- * coefficients, columns of derivatives, tails, exact rates. No two of them can disagree about the equations.
+ * coefficients, columns of derivatives, tails. No two of them can disagree about the equations.
  */
 #include "motion/taylor.h"
 
@@ -144,7 +144,7 @@ static void extend_series(struct jet *z, const struct jet *jet, slong first, slo
 void jet_extend(struct jet *jet, slong prec, double fall)
 {
     slong n = jet->order, split = 0;
-    while (split < n && (prec <= 128 || prec - (slong)(fall * (double)split) > 120))
+    while (split < n && (jet->space != NULL || prec <= 128 || prec - (slong)(fall * (double)split) > 120))
         split++;
     extend_series(jet, jet, 0, split, prec, fall);
     if (split == n)

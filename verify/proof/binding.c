@@ -421,7 +421,7 @@ static bool no_tautology(struct table *table)
 static bool all_used(struct table *table)
 {
     if (table->s->from_count == 0)
-        return BINDING_FAULT(table, table->s->node, 0, "expected an equation or a %s", "principle in 'from'");
+        return BINDING_FAULT(table, table->s->node, 0, "expected an equation or a %s in 'from'", "principle");
     for (int i = 0; i < table->s->from_count; i++)
         if (!breaks_by(table, (struct target){.change = CHANGE_ANY, .entry = table->s->from[i]}))
             return BINDING_FAULT(table, item(table, "from", i), 0, "'%s' is not used: any formula in its place would do", table->s->from[i]);
@@ -616,7 +616,7 @@ static bool is_new(struct table *table, int to, const struct entry_part *part)
 static bool all_shown(struct table *table)
 {
     if (table->s->to_count == 0)
-        return BINDING_FAULT(table, table->s->node, 0, "expected an equation or a %s", "property in 'to'");
+        return BINDING_FAULT(table, table->s->node, 0, "expected an equation or a %s in 'to'", "property");
     for (int i = 0; i < table->s->to_count; i++) {
         struct entry_part parts[MOST_PARTS];
         const int count = entry_parts(table->d, table->s->to[i], parts);

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "formula/symbolic.h"
-
 #include "text/scope.h"
 
 /* What is known of a node. */

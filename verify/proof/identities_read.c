@@ -170,7 +170,8 @@ static int read_rate(struct parser *p)
     const char *begin = p->at;
     char name[LONGEST_NAME + 8];
     p->at++; /* the bracket, without which it were a name */
-    struct rate made = {.of = parse_sum(p), .first = p->program->count};
+    struct rate made = {.of = parse_sum(p)};
+    made.first = p->program->count; /* with what was read */
     if (made.of < 0 || !parse_symbol(p, ')'))
         return made.of < 0 ? -1 : parse_refuse(p, "')' or an operator");
     if (made.first > MOST_RATES)

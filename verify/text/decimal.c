@@ -114,7 +114,7 @@ static slong decimal_exponent(double mantissa, slong exponent)
 }
 
 /* |x| 10^k as an integer, the nearest one, ties to even: of an enclosure its end nearer zero, and false where the other rounds
-   elsewhere. Two of them round down and up. */
+   elsewhere. One rounds down or up. */
 typedef bool rounder(fmpz_t n, const void *x, slong k);
 
 /* From the exponent of the first digit, or one that is too low. */
@@ -220,8 +220,8 @@ char *decimal_of_ball(const arb_t x, slong digits)
     arb_get_mag_lower(least, x);
     if (arb_is_zero(x))
         return text_copy("0");
-    if (!arb_is_finite(x) || mag_is_zero(least) || fmpz_bits(MAG_EXPREF(least)) > FLINT_BITS - 14)
-        return NULL; /* nor are there exponents of more digits than a word has */
+    if (!arb_is_finite(x) || mag_is_zero(least) || fmpz_bits(MAG_EXPREF(least)) > EXPONENT_BITS)
+        return NULL;
     const slong exponent = decimal_exponent(ldexp((double)MAG_MAN(least), -MAG_BITS), fmpz_get_si(MAG_EXPREF(least)));
     return scientific(round_ball, x, arf_sgn(arb_midref(x)) < 0, digits, exponent);
 }

@@ -26,15 +26,23 @@ static char *end_of_links(const char *name)
     return path;
 }
 
+/* Whether that is standard output, if one can write there: whatever its name */
+static bool is_standard_output(const struct stat *there)
+{
+    struct stat out;
+    return (fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) != O_RDONLY && fstat(STDOUT_FILENO, &out) == 0 &&
+           out.st_dev == there->st_dev && out.st_ino == there->st_ino;
+}
+
 struct whole_file whole_file_open(const char *name)
 {
     struct whole_file f = {.file = NULL};
-    struct stat there, out;
+    struct stat there;
     const bool exists = stat(name, &there) == 0, special = exists && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode);
     const mode_t mode = exists && !special ? there.st_mode & 0666 : 0666; /* what nobody else may read stays so */
     int end = -1;
-    if (exists && fstat(STDOUT_FILENO, &out) == 0 && out.st_dev == there.st_dev && out.st_ino == there.st_ino) {
-        end = dup(STDOUT_FILENO); /* /dev/stdout, whatever that is */
+    if (exists && is_standard_output(&there)) {
+        end = dup(STDOUT_FILENO);
     } else if (special) {
         end = open(name, O_WRONLY);
     } else if (exists || errno == ENOENT) { /* not where links lead nowhere else than to links */
