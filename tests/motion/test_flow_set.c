@@ -73,7 +73,7 @@ static int keep_bounds(void *context, slong k, const fmpq_t t, char *const *numb
 
 struct seen {
     const struct rows *rows;
-    const struct flow_parameters *parameters; /* of the motion */
+    struct flow_parameters parameters; /* of the motion */
     double low[ROW_NUMBERS], high[ROW_NUMBERS]; /* of the last row, over all motions */
     slong count;
 };
@@ -85,7 +85,7 @@ static int look(void *context, slong k, const fmpq_t t, arb_srcptr state)
     SCOPE(arb, end, product);
     (void)t;
     _arb_vec_set(row, state, FLOW_STATE);
-    charges_of_state(row + FLOW_STATE, product, sheet(), s->parameters, state, PREC);
+    charges_of_state(row + FLOW_STATE, product, sheet(), &s->parameters, state, PREC);
     for (int v = 0; v < ROW_NUMBERS; v++) {
         arb_set_fmpq(end, s->rows->low + ROW_NUMBERS * k + v, PREC);
         ck_assert_msg(!arb_gt(end, row + v), "row %d, number %d: below", (int)k, v);
@@ -111,7 +111,7 @@ static void times_until(fmpq *times, double seconds)
 static void follow_one(struct seen *seen, const struct box *box, const fmpq *times, int motion)
 {
     struct scenario s;
-    struct flow_parameters p;
+    struct flow_parameters *const p = &seen->parameters;
     VECTOR(arb, initial, FLOW_STATE);
     SCOPE(fmpq, share);
     double reached;
@@ -125,12 +125,11 @@ static void follow_one(struct seen *seen, const struct box *box, const fmpq *tim
         fmpq_mul(share, share, s.radius + of->name);
         fmpq_add(&s.value[of->name].value, &s.value[of->name].value, share);
     }
-    flow_parameters_init(&p);
-    scenario_parameters(&p, &s, PREC);
-    scenario_initial(initial, &s, &p, true, PREC);
-    seen->parameters = &p;
-    ck_assert_int_eq(flow_nonlinear(&p, initial, times, TIMES, 14, PREC, look, seen, &reached), FLOW_DONE);
-    flow_parameters_clear(&p);
+    flow_parameters_init(p);
+    scenario_parameters(p, &s, PREC);
+    scenario_initial(initial, &s, p, true, PREC);
+    ck_assert_int_eq(flow_nonlinear(p, initial, times, TIMES, 14, PREC, look, seen, &reached), FLOW_DONE);
+    flow_parameters_clear(p);
     scenario_clear(&s);
 }
 

@@ -188,9 +188,9 @@ const struct study studies[] = {
 const struct study *study_find(const char *name)
 {
     const struct study *s = studies;
-    while (s->name != NULL && strcmp(s->name, name) != 0)
+    while (strcmp(s->name, name) != 0)
         s++;
-    return s->name != NULL ? s : NULL;
+    return s;
 }
 
 /* log(last/this)/log(ratio), and this/parameter^expected */

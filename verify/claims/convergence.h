@@ -35,7 +35,7 @@ struct study {
 };
 
 extern const struct study studies[]; /* ended by one without name */
-const struct study *study_find(const char *name);
+const struct study *study_find(const char *name); /* one of their names */
 
 /* At [row * STUDIED + variable]; an order is log(difference before/difference)/log(ratio), from row 1 on. */
 struct convergence {

@@ -512,13 +512,13 @@ static bool read_wanted(struct verdict_condition *c, const struct statement *s, 
         return node_error(condition, 0, "expected a name of prove");
     for (int k = 0; k < (condition->text != NULL ? 1 : condition->count); k++) {
         const struct yaml *node = condition->text != NULL ? condition : &condition->items[k];
-        const size_t not = strncmp(node->text, "not ", 4) == 0 ? 4 : 0;
+        const size_t begin = strncmp(node->text, "not ", 4) == 0 ? 4 : 0;
         int i = 0;
-        while (i < s->assertion_count && strcmp(s->assertions[i].name, node->text + not) != 0)
+        while (i < s->assertion_count && strcmp(s->assertions[i].name, node->text + begin) != 0)
             i++;
         if (i == s->assertion_count || s->assertions[i].kind == ASSERT_COMPUTE)
-            return node_error(node, not, "expected a name of prove, but no computation");
-        c->wanted[i] = not > 0 ? -1 : 1;
+            return node_error(node, begin, "expected a name of prove, but no computation");
+        c->wanted[i] = begin > 0 ? -1 : 1;
     }
     return true;
 }

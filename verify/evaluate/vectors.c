@@ -200,7 +200,7 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
     const char *texts[MOST_INPUTS];
     bool fine = true;
     struct progress progress = progress_begin(true);
-    for (int i = 0; i < s->input_count; i++)
+    for (int i = 0; i < MOST_INPUTS; i++)
         texts[i] = decimals[i];
     operation_init(&o, s, false);
     for (uint64_t k = first; k - first < count && fine && !ferror(stdout); k++) {
