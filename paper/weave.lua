@@ -326,12 +326,19 @@ local function equation(s, lines, suffix)
   return raw('\\joined' .. targets(s) .. ('%%\n\\begin{%s}\n%s\n\\end{%s}'):format(kind, table.concat(out, ' \\\\\n'), kind))
 end
 
+-- CSV goes on in the next line, where paper ends.
+local PAPER = 125
+local function folded(line)
+  local head = #line > PAPER and line:sub(1, PAPER):match('^.*,')
+  return head and head .. '\n    ' .. folded(line:sub(#head + 1)) or line
+end
+
 -- Code of more lines would leave much of a page empty, and may be torn on paper.
 local LONGEST_KEPT = 26
 local function code(text, path)
   if web then return ('\n\n```{.%s}\n%s\n```\n\n'):format(path and 'c title="' .. path .. '"' or 'terminal', text) end
   local kept = select(2, text:gsub('\n', '')) < LONGEST_KEPT and 'keep' or 'torn'
-  local listed = ('\\begin{lstlisting}[%s]\n%s\\end{lstlisting}'):format(path and '' or 'style=terminal', text)
+  local listed = ('\\begin{lstlisting}[%s]\n%s\\end{lstlisting}'):format(path and '' or 'style=terminal', path and text or text:gsub('[^\n]+', folded))
   if path then listed = ('\\begin{code}{%s}\n%s\n\\end{code}'):format(path:gsub('_', '\\_'), listed) end
   return raw(('\\begin{%s}\n%s\n\\end{%s}'):format(kept, listed, kept))
 end
