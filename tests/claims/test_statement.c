@@ -327,6 +327,7 @@ static const struct {
     {"a: dL > 0", "a: {root: x, on: {x: [0]}}", "t:7:22: expected on"},
     {"a: dL > 0", "a: {roots: x, on: {x: [0, 1, 2]}, count: 0}", "t:7:23: expected on"},
     {"a: dL > 0", "a: {roots: x, on: {x: []}, count: many}", "t:7:39: expected a count"},
+    {"a: dL > 0", "a: {rank: many, system: {psi: psi_dot}}", "t:7:15: expected a "},
     {"a: dL > 0", "a: {rank: 1}", "t:7:8: expected a system"},
     {"a: dL > 0", "a: {step: [kepler, nowhere]}", "t:7:24: expected a step"},
     {"a: dL > 0", "a: {step: [kepler, [kepler]]}", "t:7:24: expected a list"},

@@ -143,6 +143,7 @@ static const struct {
     {"figure 5a n=8", 1, "n"},
     {"figure 5a --rk4 30", 1, "--rk4"},
     {"figure 7a dL=-4 --rk4 100", 1, "Q_ref + dQ >= 0 at t = 0 s"}, /* a push: dL < -3 L_ref/n */
+    {"design --digits 0", 2, "--digits"},
     {"design n=10 C1=6e-8", 2, "n: expected either n, or C1 and C2"},
     {"design l_ref=3", 2, "unknown name 'l_ref', did you mean 'L_ref'? there are: m1 m2 L_ref k_c Omega n C1 C2 lambda_d"},
     {"design n=nan C1=word", 2, "C1"},

@@ -159,7 +159,7 @@ static void enclose_inputs(struct machine *m, const struct scenario *s, const st
     const bool isolated = enclose_root_parts(roots, s, c1, c2, p.Omega, prec);
     for (int i = 0; i < 4; i++) {
         if (!isolated)
-            acb_indeterminate(roots + i);
+            acb_indeterminate(roots + i); /* LCOV_EXCL_LINE: only where two roots meet at gains that are not rational */
         acb_get_real(machine_value(m, next++), roots + i);
         acb_get_imag(machine_value(m, next++), roots + i);
     }

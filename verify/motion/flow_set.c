@@ -333,14 +333,12 @@ static void follow_piece(struct work *w, struct follower *f, struct piece *p)
         p->split = steepest(p);
     if (p->split >= 0)
         return;
-    if (!(step > 0))
-        p->status = FLOW_WIDE;
-    for (; p->k < w->limit && p->status == FLOW_DONE && time_within(s, w->times + p->k, w->set->Omega, now, step, 2 * BITS); p->k++)
+    for (; step > 0 && p->k < w->limit && time_within(s, w->times + p->k, w->set->Omega, now, step, 2 * BITS); p->k++)
         if (!widen_row(w, f, p, s, step)) {
             p->status = FLOW_UNCHARGED;
             return;
         }
-    if (p->k < w->limit && p->status == FLOW_DONE && !advance_models(f, p, step))
+    if (p->k < w->limit && !(step > 0 && advance_models(f, p, step)))
         p->status = FLOW_WIDE;
 }
 
