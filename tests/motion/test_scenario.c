@@ -4,6 +4,9 @@
 #include "tests/run.h"
 #include "tests/paper.h"
 
+#include <stdio.h>
+#include <stdlib.h>
+
 #include "motion/motion.h"
 #include "text/scope.h"
 

@@ -6,6 +6,7 @@
 #include "tests/paper.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

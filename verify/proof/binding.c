@@ -151,7 +151,8 @@ static void table_open(struct table *x, const struct identities *t)
     x->t.needed = xrealloc(NULL, (size_t)x->count, 1);
     for (int i = 0; i < x->count; i++)
         x->t.needed[i] = t->needed[i];
-    for (const struct rate *r = t->rates; r < t->rates + t->rate_count; r++) { /* what another derivative may rest on */
+    for (int k = 0; k < t->rate_count; k++) { /* what another derivative may rest on */
+        const struct rate *r = &t->rates[k];
         program_mark(&x->t.program, r->of, NULL, x->t.needed);
         for (int i = 0; i < r->first; i++)
             if (r->by[i] >= 0) {
