@@ -187,6 +187,11 @@ const run = async () => {
 
 setTimeout(() => { console.error('browser.js: no answer within two minutes'); process.exit(1); }, 120000).unref();
 run().catch((error) => { failures++; console.error(`browser.js: ${error.stack}`); }).finally(() => {
-  chromium.on('exit', () => { fs.rmSync(profile, { recursive: true, force: true }); process.exit(failures ? 1 : 0); });
+  chromium.on('exit', () => {
+    try { // its children may write there for a while
+      fs.rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
+    } catch (error) { console.error(`browser.js: left behind: ${error.message}`); }
+    process.exit(failures ? 1 : 0);
+  });
   chromium.kill();
 });
