@@ -834,6 +834,8 @@ TEST(rows_proved_before_the_charge_law_ends_are_kept)
     ck_assert_int_eq(run("trajectory nonlinear C1=5.3165972e-8 C2=1e-9 psi=0 theta=0 dL=-2.9+-1e-3 dL_dot=-3e-4 --set --every 10"), 1);
     ck_assert_int_eq(lines(output), 2 + 35);
     ck_assert_str_eq(errors, "coulomb-tether: Q_ref + dQ may be >= 0 in the set, where Eq. (21) has no charges, last proved time 350 s\n");
+    ck_assert_int_eq(run("trajectory nonlinear C1=1e300+-1 --set --every 3600"), 1); /* more than binary64 has, in units of Omega */
+    ck_assert_int_eq(lines(output), 1);
     ck_assert_int_eq(run("trajectory nonlinear dL=-4+-0.01 --set"), 1); /* before any row */
     ck_assert_int_eq(lines(output), 1);
     ck_assert_ptr_nonnull(strstr(errors, "has no charges, last proved time 0 s\n"));

@@ -64,6 +64,38 @@ static void random_model(struct model *x, const struct space *s, int seed, doubl
     x->rest = rest;
 }
 
+/* What is beyond binary64 is not known, and is no zero: not as a factor, nor cut, nor its range. */
+TEST(what_overflows_is_nothing_known)
+{
+    struct space s, linear;
+    struct model x, y, z, cut;
+    SCOPE(arb, huge, one, range);
+    space_init(&s, 2, 3);
+    space_init(&linear, 2, 1);
+    model_init(&x, &s);
+    model_init(&y, &s);
+    model_init(&z, &s);
+    model_init(&cut, &linear);
+    arb_one(one);
+    arb_mul_2exp_si(huge, one, 1024);
+    model_set_variable(&x, huge, one, 0);
+    model_set_variable(&y, one, one, 1);
+    model_dot(&z, false, 1, &x, &y, 1);
+    model_dot(&x, false, 1, &z, &y, 1);
+    model_cut(&cut, &x);
+    ck_assert(!(model_size(&x) < HUGE_VAL) && !(model_size(&cut) < HUGE_VAL));
+    model_range(range, &x);
+    ck_assert(!arb_is_finite(range));
+    model_range(range, &cut);
+    ck_assert(!arb_is_finite(range));
+    model_clear(&x);
+    model_clear(&y);
+    model_clear(&z);
+    model_clear(&cut);
+    space_clear(&s);
+    space_clear(&linear);
+}
+
 TEST(monomials_are_in_order_and_multiply)
 {
     struct space s;

@@ -289,14 +289,14 @@ struct work {
     struct follower follower[MOST_THREADS];
 };
 
-/* Row k's bounds are made wide enough for the piece; false where (21) may have no charges. */
-static bool widen_row(struct work *w, struct follower *f, const struct piece *p, const arb_t s, double step)
+/* Row k's bounds are made wide enough for the piece, if there are any, and charges by (21). */
+static enum flow_status widen_row(struct work *w, struct follower *f, const struct piece *p, const arb_t s, double step)
 {
     SCOPE(arb, x);
     SCOPE(arf, end);
     double low[SET_BOUNDS], high[SET_BOUNDS];
     if (w->set->charged && !charge_row(x, f, p, s, step))
-        return false;
+        return FLOW_UNCHARGED;
     arb_mul(x, x, w->set->charge, BITS);
     for (int v = FLOW_STATE; v >= 0; v--) {
         if (v < FLOW_STATE) {
@@ -306,6 +306,8 @@ static bool widen_row(struct work *w, struct follower *f, const struct piece *p,
         }
         if (v < FLOW_STATE && v >= FLOW_HALF)
             arb_mul(x, x, w->set->Omega, BITS);
+        if (!arb_is_finite(x))
+            return FLOW_WIDE; /* LCOV_EXCL_LINE: a coordinate alone has grown beyond binary64 */
         arb_get_lbound_arf(end, x, BITS);
         low[v] = arf_get_d(end, ARF_RND_FLOOR);
         arb_get_ubound_arf(end, x, BITS);
@@ -317,7 +319,7 @@ static bool widen_row(struct work *w, struct follower *f, const struct piece *p,
         w->high[SET_BOUNDS * p->k + v] = fmax(w->high[SET_BOUNDS * p->k + v], high[v]);
     }
     pthread_mutex_unlock(&w->lock);
-    return true;
+    return FLOW_DONE;
 }
 
 /* A step of the piece, or that it should be split, or that no step is proved */
@@ -334,10 +336,8 @@ static void follow_piece(struct work *w, struct follower *f, struct piece *p)
     if (p->split >= 0)
         return;
     for (; step > 0 && p->k < w->limit && time_within(s, w->times + p->k, w->set->Omega, now, step, 2 * BITS); p->k++)
-        if (!widen_row(w, f, p, s, step)) {
-            p->status = FLOW_UNCHARGED;
+        if ((p->status = widen_row(w, f, p, s, step)) != FLOW_DONE)
             return;
-        }
     if (p->k < w->limit && !(step > 0 && advance_models(f, p, step)))
         p->status = FLOW_WIDE;
 }

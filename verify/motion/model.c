@@ -140,9 +140,10 @@ static double norm(const struct model *x)
     return sum;
 }
 
+/* What has grown beyond binary64, NaN then, is not. */
 static bool is_zero_model(const struct model *x)
 {
-    return !(norm(x) > 0 || x->rest > 0);
+    return norm(x) <= 0 && x->rest <= 0;
 }
 
 static void zero(struct model *z)
@@ -183,7 +184,7 @@ void model_set_ball(struct model *z, const arb_t x)
 {
     zero(z);
     z->c[0] = nearest(&z->rest, x);
-    z->rest = z->rest > 0 ? upward(z->rest) : 0;
+    z->rest = z->rest <= 0 ? 0 : upward(z->rest);
     find_norms(z);
 }
 
@@ -202,7 +203,7 @@ void model_cut(struct model *z, const struct model *x)
     memcpy(z->c, x->c, (size_t)z->space->size * sizeof *z->c);
     for (int d = z->space->degree + 1; d <= x->space->degree; d++)
         beyond += x->norm[d];
-    z->rest = beyond > 0 ? upward(beyond) : 0;
+    z->rest = beyond <= 0 ? 0 : upward(beyond);
     find_norms(z);
 }
 
@@ -396,7 +397,7 @@ void model_range(arb_t range, const struct model *x)
         radius += even ? fabs(x->c[b]) / 2 : fabs(x->c[b]);
     }
     SCOPE(mag, r);
-    if (radius > 0 || norm(x) > 0)
+    if (!(radius <= 0 && norm(x) <= 0))
         mag_set_d(r, upward(radius + s->size * U * norm(x))); /* (M1) */
     arb_set_d(range, middle);
     arb_add_error_mag(range, r);
