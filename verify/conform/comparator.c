@@ -20,7 +20,8 @@ bool is_motion(const struct section *s)
 
 void comparator_init(struct comparator *j, struct operation *o, int significand, double digits)
 {
-    *j = (struct comparator){.operation = o, .significand = significand, .K = o->section->K, .digits = digits};
+    *j = (struct comparator){.operation = o, .significand = significand, .K = o->section->K, .digits = digits,
+                             .bits = 2 * significand > 128 ? 320 : 128};
     j->y = _arb_vec_init(MOST_OUTPUTS);
     j->exact = _arb_vec_init(MOST_OUTPUTS);
     j->S = _arb_vec_init(MOST_OUTPUTS);
@@ -35,37 +36,37 @@ void comparator_clear(struct comparator *j)
 
 /* ---- algebra and roots ---- */
 
-/* K u S: what roundings of the inputs may do to an output. */
-static void rounding_bound(arb_t bound, const struct comparator *j, int output)
-{
-    arb_set_d(bound, j->K);
-    arb_mul(bound, bound, j->S + output, 64);
-    arb_mul_2exp_si(bound, bound, -j->significand);
-}
-
 /*
- * Whether roundings of the inputs decide on stability by (42): no margin is negative beyond them, and one is within them.
- * A margin that no rounding moves, S = 0, is what it is.
+ * Whether roundings of the inputs decide on stability by (42), in rational numbers: no margin is negative beyond K u S, and one is
+ * within it. A margin that no rounding moves, S = 0, is what it is.
  */
-static bool on_the_boundary(const struct comparator *j)
+static bool on_the_boundary(const struct comparator *j, const struct input *inputs)
 {
     bool within = false, unstable = false;
-    SCOPE(arb, bound, size);
+    struct machine values;
+    SCOPE(fmpq, margin, bound, S);
+    SCOPE(arb, enclosed);
+    operation_exact(&values, j->operation, inputs);
     for (int i = 0; i < 2; i++) {
-        rounding_bound(bound, j, i);
-        arb_abs(size, j->exact + i);
-        const bool beyond = arb_gt(size, bound) || arb_is_zero(j->S + i);
+        exact_is_rational(margin, machine_value(&values, j->operation->formulas->outputs[i])); /* a polynomial of the inputs */
+        operation_sensitivity_exact(j->operation, inputs, 64, i, enclosed, S);
+        fmpq_set_double(bound, ldexp(j->K, -j->significand));
+        fmpq_mul(bound, bound, S);
+        const bool negative = fmpq_sgn(margin) <= 0;
+        fmpq_abs(margin, margin);
+        const bool beyond = fmpq_cmp(margin, bound) > 0 || fmpq_is_zero(S);
         within = within || !beyond;
-        unstable = unstable || (beyond && !arb_is_positive(j->exact + i));
+        unstable = unstable || (beyond && negative);
     }
+    machine_clear(&values);
     return within && !unstable;
 }
 
 /* On the boundary either verdict on stability is right, and nothing else is. */
-static void allow_either(struct comparator *j)
+static void allow_either(struct comparator *j, const struct input *inputs)
 {
     const int stable = j->operation->section->output_count - 1;
-    if ((arb_is_zero(j->y + stable) || arb_is_one(j->y + stable)) && on_the_boundary(j))
+    if ((arb_is_zero(j->y + stable) || arb_is_one(j->y + stable)) && on_the_boundary(j, inputs))
         arb_set(j->exact + stable, j->y + stable);
 }
 
@@ -74,12 +75,12 @@ static void settle(struct comparator *j, const struct input *inputs, slong prec)
 {
     const struct operation *o = j->operation;
     struct machine values;
-    SCOPE(fmpq, value);
+    SCOPE(fmpq, rational);
     operation_exact(&values, o, inputs);
     for (int i = 0; i < o->section->output_count; i++) {
-        if (exact_is_rational(value, machine_value(&values, o->formulas->outputs[i])))
-            arb_set_fmpq(j->exact + i, value, prec);
-        operation_sensitivity_exact(j->operation, inputs, prec, i, j->S + i, value);
+        if (exact_is_zero(machine_value(&values, o->formulas->outputs[i])))
+            arb_zero(j->exact + i);
+        operation_sensitivity_exact(j->operation, inputs, prec, i, j->S + i, rational);
         if (!arb_is_finite(j->S + i))
             arb_zero(j->S + i);
     }
@@ -88,27 +89,24 @@ static void settle(struct comparator *j, const struct input *inputs, slong prec)
 
 /* ---- components of a vector ---- */
 
-/* A name without what tells a component from the others: the first of xyz, or a last digit of 123 that is no second index. */
-static bool stem_of(const char *name, char stem[40])
+/* Of one unit, the names alike but for x, y, z at the front or 1, 2, 3 at the end, where that is no second index. */
+static bool are_components(const struct quantity *const three[3])
 {
-    const size_t length = strlen(name);
-    const bool letter = strchr("xyz", name[0]) != NULL;
-    const bool digit = strchr("123", name[length - 1]) != NULL && strchr("123", name[length - 2]) == NULL; /* no name is a digit */
-    snprintf(stem, 40, "%s%.*s", letter ? "r" : "", (int)length - (letter ? 1 : digit), name + letter);
-    return letter || digit;
+    const char *name = three[0]->name;
+    const size_t last = strlen(name) - 1, at = *name == 'x' ? 0 : last;
+    bool alike = at == 0 || (name[last] == '1' && strchr("123", name[last - 1]) == NULL);
+    for (int k = 1; k < 3; k++)
+        alike = alike && strncmp(three[k]->name, name, at) == 0 && three[k]->name[at] == name[at] + k &&
+                strcmp(three[k]->name + at + 1, name + at + 1) == 0 && strcmp(three[k]->unit, three[0]->unit) == 0;
+    return alike;
 }
 
-uint64_t vector_components(const struct quantity *const *all, int count, int which)
+int vector_of(const struct quantity *const *all, int count, int which)
 {
-    char stem[40], other[40];
-    uint64_t components = 0;
-    int found = 0;
-    for (int i = 0; i < count && stem_of(all[which]->name, stem); i++)
-        if (stem_of(all[i]->name, other) && strcmp(other, stem) == 0 && strcmp(all[i]->unit, all[which]->unit) == 0) {
-            components |= UINT64_C(1) << i;
-            found++;
-        }
-    return found == 3 ? components : 0;
+    for (int first = which < 2 ? 0 : which - 2; first <= which && first + 3 <= count; first++)
+        if (are_components(all + first))
+            return first;
+    return -1;
 }
 
 /* What roundings of the inputs do where a component of a vector is as large as the vector, which a turn of the axes makes it. */
@@ -118,11 +116,10 @@ static void turned_sensitivity(arb_ptr S, struct operation *o, slong prec)
     VECTOR(arb, sizes, MOST_INPUTS);
     SCOPE(arb, size);
     for (int i = 0; i < s->input_count; i++) {
-        const uint64_t components = vector_components(s->inputs, s->input_count, i) | UINT64_C(1) << i;
-        for (int k = 0; k < s->input_count; k++) {
+        const int found = vector_of(s->inputs, s->input_count, i), first = found < 0 ? i : found, last = found < 0 ? i : found + 2;
+        for (int k = first; k <= last; k++) {
             arb_abs(size, machine_value(&o->machine, k));
-            if (components & UINT64_C(1) << k)
-                arb_max(sizes + i, sizes + i, size, prec);
+            arb_max(sizes + i, sizes + i, size, prec);
         }
     }
     formula_sensitivity(o, prec, sizes, S);
@@ -138,29 +135,16 @@ static void raise_to_the_vector(struct comparator *j, slong prec)
     const struct section *s = j->operation->section;
     VECTOR(arb, turned, MOST_OUTPUTS);
     SCOPE(arb, size);
-    if (vector_components(s->outputs, s->output_count, 0) == 0)
+    if (vector_of(s->outputs, s->output_count, 0) < 0)
         return;
     turned_sensitivity(turned, j->operation, prec);
-    for (int i = 0; i < s->output_count; i++) {
-        const uint64_t components = vector_components(s->outputs, s->output_count, i);
-        for (int k = 0; k < s->output_count; k++) {
+    for (int i = 0; i < s->output_count; i++)
+        for (int first = vector_of(s->outputs, s->output_count, i), k = first; first >= 0 && k < first + 3; k++) {
             arb_abs(size, j->exact + k);
             arb_add(size, size, turned + k, 64);
-            if ((components & UINT64_C(1) << k) && arb_is_finite(size))
+            if (arb_is_finite(size))
                 arb_max(j->S + i, j->S + i, size, 64);
         }
-    }
-}
-
-static struct error_bounds error_of(struct comparator *j, const struct input *inputs, slong prec, struct score *score)
-{
-    const struct section *s = j->operation->section;
-    score->strict = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output).upper;
-    if (s->method == METHOD_FORMULA)
-        raise_to_the_vector(j, prec);
-    const struct error_bounds E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output);
-    score->E = E.upper;
-    return E;
 }
 
 enum outcome outcome_of_bounds(struct error_bounds E, double K)
@@ -168,46 +152,9 @@ enum outcome outcome_of_bounds(struct error_bounds E, double K)
     return E.upper <= K ? OUTCOME_RIGHT : E.lower > K ? OUTCOME_WRONG : OUTCOME_SKIPPED;
 }
 
-/* |y - y*| 2^significand against K (|y*| + S) in rational numbers: E = K passes, and no enclosure sees that it does. */
-static enum outcome compare_output_exactly(struct comparator *j, const struct input *inputs, const fmpq_t exact, int output)
+static struct error_bounds error_of(const struct comparator *j, const struct input *inputs, int *output)
 {
-    SCOPE(fmpq, S, off, allowed);
-    SCOPE(arb, enclosed);
-    enum outcome outcome = OUTCOME_SKIPPED;
-    if (operation_sensitivity_exact(j->operation, inputs, 64, output, enclosed, S)) {
-        arf_get_fmpq(off, arb_midref(j->y + output));
-        fmpq_sub(off, off, exact);
-        fmpq_abs(off, off);
-        fmpq_mul_2exp(off, off, (ulong)j->significand);
-        fmpq_abs(allowed, exact);
-        fmpq_add(allowed, allowed, S);
-        fmpq_set_double(S, j->K);
-        fmpq_mul(allowed, allowed, S);
-        outcome = fmpq_cmp(off, allowed) <= 0 ? OUTCOME_RIGHT : OUTCOME_WRONG;
-    }
-    return outcome;
-}
-
-/* Outputs that enclosures leave undecided, one by one. */
-static enum outcome compare_outputs_exactly(struct comparator *j, const struct input *inputs, struct score *score)
-{
-    const struct operation *o = j->operation;
-    enum outcome all = OUTCOME_RIGHT;
-    struct machine exact;
-    SCOPE(fmpq, truth);
-    operation_exact(&exact, o, inputs);
-    for (int i = 0; i < o->section->output_count && all != OUTCOME_WRONG; i++) {
-        enum outcome one = outcome_of_bounds(
-            error_in_roundings(arb_midref(j->y + i), j->exact + i, j->S + i, j->significand), j->K);
-        if (one == OUTCOME_SKIPPED && vector_components(o->section->outputs, o->section->output_count, i) == 0 &&
-            exact_is_rational(truth, machine_value(&exact, o->formulas->outputs[i])))
-            one = compare_output_exactly(j, inputs, truth, i);
-        all = one == OUTCOME_RIGHT ? all : one;
-    }
-    machine_clear(&exact);
-    if (all == OUTCOME_RIGHT)
-        score->E = j->K;
-    return all;
+    return worst_error(j->operation->section, inputs, j->y, j->exact, j->S, j->significand, output);
 }
 
 static enum outcome compare_in_roundings(struct comparator *j, const struct input *inputs, struct score *score)
@@ -216,20 +163,25 @@ static enum outcome compare_in_roundings(struct comparator *j, const struct inpu
     const bool compares_stability = strcmp(s->outputs[s->output_count - 1]->name, "stable") == 0;
     const slong most = 16384;
     enum outcome outcome = OUTCOME_SKIPPED;
-    for (slong prec = 2 * j->significand > 128 ? 320 : 128; prec <= most && outcome == OUTCOME_SKIPPED; prec *= 4) {
+    for (slong prec = j->bits; prec <= most && outcome == OUTCOME_SKIPPED; prec *= 4) {
         operation_enclose(j->operation, inputs, prec, j->exact);
         _arb_vec_zero(j->S, s->output_count);
-        score->strict = score->E = worst_error(s, inputs, j->y, j->exact, j->S, j->significand, &score->output).upper;
+        score->strict = score->E = error_of(j, inputs, &score->output).upper;
         if (score->E <= fmin(j->K, j->worst))
             return OUTCOME_RIGHT; /* without S already, and no new worst */
         operation_sensitivity(j->operation, inputs, prec, j->S);
         if (4 * prec > most && s->method == METHOD_FORMULA)
             settle(j, inputs, prec);
         if (compares_stability)
-            allow_either(j);
-        outcome = outcome_of_bounds(error_of(j, inputs, prec, score), j->K);
+            allow_either(j, inputs);
+        score->strict = error_of(j, inputs, &score->output).upper;
+        if (s->method == METHOD_FORMULA)
+            raise_to_the_vector(j, prec);
+        const struct error_bounds E = error_of(j, inputs, &score->output);
+        score->E = E.upper;
+        outcome = outcome_of_bounds(E, j->K);
     }
-    return outcome == OUTCOME_SKIPPED && s->method == METHOD_FORMULA ? compare_outputs_exactly(j, inputs, score) : outcome;
+    return outcome;
 }
 
 /* ---- motions ---- */

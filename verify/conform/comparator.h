@@ -39,6 +39,7 @@ struct comparator {
     int significand;
     double K, digits;     /* what passes: E of at most K, digits of at least so many */
     double worst;         /* E below this need not be known exactly                  */
+    slong bits;           /* of the first enclosures; where they decide nothing there are more */
     arb_ptr y, exact, S;  /* the answer; its truth; S raised to the vector's size    */
     bool followed;        /* exact holds the truth of this motion from the last time */
     bool once;            /* a motion is followed with the first precision alone     */
@@ -52,8 +53,8 @@ struct score {
 
 bool is_motion(const struct section *s);
 
-/* Of inputs or outputs those that are components of one vector with that one: a bit each; 0 where it is none. */
-uint64_t vector_components(const struct quantity *const *all, int count, int which);
+/* Of inputs or outputs the first of the three, one after another, that are the components of a vector, that one among them; -1: none. */
+int vector_of(const struct quantity *const *all, int count, int which);
 
 /* The operation stays the caller's. */
 void comparator_init(struct comparator *j, struct operation *o, int significand, double digits);
