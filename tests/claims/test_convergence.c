@@ -301,13 +301,13 @@ static const struct {
 
 EACH(what_is_not_proved_is_not_given, COUNT(measured))
 {
-    const struct computation of = {"here", run_simulation, measured[_i].name, &measured[_i].sampled};
-    struct computed *c = computed_new(&of, steps());
-    enum how how;
+    struct computed *c = computed_new((struct computation){"here", run_simulation, &measured[_i].sampled}, steps());
     SCOPE(arb, x);
-    ck_assert(computed_number(c, measured[_i].name, x, &how));
+    computed_ask(c, measured[_i].name);
+    computed_number(c, measured[_i].name, x);
     ck_assert_int_eq(arb_is_finite(x), measured[_i].given);
-    ck_assert(!computed_number(c, "sup_theta", x, &how));
+    computed_number(c, "at_theta", x);
+    ck_assert(!arb_is_finite(x)); /* not asked for before it ran */
     computed_free(c);
 }
 
@@ -325,7 +325,6 @@ EACH(the_first_sample_stands_after_none_that_is_open, COUNT(partings))
     const struct simulation paper = {.n = "10", .steps = steps()};
     struct trajectory t;
     struct bounds reach;
-    enum how how;
     VECTOR(arb, start, COORDINATES);
     SCOPE(arb, x);
     ck_assert(trajectory_run(&t, &paper, 0, 1, 0));
@@ -335,9 +334,9 @@ EACH(the_first_sample_stands_after_none_that_is_open, COUNT(partings))
     arb_div_si(x, reach.of[PSI], partings[_i].part, PREC);
     arb_add(start + PSI, start + PSI, x, PREC);
     const struct sampled sampled = {{.n = "10", .start = start}, 0, 6400, 64000, &paper};
-    const struct computation of = {"here", run_simulation, "parted_psi", &sampled};
-    struct computed *c = computed_new(&of, steps());
-    ck_assert(computed_number(c, "parted_psi", x, &how));
+    struct computed *c = computed_new((struct computation){"here", run_simulation, &sampled}, steps());
+    computed_ask(c, "parted_psi");
+    computed_number(c, "parted_psi", x);
     ck_assert_int_eq(arb_is_finite(x), partings[_i].given);
     ck_assert_int_eq(arb_is_zero(x), partings[_i].at_once);
     computed_free(c);
@@ -348,21 +347,45 @@ EACH(the_first_sample_stands_after_none_that_is_open, COUNT(partings))
 /* In SI: the start of the paper, and what is left of its dL after so many samples. */
 TEST(measures_are_in_SI)
 {
+    static const struct {
+        const char *name, *value;
+        double within;
+    } numbers[] = {
+        {"peak_dL", "0.1", 1e-15}, {"at_x1_0", "5.05", 1e-14}, {"at_psi_0", "0.01", 1e-15}, {"energy_of_psi", "0.0002", 1e-15}, /* (3 + (c1 - 9))/2 of 1e-4 */
+        {"low_dL_1_2", NULL, 0}, {"at_dL_2", NULL, 0},
+    };
     const struct sampled start = {{.n = "10"}, 0, 3600, 2 * 3600, NULL};
-    const struct computation of = {"here", run_simulation, "peak_dL at_x1_0 at_psi_0 low_dL_1_2 at_dL_2 energy_of_psi", &start};
-    struct computed *c = computed_new(&of, steps());
-    enum how how;
+    struct computed *c = computed_new((struct computation){"here", run_simulation, &start}, steps());
     SCOPE(arb, x, y);
-    ck_assert(computed_number(c, "peak_dL", x, &how) && how == CERTIFIED);
-    assert_number(x, "0.1", 1e-15);
-    ck_assert(computed_number(c, "at_x1_0", x, &how));
-    assert_number(x, "5.05", 1e-14);
-    ck_assert(computed_number(c, "at_psi_0", x, &how));
-    assert_number(x, "0.01", 1e-15);
-    ck_assert(computed_number(c, "low_dL_1_2", x, &how) && computed_number(c, "at_dL_2", y, &how));
+    for (int i = 0; i < COUNT(numbers); i++)
+        computed_ask(c, numbers[i].name);
+    for (int i = 0; numbers[i].value != NULL; i++) {
+        computed_number(c, numbers[i].name, x);
+        assert_number(x, numbers[i].value, numbers[i].within);
+    }
+    computed_number(c, "low_dL_1_2", x);
+    computed_number(c, "at_dL_2", y);
     arb_sub(x, x, y, PREC);
     assert_number(x, "0", 1e-15); /* it falls */
-    ck_assert(computed_number(c, "energy_of_psi", x, &how));
-    assert_number(x, "0.0002", 1e-15); /* (3 + (c1 - 9))/2 of 1e-4 */
+    computed_free(c);
+}
+
+/* What no motion has is not given, and nothing outside it read: no such measure, variable or hour, and nothing beside. */
+TEST(names_of_nothing_have_no_number)
+{
+    static const char *const names[] = {"sub_psi", "sup_pis", "sup_amplitude", "exit_product_100", "energy_of_theta", "gap_psi", "parted_psi",
+                                        "sup_psi_3", "sup_psi_2_1", "sup_psi_0_3", "at_psi_1234567890", "sup_psi_1_", "sup_psi_01", "exit_psi_0"};
+    const struct sampled start = {{.n = "10"}, 0, 3600, 2 * 3600, NULL};
+    struct computed *c = computed_new((struct computation){"here", run_simulation, &start}, steps());
+    SCOPE(arb, x);
+    for (int i = 0; i < COUNT(names); i++)
+        computed_ask(c, names[i]);
+    computed_ask(c, "sup_psi_1_2");
+    for (int i = 0; i < COUNT(names); i++) {
+        computed_number(c, names[i], x);
+        ck_assert_msg(!arb_is_finite(x), "%s", names[i]);
+    }
+    computed_number(c, "sup_psi_1_2", x);
+    ck_assert(arb_is_finite(x));
     computed_free(c);
 }

@@ -126,9 +126,9 @@ static void grow_values(const char **were, bool back)
 
 static void number_of(arb_t x, struct statements *claims, struct statement *s, const struct quoted_number *q)
 {
-    const struct bindings b = {.all = claims, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = 256};
-    enum how how;
-    formula_enclose(x, &how, q->formula, &b);
+    enum how how = EXACT;
+    const struct bindings b = {.all = claims, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = 256, .how = &how};
+    formula_enclose(x, q->formula, &b);
 }
 
 /* What has numbers with units of their own: constants of nature, times of day, steps of 100 s, values of a case. */

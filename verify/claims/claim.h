@@ -30,43 +30,38 @@ enum verdict {
 extern const char *const verdict_names[]; /* "undecided", "holds", "holds as corrected", ... */
 extern const char *const how_names[];     /* "exact", "certified"                            */
 
-/* Proved true or not proved: what cannot be refuted this way stays undecided. */
-enum truth proved_or_open(bool proved);
+/* Of what a trajectory, an orbit's study or a limit is made: a function that hands over named numbers. */
+struct computed;
+struct computation {
+    const char *name;
+    void (*run)(struct computed *c);
+    const void *of; /* what is particular to this one of several that run alike */
+};
 
-/* What a computation hands its results to. */
+/* One at work, with the numbers that are asked of it. */
 struct computed {
-    const struct computation *of;
+    struct computation of;
     const struct derivations *steps; /* that it may use, with them the sheet */
     bool done;
-    struct handed *numbers;
+    struct asked *numbers;
     int count;
 };
 
 /* One of its numbers, by its name (printf-like): the enclosure if it was proved, else nothing. */
 #if defined(__GNUC__)
-__attribute__((format(printf, 5, 6)))
+__attribute__((format(printf, 4, 5)))
 #endif
-void give(struct computed *c, enum how how, bool proved, const arb_t x, const char *name, ...);
-
-/* A list of computations ends with one without name. Each of its numbers is handed over, in any order. */
-struct computation {
-    const char *name;
-    void (*run)(struct computed *c);
-    const char *numbers; /* their names, blanks between */
-    const void *of;      /* what is particular to this one of several that run alike */
-};
+void give(struct computed *c, bool proved, const arb_t x, const char *name, ...);
 
 /*
- * Of one that is `of` a struct sampled: numbers in SI, each named for its measure, the variable and, in hours, from when on or from
- * when to when (sup_psi_48_72); of exits, for the part of the start (exit_dL_200).
+ * Of one that is `of` a struct sampled: the numbers that are asked, in SI, each named for its measure, the variable and, in hours,
+ * from when on or from when to when (sup_psi_48_72); of exits, for the part of the start (exit_dL_200).
  */
 void run_simulation(struct computed *c);
+const char *asked_name(const struct computed *c, int i); /* NULL: there is no further one */
 
-/* The next of such names, of at most 63 characters; NULL at the end. */
-const char *next_name(const char *names, char name[64]);
-
+/* Lists that end with one without name; studies are computations too (convergence.h). */
 extern const struct computation computations_simulation[]; /* claims_simulation.c */
-extern const struct computation computations_studies[];    /* convergence.c       */
 extern const struct computation computations_sampling[];   /* claims_sampling.c   */
 
 /* Those that have been asked for. */
@@ -80,10 +75,13 @@ void computations_clear(struct computations *all);
 /* The computation of that name, not yet run; NULL: there is none. */
 struct computed *computed_find(struct computations *all, const char *name);
 
-struct computed *computed_new(const struct computation *of, const struct derivations *steps);
+struct computed *computed_new(struct computation of, const struct derivations *steps);
 void computed_free(struct computed *c);
 
-/* One of its numbers; the computation runs when the first is asked for. False: it gives none of that name. */
-bool computed_number(struct computed *c, const char *name, arb_t value, enum how *how);
+/* A number is asked of it by its name, before it runs; ... */
+void computed_ask(struct computed *c, const char *name);
+
+/* ... and its value, certified: the computation runs for the first. Indeterminate where it has none of that name, or proves none. */
+void computed_number(struct computed *c, const char *name, arb_t value);
 
 #endif

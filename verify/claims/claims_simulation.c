@@ -166,70 +166,77 @@ static bool sign_changes(arb_t x, const struct request *r)
     return true;
 }
 
+/* In units of the variable or not; of variables up to the last that it can be of; and whether it takes a motion beside. */
 static const struct measure {
     const char *name;
     bool (*of)(arb_t x, const struct request *r);
-    bool in_units; /* of the variable */
+    bool in_units;
+    int last;
+    bool compares;
 } measures[] = {
-    {"sup_", supremum, true},   {"ever_", ever, true},       {"bound_", bound, true},        {"peak_", peak, true},
-    {"low_", extreme, true},    {"high_", extreme, true},       {"at_", extreme, true},        {"energy_of_", energy, false},
-    {"exit_", exit_of, false},  {"settled_", settled, false}, {"gap_", gap, true},           {"between_", gap_between, true},
-    {"part_", part, false},     {"parted_", parted, false},  {"changes_", sign_changes, false},
+    {"sup_", supremum, true, PRODUCT, false},        {"ever_", ever, true, PLACE_Z, false},
+    {"bound_", bound, true, PLACE_Z, false},         {"peak_", peak, true, ERROR_Z, false},
+    {"low_", extreme, true, ERROR_Z, false},         {"high_", extreme, true, ERROR_Z, false},
+    {"at_", extreme, true, ERROR_Z, false},          {"energy_of_", energy, false, PSI, false},
+    {"exit_", exit_of, false, PLACE_Z, false},       {"settled_", settled, false, PLACE_Z, false},
+    {"gap_", gap, true, ERROR_Z, true},              {"between_", gap_between, true, PRODUCT, true},
+    {"part_", part, false, PLACE_Z, true},           {"parted_", parted, false, PLACE_Z, true},
+    {"changes_", sign_changes, false, PLACE_Z, false},
 };
+enum { MEASURES = sizeof measures / sizeof *measures };
 
-/* The longest variable that a name begins with. */
-static int variable_of(const char *name)
+/* What a name asks for, the numbers in it as written; false: nothing that there is. */
+static bool read_name(struct request *r, const struct measure **m, const char *name)
 {
-    int found = 0;
-    size_t longest = 0;
-    for (int i = 0; i < VARIABLES; i++) {
-        const size_t length = strlen(variable_names[i]);
-        if (length > longest && strncmp(name, variable_names[i], length) == 0) {
-            longest = length;
-            found = i;
-        }
+    static const char *const forms[] = {"%s%s", "%s%s_%ld", "%s%s_%ld_%ld"};
+    for (int i = 0; i < MEASURES * VARIABLES; i++) {
+        char again[128];
+        *m = &measures[i / VARIABLES];
+        r->which = i % VARIABLES;
+        const size_t length = strlen((*m)->name) + strlen(variable_names[r->which]);
+        const int count = strlen(name) > length ? sscanf(name + length, "_%9ld_%9ld", &r->numbers[0], &r->numbers[1]) : 0;
+        snprintf(again, sizeof again, forms[FLINT_MAX(count, 0)], (*m)->name, variable_names[r->which], r->numbers[0], r->numbers[1]);
+        if (strcmp(name, again) == 0)
+            return r->which <= (*m)->last && (r->beside != NULL || !(*m)->compares);
     }
-    return found;
+    return false;
 }
 
 static void give_measure(struct computed *c, bool run, const struct trajectory *t, const struct trajectory *beside, const char *name)
 {
     struct request r = {.of = t, .beside = beside, .numbers = {-1, -1}, .to = t->count - 1};
-    const struct measure *m = measures;
+    const struct measure *m;
     SCOPE(arb, x, unit);
-    while (strncmp(name, m->name, strlen(m->name)) != 0)
-        m++;
-    const char *variable = name + strlen(m->name);
+    if (!run || !read_name(&r, &m, name))
+        return;
+    const bool part_of_start = m->of == exit_of || m->of == settled;
     r.high = strcmp(m->name, "high_") == 0;
-    r.which = variable_of(variable);
-    const int count = sscanf(variable + strlen(variable_names[r.which]), "_%ld_%ld", &r.numbers[0], &r.numbers[1]);
-    if (m->of == gap_between && count > 0)
+    if (m->of == gap_between && r.numbers[0] >= 0)
         r.to = (r.numbers[0] * HOUR - t->first) / t->step;
-    else if (count > 0 && m->of != exit_of && m->of != settled)
+    else if (r.numbers[0] >= 0 && !part_of_start)
         r.from = (r.numbers[0] * HOUR - t->first) / t->step;
     if (strcmp(m->name, "at_") == 0)
         r.to = r.from;
-    if (count > 1)
+    if (r.numbers[1] >= 0)
         r.to = (r.numbers[1] * HOUR - t->first) / t->step;
-    const bool proved = run && m->of(x, &r);
+    const bool proved = r.from >= 0 && r.from <= r.to && r.to < t->count && m->of(x, &r);
     trajectory_unit(unit, t, r.which);
     if (m->in_units)
         arb_mul(x, x, unit, t->prec);
-    give(c, CERTIFIED, proved, x, "%s", name);
+    give(c, proved, x, "%s", name);
 }
 
 void run_simulation(struct computed *c)
 {
-    const struct sampled *s = c->of->of;
+    const struct sampled *s = c->of.of;
     struct simulation one = s->simulation, other = s->beside != NULL ? *s->beside : one;
     struct trajectory t, beside;
-    char name[64];
     one.steps = other.steps = c->steps;
     bool run = trajectory_run(&t, &one, s->first, s->step, s->last);
     if (s->beside != NULL)
         run = trajectory_run(&beside, &other, s->first, s->step, s->last) && run;
-    for (const char *at = c->of->numbers; (at = next_name(at, name)) != NULL;)
-        give_measure(c, run, &t, &beside, name);
+    for (int i = 0; asked_name(c, i) != NULL; i++)
+        give_measure(c, run, &t, s->beside != NULL ? &beside : NULL, asked_name(c, i));
     if (s->beside != NULL)
         trajectory_clear(&beside);
     trajectory_clear(&t);
@@ -295,8 +302,8 @@ static void method_errors(struct computed *c)
                 arb_max(error + (i != THETA), error + (i != THETA), off, t.prec);
             }
         }
-        give(c, CERTIFIED, run, error, "pitch_%d", order);
-        give(c, CERTIFIED, run, error + 1, "rest_%d", order);
+        give(c, run, error, "pitch_%d", order);
+        give(c, run, error + 1, "rest_%d", order);
     }
     trajectory_clear(&t);
 }
@@ -312,68 +319,55 @@ enum { DIGITS = 12 }; /* of nonlinear samples: too few would leave digits of the
 static const struct simulation linear = {LINEAR}, linear_planar = {LINEAR, .theta = "0"}, linear_steps = {LINEAR, .rk4 = 100},
                                nonlinear_steps = {.nonlinear = true, .rk4 = 100};
 
-#define ANGLES(before, after) " " before "psi" after " " before "theta" after " " before "dL" after
-#define BOTH(before, after) " " before "psi" after " " before "dL" after
-#define PARTS_OF(name) " " name "_100 " name "_200 " name "_300 " name "_500 " name "_1000"
-#define BANDS(before) PARTS_OF(before "psi") PARTS_OF(before "dL")
-#define PLACES(after) " between_x1" after " between_y1" after " between_z1" after
-
 #define SAMPLED(...) &(const struct sampled){__VA_ARGS__}
 
 /* From rest on the radius: where it is, and what energy is left. */
 #define RELEASED(step, last, ...) \
     SAMPLED({.nonlinear = true, .digits = 8, .psi = "0", .theta = "0", __VA_ARGS__}, 0, step, last, NULL)
-#define LET_GO "at_dL_0 at_dL_72 energy_of_psi_72"
 
 const struct computation computations_simulation[] = {
-    {"linear_steps", run_simulation, ANGLES("gap_", ""), SAMPLED({LINEAR}, 0, 100, 3 * DAY, &linear_steps)},
-    {"nonlinear_steps", run_simulation, ANGLES("gap_", ""), SAMPLED({.nonlinear = true}, 0, 100, 3 * DAY, &nonlinear_steps)},
-    {"method_errors", method_errors, "pitch_1 pitch_2 pitch_3 pitch_4 rest_1 rest_2 rest_3 rest_4", NULL},
+    {"linear_steps", run_simulation, SAMPLED({LINEAR}, 0, 100, 3 * DAY, &linear_steps)},
+    {"nonlinear_steps", run_simulation, SAMPLED({.nonlinear = true}, 0, 100, 3 * DAY, &nonlinear_steps)},
+    {"method_errors", method_errors, NULL},
 
-    {"linear_10", run_simulation, BOTH("ever_", "_48") BANDS("settled_"), SAMPLED({LINEAR}, 0, 240, 4 * DAY, NULL)},
-    {"linear_12", run_simulation, BOTH("ever_", "_48") BANDS("settled_"), SAMPLED({LINEAR, .n = "12"}, 0, 240, 4 * DAY, NULL)},
-    {"length_10", run_simulation, "changes_dL changes_dL_dot low_dL", SAMPLED({LINEAR}, 0, 500, 3 * DAY, NULL)},
-    {"length_12", run_simulation, "changes_dL changes_dL_dot low_dL", SAMPLED({LINEAR, .n = "12"}, 0, 500, 3 * DAY, NULL)},
-    {"linear_two_days", run_simulation, "at_psi_48 at_psi_dot_48", SAMPLED({LINEAR}, 0, 2 * DAY, 2 * DAY, NULL)},
-    {"linear_places", run_simulation, "peak_error_x1 peak_error_y1 peak_error_z1", SAMPLED({LINEAR}, 0, 600, 3 * DAY, NULL)},
-    {"linear_late", run_simulation, "sup_dL sup_y1 peak_z1", SAMPLED({LINEAR}, 2 * DAY, 600, 3 * DAY, NULL)},
+    {"linear_10", run_simulation, SAMPLED({LINEAR}, 0, 240, 4 * DAY, NULL)},
+    {"linear_12", run_simulation, SAMPLED({LINEAR, .n = "12"}, 0, 240, 4 * DAY, NULL)},
+    {"length_10", run_simulation, SAMPLED({LINEAR}, 0, 500, 3 * DAY, NULL)},
+    {"length_12", run_simulation, SAMPLED({LINEAR, .n = "12"}, 0, 500, 3 * DAY, NULL)},
+    {"linear_two_days", run_simulation, SAMPLED({LINEAR}, 0, 2 * DAY, 2 * DAY, NULL)},
+    {"linear_places", run_simulation, SAMPLED({LINEAR}, 0, 600, 3 * DAY, NULL)},
+    {"linear_late", run_simulation, SAMPLED({LINEAR}, 2 * DAY, 600, 3 * DAY, NULL)},
 
-    {"pitched_beside", run_simulation, BOTH("parted_", "") PLACES("_3") PLACES("_12") PLACES("_72"),
-     SAMPLED({PITCHED}, 0, 200, 3 * DAY, &linear)},
-    {"planar_beside", run_simulation, BOTH("part_", "") PLACES("_3") PLACES("_12") PLACES("_72"),
-     SAMPLED({PLANAR}, 0, 200, 3 * DAY, &linear_planar)},
-    {"pitch", run_simulation, "gap_theta low_amplitude high_amplitude low_amplitude_48_72 high_amplitude_48_72",
-     SAMPLED({PITCHED}, 0, 300, 3 * DAY, &linear)},
+    {"pitched_beside", run_simulation, SAMPLED({PITCHED}, 0, 200, 3 * DAY, &linear)},
+    {"planar_beside", run_simulation, SAMPLED({PLANAR}, 0, 200, 3 * DAY, &linear_planar)},
+    {"pitch", run_simulation, SAMPLED({PITCHED}, 0, 300, 3 * DAY, &linear)},
 
-    {"pitched", run_simulation, "sup_product at_product_72 sup_product_48_72 sup_y1_48_72 low_x1_48_72 high_x1_48_72 peak_z1_48_72"
-     BOTH("sup_", "_48_72"), SAMPLED({PITCHED}, 0, 50, 3 * DAY, NULL)},
-    {"planar", run_simulation, "sup_product sup_product_48_72" BOTH("sup_", "_48_72"), SAMPLED({PLANAR}, 0, 50, 3 * DAY, NULL)},
-    {"pitched_at_12", run_simulation, "sup_product" BOTH("sup_", "_48_72"), SAMPLED({PITCHED, .n = "12"}, 0, 50, 3 * DAY, NULL)},
-    {"unequal", run_simulation, BOTH("sup_", "_48_72"), SAMPLED({PITCHED, .m1 = "10", .m2 = "1000"}, 2 * DAY, 50, 3 * DAY, NULL)},
+    {"pitched", run_simulation, SAMPLED({PITCHED}, 0, 50, 3 * DAY, NULL)},
+    {"planar", run_simulation, SAMPLED({PLANAR}, 0, 50, 3 * DAY, NULL)},
+    {"pitched_at_12", run_simulation, SAMPLED({PITCHED, .n = "12"}, 0, 50, 3 * DAY, NULL)},
+    {"unequal", run_simulation, SAMPLED({PITCHED, .m1 = "10", .m2 = "1000"}, 2 * DAY, 50, 3 * DAY, NULL)},
 
-    {"pitched_10", run_simulation, BANDS("exit_") BOTH("peak_", "_69_72") BOTH("peak_", "_117_120") BOTH("peak_", "_189_192"),
-     SAMPLED({PITCHED}, 0, 60, 8 * DAY, NULL)},
-    {"pitched_12", run_simulation, PARTS_OF("exit_dL") " peak_dL_189_192", SAMPLED({PITCHED, .n = "12"}, 0, 60, 8 * DAY, NULL)},
-    {"planar_10", run_simulation, BANDS("settled_"), SAMPLED({PLANAR}, 0, 240, 4 * DAY, NULL)},
-    {"linear_day3", run_simulation, BOTH("peak_", ""), SAMPLED({LINEAR}, 69 * HOUR, 60, 72 * HOUR, NULL)},
-    {"linear_day5", run_simulation, BOTH("peak_", ""), SAMPLED({LINEAR}, 117 * HOUR, 60, 120 * HOUR, NULL)},
-    {"linear_day8", run_simulation, BOTH("peak_", ""), SAMPLED({LINEAR}, 189 * HOUR, 60, 192 * HOUR, NULL)},
-    {"pitched_day8", run_simulation, "sup_product peak_product", SAMPLED({PITCHED}, 189 * HOUR, 10, 8 * DAY, NULL)},
-    {"planar_day8", run_simulation, "sup_product", SAMPLED({PLANAR}, 189 * HOUR, 50, 8 * DAY, NULL)},
+    {"pitched_10", run_simulation, SAMPLED({PITCHED}, 0, 60, 8 * DAY, NULL)},
+    {"pitched_12", run_simulation, SAMPLED({PITCHED, .n = "12"}, 0, 60, 8 * DAY, NULL)},
+    {"planar_10", run_simulation, SAMPLED({PLANAR}, 0, 240, 4 * DAY, NULL)},
+    {"linear_day3", run_simulation, SAMPLED({LINEAR}, 69 * HOUR, 60, 72 * HOUR, NULL)},
+    {"linear_day5", run_simulation, SAMPLED({LINEAR}, 117 * HOUR, 60, 120 * HOUR, NULL)},
+    {"linear_day8", run_simulation, SAMPLED({LINEAR}, 189 * HOUR, 60, 192 * HOUR, NULL)},
+    {"pitched_day8", run_simulation, SAMPLED({PITCHED}, 189 * HOUR, 10, 8 * DAY, NULL)},
+    {"planar_day8", run_simulation, SAMPLED({PLANAR}, 189 * HOUR, 50, 8 * DAY, NULL)},
 
-    {"planar_energy", run_simulation, "energy_of_psi_96 energy_of_psi_192",
-     SAMPLED({.nonlinear = true, .theta = "0"}, 4 * DAY, 4 * DAY, 8 * DAY, NULL)}, /* on day 8 the energy is down to 1e-22 */
-    {"linear_energy", run_simulation, "energy_of_psi_96 energy_of_psi_192", SAMPLED({LINEAR, .theta = "0"}, 4 * DAY, 4 * DAY, 8 * DAY, NULL)},
-    {"pitched_energy", run_simulation, "energy_of_psi_120 energy_of_psi_312", SAMPLED({.nonlinear = true}, 5 * DAY, 8 * DAY, 13 * DAY, NULL)},
-    {"start", run_simulation, "energy_of_psi" ANGLES("bound_", ""), SAMPLED({.nonlinear = true}, 0, 1, 0, NULL)},
+    {"planar_energy", run_simulation, SAMPLED({.nonlinear = true, .theta = "0"}, 4 * DAY, 4 * DAY, 8 * DAY, NULL)}, /* on day 8 the energy is down to 1e-22 */
+    {"linear_energy", run_simulation, SAMPLED({LINEAR, .theta = "0"}, 4 * DAY, 4 * DAY, 8 * DAY, NULL)},
+    {"pitched_energy", run_simulation, SAMPLED({.nonlinear = true}, 5 * DAY, 8 * DAY, 13 * DAY, NULL)},
+    {"start", run_simulation, SAMPLED({.nonlinear = true}, 0, 1, 0, NULL)},
 
-    {"longer", run_simulation, "at_dL_0 at_dL_12 at_dL_24", RELEASED(12 * HOUR, DAY, .dL = "0.1", .C1 = "0", .C2 = "0")},
-    {"shorter", run_simulation, "at_dL_0 at_dL_12 at_dL_24", RELEASED(12 * HOUR, DAY, .dL = "-0.1", .C1 = "0", .C2 = "0")},
-    {"returning_10", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-2.4")},
-    {"escaping_10", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-2.5")},
-    {"half_10", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-5")},
-    {"returning_12", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-8", .n = "12")},
-    {"escaping_12", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-8.5", .n = "12")},
-    {"half_12", run_simulation, LET_GO, RELEASED(3 * DAY, 3 * DAY, .dL = "-5", .n = "12")},
-    {NULL, NULL, NULL, NULL},
+    {"longer", run_simulation, RELEASED(12 * HOUR, DAY, .dL = "0.1", .C1 = "0", .C2 = "0")},
+    {"shorter", run_simulation, RELEASED(12 * HOUR, DAY, .dL = "-0.1", .C1 = "0", .C2 = "0")},
+    {"returning_10", run_simulation, RELEASED(3 * DAY, 3 * DAY, .dL = "-2.4")},
+    {"escaping_10", run_simulation, RELEASED(3 * DAY, 3 * DAY, .dL = "-2.5")},
+    {"half_10", run_simulation, RELEASED(3 * DAY, 3 * DAY, .dL = "-5")},
+    {"returning_12", run_simulation, RELEASED(3 * DAY, 3 * DAY, .dL = "-8", .n = "12")},
+    {"escaping_12", run_simulation, RELEASED(3 * DAY, 3 * DAY, .dL = "-8.5", .n = "12")},
+    {"half_12", run_simulation, RELEASED(3 * DAY, 3 * DAY, .dL = "-5", .n = "12")},
+    {NULL, NULL, NULL},
 };

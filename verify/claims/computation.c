@@ -5,46 +5,35 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claims/convergence.h"
 #include "text/message.h"
 
-struct handed {
+struct asked {
     char name[64];
     arb_t value;
-    enum how how;
 };
 
-const char *next_name(const char *names, char name[64])
-{
-    int length;
-    return sscanf(names, " %63s%n", name, &length) == 1 ? names + length : NULL;
-}
-
-struct computed *computed_new(const struct computation *of, const struct derivations *steps)
+struct computed *computed_new(struct computation of, const struct derivations *steps)
 {
     struct computed *c = xrealloc(NULL, 1, sizeof *c);
-    char name[64];
     *c = (struct computed){.of = of, .steps = steps};
-    for (const char *at = of->numbers; (at = next_name(at, name)) != NULL;) {
-        struct handed *n = APPENDED(c->numbers, c->count);
-        memcpy(n->name, name, sizeof name);
-        arb_init(n->value);
-        arb_indeterminate(n->value);
-    }
     return c;
 }
 
 struct computed *computed_find(struct computations *all, const char *name)
 {
-    static const struct computation *const lists[] = {computations_simulation, computations_studies, computations_sampling};
+    static const struct computation *const lists[] = {computations_simulation, computations_sampling};
+    const struct computation *found = NULL;
     for (int i = 0; i < all->count; i++)
-        if (strcmp(all->of[i]->of->name, name) == 0)
+        if (strcmp(all->of[i]->of.name, name) == 0)
             return all->of[i];
     for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
         for (const struct computation *c = lists[l]; c->name != NULL; c++)
-            if (strcmp(c->name, name) == 0) {
-                return *APPENDED(all->of, all->count) = computed_new(c, all->steps);
-            }
-    return NULL;
+            found = strcmp(c->name, name) == 0 ? c : found;
+    const struct study *s = study_find(name);
+    if (found == NULL && s == NULL)
+        return NULL;
+    return *APPENDED(all->of, all->count) = computed_new(found != NULL ? *found : (struct computation){name, run_study, s}, all->steps);
 }
 
 void computed_free(struct computed *c)
@@ -62,7 +51,12 @@ void computations_clear(struct computations *all)
     free(all->of);
 }
 
-static struct handed *announced(const struct computed *c, const char *name)
+const char *asked_name(const struct computed *c, int i)
+{
+    return i < c->count ? c->numbers[i].name : NULL;
+}
+
+static struct asked *asked(const struct computed *c, const char *name)
 {
     for (int i = 0; i < c->count; i++)
         if (strcmp(c->numbers[i].name, name) == 0)
@@ -70,35 +64,36 @@ static struct handed *announced(const struct computed *c, const char *name)
     return NULL;
 }
 
-bool computed_number(struct computed *c, const char *name, arb_t value, enum how *how)
+void computed_ask(struct computed *c, const char *name)
 {
-    const struct handed *n = announced(c, name);
-    if (n == NULL)
-        return false;
-    if (!c->done)
-        c->of->run(c);
-    c->done = true;
-    arb_set(value, n->value);
-    *how = n->how;
-    return true;
+    if (asked(c, name) != NULL)
+        return;
+    struct asked *n = APPENDED(c->numbers, c->count);
+    snprintf(n->name, sizeof n->name, "%s", name);
+    arb_init(n->value);
+    arb_indeterminate(n->value);
 }
 
-void give(struct computed *c, enum how how, bool proved, const arb_t x, const char *name, ...)
+void computed_number(struct computed *c, const char *name, arb_t value)
+{
+    if (!c->done)
+        c->of.run(c);
+    c->done = true;
+    const struct asked *n = asked(c, name);
+    if (n != NULL)
+        arb_set(value, n->value);
+    else
+        arb_indeterminate(value);
+}
+
+void give(struct computed *c, bool proved, const arb_t x, const char *name, ...)
 {
     char text[64];
     va_list arguments;
     va_start(arguments, name);
     vsnprintf(text, sizeof text, name, arguments);
     va_end(arguments);
-    struct handed *n = announced(c, text);
-    if (n == NULL)
-        return; /* no claim asks for it */
-    n->how = how;
-    if (proved)
+    struct asked *n = asked(c, text);
+    if (n != NULL && proved)
         arb_set(n->value, x);
-}
-
-enum truth proved_or_open(bool proved)
-{
-    return proved ? FOUND_TRUE : UNDECIDED;
 }

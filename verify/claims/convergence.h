@@ -15,6 +15,7 @@
 
 #include <stdbool.h>
 
+#include "claims/claim.h"
 #include "claims/trajectory.h"
 #include "proof/derivation.h"
 
@@ -35,7 +36,7 @@ struct study {
 };
 
 extern const struct study studies[]; /* ended by one without name */
-const struct study *study_find(const char *name); /* one of their names */
+const struct study *study_find(const char *name); /* NULL: there is none of that name */
 
 /* At [row * STUDIED + variable]; an order is log(difference before/difference)/log(ratio), from row 1 on. */
 struct convergence {
@@ -50,5 +51,8 @@ void convergence_clear(struct convergence *c);
 
 /* The most that an order differs from the expected one, in these rows; indeterminate if one of them is. */
 void convergence_worst(arb_t worst, const struct convergence *c, int from, int to);
+
+/* As a computation, of a struct study. */
+void run_study(struct computed *c);
 
 #endif

@@ -69,16 +69,15 @@ static char *rational_text(const fmpq_t x)
 static void number_decide(struct statements *all, struct statement *s, struct quoted_number *q)
 {
     enum { FIRST = 128, LAST = 2048 };
-    struct bindings b = {.all = all, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = FIRST};
+    struct bindings b = {.all = all, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = FIRST, .how = &q->how};
     SCOPE(fmpq, exact);
     SCOPE(arb, x);
     if (q->decimal == NULL && formula_rational(exact, q->formula, &b)) {
-        q->how = EXACT;
         arb_set_fmpq(x, exact, LAST);
         q->decimal = q->rounding == AS_RATIONAL ? rational_text(exact) : number_text(q, x, exact);
     }
     for (; q->decimal == NULL && b.bits <= LAST; b.bits *= 4) {
-        formula_enclose(x, &q->how, q->formula, &b);
+        formula_enclose(x, q->formula, &b);
         q->decimal = number_text(q, x, NULL);
     }
 }

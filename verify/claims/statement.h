@@ -159,19 +159,25 @@ struct bindings {
     const char *moving;                /* a name that moves */
     arb_srcptr moving_value;
     slong bits;
+    enum how *how;                     /* the weakest way in which a value was known */
 };
 
-/* The formula's value and how it is known; an indeterminate ball where a name has none. */
-void formula_enclose(arb_t z, enum how *how, const struct formula *f, const struct bindings *b);
+static inline void weaken(const struct bindings *b, enum how how)
+{
+    *b->how = FLINT_MAX(*b->how, how);
+}
+
+/* The formula's value; an indeterminate ball where a name has none. */
+void formula_enclose(arb_t z, const struct formula *f, const struct bindings *b);
 
 /* Its value as an exact number, where all its names have one and it is rational. */
 bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *b);
 
-/* Sets the inputs that a node needs: in balls; or, without `how`, exactly, false where one has no rational value. */
-bool machine_bind(struct machine *m, int node, enum how *how, const struct bindings *b);
+/* Sets the inputs that a node needs: in balls; or else exactly, false where one has no rational value. */
+bool machine_bind(struct machine *m, int node, bool balls, const struct bindings *b);
 
 /* The root that an assertion names, where it is the only one there; how many there are, -1: that stays open. */
-slong root_enclose(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits);
+slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slong bits);
 
 void assertion_find(struct statements *all, struct statement *s, struct assertion *a);
 

@@ -9,9 +9,9 @@
 
 enum { PROVING_BITS = 128, MOST_PROVING_BITS = 1024, DEEPEST_BISECTION = 16 };
 
-static struct bindings bindings_of(struct statements *all, struct statement *s, const struct assertion *a)
+static struct bindings bindings_of(struct statements *all, struct statement *s, struct assertion *a)
 {
-    return (struct bindings){.all = all, .statement = s, .at = &a->at, .at_count = a->at.count, .bits = PROVING_BITS};
+    return (struct bindings){.all = all, .statement = s, .at = &a->at, .at_count = a->at.count, .bits = PROVING_BITS, .how = &a->how};
 }
 
 /* ---- a formula of one unknown ---- */
@@ -23,7 +23,7 @@ struct graph {
     struct curve curve;
 };
 
-static bool graph_init(struct graph *g, const struct formula *f, const char *variable, const struct bindings *b, enum how *how)
+static bool graph_init(struct graph *g, const struct formula *f, const char *variable, const struct bindings *b)
 {
     struct bindings moving = *b;
     SCOPE(arb, x);
@@ -35,17 +35,15 @@ static bool graph_init(struct graph *g, const struct formula *f, const char *var
     moving.moving = variable;
     moving.moving_value = x;
     machine_init(&g->machine, &g->program, &arithmetic_ball, b->bits);
-    machine_bind(&g->machine, f->node, how, &moving); /* the slope needs nothing more */
+    machine_bind(&g->machine, f->node, true, &moving); /* the slope needs nothing more */
     return g->curve.x >= 0;
 }
 
-/* The bounds between which an unknown moves, and the weaker way of how they are known; false: none, or reversed. */
-static bool bounds_enclose(arb_t low, arb_t high, enum how *how, const struct assertion *a, const struct bindings *b)
+/* The bounds between which an unknown moves; false: none, or reversed. */
+static bool bounds_enclose(arb_t low, arb_t high, const struct assertion *a, const struct bindings *b)
 {
-    enum how known;
-    formula_enclose(low, how, a->low, b);
-    formula_enclose(high, &known, a->high, b);
-    *how = FLINT_MAX(*how, known);
+    formula_enclose(low, a->low, b);
+    formula_enclose(high, a->high, b);
     return arb_is_finite(low) && arb_is_finite(high) && !arb_gt(low, high);
 }
 
@@ -112,23 +110,22 @@ static bool is_polynomial(const struct formula *f, const char *variable)
     return polynomial;
 }
 
-slong root_enclose(arb_t z, enum how *how, struct statements *all, struct statement *s, struct assertion *a, slong bits)
+slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slong bits)
 {
-    struct bindings b = bindings_of(all, s, a);
+    struct bindings b = bindings_of(of->all, of->statement, a);
     struct graph g;
-    enum how bound;
     SCOPE(arb, low, high, one);
-    const bool bounded = bounds_enclose(low, high, &bound, a, &b);
+    b.how = of->how;
+    const bool bounded = bounds_enclose(low, high, a, &b);
     b.bits = 2 * bits;
-    const slong count = graph_init(&g, a->formula, a->variable, &b, how) && bounded ? isolate(one, &g.curve, low, high) : -1;
-    *how = FLINT_MAX(*how, bound);
+    const slong count = graph_init(&g, a->formula, a->variable, &b) && bounded ? isolate(one, &g.curve, low, high) : -1;
     arb_indeterminate(z);
     if (count == 1) {
         narrow_root(one, curve_series, &g.curve, 2 * bits);
         arb_set(z, one);
     }
     if (!is_polynomial(a->formula, a->variable))
-        *how = FLINT_MAX(*how, CERTIFIED);
+        weaken(&b, CERTIFIED);
     graph_clear(&g);
     return count;
 }
@@ -146,7 +143,7 @@ static enum truth by_sign(enum ordering o, int sign)
     return holds ? FOUND_TRUE : FOUND_FALSE;
 }
 
-static enum truth sign_at(const struct assertion *a, const struct bindings *at, enum how *how)
+static enum truth sign_at(const struct assertion *a, const struct bindings *at)
 {
     struct bindings b = *at;
     enum truth truth = UNDECIDED;
@@ -155,33 +152,29 @@ static enum truth sign_at(const struct assertion *a, const struct bindings *at, 
     if (formula_rational(q, a->formula, &b))
         truth = by_sign(a->ordering, fmpq_sgn(q));
     for (b.bits = PROVING_BITS; truth == UNDECIDED && b.bits <= MOST_PROVING_BITS; b.bits *= 2) {
-        enum how known;
-        formula_enclose(z, &known, a->formula, &b);
+        formula_enclose(z, a->formula, &b);
         if (sign_of_ball(z) != 0)
             truth = by_sign(a->ordering, sign_of_ball(z));
-        known = FLINT_MAX(known, CERTIFIED);
-        *how = FLINT_MAX(*how, known);
+        weaken(&b, CERTIFIED);
     }
     return truth;
 }
 
 /* Above or below zero between two bounds. */
-static enum truth sign_on(const struct assertion *a, const struct bindings *b, enum how *how)
+static enum truth sign_on(const struct assertion *a, const struct bindings *b)
 {
     const int sign = a->ordering == IS_ABOVE || a->ordering == IS_AT_LEAST ? 1 : -1;
     enum truth truth = UNDECIDED;
-    enum how known, curved;
     struct graph g;
     SCOPE(arb, low, high);
-    const bool bounded = bounds_enclose(low, high, &known, a, b);
-    if (graph_init(&g, a->formula, a->variable, b, &curved) && bounded && a->ordering >= IS_BELOW) {
+    const bool bounded = bounds_enclose(low, high, a, b);
+    if (graph_init(&g, a->formula, a->variable, b) && bounded && a->ordering >= IS_BELOW) {
         if (sign_of_ball(curve_at(&g.curve, low)) == -sign || sign_of_ball(curve_at(&g.curve, high)) == -sign)
             truth = FOUND_FALSE;
         else if (sign_between(&g.curve, low, high, sign, DEEPEST_BISECTION))
             truth = FOUND_TRUE;
     }
-    known = FLINT_MAX(known, curved);
-    *how = FLINT_MAX(FLINT_MAX(*how, CERTIFIED), known);
+    weaken(b, CERTIFIED);
     graph_clear(&g);
     return truth;
 }
@@ -196,7 +189,7 @@ static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const ch
     b.moving = variable;
     symbolic_begin(1, 0, false);
     machine_init(&m, &formula->program, &arithmetic_symbolic, 1);
-    bool known = is_polynomial(formula, variable) && machine_bind(&m, formula->node, NULL, &b);
+    bool known = is_polynomial(formula, variable) && machine_bind(&m, formula->node, false, &b);
     if (known) {
         symbolic_set_variable(machine_value(&m, program_find(&formula->program, variable)), 0, 0, NULL);
         machine_run(&m);
@@ -234,7 +227,7 @@ static enum truth roots_counted(const struct assertion *a, const struct bindings
     SCOPE(fmpq, low, high, value);
     slong count = -1;
     if (polynomial_of(f, a->formula, a->variable, b) && !fmpq_poly_is_zero(f) && (a->low == NULL || formula_rational(low, a->low, b)) &&
-        (a->high == NULL || formula_rational(high, a->high, b))) {
+        (a->high == NULL || (formula_rational(high, a->high, b) && fmpq_cmp(low, high) <= 0))) {
         count = roots_beyond(f, a->low != NULL, low);
         if (a->high != NULL) {
             fmpq_poly_evaluate_fmpq(value, f, high);
@@ -293,6 +286,12 @@ static enum truth rank_found(const struct assertion *a, const struct bindings *b
 
 /* ---- assertions ---- */
 
+/* Proved true or not proved: what cannot be refuted this way stays undecided. */
+static enum truth proved_or_open(bool proved)
+{
+    return proved ? FOUND_TRUE : UNDECIDED;
+}
+
 /* The prover's word on an equality for all values. */
 static enum truth identity_found(const struct identities *t)
 {
@@ -312,36 +311,36 @@ static enum truth claim_found(struct statements *all, const char *id, enum how *
     return proved_or_open(ruling.as_written);
 }
 
-static enum truth cited_found(struct statements *all, const struct assertion *a, enum how *how)
+static enum truth cited_found(struct statements *all, struct assertion *a)
 {
     enum truth truth = FOUND_TRUE;
     for (int i = 0; i < MOST_CITED && a->cited[i] != NULL; i++)
-        truth = truth_both(truth, a->kind != ASSERT_STEP ? claim_found(all, a->cited[i], how)
+        truth = truth_both(truth, a->kind != ASSERT_STEP ? claim_found(all, a->cited[i], &a->how)
                                          : proved_or_open(step_holds(step_named(&all->proofs->derivations, a->cited[i]))));
     return truth;
 }
 
-static enum truth root_found(struct statements *all, struct statement *s, struct assertion *a, enum how *how)
+static enum truth root_found(struct assertion *a, const struct bindings *b)
 {
     SCOPE(arb, z);
-    const slong count = root_enclose(z, how, all, s, a, PROVING_BITS);
+    const slong count = root_enclose(z, a, b, PROVING_BITS);
     return count < 0 ? UNDECIDED : count == 1 ? FOUND_TRUE : FOUND_FALSE;
 }
 
 /* At the values given, of several at those of this turn. */
-static enum truth found_at(struct assertion *a, const struct bindings *b, enum how *how)
+static enum truth found_at(struct assertion *a, const struct bindings *b)
 {
     if (a->kind == ASSERT_SHOW)
-        return a->variable != NULL ? sign_on(a, b, how) : sign_at(a, b, how);
-    return a->kind == ASSERT_ROOTS ? roots_counted(a, b) : rank_found(a, b);
+        return a->variable != NULL ? sign_on(a, b) : sign_at(a, b);
+    return a->kind == ASSERT_ROOT ? root_found(a, b) : a->kind == ASSERT_ROOTS ? roots_counted(a, b) : rank_found(a, b);
 }
 
-static enum truth found_at_each(struct statements *all, struct statement *s, struct assertion *a, enum how *how)
+static enum truth found_at_each(struct statements *all, struct statement *s, struct assertion *a)
 {
     struct bindings b = bindings_of(all, s, a);
     enum truth truth = FOUND_TRUE;
     for (; b.turn < a->at.turns; b.turn++)
-        truth = truth_both(truth, found_at(a, &b, how));
+        truth = truth_both(truth, found_at(a, &b));
     return truth;
 }
 
@@ -350,13 +349,10 @@ void assertion_find(struct statements *all, struct statement *s, struct assertio
     if (a->done)
         return;
     a->done = true;
-    a->how = EXACT;
     if (a->kind == ASSERT_SHOW && a->everywhere)
         a->truth = identity_found(&a->identity);
-    else if (a->kind == ASSERT_ROOT)
-        a->truth = root_found(all, s, a, &a->how);
     else if (a->kind == ASSERT_STEP || a->kind == ASSERT_CLAIM)
-        a->truth = cited_found(all, a, &a->how);
+        a->truth = cited_found(all, a);
     else if (a->kind != ASSERT_COMPUTE)
-        a->truth = found_at_each(all, s, a, &a->how);
+        a->truth = found_at_each(all, s, a);
 }

@@ -12,6 +12,8 @@ enum { MOST_NAMES = 128 };
 struct claim_reading {
     struct statements *all;
     struct statement *statement;
+    const char *names[MOST_NAMES]; /* that its formulas may have beside the sheet's and the declared ones */
+    int name_count;
     const struct yaml *entry; /* a mapping of `prove`; NULL: none */
     struct values *at;        /* read so far */
     ulong uses;               /* the assertions that formulas took numbers of */
@@ -45,57 +47,60 @@ static bool entry_error(const struct claim_reading *r, const struct yaml *node, 
 
 /* ---- names ---- */
 
-/* The names that formulas may have beside the sheet's and the declared ones. */
-struct names {
-    const char *list[MOST_NAMES];
-    int count;
-};
-
-static void add_name(struct names *n, const char *name)
+static void add_name(struct claim_reading *r, const char *name)
 {
-    for (int i = 0; i < n->count && name != NULL; i++)
-        if (strcmp(n->list[i], name) == 0)
+    for (int i = 0; i < r->name_count; i++)
+        if (strcmp(r->names[i], name) == 0)
             return;
-    if (name != NULL && n->count < MOST_NAMES)
-        n->list[n->count++] = name;
+    if (r->name_count < MOST_NAMES)
+        r->names[r->name_count++] = name;
 }
 
-static void add_keys(struct names *n, const struct yaml *mapping)
+static void add_keys(struct claim_reading *r, const struct yaml *mapping)
 {
     for (int i = 0; mapping != NULL && mapping->mapping && i < mapping->count; i++)
-        add_name(n, mapping->items[i].key);
+        add_name(r, mapping->items[i].key);
 }
 
-/* What an entry of `prove` names: its root, the numbers of its computation; its values, what moves. */
-static void add_entry(const struct claim_reading *r, struct names *n, const struct yaml *entry)
+/* What the texts of the statement ask of a computation, as ENTRY.number. */
+static void add_numbers(struct claim_reading *r, struct computed *c, const char *entry, const struct yaml *node)
 {
-    const struct yaml *compute = under(entry, "compute");
-    const struct computed *c = compute != NULL && compute->text != NULL ? computed_find(&r->all->computed, compute->text) : NULL;
-    char name[2 * LONGEST_NAME + 2], word[64];
-    add_keys(n, under(entry, "at"));
-    add_keys(n, under(entry, "on"));
-    add_name(n, under(entry, "root") != NULL ? entry->key : NULL);
-    for (const char *at = c != NULL ? c->of->numbers : ""; (at = next_name(at, word)) != NULL;) {
-        snprintf(name, sizeof name, "%.63s.%s", entry->key, word);
-        add_name(n, keep_text(r->all, name, strlen(name)));
+    static const char of_names[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+    const size_t length = strlen(entry);
+    for (int i = 0; i < node->count; i++)
+        add_numbers(r, c, entry, &node->items[i]);
+    for (const char *at = node->text; at != NULL && (at = strstr(at, entry)) != NULL; at += length) {
+        const size_t all = at[length] == '.' ? length + 1 + strspn(at + length + 1, of_names) : 0;
+        if (all > length + 1 && (at == node->text || strchr(of_names, at[-1]) == NULL)) {
+            const char *name = keep_text(r->all, at, all);
+            computed_ask(c, name + length + 1);
+            add_name(r, name);
+        }
     }
 }
 
-static void collect_names(const struct claim_reading *r, struct names *n)
+/* The numbers of `given` and of each entry: its root or its computation's; its values, what moves. */
+static void collect_names(struct claim_reading *r, const struct yaml *statement)
 {
-    const struct yaml *prove = r->statement->prove;
-    *n = (struct names){{"pi"}, 1};
-    add_keys(n, under(r->statement->given, "at"));
-    for (int i = 0; prove != NULL && i < prove->count; i++)
-        if (prove->items[i].mapping)
-            add_entry(r, n, &prove->items[i]);
+    const struct yaml *prove = under(statement, "prove");
+    add_name(r, "pi");
+    add_keys(r, under(under(statement, "given"), "at"));
+    for (int i = 0; prove != NULL && i < prove->count; i++) {
+        const struct yaml *entry = &prove->items[i], *compute = under(entry, "compute");
+        struct computed *c = compute != NULL && compute->text != NULL ? computed_find(&r->all->computed, compute->text) : NULL;
+        add_keys(r, under(entry, "at"));
+        add_keys(r, under(entry, "on"));
+        if (under(entry, "root") != NULL)
+            add_name(r, entry->key);
+        if (c != NULL)
+            add_numbers(r, c, entry->key, statement);
+    }
 }
 
 /* ---- formulas ---- */
 
 /* Formulas that are read into one program, and the names that they may have. */
 struct parsing {
-    struct names names;
     struct scope scope;
     struct identities identities;
     bool fine; /* as yet */
@@ -104,11 +109,10 @@ struct parsing {
 static void parsing_open(struct parsing *f, const struct claim_reading *r)
 {
     static const struct yaml nothing = {.mapping = true};
-    collect_names(r, &f->names);
     f->identities = (struct identities){.order = -1};
     f->scope = (struct scope){.sheet = r->all->sheet, .definitions = &r->all->proofs->derivations.definitions,
                               .given = r->entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
-                              .names = f->names.list, .name_count = f->names.count};
+                              .names = r->names, .name_count = r->name_count};
     f->fine = identities_open(&f->identities, &f->scope);
 }
 
@@ -234,18 +238,6 @@ static bool read_values(struct claim_reading *r, struct values *at)
 
 /* ---- assertions ---- */
 
-/* Bounds that are exact numbers stand in order, at each turn; of others the prover asks the same. */
-static bool in_order(struct claim_reading *r, const struct assertion *a, const struct yaml *node)
-{
-    struct bindings b = {.all = r->all, .statement = r->statement, .at = &a->at, .at_count = a->at.count};
-    bool ordered = true;
-    SCOPE(fmpq, low, high);
-    for (; b.turn < a->at.turns; b.turn++)
-        if (formula_rational(low, a->low, &b) && formula_rational(high, a->high, &b))
-            ordered = ordered && fmpq_cmp(low, high) <= 0;
-    return ordered || entry_error(r, node, "expected the lower bound first, not above the other");
-}
-
 /* on: {name: [low, high]}; with fewer bounds, beyond low, or everywhere. */
 static bool read_interval(struct claim_reading *r, struct assertion *a, int bounds)
 {
@@ -253,10 +245,8 @@ static bool read_interval(struct claim_reading *r, struct assertion *a, int boun
     if (range == NULL || range->key[0] == '\0' || range->text != NULL || range->mapping || range->count < bounds || range->count > 2)
         return entry_error(r, on, "expected on: {name: [low, high]}");
     a->variable = range->key;
-    if (!is_no_let(r, range, AT_KEY, range->key) || (range->count > 0 && (a->low = read_formula(r, &range->items[0])) == NULL) ||
-        (range->count > 1 && (a->high = read_formula(r, &range->items[1])) == NULL))
-        return false;
-    return range->count < 2 || in_order(r, a, range);
+    return is_no_let(r, range, AT_KEY, range->key) && (range->count < 1 || (a->low = read_formula(r, &range->items[0])) != NULL) &&
+           (range->count < 2 || (a->high = read_formula(r, &range->items[1])) != NULL);
 }
 
 static const char *find_ordering(const char *text, enum ordering *ordering, size_t *length)
@@ -544,38 +534,20 @@ static bool read_verdict(struct claim_reading *r, const char *verdict, const str
     return read_wanted(c, s, condition);
 }
 
-/* Every assertion serves: a condition names it, a number of the evidence or another assertion is made of it. */
-static bool all_serve(struct claim_reading *r)
-{
-    const struct statement *s = r->statement;
-    ulong used = 0;
-    for (int i = 0; i < s->number_count; i++)
-        used |= s->numbers[i].formula->uses;
-    for (int i = 0; i < s->assertion_count; i++) {
-        used |= s->assertions[i].uses;
-        for (int v = 0; v < s->verdict_count; v++)
-            used |= (ulong)(s->conditions[v].wanted[i] != 0) << i;
-    }
-    for (int i = 0; i < s->assertion_count; i++)
-        if ((used >> i & 1) == 0)
-            return node_error(s->assertions[i].node, 0, "'%s' serves no verdict and no number", s->assertions[i].name);
-    return true;
-}
-
 /* Where nothing is said it holds, a misprint as corrected. */
 static bool read_verdicts(struct claim_reading *r, const struct yaml *node, const struct yaml *statement)
 {
     const bool misprint = strcmp(r->statement->kind, "misprint") == 0;
     if (node == NULL)
-        return read_verdict(r, verdict_names[misprint ? HOLDS_AS_CORRECTED : HOLDS], statement, 0, NULL) && all_serve(r);
+        return read_verdict(r, verdict_names[misprint ? HOLDS_AS_CORRECTED : HOLDS], statement, 0, NULL);
     if (node->text != NULL)
-        return read_verdict(r, node->text, node, 0, NULL) && all_serve(r);
+        return read_verdict(r, node->text, node, 0, NULL);
     if (!is_map(node) || node->count == 0)
         return entry_error(r, node, "expected verdict: {holds: condition, ...}");
     for (int i = 0; i < node->count; i++)
         if (!read_verdict(r, node->items[i].key, &node->items[i], AT_KEY, &node->items[i]))
             return false;
-    return all_serve(r);
+    return true;
 }
 
 /* ---- evidence ---- */
@@ -691,6 +663,7 @@ static bool read_statement(struct statements *all, const struct yaml *n)
     struct claim_reading r = {.all = all, .statement = s, .entry = n};
     *s = w.s;
     s->kind = claim_kinds[w.kind];
+    collect_names(&r, n);
     for (int k = 0; k < 3; k++)
         if (own(&r, marked[k]) != NULL && !read_marks(&r, own(&r, marked[k]), false))
             return false;

@@ -29,18 +29,21 @@ static bool is_moving(const struct bindings *b, const char *name)
 }
 
 /* A root or a computation's number, NAME or NAME.number. */
-static bool assertion_number(arb_t z, enum how *how, const struct bindings *b, const char *name)
+static bool assertion_number(arb_t z, const struct bindings *b, const char *name)
 {
     for (int i = 0; i < b->statement->assertion_count; i++) {
         struct assertion *a = &b->statement->assertions[i];
         const size_t length = strlen(a->name);
         if (strncmp(name, a->name, length) != 0)
             continue;
-        if (a->kind == ASSERT_ROOT && name[length] == '\0') {
-            root_enclose(z, how, b->all, b->statement, a, b->bits);
-            return true;
+        const bool root = a->kind == ASSERT_ROOT && name[length] == '\0', number = a->kind == ASSERT_COMPUTE && name[length] == '.';
+        if (root)
+            root_enclose(z, a, b, b->bits);
+        if (number) {
+            computed_number(a->computed, name + length + 1, z);
+            weaken(b, CERTIFIED);
         }
-        if (a->kind == ASSERT_COMPUTE && name[length] == '.' && computed_number(a->computed, name + length + 1, z, how))
+        if (root || number)
             return true;
     }
     return false;
@@ -52,28 +55,25 @@ static bool sheet_rational(fmpq_t q, const struct sheet *s, const char *name)
     return quantity != NULL && quantity->value != NULL && literal_read(q, quantity->value, true) == LITERAL_FINITE;
 }
 
-static void name_enclose(arb_t z, enum how *how, const struct bindings *b, const char *name)
+static void name_enclose(arb_t z, const struct bindings *b, const char *name)
 {
     struct bindings within;
     const struct value *value = value_of_name(&within, b, name);
     SCOPE(fmpq, q);
     SCOPE(arb, radius);
     arb_indeterminate(z);
-    *how = EXACT;
     if (is_moving(b, name))
         arb_set(z, b->moving_value);
     else if (value != NULL) {
-        formula_enclose(z, how, value_now(value, b), &within);
+        formula_enclose(z, value_now(value, b), &within);
         if (value->radius != NULL) {
-            enum how known;
-            formula_enclose(radius, &known, value->radius, &within);
+            formula_enclose(radius, value->radius, &within);
             arb_add_error(z, radius);
-            known = FLINT_MAX(known, CERTIFIED);
-            *how = FLINT_MAX(*how, known);
+            weaken(b, CERTIFIED);
         }
     } else if (strcmp(name, "pi") == 0)
         arb_const_pi(z, b->bits);
-    else if (!assertion_number(z, how, b, name) && sheet_rational(q, b->all->sheet, name))
+    else if (!assertion_number(z, b, name) && sheet_rational(q, b->all->sheet, name))
         arb_set_fmpq(z, q, b->bits);
 }
 
@@ -92,23 +92,19 @@ static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
     return sheet_rational(q, b->all->sheet, name);
 }
 
-bool machine_bind(struct machine *m, int node, enum how *how, const struct bindings *b)
+bool machine_bind(struct machine *m, int node, bool balls, const struct bindings *b)
 {
     char *needed = xrealloc(NULL, (size_t)node + 1, 1);
     bool known = true;
     SCOPE(fmpq, q);
     program_needs(m->program, node, NULL, needed);
-    if (how != NULL)
-        *how = EXACT;
     for (int i = 0; i < m->program->inputs && i <= node && known; i++) {
         const char *name = m->program->names[i].text;
-        enum how here;
-        if (!needed[i] || (how == NULL && is_moving(b, name)))
+        if (!needed[i] || (!balls && is_moving(b, name)))
             continue;
-        if (how != NULL) {
-            name_enclose(machine_value(m, i), &here, b, name);
-            *how = FLINT_MAX(*how, here);
-        } else {
+        if (balls)
+            name_enclose(machine_value(m, i), b, name);
+        else {
             known = name_rational(q, b, name);
             m->arithmetic->set_rational(machine_value(m, i), q, m->prec);
         }
@@ -117,11 +113,11 @@ bool machine_bind(struct machine *m, int node, enum how *how, const struct bindi
     return known;
 }
 
-void formula_enclose(arb_t z, enum how *how, const struct formula *f, const struct bindings *b)
+void formula_enclose(arb_t z, const struct formula *f, const struct bindings *b)
 {
     struct machine m;
     machine_init(&m, &f->program, &arithmetic_ball, b->bits);
-    machine_bind(&m, f->node, how, b);
+    machine_bind(&m, f->node, true, b);
     machine_run(&m);
     arb_set(z, machine_value(&m, f->node));
     machine_clear(&m);
@@ -131,7 +127,7 @@ bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *
 {
     struct machine m;
     machine_init(&m, &f->program, &arithmetic_exact, 0);
-    bool rational = machine_bind(&m, f->node, NULL, b);
+    bool rational = machine_bind(&m, f->node, false, b);
     if (rational) {
         machine_run(&m);
         rational = exact_is_rational(q, machine_value(&m, f->node));
