@@ -87,7 +87,7 @@ TEST(B1_a_supremum_has_the_peak_between_samples)
 /* ---- B2, B3: the linear model ---- */
 
 /* The rates of psi, psi', eta, eta' by (40), as rows over them */
-static void linear_rates(arb_mat_t a, const struct trajectory *t)
+static void matrix_of_40(arb_mat_t a, const struct trajectory *t)
 {
     arb_mat_zero(a);
     arb_one(arb_mat_entry(a, 0, 1));
@@ -118,7 +118,7 @@ EACH(B2_B3_no_state_of_that_energy_exceeds_a_derivative, 2 * DERIVATIVES)
     arb_mat_init(power, 4, 4);
     bounds_init(&b);
     trajectory_of(&t, false, 1, 100, 12, 3);
-    linear_rates(a, &t);
+    matrix_of_40(a, &t);
     arb_mat_pow_ui(power, a, (ulong)d, PREC);
     for (int i = 0; i < 4; i++) {
         arb_ptr state = trajectory_sample(&t, 0) + place[i];

@@ -244,22 +244,6 @@ void run_simulation(struct computed *c)
 
 /* ---- the methods of order 1 to 4, in the linear model ---- */
 
-/* Of (40), in radians of orbit and units of L_ref. */
-static void rates_by_40(arb_ptr rate, arb_srcptr s, const struct trajectory *t)
-{
-    VECTOR(arb, in, 9); /* Omega L_ref C1 C2 psi theta dL dL_dot psi_dot */
-    arb_one(in);
-    arb_one(in + 1);
-    arb_set(in + 2, t->c1);
-    arb_set(in + 3, t->c2);
-    _arb_vec_set(in + 4, s, 3);
-    arb_set(in + 7, s + ETA_DOT);
-    arb_set(in + 8, s + PSI_DOT);
-    _arb_vec_set(rate, s + PSI_DOT, 3);
-    section_enclose(section_find(t->steps->sheet, "eq40"), in, t->prec, rate + 3);
-    arb_swap(rate + PSI_DOT, rate + THETA_DOT); /* (40) has pitch first */
-}
-
 /*
  * A step of a method of order p <= 4 with p stages multiplies the state of a linear system by the terms of exp(h A) up
  * to h^p, here by Horner's rule: Euler's with p = 1, the midpoint rule and Heun's with p = 2.
@@ -271,7 +255,7 @@ static void method_step(arb_ptr state, const arb_t h, int order, const struct tr
     SCOPE(arb, part_of_h);
     _arb_vec_set(sum, state, FLOW_STATE);
     for (int k = order; k > 0; k--) {
-        rates_by_40(rate, sum, t);
+        linear_rates(rate, sum, t->c1, t->c2, t->prec);
         arb_div_ui(part_of_h, h, (ulong)k, t->prec);
         _arb_vec_set(sum, state, FLOW_STATE);
         _arb_vec_scalar_addmul(sum, rate, FLOW_STATE, part_of_h, t->prec);

@@ -122,13 +122,7 @@ static void observe_pair(arb_ptr sample, const struct two_body *b)
     VECTOR(arb, d, AXES);
     _arb_vec_scalar_div(sample + PLACE_X, b->place, AXES, b->mass + 1, PREC);
     _arb_vec_sub(d, b->place, b->place + AXES, AXES, PREC);
-    arb_dot(sample + ETA, NULL, 0, d, 1, d, 1, AXES, PREC);
-    arb_sqrt(sample + ETA, sample + ETA, PREC);
-    arb_atan2(sample + PSI, d + 1, d, PREC);
-    arb_div(sample + THETA, d + 2, sample + ETA, PREC);
-    arb_asin(sample + THETA, sample + THETA, PREC);
-    arb_neg(sample + THETA, sample + THETA);
-    arb_sub_ui(sample + ETA, sample + ETA, 1, PREC);
+    angle_series(sample + PSI, sample + THETA, sample + ETA, d, d + 1, d + 2, 1, PREC);
 }
 
 /* The parameter is L_ref/R_c. */

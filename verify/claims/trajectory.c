@@ -58,29 +58,41 @@ static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simu
 
 /* ---- samples ---- */
 
-/* From place and velocity in units of the arm and of Omega. */
-static void to_angles(arb_ptr sample, arb_srcptr s, slong prec)
+void angle_series(arb_ptr psi, arb_ptr theta, arb_ptr eta, arb_srcptr x, arb_srcptr y, arb_srcptr z, slong n, slong prec)
 {
-    VECTOR(arb, a, 4);
-    arb_ptr across = a, l = a + 1, l_dot = a + 2, x = a + 3; /* across: distance from the orbit normal */
-    arb_dot(across, NULL, 0, s, 1, s, 1, 2, prec);
-    arb_mul(x, s + X, s + V, prec);
-    arb_submul(x, s + Y, s + U, prec);
-    arb_div(sample + PSI_DOT, x, across, prec);
-    arb_dot(l, across, 0, s + Z, 1, s + Z, 1, 1, prec);
-    arb_sqrt(across, across, prec);
-    arb_sqrt(l, l, prec);
-    arb_dot(l_dot, NULL, 0, s, 1, s + U, 1, 3, prec);
-    arb_div(l_dot, l_dot, l, prec);
-    arb_atan2(sample + PSI, s + Y, s + X, prec);
-    arb_div(x, s + Z, l, prec);
-    arb_asin(sample + THETA, x, prec);
-    arb_neg(sample + THETA, sample + THETA);
-    arb_mul(x, x, l_dot, prec);
-    arb_sub(x, x, s + W, prec);
-    arb_div(sample + THETA_DOT, x, across, prec);
-    arb_sub_ui(sample + ETA, l, 1, prec);
-    arb_set(sample + ETA_DOT, l_dot);
+    arb_srcptr const place[] = {x, y, z};
+    VECTOR(arb, l, n);
+    VECTOR(arb, part, n);
+    VECTOR(arb, sum, n);
+    for (int i = 0; i < 3; i++) {
+        _arb_poly_mullow(part, place[i], n, place[i], n, n, prec);
+        _arb_vec_add(sum, sum, part, n, prec);
+    }
+    _arb_poly_sqrt_series(l, sum, n, n, prec);
+    _arb_poly_div_series(part, y, n, x, n, n, prec);
+    _arb_poly_atan_series(psi, part, n, n, prec);
+    arb_atan2(psi, y, x, prec); /* on either side */
+    _arb_poly_div_series(part, z, n, l, n, n, prec);
+    _arb_poly_asin_series(theta, part, n, n, prec);
+    _arb_vec_neg(theta, theta, n);
+    _arb_vec_set(eta, l, n);
+    arb_sub_ui(eta, eta, 1, prec);
+}
+
+/* From place and velocity in units of the arm and of Omega. */
+static void to_angles(arb_ptr sample, arb_srcptr state, slong prec)
+{
+    VECTOR(arb, moving, FLOW_STATE); /* each place, and its rate after it */
+    VECTOR(arb, angles, FLOW_STATE);
+    for (int i = 0; i < FLOW_HALF; i++) {
+        arb_set(moving + 2 * i, state + i);
+        arb_set(moving + 2 * i + 1, state + i + FLOW_HALF);
+    }
+    angle_series(angles, angles + 2, angles + 4, moving, moving + 2, moving + 4, 2, prec);
+    for (int i = 0; i < FLOW_HALF; i++) {
+        arb_set(sample + i, angles + 2 * i);
+        arb_set(sample + i + FLOW_HALF, angles + 2 * i + 1);
+    }
 }
 
 static int take_sample(void *context, slong k, const fmpq_t time, arb_srcptr state)
@@ -119,9 +131,7 @@ static void trajectory_init(struct trajectory *t, const struct flow_parameters *
         arb_init(values[i]);
     arb_set(t->Omega, p->Omega);
     arb_set(t->L_ref, p->L_ref);
-    arb_div(t->c2, p->C2, p->Omega, t->prec);
-    arb_div(t->c1, p->C1, p->Omega, t->prec);
-    arb_div(t->c1, t->c1, p->Omega, t->prec);
+    flow_gains(t->c1, t->c2, p, t->prec);
     arb_add(t->arm, p->m1, p->m2, t->prec);
     arb_div(t->arm, p->m2, t->arm, t->prec);
     arb_mul(t->arm, t->arm, p->L_ref, t->prec);
@@ -248,23 +258,19 @@ void tether_energy(arb_t energy, const struct derivations *steps, const arb_t c1
 
 void trajectory_energy(arb_t energy, const struct trajectory *t, slong k)
 {
-    enum { SQUARES = 4 };
-    static const int of[SQUARES] = {PSI_DOT, ETA_DOT, PSI, ETA};
+    static const int of[] = {ETA_DOT, PSI_DOT, ETA, PSI};
     arb_srcptr sample = trajectory_sample(t, k);
-    if (t->nonlinear) {
+    VECTOR(arb, in, 9); /* four squares, their weights, what is lost */
+    VECTOR(arb, out, 2);
+    for (int i = 0; i < 4; i++) {
+        arb_set(in + i, sample + of[i]);
+        arb_set_ui(in + 4 + i, of[i] == PSI ? 3 : 1);
+    }
+    arb_sub_ui(in + 6, t->c1, 9, t->prec);
+    section_enclose(definition_find(&t->steps->definitions, "decay"), in, t->prec, out);
+    arb_set(energy, out);
+    if (t->nonlinear)
         tether_energy(energy, t->steps, t->c1, sample, t->prec);
-        return;
-    }
-    SCOPE(arb, a, weight);
-    arb_zero(energy);
-    for (int i = 0; i < SQUARES; i++) {
-        arb_set_ui(weight, of[i] == PSI ? 3 : 1);
-        if (of[i] == ETA)
-            arb_sub_ui(weight, t->c1, 9, t->prec);
-        arb_sqr(a, sample + of[i], t->prec);
-        arb_addmul(energy, weight, a, t->prec);
-    }
-    arb_mul_2exp_si(energy, energy, -1);
 }
 
 enum { BOUNDED = 6 }; /* coordinates that have a vector of their own: a rate shares its angle's, from the first derivative on */
@@ -385,12 +391,11 @@ static void energy_box(struct jet *jet, const arb_t E, const arb_t eta, slong i,
 }
 
 /* bound k, if not larger yet: |k! coefficient k| */
-static void set_bounds(arb_ptr bound, const arb_poly_t series, slong prec)
+static void set_bounds(arb_ptr bound, arb_srcptr series, slong prec)
 {
     for (slong d = 0, factorial = 1; d < DERIVATIVES; factorial *= ++d) {
         SCOPE(arb, a);
-        arb_poly_get_coeff_arb(a, series, d);
-        arb_mul_si(a, a, factorial, prec);
+        arb_mul_si(a, series + d, factorial, prec);
         arb_get_abs_ubound_arf(arb_midref(a), a, prec);
         mag_zero(arb_radref(a));
         arb_max(bound + d, bound + d, a, prec);
@@ -401,30 +406,12 @@ static void set_bounds(arb_ptr bound, const arb_poly_t series, slong prec)
 static void nonlinear_bounds(struct bounds *b, const struct jet *jet, slong prec)
 {
     const slong n = DERIVATIVES;
-    arb_poly_t s[3], l, a;
-    arb_poly_init(l);
-    arb_poly_init(a);
+    VECTOR(arb, angles, 3 * n);
+    angle_series(angles, angles + n, angles + 2 * n, jet->c[X], jet->c[Y], jet->c[Z], n, prec);
     for (int i = X; i <= Z; i++) {
-        arb_poly_init(s[i]);
-        for (slong d = 0; d < n; d++)
-            arb_poly_set_coeff_arb(s[i], d, jet->c[i] + d);
-        set_bounds(b->of[PLACE_X + i], s[i], prec);
-        arb_poly_mullow(a, s[i], s[i], n, prec);
-        arb_poly_add(l, l, a, prec);
+        set_bounds(b->of[PLACE_X + i], jet->c[i], prec);
+        set_bounds(b->of[PSI + i], angles + i * n, prec);
     }
-    arb_poly_sqrt_series(l, l, n, prec);
-    arb_poly_div_series(a, s[Y], s[X], n, prec);
-    arb_poly_atan_series(a, a, n, prec);
-    set_bounds(b->of[PSI], a, prec);
-    arb_poly_div_series(a, s[Z], l, n, prec);
-    arb_poly_asin_series(a, a, n, prec);
-    set_bounds(b->of[THETA], a, prec);
-    arb_poly_add_si(l, l, -1, prec);
-    set_bounds(b->of[ETA], l, prec);
-    for (int i = X; i <= Z; i++)
-        arb_poly_clear(s[i]);
-    arb_poly_clear(a);
-    arb_poly_clear(l);
 }
 
 bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)

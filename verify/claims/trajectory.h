@@ -59,6 +59,9 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
 void trajectory_clear(struct trajectory *t);
 arb_ptr trajectory_sample(const struct trajectory *t, slong k);
 
+/* From n Taylor coefficients of a place, in units of L_ref, those of psi, theta and eta. */
+void angle_series(arb_ptr psi, arb_ptr theta, arb_ptr eta, arb_srcptr x, arb_srcptr y, arb_srcptr z, slong n, slong prec);
+
 /* One of the variables at a sample, and what one of it is in SI. */
 void trajectory_value(arb_t x, const struct trajectory *t, slong k, int which);
 void trajectory_unit(arb_t unit, const struct trajectory *t, int which);

@@ -72,6 +72,9 @@ enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct fl
                                    const fmpq *times, slong count, slong digits, slong prec,
                                    flow_receiver *receive, void *context, double *reached);
 
+/* The rates by (40) of psi theta l and their rates, in radians of orbit and units of L_ref. */
+void linear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec);
+
 /* Steps of h > 0 of the classical Runge-Kutta method on either model; every time is a multiple of h, t >= 0. */
 enum flow_status rk4(bool nonlinear, const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h, const fmpq *times,
                      slong count, slong prec, flow_receiver *receive, void *context, double *reached);

@@ -27,8 +27,7 @@ enum {
 
 typedef void rates_function(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec);
 
-/* (40): psi theta l, then their rates */
-static void linear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec)
+void linear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec)
 {
     SCOPE(arb, stiffness);
     _arb_vec_set(rate, state + FLOW_HALF, FLOW_HALF);
