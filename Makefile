@@ -185,7 +185,7 @@ $(BUILD)/sheet-check: $(BUILD)/verify/command/sheet_check.o $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
 # The program as a function, apart from what it must not do (tests/fuzz/apart.c).
-APART   := fopen rename client_start paper_open paper_close flint_cleanup step_bind verdict_rows measure_errors kills_print command_study \
+APART   := fopen rename client_start paper_open paper_close flint_cleanup step_is_bound verdict_rows measure_errors kills_print command_study \
   vectors_random roots41_gains flow_linear flow_nonlinear rk4
 TARGETS := $(addprefix $(BUILD)/tests/fuzz/,targets.o readers.o program.o apart.o)
 

@@ -34,13 +34,6 @@ void open_steps(struct derivations *d)
         end(&why);
 }
 
-void open_proofs(struct proof_results *p)
-{
-    struct message why;
-    if (proof_results_init(p, whole_paper(), &why) != 0)
-        end(&why);
-}
-
 const struct derivations *steps(void)
 {
     static struct derivations opened;

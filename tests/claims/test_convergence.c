@@ -9,7 +9,7 @@
 #include "claims/second_order.h"
 #include "claims/claim.h"
 #include "motion/two_body.h"
-#include "proof/proof_results.h"
+#include "proof/derivation.h"
 
 enum { PREC = 192 };
 

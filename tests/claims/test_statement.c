@@ -9,16 +9,16 @@
 #include "claims/statement.h"
 #include "formula/typeset.h"
 
-static struct proof_results proofs;
+static struct derivations proofs;
 
 static void open_all(void)
 {
-    open_proofs(&proofs);
+    open_steps(&proofs);
 }
 
 static void close_all(void)
 {
-    proof_results_clear(&proofs);
+    derivations_clear(&proofs);
     flint_cleanup();
 }
 

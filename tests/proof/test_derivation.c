@@ -11,7 +11,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "proof/proof_results.h"
+#include "proof/derivation.h"
 #include "formula/symbolic.h"
 #include "motion/taylor.h"
 #include "text/scope.h"
@@ -22,16 +22,15 @@
 /* That each is bound to its equations is shown once, by the program, before the suites run (BUILD/derivations.json). */
 TEST(every_step_holds_and_differs_as_printed)
 {
-    struct proof_results p;
-    open_proofs(&p);
-    for (int i = 0; i < p.derivations.step_count; i++) {
-        ck_assert_msg(step_holds(&p.derivations.steps[i]), "%s: %s", p.derivations.steps[i].id,
-                      p.derivations.steps[i].proof.evidence ? p.derivations.steps[i].proof.evidence : "holds as printed");
+    struct derivations p;
+    open_steps(&p);
+    for (int i = 0; i < p.step_count; i++) {
+        ck_assert_msg(step_holds(&p.steps[i]), "%s: %s", p.steps[i].id,
+                      p.steps[i].proof.evidence ? p.steps[i].proof.evidence : "holds as printed");
     }
-    ck_assert_int_ge(p.derivations.step_count, 60);
-    ck_assert_ptr_null(p.gap);
-    ck_assert(p.fine);
-    proof_results_clear(&p);
+    ck_assert_int_ge(p.step_count, 60);
+    ck_assert_ptr_null(derivations_gap(&p));
+    derivations_clear(&p);
 }
 
 TEST(every_equation_is_in_the_sheet)
@@ -63,20 +62,21 @@ static const struct {
 
 TEST(misprints_are_these)
 {
-    struct proof_results p;
+    struct derivations p;
     int found = 0;
-    open_proofs(&p);
-    for (int i = 0; i < p.derivations.step_count; i++) {
-        if (!p.derivations.steps[i].differs)
+    open_steps(&p);
+    for (int i = 0; i < p.step_count; i++) {
+        if (!p.steps[i].differs)
             continue;
+        ck_assert(step_holds(&p.steps[i]));
         ck_assert_int_lt(found, COUNT(misprints));
-        ck_assert_str_eq(p.derivations.steps[i].id, misprints[found].id);
-        ck_assert_str_eq(p.derivations.steps[i].printed_proof.evidence, misprints[found].evidence);
-        ck_assert_ptr_nonnull(p.derivations.steps[i].printed_proof.difference);
+        ck_assert_str_eq(p.steps[i].id, misprints[found].id);
+        ck_assert_str_eq(p.steps[i].printed_proof.evidence, misprints[found].evidence);
+        ck_assert_ptr_nonnull(p.steps[i].printed_proof.difference);
         found++;
     }
     ck_assert_int_eq(found, COUNT(misprints));
-    proof_results_clear(&p);
+    derivations_clear(&p);
 }
 
 /* ---- the integrator's own form ---- */

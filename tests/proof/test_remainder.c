@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "proof/proof_results.h"
+#include "proof/derivation.h"
 #include "proof/remainder.h"
 #include "text/scope.h"
 

@@ -146,13 +146,13 @@ static bool has_other_units(const char *id)
 /* Of what rests on the sheet's values alone, and on no computation. */
 TEST(numbers_of_the_evidence_have_their_units)
 {
-    struct proof_results proofs;
+    struct derivations proofs;
     struct statements claims;
     struct message why;
     const char *were[200] = {NULL};
     int checked = 0;
     ck_assert(sheet()->quantity_count <= 200);
-    open_proofs(&proofs);
+    open_steps(&proofs);
     ck_assert(statements_read(&claims, &proofs, &whole_paper()->claims, &why) == 0);
     for (int i = 0; i < claims.count; i++)
         for (int k = 0; k < claims.list[i].number_count; k++) {
@@ -175,5 +175,5 @@ TEST(numbers_of_the_evidence_have_their_units)
         }
     ck_assert_int_gt(checked, 80);
     statements_clear(&claims);
-    proof_results_clear(&proofs);
+    derivations_clear(&proofs);
 }

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "proof/proof_results.h"
+#include "proof/derivation.h"
 #include "text/scope.h"
 
 arb_ptr second_order_get(const struct second_order *o, const char *name)

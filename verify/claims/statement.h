@@ -9,7 +9,7 @@
 
 #include "claims/claim.h"
 #include "claims/marked.h"
-#include "proof/proof_results.h"
+#include "proof/derivation.h"
 
 enum { MOST_ASSERTIONS = 40, MOST_VERDICTS = 4, MOST_TURNS = 8, MOST_CITED = 8 };
 
@@ -105,7 +105,7 @@ struct statement {
 struct statements {
     struct tree *tree;
     const struct sheet *sheet;
-    const struct proof_results *proofs;
+    const struct derivations *proofs;
     struct statement *list;
     int count;
     struct computations computed;
@@ -114,8 +114,8 @@ struct statements {
     int text_count, formula_count;
 };
 
-/* Reads them; -1 and "name:line:column: expected ..." where the sheet is broken. `proofs` may have proved nothing yet. */
-int statements_read(struct statements *s, const struct proof_results *proofs, const struct source *source, struct message *why);
+/* Reads them; -1 and "name:line:column: expected ..." where the sheet is broken. A step is proved when a verdict asks. */
+int statements_read(struct statements *s, const struct derivations *proofs, const struct source *source, struct message *why);
 void statements_clear(struct statements *s);
 struct statement *statement_find(const struct statements *s, const char *id);
 

@@ -316,7 +316,7 @@ static enum truth cited_found(struct statements *all, struct assertion *a)
     enum truth truth = FOUND_TRUE;
     for (int i = 0; i < MOST_CITED && a->cited[i] != NULL; i++)
         truth = truth_both(truth, a->kind != ASSERT_STEP ? claim_found(all, a->cited[i], &a->how)
-                                         : proved_or_open(step_holds(step_named(&all->proofs->derivations, a->cited[i]))));
+                                         : proved_or_open(step_holds(step_named(all->proofs, a->cited[i]))));
     return truth;
 }
 

@@ -110,7 +110,7 @@ static void parsing_open(struct parsing *f, const struct claim_reading *r)
 {
     static const struct yaml nothing = {.mapping = true};
     f->identities = (struct identities){.order = -1};
-    f->scope = (struct scope){.sheet = r->all->sheet, .definitions = &r->all->proofs->derivations.definitions,
+    f->scope = (struct scope){.sheet = r->all->sheet, .definitions = &r->all->proofs->definitions,
                               .given = r->entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
                               .names = r->names, .name_count = r->name_count};
     f->fine = identities_open(&f->identities, &f->scope);
@@ -395,7 +395,7 @@ static bool read_cited(struct claim_reading *r, struct assertion *a, const struc
 
 static bool is_step(const struct claim_reading *r, const char *id)
 {
-    const struct derivations *d = &r->all->proofs->derivations;
+    const struct derivations *d = r->all->proofs;
     for (int i = 0; i < d->step_count; i++)
         if (strcmp(d->steps[i].id, id) == 0)
             return true;
@@ -685,9 +685,9 @@ struct statement *statement_find(const struct statements *s, const char *id)
     return NULL;
 }
 
-int statements_read(struct statements *s, const struct proof_results *proofs, const struct source *source, struct message *why)
+int statements_read(struct statements *s, const struct derivations *proofs, const struct source *source, struct message *why)
 {
-    *s = (struct statements){.sheet = proofs->derivations.sheet, .proofs = proofs, .computed.steps = &proofs->derivations};
+    *s = (struct statements){.sheet = proofs->sheet, .proofs = proofs, .computed.steps = proofs};
     s->tree = tree_open(source->text, source->length, source->name, why);
     bool fine = s->tree != NULL && is_map(&s->tree->root);
     for (int i = 0; fine && i < s->tree->root.count; i++)

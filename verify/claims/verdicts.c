@@ -117,15 +117,15 @@ static enum difference compare_instances(struct verdict_row *row, const struct s
 }
 
 /* Which steps lead to an equation, and whether all of them hold, and fail as printed where they should. */
-static bool steps_to(struct verdict_row *row, const struct proof_results *p, const char *equation, int *count)
+static bool steps_to(struct verdict_row *row, const struct derivations *p, const char *equation, int *count)
 {
     bool fine = true;
     *count = 0;
-    for (int i = 0; i < p->derivations.step_count; i++) {
-        const struct step *step = &p->derivations.steps[i];
+    for (int i = 0; i < p->step_count; i++) {
+        struct step *step = &p->steps[i];
         bool leads = false;
         for (int k = 0; k < step->to_count; k++)
-            leads = leads || entry_leads_to(&p->derivations, step->to[k], equation);
+            leads = leads || entry_leads_to(p, step->to[k], equation);
         if (!leads)
             continue;
         add_words(row, "%s%s", *count ? ", " : "proved by ", step->id);
@@ -171,7 +171,7 @@ static void add_claims(struct verdict_row *row, struct statements *claims, const
     }
 }
 
-void verdict_on_equation(struct verdict_row *row, const struct proof_results *p, struct statements *claims, const struct section *s,
+void verdict_on_equation(struct verdict_row *row, const struct derivations *p, struct statements *claims, const struct section *s,
                          const char *equation)
 {
     int steps;
@@ -206,7 +206,7 @@ void verdict_on_equation(struct verdict_row *row, const struct proof_results *p,
 /* ---- the rows ---- */
 
 struct giving {
-    const struct proof_results *proofs;
+    const struct derivations *proofs;
     struct statements *claims;
     const char *only;
     verdict_receiver *receive;
@@ -292,7 +292,7 @@ static void statement_rows(struct giving *g)
     }
 }
 
-bool verdict_rows(const struct proof_results *proofs, struct statements *claims, const char *only, verdict_receiver *receive, void *context)
+bool verdict_rows(const struct derivations *proofs, struct statements *claims, const char *only, verdict_receiver *receive, void *context)
 {
     struct giving g = {proofs, claims, only, receive, context, true};
     equation_rows(&g);

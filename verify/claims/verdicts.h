@@ -16,7 +16,7 @@ struct verdict_row {
 };
 
 /* The verdict on one equation number of a section, as printed. `claims` are its further reasons; NULL: without. */
-void verdict_on_equation(struct verdict_row *row, const struct proof_results *p, struct statements *claims, const struct section *s,
+void verdict_on_equation(struct verdict_row *row, const struct derivations *p, struct statements *claims, const struct section *s,
                          const char *equation);
 void verdict_row_clear(struct verdict_row *row);
 
@@ -24,7 +24,7 @@ void verdict_row_clear(struct verdict_row *row);
 typedef void verdict_receiver(void *context, const struct verdict_row *row);
 
 /* Decides everything, or the row of that id alone. False when a row stays undecided or does not fit its words. */
-bool verdict_rows(const struct proof_results *proofs, struct statements *claims, const char *only, verdict_receiver *receive, void *context);
+bool verdict_rows(const struct derivations *proofs, struct statements *claims, const char *only, verdict_receiver *receive, void *context);
 
 bool verdict_known(const struct statements *claims, const char *id);
 

@@ -81,7 +81,7 @@ static void print_row(void *context, const struct verdict_row *r)
     p->verdicts[r->verdict]++;
 }
 
-bool print_claims(struct statements *claims, const struct proof_results *proofs, const char *only, enum format format)
+bool print_claims(struct statements *claims, const struct derivations *proofs, const char *only, enum format format)
 {
     struct printer p = {.json = json_on(stdout), .format = format};
     if (format == FORMAT_JSON)

@@ -13,11 +13,6 @@ static const char *derivation_fault(const struct step *s)
     return s->binding.fault.text[0] != '\0' ? s->binding.fault.text : NULL;
 }
 
-static bool step_is_fine(const struct step *s)
-{
-    return step_holds(s) && derivation_fault(s) == NULL;
-}
-
 /* NAME = VALUE, or NAME LOW ... HIGH: the states that a bound is proved on. */
 static void print_states(FILE *out, const struct yaml *on)
 {
@@ -90,22 +85,6 @@ static void print_step(const struct step *s)
     }
     for (int k = 0; k < s->remainder_count; k++)
         print_remainder(&s->remainders[k]);
-}
-
-/* The steps from first to end. */
-static void table_proofs(const struct proof_results *p, int first, int end)
-{
-    int holding = 0;
-    for (int i = first; i < end; i++) {
-        print_step(&p->derivations.steps[i]);
-        holding += step_is_fine(&p->derivations.steps[i]);
-    }
-    printf("%d of %d steps hold, by normal forms\n", holding, end - first);
-    printf("%d alterations of their equations were tried\n", p->mutants);
-    if (p->gap != NULL)
-        printf("equation %s is reached by no step, and is no definition\n", p->gap);
-    else
-        puts("every equation is reached from principles and definitions, or is a definition");
 }
 
 /* ---- the same as JSON ---- */
@@ -215,48 +194,54 @@ static void json_step(struct json *j, const struct step *s, const struct sheet *
     json_close(j);
 }
 
-/* Whether those steps hold, and, where they are all, the graph as well. */
-static bool all_hold(const struct proof_results *p, int first, int end)
+/* JSON is read by programs; what stops a build is told to whoever builds. */
+static void tell_broken(const struct derivations *d, struct step *steps, int count, const char *gap)
 {
-    bool fine = p->fine || end - first < p->derivations.step_count;
-    for (int i = first; i < end; i++)
-        fine = fine && step_is_fine(&p->derivations.steps[i]);
-    return fine;
+    for (int i = 0; i < count; i++)
+        if (!step_is_bound(d, &steps[i]))
+            fprintf(stderr, "coulomb-tether: step %s is broken, see verify derivations %s\n", steps[i].id, steps[i].id);
+    if (gap != NULL)
+        fprintf(stderr, "coulomb-tether: equation %s is reached by no step, and is no definition\n", gap);
 }
 
-static void json_proofs(const struct proof_results *p, int first, int end)
+static void json_proofs(const struct derivations *d, const struct step *steps, int count, bool fine)
 {
     struct json j = json_on(stdout);
     json_open(&j, NULL, '{');
-    json_truth(&j, "fine", all_hold(p, first, end));
+    json_truth(&j, "fine", fine);
     json_open(&j, "steps", '[');
-    for (int i = first; i < end; i++) {
+    for (int i = 0; i < count; i++) {
         json_line(&j, 1);
-        json_step(&j, &p->derivations.steps[i], p->derivations.sheet);
+        json_step(&j, &steps[i], d->sheet);
     }
     json_close(&j);
     json_close(&j);
     putchar('\n');
 }
 
-/* JSON is read by programs; what stops a build is told to whoever builds. */
-static void tell_broken(const struct proof_results *p, int first, int end)
+bool print_proofs(const struct derivations *d, const char *only, enum format format)
 {
-    for (int i = first; i < end; i++)
-        if (!step_is_fine(&p->derivations.steps[i]))
-            fprintf(stderr, "coulomb-tether: step %s is broken, see verify derivations %s\n", p->derivations.steps[i].id,
-                    p->derivations.steps[i].id);
-    if (p->gap != NULL && end - first == p->derivations.step_count)
-        fprintf(stderr, "coulomb-tether: equation %s is reached by no step, and is no definition\n", p->gap);
-}
-
-bool print_proofs(const struct proof_results *p, const char *only, enum format format)
-{
-    const struct derivations *d = &p->derivations;
-    const int first = only != NULL ? (int)(step_named(d, only) - d->steps) : 0;
-    const int end = only != NULL ? first + 1 : d->step_count;
-    (format == FORMAT_JSON ? json_proofs : table_proofs)(p, first, end);
-    if (format == FORMAT_JSON)
-        tell_broken(p, first, end);
-    return all_hold(p, first, end);
+    struct step *const steps = only != NULL ? step_named(d, only) : d->steps;
+    const int count = only != NULL ? 1 : d->step_count;
+    const char *gap = derivations_gap(d);
+    int holding = 0, mutants = 0;
+    for (int i = 0; i < count; i++) {
+        holding += step_is_bound(d, &steps[i]);
+        mutants += steps[i].binding.mutants;
+    }
+    const bool fine = holding == count && (only != NULL || gap == NULL);
+    if (format == FORMAT_JSON) {
+        json_proofs(d, steps, count, fine);
+        tell_broken(d, steps, count, only == NULL ? gap : NULL);
+        return fine;
+    }
+    for (int i = 0; i < count; i++)
+        print_step(&steps[i]);
+    printf("%d of %d steps hold, by normal forms\n", holding, count);
+    printf("%d alterations of their equations were tried\n", mutants);
+    if (gap != NULL)
+        printf("equation %s is reached by no step, and is no definition\n", gap);
+    else
+        puts("every equation is reached from principles and definitions, or is a definition");
+    return fine;
 }

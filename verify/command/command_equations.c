@@ -25,7 +25,7 @@ static void print_formulas(const char *heading, const struct section *s, const s
 }
 
 /* Of each of a section's equations, as JSON or (NULL) with its evidence. */
-static void print_verdicts(struct json *j, const struct proof_results *p, const struct section *s)
+static void print_verdicts(struct json *j, const struct derivations *p, const struct section *s)
 {
     for (int i = 0; i < s->numbers; i++) {
         struct verdict_row row = {.id = s->id};
@@ -39,7 +39,7 @@ static void print_verdicts(struct json *j, const struct proof_results *p, const 
     }
 }
 
-static void print_section(const struct proof_results *p, const struct section *s)
+static void print_section(const struct derivations *p, const struct section *s)
 {
     printf("%s  Eq. ", s->id);
     print_list(s->equations, s->numbers, 0);
@@ -85,7 +85,7 @@ static void json_formulas(struct json *j, const char *key, const struct section 
     json_close(j);
 }
 
-static void json_section(struct json *j, const struct proof_results *p, const struct section *s)
+static void json_section(struct json *j, const struct derivations *p, const struct section *s)
 {
     json_open(j, NULL, '{');
     json_string(j, "id", s->id);
@@ -118,9 +118,9 @@ int command_equations(const struct arguments *a)
     if (a->word_count > 0 && one == NULL)
         return EXIT_USAGE;
     const bool json = option_given(a, "--json");
-    struct proof_results proofs;
+    struct derivations proofs;
     struct message why;
-    if (proof_results_init(&proofs, a->paper, &why) != 0)
+    if (derivations_open(&proofs, a->paper, &why) != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     struct json j = json_on(stdout);
     if (json && one == NULL)
@@ -139,6 +139,6 @@ int command_equations(const struct arguments *a)
         json_close(&j);
     if (json)
         putchar('\n');
-    proof_results_clear(&proofs);
+    derivations_clear(&proofs);
     return EXIT_DONE;
 }

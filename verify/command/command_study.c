@@ -8,7 +8,7 @@
 #include "claims/sampling.h"
 #include "claims/second_order.h"
 #include "command/command.h"
-#include "proof/proof_results.h"
+#include "proof/derivation.h"
 #include "text/decimal.h"
 #include "text/scope.h"
 

@@ -21,20 +21,23 @@ struct verify_request {
     struct statements claims; /* where they are asked for */
 };
 
-static bool verify_derivations(const struct proof_results *p, struct verify_request *request)
+static bool verify_derivations(const struct derivations *d, struct verify_request *request)
 {
     if (!request->graph)
-        return print_proofs(p, request->claim, request->format);
-    derivations_graph(&p->derivations);
-    return p->fine;
+        return print_proofs(d, request->claim, request->format);
+    derivations_graph(d);
+    bool fine = derivations_gap(d) == NULL;
+    for (int i = 0; i < d->step_count; i++)
+        fine = fine && step_holds(&d->steps[i]);
+    return fine;
 }
 
-static bool verify_claims(const struct proof_results *p, struct verify_request *request)
+static bool verify_claims(const struct derivations *p, struct verify_request *request)
 {
     return print_claims(&request->claims, p, request->claim, request->format);
 }
 
-static bool verify_errors(const struct proof_results *p, struct verify_request *request)
+static bool verify_errors(const struct derivations *p, struct verify_request *request)
 {
     (void)p;
     return print_errors(&request->paper->sheet, request->count, request->format);
@@ -42,7 +45,7 @@ static bool verify_errors(const struct proof_results *p, struct verify_request *
 
 static const struct part {
     const char *name;
-    bool (*verify)(const struct proof_results *p, struct verify_request *request); /* whether all of it holds */
+    bool (*verify)(const struct derivations *p, struct verify_request *request); /* whether all of it holds */
 } parts[] = {{"derivations", verify_derivations}, {"claims", verify_claims}, {"errors", verify_errors}};
 
 enum { PARTS_OF_VERIFY = sizeof parts / sizeof *parts };
@@ -104,18 +107,16 @@ static int verify(struct verify_request *request)
 {
     const char *separator = "{";
     const bool claims = asked_for(request, 1);
-    struct proof_results p;
+    struct derivations p;
     struct message why;
-    if (proof_results_init(&p, request->paper, &why) != 0)
+    if (derivations_open(&p, request->paper, &why) != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     if (claims && statements_read(&request->claims, &p, &request->paper->claims, &why) != 0) {
-        proof_results_clear(&p);
+        derivations_clear(&p);
         return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     }
-    int status = check_asked_name(&p.derivations, request);
+    int status = check_asked_name(&p, request);
     const bool known = status == EXIT_DONE;
-    if (asked_for(request, 0) && !request->graph && known)
-        proof_results_bind(&p, request->claim);
     for (int i = 0; i < PARTS_OF_VERIFY && known; i++) {
         if (!asked_for(request, i))
             continue;
@@ -127,7 +128,7 @@ static int verify(struct verify_request *request)
     }
     if (claims)
         statements_clear(&request->claims);
-    proof_results_clear(&p);
+    derivations_clear(&p);
     if (request->format == FORMAT_JSON && known)
         puts("}");
     return status;

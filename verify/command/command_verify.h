@@ -8,8 +8,8 @@
 /* Markdown is README's, for the errors alone. */
 enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN };
 
-bool print_proofs(const struct proof_results *p, const char *only, enum format format); /* NULL: all; whether all of it holds */
-bool print_claims(struct statements *claims, const struct proof_results *p, const char *only, enum format format); /* NULL: all */
+bool print_proofs(const struct derivations *d, const char *only, enum format format); /* NULL: all; whether all of it holds */
+bool print_claims(struct statements *claims, const struct derivations *p, const char *only, enum format format); /* NULL: all */
 bool print_errors(const struct sheet *sheet, long inputs, enum format format);
 
 /* A side of an equality of a step, as LaTeX: its references too, as eq14.L_dot, rate(x1), left(6a). */

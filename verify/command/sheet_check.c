@@ -31,15 +31,15 @@ static char *file_text(const char *name, size_t *length)
 static int check(const struct sources *s, int count, struct message *why)
 {
     struct paper paper;
-    struct proof_results p = {.fine = false};
+    struct derivations steps;
     struct statements claims;
     int status = paper_open(&paper, s, why);
     if (status != 0)
         return status;
-    if (count > 1 && (status = derivations_open(&p.derivations, &paper, why)) == 0) {
-        if (count > 2 && (status = statements_read(&claims, &p, &paper.claims, why)) == 0)
+    if (count > 1 && (status = derivations_open(&steps, &paper, why)) == 0) {
+        if (count > 2 && (status = statements_read(&claims, &steps, &paper.claims, why)) == 0)
             statements_clear(&claims);
-        derivations_clear(&p.derivations);
+        derivations_clear(&steps);
     }
     paper_close(&paper);
     return status;

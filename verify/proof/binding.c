@@ -672,3 +672,30 @@ void step_bind(const struct derivations *d, const struct step *s, struct binding
         all_wanted(&table);
     table_close(&table);
 }
+
+bool step_holds(struct step *s)
+{
+    bool bounded = true;
+    if (!s->proved) {
+        identities_prove(&s->corrected, &s->proof);
+        if (s->differs)
+            identities_prove(&s->printed, &s->printed_proof);
+        for (int k = 0; k < s->remainder_count; k++)
+            remainder_prove(&s->remainders[k], &s->remainders[k].proof);
+        s->proved = true;
+    }
+    for (int k = 0; k < s->remainder_count; k++)
+        bounded = bounded && s->remainders[k].proof.state == REMAINDER_PROVED;
+    return bounded && s->proof.result == IDENTITY_HOLDS && s->line_proof.result == IDENTITY_HOLDS &&
+           (!s->differs || s->printed_proof.result == IDENTITY_DIFFERS);
+}
+
+bool step_is_bound(const struct derivations *d, struct step *s)
+{
+    if (!s->bound && s->line_map != NULL)
+        identities_prove(&s->lines, &s->line_proof);
+    if (!s->bound && step_holds(s))
+        step_bind(d, s, &s->binding);
+    s->bound = true;
+    return step_holds(s) && s->binding.fault.text[0] == '\0';
+}

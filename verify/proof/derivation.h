@@ -7,6 +7,7 @@
 
 #include "proof/identities.h"
 #include "proof/remainder.h"
+#include "sheet/paper.h"
 
 enum { MOST_EQUATIONS = 16 }; /* that a step leads from, or to */
 
@@ -26,7 +27,8 @@ struct step {
     const struct yaml *line_map;    /* how: the algebra by hand, `lines`; NULL: there is none */
     struct remainder *remainders;   /* what is dropped, and how large that may be */
     int remainder_count;
-    struct proof proof, printed_proof, line_proof; /* those that were asked for */
+    bool proved, bound;             /* whether that was asked for yet; what follows is empty before */
+    struct proof proof, printed_proof, line_proof;
     struct binding binding;
 };
 
@@ -41,7 +43,13 @@ struct derivations {
 /* Reads the steps, and their formulas. -1 and "name:line:column: expected ..." where it is broken. */
 int derivations_read(struct derivations *d, const struct sheet *s, const char *text, size_t length,
                      const char *name, struct message *why);
+
+/* The paper's own; -1, and `why`, where they are broken. */
+int derivations_open(struct derivations *d, const struct paper *paper, struct message *why);
 void derivations_clear(struct derivations *d);
+
+/* The step of that id; NULL: there is none. */
+struct step *step_named(const struct derivations *d, const char *id);
 
 /* `remainders`, when the identities have been read; false after a complaint. */
 bool step_read_remainders(const struct derivations *d, struct step *step, const struct scope *s);
@@ -76,9 +84,13 @@ bool entry_leads_to(const struct derivations *d, const char *entry, const char *
  */
 const char *derivations_gap(const struct derivations *d);
 
-/* ---- what binds a step ---- */
+/* ---- what proves and binds a step ---- */
 
-/* Of a step whose identities hold: what it says of from and to is so. */
+/* Whether it holds, what is printed instead does not, and what is dropped is bounded: proved when it is asked first. */
+bool step_holds(struct step *s);
+
+/* Its lines are proved too, and where it holds what it says of from and to is so: bound when it is asked first, which takes long. */
+bool step_is_bound(const struct derivations *d, struct step *s);
 void step_bind(const struct derivations *d, const struct step *s, struct binding *b);
 
 /* The graph of equations, principles and steps on standard output, for Graphviz's dot. */

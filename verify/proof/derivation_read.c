@@ -211,6 +211,26 @@ int derivations_read(struct derivations *d, const struct sheet *s, const char *t
     return -1;
 }
 
+int derivations_open(struct derivations *d, const struct paper *paper, struct message *why)
+{
+    const struct source *s = &paper->derivations;
+    if (derivations_read(d, &paper->sheet, s->text, s->length, s->name, why) != 0)
+        return -1;
+    if (step_named(d, "second_order") != NULL) /* its formulas are computed with */
+        return 0;
+    message_set(why, "%s: no derivation step 'second_order'", s->name);
+    derivations_clear(d);
+    return -1;
+}
+
+struct step *step_named(const struct derivations *d, const char *id)
+{
+    int i = 0;
+    while (i < d->step_count && strcmp(d->steps[i].id, id) != 0)
+        i++;
+    return i < d->step_count ? &d->steps[i] : NULL;
+}
+
 void derivations_clear(struct derivations *d)
 {
     for (int i = 0; i < d->step_count; i++) {
