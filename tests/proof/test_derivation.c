@@ -362,7 +362,7 @@ static const struct {
      "could be left out: nothing in from and to needs it"},
     {"    from: [motion]\n    to: [eq05.x1]\n    square roots: [eq05.x1]\n"
      "    show: [\"motion.F(m = m1, a = sqrt(eq05.x1^2)) = m1*eq05.x1\"]", /* as true of another that is positive */
-     "x1 may be altered ("},
+     "x1 stands in no equality"},
     /* no value at the point that is tried first: each number there is one of these primes */
     {"    from: [\"17\", \"18\"]\n    to: [\"19\"]\n    let:\n"
      "      D: (x1-5)*(x1-7)*(x1-11)*(x1-13)*(x1-17)*(x1-19)*(x1-23)*(x1-29)*(x1-31)*(x1-37)*(x1-41)*(x1-43)*(x1-47)\n"

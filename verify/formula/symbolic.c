@@ -69,19 +69,13 @@ static void _quotient_vec_clear(quotient *v, slong count)
 SCOPED(quotient)
 SCOPED_VECTOR(quotient, quotient_ptr)
 
-struct symbolic_field *symbolic_begin(slong variables, slong more, bool loose)
+void symbolic_begin(slong variables, slong more, bool loose)
 {
     struct symbolic_field *outer = field;
     field = xrealloc(NULL, 1, sizeof *field);
     *field = (struct symbolic_field){.outer = outer, .variables = variables, .more = more, .loose = loose, .start = clock()};
     fmpz_mpoly_ctx_init(CTX, variables + more > 0 ? variables + more : 1, ORD_DEGLEX);
     field->opaque = xrealloc(NULL, (size_t)more + 1, sizeof *field->opaque);
-    return field;
-}
-
-void symbolic_use(struct symbolic_field *f)
-{
-    field = f;
 }
 
 void symbolic_keep(void)

@@ -126,7 +126,7 @@ struct table {
     const struct step *s;
     struct binding *b;
     struct identities t;    /* the step's, the program being the table's own                 */
-    struct run point, run;  /* two that differ at a point differ; the other, where that decides nothing: field NULL till then */
+    struct run run;         /* at a point of the domain: what differs there differs                                          */
     int count;              /* of its nodes                                                  */
     int *mark, *map;        /* of each node: 1 + its pair of free numbers where it is to be altered, else 0; what it is then */
     bool alone[MOST_SHOWN]; /* this equality alone breaks by something: the step needs it    */
@@ -140,7 +140,7 @@ static void run_open(const struct table *x, struct run *r, enum manner manner)
     run_keep(r, x->count);
 }
 
-static void table_open(struct table *x, const struct identities *t)
+static void table_open(struct table *x, const struct identities *t, enum manner manner)
 {
     x->t = *t;
     x->count = t->program.count;
@@ -160,14 +160,12 @@ static void table_open(struct table *x, const struct identities *t)
                 program_mark(&x->t.program, r->by[i], NULL, x->t.needed);
             }
     }
-    run_open(x, &x->point, RUN_AT_POINT);
+    run_open(x, &x->run, manner);
 }
 
 static void table_close(struct table *x)
 {
-    if (x->run.field != NULL)
-        run_end(&x->run);
-    run_end(&x->point);
+    run_end(&x->run);
     program_clear(&x->t.program);
     free(x->t.needed);
     free(x->mark);
@@ -192,26 +190,20 @@ static bool concerns(const struct table *x, const struct target *target, const s
     return u->formulas == part->formulas && (target->change >= CHANGE_SIGN || u->part == part->node);
 }
 
-/* Marks what a target alters; all uses of one formula have one pair. Their number. */
-static int mark(struct table *x, const struct target *target)
+/* Marks what a target alters; all uses of one formula have the pair of the first. */
+static void mark(struct table *x, const struct target *target)
 {
-    int pairs = 0;
+    const struct use *uses = x->t.uses;
     memset(x->mark, 0, (size_t)x->count * sizeof *x->mark);
     for (int i = 0; i < x->t.use_count; i++) {
-        const struct use *u = &x->t.uses[i];
-        if (!concerns(x, target, u))
+        const int at = target->change < CHANGE_SIGN ? uses[i].node : uses[i].copy[target->node];
+        int first = 0;
+        if (!concerns(x, target, &uses[i]) || at < uses[i].first) /* something else is bound to it */
             continue;
-        const int at = target->change < CHANGE_SIGN ? u->node : u->copy[target->node];
-        if (at < u->first) /* something else is bound to it */
-            continue;
-        for (int k = 0; k < i; k++) {
-            const struct use *other = &x->t.uses[k];
-            if (other->formulas == u->formulas && other->part == u->part)
-                x->mark[at] = x->mark[other->node];
-        }
-        x->mark[at] = target->change >= CHANGE_SIGN ? 1 : x->mark[at] > 0 ? x->mark[at] : ++pairs;
+        while (uses[first].formulas != uses[i].formulas || uses[first].part != uses[i].part)
+            first++;
+        x->mark[at] = 1 + first;
     }
-    return pairs;
 }
 
 /* Changes a node, or says what stands in its place; false where this change is none of this node. Of a number n.exponent is added. */
@@ -310,32 +302,29 @@ static void alter(struct table *x, enum change change)
         }
         x->map[i] = altered_node(x, i, change);
     }
-    run_altered(x, &x->point);
-    if (x->run.field != NULL)
-        run_altered(x, &x->run);
+    run_altered(x, &x->run);
 }
 
 static void restore(struct table *x)
 {
     program_truncate(&x->t.program, x->count);
-    run_forget(&x->point);
-    if (x->run.field != NULL)
-        run_forget(&x->run);
+    run_forget(&x->run);
 }
 
-/* What is too large to tell does not break: nothing was decided. */
+/* What is not shown to differ is equal still. Where the point has no value, normal forms tell whether it has one elsewhere. */
 static bool equal_still(struct table *x, int left, int right)
 {
-    bool large;
+    struct run everywhere;
     if (x->map[left] == left && x->map[right] == right)
         return true;
-    if (run_compare(&x->point, x->map[left], x->map[right], &large) == IDENTITY_DIFFERS)
-        return false;
-    if (x->run.field == NULL) {
-        run_open(x, &x->run, RUN_LOOSE);
-        run_altered(x, &x->run);
+    enum result result = run_compare(&x->run, x->map[left], x->map[right]);
+    if (result == IDENTITY_UNDECIDED) {
+        run_open(x, &everywhere, RUN_LOOSE);
+        run_altered(x, &everywhere);
+        result = run_compare(&everywhere, x->map[left], x->map[right]);
+        run_end(&everywhere);
     }
-    return run_compare(&x->run, x->map[left], x->map[right], &large) == IDENTITY_HOLDS || large;
+    return result != IDENTITY_DIFFERS;
 }
 
 /* Whether an equality breaks; where it is the only one, the step needs it. */
@@ -380,10 +369,10 @@ static const struct equality *first_tautology(struct table *x, bool lines)
     const struct target everything = {.change = CHANGE_ANY};
     const struct equality *e = t->shown, *const end = t->shown + t->shown_count;
     bool speaks = true;
-    int pairs = mark(x, &everything);
+    mark(x, &everything);
     for (int i = t->program.inputs; i < t->program.named && lines; i++)
         if (x->mark[t->program.names[i].node] == 0)
-            x->mark[t->program.names[i].node] = ++pairs;
+            x->mark[t->program.names[i].node] = 1 + t->use_count + i - t->program.inputs;
     alter(x, CHANGE_ANY);
     for (; e < end && speaks; e++) {
         speaks = (lines && !says_number(t, e)) || !equal_still(x, e->left, e->right);
@@ -397,7 +386,7 @@ static const struct equality *first_tautology(struct table *x, bool lines)
 static const struct equality *tautology_of(const struct identities *t, bool lines)
 {
     struct table x = {.d = NULL};
-    table_open(&x, t);
+    table_open(&x, t, RUN_AT_POINT);
     const struct equality *empty = first_tautology(&x, lines);
     table_close(&x);
     return empty;
@@ -532,18 +521,15 @@ static bool is_equivalent(const struct program *p, int wanted, enum change chang
 {
     struct identities t = {.program = *p, .order = -1};
     struct table x = {.s = NULL};
-    bool large;
     t.variables = xrealloc(NULL, (size_t)p->inputs + 1, sizeof *t.variables);
     t.needed = xrealloc(NULL, (size_t)p->count, 1);
     memset(t.needed, 1, (size_t)p->count);
     for (int i = 0; i < p->inputs; i++)
         t.variables[i] = (struct variable){.signs = SIGN_ANY};
-    table_open(&x, &t);
+    table_open(&x, &t, RUN_LOOSE);
     x.mark[node] = 1;
     alter(&x, change);
-    run_open(&x, &x.run, RUN_LOOSE);
-    run_extend(&x.run);
-    const bool same = run_compare(&x.run, wanted, x.map[wanted], &large) == IDENTITY_HOLDS;
+    const bool same = run_compare(&x.run, wanted, x.map[wanted]) == IDENTITY_HOLDS;
     table_close(&x);
     free(t.variables);
     free(t.needed);
@@ -667,7 +653,7 @@ void step_bind(const struct derivations *d, const struct step *s, struct binding
 {
     struct table table = {.d = d, .s = s, .b = b};
     *b = (struct binding){.mutants = 0};
-    table_open(&table, &s->corrected);
+    table_open(&table, &s->corrected, RUN_AT_POINT);
     if (no_tautology(&table) && nothing_beyond(&table) && all_used(&table) && all_shown(&table))
         all_wanted(&table);
     table_close(&table);

@@ -1,6 +1,7 @@
 /* The proof of identities: signs, normal forms, and what they show where they differ. */
 #include "proof/identities.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -68,22 +69,12 @@ static int signs_of(struct run *r, int i);
 /* By its form; none where it divides by zero. */
 static int signs_by_form(struct run *r, const struct node *n)
 {
-    const struct variable *v = n->left >= 0 && n->left < r->t->program.inputs ? &r->t->variables[n->left] : NULL;
-    if (n->op == OPERATOR_NUMBER)
-        return signs_of_number(fmpq_sgn(&n->number));
-    if (n->op == OPERATOR_COS)
-        return v != NULL && (v->quarter_turn || v->power > 0) ? SIGN_POSITIVE : SIGN_ANY;
-    if (n->op == OPERATOR_EXP)
+    if (n->op == OPERATOR_COS && n->left < r->t->program.inputs && r->t->variables[n->left].quarter_turn)
         return SIGN_POSITIVE;
-    const int a = signs_of(r, n->left), b = n->right < 0 ? SIGN_ANY : signs_of(r, n->right);
-    if (n->op == OPERATOR_MULTIPLY)
-        return combine(a, b, false);
-    if (n->op == OPERATOR_DIVIDE)
-        return combine(a, b & ~SIGN_ZERO, false);
-    if (n->op != OPERATOR_POSITIVE)
+    if (n->op != OPERATOR_MULTIPLY && n->op != OPERATOR_DIVIDE)
         return SIGN_ANY;
-    const int may_be_one = a & (SIGN_POSITIVE | (r->terms > 1 ? SIGN_ZERO : 0)); /* zero at epsilon = 0 alone */
-    return (may_be_one ? SIGN_POSITIVE : 0) | (a & ~SIGN_POSITIVE ? SIGN_ZERO : 0);
+    const int a = signs_of(r, n->left), b = signs_of(r, n->right);
+    return combine(a, n->op == OPERATOR_DIVIDE ? b & ~SIGN_ZERO : b, false);
 }
 
 /* The signs that a node may have at epsilon = 0: by its form, and where that does not tell by its normal form. */
@@ -106,23 +97,27 @@ static int signs_of(struct run *r, int i)
 
 /* ---- values ---- */
 
-/* At a point every number is a prime, and an angle is twice the arc tangent of a prime's reciprocal. */
+/* What a variable is at a point: a prime or, for an example, a small number, 1 if it can be; of half an angle the cotangent. */
+static slong number_at_point(const struct run *r, slong variable, bool angle)
+{
+    return r->example < 0 ? (slong)n_nth_prime((ulong)variable + 3) : 1 + angle + r->example * (2 * variable + 1) % 5;
+}
+
 static void set_input(struct run *r, struct symbolic *z, int i)
 {
     const struct node *n = &r->t->program.nodes[i];
     const bool own = i < r->t->program.inputs;
     const slong variable = own ? r->variable[i] : r->variables + n->exponent;
-    const slong power = own ? r->t->variables[i].power : 0;
     const bool angle = own ? r->t->variables[i].angle : fmpq_is_one(&n->number);
     SCOPE(fmpq, point);
     if (r->at_point)
-        fmpq_set_si(point, (slong)n_nth_prime((ulong)variable + 3), 1);
+        fmpq_set_si(point, number_at_point(r, variable, angle), 1);
     if (angle && r->at_point)
         fmpq_inv(point, point);
     if (angle)
         symbolic_set_angle(z, variable, r->at_point ? point : NULL);
     else
-        symbolic_set_variable(z, variable, power, r->at_point ? point : NULL);
+        symbolic_set_variable(z, variable, own ? r->t->variables[i].power : 0, r->at_point ? point : NULL);
 }
 
 static const struct symbolic *value_of(struct run *r, int i)
@@ -161,7 +156,7 @@ void run_extend(struct run *r)
 void run_begin(struct run *r, const struct identities *t, slong terms, enum manner manner, slong more)
 {
     slong functions = 0;
-    *r = (struct run){.t = t, .terms = terms, .at_point = manner == RUN_AT_POINT};
+    *r = (struct run){.t = t, .terms = terms, .at_point = manner == RUN_AT_POINT, .example = -1};
     r->variable = xrealloc(NULL, (size_t)t->program.inputs + 1, sizeof *r->variable);
     for (int i = 0; i < t->program.count; i++) {
         if (i < t->program.inputs)
@@ -170,12 +165,11 @@ void run_begin(struct run *r, const struct identities *t, slong terms, enum mann
     }
     run_extend(r);
     const slong room = manner == RUN_STRICT ? 0 : 2 * functions; /* those that are altered are functions again */
-    r->field = symbolic_begin(r->at_point ? 0 : r->variables + more, room, manner != RUN_STRICT);
+    symbolic_begin(r->at_point ? 0 : r->variables + more, room, manner != RUN_STRICT);
 }
 
 void run_keep(struct run *r, int count)
 {
-    symbolic_use(r->field);
     for (int i = 0; i < count; i++) {
         if (r->t->needed[i])
             value_of(r, i);
@@ -186,7 +180,6 @@ void run_keep(struct run *r, int count)
 
 void run_forget(struct run *r)
 {
-    symbolic_use(r->field);
     for (int i = 0; i < r->count; i++) {
         if (r->nodes[i].done && !r->nodes[i].kept)
             arithmetic_symbolic.clear(&r->nodes[i].value);
@@ -199,7 +192,6 @@ void run_forget(struct run *r)
 
 void run_end(struct run *r)
 {
-    symbolic_use(r->field);
     for (int i = 0; i < r->count; i++)
         if (r->nodes[i].done)
             arithmetic_symbolic.clear(&r->nodes[i].value);
@@ -208,135 +200,7 @@ void run_end(struct run *r)
     free(r->variable);
 }
 
-/* ---- evidence ---- */
-
-static void evaluate_polynomial(fmpq_t y, const fmpz_mpoly_t f, fmpq *point)
-{
-    const fmpq_mpoly_ctx_t ctx = {{.zctx = {*symbolic_context()}}};
-    const fmpq_mpoly_t rational = {{.content = {{1, 1}}, .zpoly = {*f}}}; /* borrows it */
-    const slong count = fmpz_mpoly_ctx_nvars(ctx->zctx);
-    fmpq **at = xrealloc(NULL, (size_t)count, sizeof *at);
-    for (slong k = 0; k < count; k++)
-        at[k] = point + k;
-    fmpq_mpoly_evaluate_all_fmpq(y, rational, at, ctx);
-    free(at);
-}
-
-/* False at a pole. */
-static bool rational_at(fmpq_t y, const fmpz_mpoly_q_struct *f, fmpq *point)
-{
-    SCOPE(fmpq, under);
-    evaluate_polynomial(y, fmpz_mpoly_q_numref(f), point);
-    evaluate_polynomial(under, fmpz_mpoly_q_denref(f), point);
-    const bool fine = !fmpq_is_zero(under);
-    if (fine)
-        fmpq_div(y, y, under);
-    return fine;
-}
-
-/* Small numbers, 1 if it can be; the tangent of half an angle is 1/2, 1/3 ..., so that it is within a quarter turn. */
-static void choose_point(fmpq *point, const struct run *r, int attempt)
-{
-    for (int i = 0; i < r->t->program.inputs; i++) {
-        const slong k = r->variable[i], size = 1 + (attempt * (k + 1) + (attempt > 0 ? k : 0)) % 5;
-        if (k >= 0 && r->t->variables[i].angle)
-            fmpq_set_si(point + k, 1, (ulong)size + 1);
-        else if (k >= 0)
-            fmpq_set_si(point + k, r->t->variables[i].signs & SIGN_POSITIVE ? size : -size, 1);
-    }
-}
-
-static void print_rational(struct tex *out, const fmpq_t q)
-{
-    char *text = fmpq_get_str(NULL, 10, q);
-    tex_add(out, "%s", text);
-    flint_free(text);
-}
-
-/* "; LEFT is not RIGHT where NAME = ...": a point where the two differ. */
-static void print_example(struct tex *out, const struct run *r, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y)
-{
-    enum { ATTEMPTS = 100 };
-    VECTOR(fmpq, point, r->variables + 1);
-    SCOPE(fmpq, left, right);
-    const slong all = fmpz_mpoly_ctx_nvars(symbolic_context());
-    int attempt = 0, *used = xrealloc(NULL, 2 * (size_t)all, sizeof *used);
-    fmpz_mpoly_q_used_vars(used, x, symbolic_context());
-    fmpz_mpoly_q_used_vars(used + all, y, symbolic_context());
-    do
-        choose_point(point, r, attempt);
-    while (attempt++ < ATTEMPTS &&
-           (!rational_at(left, x, point) || !rational_at(right, y, point) || fmpq_equal(left, right)));
-    tex_add(out, "; ");
-    print_rational(out, left);
-    tex_add(out, " is not ");
-    print_rational(out, right);
-    const char *separator = " where ";
-    for (int i = 0; i < r->t->program.inputs && attempt <= ATTEMPTS; i++) {
-        const slong k = r->variable[i];
-        if (k < 0 || !(used[k] || used[all + k]))
-            continue;
-        const char *name = r->t->program.names[i].text;
-        tex_add(out, r->t->variables[i].angle ? "%stan(%s/2) = " : "%s%s = ", separator, name);
-        print_rational(out, point + k);
-        tex_add(out, r->t->variables[i].power > 0 ? " epsilon" : "");
-        separator = ", ";
-    }
-    free(used);
-}
-
-enum { SHOWN_TERMS = 6 };
-
-/* The leading terms of a polynomial, in the names of the inputs; an angle is known by t, the tangent of its half. */
-static void print_polynomial(struct tex *out, const struct run *r, const fmpz_mpoly_t f)
-{
-    const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    struct tex *names = xrealloc(NULL, (size_t)r->variables + 1, sizeof *names);
-    const char **texts = xrealloc(NULL, (size_t)r->variables + 1, sizeof *texts);
-    fmpz_mpoly_struct head = *f; /* borrows it */
-    texts[0] = "none"; /* FLINT has one variable at least */
-    for (int i = 0; i < r->t->program.inputs; i++) {
-        const slong k = r->variable[i];
-        if (k < 0)
-            continue;
-        names[k] = (struct tex){NULL, 0};
-        tex_add(&names[k], "%s%s", r->t->variables[i].angle ? "t_" : "", r->t->program.names[i].text);
-        texts[k] = names[k].text;
-    }
-    head.length = FLINT_MIN(head.length, SHOWN_TERMS);
-    char *text = fmpz_mpoly_get_str_pretty(&head, texts, ctx);
-    tex_add(out, "%s", text);
-    flint_free(text);
-    for (slong k = 0; k < r->variables; k++)
-        tex_clear(&names[k]);
-    free(names);
-    free(texts);
-}
-
-/* The difference of two coefficients, not zero. */
-static void print_difference(struct tex *out, const struct run *r, const fmpz_mpoly_q_struct *x,
-                             const fmpz_mpoly_q_struct *y, struct proof *p)
-{
-    const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    struct tex over = {NULL, 0}, under = {NULL, 0}, tex = {NULL, 0};
-    fmpz_mpoly_q_t difference;
-    fmpz_mpoly_q_init(difference, ctx);
-    fmpz_mpoly_q_sub(difference, x, y, ctx);
-    const slong length = fmpz_mpoly_length(fmpz_mpoly_q_numref(difference), ctx);
-    print_polynomial(&over, r, fmpz_mpoly_q_numref(difference));
-    print_polynomial(&under, r, fmpz_mpoly_q_denref(difference));
-    tex_add(out, length > SHOWN_TERMS ? "(%s+...%ld terms)" : length > 1 ? "(%s)" : "%s", over.text, (long)length);
-    if (!fmpz_mpoly_is_one(fmpz_mpoly_q_denref(difference), ctx))
-        tex_add(out, "/(%s%s)", under.text, fmpz_mpoly_length(fmpz_mpoly_q_denref(difference), ctx) > SHOWN_TERMS ? "+..." : "");
-    typeset_inline(&tex, over.text, over.length);
-    tex_add(&tex, length > SHOWN_TERMS ? " + \\dots" : "");
-    p->difference = tex.text;
-    tex_clear(&over);
-    tex_clear(&under);
-    fmpz_mpoly_q_clear(difference, ctx);
-}
-
-/* ---- the proof ---- */
+/* ---- comparing ---- */
 
 /* Where the sides of an equality differ, or why they cannot be compared. */
 struct finding {
@@ -346,7 +210,6 @@ struct finding {
 
 bool run_root(struct run *r, int node)
 {
-    symbolic_use(r->field);
     const struct symbolic *x = value_of(r, node);
     const int s = x->fault == SYMBOLIC_FINE && !x->angle ? signs_of(r, node) : SIGN_ANY;
     const bool is_root = !(s & SIGN_NEGATIVE) && s != SIGN_ZERO;
@@ -366,9 +229,9 @@ static enum result compare_nodes(struct run *r, int left, int right, bool *zero,
 {
     const struct symbolic *x = value_of(r, left), *y = value_of(r, right);
     f->fault = fault_of(x) != SYMBOLIC_FINE ? fault_of(x) : fault_of(y);
-    if (f->fault != SYMBOLIC_FINE)
+    *zero = f->fault == SYMBOLIC_FINE;
+    if (!*zero)
         return IDENTITY_UNDECIDED;
-    *zero = true;
     for (f->power = 0; f->power < r->terms; f->power++) {
         if (!fmpz_mpoly_q_equal(x->a + f->power, y->a + f->power, symbolic_context()))
             return IDENTITY_DIFFERS;
@@ -377,14 +240,119 @@ static enum result compare_nodes(struct run *r, int left, int right, bool *zero,
     return IDENTITY_HOLDS;
 }
 
-enum result run_compare(struct run *r, int left, int right, bool *large)
+enum result run_compare(struct run *r, int left, int right)
 {
     bool zero;
     struct finding f;
-    symbolic_use(r->field);
     const enum result result = compare_nodes(r, left, right, &zero, &f);
-    *large = f.fault == SYMBOLIC_TOO_LARGE;
-    return result;
+    const bool nowhere = f.fault == SYMBOLIC_ANGLE_AS_NUMBER || (f.fault == SYMBOLIC_POLE && !r->at_point);
+    return nowhere ? IDENTITY_DIFFERS : result;
+}
+
+/* ---- evidence ---- */
+
+enum { SHOWN_TERMS = 6, EXAMPLES = 5 };
+
+static void print_terms(struct tex *out, const fmpz_mpoly_struct *f, const char **names)
+{
+    char *text = fmpz_mpoly_get_str_pretty(f, names, symbolic_context());
+    tex_add(out, "%s", text);
+    flint_free(text);
+}
+
+/* The leading terms of a polynomial, in the names of the inputs; an angle is known by t, the tangent of its half. */
+static void print_polynomial(struct tex *out, const struct run *r, const fmpz_mpoly_t f)
+{
+    char (*names)[LONGEST_NAME + 3] = xrealloc(NULL, (size_t)r->variables + 1, sizeof *names);
+    const char **texts = xrealloc(NULL, (size_t)r->variables + 1, sizeof *texts);
+    fmpz_mpoly_struct head = *f; /* borrows it */
+    texts[0] = "none"; /* FLINT has one variable at least */
+    for (int i = 0; i < r->t->program.inputs; i++) {
+        const slong k = r->variable[i];
+        if (k < 0)
+            continue;
+        snprintf(names[k], sizeof *names, "%s%s", r->t->variables[i].angle ? "t_" : "", r->t->program.names[i].text);
+        texts[k] = names[k];
+    }
+    head.length = FLINT_MIN(head.length, SHOWN_TERMS);
+    print_terms(out, &head, texts);
+    free(names);
+    free(texts);
+}
+
+static bool is_integral(const fmpz_mpoly_q_struct *x)
+{
+    return fmpz_mpoly_is_one(fmpz_mpoly_q_denref(x), symbolic_context());
+}
+
+/* Of a coefficient that is a number. */
+static void print_number(struct tex *out, const fmpz_mpoly_q_struct *x)
+{
+    print_terms(out, fmpz_mpoly_q_numref(x), NULL);
+    if (!is_integral(x)) {
+        tex_add(out, "/");
+        print_terms(out, fmpz_mpoly_q_denref(x), NULL);
+    }
+}
+
+/* "; LEFT is not RIGHT where NAME = ...", at the first point where the coefficients of epsilon^power differ. */
+static void print_example(struct tex *out, struct run *r, const struct equality *e, slong power)
+{
+    const slong all = fmpz_mpoly_ctx_nvars(symbolic_context());
+    int *used = xrealloc(NULL, 2 * (size_t)all, sizeof *used);
+    bool found = false;
+    fmpz_mpoly_q_used_vars(used, value_of(r, e->left)->a + power, symbolic_context());
+    fmpz_mpoly_q_used_vars(used + all, value_of(r, e->right)->a + power, symbolic_context());
+    for (int example = 0; example < EXAMPLES && !found; example++) {
+        struct run at;
+        struct finding f;
+        bool zero;
+        run_begin(&at, r->t, r->terms, RUN_AT_POINT, 0);
+        at.example = example;
+        found = compare_nodes(&at, e->left, e->right, &zero, &f) == IDENTITY_DIFFERS && f.power == power;
+        if (found) {
+            tex_add(out, "; ");
+            print_number(out, value_of(&at, e->left)->a + power);
+            tex_add(out, " is not ");
+            print_number(out, value_of(&at, e->right)->a + power);
+        }
+        const char *separator = " where ";
+        for (int i = 0; i < r->t->program.inputs && found; i++) {
+            const struct variable *v = &r->t->variables[i];
+            const slong k = r->variable[i];
+            if (k < 0 || !(used[k] || used[all + k]))
+                continue;
+            tex_add(out, v->angle ? "%stan(%s/2) = 1/%ld" : "%s%s = %ld", separator, r->t->program.names[i].text,
+                    (long)number_at_point(&at, k, v->angle));
+            tex_add(out, v->power > 0 ? " epsilon" : "");
+            separator = ", ";
+        }
+        run_end(&at);
+    }
+    free(used);
+}
+
+/* The difference of two coefficients, not zero. */
+static void print_difference(struct tex *out, const struct run *r, const fmpz_mpoly_q_struct *x,
+                             const fmpz_mpoly_q_struct *y, struct proof *p)
+{
+    const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
+    struct tex over = {NULL, 0}, under = {NULL, 0}, tex = {NULL, 0};
+    fmpz_mpoly_q_t difference;
+    fmpz_mpoly_q_init(difference, ctx);
+    fmpz_mpoly_q_sub(difference, x, y, ctx);
+    const slong length = fmpz_mpoly_length(fmpz_mpoly_q_numref(difference), ctx);
+    print_polynomial(&over, r, fmpz_mpoly_q_numref(difference));
+    print_polynomial(&under, r, fmpz_mpoly_q_denref(difference));
+    tex_add(out, length > SHOWN_TERMS ? "(%s+...%ld terms)" : length > 1 ? "(%s)" : "%s", over.text, (long)length);
+    if (!is_integral(difference))
+        tex_add(out, "/(%s%s)", under.text, fmpz_mpoly_length(fmpz_mpoly_q_denref(difference), ctx) > SHOWN_TERMS ? "+..." : "");
+    typeset_inline(&tex, over.text, over.length);
+    tex_add(&tex, length > SHOWN_TERMS ? " + \\dots" : "");
+    p->difference = tex.text;
+    tex_clear(&over);
+    tex_clear(&under);
+    fmpz_mpoly_q_clear(difference, ctx);
 }
 
 /* How the sides of an equality differ, or why they have no value. */
@@ -397,15 +365,16 @@ static char *tell_difference(struct run *r, const struct equality *e, const stru
         tex_add(&out, "no value, %s%s%s", symbolic_fault_text(f->fault), large ? ", " : "", large ? symbolic_fault_size() : "");
         return out.text;
     }
-    const fmpz_mpoly_q_struct *x = value_of(r, e->left)->a + f->power, *y = value_of(r, e->right)->a + f->power;
     if (r->terms > 1)
         tex_add(&out, "the coefficients of epsilon^%ld differ by ", (long)f->power);
     else
         tex_add(&out, "the sides differ by ");
-    print_difference(&out, r, x, y, p);
-    print_example(&out, r, x, y);
+    print_difference(&out, r, value_of(r, e->left)->a + f->power, value_of(r, e->right)->a + f->power, p);
+    print_example(&out, r, e, f->power);
     return out.text;
 }
+
+/* ---- the proof ---- */
 
 /* Where nothing told against the identities before: they are undecided, for what is said of `what`. */
 static void proof_fails(struct proof *p, const struct yaml *at, const char *format, const char *what)
@@ -419,53 +388,47 @@ static void proof_fails(struct proof *p, const struct yaml *at, const char *form
     p->evidence = out.text;
 }
 
-/* Whether equalities of which both sides vanish do so for good, and not for want of further terms. */
-static void look_further(const struct identities *t, const bool *zero, struct proof *p)
+/*
+ * To so many terms. Further than the order: whether equalities of which both sides vanish to it do so for good, and not for
+ * want of further terms.
+ */
+static void prove_to(const struct identities *t, slong terms, bool further, bool *zero, struct proof *p)
 {
     struct run r;
-    struct finding f;
-    run_begin(&r, t, 2 * t->order + 4, RUN_STRICT, 0);
-    for (int i = 0; i < t->root_count; i++)
-        run_root(&r, t->roots[i].node);
-    for (int i = 0; i < t->shown_count; i++) {
-        bool still = true;
-        if (zero[i])
-            still = compare_nodes(&r, t->shown[i].left, t->shown[i].right, &still, &f) == IDENTITY_HOLDS && still;
-        if (!still)
-            proof_fails(p, t->shown[i].at, "%s: both sides vanish to this order: nothing is shown", t->shown[i].text);
-        p->holds[i] = p->holds[i] && still;
-    }
-    run_end(&r);
-}
-
-void identities_prove(const struct identities *t, struct proof *p)
-{
-    struct run r;
-    bool zero[MOST_SHOWN] = {false};
-    *p = (struct proof){.result = IDENTITY_HOLDS};
-    run_begin(&r, t, t->order + 1 + (t->order < 0), RUN_STRICT, 0);
+    run_begin(&r, t, terms, RUN_STRICT, 0);
     for (int i = 0; i < t->root_count; i++)
         if (!run_root(&r, t->roots[i].node))
             proof_fails(p, t->roots[i].at, "square root %s is not proved to be positive", t->roots[i].text);
     for (int i = 0; i < t->shown_count; i++) {
         const struct equality *e = &t->shown[i];
         struct finding f;
+        if (further && !zero[i])
+            continue;
         const enum result result = compare_nodes(&r, e->left, e->right, &zero[i], &f);
-        p->holds[i] = result == IDENTITY_HOLDS;
+        p->holds[i] = result == IDENTITY_HOLDS && (!further || zero[i]);
         zero[i] = zero[i] && p->holds[i];
-        if (p->result == IDENTITY_HOLDS && result != IDENTITY_HOLDS) {
+        if (further && !zero[i])
+            proof_fails(p, e->at, "%s: both sides vanish to this order: nothing is shown", e->text);
+        if (!further && result != IDENTITY_HOLDS && p->result == IDENTITY_HOLDS) {
             p->result = result;
             p->at = e->at;
             p->offset = e->offset;
             p->evidence = tell_difference(&r, e, &f, p);
         }
     }
-    for (int i = 0; i < t->root_count && !t->shared; i++)
+    for (int i = 0; i < t->root_count && !t->shared && !further; i++)
         if (!symbolic_root_used(i))
             proof_fails(p, t->roots[i].at, "square root %s is the root of nothing shown", t->roots[i].text);
     run_end(&r);
+}
+
+void identities_prove(const struct identities *t, struct proof *p)
+{
+    bool zero[MOST_SHOWN];
+    *p = (struct proof){.result = IDENTITY_HOLDS};
+    prove_to(t, FLINT_MAX(t->order, 0) + 1, false, zero, p);
     if (t->order >= 0 && p->result == IDENTITY_HOLDS)
-        look_further(t, zero, p);
+        prove_to(t, 2 * t->order + 4, true, zero, p);
 }
 
 void proof_clear(struct proof *p)

@@ -132,15 +132,15 @@ void proof_clear(struct proof *p);
 
 /* ---- at work ---- */
 
-/* The values and signs of nodes, in a field of normal forms of its own: worked out when they are first asked for. */
+/* The values and signs of nodes, in a field of normal forms of their own: worked out when they are first asked for. */
 struct run {
     const struct identities *t;
-    struct symbolic_field *field;
     struct known *nodes;
     int count;         /* of nodes                                    */
     slong *variable;   /* of an input; -1 where nothing rests on it   */
     slong variables, terms;
     bool at_point;     /* every variable has a number for its value   */
+    slong example;     /* which of the points with small numbers; -1: with primes, where nothing happens to vanish */
 };
 
 enum manner { RUN_STRICT, RUN_LOOSE, RUN_AT_POINT }; /* strict and loose: see symbolic.h; at a point it is loose, too */
@@ -155,8 +155,10 @@ void run_keep(struct run *r, int count);
 void run_forget(struct run *r);
 void run_extend(struct run *r);
 
-/* A node becomes a square root, if it is proved to be positive; how two nodes compare, *large: they are too large to tell. */
+/* A node becomes a square root, if it is proved to be positive. */
 bool run_root(struct run *r, int node);
-enum result run_compare(struct run *r, int left, int right, bool *large);
+
+/* How two nodes compare. What has no value anywhere differs: an angle where a number is due, a pole that is none of the point alone. */
+enum result run_compare(struct run *r, int left, int right);
 
 #endif
