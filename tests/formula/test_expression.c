@@ -19,7 +19,9 @@ static void get_coefficient(fmpq_t q, const void *value, slong k)
 {
     const struct symbolic *x = value;
     const struct symbolic one = {.a = x->a + k, .terms = 1, .fault = x->fault};
-    symbolic_get_rational(q, &one);
+    SCOPE(fmpq_poly, f);
+    symbolic_get_polynomial(f, &one);
+    fmpq_poly_get_coeff_fmpq(q, f, 0);
 }
 
 static enum symbolic_fault state(const void *value)

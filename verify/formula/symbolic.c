@@ -138,7 +138,7 @@ const char *symbolic_fault_text(enum symbolic_fault fault)
 
 static bool is_zero(const quotient *x)
 {
-    return fmpz_mpoly_is_zero(fmpz_mpoly_q_numref(x), CTX);
+    return fmpz_mpoly_q_is_zero(x, CTX);
 }
 
 static double bits_of(const quotient *x)
@@ -158,28 +158,24 @@ static double terms_of(const quotient *x)
     return (double)(fmpz_mpoly_length(fmpz_mpoly_q_numref(x), CTX) + fmpz_mpoly_length(fmpz_mpoly_q_denref(x), CTX));
 }
 
-static bool too_large(const char *what, double size)
-{
-    field->large = true;
-    snprintf(field->size, sizeof field->size, "%s: %.3g", what, size);
-    return false;
-}
-
 /* Whether x op y may be made: as large as it may become it is within bounds. */
 static bool may_combine(const quotient *x, const quotient *y)
 {
-    const double seconds = (double)(clock() - field->start) / CLOCKS_PER_SEC;
-    if (field->large)
-        return false;
-    if (terms_of(x) * terms_of(y) > MOST_TERMS)
-        return too_large("terms", terms_of(x) * terms_of(y));
-    if (bits_of(x) + bits_of(y) > MOST_NUMBER_BITS)
-        return too_large("bits of a number", bits_of(x) + bits_of(y));
-    if (terms_of(x) * terms_of(y) * (bits_of(x) + bits_of(y)) > MOST_WORK)
-        return too_large("terms times bits", terms_of(x) * terms_of(y) * (bits_of(x) + bits_of(y)));
-    if (degree_of(x) + degree_of(y) > MOST_DEGREE)
-        return too_large("degree", degree_of(x) + degree_of(y));
-    return seconds <= MOST_SECONDS || too_large("seconds", seconds);
+    const double terms = terms_of(x) * terms_of(y), bits = bits_of(x) + bits_of(y);
+    const struct {
+        const char *what;
+        double size, most;
+    } bounds[] = {{"terms", terms, MOST_TERMS},
+                  {"bits of a number", bits, MOST_NUMBER_BITS},
+                  {"terms times bits", terms * bits, MOST_WORK},
+                  {"degree", degree_of(x) + degree_of(y), MOST_DEGREE},
+                  {"seconds", (double)(clock() - field->start) / CLOCKS_PER_SEC, MOST_SECONDS}};
+    for (size_t i = 0; i < sizeof bounds / sizeof *bounds && !field->large; i++)
+        if (!(bounds[i].size <= bounds[i].most)) {
+            field->large = true;
+            snprintf(field->size, sizeof field->size, "%s: %.3g", bounds[i].what, bounds[i].size);
+        }
+    return !field->large;
 }
 
 /* z += sign x */
@@ -361,16 +357,6 @@ bool symbolic_get_polynomial(fmpq_poly_t f, const struct symbolic *x)
     fmpz_mpoly_get_fmpz(c, under, CTX);
     fmpq_poly_scalar_div_fmpz(f, f, c);
     return true;
-}
-
-bool symbolic_get_rational(fmpq_t q, const struct symbolic *x)
-{
-    SCOPE(fmpq_poly, f);
-    const bool constant = symbolic_get_polynomial(f, x) && fmpq_poly_degree(f) <= 0;
-    fmpq_zero(q);
-    if (constant)
-        fmpq_poly_get_coeff_fmpq(q, f, 0);
-    return constant;
 }
 
 /* ---- functions ---- */

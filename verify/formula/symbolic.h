@@ -59,8 +59,7 @@ bool symbolic_root_used(int i);
 
 bool symbolic_is_square(const fmpz_mpoly_t f); /* false too where that would take too long to find out */
 
-/* A constant's value; a polynomial in the one variable. False where it is none; zero then. */
-bool symbolic_get_rational(fmpq_t q, const struct symbolic *x);
+/* A polynomial in the one variable. False where it is none; zero then. */
 bool symbolic_get_polynomial(fmpq_poly_t f, const struct symbolic *x);
 
 /* What was too large, or the root that was not given: the end of the last fault's story. */

@@ -39,7 +39,6 @@ struct root {
 struct use {
     const struct section *section;
     const struct formulas *formulas; /* the section's, as printed too, or a relation's */
-    const char *name;                /* of a side, the relation's text */
     int part;                        /* the node in that program    */
     int node, first;                 /* what it became: a node, of those from `first` on */
     int *copy;                       /* what each node of that program became; older than first, it was bound */

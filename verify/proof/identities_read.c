@@ -144,6 +144,14 @@ static bool rate_name(const struct sheet *s, const char *name, char rate[LONGEST
     return quantity_find(s, rate) != NULL;
 }
 
+static bool are_rates(const struct yaml *rates)
+{
+    bool fine = rates == NULL || is_map(rates);
+    for (int i = 0; rates != NULL && i < rates->count && fine; i++)
+        fine = is_text(&rates->items[i], "a text");
+    return fine;
+}
+
 /* Every name that moves, and what it moves by, is known in the end, and goes by its own name. */
 static bool check_rates(const struct identities *t, const struct scope *s)
 {
@@ -214,18 +222,6 @@ static int unknown_in_formula(struct parser *p, const char *name, const char *ki
     return -1;
 }
 
-/* Copies the part of a program into the identities', and remembers what became of it: of the map, which it keeps. */
-static int take_part(const struct reading *r, struct use u, int *map)
-{
-    struct identities *t = r->t;
-    const struct program *from = &u.formulas->program;
-    u.first = t->program.count;
-    u.node = program_own(&t->program, u.first, program_copy_node(&t->program, from, u.part, map));
-    u.copy = map;
-    *APPENDED(t->uses, t->use_count) = u;
-    return u.node;
-}
-
 const struct relation *relation_find(const struct sheet *sheet, const char *number, const char *index,
                                      const struct section **section)
 {
@@ -241,33 +237,6 @@ const struct relation *relation_find(const struct sheet *sheet, const char *numb
                 return relation;
         }
     return NULL;
-}
-
-static int read_side(struct parser *p, bool right)
-{
-    const struct reading *r = p->context;
-    const char *begin = p->at;
-    char number[LONGEST_NAME + 1], index[LONGEST_NAME + 1] = "1";
-    struct use u = {.node = -1};
-    p->at++;
-    if (!parse_word(p, number) || (parse_symbol(p, ',') && !parse_word(p, index)))
-        return -1;
-    if (!parse_symbol(p, ')'))
-        return parse_refuse(p, "',' or ')'");
-    const struct relation *relation = relation_find(r->scope->sheet, number, index, &u.section);
-    if (relation == NULL) {
-        p->at = begin;
-        message_set(p->why, "unknown relation %s of (%s), expected one of the sheet", index, number);
-        return -1;
-    }
-    const struct program *from = &relation->sides.program;
-    int *stand_in = xrealloc(NULL, (size_t)from->count, sizeof *stand_in);
-    for (int i = 0; i < from->count; i++)
-        stand_in[i] = i < from->inputs ? program_find(p->program, from->names[i].text) : -1;
-    u.formulas = &relation->sides;
-    u.name = relation->text;
-    u.part = relation->sides.outputs[right];
-    return take_part(r, u, stand_in);
 }
 
 /* (name = formula, ...) */
@@ -298,9 +267,8 @@ static const char *bind_names(const struct reading *r, const struct program *fro
     const char *missing = NULL;
     for (int i = 0; i < from->named; i++) {
         const int node = from->names[i].node, here = program_find(p, from->names[i].text);
-        const bool is_input = node < from->inputs;
         const bool is_free = here >= r->scope->sheet->quantity_count && here < p->inputs;
-        if ((is_input || is_free) && stand_in[node] < 0)
+        if ((node < from->inputs || is_free) && stand_in[node] < 0)
             stand_in[node] = here;
     }
     char *needed = xrealloc(NULL, (size_t)from->count, 1);
@@ -311,20 +279,64 @@ static const char *bind_names(const struct reading *r, const struct program *fro
     return missing;
 }
 
+static int *nothing_bound(const struct program *from)
+{
+    int *map = xrealloc(NULL, (size_t)from->count, sizeof *map);
+    for (int i = 0; i < from->count; i++)
+        map[i] = -1;
+    return map;
+}
+
+/* Copies the part of a program into the identities', and remembers what became of it: of the map, which it keeps. */
+static int take_part(struct parser *p, const struct use *u, int *map)
+{
+    const struct reading *r = p->context;
+    struct identities *t = r->t;
+    const struct program *from = &u->formulas->program;
+    const char *missing = bind_names(r, from, u->part, map);
+    const int first = t->program.count;
+    struct use *own = APPENDED(t->uses, t->use_count);
+    *own = *u;
+    own->first = first;
+    own->copy = map;
+    if (missing != NULL) {
+        message_set(p->why, "nothing here is called '%s', expected %s = ... in brackets", missing, missing);
+        return -1;
+    }
+    own->node = program_own(&t->program, first, program_copy_node(&t->program, from, u->part, map));
+    return own->node;
+}
+
+static int read_side(struct parser *p, bool right)
+{
+    const struct reading *r = p->context;
+    const char *begin = p->at;
+    char number[LONGEST_NAME + 1], index[LONGEST_NAME + 1] = "1";
+    struct use u;
+    p->at++;
+    if (!parse_word(p, number) || (parse_symbol(p, ',') && !parse_word(p, index)))
+        return -1;
+    if (!parse_symbol(p, ')'))
+        return parse_refuse(p, "',' or ')'");
+    const struct relation *relation = relation_find(r->scope->sheet, number, index, &u.section);
+    if (relation == NULL) {
+        p->at = begin;
+        message_set(p->why, "unknown relation %s of (%s), expected one of the sheet", index, number);
+        return -1;
+    }
+    u.formulas = &relation->sides;
+    u.part = relation->sides.outputs[right];
+    return take_part(p, &u, nothing_bound(&relation->sides.program));
+}
+
 /* An output, or the last of that name in the program. */
 static bool find_output(struct use *u, const char *name)
 {
-    const struct program *p = &u->formulas->program;
-    for (int i = 0; i < p->named; i++)
-        if (strcmp(p->names[i].text, name) == 0)
-            u->name = p->names[u->part = i].text;
-    u->part = u->name != NULL ? p->names[u->part].node : -1;
+    u->part = program_find(&u->formulas->program, name);
     for (int i = 0; i < u->section->output_count; i++)
-        if (strcmp(u->section->outputs[i]->name, name) == 0) {
-            u->name = u->section->outputs[i]->name;
+        if (strcmp(u->section->outputs[i]->name, name) == 0)
             u->part = u->formulas->outputs[i];
-        }
-    return u->name != NULL;
+    return u->part >= 0;
 }
 
 /* @printed, if it stands there; NULL after a complaint */
@@ -384,21 +396,14 @@ static int read_output(struct parser *p, const char *id)
     u.formulas = read_variant(p, u.section);
     if (u.formulas == NULL)
         return -1;
-    const struct program *from = &u.formulas->program;
     if (!find_output(&u, name)) {
         p->at = behind;
         return unknown_in_formula(p, name, "output", "an output or a named subexpression of that section");
     }
-    int *stand_in = xrealloc(NULL, (size_t)from->count, sizeof *stand_in);
-    for (int i = 0; i < from->count; i++)
-        stand_in[i] = -1;
-    if (*p->at != '(' || (p->at++, read_bindings(p, from, stand_in))) {
-        const char *missing = bind_names(r, from, u.part, stand_in);
-        if (missing == NULL)
-            return take_part(r, u, stand_in);
-        message_set(p->why, "nothing here is called '%s', expected %s = ... in brackets after %s", missing, missing, name);
-    }
-    free(stand_in);
+    int *map = nothing_bound(&u.formulas->program);
+    if (*p->at != '(' || (p->at++, read_bindings(p, &u.formulas->program, map)))
+        return take_part(p, &u, map);
+    free(map);
     return -1;
 }
 
@@ -486,19 +491,6 @@ bool identities_show(struct identities *t, const struct scope *s, const struct y
 
 /* ---- definitions ---- */
 
-/* What bears the name of an output of a section is that output, where it is one of that section. */
-static bool check_name(const struct scope *s, const struct yaml *value)
-{
-    char id[LONGEST_NAME + 1], output[LONGEST_NAME + 1];
-    if (sscanf(value->text, "%63[a-z0-9].%63[A-Za-z0-9_]", id, output) != 2)
-        return true;
-    const struct section *section = section_or_definition(s->sheet, s->definitions, id);
-    for (int i = 0; section != NULL && i < section->output_count; i++)
-        if (strcmp(section->outputs[i]->name, value->key) == 0 && strcmp(output, value->key) != 0)
-            return node_error(value, 0, "%s has %s itself, expected another name than that", id, value->key);
-    return true;
-}
-
 /* A definition that is a formula of the sheet: it restricts nothing that the sheet would not. */
 static bool takes_formula(const char *text)
 {
@@ -509,10 +501,12 @@ static bool read_let(struct identities *t, const struct scope *s)
 {
     enum { SHORT = 40 };
     const struct yaml *let = scope_given(s, "let");
+    if (let != NULL && !is_map(let))
+        return false;
     for (int i = 0; let != NULL && i < let->count; i++) {
         const struct yaml *definition = &let->items[i];
         const int node = identities_formula(t, s, definition);
-        if (node < 0 || !check_name(s, definition))
+        if (node < 0)
             return false;
         program_name(&t->program, node, definition->key);
         if (quantity_find(s->sheet, definition->key) != NULL && !takes_formula(definition->text))
@@ -539,23 +533,11 @@ static bool read_square_roots(struct identities *t, const struct scope *s)
     return true;
 }
 
-static bool are_texts(const struct scope *s, const char *key)
-{
-    const struct yaml *node = scope_given(s, key);
-    if (node != NULL && !is_map(node))
-        return false;
-    for (int i = 0; node != NULL && i < node->count; i++)
-        if (node->items[i].text == NULL)
-            return node_error(&node->items[i], 0, "expected a text");
-    return true;
-}
-
 bool identities_open(struct identities *t, const struct scope *s)
 {
     *t = (struct identities){.shared = s->shared != NULL};
     program_init(&t->program);
-    return are_texts(s, "rates") && are_texts(s, "let") && read_order(t, s) && read_declarations(t, s) &&
-           read_let(t, s) && read_square_roots(t, s);
+    return are_rates(scope_given(s, "rates")) && read_order(t, s) && read_declarations(t, s) && read_let(t, s) && read_square_roots(t, s);
 }
 
 /* ---- what serves nothing ---- */
