@@ -315,7 +315,8 @@ static const struct {
     const char *text;
 } balls[] = {
     {1020, 1040, 1, "1e+01"},
-    {940, 1060, 1, NULL},    /* 9.4 rounds to 9, 10.6 to 10 */
+    {940, 1040, 1, NULL},    /* 9.4 rounds to 9, 10.4 to 10 */
+    {-1040, -940, 1, NULL},
     {955, 1040, 1, "1e+01"}, /* over a power of ten, and decided */
     {9995001, 10000100, 3, "1.00e+05"},
     {149, 151, 1, NULL}, /* round a tie */
@@ -340,7 +341,7 @@ EACH(D1_a_ball_is_decided_when_all_of_it_rounds_alike, COUNT(balls))
 }
 
 /*
- * An m near one of 200 bits of which m P/Q is about 2^-71 from n + 1/2: of the convergents of P/Q, with remainders that alternate and
+ * An m near one of 200 bits of which m P/Q is about 2^-62 from n + 1/2: of the convergents of P/Q, with remainders that alternate and
  * shrink, as many are taken away as bring m P mod Q nearest to Q/2.
  */
 static void beside_a_tie(fmpz_t m, const fmpz_t P, const fmpz_t Q, uint64_t *random)
@@ -359,7 +360,7 @@ static void beside_a_tie(fmpz_t m, const fmpz_t P, const fmpz_t Q, uint64_t *ran
     fmpz_mod(off, off, Q);
     fmpz_fdiv_q_2exp(half, Q, 1);
     fmpz_sub(off, off, half);
-    for (int sign = 1; fmpz_bits(now) < 70; sign = -sign) {
+    for (int sign = 1; fmpz_bits(now) < 61; sign = -sign) {
         fmpz_fdiv_q_2exp(rest, small, 1);
         fmpz_add(rest, rest, off);
         fmpz_fdiv_q(times, rest, small); /* off = times small, nearly */

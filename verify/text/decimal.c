@@ -1,10 +1,11 @@
 /*
- * Numbers as text: integers of so many digits, which rationals and binary64 are rounded to exactly, and balls at both ends;
- * strtod rounds correctly, too. No locale but C's takes part: the program sets none.
+ * Numbers as text: integers of so many digits, which rationals are rounded to exactly, and balls at both ends; of numbers that are
+ * binary themselves MPFR does so. strtod rounds correctly, too. No locale but C's takes part: the program sets none.
  */
 #include "text/decimal.h"
 
 #include <float.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,39 +22,34 @@ static const slong LARGEST_EXPONENT = 5000, MOST_DIGITS = 10000;
 /* The literal's own value; strtod() has found it well formed and finite in syntax. False where it is too large to be told. */
 static bool own_value(fmpq_t value, const char *text)
 {
-    const bool negative = *text == '-';
-    text += *text == '-' || *text == '+';
-    const bool hexadecimal = text[0] == '0' && (text[1] | 0x20) == 'x';
-    text += hexadecimal ? 2 : 0;
+    const bool hexadecimal = strpbrk(text, "xX") != NULL;
     const size_t length = strcspn(text, hexadecimal ? "pP" : "eE");
     slong exponent = text[length] != '\0' ? strtol(text + length + 1, NULL, 10) : 0, fraction = 0; /* saturated far outside */
-    char *digits = xrealloc(NULL, length + 1, 1);
-    size_t count = 0;
+    char *digits = text_copy(text), *end = digits;
+    bool point = false;
     SCOPE(fmpz, mantissa, power);
-    for (size_t i = 0; i < length; i++)
-        if (text[i] != '.')
-            digits[count++] = text[i];
-    digits[count] = '\0';
-    if (count < length)
-        fraction = (slong)(length - 1 - strcspn(text, "."));
+    for (size_t i = 0; i < length; i++) {
+        if (strchr("+.xX", text[i]) == NULL) {
+            *end++ = text[i];
+            fraction += point;
+        }
+        point = point || text[i] == '.';
+    }
+    *end = '\0';
     fmpz_set_str(mantissa, digits, hexadecimal ? 16 : 10);
     free(digits);
-    const bool giant = exponent < -LARGEST_EXPONENT || exponent > LARGEST_EXPONENT || fraction > MOST_DIGITS ||
-                       (slong)fmpz_bits(mantissa) > 4 * MOST_DIGITS;
+    fmpq_set_fmpz(value, mantissa);
     if (fmpz_is_zero(mantissa))
-        fmpq_zero(value);
-    if (fmpz_is_zero(mantissa) || giant)
-        return fmpz_is_zero(mantissa);
+        return true;
+    if (exponent < -LARGEST_EXPONENT || exponent > LARGEST_EXPONENT || fraction > MOST_DIGITS ||
+        (slong)fmpz_bits(mantissa) > 4 * MOST_DIGITS)
+        return false;
     exponent -= hexadecimal ? 4 * fraction : fraction;
     fmpz_ui_pow_ui(power, hexadecimal ? 2 : 10, (ulong)labs(exponent));
-    if (negative)
-        fmpz_neg(mantissa, mantissa);
-    if (exponent < 0) {
-        fmpq_set_fmpz_frac(value, mantissa, power);
-    } else {
-        fmpz_mul(mantissa, mantissa, power);
-        fmpq_set_fmpz(value, mantissa);
-    }
+    if (exponent < 0)
+        fmpq_div_fmpz(value, value, power);
+    else
+        fmpq_mul_fmpz(value, value, power);
     return true;
 }
 
@@ -82,9 +78,11 @@ enum literal literal_read(fmpq_t value, const char *text, bool exact)
 /* What a number needs beside its digits: -, ., e, an exponent's sign and 19 digits, the end. */
 enum { BESIDE_DIGITS = 24 };
 
-/* d.ddde-XX from the digits and the exponent of the first. */
+/* d.ddde-XX from the digits, a sign perhaps before them, and the exponent of the first. */
 static void write_scientific(char *text, const char *digits, slong exponent)
 {
+    if (*digits == '-')
+        *text++ = *digits++;
     const size_t more = strlen(digits + 1);
     *text++ = *digits;
     if (more > 0)
@@ -102,20 +100,8 @@ static void write_scientific(char *text, const char *digits, slong exponent)
     }
 }
 
-/*
- * A lower bound on floor(log10(x)), nearly always equal to it, for x = mantissa 2^exponent, x > 0,
- * |exponent| < 2^50. The margin covers the rounding of three operations in double.
- */
-static slong decimal_exponent(double mantissa, slong exponent)
-{
-    const double log10_2 = 0.30102999566398119521; /* OEIS A007524 */
-    double margin = 1e-6 + fabs((double)exponent) * DBL_EPSILON;
-    return (slong)floor(log10(mantissa) + (double)exponent * log10_2 - margin);
-}
-
-/* |x| 10^k as an integer, the nearest one, ties to even: of an enclosure its end nearer zero, and false where the other rounds
-   elsewhere. One rounds down or up. */
-typedef bool rounder(fmpz_t n, const void *x, slong k);
+/* |x| 10^(digits - 1 - exponent) as an integer, the nearest one, ties to even; false where not all of an enclosure rounds alike. */
+typedef bool rounder(fmpz_t n, const void *x, slong digits, slong exponent);
 
 /* From the exponent of the first digit, or one that is too low. */
 static char *scientific(rounder *round, const void *x, bool negative, slong digits, slong exponent)
@@ -125,7 +111,7 @@ static char *scientific(rounder *round, const void *x, bool negative, slong digi
     bool decided, fits;
     do {
         flint_free(significand);
-        decided = round(n, x, digits - 1 - exponent);
+        decided = round(n, x, digits, exponent);
         significand = fmpz_get_str(NULL, 10, n);
         fits = (slong)strlen(significand) <= digits; /* not where |x| rounds to the next power of ten, either */
         exponent += !fits;
@@ -139,52 +125,26 @@ static char *scientific(rounder *round, const void *x, bool negative, slong digi
     return text;
 }
 
-/* p/q becomes p/q 10^k. */
-static void scale_decimal(fmpz_t p, fmpz_t q, slong k)
+static bool round_rational(fmpz_t n, const void *x, slong digits, slong exponent)
 {
-    SCOPE(fmpz, power);
+    const slong k = digits - 1 - exponent;
+    SCOPE(fmpz, p, q, power, remainder);
     fmpz_ui_pow_ui(power, 10, (ulong)labs(k));
+    fmpz_abs(p, fmpq_numref((const fmpq *)x));
+    fmpz_set(q, fmpq_denref((const fmpq *)x));
     fmpz_mul(k < 0 ? q : p, k < 0 ? q : p, power);
-}
-
-/* Away from zero, towards it, or to the nearest. */
-struct rounded {
-    const fmpq *x;
-    arf_rnd_t way;
-};
-
-static bool round_rational(fmpz_t n, const void *what, slong k)
-{
-    const struct rounded *r = what;
-    SCOPE(fmpz, p, q, remainder);
-    fmpz_abs(p, fmpq_numref(r->x));
-    fmpz_set(q, fmpq_denref(r->x));
-    scale_decimal(p, q, k);
-    fmpz_fdiv_qr(n, remainder, p, q);
-    bool more = r->way == ARF_RND_UP && !fmpz_is_zero(remainder);
-    if (r->way == ARF_RND_NEAR) {
-        fmpz_mul_2exp(remainder, remainder, 1);
-        const int half = fmpz_cmp(remainder, q);
-        more = half > 0 || (half == 0 && fmpz_is_odd(n));
-    }
-    if (more)
+    fmpz_ndiv_qr(n, remainder, p, q); /* of a tie the one nearer zero */
+    fmpz_mul_2exp(remainder, remainder, 1);
+    if (fmpz_cmpabs(remainder, q) == 0 && fmpz_is_odd(n))
         fmpz_add_ui(n, n, 1);
     return true;
 }
 
-static char *rounded_text(arf_rnd_t way, const fmpq_t x, slong digits)
-{
-    const struct rounded r = {x, way};
-    slong top, bottom;
-    const double above = fmpz_get_d_2exp(&top, fmpq_numref(x)), below = fmpz_get_d_2exp(&bottom, fmpq_denref(x));
-    if (fmpq_is_zero(x))
-        return text_copy("0");
-    return scientific(round_rational, &r, fmpq_sgn(x) < 0, digits, decimal_exponent(fabs(above / below), top - bottom));
-}
-
 char *decimal_of_rational(const fmpq_t x, slong digits)
 {
-    return rounded_text(ARF_RND_NEAR, x, digits);
+    /* 10^(above - 2) <= |p|, |q| < 10^below */
+    const slong above = (slong)fmpz_sizeinbase(fmpq_numref(x), 10), below = (slong)fmpz_sizeinbase(fmpq_denref(x), 10);
+    return fmpq_is_zero(x) ? text_copy("0") : scientific(round_rational, x, fmpq_sgn(x) < 0, digits, above - 2 - below);
 }
 
 /*
@@ -192,12 +152,11 @@ char *decimal_of_rational(const fmpq_t x, slong digits)
  * in tests/text/test_decimal.c: (D1) the ball's radius; (D2) the roundings of 10^k and of the product or quotient, to prec bits;
  * (D3) ends rounded outward, of which both round to n, and so does all between them; (D4) a tie, of which nothing is rounded.
  */
-static bool round_ball(fmpz_t n, const void *x, slong k)
+static bool round_ball(fmpz_t n, const void *x, slong digits, slong exponent)
 {
-    const double bits_a_digit = 3.3219280948873623; /* OEIS A020862 */
-    const slong bits = (slong)((double)fmpz_get_si(ARF_EXPREF(arb_midref((arb_srcptr)x))) + (double)k * bits_a_digit);
-    /* A tie is exact in these: it has `bits` and one of a half, and 5^k is a factor of it, or one of x. */
-    const slong prec = FLINT_MAX(bits, arf_bits(arb_midref((arb_srcptr)x))) + 64 + (slong)FLINT_BIT_COUNT(labs(k));
+    const slong k = digits - 1 - exponent;
+    /* A tie is exact in these: it has the digits' bits and one of a half, and 5^k is a factor of it, or one of x. */
+    const slong prec = FLINT_MAX(10 * digits / 3, arf_bits(arb_midref((arb_srcptr)x))) + 64;
     SCOPE(arb, y);
     SCOPE(arf, end);
     SCOPE(fmpz, other);
@@ -206,7 +165,7 @@ static bool round_ball(fmpz_t n, const void *x, slong k)
         arb_div(y, x, y, prec);
     else
         arb_mul(y, x, y, prec);
-    arb_abs(y, y);
+    arb_abs(y, y); /* the end nearer zero first, of which the exponent is the lower one */
     arb_get_lbound_arf(end, y, prec);
     arf_get_fmpz(n, end, ARF_RND_NEAR);
     arb_get_ubound_arf(end, y, prec);
@@ -216,74 +175,83 @@ static bool round_ball(fmpz_t n, const void *x, slong k)
 
 char *decimal_of_ball(const arb_t x, slong digits)
 {
+    const double log10_2 = 0.30102999566398119521; /* OEIS A007524 */
     SCOPE(mag, least);
     arb_get_mag_lower(least, x);
     if (arb_is_zero(x))
         return text_copy("0");
     if (!arb_is_finite(x) || mag_is_zero(least) || fmpz_bits(MAG_EXPREF(least)) > EXPONENT_BITS)
         return NULL;
-    const slong exponent = decimal_exponent(ldexp((double)MAG_MAN(least), -MAG_BITS), fmpz_get_si(MAG_EXPREF(least)));
-    return scientific(round_ball, x, arf_sgn(arb_midref(x)) < 0, digits, exponent);
+    const double binary = fmpz_get_d(MAG_EXPREF(least)) - 1; /* |x| >= 2^binary; of the product the margin covers the rounding */
+    return scientific(round_ball, x, arf_sgn(arb_midref(x)) < 0, digits, (slong)floor(binary * log10_2 - fabs(binary) * DBL_EPSILON));
+}
+
+/* x in so many digits, rounded that way. */
+static void write_rounded(char *text, mpfr_srcptr x, slong digits, mpfr_rnd_t way)
+{
+    mpfr_exp_t first;
+    char *significand = mpfr_get_str(NULL, &first, 10, (size_t)digits, x, way);
+    if (mpfr_zero_p(x))
+        strcpy(text, "0");
+    else
+        write_scientific(text, significand, first - 1);
+    mpfr_free_str(significand);
 }
 
 char *decimal_of_end(const arb_t x, slong digits, bool upper)
 {
-    SCOPE(arf, end);
-    SCOPE(fmpq, exact);
-    if (upper)
-        arb_get_ubound_arf(end, x, 64);
-    else
-        arb_get_lbound_arf(end, x, 64);
-    arf_get_fmpq(exact, end);
-    return rounded_text(upper == (fmpq_sgn(exact) > 0) ? ARF_RND_UP : ARF_RND_DOWN, exact, digits);
+    mpfr_t low, high;
+    char *text = xrealloc(NULL, (size_t)digits + BESIDE_DIGITS, 1);
+    mpfr_inits2(64, low, high, (mpfr_ptr)NULL);
+    arb_get_interval_mpfr(low, high, x);
+    write_rounded(text, upper ? high : low, digits, upper ? MPFR_RNDU : MPFR_RNDD);
+    mpfr_clears(low, high, (mpfr_ptr)NULL);
+    return text;
+}
+
+/* The integer below m p/q, and whether that is it. */
+static uint64_t whole_part(slong m, const fmpz_t p, const fmpz_t q, bool *exact)
+{
+    SCOPE(fmpz, whole, rest);
+    fmpz_mul_si(whole, p, m);
+    fmpz_fdiv_qr(whole, rest, whole, q);
+    *exact = fmpz_is_zero(rest);
+    return fmpz_get_ui(whole);
 }
 
 /*
- * The fewest digits that read back as x > 0, the nearest of them, and the exponent of the first. In units of the last of 17
- * digits, which are enough, x = n + rest/q. What lies within `reach`/q, half a binary unit, reads back as x, where x is even
- * the ends do so too; below a power of two units are half as large. Of a normal number no decimal of fewer than DBL_DIG = 15
- * digits is lost on the way, so that it stands among those, zeros after it.
+ * The fewest digits that read back as x > 0, the nearest of them, and the exponent of the first. What lies within half a unit of x reads
+ * back as x, the ends too where x is even; below a power of two units are half as large. Counted in units of the last of 18 digits (of 19,
+ * where the exponent is too low), of which 17 are enough. Of a normal number no decimal of fewer than DBL_DIG digits is lost on the
+ * way, so that it stands among those, zeros after it.
  */
 static slong shortest_digits(char digits[24], double x)
 {
-    enum { ENOUGH = 17 };
+    enum { ENOUGH = 18 };
     int binary;
     const bool power = !(frexp(x, &binary) > 0.5) && x > DBL_MIN;
-    const slong exponent = decimal_exponent(x, 0);
-    slong dropped = x < DBL_MIN ? ENOUGH : ENOUGH - DBL_DIG + 1; /* the exponent may be too low, n of 18 digits */
-    SCOPE(fmpz, n, rest, q, reach, most);
-    SCOPE(fmpz, unit, shorter, below, above);
-    binary = (binary < DBL_MIN_EXP ? DBL_MIN_EXP : binary) - DBL_MANT_DIG;
-    fmpz_set_d(n, ldexp(x, -binary));
-    const bool even = fmpz_is_even(n);
-    fmpz_set_ui(q, 2);
-    fmpz_set_ui(reach, 1);
-    fmpz_mul_2exp(binary < 0 ? q : reach, binary < 0 ? q : reach, (ulong)abs(binary));
-    scale_decimal(reach, q, ENOUGH - 1 - exponent);
-    fmpz_mul(n, n, reach);
-    fmpz_mul_2exp(n, n, 1);
-    fmpz_fdiv_qr(n, rest, n, q);
-    fmpz_fdiv_q(most, reach, q);
-    fmpz_add_ui(most, most, 1);
-    for (;; dropped--) {
-        fmpz_ui_pow_ui(unit, 10, (ulong)dropped);
-        fmpz_fdiv_qr(shorter, below, n, unit);
-        fmpz_sub(above, unit, below);
-        if (fmpz_cmp(below, most) > 0 && fmpz_cmp(above, most) > 0)
-            continue; /* too far away, both */
-        fmpz_mul(below, below, q);
-        fmpz_add(below, below, rest);
-        fmpz_mul(above, unit, q);
-        fmpz_sub(above, above, below);
-        const int nearer = fmpz_cmp(below, above);
-        fmpz_mul_2exp(below, below, power);
-        const bool low = fmpz_cmp(below, reach) < even, high = fmpz_cmp(above, reach) < even;
-        if (high && (!low || nearer > 0 || (nearer == 0 && fmpz_is_odd(shorter))))
-            fmpz_add_ui(shorter, shorter, 1);
-        if (high || low)
-            break;
-    }
-    fmpz_get_str(digits, 10, shorter);
+    const slong exponent = (slong)floor(log10(x) - 1e-9), k = ENOUGH - 1 - exponent; /* the margin covers the rounding of log10() */
+    SCOPE(fmpz, p, q);
+    bool whole, low_whole, high_whole;
+    binary = FLINT_MAX(binary, DBL_MIN_EXP) - DBL_MANT_DIG;
+    const slong m = 4 * (slong)ldexp(x, -binary); /* quarters of a unit */
+    const bool even = m % 8 == 0;
+    fmpz_ui_pow_ui(p, 10, k > 0 ? (ulong)k : 0);
+    fmpz_ui_pow_ui(q, 10, k < 0 ? (ulong)-k : 0);
+    fmpz_mul_2exp(binary < 2 ? q : p, binary < 2 ? q : p, (ulong)labs(binary - 2));
+    const uint64_t n = whole_part(m, p, q, &whole);
+    uint64_t low = whole_part(m - (power ? 1 : 2), p, q, &low_whole), high = whole_part(m + 2, p, q, &high_whole);
+    low += !(low_whole && even);
+    high -= high_whole && !even;
+    int dropped = x < DBL_MIN ? ENOUGH : ENOUGH - DBL_DIG + 1;
+    uint64_t unit = n_pow(10, (ulong)dropped);
+    for (; (low + unit - 1) / unit > high / unit; dropped--)
+        unit /= 10;
+    const uint64_t rest = n % unit, below = n / unit;
+    uint64_t nearest = below + (rest > unit / 2 || (rest == unit / 2 && (!whole || below % 2 == 1)));
+    nearest = FLINT_MAX(nearest, (low + unit - 1) / unit);
+    nearest = FLINT_MIN(nearest, high / unit);
+    snprintf(digits, 24, "%" PRIu64, nearest);
     size_t count = strlen(digits);
     const slong first = exponent + (slong)count + dropped - ENOUGH;
     while (count > 1 && digits[count - 1] == '0')
@@ -301,7 +269,7 @@ void decimal_shortest(char text[32], double x)
         snprintf(text, room, "%s", isnan(x) ? "nan" : x > 0 ? "inf" : "0");
         return;
     }
-    char digits[24] = ""; /* at most 17 */
+    char digits[24]; /* at most 17 */
     const int first = (int)shortest_digits(digits, x), last = first + 1 - (int)strlen(digits);
     /* Simple readers take in 17 digits, zeros before the first of them too: a small number has all of its own within them. */
     const bool small = first < 0 && (first < -4 || (int)strlen(digits) - first > 17);
@@ -319,15 +287,12 @@ void decimal_shortest(char text[32], double x)
 
 void decimal_bound(char text[32], double x)
 {
-    SCOPE(fmpq, exact);
-    SCOPE(arf, value);
-    arf_set_d(value, x);
-    if (!arf_is_normal(value)) {
-        snprintf(text, 32, "%s", arf_is_zero(value) ? "0" : "inf");
-        return;
-    }
-    arf_get_fmpq(exact, value);
-    char *digits = rounded_text(ARF_RND_UP, exact, 2);
-    snprintf(text, 32, "%s", digits);
-    free(digits);
+    mpfr_t bound;
+    mpfr_init2(bound, DBL_MANT_DIG);
+    mpfr_set_d(bound, x, MPFR_RNDU);
+    if (isfinite(x))
+        write_rounded(text, bound, 2, MPFR_RNDU);
+    else
+        strcpy(text, "inf");
+    mpfr_clear(bound);
 }
