@@ -110,8 +110,8 @@ static int sign_at_end(struct curve *c, const arf_t x)
 }
 
 /*
- * The root between the bounds. At the upper one, or next to it, the formula may vanish twice over: then the root lies beyond where
- * its sign is still certain, 2^-j of the interval before the end, and j grows by halves.
+ * The root between the bounds, at which the formula has different signs (of a ball of bounds either end will do). At the upper one, or
+ * next to it, it may vanish twice over: then the root lies beyond where its sign is still certain, 2^-j of the interval before the end.
  */
 static void guarantee_root(arb_t x, struct formula_nodes *of)
 {
@@ -122,20 +122,17 @@ static void guarantee_root(arb_t x, struct formula_nodes *of)
     arb_get_ubound_arf(low, machine_value(m, of->low), m->prec);
     arb_get_ubound_arf(high, machine_value(m, of->high), m->prec);
     const int sign = sign_at_end(&of->root, low), end = sign_at_end(&of->root, high);
-    arf_sub(width, high, low, m->prec, ARF_RND_DOWN);
-    for (slong step = m->prec / 2; step > 0 && sign != 0 && end == 0; step /= 2) {
-        arf_mul_2exp_si(near, width, -step);
-        arf_sub(near, high, near, m->prec, ARF_RND_DOWN);
-        if (sign_at_end(&of->root, near) == sign) {
-            arf_set(low, near);
-            arf_mul_2exp_si(width, width, -step);
-        }
+    arb_indeterminate(x);
+    if (sign == 0 || end == sign)
+        return;
+    for (arf_sub(width, high, low, m->prec, ARF_RND_DOWN); end == 0; arf_set(low, near)) {
+        arf_mul_2exp_si(width, width, -1);
+        arf_sub(near, high, width, m->prec, ARF_RND_DOWN);
+        if (sign_at_end(&of->root, near) != sign)
+            break;
     }
     arb_set_interval_arf(x, low, high, m->prec);
-    if (sign != 0 && end != sign)
-        narrow_root(x, curve_series, &of->root, m->prec);
-    else
-        arb_indeterminate(x);
+    narrow_root(x, curve_series, &of->root, m->prec);
 }
 
 bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits)
