@@ -57,6 +57,7 @@ static const struct {
     {NULL, "a: {show: sqrt(x) = 3, at: {x: 10}}", FOUND_FALSE, CERTIFIED},
     {NULL, "a: {show: x^2 = y, at: {x: [1, 2, -3], y: [1, 4, 9]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {show: x^2 = y, at: {x: [1, 2, -3], y: [1, 4, -9]}}", FOUND_FALSE, EXACT},
+    {"at: {z: 2}", "a: {show: z*x = y, at: {x: [1, 2], y: [2, 4]}}", FOUND_TRUE, EXACT}, /* one value at each turn */
     /* signs */
     {NULL, "a: dL < L_ref", FOUND_TRUE, EXACT},
     {NULL, "a: dL > L_ref", FOUND_FALSE, EXACT},
@@ -88,6 +89,10 @@ static const struct {
     {NULL, "a: {root: x - 1, on: {x: [2, 0]}}", UNDECIDED, EXACT},
     {NULL, "a: {show: x > 0, on: {x: [1, m]}, at: {m: [2, 0]}}", UNDECIDED, CERTIFIED},
     {NULL, "a: {roots: x, on: {x: [2, 1]}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {root: x - 1, on: {x: [1/(1 - 1), 3]}}", UNDECIDED, EXACT},
+    {NULL, "a: {show: x > 0, on: {x: [1, 1]}}", FOUND_TRUE, CERTIFIED},
+    {NULL, "a: {root: x^2 - 2, on: {x: [sqrt(2), 2]}}", FOUND_TRUE, EXACT}, /* ends belong to it, and to all their balls */
+    {NULL, "a: {root: x^2 - 2, on: {x: [1, sqrt(2)]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {root: exp(x) - n, on: {x: [0, 3]}}", FOUND_TRUE, CERTIFIED},
     /* real roots, counted */
     {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [0]}, count: 2}", FOUND_TRUE, EXACT},
@@ -96,6 +101,9 @@ static const struct {
     {NULL, "a: {roots: x^2 + 1, on: {x: []}, count: 1}", FOUND_FALSE, EXACT},
     {NULL, "a: {roots: x^2 - m, on: {x: []}, count: 2, at: {m: [1, 5]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {roots: exp(x), on: {x: []}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: 1/x, on: {x: []}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: sqrt(x) + 1, on: {x: []}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: x^-2, on: {x: []}, count: 0}", UNDECIDED, EXACT},
     {NULL, "a: {roots: x - x, on: {x: []}, count: 0}", UNDECIDED, EXACT},
     /* matrices */
     {"free: [u, v], system: {u: v, v: 0*u}", "a: {rank: 1}", FOUND_TRUE, EXACT},

@@ -91,7 +91,7 @@ enum { GIVEN_N, GIVEN_Y, UNKNOWN_X, FIRST_NUMBER }; /* inputs: these, then each 
 
 /* Nodes of a number's formulas, -1 where it has none. */
 struct formula_nodes {
-    int value[2], low, high;
+    int value, other, low, high;
     struct curve root;
 };
 
@@ -100,6 +100,12 @@ static int formula_node(struct program *p, const char *formula)
     size_t where;
     struct message why;
     return formula != NULL ? program_parse(p, formula, &where, &why) : -1;
+}
+
+static arb_srcptr value_of_node(struct machine *m, int node)
+{
+    machine_run_to(m, node);
+    return machine_value(m, node);
 }
 
 static int sign_at_end(struct curve *c, const arf_t x)
@@ -117,10 +123,8 @@ static void guarantee_root(arb_t x, struct formula_nodes *of)
 {
     struct machine *m = of->root.machine;
     SCOPE(arf, low, high, near, width);
-    machine_run_to(m, of->low);
-    machine_run_to(m, of->high);
-    arb_get_ubound_arf(low, machine_value(m, of->low), m->prec);
-    arb_get_ubound_arf(high, machine_value(m, of->high), m->prec);
+    arb_get_ubound_arf(low, value_of_node(m, of->low), m->prec);
+    arb_get_ubound_arf(high, value_of_node(m, of->high), m->prec);
     const int sign = sign_at_end(&of->root, low), end = sign_at_end(&of->root, high);
     arb_indeterminate(x);
     if (sign == 0 || end == sign)
@@ -156,7 +160,7 @@ bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits
         program_input(&p, guarantees[i].name);
     for (int i = 0; i < GUARANTEES; i++) {
         const struct guarantee *g = &guarantees[i];
-        nodes[i] = (struct formula_nodes){{formula_node(&p, g->value[0]), formula_node(&p, g->value[1])},
+        nodes[i] = (struct formula_nodes){formula_node(&p, g->value[0]), formula_node(&p, g->value[1]),
                                          formula_node(&p, g->low), formula_node(&p, g->high),
                                          {&m, UNKNOWN_X, formula_node(&p, g->root), -1}};
         if (g->root != NULL)
@@ -170,14 +174,10 @@ bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits
             guarantee_root(values + i, &nodes[i]);
             arb_set(machine_value(&m, UNKNOWN_X), values + i);
         }
-        for (int k = 0; k < 2 && nodes[i].value[k] >= 0; k++) {
-            machine_run_to(&m, nodes[i].value[k]);
-            arb_srcptr value = machine_value(&m, nodes[i].value[k]);
-            if (k == 0)
-                arb_set(values + i, value);
-            else
-                arb_min(values + i, values + i, value, bits);
-        }
+        if (nodes[i].value >= 0)
+            arb_set(values + i, value_of_node(&m, nodes[i].value));
+        if (nodes[i].other >= 0)
+            arb_min(values + i, values + i, value_of_node(&m, nodes[i].other), bits);
         arb_set(machine_value(&m, FIRST_NUMBER + i), values + i);
     }
     machine_clear(&m);

@@ -7,7 +7,7 @@
 #include "formula/symbolic.h"
 #include "text/scope.h"
 
-enum { PROVING_BITS = 128, MOST_PROVING_BITS = 1024, DEEPEST_BISECTION = 16 };
+enum { PROVING_BITS = 128, MOST_PROVING_BITS = 1024, DEEPEST_BISECTION = 16, DEEPEST_ISOLATION = 32 };
 
 static struct bindings bindings_of(struct statements *all, struct statement *s, struct assertion *a)
 {
@@ -58,12 +58,10 @@ static bool sign_between(struct curve *c, const arb_t low, const arb_t high, int
 {
     SCOPE(arb, x, middle);
     arb_union(x, low, high, PROVING_BITS);
-    bool certain = sign_of_ball(curve_at(c, x)) == sign;
-    if (!certain && depth > 0) {
-        arb_get_mid_arb(middle, x);
-        certain = sign_between(c, low, middle, sign, depth - 1) && sign_between(c, middle, high, sign, depth - 1);
-    }
-    return certain;
+    if (sign_of_ball(curve_at(c, x)) == sign)
+        return true;
+    arb_get_mid_arb(middle, x);
+    return depth > 0 && sign_between(c, low, middle, sign, depth - 1) && sign_between(c, middle, high, sign, depth - 1);
 }
 
 /* ---- roots ---- */
@@ -79,7 +77,7 @@ static slong isolate(arb_t one, struct curve *c, const arb_t low, const arb_t hi
     arf_interval_init(block);
     arb_get_lbound_arf(&block->a, low, PROVING_BITS);
     arb_get_ubound_arf(&block->b, high, PROVING_BITS);
-    const slong found = arb_calc_isolate_roots(&blocks, &flags, curve_series, c, block, 2 * DEEPEST_BISECTION, EVALUATIONS, ROOTS, PROVING_BITS);
+    const slong found = arb_calc_isolate_roots(&blocks, &flags, curve_series, c, block, DEEPEST_ISOLATION, EVALUATIONS, ROOTS, PROVING_BITS);
     for (slong i = 0; i < found; i++) {
         count = count < 0 || flags[i] != 1 ? -1 : count + 1;
         arf_interval_get_arb(one, blocks + i, PROVING_BITS);
@@ -91,29 +89,30 @@ static slong isolate(arb_t one, struct curve *c, const arb_t low, const arb_t hi
     return count;
 }
 
-static bool is_polynomial(const struct formula *f, const char *variable)
+/* The coefficients of a polynomial in one unknown whose other names have exact values; false: the formula is none. */
+static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const char *variable, const struct bindings *at)
 {
-    const struct program *p = &f->program;
-    char *moves = xrealloc(NULL, (size_t)f->node + 1, 1), *needed = xrealloc(NULL, (size_t)f->node + 1, 1);
-    bool polynomial = true;
-    program_needs(p, f->node, NULL, needed);
-    for (int i = 0; i <= f->node; i++) {
-        const struct node *n = &p->nodes[i];
-        const bool left = n->left >= 0 && moves[n->left], right = n->right >= 0 && moves[n->right];
-        moves[i] = i == program_find(p, variable) || left || right;
-        if (needed[i] && (left || right))
-            polynomial = polynomial && n->op <= OPERATOR_POWER &&
-                         !(n->op == OPERATOR_DIVIDE && right) && !(n->op == OPERATOR_POWER && n->exponent < 0);
+    struct bindings b = *at;
+    struct machine m;
+    b.moving = variable;
+    symbolic_begin(1, 0, false);
+    machine_init(&m, &formula->program, &arithmetic_symbolic, 1);
+    bool known = machine_bind(&m, formula->node, false, &b);
+    if (known) {
+        symbolic_set_variable(machine_value(&m, program_find(&formula->program, variable)), 0, 0, NULL);
+        machine_run(&m);
+        known = symbolic_get_polynomial(f, machine_value(&m, formula->node));
     }
-    free(moves);
-    free(needed);
-    return polynomial;
+    machine_clear(&m);
+    symbolic_end();
+    return known;
 }
 
 slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slong bits)
 {
     struct bindings b = bindings_of(of->all, of->statement, a);
     struct graph g;
+    SCOPE(fmpq_poly, f);
     SCOPE(arb, low, high, one);
     b.how = of->how;
     const bool bounded = bounds_enclose(low, high, a, &b);
@@ -124,7 +123,7 @@ slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slon
         narrow_root(one, curve_series, &g.curve, 2 * bits);
         arb_set(z, one);
     }
-    if (!is_polynomial(a->formula, a->variable))
+    if (!polynomial_of(f, a->formula, a->variable, &b))
         weaken(&b, CERTIFIED);
     graph_clear(&g);
     return count;
@@ -180,25 +179,6 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b)
 }
 
 /* ---- polynomials and matrices ---- */
-
-/* The coefficients of a polynomial in one unknown whose other names have exact values. */
-static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const char *variable, const struct bindings *at)
-{
-    struct bindings b = *at;
-    struct machine m;
-    b.moving = variable;
-    symbolic_begin(1, 0, false);
-    machine_init(&m, &formula->program, &arithmetic_symbolic, 1);
-    bool known = is_polynomial(formula, variable) && machine_bind(&m, formula->node, false, &b);
-    if (known) {
-        symbolic_set_variable(machine_value(&m, program_find(&formula->program, variable)), 0, 0, NULL);
-        machine_run(&m);
-        known = symbolic_get_polynomial(f, machine_value(&m, formula->node));
-    }
-    machine_clear(&m);
-    symbolic_end();
-    return known;
-}
 
 /* How many different roots a polynomial, not zero, has beyond a point; without one, how many at all. */
 static slong roots_beyond(const fmpq_poly_t f, bool has_point, const fmpq_t point)
