@@ -183,28 +183,9 @@ EACH(domain_of_the_sheet_is_that_of_ref, sheet()->section_count)
     inputs_free(inputs, s->input_count);
 }
 
-/* Each in its rotation: a condition just violated, a value outside, a time between Runge-Kutta steps. */
-EACH(a_defect_leaves_the_domain, sheet()->section_count)
-{
-    const struct section *s = operation_at(_i);
-    struct operation o;
-    double values[40];
-    if (s->method == METHOD_NONE)
-        return;
-    struct input *inputs = inputs_new(s->input_count);
-    operation_init(&o, s, false);
-    for (uint64_t k = 0; k < 64; k++) {
-        sample(&o, SEED, k, values, inputs);
-        domain_defect(&o, k, values);
-        if (inputs_of_values(s, values, inputs))
-            ck_assert_msg(!operation_valid(&o, inputs), "%s: defect %d of seed %d is none", s->id, (int)k, SEED);
-    }
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
-}
-
 /*
- * What the program enforces stands in the sheet: for whatever reason it refuses a defect, the text is a condition of the
+ * Each in its rotation: a condition just violated, a value outside, a time between Runge-Kutta steps. What the program enforces
+ * stands in the sheet: for whatever reason it refuses a defect, the text is a condition of the
  * operation, or the domain of an input; and of the methods it refuses a time between steps by the text that says so.
  */
 EACH(a_defect_is_refused_by_a_text_of_the_sheet, sheet()->section_count)

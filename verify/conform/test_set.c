@@ -141,7 +141,7 @@ void test_vector_text(const struct test_vector *vector, int input, enum input_fo
 {
     char decimal[32];
     if (vector->golden == NULL)
-        value_text(decimal, vector->values[input]);
+        decimal_shortest(decimal, vector->values[input]);
     input_write(text, vector->golden != NULL ? vector->golden->texts[input] : decimal, form);
 }
 

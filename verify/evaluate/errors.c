@@ -37,10 +37,10 @@ static void polynomial41(const struct sheet *sheet, const struct input *inputs, 
     for (int k = 0; k < 5; k++) {
         machine_gradient(&polynomial.machine, polynomial.formulas->outputs[k], &adjoint);
         for (int i = 0; i < 3; i++)
-            arb_set(p + GRADIENTS + 5 * i + k, machine_value(&adjoint, i));
+            arb_swap(p + GRADIENTS + 5 * i + k, machine_value(&adjoint, i));
     }
     for (int i = 0; i < 3; i++)
-        arb_set(p + VARIABLES41 + i, machine_value(&polynomial.machine, i));
+        arb_swap(p + VARIABLES41 + i, machine_value(&polynomial.machine, i));
     machine_clear(&adjoint);
     operation_clear(&polynomial);
 }
@@ -155,6 +155,7 @@ bool operation_sensitivity_exact(struct operation *o, const struct input *inputs
  *   (E3) a weight that may be zero has no upper bound  (E4) the quotient is rounded outward
  *   (E5) of several outputs the worst, of several ways to match roots the best, in both bounds
  *   (E6) MPFR's value lies in the ball widened by 2^16 of its own roundings, for every output  (mpfr_inside)
+ *   (E7) the enclosures of outputs and S that all this is told from hold them, however few bits they have
  */
 /* Bounds on distance / (u weight). */
 static struct error_bounds roundings(const arb_t distance, const arb_t weight, int significand)
@@ -213,15 +214,16 @@ static struct error_bounds root_error(arb_srcptr y, arb_srcptr z, const arb_t S,
 static struct error_bounds residual_error(const struct sheet *sheet, arb_srcptr y, const struct input *inputs, int significand)
 {
     VECTOR(arb, p, POLYNOMIAL41);
+    VECTOR(arb, powers, 5);
     SCOPE(acb, z, value);
     SCOPE(arb, weight, modulus);
     polynomial41(sheet, inputs, TRUTH_BITS, p);
     acb_set_arb_arb(z, y, y + 1);
     _arb_poly_evaluate_acb(value, p, 5, z, TRUTH_BITS);
-    for (int k = 0; k < 5; k++)
-        arb_abs(p + k, p + k);
     acb_abs(modulus, z, TRUTH_BITS);
-    _arb_poly_evaluate(weight, p, 5, modulus, TRUTH_BITS);
+    _arb_vec_set_powers(powers, modulus, 5, TRUTH_BITS);
+    for (int k = 0; k < 5; k++)
+        add_term(weight, powers + k, p + k, TRUTH_BITS);
     add_changes41(weight, z, p, TRUTH_BITS);
     acb_abs(modulus, value, TRUTH_BITS);
     return roundings(modulus, weight, significand);

@@ -85,7 +85,7 @@ static void extremes_of(struct golden *g, int i, bool late)
     for (int n = 0; n < EXTREMES; n++) {
         if (extremes[n].late != late || !extreme_of(&extremes[n], g->o.section->inputs[i]))
             continue;
-        value_text(text, extremes[n].value);
+        decimal_shortest(text, extremes[n].value);
         replaced(g, extremes[n].name, i, text, extremes[n].outside ? "" : "edge");
     }
 }
@@ -95,7 +95,7 @@ static void hand_on_values(struct golden *g, const char *name, const double *val
     char decimals[MOST_INPUTS][32];
     const char *texts[MOST_INPUTS] = {NULL};
     for (int i = 0; i < g->o.section->input_count; i++) {
-        value_text(decimals[i], values[i]);
+        decimal_shortest(decimals[i], values[i]);
         texts[i] = strtod(g->base[i], NULL) == values[i] ? g->base[i] : decimals[i];
     }
     hand_on(g, name, texts, flags);

@@ -93,8 +93,7 @@ static const fmpq *input_named(const struct operation *o, const struct input *in
     return &inputs[program_find(&o->formulas->program, name)].value;
 }
 
-/* Conditions alone where nothing else is asked for; else, where there is one, all is in the machine then, in so many bits. */
-static bool valid_by(struct operation *o, const struct input *inputs, slong prec, bool all)
+bool operation_valid(struct operation *o, const struct input *inputs)
 {
     const struct section *s = o->section;
     for (int i = 0; i < s->input_count; i++)
@@ -102,25 +101,17 @@ static bool valid_by(struct operation *o, const struct input *inputs, slong prec
             message_set(&o->why, "%s: outside its domain, %s", s->inputs[i]->name, domain_names[s->inputs[i]->domain]);
             return false;
         }
-    if (o->formulas->count > 0)
-        load_balls(o, inputs, prec);
-    if (o->formulas->count > 0 && all)
-        machine_run(&o->machine);
     for (int i = 0; i < o->formulas->count; i++) {
         const struct condition *c = &o->formulas->conditions[i];
-        if (!all)
-            machine_run_to(&o->machine, c->node);
+        if (i == 0)
+            load_balls(o, inputs, 2 * GUARD_BITS);
+        machine_run_to(&o->machine, c->node);
         if (!holds(o, inputs, c)) {
             message_set(&o->why, "%s: expected %s", s->id, c->text);
             return false;
         }
     }
     return true;
-}
-
-bool operation_valid(struct operation *o, const struct input *inputs)
-{
-    return valid_by(o, inputs, 2 * GUARD_BITS, false);
 }
 
 /* ---- enclosures ---- */
@@ -130,8 +121,8 @@ static void enclose_roots(const struct input *inputs, slong prec, arb_ptr output
     VECTOR(acb, roots, 4);
     roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
     for (slong i = 0; i < 4; i++) {
-        arb_set(outputs + 2 * i, acb_realref(roots + i));
-        arb_set(outputs + 2 * i + 1, acb_imagref(roots + i));
+        arb_swap(outputs + 2 * i, acb_realref(roots + i));
+        arb_swap(outputs + 2 * i + 1, acb_imagref(roots + i));
     }
 }
 
@@ -176,19 +167,17 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
     const bool steps = method == METHOD_RK4_LINEAR || method == METHOD_RK4_NONLINEAR;
     const slong looks = o->until != 0 ? LOOKS : 1;
     const fmpq *t = input_named(o, inputs, "t"), *h = steps ? input_named(o, inputs, "h") : NULL;
-    const struct input *in = inputs;
     struct flow_parameters p;
     struct followed f = {outputs, o->until};
     VECTOR(arb, initial, FLOW_STATE);
     VECTOR(fmpq, times, looks);
     double reached = 0.0;
     flow_parameters_init(&p);
-    arb_ptr order[] = {p.Omega, p.k_c, p.m1, p.m2, p.L_ref, p.C1, p.C2};
-    for (int i = 0; i < 7; i++)
-        if (!linear || i < 1 || i > 3) /* the linear model has neither k_c nor masses */
-            arb_set_fmpq(order[i], &in++->value, prec);
-    for (int i = 0; i < FLOW_STATE; i++)
-        arb_set_fmpq(initial + i, &in[1 + i].value, prec); /* after t */
+    const arb_ptr linear_inputs[] = {p.Omega, p.L_ref, p.C1, p.C2}, nonlinear_inputs[] = {p.Omega, p.k_c, p.m1, p.m2, p.L_ref, p.C1, p.C2};
+    const int parameters = linear ? 4 : 7; /* before t, which the initial state follows */
+    for (int i = 0; i < parameters + FLOW_STATE; i++)
+        arb_set_fmpq(i >= parameters ? initial + i - parameters : linear ? linear_inputs[i] : nonlinear_inputs[i],
+                     &inputs[i < parameters ? i : i + 1].value, prec);
     fmpq_set(times, t);
     if (o->until != 0)
         look_times(times, t, h);
@@ -219,29 +208,20 @@ slong operation_precision(const struct operation *o, const struct input *inputs,
     return flow_precision(digits, fabs(fmpq_get_d(Omega) * fmpq_get_d(t))); /* radians of orbit: what loss of digits grows with */
 }
 
-/* ran: the formulas of these inputs are in the machine already, to prec bits. */
-static enum operation_status enclose_outputs(struct operation *o, const struct input *inputs, slong digits, slong prec,
-                                             bool ran, arb_ptr outputs)
+enum operation_status operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
+                                       arb_ptr outputs)
 {
-    if (o->section->method != METHOD_FORMULA && o->section->method != METHOD_ROOTS)
-        return enclose_flow(o, inputs, digits, prec, outputs);
     if (o->section->method == METHOD_ROOTS) {
         enclose_roots(inputs, prec, outputs);
         return OPERATION_PROVED;
     }
-    if (!ran) {
-        load_balls(o, inputs, prec);
-        machine_run(&o->machine);
-    }
+    if (o->section->method != METHOD_FORMULA)
+        return enclose_flow(o, inputs, digits, prec, outputs);
+    load_balls(o, inputs, prec);
+    machine_run(&o->machine);
     for (int i = 0; i < o->section->output_count; i++)
         arb_set(outputs + i, machine_value(&o->machine, o->formulas->outputs[i]));
     return OPERATION_PROVED;
-}
-
-enum operation_status operation_follow(struct operation *o, const struct input *inputs, slong digits, slong prec,
-                                       arb_ptr outputs)
-{
-    return enclose_outputs(o, inputs, digits, prec, false, outputs);
 }
 
 enum operation_status operation_enclose(struct operation *o, const struct input *inputs, slong prec, arb_ptr outputs)
@@ -303,15 +283,13 @@ enum operation_status operation_digits(struct operation *o, const struct input *
 {
     const int count = o->section->output_count;
     char *texts[MOST_OUTPUTS] = {NULL};
-    const bool formulas = o->section->method == METHOD_FORMULA;
-    if (!valid_by(o, inputs, formulas ? formula_precision(digits) : 2 * GUARD_BITS, true))
+    if (!operation_valid(o, inputs))
         return OPERATION_INVALID;
-    bool ran = formulas && o->formulas->count > 0;
     VECTOR(arb, balls, count);
     const slong first = operation_precision(o, inputs, digits), most = 8 * first + MOST_WORKING_BITS / 8;
     enum operation_status status;
-    for (slong prec = first;; prec *= 2, ran = false) {
-        status = enclose_outputs(o, inputs, digits, prec, ran, balls);
+    for (slong prec = first;; prec *= 2) {
+        status = operation_follow(o, inputs, digits, prec, balls);
         if (status != OPERATION_PROVED || decide(balls, digits, texts, count) == 0)
             break;
         const bool beyond = is_beyond_decimals(o, balls, texts), last = 2 * prec > most;

@@ -25,38 +25,24 @@ void vectors_header(const struct section *s)
     puts(",flags");
 }
 
-/* Whether |x| is neither zero nor in a normal range, of binary64 2^-1022 to just below 2^1024. */
-static bool leaves_range(const arb_t x, slong exponent)
+/* Whether something in the machine is neither zero nor in a normal range, of binary64 2^-1022 to just below 2^1024. */
+static bool leaves_range(const struct machine *m, slong exponent)
 {
-    SCOPE(arf, bound);
-    if (arb_contains_zero(x) || !arb_is_finite(x))
-        return false; /* zero: what underflows to it is seen in its operands; infinity: an input that may be */
-    arb_get_abs_lbound_arf(bound, x, 64);
-    return arf_cmpabs_2exp_si(bound, 2 - exponent) < 0 || arf_cmpabs_2exp_si(bound, exponent) >= 0;
+    bool leaves = false;
+    for (int i = 0; i < m->program->count && !leaves; i++) {
+        arb_srcptr x = machine_value(m, i);
+        if (!arb_contains_zero(x) && arb_is_finite(x)) /* zero: what underflows to it is seen in its operands; infinity: an input may be */
+            leaves = arf_cmpabs_2exp_si(arb_midref(x), 2 - exponent) < 0 || arf_cmpabs_2exp_si(arb_midref(x), exponent) >= 0;
+    }
+    return leaves;
 }
 
 bool vector_leaves_range(struct operation *o, const struct input *inputs, int significand)
 {
     const slong exponent = significand == BINARY32 ? 128 : significand == BINARY64 ? 1024 : 16384;
     VECTOR(arb, outputs, MOST_OUTPUTS);
-    bool leaves = false;
     operation_enclose(o, inputs, 256, outputs);
-    for (int i = 0; i < o->machine.program->count && !leaves; i++)
-        leaves = leaves_range(machine_value(&o->machine, i), exponent);
-    return leaves;
-}
-
-/* Whether what the machine holds lies well within binary64's normal range, exact zeros apart; false: look closer. */
-static bool well_within_range(const struct machine *m)
-{
-    enum { WELL = 1000 };
-    bool within = true;
-    for (int i = 0; i < m->program->count && within; i++) {
-        arb_srcptr x = machine_value(m, i);
-        within = arb_is_zero(x) || (arb_rel_accuracy_bits(x) > 1 && arf_cmpabs_2exp_si(arb_midref(x), -WELL) > 0 &&
-                                    arf_cmpabs_2exp_si(arb_midref(x), WELL) < 0);
-    }
-    return within;
+    return leaves_range(&o->machine, exponent);
 }
 
 /* Digits of S, or "INF"; NULL while undecided. */
@@ -67,6 +53,7 @@ static char *sensitivity_text(const arb_t S)
 }
 
 enum { QUICK_BITS = 128 }; /* two limbs: enough nearly always */
+enum { WELL_WITHIN = 500 }; /* a power of two, so far from the range's ends that no cancellation reaches them */
 
 static bool sensitivity_texts(struct operation *o, const struct input *inputs, char **texts)
 {
@@ -93,14 +80,6 @@ static bool sensitivity_texts(struct operation *o, const struct input *inputs, c
     if (left > 0)
         message_set(&o->why, "%s: a sensitivity is undecided", o->section->id); /* LCOV_EXCL_LINE: known inputs need fewer bits */
     return left == 0;
-}
-
-void value_text(char text[32], double value)
-{
-    if (isfinite(value))
-        decimal_shortest(text, value);
-    else
-        snprintf(text, 32, "%s", isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
 }
 
 const char *const input_forms[] = {"shortest", "exact", "hex"};
@@ -167,9 +146,8 @@ static bool print_certified(struct operation *o, const char *id, const char *con
     if (status == OPERATION_INVALID) {
         flag = "invalid";
     } else if (fine && operation_has_sensitivity(s)) {
-        const bool look = s->method == METHOD_FORMULA && !well_within_range(&o->machine);
         fine = sensitivity_texts(o, inputs, S);
-        if (look && vector_leaves_range(o, inputs, BINARY64))
+        if (leaves_range(&o->machine, WELL_WITHIN) && vector_leaves_range(o, inputs, BINARY64))
             flag = "range";
     }
     if (fine)

@@ -18,9 +18,6 @@ enum { VECTOR_DIGITS = 40, SENSITIVITY_DIGITS = 17, LONGEST_INPUT = 800 };
 enum input_form { INPUTS_SHORTEST, INPUTS_EXACT, INPUTS_HEX };
 extern const char *const input_forms[3];
 
-/* The shortest decimal of a binary64; nan, inf, -inf. */
-void value_text(char text[32], double value);
-
 /* An input as files have it: what is no finite number is written as Table Schema and XML have it, NaN, INF, -INF. */
 const char *schema_text(const char *text);
 
