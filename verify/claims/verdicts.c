@@ -211,12 +211,14 @@ struct giving {
     const char *only;
     verdict_receiver *receive;
     void *context;
-    bool decided;
+    bool decided, known; /* known: a row of those that are wanted */
 };
 
-static bool wanted(const struct giving *g, const char *id)
+static bool wanted(struct giving *g, const char *id)
 {
-    return g->only == NULL || strcmp(g->only, id) == 0;
+    const bool asked = g->only == NULL || strcmp(g->only, id) == 0;
+    g->known = g->known || asked;
+    return asked && g->receive != NULL;
 }
 
 static void give_row(struct giving *g, struct verdict_row *row)
@@ -292,22 +294,23 @@ static void statement_rows(struct giving *g)
     }
 }
 
+static void give_rows(struct giving *g)
+{
+    equation_rows(g);
+    table_rows(g);
+    statement_rows(g);
+}
+
 bool verdict_rows(const struct derivations *proofs, struct statements *claims, const char *only, verdict_receiver *receive, void *context)
 {
-    struct giving g = {proofs, claims, only, receive, context, true};
-    equation_rows(&g);
-    table_rows(&g);
-    statement_rows(&g);
+    struct giving g = {proofs, claims, only, receive, context, true, false};
+    give_rows(&g);
     return g.decided;
 }
 
-bool verdict_known(const struct statements *claims, const char *id)
+bool verdict_known(struct statements *claims, const char *id)
 {
-    const struct sheet *sheet = claims->sheet;
-    bool known = statement_find(claims, id) != NULL;
-    for (int i = 0; i < sheet->row_count; i++)
-        known = known || (strncmp(id, "table1-", 7) == 0 && strcmp(sheet->table1[i].name, id + 7) == 0);
-    for (int i = 0; i < sheet->section_count; i++)
-        known = known || (strncmp(id, "equation-", 9) == 0 && has_equation(&sheet->sections[i], id + 9));
-    return known;
+    struct giving g = {.claims = claims, .only = id};
+    give_rows(&g);
+    return g.known;
 }

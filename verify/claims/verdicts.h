@@ -26,6 +26,7 @@ typedef void verdict_receiver(void *context, const struct verdict_row *row);
 /* Decides everything, or the row of that id alone. False when a row stays undecided or does not fit its words. */
 bool verdict_rows(const struct derivations *proofs, struct statements *claims, const char *only, verdict_receiver *receive, void *context);
 
-bool verdict_known(const struct statements *claims, const char *id);
+/* Whether there is such a row. */
+bool verdict_known(struct statements *claims, const char *id);
 
 #endif

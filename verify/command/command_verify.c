@@ -90,7 +90,7 @@ static bool asked_for(const struct verify_request *r, int part)
 }
 
 /* Whether there is a step, or a row of the verdicts: those of equations and of Table 1 included. */
-static int check_asked_name(const struct derivations *d, const struct verify_request *r)
+static int check_asked_name(const struct derivations *d, struct verify_request *r)
 {
     if (r->claim == NULL)
         return EXIT_DONE;
