@@ -223,7 +223,7 @@ static const struct {
     {"9.99 | 2", "10", EXACT},             {"sqrt(99.99) | 3", "10.0", EXACT},
     {"1.51e12*sqrt(1) | 2 up", "1.6e+12", EXACT}, {"dL - 1/10 | 2 up", "0", EXACT},
     {"1.25e-18 | .20", "0.00000000000000000125", EXACT}, {"sqrt(2)/10^40 | .42", "0." ZEROS "141", EXACT},
-    {"0 | .20", "0.00000000000000000000", EXACT},
+    {"0 | .20", "0.00000000000000000000", EXACT}, {"12345678.25 | .0", "12345678", EXACT},
 };
 
 EACH(numbers_have_proved_digits_or_none, COUNT(numbers))

@@ -197,25 +197,43 @@ TEST(B3_places_have_all_products_of_derivatives)
 
 /* ---- B4 to B6: the nonlinear model ---- */
 
-/* At L_ref, all of the energy in one coordinate: it, or the rate that goes with it, is as large as it can be. */
-EACH(B2_B6_no_state_at_L_ref_exceeds_its_place, 5)
+/*
+ * At L_ref, all of the energy in one coordinate: it, or the rate that goes with it, is as large as it can be, and the further derivatives
+ * are by (3) with P = -3 - c2 r': y'' = -2 u + P y, x'' = 2 v + (3 + P) x, z'' = (P - 1) z, psi'' and theta'' theirs times a cosine.
+ */
+enum { RATE, SINE, SINE_COSINE };
+
+static const struct {
+    int given, place, d, of;
+    double times, at_most;
+} largest[] = {
+    {PSI, PLACE_Y, 0, SINE, 1, 1 + 0x1p-20},   {THETA, PLACE_Z, 0, SINE, 1, 1 + 0x1p-20}, {PSI_DOT, PLACE_Y, 1, RATE, 1, 1.5},
+    {THETA_DOT, PLACE_Z, 1, RATE, 1, 1.5},     {ETA_DOT, PLACE_X, 1, RATE, 1, 1.5},       {PSI, PLACE_Y, 2, SINE, 3, 3},
+    {PSI, PSI, 2, SINE_COSINE, 3, 3},          {THETA, PLACE_Z, 2, SINE, 4, 2},           {THETA, THETA, 2, SINE_COSINE, 4, 2},
+    {PSI_DOT, PLACE_X, 2, RATE, 2, 4},         {PSI_DOT, PLACE_Y, 3, RATE, 7, 4},         {THETA_DOT, PLACE_Z, 3, RATE, 4, 2},
+    {ETA_DOT, PLACE_X, 2, RATE, 2, 4},         {ETA_DOT, ETA, 2, RATE, 2, 10},             {ETA_DOT, PLACE_Y, 2, RATE, 2, 3},
+    {ETA_DOT, PSI, 2, RATE, 2, 3},
+};
+
+EACH(B2_B6_no_state_at_L_ref_exceeds_its_place_or_derivatives, COUNT(largest))
 {
-    static const struct {
-        int given, place;
-        int d;
-    } all[] = {{PSI, PLACE_Y, 0}, {THETA, PLACE_Z, 0}, {PSI_DOT, PLACE_Y, 1}, {THETA_DOT, PLACE_Z, 1}, {ETA_DOT, PLACE_X, 1}};
     struct trajectory t;
     struct bounds b;
-    SCOPE(arb, truth);
+    SCOPE(arb, truth, sine, cosine);
     bounds_init(&b);
     trajectory_of(&t, true, 1, 100, 12, 2);
-    arb_ptr given = trajectory_sample(&t, 0) + all[_i].given;
-    arb_set_d(given, _i == 0 || _i == 1 ? -0.03 : 0.04);
+    arb_ptr given = trajectory_sample(&t, 0) + largest[_i].given;
+    arb_set_d(given, largest[_i].of == RATE ? 0.04 : -0.03);
     arb_abs(truth, given);
-    if (all[_i].d == 0) /* y = sin psi, z = -sin theta */
-        arb_sin(truth, truth, PREC);
+    arb_sin_cos(sine, cosine, truth, PREC);
+    if (largest[_i].of != RATE)
+        arb_set(truth, sine);
+    if (largest[_i].of == SINE_COSINE)
+        arb_mul(truth, truth, cosine, PREC);
+    arb_set_d(sine, largest[_i].times);
+    arb_mul(truth, truth, sine, PREC);
     ck_assert(trajectory_bounds(&b, &t, 0));
-    assert_at_least(b.of[all[_i].place] + all[_i].d, truth, all[_i].d == 0 ? 1 + 0x1p-20 : 1.5, "place", _i);
+    assert_at_least(b.of[largest[_i].place] + largest[_i].d, truth, largest[_i].at_most, "place", _i);
     bounds_clear(&b);
     trajectory_clear(&t);
 }
