@@ -59,7 +59,7 @@ static void largest_multiplier(arb_t size, const arb_t T, double c1, double c2)
     arb_mat_clear(X);
 }
 
-EACH(all_multipliers_lie_inside_the_unit_circle_up_to_the_longest_hold_and_not_beyond, COUNT(gains))
+EACH(H1_H2_all_multipliers_lie_inside_the_unit_circle_up_to_the_longest_hold_and_not_beyond, COUNT(gains))
 {
     enum { STEPS = 50, CLOSE = 1000000 };
     SCOPE(arb, c1, c2, longest, T, size, one);
@@ -96,7 +96,7 @@ static int zeros_to_the_right(double c1, double c2, double d, int steps)
     return (int)lround(turned / (2 * pi));
 }
 
-EACH(no_root_is_right_of_the_axis_up_to_the_largest_delay_and_a_pair_beyond, COUNT(gains))
+EACH(D1_D2_no_root_is_right_of_the_axis_up_to_the_largest_delay_and_a_pair_beyond, COUNT(gains))
 {
     SCOPE(arb, c1, c2, longest);
     arb_set_d(c1, gains[_i].c1);
@@ -112,7 +112,7 @@ EACH(no_root_is_right_of_the_axis_up_to_the_largest_delay_and_a_pair_beyond, COU
         ck_assert_double_eq_tol(d / 7.2915e-5 / 3600, gains[_i].d, 0.005);
 }
 
-TEST(what_few_bits_do_not_prove_stays_open)
+TEST(H3_D3_what_few_bits_do_not_prove_stays_open)
 {
     SCOPE(arb, c1, c2, longest);
     arb_set_ui(c1, 12);

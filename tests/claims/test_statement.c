@@ -58,7 +58,7 @@ static const struct {
     {NULL, "a: {show: x^2 = y, at: {x: [1, 2, -3], y: [1, 4, 9]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {show: x^2 = y, at: {x: [1, 2, -3], y: [1, 4, -9]}}", FOUND_FALSE, EXACT},
     {"at: {z: 2}", "a: {show: z*x = y, at: {x: [1, 2], y: [2, 4]}}", FOUND_TRUE, EXACT}, /* one value at each turn */
-    /* signs */
+    /* I1: signs */
     {NULL, "a: dL < L_ref", FOUND_TRUE, EXACT},
     {NULL, "a: dL > L_ref", FOUND_FALSE, EXACT},
     {NULL, "a: dL != L_ref/100", FOUND_FALSE, EXACT},
@@ -71,13 +71,13 @@ static const struct {
     {"at: {y: 2, x: y^2}", "a: {show: x > 4, at: {y: 3}}", FOUND_TRUE, EXACT}, /* its own y, and x by it */
     {"at: {n: 12}", "a: n > 11", FOUND_TRUE, EXACT}, /* not the sheet's 10 */
     {NULL, "a: {show: n < m, at: {n: [1, 2], m: [2, 3]}}", FOUND_TRUE, EXACT},
-    /* signs on intervals */
+    /* I2: signs on intervals */
     {NULL, "a: {show: x^2 - x + 0.2501 > 0, on: {x: [0, 1]}}", FOUND_TRUE, CERTIFIED}, /* least 0.0001 */
     {NULL, "a: {show: x^2 - x + 0.25 > 0, on: {x: [0, 1]}}", UNDECIDED, CERTIFIED},    /* touches zero */
     {NULL, "a: {show: x^2 - x + 0.2501 < 0, on: {x: [0, 1]}}", FOUND_FALSE, CERTIFIED},
     {NULL, "a: {show: log(x) < x, on: {x: [1/2, 3]}}", FOUND_TRUE, CERTIFIED},
     {NULL, "a: {show: 1 > 0, on: {x: [0, 1/(1 - 1)]}}", UNDECIDED, CERTIFIED},
-    /* one root between bounds */
+    /* I3: one root between bounds */
     {NULL, "a: {root: x^2 - 2, on: {x: [1, 2]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {root: 3/2 - x, on: {x: [1, 2]}}", FOUND_TRUE, EXACT}, /* met exactly by halving */
     {NULL, "a: {root: x^2 - 2, on: {x: [2, 3]}}", FOUND_FALSE, EXACT},
@@ -94,7 +94,7 @@ static const struct {
     {NULL, "a: {root: x^2 - 2, on: {x: [sqrt(2), 2]}}", FOUND_TRUE, EXACT}, /* ends belong to it, and to all their balls */
     {NULL, "a: {root: x^2 - 2, on: {x: [1, sqrt(2)]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {root: exp(x) - n, on: {x: [0, 3]}}", FOUND_TRUE, CERTIFIED},
-    /* real roots, counted */
+    /* I4: real roots, counted */
     {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [0]}, count: 2}", FOUND_TRUE, EXACT},
     {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: []}, count: 3}", FOUND_TRUE, EXACT},
     {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [-4, 2]}, count: 2}", FOUND_TRUE, EXACT}, /* not 2 itself */
@@ -105,7 +105,7 @@ static const struct {
     {NULL, "a: {roots: sqrt(x) + 1, on: {x: []}, count: 0}", UNDECIDED, EXACT},
     {NULL, "a: {roots: x^-2, on: {x: []}, count: 0}", UNDECIDED, EXACT},
     {NULL, "a: {roots: x - x, on: {x: []}, count: 0}", UNDECIDED, EXACT},
-    /* matrices */
+    /* I5: matrices */
     {"free: [u, v], system: {u: v, v: 0*u}", "a: {rank: 1}", FOUND_TRUE, EXACT},
     {"free: [u, v], system: {u: v, v: dQ}, at: {dQ: 0}", "a: {rank: 2, control: dQ}", FOUND_TRUE, EXACT},
     {"free: [u, v], system: {u: v, v: dQ}, at: {dQ: 0}", "a: {rank: 1, observe: v}", FOUND_TRUE, EXACT},
@@ -113,7 +113,7 @@ static const struct {
     /* steps */
     {NULL, "a: {step: kepler}", FOUND_TRUE, EXACT},
     {NULL, "a: {step: [kepler, static_places]}", FOUND_TRUE, EXACT},
-    /* lists: of each all */
+    /* I6: of each all */
     {NULL, "a: [eq05.x1 - eq05.x2 = L, eq04.x2 = -m1/m2*x1]", FOUND_TRUE, EXACT},
     {NULL, "a: [eq05.x1 - eq05.x2 = L, eq04.x2 = -m2/m1*x1]", FOUND_FALSE, EXACT},
     {NULL, "a: {algebra: [s + s = 2*s, (s + 1)^2 = s^2 + 2*s], free: [s]}", FOUND_FALSE, EXACT},
@@ -224,6 +224,7 @@ static const struct {
     {"1.51e12*sqrt(1) | 2 up", "1.6e+12", EXACT}, {"dL - 1/10 | 2 up", "0", EXACT},
     {"1.25e-18 | .20", "0.00000000000000000125", EXACT}, {"sqrt(2)/10^40 | .42", "0." ZEROS "141", EXACT},
     {"0 | .20", "0.00000000000000000000", EXACT}, {"12345678.25 | .0", "12345678", EXACT},
+    {"0.01476 | .3", "0.015", EXACT}, {"1234.567 | .1", "1234.6", EXACT},
 };
 
 EACH(numbers_have_proved_digits_or_none, COUNT(numbers))

@@ -11,7 +11,13 @@
  * never grows, and from E < level, x > 0, r < outer every motion comes to rest at L_ref (claims basin-converges,
  * basin-saturated). Rates of the length do not enter E but by v: none of the numbers depends on C2.
  *
- * Each number is a formula, or the root of one; the formulas stand in one table, in the notation of the sheets.
+ * Each number is a formula, or the root of one; the formulas stand in one table, in the notation of the sheets. The terms of the
+ * theorem, with their tests in tests/claims/test_guarantee.c:
+ *   (G1) the level is the lower of the hill on the radius and of the plane across     (half_widths_reach_the_level)
+ *   (G2) in all of a box E is below it, whatever the signs                            (box_is_the_largest, corner_comes_back)
+ *   (G3) a saturated force has its own U: the level is lower, the box smaller         (bounded_charges_bring_back)
+ *   (G4) rest is there up to the fold; at once E is below the saddle                  (errors_are_borne_up_to_the_fold, steps_are_borne)
+ *   (G5) for all n and y of the balls                                                 (numbers_of_a_ball_hold_those_of_its_gains)
  */
 #ifndef CT_GUARANTEE_H
 #define CT_GUARANTEE_H

@@ -8,6 +8,9 @@
  * (z = -1) or r_1 r_2 r_3 = r_0 r_3^2 + r_4 r_1^2 (a pair, by Orlando's formula), and from T = 0 to the first such T all
  * lie inside. Without the law the model has the roots +-a, +-i b, a^2 = 2 sqrt(7) + 1, b^2 = 2 sqrt(7) - 1.
  *
+ * The terms of this, with a test named for each in tests/claims/test_sampling.c: (H1) before the limit nothing is met, (H2) at it a
+ * multiplier leaves the disk, (H3) for all gains of the balls, or the limit is open; (D1) to (D3) of a delay in their place.
+ *
  * Late by d, the roots are those of lambda^4 - 2 lambda^2 - 27 + (c1 + c2 lambda)(lambda^2 + 3) exp(-d lambda). In the right
  * half plane they are bounded, so they get there over the axis: at lambda = i w, with x = w^2,
  * (x^2 + 2 x - 27)^2 = (c1^2 + c2^2 x)(3 - x)^2 and exp(-i d w) = -(x^2 + 2 x - 27)/((c1 + i c2 w)(3 - x)).

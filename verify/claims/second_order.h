@@ -21,6 +21,9 @@
  * in its first term alone. By the step pitch_law, of which second_order is the case S = 0, all of the above holds with other A
  * and B, and k = 18/13 Im A: the length in quadrature damps, and nothing else of it.
  *
+ * That is exact but for (A1) the fourth order of psi and dL, (A2) the fifth of theta and z', and in the slow law (A3) what these make
+ * in a time 1/a^2: each is observed, tests/claims/test_convergence.c and the claims forced-response-flow, slow-law-orders.
+ *
  * The formulas stand once, in paper/derivations.yaml: x1 and y1 hold psi and dL and are even in z, z1 holds theta and is odd,
  * so that what is left of (3) is of the fourth order in the first two, of the fifth in the last. The program of pitch_law runs
  * in balls for their values.

@@ -48,7 +48,7 @@ static char *number_text(const struct quoted_number *q, const arb_t x, const fmp
 {
     const bool fixed = q->rounding == TO_DECIMALS, bound = q->rounding == UPWARD || q->rounding == DOWNWARD;
     const slong digits = q->digits + (fixed ? 1 + exponent_of(x) : 0);
-    if (q->rounding == AS_RATIONAL || digits < 1 || !arb_is_finite(x))
+    if (digits < 1 || !arb_is_finite(x)) /* what is quoted as a rational number has none */
         return NULL;
     char *text = bound           ? decimal_of_end(x, digits, q->rounding == UPWARD)
                  : exact != NULL ? decimal_of_rational(exact, digits)

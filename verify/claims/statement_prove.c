@@ -1,4 +1,15 @@
-/* Whether an assertion is true: by identities, enclosures, Sturm's chains, matrices, steps and computations. */
+/*
+ * Whether an assertion is true: by identities, enclosures, Sturm's chains, matrices, steps and computations.
+ *
+ * Theorem. What is found true is so, and what is found false is not, for all values of the balls that names have. Its terms, tested by
+ * the rows of tests/claims/test_statement.c that name them, and by those of narrow_root (curve.c):
+ *   (I1) a sign is that of the exact number, or of a ball without 0                                (sign_at)
+ *   (I2) between bounds it is the same on parts that leave nothing out, the bounds' radii included (sign_between)
+ *   (I3) a root is the only one: all other parts have a sign, and its own a slope; bounds as before (isolate)
+ *   (I4) a count is of different roots in (low, high), by Sturm's chain of the square-free part    (roots_counted)
+ *   (I5) a rank is that of all rates by all states, and by the control                             (rank_found)
+ *   (I6) of several values, conditions, citations each has to be so                                (truth_both)
+ */
 #include <stdlib.h>
 #include <string.h>
 

@@ -153,9 +153,7 @@ static void enclose_inputs(struct machine *m, const struct scenario *s, const st
     int next = 0;
     for (int i = 0; i < DESIGN_PARAMETERS; i++)
         arb_set(machine_value(m, next++), parameters[i]);
-    arb_div(c2, p.C2, p.Omega, prec);
-    arb_div(c1, p.C1, p.Omega, prec);
-    arb_div(c1, c1, p.Omega, prec);
+    flow_gains(c1, c2, &p, prec);
     const bool isolated = enclose_root_parts(roots, s, c1, c2, p.Omega, prec);
     for (int i = 0; i < 4; i++) {
         if (!isolated)
