@@ -159,7 +159,7 @@ static const struct {
     {"eq25", "colon", "no name has a ':'\n"},
     {"eq25", "commas", "no name has a ','\n"},
     {"eq44", "nan-for-invalid", "  looks like nan where `invalid` is due\n"},
-    {"eq25", "zeros", "  looks like all zeros\n"},
+    {"eq25", "zeros", "  looks like w_1, w_3 all zeros\n"},
     {"eq44", "fixed", "  looks like written with 6 decimals: small numbers lose their digits\n"},
     {"eq44", "byte-order-mark", "    a byte order mark stands before 'eq44-paper'\n"},
     {"eq38", "printed-38", "  looks like the paper's misprint: Kepler's third law has no factor of 3 there"},

@@ -48,10 +48,13 @@ static void close_run(struct test_run *e)
 static void answer(struct test_run *e, uint64_t position, const char *words)
 {
     char line[LONG];
-    e->next = position;
-    test_vector_make(&e->due, &e->sets, position);
-    const int size = snprintf(line, sizeof line, "%s %s\n", e->due.id, words);
+    struct test_vector q;
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, position);
+    const int size = snprintf(line, sizeof line, "%s %s\n", q.id, words);
+    test_vector_clear(&q);
     ck_assert_int_lt(size, LONG);
+    e->next = position;
     test_run_hear(e, line, (size_t)size);
 }
 

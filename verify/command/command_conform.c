@@ -26,7 +26,7 @@ enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered i
 /* What is asked for: a number a section of the sheet. */
 struct choice {
     const struct sheet *sheet;
-    enum { NOTHING, SOME_VECTORS, ALL_VECTORS } *chosen;
+    enum asked { NOTHING, SOME_VECTORS, ALL_VECTORS } *chosen;
     const char *only; /* as --only has it; NULL: it is not given */
     double *digits;
 };
@@ -60,57 +60,50 @@ static int take_digits(struct choice *c, const struct arguments *a)
     return EXIT_DONE;
 }
 
-/* A level, an operation, or an operation's vector, whose name goes on after a hyphen. */
-static int choose(struct choice *c, const char *word)
+/* What a word of --only asks of a section: by its level, its id, or a vector's name, which goes on after a hyphen. */
+static enum asked asked_by(const char *word, const struct section *s)
 {
-    bool level = false;
-    for (int i = 0; i < c->sheet->section_count; i++)
-        if (c->sheet->sections[i].method != METHOD_NONE && strcmp(word, level_names[level_of(&c->sheet->sections[i])]) == 0) {
-            c->chosen[i] = ALL_VECTORS;
-            level = true;
-        }
-    if (level)
-        return EXIT_DONE;
-    char id[40];
-    snprintf(id, sizeof id, "%.*s", (int)strcspn(word, "-"), word);
-    const struct section *s = section_argument(c->sheet, id);
-    if (s == NULL)
-        return EXIT_USAGE;
+    const size_t length = strlen(s->id);
     if (s->method == METHOD_NONE)
-        return usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", s->id);
-    if (strchr(word, '-') == NULL)
-        c->chosen[s - c->sheet->sections] = ALL_VECTORS;
-    else if (c->chosen[s - c->sheet->sections] == NOTHING)
-        c->chosen[s - c->sheet->sections] = SOME_VECTORS;
-    return EXIT_DONE;
+        return NOTHING;
+    if (strcmp(word, s->id) == 0 || strcmp(word, level_names[level_of(s)]) == 0)
+        return ALL_VECTORS;
+    return strncmp(word, s->id, length) == 0 && word[length] == '-' ? SOME_VECTORS : NOTHING;
 }
 
 /* ID,... of --only, levels and vectors among them; every operation without it. */
 static int take_only(struct choice *c, const char *only)
 {
-    int status = EXIT_DONE;
+    int status = only == NULL ? EXIT_DONE : EXIT_USAGE;
     c->only = only;
     for (int i = 0; i < c->sheet->section_count; i++)
         c->chosen[i] = only == NULL && c->sheet->sections[i].method != METHOD_NONE ? ALL_VECTORS : NOTHING;
-    char *words = text_copy(only != NULL ? only : ""), *rest = NULL;
-    for (char *word = strtok_r(words, ",", &rest); word && status == EXIT_DONE; word = strtok_r(NULL, ",", &rest))
-        status = choose(c, word);
+    char *words = text_copy(only != NULL ? only : ""), *rest = NULL, *word = strtok_r(words, ",", &rest);
+    if (only != NULL && word == NULL)
+        usage_error(EXIT_USAGE, "--only: expected operations, levels or vectors, ID,...");
+    for (; word != NULL; word = status == EXIT_DONE ? strtok_r(NULL, ",", &rest) : NULL) {
+        status = EXIT_USAGE;
+        for (int i = 0; i < c->sheet->section_count; i++) {
+            const enum asked asked = asked_by(word, &c->sheet->sections[i]);
+            c->chosen[i] = asked > c->chosen[i] ? asked : c->chosen[i];
+            status = asked != NOTHING ? EXIT_DONE : status;
+        }
+        word[strcspn(word, "-")] = '\0';
+        if (status != EXIT_DONE && section_argument(c->sheet, word) != NULL)
+            usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", word);
+    }
     free(words);
-    for (int i = 0; i < c->sheet->section_count && status == EXIT_DONE; i++)
-        if (c->chosen[i])
-            return EXIT_DONE;
-    return status != EXIT_DONE ? status : usage_error(EXIT_USAGE, "--only: expected operations, levels or vectors, ID,...");
+    return status;
 }
 
 /* The vectors that --only names of the set that was added last. */
 static int take_vectors(struct test_run *e, const struct choice *c)
 {
     const struct test_set *set = &e->sets.all[e->sets.count - 1];
-    const size_t length = strlen(set->operation.section->id);
     char *words = text_copy(c->only), *rest = NULL;
     int status = EXIT_DONE;
     for (char *word = strtok_r(words, ",", &rest); word && status == EXIT_DONE; word = strtok_r(NULL, ",", &rest))
-        if (strncmp(word, set->operation.section->id, length) == 0 && word[length] == '-' && !test_sets_want(&e->sets, word))
+        if (asked_by(word, set->operation.section) == SOME_VECTORS && !test_sets_want(&e->sets, word))
             status = unknown_name("--only: unknown vector", word, NEAREST(word, set->golden, set->golden_count, id));
     free(words);
     return status;
@@ -401,23 +394,19 @@ static const struct section *section_of_file(const struct sheet *sheet, FILE *fi
 /* What comes through a pipe, which is read once, in a temporary file; another file as it is. NULL, and it is closed, after a complaint. */
 static FILE *rewindable(FILE *file, const char *name)
 {
-    char bytes[1 << 12];
-    size_t size, total = 0;
     if (fseek(file, 0, SEEK_SET) == 0)
         return file;
     FILE *copy = tmpfile();
-    while (copy != NULL && total <= MOST_PIPED && (size = fread(bytes, 1, sizeof bytes, file)) > 0 &&
-           fwrite(bytes, 1, size, copy) == size)
-        total += size;
-    const bool whole = copy != NULL && feof(file) && fflush(copy) == 0 && !ferror(copy); /* LCOV_EXCL_BR_LINE: a failing system call */
-    if (total > MOST_PIPED)
+    int byte = 0, size = 0;
+    while (copy != NULL && size <= MOST_PIPED && (byte = getc(file)) != EOF && putc(byte, copy) != EOF)
+        size++;
+    const bool whole = copy != NULL && feof(file) && fseek(copy, 0, SEEK_SET) == 0; /* LCOV_EXCL_BR_LINE: a failing system call */
+    if (size > MOST_PIPED)
         usage_error(EXIT_FAILED_CHECK, "%s: expected at most %d bytes through a pipe, write them to a file", name, MOST_PIPED);
     else if (!whole) /* LCOV_EXCL_BR_LINE: the same */
         usage_error(EXIT_FAILED_CHECK, "%s, and a temporary file for it: %s", name, strerror(errno)); /* LCOV_EXCL_LINE: the same */
     fclose(file);
-    if (whole)
-        rewind(copy);
-    else if (copy != NULL) /* LCOV_EXCL_BR_LINE: the same */
+    if (!whole && copy != NULL) /* LCOV_EXCL_BR_LINE: the same */
         fclose(copy);
     return whole ? copy : NULL;
 }

@@ -38,6 +38,15 @@ static void stray(struct test_run *e, enum outcome outcome, const char *line)
     snprintf(s->line, sizeof s->line, "%s", line);
 }
 
+/* Made where it is not the one that was asked for last. */
+static const struct test_vector *vector_at(struct test_run *e, uint64_t position)
+{
+    if (e->heard_of.set == NULL || e->position != position)
+        test_vector_make(&e->heard_of, &e->sets, position);
+    e->position = position;
+    return &e->heard_of;
+}
+
 /* A number with a scale of its own tells more than one on none, the paper's case more than both; what is no number the least. */
 static int ease_of(const struct record *r, const char *id)
 {
@@ -66,8 +75,9 @@ static void keep_record(struct summary *t, const struct record *r)
         t->kept[t->kept_failures++] = *r;
 }
 
-static void note(struct test_run *e, struct record *r, const struct test_vector *q)
+static void note(struct test_run *e, struct record *r)
 {
+    const struct test_vector *q = vector_at(e, r->position);
     struct summary *t = &e->summaries[q->set - e->sets.all];
     if (e->any_order && !e->range && q->golden != NULL && q->golden->range)
         r->outcome = OUTCOME_SKIPPED; /* a file has all golden vectors, asked or not */
@@ -110,9 +120,8 @@ static void pass_over(struct test_run *e, enum outcome outcome, const char *text
     struct record r = {.position = e->next, .outcome = outcome, .score = {.digits = INFINITY}};
     snprintf(r.text, sizeof r.text, "%s", text);
     if (e->answered == NULL || !e->answered[e->next])
-        note(e, &r, &e->due);
-    if (++e->next < e->sets.total)
-        test_vector_make(&e->due, &e->sets, e->next);
+        note(e, &r);
+    e->next++;
 }
 
 /* ---- one line ---- */
@@ -180,8 +189,9 @@ static enum outcome compare_numbers(struct test_run *e, struct comparator *j, co
 }
 
 /* What the words after the id say about the question. */
-static void answer(struct test_run *e, const struct test_vector *q, uint64_t position, char **words, int count, const char *text)
+static void answer(struct test_run *e, uint64_t position, char **words, int count, const char *text)
 {
+    const struct test_vector *q = vector_at(e, position);
     struct comparator *j = &e->comparators[q->set - e->sets.all];
     struct summary *t = &e->summaries[q->set - e->sets.all];
     struct record r = {.position = position, .score = {.digits = INFINITY}};
@@ -200,18 +210,7 @@ static void answer(struct test_run *e, const struct test_vector *q, uint64_t pos
         else if (r.outcome == OUTCOME_RIGHT)
             r.outcome = compare_numbers(e, j, q, &r);
     }
-    note(e, &r, q);
-}
-
-/* Of a file, where answers stand in any order. */
-static void answer_there(struct test_run *e, uint64_t position, char **words, int count, const char *text)
-{
-    struct test_vector q;
-    test_vector_init(&q);
-    test_vector_make(&q, &e->sets, position);
-    e->answered[position] = true;
-    answer(e, &q, position, words, count, text);
-    test_vector_clear(&q);
+    note(e, &r);
 }
 
 static void hear_line(struct test_run *e, char *line, bool ended)
@@ -226,7 +225,7 @@ static void hear_line(struct test_run *e, char *line, bool ended)
         stray(e, OUTCOME_UNNAMED, shown);
         return;
     }
-    const bool due = e->next < e->asked && strcmp(words[0], e->due.id) == 0;
+    const bool due = !e->any_order && e->next < e->asked && strcmp(words[0], vector_at(e, e->next)->id) == 0;
     const uint64_t position = due ? e->next : test_sets_find(&e->sets, words[0]);
     const bool again = e->any_order ? position < e->sets.total && e->answered[position] : position < e->next;
     if (position >= e->asked || again) {
@@ -236,19 +235,17 @@ static void hear_line(struct test_run *e, char *line, bool ended)
     const char *text = shown + strspn(shown, " "); /* the line is cut, perhaps within its id */
     text += strcspn(text, " ");
     text += strspn(text, " ");
-    if (e->any_order) {
-        answer_there(e, position, words + 1, count - 1, text);
-        return;
-    }
-    while (e->next < position)
+    while (!e->any_order && e->next < position)
         pass_over(e, OUTCOME_MISSING, "");
     if (!ended) {
         pass_over(e, OUTCOME_TRUNCATED, text);
         return;
     }
-    answer(e, &e->due, position, words + 1, count - 1, text);
-    if (++e->next < e->sets.total)
-        test_vector_make(&e->due, &e->sets, e->next);
+    answer(e, position, words + 1, count - 1, text);
+    if (e->any_order)
+        e->answered[position] = true;
+    else
+        e->next++;
 }
 
 /* ---- the stream ---- */
@@ -319,9 +316,7 @@ void test_run_begin(struct test_run *e, const double *digits)
         comparator_init(&e->comparators[k], &e->sets.all[k].operation, e->significand, digits[k]);
     }
     test_vector_init(&e->asking);
-    test_vector_init(&e->due);
-    if (e->sets.total > 0)
-        test_vector_make(&e->due, &e->sets, 0);
+    test_vector_init(&e->heard_of);
 }
 
 void test_run_end(struct test_run *e, enum outcome why)
@@ -339,7 +334,7 @@ void test_run_clear(struct test_run *e)
     for (int k = 0; k < e->sets.count; k++)
         comparator_clear(&e->comparators[k]);
     test_vector_clear(&e->asking);
-    test_vector_clear(&e->due);
+    test_vector_clear(&e->heard_of);
     free(e->comparators);
     free(e->summaries);
     free(e->answered);

@@ -68,7 +68,9 @@ struct test_run {
     bool *answered;                 /* ... which vectors those were about         */
     bool range;                     /* what leaves the normal range is judged too */
     uint64_t asked, next, heard;    /* questions sent; the first one without an outcome; lines */
-    struct test_vector asking, due; /* the vectors at `asked` and `next`          */
+    struct test_vector asking;      /* the vector at `asked`                      */
+    struct test_vector heard_of;    /* the one that was answered or passed over   */
+    uint64_t position;              /* ... its                                    */
     FILE *journal;                  /* of all records, for reports; NULL: none is wanted */
     int journal_error;              /* the errno that its reading ended with; 0: with its end */
     char line[LONGEST_LINE + 1];

@@ -31,49 +31,42 @@ struct mutants {
 
 static void mutant_add(struct mutants *list, const struct section *s, const struct known_mistake *m)
 {
-    list->all = xrealloc(list->all, (size_t)list->count + 1, sizeof *list->all);
     struct mutant *x = &list->all[list->count];
     struct message why;
-    *x = (struct mutant){.name = m ? m->name : "as printed"};
+    *x = (struct mutant){.name = m != NULL ? m->name : "as printed"};
     if (m != NULL && !mutation_init(&x->a, s->sheet, s, m, false, &why))
         return;
-    x->transforms = m != NULL && !x->a.formulas_end;
-    if (x->transforms)
-        x->inputs = inputs_new(x->a.section->input_count);
     list->count++;
+    x->transforms = m != NULL && !x->a.formulas_end;
+    x->inputs = inputs_new(MOST_INPUTS);
+    operation_init(&x->o, x->transforms ? x->a.section : s, m == NULL);
+    if (m == NULL || x->transforms)
+        return;
+    operation_clear(&x->o);
+    x->o.formulas = &x->a.formulas;
+    machine_init(&x->o.machine, &x->a.formulas.program, &arithmetic_ball, 128);
 }
 
 /* The print's own formulas, the section's own mistakes, and those that every section may make. */
 static struct mutants mutants_of(const struct section *s)
 {
-    struct mutants list = {NULL, 0};
+    struct mutants list = {xrealloc(NULL, (size_t)(1 + s->mistake_count + s->sheet->mistake_count), sizeof *list.all), 0};
     if (s->differs)
         mutant_add(&list, s, NULL);
     for (int i = 0; i < s->mistake_count; i++)
         mutant_add(&list, s, &s->mistakes[i]);
     for (int i = 0; i < s->sheet->mistake_count; i++)
         mutant_add(&list, s, &s->sheet->mistakes[i]);
-    for (int i = 0; i < list.count; i++) { /* now that they move no more */
-        struct mutant *x = &list.all[i];
-        operation_init(&x->o, x->transforms ? x->a.section : s, x->a.section == NULL);
-        if (x->a.section == NULL || x->transforms)
-            continue;
-        operation_clear(&x->o);
-        x->o.formulas = &x->a.formulas;
-        machine_init(&x->o.machine, &x->a.formulas.program, &arithmetic_ball, 128);
-    }
     return list;
 }
 
 static void mutants_clear(struct mutants *list)
 {
     for (int i = 0; i < list->count; i++) {
-        struct mutant *x = &list->all[i];
-        operation_clear(&x->o);
-        if (x->transforms)
-            inputs_free(x->inputs, x->a.section->input_count);
-        if (x->a.section != NULL)
-            mutation_clear(&x->a);
+        operation_clear(&list->all[i].o);
+        inputs_free(list->all[i].inputs, MOST_INPUTS);
+        if (list->all[i].a.section != NULL)
+            mutation_clear(&list->all[i].a);
     }
     free(list->all);
 }
@@ -315,14 +308,6 @@ struct kills {
     bool fine;
 };
 
-static bool are_equal(const struct input *a, const struct input *b, int count)
-{
-    bool equal = true;
-    for (int i = 0; i < count; i++)
-        equal = equal && a[i].infinite == b[i].infinite && fmpq_equal(&a[i].value, &b[i].value);
-    return equal;
-}
-
 /* Whether a vector tells a mutant from the truth. */
 static bool mistake_told(struct kills *k, int i, bool inside)
 {
@@ -333,7 +318,7 @@ static bool mistake_told(struct kills *k, int i, bool inside)
     struct score score;
     if (inputs == NULL || operation_valid(&x->o, inputs) != inside)
         return inside || inputs != NULL;
-    if (!inside || (x->o.section == k->o.section && x->transforms && are_equal(inputs, k->inputs, k->o.section->input_count)))
+    if (!inside)
         return false;
     const slong digits = is_motion(k->o.section) ? (slong)j->digits + 8 : 60;
     const slong prec = operation_precision(&x->o, inputs, digits);

@@ -1,6 +1,6 @@
 #include "conform/kinds.h"
 
-#include <gsl/gsl_multifit.h>
+#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -23,15 +23,6 @@ static void append(char *text, size_t size, const char *between, const char *wor
 }
 
 /* ---- all outputs alike ---- */
-
-static void all_zeros(const struct evidence *v, char *text, size_t size)
-{
-    bool zeros = true;
-    for (int f = 0; f < v->count; f++)
-        for (int k = 0; k < v->section->output_count; k++)
-            zeros = zeros && v->y[f][k] == 0.0;
-    snprintf(text, size, "%s", zeros ? "all zeros" : "");
-}
 
 /* The same digits after the point in every answer, no exponent, and right within half of the last of them. */
 static void fixed_decimals(const struct evidence *v, char *text, size_t size)
@@ -105,6 +96,12 @@ static bool opposite(double y, double exact)
     return is_same(y, -exact);
 }
 
+static bool zero(double y, double exact)
+{
+    (void)exact;
+    return y == 0.0;
+}
+
 /* Whether an output is so in every vector. */
 static bool is_always(const struct evidence *v, int k, bool (*so)(double y, double exact))
 {
@@ -122,7 +119,8 @@ static void wrong_outputs(const struct evidence *v, char *text, size_t size)
         bool angle;
         const char *what;
     } ways[] = {{turns, true, "differs by 2 pi: it lies from -pi to pi"}, {half_a_turn, true, "differs by pi: the quadrant is lost"},
-                {from_the_other_axis, true, "is that of atan2 with its arguments exchanged"}, {opposite, false, "has the other sign"}};
+                {from_the_other_axis, true, "is that of atan2 with its arguments exchanged"}, {opposite, false, "has the other sign"},
+                {zero, false, "all zeros"}};
     for (size_t way = 0; way < sizeof ways / sizeof *ways && *text == '\0'; way++) {
         char names[240] = "";
         bool fits = true;
@@ -200,64 +198,57 @@ static bool constant_factor(const struct quotients *q, char *text, size_t size)
     return true;
 }
 
-/* What a product of powers is made of: the inputs above zero that differ from vector to vector, and the sum of the masses. */
+/* What a product of powers is made of: a constant, the inputs above zero that differ from vector to vector, and the sum of the masses. */
+enum { MOST_BASES = MOST_INPUTS + 2 };
 struct bases {
     int count;
-    char names[MOST_INPUTS + 1][40];
-    double logs[MOST_INPUTS + 1][MOST_EVIDENCE];
+    char names[MOST_BASES][40];
+    double logs[MOST_EVIDENCE][MOST_BASES];
 };
 
 static void bases_of(struct bases *b, const struct evidence *v, const struct quotients *q)
 {
     const int m1 = input_place(v->section, "m1"), m2 = input_place(v->section, "m2");
-    b->count = 0;
+    b->count = 1;
+    for (int f = 0; f < q->count; f++)
+        b->logs[f][0] = 1.0;
     for (int i = 0; i <= v->section->input_count; i++) {
         const bool sum = i == v->section->input_count;
         bool fits = !sum || (m1 >= 0 && m2 >= 0), differs = false;
         for (int f = 0; f < q->count && fits; f++) {
             const double *inputs = v->x[q->vectors[f]], x = sum ? inputs[m1] + inputs[m2] : inputs[i];
-            b->logs[b->count][f] = log(x);
+            b->logs[f][b->count] = log(x);
             fits = x > 0.0 && isfinite(x);
-            differs = differs || !is_same(b->logs[b->count][f], b->logs[b->count][0]);
+            differs = differs || !is_same(b->logs[f][b->count], b->logs[0][b->count]);
         }
         if (fits && differs)
             snprintf(b->names[b->count++], sizeof *b->names, "%s", sum ? "(m1 + m2)" : v->section->inputs[i]->name);
     }
 }
 
-/* Least squares of the logarithms: powers[0] is that of the constant. False where none is found, as of too few vectors. */
+/* Least squares: the power of each base. False where there are too few vectors. */
 static bool fit_powers(const struct bases *b, const double *logs, int count, double *powers)
 {
-    if (count < b->count + 2)
+    if (count <= b->count)
         return false;
-    const size_t rows = (size_t)count, columns = (size_t)b->count + 1;
-    gsl_multifit_linear_workspace *work = gsl_multifit_linear_alloc(rows, columns);
-    gsl_matrix *X = gsl_matrix_alloc(rows, columns), *covariance = gsl_matrix_alloc(columns, columns);
-    gsl_vector *y = gsl_vector_alloc(rows), *c = gsl_vector_alloc(columns);
-    double squares;
-    for (size_t f = 0; f < rows; f++) {
-        gsl_vector_set(y, f, logs[f]);
-        for (size_t i = 0; i < columns; i++)
-            gsl_matrix_set(X, f, i, i == 0 ? 1.0 : b->logs[i - 1][f]);
-    }
-    const bool fits = gsl_multifit_linear(X, y, c, covariance, &squares, work) == GSL_SUCCESS;
-    for (size_t i = 0; i < columns; i++)
-        powers[i] = gsl_vector_get(c, i);
-    gsl_vector_free(c);
-    gsl_vector_free(y);
-    gsl_matrix_free(covariance);
-    gsl_matrix_free(X);
-    gsl_multifit_linear_free(work);
-    return fits;
+    double rows[MOST_EVIDENCE][MOST_BASES], scales[MOST_BASES], residuals[MOST_EVIDENCE];
+    const size_t columns = (size_t)b->count;
+    memcpy(rows, b->logs, sizeof rows);
+    gsl_matrix_view A = gsl_matrix_view_array_with_tda(*rows, (size_t)count, columns, MOST_BASES);
+    gsl_vector_view tau = gsl_vector_view_array(scales, columns), x = gsl_vector_view_array(powers, columns);
+    gsl_vector_view residual = gsl_vector_view_array(residuals, (size_t)count);
+    gsl_vector_const_view y = gsl_vector_const_view_array(logs, (size_t)count);
+    return gsl_linalg_QR_decomp(&A.matrix, &tau.vector) == GSL_SUCCESS &&
+           gsl_linalg_QR_lssolve(&A.matrix, &tau.vector, &y.vector, &x.vector, &residual.vector) == GSL_SUCCESS;
 }
 
 /* Those bases with a power of that sign, as a product. */
 static void product_text(const struct bases *b, const double *powers, double sign, char *text, size_t size)
 {
     *text = '\0';
-    for (int i = 0; i < b->count; i++) {
+    for (int i = 1; i < b->count; i++) {
         char word[60];
-        const double power = sign * powers[i + 1];
+        const double power = sign * powers[i];
         if (power <= 0.0)
             continue;
         snprintf(word, sizeof word, power == 1.0 ? "%s" : "%s^%g", b->names[i], power);
@@ -272,7 +263,7 @@ static void factor(const struct evidence *v, char *text, size_t size)
 {
     struct bases b;
     struct quotients q;
-    double logs[MOST_EVIDENCE] = {0.0}, powers[MOST_INPUTS + 2], first = 0.0;
+    double logs[MOST_EVIDENCE] = {0.0}, powers[MOST_BASES], first = 0.0;
     char above[120], below[120], number[40] = "";
     bool differ = true; /* else what is the same in all may be what the factor is made of */
     for (int i = 0; i < v->section->input_count; i++)
@@ -284,13 +275,13 @@ static void factor(const struct evidence *v, char *text, size_t size)
         logs[f] = log(fabs(q.values[f]));
     if (!fit_powers(&b, logs, q.count, powers))
         return;
-    for (int i = b.count; i >= 1; i--) {
+    for (int i = b.count - 1; i >= 1; i--) {
         powers[i] = round(2.0 * powers[i]) / 2.0;
         first = powers[i] != 0.0 ? powers[i] : first;
     }
     for (int f = 0; f < q.count; f++)
-        for (int i = 0; i < b.count; i++)
-            logs[f] -= powers[i + 1] * b.logs[i][f];
+        for (int i = 1; i < b.count; i++)
+            logs[f] -= powers[i] * b.logs[f][i];
     for (int f = 0; f < q.count; f++)
         if (fabs(logs[f] - logs[0]) > 1e-8 || first == 0.0)
             return;
@@ -393,7 +384,7 @@ static void kind_of_roots(const struct evidence *v, char *text, size_t size)
 
 void kind_of_formula(const struct evidence *v, char *text, size_t size)
 {
-    static void (*const kinds[])(const struct evidence *, char *, size_t) = {wrong_outputs, all_zeros, fixed_decimals, permuted_outputs,
+    static void (*const kinds[])(const struct evidence *, char *, size_t) = {wrong_outputs, fixed_decimals, permuted_outputs,
                                                                             factor, other_inputs};
     int wrong = 0;
     *text = '\0';
