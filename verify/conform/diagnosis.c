@@ -185,16 +185,19 @@ static bool are_singles(const struct summary *t, int outputs)
 /* So far off is what is right but for its digits, where it is like nothing else. */
 static const double LOST = 1e-4;
 
-/* Right but for the number format: how it is computed, or how it is written. */
+/* Right but for the number format: how it is computed, or how it is written, of which most numbers suffer. */
 static void format_mistake(const struct test_run *e, int set, char *text, size_t size)
 {
     const struct summary *t = &e->summaries[set];
     const struct comparator *j = &e->comparators[set];
     double worst = 0.0;
+    int passing = 0;
+    for (int i = t->kept_failures; i < t->kept_count; i++)
+        passing += t->kept[i].has_values;
     for (int i = 0; i < t->kept_failures; i++)
         if (t->kept[i].outcome != OUTCOME_VALUE)
             worst = fmax(worst, t->kept[i].outcome == OUTCOME_WRONG ? ldexp(t->kept[i].score.E, -BINARY64) : INFINITY); /* of |y*| + S */
-    if (worst == 0.0 || !(worst < LOST) || is_motion(j->operation->section) || e->significand != BINARY64)
+    if (worst == 0.0 || !(worst < LOST) || passing > t->kept_failures || is_motion(j->operation->section) || e->significand != BINARY64)
         return;
     if (are_singles(t, j->operation->section->output_count) && worst <= ldexp(j->K, -BINARY32))
         snprintf(text, size, "computed in single precision");
@@ -293,8 +296,8 @@ void diagnose(struct test_run *e, int set)
         diagnose_kind(e, set, start + (clock_t)(PATIENCE * CLOCKS_PER_SEC));
     if (t->counts[OUTCOME_VALUE] > 0 && nan)
         add_diagnosis(t, "", "nan where `invalid` is due", "; and ");
-    else if (t->counts[OUTCOME_VALUE] > 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
-        add_diagnosis(t, "", "inputs outside the domain are not refused", "; and ");
+    else if (t->counts[OUTCOME_VALUE] > 1 && t->counts[OUTCOME_INVALID] == 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
+        add_diagnosis(t, "", "not all inputs outside the domain are refused", "; and ");
     mutants_clear(&list);
 }
 

@@ -58,7 +58,7 @@ static void name_hint(const struct sheet *sheet, const char *word, char *hint, s
     if (sheet != NULL && section_find(sheet, word) != NULL)
         snprintf(hint, size, "'%s' is an operation, the vector's name alone stands first", word);
     else if (is_number(word))
-        snprintf(hint, size, "'%s' is a number, the vector's name stands first", word);
+        snprintf(hint, size, "'%s' is a number: a line begins with the vector's name, and has all its outputs", word);
     else if (strncmp(word, MARK, strlen(MARK)) == 0)
         snprintf(hint, size, "a byte order mark stands before '%s'", word + strlen(MARK));
     else if (strncmp(word, "\377\376", 2) == 0)
@@ -75,7 +75,9 @@ static void count_hint(const struct sheet *sheet, const char *name, int count, c
     char id[WORD];
     snprintf(id, sizeof id, "%.*s", (int)strcspn(name, "-"), name);
     const struct section *s = sheet != NULL ? section_find(sheet, id) : NULL;
-    if (s != NULL)
+    if (count == 0)
+        snprintf(hint, size, "nothing stands after the vector's name: numbers, invalid or skip are due");
+    else if (s != NULL)
         snprintf(hint, size, "%d number%s, %s has %d output%s", count, count == 1 ? "" : "s", id, s->output_count,
                  s->output_count == 1 ? "" : "s");
 }
