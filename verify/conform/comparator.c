@@ -109,42 +109,39 @@ int vector_of(const struct quantity *const *all, int count, int which)
     return -1;
 }
 
-/* What roundings of the inputs do where a component of a vector is as large as the vector, which a turn of the axes makes it. */
-static void turned_sensitivity(arb_ptr S, struct operation *o, slong prec)
+/* A component's size is at least each of the three values. */
+static void raise_to_vectors(arb_ptr sizes, arb_srcptr values, const struct quantity *const *all, int count)
 {
-    const struct section *s = o->section;
-    VECTOR(arb, sizes, MOST_INPUTS);
-    SCOPE(arb, size);
-    for (int i = 0; i < s->input_count; i++) {
-        const int found = vector_of(s->inputs, s->input_count, i), first = found < 0 ? i : found, last = found < 0 ? i : found + 2;
-        for (int k = first; k <= last; k++) {
-            arb_abs(size, machine_value(&o->machine, k));
-            arb_max(sizes + i, sizes + i, size, prec);
-        }
-    }
-    formula_sensitivity(o, prec, sizes, S);
+    for (int i = 0; i < count; i++)
+        for (int first = vector_of(all, count, i), k = first; first >= 0 && k < first + 3; k++)
+            arb_max(sizes + i, sizes + i, values + k, 64);
 }
 
 /*
  * A component's S is at least the largest |y*| + S among the vector's: any turn of the axes makes such an error, and where
- * a component is zero or far smaller than the vector it is the axes that make it so. S is the turned inputs' there: r x (I r) of
- * a craft near one plane of the axes has the roundings of its other coordinates.
+ * a component is zero or far smaller than the vector it is the axes that make it so. S is that of inputs which are as large as
+ * their vectors there: r x (I r) of a craft near one plane of the axes has the roundings of its other coordinates.
  */
-static void raise_to_the_vector(struct comparator *j, slong prec)
+static void raise_sensitivity(struct comparator *j, slong prec)
 {
-    const struct section *s = j->operation->section;
+    struct operation *o = j->operation;
+    const struct section *s = o->section;
+    VECTOR(arb, values, MOST_INPUTS);
+    VECTOR(arb, sizes, MOST_INPUTS);
     VECTOR(arb, turned, MOST_OUTPUTS);
     SCOPE(arb, size);
     if (vector_of(s->outputs, s->output_count, 0) < 0)
         return;
-    turned_sensitivity(turned, j->operation, prec);
-    for (int i = 0; i < s->output_count; i++)
-        for (int first = vector_of(s->outputs, s->output_count, i), k = first; first >= 0 && k < first + 3; k++) {
-            arb_abs(size, j->exact + k);
-            arb_add(size, size, turned + k, 64);
-            if (arb_is_finite(size))
-                arb_max(j->S + i, j->S + i, size, 64);
-        }
+    for (int i = 0; i < s->input_count; i++)
+        arb_abs(values + i, machine_value(&o->machine, i));
+    _arb_vec_set(sizes, values, s->input_count);
+    raise_to_vectors(sizes, values, s->inputs, s->input_count);
+    formula_sensitivity(o, prec, sizes, turned);
+    for (int k = 0; k < s->output_count; k++) {
+        arb_abs(size, j->exact + k);
+        arb_add(turned + k, turned + k, size, 64);
+    }
+    raise_to_vectors(j->S, turned, s->outputs, s->output_count);
 }
 
 enum outcome outcome_of_bounds(struct error_bounds E, double K)
@@ -176,7 +173,7 @@ static enum outcome compare_in_roundings(struct comparator *j, const struct inpu
             allow_either(j, inputs);
         score->strict = error_of(j, inputs, &score->output).upper;
         if (s->method == METHOD_FORMULA)
-            raise_to_the_vector(j, prec);
+            raise_sensitivity(j, prec);
         const struct error_bounds E = error_of(j, inputs, &score->output);
         score->E = E.upper;
         outcome = outcome_of_bounds(E, j->K);

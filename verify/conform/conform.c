@@ -126,14 +126,18 @@ static void pass_over(struct test_run *e, enum outcome outcome, const char *text
 
 /* ---- one line ---- */
 
-/* Words between blanks, `most` at most; returns how many there are in all. */
-static int split(char *line, char **words, int most)
+enum { MOST_WORDS = MOST_OUTPUTS + 2 };
+
+/* Words between blanks, empty ones after the last; returns how many there are in all. */
+static int split(char *line, char *words[MOST_WORDS])
 {
-    char *rest = NULL;
+    char *rest = NULL, *word = strtok_r(line, " \t", &rest);
     int count = 0;
-    for (char *word = strtok_r(line, " \t", &rest); word != NULL; word = strtok_r(NULL, " \t", &rest))
-        if (count++ < most)
-            words[count - 1] = word;
+    for (int i = 0; i < MOST_WORDS; i++)
+        words[i] = "";
+    for (; word != NULL; word = strtok_r(NULL, " \t", &rest), count++)
+        if (count < MOST_WORDS)
+            words[count] = word;
     return count;
 }
 
@@ -197,7 +201,7 @@ static void answer(struct test_run *e, uint64_t position, char **words, int coun
     struct record r = {.position = position, .score = {.digits = INFINITY}};
     const bool inside = q->drawn_inside || (q->numbers && operation_valid(j->operation, q->inputs));
     snprintf(r.text, sizeof r.text, "%s", text);
-    if (count > 0 && strcmp(words[0], "skip") == 0) {
+    if (strcmp(words[0], "skip") == 0) {
         if (*t->reason == '\0')
             snprintf(t->reason, sizeof t->reason, "%.110s", r.text + strlen("skip"));
         r.outcome = OUTCOME_SKIPPED;
@@ -215,13 +219,13 @@ static void answer(struct test_run *e, uint64_t position, char **words, int coun
 
 static void hear_line(struct test_run *e, char *line, bool ended)
 {
-    char *words[MOST_OUTPUTS + 2], shown[LONGEST_SHOWN];
+    char *words[MOST_WORDS], shown[LONGEST_SHOWN];
     snprintf(shown, sizeof shown, "%s", line);
     for (char *c = shown; *c != '\0'; c++)
         *c = *c == '\t' ? ' ' : *c;
     message_printable(shown);
-    const int count = split(line, words, MOST_OUTPUTS + 2);
-    if (count == 0 || !is_vector_id(words[0])) {
+    const int count = split(line, words);
+    if (!is_vector_id(words[0])) {
         stray(e, OUTCOME_UNNAMED, shown);
         return;
     }

@@ -128,7 +128,6 @@ int first_wrong_digit(const char *got, const char *expected)
 
 /* A vector with what was due and what came, each as text; made for reports only. */
 struct exhibit {
-    const struct record *record;
     const struct section *section;
     struct test_vector vector;
     char inputs[MOST_INPUTS][LONGEST_INPUT];
@@ -168,7 +167,6 @@ static void match_roots(struct exhibit *x)
 static void exhibit_init(struct exhibit *x, const struct test_run *e, const struct record *r)
 {
     memset(x, 0, sizeof *x);
-    x->record = r;
     test_vector_init(&x->vector);
     test_vector_make(&x->vector, &e->sets, r->position);
     struct operation *o = &x->vector.set->operation;

@@ -14,7 +14,7 @@ const char id_letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0
 
 bool is_vector_id(const char *word)
 {
-    return word[strspn(word, id_letters)] == '\0';
+    return *word != '\0' && word[strspn(word, id_letters)] == '\0';
 }
 
 /* ---- golden vectors ---- */

@@ -12,7 +12,7 @@
 
 enum { LONGEST_ID = 95 };
 
-/* What the names of vectors are made of; and whether a word, which is never empty, may be one. */
+/* What the names of vectors are made of; and whether a word may be one. */
 extern const char id_letters[];
 bool is_vector_id(const char *word);
 
