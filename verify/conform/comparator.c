@@ -130,8 +130,6 @@ static void raise_sensitivity(struct comparator *j, slong prec)
     VECTOR(arb, sizes, MOST_INPUTS);
     VECTOR(arb, turned, MOST_OUTPUTS);
     SCOPE(arb, size);
-    if (vector_of(s->outputs, s->output_count, 0) < 0)
-        return;
     for (int i = 0; i < s->input_count; i++)
         arb_abs(values + i, machine_value(&o->machine, i));
     _arb_vec_set(sizes, values, s->input_count);

@@ -96,7 +96,7 @@ static bool opposite(double y, double exact)
     return is_same(y, -exact);
 }
 
-static bool zero(double y, double exact)
+static bool is_nothing(double y, double exact)
 {
     (void)exact;
     return y == 0.0;
@@ -120,7 +120,7 @@ static void wrong_outputs(const struct evidence *v, char *text, size_t size)
         const char *what;
     } ways[] = {{turns, true, "differs by 2 pi: it lies from -pi to pi"}, {half_a_turn, true, "differs by pi: the quadrant is lost"},
                 {from_the_other_axis, true, "is that of atan2 with its arguments exchanged"}, {opposite, false, "has the other sign"},
-                {zero, false, "all zeros"}};
+                {is_nothing, false, "all zeros"}};
     for (size_t way = 0; way < sizeof ways / sizeof *ways && *text == '\0'; way++) {
         char names[240] = "";
         bool fits = true;
