@@ -315,6 +315,48 @@ EACH(E5_a_double_root_is_judged_by_its_residual, 7)
     ck_assert(error_of_roots(DOUBLE, y, 0, 0).lower > 1e12);
 }
 
+/* ---- ref/ ---- */
+
+/* What is measured is an upper bound on E, of the last input too: E of each input alone, from three times as many bits. */
+EACH(E4_a_measured_error_is_a_bound, sheet()->section_count)
+{
+    enum { INPUTS = 3, BITS = 3 * PREC };
+    const struct section *s = &sheet()->sections[_i];
+    double values[MOST_INPUTS], answers[MOST_OUTPUTS];
+    struct measured m;
+    struct operation o;
+    SCOPE(arb, E, weight, measured, worst);
+    VECTOR(arb, exact, MOST_OUTPUTS);
+    VECTOR(arb, S, MOST_OUTPUTS);
+    if (s->method != METHOD_FORMULA)
+        return;
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    for (uint64_t k = 0; k < INPUTS; k++) {
+        sample(&o, 1, k, values, inputs);
+        reference_find(s->id)(values, answers);
+        operation_sensitivity(&o, inputs, BITS, S);
+        operation_enclose(&o, inputs, BITS, exact);
+        for (int i = 0; i < s->output_count; i++) {
+            arb_set_d(E, answers[i]);
+            arb_sub(E, E, exact + i, BITS);
+            arb_abs(E, E);
+            arb_abs(weight, exact + i);
+            arb_add(weight, weight, S + i, BITS);
+            arb_mul_2exp_si(E, E, BINARY64);
+            if (arb_is_positive(E))
+                arb_div(E, E, weight, BITS);
+            arb_max(worst, worst, E, BITS);
+        }
+        measure_errors(&m, s, (long)k + 1, 1);
+        arb_set_d(measured, m.worst);
+        ck_assert_msg(arb_is_zero(worst) ? m.worst == 0 : arb_gt(measured, worst), "%s: %.17g, input %d", s->id, m.worst, (int)k);
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+    flint_cleanup();
+}
+
 /* ---- sensitivities ---- */
 
 /* S by differences: every input in turn x (1 + h) and x (1 - h). The remainder is h^2 as large. */
