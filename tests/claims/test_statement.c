@@ -166,8 +166,7 @@ static const struct {
     {"a", "a: dL > 0\n    b: {compute: escaping_10}", HOLDS, false, "t:8:8: c stands without 'b'"},
     {"a", "run: {compute: escaping_10}\n    a: run.at_nowhere_0 < 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'a' is found neither"},
     {"a, refuted: not a", "a: dL < 0", REFUTED, false, "t:7:8: c comes out as 'refuted', its evidence is written for 'holds': 'a' is false"},
-    {"a, refuted: b", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "more than one of its conditions is true"},
-    {"a, refuted: [not a, b]", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:8:8: c stands without 'b', or with its contrary"},
+    {"[a, b], refuted: [b, a]", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "more than one of its conditions is true"},
     {"[a, returns]", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 < 0", HOLDS, true, ""},
     {"[a, returns]", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 > 0", VERDICT_NONE, false, "'returns' is false"},
 };
@@ -224,6 +223,7 @@ static const struct {
     {"1.51e12*sqrt(1) | 2 up", "1.6e+12", EXACT}, {"dL - 1/10 | 2 up", "0", EXACT},
     {"1.25e-18 | .20", "0.00000000000000000125", EXACT}, {"sqrt(2)/10^40 | .42", "0." ZEROS "141", EXACT},
     {"0 | .20", "0.00000000000000000000", EXACT}, {"12345678.25 | .0", "12345678", EXACT},
+    {"L | 2 up", NULL, EXACT}, {"dL/1000 | .0", NULL, EXACT}, {"12/17 | exact", "12/17", EXACT},
     {"0.01476 | .3", "0.015", EXACT}, {"1234.567 | .1", "1234.6", EXACT},
 };
 
@@ -298,6 +298,8 @@ static const struct {
     {"{holds: [a, b]}", "{holds: a b}", "t:5:20: expected a name of prove"},
     {"{holds: [a, b]}", "{holds: []}", "t:5:20: expected a name of prove"},
     {"{holds: [a, b]}", "{refuted: [a, b]}", "missing why"},
+    {"{holds: [a, b]}", "{holds: [a, b], refuted: not a}", "t:5:37: expected the names of the first condition"},
+    {"{holds: [a, b]}", "{holds: a, refuted: [not a, b]}", "t:5:32: expected the names of the first condition"},
     {"a: dL > 0", "a: dL", "t:7:8: expected left = right"},
     {"a: dL > 0", "a: eq05.x1 + 1 = eq05.x1+1", "t:7:8: both sides are the same"},
     {"a: dL > 0", "a: m1 - m1 + m2 = m2", "t:7:8: it holds whatever the sheet says, expected {algebra: left = right}"},

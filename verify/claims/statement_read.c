@@ -510,6 +510,9 @@ static bool read_wanted(struct verdict_condition *c, const struct statement *s, 
             return node_error(node, begin, "expected a name of prove, but no computation");
         c->wanted[i] = begin > 0 ? -1 : 1;
     }
+    for (int i = 0; i < s->assertion_count; i++) /* so that none comes true by what it leaves out */
+        if ((c->wanted[i] != 0) != (s->conditions[0].wanted[i] != 0))
+            return node_error(condition, 0, "expected the names of the first condition, each with not or without");
     return true;
 }
 
