@@ -165,9 +165,11 @@ EACH(motions_from_all_of_a_box_keep_within_its_bounds, COUNT(boxes))
 /* ---- one error term larger than all others ---- */
 
 /*
- * In units of r_ref and radians: x = 1.0001 + w e_1, y = 0.0101 + w e_2, z = -0.0101, at rest; c1 = its middle + c e_3, c2 = 2. Models
+ * In units of r_ref and radians: x = 1.0001 + w e_1, y = 0.0101 + w e_2, z = -0.0101, at rest; c1 = its middle + c e_3, c2 = 2. Or at
+ * its equilibrium but for x = 1 + w, where w is no unknown but what the models are off: all of the set is then the rest B s. Models
  * of that degree, series to these orders in steps of that length; each motion, corners of the box among them, has to keep within.
- * Where c1 < 9 the pair leaves its rest, and what is left out of a step grows.
+ * Where c1 < 9 the pair leaves its rest, and what is left out of a step grows: long steps or many, so that it grows faster than
+ * bounds have to spare.
  */
 static const struct {
     const char *term;
@@ -176,35 +178,49 @@ static const struct {
     slong order, derivative_order;
     double step, until;
     int pieces;   /* that are enough, where one is not; 0: one will do */
-    bool rests;   /* w is no unknown, but what the models are off at first */
+    bool rests;
     double vague; /* how far from 1 Omega may be: all rows' times are that vague */
 } terms[] = {
     {"S1: models of degree 1", 10, 0.01, 0.1, 1, 0, 0, 0.0625, 0.6, 0, false, 0},
     {"S2: series to degree 2", 10, 0, 0, 1, 2, 4, 0.03125, 0.5, 0, false, 0},
     {"S2: series to degree 1", 10, 0, 0, 1, 1, 3, 0.0078125, 0.25, 0, false, 0},
+    {"S3: derivatives to degree 1, long steps", -90, 1e-9, 0, 1, 0, 1, 0.0625, 0.8, 0, true, 0},
+    {"S4, S6: derivatives over a wide rest", -90, 0.01, 0, 1, 0, 4, 0.001953125, 0.12, 0, true, 0},
+    {"S5: derivatives for all parameters", -90, 8e-7, 20, 4, 0, 0, 0.0078125, 0.3, 0, true, 0},
     {"S7: rows within a step, derivatives to degree 1", -90, 1e-6, 0, 1, 0, 1, 0.03125, 0.0625, 0, true, 0},
     {"S7: rows within a step, derivatives to degree 3", -90, 1e-6, 0, 1, 0, 3, 0.03125, 0.1875, 0, true, 0},
-    {"derivatives from a wide box", -90, 0.01, 0, 1, 0, 0, 0.0078125, 0.0703125, 0, true, 0},
-    {"derivatives for all parameters", -90, 1e-4, 20, 4, 0, 0, 0.03125, 0.28125, 0, true, 0},
     {"S8: times that are not known well", 10, 0, 0, 1, 0, 0, 0.125, 0.9, 0, false, 0.01},
     {"all together, degree 2", 10, 0.02, 0.2, 2, 5, 3, 0.125, 1, 0, false, 0},
     {"S9: both halves of what was split", 10, 0.02, 0.3, 4, 0, 0, 0, 4, 64, false, 0},
 };
 
+/* The middle of coordinate v of the start; and how far it may be from that, or c1 after them */
+static double start_middle(int i, int v)
+{
+    static const double start[] = {1.0001, 0.0101, -0.0101};
+    return v >= FLOW_HALF ? 0 : terms[i].rests ? v == 0 : start[v];
+}
+
+static double start_width(int i, int v)
+{
+    return v == FLOW_STATE ? terms[i].c : v == 0 || (v == 1 && !terms[i].rests) ? terms[i].w : 0;
+}
+
 static void start_term(struct flow_set *set, int i)
 {
-    const double start[] = {1.0001, 0.0101, -0.0101, 0, 0, 0, terms[i].c1, 2, 1, 3};
+    const double constants[] = {terms[i].c1, 2, 1, 3};
+    int unknowns = 0;
     SCOPE(arb, x, radius);
     flow_set_init(set, terms[i].w > 0 ? 3 : 0, terms[i].degree);
     set->how = (struct flow_steps){.order = terms[i].order, .derivative_order = terms[i].derivative_order, .step = terms[i].step};
     for (int v = 0; v < SET_CHARGE; v++) {
-        const int unknown = v < 2 ? v : v == FLOW_STATE ? 2 : -1;
-        arb_set_d(x, start[v]);
-        arb_set_d(radius, v < 2 ? terms[i].w : terms[i].c);
-        if (unknown >= 0 && terms[i].rests && v < 2)
-            mag_set_d(arb_radref(x), terms[i].w);
-        if (unknown >= 0 && terms[i].w > 0 && !(terms[i].rests && v < 2))
-            model_set_variable(&set->model[v], x, radius, unknown);
+        const double width = start_width(i, v);
+        const bool rest = terms[i].rests && v < FLOW_STATE;
+        arb_set_d(x, v < FLOW_STATE ? start_middle(i, v) : constants[v - FLOW_STATE]);
+        arb_set_d(radius, width);
+        mag_set_d(arb_radref(x), rest ? width : 0);
+        if (width > 0 && !rest)
+            model_set_variable(&set->model[v], x, radius, unknowns++);
         else
             model_set_ball(&set->model[v], x);
     }
@@ -270,16 +286,16 @@ EACH(S1_to_S9_each_motion_keeps_within_its_set, COUNT(terms))
     for (int k = 0; k < ROWS; k++) /* the last that a row may mean */
         fmpq_mul(times + k, times + k, latest);
     for (int motion = 0; motion < MOTIONS; motion++) {
-        arb_set_d(initial, 1.0001);
-        arb_set_d(initial + 1, 0.0101);
-        arb_set_d(initial + 2, -0.0101);
-        for (int v = 3; v < FLOW_STATE; v++)
-            arb_zero(initial + v);
         arb_set_d(p.C1, terms[_i].c1);
-        for (int i = 0; i < 3; i++) {
+        for (int v = 0, unknown = 0; v <= FLOW_STATE; v++) {
+            const double width = start_width(_i, v);
             SCOPE(arb, off);
-            arb_set_d(off, (i < 2 ? terms[_i].w : terms[_i].c) * (motion < 8 ? ((motion >> i) & 1) * 2 - 1 : number(3 * motion + i)));
-            arb_add(i < 2 ? initial + i : p.C1, i < 2 ? initial + i : p.C1, off, PREC);
+            arb_set_d(off, width * (motion < 8 ? ((motion >> unknown) & 1) * 2 - 1 : number(3 * motion + unknown)));
+            unknown += width > 0;
+            if (v < FLOW_STATE)
+                arb_set_d(initial + v, start_middle(_i, v));
+            arb_ptr x = v < FLOW_STATE ? initial + v : p.C1;
+            arb_add(x, x, off, PREC);
         }
         ck_assert_int_eq(flow_nonlinear(&p, initial, times, ROWS, 18, PREC, compare, &b, &reached), FLOW_DONE);
     }

@@ -9,9 +9,8 @@
  *
  * of which lohner_move makes P'(e) + B' s'. No roundings are left: models and balls take them up.
  *
- * The error terms. In tests/motion/test_flow_set.c a motion is lost without (S1), (S2), (S7), (S8) or (S9); what (S3) to (S6) add
- * has been less, in every box tried, than what the other bounds have to spare:
- *   (S1) the rest of the models P'                            (S2) the remainder of their series in time
+ * The error terms; in tests/motion/test_flow_set.c a motion is lost without each:
+ *   (S1) the rest of the models P', at first those given      (S2) the remainder of their series in time
  *   (S3) the remainder of J B s at the step's end             (S4) the rests of J, in derivative[0]
  *   (S5) the parts of J that are linear in e                  (expansion_move)
  *   (S6) the start of J is from all of P(e) + B s             (expand_models)
@@ -82,16 +81,21 @@ static void set_constants(struct jet *jet, const struct piece *p)
 
 /* ---- pieces ---- */
 
+/* What the models of the states are off at first is the set's rest: unknowns of its own, not intervals of the models' arithmetic. */
 static void piece_init(struct piece *p, const struct model *model)
 {
-    VECTOR(arb, nothing, FLOW_STATE);
+    VECTOR(arb, off, FLOW_STATE);
     *p = (struct piece){.split = -1};
     for (int v = 0; v < SET_MODELS; v++) {
         model_init(&p->model[v], model->space);
         model_set(&p->model[v], model + v);
     }
+    for (int v = 0; v < FLOW_STATE; v++) {
+        mag_set_d(arb_radref(off + v), p->model[v].rest);
+        p->model[v].rest = 0;
+    }
     lohner_init(&p->rest);
-    lohner_from_box(&p->rest, nothing);
+    lohner_from_box(&p->rest, off);
 }
 
 static void piece_clear(struct piece *p)
