@@ -392,7 +392,7 @@ PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard p
 # The day of the last change: of the history where there is one, else of the archive that `git archive` made.
 DATED     = $(shell git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
 # What the plots draw, and what the weaver reads.
-DRAWN_FROM = $(TABLES) $(STUDIES) $(VERDICTS) $(BUILD)/set.csv
+DRAWN_FROM = $(TABLES) $(STUDIES) $(VERDICTS) $(BUILD)/set.csv $(BUILD)/damped.csv
 WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv $(BUILD)/derivations.gv
 WEAVE     = LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' CT_DATE='$(DATED)' $(1) pandoc --fail-if-warnings \
   -f paper/weave.lua --no-highlight $(filter %.md,$^)
@@ -445,7 +445,10 @@ $(EDITION)/tools.found: paper/typeset.sh
 	@paper/typeset.sh
 	@mkdir -p $(@D) && touch $@
 
-# What the edition draws of a set of motions.
+# What the edition draws of pitch under a length that moves, and of a set of motions.
+$(BUILD)/damped.csv: $(PROGRAM)
+	$(call PRINTED,$(PROGRAM) study damped)
+
 $(BUILD)/set.csv: $(PROGRAM)
 	$(call PRINTED,$(PROGRAM) trajectory nonlinear dL=0.1+-0.02 psi=0.01+-0.001 --set --every 3600 --until 259200 --digits 8)
 

@@ -230,7 +230,7 @@ static const struct {
     {"eval eq02 Omega=1 k_c=1 lambda_d=1e-99 m1=1 m2=1 m3=1 q1=1 q2=1 q3=1 x1=1 y1=0 z1=0 x2=-1 y2=0 z2=0 x3=0 y3=2 z3=0 x1_dot=0 "
      "y1_dot=0 z1_dot=0 x2_dot=0 y2_dot=0 z2_dot=0 x3_dot=0 y3_dot=0 z3_dot=0", 1,
      "y1_ddot: not zero, but below 2^-(2^49), of which no decimal is written"},
-    {"study", 2, "expected convergence, forced, pitch, basin, saturation, tolerance, balance or sampling"},
+    {"study", 2, "expected convergence, forced, pitch, damped, basin, saturation, tolerance, balance or sampling"},
     {"study force", 2, "did you mean 'forced'"},
     {"typeset eq1", 2, "unknown operation 'eq1'"},
     {"eval flow_linear Omega=1 L_ref=1 C1=-1e300 C2=1e300 t=1 psi_0=1 theta_0=1 dL_0=1 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0", 1,

@@ -79,7 +79,6 @@ static void damped(struct computed *c)
 {
     enum { HOURS = 480, DIGITS = 12 };
     static const char *const C2[SAMPLED_GAINS] = {NULL, NULL, "2.9166e-4"}; /* 4 Omega */
-    VECTOR(arb, start, COORDINATES);
     SCOPE(arb, c1, c2, a, amplitude, law, gap, tau, charge);
     SCOPE(arb, swing, shift, product, sigma);
     SCOPE(acb, S);
@@ -88,17 +87,11 @@ static void damped(struct computed *c)
     arb_div_ui(swing, swing, 100, SAMPLING_BITS);
     for (int k = 0; k < SAMPLED_GAINS; k += 2) {
         struct second_order o;
-        struct moved_loop loop;
         struct trajectory t;
+        const struct simulation s = {.steps = c->steps, .digits = DIGITS, .n = k > 0 ? "12" : "10", .C2 = C2[k]};
         set_gains(c1, c2, k);
         quadrature_reference(S, c1, c2, swing, a, SAMPLING_BITS);
-        second_order_init(&o, c->steps, c1, c2, S, SAMPLING_BITS);
-        moved_loop_init(&loop, c1, S, SAMPLING_BITS);
-        arb_zero(tau);
-        second_order_after(start, &o, a, tau);
-        const struct simulation s = {.steps = c->steps, .nonlinear = true, .digits = DIGITS, .start = start, .by = &loop.steps,
-                                     .n = k > 0 ? "12" : "10", .C2 = C2[k]};
-        const bool proved = trajectory_run(&t, &s, HOUR, HOUR, HOURS * HOUR);
+        const bool proved = slow_run(&t, &o, s, c1, c2, S, a, HOUR, HOUR, HOURS * HOUR);
         arb_zero(gap);
         arb_zero(charge);
         for (slong i = 0; i < t.count; i++) {
@@ -123,7 +116,6 @@ static void damped(struct computed *c)
         give(c, proved, gap, "gap_%s", sampled_gains[k].name);
         give(c, proved, charge, "charge_%s", sampled_gains[k].name);
         trajectory_clear(&t);
-        moved_loop_clear(&loop);
         second_order_clear(&o);
     }
 }

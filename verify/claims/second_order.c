@@ -152,3 +152,23 @@ void moved_reference(arb_t sigma, const acb_t S, arb_srcptr sample, slong prec)
     acb_mul(z, z, S, prec);
     acb_get_real(sigma, z);
 }
+
+bool slow_run(struct trajectory *t, struct second_order *o, struct simulation s, const arb_t c1, const arb_t c2, const acb_t S,
+              const arb_t a, long first, long step, long last)
+{
+    enum { BITS = 192 };
+    VECTOR(arb, start, COORDINATES);
+    SCOPE(arb, tau);
+    struct moved_loop loop;
+    second_order_init(o, s.steps, c1, c2, S, BITS);
+    second_order_after(start, o, a, tau);
+    s.nonlinear = true;
+    s.start = start;
+    if (S == NULL)
+        return trajectory_run(t, &s, first, step, last);
+    moved_loop_init(&loop, c1, S, BITS);
+    s.by = &loop.steps;
+    const bool proved = trajectory_run(t, &s, first, step, last);
+    moved_loop_clear(&loop);
+    return proved;
+}

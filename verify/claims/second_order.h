@@ -31,9 +31,8 @@
 #ifndef CT_SECOND_ORDER_H
 #define CT_SECOND_ORDER_H
 
-#include "motion/flow.h"
+#include "claims/trajectory.h"
 #include "motion/taylor.h"
-#include "proof/derivation.h"
 
 struct second_order {
     struct machine machine; /* of the step, in balls, in radians of orbit and units of L_ref */
@@ -58,6 +57,13 @@ void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_
 
 /* The S by which the length swings in quadrature alone, A = i swing/a^2. */
 void quadrature_reference(acb_t S, const arb_t c1, const arb_t c2, const arb_t swing, const arb_t a, slong prec);
+
+/*
+ * A nonlinear simulation started on the closed form with a pitch of a rad, by the law that S says, and what goes with it; c1 and c2
+ * are the gains that it has, S NULL the law (18) as it is.
+ */
+bool slow_run(struct trajectory *t, struct second_order *o, struct simulation s, const arb_t c1, const arb_t c2, const acb_t S,
+              const arb_t a, long first, long step, long last);
 
 /* The nonlinear closed loop with the reference length so. */
 struct moved_loop {

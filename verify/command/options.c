@@ -34,12 +34,12 @@ const struct subcommand subcommands[] = {
      "The proofs: of the derivation steps between the equations, with bounds of what they drop (derivations); of every claim "
      "of the paper, with its verdict (claims); the reference library's error, measured against the truth on random inputs "
      "(errors). Without a word, all three."},
-    {"study", command_study, {"convergence|forced|pitch|basin|saturation|tolerance|balance|sampling"}, 1,
+    {"study", command_study, {"convergence|forced|pitch|damped|basin|saturation|tolerance|balance|sampling"}, 1,
      "Beyond the paper, as CSV: the observed orders of its approximations (convergence), what pitch forces on length and yaw "
-     "(forced), and the slow decay of pitch itself (pitch), beside their closed forms; over the gains, in radians of orbit and "
-     "L_ref, the basin of rest (basin), that of charges with a bound (saturation), the errors that stay and are borne "
-     "(tolerance), the push under which a length is one of rest (balance), and how long the law may be held or how late it "
-     "may act (sampling). Every digit is certified."},
+     "(forced), the slow decay of pitch itself (pitch), and that under a length that moves with it (damped), beside their closed "
+     "forms; over the gains, in radians of orbit and L_ref, the basin of rest (basin), that of charges with a bound "
+     "(saturation), the errors that stay and are borne (tolerance), the push under which a length is one of rest (balance), "
+     "and how long the law may be held or how late it may act (sampling). Every digit is certified."},
     {"vectors", command_vectors, {"ID --count N --seed S", "ID --golden"}, 1,
      "Vectors of an operation as CSV: inputs, outputs of 40 digits, each proved, their sensitivities, and flags; random ones, "
      "which depend on seed and number alone, or those of data/golden."},
