@@ -1,4 +1,4 @@
-# A YAML file as lines: path, number or text, value. Lists stay lists: R would take one of one for a scalar.
+# YAML files as lines: file and path, number or text, value. Lists stay lists: R would take one of one for a scalar.
 walk <- function(path, value) {
   if (is.list(value)) {
     for (i in seq_along(value)) walk(paste0(path, "/", if (is.null(names(value))) i - 1 else names(value)[i]), value[[i]])
@@ -11,4 +11,4 @@ walk <- function(path, value) {
     cat(path, "\t", class(value), "\t", format(value), "\n", sep = "")
   }
 }
-walk("", yaml::yaml.load_file(commandArgs(trailingOnly = TRUE)[1], handlers = list(seq = as.list)))
+for (file in commandArgs(trailingOnly = TRUE)) walk(file, yaml::yaml.load_file(file, handlers = list(seq = as.list)))

@@ -1,5 +1,6 @@
-// A YAML file as lines: path, number or text, value; by the package yaml, of the version of YAML that is named.
+// YAML files as lines: file and path, number or text, value; by the package yaml, as YAML 1.1, and as YAML 1.2 where that is otherwise.
 const yaml = require('yaml');
+const { isDeepStrictEqual } = require('util');
 
 function walk(path, value) {
   if (Array.isArray(value)) {
@@ -17,5 +18,9 @@ function walk(path, value) {
   }
 }
 
-const text = require('fs').readFileSync(process.argv[2], 'utf8');
-walk('', yaml.parse(text, { version: process.argv[3], mapAsMap: true }));
+for (const file of process.argv.slice(2)) {
+  const text = require('fs').readFileSync(file, 'utf8');
+  const [tree, newer] = ['1.1', '1.2'].map(version => yaml.parse(text, { version, mapAsMap: true }));
+  walk(file, tree);
+  if (!isDeepStrictEqual(tree, newer)) walk(`${file} as YAML 1.2`, newer);
+}

@@ -1,4 +1,4 @@
-# A YAML file as lines: path, number or text, value. Perl has one kind of scalar: what is a decimal number is one.
+# YAML files as lines: file and path, number or text, value. Perl has one kind of scalar: what is a decimal number is one.
 use strict;
 use warnings;
 use YAML::XS;
@@ -21,4 +21,4 @@ sub walk {
     }
 }
 
-walk('', YAML::XS::LoadFile($ARGV[0]));
+walk($_, YAML::XS::LoadFile($_)) for @ARGV;

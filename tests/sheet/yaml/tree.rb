@@ -1,4 +1,4 @@
-# A YAML file as lines: path, number or text, value.
+# YAML files as lines: file and path, number or text, value.
 require 'yaml'
 
 def walk(path, value)
@@ -11,4 +11,4 @@ def walk(path, value)
   end
 end
 
-walk('', YAML.safe_load(File.read(ARGV[0], encoding: 'UTF-8')))
+ARGV.each { |file| walk(file, YAML.safe_load(File.read(file, encoding: 'UTF-8'))) }
