@@ -1,5 +1,5 @@
 -- The weaver: a reader of pandoc that puts what the build found in place of the directives in paper/*.md, for LaTeX and for
--- the web. What it puts there is Markdown. What cannot be found stops it, with file and line.
+-- the web. What it puts there is Markdown. What cannot be found is told with file and line, and nothing is woven.
 --
 --     pandoc -f paper/weave.lua -t latex CHAPTER.md ...
 --
@@ -29,11 +29,12 @@ local web = page ~= nil
 local function word(text) return "'" .. text:gsub("'", "'\\''") .. "'" end
 
 local program, data, build = word(os.getenv 'CT_PROGRAM' or ''), os.getenv 'CT_DATA', os.getenv 'CT_BUILD'
-local where = ''  -- file and line of what is being woven
+local where, stops = '', 0  -- file and line of what is being woven; how many of them could not be
 
 local function stop(text, ...)
   io.stderr:write(where, ': ', text:format(...), '\n')
-  os.exit(1)
+  stops = stops + 1
+  error(stop)
 end
 
 ---- reading ----
@@ -672,10 +673,13 @@ function Reader(sources)
     for line in (source.text .. '\n'):gmatch '([^\n]*)\n' do
       number = number + 1
       where = source.name .. ':' .. number
-      out[#out + 1] = woven(line)
+      local fine, text = pcall(woven, line)
+      if not fine and text ~= stop then error(text) end
+      out[#out + 1] = fine and text or ''
     end
     out[#out + 1] = ''
   end
+  if stops > 0 then os.exit(1) end
   local doc = pandoc.read(table.concat(out, '\n'), 'markdown-implicit_figures-fancy_lists')
   doc.meta = metadata()
   return doc:walk {

@@ -36,12 +36,25 @@ MARK/g' >"$work/all"
     done
 }
 
-# LINE MESSAGE: the third line of a file, this one, stops the weaver.
-is_stopped() {
-    printf 'One.\n\n%s\n' "$1" >"$work/prose.md"
-    ! weave latex && grep -qF -- "prose.md:3: $2" "$work/err" || shown
+# LINE MESSAGE: the line stops the weaver, which says so. All that stop it are woven at once, each the third of its file.
+stops() {
+    asked=$((asked + 1))
+    printf 'One.\n\n%s\n' "$1" >"$work/wrong.$asked.md"
+    printf '%s\n' "wrong.$asked.md:3: $2" >"$work/text.$asked"
 }
-stops() { check "$1: expected prose.md:3: $2" is_stopped "$@"; }
+all_are_told() {
+    : >"$work/prose.md"
+    ! weave latex "$work"/wrong.*.md || shown
+    cp "$work/err" "$work/all"
+}
+is_told() { grep -qF -f "$work/text.$asked" "$work/all" || { cat "$work/all"; return 1; }; }
+stopped() {
+    check 'what is wrong stops the weaver' all_are_told
+    while [ "$asked" -gt 0 ]; do
+        check "expected $(cat "$work/text.$asked")" is_told
+        asked=$((asked - 1))
+    done
+}
 
 weaver() {
     cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$CT_BUILD/claims.json" "$work" && mkdir "$work/paper" || exit 1
@@ -128,6 +141,7 @@ END
     }
     check 'version, date and fingerprint' told
 
+    begin
     stops '<<equatoin eq07>>' "unknown directive 'equatoin'"
     stops 'In a line, <<nmber table1.csv>>.' "unknown directive 'nmber'"
     stops 'In $x=<<nmber table1.csv>>$.' "unknown directive 'nmber'"
@@ -162,6 +176,7 @@ END
     stops 'By $<<number gate.csv rk4_linear error 2>>$' "'digits' in 'data/gate.csv' is no number"
     stops 'By [(99)](#eq:99).' "unknown equation '99'"
     stops 'In [section](#nowhere).' "unknown reference 'nowhere'"
+    stopped
 
     # Code stays on a page together, unless it would leave much of another empty.
     blocks() { # NUMBER PROSE
