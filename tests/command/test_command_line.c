@@ -502,7 +502,7 @@ EACH(help_explains_every_option_of_a_subcommand_with_unit_and_default, 3)
     }
     ck_assert_int_eq(run("help trajectory"), 0);
     ck_assert_ptr_nonnull(strstr(output, "\n  --every S             a row at 0 and every S from there [s, unless given: 100]\n"));
-    ck_assert_ptr_nonnull(strstr(output, "\n  Omega      rad/s      7.2915e-5 "));
+    ck_assert_ptr_nonnull(strstr(output, "\n  m1                    mass of craft 1 [kg, unless given: 150]\n"));
 }
 
 TEST(no_line_of_help_is_wider_than_it_should_be)
@@ -565,7 +565,10 @@ TEST(the_manual_page_has_every_option_and_example_and_no_macro_by_mistake)
     }
     for (const struct option *o = options; o->name != NULL; o++) {
         char item[64];
-        snprintf(item, sizeof item, "\n.It Fl %s%s%s\n", o->name + 1, o->argument ? " Ar " : "", o->argument ? o->argument : "");
+        int length = snprintf(item, sizeof item, "\n.It Li \\%%");
+        for (const char *c = o->name; *c != '\0'; c++)
+            length += snprintf(item + length, sizeof item - (size_t)length, *c == '-' ? "\\%c" : "%c", *c);
+        snprintf(item + length, sizeof item - (size_t)length, "%s%s\n", o->argument ? " " : "", o->argument ? o->argument : "");
         ck_assert_msg(strstr(output, item) != NULL, "%s", item);
     }
     for (at = output; *at != '\0'; at = strchr(at, '\n') + 1)
@@ -794,8 +797,8 @@ TEST(o_writes_where_a_name_leads)
 TEST(help_says_units_and_defaults_of_what_design_takes)
 {
     ck_assert_int_eq(run("help design"), 0);
-    ck_assert_ptr_nonnull(strstr(output, "\n  L_ref      m          10 "));
-    ck_assert_ptr_nonnull(strstr(output, "\n  lambda_d   m          inf "));
+    ck_assert_ptr_nonnull(strstr(output, "\n  L_ref                 "));
+    ck_assert_ptr_nonnull(strstr(output, " [m, unless given: inf]\n"));
     ck_assert_ptr_null(strstr(output, "psi_dot"));
     ck_assert_ptr_nonnull(strstr(output, "limits too"));
     ck_assert_int_eq(run("help --completion"), 0);

@@ -6,7 +6,7 @@
 #include "command/command.h"
 #include "motion/motion.h"
 
-enum { WIDTH = 100, INDENT = 4, COLUMN = 24 };
+enum { WIDTH = 100, INDENT = 4, EXAMPLE = 6, COLUMN = 24 };
 
 /* ---- what the tables say together ---- */
 
@@ -42,12 +42,11 @@ static const char *name_taken(const struct subcommand *s, int i)
     return i < count ? scenario_names[i] : design && i == count ? "lambda_d" : NULL;
 }
 
-/* What an option does, the unit of its argument, and what this is unless given. */
-static void option_text(char text[512], const struct option *o)
+/* What an option or a name is, its unit, and its value unless given. */
+static void item_text(char text[512], const char *does, const char *unit, const char *otherwise)
 {
-    const bool unit = o->unit != NULL, otherwise = o->otherwise != NULL;
-    snprintf(text, 512, "%s%s%s%s%s%s%s", o->does, unit || otherwise ? " [" : "", unit ? o->unit : "",
-             unit && otherwise ? ", " : "", otherwise ? "unless given: " : "", otherwise ? o->otherwise : "",
+    snprintf(text, 512, "%s%s%s%s%s%s%s", does, unit || otherwise ? " [" : "", unit ? unit : "",
+             unit && otherwise ? ", " : "", otherwise ? "unless given: " : "", otherwise ? otherwise : "",
              unit || otherwise ? "]" : "");
 }
 
@@ -76,7 +75,9 @@ static const char *const exit_statuses[EXIT_STATUSES] = {
     "Wrong usage: an argument is unknown, missing, repeated, malformed, or does nothing here.",
 };
 
-/* ---- for a reader ---- */
+/* ---- for a reader, and in mdoc for the manual page ---- */
+
+static bool manual; /* which of the two is printed */
 
 /* Words of a text from a column on, broken before WIDTH; what a no-break space joins stays on one line. */
 enum { NO_BREAK = '\1' };
@@ -96,6 +97,62 @@ static void print_wrapped(const char *text, int column)
     putchar('\n');
 }
 
+/* A dash of an option is a minus, a backslash and a quote have names, and a dot at a line's start would begin a macro. */
+static void print_mdoc(const char *text)
+{
+    if (*text == '.' || *text == '\'')
+        fputs("\\&", stdout);
+    bool option = false; /* which is not hyphenated, and of which the dashes are minuses */
+    for (const char *at = text; *at != '\0'; at++) {
+        if (at == text || at[-1] == ' ') {
+            option = at[*at == '['] == '-';
+            fputs(option ? "\\%" : "", stdout);
+        }
+        if ((*at == '-' && option) || *at == NO_BREAK)
+            printf("\\%c", *at == '-' ? '-' : ' ');
+        else if (*at == '\\' || *at == '"')
+            fputs(*at == '"' ? "\\(dq" : "\\e", stdout);
+        else
+            putchar(*at);
+    }
+    putchar('\n');
+}
+
+static void print_text(const char *text, int column)
+{
+    if (manual)
+        print_mdoc(text);
+    else
+        print_wrapped(text, column);
+}
+
+static void begin_items(const char *heading)
+{
+    if (manual)
+        puts(".Pp\n.Bl -tag -width Ds -compact");
+    else
+        printf("\n%s:\n", heading);
+}
+
+static void print_item(const char *name, const char *text, int column)
+{
+    if (manual) {
+        fputs(".It Li ", stdout);
+        print_mdoc(name);
+    } else {
+        printf("  %-*s", column - 2, name);
+        if ((int)strlen(name) > column - 3)
+            printf("\n%*s", column, "");
+    }
+    print_text(text, column);
+}
+
+static void end_items(void)
+{
+    if (manual)
+        puts(".El");
+}
+
 static void print_usage(const struct subcommand *s)
 {
     for (int i = 0; s->ways[i] != NULL; i++) {
@@ -105,185 +162,105 @@ static void print_usage(const struct subcommand *s)
             if (stands_beside(o, s, s->ways[i]))
                 length += snprintf(line + length, sizeof line - (size_t)length, o->argument ? " [%s%c%s]" : " [%s]", o->name,
                                    NO_BREAK, o->argument);
-        fputs("coulomb-tether ", stdout);
-        print_wrapped(line, 15);
+        fputs(manual ? ".Nm\n" : "coulomb-tether ", stdout);
+        print_text(line, 15);
     }
 }
 
-static void print_option(const struct option *o)
+static void print_options(const struct subcommand *s)
 {
     char name[64], text[512];
-    option_text(text, o);
-    snprintf(name, sizeof name, "%s %s", o->name, o->argument ? o->argument : "");
-    printf("  %-*s", COLUMN - 2, name);
-    if (strlen(name) > COLUMN - 3)
-        printf("\n%*s", COLUMN, "");
-    print_wrapped(text, COLUMN);
+    begin_items("Options");
+    for (const struct option *o = options; o->name != NULL; o++)
+        if (option_belongs(o, s)) {
+            snprintf(name, sizeof name, "%s%s%s", o->name, o->argument ? " " : "", o->argument ? o->argument : "");
+            item_text(text, o->does, o->unit, o->otherwise);
+            print_item(name, text, COLUMN);
+        }
+    end_items();
 }
 
-/* By the format of a row: name, unit, value and meaning. */
-static void print_names(const struct sheet *sheet, const struct subcommand *s, const char *row)
+static void print_names(const struct sheet *sheet, const struct subcommand *s)
 {
+    char text[512];
+    if (name_taken(s, 0) == NULL)
+        return;
+    begin_items("Names");
     for (int i = 0; name_taken(s, i) != NULL; i++) {
         const struct quantity *q = quantity_find(sheet, name_taken(s, i));
-        printf(row, q->name, q->unit, value_unless_given(q), q->meaning);
+        item_text(text, q->meaning, q->unit, value_unless_given(q));
+        print_item(q->name, text, COLUMN);
     }
+    end_items();
+    print_text(names_rule, 0);
+    if (s->run != command_design)
+        print_text(motions_rule, 0);
+}
+
+/* Of a subcommand; NULL: all. */
+static void print_examples(const struct subcommand *s)
+{
+    char line[512];
+    begin_items("Examples");
+    for (const struct example *e = examples; e->line != NULL; e++) {
+        const size_t length = strcspn(e->line, " ");
+        snprintf(line, sizeof line, "coulomb-tether %s", e->line);
+        if (s == NULL || (strncmp(e->line, s->name, length) == 0 && s->name[length] == '\0'))
+            print_item(line, e->shows, EXAMPLE);
+    }
+    end_items();
+}
+
+static void print_exit_statuses(void)
+{
+    begin_items("Exit status");
+    for (int i = 0; i < EXIT_STATUSES; i++)
+        print_item((const char[]){(char)('0' + i), '\0'}, exit_statuses[i], INDENT);
+    end_items();
 }
 
 void help_print(const struct sheet *sheet, const struct subcommand *s)
 {
-    if (s == NULL) {
-        print_wrapped(about, 0);
+    if (s != NULL) {
+        print_usage(s);
         putchar('\n');
-        for (s = subcommands; s->name != NULL; s++) {
-            print_usage(s);
-            printf("%*s", INDENT, "");
-            print_wrapped(s->does, INDENT);
-        }
-        puts("coulomb-tether --help | -h | help SUBCOMMAND | SUBCOMMAND --help | --version | -V\n\nExit status:");
-        for (int i = 0; i < EXIT_STATUSES; i++) {
-            printf("%*d  ", INDENT - 2, i);
-            print_wrapped(exit_statuses[i], INDENT);
-        }
+        print_text(s->does, 0);
+        print_options(s);
+        print_names(sheet, s);
+        print_examples(s);
         return;
     }
-    print_usage(s);
+    print_text(about, 0);
     putchar('\n');
-    print_wrapped(s->does, 0);
-    const char *heading = "\nOptions:\n";
-    for (const struct option *o = options; o->name != NULL; o++)
-        if (option_belongs(o, s)) {
-            fputs(heading, stdout);
-            heading = "";
-            print_option(o);
-        }
-    if (name_taken(s, 0) != NULL) {
-        puts("\nNames, their units and what they are unless given:");
-        print_names(sheet, s, "  %-10s %-10s %-12s %s\n");
-        print_wrapped(names_rule, 0);
-        if (s->run != command_design)
-            print_wrapped(motions_rule, 0);
+    for (s = subcommands; s->name != NULL; s++) {
+        print_usage(s);
+        printf("%*s", INDENT, "");
+        print_text(s->does, INDENT);
     }
-    puts("\nExamples:");
-    for (const struct example *e = examples; e->line != NULL; e++)
-        if (strncmp(e->line, s->name, strcspn(e->line, " ")) == 0 && s->name[strcspn(e->line, " ")] == '\0')
-            printf("  coulomb-tether %s\n      %s\n", e->line, e->shows);
-}
-
-/* ---- the manual page ---- */
-
-/* In mdoc a dash of an option is a minus, a backslash and a quote have names, and a dot at a line's start begins a macro. */
-static int print_mdoc_word(const char *word, int length, bool first)
-{
-    int width = first && (*word == '.' || *word == '\'') ? printf("\\&") : 0;
-    for (int i = 0; i < length; i++) {
-        const bool dash = word[i] == '-' && (i == 0 || word[i - 1] == '-' || word[i - 1] == ' ');
-        width += word[i] == '\\' ? printf("\\e") : word[i] == '"' ? printf("\\(dq") : printf("%s%c", dash ? "\\" : "", word[i]);
-    }
-    return width;
-}
-
-/* Text in mdoc: a sentence begins a line. */
-static void print_mdoc(const char *text)
-{
-    for (int at = 0; *text != '\0'; text += *text == ' ') {
-        const int length = (int)strcspn(text, " ");
-        at += at > 0 ? printf(" ") : 0;
-        at += print_mdoc_word(text, length, at == 0);
-        text += length;
-        const int next = (int)strcspn(text + (*text == ' '), " ");
-        const bool sentence = length > 0 && text[-1] == '.' && *text == ' ' && text[1] >= 'A' && text[1] <= 'Z';
-        if (*text == '\0' || sentence || at + 1 + next > 76) {
-            putchar('\n');
-            at = 0;
-        }
-    }
-}
-
-static void print_mdoc_option(const struct option *o, const char *macro)
-{
-    printf("%s %s", macro, o->name + 1); /* Fl writes one of the dashes */
-    if (o->argument != NULL)
-        printf(" Ar %s", o->argument);
-    putchar('\n');
-}
-
-/* A way, a macro a line: what is in brackets optional, options, literal words, and arguments in capitals. */
-static void print_mdoc_way(const char *way)
-{
-    while (*way != '\0') {
-        const bool optional = *way == '[';
-        const size_t length = strcspn(way += optional, optional ? "]" : " ");
-        const bool option = *way == '-', literal = (*way >= 'a' && *way <= 'z') || (*way >= '0' && *way <= '9');
-        printf(".%s%s", optional ? "Op " : "", option ? "Fl" : literal ? "Cm" : "Ar");
-        printf(length > option ? " %.*s\n" : "\n", (int)length - option, way + option); /* Fl alone is - */
-        way += length;
-        way += strspn(way, "] ");
-    }
-}
-
-static void print_manual_synopsis(const struct subcommand *s)
-{
-    for (int i = 0; s->ways[i] != NULL; i++) {
-        printf(".Nm\n.Cm %s\n", s->name);
-        print_mdoc_way(s->ways[i]);
-        for (const struct option *o = options; o->name != NULL; o++)
-            if (stands_beside(o, s, s->ways[i]))
-                print_mdoc_option(o, ".Op Fl");
-    }
-}
-
-static void print_manual_options(const struct subcommand *s)
-{
-    const char *begin = ".Pp\n.Bl -tag -width Ds -compact\n", *end = "";
-    for (const struct option *o = options; o->name != NULL; o++) {
-        if (!option_belongs(o, s))
-            continue;
-        char text[512];
-        option_text(text, o);
-        fputs(begin, stdout);
-        print_mdoc_option(o, ".It Fl");
-        print_mdoc(text);
-        begin = "";
-        end = ".El\n";
-    }
-    fputs(end, stdout);
+    puts("coulomb-tether --help | -h | help SUBCOMMAND | SUBCOMMAND --help | --version | -V");
+    print_exit_statuses();
 }
 
 static void print_manual(const struct sheet *sheet)
 {
+    manual = true;
     puts(".Dd November 28, 2026\n.Dt COULOMB-TETHER 1\n.Os\n.Sh NAME\n.Nm coulomb-tether\n"
          ".Nd the equations of a Coulomb tether formation, evaluated and checked\n.Sh SYNOPSIS");
     for (const struct subcommand *s = subcommands; s->name != NULL; s++)
-        print_manual_synopsis(s);
-    puts(".Nm\n.Fl -version | V\n.Sh DESCRIPTION");
-    print_mdoc(about);
-    puts("The subcommands and their options:\n.Bl -tag -width Ds");
+        print_usage(s);
+    puts(".Nm\n\\-\\-version | \\-V\n.Sh DESCRIPTION");
+    print_text(about, 0);
     for (const struct subcommand *s = subcommands; s->name != NULL; s++) {
-        printf(".It Cm %s\n", s->name);
-        print_mdoc(s->does);
-        print_manual_options(s);
-        if (s->run == command_trajectory) {
-            puts(".Pp\n.Bl -column \"theta_dot\" \"N m^2/C^2\" \"from angles\" \"mass of a craft\" -compact");
-            print_names(sheet, s, ".It %s Ta %s Ta %s Ta %s\n");
-            puts(".El\n.Pp");
-            print_mdoc(names_rule);
-            print_mdoc(motions_rule);
-        }
+        printf(".Ss %s\n", s->name);
+        print_text(s->does, 0);
+        print_options(s);
+        print_names(sheet, s);
     }
-    puts(".El\n.Sh EXIT STATUS\n.Bl -tag -width Ds");
-    for (int i = 0; i < EXIT_STATUSES; i++) {
-        printf(".It %d\n", i);
-        print_mdoc(exit_statuses[i]);
-    }
-    puts(".El\n.Sh EXAMPLES\n.Bl -tag -width Ds");
-    for (const struct example *e = examples; e->line != NULL; e++) {
-        printf(".It Li coulomb-tether ");
-        print_mdoc_word(e->line, (int)strlen(e->line), false);
-        putchar('\n');
-        print_mdoc(e->shows);
-    }
-    puts(".El\n.Sh SEE ALSO\n.Xr dot 1 ,\n.Xr gnuplot 1 ,\n.Xr sha256sum 1\n.Sh STANDARDS\n"
+    puts(".Sh EXIT STATUS");
+    print_exit_statuses();
+    puts(".Sh EXAMPLES");
+    print_examples(NULL);
+    puts(".Sh SEE ALSO\n.Xr dot 1 ,\n.Xr gnuplot 1 ,\n.Xr sha256sum 1\n.Sh STANDARDS\n"
          "CSV is as in RFC 4180, with one header row and lines that end in LF.");
 }
 
@@ -338,17 +315,15 @@ static void print_completion(const struct sheet *sheet)
     for (const struct subcommand *s = subcommands; s->name != NULL; s++)
         printf(" %s", s->name);
     puts("' ;;");
-    for (const struct option *o = options; o->name != NULL; o++)
-        if (o->argument != NULL) {
-            printf("    *:%s", "");
-            for (const char *of = o->of; *of != '\0'; of += strcspn(of, " ") + (of[strcspn(of, " ")] == ' '))
-                printf("%s%.*s:%s", of == o->of ? "" : " | *:", (int)strcspn(of, " "), of, o->name);
-            fputs(") list='", stdout);
-            print_choices(o->argument);
-            if (strcmp(o->argument, "ID,...") == 0)
-                print_ids(sheet, true);
-            puts(strcmp(o->argument, "FILE") == 0 ? "'; compopt -o default ;;" : "' ;;");
-        }
+    for (const struct subcommand *s = subcommands; s->name != NULL; s++)
+        for (const struct option *o = options; o->name != NULL; o++)
+            if (o->argument != NULL && option_belongs(o, s)) {
+                printf("    *:%s:%s) list='", s->name, o->name);
+                print_choices(o->argument);
+                if (strcmp(o->argument, "ID,...") == 0)
+                    print_ids(sheet, true);
+                puts(strcmp(o->argument, "FILE") == 0 ? "'; compopt -o default ;;" : "' ;;");
+            }
     puts("    *) case ${COMP_WORDS[1]} in");
     for (const struct subcommand *s = subcommands; s->name != NULL; s++)
         print_completed_words(sheet, s);
