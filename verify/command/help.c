@@ -118,7 +118,7 @@ static void print_mdoc(const char *text)
     putchar('\n');
 }
 
-static void print_text(const char *text, int column)
+static void print_paragraph(const char *text, int column)
 {
     if (manual)
         print_mdoc(text);
@@ -144,7 +144,7 @@ static void print_item(const char *name, const char *text, int column)
         if ((int)strlen(name) > column - 3)
             printf("\n%*s", column, "");
     }
-    print_text(text, column);
+    print_paragraph(text, column);
 }
 
 static void end_items(void)
@@ -163,7 +163,7 @@ static void print_usage(const struct subcommand *s)
                 length += snprintf(line + length, sizeof line - (size_t)length, o->argument ? " [%s%c%s]" : " [%s]", o->name,
                                    NO_BREAK, o->argument);
         fputs(manual ? ".Nm\n" : "coulomb-tether ", stdout);
-        print_text(line, 15);
+        print_paragraph(line, 15);
     }
 }
 
@@ -192,9 +192,9 @@ static void print_names(const struct sheet *sheet, const struct subcommand *s)
         print_item(q->name, text, COLUMN);
     }
     end_items();
-    print_text(names_rule, 0);
+    print_paragraph(names_rule, 0);
     if (s->run != command_design)
-        print_text(motions_rule, 0);
+        print_paragraph(motions_rule, 0);
 }
 
 /* Of a subcommand; NULL: all. */
@@ -224,18 +224,18 @@ void help_print(const struct sheet *sheet, const struct subcommand *s)
     if (s != NULL) {
         print_usage(s);
         putchar('\n');
-        print_text(s->does, 0);
+        print_paragraph(s->does, 0);
         print_options(s);
         print_names(sheet, s);
         print_examples(s);
         return;
     }
-    print_text(about, 0);
+    print_paragraph(about, 0);
     putchar('\n');
     for (s = subcommands; s->name != NULL; s++) {
         print_usage(s);
         printf("%*s", INDENT, "");
-        print_text(s->does, INDENT);
+        print_paragraph(s->does, INDENT);
     }
     puts("coulomb-tether --help | -h | help SUBCOMMAND | SUBCOMMAND --help | --version | -V");
     print_exit_statuses();
@@ -249,10 +249,10 @@ static void print_manual(const struct sheet *sheet)
     for (const struct subcommand *s = subcommands; s->name != NULL; s++)
         print_usage(s);
     puts(".Nm\n\\-\\-version | \\-V\n.Sh DESCRIPTION");
-    print_text(about, 0);
+    print_paragraph(about, 0);
     for (const struct subcommand *s = subcommands; s->name != NULL; s++) {
         printf(".Ss %s\n", s->name);
-        print_text(s->does, 0);
+        print_paragraph(s->does, 0);
         print_options(s);
         print_names(sheet, s);
     }

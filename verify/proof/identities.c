@@ -286,7 +286,7 @@ static bool is_integral(const fmpz_mpoly_q_struct *x)
 }
 
 /* Of a coefficient that is a number. */
-static void print_number(struct tex *out, const fmpz_mpoly_q_struct *x)
+static void print_value(struct tex *out, const fmpz_mpoly_q_struct *x)
 {
     print_terms(out, fmpz_mpoly_q_numref(x), NULL);
     if (!is_integral(x)) {
@@ -312,9 +312,9 @@ static void print_example(struct tex *out, struct run *r, const struct equality 
         found = compare_nodes(&at, e->left, e->right, &zero, &f) == IDENTITY_DIFFERS && f.power == power;
         if (found) {
             tex_add(out, "; ");
-            print_number(out, value_of(&at, e->left)->a + power);
+            print_value(out, value_of(&at, e->left)->a + power);
             tex_add(out, " is not ");
-            print_number(out, value_of(&at, e->right)->a + power);
+            print_value(out, value_of(&at, e->right)->a + power);
         }
         const char *separator = " where ";
         for (int i = 0; i < r->t->program.inputs && found; i++) {
