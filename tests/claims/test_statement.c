@@ -163,6 +163,7 @@ static const struct {
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r < 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r > 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:8:8: c stands without 'b', or with its contrary"},
+    {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    a: r > 1\n    b: dL < 1", HOLDS, false, "t:9:8: c stands without 'b', or with its contrary"},
     {"a", "a: dL > 0\n    b: {compute: escaping_10}", HOLDS, false, "t:8:8: c stands without 'b'"},
     {"a", "run: {compute: escaping_10}\n    a: run.at_nowhere_0 < 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'a' is found neither"},
     {"a, refuted: not a", "a: dL < 0", REFUTED, false, "t:7:8: c comes out as 'refuted', its evidence is written for 'holds': 'a' is false"},

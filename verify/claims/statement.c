@@ -106,11 +106,9 @@ static bool any_void(const struct deciding *d, ulong uses)
 {
     const struct tampering *t = d->tampering;
     bool lost = false;
-    for (int k = 0; t != NULL && k < d->statement->assertion_count; k++) {
-        const struct assertion *a = &d->statement->assertions[k];
+    for (int k = 0; t != NULL && k < d->statement->assertion_count; k++)
         if ((uses >> k & 1) != 0)
-            lost = lost || (t->assertion == k && (a->kind == ASSERT_ROOT || !t->negated)) || any_void(d, a->uses);
-    }
+            lost = lost || t->assertion == k || any_void(d, d->statement->assertions[k].uses);
     return lost;
 }
 
