@@ -158,6 +158,7 @@ static const struct {
     {"not a", "a: dL < 0", HOLDS, true, ""},
     {"[a, not b, not d]", "a: dL > 0\n    b: dL < 0\n    d: dL > 1", HOLDS, true, ""},
     {"a", "a: dL < 0", VERDICT_NONE, false, "t:7:8: c is undecided: 'a' is false"},
+    {"[a, b]", "a: dL < 0\n    b: dL > 1", VERDICT_NONE, false, "t:7:8: c is undecided: 'a' is false"},
     {"[a, not b]", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is true"},
     {"[a, b]", "a: dL > 0\n    b: L > 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is found neither true nor false"},
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r < 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},

@@ -133,7 +133,7 @@ static enum truth condition_decide(struct deciding *d, const struct verdict_cond
     for (int i = 0; i < d->statement->assertion_count; i++) {
         if (c->wanted[i] == 0)
             continue;
-        const enum truth found = c->wanted[i] > 0 ? truth_of(d, i) : truth_not(truth_of(d, i));
+        const enum truth found = c->wanted[i] == 1 ? truth_of(d, i) : truth_not(truth_of(d, i));
         truth = truth_both(truth, found);
         if (found != FOUND_TRUE && *failed < 0)
             *failed = i;
@@ -174,28 +174,29 @@ void statement_decide(struct statements *all, struct statement *s, const struct 
     *r = (struct ruling){.verdict = VERDICT_NONE, .as_written = true};
     for (int i = 0; i < s->verdict_count; i++) {
         if (condition_decide(&d, &s->conditions[i], &failed) == FOUND_TRUE) {
-            found = found < 0 ? i : found;
+            found = i;
             many++;
         }
         entry = i == 0 ? failed : entry;
     }
     if (many == 1)
         r->verdict = s->verdicts[found];
-    r->as_written = many == 1 && found == 0;
-    const char *name = entry >= 0 ? s->assertions[entry].name : "";
-    const char *finding = entry >= 0 ? findings[s->assertions[entry].truth] : "";
-    if (many == 1)
-        snprintf(text, sizeof text, "%s comes out as '%s', its evidence is written for '%s': '%s' is %s", s->id, verdict_names[r->verdict],
-                 verdict_names[s->verdicts[0]], name, finding);
-    else if (many == 0)
-        snprintf(text, sizeof text, "%s is undecided: '%s' is %s", s->id, name, finding);
-    else
+    r->as_written = found == 0; /* the last that is true: the only one */
+    if (many > 1)
         snprintf(text, sizeof text, "%s is undecided: more than one of its conditions is true", s->id);
+    else if (entry >= 0) {
+        const struct assertion *a = &s->assertions[entry];
+        if (many == 1)
+            snprintf(text, sizeof text, "%s comes out as '%s', its evidence is written for '%s': '%s' is %s", s->id,
+                     verdict_names[r->verdict], verdict_names[s->verdicts[0]], a->name, findings[a->truth]);
+        else
+            snprintf(text, sizeof text, "%s is undecided: '%s' is %s", s->id, a->name, findings[a->truth]);
+    }
     if (!r->as_written)
-        leave_open(r, entry >= 0 ? s->assertions[entry].node : s->verdict, 0, text);
+        leave_open(r, many > 1 ? s->verdict : s->assertions[entry].node, 0, text);
     decide_numbers(&d, r);
     r->how = d.how;
-    if (!r->as_written && many == 1 && found == 0)
+    if (!r->as_written && found == 0)
         r->verdict = VERDICT_NONE; /* a number is missing */
 }
 
