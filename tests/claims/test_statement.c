@@ -237,7 +237,7 @@ EACH(numbers_have_proved_digits_or_none, COUNT(numbers))
     snprintf(evidence, sizeof evidence, "{%s}, {r | 3}, {x | 1}", numbers[_i].number);
     write_claim(text, "a", "at: {x: 1.25 +- 0.06}", "a: dL > 0\n    r: {root: y^2 - 2, on: {y: [1, 2]}}", evidence);
     read_claim(&s, text);
-    statement_decide(&s, &s.list[0], NULL, &r);
+    statement_decide(&s, &s.list[0], NONE_LEFT_OUT, &r);
     const struct quoted_number *q = &s.list[0].numbers[0];
     ck_assert_int_eq(r.as_written, numbers[_i].decimal != NULL);
     if (numbers[_i].decimal == NULL) {
@@ -270,7 +270,7 @@ TEST(evidence_is_written_in_both_forms)
     write_claim(text, "a", NULL, "a: dL > 0",
                 "at $|dQ| <= 2 k_c/L^2$ and\n    5 % it is {1.3e-12 | 2 | m}, {100*dL | 2 | %}, {dL | 1}");
     read_claim(&s, text);
-    statement_decide(&s, &s.list[0], NULL, &r);
+    statement_decide(&s, &s.list[0], NONE_LEFT_OUT, &r);
     statement_evidence(&s.list[0], &w);
     ck_assert_str_eq(w.plain.text, "at |dQ| <= 2 k_c/L^2 and 5 % it is 1.3e-12 m, 10 %, 0.1");
     struct written odd = {{NULL, 0}, {NULL, 0}};

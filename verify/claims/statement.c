@@ -97,31 +97,27 @@ enum truth truth_both(enum truth a, enum truth b)
 struct deciding {
     struct statements *all;
     struct statement *statement;
-    const struct tampering *tampering;
+    int without; /* what is left out */
     enum how how;
 };
 
-/* Whether one of these assertions has lost its number, as it was tampered with, or rests on such a one. */
-static bool any_void(const struct deciding *d, ulong uses)
+/* Whether one of these assertions is left out, or rests on it. */
+static bool any_void(const struct deciding *d, ulong of)
 {
-    const struct tampering *t = d->tampering;
     bool lost = false;
-    for (int k = 0; t != NULL && k < d->statement->assertion_count; k++)
-        if ((uses >> k & 1) != 0)
-            lost = lost || t->assertion == k || any_void(d, d->statement->assertions[k].uses);
+    for (int k = 0; k < d->statement->assertion_count; k++)
+        if ((of >> k & 1) != 0)
+            lost = lost || d->without == k || any_void(d, d->statement->assertions[k].uses);
     return lost;
 }
 
 static enum truth truth_of(struct deciding *d, int index)
 {
     struct assertion *a = &d->statement->assertions[index];
-    const struct tampering *t = d->tampering;
-    if (any_void(d, a->uses))
+    if (any_void(d, UWORD(1) << index))
         return UNDECIDED;
     assertion_find(d->all, d->statement, a);
     d->how = FLINT_MAX(d->how, a->how);
-    if (t != NULL && t->assertion == index)
-        return t->negated ? truth_not(a->truth) : UNDECIDED;
     return a->truth;
 }
 
@@ -165,10 +161,10 @@ static void decide_numbers(struct deciding *d, struct ruling *r)
     }
 }
 
-void statement_decide(struct statements *all, struct statement *s, const struct tampering *t, struct ruling *r)
+void statement_decide(struct statements *all, struct statement *s, int without, struct ruling *r)
 {
     static const char *const findings[] = {"found neither true nor false", "true", "false"};
-    struct deciding d = {.all = all, .statement = s, .tampering = t};
+    struct deciding d = {.all = all, .statement = s, .without = without};
     char text[384];
     int found = -1, many = 0, failed, entry = -1;
     *r = (struct ruling){.verdict = VERDICT_NONE, .as_written = true};
@@ -200,30 +196,19 @@ void statement_decide(struct statements *all, struct statement *s, const struct 
         r->verdict = VERDICT_NONE; /* a number is missing */
 }
 
-/* Whether the verdict stands, for all that an assertion is tampered with. */
-static bool stands(struct statements *all, struct statement *s, int assertion, bool negated)
-{
-    const struct tampering t = {assertion, negated};
-    struct ruling ruling;
-    statement_decide(all, s, &t, &ruling);
-    return ruling.as_written;
-}
-
-static bool needs(struct statements *all, struct statement *s, int assertion)
-{
-    return !stands(all, s, assertion, false) && (s->assertions[assertion].kind == ASSERT_COMPUTE || !stands(all, s, assertion, true));
-}
-
 void statement_rule(struct statements *all, struct statement *s, struct ruling *r)
 {
     char text[256];
-    statement_decide(all, s, NULL, r);
-    for (int i = 0; i < s->assertion_count && r->as_written; i++)
-        if (!needs(all, s, i)) {
+    statement_decide(all, s, NONE_LEFT_OUT, r);
+    for (int i = 0; i < s->assertion_count; i++) {
+        struct ruling without;
+        statement_decide(all, s, i, &without);
+        if (without.as_written) {
             snprintf(text, sizeof text, "%s stands without '%s', or with its contrary", s->id, s->assertions[i].name);
             leave_open(r, s->assertions[i].node, 0, text);
             r->as_written = false;
         }
+    }
 }
 
 /* ---- the evidence ---- */

@@ -119,12 +119,6 @@ int statements_read(struct statements *s, const struct derivations *proofs, cons
 void statements_clear(struct statements *s);
 struct statement *statement_find(const struct statements *s, const char *id);
 
-/* An assertion is taken away, or found to be the contrary: what a verdict must not survive. */
-struct tampering {
-    int assertion; /* its index */
-    bool negated;
-};
-
 /* What comes of a statement. */
 struct ruling {
     enum verdict verdict; /* VERDICT_NONE: undecided */
@@ -133,9 +127,14 @@ struct ruling {
     struct message open;  /* what is open, where: "paper/claims.yaml:120:5: ..." */
 };
 
-void statement_decide(struct statements *all, struct statement *s, const struct tampering *t, struct ruling *r);
+/* Without one of its assertions; -1: with all. */
+enum { NONE_LEFT_OUT = -1 };
+void statement_decide(struct statements *all, struct statement *s, int without, struct ruling *r);
 
-/* The same; and false in `as_written` too where the verdict would stand without an assertion, or with its contrary. */
+/*
+ * The same with all; and false in `as_written` too where the verdict would stand without one. With its contrary none does: each
+ * condition is of all that it names.
+ */
 void statement_rule(struct statements *all, struct statement *s, struct ruling *r);
 
 /* The evidence with its numbers, after the statement was decided. */

@@ -297,7 +297,7 @@ static enum truth claim_found(struct statements *all, const char *id, enum how *
 {
     struct statement *s = statement_find(all, id);
     struct ruling ruling;
-    statement_decide(all, s, NULL, &ruling);
+    statement_decide(all, s, NONE_LEFT_OUT, &ruling);
     *how = FLINT_MAX(*how, ruling.how);
     return proved_or_open(ruling.as_written);
 }

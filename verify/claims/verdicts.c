@@ -160,7 +160,7 @@ static void add_claims(struct verdict_row *row, struct statements *claims, const
         for (int k = 0; k < s->equation_count; k++) {
             if (strcmp(s->equations[k], equation) != 0)
                 continue;
-            statement_decide(claims, s, NULL, &ruling);
+            statement_decide(claims, s, NONE_LEFT_OUT, &ruling);
             add_words(row, "; claim %s: %s", s->id, verdict_names[ruling.verdict]);
             if (s->why != NULL && ruling.verdict != HOLDS && ruling.verdict != DEFINITION)
                 add_reason(row, s->why);
