@@ -302,6 +302,19 @@ TEST(blanks_before_an_answer_do_not_push_it_out_of_its_room)
     }
 }
 
+/* Of each motion, and of one that says otherwise. */
+EACH(digits_are_due, 5)
+{
+    static const struct {
+        const char *motion, *options, *due;
+    } motions[] = {{"flow_linear", "", ", 9 are due"}, {"flow_nonlinear", "", ", 9 are due"}, {"rk4_linear", "", ", 11 are due"},
+                   {"rk4_nonlinear", "--digits flow_linear=7", ", 11 are due"}, {"flow_linear", "--digits flow_linear=7", ", 7 are due"}};
+    char arguments[200];
+    snprintf(arguments, sizeof arguments, "%s --only %s-paper-100 -- sh -c 'read o id in; echo $id 1 1 1 1 1 1'", motions[_i].options, motions[_i].motion);
+    ck_assert_int_eq(conform(arguments), 1);
+    assert_says(motions[_i].due);
+}
+
 TEST(digits_are_declared_once)
 {
     ck_assert_int_eq(conform("--digits flow_linear=9 --digits flow_nonlinear=8 --digits flow_linear=8 -- FAULTY none"), 2);

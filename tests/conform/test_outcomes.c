@@ -58,6 +58,12 @@ static void answer(struct test_run *e, uint64_t position, const char *words)
     test_run_hear(e, line, (size_t)size);
 }
 
+static const uint64_t *said(struct test_run *e, const char *text)
+{
+    test_run_hear(e, text, strlen(text));
+    return e->summaries[0].counts;
+}
+
 /* The outcome on what is said in place of an answer. */
 static enum outcome outcome_on(struct test_run *e, uint64_t position, const char *words)
 {
@@ -74,6 +80,7 @@ static void assert_found(struct test_run *e, uint64_t position, const char *word
     const enum outcome outcome = outcome_on(e, position, words);
     ck_assert_msg(outcome == due, "%s, question %d: '%s' is %s, expected %s", e->comparators[0].operation->section->id, (int)position, words,
                   outcome < OUTCOMES ? outcome_names[outcome] : "nothing", outcome_names[due]);
+    ck_assert_uint_eq(summary_failed(&e->summaries[0]), due >= OUTCOME_WRONG);
 }
 
 /* Right outputs as words; one of them (-1: none) as somebody else has it. */
@@ -390,6 +397,19 @@ TEST(E_that_is_K_passes)
     ck_assert_int_eq(judged("eq43", inputs, more, BINARY64), OUTCOME_WRONG);
 }
 
+/*
+ * m1 = 1, m2 = 192, L = 1: I = 192/193 and S = 3 I, so E = K = 8 at I (1 + 32 2^-53) = 192 (2^48 + 1)/193 2^-48, which is a binary64,
+ * for 193 divides 2^48 + 1: no enclosure of 1/193 ever tells E from 8.
+ */
+TEST(E_that_no_bound_tells_from_K_is_not_judged)
+{
+    static const char *const inputs[] = {"1", "192", "1"};
+    char text[40];
+    const char *const answer[] = {text};
+    snprintf(text, sizeof text, "%a", ldexp(192.0 * (double)((UINT64_C(281474976710656) + 1) / 193), -48));
+    ck_assert_int_eq(judged("eq32", inputs, answer, BINARY64), OUTCOME_SKIPPED);
+}
+
 TEST(what_no_bound_decides_is_neither_right_nor_wrong)
 {
     ck_assert_int_eq(outcome_of_bounds((struct error_bounds){7, 8}, 8), OUTCOME_RIGHT);
@@ -503,17 +523,26 @@ EACH(a_motion_passes_with_the_digits_due_and_no_fewer, 4)
     close_run(e);
 }
 
-/* Of a truth known to 9e-7 of the motion's size: more than a digit is right, fewer is wrong, and what lies between is neither. */
-EACH(digits_that_the_enclosure_leaves_open_are_not_judged, 3)
+/*
+ * Of a truth known to 9e-7 of the motion's size: more than a digit is right, fewer is wrong, and what lies between is neither. So many
+ * digits as are proved pass, and so many as are not excluded do not fail.
+ */
+EACH(digits_that_the_enclosure_leaves_open_are_not_judged, 5)
 {
     static const char *const texts[] = {"7.2915e-5", "10", "5.3e-8", "1.4e-4", "1", "1", "0", "0", "0", "0", "0"}; /* psi_0 = 1 */
-    static const double answers[] = {0.099999, 0.0999995, 0.100001};
-    static const enum outcome outcomes[] = {OUTCOME_RIGHT, OUTCOME_SKIPPED, OUTCOME_WRONG};
+    static const double answers[] = {0.099999, 0.0999995, 0.100001, 0.1, 0.1};
+    static const enum outcome outcomes[] = {OUTCOME_RIGHT, OUTCOME_SKIPPED, OUTCOME_WRONG, OUTCOME_RIGHT, OUTCOME_SKIPPED};
     struct judgement k;
+    SCOPE(arb, off);
+    SCOPE(mag, bound);
     judgement_begin(&k, "flow_linear", texts, BINARY64, 1);
     k.comparator.followed = true;
     mag_set_d(arb_radref(k.comparator.exact), 9e-7);
     arb_set_d(k.comparator.y, answers[_i]);
+    arb_sub(off, k.comparator.y, k.comparator.exact, BITS);
+    (_i == 3 ? arb_get_mag : arb_get_mag_lower)(bound, off);
+    if (_i >= 3)
+        k.comparator.digits = -log10(mag_get_d(bound));
     ck_assert_int_eq(judgement_end(&k), outcomes[_i]);
 }
 
@@ -572,6 +601,35 @@ TEST(the_failure_that_is_easiest_to_follow_is_shown)
     for (int k = 4; k-- > 1;)
         answer(e, test_sets_find(&e->sets, answers[k].id), answers[k].words);
     ck_assert_uint_eq(e->summaries[0].shown.position, test_sets_find(&e->sets, "eq44-paper"));
+    close_run(e);
+    e = run_of(section_find(sheet(), "eq44"), 0, BINARY64);
+    said(e, "eq44-random-2 x\n"); /* those before it are missing, which is not their fault */
+    ck_assert_uint_eq(e->summaries[0].shown.position, test_sets_find(&e->sets, "eq44-random-2"));
+    close_run(e);
+}
+
+/* Of the first and the second, which fail, and the fourth, which is skipped, failures are expected. */
+TEST(expected_failures_are_counted_apart)
+{
+    static const uint64_t positions[] = {3, 1, 0};
+    struct test_run *e = run_of(section_find(sheet(), "eq43"), 0, BINARY64);
+    for (int i = 0; i < 3; i++)
+        *APPENDED(e->expected, e->expected_count) = (struct expectation){.position = positions[i]};
+    answer(e, 0, "1");
+    answer(e, 1, "invalid");
+    ck_assert_uint_eq(summary_failed(&e->summaries[0]), 0);
+    ck_assert_uint_eq(e->summaries[0].expected, 2);
+    answer(e, 2, "1");
+    answer(e, 3, "skip");
+    ck_assert_uint_eq(summary_failed(&e->summaries[0]), 1);
+    ck_assert(!e->expected[0].passed && !e->expected[1].passed && !e->expected[2].passed);
+    ck_assert_uint_eq(e->summaries[0].expected, 2);
+    close_run(e);
+    e = run_of(section_find(sheet(), "eq43"), 0, BINARY64);
+    *APPENDED(e->expected, e->expected_count) = (struct expectation){.position = 0};
+    answer(e, 0, "5.316597225e-8");
+    ck_assert(e->expected[0].passed);
+    ck_assert_uint_eq(e->summaries[0].expected, 0);
     close_run(e);
 }
 
@@ -768,12 +826,6 @@ static struct test_run *eq43(void)
     return run_of(section_find(sheet(), "eq43"), RANDOM, BINARY64);
 }
 
-static const uint64_t *said(struct test_run *e, const char *text)
-{
-    test_run_hear(e, text, strlen(text));
-    return e->summaries[0].counts;
-}
-
 /* C1 of n = 10 is 5.316597225e-8. */
 TEST(a_line_may_have_65536_bytes)
 {
@@ -787,8 +839,21 @@ TEST(a_line_may_have_65536_bytes)
         const uint64_t *counts = said(e, line);
         ck_assert_uint_eq(counts[OUTCOME_RIGHT], 1 - (uint64_t)more);
         ck_assert_uint_eq(e->strays[OUTCOME_TOO_LONG].count, (uint64_t)more);
+        ck_assert_uint_eq(stray_count(e), (uint64_t)more);
         close_run(e);
     }
+}
+
+/* As many numbers as a line holds are too many, and no more than that. */
+TEST(a_line_may_have_30000_words)
+{
+    static char line[LONGEST_LINE];
+    struct test_run *e = eq43();
+    size_t used = (size_t)snprintf(line, sizeof line, "eq43-paper");
+    for (int k = 0; k < 30000; k++)
+        used += (size_t)snprintf(line + used, sizeof line - used, " 1");
+    ck_assert_uint_eq(said(e, strcat(line, "\n"))[OUTCOME_COUNT], 1);
+    close_run(e);
 }
 
 TEST(a_line_without_an_end_is_heard_for_64_MiB)
@@ -921,6 +986,18 @@ TEST(an_answer_is_due_once_its_question_is_sent)
     close_run(e);
 }
 
+/* Whatever ended the client, the first vector without an answer and all after it fail. */
+EACH(what_is_not_answered_fails, 3)
+{
+    static const enum outcome ends[] = {OUTCOME_MISSING, OUTCOME_TIMEOUT, OUTCOME_CRASH};
+    struct test_run *e = eq43();
+    said(e, "eq43-paper 5.316597225e-8\n");
+    test_run_end(e, ends[_i]);
+    ck_assert_uint_eq(e->summaries[0].counts[ends[_i]], _i == 0 ? e->sets.total - 1 : 1);
+    ck_assert_uint_eq(summary_failed(&e->summaries[0]), e->sets.total - 1);
+    close_run(e);
+}
+
 /* As many as there are questions twice, and 10000 at least. */
 TEST(so_many_lines_out_of_place_are_heard)
 {
@@ -1041,12 +1118,12 @@ TEST(what_is_written_with_few_digits_has_lost_the_others)
     close_run(e);
 }
 
-/* A line that is no answer has nothing against a mistake that explains all the others. */
+/* A line that is no answer, and a skip, have nothing against a mistake that explains all the others. */
 TEST(a_mistake_explains_numbers_and_not_lines)
 {
     const struct section *s = section_find(sheet(), "eq38");
     struct test_run *e = run_of(s, 0, BINARY64);
-    said(e, "eq38-paper 7.3e-5 oops\n");
+    said(e, "eq38-paper 7.3e-5 oops\neq38-random-1 skip\n");
     answer_in_digits(e, &s->printed, 17);
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MALFORMED], 1);
     ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "the paper's misprint: ", 22), 0);
