@@ -504,6 +504,18 @@ TEST(answers_in_a_file_may_stand_in_any_order)
     assert_says("  1 wrong id, the first is line 52: stranger 1\n");
 }
 
+/* n = 1e-300 leaves binary64's normal range: what a file has of it is judged on request, all else always. */
+TEST(a_file_may_be_wrong_where_the_range_is_left)
+{
+    ck_assert_int_eq(system("sed 's/^\\(eq43-tiny,[^,]*,[^,]*\\),[^,]*/\\1,1/' data/golden/eq43.csv >\"$CT_BUILD/tests/tiny.csv\""), 0);
+    ck_assert_msg(conform("--answers \"$CT_BUILD/tests/tiny.csv\"") == 0, "%s", said);
+    assert_says(" 1 skipped\n");
+    ck_assert_int_eq(conform("--range --answers \"$CT_BUILD/tests/tiny.csv\""), 1);
+    assert_says("eq43: 1 wrong\n");
+    ck_assert_int_eq(system("sed 's/^\\(eq43-paper,[^,]*,[^,]*\\),[^,]*/\\1,1/' data/golden/eq43.csv >\"$CT_BUILD/tests/tiny.csv\""), 0);
+    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/tiny.csv\""), 1);
+}
+
 TEST(a_row_longer_than_a_line_is_told_with_its_place)
 {
     ck_assert_int_eq(system("f=\"$CT_BUILD/tests/long.csv\"; { echo 'id,Q_ref'; head -c 70000 /dev/zero | tr '\\0' a; "

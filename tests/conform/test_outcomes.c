@@ -240,7 +240,7 @@ static void assert_limits(struct test_run *e, uint64_t position)
         if (!arb_is_finite(S + k) || (arb_contains_zero(exact + k) && !arb_is_exact(exact + k)))
             continue;
         weight_of(weight, exact, S, k, roots);
-        const double K = e->comparators[0].K, part = roots ? 1e-2 : 0.0; /* of a root the other part is rounded as well */
+        const double K = o->section->K, part = roots ? 1e-2 : 0.0; /* of a root the other part is rounded as well */
         limit_of(limit, exact + k, weight, sign, K * (1.0 - part), BINARY64);
         const double inner = arf_get_d(arb_midref(limit), sign > 0 ? ARF_RND_FLOOR : ARF_RND_CEIL);
         snprintf(text, sizeof text, "%.17g", inner);
