@@ -61,40 +61,33 @@ static bool from_steps(arb_ptr d, const struct derivations *steps, const struct 
 
 /* ---- the closed forms of second_order.h -------------------------------- */
 
-/* Where the motion and the closed form are that both had z = a at the start, after so many seconds. */
-static bool beside_closed_form(struct trajectory *t, arb_ptr closed, const struct derivations *steps, const struct study *study, const fmpq_t a,
-                               long seconds, slong digits)
-{
-    struct second_order o;
-    SCOPE(arb, amplitude, tau);
-    bool proved = trajectory_run(t, &(struct simulation){.steps = steps, .n = study->n}, 0, 1, 0); /* for the gains and Omega */
-    second_order_init(&o, steps, t->c1, t->c2, NULL, PREC);
-    arb_set_fmpq(amplitude, a, PREC);
-    second_order_after(closed, &o, amplitude, tau);
-    arb_mul_si(tau, t->Omega, seconds, PREC);
-    trajectory_clear(t);
-    const struct simulation s = {.steps = steps, .nonlinear = true, .n = study->n, .digits = digits, .start = closed};
-    proved = trajectory_run(t, &s, seconds, 1, seconds) && proved;
-    second_order_after(closed, &o, amplitude, tau);
-    second_order_clear(&o);
-    return proved;
-}
-
-/* After a fixed time, or after 1/a^2 radians, to the second (then of the amplitude, relatively); the parameter is a. */
+/*
+ * The motion less the closed form, both having z = a at the start, after a fixed time, or after 1/a^2 radians, to the second (then of
+ * the amplitude, relatively); the parameter is a.
+ */
 static bool from_forced(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t a)
 {
     const bool slow = study->seconds == 0;
+    struct simulation s = {.steps = steps, .nonlinear = true, .n = study->n, .digits = slow ? SLOW_DIGITS : TRAJECTORY_DIGITS};
     struct trajectory motion, closed;
-    SCOPE(arb, x);
-    bool proved = trajectory_run(&closed, &(struct simulation){.steps = steps}, 0, 1, 0);
-    const double amplitude = fmpq_get_d(a), Omega = arf_get_d(arb_midref(closed.Omega), ARF_RND_NEAR);
-    const long seconds = slow ? (long)(1 / (amplitude * amplitude * Omega)) : study->seconds;
-    const slong digits = slow ? SLOW_DIGITS : TRAJECTORY_DIGITS;
-    proved = beside_closed_form(&motion, trajectory_sample(&closed, 0), steps, study, a, seconds, digits) && proved;
+    struct second_order o;
+    SCOPE(arb, amplitude, tau);
+    bool proved = trajectory_run(&closed, &s, 0, 1, 0); /* for the gains and Omega */
+    arb_ptr z = trajectory_sample(&closed, 0);
+    const double size = fmpq_get_d(a), Omega = arf_get_d(arb_midref(closed.Omega), ARF_RND_NEAR);
+    const long seconds = slow ? (long)(1 / (size * size * Omega)) : study->seconds;
+    second_order_init(&o, steps, closed.c1, closed.c2, NULL, PREC);
+    arb_set_fmpq(amplitude, a, PREC);
+    second_order_after(z, &o, amplitude, tau);
+    s.start = z;
+    proved = trajectory_run(&motion, &s, seconds, 1, seconds) && proved;
+    arb_mul_si(tau, closed.Omega, seconds, PREC);
+    second_order_after(z, &o, amplitude, tau);
+    second_order_clear(&o);
     differences(d, study, &motion, &closed);
-    trajectory_value(x, &closed, 0, AMPLITUDE);
+    trajectory_value(amplitude, &closed, 0, AMPLITUDE);
     if (slow)
-        arb_div(d, d, x, PREC);
+        arb_div(d, d, amplitude, PREC);
     trajectory_clear(&motion);
     trajectory_clear(&closed);
     return proved;
