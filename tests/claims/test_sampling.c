@@ -112,6 +112,23 @@ EACH(D1_D2_no_root_is_right_of_the_axis_up_to_the_largest_delay_and_a_pair_beyon
         ck_assert_double_eq_tol(d / 7.2915e-5 / 3600, gains[_i].d, 0.005);
 }
 
+/* Where roundings are the only error, as few bits as find the limits still hold those of many. */
+EACH(H3_D3_limits_of_few_bits_hold_those_of_many, COUNT(gains))
+{
+    static const slong few[] = {20, 24, 28, 32, 40, 53};
+    SCOPE(arb, c1, c2, limit, exact);
+    int found = 0;
+    arb_set_d(c1, gains[_i].c1);
+    arb_set_d(c2, gains[_i].c2);
+    for (int k = 0; k < 2 * COUNT(few); k++) {
+        (k % 2 ? largest_hold : largest_delay)(exact, c1, c2, BITS);
+        (k % 2 ? largest_hold : largest_delay)(limit, c1, c2, few[k / 2]);
+        ck_assert(!arb_is_finite(limit) || arb_contains(limit, exact));
+        found += arb_is_finite(limit);
+    }
+    ck_assert_int_ge(found, COUNT(few));
+}
+
 TEST(H3_D3_what_few_bits_do_not_prove_stays_open)
 {
     SCOPE(arb, c1, c2, longest);
