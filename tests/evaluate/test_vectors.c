@@ -183,6 +183,31 @@ EACH(domain_of_the_sheet_is_that_of_ref, sheet()->section_count)
     inputs_free(inputs, s->input_count);
 }
 
+/* Beside the edge by 2^-200, on it, and beyond, where balls of 128 bits hold all three: Q_ref + dQ < 0, n >= 9, craft apart. */
+EACH(a_condition_is_decided_however_near_its_edge, 9)
+{
+    static const struct {
+        const char *id;
+        slong at_edge[6];
+        int moved;
+        bool valid[3];
+    } edges[] = {{"eq21", {-1, 1}, 1, {true, false, false}}, {"eq44", {1, 9}, 1, {false, true, true}},
+                 {"eq12", {1, 2, 3, 1, 2, 3}, 4, {true, false, true}}};
+    const struct section *s = section_find(sheet(), edges[_i / 3].id);
+    struct operation o;
+    SCOPE(fmpq, step);
+    struct input *inputs = inputs_new(s->input_count);
+    operation_init(&o, s, false);
+    for (int i = 0; i < s->input_count; i++)
+        fmpq_set_si(&inputs[i].value, edges[_i / 3].at_edge[i], 1);
+    fmpq_set_si(step, _i % 3 - 1, 1);
+    fmpq_div_2exp(step, step, 200);
+    fmpq_add(&inputs[edges[_i / 3].moved].value, &inputs[edges[_i / 3].moved].value, step);
+    ck_assert_msg(operation_valid(&o, inputs) == edges[_i / 3].valid[_i % 3], "%s", s->id);
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+
 /*
  * Each in its rotation: a condition just violated, a value outside, a time between Runge-Kutta steps. What the program enforces
  * stands in the sheet: for whatever reason it refuses a defect, the text is a condition of the
