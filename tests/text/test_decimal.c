@@ -189,6 +189,28 @@ TEST(exact_literal_of_giant_length_is_refused)
     ck_assert_int_eq(literal_read(value, text, true), LITERAL_OVERFLOW);
     ck_assert_int_eq(literal_read(value, text, false), LITERAL_FINITE);
     ck_assert(fmpq_is_one(value));
+    text[0] = '0';
+    ck_assert_int_eq(literal_read(value, text, true), LITERAL_OVERFLOW);
+}
+
+/* A significand of 40,000 bits is read, and none of one more; 10,000 decimals, and not one more. */
+TEST(exact_literal_of_the_greatest_length_is_read)
+{
+    static char text[10004];
+    SCOPE(fmpq, value);
+    memset(text, 'f', sizeof text - 1);
+    memcpy(text, "0x1", 3);
+    ck_assert_int_eq(literal_read(value, text, true), LITERAL_OVERFLOW);
+    text[2] = '0';
+    ck_assert_int_eq(literal_read(value, text, true), LITERAL_FINITE);
+    ck_assert_uint_eq(fmpz_bits(fmpq_numref(value)), 40000);
+    memset(text, '0', sizeof text - 1);
+    text[1] = '.';
+    text[sizeof text - 2] = '1';
+    ck_assert_int_eq(literal_read(value, text, true), LITERAL_OVERFLOW);
+    text[10001] = '1';
+    text[10002] = '\0';
+    ck_assert_int_eq(literal_read(value, text, true), LITERAL_FINITE);
 }
 
 /* 1.000...0001 with 4,999 zeros lies above the tie at 1 + 2^-53 only through its last digit. */
