@@ -159,10 +159,10 @@ int ct_characteristic_roots(double Omega, struct ct_gains g, struct ct_root root
             root[zeros++] = (struct ct_root){0, 0};
         status = solve(DEGREE - zeros, a + zeros, root + zeros);
     }
-    for (size_t i = 0; i < DEGREE && g.C2 == 0 && !status; i++)
-        root[i] = on_axis(root[i]);
-    for (size_t i = 0; i < DEGREE; i++)
-        root[i] = status ? (struct ct_root){NAN, NAN} : (struct ct_root){Omega * root[i].re, Omega * root[i].im};
+    for (size_t i = 0; i < DEGREE; i++) {
+        const struct ct_root z = status ? (struct ct_root){NAN, NAN} : g.C2 == 0 ? on_axis(root[i]) : root[i];
+        root[i] = (struct ct_root){Omega * z.re, Omega * z.im};
+    }
     qsort(root, DEGREE, sizeof root[0], by_real_then_imaginary_part);
     return status;
 }

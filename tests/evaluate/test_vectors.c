@@ -282,16 +282,6 @@ TEST(a_seed_has_64_bits)
     ck_assert_ptr_nonnull(strstr(printed("eq43 --count 1 --seed 18446744073709551615"), "\neq43-18446744073709551615-0,"));
 }
 
-/* Omega > 0 and n > 0 of (43), each from just outside and just inside, after what was there before. */
-TEST(golden_lines_ask_each_condition)
-{
-    const char *text = printed("eq43 --golden");
-    ck_assert_ptr_nonnull(strstr(text, "\neq43-minus-inf-Omega,-INF,10,,,invalid\neq43-domain-1-outside,7.2915e-5,0,,,invalid\n"
-                                       "eq43-domain-1-inside,7.2915e-5,7.888609052210118e-31,")); /* 2^-100 */
-    ck_assert_ptr_nonnull(strstr(printed("eq39 --golden"), ",-2.2250738585072014e-308,0.01,0.01,,,,,,,invalid\neq39-zero-I,7.2915e-5,0,0.01,0.01,0,0,0,"));
-    ck_assert_ptr_nonnull(strstr(printed("rk4_linear --golden"), "\nrk4_linear-between-steps,7.2915e-5,10,5.316597225e-8,1.4583e-4,43200.00000000001,"));
-}
-
 /* Whether two rows of inputs differ in one number alone, and in that by what rounding an edge takes. */
 static bool are_neighbours(const double *a, const double *b, int count)
 {
@@ -358,16 +348,6 @@ EACH(every_condition_is_asked_from_just_outside_and_just_inside, sheet()->sectio
     }
     inputs_free(inputs, s->input_count);
     operation_clear(&o);
-}
-
-TEST(golden_lines_have_their_flags)
-{
-    const char *text = printed("eq44 --golden");
-    ck_assert_int_eq(strncmp(text, "id,Omega,n,C2,S_C2,flags\n", 25), 0);
-    ck_assert_ptr_nonnull(strstr(text, "\neq44-boundary,7.2915e-5,9,0,INF,edge\n"));
-    ck_assert_ptr_nonnull(strstr(text, "\neq44-boundary-below,7.2915e-5,8.999999999999998,,,invalid\n"));
-    ck_assert_ptr_nonnull(strstr(text, "\neq44-nan-Omega,NaN,10,,,invalid\n"));
-    ck_assert_ptr_nonnull(strstr(text, ",paper\n"));
 }
 
 /* 0.1 and the least number above zero in full, by hand: 3602879701896397/2^55 and 2^-1074. */

@@ -87,20 +87,6 @@ EACH(literal_means_the_nearest_double, COUNT(nearest_double))
                   nearest_double[_i].text, read_double(nearest_double[_i].text));
 }
 
-/* Other road: libc's strtod. */
-TEST(literal_agrees_with_strtod)
-{
-    uint64_t state = 1;
-    for (int k = 0; k < 2000; k++) {
-        char text[64];
-        double x = random_double(&state);
-        snprintf(text, sizeof text, k % 2 == 0 ? "%.*e" : "%.*a", k % 19, x);
-        double expected = strtod(text, NULL);
-        if (isfinite(expected)) /* rounding up may overflow */
-            ck_assert_msg(read_double(text) == expected, "%s", text);
-    }
-}
-
 static const struct {
     const char *text;
     enum literal kind, exact_kind;
