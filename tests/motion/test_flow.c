@@ -106,7 +106,7 @@ static int keep(void *context, slong k, const fmpq_t t, arb_srcptr state)
     return record->rows == record->stop_after;
 }
 
-enum method { LINEAR, NONLINEAR, UNPROVED, RK4_LINEAR, RK4_NONLINEAR };
+enum method { LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR };
 
 struct run {
     enum flow_status status;
@@ -136,9 +136,6 @@ static struct run run_through(const struct scenario *s, enum method method, cons
         r.status = flow_linear(&s->p, s->start, times, count, s->prec, keep, &record, &r.reached);
     else if (method == NONLINEAR)
         r.status = flow_nonlinear(&s->p, s->start, times, count, digits, s->prec, keep, &record, &r.reached);
-    else if (method == UNPROVED)
-        r.status = flow_nonlinear_by(&(struct flow_steps){.unproved = true}, &s->p, s->start, times, count, digits, s->prec,
-                                     keep, &record, &r.reached);
     else
         r.status = rk4(method != RK4_LINEAR, &s->p, s->start, step, times, count, s->prec, keep, &record, &r.reached);
     r.rows = record.rows;
@@ -1177,18 +1174,6 @@ TEST(times_out_of_order_are_refused)
     ck_assert_int_eq(b.status, FLOW_DOMAIN);
     run_close(&a);
     run_close(&b);
-    scenario_close(&s);
-}
-
-TEST(steps_without_proof_are_the_same_steps)
-{
-    struct scenario s = paper_nonlinear();
-    struct run proved = run_to(&s, NONLINEAR, DAY), bare = run_to(&s, UNPROVED, DAY);
-    for (int i = 0; i < FLOW_STATE; i++)
-        mag_zero(arb_radref(bare.states + i));
-    assert_holds(proved.states, bare.states);
-    run_close(&proved);
-    run_close(&bare);
     scenario_close(&s);
 }
 

@@ -181,8 +181,8 @@ static void assert_rest_of(const struct known_case *c, double at_most)
     integral_of_product(system, c->a, c->b);
     jet_known(&jet, c->order, system, c->start, false);
     jet_known(&column, c->order, system, c->column, true);
-    jet_extend(&jet, PREC, 0);
-    jet_extend_column(&column, &jet, PREC);
+    jet_extend(&jet, &jet, PREC, 0);
+    jet_extend(&column, &jet, PREC, 0);
     majorant_init(&base, &closed_loop, c->order);
     majorant_init(&m, &closed_loop, c->order);
     majorant_of(&base, &jet, one, 1, h);
@@ -306,7 +306,7 @@ TEST(T7_T12_a_rest_is_h_over_n_plus_1_times_a_tail_rounded_up)
         mag_set_d(h, 0.1 + fmod(k * 0.7548776662466927, 1));
         mag_get_fmpq(exact, h);
         jet_known(&jet, n, system, from, false);
-        jet_extend(&jet, PREC, 0);
+        jet_extend(&jet, &jet, PREC, 0);
         majorant_init(&m, &closed_loop, n);
         majorant_of(&m, &jet, unit, 1, h);
         ck_assert(majorant_prove(&m, NULL, h));
@@ -351,7 +351,7 @@ RANGE(T9_T10_a_majorant_has_every_column_and_its_radius, FIRST_ORDER, LAST_ORDER
     mag_get_fmpq(exact, h);
     integral_of_product(system, Q, Q);
     jet_known(&jet, n, system, (const double[JET_STATES]){[Q] = 1}, false);
-    jet_extend(&jet, PREC, 0);
+    jet_extend(&jet, &jet, PREC, 0);
     majorant_init(&base, &closed_loop, n);
     mag_one(weights);
     majorant_of(&base, &jet, weights, 1, h);
@@ -362,7 +362,7 @@ RANGE(T9_T10_a_majorant_has_every_column_and_its_radius, FIRST_ORDER, LAST_ORDER
             mag_set_ui(arb_radref(column[j].c[Y]), 13);
         else
             mag_set_d(weights + j, weight[j]);
-        jet_extend_column(&column[j], &jet, PREC);
+        jet_extend(&column[j], &jet, PREC, 0);
     }
     fmpq_set_si(start + Y, 13, 1);
     known_series(series, Y, start);
@@ -410,7 +410,7 @@ static void assert_proved_within_the_circle(int v, slong n)
     system[1] = (struct term){(unsigned char)v, (unsigned char)v, (unsigned char)v, 1};
     start[v] = 1;
     jet_known(&jet, n, system, start, false);
-    jet_extend(&jet, PREC, 0);
+    jet_extend(&jet, &jet, PREC, 0);
     majorant_init(&m, &closed_loop, n);
     for (int k = 1; k <= 96; k++) {
         const double step = k / 64.0;
@@ -601,7 +601,7 @@ EACH(T13_coefficients_in_balls_hold_the_exact_ones, CLOSED_LOOPS)
     for (size_t run = 0; run < sizeof runs / sizeof *runs; run++) {
         struct jet jet;
         jet_of_exact(&jet, &e, EXACT_TERMS - 1, runs[run].prec, runs[run].wide);
-        jet_extend(&jet, runs[run].prec, runs[run].fall);
+        jet_extend(&jet, &jet, runs[run].prec, runs[run].fall);
         for (int i = 0; i < 6; i++)
             for (slong k = 0; k < EXACT_TERMS; k++) {
                 fmpq_poly_get_coeff_fmpq(c, x + i, k);
@@ -648,8 +648,8 @@ EACH(T13_columns_in_balls_hold_the_exact_derivatives, CLOSED_LOOPS)
         arb_set_si(column.c[3 + i], i + 1);
     }
     arb_neg(column.c[Q], jet.c[Q]);
-    jet_extend(&jet, BITS, 0);
-    jet_extend_column(&column, &jet, BITS);
+    jet_extend(&jet, &jet, BITS, 0);
+    jet_extend(&column, &jet, BITS, 0);
     for (int i = 0; i < 6; i++) {
         fmpq_poly_init(x + i);
         fmpq_poly_init(y + i);
@@ -710,7 +710,7 @@ EACH(T11_rests_of_the_closed_loop_hold_up_to_the_longest_step, 5 * CLOSED_LOOPS)
             fmpq_poly_set_coeff_fmpq(x + i, k, c);
         }
     jet_of_exact(&jet, &e, n, PREC, (double[3]){0});
-    jet_extend(&jet, PREC, 0);
+    jet_extend(&jet, &jet, PREC, 0);
     majorant_init(&m, &closed_loop, n);
     double step = 0x1p-14;
     bool proved = true;
@@ -885,7 +885,7 @@ static void jet_at(struct jet *jet, slong order, slong prec)
         arb_set_d(jet->c[v], start[v]);
     arb_set_d(jet->c[6], 1.0625); /* 0.75^2 + 2 0.5^2 */
     arb_rsqrt(jet->c[6], jet->c[6], prec);
-    jet_extend(jet, prec, 0);
+    jet_extend(jet, jet, prec, 0);
     arb_clear(c1);
     arb_clear(c2);
 }
@@ -921,8 +921,8 @@ RANGE(a_proved_remainder_bounds_the_series_beyond, 2, 8)
         arb_set_si(column.c[v], 1 - v % 3);
         arb_set(longer_column.c[v], column.c[v]);
     }
-    jet_extend_column(&column, &shorter, PREC);
-    jet_extend_column(&longer_column, &longer, PREC);
+    jet_extend(&column, &shorter, PREC, 0);
+    jet_extend(&longer_column, &longer, PREC, 0);
     majorant_init(&of_jet, &closed_loop, n);
     majorant_init(&of_column, &closed_loop, n);
     mag_init(h);
@@ -985,7 +985,7 @@ TEST(a_column_along_the_motion_is_its_derivative)
     jet_init(&column, &closed_loop, 19);
     for (int v = 0; v < JET_STATES; v++)
         arb_set(column.c[v], jet.c[v] + 1);
-    jet_extend_column(&column, &jet, PREC);
+    jet_extend(&column, &jet, PREC, 0);
     for (int v = 0; v < JET_STATES; v++)
         for (slong k = 0; k < 20; k++) {
             arb_mul_ui(expected, jet.c[v] + k + 1, (ulong)k + 1, PREC);
@@ -1004,7 +1004,7 @@ TEST(coefficients_may_be_computed_to_falling_precision)
     struct jet full, falling;
     jet_at(&full, 60, PREC);
     jet_at(&falling, 60, PREC);
-    jet_extend(&falling, PREC, 3);
+    jet_extend(&falling, &falling, PREC, 3);
     for (int v = 0; v < JET_STATES; v++)
         for (slong k = 0; k <= 60; k++) {
             ck_assert(arb_contains(falling.c[v] + k, full.c[v] + k));
@@ -1028,7 +1028,7 @@ static bool prove_easy(struct majorant *m, slong order, double step)
     jet_init(&jet, &easy, order);
     for (int v = 0; v < EASY_ALL; v++)
         arb_one(jet.c[v]);
-    jet_extend(&jet, 64, 0);
+    jet_extend(&jet, &jet, 64, 0);
     for (slong k = 0; k <= order; k++)
         ck_assert(arb_is_one(jet.c[HARD] + k)); /* the geometric series */
     majorant_init(m, &easy, order);

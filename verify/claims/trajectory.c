@@ -427,7 +427,7 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
         bounded = confine(eta, t, E, k) && bounded;
         for (slong i = 0; i < SLICES; i++) {
             energy_box(&jet, E, eta, i, BOUND_BITS);
-            jet_extend(&jet, BOUND_BITS, 0);
+            jet_extend(&jet, &jet, BOUND_BITS, 0);
             nonlinear_bounds(b, &jet, BOUND_BITS);
         }
         jet_clear(&jet);

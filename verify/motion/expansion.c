@@ -34,14 +34,14 @@ void expansion_clear(struct expansion *e)
 void expansion_path(struct expansion *e, slong prec, double fall)
 {
     jet_start_q(&e->path, prec);
-    jet_extend(&e->path, prec, fall);
+    jet_extend(&e->path, &e->path, prec, fall);
 }
 
 void expansion_derivatives(struct expansion *e, const struct lohner *set)
 {
     SCOPE(arb, x);
     jet_start_q(&e->hull, LOHNER_BITS);
-    jet_extend(&e->hull, LOHNER_BITS, 0);
+    jet_extend(&e->hull, &e->hull, LOHNER_BITS, 0);
     for (int j = 0; j < FLOW_STATE; j++) {
         struct jet *column = &e->column[j];
         for (int i = 0; i < FLOW_STATE; i++) {
@@ -52,7 +52,7 @@ void expansion_derivatives(struct expansion *e, const struct lohner *set)
                 arb_set(column->c[i], x);
         }
         jet_start_column_q(column, &e->hull, LOHNER_BITS);
-        jet_extend_column(column, &e->hull, LOHNER_BITS);
+        jet_extend(column, &e->hull, LOHNER_BITS, 0);
     }
 }
 

@@ -56,15 +56,11 @@ enum flow_status flow_nonlinear(const struct flow_parameters *p, arb_srcptr init
                                 const fmpq *times, slong count, slong digits, slong prec,
                                 flow_receiver *receive, void *context, double *reached);
 
-/*
- * How flow_nonlinear makes its steps, for other laws, for tests in which one error term outweighs all others, and to measure
- * what its proofs cost. What is 0 is left to the flow.
- */
+/* How flow_nonlinear makes its steps, for other laws and for tests in which one error term outweighs all others. What is 0 is left to it. */
 struct system;
 struct flow_steps {
     slong order, derivative_order; /* of the series from the centre, >= 2, and of the derivatives, >= 1 */
     double step;                   /* radians, proposed at every step in place of what the series propose */
-    bool unproved;                 /* the same steps without proofs and without what they bound           */
     const struct system *system;   /* in place of the closed loop: its states, other series, and after its constants ... */
     arb_srcptr constants;          /* ... these */
 };

@@ -43,7 +43,6 @@ struct flow {
     arb_t Omega, r_ref, speed;         /* speed = Omega r_ref                                    */
     slong prec, bits;                  /* a step leaves out 2^-bits of the distance, roughly     */
     int direction;                     /* of time, 1 or -1                                       */
-    bool proving;
     const struct system *system;
     double proposed;                   /* a step, or 0: what the series propose                   */
     arf_t now;                         /* radians of orbit where the step starts; exact          */
@@ -59,7 +58,6 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     const slong order = how->order != 0 ? how->order : (slong)(0.5 * log(2) * (double)f->bits) + 4;
     const slong a_priori_order = how->derivative_order != 0 ? how->derivative_order : A_PRIORI_ORDER;
     f->proposed = how->step;
-    f->proving = !how->unproved;
     f->system = how->system != NULL ? how->system : &closed_loop;
     arb_init(f->Omega);
     arb_init(f->r_ref);
@@ -104,12 +102,10 @@ static void set_problem(struct flow *f, const struct flow_steps *how, const stru
 
 static void expand_series(struct flow *f)
 {
+    VECTOR(arb, box, FLOW_STATE);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set(f->of.path.c[i], f->set.centre + i);
     expansion_path(&f->of, f->prec, (double)f->bits / (double)f->of.path.order);
-    if (!f->proving)
-        return;
-    VECTOR(arb, box, FLOW_STATE);
     lohner_to_box(box, &f->set);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_round(f->of.hull.c[i], box + i, LOHNER_BITS);
@@ -130,8 +126,7 @@ static void path_at(const struct flow *f, arb_ptr state, const arb_t s)
     _arb_vec_set_powers(power, s, terms, f->prec);
     for (int i = 0; i < FLOW_STATE; i++) {
         arb_dot(state + i, NULL, 0, f->of.path.c[i], 1, power, 1, terms, f->prec);
-        if (f->proving)
-            arb_add_error_mag(state + i, f->of.path_bound.remainder + i);
+        arb_add_error_mag(state + i, f->of.path_bound.remainder + i);
     }
 }
 
@@ -140,8 +135,7 @@ static void state_at(const struct flow *f, arb_ptr state, const arb_t s)
 {
     path_at(f, state, s);
     for (int i = 0; i < FLOW_STATE; i++) {
-        if (f->proving)
-            expansion_spread(state + i, &f->of, i);
+        expansion_spread(state + i, &f->of, i);
         arb_mul(state + i, state + i, i < FLOW_HALF ? f->r_ref : f->speed, f->prec);
     }
 }
@@ -154,10 +148,7 @@ static bool advance_set(struct flow *f, double step)
     arb_set_d(h, f->direction * step);
     arf_add(f->now, f->now, arb_midref(h), ARF_PREC_EXACT, ARF_RND_DOWN);
     path_at(f, image, h);
-    if (f->proving)
-        return expansion_move(&f->set, image, &f->of, h, f->of.spread_bound.remainder);
-    lohner_from_box(&f->set, image);
-    return true;
+    return expansion_move(&f->set, image, &f->of, h, f->of.spread_bound.remainder);
 }
 
 /* Whether the set has lost so many digits. */
@@ -165,7 +156,7 @@ static bool lost(const struct flow *f, slong digits)
 {
     VECTOR(arb, box, FLOW_STATE);
     lohner_to_box(box, &f->set);
-    return f->proving && flow_wide(box, (slong)(log2(10) * (double)digits));
+    return flow_wide(box, (slong)(log2(10) * (double)digits));
 }
 
 /* The step's start in seconds, rounded towards 0 */
@@ -209,8 +200,7 @@ static enum flow_status begin_step(struct flow *f, slong digits, double *step)
     *step = step_length(f);
     if (*step < ldexp(1, LEAST_STEP) && is_close(f))
         return FLOW_CLOSE;
-    if (f->proving)
-        *step = expansion_prove(&f->of, &f->set, *step, MOST_HALVINGS, true);
+    *step = expansion_prove(&f->of, &f->set, *step, MOST_HALVINGS, true);
     return *step > 0 ? FLOW_DONE : FLOW_WIDE;
 }
 

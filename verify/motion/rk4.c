@@ -8,7 +8,7 @@
  *
  * Theorem (steps in balls). After any number of steps the ball of each coordinate holds it for all initial states and parameters in
  * theirs: each operation's ball holds the operation's result for all numbers in the balls that it is given. A ball that is lost is
- *   (R1) of the rates: the distance and its rate, the law's pull, the state         (linear_rates, nonlinear_rates)
+ *   (R1) of the rates: the state, and (T13) of taylor.c                             (linear_rates, nonlinear_rates)
  *   (R2) of a step: h, a stage's part of it, the stages and their sum                (rk4_step)
  *   (R3) of the units and gains, on the way in and out                               (set_units, flow_gains)
  * tests/motion/test_balls.c makes each ball of what goes in the widest, in steps so long that each of these has to be there.
@@ -17,6 +17,7 @@
 
 #include <math.h>
 
+#include "motion/taylor.h"
 #include "text/scope.h"
 
 enum {
@@ -40,30 +41,19 @@ void linear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2
     arb_submul(rate + DL_DOT, c2, state + DL_DOT, prec);
 }
 
-/* (3) closed by (7) and (18): r and r' from the state, Q from them; p = k_c Q / (m1 L^3) (1 + m1/m2) */
+/* (3) closed by (7) and (18), by the table of taylor.h: coefficient 1 of the states' series */
 static void nonlinear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec)
 {
-    enum { X, Y, Z, X_DOT, Y_DOT };
-    SCOPE(arb, r, r_dot, p);
-    arb_dot(r, NULL, 0, state, 1, state, 1, FLOW_HALF, prec);
-    arb_sqrt(r, r, prec);
-    arb_dot(r_dot, NULL, 0, state, 1, state + FLOW_HALF, 1, FLOW_HALF, prec);
-    arb_div(r_dot, r_dot, r, prec);
-
-    arb_sub_ui(p, r, 1, prec);
-    arb_mul(p, p, c1, prec);
-    arb_addmul(p, c2, r_dot, prec);
-    arb_add_ui(p, p, 3, prec);
-    arb_neg(p, p);
-    arb_pow_ui(r, r, 3, prec);
-    arb_div(p, p, r, prec);
-
-    _arb_vec_set(rate, state + FLOW_HALF, FLOW_HALF);
-    _arb_vec_scalar_mul(rate + FLOW_HALF, state, FLOW_HALF, p, prec);
-    arb_addmul_ui(rate + FLOW_HALF + X, state + X, 3, prec);
-    arb_addmul_ui(rate + FLOW_HALF + X, state + Y_DOT, 2, prec);
-    arb_submul_ui(rate + FLOW_HALF + Y, state + X_DOT, 2, prec);
-    arb_sub(rate + FLOW_HALF + Z, rate + FLOW_HALF + Z, state + Z, prec);
+    struct jet jet;
+    jet_init(&jet, &closed_loop, 1);
+    jet_constants(&jet, c1, c2);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set(jet.c[i], state + i);
+    jet_start_q(&jet, prec);
+    jet_extend(&jet, &jet, prec, 0);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set(rate + i, jet.c[i] + 1);
+    jet_clear(&jet);
 }
 
 /* state += h/6 (k1 + 2 k2 + 2 k3 + k4), k2 and k3 at h/2, k4 at h */

@@ -112,13 +112,13 @@ void jet_start_column_q(struct jet *column, const struct jet *jet, slong prec)
  * Theorem (a series in balls, or in models). The coefficients of every motion that starts in the balls given, with parameters in
  * theirs, lie in the balls here: (T13) arb_dot and arb_div_ui enclose their exact results, in however few bits; of models see model.c.
  *
- * The rates' coefficients from `first` to `last` - 1, and the states' above them; of z itself, or of z as a column of jet: a term
- * a b of the rates has the derivative a db + da b.
+ * The rates' coefficients, and the states' above them; of z itself, or of z as a column of jet: a term a b of the rates has the
+ * derivative a db + da b.
  */
-static void extend_series(struct jet *z, const struct jet *jet, slong first, slong last, slong prec, double fall)
+void jet_extend(struct jet *z, const struct jet *jet, slong prec, double fall)
 {
     const struct system *system = jet->system;
-    for (slong k = first; k < last; k++) {
+    for (slong k = 0; k < z->order; k++) {
         slong bits = FLINT_MAX(prec - (slong)(fall * (double)k), 32);
         for (int t = 0; t < system->count; t++) {
             const struct term *f = system->terms + t;
@@ -135,34 +135,6 @@ static void extend_series(struct jet *z, const struct jet *jet, slong first, slo
             else
                 arb_div_ui(z->c[v] + k + 1, z->c[v] + k + 1, (ulong)(k + 1), bits);
     }
-}
-
-/*
- * Two limbs are twice as fast in arb_dot as three or more. So from where 120 bits are enough, work goes on
- * with copies of 128.
- */
-void jet_extend(struct jet *jet, slong prec, double fall)
-{
-    slong n = jet->order, split = 0;
-    while (split < n && (jet->space != NULL || prec <= 128 || prec - (slong)(fall * (double)split) > 120))
-        split++;
-    extend_series(jet, jet, 0, split, prec, fall);
-    if (split == n)
-        return;
-    struct jet copy;
-    jet_init(&copy, jet->system, n);
-    for (int v = 0; v < jet->system->all; v++)
-        _arb_vec_set_round(copy.c[v], jet->c[v], split + 1, 128);
-    extend_series(&copy, &copy, split, n, prec, fall);
-    for (int v = 0; v < jet->system->series; v++)
-        for (slong k = split + (v < jet->system->states); k <= n; k++)
-            arb_swap(jet->c[v] + k, copy.c[v] + k);
-    jet_clear(&copy);
-}
-
-void jet_extend_column(struct jet *column, const struct jet *jet, slong prec)
-{
-    extend_series(column, jet, 0, column->order, prec, 0);
 }
 
 void jet_size(mag_t size, const struct jet *jet, int v, slong k)

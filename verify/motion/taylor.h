@@ -95,13 +95,11 @@ void jet_start_q(struct jet *jet, slong prec);
 void jet_start_column_q(struct jet *column, const struct jet *jet, slong prec);
 
 /*
- * From the coefficients 0 of the states to all others. Of models `prec` and `fall` mean nothing; of balls coefficient k is computed to prec - fall k bits
- * (32 at least): where a_k h^k falls by `fall` bits a degree, nothing is lost by it and half the time is won.
+ * From the coefficients 0 of the states to all others of z: a series itself, which is jet then, or a column of jet, its derivative
+ * in some direction with respect to the initial state. Of models `prec` and `fall` mean nothing; of balls coefficient k is computed
+ * to prec - fall k bits (32 at least): where a_k h^k falls by `fall` bits a degree, nothing is lost by it and half the time is won.
  */
-void jet_extend(struct jet *jet, slong prec, double fall);
-
-/* The same for a column: a derivative, in some direction, of the jet with respect to its initial state. */
-void jet_extend_column(struct jet *column, const struct jet *jet, slong prec);
+void jet_extend(struct jet *z, const struct jet *jet, slong prec, double fall);
 
 /* A bound on |coefficient k of v| */
 void jet_size(mag_t size, const struct jet *jet, int v, slong k);

@@ -1,16 +1,16 @@
 /*
  * A second table for taylor.h. Of each craft R = e_x/s + r, s the smallness: r_ddot = -R/|s R|^3 + (R - R_z) + twice Coriolis. With
- * F = 1/|s R| = 1 + s p that is, free of differences of near numbers,
+ * F = 1/|s R|
  *
- *     x' = u   u' =  2v - M x - K           K = (F^3 - 1)/s = p (1 + F + F^2),  M = s K
- *     y' = v   v' = -2u - M y               p' = -F^3 E,  E = u + s (xu + yv + zw)
+ *     x' = u   u' =  2v - M x - K           M = F^3 - 1,  K = M/s: as many bits are lost as s has zeros
+ *     y' = v   v' = -2u - M y               F' = -F^3 E,  E = s (u + s (xu + yv + zw))
  *     z' = w   w' =     - M z - z
  *
  * Theorem (steps without a set). With series in balls, majorant_prove of taylor.h bounds what they leave out from every start in
  * the balls: after each step, from the balls as they then are, the motion of every start and parameter lies in
  *   (B1) the sum of the series at the ball h             (sum_terms)
  *   (B2) and the remainder, proved for all of |s| <= |h|  (two_body_move: with the upper bound of |h|, or nothing is said)
- *   (B3) p and q in balls of all that the craft's are      (start_p, expand_pair)
+ *   (B3) F and q in balls of all that the craft's are      (inverse_length, expand_pair)
  * Each has a test of its name, in tests/motion/test_balls.c or tests/claims/test_convergence.c.
  *
  * And along the line d from craft 2 to craft 1 the pull P of taylor.h, of q = 1/|d|, in shares of the other's mass.
@@ -27,12 +27,12 @@ enum { PAIR_ORDER = 40 }; /* of the Taylor steps: the last term falls to 1e-40, 
 
 static const double TWO_BODY_STEP = 0.2; /* radians */
 
-enum { X, Y, Z, U, V, W, P, CRAFT_STATES }; /* of either craft, */
+enum { X, Y, Z, U, V, W, F, CRAFT_STATES }; /* of either craft, */
 enum { Q = CRAFT * CRAFT_STATES, STATES };
-enum { F, F2, F3, N, K, M, S, E, CRAFT_SERIES }; /* ... and its series */
+enum { F2, F3, M, K, S, H, E, CRAFT_SERIES }; /* ... and its series */
 enum {
     DX = STATES + CRAFT * CRAFT_SERIES, DY, DZ, DU, DV, DW, G, DS, A, D, R, PULL, PULL1, PULL2,
-    ONE, TWO, THREE, C1, C2, LAMBDA, HOLD, SMALLNESS, MASS1, MASS2, ALL
+    ONE, TWO, THREE, C1, C2, LAMBDA, HOLD, SMALLNESS, INVERSE, MASS1, MASS2, ALL
 };
 
 _Static_assert((int)ALL <= (int)JET_MOST, "a jet has room");
@@ -40,18 +40,16 @@ _Static_assert((int)ALL <= (int)JET_MOST, "a jet has room");
 #define AT(i, v) ((i) * CRAFT_STATES + (v))
 #define OF(i, v) (STATES + (i) * CRAFT_SERIES + (v))
 #define SERIES_OF(i) \
-    {OF(i, F), SMALLNESS, AT(i, P), 1}, {OF(i, F), ONE, ONE, 1}, {OF(i, F2), OF(i, F), OF(i, F), 1}, \
-    {OF(i, F3), OF(i, F), OF(i, F2), 1}, \
-    {OF(i, N), ONE, OF(i, F), 1}, {OF(i, N), ONE, OF(i, F2), 1}, {OF(i, N), ONE, ONE, 1}, \
-    {OF(i, K), AT(i, P), OF(i, N), 1}, {OF(i, M), SMALLNESS, OF(i, K), 1}, \
+    {OF(i, F2), AT(i, F), AT(i, F), 1}, {OF(i, F3), AT(i, F), OF(i, F2), 1}, \
+    {OF(i, M), ONE, OF(i, F3), 1}, {OF(i, M), ONE, ONE, -1}, {OF(i, K), INVERSE, OF(i, M), 1}, \
     {OF(i, S), AT(i, X), AT(i, U), 1}, {OF(i, S), AT(i, Y), AT(i, V), 1}, {OF(i, S), AT(i, Z), AT(i, W), 1}, \
-    {OF(i, E), ONE, AT(i, U), 1}, {OF(i, E), SMALLNESS, OF(i, S), 1}
+    {OF(i, H), ONE, AT(i, U), 1}, {OF(i, H), SMALLNESS, OF(i, S), 1}, {OF(i, E), SMALLNESS, OF(i, H), 1}
 #define RATES_OF(i, pull, sign) \
     {AT(i, X), ONE, AT(i, U), 1}, {AT(i, Y), ONE, AT(i, V), 1}, {AT(i, Z), ONE, AT(i, W), 1}, \
     {AT(i, U), TWO, AT(i, V), 1}, {AT(i, U), OF(i, M), AT(i, X), -1}, {AT(i, U), ONE, OF(i, K), -1}, {AT(i, U), pull, DX, sign}, \
     {AT(i, V), TWO, AT(i, U), -1}, {AT(i, V), OF(i, M), AT(i, Y), -1}, {AT(i, V), pull, DY, sign}, \
     {AT(i, W), ONE, AT(i, Z), -1}, {AT(i, W), OF(i, M), AT(i, Z), -1}, {AT(i, W), pull, DZ, sign}, \
-    {AT(i, P), OF(i, F3), OF(i, E), -1}
+    {AT(i, F), OF(i, F3), OF(i, E), -1}
 #define LINE(to, v) {to, ONE, AT(0, v), 1}, {to, ONE, AT(1, v), -1}
 
 static const struct term terms[] = {
@@ -80,41 +78,29 @@ void two_body_clear(struct two_body *b)
     _arb_vec_clear(b->smallness, NUMBERS);
 }
 
-/* p = (F - 1)/s = -(2x + s r.r) F^2/(F + 1), from F^-2 = 1 + s (2x + s r.r) */
-static void start_p(arb_ptr const *c, int craft, const arb_t s, slong prec)
+static void inverse_length(arb_t z, arb_srcptr d, slong prec)
 {
-    SCOPE(arb, e, f);
-    for (int i = 0; i < AXES; i++)
-        arb_addmul(e, c[AT(craft, i)], c[AT(craft, i)], prec);
-    arb_mul(e, e, s, prec);
-    arb_addmul_ui(e, c[AT(craft, X)], 2, prec);
-    arb_one(f);
-    arb_addmul(f, s, e, prec);
-    arb_rsqrt(f, f, prec);
-    arb_mul(e, e, f, prec);
-    arb_mul(e, e, f, prec);
-    arb_add_ui(f, f, 1, prec);
-    arb_div(e, e, f, prec);
-    arb_neg(c[AT(craft, P)], e);
+    arb_dot(z, NULL, 0, d, 1, d, 1, AXES, prec);
+    arb_rsqrt(z, z, prec);
 }
 
-/* q = 1/|d|, and all coefficients after those of degree 0 */
+/* F and q, and all coefficients after those of degree 0 */
 static void expand_pair(struct jet *jet, const struct two_body *b, slong prec)
 {
-    SCOPE(arb, d, square);
+    VECTOR(arb, d, AXES);
     for (int craft = 0; craft < CRAFT; craft++) {
+        arb_srcptr place = b->place + AXES * craft;
         for (int i = 0; i < AXES; i++) {
-            arb_set(jet->c[AT(craft, X + i)], b->place + AXES * craft + i);
+            arb_set(jet->c[AT(craft, X + i)], place + i);
             arb_set(jet->c[AT(craft, U + i)], b->velocity + AXES * craft + i);
         }
-        start_p(jet->c, craft, b->smallness, prec);
+        _arb_vec_scalar_mul(d, place, AXES, b->smallness, prec);
+        arb_add_ui(d, d, 1, prec);
+        inverse_length(jet->c[AT(craft, F)], d, prec);
     }
-    for (int i = 0; i < AXES; i++) {
-        arb_sub(d, b->place + i, b->place + AXES + i, prec);
-        arb_addmul(square, d, d, prec);
-    }
-    arb_rsqrt(jet->c[Q], square, prec);
-    jet_extend(jet, prec, 0);
+    _arb_vec_sub(d, b->place, b->place + AXES, AXES, prec);
+    inverse_length(jet->c[Q], d, prec);
+    jet_extend(jet, jet, prec, 0);
 }
 
 /* The sum at h, with what majorant_prove bounds of the rest */
@@ -136,6 +122,7 @@ bool two_body_move(struct two_body *b, const arb_t tau, slong prec)
     majorant_init(&bound, &two_craft, PAIR_ORDER);
     jet_constants(&jet, b->c1, b->c2);
     arb_set(jet.c[SMALLNESS], b->smallness);
+    arb_inv(jet.c[INVERSE], b->smallness, prec);
     arb_set(jet.c[MASS1], b->mass);
     arb_set(jet.c[MASS2], b->mass + 1);
     arb_div_si(h, tau, steps, prec);
