@@ -128,7 +128,7 @@ TEST(json_puts_commas_and_lines_where_they_belong)
     json_truth(&j, "c", true);
     json_close(&j);
     fclose(out);
-    ck_assert_str_eq(text, "{\"a\": \"b\", \"list\": [\n  1,\n  false\n], \"empty\": {}, \"c\": true}");
+    ck_assert_str_eq(text, "{\"a\": \"b\", \"list\": [\n  1,\n  false\n], \"empty\": {}, \"c\": true}\n");
     free(text);
 }
 

@@ -10,7 +10,7 @@
 #include "text/json.h"
 
 struct printer {
-    struct json json;
+    struct json *json;
     enum format format;
     int rows, verdicts[NOT_DECIDABLE + 1];
 };
@@ -68,7 +68,7 @@ static void print_row(void *context, const struct verdict_row *r)
     if (p->format == FORMAT_TABLE && r->open.text[0] != '\0')
         print_assertions(r->statement);
     if (p->format == FORMAT_JSON)
-        print_json(&p->json, r);
+        print_json(p->json, r);
     if (p->format == FORMAT_CSV) {
         const char *const fields[] = {r->id, r->where, r->kind, claim, verdict, how, evidence};
         csv_row(stdout, fields, 7);
@@ -81,24 +81,24 @@ static void print_row(void *context, const struct verdict_row *r)
     p->verdicts[r->verdict]++;
 }
 
-bool print_claims(struct statements *claims, const struct derivations *proofs, const char *only, enum format format)
+bool verify_claims(struct verification *v)
 {
-    struct printer p = {.json = json_on(stdout), .format = format};
+    const enum format format = v->format;
+    struct printer p = {.json = &v->json, .format = format};
     if (format == FORMAT_JSON)
-        json_open(&p.json, NULL, '[');
+        json_open(p.json, "claims", '[');
     if (format == FORMAT_CSV)
         puts("id,where,kind,claim,verdict,how,evidence");
-    bool decided = verdict_rows(proofs, claims, only, print_row, &p);
+    bool decided = verdict_rows(&v->steps, &v->claims, v->only, print_row, &p);
     if (format == FORMAT_JSON) {
-        json_line(&p.json, -1);
-        json_close(&p.json);
-        putchar('\n');
+        json_line(p.json, -1);
+        json_close(p.json);
     }
-    if (format == FORMAT_TABLE && only == NULL) {
+    if (format == FORMAT_TABLE && v->only == NULL) {
         printf("%d verdicts:", p.rows);
-        for (int v = NOT_DECIDABLE; v >= 0; v--)
-            if (p.verdicts[v] > 0)
-                printf(" %d %s%s", p.verdicts[v], verdict_names[v], v > HOLDS || (v == HOLDS && p.verdicts[0]) ? "," : "");
+        for (int k = NOT_DECIDABLE; k >= 0; k--)
+            if (p.verdicts[k] > 0)
+                printf(" %d %s%s", p.verdicts[k], verdict_names[k], k > HOLDS || (k == HOLDS && p.verdicts[0]) ? "," : "");
         putchar('\n');
     }
     return decided;

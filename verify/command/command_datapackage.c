@@ -244,7 +244,6 @@ int command_datapackage(const struct arguments *a)
         json_line(&json, 1);
         json_close(&json);
         json_close(&json);
-        putchar('\n');
     }
     return status;
 }

@@ -204,35 +204,45 @@ static void tell_broken(const struct derivations *d, struct step *steps, int cou
         fprintf(stderr, "coulomb-tether: equation %s is reached by no step, and is no definition\n", gap);
 }
 
-static void json_proofs(const struct derivations *d, const struct step *steps, int count, bool fine)
+static void json_proofs(struct json *j, const struct sheet *sheet, const struct step *steps, int count, bool fine)
 {
-    struct json j = json_on(stdout);
-    json_open(&j, NULL, '{');
-    json_truth(&j, "fine", fine);
-    json_open(&j, "steps", '[');
+    json_open(j, "derivations", '{');
+    json_truth(j, "fine", fine);
+    json_open(j, "steps", '[');
     for (int i = 0; i < count; i++) {
-        json_line(&j, 1);
-        json_step(&j, &steps[i], d->sheet);
+        json_line(j, 1);
+        json_step(j, &steps[i], sheet);
     }
-    json_close(&j);
-    json_close(&j);
-    putchar('\n');
+    json_close(j);
+    json_close(j);
 }
 
-bool print_proofs(const struct derivations *d, const char *only, enum format format)
+static bool print_graph(const struct derivations *d)
 {
-    struct step *const steps = only != NULL ? step_named(d, only) : d->steps;
-    const int count = only != NULL ? 1 : d->step_count;
+    bool fine = derivations_gap(d) == NULL;
+    derivations_graph(d);
+    for (int i = 0; i < d->step_count; i++)
+        fine = fine && step_holds(&d->steps[i]);
+    return fine;
+}
+
+bool verify_derivations(struct verification *v)
+{
+    const struct derivations *d = &v->steps;
+    struct step *const steps = v->only != NULL ? step_named(d, v->only) : d->steps;
+    const int count = v->only != NULL ? 1 : d->step_count;
     const char *gap = derivations_gap(d);
     int holding = 0, mutants = 0;
+    if (v->format == FORMAT_GRAPH)
+        return print_graph(d);
     for (int i = 0; i < count; i++) {
         holding += step_is_bound(d, &steps[i]);
         mutants += steps[i].binding.mutants;
     }
-    const bool fine = holding == count && (only != NULL || gap == NULL);
-    if (format == FORMAT_JSON) {
-        json_proofs(d, steps, count, fine);
-        tell_broken(d, steps, count, only == NULL ? gap : NULL);
+    const bool fine = holding == count && (v->only != NULL || gap == NULL);
+    if (v->format == FORMAT_JSON) {
+        json_proofs(&v->json, v->sheet, steps, count, fine);
+        tell_broken(d, steps, count, v->only == NULL ? gap : NULL);
         return fine;
     }
     for (int i = 0; i < count; i++)

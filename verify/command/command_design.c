@@ -290,7 +290,6 @@ static void print_design(const struct design *d, slong digits, bool as_json)
     if (as_json) {
         json_close(&j);
         json_close(&j);
-        putchar('\n');
     }
 }
 

@@ -137,8 +137,6 @@ int command_equations(const struct arguments *a)
     }
     if (json && one == NULL)
         json_close(&j);
-    if (json)
-        putchar('\n');
     derivations_clear(&proofs);
     return EXIT_DONE;
 }

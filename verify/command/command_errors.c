@@ -12,12 +12,15 @@
 
 enum { SEED = 1, PASS = 8 }; /* E beyond 8 is no rounding of a formula of the sheet: see the oracle's rule */
 
-bool print_errors(const struct sheet *sheet, long inputs, enum format format)
+bool verify_errors(struct verification *v)
 {
-    struct json j = json_on(stdout);
+    const struct sheet *sheet = v->sheet;
+    const enum format format = v->format;
+    const long inputs = v->count;
+    struct json *j = &v->json;
     bool fine = true;
     if (format == FORMAT_JSON)
-        json_open(&j, NULL, '[');
+        json_open(j, "errors", '[');
     if (format == FORMAT_MARKDOWN)
         puts("| operation | inputs | E at most |\n|---|---|---|");
     if (format == FORMAT_TABLE)
@@ -37,14 +40,14 @@ bool print_errors(const struct sheet *sheet, long inputs, enum format format)
         decimal_bound(text, m.worst); /* the same wherever libm rounds a little differently */
         fine = fine && m.worst <= PASS && m.outside == 0;
         if (format == FORMAT_JSON) {
-            json_open(&j, NULL, '{');
-            json_string(&j, "id", s->id);
-            json_value(&j, "inputs", "%ld", inputs);
-            json_value(&j, "worst_E", isfinite(m.worst) ? "%s" : "\"%s\"", text); /* JSON has no number for inf */
-            json_value(&j, "vector", "\"%s-%d-%ld\"", s->id, SEED, m.index);
-            json_value(&j, "outside", "%ld", m.outside);
-            json_close(&j);
-            json_line(&j, 1);
+            json_open(j, NULL, '{');
+            json_string(j, "id", s->id);
+            json_value(j, "inputs", "%ld", inputs);
+            json_value(j, "worst_E", isfinite(m.worst) ? "%s" : "\"%s\"", text); /* JSON has no number for inf */
+            json_value(j, "vector", "\"%s-%d-%ld\"", s->id, SEED, m.index);
+            json_value(j, "outside", "%ld", m.outside);
+            json_close(j);
+            json_line(j, 1);
         } else if (format == FORMAT_MARKDOWN)
             printf("| %s | %ld | %s |\n", s->id, inputs, text);
         else
@@ -52,9 +55,8 @@ bool print_errors(const struct sheet *sheet, long inputs, enum format format)
                    s->method != METHOD_FORMULA ? "-" : m.outside == 0 ? "always" : "NO");
     }
     if (format == FORMAT_JSON) {
-        json_line(&j, -1);
-        json_close(&j);
-        putchar('\n');
+        json_line(j, -1);
+        json_close(j);
     }
     if (format == FORMAT_TABLE)
         printf("\nE = |y - y*| / (2^-53 (|y*| + S)), S = sum |x dy/dx| over the inputs x: the error in roundings of result and inputs,\n"

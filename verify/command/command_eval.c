@@ -98,7 +98,6 @@ static void print_values_json(const struct section *s, bool as_printed, long cou
         json_record(&j, NULL, "name", s->outputs[i]->name, "value", digits[i], "unit", s->outputs[i]->unit);
     json_close(&j);
     json_close(&j);
-    putchar('\n');
 }
 
 static int evaluate_section(const struct arguments *a, const struct section *s, long digits)

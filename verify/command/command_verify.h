@@ -4,13 +4,25 @@
 
 #include "claims/statement.h"
 #include "formula/typeset.h"
+#include "text/json.h"
 
-/* Markdown is README's, for the errors alone. */
-enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN };
+/* Markdown is README's, for the errors alone; the graph that of the steps. */
+enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_GRAPH };
 
-bool print_proofs(const struct derivations *d, const char *only, enum format format); /* NULL: all; whether all of it holds */
-bool print_claims(struct statements *claims, const struct derivations *p, const char *only, enum format format); /* NULL: all */
-bool print_errors(const struct sheet *sheet, long inputs, enum format format);
+/* What was asked for. */
+struct verification {
+    const struct sheet *sheet;
+    const char *part, *only; /* a part, and of it a step or a claim by its id; NULL: all */
+    enum format format;
+    struct json json; /* an object, of which each part is a member */
+    long count;       /* of the inputs that errors are measured on */
+    struct derivations steps;
+    struct statements claims; /* where they are asked for */
+};
+
+bool verify_derivations(struct verification *v);
+bool verify_claims(struct verification *v);
+bool verify_errors(struct verification *v);
 
 /* A side of an equality of a step, as LaTeX: its references too, as eq14.L_dot, rate(x1), left(6a). */
 void typeset_side(struct tex *t, const struct sheet *sheet, const struct identities *names, const char *text);

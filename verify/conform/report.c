@@ -576,7 +576,6 @@ static void write_json(const struct report *r, FILE *file)
     json_close(&j);
     json_line(&j, 0);
     json_close(&j);
-    fputc('\n', file);
 }
 
 /* ---- files ---- */

@@ -71,6 +71,8 @@ void json_close(struct json *j)
 {
     begin_line(j);
     fputc(j->closing[--j->depth], j->file);
+    if (j->depth == 0)
+        fputc('\n', j->file);
 }
 
 void json_string(struct json *j, const char *key, const char *text)

@@ -19,7 +19,7 @@ struct json json_on(FILE *file);
 
 /* In an object each value has a key, in a list none (NULL). An object or a list, by its bracket, { or [. */
 void json_open(struct json *j, const char *key, char bracket);
-void json_close(struct json *j);
+void json_close(struct json *j); /* the outermost ends its line */
 
 /* Text, what is no UTF-8 in it as question marks; NULL is left out. */
 void json_string(struct json *j, const char *key, const char *text);
