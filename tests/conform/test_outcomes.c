@@ -5,6 +5,7 @@
 #include "tests/run.h"
 #include "tests/paper.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -608,6 +609,28 @@ TEST(the_failure_that_is_easiest_to_follow_is_shown)
     close_run(e);
 }
 
+/* The first of two that are as easy; beside it the first line with a word that is none; of what passes or is skipped neither. */
+TEST(the_first_failure_and_the_first_line_are_shown)
+{
+    struct test_run *e = run_of(section_find(sheet(), "eq44"), 0, BINARY64);
+    const struct summary *t = &e->summaries[0];
+    const uint64_t first = test_sets_find(&e->sets, "eq44-random-1");
+    answer(e, test_sets_find(&e->sets, "eq44-boundary"), "0");
+    answer(e, first + 2, "skip");
+    ck_assert_int_eq(t->ease, INT_MAX);
+    answer(e, first, "1");
+    answer(e, first + 1, "1");
+    ck_assert_uint_eq(t->shown.position, first);
+    e->next = first + 3;
+    said(e, "eq44-random-5 nan\n"); /* and one that is missing */
+    ck_assert_str_eq(t->line, "");
+    answer(e, first + 5, "oops");
+    answer(e, first + 6, "1 2");
+    ck_assert_str_eq(t->line, "eq44-random-6 oops");
+    ck_assert_int_eq(t->line_outcome, OUTCOME_MALFORMED);
+    close_run(e);
+}
+
 /* Of the first and the second, which fail, and the fourth, which is skipped, failures are expected. */
 TEST(expected_failures_are_counted_apart)
 {
@@ -619,6 +642,7 @@ TEST(expected_failures_are_counted_apart)
     answer(e, 1, "invalid");
     ck_assert_uint_eq(summary_failed(&e->summaries[0]), 0);
     ck_assert_uint_eq(e->summaries[0].expected, 2);
+    ck_assert_int_eq(e->summaries[0].ease, INT_MAX); /* none of them is shown */
     answer(e, 2, "1");
     answer(e, 3, "skip");
     ck_assert_uint_eq(summary_failed(&e->summaries[0]), 1);
@@ -662,8 +686,8 @@ static void assert_inside(struct test_run *e, uint64_t position, char *const *ou
         assert_found(e, position, right_but(outputs, count, k, more), OUTCOME_MALFORMED);
         assert_found(e, position, right_but(outputs, count, k, "-"), OUTCOME_MALFORMED);
     }
-    if (count > 1) { /* a number that is none tells more than one that is too large */
-        snprintf(more, sizeof more, "inf nan");
+    for (int first = 0; first < 2 && count > 1; first++) { /* a number that is none tells more than one that is too large */
+        snprintf(more, sizeof more, first ? "nan inf" : "inf nan");
         for (int k = 2; k < count; k++)
             snprintf(more + strlen(more), sizeof more - strlen(more), " %s", outputs[k]);
         assert_found(e, position, more, OUTCOME_NAN);
@@ -972,6 +996,33 @@ TEST(the_last_line_has_an_end)
         ck_assert_uint_eq(counts[OUTCOME_MISSING], e->sets.total - 1);
         close_run(e);
     }
+}
+
+/* A line more, of whatever operation, has its room. */
+TEST(questions_are_sent_where_the_longest_has_room)
+{
+    static char room[2 * LONGEST_ID + LONGEST_INPUT * MOST_INPUTS + 1];
+    struct test_run *e = eq43();
+    e->asked = 0;
+    ck_assert_uint_eq(test_run_ask(e, room, sizeof room - 1), 0);
+    ck_assert_uint_gt(test_run_ask(e, room, sizeof room), 0);
+    close_run(e);
+}
+
+/* Of a binary64 client an answer means its nearest binary64: digits beyond are no merit. */
+TEST(an_answer_is_the_nearest_binary64)
+{
+    struct test_run *e = eq43();
+    char *outputs[MOST_OUTPUTS] = {NULL};
+    struct test_vector q;
+    test_vector_init(&q);
+    test_vector_make(&q, &e->sets, test_sets_find(&e->sets, "eq43-random-2"));
+    ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+    answer(e, test_sets_find(&e->sets, "eq43-random-2"), outputs[0]);
+    ck_assert_double_gt(e->summaries[0].worst_E, 1e-3);
+    free_all(outputs, 1);
+    test_vector_clear(&q);
+    close_run(e);
 }
 
 TEST(an_answer_is_due_once_its_question_is_sent)

@@ -214,13 +214,13 @@ static void digits_reached(const struct comparator *j, const struct input *input
 
 static enum outcome compare_in_digits(struct comparator *j, const struct input *inputs, struct score *score)
 {
-    const slong digits = (slong)j->digits + 8; /* enough to see a client do better than it says */
+    const slong digits = (slong)j->digits + 5; /* enough to see a client do better than it says */
     const slong first = operation_precision(j->operation, inputs, digits);
     double lost = INFINITY, most_digits = INFINITY;
     if (j->followed)
         digits_reached(j, inputs, &score->digits, &most_digits, &lost);
     const slong most = j->once ? first : 8 * first;
-    for (slong prec = first; prec <= most && !(lost <= pow(10.0, -j->digits - 5.0)); prec *= 2)
+    for (slong prec = first; prec <= most && !(lost <= pow(10.0, -(double)digits)); prec *= 2)
         if (operation_follow(j->operation, inputs, digits, prec, j->exact) == OPERATION_PROVED)
             digits_reached(j, inputs, &score->digits, &most_digits, &lost);
     if (isinf(lost))

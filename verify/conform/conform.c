@@ -126,30 +126,29 @@ static void pass_over(struct test_run *e, enum outcome outcome, const char *text
 
 /* ---- one line ---- */
 
-enum { MOST_WORDS = MOST_OUTPUTS + 2 };
+enum { MOST_WORDS = 1 + MOST_OUTPUTS }; /* a name, and an answer */
 
-/* Words between blanks, empty ones after the last; returns how many there are in all. */
+/* Words between blanks, of the first two empty ones where there are none; returns how many there are in all. */
 static int split(char *line, char *words[MOST_WORDS])
 {
     char *rest = NULL, *word = strtok_r(line, " \t", &rest);
     int count = 0;
-    for (int i = 0; i < MOST_WORDS; i++)
-        words[i] = "";
+    words[0] = words[1] = "";
     for (; word != NULL; word = strtok_r(NULL, " \t", &rest), count++)
         if (count < MOST_WORDS)
             words[count] = word;
     return count;
 }
 
-/* A number as C reads it; for more than binary64, with all its digits and beyond its range. */
+/* A word as the number that C reads; for more than binary64, with all its digits and beyond its range. */
 static bool answer_number(const struct test_run *e, const char *text, double *value, arb_t y)
 {
     char *end;
     *value = strtod(text, &end);
-    if (*end != '\0' || end == text)
+    if (*end != '\0')
         return false;
     arb_set_d(y, *value);
-    if (e->significand > BINARY64 && !isnan(*value)) {
+    if (e->significand > BINARY64) {
         mpfr_t wide;
         mpfr_init2(wide, 320);
         mpfr_strtofr(wide, text, NULL, 0, MPFR_RNDN);
