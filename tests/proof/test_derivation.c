@@ -277,6 +277,64 @@ EACH(prover_finds, COUNT(findings))
     derivations_clear(&d);
 }
 
+/* ---- signs of square roots ---- */
+
+/*
+ * What proves that a root is not negative, at epsilon = 0:
+ *
+ *   (Q1) a product's and a quotient's signs are those of its factors        (signs_by_form)
+ *   (Q2) so is the cosine's of a quarter turn positive, and no other's
+ *   (Q3) a polynomial has the signs of its terms, each by the signs of its variables and their exponents  (signs_of_polynomial)
+ *   (Q4) or it is a square, and may be zero
+ *   (Q5) small quantities are zero there                                    (signs_of)
+ *   (Q6) what may be zero has no series of its root, and no angle
+ *   (Q7) a root is one of those proved, up to its sign                      (find_root)
+ */
+enum { NOT_PROVED, MAY_BE_ZERO, ABOVE_ZERO };
+
+static const struct {
+    const char *root;
+    int proved;
+} root_signs[] = {
+    /* (Q1) */
+    {"L*m1", ABOVE_ZERO}, {"L/m1", ABOVE_ZERO}, {"I*L", MAY_BE_ZERO}, {"I/L", MAY_BE_ZERO}, {"L*x1", NOT_PROVED}, {"L/x1", NOT_PROVED},
+    {"I*x1", NOT_PROVED}, {"x1*y1", NOT_PROVED}, {"L/x1^2", ABOVE_ZERO}, {"I/x1^2", MAY_BE_ZERO}, {"-L/x1^2", NOT_PROVED}, {"L/(-x1^2)", NOT_PROVED},
+    {"(-L)*(-m1)", ABOVE_ZERO}, {"(-L)/(-m1)", ABOVE_ZERO}, {"(-L)*m1", NOT_PROVED}, {"L/(-m1)", NOT_PROVED},
+    /* (Q2) */
+    {"cos(theta)", ABOVE_ZERO}, {"L*cos(theta)", ABOVE_ZERO}, {"cos(theta)/L", ABOVE_ZERO}, {"I*cos(theta)", MAY_BE_ZERO}, {"cos(theta)/x1^2", ABOVE_ZERO},
+    {"x1^2*cos(theta)", MAY_BE_ZERO}, {"x1*cos(theta)", NOT_PROVED}, {"cos(theta)/x1", NOT_PROVED}, {"-cos(theta)", NOT_PROVED},
+    {"(-L)*cos(theta)", NOT_PROVED}, {"cos(psi)", NOT_PROVED}, {"L*cos(psi)", NOT_PROVED}, {"sin(theta)", NOT_PROVED}, {"sin(psi)", NOT_PROVED},
+    {"cos(psi)*cos(theta)", NOT_PROVED}, {"cos(-theta)", NOT_PROVED}, {"cos(2*theta/2)", NOT_PROVED}, {"cos(theta + psi)", NOT_PROVED},
+    /* (Q3) */
+    {"L + m1", ABOVE_ZERO}, {"I + L", ABOVE_ZERO}, {"I + I^2", MAY_BE_ZERO}, {"x1^2 + 1", ABOVE_ZERO}, {"x1^2 + L", ABOVE_ZERO}, {"x1^2 + I", MAY_BE_ZERO},
+    {"x1^2*y1^4 + y1^2", MAY_BE_ZERO}, {"L*x1^2 + m1", ABOVE_ZERO}, {"L^3", ABOVE_ZERO}, {"I^3", MAY_BE_ZERO}, {"x1^4", MAY_BE_ZERO}, {"x1^3", NOT_PROVED},
+    {"x1^2*y1", NOT_PROVED}, {"x1^2*y1^3", NOT_PROVED}, {"x1^2 + y1", NOT_PROVED}, {"x1^2 - 1", NOT_PROVED}, {"1 - x1^2", NOT_PROVED}, {"L - m1", NOT_PROVED},
+    {"I - L", NOT_PROVED}, {"L - I", NOT_PROVED}, {"-I", NOT_PROVED}, {"-L - I", NOT_PROVED}, {"x1", NOT_PROVED}, {"x1 + 1", NOT_PROVED}, {"-2", NOT_PROVED},
+    {"2*L - L", ABOVE_ZERO}, {"(L^2 - m1^2)/(L - m1)", ABOVE_ZERO}, {"L - L", NOT_PROVED},
+    /* (Q4) */
+    {"x1^2 - 2*x1*y1 + y1^2", MAY_BE_ZERO}, {"-x1^2 + 2*x1*y1 - y1^2", NOT_PROVED}, {"x1^2 - 2*x1*y1 + 2*y1^2", NOT_PROVED},
+    {"L/(x1^2 - 2*x1*y1 + y1^2)", ABOVE_ZERO},
+    /* (Q5) */
+    {"L + dL", ABOVE_ZERO}, {"L*(1 + dL)", ABOVE_ZERO}, {"L*cos(dL)", ABOVE_ZERO}, {"L*exp(dL)", ABOVE_ZERO}, {"dL - L", NOT_PROVED}, {"dL", NOT_PROVED}, {"L*dL", NOT_PROVED},
+};
+
+EACH(sign_of_a_root_is_proved, COUNT(root_signs))
+{
+    static const char *const expected[] = {"is not proved to be positive", "a series of a square root that may be zero", NULL};
+    const char *r = root_signs[_i].root, *why = expected[root_signs[_i].proved];
+    struct derivations d;
+    struct proof p;
+    char step[900];
+    snprintf(step, sizeof step, "    angles: [psi]\n    quarter turns: [theta]\n    small: [dL]\n    order: 1\n    square roots: [%s]\n    show:\n"
+             "      - sin(psi) + sin(theta) + dL = dL + sin(theta) + sin(psi)\n      - sqrt((%s)^2 + dL*(%s)^2) = (%s)*(1 + dL/2)\n", r, r, r, r);
+    read_one(&d, step);
+    identities_prove(&d.steps[0].corrected, &p);
+    ck_assert_int_eq(p.result, why == NULL ? IDENTITY_HOLDS : IDENTITY_UNDECIDED);
+    ck_assert_msg(why == NULL || strstr(p.evidence, why) != NULL, "%s: %s", r, p.evidence);
+    proof_clear(&p);
+    derivations_clear(&d);
+}
+
 /* ---- false and careless steps ---- */
 
 /* What is said of the one step of a file: by the reader, the prover or the binding. */
