@@ -156,7 +156,7 @@ static const struct {
     {"    remainders: [{equation: \"5a\", of: a.o, on: {L: 2, psi: 1, theta: 1}, at_most: 3, unit: m}]\n",
      "f:8:63: what is dropped does not rest on 'theta'"},
     {"    remainders: [{equation: \"5a\", of: a.o, on: {L: two, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected a number"},
-    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: {}, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected a list"},
+    {"    remainders: [{equation: \"5a\", of: a.o, on: {L: {}, psi: 1}, at_most: 3, unit: m}]\n", "f:8:52: expected [LOW, HIGH]"},
     {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [1], psi: 1}, at_most: 3, unit: m}]\n",
      "f:8:52: expected [LOW, HIGH]"},
     {"    remainders: [{equation: \"5a\", of: a.o, on: {L: [2, 1], psi: 1}, at_most: 3, unit: m}]\n",

@@ -15,18 +15,12 @@ static bool read_exactly(const struct yaml *node, fmpq_t value)
 /* VALUE or [LOW, HIGH] */
 static bool read_bounds_of(const struct yaml *node, fmpq_t low, fmpq_t high)
 {
-    if (node->text != NULL) {
-        bool fine = read_exactly(node, low);
-        fmpq_set(high, low);
-        return fine;
-    }
-    if (!is_texts(node, 2))
-        return false;
-    if (node->count != 2)
+    if (node->text != NULL)
+        return read_exactly(node, low) && read_exactly(node, high);
+    if (!is_texts(node, 2) || node->count != 2)
         return node_error(node, 0, "expected [LOW, HIGH]");
-    if (!read_exactly(&node->items[0], low) || !read_exactly(&node->items[1], high))
-        return false;
-    return fmpq_cmp(low, high) < 0 || node_error(node, 0, "expected [LOW, HIGH] with LOW below HIGH");
+    return read_exactly(&node->items[0], low) && read_exactly(&node->items[1], high) &&
+           (fmpq_cmp(low, high) < 0 || node_error(node, 0, "expected [LOW, HIGH] with LOW below HIGH"));
 }
 
 /* What the paper's Table 1 gives, and nothing else, needs not be stated. */
@@ -59,18 +53,6 @@ static bool read_states(const struct scope *s, const struct yaml *on, struct rem
     return true;
 }
 
-/* The formula, over the names of the step; the step's own program stays as it is. */
-static bool read_dropped(const struct scope *s, const struct identities *t, const struct yaml *of, struct remainder *m)
-{
-    struct identities copy = {0};
-    program_copy(&copy.program, &t->program);
-    const int node = identities_formula(&copy, s, of);
-    if (node >= 0)
-        remainder_init(m, &copy.program, node);
-    identities_clear(&copy);
-    return node >= 0;
-}
-
 static const struct field remainder_fields[] = {
     FIELD("equation", struct remainder, equation, FIELD_TEXT, .expected = "an equation number"),
     FIELD("of", struct remainder, text, FIELD_TEXT, .expected = "a formula"),
@@ -79,12 +61,19 @@ static const struct field remainder_fields[] = {
     FIELD("on", struct remainder, on, FIELD_MAP, .expected = "states, {name: value, name: [low, high], ...}"),
     {.key = NULL}};
 
+/* The formula is over the names of the step, whose own program stays as it is. */
 static bool read_remainder(const struct scope *s, const struct identities *t, const struct yaml *item, struct remainder *m)
 {
-    if (!fields_read(item, remainder_fields, m) || !read_dropped(s, t, under(item, "of"), m))
+    struct identities copy = {0};
+    if (!fields_read(item, remainder_fields, m))
         return false;
+    program_copy(&copy.program, &t->program);
+    const int node = identities_formula(&copy, s, under(item, "of"));
+    if (node >= 0)
+        remainder_init(m, &copy.program, node);
+    identities_clear(&copy);
     m->at = under(item, "at_most");
-    if (!read_exactly(m->at, m->bound) || !read_states(s, m->on, m))
+    if (node < 0 || !read_exactly(m->at, m->bound) || !read_states(s, m->on, m))
         return false;
     return fmpq_sgn(m->bound) > 0 || node_error(m->at, 0, "expected a bound above zero");
 }
