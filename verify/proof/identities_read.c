@@ -491,10 +491,12 @@ bool identities_show(struct identities *t, const struct scope *s, const struct y
 
 /* ---- definitions ---- */
 
-/* A definition that is a formula of the sheet: it restricts nothing that the sheet would not. */
-static bool takes_formula(const char *text)
+/* A definition that is a formula of the sheet, or a rate, and nothing beside: it restricts nothing that the sheet would not. */
+static bool takes_formula(const struct identities *t, int node)
 {
-    return strncmp(text, "eq", 2) == 0 || strncmp(text, "right(", 6) == 0 || strncmp(text, "rate(", 5) == 0;
+    const struct use *last = t->use_count > 0 ? &t->uses[t->use_count - 1] : NULL;
+    return (last != NULL && last->node == node && last->section->numbers > 0) ||
+           (t->rate_count > 0 && t->rates[t->rate_count - 1].result == node);
 }
 
 static bool read_let(struct identities *t, const struct scope *s)
@@ -509,7 +511,7 @@ static bool read_let(struct identities *t, const struct scope *s)
         if (node < 0)
             return false;
         program_name(&t->program, node, definition->key);
-        if (quantity_find(s->sheet, definition->key) != NULL && !takes_formula(definition->text))
+        if (quantity_find(s->sheet, definition->key) != NULL && !takes_formula(t, node))
             tex_add(&t->lets, strlen(definition->text) < SHORT ? ", %s = %s" : ", %s by its definition", definition->key, definition->text);
     }
     return true;
