@@ -645,6 +645,7 @@ TEST(entry_stands_for_its_parts)
     ck_assert_int_eq(entry_parts(&d, "2b", parts), 3);
     ck_assert_int_eq(entry_parts(&d, "5", parts), 14); /* two outputs, both sides of six relations */
     ck_assert_int_eq(entry_parts(&d, "99", parts), 0);
+    ck_assert_int_eq(entry_parts(&d, "eq41roots", parts), 0); /* an algorithm */
     ck_assert_int_eq(entry_parts(&d, "eq02.f_12", parts), 1);
     derivations_clear(&d);
 }

@@ -12,7 +12,7 @@
 static bool is_part_of_number(const char *entry, const char *equation)
 {
     const size_t length = strlen(entry);
-    return equation != NULL && strncmp(entry, equation, length) == 0 && (equation[length] < '0' || equation[length] > '9');
+    return strncmp(entry, equation, length) == 0 && (equation[length] < '0' || equation[length] > '9');
 }
 
 const char *output_equation(const struct section *s, int output, bool *alone)
@@ -60,14 +60,14 @@ int entry_parts(const struct derivations *d, const char *entry, struct entry_par
     const char *name;
     const struct section *section = section_of_entry(d, entry, &name);
     int count = 0;
-    if (section != NULL)
+    if (section != NULL) {
         add_outputs(section, NULL, name, parts, &count);
-    if (section != NULL && section->method == METHOD_FORMULA && count == 0 && name != NULL) {
-        const int node = program_find(&section->corrected.program, name);
+        const int node = count == 0 && name != NULL ? program_find(&section->corrected.program, name) : -1;
         if (node >= section->corrected.program.inputs)
             parts[count++] = (struct entry_part){section, &section->corrected, node, name, equation_of(section, 0)};
+        return count;
     }
-    for (int i = 0; i < d->sheet->section_count && section == NULL; i++) {
+    for (int i = 0; i < d->sheet->section_count; i++) {
         const struct section *s = &d->sheet->sections[i];
         add_outputs(s, entry, NULL, parts, &count);
         for (int k = 0; k < 2 * s->relation_count && count < MOST_PARTS; k++) {
@@ -134,7 +134,7 @@ struct table {
 
 static void run_open(const struct table *x, struct run *r, enum manner manner)
 {
-    run_begin(r, &x->t, FLINT_MAX(x->t.order, 0) + 1, manner, 2 * (x->t.use_count + x->t.program.named - x->t.program.inputs));
+    run_begin(r, &x->t, FLINT_MAX(x->t.order, 0) + 1, manner, 2 * (x->t.use_count + x->t.program.named));
     for (int i = 0; i < x->t.root_count; i++)
         run_root(r, x->t.roots[i].node);
     run_keep(r, x->count);
@@ -149,17 +149,7 @@ static void table_open(struct table *x, const struct identities *t, enum manner 
     x->map = xrealloc(NULL, (size_t)x->count, sizeof *x->map);
     memset(x->mark, 0, (size_t)x->count * sizeof *x->mark);
     x->t.needed = xrealloc(NULL, (size_t)x->count, 1);
-    for (int i = 0; i < x->count; i++)
-        x->t.needed[i] = t->needed[i];
-    for (int k = 0; k < t->rate_count; k++) { /* what another derivative may rest on */
-        const struct rate *r = &t->rates[k];
-        program_mark(&x->t.program, r->of, NULL, x->t.needed);
-        for (int i = 0; i < r->first; i++)
-            if (r->by[i] >= 0) {
-                program_mark(&x->t.program, i, NULL, x->t.needed);
-                program_mark(&x->t.program, r->by[i], NULL, x->t.needed);
-            }
-    }
+    memset(x->t.needed, 1, (size_t)x->count); /* any node may be, by an alteration */
     run_open(x, &x->run, manner);
 }
 
@@ -209,7 +199,7 @@ static void mark(struct table *x, const struct target *target)
 /* Changes a node, or says what stands in its place; false where this change is none of this node. Of a number n.exponent is added. */
 static bool change_node(struct node *n, enum change change, int *instead)
 {
-    const bool pair = n->left >= 0 && n->right >= 0;
+    const bool pair = n->right >= 0;
     *instead = -1;
     if ((change == CHANGE_SIGN && n->op == OPERATOR_NEGATE) || (change == CHANGE_LEFT && n->left >= 0))
         *instead = n->left; /* a term, a factor, a divisor, a function is dropped */
@@ -247,25 +237,25 @@ static int altered_node(struct table *x, int i, enum change change)
     n.left = n.left < 0 ? -1 : x->map[n.left];
     n.right = n.right < 0 ? -1 : x->map[n.right];
     const bool moved = n.left != p->nodes[i].left || n.right != p->nodes[i].right, own = x->mark[i] > 0;
-    if (own && change >= CHANGE_SIGN && change_node(&n, change, &instead) && instead >= 0)
+    if (own && change_node(&n, change, &instead) && instead >= 0)
         return instead;
-    if (moved || (own && change >= CHANGE_SIGN)) {
+    if (moved || own) {
         node = program_append(p, n.op, n.left, n.right, n.exponent);
-        fmpq_add_si(&p->nodes[node].number, &p->nodes[i].number, n.op == OPERATOR_NUMBER ? n.exponent : 0);
+        fmpq_add_si(&p->nodes[node].number, &p->nodes[i].number, n.exponent); /* but numbers nothing has one */
     }
     if (own && change == CHANGE_RESULT)
         return program_append(p, OPERATOR_NEGATE, node, -1, 0);
     return own && change == CHANGE_ANY ? any_formula(p, node, x->mark[i] - 1) : node;
 }
 
-/* A derivative is taken anew where what it is of, or what moves, is another; false where it is as it was. */
+/* A derivative is taken anew where anything before it is another; false where it is as it was. */
 static bool alter_rate(struct table *x, const struct rate *r)
 {
     struct program *p = &x->t.program;
-    bool moved = x->map[r->of] != r->of;
-    for (int i = 0; i < r->first; i++)
-        moved = moved || (r->by[i] >= 0 && (x->map[i] != i || x->map[r->by[i]] != r->by[i]));
-    if (!moved)
+    int same = 0;
+    while (same < r->first && x->map[same] == same)
+        same++;
+    if (same == r->first)
         return false;
     const int count = p->count;
     int *rates = xrealloc(NULL, (size_t)count, sizeof *rates);
@@ -372,7 +362,7 @@ static const struct equality *first_tautology(struct table *x, bool lines)
     mark(x, &everything);
     for (int i = t->program.inputs; i < t->program.named && lines; i++)
         if (x->mark[t->program.names[i].node] == 0)
-            x->mark[t->program.names[i].node] = 1 + t->use_count + i - t->program.inputs;
+            x->mark[t->program.names[i].node] = 1 + t->use_count + i;
     alter(x, CHANGE_ANY);
     for (; e < end && speaks; e++) {
         speaks = (lines && !says_number(t, e)) || !equal_still(x, e->left, e->right);
@@ -522,8 +512,6 @@ static bool is_equivalent(const struct program *p, int wanted, enum change chang
     struct identities t = {.program = *p, .order = -1};
     struct table x = {.s = NULL};
     t.variables = xrealloc(NULL, (size_t)p->inputs + 1, sizeof *t.variables);
-    t.needed = xrealloc(NULL, (size_t)p->count, 1);
-    memset(t.needed, 1, (size_t)p->count);
     for (int i = 0; i < p->inputs; i++)
         t.variables[i] = (struct variable){.signs = SIGN_ANY};
     table_open(&x, &t, RUN_LOOSE);
@@ -532,7 +520,6 @@ static bool is_equivalent(const struct program *p, int wanted, enum change chang
     const bool same = run_compare(&x.run, wanted, x.map[wanted]) == IDENTITY_HOLDS;
     table_close(&x);
     free(t.variables);
-    free(t.needed);
     return same;
 }
 

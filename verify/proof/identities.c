@@ -97,10 +97,14 @@ static int signs_of(struct run *r, int i)
 
 /* ---- values ---- */
 
-/* What a variable is at a point: a prime or, for an example, a small number, 1 if it can be; of half an angle the cotangent. */
+/*
+ * What a variable is at a point: a prime, the larger the earlier it is known, or for an example a small number, 1 if it can be;
+ * of half an angle the cotangent.
+ */
 static slong number_at_point(const struct run *r, slong variable, bool angle)
 {
-    return r->example < 0 ? (slong)n_nth_prime((ulong)variable + 3) : 1 + angle + r->example * (2 * variable + 1) % 5;
+    const slong place = variable < r->variables ? r->variables - variable : variable + 1;
+    return r->example < 0 ? (slong)n_nth_prime((ulong)place + 2) : 1 + angle + r->example * (2 * variable + 1) % 5;
 }
 
 static void set_input(struct run *r, struct symbolic *z, int i)
