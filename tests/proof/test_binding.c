@@ -90,6 +90,7 @@ static const struct {
     {"sin(psi) + cos(theta)", ENDS "    angles: [psi, theta]\n    show: [eq1.f = given.g]", 7},
     {"sqrt(p^2)", ENDS "    square roots: [p]\n    show: [eq1.f = given.g]", 3},
     {"a*sqrt(p^2)", ENDS "    square roots: [p]\n    show: [eq1.f = a*p + 0*given.g, eq1.f = given.g]", -1},
+    {"a*open", ENDS "    let: {open: a + b}\n    show: [eq1.f = given.g + 0*open]", 5}, /* which that is not */
     {"a*open", ENDS "    free: [open]\n    show: [eq1.f = given.g(b = open - a)]", 2}, /* what is below the open name is not spoken of */
     {"a*b + c", ENDS "    rates: {a: a_dot}\n    show: [rate(eq1.f^2) = rate(given.g^2), eq1.f = given.g]", -1},
     {"exp(a) + b", ENDS "    small: [a]\n    order: 2\n    show: [eq1.f = given.g]", 4},
@@ -127,6 +128,8 @@ static const struct {
     {"sin(psi)*cos(psi)", "0*a", WHERE "    angles: [psi]\n    show: [\"eq1.f(psi = psi - psi) = 0 + given.g\"]", "f may have the other sign"},
     {"a", "a^2", ENDS "    show: [eq1.f^2 = given.g]", "f may have the other sign"},
     {"a*b", "a*b", "    from: [given]\n    to: [\"1\", \"2a\"]\n    show: [eq1.f = given.g]\n    lines: {so: eq2.f = a + a}", "f stands in no equality"},
+    {"a + b*positive(theta)", "a", WHERE "    show: [eq1.f(theta = -1) = given.g]", "f may be altered (a left factor or term dropped)"},
+    {"2*a", "3*a", WHERE "    show: [(eq1.f - 2*a)*(eq1.f - 3*a) = 0, given.g = 3*a]", "f may be altered (a number or exponent)"},
     /* to the order that is compared */
     {"b + a*c", "b + a", ENDS "    small: [a]\n    order: 0\n    show: [eq1.f = given.g]", "f may be altered (a right factor or term dropped)"},
     {"b + a*a", "b", ENDS "    small: [a]\n    order: 1\n    show: [eq1.f = given.g]", "f may be altered (a sign)"},
@@ -136,6 +139,7 @@ static const struct {
     {"a*b", "a*c", ENDS "    rates: {a: a_dot}\n    show: [eq1.f + rate(a + 0*given.g) = a*b + a_dot]", "'given' is not used"},
     {"a*b", "a*c", ENDS "    rates: {a: a_dot}\n    show: [eq1.f + rate(c*0*given.g) = a*b]", "'given' is not used"},
     {"b*c", "c", ENDS "    small: [a]\n    order: 0\n    show: [eq1.f = b*c + a*given.g]", "'given' is not used"},
+    {"a*b", "c", ENDS "    rates: {u: a_dot}\n    let: {u: a*c + given.g}\n    show: [\"eq1.f(b = rate(u)) = a*a_dot + 0*u\"]", "'given' is not used"},
     {"b*c", "c", ENDS "    small: [a]\n    order: 1\n    show: [eq1.f = b*c + a^2*given.g]", "'given' is not used"},
     {"a*b", "c", "    from: [given, further]\n    to: [\"1\"]\n    show: [eq1.f + given.g = a*b + given.g, eq1.f = a*further.g*b/(5*a)]",
      "'given' is not used"},
@@ -150,6 +154,8 @@ static const struct {
      "      D: (c-5)*(c-7)*(c-11)*(c-13)*(c-17)*(c-19)*(c-23)*(c-29)*(c-31)*(c-37)*(c-41)*(c-43)*(c-47)*(c-53)*(c-59)*(c-61)*(c-67)*(c-71)\n"
      "    show: [0*sqrt(b^4)*eq1.f/D + sqrt(p^2) = 0*given.g/D + p]", "holds whatever"}, /* no value at the point: normal forms tell */
     {"p*a", "p*a", ENDS "    square roots: [p]\n    show: [\"eq1.f/p = sqrt(p^2)*given.g/p^2\", \"eq1.f(a = 1) - eq1.f(a = 1) + sqrt(p^2) = p\"]", "holds whatever"},
+    {"a", "a", ENDS "    let: {u: a + b}\n    show: [eq1.f = given.g, u = a + b]", "u = a + b holds whatever"},
+    {"a*b", "a*b", ENDS "    let: {u: a*b}\n    show: [eq1.f = given.g + 0*u]\n    lines: {so: u - a*b = 0}", ""},
     /* (W2) */
     {"a", "a", ENDS "    show: [eq1.f = given.g + 0*eq2.f]", "it rests on eq2, which neither from nor to names"},
     {"a", "a", ENDS "    show: [eq1.f = given.g]\n    lines: {so: eq2.f = a + a}", "it rests on eq2, which neither from nor to names"},
@@ -164,6 +170,9 @@ static const struct {
     {"a*b", "a*b", ENDS "    let: {u: a + b, v: a*b}\n    show: [\"eq1.f(a = u, b = v) = given.g(a = u, b = v)\"]", ""},
     {"a*b", "a*b", ENDS "    let: {u: a + b, v: a - b}\n    show: [\"eq1.f(a = u + v, b = u) = given.g(a = u + v, b = u)\"]", ""},
     {"a*b", "a*b", ENDS "    show: [\"eq1.f(a = c, b = 2) = given.g(a = c, b = 2)\"]", "f is shown for some values"},
+    {"a*b", "a*b", ENDS "    show: [\"eq1.f(a = b) = given.g(a = b)\", given.g = a*b]", "f is shown for some values"},
+    {"a*open", "a*(a + b)", ENDS "    show: [\"eq1.f(a = b) = given.g(a = b)\", eq1.open = a + b]", "f is shown for some values"},
+    {"a*theta", "a*theta", ENDS "    show: [\"eq1.f(theta = a) = given.g(theta = a)\"]", "f is shown for some values"},
     {"a + c", "a + c", ENDS "    show: [\"eq1.f(a = b, c = p) = given.g(a = b, c = p)\"]", ""},
     {"a*b", "a*b", ENDS "    show: [\"eq1.f(b = 2) = given.g(b = 2)\", eq1.f = given.g]", "could be left out"},
     /* (W6) */

@@ -98,18 +98,30 @@ struct writer {
     bool flat; /* in an exponent: a/b in place of a fraction */
 };
 
-/* How tightly it binds, and the name of a function: sin x has to be bracketed to be raised, as a product has. */
+/* How tightly it binds: sin x has to be bracketed to be raised, as a product has. */
 enum tightness { SUM, BINDS_PRODUCT, POWER, ATOM };
 
+/* The name of a function; or what stands before, between and after the operands, and how tightly these have to bind. */
 static const struct {
     enum tightness tightness;
-    const char *function;
+    const char *function, *before, *between, *after;
+    enum tightness left, right;
 } operators[] = {
-    [OPERATOR_ADD] = {SUM, NULL},          [OPERATOR_SUBTRACT] = {SUM, NULL},   [OPERATOR_NEGATE] = {SUM, NULL},
-    [OPERATOR_MULTIPLY] = {BINDS_PRODUCT, NULL}, [OPERATOR_DIVIDE] = {BINDS_PRODUCT, NULL}, [OPERATOR_SIN] = {BINDS_PRODUCT, "sin"},
-    [OPERATOR_COS] = {BINDS_PRODUCT, "cos"},     [OPERATOR_LOG] = {BINDS_PRODUCT, "ln"},    [OPERATOR_POWER] = {POWER, NULL},
-    [OPERATOR_EXP] = {POWER, NULL},        [OPERATOR_INPUT] = {ATOM, NULL},     [OPERATOR_NUMBER] = {ATOM, NULL},
-    [OPERATOR_SQRT] = {ATOM, NULL},        [OPERATOR_ATAN2] = {ATOM, NULL},     [OPERATOR_POSITIVE] = {ATOM, NULL},
+    [OPERATOR_ADD] = {SUM, NULL, "", " + ", "", SUM, SUM},
+    [OPERATOR_SUBTRACT] = {SUM, NULL, "", " - ", "", SUM, BINDS_PRODUCT},
+    [OPERATOR_NEGATE] = {SUM, NULL, "-", "", "", BINDS_PRODUCT, SUM},
+    [OPERATOR_MULTIPLY] = {.tightness = BINDS_PRODUCT},
+    [OPERATOR_DIVIDE] = {.tightness = BINDS_PRODUCT},
+    [OPERATOR_SIN] = {BINDS_PRODUCT, .function = "sin"},
+    [OPERATOR_COS] = {BINDS_PRODUCT, .function = "cos"},
+    [OPERATOR_LOG] = {BINDS_PRODUCT, .function = "ln"},
+    [OPERATOR_POWER] = {.tightness = POWER},
+    [OPERATOR_EXP] = {POWER, NULL, "e^{", "", "}", SUM, SUM},
+    [OPERATOR_INPUT] = {.tightness = ATOM},
+    [OPERATOR_NUMBER] = {.tightness = ATOM},
+    [OPERATOR_SQRT] = {ATOM, NULL, "\\sqrt{", "", "}", SUM, SUM},
+    [OPERATOR_ATAN2] = {ATOM, NULL, "\\operatorname{atan2}\\left(", ",\\, ", "\\right)", SUM, SUM},
+    [OPERATOR_POSITIVE] = {.tightness = ATOM},
 };
 
 static void write_node(const struct writer *w, int node, enum tightness least);
@@ -245,18 +257,6 @@ static void write_call(const struct writer *w, const char *name, int argument)
         write_brackets(w, argument, "(", ")");
 }
 
-static void write_sum(const struct writer *w, const struct node *n)
-{
-    if (n->op == OPERATOR_NEGATE) {
-        tex_add(w->tex, "-");
-        write_node(w, n->left, BINDS_PRODUCT);
-        return;
-    }
-    write_node(w, n->left, SUM);
-    tex_add(w->tex, n->op == OPERATOR_ADD ? " + " : " - ");
-    write_node(w, n->right, n->op == OPERATOR_ADD && w->program->nodes[n->right].op != OPERATOR_NEGATE ? SUM : BINDS_PRODUCT);
-}
-
 static void write_power(const struct writer *w, const struct node *n)
 {
     const char *name = w->program->nodes[n->left].op == OPERATOR_INPUT ? input_name(w->program, n->left) : "";
@@ -265,19 +265,6 @@ static void write_power(const struct writer *w, const struct node *n)
     else
         write_node(w, n->left, ATOM);
     tex_add(w->tex, "^{%ld}", (long)n->exponent);
-}
-
-/* The root of a square is the absolute value. */
-static void write_root(const struct writer *w, int argument)
-{
-    const struct node *n = &w->program->nodes[argument];
-    if (n->op == OPERATOR_POWER && n->exponent == 2) {
-        write_brackets(w, n->left, "|", "|");
-        return;
-    }
-    tex_add(w->tex, "\\sqrt{");
-    write_node(w, argument, SUM);
-    tex_add(w->tex, "}");
 }
 
 static void write_number(const struct writer *w, const struct node *n)
@@ -291,56 +278,41 @@ static void write_number(const struct writer *w, const struct node *n)
     flint_free(text);
 }
 
+/* Operands with what stands around them; of what is added, a negative one in brackets. */
+static void write_around(const struct writer *w, const struct node *n)
+{
+    const struct writer inner = {w->tex, w->program, w->flat || n->op == OPERATOR_EXP};
+    const bool negative = n->op == OPERATOR_ADD && w->program->nodes[n->right].op == OPERATOR_NEGATE;
+    tex_add(w->tex, "%s", operators[n->op].before);
+    write_node(&inner, n->left, operators[n->op].left);
+    tex_add(w->tex, "%s", operators[n->op].between);
+    if (n->right >= 0)
+        write_node(&inner, n->right, negative ? BINDS_PRODUCT : operators[n->op].right);
+    tex_add(w->tex, "%s", operators[n->op].after);
+}
+
 static void write_operator(const struct writer *w, int node)
 {
     const struct node *n = &w->program->nodes[node];
-    const struct writer exponent = {w->tex, w->program, true};
-    switch (n->op) {
-    case OPERATOR_INPUT:
-        if (*input_name(w->program, node) == '{')
-            tex_add(w->tex, "%s", input_name(w->program, node));
-        else
-            typeset_symbol(w->tex, input_name(w->program, node));
-        break;
-    case OPERATOR_NUMBER:
+    const struct node *argument = n->left >= 0 ? &w->program->nodes[n->left] : NULL;
+    if (n->op == OPERATOR_INPUT && *input_name(w->program, node) == '{')
+        tex_add(w->tex, "%s", input_name(w->program, node));
+    else if (n->op == OPERATOR_INPUT)
+        typeset_symbol(w->tex, input_name(w->program, node));
+    else if (n->op == OPERATOR_NUMBER)
         write_number(w, n);
-        break;
-    case OPERATOR_NEGATE:
-    case OPERATOR_ADD:
-    case OPERATOR_SUBTRACT:
-        write_sum(w, n);
-        break;
-    case OPERATOR_MULTIPLY:
-    case OPERATOR_DIVIDE:
+    else if (n->op == OPERATOR_MULTIPLY || n->op == OPERATOR_DIVIDE)
         write_product(w, node);
-        break;
-    case OPERATOR_POWER:
+    else if (n->op == OPERATOR_POWER)
         write_power(w, n);
-        break;
-    case OPERATOR_SQRT:
-        write_root(w, n->left);
-        break;
-    case OPERATOR_SIN:
-    case OPERATOR_COS:
-    case OPERATOR_LOG:
+    else if (operators[n->op].function != NULL)
         write_call(w, operators[n->op].function, n->left);
-        break;
-    case OPERATOR_EXP:
-        tex_add(w->tex, "e^{");
-        write_node(&exponent, n->left, SUM);
-        tex_add(w->tex, "}");
-        break;
-    case OPERATOR_ATAN2:
-        tex_add(w->tex, "\\operatorname{atan2}\\left(");
-        write_node(w, n->left, SUM);
-        tex_add(w->tex, ",\\, ");
-        write_node(w, n->right, SUM);
-        tex_add(w->tex, "\\right)");
-        break;
-    case OPERATOR_POSITIVE: /* Iverson's bracket: 1 where it holds, else 0 */
+    else if (n->op == OPERATOR_POSITIVE) /* Iverson's bracket: 1 where it holds, else 0 */
         write_brackets(w, n->left, "[", " > 0]");
-        break;
-    }
+    else if (n->op == OPERATOR_SQRT && argument->op == OPERATOR_POWER && argument->exponent == 2) /* the absolute value */
+        write_brackets(w, argument->left, "|", "|");
+    else
+        write_around(w, n);
 }
 
 /* In brackets where it binds less than its place asks for. */

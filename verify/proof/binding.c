@@ -134,7 +134,7 @@ struct table {
 
 static void run_open(const struct table *x, struct run *r, enum manner manner)
 {
-    run_begin(r, &x->t, FLINT_MAX(x->t.order, 0) + 1, manner, 2 * (x->t.use_count + x->t.program.named));
+    run_begin(r, &x->t, FLINT_MAX(x->t.order, 0) + 1, manner, 2 * x->count);
     for (int i = 0; i < x->t.root_count; i++)
         run_root(r, x->t.roots[i].node);
     run_keep(r, x->count);
@@ -192,7 +192,7 @@ static void mark(struct table *x, const struct target *target)
             continue;
         while (uses[first].formulas != uses[i].formulas || uses[first].part != uses[i].part)
             first++;
-        x->mark[at] = 1 + first;
+        x->mark[at] = 1 + uses[first].node;
     }
 }
 
@@ -248,15 +248,10 @@ static int altered_node(struct table *x, int i, enum change change)
     return own && change == CHANGE_ANY ? any_formula(p, node, x->mark[i] - 1) : node;
 }
 
-/* A derivative is taken anew where anything before it is another; false where it is as it was. */
-static bool alter_rate(struct table *x, const struct rate *r)
+/* A derivative is taken anew. */
+static void alter_rate(struct table *x, const struct rate *r)
 {
     struct program *p = &x->t.program;
-    int same = 0;
-    while (same < r->first && x->map[same] == same)
-        same++;
-    if (same == r->first)
-        return false;
     const int count = p->count;
     int *rates = xrealloc(NULL, (size_t)count, sizeof *rates);
     for (int i = 0; i < count; i++)
@@ -266,16 +261,6 @@ static bool alter_rate(struct table *x, const struct rate *r)
             rates[x->map[i]] = x->map[r->by[i]];
     x->map[r->result] = program_derivative(p, x->map[r->of], rates, count);
     free(rates);
-    return true;
-}
-
-/* Square roots that are altered are further ones. */
-static void run_altered(const struct table *x, struct run *r)
-{
-    run_extend(r);
-    for (int i = 0; i < x->t.root_count; i++)
-        if (x->map[x->t.roots[i].node] != x->t.roots[i].node)
-            run_root(r, x->map[x->t.roots[i].node]);
 }
 
 /* What is marked changes, and all that rests on it. */
@@ -284,15 +269,14 @@ static void alter(struct table *x, enum change change)
     for (int i = 0, rates = 0; i < x->count; i++) {
         if (rates < x->t.rate_count && i == x->t.rates[rates].first) {
             const struct rate *here = &x->t.rates[rates++];
-            if (alter_rate(x, here)) {
-                for (; i < here->result; i++)
-                    x->map[i] = i; /* nothing else rests on them */
-                continue;
-            }
+            alter_rate(x, here);
+            for (; i < here->result; i++)
+                x->map[i] = i; /* nothing else rests on them */
+        } else {
+            x->map[i] = altered_node(x, i, change);
         }
-        x->map[i] = altered_node(x, i, change);
     }
-    run_altered(x, &x->run);
+    run_extend(&x->run);
 }
 
 static void restore(struct table *x)
@@ -310,7 +294,7 @@ static bool equal_still(struct table *x, int left, int right)
     enum result result = run_compare(&x->run, x->map[left], x->map[right]);
     if (result == IDENTITY_UNDECIDED) {
         run_open(x, &everywhere, RUN_LOOSE);
-        run_altered(x, &everywhere);
+        run_extend(&everywhere);
         result = run_compare(&everywhere, x->map[left], x->map[right]);
         run_end(&everywhere);
     }
@@ -362,7 +346,7 @@ static const struct equality *first_tautology(struct table *x, bool lines)
     mark(x, &everything);
     for (int i = t->program.inputs; i < t->program.named && lines; i++)
         if (x->mark[t->program.names[i].node] == 0)
-            x->mark[t->program.names[i].node] = 1 + t->use_count + i;
+            x->mark[t->program.names[i].node] = 1 + t->program.names[i].node;
     alter(x, CHANGE_ANY);
     for (; e < end && speaks; e++) {
         speaks = (lines && !says_number(t, e)) || !equal_still(x, e->left, e->right);
@@ -459,32 +443,29 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
     struct machine m, adjoint;
     arb_mat_t square;
     SCOPE(arb, determinant);
-    program_needs(p, u->part, NULL, needed);
-    for (int i = 0; i < p->inputs && i <= u->part; i++)
+    memset(needed, 0, (size_t)p->count);
+    program_mark(p, u->part, NULL, needed);
+    for (int i = 0; i < p->inputs; i++)
         if (needed[i])
             rows[count++] = u->copy[i];
     VECTOR(arb, J, count * inputs);
     machine_init(&m, &t->program, &arithmetic_ball, BITS);
     machine_init(&adjoint, &t->program, &arithmetic_ball, BITS);
     arb_mat_init(square, count, count);
-    for (int i = 0; i < inputs; i++) { /* 1 + 1/2, 1 + 1/3 ..., where nothing happens to vanish, and within a quarter turn */
-        arb_ptr x = machine_value(&m, i);
-        arb_set_ui(x, 1);
-        arb_div_ui(x, x, (ulong)i % 23 + 2, BITS);
-        if (!t->variables[i].angle && t->variables[i].power == 0)
-            arb_add_ui(x, x, 1, BITS);
+    for (int i = 0; i < inputs; i++) { /* 1 + 1/512, 1 + 2/512 ..., where nothing happens to vanish, and within a quarter turn */
+        arb_set_si(machine_value(&m, i), 512 + 1 + i);
+        arb_mul_2exp_si(machine_value(&m, i), machine_value(&m, i), -9);
     }
     machine_run(&m);
     for (slong i = 0; i < count; i++) {
         machine_gradient(&m, (int)rows[i], &adjoint);
         _arb_vec_set(J + i * inputs, machine_value(&adjoint, 0), inputs);
-        for (slong k = 0; k <= i; k++) {
-            arb_dot(arb_mat_entry(square, i, k), NULL, 0, J + i * inputs, 1, J + k * inputs, 1, inputs, BITS);
-            arb_set(arb_mat_entry(square, k, i), arb_mat_entry(square, i, k));
-        }
     }
+    for (slong i = 0; i < count; i++)
+        for (slong k = 0; k < count; k++)
+            arb_dot(arb_mat_entry(square, i, k), NULL, 0, J + i * inputs, 1, J + k * inputs, 1, inputs, BITS);
     arb_mat_det(determinant, square, BITS);
-    const bool fills = arb_is_finite(determinant) && !arb_contains_zero(determinant);
+    const bool fills = !arb_contains_zero(determinant); /* nor is it infinite, which contains all */
     arb_mat_clear(square);
     machine_clear(&m);
     machine_clear(&adjoint);
@@ -509,7 +490,7 @@ static bool is_general(struct table *table, int to, const struct entry_part *par
 /* Whether the changed formula is the same function of its inputs: then no step can tell. */
 static bool is_equivalent(const struct program *p, int wanted, enum change change, int node)
 {
-    struct identities t = {.program = *p, .order = -1};
+    struct identities t = {.program = *p};
     struct table x = {.s = NULL};
     t.variables = xrealloc(NULL, (size_t)p->inputs + 1, sizeof *t.variables);
     for (int i = 0; i < p->inputs; i++)
@@ -537,7 +518,7 @@ static char *nodes_spoken_of(const struct table *table, const struct program *p,
             open[p->names[i].node] = 0;
     }
     program_needs(p, wanted, open, spoken);
-    for (int i = 0; i <= wanted; i++)
+    for (int i = 0; i < wanted; i++)
         spoken[i] = spoken[i] && open[i] < 0;
     free(open);
     return spoken;
@@ -549,7 +530,7 @@ static bool all_changes_tell(struct table *table, int to, const struct program *
     struct target target = {.part = part};
     char *spoken = nodes_spoken_of(table, p, wanted);
     const char *silent = NULL;
-    for (target.node = 0; target.node <= wanted && silent == NULL; target.node++)
+    for (target.node = 0; target.node <= wanted; target.node++)
         for (target.change = CHANGE_SIGN; target.change < CHANGES && spoken[target.node] && silent == NULL; target.change++) {
             struct node n = p->nodes[target.node];
             int instead;
