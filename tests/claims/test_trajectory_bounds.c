@@ -195,6 +195,58 @@ TEST(B3_places_have_all_products_of_derivatives)
     trajectory_clear(&t);
 }
 
+/* ---- roundings: what few bits say holds what many say ---- */
+
+enum { ENERGY = VARIABLES, EXCESS, SUPREMUM = EXCESS + VARIABLES, UNIT = SUPREMUM + VARIABLES, GAP = UNIT + VARIABLES, PEAK = GAP + VARIABLES,
+       BOUND = PEAK + VARIABLES, SERIES = BOUND + COORDINATES, NUMBERS = SERIES + 3 * DERIVATIVES };
+
+/* All that is said of two trajectories of two samples each, whose numbers are doubles. */
+static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec)
+{
+    struct trajectory t, other;
+    struct bounds b;
+    trajectory_of(&t, nonlinear, 2, 700, 11.3, 2.7);
+    trajectory_of(&other, nonlinear, 2, 700, 11.3, 2.7);
+    t.prec = other.prec = prec;
+    arb_set_d(t.Omega, 7.2915e-5);
+    arb_set_d(t.arm, 10 / 3.0);
+    for (int i = 0; i < 2 * COORDINATES; i++) {
+        arb_set_d(t.samples + i, 0.03 * sin(1 + 7 * i + 31 * seed));
+        arb_set_d(other.samples + i, 0.03 * sin(2 + 5 * i + 17 * seed));
+    }
+    bounds_init(&b);
+    trajectory_energy(z + ENERGY, &t, 1);
+    ck_assert(nonlinear || trajectory_bounds(&b, &t, 0));
+    for (int i = 0; i < VARIABLES; i++) {
+        trajectory_value(z + i, &t, 1, i);
+        trajectory_unit(z + UNIT + i, &t, i);
+        trajectory_gap(z + GAP + i, &t, &other, i, 0, 1);
+        trajectory_peak(z + PEAK + i, &t, i, 0, 1);
+        if (i <= PRODUCT && !nonlinear) {
+            bound_between_samples(z + EXCESS + i, &t, &b, i);
+            ck_assert(trajectory_supremum(z + SUPREMUM + i, &t, i, 0, 1));
+        }
+        if (i < COORDINATES && !nonlinear)
+            arb_set(z + BOUND + i, b.of[i] + 2);
+    }
+    arb_one(other.samples); /* a place off both axes, and its derivatives */
+    angle_series(z + SERIES, z + SERIES + DERIVATIVES, z + SERIES + 2 * DERIVATIVES, other.samples, other.samples + 4, other.samples + 8,
+                 DERIVATIVES, prec);
+    bounds_clear(&b);
+    trajectory_clear(&t);
+    trajectory_clear(&other);
+}
+
+EACH(roundings_of_few_bits_are_in_their_balls, 24)
+{
+    VECTOR(arb, few, NUMBERS);
+    VECTOR(arb, many, NUMBERS);
+    numbers_of(few, _i % 2, _i, 14 + _i);
+    numbers_of(many, _i % 2, _i, 300);
+    for (int i = 0; i < NUMBERS; i++)
+        ck_assert_msg(arb_contains(few + i, many + i), "number %d", i);
+}
+
 /* ---- B4 to B6: the nonlinear model ---- */
 
 /*
