@@ -66,18 +66,16 @@ static arb_srcptr held_law_at(struct held_law *l, const arb_t T, int node, slong
 {
     arb_ptr value[HOLD_MOVING];
     SCOPE(acb, angle, z);
-    SCOPE(arb, frequency);
     for (int i = 0; i < HOLD_MOVING; i++)
         value[i] = machine_value(&l->machine, i);
     arb_mul_2exp_si(value[0], T, -1);
     for (int i = 0; i < 2; i++) { /* i a h, and b h */
-        arb_sqrt_ui(frequency, 28, prec);
-        arb_add_si(frequency, frequency, 1 - 2 * i, prec);
-        arb_sqrt(frequency, frequency, prec);
+        const int frequency = program_find(&l->program, hold_lines[i][0]);
+        machine_run_to(&l->machine, frequency);
         acb_zero(angle);
-        arb_mul(i == 0 ? acb_imagref(angle) : acb_realref(angle), value[0], frequency, prec);
+        arb_mul(i == 0 ? acb_imagref(angle) : acb_realref(angle), value[0], machine_value(&l->machine, frequency), prec);
         acb_sinc(z, angle, prec);
-        arb_mul(value[2 * i + 1], acb_realref(z), frequency, prec);
+        arb_mul(value[2 * i + 1], acb_realref(z), machine_value(&l->machine, frequency), prec);
         acb_cos(z, angle, prec);
         arb_set(value[2 * i + 2], acb_realref(z));
     }
