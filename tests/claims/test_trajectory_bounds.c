@@ -67,6 +67,48 @@ EACH(B1_a_parabola_rises_above_its_samples_by_an_eighth, 3)
     trajectory_clear(&t);
 }
 
+/* The charges' second derivative is (c1 eta'' + c2 eta^(3))/3: 10 and 2 of 1 and 5, over 3. */
+TEST(B1_the_charges_have_both_their_terms)
+{
+    struct trajectory t;
+    struct bounds b;
+    SCOPE(arb, excess, truth);
+    bounds_init(&b);
+    trajectory_of(&t, false, 1, 1 << 12, 10, 2); /* a quarter of a radian */
+    arb_one(b.of[ETA] + 2);
+    arb_set_ui(b.of[ETA] + 3, 5);
+    bound_between_samples(excess, &t, &b, PRODUCT);
+    arb_set_d(truth, 20 / 128.0);
+    arb_div_ui(truth, truth, 3, 2 * PREC);
+    ck_assert(arb_contains(excess, truth) && arb_rel_accuracy_bits(excess) > 100);
+    bounds_clear(&b);
+    trajectory_clear(&t);
+}
+
+/* Of 3, -5, 4 and of 2, 7, -7: ends are samples too. */
+TEST(B1_peaks_and_gaps_have_the_samples_at_the_ends)
+{
+    static const double values[2][3] = {{3, -5, 4}, {2, 7, -7}};
+    static const struct {
+        slong from, to, peak, gap;
+    } all[] = {{0, 2, 5, 12}, {0, 0, 3, 1}, {0, 1, 5, 12}, {2, 2, 4, 11}, {1, 1, 5, 12}};
+    struct trajectory t[2];
+    SCOPE(arb, x);
+    for (int i = 0; i < 2; i++) {
+        trajectory_of(&t[i], false, 3, 100, 10, 2);
+        for (int k = 0; k < 3; k++)
+            arb_set_d(trajectory_sample(&t[i], k) + PSI, values[i][k]);
+    }
+    for (int i = 0; i < COUNT(all); i++) {
+        trajectory_peak(x, &t[0], PSI, all[i].from, all[i].to);
+        ck_assert(arb_equal_si(x, all[i].peak));
+        trajectory_gap(x, &t[0], &t[1], PSI, all[i].from, all[i].to);
+        ck_assert(arb_equal_si(x, all[i].gap));
+    }
+    trajectory_clear(&t[0]);
+    trajectory_clear(&t[1]);
+}
+
 /* Pitch goes as cos 2 tau whatever the gains: its peak lies in the middle of two samples, and none but the excess has it. */
 TEST(B1_a_supremum_has_the_peak_between_samples)
 {
@@ -402,6 +444,32 @@ TEST(B7_what_rises_between_samples_has_not_settled)
     ck_assert(settles(hours, &t, THETA, limit));
     arb_set_d(limit, 4096.0 / 3600); /* from the first sample, above, to the second, below: an hour and more */
     ck_assert(arb_contains_si(hours, 0) && arb_contains(hours, limit) && is_below(hours, 1.2));
+    trajectory_clear(&t);
+}
+
+/*
+ * Pitch of amplitude 1, never below 0.99 between its samples, for 256 of them, and none from there on: bounds of the later ones are not
+ * those of the earlier. And where a late sample leaves open whether it is below, no earlier one settles anything.
+ */
+EACH(B7_bounds_are_those_of_the_samples_they_are_asked_for, 2)
+{
+    enum { SAMPLES = 600, BLOCK = 256, OPEN = 300 };
+    struct trajectory t;
+    SCOPE(arb, hours, limit, seconds);
+    trajectory_of(&t, false, SAMPLES, 1 << 12, 10, 2);
+    for (slong k = 0; k < BLOCK; k++) {
+        arb_set_d(trajectory_sample(&t, k) + THETA, k == 0 ? 3 : cos(0.25));
+        arb_set_d(trajectory_sample(&t, k) + THETA_DOT, (k % 2 == 1 ? 2 : -2) * sin(0.25));
+    }
+    if (_i == 1) {
+        arb_set_d(trajectory_sample(&t, OPEN) + THETA, 0.98);
+        mag_set_d(arb_radref(trajectory_sample(&t, OPEN) + THETA), 0.05);
+    }
+    arb_set_d(limit, 0.99);
+    ck_assert(settles(hours, &t, THETA, limit));
+    arb_set_si(seconds, (_i == 0 ? BLOCK : OPEN + 1) * t.step);
+    arb_div_ui(seconds, seconds, 3600, PREC);
+    ck_assert(arb_contains_si(hours, 0) && arb_contains(hours, seconds));
     trajectory_clear(&t);
 }
 
