@@ -35,12 +35,6 @@ static bool names_option(const char *text, const char *name)
     return strncmp(text, name, length) == 0 && (text[length] == '\0' || text[length] == '=');
 }
 
-void add_text(char *text, size_t size, const char *separator, const char *more)
-{
-    const size_t length = strlen(text);
-    snprintf(text + length, size - length, "%s%s", separator, more);
-}
-
 /* Of an option that the subcommand has not: whose it is, or what it may have been meant to be. */
 static int unknown_option(const struct arguments *a, const char *text)
 {
@@ -52,7 +46,7 @@ static int unknown_option(const struct arguments *a, const char *text)
         if (option_belongs(o, a->subcommand))
             known[count++] = o->name;
         if (names_option(text, o->name))
-            add_text(text_of, sizeof text_of, *text_of ? " " : "", o->of);
+            add_text(text_of, sizeof text_of, " ", o->of);
     }
     if (*text_of != '\0')
         return usage_error(EXIT_USAGE, "%s: %s does nothing here, it belongs to: %s", a->subcommand->name, text, text_of);
@@ -129,7 +123,7 @@ static int out_of_place(const struct arguments *a, const struct option *o)
 {
     char with[128] = "", *rest = NULL, *copy = text_copy(o->with);
     for (char *word = strtok_r(copy, "|", &rest); word != NULL; word = strtok_r(NULL, "|", &rest))
-        add_text(with, sizeof with, *with ? " or " : "", strcmp(word, "--") == 0 ? "a client after --" : word);
+        add_text(with, sizeof with, " or ", strcmp(word, "--") == 0 ? "a client after --" : word);
     free(copy);
     return usage_error(EXIT_USAGE, "%s: %s does nothing here, it goes with %s%s", a->subcommand->name, o->name, with,
                        word_in(o->with, "|", "") ? " or no word" : "");
@@ -257,7 +251,7 @@ static int assignment_index(const char *assignment, const char *const *known, in
     char names[1024] = "";
     for (int i = 0; i < count; i++)
         add_text(names, sizeof names, " ", known[i]);
-    usage_error(EXIT_USAGE, "unknown name '%s',%s%s%s there are:%s", name, near ? " did you mean '" : "", near ? near : "",
+    usage_error(EXIT_USAGE, "unknown name '%s',%s%s%s there are: %s", name, near ? " did you mean '" : "", near ? near : "",
                 near ? "'?" : "", names);
     return -1;
 }

@@ -37,9 +37,6 @@ __attribute__((format(printf, 2, 3)))
 #endif
 int usage_error(int status, const char *format, ...);
 
-/* Appends a separator and more to a text, as far as its room goes. */
-void add_text(char *text, size_t size, const char *separator, const char *more);
-
 /* Wrong usage: what is unknown, its name, and the known one that is near (NULL: none is). */
 int unknown_name(const char *what, const char *name, const char *near);
 

@@ -53,7 +53,7 @@ static int check_given(const struct section *s, const bool *seen)
     char missing[2048] = "";
     for (int i = 0; i < s->input_count; i++)
         if (!seen[i]) {
-            add_text(missing, sizeof missing, *missing ? ", " : "", s->inputs[i]->name);
+            add_text(missing, sizeof missing, ", ", s->inputs[i]->name);
             add_text(missing, sizeof missing, " [", s->inputs[i]->unit);
             add_text(missing, sizeof missing, "", "]");
         }

@@ -205,12 +205,6 @@ static void format_mistake(const struct test_run *e, int set, char *text, size_t
         snprintf(text, size, "right in %d digits, the others are lost", (int)-log10(worst));
 }
 
-static void add_diagnosis(struct summary *t, const char *kind, const char *name, const char *joint)
-{
-    const size_t used = strlen(t->diagnosis);
-    snprintf(t->diagnosis + used, sizeof t->diagnosis - used, "%s%s%s", used ? joint : "", kind, name);
-}
-
 /* What failed in numbers, with the truth, then what passed, of which the answer is as good; of a motion what is soon computed. */
 static void gather(struct evidence *v, const struct test_run *e, int set, clock_t until)
 {
@@ -249,17 +243,13 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
 /* What no sheet lists. */
 static void diagnose_kind(struct test_run *e, int set, clock_t until)
 {
-    struct summary *t = &e->summaries[set];
+    char *text = e->summaries[set].diagnosis;
+    const size_t size = sizeof e->summaries[set].diagnosis;
     struct evidence *v = xrealloc(NULL, 1, sizeof *v);
-    char text[300];
     gather(v, e, set, until);
-    if (is_motion(v->section))
-        kind_of_motion(v, text, sizeof text);
-    else
-        kind_of_formula(v, text, sizeof text);
+    (is_motion(v->section) ? kind_of_motion : kind_of_formula)(v, text, size);
     if (*text == '\0')
-        format_mistake(e, set, text, sizeof text);
-    add_diagnosis(t, "", text, "");
+        format_mistake(e, set, text, size);
     free(v);
 }
 
@@ -282,22 +272,22 @@ void diagnose(struct test_run *e, int set)
     const clock_t start = clock(), until = start + (clock_t)(PATIENCE_FOR_KNOWN * CLOCKS_PER_SEC);
     const bool nan = is_nan_for_invalid(t, s->output_count);
     const bool several = failures(t, OUTCOME_WRONG, OUTCOME_VALUE) > 1; /* one vector alone tells nothing */
-    for (int i = 0; i < list.count && several; i++) {
+    for (int i = 0; i < list.count && several && !(nan && is_domain_alone(t)); i++) {
         struct mutant *x = &list.all[i];
+        const bool printed = x->a.section == NULL;
         x->o.until = until;
-        if (nan && is_domain_alone(t))
+        if (!explains_all(x, e, t, j->digits))
             continue;
-        if (explains_all(x, e, t, j->digits))
-            add_diagnosis(t, x->a.section == NULL ? "the paper's misprint: " : "a known mistake: ", x->a.section == NULL ? s->reason : x->name,
-                          "; or ");
+        add_text(t->diagnosis, sizeof t->diagnosis, "; or ", printed ? "the paper's misprint: " : "a known mistake: ");
+        add_text(t->diagnosis, sizeof t->diagnosis, "", printed ? s->reason : x->name);
     }
     t->hurried = clock() > until;
     if (t->diagnosis[0] == '\0' && several)
         diagnose_kind(e, set, start + (clock_t)(PATIENCE * CLOCKS_PER_SEC));
     if (t->counts[OUTCOME_VALUE] > 0 && nan)
-        add_diagnosis(t, "", "nan where `invalid` is due", "; and ");
+        add_text(t->diagnosis, sizeof t->diagnosis, "; and ", "nan where `invalid` is due");
     else if (t->counts[OUTCOME_VALUE] > 1 && t->counts[OUTCOME_INVALID] == 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
-        add_diagnosis(t, "", "not all inputs outside the domain are refused", "; and ");
+        add_text(t->diagnosis, sizeof t->diagnosis, "; and ", "not all inputs outside the domain are refused");
     mutants_clear(&list);
 }
 

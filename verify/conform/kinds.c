@@ -15,13 +15,6 @@ bool is_same(double a, double b)
     return fabs(a - b) <= 1e-9 * fmax(fabs(a), fabs(b));
 }
 
-/* Words one after another, with something between them. */
-static void append(char *text, size_t size, const char *between, const char *word)
-{
-    const size_t used = strlen(text);
-    snprintf(text + used, size - used, "%s%s", used > 0 ? between : "", word);
-}
-
 /* ---- all outputs alike ---- */
 
 /* The same digits after the point in every answer, no exponent, and right within half of the last of them. */
@@ -61,7 +54,7 @@ static void permuted_outputs(const struct evidence *v, char *text, size_t size)
             return;
         taken |= 1U << from;
         moved = moved || from != k;
-        append(names, sizeof names, " ", v->section->outputs[from]->name);
+        add_text(names, sizeof names, " ", v->section->outputs[from]->name);
     }
     if (moved)
         snprintf(text, size, "the outputs in another order: %s", names);
@@ -128,7 +121,7 @@ static void wrong_outputs(const struct evidence *v, char *text, size_t size)
             if (is_always(v, k, is_same))
                 continue;
             fits = fits && is_always(v, k, ways[way].so) && (!ways[way].angle || strcmp(v->section->outputs[k]->unit, "rad") == 0);
-            append(names, sizeof names, ", ", v->section->outputs[k]->name);
+            add_text(names, sizeof names, ", ", v->section->outputs[k]->name);
         }
         if (fits && *names != '\0')
             snprintf(text, size, "%s %s", names, ways[way].what);
@@ -252,7 +245,7 @@ static void product_text(const struct bases *b, const double *powers, double sig
         if (power <= 0.0)
             continue;
         snprintf(word, sizeof word, power == 1.0 ? "%s" : "%s^%g", b->names[i], power);
-        append(text, size, " ", word);
+        add_text(text, size, " ", word);
     }
     if (*text == '\0')
         snprintf(text, size, "1");

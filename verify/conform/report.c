@@ -89,14 +89,16 @@ static double summary_digits(const struct test_run *e, int set)
 /* "3 wrong, 1 missing" */
 static void outcomes_text(const struct summary *t, char *text, size_t size)
 {
-    size_t used = 0;
+    char more[80];
     text[0] = '\0';
-    for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED && used < size; i++)
+    for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED; i++) {
+        snprintf(more, sizeof more, "%" PRIu64 " %s", t->counts[i], outcome_names[i]);
         if (t->counts[i] > 0)
-            used += (size_t)snprintf(text + used, size - used, "%s%" PRIu64 " %s", used ? ", " : "", t->counts[i],
-                                     outcome_names[i]);
-    if (t->expected > 0 && used < size)
-        snprintf(text + used, size - used, "; %" PRIu64 " of them as expected", t->expected);
+            add_text(text, size, ", ", more);
+    }
+    snprintf(more, sizeof more, "%" PRIu64 " of them as expected", t->expected);
+    if (t->expected > 0)
+        add_text(text, size, "; ", more);
 }
 
 /* The decimal place of the leading digit of their difference, found among the digits as they were written. */

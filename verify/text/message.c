@@ -16,6 +16,12 @@ void message_set(struct message *m, const char *format, ...)
     message_printable(m->text);
 }
 
+void add_text(char *text, size_t size, const char *separator, const char *more)
+{
+    const size_t length = strlen(text);
+    snprintf(text + length, size - length, "%s%s", length > 0 ? separator : "", more);
+}
+
 void message_printable(char *text)
 {
     for (; *text != '\0'; text++)

@@ -14,6 +14,9 @@ __attribute__((format(printf, 2, 3)))
 #endif
 void message_set(struct message *m, const char *format, ...);
 
+/* More of a text, as far as its room goes, after a separator where something stands already. */
+void add_text(char *text, size_t size, const char *separator, const char *more);
+
 /* What would move a cursor or end the line becomes a question mark. */
 void message_printable(char *text);
 
