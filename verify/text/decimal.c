@@ -5,7 +5,6 @@
 #include "text/decimal.h"
 
 #include <float.h>
-#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -209,21 +208,21 @@ char *decimal_of_end(const arb_t x, slong digits, bool upper)
     return text;
 }
 
-/* The integer below m p/q, and whether that is it. */
-static uint64_t whole_part(slong m, const fmpz_t p, const fmpz_t q, bool *exact)
+/* The integer below (m + by) p/q; whether it is that itself. */
+static bool whole_part(fmpz_t whole, const fmpz_t m, slong by, const fmpz_t p, const fmpz_t q)
 {
-    SCOPE(fmpz, whole, rest);
-    fmpz_mul_si(whole, p, m);
+    SCOPE(fmpz, rest);
+    fmpz_add_si(whole, m, by);
+    fmpz_mul(whole, whole, p);
     fmpz_fdiv_qr(whole, rest, whole, q);
-    *exact = fmpz_is_zero(rest);
-    return fmpz_get_ui(whole);
+    return fmpz_is_zero(rest);
 }
 
 /*
- * The fewest digits that read back as x > 0, the nearest of them, and the exponent of the first. What lies within half a unit of x reads
- * back as x, the ends too where x is even; below a power of two units are half as large. Counted in units of the last of 18 digits (of 19,
- * where the exponent is too low), of which 17 are enough. Of a normal number no decimal of fewer than DBL_DIG digits is lost on the
- * way, so that it stands among those, zeros after it.
+ * The fewest digits that read back as x > 0, the nearest of them, and the exponent of the first. What lies within half a binary unit of x
+ * reads back as x, the ends too where x is even; below a power of two units are half as large. Counted in the last of 18 digits (of
+ * 19, where the exponent is too low), of which 17 are enough. Of a normal number no decimal of fewer than DBL_DIG digits is lost
+ * on the way, so that it stands among those, zeros after it.
  */
 static slong shortest_digits(char digits[24], double x)
 {
@@ -231,32 +230,39 @@ static slong shortest_digits(char digits[24], double x)
     int binary;
     const bool power = !(frexp(x, &binary) > 0.5) && x > DBL_MIN;
     const slong exponent = (slong)floor(log10(x) - 1e-9), k = ENOUGH - 1 - exponent; /* the margin covers the rounding of log10() */
-    SCOPE(fmpz, p, q);
-    bool whole, low_whole, high_whole;
-    binary = FLINT_MAX(binary, DBL_MIN_EXP) - DBL_MANT_DIG;
-    const slong m = 4 * (slong)ldexp(x, -binary); /* quarters of a unit */
-    const bool even = m % 8 == 0;
+    slong dropped = x < DBL_MIN ? ENOUGH : ENOUGH - DBL_DIG + 1;
+    SCOPE(fmpz, m, p, q, n, low, high, unit);
+    SCOPE(fmpz, first, last, rest);
+    binary = (binary < DBL_MIN_EXP ? DBL_MIN_EXP : binary) - DBL_MANT_DIG;
+    fmpz_set_d(m, ldexp(x, -binary));
+    const bool even = fmpz_is_even(m);
+    fmpz_mul_2exp(m, m, 2); /* quarters of a unit */
     fmpz_ui_pow_ui(p, 10, k > 0 ? (ulong)k : 0);
     fmpz_ui_pow_ui(q, 10, k < 0 ? (ulong)-k : 0);
     fmpz_mul_2exp(binary < 2 ? q : p, binary < 2 ? q : p, (ulong)labs(binary - 2));
-    const uint64_t n = whole_part(m, p, q, &whole);
-    uint64_t low = whole_part(m - (power ? 1 : 2), p, q, &low_whole), high = whole_part(m + 2, p, q, &high_whole);
-    low += !(low_whole && even);
-    high -= high_whole && !even;
-    int dropped = x < DBL_MIN ? ENOUGH : ENOUGH - DBL_DIG + 1;
-    uint64_t unit = n_pow(10, (ulong)dropped);
-    for (; (low + unit - 1) / unit > high / unit; dropped--)
-        unit /= 10;
-    const uint64_t rest = n % unit, below = n / unit;
-    uint64_t nearest = below + (rest > unit / 2 || (rest == unit / 2 && (!whole || below % 2 == 1)));
-    nearest = FLINT_MAX(nearest, (low + unit - 1) / unit);
-    nearest = FLINT_MIN(nearest, high / unit);
-    snprintf(digits, 24, "%" PRIu64, nearest);
+    const bool whole = whole_part(n, m, 0, p, q);
+    if (!whole_part(low, m, power ? -1 : -2, p, q) || !even)
+        fmpz_add_ui(low, low, 1);
+    if (whole_part(high, m, 2, p, q) && !even)
+        fmpz_sub_ui(high, high, 1);
+    do {
+        fmpz_ui_pow_ui(unit, 10, (ulong)dropped--);
+        fmpz_cdiv_q(first, low, unit);
+        fmpz_fdiv_q(last, high, unit);
+    } while (fmpz_cmp(first, last) > 0);
+    fmpz_fdiv_qr(n, rest, n, unit);
+    fmpz_mul_2exp(rest, rest, 1);
+    const int half = fmpz_cmp(rest, unit);
+    if (half > 0 || (half == 0 && (!whole || fmpz_is_odd(n))))
+        fmpz_add_ui(n, n, 1);
+    if (fmpz_cmp(n, first) < 0) /* below a power of two, where the next above reads back and the nearest does not */
+        fmpz_set(n, first);
+    fmpz_get_str(digits, 10, n);
     size_t count = strlen(digits);
-    const slong first = exponent + (slong)count + dropped - ENOUGH;
+    const slong decimal = exponent + (slong)count + dropped + 1 - ENOUGH;
     while (count > 1 && digits[count - 1] == '0')
         digits[--count] = '\0';
-    return first;
+    return decimal;
 }
 
 void decimal_shortest(char text[32], double x)
