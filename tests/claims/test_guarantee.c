@@ -350,6 +350,31 @@ EACH(numbers_of_a_ball_hold_those_of_its_gains, 6)
     }
 }
 
+/* Of exact gains at few bits, where roundings are the only error. */
+TEST(numbers_of_few_bits_hold_those_of_many)
+{
+    static const double gains[] = {9.75, 10.3, 12, 17.1, 31};
+    VECTOR(arb, few, GUARANTEES + NUMBERS_OF_GAINS);
+    VECTOR(arb, many, GUARANTEES + NUMBERS_OF_GAINS);
+    SCOPE(arb, n, c2, y, none);
+    int found = 0, asked = 0;
+    for (int k = 0; k < 8 * COUNT(gains); k++) {
+        const slong bits = 20 + 4 * (k % 8);
+        arb_set_d(n, gains[k / 8]);
+        arb_set_d(y, 1.2);
+        arb_set_d(c2, 0.3 * gains[k / 8]);
+        guarantees_enclose(few, n, k % 2 ? y : NULL, bits);
+        of_gains(few + GUARANTEES, n, c2, none, bits);
+        guarantees_enclose(many, n, k % 2 ? y : NULL, PREC);
+        of_gains(many + GUARANTEES, n, c2, none, PREC);
+        for (int i = 0; i < GUARANTEES + NUMBERS_OF_GAINS; i++, asked++) {
+            ck_assert_msg(!arb_is_finite(few + i) || arb_contains(few + i, many + i), "number %d at n = %g", i, gains[k / 8]);
+            found += arb_is_finite(few + i);
+        }
+    }
+    ck_assert_int_gt(found, asked / 2);
+}
+
 /* ---- the error terms of narrow_root, curve.c ---- */
 
 /* a x + b x^2 - c, with balls for a, b and c */
