@@ -256,6 +256,9 @@ TEST(what_is_like_nothing_known_is_not_guessed)
     ck_assert_int_eq(conform("--only eq38-paper -- FAULTY printed-38"), 1);
     assert_says("eq38: 1 wrong\n");
     ck_assert_ptr_null(strstr(said, "looks like"));
+    ck_assert_int_eq(conform("--only eq38-paper,eq38-nan-GM -- sh -c 'while read o id in; do echo $id 1.2630391377545192e-4; done'"), 1); /* as printed */
+    assert_says("eq38: 1 wrong, 1 a value where invalid is due\n");
+    ck_assert_ptr_null(strstr(said, "looks like"));
 }
 
 /* ---- what is asked, shown and expected ---- */

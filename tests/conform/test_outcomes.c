@@ -1255,7 +1255,7 @@ static const char *table_of(const char *const *answers, int significand)
     e->asked = e->sets.total;
     for (; *answers != NULL; answers++)
         said(e, *answers);
-    const struct report r = {e, "client", "", 0.0, NULL, false};
+    const struct report r = {e, "client", "", 0.0, false};
     report_text(&r, file);
     ck_assert_int_eq(fclose(file), 0);
     snprintf(table, sizeof table, "%s", text);

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "command/command.h"
-#include "conform/diagnosis.h"
 #include "evaluate/errors.h"
 #include "conform/report.h"
 #include "targets.h"
@@ -109,7 +108,7 @@ void protocol(const char *bytes, size_t size)
             test_run_hear(&e, bytes + half, size - half);
     }
     test_run_end(&e, OUTCOME_MISSING);
-    const struct report r = {&e, "client", "", 0.0, diagnose, false};
+    const struct report r = {&e, "client", "", 0.0, false};
     FILE *stream = open_memstream(&text, &length);
     report_text(&r, stream);
     fclose(stream);

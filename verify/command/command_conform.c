@@ -15,7 +15,6 @@
 #include "conform/diagnosis.h"
 #include "conform/report.h"
 #include "text/csv.h"
-#include "text/progress.h"
 
 /* Digits that a motion has to reach unless --digits says otherwise; PROTOCOL.md has the reasons. */
 static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;
@@ -196,21 +195,12 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
     return status;
 }
 
-/* An operation's second, or less; how many of them are done is shown on a terminal. */
-static void diagnose_with_progress(struct test_run *e, int set)
-{
-    struct progress p = progress_begin(false);
-    progress_show(&p, (uint64_t)set, (uint64_t)e->sets.count);
-    diagnose(e, set);
-    progress_end(&p);
-}
-
 /* The table, the file, and the exit code that they come to. */
 static int print_report(struct test_run *e, const struct arguments *a, const char *client, const char *errors)
 {
     const struct totals sum = report_totals(e, -1);
     const char *name = report_name(a);
-    const struct report r = {e, client, errors, (double)clock() / CLOCKS_PER_SEC, diagnose_with_progress, option_given(a, "--all")};
+    const struct report r = {e, client, errors, (double)clock() / CLOCKS_PER_SEC, option_given(a, "--all")};
     if (e->journal != NULL && (fflush(e->journal) != 0 || ferror(e->journal)))
         return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only on a full disk */
     report_text(&r, stdout);

@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "conform/diagnosis.h"
 #include "conform/hints.h"
 #include "text/decimal.h"
 #include "text/json.h"
+#include "text/progress.h"
 #include "text/whole_file.h"
 
 enum { SHOWN_DIGITS = 20, LONGEST_NUMBER = 40, FURTHEST = 1000000 /* exponent: beyond it the mark stands at an end anyway */ };
@@ -362,9 +364,11 @@ void report_text(const struct report *r, FILE *file)
     for (int k = 0; k < e->sets.count; k++)
         if (summary_failed(&e->summaries[k]) > 0 || (r->all && e->summaries[k].expected > 0)) {
             failure_text(e, k, r->all, file);
-            fflush(file); /* an error stays with the file */
-            if (r->diagnose != NULL)
-                r->diagnose(e, k);
+            fflush(file); /* before a second of diagnosis; an error stays with the file */
+            struct progress p = progress_begin(false);
+            progress_show(&p, (uint64_t)k, (uint64_t)e->sets.count);
+            diagnose(e, k);
+            progress_end(&p);
             diagnosis_text(&e->summaries[k], file);
         }
     if (r->all)

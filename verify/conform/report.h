@@ -11,7 +11,6 @@ struct report {
     const char *client;          /* its name, or the answers file's                    */
     const char *errors;          /* the last of its standard error                     */
     double seconds;              /* of processor time that the oracle took for itself  */
-    void (*diagnose)(struct test_run *run, int set); /* asked once what failed is written; NULL: nobody */
     bool all;                    /* every failing vector as text, and digits by time: the run keeps a journal */
 };
 
