@@ -178,13 +178,20 @@ static const struct {
     /* (W6) */
     {"a", "a", "    from: [\"1\", given]\n    to: [\"1\"]\n    show: [eq1.f = given.g]", "f is in from already"},
     {"a*open", "a*(a + b)", "    from: [eq1.open, given]\n    to: [\"1\"]\n    show: [eq1.f = given.g, eq1.open = given.g/a]", ""},
+    {"a", "a", "    from: [given, \"1\"]\n    to: [\"1\"]\n    show: [eq1.f = given.g]", "f is in from already"},
     /* a side of a relation: both, whole */
     {"a", "b", "    from: [given]\n    to: [\"3a\"]\n    where: there\n    show: [\"left(3a) = given.g*a\"]", "stands in no equality as a whole: a side is not shown"},
     {"a", "b", "    from: [given]\n    to: [\"3a\"]\n    let: {f: a*given.g}\n    show: [left(3a) = right(3a)]", ""},
     /* a property claims nothing of its formula, but is to be there */
     {"a", "7*a", "    from: [given]\n    to: [shape]\n    show: [shape.k = given.g]", ""},
     {"a", "7*a", "    from: [given]\n    to: [shape, \"2a\"]\n    show: [\"eq2.f = given.g(a = 2*a/7)\"]", "k stands in no equality"},
-    /* (W7) */
+    /* (W7); a name that one equality alone has needs it */
+    {"a", "a", ENDS "    let: {u: a + b}\n    show: [\"eq1.f(a = 2*a) = given.g(a = 2*a)\", eq1.f = given.g + 0*u]",
+     "eq1.f(a = 2*a) = given.g(a = 2*a) could be left out"},
+    {"a", "a", ENDS "    let: {u: a + b}\n    show: [eq1.f = given.g + 0*u, \"eq1.f(a = 2*a) = given.g(a = 2*a)\"]",
+     "eq1.f(a = 2*a) = given.g(a = 2*a) could be left out"},
+    {"a", "a", ENDS "    let: {u: a + b, v: b + c}\n    show: [eq1.f = given.g + 0*u, \"eq1.f(a = 2*a) = given.g(a = 2*a) + 0*v\"]", ""},
+    {"a", "a", ENDS "    let: {u: a + b, v: b + c}\n    show: [eq1.f = given.g + 0*u*v, \"eq1.f(a = 2*a) = given.g(a = 2*a) + 0*v\"]", "could be left out"},
     {"a", "a", ENDS "    show: [eq1.f = given.g, \"eq1.f(a = 2*a) = given.g(a = 2*a)\"]", "could be left out"},
     {"a", "a", "    from: [given, further]\n    to: [\"1\"]\n    show: [eq1.f = given.g, eq1.f = further.g/5]", ""},
     {"a", "a", "    from: [given, further]\n    to: [\"1\"]\n    show: [eq1.f = given.g, eq1.f = further.g/5, given.g = further.g/5]", "could be left out"},
@@ -197,8 +204,6 @@ EACH(unbound_step_is_refused, COUNT(refused))
     ck_assert_msg(refused[_i].said[0] != '\0' ? strstr(said, refused[_i].said) != NULL : said[0] == '\0', "%s", said);
 }
 
-/* ---- which number an output has, and what reaches it ---- */
-
 static void open_small(struct sheet *s, struct derivations *d, const char *steps)
 {
     static char sheet_of[3000], text[3000];
@@ -208,6 +213,43 @@ static void open_small(struct sheet *s, struct derivations *d, const char *steps
     ck_assert_msg(sheet_read(s, sheet_of, strlen(sheet_of), "s", &why) == 0, "%s", why.text);
     ck_assert_msg(derivations_read(d, s, text, strlen(text), "t", &why) == 0, "%s", why.text);
 }
+
+/* All that was proved of a step counts; of what is printed instead, that it differs. */
+TEST(step_holds_by_all_of_its_proofs)
+{
+    struct remainder remainders[2];
+    const struct step good = {.proved = true, .differs = true, .remainders = remainders, .remainder_count = 2,
+                              .printed_proof = {.result = IDENTITY_DIFFERS}};
+    for (int fault = 0; fault < 9; fault++) {
+        struct step s = good;
+        for (int k = 0; k < 2; k++)
+            remainders[k] = (struct remainder){.proof = {.state = fault == 1 + k ? REMAINDER_UNDECIDED : REMAINDER_PROVED}};
+        s.proof.result = fault == 3 ? IDENTITY_DIFFERS : fault == 4 ? IDENTITY_UNDECIDED : IDENTITY_HOLDS;
+        s.line_proof.result = fault == 5 ? IDENTITY_DIFFERS : fault == 6 ? IDENTITY_UNDECIDED : IDENTITY_HOLDS;
+        if (fault >= 7)
+            s.printed_proof.result = fault == 7 ? IDENTITY_HOLDS : IDENTITY_UNDECIDED;
+        ck_assert_int_eq(step_holds(&s), fault == 0);
+    }
+}
+
+TEST(step_that_does_not_hold_is_not_bound)
+{
+    static const char *const steps[] = {
+        "  one: {title: t, from: [given], to: [\"1\"], show: [eq1.f = given.g]}\n",
+        "  one: {title: t, from: [given], to: [\"1\"], show: [eq1.f = given.g*a - a*c], lines: {so: given.g = a + b - c}}\n",
+        "  one: {title: t, from: [given], to: [\"1\"], show: [eq1.f = given.g*a - a*c], printed: {show: [given.g = a + b + c]}}\n",
+        "  one: {title: t, from: [given], to: [\"1\"], show: [eq1.f = given.g*a - a*c]}\n"};
+    for (int i = 0; i < COUNT(steps); i++) {
+        struct sheet s;
+        struct derivations d;
+        open_small(&s, &d, steps[i]);
+        ck_assert_int_eq(step_is_bound(&d, &d.steps[0]), i == COUNT(steps) - 1);
+        derivations_clear(&d);
+        sheet_clear(&s);
+    }
+}
+
+/* ---- which number an output has, and what reaches it ---- */
 
 #define STEP(name, from, to) "  " name ": {title: t, from: [" from "], to: [" to "], show: [a = b]}\n"
 
