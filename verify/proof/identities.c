@@ -53,7 +53,7 @@ static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
     for (int k = 0; k < r->t->program.inputs && !r->at_point; k++)
         if (r->variable[k] >= 0 && !r->t->variables[k].angle)
             signs[r->variable[k]] = r->t->variables[k].signs;
-    for (slong i = 0; i < fmpz_mpoly_length(f, ctx) && sum != SIGN_ANY; i++) {
+    for (slong i = 0; i < fmpz_mpoly_length(f, ctx); i++) {
         fmpz_mpoly_get_term_coeff_fmpz(c, f, i, ctx);
         int term = signs_of_number(fmpz_sgn(c));
         for (slong k = 0; k < all; k++)
@@ -77,20 +77,16 @@ static int signs_by_form(struct run *r, const struct node *n)
     return combine(a, n->op == OPERATOR_DIVIDE ? b & ~SIGN_ZERO : b, false);
 }
 
-/* The signs that a node may have at epsilon = 0: by its form, and where that does not tell by its normal form. */
+/* The signs that a node with a value may have at epsilon = 0: by its form, and where that does not tell by its normal form. */
 static int signs_of(struct run *r, int i)
 {
     int *result = &r->nodes[i].signs;
     if (i < r->t->program.inputs)
         return r->t->variables[i].power > 0 ? SIGN_ZERO : r->t->variables[i].signs;
-    if (r->t->program.nodes[i].op == OPERATOR_INPUT)
-        return SIGN_ANY;
     if (*result == 0 && ((*result = signs_by_form(r, &r->t->program.nodes[i])) == 0 || *result == SIGN_ANY)) {
         const struct symbolic *x = value_of(r, i);
-        *result = SIGN_ANY;
-        if (x->fault == SYMBOLIC_FINE && !x->angle)
-            *result = combine(signs_of_polynomial(r, fmpz_mpoly_q_numref(x->a)),
-                              signs_of_polynomial(r, fmpz_mpoly_q_denref(x->a)) & ~SIGN_ZERO, false);
+        *result = combine(signs_of_polynomial(r, fmpz_mpoly_q_numref(x->a)),
+                          signs_of_polynomial(r, fmpz_mpoly_q_denref(x->a)) & ~SIGN_ZERO, false);
     }
     return *result;
 }
@@ -114,10 +110,8 @@ static void set_input(struct run *r, struct symbolic *z, int i)
     const slong variable = own ? r->variable[i] : r->variables + n->exponent;
     const bool angle = own ? r->t->variables[i].angle : fmpq_is_one(&n->number);
     SCOPE(fmpq, point);
-    if (r->at_point)
-        fmpq_set_si(point, number_at_point(r, variable, angle), 1);
-    if (angle && r->at_point)
-        fmpq_inv(point, point);
+    const slong number = r->at_point ? number_at_point(r, variable, angle) : 1;
+    fmpq_set_si(point, angle ? 1 : number, angle ? (ulong)number : 1);
     if (angle)
         symbolic_set_angle(z, variable, r->at_point ? point : NULL);
     else
