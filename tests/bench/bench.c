@@ -358,7 +358,8 @@ static void bench_set(double cm, double percent, long motions)
         fmpq_set_double(s.radius + SET_C1, C1 * percent / 100);
     }
     const double begin = seconds();
-    const int failed = motion_set_rows(&s, 17, 256, t, 1, keep_set, &bounds, &why);
+    const struct motion m = {.scenario = &s, .nonlinear = true, .most_pieces = 256, .digits = 17};
+    const int failed = motion_rows(&m, t, 1, keep_set, &bounds, &why);
     const double taken = seconds() - begin;
     for (long k = 0; k < motions && !failed; k++) {
         struct flow_parameters p;

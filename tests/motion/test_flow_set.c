@@ -1,5 +1,5 @@
 /*
- * verify/motion/flow_set.h and motion_set_rows: certified motions from anywhere in a box, its corners first, keep within what is
+ * verify/motion/flow_set.h and sets of motion.h: certified motions from anywhere in a box, its corners first, keep within what is
  * proved of the set; where one error term outweighs all others, a bound without it would lose them.
  */
 #include "tests/run.h"
@@ -147,7 +147,8 @@ EACH(motions_from_all_of_a_box_keep_within_its_bounds, COUNT(boxes))
     scenario_init(&s, sheet(), true);
     for (int i = 0; i < 8 && box->of[i].value != NULL; i++)
         give(&s, &box->of[i], true);
-    ck_assert_msg(motion_set_rows(&s, 17, 8, times, TIMES, keep_bounds, &rows, &why) == 0, "%s", why.text);
+    const struct motion m = {.scenario = &s, .nonlinear = true, .most_pieces = 8, .digits = 17};
+    ck_assert_msg(motion_rows(&m, times, TIMES, keep_bounds, &rows, &why) == 0, "%s", why.text);
     for (int v = 0; v < ROW_NUMBERS; v++) {
         seen.low[v] = HUGE_VAL;
         seen.high[v] = -HUGE_VAL;

@@ -14,17 +14,17 @@
 static const struct figure {
     const char *name;
     bool nonlinear, charges, small_angles;
-    int columns[3], count;
+    int first, count; /* numbers of a row */
     const char *heads[3];
 } figures[] = {
-    {"5a", false, false, false, {0, 1, 2}, 3, {"psi", "theta", "dL"}},
-    {"5b", false, false, true, {0, 1, 2}, 3, {"x1", "y1", "z1"}},
-    {"6", true, false, false, {0, 1, 2}, 3, {"x1", "y1", "z1"}},
-    {"7a", true, true, false, {6}, 1, {"q1_uC"}},
-    {"7b", true, true, false, {7}, 1, {"q2_uC"}},
+    {"5a", false, false, false, 0, 3, {"psi", "theta", "dL"}},
+    {"5b", false, false, true, 0, 3, {"x1", "y1", "z1"}},
+    {"6", true, false, false, 0, 3, {"x1", "y1", "z1"}},
+    {"7a", true, true, false, 6, 1, {"q1_uC"}},
+    {"7b", true, true, false, 7, 1, {"q2_uC"}},
 };
 
-static void print_heads(const struct figure *f, bool rk4)
+static void print_figure_heads(const struct figure *f, bool rk4)
 {
     putchar('t');
     for (int i = 0; i < f->count; i++)
@@ -41,20 +41,25 @@ static int print_motion_figure(const struct figure *f, const struct scenario *s,
                        .small_angles = f->small_angles, .digits = digits, .microcoulomb = f->charges};
     struct times times = {0};
     char *beside = NULL;
+    size_t size;
     const bool rk4 = option_given(a, "--rk4");
     SCOPE(fmpq, h);
     int status = times_every(&times, "100", "259200", false);
     if (status == EXIT_DONE && rk4)
         status = read_rk4(h, a, &times, s->exact);
     if (status == EXIT_DONE && rk4) {
+        FILE *out = open_memstream(&beside, &size);
+        if (out == NULL)
+            out_of_memory();
         m.h = h;
-        beside = motion_text(&m, &times, f->columns, f->count);
+        status = print_motion(out, &m, &times, f->first, f->count, true, NULL);
         m.h = NULL;
-        status = beside != NULL ? EXIT_DONE : EXIT_FAILED_CHECK;
+        if (fclose(out) != 0)
+            out_of_memory();
     }
     if (status == EXIT_DONE) {
-        print_heads(f, rk4);
-        status = print_motion(&m, &times, f->columns, f->count, beside);
+        print_figure_heads(f, rk4);
+        status = print_motion(stdout, &m, &times, f->first, f->count, false, beside);
     }
     free(beside);
     times_clear(&times);

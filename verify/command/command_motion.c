@@ -227,9 +227,9 @@ static int refuse_radius(const struct arguments *a)
 
 struct row_printer {
     FILE *out;
-    const struct times *times; /* NULL: rows without one */
-    const int *columns;        /* which numbers of a row */
-    int count;
+    const struct times *times;
+    int first, count;   /* which numbers of a row */
+    bool bare;          /* rows without a time    */
     const char *beside; /* what stands beside the rows that are left, a line each; NULL: nothing */
     struct progress progress;
 };
@@ -238,12 +238,11 @@ static int print_motion_row(void *context, slong k, const fmpq_t t, char *const 
 {
     struct row_printer *p = context;
     (void)t;
-    if (p->times != NULL) {
+    if (!p->bare)
         fputs(p->times->texts[k], p->out);
-        progress_show(&p->progress, (uint64_t)k + 1, (uint64_t)p->times->count);
-    }
-    for (int i = 0; i < p->count; i++)
-        fprintf(p->out, ",%s", numbers[p->columns[i]]);
+    progress_show(&p->progress, (uint64_t)k + 1, (uint64_t)p->times->count);
+    for (int i = p->first; i < p->first + p->count; i++)
+        fprintf(p->out, ",%s", numbers[i]);
     if (p->beside != NULL) {
         const size_t length = strcspn(p->beside, "\n");
         fwrite(p->beside, 1, length, p->out);
@@ -253,31 +252,13 @@ static int print_motion_row(void *context, slong k, const fmpq_t t, char *const 
     return ferror(p->out);
 }
 
-int print_motion(const struct motion *m, const struct times *times, const int *columns, int count, const char *beside)
+int print_motion(FILE *out, const struct motion *m, const struct times *times, int first, int count, bool bare, const char *beside)
 {
     struct message why;
-    struct row_printer p = {stdout, times, columns, count, beside, progress_begin(true)};
-    int failed = motion_rows(m, times->t, times->count, print_motion_row, &p, &why);
+    struct row_printer p = {out, times, first, count, bare, beside, progress_begin(m->most_pieces == 0)};
+    const int failed = motion_rows(m, times->t, times->count, print_motion_row, &p, &why);
     progress_end(&p.progress);
-    return failed && !ferror(stdout) ? usage_error(EXIT_FAILED_CHECK, "%s", why.text) : EXIT_DONE;
-}
-
-char *motion_text(const struct motion *m, const struct times *times, const int *columns, int count)
-{
-    struct message why;
-    char *text = NULL;
-    size_t size;
-    struct row_printer p = {.out = open_memstream(&text, &size), .columns = columns, .count = count};
-    if (p.out == NULL)
-        out_of_memory();
-    const bool failed = motion_rows(m, times->t, times->count, print_motion_row, &p, &why) != 0;
-    if (fclose(p.out) != 0)
-        out_of_memory();
-    if (!failed)
-        return text;
-    usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-    free(text);
-    return NULL;
+    return failed && !ferror(out) ? usage_error(EXIT_FAILED_CHECK, "%s", why.text) : EXIT_DONE;
 }
 
 int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact)
@@ -296,26 +277,22 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
     return status;
 }
 
-/* The bounds of all motions of a set */
-static int print_set(const struct scenario *s, slong digits, const struct times *times)
+static void print_heads(bool nonlinear, bool set)
 {
-    enum { MOST_PIECES = 256 }; /* some minutes of processor time; options.c says so */
-    static const int columns[SET_NUMBERS] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    struct message why;
-    struct row_printer p = {stdout, times, columns, SET_NUMBERS, NULL, {false}};
+    const enum scenario_name first = nonlinear ? SET_x1 : SET_psi;
     putchar('t');
-    for (int i = SET_x1; i <= SET_z1_dot; i++)
-        printf(",%s_low,%s_high", scenario_names[i], scenario_names[i]);
-    puts(",q1_low,q1_high,q2_low,q2_high");
-    const int failed = motion_set_rows(s, digits, MOST_PIECES, times->t, times->count, print_motion_row, &p, &why);
-    return failed && !ferror(stdout) ? usage_error(EXIT_FAILED_CHECK, "%s", why.text) : EXIT_DONE;
+    for (int i = 0; i < (nonlinear ? ROW_NUMBERS : FLOW_STATE); i++) {
+        const char *name = i < FLOW_STATE ? scenario_names[first + i] : i == FLOW_STATE ? "q1" : "q2";
+        printf(set ? ",%s_low,%s_high" : ",%s", name, name);
+    }
+    putchar('\n');
 }
 
 int command_trajectory(const struct arguments *a)
 {
+    enum { MOST_PIECES = 256 }; /* some minutes of processor time; options.c says so */
     int status = EXIT_DONE;
     const bool exact = option_given(a, "--exact"), set = option_given(a, "--set");
-    static const int columns[ROW_NUMBERS] = {0, 1, 2, 3, 4, 5, 6, 7};
     struct motion m = {0};
     struct scenario s;
     struct times times = {0};
@@ -340,12 +317,10 @@ int command_trajectory(const struct arguments *a)
         status = read_rk4(h, a, &times, exact);
         m.h = h;
     }
-    if (status == EXIT_DONE && set)
-        status = print_set(&s, m.digits, &times);
-    else if (status == EXIT_DONE) {
-        puts(m.nonlinear ? "t,x1,y1,z1,x1_dot,y1_dot,z1_dot,q1,q2"
-                         : "t,psi,theta,dL,psi_dot,theta_dot,dL_dot");
-        status = print_motion(&m, &times, columns, m.nonlinear ? ROW_NUMBERS : FLOW_STATE, NULL);
+    if (status == EXIT_DONE) {
+        m.most_pieces = set ? MOST_PIECES : 0;
+        print_heads(m.nonlinear, set);
+        status = print_motion(stdout, &m, &times, 0, set ? SET_NUMBERS : m.nonlinear ? ROW_NUMBERS : FLOW_STATE, false, NULL);
     }
     times_clear(&times);
     scenario_clear(&s);

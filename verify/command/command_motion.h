@@ -2,6 +2,8 @@
 #ifndef CT_COMMAND_MOTION_H
 #define CT_COMMAND_MOTION_H
 
+#include <stdio.h>
+
 #include "command/command.h"
 #include "motion/motion.h"
 
@@ -21,10 +23,7 @@ int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
 /* --rk4 H: H > 0, and every time a multiple of it, none before 0. */
 int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact);
 
-/* A line a time: t, those columns of the row, and what stands beside in lines of its own (NULL: nothing). */
-int print_motion(const struct motion *m, const struct times *times, const int *columns, int count, const char *beside);
-
-/* The same without t as a text; NULL after a complaint. */
-char *motion_text(const struct motion *m, const struct times *times, const int *columns, int count);
+/* A line a time: t unless bare, `count` numbers of the row, and what stands beside in lines of its own (NULL: nothing). */
+int print_motion(FILE *out, const struct motion *m, const struct times *times, int first, int count, bool bare, const char *beside);
 
 #endif

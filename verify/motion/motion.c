@@ -318,6 +318,8 @@ int motion_rows(const struct motion *m, const fmpq *times, slong count, row_rece
     struct pass p = {.motion = m, .at_equilibrium = starts_at_equilibrium(m->scenario), .receive = receive,
                      .context = context};
     double reached = 0.0;
+    if (m->most_pieces > 0)
+        return motion_set_rows(m, times, count, receive, context, why);
     enum flow_status status = run_pass(&p, times, count, &reached);
     if (p.outside)
         say_crossing(&p, times, why);

@@ -59,20 +59,17 @@ struct motion {
     bool microcoulomb;        /* ... in this unit */
     bool small_angles;        /* a linear motion's x1 y1 z1 through eq10lin, in place of the angles */
     const fmpq *h;            /* the classical Runge-Kutta method's step, NULL for the motion itself */
+    int most_pieces;          /* > 0: a set of nonlinear motions, see flow_set.h */
     slong digits;
 };
 
-/*
- * A set of nonlinear motions: for each time bounds of all of them, two numbers each of x1 ... z1_dot, q1 and q2, rounded outward;
- * then 0, or -1 with the reason. `most_pieces`: see flow_set.h.
- */
+/* A set's rows are bounds of all its motions, two numbers each of x1 ... z1_dot, q1 and q2, rounded outward. */
 enum { SET_NUMBERS = 2 * ROW_NUMBERS };
 bool may_have_radius(enum scenario_name name); /* k_c's is the force's alone: the law has its middle */
-int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, const fmpq *times, slong count, row_receiver *receive,
-                    void *context, struct message *why);
 
 /* Rows at all those times (of one sign, away from 0); 0, or -1 with the reason. */
 int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
                 void *context, struct message *why);
+int motion_set_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive, void *context, struct message *why);
 
 #endif

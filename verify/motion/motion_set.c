@@ -184,18 +184,18 @@ static int print_bounds(void *context, slong k, const fmpq_t t, arb_srcptr state
     return stopped;
 }
 
-int motion_set_rows(const struct scenario *s, slong digits, int most_pieces, const fmpq *times, slong count, row_receiver *receive,
-                    void *context, struct message *why)
+int motion_set_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive, void *context, struct message *why)
 {
+    const struct scenario *s = m->scenario;
     int unknowns = 0;
     for (int i = 0; i < SCENARIO_VALUES; i++)
         unknowns += !fmpq_is_zero(s->radius + i);
-    struct set_rows rows = {receive, context, digits};
+    struct set_rows rows = {receive, context, m->digits};
     struct flow_set set;
     double reached;
     const int degree = unknowns <= FEW + 1 ? SET_DEGREE : unknowns == FEW + 2 ? SET_DEGREE - 1 : SET_DEGREE - 3;
     flow_set_init(&set, unknowns, degree + (unknowns <= FEW + 1 && is_wide(s)));
-    set.most_pieces = most_pieces;
+    set.most_pieces = m->most_pieces;
     set.charged = true;
     models_of(&set, s);
     const enum flow_status status = flow_set(&set, times, count, print_bounds, &rows, &reached);
