@@ -101,7 +101,7 @@ static const struct {
     {"eval", 2, "operation"},
     {"eval eq077", 2, "did you mean 'eq07'"},
     {"eval eq08", 2, "definition"},
-    {"eval -- eq07", 2, "unknown option '--'\n"}, /* near to -o in no more than its dashes */
+    {"eval -- eq07", 2, "unknown option '--', see coulomb-tether help eval\n"}, /* near to -o in no more than its dashes */
     {"eval eq07 " TABLE1 " extra", 2, "extra"},
     {"eval eq07 " TABLE1 " ''", 2, "empty"},
     {"eval eq07 Omega=7.2915e-5 k_c=8.99e9 m1=150 m2=150", 2, "missing L [m]; --table1"},
@@ -136,7 +136,7 @@ static const struct {
     {"eval eq12 x1=1 y1=2 z1=3 x2=1 y2=2 z2=3", 1, "eq12"},
     {"table1 --digits 3", 2, "--digits does nothing here, it belongs to: eval design figure trajectory conform"},
     {"figure", 2, "figure"},
-    {"figure 5", 2, "5a, 5b, 6, 7a or 7b, got 5"},
+    {"figure 5", 2, "5a, 5b, 6, 7a or 7b, got '5'"},
     {"figure --rk", 2, "did you mean '--rk4'"},
     {"figure 4 psi=0.1", 2, "psi"},
     {"figure 4 --rk4 100", 2, "--rk4 does nothing here, it goes with 5a or 5b or 6 or 7a or 7b"},

@@ -21,9 +21,10 @@ int usage_error(int status, const char *format, ...)
     return status;
 }
 
-int unknown_name(const char *what, const char *name, const char *near)
+int unknown_name(const char *what, const char *name, const char *near, const char *see)
 {
-    return usage_error(EXIT_USAGE, "%s '%.95s'%s%s%s", what, name, near ? ", did you mean '" : "", near ? near : "", near ? "'?" : "");
+    return usage_error(EXIT_USAGE, "%s '%.95s'%s%s%s", what, name, near ? ", did you mean '" : *see ? ", see coulomb-tether " : "",
+                       near ? near : see, near ? "'?" : "");
 }
 
 /* ---- arguments ---- */
@@ -41,7 +42,7 @@ static int unknown_option(const struct arguments *a, const char *text)
     enum { MOST_KNOWN = 64 };
     const char *known[MOST_KNOWN] = {"--help"};
     int count = 1;
-    char text_of[256] = "", what[64];
+    char text_of[256] = "", what[64], see[64];
     for (const struct option *o = options; o->name != NULL; o++) {
         if (option_belongs(o, a->subcommand))
             known[count++] = o->name;
@@ -51,7 +52,8 @@ static int unknown_option(const struct arguments *a, const char *text)
     if (*text_of != '\0')
         return usage_error(EXIT_USAGE, "%s: %s does nothing here, it belongs to: %s", a->subcommand->name, text, text_of);
     snprintf(what, sizeof what, "%s: unknown option", a->subcommand->name);
-    return unknown_name(what, text, nearest_name(text, known, (size_t)count, sizeof *known));
+    snprintf(see, sizeof see, "help %s", a->subcommand->name);
+    return unknown_name(what, text, nearest_name(text, known, (size_t)count, sizeof *known), see);
 }
 
 static int take_option(struct arguments *a, int count, char **texts, int *i)
@@ -129,6 +131,40 @@ static int out_of_place(const struct arguments *a, const struct option *o)
                        word_in(o->with, "|", "") ? " or no word" : "");
 }
 
+bool is_choice(const char *word)
+{
+    return (*word >= 'a' && *word <= 'z') || (*word >= '0' && *word <= '9');
+}
+
+/* The first word has to be one that a way begins with, unless one of them begins with any, or with none. */
+static int check_word(const struct arguments *a)
+{
+    enum { MOST_CHOICES = 32 };
+    const char *known[MOST_CHOICES], *word = a->word_count > 0 ? a->words[0] : NULL;
+    char texts[512] = "", what[512], *rest = NULL;
+    int count = 0;
+    bool fine = false;
+    for (int i = 0; a->subcommand->ways[i] != NULL; i++) {
+        const char *way = a->subcommand->ways[i];
+        fine = fine || (*way == '\0' ? word == NULL : !is_choice(way));
+        snprintf(what, sizeof what, "%.*s", (int)strcspn(way, " "), way);
+        add_text(texts, sizeof texts, "|", what);
+    }
+    for (char *choice = strtok_r(texts, "|", &rest); choice != NULL; choice = strtok_r(NULL, "|", &rest)) {
+        known[count++] = choice;
+        fine = fine || (word != NULL && strcmp(word, choice) == 0);
+    }
+    snprintf(what, sizeof what, "%s: expected ", a->subcommand->name);
+    for (int i = 0; i < count; i++)
+        add_text(what, sizeof what, i == 0 ? "" : i == count - 1 ? " or " : ", ", known[i]);
+    if (fine)
+        return EXIT_DONE;
+    if (word == NULL)
+        return usage_error(EXIT_USAGE, "%s", what);
+    add_text(what, sizeof what, ", ", "got");
+    return unknown_name(what, word, nearest_name(word, known, (size_t)count, sizeof *known), "");
+}
+
 int arguments_read(struct arguments *a, const struct paper *paper, const struct subcommand *s, int count, char **texts)
 {
     int status = EXIT_DONE;
@@ -141,6 +177,8 @@ int arguments_read(struct arguments *a, const struct paper *paper, const struct 
         else
             status = take_argument(a, count, texts, &i);
     }
+    if (status == EXIT_DONE)
+        status = check_word(a);
     for (int i = 0; i < a->given_count && status == EXIT_DONE; i++)
         if (!has_company(a, a->given[i].option->with))
             status = out_of_place(a, a->given[i].option);
@@ -289,7 +327,7 @@ const struct section *section_argument(const struct sheet *sheet, const char *id
 {
     const struct section *found = section_find(sheet, id);
     if (found == NULL)
-        unknown_name("unknown operation", id, NEAREST(id, sheet->sections, sheet->section_count, id));
+        unknown_name("unknown operation", id, NEAREST(id, sheet->sections, sheet->section_count, id), "equations");
     return found;
 }
 

@@ -103,7 +103,7 @@ static int take_vectors(struct test_run *e, const struct choice *c)
     int status = EXIT_DONE;
     for (char *word = strtok_r(words, ",", &rest); word && status == EXIT_DONE; word = strtok_r(NULL, ",", &rest))
         if (asked_by(word, set->operation.section) == SOME_VECTORS && !test_sets_want(&e->sets, word))
-            status = unknown_name("--only: unknown vector", word, NEAREST(word, set->golden, set->golden_count, id));
+            status = unknown_name("--only: unknown vector", word, NEAREST(word, set->golden, set->golden_count, id), "conform --questions");
     free(words);
     return status;
 }

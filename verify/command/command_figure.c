@@ -181,24 +181,18 @@ static int check_figure4(const struct scenario *s)
 
 int command_figure(const struct arguments *a)
 {
-    const struct figure *f = a->word_count > 0 ? motion_figure(a->words[0]) : NULL;
-    const bool roots = a->word_count > 0 && strcmp(a->words[0], "4") == 0;
-    int status = EXIT_DONE;
+    const struct figure *f = motion_figure(a->words[0]); /* NULL: the roots, figure 4 */
     struct scenario s;
-    long digits = 17;
+    long digits;
     scenario_init(&s, &a->paper->sheet, option_given(a, "--exact"));
-    if (f == NULL && !roots)
-        status = usage_error(EXIT_USAGE, "figure: expected 4, 5a, 5b, 6, 7a or 7b%s%s",
-                             a->word_count ? ", got " : "", a->word_count ? a->words[0] : "");
-    if (status == EXIT_DONE)
-        status = option_digits(a, 17, &digits);
+    int status = option_digits(a, 17, &digits);
     if (status == EXIT_DONE)
         status = read_scenario(&s, a, f != NULL && f->nonlinear);
-    if (status == EXIT_DONE && roots)
+    if (status == EXIT_DONE && f == NULL)
         status = check_figure4(&s);
-    if (status == EXIT_DONE && roots)
+    if (status == EXIT_DONE && f == NULL)
         status = print_figure4(&s, digits);
-    else if (status == EXIT_DONE && f != NULL)
+    else if (status == EXIT_DONE)
         status = print_motion_figure(f, &s, a, digits);
     scenario_clear(&s);
     return status;

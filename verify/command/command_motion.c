@@ -299,11 +299,8 @@ int command_trajectory(const struct arguments *a)
     SCOPE(fmpq, h);
     scenario_init(&s, &a->paper->sheet, exact);
     m.scenario = &s;
-    m.nonlinear = m.charges = a->word_count == 1 && strcmp(a->words[0], "nonlinear") == 0;
-    if (!m.nonlinear && (a->word_count == 0 || strcmp(a->words[0], "linear") != 0))
-        status = usage_error(EXIT_USAGE, "trajectory: expected linear or nonlinear%s%s",
-                             a->word_count ? ", got " : "", a->word_count ? a->words[0] : "");
-    if (status == EXIT_DONE && set && option_given(a, "--rk4"))
+    m.nonlinear = m.charges = strcmp(a->words[0], "nonlinear") == 0;
+    if (set && option_given(a, "--rk4"))
         status = usage_error(EXIT_USAGE, "--set: expected without --rk4");
     if (status == EXIT_DONE)
         status = option_digits(a, 17, &m.digits);

@@ -24,11 +24,6 @@ static bool asked_for(const struct verification *v, const char *part)
 
 static int check_request(const struct verification *v)
 {
-    bool found = false;
-    for (int i = 0; i < PARTS_OF_VERIFY; i++)
-        found = found || asked_for(v, parts[i].name);
-    if (!found)
-        return unknown_name("verify: unknown part", v->part, NEAREST(v->part, parts, PARTS_OF_VERIFY, name));
     if (v->only != NULL && (asked_for(v, "errors") || v->format == FORMAT_GRAPH))
         return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", v->only);
     if (v->count < 1)
@@ -65,10 +60,11 @@ static int check_asked_name(struct verification *v)
     if (asked_for(v, "derivations"))
         return step_named(&v->steps, v->only) != NULL
                    ? EXIT_DONE
-                   : unknown_name("unknown step", v->only, NEAREST(v->only, v->steps.steps, v->steps.step_count, id));
+                   : unknown_name("unknown step", v->only, NEAREST(v->only, v->steps.steps, v->steps.step_count, id),
+                                  "verify derivations");
     return verdict_known(&v->claims, v->only)
                ? EXIT_DONE
-               : unknown_name("unknown claim", v->only, NEAREST(v->only, v->claims.list, v->claims.count, id));
+               : unknown_name("unknown claim", v->only, NEAREST(v->only, v->claims.list, v->claims.count, id), "verify claims");
 }
 
 /* All that was asked for; as JSON, an object with a member a part. */

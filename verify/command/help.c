@@ -266,13 +266,12 @@ static void print_manual(const struct sheet *sheet)
 
 /* ---- completion ---- */
 
-/* Words that may follow: of an argument or a way in small letters, "linear|nonlinear"; nothing of others. */
+/* Words that may follow: of an argument or a way that stand for themselves, "linear|nonlinear"; nothing of others. */
 static void print_choices(const char *text)
 {
     for (const char *at = text; *at != '\0';) {
         const size_t length = strcspn(at, "| ");
-        const bool literal = (*at >= 'a' && *at <= 'z') || (*at >= '0' && *at <= '9');
-        if (literal)
+        if (is_choice(at))
             printf(" %.*s", (int)length, at);
         at += length;
         at += strspn(at, "| ");
@@ -348,7 +347,8 @@ int unknown_subcommand(const char *name)
     size_t count = 2;
     for (const struct subcommand *s = subcommands; s->name != NULL; s++)
         known[count++] = s->name;
-    return unknown_name(*name == '-' ? "unknown option" : "unknown subcommand", name, nearest_name(name, known, count, sizeof *known));
+    return unknown_name(*name == '-' ? "unknown option" : "unknown subcommand", name, nearest_name(name, known, count, sizeof *known),
+                        "--help");
 }
 
 int command_help(const struct arguments *a)
