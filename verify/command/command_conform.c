@@ -387,11 +387,12 @@ static FILE *rewindable(FILE *file, const char *name)
     if (fseek(file, 0, SEEK_SET) == 0)
         return file;
     FILE *copy = tmpfile();
-    int byte = 0, size = 0;
-    while (copy != NULL && size <= MOST_PIPED && (byte = getc(file)) != EOF && putc(byte, copy) != EOF)
-        size++;
+    char bytes[1 << 16];
+    size_t size, total = 0;
+    while (copy != NULL && total <= MOST_PIPED && (size = fread(bytes, 1, sizeof bytes, file)) > 0 && fwrite(bytes, 1, size, copy) == size)
+        total += size;
     const bool whole = copy != NULL && feof(file) && fseek(copy, 0, SEEK_SET) == 0; /* LCOV_EXCL_BR_LINE: a failing system call */
-    if (size > MOST_PIPED)
+    if (total > MOST_PIPED)
         usage_error(EXIT_FAILED_CHECK, "%s: expected at most %d bytes through a pipe, write them to a file", name, MOST_PIPED);
     else if (!whole) /* LCOV_EXCL_BR_LINE: the same */
         usage_error(EXIT_FAILED_CHECK, "%s, and a temporary file for it: %s", name, strerror(errno)); /* LCOV_EXCL_LINE: the same */
