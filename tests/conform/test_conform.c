@@ -234,6 +234,17 @@ EACH(a_missing_check_of_the_domain_is_told_from_two_vectors, 3)
     ck_assert((strstr(said, "looks like not all inputs outside the domain are refused\n") != NULL) == (_i == 1));
 }
 
+/* However many fail before, and whichever output it is. */
+TEST(nan_for_invalid_is_told_of_nan)
+{
+    ck_assert_int_eq(conform("--only eq02 -- sh -c 'while read o id in; do echo $id 1 1 1 1 1 1 1 1 1; done'"), 1);
+    assert_says("\n  looks like not all inputs outside the domain are refused\n");
+    ck_assert_int_eq(conform("--only eq02 -- sh -c 'while read o id in; do echo $id 1 1 nan 1 1 1 1 1 1; done'"), 1);
+    assert_says("\n  looks like nan where `invalid` is due\n");
+    ck_assert_int_eq(conform("--only eq44-nan-n,eq44-nan-Omega -- sh -c 'read o id in; echo $id nan; read o id in; echo $id 1'"), 1);
+    ck_assert_ptr_null(strstr(said, "looks like nan"));
+}
+
 /* Two numbers of many are off in the 13th digit, which no format does. */
 TEST(lost_digits_are_lost_in_most_numbers)
 {

@@ -208,6 +208,7 @@ static void answer(struct test_run *e, uint64_t position, char **words, int coun
         r.outcome = inside ? OUTCOME_INVALID : OUTCOME_RIGHT;
     } else {
         r.outcome = answer_numbers(e, j, words, count, &r);
+        t->nans += !inside && r.outcome == OUTCOME_NAN;
         if (!inside && r.outcome != OUTCOME_COUNT && r.outcome != OUTCOME_MALFORMED)
             r.outcome = OUTCOME_VALUE;
         else if (r.outcome == OUTCOME_RIGHT)

@@ -31,6 +31,7 @@ struct record {
 /* What was found about one operation. */
 struct summary {
     uint64_t counts[OUTCOMES], expected; /* failures that were expected are counted among both                     */
+    uint64_t nans;                       /* of values where `invalid` is due those with NaN                         */
     double worst_E, digits;              /* of all answers in numbers: the largest, the fewest (INFINITY: none yet) */
     uint64_t worst;                      /* the vector that they come from; UINT64_MAX: none                       */
     struct record shown;                 /* of the failures the one that is easiest to follow                      */

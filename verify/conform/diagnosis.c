@@ -253,16 +253,6 @@ static void diagnose_kind(struct test_run *e, int set, clock_t until)
     free(v);
 }
 
-/* Every answer outside the domain is NaN in each output: the word is missing, and not the check. */
-static bool is_nan_for_invalid(const struct summary *t, int outputs)
-{
-    bool nan = true;
-    for (int i = 0; i < t->kept_failures; i++)
-        for (int k = 0; k < outputs && t->kept[i].outcome == OUTCOME_VALUE; k++)
-            nan = nan && isnan(t->kept[i].values[k]);
-    return nan;
-}
-
 void diagnose(struct test_run *e, int set)
 {
     struct summary *t = &e->summaries[set];
@@ -270,7 +260,7 @@ void diagnose(struct test_run *e, int set)
     const struct section *s = j->operation->section;
     struct mutants list = mutants_of(s);
     const clock_t start = clock(), until = start + (clock_t)(PATIENCE_FOR_KNOWN * CLOCKS_PER_SEC);
-    const bool nan = is_nan_for_invalid(t, s->output_count);
+    const bool nan = t->nans > 0 && t->nans == t->counts[OUTCOME_VALUE]; /* the word is missing, and not the check */
     const bool several = failures(t, OUTCOME_WRONG, OUTCOME_VALUE) > 1; /* one vector alone tells nothing */
     for (int i = 0; i < list.count && several && !(nan && is_domain_alone(t)); i++) {
         struct mutant *x = &list.all[i];
@@ -284,7 +274,7 @@ void diagnose(struct test_run *e, int set)
     t->hurried = clock() > until;
     if (t->diagnosis[0] == '\0' && several)
         diagnose_kind(e, set, start + (clock_t)(PATIENCE * CLOCKS_PER_SEC));
-    if (t->counts[OUTCOME_VALUE] > 0 && nan)
+    if (nan)
         add_text(t->diagnosis, sizeof t->diagnosis, "; and ", "nan where `invalid` is due");
     else if (t->counts[OUTCOME_VALUE] > 1 && t->counts[OUTCOME_INVALID] == 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
         add_text(t->diagnosis, sizeof t->diagnosis, "; and ", "not all inputs outside the domain are refused");
