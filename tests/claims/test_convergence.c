@@ -282,11 +282,22 @@ TEST(hill_differs_by_what_the_inertial_motion_says)
  * A number is given where it is proved, and nowhere else: for ever only what the energy of the last sample allows, no bound
  * beyond the separatrix, nothing of a pair that turns over. The linear dL passes zero at 5.31 h, 19116 s, and comes back.
  */
+static const struct simulation near_rest = {.n = "10"}, beyond_the_hill = {.nonlinear = true, .dL = "3"};
+
 static const struct {
     const char *name;
     struct sampled sampled;
     bool given;
 } measured[] = {
+    {"between_psi", {{.n = "10"}, 0, 100, 200, &near_rest}, true},
+    {"between_psi", {{.n = "10"}, 0, 100, 200, &beyond_the_hill}, false},
+    {"between_psi", {{.nonlinear = true, .dL = "3"}, 0, 100, 200, &near_rest}, false},
+    {"part_psi", {{.n = "10"}, 0, 100, 200, &near_rest}, true},
+    {"part_psi", {{.n = "10"}, 0, 100, 200, &beyond_the_hill}, false},
+    {"parted_psi", {{.n = "10"}, 0, 100, 200, &beyond_the_hill}, false},
+    {"ever_dL_0", {{.nonlinear = true, .dL = "3"}, 0, 100, 200, NULL}, false},
+    {"at_psi_0", {{.nonlinear = true, .dL = "-10"}, 0, 100, 200, NULL}, false}, /* no motion */
+    {"gap_psi", {{.n = "10"}, 0, 100, 200, &(const struct simulation){.nonlinear = true, .dL = "-10"}}, false},
     {"peak_psi", {{.n = "10"}, 0, 1, 0, NULL}, true},
     {"sup_psi", {{.n = "10"}, 0, 1, 0, NULL}, true},
     {"ever_psi_0", {{.n = "10"}, 0, 1, 0, NULL}, false},
@@ -308,6 +319,34 @@ EACH(what_is_not_proved_is_not_given, COUNT(measured))
     ck_assert_int_eq(arb_is_finite(x), measured[_i].given);
     computed_number(c, "at_theta", x);
     ck_assert(!arb_is_finite(x)); /* not asked for before it ran */
+    computed_free(c);
+}
+
+/* Between samples two motions are apart by no more than on them and what each exceeds its own by. */
+TEST(what_lies_between_two_motions_has_the_excess_of_both)
+{
+    const struct simulation one = {.steps = steps()}, other = {.steps = steps(), .nonlinear = true, .theta = "0"};
+    const struct sampled sampled = {one, 0, 4000, 40000, &other};
+    struct computed *c = computed_new((struct computation){"here", run_simulation, &sampled}, steps());
+    struct trajectory t[2];
+    struct bounds b;
+    SCOPE(arb, x, y, part);
+    computed_ask(c, "between_x1");
+    computed_number(c, "between_x1", x);
+    ck_assert(trajectory_run(&t[0], &one, 0, 4000, 40000) && trajectory_run(&t[1], &other, 0, 4000, 40000));
+    trajectory_gap(y, &t[0], &t[1], PLACE_X, 0, 10);
+    for (int i = 0; i < 2; i++) {
+        bounds_init(&b);
+        ck_assert(trajectory_bounds(&b, &t[i], 0));
+        bound_between_samples(part, &t[i], &b, PLACE_X);
+        ck_assert(is_above(part, 1e-3)); /* of the same size as the gap */
+        arb_add(y, y, part, PREC);
+        bounds_clear(&b);
+    }
+    arb_mul_ui(y, y, 5, PREC); /* arms of 5 m */
+    ck_assert(arb_overlaps(x, y) && arb_rel_accuracy_bits(x) > 40);
+    trajectory_clear(&t[0]);
+    trajectory_clear(&t[1]);
     computed_free(c);
 }
 
