@@ -282,7 +282,8 @@ TEST(hill_differs_by_what_the_inertial_motion_says)
  * A number is given where it is proved, and nowhere else: for ever only what the energy of the last sample allows, no bound
  * beyond the separatrix, nothing of a pair that turns over. The linear dL passes zero at 5.31 h, 19116 s, and comes back.
  */
-static const struct simulation near_rest = {.n = "10"}, beyond_the_hill = {.nonlinear = true, .dL = "3"};
+static const struct simulation near_rest = {.n = "10"}, beyond_the_hill = {.nonlinear = true, .dL = "3"},
+                               turned_over = {.nonlinear = true, .psi = "3.14"}; /* with as little energy, so that numbers are finite */
 
 static const struct {
     const char *name;
@@ -296,6 +297,13 @@ static const struct {
     {"part_psi", {{.n = "10"}, 0, 100, 200, &beyond_the_hill}, false},
     {"parted_psi", {{.n = "10"}, 0, 100, 200, &beyond_the_hill}, false},
     {"ever_dL_0", {{.nonlinear = true, .dL = "3"}, 0, 100, 200, NULL}, false},
+    {"sup_dL", {{.nonlinear = true, .psi = "3.14"}, 0, 100, 200, NULL}, false},
+    {"ever_dL_0", {{.nonlinear = true, .psi = "3.14"}, 0, 100, 200, NULL}, false},
+    {"bound_dL", {{.nonlinear = true, .psi = "3.14"}, 0, 100, 200, NULL}, false},
+    {"between_dL", {{.nonlinear = true, .psi = "3.14"}, 0, 100, 200, &near_rest}, false},
+    {"between_dL", {{.n = "10"}, 0, 100, 200, &turned_over}, false},
+    {"part_dL", {{.n = "10"}, 0, 100, 200, &turned_over}, false},
+    {"parted_dL", {{.nonlinear = true, .dL = "1"}, 0, 100, 200, &turned_over}, false},
     {"at_psi_0", {{.nonlinear = true, .dL = "-10"}, 0, 100, 200, NULL}, false}, /* no motion */
     {"gap_psi", {{.n = "10"}, 0, 100, 200, &(const struct simulation){.nonlinear = true, .dL = "-10"}}, false},
     {"peak_psi", {{.n = "10"}, 0, 1, 0, NULL}, true},
@@ -319,6 +327,37 @@ EACH(what_is_not_proved_is_not_given, COUNT(measured))
     ck_assert_int_eq(arb_is_finite(x), measured[_i].given);
     computed_number(c, "at_theta", x);
     ck_assert(!arb_is_finite(x)); /* not asked for before it ran */
+    computed_free(c);
+}
+
+/* What is the largest or the least of several samples is that of each of them. */
+TEST(extremes_are_those_of_all_samples)
+{
+    enum { HOURS = 6, MEASURES = 4 };
+    static const char *const names[MEASURES] = {"part_psi", "peak_psi", "high_psi", "low_psi"};
+    const struct simulation other = {.steps = steps(), .nonlinear = true, .theta = "0"};
+    const struct sampled sampled = {{.nonlinear = true}, 0, 3600, HOURS * 3600, &other};
+    struct computed *c = computed_new((struct computation){"here", run_simulation, &sampled}, steps());
+    char name[MEASURES][HOURS + 1][32];
+    SCOPE(arb, all, one);
+    VECTOR(arb, most, MEASURES);
+    for (int i = 0; i < MEASURES; i++) {
+        computed_ask(c, names[i]);
+        for (int k = 0; k <= HOURS; k++) {
+            snprintf(name[i][k], sizeof name[i][k], "%s_%d_%d", i == 0 ? "part_psi" : "at_psi", k, k);
+            computed_ask(c, name[i][k]);
+        }
+    }
+    for (int i = 0; i < MEASURES; i++) {
+        for (int k = 0; k <= HOURS; k++) {
+            computed_number(c, name[i][k], one);
+            if (i == 1)
+                arb_abs(one, one);
+            (i < 3 ? arb_max : arb_min)(most + i, k == 0 ? one : most + i, one, PREC);
+        }
+        computed_number(c, names[i], all);
+        ck_assert_msg(arb_overlaps(all, most + i) && arb_rel_accuracy_bits(all) > 20, "%s", names[i]);
+    }
     computed_free(c);
 }
 
