@@ -250,6 +250,64 @@ TEST(rk4_linear_shows_its_orders)
     convergence_clear(&c);
 }
 
+/* Each variable counts, on either side; and a constant is what its power leaves. */
+TEST(the_worst_order_is_that_of_any_variable)
+{
+    struct convergence c;
+    const struct study *s = study_find("rk4_linear_24000s");
+    SCOPE(arb, worst, x);
+    ck_assert(convergence_init(&c, steps(), s, s->rows - 1));
+    for (int i = 0; i < s->count; i++)
+        arb_set_si(c.orders + i, s->order[i]);
+    for (int k = 0; k < 2 * s->count; k++) {
+        arb_add_si(c.orders + k / 2, c.orders + k / 2, k % 2 ? 3 : -3, PREC);
+        convergence_worst(worst, &c, 0, 0);
+        ck_assert(arb_equal_si(worst, 3));
+        arb_set_si(c.orders + k / 2, s->order[k / 2]);
+    }
+    arb_set_fmpq(x, c.parameters + s->rows - 1, PREC); /* 5 s */
+    ck_assert(arb_equal_si(x, 5));
+    for (int i = 0; i < s->count; i++) {
+        arb_mul_si(x, c.constants + (s->rows - 1) * STUDIED + i, 625, PREC);
+        ck_assert(arb_overlaps(x, c.differences + (s->rows - 1) * STUDIED + i));
+    }
+    convergence_clear(&c);
+}
+
+/* A length of 0 at the start, a step that does not divide the time, a time out of reach: no differences, and no numbers. */
+static const struct {
+    const char *like;
+    long first, seconds;
+    bool fails;
+} failing[] = {{"linear_day", -100, 86400, true}, {"rk4_linear_day", 401, 86400, true}, {"forced_10", 1, 1000000000000000, true},
+               {"linear_day", 1, 86400, false}};
+
+EACH(studies_of_what_is_not_proved_give_nothing, COUNT(failing))
+{
+    static const char *const names[] = {"worst", "worst_of_all", "p_psi", "p_psi_1", "c_psi", "d_psi_1"};
+    struct study s = *study_find(failing[_i].like);
+    SCOPE(arb, x);
+    s.first = failing[_i].first;
+    s.over = failing[_i].fails ? 1 : 1000;
+    s.rows = 2;
+    s.seconds = failing[_i].seconds;
+    struct computed *c = computed_new((struct computation){"here", run_study, &s}, steps());
+    for (int i = 0; i < COUNT(names); i++)
+        computed_ask(c, names[i]);
+    for (int i = 0; i < COUNT(names); i++) {
+        computed_number(c, names[i], x);
+        ck_assert_msg(arb_is_finite(x) != failing[_i].fails, "%s", names[i]);
+    }
+    computed_free(c);
+    s.of_claims = false; /* its first rows are not computed then */
+    c = computed_new((struct computation){"here", run_study, &s}, steps());
+    s.rows = 3;
+    computed_ask(c, "worst_of_all");
+    computed_number(c, "worst_of_all", x);
+    ck_assert(!arb_is_finite(x));
+    computed_free(c);
+}
+
 /* Hill's motion less mpmath's of two_body_is_the_inertial_motion: x1 and dL in m. */
 TEST(hill_differs_by_what_the_inertial_motion_says)
 {
