@@ -109,7 +109,7 @@ void test_run_rewind(struct test_run *e)
 bool test_run_record(struct test_run *e, struct record *r)
 {
     const bool read = fread(r, sizeof *r, 1, e->journal) == 1;
-    if (!read && ferror(e->journal))
+    if (ferror(e->journal))
         e->journal_error = errno;
     return read;
 }
