@@ -57,6 +57,7 @@ static const struct {
     {NULL, "a: {show: sqrt(x) = 3, at: {x: 10}}", FOUND_FALSE, CERTIFIED},
     {NULL, "a: {show: x^2 = y, at: {x: [1, 2, -3], y: [1, 4, 9]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {show: x^2 = y, at: {x: [1, 2, -3], y: [1, 4, -9]}}", FOUND_FALSE, EXACT},
+    {NULL, "a: {show: x^2 = y, at: {x: [1, 2, -3], y: [-1, 4, 9]}}", FOUND_FALSE, EXACT}, /* I6: the first as well as the last */
     {"at: {z: 2}", "a: {show: z*x = y, at: {x: [1, 2], y: [2, 4]}}", FOUND_TRUE, EXACT}, /* one value at each turn */
     /* I1: signs */
     {NULL, "a: dL < L_ref", FOUND_TRUE, EXACT},
@@ -65,6 +66,7 @@ static const struct {
     {NULL, "a: dL <= L_ref/100", FOUND_TRUE, EXACT},
     {NULL, "a: dL >= L_ref/100", FOUND_TRUE, EXACT},
     {NULL, "a: exp(dL) > 11/10", FOUND_TRUE, CERTIFIED},
+    {NULL, "a: {show: exp(x) > 1, at: {x: 1/10^60}}", FOUND_TRUE, CERTIFIED}, /* of 200 bits */
     {NULL, "a: L > 0", UNDECIDED, CERTIFIED}, /* L has no value */
     {"at: {x: 1 +- 1/10}", "a: x > 0", FOUND_TRUE, CERTIFIED},
     {"at: {x: 1 +- 1/10}", "a: x > 1", UNDECIDED, CERTIFIED},
@@ -75,6 +77,12 @@ static const struct {
     {NULL, "a: {show: x^2 - x + 0.2501 > 0, on: {x: [0, 1]}}", FOUND_TRUE, CERTIFIED}, /* least 0.0001 */
     {NULL, "a: {show: x^2 - x + 0.25 > 0, on: {x: [0, 1]}}", UNDECIDED, CERTIFIED},    /* touches zero */
     {NULL, "a: {show: x^2 - x + 0.2501 < 0, on: {x: [0, 1]}}", FOUND_FALSE, CERTIFIED},
+    {NULL, "a: {show: x - 1/2 > 0, on: {x: [0, 1]}}", FOUND_FALSE, CERTIFIED}, /* at one end */
+    {NULL, "a: {show: 1/2 - x > 0, on: {x: [0, 1]}}", FOUND_FALSE, CERTIFIED}, /* at the other */
+    {NULL, "a: {show: x^2 + 1 >= 0, on: {x: [0, 1]}}", FOUND_TRUE, CERTIFIED},
+    {NULL, "a: {show: x <= 2, on: {x: [0, 1]}}", FOUND_TRUE, CERTIFIED},
+    {NULL, "a: {show: x + 1 != 0, on: {x: [0, 1]}}", UNDECIDED, CERTIFIED}, /* of signs alone */
+    {NULL, "a: {show: y - x - 2 = 0, on: {x: [0, 1]}, at: {y: 1}}", UNDECIDED, CERTIFIED},
     {NULL, "a: {show: log(x) < x, on: {x: [1/2, 3]}}", FOUND_TRUE, CERTIFIED},
     {NULL, "a: {show: 1 > 0, on: {x: [0, 1/(1 - 1)]}}", UNDECIDED, CERTIFIED},
     /* I3: one root between bounds */
@@ -99,6 +107,7 @@ static const struct {
     {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: []}, count: 3}", FOUND_TRUE, EXACT},
     {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [-4, 2]}, count: 2}", FOUND_TRUE, EXACT}, /* not 2 itself */
     {NULL, "a: {roots: x^2 + 1, on: {x: []}, count: 1}", FOUND_FALSE, EXACT},
+    {NULL, "a: {roots: x^2*(x - 1), on: {x: []}, count: 2}", FOUND_TRUE, EXACT}, /* different ones */
     {NULL, "a: {roots: x^2 - m, on: {x: []}, count: 2, at: {m: [1, 5]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {roots: exp(x), on: {x: []}, count: 0}", UNDECIDED, EXACT},
     {NULL, "a: {roots: 1/x, on: {x: []}, count: 0}", UNDECIDED, EXACT},
@@ -107,6 +116,7 @@ static const struct {
     {NULL, "a: {roots: x - x, on: {x: []}, count: 0}", UNDECIDED, EXACT},
     /* I5: matrices */
     {"free: [u, v], system: {u: v, v: 0*u}", "a: {rank: 1}", FOUND_TRUE, EXACT},
+    {"free: [u, v], system: {u: v, v: -u}", "a: {rank: 1}", FOUND_FALSE, EXACT}, /* no less */
     {"free: [u, v], system: {u: v, v: dQ}, at: {dQ: 0}", "a: {rank: 2, control: dQ}", FOUND_TRUE, EXACT},
     {"free: [u, v], system: {u: v, v: dQ}, at: {dQ: 0}", "a: {rank: 1, observe: v}", FOUND_TRUE, EXACT},
     {"free: [u, v], system: {u: v, v: -L*u}", "a: {rank: 2}", UNDECIDED, EXACT}, /* L has no value */
@@ -202,6 +212,48 @@ TEST(a_claim_may_rest_on_another)
     assert_ruled(both, HOLDS, true, "");
     strstr(both, "dL > 0")[3] = '<';
     assert_ruled(both, VERDICT_NONE, false, "d is undecided: 'a'");
+}
+
+/* Claims c, d and one on both: it is so where both come out as they are written, and it is known as the weaker of them is. */
+static const struct {
+    const char *condition, *first, *second;
+    enum verdict verdict;
+    enum how how;
+} pairs_of_claims[] = {
+    {"a", "dL > 0", "dL < 1", HOLDS, EXACT},
+    {"a", "exp(dL) > 1", "dL < 1", HOLDS, CERTIFIED},
+    {"a", "dL > 0", "exp(dL) > 1", HOLDS, CERTIFIED},
+    {"a", "dL < 0", "dL < 1", VERDICT_NONE, EXACT},
+    {"a", "dL > 0", "dL > 1", VERDICT_NONE, EXACT},
+    {"a, refuted: not a", "dL < 0", "dL < 1", VERDICT_NONE, EXACT}, /* not by another condition */
+};
+
+EACH(a_claim_may_rest_on_two, COUNT(pairs_of_claims))
+{
+    char text[4096], all[16384];
+    struct statements s;
+    struct ruling r;
+    int length = 0;
+    for (int k = 0; k < 3; k++) {
+        char prove[256];
+        snprintf(prove, sizeof prove, "a: %s", k == 0 ? pairs_of_claims[_i].first : k == 1 ? pairs_of_claims[_i].second : "{claim: [c, d]}");
+        write_claim(text, k == 0 ? pairs_of_claims[_i].condition : "a", NULL, prove, NULL);
+        length += snprintf(all + length, sizeof all - (size_t)length, "%c%s", 'c' + k, text + 1);
+    }
+    read_claim(&s, all);
+    statement_rule(&s, &s.list[2], &r);
+    ck_assert_int_eq(r.verdict, pairs_of_claims[_i].verdict);
+    ck_assert_int_eq(r.as_written, r.verdict == HOLDS);
+    ck_assert_int_eq(r.how, pairs_of_claims[_i].how);
+    statements_clear(&s);
+}
+
+/* Of two roots neither is the number that the name stands for. */
+TEST(a_root_that_is_not_alone_has_no_digits)
+{
+    char text[4096];
+    write_claim(text, "a", NULL, "a: dL > 0\n    r: {root: y^2 - 2, on: {y: [-2, 2]}}", "{r | 1}");
+    assert_ruled(text, VERDICT_NONE, false, "the digits of r cannot be proved");
 }
 
 /* ---- numbers ---- */
