@@ -179,7 +179,7 @@ char *decimal_of_ball(const arb_t x, slong digits)
     arb_get_mag_lower(least, x);
     if (arb_is_zero(x))
         return text_copy("0");
-    if (!arb_is_finite(x) || mag_is_zero(least) || fmpz_bits(MAG_EXPREF(least)) > EXPONENT_BITS)
+    if (mag_is_zero(least) || fmpz_bits(MAG_EXPREF(least)) > EXPONENT_BITS) /* as the exponent of an infinity is */
         return NULL;
     const double binary = fmpz_get_d(MAG_EXPREF(least)) - 1; /* |x| >= 2^binary; of the product the margin covers the rounding */
     return scientific(round_ball, x, arf_sgn(arb_midref(x)) < 0, digits, (slong)floor(binary * log10_2 - fabs(binary) * DBL_EPSILON));
