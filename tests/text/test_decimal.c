@@ -458,6 +458,17 @@ TEST(ball_of_tiny_value_has_its_exponent)
     free(text);
 }
 
+/* 146964308 log10(2) is 44240665 - 4e-10, which a product of doubles makes 44240665. mpmath.mp.dps = 60; mpmath.mpf(2)**146964308 */
+TEST(ball_of_a_power_of_two_below_one_of_ten_has_its_exponent)
+{
+    SCOPE(arb, x);
+    arb_set_ui(x, 1);
+    arb_mul_2exp_si(x, x, 146964308);
+    char *text = decimal_of_ball(x, 20);
+    ck_assert_pstr_eq(text, "9.9999999281501361390e+44240664");
+    free(text);
+}
+
 TEST(ball_of_absurd_exponent_is_refused)
 {
     SCOPE(fmpz, exponent);
@@ -469,6 +480,27 @@ TEST(ball_of_absurd_exponent_is_refused)
     arb_one(x);
     arb_mul_2exp_fmpz(x, x, exponent);
     ck_assert_ptr_null(decimal_of_ball(x, 5));
+}
+
+/* Mid and radius in 1024ths: of what is no decimal of so many digits the lower end is rounded down, the upper one up. */
+EACH(an_end_is_rounded_outward, 7)
+{
+    static const struct {
+        slong mid;
+        ulong radius;
+        slong digits;
+        const char *lower, *upper;
+    } ends[] = {{512, 0, 3, "5.00e-01", "5.00e-01"}, {1, 0, 3, "9.76e-04", "9.77e-04"}, {-1, 0, 3, "-9.77e-04", "-9.76e-04"},
+                {1024, 1, 2, "9.9e-01", "1.1e+00"},  {0, 128, 2, "-1.3e-01", "1.3e-01"}, {1, 1, 4, "0", "1.954e-03"}, {-1, 1, 4, "-1.954e-03", "0"}};
+    SCOPE(arb, x);
+    arb_set_si(x, ends[_i].mid);
+    mag_set_ui_2exp_si(arb_radref(x), ends[_i].radius, 0);
+    arb_mul_2exp_si(x, x, -10);
+    char *lower = decimal_of_end(x, ends[_i].digits, false), *upper = decimal_of_end(x, ends[_i].digits, true);
+    ck_assert_str_eq(lower, ends[_i].lower);
+    ck_assert_str_eq(upper, ends[_i].upper);
+    free(lower);
+    free(upper);
 }
 
 /* python3: repr(x), without its trailing ".0" */
