@@ -534,6 +534,8 @@ static const struct {
     {1000000000000000.75, "1000000000000000.8"},
     {0x1p-44, "5.684341886080802e-14"}, /* not the nearest of 16 digits, which does not read back */
     {0x1p-1074, "5e-324"},
+    {0x1p-1067, "6.3e-322"}, /* subnormal: as far from the number below as from the one above */
+    {0x1p-1025, "2.781342323134e-309"},
     {0x1p-1022, "2.2250738585072014e-308"},
     {0x1.fffffffffffffp1023, "1.7976931348623157e+308"},
     {INFINITY, "inf"},
