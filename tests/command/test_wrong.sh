@@ -50,16 +50,17 @@ guard() { # NAME STATUS TEXT ARGUMENTS...: the build's guard
 }
 sed 's/^quantities:/quantitiez:/' paper/equations.yaml >"$work/sheet.yaml"
 sed 's/^steps:/stepz:/' paper/derivations.yaml >"$work/steps.yaml"
-check 'a sheet alone' ends 0 "$CT_BUILD/sheet-check" paper/equations.yaml
+equations=paper/equations.yaml steps=paper/derivations.yaml claims=paper/claims.yaml
 guard 'no sheet' 2 'usage: sheet-check'
-guard 'no such sheet' 1 '/sheet: cannot be read' "$work/sheet"
-guard 'a folder for a sheet' 1 'paper: cannot be read' paper
-guard 'a wrong sheet' 1 ":1: unknown key 'quantitiez'" "$work/sheet.yaml"
-guard 'no such steps' 1 '/steps: cannot be read' paper/equations.yaml "$work/steps"
-sed 's/^  verdict:/  verdikt:/' paper/claims.yaml >"$work/claims.yaml"
-guard 'no such claims' 1 '/claims: cannot be read' paper/equations.yaml paper/derivations.yaml "$work/claims"
-guard 'wrong claims' 1 ": unknown key 'verdikt'" paper/equations.yaml paper/derivations.yaml "$work/claims.yaml"
-guard 'wrong steps' 1 ":1: unknown key 'stepz'" paper/equations.yaml "$work/steps.yaml"
+guard 'two sheets' 2 'usage: sheet-check' $equations $steps
+guard 'no such sheet' 1 '/sheet: cannot be read' "$work/sheet" $steps $claims
+guard 'a folder for a sheet' 1 'paper: cannot be read' paper $steps $claims
+guard 'a wrong sheet' 1 ":1: unknown key 'quantitiez'" "$work/sheet.yaml" $steps $claims
+guard 'no such steps' 1 '/steps: cannot be read' $equations "$work/steps" $claims
+sed 's/^  verdict:/  verdikt:/' $claims >"$work/claims.yaml"
+guard 'no such claims' 1 '/claims: cannot be read' $equations $steps "$work/claims"
+guard 'wrong claims' 1 ": unknown key 'verdikt'" $equations $steps "$work/claims.yaml"
+guard 'wrong steps' 1 ":1: unknown key 'stepz'" $equations "$work/steps.yaml" $claims
 
 stops 'an unreadable sheet' 's/^quantities:/quantitiez:/' 1 "coulomb-tether: paper/equations.yaml:" equations
 check 'an unreadable sheet' one_line

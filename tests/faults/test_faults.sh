@@ -60,7 +60,7 @@ without_input() { "$program" datapackage <&-; }
 check 'a closed standard input' refuses without_input
 : >"$work/expected"
 check 'answers that cannot be read' refuses "$program" conform --answers data eq07
-unreadable_sheet() { "$CT_BUILD/sheet-check" data 2>&1 | grep -qx 'data: cannot be read'; }
+unreadable_sheet() { "$CT_BUILD/sheet-check" data data data 2>&1 | grep -qx 'data: cannot be read'; }
 check 'a sheet that cannot be read' unreadable_sheet
 
 # ---- a client ----

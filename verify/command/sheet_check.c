@@ -27,17 +27,18 @@ static char *file_text(const char *name, size_t *length)
     return text;
 }
 
-/* So many of the three; 0, or -1 and what is wrong. */
-static int check(const struct sources *s, int count, struct message *why)
+/* 0, or -1 and what is wrong. */
+static int check(const struct sources *s, struct message *why)
 {
     struct paper paper;
     struct derivations steps;
     struct statements claims;
-    int status = paper_open(&paper, s, why);
-    if (status != 0)
-        return status;
-    if (count > 1 && (status = derivations_open(&steps, &paper, why)) == 0) {
-        if (count > 2 && (status = statements_read(&claims, &steps, &paper.claims, why)) == 0)
+    if (paper_open(&paper, s, why) != 0)
+        return -1;
+    int status = derivations_open(&steps, &paper, why);
+    if (status == 0) {
+        status = statements_read(&claims, &steps, &paper.claims, why);
+        if (status == 0)
             statements_clear(&claims);
         derivations_clear(&steps);
     }
@@ -49,29 +50,26 @@ int main(int count, char **arguments)
 {
     struct source sources[SHEETS] = {{NULL, NULL, 0}};
     struct message why = {""};
-    const int files = count - 1 < SHEETS ? count - 1 : SHEETS;
     int status = 0;
-    if (files < 1) {
-        fputs("usage: sheet-check EQUATIONS [DERIVATIONS [CLAIMS [ARGUMENTS...]]]\n", stderr);
+    if (count <= SHEETS) {
+        fputs("usage: sheet-check EQUATIONS DERIVATIONS CLAIMS [ARGUMENTS...]\n", stderr);
         return 2;
     }
-    for (int i = 0; i < files && status == 0; i++) {
+    for (int i = 0; i < SHEETS && status == 0; i++) {
         sources[i].name = arguments[i + 1];
         sources[i].text = file_text(arguments[i + 1], &sources[i].length);
         if (sources[i].text == NULL) {
             message_set(&why, "%s: cannot be read", arguments[i + 1]);
-            status = 1;
+            status = -1;
         }
     }
     const struct sources s = {sources[0], sources[1], sources[2]};
-    if (status == 0 && count > SHEETS + 1)
-        status = program_run(&s, count - SHEETS, arguments + SHEETS);
-    else if (status == 0 && check(&s, files, &why) != 0)
-        status = 1;
+    if (status == 0)
+        status = count > SHEETS + 1 ? program_run(&s, count - SHEETS, arguments + SHEETS) : check(&s, &why);
     if (why.text[0] != '\0')
         fprintf(stderr, "%s\n", why.text);
     for (int i = 0; i < SHEETS; i++)
         free((char *)sources[i].text);
     flint_cleanup();
-    return status;
+    return status < 0 ? 1 : status;
 }
