@@ -809,6 +809,9 @@ EACH(what_leaves_the_clients_range_is_skipped_and_nothing_else, 4)
         const bool leaves = vector_leaves_range(e->comparators[0].operation, q.inputs, significand);
         ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
         assert_found(e, p, right_but(outputs, s->output_count, -1, ""), leaves ? OUTCOME_SKIPPED : OUTCOME_RIGHT);
+        e->range = true; /* on request it is judged */
+        assert_found(e, p, right_but(outputs, s->output_count, -1, ""), OUTCOME_RIGHT);
+        e->range = false;
         free_all(outputs, s->output_count);
         left += leaves;
     }
@@ -1052,6 +1055,28 @@ TEST(so_many_lines_out_of_place_are_heard)
     }
     close_run(few);
     close_run(many);
+}
+
+/* Of two that are exact the first, of E and of digits; none whose E lies between two binary64, of which one is K. */
+TEST(the_first_of_the_worst_answers_is_named)
+{
+    static const char *const answers[][2] = {{"eq42-boundary", "0 1 0"}, {"eq42-no-damping", "1 0 0"}, {"flow_linear-at-rest-100", "0 0 0 0 0 0"},
+                                             {"flow_linear-at-rest-43200", "0 0 0 0 0 0"}};
+    for (int k = 0; k < 4; k += 2) {
+        struct test_run *e = run_of(section_find(sheet(), k ? "flow_linear" : "eq42"), 0, BINARY64);
+        assert_found(e, test_sets_find(&e->sets, answers[k][0]), answers[k][1], OUTCOME_RIGHT);
+        assert_found(e, test_sets_find(&e->sets, answers[k + 1][0]), answers[k + 1][1], OUTCOME_RIGHT);
+        ck_assert_uint_eq(e->summaries[0].worst, test_sets_find(&e->sets, answers[k][0]));
+        close_run(e);
+    }
+    struct test_run *once = eq43(), *again = eq43();
+    const uint64_t position = test_sets_find(&once->sets, "eq43-random-1");
+    assert_found(once, position, "1", OUTCOME_WRONG);
+    again->comparators[0].K = nextafter(once->summaries[0].worst_E, 0);
+    assert_found(again, position, "1", OUTCOME_SKIPPED);
+    ck_assert_uint_eq(again->summaries[0].worst, UINT64_MAX);
+    close_run(once);
+    close_run(again);
 }
 
 /* ---- mistakes and what finds them ---- */
