@@ -17,6 +17,12 @@ struct known {
 
 static const struct symbolic *value_of(struct run *r, int i);
 
+/* Whether a value is a number: that it has a sign, and may be compared. */
+static enum symbolic_fault fault_of(const struct symbolic *x)
+{
+    return x->fault == SYMBOLIC_FINE && x->angle ? SYMBOLIC_ANGLE_AS_NUMBER : x->fault;
+}
+
 /* ---- signs at epsilon = 0 ---- */
 
 static int signs_of_number(int number)
@@ -77,7 +83,7 @@ static int signs_by_form(struct run *r, const struct node *n)
     return combine(a, n->op == OPERATOR_DIVIDE ? b & ~SIGN_ZERO : b, false);
 }
 
-/* The signs that a node with a value may have at epsilon = 0: by its form, and where that does not tell by its normal form. */
+/* The signs that a node that is a number may have at epsilon = 0: by its form, and where that does not tell by its normal form. */
 static int signs_of(struct run *r, int i)
 {
     int *result = &r->nodes[i].signs;
@@ -132,7 +138,7 @@ static const struct symbolic *value_of(struct run *r, int i)
         arithmetic_symbolic.set_rational(z, &n->number, r->terms);
     } else {
         const struct symbolic *x = value_of(r, n->left), *y = n->right < 0 ? NULL : value_of(r, n->right);
-        const int sign = n->op == OPERATOR_POSITIVE && x->fault == SYMBOLIC_FINE ? signs_of(r, n->left) : SIGN_ANY;
+        const int sign = n->op == OPERATOR_POSITIVE && fault_of(x) == SYMBOLIC_FINE ? signs_of(r, n->left) : SIGN_ANY;
         SCOPE(fmpq, truth);
         fmpq_set_si(truth, sign == SIGN_POSITIVE, 1);
         if (sign == SIGN_POSITIVE || !(sign & (SIGN_POSITIVE | (r->terms > 1 ? SIGN_ZERO : 0))))
@@ -209,17 +215,11 @@ struct finding {
 bool run_root(struct run *r, int node)
 {
     const struct symbolic *x = value_of(r, node);
-    const int s = x->fault == SYMBOLIC_FINE && !x->angle ? signs_of(r, node) : SIGN_ANY;
+    const int s = fault_of(x) == SYMBOLIC_FINE ? signs_of(r, node) : SIGN_ANY;
     const bool is_root = !(s & SIGN_NEGATIVE) && s != SIGN_ZERO;
     if (is_root)
         symbolic_root(x, s == SIGN_POSITIVE);
     return is_root;
-}
-
-/* Whether a value may be compared. */
-static enum symbolic_fault fault_of(const struct symbolic *x)
-{
-    return x->fault == SYMBOLIC_FINE && x->angle ? SYMBOLIC_ANGLE_AS_NUMBER : x->fault;
 }
 
 /* Of two nodes; *zero: both vanish, to this order. */
