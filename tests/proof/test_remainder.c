@@ -71,6 +71,9 @@ static const struct known cases[] = {
     {"1/x", {"-1", "1"}, {0}, "1000", REMAINDER_EXCEEDED},
     {"sqrt(x)", {"-1", "1"}, {0}, "2", REMAINDER_UNDECIDED}, /* no value for half of the set */
     {"1/(x - 1/3)", {"1/3", "1"}, {0}, "1000", REMAINDER_EXCEEDED},
+    /* 1/3 and 2/3 to 128 bits: what they are rounded to is below the bound, they are above (8/3 and 7/3) */
+    {"(x - 226854911280625642308916404954512140970/2^129)*2^129 + 2", {"1/3", "1/3"}, {0}, "13/5", REMAINDER_UNDECIDED},
+    {"(226854911280625642308916404954512140971/2^128 - x)*2^128 + 2", {"2/3", "2/3"}, {0}, "23/10", REMAINDER_UNDECIDED},
 };
 
 EACH(bound_is_proved_or_the_reason_told, COUNT(cases))

@@ -422,6 +422,13 @@ static const struct {
     {12, 0, 4, 0},     /* double pairs */
     {10.5, 0, 3.5, 0}, /* a double real root */
     {12, 0, 0, 1e-30}, /* real parts of either order */
+    /* a pair with the real part of a real root, which may be before or after it: the last places, and the first (mpmath, findroot) */
+    {10.0519599077040376, 1e-9, 3, 0},
+    {10.6994878915544475, 1e-9, 4, 0},
+    {10.8792507083087411, 1e-9, 5, 0},
+    {10.9288405448506025, 1e-9, 6, 0},
+    {10.0519599077040376, 1e-9, -3, 0},
+    {10.8792507083087411, 1e-9, -5, 0},
     {NAN, 0, 2, 0},
 };
 
