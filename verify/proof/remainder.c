@@ -48,7 +48,7 @@ static void enclose_at(struct search *s, arb_t z, arb_srcptr state)
     arb_set(z, machine_value(&s->value, s->of->node));
     arb_get_abs_lbound_arf(arb_midref(least), z, SEARCH_BITS);
     if (arb_gt(least, s->reached))
-        arb_set(s->reached, least);
+        arb_swap(s->reached, least);
 }
 
 /*
@@ -74,14 +74,14 @@ static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
     machine_gradient(&s->value, s->of->node, &s->slope);
     for (int i = 0; i < inputs; i++) {
         arb_mul_si(z, machine_value(&s->slope, i), sign, SEARCH_BITS);
-        if (arb_is_finite(z) && arb_is_nonnegative(z)) {
+        if (arb_is_nonnegative(z)) { /* nor is what has no value */
             arb_set(low + i, high + i);
-        } else if (arb_is_finite(z) && arb_is_nonpositive(z)) {
+        } else if (arb_is_nonpositive(z)) {
             arb_set(high + i, low + i);
         } else {
             arb_get_mag(change, z);
+            mag_addmul(all, change, arb_radref(state + i));
             mag_mul(change, change, arb_radref(state + i));
-            mag_add(all, all, change);
             if (widest < 0 || mag_cmp(change, most) > 0) {
                 mag_set(most, change);
                 widest = i;
