@@ -179,6 +179,8 @@ static const struct {
     {"a", "run: {compute: escaping_10}\n    a: run.at_nowhere_0 < 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'a' is found neither"},
     {"a, refuted: not a", "a: dL < 0", REFUTED, false, "t:7:8: c comes out as 'refuted', its evidence is written for 'holds': 'a' is false"},
     {"[a, b], refuted: [b, a]", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "more than one of its conditions is true"},
+    {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    a: {show: x > 1, at: {x: r}}", HOLDS, true, ""}, /* r serves a by way of x, */
+    {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    t: {root: t - r, on: {t: [1, 2]}}\n    a: t > 1", HOLDS, true, ""}, /* of t */
     {"[a, returns]", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 < 0", HOLDS, true, ""},
     {"[a, returns]", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 > 0", VERDICT_NONE, false, "'returns' is false"},
 };
@@ -188,6 +190,16 @@ EACH(verdicts_follow_from_conditions, COUNT(rulings))
     char text[4096];
     write_claim(text, rulings[_i].condition, NULL, rulings[_i].prove, NULL);
     assert_ruled(text, rulings[_i].verdict, rulings[_i].as_written, rulings[_i].open);
+}
+
+/* Where nothing else is said all is wanted, but for the computations that the others rest on. */
+EACH(a_verdict_by_itself_wants_all, 3)
+{
+    static const char *const prove[] = {"a: dL > 0\n    b: dL < 1", "a: dL > 0\n    b: dL > 1", "run: {compute: escaping_10}\n    a: run.at_dL_0 < 0"};
+    char text[4096];
+    write_claim(text, "a}", NULL, prove[_i], NULL);
+    memcpy(strstr(text, "{holds: a}}"), "holds      ", strlen("{holds: a}}"));
+    assert_ruled(text, _i == 1 ? VERDICT_NONE : HOLDS, _i != 1, _i == 1 ? "'b' is false" : "");
 }
 
 TEST(a_claim_has_not_too_many_assertions)

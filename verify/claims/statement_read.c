@@ -370,8 +370,6 @@ static bool read_rank(struct claim_reading *r, struct assertion *a, const struct
         return false;
     if ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0))
         return entry_error(r, control != NULL ? control : observe, "expected control: a quantity, or observe: a state");
-    for (int i = 0; i < l->size; i++)
-        r->uses |= uses_of(r, &l->of->program, l->rates[i]);
     return true;
 }
 
