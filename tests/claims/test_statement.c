@@ -174,6 +174,7 @@ static const struct {
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r < 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r > 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:8:8: c stands without 'b', or with its contrary"},
+    {"b", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:7:8: c stands without 'a', or with its contrary"},
     {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    a: r > 1\n    b: dL < 1", HOLDS, false, "t:9:8: c stands without 'b', or with its contrary"},
     {"a", "a: dL > 0\n    b: {compute: escaping_10}", HOLDS, false, "t:8:8: c stands without 'b'"},
     {"a", "run: {compute: escaping_10}\n    a: run.at_nowhere_0 < 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'a' is found neither"},
@@ -304,6 +305,7 @@ EACH(numbers_have_proved_digits_or_none, COUNT(numbers))
     statement_decide(&s, &s.list[0], NONE_LEFT_OUT, &r);
     const struct quoted_number *q = &s.list[0].numbers[0];
     ck_assert_int_eq(r.as_written, numbers[_i].decimal != NULL);
+    ck_assert_int_eq(r.how, CERTIFIED); /* x is */
     if (numbers[_i].decimal == NULL) {
         ck_assert_ptr_null(q->decimal);
         ck_assert_int_eq(r.verdict, VERDICT_NONE);
