@@ -293,6 +293,10 @@ TEST(vectors_are_asked_one_by_one)
     ck_assert_int_eq(conform("--only eq44-boundary,eq44-paper,eq44-boundary,eq43 -- FAULTY none"), 0);
     assert_says("eq43                  31       31 ");
     assert_says("eq44                   2        2 ");
+    ck_assert_int_eq(conform("--only method,eq44,eq44-paper,roots --questions | cut -d- -f1 | sort -u"), 0); /* all of what is named whole */
+    ck_assert_str_eq(said, "eq41roots eq41roots\neq44 eq44\nrk4_linear rk4_linear\nrk4_nonlinear rk4_nonlinear\n");
+    ck_assert_int_eq(conform("--only eq44,eq44-paper -- FAULTY none"), 0);
+    assert_says("\n33 vectors: 33 passed, ");
     ck_assert_int_eq(conform("--only eq44-7-3,eq44-7-outside-0 --random 17 --seed 7 -- FAULTY none"), 0);
     assert_says("\n2 vectors: 2 passed, ");
     ck_assert_int_eq(conform("--only eq44-paper -- sh -c 'read q; echo eq44-boundary 0; cat >/dev/null'"), 1); /* it is not asked */
@@ -387,6 +391,14 @@ TEST(expected_failures_are_none_and_what_passes_is_said)
     assert_says("expect: line 6: unknown vector 'eq38-papers'\n");
     ck_assert_int_eq(conform("--only eq07 --expect \"$CT_BUILD/tests/expect\" -- FAULTY none"), 2); /* none that is left out either */
     assert_says("expect: line 6: unknown vector 'eq38-papers'\n");
+    for (int i = 0; i < 3; i++) {
+        static const char *const none[] = {"eq99-paper", "eq01-paper", "paper"};
+        char line[200];
+        snprintf(line, sizeof line, "echo %s >\"$CT_BUILD/tests/expect\"", none[i]);
+        ck_assert_int_eq(system(line), 0);
+        ck_assert_int_eq(conform("--only eq07 --expect \"$CT_BUILD/tests/expect\" -- FAULTY none"), 2);
+        assert_says("expect: line 1: unknown vector '");
+    }
     ck_assert_int_eq(conform("--expect \"$CT_BUILD\" -- FAULTY none"), 1);
     assert_says("Is a directory");
     ck_assert_int_eq(conform("--expect /nowhere -- FAULTY none"), 1);

@@ -229,7 +229,7 @@ static void hear_line(struct test_run *e, char *line, bool ended)
         stray(e, OUTCOME_UNNAMED, shown);
         return;
     }
-    const bool due = !e->any_order && e->next < e->asked && strcmp(words[0], vector_at(e, e->next)->id) == 0;
+    const bool due = e->next < e->asked && strcmp(words[0], vector_at(e, e->next)->id) == 0;
     const uint64_t position = due ? e->next : test_sets_find(&e->sets, words[0]);
     const bool again = e->any_order ? position < e->sets.total && e->answered[position] : position < e->next;
     if (position >= e->asked || again) {
