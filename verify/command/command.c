@@ -1,6 +1,7 @@
 #include "command/command.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -212,16 +213,10 @@ bool option_given(const struct arguments *a, const char *name)
 
 int option_digits(const struct arguments *a, long otherwise, long *digits)
 {
-    const char *text = option_value(a, "--digits");
-    char *end;
-    *digits = otherwise;
-    if (text == NULL)
-        return EXIT_DONE;
-    errno = 0;
-    *digits = strtol(text, &end, 10);
-    if (*text < '0' || *text > '9' || *end != '\0' || errno != 0 || *digits < 1 || *digits > 10000)
-        return usage_error(EXIT_USAGE, "--digits: expected an integer from 1 to 10000, got '%s'", text);
-    return EXIT_DONE;
+    uint64_t number = (uint64_t)otherwise;
+    const int status = option_number(a, "--digits", 1, 10000, &number);
+    *digits = (long)number;
+    return status;
 }
 
 int option_inputs(const struct arguments *a, enum input_form *form)
@@ -238,17 +233,18 @@ int option_inputs(const struct arguments *a, enum input_form *form)
     return usage_error(EXIT_USAGE, "--inputs: expected shortest, exact or hex, got '%.40s'", text);
 }
 
-int option_number(const struct arguments *a, const char *name, uint64_t *number)
+int option_number(const struct arguments *a, const char *name, uint64_t least, uint64_t most, uint64_t *number)
 {
     const char *text = option_value(a, name);
-    char *end;
     if (text == NULL)
         return EXIT_DONE;
     errno = 0;
-    *number = strtoull(text, &end, 10);
-    if (strspn(text, "0123456789") != strlen(text) || *text == '\0' || errno != 0)
+    *number = strtoull(text, NULL, 10);
+    if (strspn(text, "0123456789") == strlen(text) && *text != '\0' && errno == 0 && *number >= least && *number <= most)
+        return EXIT_DONE;
+    if (most == UINT64_MAX)
         return usage_error(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
-    return EXIT_DONE;
+    return usage_error(EXIT_USAGE, "%s: expected from %" PRIu64 " to %" PRIu64 ", got '%.40s'", name, least, most, text);
 }
 
 /* What a literal is that is no finite number. */

@@ -73,8 +73,8 @@ int read_assignments(const struct arguments *a, const char *const *known, int co
                      const bool *may_be_infinite, bool *seen, struct input *values, const char **refused);
 int refuse_assignment(const char *assignment, bool exact);
 
-/* A whole number below 2^64, kept where the option is not given. */
-int option_number(const struct arguments *a, const char *name, uint64_t *number);
+/* A whole number between these two, kept where the option is not given. */
+int option_number(const struct arguments *a, const char *name, uint64_t least, uint64_t most, uint64_t *number);
 
 /* The operation that the first word names; NULL after a complaint. */
 const struct section *operation_argument(const struct arguments *a);

@@ -162,9 +162,9 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
 {
     uint64_t random = 0, significand = BINARY64;
     int status;
-    if ((status = option_number(a, "--random", &random)) != EXIT_DONE ||
-        (status = option_number(a, "--seed", &e->sets.seed)) != EXIT_DONE ||
-        (status = option_number(a, "--significand", &significand)) != EXIT_DONE ||
+    if ((status = option_number(a, "--random", 0, UINT64_MAX, &random)) != EXIT_DONE ||
+        (status = option_number(a, "--seed", 0, UINT64_MAX, &e->sets.seed)) != EXIT_DONE ||
+        (status = option_number(a, "--significand", 0, UINT64_MAX, &significand)) != EXIT_DONE ||
         (status = option_inputs(a, &e->sets.form)) != EXIT_DONE)
         return status;
     if (option_given(a, "--random") != option_given(a, "--seed"))

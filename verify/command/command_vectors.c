@@ -28,9 +28,9 @@ static int print_random_vectors(const struct arguments *a, const struct section 
     bool header = true;
     if (!option_given(a, "--count") || !option_given(a, "--seed"))
         return usage_error(EXIT_USAGE, "vectors: expected --count N and --seed S, or --golden");
-    int status = option_number(a, "--count", &count);
+    int status = option_number(a, "--count", 0, UINT64_MAX, &count);
     if (status == EXIT_DONE)
-        status = option_number(a, "--seed", &seed);
+        status = option_number(a, "--seed", 0, UINT64_MAX, &seed);
     const char *shard = option_value(a, "--shard");
     if (status == EXIT_DONE && shard != NULL)
         status = take_shard(shard, &first, &count, &header);

@@ -22,15 +22,6 @@ static bool asked_for(const struct verification *v, const char *part)
     return v->part == NULL || strcmp(v->part, part) == 0;
 }
 
-static int check_request(const struct verification *v)
-{
-    if (v->only != NULL && (asked_for(v, "errors") || v->format == FORMAT_GRAPH))
-        return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", v->only);
-    if (v->count < 1)
-        return usage_error(EXIT_USAGE, "--count: expected from 1 to %d inputs", MOST_COUNT);
-    return EXIT_DONE;
-}
-
 static int read_request(const struct arguments *a, struct verification *v)
 {
     static const char *const formats[] = {[FORMAT_JSON] = "--json", [FORMAT_CSV] = "--csv", [FORMAT_MARKDOWN] = "--markdown",
@@ -47,9 +38,11 @@ static int read_request(const struct arguments *a, struct verification *v)
         }
     if (given > 1)
         return usage_error(EXIT_USAGE, "--json, --csv, --markdown, --graph: expected one of them");
-    int status = option_number(a, "--count", &count);
-    v->count = count <= MOST_COUNT ? (long)count : 0;
-    return status != EXIT_DONE ? status : check_request(v);
+    if (v->only != NULL && (asked_for(v, "errors") || v->format == FORMAT_GRAPH))
+        return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", v->only);
+    const int status = option_number(a, "--count", 1, MOST_COUNT, &count);
+    v->count = (long)count;
+    return status;
 }
 
 /* Whether there is a step, or a row of the verdicts: those of equations and of Table 1 included. */
