@@ -283,10 +283,10 @@ TEST(outside_the_domain_nothing_is_said)
 
 /* ---- what is proved of all values of a ball ---- */
 
-enum { NUMBERS_OF_GAINS = 21 };
+enum { NUMBERS_OF_GAINS = 26 };
 
-/* Of gains: how long they may be held, how late they may act, what they make of a pitch of 1/8 + away after 3 + away. */
-static void of_gains(arb_ptr z, const arb_t c1, const arb_t c2, const arb_t away, slong prec)
+/* Of gains: how long they may be held, how late they may act, what they make of a pitch of 1/8 + away after 3 + late. */
+static void of_gains(arb_ptr z, const arb_t c1, const arb_t c2, const arb_t away, const arb_t late, slong prec)
 {
     static const char *const names[] = {"A_re", "A_im", "B_re", "decay", "shift"};
     struct second_order o;
@@ -295,7 +295,7 @@ static void of_gains(arb_ptr z, const arb_t c1, const arb_t c2, const arb_t away
     SCOPE(arb, a, tau);
     arb_set_d(a, 0.125);
     arb_add(a, a, away, prec);
-    arb_add_ui(tau, away, 3, prec);
+    arb_add_ui(tau, late, 3, prec);
     arb_one(z); /* a swing of L_ref */
     quadrature_reference(S, c1, c2, z, a, prec);
     acb_get_real(z + 7, S);
@@ -309,6 +309,10 @@ static void of_gains(arb_ptr z, const arb_t c1, const arb_t c2, const arb_t away
     slow_law(z + 16, z + 17, &o, a, tau);
     for (int i = 0; i < 5; i++)
         arb_set(z + i, second_order_get(&o, names[i]));
+    second_order_clear(&o);
+    second_order_init(&o, steps(), c1, c2, NULL, prec); /* and of the law as it is */
+    for (int i = 0; i < 5; i++)
+        arb_set(z + 21 + i, second_order_get(&o, names[i]));
     second_order_clear(&o);
     largest_hold(z + 5, c1, c2, prec);
     largest_delay(z + 6, c1, c2, prec);
@@ -332,7 +336,7 @@ EACH(numbers_of_a_ball_hold_those_of_its_gains, 6)
         arb_mul_2exp_si(c2, c2, 1);
         guarantees_enclose(wide, n, _i % 2 ? y : NULL, few_bits[k]);
         arb_sub(one, n, n, few_bits[k]); /* 0, away as far as twice the radius of n */
-        of_gains(wide + GUARANTEES, n, c2, one, few_bits[k]);
+        of_gains(wide + GUARANTEES, n, c2, one, one, few_bits[k]);
         for (int i = 0; i < GUARANTEES + NUMBERS_OF_GAINS && k == 2; i++)
             ck_assert_msg(arb_is_finite(wide + i), "number %d at n = %g", i, gains[_i]);
         for (int end = -1; end <= 1; end++) {
@@ -343,7 +347,7 @@ EACH(numbers_of_a_ball_hold_those_of_its_gains, 6)
             arb_mul_2exp_si(c2, c2, 1);
             guarantees_enclose(sharp, one, _i % 2 ? y : NULL, PREC);
             arb_set_d(y, end * ldexp(1, -14 * k - 7));
-            of_gains(sharp + GUARANTEES, one, c2, y, PREC);
+            of_gains(sharp + GUARANTEES, one, c2, y, y, PREC);
             for (int i = 0; i < GUARANTEES + NUMBERS_OF_GAINS; i++)
                 ck_assert_msg(arb_contains(wide + i, sharp + i) || !arb_is_finite(wide + i), "number %d at n = %g", i, gains[_i]);
         }
@@ -364,15 +368,41 @@ TEST(numbers_of_few_bits_hold_those_of_many)
         arb_set_d(y, 1.2);
         arb_set_d(c2, 0.3 * gains[k / 8]);
         guarantees_enclose(few, n, k % 2 ? y : NULL, bits);
-        of_gains(few + GUARANTEES, n, c2, none, bits);
+        of_gains(few + GUARANTEES, n, c2, none, none, bits);
         guarantees_enclose(many, n, k % 2 ? y : NULL, PREC);
-        of_gains(many + GUARANTEES, n, c2, none, PREC);
+        of_gains(many + GUARANTEES, n, c2, none, none, PREC);
         for (int i = 0; i < GUARANTEES + NUMBERS_OF_GAINS; i++, asked++) {
             ck_assert_msg(!arb_is_finite(few + i) || arb_contains(few + i, many + i), "number %d at n = %g", i, gains[k / 8]);
             found += arb_is_finite(few + i);
         }
     }
     ck_assert_int_gt(found, asked / 2);
+}
+
+/* One of c1, c2, pitch and time is a ball, the others are numbers. */
+EACH(numbers_of_one_ball_hold_those_of_its_ends, 4)
+{
+    VECTOR(arb, wide, NUMBERS_OF_GAINS);
+    VECTOR(arb, sharp, NUMBERS_OF_GAINS);
+    VECTOR(arb, given, 4);
+    for (int k = 0; k < 3; k++) {
+        static const double radius[] = {0x1p-10, 0x1p-24, 0x1p-40};
+        arb_set_d(given, 12.5);
+        arb_set_d(given + 1, 3.75);
+        arb_zero(given + 2);
+        arb_zero(given + 3);
+        mag_set_d(arb_radref(given + _i), radius[k]);
+        of_gains(wide, given, given + 1, given + 2, given + 3, PREC);
+        mag_zero(arb_radref(given + _i));
+        for (int end = -1; end <= 1; end += 2) {
+            arb_set_d(given + _i, (_i == 0 ? 12.5 : _i == 1 ? 3.75 : 0) + end * radius[k]);
+            of_gains(sharp, given, given + 1, given + 2, given + 3, PREC);
+            for (int i = 0; i < NUMBERS_OF_GAINS; i++)
+                ck_assert_msg(arb_contains(wide + i, sharp + i) || !arb_is_finite(wide + i), "number %d", i);
+        }
+    }
+    for (int i = 0; i < NUMBERS_OF_GAINS; i++)
+        ck_assert_msg(arb_is_finite(wide + i), "number %d", i);
 }
 
 /* ---- the error terms of narrow_root, curve.c ---- */
