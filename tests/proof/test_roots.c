@@ -398,6 +398,7 @@ TEST(eq44_gains_have_certified_roots)
 
 /* Each enclosure holds the root of every polynomial in the balls: here of the one with exact gains.
  */
+/* (P1) */
 TEST(eq41_wide_gains_enclose_exact_roots)
 {
     struct fixture f;
@@ -413,6 +414,25 @@ TEST(eq41_wide_gains_enclose_exact_roots)
     for (int k = 0; k < 4; k++)
         ck_assert(acb_contains(roots + k, f.roots + k));
     close_fixture(&f);
+}
+
+/* (P1) where a gain or the rate is no binary fraction. */
+TEST(eq41_enclosures_hold_what_more_bits_tell)
+{
+    static const char *const thirds[] = {"1/3", "2/3", "10/3", "22/7", "1/11", "17/9", "-5/7", "8/13", "31/30", "100/99"};
+    for (int i = 0; i < 4*COUNT(thirds); i++)
+        for (slong prec = 20; prec < 90; prec += 23) {
+            struct fixture f;
+            VECTOR(acb, roots, 4);
+            open_fixture(&f, i % 4 == 2 ? thirds[i / 4] : "1", i % 4 == 1 ? thirds[i / 4] : "12", i % 4 == 0 ? thirds[i / 4] : i % 4 == 3 ? "7" : "3");
+            if (i % 4 == 2)
+                fmpq_abs(f.Omega, f.Omega);
+            ck_assert(roots41(roots, f.Omega, f.C1, f.C2, prec));
+            ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 400));
+            for (int k = 0; k < 4; k++)
+                ck_assert_msg(acb_contains(roots + k, f.roots + k), "%s, %ld bits, root %d", thirds[i / 4], (long)prec, k);
+            close_fixture(&f);
+        }
 }
 
 static const struct {
@@ -432,6 +452,7 @@ static const struct {
     {NAN, 0, 2, 0},
 };
 
+/* (P1), (P3) */
 EACH(eq41_gains_that_do_not_decide_are_refused, COUNT(undecided))
 {
     VECTOR(acb, roots, 4);
@@ -455,6 +476,7 @@ static const struct {
     {{-2, -1, -1, -1.25}, {0, -0.75, 1, -1.75}, 0.375, false}, /* it may be in either of two */
 };
 
+/* (P2) */
 EACH(eq41_enclosures_are_paired_where_that_is_certain, COUNT(squares))
 {
     VECTOR(acb, roots, 4);

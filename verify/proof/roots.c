@@ -12,6 +12,13 @@
  *   +-u1, +-u2, which is Q = 0. p(i w) = 0 says c2 w (3 - w^2) = 0 and w^4 - (c1 - 2) w^2 + 3 (c1 - 9) = 0, and
  *   w^2 = 3 makes the latter -12: the imaginary axis has no root but 0 unless c2 = 0, which is Q = 0 again;
  *   where a pair has the real part of a real root. That is settled when balls have not told them apart by MOST_DOUBLINGS.
+ *
+ * What balls prove, each with its tests in tests/proof/test_roots.c:
+ *
+ *   (P1) a root in each of four enclosures that do not meet, of every polynomial in the balls   (isolate)
+ *   (P2) those off the axis are conjugate, those that touch it hold a real root                 (roots41_conjugates)
+ *   (P3) each comes before the next                                                             (sort)
+ *   (P4) each part that is not an exact zero has its leading bits                               (accurate)
  */
 #include "proof/roots.h"
 
@@ -122,15 +129,21 @@ static bool sort(acb_ptr roots)
     return sorted;
 }
 
-bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec)
+/* (P1) to (P3) */
+static bool isolate(acb_ptr roots, const acb_poly_t p, slong prec)
 {
-    SCOPE(acb_poly, p);
     VECTOR(acb, start, DEGREE);
-    set_balls(p, c1, c2, prec);
     approximate(start, p);
     return (acb_poly_find_roots(roots, p, start, 0, prec) == DEGREE ||
             acb_poly_find_roots(roots, p, NULL, 0, prec) == DEGREE) &&
            roots41_conjugates(roots) && sort(roots);
+}
+
+bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec)
+{
+    SCOPE(acb_poly, p);
+    set_balls(p, c1, c2, prec);
+    return isolate(roots, p, prec);
 }
 
 /* ---- what may be equal ------------------------------------------------ */
@@ -193,15 +206,15 @@ bool roots41(acb_ptr roots, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2
         return false;
     SCOPE(fmpq, c1, c2);
     SCOPE(fmpq_poly, p);
-    SCOPE(arb, x, y);
+    SCOPE(acb_poly, balls);
+    SCOPE(arb, x);
     slong working = prec + 32; /* guard bits for the cancellation of ordinary roots, 4 of them for the product with Omega */
     set_exact(p, c1, c2, Omega, C1, C2);
     bool done = false, exactly = may_be_equal(p, c1, c2);
     for (int doubling = 0; !exactly && !done && doubling < MOST_DOUBLINGS; doubling++) {
         working *= doubling > 0 ? 2 : 1;
-        arb_set_fmpq(x, c1, working);
-        arb_set_fmpq(y, c2, working);
-        done = roots41_gains(roots, x, y, working) && accurate(roots, prec + 4);
+        acb_poly_set_fmpq_poly(balls, p, working);
+        done = isolate(roots, balls, working) && accurate(roots, prec + 4); /* (P4) */
     }
     if (!done)
         enclose_exact_roots(roots, p, working);
