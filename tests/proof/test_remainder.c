@@ -74,6 +74,9 @@ static const struct known cases[] = {
     /* 1/3 and 2/3 to 128 bits: what they are rounded to is below the bound, they are above (8/3 and 7/3) */
     {"(x - 226854911280625642308916404954512140970/2^129)*2^129 + 2", {"1/3", "1/3"}, {0}, "13/5", REMAINDER_UNDECIDED},
     {"(226854911280625642308916404954512140971/2^128 - x)*2^128 + 2", {"2/3", "2/3"}, {0}, "23/10", REMAINDER_UNDECIDED},
+    /* the same where the box is cut first, as the slope has either sign: (u + 3)^2 from u = -10/3 to 2/3 */
+    {"((x - 226854911280625642308916404954512140970/2^129)*2^129 + 3)^2",
+     {"170141183460469231731687303715884105725/510423550381407695195061911147652317184", "1/3"}, {0}, "13", REMAINDER_UNDECIDED},
     {"x*226854911280625642308916404954512140971/2^128", {"1", "1"}, {0}, "2/3", REMAINDER_UNDECIDED}, /* which is what that bound is rounded to */
     /* 4/9 at the low end, above the bound by 10^-60: that half is not proved, though the other is */
     {"(x - 1)^2", {"1/3", "3/2"}, {0}, "3999999999999999999999999999999999999999999999999999999999991/9000000000000000000000000000000000000000000000000000000000000",

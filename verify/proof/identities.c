@@ -407,7 +407,7 @@ static void prove_to(const struct identities *t, slong terms, bool further, bool
         zero[i] = zero[i] && p->holds[i];
         if (further && !zero[i])
             proof_fails(p, e->at, "%s: both sides vanish to this order: nothing is shown", e->text);
-        if (!further && result != IDENTITY_HOLDS && p->result == IDENTITY_HOLDS) {
+        if (result != IDENTITY_HOLDS && p->result == IDENTITY_HOLDS) {
             p->result = result;
             p->at = e->at;
             p->offset = e->offset;
@@ -425,7 +425,7 @@ void identities_prove(const struct identities *t, struct proof *p)
     bool zero[MOST_SHOWN];
     *p = (struct proof){.result = IDENTITY_HOLDS};
     prove_to(t, FLINT_MAX(t->order, 0) + 1, false, zero, p);
-    if (t->order >= 0 && p->result == IDENTITY_HOLDS)
+    if (t->order >= 0)
         prove_to(t, 2 * t->order + 4, true, zero, p);
 }
 
