@@ -74,7 +74,7 @@ void symbolic_begin(slong variables, slong more, bool loose)
     struct symbolic_field *outer = field;
     field = xrealloc(NULL, 1, sizeof *field);
     *field = (struct symbolic_field){.outer = outer, .variables = variables, .more = more, .loose = loose, .start = clock()};
-    fmpz_mpoly_ctx_init(CTX, variables + more > 0 ? variables + more : 1, ORD_DEGLEX);
+    fmpz_mpoly_ctx_init(CTX, variables + more + 1, ORD_DEGLEX); /* one at least */
     field->opaque = xrealloc(NULL, (size_t)more + 1, sizeof *field->opaque);
 }
 

@@ -264,7 +264,7 @@ static void print_polynomial(struct tex *out, const struct run *r, const fmpz_mp
     char (*names)[LONGEST_NAME + 3] = xrealloc(NULL, (size_t)r->variables + 1, sizeof *names);
     const char **texts = xrealloc(NULL, (size_t)r->variables + 1, sizeof *texts);
     fmpz_mpoly_struct head = *f; /* borrows it */
-    texts[0] = "none"; /* FLINT has one variable at least */
+    texts[r->variables] = "none"; /* the field has one more */
     for (int i = 0; i < r->t->program.inputs; i++) {
         const slong k = r->variable[i];
         if (k < 0)
