@@ -304,6 +304,27 @@ EACH(S1_to_S9_each_motion_keeps_within_its_set, COUNT(terms))
     flow_set_clear(&set);
 }
 
+/* Where a row is due at the start no step has been taken, and what the models are off is in it all the same. */
+TEST(S1_a_row_at_the_start_has_what_the_models_are_off)
+{
+    enum { WIDE_REST = 4 };
+    struct flow_set set;
+    VECTOR(fmpq, times, 1);
+    VECTOR(arb, row, FLOW_STATE);
+    SCOPE(arb, given);
+    struct bounds_at b = {row, 0};
+    double reached;
+    ck_assert(terms[WIDE_REST].rests);
+    start_term(&set, WIDE_REST);
+    ck_assert_int_eq(flow_set(&set, times, 1, keep_row, &b, &reached), FLOW_DONE);
+    for (int v = 0; v < FLOW_STATE; v++) {
+        arb_set_d(given, start_middle(WIDE_REST, v));
+        mag_set_d(arb_radref(given), start_width(WIDE_REST, v));
+        ck_assert_msg(arb_contains(row + v, given), "coordinate %d", v);
+    }
+    flow_set_clear(&set);
+}
+
 static int stop_at(void *context, slong k, const fmpq_t t, arb_srcptr state)
 {
     (void)t;

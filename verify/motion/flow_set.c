@@ -235,14 +235,15 @@ static bool advance_models(struct follower *f, struct piece *p, double step)
 }
 
 /* The model of state or series v at s radians after now, |s| <= step, for all of the piece */
-static void row(struct follower *f, int v, double now, const arb_t s, double step)
+static void row(struct follower *f, int v, const arb_t s, double step)
 {
     const double near = arf_get_d(arb_midref(s), ARF_RND_NEAR);
     const struct majorant *path = &f->of.path_bound;
     SCOPE(arb, off, error);
     SCOPE(mag, by, h);
-    if (arb_is_zero(s) && !(fabs(now) > 0)) { /* there the models are all */
+    if (arb_is_zero(s)) { /* there all is known but B s */
         model_set(&f->at, f->of.path.m[v]);
+        model_widen(&f->at, f->of.spread_bound.size[v]);
         return;
     }
     model_evaluate(&f->at, f->of.path.m[v], (int)path->order + 1, near);
@@ -265,9 +266,9 @@ static void row(struct follower *f, int v, double now, const arb_t s, double ste
 static bool charge_row(arb_t x, struct follower *f, const struct piece *p, const arb_t s, double step)
 {
     struct model *const R = f->charge, *const q = R + 1, *const square = R + 2, *const length = R + 3;
-    row(f, JET_CHARGE, p->now, s, step);
+    row(f, JET_CHARGE, s, step);
     model_cut(R, &f->at);
-    row(f, JET_STATES - 1, p->now, s, step);
+    row(f, JET_STATES - 1, s, step);
     model_cut(q, &f->at);
     model_dot(square, false, 1, q, q, 1);
     model_inverse_root(length, square);
@@ -304,7 +305,7 @@ static enum flow_status widen_row(struct work *w, struct follower *f, const stru
     arb_mul(x, x, w->set->charge, BITS);
     for (int v = FLOW_STATE; v >= 0; v--) {
         if (v < FLOW_STATE) {
-            row(f, v, p->now, s, step);
+            row(f, v, s, step);
             model_range(x, &f->at);
             arb_mul(x, x, w->set->unit, BITS);
         }
