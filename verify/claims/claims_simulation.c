@@ -166,22 +166,21 @@ static bool sign_changes(arb_t x, const struct request *r)
     return true;
 }
 
-/* In units of the variable or not; of variables up to the last that it can be of; and whether it takes a motion beside. */
+/* Of variables up to the last that it can be of, in their units or not; and whether it takes a motion beside. */
 static const struct measure {
     const char *name;
     bool (*of)(arb_t x, const struct request *r);
-    bool in_units;
     int last;
-    bool compares;
+    bool in_units, compares;
 } measures[] = {
-    {"sup_", supremum, true, PRODUCT, false},        {"ever_", ever, true, PLACE_Z, false},
-    {"bound_", bound, true, PLACE_Z, false},         {"peak_", peak, true, ERROR_Z, false},
-    {"low_", extreme, true, ERROR_Z, false},         {"high_", extreme, true, ERROR_Z, false},
-    {"at_", extreme, true, ERROR_Z, false},          {"energy_of_", energy, false, PSI, false},
-    {"exit_", exit_of, false, PLACE_Z, false},       {"settled_", settled, false, PLACE_Z, false},
-    {"gap_", gap, true, ERROR_Z, true},              {"between_", gap_between, true, PRODUCT, true},
-    {"part_", part, false, PLACE_Z, true},           {"parted_", parted, false, PLACE_Z, true},
-    {"changes_", sign_changes, false, PLACE_Z, false},
+    {"sup_", supremum, PRODUCT, true, false},        {"ever_", ever, PLACE_Z, true, false},
+    {"bound_", bound, PLACE_Z, true, false},         {"peak_", peak, ERROR_Z, true, false},
+    {"low_", extreme, ERROR_Z, true, false},         {"high_", extreme, ERROR_Z, true, false},
+    {"at_", extreme, ERROR_Z, true, false},          {"energy_of_", energy, PSI, false, false},
+    {"exit_", exit_of, PLACE_Z, false, false},       {"settled_", settled, PLACE_Z, false, false},
+    {"gap_", gap, ERROR_Z, true, true},              {"between_", gap_between, PRODUCT, true, true},
+    {"part_", part, PLACE_Z, false, true},           {"parted_", parted, PLACE_Z, false, true},
+    {"changes_", sign_changes, PLACE_Z, false, false},
 };
 enum { MEASURES = sizeof measures / sizeof *measures };
 
