@@ -15,7 +15,7 @@
  *
  * What balls prove, each with its tests in tests/proof/test_roots.c:
  *
- *   (P1) a root in each of four enclosures that do not meet, of every polynomial in the balls   (isolate)
+ *   (P1) a root in each of four enclosures that do not meet, of every polynomial in the balls   (isolate_roots)
  *   (P2) those off the axis are conjugate, those that touch it hold a real root                 (roots41_conjugates)
  *   (P3) each comes before the next                                                             (sort)
  *   (P4) each part that is not an exact zero has its leading bits                               (accurate)
@@ -130,7 +130,7 @@ static bool sort(acb_ptr roots)
 }
 
 /* (P1) to (P3) */
-static bool isolate(acb_ptr roots, const acb_poly_t p, slong prec)
+static bool isolate_roots(acb_ptr roots, const acb_poly_t p, slong prec)
 {
     VECTOR(acb, start, DEGREE);
     approximate(start, p);
@@ -143,7 +143,7 @@ bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec)
 {
     SCOPE(acb_poly, p);
     set_balls(p, c1, c2, prec);
-    return isolate(roots, p, prec);
+    return isolate_roots(roots, p, prec);
 }
 
 /* ---- what may be equal ------------------------------------------------ */
@@ -214,7 +214,7 @@ bool roots41(acb_ptr roots, const fmpq_t Omega, const fmpq_t C1, const fmpq_t C2
     for (int doubling = 0; !exactly && !done && doubling < MOST_DOUBLINGS; doubling++) {
         working *= doubling > 0 ? 2 : 1;
         acb_poly_set_fmpq_poly(balls, p, working);
-        done = isolate(roots, balls, working) && accurate(roots, prec + 4); /* (P4) */
+        done = isolate_roots(roots, balls, working) && accurate(roots, prec + 4); /* (P4) */
     }
     if (!done)
         enclose_exact_roots(roots, p, working);
