@@ -50,7 +50,7 @@ static void mutant_add(struct mutants *list, const struct section *s, const stru
 /* The print's own formulas, the section's own mistakes, and those that every section may make. */
 static struct mutants mutants_of(const struct section *s)
 {
-    struct mutants list = {xrealloc(NULL, (size_t)(1 + s->mistake_count + s->sheet->mistake_count), sizeof *list.all), 0};
+    struct mutants list = {xrealloc(NULL, 1 + (size_t)s->mistake_count + (size_t)s->sheet->mistake_count, sizeof *list.all), 0};
     if (s->differs)
         mutant_add(&list, s, NULL);
     for (int i = 0; i < s->mistake_count; i++)
