@@ -5,7 +5,7 @@
  * the rows of tests/claims/test_statement.c that name them, and by those of narrow_root (curve.c):
  *   (I1) a sign is that of the exact number, or of a ball without 0                                (sign_at)
  *   (I2) between bounds it is the same on parts that leave nothing out, the bounds' radii included (sign_between)
- *   (I3) a root is the only one: all other parts have a sign, and its own a slope; bounds as before (isolate)
+ *   (I3) a root is the only one: all other parts have a sign, its own a slope; bounds as before (isolate_between)
  *   (I4) a count is of different roots in (low, high), by Sturm's chain of the square-free part    (roots_counted)
  *   (I5) a rank is that of all rates by all states, and by the control                             (rank_found)
  *   (I6) of several values, conditions, citations each has to be so                                (truth_both)
@@ -78,7 +78,7 @@ static bool sign_between(struct curve *c, const arb_t low, const arb_t high, int
 /* ---- roots ---- */
 
 /* The number of roots between low and high, or -1 where it stays open; `one` is about the last of them. */
-static slong isolate(arb_t one, struct curve *c, const arb_t low, const arb_t high)
+static slong isolate_between(arb_t one, struct curve *c, const arb_t low, const arb_t high)
 {
     enum { EVALUATIONS = 20000, ROOTS = 10 };
     arf_interval_t block;
@@ -128,7 +128,7 @@ slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slon
     b.how = of->how;
     const bool bounded = bounds_enclose(low, high, a, &b);
     b.bits = 2 * bits;
-    const slong count = graph_init(&g, a->formula, a->variable, &b) && bounded ? isolate(one, &g.curve, low, high) : -1;
+    const slong count = graph_init(&g, a->formula, a->variable, &b) && bounded ? isolate_between(one, &g.curve, low, high) : -1;
     arb_indeterminate(z);
     if (count == 1) {
         narrow_root(one, curve_series, &g.curve, 2 * bits);
