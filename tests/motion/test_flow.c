@@ -1142,8 +1142,8 @@ RANGE(at_time_zero_the_state_is_the_initial_one, 1, 3)
 TEST(no_time_at_all_is_in_reach)
 {
     struct scenario s = paper();
-    ck_assert(flow_in_reach(&s.p, NULL, 0));
-    ck_assert(rk4_in_reach(&s.p, NULL, 0));
+    ck_assert(flow_in_reach(&s.p, NULL, 0, false));
+    ck_assert(flow_in_reach(&s.p, NULL, 0, true));
     scenario_close(&s);
 }
 

@@ -128,6 +128,16 @@ bool time_within(arb_t s, const fmpq_t t, const arb_t Omega, const arf_t now, do
     return arf_cmp_d(bound, step) <= 0;
 }
 
+double seconds_within(const arf_t now, const arb_t Omega)
+{
+    SCOPE(arb, t);
+    SCOPE(arf, bound);
+    arb_set_arf(t, now);
+    arb_div(t, t, Omega, 64);
+    arb_get_abs_lbound_arf(bound, t, 53);
+    return arf_get_d(bound, ARF_RND_DOWN);
+}
+
 bool expansion_move(struct lohner *set, arb_srcptr image, const struct expansion *e, const arb_t h, mag_srcptr error)
 {
     const struct space *space = e->hull.space;

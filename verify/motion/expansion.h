@@ -43,4 +43,7 @@ bool expansion_move(struct lohner *set, arb_srcptr image, const struct expansion
 /* s = Omega t - now, and whether |s| <= step for certain */
 bool time_within(arb_t s, const fmpq_t t, const arb_t Omega, const arf_t now, double step, slong prec);
 
+/* Seconds, of no sign, that `now` radians are for certain */
+double seconds_within(const arf_t now, const arb_t Omega);
+
 #endif

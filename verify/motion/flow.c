@@ -81,7 +81,7 @@ bool flow_wide(arb_srcptr state, slong bits)
     return mag_is_inf(radius) || mag_cmp(radius, size) > 0;
 }
 
-static bool in_reach(const struct flow_parameters *p, const fmpq *times, slong count, double most)
+bool flow_in_reach(const struct flow_parameters *p, const fmpq *times, slong count, bool by_steps)
 {
     SCOPE(arb, radians, reach);
     if (count == 0)
@@ -89,18 +89,8 @@ static bool in_reach(const struct flow_parameters *p, const fmpq *times, slong c
     arb_set_fmpq(radians, times + count - 1, 64);
     arb_mul(radians, radians, p->Omega, 64);
     arb_abs(radians, radians);
-    arb_set_d(reach, most);
+    arb_set_d(reach, by_steps ? RK4_REACH : FLOW_REACH);
     return arb_le(radians, reach);
-}
-
-bool flow_in_reach(const struct flow_parameters *p, const fmpq *times, slong count)
-{
-    return in_reach(p, times, count, FLOW_REACH);
-}
-
-bool rk4_in_reach(const struct flow_parameters *p, const fmpq *times, slong count)
-{
-    return in_reach(p, times, count, RK4_REACH);
 }
 
 slong flow_precision(slong digits, double radians)

@@ -93,8 +93,7 @@ double rk4_radians(const fmpq_t Omega, const fmpq_t t, const fmpq_t h);
  * Whether the last time is no more radians of orbit away than a flow, or the method, can be followed. What lies
  * further is FLOW_STALLED at once, and the precisions above grow no more.
  */
-bool flow_in_reach(const struct flow_parameters *p, const fmpq *times, slong count);
-bool rk4_in_reach(const struct flow_parameters *p, const fmpq *times, slong count);
+bool flow_in_reach(const struct flow_parameters *p, const fmpq *times, slong count, bool by_steps);
 
 /* Omega, L_ref (and k_c, m1, m2) > 0, all finite, and the nonlinear model's craft apart. */
 bool flow_linear_domain(const struct flow_parameters *p, arb_srcptr initial);

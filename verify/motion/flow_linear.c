@@ -87,7 +87,7 @@ enum flow_status flow_linear(const struct flow_parameters *p, arb_srcptr initial
     *reached = 0;
     if (!flow_linear_domain(p, initial))
         status = FLOW_DOMAIN;
-    else if (!flow_in_reach(p, times, count))
+    else if (!flow_in_reach(p, times, count, false))
         status = FLOW_STALLED;
     for (slong k = 0; k < count && status == FLOW_DONE; k++) {
         arb_set_fmpq(tau, times + k, prec);

@@ -159,17 +159,6 @@ static bool lost(const struct flow *f, slong digits)
     return flow_wide(box, (slong)(log2(10) * (double)digits));
 }
 
-/* The step's start in seconds, rounded towards 0 */
-static double start_in_seconds(const struct flow *f)
-{
-    SCOPE(arb, t);
-    SCOPE(arf, bound);
-    arb_set_arf(t, f->now);
-    arb_div(t, t, f->Omega, 64);
-    arb_get_abs_lbound_arf(bound, t, 53);
-    return f->direction * arf_get_d(bound, ARF_RND_DOWN);
-}
-
 /* Whether the times go away from 0. */
 static bool times_ordered(const fmpq *times, slong count, int direction)
 {
@@ -228,7 +217,7 @@ static enum flow_status follow(struct flow *f, arb_srcptr initial, const fmpq *t
             break;
         if (mag_get_d(arb_radref(s)) > step / 4 || !advance_set(f, step))
             return FLOW_WIDE; /* a time so vague might fall between all steps */
-        *reached = start_in_seconds(f);
+        *reached = f->direction * seconds_within(f->now, f->Omega);
     }
     return FLOW_DONE;
 }
@@ -241,7 +230,7 @@ enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct fl
     *reached = 0;
     if (!flow_nonlinear_domain(p, initial) || !times_ordered(times, count, direction))
         return FLOW_DOMAIN;
-    if (!flow_in_reach(p, times, count))
+    if (!flow_in_reach(p, times, count, false))
         return FLOW_STALLED;
     struct flow f;
     flow_init(&f, prec, how);

@@ -405,12 +405,9 @@ static bool hand_rows(const struct work *w, slong k, flow_receiver *receive, voi
 /* Seconds up to which all pieces, or rows, have been proved */
 static double seconds_proved(const struct work *w)
 {
-    SCOPE(arb, t);
-    SCOPE(arf, bound);
-    arb_set_d(t, w->now);
-    arb_div(t, t, w->set->Omega, BITS);
-    arb_get_lbound_arf(bound, t, 53);
-    return fmax(arf_get_d(bound, ARF_RND_DOWN), w->proved > 0 ? fabs(fmpq_get_d(w->times + w->proved - 1)) : 0);
+    SCOPE(arf, now);
+    arf_set_d(now, w->now);
+    return fmax(seconds_within(now, w->set->Omega), w->proved > 0 ? fabs(fmpq_get_d(w->times + w->proved - 1)) : 0);
 }
 
 static void follow_all(struct work *w, flow_receiver *receive, void *context, double *reached)

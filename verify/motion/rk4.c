@@ -99,7 +99,7 @@ double rk4_radians(const fmpq_t Omega, const fmpq_t t, const fmpq_t h)
 static bool steps_in_reach(const struct flow_parameters *p, const fmpq_t h, const fmpq *times, slong count)
 {
     const slong n = count > 0 ? steps_until(times + count - 1, h) : 0;
-    return rk4_in_reach(p, times, count) || (n >= 0 && n <= FEW_STEPS);
+    return flow_in_reach(p, times, count, true) || (n >= 0 && n <= FEW_STEPS);
 }
 
 /* What one of each coordinate is in SI: of a linear motion the first two are angles, all others lengths */
