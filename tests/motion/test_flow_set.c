@@ -163,6 +163,29 @@ EACH(motions_from_all_of_a_box_keep_within_its_bounds, COUNT(boxes))
     scenario_clear(&s);
 }
 
+/* What is 0 stays 0: neither its models nor their rests take up anything. */
+TEST(a_set_in_the_orbit_plane_stays_there)
+{
+    static const struct interval plane[] = {{SET_x1, "5.05", "0.01"}, {SET_y1, "0.05", "0.01"},   {SET_z1, "0", "0"},
+                                            {SET_x1_dot, "0", "0"},   {SET_y1_dot, "0", "1e-6"}, {SET_z1_dot, "0", "0"}};
+    struct scenario s;
+    struct message why;
+    VECTOR(fmpq, times, TIMES);
+    VECTOR(fmpq, low, TIMES * ROW_NUMBERS);
+    VECTOR(fmpq, high, TIMES * ROW_NUMBERS);
+    struct rows rows = {low, high};
+    times_until(times, 20000);
+    scenario_init(&s, sheet(), true);
+    for (int i = 0; i < COUNT(plane); i++)
+        give(&s, plane + i, true);
+    const struct motion m = {.scenario = &s, .nonlinear = true, .most_pieces = 1, .digits = 17};
+    ck_assert_msg(motion_rows(&m, times, TIMES, keep_bounds, &rows, &why) == 0, "%s", why.text);
+    for (int k = 0; k < TIMES; k++)
+        for (int v = 2; v < FLOW_STATE; v += FLOW_HALF)
+            ck_assert(fmpq_is_zero(low + ROW_NUMBERS * k + v) && fmpq_is_zero(high + ROW_NUMBERS * k + v));
+    scenario_clear(&s);
+}
+
 /* ---- one error term larger than all others ---- */
 
 /*

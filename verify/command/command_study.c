@@ -151,7 +151,7 @@ static bool print_pitch(const struct study_table *table, const struct derivation
 /* The amplitude of the paper's pitch over 20 days, under the law whose length swings by 1/100 of itself and under (18). */
 static bool print_damped(const struct study_table *table, const struct derivations *steps)
 {
-    enum { STEP = 2 * HOUR };
+    enum { STEP = 4 * HOUR };
     struct trajectory damped, free;
     struct second_order o, o_free;
     SCOPE(arb, a, c1, c2, swing);

@@ -45,11 +45,9 @@ void expansion_derivatives(struct expansion *e, const struct lohner *set)
     for (int j = 0; j < FLOW_STATE; j++) {
         struct jet *column = &e->column[j];
         for (int i = 0; i < FLOW_STATE; i++) {
-            arb_set_d(x, set->basis[i][j]);
+            arb_set_d(column->space != NULL ? x : column->c[i], set->basis[i][j]);
             if (column->space != NULL)
                 model_set_ball(column->m[i], x);
-            else
-                arb_set(column->c[i], x);
         }
         jet_start_column_q(column, &e->hull, LOHNER_BITS);
         jet_extend(column, &e->hull, LOHNER_BITS, 0);

@@ -91,7 +91,7 @@ static void expand_pair(struct jet *jet, const struct two_body *b, slong prec)
     for (int craft = 0; craft < CRAFT; craft++) {
         arb_srcptr place = b->place + AXES * craft;
         for (int i = 0; i < AXES; i++) {
-            arb_set(jet->c[AT(craft, X + i)], place + i);
+            arb_set(jet->c[AT(craft, i)], place + i);
             arb_set(jet->c[AT(craft, U + i)], b->velocity + AXES * craft + i);
         }
         _arb_vec_scalar_mul(d, place, AXES, b->smallness, prec);
@@ -133,7 +133,7 @@ bool two_body_move(struct two_body *b, const arb_t tau, slong prec)
         majorant_of(&bound, &jet, one, 1, length);
         proved = majorant_prove(&bound, NULL, length);
         for (int i = 0; i < CRAFT * AXES; i++) {
-            sum_terms(b->place + i, &jet, &bound, AT(i / AXES, X + i % AXES), h, prec);
+            sum_terms(b->place + i, &jet, &bound, AT(i / AXES, i % AXES), h, prec);
             sum_terms(b->velocity + i, &jet, &bound, AT(i / AXES, U + i % AXES), h, prec);
         }
     }
