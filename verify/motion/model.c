@@ -3,7 +3,7 @@
  * machines with extended registers too, or by 2^-1074 where it is subnormal. So
  *
  *   (M1) what is a sum of products of n factors and signs in all is off by at most n u/(1 - n u) times the sum of their absolute
- *        values (rounding, with the longest chain of roundings that a coefficient of that degree has);
+ *        values (rounding, with the longest chain of roundings that a coefficient has);
  *   (M2) a bound that is itself computed from bounds, by chains of at most 2^16 sums and products of numbers >= 0, is a bound
  *        after upward(): times 1 + 2^-30, plus 2^-1000.
  *
@@ -224,12 +224,10 @@ static void multiply_models(struct model *z, int sign, const struct model *x, co
 void model_dot(struct model *z, bool add, int sign, const struct model *x, const struct model *y, int count)
 {
     const int degree = z->space->degree;
-    double sum[MODEL_DEGREE + 1] = {0}, rest;
     bool nothing = true;
     if (!add)
         zero(z);
-    rest = z->rest; /* (M7) */
-    memcpy(sum, z->norm, sizeof sum);
+    double rest = z->rest, size = norm(z); /* (M7) */
     for (int j = 0; j < count; j++) {
         const struct model *a = x + j, *b = y - j;
         if (is_zero_model(a) || is_zero_model(b)) /* what is 0 stays 0 */
@@ -237,17 +235,16 @@ void model_dot(struct model *z, bool add, int sign, const struct model *x, const
         nothing = false;
         multiply_models(z, sign, a, b);
         for (int p = 0; p <= degree; p++)
-            for (int q = 0; q <= degree; q++)
-                *(p + q <= degree ? &sum[p + q] : &rest) += a->norm[p] * b->norm[q]; /* (M3) */
+            for (int q = degree + 1 - p; q <= degree; q++)
+                rest += a->norm[p] * b->norm[q]; /* (M3) */
         rest += norm(a) * b->rest;   /* (M4) */
         rest += a->rest * norm(b);   /* (M5) */
         rest += a->rest * b->rest;   /* (M6) */
+        size += norm(a) * norm(b);
     }
     if (nothing)
         return;
-    for (int d = 0; d <= degree; d++)
-        rest += (ldexp(count, d) + 2) * U * sum[d]; /* (M1): of degree d at most 2^d pairs make up a monomial */
-    z->rest = upward(rest);
+    z->rest = upward(rest + (ldexp(count, degree) + 2) * U * size); /* (M1): at most 2^degree pairs make up a monomial */
     find_norms(z);
 }
 
