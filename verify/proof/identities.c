@@ -422,7 +422,7 @@ static void prove_to(const struct identities *t, slong terms, bool further, bool
 
 void identities_prove(const struct identities *t, struct proof *p)
 {
-    bool zero[MOST_SHOWN];
+    bool zero[MOST_SHOWN] = {false};
     *p = (struct proof){.result = IDENTITY_HOLDS};
     prove_to(t, FLINT_MAX(t->order, 0) + 1, false, zero, p);
     if (t->order >= 0)
