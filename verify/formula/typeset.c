@@ -294,7 +294,7 @@ static void write_around(const struct writer *w, const struct node *n)
 static void write_operator(const struct writer *w, int node)
 {
     const struct node *n = &w->program->nodes[node];
-    const struct node *argument = n->left >= 0 ? &w->program->nodes[n->left] : NULL;
+    const struct node *argument = n->left >= 0 ? &w->program->nodes[n->left] : n;
     if (n->op == OPERATOR_INPUT && *input_name(w->program, node) == '{')
         tex_add(w->tex, "%s", input_name(w->program, node));
     else if (n->op == OPERATOR_INPUT)
