@@ -147,6 +147,32 @@ EACH(M1_sums_of_products_are_rounded, 20)
     space_clear(&s);
 }
 
+/* One coefficient with all its bits, by a third; and as the only term of a series: nothing else is rounded. */
+EACH(M1_a_scaled_number_and_a_term_of_a_series_are_rounded, 20)
+{
+    struct space s;
+    struct model x[2], z;
+    SCOPE(arb, truth, factor);
+    space_init(&s, 0, 0);
+    random_model(&x[0], &s, 0, 0);
+    random_model(&x[1], &s, _i + 1, 0);
+    random_model(&z, &s, _i + 1, 0);
+    x[0].c[0] = 0;
+    model_scale(&x[0], 1);
+    x[0].rest = x[1].rest = z.rest = 0;
+    value_at(truth, &z, 0);
+    arb_set_d(factor, 1.0 / 3);
+    arb_mul(truth, truth, factor, PREC);
+    model_scale(&z, 1.0 / 3);
+    assert_holds(&z, truth, 0, 1e-15);
+    model_evaluate(&z, x, 2, 1.0 / 3);
+    assert_holds(&z, truth, 0, 1e-14);
+    for (int k = 0; k < 2; k++)
+        model_clear(&x[k]);
+    model_clear(&z);
+    space_clear(&s);
+}
+
 /* Rests alone, of which the products are no binary64; or the bounds of what is cut off. */
 static const struct {
     double x, y; /* coefficients of e^2, of degree 2 */
