@@ -245,6 +245,14 @@ TEST(nan_for_invalid_is_told_of_nan)
     ck_assert_ptr_null(strstr(said, "looks like nan"));
 }
 
+/* 6.0770e-4 and 2.6523e-3: six decimals are right within half of the last one, and no more. */
+EACH(fixed_decimals_are_right_ones, 2)
+{
+    ck_assert_int_eq(conform(_i ? "--only eq44-random-1,eq44-random-2 -- sh -c 'read o id in; echo $id 0.000609; read o id in; echo $id 0.002652'"
+                                : "--only eq44-random-1,eq44-random-2 -- sh -c 'read o id in; echo $id 0.000608; read o id in; echo $id 0.002652'"), 1);
+    ck_assert((strstr(said, "looks like written with 6 decimals") != NULL) == (_i == 0));
+}
+
 /* Two numbers of many are off in the 13th digit, which no format does. */
 TEST(lost_digits_are_lost_in_most_numbers)
 {
