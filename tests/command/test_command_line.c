@@ -230,6 +230,9 @@ static const struct {
     {"eval eq02 Omega=1 k_c=1 lambda_d=1e-99 m1=1 m2=1 m3=1 q1=1 q2=1 q3=1 x1=1 y1=0 z1=0 x2=-1 y2=0 z2=0 x3=0 y3=2 z3=0 x1_dot=0 "
      "y1_dot=0 z1_dot=0 x2_dot=0 y2_dot=0 z2_dot=0 x3_dot=0 y3_dot=0 z3_dot=0", 1,
      "y1_ddot: not zero, but below 2^-(2^49), of which no decimal is written"},
+    {"eval eq02 Omega=1 k_c=1 lambda_d=1e-99 m1=1 m2=1 m3=1 q1=1 q2=0 q3=1 x1=0 y1=0 z1=2 x2=-1 y2=0 z2=1 x3=0 y3=0 z3=0 x1_dot=0 "
+     "y1_dot=0 z1_dot=0 x2_dot=0 y2_dot=0 z2_dot=0 x3_dot=0 y3_dot=0 z3_dot=0", 1,
+     "z3_ddot: not zero, but below 2^-(2^49), of which no decimal is written"}, /* the last output of all */
     {"study", 2, "expected convergence, forced, pitch, damped, basin, saturation, tolerance, balance or sampling"},
     {"study force", 2, "did you mean 'forced'"},
     {"typeset eq1", 2, "unknown operation 'eq1'"},

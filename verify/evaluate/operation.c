@@ -182,7 +182,7 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
     if (o->until != 0)
         look_times(times, t, h);
     const enum flow_status status = flow_run(!linear, h, &p, initial, times, looks, digits, prec, take_state, &f, &reached);
-    if (!linear && status == FLOW_DONE)
+    if (!linear)
         flow_settle(initial,
                     is_equilibrium(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
                                    input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1_0")),
@@ -270,7 +270,7 @@ static bool is_beyond_decimals(struct operation *o, arb_srcptr balls, char *cons
     bool beyond = false;
     for (int i = 0; i < o->section->output_count && !beyond; i++) {
         const fmpz *exponent = ARF_EXPREF(arb_midref(balls + i));
-        if (texts[i] != NULL || arb_rel_accuracy_bits(balls + i) < 2 || fmpz_bits(exponent) <= EXPONENT_BITS)
+        if (texts[i] != NULL || arb_contains_zero(balls + i) || fmpz_bits(exponent) <= EXPONENT_BITS)
             continue;
         message_set(&o->why, "%s: not zero, but %s2^%d), of which no decimal is written", o->section->outputs[i]->name,
                     fmpz_sgn(exponent) < 0 ? "below 2^-(" : "above 2^(", EXPONENT_BITS - 1);

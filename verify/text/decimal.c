@@ -239,7 +239,8 @@ static slong shortest_digits(char digits[24], double x)
     fmpz_mul_2exp(m, m, 2); /* quarters of a unit */
     fmpz_ui_pow_ui(p, 10, k > 0 ? (ulong)k : 0);
     fmpz_ui_pow_ui(q, 10, k < 0 ? (ulong)-k : 0);
-    fmpz_mul_2exp(binary < 2 ? q : p, binary < 2 ? q : p, (ulong)labs(binary - 2));
+    fmpz *scaled = binary < 2 ? q : p;
+    fmpz_mul_2exp(scaled, scaled, (ulong)labs(binary - 2));
     const bool whole = whole_part(n, m, 0, p, q);
     if (!whole_part(low, m, power ? -1 : -2, p, q) || !even)
         fmpz_add_ui(low, low, 1);
