@@ -303,6 +303,30 @@ RANGE(M9_roots_sines_and_cosines_hold, 1, 7)
     space_clear(&s);
 }
 
+/* Of all numbers within r of 1, and where r is so large that nothing is said: 1/sqrt(1 - r) - 1 is the furthest from 1. */
+EACH(M9_the_root_of_what_is_hardly_known, 4)
+{
+    static const double rests[] = {0.1, 0.3, 0.49, 0.5};
+    struct space s;
+    struct model x, root;
+    SCOPE(arb, one);
+    SCOPE(mag, r);
+    space_init(&s, 0, 0);
+    model_init(&x, &s);
+    model_init(&root, &s);
+    arb_one(one);
+    mag_set_d(r, rests[_i]);
+    model_set_ball(&x, one);
+    model_widen(&x, r);
+    model_inverse_root(&root, &x);
+    ck_assert_double_eq(root.c[0], 1);
+    ck_assert_double_ge(root.rest, 1 / sqrt(1 - rests[_i]) - 1);
+    ck_assert(_i < 3 ? root.rest < 0.5 : isinf(root.rest));
+    model_clear(&x);
+    model_clear(&root);
+    space_clear(&s);
+}
+
 /* Either half is the polynomial on half of the box; all of a polynomial lies in its range, at 0 and at corners. */
 EACH(halves_ranges_and_sums_hold, 10)
 {
