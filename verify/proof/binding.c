@@ -186,9 +186,11 @@ static void mark(struct table *x, const struct target *target)
     const struct use *uses = x->t.uses;
     memset(x->mark, 0, (size_t)x->count * sizeof *x->mark);
     for (int i = 0; i < x->t.use_count; i++) {
+        if (!concerns(x, target, &uses[i]))
+            continue;
         const int at = target->change < CHANGE_SIGN ? uses[i].node : uses[i].copy[target->node];
         int first = 0;
-        if (!concerns(x, target, &uses[i]) || at < uses[i].first) /* something else is bound to it */
+        if (at < uses[i].first) /* something else is bound to it */
             continue;
         while (uses[first].formulas != uses[i].formulas || uses[first].part != uses[i].part)
             first++;
