@@ -213,6 +213,21 @@ TEST(two_body_bounds_what_its_series_leave_out)
     two_body_clear(&near);
 }
 
+/* Craft on their way to each other: they meet soon after the second step, which is too long by then. */
+TEST(B2_each_step_of_two_bodies_has_to_be_proved)
+{
+    struct two_body b = pair(1, 2, "0.001");
+    SCOPE(arb, tau, rate);
+    arb_set_d(rate, -2.4);
+    for (int steps = 1; steps <= 2; steps++) {
+        arb_set_d(tau, 0.2 * steps);
+        place_at_start(&b);
+        _arb_vec_scalar_mul(b.velocity, b.place, CRAFT * AXES, rate, PREC);
+        ck_assert(two_body_move(&b, tau, PREC) == (steps == 1));
+    }
+    two_body_clear(&b);
+}
+
 /* Where R_c is very large the field is Hill's: what is left is (3), which the certified flow moves. */
 TEST(eq02_is_the_limit_of_the_inverse_square)
 {
