@@ -289,7 +289,6 @@ EACH(prover_finds, COUNT(findings))
     const char *begin = findings[_i].evidence;
     ck_assert_msg(strncmp(p.evidence ? p.evidence : "", begin, strlen(begin)) == 0, "%s", p.evidence);
     ck_assert(p.result == IDENTITY_DIFFERS ? p.difference != NULL : p.difference == NULL);
-    ck_assert(p.evidence == NULL || strstr(p.evidence, "nothing is shown") == NULL || !p.holds[0]);
     proof_clear(&p);
     derivations_clear(&d);
 }

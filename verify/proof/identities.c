@@ -403,8 +403,7 @@ static void prove_to(const struct identities *t, slong terms, bool further, bool
         if (further && !zero[i])
             continue;
         const enum result result = compare_nodes(&r, e->left, e->right, &zero[i], &f);
-        p->holds[i] = result == IDENTITY_HOLDS && (!further || zero[i]);
-        zero[i] = zero[i] && p->holds[i];
+        zero[i] = zero[i] && result == IDENTITY_HOLDS;
         if (further && !zero[i])
             proof_fails(p, e->at, "%s: both sides vanish to this order: nothing is shown", e->text);
         if (result != IDENTITY_HOLDS && p->result == IDENTITY_HOLDS) {

@@ -119,7 +119,6 @@ struct proof {
     const struct yaml *at;   /* where that stands */
     size_t offset;
     char *difference;        /* the numerator's leading terms as TeX, of what differs; NULL: nothing  */
-    bool holds[MOST_SHOWN];  /* equality by equality                                                  */
 };
 
 void identities_prove(const struct identities *t, struct proof *p);
