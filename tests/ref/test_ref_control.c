@@ -10,6 +10,39 @@
 static const struct ct_params paper = {7.2915e-5, 8.99e9, 150, 150, 10};
 static const struct ct_params unequal = {7.2915e-5, 8.99e9, 120, 410, 23};
 
+TEST(eq18_commands_nothing_without_an_error)
+{
+    ck_assert_double_eq(ct_charge_product_variation(paper, (struct ct_gains){5e-8, 1e-4}, 0, 0), 0);
+}
+
+TEST(eq19_gain_of_nine_just_undoes_the_tide)
+{
+    const struct ct_params p = {.Omega = 2, .L_ref = 10};
+
+    ck_assert_double_eq(ct_closed_loop_acceleration(p, (struct ct_gains){36, 0}, 1e3, 0, 0), 0);
+}
+
+EACH(eq19_is_eq17_under_the_law_of_eq18, 4)
+{
+    const struct ct_gains g[] = {{6e-8, 2e-4}, {-6e-8, 2e-4}, {6e-8, -2e-4}, {-6e-8, -2e-4}};
+    const double dL = 0.7, dL_dot = -3e-4, psi_dot = 2e-5;
+    const double dQ = ct_charge_product_variation(unequal, g[_i], dL, dL_dot);
+    const double scale = 9 * unequal.Omega * unequal.Omega * dL + fabs(g[_i].C1 * dL) + fabs(g[_i].C2 * dL_dot) +
+                         2 * unequal.Omega * unequal.L_ref * psi_dot;
+
+    ck_assert_double_eq_tol(ct_closed_loop_acceleration(unequal, g[_i], dL, dL_dot, psi_dot),
+                            ct_length_error_acceleration(unequal, psi_dot, dL, dQ),
+                            16 * 0x1p-53 * scale); /* every term passes through about eight roundings on each road */
+}
+
+TEST(eq21_takes_a_positive_reference_that_the_variation_outweighs)
+{
+    struct ct_charge_pair q;
+
+    ck_assert_int_eq(ct_charges(7, -16, &q), CT_OK);
+    ck_assert_double_eq(q.q1, 3);
+}
+
 TEST(eq21_rejects_like_charges)
 {
     struct ct_charge_pair q;
@@ -25,6 +58,21 @@ TEST(eq21_rejects_neutral_craft)
 
     ck_assert_int_eq(ct_charges(-5, 5, &q), CT_DOMAIN);
     ck_assert_double_nan(q.q1);
+}
+
+static size_t eq21(const double x[], double y[])
+{
+    struct ct_charge_pair q;
+    const int status = ct_charges(x[0], x[1], &q);
+
+    ck_assert_int_eq(status, isnan(q.q1) ? CT_DOMAIN : CT_OK);
+    memcpy(y, &q, sizeof q);
+    return 2;
+}
+
+TEST(eq21_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(eq21, "rr", (const double[]){-3, 2});
 }
 
 TEST(eq21_charges_at_rest_are_a_third_of_a_microcoulomb)

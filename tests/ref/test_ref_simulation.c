@@ -43,6 +43,17 @@ TEST(eq40_flow_at_zero_is_the_initial_state)
     assert_close(s.dL_dot, -6, 2);
 }
 
+TEST(eq40_flow_pitch_is_an_oscillator_of_twice_the_orbit_rate)
+{
+    const struct ct_tether_state start = {.psi = -0.3, .theta = 0.2, .theta_dot = -0.7};
+    const double t = 5;
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_flow(unit, (struct ct_gains){-1, -0.5}, start, fine, 1, &t, &s), CT_OK);
+    ck_assert_double_eq_tol(s.theta, 0.2 * cos(10) - 0.35 * sin(10), 1e-12); /* some tens of steps of 1e-13 */
+    ck_assert_double_eq_tol(s.theta_dot, -0.4 * sin(10) - 0.7 * cos(10), 1e-12);
+}
+
 TEST(eq40_flow_along_an_eigenvector_grows_exponentially)
 {
     const double t[] = {1, 10, -1};
@@ -136,6 +147,23 @@ TEST(eq40_flow_gives_up_after_many_steps)
     ck_assert_double_nan(s.psi);
 }
 
+static size_t linear_flow(const double x[], double y[])
+{
+    const struct ct_params p = {x[0], NAN, NAN, NAN, x[1]};
+    const struct ct_tether_state start = {x[4], x[5], x[6], x[7], x[8], x[9]};
+    struct ct_tether_state s;
+    const int status = ct_linear_flow(p, (struct ct_gains){x[2], x[3]}, start, x[10], 1, &x[11], &s);
+
+    ck_assert_int_eq(status, isnan(s.psi) ? CT_DOMAIN : CT_OK);
+    memcpy(y, &s, sizeof s);
+    return 6;
+}
+
+TEST(eq40_flow_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(linear_flow, "++rrrrrrrr+r", (const double[]){1, 2, -3, 4, -5, 6, -7, 8, -9, 10, 1e-9, -0.5});
+}
+
 EACH(eq40_flow_rejects_tolerances_beyond_double, 2)
 {
     const double t = 1, tolerance[] = {1e-16, 1};
@@ -163,11 +191,20 @@ TEST(eq40_flow_outside_its_domain_leaves_no_state_unset)
         ck_assert_double_nan(s[i].theta);
 }
 
+static struct ct_hill_state in_hill_frame(struct ct_params p, struct ct_tether_state s)
+{
+    const struct ct_spherical c = {p.L_ref + s.dL, s.psi, s.theta};
+    const struct ct_vector r = ct_position(p, c);
+    const struct ct_vector v = ct_velocity(p, c, (struct ct_spherical_rate){s.dL_dot, s.psi_dot, s.theta_dot});
+
+    return (struct ct_hill_state){r.x, r.y, r.z, v.x, v.y, v.z};
+}
+
 /* All forces grow as the lengths do, and the noise is measured by them: with powers of 2 all is to scale. */
 TEST(eq03_flow_is_to_scale)
 {
     const double t = 50000, scale[] = {0x1p-20, 0x1p20};
-    const struct ct_hill_state start = ct_hill_state_of_tether(unequal, paper_start);
+    const struct ct_hill_state start = in_hill_frame(unequal, paper_start);
     struct ct_hill_state one, s;
 
     ck_assert_int_eq(ct_nonlinear_flow(unequal, unequal_gains, start, 1e-9, 1, &t, &one), CT_OK);
@@ -195,6 +232,43 @@ TEST(eq03_flow_rests_where_eq05_says)
     ck_assert_double_eq(s.z1, 0);
 }
 
+/* Without gains the charges stay, and energy and Hill's potentials with them. Everything per kilogram of craft 1. */
+static double jacobi_integral(struct ct_params p, struct ct_hill_state s)
+{
+    const double r = sqrt(s.x1 * s.x1 + s.y1 * s.y1 + s.z1 * s.z1), share = p.m2 / (p.m1 + p.m2);
+    const double Q = ct_reference_charge_product(p, p.L_ref);
+
+    return (s.x1_dot * s.x1_dot + s.y1_dot * s.y1_dot + s.z1_dot * s.z1_dot) / 2 +
+           p.Omega * p.Omega * (s.z1 * s.z1 - 3 * s.x1 * s.x1) / 2 + p.k_c / p.m1 * Q * share * share / r;
+}
+
+TEST(eq03_flow_without_gains_conserves_the_jacobi_integral)
+{
+    const struct ct_hill_state start = {14, -9, 6, 2e-4, 5e-4, -3e-4};
+    const double t = 40000;
+    struct ct_hill_state s;
+
+    ck_assert_int_eq(ct_nonlinear_flow(unequal, (struct ct_gains){0, 0}, start, fine, 1, &t, &s), CT_OK);
+    ck_assert_double_gt(fabs(s.x1 - start.x1), 1); /* it did go somewhere */
+    assert_close(jacobi_integral(unequal, s), jacobi_integral(unequal, start), 1e-10 * 0x1p53); /* hundreds of steps */
+}
+
+/* A ten-thousandth of the paper's errors: what the linear model leaves out is as much smaller as their square. */
+TEST(eq03_flow_of_small_errors_is_that_of_eq40)
+{
+    const double e = 1e-6, t = 20000;
+    const struct ct_tether_state start = {.psi = e, .theta = -2 * e, .dL = 23 * e, .psi_dot = 3 * e * unequal.Omega};
+    struct ct_tether_state tether;
+    struct ct_hill_state s;
+
+    ck_assert_int_eq(ct_linear_flow(unequal, unequal_gains, start, fine, 1, &t, &tether), CT_OK);
+    ck_assert_int_eq(ct_nonlinear_flow(unequal, unequal_gains, in_hill_frame(unequal, start), fine, 1, &t, &s), CT_OK);
+    const struct ct_spherical c = ct_spherical_coordinates(unequal, (struct ct_vector){s.x1, s.y1, s.z1});
+    ck_assert_double_eq_tol(c.psi, tether.psi, 100 * e * e); /* second-order terms with coefficients of about ten */
+    ck_assert_double_eq_tol(c.theta, tether.theta, 100 * e * e);
+    ck_assert_double_eq_tol(c.L - unequal.L_ref, tether.dL, 100 * 23 * e * e);
+}
+
 /* On the orbit normal only the attraction and the tide act, and both draw the craft together. */
 TEST(eq03_flow_reports_a_collision)
 {
@@ -206,6 +280,24 @@ TEST(eq03_flow_reports_a_collision)
     ck_assert_double_lt(s[0].z1, 10);
     ck_assert_double_nan(s[1].z1);
     ck_assert_double_nan(s[1].x1_dot);
+}
+
+static size_t nonlinear_flow(const double x[], double y[])
+{
+    const struct ct_params p = {x[0], x[1], x[2], x[3], x[4]};
+    const struct ct_hill_state start = {x[7], x[8], x[9], x[10], x[11], x[12]};
+    struct ct_hill_state s;
+    const int status = ct_nonlinear_flow(p, (struct ct_gains){x[5], x[6]}, start, x[13], 1, &x[14], &s);
+
+    ck_assert_int_eq(status, isnan(s.x1) ? CT_DOMAIN : CT_OK);
+    memcpy(y, &s, sizeof s);
+    return 6;
+}
+
+TEST(eq03_flow_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(nonlinear_flow, "+++++rrrrrrrr+r",
+                           (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 12, -13, 1e-9, 0.01});
 }
 
 TEST(eq03_flow_rejects_the_origin)
@@ -228,6 +320,31 @@ TEST(eq40_runge_kutta_step_is_the_classical_one)
     assert_close(s[1].psi, 1.10517083333333333, 16); /* about four roundings a stage */
     assert_close(s[1].dL, -8 * 1.10517083333333333, 16);
     assert_close(s[1].psi_dot, 1.10517083333333333, 16);
+}
+
+/* Pitch alone: the step multiplies theta + i theta_dot/(2 Omega) by the same polynomial in -2i Omega h. */
+TEST(eq40_runge_kutta_of_the_pitch_oscillator)
+{
+    const struct ct_tether_state start = {.theta = 1};
+    const double t = 0.25; /* 2 Omega h = 1/2 */
+    struct ct_tether_state s;
+
+    ck_assert_int_eq(ct_linear_runge_kutta(unit, growing, start, 0.25, 1, &t, &s), CT_OK);
+    assert_close(s.theta, 1 - 1.0 / 8 + 1.0 / 384, 8);
+    assert_close(s.theta_dot, 2 * (-1.0 / 2 + 1.0 / 48), 8);
+}
+
+TEST(eq40_runge_kutta_is_of_fourth_order)
+{
+    const double t = 6400;
+    struct ct_tether_state exact = linear(t), coarse, half;
+
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 200, 1, &t, &coarse), CT_OK);
+    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 1, &t, &half), CT_OK);
+    /* the next order is Omega h = 0.015 of this one, times coefficients of about one */
+    ck_assert_double_eq_tol((coarse.psi - exact.psi) / (half.psi - exact.psi), 16, 1);
+    ck_assert_double_eq_tol((coarse.theta - exact.theta) / (half.theta - exact.theta), 16, 1);
+    ck_assert_double_eq_tol((coarse.dL - exact.dL) / (half.dL - exact.dL), 16, 1);
 }
 
 TEST(eq40_runge_kutta_reports_overflow)
@@ -284,6 +401,24 @@ TEST(eq40_runge_kutta_compares_each_time_with_the_last)
     ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 3, around + 1, s), CT_OK);
 }
 
+static size_t linear_runge_kutta(const double x[], double y[])
+{
+    const struct ct_params p = {x[0], NAN, NAN, NAN, x[1]};
+    const struct ct_tether_state start = {x[4], x[5], x[6], x[7], x[8], x[9]};
+    const double t = 3;
+    struct ct_tether_state s;
+    const int status = ct_linear_runge_kutta(p, (struct ct_gains){x[2], x[3]}, start, x[10], 1, &t, &s);
+
+    ck_assert_int_eq(status, isnan(s.psi) ? CT_DOMAIN : CT_OK);
+    memcpy(y, &s, sizeof s);
+    return 6;
+}
+
+TEST(eq40_runge_kutta_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(linear_runge_kutta, "++rrrrrrrr+", (const double[]){1, 2, -3, 4, -5, 6, -7, 8, -9, 10, 1.5});
+}
+
 /* Half a step at -2 m/s takes craft 1 from 1 m into the origin, where (3) has no value. */
 TEST(eq03_runge_kutta_reports_craft_in_one_point)
 {
@@ -294,6 +429,25 @@ TEST(eq03_runge_kutta_reports_craft_in_one_point)
 
     ck_assert_int_eq(ct_nonlinear_runge_kutta(p, (struct ct_gains){0, 0}, start, 1, 1, &t, &s), CT_CONVERGENCE);
     ck_assert_double_nan(s.z1);
+}
+
+static size_t nonlinear_runge_kutta(const double x[], double y[])
+{
+    const struct ct_params p = {x[0], x[1], x[2], x[3], x[4]};
+    const struct ct_hill_state start = {x[7], x[8], x[9], x[10], x[11], x[12]};
+    const double t = 0.03;
+    struct ct_hill_state s;
+    const int status = ct_nonlinear_runge_kutta(p, (struct ct_gains){x[5], x[6]}, start, x[13], 1, &t, &s);
+
+    ck_assert_int_eq(status, isnan(s.x1) ? CT_DOMAIN : CT_OK);
+    memcpy(y, &s, sizeof s);
+    return 6;
+}
+
+TEST(eq03_runge_kutta_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(nonlinear_runge_kutta, "+++++rrrrrrrr+",
+                           (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 12, -13, 0.015});
 }
 
 /* ---- N craft ---- */

@@ -16,6 +16,32 @@ static struct ct_gains gains(double c1, double c2)
     return (struct ct_gains){c1 * Omega * Omega, c2 * Omega};
 }
 
+TEST(eq40_pitch_stands_alone)
+{
+    const struct ct_params p = {.Omega = 2, .L_ref = 4};
+    const struct ct_tether_state s = {.theta = 1};
+    const struct ct_tether_acceleration a = ct_linear_acceleration(p, (struct ct_gains){40, 6}, s);
+
+    ck_assert_double_eq(a.psi_ddot, 0);
+    ck_assert_double_eq(a.dL_ddot, 0);
+}
+
+/* Where exp(lambda t) solves (40), the determinant of the two coupled equations is zero, whatever L_ref. */
+RANGE(eq41_is_the_determinant_of_eq40, -3, 4)
+{
+    const double lambda = _i, L_ref = 8, C1 = -7, C2 = 5;
+    const struct ct_params p = {.Omega = 2, .L_ref = L_ref};
+    const struct ct_gains g = {C1, C2};
+    const struct ct_tether_state of_yaw = {.psi = 1, .psi_dot = lambda}, of_length = {.dL = 1, .dL_dot = lambda};
+    const struct ct_tether_acceleration yaw = ct_linear_acceleration(p, g, of_yaw);
+    const struct ct_tether_acceleration length = ct_linear_acceleration(p, g, of_length);
+    const double determinant =
+        (lambda * lambda - yaw.psi_ddot) * (lambda * lambda - length.dL_ddot) - length.psi_ddot * yaw.dL_ddot;
+    const struct ct_quartic a = ct_characteristic_polynomial(2, g);
+
+    ck_assert_double_eq(a.a0 + lambda * (a.a1 + lambda * (a.a2 + lambda * (a.a3 + lambda * a.a4))), determinant);
+}
+
 /*
  * Known roots in units of Omega, in the order of the library; tolerance in roundings of the modulus. Where no closed form
  * stands, the digits are mpmath 1.3's with mp.dps = 30:
@@ -117,6 +143,33 @@ TEST(eq41_roots_scale_with_the_orbit_rate)
     }
 }
 
+EACH(eq41_roots_ascend, 20)
+{
+    struct ct_root root[4];
+
+    ck_assert_int_eq(ct_characteristic_roots(Omega, gains(2.0 * _i - 9, 0.5), root), CT_OK);
+    for (int k = 1; k < 4; k++) {
+        ck_assert_double_le(root[k - 1].re, root[k].re);
+        if (root[k - 1].re == root[k].re)
+            ck_assert_double_le(root[k - 1].im, root[k].im);
+    }
+}
+
+static size_t roots(const double x[], double y[])
+{
+    struct ct_root root[4];
+    const int status = ct_characteristic_roots(x[0], (struct ct_gains){x[1], x[2]}, root);
+
+    ck_assert_int_eq(status, isnan(root[0].re) ? CT_DOMAIN : CT_OK);
+    memcpy(y, root, sizeof root);
+    return 8;
+}
+
+TEST(eq41_roots_reject_each_input_outside_its_domain)
+{
+    assert_rejects_outside(roots, "+rr", (const double[]){1, -2, 3});
+}
+
 TEST(eq41_roots_reject_gains_beyond_double_in_units_of_Omega)
 {
     struct ct_root root[4];
@@ -137,7 +190,6 @@ TEST(eq41_roots_report_a_set_that_is_not_complete)
 
 TEST(eq42_boundary_is_not_stable)
 {
-    ck_assert_int_eq(ct_routh_margins(NAN, (struct ct_gains){40, 3}).stable, 0); /* nor is what lies outside the domain */
     ck_assert_int_eq(ct_routh_margins(2, (struct ct_gains){36, 3}).stable, 0);
     ck_assert_int_eq(ct_routh_margins(2, (struct ct_gains){40, 0}).stable, 0);
 }
@@ -151,6 +203,22 @@ EACH(eq42_is_the_sign_of_the_roots_of_eq41, 48)
 
     ck_assert_int_eq(ct_characteristic_roots(Omega, g, root), CT_OK);
     ck_assert_int_eq(ct_routh_margins(Omega, g).stable, root[3].re < 0); /* the last has the largest real part */
+}
+
+static size_t eq42(const double x[], double y[])
+{
+    const struct ct_margins m = ct_routh_margins(x[0], (struct ct_gains){x[1], x[2]});
+
+    if (isnan(m.margin1))
+        ck_assert_int_eq(m.stable, 0);
+    y[0] = m.margin1;
+    y[1] = m.margin2;
+    return 2;
+}
+
+TEST(eq42_rejects_each_input_outside_its_domain)
+{
+    assert_rejects_outside(eq42, "+rr", (const double[]){1, -2, 3});
 }
 
 EACH(eq41_roots_reject_coefficients_that_overflow, 3)
@@ -179,3 +247,23 @@ TEST(eq41_roots_are_in_order_for_all_gains)
     }
     ck_assert_int_gt(strong, 100);
 }
+
+TEST(eq43_whole_numbers)
+{
+    ck_assert_double_eq(ct_proportional_gain(3, 10), 90);
+}
+
+TEST(eq44_vanishes_at_nine)
+{
+    ck_assert_double_eq(ct_derivative_gain(3, 9), 0);
+}
+
+/* dL_ddot + C2 dL_dot + (C1 - 9 Omega^2) dL has a double root where C2^2 = 4 (C1 - 9 Omega^2). */
+RANGE(eq44_damps_critically, 1, 17)
+{
+    const double n = 9.0 + _i / 8.0, C2 = ct_derivative_gain(Omega, n);
+    const struct ct_gains g = {ct_proportional_gain(Omega, n), C2};
+
+    assert_close(C2 * C2, 4 * ct_routh_margins(Omega, g).margin1, 4); /* a root and its square */
+}
+
