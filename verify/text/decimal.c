@@ -191,7 +191,7 @@ static void write_rounded(char *text, mpfr_srcptr x, slong digits, mpfr_rnd_t wa
     mpfr_exp_t first;
     char *significand = mpfr_get_str(NULL, &first, 10, (size_t)digits, x, way);
     if (mpfr_zero_p(x))
-        strcpy(text, "0");
+        memcpy(text, "0", sizeof "0");
     else
         write_scientific(text, significand, first - 1);
     mpfr_free_str(significand);
@@ -300,6 +300,6 @@ void decimal_bound(char text[32], double x)
     if (isfinite(x))
         write_rounded(text, bound, 2, MPFR_RNDU);
     else
-        strcpy(text, "inf");
+        memcpy(text, "inf", sizeof "inf");
     mpfr_clear(bound);
 }
