@@ -95,7 +95,8 @@ EACH(half_widths_reach_the_level, 6)
     static const double gains[] = {9.5, 10, 12, 20, 23, 40};
     const double n = gains[_i], level = number("level", n, 0);
     double hill = -INFINITY, pass = INFINITY;
-    for (double r = 0.3; r < 4; r += 1e-4) { /* the hill on the radius, the pass on the plane across; flat within 1e-4 of either */
+    for (int k = 3000; k < 40000; k++) { /* the hill on the radius, the pass on the plane across; flat within 1e-4 of either */
+        const double r = 1e-4 * k;
         hill = fmax(hill, r > 1 ? energy(n, (const double[6]){r}) : hill);
         pass = fmin(pass, energy(n, (const double[6]){0, r}));
     }

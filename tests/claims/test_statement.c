@@ -197,9 +197,12 @@ EACH(verdicts_follow_from_conditions, COUNT(rulings))
 EACH(a_verdict_by_itself_wants_all, 3)
 {
     static const char *const prove[] = {"a: dL > 0\n    b: dL < 1", "a: dL > 0\n    b: dL > 1", "run: {compute: escaping_10}\n    a: run.at_dL_0 < 0"};
+    static const char holds[] = {'h', 'o', 'l', 'd', 's'};
     char text[4096];
     write_claim(text, "a}", NULL, prove[_i], NULL);
-    memcpy(strstr(text, "{holds: a}}"), "holds      ", strlen("{holds: a}}"));
+    char *condition = strstr(text, "{holds: a}}");
+    memset(condition, ' ', strlen("{holds: a}}"));
+    memcpy(condition, holds, sizeof holds);
     assert_ruled(text, _i == 1 ? VERDICT_NONE : HOLDS, _i != 1, _i == 1 ? "'b' is false" : "");
 }
 

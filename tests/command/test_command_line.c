@@ -807,6 +807,22 @@ TEST(help_says_what_each_study_is)
     }
 }
 
+/* Held, the length leaves pitch its amplitude; moved by a hundredth of itself, it keeps pitch within as little of the averaged law. */
+TEST(pitch_follows_the_averaged_law_where_the_length_moves)
+{
+    const char *row = output;
+    double t = -14400, at, moved, law, held = 0;
+    ck_assert_int_eq(run("study damped"), 0);
+    ck_assert_int_eq(lines(output), 1 + 20 * 6 + 1);
+    while ((row = strchr(row, '\n') + 1)[0] != '\0') {
+        ck_assert_int_eq(sscanf(row, "%lf,%lf,%lf,%lf", &at, &moved, &law, &held), 4);
+        ck_assert_double_eq(at, t += 14400);
+        ck_assert_double_eq_tol(held, 0.01, 0.01 * 0.01);
+        ck_assert_double_eq_tol(moved, law, 0.02 * law);
+    }
+    ck_assert_double_lt(law, 0.5 * held);
+}
+
 TEST(a_closed_pipe_ends_quietly_with_1)
 {
     int ends[2];

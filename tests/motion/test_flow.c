@@ -1127,7 +1127,7 @@ EACH(outside_all_numbers_no_flow_starts, 9)
 /* At 0 alone, once or twice, the state is the initial one itself, and nothing else is said. */
 RANGE(at_time_zero_the_state_is_the_initial_one, 1, 3)
 {
-    const slong times[] = {0, 0};
+    static const slong times[MOST_TIMES];
     struct scenario s = paper_nonlinear();
     mag_set_d(arb_radref(s.start), 0x1p-20);
     struct run r = run_through(&s, NONLINEAR, times, _i, 17, 0, 0);

@@ -97,11 +97,9 @@ static void print_wrapped(const char *text, int column)
     putchar('\n');
 }
 
-/* A dash of an option is a minus, a backslash and a quote have names, and a dot at a line's start would begin a macro. */
+/* A dash of an option is a minus, a backslash and a quote have names. No text begins with a dot, which would begin a macro. */
 static void print_mdoc(const char *text)
 {
-    if (*text == '.' || *text == '\'')
-        fputs("\\&", stdout);
     bool option = false; /* which is not hyphenated, and of which the dashes are minuses */
     for (const char *at = text; *at != '\0'; at++) {
         if (at == text || at[-1] == ' ') {
