@@ -310,7 +310,7 @@ bool verdict_rows(const struct derivations *proofs, struct statements *claims, c
 
 bool verdict_known(struct statements *claims, const char *id)
 {
-    struct giving g = {.claims = claims, .only = id};
+    struct giving g = {.proofs = claims->proofs, .claims = claims, .only = id};
     give_rows(&g);
     return g.known;
 }
