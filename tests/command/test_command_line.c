@@ -6,6 +6,7 @@
 
 #include <ctype.h>
 #include <fcntl.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -811,7 +812,7 @@ TEST(help_says_what_each_study_is)
 TEST(pitch_follows_the_averaged_law_where_the_length_moves)
 {
     const char *row = output;
-    double t = -14400, at, moved, law, held = 0;
+    double t = -14400, at = NAN, moved = NAN, law = NAN, held = NAN; /* no row, no value */
     ck_assert_int_eq(run("study damped"), 0);
     ck_assert_int_eq(lines(output), 1 + 20 * 6 + 1);
     while ((row = strchr(row, '\n') + 1)[0] != '\0') {
