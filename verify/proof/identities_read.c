@@ -197,8 +197,10 @@ static int read_rate(struct parser *p)
     program_needs(p->program, made.of, made.by, needed);
     for (int i = 0; i <= made.of && i < s->sheet->quantity_count; i++) {
         const char *own = s->sheet->quantities[i].name;
+        if (!needed[i] || made.by[i] >= 0 || !rate_name(s->sheet, own, name))
+            continue;
         const struct yaml *by = program_find(p->program, own) == i ? under(rates, own) : NULL;
-        if (needed[i] && made.by[i] < 0 && !(by != NULL && strcmp(by->text, "0") == 0) && rate_name(s->sheet, own, name))
+        if (by == NULL || strcmp(by->text, "0") != 0)
             still = own;
     }
     free(needed);
