@@ -182,8 +182,6 @@ static void mistake(struct asked *a, const char *fault)
         integrate(a, 1.0, false, 1.0);
     else if (strcmp(fault, "long-step") == 0)
         integrate(a, a->inputs > 11 ? 2.0 * a->in[11] : 300.0, false, -1.0);
-    else if (strcmp(fault, "short-step") == 0)
-        integrate(a, 0.25 * a->in[11], false, -1.0);
 }
 
 /* Two processes, their numbers in the file, that only a signal ends. */

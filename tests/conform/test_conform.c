@@ -85,7 +85,6 @@ static const struct {
     {"--only eq38 -- FAULTY printed-38", 1, "looks like the paper's misprint: Kepler's third law has no factor of 3 there; the 3 of Eq. (39) is the one that Eq. (37) has already.\n"},
     {"--only eq38 -- FAULTY printed", 1, "     0.6  eq38-"}, /* S = 2 Omega: -log10((sqrt(3) - 1)/3) = 0.61 digits */
     {"--only eq37 --random 5000 --seed 1 -- FAULTY cross", 0, " 0 failed"}, /* components by their vector: 50 of them near a plane of the axes */
-    {"--only eq12,eq38 -- FAULTY float", 1, "looks like computed in single precision\n"},
     {"--significand 24 --only eq12,eq38 -- FAULTY float", 0, " 0 failed"},
     /* R_c^5 leaves binary32's range for the larger of 200 orbits; golden vectors, and 13 from outside the domain, are without such */
     {"--significand 24 --only eq37 --random 200 --seed 1 -- FAULTY float", 0, " 0 failed, 61 skipped\n"},
@@ -93,14 +92,6 @@ static const struct {
     {"--significand 113 --only eq12,eq38 -- FAULTY none", 1, " wrong\n"},
     {"--only flow_linear-paper-43200,flow_linear-paper-432000 --digits flow_linear=15 -- FAULTY none", 1, " wrong\n"},
 };
-
-TEST(a_factor_and_lost_digits_are_called_that)
-{
-    ck_assert_int_eq(conform("--only eq07 -- FAULTY off"), 1);
-    assert_says("looks like a constant factor 1.01\n");
-    ck_assert_int_eq(conform("--only eq07 -- FAULTY wrong"), 1);
-    assert_says("looks like right in 13 digits, the others are lost\n");
-}
 
 EACH(a_fault_has_its_own_outcome, COUNT(faults))
 {
@@ -183,7 +174,6 @@ static const struct {
     {TWO_TIMES("rk4_linear"), "euler", "  looks like Euler's method with steps of 1 h\n"},
     {LATER("flow_linear"), "long-step", "  looks like the classical Runge-Kutta method with steps of 300 s\n"},
     {LATER("rk4_linear"), "long-step", "  looks like the classical Runge-Kutta method with steps of 2 h\n"},
-    {LATER("rk4_linear"), "short-step", "  looks like the classical Runge-Kutta method with steps of 0.25 h\n"},
     {"eq44", "n-8", "  looks like n + 1 in place of n\n"},
     {TWO_TIMES("flow_linear"), "coupling", "  looks like -2 Omega/L_ref dL_dot in psi_ddot with the other sign\n"},
 };
@@ -251,14 +241,6 @@ EACH(fixed_decimals_are_right_ones, 2)
     ck_assert_int_eq(conform(_i ? "--only eq44-random-1,eq44-random-2 -- sh -c 'read o id in; echo $id 0.000609; read o id in; echo $id 0.002652'"
                                 : "--only eq44-random-1,eq44-random-2 -- sh -c 'read o id in; echo $id 0.000608; read o id in; echo $id 0.002652'"), 1);
     ck_assert((strstr(said, "looks like written with 6 decimals") != NULL) == (_i == 0));
-}
-
-/* Two numbers of many are off in the 13th digit, which no format does. */
-TEST(lost_digits_are_lost_in_most_numbers)
-{
-    ck_assert_int_eq(conform("--only eq07 -- sh -c 'for i in $(seq 25); do read -r q; echo \"$q\"; done | \"$0\" none; exec \"$0\" wrong' FAULTY"), 1);
-    assert_says("eq07: 2 wrong\n");
-    ck_assert_ptr_null(strstr(said, "looks like"));
 }
 
 /* n - 7.5 for n - 9 is like nothing known, and no guess is better than a false one; nor is anything told from one vector. */
@@ -421,33 +403,21 @@ TEST(questions_are_taken_away_and_a_transcript_brought_back)
     ck_assert_int_eq(system("\"$CT_BUILD/tests/faulty\" <\"$CT_BUILD/tests/questions\" >\"$CT_BUILD/tests/transcript\""), 0);
     ck_assert_int_eq(conform("--only eq07,eq41roots --random 20 --seed 3 --answers \"$CT_BUILD/tests/transcript\""), 0);
     assert_says(" 0 failed, 0 skipped\n");
-    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && { printf '\\357\\273\\277'; cat transcript; } >marked && "
-                            "{ printf '\\377\\376'; cat transcript; } >utf16"), 0);
+    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && { printf '\\357\\273\\277'; cat transcript; } >marked"), 0);
     ck_assert_int_eq(conform("--only eq07,eq41roots --random 20 --seed 3 --answers \"$CT_BUILD/tests/marked\""), 0);
-    ck_assert_int_eq(conform("--only eq07,eq41roots --random 20 --seed 3 --answers \"$CT_BUILD/tests/utf16\""), 1);
-    assert_says("    it is written in UTF-16, UTF-8 is due\n");
     ck_assert_int_eq(system("yes | head -c 100000 >\"$CT_BUILD/tests/transcript\""), 0);
     ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/transcript\""), 1);
     ck_assert_int_eq(conform("--answers data"), 1);
     assert_says("data: Is a directory");
 }
 
-/* What the command writes comes to --answers through a pipe, which cannot be rewound. */
-static int conform_piped(const char *command, const char *only)
-{
-    char line[512];
-    snprintf(line, sizeof line, "%s | \"$CT_PROGRAM\" conform %s --answers /dev/stdin >\"$CT_BUILD/tests/piped\" 2>&1", command, only);
-    const int status = system(line);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
+/* What a pipe brings is read once: with an operation a table, else a transcript. */
 TEST(answers_come_through_a_pipe_as_well)
 {
-    ck_assert_int_eq(conform_piped("cat data/golden/eq07.csv", ""), 0);
-    ck_assert_int_eq(system("grep -q '^51 vectors: 51 passed' \"$CT_BUILD/tests/piped\""), 0);
-    ck_assert_int_eq(conform_piped("\"$CT_PROGRAM\" conform --questions --only roots,eq07 | \"$CT_BUILD/tests/faulty\"", "--only roots,eq07"), 0);
-    ck_assert_int_eq(conform_piped("head -c 300000000 /dev/zero", ""), 1);
-    ck_assert_int_eq(system("grep -q 'expected at most 268435456 bytes through a pipe' \"$CT_BUILD/tests/piped\""), 0);
+    ck_assert_int_eq(conform("eq07 --answers /dev/stdin <data/golden/eq07.csv"), 0);
+    ck_assert_int_eq(system("cat data/golden/eq07.csv | \"$CT_PROGRAM\" conform eq07 --answers /dev/stdin >/dev/null"), 0);
+    ck_assert_int_eq(system("\"$CT_PROGRAM\" conform --questions --only roots,eq07 | \"$CT_BUILD/tests/faulty\" | "
+                            "\"$CT_PROGRAM\" conform --only roots,eq07 --answers /dev/stdin >/dev/null"), 0);
 }
 
 /* ---- wrong usage ---- */
@@ -460,7 +430,7 @@ static const struct {
     {"FAULTY", "/tests/faulty', a client stands after --, did you mean conform -- /"},
     {"python3 my_client.py", "did you mean conform -- python3 my_client.py?"},
     {"-- /nowhere/client", "/nowhere/client': No such file"},
-    {"-- ./Makefile", "Permission denied, it is not executable: chmod +x, or its interpreter before it"},
+    {"-- ./Makefile", "Permission denied"},
     {"-- README.md", ", did you mean './README.md'?"},
     {"-- false", "exit status 1 before its first answer"},
     {"-- sh -c 'kill -SEGV $$'", "signal 11 before its first answer"},
@@ -488,7 +458,6 @@ static const struct {
     {"--report report -- FAULTY", "--report: expected a file .xml or .json, got 'report'"},
     {"-o report -- FAULTY", "-o: expected a file .xml or .json, got 'report'"},
     {"-o a.xml --report b.xml -- FAULTY", "-o: expected without --report, it is the same"},
-    {"-- /tmp", "Permission denied, it is a folder, a program is due"},
     {"--significand 64 -- FAULTY", "24, 53 or 113"},
     {"--report report.txt -- FAULTY", ".xml or .json"},
     {"--answers data/golden/eq07.csv eq07 eq09", "id of one operation"},

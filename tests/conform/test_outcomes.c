@@ -930,7 +930,6 @@ static const struct {
     {"eq44-paper 0,00014", "'0,00014' has a decimal comma, a point is due", OUTCOME_MALFORMED},
     {"eq25-paper 1 [2 3]", "'[2' is no number for its '['", OUTCOME_MALFORMED},
     {"eq25-paper 1, 2, 3", "'1,' is no number for its ','", OUTCOME_MALFORMED},
-    {"eq44-paper \342\210\2221.2", "'\342\210\2221.2' has a typeset dash, '-' is due", OUTCOME_MALFORMED},
     {"eq44-paper oops", "'oops' is no number", OUTCOME_MALFORMED},
     {"eq44-paper 1.2", "the last line has no LF", OUTCOME_TRUNCATED},
     {"", "an empty line", OUTCOME_UNNAMED},
@@ -1098,8 +1097,8 @@ TEST(a_journal_that_cannot_be_read_makes_no_report)
     close_run(e);
 }
 
-/* Answers every question with those formulas, in so many digits; 17 are binary64. */
-static void answer_in_digits(struct test_run *e, const struct formulas *formulas, int digits)
+/* Answers every question with those formulas. */
+static void answer_all(struct test_run *e, const struct formulas *formulas)
 {
     struct test_vector q;
     struct operation o = {.section = e->comparators[0].operation->section, .formulas = formulas};
@@ -1115,7 +1114,7 @@ static void answer_in_digits(struct test_run *e, const struct formulas *formulas
         } else {
             operation_enclose(&o, q.inputs, 256, y);
             for (int i = 0; i < o.section->output_count; i++)
-                used += snprintf(line + used, sizeof line - (size_t)used, " %.*g", digits,
+                used += snprintf(line + used, sizeof line - (size_t)used, " %.17g",
                                  arf_get_d(arb_midref(y + i), ARF_RND_NEAR));
             snprintf(line + used, sizeof line - (size_t)used, "\n");
         }
@@ -1140,7 +1139,7 @@ EACH(a_known_mistake_is_called_by_its_name, sheet()->section_count)
         if (!mutation_init(&a, sheet(), s, mistake, false, &why))
             continue;
         struct test_run *e = run_of(s, 0, BINARY64);
-        answer_in_digits(e, &a.formulas, 17);
+        answer_all(e, &a.formulas);
         ck_assert_msg(summary_failed(&e->summaries[0]) < 2 || strstr(e->summaries[0].diagnosis, mistake->name) != NULL,
                       "%s: %s is taken for: %s", s->id, mistake->name, e->summaries[0].diagnosis);
         close_run(e);
@@ -1148,13 +1147,13 @@ EACH(a_known_mistake_is_called_by_its_name, sheet()->section_count)
     }
     if (s->differs) {
         struct test_run *e = run_of(s, 0, BINARY64);
-        answer_in_digits(e, &s->printed, 17);
+        answer_all(e, &s->printed);
         ck_assert_uint_gt(summary_failed(&e->summaries[0]), 0);
         ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "the paper's misprint: ", 22), 0);
         close_run(e);
     }
     struct test_run *e = run_of(s, 0, BINARY64);
-    answer_in_digits(e, &s->corrected, 17);
+    answer_all(e, &s->corrected);
     ck_assert_uint_eq(summary_failed(&e->summaries[0]), 0);
     close_run(e);
 }
@@ -1176,22 +1175,13 @@ TEST(every_mistake_of_the_sheet_can_be_made_somewhere)
     }
 }
 
-TEST(what_is_written_with_few_digits_has_lost_the_others)
-{
-    const struct section *s = section_find(sheet(), "eq12");
-    struct test_run *e = run_of(s, 0, BINARY64);
-    answer_in_digits(e, &s->corrected, 6);
-    ck_assert_str_eq(e->summaries[0].diagnosis, "right in 5 digits, the others are lost");
-    close_run(e);
-}
-
 /* A line that is no answer, and a skip, have nothing against a mistake that explains all the others. */
 TEST(a_mistake_explains_numbers_and_not_lines)
 {
     const struct section *s = section_find(sheet(), "eq38");
     struct test_run *e = run_of(s, 0, BINARY64);
     said(e, "eq38-paper 7.3e-5 oops\neq38-random-1 skip\n");
-    answer_in_digits(e, &s->printed, 17);
+    answer_all(e, &s->printed);
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_MALFORMED], 1);
     ck_assert_int_eq(strncmp(e->summaries[0].diagnosis, "the paper's misprint: ", 22), 0);
     close_run(e);

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -19,7 +18,6 @@
 /* Digits that a motion has to reach unless --digits says otherwise; PROTOCOL.md has the reasons. */
 static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;
 
-enum { MOST_PIPED = 1 << 28 };    /* bytes that are kept of a pipe */
 enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered is counted one by one */
 
 /* What is asked for: a number a section of the sheet. */
@@ -238,21 +236,6 @@ static int conclude(struct test_run *e, enum ending ending, int status, const ch
     return EXIT_DONE;
 }
 
-/* What to write instead of a client that is not started, "" where that is not known. */
-static const char *start_hint(const char *client, int why, char hint[120])
-{
-    struct stat there;
-    *hint = '\0';
-    /* EACCES: some folder of PATH may not be searched */
-    if ((why == ENOENT || why == EACCES) && strchr(client, '/') == NULL && access(client, F_OK) == 0)
-        snprintf(hint, 120, ", did you mean './%.80s'?", client);
-    else if (why == EACCES && stat(client, &there) == 0 && S_ISDIR(there.st_mode))
-        snprintf(hint, 120, ", it is a folder, a program is due");
-    else if (why == EACCES && access(client, F_OK) == 0)
-        snprintf(hint, 120, ", it is not executable: chmod +x, or its interpreter before it");
-    return hint;
-}
-
 /* Of a client that could not be started: wrong usage, unless the machine is out of means. */
 static int status_of_start(int why)
 {
@@ -264,15 +247,17 @@ static int run_client(struct test_run *e, const struct arguments *a, char **clie
 {
     double timeout = 60.0;
     const char *text = option_value(a, "--timeout");
-    char *end = NULL, hint[120];
+    char *end = NULL;
     if (text != NULL)
         timeout = strtod(text, &end);
     if (text != NULL && (*end != '\0' || !(timeout > 0.0 && timeout <= 1e6)))
         return usage_error(EXIT_USAGE, "--timeout: expected seconds, more than 0, got '%.40s'", text);
     struct client c;
     const int why = client_start(&c, client);
+    /* EACCES: some folder of PATH may not be searched */
+    const bool here = (why == ENOENT || why == EACCES) && strchr(client[0], '/') == NULL && access(client[0], F_OK) == 0;
     if (why != 0)
-        return usage_error(status_of_start(why), "client '%s': %s%s", client[0], strerror(why), start_hint(client[0], why, hint));
+        return usage_error(status_of_start(why), here ? "client '%s': %s, did you mean './%s'?" : "client '%s': %s", client[0], strerror(why), client[0]);
     const enum ending ending = client_converse(&c, e, timeout);
     const int status = client_close(&c); /* an interrupt ends the program here */
     if (ending == ENDING_BROKEN) /* LCOV_EXCL_BR_LINE: a failing system call, make faults */
@@ -363,9 +348,14 @@ static int hear_transcript(struct test_run *e, FILE *file, const char *name)
     return ferror(file) ? usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno)) : EXIT_DONE;
 }
 
-/* Whose answers the file has, by the name of its first row's vector; NULL, and the file's beginning, where it is no CSV with a column id. */
+/*
+ * Whose answers the file has, by the name of its first row's vector; NULL, and the file's beginning, where it is no CSV with a
+ * column id. What comes through a pipe is read once, and so a transcript.
+ */
 static const struct section *section_of_file(const struct sheet *sheet, FILE *file, const char *name)
 {
+    if (fseek(file, 0, SEEK_SET) != 0)
+        return NULL;
     struct csv c = csv_on(file, name, LONGEST_LINE);
     struct message why;
     const struct section *s = NULL;
@@ -381,27 +371,6 @@ static const struct section *section_of_file(const struct sheet *sheet, FILE *fi
     return s;
 }
 
-/* What comes through a pipe, which is read once, in a temporary file; another file as it is. NULL, and it is closed, after a complaint. */
-static FILE *rewindable(FILE *file, const char *name)
-{
-    if (fseek(file, 0, SEEK_SET) == 0)
-        return file;
-    FILE *copy = tmpfile();
-    char bytes[1 << 16];
-    size_t size, total = 0;
-    while (copy != NULL && total <= MOST_PIPED && (size = fread(bytes, 1, sizeof bytes, file)) > 0 && fwrite(bytes, 1, size, copy) == size)
-        total += size;
-    const bool whole = copy != NULL && feof(file) && fseek(copy, 0, SEEK_SET) == 0; /* LCOV_EXCL_BR_LINE: a failing system call */
-    if (total > MOST_PIPED)
-        usage_error(EXIT_FAILED_CHECK, "%s: expected at most %d bytes through a pipe, write them to a file", name, MOST_PIPED);
-    else if (!whole) /* LCOV_EXCL_BR_LINE: the same */
-        usage_error(EXIT_FAILED_CHECK, "%s, and a temporary file for it: %s", name, strerror(errno)); /* LCOV_EXCL_LINE: the same */
-    fclose(file);
-    if (!whole && copy != NULL) /* LCOV_EXCL_BR_LINE: the same */
-        fclose(copy);
-    return whole ? copy : NULL;
-}
-
 /* Of one operation as CSV, which the word or the file names, or else of all that are asked. */
 static int read_answers(struct test_run *e, const struct arguments *a, struct choice *c)
 {
@@ -409,8 +378,6 @@ static int read_answers(struct test_run *e, const struct arguments *a, struct ch
     FILE *file = fopen(name, "r");
     if (file == NULL)
         return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
-    if (a->word_count == 0 && (file = rewindable(file, name)) == NULL)
-        return EXIT_FAILED_CHECK;
     const struct section *s = a->word_count == 1 ? section_argument(c->sheet, a->words[0]) : section_of_file(c->sheet, file, name);
     int status = a->word_count == 1 && s == NULL ? EXIT_USAGE : EXIT_DONE;
     if (s != NULL && (option_given(a, "--only") || option_given(a, "--random")))

@@ -178,8 +178,7 @@ static enum outcome answer_numbers(struct test_run *e, struct comparator *j, cha
 static enum outcome compare_numbers(struct test_run *e, struct comparator *j, const struct test_vector *q, struct record *f)
 {
     struct summary *t = &e->summaries[q->set - e->sets.all];
-    if (e->significand == BINARY32 && !e->range && j->operation->section->method == METHOD_FORMULA &&
-        vector_leaves_range(j->operation, q->inputs, BINARY32))
+    if (e->significand == BINARY32 && !e->range && vector_leaves_range(j->operation, q->inputs, BINARY32))
         return OUTCOME_SKIPPED;
     const enum outcome outcome = compare_answer(j, q->inputs, &f->score);
     const bool worse = f->score.E > t->worst_E || f->score.digits < t->digits || t->worst == UINT64_MAX;

@@ -171,40 +171,6 @@ static bool explains_all(struct mutant *x, const struct test_run *e, const struc
     return all && explained > 1;
 }
 
-static bool are_singles(const struct summary *t, int outputs)
-{
-    bool singles = true;
-    for (int i = 0; i < t->kept_count; i++)
-        for (int k = 0; k < outputs && t->kept[i].has_values; k++) {
-            const double value = t->kept[i].values[k];
-            singles = singles && fabs(value - (double)(float)value) <= 1e-9 * fabs(value); /* 9 digits write a float */
-        }
-    return singles;
-}
-
-/* So far off is what is right but for its digits, where it is like nothing else. */
-static const double LOST = 1e-4;
-
-/* Right but for the number format: how it is computed, or how it is written, of which most numbers suffer. */
-static void format_mistake(const struct test_run *e, int set, char *text, size_t size)
-{
-    const struct summary *t = &e->summaries[set];
-    const struct comparator *j = &e->comparators[set];
-    double worst = 0.0;
-    int passing = 0;
-    for (int i = t->kept_failures; i < t->kept_count; i++)
-        passing += t->kept[i].has_values;
-    for (int i = 0; i < t->kept_failures; i++)
-        if (t->kept[i].outcome != OUTCOME_VALUE)
-            worst = fmax(worst, t->kept[i].outcome == OUTCOME_WRONG ? ldexp(t->kept[i].score.E, -BINARY64) : INFINITY); /* of |y*| + S */
-    if (worst == 0.0 || !(worst < LOST) || passing > t->kept_failures || is_motion(j->operation->section) || e->significand != BINARY64)
-        return;
-    if (are_singles(t, j->operation->section->output_count) && worst <= ldexp(j->K, -BINARY32))
-        snprintf(text, size, "computed in single precision");
-    else
-        snprintf(text, size, "right in %d digits, the others are lost", (int)-log10(worst));
-}
-
 /* What failed in numbers, with the truth, then what passed, of which the answer is as good; of a motion what is soon computed. */
 static void gather(struct evidence *v, const struct test_run *e, int set, clock_t until)
 {
@@ -243,13 +209,9 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
 /* What no sheet lists. */
 static void diagnose_kind(struct test_run *e, int set, clock_t until)
 {
-    char *text = e->summaries[set].diagnosis;
-    const size_t size = sizeof e->summaries[set].diagnosis;
     struct evidence *v = xrealloc(NULL, 1, sizeof *v);
     gather(v, e, set, until);
-    (is_motion(v->section) ? kind_of_motion : kind_of_formula)(v, text, size);
-    if (*text == '\0')
-        format_mistake(e, set, text, size);
+    (is_motion(v->section) ? kind_of_motion : kind_of_formula)(v, e->summaries[set].diagnosis, sizeof e->summaries[set].diagnosis);
     free(v);
 }
 

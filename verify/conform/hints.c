@@ -43,8 +43,6 @@ static void number_hint(const char *word, char *hint, size_t size)
         snprintf(hint, size, "'%s' has Fortran's D exponent, E is due", word);
     else if (is_number_with(word, ",", '.') && word[strlen(word) - 1] != ',')
         snprintf(hint, size, "'%s' has a decimal comma, a point is due", word);
-    else if (strstr(word, "\342\200\223") != NULL || strstr(word, "\342\210\222") != NULL)
-        snprintf(hint, size, "'%s' has a typeset dash, '-' is due", word);
     else if (odd != NULL)
         snprintf(hint, size, "'%s' is no number for its '%c'", word, *odd);
     else
@@ -61,8 +59,6 @@ static void name_hint(const struct sheet *sheet, const char *word, char *hint, s
         snprintf(hint, size, "'%s' is a number: a line begins with the vector's name, and has all its outputs", word);
     else if (strncmp(word, MARK, strlen(MARK)) == 0)
         snprintf(hint, size, "a byte order mark stands before '%s'", word + strlen(MARK));
-    else if (strncmp(word, "\377\376", 2) == 0)
-        snprintf(hint, size, "it is written in UTF-16, UTF-8 is due");
     else if (*odd != '\0')
         snprintf(hint, size, "its first word '%s' names no vector: no name has a '%c'", word, *odd);
     else

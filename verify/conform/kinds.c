@@ -74,19 +74,9 @@ static bool turns(double y, double exact)
     return is_same(y, exact) || (round(off) != 0.0 && part_of_a_turn(off) < 1e-9);
 }
 
-static bool half_a_turn(double y, double exact)
-{
-    return part_of_a_turn((y - exact) / (2.0 * PI) - 0.5) < 1e-9 || (y == exact && cos(exact) > -1e-9); /* atan's own half */
-}
-
 static bool from_the_other_axis(double y, double exact)
 {
     return part_of_a_turn((y + exact - PI / 2.0) / (2.0 * PI)) < 1e-9 || (y == exact && exact == 0.0); /* atan2(0, 0) */
-}
-
-static bool opposite(double y, double exact)
-{
-    return is_same(y, -exact);
 }
 
 static bool is_nothing(double y, double exact)
@@ -109,18 +99,16 @@ static void wrong_outputs(const struct evidence *v, char *text, size_t size)
 {
     static const struct {
         bool (*so)(double y, double exact);
-        bool angle;
         const char *what;
-    } ways[] = {{turns, true, "differs by 2 pi: it lies from -pi to pi"}, {half_a_turn, true, "differs by pi: the quadrant is lost"},
-                {from_the_other_axis, true, "is that of atan2 with its arguments exchanged"}, {opposite, false, "has the other sign"},
-                {is_nothing, false, "all zeros"}};
+    } ways[] = {{turns, "differs by 2 pi: it lies from -pi to pi"}, {from_the_other_axis, "is that of atan2 with its arguments exchanged"},
+                {is_nothing, "all zeros"}};
     for (size_t way = 0; way < sizeof ways / sizeof *ways && *text == '\0'; way++) {
         char names[240] = "";
         bool fits = true;
         for (int k = 0; k < v->section->output_count; k++) {
             if (is_always(v, k, is_same))
                 continue;
-            fits = fits && is_always(v, k, ways[way].so) && (!ways[way].angle || strcmp(v->section->outputs[k]->unit, "rad") == 0);
+            fits = fits && is_always(v, k, ways[way].so);
             add_text(names, sizeof names, ", ", v->section->outputs[k]->name);
         }
         if (fits && *names != '\0')

@@ -17,24 +17,13 @@ static const char *const coupling_terms[2][TERMS] = {
     {"-2 Omega/L_ref dL_dot in psi_ddot", "-3 Omega^2 psi", "-4 Omega^2 theta", "-C2 dL_dot", "2 Omega L_ref psi_dot in dL_ddot",
      "-(C1 - 9 Omega^2) dL"}};
 
-/*
- * Explicit Runge-Kutta methods of four stages at most, each stage from the one before it alone; after Euler's that with the new
- * rates for the places. On a linear motion all of two stages and order 2 are one.
- */
+/* Explicit Runge-Kutta methods, each stage from the one before it alone, and as many of them as the order. */
 static const struct integrator {
-    const char *name, *linear_name;
-    int order, stages;
-    bool new_rates;
+    const char *name;
+    int stages;
     double from[4], weights[4];
-} integrators[] = {
-    {"Euler's method", "Euler's method", 1, 1, false, {0.0}, {1.0}},
-    {"Euler's semi-implicit method", "Euler's semi-implicit method", 1, 1, true, {0.0}, {1.0}},
-    {"the midpoint method", "the midpoint method, or Heun's,", 2, 2, false, {0.0, 0.5}, {0.0, 1.0}},
-    {"Heun's method", "", 2, 2, false, {0.0, 1.0}, {0.5, 0.5}},
-    {"the classical Runge-Kutta method", "the classical Runge-Kutta method", 4, 4, false, {0.0, 0.5, 0.5, 1.0},
-     {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}},
-};
-enum { INTEGRATORS = 5, CLASSICAL = 4, SHORTER = 4 /* h/2 ... h/5: less comes too close to the motion itself */ };
+} euler = {"Euler's method", 1, {0.0}, {1.0}},
+  classical = {"the classical Runge-Kutta method", 4, {0.0, 0.5, 0.5, 1.0}, {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}};
 
 /* What somebody may have done: a term's sign (-1: none), a method, and its step in s, or in the steps h that are given. */
 struct hypothesis {
@@ -80,8 +69,6 @@ static void take_step(const struct hypothesis *p, const double *x, const double 
     }
     for (int i = 0; i < 6; i++)
         y[i] += sum[i];
-    for (int i = 0; i < 3 && p->method->new_rates; i++)
-        y[i] += h * sum[i + 3];
 }
 
 static void integrate(const struct hypothesis *p, const double *x, double steps, double y[6])
@@ -144,7 +131,7 @@ static double likely_step(const struct evidence *v, struct hypothesis *p)
             return 0.0;
         integrate(p, v->x[f], steps, y);
         const double off = state_distance(p, v->x[f], v->y[f], v->exact[f]) / state_distance(p, v->x[f], y, v->exact[f]);
-        step = t / steps * pow(off, 1.0 / p->method->order);
+        step = t / steps * pow(off, 1.0 / p->method->stages);
     }
     snprintf(rounded, sizeof rounded, "%.2g", step);
     return strtod(rounded, NULL);
@@ -175,17 +162,15 @@ void kind_of_motion(const struct evidence *v, char *text, size_t size)
     struct hypothesis p = {.in_h = method >= METHOD_RK4_LINEAR};
     p.linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
     *text = '\0';
-    for (int k = 0; k < TERMS + INTEGRATORS + (p.in_h ? SHORTER : 0) && *text == '\0'; k++) {
-        const int part = k - TERMS - INTEGRATORS + 2; /* of h: such steps are off by about as much as those of h, which are right */
+    for (int k = 0; k < TERMS + 2 && *text == '\0'; k++) {
         p.turned = k < TERMS ? k : -1;
-        p.method = &integrators[k < TERMS || part > 1 ? CLASSICAL : k - TERMS];
-        p.step = k < TERMS ? 1.0 : part > 1 ? 1.0 / part : likely_step(v, &p);
+        p.method = k == TERMS ? &euler : &classical;
+        p.step = k < TERMS ? 1.0 : likely_step(v, &p);
         if (!(p.step > 0.0) || !fits_all(v, &p))
             continue;
         if (k < TERMS)
             snprintf(text, size, "%s with the other sign", coupling_terms[p.linear][k]);
         else
-            snprintf(text, size, "%s with steps of %.3g %s", p.linear ? p.method->linear_name : p.method->name, p.step,
-                     p.in_h ? "h" : "s");
+            snprintf(text, size, "%s with steps of %.3g %s", p.method->name, p.step, p.in_h ? "h" : "s");
     }
 }

@@ -31,8 +31,7 @@ static bool collect_golden(void *context, struct operation *o, const char *id, c
     struct collection *c = context;
     const struct section *s = o->section;
     (void)flags;
-    const bool range = s->method == METHOD_FORMULA && vector_read(s, texts, c->inputs) &&
-                       operation_valid(o, c->inputs) && vector_leaves_range(o, c->inputs, c->significand);
+    const bool range = vector_read(s, texts, c->inputs) && operation_valid(o, c->inputs) && vector_leaves_range(o, c->inputs, c->significand);
     if (range && !c->range)
         return true;
     struct test_set *set = c->set;

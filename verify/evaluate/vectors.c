@@ -41,6 +41,8 @@ bool vector_leaves_range(struct operation *o, const struct input *inputs, int si
 {
     const slong exponent = significand == BINARY32 ? 128 : significand == BINARY64 ? 1024 : 16384;
     VECTOR(arb, outputs, MOST_OUTPUTS);
+    if (o->section->method != METHOD_FORMULA) /* no other has subexpressions */
+        return false;
     operation_enclose(o, inputs, 256, outputs);
     return leaves_range(&o->machine, exponent);
 }
