@@ -29,12 +29,11 @@ static const struct {
 static void largest_multiplier(arb_t size, const arb_t T, double c1, double c2)
 {
     static const signed char model[STATES][STATES + 1] = {{0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {-3, 0, 0, -2, 0}, {0, 9, 2, 0, 1}};
-    arb_mat_t X;
+    MATRIX(arb, X, STATES + 1, STATES + 1);
     SCOPE(arb_poly, p);
     SCOPE(acb_poly, q);
     SCOPE(arb, gain, part);
     VECTOR(acb, z, STATES);
-    arb_mat_init(X, STATES + 1, STATES + 1);
     for (int i = 0; i < STATES; i++)
         for (int j = 0; j <= STATES; j++)
             arb_mul_si(arb_mat_entry(X, i, j), T, model[i][j], BITS);
@@ -56,7 +55,6 @@ static void largest_multiplier(arb_t size, const arb_t T, double c1, double c2)
         acb_abs(part, z + i, BITS);
         arb_max(size, size, part, BITS);
     }
-    arb_mat_clear(X);
 }
 
 EACH(H1_H2_all_multipliers_lie_inside_the_unit_circle_up_to_the_longest_hold_and_not_beyond, COUNT(gains))

@@ -44,8 +44,8 @@ CASE(error_terms, NULL, flint_cleanup)
 
 EACH(B1_a_parabola_rises_above_its_samples_by_an_eighth, 3)
 {
-    struct trajectory t;
-    struct bounds b;
+    OWNED(trajectory) t;
+    OWNED(bounds) b;
     SCOPE(arb, excess, truth);
     bounds_init(&b);
     trajectory_of(&t, false, 1, 100 * (_i + 1), 10, 2);
@@ -63,15 +63,13 @@ EACH(B1_a_parabola_rises_above_its_samples_by_an_eighth, 3)
         assert_at_least(excess, truth, 1 + 0x1p-100, "excess", i);
         ck_assert(arb_contains(excess, truth) && !arb_is_exact(excess)); /* a third is a ball */
     }
-    bounds_clear(&b);
-    trajectory_clear(&t);
 }
 
 /* The charges' second derivative is (c1 eta'' + c2 eta^(3))/3: 10 and 2 of 1 and 5, over 3. */
 TEST(B1_the_charges_have_both_their_terms)
 {
-    struct trajectory t;
-    struct bounds b;
+    OWNED(trajectory) t;
+    OWNED(bounds) b;
     SCOPE(arb, excess, truth);
     bounds_init(&b);
     trajectory_of(&t, false, 1, 1 << 12, 10, 2); /* a quarter of a radian */
@@ -81,8 +79,6 @@ TEST(B1_the_charges_have_both_their_terms)
     arb_set_d(truth, 20 / 128.0);
     arb_div_ui(truth, truth, 3, 2 * PREC);
     ck_assert(arb_contains(excess, truth) && arb_rel_accuracy_bits(excess) > 100);
-    bounds_clear(&b);
-    trajectory_clear(&t);
 }
 
 /* Of 3, -5, 4 and of 2, 7, -7: ends are samples too. */
@@ -112,7 +108,7 @@ TEST(B1_peaks_and_gaps_have_the_samples_at_the_ends)
 /* Pitch goes as cos 2 tau whatever the gains: its peak lies in the middle of two samples, and none but the excess has it. */
 TEST(B1_a_supremum_has_the_peak_between_samples)
 {
-    struct trajectory t;
+    OWNED(trajectory) t;
     SCOPE(arb, sup, one);
     arb_one(one);
     trajectory_of(&t, false, 2, 1 << 12, 10, 2); /* a quarter of a radian: cos(1/4) on both samples */
@@ -123,7 +119,6 @@ TEST(B1_a_supremum_has_the_peak_between_samples)
     ck_assert(trajectory_supremum(sup, &t, THETA, 0, 1));
     ck_assert(arb_gt(sup, one));
     ck_assert(is_below(sup, 1.1));
-    trajectory_clear(&t);
 }
 
 /* ---- B2, B3: the linear model ---- */
@@ -151,13 +146,12 @@ EACH(B2_B3_no_state_of_that_energy_exceeds_a_derivative, 2 * DERIVATIVES)
 {
     static const int place[] = {PSI, PSI_DOT, ETA, ETA_DOT};
     const int d = _i / 2, which = _i % 2; /* psi or eta */
-    struct trajectory t;
-    struct bounds b;
-    arb_mat_t a, power;
+    OWNED(trajectory) t;
+    OWNED(bounds) b;
+    MATRIX(arb, a, 4, 4);
+    MATRIX(arb, power, 4, 4);
     VECTOR(arb, g, 4);
     SCOPE(arb, truth, weight);
-    arb_mat_init(a, 4, 4);
-    arb_mat_init(power, 4, 4);
     bounds_init(&b);
     trajectory_of(&t, false, 1, 100, 12, 3);
     matrix_of_40(a, &t);
@@ -173,17 +167,13 @@ EACH(B2_B3_no_state_of_that_energy_exceeds_a_derivative, 2 * DERIVATIVES)
     }
     ck_assert(trajectory_bounds(&b, &t, 0));
     assert_at_least(b.of[which == 0 ? PSI : ETA] + d, truth, d < 2 ? 1 + 0x1p-60 : 4, "derivative", d);
-    bounds_clear(&b);
-    trajectory_clear(&t);
-    arb_mat_clear(a);
-    arb_mat_clear(power);
 }
 
 /* theta = a cos(2 tau) + b/2 sin(2 tau), wherever it starts on its way */
 EACH(B2_pitch_has_its_amplitude, 6)
 {
-    struct trajectory t;
-    struct bounds b;
+    OWNED(trajectory) t;
+    OWNED(bounds) b;
     SCOPE(arb, truth);
     bounds_init(&b);
     trajectory_of(&t, false, 1, 100, 10, 2);
@@ -194,15 +184,13 @@ EACH(B2_pitch_has_its_amplitude, 6)
         arb_set_d(truth, ldexp(0.25, d) * (1 - 0x1p-50));
         assert_at_least(b.of[THETA] + d, truth, 4.5, "pitch", d);
     }
-    bounds_clear(&b);
-    trajectory_clear(&t);
 }
 
 /* Whatever eta and psi are within their bounds, 1 + eta, (1 + eta) psi and (1 + eta) theta are within theirs: as polynomials. */
 TEST(B3_places_have_all_products_of_derivatives)
 {
-    struct trajectory t;
-    struct bounds b;
+    OWNED(trajectory) t;
+    OWNED(bounds) b;
     SCOPE(arb_poly, length, angle);
     SCOPE(arb, c, factorial);
     bounds_init(&b);
@@ -233,8 +221,6 @@ TEST(B3_places_have_all_products_of_derivatives)
             assert_at_least(b.of[i == PSI ? PLACE_Y : PLACE_Z] + d, c, 1 + 0x1p-60, "place", d);
         }
     }
-    bounds_clear(&b);
-    trajectory_clear(&t);
 }
 
 /* ---- roundings: what few bits say holds what many say ---- */
@@ -245,8 +231,8 @@ enum { ENERGY = VARIABLES, EXCESS, SUPREMUM = EXCESS + VARIABLES, UNIT = SUPREMU
 /* All that is said of two trajectories of two samples each, whose numbers are doubles. */
 static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec)
 {
-    struct trajectory t, other;
-    struct bounds b;
+    OWNED(trajectory) t, other;
+    OWNED(bounds) b;
     trajectory_of(&t, nonlinear, 2, 700, 11.3, 2.7);
     trajectory_of(&other, nonlinear, 2, 700, 11.3, 2.7);
     t.prec = other.prec = prec;
@@ -276,9 +262,6 @@ static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec)
     arb_one(other.samples); /* a place off both axes, and its derivatives */
     angle_series(z + SERIES, z + SERIES + DERIVATIVES, z + SERIES + 2 * DERIVATIVES, other.samples, other.samples + 4, other.samples + 8,
                  DERIVATIVES, prec);
-    bounds_clear(&b);
-    trajectory_clear(&t);
-    trajectory_clear(&other);
 }
 
 TEST(roundings_of_few_bits_are_in_their_balls)
@@ -315,11 +298,11 @@ static const struct {
 
 TEST(B2_B6_no_state_at_L_ref_exceeds_its_place_or_derivatives)
 {
-    struct bounds b;
+    OWNED(bounds) b;
     SCOPE(arb, truth, sine, cosine);
     bounds_init(&b);
     for (int i = 0; i < COUNT(largest); i++) {
-        struct trajectory t;
+        OWNED(trajectory) t;
         trajectory_of(&t, true, 1, 100, 12, 2);
         arb_ptr given = trajectory_sample(&t, 0) + largest[i].given;
         arb_set_d(given, largest[i].of == RATE ? 0.04 : -0.03);
@@ -333,9 +316,7 @@ TEST(B2_B6_no_state_at_L_ref_exceeds_its_place_or_derivatives)
         arb_mul(truth, truth, sine, PREC);
         ck_assert(trajectory_bounds(&b, &t, 0));
         assert_at_least(b.of[largest[i].place] + largest[i].d, truth, largest[i].at_most, "place", i);
-        trajectory_clear(&t);
     }
-    bounds_clear(&b);
 }
 
 /* G(l), written anew */
@@ -363,8 +344,8 @@ static void potential(arb_t G, const struct trajectory *t, const arb_t eta)
 EACH(B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 4)
 {
     enum { CLOSE = 400 }; /* by 2^-11 of L' each: over more than an eighth of dL, to less than a gap between slices */
-    struct trajectory t;
-    struct bounds b;
+    OWNED(trajectory) t;
+    OWNED(bounds) b;
     VECTOR(arb, x, 3);
     arb_ptr G = x, energy = x + 1, eta = x + 2;
     bounds_init(&b);
@@ -383,29 +364,25 @@ EACH(B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 4)
         }
         ck_assert(arb_ge(b.of[ETA], eta));
     }
-    bounds_clear(&b);
-    trajectory_clear(&t);
 }
 
 /* At rest a tenth longer: the potential is less there than a tenth shorter, and its side decides. */
 EACH(B4_both_sides_confine, 2)
 {
-    struct trajectory t;
-    struct bounds b;
+    OWNED(trajectory) t;
+    OWNED(bounds) b;
     bounds_init(&b);
     trajectory_of(&t, true, 1, 100, 12, 2);
     arb_set_d(trajectory_sample(&t, 0) + ETA, _i == 0 ? 0.1 : -0.1);
     ck_assert(trajectory_bounds(&b, &t, 0));
     ck_assert(arb_is_finite(b.of[ETA]) && !is_below(b.of[ETA], 0.1));
-    bounds_clear(&b);
-    trajectory_clear(&t);
 }
 
 /* With c1 = 12 the hill is at 1.3 L_ref. At 1.4 the energy is less than there, but the motion is on the other side. */
 TEST(B4_what_is_beyond_the_hill_has_no_bounds)
 {
-    struct trajectory t;
-    struct bounds b;
+    OWNED(trajectory) t;
+    OWNED(bounds) b;
     SCOPE(arb, hours, limit);
     bounds_init(&b);
     trajectory_of(&t, true, 2, 100, 12, 2);
@@ -418,8 +395,6 @@ TEST(B4_what_is_beyond_the_hill_has_no_bounds)
     arb_zero(trajectory_sample(&t, 0) + ETA);
     arb_set_d(trajectory_sample(&t, 0) + ETA_DOT, 0.5); /* and with this it would get over the hill */
     ck_assert(!trajectory_bounds(&b, &t, 0));
-    bounds_clear(&b);
-    trajectory_clear(&t);
 }
 
 /* ---- B7: settling ---- */
@@ -431,7 +406,7 @@ TEST(B4_what_is_beyond_the_hill_has_no_bounds)
 TEST(B7_what_rises_between_samples_has_not_settled)
 {
     enum { COUNT = 4 };
-    struct trajectory t;
+    OWNED(trajectory) t;
     SCOPE(arb, hours, limit);
     trajectory_of(&t, false, COUNT, 1 << 12, 10, 2);
     for (slong k = 0; k < COUNT; k++) {
@@ -444,7 +419,6 @@ TEST(B7_what_rises_between_samples_has_not_settled)
     ck_assert(settles(hours, &t, THETA, limit));
     arb_set_d(limit, 4096.0 / 3600); /* from the first sample, above, to the second, below: an hour and more */
     ck_assert(arb_contains_si(hours, 0) && arb_contains(hours, limit) && is_below(hours, 1.2));
-    trajectory_clear(&t);
 }
 
 /*
@@ -454,7 +428,7 @@ TEST(B7_what_rises_between_samples_has_not_settled)
 EACH(B7_bounds_are_those_of_the_samples_they_are_asked_for, 2)
 {
     enum { SAMPLES = 600, BLOCK = 256, OPEN = 300 };
-    struct trajectory t;
+    OWNED(trajectory) t;
     SCOPE(arb, hours, limit, seconds);
     trajectory_of(&t, false, SAMPLES, 1 << 12, 10, 2);
     for (slong k = 0; k < BLOCK; k++) {
@@ -470,7 +444,6 @@ EACH(B7_bounds_are_those_of_the_samples_they_are_asked_for, 2)
     arb_set_si(seconds, (_i == 0 ? BLOCK : OPEN + 1) * t.step);
     arb_div_ui(seconds, seconds, 3600, PREC);
     ck_assert(arb_contains_si(hours, 0) && arb_contains(hours, seconds));
-    trajectory_clear(&t);
 }
 
 /* ---- rows of a motion ---- */

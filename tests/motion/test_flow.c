@@ -8,6 +8,9 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include "motion/flow.h"
+#include "text/scope.h"
+
+CASE(all, NULL, flint_cleanup)
 
 enum { DAY = 86400, PREC = 256, MOST_TIMES = 64 };
 
@@ -19,13 +22,12 @@ struct scenario {
     slong prec;
 };
 
-static void scenario_close(struct scenario *s)
+static void scenario_clear(struct scenario *s)
 {
     arb_ptr value[] = {s->p.Omega, s->p.L_ref, s->p.C1, s->p.C2, s->p.k_c, s->p.m1, s->p.m2};
     for (size_t i = 0; i < sizeof value / sizeof value[0]; i++)
         arb_clear(value[i]);
     _arb_vec_clear(s->start, FLOW_STATE);
-    flint_cleanup();
 }
 
 /* Gains c1 Omega^2 and c2 Omega; at rest at the origin. */
@@ -59,10 +61,7 @@ static void start_at(struct scenario *s, double a, double b, double c, double a_
 /* Eq. (10), exact: craft 1 at rest in the frame at these angles and this distance. */
 static void start_at_angles(struct scenario *s, double psi, double theta, double dL)
 {
-    arb_t r, sine, cosine;
-    arb_init(r);
-    arb_init(sine);
-    arb_init(cosine);
+    SCOPE(arb, r, sine, cosine);
     arb_set_d(r, dL);
     arb_add(r, r, s->p.L_ref, s->prec);
     arb_mul(r, r, s->p.m2, s->prec);
@@ -78,9 +77,6 @@ static void start_at_angles(struct scenario *s, double psi, double theta, double
     arb_sin_cos(sine, cosine, cosine, s->prec);
     arb_mul(s->start + 1, r, sine, s->prec);
     arb_mul(s->start, r, cosine, s->prec);
-    arb_clear(r);
-    arb_clear(sine);
-    arb_clear(cosine);
 }
 
 static struct scenario paper_nonlinear(void)
@@ -115,7 +111,7 @@ struct run {
     slong rows;
 };
 
-static void run_close(struct run *r)
+static void run_clear(struct run *r)
 {
     _arb_vec_clear(r->states, MOST_TIMES * FLOW_STATE);
 }
@@ -126,9 +122,8 @@ static struct run run_through(const struct scenario *s, enum method method, cons
 {
     struct run r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
     struct record record = {r.states, 0, stop_after};
-    fmpq *times = _fmpq_vec_init(count);
-    fmpq_t step;
-    fmpq_init(step);
+    VECTOR(fmpq, times, count);
+    SCOPE(fmpq, step);
     fmpq_set_si(step, h, 1);
     for (slong k = 0; k < count; k++)
         fmpq_set_si(times + k, seconds[k], 1);
@@ -139,8 +134,6 @@ static struct run run_through(const struct scenario *s, enum method method, cons
     else
         r.status = rk4(method != RK4_LINEAR, &s->p, s->start, step, times, count, s->prec, keep, &record, &r.reached);
     r.rows = record.rows;
-    _fmpq_vec_clear(times, count);
-    fmpq_clear(step);
     return r;
 }
 
@@ -176,9 +169,7 @@ static void assert_holds(arb_srcptr set, arb_srcptr member)
 static void assert_sharp(arb_srcptr state, slong bits)
 {
     enum { RADIAN = 14 }; /* log2 of 1/Omega, in all these scenarios */
-    mag_t size, m;
-    mag_init(size);
-    mag_init(m);
+    SCOPE(mag, size, m);
     for (int i = 0; i < FLOW_STATE; i++) {
         arb_get_mag(m, state + i);
         mag_mul_2exp_si(m, m, i < 3 ? -bits : RADIAN - bits);
@@ -188,8 +179,6 @@ static void assert_sharp(arb_srcptr state, slong bits)
         mag_mul_2exp_si(m, arb_radref(state + i), i < 3 ? 0 : RADIAN);
         ck_assert_msg(mag_cmp(m, size) <= 0, "coordinate %d: radius %g", i, mag_get_d(arb_radref(state + i)));
     }
-    mag_clear(size);
-    mag_clear(m);
 }
 
 static double number(const arb_t x)
@@ -245,11 +234,10 @@ static void assert_agrees_with_rk8pd(const struct scenario *s, double seconds, d
         gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14 * p.L_ref, 1e-14);
     ck_assert_int_eq(gsl_odeiv2_driver_apply(driver, &tau, p.Omega * seconds, y), GSL_SUCCESS);
     gsl_odeiv2_driver_free(driver);
-    struct run r = run_to(s, NONLINEAR, (slong)seconds);
+    OWNED(run) r = run_to(s, NONLINEAR, (slong)seconds);
     ck_assert_int_eq(r.status, FLOW_DONE);
     for (int i = 0; i < FLOW_STATE; i++)
         ck_assert_double_eq_tol(number(r.states + i) / (i < 3 ? 1 : p.Omega), y[i], tolerance * p.L_ref);
-    run_close(&r);
 }
 
 /* ---- the linear flow ---- */
@@ -260,12 +248,10 @@ static void assert_agrees_with_rk8pd(const struct scenario *s, double seconds, d
  */
 TEST(eq40_flow_follows_an_exact_mode)
 {
-    struct scenario s = scenario_of(0x1p-14, 150, 150, 8, 10, 3);
+    OWNED(scenario) s = scenario_of(0x1p-14, 150, 150, 8, 10, 3);
     start_at(&s, 0.5, 0.25, 8, -0x1p-15, 0, -0x1p-11);
-    struct run r = run_to(&s, LINEAR, 5 * DAY);
-    arb_t tau, factor;
-    arb_init(tau);
-    arb_init(factor);
+    OWNED(run) r = run_to(&s, LINEAR, 5 * DAY);
+    SCOPE(arb, tau, factor);
     arb_mul_si(tau, s.p.Omega, -5 * DAY, PREC);
     arb_exp(factor, tau, PREC);
     _arb_vec_scalar_mul(s.start, s.start, FLOW_STATE, factor, PREC);
@@ -275,40 +261,30 @@ TEST(eq40_flow_follows_an_exact_mode)
     arb_mul_2exp_si(s.start + 4, s.start + 4, -15); /* -2 Omega / 4 sin(2 tau), tau negative here */
     assert_overlap(r.states, s.start);
     assert_sharp(r.states, 180); /* exp(-26) takes 38 bits of 256, the exponential some more */
-    arb_clear(tau);
-    arb_clear(factor);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 /* A ball among C1, C2, Omega, L_ref, m1, m2 and the state holds both of its ends at time t, in steps of h. */
 static void assert_ball_holds_its_ends(enum method method, int which, const double start[FLOW_STATE], slong t, slong h)
 {
-    struct scenario wide = scenario_of(0x1p-14, 150, 120, 8, 10, 3), end = scenario_of(0x1p-14, 150, 120, 8, 10, 3);
+    OWNED(scenario) wide = scenario_of(0x1p-14, 150, 120, 8, 10, 3), end = scenario_of(0x1p-14, 150, 120, 8, 10, 3);
     start_at(&wide, start[0], start[1], start[2], start[3], start[4], start[5]);
     start_at(&end, start[0], start[1], start[2], start[3], start[4], start[5]);
     arb_ptr all[] = {wide.p.C1, wide.p.C2, wide.p.Omega, wide.p.L_ref, wide.p.m1, wide.p.m2};
     arb_ptr one[] = {end.p.C1, end.p.C2, end.p.Omega, end.p.L_ref, end.p.m1, end.p.m2};
     arb_ptr ball = which < 6 ? all[which] : wide.start + which - 6, member = which < 6 ? one[which] : end.start + which - 6;
-    arb_t centre;
-    arb_init(centre);
+    SCOPE(arb, centre);
     arb_set(centre, ball);
     mag_set_d(arb_radref(ball), fabs(number(ball)) * 0x1p-24);
     wide.prec = 60 + 10 * (which % 3);
-    struct run r = run_through(&wide, method, &t, 1, 17, h, 0);
+    OWNED(run) r = run_through(&wide, method, &t, 1, 17, h, 0);
     ck_assert_int_eq(r.status, FLOW_DONE);
     for (int side = -1; side <= 1; side += 2) {
         arb_mul_2exp_si(member, centre, -24);
         arb_mul_si(member, member, side, PREC);
         arb_add(member, member, centre, PREC);
-        struct run truth = run_through(&end, method, &t, 1, 17, h, 0);
+        OWNED(run) truth = run_through(&end, method, &t, 1, 17, h, 0);
         assert_holds(r.states, truth.states);
-        run_close(&truth);
     }
-    arb_clear(centre);
-    run_close(&r);
-    scenario_close(&wide);
-    scenario_close(&end);
 }
 
 /*
@@ -332,49 +308,39 @@ EACH(rk4_holds_both_ends_of_every_ball, 2 * (6 + FLOW_STATE))
 
 TEST(eq40_flow_composes)
 {
-    struct scenario s = paper();
+    OWNED(scenario) s = paper();
     start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
-    struct run whole = run_to(&s, LINEAR, 3 * DAY), part = run_to(&s, LINEAR, 2 * DAY);
+    OWNED(run) whole = run_to(&s, LINEAR, 3 * DAY), part = run_to(&s, LINEAR, 2 * DAY);
     _arb_vec_set(s.start, part.states, FLOW_STATE);
-    struct run rest = run_to(&s, LINEAR, DAY);
+    OWNED(run) rest = run_to(&s, LINEAR, DAY);
     assert_overlap(rest.states, whole.states);
     assert_sharp(rest.states, 200);
-    run_close(&whole);
-    run_close(&part);
-    run_close(&rest);
-    scenario_close(&s);
 }
 
 TEST(eq40_flow_returns)
 {
-    struct scenario s = paper();
+    OWNED(scenario) s = paper();
     start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
-    struct run there = run_to(&s, LINEAR, 2 * DAY);
+    OWNED(run) there = run_to(&s, LINEAR, 2 * DAY);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_swap(there.states + i, s.start + i);
-    struct run back = run_to(&s, LINEAR, -2 * DAY);
+    OWNED(run) back = run_to(&s, LINEAR, -2 * DAY);
     assert_holds(back.states, there.states);
     assert_sharp(back.states, 180);
     ck_assert_double_eq(back.reached, -2 * DAY);
-    run_close(&there);
-    run_close(&back);
-    scenario_close(&s);
 }
 
 TEST(eq40_flow_keeps_what_is_zero)
 {
-    struct scenario s = paper();
+    OWNED(scenario) s = paper();
     start_at(&s, 0, 1, 0, 0, 0, 0);
-    struct run pitch = run_to(&s, LINEAR, DAY);
+    OWNED(run) pitch = run_to(&s, LINEAR, DAY);
     for (int i = 0; i < FLOW_STATE; i++)
         if (i % 3 != 1)
             ck_assert(arb_is_zero(pitch.states + i));
     start_at(&s, 1, 0, 0, 0, 0, 0);
-    struct run yaw = run_to(&s, LINEAR, DAY);
+    OWNED(run) yaw = run_to(&s, LINEAR, DAY);
     ck_assert(arb_is_zero(yaw.states + 1) && arb_is_zero(yaw.states + 4));
-    run_close(&pitch);
-    run_close(&yaw);
-    scenario_close(&s);
 }
 
 /* ---- the nonlinear flow, against other roads ---- */
@@ -395,85 +361,69 @@ TEST(eq03_flow_of_the_paper)
         "-0.000000031711580383845685955411698211653547390313061381107 +/- 1e-51",
         "0.0000000027597638630855129232732471038931165846453228454936 +/- 1e-51",
         "0.00000045779311177627257314565526507035347304561916236798 +/- 1e-51"};
-    struct scenario s = paper_nonlinear();
-    struct run r = run_to(&s, NONLINEAR, 2 * DAY);
+    OWNED(scenario) s = paper_nonlinear();
+    OWNED(run) r = run_to(&s, NONLINEAR, 2 * DAY);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_str(s.start + i, expected[i], PREC);
     assert_overlap(r.states, s.start);
     assert_sharp(r.states, 200);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 /* rk8pd's local error of 1e-14 in some thousand steps of a motion that does not diverge */
 TEST(eq03_flow_of_unequal_craft_agrees_with_rk8pd)
 {
-    struct scenario s = scenario_of(0x1p-14, 120, 410, 23, 12, 4);
+    OWNED(scenario) s = scenario_of(0x1p-14, 120, 410, 23, 12, 4);
     start_at_angles(&s, 0.3, -0.4, 2);
     assert_agrees_with_rk8pd(&s, 3 * DAY, 1e-10);
-    scenario_close(&s);
 }
 
 TEST(eq03_flow_at_large_angles_agrees_with_rk8pd)
 {
-    struct scenario s = scenario_of(7.2915e-5, 1, 1000, 10, 10, 2);
+    OWNED(scenario) s = scenario_of(7.2915e-5, 1, 1000, 10, 10, 2);
     start_at_angles(&s, 1.2, 0.9, -3);
     assert_agrees_with_rk8pd(&s, DAY, 1e-10);
-    scenario_close(&s);
 }
 
 /* ... and a motion that does: errors grow like exp(3 tau) until the craft part after two days */
 TEST(eq03_flow_that_grows_agrees_with_rk8pd)
 {
-    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 8, 1);
+    OWNED(scenario) s = scenario_of(7.2915e-5, 150, 150, 10, 8, 1);
     start_at_angles(&s, 0.01, 0.01, 0.1);
     assert_agrees_with_rk8pd(&s, 2 * DAY, 1e-7);
-    scenario_close(&s);
 }
 
 TEST(eq03_flow_returns)
 {
-    struct scenario s = paper_nonlinear();
-    struct run there = run_to(&s, NONLINEAR, DAY);
-    arb_ptr start = _arb_vec_init(FLOW_STATE);
+    OWNED(scenario) s = paper_nonlinear();
+    OWNED(run) there = run_to(&s, NONLINEAR, DAY);
+    VECTOR(arb, start, FLOW_STATE);
     _arb_vec_set(start, s.start, FLOW_STATE);
     _arb_vec_set(s.start, there.states, FLOW_STATE);
-    struct run back = run_to(&s, NONLINEAR, -DAY);
+    OWNED(run) back = run_to(&s, NONLINEAR, -DAY);
     assert_holds(back.states, start);
     assert_sharp(back.states, 150); /* what decays forward grows backward */
     ck_assert_double_eq(back.reached, -DAY);
-    _arb_vec_clear(start, FLOW_STATE);
-    run_close(&there);
-    run_close(&back);
-    scenario_close(&s);
 }
 
 TEST(eq03_flow_composes)
 {
-    struct scenario s = paper_nonlinear();
-    struct run whole = run_to(&s, NONLINEAR, 100000), part = run_to(&s, NONLINEAR, 61803);
+    OWNED(scenario) s = paper_nonlinear();
+    OWNED(run) whole = run_to(&s, NONLINEAR, 100000), part = run_to(&s, NONLINEAR, 61803);
     _arb_vec_set(s.start, part.states, FLOW_STATE);
-    struct run rest = run_to(&s, NONLINEAR, 100000 - 61803);
+    OWNED(run) rest = run_to(&s, NONLINEAR, 100000 - 61803);
     assert_overlap(rest.states, whole.states);
     assert_sharp(rest.states, 200);
-    run_close(&whole);
-    run_close(&part);
-    run_close(&rest);
-    scenario_close(&s);
 }
 
 /* Two precisions are two integrations: other orders, other steps. */
 TEST(eq03_flow_at_two_precisions_overlaps)
 {
-    struct scenario s = paper_nonlinear();
-    struct run fine = run_to(&s, NONLINEAR, 5 * DAY);
+    OWNED(scenario) s = paper_nonlinear();
+    OWNED(run) fine = run_to(&s, NONLINEAR, 5 * DAY);
     s.prec = 120;
-    struct run coarse = run_to(&s, NONLINEAR, 5 * DAY);
+    OWNED(run) coarse = run_to(&s, NONLINEAR, 5 * DAY);
     assert_holds(coarse.states, fine.states);
     assert_sharp(coarse.states, 75);
-    run_close(&fine);
-    run_close(&coarse);
-    scenario_close(&s);
 }
 
 /* At 48 bits what a step leaves out outweighs its rounding: without its remainder the fine states would stand outside. */
@@ -483,17 +433,14 @@ TEST(what_steps_leave_out_is_in_the_enclosure)
     slong times[ROWS];
     for (slong k = 0; k < ROWS; k++)
         times[k] = 250 * (k + 1);
-    struct scenario s = paper();
+    OWNED(scenario) s = paper();
     start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
-    struct run fine = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
+    OWNED(run) fine = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
     s.prec = 48;
-    struct run coarse = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
+    OWNED(run) coarse = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
     ck_assert_int_eq(coarse.rows, ROWS);
     for (slong k = 0; k < ROWS; k++)
         assert_holds(coarse.states + k * FLOW_STATE, fine.states + k * FLOW_STATE);
-    run_close(&fine);
-    run_close(&coarse);
-    scenario_close(&s);
 }
 
 TEST(dense_output_is_the_flow)
@@ -502,147 +449,121 @@ TEST(dense_output_is_the_flow)
     slong times[ROWS];
     for (slong k = 0; k < ROWS; k++)
         times[k] = 1000 * k;
-    struct scenario s = paper_nonlinear();
-    struct run dense = run_through(&s, NONLINEAR, times, ROWS, 17, 0, 0);
+    OWNED(scenario) s = paper_nonlinear();
+    OWNED(run) dense = run_through(&s, NONLINEAR, times, ROWS, 17, 0, 0);
     ck_assert_int_eq(dense.rows, ROWS);
     assert_same(dense.states, s.start); /* at 0 the initial state itself */
     for (slong k = 1; k < ROWS; k += 6) {
-        struct run one = run_to(&s, NONLINEAR, times[k]);
+        OWNED(run) one = run_to(&s, NONLINEAR, times[k]);
         assert_overlap(one.states, dense.states + k * FLOW_STATE);
-        run_close(&one);
     }
-    run_close(&dense);
-    scenario_close(&s);
 }
 
 /* ---- the nonlinear flow, exact cases ---- */
 
 TEST(eq05_static_formation_stays_exactly)
 {
-    struct scenario s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
+    OWNED(scenario) s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
     start_at(&s, 6, 0, 0, 0, 0, 0); /* m2 L_ref / (m1 + m2) */
-    struct run r = run_to(&s, NONLINEAR, 30 * DAY);
+    OWNED(run) r = run_to(&s, NONLINEAR, 30 * DAY);
     assert_same(r.states, s.start);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 TEST(eq03_plane_motion_stays_in_the_plane)
 {
-    struct scenario s = paper();
+    OWNED(scenario) s = paper();
     start_at_angles(&s, 0.5, 0, 0.1);
-    struct run r = run_to(&s, NONLINEAR, 5 * DAY);
+    OWNED(run) r = run_to(&s, NONLINEAR, 5 * DAY);
     ck_assert(arb_is_zero(r.states + 2) && arb_is_zero(r.states + 5));
     assert_sharp(r.states, 200);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 TEST(eq03_flow_commutes_with_reflections)
 {
-    struct scenario s = paper();
+    OWNED(scenario) s = paper();
     start_at_angles(&s, 0.3, 0.2, 0.1);
-    struct run one = run_to(&s, NONLINEAR, DAY);
+    OWNED(run) one = run_to(&s, NONLINEAR, DAY);
     for (int i = 0; i < FLOW_STATE; i++) /* craft 1 in the place of craft 2, and below the plane */
         if (i % 3 != 2)
             arb_neg(s.start + i, s.start + i);
-    struct run other = run_to(&s, NONLINEAR, DAY);
+    OWNED(run) other = run_to(&s, NONLINEAR, DAY);
     for (int i = 0; i < FLOW_STATE; i++)
         if (i % 3 != 2)
             arb_neg(other.states + i, other.states + i);
     assert_overlap(one.states, other.states);
-    run_close(&one);
-    run_close(&other);
-    scenario_close(&s);
 }
 
 TEST(eq03_masses_only_scale)
 {
-    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 10, 2);
+    OWNED(scenario) s = scenario_of(7.2915e-5, 150, 150, 10, 10, 2);
     struct scenario t = scenario_of(7.2915e-5, 1, 1023, 10, 10, 2); /* m2/(m1 + m2) = 1023/1024 */
     start_at_angles(&s, 0.3, 0.2, 0.1);
     start_at_angles(&t, 0.3, 0.2, 0.1);
     arb_set_d(t.p.k_c, 1); /* and k_c cancels against the charges */
-    struct run one = run_to(&s, NONLINEAR, DAY), other = run_to(&t, NONLINEAR, DAY);
+    OWNED(run) one = run_to(&s, NONLINEAR, DAY), other = run_to(&t, NONLINEAR, DAY);
     for (int i = 0; i < FLOW_STATE; i++) {
         arb_mul_ui(one.states + i, one.states + i, 1023, PREC);
         arb_mul_2exp_si(one.states + i, one.states + i, -9);
     }
     assert_overlap(one.states, other.states);
-    run_close(&one);
-    run_close(&other);
-    scenario_close(&t);
-    scenario_close(&s);
+    scenario_clear(&t);
 }
 
 /* ---- enclosures ---- */
 
 TEST(five_days_at_50_digits_end_within_1e_49)
 {
-    struct scenario s = paper_nonlinear();
+    OWNED(scenario) s = paper_nonlinear();
     slong t = 5 * DAY;
     s.prec = flow_precision(50, 7.2915e-5 * (double)t);
-    struct run r = run_through(&s, NONLINEAR, &t, 1, 50, 0, 0);
-    mag_t bound;
-    mag_init(bound);
+    OWNED(run) r = run_through(&s, NONLINEAR, &t, 1, 50, 0, 0);
+    SCOPE(mag, bound);
     mag_set_d(bound, 1e-49);
     ck_assert_int_eq(r.status, FLOW_DONE);
     for (int i = 0; i < FLOW_STATE; i++)
         ck_assert_int_le(mag_cmp(arb_radref(r.states + i), bound), 0);
-    mag_clear(bound);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 /* Wide initial balls, and a gain that is not known: what they hold, the enclosure holds, corners included. */
 TEST(an_enclosure_holds_the_motions_from_a_box)
 {
     enum { CORNERS = 1 << FLOW_STATE };
-    struct scenario s = paper(), box = paper();
+    OWNED(scenario) s = paper(), box = paper();
     start_at_angles(&s, 0.05, 0.05, 0.1);
     start_at_angles(&box, 0.05, 0.05, 0.1);
     for (int i = 0; i < FLOW_STATE; i++)
         mag_set_d(arb_radref(box.start + i), i < 3 ? 1e-5 : 1e-9);
     mag_set_d(arb_radref(box.p.C1), 1e-13);
     const slong t = DAY;
-    struct run all = run_through(&box, NONLINEAR, &t, 1, 2, 0, 0);
+    OWNED(run) all = run_through(&box, NONLINEAR, &t, 1, 2, 0, 0);
     ck_assert_int_eq(all.status, FLOW_DONE);
     for (int corner = 0; corner < CORNERS; corner += 3) {
-        struct scenario one = paper();
+        OWNED(scenario) one = paper();
         for (int i = 0; i < FLOW_STATE; i++)
             arb_set_d(one.start + i, number(s.start + i) + (corner >> i & 1 ? 1 : -1) * (i < 3 ? .99e-5 : .99e-9));
         arb_set_d(one.p.C1, number(s.p.C1) + (corner & 1 ? .99e-13 : -.99e-13));
-        struct run r = run_to(&one, NONLINEAR, t);
+        OWNED(run) r = run_to(&one, NONLINEAR, t);
         assert_holds(all.states, r.states);
-        run_close(&r);
-        scenario_close(&one);
     }
     assert_sharp(all.states, 5); /* the box itself grows by the motion, a hundredfold at the most */
-    run_close(&all);
-    scenario_close(&box);
-    scenario_close(&s);
 }
 
 TEST(motions_that_grow_are_followed)
 {
-    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 10, -0.5);
+    OWNED(scenario) s = scenario_of(7.2915e-5, 150, 150, 10, 10, -0.5);
     start_at_angles(&s, 0.01, 0.01, 0.1);
-    struct run r = run_to(&s, NONLINEAR, 5 * DAY);
+    OWNED(run) r = run_to(&s, NONLINEAR, 5 * DAY);
     ck_assert_int_eq(r.status, FLOW_DONE);
     assert_sharp(r.states, 150);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 TEST(stiff_gains_do_not_inflate_the_set)
 {
-    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, 1e6, 2000);
+    OWNED(scenario) s = scenario_of(7.2915e-5, 150, 150, 10, 1e6, 2000);
     start_at_angles(&s, 0.01, 0.01, 0.1);
-    struct run r = run_to(&s, NONLINEAR, 4000);
+    OWNED(run) r = run_to(&s, NONLINEAR, 4000);
     ck_assert_int_eq(r.status, FLOW_DONE);
     assert_sharp(r.states, 200);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 /* ---- the error terms of a step ---- */
@@ -662,12 +583,11 @@ static struct run run_steps(const struct scenario *s, const struct flow_steps *h
 {
     struct run r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
     struct record record = {r.states, 0, 0};
-    fmpq *times = _fmpq_vec_init(ROWS);
+    VECTOR(fmpq, times, ROWS);
     for (slong k = 0; k < ROWS; k++)
         fmpq_set_si(times + k, (slong)ldexp(radians, RADIAN_LOG2 + 16) * (k + 1) / ROWS, 1 << 16);
     r.status = flow_nonlinear_by(how, &s->p, s->start, times, ROWS, 0, s->prec, keep, &record, &r.reached);
     r.rows = record.rows;
-    _fmpq_vec_clear(times, ROWS);
     return r;
 }
 
@@ -675,13 +595,12 @@ static struct run run_steps(const struct scenario *s, const struct flow_steps *h
 static void assert_rows_hold(const struct run *wide, const struct scenario *one, double radians)
 {
     static const struct flow_steps own;
-    struct run truth = run_steps(one, &own, radians);
+    OWNED(run) truth = run_steps(one, &own, radians);
     ck_assert_int_eq(wide->status, FLOW_DONE);
     ck_assert_int_eq(wide->rows, ROWS);
     ck_assert_int_eq(truth.rows, ROWS);
     for (slong k = 0; k < ROWS; k++)
         assert_holds(wide->states + k * FLOW_STATE, truth.states + k * FLOW_STATE);
-    run_close(&truth);
 }
 
 enum { UNKNOWN = FLOW_STATE + 4 }; /* the state, c1, c2, and the relative widths of L_ref and m1 */
@@ -712,10 +631,10 @@ static void set_unknown(struct scenario *s, const double centre[FLOW_STATE], con
 static void assert_box_holds(const double centre[FLOW_STATE], const double c[2], const double radius[UNKNOWN],
                              const struct flow_steps *how, double radians)
 {
-    struct scenario box = plain_scenario(0, 0), one = plain_scenario(0, 0);
+    OWNED(scenario) box = plain_scenario(0, 0), one = plain_scenario(0, 0);
     set_unknown(&box, centre, c, radius, -1);
     box.prec = 60;
-    struct run all = run_steps(&box, how, radians);
+    OWNED(run) all = run_steps(&box, how, radians);
     for (int corner = 0; corner < 1 << UNKNOWN; corner++) {
         bool other = true;
         for (int i = 0; i < UNKNOWN; i++)
@@ -725,26 +644,19 @@ static void assert_box_holds(const double centre[FLOW_STATE], const double c[2],
         set_unknown(&one, centre, c, radius, corner);
         assert_rows_hold(&all, &one, radians);
     }
-    run_close(&all);
-    scenario_close(&one);
-    scenario_close(&box);
 }
 
 /* Orders 2 to 6, from a point, in 60 bits: what a series leaves out is a million times what is rounded. */
 RANGE(F1_the_path_has_a_remainder, 2, 7)
 {
-    struct scenario s = plain_scenario(10, 1), fine = plain_scenario(10, 1);
+    OWNED(scenario) s = plain_scenario(10, 1), fine = plain_scenario(10, 1);
     const struct flow_steps how = {.order = _i, .step = 0x1p-5};
     start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
     start_at(&fine, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
     s.prec = 60;
-    struct run one = run_steps(&s, &how, 0x1p-5), many = run_steps(&s, &how, 0x1p-2);
+    OWNED(run) one = run_steps(&s, &how, 0x1p-5), many = run_steps(&s, &how, 0x1p-2);
     assert_rows_hold(&one, &fine, 0x1p-5);
     assert_rows_hold(&many, &fine, 0x1p-2);
-    run_close(&one);
-    run_close(&many);
-    scenario_close(&s);
-    scenario_close(&fine);
 }
 
 /* 1/16 to either side in x: at once every row has that width. */
@@ -838,42 +750,35 @@ TEST(F9_a_row_is_within_its_step_for_certain)
 {
     const double h = 0x1p-8, share = 0.2;
     const struct flow_steps how = {.order = 2, .step = h};
-    struct scenario s = plain_scenario(0, 0), fine = plain_scenario(0, 0);
-    fmpq_t t;
+    OWNED(scenario) s = plain_scenario(0, 0), fine = plain_scenario(0, 0);
+    SCOPE(fmpq, t);
     double reached;
-    fmpq_init(t);
     fmpq_set_si(t, (slong)(1.2 * h * 0x1p24), 1 << 10);
     start_at(&s, 4.5, 0, 0, 0, 0, 0);
     start_at(&fine, 4.5, 0, 0, 0, 0, 0);
     mag_set_d(arb_radref(s.p.Omega), share * 0x1p-14);
     arb_set_d(fine.p.Omega, 0x1p-14 * (1 + share));
     s.prec = 60;
-    arb_ptr vague = _arb_vec_init(FLOW_STATE), end = _arb_vec_init(FLOW_STATE);
+    VECTOR(arb, vague, FLOW_STATE);
+    VECTOR(arb, end, FLOW_STATE);
     struct record of_vague = {vague, 0, 0}, of_end = {end, 0, 0};
     const enum flow_status status = flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, s.prec, keep, &of_vague, &reached);
     ck_assert_int_eq(flow_nonlinear(&fine.p, fine.start, t, 1, 17, fine.prec, keep, &of_end, &reached), FLOW_DONE);
     ck_assert_int_eq(status, FLOW_DONE);
     assert_holds(vague, end);
-    fmpq_clear(t);
-    _arb_vec_clear(vague, FLOW_STATE);
-    _arb_vec_clear(end, FLOW_STATE);
-    scenario_close(&s);
-    scenario_close(&fine);
 }
 
 /* All rows to an eighth of a radian, by a step of one that no series here bears: it is halved until all three do. */
 static void assert_halved(const struct flow_steps *how, double width)
 {
-    struct scenario s = plain_scenario(10, 1);
+    OWNED(scenario) s = plain_scenario(10, 1);
     start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
     mag_set_d(arb_radref(s.start), width);
     s.prec = 60;
-    struct run r = run_steps(&s, how, 0x1p-3);
+    OWNED(run) r = run_steps(&s, how, 0x1p-3);
     ck_assert_int_eq(r.status, FLOW_DONE);
     for (int i = 0; i < FLOW_STATE * ROWS; i++)
         ck_assert_double_lt(mag_get_d(arb_radref(r.states + i)), 0.0625); /* what fails to be proved is doubled 24 times */
-    run_close(&r);
-    scenario_close(&s);
 }
 
 RANGE(F8_a_step_is_one_that_the_path_bears, 2, 5)
@@ -889,33 +794,26 @@ RANGE(F8_a_step_is_one_that_the_derivatives_bear, 1, 5)
 /* A gain of anything to 1e300 bears no step of 2^-37 radians: no row, not even one that soon. */
 TEST(F8_what_no_halving_proves_is_no_step)
 {
-    struct scenario s = plain_scenario(10, 1);
+    OWNED(scenario) s = plain_scenario(10, 1);
     const struct flow_steps how = {.step = 0x1p-5};
     double reached;
-    fmpq_t t;
-    fmpq_init(t);
+    SCOPE(fmpq, t);
     fmpq_set_si(t, 1, 1);
     fmpq_div_2exp(t, t, 60);
     start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
     mag_set_d(arb_radref(s.p.C1), 1e300);
     struct record none = {NULL, 0, 0};
     ck_assert_int_eq(flow_nonlinear_by(&how, &s.p, s.start, t, 1, 0, 60, keep, &none, &reached), FLOW_WIDE);
-    fmpq_clear(t);
-    scenario_close(&s);
 }
 
 /* Steps are a fraction of 2^-5 radians; whatever Omega is in its ball, no more of them than were proved have been reached. */
 EACH(what_is_reached_is_rounded_towards_the_start, 4)
 {
-    struct scenario s = scenario_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
+    OWNED(scenario) s = scenario_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
     const struct flow_steps how = {.step = 0x1p-5};
-    fmpq_t t, reached, Omega;
+    SCOPE(fmpq, t, reached, Omega);
     double seconds;
-    arf_t x;
-    arf_init(x);
-    fmpq_init(t);
-    fmpq_init(reached);
-    fmpq_init(Omega);
+    SCOPE(arf, x);
     fmpq_set_si(t, DAY, 1);
     start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
     mag_set_d(arb_radref(s.p.Omega), _i < 2 ? 0 : 0x1p-44); /* 2^-30 of it */
@@ -933,43 +831,35 @@ EACH(what_is_reached_is_rounded_towards_the_start, 4)
     ck_assert_double_eq_tol(steps, (double)lround(steps), 0.05);
     fmpq_set_si(t, lround(steps), 1 << 20);
     ck_assert(fmpq_cmp(reached, t) <= 0);
-    arf_clear(x);
-    fmpq_clear(t);
-    fmpq_clear(reached);
-    fmpq_clear(Omega);
-    scenario_close(&s);
 }
 
 /* ---- ends ---- */
 
 TEST(an_enclosure_past_use_is_reported)
 {
-    struct scenario s = paper_nonlinear();
+    OWNED(scenario) s = paper_nonlinear();
     const slong times[] = {DAY, 5 * DAY};
     s.prec = 186;
-    struct run r = run_through(&s, NONLINEAR, times, 2, 50, 0, 0);
+    OWNED(run) r = run_through(&s, NONLINEAR, times, 2, 50, 0, 0);
     ck_assert_int_eq(r.status, FLOW_WIDE);
     ck_assert_int_eq(r.rows, 1);
     ck_assert_double_gt(r.reached, DAY);
     ck_assert_double_lt(r.reached, 5 * DAY);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 /* Omega t known to half a radian: no step holds all of that. And no exponential one of all gains. */
 TEST(a_vague_time_is_reported)
 {
-    struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
+    OWNED(scenario) s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 6, 0, 0, 0, 0, 0);
     mag_set_d(arb_radref(s.p.Omega), 0x1p-17);
     struct run r = run_to(&s, NONLINEAR, 1 << 16);
     ck_assert_int_eq(r.status, FLOW_WIDE);
-    run_close(&r);
+    run_clear(&r);
     mag_set_d(arb_radref(s.p.C1), 1e300);
     r = run_to(&s, LINEAR, 100);
     ck_assert_int_eq(r.status, FLOW_WIDE);
-    run_close(&r);
-    scenario_close(&s);
+    run_clear(&r);
 }
 
 /*
@@ -980,80 +870,67 @@ TEST(a_vague_time_is_reported)
 TEST(craft_too_close_to_follow_are_reported_with_the_time)
 {
     const double fall = 0.57976169347716177911871646922770217;
-    struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
+    OWNED(scenario) s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 0, 0, 5, 0, 0, 0);
-    struct run r = run_to(&s, NONLINEAR, DAY);
+    OWNED(run) r = run_to(&s, NONLINEAR, DAY);
     ck_assert_int_eq(r.status, FLOW_CLOSE);
     ck_assert_int_eq(r.rows, 0);
     ck_assert_double_lt(r.reached, fall * 0x1p14);
     ck_assert_double_gt(r.reached, fall * 0x1p14 * (1 - 1e-7)); /* steps end 2^-32 radians long */
-    run_close(&r);
-    scenario_close(&s);
 }
 
 /* Without attraction enough to meet, craft that nearly do are followed through. */
 TEST(a_near_miss_is_followed_through)
 {
-    struct scenario s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
+    OWNED(scenario) s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 0.5, 0, 5, 0, 0, 0);
-    struct run r = run_to(&s, NONLINEAR, DAY / 4);
+    OWNED(run) r = run_to(&s, NONLINEAR, DAY / 4);
     ck_assert_int_eq(r.status, FLOW_DONE);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 EACH(a_receiver_stops_a_flow, 4)
 {
     static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
     const slong times[] = {0, 100, 200, 300};
-    struct scenario s = paper_nonlinear();
-    struct run r = run_through(&s, methods[_i], times, 4, 17, 100, 2);
+    OWNED(scenario) s = paper_nonlinear();
+    OWNED(run) r = run_through(&s, methods[_i], times, 4, 17, 100, 2);
     ck_assert_int_eq(r.status, FLOW_STOPPED);
     ck_assert_int_eq(r.rows, 2);
     ck_assert_double_eq(r.reached, 100);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 TEST(outside_the_domain_no_flow_starts)
 {
-    struct scenario s = paper_nonlinear();
+    OWNED(scenario) s = paper_nonlinear();
     arb_ptr positive[] = {s.p.Omega, s.p.L_ref, s.p.k_c, s.p.m1, s.p.m2};
     for (int m = NONLINEAR; m <= RK4_NONLINEAR; m++)
         for (int i = 0; i < (m == RK4_LINEAR ? 2 : 5); i++) {
             arb_neg(positive[i], positive[i]);
-            struct run r = run_to(&s, (enum method)m, 100);
+            OWNED(run) r = run_to(&s, (enum method)m, 100);
             ck_assert_int_eq(r.status, FLOW_DOMAIN);
             ck_assert_int_eq(r.rows, 0);
-            run_close(&r);
             arb_neg(positive[i], positive[i]);
         }
     for (int i = 0; i < 2; i++) {
-        arb_t value;
-        arb_init(value);
+        SCOPE(arb, value);
         arb_swap(value, positive[i]);
         arb_pos_inf(positive[i]);
-        struct run endless = run_to(&s, LINEAR, 100);
+        OWNED(run) endless = run_to(&s, LINEAR, 100);
         ck_assert_int_eq(endless.status, FLOW_DOMAIN);
-        run_close(&endless);
         arb_swap(value, positive[i]);
-        arb_clear(value);
     }
     start_at(&s, 0, 0, 0, 1, 1, 1); /* L = 0 */
-    struct run together = run_to(&s, NONLINEAR, 100);
+    OWNED(run) together = run_to(&s, NONLINEAR, 100);
     ck_assert_int_eq(together.status, FLOW_DOMAIN);
     arb_indeterminate(s.start);
-    struct run vague = run_to(&s, LINEAR, 100);
+    OWNED(run) vague = run_to(&s, LINEAR, 100);
     ck_assert_int_eq(vague.status, FLOW_DOMAIN);
-    run_close(&together);
-    run_close(&vague);
-    scenario_close(&s);
 }
 
 /* Whichever coordinate is wide, and whichever is the largest; what has no bound is wide beside anything. */
 EACH(any_coordinate_makes_an_enclosure_wide, FLOW_STATE)
 {
-    arb_ptr state = _arb_vec_init(FLOW_STATE);
+    VECTOR(arb, state, FLOW_STATE);
     arb_set_ui(state + (_i + 1) % FLOW_STATE, 8);
     mag_set_d(arb_radref(state + _i), 0.24);
     ck_assert(!flow_wide(state, 5));
@@ -1062,89 +939,74 @@ EACH(any_coordinate_makes_an_enclosure_wide, FLOW_STATE)
     mag_inf(arb_radref(state + _i));
     ck_assert(flow_wide(state, 5));
     ck_assert(flow_wide(state, -1000));
-    _arb_vec_clear(state, FLOW_STATE);
-    flint_cleanup();
 }
 
 /* Zero is outside, and so is a ball that reaches it. */
 EACH(at_the_edge_of_the_domain_no_flow_starts, 5)
 {
-    struct scenario s = paper_nonlinear();
+    OWNED(scenario) s = paper_nonlinear();
     arb_ptr positive[] = {s.p.Omega, s.p.L_ref, s.p.k_c, s.p.m1, s.p.m2};
     for (int wide = 0; wide < 2; wide++) {
-        arb_t kept;
-        arb_init(kept);
+        SCOPE(arb, kept);
         arb_swap(kept, positive[_i]);
         if (wide)
             arb_set(positive[_i], kept);
         arb_add_error(positive[_i], positive[_i]);
         for (int m = LINEAR; m <= RK4_NONLINEAR; m++)
             if (_i < 2 || m == NONLINEAR || m == RK4_NONLINEAR) {
-                struct run r = run_to(&s, (enum method)m, 100);
+                OWNED(run) r = run_to(&s, (enum method)m, 100);
                 ck_assert_int_eq(r.status, FLOW_DOMAIN);
-                run_close(&r);
             }
         arb_swap(kept, positive[_i]);
-        arb_clear(kept);
     }
-    scenario_close(&s);
 }
 
 /* Nor where the craft may be in one place, if not for the centre of the ball. */
 TEST(where_craft_may_meet_no_flow_starts)
 {
-    struct scenario s = paper();
+    OWNED(scenario) s = paper();
     start_at(&s, 0.5, 0, 0.25, 0, 0, 0);
     mag_set_d(arb_radref(s.start), 1);
     mag_set_d(arb_radref(s.start + 2), 1);
-    struct run r = run_to(&s, NONLINEAR, 100);
+    OWNED(run) r = run_to(&s, NONLINEAR, 100);
     ck_assert_int_eq(r.status, FLOW_DOMAIN);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 /* Nor with anything infinite or undefined. */
 EACH(outside_all_numbers_no_flow_starts, 9)
 {
-    struct scenario s = paper_nonlinear();
+    OWNED(scenario) s = paper_nonlinear();
     arb_ptr value[] = {s.p.Omega, s.p.L_ref, s.p.C1, s.p.C2, s.start, s.start + 5, s.p.k_c, s.p.m1, s.p.m2};
     for (int infinite = 0; infinite < 2; infinite++)
         for (int m = LINEAR; m <= NONLINEAR; m++)
             if (_i < 6 || m == NONLINEAR) {
-                arb_t kept;
-                arb_init(kept);
+                SCOPE(arb, kept);
                 arb_swap(kept, value[_i]);
                 (infinite ? arb_pos_inf : arb_indeterminate)(value[_i]);
-                struct run r = run_to(&s, (enum method)m, 100);
+                OWNED(run) r = run_to(&s, (enum method)m, 100);
                 ck_assert_int_eq(r.status, FLOW_DOMAIN);
-                run_close(&r);
                 arb_swap(kept, value[_i]);
-                arb_clear(kept);
             }
-    scenario_close(&s);
 }
 
 /* At 0 alone, once or twice, the state is the initial one itself, and nothing else is said. */
 RANGE(at_time_zero_the_state_is_the_initial_one, 1, 3)
 {
     static const slong times[MOST_TIMES];
-    struct scenario s = paper_nonlinear();
+    OWNED(scenario) s = paper_nonlinear();
     mag_set_d(arb_radref(s.start), 0x1p-20);
-    struct run r = run_through(&s, NONLINEAR, times, _i, 17, 0, 0);
+    OWNED(run) r = run_through(&s, NONLINEAR, times, _i, 17, 0, 0);
     ck_assert_int_eq(r.status, FLOW_DONE);
     ck_assert_int_eq(r.rows, _i);
     for (int k = 0; k < _i; k++)
         assert_same(r.states + k * FLOW_STATE, s.start);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 TEST(no_time_at_all_is_in_reach)
 {
-    struct scenario s = paper();
+    OWNED(scenario) s = paper();
     ck_assert(flow_in_reach(&s.p, NULL, 0, false));
     ck_assert(flow_in_reach(&s.p, NULL, 0, true));
-    scenario_close(&s);
 }
 
 /* A million radians for a flow, ten thousand and ten million steps for the method: none of them starts. */
@@ -1155,26 +1017,21 @@ EACH(beyond_reach_no_motion_starts, 6)
         slong t, h;
     } beyond[] = {{LINEAR, 14000000000, 0}, {NONLINEAR, 14000000000, 0}, {NONLINEAR, -14000000000, 0},
                   {RK4_LINEAR, 140000000, 1000}, {RK4_NONLINEAR, 140000000, 1000}, {RK4_LINEAR, 10000001, 1}};
-    struct scenario s = paper_nonlinear();
-    struct run r = run_through(&s, beyond[_i].method, &beyond[_i].t, 1, 17, beyond[_i].h, 0);
+    OWNED(scenario) s = paper_nonlinear();
+    OWNED(run) r = run_through(&s, beyond[_i].method, &beyond[_i].t, 1, 17, beyond[_i].h, 0);
     ck_assert_int_eq(r.status, FLOW_STALLED);
     ck_assert_int_eq(r.rows, 0);
     ck_assert_int_le(flow_precision(17, INFINITY), 200000);
     ck_assert_int_le(rk4_precision(17, INFINITY), 300000);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 TEST(times_out_of_order_are_refused)
 {
     const slong back[] = {200, 100}, both[] = {100, -100};
-    struct scenario s = paper_nonlinear();
-    struct run a = run_through(&s, NONLINEAR, back, 2, 17, 0, 0), b = run_through(&s, NONLINEAR, both, 2, 17, 0, 0);
+    OWNED(scenario) s = paper_nonlinear();
+    OWNED(run) a = run_through(&s, NONLINEAR, back, 2, 17, 0, 0), b = run_through(&s, NONLINEAR, both, 2, 17, 0, 0);
     ck_assert_int_eq(a.status, FLOW_DOMAIN);
     ck_assert_int_eq(b.status, FLOW_DOMAIN);
-    run_close(&a);
-    run_close(&b);
-    scenario_close(&s);
 }
 
 /* ---- Runge and Kutta ---- */
@@ -1185,11 +1042,10 @@ TEST(rk4_step_of_the_linear_model_is_its_polynomial)
     static const int rates[FLOW_STATE][FLOW_STATE] = {{0, 0, 0, 1, 0, 0},  {0, 0, 0, 0, 1, 0},  {0, 0, 0, 0, 0, 1},
                                                       {-3, 0, 0, 0, 0, -2}, {0, -4, 0, 0, 0, 0}, {0, 0, -1, 2, 0, -3}};
     static const int start[FLOW_STATE] = {1, 2, -3, 4, -5, 6};
-    struct scenario s = scenario_of(1, 150, 150, 1, 10, 3);
-    fmpq_mat_t Z, y, sum;
-    fmpq_mat_init(Z, FLOW_STATE, FLOW_STATE);
-    fmpq_mat_init(y, FLOW_STATE, 1);
-    fmpq_mat_init(sum, FLOW_STATE, 1);
+    OWNED(scenario) s = scenario_of(1, 150, 150, 1, 10, 3);
+    MATRIX(fmpq, Z, FLOW_STATE, FLOW_STATE);
+    MATRIX(fmpq, y, FLOW_STATE, 1);
+    MATRIX(fmpq, sum, FLOW_STATE, 1);
     for (int i = 0; i < FLOW_STATE; i++) {
         arb_set_si(s.start + i, start[i]);
         fmpq_set_si(fmpq_mat_entry(y, i, 0), start[i], 1);
@@ -1206,22 +1062,17 @@ TEST(rk4_step_of_the_linear_model_is_its_polynomial)
         fmpz_clear(divisor);
     }
     const slong t = 1;
-    struct run r = run_through(&s, RK4_LINEAR, &t, 1, 17, 1, 0);
+    OWNED(run) r = run_through(&s, RK4_LINEAR, &t, 1, 17, 1, 0);
     for (int i = 0; i < FLOW_STATE; i++)
         ck_assert(arb_contains_fmpq(r.states + i, fmpq_mat_entry(sum, i, 0)));
     assert_sharp(r.states, 240);
-    run_close(&r);
-    fmpq_mat_clear(Z);
-    fmpq_mat_clear(y);
-    fmpq_mat_clear(sum);
-    scenario_close(&s);
 }
 
 /* A hundred steps of it in doubles, from the equations in SI: a hundred times some roundings. */
 TEST(rk4_steps_of_the_nonlinear_model_are_an_implementers)
 {
     enum { STEPS = 100, H = 100 };
-    struct scenario s = scenario_of(7.2915e-5, 120, 410, 23, 12, 4);
+    OWNED(scenario) s = scenario_of(7.2915e-5, 120, 410, 23, 12, 4);
     start_at_angles(&s, 0.3, -0.4, 2);
     struct pair p = pair_of(&s);
     double y[FLOW_STATE], at[FLOW_STATE], k[5][FLOW_STATE] = {{0}};
@@ -1235,74 +1086,63 @@ TEST(rk4_steps_of_the_nonlinear_model_are_an_implementers)
         for (int i = 0; i < FLOW_STATE; i++)
             y[i] += p.Omega * H / 6 * (k[1][i] + 2 * k[2][i] + 2 * k[3][i] + k[4][i]);
     }
-    struct run r = run_to(&s, RK4_NONLINEAR, STEPS * H);
+    OWNED(run) r = run_to(&s, RK4_NONLINEAR, STEPS * H);
     for (int i = 0; i < FLOW_STATE; i++)
         ck_assert_double_eq_tol(number(r.states + i) / (i < 3 ? 1 : p.Omega), y[i], 1e-12 * p.L_ref);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 /* Largest error in psi, theta, dL or in x1, y1, z1 after a day with that step */
 static double rk4_error(const struct scenario *s, enum method rk4, enum method flow, slong h)
 {
     const slong t = DAY;
-    struct run a = run_through(s, rk4, &t, 1, 17, h, 0), b = run_to(s, flow, t);
+    OWNED(run) a = run_through(s, rk4, &t, 1, 17, h, 0), b = run_to(s, flow, t);
     double error = 0;
     assert_sharp(a.states, 60);
     for (int i = 0; i < 3; i++) {
         arb_sub(a.states + i, a.states + i, b.states + i, PREC);
         error = fmax(error, fabs(number(a.states + i)));
     }
-    run_close(&a);
-    run_close(&b);
     return error;
 }
 
 /* The error is C h^4 + D h^5 ..., so halving h near a hundredth of a radian divides it by 16 within some per cent. */
 TEST(rk4_is_of_order_four)
 {
-    struct scenario s = paper_nonlinear();
+    OWNED(scenario) s = paper_nonlinear();
     const double nonlinear = rk4_error(&s, RK4_NONLINEAR, NONLINEAR, 100) / rk4_error(&s, RK4_NONLINEAR, NONLINEAR, 50);
     start_at(&s, 0.01, 0.01, 0.1, 0, 0, 0);
     const double linear = rk4_error(&s, RK4_LINEAR, LINEAR, 100) / rk4_error(&s, RK4_LINEAR, LINEAR, 50);
     ck_assert_double_eq_tol(nonlinear, 16, 0.5);
     ck_assert_double_eq_tol(linear, 16, 0.5);
-    scenario_close(&s);
 }
 
 TEST(rk4_keeps_the_static_formation_exactly)
 {
-    struct scenario s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
+    OWNED(scenario) s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
     start_at(&s, 6, 0, 0, 0, 0, 0);
-    struct run r = run_to(&s, RK4_NONLINEAR, DAY);
+    OWNED(run) r = run_to(&s, RK4_NONLINEAR, DAY);
     assert_same(r.states, s.start);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 EACH(rk4_takes_whole_steps_forward, 4)
 {
     static const slong wrong[][2] = {{150, 100}, {-100, 100}, {100, 0}, {100, -100}};
-    struct scenario s = paper_nonlinear();
+    OWNED(scenario) s = paper_nonlinear();
     for (int m = RK4_LINEAR; m <= RK4_NONLINEAR; m++) {
-        struct run r = run_through(&s, (enum method)m, &wrong[_i][0], 1, 17, wrong[_i][1], 0);
+        OWNED(run) r = run_through(&s, (enum method)m, &wrong[_i][0], 1, 17, wrong[_i][1], 0);
         ck_assert_int_eq(r.status, FLOW_DOMAIN);
         ck_assert_int_eq(r.rows, 0);
-        run_close(&r);
     }
-    scenario_close(&s);
 }
 
 TEST(rk4_reports_an_enclosure_past_use)
 {
-    struct scenario s = paper_nonlinear();
+    OWNED(scenario) s = paper_nonlinear();
     s.prec = 128; /* ten bits a radian last for two days */
-    struct run r = run_to(&s, RK4_NONLINEAR, 5 * DAY);
+    OWNED(run) r = run_to(&s, RK4_NONLINEAR, 5 * DAY);
     ck_assert_int_eq(r.status, FLOW_WIDE);
     ck_assert_double_gt(r.reached, DAY);
     ck_assert_double_lt(r.reached, 3 * DAY);
-    run_close(&r);
-    scenario_close(&s);
 }
 
 /* ---- working precisions ---- */
@@ -1314,16 +1154,14 @@ EACH(foretold_precision_is_enough, 8)
     const enum method m = methods[_i / 2];
     const double n = _i % 2 == 0 ? 10 : 40, radians = 7.2915e-5 * 5 * DAY;
     const slong digits = 40, t = 5 * DAY;
-    struct scenario s = scenario_of(7.2915e-5, 150, 150, 10, n, 2 * sqrt(n - 9));
+    OWNED(scenario) s = scenario_of(7.2915e-5, 150, 150, 10, n, 2 * sqrt(n - 9));
     s.prec = m == LINEAR || m == NONLINEAR ? flow_precision(digits, radians) : rk4_precision(digits, radians);
     if (m == LINEAR || m == RK4_LINEAR)
         start_at(&s, 0.01, 0.01, 0.1, 0, 0, 0);
     else
         start_at_angles(&s, 0.01, 0.01, 0.1);
-    struct run r = run_through(&s, m, &t, 1, digits, 100, 0);
+    OWNED(run) r = run_through(&s, m, &t, 1, digits, 100, 0);
     ck_assert_int_eq(r.status, FLOW_DONE);
     for (int i = 0; i < FLOW_STATE; i++)
         ck_assert_double_gt((double)arb_rel_accuracy_bits(r.states + i), log2(10) * (double)digits + 1);
-    run_close(&r);
-    scenario_close(&s);
 }

@@ -110,7 +110,7 @@ static void times_until(fmpq *times, double seconds)
 /* One motion of the box: a corner, or something within. */
 static void follow_one(struct seen *seen, const struct box *box, const fmpq *times, int motion)
 {
-    struct scenario s;
+    OWNED(scenario) s;
     struct flow_parameters *const p = &seen->parameters;
     VECTOR(arb, initial, FLOW_STATE);
     SCOPE(fmpq, share);
@@ -130,13 +130,12 @@ static void follow_one(struct seen *seen, const struct box *box, const fmpq *tim
     scenario_initial(initial, &s, p, true, PREC);
     ck_assert_int_eq(flow_nonlinear(p, initial, times, TIMES, 14, PREC, look, seen, &reached), FLOW_DONE);
     flow_parameters_clear(p);
-    scenario_clear(&s);
 }
 
 EACH(motions_from_all_of_a_box_keep_within_its_bounds, COUNT(boxes))
 {
     const struct box *box = &boxes[_i];
-    struct scenario s;
+    OWNED(scenario) s;
     struct message why;
     VECTOR(fmpq, times, TIMES);
     VECTOR(fmpq, low, TIMES * ROW_NUMBERS);
@@ -160,7 +159,6 @@ EACH(motions_from_all_of_a_box_keep_within_its_bounds, COUNT(boxes))
         const double width = fmpq_get_d(high + ROW_NUMBERS * (TIMES - 1) + v) - fmpq_get_d(low + ROW_NUMBERS * (TIMES - 1) + v);
         ck_assert_double_le(width, fmax(box->most * (seen.high[v] - seen.low[v]), box->motions == 1 ? 1e-8 : 0));
     }
-    scenario_clear(&s);
 }
 
 /* What is 0 stays 0: neither its models nor their rests take up anything. */
@@ -168,7 +166,7 @@ TEST(a_set_in_the_orbit_plane_stays_there)
 {
     static const struct interval plane[] = {{SET_x1, "5.05", "0.01"}, {SET_y1, "0.05", "0.01"},   {SET_z1, "0", "0"},
                                             {SET_x1_dot, "0", "0"},   {SET_y1_dot, "0", "1e-6"}, {SET_z1_dot, "0", "0"}};
-    struct scenario s;
+    OWNED(scenario) s;
     struct message why;
     VECTOR(fmpq, times, TIMES);
     VECTOR(fmpq, low, TIMES * ROW_NUMBERS);
@@ -183,7 +181,6 @@ TEST(a_set_in_the_orbit_plane_stays_there)
     for (int k = 0; k < TIMES; k++)
         for (int v = 2; v < FLOW_STATE; v += FLOW_HALF)
             ck_assert(fmpq_is_zero(low + ROW_NUMBERS * k + v) && fmpq_is_zero(high + ROW_NUMBERS * k + v));
-    scenario_clear(&s);
 }
 
 /* ---- one error term larger than all others ---- */
@@ -307,8 +304,8 @@ static int compare(void *context, slong k, const fmpq_t t, arb_srcptr state)
 EACH(S1_to_S9_each_motion_keeps_within_its_set, COUNT(terms))
 {
     enum { ROWS = 9, MOTIONS = 11 };
-    struct flow_set set;
-    struct flow_parameters p;
+    OWNED(flow_set) set;
+    OWNED(flow_parameters) p;
     VECTOR(fmpq, times, ROWS);
     VECTOR(arb, rows, ROWS * SET_BOUNDS);
     VECTOR(arb, initial, FLOW_STATE);
@@ -352,14 +349,12 @@ EACH(S1_to_S9_each_motion_keeps_within_its_set, COUNT(terms))
         }
         ck_assert_int_eq(flow_nonlinear(&p, initial, times, ROWS, 18, PREC, compare, &b, &reached), FLOW_DONE);
     }
-    flow_parameters_clear(&p);
-    flow_set_clear(&set);
 }
 
 /* Where a row is due at the start no step has been taken, and what the models are off is in it all the same. */
 TEST(S1_a_row_at_the_start_has_what_the_models_are_off)
 {
-    struct flow_set set;
+    OWNED(flow_set) set;
     VECTOR(fmpq, times, 1);
     VECTOR(arb, row, SET_BOUNDS);
     SCOPE(arb, given);
@@ -373,14 +368,13 @@ TEST(S1_a_row_at_the_start_has_what_the_models_are_off)
         mag_set_d(arb_radref(given), start_width(WIDE_REST, v));
         ck_assert_msg(arb_contains(row + v, given), "coordinate %d", v);
     }
-    flow_set_clear(&set);
 }
 
 /* Of x = 1 + w e at rest the charge product is -(3 - 90 w e): below zero in all of the set where w < 1/30. */
 EACH(a_set_ends_where_some_of_it_may_have_no_charges, 2)
 {
     static const double widths[] = {0.02, 0.034};
-    struct flow_set set;
+    OWNED(flow_set) set;
     VECTOR(fmpq, times, 1);
     VECTOR(arb, row, SET_BOUNDS);
     SCOPE(arb, x, radius);
@@ -396,7 +390,6 @@ EACH(a_set_ends_where_some_of_it_may_have_no_charges, 2)
     set.charged = true;
     ck_assert_int_eq(flow_set(&set, times, 1, keep_row, &b, &reached), _i == 0 ? FLOW_DONE : FLOW_UNCHARGED);
     ck_assert_int_eq(b.count, _i == 0);
-    flow_set_clear(&set);
 }
 
 static int stop_at(void *context, slong k, const fmpq_t t, arb_srcptr state)
@@ -410,7 +403,7 @@ static int stop_at(void *context, slong k, const fmpq_t t, arb_srcptr state)
 TEST(the_rows_of_a_set_are_the_same_whoever_follows_its_pieces)
 {
     enum { ROWS = 9, MOST = 5 };
-    struct flow_set set;
+    OWNED(flow_set) set;
     VECTOR(fmpq, times, ROWS);
     VECTOR(arb, rows, ROWS * SET_BOUNDS);
     VECTOR(arb, others, ROWS * SET_BOUNDS);
@@ -430,13 +423,12 @@ TEST(the_rows_of_a_set_are_the_same_whoever_follows_its_pieces)
     for (slong i = 0; i < alone.count * SET_BOUNDS; i++)
         ck_assert(arb_equal(rows + i, others + i));
     ck_assert_int_eq(flow_set(&set, times, ROWS, stop_at, &second, &reached), FLOW_STOPPED);
-    flow_set_clear(&set);
 }
 
 /* 2^-16 radians a step, of series that cost little, are too short for a radian. */
 TEST(a_set_that_takes_too_many_steps_is_given_up)
 {
-    struct flow_set set;
+    OWNED(flow_set) set;
     SCOPE(fmpq, time);
     double reached;
     fmpq_one(time);
@@ -444,5 +436,4 @@ TEST(a_set_that_takes_too_many_steps_is_given_up)
     set.how = (struct flow_steps){.order = 2, .derivative_order = 1, .step = 0x1p-16};
     ck_assert_int_eq(flow_set(&set, time, 1, NULL, NULL, &reached), FLOW_STALLED);
     ck_assert(reached > 0.25 && reached < 0.5); /* of 20,000 steps */
-    flow_set_clear(&set);
 }

@@ -5,6 +5,9 @@
 #include "tests/run.h"
 
 #include "motion/lohner.h"
+#include "text/scope.h"
+
+CASE(all, NULL, flint_cleanup)
 
 enum { N = LOHNER_SIZE };
 
@@ -17,11 +20,9 @@ static void fraction_of_arf(fmpq_t q, const arf_t x)
 
 static void fraction_of_double(fmpq_t q, double x)
 {
-    arf_t a;
-    arf_init(a);
+    SCOPE(arf, a);
     arf_set_d(a, x);
     arf_get_fmpq(q, a);
-    arf_clear(a);
 }
 
 static void basis_of(fmpq_mat_t to, const struct lohner *set)
@@ -34,11 +35,9 @@ static void basis_of(fmpq_mat_t to, const struct lohner *set)
 /* sum += |a| b */
 static void add_modulus(fmpq_t sum, const fmpq_t a, const fmpq_t b)
 {
-    fmpq_t modulus;
-    fmpq_init(modulus);
+    SCOPE(fmpq, modulus);
     fmpq_abs(modulus, a);
     fmpq_addmul(sum, modulus, b);
-    fmpq_clear(modulus);
 }
 
 /* A map: where it takes the centre, what it does to the directions, and what that leaves out */
@@ -65,14 +64,10 @@ static void map_clear(struct map *m)
 /* The largest |e'_j| of the image: sup |basis'^-1 derivative| radius + |basis'^-1| (ball + error) */
 static void largest(fmpq_t sum, int j, const fmpq_mat_t inverse, const struct map *m, mag_srcptr radius)
 {
-    fmpq_t a, b, turned;
-    fmpq_init(a);
-    fmpq_init(b);
-    fmpq_init(turned);
+    SCOPE(fmpq, a, b, turned);
     fmpq_zero(sum);
     for (int k = 0; k < N; k++) {
-        fmpq_t wide;
-        fmpq_init(wide);
+        SCOPE(fmpq, wide);
         fmpq_zero(turned);
         for (int i = 0; i < N; i++) {
             arb_srcptr entry = arb_mat_entry(m->derivative, i, k);
@@ -89,22 +84,15 @@ static void largest(fmpq_t sum, int j, const fmpq_mat_t inverse, const struct ma
         mag_get_fmpq(b, m->error + k);
         fmpq_add(a, a, b);
         add_modulus(sum, fmpq_mat_entry(inverse, j, k), a);
-        fmpq_clear(wide);
     }
-    fmpq_clear(a);
-    fmpq_clear(b);
-    fmpq_clear(turned);
 }
 
 /* Moves the set; where it can be moved, it holds the image, and a radius is no more than so many times what is needed. */
 static bool move_and_compare(struct lohner *set, const struct map *m, slong prec, double at_most)
 {
-    mag_ptr before = _mag_vec_init(N);
-    fmpq_mat_t inverse;
-    fmpq_t need, have;
-    fmpq_init(need);
-    fmpq_init(have);
-    fmpq_mat_init(inverse, N, N);
+    VECTOR(mag, before, N);
+    MATRIX(fmpq, inverse, N, N);
+    SCOPE(fmpq, need, have);
     for (int j = 0; j < N; j++)
         mag_set(before + j, set->radius + j);
     const bool moved = lohner_move(set, m->image, m->derivative, 1, m->error, prec);
@@ -118,10 +106,6 @@ static bool move_and_compare(struct lohner *set, const struct map *m, slong prec
         ck_assert(arf_equal(arb_midref(set->centre + j), arb_midref(m->image + j)));
         ck_assert(mag_is_zero(arb_radref(set->centre + j)));
     }
-    _mag_vec_clear(before, N);
-    fmpq_mat_clear(inverse);
-    fmpq_clear(need);
-    fmpq_clear(have);
     return moved;
 }
 
@@ -136,10 +120,8 @@ static double scattered(int k)
 /* Every pair of axes turned, by angles of that number */
 static void turn(arb_mat_t m, int number)
 {
-    arb_mat_t r;
-    arb_t angle;
-    arb_init(angle);
-    arb_mat_init(r, N, N);
+    MATRIX(arb, r, N, N);
+    SCOPE(arb, angle);
     arb_mat_one(m);
     for (int i = 0; i < N; i++)
         for (int j = i + 1; j < N; j++) {
@@ -153,19 +135,16 @@ static void turn(arb_mat_t m, int number)
     for (int i = 0; i < N; i++)
         for (int j = 0; j < N; j++)
             mag_zero(arb_radref(arb_mat_entry(m, i, j)));
-    arb_clear(angle);
-    arb_mat_clear(r);
 }
 
 /* A box around 0 with these radii, the same for all or none */
 static void box_of(struct lohner *set, double radius)
 {
-    arb_ptr box = _arb_vec_init(N);
+    VECTOR(arb, box, N);
     for (int i = 0; i < N; i++)
         mag_set_d(arb_radref(box + i), radius * (1 + fabs(scattered(i))));
     lohner_init(set);
     lohner_from_box(set, box);
-    _arb_vec_clear(box, N);
 }
 
 enum { MAPS = 24 };
@@ -175,39 +154,33 @@ static const double ROUNDED = 1 + 0x1p-20; /* mag_t has thirty bits, of which su
 
 EACH(L1_every_direction_moves, MAPS)
 {
-    struct lohner set;
-    struct map m;
+    OWNED(lohner) set;
+    OWNED(map) m;
     map_init(&m);
     turn(m.derivative, _i);
     for (int i = 0; i < N; i++) /* sheared too */
         arb_mul_2exp_si(arb_mat_entry(m.derivative, i, _i % N), arb_mat_entry(m.derivative, i, _i % N), 3);
     box_of(&set, 0.3);
     ck_assert(move_and_compare(&set, &m, LOHNER_BITS, ROUNDED));
-    lohner_clear(&set);
-    map_clear(&m);
-    flint_cleanup();
 }
 
 /* A diagonal map leaves the axes: the inverse is exact, the product is rounded to a few bits. */
 EACH(L2_the_product_is_rounded, MAPS)
 {
-    struct lohner set;
-    struct map m;
+    OWNED(lohner) set;
+    OWNED(map) m;
     map_init(&m);
     for (int i = 0; i < N; i++)
         arb_set_d(arb_mat_entry(m.derivative, i, i), 1 + 0.4 * fabs(scattered(_i * N + i)));
     box_of(&set, 1);
     ck_assert(move_and_compare(&set, &m, 3, 1.5));
-    lohner_clear(&set);
-    map_clear(&m);
-    flint_cleanup();
 }
 
 /* The derivative is a ball, as wide as it is large. */
 EACH(L2_the_derivative_is_a_ball, MAPS)
 {
-    struct lohner set;
-    struct map m;
+    OWNED(lohner) set;
+    OWNED(map) m;
     map_init(&m);
     turn(m.derivative, _i);
     for (int i = 0; i < N; i++)
@@ -215,16 +188,13 @@ EACH(L2_the_derivative_is_a_ball, MAPS)
             mag_set_d(arb_radref(arb_mat_entry(m.derivative, i, j)), 0.5 + 0.25 * scattered(i * N + j));
     box_of(&set, 1);
     ck_assert(move_and_compare(&set, &m, LOHNER_BITS, ROUNDED));
-    lohner_clear(&set);
-    map_clear(&m);
-    flint_cleanup();
 }
 
 /* From a point: all there is comes from the image's radius, or from the error. */
 static void assert_loose(int number, bool error, slong prec, double at_most)
 {
-    struct lohner set;
-    struct map m;
+    OWNED(lohner) set;
+    OWNED(map) m;
     map_init(&m);
     turn(m.derivative, number);
     for (int i = 0; i < N; i++) {
@@ -236,9 +206,6 @@ static void assert_loose(int number, bool error, slong prec, double at_most)
         mag_zero(set.radius + i);
     const bool moved = move_and_compare(&set, &m, prec, at_most);
     ck_assert(moved || prec < 8);
-    lohner_clear(&set);
-    map_clear(&m);
-    flint_cleanup();
 }
 
 EACH(L3_the_image_has_a_radius, MAPS)
@@ -254,8 +221,8 @@ EACH(L4_the_map_has_an_error, MAPS)
 /* Along the axes nothing else is rounded than their sum, whose last bits a mag_t cannot hold. */
 EACH(L3_L4_radius_and_error_add_up, MAPS)
 {
-    struct lohner set;
-    struct map m;
+    OWNED(lohner) set;
+    OWNED(map) m;
     map_init(&m);
     arb_mat_one(m.derivative);
     for (int i = 0; i < N; i++) {
@@ -264,9 +231,6 @@ EACH(L3_L4_radius_and_error_add_up, MAPS)
     }
     box_of(&set, 0);
     ck_assert(move_and_compare(&set, &m, LOHNER_BITS, ROUNDED));
-    lohner_clear(&set);
-    map_clear(&m);
-    flint_cleanup();
 }
 
 /* In eight bits the inverse is rounded more than all else, in two it may not be found. */
@@ -282,22 +246,19 @@ EACH(L8_a_basis_whose_inverse_is_not_found_is_no_set, MAPS)
 
 EACH(L8_a_reach_that_is_not_finite_is_no_set, N)
 {
-    struct lohner set;
-    struct map m;
+    OWNED(lohner) set;
+    OWNED(map) m;
     map_init(&m);
     arb_mat_one(m.derivative);
     mag_inf(m.error + _i);
     box_of(&set, 1);
     ck_assert(!lohner_move(&set, m.image, m.derivative, 1, m.error, LOHNER_BITS));
-    lohner_clear(&set);
-    map_clear(&m);
-    flint_cleanup();
 }
 
 TEST(L6_a_set_has_the_radii_of_its_box)
 {
-    struct lohner set;
-    arb_ptr box = _arb_vec_init(N);
+    OWNED(lohner) set;
+    VECTOR(arb, box, N);
     for (int i = 0; i < N; i++) {
         arb_set_d(box + i, 1);
         arb_div_ui(box + i, box + i, (ulong)i + 3, 100); /* a midpoint beyond a double */
@@ -311,20 +272,14 @@ TEST(L6_a_set_has_the_radii_of_its_box)
         for (int j = 0; j < N; j++)
             ck_assert_double_eq(set.basis[i][j], i == j);
     }
-    lohner_clear(&set);
-    _arb_vec_clear(box, N);
-    flint_cleanup();
 }
 
 /* One direction alone, whose entries no mag_t can hold: rounded down, they would fall short. */
 EACH(L7_a_box_has_all_of_its_set, 2 * N)
 {
-    struct lohner set;
-    fmpq_t need, have, entry;
-    arb_ptr box = _arb_vec_init(N);
-    fmpq_init(need);
-    fmpq_init(have);
-    fmpq_init(entry);
+    OWNED(lohner) set;
+    SCOPE(fmpq, need, have, entry);
+    VECTOR(arb, box, N);
     box_of(&set, 0);
     for (int i = 0; i < N; i++) {
         for (int j = 0; j < N; j++)
@@ -343,12 +298,6 @@ EACH(L7_a_box_has_all_of_its_set, 2 * N)
         ck_assert(fmpq_cmp(have, need) >= 0);
         ck_assert_double_le(fmpq_get_d(have), ROUNDED * fmpq_get_d(need));
     }
-    lohner_clear(&set);
-    _arb_vec_clear(box, N);
-    fmpq_clear(need);
-    fmpq_clear(have);
-    fmpq_clear(entry);
-    flint_cleanup();
 }
 
 /* ---- sets that last ---- */
@@ -361,14 +310,13 @@ static double number(const arb_t x)
 /* A thousand turns by one radian in each plane (i, i + 3): boxes would grow by 1.38 a turn, to 1e140. */
 TEST(a_set_turns_without_growing)
 {
-    struct lohner set;
-    arb_ptr box = _arb_vec_init(LOHNER_SIZE), image = _arb_vec_init(LOHNER_SIZE);
-    arb_mat_t turn, derivative;
-    arb_t angle;
-    mag_ptr error = _mag_vec_init(LOHNER_SIZE);
-    arb_init(angle);
-    arb_mat_init(turn, LOHNER_SIZE, LOHNER_SIZE);
-    arb_mat_init(derivative, LOHNER_SIZE, LOHNER_SIZE);
+    OWNED(lohner) set;
+    VECTOR(arb, box, LOHNER_SIZE);
+    VECTOR(arb, image, LOHNER_SIZE);
+    MATRIX(arb, turn, LOHNER_SIZE, LOHNER_SIZE);
+    MATRIX(arb, derivative, LOHNER_SIZE, LOHNER_SIZE);
+    SCOPE(arb, angle);
+    VECTOR(mag, error, LOHNER_SIZE);
     arb_one(angle);
     for (int i = 0; i < 3; i++) {
         arb_sin_cos(arb_mat_entry(turn, i, i + 3), arb_mat_entry(turn, i, i), angle, 64);
@@ -393,23 +341,15 @@ TEST(a_set_turns_without_growing)
         ck_assert_double_ge(radius, end * (1 - 0x1p-50));
         ck_assert_double_le(radius, end * (1 + 1e-4)); /* mag_t rounds up by 2^-30, often, a thousand times */
     }
-    _arb_vec_clear(box, LOHNER_SIZE);
-    _arb_vec_clear(image, LOHNER_SIZE);
-    _mag_vec_clear(error, LOHNER_SIZE);
-    arb_mat_clear(turn);
-    arb_mat_clear(derivative);
-    arb_clear(angle);
-    lohner_clear(&set);
-    flint_cleanup();
 }
 
 TEST(a_set_under_a_singular_map_stays_bounded)
 {
-    struct lohner set;
-    arb_ptr box = _arb_vec_init(LOHNER_SIZE), image = _arb_vec_init(LOHNER_SIZE);
-    mag_ptr error = _mag_vec_init(LOHNER_SIZE);
-    arb_mat_t derivative;
-    arb_mat_init(derivative, LOHNER_SIZE, LOHNER_SIZE);
+    OWNED(lohner) set;
+    VECTOR(arb, box, LOHNER_SIZE);
+    VECTOR(arb, image, LOHNER_SIZE);
+    VECTOR(mag, error, LOHNER_SIZE);
+    MATRIX(arb, derivative, LOHNER_SIZE, LOHNER_SIZE);
     arb_one(arb_mat_entry(derivative, 3, 1)); /* all but the second direction vanish */
     for (int i = 0; i < LOHNER_SIZE; i++)
         mag_one(arb_radref(box + i));
@@ -427,10 +367,4 @@ TEST(a_set_under_a_singular_map_stays_bounded)
         ck_assert_double_eq_tol(mag_get_d(arb_radref(box + i)), i == 2 ? 5 : 0, 1e-6);
     arb_indeterminate(arb_mat_entry(derivative, 0, 0));
     ck_assert(!lohner_move(&set, image, derivative, 1, error, LOHNER_BITS));
-    _arb_vec_clear(box, LOHNER_SIZE);
-    _arb_vec_clear(image, LOHNER_SIZE);
-    _mag_vec_clear(error, LOHNER_SIZE);
-    arb_mat_clear(derivative);
-    lohner_clear(&set);
-    flint_cleanup();
 }

@@ -67,8 +67,8 @@ static void random_model(struct model *x, const struct space *s, int seed, doubl
 /* What is beyond binary64 is not known, and is no zero: not as a factor, nor cut, nor its range. */
 TEST(what_overflows_is_nothing_known)
 {
-    struct space s, linear;
-    struct model x, y, z, cut;
+    OWNED(space) s, linear;
+    OWNED(model) x, y, z, cut;
     SCOPE(arb, huge, one, range);
     space_init(&s, 2, 3);
     space_init(&linear, 2, 1);
@@ -88,17 +88,11 @@ TEST(what_overflows_is_nothing_known)
     ck_assert(!arb_is_finite(range));
     model_range(range, &cut);
     ck_assert(!arb_is_finite(range));
-    model_clear(&x);
-    model_clear(&y);
-    model_clear(&z);
-    model_clear(&cut);
-    space_clear(&s);
-    space_clear(&linear);
 }
 
 TEST(monomials_are_in_order_and_multiply)
 {
-    struct space s;
+    OWNED(space) s;
     space_init(&s, 4, 5);
     ck_assert_int_eq(s.size, 126);
     for (int i = 0; i < 4; i++)
@@ -107,13 +101,12 @@ TEST(monomials_are_in_order_and_multiply)
         for (int b = 0; b < s.first[s.degree - space_degree(&s, a) + 1]; b++)
             for (int i = 0; i < 4; i++)
                 ck_assert_int_eq(s.exponent[s.product[a][b] * 4 + i], s.exponent[a * 4 + i] + s.exponent[b * 4 + i]);
-    space_clear(&s);
 }
 
 /* Three products and a sum of polynomials of degree 2, nothing cut off: what is left is rounding. */
 EACH(M1_sums_of_products_are_rounded, 20)
 {
-    struct space s;
+    OWNED(space) s;
     struct model x[3], y[3], z;
     SCOPE(arb, truth, a, b);
     space_init(&s, 3, 4);
@@ -144,13 +137,12 @@ EACH(M1_sums_of_products_are_rounded, 20)
         model_clear(&y[k]);
     }
     model_clear(&z);
-    space_clear(&s);
 }
 
 /* One coefficient with all its bits, by a third; and as the only term of a series: nothing else is rounded. */
 EACH(M1_a_scaled_number_and_a_term_of_a_series_are_rounded, 20)
 {
-    struct space s;
+    OWNED(space) s;
     struct model x[2], z;
     SCOPE(arb, truth, factor);
     space_init(&s, 0, 0);
@@ -170,7 +162,6 @@ EACH(M1_a_scaled_number_and_a_term_of_a_series_are_rounded, 20)
     for (int k = 0; k < 2; k++)
         model_clear(&x[k]);
     model_clear(&z);
-    space_clear(&s);
 }
 
 /* Rests alone, of which the products are no binary64; or the bounds of what is cut off. */
@@ -189,8 +180,8 @@ static const struct {
 
 EACH(M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests, COUNT(rests))
 {
-    struct space s;
-    struct model x, y, z;
+    OWNED(space) s;
+    OWNED(model) x, y, z;
     SCOPE(arb, truth, a, b, rest);
     space_init(&s, 1, 2);
     random_model(&x, &s, 0, 0);
@@ -218,17 +209,13 @@ EACH(M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests, COUNT(rests))
         ck_assert(arb_le(truth, rest));
         ck_assert_double_le(z.rest, arf_get_d(arb_midref(truth), ARF_RND_UP) * (1 + 1e-8) + 0x1p-999);
     }
-    model_clear(&x);
-    model_clear(&y);
-    model_clear(&z);
-    space_clear(&s);
 }
 
 /* A third is no binary64, and a linear model of what is not linear is off by that. */
 TEST(M8_numbers_and_models_that_do_not_fit_leave_a_rest)
 {
-    struct space s, linear;
-    struct model x, cut;
+    OWNED(space) s, linear;
+    OWNED(model) x, cut;
     SCOPE(arb, third, truth, e);
     space_init(&s, 2, 3);
     space_init(&linear, 2, 1);
@@ -255,18 +242,14 @@ TEST(M8_numbers_and_models_that_do_not_fit_leave_a_rest)
         mag_set_d(arb_radref(truth), 0.25);
         assert_holds(&cut, truth, point, 10);
     }
-    model_clear(&x);
-    model_clear(&cut);
-    space_clear(&s);
-    space_clear(&linear);
 }
 
 /* x = 2 + e_1/2 - e_2/4 +- 1e-3: of degree `_i` and what that leaves out */
 RANGE(M9_roots_sines_and_cosines_hold, 1, 7)
 {
     static const double most[] = {10, 1, 0.1, 0.1, 0.02, 0.02, 0.02};
-    struct space s;
-    struct model x, root, sine, cosine;
+    OWNED(space) s;
+    OWNED(model) x, root, sine, cosine;
     SCOPE(arb, value, truth, other);
     space_init(&s, 2, _i);
     random_model(&x, &s, 0, 0);
@@ -296,19 +279,14 @@ RANGE(M9_roots_sines_and_cosines_hold, 1, 7)
     model_scale(&x, 1);
     model_inverse_root(&root, &x);
     ck_assert(isinf(root.rest));
-    model_clear(&x);
-    model_clear(&root);
-    model_clear(&sine);
-    model_clear(&cosine);
-    space_clear(&s);
 }
 
 /* Of all numbers within r of 1, and where r is so large that nothing is said: 1/sqrt(1 - r) - 1 is the furthest from 1. */
 EACH(M9_the_root_of_what_is_hardly_known, 4)
 {
     static const double rests[] = {0.1, 0.3, 0.49, 0.5};
-    struct space s;
-    struct model x, root;
+    OWNED(space) s;
+    OWNED(model) x, root;
     SCOPE(arb, one);
     SCOPE(mag, r);
     space_init(&s, 0, 0);
@@ -322,15 +300,12 @@ EACH(M9_the_root_of_what_is_hardly_known, 4)
     ck_assert_double_eq(root.c[0], 1);
     ck_assert_double_ge(root.rest, 1 / sqrt(1 - rests[_i]) - 1);
     ck_assert(_i < 3 ? root.rest < 0.5 : isinf(root.rest));
-    model_clear(&x);
-    model_clear(&root);
-    space_clear(&s);
 }
 
 /* Either half is the polynomial on half of the box; all of a polynomial lies in its range, at 0 and at corners. */
 EACH(halves_ranges_and_sums_hold, 10)
 {
-    struct space s;
+    OWNED(space) s;
     struct model x, half, sum[3], at;
     SCOPE(arb, truth, e, range, power);
     space_init(&s, 2, 4);
@@ -387,5 +362,4 @@ EACH(halves_ranges_and_sums_hold, 10)
     model_clear(&x);
     model_clear(&half);
     model_clear(&at);
-    space_clear(&s);
 }

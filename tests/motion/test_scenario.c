@@ -50,7 +50,7 @@ static const struct {
 
 EACH(outside_its_domain_a_scenario_is_refused, COUNT(domains))
 {
-    struct scenario s;
+    OWNED(scenario) s;
     struct message why;
     scenario_init(&s, sheet(), false);
     for (int i = 0; i < 6 && domains[_i].of[i].denominator != 0; i++)
@@ -59,7 +59,6 @@ EACH(outside_its_domain_a_scenario_is_refused, COUNT(domains))
     ck_assert_int_eq(scenario_valid(&s, true, &why), domains[_i].nonlinear);
     if (domains[_i].says != NULL)
         ck_assert_ptr_nonnull(strstr(why.text, domains[_i].says));
-    scenario_clear(&s);
 }
 
 /* ---- what is derived ---- */
@@ -69,8 +68,8 @@ TEST(parameters_are_the_exact_values_in_balls)
 {
     enum { BITS = 8 };
     static const enum scenario_name names[] = {SET_Omega, SET_L_ref, SET_k_c, SET_m1, SET_m2};
-    struct scenario s;
-    struct flow_parameters p;
+    OWNED(scenario) s;
+    OWNED(flow_parameters) p;
     SCOPE(fmpq, exact, half);
     SCOPE(arb, square);
     flow_parameters_init(&p);
@@ -93,8 +92,6 @@ TEST(parameters_are_the_exact_values_in_balls)
     give(&s, SET_C2, 2, 7);
     scenario_parameters(&p, &s, BITS);
     ck_assert(arb_contains_fmpq(p.C1, &s.value[SET_C1].value) && arb_contains_fmpq(p.C2, &s.value[SET_C2].value));
-    flow_parameters_clear(&p);
-    scenario_clear(&s);
 }
 
 /* Of either model, by either kind of start: each number at its own place, in its ball */
@@ -102,8 +99,8 @@ EACH(initial_states_are_those_given, 3)
 {
     enum { BITS = 8 };
     const bool nonlinear = _i > 0, angles = _i < 2;
-    struct scenario s;
-    struct flow_parameters p;
+    OWNED(scenario) s;
+    OWNED(flow_parameters) p;
     VECTOR(arb, initial, FLOW_STATE);
     VECTOR(arb, expected, FLOW_STATE);
     flow_parameters_init(&p);
@@ -120,8 +117,6 @@ EACH(initial_states_are_those_given, 3)
         ck_assert(nonlinear && angles ? arb_overlaps(initial + i, expected + i) : arb_contains_fmpq(initial + i, &s.value[(angles ? SET_psi : SET_x1) + i].value));
         ck_assert(!(nonlinear && angles) || !arb_contains_fmpq(initial + i, &s.value[SET_psi + i].value));
     }
-    flow_parameters_clear(&p);
-    scenario_clear(&s);
 }
 
 /* ---- rows ---- */
@@ -146,7 +141,7 @@ static int count_row(void *context, slong k, const fmpq_t t, char *const *number
 TEST(rows_that_take_more_bits_come_once)
 {
     enum { ROWS = 14 };
-    struct scenario s;
+    OWNED(scenario) s;
     struct message why;
     struct rows r = {0};
     VECTOR(fmpq, times, ROWS);
@@ -164,13 +159,12 @@ TEST(rows_that_take_more_bits_come_once)
     r = (struct rows){.stop_after = 3};
     ck_assert_int_eq(motion_rows(&m, times, ROWS, count_row, &r, &why), 0);
     ck_assert_int_eq(r.count, 3);
-    scenario_clear(&s);
 }
 
 /* Omega = 1/32: all is exact. At rest Q = -3 Omega^2 L^3 m1 m2/(k_c (m1 + m2)), q1 its root: 3/8 C, and of small angles x1 = L m2/(m1 + m2) */
 TEST(a_row_is_in_the_unit_that_is_asked_for)
 {
-    struct scenario s;
+    OWNED(scenario) s;
     struct message why;
     struct rows r = {0};
     VECTOR(fmpq, time, 1);
@@ -201,7 +195,6 @@ TEST(a_row_is_in_the_unit_that_is_asked_for)
     ck_assert_double_eq(strtod(r.first[0], NULL), 2);
     ck_assert_double_eq(strtod(r.first[1], NULL), 0.5);
     ck_assert_double_eq(strtod(r.first[2], NULL), -0.25);
-    scenario_clear(&s);
 }
 
 /* 2 kg and 1 kg at 3 m: craft 1 rests 1 m from the centre of mass, on either side. */
@@ -220,7 +213,7 @@ TEST(equilibria_are_where_the_masses_have_them)
 /* From the angles: where nothing is displaced all stays, exactly; where anything is, x1 does not. */
 EACH(only_the_static_formation_stays, 1 + FLOW_STATE)
 {
-    struct scenario s;
+    OWNED(scenario) s;
     struct message why;
     struct rows r = {0};
     VECTOR(fmpq, time, 1);
@@ -231,7 +224,6 @@ EACH(only_the_static_formation_stays, 1 + FLOW_STATE)
     const struct motion m = {.scenario = &s, .nonlinear = true, .digits = 3};
     ck_assert_msg(motion_rows(&m, time, 1, count_row, &r, &why) == 0, "%s", why.text);
     ck_assert_int_eq(strcmp(r.first[FLOW_HALF], "0") == 0, _i == FLOW_STATE);
-    scenario_clear(&s);
 }
 
 /* ---- where rows end ---- */
@@ -240,7 +232,7 @@ EACH(only_the_static_formation_stays, 1 + FLOW_STATE)
 TEST(charges_end_within_a_millionth_of_a_step)
 {
     enum { ROWS = 7 };
-    struct scenario s;
+    OWNED(scenario) s;
     struct message why;
     struct rows r = {0};
     double after, before;
@@ -260,13 +252,12 @@ TEST(charges_end_within_a_millionth_of_a_step)
     ck_assert_int_eq(sscanf(why.text, "Q_ref + dQ >= 0 from t = %lf s, proved < 0 at t = %lf s", &after, &before), 2);
     ck_assert_double_eq_tol(after, 355.77, 0.01);
     ck_assert_double_eq_tol(after - before, 1e-4, 1.5e-6); /* nine digits of each are told */
-    scenario_clear(&s);
 }
 
 /* Kepler's fall: the craft meet after 0.58 radians, and nothing is said of what follows. */
 TEST(a_motion_that_is_not_followed_to_its_end_is_no_success)
 {
-    struct scenario s;
+    OWNED(scenario) s;
     struct message why;
     struct rows r = {0};
     VECTOR(fmpq, time, 1);
@@ -280,13 +271,12 @@ TEST(a_motion_that_is_not_followed_to_its_end_is_no_success)
     ck_assert_int_eq(motion_rows(&m, time, 1, count_row, &r, &why), -1);
     ck_assert_msg(strstr(why.text, "closer than L_ref/128") != NULL, "%s", why.text);
     ck_assert_int_eq(r.count, 0);
-    scenario_clear(&s);
 }
 
 /* y1 = (1/3) 12 m 0.3125 = 1.25 m, a tie of two digits that an enclosure of 1/3 leaves undecided */
 TEST(digits_that_no_bits_decide_are_given_up)
 {
-    struct scenario s;
+    OWNED(scenario) s;
     struct message why;
     struct rows r = {0};
     VECTOR(fmpq, time, 1);
@@ -299,5 +289,4 @@ TEST(digits_that_no_bits_decide_are_given_up)
     ck_assert_int_eq(motion_rows(&m, time, 1, count_row, &r, &why), -1);
     ck_assert_ptr_nonnull(strstr(why.text, "bits do not decide every digit of row 1"));
     ck_assert_int_eq(r.count, 0);
-    scenario_clear(&s);
 }

@@ -10,6 +10,8 @@
 #include "motion/taylor.h"
 #include "text/scope.h"
 
+CASE(all, NULL, flint_cleanup)
+
 enum { PREC = 256 };
 
 /* The states, one product, and constants, by their places in a jet */
@@ -41,8 +43,7 @@ enum { KNOWN = 24 }; /* terms of an exponential; what is beyond is positive: bou
 static void known_series(fmpq_poly_t series, int v, const fmpq *start)
 {
     static const int chain[] = {X, U, V, W};
-    fmpq_t c;
-    fmpq_init(c);
+    SCOPE(fmpq, c);
     fmpq_poly_zero(series);
     for (slong k = 0; k < KNOWN; k++) {
         int from = v == Y || (v == Q && k == 0) ? v : -1;
@@ -51,30 +52,23 @@ static void known_series(fmpq_poly_t series, int v, const fmpq *start)
                 from = chain[i + k];
         if (from < 0)
             continue;
-        fmpz_t factorial;
-        fmpz_init(factorial);
+        SCOPE(fmpz, factorial);
         fmpz_fac_ui(factorial, (ulong)k);
         fmpq_div_fmpz(c, start + from, factorial);
         fmpq_poly_set_coeff_fmpq(series, k, c);
-        fmpz_clear(factorial);
     }
-    fmpq_clear(c);
 }
 
 /* sum += weight times what the terms of the series beyond degree n sum to at h */
 static void add_beyond(fmpq_t sum, const fmpq_poly_t series, slong n, const fmpq_t h, const fmpq_t weight)
 {
-    fmpq_poly_t beyond;
-    fmpq_t value;
-    fmpq_init(value);
-    fmpq_poly_init(beyond);
+    SCOPE(fmpq_poly, beyond);
+    SCOPE(fmpq, value);
     fmpq_poly_set(beyond, series);
     for (slong k = 0; k <= n; k++)
         fmpq_poly_set_coeff_si(beyond, k, 0);
     fmpq_poly_evaluate_fmpq(value, beyond, h);
     fmpq_addmul(sum, value, weight);
-    fmpq_poly_clear(beyond);
-    fmpq_clear(value);
 }
 
 /* A case: the product, a start, another start as derivative or none, the order, and what comes of it. */
@@ -90,8 +84,7 @@ struct known_case {
 static void jet_known(struct jet *jet, slong order, const struct term *terms, const double start[JET_STATES], bool column)
 {
     static struct system system; /* a test has one */
-    arb_t zero;
-    arb_init(zero);
+    SCOPE(arb, zero);
     jet_init(jet, &closed_loop, order);
     system = closed_loop;
     system.terms = terms;
@@ -100,32 +93,25 @@ static void jet_known(struct jet *jet, slong order, const struct term *terms, co
         jet_constants(jet, zero, zero);
     for (int v = 0; v < JET_STATES; v++)
         arb_set_d(jet->c[v], start[v]);
-    arb_clear(zero);
 }
 
 static void fractions(fmpq *to, const double from[JET_STATES])
 {
-    arf_t x;
-    arf_init(x);
+    SCOPE(arf, x);
     for (int v = 0; v < JET_STATES; v++) {
         arf_set_d(x, from[v]);
         arf_get_fmpq(to + v, x);
     }
-    arf_clear(x);
 }
 
 /* What is true of Z's remainder: of the integral of a b, or of da b + a db */
 static void true_remainder(fmpq_t remainder, const struct known_case *c, const fmpq_t h)
 {
-    fmpq_poly_t a, b, product, other;
-    fmpq *start = _fmpq_vec_init(JET_STATES), *column = _fmpq_vec_init(JET_STATES);
-    fmpq_t one;
-    fmpq_init(one);
+    SCOPE(fmpq_poly, a, b, product, other);
+    VECTOR(fmpq, start, JET_STATES);
+    VECTOR(fmpq, column, JET_STATES);
+    SCOPE(fmpq, one);
     fmpq_one(one);
-    fmpq_poly_init(a);
-    fmpq_poly_init(b);
-    fmpq_poly_init(product);
-    fmpq_poly_init(other);
     fractions(start, c->start);
     fractions(column, c->column);
     known_series(a, c->a, start);
@@ -140,41 +126,26 @@ static void true_remainder(fmpq_t remainder, const struct known_case *c, const f
     fmpq_poly_integral(product, product);
     fmpq_zero(remainder);
     add_beyond(remainder, product, c->order, h, one);
-    fmpq_poly_clear(a);
-    fmpq_poly_clear(b);
-    fmpq_poly_clear(product);
-    fmpq_poly_clear(other);
-    _fmpq_vec_clear(start, JET_STATES);
-    _fmpq_vec_clear(column, JET_STATES);
-    fmpq_clear(one);
 }
 
 static void assert_bounds(const mag_t remainder, const fmpq_t truth, double at_most)
 {
-    fmpq_t bound, ratio;
-    fmpq_init(bound);
-    fmpq_init(ratio);
+    SCOPE(fmpq, bound, ratio);
     mag_get_fmpq(bound, remainder);
     ck_assert_int_gt(fmpq_sgn(truth), 0);
     fmpq_div(ratio, bound, truth);
     ck_assert_msg(fmpq_cmp(bound, truth) >= 0, "the bound is the truth times %.12g", fmpq_get_d(ratio));
     ck_assert_double_le(fmpq_get_d(ratio), at_most); /* else other terms might stand in for the one that is asked for */
-    fmpq_clear(bound);
-    fmpq_clear(ratio);
 }
 
 /* The proved remainder holds the true one, and is no more than so many times as large. */
 static void assert_rest_of(const struct known_case *c, double at_most)
 {
     struct term system[JET_TERMS];
-    struct jet jet, column;
-    struct majorant base, m;
-    mag_t h, one;
-    fmpq_t exact_h, truth;
-    mag_init(h);
-    mag_init(one);
-    fmpq_init(exact_h);
-    fmpq_init(truth);
+    OWNED(jet) jet, column;
+    OWNED(majorant) base, m;
+    SCOPE(mag, h, one);
+    SCOPE(fmpq, exact_h, truth);
     mag_one(one);
     mag_set_d(h, c->h);
     mag_get_fmpq(exact_h, h);
@@ -191,15 +162,6 @@ static void assert_rest_of(const struct known_case *c, double at_most)
     ck_assert(majorant_prove(&m, &base, h));
     true_remainder(truth, c, exact_h);
     assert_bounds((c->of_column ? m.remainder : base.remainder) + Z, truth, at_most);
-    majorant_clear(&base);
-    majorant_clear(&m);
-    jet_clear(&jet);
-    jet_clear(&column);
-    mag_clear(h);
-    mag_clear(one);
-    fmpq_clear(exact_h);
-    fmpq_clear(truth);
-    flint_cleanup();
 }
 
 /* ---- the error terms ---- */
@@ -284,25 +246,19 @@ TEST(T7_T12_a_rest_is_h_over_n_plus_1_times_a_tail_rounded_up)
 {
     enum { CASES = 300 };
     struct term system[JET_TERMS];
-    fmpq_t exact, truth, one;
-    mag_t h, unit;
-    fmpq_poly_t series;
-    fmpq *start = _fmpq_vec_init(JET_STATES);
-    fmpq_init(exact);
-    fmpq_init(truth);
-    fmpq_init(one);
+    SCOPE(fmpq, exact, truth, one);
+    SCOPE(mag, h, unit);
+    SCOPE(fmpq_poly, series);
+    VECTOR(fmpq, start, JET_STATES);
     fmpq_one(one);
-    fmpq_poly_init(series);
-    mag_init(h);
-    mag_init(unit);
     mag_one(unit);
     integral_of_product(system, Q, Q);
     for (int k = 1; k <= CASES; k++) {
         const slong n = 1 + k % 2;
         const double value = 1 + fmod(k * 0.6180339887498949, 1); /* 53 bits of it */
         const double from[JET_STATES] = {[V] = n == 1 ? value : 0, [W] = n == 2 ? value : 0};
-        struct jet jet;
-        struct majorant m;
+        OWNED(jet) jet;
+        OWNED(majorant) m;
         mag_set_d(h, 0.1 + fmod(k * 0.7548776662466927, 1));
         mag_get_fmpq(exact, h);
         jet_known(&jet, n, system, from, false);
@@ -315,17 +271,7 @@ TEST(T7_T12_a_rest_is_h_over_n_plus_1_times_a_tail_rounded_up)
         fmpq_zero(truth);
         add_beyond(truth, series, n, exact, one);
         assert_bounds(m.remainder + X, truth, 1 + 0x1p-25);
-        majorant_clear(&m);
-        jet_clear(&jet);
     }
-    fmpq_poly_clear(series);
-    _fmpq_vec_clear(start, JET_STATES);
-    mag_clear(h);
-    mag_clear(unit);
-    fmpq_clear(exact);
-    fmpq_clear(truth);
-    fmpq_clear(one);
-    flint_cleanup();
 }
 
 /* Three exponentials from 1, 2 and 3 under weights 1/2, 1/4 and 4: as one of 13. And one from the ball 0 +- 13. */
@@ -335,18 +281,13 @@ RANGE(T9_T10_a_majorant_has_every_column_and_its_radius, FIRST_ORDER, LAST_ORDER
     const slong n = _i;
     struct term system[JET_TERMS];
     struct jet jet, column[4];
-    struct majorant base, m;
-    mag_ptr weights = _mag_vec_init(3);
-    fmpq_poly_t series;
-    fmpq *start = _fmpq_vec_init(JET_STATES);
-    fmpq_t exact, truth, one;
-    mag_t h;
-    mag_init(h);
-    fmpq_init(exact);
-    fmpq_init(truth);
-    fmpq_init(one);
+    OWNED(majorant) base, m;
+    VECTOR(mag, weights, 3);
+    SCOPE(fmpq_poly, series);
+    VECTOR(fmpq, start, JET_STATES);
+    SCOPE(fmpq, exact, truth, one);
+    SCOPE(mag, h);
     fmpq_one(one);
-    fmpq_poly_init(series);
     mag_set_d(h, SHORT);
     mag_get_fmpq(exact, h);
     integral_of_product(system, Q, Q);
@@ -375,19 +316,9 @@ RANGE(T9_T10_a_majorant_has_every_column_and_its_radius, FIRST_ORDER, LAST_ORDER
     majorant_of(&m, column + 3, weights, 1, h);
     ck_assert(majorant_prove(&m, &base, h));
     assert_bounds(m.remainder + Y, truth, A_LITTLE_MORE);
-    majorant_clear(&base);
-    majorant_clear(&m);
     jet_clear(&jet);
     for (int j = 0; j < 4; j++)
         jet_clear(&column[j]);
-    _mag_vec_clear(weights, 3);
-    _fmpq_vec_clear(start, JET_STATES);
-    fmpq_poly_clear(series);
-    fmpq_clear(exact);
-    fmpq_clear(truth);
-    fmpq_clear(one);
-    mag_clear(h);
-    flint_cleanup();
 }
 
 /*
@@ -397,12 +328,10 @@ RANGE(T9_T10_a_majorant_has_every_column_and_its_radius, FIRST_ORDER, LAST_ORDER
 static void assert_proved_within_the_circle(int v, slong n)
 {
     struct term system[JET_TERMS];
-    struct jet jet;
-    struct majorant m;
+    OWNED(jet) jet;
+    OWNED(majorant) m;
     double start[JET_STATES] = {0}, longest = 0;
-    mag_t h, one;
-    mag_init(h);
-    mag_init(one);
+    SCOPE(mag, h, one);
     mag_one(one);
     integral_of_product(system, P, P);
     for (int t = 1; t < JET_TERMS; t++)
@@ -426,11 +355,6 @@ static void assert_proved_within_the_circle(int v, slong n)
     mag_inf(arb_radref(jet.c[v])); /* and nothing of what has no bound */
     majorant_of(&m, &jet, one, 1, h);
     ck_assert(!majorant_prove(&m, NULL, h));
-    majorant_clear(&m);
-    jet_clear(&jet);
-    mag_clear(h);
-    mag_clear(one);
-    flint_cleanup();
 }
 
 RANGE(T11_nothing_is_proved_that_does_not_converge, FIRST_ORDER, 2 * LAST_ORDER)
@@ -480,12 +404,8 @@ static void exact_motion_clear(struct exact_motion *e)
 static void series_of_force(fmpq_poly_t p, fmpq_poly_t inverse, const struct exact_motion *e, const fmpq_poly_struct *x,
                             slong terms)
 {
-    fmpq_poly_t r, rate, t;
-    fmpq_t square;
-    fmpq_init(square);
-    fmpq_poly_init(r);
-    fmpq_poly_init(rate);
-    fmpq_poly_init(t);
+    SCOPE(fmpq_poly, r, rate, t);
+    SCOPE(fmpq, square);
     for (int i = 0; i < 3; i++) {
         fmpq_poly_mullow(t, x + i, x + i, terms);
         fmpq_poly_add(r, r, t);
@@ -511,10 +431,6 @@ static void series_of_force(fmpq_poly_t p, fmpq_poly_t inverse, const struct exa
     fmpq_poly_neg(p, p);
     for (int i = 0; i < 3; i++)
         fmpq_poly_mullow(p, p, inverse, terms);
-    fmpq_poly_clear(r);
-    fmpq_poly_clear(rate);
-    fmpq_poly_clear(t);
-    fmpq_clear(square);
 }
 
 /* The series of x y z u v w: each turn of x = x_0 + int u, u = u_0 + int u'(x, u) adds a degree. */
@@ -555,19 +471,15 @@ static void series_of_motion(fmpq_poly_struct *x, const struct exact_motion *e, 
 /* A ball about another number, that reaches back */
 static void move_and_widen(arb_t x, double wide)
 {
-    arb_t shift;
-    arb_init(shift);
+    SCOPE(arb, shift);
     arb_set_d(shift, wide);
     arb_add(x, x, shift, PREC);
     arb_add_error(x, shift);
-    arb_clear(shift);
 }
 
 static void jet_of_exact(struct jet *jet, const struct exact_motion *e, slong order, slong prec, const double wide[3])
 {
-    arb_t c1, c2;
-    arb_init(c1);
-    arb_init(c2);
+    SCOPE(arb, c1, c2);
     arb_set_fmpq(c1, e->c1, prec);
     arb_set_fmpq(c2, e->c2, prec);
     move_and_widen(c1, wide[1]);
@@ -578,8 +490,6 @@ static void jet_of_exact(struct jet *jet, const struct exact_motion *e, slong or
         arb_set_fmpq(jet->c[v], e->state + v, prec);
         move_and_widen(jet->c[v], wide[0]);
     }
-    arb_clear(c1);
-    arb_clear(c2);
 }
 
 /* In 32 bits, in falling precision, and where copies of 128 bits take over, the balls hold the fractions. */
@@ -590,16 +500,15 @@ EACH(T13_coefficients_in_balls_hold_the_exact_ones, CLOSED_LOOPS)
         double fall, wide[3]; /* state, c1, c2 */
     } runs[] = {{32, 0, {0}}, {60, 3, {0}}, {200, 8, {0}}, {200, 8, {0x1p-60}}, {32, 0, {0x1p-20}},
                 {200, 8, {0, 0x1p-60}}, {60, 1, {0, 0, 0x1p-20}}};
-    struct exact_motion e;
+    OWNED(exact_motion) e;
     fmpq_poly_struct x[6];
-    fmpq_t c;
-    fmpq_init(c);
+    SCOPE(fmpq, c);
     exact_motion_init(&e, _i);
     for (int i = 0; i < 6; i++)
         fmpq_poly_init(x + i);
     series_of_motion(x, &e, EXACT_TERMS);
     for (size_t run = 0; run < sizeof runs / sizeof *runs; run++) {
-        struct jet jet;
+        OWNED(jet) jet;
         jet_of_exact(&jet, &e, EXACT_TERMS - 1, runs[run].prec, runs[run].wide);
         jet_extend(&jet, &jet, runs[run].prec, runs[run].fall);
         for (int i = 0; i < 6; i++)
@@ -607,13 +516,9 @@ EACH(T13_coefficients_in_balls_hold_the_exact_ones, CLOSED_LOOPS)
                 fmpq_poly_get_coeff_fmpq(c, x + i, k);
                 ck_assert_msg(arb_contains_fmpq(jet.c[i] + k, c), "run %zu: coefficient %ld of %d", run, (long)k, i);
             }
-        jet_clear(&jet);
     }
     for (int i = 0; i < 6; i++)
         fmpq_poly_clear(x + i);
-    exact_motion_clear(&e);
-    fmpq_clear(c);
-    flint_cleanup();
 }
 
 /*
@@ -623,14 +528,11 @@ EACH(T13_coefficients_in_balls_hold_the_exact_ones, CLOSED_LOOPS)
 EACH(T13_columns_in_balls_hold_the_exact_derivatives, CLOSED_LOOPS)
 {
     enum { SHIFT = 200, TERMS = 6, BITS = 10 };
-    struct exact_motion e, moved;
-    struct jet jet, column;
+    OWNED(exact_motion) e, moved;
+    OWNED(jet) jet, column;
     fmpq_poly_struct x[6], y[6];
-    fmpq_t delta, c;
-    arb_t truth;
-    arb_init(truth);
-    fmpq_init(delta);
-    fmpq_init(c);
+    SCOPE(fmpq, delta, c);
+    SCOPE(arb, truth);
     exact_motion_init(&e, _i);
     exact_motion_init(&moved, _i);
     fmpq_one(delta);
@@ -670,14 +572,6 @@ EACH(T13_columns_in_balls_hold_the_exact_derivatives, CLOSED_LOOPS)
         fmpq_poly_clear(x + i);
         fmpq_poly_clear(y + i);
     }
-    jet_clear(&jet);
-    jet_clear(&column);
-    exact_motion_clear(&e);
-    exact_motion_clear(&moved);
-    fmpq_clear(delta);
-    fmpq_clear(c);
-    arb_clear(truth);
-    flint_cleanup();
 }
 
 /* Orders 2 to 6, and steps that grow until none is proved any more: what is proved holds the six degrees beyond. */
@@ -685,22 +579,17 @@ EACH(T11_rests_of_the_closed_loop_hold_up_to_the_longest_step, 5 * CLOSED_LOOPS)
 {
     enum { BEYOND = 7 };
     const slong n = 2 + _i % 5;
-    struct exact_motion e;
-    struct jet jet;
-    struct majorant m;
+    OWNED(exact_motion) e;
+    OWNED(jet) jet;
+    OWNED(majorant) m;
     fmpq_poly_struct x[JET_STATES];
-    fmpq_poly_t force;
-    fmpq_t c, exact;
-    mag_t h, one;
-    mag_init(h);
-    mag_init(one);
+    SCOPE(fmpq_poly, force);
+    SCOPE(fmpq, c, exact);
+    SCOPE(mag, h, one);
     mag_one(one);
-    fmpq_init(c);
-    fmpq_init(exact);
     exact_motion_init(&e, _i / 5);
     for (int i = 0; i < JET_STATES; i++)
         fmpq_poly_init(x + i);
-    fmpq_poly_init(force);
     series_of_motion(x, &e, n + BEYOND);
     series_of_force(force, x + Q, &e, x, n + BEYOND);
     for (int i = 0; i < JET_STATES; i++) /* moduli */
@@ -721,42 +610,23 @@ EACH(T11_rests_of_the_closed_loop_hold_up_to_the_longest_step, 5 * CLOSED_LOOPS)
         proved = majorant_prove(&m, NULL, h);
         for (int i = 0; i < JET_STATES && proved; i++) {
             ck_assert_int_lt(mag_cmp_2exp_si(m.remainder + i, 64), 0);
-            fmpq_t truth, weight;
-            fmpq_init(truth);
-            fmpq_init(weight);
+            SCOPE(fmpq, truth, weight);
             fmpq_one(weight);
             add_beyond(truth, x + i, n, exact, weight);
             mag_get_fmpq(c, m.remainder + i);
             ck_assert_msg(fmpq_cmp(c, truth) >= 0, "h %g, coordinate %d: %g for %g", step, i, fmpq_get_d(c), fmpq_get_d(truth));
-            fmpq_clear(truth);
-            fmpq_clear(weight);
         }
     }
     ck_assert(!proved && step > 0x1p-10);
-    majorant_clear(&m);
-    jet_clear(&jet);
     for (int i = 0; i < JET_STATES; i++)
         fmpq_poly_clear(x + i);
-    fmpq_poly_clear(force);
-    exact_motion_clear(&e);
-    fmpq_clear(c);
-    fmpq_clear(exact);
-    mag_clear(h);
-    mag_clear(one);
-    flint_cleanup();
 }
 
 /* Pythagorean points make every quantity rational: the table's rates against (3), (7), (13), (18) in fractions. */
 EACH(the_quadratic_system_is_the_closed_loop, POINTS)
 {
     fmpq *state = _fmpq_vec_init(JET_STATES), *rate = _fmpq_vec_init(JET_STATES), *x = state, *u = state + 3;
-    fmpq_t c1, c2, r, r_dot, p, expected;
-    fmpq_init(c1);
-    fmpq_init(c2);
-    fmpq_init(r);
-    fmpq_init(r_dot);
-    fmpq_init(p);
-    fmpq_init(expected);
+    SCOPE(fmpq, c1, c2, r, r_dot, p, expected);
     fmpq_set_si(c1, 31, 3);
     fmpq_set_si(c2, -7, 5);
     for (int i = 0; i < 3; i++) {
@@ -794,12 +664,6 @@ EACH(the_quadratic_system_is_the_closed_loop, POINTS)
     ck_assert(fmpq_equal(rate + 6, expected)); /* (1/r)' = -r_dot/r^2 */
     _fmpq_vec_clear(state, JET_STATES);
     _fmpq_vec_clear(rate, JET_STATES);
-    fmpq_clear(c1);
-    fmpq_clear(c2);
-    fmpq_clear(r);
-    fmpq_clear(r_dot);
-    fmpq_clear(p);
-    fmpq_clear(expected);
 }
 
 /*
@@ -809,12 +673,12 @@ EACH(the_quadratic_system_is_the_closed_loop, POINTS)
 EACH(eq03_closed_by_eq07_eq18_is_one_in_sheet_ref_and_flow, CLOSED_LOOPS)
 {
     static const double tidal[] = {3, 0, -1}, Omega = 0x1p-14, k_c = 8.99e9;
-    struct exact_motion e;
-    fmpq *rate = _fmpq_vec_init(JET_STATES);
-    arb_ptr in = _arb_vec_init(11), Q = _arb_vec_init(2), out = _arb_vec_init(3);
-    fmpq_t q, r_dot;
-    fmpq_init(q);
-    fmpq_init(r_dot);
+    OWNED(exact_motion) e;
+    VECTOR(fmpq, rate, JET_STATES);
+    VECTOR(arb, in, 11);
+    VECTOR(arb, Q, 2);
+    VECTOR(arb, out, 3);
+    SCOPE(fmpq, q, r_dot);
     exact_motion_init(&e, _i);
     closed_loop_rates(rate, e.state, e.c1, e.c2);
     for (int i = 0; i < 3; i++)
@@ -861,22 +725,12 @@ EACH(eq03_closed_by_eq07_eq18_is_one_in_sheet_ref_and_flow, CLOSED_LOOPS)
         const double part = fabs(number(out + i)) + 3 * Omega * Omega * fabs(tidal[i] * place[i]) + 1e3 * Omega * Omega;
         ck_assert_double_le(fabs(of_ref[i] - fmpq_get_d(q)), 0x1p-48 * part);
     }
-    _fmpq_vec_clear(rate, JET_STATES);
-    _arb_vec_clear(in, 11);
-    _arb_vec_clear(Q, 2);
-    _arb_vec_clear(out, 3);
-    fmpq_clear(q);
-    fmpq_clear(r_dot);
-    exact_motion_clear(&e);
-    flint_cleanup();
 }
 
 static void jet_at(struct jet *jet, slong order, slong prec)
 {
     static const double start[JET_STATES] = {0.75, 0.5, -0.5, 0.125, -0.25, 0.0625, 0};
-    arb_t c1, c2;
-    arb_init(c1);
-    arb_init(c2);
+    SCOPE(arb, c1, c2);
     arb_set_ui(c1, 10);
     arb_set_ui(c2, 2);
     jet_init(jet, &closed_loop, order);
@@ -886,8 +740,6 @@ static void jet_at(struct jet *jet, slong order, slong prec)
     arb_set_d(jet->c[6], 1.0625); /* 0.75^2 + 2 0.5^2 */
     arb_rsqrt(jet->c[6], jet->c[6], prec);
     jet_extend(jet, jet, prec, 0);
-    arb_clear(c1);
-    arb_clear(c2);
 }
 
 /* Beyond degree n the remainder holds what the degrees to 59 bring, and at the largest is no more than so many times that. */
@@ -910,9 +762,9 @@ RANGE(a_proved_remainder_bounds_the_series_beyond, 2, 8)
 {
     const slong n = _i == 7 ? 12 : _i;
     const double at_most = n == 12 ? 10 : 50;
-    struct jet shorter, longer, column, longer_column;
-    struct majorant of_jet, of_column;
-    mag_t h, one;
+    OWNED(jet) shorter, longer, column, longer_column;
+    OWNED(majorant) of_jet, of_column;
+    SCOPE(mag, h, one);
     jet_at(&shorter, n, PREC);
     jet_at(&longer, 59, PREC);
     jet_init(&column, &closed_loop, n);
@@ -925,8 +777,6 @@ RANGE(a_proved_remainder_bounds_the_series_beyond, 2, 8)
     jet_extend(&longer_column, &longer, PREC, 0);
     majorant_init(&of_jet, &closed_loop, n);
     majorant_init(&of_column, &closed_loop, n);
-    mag_init(h);
-    mag_init(one);
     mag_one(one);
     mag_set_d(h, 0.0625);
     majorant_of(&of_jet, &shorter, one, 1, h);
@@ -938,27 +788,17 @@ RANGE(a_proved_remainder_bounds_the_series_beyond, 2, 8)
     mag_set_d(h, 2); /* beyond the circle of convergence */
     majorant_of(&of_jet, &shorter, one, 1, h);
     ck_assert(!majorant_prove(&of_jet, NULL, h));
-    mag_clear(h);
-    mag_clear(one);
-    majorant_clear(&of_jet);
-    majorant_clear(&of_column);
-    jet_clear(&shorter);
-    jet_clear(&longer);
-    jet_clear(&column);
-    jet_clear(&longer_column);
-    flint_cleanup();
 }
 
 /* d(ab) = da b + a db: where da is a and db is b, twice the products of a and b stand beyond degree n. */
 TEST(a_column_bounds_both_halves_of_a_product)
 {
-    struct jet jet;
-    struct majorant of_jet, of_column;
-    mag_t one;
+    OWNED(jet) jet;
+    OWNED(majorant) of_jet, of_column;
+    SCOPE(mag, one);
     jet_at(&jet, 12, PREC);
     majorant_init(&of_jet, &closed_loop, 12);
     majorant_init(&of_column, &closed_loop, 12);
-    mag_init(one);
     mag_one(one);
     majorant_of(&of_jet, &jet, one, 1, one);
     majorant_of(&of_column, &jet, one, 1, one);
@@ -968,19 +808,13 @@ TEST(a_column_bounds_both_halves_of_a_product)
     for (int t = 0; t < JET_TERMS; t++)
         ck_assert_double_le(fabs(mag_get_d(of_column.cross + t) - 2 * mag_get_d(of_jet.cross + t)),
                             1e-6 * mag_get_d(of_jet.cross + t)); /* mag_t has thirty bits */
-    mag_clear(one);
-    majorant_clear(&of_jet);
-    majorant_clear(&of_column);
-    jet_clear(&jet);
-    flint_cleanup();
 }
 
 /* The column along the motion itself is the jet's derivative: of x(s + e), coefficient k is (k + 1) x_{k+1}. */
 TEST(a_column_along_the_motion_is_its_derivative)
 {
-    struct jet jet, column;
-    arb_t expected;
-    arb_init(expected);
+    OWNED(jet) jet, column;
+    SCOPE(arb, expected);
     jet_at(&jet, 20, PREC);
     jet_init(&column, &closed_loop, 19);
     for (int v = 0; v < JET_STATES; v++)
@@ -992,16 +826,12 @@ TEST(a_column_along_the_motion_is_its_derivative)
             ck_assert(arb_overlaps(column.c[v] + k, expected));
             ck_assert_int_gt(arb_rel_accuracy_bits(column.c[v] + k), 150);
         }
-    arb_clear(expected);
-    jet_clear(&column);
-    jet_clear(&jet);
-    flint_cleanup();
 }
 
 /* Falling precision and two-limb copies give the same series, as sharp as the fall says. */
 TEST(coefficients_may_be_computed_to_falling_precision)
 {
-    struct jet full, falling;
+    OWNED(jet) full, falling;
     jet_at(&full, 60, PREC);
     jet_at(&falling, 60, PREC);
     jet_extend(&falling, &falling, PREC, 3);
@@ -1010,9 +840,6 @@ TEST(coefficients_may_be_computed_to_falling_precision)
             ck_assert(arb_contains(falling.c[v] + k, full.c[v] + k));
             ck_assert_int_gt(arb_rel_accuracy_bits(falling.c[v] + k), PREC - 3 * k - 60);
         }
-    jet_clear(&full);
-    jet_clear(&falling);
-    flint_cleanup();
 }
 
 /* ---- a system of its own: x' = x, y' = y^2, so that y = 1/(1 - s) from 1; the last state and the last term are the hard ones ---- */
@@ -1023,7 +850,7 @@ static const struct system easy = {2, 2, EASY_ALL, 2, easy_terms};
 
 static bool prove_easy(struct majorant *m, slong order, double step)
 {
-    struct jet jet;
+    OWNED(jet) jet;
     SCOPE(mag, h, one);
     jet_init(&jet, &easy, order);
     for (int v = 0; v < EASY_ALL; v++)
@@ -1036,23 +863,20 @@ static bool prove_easy(struct majorant *m, slong order, double step)
     mag_one(one);
     majorant_of(m, &jet, one, 1, h);
     const bool proved = majorant_prove(m, NULL, h);
-    jet_clear(&jet);
     return proved;
 }
 
 /* Beyond degree n there is h^(n+1)/(1 - h), most of it from the products of known terms. */
 RANGE(T1_the_last_term_has_its_products, 2, 8)
 {
-    struct majorant m;
+    OWNED(majorant) m;
     ck_assert(prove_easy(&m, _i, 0.25));
     ck_assert_double_ge(mag_get_d(m.remainder + HARD), pow(0.25, _i + 1) / 0.75);
-    majorant_clear(&m);
 }
 
 /* The last state has no value at 1, nor has its series a sum at 2. */
 EACH(T11_the_last_state_is_asked_too, 2)
 {
-    struct majorant m;
+    OWNED(majorant) m;
     ck_assert(!prove_easy(&m, 6, _i + 1));
-    majorant_clear(&m);
 }

@@ -37,8 +37,7 @@ static void move_coupled(arb_ptr state, arb_srcptr initial, const arb_mat_t rate
 {
     static const int place[COUPLED] = {PSI, DL, PSI_DOT, DL_DOT};
     VECTOR(arb, start, COUPLED);
-    arb_mat_t exponential;
-    arb_mat_init(exponential, COUPLED, COUPLED);
+    MATRIX(arb, exponential, COUPLED, COUPLED);
     arb_mat_scalar_mul_arb(exponential, rates, tau, prec);
     arb_mat_exp(exponential, exponential, prec);
     for (int i = 0; i < COUPLED; i++)
@@ -48,7 +47,6 @@ static void move_coupled(arb_ptr state, arb_srcptr initial, const arb_mat_t rate
         arb_dot(x, NULL, 0, arb_mat_entry(exponential, i, 0), 1, start, 1, COUPLED, prec);
         arb_mul(x, x, unit + i, prec);
     }
-    arb_mat_clear(exponential);
 }
 
 /* theta = theta_0 cos 2 tau + theta_dot_0 / (2 Omega) sin 2 tau */
@@ -76,9 +74,8 @@ enum flow_status flow_linear(const struct flow_parameters *p, arb_srcptr initial
     enum flow_status status = FLOW_DONE;
     VECTOR(arb, state, FLOW_STATE);
     VECTOR(arb, unit, COUPLED);
-    arb_mat_t rates;
+    MATRIX(arb, rates, COUPLED, COUPLED);
     SCOPE(arb, tau);
-    arb_mat_init(rates, COUPLED, COUPLED);
     set_rates(rates, p, prec);
     arb_one(unit);
     arb_set(unit + 1, p->L_ref);
@@ -104,6 +101,5 @@ enum flow_status flow_linear(const struct flow_parameters *p, arb_srcptr initial
                 status = FLOW_STOPPED;
         }
     }
-    arb_mat_clear(rates);
     return status;
 }

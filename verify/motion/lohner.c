@@ -136,12 +136,11 @@ static void add_absolute(mag_ptr sum, const arb_mat_t a, mag_srcptr x)
  */
 bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_struct *derivative, int count, mag_srcptr error, slong prec)
 {
-    arb_mat_t basis, unit, inverse, turned;
+    MATRIX(arb, basis, N, N);
+    MATRIX(arb, unit, N, N);
+    MATRIX(arb, inverse, N, N);
+    MATRIX(arb, turned, N, N);
     mag_ptr loose = _mag_vec_init(N), radius = _mag_vec_init(N);
-    arb_mat_init(basis, N, N);
-    arb_mat_init(unit, N, N);
-    arb_mat_init(inverse, N, N);
-    arb_mat_init(turned, N, N);
 
     choose_basis(set, derivative);
     for (int i = 0; i < N; i++) {
@@ -162,10 +161,6 @@ bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_struct *der
         bounded = bounded && mag_is_finite(set->radius + i);
     }
 
-    arb_mat_clear(basis);
-    arb_mat_clear(unit);
-    arb_mat_clear(inverse);
-    arb_mat_clear(turned);
     _mag_vec_clear(loose, N);
     _mag_vec_clear(radius, N);
     return bounded;

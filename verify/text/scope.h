@@ -1,6 +1,8 @@
 /*
  * A number lives as long as the block that declares it: SCOPE(arb, x, y); declares arb_t x, y, initialises them, and
- * clears them wherever the block is left. VECTOR(arb, v, n); does the same for n of them. (The attribute is gcc's and clang's.)
+ * clears them wherever the block is left. VECTOR(arb, v, n); does the same for n of them, MATRIX(arb, a, n, m); for a matrix; and
+ * OWNED(jet) a, b; clears two struct jet, by jet_clear(), that are initialised before anything leaves the block. (The attribute is
+ * gcc's and clang's.)
  */
 #ifndef CT_SCOPE_H
 #define CT_SCOPE_H
@@ -8,6 +10,7 @@
 #include "text/flint.h"
 
 #define CLEARED_BY(function) __attribute__((cleanup(function)))
+#define OWNED(type) CLEARED_BY(type##_clear) struct type
 
 #define SCOPE_1(type, x) type##_t x CLEARED_BY(type##_leave); type##_init(x)
 #define SCOPE_2(type, x, ...) SCOPE_1(type, x); SCOPE_1(type, __VA_ARGS__)
@@ -25,6 +28,10 @@
     type##_ptr v = _##type##_vec_init(n); \
     struct type##_vector v##_scope CLEARED_BY(type##_vector_leave) = {v, n}; \
     (void)v##_scope
+
+#define MATRIX(type, a, rows, columns) \
+    type##_mat_t a CLEARED_BY(type##_mat_leave); \
+    type##_mat_init(a, rows, columns)
 
 #define SCOPED(type) \
     static inline void type##_leave(type##_t *x) \
@@ -47,9 +54,11 @@ typedef fmpq *fmpq_ptr;
 SCOPED(acb)
 SCOPED(acb_poly)
 SCOPED(arb)
+SCOPED(arb_mat)
 SCOPED(arb_poly)
 SCOPED(arf)
 SCOPED(fmpq)
+SCOPED(fmpq_mat)
 SCOPED(fmpq_poly)
 SCOPED(fmpz)
 SCOPED(fmpz_poly)
