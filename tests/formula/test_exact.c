@@ -141,14 +141,15 @@ EACH(formula_is_decided, COUNT(decided))
 TEST(gradient_is_exact)
 {
     struct program p;
-    struct machine m, slope;
+    struct machine m;
+    struct gradient slope;
     SCOPE(fmpq, value, expected);
     const int node = run(&m, &p, &arithmetic_exact, "sqrt(z + 4)*exp(z)");
-    machine_init(&slope, &p, &arithmetic_exact, 0);
-    machine_gradient(&m, node, &slope);
+    gradient_init(&slope, &p, &node, 1, &arithmetic_exact, 0);
+    gradient_run(&slope, &m);
     fmpq_set_si(expected, 9, 4);
-    ck_assert(exact_is_rational(value, machine_value(&slope, 0)) && fmpq_equal(value, expected));
-    machine_clear(&slope);
+    ck_assert(exact_is_rational(value, gradient_value(&slope, 0, 0)) && fmpq_equal(value, expected));
+    gradient_clear(&slope);
     machine_clear(&m);
     program_clear(&p);
 }

@@ -407,7 +407,8 @@ TEST(derivative_follows_a_named_node)
 EACH(gradient_is_the_derivative_by_every_input, COUNT(differentiable))
 {
     struct program p;
-    struct machine m, adjoint;
+    struct machine m;
+    struct gradient adjoint;
     SCOPE(fmpq, expected, value);
     int node = parse_inputs(&p, differentiable[_i]), derivative[3];
     for (int i = 0; i < 3; i++) {
@@ -418,22 +419,22 @@ EACH(gradient_is_the_derivative_by_every_input, COUNT(differentiable))
     }
     const int by_first = program_derivative(&p, node, (const int[]){-1, 0, -1}, 3); /* y moves by x, the first node of all */
     machine_init(&m, &p, &arithmetic_symbolic, 1);
-    machine_init(&adjoint, &p, &arithmetic_symbolic, 1);
+    gradient_init(&adjoint, &p, &node, 1, &arithmetic_symbolic, 1);
     set_inputs(&m);
     machine_run(&m);
-    machine_gradient(&m, node, &adjoint);
+    gradient_run(&adjoint, &m);
     for (int i = 0; i < 3; i++) {
         get_coefficient(expected, machine_value(&m, derivative[i]), 0);
-        get_coefficient(value, machine_value(&adjoint, i), 0);
-        ck_assert_int_eq(state(machine_value(&adjoint, i)), SYMBOLIC_FINE);
+        get_coefficient(value, gradient_value(&adjoint, 0, i), 0);
+        ck_assert_int_eq(state(gradient_value(&adjoint, 0, i)), SYMBOLIC_FINE);
         ck_assert(fmpq_equal(value, expected));
     }
-    get_coefficient(value, machine_value(&adjoint, 1), 0);
+    get_coefficient(value, gradient_value(&adjoint, 0, 1), 0);
     get_coefficient(expected, machine_value(&m, 0), 0);
     fmpq_mul(expected, expected, value);
     get_coefficient(value, machine_value(&m, by_first), 0);
     ck_assert(fmpq_equal(value, expected));
-    machine_clear(&adjoint);
+    gradient_clear(&adjoint);
     machine_clear(&m);
     program_clear(&p);
 }
@@ -442,21 +443,22 @@ EACH(gradient_is_the_derivative_by_every_input, COUNT(differentiable))
 TEST(gradient_of_an_arc_tangent)
 {
     struct program p;
-    struct machine m, adjoint;
+    struct machine m;
+    struct gradient adjoint;
     SCOPE(fmpq, value, expected);
     int node = parse_inputs(&p, "atan2(y, x)");
     machine_init(&m, &p, &arithmetic_symbolic, 1);
-    machine_init(&adjoint, &p, &arithmetic_symbolic, 1);
+    gradient_init(&adjoint, &p, &node, 1, &arithmetic_symbolic, 1);
     set_inputs(&m);
     machine_run(&m);
-    machine_gradient(&m, node, &adjoint);
-    get_coefficient(value, machine_value(&adjoint, 0), 0);
+    gradient_run(&adjoint, &m);
+    get_coefficient(value, gradient_value(&adjoint, 0, 0), 0);
     fmpq_set_si(expected, -240, 1129);
     ck_assert(fmpq_equal(value, expected));
-    get_coefficient(value, machine_value(&adjoint, 1), 0);
+    get_coefficient(value, gradient_value(&adjoint, 0, 1), 0);
     fmpq_set_si(expected, 324, 1129);
     ck_assert(fmpq_equal(value, expected));
-    machine_clear(&adjoint);
+    gradient_clear(&adjoint);
     machine_clear(&m);
     program_clear(&p);
 }
@@ -491,12 +493,13 @@ TEST(inlined_program_takes_the_place_of_its_inputs)
 TEST(gradient_of_a_logarithm)
 {
     struct program p;
-    struct machine ball, adjoint, multiple;
+    struct machine ball, multiple;
+    struct gradient adjoint;
     SCOPE(fmpq, x, y);
     SCOPE(arb, expected, rounded);
     int node = parse_inputs(&p, "x*log(y)");
     machine_init(&ball, &p, &arithmetic_ball, 100);
-    machine_init(&adjoint, &p, &arithmetic_ball, 100);
+    gradient_init(&adjoint, &p, &node, 1, &arithmetic_ball, 100);
     machine_init(&multiple, &p, &arithmetic_mpfr, 100);
     fmpq_set_si(x, 9, 4);
     fmpq_set_si(y, 5, 3);
@@ -506,10 +509,10 @@ TEST(gradient_of_a_logarithm)
     }
     machine_run(&ball);
     machine_run(&multiple);
-    machine_gradient(&ball, node, &adjoint);
+    gradient_run(&adjoint, &ball);
     arb_set_fmpq(expected, y, 200);
     arb_log(expected, expected, 200);
-    ck_assert(arb_contains(machine_value(&adjoint, 0), expected));
+    ck_assert(arb_contains(gradient_value(&adjoint, 0, 0), expected));
     arb_mul_ui(expected, expected, 9, 200);
     arb_mul_2exp_si(expected, expected, -2);
     ck_assert(arb_contains(machine_value(&ball, node), expected));
@@ -517,10 +520,10 @@ TEST(gradient_of_a_logarithm)
     arb_sub(rounded, rounded, expected, 100);
     ck_assert_double_le(fabs(arf_get_d(arb_midref(rounded), ARF_RND_NEAR)), 0x1p-97); /* three roundings of values below 4 */
     fmpq_set_si(x, 27, 20);
-    ck_assert(arb_contains_fmpq(machine_value(&adjoint, 1), x));
-    ck_assert_double_le(mag_get_d(arb_radref((arb_ptr)machine_value(&adjoint, 1))), 0x1p-90);
+    ck_assert(arb_contains_fmpq(gradient_value(&adjoint, 0, 1), x));
+    ck_assert_double_le(mag_get_d(arb_radref((arb_ptr)gradient_value(&adjoint, 0, 1))), 0x1p-90);
     machine_clear(&multiple);
-    machine_clear(&adjoint);
+    gradient_clear(&adjoint);
     machine_clear(&ball);
     program_clear(&p);
 }
@@ -646,17 +649,18 @@ EACH(flat_functions_have_no_slope, 2)
 {
     static const char *const formulas[] = {"positive(x)*y", "x^0*y"};
     struct program p;
-    struct machine m, adjoint;
+    struct machine m;
+    struct gradient adjoint;
     int node = parse_inputs(&p, formulas[_i]), rate[] = {1, -1};
     machine_init(&m, &p, &arithmetic_ball, 64);
-    machine_init(&adjoint, &p, &arithmetic_ball, 64);
+    gradient_init(&adjoint, &p, &node, 1, &arithmetic_ball, 64);
     arb_set_si(machine_value(&m, 0), 2);
     arb_set_si(machine_value(&m, 1), 3);
     machine_run(&m);
-    machine_gradient(&m, node, &adjoint);
-    ck_assert(arb_is_zero(machine_value(&adjoint, 0)));
-    ck_assert(arb_is_one(machine_value(&adjoint, 1)));
-    machine_clear(&adjoint);
+    gradient_run(&adjoint, &m);
+    ck_assert(arb_is_zero(gradient_value(&adjoint, 0, 0)));
+    ck_assert(arb_is_one(gradient_value(&adjoint, 0, 1)));
+    gradient_clear(&adjoint);
     machine_clear(&m);
     const int slope = program_derivative(&p, node, rate, 2);
     ck_assert(p.nodes[slope].op == OPERATOR_NUMBER && fmpq_is_zero(&p.nodes[slope].number));

@@ -39,7 +39,8 @@ void literal(const char *bytes, size_t size)
 static void differentiate(struct program *p, int node, int one)
 {
     struct tex t = {NULL, 0};
-    struct machine m, adjoint;
+    struct machine m;
+    struct gradient slopes;
     arb_t sum;
     int *rate = xrealloc(NULL, (size_t)p->inputs, sizeof *rate);
     for (int i = 0; i < p->inputs; i++)
@@ -48,19 +49,19 @@ static void differentiate(struct program *p, int node, int one)
     tex_clear(&t);
     const int derivative = program_derivative(p, node, rate, p->inputs);
     machine_init(&m, p, &arithmetic_ball, 64);
-    machine_init(&adjoint, p, &arithmetic_ball, 64);
+    gradient_init(&slopes, p, &node, 1, &arithmetic_ball, 64);
     for (int i = 0; i < p->inputs; i++)
         arb_set_d(machine_value(&m, i), i == one ? 1.0 : i % 2 ? -0.75 : 1.5);
     machine_run(&m);
-    machine_gradient(&m, node, &adjoint);
+    gradient_run(&slopes, &m);
     arb_init(sum);
     for (int i = 0; i < p->inputs; i++)
         if (i != one)
-            arb_add(sum, sum, machine_value(&adjoint, i), 64);
+            arb_add(sum, sum, gradient_value(&slopes, 0, i), 64);
     require(arb_overlaps(machine_value(&m, derivative), sum) != 0, "one derivative", "two different ones");
     arb_clear(sum);
     machine_clear(&m);
-    machine_clear(&adjoint);
+    gradient_clear(&slopes);
     free(rate);
 }
 

@@ -30,18 +30,17 @@ enum { GRADIENTS = 5, VARIABLES41 = GRADIENTS + 15, POLYNOMIAL41 = VARIABLES41 +
 static void polynomial41(const struct sheet *sheet, const struct input *inputs, slong prec, arb_ptr p)
 {
     struct operation polynomial;
-    struct machine adjoint;
+    struct gradient slopes;
     operation_init(&polynomial, section_find(sheet, "eq41"), false);
     operation_enclose(&polynomial, inputs, prec, p);
-    machine_init(&adjoint, polynomial.machine.program, &arithmetic_ball, prec);
-    for (int k = 0; k < 5; k++) {
-        machine_gradient(&polynomial.machine, polynomial.formulas->outputs[k], &adjoint);
+    gradient_init(&slopes, polynomial.machine.program, polynomial.formulas->outputs, 5, &arithmetic_ball, prec);
+    gradient_run(&slopes, &polynomial.machine);
+    for (int k = 0; k < 5; k++)
         for (int i = 0; i < 3; i++)
-            arb_swap(p + GRADIENTS + 5 * i + k, machine_value(&adjoint, i));
-    }
+            arb_set(p + GRADIENTS + 5 * i + k, gradient_value(&slopes, k, i));
     for (int i = 0; i < 3; i++)
         arb_swap(p + VARIABLES41 + i, machine_value(&polynomial.machine, i));
-    machine_clear(&adjoint);
+    gradient_clear(&slopes);
     operation_clear(&polynomial);
 }
 
@@ -84,17 +83,15 @@ bool operation_has_sensitivity(const struct section *s)
 void formula_sensitivity(struct operation *o, slong prec, arb_srcptr sizes, arb_ptr S)
 {
     const struct section *s = o->section;
-    const slong whole = o->machine.prec;
-    o->machine.prec = prec; /* of derivatives, not of what they are derivatives of */
-    if (o->adjoint.values == NULL)
-        machine_init(&o->adjoint, o->machine.program, &arithmetic_ball, prec);
+    if (o->slopes.by == NULL)
+        gradient_init(&o->slopes, o->machine.program, o->formulas->outputs, s->output_count, &arithmetic_ball, prec);
+    o->slopes.machine.prec = prec; /* of derivatives, not of what they are derivatives of */
+    gradient_run(&o->slopes, &o->machine);
     for (int k = 0; k < s->output_count; k++) {
-        machine_gradient(&o->machine, o->formulas->outputs[k], &o->adjoint);
         arb_zero(S + k);
         for (int i = 0; i < s->input_count; i++)
-            add_term(S + k, sizes != NULL ? sizes + i : machine_value(&o->machine, i), machine_value(&o->adjoint, i), prec);
+            add_term(S + k, sizes != NULL ? sizes + i : machine_value(&o->machine, i), gradient_value(&o->slopes, k, i), prec);
     }
-    o->machine.prec = whole;
 }
 
 void operation_sensitivity(struct operation *o, const struct input *inputs, slong prec, arb_ptr S)
@@ -116,33 +113,34 @@ bool operation_sensitivity_exact(struct operation *o, const struct input *inputs
         arb_pos_inf(S); /* of a multiple root, which moves like the root of a change */
         return false;
     }
-    struct machine exact, derivatives, balls;
+    struct machine exact;
+    struct gradient derivatives, balls;
     VECTOR(arb, values, s->output_count);
     SCOPE(fmpq, term);
     const int node = o->formulas->outputs[output];
     bool all = true;
     operation_enclose(o, inputs, prec, values);
     operation_exact(&exact, o, inputs);
-    machine_init(&derivatives, exact.program, &arithmetic_exact, 0);
-    machine_init(&balls, exact.program, &arithmetic_ball, prec);
-    machine_gradient(&exact, node, &derivatives);
-    machine_gradient(&o->machine, node, &balls);
+    gradient_init(&derivatives, exact.program, &node, 1, &arithmetic_exact, 0);
+    gradient_init(&balls, exact.program, &node, 1, &arithmetic_ball, prec);
+    gradient_run(&derivatives, &exact);
+    gradient_run(&balls, &o->machine);
     arb_zero(S);
     fmpq_zero(rational);
     for (int i = 0; i < s->input_count; i++) {
-        const struct exact *derivative = machine_value(&derivatives, i);
+        const struct exact *derivative = gradient_value(&derivatives, 0, i);
         all = exact_is_rational(term, derivative) && all;
         if (exact_is_undefined(derivative))
             arb_pos_inf(S);
         else if (!exact_is_zero(derivative))
-            add_term(S, machine_value(&o->machine, i), machine_value(&balls, i), prec);
+            add_term(S, machine_value(&o->machine, i), gradient_value(&balls, 0, i), prec);
         fmpq_mul(term, term, &inputs[i].value);
         fmpq_abs(term, term);
         fmpq_add(rational, rational, term);
     }
     machine_clear(&exact);
-    machine_clear(&derivatives);
-    machine_clear(&balls);
+    gradient_clear(&derivatives);
+    gradient_clear(&balls);
     return all;
 }
 

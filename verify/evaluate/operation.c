@@ -26,8 +26,8 @@ void operation_init(struct operation *o, const struct section *s, bool as_printe
 void operation_clear(struct operation *o)
 {
     machine_clear(&o->machine);
-    if (o->adjoint.values != NULL)
-        machine_clear(&o->adjoint);
+    if (o->slopes.by != NULL)
+        gradient_clear(&o->slopes);
 }
 
 /* ---- formulas in balls and in exact numbers ---- */

@@ -19,7 +19,7 @@ struct operation {
     const struct formulas *formulas;
     struct machine machine; /* in balls; of a section with formulas: the last inputs' values, to machine.prec bits; after
                                operation_valid() of what its conditions rest on alone */
-    struct machine adjoint; /* for gradients; without values until one is taken */
+    struct gradient slopes; /* without any until they are asked for */
     slong constants;        /* bits that the machine's own numbers have */
     clock_t until;          /* of processor time, when a motion is given up; 0: never */
     struct message why;

@@ -335,65 +335,64 @@ int program_read(struct program *p, const struct yaml *n, const char *text, size
 
 /* ---- derivatives of programs ---- */
 
-static int product_node(struct program *p, int a, int b)
+/*
+ * What a derivative by a node is times that of the node by its left and its right operand: its sign, then what multiplies (*)
+ * and divides (/) it:
+ *
+ *     L, R  the operands      Z  the node itself      D  twice that      n  the exponent      P  L^(n - 1)
+ *     C, S  cosine and sine of L      Q  L^2 + R^2
+ *
+ * positive() has none, flat but for the jump, where the caller has no business.
+ */
+static const char *const slopes[OPERATOR_POSITIVE + 1][2] = {
+    [OPERATOR_NEGATE] = {"-"},   [OPERATOR_ADD] = {"+", "+"},         [OPERATOR_SUBTRACT] = {"+", "-"},
+    [OPERATOR_SQRT] = {"+/D"},   [OPERATOR_MULTIPLY] = {"+*R", "+*L"}, [OPERATOR_DIVIDE] = {"+/R", "-/R*Z"},
+    [OPERATOR_SIN] = {"+*C"},    [OPERATOR_COS] = {"-*S"},            [OPERATOR_POWER] = {"+*n*P"},
+    [OPERATOR_EXP] = {"+*Z"},    [OPERATOR_LOG] = {"+/L"},            [OPERATOR_ATAN2] = {"+*R/Q", "-*L/Q"},
+};
+
+static int factor_node(struct program *p, int i, char factor)
 {
-    return a < 0 || b < 0 ? -1 : program_append(p, OPERATOR_MULTIPLY, a, b, 0);
+    const struct node n = p->nodes[i];
+    switch (factor) {
+    case 'L':
+        return n.left;
+    case 'R':
+        return n.right;
+    case 'Z':
+        return i;
+    case 'D':
+        return program_append(p, OPERATOR_ADD, i, i, 0);
+    case 'n':
+        return append_integer(p, n.exponent);
+    case 'P':
+        return program_append(p, OPERATOR_POWER, n.left, -1, n.exponent - 1);
+    case 'C':
+        return program_append(p, OPERATOR_COS, n.left, -1, 0);
+    case 'S':
+        return program_append(p, OPERATOR_SIN, n.left, -1, 0);
+    default:
+        return program_append(p, OPERATOR_ADD, program_append(p, OPERATOR_MULTIPLY, n.left, n.left, 0),
+                              program_append(p, OPERATOR_MULTIPLY, n.right, n.right, 0), 0);
+    }
 }
 
-static int negative(struct program *p, int a)
+/* d times the derivative of node i by an operand; -1 stands for zero. */
+static int times_slope(struct program *p, int i, bool right, int d)
 {
-    return a < 0 ? -1 : program_append(p, OPERATOR_NEGATE, a, -1, 0);
+    const char *slope = slopes[p->nodes[i].op][right];
+    if (d < 0 || slope == NULL || (p->nodes[i].op == OPERATOR_POWER && p->nodes[i].exponent == 0))
+        return -1;
+    for (const char *at = slope + 1; *at != '\0'; at += 2) {
+        const int factor = factor_node(p, i, at[1]);
+        d = program_append(p, *at == '*' ? OPERATOR_MULTIPLY : OPERATOR_DIVIDE, d, factor, 0);
+    }
+    return *slope == '-' ? program_append(p, OPERATOR_NEGATE, d, -1, 0) : d;
 }
 
 static int sum(struct program *p, int a, int b)
 {
     return a < 0 ? b : b < 0 ? a : program_append(p, OPERATOR_ADD, a, b, 0);
-}
-
-static int quotient(struct program *p, int a, int b)
-{
-    return a < 0 ? -1 : program_append(p, OPERATOR_DIVIDE, a, b, 0);
-}
-
-/* The rate of node i, given the rates a of its left and b of its right operand; -1 stands for zero. */
-static int node_rate(struct program *p, int i, int a, int b)
-{
-    const struct node node = p->nodes[i];
-    switch (node.op) {
-    case OPERATOR_NEGATE:
-        return negative(p, a);
-    case OPERATOR_ADD:
-        return sum(p, a, b);
-    case OPERATOR_SUBTRACT:
-        return sum(p, a, negative(p, b));
-    case OPERATOR_MULTIPLY:
-        return sum(p, product_node(p, a, node.right), product_node(p, node.left, b));
-    case OPERATOR_DIVIDE: /* (l/r)' = (l' - (l/r) r') / r */
-        return quotient(p, sum(p, a, negative(p, product_node(p, i, b))), node.right);
-    case OPERATOR_POWER:
-        if (a < 0 || node.exponent == 0)
-            return -1;
-        return product_node(p, a, product_node(p, append_integer(p, node.exponent),
-                                     program_append(p, OPERATOR_POWER, node.left, -1, node.exponent - 1)));
-    case OPERATOR_SQRT:
-        return a < 0 ? -1 : quotient(p, a, product_node(p, append_integer(p, 2), i));
-    case OPERATOR_SIN:
-        return a < 0 ? -1 : product_node(p, a, program_append(p, OPERATOR_COS, node.left, -1, 0));
-    case OPERATOR_COS:
-        return a < 0 ? -1 : negative(p, product_node(p, a, program_append(p, OPERATOR_SIN, node.left, -1, 0)));
-    case OPERATOR_EXP:
-        return product_node(p, a, i);
-    case OPERATOR_LOG:
-        return quotient(p, a, node.left);
-    case OPERATOR_ATAN2: /* (x y' - y x') / (x^2 + y^2) */
-        return quotient(p, sum(p, product_node(p, node.right, a), negative(p, product_node(p, node.left, b))),
-                        sum(p, product_node(p, node.left, node.left), product_node(p, node.right, node.right)));
-    case OPERATOR_INPUT:
-    case OPERATOR_NUMBER:
-    case OPERATOR_POSITIVE: /* flat but for the jump, where the caller has no business */
-        break;
-    }
-    return -1;
 }
 
 int program_derivative(struct program *p, int node, const int *rate, int rates)
@@ -402,11 +401,12 @@ int program_derivative(struct program *p, int node, const int *rate, int rates)
     char *needed = xrealloc(NULL, (size_t)node + 1, 1);
     program_needs(p, node, NULL, needed);
     for (int i = 0; i <= node; i++) {
-        int left = p->nodes[i].left, right = p->nodes[i].right;
+        const int left = p->nodes[i].left, right = p->nodes[i].right;
         derivative[i] = i < rates ? rate[i] : -1;
-        if (derivative[i] < 0 && needed[i])
-            derivative[i] = node_rate(p, i, left < 0 ? -1 : derivative[left],
-                                      right < 0 ? -1 : derivative[right]);
+        if (derivative[i] < 0 && needed[i]) {
+            const int by_left = times_slope(p, i, false, left < 0 ? -1 : derivative[left]);
+            derivative[i] = sum(p, by_left, times_slope(p, i, true, right < 0 ? -1 : derivative[right]));
+        }
     }
     int result = derivative[node];
     free(derivative);
@@ -414,13 +414,28 @@ int program_derivative(struct program *p, int node, const int *rate, int rates)
     return result < 0 ? append_integer(p, 0) : result;
 }
 
-/* ---- machines ---- */
+/* The derivatives of a node by all inputs, each a node: reverse differentiation. */
+static void append_gradient(struct program *p, int node, int *by)
+{
+    int *derivative = xrealloc(NULL, (size_t)node + 1, sizeof *derivative); /* of the node by each of those before it */
+    for (int i = 0; i < node; i++)
+        derivative[i] = -1;
+    derivative[node] = append_integer(p, 1);
+    for (int i = node; i >= p->inputs; i--) {
+        const int operands[2] = {p->nodes[i].left, p->nodes[i].right};
+        for (int k = 0; k < 2 && operands[k] >= 0; k++)
+            derivative[operands[k]] = sum(p, derivative[operands[k]], times_slope(p, i, k == 1, derivative[i]));
+    }
+    for (int i = 0; i < p->inputs; i++)
+        by[i] = i > node || derivative[i] < 0 ? append_integer(p, 0) : derivative[i];
+    free(derivative);
+}
 
-enum { SCRATCH = 3 };
+/* ---- machines ---- */
 
 void machine_init(struct machine *m, const struct program *p, const struct arithmetic *a, slong prec)
 {
-    *m = (struct machine){p, a, prec, NULL, p->count + SCRATCH};
+    *m = (struct machine){p, a, prec, NULL, p->count};
     m->values = xrealloc(NULL, (size_t)m->count, a->size);
     for (int i = 0; i < m->count; i++)
         a->init(machine_value(m, i), prec);
@@ -442,11 +457,6 @@ void *machine_value(const struct machine *m, int node)
     return m->values + (size_t)node * m->arithmetic->size;
 }
 
-static void compute(const struct machine *m, enum operator op, void *z, const void *x, const void *y)
-{
-    m->arithmetic->apply(op, z, x, y, 0, m->prec);
-}
-
 static void run_node(struct machine *m, int i)
 {
     const struct node *node = &m->program->nodes[i];
@@ -455,24 +465,30 @@ static void run_node(struct machine *m, int i)
                              node->right < 0 ? NULL : machine_value(m, node->right), node->exponent, m->prec);
 }
 
-/* The value of a sine or cosine where a node before `end` is just that; NULL: none is. They take longest. */
-static void *known_value(const struct machine *m, enum operator op, int operand, int end)
+/* The value of a sine or cosine where an earlier node is just that; NULL: none is. They take longest. */
+static void *known_value(const struct machine *m, int node)
 {
-    for (int i = m->program->inputs; i < end && (op == OPERATOR_SIN || op == OPERATOR_COS); i++)
-        if (m->program->nodes[i].op == op && m->program->nodes[i].left == operand)
+    const struct node *nodes = m->program->nodes, *n = &nodes[node];
+    for (int i = m->program->inputs; i < node && (n->op == OPERATOR_SIN || n->op == OPERATOR_COS); i++)
+        if (nodes[i].op == n->op && nodes[i].left == n->left)
             return machine_value(m, i);
     return NULL;
 }
 
-void machine_run(struct machine *m)
+static void run_from(struct machine *m, int first)
 {
-    for (int i = m->program->inputs; i < m->program->count; i++) {
-        const void *known = known_value(m, m->program->nodes[i].op, m->program->nodes[i].left, i);
+    for (int i = first; i < m->program->count; i++) {
+        const void *known = known_value(m, i);
         if (known != NULL && m->arithmetic->set != NULL)
             m->arithmetic->set(machine_value(m, i), known);
         else
             run_node(m, i);
     }
+}
+
+void machine_run(struct machine *m)
+{
+    run_from(m, m->program->inputs);
 }
 
 void machine_run_to(struct machine *m, int node)
@@ -485,98 +501,31 @@ void machine_run_to(struct machine *m, int node)
     free(needed);
 }
 
-/* Whether what node i passes on to its left operand (or its right one) is taken away: multiply() leaves the sign out. */
-static bool is_negative(const struct node *node, bool right)
+void gradient_init(struct gradient *g, const struct program *p, const int *nodes, int count, const struct arithmetic *a, slong prec)
 {
-    return node->op == OPERATOR_NEGATE || node->op == OPERATOR_COS ||
-           (right && (node->op == OPERATOR_SUBTRACT || node->op == OPERATOR_DIVIDE || node->op == OPERATOR_ATAN2));
+    program_copy(&g->program, p);
+    g->by = xrealloc(NULL, (size_t)(count * p->inputs) + 1, sizeof *g->by);
+    for (int k = 0; k < count; k++)
+        append_gradient(&g->program, nodes[k], g->by + k * p->inputs);
+    machine_init(&g->machine, &g->program, a, prec);
 }
 
-/* d, the derivative by node i, times that of the node by its left operand (or its right one); e and f are scratch. */
-static void multiply(const struct machine *m, int i, bool right, void *d, void *e, void *f)
+void gradient_run(struct gradient *g, const struct machine *m)
 {
-    const struct node *node = &m->program->nodes[i];
-    void *x = machine_value(m, node->left), *z = machine_value(m, i);
-    void *y = node->right < 0 ? NULL : machine_value(m, node->right);
-    const enum operator other = node->op == OPERATOR_SIN ? OPERATOR_COS : OPERATOR_SIN;
-    const void *known;
-    SCOPE(fmpq, number);
-    switch (node->op) {
-    case OPERATOR_MULTIPLY:
-        compute(m, OPERATOR_MULTIPLY, d, d, right ? x : y);
-        break;
-    case OPERATOR_DIVIDE:
-        compute(m, OPERATOR_DIVIDE, d, d, y);
-        if (right)
-            compute(m, OPERATOR_MULTIPLY, d, d, z);
-        break;
-    case OPERATOR_POWER:
-        fmpq_set_si(number, node->exponent, 1);
-        m->arithmetic->set_rational(e, number, m->prec);
-        compute(m, OPERATOR_MULTIPLY, d, d, e);
-        m->arithmetic->apply(OPERATOR_POWER, e, x, NULL, node->exponent - 1, m->prec);
-        compute(m, OPERATOR_MULTIPLY, d, d, e);
-        break;
-    case OPERATOR_SQRT:
-        compute(m, OPERATOR_ADD, e, z, z);
-        compute(m, OPERATOR_DIVIDE, d, d, e);
-        break;
-    case OPERATOR_SIN:
-    case OPERATOR_COS:
-        known = known_value(m, other, node->left, m->program->count);
-        if (known == NULL)
-            compute(m, other, e, x, NULL);
-        compute(m, OPERATOR_MULTIPLY, d, d, known != NULL ? known : e);
-        break;
-    case OPERATOR_EXP:
-        compute(m, OPERATOR_MULTIPLY, d, d, z);
-        break;
-    case OPERATOR_LOG:
-        compute(m, OPERATOR_DIVIDE, d, d, x);
-        break;
-    case OPERATOR_ATAN2: /* by y: x / (x^2 + y^2), by x: -y / (x^2 + y^2); here x is y, and y is x */
-        compute(m, OPERATOR_MULTIPLY, d, d, right ? x : y);
-        compute(m, OPERATOR_MULTIPLY, e, x, x);
-        compute(m, OPERATOR_MULTIPLY, f, y, y);
-        compute(m, OPERATOR_ADD, e, e, f);
-        compute(m, OPERATOR_DIVIDE, d, d, e);
-        break;
-    case OPERATOR_POSITIVE: /* flat but for the jump, where the caller has no business */
-        m->arithmetic->set_rational(d, number, m->prec);
-        break;
-    default: /* of a sum the factor is 1 */
-        break;
-    }
+    g->machine.program = &g->program; /* which may have moved */
+    for (int i = 0; i < m->program->count; i++)
+        m->arithmetic->set(machine_value(&g->machine, i), machine_value(m, i));
+    run_from(&g->machine, m->program->count);
 }
 
-void machine_gradient(const struct machine *m, int node, struct machine *adjoint)
+void *gradient_value(const struct gradient *g, int k, int input)
 {
-    const struct program *p = m->program;
-    void *d = machine_value(adjoint, p->count), *e = machine_value(adjoint, p->count + 1);
-    void *f = machine_value(adjoint, p->count + 2);
-    char *reached = xrealloc(NULL, (size_t)p->count, 1);
-    SCOPE(fmpq, number);
-    memset(reached, 0, (size_t)p->count);
-    for (int i = 0; i < p->inputs; i++)
-        m->arithmetic->set_rational(machine_value(adjoint, i), number, m->prec);
-    fmpq_one(number);
-    m->arithmetic->set_rational(machine_value(adjoint, node), number, m->prec);
-    reached[node] = 1;
-    for (int i = node; i >= p->inputs; i--) {
-        const struct node *of = &p->nodes[i];
-        const int operands[2] = {of->left, of->right};
-        for (int k = 0; k < 2 && reached[i]; k++) {
-            if (operands[k] < 0 || (of->op == OPERATOR_SUBTRACT && operands[0] == operands[1]))
-                continue; /* no operand, or x - x, which does not change */
-            void *sum = machine_value(adjoint, operands[k]), *term = reached[operands[k]] ? d : sum;
-            m->arithmetic->set(term, machine_value(adjoint, i));
-            multiply(m, i, k == 1, term, e, f);
-            if (reached[operands[k]])
-                compute(m, is_negative(of, k == 1) ? OPERATOR_SUBTRACT : OPERATOR_ADD, sum, sum, d);
-            else if (is_negative(of, k == 1))
-                compute(m, OPERATOR_NEGATE, sum, sum, NULL);
-            reached[operands[k]] = 1;
-        }
-    }
-    free(reached);
+    return machine_value(&g->machine, g->by[k * g->program.inputs + input]);
+}
+
+void gradient_clear(struct gradient *g)
+{
+    machine_clear(&g->machine);
+    program_clear(&g->program);
+    free(g->by);
 }

@@ -112,7 +112,7 @@ struct machine {
     const struct arithmetic *arithmetic;
     slong prec;
     char *values;
-    int count; /* of values: the nodes, and some scratch after them */
+    int count; /* of values, one for each node */
 };
 
 void machine_init(struct machine *m, const struct program *p, const struct arithmetic *a, slong prec);
@@ -125,10 +125,18 @@ void machine_run(struct machine *m);
 /* Of these only what a node rests on, and itself. */
 void machine_run_to(struct machine *m, int node);
 
-/*
- * After machine_run(m): the derivatives of one node by all inputs into the values of `adjoint`, a machine
- * of the same program and arithmetic (reverse differentiation).
- */
-void machine_gradient(const struct machine *m, int node, struct machine *adjoint);
+/* The derivatives of nodes by all inputs (reverse differentiation): the program with theirs behind it. */
+struct gradient {
+    struct program program;
+    struct machine machine;
+    int *by; /* the derivative of the k-th node by input i: by[k*inputs + i] */
+};
+
+void gradient_init(struct gradient *g, const struct program *p, const int *nodes, int count, const struct arithmetic *a, slong prec);
+void gradient_clear(struct gradient *g);
+
+/* Where the values are those of m, which has run; to machine.prec, its own. */
+void gradient_run(struct gradient *g, const struct machine *m);
+void *gradient_value(const struct gradient *g, int k, int input);
 
 #endif

@@ -442,8 +442,9 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
     const struct program *p = &u->formulas->program;
     const int inputs = t->program.inputs;
     char *needed = xrealloc(NULL, (size_t)p->count, 1);
-    slong rows[MOST_INPUTS], count = 0;
-    struct machine m, adjoint;
+    int rows[MOST_INPUTS], count = 0;
+    struct machine m;
+    struct gradient J;
     arb_mat_t square;
     SCOPE(arb, determinant);
     memset(needed, 0, (size_t)p->count);
@@ -451,27 +452,24 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
     for (int i = 0; i < p->inputs; i++)
         if (needed[i])
             rows[count++] = u->copy[i];
-    VECTOR(arb, J, count * inputs);
     machine_init(&m, &t->program, &arithmetic_ball, BITS);
-    machine_init(&adjoint, &t->program, &arithmetic_ball, BITS);
+    gradient_init(&J, &t->program, rows, count, &arithmetic_ball, BITS);
     arb_mat_init(square, count, count);
     for (int i = 0; i < inputs; i++) { /* 1 + 1/512, 1 + 2/512 ..., where nothing happens to vanish, and within a quarter turn */
         arb_set_si(machine_value(&m, i), 512 + 1 + i);
         arb_mul_2exp_si(machine_value(&m, i), machine_value(&m, i), -9);
     }
     machine_run(&m);
-    for (slong i = 0; i < count; i++) {
-        machine_gradient(&m, (int)rows[i], &adjoint);
-        _arb_vec_set(J + i * inputs, machine_value(&adjoint, 0), inputs);
-    }
-    for (slong i = 0; i < count; i++)
-        for (slong k = 0; k < count; k++)
-            arb_dot(arb_mat_entry(square, i, k), NULL, 0, J + i * inputs, 1, J + k * inputs, 1, inputs, BITS);
+    gradient_run(&J, &m);
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < count; k++)
+            for (int x = 0; x < inputs; x++)
+                arb_addmul(arb_mat_entry(square, i, k), gradient_value(&J, i, x), gradient_value(&J, k, x), BITS);
     arb_mat_det(determinant, square, BITS);
     const bool fills = !arb_contains_zero(determinant); /* nor is it infinite, which contains all */
     arb_mat_clear(square);
     machine_clear(&m);
-    machine_clear(&adjoint);
+    gradient_clear(&J);
     free(needed);
     return fills;
 }

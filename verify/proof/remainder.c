@@ -33,7 +33,8 @@ void remainder_clear(struct remainder *r)
 /* A box is its low ends, then its high ones, thin balls all. */
 struct search {
     const struct remainder *of;
-    struct machine value, slope;
+    struct machine value;
+    struct gradient slope;
     arb_ptr bound, reached; /* |formula| is at least `reached` somewhere in the set */
     int inputs, boxes;
 };
@@ -71,9 +72,9 @@ static int bound_above(struct search *s, arb_t z, arb_ptr box, int sign)
     for (int i = 0; i < inputs; i++)
         arb_union(state + i, low + i, high + i, SEARCH_BITS);
     enclose_at(s, z, state);
-    machine_gradient(&s->value, s->of->node, &s->slope);
+    gradient_run(&s->slope, &s->value);
     for (int i = 0; i < inputs; i++) {
-        arb_mul_si(z, machine_value(&s->slope, i), sign, SEARCH_BITS);
+        arb_mul_si(z, gradient_value(&s->slope, 0, i), sign, SEARCH_BITS);
         if (arb_is_nonnegative(z)) { /* nor is what has no value */
             arb_set(low + i, high + i);
         } else if (arb_is_nonpositive(z)) {
@@ -123,7 +124,7 @@ void remainder_prove(const struct remainder *r, struct remainder_proof *proof)
     struct search s = {.of = r, .inputs = r->program.inputs, .bound = bound, .reached = reached};
     VECTOR(arb, box, 2 * s.inputs);
     machine_init(&s.value, &r->program, &arithmetic_ball, SEARCH_BITS);
-    machine_init(&s.slope, &r->program, &arithmetic_ball, SEARCH_BITS);
+    gradient_init(&s.slope, &r->program, &r->node, 1, &arithmetic_ball, SEARCH_BITS);
     arb_set_fmpq(s.bound, r->bound, SEARCH_BITS);
     for (int i = 0; i < s.inputs; i++) {
         arb_set_fmpq(box + i, r->low + i, SEARCH_BITS);
@@ -139,5 +140,5 @@ void remainder_prove(const struct remainder *r, struct remainder_proof *proof)
                    : proof->percent < 50 ? REMAINDER_TOO_WIDE
                                          : REMAINDER_PROVED;
     machine_clear(&s.value);
-    machine_clear(&s.slope);
+    gradient_clear(&s.slope);
 }
