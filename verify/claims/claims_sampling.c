@@ -77,7 +77,7 @@ static void held_motion(struct computed *c)
 /* From the paper's pitch with a swing of 1/100 at the start, for 20 days, hourly; and the averaged law's amplitude. */
 static void damped(struct computed *c)
 {
-    enum { HOURS = 480, DIGITS = 12 };
+    enum { HOURS = 480, DIGITS = 5 };
     static const char *const C2[SAMPLED_GAINS] = {NULL, NULL, "2.9166e-4"}; /* 4 Omega */
     SCOPE(arb, c1, c2, a, amplitude, law, gap, tau, charge);
     SCOPE(arb, swing, shift, product, sigma);

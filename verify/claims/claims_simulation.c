@@ -295,7 +295,7 @@ static void method_errors(struct computed *c)
 
 enum { DIGITS = 12 }; /* of nonlinear samples: too few would leave digits of the evidence unproved, and the verdict undecided */
 
-#define LINEAR .digits = TRAJECTORY_DIGITS
+#define LINEAR .digits = DIGITS
 #define PITCHED .nonlinear = true, .digits = DIGITS
 #define PLANAR .nonlinear = true, .digits = DIGITS, .theta = "0"
 
@@ -333,9 +333,9 @@ const struct computation computations_simulation[] = {
     {"pitched_10", run_simulation, SAMPLED({PITCHED}, 0, 60, 8 * DAY, NULL)},
     {"pitched_12", run_simulation, SAMPLED({PITCHED, .n = "12"}, 0, 60, 8 * DAY, NULL)},
     {"planar_10", run_simulation, SAMPLED({PLANAR}, 0, 240, 4 * DAY, NULL)},
-    {"linear_day3", run_simulation, SAMPLED({LINEAR}, 69 * HOUR, 60, 72 * HOUR, NULL)},
-    {"linear_day5", run_simulation, SAMPLED({LINEAR}, 117 * HOUR, 60, 120 * HOUR, NULL)},
-    {"linear_day8", run_simulation, SAMPLED({LINEAR}, 189 * HOUR, 60, 192 * HOUR, NULL)},
+    {"linear_day3", run_simulation, SAMPLED({LINEAR}, 69 * HOUR, 600, 72 * HOUR, NULL)},
+    {"linear_day5", run_simulation, SAMPLED({LINEAR}, 117 * HOUR, 600, 120 * HOUR, NULL)},
+    {"linear_day8", run_simulation, SAMPLED({LINEAR}, 189 * HOUR, 600, 192 * HOUR, NULL)},
     {"pitched_day8", run_simulation, SAMPLED({PITCHED}, 189 * HOUR, 10, 8 * DAY, NULL)},
     {"planar_day8", run_simulation, SAMPLED({PLANAR}, 189 * HOUR, 50, 8 * DAY, NULL)},
 

@@ -8,7 +8,7 @@
 #include "motion/two_body.h"
 #include "text/scope.h"
 
-enum { PREC = 192, SLOW_DIGITS = 10 }; /* what the slow law leaves is of the order of a^2, a >= 1/20 */
+enum { PREC = 192, SLOW_DIGITS = 5 }; /* what the slow law leaves is of the order of a^2, a >= 1/20 */
 
 /* ---- motions ----------------------------------------------------------- */
 
@@ -68,7 +68,8 @@ static bool from_steps(arb_ptr d, const struct derivations *steps, const struct 
 static bool from_forced(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t a)
 {
     const bool slow = study->seconds == 0;
-    struct simulation s = {.steps = steps, .nonlinear = true, .n = study->n, .digits = slow ? SLOW_DIGITS : TRAJECTORY_DIGITS};
+    const struct flow_steps cheap = {.derivative_order = 8};
+    struct simulation s = {.steps = steps, .nonlinear = true, .n = study->n, .digits = slow ? SLOW_DIGITS : TRAJECTORY_DIGITS, .by = &cheap};
     struct trajectory motion, closed;
     struct second_order o;
     SCOPE(arb, amplitude, tau);

@@ -167,16 +167,15 @@ void largest_delay(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
             arb_addmul_si(acb_realref(a), squares + j, coefficients[k][j + 1], prec);
         acb_poly_set_coeff_acb(p, k, a);
     }
-    arb_indeterminate(limit);
-    if (acb_poly_find_roots(roots, p, NULL, 0, prec) != CROSSINGS || !acb_poly_validate_real_roots(roots, p, prec))
-        return;
-    arb_pos_inf(limit); /* p is negative at 0, for c1 > 9: there is a positive root */
-    for (int k = 0; k < CROSSINGS; k++) {
-        if (!arb_contains_zero(acb_imagref(roots + k)) || arb_is_negative(acb_realref(roots + k)))
-            continue;
-        delay_of_crossing(d, acb_realref(roots + k), c1, c2, prec);
-        arb_min(limit, limit, d, prec);
-    }
+    if (acb_poly_find_roots(roots, p, NULL, 0, prec) == CROSSINGS)
+        arb_pos_inf(limit);
+    else
+        arb_indeterminate(limit);
+    for (int k = 0; k < CROSSINGS; k++)
+        if (!arb_is_negative(acb_realref(roots + k))) {
+            delay_of_crossing(d, acb_realref(roots + k), c1, c2, prec);
+            arb_min(limit, limit, d, prec);
+        }
 }
 
 /* ---- the nonlinear motion, the law held ---- */

@@ -129,7 +129,7 @@ void moved_loop_init(struct moved_loop *l, const arb_t c1, const acb_t S, slong 
 {
     l->system = pitch_loop(l->terms);
     l->constants = _arb_vec_init(3);
-    l->steps = (struct flow_steps){.system = &l->system, .constants = l->constants};
+    l->steps = (struct flow_steps){.system = &l->system, .constants = l->constants, .derivative_order = 8};
     arb_mul(l->constants, acb_imagref(S), c1, prec);
     arb_mul(l->constants + 1, acb_realref(S), c1, prec);
     arb_mul_2exp_si(l->constants + 2, l->constants + 1, -2);

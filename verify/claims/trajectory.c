@@ -336,18 +336,23 @@ static void linear_bounds(struct bounds *b, const struct trajectory *t, const ar
     }
 }
 
-/* The shortest eta (within an eighth) at which the potential at eta and at -eta exceeds E: no motion gets there. */
+/* An eta at which the potential at eta and at -eta exceeds E, no motion gets there: from most of what (40) says on, in small steps. */
 static bool confine(arb_t eta, const struct trajectory *t, const arb_t E, slong k)
 {
-    bool outside = false, inside;
+    bool outside = false;
     SCOPE(arb, potential, now);
+    SCOPE(mag, bound);
     VECTOR(arb, at, FLOW_STATE); /* rest on the radius */
     arb_abs(now, trajectory_sample(t, k) + ETA);
-    arb_one(eta);
-    arb_mul_2exp_si(eta, eta, -60);
+    arb_sub_ui(potential, t->c1, 9, t->prec);
+    arb_div(eta, E, potential, t->prec);
+    arb_get_mag(bound, eta);
+    mag_add_ui_2exp_si(bound, bound, 1, -99); /* at rest too */
+    mag_sqrt(bound, bound);
+    arf_set_mag(arb_midref(eta), bound);
     while (!outside && arf_cmp_2exp_si(arb_midref(eta), -1) < 0) {
-        arb_mul_ui(eta, eta, 9, 16);
-        arb_mul_2exp_si(eta, eta, -3);
+        arb_mul_ui(eta, eta, 65, t->prec);
+        arb_mul_2exp_si(eta, eta, -6);
         arb_get_mid_arb(eta, eta);
         outside = true;
         for (int side = 0; side < 2; side++) {
@@ -356,8 +361,7 @@ static bool confine(arb_t eta, const struct trajectory *t, const arb_t E, slong 
             outside = outside && arb_gt(potential, E);
         }
     }
-    inside = arb_lt(now, eta);
-    return outside && inside;
+    return outside && arb_lt(now, eta);
 }
 
 static void plus_minus(arb_t x, const arb_t bound)
