@@ -134,10 +134,9 @@ static bool is_given_by(const char *name, const char *entry)
 /* Which assertions a node takes numbers of; those that stand after it are open, and with them the node. */
 static ulong uses_of(const struct claim_reading *r, const struct program *p, int node)
 {
-    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
+    char *needed = program_needs(p, node, NULL);
     ulong uses = 0;
-    program_needs(p, node, NULL, needed);
-    for (int i = 0; i < p->inputs && i <= node; i++) {
+    for (int i = 0; i < p->inputs; i++) {
         const char *name = p->names[i].text;
         for (int k = 0; needed[i] && r->statement->prove != NULL && k < r->statement->prove->count; k++)
             if (is_given_by(name, r->statement->prove->items[k].key))

@@ -94,11 +94,10 @@ static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
 
 bool machine_bind(struct machine *m, int node, bool balls, const struct bindings *b)
 {
-    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
+    char *needed = program_needs(m->program, node, NULL);
     bool known = true;
     SCOPE(fmpq, q);
-    program_needs(m->program, node, NULL, needed);
-    for (int i = 0; i < m->program->inputs && i <= node && known; i++) {
+    for (int i = 0; i < m->program->inputs && known; i++) {
         const char *name = m->program->names[i].text;
         if (!needed[i] || (!balls && is_moving(b, name)))
             continue;

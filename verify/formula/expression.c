@@ -75,10 +75,12 @@ void program_name(struct program *p, int node, const char *name)
     *APPENDED(p->names, p->named) = (struct name){text_copy(name), node};
 }
 
-void program_needs(const struct program *p, int node, const int *stand_in, char *needed)
+char *program_needs(const struct program *p, int node, const int *stand_in)
 {
-    memset(needed, 0, (size_t)node + 1);
+    char *needed = xrealloc(NULL, (size_t)p->count, 1);
+    memset(needed, 0, (size_t)p->count);
     program_mark(p, node, stand_in, needed);
+    return needed;
 }
 
 void program_mark(const struct program *p, int node, const int *stand_in, char *needed)
@@ -96,8 +98,7 @@ void program_mark(const struct program *p, int node, const int *stand_in, char *
 
 int program_copy_node(struct program *p, const struct program *from, int node, int *map)
 {
-    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
-    program_needs(from, node, map, needed);
+    char *needed = program_needs(from, node, map);
     for (int i = 0; i <= node; i++) {
         const struct node n = from->nodes[i];
         if (!needed[i] || map[i] >= 0)
@@ -398,8 +399,7 @@ static int sum(struct program *p, int a, int b)
 int program_derivative(struct program *p, int node, const int *rate, int rates)
 {
     int *derivative = xrealloc(NULL, (size_t)node + 1, sizeof *derivative);
-    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
-    program_needs(p, node, NULL, needed);
+    char *needed = program_needs(p, node, NULL);
     for (int i = 0; i <= node; i++) {
         const int left = p->nodes[i].left, right = p->nodes[i].right;
         derivative[i] = i < rates ? rate[i] : -1;
@@ -493,8 +493,7 @@ void machine_run(struct machine *m)
 
 void machine_run_to(struct machine *m, int node)
 {
-    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
-    program_needs(m->program, node, NULL, needed);
+    char *needed = program_needs(m->program, node, NULL);
     for (int i = m->program->inputs; i <= node; i++)
         if (needed[i])
             run_node(m, i);

@@ -90,8 +90,8 @@ int program_own(struct program *p, int first, int node);
 /* Takes away the last nodes, which nothing names, from number `count` on. */
 void program_truncate(struct program *p, int count);
 
-/* needed[i]: the node rests on node i, and not by way of a node that stand_in (NULL: none) replaces. */
-void program_needs(const struct program *p, int node, const int *stand_in, char *needed);
+/* needed[i]: the node rests on node i, and not by way of a node that stand_in (NULL: none) replaces. To be freed. */
+char *program_needs(const struct program *p, int node, const int *stand_in);
 
 /* The same, beside what is marked already. */
 void program_mark(const struct program *p, int node, const int *stand_in, char *needed);

@@ -91,9 +91,7 @@ bool entry_concerns(const struct derivations *d, const char *entry, const struct
     const int count = entry_parts(d, entry, parts);
     bool concerns = false;
     for (int i = 0; i < count && !concerns; i++) {
-        char *needed = xrealloc(NULL, (size_t)parts[i].formulas->program.count, 1);
-        memset(needed, 0, (size_t)parts[i].formulas->program.count);
-        program_mark(&parts[i].formulas->program, parts[i].node, NULL, needed);
+        char *needed = program_needs(&parts[i].formulas->program, parts[i].node, NULL);
         concerns = parts[i].formulas == u->formulas && needed[u->part];
         free(needed);
     }
@@ -441,14 +439,12 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
     enum { BITS = 256 };
     const struct program *p = &u->formulas->program;
     const int inputs = t->program.inputs;
-    char *needed = xrealloc(NULL, (size_t)p->count, 1);
+    char *needed = program_needs(p, u->part, NULL);
     int rows[MOST_INPUTS], count = 0;
     struct machine m;
     struct gradient J;
     arb_mat_t square;
     SCOPE(arb, determinant);
-    memset(needed, 0, (size_t)p->count);
-    program_mark(p, u->part, NULL, needed);
     for (int i = 0; i < p->inputs; i++)
         if (needed[i])
             rows[count++] = u->copy[i];
@@ -510,7 +506,6 @@ static char *nodes_spoken_of(const struct table *table, const struct program *p,
 {
     const struct program *own = &table->s->corrected.program;
     int *open = xrealloc(NULL, (size_t)p->count, sizeof *open);
-    char *spoken = xrealloc(NULL, (size_t)p->count, 1);
     for (int i = 0; i < p->count; i++)
         open[i] = i < p->inputs ? 0 : -1;
     for (int i = 0; i < p->named; i++) {
@@ -518,7 +513,7 @@ static char *nodes_spoken_of(const struct table *table, const struct program *p,
         if (here >= table->d->sheet->quantity_count && here < own->inputs)
             open[p->names[i].node] = 0;
     }
-    program_needs(p, wanted, open, spoken);
+    char *spoken = program_needs(p, wanted, open);
     for (int i = 0; i < wanted; i++)
         spoken[i] = spoken[i] && open[i] < 0;
     free(open);
@@ -590,21 +585,19 @@ static void note_names(struct table *table)
 {
     const struct identities *t = &table->s->corrected;
     const struct program *p = &t->program;
-    char *needed = xrealloc(NULL, (size_t)p->count, 1);
     int *by = xrealloc(NULL, (size_t)p->named, sizeof *by); /* 1 + the equality; -1: several */
     memset(by, 0, (size_t)p->named * sizeof *by);
     for (int e = 0; e < t->shown_count; e++) {
-        memset(needed, 0, (size_t)p->count);
-        program_mark(p, t->shown[e].left, NULL, needed);
+        char *needed = program_needs(p, t->shown[e].left, NULL);
         program_mark(p, t->shown[e].right, NULL, needed);
         for (int i = p->inputs; i < p->named; i++)
             if (needed[p->names[i].node])
                 by[i] = by[i] == 0 ? 1 + e : -1;
+        free(needed);
     }
     for (int i = p->inputs; i < p->named; i++)
         if (by[i] > 0)
             table->alone[by[i] - 1] = true;
-    free(needed);
     free(by);
 }
 

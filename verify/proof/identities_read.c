@@ -184,7 +184,6 @@ static int read_rate(struct parser *p)
         return made.of < 0 ? -1 : parse_refuse(p, "')' or an operator");
     if (made.first > MOST_RATES)
         return parse_refuse(p, "fewer rates of rates");
-    char *needed = xrealloc(NULL, (size_t)made.first, 1);
     const char *still = NULL; /* the sheet knows its rate, and nothing here does */
     made.by = xrealloc(NULL, (size_t)made.first, sizeof *made.by);
     for (int i = 0; i < made.first; i++)
@@ -194,7 +193,7 @@ static int read_rate(struct parser *p)
         if (moving >= 0)
             made.by[moving] = program_find(p->program, rates->items[i].text); /* no name is a number */
     }
-    program_needs(p->program, made.of, made.by, needed);
+    char *needed = program_needs(p->program, made.of, made.by);
     for (int i = 0; i <= made.of && i < s->sheet->quantity_count; i++) {
         const char *own = s->sheet->quantities[i].name;
         if (!needed[i] || made.by[i] >= 0 || !rate_name(s->sheet, own, name))
@@ -273,9 +272,8 @@ static const char *bind_names(const struct reading *r, const struct program *fro
         if ((node < from->inputs || is_free) && stand_in[node] < 0)
             stand_in[node] = here;
     }
-    char *needed = xrealloc(NULL, (size_t)from->count, 1);
-    program_needs(from, wanted, stand_in, needed);
-    for (int i = 0; i < from->inputs && i <= wanted && missing == NULL; i++)
+    char *needed = program_needs(from, wanted, stand_in);
+    for (int i = 0; i < from->inputs && missing == NULL; i++)
         missing = needed[i] && stand_in[i] < 0 ? from->names[i].text : NULL;
     free(needed);
     return missing;

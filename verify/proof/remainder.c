@@ -8,10 +8,9 @@ enum { SEARCH_BITS = 128, MOST_BOXES = 20000, DEEPEST_SEARCH = 200 };
 
 void remainder_init(struct remainder *r, const struct program *p, int node)
 {
-    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
+    char *needed = program_needs(p, node, NULL);
     int *stand_in = xrealloc(NULL, (size_t)node + 1, sizeof *stand_in);
     program_init(&r->program);
-    program_needs(p, node, NULL, needed);
     for (int i = 0; i <= node; i++)
         stand_in[i] = i < p->inputs && needed[i] ? program_input(&r->program, p->names[i].text) : -1;
     r->node = program_copy_node(&r->program, p, node, stand_in);

@@ -179,8 +179,7 @@ static bool read_condition(const struct yaml *n, struct formulas *f)
 static bool is_rational(const struct program *p, int node)
 {
     bool rational = true;
-    char *needed = xrealloc(NULL, (size_t)p->count, 1);
-    program_needs(p, node, NULL, needed);
+    char *needed = program_needs(p, node, NULL);
     for (int i = 0; i <= node; i++)
         rational = rational && (!needed[i] || p->nodes[i].op <= OPERATOR_POWER);
     free(needed);
