@@ -102,7 +102,7 @@ static const struct {
 
 static void begin(void)
 {
-    symbolic_begin(0, 0, false);
+    symbolic_begin(0, 0);
 }
 
 CASE(formulas, begin, symbolic_end)
@@ -697,6 +697,8 @@ static const struct {
     {"((u + v)^999)^999", SYMBOLIC_TOO_LARGE},
     {"((u/v + 1)^200 + (v/u - 2)^200)^100", SYMBOLIC_TOO_LARGE},
     {"(((u + 1)^9*(v + 1)^9 + 1)^9 + u)^9/(((u + v)^9 + 7)^9 + v)^9", SYMBOLIC_TOO_LARGE},
+    {"1/(u + v)^900 + 1/(u - v)^900", SYMBOLIC_TOO_LARGE}, /* by its denominators alone */
+    {"(u^900)^60*(v^900)^60", SYMBOLIC_TOO_LARGE},
     {"1/(u - u)", SYMBOLIC_POLE},
     {"sqrt(u^2)", SYMBOLIC_UNKNOWN_ROOT},
     {"sqrt(u)", SYMBOLIC_NO_SQUARE},
@@ -709,7 +711,7 @@ EACH(normal_form_is_zero_or_refused, COUNT(forms))
     struct message why;
     size_t where;
     symbolic_end();
-    symbolic_begin(2, 0, false);
+    symbolic_begin(2, 0);
     program_init(&p);
     program_input(&p, "u");
     program_input(&p, "v");
@@ -732,7 +734,7 @@ TEST(given_root_is_taken)
     SCOPE(fmpq, number);
     SCOPE(fmpq_poly, f);
     symbolic_end();
-    symbolic_begin(1, 8, true);
+    symbolic_begin(1, 8);
     arithmetic_symbolic.init(&u, 1);
     arithmetic_symbolic.init(&z, 1);
     arithmetic_symbolic.init(&w, 1);
@@ -759,14 +761,20 @@ TEST(given_root_is_taken)
     arithmetic_symbolic.apply(OPERATOR_SIN, &w, &w, NULL, 0, 1);
     ck_assert(!fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
     symbolic_set_variable(&u, 0, 0, NULL);
-    for (int i = 0; i < 2; i++) { /* the angles of (1, u) and (2, u), by their cosines */
-        fmpq_set_si(number, i + 1, 1);
-        arithmetic_symbolic.set_rational(i ? &w : &z, number, 1);
-        arithmetic_symbolic.apply(OPERATOR_ATAN2, i ? &w : &z, &u, i ? &w : &z, 0, 1);
+    for (int swapped = 0; swapped < 2; swapped++) {
+        for (int i = 0; i < 2; i++) { /* the angles of (1, u) and (2, u), or of (u, 1) and (u, 2), by their cosines */
+            struct symbolic *angle = i ? &w : &z;
+            fmpq_set_si(number, i + 1, 1);
+            arithmetic_symbolic.set_rational(angle, number, 1);
+            arithmetic_symbolic.apply(OPERATOR_ATAN2, angle, swapped ? angle : &u, swapped ? &u : angle, 0, 1);
+        }
+        ck_assert(z.fault == SYMBOLIC_FINE && z.angle && w.angle);
+        ck_assert(!fmpz_mpoly_q_equal(z.a + 1, w.a + 1, symbolic_context()));
     }
-    ck_assert(z.fault == SYMBOLIC_FINE && z.angle && w.angle);
-    ck_assert(!fmpz_mpoly_q_equal(z.a + 1, w.a + 1, symbolic_context()));
+    ck_assert(!symbolic_get_polynomial(f, &w));
     ck_assert(symbolic_get_polynomial(f, &u) && fmpq_poly_degree(f) == 1);
+    arithmetic_symbolic.apply(OPERATOR_LOG, &w, &u, NULL, 0, 1); /* the ninth */
+    ck_assert_int_eq(w.fault, SYMBOLIC_TRANSCENDENTAL);
     arithmetic_symbolic.apply(OPERATOR_POWER, &u, &u, NULL, -1, 1);
     ck_assert(!symbolic_get_polynomial(f, &u));
     arithmetic_symbolic.clear(&u);
@@ -793,7 +801,7 @@ TEST(time_is_bounded)
     struct message why;
     size_t where;
     symbolic_end();
-    symbolic_begin(4, 0, false);
+    symbolic_begin(4, 0);
     program_init(&p);
     for (int i = 0; i < 4; i++)
         program_input(&p, names[i]);

@@ -104,7 +104,7 @@ TEST(eq03_closed_by_eq07_eq18_is_the_quadratic_system)
     const struct program *p = &d.steps[0].corrected.program;
     fmpq_set_si(c1, 13, 1);
     fmpq_set_si(c2, 3, 1);
-    symbolic_begin(0, 0, false);
+    symbolic_begin(0, 0);
     machine_init(&m, p, &arithmetic_symbolic, 1);
     for (int i = 0; i < sheet()->quantity_count; i++) {
         fmpq_one(value); /* Omega, k_c */
@@ -200,6 +200,8 @@ static const struct {
     {"    square roots: [L*m1]\n    show: [sqrt(L^2*m1^2) = m1*L]", IDENTITY_HOLDS, ""},
     {"    square roots: [m1, L]\n    show: [sqrt(L^2) + sqrt(m1^2) = m1 + L]", IDENTITY_HOLDS, ""},
     {"    square roots: [2*L]\n    show: [sqrt(L^2) = L]", IDENTITY_UNDECIDED, "sqrt(L^2) = L: no value, a square root that is none of"},
+    {"    small: [dL]\n    order: 1\n    square roots: [2*L]\n    show: [sqrt(L^2 + dL) = L]",
+     IDENTITY_UNDECIDED, "sqrt(L^2 + dL) = L: no value, a square root that is none of"},
     {"    square roots: [2*L]\n    show: [sqrt(9/4 + 0*L) = 3/2]", IDENTITY_UNDECIDED, "square root 2*L is the root of nothing shown"},
     {"    square roots: [L]\n    show: [sqrt(2*L^2) = L]",
      IDENTITY_UNDECIDED, "sqrt(2*L^2) = L: no value, the square root of no square of a rational function"},

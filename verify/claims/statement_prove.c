@@ -106,7 +106,7 @@ static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const ch
     struct bindings b = *at;
     struct machine m;
     b.moving = variable;
-    symbolic_begin(1, 0, false);
+    symbolic_begin(1, 0);
     machine_init(&m, &formula->program, &arithmetic_symbolic, 1);
     bool known = machine_bind(&m, formula->node, false, &b);
     if (known) {

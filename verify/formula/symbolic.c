@@ -17,7 +17,8 @@ typedef fmpz_mpoly_q_t quotient_t;
  * before it is made, the bits of its numbers, both together, and the degree. Sums, products and quotients of two random
  * rational functions at these bounds, with a common factor or without one, took at most 0.7 s.
  */
-enum { MOST_TERMS = 1000000, MOST_NUMBER_BITS = 100000, MOST_WORK = 200000000, MOST_DEGREE = 100000, MOST_SECONDS = 2, MOST_ROOTS = 128 };
+enum { MOST_TERMS = 1000000, MOST_NUMBER_BITS = 100000, MOST_WORK = 200000000, MOST_DEGREE = 100000, MOST_SECONDS = 2 };
+enum { MOST_ROOTS = 128 }; /* twice as many as a list of square roots may have */
 
 /* A variable that stands for a function's value. */
 struct opaque {
@@ -30,7 +31,7 @@ static struct symbolic_field {
     struct symbolic_field *outer;
     fmpz_mpoly_ctx_t ctx;
     slong variables, more, opaques, kept_opaques;
-    bool loose, large;
+    bool large;
     struct opaque *opaque;
     quotient roots[MOST_ROOTS];
     bool strict[MOST_ROOTS], used[MOST_ROOTS];
@@ -69,11 +70,11 @@ static void _quotient_vec_clear(quotient *v, slong count)
 SCOPED(quotient)
 SCOPED_VECTOR(quotient, quotient_ptr)
 
-void symbolic_begin(slong variables, slong more, bool loose)
+void symbolic_begin(slong variables, slong more)
 {
     struct symbolic_field *outer = field;
     field = xrealloc(NULL, 1, sizeof *field);
-    *field = (struct symbolic_field){.outer = outer, .variables = variables, .more = more, .loose = loose, .start = clock()};
+    *field = (struct symbolic_field){.outer = outer, .variables = variables, .more = more, .start = clock()};
     fmpz_mpoly_ctx_init(CTX, variables + more + 1, ORD_DEGLEX); /* one at least */
     field->opaque = xrealloc(NULL, (size_t)more + 1, sizeof *field->opaque);
 }
@@ -376,7 +377,7 @@ static void stand_for(struct symbolic *z, enum symbolic_fault fault, enum operat
     slong i = 0;
     while (i < field->opaques && !(field->opaque[i].op == op && same(&field->opaque[i].x, x) && same(&field->opaque[i].y, y)))
         i++;
-    if (!field->loose || i == field->more) {
+    if (i == field->more) {
         z->fault = fault;
         return;
     }
@@ -396,8 +397,6 @@ static void stand_for(struct symbolic *z, enum symbolic_fault fault, enum operat
 
 void symbolic_root(const struct symbolic *x, bool strict)
 {
-    if (field->root_count == MOST_ROOTS)
-        return; /* LCOV_EXCL_LINE: a list of square roots is half as long at most */
     quotient_init(&field->roots[field->root_count]);
     fmpz_mpoly_q_set(&field->roots[field->root_count], x->a, CTX);
     field->strict[field->root_count] = strict;

@@ -36,11 +36,11 @@ struct symbolic {
 extern const struct arithmetic arithmetic_symbolic; /* prec = number of terms */
 
 /*
- * A field of rational functions, perhaps within another, which waits until it ends; every number is cleared before. Loose: a square root, sine,
- * cosine, exponential or arc tangent that has no value is a further variable (there is room for `more`), the same one
+ * A field of rational functions, perhaps within another, which waits until it ends; every number is cleared before. As long as
+ * there are `more`, a square root, sine, cosine, exponential or arc tangent that has no value is a further variable, the same one
  * for the same argument; so two formulas that are equal whatever their parts mean are still found equal.
  */
-void symbolic_begin(slong variables, slong more, bool loose);
+void symbolic_begin(slong variables, slong more);
 void symbolic_end(void);
 
 /* The functions and roots that are known stay; those since then go, and the bounds of size and time begin anew. */

@@ -169,7 +169,7 @@ void run_begin(struct run *r, const struct identities *t, slong terms, enum mann
     }
     run_extend(r);
     const slong room = manner == RUN_STRICT ? 0 : 2 * functions; /* those that are altered are functions again */
-    symbolic_begin(r->at_point ? 0 : r->variables + more, room, manner != RUN_STRICT);
+    symbolic_begin(r->at_point ? 0 : r->variables + more, room);
 }
 
 void run_keep(struct run *r, int count)
