@@ -542,7 +542,7 @@ static enum symbolic_fault operand_fault(enum operator op, const struct symbolic
 {
     const bool takes_angles = op == OPERATOR_NEGATE || op == OPERATOR_ADD || op == OPERATOR_SUBTRACT ||
                               op == OPERATOR_SIN || op == OPERATOR_COS;
-    return x->fault == SYMBOLIC_FINE && x->angle && !takes_angles ? SYMBOLIC_ANGLE_AS_NUMBER : x->fault;
+    return x->angle && !takes_angles ? SYMBOLIC_ANGLE_AS_NUMBER : x->fault;
 }
 
 /* Of operands that have values. */
@@ -561,7 +561,7 @@ static void apply_fine(enum operator op, struct symbolic *z, const struct symbol
         take(z, a);
     } else if (op == OPERATOR_DIVIDE) {
         quotient_of(z, x, y);
-    } else if (op == OPERATOR_POWER && exponent < 0 && is_zero(x->a)) {
+    } else if (exponent < 0 && is_zero(x->a)) { /* a power: nothing else has one */
         z->large = false;
         z->fault = SYMBOLIC_POLE;
     } else if (op == OPERATOR_POWER) {
@@ -588,14 +588,14 @@ static void symbolic_apply(enum operator op, void *result, const void *left, con
     (void)terms;
     if (fault == SYMBOLIC_FINE && !(op == OPERATOR_DIVIDE && y->large))
         fault = operand_fault(op, y);
-    if (fault == SYMBOLIC_FINE) {
-        z->fault = fault;
-        apply_fine(op, z, x, y, exponent);
-        fault = field->large ? SYMBOLIC_TOO_LARGE : z->fault;
-    } else {
-        z->large = false;
-    }
     z->fault = fault;
+    if (fault == SYMBOLIC_FINE)
+        apply_fine(op, z, x, y, exponent);
+    else
+        z->large = false;
+    if (field->large)
+        z->fault = SYMBOLIC_TOO_LARGE;
+    z->angle = z->angle && z->fault == SYMBOLIC_FINE;
 }
 
 const struct arithmetic arithmetic_symbolic = {

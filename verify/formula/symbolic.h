@@ -29,7 +29,7 @@ enum symbolic_fault {
 struct symbolic {
     fmpz_mpoly_q_struct *a; /* the coefficients of epsilon^0, epsilon^1 ..., then cosine and sine of the finite part of an angle */
     slong terms;
-    bool angle, large;
+    bool angle, large; /* what has a fault is no angle */
     enum symbolic_fault fault;
 };
 

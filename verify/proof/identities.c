@@ -20,7 +20,7 @@ static const struct symbolic *value_of(struct run *r, int i);
 /* Whether a value is a number: that it has a sign, and may be compared. */
 static enum symbolic_fault fault_of(const struct symbolic *x)
 {
-    return x->fault == SYMBOLIC_FINE && x->angle ? SYMBOLIC_ANGLE_AS_NUMBER : x->fault;
+    return x->angle ? SYMBOLIC_ANGLE_AS_NUMBER : x->fault;
 }
 
 /* ---- signs at epsilon = 0 ---- */
