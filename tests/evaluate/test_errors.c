@@ -406,7 +406,6 @@ EACH(E7_enclosures_of_few_bits_hold_outputs_and_S, sheet()->section_count)
     VECTOR(arb, true_S, MOST_OUTPUTS);
     VECTOR(arb, y, MOST_OUTPUTS);
     VECTOR(arb, S, MOST_OUTPUTS);
-    SCOPE(fmpq, rational);
     operation_init(&o, s, false);
     for (uint64_t k = 0; k < (s->method == METHOD_ROOTS ? ROOTS : FEW); k++) {
         sample(&o, 5, k, values, inputs);
@@ -424,7 +423,7 @@ EACH(E7_enclosures_of_few_bits_hold_outputs_and_S, sheet()->section_count)
                 ck_assert_msg(arb_contains(y + i, truth + i), "%s: %ld bits of output %d", s->id, few[f], i);
                 ck_assert_msg(arb_contains_arf(S + i, arb_midref(true_S + i)), "%s: %ld bits of S %d", s->id, few[f], i);
                 if (s->method != METHOD_ROOTS && k == 0 && f == 0) {
-                    operation_sensitivity_exact(&o, inputs, few[f], i, S + i, rational);
+                    operation_sensitivity_exact(&o, inputs, few[f], i, S + i);
                     ck_assert_msg(arb_contains_arf(S + i, arb_midref(true_S + i)), "%s: S %d by exact derivatives", s->id, i);
                 }
             }

@@ -77,28 +77,25 @@ TEST(E_is_zero_for_equality_and_infinite_where_nothing_may_be_off)
 }
 
 /*
- * (38): S = |GM dOmega/dGM| + |R_c dOmega/dR_c| = (1/2 + 3/2) Omega, rational where Omega is. (2) with uncharged craft: x1_ddot =
- * 2 Omega y1_dot + 3 Omega^2 x1, S = 4 Omega |y1_dot| + 9 Omega^2 |x1|, to which an infinite lambda_d adds nothing.
+ * (38): S = |GM dOmega/dGM| + |R_c dOmega/dR_c| = (1/2 + 3/2) Omega. (2) with uncharged craft: x1_ddot = 2 Omega y1_dot +
+ * 3 Omega^2 x1, S = 4 Omega |y1_dot| + 9 Omega^2 |x1|, to which an infinite lambda_d adds nothing.
  */
-EACH(a_sensitivity_is_rational_where_every_derivative_is, 4)
+EACH(a_sensitivity_sums_what_each_input_does, 2)
 {
     static const struct {
         const char *id;
         double values[30];
-        long S; /* 0: not rational */
-    } cases[] = {{"eq38", {4, 1}, 4}, {"eq38", {2, 1}, 0}, {"eq36", {1, 1, 0}, 0}, /* R_c cos(theta) cos(psi): by theta alone it is */
+        slong S;
+    } cases[] = {{"eq38", {4, 1}, 4},
                  {"eq02", {2, 1, INFINITY, 1, 0, 3, 0, 0, 0, 5, 0, 1, 0, 0, 4, 0, 0, 0, 0, 1, 0, 9, 0, 0, 0, 0, 0}, 40 + 108}};
     const struct section *s = section_find(sheet(), cases[_i].id);
     struct operation o;
-    SCOPE(fmpq, S);
-    SCOPE(arb, enclosed);
+    SCOPE(arb, S);
     struct input *inputs = inputs_new(s->input_count);
     operation_init(&o, s, false);
-    ck_assert(inputs_of_values(s, cases[_i].values, inputs));
-    ck_assert(operation_valid(&o, inputs));
-    ck_assert_int_eq(operation_sensitivity_exact(&o, inputs, 64, 0, enclosed, S), cases[_i].S != 0);
-    if (cases[_i].S != 0)
-        ck_assert(fmpq_cmp_si(S, cases[_i].S) == 0);
+    ck_assert(inputs_of_values(s, cases[_i].values, inputs) && operation_valid(&o, inputs));
+    operation_sensitivity_exact(&o, inputs, 64, 0, S);
+    ck_assert(arb_contains_si(S, cases[_i].S) && arb_rel_accuracy_bits(S) > 50);
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
 }

@@ -37,28 +37,27 @@ void comparator_clear(struct comparator *j)
 /* ---- algebra and roots ---- */
 
 /*
- * Whether roundings of the inputs decide on stability by (42), in rational numbers: no margin is negative beyond K u S, and one is
- * within it. A margin that no rounding moves, S = 0, is what it is.
+ * Whether roundings of the inputs decide on stability by (42): no margin is at or below zero beyond K u S, and one is within it. A
+ * margin that no rounding moves, S = 0, is what it is. Omega^2 has 106 bits: where it is near C1/9 all these numbers are exact,
+ * elsewhere their balls are far from equal.
  */
 static bool on_the_boundary(const struct comparator *j, const struct input *inputs)
 {
+    enum { BITS = 256 };
     bool within = false, unstable = false;
-    struct machine values;
-    SCOPE(fmpq, margin, bound, S);
-    SCOPE(arb, enclosed);
-    operation_exact(&values, j->operation, inputs);
+    VECTOR(arb, margins, MOST_OUTPUTS);
+    VECTOR(arb, S, MOST_OUTPUTS);
+    SCOPE(arb, size, bound);
+    operation_enclose(j->operation, inputs, BITS, margins);
+    formula_sensitivity(j->operation, BITS, NULL, S);
     for (int i = 0; i < 2; i++) {
-        exact_is_rational(margin, machine_value(&values, j->operation->formulas->outputs[i])); /* a polynomial of the inputs */
-        operation_sensitivity_exact(j->operation, inputs, 64, i, enclosed, S);
-        fmpq_set_double(bound, ldexp(j->K, -j->significand));
-        fmpq_mul(bound, bound, S);
-        const bool negative = fmpq_sgn(margin) <= 0;
-        fmpq_abs(margin, margin);
-        const bool beyond = fmpq_cmp(margin, bound) > 0 || fmpq_is_zero(S);
+        arb_set_d(bound, ldexp(j->K, -j->significand));
+        arb_mul(bound, bound, S + i, BITS);
+        arb_abs(size, margins + i);
+        const bool beyond = arb_gt(size, bound) || arb_is_zero(S + i);
         within = within || !beyond;
-        unstable = unstable || (beyond && negative);
+        unstable = unstable || (beyond && !arb_is_positive(margins + i));
     }
-    machine_clear(&values);
     return within && !unstable;
 }
 
@@ -75,12 +74,11 @@ static void settle(struct comparator *j, const struct input *inputs, slong prec)
 {
     const struct operation *o = j->operation;
     struct machine values;
-    SCOPE(fmpq, rational);
     operation_exact(&values, o, inputs);
     for (int i = 0; i < o->section->output_count; i++) {
         if (exact_is_zero(machine_value(&values, o->formulas->outputs[i])))
             arb_zero(j->exact + i);
-        operation_sensitivity_exact(j->operation, inputs, prec, i, j->S + i, rational);
+        operation_sensitivity_exact(j->operation, inputs, prec, i, j->S + i);
         if (!arb_is_finite(j->S + i))
             arb_zero(j->S + i);
     }

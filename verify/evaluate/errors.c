@@ -106,19 +106,17 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
     formula_sensitivity(o, prec, NULL, S);
 }
 
-bool operation_sensitivity_exact(struct operation *o, const struct input *inputs, slong prec, int output, arb_t S, fmpq_t rational)
+void operation_sensitivity_exact(struct operation *o, const struct input *inputs, slong prec, int output, arb_t S)
 {
     const struct section *s = o->section;
     if (s->method == METHOD_ROOTS) {
         arb_pos_inf(S); /* of a multiple root, which moves like the root of a change */
-        return false;
+        return;
     }
     struct machine exact;
     struct gradient derivatives, balls;
     VECTOR(arb, values, s->output_count);
-    SCOPE(fmpq, term);
     const int node = o->formulas->outputs[output];
-    bool all = true;
     operation_enclose(o, inputs, prec, values);
     operation_exact(&exact, o, inputs);
     gradient_init(&derivatives, exact.program, &node, 1, &arithmetic_exact, 0);
@@ -126,22 +124,16 @@ bool operation_sensitivity_exact(struct operation *o, const struct input *inputs
     gradient_run(&derivatives, &exact);
     gradient_run(&balls, &o->machine);
     arb_zero(S);
-    fmpq_zero(rational);
     for (int i = 0; i < s->input_count; i++) {
         const struct exact *derivative = gradient_value(&derivatives, 0, i);
-        all = exact_is_rational(term, derivative) && all;
         if (exact_is_undefined(derivative))
             arb_pos_inf(S);
         else if (!exact_is_zero(derivative))
             add_term(S, machine_value(&o->machine, i), gradient_value(&balls, 0, i), prec);
-        fmpq_mul(term, term, &inputs[i].value);
-        fmpq_abs(term, term);
-        fmpq_add(rational, rational, term);
     }
     machine_clear(&exact);
     gradient_clear(&derivatives);
     gradient_clear(&balls);
-    return all;
 }
 
 /* ---- the unit of error ---- */

@@ -30,11 +30,8 @@ void operation_sensitivity(struct operation *o, const struct input *inputs, slon
  */
 void formula_sensitivity(struct operation *o, slong prec, arb_srcptr sizes, arb_ptr S);
 
-/*
- * S of one output, where a derivative that is exactly zero adds nothing and a pole makes it infinite. True where every derivative
- * of its formula is rational, and `rational` is S.
- */
-bool operation_sensitivity_exact(struct operation *o, const struct input *inputs, slong prec, int output, arb_t S, fmpq_t rational);
+/* S of one output, where a derivative that is exactly zero adds nothing and a pole makes it infinite. */
+void operation_sensitivity_exact(struct operation *o, const struct input *inputs, slong prec, int output, arb_t S);
 
 struct error_bounds {
     double lower, upper; /* rounded outward */

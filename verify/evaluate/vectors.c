@@ -61,7 +61,6 @@ static bool sensitivity_texts(struct operation *o, const struct input *inputs, c
 {
     const int count = o->section->output_count;
     VECTOR(arb, S, count);
-    SCOPE(fmpq, rational);
     int left = count;
     for (slong prec = 192; left > 0 && prec <= 16384; prec *= 2) {
         if (prec == 192 && o->section->method == METHOD_FORMULA)
@@ -73,7 +72,7 @@ static bool sensitivity_texts(struct operation *o, const struct input *inputs, c
             if (texts[i] == NULL)
                 texts[i] = sensitivity_text(S + i);
             if (texts[i] == NULL) {
-                operation_sensitivity_exact(o, inputs, prec, i, S + i, rational);
+                operation_sensitivity_exact(o, inputs, prec, i, S + i);
                 texts[i] = sensitivity_text(S + i);
             }
             left += texts[i] == NULL;
