@@ -649,7 +649,7 @@ TEST(a_report_is_there_whole_or_not_at_all)
 TEST(a_report_overwrites_nothing_but_itself)
 {
     ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -rf mine && mkdir mine && cd mine && echo mine >a && echo mine >r.json.tmp && "
-                            "ln -s a r.xml.tmp && ln -s b r.xml && for r in r.json r.xml; do \"$CT_PROGRAM\" conform --only eq07 "
+                            "ln -s a r.xml.tmp && touch b && ln -s b r.xml && for r in r.json r.xml; do \"$CT_PROGRAM\" conform --only eq07 "
                             "--report $r -- \"$CT_BUILD/tests/faulty\" none >/dev/null || exit 1; done && test -L r.xml && "
                             "cmp r.xml b && test -L r.xml.tmp && test \"$(cat a r.json.tmp r.xml.tmp)\" = \"$(printf 'mine\\nmine\\nmine')\" && "
                             "test \"$(ls | wc -l)\" = 6"), 0);

@@ -1,3 +1,4 @@
+#define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): realpath() */
 #include "text/whole_file.h"
 
 #include <errno.h>
@@ -8,23 +9,6 @@
 #include <unistd.h>
 
 #include "text/message.h"
-
-/* Where a name leads, link after link: there may be nothing yet. */
-static char *end_of_links(const char *name)
-{
-    enum { LONGEST_LINK = 4096 };
-    char link[LONGEST_LINK], *path = text_copy(name);
-    for (ssize_t length; (length = readlink(path, link, LONGEST_LINK)) > 0;) {
-        const char *slash = *link == '/' ? NULL : strrchr(path, '/');
-        const int folder = slash != NULL ? (int)(slash + 1 - path) : 0;
-        const size_t size = (size_t)folder + (size_t)length + 1;
-        char *next = xrealloc(NULL, size, 1);
-        snprintf(next, size, "%.*s%.*s", folder, path, (int)length, link);
-        free(path);
-        path = next;
-    }
-    return path;
-}
 
 /* Whether that is standard output, if one can write there: whatever its name */
 static bool is_standard_output(const struct stat *there)
@@ -46,7 +30,9 @@ struct whole_file whole_file_open(const char *name)
     } else if (special) {
         end = open(name, O_WRONLY);
     } else if (exists || errno == ENOENT) { /* not where links lead nowhere else than to links */
-        f.name = end_of_links(name);
+        f.name = realpath(name, NULL);
+        if (f.name == NULL) /* nothing yet, or a link to nothing, whose place it takes */
+            f.name = text_copy(name);
         const size_t size = strlen(f.name) + 40;
         f.unfinished = xrealloc(NULL, size, 1);
         for (int k = 0; k < 100 && end < 0 && (k == 0 || errno == EEXIST); k++) {
