@@ -264,21 +264,6 @@ static int decide_exactly(const struct operation *o, const struct input *inputs,
     return left;
 }
 
-/* Whether one that is left is not zero, and has no decimal: its exponent alone would have fifteen digits and more. */
-static bool is_beyond_decimals(struct operation *o, arb_srcptr balls, char *const *texts)
-{
-    bool beyond = false;
-    for (int i = 0; i < o->section->output_count && !beyond; i++) {
-        const fmpz *exponent = ARF_EXPREF(arb_midref(balls + i));
-        if (texts[i] != NULL || arb_contains_zero(balls + i) || fmpz_bits(exponent) <= EXPONENT_BITS)
-            continue;
-        message_set(&o->why, "%s: not zero, but %s2^%d), of which no decimal is written", o->section->outputs[i]->name,
-                    fmpz_sgn(exponent) < 0 ? "below 2^-(" : "above 2^(", EXPONENT_BITS - 1);
-        beyond = true;
-    }
-    return beyond;
-}
-
 enum operation_status operation_digits(struct operation *o, const struct input *inputs, slong digits, char **outputs)
 {
     const int count = o->section->output_count;
@@ -292,14 +277,13 @@ enum operation_status operation_digits(struct operation *o, const struct input *
         status = operation_follow(o, inputs, digits, prec, balls);
         if (status != OPERATION_PROVED || decide(balls, digits, texts, count) == 0)
             break;
-        const bool beyond = is_beyond_decimals(o, balls, texts), last = 2 * prec > most;
-        if (!beyond && prec == first && decide_exactly(o, inputs, digits, texts) == 0)
+        if (prec == first && decide_exactly(o, inputs, digits, texts) == 0)
             break;
         status = OPERATION_UNDECIDED;
-        if (!beyond && last)
-            message_set(&o->why, "%s: %ld bits do not decide every digit", o->section->id, (long)most);
-        if (beyond || last)
+        if (2 * prec > most) {
+            message_set(&o->why, "%s: %ld bits do not decide every digit", o->section->id, (long)prec);
             break;
+        }
     }
     for (int i = 0; i < count; i++) {
         if (status == OPERATION_PROVED)

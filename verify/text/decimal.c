@@ -16,6 +16,9 @@
 /* Of an exact literal, beyond binary128's 10^+-4966: there certified roots still take but a second. */
 static const slong LARGEST_EXPONENT = 5000, MOST_DIGITS = 10000;
 
+/* Of the exponent of 2 of a ball: as a decimal's it has fifteen digits. */
+enum { EXPONENT_BITS = FLINT_BITS - 14 };
+
 /* ---- reading ---------------------------------------------------------- */
 
 /* The literal's own value; strtod() has found it well formed and finite in syntax. False where it is too large to be told. */

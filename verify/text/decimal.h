@@ -30,8 +30,7 @@ enum literal literal_read(fmpq_t value, const char *text, bool exact);
  */
 char *decimal_of_rational(const fmpq_t x, slong digits);
 
-/* The same for a real number known by an enclosure; NULL when that does not decide every digit, or its exponent of 2 is longer. */
-enum { EXPONENT_BITS = FLINT_BITS - 14 };
+/* The same for a real number known by an enclosure; NULL when that does not decide every digit, or its exponent is as long as no decimal's. */
 char *decimal_of_ball(const arb_t x, slong digits);
 
 /* The lower or upper end of a ball, rounded outward: all of a finite ball lies above the one and below the other. */
