@@ -19,7 +19,7 @@ $(foreach name,BUILD DATA,$(if $(filter-out 1,$(words $($(name)))),$(error $(nam
 
 ### Tools and flags
 CC         ?= cc
-CFLAGS     ?= -O2 -g
+CFLAGS     ?= -O2 -g1
 INSTALL    ?= install
 PKG_CONFIG ?= pkg-config
 PYTHON     ?= /usr/bin/python3
