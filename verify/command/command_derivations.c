@@ -107,8 +107,7 @@ static void json_sides(struct json *j, const char *key, const struct step *s, co
     json_close(j);
 }
 
-static void json_identities(struct json *j, const char *key, const struct step *s, const struct sheet *sheet, const struct identities *t,
-                            const struct proof *p)
+static void json_identities(struct json *j, const char *key, const struct identities *t, const struct proof *p)
 {
     static const char *const results[] = {
         [IDENTITY_HOLDS] = "holds", [IDENTITY_DIFFERS] = "differs", [IDENTITY_UNDECIDED] = "undecided"};
@@ -117,10 +116,6 @@ static void json_identities(struct json *j, const char *key, const struct step *
     json_open(j, "show", '[');
     for (int i = 0; i < t->shown_count; i++)
         json_string(j, NULL, t->shown[i].text);
-    json_close(j);
-    json_open(j, "show_tex", '[');
-    for (int i = 0; i < t->shown_count; i++)
-        json_sides(j, NULL, s, sheet, t->shown[i].text);
     json_close(j);
     json_strings(j, "finding", results[p->result], "evidence", p->evidence, "difference", p->difference);
     json_close(j);
@@ -137,16 +132,6 @@ static void json_by_hand(struct json *j, const struct step *s, const struct shee
         json_sides(j, "tex", s, sheet, s->line_map->items[i].text);
         json_close(j);
     }
-    json_close(j);
-}
-
-/* The free quantities that are small, or finite angles. */
-static void json_variables(struct json *j, const char *key, const struct identities *t, bool small)
-{
-    json_open(j, key, '[');
-    for (int i = 0; i < t->program.inputs; i++)
-        if (t->needed[i] && (small ? t->variables[i].power > 0 : t->variables[i].angle))
-            json_string(j, NULL, t->program.names[i].text);
     json_close(j);
 }
 
@@ -178,19 +163,13 @@ static void json_step(struct json *j, const struct step *s, const struct sheet *
     json_texts(j, "to", s->to, s->to_count);
     if (s->corrected.order >= 0)
         json_value(j, "order", "%d", s->corrected.order);
-    json_variables(j, "small", &s->corrected, true);
-    json_variables(j, "angles", &s->corrected, false);
     json_strings(j, "domain", domain, "where", s->where, "unbound", derivation_fault(s));
     free(domain);
     json_dropped(j, s);
-    json_open(j, "let", '{');
-    for (int k = 0; s->let != NULL && k < s->let->count; k++)
-        json_string(j, s->let->items[k].key, s->let->items[k].text);
-    json_close(j);
-    json_identities(j, "step", s, sheet, &s->corrected, &s->proof);
+    json_identities(j, "step", &s->corrected, &s->proof);
     json_by_hand(j, s, sheet);
     if (s->differs)
-        json_identities(j, "printed", s, sheet, &s->printed, &s->printed_proof);
+        json_identities(j, "printed", &s->printed, &s->printed_proof);
     json_close(j);
 }
 

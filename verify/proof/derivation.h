@@ -21,7 +21,7 @@ struct step {
     const char *where; /* of special values alone: which; NULL: of all */
     const char *from[MOST_EQUATIONS], *to[MOST_EQUATIONS]; /* see the head of derivations.yaml */
     int from_count, to_count;
-    const struct yaml *node, *let;  /* let: NULL, there is none */
+    const struct yaml *node;
     struct identities corrected, printed, lines;
     bool differs;                   /* `printed` is there, and must not hold */
     const struct yaml *line_map;    /* how: the algebra by hand, `lines`; NULL: there is none */

@@ -79,9 +79,8 @@ static const struct field step_fields[] = {
           .count = offsetof(struct written_step, s.to_count), .expected = "a list of equation numbers"),
     FIELD("also", struct written_step, also, FIELD_MAP),
     FIELD("printed", struct written_step, printed, FIELD_NODE),
-    FIELD("let", struct written_step, s.let, FIELD_MAP),
     FIELD("lines", struct written_step, s.line_map, FIELD_MAP),
-    {.key = "remainders"}, {.key = "show"}, IDENTITIES_FIELDS, {.key = NULL}};
+    {.key = "remainders"}, {.key = "show"}, {.key = "let"}, IDENTITIES_FIELDS, {.key = NULL}};
 
 /* Of what is printed instead. */
 static const struct field variant_fields[] = {{.key = "let"}, {.key = "square roots"}, {.key = "show"}, {.key = NULL}};

@@ -12,7 +12,6 @@
 struct known {
     struct symbolic value;
     bool done, kept;
-    int signs;
 };
 
 static const struct symbolic *value_of(struct run *r, int i);
@@ -86,15 +85,12 @@ static int signs_by_form(struct run *r, const struct node *n)
 /* The signs that a node that is a number may have at epsilon = 0: by its form, and where that does not tell by its normal form. */
 static int signs_of(struct run *r, int i)
 {
-    int *result = &r->nodes[i].signs;
-    if (i < r->t->program.inputs)
-        return r->t->variables[i].power > 0 ? SIGN_ZERO : r->t->variables[i].signs;
-    if (*result == 0 && ((*result = signs_by_form(r, &r->t->program.nodes[i])) == 0 || *result == SIGN_ANY)) {
-        const struct symbolic *x = value_of(r, i);
-        *result = combine(signs_of_polynomial(r, fmpz_mpoly_q_numref(x->a)),
-                          signs_of_polynomial(r, fmpz_mpoly_q_denref(x->a)) & ~SIGN_ZERO, false);
-    }
-    return *result;
+    const int by_form = signs_by_form(r, &r->t->program.nodes[i]);
+    if (by_form != 0 && by_form != SIGN_ANY)
+        return by_form;
+    const struct symbolic *x = value_of(r, i);
+    return combine(signs_of_polynomial(r, fmpz_mpoly_q_numref(x->a)),
+                   signs_of_polynomial(r, fmpz_mpoly_q_denref(x->a)) & ~SIGN_ZERO, false);
 }
 
 /* ---- values ---- */
