@@ -341,9 +341,9 @@ static void potential(arb_t G, const struct trajectory *t, const arb_t eta)
  * All the energy in L', from much to little of it and so closely that some of it is only just too little for the length
  * at which it is confined: at the bounds of dL and x1 the potential on either side exceeds it.
  */
-EACH(B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 4)
+EACH(B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 2)
 {
-    enum { CLOSE = 400 }; /* by 2^-11 of L' each: over more than an eighth of dL, to less than a gap between slices */
+    enum { CLOSE = 160 }; /* by 2^-10 of L' each: over more than an eighth of dL, to less than a gap between slices */
     OWNED(trajectory) t;
     OWNED(bounds) b;
     VECTOR(arb, x, 3);
@@ -351,7 +351,7 @@ EACH(B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 4)
     bounds_init(&b);
     trajectory_of(&t, true, 1, 100, 12, 2);
     for (int k = 0; k < CLOSE; k++) {
-        arb_set_d(trajectory_sample(&t, 0) + ETA_DOT, 0.1 * pow(0.1, _i) * pow(1 + 0x1p-11, k));
+        arb_set_d(trajectory_sample(&t, 0) + ETA_DOT, 0.1 * pow(0.1, _i) * pow(1 + 0x1p-10, k));
         ck_assert(trajectory_bounds(&b, &t, 0));
         trajectory_energy(energy, &t, 0);
         arb_sub_ui(eta, b.of[PLACE_X], 1, PREC); /* the larger of l there; sharper than the bound of dL */

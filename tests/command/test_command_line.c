@@ -211,6 +211,7 @@ static const struct {
     {"trajectory nonlinear psi=0.01+--1 --set", 1, "psi: expected a number >= 0 after +-, got '-1'"},
     {"trajectory nonlinear psi=0.01+-1+-1 --set", 2, "psi: expected a number, got '1+-1'"},
     {"trajectory nonlinear Omega=7e-5+-1e-6 --set", 2, "Omega: expected without +-"},
+    {"trajectory nonlinear n=10+-1 --set", 2, "n: expected without +-"},
     {"trajectory nonlinear dL=-9+-1 --set", 1, "dL: expected the two craft apart, L > 0, in all of the box"},
     {"trajectory nonlinear L_ref=10+-10 --set", 1, "L_ref: expected a number > 0, in all of the box"},
     {"trajectory nonlinear m1=150+-150 --set", 1, "m1: expected a number > 0, in all of the box"},

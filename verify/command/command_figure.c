@@ -39,7 +39,7 @@ static int print_motion_figure(const struct figure *f, const struct scenario *s,
 {
     struct motion m = {.scenario = s, .nonlinear = f->nonlinear, .charges = f->charges,
                        .small_angles = f->small_angles, .digits = digits, .microcoulomb = f->charges};
-    struct times times = {0};
+    OWNED(times) times = {0};
     char *beside = NULL;
     size_t size;
     const bool rk4 = option_given(a, "--rk4");
@@ -62,7 +62,6 @@ static int print_motion_figure(const struct figure *f, const struct scenario *s,
         status = print_motion(stdout, &m, &times, f->first, f->count, false, beside);
     }
     free(beside);
-    times_clear(&times);
     return status;
 }
 
@@ -84,22 +83,19 @@ static bool gain_roots(acb_ptr roots, const fmpq_t n, slong prec)
 {
     SCOPE(fmpq, c2, one);
     SCOPE(arb, c1, c2_ball);
-    bool isolated;
     fmpq_one(one);
     fmpq_sub_si(c2, n, 9);
     if (fmpz_is_square(fmpq_numref(c2)) && fmpz_is_square(fmpq_denref(c2))) {
         fmpz_sqrt(fmpq_numref(c2), fmpq_numref(c2));
         fmpz_sqrt(fmpq_denref(c2), fmpq_denref(c2));
         fmpq_add(c2, c2, c2);
-        isolated = roots41(roots, one, n, c2, prec);
-    } else {
-        arb_set_fmpq(c1, n, prec);
-        arb_set_fmpq(c2_ball, c2, prec);
-        arb_sqrt(c2_ball, c2_ball, prec);
-        arb_mul_2exp_si(c2_ball, c2_ball, 1);
-        isolated = roots41_gains(roots, c1, c2_ball, prec);
+        return roots41(roots, one, n, c2, prec);
     }
-    return isolated;
+    arb_set_fmpq(c1, n, prec);
+    arb_set_fmpq(c2_ball, c2, prec);
+    arb_sqrt(c2_ball, c2_ball, prec);
+    arb_mul_2exp_si(c2_ball, c2_ball, 1);
+    return roots41_gains(roots, c1, c2_ball, prec);
 }
 
 /* Of each conjugate pair the root above the axis, the slower pair first: its place among the four. Isolated roots
@@ -182,7 +178,7 @@ static int check_figure4(const struct scenario *s)
 int command_figure(const struct arguments *a)
 {
     const struct figure *f = motion_figure(a->words[0]); /* NULL: the roots, figure 4 */
-    struct scenario s;
+    OWNED(scenario) s;
     long digits;
     scenario_init(&s, &a->paper->sheet, option_given(a, "--exact"));
     int status = option_digits(a, 17, &digits);
@@ -194,6 +190,5 @@ int command_figure(const struct arguments *a)
         status = print_figure4(&s, digits);
     else if (status == EXIT_DONE)
         status = print_motion_figure(f, &s, a, digits);
-    scenario_clear(&s);
     return status;
 }

@@ -146,7 +146,7 @@ static void complete_start(struct scenario *s)
         given += s->given[i];
     if (given == 0)
         return;
-    struct flow_parameters p;
+    OWNED(flow_parameters) p;
     VECTOR(arb, state, FLOW_STATE);
     SCOPE(arf, near);
     flow_parameters_init(&p);
@@ -160,7 +160,6 @@ static void complete_start(struct scenario *s)
             arf_get_fmpq(&s->value[SET_x1 + i].value, near);
             s->given[SET_x1 + i] = true;
         }
-    flow_parameters_clear(&p);
 }
 
 int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
@@ -294,8 +293,8 @@ int command_trajectory(const struct arguments *a)
     int status = EXIT_DONE;
     const bool exact = option_given(a, "--exact"), set = option_given(a, "--set");
     struct motion m = {0};
-    struct scenario s;
-    struct times times = {0};
+    OWNED(scenario) s;
+    OWNED(times) times = {0};
     SCOPE(fmpq, h);
     scenario_init(&s, &a->paper->sheet, exact);
     m.scenario = &s;
@@ -319,7 +318,5 @@ int command_trajectory(const struct arguments *a)
         print_heads(m.nonlinear, set);
         status = print_motion(stdout, &m, &times, 0, set ? SET_NUMBERS : m.nonlinear ? ROW_NUMBERS : FLOW_STATE, false, NULL);
     }
-    times_clear(&times);
-    scenario_clear(&s);
     return status;
 }

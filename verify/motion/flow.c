@@ -84,8 +84,6 @@ bool flow_wide(arb_srcptr state, slong bits)
 bool flow_in_reach(const struct flow_parameters *p, const fmpq *times, slong count, bool by_steps)
 {
     SCOPE(arb, radians, reach);
-    if (count == 0)
-        return true;
     arb_set_fmpq(radians, times + count - 1, 64);
     arb_mul(radians, radians, p->Omega, 64);
     arb_abs(radians, radians);

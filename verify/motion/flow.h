@@ -44,7 +44,7 @@ typedef int flow_receiver(void *context, slong k, const fmpq_t t, arb_srcptr sta
 
 /*
  * States are psi theta dL psi_dot theta_dot dL_dot (linear) or x1 y1 z1 x1_dot y1_dot z1_dot
- * (nonlinear), SI. `times` are exact, monotone away from 0 (all >= 0 ascending or all <= 0 descending);
+ * (nonlinear), SI. `times`, one at least, are exact, monotone away from 0 (all >= 0 ascending or all <= 0 descending);
  * at 0 the initial state itself is handed on. `prec` is the working precision in bits; `digits` is the
  * accuracy wanted: an enclosure wider than 10^-digits of the state's largest coordinate is past use.
  * `reached` gets the last proved time in seconds.

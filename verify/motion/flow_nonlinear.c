@@ -226,7 +226,7 @@ enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct fl
                                    const fmpq *times, slong count, slong digits, slong prec,
                                    flow_receiver *receive, void *context, double *reached)
 {
-    int direction = count > 0 && fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
+    const int direction = fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
     *reached = 0;
     if (!flow_nonlinear_domain(p, initial) || !times_ordered(times, count, direction))
         return FLOW_DOMAIN;

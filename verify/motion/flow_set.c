@@ -61,23 +61,8 @@ struct follower {
     const struct flow_set *set;
     struct expansion of;
     struct model end[FLOW_STATE], at; /* of the step's end, and of an answer */
-    struct model charge[4]; /* R, q and what is made of them, linear */
-    mag_ptr error;
-    double left; /* out by the models at the step's end, of one coordinate at most */
     int direction;
 };
-
-static void set_constants(struct jet *jet, const struct piece *p)
-{
-    enum { ONE = JET_SERIES, TWO, THREE, C1 };
-    SCOPE(arb, x);
-    for (int i = 0; i < 3; i++) {
-        arb_set_ui(x, (ulong)i + 1);
-        model_set_ball(jet->m[ONE + i], x);
-    }
-    for (int i = FLOW_STATE; i < SET_CHARGE; i++)
-        model_cut(jet->m[C1 + i - FLOW_STATE], &p->model[i]);
-}
 
 /* ---- pieces ---- */
 
@@ -151,9 +136,12 @@ static void follower_init(struct follower *f, const struct flow_set *set, int di
     for (int j = 0; j < FLOW_STATE; j++)
         model_init(&f->end[j], &set->space);
     model_init(&f->at, &set->space);
-    for (int i = 0; i < 4; i++)
-        model_init(&f->charge[i], &set->linear);
-    f->error = _mag_vec_init(FLOW_STATE);
+    for (int i = 0; i < 3; i++) { /* the constants 1, 2, 3 */
+        SCOPE(arb, x);
+        arb_set_ui(x, (ulong)i + 1);
+        model_set_ball(f->of.path.m[JET_SERIES + i], x);
+        model_set_ball(f->of.hull.m[JET_SERIES + i], x);
+    }
 }
 
 static void follower_clear(struct follower *f)
@@ -162,9 +150,6 @@ static void follower_clear(struct follower *f)
     for (int j = 0; j < FLOW_STATE; j++)
         model_clear(&f->end[j]);
     model_clear(&f->at);
-    for (int i = 0; i < 4; i++)
-        model_clear(&f->charge[i]);
-    _mag_vec_clear(f->error, FLOW_STATE);
 }
 
 /* From P(e), and from all of P(e) + B s, linear in e, s in the rest (S6) */
@@ -172,13 +157,13 @@ static void expand_models(struct follower *f, const struct piece *p)
 {
     VECTOR(arb, box, FLOW_STATE);
     lohner_to_box(box, &p->rest);
-    for (int v = 0; v < FLOW_STATE; v++) {
-        model_set(f->of.path.m[v], &p->model[v]);
-        model_cut(f->of.hull.m[v], &p->model[v]);
-        model_widen(f->of.hull.m[v], arb_radref(box + v));
+    for (int v = 0; v < SET_CHARGE; v++) {
+        const int place = v < FLOW_STATE ? v : JET_SERIES + 3 + v - FLOW_STATE;
+        model_set(f->of.path.m[place], &p->model[v]);
+        model_set(f->of.hull.m[place], &p->model[v]);
+        if (v < FLOW_STATE)
+            model_widen(f->of.hull.m[v], arb_radref(box + v));
     }
-    set_constants(&f->of.path, p);
-    set_constants(&f->of.hull, p);
     expansion_path(&f->of, BITS, 0);
     expansion_derivatives(&f->of, &p->rest);
 }
@@ -199,39 +184,40 @@ static double set_step_length(const struct follower *f, const struct piece *p)
 }
 
 /* P' and what the set after the step is off from it, but for J B s: (S1) to (S3) */
-static void find_end(struct follower *f, double step)
+static void find_end(struct follower *f, mag_ptr error, double step)
 {
     SCOPE(mag, rest);
-    f->left = 0;
     for (int v = 0; v < FLOW_STATE; v++) {
         model_evaluate(&f->end[v], f->of.path.m[v], (int)f->of.path.order + 1, f->direction * step);
         mag_set_d(rest, f->end[v].rest);
-        mag_add(f->error + v, f->of.path_bound.remainder + v, f->of.spread_bound.remainder + v);
-        mag_add(f->error + v, f->error + v, rest);
-        f->left = fmax(f->left, f->end[v].rest);
-        f->end[v].rest = 0;
+        mag_add(error + v, f->of.path_bound.remainder + v, f->of.spread_bound.remainder + v);
+        mag_add(error + v, error + v, rest);
     }
 }
 
 /* Whether the step's polynomials leave out so much that they should be those of a smaller set */
 static bool is_loose(const struct follower *f, const struct piece *p)
 {
-    double widest = 0;
-    for (int v = 0; v < FLOW_STATE; v++)
+    double widest = 0, left_out = 0;
+    for (int v = 0; v < FLOW_STATE; v++) {
         widest = fmax(widest, width(&p->model[v]));
-    return f->left > fmax(MOST_ADDED * widest, ROUNDINGS);
+        left_out = fmax(left_out, f->end[v].rest);
+    }
+    return left_out > fmax(MOST_ADDED * widest, ROUNDINGS);
 }
 
 /* The set at the end of the step; false if it is lost. */
-static bool advance_models(struct follower *f, struct piece *p, double step)
+static bool advance_models(struct follower *f, struct piece *p, double step, mag_srcptr error)
 {
     VECTOR(arb, nothing, FLOW_STATE);
     SCOPE(arb, h);
     arb_set_d(h, f->direction * step);
-    for (int v = 0; v < FLOW_STATE; v++)
+    for (int v = 0; v < FLOW_STATE; v++) {
+        f->end[v].rest = 0; /* it is in the error */
         model_set(&p->model[v], &f->end[v]);
+    }
     p->now += f->direction * step;
-    return expansion_move(&p->rest, nothing, &f->of, h, f->error);
+    return expansion_move(&p->rest, nothing, &f->of, h, error);
 }
 
 /* The model of state or series v at s radians after now, |s| <= step, for all of the piece */
@@ -240,7 +226,7 @@ static void row(struct follower *f, int v, const arb_t s, double step)
     const double near = arf_get_d(arb_midref(s), ARF_RND_NEAR);
     const struct majorant *path = &f->of.path_bound;
     SCOPE(arb, off, error);
-    SCOPE(mag, by, h);
+    SCOPE(mag, by, h, most);
     if (arb_is_zero(s)) { /* there all is known but B s */
         model_set(&f->at, f->of.path.m[v]);
         model_widen(&f->at, f->of.spread_bound.size[v]);
@@ -249,33 +235,36 @@ static void row(struct follower *f, int v, const arb_t s, double step)
     model_evaluate(&f->at, f->of.path.m[v], (int)path->order + 1, near);
     arb_add_error_mag(error, v < JET_STATES ? path->remainder + v : path->tail + v);
     expansion_spread(error, &f->of, v); /* (S7) */
-    arb_set_d(off, near); /* (S8): (|s - near|/h) sum k |a_k| h^k */
+    arb_set_d(off, near); /* (S8): (|s - near|/h) n sum |a_k| h^k */
     arb_sub(off, off, s, BITS);
     arb_get_mag(by, off);
     mag_set_d(h, step);
     mag_div(by, by, h);
-    for (slong k = 1; k <= path->order; k++) {
-        mag_mul_ui(h, path->size[v] + k, (ulong)k);
-        mag_mul(h, h, by);
-        arb_add_error_mag(error, h);
-    }
+    mag_mul_ui(by, by, (ulong)path->order);
+    mag_add(most, path->suffix[v] + 1, path->size[v] + path->order);
+    mag_mul(by, by, most);
+    arb_add_error_mag(error, by);
     model_widen(&f->at, arb_radref(error));
 }
 
 /* Q_ref + dQ, in units of the set's, linear in the unknowns but for a rest; false where it may be >= 0 */
 static bool charge_row(arb_t x, struct follower *f, const struct piece *p, const arb_t s, double step)
 {
-    struct model *const R = f->charge, *const q = R + 1, *const square = R + 2, *const length = R + 3;
+    OWNED(model) R, q, square, length;
+    model_init(&R, &f->set->linear);
+    model_init(&q, &f->set->linear);
+    model_init(&square, &f->set->linear);
+    model_init(&length, &f->set->linear);
     row(f, JET_CHARGE, s, step);
-    model_cut(R, &f->at);
+    model_set(&R, &f->at);
     row(f, JET_STATES - 1, s, step);
-    model_cut(q, &f->at);
-    model_dot(square, false, 1, q, q, 1);
-    model_inverse_root(length, square);
-    model_dot(square, false, 1, R, length, 1);
-    model_cut(q, &p->model[SET_CHARGE]);
-    model_dot(R, false, 1, square, q, 1);
-    model_range(x, R);
+    model_set(&q, &f->at);
+    model_dot(&square, false, 1, &q, &q, 1);
+    model_inverse_root(&length, &square);
+    model_dot(&square, false, 1, &R, &length, 1);
+    model_set(&q, &p->model[SET_CHARGE]);
+    model_dot(&R, false, 1, &square, &q, 1);
+    model_range(x, &R);
     return arb_is_negative(x);
 }
 
@@ -287,41 +276,37 @@ struct work {
     slong limit, proved; /* rows that are wanted and that no piece has failed to prove, and those that all have */
     double now;        /* radians that all have been followed            */
     enum flow_status status;
-    double *low, *high; /* of all rows                                   */
+    arb_ptr low, high; /* of all rows                                    */
     struct piece *piece;
-    int count, next;   /* pieces, and the one that is next in this round */
-    pthread_mutex_t lock; /* of the rows and of `next`                   */
+    int count;
+    pthread_mutex_t lock; /* of the rows                                 */
     struct follower follower[MOST_THREADS];
 };
 
 /* Row k's bounds are made wide enough for the piece, if there are any, and charges by (21). */
 static enum flow_status widen_row(struct work *w, struct follower *f, const struct piece *p, const arb_t s, double step)
 {
-    SCOPE(arb, x);
-    SCOPE(arf, end);
-    double low[SET_BOUNDS], high[SET_BOUNDS];
-    if (w->set->charged && !charge_row(x, f, p, s, step))
+    VECTOR(arb, x, SET_BOUNDS);
+    SCOPE(arb, end);
+    if (w->set->charged && !charge_row(x + FLOW_STATE, f, p, s, step))
         return FLOW_UNCHARGED;
-    arb_mul(x, x, w->set->charge, BITS);
-    for (int v = FLOW_STATE; v >= 0; v--) {
-        if (v < FLOW_STATE) {
-            row(f, v, s, step);
-            model_range(x, &f->at);
-            arb_mul(x, x, w->set->unit, BITS);
-        }
-        if (v < FLOW_STATE && v >= FLOW_HALF)
-            arb_mul(x, x, w->set->Omega, BITS);
-        if (!arb_is_finite(x))
-            return FLOW_WIDE; /* LCOV_EXCL_LINE: a coordinate alone has grown beyond binary64 */
-        arb_get_lbound_arf(end, x, BITS);
-        low[v] = arf_get_d(end, ARF_RND_FLOOR);
-        arb_get_ubound_arf(end, x, BITS);
-        high[v] = arf_get_d(end, ARF_RND_CEIL);
+    arb_mul(x + FLOW_STATE, x + FLOW_STATE, w->set->charge, BITS);
+    for (int v = 0; v < FLOW_STATE; v++) {
+        row(f, v, s, step);
+        model_range(x + v, &f->at);
+        arb_mul(x + v, x + v, w->set->unit, BITS);
+        if (v >= FLOW_HALF)
+            arb_mul(x + v, x + v, w->set->Omega, BITS);
     }
+    if (!_arb_vec_is_finite(x, SET_BOUNDS))
+        return FLOW_WIDE;
     pthread_mutex_lock(&w->lock);
     for (int v = 0; v < SET_BOUNDS; v++) {
-        w->low[SET_BOUNDS * p->k + v] = fmin(w->low[SET_BOUNDS * p->k + v], low[v]);
-        w->high[SET_BOUNDS * p->k + v] = fmax(w->high[SET_BOUNDS * p->k + v], high[v]);
+        arb_ptr low = w->low + SET_BOUNDS * p->k + v, high = w->high + SET_BOUNDS * p->k + v;
+        arb_get_lbound_arf(arb_midref(end), x + v, BITS);
+        arb_min(low, low, end, BITS);
+        arb_get_ubound_arf(arb_midref(end), x + v, BITS);
+        arb_max(high, high, end, BITS);
     }
     pthread_mutex_unlock(&w->lock);
     return FLOW_DONE;
@@ -330,36 +315,29 @@ static enum flow_status widen_row(struct work *w, struct follower *f, const stru
 /* A step of the piece, or that it should be split, or that no step is proved */
 static void follow_piece(struct work *w, struct follower *f, struct piece *p)
 {
+    VECTOR(mag, error, FLOW_STATE);
     SCOPE(arb, s);
     SCOPE(arf, now);
     arf_set_d(now, p->now);
     expand_models(f, p);
     const double step = expansion_prove(&f->of, &p->rest, set_step_length(f, p), MOST_SET_HALVINGS, false);
-    find_end(f, step);
-    if (w->count < w->set->most_pieces && (!(step > 0) || is_loose(f, p)))
-        p->split = steepest(p);
-    if (p->split >= 0)
+    find_end(f, error, step);
+    if (w->count < w->set->most_pieces && (!(step > 0) || is_loose(f, p)) && (p->split = steepest(p)) >= 0)
         return;
-    for (; step > 0 && p->k < w->limit && time_within(s, w->times + p->k, w->set->Omega, now, step, 2 * BITS); p->k++)
+    for (; p->k < w->limit && time_within(s, w->times + p->k, w->set->Omega, now, step, 2 * BITS); p->k++)
         if ((p->status = widen_row(w, f, p, s, step)) != FLOW_DONE)
             return;
-    if (p->k < w->limit && !(step > 0 && advance_models(f, p, step)))
+    if (!(step > 0 && advance_models(f, p, step, error)))
         p->status = FLOW_WIDE;
 }
 
-/* Pieces as they come, each of them once in a round */
+/* Some of the pieces, each of them once in a round */
 static void follow_some(slong thread, void *context)
 {
     struct work *w = context;
-    for (;;) {
-        pthread_mutex_lock(&w->lock);
-        const int i = w->next++;
-        pthread_mutex_unlock(&w->lock);
-        if (i >= w->count)
-            return;
+    for (int i = (int)thread; i < w->count; i += w->set->threads)
         if (w->piece[i].k < w->limit)
             follow_piece(w, &w->follower[thread], &w->piece[i]);
-    }
 }
 
 /* What a round has found: pieces to be split, as long as there may be more, how far all are, and what cannot be proved */
@@ -389,17 +367,13 @@ static void end_round(struct work *w)
 static bool hand_rows(const struct work *w, slong k, flow_receiver *receive, void *context)
 {
     VECTOR(arb, state, SET_BOUNDS);
-    SCOPE(arf, low, high);
-    bool wanted = true;
-    for (; k < w->proved && wanted; k++) {
-        for (int v = 0; v < SET_BOUNDS; v++) {
-            arf_set_d(low, w->low[SET_BOUNDS * k + v]);
-            arf_set_d(high, w->high[SET_BOUNDS * k + v]);
-            arb_set_interval_arf(state + v, low, high, BITS);
-        }
-        wanted = receive(context, k, w->times + k, state) == 0;
+    for (; k < w->proved; k++) {
+        for (int v = 0; v < SET_BOUNDS; v++)
+            arb_set_interval_arf(state + v, arb_midref(w->low + SET_BOUNDS * k + v), arb_midref(w->high + SET_BOUNDS * k + v), BITS);
+        if (receive(context, k, w->times + k, state) != 0)
+            return false;
     }
-    return wanted;
+    return true;
 }
 
 /* Seconds up to which all pieces, or rows, have been proved */
@@ -413,20 +387,19 @@ static double seconds_proved(const struct work *w)
 static void follow_all(struct work *w, flow_receiver *receive, void *context, double *reached)
 {
     struct progress progress = progress_begin(true);
-    const uint64_t wanted = w->limit > 0 ? (uint64_t)fabs(fmpq_get_d(w->times + w->limit - 1)) : 0;
+    const uint64_t wanted = (uint64_t)fabs(fmpq_get_d(w->times + w->limit - 1));
     for (int rounds = 0; w->proved < w->limit && w->status != FLOW_STOPPED; rounds++) {
         const slong k = w->proved;
-        w->next = 0;
+        if (rounds == MOST_ROUNDS) {
+            w->status = FLOW_STALLED;
+            break;
+        }
         flint_parallel_do(follow_some, w, w->set->threads, -1, FLINT_PARALLEL_STRIDED);
         end_round(w);
         *reached = seconds_proved(w);
         progress_show(&progress, (uint64_t)*reached, wanted);
         if (!hand_rows(w, k, receive, context))
             w->status = FLOW_STOPPED;
-        else if (rounds == MOST_ROUNDS && w->proved < w->limit) {
-            w->status = FLOW_STALLED;
-            w->limit = w->proved;
-        }
     }
     progress_end(&progress);
 }
@@ -434,13 +407,13 @@ static void follow_all(struct work *w, flow_receiver *receive, void *context, do
 enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong count, flow_receiver *receive, void *context,
                           double *reached)
 {
-    const int direction = count > 0 && fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
-    struct work w = {.set = s, .times = times, .limit = count, .count = 1};
-    w.low = xrealloc(NULL, (size_t)(2 * SET_BOUNDS * count + 1), sizeof *w.low);
-    w.high = w.low + SET_BOUNDS * count;
+    const int direction = fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
+    VECTOR(arb, low, SET_BOUNDS * count);
+    VECTOR(arb, high, SET_BOUNDS * count);
+    struct work w = {.set = s, .times = times, .limit = count, .count = 1, .low = low, .high = high};
     for (slong i = 0; i < SET_BOUNDS * count; i++) {
-        w.low[i] = HUGE_VAL;
-        w.high[i] = -HUGE_VAL;
+        arb_pos_inf(low + i);
+        arb_neg_inf(high + i);
     }
     w.piece = xrealloc(NULL, 1, sizeof *w.piece);
     piece_init(w.piece, s->model);
@@ -458,7 +431,6 @@ enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong cou
     for (int i = 0; i < w.count; i++)
         piece_clear(&w.piece[i]);
     free(w.piece);
-    free(w.low);
     return w.status;
 }
 

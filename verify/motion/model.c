@@ -125,13 +125,6 @@ void model_clear(struct model *m)
     free(m->c);
 }
 
-void model_set(struct model *z, const struct model *x)
-{
-    memcpy(z->c, x->c, (size_t)x->space->size * sizeof *x->c);
-    memcpy(z->norm, x->norm, sizeof x->norm);
-    z->rest = x->rest;
-}
-
 static double norm(const struct model *x)
 {
     double sum = 0;
@@ -190,14 +183,13 @@ void model_set_ball(struct model *z, const arb_t x)
 
 void model_set_variable(struct model *z, const arb_t x, const arb_t radius, int i)
 {
-    zero(z);
-    z->c[0] = nearest(&z->rest, x);
+    model_set_ball(z, x);
     z->c[1 + i] = nearest(&z->rest, radius);
     z->rest = upward(z->rest);
     find_norms(z);
 }
 
-void model_cut(struct model *z, const struct model *x)
+void model_set(struct model *z, const struct model *x)
 {
     double beyond = x->rest;
     memcpy(z->c, x->c, (size_t)z->space->size * sizeof *z->c);
@@ -270,17 +262,14 @@ void model_evaluate(struct model *z, const struct model *x, int count, double h)
     double size = 0, rest = 0;
     bool nothing = true;
     zero(z);
-    for (int k = 0; k < count; k++)
-        nothing = nothing && is_zero_model(x + k);
-    if (nothing)
-        return;
     for (int k = count - 1; k >= 0; k--) {
         for (int b = 0; b < z->space->size; b++)
             z->c[b] = z->c[b] * h + x[k].c[b];
         size = size * fabs(h) + norm(x + k);
         rest = rest * fabs(h) + x[k].rest;
+        nothing = nothing && is_zero_model(x + k);
     }
-    z->rest = upward(rest + 2 * count * U * size); /* (M1) */
+    z->rest = nothing ? 0 : upward(rest + 2 * count * U * size); /* (M1) */
     find_norms(z);
 }
 
@@ -298,7 +287,7 @@ static void subtract_one(struct model *z)
  */
 void model_inverse_root(struct model *z, const struct model *x)
 {
-    struct model square, d;
+    OWNED(model) square, d;
     model_init(&square, z->space);
     model_init(&d, z->space);
     zero(z);
@@ -318,51 +307,38 @@ void model_inverse_root(struct model *z, const struct model *x)
     subtract_one(&d);
     const double e = model_size(&d);
     z->rest = e < 0.5 && z->c[0] > 0 ? upward(norm(z) * e / (2 * (1 - e) * (1 - 4 * U))) : HUGE_VAL;
-    model_clear(&square);
-    model_clear(&d);
 }
 
 /*
  * (M9) With x = x_0 + d: the terms of sin(x_0 + d) = sum sin^(k)(x_0) d^k/k! to k = degree, and the rest of the series, at most
  * |d|^n/n!, n = degree + 1, in all.
  */
-void model_sine_cosine(struct model *sine, struct model *cosine, const struct model *x)
+void model_sine(struct model *z, const struct model *x, int quarters)
 {
-    const struct space *s = x->space;
-    struct model d, power, next, value[2];
-    struct model *const to[] = {sine, cosine};
-    SCOPE(arb, angle, at_sine, at_cosine);
-    model_init(&d, s);
-    model_init(&power, s);
-    model_init(&next, s);
-    for (int i = 0; i < 2; i++) {
-        model_init(&value[i], s);
-        zero(to[i]);
-    }
+    OWNED(model) d, power, next, value;
+    VECTOR(arb, at, 2);
+    SCOPE(arb, angle);
+    model_init(&d, x->space);
+    model_init(&power, x->space);
+    model_init(&next, x->space);
+    model_init(&value, x->space);
+    zero(z);
     arb_set_d(angle, x->c[0]);
-    arb_sin_cos(at_sine, at_cosine, angle, 128);
-    model_set_ball(&value[0], at_sine);
-    model_set_ball(&value[1], at_cosine);
+    arb_sin_cos(at, at + 1, angle, 128);
     model_set(&d, x);
     d.c[0] = 0;
     find_norms(&d);
     power.c[0] = 1;
     find_norms(&power);
-    for (int k = 0; k <= s->degree; k++) {
-        for (int i = 0; i < 2; i++) /* sin, cos, -sin, -cos; and cos, -sin, -cos, sin */
-            model_dot(to[i], true, (k + i) % 4 < 2 ? 1 : -1, &value[(k + i) % 2], &power, 1);
+    for (int k = 0; k <= x->space->degree; k++) { /* sin, cos, -sin, -cos, or from there on */
+        model_set_ball(&value, at + (k + quarters) % 2);
+        model_dot(z, true, (k + quarters) % 4 < 2 ? 1 : -1, &value, &power, 1);
         model_dot(&next, false, 1, &power, &d, 1);
         model_scale(&next, 1.0 / (k + 1));
         model_set(&power, &next);
     }
-    for (int i = 0; i < 2; i++) {
-        if (!is_zero_model(&power))
-            to[i]->rest = upward(to[i]->rest + model_size(&power));
-        model_clear(&value[i]);
-    }
-    model_clear(&d);
-    model_clear(&power);
-    model_clear(&next);
+    if (!is_zero_model(&power))
+        z->rest = upward(z->rest + model_size(&power));
 }
 
 /* The sum of absolute values of all that is added is ||z||: with the binomial coefficients each c_b is shared out over 2^-p (1 + 1)^p. */

@@ -31,14 +31,13 @@ struct model {
 
 void model_init(struct model *m, const struct space *s);
 void model_clear(struct model *m);
-void model_set(struct model *z, const struct model *x);
 
 /* What holds the ball, and all of x + radius e_i (i from 0). */
 void model_set_ball(struct model *z, const arb_t x);
 void model_set_variable(struct model *z, const arb_t x, const arb_t radius, int i);
 
-/* Of a larger space to a smaller one, of the same unknowns. */
-void model_cut(struct model *z, const struct model *x);
+/* x in a space of the same unknowns, its own or a smaller one: then what is cut off goes to the rest. */
+void model_set(struct model *z, const struct model *x);
 
 /* z, or nothing where !add, plus sign sum_{j < count} x[j] y[-j]; z is none of them */
 void model_dot(struct model *z, bool add, int sign, const struct model *x, const struct model *y, int count);
@@ -48,9 +47,9 @@ void model_widen(struct model *z, const mag_t by);
 /* sum_k x[k] h^k */
 void model_evaluate(struct model *z, const struct model *x, int count, double h);
 
-/* x^(-1/2), a rest of infinity where x is not known well enough, or not positive; sine and cosine */
+/* x^(-1/2), a rest of infinity where x is not known well enough, or not positive; and sin(x + quarters pi/2) */
 void model_inverse_root(struct model *z, const struct model *x);
-void model_sine_cosine(struct model *sine, struct model *cosine, const struct model *x);
+void model_sine(struct model *z, const struct model *x, int quarters);
 
 /* e_i becomes (e_i + side)/2, side 1 or -1: either half of the set */
 void model_halve(struct model *z, int i, int side);

@@ -84,28 +84,17 @@ bool scenario_valid(const struct scenario *s, bool nonlinear, struct message *wh
 
 /* ---- parameters and initial states, derived without rounding ---- */
 
-static void get(arb_t x, const struct scenario *s, enum scenario_name name, slong prec)
-{
-    arb_set_fmpq(x, &s->value[name].value, prec);
-}
-
 void scenario_parameters(struct flow_parameters *p, const struct scenario *s, slong prec)
 {
+    static const enum scenario_name names[] = {SET_Omega, SET_L_ref, SET_k_c, SET_m1, SET_m2, SET_C1, SET_C2, SET_n};
     VECTOR(arb, gain_inputs, 2); /* of Eqs. (43) and (44): Omega, n */
-    get(p->Omega, s, SET_Omega, prec);
-    get(p->L_ref, s, SET_L_ref, prec);
-    get(p->k_c, s, SET_k_c, prec);
-    get(p->m1, s, SET_m1, prec);
-    get(p->m2, s, SET_m2, prec);
+    arb_ptr const values[] = {p->Omega, p->L_ref, p->k_c, p->m1, p->m2, p->C1, p->C2, gain_inputs + 1};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        arb_set_fmpq(values[i], &s->value[names[i]].value, prec);
     arb_set(gain_inputs, p->Omega);
-    get(gain_inputs + 1, s, SET_n, prec);
-    if (s->given[SET_C1])
-        get(p->C1, s, SET_C1, prec);
-    else
+    if (!s->given[SET_C1])
         section_enclose(section_find(s->sheet, "eq43"), gain_inputs, prec, p->C1);
-    if (s->given[SET_C2])
-        get(p->C2, s, SET_C2, prec);
-    else
+    if (!s->given[SET_C2])
         section_enclose(section_find(s->sheet, "eq44"), gain_inputs, prec, p->C2);
 }
 
@@ -124,7 +113,7 @@ void scenario_initial(arb_ptr initial, const struct scenario *s, const struct fl
 {
     const bool angles = !cartesian(s); /* of a linear motion always */
     for (int i = 0; i < FLOW_STATE; i++)
-        get(initial + i, s, (enum scenario_name)((angles ? SET_psi : SET_x1) + i), prec);
+        arb_set_fmpq(initial + i, &s->value[(angles ? SET_psi : SET_x1) + i].value, prec);
     if (nonlinear && angles)
         state_from_angles(initial, s->sheet, p, prec);
 }
@@ -137,7 +126,7 @@ static void distance_and_rate(arb_t L, arb_t L_dot, const struct sheet *sheet, c
 {
     const struct program *program = &section_find(sheet, "eq14")->corrected.program;
     static const char *const names[] = {"x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
-    struct machine m;
+    OWNED(machine) m;
     machine_init(&m, program, &arithmetic_ball, prec);
     arb_set(machine_value(&m, program_find(program, "m1")), p->m1);
     arb_set(machine_value(&m, program_find(program, "m2")), p->m2);
@@ -146,7 +135,6 @@ static void distance_and_rate(arb_t L, arb_t L_dot, const struct sheet *sheet, c
     machine_run(&m);
     arb_set(L, machine_value(&m, program_find(program, "L")));
     arb_set(L_dot, machine_value(&m, program_find(program, "L_dot")));
-    machine_clear(&m);
 }
 
 void charges_of_state(arb_ptr q, arb_t product, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state,
@@ -230,15 +218,6 @@ static int receive_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
     return p->outside || p->undecided || p->stopped;
 }
 
-static enum flow_status one_pass(struct pass *p, const fmpq *times, slong count, double *reached)
-{
-    const struct motion *m = p->motion;
-    scenario_parameters(&p->parameters, m->scenario, p->prec);
-    scenario_initial(p->initial, m->scenario, &p->parameters, m->nonlinear, p->prec);
-    p->undecided = false;
-    return flow_run(m->nonlinear, m->h, &p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p, reached);
-}
-
 /* The length, or x1, exactly where the static formation has it: all else flow_settle asks. */
 static bool starts_at_equilibrium(const struct scenario *s)
 {
@@ -248,17 +227,45 @@ static bool starts_at_equilibrium(const struct scenario *s)
                           &s->value[SET_L_ref].value, &s->value[SET_x1].value);
 }
 
-static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count, double *reached);
+/* Passes at rising precision until every row is proved, or nothing more can be. */
+static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count, double *reached)
+{
+    const struct motion *m = p->motion;
+    const double Omega = fmpq_get_d(&m->scenario->value[SET_Omega].value);
+    const double radians = fabs(Omega * fmpq_get_d(times + count - 1));
+    enum flow_status status;
+    flow_parameters_init(&p->parameters);
+    p->initial = _arb_vec_init(FLOW_STATE);
+    p->prec = m->h ? rk4_precision(m->digits, radians) : flow_precision(m->digits, radians);
+    p->most = 8 * p->prec; /* three tries at twice the bits: more than rounding ever needs */
+    do {
+        scenario_parameters(&p->parameters, m->scenario, p->prec);
+        scenario_initial(p->initial, m->scenario, &p->parameters, m->nonlinear, p->prec);
+        p->undecided = false;
+        status = flow_run(m->nonlinear, m->h, &p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p, reached);
+        p->prec *= 2;
+    } while ((p->undecided || status == FLOW_WIDE) && p->prec <= p->most);
+    flow_parameters_clear(&p->parameters);
+    _arb_vec_clear(p->initial, FLOW_STATE);
+    return status;
+}
 
 /*
  * When Q_ref + dQ stops being negative: it is so at `before` and not at `after`, and six times over the
  * interval between such times is cut into tenths. Only a motion has times in between, a method has none.
  */
-static void find_crossing(const struct pass *found, fmpq_t before, fmpq_t after)
+static void say_crossing(const struct pass *found, const fmpq *given, struct message *why)
 {
     struct motion m = *found->motion;
+    SCOPE(fmpq, before, after);
     VECTOR(fmpq, times, 11);
     SCOPE(fmpq, tenth);
+    fmpq_set(after, given + found->done);
+    if (found->done == 0) {
+        message_set(why, "Q_ref + dQ >= 0 at t = %.9g s: Eq. (21) has no charges there", fmpq_get_d(after));
+        return;
+    }
+    fmpq_set(before, given + found->done - 1);
     m.digits = 9; /* a millionth of a step and some to spare */
     for (int cut = 0; cut < 6 && m.h == NULL; cut++) {
         struct pass p = {.motion = &m, .at_equilibrium = found->at_equilibrium};
@@ -275,41 +282,8 @@ static void find_crossing(const struct pass *found, fmpq_t before, fmpq_t after)
         fmpq_set(before, times + p.done - 1);
         fmpq_set(after, times + p.done);
     }
-}
-
-static void say_crossing(const struct pass *p, const fmpq *times, struct message *why)
-{
-    if (p->done == 0) {
-        message_set(why, "Q_ref + dQ >= 0 at t = %.9g s: Eq. (21) has no charges there",
-                    fmpq_get_d(times));
-        return;
-    }
-    SCOPE(fmpq, before, after);
-    fmpq_set(before, times + p->done - 1);
-    fmpq_set(after, times + p->done);
-    find_crossing(p, before, after);
     message_set(why, "Q_ref + dQ >= 0 from t = %.9g s, proved < 0 at t = %.9g s: Eq. (21) has no charges there",
                 fmpq_get_d(after), fmpq_get_d(before));
-}
-
-/* Passes at rising precision until every row is proved, or nothing more can be. */
-static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count, double *reached)
-{
-    const struct motion *m = p->motion;
-    const double Omega = fmpq_get_d(&m->scenario->value[SET_Omega].value);
-    const double radians = count == 0 ? 0.0 : fabs(Omega * fmpq_get_d(times + count - 1));
-    enum flow_status status;
-    flow_parameters_init(&p->parameters);
-    p->initial = _arb_vec_init(FLOW_STATE);
-    p->prec = m->h ? rk4_precision(m->digits, radians) : flow_precision(m->digits, radians);
-    p->most = 8 * p->prec; /* three tries at twice the bits: more than rounding ever needs */
-    do {
-        status = one_pass(p, times, count, reached);
-        p->prec *= 2;
-    } while ((p->undecided || status == FLOW_WIDE) && !p->outside && !p->stopped && p->prec <= p->most);
-    flow_parameters_clear(&p->parameters);
-    _arb_vec_clear(p->initial, FLOW_STATE);
-    return status;
 }
 
 int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
@@ -325,7 +299,9 @@ int motion_rows(const struct motion *m, const fmpq *times, slong count, row_rece
         say_crossing(&p, times, why);
     else if (p.undecided)
         message_set(why, "%ld bits do not decide every digit of row %ld", (long)p.most, (long)p.done + 1);
-    else if (status != FLOW_DONE && !p.stopped)
+    else if (status == FLOW_DONE || p.stopped)
+        return 0;
+    else
         message_set(why, "%s, last proved time %.9g s", flow_status_text(status), reached);
-    return p.outside || p.undecided || (status != FLOW_DONE && !p.stopped) ? -1 : 0;
+    return -1;
 }

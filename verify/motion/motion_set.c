@@ -36,11 +36,10 @@ static void read_bounds(struct model *z, struct reader *r, enum scenario_name na
 
 static void times_model(struct model *z, const struct model *x, const struct model *y)
 {
-    struct model product;
+    OWNED(model) product;
     model_init(&product, z->space);
     model_dot(&product, false, 1, x, y, 1);
     model_set(z, &product);
-    model_clear(&product);
 }
 
 enum { M1, M2, LENGTH, FACTOR, AT_PSI, AT_THETA, AT_DL, AT_PSI_DOT, AT_THETA_DOT, AT_DL_DOT, SINE_PSI, COSINE_PSI, SINE, COSINE, ARM, MASSES, UNIT, ANGLE_MODELS };
@@ -58,23 +57,21 @@ static void place(struct model *state, struct model *m)
                         {{-1, COSINE, SINE_PSI}, {1, COSINE, COSINE_PSI}, {0, UNIT, UNIT}},
                         {{-1, SINE, COSINE_PSI}, {-1, SINE, SINE_PSI}, {-1, COSINE, UNIT}}};
     static const int rate[] = {AT_DL_DOT, AT_PSI_DOT, AT_THETA_DOT};
-    struct model product;
+    OWNED(model) product;
     model_init(&product, state->space);
-    model_sine_cosine(m + SINE_PSI, m + COSINE_PSI, m + AT_PSI);
-    model_sine_cosine(m + SINE, m + COSINE, m + AT_THETA);
+    for (int i = 0; i < 4; i++)
+        model_sine(m + SINE_PSI + i, m + (i < 2 ? AT_PSI : AT_THETA), i % 2);
     times_model(m + AT_DL, m + AT_DL, m + ARM); /* arm L, by now */
-    times_model(m + AT_DL_DOT, m + AT_DL_DOT, m + ARM);
-    times_model(m + AT_PSI_DOT, m + AT_PSI_DOT, m + AT_DL);
-    times_model(m + AT_THETA_DOT, m + AT_THETA_DOT, m + AT_DL);
+    for (int d = 0; d < 3; d++)
+        times_model(m + rate[d], m + rate[d], m + (d == 0 ? ARM : AT_DL));
     for (int d = 0; d < 3; d++)
         for (int i = 0; i < FLOW_HALF; i++) {
             model_dot(&product, false, e[d][i].sign, m + e[d][i].by, m + e[d][i].times, 1);
             if (d == 0)
                 model_dot(state + i, false, 1, m + AT_DL, &product, 1);
             if (e[d][i].sign != 0)
-                model_dot(state + FLOW_HALF + i, d > 0, 1, m + rate[d], &product, 1);
+                model_dot(state + FLOW_HALF + i, true, 1, m + rate[d], &product, 1); /* to 0 at first */
         }
-    model_clear(&product);
 }
 
 /* By taylor.h Q is R/q m1 unit^3 Omega^2/(k_c arm^2), arm = m2/(m1 + m2): lambda = arm length, and `force` is k lambda^2. */
@@ -92,7 +89,7 @@ static void models_of(struct flow_set *set, const struct scenario *s)
 {
     struct model m[ANGLE_MODELS];
     struct reader r = {s, 0};
-    struct flow_parameters p;
+    OWNED(flow_parameters) p;
     SCOPE(arb, one, mass, speed, square);
     for (int i = 0; i < ANGLE_MODELS; i++)
         model_init(&m[i], &set->space);
@@ -144,7 +141,6 @@ static void models_of(struct flow_set *set, const struct scenario *s)
     arb_mul(set->charge, set->charge, square, SET_BITS);
     arb_mul(set->charge, set->charge, mass, SET_BITS);
     arb_div(set->charge, set->charge, p.k_c, SET_BITS);
-    flow_parameters_clear(&p);
     for (int i = 0; i < ANGLE_MODELS; i++)
         model_clear(&m[i]);
 }
@@ -191,7 +187,7 @@ int motion_set_rows(const struct motion *m, const fmpq *times, slong count, row_
     for (int i = 0; i < SCENARIO_VALUES; i++)
         unknowns += !fmpq_is_zero(s->radius + i);
     struct set_rows rows = {receive, context, m->digits};
-    struct flow_set set;
+    OWNED(flow_set) set;
     double reached;
     const int degree = unknowns <= FEW + 1 ? SET_DEGREE : unknowns == FEW + 2 ? SET_DEGREE - 1 : SET_DEGREE - 3;
     flow_set_init(&set, unknowns, degree + (unknowns <= FEW + 1 && is_wide(s)));
@@ -199,7 +195,6 @@ int motion_set_rows(const struct motion *m, const fmpq *times, slong count, row_
     set.charged = true;
     models_of(&set, s);
     const enum flow_status status = flow_set(&set, times, count, print_bounds, &rows, &reached);
-    flow_set_clear(&set);
     if (status == FLOW_DONE || status == FLOW_STOPPED)
         return 0;
     message_set(why, "%s, last proved time %.9g s", flow_status_text(status), reached);

@@ -44,7 +44,7 @@ void linear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2
 /* (3) closed by (7) and (18), by the table of taylor.h: coefficient 1 of the states' series */
 static void nonlinear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec)
 {
-    struct jet jet;
+    OWNED(jet) jet;
     jet_init(&jet, &closed_loop, 1);
     jet_constants(&jet, c1, c2);
     for (int i = 0; i < FLOW_STATE; i++)
@@ -53,7 +53,6 @@ static void nonlinear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, cons
     jet_extend(&jet, &jet, prec, 0);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set(rate + i, jet.c[i] + 1);
-    jet_clear(&jet);
 }
 
 /* state += h/6 (k1 + 2 k2 + 2 k3 + k4), k2 and k3 at h/2, k4 at h */
@@ -95,13 +94,6 @@ double rk4_radians(const fmpq_t Omega, const fmpq_t t, const fmpq_t h)
     return fmin(fabs(fmpq_get_d(Omega) * fmpq_get_d(t)), steps < 0 ? INFINITY : steps * (2 + log2(1 + step)));
 }
 
-/* Whether there are few enough orbits, or few enough steps, up to the last of the times. */
-static bool steps_in_reach(const struct flow_parameters *p, const fmpq_t h, const fmpq *times, slong count)
-{
-    const slong n = count > 0 ? steps_until(times + count - 1, h) : 0;
-    return flow_in_reach(p, times, count, true) || (n >= 0 && n <= FEW_STEPS);
-}
-
 /* What one of each coordinate is in SI: of a linear motion the first two are angles, all others lengths */
 static void set_units(arb_ptr unit, bool nonlinear, const struct flow_parameters *p, slong prec)
 {
@@ -130,7 +122,8 @@ enum flow_status rk4(bool nonlinear, const struct flow_parameters *p, arb_srcptr
     *reached = 0;
     if (!(nonlinear ? flow_nonlinear_domain : flow_linear_domain)(p, initial) || fmpq_sgn(h) <= 0)
         return FLOW_DOMAIN;
-    if (!steps_in_reach(p, h, times, count))
+    const slong steps = steps_until(times + count - 1, h);
+    if (!flow_in_reach(p, times, count, true) && steps > FEW_STEPS)
         return FLOW_STALLED;
     flow_gains(c1, c2, p, prec);
     set_units(unit, nonlinear, p, prec);

@@ -114,8 +114,8 @@ bool two_body_move(struct two_body *b, const arb_t tau, slong prec)
 {
     const slong steps = (slong)ceil(arf_get_d(arb_midref(tau), ARF_RND_UP) / TWO_BODY_STEP);
     bool proved = true;
-    struct jet jet;
-    struct majorant bound;
+    OWNED(jet) jet;
+    OWNED(majorant) bound;
     SCOPE(arb, h);
     SCOPE(mag, length, one);
     jet_init(&jet, &two_craft, PAIR_ORDER);
@@ -137,7 +137,5 @@ bool two_body_move(struct two_body *b, const arb_t tau, slong prec)
             sum_terms(b->velocity + i, &jet, &bound, AT(i / AXES, U + i % AXES), h, prec);
         }
     }
-    majorant_clear(&bound);
-    jet_clear(&jet);
     return proved;
 }
