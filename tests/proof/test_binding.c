@@ -187,13 +187,7 @@ static const struct {
     /* a property claims nothing of its formula, but is to be there */
     {"a", "7*a", "    from: [given]\n    to: [shape]\n    show: [shape.k = given.g]", ""},
     {"a", "7*a", "    from: [given]\n    to: [shape, \"2a\"]\n    show: [\"eq2.f = given.g(a = 2*a/7)\"]", "k stands in no equality"},
-    /* (W7); a name that one equality alone has needs it */
-    {"a", "a", ENDS "    let: {u: a + b}\n    show: [\"eq1.f(a = 2*a) = given.g(a = 2*a)\", eq1.f = given.g + 0*u]",
-     "eq1.f(a = 2*a) = given.g(a = 2*a) could be left out"},
-    {"a", "a", ENDS "    let: {u: a + b}\n    show: [eq1.f = given.g + 0*u, \"eq1.f(a = 2*a) = given.g(a = 2*a)\"]",
-     "eq1.f(a = 2*a) = given.g(a = 2*a) could be left out"},
-    {"a", "a", ENDS "    let: {u: a + b, v: b + c}\n    show: [eq1.f = given.g + 0*u, \"eq1.f(a = 2*a) = given.g(a = 2*a) + 0*v\"]", ""},
-    {"a", "a", ENDS "    let: {u: a + b, v: b + c}\n    show: [eq1.f = given.g + 0*u*v, \"eq1.f(a = 2*a) = given.g(a = 2*a) + 0*v\"]", "could be left out"},
+    /* (W7) */
     {"a", "a", ENDS "    show: [eq1.f = given.g, \"eq1.f(a = 2*a) = given.g(a = 2*a)\"]", "could be left out"},
     {"a", "a", "    from: [given, further]\n    to: [\"1\"]\n    show: [eq1.f = given.g, eq1.f = further.g/5]", ""},
     {"a", "a", "    from: [given, further]\n    to: [\"1\"]\n    show: [eq1.f = given.g, eq1.f = further.g/5, given.g = further.g/5]", "could be left out"},

@@ -580,31 +580,9 @@ static bool all_shown(struct table *table)
 
 /* ---- no equality can be left out ---- */
 
-/* A name that one equality alone rests on. */
-static void note_names(struct table *table)
-{
-    const struct identities *t = &table->s->corrected;
-    const struct program *p = &t->program;
-    int *by = xrealloc(NULL, (size_t)p->named, sizeof *by); /* 1 + the equality; -1: several */
-    memset(by, 0, (size_t)p->named * sizeof *by);
-    for (int e = 0; e < t->shown_count; e++) {
-        char *needed = program_needs(p, t->shown[e].left, NULL);
-        program_mark(p, t->shown[e].right, NULL, needed);
-        for (int i = p->inputs; i < p->named; i++)
-            if (needed[p->names[i].node])
-                by[i] = by[i] == 0 ? 1 + e : -1;
-        free(needed);
-    }
-    for (int i = p->inputs; i < p->named; i++)
-        if (by[i] > 0)
-            table->alone[by[i] - 1] = true;
-    free(by);
-}
-
 static bool all_wanted(struct table *table)
 {
     const struct identities *t = &table->s->corrected;
-    note_names(table);
     for (int i = 0; i < t->shown_count; i++)
         if (!table->alone[i])
             return BINDING_FAULT(table, t->shown[i].at, 0, "%s could be left out: nothing in from and to needs it", t->shown[i].text);
