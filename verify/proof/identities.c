@@ -11,7 +11,7 @@
 /* What is known of a node. */
 struct known {
     struct symbolic value;
-    bool done, kept;
+    bool done;
 };
 
 static const struct symbolic *value_of(struct run *r, int i);
@@ -170,31 +170,29 @@ void run_begin(struct run *r, const struct identities *t, slong terms, enum mann
 
 void run_keep(struct run *r, int count)
 {
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         if (r->t->needed[i])
             value_of(r, i);
-        r->nodes[i].kept = r->nodes[i].done;
-    }
     symbolic_keep();
+}
+
+/* Of nodes that are no longer there. */
+static void clear_from(struct run *r, int first)
+{
+    while (r->count > first)
+        if (r->nodes[--r->count].done)
+            arithmetic_symbolic.clear(&r->nodes[r->count].value);
 }
 
 void run_forget(struct run *r)
 {
-    for (int i = 0; i < r->count; i++) {
-        if (r->nodes[i].done && !r->nodes[i].kept)
-            arithmetic_symbolic.clear(&r->nodes[i].value);
-        if (!r->nodes[i].kept)
-            r->nodes[i] = (struct known){.done = false};
-    }
-    r->count = FLINT_MIN(r->count, r->t->program.count);
+    clear_from(r, r->t->program.count);
     symbolic_forget();
 }
 
 void run_end(struct run *r)
 {
-    for (int i = 0; i < r->count; i++)
-        if (r->nodes[i].done)
-            arithmetic_symbolic.clear(&r->nodes[i].value);
+    clear_from(r, 0);
     symbolic_end();
     free(r->nodes);
     free(r->variable);

@@ -148,7 +148,7 @@ enum manner { RUN_STRICT, RUN_LOOSE, RUN_AT_POINT }; /* strict and loose: see sy
 void run_begin(struct run *r, const struct identities *t, slong terms, enum manner manner, slong more);
 void run_end(struct run *r);
 
-/* What is known of the program's first nodes stays; what became known since then goes; nodes were appended. */
+/* What the program's first nodes are is worked out; nodes were taken away again, and what was known of them goes; nodes were appended. */
 void run_keep(struct run *r, int count);
 void run_forget(struct run *r);
 void run_extend(struct run *r);
