@@ -341,10 +341,13 @@ $(DATA)/errata.csv:
 	cp data/errata.csv $@.tmp
 	@mv $@.tmp $@
 
-$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/random.csv $(DATA)/errata.csv
-	@$(SHA256) $(sort $^) >$@.sums.tmp
-	$(call PRINTED,$(PROGRAM) datapackage <$@.sums.tmp)
-	@rm $@.sums.tmp
+# Of the words of paper/package.csv, of the sheet's and a design's.
+$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/random.csv $(DATA)/errata.csv paper/package.awk paper/package.csv
+	@$(PROGRAM) equations --json >$@.equations.tmp
+	@$(PROGRAM) design n=12 --json >$@.design.tmp
+	@$(SHA256) $(sort $(filter $(DATA)/%,$^)) >$@.sums.tmp
+	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=$(VERSION) paper/package.csv $@.equations.tmp $@.design.tmp $@.sums.tmp)
+	@rm $@.equations.tmp $@.design.tmp $@.sums.tmp
 
 ## figures: the figures and the graph of derivations, as SVG and PNG, in build/figures/
 figures: $(FIGURES) $(BUILD)/figures/derivations.svg $(BUILD)/figures/derivations.png

@@ -264,7 +264,6 @@ static const struct {
     {"verify --graph", 2, "--graph"},
     {"verify claims --json --csv", 2, "--json"},
     {"verify errors --count 0", 2, "--count"},
-    {"datapackage data/table1.csv", 2, "data/table1.csv"},
 };
 
 CASE(command_line, NULL, NULL)

@@ -161,25 +161,4 @@ check 'questions without one' ends 1 "$wrong" conform --questions --only eq13
 stops 'a golden vector without end' 's/x1_0: 5\.05, y1_0: 0\.0, z1_0: -0\.0/x1_0: 0.00, y1_0: 0.0, z1_0: -1.0/' 1 'the craft come closer than L_ref/128' vectors flow_nonlinear --golden
 stops 'a title with a quotation mark and a tab' 's/title: orbital rate/title: orb"tal	rate/' 0 'orb\"tal\u0009rate' equations --json
 
-# ---- files that the data package cannot be made from ----
-
-package() { # NAME TEXT LINE
-    printf '%s\n' "$3" >"$work/in"
-    check "$1" ends 1 sh -c "\"\$CT_PROGRAM\" datapackage <\"\$0\"" "$work/in"
-    check "$1" says "$2"
-}
-mkfifo "$work/pipe"
-package 'no hash' "expected HASH  FILE, got 'table1.csv'" 'table1.csv'
-package 'no file' '/nowhere.csv: No such file' 'abc  /nowhere.csv'
-package 'an empty file' '/dev/null: expected a header line' 'abc  /dev/null'
-echo 'id,x' >"$work/pipe" &
-package 'a file without a size' '/pipe: Illegal seek' "abc  $work/pipe"
-wait
-check 'a folder for the list' ends 1 sh -c "\"\$CT_PROGRAM\" datapackage <data"
-check 'a folder for the list' says 'standard input: Is a directory'
-echo 'id,x' >"$work/other.csv"
-printf 'abc  %s\n' "$work/other.csv" >"$work/in"
-check 'a file without a title' ends 0 sh -c "\"\$CT_PROGRAM\" datapackage <\"\$0\"" "$work/in"
-check 'a file without a title' says '"title": "other.csv"'
-
 finish

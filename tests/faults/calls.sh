@@ -85,17 +85,10 @@ on=''
 # ---- files ----
 
 golden=$(pwd -P)/data/golden/eq09.csv
-sha256sum "$(pwd -P)"/data/*.csv >"$work/sums" # strace compares names as they are given
 refusal=1
 each openat EACCES -P "$golden" -- conform --answers "$golden" eq09
 each openat EMFILE -P "$golden" -- conform --answers "$golden" eq09
 each read EIO -P "$golden" -- conform --answers "$golden" eq09
-input=$work/sums
-each read EIO -P "$work/sums" -- datapackage
-each openat EACCES -P "$(pwd -P)/data/table1.csv" -- datapackage
-each read EIO -P "$(pwd -P)/data/table1.csv" -- datapackage
-each lseek EIO -P "$(pwd -P)/data/table1.csv" -- datapackage
-input=$work/none
 
 # The file of --report is the old one then, whole, and nothing lies beside it.
 report=$work/folder/report.json

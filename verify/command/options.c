@@ -49,8 +49,6 @@ const struct subcommand subcommands[] = {
     {"typeset", command_typeset, {"[ID]"}, 1,
      "The formulas as LaTeX for the literate edition, a record a line, its fields between tabs: section, kind, equation "
      "number, name, text."},
-    {"datapackage", command_datapackage, {"<SHA256SUMS"}, 0,
-     "The data files' description, datapackage.json, from lines of sha256sum on standard input."},
     {"help", command_help, {"[SUBCOMMAND]"}, 1,
      "The subcommands, or all about one: its words, its options with their units and defaults, and examples. SUBCOMMAND --help "
      "and SUBCOMMAND -h say the same."},
@@ -71,7 +69,7 @@ const struct option options[] = {
     {"--json", NULL, NULL, NULL, "equations verify design", NULL, false, "JSON in place of text for reading"},
     {"--json", NULL, NULL, NULL, "eval", "ID", false, "JSON in place of text for reading"},
     {"--csv", NULL, NULL, NULL, "table1", NULL, false, "CSV in place of text for reading"},
-    {"-o", "FILE", NULL, NULL, "equations eval table1 figure trajectory verify study design vectors typeset datapackage", NULL, false,
+    {"-o", "FILE", NULL, NULL, "equations eval table1 figure trajectory verify study design vectors typeset", NULL, false,
      "in place of standard output a file, which is there whole or not at all"},
     /* motions */
     {"--at", "T,...", "s", NULL, "trajectory", NULL, false,
@@ -173,7 +171,6 @@ const struct example examples[] = {
     {"conform --answers answers.csv -o report.json eq07", "answers to one operation as CSV, and a report"},
     {"conform --kills --only eq21", "what the golden vectors are there for"},
     {"typeset eq18", "one equation as LaTeX"},
-    {"datapackage <sums >data/datapackage.json", "sums being what sha256sum data/*.csv data/golden/*.csv prints"},
     {"help trajectory", "all about a subcommand"},
     {"help --completion >~/.local/share/bash-completion/completions/coulomb-tether",
      "completion for one user; make install has it for all"},
