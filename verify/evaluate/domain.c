@@ -73,14 +73,15 @@ static int move_to_edge(const struct operation *o, int condition, struct input *
 }
 
 /* The next number, in whichever of the two directions the condition's being kept is what it is to be. */
-static bool nudge(struct operation *o, const struct input *step, int i, double *values, struct input *inputs, bool outside)
+static bool nudge(struct operation *o, int i, double *values, struct input *inputs, bool outside)
 {
+    const struct section *s = o->section;
     const double x = values[i];
-    const bool steps = strcmp(o->section->inputs[i]->name, "t") == 0 && step != NULL; /* backwards, by a whole one */
+    const bool time = strcmp(s->inputs[i]->name, "t") == 0; /* backwards, by a whole step: h is the last of the inputs */
     for (int direction = 0; direction < 2; direction++) {
         const double towards = direction == 0 ? INFINITY : -INFINITY;
-        values[i] = x != 0 ? nextafter(x, towards) : copysign(steps ? fmpq_get_d(&step->value) : ldexp(1, -100), towards);
-        inputs_of_values(o->section, values, inputs);
+        values[i] = x != 0 ? nextafter(x, towards) : copysign(time ? values[s->input_count - 1] : ldexp(1, -100), towards);
+        inputs_of_values(s, values, inputs);
         if (operation_valid(o, inputs) != outside)
             return true;
     }
@@ -91,8 +92,7 @@ bool domain_edge(struct operation *o, int condition, bool outside, double *value
 {
     const struct section *s = o->section;
     struct input *inputs = inputs_new(s->input_count);
-    int moved = -1, degree = 2;
-    const int h = input_place(s, "h");
+    int moved = 0, degree = 2;
     inputs_of_values(s, values, inputs);
     for (int i = 0; i < s->input_count && degree != 1; i++) {
         const int of_this = move_to_edge(o, condition, inputs, i);
@@ -102,8 +102,7 @@ bool domain_edge(struct operation *o, int condition, bool outside, double *value
         moved = i;
         values[i] = fmpq_get_d(&inputs[i].value);
     }
-    const bool found = moved >= 0 && (operation_valid(o, inputs) != outside ||
-                                      nudge(o, h < 0 ? NULL : &inputs[h], moved, values, inputs, outside));
+    const bool found = operation_valid(o, inputs) != outside || nudge(o, moved, values, inputs, outside);
     inputs_free(inputs, s->input_count);
     return found;
 }
