@@ -243,6 +243,52 @@ EACH(a_defect_is_refused_by_a_text_of_the_sheet, sheet()->section_count)
     inputs_free(inputs, s->input_count);
 }
 
+/*
+ * Outputs in one digit, at a tie or beside it, which enclosures of 1/3 never tell, and of what is irrational only with many bits: x2 of
+ * (5) is -4.5/3, L_ddot of (15) 6 - 1/2 and 6 - 6, Omega of (38) sqrt(6.25 +- 2^-200). At C1 = 9 Omega^2, C2 = 0 (41) is
+ * s^2 (s^2 + 7 Omega^2), and Omega 2.5/sqrt(7), but for 2^-200, a little more.
+ */
+EACH(digits_are_decided_at_a_tie_and_beside_it, 6)
+{
+    static const struct {
+        const char *id;
+        double values[8];
+        int moved; /* by 2^-200 */
+        const char *outputs[8];
+    } cases[] = {{"eq05", {1, 2, 4.5}, 0, {"3e+00", "-2e+00"}},           {"eq15", {1, 1, 3, 3, 2, 0, -3}, 0, {"6e+00"}},
+                 {"eq15", {1, 1, 3, 3, 2, 0, -36}, 0, {"0"}},             {"eq38", {6.25, 1}, 1, {"3e+00"}},
+                 {"eq38", {6.25, 1}, -1, {"2e+00"}},                      {"eq41roots", {1, 9, 0}, 0, {"0", "-3e+00", "0", "0", "0", "0", "0", "3e+00"}}};
+    const struct section *s = section_find(sheet(), cases[_i].id);
+    struct input *inputs = inputs_new(s->input_count);
+    struct operation o;
+    char *outputs[MOST_OUTPUTS];
+    SCOPE(fmpq, step);
+    SCOPE(fmpz, root);
+    operation_init(&o, s, false);
+    ck_assert(inputs_of_values(s, cases[_i].values, inputs));
+    fmpq_set_si(step, cases[_i].moved, 1);
+    fmpq_div_2exp(step, step, 200);
+    fmpq_add(&inputs[0].value, &inputs[0].value, step);
+    if (s->method == METHOD_ROOTS) { /* 2.5/sqrt(7) = sqrt(6.25/7) in units of 2^-200, the next of them, and C1 */
+        fmpz_one_2exp(root, 398);
+        fmpz_mul_ui(root, root, 25);
+        fmpz_fdiv_q_ui(root, root, 7);
+        fmpz_sqrt(root, root);
+        fmpz_add_ui(root, root, 1);
+        fmpq_set_fmpz(step, root);
+        fmpq_div_2exp(&inputs[0].value, step, 200);
+        fmpq_mul(step, &inputs[0].value, &inputs[0].value);
+        fmpq_mul_si(&inputs[1].value, step, 9);
+    }
+    ck_assert_int_eq(operation_digits(&o, inputs, 1, outputs), OPERATION_PROVED);
+    for (int i = 0; i < s->output_count; i++) {
+        ck_assert_pstr_eq(outputs[i], cases[_i].outputs[i]);
+        free(outputs[i]);
+    }
+    operation_clear(&o);
+    inputs_free(inputs, s->input_count);
+}
+
 /* ---- the program's vectors ---- */
 
 static char *printed(const char *arguments)
