@@ -126,39 +126,16 @@ void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
 
 /* ---- the law late ---- */
 
-enum { CROSSINGS = 4 };
-
-/* The delay, below one turn, after which i w is a root, x = w^2; -R = (x^2 + 2 x - 27)/((c1 + i c2 w)(3 - x)). */
-static void delay_of_crossing(arb_t d, const arb_t x, const arb_t c1, const arb_t c2, slong prec)
-{
-    SCOPE(acb, opposite);
-    SCOPE(arb, w, part);
-    arb_sqrt(w, x, prec);
-    arb_set(acb_realref(opposite), c1);
-    arb_mul(acb_imagref(opposite), c2, w, prec);
-    arb_sub_ui(part, x, 3, prec);
-    arb_neg(part, part);
-    acb_mul_arb(opposite, opposite, part, prec);
-    arb_add_ui(part, x, 2, prec);
-    arb_mul(part, part, x, prec);
-    arb_sub_ui(part, part, 27, prec);
-    acb_inv(opposite, opposite, prec);
-    acb_mul_arb(opposite, opposite, part, prec);
-    acb_arg(d, opposite, prec);
-    arb_const_pi(part, prec);
-    arb_sub(d, part, d, prec);
-    arb_div(d, d, w, prec);
-}
-
 void largest_delay(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
 {
     /* of x^k, times 1, c1^2 and c2^2 */
+    enum { CROSSINGS = 4 };
     static const slong coefficients[CROSSINGS + 1][3] = {{729, -9, 0}, {-108, 6, -9}, {-50, -1, 6}, {4, 0, -1}, {1, 0, 0}};
     SCOPE(acb_poly, p);
     VECTOR(acb, roots, CROSSINGS);
     VECTOR(arb, squares, 2);
     SCOPE(acb, a);
-    SCOPE(arb, d);
+    SCOPE(arb, w);
     arb_sqr(squares, c1, prec);
     arb_sqr(squares + 1, c2, prec);
     for (int k = CROSSINGS; k >= 0; k--) {
@@ -167,15 +144,15 @@ void largest_delay(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
             arb_addmul_si(acb_realref(a), squares + j, coefficients[k][j + 1], prec);
         acb_poly_set_coeff_acb(p, k, a);
     }
-    if (acb_poly_find_roots(roots, p, NULL, 0, prec) == CROSSINGS)
-        arb_pos_inf(limit);
-    else
-        arb_indeterminate(limit);
+    const slong isolated = acb_poly_find_roots(roots, p, NULL, 0, prec);
     for (int k = 0; k < CROSSINGS; k++)
-        if (!arb_is_negative(acb_realref(roots + k))) {
-            delay_of_crossing(d, acb_realref(roots + k), c1, c2, prec);
-            arb_min(limit, limit, d, prec);
-        }
+        arb_max(w, w, acb_realref(roots + k), prec);
+    arb_sqrt(w, w, prec);
+    arb_mul(limit, c2, w, prec);
+    arb_atan2(limit, limit, c1, prec);
+    arb_div(limit, limit, w, prec);
+    if (isolated < CROSSINGS)
+        arb_indeterminate(limit);
 }
 
 /* ---- the nonlinear motion, the law held ---- */

@@ -13,8 +13,9 @@
  *
  * Late by d, the roots are those of lambda^4 - 2 lambda^2 - 27 + (c1 + c2 lambda)(lambda^2 + 3) exp(-d lambda). In the right
  * half plane they are bounded, so they get there over the axis: at lambda = i w, with x = w^2,
- * (x^2 + 2 x - 27)^2 = (c1^2 + c2^2 x)(3 - x)^2 and exp(-i d w) = -(x^2 + 2 x - 27)/((c1 + i c2 w)(3 - x)). The left
- * side is less than the other at 0, more at 3, less where x^2 + 2 x = 27, more far off: all four x are real, and three positive.
+ * (x^2 + 2 x - 27)^2 = (c1^2 + c2^2 x)(3 - x)^2 and exp(-i d w) = -(x^2 + 2 x - 27)/((c1 + i c2 w)(3 - x)). The left side is less
+ * than the other at 0, more at 3, less where x^2 + 2 x = 27, more far off: all four x are real, and three positive. Then d w is
+ * atan(c2 w/c1), of the middle one half a turn more. As atan(c2 w/c1)/w falls with w, the largest x has the least d.
  */
 #ifndef CT_SAMPLING_H
 #define CT_SAMPLING_H
