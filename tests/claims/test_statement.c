@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims/statement.h"
+#include "claims/verdicts.h"
 #include "formula/typeset.h"
 
 static struct derivations proofs;
@@ -462,6 +462,74 @@ EACH(mistakes_are_told_with_their_place, COUNT(mistakes))
         snprintf(text, sizeof text, "%.*s%s%s", (int)(at - good), good, mistakes[_i].to, at + strlen(mistakes[_i].from));
     ck_assert_int_eq(statements_read(&s, &proofs, &(struct source){"t", text, strlen(text)}, &why), -1);
     ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "%s\n%s", why.text, text);
+}
+
+/* ---- equations ---- */
+
+static enum verdict verdict_on(const struct section *s, const char *equation, struct statements *claims)
+{
+    struct verdict_row row = {.id = s->id};
+    verdict_on_equation(&row, &proofs, claims, s, equation);
+    ck_assert(row.verdict == VERDICT_NONE || (row.why.plain.length > 0) == (row.verdict < HOLDS));
+    verdict_row_clear(&row);
+    return row.verdict;
+}
+
+TEST(an_equation_rests_on_every_step_that_leads_to_it)
+{
+    int count = 0;
+    for (int i = 0; i < proofs.step_count; i++) { /* as if all were proved */
+        proofs.steps[i].proved = true;
+        proofs.steps[i].printed_proof.result = IDENTITY_DIFFERS;
+        for (int k = 0; k < proofs.steps[i].remainder_count; k++)
+            proofs.steps[i].remainders[k].proof.state = REMAINDER_PROVED;
+    }
+    for (int i = 0; i < proofs.step_count; i++)
+        for (int k = 0; k < proofs.sheet->section_count; k++) {
+            const struct section *s = &proofs.sheet->sections[k];
+            if (s->numbers != 1 || !entry_leads_to(&proofs, proofs.steps[i].to[0], s->equations[0]))
+                continue;
+            ck_assert_int_ne(verdict_on(s, s->equations[0], NULL), VERDICT_NONE);
+            proofs.steps[i].proof.result = IDENTITY_UNDECIDED;
+            ck_assert_int_eq(verdict_on(s, s->equations[0], NULL), VERDICT_NONE);
+            proofs.steps[i].proof.result = IDENTITY_HOLDS;
+            count++;
+        }
+    ck_assert_int_gt(count, 40);
+    for (int i = 0; i < proofs.step_count; i++)
+        proofs.steps[i].proved = false;
+}
+
+/* (21) differs at its second special values alone, which are outside its domain. */
+TEST(what_is_printed_otherwise_has_to_differ)
+{
+    struct section s = *section_find(proofs.sheet, "eq21");
+    int invalid = 0;
+    while (strcmp(s.specials[invalid].flags, "invalid") != 0)
+        invalid++;
+    s.special_count = invalid + 1;
+    ck_assert_int_eq(verdict_on(&s, "21", NULL), HOLDS);
+    s.special_count = invalid;
+    ck_assert_int_eq(verdict_on(&s, "21", NULL), VERDICT_NONE);
+    ck_assert_int_eq(verdict_on(section_find(proofs.sheet, "eq18"), "99", NULL), VERDICT_NONE); /* no step leads there */
+}
+
+TEST(an_equation_is_as_weak_as_the_weakest_claim_on_it)
+{
+    for (int weak = 0; weak < 4; weak++) {
+        char text[1024];
+        struct statements s;
+        int length = 0;
+        for (int k = 0; k < 2; k++)
+            length += snprintf(text + length, sizeof text - (size_t)length, "%c:\n  where: here\n  kind: beyond\n  claim: it is so\n  why: so\n"
+                               "  equations: ['7']\n  verdict: %s\n  prove: {a: dL %c 0}\n  evidence: so\n", 'c' + k,
+                               (weak >> k & 1) != 0 ? "refuted" : "qualified", weak == 3 && k == 0 ? '<' : '>');
+        read_claim(&s, text);
+        ck_assert_int_eq(verdict_on(section_find(proofs.sheet, "eq07"), "7", &s),
+                         weak == 0 ? QUALIFIED : weak < 3 ? REFUTED : VERDICT_NONE);
+        ck_assert_int_eq(verdict_on(section_find(proofs.sheet, "eq18"), "18", &s), HOLDS);
+        statements_clear(&s);
+    }
 }
 
 /* ---- mathematics in a sentence ---- */

@@ -17,18 +17,20 @@ enum truth { UNDECIDED, FOUND_TRUE, FOUND_FALSE };
 
 enum how { EXACT, CERTIFIED };
 
+/* The less is left of a statement, the less the number. */
 enum verdict {
     VERDICT_NONE, /* undecided: a failure */
-    HOLDS,
-    HOLDS_AS_CORRECTED,
-    QUALIFIED,
     REFUTED,
+    NOT_DECIDABLE,
+    QUALIFIED,
+    HOLDS_AS_CORRECTED,
+    HOLDS,
     DEFINITION,
-    NOT_DECIDABLE
+    VERDICTS
 };
 
-extern const char *const verdict_names[]; /* "undecided", "holds", "holds as corrected", ... */
-extern const char *const how_names[];     /* "exact", "certified"                            */
+extern const char *const verdict_names[VERDICTS]; /* "undecided", "refuted", ... */
+extern const char *const how_names[];             /* "exact", "certified"        */
 
 /* Of what a trajectory, an orbit's study or a limit is made: a function that hands over named numbers. */
 struct computed;

@@ -8,7 +8,7 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-const char *const verdict_names[] = {"undecided", "holds", "holds as corrected", "qualified", "refuted", "definition", "not decidable"};
+const char *const verdict_names[] = {"undecided", "refuted", "not decidable", "qualified", "holds as corrected", "holds", "definition"};
 const char *const how_names[] = {"exact", "certified"};
 
 /* ---- numbers ---- */

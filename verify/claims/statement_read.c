@@ -517,10 +517,10 @@ static bool read_wanted(struct verdict_condition *c, const struct statement *s, 
 static bool read_verdict(struct claim_reading *r, const char *verdict, const struct yaml *at, size_t offset, const struct yaml *condition)
 {
     struct statement *s = r->statement;
-    int v = HOLDS;
-    while (v <= NOT_DECIDABLE && strcmp(verdict_names[v], verdict) != 0)
+    int v = VERDICT_NONE + 1;
+    while (v < VERDICTS && strcmp(verdict_names[v], verdict) != 0)
         v++;
-    if (v > NOT_DECIDABLE || s->verdict_count == MOST_VERDICTS)
+    if (v == VERDICTS || s->verdict_count == MOST_VERDICTS)
         return node_error(at, offset, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
     struct verdict_condition *c = &s->conditions[s->verdict_count];
     s->verdicts[s->verdict_count++] = (enum verdict)v;

@@ -90,15 +90,11 @@ static enum difference compare_prints(struct verdict_row *row, const struct sect
 static enum difference compare_instances(struct verdict_row *row, const struct section *s)
 {
     struct instance paper = {.name = "the paper's case"}, unequal = {.name = "$m1 = 100$ kg, $m2 = 300$ kg"};
-    bool masses = false;
-    for (int i = 0; i < s->input_count; i++) {
-        unequal.texts[i] = strcmp(s->inputs[i]->name, "m1") == 0   ? "100"
-                           : strcmp(s->inputs[i]->name, "m2") == 0 ? "300"
-                                                                   : NULL;
-        masses = masses || unequal.texts[i] != NULL;
-    }
+    const int m1 = input_place(s, "m1"), m2 = input_place(s, "m2");
     enum difference differs = compare_prints(row, s, &paper);
-    if (masses) {
+    if (m1 >= 0 && m2 >= 0) {
+        unequal.texts[m1] = "100";
+        unequal.texts[m2] = "300";
         const enum difference further = compare_prints(row, s, &unequal);
         differs = FLINT_MAX(differs, further);
     }
@@ -137,14 +133,6 @@ static bool steps_to(struct verdict_row *row, const struct derivations *p, const
     return fine;
 }
 
-/* How little is left of an equation: the more, the weaker. */
-static int weakness(enum verdict v)
-{
-    static const int order[] = {[VERDICT_NONE] = 9, [DEFINITION] = 0, [HOLDS] = 1, [HOLDS_AS_CORRECTED] = 2, [QUALIFIED] = 3,
-                                [NOT_DECIDABLE] = 4, [REFUTED] = 5};
-    return order[v];
-}
-
 static void add_reason(struct verdict_row *row, const char *reason)
 {
     write_marked(&row->why, row->why.plain.length > 0 ? " " : "");
@@ -164,8 +152,7 @@ static void add_claims(struct verdict_row *row, struct statements *claims, const
             add_words(row, "; claim %s: %s", s->id, verdict_names[ruling.verdict]);
             if (s->why != NULL && ruling.verdict != HOLDS && ruling.verdict != DEFINITION)
                 add_reason(row, s->why);
-            if (weakness(ruling.verdict) > weakness(row->verdict))
-                row->verdict = ruling.verdict;
+            row->verdict = FLINT_MIN(row->verdict, ruling.verdict);
             row->how = FLINT_MAX(row->how, ruling.how);
         }
     }

@@ -12,7 +12,7 @@
 struct printer {
     struct json *json;
     enum format format;
-    int rows, verdicts[NOT_DECIDABLE + 1];
+    int rows, verdicts[VERDICTS];
 };
 
 static const char *text_of(const struct tex *t)
@@ -95,10 +95,13 @@ bool verify_claims(struct verification *v)
         json_close(p.json);
     }
     if (format == FORMAT_TABLE && v->only == NULL) {
-        printf("%d verdicts:", p.rows);
-        for (int k = NOT_DECIDABLE; k >= 0; k--)
-            if (p.verdicts[k] > 0)
-                printf(" %d %s%s", p.verdicts[k], verdict_names[k], k > HOLDS || (k == HOLDS && p.verdicts[0]) ? "," : "");
+        const char *before = ":";
+        printf("%d verdicts", p.rows);
+        for (int k = VERDICTS - 1; k >= 0; k--)
+            if (p.verdicts[k] > 0) {
+                printf("%s %d %s", before, p.verdicts[k], verdict_names[k]);
+                before = ",";
+            }
         putchar('\n');
     }
     return decided;
