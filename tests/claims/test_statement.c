@@ -62,9 +62,18 @@ static const struct {
     /* I1: signs */
     {NULL, "a: dL < L_ref", FOUND_TRUE, EXACT},
     {NULL, "a: dL > L_ref", FOUND_FALSE, EXACT},
-    {NULL, "a: dL != L_ref/100", FOUND_FALSE, EXACT},
-    {NULL, "a: dL <= L_ref/100", FOUND_TRUE, EXACT},
-    {NULL, "a: dL >= L_ref/100", FOUND_TRUE, EXACT},
+    /* a bound that is a number is within ten, at one turn at least */
+    {NULL, "a: dL < 0.99", FOUND_TRUE, EXACT},
+    {NULL, "a: dL < 1.01", FOUND_LOOSE, EXACT},
+    {NULL, "a: dL > 0.0101", FOUND_TRUE, EXACT},
+    {NULL, "a: dL > 1/101", FOUND_LOOSE, EXACT},
+    {NULL, "a: -dL < 2", FOUND_LOOSE, EXACT},
+    {NULL, "a: dL > 2", FOUND_FALSE, EXACT},
+    {NULL, "a: {show: x < 1, at: {x: [0.01, 0.2, 0.01]}}", FOUND_TRUE, EXACT},
+    {NULL, "a: {show: x < 1, at: {x: [0.01, 0.02]}}", FOUND_LOOSE, EXACT},
+    {NULL, "a: {show: x^2 < 1e-19, at: {x: 0 +- 1e-20}}", FOUND_TRUE, CERTIFIED},
+    {NULL, "a: {show: x^2 < 1e-18, at: {x: 0 +- 1e-20}}", FOUND_LOOSE, CERTIFIED},
+    {NULL, "a: dL < 100*L_ref", FOUND_TRUE, EXACT}, /* no number alone */
     {NULL, "a: exp(dL) > 11/10", FOUND_TRUE, CERTIFIED},
     {NULL, "a: {show: exp(x) > 1, at: {x: 1/10^60}}", FOUND_TRUE, CERTIFIED}, /* of 200 bits */
     {NULL, "a: L > 0", UNDECIDED, CERTIFIED}, /* L has no value */
@@ -79,9 +88,7 @@ static const struct {
     {NULL, "a: {show: x^2 - x + 0.2501 < 0, on: {x: [0, 1]}}", FOUND_FALSE, CERTIFIED},
     {NULL, "a: {show: x - 1/2 > 0, on: {x: [0, 1]}}", FOUND_FALSE, CERTIFIED}, /* at one end */
     {NULL, "a: {show: 1/2 - x > 0, on: {x: [0, 1]}}", FOUND_FALSE, CERTIFIED}, /* at the other */
-    {NULL, "a: {show: x^2 + 1 >= 0, on: {x: [0, 1]}}", FOUND_TRUE, CERTIFIED},
-    {NULL, "a: {show: x <= 2, on: {x: [0, 1]}}", FOUND_TRUE, CERTIFIED},
-    {NULL, "a: {show: x + 1 != 0, on: {x: [0, 1]}}", UNDECIDED, CERTIFIED}, /* of signs alone */
+    {NULL, "a: {show: x < 200, on: {x: [0, 1]}}", FOUND_TRUE, CERTIFIED},
     {NULL, "a: {show: y - x - 2 = 0, on: {x: [0, 1]}, at: {y: 1}}", UNDECIDED, CERTIFIED},
     {NULL, "a: {show: log(x) < x, on: {x: [1/2, 3]}}", FOUND_TRUE, CERTIFIED},
     {NULL, "a: {show: 1 > 0, on: {x: [0, 1/(1 - 1)]}}", UNDECIDED, CERTIFIED},
@@ -96,24 +103,23 @@ static const struct {
     {NULL, "a: {show: x > 0, on: {x: [pi, 1]}}", UNDECIDED, CERTIFIED},
     {NULL, "a: {root: x - 1, on: {x: [2, 0]}}", UNDECIDED, EXACT},
     {NULL, "a: {show: x > 0, on: {x: [1, m]}, at: {m: [2, 0]}}", UNDECIDED, CERTIFIED},
-    {NULL, "a: {roots: x, on: {x: [2, 1]}, count: 0}", UNDECIDED, EXACT},
     {NULL, "a: {root: x - 1, on: {x: [1/(1 - 1), 3]}}", UNDECIDED, EXACT},
     {NULL, "a: {show: x > 0, on: {x: [1, 1]}}", FOUND_TRUE, CERTIFIED},
     {NULL, "a: {root: x^2 - 2, on: {x: [sqrt(2), 2]}}", FOUND_TRUE, EXACT}, /* ends belong to it, and to all their balls */
     {NULL, "a: {root: x^2 - 2, on: {x: [1, sqrt(2)]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {root: exp(x) - n, on: {x: [0, 3]}}", FOUND_TRUE, CERTIFIED},
     /* I4: real roots, counted */
-    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [0]}, count: 2}", FOUND_TRUE, EXACT},
-    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: []}, count: 3}", FOUND_TRUE, EXACT},
-    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [-4, 2]}, count: 2}", FOUND_TRUE, EXACT}, /* not 2 itself */
-    {NULL, "a: {roots: x^2 + 1, on: {x: []}, count: 1}", FOUND_FALSE, EXACT},
-    {NULL, "a: {roots: x^2*(x - 1), on: {x: []}, count: 2}", FOUND_TRUE, EXACT}, /* different ones */
-    {NULL, "a: {roots: x^2 - m, on: {x: []}, count: 2, at: {m: [1, 5]}}", FOUND_TRUE, EXACT},
-    {NULL, "a: {roots: exp(x), on: {x: []}, count: 0}", UNDECIDED, EXACT},
-    {NULL, "a: {roots: 1/x, on: {x: []}, count: 0}", UNDECIDED, EXACT},
-    {NULL, "a: {roots: sqrt(x) + 1, on: {x: []}, count: 0}", UNDECIDED, EXACT},
-    {NULL, "a: {roots: x^-2, on: {x: []}, count: 0}", UNDECIDED, EXACT},
-    {NULL, "a: {roots: x - x, on: {x: []}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [0]}, count: 2}", FOUND_TRUE, EXACT}, /* different ones */
+    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [-4]}, count: 3}", FOUND_TRUE, EXACT},
+    {NULL, "a: {roots: (x - 1)^2*(x - 2)*(x + 3), on: {x: [1]}, count: 1}", FOUND_TRUE, EXACT}, /* not 1 itself */
+    {NULL, "a: {roots: x^2 + 1, on: {x: [-9]}, count: 1}", FOUND_FALSE, EXACT},
+    {NULL, "a: {roots: x^2 - m, on: {x: [-9]}, count: 2, at: {m: [1, 5]}}", FOUND_TRUE, EXACT},
+    {NULL, "a: {roots: exp(x), on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: 1/x, on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: sqrt(x) + 1, on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: x^-2, on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: x - 1, on: {x: [sqrt(2)]}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: x - x, on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
     /* I5: matrices */
     {"free: [u, v], system: {u: v, v: 0*u}", "a: {rank: 1}", FOUND_TRUE, EXACT},
     {"free: [u, v], system: {u: v, v: -u}", "a: {rank: 1}", FOUND_FALSE, EXACT}, /* no less */
@@ -164,22 +170,22 @@ static const struct {
     const char *open;
 } rulings[] = {
     {"a", "a: dL > 0", HOLDS, true, ""},
-    {"[a, b]", "a: dL > 0\n    b: dL < 1", HOLDS, true, ""},
+    {"[a, b]", "a: dL > 0\n    b: dL < 1/2", HOLDS, true, ""},
     {"not a", "a: dL < 0", HOLDS, true, ""},
     {"[a, not b, not d]", "a: dL > 0\n    b: dL < 0\n    d: dL > 1", HOLDS, true, ""},
     {"a", "a: dL < 0", VERDICT_NONE, false, "t:7:8: c is undecided: 'a' is false"},
     {"[a, b]", "a: dL < 0\n    b: dL > 1", VERDICT_NONE, false, "t:7:8: c is undecided: 'a' is false"},
-    {"[a, not b]", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is true"},
+    {"[a, not b]", "a: dL > 0\n    b: dL < 1/2", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is true"},
     {"[a, b]", "a: dL > 0\n    b: L > 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'b' is found neither true nor false"},
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r < 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r > 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
-    {"a", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:8:8: c stands without 'b', or with its contrary"},
-    {"b", "a: dL > 0\n    b: dL < 1", HOLDS, false, "t:7:8: c stands without 'a', or with its contrary"},
-    {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    a: r > 1\n    b: dL < 1", HOLDS, false, "t:9:8: c stands without 'b', or with its contrary"},
+    {"a", "a: dL > 0\n    b: dL < 1/2", HOLDS, false, "t:8:8: c stands without 'b', or with its contrary"},
+    {"b", "a: dL > 0\n    b: dL < 1/2", HOLDS, false, "t:7:8: c stands without 'a', or with its contrary"},
+    {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    a: r > 1\n    b: dL < 1/2", HOLDS, false, "t:9:8: c stands without 'b', or with its contrary"},
     {"a", "a: dL > 0\n    b: {compute: escaping_10}", HOLDS, false, "t:8:8: c stands without 'b'"},
     {"a", "run: {compute: escaping_10}\n    a: run.at_nowhere_0 < 0", VERDICT_NONE, false, "t:8:8: c is undecided: 'a' is found neither"},
     {"a, refuted: not a", "a: dL < 0", REFUTED, false, "t:7:8: c comes out as 'refuted', its evidence is written for 'holds': 'a' is false"},
-    {"[a, b], refuted: [b, a]", "a: dL > 0\n    b: dL < 1", VERDICT_NONE, false, "more than one of its conditions is true"},
+    {"[a, b], refuted: [b, a]", "a: dL > 0\n    b: dL < 1/2", VERDICT_NONE, false, "more than one of its conditions is true"},
     {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    a: {show: x > 1, at: {x: r}}", HOLDS, true, ""}, /* r serves a by way of x, */
     {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    t: {root: t - r, on: {t: [1, 2]}}\n    a: t > 1", HOLDS, true, ""}, /* of t */
     {"[a, returns]", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 < 0", HOLDS, true, ""},
@@ -196,7 +202,7 @@ EACH(verdicts_follow_from_conditions, COUNT(rulings))
 /* Where nothing else is said all is wanted, but for the computations that the others rest on. */
 EACH(a_verdict_by_itself_wants_all, 3)
 {
-    static const char *const prove[] = {"a: dL > 0\n    b: dL < 1", "a: dL > 0\n    b: dL > 1", "run: {compute: escaping_10}\n    a: run.at_dL_0 < 0"};
+    static const char *const prove[] = {"a: dL > 0\n    b: dL < 1/2", "a: dL > 0\n    b: dL > 1", "run: {compute: escaping_10}\n    a: run.at_dL_0 < 0"};
     static const char holds[] = {'h', 'o', 'l', 'd', 's'};
     char text[4096];
     write_claim(text, "a}", NULL, prove[_i], NULL);
@@ -236,12 +242,12 @@ static const struct {
     enum verdict verdict;
     enum how how;
 } pairs_of_claims[] = {
-    {"a", "dL > 0", "dL < 1", HOLDS, EXACT},
-    {"a", "exp(dL) > 1", "dL < 1", HOLDS, CERTIFIED},
+    {"a", "dL > 0", "dL < 1/2", HOLDS, EXACT},
+    {"a", "exp(dL) > 1", "dL < 1/2", HOLDS, CERTIFIED},
     {"a", "dL > 0", "exp(dL) > 1", HOLDS, CERTIFIED},
-    {"a", "dL < 0", "dL < 1", VERDICT_NONE, EXACT},
+    {"a", "dL < 0", "dL < 1/2", VERDICT_NONE, EXACT},
     {"a", "dL > 0", "dL > 1", VERDICT_NONE, EXACT},
-    {"a, refuted: not a", "dL < 0", "dL < 1", VERDICT_NONE, EXACT}, /* not by another condition */
+    {"a, refuted: not a", "dL < 0", "dL < 1/2", VERDICT_NONE, EXACT}, /* not by another condition */
 };
 
 EACH(a_claim_may_rest_on_two, COUNT(pairs_of_claims))
@@ -274,8 +280,6 @@ TEST(a_root_that_is_not_alone_has_no_digits)
 
 /* ---- numbers ---- */
 
-#define ZEROS "000000000000000000000000000000000000000" /* 39 */
-
 static const struct {
     const char *number, *decimal; /* NULL: not proved */
     enum how how;
@@ -284,17 +288,13 @@ static const struct {
     {"1.25e-5 | 3", "1.25e-05", EXACT},   {"1250000 | 3", "1250000", EXACT},    {"12500000 | 3", "1.25e+07", EXACT},
     {"-12.5 | 4", "-12.50", EXACT},       {"2 | 1", "2", EXACT},                {"dL - 1/10 | 3", "0", EXACT},
     {"1/8 | exact", "1/8", EXACT},        {"sqrt(2) | exact", NULL, EXACT},     {"sqrt(2) | 5", "1.4142", EXACT},
-    {"sqrt(2) | .2", "1.41", EXACT},      {"sqrt(2)/100 | .3", "0.014", EXACT}, {"-sqrt(2) | .0", "-1", EXACT},
     {"sqrt(2) | 2 up", "1.5", EXACT},     {"sqrt(2) | 2 down", "1.4", EXACT},   {"-sqrt(2) | 2 up", "-1.4", EXACT},
     {"sqrt(2)/1000 | 2 up", "0.0015", EXACT}, {"pi | 6", "3.14159", EXACT},     {"x | 1", "1", CERTIFIED},
     {"x | 3", NULL, CERTIFIED},           {"x | 2 up", "1.4", CERTIFIED},       {"x | 2 down", "1.1", CERTIFIED},
     {"r | 6", "1.41421", EXACT},          {"L | 3", NULL, EXACT},
     {"9.99 | 2", "10", EXACT},             {"sqrt(99.99) | 3", "10.0", EXACT},
     {"1.51e12*sqrt(1) | 2 up", "1.6e+12", EXACT}, {"dL - 1/10 | 2 up", "0", EXACT},
-    {"1.25e-18 | .20", "0.00000000000000000125", EXACT}, {"sqrt(2)/10^40 | .42", "0." ZEROS "141", EXACT},
-    {"0 | .20", "0.00000000000000000000", EXACT}, {"12345678.25 | .0", "12345678", EXACT},
-    {"L | 2 up", NULL, EXACT}, {"dL/1000 | .0", NULL, EXACT}, {"12/17 | exact", "12/17", EXACT},
-    {"0.01476 | .3", "0.015", EXACT}, {"1234.567 | .1", "1234.6", EXACT},
+    {"L | 2 up", NULL, EXACT}, {"12/17 | exact", "12/17", EXACT},
 };
 
 EACH(numbers_have_proved_digits_or_none, COUNT(numbers))
@@ -353,6 +353,8 @@ TEST(evidence_is_written_in_both_forms)
 
 /* ---- mistakes ---- */
 
+#define PROVE "  prove:\n    a: dL > 0"
+
 static const struct {
     const char *from, *to, *expected;
 } mistakes[] = {
@@ -362,7 +364,7 @@ static const struct {
     {"{holds: [a, b]}", "{stands: [a, b]}", "t:5:13: expected a verdict"},
     {"verdict: {holds: [a, b]}", "verdict: stands", "t:5:12: expected a verdict"},
     {"{holds: [a, b]}", "{holds: {a: b}}", "t:5:20: expected a list"},
-    {"  verdict: {holds: [a, b]}\n  prove:\n    a: dL > 0\n    b: dL < 1\n", "  verdict: holds\n", "t:5:12: expected something to prove"},
+    {"  verdict: {holds: [a, b]}\n  prove:\n    a: dL > 0\n    b: dL < 1/2\n", "  verdict: holds\n", "t:5:12: expected something to prove"},
     {"verdict: {holds: [a, b]}", "verdict: {}", "t:5:12: expected verdict"},
     {"{holds: [a, b]}", "{holds: [a, b, d]}", "t:5:27: expected a name of prove"},
     {"{holds: [a, b]}", "{holds: [a, not d]}", "t:5:28: expected a name of prove"},
@@ -378,7 +380,7 @@ static const struct {
     {"a: dL > 0", "a: eq43.C1 - eq43.C1 + m2 = m2", "t:7:8: it holds whatever the sheet says"},
     {"a: dL > 0", "a: [eq43.C1 = n*Omega^2, 0*eq44.C2 = 0]", "t:7:30: it holds whatever the sheet says"},
     {"a: dL > 0", "a: {algebra: dL > 0}", "t:7:18: expected equalities for all values"},
-    {"a: dL > 0", "a: {show: dL <= dL}", "t:7:15: both sides are the same"},
+    {"a: dL > 0", "a: {show: dL > dL}", "t:7:15: both sides are the same"},
     {"a: dL > 0", "a: dL > nothing", "t:7:13: unknown symbol 'nothing'"},
     {"a: dL > 0", "a: {sohw: dL > 0}", "t:7:8: expected left = right, or one of show,"},
     {"a: dL > 0", "a: {show: dL > 0, att: {x: [1]}}", "t:7:23: unknown key 'att', expected perhaps at"},
@@ -393,14 +395,14 @@ static const struct {
     {"a: dL > 0", "a: {algebra: []}", "t:7:18: expected equalities"},
     {"a: dL > 0", "a: {step: []}", "t:7:15: expected a step"},
     {"a: dL > 0", "a: {claim: []}", "t:7:16: expected a claim that stands before"},
-    {"a: dL > 0", "a: {rank: 0, system: {}}", "t:7:26: expected a system"},
+    {PROVE, "  given: {system: {}}\n  prove:\n    a: {rank: 0}", "t:6:19: expected a system"},
     {"a: dL > 0", "a: {show: x > 0, let: {x: 2}, at: {x: -1}}", "t:7:40: 'x' stands in let, too"},
     {"a: dL > 0", "a: {show: x > 0, let: {x: 2}, on: {x: [-1, 1]}}", "t:7:40: 'x' stands in let, too"},
     {"a: dL > 0", "a: {show: x > 0, let: {x: 2}, at: {x: [-1, 1]}}", "t:7:40: 'x' stands in let, too"},
     {"a: dL > 0", "a: {root: x^2 - 2, let: {x: dL}, on: {x: [1, 2]}}", "t:7:43: 'x' stands in let, too"},
-    {"  prove:\n    a: dL > 0", "  given: {let: {x: 2}}\n  prove:\n    a: {root: x^2 - 2, on: {x: [1, 2]}}", "t:8:29: 'x' stands in let, too"},
-    {"  prove:\n    a: dL > 0", "  given: {let: {x: 2}, at: {x: 1}}\n  prove:\n    a: x > 1", "t:6:29: 'x' stands in let, too"},
-    {"verdict: {holds: [a, b]}\n  prove:\n    a: dL > 0\n    b: dL < 1", "verdict: holds\n  prove:\n    a: {compute: escaping_10}",
+    {PROVE, "  given: {let: {x: 2}}\n  prove:\n    a: {root: x^2 - 2, on: {x: [1, 2]}}", "t:8:29: 'x' stands in let, too"},
+    {PROVE, "  given: {let: {x: 2}, at: {x: 1}}\n  prove:\n    a: x > 1", "t:6:29: 'x' stands in let, too"},
+    {"verdict: {holds: [a, b]}\n  prove:\n    a: dL > 0\n    b: dL < 1/2", "verdict: holds\n  prove:\n    a: {compute: escaping_10}",
      "t:5:12: expected something to prove"},
     {"a: dL > 0", "a: {on: {x: [0, 1]}}", "t:7:8: expected left = right, or one of"},
     {"a: dL > 0", "a: {show: dL > x, on: {x: [0]}}", "t:7:27: expected on"},
@@ -408,9 +410,9 @@ static const struct {
     {"a: dL > 0", "a: {root: x}", "t:7:8: expected on"},
     {"a: dL > 0", "a: {root: 1, on: {'': [0, 1]}}", "t:7:22: expected on"},
     {"a: dL > 0", "a: {root: x, on: {x: [0]}}", "t:7:22: expected on"},
-    {"a: dL > 0", "a: {roots: x, on: {x: [0, 1, 2]}, count: 0}", "t:7:23: expected on"},
-    {"a: dL > 0", "a: {roots: x, on: {x: []}, count: many}", "t:7:39: expected a count"},
-    {"a: dL > 0", "a: {rank: many, system: {psi: psi_dot}}", "t:7:15: expected a "},
+    {"a: dL > 0", "a: {roots: x, on: {x: [0, 1]}, count: 0}", "t:7:23: expected on"},
+    {"a: dL > 0", "a: {roots: x, on: {x: [0]}, count: many}", "t:7:40: expected a count"},
+    {"a: dL > 0", "a: {rank: many}", "t:7:15: expected a "},
     {"a: dL > 0", "a: {rank: 1}", "t:7:8: expected a system"},
     {"a: dL > 0", "a: {step: [kepler, nowhere]}", "t:7:24: expected a step"},
     {"a: dL > 0", "a: {step: [kepler, [kepler]]}", "t:7:24: expected a list"},
@@ -427,20 +429,20 @@ static const struct {
     {"claim: it", "claim: it {dL | 2}", "t:4:13: expected no number"},
     {"kind: beyond", "kind: beyond\n  equations: ['99']", "unknown '99', expected an equation number"},
     {"kind: beyond", "kind: beyond\n  equations: 99", "t:4:14: expected a list"},
-    {"  verdict: {holds: [a, b]}\n  prove:\n    a: dL > 0\n    b: dL < 1\n", "", "expected something to prove"},
+    {"  verdict: {holds: [a, b]}\n  prove:\n    a: dL > 0\n    b: dL < 1/2\n", "", "expected something to prove"},
     {"kind: beyond\n  claim: it is so\n  verdict: {holds: [a, b]}", "kind: misprint\n  claim: it is so", "missing why, of a verdict other"},
     {"  evidence: >-\n    so it is\n", "", "missing evidence"},
-    {"  prove:\n    a: dL > 0\n    b: dL < 1", "  prove: [a]", "t:6:10: expected a mapping"},
+    {"  prove:\n    a: dL > 0\n    b: dL < 1/2", "  prove: [a]", "t:6:10: expected a mapping"},
     {"a: dL > 0", "a: [dL > 0]", "t:7:9: expected left = right"},
     {"a: dL > 0", "a: {root: [1], on: {x: [0, 1]}}", "t:7:15: expected a formula"},
     {"a: dL > 0", "a: {show: dL > 0, at: [1]}", "t:7:27: expected a mapping"},
     {"a: dL > 0", "a: {show: dL > x, at: {x: []}}", "t:7:31: expected a value, or several"},
     {"a: dL > 0", "a: {show: dL > x, at: {x: [y]}}", "t:7:32: unknown symbol 'y'"},
     {"a: dL > 0", "a: {show: dL > x, on: {x: [0, 1], y: [0, 1]}}", "t:7:27: expected on"},
-    {"a: dL > 0", "a: {rank: 1, system: {nowhere: 1}}", "t:7:27: unknown symbol 'nowhere'"},
-    {"a: dL > 0", "a: {rank: 1, system: {psi: [1]}}", "t:7:32: expected a formula"},
-    {"a: dL > 0", "a: {rank: 1, system: {psi: psi_dot}, control: nowhere}", "t:7:51: expected control"},
-    {"a: dL > 0\n    b: dL < 1", "a: b > 0\n    b: {root: x - 1, on: {x: [0, 2]}}", "t:7:8: 'a' rests on itself, or on what stands after it"},
+    {PROVE, "  given: {system: {nowhere: 1}}\n  prove:\n    a: {rank: 1}", "t:6:20: unknown symbol 'nowhere'"},
+    {PROVE, "  given: {system: {psi: [1]}}\n  prove:\n    a: {rank: 1}", "t:6:25: expected a formula"},
+    {PROVE, "  given: {system: {psi: psi_dot}}\n  prove:\n    a: {rank: 1, control: nowhere}", "t:8:27: expected control"},
+    {"a: dL > 0\n    b: dL < 1/2", "a: b > 0\n    b: {root: x - 1, on: {x: [0, 2]}}", "t:7:8: 'a' rests on itself, or on what stands after it"},
     {"evidence: >-\n    so", "evidence: >-\n    {dM | 2} {dL | 2}", "t:10:6: unknown symbol 'dM'"},
     {"(nothing)", "c: 5", "t:1:4: expected a mapping"},
     {"(nothing)", "[c]", "t:1:1: expected a mapping"},
@@ -452,7 +454,7 @@ EACH(mistakes_are_told_with_their_place, COUNT(mistakes))
     char good[4096], text[8192];
     struct statements s;
     struct message why = {""};
-    write_claim(good, "[a, b]", NULL, "a: dL > 0\n    b: dL < 1", NULL);
+    write_claim(good, "[a, b]", NULL, "a: dL > 0\n    b: dL < 1/2", NULL);
     const char *at = strstr(good, mistakes[_i].from);
     const bool whole = strcmp(mistakes[_i].from, "(nothing)") == 0;
     ck_assert_msg(at != NULL || whole, "%s", mistakes[_i].from);

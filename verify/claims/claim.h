@@ -13,7 +13,7 @@
 #include "proof/derivation.h"
 #include "text/flint.h"
 
-enum truth { UNDECIDED, FOUND_TRUE, FOUND_FALSE };
+enum truth { UNDECIDED, FOUND_TRUE, FOUND_FALSE, FOUND_LOOSE }; /* loose: true, by a bound that is too wide */
 
 enum how { EXACT, CERTIFIED };
 

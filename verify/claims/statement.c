@@ -13,15 +13,15 @@ const char *const how_names[] = {"exact", "certified"};
 
 /* ---- numbers ---- */
 
-/* d.ddde-05 to that many decimals or, if that is -1, without an exponent where it takes few zeros. */
-static char *plain_decimal(const char *scientific, slong decimals)
+/* d.ddde-05 without an exponent where it takes few zeros. */
+static char *plain_decimal(const char *scientific)
 {
     struct tex t = {NULL, 0};
     const char *digits = scientific + (*scientific == '-'), *mark = strchr(digits, 'e');
     const slong exponent = mark != NULL ? strtol(mark + 1, NULL, 10) : 0; /* "0" has none */
     const slong count = mark != NULL ? mark - digits - (digits[1] == '.') : 1;
-    const slong places = decimals >= 0 ? decimals : FLINT_MAX(count - 1 - exponent, 0);
-    if (decimals < 0 && (exponent < -4 || exponent > 6))
+    const slong places = FLINT_MAX(count - 1 - exponent, 0);
+    if (exponent < -4 || exponent > 6)
         return text_copy(scientific);
     tex_add(&t, "%s", *scientific == '-' ? "-" : "");
     for (slong power = FLINT_MAX(exponent, 0); power >= -places; power--) {
@@ -31,29 +31,15 @@ static char *plain_decimal(const char *scientific, slong decimals)
     return t.text;
 }
 
-/* Of the first digit of an upper bound; 0 of zero. */
-static slong exponent_of(const arb_t x)
-{
-    SCOPE(arb, y);
-    arb_get_abs_ubound_arf(arb_midref(y), x, 64);
-    char *text = decimal_of_ball(y, 20);
-    const char *mark = text != NULL ? strchr(text, 'e') : NULL;
-    const slong exponent = mark != NULL ? strtol(mark + 1, NULL, 10) : 0;
-    free(text);
-    return exponent;
-}
-
 /* Its digits, where the enclosure or, if it is rational, the number itself decides them. */
 static char *number_text(const struct quoted_number *q, const arb_t x, const fmpq_t exact)
 {
-    const bool fixed = q->rounding == TO_DECIMALS, bound = q->rounding == UPWARD || q->rounding == DOWNWARD;
-    const slong digits = q->digits + (fixed ? 1 + exponent_of(x) : 0);
-    if (digits < 1 || !arb_is_finite(x)) /* what is quoted as a rational number has none */
+    if (q->rounding == AS_RATIONAL || !arb_is_finite(x)) /* what is quoted as a rational number has no digits */
         return NULL;
-    char *text = bound           ? decimal_of_end(x, digits, q->rounding == UPWARD)
-                 : exact != NULL ? decimal_of_rational(exact, digits)
-                                 : decimal_of_ball(x, digits);
-    char *plain = text != NULL ? plain_decimal(text, fixed ? q->digits : -1) : NULL;
+    char *text = q->rounding != TO_DIGITS ? decimal_of_end(x, q->digits, q->rounding == UPWARD)
+                 : exact != NULL          ? decimal_of_rational(exact, q->digits)
+                                          : decimal_of_ball(x, q->digits);
+    char *plain = text != NULL ? plain_decimal(text) : NULL;
     free(text);
     return plain;
 }
@@ -163,7 +149,7 @@ static void decide_numbers(struct deciding *d, struct ruling *r)
 
 void statement_decide(struct statements *all, struct statement *s, int without, struct ruling *r)
 {
-    static const char *const findings[] = {"found neither true nor false", "true", "false"};
+    static const char *const findings[] = {"found neither true nor false", "true", "false", "true by a bound that is not within ten"};
     struct deciding d = {.all = all, .statement = s, .without = without};
     char text[384];
     int found = -1, many = 0, failed, entry = -1;

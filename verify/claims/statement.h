@@ -36,7 +36,6 @@ struct values {
 enum assertion_kind {
     ASSERT_SHOW, ASSERT_ROOT, ASSERT_ROOTS, ASSERT_RANK, ASSERT_STEP, ASSERT_CLAIM, ASSERT_COMPUTE
 };
-enum ordering { IS_EQUAL, IS_UNEQUAL, IS_BELOW, IS_ABOVE, IS_AT_MOST, IS_AT_LEAST };
 
 /* States and their rates, in which they are linear. */
 struct linear_system {
@@ -50,13 +49,15 @@ struct assertion {
     const char *name;
     const struct yaml *node;
     enum assertion_kind kind;
-    enum ordering ordering;
+    int sign;                     /* of left - right: -1, 0, 1                          */
     struct identities identity;   /* of an equality for all values                      */
     bool everywhere;              /* ... which it is                                    */
     bool algebra;                 /* ... with nothing of the sheet in it                */
     const struct formula *formula; /* left - right; whose roots                         */
+    int right;                    /* node of it                                         */
+    bool loose;                   /* right is a number alone, yet at no turn within ten of left */
     const char *variable;         /* that moves between low and high; NULL: none        */
-    const struct formula *low, *high; /* NULL: no bound                                 */
+    const struct formula *low, *high; /* of roots low alone                             */
     struct values at;
     long count;
     struct linear_system system;
@@ -69,7 +70,7 @@ struct assertion {
 };
 
 /* A number of the evidence. */
-enum rounding { TO_DIGITS, TO_DECIMALS, UPWARD, DOWNWARD, AS_RATIONAL };
+enum rounding { TO_DIGITS, UPWARD, DOWNWARD, AS_RATIONAL };
 
 struct quoted_number {
     const struct formula *formula;

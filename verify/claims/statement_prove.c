@@ -6,7 +6,7 @@
  *   (I1) a sign is that of the exact number, or of a ball without 0                                (sign_at)
  *   (I2) between bounds it is the same on parts that leave nothing out, the bounds' radii included (sign_between)
  *   (I3) a root is the only one: all other parts have a sign, its own a slope; bounds as before (isolate_between)
- *   (I4) a count is of different roots in (low, high), by Sturm's chain of the square-free part    (roots_counted)
+ *   (I4) a count is of different roots above low, by Sturm's chain of the square-free part         (roots_beyond)
  *   (I5) a rank is that of all rates by all states, and by the control                             (rank_found)
  *   (I6) of several values, conditions, citations each has to be so                                (truth_both)
  */
@@ -142,43 +142,51 @@ slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slon
 
 /* ---- signs ---- */
 
-static enum truth by_sign(enum ordering o, int sign)
+/* Whether a bound is zero, within ten of what it bounds, which is z more, or next to nothing where that may be 0. */
+static bool is_tight(const struct assertion *a, const struct bindings *b, const arb_t z)
 {
-    const bool holds = o == IS_EQUAL      ? sign == 0
-                       : o == IS_UNEQUAL  ? sign != 0
-                       : o == IS_BELOW    ? sign < 0
-                       : o == IS_ABOVE    ? sign > 0
-                       : o == IS_AT_MOST  ? sign <= 0
-                                          : sign >= 0;
-    return holds ? FOUND_TRUE : FOUND_FALSE;
+    struct formula right = *a->formula;
+    SCOPE(arb, bound, left, ten);
+    right.node = a->right;
+    formula_enclose(bound, &right, b);
+    arb_add(left, bound, z, b->bits);
+    if (arb_contains_zero(left) || arb_is_zero(bound))
+        return arf_cmpabs_2exp_si(arb_midref(bound), -60) < 0;
+    arb_div(left, left, bound, b->bits);
+    arb_abs(left, left);
+    arb_set_ui(ten, 10);
+    arb_inv(bound, left, b->bits);
+    return arb_le(left, ten) && arb_le(bound, ten);
 }
 
-static enum truth sign_at(const struct assertion *a, const struct bindings *at)
+static enum truth sign_at(struct assertion *a, const struct bindings *at)
 {
     struct bindings b = *at;
-    enum truth truth = UNDECIDED;
+    int sign = 0;
     SCOPE(fmpq, q);
     SCOPE(arb, z);
-    if (formula_rational(q, a->formula, &b))
-        truth = by_sign(a->ordering, fmpq_sgn(q));
-    for (b.bits = PROVING_BITS; truth == UNDECIDED && b.bits <= MOST_PROVING_BITS; b.bits *= 2) {
+    const bool rational = formula_rational(q, a->formula, &b);
+    arb_set_fmpq(z, q, PROVING_BITS);
+    for (b.bits = PROVING_BITS; !rational && sign_of_ball(z) == 0 && b.bits <= MOST_PROVING_BITS; b.bits *= 2) {
         formula_enclose(z, a->formula, &b);
-        if (sign_of_ball(z) != 0)
-            truth = by_sign(a->ordering, sign_of_ball(z));
         weaken(&b, CERTIFIED);
     }
-    return truth;
+    sign = sign_of_ball(z);
+    if (sign == 0 && !rational)
+        return UNDECIDED;
+    a->loose = a->loose && !is_tight(a, &b, z);
+    return sign == a->sign ? FOUND_TRUE : FOUND_FALSE;
 }
 
 /* Above or below zero between two bounds. */
 static enum truth sign_on(const struct assertion *a, const struct bindings *b)
 {
-    const int sign = a->ordering == IS_ABOVE || a->ordering == IS_AT_LEAST ? 1 : -1;
+    const int sign = a->sign;
     enum truth truth = UNDECIDED;
     struct graph g;
     SCOPE(arb, low, high);
     const bool bounded = bounds_enclose(low, high, a, b);
-    if (graph_init(&g, a->formula, a->variable, b) && bounded && a->ordering >= IS_BELOW) {
+    if (graph_init(&g, a->formula, a->variable, b) && bounded && sign != 0) {
         if (sign_of_ball(curve_at(&g.curve, low)) == -sign || sign_of_ball(curve_at(&g.curve, high)) == -sign)
             truth = FOUND_FALSE;
         else if (sign_between(&g.curve, low, high, sign, DEEPEST_BISECTION))
@@ -191,10 +199,10 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b)
 
 /* ---- polynomials and matrices ---- */
 
-/* How many different roots a polynomial, not zero, has beyond a point; without one, how many at all. */
-static slong roots_beyond(const fmpq_poly_t f, bool has_point, const fmpq_t point)
+/* How many different roots a polynomial, not zero, has beyond a point. */
+static slong roots_beyond(const fmpq_poly_t f, const fmpq_t point)
 {
-    slong negative = 0, positive = 0, zeros = 0;
+    slong negative, positive = 0;
     SCOPE(fmpq_poly, g, h);
     SCOPE(fmpz_poly, simple);
     fmpq_poly_set_coeff_fmpq(h, 0, point);
@@ -204,28 +212,20 @@ static slong roots_beyond(const fmpq_poly_t f, bool has_point, const fmpq_t poin
     fmpq_poly_gcd(h, g, h);
     fmpq_poly_div(g, g, h);
     fmpq_poly_get_numerator(simple, g);
-    while (zeros < simple->length && fmpz_is_zero(simple->coeffs + zeros))
-        zeros++;
-    fmpz_poly_shift_right(simple, simple, zeros);
+    if (simple->length > 0 && fmpz_is_zero(simple->coeffs))
+        fmpz_poly_shift_right(simple, simple, 1);
     if (fmpz_poly_degree(simple) > 0)
         _fmpz_poly_num_real_roots_sturm(&negative, &positive, simple->coeffs, simple->length);
-    return has_point ? positive : negative + zeros + positive;
+    return positive;
 }
 
 static enum truth roots_counted(const struct assertion *a, const struct bindings *b)
 {
     SCOPE(fmpq_poly, f);
-    SCOPE(fmpq, low, high, value);
-    slong count = -1;
-    if (polynomial_of(f, a->formula, a->variable, b) && !fmpq_poly_is_zero(f) && (a->low == NULL || formula_rational(low, a->low, b)) &&
-        (a->high == NULL || (formula_rational(high, a->high, b) && fmpq_cmp(low, high) <= 0))) {
-        count = roots_beyond(f, a->low != NULL, low);
-        if (a->high != NULL) {
-            fmpq_poly_evaluate_fmpq(value, f, high);
-            count -= roots_beyond(f, true, high) + fmpq_is_zero(value);
-        }
-    }
-    return count < 0 ? UNDECIDED : count == a->count ? FOUND_TRUE : FOUND_FALSE;
+    SCOPE(fmpq, low);
+    if (!polynomial_of(f, a->formula, a->variable, b) || fmpq_poly_is_zero(f) || !formula_rational(low, a->low, b))
+        return UNDECIDED;
+    return roots_beyond(f, low) == a->count ? FOUND_TRUE : FOUND_FALSE;
 }
 
 /* A derivative of each rate by each state, and by the control. */
@@ -332,7 +332,7 @@ static enum truth found_at_each(struct statements *all, struct statement *s, str
     enum truth truth = FOUND_TRUE;
     for (; b.turn < a->at.turns; b.turn++)
         truth = truth_both(truth, found_at(a, &b));
-    return truth;
+    return truth == FOUND_TRUE && a->loose ? FOUND_LOOSE : truth;
 }
 
 void assertion_find(struct statements *all, struct statement *s, struct assertion *a)

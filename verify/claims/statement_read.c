@@ -33,12 +33,6 @@ static const struct yaml *own(const struct claim_reading *r, const char *key)
     return under(r->entry, key);
 }
 
-/* The same or, where it says nothing, the statement's `given`. */
-static const struct yaml *entry_given(const struct claim_reading *r, const char *key)
-{
-    return own(r, key) != NULL ? own(r, key) : under(r->statement->given, key);
-}
-
 /* A mistake at a node or, where it is missing, in the entry. */
 static bool entry_error(const struct claim_reading *r, const struct yaml *node, const char *expected)
 {
@@ -237,44 +231,51 @@ static bool read_values(struct claim_reading *r, struct values *at)
 
 /* ---- assertions ---- */
 
-/* on: {name: [low, high]}; with fewer bounds, beyond low, or everywhere. */
+/* on: {name: [low, high]}, or [low] alone */
 static bool read_interval(struct claim_reading *r, struct assertion *a, int bounds)
 {
     const struct yaml *on = own(r, "on"), *range = on != NULL && on->mapping && on->count == 1 ? &on->items[0] : NULL;
-    if (range == NULL || range->key[0] == '\0' || range->text != NULL || range->mapping || range->count < bounds || range->count > 2)
-        return entry_error(r, on, "expected on: {name: [low, high]}");
+    if (range == NULL || range->key[0] == '\0' || range->text != NULL || range->mapping || range->count != bounds)
+        return entry_error(r, on, bounds == 2 ? "expected on: {name: [low, high]}" : "expected on: {name: [low]}");
     a->variable = range->key;
-    return is_no_let(r, range, AT_KEY, range->key) && (range->count < 1 || (a->low = read_formula(r, &range->items[0])) != NULL) &&
-           (range->count < 2 || (a->high = read_formula(r, &range->items[1])) != NULL);
+    return is_no_let(r, range, AT_KEY, range->key) && (a->low = read_formula(r, &range->items[0])) != NULL &&
+           (bounds == 1 || (a->high = read_formula(r, &range->items[1])) != NULL);
 }
 
-static const char *find_ordering(const char *text, enum ordering *ordering, size_t *length)
+/* The sign of a relation, but for those within parentheses; NULL: none. */
+static const char *find_relation(const char *text, int *sign)
 {
-    static const struct {
-        const char *sign;
-        enum ordering ordering;
-    } signs[] = {{"!=", IS_UNEQUAL}, {"<=", IS_AT_MOST}, {">=", IS_AT_LEAST}, {"<", IS_BELOW}, {">", IS_ABOVE}, {"=", IS_EQUAL}};
     int depth = 0;
-    for (const char *at = text; *at != '\0'; at++) {
-        depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
-        for (size_t k = 0; k < sizeof signs / sizeof *signs && depth == 0; k++)
-            if (strncmp(at, signs[k].sign, strlen(signs[k].sign)) == 0) {
-                *ordering = signs[k].ordering;
-                *length = strlen(signs[k].sign);
-                return at;
-            }
+    for (; *text != '\0'; text++) {
+        depth += *text == '(' ? 1 : *text == ')' ? -1 : 0;
+        if (depth == 0 && strchr("<=>", *text) != NULL) {
+            *sign = *text - '=';
+            return text;
+        }
     }
     return NULL;
 }
 
+/* Whether a node has no name in it. */
+static bool is_number(const struct program *p, int node)
+{
+    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
+    program_needs(p, node, NULL, needed);
+    const bool number = memchr(needed, true, (size_t)FLINT_MIN(p->inputs, node + 1)) == NULL;
+    free(needed);
+    return number;
+}
+
 /* left - right of a relation in a scalar, `sign` between them. */
-static bool read_difference(struct claim_reading *r, struct assertion *a, const struct yaml *node, const char *sign, size_t length)
+static bool read_difference(struct claim_reading *r, struct assertion *a, const struct yaml *node, const char *sign)
 {
     const char *text = node->text, *left = keep_text(r->all, text, (size_t)(sign - text));
     struct parsing f;
     parsing_open(&f, r);
-    const int one = parsing_add(&f, node, left, 0), other = parsing_add(&f, node, sign + length, (size_t)(sign - text) + length);
-    a->formula = parsing_close(&f, r, f.fine ? program_append(&f.identities.program, OPERATOR_SUBTRACT, one, other, 0) : -1);
+    const int one = parsing_add(&f, node, left, 0);
+    a->right = parsing_add(&f, node, sign + 1, (size_t)(sign - text) + 1);
+    a->loose = f.fine && a->sign != 0 && a->variable == NULL && is_number(&f.identities.program, a->right);
+    a->formula = parsing_close(&f, r, f.fine ? program_append(&f.identities.program, OPERATOR_SUBTRACT, one, a->right, 0) : -1);
     return a->formula != NULL;
 }
 
@@ -296,20 +297,18 @@ static bool read_identity(struct claim_reading *r, struct assertion *a, const st
                                                                 "what is algebra alone"));
 }
 
-/* The same but for blanks. */
 static bool read_show(struct claim_reading *r, struct assertion *a, const struct yaml *show)
 {
-    size_t length;
-    const char *sign = show->text != NULL ? find_ordering(show->text, &a->ordering, &length) : NULL;
+    const char *sign = show->text != NULL ? find_relation(show->text, &a->sign) : NULL;
     if (show->text == NULL && !show->mapping)
         return is_texts(show, MOST_SHOWN) && (show->count > 0 || entry_error(r, show, "expected equalities")) && read_identity(r, a, show);
     if (sign == NULL)
-        return entry_error(r, show, "expected left = right, or another sign of < > <= >= != between them");
+        return entry_error(r, show, "expected left = right, or < or > between them");
     if (own(r, "on") != NULL && !read_interval(r, a, 2))
         return false;
-    if (same_text(show->text, sign, sign + length))
+    if (same_text(show->text, sign, sign + 1)) /* but for blanks */
         return entry_error(r, show, "both sides are the same, expected what could be otherwise");
-    return a->ordering == IS_EQUAL && own(r, "at") == NULL ? read_identity(r, a, show) : read_difference(r, a, show, sign, length);
+    return a->sign == 0 && own(r, "at") == NULL ? read_identity(r, a, show) : read_difference(r, a, show, sign);
 }
 
 /* What rests on no formula of the sheet, and says so. */
@@ -335,13 +334,13 @@ static bool read_root(struct claim_reading *r, struct assertion *a, const struct
 
 static bool read_root_count(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
-    return read_interval(r, a, 0) && (a->formula = read_formula(r, value)) != NULL && read_count(r, own(r, "count"), &a->count);
+    return read_interval(r, a, 1) && (a->formula = read_formula(r, value)) != NULL && read_count(r, own(r, "count"), &a->count);
 }
 
 /* The rank of a system's matrix: states and their rates, in one program. */
 static bool read_rank(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
-    const struct yaml *system = entry_given(r, "system"), *control = own(r, "control"), *observe = own(r, "observe");
+    const struct yaml *system = under(r->statement->given, "system"), *control = own(r, "control"), *observe = own(r, "observe");
     struct linear_system *l = &a->system;
     struct parsing f;
     if (!read_count(r, value, &a->count))
@@ -437,7 +436,7 @@ static const struct form {
     {"root", ASSERT_ROOT, read_root, KEYS({.key = "root"}, {.key = "on"}, FORMULA_FIELDS)},
     {"roots", ASSERT_ROOTS, read_root_count, KEYS({.key = "roots"}, {.key = "on"}, {.key = "count"}, FORMULA_FIELDS)},
     {"rank", ASSERT_RANK, read_rank,
-     KEYS({.key = "rank"}, {.key = "system"}, {.key = "control"}, {.key = "observe"}, FORMULA_FIELDS)},
+     KEYS({.key = "rank"}, {.key = "control"}, {.key = "observe"}, FORMULA_FIELDS)},
     {"step", ASSERT_STEP, read_cited_step, KEYS({.key = "step"})},
     {"claim", ASSERT_CLAIM, read_claim, KEYS({.key = "claim"})},
     {"compute", ASSERT_COMPUTE, read_compute, KEYS({.key = "compute"})}};
@@ -552,23 +551,23 @@ static bool read_verdicts(struct claim_reading *r, const struct yaml *node, cons
 
 /* ---- evidence ---- */
 
-/* "4", ".2", "exact", "2 up", "2 down" */
+/* "4", "exact", "2 up", "2 down" */
 static bool read_rounding(const char *text, struct quoted_number *n)
 {
     char word[8] = "", end;
-    n->rounding = *text == '.' ? TO_DECIMALS : TO_DIGITS;
+    n->rounding = TO_DIGITS;
     if (strcmp(text, "exact") == 0) {
         n->rounding = AS_RATIONAL;
         return true;
     }
-    const int count = sscanf(text + (*text == '.'), "%ld %7[a-z]%c", &n->digits, word, &end);
+    const int count = sscanf(text, "%ld %7[a-z]%c", &n->digits, word, &end);
     if (count == 2 && strcmp(word, "up") == 0)
         n->rounding = UPWARD;
     else if (count == 2 && strcmp(word, "down") == 0)
         n->rounding = DOWNWARD;
     else if (count != 1)
         return false;
-    return n->digits >= (*text == '.' ? 0 : 1) && n->digits <= 60 && (count == 1 || *text != '.');
+    return n->digits >= 1 && n->digits <= 60;
 }
 
 static const char *keep_trimmed(struct statements *s, const char *from, const char *to)
@@ -593,7 +592,7 @@ static bool read_number(struct claim_reading *r, const struct yaml *node, const 
     n->unit = last != NULL ? keep_trimmed(r->all, last + 1, end) : NULL;
     if (bar == NULL || !read_rounding(keep_trimmed(r->all, bar + 1, last != NULL ? last : end), n))
         return node_error(node, start + (bar != NULL ? (size_t)(bar - at) + 1 : 0),
-                          "expected {FORMULA | DIGITS}, DIGITS being 4, .2, exact, 2 up or 2 down");
+                          "expected {FORMULA | DIGITS}, DIGITS being 4, exact, 2 up or 2 down");
     return (n->formula = read_formula_text(r, node, n->text, start + strspn(at, " "))) != NULL;
 }
 

@@ -23,7 +23,7 @@ static const char *text_of(const struct tex *t)
 /* The numbers of the evidence, as data. */
 static void print_numbers(struct json *j, const struct statement *s)
 {
-    static const char *const roundings[] = {"digits", "decimals", "at most", "at least", "exact"};
+    static const char *const roundings[] = {"digits", "at most", "at least", "exact"};
     json_open(j, "numbers", '[');
     for (int i = 0; s != NULL && i < s->number_count; i++) {
         const struct quoted_number *q = &s->numbers[i];
@@ -52,7 +52,7 @@ static void print_json(struct json *j, const struct verdict_row *r)
 /* Of a claim that does not come out as it is written: each assertion, and what was found of it. */
 static void print_assertions(const struct statement *s)
 {
-    static const char *const found[] = {"undecided", "true", "false"};
+    static const char *const found[] = {"undecided", "true", "false", "loose"};
     for (int i = 0; s != NULL && i < s->assertion_count; i++)
         if (s->assertions[i].done)
             printf("    %-20s %s\n", s->assertions[i].name, found[s->assertions[i].truth]);
