@@ -259,8 +259,7 @@ static const char *find_relation(const char *text, int *sign)
 /* Whether a node has no name in it. */
 static bool is_number(const struct program *p, int node)
 {
-    char *needed = xrealloc(NULL, (size_t)node + 1, 1);
-    program_needs(p, node, NULL, needed);
+    char *needed = program_needs(p, node, NULL);
     const bool number = memchr(needed, true, (size_t)FLINT_MIN(p->inputs, node + 1)) == NULL;
     free(needed);
     return number;
