@@ -70,7 +70,7 @@ stops 'unreadable steps, equations asked for' 's/^steps:/stepz:/' 1 'coulomb-tet
 stops 'unreadable claims' 's/^  evidence:/  avidence:/' 1 'coulomb-tether: paper/claims.yaml:' verify claims
 check 'unreadable claims' one_line
 stops 'unreadable claims, one asked for' 's/^  evidence:/  avidence:/' 1 'coulomb-tether: paper/claims.yaml:' verify claims routh
-stops 'a step of another name' 's/^  second_order:/  third_order_:/' 1 "no derivation step 'second_order'" study forced
+stops 'a step of another name' 's/^  pitch_law:/  pitch_low:/' 1 "no derivation step 'pitch_law'" study forced
 
 # ---- what is wrong ----
 

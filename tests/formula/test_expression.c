@@ -75,6 +75,7 @@ static const struct {
     {"0^0", "1"},
     {"1.5e1 - .5 + 5.", "39/2"},
     {"1e-3", "1/1000"},
+    {"1e+3", "1000"},
     {"0.1 + 0.2", "3/10"},     /* decimals, not doubles */
     {"sqrt(16/9)", "4/3"},
     {"sqrt(0)", "0"},
@@ -125,6 +126,7 @@ static const struct {
 } mistakes[] = {
     {"", 0, "expected a number, a symbol or '(', the formula ends here"},
     {"1 +", 3, "expected a number, a symbol or '(', the formula ends here"},
+    {"1 + ^2", 4, "expected a number, a symbol or '(', found '^'"},
     {"1 + *2", 4, "expected a number, a symbol or '(', found '*'"},
     {"(1 + 2", 6, "expected ')' or an operator, the formula ends here"},
     {"1 + 2)", 5, "expected an operator or the end of the formula, found ')'"},
@@ -404,6 +406,10 @@ TEST(derivative_follows_a_named_node)
     rate[node] = 1;
     ck_assert_int_eq(program_derivative(&p, node, rate, p.count), 1);
     free(rate);
+    program_clear(&p);
+    node = parse_inputs(&p, "x + y"); /* x by y, and y by x, the first node of all */
+    const int sum = program_derivative(&p, node, (const int[]){1, 0}, 2);
+    ck_assert(p.nodes[sum].op == OPERATOR_ADD && p.nodes[sum].left == 1 && p.nodes[sum].right == 0);
     program_clear(&p);
 }
 

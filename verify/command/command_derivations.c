@@ -8,21 +8,14 @@
 #include "command/command.h"
 #include "text/json.h"
 
-static const char *derivation_fault(const struct step *s)
-{
-    return s->binding.fault.text[0] != '\0' ? s->binding.fault.text : NULL;
-}
-
 /* NAME = VALUE, or NAME LOW ... HIGH: the states that a bound is proved on. */
-static void print_states(FILE *out, const struct yaml *on)
+static void add_states(struct tex *t, const struct yaml *on)
 {
     for (int i = 0; i < on->count; i++) {
         const struct yaml *range = &on->items[i];
-        fprintf(out, "%s%s ", i ? ", " : "", on->items[i].key);
-        if (range->text != NULL)
-            fprintf(out, "= %s", range->text);
-        else
-            fprintf(out, "%s ... %s", range->items[0].text, range->items[1].text);
+        const bool fixed = range->text != NULL;
+        tex_add(t, "%s%s %s%s%s", i ? ", " : "", range->key, fixed ? "= " : range->items[0].text, fixed ? "" : " ... ",
+                fixed ? range->text : range->items[1].text);
     }
 }
 
@@ -41,12 +34,13 @@ static void print_remainder(const struct remainder *r)
                                          [REMAINDER_EXCEEDED] = "it is exceeded",
                                          [REMAINDER_TOO_WIDE] = "not found to be half reached",
                                          [REMAINDER_UNDECIDED] = "not proved"};
+    struct tex t = {NULL, 0};
     printf("    (%s) drops at most %s %s: ", r->equation, r->at_most, r->unit);
     if (proof->state != REMAINDER_PROVED)
         print_broken(r->at, 0);
-    printf("%s with %d boxes, %d %% of it reached, on ", states[proof->state], proof->boxes, proof->percent);
-    print_states(stdout, r->on);
-    putchar('\n');
+    add_states(&t, r->on);
+    printf("%s with %d boxes, %d %% of it reached, on %s\n", states[proof->state], proof->boxes, proof->percent, t.text);
+    tex_clear(&t);
 }
 
 static void print_fault(const struct proof *p)
@@ -74,8 +68,8 @@ static void print_step(const struct step *s)
     free(domain);
     print_fault(&s->proof);
     print_fault(&s->line_proof);
-    if (derivation_fault(s) != NULL)
-        printf("    NOT BOUND: %s\n", derivation_fault(s));
+    if (s->binding.fault.text[0] != '\0')
+        printf("    NOT BOUND: %s\n", s->binding.fault.text);
     if (s->differs && printed->result == IDENTITY_DIFFERS) {
         printf("    not as printed: %s\n", printed->evidence);
     } else if (s->differs) {
@@ -138,20 +132,14 @@ static void json_by_hand(struct json *j, const struct step *s, const struct shee
 /* All that the step's equations drop, as one text. */
 static void json_dropped(struct json *j, const struct step *s)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (out == NULL)
-        out_of_memory();
+    struct tex t = {NULL, 0};
     for (int k = 0; k < s->remainder_count; k++) {
         const struct remainder *r = &s->remainders[k];
-        fprintf(out, "%s(%s) drops at most %s %s for ", k > 0 ? "; " : "", r->equation, r->at_most, r->unit);
-        print_states(out, r->on);
+        tex_add(&t, "%s(%s) drops at most %s %s for ", k > 0 ? "; " : "", r->equation, r->at_most, r->unit);
+        add_states(&t, r->on);
     }
-    if (fclose(out) != 0)
-        out_of_memory();
-    json_string(j, "dropped", s->remainder_count > 0 ? text : NULL);
-    free(text);
+    json_string(j, "dropped", t.text);
+    tex_clear(&t);
 }
 
 static void json_step(struct json *j, const struct step *s, const struct sheet *sheet)
@@ -163,7 +151,8 @@ static void json_step(struct json *j, const struct step *s, const struct sheet *
     json_texts(j, "to", s->to, s->to_count);
     if (s->corrected.order >= 0)
         json_value(j, "order", "%d", s->corrected.order);
-    json_strings(j, "domain", domain, "where", s->where, "unbound", derivation_fault(s));
+    json_strings(j, "domain", domain, "where", s->where, "unbound",
+                 s->binding.fault.text[0] != '\0' ? s->binding.fault.text : NULL);
     free(domain);
     json_dropped(j, s);
     json_identities(j, "step", &s->corrected, &s->proof);

@@ -156,7 +156,7 @@ static int parse_number(struct parser *s)
 {
     char literal[64];
     size_t n = strspn(s->at, "0123456789.");
-    if (s->at[n] == 'e' || s->at[n] == 'E') {
+    if (s->at[n] == 'e') {
         size_t sign = s->at[n + 1] == '+' || s->at[n + 1] == '-';
         n += 1 + sign + strspn(s->at + n + 1 + sign, "0123456789");
     }

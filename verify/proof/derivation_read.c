@@ -215,9 +215,9 @@ int derivations_open(struct derivations *d, const struct paper *paper, struct me
     const struct source *s = &paper->derivations;
     if (derivations_read(d, &paper->sheet, s->text, s->length, s->name, why) != 0)
         return -1;
-    if (step_named(d, "second_order") != NULL) /* its formulas are computed with */
+    if (step_named(d, "pitch_law") != NULL) /* its formulas are computed with */
         return 0;
-    message_set(why, "%s: no derivation step 'second_order'", s->name);
+    message_set(why, "%s: no derivation step 'pitch_law'", s->name);
     derivations_clear(d);
     return -1;
 }
