@@ -443,14 +443,13 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
     int rows[MOST_INPUTS], count = 0;
     struct machine m;
     struct gradient J;
-    arb_mat_t square;
     SCOPE(arb, determinant);
     for (int i = 0; i < p->inputs; i++)
         if (needed[i])
             rows[count++] = u->copy[i];
     machine_init(&m, &t->program, &arithmetic_ball, BITS);
     gradient_init(&J, &t->program, rows, count, &arithmetic_ball, BITS);
-    arb_mat_init(square, count, count);
+    MATRIX(arb, square, count, count);
     for (int i = 0; i < inputs; i++) { /* 1 + 1/512, 1 + 2/512 ..., where nothing happens to vanish, and within a quarter turn */
         arb_set_si(machine_value(&m, i), 512 + 1 + i);
         arb_mul_2exp_si(machine_value(&m, i), machine_value(&m, i), -9);
@@ -463,7 +462,6 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
                 arb_addmul(arb_mat_entry(square, i, k), gradient_value(&J, i, x), gradient_value(&J, k, x), BITS);
     arb_mat_det(determinant, square, BITS);
     const bool fills = !arb_contains_zero(determinant); /* nor is it infinite, which contains all */
-    arb_mat_clear(square);
     machine_clear(&m);
     gradient_clear(&J);
     free(needed);
