@@ -15,6 +15,8 @@
 
 enum { PREC = 192, CASES = 64 };
 
+CASE(all, NULL, flint_cleanup)
+
 /* Numbers between 0 and 1 that fill a double, other ones for another k */
 static double scattered(int k)
 {
@@ -78,7 +80,6 @@ static void assert_bounded(double y, double exact, double exact_radius, double S
     fmpq_clear(bound);
     for (int i = 0; i < 3; i++)
         fmpq_clear(q[i]);
-    flint_cleanup();
 }
 
 /* Dyadic radii, so that the corners are numbers of a double. */
@@ -121,14 +122,15 @@ TEST(E3_a_weight_that_may_be_zero_has_no_upper_bound)
     arf_nan(y);
     E = error_in_roundings(y, exact, S, BINARY64);
     ck_assert(isinf(E.lower) && isinf(E.upper));
-    flint_cleanup();
 }
 
 /* eq04 has three outputs: whichever is off by four, eight and twelve roundings, the worst of them counts, and is named; of equals the first. */
 EACH(E5_the_worst_output_counts, 4)
 {
     const struct section *s = section_find(sheet(), "eq04");
-    arb_ptr y = _arb_vec_init(3), exact = _arb_vec_init(3), S = _arb_vec_init(3);
+    VECTOR(arb, y, 3);
+    VECTOR(arb, exact, 3);
+    VECTOR(arb, S, 3);
     int output;
     for (int i = 0; i < 3; i++) {
         arb_one(exact + i);
@@ -138,10 +140,6 @@ EACH(E5_the_worst_output_counts, 4)
     const struct error_bounds E = worst_error(s, NULL, y, exact, S, BINARY64, &output);
     ck_assert_int_eq(output, _i < 3 ? 2 - _i : 0);
     ck_assert_msg(E.lower <= 11 && E.lower > 10.99 && E.upper >= 13 && E.upper < 13.01, "%.17g to %.17g", E.lower, E.upper);
-    _arb_vec_clear(y, 3);
-    _arb_vec_clear(exact, 3);
-    _arb_vec_clear(S, 3);
-    flint_cleanup();
 }
 
 /* Inside for the right ball; and outside for every output alone, moved by a tenth more than the room that MPFR gets. */
@@ -151,12 +149,12 @@ EACH(E6_mpfr_is_inside_for_every_output, sheet()->section_count)
     const struct section *s = &sheet()->sections[_i];
     if (s->method != METHOD_FORMULA)
         return;
-    struct operation o;
     double values[INPUTS];
-    struct input *inputs = inputs_new(s->input_count);
-    arb_ptr exact = _arb_vec_init(OUTPUTS), S = _arb_vec_init(OUTPUTS);
+    INPUTS(inputs);
+    VECTOR(arb, exact, OUTPUTS);
+    VECTOR(arb, S, OUTPUTS);
     SCOPE(arb, moved, kept);
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     sample(&o, 1, 3, values, inputs);
     operation_sensitivity(&o, inputs, 3 * PREC, S);
     operation_enclose(&o, inputs, 3 * PREC, exact); /* finer than the room */
@@ -174,11 +172,6 @@ EACH(E6_mpfr_is_inside_for_every_output, sheet()->section_count)
         ck_assert_msg(!mpfr_inside(&o, inputs, exact, S), "%s, output %d", s->id, i);
         arb_set(exact + i, kept);
     }
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
-    _arb_vec_clear(exact, OUTPUTS);
-    _arb_vec_clear(S, OUTPUTS);
-    flint_cleanup();
 }
 
 /* (15) where (7) holds the craft at rest: of what is left S is 2^50 times, and so are MPFR's roundings. Inside, for S is in the room. */
@@ -186,19 +179,15 @@ TEST(E6_the_room_of_mpfr_has_S)
 {
     const struct section *s = section_find(sheet(), "eq15");
     double values[] = {1, 1, 1, 2, 0.7, 0, 0}; /* Omega k_c m1 m2 L psi_dot Q */
-    struct operation o;
-    struct input *inputs = inputs_new(s->input_count);
+    INPUTS(inputs);
     SCOPE(arb, exact, S);
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     reference_find("eq07")(values, values + 6);
     ck_assert(inputs_of_values(s, values, inputs));
     operation_sensitivity(&o, inputs, 3 * PREC, S);
     operation_enclose(&o, inputs, 3 * PREC, exact);
     ck_assert(fabs(arf_get_d(arb_midref(exact), ARF_RND_NEAR)) * 0x1p50 < arf_get_d(arb_midref(S), ARF_RND_NEAR));
     ck_assert(mpfr_inside(&o, inputs, exact, S));
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
-    flint_cleanup();
 }
 
 /* ---- roots ---- */
@@ -211,13 +200,12 @@ static const double coefficients[][3] = {{1, 10.5, 3.5}, {1, 8, 1}};
 static struct error_bounds error_of_roots(int quartic, const double *y, double radius, double S)
 {
     const struct section *s = section_find(sheet(), "eq41roots");
-    struct operation o;
-    struct input *inputs = inputs_new(3);
+    INPUTS(inputs);
     VECTOR(arb, exact, 8);
     VECTOR(arb, sizes, 8);
     VECTOR(arb, answers, 8);
     int output;
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     ck_assert(inputs_of_values(s, coefficients[quartic], inputs));
     operation_enclose(&o, inputs, PREC, exact);
     for (int i = 0; i < 8; i++) {
@@ -229,9 +217,6 @@ static struct error_bounds error_of_roots(int quartic, const double *y, double r
         }
     }
     const struct error_bounds E = worst_error(s, inputs, answers, exact, sizes, BINARY64, &output);
-    operation_clear(&o);
-    inputs_free(inputs, 3);
-    flint_cleanup();
     return E;
 }
 
@@ -324,14 +309,13 @@ EACH(E4_a_measured_error_is_a_bound, sheet()->section_count)
     const struct section *s = &sheet()->sections[_i];
     double values[MOST_INPUTS], answers[MOST_OUTPUTS];
     struct measured m;
-    struct operation o;
     SCOPE(arb, E, weight, measured, worst);
     VECTOR(arb, exact, MOST_OUTPUTS);
     VECTOR(arb, S, MOST_OUTPUTS);
     if (s->method != METHOD_FORMULA)
         return;
-    struct input *inputs = inputs_new(s->input_count);
-    operation_init(&o, s, false);
+    INPUTS(inputs);
+    OPERATION(o, s);
     for (uint64_t k = 0; k < INPUTS; k++) {
         sample(&o, 1, k, values, inputs);
         reference_find(s->id)(values, answers);
@@ -352,9 +336,6 @@ EACH(E4_a_measured_error_is_a_bound, sheet()->section_count)
         arb_set_d(measured, m.worst);
         ck_assert_msg(arb_is_zero(worst) ? m.worst == 0 : arb_gt(measured, worst), "%s: %.17g, input %d", s->id, m.worst, (int)k);
     }
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
-    flint_cleanup();
 }
 
 /* ---- sensitivities ---- */
@@ -399,14 +380,13 @@ EACH(E7_enclosures_of_few_bits_hold_outputs_and_S, sheet()->section_count)
     const struct section *s = &sheet()->sections[_i];
     if (!operation_has_sensitivity(s))
         return;
-    struct operation o;
     double values[MOST_INPUTS];
-    struct input *inputs = inputs_new(s->input_count);
+    INPUTS(inputs);
     VECTOR(arb, truth, MOST_OUTPUTS);
     VECTOR(arb, true_S, MOST_OUTPUTS);
     VECTOR(arb, y, MOST_OUTPUTS);
     VECTOR(arb, S, MOST_OUTPUTS);
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     for (uint64_t k = 0; k < (s->method == METHOD_ROOTS ? ROOTS : FEW); k++) {
         sample(&o, 5, k, values, inputs);
         if (s->method == METHOD_ROOTS && k % 2 == 1) { /* near a double root, where the slope is small */
@@ -429,22 +409,18 @@ EACH(E7_enclosures_of_few_bits_hold_outputs_and_S, sheet()->section_count)
             }
         }
     }
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
-    flint_cleanup();
 }
 
 /* Thirds have no enclosure without a radius: a motion that ends where it begins holds them, each of its start. */
 EACH(E7_a_motion_of_no_time_holds_its_start, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
-    struct operation o;
     VECTOR(arb, y, MOST_OUTPUTS);
     if (s->method < METHOD_FLOW_LINEAR)
         return;
-    struct input *inputs = inputs_new(s->input_count);
+    INPUTS(inputs);
     const int t = input_place(s, "t");
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     for (int i = 0; i < s->input_count; i++)
         fmpq_set_si(&inputs[i].value, i == t ? 0 : i + 1, i > t && i <= t + s->output_count ? 3 : 1);
     for (slong prec = 20; prec <= 192; prec++) {
@@ -452,7 +428,4 @@ EACH(E7_a_motion_of_no_time_holds_its_start, sheet()->section_count)
         for (int i = 0; i < s->output_count; i++)
             ck_assert_msg(arb_contains_fmpq(y + i, &inputs[t + 1 + i].value), "%s, %ld bits of output %d", s->id, prec, i);
     }
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
-    flint_cleanup();
 }

@@ -46,36 +46,6 @@ EACH(every_operation_has_a_reference, sheet()->section_count)
     ck_assert_msg((reference_find(s->id) != NULL) == (s->method != METHOD_NONE), "%s", s->id);
 }
 
-TEST(E_of_one_rounding_is_below_one)
-{
-    /* y* = 1/3 and S = 0: the nearest double is at most u |y*| away, and its neighbour more than u/2 |y*| */
-    SCOPE(arb, exact, S);
-    SCOPE(arf, y);
-    arb_set_ui(exact, 1);
-    arb_div_ui(exact, exact, 3, 200);
-    arf_set_d(y, 1.0 / 3.0);
-    double nearest = error_in_roundings(y, exact, S, BINARY64).upper;
-    arf_set_d(y, nextafter(1.0 / 3.0, 1.0));
-    double next = error_in_roundings(y, exact, S, BINARY64).upper;
-    arf_set_d(y, 1.0f / 3.0f);
-    double single = error_in_roundings(y, exact, S, BINARY32).upper;
-    arf_nan(y);
-    double none = error_in_roundings(y, exact, S, BINARY64).upper;
-    ck_assert(nearest > 0.0 && nearest <= 1.0);
-    ck_assert(next > 0.5 && next <= 2.5);
-    ck_assert(single > 0.0 && single <= 1.0);
-    ck_assert_double_infinite(none);
-}
-
-TEST(E_is_zero_for_equality_and_infinite_where_nothing_may_be_off)
-{
-    SCOPE(arb, exact, S);
-    SCOPE(arf, y);
-    ck_assert_double_eq(error_in_roundings(y, exact, S, BINARY64).upper, 0.0);
-    arf_set_d(y, 5e-324);
-    ck_assert_double_infinite(error_in_roundings(y, exact, S, BINARY64).upper);
-}
-
 /*
  * (38): S = |GM dOmega/dGM| + |R_c dOmega/dR_c| = (1/2 + 3/2) Omega. (2) with uncharged craft: x1_ddot = 2 Omega y1_dot +
  * 3 Omega^2 x1, S = 4 Omega |y1_dot| + 9 Omega^2 |x1|, to which an infinite lambda_d adds nothing.
@@ -89,30 +59,24 @@ EACH(a_sensitivity_sums_what_each_input_does, 2)
     } cases[] = {{"eq38", {4, 1}, 4},
                  {"eq02", {2, 1, INFINITY, 1, 0, 3, 0, 0, 0, 5, 0, 1, 0, 0, 4, 0, 0, 0, 0, 1, 0, 9, 0, 0, 0, 0, 0}, 40 + 108}};
     const struct section *s = section_find(sheet(), cases[_i].id);
-    struct operation o;
     SCOPE(arb, S);
-    struct input *inputs = inputs_new(s->input_count);
-    operation_init(&o, s, false);
+    INPUTS(inputs);
+    OPERATION(o, s);
     ck_assert(inputs_of_values(s, cases[_i].values, inputs) && operation_valid(&o, inputs));
     operation_sensitivity_exact(&o, inputs, 64, 0, S);
     ck_assert(arb_contains_si(S, cases[_i].S) && arb_rel_accuracy_bits(S) > 50);
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
 }
 
 TEST(a_sample_depends_on_seed_and_index_alone)
 {
     const struct section *s = section_find(sheet(), "eq27");
-    struct operation o;
-    struct input *inputs = inputs_new(s->input_count);
+    INPUTS(inputs);
     double first[4], again[4], other[4], seeded[4];
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     sample(&o, 7, 3, first, inputs);
     sample(&o, 7, 4, other, inputs);
     sample(&o, 8, 3, seeded, inputs);
     sample(&o, 7, 3, again, inputs);
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
     ck_assert_mem_eq(first, again, sizeof first);
     ck_assert_mem_ne(first, other, sizeof first);
     ck_assert_mem_ne(first, seeded, sizeof first);
@@ -121,11 +85,10 @@ TEST(a_sample_depends_on_seed_and_index_alone)
 TEST(samples_lie_in_their_ranges)
 {
     const struct section *s = section_find(sheet(), "eq02");
-    struct operation o;
-    struct input *inputs = inputs_new(s->input_count);
+    INPUTS(inputs);
     double values[40];
     int negative = 0;
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     for (uint64_t k = 0; k < 200; k++) {
         sample(&o, 1, k, values, inputs);
         for (int i = 0; i < s->input_count; i++) {
@@ -135,8 +98,6 @@ TEST(samples_lie_in_their_ranges)
             negative += values[i] < 0.0;
         }
     }
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
     ck_assert_int_gt(negative, 200 * 8); /* of 200 * 21 signed ones about half */
 }
 
@@ -155,9 +116,8 @@ EACH(domain_of_the_sheet_is_that_of_ref, sheet()->section_count)
     uint64_t random = 1;
     if (s->method == METHOD_NONE)
         return;
-    struct operation o;
-    struct input *inputs = inputs_new(s->input_count);
-    operation_init(&o, s, false);
+    INPUTS(inputs);
+    OPERATION(o, s);
     for (int k = 0; k < 6000; k++) {
         double in[40], out[16] = {0};
         for (int i = 0; i < s->input_count; i++) {
@@ -176,8 +136,6 @@ EACH(domain_of_the_sheet_is_that_of_ref, sheet()->section_count)
         ck_assert_msg(operation_valid(&o, inputs) != (bool)isnan(out[0]), "%s: %s, ref/ gives %g", s->id,
                       isnan(out[0]) ? "valid" : o.why.text, out[0]);
     }
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
 }
 
 /* Beside the edge by 2^-200, on it, and beyond, where balls of 128 bits hold all three: Q_ref + dQ < 0, n >= 9, craft apart. */
@@ -191,18 +149,15 @@ EACH(a_condition_is_decided_however_near_its_edge, 9)
     } edges[] = {{"eq21", {-1, 1}, 1, {true, false, false}}, {"eq44", {1, 9}, 1, {false, true, true}},
                  {"eq12", {1, 2, 3, 1, 2, 3}, 4, {true, false, true}}};
     const struct section *s = section_find(sheet(), edges[_i / 3].id);
-    struct operation o;
     SCOPE(fmpq, step);
-    struct input *inputs = inputs_new(s->input_count);
-    operation_init(&o, s, false);
+    INPUTS(inputs);
+    OPERATION(o, s);
     for (int i = 0; i < s->input_count; i++)
         fmpq_set_si(&inputs[i].value, edges[_i / 3].at_edge[i], 1);
     fmpq_set_si(step, _i % 3 - 1, 1);
     fmpq_div_2exp(step, step, 200);
     fmpq_add(&inputs[edges[_i / 3].moved].value, &inputs[edges[_i / 3].moved].value, step);
     ck_assert_msg(operation_valid(&o, inputs) == edges[_i / 3].valid[_i % 3], "%s", s->id);
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
 }
 
 /*
@@ -213,13 +168,12 @@ EACH(a_condition_is_decided_however_near_its_edge, 9)
 EACH(a_defect_is_refused_by_a_text_of_the_sheet, sheet()->section_count)
 {
     const struct section *s = operation_at(_i);
-    struct operation o;
     double values[MOST_INPUTS];
     bool between = false;
     if (s->method == METHOD_NONE)
         return;
-    struct input *inputs = inputs_new(s->input_count);
-    operation_init(&o, s, false);
+    INPUTS(inputs);
+    OPERATION(o, s);
     for (uint64_t k = 0; k < 64; k++) {
         bool said = false;
         sample(&o, SEED, k, values, inputs);
@@ -239,8 +193,6 @@ EACH(a_defect_is_refused_by_a_text_of_the_sheet, sheet()->section_count)
         between = between || (reason != NULL && strcmp(reason, ": expected t/h an integer") == 0);
     }
     ck_assert_int_eq(between, s->method >= METHOD_RK4_LINEAR);
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
 }
 
 /*
@@ -259,12 +211,11 @@ EACH(digits_are_decided_at_a_tie_and_beside_it, 6)
                  {"eq15", {1, 1, 3, 3, 2, 0, -36}, 0, {"0"}},             {"eq38", {6.25, 1}, 1, {"3e+00"}},
                  {"eq38", {6.25, 1}, -1, {"2e+00"}},                      {"eq41roots", {1, 9, 0}, 0, {"0", "-3e+00", "0", "0", "0", "0", "0", "3e+00"}}};
     const struct section *s = section_find(sheet(), cases[_i].id);
-    struct input *inputs = inputs_new(s->input_count);
-    struct operation o;
+    INPUTS(inputs);
     char *outputs[MOST_OUTPUTS];
     SCOPE(fmpq, step);
     SCOPE(fmpz, root);
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     ck_assert(inputs_of_values(s, cases[_i].values, inputs));
     fmpq_set_si(step, cases[_i].moved, 1);
     fmpq_div_2exp(step, step, 200);
@@ -285,8 +236,6 @@ EACH(digits_are_decided_at_a_tie_and_beside_it, 6)
         ck_assert_pstr_eq(outputs[i], cases[_i].outputs[i]);
         free(outputs[i]);
     }
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
 }
 
 /* ---- the program's vectors ---- */
@@ -347,7 +296,6 @@ EACH(every_condition_is_asked_from_just_outside_and_just_inside, sheet()->sectio
     enum { MOST_ROWS = 400 };
     static double row[MOST_ROWS][MOST_INPUTS];
     const struct section *s = operation_at(_i);
-    struct operation o;
     struct message why;
     char path[64];
     int rows = 0;
@@ -364,9 +312,9 @@ EACH(every_condition_is_asked_from_just_outside_and_just_inside, sheet()->sectio
     csv_clear(&c);
     fclose(file);
 
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     const struct formulas whole = *o.formulas;
-    struct input *inputs = inputs_new(s->input_count);
+    INPUTS(inputs);
     for (int k = 0; k < whole.count; k++) {
         struct formulas without = whole;
         struct condition others[16];
@@ -389,8 +337,6 @@ EACH(every_condition_is_asked_from_just_outside_and_just_inside, sheet()->sectio
                 asked = !operation_has_sensitivity(s) || (valid[i] && are_neighbours(row[r], row[i], s->input_count));
         ck_assert_msg(asked, "%s: %s", s->id, whole.conditions[k].text);
     }
-    inputs_free(inputs, s->input_count);
-    operation_clear(&o);
 }
 
 /* 0.1 and the least number above zero in full, by hand: 3602879701896397/2^55 and 2^-1074. */
@@ -429,13 +375,12 @@ TEST(the_longest_input_has_all_its_digits)
 
 TEST(a_subexpression_out_of_range_is_flagged)
 {
-    struct operation o;
     const struct section *s = section_find(sheet(), "eq32"); /* m1 m2/(m1 + m2) L^2 */
     const char *texts[] = {"1e-200", "1e-200", "1e100"};
     char line[200];
     FILE *file = tmpfile();
     ck_assert_ptr_nonnull(file);
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     fflush(stdout);
     int kept = dup(1);
     dup2(fileno(file), 1);
@@ -443,7 +388,6 @@ TEST(a_subexpression_out_of_range_is_flagged)
     fflush(stdout);
     dup2(kept, 1);
     close(kept);
-    operation_clear(&o);
     rewind(file);
     ck_assert(fine);
     ck_assert_ptr_nonnull(fgets(line, sizeof line, file));
@@ -468,13 +412,10 @@ EACH(the_normal_range_is_that_of_the_format, 12)
     };
     const struct section *s = section_find(sheet(), "eq43");
     const char *texts[] = {edges[_i].Omega, edges[_i].n};
-    struct operation o;
-    struct input *inputs = inputs_new(s->input_count);
-    operation_init(&o, s, false);
+    INPUTS(inputs);
+    OPERATION(o, s);
     ck_assert(vector_read(s, texts, inputs));
     const bool leaves = vector_leaves_range(&o, inputs, edges[_i].significand);
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
     ck_assert_msg(leaves == edges[_i].leaves, "%s", edges[_i].Omega);
 }
 
@@ -512,7 +453,7 @@ EACH(golden_files_have_these_inputs, sheet()->section_count)
 
 /* ---- motions ---- */
 
-CASE(motions, NULL, NULL)
+CASE(motions, NULL, flint_cleanup)
 
 /* At rest in the equilibrium, of unequal masses, a third of a metre from the centre, which no ball has: exact, forever. */
 TEST(an_equilibrium_is_exact)
@@ -520,9 +461,8 @@ TEST(an_equilibrium_is_exact)
     const struct section *s = section_find(sheet(), "flow_nonlinear");
     const char *texts[] = {"7.2915e-5", "8.99e+9", "100", "200", "0.5", "5e-8", "1e-4", "123456", "0", "0", "0", "0", "0", "0"};
     char *outputs[MOST_OUTPUTS];
-    struct operation o;
-    struct input *inputs = inputs_new(s->input_count);
-    operation_init(&o, s, false);
+    INPUTS(inputs);
+    OPERATION(o, s);
     ck_assert(vector_read(s, texts, inputs));
     fmpq_set_si(&inputs[input_place(s, "x1_0")].value, 1, 3);
     ck_assert_msg(operation_digits(&o, inputs, 40, outputs) == OPERATION_PROVED, "%s", o.why.text);
@@ -530,22 +470,19 @@ TEST(an_equilibrium_is_exact)
         ck_assert_double_eq(strtod(outputs[i], NULL), i == 0 ? 1.0 / 3 : 0);
         free(outputs[i]);
     }
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
 }
 
 /* A time of the clock that has not come changes no enclosure by more than its width; one that is over ends the motion. */
 EACH(a_motion_is_given_up_when_its_time_is_over, sheet()->section_count)
 {
     const struct section *s = operation_at(_i);
-    struct operation o;
     double values[MOST_INPUTS];
     VECTOR(arb, whole, MOST_OUTPUTS);
     VECTOR(arb, looked_at, MOST_OUTPUTS);
     if (s->method < METHOD_FLOW_LINEAR)
         return;
-    struct input *inputs = inputs_new(s->input_count);
-    operation_init(&o, s, false);
+    INPUTS(inputs);
+    OPERATION(o, s);
     for (int i = 0; i < s->input_count; i++)
         values[i] = strtod(s->inputs[i]->value ? s->inputs[i]->value : s->inputs[i]->example, NULL);
     values[input_place(s, "t")] = 7200;
@@ -557,7 +494,4 @@ EACH(a_motion_is_given_up_when_its_time_is_over, sheet()->section_count)
         ck_assert(arb_overlaps(whole + i, looked_at + i) && arb_rel_accuracy_bits(looked_at + i) > 30);
     o.until = 1;
     ck_assert_int_eq(operation_follow(&o, inputs, 12, 128, looked_at), OPERATION_UNDECIDED);
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
-    flint_cleanup();
 }

@@ -356,7 +356,7 @@ static const struct section *section_of_file(const struct sheet *sheet, FILE *fi
 {
     if (fseek(file, 0, SEEK_SET) != 0)
         return NULL;
-    struct csv c = csv_on(file, name, LONGEST_LINE);
+    OWNED(csv) c = csv_on(file, name, LONGEST_LINE);
     struct message why;
     const struct section *s = NULL;
     if (csv_next(&c, &why) == CSV_ROW) {
@@ -366,7 +366,6 @@ static const struct section *section_of_file(const struct sheet *sheet, FILE *fi
             s = section_find(sheet, c.cells[id]);
         }
     }
-    csv_clear(&c);
     rewind(file);
     return s;
 }
@@ -389,9 +388,8 @@ static int read_answers(struct test_run *e, const struct arguments *a, struct ch
         status = take_questions(e, a, c);
     e->asked = e->sets.total;
     if (status == EXIT_DONE && s != NULL) {
-        struct csv csv = csv_on(file, name, LONGEST_LINE);
+        OWNED(csv) csv = csv_on(file, name, LONGEST_LINE);
         status = hear_csv(e, &csv, s);
-        csv_clear(&csv);
     } else if (status == EXIT_DONE) {
         status = hear_transcript(e, file, name);
     }

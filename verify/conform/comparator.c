@@ -73,7 +73,7 @@ static void allow_either(struct comparator *j, const struct input *inputs)
 static void settle(struct comparator *j, const struct input *inputs, slong prec)
 {
     const struct operation *o = j->operation;
-    struct machine values;
+    OWNED(machine) values;
     operation_exact(&values, o, inputs);
     for (int i = 0; i < o->section->output_count; i++) {
         if (exact_is_zero(machine_value(&values, o->formulas->outputs[i])))
@@ -82,7 +82,6 @@ static void settle(struct comparator *j, const struct input *inputs, slong prec)
         if (!arb_is_finite(j->S + i))
             arb_zero(j->S + i);
     }
-    machine_clear(&values);
 }
 
 /* ---- components of a vector ---- */

@@ -77,14 +77,13 @@ static const struct input *inputs_of(struct mutant *x, const struct input *input
     if (!x->transforms)
         return inputs;
     struct operation transformation = {.section = x->a.section, .formulas = &x->a.formulas};
-    struct machine values;
+    OWNED(machine) values;
     bool rational = true;
     operation_exact(&values, &transformation, inputs);
     for (int i = 0; i < x->a.section->input_count; i++) {
         rational = rational && exact_is_rational(&x->inputs[i].value, machine_value(&values, x->a.formulas.outputs[i]));
         x->inputs[i].infinite = false;
     }
-    machine_clear(&values);
     return rational ? x->inputs : NULL;
 }
 
@@ -107,26 +106,23 @@ static const double PATIENCE_FOR_KNOWN = 0.7, PATIENCE = 1.0;
 static bool explains(struct mutant *x, const struct test_run *e, const struct record *f, const struct test_vector *q,
                      double digits)
 {
-    struct comparator j;
     struct score score;
     const struct input *inputs = q->numbers ? inputs_of(x, q->inputs) : NULL;
     const bool inside = inputs != NULL && operation_valid(&x->o, inputs);
     const bool right_answer = f->outcome == OUTCOME_RIGHT, refused = f->outcome == OUTCOME_INVALID || (right_answer && !f->has_values);
     if (refused || !inside)
         return refused && !inside;
+    OWNED(comparator) j;
     comparator_init(&j, &x->o, e->significand, digits);
     j.once = true; /* what is to explain the answer cannot need more than the truth */
     for (int i = 0; i < x->o.section->output_count; i++)
         arb_set_d(j.y + i, f->values[i]);
-    bool right = false;
     if (right_answer)
-        right = compare_answer(&j, inputs, &score) != OUTCOME_WRONG;
-    else if (f->outcome == OUTCOME_WRONG || f->outcome == OUTCOME_VALUE)
-        right = compare_answer(&j, inputs, &score) == OUTCOME_RIGHT;
-    else if (operation_enclose(&x->o, inputs, 128, j.exact) == OPERATION_PROVED)
-        right = !_arb_vec_is_finite(j.exact, x->o.section->output_count); /* no number there either */
-    comparator_clear(&j);
-    return right;
+        return compare_answer(&j, inputs, &score) != OUTCOME_WRONG;
+    if (f->outcome == OUTCOME_WRONG || f->outcome == OUTCOME_VALUE)
+        return compare_answer(&j, inputs, &score) == OUTCOME_RIGHT;
+    return operation_enclose(&x->o, inputs, 128, j.exact) == OPERATION_PROVED &&
+           !_arb_vec_is_finite(j.exact, x->o.section->output_count); /* no number there either */
 }
 
 /* Failures of these outcomes. */
@@ -151,10 +147,9 @@ static bool is_domain_alone(const struct summary *t)
 static bool explains_all(struct mutant *x, const struct test_run *e, const struct summary *t, double digits)
 {
     const bool domain = is_domain_alone(t);
-    struct test_vector q;
     int explained = 0;
     bool all = true;
-    test_vector_init(&q);
+    TEST_VECTOR(q);
     for (int pass = 0; pass < 2 && explained == 0 && all; pass++)
         for (int i = 0; i < t->kept_count && all; i++) {
             const struct record *r = &t->kept[i];
@@ -167,7 +162,6 @@ static bool explains_all(struct mutant *x, const struct test_run *e, const struc
             all = clock() <= x->o.until && explains(x, e, r, &q, digits);
             explained += !right;
         }
-    test_vector_clear(&q);
     return all && explained > 1;
 }
 
@@ -177,10 +171,9 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
     const struct summary *t = &e->summaries[set];
     struct operation *o = e->comparators[set].operation;
     const struct section *s = o->section;
-    struct test_vector q;
+    TEST_VECTOR(q);
     VECTOR(arb, exact, MOST_OUTPUTS);
     *v = (struct evidence){.section = s, .operation = o, .until = until, .digits = e->comparators[set].digits};
-    test_vector_init(&q);
     o->until = until;
     for (int i = 0; i < t->kept_count && clock() < until; i++) {
         const struct record *r = &t->kept[i];
@@ -203,7 +196,6 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
         v->count++;
     }
     o->until = 0;
-    test_vector_clear(&q);
 }
 
 /* What no sheet lists. */

@@ -281,7 +281,7 @@ static void factor(const struct evidence *v, char *text, size_t size)
 /* Whether the operation makes of these inputs what was answered, in every vector. */
 static bool explain(const struct evidence *v, const double inputs[MOST_EVIDENCE][MOST_INPUTS])
 {
-    struct input *read = inputs_new(v->section->input_count);
+    INPUTS(read);
     VECTOR(arb, other, MOST_OUTPUTS);
     bool same = true;
     for (int f = 0; f < v->count && same; f++) {
@@ -290,7 +290,6 @@ static bool explain(const struct evidence *v, const double inputs[MOST_EVIDENCE]
         for (int k = 0; k < v->section->output_count && same; k++)
             same = is_same(v->y[f][k], arf_get_d(arb_midref(other + k), ARF_RND_NEAR));
     }
-    inputs_free(read, v->section->input_count);
     return same;
 }
 

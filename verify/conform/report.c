@@ -52,11 +52,9 @@ static int set_of(const struct test_run *e, const struct record *r)
 static const char *vector_name(const struct test_run *e, uint64_t position)
 {
     static char name[LONGEST_ID + 1];
-    struct test_vector q;
-    test_vector_init(&q);
+    TEST_VECTOR(q);
     test_vector_make(&q, &e->sets, position);
     snprintf(name, sizeof name, "%s", q.id);
-    test_vector_clear(&q);
     return name;
 }
 
@@ -211,7 +209,7 @@ static void output_text(const struct exhibit *x, int i, FILE *file)
 
 static void record_text(const struct test_run *e, const struct record *r, FILE *file)
 {
-    struct exhibit x;
+    OWNED(exhibit) x;
     exhibit_init(&x, e, r);
     const struct section *s = x.section;
     fprintf(file, "  %s: %s", x.vector.id, outcome_names[r->outcome]);
@@ -231,7 +229,6 @@ static void record_text(const struct test_run *e, const struct record *r, FILE *
         fprintf(file, "    expected   invalid\n");
     if ((!r->has_values || x.invalid) && shown)
         fprintf(file, "    got        %s\n", *r->text ? r->text : "nothing");
-    exhibit_clear(&x);
 }
 
 /* ---- what failed, as text ---- */
@@ -517,7 +514,7 @@ static void write_operation(struct json *j, const struct test_run *e, int k)
 /* A vector: inputs as they were sent, all else as text. */
 static void write_vector(struct json *j, const struct test_run *e, const struct record *r)
 {
-    struct exhibit x;
+    OWNED(exhibit) x;
     exhibit_init(&x, e, r);
     const bool motion = is_motion(x.section), judged = is_judged(r);
     json_line(j, 4);
@@ -542,7 +539,6 @@ static void write_vector(struct json *j, const struct test_run *e, const struct 
     }
     json_string(j, "got", r->text);
     json_close(j);
-    exhibit_clear(&x);
 }
 
 static void write_json(const struct report *r, FILE *file)

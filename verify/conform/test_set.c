@@ -47,9 +47,9 @@ struct test_set *test_sets_add(struct test_sets *sets, const struct section *s, 
     struct test_set *set = APPENDED(sets->all, sets->count);
     *set = (struct test_set){.random = random, .first = sets->total};
     operation_init(&set->operation, s, false);
-    struct collection c = {set, inputs_new(s->input_count), significand, range};
+    INPUTS(inputs);
+    struct collection c = {set, inputs, significand, range};
     const bool fine = golden_each(s, collect_golden, &c);
-    inputs_free(c.inputs, s->input_count);
     sets->total += test_set_total(set);
     return fine ? set : NULL;
 }

@@ -61,6 +61,9 @@ void test_sets_clear(struct test_sets *sets);
 void test_vector_init(struct test_vector *vector);
 void test_vector_clear(struct test_vector *vector);
 
+/* One that ends with its block. */
+#define TEST_VECTOR(q) OWNED(test_vector) q; test_vector_init(&q)
+
 /* The vector at a position, and the operation that it is about. */
 void test_vector_make(struct test_vector *vector, const struct test_sets *sets, uint64_t position);
 struct test_set *test_sets_at(const struct test_sets *sets, uint64_t position);

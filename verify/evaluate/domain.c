@@ -91,7 +91,7 @@ static bool nudge(struct operation *o, int i, double *values, struct input *inpu
 bool domain_edge(struct operation *o, int condition, bool outside, double *values)
 {
     const struct section *s = o->section;
-    struct input *inputs = inputs_new(s->input_count);
+    INPUTS(inputs);
     int moved = 0, degree = 2;
     inputs_of_values(s, values, inputs);
     for (int i = 0; i < s->input_count && degree != 1; i++) {
@@ -102,9 +102,7 @@ bool domain_edge(struct operation *o, int condition, bool outside, double *value
         moved = i;
         values[i] = fmpq_get_d(&inputs[i].value);
     }
-    const bool found = operation_valid(o, inputs) != outside || nudge(o, moved, values, inputs, outside);
-    inputs_free(inputs, s->input_count);
-    return found;
+    return operation_valid(o, inputs) != outside || nudge(o, moved, values, inputs, outside);
 }
 
 /* ---- defects ---- */

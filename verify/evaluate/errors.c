@@ -29,9 +29,8 @@ enum { GRADIENTS = 5, VARIABLES41 = GRADIENTS + 15, POLYNOMIAL41 = VARIABLES41 +
 
 static void polynomial41(const struct sheet *sheet, const struct input *inputs, slong prec, arb_ptr p)
 {
-    struct operation polynomial;
-    struct gradient slopes;
-    operation_init(&polynomial, section_find(sheet, "eq41"), false);
+    OPERATION(polynomial, section_find(sheet, "eq41"));
+    OWNED(gradient) slopes;
     operation_enclose(&polynomial, inputs, prec, p);
     gradient_init(&slopes, polynomial.machine.program, polynomial.formulas->outputs, 5, &arithmetic_ball, prec);
     gradient_run(&slopes, &polynomial.machine);
@@ -40,8 +39,6 @@ static void polynomial41(const struct sheet *sheet, const struct input *inputs, 
             arb_set(p + GRADIENTS + 5 * i + k, gradient_value(&slopes, k, i));
     for (int i = 0; i < 3; i++)
         arb_swap(p + VARIABLES41 + i, machine_value(&polynomial.machine, i));
-    gradient_clear(&slopes);
-    operation_clear(&polynomial);
 }
 
 /* Adds the sum over the inputs of |x_i dp/dx_i| at z. */
@@ -113,8 +110,8 @@ void operation_sensitivity_exact(struct operation *o, const struct input *inputs
         arb_pos_inf(S); /* of a multiple root, which moves like the root of a change */
         return;
     }
-    struct machine exact;
-    struct gradient derivatives, balls;
+    OWNED(machine) exact;
+    OWNED(gradient) derivatives, balls;
     VECTOR(arb, values, s->output_count);
     const int node = o->formulas->outputs[output];
     operation_enclose(o, inputs, prec, values);
@@ -131,9 +128,6 @@ void operation_sensitivity_exact(struct operation *o, const struct input *inputs
         else if (!exact_is_zero(derivative))
             add_term(S, machine_value(&o->machine, i), gradient_value(&balls, 0, i), prec);
     }
-    machine_clear(&exact);
-    gradient_clear(&derivatives);
-    gradient_clear(&balls);
 }
 
 /* ---- the unit of error ---- */
@@ -280,7 +274,7 @@ struct error_bounds worst_error(const struct section *s, const struct input *inp
 
 bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcptr exact, arb_srcptr S)
 {
-    struct machine m;
+    OWNED(machine) m;
     SCOPE(arb, value, room);
     bool inside = true;
     machine_init(&m, &o->formulas->program, &arithmetic_mpfr, 2 * TRUTH_BITS);
@@ -296,20 +290,18 @@ bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcp
         arb_add_error(value, room);
         inside = inside && arb_overlaps(value, exact + i);
     }
-    machine_clear(&m);
     return inside;
 }
 
 void measure_errors(struct measured *m, const struct section *s, long count, uint64_t seed)
 {
     double values[MOST_INPUTS], answers[MOST_OUTPUTS];
-    struct input *inputs = inputs_new(s->input_count);
+    INPUTS(inputs);
     VECTOR(arb, y, MOST_OUTPUTS);
     VECTOR(arb, exact, MOST_OUTPUTS);
     VECTOR(arb, S, MOST_OUTPUTS);
     reference_function *function = reference_find(s->id);
-    struct operation o;
-    operation_init(&o, s, false);
+    OPERATION(o, s);
     *m = (struct measured){.section = s, .inputs = count};
     for (long index = 0; index < count; index++) {
         int output;
@@ -326,6 +318,4 @@ void measure_errors(struct measured *m, const struct section *s, long count, uin
         }
         m->outside += s->method == METHOD_FORMULA && !mpfr_inside(&o, inputs, exact, S);
     }
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
 }

@@ -130,11 +130,10 @@ static void domain_edges(struct golden *g)
 /* The random vector of that number. */
 static void sampled(struct golden *g, uint64_t seed, uint64_t k, const char *name, const char *flags)
 {
-    struct input *inputs = inputs_new(g->o.section->input_count);
+    INPUTS(inputs);
     double values[MOST_INPUTS];
     sample(&g->o, seed, k, values, inputs);
     hand_on_values(g, name, values, flags);
-    inputs_free(inputs, g->o.section->input_count);
 }
 
 static void random_golden(struct golden *g)

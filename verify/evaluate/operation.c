@@ -62,12 +62,11 @@ void operation_exact(struct machine *m, const struct operation *o, const struct 
 
 void operation_node(fmpq_t value, const struct operation *o, const struct input *inputs, int node)
 {
-    struct machine exact;
+    OWNED(machine) exact;
     machine_init(&exact, &o->formulas->program, &arithmetic_exact, 0);
     set_inputs(&exact, inputs);
     machine_run_to(&exact, node);
     exact_is_rational(value, machine_value(&exact, node));
-    machine_clear(&exact);
 }
 
 /* ---- the domain ---- */
@@ -167,7 +166,7 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
     const bool steps = method == METHOD_RK4_LINEAR || method == METHOD_RK4_NONLINEAR;
     const slong looks = o->until != 0 ? LOOKS : 1;
     const fmpq *t = input_named(o, inputs, "t"), *h = steps ? input_named(o, inputs, "h") : NULL;
-    struct flow_parameters p;
+    OWNED(flow_parameters) p;
     struct followed f = {outputs, o->until};
     VECTOR(arb, initial, FLOW_STATE);
     VECTOR(fmpq, times, looks);
@@ -187,7 +186,6 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
                     is_equilibrium(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
                                    input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1_0")),
                     outputs);
-    flow_parameters_clear(&p);
     if (status != FLOW_DONE)
         message_set(&o->why, "%s, last proved time %.6g s", flow_status_text(status), reached);
     return status == FLOW_DONE ? OPERATION_PROVED : OPERATION_UNDECIDED;

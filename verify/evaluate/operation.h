@@ -29,6 +29,9 @@ struct operation {
 void operation_init(struct operation *o, const struct section *s, bool as_printed);
 void operation_clear(struct operation *o);
 
+/* One as it is right, which ends with its block. */
+#define OPERATION(o, section) OWNED(operation) o; operation_init(&o, section, false)
+
 /* Whether the inputs lie in the domain; if not, `why` names the first that does not. */
 bool operation_valid(struct operation *o, const struct input *inputs);
 

@@ -25,13 +25,12 @@ static void table_value(fmpq_t value, const struct sheet *sheet, const struct ta
         literal_read(value, quantity_find(sheet, row->name)->value, true);
         return;
     }
-    struct input *inputs = inputs_new(s->input_count);
+    INPUTS(inputs);
     for (int i = 0; i < s->input_count; i++) {
         const char *name = s->inputs[i]->name;
         literal_read(&inputs[i].value, quantity_find(sheet, strcmp(name, "L") == 0 ? "L_ref" : name)->value, true);
     }
     operation_node(value, &o, inputs, s->corrected.outputs[0]);
-    inputs_free(inputs, s->input_count);
 }
 
 bool table_row_is_computed(const struct sheet *sheet, const struct table_row *row)

@@ -163,17 +163,15 @@ static bool print_certified(struct operation *o, const char *id, const char *con
 bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags,
                   enum input_form form)
 {
-    struct input *inputs = inputs_new(o->section->input_count);
+    INPUTS(inputs);
     const bool numbers = vector_read(o->section, texts, inputs);
-    const bool fine = print_certified(o, id, texts, inputs, numbers, flags, form);
-    inputs_free(inputs, o->section->input_count);
-    return fine;
+    return print_certified(o, id, texts, inputs, numbers, flags, form);
 }
 
 bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint64_t count, enum input_form form)
 {
-    struct operation o;
-    struct input *inputs = inputs_new(s->input_count);
+    OPERATION(o, s);
+    INPUTS(inputs);
     double values[MOST_INPUTS];
     char decimals[MOST_INPUTS][32], id[96];
     const char *texts[MOST_INPUTS];
@@ -181,7 +179,6 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
     struct progress progress = progress_begin(true);
     for (int i = 0; i < MOST_INPUTS; i++)
         texts[i] = decimals[i];
-    operation_init(&o, s, false);
     for (uint64_t k = first; k - first < count && fine && !ferror(stdout); k++) {
         sample(&o, seed, k, values, inputs);
         for (int i = 0; i < s->input_count; i++)
@@ -193,7 +190,5 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
     progress_end(&progress);
     if (!fine)
         fprintf(stderr, "coulomb-tether: %s\n", o.why.text);
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
     return fine;
 }

@@ -36,14 +36,18 @@ void inputs_free(struct input *inputs, int count)
     free(inputs);
 }
 
+void inputs_leave(struct input **inputs)
+{
+    inputs_free(*inputs, MOST_INPUTS);
+}
+
 void section_enclose(const struct section *s, arb_srcptr inputs, slong prec, arb_ptr outputs)
 {
-    struct machine m;
+    OWNED(machine) m;
     machine_init(&m, &s->corrected.program, &arithmetic_ball, prec);
     for (int i = 0; i < s->corrected.program.inputs; i++) /* definitions count theirs nowhere else */
         arb_set(machine_value(&m, i), inputs + i);
     machine_run(&m);
     for (int i = 0; i < s->output_count; i++)
         arb_set(outputs + i, machine_value(&m, s->corrected.outputs[i]));
-    machine_clear(&m);
 }

@@ -5,6 +5,7 @@
 #define CT_INPUT_H
 
 #include "sheet/sheet.h"
+#include "text/scope.h"
 
 struct input {
     fmpq value;
@@ -17,6 +18,10 @@ bool input_in_domain(const struct input *x, enum domain domain);
 
 struct input *inputs_new(int count);
 void inputs_free(struct input *inputs, int count);
+
+/* As many as a section may have; they end with their block. */
+#define INPUTS(name) struct input *name CLEARED_BY(inputs_leave) = inputs_new(MOST_INPUTS)
+void inputs_leave(struct input **inputs);
 
 /* A section's corrected formulas for inputs that are enclosures themselves. */
 void section_enclose(const struct section *s, arb_srcptr inputs, slong prec, arb_ptr outputs);

@@ -44,10 +44,8 @@ static bool read_range(const struct yaml *range, struct quantity *q)
 /* Whether a literal is a number of that domain. */
 static bool lies_in_domain(const char *text, enum domain domain)
 {
-    struct input *x = inputs_new(1);
-    const bool lies = input_read(x, text) && input_in_domain(x, domain);
-    inputs_free(x, 1);
-    return lies;
+    INPUTS(x);
+    return input_read(x, text) && input_in_domain(x, domain);
 }
 
 static bool read_quantities(struct sheet *s, const struct yaml *all)
