@@ -226,6 +226,28 @@ TEST(a_held_law_moves_the_pair_as_the_reference_says)
     }
 }
 
+/* From a box of one coordinate's or gain's values, the corner among the motions. */
+EACH(a_held_law_is_followed_from_all_of_a_box, 16)
+{
+    enum { COUNT = 6, C = 6 };
+    VECTOR(arb, at, C + 2);
+    VECTOR(arb, states, 6 * COUNT);
+    VECTOR(arb, all, 6 * COUNT);
+    SCOPE(arb, away);
+    SCOPE(fmpq, T);
+    static const double corner[] = {1.02, -0.03, 0.01, 0.001, 0.02, -0.03, 12, 4};
+    for (int i = 0; i < C + 2; i++)
+        arb_set_d(at + i, corner[i]);
+    fmpq_set_si(T, 1, 4);
+    ck_assert_int_eq(hold_follow(states, at, at + C, at + C + 1, T, COUNT, 10, 256), FLOW_DONE);
+    arb_set_d(away, _i % 2 ? 1e-8 : -1e-8);
+    arb_add(at + _i / 2, at + _i / 2, away, 256);
+    mag_set_d(arb_radref(at + _i / 2), 1.001e-8);
+    ck_assert_int_eq(hold_follow(all, at, at + C, at + C + 1, T, COUNT, 2, 256), FLOW_DONE);
+    for (int i = 0; i < 6 * COUNT; i++)
+        ck_assert(arb_contains(all + i, states + i));
+}
+
 TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
 {
     struct second_order o;

@@ -55,7 +55,7 @@ static bool bounds_enclose(arb_t low, arb_t high, const struct assertion *a, con
 {
     formula_enclose(low, a->low, b);
     formula_enclose(high, a->high, b);
-    return arb_is_finite(low) && arb_is_finite(high) && !arb_gt(low, high);
+    return arb_le(low, high);
 }
 
 static void graph_clear(struct graph *g)

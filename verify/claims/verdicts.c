@@ -150,7 +150,7 @@ static void add_claims(struct verdict_row *row, struct statements *claims, const
                 continue;
             statement_decide(claims, s, NONE_LEFT_OUT, &ruling);
             add_words(row, "; claim %s: %s", s->id, verdict_names[ruling.verdict]);
-            if (s->why != NULL && ruling.verdict != HOLDS && ruling.verdict != DEFINITION)
+            if (s->why != NULL && ruling.verdict < HOLDS)
                 add_reason(row, s->why);
             row->verdict = FLINT_MIN(row->verdict, ruling.verdict);
             row->how = FLINT_MAX(row->how, ruling.how);
