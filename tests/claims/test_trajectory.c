@@ -95,6 +95,32 @@ TEST(eq10_trajectories_start_where_another_ends)
     trajectory_clear(&whole);
 }
 
+/* A start of balls: all that is said of it holds of the motion from its corner. */
+EACH(samples_hold_the_corner_of_their_start, 2)
+{
+    struct trajectory point, box;
+    VECTOR(arb, start, COORDINATES);
+    VECTOR(arb, x, 2);
+    struct simulation s = {.steps = steps(), .nonlinear = _i != 0, .start = start, .digits = 16};
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_d(start + i, 0.01 + 0.001 * i);
+    ck_assert(trajectory_run(&point, &s, 0, 3600, 7200));
+    s.digits = 3;
+    for (int i = 0; i < FLOW_STATE; i++) {
+        arb_set_d(start + i, 0.01 + 0.001 * i - 1e-9);
+        mag_set_d(arb_radref(start + i), 1.001e-9);
+    }
+    ck_assert(trajectory_run(&box, &s, 0, 3600, 7200));
+    for (int k = 0; k < 3; k++)
+        for (int which = 0; which < VARIABLES; which++) {
+            trajectory_value(x, &point, k, which);
+            trajectory_value(x + 1, &box, k, which);
+            ck_assert_msg(arb_contains(x + 1, x), "%s, sample %d", variable_names[which], k);
+        }
+    trajectory_clear(&point);
+    trajectory_clear(&box);
+}
+
 /* E falls from sample to sample, and by what C2 takes: -c2 (l'/l)^2, or -c2 eta'^2, by the trapezoidal rule. */
 EACH(energy_falls_by_what_the_gain_takes, 2)
 {

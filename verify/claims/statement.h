@@ -61,7 +61,7 @@ struct assertion {
     struct values at;
     long count;
     struct linear_system system;
-    const char *cited[MOST_CITED]; /* the ids of steps or of claims; NULL: no further one */
+    const char *cited[MOST_CITED + 1]; /* the ids of steps or of claims; NULL: no further one */
     struct computed *computed;
     ulong uses;                   /* assertions that it takes numbers of */
     bool done;

@@ -162,7 +162,6 @@ static bool is_tight(const struct assertion *a, const struct bindings *b, const 
 static enum truth sign_at(struct assertion *a, const struct bindings *at)
 {
     struct bindings b = *at;
-    int sign = 0;
     SCOPE(fmpq, q);
     SCOPE(arb, z);
     const bool rational = formula_rational(q, a->formula, &b);
@@ -171,7 +170,7 @@ static enum truth sign_at(struct assertion *a, const struct bindings *at)
         formula_enclose(z, a->formula, &b);
         weaken(&b, CERTIFIED);
     }
-    sign = sign_of_ball(z);
+    const int sign = sign_of_ball(z);
     if (sign == 0 && !rational)
         return UNDECIDED;
     a->loose = a->loose && !is_tight(a, &b, z);
@@ -186,7 +185,7 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b)
     struct graph g;
     SCOPE(arb, low, high);
     const bool bounded = bounds_enclose(low, high, a, b);
-    if (graph_init(&g, a->formula, a->variable, b) && bounded && sign != 0) {
+    if (graph_init(&g, a->formula, a->variable, b) && bounded) {
         if (sign_of_ball(curve_at(&g.curve, low)) == -sign || sign_of_ball(curve_at(&g.curve, high)) == -sign)
             truth = FOUND_FALSE;
         else if (sign_between(&g.curve, low, high, sign, DEEPEST_BISECTION))
@@ -212,7 +211,7 @@ static slong roots_beyond(const fmpq_poly_t f, const fmpq_t point)
     fmpq_poly_gcd(h, g, h);
     fmpq_poly_div(g, g, h);
     fmpq_poly_get_numerator(simple, g);
-    if (simple->length > 0 && fmpz_is_zero(simple->coeffs))
+    if (fmpz_is_zero(simple->coeffs))
         fmpz_poly_shift_right(simple, simple, 1);
     if (fmpz_poly_degree(simple) > 0)
         _fmpz_poly_num_real_roots_sturm(&negative, &positive, simple->coeffs, simple->length);
@@ -260,13 +259,14 @@ static enum truth rank_found(const struct assertion *a, const struct bindings *b
             fmpq_mat_transpose(A, A);
             fmpq_one(fmpq_mat_entry(v, l->observe, 0));
         }
-        for (int k = 0; k < l->size && (l->control >= 0 || l->observe >= 0); k++) {
-            for (int i = 0; i < l->size; i++)
-                fmpq_set(fmpq_mat_entry(K, i, k), fmpq_mat_entry(v, i, 0));
-            fmpq_mat_mul(v, A, v);
-        }
         if (l->control < 0 && l->observe < 0)
             fmpq_mat_set(K, A);
+        else
+            for (int k = 0; k < l->size; k++) {
+                for (int i = 0; i < l->size; i++)
+                    fmpq_set(fmpq_mat_entry(K, i, k), fmpq_mat_entry(v, i, 0));
+                fmpq_mat_mul(v, A, v);
+            }
         truth = fmpq_mat_rref(K, K) == a->count ? FOUND_TRUE : FOUND_FALSE; /* the rank */
     }
     fmpq_mat_clear(A);
@@ -305,7 +305,7 @@ static enum truth claim_found(struct statements *all, const char *id, enum how *
 static enum truth cited_found(struct statements *all, struct assertion *a)
 {
     enum truth truth = FOUND_TRUE;
-    for (int i = 0; i < MOST_CITED && a->cited[i] != NULL; i++)
+    for (int i = 0; a->cited[i] != NULL; i++)
         truth = truth_both(truth, a->kind != ASSERT_STEP ? claim_found(all, a->cited[i], &a->how)
                                          : proved_or_open(step_holds(step_named(all->proofs, a->cited[i]))));
     return truth;
@@ -340,7 +340,7 @@ void assertion_find(struct statements *all, struct statement *s, struct assertio
     if (a->done)
         return;
     a->done = true;
-    if (a->kind == ASSERT_SHOW && a->everywhere)
+    if (a->everywhere)
         a->truth = identity_found(&a->identity);
     else if (a->kind == ASSERT_STEP || a->kind == ASSERT_CLAIM)
         a->truth = cited_found(all, a);

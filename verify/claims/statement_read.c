@@ -307,7 +307,7 @@ static bool read_show(struct claim_reading *r, struct assertion *a, const struct
         return false;
     if (same_text(show->text, sign, sign + 1)) /* but for blanks */
         return entry_error(r, show, "both sides are the same, expected what could be otherwise");
-    return a->sign == 0 && own(r, "at") == NULL ? read_identity(r, a, show) : read_difference(r, a, show, sign);
+    return a->sign == 0 && (own(r, "at") == NULL || a->variable != NULL) ? read_identity(r, a, show) : read_difference(r, a, show, sign);
 }
 
 /* What rests on no formula of the sheet, and says so. */

@@ -43,7 +43,7 @@ static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simu
             scenario.given[i] = true;
         }
     scenario_parameters(p, &scenario, prec);
-    scenario_initial(initial, &scenario, p, s->nonlinear && s->start == NULL, prec);
+    scenario_initial(initial, &scenario, p, s->nonlinear, prec);
     scenario_clear(&scenario);
     for (int i = 0; i < FLOW_STATE && s->start != NULL; i++) {
         arb_set(initial + i, s->start + i);
@@ -113,7 +113,6 @@ static int take_sample(void *context, slong k, const fmpq_t time, arb_srcptr sta
     if (t->nonlinear) {
         to_angles(sample, own, t->prec);
         _arb_vec_set(sample + PLACE_X, own, 3);
-        t->bounded = t->bounded && arb_is_positive(own + X);
         return 0;
     }
     _arb_vec_set(sample, own, FLOW_STATE);
@@ -361,7 +360,8 @@ static bool confine(arb_t eta, const struct trajectory *t, const arb_t E, slong 
             outside = outside && arb_gt(potential, E);
         }
     }
-    return outside && arb_lt(now, eta);
+    arb_get_mag(bound, trajectory_sample(t, k) + PSI);
+    return outside && arb_lt(now, eta) && mag_cmp_2exp_si(bound, 0) < 0; /* 1 rad: on this side of the hill */
 }
 
 static void plus_minus(arb_t x, const arb_t bound)

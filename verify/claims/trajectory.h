@@ -41,7 +41,7 @@ struct sampled {
 
 struct trajectory {
     const struct derivations *steps;
-    bool nonlinear, bounded;          /* bounded: by (18), all samples having x > 0; of others no bounds are proved */
+    bool nonlinear, bounded;          /* bounded: by (18); of other laws no bounds are proved */
     slong prec, count;
     long first, step;                 /* s: of the samples */
     arb_t c1, c2;                     /* C1/Omega^2, C2/Omega */
