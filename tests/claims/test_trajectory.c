@@ -178,7 +178,7 @@ TEST(bounds_are_refused_beyond_the_hill)
     static const struct {
         const char *dL;
         bool bounded;
-    } starts[] = {{"0.9", true}, {"1.08", false}, {"3", false}, {"-3", false}};
+    } starts[] = {{"0", true}, {"0.9", true}, {"1.08", false}, {"3", false}, {"-3", false}};
     struct bounds b;
     bounds_init(&b);
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; i++) {
