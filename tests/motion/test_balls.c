@@ -129,5 +129,4 @@ RANGE(both_ends_of_every_ball_are_held, 0, COUNT(moves) * MOST)
         for (int i = 0; i < moves[move].outputs; i++)
             ck_assert_msg(arb_contains(held + i, end + i), "move %d, input %d, output %d", move, wide, i);
     }
-    flint_cleanup();
 }

@@ -139,6 +139,44 @@ EACH(M1_sums_of_products_are_rounded, 20)
     model_clear(&z);
 }
 
+/* To 1 are added 2^-53, one by one: each is lost, all of them are four times the rounding of any one sum. */
+TEST(M1_as_many_roundings_as_there_are_sums)
+{
+    enum { SUMS = 20 };
+    OWNED(space) s;
+    struct model term[SUMS + 1], one[SUMS + 1];
+    OWNED(model) z;
+    SCOPE(arb, truth, x);
+    space_init(&s, 0, 0);
+    model_init(&z, &s);
+    arb_one(truth);
+    for (int k = 0; k <= SUMS; k++) {
+        model_init(&one[k], &s);
+        model_set_ball(&one[k], truth);
+        model_init(&term[k], &s);
+        arb_set_d(x, k == 0 ? 1 : 0x1p-53);
+        model_set_ball(&term[k], x);
+    }
+    arb_mul_ui(x, x, SUMS, PREC);
+    arb_add(truth, truth, x, PREC);
+    model_dot(&z, false, 1, term, one + SUMS, SUMS + 1);
+    assert_holds(&z, truth, 0, 1e-14);
+    arb_set_d(x, 1);
+    model_set_ball(&term[SUMS], x); /* and from the last on, by Horner's rule */
+    arb_set_d(x, 0x1p-53);
+    model_set_ball(&term[0], x);
+    model_evaluate(&z, term, SUMS + 1, 1);
+    assert_holds(&z, truth, 0, 1e-13);
+    for (int k = 0; k <= SUMS; k++)
+        term[k].rest = 1;
+    model_evaluate(&z, term, SUMS + 1, -1);
+    ck_assert_double_ge(z.rest, SUMS + 1); /* and so are their rests */
+    for (int k = 0; k <= SUMS; k++) {
+        model_clear(&one[k]);
+        model_clear(&term[k]);
+    }
+}
+
 /* One coefficient with all its bits, by a third; and as the only term of a series: nothing else is rounded. */
 EACH(M1_a_scaled_number_and_a_term_of_a_series_are_rounded, 20)
 {
@@ -208,6 +246,8 @@ EACH(M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests, COUNT(rests))
         arb_set_d(rest, z.rest);
         ck_assert(arb_le(truth, rest));
         ck_assert_double_le(z.rest, arf_get_d(arb_midref(truth), ARF_RND_UP) * (1 + 1e-8) + 0x1p-999);
+        model_range(a, &z);
+        ck_assert(arb_contains(a, rest)); /* though no coefficient is left */
     }
 }
 
@@ -294,13 +334,34 @@ EACH(M9_the_root_of_what_is_hardly_known, 4)
     model_init(&x, &s);
     model_init(&root, &s);
     arb_one(one);
-    mag_set_d(r, rests[_i]);
+    mag_set_d(r, rests[_i] / 2);
     model_set_ball(&x, one);
+    model_widen(&x, r);
     model_widen(&x, r);
     model_inverse_root(&root, &x);
     ck_assert_double_eq(root.c[0], 1);
     ck_assert_double_ge(root.rest, 1 / sqrt(1 - rests[_i]) - 1);
     ck_assert(_i < 3 ? root.rest < 0.5 : isinf(root.rest));
+}
+
+/* 1 + 2^-52 (e_1^2 + ... + e_20^2): its middle is rounded twenty times, by all that it is wide. */
+TEST(M1_the_middle_of_a_range_is_rounded)
+{
+    enum { UNKNOWNS = 20 };
+    OWNED(space) s;
+    OWNED(model) x;
+    SCOPE(arb, range, end);
+    space_init(&s, UNKNOWNS, 2);
+    model_init(&x, &s);
+    x.c[0] = 1;
+    for (int i = 1; i <= UNKNOWNS; i++)
+        x.c[s.product[i][i]] = 0x1p-52;
+    model_scale(&x, 1);
+    x.rest = 0;
+    model_range(range, &x);
+    arb_set_d(end, UNKNOWNS * 0x1p-52);
+    arb_add_ui(end, end, 1, PREC);
+    ck_assert(arb_contains(range, end));
 }
 
 /* Either half is the polynomial on half of the box; all of a polynomial lies in its range, at 0 and at corners. */
@@ -313,6 +374,10 @@ EACH(halves_ranges_and_sums_hold, 10)
     random_model(&x, &s, _i, 0);
     model_init(&half, &s);
     model_init(&at, &s);
+    model_halve(&half, 0, 1);
+    model_dot(&at, true, 1, &half, &x, 1);
+    model_dot(&at, true, 1, &x, &half, 1);
+    ck_assert(model_size(&half) <= 0 && model_size(&at) <= 0); /* what is 0 stays 0 */
     for (int side = -1; side <= 1; side += 2) {
         model_set(&half, &x);
         model_halve(&half, 1, side);
@@ -333,6 +398,9 @@ EACH(halves_ranges_and_sums_hold, 10)
             }
             assert_holds(&half, truth, point, 1e-12);
         }
+        half.rest = 1;
+        model_halve(&half, 0, side);
+        ck_assert_double_ge(half.rest, 1);
     }
     model_range(range, &x);
     for (int k = 0; k < 3; k++)

@@ -35,7 +35,7 @@ static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simu
     const char *const texts[SCENARIO_VALUES] = {[SET_n] = s->n,   [SET_psi] = s->psi, [SET_theta] = s->theta,
                                                 [SET_dL] = s->dL, [SET_C1] = s->C1,   [SET_C2] = s->C2,
                                                 [SET_m1] = s->m1, [SET_m2] = s->m2};
-    struct scenario scenario;
+    OWNED(scenario) scenario;
     scenario_init(&scenario, s->steps->sheet, true);
     for (int i = 0; i < SCENARIO_VALUES; i++)
         if (texts[i] != NULL) {
@@ -44,7 +44,6 @@ static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simu
         }
     scenario_parameters(p, &scenario, prec);
     scenario_initial(initial, &scenario, p, s->nonlinear, prec);
-    scenario_clear(&scenario);
     for (int i = 0; i < FLOW_STATE && s->start != NULL; i++) {
         arb_set(initial + i, s->start + i);
         if (i >= PSI_DOT)
@@ -202,7 +201,7 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
 {
     const double radians = 7.3e-5 * (double)last; /* Omega, about */
     const slong digits = s->digits > 0 ? s->digits : TRAJECTORY_DIGITS;
-    struct flow_parameters p;
+    OWNED(flow_parameters) p;
     double reached;
     SCOPE(fmpq, h);
     flow_parameters_init(&p);
@@ -220,11 +219,9 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     for (slong k = 0; k < t->count; k++)
         fmpq_set_si(times + k, first + k * step, 1);
     fmpq_set_si(h, s->rk4, 1);
-    const enum flow_status status =
-        s->by != NULL ? flow_nonlinear_by(s->by, &p, initial, times, t->count, digits, t->prec, take_sample, t, &reached)
-                      : flow_run(s->nonlinear, s->rk4 ? h : NULL, &p, initial, times, t->count, digits, t->prec, take_sample, t, &reached);
-    flow_parameters_clear(&p);
-    return status == FLOW_DONE;
+    return FLOW_DONE ==
+        (s->by != NULL ? flow_nonlinear_by(s->by, &p, initial, times, t->count, digits, t->prec, take_sample, t, &reached)
+                      : flow_run(s->nonlinear, s->rk4 ? h : NULL, &p, initial, times, t->count, digits, t->prec, take_sample, t, &reached));
 }
 
 /*
@@ -425,7 +422,7 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
     _arb_vec_zero(b->all, BOUNDED * DERIVATIVES);
     trajectory_energy(E, t, k);
     if (t->nonlinear) {
-        struct jet jet;
+        OWNED(jet) jet;
         jet_init(&jet, &closed_loop, DERIVATIVES - 1);
         jet_constants(&jet, t->c1, t->c2);
         bounded = confine(eta, t, E, k) && bounded;
@@ -434,7 +431,6 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
             jet_extend(&jet, &jet, BOUND_BITS, 0);
             nonlinear_bounds(b, &jet, BOUND_BITS);
         }
-        jet_clear(&jet);
     } else {
         linear_bounds(b, t, E, k);
     }
@@ -469,14 +465,13 @@ void trajectory_peak(arb_t peak, const struct trajectory *t, int which, slong fr
 
 bool trajectory_supremum(arb_t supremum, const struct trajectory *t, int which, slong from, slong to)
 {
-    struct bounds b;
+    OWNED(bounds) b;
     SCOPE(arb, excess);
     bounds_init(&b);
     const bool bounded = trajectory_bounds(&b, t, from);
     trajectory_peak(supremum, t, which, from, to);
     bound_between_samples(excess, t, &b, which);
     arb_add(supremum, supremum, excess, t->prec);
-    bounds_clear(&b);
     return bounded;
 }
 
@@ -506,7 +501,7 @@ static void time_between(arb_t hours, const struct trajectory *t, slong above, s
 bool trajectory_exit(arb_t hours, const struct trajectory *t, int which, const arb_t limit)
 {
     enum { RENEWED = 256 }; /* samples: bounds hold on; renewed, they are sharper */
-    struct bounds b;
+    OWNED(bounds) b;
     SCOPE(arb, value, bound);
     slong below = t->count; /* from that sample on it is below, between samples too */
     bool bounded = true, above = false;
@@ -524,6 +519,5 @@ bool trajectory_exit(arb_t hours, const struct trajectory *t, int which, const a
         if (below == k + 1 && arb_lt(bound, limit))
             below = k;
     }
-    bounds_clear(&b);
     return bounded;
 }

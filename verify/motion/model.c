@@ -273,12 +273,15 @@ void model_evaluate(struct model *z, const struct model *x, int count, double h)
     find_norms(z);
 }
 
-/* z -= 1, in one rounding */
-static void subtract_one(struct model *z)
+/* d = x z^2 - 1, but for roundings of 1 where |d| may be 1/2: nearer to 1 none is rounded */
+static void find_defect(struct model *d, const struct model *x, const struct model *z)
 {
-    z->c[0] -= 1;
-    z->rest = upward(z->rest + U * fabs(z->c[0]));
-    find_norms(z);
+    OWNED(model) square;
+    model_init(&square, z->space);
+    model_dot(&square, false, 1, z, z, 1);
+    model_dot(d, false, 1, x, &square, 1);
+    d->c[0] -= 1;
+    find_norms(d);
 }
 
 /*
@@ -287,26 +290,22 @@ static void subtract_one(struct model *z)
  */
 void model_inverse_root(struct model *z, const struct model *x)
 {
-    OWNED(model) square, d;
-    model_init(&square, z->space);
+    OWNED(model) last, d;
+    model_init(&last, z->space);
     model_init(&d, z->space);
     zero(z);
     z->c[0] = 1 / sqrt(x->c[0]);
     find_norms(z);
     for (int correct = 1; correct <= 2 * z->space->degree + 2; correct *= 2) { /* Newton's steps: z (1 - d/2) */
-        model_dot(&square, false, 1, z, z, 1);
-        model_dot(&d, false, 1, x, &square, 1);
-        subtract_one(&d);
+        find_defect(&d, x, z);
         model_scale(&d, -0.5);
-        model_set(&square, z);
-        model_dot(z, true, 1, &square, &d, 1);
+        model_set(&last, z);
+        model_dot(z, true, 1, &last, &d, 1);
         z->rest = 0;
     }
-    model_dot(&square, false, 1, z, z, 1);
-    model_dot(&d, false, 1, x, &square, 1);
-    subtract_one(&d);
+    find_defect(&d, x, z);
     const double e = model_size(&d);
-    z->rest = e < 0.5 && z->c[0] > 0 ? upward(norm(z) * e / (2 * (1 - e) * (1 - 4 * U))) : HUGE_VAL;
+    z->rest = e < 0.5 && z->c[0] > 0 ? upward(norm(z) * e / (2 * (1 - e))) : HUGE_VAL;
 }
 
 /*
@@ -370,7 +369,7 @@ void model_range(arb_t range, const struct model *x)
         radius += even ? fabs(x->c[b]) / 2 : fabs(x->c[b]);
     }
     SCOPE(mag, r);
-    if (!(radius <= 0 && norm(x) <= 0))
+    if (!is_zero_model(x))
         mag_set_d(r, upward(radius + s->size * U * norm(x))); /* (M1) */
     arb_set_d(range, middle);
     arb_add_error_mag(range, r);
