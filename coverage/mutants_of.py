@@ -76,8 +76,9 @@ arb_gt:arb_ge arb_contains:arb_overlaps ARF_RND_UP:ARF_RND_DOWN ARF_RND_CEIL:ARF
 MPFR_RNDU:MPFR_RNDD MPFR_RNDD:MPFR_RNDU""".split())
 ADDS = re.compile(r'\w*(?:add|max|union|error|absolute)\w*')
 BALL = re.compile(r'arb_(?!get|is|init|clear|swap|const|mat|poly|zero|one|set_(?:d|[su]i|arf)$)\w+')
-# These decide how sharp a bound is, never whether it holds: directions of a set, lengths of steps. And room is made here.
-GUIDES = re.compile(r'project|orthonormalise|choose_basis|position_size|step_length|steady|\w+_(?:init|clear)')
+# These decide how sharp a bound is, never whether it holds: directions of a set, lengths of steps, which set to split. And room is made here.
+GUIDES = re.compile(r'project|orthonormalise|choose_basis|expansion_position|(?:set_)?step_length|is_steady|steepest|is_loose|width|is_wide|'
+                    r'\w+_(?:init|clear)')
 MOST_FACTOR = 16  # what is larger are bits
 NUMERIC = re.compile(r'(?:arb|acb|arf|mag|fmpq|fmpz|mpfr)_(?!dot)\w+')
 TRANSPARENT = {'sqrt', 'exp', 'sin', 'cos', 'fabs', 'cabs'}

@@ -161,6 +161,52 @@ EACH(motions_from_all_of_a_box_keep_within_its_bounds, COUNT(boxes))
     }
 }
 
+/* A radius of k_c is the force's alone: all of it, 3, C1 and C2 alike, is f times what the law with the middle has commanded. */
+TEST(a_factor_on_the_force_is_one_of_the_set)
+{
+    enum { R = JET_CHARGE, Q = JET_STATES - 1, HOLD = JET_ALL - 1, OWN };
+    struct term terms[JET_TERMS];
+    const struct system law = {JET_STATES, JET_SERIES, JET_ALL + 1, JET_TERMS, terms};
+    OWNED(scenario) s;
+    struct message why;
+    VECTOR(fmpq, times, TIMES);
+    VECTOR(fmpq, low, TIMES * ROW_NUMBERS);
+    VECTOR(fmpq, high, TIMES * ROW_NUMBERS);
+    VECTOR(arb, hold, 1);
+    VECTOR(arb, initial, FLOW_STATE);
+    struct rows rows = {low, high};
+    struct seen seen = {.rows = &rows};
+    const struct motion m = {.scenario = &s, .nonlinear = true, .most_pieces = 1, .digits = 17};
+    const struct flow_steps how = {.system = &law, .constants = hold};
+    double reached;
+    for (int t = 0; t < JET_TERMS; t++) {
+        terms[t] = closed_loop.terms[t];
+        if (terms[t].to == R && terms[t].a == HOLD)
+            terms[t].a = OWN;
+    }
+    times_until(times, 20000);
+    scenario_init(&s, sheet(), true);
+    give(&s, &(struct interval){SET_k_c, "8.99e9", "8.99e7"}, true);
+    ck_assert_msg(motion_rows(&m, times, TIMES, keep_bounds, &rows, &why) == 0, "%s", why.text);
+    flow_parameters_init(&seen.parameters);
+    scenario_parameters(&seen.parameters, &s, PREC);
+    scenario_initial(initial, &s, &seen.parameters, true, PREC);
+    for (int percent = 99; percent <= 101; percent++) {
+        OWNED(flow_parameters) p;
+        flow_parameters_init(&p);
+        scenario_parameters(&p, &s, PREC);
+        arb_ptr scaled[] = {p.C1, p.C2, hold};
+        arb_set_ui(hold, 3);
+        for (int i = 0; i < 3; i++) {
+            arb_mul_ui(scaled[i], scaled[i], (ulong)percent, PREC);
+            arb_div_ui(scaled[i], scaled[i], 100, PREC);
+        }
+        ck_assert_int_eq(flow_nonlinear_by(&how, &p, initial, times, TIMES, 14, PREC, look, &seen, &reached), FLOW_DONE);
+    }
+    ck_assert_int_eq(seen.count, 3 * TIMES);
+    flow_parameters_clear(&seen.parameters);
+}
+
 static int stop_at_once(void *context, slong k, const fmpq_t t, char *const *numbers)
 {
     (void)context;

@@ -164,7 +164,7 @@ bool expansion_move(struct lohner *set, arb_srcptr image, const struct expansion
             arb_add_error_mag(entry, rest); /* (S4) */
         }
     const bool bounded = lohner_move(set, image, derivative, count, error, LOHNER_BITS);
-    for (int i = 0; i < count; i++)
+    for (int i = count - 1; i >= 0; i--)
         arb_mat_clear(derivative + i);
     free(derivative);
     if (space != NULL)

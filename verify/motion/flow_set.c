@@ -283,6 +283,16 @@ struct work {
     struct follower follower[MOST_THREADS];
 };
 
+static void work_clear(struct work *w)
+{
+    pthread_mutex_destroy(&w->lock);
+    for (int i = 0; i < w->set->threads; i++)
+        follower_clear(&w->follower[i]);
+    for (int i = 0; i < w->count; i++)
+        piece_clear(&w->piece[i]);
+    free(w->piece);
+}
+
 /* Row k's bounds are made wide enough for the piece, if there are any, and charges by (21). */
 static enum flow_status widen_row(struct work *w, struct follower *f, const struct piece *p, const arb_t s, double step)
 {
@@ -410,7 +420,7 @@ enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong cou
     const int direction = fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
     VECTOR(arb, low, SET_BOUNDS * count);
     VECTOR(arb, high, SET_BOUNDS * count);
-    struct work w = {.set = s, .times = times, .limit = count, .count = 1, .low = low, .high = high};
+    OWNED(work) w = {.set = s, .times = times, .limit = count, .count = 1, .low = low, .high = high};
     for (slong i = 0; i < SET_BOUNDS * count; i++) {
         arb_pos_inf(low + i);
         arb_neg_inf(high + i);
@@ -425,12 +435,6 @@ enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong cou
     follow_all(&w, receive, context, reached);
     *reached *= direction;
     flint_set_num_threads(1);
-    pthread_mutex_destroy(&w.lock);
-    for (int i = 0; i < s->threads; i++)
-        follower_clear(&w.follower[i]);
-    for (int i = 0; i < w.count; i++)
-        piece_clear(&w.piece[i]);
-    free(w.piece);
     return w.status;
 }
 

@@ -141,7 +141,7 @@ static void models_of(struct flow_set *set, const struct scenario *s)
     arb_mul(set->charge, set->charge, square, SET_BITS);
     arb_mul(set->charge, set->charge, mass, SET_BITS);
     arb_div(set->charge, set->charge, p.k_c, SET_BITS);
-    for (int i = 0; i < ANGLE_MODELS; i++)
+    for (int i = ANGLE_MODELS - 1; i >= 0; i--)
         model_clear(&m[i]);
 }
 
@@ -175,7 +175,7 @@ static int print_bounds(void *context, slong k, const fmpq_t t, arb_srcptr state
     for (int i = 0; i < SET_NUMBERS; i++)
         numbers[i] = decimal_of_end(row + i / 2, rows->digits, i % 2);
     const int stopped = rows->receive(rows->context, k, t, numbers);
-    for (int i = 0; i < SET_NUMBERS; i++)
+    for (int i = SET_NUMBERS - 1; i >= 0; i--)
         free(numbers[i]);
     return stopped;
 }
