@@ -622,50 +622,6 @@ EACH(T11_rests_of_the_closed_loop_hold_up_to_the_longest_step, 5 * CLOSED_LOOPS)
         fmpq_poly_clear(x + i);
 }
 
-/* Pythagorean points make every quantity rational: the table's rates against (3), (7), (13), (18) in fractions. */
-EACH(the_quadratic_system_is_the_closed_loop, POINTS)
-{
-    fmpq *state = _fmpq_vec_init(JET_STATES), *rate = _fmpq_vec_init(JET_STATES), *x = state, *u = state + 3;
-    SCOPE(fmpq, c1, c2, r, r_dot, p, expected);
-    fmpq_set_si(c1, 31, 3);
-    fmpq_set_si(c2, -7, 5);
-    for (int i = 0; i < 3; i++) {
-        fmpq_set_si(x + i, point[_i][i], 5);
-        fmpq_set_si(u + i, 3 * i - 2, 11);
-        fmpq_addmul(r_dot, x + i, u + i);
-    }
-    fmpq_set_si(r, point[_i][3], 5);
-    fmpq_div(r_dot, r_dot, r);
-    fmpq_inv(state + 6, r);
-    closed_loop_rates(rate, state, c1, c2);
-
-    /* p = (-3 - c1 (r - 1) - c2 r_dot) / r^3, in units of Omega and r_ref */
-    fmpq_sub_si(p, r, 1);
-    fmpq_mul(p, p, c1);
-    fmpq_addmul(p, c2, r_dot);
-    fmpq_add_si(p, p, 3);
-    fmpq_neg(p, p);
-    for (int i = 0; i < 3; i++)
-        fmpq_div(p, p, r);
-    for (int i = 0; i < 3; i++) {
-        static const int own[] = {3, 0, -1};
-        ck_assert(fmpq_equal(rate + i, u + i));
-        fmpq_add_si(expected, p, own[i]);
-        fmpq_mul(expected, expected, x + i);
-        if (i < 2) {
-            fmpq_set_si(c1, i == 0 ? 2 : -2, 1);
-            fmpq_addmul(expected, c1, u + 1 - i);
-        }
-        ck_assert(fmpq_equal(rate + 3 + i, expected));
-    }
-    fmpq_div(expected, r_dot, r);
-    fmpq_div(expected, expected, r);
-    fmpq_neg(expected, expected);
-    ck_assert(fmpq_equal(rate + 6, expected)); /* (1/r)' = -r_dot/r^2 */
-    _fmpq_vec_clear(state, JET_STATES);
-    _fmpq_vec_clear(rate, JET_STATES);
-}
-
 /*
  * m1 = 5, m2 = 3 and L_ref = 8 make r_ref = 3, Omega = 2^-14: the sheet's (3) under its (7) + (18) holds the table's rates,
  * and ref/, in some roundings of the largest part, is that too.
@@ -740,74 +696,6 @@ static void jet_at(struct jet *jet, slong order, slong prec)
     arb_set_d(jet->c[6], 1.0625); /* 0.75^2 + 2 0.5^2 */
     arb_rsqrt(jet->c[6], jet->c[6], prec);
     jet_extend(jet, jet, prec, 0);
-}
-
-/* Beyond degree n the remainder holds what the degrees to 59 bring, and at the largest is no more than so many times that. */
-static void assert_rest(const struct majorant *m, const struct jet *longer, double at_most)
-{
-    double most_remainder = 0, most_sum = 0;
-    for (int v = 0; v < JET_STATES; v++) {
-        double sum = 0, remainder = mag_get_d(m->remainder + v);
-        for (slong k = m->order + 1; k <= 59; k++)
-            sum += fabs(ldexp(number(longer->c[v] + k), (int)(-4 * k))); /* h = 1/16 */
-        ck_assert_double_gt(remainder, sum);
-        most_remainder = fmax(most_remainder, remainder);
-        most_sum = fmax(most_sum, sum);
-    }
-    ck_assert_double_lt(most_remainder, at_most * most_sum);
-}
-
-/* Orders 2 to 6 and 12, a jet and a column of it; the shorter the series, the more its bound has in hand. */
-RANGE(a_proved_remainder_bounds_the_series_beyond, 2, 8)
-{
-    const slong n = _i == 7 ? 12 : _i;
-    const double at_most = n == 12 ? 10 : 50;
-    OWNED(jet) shorter, longer, column, longer_column;
-    OWNED(majorant) of_jet, of_column;
-    SCOPE(mag, h, one);
-    jet_at(&shorter, n, PREC);
-    jet_at(&longer, 59, PREC);
-    jet_init(&column, &closed_loop, n);
-    jet_init(&longer_column, &closed_loop, 59);
-    for (int v = 0; v < JET_STATES; v++) {
-        arb_set_si(column.c[v], 1 - v % 3);
-        arb_set(longer_column.c[v], column.c[v]);
-    }
-    jet_extend(&column, &shorter, PREC, 0);
-    jet_extend(&longer_column, &longer, PREC, 0);
-    majorant_init(&of_jet, &closed_loop, n);
-    majorant_init(&of_column, &closed_loop, n);
-    mag_one(one);
-    mag_set_d(h, 0.0625);
-    majorant_of(&of_jet, &shorter, one, 1, h);
-    majorant_of(&of_column, &column, one, 1, h);
-    ck_assert(majorant_prove(&of_jet, NULL, h));
-    ck_assert(majorant_prove(&of_column, &of_jet, h));
-    assert_rest(&of_jet, &longer, at_most);
-    assert_rest(&of_column, &longer_column, at_most);
-    mag_set_d(h, 2); /* beyond the circle of convergence */
-    majorant_of(&of_jet, &shorter, one, 1, h);
-    ck_assert(!majorant_prove(&of_jet, NULL, h));
-}
-
-/* d(ab) = da b + a db: where da is a and db is b, twice the products of a and b stand beyond degree n. */
-TEST(a_column_bounds_both_halves_of_a_product)
-{
-    OWNED(jet) jet;
-    OWNED(majorant) of_jet, of_column;
-    SCOPE(mag, one);
-    jet_at(&jet, 12, PREC);
-    majorant_init(&of_jet, &closed_loop, 12);
-    majorant_init(&of_column, &closed_loop, 12);
-    mag_one(one);
-    majorant_of(&of_jet, &jet, one, 1, one);
-    majorant_of(&of_column, &jet, one, 1, one);
-    (void)majorant_prove(&of_jet, NULL, one); /* proved or not, the products are there */
-    (void)majorant_prove(&of_column, &of_jet, one);
-    ck_assert_double_gt(mag_get_d(of_jet.cross), 0);
-    for (int t = 0; t < JET_TERMS; t++)
-        ck_assert_double_le(fabs(mag_get_d(of_column.cross + t) - 2 * mag_get_d(of_jet.cross + t)),
-                            1e-6 * mag_get_d(of_jet.cross + t)); /* mag_t has thirty bits */
 }
 
 /* The column along the motion itself is the jet's derivative: of x(s + e), coefficient k is (k + 1) x_{k+1}. */

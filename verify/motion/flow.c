@@ -31,6 +31,21 @@ void flow_gains(arb_t c1, arb_t c2, const struct flow_parameters *p, slong prec)
     arb_div(c1, c1, p->Omega, prec);
 }
 
+void flow_units(arb_ptr unit, bool nonlinear, const struct flow_parameters *p, slong prec)
+{
+    SCOPE(arb, mass);
+    arb_add(mass, p->m1, p->m2, prec);
+    for (int i = 0; i < FLOW_HALF; i++) {
+        arb_set(unit + i, p->L_ref);
+        if (nonlinear) {
+            arb_mul(unit + i, p->m2, unit + i, prec);
+            arb_div(unit + i, unit + i, mass, prec);
+        } else if (i < DL)
+            arb_one(unit + i);
+    }
+    _arb_vec_scalar_mul(unit + FLOW_HALF, unit, FLOW_HALF, p->Omega, prec);
+}
+
 const char *flow_status_text(enum flow_status status)
 {
     static const char *const texts[] = {[FLOW_DONE] = "done",

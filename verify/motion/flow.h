@@ -26,6 +26,12 @@ void flow_parameters_clear(struct flow_parameters *p);
 /* C1/Omega^2 and C2/Omega: the gains in radians of orbit */
 void flow_gains(arb_t c1, arb_t c2, const struct flow_parameters *p, slong prec);
 
+/*
+ * What one of each coordinate is in SI, time being in radians of orbit: of a linear motion the first two are angles and the third is in
+ * L_ref, of a nonlinear one all are in r_ref = m2 L_ref/(m1 + m2).
+ */
+void flow_units(arb_ptr unit, bool nonlinear, const struct flow_parameters *p, slong prec);
+
 enum flow_status {
     FLOW_DONE,
     FLOW_STOPPED,   /* the receiver asked to stop                                               */

@@ -40,7 +40,8 @@ enum {
 };
 
 struct flow {
-    arb_t Omega, r_ref, speed;         /* speed = Omega r_ref                                    */
+    arb_t Omega;
+    arb_ptr unit;                      /* of each coordinate                                     */
     slong prec, bits;                  /* a step leaves out 2^-bits of the distance, roughly     */
     int direction;                     /* of time, 1 or -1                                       */
     const struct system *system;
@@ -60,8 +61,7 @@ static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
     f->proposed = how->step;
     f->system = how->system != NULL ? how->system : &closed_loop;
     arb_init(f->Omega);
-    arb_init(f->r_ref);
-    arb_init(f->speed);
+    f->unit = _arb_vec_init(FLOW_STATE);
     arf_init(f->now);
     lohner_init(&f->set);
     expansion_init(&f->of, f->system, order, a_priori_order, NULL, NULL);
@@ -72,8 +72,7 @@ static void flow_clear(struct flow *f)
     expansion_clear(&f->of);
     lohner_clear(&f->set);
     arf_clear(f->now);
-    arb_clear(f->speed);
-    arb_clear(f->r_ref);
+    _arb_vec_clear(f->unit, FLOW_STATE);
     arb_clear(f->Omega);
 }
 
@@ -81,15 +80,12 @@ static void flow_clear(struct flow *f)
 static void set_problem(struct flow *f, const struct flow_steps *how, const struct flow_parameters *p, arb_srcptr initial)
 {
     VECTOR(arb, state, FLOW_STATE);
-    SCOPE(arb, mass, c1, c2);
+    SCOPE(arb, c1, c2);
     arb_set(f->Omega, p->Omega);
     flow_gains(c1, c2, p, f->prec);
-    arb_add(mass, p->m1, p->m2, f->prec);
-    arb_mul(f->r_ref, p->m2, p->L_ref, f->prec);
-    arb_div(f->r_ref, f->r_ref, mass, f->prec);
-    arb_mul(f->speed, f->r_ref, f->Omega, f->prec);
+    flow_units(f->unit, true, p, f->prec);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_div(state + i, initial + i, i < FLOW_HALF ? f->r_ref : f->speed, f->prec);
+        arb_div(state + i, initial + i, f->unit + i, f->prec);
     lohner_from_box(&f->set, state);
     jet_constants(&f->of.path, c1, c2);
     jet_constants(&f->of.hull, c1, c2);
@@ -136,7 +132,7 @@ static void state_at(const struct flow *f, arb_ptr state, const arb_t s)
     path_at(f, state, s);
     for (int i = 0; i < FLOW_STATE; i++) {
         expansion_spread(state + i, &f->of, i);
-        arb_mul(state + i, state + i, i < FLOW_HALF ? f->r_ref : f->speed, f->prec);
+        arb_mul(state + i, state + i, f->unit + i, f->prec);
     }
 }
 

@@ -10,7 +10,7 @@
  * theirs: each operation's ball holds the operation's result for all numbers in the balls that it is given. A ball that is lost is
  *   (R1) of the rates: the state, and (T13) of taylor.c                             (linear_rates, nonlinear_rates)
  *   (R2) of a step: h, a stage's part of it, the stages and their sum                (rk4_step)
- *   (R3) of the units and gains, on the way in and out                               (set_units, flow_gains)
+ *   (R3) of the units and gains, on the way in and out                               (flow_units, flow_gains)
  * tests/motion/test_balls.c makes each ball of what goes in the widest, in steps so long that each of these has to be there.
  */
 #include "motion/flow.h"
@@ -27,19 +27,6 @@ enum {
 };
 
 typedef void rates_function(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec);
-
-void linear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec)
-{
-    SCOPE(arb, stiffness);
-    _arb_vec_set(rate, state + FLOW_HALF, FLOW_HALF);
-    arb_mul_si(rate + PSI_DOT, state + PSI, -3, prec);
-    arb_submul_ui(rate + PSI_DOT, state + DL_DOT, 2, prec);
-    arb_mul_si(rate + THETA_DOT, state + THETA, -4, prec);
-    arb_sub_ui(stiffness, c1, 9, prec);
-    arb_mul_2exp_si(rate + DL_DOT, state + PSI_DOT, 1);
-    arb_submul(rate + DL_DOT, stiffness, state + DL, prec);
-    arb_submul(rate + DL_DOT, c2, state + DL_DOT, prec);
-}
 
 /* (3) closed by (7) and (18), by the table of taylor.h: coefficient 1 of the states' series */
 static void nonlinear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec)
@@ -94,23 +81,6 @@ double rk4_radians(const fmpq_t Omega, const fmpq_t t, const fmpq_t h)
     return fmin(fabs(fmpq_get_d(Omega) * fmpq_get_d(t)), steps < 0 ? INFINITY : steps * (2 + log2(1 + step)));
 }
 
-/* What one of each coordinate is in SI: of a linear motion the first two are angles, all others lengths */
-static void set_units(arb_ptr unit, bool nonlinear, const struct flow_parameters *p, slong prec)
-{
-    SCOPE(arb, mass);
-    for (int i = 0; i < FLOW_HALF; i++) {
-        arb_set(unit + i, p->L_ref);
-        if (!nonlinear && i < DL)
-            arb_one(unit + i);
-    }
-    arb_add(mass, p->m1, p->m2, prec);
-    for (int i = 0; i < FLOW_HALF && nonlinear; i++) {
-        arb_mul(unit + i, p->m2, unit + i, prec);
-        arb_div(unit + i, unit + i, mass, prec);
-    }
-    _arb_vec_scalar_mul(unit + FLOW_HALF, unit, FLOW_HALF, p->Omega, prec);
-}
-
 enum flow_status rk4(bool nonlinear, const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h, const fmpq *times,
                      slong count, slong prec, flow_receiver *receive, void *context, double *reached)
 {
@@ -126,7 +96,7 @@ enum flow_status rk4(bool nonlinear, const struct flow_parameters *p, arb_srcptr
     if (!flow_in_reach(p, times, count, true) && steps > FEW_STEPS)
         return FLOW_STALLED;
     flow_gains(c1, c2, p, prec);
-    set_units(unit, nonlinear, p, prec);
+    flow_units(unit, nonlinear, p, prec);
     arb_set_fmpq(tau, h, prec);
     arb_mul(tau, tau, p->Omega, prec);
     for (int i = 0; i < FLOW_STATE; i++)
