@@ -55,7 +55,7 @@ static bool bound(arb_t x, const struct request *r)
 
 static bool peak(arb_t x, const struct request *r)
 {
-    trajectory_peak(x, r->of, r->which, r->from, r->to);
+    trajectory_peak(x, r->of, NULL, r->which, r->from, r->to);
     return true;
 }
 
@@ -97,7 +97,7 @@ static bool settled(arb_t hours, const struct request *r)
 /* The largest difference on samples from the start on, ... */
 static bool gap(arb_t x, const struct request *r)
 {
-    trajectory_gap(x, r->of, r->beside, r->which, 0, r->to);
+    trajectory_peak(x, r->of, r->beside, r->which, 0, r->to);
     return true;
 }
 
@@ -125,7 +125,7 @@ static bool part(arb_t x, const struct request *r)
     bool bounded = true;
     for (slong k = r->from; k <= r->to && bounded; k++) {
         bounded = reach_from(left, r->beside, r->which, k);
-        trajectory_gap(y, r->of, r->beside, r->which, k, k);
+        trajectory_peak(y, r->of, r->beside, r->which, k, k);
         arb_div(y, y, left, MEASURE_BITS);
         arb_max(x, x, y, MEASURE_BITS);
     }

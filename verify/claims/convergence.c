@@ -17,7 +17,7 @@ static void differences(arb_ptr d, const struct study *study, const struct traje
 {
     SCOPE(arb, unit);
     for (int i = 0; i < study->count; i++) {
-        trajectory_gap(d + i, a, b, study->which[i], 0, a->count - 1);
+        trajectory_peak(d + i, a, b, study->which[i], 0, a->count - 1);
         trajectory_unit(unit, a, study->which[i]);
         arb_mul(d + i, d + i, unit, PREC);
     }
@@ -240,7 +240,7 @@ void convergence_worst(arb_t worst, const struct convergence *c, int from, int t
 /*
  * Of a study: orders, differences (in SI) and constants of its last row, p_VARIABLE, d_VARIABLE, c_VARIABLE, and
  * `worst`, the most that an order is off; a study of claims is computed whole, p_VARIABLE_1 and so on its rows', the
- * first being 0, `worst_of_all` of all.
+ * first being 0.
  */
 void run_study(struct computed *c)
 {
@@ -259,9 +259,7 @@ void run_study(struct computed *c)
         give(c, found, study.orders + last * STUDIED + i, "p_%s", variable);
         give(c, found, study.constants + last * STUDIED + i, "c_%s", variable);
     }
-    convergence_worst(worst, &study, last, last);
+    convergence_worst(worst, &study, from + 1, last);
     give(c, found, worst, "worst");
-    convergence_worst(worst, &study, 1, last);
-    give(c, found, worst, "worst_of_all"); /* of rows that were not computed nothing */
     convergence_clear(&study);
 }

@@ -332,7 +332,10 @@ static void linear_bounds(struct bounds *b, const struct trajectory *t, const ar
     }
 }
 
-/* An eta at which the potential at eta and at -eta exceeds E, no motion gets there: from most of what (40) says on, in small steps. */
+/*
+ * An eta at which the potential exceeds E, so that no motion gets there: from most of what (40) says on, in small steps. At -eta it is
+ * higher by 2 sum (c1 - 3 - c1/(2 k + 1)) eta^(2 k + 1), k > 0.
+ */
 static bool confine(arb_t eta, const struct trajectory *t, const arb_t E, slong k)
 {
     bool outside = false;
@@ -350,42 +353,30 @@ static bool confine(arb_t eta, const struct trajectory *t, const arb_t E, slong 
         arb_mul_ui(eta, eta, 65, t->prec);
         arb_mul_2exp_si(eta, eta, -6);
         arb_get_mid_arb(eta, eta);
-        outside = true;
-        for (int side = 0; side < 2; side++) {
-            arb_mul_si(at + ETA, eta, side == 0 ? 1 : -1, t->prec);
-            tether_energy(potential, t->steps, t->c1, at, t->prec);
-            outside = outside && arb_gt(potential, E);
-        }
+        arb_set(at + ETA, eta);
+        tether_energy(potential, t->steps, t->c1, at, t->prec);
+        outside = arb_gt(potential, E);
     }
     arb_get_mag(bound, trajectory_sample(t, k) + PSI);
     return outside && arb_lt(now, eta) && mag_cmp_2exp_si(bound, 0) < 0; /* 1 rad: on this side of the hill */
 }
 
-static void plus_minus(arb_t x, const arb_t bound)
-{
-    SCOPE(mag, m);
-    arb_get_mag(m, bound);
-    arb_zero(x);
-    arb_add_error_mag(x, m);
-}
-
 /* The states with that energy, and q = 1/l; of them the slice number i by length. */
 static void energy_box(struct jet *jet, const arb_t E, const arb_t eta, slong i, slong prec)
 {
-    SCOPE(arb, a, b);
-    reach(a, E, 2, 1, prec);
-    for (int i = U; i <= W; i++)
-        plus_minus(jet->c[i], a);
-    reach(a, E, 2, 3, prec);
-    plus_minus(jet->c[Y], a);
-    reach(a, E, 1, 2, prec);
-    plus_minus(jet->c[Z], a);
+    static const ulong reaches[][2] = {[Y] = {2, 3}, [Z] = {1, 2}, [U] = {2, 1}, [V] = {2, 1}, [W] = {2, 1}};
+    SCOPE(arb, a, l);
+    for (int k = Y; k <= W; k++) {
+        reach(a, E, reaches[k][0], reaches[k][1], prec);
+        arb_zero(jet->c[k]);
+        arb_add_error(jet->c[k], a);
+    }
     arb_div_ui(a, eta, SLICES, prec);
-    plus_minus(b, a);
-    arb_addmul_si(b, a, 2 * i + 1 - SLICES, prec);
-    arb_add_ui(b, b, 1, prec); /* l */
-    arb_inv(jet->c[JET_STATES - 1], b, prec);
-    arb_sqr(a, b, prec);
+    arb_one(l);
+    arb_add_error(l, a);
+    arb_addmul_si(l, a, 2 * i + 1 - SLICES, prec);
+    arb_inv(jet->c[JET_STATES - 1], l, prec);
+    arb_sqr(a, l, prec);
     arb_submul(a, jet->c[Y], jet->c[Y], prec);
     arb_submul(a, jet->c[Z], jet->c[Z], prec);
     arb_sqrt(jet->c[X], a, prec);
@@ -452,14 +443,17 @@ void bound_between_samples(arb_t excess, const struct trajectory *t, const struc
     arb_mul_2exp_si(excess, excess, -3);
 }
 
-void trajectory_peak(arb_t peak, const struct trajectory *t, int which, slong from, slong to)
+void trajectory_peak(arb_t peak, const struct trajectory *t, const struct trajectory *beside, int which, slong from, slong to)
 {
-    SCOPE(arb, a);
+    SCOPE(arb, x, y);
     arb_zero(peak);
     for (slong k = from; k <= to; k++) {
-        trajectory_value(a, t, k, which);
-        arb_abs(a, a);
-        arb_max(peak, peak, a, t->prec);
+        trajectory_value(x, t, k, which);
+        if (beside != NULL)
+            trajectory_value(y, beside, k, which);
+        arb_sub(x, x, y, t->prec);
+        arb_abs(x, x);
+        arb_max(peak, peak, x, t->prec);
     }
 }
 
@@ -469,23 +463,10 @@ bool trajectory_supremum(arb_t supremum, const struct trajectory *t, int which, 
     SCOPE(arb, excess);
     bounds_init(&b);
     const bool bounded = trajectory_bounds(&b, t, from);
-    trajectory_peak(supremum, t, which, from, to);
+    trajectory_peak(supremum, t, NULL, which, from, to);
     bound_between_samples(excess, t, &b, which);
     arb_add(supremum, supremum, excess, t->prec);
     return bounded;
-}
-
-void trajectory_gap(arb_t gap, const struct trajectory *a, const struct trajectory *b, int which, slong from, slong to)
-{
-    SCOPE(arb, x, y);
-    arb_zero(gap);
-    for (slong k = from; k <= to; k++) {
-        trajectory_value(x, a, k, which);
-        trajectory_value(y, b, k, which);
-        arb_sub(x, x, y, a->prec);
-        arb_abs(x, x);
-        arb_max(gap, gap, x, a->prec);
-    }
 }
 
 /* The time between two samples in hours. */

@@ -66,9 +66,8 @@ void angle_series(arb_ptr psi, arb_ptr theta, arb_ptr eta, arb_srcptr x, arb_src
 void trajectory_value(arb_t x, const struct trajectory *t, slong k, int which);
 void trajectory_unit(arb_t unit, const struct trajectory *t, int which);
 
-/* The largest |variable|, and the largest difference of two trajectories, on these samples, ends included. */
-void trajectory_peak(arb_t peak, const struct trajectory *t, int which, slong from, slong to);
-void trajectory_gap(arb_t gap, const struct trajectory *a, const struct trajectory *b, int which, slong from, slong to);
+/* The largest |variable| on these samples, ends included; or difference from that of a motion beside it, NULL: none. */
+void trajectory_peak(arb_t peak, const struct trajectory *t, const struct trajectory *beside, int which, slong from, slong to);
 
 /*
  * A Lyapunov function that no motion raises, so that its value at a sample bounds all that comes after.
