@@ -707,6 +707,7 @@ static const struct {
     {"to: [6a]", "to: [6a, 6a]", "7:14: ", "duplicate '6a', expected each once"},
     {"to: [6a]", "from: [6a]", "7:5: ", "duplicate 'from', expected each key once"},
     {"free: [u]", "free: [u, L]", "8:15: ", "'L' is known already, expected a new name"},
+    {"free: [u]", "free: [u, Omega]", "8:15: ", "'Omega' is known already, expected a new name"}, /* the first of all */
     {"free: [u]", "free: [u, v]", "8:15: ", "nothing shown rests on 'v'"},
     {"free: [u]", "free: u", "8:11: ", "expected a list"},
     {"positive: [k]", "positive: [k, x1]", "9:19: ", "'x1' may be negative in the sheet, expected a name of its own"},
@@ -715,6 +716,7 @@ static const struct {
     {"angles: [psi]", "angles: {psi: any}", "10:13: ", "expected a list"},
     {"positive: [k]", "positive: []", "16:15: ", "unknown symbol 'k'"},
     {"angles: [psi]", "angles: [psi, psi]", "10:19: ", "'psi' is an angle or small already"},
+    {"small: [theta]", "small: [theta, theta]", "11:20: ", "'theta' is an angle or small already"},
     {"small: [theta]", "small: [theta, psi]", "11:20: ", "'psi' is an angle or small already"},
     {"small: [theta]", "small: [theta, thta]", "11:20: ", "unknown symbol 'thta', expected a free quantity"},
     {"    order: 1\n", "", "5:5: ", "missing order: up to which power of the small quantities"},
