@@ -16,7 +16,7 @@
 
 #include "proof/identities.h"
 
-enum { MOST_FURTHER_NAMES = 64, HIGHEST_ORDER = 9, MOST_RATES = 10000 };
+enum { MOST_FURTHER_NAMES = 64, MOST_RATES = 10000 };
 
 /* Both halves of what a formula is read with. */
 struct reading {
@@ -113,16 +113,13 @@ static bool read_order(struct identities *t, const struct scope *s)
     const struct yaml *node = scope_given(s, "order");
     const bool small = scope_given(s, "small") != NULL;
     t->order = -1;
-    if (node == NULL && small)
-        return node_error(s->given, 0, "missing order: up to which power of the small quantities");
     if (node == NULL)
-        return true;
+        return !small || node_error(s->given, 0, "missing order: up to which power of the small quantities");
     if (!small)
         return node_error(node, 0, "expected no order where no quantities are small");
-    if (node->text == NULL || strlen(node->text) != 1 || node->text[0] < '0' ||
-        node->text[0] > '0' + HIGHEST_ORDER)
-        return node_error(node, 0, "expected an order from 0 to %d", HIGHEST_ORDER);
-    t->order = node->text[0] - '0';
+    if (node->text == NULL || strlen(node->text) != 1 || !isdigit((unsigned char)*node->text))
+        return node_error(node, 0, "expected an order from 0 to 9");
+    t->order = *node->text - '0';
     return true;
 }
 
@@ -131,14 +128,12 @@ static bool read_order(struct identities *t, const struct scope *s)
 /* The name that the sheet has for the rate of a quantity: x1_dot of x1, w_dot_2 of w_2; false where it has none. */
 static bool rate_name(const struct sheet *s, const char *name, char rate[LONGEST_NAME + 8])
 {
-    const size_t length = strlen(name);
-    size_t stem = length;
-    while (stem > 0 && isdigit((unsigned char)name[stem - 1]))
-        stem--;
-    if (length > 4 && strcmp(name + length - 4, "_dot") == 0)
-        snprintf(rate, LONGEST_NAME + 8, "%.*s_ddot", (int)length - 4, name);
-    else if (stem > 0 && stem < length && name[stem - 1] == '_')
-        snprintf(rate, LONGEST_NAME + 8, "%.*s_dot%s", (int)stem - 1, name, name + stem - 1);
+    const char *index = strrchr(name, '_');
+    const int stem = (int)(index != NULL ? index - name : 0);
+    if (index != NULL && strcmp(index, "_dot") == 0)
+        snprintf(rate, LONGEST_NAME + 8, "%.*s_ddot", stem, name);
+    else if (index != NULL && index[1 + strspn(index + 1, "0123456789")] == '\0')
+        snprintf(rate, LONGEST_NAME + 8, "%.*s_dot%s", stem, name, index);
     else
         snprintf(rate, LONGEST_NAME + 8, "%s_dot", name);
     return quantity_find(s, rate) != NULL;
