@@ -156,6 +156,7 @@ static const struct {
     {"p*a", "p*a", ENDS "    square roots: [p]\n    show: [\"eq1.f/p = sqrt(p^2)*given.g/p^2\", \"eq1.f(a = 1) - eq1.f(a = 1) + sqrt(p^2) = p\"]", "holds whatever"},
     {"a", "a", ENDS "    let: {u: a + b}\n    show: [eq1.f = given.g, u = a + b]", "u = a + b holds whatever"},
     {"a*b", "a*b", ENDS "    let: {u: a*b}\n    show: [eq1.f = given.g + 0*u]\n    lines: {so: u - a*b = 0}", ""},
+    {"a*b", "a*b", ENDS "    let: {u: eq1.f, v: eq1.f}\n    show: [u = given.g + 0*v]\n    lines: {so: u - v = 0}", "u - v = 0 holds whatever"},
     /* too large to be decided, once altered, at the point and by normal forms: nothing is shown to break */
     {"a", "a", ENDS "    show: [\"eq1.f = given.g + 0*(eq1.f^250)^200\"]", "holds whatever"},
     /* (W2) */

@@ -196,7 +196,7 @@ static const struct {
      IDENTITY_HOLDS, ""},
     {"    angles: [psi]\n    rates: {psi: psi_dot}\n    show: [rate(sin(psi)) = psi_dot*cos(psi)]", IDENTITY_HOLDS, ""},
     {"    rates: {L: L_dot, L_dot: L_ddot}\n    show: [rate(rate(L^2)) = 2*L_dot^2 + 2*L*L_ddot]", IDENTITY_HOLDS, ""},
-    {"    rates: {L: L_dot}\n    show: [rate(m1*L) = m1*L_dot]", IDENTITY_HOLDS, ""},
+    {"    rates: {L: L_dot}\n    show: [rate(m1*L) = m1*L_dot, rate(Omega) = 0]", IDENTITY_HOLDS, ""}, /* the first of all names */
     {"    square roots: [L*m1]\n    show: [sqrt(L^2*m1^2) = m1*L]", IDENTITY_HOLDS, ""},
     {"    square roots: [m1, L]\n    show: [sqrt(L^2) + sqrt(m1^2) = m1 + L]", IDENTITY_HOLDS, ""},
     {"    square roots: [2*L]\n    show: [sqrt(L^2) = L]", IDENTITY_UNDECIDED, "sqrt(L^2) = L: no value, a square root that is none of"},
@@ -397,7 +397,7 @@ static const struct {
      "square root dL*L is not proved to be positive"},
     {"    from: [eq10]\n    to: [eq11exact]\n    small: [psi, psi_dot]\n    order: 0\n    rates: {L: L_dot, theta: theta_dot}\n"
      "    show: [eq11exact.z1_dot = rate(eq10.y1)]",
-     "rate() of what rests on psi, expected psi: psi_dot among the rates, or psi: 0"},
+     "rate() of what rests on psi, expected psi: psi_dot among the rates"},
     {"    from: [eq10]\n    to: [eq11exact]\n    rates: {L: L_dot, psi: theta_dot, theta: theta_dot}\n"
      "    show: [eq11exact.z1_dot = rate(eq10.z1)]",
      "the rate of psi is psi_dot in the sheet"},
@@ -728,8 +728,10 @@ static const struct {
     {"order: 1", "order: [1]", "12:12: ", "expected an order from 0 to 9"},
     {"{psi: psi_dot}", "{psi: psi_dot, phi: psi_dot}", "13:27: ", "unknown symbol 'phi', expected name: its rate"},
     {"{psi: psi_dot}", "{psi: psi_dot, u: u_dot}", "13:30: ", "unknown symbol 'u_dot', expected name: its rate"},
-    {"{psi: psi_dot}", "{L: L_dot}", "17:14: ", "rate() of what rests on psi, expected psi: psi_dot among the rates, or psi: 0"},
+    {"{psi: psi_dot}", "{L: L_dot}", "17:14: ", "rate() of what rests on psi, expected psi: psi_dot among the rates"},
     {"{psi: psi_dot}", "{psi: psi_dot, L: L_ddot}", "13:30: ", "the rate of L is L_dot in the sheet"},
+    {"{psi: psi_dot}", "{psi: psi_dot, L_dot: L}", "13:34: ", "the rate of L_dot is L_ddot in the sheet"},
+    {"{psi: psi_dot}", "{psi: psi_dot, w_2: L}", "13:32: ", "the rate of w_2 is w_dot_2 in the sheet"},
     {"{psi: psi_dot}", "[psi, psi_dot]", "13:12: ", "expected a mapping, key: value"},
     {"square roots: [k]", "square roots: [k +]", "14:23: ", "expected a number, a symbol or '(', the formula ends here"},
     {"      a: sqrt", "      c: 2*k\n      a: sqrt", "16:7: ", "nothing shown rests on 'c'"},
@@ -739,6 +741,7 @@ static const struct {
     {"sqrt(k^2)*u", "[k, u]", "16:10: ", "expected a formula, on one line"},
     {"{psi: psi_dot}", "{psi: [psi_dot]}", "13:18: ", "expected a text"},
     {"rate(sin(psi))", "rates(sin(psi))", "17:10: ", "unknown function 'rates', expected rate, left, right, sqrt"},
+    {"rate(sin(psi))", "rate()", "17:15: ", "expected a number, a symbol or '(', found ')'"},
     {"rate(sin(psi))", "rate sin(psi)", "17:10: ", "unknown symbol 'rate'"},
     {"rate(sin(psi))", "rate(sin(psi)", "17:43: ", "expected ')' or an operator, the formula ends here"},
     {"eq10.x1(", "eq99.x1(", "17:27: ", "unknown section 'eq99', expected one of the sheet that has formulas"},
@@ -784,7 +787,7 @@ static const struct {
     {"\"left(24, 2) = left", "\"left(24; 2) = left", "29:20: ", "expected ',' or ')', found ';'"},
     {"\"left(24, 2) = left", "\"left() = left", "29:18: ", "expected a name, found ')'"},
     {"{psi: psi_dot}\n    square roots: [k]\n    let:\n      a: sqrt(k^2)*u\n      b: rate(sin(psi))",
-     "{psi: psi_dot, psi_dot: 0}\n    square roots: [k]\n    let:\n      a: sqrt(k^2)*u\n      b: " TWENTY_RATES "(sin(psi)^2)))))))))))))))))))))", "17:", "expected fewer rates of rates, found ')'"},
+     "{psi: psi_dot, psi_dot: psi_ddot}\n    square roots: [k]\n    let:\n      a: sqrt(k^2)*u\n      b: " TWENTY_RATES "(sin(psi)^2)))))))))))))))))))))", "17:", "expected fewer rates of rates, found ')'"},
     {"    to: []\n", "    to: []\n    order: 1\n", "29:12: ", "expected no order where no quantities are small"},
     {"[force, \"10\"]", "[force, \"10\"", "", "expected YAML: "},
 };

@@ -154,12 +154,11 @@ static bool check_rates(const struct identities *t, const struct scope *s)
     char rate[LONGEST_NAME + 8];
     for (int i = 0; rates != NULL && i < rates->count; i++) {
         const struct yaml *by = &rates->items[i];
-        const bool constant = strcmp(by->text, "0") == 0;
-        for (int k = 0; k < (constant ? 1 : 2); k++)
+        for (int k = 0; k < 2; k++)
             if (program_find(&t->program, k == 0 ? by->key : by->text) < 0)
                 return node_error(by, k == 0 ? AT_KEY : 0, "unknown symbol '%s', expected name: its rate",
                                   k == 0 ? by->key : by->text);
-        if (!constant && strlen(by->key) <= LONGEST_NAME && rate_name(s->sheet, by->key, rate) && strcmp(rate, by->text) != 0)
+        if (rate_name(s->sheet, by->key, rate) && strcmp(rate, by->text) != 0)
             return node_error(by, 0, "the rate of %s is %s in the sheet", by->key, rate);
     }
     return true;
@@ -186,15 +185,12 @@ static int read_rate(struct parser *p)
     for (int i = 0; rates != NULL && i < rates->count; i++) {
         const int moving = program_find(p->program, rates->items[i].key);
         if (moving >= 0)
-            made.by[moving] = program_find(p->program, rates->items[i].text); /* no name is a number */
+            made.by[moving] = program_find(p->program, rates->items[i].text);
     }
     char *needed = program_needs(p->program, made.of, made.by);
     for (int i = 0; i <= made.of && i < s->sheet->quantity_count; i++) {
         const char *own = s->sheet->quantities[i].name;
-        if (!needed[i] || made.by[i] >= 0 || !rate_name(s->sheet, own, name))
-            continue;
-        const struct yaml *by = program_find(p->program, own) == i ? under(rates, own) : NULL;
-        if (by == NULL || strcmp(by->text, "0") != 0)
+        if (needed[i] && made.by[i] < 0 && rate_name(s->sheet, own, name))
             still = own;
     }
     free(needed);
@@ -204,7 +200,7 @@ static int read_rate(struct parser *p)
         return made.result;
     p->at = begin;
     rate_name(s->sheet, still, name);
-    message_set(p->why, "rate() of what rests on %s, expected %s: %s among the rates, or %s: 0", still, still, name, still);
+    message_set(p->why, "rate() of what rests on %s, expected %s: %s among the rates", still, still, name);
     return -1;
 }
 
