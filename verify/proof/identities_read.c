@@ -188,7 +188,7 @@ static int read_rate(struct parser *p)
             made.by[moving] = program_find(p->program, rates->items[i].text);
     }
     char *needed = program_needs(p->program, made.of, made.by);
-    for (int i = 0; i <= made.of && i < s->sheet->quantity_count; i++) {
+    for (int i = 0; i < s->sheet->quantity_count; i++) {
         const char *own = s->sheet->quantities[i].name;
         if (needed[i] && made.by[i] < 0 && rate_name(s->sheet, own, name))
             still = own;
