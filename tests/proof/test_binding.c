@@ -308,12 +308,12 @@ TEST(domain_says_what_was_assumed)
 {
     struct sheet s;
     struct derivations d;
-    open_small(&s, &d, "  one: {title: t, from: [given], to: [\"1\"], positive: [k], \"not negative\": [m], angles: [psi], quarter turns: [theta],\n"
+    open_small(&s, &d, "  one: {title: t, from: [given], to: [\"1\"], positive: [k], free: [m], angles: [psi], quarter turns: [theta],\n"
                        "    small: [c], order: 1, rates: {k: a_dot},\n"
                        "    let: {a: 2*k, b: eq2.f(a = k), g: eq2.f(a = k)*0, h: given.g, f: rate(k), a_dot: rate(k) + 1},\n"
                        "    show: [a + b + c*p + s + m + g + h = sin(psi) + cos(theta) + f*a_dot]}\n");
     char *domain = identities_domain(&d.steps[0].corrected);
-    ck_assert_str_eq(domain, "c small, p > 0, s >= 0, psi any angle, theta within a quarter turn, k > 0, m >= 0, a = 2*k, g = eq2.f(a = k)*0, h = given.g, a_dot = rate(k) + 1");
+    ck_assert_str_eq(domain, "c small, p > 0, s >= 0, psi any angle, theta within a quarter turn, k > 0, a = 2*k, g = eq2.f(a = k)*0, h = given.g, a_dot = rate(k) + 1");
     free(domain);
     derivations_clear(&d);
     sheet_clear(&s);

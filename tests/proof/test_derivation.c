@@ -217,20 +217,20 @@ static const struct {
     {"    square roots: [L, sqrt(L^2)*m1]\n    show: [sqrt(L^2*m1^2) = L*m1]", IDENTITY_HOLDS, ""},
     {"    square roots: [L*(2 - positive(L))]\n    show: [sqrt(L^2) = L]", IDENTITY_HOLDS, ""},
     {"    small: [dL]\n    order: 1\n    square roots: [L + L/(1/dL)]\n    show: [sqrt(L^2 + 2*L^2*dL) = L + L*dL]", IDENTITY_HOLDS, ""},
-    {"    not negative: [s]\n    square roots: [s]\n    show: [sqrt(s^2) = s]", IDENTITY_HOLDS, ""},
-    {"    not negative: [s]\n    small: [dL]\n    order: 1\n    square roots: [s]\n    show: [sqrt(s^2 + dL) = s]",
-     IDENTITY_UNDECIDED, "sqrt(s^2 + dL) = s: no value, a series of a square root that may be zero"},
-    {"    not negative: [s]\n    small: [dL]\n    order: 1\n    square roots: [s^2]\n    show: [sqrt(s^4 + dL) = s^2]",
-     IDENTITY_UNDECIDED, "sqrt(s^4 + dL) = s^2: no value, a series of a square root that may be zero"},
+    {"    square roots: [I]\n    show: [sqrt(I^2) = I]", IDENTITY_HOLDS, ""},
+    {"    small: [dL]\n    order: 1\n    square roots: [I]\n    show: [sqrt(I^2 + dL) = I]",
+     IDENTITY_UNDECIDED, "sqrt(I^2 + dL) = I: no value, a series of a square root that may be zero"},
+    {"    small: [dL]\n    order: 1\n    square roots: [I^2]\n    show: [sqrt(I^4 + dL) = I^2]",
+     IDENTITY_UNDECIDED, "sqrt(I^4 + dL) = I^2: no value, a series of a square root that may be zero"},
     {"    small: [dL]\n    order: 1\n    square roots: [L^2 - 2*L*L_ref + L_ref^2]\n"
      "    show: [sqrt((L - L_ref)^4 + dL) = L^2 - 2*L*L_ref + L_ref^2]",
      IDENTITY_UNDECIDED, "sqrt((L - L_ref)^4 + dL) = L^2 - 2*L*L_ref + L_ref^2: no value, a series of a square root that may be zero"},
-    {"    angles: [psi]\n    not negative: [s]\n    square roots: [s, m1*sqrt(s^2)]\n"
-     "    show: [\"cos(atan2(m1*s*sin(psi), m1*s*cos(psi))) = cos(psi)\"]",
-     IDENTITY_UNDECIDED, "cos(atan2(m1*s*sin(psi), m1*s*cos(psi))) = cos(psi): no value, a series of a square root that may be zero"},
-    {"    angles: [psi]\n    not negative: [s]\n    square roots: [s]\n"
-     "    show: [\"cos(atan2(s*sin(psi), s*cos(psi))) = cos(psi)\"]",
-     IDENTITY_UNDECIDED, "cos(atan2(s*sin(psi), s*cos(psi))) = cos(psi): no value, a series of a square root that may be zero"},
+    {"    angles: [psi]\n    square roots: [I, m1*sqrt(I^2)]\n"
+     "    show: [\"cos(atan2(m1*I*sin(psi), m1*I*cos(psi))) = cos(psi)\"]",
+     IDENTITY_UNDECIDED, "cos(atan2(m1*I*sin(psi), m1*I*cos(psi))) = cos(psi): no value, a series of a square root that may be zero"},
+    {"    angles: [psi]\n    square roots: [I]\n"
+     "    show: [\"cos(atan2(I*sin(psi), I*cos(psi))) = cos(psi)\"]",
+     IDENTITY_UNDECIDED, "cos(atan2(I*sin(psi), I*cos(psi))) = cos(psi): no value, a series of a square root that may be zero"},
     {"    angles: [psi]\n    small: [dL]\n    order: 1\n    square roots: [L]\n"
      "    show: [\"cos(atan2(L*sin(psi) + dL, L*cos(psi))) = cos(psi)\"]",
      IDENTITY_UNDECIDED, "cos(atan2(L*sin(psi) + dL, L*cos(psi))) = cos(psi): no value, a value that is no rational series"},

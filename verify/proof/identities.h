@@ -2,7 +2,7 @@
  * Identities: equalities between formulas over free quantities, and their proof by normal forms (symbolic.h).
  *
  * The steps of derivations.yaml and the claims of claims.yaml state them alike: a mapping says what is free and what is
- * defined (angles, positive, "not negative", free, small, order, rates, let, "square roots"), a list what is equal.
+ * defined (angles, positive, free, small, order, rates, let, "square roots"), a list what is equal.
  */
 #ifndef CT_IDENTITIES_H
 #define CT_IDENTITIES_H
@@ -102,7 +102,7 @@ void identities_clear(struct identities *t);
 
 /* The keys of the mapping, for a table of fields that has others too. */
 #define IDENTITIES_FIELDS \
-    {.key = "free"}, {.key = "positive"}, {.key = "not negative"}, {.key = "angles"}, {.key = "quarter turns"}, {.key = "small"}, \
+    {.key = "free"}, {.key = "positive"}, {.key = "angles"}, {.key = "quarter turns"}, {.key = "small"}, \
     {.key = "order"}, {.key = "rates"}, {.key = "square roots"}
 
 /* The node of a formula that stands `shift` characters into a scalar; -1 after a complaint. */

@@ -38,7 +38,6 @@ static const struct {
     struct variable as;
 } declarations[] = {{"free", {.signs = SIGN_ANY}},
                     {"positive", {.signs = SIGN_POSITIVE}},
-                    {"not negative", {.signs = SIGN_ZERO | SIGN_POSITIVE}},
                     {"angles", {.signs = SIGN_ANY, .angle = true}},
                     {"quarter turns", {.signs = SIGN_ANY, .angle = true, .quarter_turn = true}},
                     {"small", {.signs = SIGN_ANY, .power = 1}}};
