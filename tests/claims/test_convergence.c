@@ -41,70 +41,7 @@ static struct second_order response(slong c1, slong c2)
     return o;
 }
 
-static void complex_of(acb_t z, const struct second_order *o, const char *re, const char *im)
-{
-    arb_set(acb_realref(z), second_order_get(o, re));
-    arb_set(acb_imagref(z), second_order_get(o, im));
-}
-
 CASE(convergence, NULL, close_all)
-
-TEST(second_order_solves_eq03_exactly)
-{
-    struct second_order o = response(10, 2);
-    struct proof p;
-    identities_prove(&step_named(steps(), "second_order")->corrected, &p);
-    ck_assert_int_eq(p.result, IDENTITY_HOLDS);
-    proof_clear(&p);
-    second_order_clear(&o);
-}
-
-/*
- * Of second order in pitch Re(z), z' = 2 i z, the plane's equations are l'' + c2 l' + (c1 - 9) l - 2 psi' = theta'^2 -
- * 4 theta^2 = Re(-4 z^2) and psi'' + 3 psi + 2 l' = 2 theta theta' = Re(2 i z^2): for l = Re(A z^2), psi = Re(B z^2)
- * (c1 - 25 + 4 i c2) A - 8 i B = -4 and 8 i A - 13 B = 2 i.
- */
-TEST(eq40_driven_by_pitch_gives_A_and_B)
-{
-    static const slong gains[][2] = {{10, 2}, {12, 4}, {40, 11}, {20, 1}};
-    SCOPE(acb, A, B, x);
-    for (size_t i = 0; i < sizeof gains / sizeof *gains; i++) {
-        struct second_order o = response(gains[i][0], gains[i][1]);
-        complex_of(A, &o, "A_re", "A_im");
-        complex_of(B, &o, "B_re", "B_im");
-        arb_set_si(acb_realref(x), gains[i][0] - 25);
-        arb_set_si(acb_imagref(x), 4 * gains[i][1]);
-        acb_mul(x, x, A, PREC);
-        acb_mul_onei(B, B);
-        acb_submul_si(x, B, 8, PREC);
-        assert_number(acb_realref(x), "-4", 1e-50);
-        assert_number(acb_imagref(x), "0", 1e-50);
-        acb_mul_onei(A, A);
-        acb_mul_onei(B, B); /* -B now */
-        acb_mul_si(x, A, 8, PREC);
-        acb_addmul_si(x, B, 13, PREC);
-        assert_number(acb_realref(x), "0", 1e-50);
-        assert_number(acb_imagref(x), "2", 1e-50);
-        second_order_clear(&o);
-    }
-}
-
-/* The energy of pitch per reduced mass, 2 a^2, loses what C2 takes: the mean of c2 l'^2 is 8 c2 |A|^2 a^4. */
-TEST(pitch_loses_what_the_feedback_takes)
-{
-    SCOPE(acb, A);
-    SCOPE(arb, k, loss);
-    for (slong c2 = 1; c2 <= 9; c2 += 4) {
-        struct second_order o = response(11, c2);
-        complex_of(A, &o, "A_re", "A_im");
-        acb_abs(loss, A, PREC);
-        arb_sqr(loss, loss, PREC);
-        arb_mul_si(loss, loss, 2 * c2, PREC);
-        arb_sub(k, second_order_get(&o, "decay"), loss, PREC);
-        assert_number(k, "0", 1e-50);
-        second_order_clear(&o);
-    }
-}
 
 /* n = 10: k = 2592*2/27977, s = -9/2*701/27977, N = 131^2 + 104^2 = 27977; a halves when 2 k a^2 tau = 3. */
 TEST(slow_law_halves_pitch)

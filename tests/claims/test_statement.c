@@ -8,7 +8,6 @@
 
 #include "claims/verdicts.h"
 #include "evaluate/table1.h"
-#include "formula/typeset.h"
 
 static struct derivations proofs;
 
@@ -576,29 +575,5 @@ TEST(an_equation_is_as_weak_as_the_weakest_claim_on_it)
         ck_assert_int_eq(verdict_on(section_find(proofs.sheet, "eq07"), "7", &s), claims[i].verdict);
         ck_assert_int_eq(verdict_on(section_find(proofs.sheet, "eq18"), "18", &s), HOLDS);
         statements_clear(&s);
-    }
-}
-
-/* ---- mathematics in a sentence ---- */
-
-TEST(mathematics_is_set_token_by_token)
-{
-    static const struct {
-        const char *given, *expected;
-    } pairs[] = {
-        {"3 Omega^2 L", "3\\,\\Omega ^{2}\\,L"},
-        {"x'' = -2*y'/r^(n + 1)", "x'' = -2\\,y'/r^{n + 1}"},
-        {"sqrt(12*n - 27) >= sqrt 7", "\\sqrt{12\\,n - 27} \\ge  \\sqrt{7}"},
-        {"(1 + h/R)^(-3/2)", "(1 + h/R)^{-3/2}"},
-        {"n log r != 1.5e-3", "n\\,\\ln \\,r \\ne  1.5\\cdot 10^{-3}"},
-        {"dL << L_ref", "\\delta L \\ll  L_{\\mathrm{ref}}"},
-        {"u^-2 +- ... -+ 1", "u^{-2} \\pm  \\dots  \\mp  1"},
-        {"f(x)", "f(x)"},
-    };
-    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
-        struct tex t = {NULL, 0};
-        typeset_inline(&t, pairs[i].given, strlen(pairs[i].given));
-        ck_assert_str_eq(t.text, pairs[i].expected);
-        tex_clear(&t);
     }
 }

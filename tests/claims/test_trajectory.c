@@ -191,26 +191,6 @@ TEST(bounds_are_refused_beyond_the_hill)
     bounds_clear(&b);
 }
 
-/* Between samples a day apart the motion goes beyond them: as far as trajectory_supremum allows, at most. */
-TEST(suprema_cover_what_samples_miss)
-{
-    struct trajectory coarse, fine;
-    SCOPE(arb, sup, peak);
-    const struct simulation s = {.steps = steps(), .nonlinear = true};
-    ck_assert(trajectory_run(&coarse, &s, 0, DAY / 12, DAY));
-    ck_assert(trajectory_run(&fine, &s, 0, 100, DAY));
-    for (int i = 0; i < COORDINATES; i++) {
-        ck_assert(trajectory_supremum(sup, &coarse, i, 1, 12));
-        trajectory_peak(peak, &fine, NULL, i, 72, fine.count - 1);
-        ck_assert(arb_le(peak, sup));
-    }
-    trajectory_peak(peak, &coarse, NULL, ETA_DOT, 0, 12);
-    trajectory_peak(sup, &fine, NULL, ETA_DOT, 0, fine.count - 1);
-    ck_assert(arb_lt(peak, sup));
-    trajectory_clear(&fine);
-    trajectory_clear(&coarse);
-}
-
 /* The linear dL is last above 1/100 of the start at 43.25 h, psi at 29.17 h: samples of the linear flow, 100 s apart. */
 TEST(settling_is_found_between_samples)
 {

@@ -133,7 +133,7 @@ TEST(products_are_as_long_as_one_writes_them)
 }
 
 /* Mathematics within a sentence: each token by itself, and at the text's end. */
-EACH(sentences_are_set_token_by_token, 24)
+EACH(sentences_are_set_token_by_token, 27)
 {
     static const struct pair pairs[] = {
         {"12", "12"},
@@ -159,6 +159,9 @@ EACH(sentences_are_set_token_by_token, 24)
         {"{|x|}", "\\{\\vert x\\vert \\}"},
         {"dL eps AB w1_ddot", "\\delta L\\,\\varepsilon \\,{AB}\\,\\ddot \\omega _{1}"},
         {"sin x_max and ln 2", "\\sin \\,x_{\\mathrm{max}}\\,\\text{ and }\\,\\ln \\,2"},
+        {"sqrt(12*n - 27) >= sqrt 7", "\\sqrt{12\\,n - 27} \\ge  \\sqrt{7}"},
+        {"(1 + h/R)^(-3/2) != n log r", "(1 + h/R)^{-3/2} \\ne  n\\,\\ln \\,r"},
+        {"u^-2 +- ... -+ 1", "u^{-2} \\pm  \\dots  \\mp  1"},
         {"dx Dy abc e_12", "\\mathrm{dx}\\,{Dy}\\,\\mathrm{abc}\\,e_{12}"}};
     struct tex t = {NULL, 0};
     typeset_inline(&t, pairs[_i].given, strlen(pairs[_i].given));
