@@ -197,7 +197,7 @@ static const struct {
     {"    angles: [psi]\n    rates: {psi: psi_dot}\n    show: [rate(sin(psi)) = psi_dot*cos(psi)]", IDENTITY_HOLDS, ""},
     {"    rates: {L: L_dot, L_dot: L_ddot}\n    show: [rate(rate(L^2)) = 2*L_dot^2 + 2*L*L_ddot]", IDENTITY_HOLDS, ""},
     {"    rates: {L: L_dot}\n    show: [rate(m1*L) = m1*L_dot]", IDENTITY_HOLDS, ""},
-    {"    show: [rate(Omega) = 0]", IDENTITY_HOLDS, ""}, /* the first of all names */
+    {"    show: [\"rate(Omega) = 0\", \"eq05.x1(m1 = Omega, m2 = Omega) = L/2\"]", IDENTITY_HOLDS, ""}, /* the first of all names */
     {"    square roots: [L*m1]\n    show: [sqrt(L^2*m1^2) = m1*L]", IDENTITY_HOLDS, ""},
     {"    square roots: [m1, L]\n    show: [sqrt(L^2) + sqrt(m1^2) = m1 + L]", IDENTITY_HOLDS, ""},
     {"    square roots: [2*L]\n    show: [sqrt(L^2) = L]", IDENTITY_UNDECIDED, "sqrt(L^2) = L: no value, a square root that is none of"},
@@ -742,6 +742,7 @@ static const struct {
     {"sqrt(k^2)*u", "[k, u]", "16:10: ", "expected a formula, on one line"},
     {"{psi: psi_dot}", "{psi: [psi_dot]}", "13:18: ", "expected a text"},
     {"rate(sin(psi))", "rates(sin(psi))", "17:10: ", "unknown function 'rates', expected rate, left, right, sqrt"},
+    {"rate(sin(psi))", "rate(Omega, 1)", "17:20: ", "expected ')' or an operator, found ','"},
     {"rate(sin(psi))", "rate()", "17:15: ", "expected a number, a symbol or '(', found ')'"},
     {"rate(sin(psi))", "rate sin(psi)", "17:10: ", "unknown symbol 'rate'"},
     {"rate(sin(psi))", "rate(sin(psi)", "17:43: ", "expected ')' or an operator, the formula ends here"},

@@ -173,8 +173,10 @@ static int read_rate(struct parser *p)
     p->at++; /* the bracket, without which it were a name */
     struct rate made = {.of = parse_sum(p)};
     made.first = p->program->count; /* with what was read */
-    if (made.of < 0 || !parse_symbol(p, ')'))
-        return made.of < 0 ? -1 : parse_refuse(p, "')' or an operator");
+    if (made.of < 0)
+        return -1;
+    if (!parse_symbol(p, ')'))
+        return parse_refuse(p, "')' or an operator");
     if (made.first > MOST_RATES)
         return parse_refuse(p, "fewer rates of rates");
     const char *still = NULL; /* the sheet knows its rate, and nothing here does */
@@ -231,21 +233,21 @@ const struct relation *relation_find(const struct sheet *sheet, const char *numb
 }
 
 /* (name = formula, ...) */
-static bool read_bindings(struct parser *p, const struct program *from, int *stand_in)
+static int read_bindings(struct parser *p, const struct program *from, int *stand_in)
 {
     char name[LONGEST_NAME + 1];
     do {
         if (!parse_word(p, name))
-            return false;
+            return -1;
         int node = program_find(from, name);
         if (node < 0)
-            return unknown_in_formula(p, name, "name", "an input or a named subexpression of that section") >= 0;
+            return unknown_in_formula(p, name, "name", "an input or a named subexpression of that section");
         if (!parse_symbol(p, '='))
-            return parse_refuse(p, "'='") >= 0;
+            return parse_refuse(p, "'='");
         if ((stand_in[node] = parse_sum(p)) < 0)
-            return false;
+            return -1;
     } while (parse_symbol(p, ','));
-    return parse_symbol(p, ')') || parse_refuse(p, "an operator, ',' or ')'") >= 0;
+    return parse_symbol(p, ')') ? 0 : parse_refuse(p, "an operator, ',' or ')'");
 }
 
 /*
@@ -391,7 +393,7 @@ static int read_output(struct parser *p, const char *id)
         return unknown_in_formula(p, name, "output", "an output or a named subexpression of that section");
     }
     int *map = nothing_bound(&u.formulas->program);
-    if (*p->at != '(' || (p->at++, read_bindings(p, &u.formulas->program, map)))
+    if (*p->at != '(' || (p->at++, read_bindings(p, &u.formulas->program, map) == 0))
         return take_part(p, &u, map);
     free(map);
     return -1;
