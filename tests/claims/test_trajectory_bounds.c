@@ -233,6 +233,70 @@ TEST(B3_places_have_all_products_of_derivatives)
     }
 }
 
+/* ---- samples ---- */
+
+/* What is to be said of a sample, written anew: L_ref = 10 m, an arm of 5 m, c1 = 10 and c2 = 2 */
+static void truth_of_sample(arb_ptr x, arb_srcptr e, bool nonlinear)
+{
+    VECTOR(arb, sine, 2);
+    VECTOR(arb, cosine, 2);
+    VECTOR(arb, lin, 3);
+    VECTOR(arb, turned, 3);
+    SCOPE(arb, l);
+    _arb_vec_set(x, e, FLOW_STATE);
+    arb_add_ui(l, e + ETA, 1, PREC);
+    for (int i = 0; i < 2; i++)
+        arb_sin_cos(sine + i, cosine + i, e + i, PREC);
+    arb_mul(turned, cosine + PSI, cosine + THETA, PREC);
+    arb_mul(turned + 1, sine + PSI, cosine + THETA, PREC);
+    arb_neg(turned + 2, sine + THETA);
+    arb_one(lin);
+    arb_set(lin + 1, e + PSI);
+    arb_neg(lin + 2, e + THETA);
+    for (int i = 0; i < 3; i++) {
+        arb_mul(x + PLACE_X + i, l, (nonlinear ? turned : lin) + i, PREC);
+        arb_sub(x + ERROR_X + i, lin + i, turned + i, PREC);
+        arb_mul(x + ERROR_X + i, x + ERROR_X + i, l, PREC);
+        arb_mul_ui(x + ERROR_X + i, x + ERROR_X + i, 5, PREC);
+    }
+    arb_mul_ui(x + PRODUCT, e + ETA, 10, PREC);
+    arb_addmul_ui(x + PRODUCT, e + ETA_DOT, 2, PREC);
+    arb_div_ui(x + PRODUCT, x + PRODUCT, 3, PREC);
+    arb_mul_2exp_si(l, e + THETA_DOT, -1);
+    arb_hypot(x + AMPLITUDE, e + THETA, l, PREC);
+    arb_neg(l, l);
+    arb_atan2(x + PHASE, l, e + THETA, PREC);
+}
+
+/* At the start a sample is what it started from; where one of its numbers is a ball, both of the ball's ends are in what is said. */
+EACH(samples_hold_both_ends_of_what_they_start_from, 2 * FLOW_STATE)
+{
+    static const double start[FLOW_STATE] = {0.25, -0.125, 0.0625, 0.5, 0.375, -0.25};
+    static const double unit[VARIABLES] = {1, 1, 10, 7.2915e-5, 7.2915e-5, 7.2915e-4, 5, 5, 5, 1, 1, 1, 1, 1, 1};
+    const bool nonlinear = _i % 2 == 1;
+    const int wide = _i / 2;
+    OWNED(trajectory) t;
+    VECTOR(arb, e, FLOW_STATE);
+    VECTOR(arb, truth, VARIABLES);
+    SCOPE(arb, x);
+    const struct simulation simulation = {.steps = steps(), .nonlinear = nonlinear, .start = e};
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_d(e + i, start[i]);
+    mag_set_d(arb_radref(e + wide), 0x1p-20);
+    ck_assert(trajectory_run(&t, &simulation, 0, 1, 0));
+    mag_zero(arb_radref(e + wide));
+    for (int side = -1; side <= 1; side++) {
+        arb_set_d(e + wide, start[wide] + side * 0x1p-20);
+        truth_of_sample(truth, e, nonlinear);
+        for (int i = 0; i < VARIABLES; i++) {
+            trajectory_value(x, &t, 0, i);
+            ck_assert_msg(arb_contains(x, truth + i) && arb_rel_accuracy_bits(x) > 4, "variable %d, side %d", i, side);
+            trajectory_unit(x, &t, i);
+            ck_assert_double_eq_tol(arf_get_d(arb_midref(x), ARF_RND_NEAR), unit[i], 1e-15);
+        }
+    }
+}
+
 /* ---- roundings: what few bits say holds what many say ---- */
 
 enum { ENERGY = VARIABLES, EXCESS, SUPREMUM = EXCESS + VARIABLES, UNIT = SUPREMUM + VARIABLES, GAP = UNIT + VARIABLES, PEAK = GAP + VARIABLES,
