@@ -15,7 +15,7 @@
 #include "conform/conform.h"
 #include "conform/diagnosis.h"
 #include "evaluate/domain.h"
-#include "conform/hints.h"
+#include "conform/kinds.h"
 #include "conform/report.h"
 #include "evaluate/sample.h"
 #include "evaluate/vectors.h"
@@ -1154,22 +1154,93 @@ static const struct {
     {"eq25", PLACE_OUTPUT, {{"w_1", "0"}, {"w_3", "0"}}, "w_1, w_3 all zeros"},
 };
 
+static void make_mistake(struct mutation *a, int row)
+{
+    struct known_mistake m = {.name = "somebody's"};
+    struct message why = {""};
+    for (; m.count < 3 && computed[row].changes[m.count].name != NULL; m.count++) {
+        m.changes[m.count].place = computed[row].place;
+        m.changes[m.count].name = computed[row].changes[m.count].name;
+        m.changes[m.count].formula = computed[row].changes[m.count].formula;
+    }
+    ck_assert_msg(mutation_init(a, sheet(), section_find(sheet(), computed[row].section), &m, true, &why), "%s", why.text);
+}
+
 EACH(a_mistake_that_people_make_is_told_in_words, COUNT(computed))
 {
-    const struct section *s = section_find(sheet(), computed[_i].section);
-    struct known_mistake m = {.name = "somebody's"};
-    struct mutation a;
-    struct message why = {""};
-    for (; m.count < 3 && computed[_i].changes[m.count].name != NULL; m.count++) {
-        m.changes[m.count].place = computed[_i].place;
-        m.changes[m.count].name = computed[_i].changes[m.count].name;
-        m.changes[m.count].formula = computed[_i].changes[m.count].formula;
-    }
-    ck_assert_msg(mutation_init(&a, sheet(), s, &m, true, &why), "%s", why.text);
-    RUN e = run_of(s, 0, BINARY64);
+    OWNED(mutation) a;
+    make_mistake(&a, _i);
+    RUN e = run_of(a.section, 0, BINARY64);
     answer_all(e, &a.formulas, 0, "invalid");
     ck_assert_str_eq(e->summaries[0].diagnosis, computed[_i].diagnosis);
-    mutation_clear(&a);
+}
+
+static void assert_kind(const struct evidence *v, const char *due)
+{
+    char text[400];
+    kind_of_formula(v, text, sizeof text);
+    ck_assert_str_eq(text, due);
+}
+
+/* Twelve random vectors, more than any formula here has inputs, answered with the mistake; the last row: in decimals. */
+static void answered_so(struct evidence *v, struct record *records, struct operation *o, int row)
+{
+    OWNED(mutation) a;
+    const bool decimals = row == COUNT(computed);
+    make_mistake(&a, decimals ? 0 : row);
+    struct operation wrong = {.section = o->section, .formulas = &a.formulas};
+    INPUTS(inputs);
+    VECTOR(arb, y, MOST_OUTPUTS);
+    machine_init(&wrong.machine, &a.formulas.program, &arithmetic_ball, 128);
+    *v = (struct evidence){.section = o->section, .operation = o, .until = clock() + 60 * CLOCKS_PER_SEC, .count = 12};
+    for (int f = 0; f < v->count; f++) {
+        sample(o, 3, (uint64_t)f, v->x[f], inputs);
+        operation_enclose(o, inputs, 128, y);
+        for (int k = 0; k < o->section->output_count; k++)
+            v->exact[f][k] = arf_get_d(arb_midref(y + k), ARF_RND_NEAR);
+        operation_enclose(&wrong, inputs, 128, y);
+        for (int k = 0; k < o->section->output_count; k++)
+            v->y[f][k] = arf_get_d(arb_midref(y + k), ARF_RND_NEAR);
+        records[f] = (struct record){.outcome = OUTCOME_WRONG};
+        snprintf(records[f].text, sizeof records[f].text, "%.*e", decimals ? 3 : 17, v->y[f][0]);
+        if (decimals) {
+            snprintf(records[f].text, sizeof records[f].text, "%.9f", v->exact[f][0]);
+            v->y[f][0] = strtod(records[f].text, NULL);
+        }
+        v->records[f] = &records[f];
+    }
+    operation_clear(&wrong);
+}
+
+/* A kind is told of all vectors, and of none where the numbers of one, whichever it is, are others. */
+EACH(a_kind_of_mistake_fits_every_vector, COUNT(computed) + 1)
+{
+    static struct evidence v;
+    static struct record records[MOST_EVIDENCE];
+    const bool decimals = _i == COUNT(computed);
+    const struct section *s = section_find(sheet(), decimals ? "eq43" : computed[_i].section);
+    const char *due = decimals ? "written with 9 decimals: small numbers lose their digits" : computed[_i].diagnosis;
+    OPERATION(o, s);
+    answered_so(&v, records, &o, _i);
+    assert_kind(&v, due);
+    for (int f = 0; f < v.count; f++)
+        for (int k = 0; k < s->output_count; k++) {
+            const double kept = v.y[f][k];
+            v.y[f][k] = kept > 0 || kept < 0 ? 1.25 * kept : 1;
+            assert_kind(&v, "");
+            v.y[f][k] = kept;
+        }
+    for (int f = 0; f < v.count && decimals; f++) {
+        static const char *const others[] = {"%.8f", "%.10f", "%.9fe0", "%.0f"};
+        for (int i = 0; i < COUNT(others); i++) {
+            snprintf(records[f].text, sizeof records[f].text, others[i], v.exact[f][0]);
+            assert_kind(&v, "");
+        }
+        snprintf(records[f].text, sizeof records[f].text, "%.9f", v.exact[f][0]);
+    }
+    assert_kind(&v, due);
+    v.count = 1; /* of one vector nothing is told */
+    assert_kind(&v, "");
 }
 
 /* Right but for how it is written. */
