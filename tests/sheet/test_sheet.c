@@ -255,30 +255,6 @@ TEST(empty_sheet_is_refused)
     ck_assert_msg(strncmp(why.text, "t.yaml:1:1: expected", 20) == 0, "%s", why.text);
 }
 
-#define Q(name) name ": {unit: m, domain: finite, meaning: place, example: 1}, "
-
-/* Its inputs take the places of outputs, of which there are no more than 16. */
-TEST(mistake_in_a_method_of_17_inputs_is_refused)
-{
-    static const char text[] =
-        "quantities:\n"
-        "  {" Q("a") Q("b") Q("c") Q("d") Q("e") Q("f") Q("g") Q("h") Q("i") Q("j") Q("k") Q("l") Q("m") Q("n") Q("o") Q("p") Q("q") "}\n"
-        "table1: []\n"
-        "equations:\n"
-        "  eq1:\n"
-        "    title: an algorithm\n"
-        "    equations: [\"1\"]\n"
-        "    method: roots\n"
-        "    inputs: [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q]\n"
-        "    outputs: [a]\n"
-        "    mistakes:\n"
-        "      twice: {inputs: {a: 2*a}}\n";
-    struct sheet s;
-    struct message why = {""};
-    ck_assert_int_ne(sheet_read(&s, text, strlen(text), "t.yaml", &why), 0);
-    ck_assert_str_eq(why.text, "t.yaml:12:14: expected a formula, or a method of at most 16 inputs");
-}
-
 /* Whatever byte of the sheet is lost, it is read or refused in words, never worse. */
 TEST(cut_sheet_is_read_or_refused)
 {

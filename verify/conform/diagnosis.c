@@ -212,7 +212,7 @@ void diagnose(struct test_run *e, int set)
     struct summary *t = &e->summaries[set];
     const struct comparator *j = &e->comparators[set];
     const struct section *s = j->operation->section;
-    struct mutants list = mutants_of(s);
+    OWNED(mutants) list = mutants_of(s);
     const clock_t start = clock(), until = start + (clock_t)(PATIENCE_FOR_KNOWN * CLOCKS_PER_SEC);
     const bool nan = t->nans > 0 && t->nans == t->counts[OUTCOME_VALUE]; /* the word is missing, and not the check */
     const bool several = failures(t, OUTCOME_WRONG, OUTCOME_VALUE) > 1; /* one vector alone tells nothing */
@@ -232,15 +232,13 @@ void diagnose(struct test_run *e, int set)
         add_text(t->diagnosis, sizeof t->diagnosis, "; and ", "nan where `invalid` is due");
     else if (t->counts[OUTCOME_VALUE] > 1 && t->counts[OUTCOME_INVALID] == 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
         add_text(t->diagnosis, sizeof t->diagnosis, "; and ", "not all inputs outside the domain are refused");
-    mutants_clear(&list);
 }
 
 /* ---- the kill table ---- */
 
 struct kills {
-    struct mutants mutants;
-    struct operation o;
-    struct comparator comparator;
+    struct mutants *mutants;
+    struct comparator *comparator;
     struct input *inputs;
     bool fine;
 };
@@ -248,23 +246,23 @@ struct kills {
 /* Whether a vector tells a mutant from the truth. */
 static bool mistake_told(struct kills *k, int i, bool inside)
 {
-    struct mutant *x = &k->mutants.all[i];
-    struct comparator *j = &k->comparator;
-    const int count = k->o.section->output_count;
+    struct mutant *x = &k->mutants->all[i];
+    struct comparator *j = k->comparator;
+    const struct section *s = j->operation->section;
     const struct input *inputs = inputs_of(x, k->inputs);
     struct score score;
     if (inputs == NULL || operation_valid(&x->o, inputs) != inside)
         return inside || inputs != NULL;
     if (!inside)
         return false;
-    const slong digits = is_motion(k->o.section) ? (slong)j->digits + 8 : 60;
+    const slong digits = is_motion(s) ? (slong)j->digits + 8 : 60;
     const slong prec = operation_precision(&x->o, inputs, digits);
-    if (operation_follow(&x->o, inputs, digits, prec, j->y) != OPERATION_PROVED || !_arb_vec_is_finite(j->y, count))
+    if (operation_follow(&x->o, inputs, digits, prec, j->y) != OPERATION_PROVED || !_arb_vec_is_finite(j->y, s->output_count))
         return true;
     j->worst = INFINITY;
     const enum outcome outcome = compare_answer(j, k->inputs, &score);
-    j->followed = is_motion(k->o.section) && outcome != OUTCOME_SKIPPED; /* the next mutant is held against the same motion */
-    for (int n = 0; n < count; n++)
+    j->followed = is_motion(s) && outcome != OUTCOME_SKIPPED; /* the next mutant is held against the same motion */
+    for (int n = 0; n < s->output_count; n++)
         x->differs = x->differs || !arb_overlaps(j->exact + n, j->y + n);
     return outcome == OUTCOME_WRONG;
 }
@@ -282,16 +280,16 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
 {
     struct kills *k = context;
     const bool numbers = vector_read(o->section, texts, k->inputs);
-    const bool inside = numbers && operation_valid(&k->o, k->inputs);
+    const bool inside = numbers && operation_valid(k->comparator->operation, k->inputs);
     int killed = 0;
-    k->comparator.followed = false;
+    k->comparator->followed = false;
     if (inside && is_longer(o->section, k->inputs, SHORT))
         return true;
-    for (int i = 0; i < k->mutants.count && numbers; i++)
+    for (int i = 0; i < k->mutants->count && numbers; i++)
         if (mistake_told(k, i, inside)) {
             fputs(killed == 0 ? id : "", stdout);
-            printf("%s%s", killed == 0 ? "," : "; ", k->mutants.all[i].name);
-            k->mutants.all[i].killed++;
+            printf("%s%s", killed == 0 ? "," : "; ", k->mutants->all[i].name);
+            k->mutants->all[i].killed++;
             killed++;
         }
     if (killed > 0)
@@ -305,18 +303,17 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
 
 bool kills_print(const struct section *s, double digits)
 {
-    struct kills k = {.mutants = mutants_of(s), .inputs = inputs_new(s->input_count), .fine = true};
-    operation_init(&k.o, s, false);
-    comparator_init(&k.comparator, &k.o, BINARY64, digits);
+    OWNED(mutants) list = mutants_of(s);
+    OPERATION(o, s);
+    OWNED(comparator) comparator;
+    INPUTS(inputs);
+    struct kills k = {&list, &comparator, inputs, true};
+    comparator_init(&comparator, &o, BINARY64, digits);
     golden_each(s, print_kills, &k);
-    for (int i = 0; i < k.mutants.count; i++)
-        if (k.mutants.all[i].killed == 0 && k.mutants.all[i].differs) {
-            fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, k.mutants.all[i].name);
+    for (int i = 0; i < list.count; i++)
+        if (list.all[i].killed == 0 && list.all[i].differs) {
+            fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, list.all[i].name);
             k.fine = false;
         }
-    comparator_clear(&k.comparator);
-    operation_clear(&k.o);
-    inputs_free(k.inputs, s->input_count);
-    mutants_clear(&k.mutants);
     return k.fine;
 }

@@ -20,13 +20,13 @@ bool is_same(double a, double b)
 /* The same digits after the point in every answer, no exponent, and right within half of the last of them. */
 static void fixed_decimals(const struct evidence *v, char *text, size_t size)
 {
-    int decimals = -1;
+    int decimals = 0;
     for (int f = 0; f < v->count; f++) {
         const char *word = v->records[f]->text;
         for (int k = 0; k < v->section->output_count; k++, word += strcspn(word, " "), word += strspn(word, " ")) {
             const char *point = word + strcspn(word, ". ");
-            const int length = *point == '.' ? (int)strspn(point + 1, "0123456789") : -1;
-            if (length <= 0 || (decimals >= 0 && length != decimals) || strchr(" ", point[length + 1]) == NULL ||
+            const int length = (int)strspn(point + (*point == '.'), "0123456789");
+            if (length == 0 || (decimals != 0 && length != decimals) || strchr(" ", point[length + 1]) == NULL ||
                 fabs(v->y[f][k] - v->exact[f][k]) > 0.50001 * pow(10.0, -length))
                 return;
             decimals = length;
@@ -102,7 +102,7 @@ static void wrong_outputs(const struct evidence *v, char *text, size_t size)
         const char *what;
     } ways[] = {{turns, "differs by 2 pi: it lies from -pi to pi"}, {from_the_other_axis, "is that of atan2 with its arguments exchanged"},
                 {is_nothing, "all zeros"}};
-    for (size_t way = 0; way < sizeof ways / sizeof *ways && *text == '\0'; way++) {
+    for (size_t way = 0; way < sizeof ways / sizeof *ways; way++) {
         char names[240] = "";
         bool fits = true;
         for (int k = 0; k < v->section->output_count; k++) {
@@ -111,7 +111,7 @@ static void wrong_outputs(const struct evidence *v, char *text, size_t size)
             fits = fits && is_always(v, k, ways[way].so);
             add_text(names, sizeof names, ", ", v->section->outputs[k]->name);
         }
-        if (fits && *names != '\0')
+        if (fits)
             snprintf(text, size, "%s %s", names, ways[way].what);
     }
 }

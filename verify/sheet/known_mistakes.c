@@ -62,10 +62,6 @@ bool mutation_init(struct mutation *a, const struct sheet *sheet, const struct s
         return false;
     }
     a->formulas_end = end->method == METHOD_FORMULA;
-    if (!a->formulas_end && end->input_count > MOST_OUTPUTS) { /* they take the outputs' places */
-        message_set(why, "expected a formula, or a method of at most %d inputs", MOST_OUTPUTS);
-        return false;
-    }
     program_copy(&f->program, &s->corrected.program);
     for (int i = 0; i < s->output_count && s->method == METHOD_FORMULA; i++)
         if (program_find(&f->program, s->outputs[i]->name) < 0)
@@ -73,7 +69,7 @@ bool mutation_init(struct mutation *a, const struct sheet *sheet, const struct s
     int *stand_in = xrealloc(NULL, (size_t)end->corrected.program.count, sizeof *stand_in);
     for (int i = 0; i < end->corrected.program.count; i++)
         stand_in[i] = i < end->input_count ? input_place(s, end->inputs[i]->name) : -1;
-    for (int i = 0; i < MOST_OUTPUTS; i++)
+    for (int i = 0; i < MOST_INPUTS; i++)
         f->outputs[i] = -1;
     const bool fits = take_changes(a, s, m, strict, stand_in, f->outputs, why);
     for (int i = 0; i < (a->formulas_end ? end->output_count : end->input_count) && fits; i++)

@@ -40,7 +40,7 @@ struct condition {
 /* What a section computes: the corrected formulas, or the printed ones. */
 struct formulas {
     struct program program;
-    int outputs[MOST_OUTPUTS];      /* nodes, in the order of the section's outputs */
+    int outputs[MOST_INPUTS];       /* nodes, in the order of the section's outputs; or inputs that a mistake makes for a method */
     const char *text[MOST_OUTPUTS]; /* the outputs' formulas                        */
     const char **let;               /* name and formula by turns                    */
     int lets;

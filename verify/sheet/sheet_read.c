@@ -332,22 +332,20 @@ static bool read_special(const struct yaml *n, struct section *s)
 }
 
 struct tolerance {
-    double bound;
+    const struct yaml *bound;
     const char *reason;
 };
 
 static const struct field tolerance_fields[] = {
     FIELD("reason", struct tolerance, reason, FIELD_TEXT, .expected = "a text"),
-    FIELD("bound", struct tolerance, bound, FIELD_POSITIVE, .expected = "a positive number"),
+    FIELD("bound", struct tolerance, bound, FIELD_NODE, .expected = "a positive number"),
     {.key = NULL}};
 
 /* K: {bound: 8, reason: ...}; as it was where there is none */
 static bool read_K(const struct yaml *n, double *K)
 {
-    struct tolerance t = {.bound = *K};
-    const bool fine = n == NULL || fields_read(n, tolerance_fields, &t);
-    *K = t.bound;
-    return fine;
+    struct tolerance t = {.bound = NULL};
+    return n == NULL || (fields_read(n, tolerance_fields, &t) && is_positive_number(t.bound, K));
 }
 
 struct written_mistake {

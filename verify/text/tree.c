@@ -242,8 +242,6 @@ static bool read_field(const struct yaml *n, const struct field *f, char *into)
         *(int *)(into + f->count) = n->count;
         return is_texts(n, f->most) && (n->count > 0 || f->expected == NULL || f->may_be_empty ||
                                         node_error(n, 0, "expected at least one of %s", f->expected));
-    case FIELD_POSITIVE:
-        return is_positive_number(n, at);
     case FIELD_WORD:
         return read_word(n, f, at);
     default:

@@ -65,7 +65,6 @@ enum field_kind {
     FIELD_LIST,    /* ... a list                                 */
     FIELD_TEXT,    /* const char *                               */
     FIELD_TEXTS,   /* const char *[most], an int counts them     */
-    FIELD_POSITIVE,/* double                                     */
     FIELD_WORD     /* int: which of `words`                      */
 };
 
