@@ -516,14 +516,16 @@ static void count_open(void *context, const struct verdict_row *row)
     int *count = context;
     *count += row->open.text[0] != '\0';
     if (row->statement != NULL)
-        ck_assert_int_eq(strncmp(row->open.text, "t:6:14: c is undecided", 22) == 0, row->id[0] == 'c');
+        ck_assert_int_eq(strncmp(row->open.text, "t:7:14: c is undecided", 22) == 0, row->id[0] == 'c');
+    if (row->statement != NULL)
+        ck_assert_int_eq(row->why.plain.length > 0, row->id[0] == 'd'); /* of what is as it is written */
 }
 
 /* The first claim, and the row of Table 1 that is computed, with another number in it. */
 TEST(rows_are_decided_or_say_what_is_open)
 {
-    static const char *const text = "c:\n  where: here\n  kind: beyond\n  claim: it\n  evidence: so\n  prove: {a: dL < 0}\n"
-                                    "d:\n  where: here\n  kind: beyond\n  claim: it\n  evidence: so\n  prove: {a: dL > 0}\n";
+    static const char *const text = "c:\n  where: here\n  kind: beyond\n  claim: it\n  why: so\n  evidence: so\n  prove: {a: dL < 0}\n"
+                                    "d:\n  where: here\n  kind: beyond\n  claim: it\n  why: so\n  evidence: so\n  prove: {a: dL > 0}\n";
     struct sheet altered = *proofs.sheet;
     struct table_row rows[16];
     struct statements s;

@@ -242,20 +242,6 @@ static bool read_interval(struct claim_reading *r, struct assertion *a, int boun
            (bounds == 1 || (a->high = read_formula(r, &range->items[1])) != NULL);
 }
 
-/* The sign of a relation, but for those within parentheses; NULL: none. */
-static const char *find_relation(const char *text, int *sign)
-{
-    int depth = 0;
-    for (; *text != '\0'; text++) {
-        depth += *text == '(' ? 1 : *text == ')' ? -1 : 0;
-        if (depth == 0 && strchr("<=>", *text) != NULL) {
-            *sign = *text - '=';
-            return text;
-        }
-    }
-    return NULL;
-}
-
 /* Whether a node has no name in it. */
 static bool is_number(const struct program *p, int node)
 {
@@ -298,11 +284,12 @@ static bool read_identity(struct claim_reading *r, struct assertion *a, const st
 
 static bool read_show(struct claim_reading *r, struct assertion *a, const struct yaml *show)
 {
-    const char *sign = show->text != NULL ? find_relation(show->text, &a->sign) : NULL;
+    const char *sign = show->text != NULL ? side_end(show->text, "<=>") : "";
     if (show->text == NULL && !show->mapping)
         return is_texts(show, MOST_SHOWN) && (show->count > 0 || entry_error(r, show, "expected equalities")) && read_identity(r, a, show);
-    if (sign == NULL)
+    if (*sign == '\0')
         return entry_error(r, show, "expected left = right, or < or > between them");
+    a->sign = *sign - '=';
     if (own(r, "on") != NULL && !read_interval(r, a, 2))
         return false;
     if (same_text(show->text, sign, sign + 1)) /* but for blanks */

@@ -87,7 +87,7 @@ static void print_step(const struct step *s)
 static void json_sides(struct json *j, const char *key, const struct step *s, const struct sheet *sheet, const char *text)
 {
     json_open(j, key, '[');
-    for (const char *end = side_end(text);; text = end + 1, end = side_end(text)) {
+    for (const char *end = side_end(text, "=");; text = end + 1, end = side_end(text, "=")) {
         struct tex t = {NULL, 0};
         char *side = text_copy(text);
         side[end - text] = '\0';

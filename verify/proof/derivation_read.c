@@ -124,7 +124,7 @@ static bool read_identities(struct identities *t, const struct scope *s)
 /* A line says something, and something else than the equalities and lines before it. */
 static bool check_line(const struct step *s, const struct equality *line)
 {
-    const char *sign = side_end(line->text), *end = line->text + strlen(line->text);
+    const char *sign = side_end(line->text, "="), *end = line->text + strlen(line->text);
     if (line->at->key[strspn(line->at->key, " ")] == '\0')
         return node_error(line->at, line->offset, "expected how it follows, and not a blank key");
     if (same_text(line->text, sign, sign + 1))

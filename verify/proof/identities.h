@@ -93,8 +93,8 @@ struct scope {
 bool identities_open(struct identities *t, const struct scope *s);
 int identities_formula(struct identities *t, const struct scope *s, const struct yaml *node);
 bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node); /* a = b, or a = b = c */
-/* The next sign of equality outside brackets, or the end of the text; whether two texts are the same but for blanks. */
-const char *side_end(const char *text);
+/* The next of these signs outside brackets, or the end of the text; whether two texts are the same but for blanks. */
+const char *side_end(const char *text, const char *signs);
 bool same_text(const char *a, const char *a_end, const char *b);
 /* What is declared and defined serves something (unless altered), and square roots are where they are needed. */
 bool identities_close(struct identities *t, const struct scope *s);

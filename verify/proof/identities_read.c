@@ -429,10 +429,10 @@ int identities_formula(struct identities *t, const struct scope *s, const struct
     return on_one_line(node, "a formula") ? identities_text(t, s, node, node->text, 0) : -1;
 }
 
-const char *side_end(const char *text)
+const char *side_end(const char *text, const char *signs)
 {
     int depth = 0;
-    for (; *text != '\0' && (*text != '=' || depth > 0); text++)
+    for (; *text != '\0' && (strchr(signs, *text) == NULL || depth > 0); text++)
         depth += *text == '(' ? 1 : *text == ')' ? -1 : 0;
     return text;
 }
@@ -462,10 +462,10 @@ bool identities_show(struct identities *t, const struct scope *s, const struct y
     int left = -1;
     if (!on_one_line(node, "left = right"))
         return false;
-    if (*side_end(node->text) == '\0')
+    if (*side_end(node->text, "=") == '\0')
         return node_error(node, 0, "expected left = right");
     for (const char *before = NULL, *from = node->text, *end; from != NULL; from = *end == '\0' ? NULL : end + 1) {
-        end = side_end(from);
+        end = side_end(from, "=");
         char *side = text_part(from, end);
         const int right = identities_text(t, s, node, side, (size_t)(from - node->text));
         free(side);
