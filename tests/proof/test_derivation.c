@@ -754,6 +754,7 @@ static const struct {
     {"eq10.x1(", "eq30.I_11@print(", "17:37: ", "unknown variant 'print'"},
     {"eq10.x1(", "eq38.L@printed(", "17:32: ", "unknown output 'L', expected an output or a named subexpression"},
     {"eq10.x1(", "eq30.I_11@(", "17:37: ", "expected a name, found '('"},
+    {"eq10.x1(L = 2*m1)", "force.F(b = 2*m1)", "17:44: ", "nothing here is called 'c', expected c = ... in brackets"},
     {"(L = 2*m1)", "(M = 2*m1)", "17:35: ", "unknown name 'M', expected an input or a named subexpression"},
     {"(L = 2*m1)", "(L 2*m1)", "17:37: ", "expected '=', found '2'"},
     {"(L = 2*m1)", "(L = 2*m9)", "17:41: ", "unknown symbol 'm9'"},
