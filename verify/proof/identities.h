@@ -82,7 +82,7 @@ const struct relation *relation_find(const struct sheet *sheet, const char *numb
 /* What the names of formulas may stand for, and where they are written. */
 struct scope {
     const struct sheet *sheet;
-    const struct definitions *definitions; /* NULL: none                              */
+    const struct definitions *definitions;
     const struct yaml *given;              /* the mapping; NULL: everything is free   */
     const struct yaml *shared;             /* of what it does not say; then not all need serve here. NULL: none */
     const char *const *names;              /* further free names                      */

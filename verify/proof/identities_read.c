@@ -348,7 +348,7 @@ static const struct formulas *read_variant(struct parser *p, const struct sectio
 
 const struct section *definition_find(const struct definitions *d, const char *id)
 {
-    for (int i = 0; d != NULL && i < d->count; i++)
+    for (int i = 0; i < d->count; i++)
         if (strcmp(d->sections[i].id, id) == 0)
             return &d->sections[i];
     return NULL;
