@@ -302,8 +302,13 @@ EACH(samples_hold_both_ends_of_what_they_start_from, 2 * FLOW_STATE)
 enum { ENERGY = VARIABLES, EXCESS, SUPREMUM = EXCESS + VARIABLES, UNIT = SUPREMUM + VARIABLES, GAP = UNIT + VARIABLES, PEAK = GAP + VARIABLES,
        BOUND = PEAK + VARIABLES, SERIES = BOUND + COORDINATES, NUMBERS = SERIES + 3 * DERIVATIVES };
 
-/* All that is said of two trajectories of two samples each, whose numbers are doubles. */
-static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec)
+enum { PLAIN = -1, NUMBERS_IN = 5 + 2 * COORDINATES }; /* gains, units, samples */
+
+/*
+ * All that is said of two trajectories of two samples each, whose numbers are doubles; where not all are plain, the one of that
+ * number of the first trajectory is a ball, or one of its ends.
+ */
+static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec, int wide, int side)
 {
     OWNED(trajectory) t, other;
     OWNED(bounds) b;
@@ -315,6 +320,15 @@ static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec)
     for (int i = 0; i < 2 * COORDINATES; i++) {
         arb_set_d(t.samples + i, 0.03 * sin(1 + 7 * i + 31 * seed));
         arb_set_d(other.samples + i, 0.03 * sin(2 + 5 * i + 17 * seed));
+    }
+    if (wide != PLAIN) {
+        arb_ptr all[] = {t.c1, t.c2, t.Omega, t.L_ref, t.arm}, x = wide < 5 ? all[wide] : t.samples + wide - 5;
+        SCOPE(arb, radius);
+        arb_abs(radius, x);
+        arb_mul_2exp_si(radius, radius, -20);
+        if (side == 0)
+            arb_add_error(x, radius);
+        arb_addmul_si(x, radius, side, 300);
     }
     bounds_init(&b);
     trajectory_energy(z + ENERGY, &t, 1);
@@ -343,10 +357,22 @@ TEST(roundings_of_few_bits_are_in_their_balls)
     for (int k = 0; k < 24; k++) {
         VECTOR(arb, few, NUMBERS);
         VECTOR(arb, many, NUMBERS);
-        numbers_of(few, k % 2, k, 14 + k);
-        numbers_of(many, k % 2, k, 300);
+        numbers_of(few, k % 2, k, 14 + k, PLAIN, 0);
+        numbers_of(many, k % 2, k, 300, PLAIN, 0);
         for (int i = 0; i < NUMBERS; i++)
             ck_assert_msg(arb_contains(few + i, many + i), "number %d", i);
+    }
+}
+
+EACH(both_ends_of_each_number_are_in_what_is_said, 2 * NUMBERS_IN)
+{
+    VECTOR(arb, held, NUMBERS);
+    VECTOR(arb, end, NUMBERS);
+    numbers_of(held, _i % 2, 1, PREC, _i / 2, 0);
+    for (int side = -1; side <= 1; side += 2) {
+        numbers_of(end, _i % 2, 1, 300, _i / 2, side);
+        for (int i = 0; i < NUMBERS; i++)
+            ck_assert_msg(arb_contains(held + i, end + i), "number %d of %d, side %d", i, _i / 2, side);
     }
 }
 
