@@ -230,9 +230,12 @@ static void hear_line(struct test_run *e, char *line, bool ended)
     }
     const bool due = e->next < e->asked && strcmp(words[0], vector_at(e, e->next)->id) == 0;
     const uint64_t position = due ? e->next : test_sets_find(&e->sets, words[0]);
-    const bool asked = position < e->asked, again = asked && (e->any_order ? e->answered[position] : position < e->next);
-    if (!asked || again) {
-        stray(e, position == UINT64_MAX ? OUTCOME_STRANGER : again ? OUTCOME_LATE : OUTCOME_EARLY, shown);
+    if (position >= e->asked) {
+        stray(e, position == UINT64_MAX ? OUTCOME_STRANGER : OUTCOME_EARLY, shown);
+        return;
+    }
+    if (e->any_order ? e->answered[position] : position < e->next) {
+        stray(e, OUTCOME_LATE, shown);
         return;
     }
     const char *text = shown + strspn(shown, " "); /* the line is cut, perhaps within its id */
