@@ -481,7 +481,7 @@ TEST(inlined_program_takes_the_place_of_its_inputs)
  * 300 bits say, and no binary number of 20 bits is that; of wide ones what 300 bits say at their corners. MPFR says the same.
  */
 static const char *const of_balls[] = {"-x/3", "x + y/3", "x - y/3", "x*y/3", "x/y", "x^3/3", "x^-1", "x^-2", "x^0/3", "sqrt(x)", "sin(x)",
-                                       "cos(x)", "exp(x)", "log(x)", "atan2(y, x)", "atan2(-y, x)", "atan2(y, -x)"};
+                                       "cos(x)", "exp(x)", "log(x)", "atan2(y, x)", "atan2(-y, x)", "atan2(y, -x)", "atan2(y - 3, x)"};
 
 EACH(ball_of_each_function_has_rounding_and_radius, 2*COUNT(of_balls))
 {
