@@ -476,6 +476,8 @@ EACH(B4_both_sides_confine, 2)
     arb_set_d(trajectory_sample(&t, 0) + ETA, _i == 0 ? 0.1 : -0.1);
     ck_assert(trajectory_bounds(&b, &t, 0));
     ck_assert(arb_is_finite(b.of[ETA]) && !is_below(b.of[ETA], 0.1));
+    t.bounded = false; /* of another law, say */
+    ck_assert(!trajectory_bounds(&b, &t, 0));
 }
 
 /* With c1 = 12 the hill is at 1.3 L_ref. At 1.4 the energy is less than there, but the motion is on the other side. */

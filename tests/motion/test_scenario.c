@@ -210,7 +210,7 @@ TEST(equilibria_are_where_the_masses_have_them)
     }
 }
 
-/* From the angles: where nothing is displaced all stays, exactly; where anything is, x1 does not. */
+/* From the angles, x1 = 10/3 m: where nothing is displaced all stays, exactly; where anything is, x1 does not. */
 EACH(only_the_static_formation_stays, 1 + FLOW_STATE)
 {
     OWNED(scenario) s;
@@ -220,6 +220,8 @@ EACH(only_the_static_formation_stays, 1 + FLOW_STATE)
     scenario_init(&s, sheet(), false);
     for (int i = 0; i < FLOW_STATE; i++)
         give(&s, (enum scenario_name)(SET_psi + i), i == _i ? 1 : 0, 1 << 20);
+    give(&s, SET_m1, 100, 1);
+    give(&s, SET_m2, 50, 1);
     fmpq_set_si(time, 1000, 1);
     const struct motion m = {.scenario = &s, .nonlinear = true, .digits = 3};
     ck_assert_msg(motion_rows(&m, time, 1, count_row, &r, &why) == 0, "%s", why.text);

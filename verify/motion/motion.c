@@ -49,7 +49,7 @@ static bool is_apart(const struct scenario *s)
 {
     SCOPE(fmpq, x, y);
     bool apart = false;
-    for (int i = SET_x1; i <= SET_z1 && cartesian(s); i++) {
+    for (int i = SET_x1; i <= SET_z1; i++) {
         fmpq_abs(x, &s->value[i].value);
         apart = apart || fmpq_cmp(x, s->radius + i) > 0;
     }
@@ -252,7 +252,7 @@ static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count,
 
 /*
  * When Q_ref + dQ stops being negative: it is so at `before` and not at `after`, and six times over the
- * interval between such times is cut into tenths. Only a motion has times in between, a method has none.
+ * interval between such times is cut into tenths. Only a motion has times in between: a method's steps are refused there.
  */
 static void say_crossing(const struct pass *found, const fmpq *given, struct message *why)
 {
@@ -267,7 +267,7 @@ static void say_crossing(const struct pass *found, const fmpq *given, struct mes
     }
     fmpq_set(before, given + found->done - 1);
     m.digits = 9; /* a millionth of a step and some to spare */
-    for (int cut = 0; cut < 6 && m.h == NULL; cut++) {
+    for (int cut = 0; cut < 6; cut++) {
         struct pass p = {.motion = &m, .at_equilibrium = found->at_equilibrium};
         double reached;
         for (int i = 0; i <= 10; i++) {
