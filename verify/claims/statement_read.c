@@ -243,7 +243,7 @@ static bool read_interval(struct claim_reading *r, struct assertion *a, int boun
 }
 
 /* Whether a node has no name in it. */
-static bool is_number(const struct program *p, int node)
+static bool is_nameless(const struct program *p, int node)
 {
     char *needed = program_needs(p, node, NULL);
     const bool number = memchr(needed, true, (size_t)FLINT_MIN(p->inputs, node + 1)) == NULL;
@@ -259,7 +259,7 @@ static bool read_difference(struct claim_reading *r, struct assertion *a, const 
     parsing_open(&f, r);
     const int one = parsing_add(&f, node, left, 0);
     a->right = parsing_add(&f, node, sign + 1, (size_t)(sign - text) + 1);
-    a->loose = f.fine && a->sign != 0 && a->variable == NULL && is_number(&f.identities.program, a->right);
+    a->loose = f.fine && a->sign != 0 && a->variable == NULL && is_nameless(&f.identities.program, a->right);
     a->formula = parsing_close(&f, r, f.fine ? program_append(&f.identities.program, OPERATOR_SUBTRACT, one, a->right, 0) : -1);
     return a->formula != NULL;
 }
