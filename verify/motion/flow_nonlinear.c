@@ -228,13 +228,11 @@ enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct fl
         return FLOW_DOMAIN;
     if (!flow_in_reach(p, times, count, false))
         return FLOW_STALLED;
-    struct flow f;
+    OWNED(flow) f;
     flow_init(&f, prec, how);
     f.direction = direction;
     set_problem(&f, how, p, initial);
-    enum flow_status status = follow(&f, initial, times, count, digits, receive, context, reached);
-    flow_clear(&f);
-    return status;
+    return follow(&f, initial, times, count, digits, receive, context, reached);
 }
 
 enum flow_status flow_nonlinear(const struct flow_parameters *p, arb_srcptr initial,

@@ -252,7 +252,7 @@ static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count,
 
 /*
  * When Q_ref + dQ stops being negative: it is so at `before` and not at `after`, and six times over the
- * interval between such times is cut into tenths. Only a motion has times in between: a method's steps are refused there.
+ * interval between such times is cut into tenths. A method has of the times in between those that are its steps.
  */
 static void say_crossing(const struct pass *found, const fmpq *given, struct message *why)
 {
