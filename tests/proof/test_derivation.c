@@ -197,6 +197,7 @@ static const struct {
     {"    angles: [psi]\n    rates: {psi: psi_dot}\n    show: [rate(sin(psi)) = psi_dot*cos(psi)]", IDENTITY_HOLDS, ""},
     {"    rates: {L: L_dot, L_dot: L_ddot}\n    show: [rate(rate(L^2)) = 2*L_dot^2 + 2*L*L_ddot]", IDENTITY_HOLDS, ""},
     {"    rates: {L: L_dot}\n    show: [rate(m1*L) = m1*L_dot]", IDENTITY_HOLDS, ""},
+    {"    let: {u: Omega}\n    show: [u = Omega]", IDENTITY_HOLDS, ""},
     {"    show: [\"rate(Omega) = 0\", \"eq05.x1(m1 = Omega, m2 = Omega) = L/2\"]", IDENTITY_HOLDS, ""}, /* the first of all names */
     {"    square roots: [L*m1]\n    show: [sqrt(L^2*m1^2) = m1*L]", IDENTITY_HOLDS, ""},
     {"    square roots: [m1, L]\n    show: [sqrt(L^2) + sqrt(m1^2) = m1 + L]", IDENTITY_HOLDS, ""},
@@ -734,6 +735,10 @@ static const struct {
     {"{psi: psi_dot}", "{psi: psi_dot, L_dot: L}", "13:34: ", "the rate of L_dot is L_ddot in the sheet"},
     {"{psi: psi_dot}", "{psi: psi_dot, w_2: L}", "13:32: ", "the rate of w_2 is w_dot_2 in the sheet"},
     {"{psi: psi_dot}", "[psi, psi_dot]", "13:12: ", "expected a mapping, key: value"},
+    {"square roots: [k]", "square roots: k", "14:19: ", "expected a list"},
+    {"      let:\n        a: k*u + 1\n", "      let: a\n", "21:12: ", "expected a mapping, key: value"},
+    {"small: [theta]", "small: [theta, R_c]", "11:20: ", "nothing shown rests on 'R_c'"},
+    {"    show:\n      - a + b", "      c: 2*k\n    show:\n      - a + b", "18:7: ", "nothing shown rests on 'c'"},
     {"square roots: [k]", "square roots: [k +]", "14:23: ", "expected a number, a symbol or '(', the formula ends here"},
     {"      a: sqrt", "      c: 2*k\n      a: sqrt", "16:7: ", "nothing shown rests on 'c'"},
     {"      b: rate", "      a: rate", "17:7: ", "duplicate 'a', expected each key once"},
