@@ -155,6 +155,10 @@ stops 'a mistake that makes no difference' 's/0\.0174532925199432957692369076848
 stops 'vectors without a purpose' '
     s/{outputs: {L: L^2}}/{outputs: {L: L*1}}/; s/{z1: "0", z2: "0"}/{z1: z1 , z2: z2 }/' 1 \
     ': kills no mistake and pins no edge' conform --kills --only eq12
+stops 'a value that is not the one printed' 's/value: 150, meaning: mass of craft 1}/value: 151, meaning: mass of craft 1}/' 1 \
+    'm1     150          1.5100000000000000e+02   kg         no' table1
+# Decimals of which no ball has the product exactly.
+stops 'a condition on its boundary' 's/domain: \[n > 0\]/domain: [n*n >= 1\/100]/' 0 'C1 = 1.000e-01 1/s^2' eval eq43 Omega=1 n=0.1 --exact --digits 4
 stops 'a condition that nothing violates' 's/x1^2 + y1^2 + z1^2 > 0/x1^2 + y1^2 + z1^2 >-1/' 1 \
     'eq13: no edge found of x1^2 + y1^2 + z1^2 >-1' vectors eq13 --golden
 check 'questions without one' ends 1 "$wrong" conform --questions --only eq13

@@ -84,13 +84,14 @@ static slong isolate_between(arb_t one, struct curve *c, const arb_t low, const 
     arf_interval_t block;
     arf_interval_ptr blocks = NULL;
     int *flags = NULL;
-    slong count = 0;
     arf_interval_init(block);
     arb_get_lbound_arf(&block->a, low, PROVING_BITS);
     arb_get_ubound_arf(&block->b, high, PROVING_BITS);
     const slong found = arb_calc_isolate_roots(&blocks, &flags, curve_series, c, block, DEEPEST_ISOLATION, EVALUATIONS, ROOTS, PROVING_BITS);
+    slong count = found;
     for (slong i = 0; i < found; i++) {
-        count = count < 0 || flags[i] != 1 ? -1 : count + 1;
+        if (flags[i] != 1)
+            count = -1;
         arf_interval_get_arb(one, blocks + i, PROVING_BITS);
         arf_interval_clear(blocks + i);
     }
