@@ -81,8 +81,8 @@ put_operation() {
     before verify/evaluate/reference.c 'FILLS(flow_linear' <<'END'
 RETURNS(eq45, double, ct_potential_energy(FORMATION, in[4], AT(ct_spherical, 5)))
 END
-    before verify/evaluate/reference.c '    OPERATION(eq44)' <<'END'
-    OPERATION(eq45),
+    before verify/evaluate/reference.c '    REFERENCE(eq44)' <<'END'
+    REFERENCE(eq45),
 END
 }
 put_test() {

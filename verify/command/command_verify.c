@@ -8,7 +8,7 @@
 #include "claims/verdicts.h"
 #include "command/command.h"
 
-enum { INPUTS = 1000, MOST_COUNT = 100000000 }; /* for each operation of verify errors, unless --count says otherwise */
+enum { COUNT_UNLESS_GIVEN = 1000, MOST_COUNT = 100000000 }; /* for each operation of verify errors, unless --count says otherwise */
 
 static const struct part {
     const char *name;
@@ -26,7 +26,7 @@ static int read_request(const struct arguments *a, struct verification *v)
 {
     static const char *const formats[] = {[FORMAT_JSON] = "--json", [FORMAT_CSV] = "--csv", [FORMAT_MARKDOWN] = "--markdown",
                                           [FORMAT_GRAPH] = "--graph"};
-    uint64_t count = INPUTS;
+    uint64_t count = COUNT_UNLESS_GIVEN;
     int given = 0;
     *v = (struct verification){.sheet = &a->paper->sheet, .json = json_on(stdout),
                                .part = a->word_count > 0 ? a->words[0] : NULL,

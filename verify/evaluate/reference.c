@@ -96,19 +96,19 @@ FILLS(rk4_linear, ct_linear_runge_kutta(orbit(in), AT(ct_gains, 2), AT(ct_tether
 FILLS(rk4_nonlinear, ct_nonlinear_runge_kutta(FORMATION, AT(ct_gains, 5), AT(ct_hill_state, 8), in[14], 1, in + 7,
                                               (struct ct_hill_state *)out))
 
-#define OPERATION(id) {#id, reference_##id}
+#define REFERENCE(id) {#id, reference_##id}
 static const struct {
     const char *id;
     reference_function *function;
 } operations[] = {
-    OPERATION(eq02), OPERATION(eq03), OPERATION(eq04), OPERATION(eq05), OPERATION(eq07), OPERATION(eq09),
-    OPERATION(eq10), OPERATION(eq10lin), OPERATION(eq10inv), OPERATION(eq11exact), OPERATION(eq11), OPERATION(eq12),
-    OPERATION(eq13), OPERATION(eq14), OPERATION(eq15), OPERATION(eq17), OPERATION(eq18), OPERATION(eq19),
-    OPERATION(eq21), OPERATION(eq25), OPERATION(eq26), OPERATION(eq27), OPERATION(eq28), OPERATION(eq29),
-    OPERATION(eq30), OPERATION(eq32), OPERATION(eq34), OPERATION(eq36), OPERATION(eq37), OPERATION(eq38),
-    OPERATION(eq39), OPERATION(eq40), OPERATION(eq41), OPERATION(eq41roots), OPERATION(eq42), OPERATION(eq43),
-    OPERATION(eq44), OPERATION(flow_linear), OPERATION(flow_nonlinear), OPERATION(rk4_linear),
-    OPERATION(rk4_nonlinear),
+    REFERENCE(eq02), REFERENCE(eq03), REFERENCE(eq04), REFERENCE(eq05), REFERENCE(eq07), REFERENCE(eq09),
+    REFERENCE(eq10), REFERENCE(eq10lin), REFERENCE(eq10inv), REFERENCE(eq11exact), REFERENCE(eq11), REFERENCE(eq12),
+    REFERENCE(eq13), REFERENCE(eq14), REFERENCE(eq15), REFERENCE(eq17), REFERENCE(eq18), REFERENCE(eq19),
+    REFERENCE(eq21), REFERENCE(eq25), REFERENCE(eq26), REFERENCE(eq27), REFERENCE(eq28), REFERENCE(eq29),
+    REFERENCE(eq30), REFERENCE(eq32), REFERENCE(eq34), REFERENCE(eq36), REFERENCE(eq37), REFERENCE(eq38),
+    REFERENCE(eq39), REFERENCE(eq40), REFERENCE(eq41), REFERENCE(eq41roots), REFERENCE(eq42), REFERENCE(eq43),
+    REFERENCE(eq44), REFERENCE(flow_linear), REFERENCE(flow_nonlinear), REFERENCE(rk4_linear),
+    REFERENCE(rk4_nonlinear),
 };
 
 reference_function *reference_find(const char *id)
