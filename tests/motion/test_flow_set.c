@@ -273,6 +273,7 @@ static const struct {
     {"S8: z'' s^2/2 at times that are not known well", 10, 0, 0, 1, 2, 0, 0x1p-10, 0x1.8p-11, 0, false, false, 0.25, 0},
     {"all together, degree 2", 10, 0.02, 0.2, 2, 5, 3, 0.125, 1, 0, false, true, 0, 0},
     {"S9: a set that is split on its way, with all that it is off", -90, 1e-4, 0, 2, 0, 0, 0.0078125, 0.3, 2, false, false, 0, 1e-4},
+    {"S9: a half that takes shorter steps", 10, 0.2, 0, 6, 0, 0, 0, 0.2, 2, false, false, 0, 0},
     {"S9: both halves of what was split", 10, 0.02, 0.3, 4, 0, 0, 0, 4, 64, false, false, 0, 0},
 };
 

@@ -164,6 +164,28 @@ EACH(L1_every_direction_moves, MAPS)
     ck_assert(move_and_compare(&set, &m, LOHNER_BITS, ROUNDED));
 }
 
+/* 1 + s_k for each k, and nothing else of the others: twice as far as it was, however many unknowns the derivatives have. */
+RANGE(L1_the_part_of_every_unknown_moves, 1, 12)
+{
+    arb_mat_struct part[12];
+    OWNED(lohner) set;
+    VECTOR(arb, image, N);
+    VECTOR(mag, error, N);
+    box_of(&set, 0);
+    for (int i = 0; i <= _i; i++) {
+        arb_mat_init(part + i, N, N);
+        if (i == 0 || i == _i)
+            arb_mat_one(part + i);
+    }
+    for (int i = 0; i < N; i++)
+        mag_one(set.radius + i);
+    ck_assert(lohner_move(&set, image, part, _i + 1, error, LOHNER_BITS));
+    for (int i = 0; i < N; i++)
+        ck_assert(mag_cmp_2exp_si(set.radius + i, 1) >= 0);
+    for (int i = 0; i <= _i; i++)
+        arb_mat_clear(part + i);
+}
+
 /* A diagonal map leaves the axes: the inverse is exact, the product is rounded to a few bits. */
 EACH(L2_the_product_is_rounded, MAPS)
 {

@@ -355,6 +355,7 @@ static void end_round(struct work *w)
 {
     const int before = w->count;
     w->now = HUGE_VAL;
+    w->proved = w->limit;
     for (int i = 0; i < before; i++) {
         if (w->piece[i].split >= 0 && w->count < w->set->most_pieces) {
             w->piece = xrealloc(w->piece, (size_t)w->count + 1, sizeof *w->piece);
@@ -367,10 +368,8 @@ static void end_round(struct work *w)
             w->limit = p->k;
         }
         w->now = fmin(w->now, fabs(p->now));
+        w->proved = FLINT_MIN(w->proved, p->k);
     }
-    w->proved = w->limit;
-    for (int i = 0; i < before; i++)
-        w->proved = FLINT_MIN(w->proved, w->piece[i].k);
 }
 
 /* Rows that all pieces have, from the k-th on; false where the receiver has enough */
