@@ -133,6 +133,11 @@ static const struct {
     /* to the order that is compared */
     {"b + a*c", "b + a", ENDS "    small: [a]\n    order: 0\n    show: [eq1.f = given.g]", "f may be altered (a right factor or term dropped)"},
     {"b + a*a", "b", ENDS "    small: [a]\n    order: 1\n    show: [eq1.f = given.g]", "f may be altered (a sign)"},
+    /* an alteration that cannot be told is none that changes nothing */
+    {"a*(b^250)^399", "a*(b^250)^399", WHERE "    show: [\"eq1.f(b = 2) = given.g(b = 2)\"]", "may be altered (a number or exponent)"},
+    /* values that depend on each other, but for roundings: they fill no open set */
+    {"a*b", "a*b", ENDS "    angles: [psi]\n    show: [\"eq1.f(a = sin(psi), b = cos(psi)) = given.g(a = sin(psi), b = cos(psi))\"]", "f is shown for some values"},
+    {"a*b", "a*b", ENDS "    show: [\"eq1.f(a = c/3, b = c^2/7) = given.g(a = c/3, b = c^2/7)\"]", "f is shown for some values"},
     /* (W3) what is used is not felt: times zero, in a root, in a rate, beyond the order, by way of what is bound to something else */
     {"a*b", "c", ENDS "    show: [eq1.f = a*b + 0*given.g]", "'given' is not used"},
     {"p*b", "c", ENDS "    square roots: [p + 0*given.g]\n    show: [eq1.f = sqrt((p + 0*given.g)^2)*b]", "'given' is not used"},
