@@ -97,6 +97,7 @@ static const struct {
     {NULL, "a: {root: x^2 - 2, on: {x: [2, 3]}}", FOUND_FALSE, EXACT},
     {NULL, "a: {root: x^2 - 2, on: {x: [-2, 2]}}", FOUND_FALSE, EXACT}, /* two */
     {NULL, "a: {root: (x - 1)^2, on: {x: [0, 3]}}", UNDECIDED, EXACT}, /* touches zero */
+    {NULL, "a: {root: (x - 1)^2*(x - 2)*(x - 3), on: {x: [0, 5]}}", UNDECIDED, EXACT}, /* and crosses it twice then */
     {"at: {y: 1.25 +- 0.06}", "a: {root: x - y, on: {x: [1, 2]}}", FOUND_TRUE, CERTIFIED}, /* while the sign is certain */
     {NULL, "a: {root: x - 1, on: {x: [pi, 0]}}", UNDECIDED, EXACT}, /* reversed */
     {NULL, "a: {show: x > 0, on: {x: [pi, 1]}}", UNDECIDED, CERTIFIED},
