@@ -129,7 +129,7 @@ $(BUILD)/ref/%.o: ref/%.c | $(BUILD)/packages.found
 # FLINT's headers are parsed once, and kept; ccache would keep nothing then. What asks the C library for more than POSIX.1 does
 # so before any header.
 PARSED = $(BUILD)/parsed/$(1)/flint.h
-parsed = $(if $(findstring ccache,$(CC))$(filter tests/run.c tests/command/test_command_line.c,$<),,-include $(call PARSED,$(1)))
+parsed = $(if $(findstring ccache,$(CC))$(filter tests/run.c tests/command/test_command_line.c verify/text/whole_file.c,$<),,-include $(call PARSED,$(1)))
 
 $(BUILD)/verify/%.o: verify/%.c $(call PARSED,verify).gch | $(BUILD)/packages.found
 	$(COMPILE) $(VERIFY_CFLAGS) $(call parsed,verify)
