@@ -45,7 +45,7 @@ FLINT_LIBS   := $(or $(call package,--libs flint),-lcalcium -lantic -lflint-arb 
 
 VERIFY_CFLAGS = -Iverify -Iref $(GSL_CFLAGS) $(FLINT_CFLAGS) $(YAML_CFLAGS) -DCT_VERSION='"$(VERSION)"' \
   -DCT_SHEET_PATH='"paper/equations.yaml"' -DCT_DERIVATIONS_PATH='"paper/derivations.yaml"' \
-  -DCT_CLAIMS_PATH='"paper/claims.yaml"'
+  -DCT_CLAIMS_PATH='"paper/claims.yaml"' -DCT_GOLDEN_PATH='"data/golden"'
 VERIFY_LIBS   = $(FLINT_LIBS) -lmpfr -lgmp $(YAML_LIBS) $(GSL_LIBS) -lm
 
 # A short line a step; V=1 shows the commands, make -s nothing.

@@ -80,5 +80,5 @@ struct sources __wrap_embedded_sources(void)
     const char *folder = getenv("MUTANT_SHEETS");
     if (folder == NULL)
         return right;
-    return (struct sources){read_sheet(folder, right.equations), read_sheet(folder, right.derivations), read_sheet(folder, right.claims)};
+    return (struct sources){read_sheet(folder, right.equations), read_sheet(folder, right.derivations), read_sheet(folder, right.claims), right.motions};
 }

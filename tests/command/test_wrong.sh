@@ -132,6 +132,8 @@ check 'its name' says 'coulomb-tether: step attitude is broken, see verify deriv
 check 'its report in a file' ends 1 "$wrong" verify derivations attitude -o report
 check 'nothing else' nothing_in "$work/said"
 check 'the report says why' grep -q 'BROKEN: paper/derivations.yaml:' "$work/report"
+stops 'a printed formula in a line' 's/across it: I_22 = m1/across it: I_22 + 0*eq30.I_22@printed = m1/' 1 '{{I_{22}}_{(30\\,\\mathrm{printed})}}' \
+    verify derivations inertia_of_the_pair --json
 stops 'a misprint that is none' 's/sqrt(3\*GM\/R_c^3)/sqrt(1*GM\/R_c^3)/; s/R_c^3\/3)/R_c^3\/1)/' 1 \
     ': expected to differ as printed: it holds' verify derivations kepler
 check 'its place' says 'BROKEN: paper/derivations.yaml:'

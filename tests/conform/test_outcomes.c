@@ -1428,3 +1428,54 @@ TEST(a_motion_that_cannot_be_followed_is_not_judged)
     static const char *const zeros[] = {"0", "0", "0", "0", "0", "0"};
     ck_assert_int_eq(judged("flow_nonlinear", texts, zeros, BINARY64), OUTCOME_SKIPPED);
 }
+
+/* What data/golden says of a motion is the truth that an answer is held against, where it has a row of the same inputs. */
+TEST(golden_motions_are_held_against_what_data_has)
+{
+    const char *const motions = embedded_sources().motions.text, name[] = "\nflow_nonlinear-paper-100,";
+    RUN e = run_of(section_find(sheet(), "flow_nonlinear"), 0, BINARY64);
+    const char *const row = strstr(motions, name);
+    char text[LONG], words[LONG];
+    ck_assert_ptr_nonnull(row);
+    snprintf(text, sizeof text, "%.*s\n", 1 + (int)strcspn(row + 1, "\n"), row);
+    char *outputs = text, *const t = strstr(text, ",100,") + 1; /* after the 14 inputs, and among them the time */
+    for (int i = 0; i < 15; i++)
+        outputs = strchr(outputs, ',') + 1;
+    snprintf(words, sizeof words, "%s", outputs);
+    *strrchr(words, ',') = '\0'; /* the flags */
+    for (char *c = words; *c != '\0'; c++)
+        *c = *c == ',' ? ' ' : *c;
+    const uint64_t position = test_sets_find(&e->sets, "flow_nonlinear-paper-100");
+    const struct {
+        const char *motions;
+        char *at, digit;
+        enum outcome due;
+    } cases[] = {{NULL, NULL, 0, OUTCOME_RIGHT},         {"", NULL, 0, OUTCOME_RIGHT}, {motions, NULL, 0, OUTCOME_RIGHT},
+                 {text, NULL, 0, OUTCOME_RIGHT},         {text, outputs + 8, '0', OUTCOME_WRONG}, /* the eighth digit of x1 */
+                 {text, t, '2', OUTCOME_RIGHT} /* with that digit still, and of another time */};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (cases[i].at != NULL)
+            *cases[i].at = cases[i].digit;
+        e->sets.motions = cases[i].motions;
+        assert_found(e, position, words, cases[i].due);
+    }
+}
+
+/* It is rounded to 40 digits: more of them are computed. */
+TEST(more_digits_than_data_has_are_computed)
+{
+    const struct section *s = section_find(sheet(), "flow_linear");
+    RUN e = run_of(s, 0, BINARY128);
+    const uint64_t position = test_sets_find(&e->sets, "flow_linear-paper-100");
+    VECTOR(arb, truth, MOST_OUTPUTS);
+    VECTOR(arb, rounded, MOST_OUTPUTS);
+    TEST_VECTOR(q);
+    e->sets.motions = embedded_sources().motions.text;
+    test_vector_make(&q, &e->sets, position);
+    ck_assert(test_vector_truth(rounded, &q, &e->sets));
+    ck_assert(operation_follow(e->comparators[0].operation, q.inputs, 60, 400, truth) == OPERATION_PROVED);
+    for (int k = 0; k < s->output_count; k++) {
+        ck_assert(arb_contains(rounded + k, truth + k));
+        ck_assert(arb_rel_accuracy_bits(rounded + k) >= 128 && arb_rel_accuracy_bits(rounded + k) < 133);
+    }
+}

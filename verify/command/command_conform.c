@@ -171,6 +171,7 @@ static int take_questions(struct test_run *e, const struct arguments *a, const s
         return usage_error(EXIT_USAGE, "--random: expected at most %d vectors an operation", MOST_RANDOM);
     if (significand != BINARY32 && significand != BINARY64 && significand != BINARY128)
         return usage_error(EXIT_USAGE, "--significand: expected 24, 53 or 113");
+    e->sets.motions = a->paper->motions.text;
     e->significand = (int)significand;
     e->range = option_given(a, "--range");
     double *digits = xrealloc(NULL, (size_t)c->sheet->section_count, sizeof *digits);

@@ -63,7 +63,7 @@ int main(int count, char **arguments)
             status = -1;
         }
     }
-    const struct sources s = {sources[0], sources[1], sources[2]};
+    const struct sources s = {.equations = sources[0], .derivations = sources[1], .claims = sources[2]};
     if (status == 0)
         status = count > SHEETS + 1 ? program_run(&s, count - SHEETS, arguments + SHEETS) : check(&s, &why);
     if (why.text[0] != '\0')

@@ -9,6 +9,7 @@
 #include "evaluate/sample.h"
 #include "evaluate/vectors.h"
 #include "text/decimal.h"
+#include "text/scope.h"
 
 const char id_letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-";
 
@@ -134,6 +135,38 @@ void test_vector_make(struct test_vector *vector, const struct test_sets *sets, 
         domain_defect(&set->operation, sets->seed + k, vector->values);
     }
     vector->numbers = inputs_of_values(s, vector->values, vector->inputs);
+}
+
+/* A decimal of VECTOR_DIGITS, of which half a unit of the last is less than 2^-130 of the number */
+static bool read_rounded(arb_t y, const char *decimal)
+{
+    SCOPE(mag, half);
+    if (*decimal == '\0' || arb_set_str(y, decimal, 256) != 0)
+        return false;
+    arb_get_mag(half, y);
+    mag_mul_2exp_si(half, half, -130);
+    arb_add_error_mag(y, half);
+    return true;
+}
+
+bool test_vector_truth(arb_ptr outputs, const struct test_vector *vector, const struct test_sets *sets)
+{
+    const struct section *s = vector->set->operation.section;
+    char cell[LONGEST_ID + 3];
+    snprintf(cell, sizeof cell, "\n%s,", vector->id);
+    const char *at = sets->motions != NULL ? strstr(sets->motions, cell) : NULL;
+    if (at == NULL)
+        return false;
+    at += strlen(cell);
+    bool known = true;
+    INPUTS(inputs);
+    for (int i = 0; i < s->input_count + s->output_count && known; i++) {
+        const int length = (int)strcspn(at, ",\n"), k = i - s->input_count;
+        snprintf(cell, sizeof cell, "%.*s", length, at);
+        at += length + (at[length] == ',');
+        known = k >= 0 ? read_rounded(outputs + k, cell) : input_read(&inputs[i], cell) && fmpq_equal(&inputs[i].value, &vector->inputs[i].value);
+    }
+    return known;
 }
 
 void test_vector_text(const struct test_vector *vector, int input, enum input_form form, char text[LONGEST_INPUT])

@@ -39,6 +39,7 @@ struct test_sets {
     int count;
     uint64_t seed, total;
     enum input_form form;
+    const char *motions; /* the rows of data/golden about motions; NULL: none */
 };
 
 struct test_vector {
@@ -67,6 +68,9 @@ void test_vector_clear(struct test_vector *vector);
 /* The vector at a position, and the operation that it is about. */
 void test_vector_make(struct test_vector *vector, const struct test_sets *sets, uint64_t position);
 struct test_set *test_sets_at(const struct test_sets *sets, uint64_t position);
+
+/* What is certified of a golden motion, into output_count balls; false where that has no row of these inputs. */
+bool test_vector_truth(arb_ptr outputs, const struct test_vector *vector, const struct test_sets *sets);
 
 /* An input as it is asked. */
 void test_vector_text(const struct test_vector *vector, int input, enum input_form form, char text[LONGEST_INPUT]);

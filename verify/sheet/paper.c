@@ -2,7 +2,7 @@
 
 int paper_open(struct paper *p, const struct sources *s, struct message *why)
 {
-    *p = (struct paper){.derivations = s->derivations, .claims = s->claims};
+    *p = (struct paper){.derivations = s->derivations, .claims = s->claims, .motions = s->motions};
     return sheet_read(&p->sheet, s->equations.text, s->equations.length, s->equations.name, why);
 }
 
