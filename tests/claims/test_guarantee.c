@@ -280,6 +280,10 @@ TEST(outside_the_domain_nothing_is_said)
     mag_set_d(arb_radref(n), 0.05);
     ck_assert(guarantees_enclose(values, n, NULL, PREC));
     ck_assert(arb_is_finite(values + guarantee_find("widest")) && !arb_is_finite(values + guarantee_find("longer")));
+    arb_set_d(n, 10.58); /* nor here, where the sign at the upper end is known */
+    mag_set_d(arb_radref(n), 0.01);
+    ck_assert(guarantees_enclose(values, n, NULL, PREC));
+    ck_assert(arb_is_finite(values + guarantee_find("widest")) && !arb_is_finite(values + guarantee_find("shorter")));
 }
 
 /* ---- what is proved of all values of a ball ---- */

@@ -292,6 +292,7 @@ static const struct {
     {STEP("p", "given", "\"1\", 2a") STEP("r", "\"2\"", "\"3\"") STEP("s", "\"1\"", "\"10\""), "2b"},
     {STEP("p", "given", "\"1\", \"2\"") STEP("r", "\"2\"", "3b, 3c") STEP("s", "\"1\"", "\"10\""), "3a"},
     {STEP("p", "given", "\"1\", \"2\", \"3\""), "10"},
+    {STEP("p", "given", "\"2\", \"3\"") STEP("q", "given, \"10\"", "\"1\"") STEP("r", "given, \"1\"", "\"10\""), "1"}, /* each of `from` */
     {STEP("p", "given", "\"1\", \"3\", \"10\"") STEP("q", "2b", "2a") STEP("r", "2a", "2b"), "2a"},
     {"  p: {title: t, from: [given], to: [\"1\", \"2\", \"3\", \"10\"], free: [open], show: [eq1.f = a*open]}\n", "1"},
     {"  p: {title: t, from: [given], to: [\"1\", eq1.open, \"2\", \"3\", \"10\"], free: [open], show: [eq1.f = a*open]}\n", NULL},
