@@ -799,7 +799,8 @@ EACH(F8_each_of_the_three_bounds_is_proved, 9)
     lohner_from_box(&set, box);
     expansion_path(&e, PREC, 0);
     expansion_derivatives(&e, &set);
-    for (double step = 0x1p-10; step < 1; step *= 1 + 0x1p-7) {
+    for (int k = 0; k < 10 * 64; k++) { /* from 2^-10 to 1 */
+        const double step = exp2(k / 64.0 - 10);
         mag_set_d(h, step);
         if (expansion_prove(&e, &set, step, 1, false) <= 0)
             continue;
