@@ -246,7 +246,7 @@ static bool read_interval(struct claim_reading *r, struct assertion *a, int boun
 static bool is_nameless(const struct program *p, int node)
 {
     char *needed = program_needs(p, node, NULL);
-    const bool number = memchr(needed, true, (size_t)FLINT_MIN(p->inputs, node + 1)) == NULL;
+    const bool number = memchr(needed, 1, (size_t)FLINT_MIN(p->inputs, node + 1)) == NULL;
     free(needed);
     return number;
 }
