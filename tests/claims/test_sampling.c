@@ -145,6 +145,11 @@ TEST(H3_D3_what_few_bits_do_not_prove_stays_open)
     ck_assert(!arb_is_finite(longest));
     largest_delay(longest, c1, c2, 8);
     ck_assert(!arb_is_finite(longest));
+    arb_set_ui(c1, 10); /* of which all four crossings are not told apart */
+    arb_set_ui(c2, 2);
+    mag_set_d(arb_radref(c1), 0.19);
+    largest_delay(longest, c1, c2, 96);
+    ck_assert(!arb_is_finite(longest));
 }
 
 /* ---- motions: x y z and rates, in radians of orbit and units of the arm ---- */
@@ -224,6 +229,10 @@ TEST(a_held_law_moves_the_pair_as_the_reference_says)
         for (int i = 0; i < 6; i++) /* a step errs by 0.0025^5, and grows with e^2.5 a radian where it is held */
             ck_assert_double_eq_tol(s[i], middle(states + 6 * k + i), 1e-9);
     }
+    /* from a box that no hold is proved of nothing is, whatever stood in the states before */
+    _arb_vec_set(states, start, 6);
+    mag_set_d(arb_radref(start), 0.5);
+    ck_assert_int_ne(hold_follow(states, start, c1, c2, T, 2, 10, 256), FLOW_DONE);
 }
 
 /* From a box of one coordinate's or gain's values, the corner among the motions. */

@@ -341,6 +341,9 @@ static const struct {
     {"trajectory nonlinear --at 0,100 --digits 3 x1=5 y1=0 z1=0 x1_dot=0 y1_dot=0 z1_dot=0",
      "t,x1,y1,z1,x1_dot,y1_dot,z1_dot,q1,q2\n0,5.00e+00,0,0,0,0,0,3.65e-07,-3.65e-07\n"
      "100,5.00e+00,0,0,0,0,0,3.65e-07,-3.65e-07\n"},
+    /* short of where Q_ref + dQ = 0: q^2 = m1 m2/(m1 + m2) L_ref^2/k_c C1 1e-31 = 75*100/8.99e9*10*1e-31 C^2 */
+    {"trajectory nonlinear C1=10 C2=0 Omega=1 L_ref=10 psi=0 theta=0 dL=-2.9999999999999999999999999999999 --exact --at 0 --digits 6",
+     "t,x1,y1,z1,x1_dot,y1_dot,z1_dot,q1,q2\n0,3.50000e+00,0,0,0,0,0,9.13379e-19,-9.13379e-19\n"},
     /* rows at multiples of the decimal, the last one too; 0.3 is no sum of three binary64s 0.1 */
     {"trajectory linear --every 0.1 --until 0.3 --digits 3 psi=0 theta=0 dL=0",
      "t,psi,theta,dL,psi_dot,theta_dot,dL_dot\n0,0,0,0,0,0,0\n0.1,0,0,0,0,0,0\n0.2,0,0,0,0,0,0\n0.3,0,0,0,0,0,0\n"},
