@@ -376,6 +376,14 @@ TEST(answers_come_through_a_pipe_as_well)
     ck_assert_int_eq(system("cat data/golden/eq07.csv | \"$CT_PROGRAM\" conform eq07 --answers /dev/stdin >/dev/null"), 0);
     ck_assert_int_eq(system("\"$CT_PROGRAM\" conform --questions --only roots,eq07 | \"$CT_BUILD/tests/faulty\" | "
                             "\"$CT_PROGRAM\" conform --only roots,eq07 --answers /dev/stdin >/dev/null"), 0);
+    static const char *const tables[] = {"s/x/x/", "s/,/;/g", "1s/id/\"id\"/", "1s/^/\\xef\\xbb\\xbf/"};
+    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) { /* of which the operation would be known from the second line */
+        char line[400];
+        snprintf(line, sizeof line, "sed '%s' data/golden/eq07.csv | { said=$(\"$CT_PROGRAM\" conform --answers /dev/stdin 2>&1); [ $? = 2 ] && "
+                 "[ \"$said\" = \"coulomb-tether: /dev/stdin: a table of no known operation, or through a pipe: "
+                 "expected the operation's id after it\" ]; }", tables[i]);
+        ck_assert_msg(system(line) == 0, "%s", tables[i]);
+    }
 }
 
 /* ---- wrong usage ---- */

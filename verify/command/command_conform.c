@@ -335,16 +335,25 @@ static int hear_csv(struct test_run *e, struct csv *c, const struct section *s)
     return result == CSV_END ? EXIT_DONE : usage_error(result == CSV_MALFORMED ? EXIT_USAGE : EXIT_FAILED_CHECK, "%s", why.text);
 }
 
+/* Whether a table begins there: its first column is id, or "id". */
+static bool is_table(const char *text, size_t size)
+{
+    const size_t quote = size > 0 && *text == '"';
+    return size > 2 + 2 * quote && memcmp(text + quote, "id", 2) == 0 && memchr(",;\t", text[2 + 2 * quote], 3) != NULL;
+}
+
 /* What a client has written to a file, in the order of the questions. */
 static int hear_transcript(struct test_run *e, FILE *file, const char *name)
 {
     char bytes[1 << 12];
-    size_t size, skip = 3; /* a byte order mark before the first line is an editor's, not the client's */
-    while ((size = fread(bytes, 1, sizeof bytes, file)) > 0) {
-        skip = size >= skip && memcmp(bytes, "\357\273\277", skip) == 0 ? skip : 0;
+    size_t size;
+    for (bool first = true; (size = fread(bytes, 1, sizeof bytes, file)) > 0; first = false) {
+        /* a byte order mark before the first line is an editor's, not the client's */
+        const size_t skip = first && size >= 3 && memcmp(bytes, "\357\273\277", 3) == 0 ? 3 : 0;
+        if (first && is_table(bytes + skip, size - skip))
+            return usage_error(EXIT_USAGE, "%s: a table of no known operation, or through a pipe: expected the operation's id after it", name);
         if (!test_run_hear(e, bytes + skip, size - skip))
             return usage_error(EXIT_FAILED_CHECK, "%s: expected answers, found lines that answer nothing", name);
-        skip = 0;
     }
     return ferror(file) ? usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno)) : EXIT_DONE;
 }
