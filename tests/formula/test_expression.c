@@ -448,6 +448,23 @@ EACH(gradient_is_the_derivative_by_every_input, COUNT(differentiable))
     program_clear(&p);
 }
 
+/* In balls too, which know no zero but as such: else each vector of (37), where I_33 - I_22 is I - I, would be asked of exact numbers. */
+TEST(what_is_taken_from_itself_has_no_gradient)
+{
+    struct program p;
+    OWNED(machine) m;
+    OWNED(gradient) by;
+    const int node = parse_inputs(&p, "x/3*(y - y) + a");
+    machine_init(&m, &p, &arithmetic_ball, 64);
+    gradient_init(&by, &p, &node, 1, &arithmetic_ball, 64);
+    for (int i = 0; i < p.inputs; i++)
+        arb_set_ui(machine_value(&m, i), 7);
+    machine_run(&m);
+    gradient_run(&by, &m);
+    ck_assert(arb_is_zero(gradient_value(&by, 0, 0)) && arb_is_zero(gradient_value(&by, 0, 1)) && arb_is_one(gradient_value(&by, 0, 2)));
+    program_clear(&p);
+}
+
 /* f(x) = x^2 + 1 with y - 1 in the place of x, beside what p has already */
 TEST(inlined_program_takes_the_place_of_its_inputs)
 {

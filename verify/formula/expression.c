@@ -423,7 +423,8 @@ static void append_gradient(struct program *p, int node, int *by)
     derivative[node] = append_integer(p, 1);
     for (int i = node; i >= p->inputs; i--) {
         const int operands[2] = {p->nodes[i].left, p->nodes[i].right};
-        for (int k = 0; k < 2 && operands[k] >= 0; k++)
+        const bool none = p->nodes[i].op == OPERATOR_SUBTRACT && operands[0] == operands[1]; /* x - x does not change */
+        for (int k = 0; k < 2 && operands[k] >= 0 && !none; k++)
             derivative[operands[k]] = sum(p, derivative[operands[k]], times_slope(p, i, k == 1, derivative[i]));
     }
     for (int i = 0; i < p->inputs; i++)
