@@ -338,8 +338,8 @@ static int hear_csv(struct test_run *e, struct csv *c, const struct section *s)
 /* Whether a table begins there: its first column is id, or "id". */
 static bool is_table(const char *text, size_t size)
 {
-    const size_t quote = size > 0 && *text == '"';
-    return size > 2 + 2 * quote && memcmp(text + quote, "id", 2) == 0 && memchr(",;\t", text[2 + 2 * quote], 3) != NULL;
+    const size_t quote = size > 0 && *text == '"', end = 2 + 2 * quote;
+    return size > end && strncmp(text + quote, "id", 2) == 0 && (text[end] == ',' || text[end] == ';' || text[end] == '\t');
 }
 
 /* What a client has written to a file, in the order of the questions. */
