@@ -24,51 +24,41 @@ struct mutant {
     bool differs;          /* else so small a difference does no harm   */
 };
 
-struct mutants {
-    struct mutant *all;
-    int count;
-};
-
-static void mutant_add(struct mutants *list, const struct section *s, const struct known_mistake *m)
+/* A known mistake of a section, or its print's own formulas (NULL); false where it cannot be made there. */
+static bool mutant_init(struct mutant *x, const struct section *s, const struct known_mistake *m)
 {
-    struct mutant *x = &list->all[list->count];
     struct message why;
     *x = (struct mutant){.name = m != NULL ? m->name : "as printed"};
-    if (m != NULL && !mutation_init(&x->a, s->sheet, s, m, false, &why))
-        return;
-    list->count++;
+    if (m == NULL ? !s->differs : !mutation_init(&x->a, s->sheet, s, m, false, &why))
+        return false;
     x->transforms = m != NULL && !x->a.formulas_end;
     x->inputs = inputs_new(MOST_INPUTS);
     operation_init(&x->o, x->transforms ? x->a.section : s, m == NULL);
     if (m == NULL || x->transforms)
-        return;
+        return true;
     operation_clear(&x->o);
     x->o.formulas = &x->a.formulas;
     machine_init(&x->o.machine, &x->a.formulas.program, &arithmetic_ball, 128);
+    return true;
 }
 
-/* The print's own formulas, the section's own mistakes, and those that every section may make. */
-static struct mutants mutants_of(const struct section *s)
+static void mutant_clear(struct mutant *x)
 {
-    struct mutants list = {xrealloc(NULL, 1 + (size_t)s->mistake_count + (size_t)s->sheet->mistake_count, sizeof *list.all), 0};
-    if (s->differs)
-        mutant_add(&list, s, NULL);
-    for (int i = 0; i < s->mistake_count; i++)
-        mutant_add(&list, s, &s->mistakes[i]);
-    for (int i = 0; i < s->sheet->mistake_count; i++)
-        mutant_add(&list, s, &s->sheet->mistakes[i]);
-    return list;
+    operation_clear(&x->o);
+    inputs_free(x->inputs, MOST_INPUTS);
+    if (x->a.section != NULL)
+        mutation_clear(&x->a);
 }
 
-static void mutants_clear(struct mutants *list)
+/* Of so many in all the one at a place: NULL for the print, then the section's own, then those that every section may make. */
+static int mistake_count(const struct section *s)
 {
-    for (int i = 0; i < list->count; i++) {
-        operation_clear(&list->all[i].o);
-        inputs_free(list->all[i].inputs, MOST_INPUTS);
-        if (list->all[i].a.section != NULL)
-            mutation_clear(&list->all[i].a);
-    }
-    free(list->all);
+    return 1 + s->mistake_count + s->sheet->mistake_count;
+}
+
+static const struct known_mistake *mistake_at(const struct section *s, int k)
+{
+    return k == 0 ? NULL : k <= s->mistake_count ? &s->mistakes[k - 1] : &s->sheet->mistakes[k - 1 - s->mistake_count];
 }
 
 /* The inputs that the operation is done on; NULL where they have no exact value. */
@@ -140,12 +130,22 @@ static bool is_domain_alone(const struct summary *t)
     return failures(t, OUTCOME_WRONG, OUTCOME_INVALID) == 0 && t->counts[OUTCOME_VALUE] > 0;
 }
 
+/* What is diagnosed: the failures of an operation, until a time. */
+struct patient {
+    const struct test_run *e;
+    struct summary *t;
+    const struct section *section;
+    double digits; /* that a motion is due */
+    clock_t until; /* of processor time    */
+};
+
 /*
  * All failures that formulas can explain, two at least, and nothing that passes speaks against it; what is refused may do so only where
  * the domain is all that fails: else a client may check it first. Of a motion the long ones are tried where no others fail.
  */
-static bool explains_all(struct mutant *x, const struct test_run *e, const struct summary *t, double digits)
+static bool explains_all(struct mutant *x, const struct patient *p)
 {
+    const struct summary *t = p->t;
     const bool domain = is_domain_alone(t);
     int explained = 0;
     bool all = true;
@@ -156,13 +156,90 @@ static bool explains_all(struct mutant *x, const struct test_run *e, const struc
             const bool right = r->outcome == OUTCOME_RIGHT;
             if (right ? !r->has_values && !domain : r->outcome > (domain ? OUTCOME_VALUE : OUTCOME_INVALID))
                 continue;
-            test_vector_make(&q, &e->sets, r->position);
+            test_vector_make(&q, &p->e->sets, r->position);
             if ((pass == 0 || right) && q.numbers && is_longer(q.set->operation.section, q.inputs, SHORT))
                 continue;
-            all = clock() <= x->o.until && explains(x, e, r, &q, digits);
+            all = clock() <= p->until && explains(x, p->e, r, &q, p->digits);
             explained += !right;
         }
     return all && explained > 1;
+}
+
+/* Says so where that mistake (NULL: the print) explains all. */
+static void try_mistake(const struct patient *p, const struct known_mistake *m, const char *kind)
+{
+    struct mutant x;
+    char *text = p->t->diagnosis;
+    if (!mutant_init(&x, p->section, m))
+        return;
+    x.o.until = p->until;
+    if (explains_all(&x, p)) {
+        add_text(text, sizeof p->t->diagnosis, "; or ", kind);
+        add_text(text, sizeof p->t->diagnosis, "", m != NULL ? m->name : p->section->reason);
+    }
+    mutant_clear(&x);
+}
+
+/* ---- mistakes that no sheet lists, by names alone ---- */
+
+enum { LONGEST_GUESS = 80 };
+
+/* A factor too many, or missing, in those outputs. */
+static void try_factor(const struct patient *p, const bool *wrong, const char *factor)
+{
+    char name[LONGEST_GUESS + 20], formulas[MOST_OUTPUTS][2 * LONGEST_GUESS];
+    for (int missing = 0; missing < 2; missing++) {
+        struct known_mistake m = {.name = name};
+        for (int k = 0; k < p->section->output_count; k++) {
+            const char *output = p->section->outputs[k]->name;
+            if (!wrong[k])
+                continue;
+            snprintf(formulas[k], sizeof formulas[k], "%s%c(%s)", output, missing ? '/' : '*', factor);
+            m.changes[m.count].place = PLACE_OUTPUT;
+            m.changes[m.count].name = output;
+            m.changes[m.count++].formula = formulas[k];
+        }
+        snprintf(name, sizeof name, "a factor %s %s", factor, missing ? "is missing" : "too many");
+        try_mistake(p, &m, "");
+    }
+}
+
+/* One formula in place of an input, and (NULL: nothing) that input in place of another. */
+static void try_input(const struct patient *p, const char *input, const char *formula, const char *other)
+{
+    char name[2 * LONGEST_GUESS];
+    const struct known_mistake m = {.name = name, .changes = {{PLACE_INPUT, input, formula}, {PLACE_INPUT, other, input}}, .count = 1 + (other != NULL)};
+    if (other != NULL)
+        snprintf(name, sizeof name, "the inputs %s and %s exchanged", input, other);
+    else
+        snprintf(name, sizeof name, "%s in place of %s", formula, input);
+    try_mistake(p, &m, "");
+}
+
+/* What the masses make, or a power of an input, in the outputs that are wrong; one input off by one, or with such a factor; two exchanged. */
+static void try_names(const struct patient *p, const bool *wrong)
+{
+    static const char *const masses[] = {"m1*m2/(m1 + m2)", "m1/(m1 + m2)", "m2/(m1 + m2)", "m1/m2"};
+    static const char *const changes[] = {" + 1", " - 1", "*m1*m2/(m1 + m2)", "*(m1*m2/(m1 + m2))^2", "/(m1*m2/(m1 + m2))", "/(m1*m2/(m1 + m2))^2"};
+    const struct section *s = p->section;
+    const bool has_masses = input_place(s, "m1") >= 0 && input_place(s, "m2") >= 0;
+    const char *text = p->t->diagnosis;
+    char formula[LONGEST_GUESS];
+    for (size_t k = 0; k < sizeof masses / sizeof *masses && has_masses; k++)
+        try_factor(p, wrong, masses[k]);
+    for (int i = 0; i < s->input_count && *text == '\0'; i++) {
+        const char *input = s->inputs[i]->name;
+        for (int power = 1; power <= 3 && *text == '\0'; power++) {
+            snprintf(formula, sizeof formula, power == 1 ? "%s" : "%s^%d", input, power);
+            try_factor(p, wrong, formula);
+        }
+        for (size_t k = 0; k < (has_masses ? sizeof changes / sizeof *changes : 2) && *text == '\0'; k++) {
+            snprintf(formula, sizeof formula, "%s%s", input, changes[k]);
+            try_input(p, input, formula, NULL);
+        }
+        for (int other = i + 1; other < s->input_count && *text == '\0'; other++)
+            try_input(p, input, s->inputs[other]->name, s->inputs[other]->name);
+    }
 }
 
 /* What failed in numbers, with the truth, then what passed, of which the answer is as good; of a motion what is soon computed. */
@@ -199,35 +276,34 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
 }
 
 /* What no sheet lists. */
-static void diagnose_kind(struct test_run *e, int set, clock_t until)
+static void diagnose_kind(const struct patient *p, int set)
 {
     struct evidence *v = xrealloc(NULL, 1, sizeof *v);
-    gather(v, e, set, until);
-    (is_motion(v->section) ? kind_of_motion : kind_of_formula)(v, e->summaries[set].diagnosis, sizeof e->summaries[set].diagnosis);
+    bool wrong[MOST_OUTPUTS];
+    gather(v, p->e, set, p->until);
+    for (int k = 0; k < p->section->output_count; k++)
+        wrong[k] = !is_always(v, k, is_same);
+    if (is_motion(p->section))
+        kind_of_motion(v, p->t->diagnosis, sizeof p->t->diagnosis);
+    else if (kind_of_formula(v, p->t->diagnosis, sizeof p->t->diagnosis) && p->section->method == METHOD_FORMULA)
+        try_names(p, wrong);
     free(v);
 }
 
 void diagnose(struct test_run *e, int set)
 {
     struct summary *t = &e->summaries[set];
-    const struct comparator *j = &e->comparators[set];
-    const struct section *s = j->operation->section;
-    OWNED(mutants) list = mutants_of(s);
-    const clock_t start = clock(), until = start + (clock_t)(PATIENCE_FOR_KNOWN * CLOCKS_PER_SEC);
+    const struct section *s = e->comparators[set].operation->section;
+    const clock_t start = clock();
+    struct patient p = {e, t, s, e->comparators[set].digits, start + (clock_t)(PATIENCE_FOR_KNOWN * CLOCKS_PER_SEC)};
     const bool nan = t->nans > 0 && t->nans == t->counts[OUTCOME_VALUE]; /* the word is missing, and not the check */
     const bool several = failures(t, OUTCOME_WRONG, OUTCOME_VALUE) > 1; /* one vector alone tells nothing */
-    for (int i = 0; i < list.count && several && !(nan && is_domain_alone(t)); i++) {
-        struct mutant *x = &list.all[i];
-        const bool printed = x->a.section == NULL;
-        x->o.until = until;
-        if (!explains_all(x, e, t, j->digits))
-            continue;
-        add_text(t->diagnosis, sizeof t->diagnosis, "; or ", printed ? "the paper's misprint: " : "a known mistake: ");
-        add_text(t->diagnosis, sizeof t->diagnosis, "", printed ? s->reason : x->name);
-    }
-    t->hurried = clock() > until;
+    for (int k = 0; k < mistake_count(s) && several && !(nan && is_domain_alone(t)); k++)
+        try_mistake(&p, mistake_at(s, k), k == 0 ? "the paper's misprint: " : "a known mistake: ");
+    t->hurried = clock() > p.until;
+    p.until = start + (clock_t)(PATIENCE * CLOCKS_PER_SEC);
     if (t->diagnosis[0] == '\0' && several)
-        diagnose_kind(e, set, start + (clock_t)(PATIENCE * CLOCKS_PER_SEC));
+        diagnose_kind(&p, set);
     if (nan)
         add_text(t->diagnosis, sizeof t->diagnosis, "; and ", "nan where `invalid` is due");
     else if (t->counts[OUTCOME_VALUE] > 1 && t->counts[OUTCOME_INVALID] == 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
@@ -237,7 +313,8 @@ void diagnose(struct test_run *e, int set)
 /* ---- the kill table ---- */
 
 struct kills {
-    struct mutants *mutants;
+    struct mutant *mutants;
+    int count;
     struct comparator *comparator;
     struct input *inputs;
     bool fine;
@@ -246,7 +323,7 @@ struct kills {
 /* Whether a vector tells a mutant from the truth. */
 static bool mistake_told(struct kills *k, int i, bool inside)
 {
-    struct mutant *x = &k->mutants->all[i];
+    struct mutant *x = &k->mutants[i];
     struct comparator *j = k->comparator;
     const struct section *s = j->operation->section;
     const struct input *inputs = inputs_of(x, k->inputs);
@@ -285,11 +362,11 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
     k->comparator->followed = false;
     if (inside && is_longer(o->section, k->inputs, SHORT))
         return true;
-    for (int i = 0; i < k->mutants->count && numbers; i++)
+    for (int i = 0; i < k->count && numbers; i++)
         if (mistake_told(k, i, inside)) {
             fputs(killed == 0 ? id : "", stdout);
-            printf("%s%s", killed == 0 ? "," : "; ", k->mutants->all[i].name);
-            k->mutants->all[i].killed++;
+            printf("%s%s", killed == 0 ? "," : "; ", k->mutants[i].name);
+            k->mutants[i].killed++;
             killed++;
         }
     if (killed > 0)
@@ -303,17 +380,21 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
 
 bool kills_print(const struct section *s, double digits)
 {
-    OWNED(mutants) list = mutants_of(s);
     OPERATION(o, s);
     OWNED(comparator) comparator;
     INPUTS(inputs);
-    struct kills k = {&list, &comparator, inputs, true};
+    struct kills k = {xrealloc(NULL, (size_t)mistake_count(s), sizeof *k.mutants), 0, &comparator, inputs, true};
     comparator_init(&comparator, &o, BINARY64, digits);
+    for (int i = 0; i < mistake_count(s); i++)
+        k.count += mutant_init(&k.mutants[k.count], s, mistake_at(s, i));
     golden_each(s, print_kills, &k);
-    for (int i = 0; i < list.count; i++)
-        if (list.all[i].killed == 0 && list.all[i].differs) {
-            fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, list.all[i].name);
+    for (int i = 0; i < k.count; i++) {
+        if (k.mutants[i].killed == 0 && k.mutants[i].differs) {
+            fprintf(stderr, "%s: no golden vector kills the mistake: %s\n", s->id, k.mutants[i].name);
             k.fine = false;
         }
+        mutant_clear(&k.mutants[i]);
+    }
+    free(k.mutants);
     return k.fine;
 }

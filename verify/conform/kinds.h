@@ -20,11 +20,15 @@ struct evidence {
     double x[MOST_EVIDENCE][MOST_INPUTS], y[MOST_EVIDENCE][MOST_OUTPUTS], exact[MOST_EVIDENCE][MOST_OUTPUTS];
 };
 
-/* Equal but for so little that no mistake of a formula makes it. */
+/* Equal but for so little that no mistake of a formula makes it; and whether an output is so in every vector. */
 bool is_same(double a, double b);
+bool is_always(const struct evidence *v, int output, bool (*so)(double y, double exact));
 
-/* Of what an operation's formulas or roots come to. */
-void kind_of_formula(const struct evidence *v, char *text, size_t size);
+/*
+ * Of what an operation's formulas or roots come to; false where too little is wrong to tell anything: in one vector, or where
+ * the others have lost digits alone, or an input is the same in all, which may be what a factor is made of.
+ */
+bool kind_of_formula(const struct evidence *v, char *text, size_t size);
 
 /* Of a motion: the integrator, its step, the sign of a term. */
 void kind_of_motion(const struct evidence *v, char *text, size_t size);

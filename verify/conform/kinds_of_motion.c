@@ -17,19 +17,10 @@ static const char *const coupling_terms[2][TERMS] = {
     {"-2 Omega/L_ref dL_dot in psi_ddot", "-3 Omega^2 psi", "-4 Omega^2 theta", "-C2 dL_dot", "2 Omega L_ref psi_dot in dL_ddot",
      "-(C1 - 9 Omega^2) dL"}};
 
-/* Explicit Runge-Kutta methods, each stage from the one before it alone, and as many of them as the order. */
-static const struct integrator {
-    const char *name;
-    int stages;
-    double from[4], weights[4];
-} euler = {"Euler's method", 1, {0.0}, {1.0}},
-  classical = {"the classical Runge-Kutta method", 4, {0.0, 0.5, 0.5, 1.0}, {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}};
-
-/* What somebody may have done: a term's sign (-1: none), a method, and its step in s, or in the steps h that are given. */
+/* What somebody may have done: a term's sign (-1: none), Euler's or the classical method, and its step in s, or in the steps h that are given. */
 struct hypothesis {
     bool linear, in_h;
-    int turned;
-    const struct integrator *method;
+    int turned, stages;
     double step;
 };
 
@@ -58,14 +49,15 @@ static void rate_nonlinear(const double *x, const double s[TERMS], const double 
 
 static void take_step(const struct hypothesis *p, const double *x, const double signs[TERMS], double h, double y[6])
 {
+    static const double from[] = {0.0, 0.5, 0.5, 1.0}, classical[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
     double rate[6] = {0.0}, at[6], sum[6] = {0.0};
-    for (int k = 0; k < p->method->stages; k++) {
+    for (int k = 0; k < p->stages; k++) {
         for (int i = 0; i < 6; i++)
-            at[i] = y[i] + p->method->from[k] * h * rate[i];
+            at[i] = y[i] + from[k] * h * rate[i];
         memcpy(rate, at + 3, 3 * sizeof *rate);
         (p->linear ? rate_linear : rate_nonlinear)(x, signs, at, rate);
         for (int i = 0; i < 6; i++)
-            sum[i] += p->method->weights[k] * h * rate[i];
+            sum[i] += (p->stages == 1 ? 1.0 : classical[k]) * h * rate[i];
     }
     for (int i = 0; i < 6; i++)
         y[i] += sum[i];
@@ -93,13 +85,6 @@ static double state_distance(const struct hypothesis *p, const double *x, const 
     return most;
 }
 
-/* The time of a vector, in what the step is in. */
-static double time_of(const struct evidence *v, int f, const struct hypothesis *p)
-{
-    const int at = p->linear ? 4 : 7;
-    return fabs(v->x[f][at]) / (p->in_h ? v->x[f][at + 7] : 1.0);
-}
-
 /* Whether it ends where the answer is: of a wrong one by far closer than the truth does, of a right one within the digits due. */
 static bool ends_there(const struct evidence *v, int f, const struct hypothesis *p, double steps)
 {
@@ -114,36 +99,14 @@ static bool ends_there(const struct evidence *v, int f, const struct hypothesis 
     return off <= fmin(0.1 * was, fmax(1e-3 * was, 1e-12 * scale)); /* binary64 loses three digits in thousands of steps */
 }
 
-/*
- * The step, of two digits, with which the first failing motion is as far off as the answer: errors go with that power of it
- * which is the method's order.
- */
-static double likely_step(const struct evidence *v, struct hypothesis *p)
-{
-    double step = p->in_h ? 2.0 : 10.0, y[6];
-    char rounded[20];
-    int f = 0;
-    while (f < v->count && (v->records[f]->outcome == OUTCOME_RIGHT || !(time_of(v, f, p) > 0.0)))
-        f++;
-    for (int i = 0; i < 5 && f < v->count; i++) {
-        const double t = time_of(v, f, p), steps = fmax(1.0, round(t / step));
-        if (!(steps <= MOST_FOLLOWED) || clock() >= v->until)
-            return 0.0;
-        integrate(p, v->x[f], steps, y);
-        const double off = state_distance(p, v->x[f], v->y[f], v->exact[f]) / state_distance(p, v->x[f], y, v->exact[f]);
-        step = t / steps * pow(off, 1.0 / p->method->stages);
-    }
-    snprintf(rounded, sizeof rounded, "%.2g", step);
-    return strtod(rounded, NULL);
-}
-
 /* Every vector that takes few enough steps; failing ones of two times among them, for one time tells no step. */
 static bool fits_all(const struct evidence *v, const struct hypothesis *p)
 {
+    const int at = p->linear ? 4 : 7;
     double first = 0.0;
     bool two = false;
     for (int f = 0; f < v->count; f++) {
-        const double t = time_of(v, f, p), steps = round(t / p->step);
+        const double t = fabs(v->x[f][at]), steps = round(t / p->step / (p->in_h ? v->x[f][at + 7] : 1.0));
         if (!(steps >= 1.0 && steps <= MOST_FOLLOWED))
             continue;
         if (clock() >= v->until || !ends_there(v, f, p, steps))
@@ -158,19 +121,22 @@ static bool fits_all(const struct evidence *v, const struct hypothesis *p)
 
 void kind_of_motion(const struct evidence *v, char *text, size_t size)
 {
+    static const double lengths[] = {1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 50.0, 60.0, 100.0, 200.0, 300.0, 500.0, 600.0, 1000.0};
     const enum method method = v->section->method;
-    struct hypothesis p = {.in_h = method >= METHOD_RK4_LINEAR};
-    p.linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
-    *text = '\0';
-    for (int k = 0; k < TERMS + 2 && *text == '\0'; k++) {
-        p.turned = k < TERMS ? k : -1;
-        p.method = k == TERMS ? &euler : &classical;
-        p.step = k < TERMS ? 1.0 : likely_step(v, &p);
-        if (!(p.step > 0.0) || !fits_all(v, &p))
-            continue;
-        if (k < TERMS)
-            snprintf(text, size, "%s with the other sign", coupling_terms[p.linear][k]);
-        else
-            snprintf(text, size, "%s with steps of %.3g %s", p.method->name, p.step, p.in_h ? "h" : "s");
+    struct hypothesis p = {.linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR, .in_h = method >= METHOD_RK4_LINEAR,
+                           .stages = 4, .step = 1.0};
+    for (p.turned = 0; p.turned < TERMS; p.turned++)
+        if (fits_all(v, &p)) {
+            snprintf(text, size, "%s with the other sign", coupling_terms[p.linear][p.turned]);
+            return;
+        }
+    p.turned = -1;
+    for (size_t k = 0; k < 2 * sizeof lengths / sizeof *lengths; k++) {
+        p.stages = k % 2 ? 4 : 1;
+        p.step = lengths[k / 2];
+        if (fits_all(v, &p)) {
+            snprintf(text, size, "%s method with steps of %g %s", k % 2 ? "the classical Runge-Kutta" : "Euler's", p.step, p.in_h ? "h" : "s");
+            return;
+        }
     }
 }
