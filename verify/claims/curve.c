@@ -1,6 +1,7 @@
 #include "claims/curve.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "text/scope.h"
 
@@ -10,8 +11,7 @@ int program_slope(struct program *p, int node, int x)
     size_t where;
     const int inputs = p->inputs;
     int *rate = xrealloc(NULL, (size_t)inputs, sizeof *rate);
-    for (int i = 0; i < inputs; i++)
-        rate[i] = -1;
+    memset(rate, -1, (size_t)inputs * sizeof *rate);
     rate[x] = program_parse(p, "1", &where, &why);
     const int slope = program_derivative(p, node, rate, inputs);
     free(rate);
@@ -73,9 +73,10 @@ void narrow_root(arb_t root, arb_calc_func_t f, void *of, slong prec)
         arb_sub(image, at, image, prec);
         if (arb_is_finite(image))
             arb_intersection(root, root, image, prec);
-        if (mag_cmp(arb_radref(root), narrow) >= 0 && sign * sign_of_ball(value) != 0) {
+        if (sign * sign_of_ball(value) != 0) {
             arf_swap(sign_of_ball(value) == sign ? low : high, between);
-            arb_set_interval_arf(root, low, high, prec);
+            arb_set_interval_arf(at, low, high, prec);
+            arb_intersection(root, root, at, prec);
         }
     } while (mag_cmp(arb_radref(root), narrow) < 0);
 }

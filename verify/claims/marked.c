@@ -29,16 +29,14 @@ void written_clear(struct written *w)
     tex_clear(&w->latex);
 }
 
-/* Plain words and units as LaTeX: m^2 is raised, uC has its micro. */
+/* Plain words and units as LaTeX: m^2 is raised, uC has its micro. What follows them is a mark, or the end. */
 static void latex_words(struct tex *t, const char *at, size_t length)
 {
     for (size_t i = 0; i < length; i++) {
-        size_t digits = 0;
-        while (at[i] == '^' && i + 1 + digits < length && strchr("-0123456789", at[i + 1 + digits]) != NULL)
-            digits++;
+        const size_t digits = at[i] == '^' ? strspn(at + i + 1, "-0123456789") : 0;
         if (digits > 0)
             tex_add(t, "$^{%.*s}$", (int)digits, at + i + 1);
-        else if (at[i] == 'u' && i + 1 < length && at[i + 1] == 'C' && (i == 0 || at[i - 1] == ' '))
+        else if (strncmp(at + i, "uC", 2) == 0)
             tex_add(t, "\\textmu{}");
         else if (strchr("%&#_", at[i]) != NULL)
             tex_add(t, "\\%c", at[i]);
