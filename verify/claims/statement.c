@@ -68,131 +68,49 @@ static void number_decide(struct statements *all, struct statement *s, struct qu
     }
 }
 
-/* ---- conditions ---- */
-
-enum truth truth_not(enum truth t)
-{
-    return t == FOUND_TRUE ? FOUND_FALSE : t == FOUND_FALSE ? FOUND_TRUE : UNDECIDED;
-}
+/* ---- the verdict ---- */
 
 enum truth truth_both(enum truth a, enum truth b)
 {
     return a == FOUND_FALSE || b == FOUND_FALSE ? FOUND_FALSE : a == FOUND_TRUE && b == FOUND_TRUE ? FOUND_TRUE : UNDECIDED;
 }
 
-struct deciding {
-    struct statements *all;
-    struct statement *statement;
-    int without; /* what is left out */
-    enum how how;
-};
-
-/* Whether one of these assertions is left out, or rests on it. */
-static bool any_void(const struct deciding *d, ulong of)
+/* The first assertion that is not as the condition wants it; -1: all are. */
+static int first_failed(struct statements *all, struct statement *s, const struct verdict_condition *c, enum how *how)
 {
-    bool lost = false;
-    for (int k = 0; k < d->statement->assertion_count; k++)
-        if ((of >> k & 1) != 0)
-            lost = lost || d->without == k || any_void(d, d->statement->assertions[k].uses);
-    return lost;
-}
-
-static enum truth truth_of(struct deciding *d, int index)
-{
-    struct assertion *a = &d->statement->assertions[index];
-    if (any_void(d, UWORD(1) << index))
-        return UNDECIDED;
-    assertion_find(d->all, d->statement, a);
-    d->how = FLINT_MAX(d->how, a->how);
-    return a->truth;
-}
-
-/* Whether all that it wants is so; *failed: the first assertion that is not, -1: none. */
-static enum truth condition_decide(struct deciding *d, const struct verdict_condition *c, int *failed)
-{
-    enum truth truth = FOUND_TRUE;
-    *failed = -1;
-    for (int i = 0; i < d->statement->assertion_count; i++) {
+    for (int i = 0; i < s->assertion_count; i++) {
+        struct assertion *a = &s->assertions[i];
         if (c->wanted[i] == 0)
             continue;
-        const enum truth found = c->wanted[i] == 1 ? truth_of(d, i) : truth_not(truth_of(d, i));
-        truth = truth_both(truth, found);
-        if (found != FOUND_TRUE && *failed < 0)
-            *failed = i;
+        assertion_find(all, s, a);
+        *how = FLINT_MAX(*how, a->how);
+        if (a->truth != (c->wanted[i] > 0 ? FOUND_TRUE : FOUND_FALSE))
+            return i;
     }
-    return truth;
+    return -1;
 }
 
-/* ---- the verdict ---- */
-
-static void leave_open(struct ruling *r, const struct yaml *at, size_t offset, const char *text)
-{
-    if (r->open.text[0] == '\0')
-        node_message(&r->open, at, offset, "%s", text);
-}
-
-static void decide_numbers(struct deciding *d, struct ruling *r)
-{
-    struct statement *s = d->statement;
-    char text[256];
-    for (int i = 0; i < s->number_count; i++) {
-        struct quoted_number *q = &s->numbers[i];
-        number_decide(d->all, s, q);
-        d->how = FLINT_MAX(d->how, q->how);
-        if (q->decimal == NULL || any_void(d, q->formula->uses)) {
-            snprintf(text, sizeof text, "%s: the digits of %.100s cannot be proved", s->id, q->text);
-            leave_open(r, q->node, q->offset, text);
-            r->as_written = false;
-        }
-    }
-}
-
-void statement_decide(struct statements *all, struct statement *s, int without, struct ruling *r)
+void statement_decide(struct statements *all, struct statement *s, struct ruling *r)
 {
     static const char *const findings[] = {"found neither true nor false", "true", "false", "true by a bound that is not within ten"};
-    struct deciding d = {.all = all, .statement = s, .without = without};
-    char text[384];
-    int found = -1, many = 0, failed, entry = -1;
-    *r = (struct ruling){.verdict = VERDICT_NONE, .as_written = true};
-    for (int i = 0; i < s->verdict_count; i++) {
-        if (condition_decide(&d, &s->conditions[i], &failed) == FOUND_TRUE) {
-            found = i;
-            many++;
-        }
-        entry = i == 0 ? failed : entry;
-    }
-    if (many == 1)
-        r->verdict = s->verdicts[found];
-    r->as_written = found == 0; /* the last that is true: the only one */
-    if (many > 1)
-        snprintf(text, sizeof text, "%s is undecided: more than one of its conditions is true", s->id);
-    else if (entry >= 0) {
-        const struct assertion *a = &s->assertions[entry];
-        if (many == 1)
-            snprintf(text, sizeof text, "%s comes out as '%s', its evidence is written for '%s': '%s' is %s", s->id,
-                     verdict_names[r->verdict], verdict_names[s->verdicts[0]], a->name, findings[a->truth]);
-        else
-            snprintf(text, sizeof text, "%s is undecided: '%s' is %s", s->id, a->name, findings[a->truth]);
-    }
+    *r = (struct ruling){.verdict = VERDICT_NONE};
+    const int failed = first_failed(all, s, &s->conditions[0], &r->how);
+    r->as_written = failed < 0;
+    for (int i = 0; i < s->verdict_count; i++)
+        if (first_failed(all, s, &s->conditions[i], &r->how) < 0)
+            r->verdict = s->verdicts[i];
     if (!r->as_written)
-        leave_open(r, many > 1 ? s->verdict : s->assertions[entry].node, 0, text);
-    decide_numbers(&d, r);
-    r->how = d.how;
-    if (!r->as_written && found == 0)
-        r->verdict = VERDICT_NONE; /* a number is missing */
-}
-
-void statement_rule(struct statements *all, struct statement *s, struct ruling *r)
-{
-    char text[256];
-    statement_decide(all, s, NONE_LEFT_OUT, r);
-    for (int i = 0; i < s->assertion_count; i++) {
-        struct ruling without;
-        statement_decide(all, s, i, &without);
-        if (without.as_written) {
-            snprintf(text, sizeof text, "%s stands without '%s', or with its contrary", s->id, s->assertions[i].name);
-            leave_open(r, s->assertions[i].node, 0, text);
+        node_message(&r->open, s->assertions[failed].node, 0, "%s comes out as '%s', its evidence is written for '%s': '%s' is %s", s->id,
+                     verdict_names[r->verdict], verdict_names[s->verdicts[0]], s->assertions[failed].name,
+                     findings[s->assertions[failed].truth]);
+    for (int i = 0; i < s->number_count && r->as_written; i++) {
+        struct quoted_number *q = &s->numbers[i];
+        number_decide(all, s, q);
+        r->how = FLINT_MAX(r->how, q->how);
+        if (q->decimal == NULL) {
+            node_message(&r->open, q->node, q->offset, "%s: the digits of %.100s cannot be proved", s->id, q->text);
             r->as_written = false;
+            r->verdict = VERDICT_NONE;
         }
     }
 }

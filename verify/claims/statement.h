@@ -90,6 +90,7 @@ struct verdict_condition {
 
 struct statement {
     const char *id, *where, *kind, *claim, *why, *evidence;
+    int word_of_kind;
     const struct yaml *given, *prove, *verdict;
     struct assertion *assertions;
     int assertion_count;
@@ -128,22 +129,17 @@ struct ruling {
     struct message open;  /* what is open, where: "paper/claims.yaml:120:5: ..." */
 };
 
-/* Without one of its assertions; -1: with all. */
-enum { NONE_LEFT_OUT = -1 };
-void statement_decide(struct statements *all, struct statement *s, int without, struct ruling *r);
-
 /*
- * The same with all; and false in `as_written` too where the verdict would stand without one. With its contrary none does: each
- * condition is of all that it names.
+ * None stands without one of its assertions, or with its contrary: each condition is of all that it names, and what none names serves
+ * one that is named, or a number, or the sheet is refused.
  */
-void statement_rule(struct statements *all, struct statement *s, struct ruling *r);
+void statement_decide(struct statements *all, struct statement *s, struct ruling *r);
 
 /* The evidence with its numbers, after the statement was decided. */
 void statement_evidence(const struct statement *s, struct written *w);
 
 /* ---- between the files ---- */
 
-enum truth truth_not(enum truth t);
 enum truth truth_both(enum truth a, enum truth b);
 
 /* Whether an equation number is one of a section's. */
@@ -156,8 +152,8 @@ struct bindings {
     const struct values *at;
     int at_count;                      /* of them: those that may be used */
     int turn;                          /* which of its values each has now */
-    const char *moving;                /* a name that moves */
-    arb_srcptr moving_value;
+    const char *moving;                /* a name that moves, bound by who moves it; NULL: none */
+    bool inside;                       /* a value, where what moves has none */
     slong bits;
     enum how *how;                     /* the weakest way in which a value was known */
 };
@@ -173,8 +169,11 @@ void formula_enclose(arb_t z, const struct formula *f, const struct bindings *b)
 /* Its value as an exact number, where all its names have one and it is rational. */
 bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *b);
 
-/* Sets the inputs that a node needs: in balls; or else exactly, false where one has no rational value. */
+/* Sets the inputs that a node needs, but for what moves: in balls; or else exactly, false where one has no rational value. */
 bool machine_bind(struct machine *m, int node, bool balls, const struct bindings *b);
+
+/* Whether a name is a number of an entry: ENTRY or ENTRY.number. */
+bool is_number_of(const char *name, const char *entry);
 
 /* The root that an assertion names, where it is the only one there; how many there are, -1: that stays open. */
 slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slong bits);

@@ -37,14 +37,11 @@ struct graph {
 static bool graph_init(struct graph *g, const struct formula *f, const char *variable, const struct bindings *b)
 {
     struct bindings moving = *b;
-    SCOPE(arb, x);
     program_copy(&g->program, &f->program);
     g->curve = (struct curve){&g->machine, program_find(&g->program, variable), f->node, f->node};
     if (g->curve.x >= 0)
         g->curve.slope = program_slope(&g->program, f->node, g->curve.x);
-    arb_indeterminate(x);
     moving.moving = variable;
-    moving.moving_value = x;
     machine_init(&g->machine, &g->program, &arithmetic_ball, b->bits);
     machine_bind(&g->machine, f->node, true, &moving); /* the slope needs nothing more */
     return g->curve.x >= 0;
@@ -298,7 +295,7 @@ static enum truth claim_found(struct statements *all, const char *id, enum how *
 {
     struct statement *s = statement_find(all, id);
     struct ruling ruling;
-    statement_decide(all, s, NONE_LEFT_OUT, &ruling);
+    statement_decide(all, s, &ruling);
     *how = FLINT_MAX(*how, ruling.how);
     return proved_or_open(ruling.as_written);
 }

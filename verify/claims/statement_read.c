@@ -39,6 +39,18 @@ static bool entry_error(const struct claim_reading *r, const struct yaml *node, 
     return node_error(node != NULL ? node : r->entry, 0, "%s", expected);
 }
 
+/* One text, or a list of them. */
+static bool are_texts(const struct yaml *node, int most, const char *expected)
+{
+    return node->text != NULL || (is_texts(node, most) && (node->count > 0 || node_error(node, 0, "%s", expected)));
+}
+
+/* The first, second ... of these; NULL: there is no further one. */
+static const struct yaml *text_at(const struct yaml *node, int i)
+{
+    return node->text != NULL ? (i == 0 ? node : NULL) : i < node->count ? &node->items[i] : NULL;
+}
+
 /* ---- names ---- */
 
 static void add_name(struct claim_reading *r, const char *name)
@@ -118,13 +130,6 @@ static int parsing_add(struct parsing *f, const struct yaml *node, const char *t
     return result;
 }
 
-/* Whether a name is the number of an entry: ENTRY or ENTRY.number. */
-static bool is_given_by(const char *name, const char *entry)
-{
-    const size_t length = strlen(entry);
-    return strncmp(name, entry, length) == 0 && strchr(".", name[length]) != NULL;
-}
-
 /* Which assertions a node takes numbers of; those that stand after it are open, and with them the node. */
 static ulong uses_of(const struct claim_reading *r, const struct program *p, int node)
 {
@@ -133,7 +138,7 @@ static ulong uses_of(const struct claim_reading *r, const struct program *p, int
     for (int i = 0; i < p->inputs; i++) {
         const char *name = p->names[i].text;
         for (int k = 0; needed[i] && r->statement->prove != NULL && k < r->statement->prove->count; k++)
-            if (is_given_by(name, r->statement->prove->items[k].key))
+            if (is_number_of(name, r->statement->prove->items[k].key))
                 uses |= UWORD(1) << k;
         for (int k = 0; needed[i] && r->at != NULL && k < r->at->count; k++)
             if (strcmp(r->at->list[k].name, name) == 0)
@@ -271,9 +276,8 @@ static bool read_identity(struct claim_reading *r, struct assertion *a, const st
     if (own(r, "at") != NULL || own(r, "on") != NULL)
         return entry_error(r, node, "expected no at and no on beside equalities for all values");
     parsing_open(&f, r);
-    const int count = node->text != NULL ? 1 : node->count;
-    for (int i = 0; i < count && f.fine; i++)
-        f.fine = identities_show(&f.identities, &f.scope, node->text != NULL ? node : &node->items[i]);
+    for (int i = 0; f.fine && text_at(node, i) != NULL; i++)
+        f.fine = identities_show(&f.identities, &f.scope, text_at(node, i));
     f.fine = f.fine && identities_close(&f.identities, &f.scope);
     a->everywhere = true;
     a->identity = f.identities;
@@ -286,7 +290,7 @@ static bool read_show(struct claim_reading *r, struct assertion *a, const struct
 {
     const char *sign = show->text != NULL ? side_end(show->text, "<=>") : "";
     if (show->text == NULL && !show->mapping)
-        return is_texts(show, MOST_SHOWN) && (show->count > 0 || entry_error(r, show, "expected equalities")) && read_identity(r, a, show);
+        return are_texts(show, MOST_SHOWN, "expected equalities") && read_identity(r, a, show);
     if (*sign == '\0')
         return entry_error(r, show, "expected left = right, or < or > between them");
     a->sign = *sign - '=';
@@ -311,16 +315,14 @@ static bool read_count(struct claim_reading *r, const struct yaml *node, long *c
     return (end != NULL && *end == '\0' && *count >= 0) || entry_error(r, node, "expected a count: 0, 1, 2 ...");
 }
 
+/* The one root between two bounds, or how many there are above one. */
 static bool read_root(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
-    if (a->at.turns > 1)
+    const bool one = a->kind == ASSERT_ROOT;
+    if (one && a->at.turns > 1)
         return entry_error(r, own(r, "at"), "expected one value each: a root is one number");
-    return read_interval(r, a, 2) && (a->formula = read_formula(r, value)) != NULL;
-}
-
-static bool read_root_count(struct claim_reading *r, struct assertion *a, const struct yaml *value)
-{
-    return read_interval(r, a, 1) && (a->formula = read_formula(r, value)) != NULL && read_count(r, own(r, "count"), &a->count);
+    return read_interval(r, a, one ? 2 : 1) && (a->formula = read_formula(r, value)) != NULL &&
+           (one || read_count(r, own(r, "count"), &a->count));
 }
 
 /* The rank of a system's matrix: states and their rates, in one program. */
@@ -357,47 +359,21 @@ static bool read_rank(struct claim_reading *r, struct assertion *a, const struct
     return true;
 }
 
-/* One id, or a list of them, each of which is known. */
-static bool read_cited(struct claim_reading *r, struct assertion *a, const struct yaml *value, bool (*known)(const struct claim_reading *r, const char *id),
-                       const char *expected)
+/* The ids of steps, or of claims that stand before. */
+static bool read_cited(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
-    const bool one = value->text != NULL || value->mapping;
-    if (!one && !is_texts(value, MOST_CITED))
+    const bool step = a->kind == ASSERT_STEP;
+    const char *expected = step ? "expected a step of derivations.yaml" : "expected a claim that stands before";
+    const struct yaml *node;
+    if (!are_texts(value, MOST_CITED, expected))
         return false;
-    if (!one && value->count == 0)
-        return entry_error(r, value, expected);
-    for (int i = 0; i < (one ? 1 : value->count); i++) {
-        const struct yaml *node = one ? value : &value->items[i];
-        if (node->text == NULL || !known(r, node->text))
+    for (int i = 0; (node = text_at(value, i)) != NULL; i++) {
+        const struct statement *claim = statement_find(r->all, node->text);
+        if (step ? step_named(r->all->proofs, node->text) == NULL : claim == NULL || claim == r->statement)
             return entry_error(r, node, expected);
         a->cited[i] = node->text;
     }
     return true;
-}
-
-static bool is_step(const struct claim_reading *r, const char *id)
-{
-    const struct derivations *d = r->all->proofs;
-    for (int i = 0; i < d->step_count; i++)
-        if (strcmp(d->steps[i].id, id) == 0)
-            return true;
-    return false;
-}
-
-static bool stands_before(const struct claim_reading *r, const char *id)
-{
-    const struct statement *cited = statement_find(r->all, id);
-    return cited != NULL && cited != r->statement;
-}
-
-static bool read_cited_step(struct claim_reading *r, struct assertion *a, const struct yaml *value)
-{
-    return read_cited(r, a, value, is_step, "expected a step of derivations.yaml");
-}
-
-static bool read_claim(struct claim_reading *r, struct assertion *a, const struct yaml *value)
-{
-    return read_cited(r, a, value, stands_before, "expected a claim that stands before");
 }
 
 static bool read_compute(struct claim_reading *r, struct assertion *a, const struct yaml *value)
@@ -420,11 +396,11 @@ static const struct form {
     {"show", ASSERT_SHOW, read_show, KEYS({.key = "show"}, {.key = "on"}, FORMULA_FIELDS)},
     {"algebra", ASSERT_SHOW, read_algebra, KEYS({.key = "algebra"}, FORMULA_FIELDS)},
     {"root", ASSERT_ROOT, read_root, KEYS({.key = "root"}, {.key = "on"}, FORMULA_FIELDS)},
-    {"roots", ASSERT_ROOTS, read_root_count, KEYS({.key = "roots"}, {.key = "on"}, {.key = "count"}, FORMULA_FIELDS)},
+    {"roots", ASSERT_ROOTS, read_root, KEYS({.key = "roots"}, {.key = "on"}, {.key = "count"}, FORMULA_FIELDS)},
     {"rank", ASSERT_RANK, read_rank,
      KEYS({.key = "rank"}, {.key = "control"}, {.key = "observe"}, FORMULA_FIELDS)},
-    {"step", ASSERT_STEP, read_cited_step, KEYS({.key = "step"})},
-    {"claim", ASSERT_CLAIM, read_claim, KEYS({.key = "claim"})},
+    {"step", ASSERT_STEP, read_cited, KEYS({.key = "step"})},
+    {"claim", ASSERT_CLAIM, read_cited, KEYS({.key = "claim"})},
     {"compute", ASSERT_COMPUTE, read_compute, KEYS({.key = "compute"})}};
 
 enum { FORMS = sizeof forms / sizeof *forms };
@@ -478,12 +454,10 @@ static bool read_prove(struct claim_reading *r, const struct yaml *prove)
 /* Names of assertions, each with `not` before it or without: one, or a list. */
 static bool read_wanted(struct verdict_condition *c, const struct statement *s, const struct yaml *condition)
 {
-    if (condition->text == NULL && !is_texts(condition, MOST_ASSERTIONS))
+    const struct yaml *node;
+    if (!are_texts(condition, MOST_ASSERTIONS, "expected a name of prove"))
         return false;
-    if (condition->text == NULL && condition->count == 0)
-        return node_error(condition, 0, "expected a name of prove");
-    for (int k = 0; k < (condition->text != NULL ? 1 : condition->count); k++) {
-        const struct yaml *node = condition->text != NULL ? condition : &condition->items[k];
+    for (int k = 0; (node = text_at(condition, k)) != NULL; k++) {
         const size_t begin = strncmp(node->text, "not ", 4) == 0 ? 4 : 0;
         int i = 0;
         while (i < s->assertion_count && strcmp(s->assertions[i].name, node->text + begin) != 0)
@@ -495,6 +469,9 @@ static bool read_wanted(struct verdict_condition *c, const struct statement *s, 
     for (int i = 0; i < s->assertion_count; i++) /* so that none comes true by what it leaves out */
         if ((c->wanted[i] != 0) != (s->conditions[0].wanted[i] != 0))
             return node_error(condition, 0, "expected the names of the first condition, each with not or without");
+    for (const struct verdict_condition *before = s->conditions; before < c; before++)
+        if (memcmp(before, c, sizeof *c) == 0)
+            return node_error(condition, 0, "expected another condition than those before");
     return true;
 }
 
@@ -532,6 +509,21 @@ static bool read_verdicts(struct claim_reading *r, const struct yaml *node, cons
     for (int i = 0; i < node->count; i++)
         if (!read_verdict(r, node->items[i].key, &node->items[i], AT_KEY, &node->items[i]))
             return false;
+    return true;
+}
+
+/* Nothing stands without one of its assertions, or with its contrary. */
+static bool all_serve(const struct statement *s)
+{
+    ulong serving = 0;
+    for (int i = 0; i < s->number_count; i++)
+        serving |= s->numbers[i].formula->uses;
+    for (int i = s->assertion_count - 1; i >= 0; i--) { /* each uses earlier ones alone */
+        serving |= s->conditions[0].wanted[i] != 0 ? UWORD(1) << i : 0;
+        if ((serving >> i & 1) == 0)
+            return node_error(s->assertions[i].node, 0, "%s stands without '%s', or with its contrary", s->id, s->assertions[i].name);
+        serving |= s->assertions[i].uses;
+    }
     return true;
 }
 
@@ -598,24 +590,19 @@ static bool read_marks(struct claim_reading *r, const struct yaml *node, bool nu
 
 /* ---- statements ---- */
 
-struct written_statement {
-    struct statement s;
-    int kind;
-};
-
 static const char *const claim_kinds[] = {"statement", "implied", "misprint", "number", "beyond", NULL};
 
 static const struct field statement_fields[] = {
-    FIELD("where", struct written_statement, s.where, FIELD_TEXT, .expected = "a text"),
-    FIELD("kind", struct written_statement, kind, FIELD_WORD, .words = claim_kinds),
-    FIELD("claim", struct written_statement, s.claim, FIELD_TEXT, .expected = "a text"),
-    FIELD("why", struct written_statement, s.why, FIELD_TEXT),
-    FIELD("evidence", struct written_statement, s.evidence, FIELD_TEXT, .expected = "a text"),
-    FIELD("equations", struct written_statement, s.equations, FIELD_TEXTS, .most = 8,
-          .count = offsetof(struct written_statement, s.equation_count)),
-    FIELD("given", struct written_statement, s.given, FIELD_NODE),
-    FIELD("prove", struct written_statement, s.prove, FIELD_MAP),
-    FIELD("verdict", struct written_statement, s.verdict, FIELD_NODE),
+    FIELD("where", struct statement, where, FIELD_TEXT, .expected = "a text"),
+    FIELD("kind", struct statement, word_of_kind, FIELD_WORD, .words = claim_kinds),
+    FIELD("claim", struct statement, claim, FIELD_TEXT, .expected = "a text"),
+    FIELD("why", struct statement, why, FIELD_TEXT),
+    FIELD("evidence", struct statement, evidence, FIELD_TEXT, .expected = "a text"),
+    FIELD("equations", struct statement, equations, FIELD_TEXTS, .most = 8,
+          .count = offsetof(struct statement, equation_count)),
+    FIELD("given", struct statement, given, FIELD_NODE),
+    FIELD("prove", struct statement, prove, FIELD_MAP),
+    FIELD("verdict", struct statement, verdict, FIELD_NODE),
     {.key = NULL}};
 
 bool has_equation(const struct section *s, const char *equation)
@@ -641,13 +628,12 @@ static bool check_equations(const struct sheet *sheet, const struct yaml *list)
 static bool read_statement(struct statements *all, const struct yaml *n)
 {
     static const char *const marked[] = {"where", "claim", "why"};
-    struct written_statement w = {.s = {.id = n->key}};
-    if (!fields_read(n, statement_fields, &w))
-        return false;
     struct statement *s = APPENDED(all->list, all->count);
     struct claim_reading r = {.all = all, .statement = s, .entry = n};
-    *s = w.s;
-    s->kind = claim_kinds[w.kind];
+    *s = (struct statement){.id = n->key};
+    if (!fields_read(n, statement_fields, s))
+        return false;
+    s->kind = claim_kinds[s->word_of_kind];
     collect_names(&r, n);
     for (int k = 0; k < 3; k++)
         if (own(&r, marked[k]) != NULL && !read_marks(&r, own(&r, marked[k]), false))
@@ -656,7 +642,7 @@ static bool read_statement(struct statements *all, const struct yaml *n)
         !read_prove(&r, s->prove))
         return false;
     r.entry = NULL;
-    if (!read_values(&r, &s->at) || !read_marks(&r, under(n, "evidence"), true) || !read_verdicts(&r, s->verdict, n))
+    if (!read_values(&r, &s->at) || !read_marks(&r, under(n, "evidence"), true) || !read_verdicts(&r, s->verdict, n) || !all_serve(s))
         return false;
     const bool plain = s->verdicts[0] == HOLDS || s->verdicts[0] == DEFINITION;
     return plain || s->why != NULL || node_error(n, 0, "missing why, of a verdict other than holds and definition");

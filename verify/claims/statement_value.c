@@ -11,6 +11,7 @@
 static const struct value *value_of_name(struct bindings *within, const struct bindings *b, const char *name)
 {
     *within = *b;
+    within->inside = true;
     while (within->at_count-- > 0)
         if (strcmp(b->at->list[within->at_count].name, name) == 0)
             return &b->at->list[within->at_count];
@@ -23,30 +24,26 @@ static const struct formula *value_now(const struct value *v, const struct bindi
     return v->of[v->turns > 1 ? b->turn : 0];
 }
 
-static bool is_moving(const struct bindings *b, const char *name)
+bool is_number_of(const char *name, const char *entry)
 {
-    return b->moving != NULL && strcmp(name, b->moving) == 0;
+    const size_t length = strlen(entry);
+    return strncmp(name, entry, length) == 0 && (name[length] == '\0' || name[length] == '.');
 }
 
-/* A root or a computation's number, NAME or NAME.number. */
-static bool assertion_number(arb_t z, const struct bindings *b, const char *name)
+/* The root, or the computation, that a name is a number of; NULL: none. */
+static struct assertion *assertion_of_name(const struct bindings *b, const char *name)
 {
     for (int i = 0; i < b->statement->assertion_count; i++) {
         struct assertion *a = &b->statement->assertions[i];
-        const size_t length = strlen(a->name);
-        if (strncmp(name, a->name, length) != 0)
-            continue;
-        const bool root = a->kind == ASSERT_ROOT && name[length] == '\0', number = a->kind == ASSERT_COMPUTE && name[length] == '.';
-        if (root)
-            root_enclose(z, a, b, b->bits);
-        if (number) {
-            computed_number(a->computed, name + length + 1, z);
-            weaken(b, CERTIFIED);
-        }
-        if (root || number)
-            return true;
+        if ((a->kind == ASSERT_ROOT || a->kind == ASSERT_COMPUTE) && is_number_of(name, a->name))
+            return a;
     }
-    return false;
+    return NULL;
+}
+
+static bool is_moving(const struct bindings *b, const char *name)
+{
+    return b->moving != NULL && strcmp(name, b->moving) == 0;
 }
 
 static bool sheet_rational(fmpq_t q, const struct sheet *s, const char *name)
@@ -59,12 +56,13 @@ static void name_enclose(arb_t z, const struct bindings *b, const char *name)
 {
     struct bindings within;
     const struct value *value = value_of_name(&within, b, name);
+    struct assertion *a = assertion_of_name(b, name);
     SCOPE(fmpq, q);
     SCOPE(arb, radius);
     arb_indeterminate(z);
     if (is_moving(b, name))
-        arb_set(z, b->moving_value);
-    else if (value != NULL) {
+        return;
+    if (value != NULL) {
         formula_enclose(z, value_now(value, b), &within);
         if (value->radius != NULL) {
             formula_enclose(radius, value->radius, &within);
@@ -73,7 +71,12 @@ static void name_enclose(arb_t z, const struct bindings *b, const char *name)
         }
     } else if (strcmp(name, "pi") == 0)
         arb_const_pi(z, b->bits);
-    else if (!assertion_number(z, b, name) && sheet_rational(q, b->all->sheet, name))
+    else if (a != NULL && a->kind == ASSERT_ROOT)
+        root_enclose(z, a, b, b->bits);
+    else if (a != NULL) {
+        computed_number(a->computed, name + strlen(a->name) + 1, z);
+        weaken(b, CERTIFIED);
+    } else if (sheet_rational(q, b->all->sheet, name))
         arb_set_fmpq(z, q, b->bits);
 }
 
@@ -81,15 +84,9 @@ static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
 {
     struct bindings within;
     const struct value *value = value_of_name(&within, b, name);
-    const size_t length = strcspn(name, ".");
     if (value != NULL)
         return value->radius == NULL && formula_rational(q, value_now(value, b), &within);
-    for (int i = 0; i < b->statement->assertion_count; i++) {
-        const char *assertion = b->statement->assertions[i].name;
-        if (strlen(assertion) == length && strncmp(name, assertion, length) == 0)
-            return false;
-    }
-    return sheet_rational(q, b->all->sheet, name);
+    return !is_moving(b, name) && assertion_of_name(b, name) == NULL && sheet_rational(q, b->all->sheet, name);
 }
 
 bool machine_bind(struct machine *m, int node, bool balls, const struct bindings *b)
@@ -97,14 +94,14 @@ bool machine_bind(struct machine *m, int node, bool balls, const struct bindings
     char *needed = program_needs(m->program, node, NULL);
     bool known = true;
     SCOPE(fmpq, q);
-    for (int i = 0; i < m->program->inputs && known; i++) {
+    for (int i = 0; i < m->program->inputs; i++) {
         const char *name = m->program->names[i].text;
-        if (!needed[i] || (!balls && is_moving(b, name)))
+        if (!needed[i] || (is_moving(b, name) && !b->inside))
             continue;
         if (balls)
             name_enclose(machine_value(m, i), b, name);
         else {
-            known = name_rational(q, b, name);
+            known = name_rational(q, b, name) && known;
             m->arithmetic->set_rational(machine_value(m, i), q, m->prec);
         }
     }

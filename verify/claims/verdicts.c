@@ -148,7 +148,7 @@ static void add_claims(struct verdict_row *row, struct statements *claims, const
         for (int k = 0; k < s->equation_count; k++) {
             if (strcmp(s->equations[k], equation) != 0)
                 continue;
-            statement_decide(claims, s, NONE_LEFT_OUT, &ruling);
+            statement_decide(claims, s, &ruling);
             add_words(row, "; claim %s: %s", s->id, verdict_names[ruling.verdict]);
             if (s->why != NULL && ruling.verdict < HOLDS)
                 add_reason(row, s->why);
@@ -270,7 +270,7 @@ static void statement_rows(struct giving *g)
         struct ruling ruling;
         if (!wanted(g, s->id))
             continue;
-        statement_rule(g->claims, s, &ruling);
+        statement_decide(g->claims, s, &ruling);
         struct verdict_row row = {.id = s->id, .where = s->where, .kind = s->kind, .verdict = ruling.verdict, .how = ruling.how,
                                   .statement = s, .open = ruling.open};
         write_marked(&row.claim, s->claim);
