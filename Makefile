@@ -349,21 +349,14 @@ $(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kil
 	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=$(VERSION) paper/package.csv $@.equations.tmp $@.design.tmp $@.sums.tmp)
 	@rm $@.equations.tmp $@.design.tmp $@.sums.tmp
 
-## figures: the figures and the graph of derivations, as SVG and PNG, in build/figures/
-figures: $(FIGURES) $(BUILD)/figures/derivations.svg $(BUILD)/figures/derivations.png
+## figures: the figures, as SVG and PNG, in build/figures/
+figures: $(FIGURES)
 
 $(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES) $(VERDICTS)
 	@mkdir -p $(@D)
 	LC_ALL=C.UTF-8 gnuplot -e "data='$(DATA)'; picture='$@.tmp'; kind='$(patsubst .%,%,$(suffix $@))'" \
 	  paper/figures/style.gp paper/figures/$(basename $(@F)).gp
 	@mv $@.tmp $@
-
-# Boxes are equations and the arrows between them steps; what is first is marked by its shape.
-$(BUILD)/figures/derivations.%: $(BUILD)/derivations.gv
-	$(call PRINTED,dot -T$* $<)
-
-$(BUILD)/derivations.gv: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) verify derivations --graph)
 
 # Ratios to mpmath, which Debian's python3 has: not every python3 on the path.
 ## bench: speed, as ratios with what is required of them, for readme too; needs python3-mpmath and python3-gmpy2
@@ -396,7 +389,7 @@ PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard p
 DATED     = $(shell git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
 # What the plots draw, and what the weaver reads.
 DRAWN_FROM = $(TABLES) $(STUDIES) $(VERDICTS) $(BUILD)/set.csv $(BUILD)/damped.csv
-WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv $(BUILD)/derivations.gv
+WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv
 WEAVE     = LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' CT_DATE='$(DATED)' $(1) pandoc --fail-if-warnings \
   -f paper/weave.lua --no-highlight $(filter %.md,$^)
 

@@ -577,25 +577,35 @@ end
 
 ---- figures ----
 
--- The lines of the graph of derivations at one of whose ends a step of the chapter stands, and the nodes there.
+-- "6a", "eq06" and "eq06.x1" are the node 6; what begins with no number, and what it has, is its own.
+local function node_of(entry) return entry:match '^e?q?0*(%d+)' or entry:match '^[^.]*' end
+
+local reached = {}
+for _, step in ipairs(steps) do
+  for _, entry in ipairs(step.to) do reached[node_of(entry)] = true end
+end
+
+-- The chapter's steps, and what they lead from and to. What is first is marked by its shape: no step leads to it.
 local function graph_of(chapter)
-  local graph, file, used, nodes, edges = made 'derivations.gv', chapter .. '.html', {}, {}, {}
-  for from, to, arrow in graph:gmatch '\n *"([^"]*)" %-> "([^"]*)"([^;]*)' do
-    if page_of_step[from] == file or page_of_step[to] == file then
-      used[from], used[to], edges[#edges + 1] = true, true, ('"%s" -> "%s"%s'):format(from, to, arrow)
-    end
+  local lines, known = {}, {}
+  local function node(entry)
+    local name = node_of(entry)
+    local number = name:match '^%d'
+    local shape = reached[name] and (number and 'ellipse' or 'note') or number and 'doubleoctagon' or 'house'
+    local line = ('"%s" [style=solid; URL="%s"; shape=%s]'):format(name, number and 'equations.html#eq:' .. name or '', shape)
+    if not known[name] then known[name], lines[#lines + 1] = true, line end
+    return name
   end
-  for name, attributes in graph:gsub(', tooltip="[^\n]*"', ''):gmatch '\n *"([^"]*)" %[([^\n]*)%];' do
-    local step, url = page_of_step[name], name:match '^%d' and 'equations.html#eq:' .. name
-    if step then url = (step == file and '' or step) .. '#step-' .. name end
-    if used[name] then
-      used[name] = nil  -- an equation of several parts stands there for each
-      nodes[#nodes + 1] = ('"%s" [%sURL="%s"; %s]'):format(name, step and '' or 'style=solid; ', url or '', attributes)
+  for _, step in ipairs(steps) do
+    if page_of_step[step.id] == chapter .. '.html' then
+      lines[#lines + 1] = ('"%s" [URL="#step-%s"; label="%s"]'):format(step.id, step.id, (step.id:gsub('_', ' ')))
+      for _, entry in ipairs(step.from) do lines[#lines + 1] = ('"%s" -> "%s" [arrowhead=none]'):format(node(entry), step.id) end
+      for _, entry in ipairs(step.to) do lines[#lines + 1] = ('"%s" -> "%s"'):format(step.id, node(entry)) end
     end
   end
   return 'strict digraph { bgcolor=transparent; ranksep=0.3; nodesep=0.06; margin=0; node [fontname=Helvetica, fontsize=10, '
          .. 'height=0.1, width=0.1, margin="0.03,0.02", shape=box, style=filled, fillcolor="#eeeeee"];'
-         .. table.concat(nodes, ';') .. ';' .. table.concat(edges, ';') .. '}'
+         .. table.concat(lines, ';') .. '}'
 end
 
 -- The picture within the page, without what a style sheet says better.

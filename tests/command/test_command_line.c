@@ -257,11 +257,9 @@ static const struct {
     {"verify errors n12-optimal", 2, "unexpected argument 'n12-optimal'"},
     {"verify claims --count 5", 2, "--count does nothing here, it goes with errors or no word"},
     {"conform --timeout 5 --kills", 2, "--timeout does nothing here, it goes with a client after --"},
-    {"verify derivations --graph --json", 2, "--graph"},
     {"verify errors --count 100000001", 2, "--count"},
     {"verify errors --count 99999999999999999999", 2, "--count"},
     {"verify --csv", 2, "--csv"},
-    {"verify --graph", 2, "--graph"},
     {"verify claims --json --csv", 2, "--json"},
     {"verify errors --count 0", 2, "--count"},
 };

@@ -58,7 +58,6 @@ stopped() {
 
 weaver() {
     cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$CT_BUILD/claims.json" "$work" && mkdir "$work/paper" || exit 1
-    "$CT_PROGRAM" verify derivations --graph >"$work/derivations.gv"
     cat >"$work/gate.csv" <<'END'
 id,equations,function,tests,error,vectors,steps,verdict,edition
 eq02,2a 2b 2c,ct_formation_acceleration,10,1.5e+00,213,hill,"qualified",paper/02-hill.md:17

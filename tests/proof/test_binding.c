@@ -294,8 +294,10 @@ static const struct {
     {STEP("p", "given", "\"1\", \"2\", \"3\""), "10"},
     {STEP("p", "given", "\"2\", \"3\"") STEP("q", "given, \"10\"", "\"1\"") STEP("r", "given, \"1\"", "\"10\""), "1"}, /* each of `from` */
     {STEP("p", "given", "\"1\", \"3\", \"10\"") STEP("q", "2b", "2a") STEP("r", "2a", "2b"), "2a"},
+    {STEP("p", "given", "\"1\", \"3\", 2b") STEP("q", "\"2\"", "\"10\"") STEP("r", "\"10\"", "2a"), "2a"}, /* all of an entry, the first too */
     {"  p: {title: t, from: [given], to: [\"1\", \"2\", \"3\", \"10\"], free: [open], show: [eq1.f = a*open]}\n", "1"},
     {"  p: {title: t, from: [given], to: [\"1\", eq1.open, \"2\", \"3\", \"10\"], free: [open], show: [eq1.f = a*open]}\n", NULL},
+    {"  p: {title: t, from: [given], to: [\"1\", \"2\", \"3\", \"10\"], let: {open: a + b}, show: [eq1.f = a*open]}\n", NULL}, /* no free name */
 };
 
 EACH(gap_is_told, COUNT(gaps))
@@ -314,12 +316,12 @@ TEST(domain_says_what_was_assumed)
 {
     struct sheet s;
     struct derivations d;
-    open_small(&s, &d, "  one: {title: t, from: [given], to: [\"1\"], positive: [k], free: [m], angles: [psi], quarter turns: [theta],\n"
-                       "    small: [c], order: 1, rates: {k: a_dot},\n"
+    open_small(&s, &d, "  one: {title: t, from: [given], to: [\"1\"], positive: [k, q], free: [m], angles: [psi], quarter turns: [theta],\n"
+                       "    small: [c], order: 1, rates: {k: a_dot}, square roots: [p, k*q],\n"
                        "    let: {a: 2*k, b: eq2.f(a = k), g: eq2.f(a = k)*0, h: given.g, f: rate(k), a_dot: rate(k) + 1},\n"
                        "    show: [a + b + c*p + s + m + g + h = sin(psi) + cos(theta) + f*a_dot]}\n");
     char *domain = identities_domain(&d.steps[0].corrected);
-    ck_assert_str_eq(domain, "c small, p > 0, s >= 0, psi any angle, theta within a quarter turn, k > 0, a = 2*k, g = eq2.f(a = k)*0, h = given.g, a_dot = rate(k) + 1");
+    ck_assert_str_eq(domain, "c small, p > 0, s >= 0, psi any angle, theta within a quarter turn, k > 0, q > 0, a = 2*k, g = eq2.f(a = k)*0, h = given.g, a_dot = rate(k) + 1");
     free(domain);
     derivations_clear(&d);
     sheet_clear(&s);

@@ -185,15 +185,6 @@ static void json_proofs(struct json *j, const struct sheet *sheet, const struct 
     json_close(j);
 }
 
-static bool print_graph(const struct derivations *d)
-{
-    bool fine = derivations_gap(d) == NULL;
-    derivations_graph(d);
-    for (int i = 0; i < d->step_count; i++)
-        fine = fine && step_holds(&d->steps[i]);
-    return fine;
-}
-
 bool verify_derivations(struct verification *v)
 {
     const struct derivations *d = &v->steps;
@@ -201,8 +192,6 @@ bool verify_derivations(struct verification *v)
     const int count = v->only != NULL ? 1 : d->step_count;
     const char *gap = derivations_gap(d);
     int holding = 0, mutants = 0;
-    if (v->format == FORMAT_GRAPH)
-        return print_graph(d);
     for (int i = 0; i < count; i++) {
         holding += step_is_bound(d, &steps[i]);
         mutants += steps[i].binding.mutants;

@@ -24,21 +24,20 @@ static bool asked_for(const struct verification *v, const char *part)
 
 static int read_request(const struct arguments *a, struct verification *v)
 {
-    static const char *const formats[] = {[FORMAT_JSON] = "--json", [FORMAT_CSV] = "--csv", [FORMAT_MARKDOWN] = "--markdown",
-                                          [FORMAT_GRAPH] = "--graph"};
+    static const char *const formats[] = {[FORMAT_JSON] = "--json", [FORMAT_CSV] = "--csv", [FORMAT_MARKDOWN] = "--markdown"};
     uint64_t count = COUNT_UNLESS_GIVEN;
     int given = 0;
     *v = (struct verification){.sheet = &a->paper->sheet, .json = json_on(stdout),
                                .part = a->word_count > 0 ? a->words[0] : NULL,
                                .only = a->word_count > 1 ? a->words[1] : NULL};
-    for (int i = FORMAT_JSON; i <= FORMAT_GRAPH; i++)
+    for (int i = FORMAT_JSON; i <= FORMAT_MARKDOWN; i++)
         if (option_given(a, formats[i])) {
             v->format = (enum format)i;
             given++;
         }
     if (given > 1)
-        return usage_error(EXIT_USAGE, "--json, --csv, --markdown, --graph: expected one of them");
-    if (v->only != NULL && (asked_for(v, "errors") || v->format == FORMAT_GRAPH))
+        return usage_error(EXIT_USAGE, "--json, --csv, --markdown: expected one of them");
+    if (v->only != NULL && asked_for(v, "errors"))
         return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", v->only);
     const int status = option_number(a, "--count", 1, MOST_COUNT, &count);
     v->count = (long)count;

@@ -6,8 +6,8 @@
 #include "formula/typeset.h"
 #include "text/json.h"
 
-/* Markdown is README's, for the errors alone; the graph that of the steps. */
-enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_GRAPH };
+/* Markdown is README's, for the errors alone. */
+enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN };
 
 /* What was asked for. */
 struct verification {

@@ -86,7 +86,6 @@ const struct option options[] = {
      "further columns: the classical Runge-Kutta method in steps of H, a divisor of 100, free of rounding"},
     /* proofs */
     {"--csv", NULL, NULL, NULL, "verify", "claims", false, "the verdicts as CSV"},
-    {"--graph", NULL, NULL, NULL, "verify", "derivations", false, "the graph of equations and steps, for dot(1)"},
     {"--markdown", NULL, NULL, NULL, "verify", "errors", false, "a table in Markdown"},
     {"--count", "N", NULL, "1000", "verify", "errors|", false, "random inputs of each operation"},
     /* vectors */
@@ -151,7 +150,6 @@ const struct example examples[] = {
      "the length error over three days, drawn"},
     {"design n=12 m2=50 --exact --digits 12 --json", "what one decides with, for another gain and a lighter second craft"},
     {"verify", "all the proofs; exit status 0 says that they hold"},
-    {"verify derivations --graph | dot -Tsvg >steps.svg", "which equation follows from which"},
     {"verify claims n12-optimal", "one claim, its verdict and the evidence"},
     {"verify claims --csv >verdicts.csv", "all of them"},
     {"verify errors --count 10000 --markdown", "the reference library's largest errors"},

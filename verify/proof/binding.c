@@ -502,15 +502,12 @@ static bool is_equivalent(const struct program *p, int wanted, enum change chang
 /* The nodes of a formula that a step speaks of: not those below a named subexpression that it leaves open. */
 static char *nodes_spoken_of(const struct table *table, const struct program *p, int wanted)
 {
-    const struct program *own = &table->s->corrected.program;
     int *open = xrealloc(NULL, (size_t)p->count, sizeof *open);
     for (int i = 0; i < p->count; i++)
         open[i] = i < p->inputs ? 0 : -1;
-    for (int i = 0; i < p->named; i++) {
-        const int here = program_find(own, p->names[i].text);
-        if (here >= table->d->sheet->quantity_count && here < own->inputs)
+    for (int i = 0; i < p->named; i++)
+        if (is_free_name(&table->s->corrected, p->names[i].text))
             open[p->names[i].node] = 0;
-    }
     char *spoken = program_needs(p, wanted, open);
     for (int i = 0; i < wanted; i++)
         spoken[i] = spoken[i] && open[i] < 0;

@@ -93,7 +93,4 @@ bool step_holds(struct step *s);
 bool step_is_bound(const struct derivations *d, struct step *s);
 void step_bind(const struct derivations *d, const struct step *s, struct binding *b);
 
-/* The graph of equations, principles and steps on standard output, for Graphviz's dot. */
-void derivations_graph(const struct derivations *d);
-
 #endif

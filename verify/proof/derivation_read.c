@@ -44,6 +44,7 @@ static bool read_definition(struct derivations *d, const struct yaml *n)
     struct definitions *all = &d->definitions;
     struct written_definition w = {.text = NULL};
     struct section *s = &all->sections[all->count];
+    struct quantity *q = all->outputs[all->count];
     if (!fields_read(n, definition_fields, &w) || !is_texts(w.inputs, MOST_INPUTS))
         return false;
     if (w.outputs->count == 0 || w.outputs->count > MOST_OUTPUTS)
@@ -54,13 +55,11 @@ static bool read_definition(struct derivations *d, const struct yaml *n)
     for (int i = 0; i < w.inputs->count; i++)
         program_input(&s->corrected.program, w.inputs->items[i].text);
     for (; s->output_count < w.outputs->count; s->output_count++) {
-        struct quantity *q = &all->outputs[all->count - 1][s->output_count];
         *q = (struct quantity){.name = w.outputs->items[s->output_count].key};
-        s->outputs[s->output_count] = q;
+        s->outputs[s->output_count] = q++;
     }
     return read_definition_formulas(w.let, &s->corrected, false) && read_definition_formulas(w.outputs, &s->corrected, true);
 }
-
 
 /* ---- steps ---- */
 
@@ -224,10 +223,10 @@ int derivations_open(struct derivations *d, const struct paper *paper, struct me
 
 struct step *step_named(const struct derivations *d, const char *id)
 {
-    int i = 0;
-    while (i < d->step_count && strcmp(d->steps[i].id, id) != 0)
-        i++;
-    return i < d->step_count ? &d->steps[i] : NULL;
+    for (int i = 0; i < d->step_count; i++)
+        if (strcmp(d->steps[i].id, id) == 0)
+            return &d->steps[i];
+    return NULL;
 }
 
 void derivations_clear(struct derivations *d)

@@ -4,10 +4,10 @@
 #include "proof/derivation.h"
 #include "text/decimal.h"
 
-/* A number, exactly as it is written. */
+/* The number that a text is, exactly as it is written. */
 static bool read_exactly(const struct yaml *node, fmpq_t value)
 {
-    if (node->text == NULL || literal_read(value, node->text, true) != LITERAL_FINITE)
+    if (literal_read(value, node->text, true) != LITERAL_FINITE)
         return node_error(node, 0, "expected a number");
     return true;
 }
@@ -26,11 +26,11 @@ static bool read_bounds_of(const struct yaml *node, fmpq_t low, fmpq_t high)
 /* What the paper's Table 1 gives, and nothing else, needs not be stated. */
 static bool value_of_table1(const struct sheet *s, const char *name, fmpq_t value)
 {
-    const struct quantity *q = quantity_find(s, name);
-    for (int i = 0; i < s->row_count && q != NULL && q->value != NULL; i++)
+    const struct quantity *q = NULL;
+    for (int i = 0; i < s->row_count; i++)
         if (strcmp(s->table1[i].name, name) == 0)
-            return literal_read(value, q->value, true) == LITERAL_FINITE;
-    return false;
+            q = quantity_find(s, name);
+    return q != NULL && q->value != NULL && literal_read(value, q->value, true) == LITERAL_FINITE;
 }
 
 static bool read_states(const struct scope *s, const struct yaml *on, struct remainder *m)
@@ -64,7 +64,7 @@ static const struct field remainder_fields[] = {
 /* The formula is over the names of the step, whose own program stays as it is. */
 static bool read_remainder(const struct scope *s, const struct identities *t, const struct yaml *item, struct remainder *m)
 {
-    struct identities copy = {0};
+    struct identities copy = {.sheet_inputs = t->sheet_inputs};
     if (!fields_read(item, remainder_fields, m))
         return false;
     program_copy(&copy.program, &t->program);
@@ -92,7 +92,7 @@ bool step_read_remainders(const struct derivations *d, struct step *step, const 
     const struct yaml *list = under(step->node, "remainders");
     if (list == NULL)
         return true;
-    if (list->text != NULL || list->mapping || list->count == 0)
+    if (list->mapping || list->count == 0)
         return node_error(list, 0, "expected a list of what is dropped");
     step->remainders = xrealloc(NULL, (size_t)list->count, sizeof *step->remainders);
     while (step->remainder_count < list->count) {

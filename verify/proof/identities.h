@@ -59,6 +59,7 @@ struct identities {
     struct rate *rates;
     int shown_count, root_count, use_count, rate_count;
     int order;                  /* the highest power of epsilon that is compared; -1: exact */
+    int sheet_inputs;           /* of its inputs: those that are the sheet's, before those of its own */
     bool shared;                /* what is given serves others too: not all need serve here */
     struct tex lets;            /* ", C2 = 0": quantities of the sheet that are bound to a formula of their own */
     char *needed;               /* needed[i]: something shown rests on node i */
@@ -93,6 +94,9 @@ struct scope {
 bool identities_open(struct identities *t, const struct scope *s);
 int identities_formula(struct identities *t, const struct scope *s, const struct yaml *node);
 bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node); /* a = b, or a = b = c */
+/* Whether a name is a free one that the sheet does not have. */
+bool is_free_name(const struct identities *t, const char *name);
+
 /* The next of these signs outside brackets, or the end of the text; whether two texts are the same but for blanks. */
 const char *side_end(const char *text, const char *signs);
 bool same_text(const char *a, const char *a_end, const char *b);

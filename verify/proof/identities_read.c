@@ -52,6 +52,12 @@ static int find_input(const struct program *p, const char *name)
     return -1;
 }
 
+bool is_free_name(const struct identities *t, const char *name)
+{
+    const int node = program_find(&t->program, name);
+    return node >= t->sheet_inputs && node < t->program.inputs;
+}
+
 static int add_variable(struct identities *t, const char *name, int signs)
 {
     const int input = program_input(&t->program, name);
@@ -61,7 +67,7 @@ static int add_variable(struct identities *t, const char *name, int signs)
 }
 
 /* Names beyond the sheet's become inputs; those of `free` are new ones, those of `small` are known. */
-static bool declare_name(struct identities *t, const struct scope *s, int list, const struct yaml *item)
+static bool declare_name(struct identities *t, int list, const struct yaml *item)
 {
     const struct variable as = declarations[list].as;
     const char *name = item->text;
@@ -76,7 +82,7 @@ static bool declare_name(struct identities *t, const struct scope *s, int list, 
     const int excess = v->signs & ~as.signs;
     if (v->angle || v->power > 0)
         return node_error(item, 0, "'%s' is an angle or small already", name);
-    if (input < s->sheet->quantity_count && excess != 0)
+    if (input < t->sheet_inputs && excess != 0)
         return node_error(item, 0, "'%s' may be %s in the sheet, expected a name of its own", name,
                           excess & SIGN_NEGATIVE ? "negative" : "zero");
     *v = (struct variable){v->signs & as.signs, as.angle, as.quarter_turn, as.power};
@@ -92,12 +98,13 @@ static bool read_declarations(struct identities *t, const struct scope *s)
 {
     for (int i = 0; i < s->sheet->quantity_count; i++)
         add_variable(t, s->sheet->quantities[i].name, signs_of_domain(s->sheet->quantities[i].domain));
+    t->sheet_inputs = t->program.inputs;
     for (int i = 0; i < DECLARATIONS; i++) {
         const struct yaml *names = scope_given(s, declarations[i].key);
         if (names != NULL && !is_texts(names, MOST_FURTHER_NAMES))
             return false;
         for (int k = 0; names != NULL && k < names->count; k++)
-            if (!declare_name(t, s, i, &names->items[k]))
+            if (!declare_name(t, i, &names->items[k]))
                 return false;
     }
     for (int i = 0; i < s->name_count; i++)
@@ -131,7 +138,7 @@ static bool rate_name(const struct sheet *s, const char *name, char rate[LONGEST
     const int stem = (int)(index != NULL ? index - name : 0);
     if (index != NULL && strcmp(index, "_dot") == 0)
         snprintf(rate, LONGEST_NAME + 8, "%.*s_ddot", stem, name);
-    else if (index != NULL && index[1 + strspn(index + 1, "0123456789")] == '\0')
+    else if (index != NULL)
         snprintf(rate, LONGEST_NAME + 8, "%.*s_dot%s", stem, name, index);
     else
         snprintf(rate, LONGEST_NAME + 8, "%s_dot", name);
@@ -256,13 +263,11 @@ static int read_bindings(struct parser *p, const struct program *from, int *stan
  */
 static const char *bind_names(const struct reading *r, const struct program *from, int wanted, int *stand_in)
 {
-    const struct program *p = &r->t->program;
     const char *missing = NULL;
     for (int i = 0; i < from->named; i++) {
-        const int node = from->names[i].node, here = program_find(p, from->names[i].text);
-        const bool is_free = here >= r->scope->sheet->quantity_count && here < p->inputs;
-        if ((node < from->inputs || is_free) && stand_in[node] < 0)
-            stand_in[node] = here;
+        const int node = from->names[i].node;
+        if ((node < from->inputs || is_free_name(r->t, from->names[i].text)) && stand_in[node] < 0)
+            stand_in[node] = program_find(&r->t->program, from->names[i].text);
     }
     char *needed = program_needs(from, wanted, stand_in);
     for (int i = 0; i < from->inputs && missing == NULL; i++)
