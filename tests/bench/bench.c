@@ -80,40 +80,36 @@ static int keep(void *context, slong k, const fmpq_t t, arb_srcptr state)
 /* flow_precision() also pays for digits of coordinates far smaller than L_ref; here digits are those of L_ref. */
 enum { NOT_NEEDED = 28 };
 
-typedef enum flow_status flow_function(const struct flow_parameters *p, arb_srcptr initial, const fmpq *times,
-                                       slong count, slong digits, slong prec, flow_receiver *receive,
-                                       void *context, double *reached);
+typedef enum flow_status flow_function(struct flow_request *r);
 
 /* The same steps from a point, without what they leave out */
-static enum flow_status unproved(const struct flow_parameters *p, arb_srcptr initial, const fmpq *times, slong count,
-                                 slong digits, slong prec, flow_receiver *receive, void *context, double *reached)
+static enum flow_status unproved(struct flow_request *r)
 {
-    const slong bits = prec - 12, order = (slong)(0.5 * log(2) * (double)bits) + 4;
-    const double end = 7.2915e-5 * fmpq_get_d(times);
+    const slong prec = r->prec, bits = prec - 12, order = (slong)(0.5 * log(2) * (double)bits) + 4;
+    const double end = 7.2915e-5 * fmpq_get_d(r->times);
     struct expansion e;
     arb_t c1, c2, h, unit;
     arb_ptr state = _arb_vec_init(FLOW_STATE);
-    (void)digits;
     arb_init(c1);
     arb_init(c2);
     arb_init(h);
     arb_init(unit);
     expansion_init(&e, &closed_loop, order, 1, NULL, NULL);
-    flow_gains(c1, c2, p, prec);
+    flow_gains(c1, c2, r->p, prec);
     jet_constants(&e.path, c1, c2);
-    arb_mul_2exp_si(unit, p->L_ref, -1); /* equal masses, at rest */
-    _arb_vec_scalar_div(state, initial, FLOW_STATE, unit, prec);
-    for (*reached = 0; *reached < end;) {
+    arb_mul_2exp_si(unit, r->p->L_ref, -1); /* equal masses, at rest */
+    _arb_vec_scalar_div(state, r->initial, FLOW_STATE, unit, prec);
+    while (r->reached < end) {
         for (int i = 0; i < FLOW_STATE; i++)
             arb_get_mid_arb(e.path.c[i], state + i);
         expansion_path(&e, prec, (double)bits / (double)order);
-        const double step = fmin(expansion_step(&e, expansion_position(&e, 0) - (double)bits, 1), end - *reached);
+        const double step = fmin(expansion_step(&e, expansion_position(&e, 0) - (double)bits, 1), end - r->reached);
         arb_set_d(h, step);
         for (int i = 0; i < FLOW_STATE; i++)
             _arb_poly_evaluate(state + i, e.path.c[i], order + 1, h, prec);
-        *reached += step;
+        r->reached += step;
     }
-    receive(context, count - 1, times, state);
+    r->receive(r->context, r->count - 1, r->times, state);
     expansion_clear(&e);
     _arb_vec_clear(state, FLOW_STATE);
     arb_clear(c1);
@@ -130,12 +126,12 @@ static void bench_flow(flow_function *flow, long digits, double days)
     struct flow_parameters p;
     arb_ptr state = _arb_vec_init(FLOW_STATE);
     fmpq *t = _fmpq_vec_init(1);
-    double reached, radius = -HUGE_VAL; /* log2 of m, and of m/s in units of Omega */
+    double radius = -HUGE_VAL; /* log2 of m, and of m/s in units of Omega */
     flow_parameters_init(&p);
     simulation(&p, state, prec);
     fmpq_set_si(t, (slong)(86400 * days), 1);
     double start = seconds();
-    enum flow_status status = flow(&p, state, t, 1, digits, prec, keep, state, &reached);
+    enum flow_status status = flow(&(struct flow_request){&p, state, t, 1, digits, prec, keep, state, true, NULL, NULL, 0});
     double taken = seconds() - start;
     for (int i = 0; i < FLOW_STATE; i++)
         radius = fmax(radius, mag_get_d_log2_approx(arb_radref(state + i)) - (i < 3 ? 0 : log2(Omega)));
@@ -339,7 +335,7 @@ static void bench_set(double cm, double percent, long motions)
     struct scenario s;
     struct message why;
     struct filled bounds, filled;
-    double factor = 0, reached;
+    double factor = 0;
     fmpq *t = _fmpq_vec_init(1);
     arb_ptr state = _arb_vec_init(FLOW_STATE);
     fmpq_set_si(t, 259200, 1);
@@ -372,7 +368,7 @@ static void bench_set(double cm, double percent, long motions)
             else if (percent > 0)
                 arb_set_d(p.C1, C1 * (1 + share * percent / 100));
         }
-        if (flow_nonlinear(&p, state, t, 1, 8, 80, keep, state, &reached) != FLOW_DONE)
+        if (flow_run(&(struct flow_request){&p, state, t, 1, 8, 80, keep, state, true, NULL, NULL, 0}) != FLOW_DONE)
             factor = NAN;
         for (int v = 0; v < FLOW_STATE; v++) {
             const double x = arf_get_d(arb_midref(state + v), ARF_RND_NEAR);

@@ -305,7 +305,7 @@ TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
     struct moved_loop loop;
     struct trajectory t;
     struct bounds bounds;
-    struct flow_parameters p;
+    OWNED(flow_parameters) p;
     VECTOR(arb, start, COORDINATES);
     SCOPE(arb, c1, c2, swing, a, ratio, tau, shift, sigma);
     SCOPE(acb, S);
@@ -347,5 +347,4 @@ TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
     trajectory_clear(&t);
     moved_loop_clear(&loop);
     second_order_clear(&o);
-    flow_parameters_clear(&p);
 }

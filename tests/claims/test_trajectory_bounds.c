@@ -550,36 +550,6 @@ EACH(B7_bounds_are_those_of_the_samples_they_are_asked_for, 2)
 
 /* ---- rows of a motion ---- */
 
-/* Symmetry keeps a pair in the plane, on the normal or at its equilibrium only where no velocity leads away from it. */
-EACH(what_moves_away_is_not_settled, 13)
-{
-    static const struct {
-        double start[FLOW_STATE];
-        bool at_equilibrium, kept[FLOW_STATE], still;
-    } all[] = {
-        {{5, 1, 0, 0, 0, 0}, false, {0, 0, 1, 0, 0, 1}, false},   {{5, 1, 0, 0, 0, 0x1p-20}, false, {0}, false},
-        {{0, 0, 5, 0, 0, 0}, false, {1, 1, 0, 1, 1, 0}, false},   {{0, 0, 5, 0x1p-20, 0, 0}, false, {0}, false},
-        {{0, 0, 5, 0, 0x1p-20, 0}, false, {0}, false},            {{0, 1, 5, 0, 0, 0}, false, {0}, false},
-        {{5, 0, 0, 0, 0, 0}, true, {0}, true},                    {{5, 0, 0, 0, 0, 0}, false, {0, 0, 1, 0, 0, 1}, false},
-        {{5, 0, 0, 0x1p-20, 0, 0}, true, {0, 0, 1, 0, 0, 1}, false}, {{5, 0, 0, 0, 0x1p-20, 0}, true, {0, 0, 1, 0, 0, 1}, false},
-        {{5, 0x1p-20, 0, 0, 0, 0}, true, {0, 0, 1, 0, 0, 1}, false}, {{5, 0, 0x1p-20, 0, 0, 0}, true, {0}, false},
-        {{5, 0, 0, 0, 0, 0x1p-20}, true, {0}, false}};
-    VECTOR(arb, start, FLOW_STATE);
-    VECTOR(arb, state, FLOW_STATE);
-    for (int i = 0; i < FLOW_STATE; i++) {
-        arb_set_d(start + i, all[_i].start[i]);
-        arb_set_ui(state + i, 7);
-        mag_set_ui(arb_radref(state + i), 8);
-    }
-    flow_settle(start, all[_i].at_equilibrium, state);
-    for (int i = 0; i < FLOW_STATE; i++) {
-        if (all[_i].still)
-            ck_assert(arb_equal(state + i, start + i));
-        else
-            ck_assert_int_eq(arb_is_zero(state + i), all[_i].kept[i]);
-    }
-}
-
 static int keep_whole_rows(void *context, slong k, const fmpq_t t, char *const *numbers)
 {
     (void)t;

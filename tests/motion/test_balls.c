@@ -35,14 +35,12 @@ static void pair_in_the_inverse_square_field(arb_ptr out, arb_srcptr in, slong p
 /* (10) and its derivative; in: m1, m2, L_ref and the state of the angles. */
 static void coordinates_of_angles(arb_ptr out, arb_srcptr in, slong prec)
 {
-    struct flow_parameters p;
-    flow_parameters_init(&p);
+    FLOW_PARAMETERS(p);
     arb_set(p.m1, in);
     arb_set(p.m2, in + 1);
     arb_set(p.L_ref, in + 2);
     _arb_vec_set(out, in + 3, FLOW_STATE);
     state_from_angles(out, sheet(), &p, prec);
-    flow_parameters_clear(&p);
 }
 
 static int take(void *context, slong k, const fmpq_t t, arb_srcptr state)
@@ -56,17 +54,15 @@ static int take(void *context, slong k, const fmpq_t t, arb_srcptr state)
 /* Omega, L_ref, C1, C2, of the nonlinear model k_c, m1, m2 as well, and the state; one step of a second. */
 static void one_step(arb_ptr out, bool nonlinear, arb_srcptr in, slong prec)
 {
-    struct flow_parameters p;
+    FLOW_PARAMETERS(p);
     SCOPE(fmpq, second);
-    double reached;
-    flow_parameters_init(&p);
     arb_ptr all[] = {p.Omega, p.L_ref, p.C1, p.C2, p.k_c, p.m1, p.m2};
     const int parameters = nonlinear ? 7 : 4;
     for (int i = 0; i < parameters; i++)
         arb_set(all[i], in + i);
     fmpq_one(second);
-    ck_assert_int_eq(rk4(nonlinear, &p, in + parameters, second, second, 1, prec, take, out, &reached), FLOW_DONE);
-    flow_parameters_clear(&p);
+    ck_assert_int_eq(flow_run(&(struct flow_request){&p, in + parameters, second, 1, 17, prec, take, out, nonlinear, second, NULL, 0}),
+                     FLOW_DONE);
 }
 
 static void steps_of_the_method(arb_ptr out, arb_srcptr in, slong prec)
@@ -82,13 +78,11 @@ static void steps_of_the_linear_method(arb_ptr out, arb_srcptr in, slong prec)
 /* (7), (18), (13), (14) and (21); in: as for a step */
 static void charges_of_a_state(arb_ptr out, arb_srcptr in, slong prec)
 {
-    struct flow_parameters p;
-    flow_parameters_init(&p);
+    FLOW_PARAMETERS(p);
     arb_ptr all[] = {p.Omega, p.L_ref, p.C1, p.C2, p.k_c, p.m1, p.m2};
     for (int i = 0; i < 7; i++)
         arb_set(all[i], in + i);
     charges_of_state(out, out + 2, sheet(), &p, in + 7, prec);
-    flow_parameters_clear(&p);
 }
 
 static const struct {

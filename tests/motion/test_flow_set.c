@@ -114,7 +114,6 @@ static void follow_one(struct seen *seen, const struct box *box, const fmpq *tim
     struct flow_parameters *const p = &seen->parameters;
     VECTOR(arb, initial, FLOW_STATE);
     SCOPE(fmpq, share);
-    double reached;
     scenario_init(&s, sheet(), true);
     for (int i = 0; i < 8 && box->of[i].value != NULL; i++) {
         const struct interval *of = &box->of[i];
@@ -128,7 +127,7 @@ static void follow_one(struct seen *seen, const struct box *box, const fmpq *tim
     flow_parameters_init(p);
     scenario_parameters(p, &s, PREC);
     scenario_initial(initial, &s, p, true, PREC);
-    ck_assert_int_eq(flow_nonlinear(p, initial, times, TIMES, 14, PREC, look, seen, &reached), FLOW_DONE);
+    ck_assert_int_eq(flow_run(&(struct flow_request){p, initial, times, TIMES, 14, PREC, look, seen, true, NULL, NULL, 0}), FLOW_DONE);
     flow_parameters_clear(p);
 }
 
@@ -178,7 +177,6 @@ TEST(a_factor_on_the_force_is_one_of_the_set)
     struct seen seen = {.rows = &rows};
     const struct motion m = {.scenario = &s, .nonlinear = true, .most_pieces = 1, .digits = 17};
     const struct flow_steps how = {.system = &law, .constants = hold};
-    double reached;
     for (int t = 0; t < JET_TERMS; t++) {
         terms[t] = closed_loop.terms[t];
         if (terms[t].to == R && terms[t].a == HOLD)
@@ -192,8 +190,7 @@ TEST(a_factor_on_the_force_is_one_of_the_set)
     scenario_parameters(&seen.parameters, &s, PREC);
     scenario_initial(initial, &s, &seen.parameters, true, PREC);
     for (int percent = 99; percent <= 101; percent++) {
-        OWNED(flow_parameters) p;
-        flow_parameters_init(&p);
+        FLOW_PARAMETERS(p);
         scenario_parameters(&p, &s, PREC);
         arb_ptr scaled[] = {p.C1, p.C2, hold};
         arb_set_ui(hold, 3);
@@ -201,7 +198,7 @@ TEST(a_factor_on_the_force_is_one_of_the_set)
             arb_mul_ui(scaled[i], scaled[i], (ulong)percent, PREC);
             arb_div_ui(scaled[i], scaled[i], 100, PREC);
         }
-        ck_assert_int_eq(flow_nonlinear_by(&how, &p, initial, times, TIMES, 14, PREC, look, &seen, &reached), FLOW_DONE);
+        ck_assert_int_eq(flow_run(&(struct flow_request){&p, initial, times, TIMES, 14, PREC, look, &seen, true, NULL, &how, 0}), FLOW_DONE);
     }
     ck_assert_int_eq(seen.count, 3 * TIMES);
     flow_parameters_clear(&seen.parameters);
@@ -367,7 +364,7 @@ EACH(S1_to_S9_each_motion_keeps_within_its_set, COUNT(terms))
 {
     enum { ROWS = 9, MOTIONS = 11 };
     OWNED(flow_set) set;
-    OWNED(flow_parameters) p;
+    FLOW_PARAMETERS(p);
     VECTOR(fmpq, times, ROWS);
     VECTOR(arb, rows, ROWS * SET_BOUNDS);
     VECTOR(arb, initial, FLOW_STATE);
@@ -387,7 +384,6 @@ EACH(S1_to_S9_each_motion_keeps_within_its_set, COUNT(terms))
     b.count = 0;
     (void)flow_set(&set, times, ROWS, keep_row, &b, &reached);
     ck_assert_msg(b.count == ROWS, "%s: %d rows, %g", terms[_i].term, (int)b.count, reached);
-    flow_parameters_init(&p);
     b.c1 = terms[_i].charged ? p.C1 : NULL;
     arb_one(p.Omega);
     arb_set_ui(p.L_ref, 2);
@@ -410,7 +406,7 @@ EACH(S1_to_S9_each_motion_keeps_within_its_set, COUNT(terms))
             arb_ptr x = v < FLOW_STATE ? initial + v : p.C1;
             arb_add(x, x, off, PREC);
         }
-        ck_assert_int_eq(flow_nonlinear(&p, initial, times, ROWS, 18, PREC, compare, &b, &reached), FLOW_DONE);
+        ck_assert_int_eq(flow_run(&(struct flow_request){&p, initial, times, ROWS, 18, PREC, compare, &b, true, NULL, NULL, 0}), FLOW_DONE);
     }
 }
 

@@ -201,10 +201,8 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
 {
     const double radians = 7.3e-5 * (double)last; /* Omega, about */
     const slong digits = s->digits > 0 ? s->digits : TRAJECTORY_DIGITS;
-    OWNED(flow_parameters) p;
-    double reached;
+    FLOW_PARAMETERS(p);
     SCOPE(fmpq, h);
-    flow_parameters_init(&p);
     t->steps = s->steps;
     t->nonlinear = s->nonlinear;
     t->bounded = s->by == NULL;
@@ -219,9 +217,8 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     for (slong k = 0; k < t->count; k++)
         fmpq_set_si(times + k, first + k * step, 1);
     fmpq_set_si(h, s->rk4, 1);
-    return FLOW_DONE ==
-        (s->by != NULL ? flow_nonlinear_by(s->by, &p, initial, times, t->count, digits, t->prec, take_sample, t, &reached)
-                      : flow_run(s->nonlinear, s->rk4 ? h : NULL, &p, initial, times, t->count, digits, t->prec, take_sample, t, &reached));
+    return flow_run(&(struct flow_request){&p, initial, times, t->count, digits, t->prec, take_sample, t, s->nonlinear,
+                                           s->rk4 ? h : NULL, s->by, 0}) == FLOW_DONE;
 }
 
 /*

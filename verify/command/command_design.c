@@ -143,11 +143,10 @@ static bool enclose_root_parts(acb_ptr roots, const struct scenario *s, const ar
 
 static void enclose_inputs(struct machine *m, const struct scenario *s, const struct input *lambda_d, slong prec)
 {
-    struct flow_parameters p;
+    FLOW_PARAMETERS(p);
     SCOPE(arb, c1, c2);
     VECTOR(acb, roots, 4);
     VECTOR(arb, guaranteed, GUARANTEES);
-    flow_parameters_init(&p);
     scenario_parameters(&p, s, prec);
     arb_srcptr parameters[DESIGN_PARAMETERS] = {p.Omega, p.L_ref, p.C1, p.C2, p.k_c, p.m1, p.m2};
     int next = 0;
@@ -170,7 +169,6 @@ static void enclose_inputs(struct machine *m, const struct scenario *s, const st
     guarantees_enclose(guaranteed, c1, NULL, prec);
     for (int i = 0; i < GUARANTEES; i++)
         arb_set(machine_value(m, ++next), guaranteed + i);
-    flow_parameters_clear(&p);
 }
 
 /* Every digit of every number, by more and more bits; else the first number that stays open, or there is no rest. */

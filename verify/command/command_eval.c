@@ -16,21 +16,18 @@
 static void take_paper_state(const struct section *s, bool exact, const bool *seen, struct input *inputs)
 {
     enum { STATE_BITS = 256 };
-    struct scenario paper;
-    struct flow_parameters p;
+    OWNED(scenario) paper;
+    FLOW_PARAMETERS(p);
     VECTOR(arb, state, FLOW_STATE);
     scenario_init(&paper, s->sheet, exact);
     for (int k = SET_m1; k <= SET_L_ref; k++) /* which may have been given */
         fmpq_set(&paper.value[k].value, &inputs[input_place(s, scenario_names[k])].value);
-    flow_parameters_init(&p);
     scenario_parameters(&p, &paper, STATE_BITS);
     scenario_initial(state, &paper, &p, true, STATE_BITS);
     const int first = input_place(s, "x1_0");
     for (int i = 0; i < FLOW_STATE; i++)
         if (!seen[first + i] && arb_is_finite(state + i)) /* not where the masses are refused in the end */
             fmpq_set_double(&inputs[first + i].value, arf_get_d(arb_midref(state + i), ARF_RND_NEAR));
-    flow_parameters_clear(&p);
-    scenario_clear(&paper);
 }
 
 /* The paper's case for what is not given: Table 1, the initial values, and what follows from them. */

@@ -146,10 +146,9 @@ static void complete_start(struct scenario *s)
         given += s->given[i];
     if (given == 0)
         return;
-    OWNED(flow_parameters) p;
+    FLOW_PARAMETERS(p);
     VECTOR(arb, state, FLOW_STATE);
     SCOPE(arf, near);
-    flow_parameters_init(&p);
     scenario_parameters(&p, s, BITS);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_fmpq(state + i, &s->value[SET_psi + i].value, BITS);

@@ -166,28 +166,24 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
     const bool steps = method == METHOD_RK4_LINEAR || method == METHOD_RK4_NONLINEAR;
     const slong looks = o->until != 0 ? LOOKS : 1;
     const fmpq *t = input_named(o, inputs, "t"), *h = steps ? input_named(o, inputs, "h") : NULL;
-    OWNED(flow_parameters) p;
+    FLOW_PARAMETERS(p);
     struct followed f = {outputs, o->until};
     VECTOR(arb, initial, FLOW_STATE);
     VECTOR(fmpq, times, looks);
-    double reached = 0.0;
-    flow_parameters_init(&p);
-    const arb_ptr linear_inputs[] = {p.Omega, p.L_ref, p.C1, p.C2}, nonlinear_inputs[] = {p.Omega, p.k_c, p.m1, p.m2, p.L_ref, p.C1, p.C2};
     const int parameters = linear ? 4 : 7; /* before t, which the initial state follows */
-    for (int i = 0; i < parameters + FLOW_STATE; i++)
-        arb_set_fmpq(i >= parameters ? initial + i - parameters : linear ? linear_inputs[i] : nonlinear_inputs[i],
-                     &inputs[i < parameters ? i : i + 1].value, prec);
+    for (int i = 0; i < parameters; i++) /* of the linear model all but k_c m1 m2 */
+        arb_set_fmpq(p.Omega + (linear && i > 0 ? i + 3 : i), &inputs[i].value, prec);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set_fmpq(initial + i, &inputs[parameters + 1 + i].value, prec);
     fmpq_set(times, t);
     if (o->until != 0)
         look_times(times, t, h);
-    const enum flow_status status = flow_run(!linear, h, &p, initial, times, looks, digits, prec, take_state, &f, &reached);
-    if (!linear)
-        flow_settle(initial,
-                    is_equilibrium(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"),
-                                   input_named(o, inputs, "L_ref"), input_named(o, inputs, "x1_0")),
-                    outputs);
+    struct flow_request r = {&p, initial, times, looks, digits, prec, take_state, &f, !linear, h, NULL, 0};
+    const enum flow_status status = flow_run(&r);
+    if (!linear && is_static(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"), input_named(o, inputs, "L_ref"), &inputs[parameters + 1]))
+        _arb_vec_set(outputs, initial, FLOW_STATE);
     if (status != FLOW_DONE)
-        message_set(&o->why, "%s, last proved time %.6g s", flow_status_text(status), reached);
+        message_set(&o->why, "%s, last proved time %.6g s", flow_status_text(status), r.reached);
     return status == FLOW_DONE ? OPERATION_PROVED : OPERATION_UNDECIDED;
 }
 

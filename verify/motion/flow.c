@@ -10,18 +10,17 @@
 /* Radians: 160,000 orbits of some 10^5 bits, and of the method 1,600 of 240,000: both would take days. */
 static const double FLOW_REACH = 1e6, RK4_REACH = 1e4;
 
+enum { PARAMETERS = 7 };
+
 void flow_parameters_init(struct flow_parameters *p)
 {
-    arb_ptr all[] = {p->Omega, p->L_ref, p->C1, p->C2, p->k_c, p->m1, p->m2};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        arb_init(all[i]);
+    arb_ptr all = _arb_vec_init(PARAMETERS);
+    *p = (struct flow_parameters){all, all + 1, all + 2, all + 3, all + 4, all + 5, all + 6};
 }
 
 void flow_parameters_clear(struct flow_parameters *p)
 {
-    arb_ptr all[] = {p->Omega, p->L_ref, p->C1, p->C2, p->k_c, p->m1, p->m2};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        arb_clear(all[i]);
+    _arb_vec_clear(p->Omega, PARAMETERS);
 }
 
 void flow_gains(arb_t c1, arb_t c2, const struct flow_parameters *p, slong prec)
@@ -53,35 +52,15 @@ const char *flow_status_text(enum flow_status status)
                                         [FLOW_WIDE] = "the enclosure grew past use",
                                         [FLOW_CLOSE] = "the craft come closer than L_ref/128, nothing is proved beyond",
                                         [FLOW_UNCHARGED] = "Q_ref + dQ may be >= 0 in the set, where Eq. (21) has no charges",
-                                        [FLOW_DOMAIN] = "a parameter lies outside the domain",
+                                        [FLOW_DOMAIN] = "a time is no whole number of steps",
                                         [FLOW_STALLED] = "too many steps or orbits, no end in sight"};
     return texts[status];
 }
 
-enum flow_status flow_run(bool nonlinear, const fmpq *h, const struct flow_parameters *p, arb_srcptr initial, const fmpq *times,
-                          slong count, slong digits, slong prec, flow_receiver *receive, void *context, double *reached)
+enum flow_status flow_run(struct flow_request *r)
 {
-    if (h != NULL)
-        return rk4(nonlinear, p, initial, h, times, count, prec, receive, context, reached);
-    if (nonlinear)
-        return flow_nonlinear(p, initial, times, count, digits, prec, receive, context, reached);
-    return flow_linear(p, initial, times, count, prec, receive, context, reached);
-}
-
-bool flow_linear_domain(const struct flow_parameters *p, arb_srcptr initial)
-{
-    return arb_is_positive(p->Omega) && arb_is_positive(p->L_ref) && arb_is_finite(p->Omega)
-           && arb_is_finite(p->L_ref) && arb_is_finite(p->C1) && arb_is_finite(p->C2)
-           && _arb_vec_is_finite(initial, FLOW_STATE);
-}
-
-bool flow_nonlinear_domain(const struct flow_parameters *p, arb_srcptr initial)
-{
-    SCOPE(arb, square);
-    arb_dot(square, NULL, 0, initial, 1, initial, 1, FLOW_STATE / 2, 64);
-    return flow_linear_domain(p, initial) && arb_is_positive(square)
-                 && arb_is_positive(p->k_c) && arb_is_positive(p->m1) && arb_is_positive(p->m2)
-                 && arb_is_finite(p->k_c) && arb_is_finite(p->m1) && arb_is_finite(p->m2);
+    r->reached = 0;
+    return r->h != NULL ? rk4(r) : r->nonlinear ? flow_nonlinear(r) : flow_linear(r);
 }
 
 bool flow_wide(arb_srcptr state, slong bits)
@@ -96,13 +75,13 @@ bool flow_wide(arb_srcptr state, slong bits)
     return mag_is_inf(radius) || mag_cmp(radius, size) > 0;
 }
 
-bool flow_in_reach(const struct flow_parameters *p, const fmpq *times, slong count, bool by_steps)
+bool flow_in_reach(const struct flow_request *r)
 {
     SCOPE(arb, radians, reach);
-    arb_set_fmpq(radians, times + count - 1, 64);
-    arb_mul(radians, radians, p->Omega, 64);
+    arb_set_fmpq(radians, r->times + r->count - 1, 64);
+    arb_mul(radians, radians, r->p->Omega, 64);
     arb_abs(radians, radians);
-    arb_set_d(reach, by_steps ? RK4_REACH : FLOW_REACH);
+    arb_set_d(reach, r->h != NULL ? RK4_REACH : FLOW_REACH);
     return arb_le(radians, reach);
 }
 
@@ -116,30 +95,4 @@ slong rk4_precision(slong digits, double radians)
 {
     /* plain balls lose 10 bits per radian of orbit at n = 10, 23 at n = 40, whatever the step */
     return (slong)(log2(10) * (double)digits + 40 + 24 * fmin(fabs(radians), RK4_REACH));
-}
-
-/* ---- what symmetry keeps ---- */
-
-void flow_settle(arb_srcptr initial, bool at_equilibrium, arb_ptr state)
-{
-    bool zero[3]; /* the pair neither is nor moves off the origin along this axis */
-    for (int i = 0; i < 3; i++)
-        zero[i] = arb_is_zero(initial + i) && arb_is_zero(initial + i + 3);
-    for (int i = 0; i < 3; i++)
-        if (i == 2 ? zero[2] : zero[0] && zero[1]) {
-            arb_zero(state + i);
-            arb_zero(state + i + 3);
-        }
-    if (at_equilibrium && zero[1] && zero[2] && arb_is_zero(initial + 3))
-        _arb_vec_set(state, initial, FLOW_STATE);
-}
-
-bool is_equilibrium(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const fmpq_t x1)
-{
-    SCOPE(fmpq, a, b);
-    fmpq_add(a, m1, m2);
-    fmpq_mul(a, a, x1);
-    fmpq_abs(a, a);
-    fmpq_mul(b, m2, L_ref);
-    return fmpq_equal(a, b);
 }

@@ -44,40 +44,36 @@ static void set_rates(arb_mat_t a, const struct flow_parameters *p, slong prec)
     }
 }
 
-enum flow_status flow_linear(const struct flow_parameters *p, arb_srcptr initial, const fmpq *times,
-                             slong count, slong prec, flow_receiver *receive, void *context,
-                             double *reached)
+enum flow_status flow_linear(struct flow_request *r)
 {
+    const slong prec = r->prec;
     VECTOR(arb, start, FLOW_STATE);
     VECTOR(arb, state, FLOW_STATE);
     VECTOR(arb, unit, FLOW_STATE);
     MATRIX(arb, rates, FLOW_STATE, FLOW_STATE);
     MATRIX(arb, exponential, FLOW_STATE, FLOW_STATE);
     SCOPE(arb, tau);
-    *reached = 0;
-    if (!flow_linear_domain(p, initial))
-        return FLOW_DOMAIN;
-    if (!flow_in_reach(p, times, count, false))
+    if (!flow_in_reach(r))
         return FLOW_STALLED;
-    set_rates(rates, p, prec);
-    flow_units(unit, false, p, prec);
+    set_rates(rates, r->p, prec);
+    flow_units(unit, false, r->p, prec);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_div(start + i, initial + i, unit + i, prec);
-    for (slong k = 0; k < count; k++) {
-        arb_set_fmpq(tau, times + k, prec);
-        arb_mul(tau, tau, p->Omega, prec);
+        arb_div(start + i, r->initial + i, unit + i, prec);
+    for (slong k = 0; k < r->count; k++) {
+        arb_set_fmpq(tau, r->times + k, prec);
+        arb_mul(tau, tau, r->p->Omega, prec);
         arb_mat_scalar_mul_arb(exponential, rates, tau, prec);
         arb_mat_exp(exponential, exponential, prec);
         for (int i = 0; i < FLOW_STATE; i++) {
             arb_dot(state + i, NULL, 0, arb_mat_entry(exponential, i, 0), 1, start, 1, FLOW_STATE, prec);
             arb_mul(state + i, state + i, unit + i, prec);
         }
-        if (fmpq_is_zero(times + k))
-            _arb_vec_set(state, initial, FLOW_STATE);
+        if (fmpq_is_zero(r->times + k))
+            _arb_vec_set(state, r->initial, FLOW_STATE);
         if (!_arb_vec_is_finite(state, FLOW_STATE))
             return FLOW_WIDE;
-        *reached = fmpq_get_d(times + k);
-        if (receive(context, k, times + k, state) != 0)
+        r->reached = fmpq_get_d(r->times + k);
+        if (r->receive(r->context, k, r->times + k, state) != 0)
             return FLOW_STOPPED;
     }
     return FLOW_DONE;

@@ -40,89 +40,85 @@ enum {
 };
 
 struct flow {
-    arb_t Omega;
+    const struct flow_request *of;
+    struct flow_steps how;
     arb_ptr unit;                      /* of each coordinate                                     */
     slong prec, bits;                  /* a step leaves out 2^-bits of the distance, roughly     */
     int direction;                     /* of time, 1 or -1                                       */
-    const struct system *system;
-    double proposed;                   /* a step, or 0: what the series propose                   */
     arf_t now;                         /* radians of orbit where the step starts; exact          */
     struct lohner set;
-    struct expansion of;               /* its centre and the box around it                       */
+    struct expansion series;           /* of its centre and the box around it                    */
 };
 
-static void flow_init(struct flow *f, slong prec, const struct flow_steps *how)
+static void flow_init(struct flow *f, const struct flow_request *r)
 {
-    f->prec = prec;
-    f->bits = FLINT_MAX(prec - GUARD, 16);
+    *f = (struct flow){.of = r, .prec = r->prec, .bits = FLINT_MAX(r->prec - GUARD, 16),
+                       .direction = fmpq_sgn(r->times + r->count - 1) < 0 ? -1 : 1};
+    if (r->how != NULL)
+        f->how = *r->how;
     /* Work n^2/h for n terms is least at h = R/e^2, R the radius of convergence: e^-2n = 2^-bits. */
-    const slong order = how->order != 0 ? how->order : (slong)(0.5 * log(2) * (double)f->bits) + 4;
-    const slong a_priori_order = how->derivative_order != 0 ? how->derivative_order : A_PRIORI_ORDER;
-    f->proposed = how->step;
-    f->system = how->system != NULL ? how->system : &closed_loop;
-    arb_init(f->Omega);
+    const slong order = f->how.order != 0 ? f->how.order : (slong)(0.5 * log(2) * (double)f->bits) + 4;
+    const slong a_priori_order = f->how.derivative_order != 0 ? f->how.derivative_order : A_PRIORI_ORDER;
     f->unit = _arb_vec_init(FLOW_STATE);
     arf_init(f->now);
     lohner_init(&f->set);
-    expansion_init(&f->of, f->system, order, a_priori_order, NULL, NULL);
+    expansion_init(&f->series, f->how.system != NULL ? f->how.system : &closed_loop, order, a_priori_order, NULL, NULL);
 }
 
 static void flow_clear(struct flow *f)
 {
-    expansion_clear(&f->of);
+    expansion_clear(&f->series);
     lohner_clear(&f->set);
     arf_clear(f->now);
     _arb_vec_clear(f->unit, FLOW_STATE);
-    arb_clear(f->Omega);
 }
 
 /* Into radians of orbit and units of r_ref. A quotient that is exact stays so. */
-static void set_problem(struct flow *f, const struct flow_steps *how, const struct flow_parameters *p, arb_srcptr initial)
+static void set_problem(struct flow *f)
 {
+    const struct system *system = f->series.path.system;
     VECTOR(arb, state, FLOW_STATE);
     SCOPE(arb, c1, c2);
-    arb_set(f->Omega, p->Omega);
-    flow_gains(c1, c2, p, f->prec);
-    flow_units(f->unit, true, p, f->prec);
+    flow_gains(c1, c2, f->of->p, f->prec);
+    flow_units(f->unit, true, f->of->p, f->prec);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_div(state + i, initial + i, f->unit + i, f->prec);
+        arb_div(state + i, f->of->initial + i, f->unit + i, f->prec);
     lohner_from_box(&f->set, state);
-    jet_constants(&f->of.path, c1, c2);
-    jet_constants(&f->of.hull, c1, c2);
-    const int first = f->system->series + closed_loop.all - closed_loop.series;
-    for (int v = first; v < f->system->all; v++) {
-        arb_set(f->of.path.c[v], how->constants + v - first);
-        arb_set(f->of.hull.c[v], how->constants + v - first);
-    }
+    jet_constants(&f->series.path, c1, c2);
+    const int first = system->series + closed_loop.all - closed_loop.series;
+    for (int v = first; v < system->all; v++)
+        arb_set(f->series.path.c[v], f->how.constants + v - first);
+    for (int v = system->series; v < system->all; v++)
+        arb_set(f->series.hull.c[v], f->series.path.c[v]);
 }
 
 static void expand_series(struct flow *f)
 {
     VECTOR(arb, box, FLOW_STATE);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_set(f->of.path.c[i], f->set.centre + i);
-    expansion_path(&f->of, f->prec, (double)f->bits / (double)f->of.path.order);
+        arb_set(f->series.path.c[i], f->set.centre + i);
+    expansion_path(&f->series, f->prec, (double)f->bits / (double)f->series.path.order);
     lohner_to_box(box, &f->set);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_set_round(f->of.hull.c[i], box + i, LOHNER_BITS);
-    expansion_derivatives(&f->of, &f->set);
+        arb_set_round(f->series.hull.c[i], box + i, LOHNER_BITS);
+    expansion_derivatives(&f->series, &f->set);
 }
 
 /* Where terms fall to 2^-bits of the distance; at rest one radian */
 static double step_length(const struct flow *f)
 {
-    return f->proposed > 0 ? f->proposed : expansion_step(&f->of, expansion_position(&f->of, 0) - (double)f->bits, 1);
+    return f->how.step > 0 ? f->how.step : expansion_step(&f->series, expansion_position(&f->series, 0) - (double)f->bits, 1);
 }
 
 /* The motion from the centre at s, |s| <= h. */
 static void path_at(const struct flow *f, arb_ptr state, const arb_t s)
 {
-    const slong terms = f->of.path.order + 1;
+    const slong terms = f->series.path.order + 1;
     VECTOR(arb, power, terms);
     _arb_vec_set_powers(power, s, terms, f->prec);
     for (int i = 0; i < FLOW_STATE; i++) {
-        arb_dot(state + i, NULL, 0, f->of.path.c[i], 1, power, 1, terms, f->prec);
-        arb_add_error_mag(state + i, f->of.path_bound.remainder + i);
+        arb_dot(state + i, NULL, 0, f->series.path.c[i], 1, power, 1, terms, f->prec);
+        arb_add_error_mag(state + i, f->series.path_bound.remainder + i);
     }
 }
 
@@ -131,7 +127,7 @@ static void state_at(const struct flow *f, arb_ptr state, const arb_t s)
 {
     path_at(f, state, s);
     for (int i = 0; i < FLOW_STATE; i++) {
-        expansion_spread(state + i, &f->of, i);
+        expansion_spread(state + i, &f->series, i);
         arb_mul(state + i, state + i, f->unit + i, f->prec);
     }
 }
@@ -144,24 +140,15 @@ static bool advance_set(struct flow *f, double step)
     arb_set_d(h, f->direction * step);
     arf_add(f->now, f->now, arb_midref(h), ARF_PREC_EXACT, ARF_RND_DOWN);
     path_at(f, image, h);
-    return expansion_move(&f->set, image, &f->of, h, f->of.spread_bound.remainder);
+    return expansion_move(&f->set, image, &f->series, h, f->series.spread_bound.remainder);
 }
 
-/* Whether the set has lost so many digits. */
-static bool lost(const struct flow *f, slong digits)
+/* Whether the set has lost the digits that are wanted. */
+static bool lost(const struct flow *f)
 {
     VECTOR(arb, box, FLOW_STATE);
     lohner_to_box(box, &f->set);
-    return flow_wide(box, (slong)(log2(10) * (double)digits));
-}
-
-/* Whether the times go away from 0. */
-static bool times_ordered(const fmpq *times, slong count, int direction)
-{
-    for (slong k = 0; k < count; k++)
-        if ((k == 0 ? fmpq_sgn(times) : fmpq_cmp(times + k, times + k - 1)) * direction < 0)
-            return false;
-    return true;
+    return flow_wide(box, (slong)(log2(10) * (double)f->of->digits));
 }
 
 /* Whether the craft are closer than 2^CLOSE L_ref wherever in the set they are. */
@@ -177,68 +164,47 @@ static bool is_close(const struct flow *f)
 }
 
 /* Expands about the start of a step and proves its length. */
-static enum flow_status begin_step(struct flow *f, slong digits, double *step)
+static enum flow_status begin_step(struct flow *f, double *step)
 {
-    if (lost(f, digits))
+    if (lost(f))
         return FLOW_WIDE;
     expand_series(f);
     *step = step_length(f);
     if (*step < ldexp(1, LEAST_STEP) && is_close(f))
         return FLOW_CLOSE;
-    *step = expansion_prove(&f->of, &f->set, *step, MOST_HALVINGS, true);
+    *step = expansion_prove(&f->series, &f->set, *step, MOST_HALVINGS, true);
     return *step > 0 ? FLOW_DONE : FLOW_WIDE;
 }
 
-static enum flow_status follow(struct flow *f, arb_srcptr initial, const fmpq *times, slong count,
-                               slong digits, flow_receiver *receive, void *context, double *reached)
+enum flow_status flow_nonlinear(struct flow_request *r)
 {
     VECTOR(arb, state, FLOW_STATE);
     SCOPE(arb, s);
     slong k = 0;
-    for (; k < count && fmpq_is_zero(times + k); k++)
-        if (receive(context, k, times + k, initial) != 0)
-            return FLOW_STOPPED;
-    for (int steps = 0; k < count; steps++) {
-        double step;
-        enum flow_status status = steps < MOST_STEPS ? begin_step(f, digits, &step) : FLOW_STALLED;
-        if (status != FLOW_DONE)
-            return status;
-        for (; k < count && time_within(s, times + k, f->Omega, f->now, step, f->prec); k++) {
-            state_at(f, state, s);
-            *reached = fmpq_get_d(times + k);
-            if (receive(context, k, times + k, state) != 0)
-                return FLOW_STOPPED;
-        }
-        if (k == count)
-            break;
-        if (mag_get_d(arb_radref(s)) > step / 4 || !advance_set(f, step))
-            return FLOW_WIDE; /* a time so vague might fall between all steps */
-        *reached = f->direction * seconds_within(f->now, f->Omega);
-    }
-    return FLOW_DONE;
-}
-
-enum flow_status flow_nonlinear_by(const struct flow_steps *how, const struct flow_parameters *p, arb_srcptr initial,
-                                   const fmpq *times, slong count, slong digits, slong prec,
-                                   flow_receiver *receive, void *context, double *reached)
-{
-    const int direction = fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
-    *reached = 0;
-    if (!flow_nonlinear_domain(p, initial) || !times_ordered(times, count, direction))
-        return FLOW_DOMAIN;
-    if (!flow_in_reach(p, times, count, false))
+    if (!flow_in_reach(r))
         return FLOW_STALLED;
     OWNED(flow) f;
-    flow_init(&f, prec, how);
-    f.direction = direction;
-    set_problem(&f, how, p, initial);
-    return follow(&f, initial, times, count, digits, receive, context, reached);
-}
-
-enum flow_status flow_nonlinear(const struct flow_parameters *p, arb_srcptr initial,
-                                const fmpq *times, slong count, slong digits, slong prec,
-                                flow_receiver *receive, void *context, double *reached)
-{
-    static const struct flow_steps own;
-    return flow_nonlinear_by(&own, p, initial, times, count, digits, prec, receive, context, reached);
+    flow_init(&f, r);
+    set_problem(&f);
+    for (; k < r->count && fmpq_is_zero(r->times + k); k++)
+        if (r->receive(r->context, k, r->times + k, r->initial) != 0)
+            return FLOW_STOPPED;
+    for (int steps = 0; k < r->count; steps++) {
+        double step;
+        enum flow_status status = steps < MOST_STEPS ? begin_step(&f, &step) : FLOW_STALLED;
+        if (status != FLOW_DONE)
+            return status;
+        for (; k < r->count && time_within(s, r->times + k, r->p->Omega, f.now, step, f.prec); k++) {
+            state_at(&f, state, s);
+            r->reached = fmpq_get_d(r->times + k);
+            if (r->receive(r->context, k, r->times + k, state) != 0)
+                return FLOW_STOPPED;
+        }
+        if (k == r->count)
+            break;
+        if (mag_get_d(arb_radref(s)) > step / 4 || !advance_set(&f, step))
+            return FLOW_WIDE; /* a time so vague might fall between all steps */
+        r->reached = f.direction * seconds_within(f.now, r->p->Omega);
+    }
+    return FLOW_DONE;
 }

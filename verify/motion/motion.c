@@ -86,12 +86,12 @@ bool scenario_valid(const struct scenario *s, bool nonlinear, struct message *wh
 
 void scenario_parameters(struct flow_parameters *p, const struct scenario *s, slong prec)
 {
-    static const enum scenario_name names[] = {SET_Omega, SET_L_ref, SET_k_c, SET_m1, SET_m2, SET_C1, SET_C2, SET_n};
+    static const enum scenario_name names[] = {SET_Omega, SET_k_c, SET_m1, SET_m2, SET_L_ref, SET_C1, SET_C2};
     VECTOR(arb, gain_inputs, 2); /* of Eqs. (43) and (44): Omega, n */
-    arb_ptr const values[] = {p->Omega, p->L_ref, p->k_c, p->m1, p->m2, p->C1, p->C2, gain_inputs + 1};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        arb_set_fmpq(values[i], &s->value[names[i]].value, prec);
+        arb_set_fmpq(p->Omega + i, &s->value[names[i]].value, prec);
     arb_set(gain_inputs, p->Omega);
+    arb_set_fmpq(gain_inputs + 1, &s->value[SET_n].value, prec);
     if (!s->given[SET_C1])
         section_enclose(section_find(s->sheet, "eq43"), gain_inputs, prec, p->C1);
     if (!s->given[SET_C2])
@@ -120,18 +120,17 @@ void scenario_initial(arb_ptr initial, const struct scenario *s, const struct fl
 
 /* ---- charges along a motion: Eqs. (13), (7), (18), (21) ---- */
 
-/* Eq. (14) names the distance and its rate on its way. */
+/* Eq. (14), of Omega k_c m1 m2 Q and the state, names the distance and its rate on its way. */
 static void distance_and_rate(arb_t L, arb_t L_dot, const struct sheet *sheet, const struct flow_parameters *p,
                               arb_srcptr state, slong prec)
 {
     const struct program *program = &section_find(sheet, "eq14")->corrected.program;
-    static const char *const names[] = {"x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot"};
     OWNED(machine) m;
     machine_init(&m, program, &arithmetic_ball, prec);
-    arb_set(machine_value(&m, program_find(program, "m1")), p->m1);
-    arb_set(machine_value(&m, program_find(program, "m2")), p->m2);
+    for (int i = 0; i < 4; i++)
+        arb_set(machine_value(&m, i), p->Omega + i);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_set(machine_value(&m, program_find(program, names[i])), state + i);
+        arb_set(machine_value(&m, 5 + i), state + i);
     machine_run(&m);
     arb_set(L, machine_value(&m, program_find(program, "L")));
     arb_set(L_dot, machine_value(&m, program_find(program, "L_dot")));
@@ -142,13 +141,8 @@ void charges_of_state(arb_ptr q, arb_t product, const struct sheet *sheet, const
 {
     VECTOR(arb, in, 8);
     VECTOR(arb, Q, 2);
-    arb_srcptr first[] = {p->Omega, p->k_c, p->m1, p->m2, p->L_ref};
-    arb_srcptr second[] = {p->k_c, p->m1, p->m2, p->L_ref, p->C1, p->C2};
-    for (int i = 0; i < 5; i++)
-        arb_set(in + i, first[i]);
-    section_enclose(section_find(sheet, "eq07"), in, prec, Q);
-    for (int i = 0; i < 6; i++)
-        arb_set(in + i, second[i]);
+    section_enclose(section_find(sheet, "eq07"), p->Omega, prec, Q); /* Omega k_c m1 m2 L_ref */
+    _arb_vec_set(in, p->k_c, 6);                                     /* k_c m1 m2 L_ref C1 C2 */
     distance_and_rate(in + 6, in + 7, sheet, p, state, prec);
     arb_sub(in + 6, in + 6, p->L_ref, prec);
     section_enclose(section_find(sheet, "eq18"), in, prec, Q + 1);
@@ -164,7 +158,7 @@ struct pass {
     arb_ptr initial;
     slong prec, most; /* working precision, and where trying ends */
     slong done;       /* rows that the receiver has               */
-    bool at_equilibrium, undecided, stopped;
+    bool is_static, undecided, stopped;
     bool outside;     /* Q_ref + dQ >= 0 at the row after those      */
     row_receiver *receive; /* NULL: nobody is told, it is only asked how far the charges go */
     void *context;
@@ -174,8 +168,8 @@ static int row_balls(struct pass *p, arb_srcptr state, arb_ptr row)
 {
     const struct motion *m = p->motion;
     _arb_vec_set(row, state, FLOW_STATE);
-    if (m->nonlinear)
-        flow_settle(p->initial, p->at_equilibrium, row);
+    if (m->nonlinear && p->is_static)
+        _arb_vec_set(row, p->initial, FLOW_STATE);
     if (m->charges) {
         SCOPE(arb, product);
         charges_of_state(row + FLOW_STATE, product, m->scenario->sheet, &p->parameters, row, p->prec);
@@ -218,13 +212,25 @@ static int receive_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
     return p->outside || p->undecided || p->stopped;
 }
 
-/* The length, or x1, exactly where the static formation has it: all else flow_settle asks. */
-static bool starts_at_equilibrium(const struct scenario *s)
+bool is_static(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const struct input *state)
 {
-    if (!cartesian(s))
-        return fmpq_is_zero(&s->value[SET_dL].value);
-    return is_equilibrium(&s->value[SET_m1].value, &s->value[SET_m2].value,
-                          &s->value[SET_L_ref].value, &s->value[SET_x1].value);
+    SCOPE(fmpq, a, b);
+    fmpq_add(a, m1, m2);
+    fmpq_mul(a, a, &state[0].value);
+    fmpq_abs(a, a);
+    fmpq_mul(b, m2, L_ref);
+    bool rests = fmpq_equal(a, b);
+    for (int i = 1; i < FLOW_STATE; i++)
+        rests = rests && fmpq_is_zero(&state[i].value);
+    return rests;
+}
+
+static bool starts_static(const struct scenario *s)
+{
+    bool rests = true;
+    for (int i = SET_psi; i <= SET_dL_dot; i++)
+        rests = rests && fmpq_is_zero(&s->value[i].value);
+    return cartesian(s) ? is_static(&s->value[SET_m1].value, &s->value[SET_m2].value, &s->value[SET_L_ref].value, &s->value[SET_x1]) : rests;
 }
 
 /* Passes at rising precision until every row is proved, or nothing more can be. */
@@ -242,7 +248,9 @@ static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count,
         scenario_parameters(&p->parameters, m->scenario, p->prec);
         scenario_initial(p->initial, m->scenario, &p->parameters, m->nonlinear, p->prec);
         p->undecided = false;
-        status = flow_run(m->nonlinear, m->h, &p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p, reached);
+        struct flow_request r = {&p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p, m->nonlinear, m->h, NULL, 0};
+        status = flow_run(&r);
+        *reached = r.reached;
         p->prec *= 2;
     } while ((p->undecided || status == FLOW_WIDE) && p->prec <= p->most);
     flow_parameters_clear(&p->parameters);
@@ -268,7 +276,7 @@ static void say_crossing(const struct pass *found, const fmpq *given, struct mes
     fmpq_set(before, given + found->done - 1);
     m.digits = 9; /* a millionth of a step and some to spare */
     for (int cut = 0; cut < 6; cut++) {
-        struct pass p = {.motion = &m, .at_equilibrium = found->at_equilibrium};
+        struct pass p = {.motion = &m, .is_static = found->is_static};
         double reached;
         for (int i = 0; i <= 10; i++) {
             fmpq_sub(times + i, after, before);
@@ -289,8 +297,7 @@ static void say_crossing(const struct pass *found, const fmpq *given, struct mes
 int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
                 void *context, struct message *why)
 {
-    struct pass p = {.motion = m, .at_equilibrium = starts_at_equilibrium(m->scenario), .receive = receive,
-                     .context = context};
+    struct pass p = {.motion = m, .is_static = starts_static(m->scenario), .receive = receive, .context = context};
     double reached = 0.0;
     if (m->most_pieces > 0)
         return motion_set_rows(m, times, count, receive, context, why);

@@ -40,6 +40,9 @@ bool scenario_valid(const struct scenario *s, bool nonlinear, struct message *wh
 void scenario_parameters(struct flow_parameters *p, const struct scenario *s, slong prec);
 void scenario_initial(arb_ptr initial, const struct scenario *s, const struct flow_parameters *p, bool nonlinear, slong prec);
 
+/* What no enclosure can see: of x1 ... z1_dot, side by side, x1 = +-L_ref m2/(m1 + m2) alone is not 0: the pair rests there for ever. */
+bool is_static(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const struct input *state);
+
 /* psi theta dL and their rates become position and velocity of craft 1: Eq. (10) and its exact derivative. */
 void state_from_angles(arb_ptr state, const struct sheet *sheet, const struct flow_parameters *p, slong prec);
 

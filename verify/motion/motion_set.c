@@ -89,11 +89,10 @@ static void models_of(struct flow_set *set, const struct scenario *s)
 {
     struct model m[ANGLE_MODELS];
     struct reader r = {s, 0};
-    OWNED(flow_parameters) p;
+    FLOW_PARAMETERS(p);
     SCOPE(arb, one, mass, speed, square);
     for (int i = 0; i < ANGLE_MODELS; i++)
         model_init(&m[i], &set->space);
-    flow_parameters_init(&p);
     scenario_parameters(&p, s, SET_BITS);
     arb_one(one);
     arb_add(mass, p.m1, p.m2, SET_BITS);

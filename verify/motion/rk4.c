@@ -81,42 +81,38 @@ double rk4_radians(const fmpq_t Omega, const fmpq_t t, const fmpq_t h)
     return fmin(fabs(fmpq_get_d(Omega) * fmpq_get_d(t)), steps < 0 ? INFINITY : steps * (2 + log2(1 + step)));
 }
 
-enum flow_status rk4(bool nonlinear, const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h, const fmpq *times,
-                     slong count, slong prec, flow_receiver *receive, void *context, double *reached)
+enum flow_status rk4(struct flow_request *r)
 {
+    const slong prec = r->prec;
     VECTOR(arb, unit, FLOW_STATE);
     VECTOR(arb, state, FLOW_STATE);
     VECTOR(arb, si, FLOW_STATE);
     SCOPE(arb, c1, c2, tau);
     slong done = 0;
-    *reached = 0;
-    if (!(nonlinear ? flow_nonlinear_domain : flow_linear_domain)(p, initial) || fmpq_sgn(h) <= 0)
-        return FLOW_DOMAIN;
-    const slong steps = steps_until(times + count - 1, h);
-    if (!flow_in_reach(p, times, count, true) && steps > FEW_STEPS)
+    if (!flow_in_reach(r) && steps_until(r->times + r->count - 1, r->h) > FEW_STEPS)
         return FLOW_STALLED;
-    flow_gains(c1, c2, p, prec);
-    flow_units(unit, nonlinear, p, prec);
-    arb_set_fmpq(tau, h, prec);
-    arb_mul(tau, tau, p->Omega, prec);
+    flow_gains(c1, c2, r->p, prec);
+    flow_units(unit, r->nonlinear, r->p, prec);
+    arb_set_fmpq(tau, r->h, prec);
+    arb_mul(tau, tau, r->p->Omega, prec);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_div(state + i, initial + i, unit + i, prec);
-    for (slong k = 0; k < count; k++) {
-        const slong n = steps_until(times + k, h);
+        arb_div(state + i, r->initial + i, unit + i, prec);
+    for (slong k = 0; k < r->count; k++) {
+        const slong n = steps_until(r->times + k, r->h);
         if (n < done)
             return FLOW_DOMAIN;
         if (n > MOST_RK4_STEPS)
             return FLOW_STALLED;
         for (; done < n; done++) {
-            *reached = fmpq_get_d(h) * (double)done;
-            rk4_step(state, tau, nonlinear ? nonlinear_rates : linear_rates, c1, c2, prec);
+            r->reached = fmpq_get_d(r->h) * (double)done;
+            rk4_step(state, tau, r->nonlinear ? nonlinear_rates : linear_rates, c1, c2, prec);
             if (flow_wide(state, USEFUL_BITS))
                 return FLOW_WIDE;
         }
         for (int i = 0; i < FLOW_STATE; i++)
             arb_mul(si + i, state + i, unit + i, prec);
-        *reached = fmpq_get_d(times + k);
-        if (receive(context, k, times + k, n == 0 ? initial : si) != 0)
+        r->reached = fmpq_get_d(r->times + k);
+        if (r->receive(r->context, k, r->times + k, n == 0 ? r->initial : si) != 0)
             return FLOW_STOPPED;
     }
     return FLOW_DONE;
