@@ -91,8 +91,9 @@ ENGINE  := $(BUILD)/libverify.a
 PROGRAM := $(BUILD)/coulomb-tether
 SONAME  := libcoulombtether.so.$(firstword $(subst ., ,$(VERSION)))
 
-# What gate, weaver and README read of the proofs, of the measured errors and of the verdicts.
-EVIDENCE := $(BUILD)/derivations.json $(BUILD)/errors.json $(BUILD)/claims.json
+# What gate, weaver, README and the data's package read of the proofs, of the measured errors, of the verdicts and of the sheet.
+VERIFIED := $(BUILD)/derivations.json $(BUILD)/errors.json $(BUILD)/claims.json
+EVIDENCE := $(VERIFIED) $(BUILD)/equations.json
 TABLES  := $(DATA)/table1.csv $(patsubst %,$(DATA)/figure%.csv,4 5a 5b 6 7a 7b)
 STUDIES := $(patsubst %,$(DATA)/%.csv,convergence forced pitch basin saturation tolerance balance sampling)
 # The operations: every section of the sheet that has outputs.
@@ -342,12 +343,11 @@ $(DATA)/errata.csv:
 	@mv $@.tmp $@
 
 # Of the words of paper/package.csv, of the sheet's and a design's.
-$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/random.csv $(DATA)/errata.csv paper/package.awk paper/package.csv
-	@$(PROGRAM) equations --json >$@.equations.tmp
+$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/random.csv $(DATA)/errata.csv $(BUILD)/equations.json paper/package.awk paper/package.csv
 	@$(PROGRAM) design n=12 --json >$@.design.tmp
 	@$(SHA256) $(sort $(filter $(DATA)/%,$^)) >$@.sums.tmp
-	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=$(VERSION) paper/package.csv $@.equations.tmp $@.design.tmp $@.sums.tmp)
-	@rm $@.equations.tmp $@.design.tmp $@.sums.tmp
+	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=$(VERSION) paper/package.csv $(BUILD)/equations.json $@.design.tmp $@.sums.tmp)
+	@rm $@.design.tmp $@.sums.tmp
 
 ## figures: the figures, as SVG and PNG, in build/figures/
 figures: $(FIGURES)
@@ -433,8 +433,11 @@ $(SITE)/vectors.js: $(TURNED) $(TABLES)
 	  echo '}; const certified = {'; $(call CERTIFIED,4,1-2,1); $(call CERTIFIED,5a,1-4,18); $(call CERTIFIED,6,1-4,18); $(call CERTIFIED,7a,1-2,18); echo '};'; } \
 	  | sed -E 's/([0-9]\.[0-9]{16})[0-9]+/\1/g')
 
-$(EVIDENCE): $(BUILD)/%.json: $(PROGRAM)
+$(VERIFIED): $(BUILD)/%.json: $(PROGRAM)
 	$(call PRINTED,$(PROGRAM) verify $* --json)
+
+$(BUILD)/equations.json: $(PROGRAM)
+	$(call PRINTED,$(PROGRAM) equations --json)
 
 # What is missing is told before the long work.
 $(EDITION)/tools.found: paper/typeset.sh

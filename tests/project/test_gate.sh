@@ -13,7 +13,7 @@ fresh() {
     cp -RL "$project/Makefile" "$project/ref" "$project/paper" .
     cp "$project/tests/project/gate.sh" "$project/tests/project/gate.awk" tests/project/
     cp -RL "$project/data/golden" "$project/data/verdicts.csv" data/
-    cp "$work/derivations.json" "$work/errors.json" build/
+    cp "$work/derivations.json" "$work/errors.json" "$work/equations.json" build/
     cp "$work/all.tap" build/tests/
     chmod -R u+w . # whatever the project's own files allow
 }
@@ -32,7 +32,7 @@ fails_and_says() {
 }
 breaks() { check "$1" fails_and_says "$2" "$3"; }
 
-cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$work" || exit 1
+cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$CT_BUILD/equations.json" "$work" || exit 1
 : >"$work/all.tap"
 fresh
 gate
@@ -55,7 +55,7 @@ breaks 'a failed test' 'eq18: test eq18_holds failed' \
     "sed -i '/:eq18_/s/^ok/not ok/' build/tests/all.tap"
 breaks 'no log' "tests/: no executed tests, expected Check's TAP logs in build/tests/" \
     "rm build/tests/all.tap"
-breaks 'a test of no equation' 'tests/: eq99_holds tests an equation that the sheet lacks' \
+breaks 'a test of no equation' 'tests/: eq99_holds tests (99), which the sheet lacks' \
     "sed -i 's/:eq18_/:eq99_/' build/tests/all.tap"
 breaks 'no error' 'eq18: no measured error in build/errors.json' \
     "sed -i '/\"eq18\"/d' build/errors.json"
@@ -70,10 +70,10 @@ breaks 'a broken step' 'derivations: step feedback_law does not hold' \
 breaks 'a step to no equation' 'derivations: step feedback_law names (99), which the sheet lacks' \
     "sed -i '/\"feedback_law\"/s/\"to\": \\[\"18\"\\]/\"to\": [\"99\"]/' build/derivations.json"
 breaks 'no vectors' 'eq18: no golden vectors in data/golden/eq18.csv' "rm data/golden/eq18.csv"
-breaks 'vectors of no equation' 'golden: data/golden/eq99.csv is of an equation that the sheet lacks' \
+breaks 'vectors of no equation' 'golden: data/golden/eq99.csv has vectors of eq99, which the sheet lacks' \
     "cp data/golden/eq18.csv data/golden/eq99.csv"
 breaks 'no verdict' 'eq18: no verdict equation-18 in data/verdicts.csv' "sed -i '/^equation-18,/d' data/verdicts.csv"
-breaks 'a verdict on no equation' 'verdicts: equation-99 is a verdict on an equation that the sheet lacks' \
+breaks 'a verdict on no equation' 'verdicts: equation-99 is a verdict on (99), which the sheet lacks' \
     "sed -i 's/^equation-18,/equation-99,/' data/verdicts.csv"
 breaks 'no place' 'eq18: no place in the edition, expected <<equation eq18>> in paper/*.md' \
     "sed -i '/^<<equation eq18>>/d' paper/06-control.md"
