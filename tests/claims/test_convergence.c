@@ -298,7 +298,6 @@ static const struct {
     {"between_psi", {{.nonlinear = true, .dL = "3"}, 0, 100, 200, &near_rest}, false},
     {"part_psi", {{.n = "10"}, 0, 100, 200, &near_rest}, true},
     {"part_psi", {{.n = "10"}, 0, 100, 200, &beyond_the_hill}, false},
-    {"parted_psi", {{.n = "10"}, 0, 100, 200, &beyond_the_hill}, false},
     {"ever_dL_0", {{.nonlinear = true, .dL = "3"}, 0, 100, 200, NULL}, false},
     {"sup_dL", {{.nonlinear = true, .psi = "3.14"}, 0, 100, 200, NULL}, false},
     {"ever_dL_0", {{.nonlinear = true, .psi = "3.14"}, 0, 100, 200, NULL}, false},
@@ -306,7 +305,6 @@ static const struct {
     {"between_dL", {{.nonlinear = true, .psi = "3.14"}, 0, 100, 200, &near_rest}, false},
     {"between_dL", {{.n = "10"}, 0, 100, 200, &turned_over}, false},
     {"part_dL", {{.n = "10"}, 0, 100, 200, &turned_over}, false},
-    {"parted_dL", {{.nonlinear = true, .dL = "1"}, 0, 100, 200, &turned_over}, false},
     {"at_psi_0", {{.nonlinear = true, .dL = "-10"}, 0, 100, 200, NULL}, false}, /* no motion */
     {"gap_psi", {{.n = "10"}, 0, 100, 200, &(const struct simulation){.nonlinear = true, .dL = "-10"}}, false},
     {"peak_psi", {{.n = "10"}, 0, 1, 0, NULL}, true},
@@ -392,39 +390,6 @@ TEST(what_lies_between_two_motions_has_the_excess_of_both)
     computed_free(c);
 }
 
-/*
- * psi starts a tenth, a ninth or an eleventh of what the motion beside may reach away from it. Of a tenth no enclosure tells
- * whether it is one already: a later sample is not said to be the first.
- */
-static const struct {
-    slong part;
-    bool given, at_once;
-} partings[] = {{9, true, true}, {10, false, false}, {11, true, false}};
-
-EACH(the_first_sample_stands_after_none_that_is_open, COUNT(partings))
-{
-    const struct simulation paper = {.n = "10", .steps = steps()};
-    struct trajectory t;
-    struct bounds reach;
-    VECTOR(arb, start, COORDINATES);
-    SCOPE(arb, x);
-    ck_assert(trajectory_run(&t, &paper, 0, 1, 0));
-    bounds_init(&reach);
-    ck_assert(trajectory_bounds(&reach, &t, 0));
-    _arb_vec_set(start, trajectory_sample(&t, 0), COORDINATES);
-    arb_div_si(x, reach.of[PSI], partings[_i].part, PREC);
-    arb_add(start + PSI, start + PSI, x, PREC);
-    const struct sampled sampled = {{.n = "10", .start = start}, 0, 6400, 64000, &paper};
-    struct computed *c = computed_new((struct computation){"here", run_simulation, &sampled}, steps());
-    computed_ask(c, "parted_psi");
-    computed_number(c, "parted_psi", x);
-    ck_assert_int_eq(arb_is_finite(x), partings[_i].given);
-    ck_assert_int_eq(arb_is_zero(x), partings[_i].at_once);
-    computed_free(c);
-    bounds_clear(&reach);
-    trajectory_clear(&t);
-}
-
 /* In SI: the start of the paper, and what is left of its dL after so many samples. */
 TEST(measures_are_in_SI)
 {
@@ -454,7 +419,7 @@ TEST(measures_are_in_SI)
 /* What no motion has is not given, and nothing outside it read: no such measure, variable or hour, and nothing beside. */
 TEST(names_of_nothing_have_no_number)
 {
-    static const char *const names[] = {"sub_psi", "sup_pis", "sup_amplitude", "exit_product_100", "energy_of_theta", "gap_psi", "parted_psi",
+    static const char *const names[] = {"sub_psi", "sup_pis", "sup_amplitude", "exit_product_100", "energy_of_theta", "gap_psi", "part_psi",
                                         "sup_psi_3", "sup_psi_2_1", "sup_psi_0_3", "at_psi_1234567890", "sup_psi_1_", "sup_psi_01", "exit_psi_0"};
     const struct sampled start = {{.n = "10"}, 0, 3600, 2 * 3600, NULL};
     struct computed *c = computed_new((struct computation){"here", run_simulation, &start}, steps());

@@ -116,7 +116,7 @@ TEST(B1_a_supremum_has_the_peak_between_samples)
         arb_set_d(trajectory_sample(&t, k) + THETA, cos(0.25));
         arb_set_d(trajectory_sample(&t, k) + THETA_DOT, (k == 0 ? 2 : -2) * sin(0.25));
     }
-    ck_assert(trajectory_supremum(sup, &t, THETA, 0, 1));
+    ck_assert(trajectory_supremum(sup, &t, NULL, THETA, 0, 1));
     ck_assert(arb_gt(sup, one));
     ck_assert(is_below(sup, 1.1));
 }
@@ -342,7 +342,7 @@ static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec, int wide
         }
         if (i <= PRODUCT && !nonlinear) {
             bound_between_samples(z + EXCESS + i, &t, &b, i);
-            ck_assert(trajectory_supremum(z + SUPREMUM + i, &t, i, 0, 1));
+            ck_assert(trajectory_supremum(z + SUPREMUM + i, &t, NULL, i, 0, 1));
         }
         if (i < COORDINATES && !nonlinear)
             arb_set(z + BOUND + i, b.of[i] + 2);
@@ -491,7 +491,7 @@ TEST(B4_what_is_beyond_the_hill_has_no_bounds)
     arb_set_d(trajectory_sample(&t, 0) + ETA, 0.4);
     arb_set_d(trajectory_sample(&t, 1) + ETA, 0.01);
     ck_assert(!trajectory_bounds(&b, &t, 0));
-    ck_assert(!trajectory_supremum(hours, &t, ETA, 0, 1));
+    ck_assert(!trajectory_supremum(hours, &t, NULL, ETA, 0, 1));
     arb_set_d(limit, 0.3);
     ck_assert(!settles(hours, &t, ETA, limit));
     arb_zero(trajectory_sample(&t, 0) + ETA);

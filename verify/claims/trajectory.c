@@ -454,15 +454,19 @@ void trajectory_peak(arb_t peak, const struct trajectory *t, const struct trajec
     }
 }
 
-bool trajectory_supremum(arb_t supremum, const struct trajectory *t, int which, slong from, slong to)
+bool trajectory_supremum(arb_t supremum, const struct trajectory *t, const struct trajectory *beside, int which, slong from, slong to)
 {
+    const struct trajectory *const both[] = {t, beside, NULL};
+    bool bounded = true;
     OWNED(bounds) b;
     SCOPE(arb, excess);
     bounds_init(&b);
-    const bool bounded = trajectory_bounds(&b, t, from);
-    trajectory_peak(supremum, t, NULL, which, from, to);
-    bound_between_samples(excess, t, &b, which);
-    arb_add(supremum, supremum, excess, t->prec);
+    trajectory_peak(supremum, t, beside, which, from, to);
+    for (int i = 0; both[i] != NULL; i++) {
+        bounded = trajectory_bounds(&b, both[i], from) && bounded;
+        bound_between_samples(excess, both[i], &b, which);
+        arb_add(supremum, supremum, excess, t->prec);
+    }
     return bounded;
 }
 

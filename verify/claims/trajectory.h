@@ -90,8 +90,8 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k);
 /* What a coordinate or the charges can exceed their samples by between them, ... */
 void bound_between_samples(arb_t excess, const struct trajectory *t, const struct bounds *b, int which);
 
-/* ... and a bound on their size from sample to sample, between them too. */
-bool trajectory_supremum(arb_t supremum, const struct trajectory *t, int which, slong from, slong to);
+/* ... and a bound on their peak from sample to sample, between them too. */
+bool trajectory_supremum(arb_t supremum, const struct trajectory *t, const struct trajectory *beside, int which, slong from, slong to);
 
 /*
  * When |coordinate| falls below a limit and stays so until the last sample: the last sample above and the first one after
