@@ -390,6 +390,40 @@ TEST(what_lies_between_two_motions_has_the_excess_of_both)
     computed_free(c);
 }
 
+static void give_two(struct computed *c)
+{
+    SCOPE(arb, x);
+    arb_one(x);
+    mag_one(arb_radref(x));
+    give(c, true, x, "a_%d", 1);
+    give(c, false, x, "a_%d", 2);
+}
+
+/* One of each list, found again as the same; a ball is handed over as it is, and once asked for is there. */
+TEST(computations_are_found_by_name)
+{
+    static const char *const names[] = {"linear_steps", "escaping_12", "guaranteed", "forced_response", "linear_43200s", "slow_law"};
+    struct computations all = {.steps = steps()};
+    SCOPE(arb, x);
+    for (int i = 0; i < COUNT(names); i++) {
+        struct computed *found = computed_find(&all, names[i]);
+        ck_assert_ptr_nonnull(found);
+        ck_assert_str_eq(found->of.name, names[i]);
+        ck_assert_ptr_eq(found, computed_find(&all, names[i]));
+    }
+    ck_assert_ptr_null(computed_find(&all, "nothing"));
+    computations_clear(&all);
+    struct computed *c = computed_new((struct computation){"here", give_two, NULL}, steps());
+    for (int i = 0; i < 4; i++)
+        computed_ask(c, i % 2 ? "a_2" : "a_1");
+    ck_assert_int_eq(c->count, 2);
+    computed_number(c, "a_1", x);
+    ck_assert(arb_contains_si(x, 0) && arb_contains_si(x, 2) && arb_is_finite(x));
+    computed_number(c, "a_2", x);
+    ck_assert(!arb_is_finite(x));
+    computed_free(c);
+}
+
 /* In SI: the start of the paper, and what is left of its dL after so many samples. */
 TEST(measures_are_in_SI)
 {

@@ -40,6 +40,11 @@ struct computation {
     const void *of; /* what is particular to this one of several that run alike */
 };
 
+struct asked {
+    char name[64];
+    arb_t value;
+};
+
 /* One at work, with the numbers that are asked of it. */
 struct computed {
     struct computation of;
@@ -60,7 +65,6 @@ void give(struct computed *c, bool proved, const arb_t x, const char *name, ...)
  * from when on or from when to when (sup_psi_48_72); of exits, for the part of the start (exit_dL_200).
  */
 void run_simulation(struct computed *c);
-const char *asked_name(const struct computed *c, int i); /* NULL: there is no further one */
 
 /* Lists that end with one without name; studies are computations too (convergence.h). */
 extern const struct computation computations_simulation[]; /* claims_simulation.c */

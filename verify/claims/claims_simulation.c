@@ -204,8 +204,8 @@ void run_simulation(struct computed *c)
     bool run = trajectory_run(&t, &one, s->first, s->step, s->last);
     if (s->beside != NULL)
         run = trajectory_run(&beside, &other, s->first, s->step, s->last) && run;
-    for (int i = 0; run && asked_name(c, i) != NULL; i++)
-        give_measure(c, &t, s->beside != NULL ? &beside : NULL, asked_name(c, i));
+    for (int i = 0; run && i < c->count; i++)
+        give_measure(c, &t, s->beside != NULL ? &beside : NULL, c->numbers[i].name);
     if (s->beside != NULL)
         trajectory_clear(&beside);
     trajectory_clear(&t);

@@ -8,11 +8,6 @@
 #include "claims/convergence.h"
 #include "text/message.h"
 
-struct asked {
-    char name[64];
-    arb_t value;
-};
-
 struct computed *computed_new(struct computation of, const struct derivations *steps)
 {
     struct computed *c = xrealloc(NULL, 1, sizeof *c);
@@ -23,17 +18,15 @@ struct computed *computed_new(struct computation of, const struct derivations *s
 struct computed *computed_find(struct computations *all, const char *name)
 {
     static const struct computation *const lists[] = {computations_simulation, computations_sampling};
-    const struct computation *found = NULL;
+    const struct study *s = study_find(name);
+    struct computation found = {s != NULL ? name : NULL, run_study, s};
     for (int i = 0; i < all->count; i++)
         if (strcmp(all->of[i]->of.name, name) == 0)
             return all->of[i];
     for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
         for (const struct computation *c = lists[l]; c->name != NULL; c++)
-            found = strcmp(c->name, name) == 0 ? c : found;
-    const struct study *s = study_find(name);
-    if (found == NULL && s == NULL)
-        return NULL;
-    return *APPENDED(all->of, all->count) = computed_new(found != NULL ? *found : (struct computation){name, run_study, s}, all->steps);
+            found = strcmp(c->name, name) == 0 ? *c : found;
+    return found.name != NULL ? (*APPENDED(all->of, all->count) = computed_new(found, all->steps)) : NULL;
 }
 
 void computed_free(struct computed *c)
@@ -49,11 +42,6 @@ void computations_clear(struct computations *all)
     for (int i = 0; i < all->count; i++)
         computed_free(all->of[i]);
     free(all->of);
-}
-
-const char *asked_name(const struct computed *c, int i)
-{
-    return i < c->count ? c->numbers[i].name : NULL;
 }
 
 static struct asked *asked(const struct computed *c, const char *name)
@@ -79,11 +67,9 @@ void computed_number(struct computed *c, const char *name, arb_t value)
     if (!c->done)
         c->of.run(c);
     c->done = true;
-    const struct asked *n = asked(c, name);
-    if (n != NULL)
-        arb_set(value, n->value);
-    else
-        arb_indeterminate(value);
+    arb_indeterminate(value);
+    if (asked(c, name) != NULL)
+        arb_set(value, asked(c, name)->value);
 }
 
 void give(struct computed *c, bool proved, const arb_t x, const char *name, ...)

@@ -174,9 +174,9 @@ bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits
             guarantee_root(values + i, &nodes[i]);
             arb_set(machine_value(&m, UNKNOWN_X), values + i);
         }
-        if (nodes[i].value >= 0)
+        if (guarantees[i].value[0] != NULL)
             arb_set(values + i, value_of_node(&m, nodes[i].value));
-        if (nodes[i].other >= 0)
+        if (guarantees[i].value[1] != NULL)
             arb_min(values + i, values + i, value_of_node(&m, nodes[i].other), bits);
         arb_set(machine_value(&m, FIRST_NUMBER + i), values + i);
     }
