@@ -386,12 +386,13 @@ CHAPTERS := $(sort $(wildcard paper/[0-9]*.md))
 PAGES    := $(patsubst paper/%.md,%,$(wildcard paper/*.md))
 PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard paper/figures/plot-*.gp)))
 # The day of the last change: of the history where there is one, else of the archive that `git archive` made.
-DATED     = $(shell git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
+DATED     = $$(git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
 # What the plots draw, and what the weaver reads.
 DRAWN_FROM = $(TABLES) $(STUDIES) $(VERDICTS) $(BUILD)/set.csv $(BUILD)/damped.csv
 WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv
-WEAVE     = LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' CT_DATE='$(DATED)' $(1) pandoc --fail-if-warnings \
-  -f paper/weave.lua --no-highlight $(filter %.md,$^)
+WEAVE     = LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' $(1) pandoc --fail-if-warnings \
+  -f paper/weave.lua --no-highlight -V version=$(VERSION) -V date="$(DATED)" -V fingerprint="$$($(SHA256) $(DATA)/datapackage.json | cut -c 1-16)" \
+  $(filter %.md,$^)
 
 ## paper: the literate edition, build/coulomb-tether.pdf
 paper: $(BUILD)/coulomb-tether.pdf
