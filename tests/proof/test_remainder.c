@@ -83,6 +83,9 @@ static const struct known cases[] = {
      REMAINDER_UNDECIDED},
     {"(x - 1)^2", {"1/2", "5/3"}, {0}, "3999999999999999999999999999999999999999999999999999999999991/9000000000000000000000000000000000000000000000000000000000000",
      REMAINDER_UNDECIDED},
+    /* the same where the end of the upper half, 5/3, is rounded down by more than what is computed of it */
+    {"(x - 1)^16", {"1/2", "5/3"}, {0}, "65535999999999999999999999999999999999999999999999999999956953279/43046721000000000000000000000000000000000000000000000000000000000000",
+     REMAINDER_UNDECIDED},
     /* Each term of the bound where it dominates: the bounds are false, and proved by what leaves that term out. */
     /* (1) 1.4 to 2.4, of which 128 bits see 0.4 within 2^74 */
     {"1e60 + x - 1e60 + 2/5", {"1", "2"}, {0}, "1/2", REMAINDER_UNDECIDED},

@@ -50,7 +50,7 @@ static void add_outputs(const struct section *s, const char *number, const char 
 {
     for (int i = 0; i < s->output_count && s->method == METHOD_FORMULA && *count < MOST_PARTS; i++) {
         const char *equation = equation_of(s, i);
-        const bool of_number = number == NULL || (equation != NULL && is_part_of_number(number, equation));
+        const bool of_number = number == NULL || is_part_of_number(number, equation);
         if (of_number && (name == NULL || strcmp(name, s->outputs[i]->name) == 0))
             parts[(*count)++] = (struct entry_part){s, &s->corrected, s->corrected.outputs[i], s->outputs[i]->name, equation};
     }
@@ -613,10 +613,11 @@ bool step_holds(struct step *s)
 
 bool step_is_bound(const struct derivations *d, struct step *s)
 {
-    if (!s->bound && s->line_map != NULL)
+    if (!s->bound) {
         identities_prove(&s->lines, &s->line_proof);
-    if (!s->bound && step_holds(s))
-        step_bind(d, s, &s->binding);
-    s->bound = true;
+        if (step_holds(s))
+            step_bind(d, s, &s->binding);
+        s->bound = true;
+    }
     return step_holds(s) && s->binding.fault.text[0] == '\0';
 }
