@@ -762,6 +762,9 @@ TEST(time_is_bounded)
     passed = 0;
     ck_assert_int_eq(state(machine_value(&m, node)), SYMBOLIC_TOO_LARGE);
     ck_assert_msg(strncmp(symbolic_fault_size(), "seconds: ", 9) == 0, "%s", symbolic_fault_size());
+    symbolic_set_angle(machine_value(&m, 0), 0, NULL); /* nor is a sum of angles known */
+    arithmetic_symbolic.apply(OPERATOR_ADD, machine_value(&m, 1), machine_value(&m, 0), machine_value(&m, 0), 0, 1);
+    ck_assert_int_eq(state(machine_value(&m, 1)), SYMBOLIC_TOO_LARGE);
     machine_clear(&m);
     program_clear(&p);
 }

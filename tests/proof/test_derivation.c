@@ -205,6 +205,8 @@ static const struct {
     {"    small: [dL]\n    order: 1\n    square roots: [2*L]\n    show: [sqrt(L^2 + dL) = L]",
      IDENTITY_UNDECIDED, "sqrt(L^2 + dL) = L: no value, a square root that is none of"},
     {"    square roots: [2*L]\n    show: [sqrt(9/4 + 0*L) = 3/2]", IDENTITY_UNDECIDED, "square root 2*L is the root of nothing shown"},
+    {"    small: [dL]\n    order: 1\n    show: [sqrt(L^2/m1 + dL) = L]",
+     IDENTITY_UNDECIDED, "sqrt(L^2/m1 + dL) = L: no value, the square root of no square of a rational function"},
     {"    square roots: [L]\n    show: [sqrt(2*L^2) = L]",
      IDENTITY_UNDECIDED, "sqrt(2*L^2) = L: no value, the square root of no square of a rational function"},
     {"    small: [dL]\n    order: 2\n    square roots: [L_ref]\n"
