@@ -407,6 +407,10 @@ TEST(derivative_follows_a_named_node)
     ck_assert_int_eq(program_derivative(&p, node, rate, p.count), 1);
     free(rate);
     program_clear(&p);
+    char *needed = program_needs(&p, parse_inputs(&p, "y*x"), NULL);
+    ck_assert(needed[0] && needed[1] && !needed[2]);
+    free(needed);
+    program_clear(&p);
     node = parse_inputs(&p, "x + y"); /* x by y, and y by x, the first node of all */
     const int sum = program_derivative(&p, node, (const int[]){1, 0}, 2);
     ck_assert(p.nodes[sum].op == OPERATOR_ADD && p.nodes[sum].left == 1 && p.nodes[sum].right == 0);
@@ -497,7 +501,7 @@ TEST(inlined_program_takes_the_place_of_its_inputs)
  * Each function's ball has (1) its rounding, (2) what its arguments' radii make of it. Of thin arguments at 20 bits it holds what
  * 300 bits say, and no binary number of 20 bits is that; of wide ones what 300 bits say at their corners. MPFR says the same.
  */
-static const char *const of_balls[] = {"-x/3", "x + y/3", "x - y/3", "x*y/3", "x/y", "x^3/3", "x^-1", "x^-2", "x^0/3", "sqrt(x)", "sin(x)",
+static const char *const of_balls[] = {"-x/3", "x + y/3", "x - y/3", "x*y/3", "x/y", "x^3/3", "x^-1", "x^-2", "x^0/3", "sqrt(x)", "sin(x)", "sin(x)*sin(x)/3",
                                        "cos(x)", "exp(x)", "log(x)", "atan2(y, x)", "atan2(-y, x)", "atan2(y, -x)", "atan2(y - 3, x)"};
 
 EACH(ball_of_each_function_has_rounding_and_radius, 2*COUNT(of_balls))
@@ -585,12 +589,13 @@ EACH(ball_of_a_special_argument_is_the_function_there, 6)
 }
 
 /* Its jump apart, positive() has slope 0; so has x^0, at 0 too. And the normal forms have no logarithm. */
-EACH(slopes_by_x_in_balls, 3)
+EACH(slopes_by_x_in_balls, 4)
 {
     static const struct {
         const char *formula;
+        slong x;
         double slope;
-    } cases[] = {{"positive(x)*y", 0}, {"x^0*y", 0}, {"log(x) + y", 0.5}};
+    } cases[] = {{"positive(x)*y", 2, 0}, {"x^0*y", 2, 0}, {"x^0*y", 0, 0}, {"log(x) + y", 2, 0.5}};
     struct program p;
     struct machine m;
     struct gradient adjoint;
@@ -598,7 +603,7 @@ EACH(slopes_by_x_in_balls, 3)
     const int slope = program_derivative(&p, node, rate, 2);
     gradient_init(&adjoint, &p, &node, 1, &arithmetic_ball, 64);
     machine_init(&m, &p, &arithmetic_ball, 64);
-    arb_set_si(machine_value(&m, 0), 2);
+    arb_set_si(machine_value(&m, 0), cases[_i].x);
     arb_set_si(machine_value(&m, 1), 3);
     machine_run(&m);
     gradient_run(&adjoint, &m);

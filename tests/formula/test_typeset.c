@@ -30,7 +30,7 @@ static void assert_typeset(const struct pair *pair)
     program_clear(&p);
 }
 
-EACH(symbols_carry_index_and_accent, 16)
+EACH(symbols_carry_index_and_accent, 20)
 {
     static const struct pair pairs[] = {
         {"Omega", "\\Omega "},          {"k_c", "k_{c}"},
@@ -40,7 +40,9 @@ EACH(symbols_carry_index_and_accent, 16)
         {"BO_11", "{BO}_{11}"},         {"w_dot_1", "\\dot \\omega _{1}"},
         {"R_c1", "R_{c1}"},             {"L_G1", "L_{G1}"},
         {"C1", "C_{1}"},                {"margin1", "\\mathrm{margin}_{1}"},
-        {"I_dot_11", "\\dot I_{11}"},   {"x_part", "x_{\\mathrm{part}}"}};
+        {"I_dot_11", "\\dot I_{11}"},   {"x_part", "x_{\\mathrm{part}}"},
+        {"Abc", "\\mathrm{Abc}"},        {"epsilon", "\\mathrm{epsilon}"},
+        {"x_dots", "x_{\\mathrm{dots}}"}, {"x_ddots", "x_{\\mathrm{ddots}}"}};
     struct tex t = {NULL, 0};
     typeset_symbol(&t, pairs[_i].given);
     ck_assert_str_eq(t.text, pairs[_i].expected);

@@ -27,12 +27,17 @@ void tex_add(struct tex *t, const char *format, ...)
 
 /* ---- symbols ---- */
 
-static bool is_greek(const char *word, size_t length)
+static bool is(const char *word, const char *text, int length)
+{
+    return (int)strlen(word) == length && strncmp(word, text, (size_t)length) == 0;
+}
+
+static bool is_greek(const char *word, int length)
 {
     static const char *const letters[] = {"Omega", "psi", "theta", "lambda", "phi", "kappa", "mu", "tau", "rho",
                                           "delta", "omega", "pi", "eta"};
     for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
-        if (strlen(letters[i]) == length && strncmp(letters[i], word, length) == 0)
+        if (is(letters[i], word, length))
             return true;
     return false;
 }
@@ -40,7 +45,7 @@ static bool is_greek(const char *word, size_t length)
 /* The letters of a name, before any index and accent. */
 static void add_letters(struct tex *t, const char *letters, int length, const char *accent)
 {
-    const bool variation = length == 2 && letters[0] == 'd' && isupper((unsigned char)letters[1]);
+    const bool variation = letters[0] == 'd' && isupper((unsigned char)letters[1]);
     if (variation) { /* dL, dQ */
         tex_add(t, "\\delta ");
         letters++;
@@ -48,9 +53,9 @@ static void add_letters(struct tex *t, const char *letters, int length, const ch
     }
     if (*accent != '\0')
         tex_add(t, "%s", accent);
-    if (is_greek(letters, (size_t)length))
+    if (is_greek(letters, length))
         tex_add(t, "\\%.*s ", length, letters);
-    else if (length == 3 && strncmp(letters, "eps", 3) == 0)
+    else if (is("eps", letters, length))
         tex_add(t, "\\varepsilon ");
     else if (length == 1)
         tex_add(t, "%s", *letters == 'w' ? "\\omega " : (const char[]){*letters, '\0'});
@@ -63,7 +68,7 @@ static void add_letters(struct tex *t, const char *letters, int length, const ch
 /* One more index: one letter, and digits after it or not, in italics; a word upright. */
 static void add_index(struct tex *t, const char *index, int length)
 {
-    const bool word = length > 1 && isalpha((unsigned char)index[1]);
+    const bool word = isalpha((unsigned char)index[1]);
     tex_add(t, word ? "\\mathrm{%.*s}" : "%.*s", length, index);
 }
 
@@ -75,9 +80,9 @@ void typeset_symbol(struct tex *t, const char *name)
     while (*rest != '\0') {
         rest += *rest == '_';
         const int length = (int)strcspn(rest, "_");
-        if (length == 3 && strncmp(rest, "dot", 3) == 0)
+        if (is("dot", rest, length))
             accent = "\\dot ";
-        else if (length == 4 && strncmp(rest, "ddot", 4) == 0)
+        else if (is("ddot", rest, length))
             accent = "\\ddot ";
         else
             add_index(&index, rest, length);
