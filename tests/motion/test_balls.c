@@ -61,7 +61,7 @@ static void one_step(arb_ptr out, bool nonlinear, arb_srcptr in, slong prec)
     for (int i = 0; i < parameters; i++)
         arb_set(all[i], in + i);
     fmpq_one(second);
-    ck_assert_int_eq(flow_run(&(struct flow_request){&p, in + parameters, second, 1, 17, prec, take, out, nonlinear, second, NULL, 0}),
+    ck_assert_int_eq(flow_run(&(struct flow_request){&p, in + parameters, second, 1, 17, prec, take, out, nonlinear, second, NULL, 0, 0}),
                      FLOW_DONE);
 }
 

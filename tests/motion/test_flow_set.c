@@ -127,7 +127,7 @@ static void follow_one(struct seen *seen, const struct box *box, const fmpq *tim
     flow_parameters_init(p);
     scenario_parameters(p, &s, PREC);
     scenario_initial(initial, &s, p, true, PREC);
-    ck_assert_int_eq(flow_run(&(struct flow_request){p, initial, times, TIMES, 14, PREC, look, seen, true, NULL, NULL, 0}), FLOW_DONE);
+    ck_assert_int_eq(flow_run(&(struct flow_request){p, initial, times, TIMES, 14, PREC, look, seen, true, NULL, NULL, 0, 0}), FLOW_DONE);
     flow_parameters_clear(p);
 }
 
@@ -198,7 +198,7 @@ TEST(a_factor_on_the_force_is_one_of_the_set)
             arb_mul_ui(scaled[i], scaled[i], (ulong)percent, PREC);
             arb_div_ui(scaled[i], scaled[i], 100, PREC);
         }
-        ck_assert_int_eq(flow_run(&(struct flow_request){&p, initial, times, TIMES, 14, PREC, look, &seen, true, NULL, &how, 0}), FLOW_DONE);
+        ck_assert_int_eq(flow_run(&(struct flow_request){&p, initial, times, TIMES, 14, PREC, look, &seen, true, NULL, &how, 0, 0}), FLOW_DONE);
     }
     ck_assert_int_eq(seen.count, 3 * TIMES);
     flow_parameters_clear(&seen.parameters);
@@ -406,7 +406,7 @@ EACH(S1_to_S9_each_motion_keeps_within_its_set, COUNT(terms))
             arb_ptr x = v < FLOW_STATE ? initial + v : p.C1;
             arb_add(x, x, off, PREC);
         }
-        ck_assert_int_eq(flow_run(&(struct flow_request){&p, initial, times, ROWS, 18, PREC, compare, &b, true, NULL, NULL, 0}), FLOW_DONE);
+        ck_assert_int_eq(flow_run(&(struct flow_request){&p, initial, times, ROWS, 18, PREC, compare, &b, true, NULL, NULL, 0, 0}), FLOW_DONE);
     }
 }
 

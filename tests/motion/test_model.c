@@ -68,14 +68,13 @@ static void random_model(struct model *x, const struct space *s, int seed, doubl
 TEST(what_overflows_is_nothing_known)
 {
     OWNED(space) s, linear;
-    OWNED(model) x, y, z, cut;
     SCOPE(arb, huge, one, range);
     space_init(&s, 2, 3);
     space_init(&linear, 2, 1);
-    model_init(&x, &s);
-    model_init(&y, &s);
-    model_init(&z, &s);
-    model_init(&cut, &linear);
+    MODEL(x, &s);
+    MODEL(y, &s);
+    MODEL(z, &s);
+    MODEL(cut, &linear);
     arb_one(one);
     arb_mul_2exp_si(huge, one, 1024);
     model_set_variable(&x, huge, one, 0);
@@ -145,10 +144,9 @@ TEST(M1_as_many_roundings_as_there_are_sums)
     enum { SUMS = 20 };
     OWNED(space) s;
     struct model term[SUMS + 1], one[SUMS + 1];
-    OWNED(model) z;
     SCOPE(arb, truth, x);
     space_init(&s, 0, 0);
-    model_init(&z, &s);
+    MODEL(z, &s);
     arb_one(truth);
     for (int k = 0; k <= SUMS; k++) {
         model_init(&one[k], &s);
@@ -255,12 +253,11 @@ EACH(M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests, COUNT(rests))
 TEST(M8_numbers_and_models_that_do_not_fit_leave_a_rest)
 {
     OWNED(space) s, linear;
-    OWNED(model) x, cut;
     SCOPE(arb, third, truth, e);
     space_init(&s, 2, 3);
     space_init(&linear, 2, 1);
-    model_init(&x, &s);
-    model_init(&cut, &linear);
+    MODEL(x, &s);
+    MODEL(cut, &linear);
     arb_set_ui(third, 1);
     arb_div_ui(third, third, 3, PREC);
     model_set_ball(&x, third);
@@ -327,12 +324,11 @@ EACH(M9_the_root_of_what_is_hardly_known, 4)
 {
     static const double rests[] = {0.1, 0.3, 0.49, 0.5};
     OWNED(space) s;
-    OWNED(model) x, root;
     SCOPE(arb, one);
     SCOPE(mag, r);
     space_init(&s, 0, 0);
-    model_init(&x, &s);
-    model_init(&root, &s);
+    MODEL(x, &s);
+    MODEL(root, &s);
     arb_one(one);
     mag_set_d(r, rests[_i] / 2);
     model_set_ball(&x, one);
@@ -349,10 +345,9 @@ TEST(M1_the_middle_of_a_range_is_rounded)
 {
     enum { UNKNOWNS = 20 };
     OWNED(space) s;
-    OWNED(model) x;
     SCOPE(arb, range, end);
     space_init(&s, UNKNOWNS, 2);
-    model_init(&x, &s);
+    MODEL(x, &s);
     x.c[0] = 1;
     for (int i = 1; i <= UNKNOWNS; i++)
         x.c[s.product[i][i]] = 0x1p-52;

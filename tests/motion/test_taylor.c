@@ -85,7 +85,7 @@ static void jet_known(struct jet *jet, slong order, const struct term *terms, co
 {
     static struct system system; /* a test has one */
     SCOPE(arb, zero);
-    jet_init(jet, &closed_loop, order);
+    jet_init(jet, &closed_loop, order, NULL);
     system = closed_loop;
     system.terms = terms;
     jet->system = &system;
@@ -484,7 +484,7 @@ static void jet_of_exact(struct jet *jet, const struct exact_motion *e, slong or
     arb_set_fmpq(c2, e->c2, prec);
     move_and_widen(c1, wide[1]);
     move_and_widen(c2, wide[2]);
-    jet_init(jet, &closed_loop, order);
+    jet_init(jet, &closed_loop, order, NULL);
     jet_constants(jet, c1, c2);
     for (int v = 0; v < JET_STATES; v++) {
         arb_set_fmpq(jet->c[v], e->state + v, prec);
@@ -544,7 +544,7 @@ EACH(T13_columns_in_balls_hold_the_exact_derivatives, CLOSED_LOOPS)
     }
     fmpq_addmul(moved.r, moved.r, delta);
     jet_of_exact(&jet, &e, TERMS, BITS, (double[3]){0});
-    jet_init(&column, &closed_loop, TERMS);
+    jet_init(&column, &closed_loop, TERMS, NULL);
     for (int i = 0; i < 3; i++) {
         arb_set(column.c[i], jet.c[i]);
         arb_set_si(column.c[3 + i], i + 1);
@@ -689,7 +689,7 @@ static void jet_at(struct jet *jet, slong order, slong prec)
     SCOPE(arb, c1, c2);
     arb_set_ui(c1, 10);
     arb_set_ui(c2, 2);
-    jet_init(jet, &closed_loop, order);
+    jet_init(jet, &closed_loop, order, NULL);
     jet_constants(jet, c1, c2);
     for (int v = 0; v < JET_STATES; v++)
         arb_set_d(jet->c[v], start[v]);
@@ -704,7 +704,7 @@ TEST(a_column_along_the_motion_is_its_derivative)
     OWNED(jet) jet, column;
     SCOPE(arb, expected);
     jet_at(&jet, 20, PREC);
-    jet_init(&column, &closed_loop, 19);
+    jet_init(&column, &closed_loop, 19, NULL);
     for (int v = 0; v < JET_STATES; v++)
         arb_set(column.c[v], jet.c[v] + 1);
     jet_extend(&column, &jet, PREC, 0);
@@ -742,7 +742,7 @@ static bool prove_easy(struct majorant *m, slong order, double step)
 {
     OWNED(jet) jet;
     SCOPE(mag, h, one);
-    jet_init(&jet, &easy, order);
+    jet_init(&jet, &easy, order, NULL);
     for (int v = 0; v < EASY_ALL; v++)
         arb_one(jet.c[v]);
     jet_extend(&jet, &jet, 64, 0);

@@ -94,6 +94,8 @@ static const struct {
     {"", LITERAL_MALFORMED, LITERAL_MALFORMED},
     {"-.", LITERAL_MALFORMED, LITERAL_MALFORMED},
     {"1 ", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {" 1", LITERAL_MALFORMED, LITERAL_MALFORMED},
+    {"nan(1)", LITERAL_MALFORMED, LITERAL_MALFORMED},
     {"1,5", LITERAL_MALFORMED, LITERAL_MALFORMED},
     {"1e", LITERAL_MALFORMED, LITERAL_MALFORMED},
     {"12a", LITERAL_MALFORMED, LITERAL_MALFORMED},
@@ -526,6 +528,7 @@ static const struct {
     {INFINITY, "inf"},
     {-INFINITY, "-inf"},
     {NAN, "nan"},
+    {-NAN, "nan"},
 };
 
 EACH(shortest_decimal_is_known, COUNT(shortest))

@@ -203,7 +203,7 @@ enum flow_status hold_follow(arb_ptr states, arb_srcptr start, const arb_t c1, c
         arb_add_ui(charge, charge, 1, prec);
         arb_root_ui(charge, charge, 3, prec); /* (7): Q goes like the cube of the length that it holds */
         arb_mul_2exp_si(p.L_ref, charge, 1);
-        status = flow_run(&(struct flow_request){&p, state, T, 1, digits, prec, take_held, states + FLOW_STATE * k, true, NULL, NULL, 0});
+        status = flow_run(&(struct flow_request){&p, state, T, 1, digits, prec, take_held, states + FLOW_STATE * k, true, NULL, NULL, 0, 0});
     }
     flow_parameters_clear(&p);
     return status;

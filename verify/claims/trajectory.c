@@ -218,7 +218,7 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
         fmpq_set_si(times + k, first + k * step, 1);
     fmpq_set_si(h, s->rk4, 1);
     return flow_run(&(struct flow_request){&p, initial, times, t->count, digits, t->prec, take_sample, t, s->nonlinear,
-                                           s->rk4 ? h : NULL, s->by, 0}) == FLOW_DONE;
+                                           s->rk4 ? h : NULL, s->by, 0, 0}) == FLOW_DONE;
 }
 
 /*
@@ -411,7 +411,7 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
     trajectory_energy(E, t, k);
     if (t->nonlinear) {
         OWNED(jet) jet;
-        jet_init(&jet, &closed_loop, DERIVATIVES - 1);
+        jet_init(&jet, &closed_loop, DERIVATIVES - 1, NULL);
         jet_constants(&jet, t->c1, t->c2);
         bounded = confine(eta, t, E, k) && bounded;
         for (slong i = 0; i < SLICES; i++) {

@@ -125,37 +125,12 @@ static void enclose_roots(const struct input *inputs, slong prec, arb_ptr output
     }
 }
 
-/* A motion is looked at so often on its way, where it may take too long. */
-enum { LOOKS = 256 };
-
-struct followed {
-    arb_ptr state;
-    clock_t until;
-};
-
-/* The last one stays. */
 static int take_state(void *context, slong k, const fmpq_t t, arb_srcptr state)
 {
-    struct followed *f = context;
     (void)k;
     (void)t;
-    _arb_vec_set(f->state, state, FLOW_STATE);
-    return f->until != 0 && clock() > f->until;
-}
-
-/* LOOKS times up to t, of a Runge-Kutta method multiples of its step h (NULL: any). */
-static void look_times(fmpq *times, const fmpq_t t, const fmpq *h)
-{
-    SCOPE(fmpz, whole);
-    for (slong k = 0; k < LOOKS; k++) {
-        fmpq_div_fmpz(times + k, t, (fmpz[]){LOOKS});
-        fmpq_mul_si(times + k, times + k, k + 1);
-        if (h == NULL)
-            continue;
-        fmpq_div(times + k, times + k, h);
-        fmpz_fdiv_q(whole, fmpq_numref(times + k), fmpq_denref(times + k));
-        fmpq_mul_fmpz(times + k, h, whole);
-    }
+    _arb_vec_set(context, state, FLOW_STATE);
+    return 0;
 }
 
 static enum operation_status enclose_flow(struct operation *o, const struct input *inputs, slong digits,
@@ -164,21 +139,15 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
     const enum method method = o->section->method;
     const bool linear = method == METHOD_FLOW_LINEAR || method == METHOD_RK4_LINEAR;
     const bool steps = method == METHOD_RK4_LINEAR || method == METHOD_RK4_NONLINEAR;
-    const slong looks = o->until != 0 ? LOOKS : 1;
     const fmpq *t = input_named(o, inputs, "t"), *h = steps ? input_named(o, inputs, "h") : NULL;
     FLOW_PARAMETERS(p);
-    struct followed f = {outputs, o->until};
     VECTOR(arb, initial, FLOW_STATE);
-    VECTOR(fmpq, times, looks);
     const int parameters = linear ? 4 : 7; /* before t, which the initial state follows */
     for (int i = 0; i < parameters; i++) /* of the linear model all but k_c m1 m2 */
         arb_set_fmpq(p.Omega + (linear && i > 0 ? i + 3 : i), &inputs[i].value, prec);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_fmpq(initial + i, &inputs[parameters + 1 + i].value, prec);
-    fmpq_set(times, t);
-    if (o->until != 0)
-        look_times(times, t, h);
-    struct flow_request r = {&p, initial, times, looks, digits, prec, take_state, &f, !linear, h, NULL, 0};
+    struct flow_request r = {&p, initial, t, 1, digits, prec, take_state, outputs, !linear, h, NULL, o->until, 0};
     const enum flow_status status = flow_run(&r);
     if (!linear && is_static(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"), input_named(o, inputs, "L_ref"), &inputs[parameters + 1]))
         _arb_vec_set(outputs, initial, FLOW_STATE);

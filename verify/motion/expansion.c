@@ -6,15 +6,13 @@
 #include "text/message.h"
 #include "text/scope.h"
 
-enum { STEADY = 10 }; /* to know the derivatives to 2^-10 will do */
-
 void expansion_init(struct expansion *e, const struct system *system, slong order, slong derivative_order, const struct space *space,
                     const struct space *linear)
 {
-    jet_init_models(&e->path, system, order, space);
-    jet_init_models(&e->hull, system, derivative_order, linear);
+    jet_init(&e->path, system, order, space);
+    jet_init(&e->hull, system, derivative_order, linear);
     for (int j = 0; j < FLOW_STATE; j++)
-        jet_init_models(&e->column[j], system, derivative_order, linear);
+        jet_init(&e->column[j], system, derivative_order, linear);
     majorant_init(&e->path_bound, system, order);
     majorant_init(&e->hull_bound, system, derivative_order);
     majorant_init(&e->spread_bound, system, derivative_order);
@@ -75,18 +73,6 @@ double expansion_step(const struct expansion *e, double left_out, double longest
     return ldexp(floor(ldexp(fraction, 8)), exponent - 8);
 }
 
-/* Whether the derivatives are known well enough; else each step would inflate the set. */
-static bool is_steady(const struct majorant *spread)
-{
-    SCOPE(mag, all, remainder);
-    for (int i = 0; i < FLOW_STATE; i++) {
-        mag_max(all, all, spread->suffix[i]);
-        mag_max(remainder, remainder, spread->remainder + i);
-    }
-    mag_mul_2exp_si(remainder, remainder, STEADY);
-    return mag_cmp(remainder, all) <= 0;
-}
-
 /* Bounds on |s| <= step; false where it is too long for them. */
 static bool prove_step(struct expansion *e, const struct lohner *set, double step)
 {
@@ -100,10 +86,10 @@ static bool prove_step(struct expansion *e, const struct lohner *set, double ste
            && majorant_prove(&e->spread_bound, &e->hull_bound, h);
 }
 
-double expansion_prove(struct expansion *e, const struct lohner *set, double step, int halvings, bool steady)
+double expansion_prove(struct expansion *e, const struct lohner *set, double step, int halvings)
 {
     for (int i = 0; i < halvings; i++, step /= 2)
-        if (prove_step(e, set, step) && (!steady || is_steady(&e->spread_bound)))
+        if (prove_step(e, set, step))
             return step;
     return 0;
 }

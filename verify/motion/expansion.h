@@ -25,11 +25,10 @@ void expansion_derivatives(struct expansion *e, const struct lohner *set);
 
 /*
  * The step at which the path's last two terms, of positions, fall to 2^left_out, but no more than the longest: a dyadic of 8 bits.
- * Then the longest of step, step/2, ... for which bounds on |s| <= step are proved, or 0 after so many halvings; `steady` asks that
- * the derivatives be known well enough to steer by.
+ * Then the longest of step, step/2, ... for which bounds on |s| <= step are proved, or 0 after so many halvings.
  */
 double expansion_step(const struct expansion *e, double left_out, double longest);
-double expansion_prove(struct expansion *e, const struct lohner *set, double step, int halvings, bool steady);
+double expansion_prove(struct expansion *e, const struct lohner *set, double step, int halvings);
 
 /* log2 of the largest coefficient k of the position; a guide, no bound */
 double expansion_position(const struct expansion *e, slong k);

@@ -172,7 +172,7 @@ static enum flow_status begin_step(struct flow *f, double *step)
     *step = step_length(f);
     if (*step < ldexp(1, LEAST_STEP) && is_close(f))
         return FLOW_CLOSE;
-    *step = expansion_prove(&f->series, &f->set, *step, MOST_HALVINGS, true);
+    *step = expansion_prove(&f->series, &f->set, *step, MOST_HALVINGS);
     return *step > 0 ? FLOW_DONE : FLOW_WIDE;
 }
 
@@ -192,8 +192,8 @@ enum flow_status flow_nonlinear(struct flow_request *r)
     for (int steps = 0; k < r->count; steps++) {
         double step;
         enum flow_status status = steps < MOST_STEPS ? begin_step(&f, &step) : FLOW_STALLED;
-        if (status != FLOW_DONE)
-            return status;
+        if (status != FLOW_DONE || flow_is_over(r))
+            return status != FLOW_DONE ? status : FLOW_STOPPED;
         for (; k < r->count && time_within(s, r->times + k, r->p->Omega, f.now, step, f.prec); k++) {
             state_at(&f, state, s);
             r->reached = fmpq_get_d(r->times + k);

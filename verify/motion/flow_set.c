@@ -250,11 +250,10 @@ static void row(struct follower *f, int v, const arb_t s, double step)
 /* Q_ref + dQ, in units of the set's, linear in the unknowns but for a rest; false where it may be >= 0 */
 static bool charge_row(arb_t x, struct follower *f, const struct piece *p, const arb_t s, double step)
 {
-    OWNED(model) R, q, square, length;
-    model_init(&R, &f->set->linear);
-    model_init(&q, &f->set->linear);
-    model_init(&square, &f->set->linear);
-    model_init(&length, &f->set->linear);
+    MODEL(R, &f->set->linear);
+    MODEL(q, &f->set->linear);
+    MODEL(square, &f->set->linear);
+    MODEL(length, &f->set->linear);
     row(f, JET_CHARGE, s, step);
     model_set(&R, &f->at);
     row(f, JET_STATES - 1, s, step);
@@ -330,7 +329,7 @@ static void follow_piece(struct work *w, struct follower *f, struct piece *p)
     SCOPE(arf, now);
     arf_set_d(now, p->now);
     expand_models(f, p);
-    const double step = expansion_prove(&f->of, &p->rest, set_step_length(f, p), MOST_SET_HALVINGS, false);
+    const double step = expansion_prove(&f->of, &p->rest, set_step_length(f, p), MOST_SET_HALVINGS);
     find_end(f, error, step);
     if (w->count < w->set->most_pieces && (!(step > 0) || is_loose(f, p)) && (p->split = steepest(p)) >= 0)
         return;

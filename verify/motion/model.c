@@ -276,8 +276,7 @@ void model_evaluate(struct model *z, const struct model *x, int count, double h)
 /* d = x z^2 - 1, but for roundings of 1 where |d| may be 1/2: nearer to 1 none is rounded */
 static void find_defect(struct model *d, const struct model *x, const struct model *z)
 {
-    OWNED(model) square;
-    model_init(&square, z->space);
+    MODEL(square, z->space);
     model_dot(&square, false, 1, z, z, 1);
     model_dot(d, false, 1, x, &square, 1);
     d->c[0] -= 1;
@@ -290,9 +289,8 @@ static void find_defect(struct model *d, const struct model *x, const struct mod
  */
 void model_inverse_root(struct model *z, const struct model *x)
 {
-    OWNED(model) last, d;
-    model_init(&last, z->space);
-    model_init(&d, z->space);
+    MODEL(last, z->space);
+    MODEL(d, z->space);
     zero(z);
     z->c[0] = 1 / sqrt(x->c[0]);
     find_norms(z);
@@ -314,13 +312,12 @@ void model_inverse_root(struct model *z, const struct model *x)
  */
 void model_sine(struct model *z, const struct model *x, int quarters)
 {
-    OWNED(model) d, power, next, value;
+    MODEL(d, x->space);
+    MODEL(power, x->space);
+    MODEL(next, x->space);
+    MODEL(value, x->space);
     VECTOR(arb, at, 2);
     SCOPE(arb, angle);
-    model_init(&d, x->space);
-    model_init(&power, x->space);
-    model_init(&next, x->space);
-    model_init(&value, x->space);
     zero(z);
     arb_set_d(angle, x->c[0]);
     arb_sin_cos(at, at + 1, angle, 128);

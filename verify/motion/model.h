@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-#include "text/flint.h"
+#include "text/scope.h"
 
 enum { MODEL_DEGREE = 8 };
 
@@ -31,6 +31,7 @@ struct model {
 
 void model_init(struct model *m, const struct space *s);
 void model_clear(struct model *m);
+#define MODEL(m, space) OWNED(model) m; model_init(&m, space)
 
 /* What holds the ball, and all of x + radius e_i (i from 0). */
 void model_set_ball(struct model *z, const arb_t x);

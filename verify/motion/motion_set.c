@@ -36,8 +36,7 @@ static void read_bounds(struct model *z, struct reader *r, enum scenario_name na
 
 static void times_model(struct model *z, const struct model *x, const struct model *y)
 {
-    OWNED(model) product;
-    model_init(&product, z->space);
+    MODEL(product, z->space);
     model_dot(&product, false, 1, x, y, 1);
     model_set(z, &product);
 }
@@ -57,8 +56,7 @@ static void place(struct model *state, struct model *m)
                         {{-1, COSINE, SINE_PSI}, {1, COSINE, COSINE_PSI}, {0, UNIT, UNIT}},
                         {{-1, SINE, COSINE_PSI}, {-1, SINE, SINE_PSI}, {-1, COSINE, UNIT}}};
     static const int rate[] = {AT_DL_DOT, AT_PSI_DOT, AT_THETA_DOT};
-    OWNED(model) product;
-    model_init(&product, state->space);
+    MODEL(product, state->space);
     for (int i = 0; i < 4; i++)
         model_sine(m + SINE_PSI + i, m + (i < 2 ? AT_PSI : AT_THETA), i % 2);
     times_model(m + AT_DL, m + AT_DL, m + ARM); /* arm L, by now */

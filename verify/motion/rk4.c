@@ -32,7 +32,7 @@ typedef void rates_function(arb_ptr rate, arb_srcptr state, const arb_t c1, cons
 static void nonlinear_rates(arb_ptr rate, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec)
 {
     OWNED(jet) jet;
-    jet_init(&jet, &closed_loop, 1);
+    jet_init(&jet, &closed_loop, 1, NULL);
     jet_constants(&jet, c1, c2);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set(jet.c[i], state + i);
@@ -108,6 +108,8 @@ enum flow_status rk4(struct flow_request *r)
             rk4_step(state, tau, r->nonlinear ? nonlinear_rates : linear_rates, c1, c2, prec);
             if (flow_wide(state, USEFUL_BITS))
                 return FLOW_WIDE;
+            if (flow_is_over(r))
+                return FLOW_STOPPED;
         }
         for (int i = 0; i < FLOW_STATE; i++)
             arb_mul(si + i, state + i, unit + i, prec);

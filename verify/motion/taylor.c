@@ -31,7 +31,7 @@ const struct system closed_loop = {JET_STATES, JET_SERIES, JET_ALL, JET_TERMS, c
 
 _Static_assert(R == (int)JET_CHARGE && G == (int)JET_STATES && ONE == (int)JET_SERIES && HOLD + 1 == JET_ALL, "series in order");
 
-void jet_init_models(struct jet *jet, const struct system *system, slong order, const struct space *space)
+void jet_init(struct jet *jet, const struct system *system, slong order, const struct space *space)
 {
     *jet = (struct jet){.order = order, .system = system, .space = space};
     for (int v = 0; v < system->all; v++) {
@@ -43,11 +43,6 @@ void jet_init_models(struct jet *jet, const struct system *system, slong order, 
         for (slong k = 0; k <= order; k++)
             model_init(jet->m[v] + k, space);
     }
-}
-
-void jet_init(struct jet *jet, const struct system *system, slong order)
-{
-    jet_init_models(jet, system, order, NULL);
 }
 
 void jet_clear(struct jet *jet)
@@ -150,7 +145,7 @@ void jet_extend(struct jet *z, const struct jet *jet, slong prec, double fall)
     if (split == z->order)
         return;
     struct jet copy; /* more than 128 bits are those of a path, no column */
-    jet_init(&copy, z->system, z->order);
+    jet_init(&copy, z->system, z->order, NULL);
     for (int v = 0; v < z->system->all; v++)
         _arb_vec_set_round(copy.c[v], z->c[v], split + 1, 128);
     extend_series(&copy, &copy, split, z->order, prec, fall);

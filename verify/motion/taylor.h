@@ -85,8 +85,7 @@ struct majorant {
 };
 
 /* order >= 1 */
-void jet_init(struct jet *jet, const struct system *system, slong order);
-void jet_init_models(struct jet *jet, const struct system *system, slong order, const struct space *space);
+void jet_init(struct jet *jet, const struct system *system, slong order, const struct space *space);
 void jet_clear(struct jet *jet);
 void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2);
 

@@ -118,7 +118,7 @@ bool two_body_move(struct two_body *b, const arb_t tau, slong prec)
     OWNED(majorant) bound;
     SCOPE(arb, h);
     SCOPE(mag, length, one);
-    jet_init(&jet, &two_craft, PAIR_ORDER);
+    jet_init(&jet, &two_craft, PAIR_ORDER, NULL);
     majorant_init(&bound, &two_craft, PAIR_ORDER);
     jet_constants(&jet, b->c1, b->c2);
     arb_set(jet.c[SMALLNESS], b->smallness);

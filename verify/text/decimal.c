@@ -264,7 +264,7 @@ static slong shortest_digits(char digits[24], double x)
     fmpz_get_str(digits, 10, n);
     size_t count = strlen(digits);
     const slong decimal = exponent + (slong)count + dropped + 1 - ENOUGH;
-    while (count > 1 && digits[count - 1] == '0')
+    while (digits[count - 1] == '0')
         digits[--count] = '\0';
     return decimal;
 }
@@ -282,7 +282,7 @@ void decimal_shortest(char text[32], double x)
     char digits[24]; /* at most 17 */
     const int first = (int)shortest_digits(digits, x), last = first + 1 - (int)strlen(digits);
     /* Simple readers take in 17 digits, zeros before the first of them too: a small number has all of its own within them. */
-    const bool small = first < 0 && (first < -4 || (int)strlen(digits) - first > 17);
+    const bool small = first < -4 || (int)strlen(digits) - first > 17;
     if (small || first >= 16) {
         write_scientific(text, digits, first);
         return;
@@ -299,7 +299,7 @@ void decimal_bound(char text[32], double x)
 {
     mpfr_t bound;
     mpfr_init2(bound, DBL_MANT_DIG);
-    mpfr_set_d(bound, x, MPFR_RNDU);
+    mpfr_set_d(bound, x, MPFR_RNDN); /* exact */
     if (isfinite(x))
         write_rounded(text, bound, 2, MPFR_RNDU);
     else
