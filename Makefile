@@ -342,11 +342,12 @@ $(DATA)/errata.csv:
 	cp data/errata.csv $@.tmp
 	@mv $@.tmp $@
 
-# Of the words of paper/package.csv, of the sheet's and a design's.
-$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/random.csv $(DATA)/errata.csv $(BUILD)/equations.json paper/package.awk paper/package.csv
+# Of the words of paper/package.json, of the sheet's and a design's.
+$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/random.csv $(DATA)/errata.csv $(BUILD)/equations.json paper/read.awk paper/package.awk paper/package.json
 	@$(PROGRAM) design n=12 --json >$@.design.tmp
 	@$(SHA256) $(sort $(filter $(DATA)/%,$^)) >$@.sums.tmp
-	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=$(VERSION) paper/package.csv $(BUILD)/equations.json $@.design.tmp $@.sums.tmp)
+	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=$(VERSION) paper/package.json \
+	  $(BUILD)/equations.json $@.design.tmp $@.sums.tmp $(sort $(filter $(DATA)/%,$^)))
 	@rm $@.design.tmp $@.sums.tmp
 
 ## figures: the figures, as SVG and PNG, in build/figures/
@@ -475,7 +476,7 @@ $(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(CHAPTERS) $(wildcard 
 ### Packages
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libcalcium-dev? libantic-dev? libyaml-dev
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
-PAPER_PACKAGES = gnuplot-nox graphviz pandoc poppler-utils texlive-latex-base texlive-latex-recommended lmodern
+PAPER_PACKAGES = gnuplot-nox graphviz pandoc texlive-latex-base texlive-latex-recommended lmodern
 CI_PACKAGES    = clang libclang-rt-dev? clang-tidy cppcheck valgrind strace locales debootstrap parallel python3 python3-mpmath python3-gmpy2 \
   octave gfortran nodejs pandoc chromium python3-pandas python3-yaml ruby libyaml-libyaml-perl node-yaml r-cran-yaml
 

@@ -140,7 +140,9 @@ FILENAME ~ /\/golden\// {
     vectors[golden] += index($0, golden "-") == 1
 }
 
-FILENAME ~ /verdicts\.csv$/ && csv($0, field) && field[1] ~ /^equation-/ {
+FILENAME ~ /verdicts\.csv$/ && /^equation-/ {
+    gsub(/"[^"]*"/, "") # a text that holds commas
+    split($0, field, ",")
     known("verdicts", field[1] " is a verdict on (" substr(field[1], 10) ")", is_number(substr(field[1], 10)))
     ruling[substr(field[1], 10)] = field[5]
 }
