@@ -2,7 +2,6 @@
  * mutants.c   in every program of the tree that mutants.py makes: which mutant it is, what of it was reached, and how far it may go
  */
 #define _GNU_SOURCE
-#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
@@ -46,14 +45,12 @@ void __wrap__ck_assert_failed(const char *file, int line, const char *expression
     _exit(1);
 }
 
-/* A mutant that lost the process it asks for would end all of the user's. */
+/* A mutant that lost the process it asks for would end all of the user's: it is noticed by that. */
 int __real_kill(pid_t, int);
 int __wrap_kill(pid_t process, int signal)
 {
-    if (process >= -1 && process <= 1) {
-        errno = EPERM;
-        return -1;
-    }
+    if (process >= -1 && process <= 1)
+        _exit(99);
     return __real_kill(process, signal);
 }
 

@@ -701,6 +701,14 @@ TEST(a_client_is_not_started_without_descriptors)
     }
 }
 
+/* No descriptor and no signal of ours, in a process group of its own. */
+TEST(a_client_starts_as_from_a_shell)
+{
+    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -f group && echo '{ ls /proc/self/fd; grep -E \"^Sig(Blk|Ign)\" /proc/self/status; } >\"$1\"; "
+                            "test \"$(cut -d\" \" -f5 /proc/$$/stat)\" = $$ && : >group; exec \"$2\"' >starts && sh starts direct true && rm -f group && "
+                            "\"$CT_PROGRAM\" conform --only eq38 -- sh starts client ./faulty >/dev/null && cmp direct client && ls group >/dev/null"), 0);
+}
+
 /* Nobody hears what a client complains of, and the client is judged by its answers none the less. */
 TEST(complaints_that_find_no_place_do_no_harm)
 {

@@ -80,7 +80,7 @@ int client_start(struct client *c, char *const *arguments)
     int in[2] = {-1, -1}, out[2] = {-1, -1}, errors[2] = {-1, -1}, why = 0;
     static bool at_exit;
     sigset_t blocked;
-    *c = (struct client){.pid = -1, .to = -1, .from = -1, .errors = -1};
+    *c = (struct client){.pid = -1};
     sigemptyset(&blocked);
     for (int i = 0; i < INTERRUPTS; i++)
         sigaddset(&blocked, interrupts[i]);

@@ -219,23 +219,22 @@ static void try_input(const struct patient *p, const char *input, const char *fo
 /* What the masses make, or a power of an input, in the outputs that are wrong; one input off by one, or with such a factor; two exchanged. */
 static void try_names(const struct patient *p, const bool *wrong)
 {
+    enum { POWERS = 3 };
     static const char *const masses[] = {"m1*m2/(m1 + m2)", "m1/(m1 + m2)", "m2/(m1 + m2)", "m1/m2"};
-    static const char *const changes[] = {" + 1", " - 1", "*m1*m2/(m1 + m2)", "*(m1*m2/(m1 + m2))^2", "/(m1*m2/(m1 + m2))", "/(m1*m2/(m1 + m2))^2"};
+    static const char *const after[] = {"", "^2", "^3", " + 1", " - 1", "*m1*m2/(m1 + m2)", "*(m1*m2/(m1 + m2))^2", "/(m1*m2/(m1 + m2))", "/(m1*m2/(m1 + m2))^2"};
     const struct section *s = p->section;
-    const bool has_masses = input_place(s, "m1") >= 0 && input_place(s, "m2") >= 0;
     const char *text = p->t->diagnosis;
     char formula[LONGEST_GUESS];
-    for (size_t k = 0; k < sizeof masses / sizeof *masses && has_masses; k++)
+    for (size_t k = 0; k < sizeof masses / sizeof *masses; k++)
         try_factor(p, wrong, masses[k]);
     for (int i = 0; i < s->input_count && *text == '\0'; i++) {
         const char *input = s->inputs[i]->name;
-        for (int power = 1; power <= 3 && *text == '\0'; power++) {
-            snprintf(formula, sizeof formula, power == 1 ? "%s" : "%s^%d", input, power);
-            try_factor(p, wrong, formula);
-        }
-        for (size_t k = 0; k < (has_masses ? sizeof changes / sizeof *changes : 2) && *text == '\0'; k++) {
-            snprintf(formula, sizeof formula, "%s%s", input, changes[k]);
-            try_input(p, input, formula, NULL);
+        for (size_t k = 0; k < sizeof after / sizeof *after && *text == '\0'; k++) {
+            snprintf(formula, sizeof formula, "%s%s", input, after[k]);
+            if (k < POWERS)
+                try_factor(p, wrong, formula);
+            else
+                try_input(p, input, formula, NULL);
         }
         for (int other = i + 1; other < s->input_count && *text == '\0'; other++)
             try_input(p, input, s->inputs[other]->name, s->inputs[other]->name);
@@ -278,6 +277,9 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
 /* What no sheet lists. */
 static void diagnose_kind(const struct patient *p, int set)
 {
+    static const struct known_mistake of_radians = {
+        .name = "in units of Omega: a factor Omega is missing",
+        .changes = {{PLACE_INPUT, "Omega", "1"}, {PLACE_INPUT, "C1", "C1/Omega^2"}, {PLACE_INPUT, "C2", "C2/Omega"}}, .count = 3};
     struct evidence *v = xrealloc(NULL, 1, sizeof *v);
     bool wrong[MOST_OUTPUTS];
     gather(v, p->e, set, p->until);
@@ -285,8 +287,10 @@ static void diagnose_kind(const struct patient *p, int set)
         wrong[k] = !is_always(v, k, is_same);
     if (is_motion(p->section))
         kind_of_motion(v, p->t->diagnosis, sizeof p->t->diagnosis);
-    else if (kind_of_formula(v, p->t->diagnosis, sizeof p->t->diagnosis) && p->section->method == METHOD_FORMULA)
+    else if (kind_of_formula(v, p->t->diagnosis, sizeof p->t->diagnosis)) {
+        try_mistake(p, &of_radians, "");
         try_names(p, wrong);
+    }
     free(v);
 }
 

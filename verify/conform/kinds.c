@@ -129,42 +129,22 @@ static void constant_factor(const struct evidence *v, char *text, size_t size)
         snprintf(text, size, "a constant factor %.10g", factor);
 }
 
-/* ---- roots ---- */
-
-/* Whether four complex numbers are these roots, times a factor, in whatever order; of the imaginary parts perhaps the sizes alone. */
-static bool are_roots(const double *y, const double *exact, double factor, bool sizes)
+/* Four roots, each in its place, of whose imaginary parts the sizes alone are left. */
+static void lost_conjugates(const struct evidence *v, char *text, size_t size)
 {
-    unsigned taken = 0;
-    for (int k = 0; k < 8; k += 2) {
-        int found = -1;
-        for (int i = 0; i < 8 && found < 0; i += 2) {
-            const double im = sizes ? fabs(exact[i + 1]) : exact[i + 1];
-            const double off = hypot(y[k] - factor * exact[i], y[k + 1] - factor * im);
-            found = (taken & 1U << i) == 0 && off <= 1e-6 * factor * hypot(exact[i], exact[i + 1]) ? i : -1;
+    for (int f = 0; f < v->count; f++)
+        for (int k = 0; k < 8; k += 2) {
+            const double re = v->exact[f][k], im = v->exact[f][k + 1];
+            if (v->section->method != METHOD_ROOTS || hypot(v->y[f][k] - re, v->y[f][k + 1] - fabs(im)) > 1e-6 * hypot(re, im))
+                return;
         }
-        if (found < 0)
-            return false;
-        taken |= 1U << found;
-    }
-    return true;
-}
-
-static void kind_of_roots(const struct evidence *v, char *text, size_t size)
-{
-    bool sizes = true, scaled = true;
-    for (int f = 0; f < v->count; f++) {
-        sizes = sizes && are_roots(v->y[f], v->exact[f], 1.0, true);
-        scaled = scaled && are_roots(v->y[f], v->exact[f], 1.0 / v->x[f][input_place(v->section, "Omega")], false);
-    }
-    if (sizes)
-        snprintf(text, size, "conjugates are missing: the imaginary parts have lost their signs");
-    else if (scaled)
-        snprintf(text, size, "in units of Omega: a factor Omega is missing");
+    snprintf(text, size, "conjugates are missing: the imaginary parts have lost their signs");
 }
 
 bool kind_of_formula(const struct evidence *v, char *text, size_t size)
 {
-    static void (*const kinds[])(const struct evidence *, char *, size_t) = {wrong_outputs, fixed_decimals, permuted_outputs, constant_factor};
+    static void (*const kinds[])(const struct evidence *, char *, size_t) = {lost_conjugates, wrong_outputs, fixed_decimals, permuted_outputs,
+                                                                            constant_factor};
     int wrong = 0;
     bool differ = true;
     for (int f = 0; f < v->count; f++) {
@@ -181,8 +161,6 @@ bool kind_of_formula(const struct evidence *v, char *text, size_t size)
     }
     if (wrong < 2 || !differ)
         return false;
-    if (v->section->method == METHOD_ROOTS)
-        kind_of_roots(v, text, size);
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds && *text == '\0'; i++)
         kinds[i](v, text, size);
     return true;
