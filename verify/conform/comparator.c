@@ -157,10 +157,6 @@ static enum outcome compare_in_roundings(struct comparator *j, const struct inpu
     enum outcome outcome = OUTCOME_SKIPPED;
     for (slong prec = j->bits; prec <= most && outcome == OUTCOME_SKIPPED; prec *= 4) {
         operation_enclose(j->operation, inputs, prec, j->exact);
-        _arb_vec_zero(j->S, s->output_count);
-        score->strict = score->E = error_of(j, inputs, &score->output).upper;
-        if (score->E <= fmin(j->K, j->worst))
-            return OUTCOME_RIGHT; /* without S already, and no new worst */
         operation_sensitivity(j->operation, inputs, prec, j->S);
         if (4 * prec > most && s->method == METHOD_FORMULA)
             settle(j, inputs, prec);
@@ -230,7 +226,5 @@ enum outcome compare_answer(struct comparator *j, const struct input *inputs, st
     *score = (struct score){.E = 0.0, .digits = INFINITY};
     if (is_motion(j->operation->section))
         return compare_in_digits(j, inputs, score);
-    enum outcome outcome = compare_in_roundings(j, inputs, score);
-    j->worst = fmax(j->worst, outcome == OUTCOME_RIGHT ? score->E : 0.0);
-    return outcome;
+    return compare_in_roundings(j, inputs, score);
 }

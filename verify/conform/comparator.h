@@ -38,7 +38,6 @@ struct comparator {
     struct operation *operation;
     int significand;
     double K, digits;     /* what passes: E of at most K, digits of at least so many */
-    double worst;         /* E below this need not be known exactly                  */
     slong bits;           /* of the first enclosures; where they decide nothing there are more */
     arb_ptr y, exact, S;  /* the answer; its truth; S raised to the vector's size    */
     bool followed;        /* exact holds the truth of this motion from the last time */

@@ -199,7 +199,7 @@ static void answer(struct test_run *e, uint64_t position, char **words, int coun
     struct comparator *j = &e->comparators[q->set - e->sets.all];
     struct summary *t = &e->summaries[q->set - e->sets.all];
     struct record r = {.position = position, .score = {.digits = INFINITY}};
-    const bool inside = q->drawn_inside || (q->numbers && operation_valid(j->operation, q->inputs));
+    const bool inside = q->numbers && operation_valid(j->operation, q->inputs);
     snprintf(r.text, sizeof r.text, "%s", text);
     if (strcmp(words[0], "skip") == 0) {
         if (*t->reason == '\0')

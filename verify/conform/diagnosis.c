@@ -340,7 +340,6 @@ static bool mistake_told(struct kills *k, int i, bool inside)
     const slong prec = operation_precision(&x->o, inputs, digits);
     if (operation_follow(&x->o, inputs, digits, prec, j->y) != OPERATION_PROVED || !_arb_vec_is_finite(j->y, s->output_count))
         return true;
-    j->worst = INFINITY;
     const enum outcome outcome = compare_answer(j, k->inputs, &score);
     j->followed = is_motion(s) && outcome != OUTCOME_SKIPPED; /* the next mutant is held against the same motion */
     for (int n = 0; n < s->output_count; n++)

@@ -19,34 +19,33 @@ static bool is_number(const char *word)
     return end != word && *end == '\0';
 }
 
-/* Whether the word is a number once one of its characters is another. */
-static bool is_number_with(const char *word, const char *of, char other)
-{
-    char changed[WORD];
-    snprintf(changed, sizeof changed, "%s", word);
-    char *at = strpbrk(changed, of);
-    if (at == NULL || is_number(word))
-        return false;
-    *at = other;
-    return is_number(changed);
-}
-
 /* A word where a number is due. */
 static void number_hint(const char *word, char *hint, size_t size)
 {
+    static const struct {
+        const char *of; /* one of these, and not the last, in place of: */
+        char due;
+        const char *says;
+    } misspelt[] = {{"dD", 'e', "has Fortran's D exponent, E is due"}, {",", '.', "has a decimal comma, a point is due"}};
     const char *odd = strpbrk(word, "[](){},;:=\"'");
     if (strcasecmp(word, "invalid") == 0 || strcasecmp(word, "skip") == 0)
         snprintf(hint, size, "'%s': did you mean %s, alone and in small letters?", word, tolower(*word) == 'i' ? "invalid" : "skip");
     else if (strcasecmp(word, "true") == 0 || strcasecmp(word, "false") == 0)
         snprintf(hint, size, "'%s' is no number, 1 or 0 is due", word);
-    else if (is_number_with(word, "dD", 'e'))
-        snprintf(hint, size, "'%s' has Fortran's D exponent, E is due", word);
-    else if (is_number_with(word, ",", '.') && word[strlen(word) - 1] != ',')
-        snprintf(hint, size, "'%s' has a decimal comma, a point is due", word);
     else if (odd != NULL)
         snprintf(hint, size, "'%s' is no number for its '%c'", word, *odd);
     else
         snprintf(hint, size, "'%s' is no number", word);
+    for (size_t i = 0; i < sizeof misspelt / sizeof *misspelt; i++) {
+        char changed[WORD];
+        snprintf(changed, sizeof changed, "%s", word);
+        char *at = strpbrk(changed, misspelt[i].of);
+        if (at == NULL || at[1] == '\0')
+            continue;
+        *at = misspelt[i].due;
+        if (is_number(changed))
+            snprintf(hint, size, "'%s' %s", word, misspelt[i].says);
+    }
 }
 
 /* A first word that names no vector. */
@@ -78,8 +77,13 @@ static void count_hint(const struct sheet *sheet, const char *name, int count, c
                  s->output_count == 1 ? "" : "s");
 }
 
+_Static_assert(LONGEST_LINE == 65536, "it is said in words");
+
 void line_hint(const struct sheet *sheet, const char *line, enum outcome outcome, char *hint, size_t size)
 {
+    static const char *const plain[OUTCOMES] = {
+        [OUTCOME_TRUNCATED] = "the last line has no LF", [OUTCOME_TOO_LONG] = "it has more than 65536 bytes",
+        [OUTCOME_LATE] = "its turn is over: answers come in the order of the questions, one each", [OUTCOME_EARLY] = "its question had not been asked"};
     char copy[LONGEST_SHOWN], *rest = NULL, *odd = NULL;
     int count = 0;
     snprintf(copy, sizeof copy, "%s", line);
@@ -87,14 +91,8 @@ void line_hint(const struct sheet *sheet, const char *line, enum outcome outcome
     snprintf(hint, size, "%s", "");
     for (char *word = NULL; name != NULL && (word = strtok_r(NULL, " \t", &rest)) != NULL; count++)
         odd = odd == NULL && !is_number(word) ? word : odd;
-    if (outcome == OUTCOME_TRUNCATED)
-        snprintf(hint, size, "the last line has no LF");
-    else if (outcome == OUTCOME_TOO_LONG)
-        snprintf(hint, size, "it has more than %d bytes", LONGEST_LINE);
-    else if (outcome == OUTCOME_LATE)
-        snprintf(hint, size, "its turn is over: answers come in the order of the questions, one each");
-    else if (outcome == OUTCOME_EARLY)
-        snprintf(hint, size, "its question had not been asked");
+    if (plain[outcome] != NULL)
+        snprintf(hint, size, "%s", plain[outcome]);
     else if (name == NULL)
         snprintf(hint, size, "an empty line");
     else if (outcome == OUTCOME_STRANGER || outcome == OUTCOME_UNNAMED)

@@ -13,7 +13,7 @@
 #include "text/progress.h"
 #include "text/whole_file.h"
 
-enum { SHOWN_DIGITS = 20, LONGEST_NUMBER = 40, FURTHEST = 1000000 /* exponent: beyond it the mark stands at an end anyway */ };
+enum { SHOWN_DIGITS = 20, LONGEST_NUMBER = 40 };
 
 const char *const level_names[LEVELS] = {"algebra", "roots", "flows", "method"};
 
@@ -101,29 +101,28 @@ static void outcomes_text(const struct summary *t, char *text, size_t size)
         add_text(text, size, "; ", more);
 }
 
-/* The decimal place of the leading digit of their difference, found among the digits as they were written. */
+/* As far behind its first digit that counts as their difference is smaller, in powers of ten. */
 int first_wrong_digit(const char *got, const char *expected)
 {
-    const char *start = got + strspn(got, "+-"), *e = strpbrk(start, "eE"), *point = strchr(start, '.');
-    const char *end = e != NULL ? e : start + strlen(start);
-    const long whole = (point != NULL ? point : end) - start, written = e != NULL ? strtol(e + 1, NULL, 10) : 0;
-    const long exponent = written > FURTHEST ? FURTHEST : written < -FURTHEST ? -FURTHEST : written;
-    mpfr_t off, other;
-    mpfr_inits2(256, off, other, (mpfr_ptr)NULL);
-    long at = -1;
-    if (strpbrk(got, "xXnN") == NULL && mpfr_set_str(off, got, 10, MPFR_RNDN) == 0 &&
-        mpfr_set_str(other, expected, 10, MPFR_RNDN) == 0 && mpfr_cmp(off, other) != 0) {
-        mpfr_sub(off, off, other, MPFR_RNDN);
+    const int sign = (int)strspn(got, "+-"), end = (int)strcspn(got, "eE"), lead = sign + (int)strspn(got + sign, "0.");
+    const int point = (int)strcspn(got, ".");
+    int at = -1;
+    mpfr_t is, off;
+    mpfr_inits2(256, is, off, (mpfr_ptr)NULL);
+    if (strpbrk(got, "xXnN") == NULL && mpfr_set_str(is, got, 10, MPFR_RNDN) == 0 && mpfr_set_str(off, expected, 10, MPFR_RNDN) == 0 &&
+        mpfr_cmp(is, off) != 0) {
+        mpfr_sub(off, is, off, MPFR_RNDN);
+        mpfr_abs(is, is, MPFR_RNDN);
         mpfr_abs(off, off, MPFR_RNDN);
+        mpfr_log10(is, is, MPFR_RNDN);
         mpfr_log10(off, off, MPFR_RNDN);
-        mpfr_add_d(off, off, 1e-6, MPFR_RNDN); /* a digit's difference, but for what inputs are rounded */
-        mpfr_floor(off, off);
-        at = whole - 1 + exponent - mpfr_get_si(off, MPFR_RNDN); /* among the digits */
-        at = at < 0 ? 0 : at + (at >= whole && point != NULL);
-        at = start - got + (at < end - start ? at : end - start);
+        const double places = floor(mpfr_get_d(is, MPFR_RNDN)) - floor(mpfr_get_d(off, MPFR_RNDN) + 1e-6); /* but for what inputs are rounded */
+        at = places >= 0.0 ? lead + (int)fmin(places, end) : sign;
+        at += lead < point && at >= point;
+        at = lead >= end || at > end ? end : at;
     }
-    mpfr_clears(off, other, (mpfr_ptr)NULL);
-    return (int)at;
+    mpfr_clears(is, off, (mpfr_ptr)NULL);
+    return at;
 }
 
 /* ---- one vector ---- */

@@ -117,15 +117,13 @@ void test_vector_make(struct test_vector *vector, const struct test_sets *sets, 
     vector->set = set;
     if (at < (uint64_t)set->golden_count) {
         vector->golden = &set->golden[at];
-        vector->drawn_inside = false;
         snprintf(vector->id, sizeof vector->id, "%s", vector->golden->id);
         vector->numbers = vector_read(s, (const char *const *)vector->golden->texts, vector->inputs);
         return;
     }
     const uint64_t number = at - (uint64_t)set->golden_count;
     vector->golden = NULL;
-    vector->drawn_inside = number < set->random;
-    if (vector->drawn_inside) {
+    if (number < set->random) {
         random_id(vector->id, s, sets->seed, "", number);
         sample(&set->operation, sets->seed, number, vector->values, vector->inputs);
     } else {

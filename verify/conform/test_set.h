@@ -46,7 +46,6 @@ struct test_vector {
     struct test_set *set;
     const struct golden_vector *golden; /* NULL: a random one                              */
     bool numbers;                       /* the inputs are numbers, infinite where they may */
-    bool drawn_inside;                  /* a random one that needs no look at the domain   */
     char id[LONGEST_ID + 1];
     struct input *inputs;
     double values[MOST_INPUTS];         /* of a random one */
