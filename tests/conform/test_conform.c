@@ -63,6 +63,7 @@ static const struct {
     {THREE "hang", 1, " 1 time-out\n  eq07-random-7: time-out\n    Omega      4.497"},
     {THREE "crash", 1, " 1 crash\n"},
     {THREE "exit-3", 1, "\nthe client ended with exit status 3 after 111 of 111 answers\n"},
+    {"--only eq38 -- sh -c '\"$0\"; kill -SEGV $$' FAULTY", 1, "\nthe client ended with signal 11 after 27 of 27 answers\n"},
     {THREE "truncated", 1, "\nthe client ended after 10 of 111 answers\n"},
     {THREE "truncated", 1, "  first truncated: eq07-random-7 -1.3\n    the last line has no LF\n"},
     {THREE "malformed", 1, "  first malformed: eq07-random-7 1.5 oops\n    'oops' is no number\n"},
@@ -234,6 +235,14 @@ TEST(roots_are_shown_as_a_set_with_a_mark_below_what_is_wrong)
                 "                                  ^\n    re3 ");
     assert_says("got      -3.0327232498739167e-05\n    im4        expected 3.8823610912141664092e-05\n");
     ck_assert_ptr_null(strstr(strstr(said, " ^\n") + 1, " ^\n"));
+}
+
+/* Every golden vector of every operation, and those of the four levels are the same. */
+TEST(all_that_there_is_is_asked)
+{
+    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && \"$CT_PROGRAM\" conform --questions --range | tee questions | cut -d' ' -f2 | sort >asked && "
+                            "\"$CT_PROGRAM\" conform --questions --range --only method,flows,roots,algebra | cmp - questions"), 0);
+    ck_assert_int_eq(system("sed -s 1d data/golden/*.csv | cut -d, -f1 | sort | cmp - \"$CT_BUILD/tests/asked\""), 0);
 }
 
 TEST(vectors_are_asked_one_by_one)
