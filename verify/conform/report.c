@@ -72,7 +72,7 @@ static const char *error_text(double E)
 static const char *digits_text(double digits)
 {
     static char text[LONGEST_NUMBER];
-    if (isinf(digits) && digits > 0.0)
+    if (digits == INFINITY)
         return "exact";
     snprintf(text, LONGEST_NUMBER, "%.1f", floor(10.0 * fmax(digits, 0.0)) / 10.0);
     return text;
@@ -81,24 +81,7 @@ static const char *digits_text(double digits)
 static double summary_digits(const struct test_run *e, int set)
 {
     const struct summary *t = &e->summaries[set];
-    if (is_motion(section_of_set(e, set)))
-        return t->digits;
-    return t->worst_E > 0.0 ? -log10(ldexp(t->worst_E, -e->significand)) : INFINITY;
-}
-
-/* "3 wrong, 1 missing" */
-static void outcomes_text(const struct summary *t, char *text, size_t size)
-{
-    char more[80];
-    text[0] = '\0';
-    for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED; i++) {
-        snprintf(more, sizeof more, "%" PRIu64 " %s", t->counts[i], outcome_names[i]);
-        if (t->counts[i] > 0)
-            add_text(text, size, ", ", more);
-    }
-    snprintf(more, sizeof more, "%" PRIu64 " of them as expected", t->expected);
-    if (t->expected > 0)
-        add_text(text, size, "; ", more);
+    return is_motion(section_of_set(e, set)) ? t->digits : -log10(ldexp(t->worst_E, -e->significand));
 }
 
 /* As far behind its first digit that counts as their difference is smaller, in powers of ten. */
@@ -246,13 +229,21 @@ static void line_text(const struct test_run *e, const char *line, enum outcome o
     fprintf(file, *hint != '\0' ? ": %s\n    %s\n" : ": %s\n", line, hint);
 }
 
+/* "eq07: 3 wrong, 1 missing", and one vector, or all, that fail so. */
 static void failure_text(struct test_run *e, int k, bool all, FILE *file)
 {
     const struct summary *t = &e->summaries[k];
-    char text[512];
+    const char *before = ":";
     struct record r;
-    outcomes_text(t, text, sizeof text);
-    fprintf(file, "\n%s: %s\n", section_of_set(e, k)->id, text);
+    fprintf(file, "\n%s", section_of_set(e, k)->id);
+    for (int i = OUTCOME_WRONG; i < OUTCOME_UNNAMED; i++)
+        if (t->counts[i] > 0) {
+            fprintf(file, "%s %" PRIu64 " %s", before, t->counts[i], outcome_names[i]);
+            before = ",";
+        }
+    if (t->expected > 0)
+        fprintf(file, "; %" PRIu64 " of them as expected", t->expected);
+    fputc('\n', file);
     if (all)
         test_run_rewind(e);
     else
@@ -399,7 +390,7 @@ static void put_xml(FILE *file, const char *text)
 }
 
 /* What is said of the client (no record), or of a vector, escaped. */
-static void put_written(FILE *file, const struct test_run *e, const struct record *r)
+static void write_failure(FILE *file, const struct test_run *e, const struct record *r, const char *message)
 {
     char *text = NULL;
     size_t size;
@@ -414,7 +405,9 @@ static void put_written(FILE *file, const struct test_run *e, const struct recor
     }
     if (fclose(stream) != 0)
         out_of_memory();
+    fprintf(file, "<failure message=\"%s\">", message);
     put_xml(file, text);
+    fputs("</failure>", file);
     free(text);
 }
 
@@ -424,21 +417,7 @@ static void write_suite(const char *name, uint64_t tests, uint64_t failures, uin
             name, tests, failures, skipped);
 }
 
-/* A vector of an operation, or what is said of the client itself (no record). */
-static void write_case(const struct test_run *e, const char *set, const char *name, const struct record *r, const char *failure,
-                       FILE *file)
-{
-    fprintf(file, "<testcase classname=\"%s\" name=\"%s\">", set, name);
-    if (r != NULL && (r->outcome == OUTCOME_SKIPPED || r->expected)) {
-        fprintf(file, "<skipped message=\"%s\"/>", r->expected ? "fails as expected" : "skipped");
-    } else if (failure != NULL) {
-        fprintf(file, "<failure message=\"%s\">", failure);
-        put_written(file, e, r);
-        fputs("</failure>", file);
-    }
-    fputs("</testcase>\n", file);
-}
-
+/* A suite an operation, a case a vector; and one of the client itself. */
 static void write_xml(const struct report *r, FILE *file)
 {
     struct test_run *e = r->run;
@@ -455,14 +434,20 @@ static void write_xml(const struct report *r, FILE *file)
             write_suite(section_of_set(e, k)->id, sum.vectors, sum.failed, sum.skipped + sum.expected, file);
         }
         open = k;
-        write_case(e, section_of_set(e, k)->id, vector_name(e, one.position), &one,
-                   one.outcome == OUTCOME_RIGHT ? NULL : outcome_names[one.outcome], file);
+        fprintf(file, "<testcase classname=\"%s\" name=\"%s\">", section_of_set(e, k)->id, vector_name(e, one.position));
+        if (one.outcome == OUTCOME_SKIPPED || one.expected)
+            fprintf(file, "<skipped message=\"%s\"/>", one.expected ? "fails as expected" : "skipped");
+        else if (one.outcome != OUTCOME_RIGHT)
+            write_failure(file, e, &one, outcome_names[one.outcome]);
+        fputs("</testcase>\n", file);
     }
     const bool bad = stray_count(e) > 0 || *e->ended != '\0';
     fputs(open >= 0 ? "</testsuite>\n" : "", file);
     write_suite("client", 1, bad, 0, file);
-    write_case(e, "client", "lines", NULL, bad ? "lines that answer nothing, or an end that is none" : NULL, file);
-    fputs("<system-err>", file);
+    fputs("<testcase classname=\"client\" name=\"lines\">", file);
+    if (bad)
+        write_failure(file, e, NULL, "lines that answer nothing, or an end that is none");
+    fputs("</testcase>\n<system-err>", file);
     put_xml(file, r->errors);
     fputs("</system-err>\n</testsuite>\n</testsuites>\n", file);
 }
@@ -549,12 +534,9 @@ static void write_json(const struct report *r, FILE *file)
     json_open(&j, NULL, '{');
     json_line(&j, 2);
     json_string(&j, "client", r->client);
-    json_line(&j, 2);
     write_totals(&j, &sum);
     json_value(&j, "oracle_seconds", "%.3f", r->seconds);
-    json_line(&j, 2);
     json_strings(&j, "ended", e->ended, "errors", r->errors);
-    json_line(&j, 2);
     json_open(&j, "lines", '[');
     for (int i = OUTCOME_UNNAMED; i < OUTCOMES; i++)
         if (e->strays[i].count > 0) {
