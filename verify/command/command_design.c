@@ -7,6 +7,7 @@
 #include "claims/sampling.h"
 #include "command/command.h"
 #include "motion/motion.h"
+#include "proof/identities.h"
 #include "proof/roots.h"
 #include "text/decimal.h"
 #include "text/json.h"
@@ -51,10 +52,8 @@ static const struct design_row design_rows[] = {
 };
 enum { DESIGN_ROWS = sizeof design_rows / sizeof *design_rows };
 
-/* What the formulas start from: the parameters, the roots; in radians of orbit the largest T and d; 1/lambda_d. */
-static const char *const design_inputs[] = {"Omega", "L_ref", "C1", "C2", "k_c", "m1", "m2", "re1", "im1", "re2", "im2",
-                                            "re3", "im3", "re4", "im4", "hold", "delay", "inverse_debye"};
-enum { DESIGN_PARAMETERS = 7, DESIGN_INPUTS = sizeof design_inputs / sizeof *design_inputs };
+/* What they start from beside the sheet's quantities: in radians of orbit the largest T and d; 1/lambda_d; and what the energy guarantees. */
+enum { HOLD, DELAY, INVERSE_DEBYE, GUARANTEED, DESIGN_INPUTS = GUARANTEED + GUARANTEES };
 
 struct design_number {
     const char *group, *name, *unit, *meaning;
@@ -65,33 +64,18 @@ struct design_number {
 struct design {
     struct scenario scenario;
     struct input lambda_d;
-    struct program program;
+    struct identities formulas;
     struct design_number numbers[DESIGN_ROWS + GUARANTEES];
     int count;
 };
 
 /* ---- numbers ---- */
 
-/* Of ID.OUTPUT, the id four letters long. */
-static int sheet_node(struct program *p, const struct sheet *sheet, const char *formula)
+static void add_number(struct design *d, const struct scope *scope, const char *group, const char *name, const char *unit,
+                       const char *meaning, const char *formula)
 {
-    char id[] = "eq..";
-    memcpy(id, formula, strlen(id));
-    const struct section *s = section_find(sheet, id);
-    const struct formulas *f = &s->corrected;
-    int *stand_in = xrealloc(NULL, (size_t)f->program.count, sizeof *stand_in), output = 0;
-    for (int i = 0; i < f->program.count; i++)
-        stand_in[i] = i < s->input_count ? program_find(p, s->inputs[i]->name) : -1;
-    while (strcmp(s->outputs[output]->name, formula + sizeof id) != 0)
-        output++;
-    const int node = program_copy_node(p, &f->program, f->outputs[output], stand_in);
-    free(stand_in);
-    return node;
-}
-
-static void add_number(struct design *d, const char *group, const char *name, const char *unit, const char *meaning, int node)
-{
-    program_name(&d->program, node, name);
+    const int node = identities_text(&d->formulas, scope, NULL, formula, 0);
+    program_name(&d->formulas.program, node, name);
     if (*group != '\0')
         d->numbers[d->count++] = (struct design_number){group, name, unit, meaning, node, NULL};
 }
@@ -99,21 +83,16 @@ static void add_number(struct design *d, const char *group, const char *name, co
 /* The rows, then what the energy guarantees, in SI. */
 static void design_formulas(struct design *d)
 {
-    const char *group = "";
-    struct program *p = &d->program;
-    struct message why;
-    size_t where;
-    program_init(p);
-    for (int i = 0; i < DESIGN_INPUTS; i++)
-        program_input(p, design_inputs[i]);
+    static const struct definitions none;
+    const char *names[DESIGN_INPUTS] = {"hold", "delay", "inverse_debye"}, *group = "";
+    const struct scope scope = {.sheet = d->scenario.sheet, .definitions = &none, .names = names, .name_count = DESIGN_INPUTS};
     for (int i = 0; i < GUARANTEES; i++)
-        program_input(p, guarantees[i].name);
+        names[GUARANTEED + i] = guarantees[i].name;
+    identities_open(&d->formulas, &scope);
     for (int i = 0; i < DESIGN_ROWS; i++) {
         const struct design_row *r = &design_rows[i];
-        const bool of_sheet = strncmp(r->formula, "eq", 2) == 0 && r->formula[4] == '.';
         group = r->group != NULL ? r->group : group;
-        add_number(d, group, r->name, r->unit, r->meaning,
-                   of_sheet ? sheet_node(p, d->scenario.sheet, r->formula) : program_parse(p, r->formula, &where, &why));
+        add_number(d, &scope, group, r->name, r->unit, r->meaning, r->formula);
     }
     group = "basin of rest at L_ref, by the energy of the nonlinear model without screening";
     for (int i = 0; i < GUARANTEES; i++) {
@@ -124,7 +103,7 @@ static void design_formulas(struct design *d)
             group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses); pushes of one "
                     "craft against the other";
         if (g->meaning != NULL)
-            add_number(d, group, g->name, g->unit, g->meaning, program_parse(p, formula, &where, &why));
+            add_number(d, &scope, group, g->name, g->unit, g->meaning, formula);
     }
 }
 
@@ -143,32 +122,34 @@ static bool enclose_root_parts(acb_ptr roots, const struct scenario *s, const ar
 
 static void enclose_inputs(struct machine *m, const struct scenario *s, const struct input *lambda_d, slong prec)
 {
+    static const char *const names[] = {"Omega", "L_ref", "C1", "C2", "k_c", "m1", "m2"};
+    static const char *const root_names[][2] = {{"re1", "im1"}, {"re2", "im2"}, {"re3", "im3"}, {"re4", "im4"}};
+    const int first = m->program->inputs - DESIGN_INPUTS;
     FLOW_PARAMETERS(p);
     SCOPE(arb, c1, c2);
     VECTOR(acb, roots, 4);
     VECTOR(arb, guaranteed, GUARANTEES);
     scenario_parameters(&p, s, prec);
-    arb_srcptr parameters[DESIGN_PARAMETERS] = {p.Omega, p.L_ref, p.C1, p.C2, p.k_c, p.m1, p.m2};
-    int next = 0;
-    for (int i = 0; i < DESIGN_PARAMETERS; i++)
-        arb_set(machine_value(m, next++), parameters[i]);
+    arb_srcptr parameters[] = {p.Omega, p.L_ref, p.C1, p.C2, p.k_c, p.m1, p.m2};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        arb_set(machine_value(m, program_find(m->program, names[i])), parameters[i]);
     flow_gains(c1, c2, &p, prec);
     const bool isolated = enclose_root_parts(roots, s, c1, c2, p.Omega, prec);
     for (int i = 0; i < 4; i++) {
         if (!isolated)
             acb_indeterminate(roots + i); /* LCOV_EXCL_LINE: only where two roots meet at gains that are not rational */
-        acb_get_real(machine_value(m, next++), roots + i);
-        acb_get_imag(machine_value(m, next++), roots + i);
+        acb_get_real(machine_value(m, program_find(m->program, root_names[i][0])), roots + i);
+        acb_get_imag(machine_value(m, program_find(m->program, root_names[i][1])), roots + i);
     }
-    largest_hold(machine_value(m, next++), c1, c2, prec);
-    largest_delay(machine_value(m, next++), c1, c2, prec);
+    largest_hold(machine_value(m, first + HOLD), c1, c2, prec);
+    largest_delay(machine_value(m, first + DELAY), c1, c2, prec);
     if (!lambda_d->infinite) {
-        arb_set_fmpq(machine_value(m, next), &lambda_d->value, prec);
-        arb_inv(machine_value(m, next), machine_value(m, next), prec);
+        arb_set_fmpq(machine_value(m, first + INVERSE_DEBYE), &lambda_d->value, prec);
+        arb_inv(machine_value(m, first + INVERSE_DEBYE), machine_value(m, first + INVERSE_DEBYE), prec);
     }
     guarantees_enclose(guaranteed, c1, NULL, prec);
     for (int i = 0; i < GUARANTEES; i++)
-        arb_set(machine_value(m, ++next), guaranteed + i);
+        arb_set(machine_value(m, first + GUARANTEED + i), guaranteed + i);
 }
 
 /* Every digit of every number, by more and more bits; else the first number that stays open, or there is no rest. */
@@ -180,10 +161,10 @@ static int find_digits(struct design *d, slong digits)
     for (slong prec = first; prec <= most && open < d->count; prec *= 2) {
         struct machine m;
         SCOPE(arb, z);
-        machine_init(&m, &d->program, &arithmetic_ball, prec);
+        machine_init(&m, &d->formulas.program, &arithmetic_ball, prec);
         enclose_inputs(&m, &d->scenario, &d->lambda_d, prec);
         machine_run(&m);
-        rests = !arb_is_positive(machine_value(&m, program_find(&d->program, "spare")));
+        rests = !arb_is_positive(machine_value(&m, program_find(&d->formulas.program, "spare")));
         for (int i = 0; i < d->count; i++)
             if (d->numbers[i].digits == NULL) {
                 arb_set(z, machine_value(&m, d->numbers[i].node));
@@ -307,7 +288,7 @@ int command_design(const struct arguments *a)
         print_design(&d, digits, option_given(a, "--json"));
     for (int i = 0; i < d.count; i++)
         free(d.numbers[i].digits);
-    program_clear(&d.program);
+    identities_clear(&d.formulas);
     fmpq_clear(&d.lambda_d.value);
     scenario_clear(&d.scenario);
     return status;
