@@ -149,11 +149,11 @@ static const struct measure {
     bool in_units, compares, of_part;
 } measures[] = {
     {"sup_", supremum, PRODUCT, true, false, false},     {"ever_", ever, PLACE_Z, true, false, false},
-    {"bound_", bound, PLACE_Z, true, false, false},      {"peak_", peak, ERROR_Z, true, false, false},
-    {"low_", least, ERROR_Z, true, false, false},        {"high_", largest, ERROR_Z, true, false, false},
-    {"at_", value_at, ERROR_Z, true, false, false},      {"energy_of_", energy, PSI, false, false, false},
+    {"bound_", bound, PLACE_Z, true, false, false},      {"peak_", peak, PHASE, true, false, false},
+    {"low_", least, PHASE, true, false, false},        {"high_", largest, PHASE, true, false, false},
+    {"at_", value_at, PHASE, true, false, false},      {"energy_of_", energy, PSI, false, false, false},
     {"exit_", exit_of, PLACE_Z, false, false, true},     {"settled_", settled, PLACE_Z, false, false, true},
-    {"gap_", peak, ERROR_Z, true, true, false},          {"between_", supremum, PRODUCT, true, true, false},
+    {"gap_", peak, PHASE, true, true, false},          {"between_", supremum, PRODUCT, true, true, false},
     {"part_", part, PLACE_Z, false, true, false},        {"changes_", sign_changes, PLACE_Z, false, false, false},
 };
 enum { MEASURES = sizeof measures / sizeof *measures };

@@ -24,11 +24,6 @@ void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec)
     arb_set_fmpq(x, value, prec);
 }
 
-static void enclose(const struct sheet *s, const char *id, arb_srcptr inputs, slong prec, arb_ptr outputs)
-{
-    section_enclose(section_find(s, id), inputs, prec, outputs);
-}
-
 /* The paper's scenario with the simulation's values, or with its state to start from. */
 static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simulation *s, slong prec)
 {
@@ -150,22 +145,7 @@ arb_ptr trajectory_sample(const struct trajectory *t, slong k)
 }
 
 const char *const variable_names[] = {"psi", "theta", "dL", "psi_dot", "theta_dot", "dL_dot", "x1", "y1", "z1",
-                                      "product", "amplitude", "phase", "error_x1", "error_y1", "error_z1"};
-
-/* (10) for small angles less the exact rotation, equal masses */
-static void small_angle_error(arb_t x, const struct trajectory *t, arb_srcptr sample, int axis)
-{
-    VECTOR(arb, in, 5); /* m1 m2 L psi theta */
-    VECTOR(arb, exact, 3);
-    arb_one(in);
-    arb_one(in + 1);
-    arb_add_ui(in + 2, sample + ETA, 1, t->prec);
-    arb_mul(in + 2, in + 2, t->L_ref, t->prec);
-    _arb_vec_set(in + 3, sample, 2);
-    enclose(t->steps->sheet, "eq10", in, t->prec, exact);
-    enclose(t->steps->sheet, "eq10lin", in, t->prec, in);
-    arb_sub(x, in + axis, exact + axis, t->prec);
-}
+                                      "product", "amplitude", "phase"};
 
 void trajectory_value(arb_t x, const struct trajectory *t, slong k, int which)
 {
@@ -180,9 +160,7 @@ void trajectory_value(arb_t x, const struct trajectory *t, slong k, int which)
         arb_mul_2exp_si(acb_imagref(z), sample + THETA_DOT, -1);
         arb_neg(acb_imagref(z), acb_imagref(z));
         (which == AMPLITUDE ? acb_abs : acb_arg)(x, z, t->prec);
-    } else if (which >= ERROR_X)
-        small_angle_error(x, t, sample, which - ERROR_X);
-    else
+    } else
         arb_set(x, sample + which);
 }
 

@@ -15,9 +15,9 @@ enum { ETA = DL, ETA_DOT = DL_DOT, PLACE_X, PLACE_Y, PLACE_Z, COORDINATES }; /* 
 
 /*
  * What follows from them: the charges, dQ/Q_ref = (c1 eta + c2 eta')/3 by (7) and (18); the amplitude of pitch,
- * sqrt(theta^2 + theta'^2/4), and its phase; what small angles leave out of (10) for equal masses, in m.
+ * sqrt(theta^2 + theta'^2/4), and its phase.
  */
-enum derived { PRODUCT = COORDINATES, AMPLITUDE, PHASE, ERROR_X, ERROR_Y, ERROR_Z, VARIABLES };
+enum derived { PRODUCT = COORDINATES, AMPLITUDE, PHASE, VARIABLES };
 extern const char *const variable_names[VARIABLES];
 
 /* What is NULL is the paper's own: Table 1, n = 10, 0.01 rad, 0.01 rad, 0.1 m, no rates. */
