@@ -214,6 +214,12 @@ EACH(a_verdict_by_itself_wants_all, 3)
     assert_ruled(text, _i == 1 ? VERDICT_NONE : HOLDS, _i != 1, _i == 1 ? "'b' is false" : "");
 }
 
+TEST(a_number_needs_nothing_proved)
+{
+    assert_ruled("c:\n  where: here\n  kind: beyond\n  claim: it\n  verdict: not decidable\n  why: so\n  evidence: it is {dL | 2}\n",
+                 NOT_DECIDABLE, true, "");
+}
+
 TEST(a_claim_has_not_too_many_assertions)
 {
     char text[4096], prove[1024] = "";
@@ -266,6 +272,7 @@ EACH(a_claim_may_rest_on_two, COUNT(pairs_of_claims))
     }
     read_claim(&s, all);
     statement_decide(&s, &s.list[2], &r);
+    ck_assert_ptr_eq(statement_find(&s, "e"), &s.list[2]);
     ck_assert_int_eq(r.verdict, pairs_of_claims[_i].verdict);
     ck_assert_int_eq(r.as_written, r.verdict == HOLDS);
     ck_assert_int_eq(r.how, pairs_of_claims[_i].how);
@@ -299,6 +306,7 @@ static const struct {
     {"9.99 | 2", "10", EXACT},             {"sqrt(99.99) | 3", "10.0", EXACT},
     {"1.51e12*sqrt(1) | 2 up", "1.6e+12", EXACT}, {"dL - 1/10 | 2 up", "0", EXACT},
     {"L | 2 up", NULL, EXACT}, {"12/17 | exact", "12/17", EXACT},
+    {"1/3 | 60", "0.333333333333333333333333333333333333333333333333333333333333", EXACT},
 };
 
 EACH(numbers_have_proved_digits_or_none, COUNT(numbers))
@@ -449,6 +457,38 @@ static const struct {
     {"a: dL > 0", "a: {claim: d}", "t:7:16: expected a claim that stands before"},
     {"a: dL > 0", "a: {claim: c}", "t:7:16: expected a claim that stands before"},
     {"a: dL > 0", "a: {compute: nothing}", "t:7:18: unknown computation"},
+    {"a: dL > 0", "a: {compute: [linear_10]}", "t:7:18: unknown computation"},
+    {PROVE "\n    b: dL < 1/2", "  prove:\n    r: {root: y^2 - 2, on: {y: [1, 2]}}\n    a: {show: dL > 0, at: {x: r}}\n    b: dL < 1/2",
+     "t:7:8: c stands without 'r'"}, /* x, and with it r, is in no formula */
+    {"a: dL > 0", "a: {root: a + x - 2, on: {x: [0, 3]}}", "t:7:8: 'a' rests on itself"},
+    {"a: dL > 0", "a: {show: dL > x, at: {x: {y: 1}}}", "t:7:31: expected a value, or several"},
+    {"a: dL > 0", "a: {show: dL > x, at: {x: [1, 2, 3, 4, 5, 6, 7, 8, 9]}}", "t:7:31: expected a value, or several"},
+    {"a: dL > 0", "a: {root: x, on: [[0, 1]]}", "t:7:22: expected on"},
+    {"a: dL > 0", "a: {root: x, on: {x: {l: 0, h: 1}}}", "t:7:22: expected on"},
+    {"a: dL > 0", "a: {root: x, on: {x: 5}}", "t:7:22: expected on"},
+    {"a: dL > 0", "a: {show: {b: dL > 0}}", "t:7:15: expected a list"},
+    {"a: dL > 0", "a: {roots: x, on: {x: [0]}}", "t:7:8: expected a count"},
+    {"a: dL > 0", "a: {roots: x, on: {x: [0]}, count: -1}", "t:7:40: expected a count"},
+    {"a: dL > 0", "a: {roots: x, on: {x: [0]}, count: 1x}", "t:7:40: expected a count"},
+    {"a: dL > 0", "a: {rank: [1]}", "t:7:15: expected a count"},
+    {PROVE, "  given: {system: [psi]}\n  prove:\n    a: {rank: 1}", "t:6:19: expected a mapping"},
+    {PROVE, "  given: {system: {psi: 1, theta: 1, dL: 1, psi_dot: 1, theta_dot: 1, dL_dot: 1, L: 1}}\n  prove:\n    a: {rank: 1}",
+     "t:6:19: expected a system"},
+    {PROVE, "  given: {system: {psi: psi_dot}}\n  prove:\n    a: {rank: 1, observe: [psi]}", "t:8:27: expected control"},
+    {PROVE, "  given: {system: {psi: psi_dot}}\n  prove:\n    a: {rank: 1, observe: L}", "t:8:27: expected control"},
+    {PROVE, "  given: {fre: [x]}\n" PROVE, "unknown key 'fre'"},
+    {"verdict: {holds: [a, b]}\n  prove:\n    a: dL > 0", "verdict: {holds: [a, b]}\n  prove:\n    a: {compute: escaping_10}",
+     "t:5:20: expected a name of prove, but no computation"},
+    {"verdict: {holds: [a, b]}", "verdict: undecided", "t:5:12: expected a verdict"},
+    {"verdict: {holds: [a, b]}", "verdict: [holds]", "t:5:12: expected verdict"},
+    {"kind: beyond", "kind: beyond\n  why: so {dL | 2}", "t:4:12: expected no number"},
+    {"where: here", "where: here {dL | 2}", "t:2:16: expected no number"},
+    {"evidence: >-\n    so", "evidence: >-\n    so { | 2}", "t:10:9: expected"},
+    {"evidence: >-\n    so", "evidence: >-\n    so {dL | 0}", "t:10:14: expected {FORMULA | DIGITS}"},
+    {"evidence: >-\n    so", "evidence: >-\n    so {dL | 61}", "t:10:14: expected {FORMULA | DIGITS}"},
+    {"evidence: >-\n    so", "evidence: >-\n    so {dL | 2 upp}", "t:10:14: expected {FORMULA | DIGITS}"},
+    {"evidence: >-\n    so", "evidence: >-\n    so {dL | 2 up!}", "t:10:14: expected {FORMULA | DIGITS}"},
+    {"evidence: >-\n    so", "evidence: >-\n    so {dL | up}", "t:10:14: expected {FORMULA | DIGITS}"},
     {"a: dL > 0", "a: {show: dL > y, at: {y: z}}", "t:7:31: unknown symbol 'z'"},
     {"evidence: >-\n    so", "evidence: >-\n    so {dL} and\n    so", "t:10:9: expected {FORMULA | DIGITS}"},
     {"evidence: >-\n    so", "evidence: >-\n    so\n    it {dL | many} so", "t:11:14: expected {FORMULA | DIGITS}"},

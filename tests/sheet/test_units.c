@@ -128,7 +128,7 @@ static void number_of(arb_t x, struct statements *claims, struct statement *s, c
 {
     enum how how = EXACT;
     const struct bindings b = {.all = claims, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = 256, .how = &how};
-    formula_enclose(x, q->formula, &b);
+    formula_enclose(x, &q->formula, &b);
 }
 
 /* What has numbers with units of their own: constants of nature, times of day, steps of 100 s, values of a case. */
@@ -136,7 +136,7 @@ static bool has_other_units(const char *id)
 {
     static const char *const all[] = {"non-keplerian-periods", "charge-error", "debye-escape", "coulomb-constant", "orbit-rate", "own-gravity",
                                       "power-and-bandwidth", "charging-devices", "reach", "step-below-period", "two-revolutions",
-                                      "equal-distances"};
+                                      "equal-distances", "runge-kutta-kind"};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         if (strcmp(all[i], id) == 0)
             return true;
@@ -162,7 +162,7 @@ TEST(numbers_of_the_evidence_have_their_units)
             ulong computed = 0;
             for (int a = 0; a < s->assertion_count; a++)
                 computed |= (ulong)(s->assertions[a].kind == ASSERT_COMPUTE) << a;
-            if ((q->formula->uses & computed) != 0 || has_other_units(s->id))
+            if ((q->formula.uses & computed) != 0 || has_other_units(s->id))
                 continue;
             number_of(x, &claims, s, q);
             grow_values(were, false);

@@ -58,12 +58,12 @@ static void number_decide(struct statements *all, struct statement *s, struct qu
     struct bindings b = {.all = all, .statement = s, .at = &s->at, .at_count = s->at.count, .bits = FIRST, .how = &q->how};
     SCOPE(fmpq, exact);
     SCOPE(arb, x);
-    if (q->decimal == NULL && formula_rational(exact, q->formula, &b)) {
+    if (q->decimal == NULL && formula_rational(exact, &q->formula, &b)) {
         arb_set_fmpq(x, exact, LAST);
         q->decimal = q->rounding == AS_RATIONAL ? rational_text(exact) : number_text(q, x, exact);
     }
     for (; q->decimal == NULL && b.bits <= LAST; b.bits *= 4) {
-        formula_enclose(x, q->formula, &b);
+        formula_enclose(x, &q->formula, &b);
         q->decimal = number_text(q, x, NULL);
     }
 }

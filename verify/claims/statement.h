@@ -11,19 +11,19 @@
 #include "claims/marked.h"
 #include "proof/derivation.h"
 
-enum { MOST_ASSERTIONS = 40, MOST_VERDICTS = 4, MOST_TURNS = 8, MOST_CITED = 8 };
+enum { MOST_ASSERTIONS = 40, MOST_TURNS = 8, MOST_CITED = 8, MOST_STATES = 6 };
 
 /* A formula over whatever has a name where it stands. */
 struct formula {
-    struct program program;
+    const struct program *program; /* NULL: there is none */
     int node;
     ulong uses; /* a bit for each assertion that it takes a number of */
 };
 
-/* `at`: a name's values, one after another, or its one value and its uncertainty; NULL: it has none. */
+/* `at`: a name's values, one after another, or its one value and its uncertainty, if it has one. */
 struct value {
     const char *name;
-    const struct formula *of[MOST_TURNS], *radius;
+    struct formula of[MOST_TURNS], radius;
     int turns;
     ulong uses;
 };
@@ -40,8 +40,8 @@ enum assertion_kind {
 /* States and their rates, in which they are linear. */
 struct linear_system {
     int size;
-    const struct formula *of;             /* its program */
-    int states[12], rates[12];            /* nodes */
+    const struct program *of;
+    int states[MOST_STATES], rates[MOST_STATES]; /* nodes */
     int control, observe;                 /* a node, -1; a state's index, -1 */
 };
 
@@ -50,14 +50,13 @@ struct assertion {
     const struct yaml *node;
     enum assertion_kind kind;
     int sign;                     /* of left - right: -1, 0, 1                          */
-    struct identities identity;   /* of an equality for all values                      */
-    bool everywhere;              /* ... which it is                                    */
+    const struct identities *identity; /* an equality for all values; NULL: it is none  */
     bool algebra;                 /* ... with nothing of the sheet in it                */
-    const struct formula *formula; /* left - right; whose roots                         */
+    struct formula formula;       /* left - right; whose roots                          */
     int right;                    /* node of it                                         */
     bool loose;                   /* right is a number alone, yet at no turn within ten of left */
     const char *variable;         /* that moves between low and high; NULL: none        */
-    const struct formula *low, *high; /* of roots low alone                             */
+    struct formula low, high;     /* of roots low alone                                 */
     struct values at;
     long count;
     struct linear_system system;
@@ -73,7 +72,7 @@ struct assertion {
 enum rounding { TO_DIGITS, UPWARD, DOWNWARD, AS_RATIONAL };
 
 struct quoted_number {
-    const struct formula *formula;
+    struct formula formula;
     const char *text, *unit;
     enum rounding rounding;
     slong digits;
@@ -91,11 +90,11 @@ struct verdict_condition {
 struct statement {
     const char *id, *where, *kind, *claim, *why, *evidence;
     int word_of_kind;
-    const struct yaml *given, *prove, *verdict;
+    const struct yaml *given, *system, *prove, *verdict;
     struct assertion *assertions;
     int assertion_count;
-    enum verdict verdicts[MOST_VERDICTS];
-    struct verdict_condition conditions[MOST_VERDICTS];
+    enum verdict verdicts[VERDICTS];
+    struct verdict_condition conditions[VERDICTS];
     int verdict_count;
     const char *equations[8];     /* it is a reason of the verdicts on these, too */
     int equation_count;
@@ -112,8 +111,9 @@ struct statements {
     int count;
     struct computations computed;
     char **texts;
-    struct formula **formulas;
-    int text_count, formula_count;
+    const char **names; /* of the statement that is read */
+    struct identities **formulas; /* of an entry each, or of the evidence */
+    int text_count, name_count, formula_count;
 };
 
 /* Reads them; -1 and "name:line:column: expected ..." where the sheet is broken. A step is proved when a verdict asks. */

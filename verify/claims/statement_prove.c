@@ -37,7 +37,7 @@ struct graph {
 static bool graph_init(struct graph *g, const struct formula *f, const char *variable, const struct bindings *b)
 {
     struct bindings moving = *b;
-    program_copy(&g->program, &f->program);
+    program_copy(&g->program, f->program);
     g->curve = (struct curve){&g->machine, program_find(&g->program, variable), f->node, f->node};
     if (g->curve.x >= 0)
         g->curve.slope = program_slope(&g->program, f->node, g->curve.x);
@@ -50,8 +50,8 @@ static bool graph_init(struct graph *g, const struct formula *f, const char *var
 /* The bounds between which an unknown moves; false: none, or reversed. */
 static bool bounds_enclose(arb_t low, arb_t high, const struct assertion *a, const struct bindings *b)
 {
-    formula_enclose(low, a->low, b);
-    formula_enclose(high, a->high, b);
+    formula_enclose(low, &a->low, b);
+    formula_enclose(high, &a->high, b);
     return arb_le(low, high);
 }
 
@@ -105,11 +105,11 @@ static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const ch
     struct machine m;
     b.moving = variable;
     symbolic_begin(1, 0);
-    machine_init(&m, &formula->program, &arithmetic_symbolic, 1);
+    machine_init(&m, formula->program, &arithmetic_symbolic, 1);
     bool known = machine_bind(&m, formula->node, false, &b);
     if (known) {
-        symbolic_set_variable(machine_value(&m, program_find(&formula->program, variable)), 0, 0, NULL);
-        machine_run(&m);
+        symbolic_set_variable(machine_value(&m, program_find(formula->program, variable)), 0, 0, NULL);
+        machine_run_to(&m, formula->node);
         known = symbolic_get_polynomial(f, machine_value(&m, formula->node));
     }
     machine_clear(&m);
@@ -126,13 +126,13 @@ slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slon
     b.how = of->how;
     const bool bounded = bounds_enclose(low, high, a, &b);
     b.bits = 2 * bits;
-    const slong count = graph_init(&g, a->formula, a->variable, &b) && bounded ? isolate_between(one, &g.curve, low, high) : -1;
+    const slong count = graph_init(&g, &a->formula, a->variable, &b) && bounded ? isolate_between(one, &g.curve, low, high) : -1;
     arb_indeterminate(z);
     if (count == 1) {
         narrow_root(one, curve_series, &g.curve, 2 * bits);
         arb_set(z, one);
     }
-    if (!polynomial_of(f, a->formula, a->variable, &b))
+    if (!polynomial_of(f, &a->formula, a->variable, &b))
         weaken(&b, CERTIFIED);
     graph_clear(&g);
     return count;
@@ -143,7 +143,7 @@ slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slon
 /* Whether a bound is zero, within ten of what it bounds, which is z more, or next to nothing where that may be 0. */
 static bool is_tight(const struct assertion *a, const struct bindings *b, const arb_t z)
 {
-    struct formula right = *a->formula;
+    struct formula right = a->formula;
     SCOPE(arb, bound, left, ten);
     right.node = a->right;
     formula_enclose(bound, &right, b);
@@ -162,10 +162,10 @@ static enum truth sign_at(struct assertion *a, const struct bindings *at)
     struct bindings b = *at;
     SCOPE(fmpq, q);
     SCOPE(arb, z);
-    const bool rational = formula_rational(q, a->formula, &b);
+    const bool rational = formula_rational(q, &a->formula, &b);
     arb_set_fmpq(z, q, PROVING_BITS);
     for (b.bits = PROVING_BITS; !rational && sign_of_ball(z) == 0 && b.bits <= MOST_PROVING_BITS; b.bits *= 2) {
-        formula_enclose(z, a->formula, &b);
+        formula_enclose(z, &a->formula, &b);
         weaken(&b, CERTIFIED);
     }
     const int sign = sign_of_ball(z);
@@ -183,7 +183,7 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b)
     struct graph g;
     SCOPE(arb, low, high);
     const bool bounded = bounds_enclose(low, high, a, b);
-    if (graph_init(&g, a->formula, a->variable, b) && bounded) {
+    if (graph_init(&g, &a->formula, a->variable, b) && bounded) {
         if (sign_of_ball(curve_at(&g.curve, low)) == -sign || sign_of_ball(curve_at(&g.curve, high)) == -sign)
             truth = FOUND_FALSE;
         else if (sign_between(&g.curve, low, high, sign, DEEPEST_BISECTION))
@@ -220,7 +220,7 @@ static enum truth roots_counted(const struct assertion *a, const struct bindings
 {
     SCOPE(fmpq_poly, f);
     SCOPE(fmpq, low);
-    if (!polynomial_of(f, a->formula, a->variable, b) || fmpq_poly_is_zero(f) || !formula_rational(low, a->low, b))
+    if (!polynomial_of(f, &a->formula, a->variable, b) || fmpq_poly_is_zero(f) || !formula_rational(low, &a->low, b))
         return UNDECIDED;
     return roots_beyond(f, low) == a->count ? FOUND_TRUE : FOUND_FALSE;
 }
@@ -228,18 +228,19 @@ static enum truth roots_counted(const struct assertion *a, const struct bindings
 /* A derivative of each rate by each state, and by the control. */
 static bool system_matrix(fmpq_mat_t A, fmpq_mat_t column, const struct linear_system *l, const struct bindings *b)
 {
-    struct formula entry;
+    struct program program;
+    struct formula entry = {.program = &program};
     bool rational = true;
-    program_copy(&entry.program, &l->of->program);
+    program_copy(&program, l->of);
     for (int i = 0; i < l->size; i++)
         for (int j = 0; j <= l->size && rational; j++) {
             const int by = j < l->size ? l->states[j] : l->control;
             if (by < 0)
                 continue;
-            entry.node = program_slope(&entry.program, l->rates[i], by);
+            entry.node = program_slope(&program, l->rates[i], by);
             rational = formula_rational(j < l->size ? fmpq_mat_entry(A, i, j) : fmpq_mat_entry(column, i, 0), &entry, b);
         }
-    program_clear(&entry.program);
+    program_clear(&program);
     return rational;
 }
 
@@ -338,8 +339,8 @@ void assertion_find(struct statements *all, struct statement *s, struct assertio
     if (a->done)
         return;
     a->done = true;
-    if (a->everywhere)
-        a->truth = identity_found(&a->identity);
+    if (a->identity != NULL)
+        a->truth = identity_found(a->identity);
     else if (a->kind == ASSERT_STEP || a->kind == ASSERT_CLAIM)
         a->truth = cited_found(all, a);
     else if (a->kind != ASSERT_COMPUTE)

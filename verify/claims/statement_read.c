@@ -6,15 +6,13 @@
 #include "claims/statement.h"
 #include "text/scope.h"
 
-enum { MOST_NAMES = 128 };
-
 /* What is being read. */
 struct claim_reading {
     struct statements *all;
     struct statement *statement;
-    const char *names[MOST_NAMES]; /* that its formulas may have beside the sheet's and the declared ones */
-    int name_count;
     const struct yaml *entry; /* a mapping of `prove`; NULL: none */
+    struct scope scope;       /* of its formulas, */
+    struct identities *formulas; /* which are read into one program */
     struct values *at;        /* read so far */
     ulong uses;               /* the assertions that formulas took numbers of */
 };
@@ -39,6 +37,12 @@ static bool entry_error(const struct claim_reading *r, const struct yaml *node, 
     return node_error(node != NULL ? node : r->entry, 0, "%s", expected);
 }
 
+/* Of a scalar; else nothing. */
+static const char *text_of(const struct yaml *node)
+{
+    return node != NULL && node->text != NULL ? node->text : "";
+}
+
 /* One text, or a list of them. */
 static bool are_texts(const struct yaml *node, int most, const char *expected)
 {
@@ -53,13 +57,10 @@ static const struct yaml *text_at(const struct yaml *node, int i)
 
 /* ---- names ---- */
 
+/* Names that the statement's formulas may have beside the sheet's and the declared ones. */
 static void add_name(struct claim_reading *r, const char *name)
 {
-    for (int i = 0; i < r->name_count; i++)
-        if (strcmp(r->names[i], name) == 0)
-            return;
-    if (r->name_count < MOST_NAMES)
-        r->names[r->name_count++] = name;
+    *APPENDED(r->all->names, r->all->name_count) = name;
 }
 
 static void add_keys(struct claim_reading *r, const struct yaml *mapping)
@@ -75,25 +76,24 @@ static void add_numbers(struct claim_reading *r, struct computed *c, const char 
     const size_t length = strlen(entry);
     for (int i = 0; i < node->count; i++)
         add_numbers(r, c, entry, &node->items[i]);
-    for (const char *at = node->text; at != NULL && (at = strstr(at, entry)) != NULL; at += length) {
-        const size_t all = at[length] == '.' ? length + 1 + strspn(at + length + 1, of_names) : 0;
-        if (all > length + 1 && (at == node->text || strchr(of_names, at[-1]) == NULL)) {
-            const char *name = keep_text(r->all, at, all);
+    for (const char *at = node->text; at != NULL && (at = strstr(at, entry)) != NULL; at += length)
+        if (at[length] == '.') {
+            const char *name = keep_text(r->all, at, length + 1 + strspn(at + length + 1, of_names));
             computed_ask(c, name + length + 1);
             add_name(r, name);
         }
-    }
 }
 
 /* The numbers of `given` and of each entry: its root or its computation's; its values, what moves. */
 static void collect_names(struct claim_reading *r, const struct yaml *statement)
 {
     const struct yaml *prove = under(statement, "prove");
+    r->all->name_count = 0;
     add_name(r, "pi");
     add_keys(r, under(under(statement, "given"), "at"));
     for (int i = 0; prove != NULL && i < prove->count; i++) {
-        const struct yaml *entry = &prove->items[i], *compute = under(entry, "compute");
-        struct computed *c = compute != NULL && compute->text != NULL ? computed_find(&r->all->computed, compute->text) : NULL;
+        const struct yaml *entry = &prove->items[i];
+        struct computed *c = computed_find(&r->all->computed, text_of(under(entry, "compute")));
         add_keys(r, under(entry, "at"));
         add_keys(r, under(entry, "on"));
         if (under(entry, "root") != NULL)
@@ -105,75 +105,58 @@ static void collect_names(struct claim_reading *r, const struct yaml *statement)
 
 /* ---- formulas ---- */
 
-/* Formulas that are read into one program, and the names that they may have. */
-struct parsing {
-    struct scope scope;
-    struct identities identities;
-    bool fine; /* as yet */
-};
-
-static void parsing_open(struct parsing *f, const struct claim_reading *r)
+/* What follows is read into one program, with the names and definitions of the entry; NULL: of what is given alone. */
+static bool open_formulas(struct claim_reading *r, const struct yaml *entry)
 {
     static const struct yaml nothing = {.mapping = true};
-    f->identities = (struct identities){.order = -1};
-    f->scope = (struct scope){.sheet = r->all->sheet, .definitions = &r->all->proofs->definitions,
-                              .given = r->entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
-                              .names = r->names, .name_count = r->name_count};
-    f->fine = identities_open(&f->identities, &f->scope);
-}
-
-/* One that stands `shift` characters into a scalar: its node, or -1 after a complaint. */
-static int parsing_add(struct parsing *f, const struct yaml *node, const char *text, size_t shift)
-{
-    const int result = f->fine ? identities_text(&f->identities, &f->scope, node, text, shift) : -1;
-    f->fine = result >= 0;
-    return result;
+    r->entry = entry;
+    r->scope = (struct scope){.sheet = r->all->sheet, .definitions = &r->all->proofs->definitions,
+                              .given = entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
+                              .names = r->all->names, .name_count = r->all->name_count};
+    r->formulas = xrealloc(NULL, 1, sizeof *r->formulas);
+    *APPENDED(r->all->formulas, r->all->formula_count) = r->formulas;
+    return identities_open(r->formulas, &r->scope);
 }
 
 /* Which assertions a node takes numbers of; those that stand after it are open, and with them the node. */
-static ulong uses_of(const struct claim_reading *r, const struct program *p, int node)
+static ulong uses_of(const struct claim_reading *r, int node)
 {
+    const struct program *p = &r->formulas->program;
+    const struct yaml *prove = r->statement->prove;
     char *needed = program_needs(p, node, NULL);
     ulong uses = 0;
     for (int i = 0; i < p->inputs; i++) {
-        const char *name = p->names[i].text;
-        for (int k = 0; needed[i] && r->statement->prove != NULL && k < r->statement->prove->count; k++)
-            if (is_number_of(name, r->statement->prove->items[k].key))
-                uses |= UWORD(1) << k;
-        for (int k = 0; needed[i] && r->at != NULL && k < r->at->count; k++)
-            if (strcmp(r->at->list[k].name, name) == 0)
+        if (!needed[i])
+            continue;
+        for (int k = 0; prove != NULL && k < prove->count; k++)
+            uses |= (ulong)is_number_of(p->names[i].text, prove->items[k].key) << k;
+        for (int k = 0; k < r->at->count; k++)
+            if (strcmp(r->at->list[k].name, p->names[i].text) == 0)
                 uses |= r->at->list[k].uses;
     }
     free(needed);
     return uses;
 }
 
-/* A formula has the program, all else of them goes; NULL after a complaint. Without a node it is one of several. */
-static struct formula *parsing_close(struct parsing *f, struct claim_reading *r, int node)
+/* A node becomes a formula. */
+static bool take_node(struct claim_reading *r, struct formula *f, int node)
 {
-    struct formula *formula = xrealloc(NULL, 1, sizeof *formula);
-    *formula = (struct formula){f->identities.program, node, f->fine && node >= 0 ? uses_of(r, &f->identities.program, node) : 0};
-    *APPENDED(r->all->formulas, r->all->formula_count) = formula;
-    r->uses |= formula->uses;
-    program_init(&f->identities.program);
-    identities_clear(&f->identities);
-    return f->fine ? formula : NULL;
+    if (node < 0)
+        return false;
+    *f = (struct formula){&r->formulas->program, node, uses_of(r, node)};
+    r->uses |= f->uses;
+    return true;
 }
 
-static const struct formula *read_formula_text(struct claim_reading *r, const struct yaml *node, const char *text, size_t shift)
+/* One that stands `shift` characters into a scalar. */
+static bool read_formula_text(struct claim_reading *r, struct formula *f, const struct yaml *node, const char *text, size_t shift)
 {
-    struct parsing one;
-    parsing_open(&one, r);
-    const int found = parsing_add(&one, node, text, shift);
-    return parsing_close(&one, r, found);
+    return take_node(r, f, identities_text(r->formulas, &r->scope, node, text, shift));
 }
 
-static const struct formula *read_formula(struct claim_reading *r, const struct yaml *node)
+static bool read_formula(struct claim_reading *r, struct formula *f, const struct yaml *node)
 {
-    if (node->text != NULL)
-        return read_formula_text(r, node, node->text, 0);
-    entry_error(r, node, "expected a formula");
-    return NULL;
+    return (node->text != NULL || entry_error(r, node, "expected a formula")) && read_formula_text(r, f, node, node->text, 0);
 }
 
 /* ---- values ---- */
@@ -190,22 +173,21 @@ static bool read_value(struct claim_reading *r, struct value *v, const struct ya
 {
     const char *sign = node->text != NULL ? strstr(node->text, "+-") : NULL;
     const size_t length = sign != NULL ? (size_t)(sign - node->text) : 0;
+    bool fine = true;
     *v = (struct value){.name = node->key, .turns = 1};
     r->uses = 0;
     if (node->text == NULL) {
         if (!is_texts(node, MOST_TURNS) || (v->turns = node->count) == 0)
             return entry_error(r, node, "expected a value, or several");
-        for (int i = 0; i < v->turns; i++)
-            if ((v->of[i] = read_formula(r, &node->items[i])) == NULL)
-                return false;
+        for (int i = 0; i < v->turns && fine; i++)
+            fine = read_formula(r, &v->of[i], &node->items[i]);
     } else if (sign == NULL)
-        v->of[0] = read_formula(r, node);
-    else {
-        v->of[0] = read_formula_text(r, node, keep_text(r->all, node->text, length), 0);
-        v->radius = v->of[0] != NULL ? read_formula_text(r, node, sign + 2, length + 2) : NULL;
-    }
+        fine = read_formula(r, &v->of[0], node);
+    else
+        fine = read_formula_text(r, &v->of[0], node, keep_text(r->all, node->text, length), 0) &&
+               read_formula_text(r, &v->radius, node, sign + 2, length + 2);
     v->uses = r->uses;
-    return v->of[0] != NULL && (sign == NULL || v->radius != NULL);
+    return fine;
 }
 
 /* `at` of the entry, then those of `given` that it does not name. */
@@ -240,11 +222,11 @@ static bool read_values(struct claim_reading *r, struct values *at)
 static bool read_interval(struct claim_reading *r, struct assertion *a, int bounds)
 {
     const struct yaml *on = own(r, "on"), *range = on != NULL && on->mapping && on->count == 1 ? &on->items[0] : NULL;
-    if (range == NULL || range->key[0] == '\0' || range->text != NULL || range->mapping || range->count != bounds)
+    if (range == NULL || range->key[0] == '\0' || range->mapping || range->count != bounds)
         return entry_error(r, on, bounds == 2 ? "expected on: {name: [low, high]}" : "expected on: {name: [low]}");
     a->variable = range->key;
-    return is_no_let(r, range, AT_KEY, range->key) && (a->low = read_formula(r, &range->items[0])) != NULL &&
-           (bounds == 1 || (a->high = read_formula(r, &range->items[1])) != NULL);
+    return is_no_let(r, range, AT_KEY, range->key) && read_formula(r, &a->low, &range->items[0]) &&
+           (bounds == 1 || read_formula(r, &a->high, &range->items[1]));
 }
 
 /* Whether a node has no name in it. */
@@ -260,37 +242,36 @@ static bool is_nameless(const struct program *p, int node)
 static bool read_difference(struct claim_reading *r, struct assertion *a, const struct yaml *node, const char *sign)
 {
     const char *text = node->text, *left = keep_text(r->all, text, (size_t)(sign - text));
-    struct parsing f;
-    parsing_open(&f, r);
-    const int one = parsing_add(&f, node, left, 0);
-    a->right = parsing_add(&f, node, sign + 1, (size_t)(sign - text) + 1);
-    a->loose = f.fine && a->sign != 0 && a->variable == NULL && is_nameless(&f.identities.program, a->right);
-    a->formula = parsing_close(&f, r, f.fine ? program_append(&f.identities.program, OPERATOR_SUBTRACT, one, a->right, 0) : -1);
-    return a->formula != NULL;
+    struct program *p = &r->formulas->program;
+    const int one = identities_text(r->formulas, &r->scope, node, left, 0);
+    a->right = one >= 0 ? identities_text(r->formulas, &r->scope, node, sign + 1, (size_t)(sign - text) + 1) : -1;
+    if (a->right < 0)
+        return false;
+    a->loose = a->variable == NULL && is_nameless(p, a->right);
+    return take_node(r, &a->formula, program_append(p, OPERATOR_SUBTRACT, one, a->right, 0));
 }
 
 /* An equality for all values, or a list of them. */
 static bool read_identity(struct claim_reading *r, struct assertion *a, const struct yaml *node)
 {
-    struct parsing f;
     if (own(r, "at") != NULL || own(r, "on") != NULL)
         return entry_error(r, node, "expected no at and no on beside equalities for all values");
-    parsing_open(&f, r);
-    for (int i = 0; f.fine && text_at(node, i) != NULL; i++)
-        f.fine = identities_show(&f.identities, &f.scope, text_at(node, i));
-    f.fine = f.fine && identities_close(&f.identities, &f.scope);
-    a->everywhere = true;
-    a->identity = f.identities;
-    const struct equality *empty = f.fine && !a->algebra ? identities_tautology(&f.identities) : NULL;
-    return f.fine && (empty == NULL || node_error(empty->at, 0, "it holds whatever the sheet says, expected {algebra: left = right} for "
-                                                                "what is algebra alone"));
+    for (int i = 0; text_at(node, i) != NULL; i++)
+        if (!identities_show(r->formulas, &r->scope, text_at(node, i)))
+            return false;
+    if (!identities_close(r->formulas, &r->scope))
+        return false;
+    a->identity = r->formulas;
+    const struct equality *empty = a->algebra ? NULL : identities_tautology(r->formulas);
+    return empty == NULL || node_error(empty->at, 0, "it holds whatever the sheet says, expected {algebra: left = right} for what is "
+                                                     "algebra alone");
 }
 
 static bool read_show(struct claim_reading *r, struct assertion *a, const struct yaml *show)
 {
-    const char *sign = show->text != NULL ? side_end(show->text, "<=>") : "";
-    if (show->text == NULL && !show->mapping)
+    if (show->text == NULL)
         return are_texts(show, MOST_SHOWN, "expected equalities") && read_identity(r, a, show);
+    const char *sign = side_end(show->text, "<=>");
     if (*sign == '\0')
         return entry_error(r, show, "expected left = right, or < or > between them");
     a->sign = *sign - '=';
@@ -305,14 +286,13 @@ static bool read_show(struct claim_reading *r, struct assertion *a, const struct
 static bool read_algebra(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
     a->algebra = true;
-    return read_show(r, a, value) && (a->everywhere || entry_error(r, value, "expected equalities for all values"));
+    return read_show(r, a, value) && (a->identity != NULL || entry_error(r, value, "expected equalities for all values"));
 }
 
 static bool read_count(struct claim_reading *r, const struct yaml *node, long *count)
 {
-    char *end = NULL;
-    *count = node != NULL && node->text != NULL ? strtol(node->text, &end, 10) : -1;
-    return (end != NULL && *end == '\0' && *count >= 0) || entry_error(r, node, "expected a count: 0, 1, 2 ...");
+    char after;
+    return (sscanf(text_of(node), "%ld%c", count, &after) == 1 && *count >= 0) || entry_error(r, node, "expected a count: 0, 1, 2 ...");
 }
 
 /* The one root between two bounds, or how many there are above one. */
@@ -321,39 +301,35 @@ static bool read_root(struct claim_reading *r, struct assertion *a, const struct
     const bool one = a->kind == ASSERT_ROOT;
     if (one && a->at.turns > 1)
         return entry_error(r, own(r, "at"), "expected one value each: a root is one number");
-    return read_interval(r, a, one ? 2 : 1) && (a->formula = read_formula(r, value)) != NULL &&
+    return read_interval(r, a, one ? 2 : 1) && read_formula(r, &a->formula, value) &&
            (one || read_count(r, own(r, "count"), &a->count));
 }
 
 /* The rank of a system's matrix: states and their rates, in one program. */
 static bool read_rank(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
-    const struct yaml *system = under(r->statement->given, "system"), *control = own(r, "control"), *observe = own(r, "observe");
+    const struct yaml *system = r->statement->system, *control = own(r, "control"), *observe = own(r, "observe");
     struct linear_system *l = &a->system;
-    struct parsing f;
+    struct formula f;
     if (!read_count(r, value, &a->count))
         return false;
-    if (system == NULL || !is_map(system) || system->count == 0 || system->count > 12)
-        return entry_error(r, system, "expected a system, {state: its rate, ...} of at most 12 states");
-    parsing_open(&f, r);
+    if (system == NULL || system->count == 0 || system->count > MOST_STATES)
+        return entry_error(r, system, "expected a system, {state: its rate, ...} of at most 6 states");
+    l->of = &r->formulas->program;
+    l->size = system->count;
     l->observe = -1;
-    for (int i = 0; f.fine && i < system->count; i++) {
+    for (int i = 0; i < l->size; i++) {
         const struct yaml *rate = &system->items[i];
-        l->states[i] = program_find(&f.identities.program, rate->key);
+        l->states[i] = program_find(l->of, rate->key);
         if (l->states[i] < 0)
-            f.fine = node_error(rate, AT_KEY, "unknown symbol '%s', expected a quantity or a free name", rate->key);
-        else if (rate->text == NULL)
-            f.fine = entry_error(r, rate, "expected a formula");
-        else
-            l->rates[i] = parsing_add(&f, rate, rate->text, 0);
-        if (observe != NULL && observe->text != NULL && strcmp(observe->text, rate->key) == 0)
+            return node_error(rate, AT_KEY, "unknown symbol '%s', expected a quantity or a free name", rate->key);
+        if (!read_formula(r, &f, rate))
+            return false;
+        l->rates[i] = f.node;
+        if (strcmp(text_of(observe), rate->key) == 0)
             l->observe = i;
     }
-    l->size = system->count;
-    l->control = control != NULL && control->text != NULL ? program_find(&f.identities.program, control->text) : -1;
-    l->of = parsing_close(&f, r, -1);
-    if (l->of == NULL)
-        return false;
+    l->control = program_find(l->of, text_of(control));
     if ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0))
         return entry_error(r, control != NULL ? control : observe, "expected control: a quantity, or observe: a state");
     return true;
@@ -378,7 +354,7 @@ static bool read_cited(struct claim_reading *r, struct assertion *a, const struc
 
 static bool read_compute(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
-    a->computed = value->text != NULL ? computed_find(&r->all->computed, value->text) : NULL;
+    a->computed = computed_find(&r->all->computed, text_of(value));
     return a->computed != NULL || entry_error(r, value, "unknown computation, expected one of verify/claims/");
 }
 
@@ -405,13 +381,11 @@ static const struct form {
 
 enum { FORMS = sizeof forms / sizeof *forms };
 
-static const struct field given_fields[] = {FORMULA_FIELDS, {.key = "system"}, {.key = NULL}};
+static const struct field given_fields[] = {FORMULA_FIELDS, FIELD("system", struct statement, system, FIELD_MAP), {.key = NULL}};
 
 static bool read_assertion(struct claim_reading *r, struct assertion *a)
 {
-    r->entry = a->node->mapping ? a->node : NULL;
-    r->at = NULL;
-    if (!read_values(r, &a->at))
+    if (!open_formulas(r, a->node->mapping ? a->node : NULL) || !read_values(r, &a->at))
         return false;
     if (r->entry == NULL)
         return read_show(r, a, a->node);
@@ -482,7 +456,7 @@ static bool read_verdict(struct claim_reading *r, const char *verdict, const str
     int v = VERDICT_NONE + 1;
     while (v < VERDICTS && strcmp(verdict_names[v], verdict) != 0)
         v++;
-    if (v == VERDICTS || s->verdict_count == MOST_VERDICTS)
+    if (v == VERDICTS)
         return node_error(at, offset, "expected a verdict: holds, holds as corrected, qualified, refuted, definition or not decidable");
     struct verdict_condition *c = &s->conditions[s->verdict_count];
     s->verdicts[s->verdict_count++] = (enum verdict)v;
@@ -504,7 +478,7 @@ static bool read_verdicts(struct claim_reading *r, const struct yaml *node, cons
         return read_verdict(r, verdict_names[misprint ? HOLDS_AS_CORRECTED : HOLDS], statement, 0, NULL);
     if (node->text != NULL)
         return read_verdict(r, node->text, node, 0, NULL);
-    if (!is_map(node) || node->count == 0)
+    if (!node->mapping || node->count == 0)
         return entry_error(r, node, "expected verdict: {holds: condition, ...}");
     for (int i = 0; i < node->count; i++)
         if (!read_verdict(r, node->items[i].key, &node->items[i], AT_KEY, &node->items[i]))
@@ -517,7 +491,7 @@ static bool all_serve(const struct statement *s)
 {
     ulong serving = 0;
     for (int i = 0; i < s->number_count; i++)
-        serving |= s->numbers[i].formula->uses;
+        serving |= s->numbers[i].formula.uses;
     for (int i = s->assertion_count - 1; i >= 0; i--) { /* each uses earlier ones alone */
         serving |= s->conditions[0].wanted[i] != 0 ? UWORD(1) << i : 0;
         if ((serving >> i & 1) == 0)
@@ -533,24 +507,18 @@ static bool all_serve(const struct statement *s)
 static bool read_rounding(const char *text, struct quoted_number *n)
 {
     char word[8] = "", end;
-    n->rounding = TO_DIGITS;
     if (strcmp(text, "exact") == 0) {
         n->rounding = AS_RATIONAL;
         return true;
     }
     const int count = sscanf(text, "%ld %7[a-z]%c", &n->digits, word, &end);
-    if (count == 2 && strcmp(word, "up") == 0)
-        n->rounding = UPWARD;
-    else if (count == 2 && strcmp(word, "down") == 0)
-        n->rounding = DOWNWARD;
-    else if (count != 1)
-        return false;
-    return n->digits >= 1 && n->digits <= 60;
+    n->rounding = strcmp(word, "up") == 0 ? UPWARD : strcmp(word, "down") == 0 ? DOWNWARD : TO_DIGITS;
+    return count == (n->rounding == TO_DIGITS ? 1 : 2) && n->digits >= 1 && n->digits <= 60;
 }
 
 static const char *keep_trimmed(struct statements *s, const char *from, const char *to)
 {
-    while (from < to && *from == ' ')
+    while (*from == ' ') /* a bar or a brace stands behind */
         from++;
     while (from < to && to[-1] == ' ')
         to--;
@@ -571,7 +539,7 @@ static bool read_number(struct claim_reading *r, const struct yaml *node, const 
     if (bar == NULL || !read_rounding(keep_trimmed(r->all, bar + 1, last != NULL ? last : end), n))
         return node_error(node, start + (bar != NULL ? (size_t)(bar - at) + 1 : 0),
                           "expected {FORMULA | DIGITS}, DIGITS being 4, exact, 2 up or 2 down");
-    return (n->formula = read_formula_text(r, node, n->text, start + strspn(at, " "))) != NULL;
+    return read_formula_text(r, &n->formula, node, n->text, start + strspn(at, " "));
 }
 
 static bool read_marks(struct claim_reading *r, const struct yaml *node, bool numbers)
@@ -641,8 +609,7 @@ static bool read_statement(struct statements *all, const struct yaml *n)
     if ((s->given != NULL && !fields_read(s->given, given_fields, s)) || !check_equations(all->sheet, own(&r, "equations")) ||
         !read_prove(&r, s->prove))
         return false;
-    r.entry = NULL;
-    if (!read_values(&r, &s->at) || !read_marks(&r, under(n, "evidence"), true) || !read_verdicts(&r, s->verdict, n) || !all_serve(s))
+    if (!open_formulas(&r, NULL) || !read_values(&r, &s->at) || !read_marks(&r, under(n, "evidence"), true) || !read_verdicts(&r, s->verdict, n) || !all_serve(s))
         return false;
     const bool plain = s->verdicts[0] == HOLDS || s->verdicts[0] == DEFINITION;
     return plain || s->why != NULL || node_error(n, 0, "missing why, of a verdict other than holds and definition");
@@ -672,11 +639,8 @@ void statements_clear(struct statements *s)
 {
     for (int i = 0; i < s->count; i++) {
         struct statement *claim = &s->list[i];
-        for (int k = 0; k < claim->assertion_count; k++) {
+        for (int k = 0; k < claim->assertion_count; k++)
             free(claim->assertions[k].at.list);
-            if (claim->assertions[k].everywhere)
-                identities_clear(&claim->assertions[k].identity);
-        }
         for (int k = 0; k < claim->number_count; k++)
             free(claim->numbers[k].decimal);
         free(claim->at.list);
@@ -684,12 +648,13 @@ void statements_clear(struct statements *s)
         free(claim->numbers);
     }
     for (int i = 0; i < s->formula_count; i++) {
-        program_clear(&s->formulas[i]->program);
+        identities_clear(s->formulas[i]);
         free(s->formulas[i]);
     }
     for (int i = 0; i < s->text_count; i++)
         free(s->texts[i]);
     free(s->formulas);
+    free(s->names);
     free(s->texts);
     free(s->list);
     computations_clear(&s->computed);

@@ -21,7 +21,7 @@ static const struct value *value_of_name(struct bindings *within, const struct b
 /* Now, if it has several. */
 static const struct formula *value_now(const struct value *v, const struct bindings *b)
 {
-    return v->of[v->turns > 1 ? b->turn : 0];
+    return &v->of[v->turns > 1 ? b->turn : 0];
 }
 
 bool is_number_of(const char *name, const char *entry)
@@ -64,8 +64,8 @@ static void name_enclose(arb_t z, const struct bindings *b, const char *name)
         return;
     if (value != NULL) {
         formula_enclose(z, value_now(value, b), &within);
-        if (value->radius != NULL) {
-            formula_enclose(radius, value->radius, &within);
+        if (value->radius.program != NULL) {
+            formula_enclose(radius, &value->radius, &within);
             arb_add_error(z, radius);
             weaken(b, CERTIFIED);
         }
@@ -85,7 +85,7 @@ static bool name_rational(fmpq_t q, const struct bindings *b, const char *name)
     struct bindings within;
     const struct value *value = value_of_name(&within, b, name);
     if (value != NULL)
-        return value->radius == NULL && formula_rational(q, value_now(value, b), &within);
+        return value->radius.program == NULL && formula_rational(q, value_now(value, b), &within);
     return !is_moving(b, name) && assertion_of_name(b, name) == NULL && sheet_rational(q, b->all->sheet, name);
 }
 
@@ -112,9 +112,9 @@ bool machine_bind(struct machine *m, int node, bool balls, const struct bindings
 void formula_enclose(arb_t z, const struct formula *f, const struct bindings *b)
 {
     struct machine m;
-    machine_init(&m, &f->program, &arithmetic_ball, b->bits);
+    machine_init(&m, f->program, &arithmetic_ball, b->bits);
     machine_bind(&m, f->node, true, b);
-    machine_run(&m);
+    machine_run_to(&m, f->node);
     arb_set(z, machine_value(&m, f->node));
     machine_clear(&m);
 }
@@ -122,10 +122,10 @@ void formula_enclose(arb_t z, const struct formula *f, const struct bindings *b)
 bool formula_rational(fmpq_t q, const struct formula *f, const struct bindings *b)
 {
     struct machine m;
-    machine_init(&m, &f->program, &arithmetic_exact, 0);
+    machine_init(&m, f->program, &arithmetic_exact, 0);
     bool rational = machine_bind(&m, f->node, false, b);
     if (rational) {
-        machine_run(&m);
+        machine_run_to(&m, f->node);
         rational = exact_is_rational(q, machine_value(&m, f->node));
     }
     machine_clear(&m);
