@@ -33,29 +33,29 @@ _Static_assert(R == (int)JET_CHARGE && G == (int)JET_STATES && ONE == (int)JET_S
 
 void jet_init(struct jet *jet, const struct system *system, slong order, const struct space *space)
 {
+    const slong each = order + 1, count = system->all * each;
+    arb_ptr balls = space == NULL ? _arb_vec_init(count) : NULL;
+    struct model *models = space != NULL ? xrealloc(NULL, (size_t)count, sizeof *models) : NULL;
     *jet = (struct jet){.order = order, .system = system, .space = space};
-    for (int v = 0; v < system->all; v++) {
-        if (space == NULL) {
-            jet->c[v] = _arb_vec_init(order + 1);
-            continue;
-        }
-        jet->m[v] = xrealloc(NULL, (size_t)order + 1, sizeof *jet->m[v]);
-        for (slong k = 0; k <= order; k++)
-            model_init(jet->m[v] + k, space);
-    }
+    for (slong i = 0; i < count && models != NULL; i++)
+        model_init(models + i, space);
+    for (int v = 0; v < system->all; v++)
+        if (space == NULL)
+            jet->c[v] = balls + v * each;
+        else
+            jet->m[v] = models + v * each;
 }
 
 void jet_clear(struct jet *jet)
 {
-    for (int v = 0; v < jet->system->all; v++) {
-        if (jet->space == NULL) {
-            _arb_vec_clear(jet->c[v], jet->order + 1);
-            continue;
-        }
-        for (slong k = 0; k <= jet->order; k++)
-            model_clear(jet->m[v] + k);
-        free(jet->m[v]);
+    const slong count = jet->system->all * (jet->order + 1);
+    if (jet->space == NULL) {
+        _arb_vec_clear(jet->c[0], count);
+        return;
     }
+    for (slong i = 0; i < count; i++)
+        model_clear(jet->m[0] + i);
+    free(jet->m[0]);
 }
 
 void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
@@ -165,26 +165,22 @@ void jet_size(mag_t size, const struct jet *jet, int v, slong k)
 
 void majorant_init(struct majorant *m, const struct system *system, slong order)
 {
+    const slong each = order + 1;
     m->order = order;
     m->system = system;
+    m->count = system->all * (2 * each + 1) + system->states + system->count;
+    m->tail = _mag_vec_init(m->count);
+    m->remainder = m->tail + system->all;
+    m->cross = m->remainder + system->states;
     for (int v = 0; v < system->all; v++) {
-        m->size[v] = _mag_vec_init(order + 1);
-        m->suffix[v] = _mag_vec_init(order + 1);
+        m->size[v] = m->cross + system->count + 2 * v * each;
+        m->suffix[v] = m->size[v] + each;
     }
-    m->tail = _mag_vec_init(system->all);
-    m->remainder = _mag_vec_init(system->states);
-    m->cross = _mag_vec_init(system->count);
 }
 
 void majorant_clear(struct majorant *m)
 {
-    for (int v = 0; v < m->system->all; v++) {
-        _mag_vec_clear(m->size[v], m->order + 1);
-        _mag_vec_clear(m->suffix[v], m->order + 1);
-    }
-    _mag_vec_clear(m->tail, m->system->all);
-    _mag_vec_clear(m->remainder, m->system->states);
-    _mag_vec_clear(m->cross, m->system->count);
+    _mag_vec_clear(m->tail, m->count);
 }
 
 void majorant_of(struct majorant *m, const struct jet *jets, mag_srcptr weights, slong count,

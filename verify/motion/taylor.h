@@ -82,6 +82,7 @@ struct majorant {
     mag_ptr suffix[JET_MOST]; /* suffix[v][k] >= sum of size[v][k ... n-1] */
     mag_ptr cross;           /* of a product: what its known terms make from degree n on */
     mag_ptr tail, remainder;
+    slong count;              /* of all these */
 };
 
 /* order >= 1 */

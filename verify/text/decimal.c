@@ -211,62 +211,31 @@ char *decimal_of_end(const arb_t x, slong digits, bool upper)
     return text;
 }
 
-/* The integer below (m + by) p/q; whether it is that itself. */
-static bool whole_part(fmpz_t whole, const fmpz_t m, slong by, const fmpz_t p, const fmpz_t q)
-{
-    SCOPE(fmpz, rest);
-    fmpz_add_si(whole, m, by);
-    fmpz_mul(whole, whole, p);
-    fmpz_fdiv_qr(whole, rest, whole, q);
-    return fmpz_is_zero(rest);
-}
-
 /*
- * The fewest digits that read back as x > 0, the nearest of them, and the exponent of the first. What lies within half a binary unit of x
- * reads back as x, the ends too where x is even; below a power of two units are half as large. Counted in the last of 18 digits (of
- * 19, where the exponent is too low), of which 17 are enough. Of a normal number no decimal of fewer than DBL_DIG digits is lost
- * on the way, so that it stands among those, zeros after it.
+ * The fewest digits that read back as x > 0, the nearest of them, and the exponent of the first. Of a normal number no decimal of fewer
+ * than DBL_DIG digits is lost on the way, so that it stands among those, zeros after it. Below a power of two numbers lie twice as
+ * close: there the next decimal above may read back where the nearest does not.
  */
 static slong shortest_digits(char digits[24], double x)
 {
-    enum { ENOUGH = 18 };
-    int binary;
-    const bool power = !(frexp(x, &binary) > 0.5) && x > DBL_MIN;
-    const slong exponent = (slong)floor(log10(x) - 1e-9), k = ENOUGH - 1 - exponent; /* the margin covers the rounding of log10() */
-    slong dropped = x < DBL_MIN ? ENOUGH : ENOUGH - DBL_DIG + 1;
-    SCOPE(fmpz, m, p, q, n, low, high, unit);
-    SCOPE(fmpz, first, last, rest);
-    binary = (binary < DBL_MIN_EXP ? DBL_MIN_EXP : binary) - DBL_MANT_DIG;
-    fmpz_set_d(m, ldexp(x, -binary));
-    const bool even = fmpz_is_even(m);
-    fmpz_mul_2exp(m, m, 2); /* quarters of a unit */
-    fmpz_ui_pow_ui(p, 10, k > 0 ? (ulong)k : 0);
-    fmpz_ui_pow_ui(q, 10, k < 0 ? (ulong)-k : 0);
-    fmpz *scaled = binary < 2 ? q : p;
-    fmpz_mul_2exp(scaled, scaled, (ulong)labs(binary - 2));
-    const bool whole = whole_part(n, m, 0, p, q);
-    if (!whole_part(low, m, power ? -1 : -2, p, q) || !even)
-        fmpz_add_ui(low, low, 1);
-    if (whole_part(high, m, 2, p, q) && !even)
-        fmpz_sub_ui(high, high, 1);
+    mpfr_t exact;
+    mpfr_exp_t first;
+    char literal[24 + BESIDE_DIGITS];
+    double back;
+    mpfr_init2(exact, DBL_MANT_DIG);
+    mpfr_set_d(exact, x, MPFR_RNDN);
+    const bool power = mpfr_min_prec(exact) == 1;
+    int twice = 2 * (x < DBL_MIN ? 1 : DBL_DIG); /* the digits */
     do {
-        fmpz_ui_pow_ui(unit, 10, (ulong)dropped--);
-        fmpz_cdiv_q(first, low, unit);
-        fmpz_fdiv_q(last, high, unit);
-    } while (fmpz_cmp(first, last) > 0);
-    fmpz_fdiv_qr(n, rest, n, unit);
-    fmpz_mul_2exp(rest, rest, 1);
-    const int half = fmpz_cmp(rest, unit);
-    if (half > 0 || (half == 0 && (!whole || fmpz_is_odd(n))))
-        fmpz_add_ui(n, n, 1);
-    if (fmpz_cmp(n, first) < 0) /* below a power of two, where the next above reads back and the nearest does not */
-        fmpz_set(n, first);
-    fmpz_get_str(digits, 10, n);
-    size_t count = strlen(digits);
-    const slong decimal = exponent + (slong)count + dropped + 1 - ENOUGH;
-    while (digits[count - 1] == '0')
-        digits[--count] = '\0';
-    return decimal;
+        mpfr_get_str(digits, &first, 10, (size_t)twice / 2, exact, twice % 2 == 0 ? MPFR_RNDN : MPFR_RNDU);
+        write_scientific(literal, digits, first - 1);
+        back = strtod(literal, NULL);
+        twice += power ? 1 : 2;
+    } while (back < x || back > x);
+    mpfr_clear(exact);
+    for (size_t last = strlen(digits) - 1; digits[last] == '0'; last--)
+        digits[last] = '\0';
+    return first - 1;
 }
 
 void decimal_shortest(char text[32], double x)
