@@ -155,32 +155,34 @@ static const struct measure {
     {"exit_", exit_of, PLACE_Z, false, false, true},     {"settled_", settled, PLACE_Z, false, false, true},
     {"gap_", peak, PHASE, true, true, false},          {"between_", supremum, PRODUCT, true, true, false},
     {"part_", part, PLACE_Z, false, true, false},        {"changes_", sign_changes, PLACE_Z, false, false, false},
+    {NULL, NULL, 0, false, false, false},
 };
-enum { MEASURES = sizeof measures / sizeof *measures };
 
-/* What a name asks for, the numbers in it as written; false: nothing that there is. */
-static bool read_name(struct request *r, const struct measure **m, const char *name)
+/* What a name asks for, the numbers in it as written; NULL: nothing that there is. */
+static const struct measure *read_name(struct request *r, const char *name)
 {
     static const char *const forms[] = {"%s%s", "%s%s_%ld", "%s%s_%ld_%ld"};
-    for (int i = 0; i < MEASURES * VARIABLES; i++) {
-        char again[128];
-        *m = &measures[i / VARIABLES];
-        r->which = i % VARIABLES;
-        const size_t length = strlen((*m)->name) + strlen(variable_names[r->which]);
-        const int count = strlen(name) > length ? sscanf(name + length, "_%9ld_%9ld", &r->numbers[0], &r->numbers[1]) : 0;
-        snprintf(again, sizeof again, forms[FLINT_MAX(count, 0)], (*m)->name, variable_names[r->which], r->numbers[0], r->numbers[1]);
-        if (strcmp(name, again) == 0)
-            return r->which <= (*m)->last && (r->beside != NULL || !(*m)->compares);
-    }
-    return false;
+    char again[128];
+    for (const struct measure *m = measures; m->name != NULL; m++)
+        for (r->which = PSI; r->which <= m->last; r->which++) {
+            const char *const variable = variable_names[r->which];
+            const size_t first = strlen(m->name), length = first + strlen(variable);
+            if (strncmp(name, m->name, first) != 0 || strncmp(name + first, variable, length - first) != 0)
+                continue;
+            const int count = sscanf(name + length, "_%9ld_%9ld", &r->numbers[0], &r->numbers[1]);
+            snprintf(again, sizeof again, forms[FLINT_MAX(count, 0)], m->name, variable, r->numbers[0], r->numbers[1]);
+            if (strcmp(name, again) == 0)
+                return r->beside != NULL || !m->compares ? m : NULL;
+        }
+    return NULL;
 }
 
 static void give_measure(struct computed *c, const struct trajectory *t, const struct trajectory *beside, const char *name)
 {
     struct request r = {.of = t, .beside = beside, .numbers = {-1, -1}, .to = t->count - 1};
-    const struct measure *m;
+    const struct measure *m = read_name(&r, name);
     SCOPE(arb, x, unit);
-    if (!read_name(&r, &m, name))
+    if (m == NULL)
         return;
     if (!m->compares)
         r.beside = NULL;
