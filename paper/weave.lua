@@ -35,9 +35,7 @@ local function the(kind, list, name) return list[name] or stop("unknown %s '%s'"
 
 local function read(path)
   local file = io.open(path)
-  local text = file and file:read 'a'
-  if file then file:close() end
-  return text
+  return file and file:read 'a'
 end
 local function made(path) return read(build .. '/' .. path) or error('no ' .. build .. '/' .. path .. ': run make check') end
 
@@ -81,49 +79,56 @@ for _, v in ipairs(verdicts) do
   if v.verdict == 'holds as corrected' and v.kind == 'equation' then counts.misprints = counts.misprints + 1 end
 end
 
+-- {2a, 2b, 2c} as the reader sees it: 2a to 2c.
+local function span_of(list)
+  if #list < 2 then return list[1] end
+  return list[1] .. (#list == 2 and ', ' or '–') .. list[#list]
+end
+
 -- The sheet as `coulomb-tether typeset` prints it: ID, KIND, NUMBER, NAME, TEX by tabs. Of the sections that have a
 -- number one is named for it alone; (6) stands where (6a) does.
 local sections, section_of, symbol, labels = {}, {}, {}, {}
 for id, kind, number, name, tex in run 'typeset':gmatch '([^\t]*)\t([^\t]*)\t([^\t]*)\t([^\t]*)\t([^\n]*)\n' do
-  local s = sections[id] or {id = id, numbers = {}, names = {}, rows = {}}
-  if kind == 'title' then sections[id], sections[#sections + 1] = s, s end
+  local s = sections[id] or {id = id, numbers = pandoc.List(), names = {}, rows = {}}
   if kind == 'symbol' then symbol[name] = tex
-  elseif kind == 'title' or kind == 'note' or kind == 'reason' then s[kind] = tex
+  elseif kind == 'title' then s.title, sections[id], sections[#sections + 1] = tex, s, s
+  elseif kind == 'note' or kind == 'reason' then s[kind] = tex
   elseif kind ~= 'number' then table.insert(s.rows, {kind = kind, number = number, name = name, tex = tex})
   else
-    table.insert(s.numbers, number)
-    for _, one in ipairs {number, number:match '^(%d+)a$'} do
-      if id:match '^eq%d+$' then
-        section_of[one], labels['eq:' .. one] = id, {text = '', page = 'equations.html'}
-        table.insert(s.names, one)
-      end
+    s.numbers:insert(number)
+    for _, one in ipairs(id:match '^eq%d+$' and {number, number:match '^(%d+)a$'} or {}) do
+      section_of[one], labels['eq:' .. one], s.names[#s.names + 1] = id, {text = '', page = 'equations.html'}, one
     end
   end
 end
 for name in ('pi lambda mu phi kappa epsilon rho omega cos sin tan'):gmatch '%a+' do symbol[name] = '\\' .. name end
 
--- Chapters, figures of ours and references are numbered in the order of the chapters.
-local pages, page_of_step = {}, {}
-do
-  local chapters, letters, cited = 0, 0, 0
-  for path in output_of 'ls paper/[0-9]*.md':gmatch '%S+' do
-    local file, text = path:match '([^/]*)%.md$' .. '.html', read(path)
-    local function label(id, name) labels[id] = {text = name, page = file} end
-    local title, id, unnumbered = text:match '^# (.-) {#(%S+)( ?[^\n]*)}'
-    chapters = chapters + (unnumbered == '' and 1 or 0)
-    label(id, unnumbered == '' and tostring(chapters) or '')
-    pages[#pages + 1] = {file = file, title = title, number = labels[id].text}
-    for name in text:gmatch '%]%(%a+:([%w-]+)%)' do
-      local ours = not name:match '^%d%a?$'
-      letters = letters + (ours and 1 or 0)
-      label('fig:' .. name, ours and string.char(64 + letters) or name)
-    end
-    for reference in text:gmatch '{#(ref:%w+)}' do
-      cited = cited + 1
-      label(reference, '[' .. cited .. ']')
-    end
-    for step in text:gmatch '\n<<step ([%w_]+)>>' do page_of_step[step] = file end
-    for section, tex in text:gmatch '\n<<equation (%w+) = ([^\n]*)>>' do the('equation', sections, section).defined = tex end
+-- A formula for a section of the sheet that has none.
+local function define(s, tex)
+  if #s.rows > 0 and not s.defined then stop("'%s' has its formula in the sheet", s.id) end
+  s.defined, s.rows = true, {{kind = 'relation', number = span_of(s.numbers), name = '', tex = tex}}
+end
+
+-- Chapters, figures of ours and references are numbered as they come; those without a number are the last chapters.
+local pages, page_of_step, letters, cited = {}, {}, 0, 0
+for path in output_of 'ls paper/[0-9]*.md':gmatch '%S+' do
+  local file, text = path:match '([^/]*)%.md$' .. '.html', read(path)
+  local function label(id, name) labels[id] = {text = name, page = file} end
+  local title, id, unnumbered = text:match '^# (.-) {#(%S+)( ?[^\n]*)}'
+  label(id, unnumbered == '' and tostring(#pages + 1) or '')
+  pages[#pages + 1] = {file = file, title = title, number = labels[id].text}
+  for name in text:gmatch '%]%(%a+:([%w-]+)%)' do
+    local ours = not name:match '^%d%a?$'
+    letters = letters + (ours and 1 or 0)
+    label('fig:' .. name, ours and string.char(64 + letters) or name)
+  end
+  for reference in text:gmatch '{#(ref:%w+)}' do
+    cited = cited + 1
+    label(reference, '[' .. cited .. ']')
+  end
+  for step in text:gmatch '\n<<step ([%w_]+)>>' do page_of_step[step] = file end
+  for section, tex in text:gmatch '\n<<equation (%w+) = ([^\n]*)>>' do
+    define(the('equation', sections, section), tex)
   end
 end
 
@@ -193,46 +198,50 @@ end
 local qualifier = {lin = 'small angles', inv = 'inverse', exact = 'exact', roots = 'roots', flow = 'flow', rk4 = 'Runge-Kutta'}
 local function qualified(id) return qualifier[id:match '^eq%d+(.*)$' or id:match '^%a+%d?'] end
 
--- {2a, 2b, 2c} as the reader sees it: 2a to 2c.
-local function span_of(list)
-  if #list < 2 then return list[1] end
-  return list[1] .. (#list == 2 and ', ' or '–') .. list[#list]
-end
-
 -- Rows that share a number, side by side where they are short, or as many in a line as it holds.
+local aside = {let = '\\text{with}\\quad ', domain = '\\text{for}\\quad '}
 local function group(kind, texts)
   local longest = math.max(table.unpack(pandoc.List.map(texts, string.len)))
-  if #texts == 1 then return texts[1] end
-  if longest < 32 and (kind == 'relation' or kind == 'domain') then return (table.concat(texts, ',\\quad '):gsub('&', '')) end
-  local columns, out = #texts < 6 and 1 or math.max(138 // longest, 1), ''
-  for i, text in ipairs(texts) do
-    out = out .. text .. (i == #texts and '' or i % columns ~= 0 and ' &\\qquad ' or ' \\\\\n')
+  if #texts == 1 then return aside[kind] and aside[kind] .. texts[1]:gsub('&', '') or texts[1] end
+  if longest < 32 and (kind == 'relation' or kind == 'domain') then
+    return (aside[kind] or '') .. table.concat(texts, ',\\quad '):gsub('&', '')
   end
-  return '\\begin{aligned}\n' .. out .. '\n\\end{aligned}'
+  local columns, out = #texts < 6 and 1 or math.max(138 // longest, 1), (aside[kind] or '') .. '\\begin{aligned}\n'
+  for i, text in ipairs(texts) do
+    out = out .. text .. (i == #texts and '\n\\end{aligned}' or i % columns ~= 0 and ' &\\qquad ' or ' \\\\\n')
+  end
+  return out
 end
 
--- The lines of a display: the rows of these kinds, of several formulas those named. Each with its number, but for what stands aside.
-local aside = {let = '\\text{with}\\quad ', domain = '\\text{for}\\quad '}
-local function display(s, kinds, named)
-  local only, has, lines, last = {}, {}, {}, {}
-  local free = pandoc.List(s.numbers)
-  for _, row in ipairs(s.rows) do
-    has[row.name] = true
-    free = free:filter(function(number) return row.kind ~= 'relation' or number ~= row.number end)
-  end
-  for name in (named or ''):gmatch '%S+' do only[name] = the('output or named subexpression', has, name) end
+-- A display of a section's rows of these kinds, of several formulas those named. Each line has its number, but for what stands
+-- aside. Lines that stand alone are aligned at their signs; groups have their own alignment and are centred.
+local function equation(s, kinds, named, suffix, place)
+  local only, has, taken, lines, aligned = {}, {}, {}, {}, not web
+  for _, row in ipairs(s.rows) do has[row.name], taken[row.kind == 'relation' and row.number] = true, true end
+  for name in named:gmatch '%S+' do only[name] = the('output or named subexpression', has, name) end
+  local free = span_of(s.numbers:filter(function(number) return not taken[number] end))
   for _, row in ipairs(s.rows) do
     if kinds:find(row.kind, 1, true) and (not next(only) or row.name == '' and row.kind ~= 'domain' or only[row.name]) then
-      local tag = not aside[row.kind] and (row.number ~= '' and row.number or span_of(free)) or nil
+      local tag, last = not aside[row.kind] and (row.number ~= '' and row.number or free) or nil, lines[#lines] or {}
       if last.kind ~= row.kind or last.tag ~= tag then
         last = {kind = row.kind, tag = tag}
         lines[#lines + 1] = last
       end
-      last[#last + 1] = row.tex
+      table.insert(last, row.tex)
     end
   end
-  for _, line in ipairs(lines) do line.tex = (aside[line.kind] or '') .. group(line.kind, line) end
-  return lines
+  for _, line in ipairs(lines) do
+    line.tex = group(line.kind, line)
+    aligned = aligned and line.tex:match '^[^&]*&[^&]*$'
+  end
+  for i, line in ipairs(lines) do
+    local tex = (aligned or line.tex:find('{aligned}', 1, true)) and line.tex or line.tex:gsub('&', '')
+    local tag = line.tag and line.tag .. (suffix and ', ' .. suffix or '')
+    lines[i] = web and box('equation', '$$' .. tex .. '$$' .. (tag and '[(' .. tag .. ')]{.number}' or ''))
+               or tex .. (tag and '\\tag{' .. tag:gsub('–', '--') .. '}' or '\\notag')
+  end
+  local kind, all = aligned and 'align' or 'gather', table.concat(lines, web and '' or ' \\\\\n')
+  return web and all or raw(('\\joined%s%%\n\\begin{%s}\n%s\n\\end{%s}'):format(place or '', kind, all, kind))
 end
 
 -- Where a section stands for the index, and its numbers for references.
@@ -240,21 +249,6 @@ local function targets(s)
   local out = web and '' or '\\place{' .. s.id .. '}'
   for _, name in ipairs(s.names) do out = out .. (web and '<a id="eq:%s"></a>' or '\\target{%s}'):format(name) end
   return out
-end
-
--- Lines that stand alone are aligned at their signs; groups have their own alignment and are centred.
-local function equation(lines, suffix, place)
-  local aligned, out = not web, {}
-  for _, line in ipairs(lines) do aligned = aligned and not aside[line.kind] and line.tex:match '^[^&]*&[^&]*$' end
-  for i, line in ipairs(lines) do
-    local tex = (aligned or line.tex:find('{aligned}', 1, true)) and line.tex or line.tex:gsub('&', '')
-    local tag = line.tag and line.tag .. (suffix and ', ' .. suffix or '')
-    out[i] = web and box('equation', '$$' .. tex .. '$$' .. (tag and '[(' .. tag .. ')]{.number}' or ''))
-             or tex .. (tag and '\\tag{' .. tag:gsub('–', '--') .. '}' or '\\notag')
-  end
-  if web then return table.concat(out) end
-  local kind, all = aligned and 'align' or 'gather', table.concat(out, ' \\\\\n')
-  return raw(('\\joined%s%%\n\\begin{%s}\n%s\n\\end{%s}'):format(place or '', kind, all, kind))
 end
 
 -- Code of more lines would leave much of a page empty, and may be torn on paper.
@@ -362,19 +356,20 @@ function inline.count(what) return tostring(the('count', counts, what)) end
 
 local block = {}
 
+local FORMULAS = 'relation output let domain'
 function block.equation(text)
   local id, named = text:match '^(%S+) ?(.*)$'
   local s, tex = the('equation', sections, id), named:match '^= (.+)$'
-  if not tex == (#s.rows == 0) then stop("'%s' has %s formula in the sheet", id, tex and 'its' or 'no') end
-  return equation(tex and {{tex = tex, tag = span_of(s.numbers)}} or display(s, 'relation output let domain', named),
-                  qualified(id), targets(s))
+  if tex then define(s, tex) end
+  if #s.rows == 0 then stop("'%s' has no formula in the sheet", id) end
+  return equation(s, FORMULAS, tex and '' or named, qualified(id), targets(s))
 end
 
 function block.printed(text)
   local id, named = text:match '^(%S+) ?(.*)$'
   local s = the('equation', sections, id)
   if not s.reason then stop("'%s' is printed as the sheet has it", id) end
-  return '\n\n**As printed.** ' .. prose(s.reason) .. equation(display(s, 'printed', named), 'as printed')
+  return '\n\n**As printed.** ' .. prose(s.reason) .. equation(s, 'printed', named, 'as printed')
 end
 
 block['function'] = function(id)
@@ -422,7 +417,7 @@ function block.index()
   local rows = {}
   for i, g in ipairs(gate) do
     local numbers, q, name = sections[g.id].numbers, qualified(g.id), g['function']
-    local links = span_of(pandoc.List.map(numbers, equation_link))
+    local links = span_of(numbers:map(equation_link))
     rows[i] = table.concat({links .. (q and ' ' .. q or ''),
       web and '[¶](equations.html#' .. g.id .. ')' or raw_inline('\\pageref{place:' .. g.id .. '}'),
       '`' .. name .. '`', g.tests, tonumber(g.error) and formula(decimal(g.error, '2')) or g.error, g.vectors, g.verdict}, ' | ')
@@ -435,10 +430,9 @@ function block.places()
   local out = {}
   for _, s in ipairs(sections) do
     local function add(text, ...) out[#out + 1] = text:format(...) end
-    local g, q, tag = gate[s.id], qualified(s.id), span_of(s.numbers)
-    local lines = s.defined and {{tex = s.defined, tag = tag}} or display(s, 'relation output let domain')
-    add('\n\n## [¶](#%s){.permalink} (%s) %s {#%s}\n\n', s.id, tag, prose(s.title) .. (q and ', ' .. q or ''), s.id)
-    add('%s%s%s%s', raw(targets(s), 'html'), equation(lines, q), prose(s.note or ''), s.reason and block.printed(s.id) or '')
+    local g, q = gate[s.id], qualified(s.id)
+    add('\n\n## [¶](#%s){.permalink} (%s) %s%s {#%s}\n\n', s.id, span_of(s.numbers), prose(s.title), q and ', ' .. q or '', s.id)
+    add('%s%s%s%s', raw(targets(s), 'html'), equation(s, FORMULAS, '', q), prose(s.note or ''), s.reason and block.printed(s.id) or '')
     local said = {}  -- once where (2a), (2b) and (2c) have the same
     for _, number in ipairs(s.names) do
       local v = verdicts['equation-' .. number]

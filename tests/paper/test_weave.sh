@@ -131,7 +131,7 @@ In $x=<<nmber table1.csv>>$. => unknown directive within a line 'nmber'
 In a line, <<number table1.csv => '<<' without its '>>' on the same line
 <<equation eq06>> => unknown equation 'eq06'
 <<equation eq07 x1>> => unknown output or named subexpression 'x1'
-<<equation eq01>> => 'eq01' has no formula in the sheet
+<<equation flow_linear>> => 'flow_linear' has no formula in the sheet
 <<equation eq07 = x>> => 'eq07' has its formula in the sheet
 <<printed eq07>> => 'eq07' is printed as the sheet has it
 <<function eq99>> => unknown equation 'eq99'
