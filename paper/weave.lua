@@ -52,6 +52,7 @@ local P, R, S, C, Cs, Ct = lpeg.P, lpeg.R, lpeg.S, lpeg.C, lpeg.Cs, lpeg.Ct
 local quoted = '"' * (P '\\' * 1 + (1 - P '"'))^0 * '"'
 local as_lua = Cs((C(quoted) * ':' / '[%1]=' + quoted + P '[' / '{' + P ']' / '}' + 1)^0)
 local function by_id(list)
+  list = pandoc.List(list)
   for _, entry in ipairs(list) do list[entry.id] = entry end
   return list
 end
@@ -201,7 +202,7 @@ local function qualified(id) return qualifier[id:match '^eq%d+(.*)$' or id:match
 -- Rows that share a number, side by side where they are short, or as many in a line as it holds.
 local aside = {let = '\\text{with}\\quad ', domain = '\\text{for}\\quad '}
 local function group(kind, texts)
-  local longest = math.max(table.unpack(pandoc.List.map(texts, string.len)))
+  local longest = math.max(table.unpack(pandoc.List(texts):map(string.len)))
   if #texts == 1 then return aside[kind] and aside[kind] .. texts[1]:gsub('&', '') or texts[1] end
   if longest < 32 and (kind == 'relation' or kind == 'domain') then
     return (aside[kind] or '') .. table.concat(texts, ',\\quad '):gsub('&', '')
@@ -295,17 +296,6 @@ local function algebra(lines)
   return out
 end
 
-local function step_of(s)
-  local leads = references(s.from) .. (#s.to > 0 and ' $\\;\\rightarrow\\;$ ' .. references(s.to) or '')
-  local text = ('$\\vdash$ `%s`: %s. %s. *Proved %s, for %s.*'):format(s.id, prose(s.title), leads,
-    s.order and 'to order ' .. s.order or 'exactly', prose(s.domain))
-  text = text .. (web and details('the algebra, line by line', algebra(s.lines)) or algebra(s.lines))
-  if s.printed then text = text .. '\n\nAs printed it fails: the sides differ by a multiple of ' .. formula(s.printed.difference) .. '.' end
-  local dropped = (s.dropped or ''):gsub('([%w_]+) %-(%d[%d.e+-]*) %.%.%. %2', '|%1| <= %2')
-  if dropped ~= '' then text = text .. '\n\nCertified: ' .. with_units(dropped) .. '.' end
-  return box('step', text, 'step-' .. s.id)
-end
-
 local function name_of(v)
   return web and ('[%s](verdicts.html#%s){.id}'):format(v.id, v.id) or raw_inline('\\claim{' .. v.id .. '}')
 end
@@ -381,48 +371,48 @@ block.helper = listing
 function block.step(id)
   local s = the('derivation step', steps, id)
   if s.step.finding ~= 'holds' then stop("step '%s' does not hold: %s", id, s.step.evidence) end
-  return step_of(s)
+  local leads = references(s.from) .. (#s.to > 0 and ' $\\;\\rightarrow\\;$ ' .. references(s.to) or '')
+  local how = s.order and 'to order ' .. s.order or 'exactly'
+  local text = ('$\\vdash$ `%s`: %s. %s. *Proved %s, for %s.*'):format(id, prose(s.title), leads, how, prose(s.domain))
+  text = text .. (web and details('the algebra, line by line', algebra(s.lines)) or algebra(s.lines))
+  if s.printed then text = text .. '\n\nAs printed it fails: the sides differ by a multiple of ' .. formula(s.printed.difference) .. '.' end
+  if s.dropped then
+    text = text .. '\n\nCertified: ' .. with_units(s.dropped:gsub('([%w_]+) %-(%d[%d.e+-]*) %.%.%. %2', '|%1| <= %2')) .. '.'
+  end
+  return box('step', text, 'step-' .. id)
 end
 
 function block.verdict(id) return verdict_of(the('verdict', verdicts, id)) end
 
 function block.run(arguments) return code('$ coulomb-tether ' .. arguments .. '\n' .. run(arguments)) end
 
-local function table_of(rows) return '| ' .. table.concat(rows, ' |\n| ') .. ' |' end
-
 function block.findings(kind)
-  local rows = {'claim | where | why', (('-'):rep(37) .. '|' .. ('-'):rep(19) .. '|' .. ('-'):rep(44))}
   the('verdict', counts, kind)
-  for _, v in ipairs(verdicts) do
-    if v.verdict == kind then
-      rows[#rows + 1] = ('%s %s | %s | %s'):format(typeset(v.claim_tex), name_of(v), typeset(v.where), typeset(v.why_tex or ''))
-    end
-  end
-  return #rows == 2 and '\n\nNone.\n\n' or box('findings', table_of(rows))
+  local rows = verdicts:filter(function(v) return v.verdict == kind end):map(function(v)
+    return ('| %s %s | %s | %s |'):format(typeset(v.claim_tex), name_of(v), typeset(v.where), typeset(v.why_tex or ''))
+  end)
+  local head = ('| claim | where | why |\n|%s|%s|%s|\n'):format(('-'):rep(37), ('-'):rep(19), ('-'):rep(44))
+  return #rows == 0 and 'None.' or box('findings', head .. table.concat(rows, '\n'))
 end
 
--- The sheet's quantities: "  NAME ...: {unit: U, ..., meaning: M}".
+-- The heads of these tables stand in their chapters. In the sheet: "  NAME ...: {unit: U, ..., meaning: M}".
 function block.symbols()
   local rows = {}
   for names, rest in read 'paper/equations.yaml':match '\nquantities:\n(.-)\n%a':gmatch '  ([^:\n]+): (%b{})' do
     local unit, meaning = rest:match 'unit: "?([^,"]*)', rest:match 'meaning: "?(.-)"?}$'
     names = names:gsub(' ', ', '):gsub('"?([%w_]+)"?', function(name) return formula(symbol[name]) end)
-    rows[#rows + 1] = ('%s | %s | %s'):format(names, unit == '-' and '' or typeset(unit), prose(meaning))
+    rows[#rows + 1] = ('| %s | %s | %s |'):format(names, unit == '-' and '' or typeset(unit), prose(meaning))
   end
-  return table_of(rows)
+  return table.concat(rows, '\n')
 end
 
--- From the table that the gate leaves behind.
 function block.index()
-  local rows = {}
-  for i, g in ipairs(gate) do
-    local numbers, q, name = sections[g.id].numbers, qualified(g.id), g['function']
-    local links = span_of(numbers:map(equation_link))
-    rows[i] = table.concat({links .. (q and ' ' .. q or ''),
-      web and '[¶](equations.html#' .. g.id .. ')' or raw_inline('\\pageref{place:' .. g.id .. '}'),
-      '`' .. name .. '`', g.tests, tonumber(g.error) and formula(decimal(g.error, '2')) or g.error, g.vectors, g.verdict}, ' | ')
-  end
-  return table_of(rows)
+  return table.concat(gate:map(function(g)
+    local place = web and '[¶](equations.html#' .. g.id .. ')' or raw_inline('\\pageref{place:' .. g.id .. '}')
+    return ('| %s %s | %s | `%s` | %s | %s | %s | %s |'):format(
+      span_of(sections[g.id].numbers:map(equation_link)), qualified(g.id) or '', place, g['function'], g.tests,
+      tonumber(g.error) and formula(decimal(g.error, '2')) or g.error, g.vectors, g.verdict)
+  end), '\n')
 end
 
 -- Each equation with all that belongs to it.
@@ -467,7 +457,7 @@ function block.places()
 end
 
 function block.verdicts()
-  return table.concat(pandoc.List.map(verdicts, function(v) return verdict_of(v, v.id) end))
+  return table.concat(verdicts:map(function(v) return verdict_of(v, v.id) end))
 end
 
 ---- figures ----
