@@ -86,21 +86,22 @@ local function span_of(list)
   return list[1] .. (#list == 2 and ', ' or '–') .. list[#list]
 end
 
--- The sheet as `coulomb-tether typeset` prints it: ID, KIND, NUMBER, NAME, TEX by tabs. Of the sections that have a
--- number one is named for it alone; (6) stands where (6a) does.
-local sections, section_of, symbol, labels = {}, {}, {}, {}
-for id, kind, number, name, tex in run 'typeset':gmatch '([^\t]*)\t([^\t]*)\t([^\t]*)\t([^\t]*)\t([^\n]*)\n' do
-  local s = sections[id] or {id = id, numbers = pandoc.List(), names = {}, rows = {}}
-  if kind == 'symbol' then symbol[name] = tex
-  elseif kind == 'title' then s.title, sections[id], sections[#sections + 1] = tex, s, s
-  elseif kind == 'note' or kind == 'reason' then s[kind] = tex
-  elseif kind ~= 'number' then table.insert(s.rows, {kind = kind, number = number, name = name, tex = tex})
-  else
-    s.numbers:insert(number)
-    for _, one in ipairs(id:match '^eq%d+$' and {number, number:match '^(%d+)a$'} or {}) do
-      section_of[one], labels['eq:' .. one], s.names[#s.names + 1] = id, {text = '', page = 'equations.html'}, one
+-- Of the sections that have a number one is named for it alone; (6) stands where (6a) does.
+local sections, section_of, symbol, labels = by_id(json 'equations.json'), {}, {}, {}
+for _, s in ipairs(sections) do
+  s.numbers, s.names, s.rows = pandoc.List(s.equations), {}, {}
+  for _, number in ipairs(s.id:match '^eq%d+$' and s.numbers or {}) do
+    for _, name in ipairs {number, number:match '^(%d+)a$'} do
+      section_of[name], labels['eq:' .. name], s.names[#s.names + 1] = s.id, {text = '', page = 'equations.html'}, name
     end
   end
+end
+
+-- Its formulas as `coulomb-tether typeset` prints them: ID, KIND, NUMBER, NAME, TEX by tabs.
+for id, kind, number, name, tex in run 'typeset':gmatch '([^\t]*)\t([^\t]*)\t([^\t]*)\t([^\t]*)\t([^\n]*)\n' do
+  if kind == 'symbol' then symbol[name] = tex
+  elseif kind == 'note' or kind == 'reason' then sections[id][kind] = tex
+  else table.insert(sections[id].rows, {kind = kind, number = number, name = name, tex = tex}) end
 end
 for name in ('pi lambda mu phi kappa epsilon rho omega cos sin tan'):gmatch '%a+' do symbol[name] = '\\' .. name end
 

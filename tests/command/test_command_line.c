@@ -233,7 +233,6 @@ static const struct {
      "y1_dot=0 z1_dot=0 x2_dot=0 y2_dot=0 z2_dot=0 x3_dot=0 y3_dot=0 z3_dot=0", 1, "eq02: 48896 bits do not decide every digit"},
     {"study", 2, "expected convergence, forced, pitch, damped, basin, saturation, tolerance, balance or sampling"},
     {"study force", 2, "did you mean 'forced'"},
-    {"typeset eq1", 2, "unknown operation 'eq1'"},
     {"eval flow_linear Omega=1 L_ref=1 C1=-1e300 C2=1e300 t=1 psi_0=1 theta_0=1 dL_0=1 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0", 1,
      "the enclosure grew past use"}, /* e^(1e150) */
     {"vectors", 2, "operation"},

@@ -48,9 +48,9 @@ has_no_gate() {
 }
 
 weaver() {
-    cp "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$CT_BUILD/claims.json" "$work" && mkdir "$work/paper" || exit 1
+    cp "$CT_BUILD/equations.json" "$CT_BUILD/derivations.json" "$CT_BUILD/errors.json" "$CT_BUILD/claims.json" "$work" && mkdir "$work/paper" || exit 1
     # A gate's table in which all but four sections are definitions.
-    "$CT_PROGRAM" typeset | awk -F '\t' '$2 == "title" { print $1 ",,(definition),-,-,-,,\"definition\",-" }' | sed \
+    sed -n 's/^.*{"id": "\([^"]*\).*/\1,,(definition),-,-,-,,"definition",-/p' "$work/equations.json" | sed \
         -e 's/^eq02,.*/eq02,,ct_formation_acceleration,10,1.5e+00,213,,"qualified",-/' \
         -e 's/^eq07,.*/eq07,,ct_reference_charge_product,4,5.9e-01,46,,"holds, definition",-/' \
         -e 's/^eq43,.*/eq43,,ct_proportional_gain,4,4.4e-01,30,,"definition",-/' \

@@ -2,7 +2,7 @@
  * coulomb-tether typeset: the sheet's formulas as LaTeX, for the weaver of the literate edition.
  *
  * A record a line, of five fields separated by tabs: section, kind, equation number, name, text; what there is
- * not is empty. Kinds: symbol (of a quantity, in section -); title, note, reason, number; relation, output, printed,
+ * not is empty. Kinds: symbol (of a quantity, in section -); note, reason; relation, output, printed,
  * let and domain, in which & stands before the sign.
  */
 #include <stdio.h>
@@ -28,21 +28,9 @@ static void print_record(const char *id, const char *kind, const char *number, c
     printf("%s\t%s\t%s\t%s\t%s\n", id, kind, number, name, text);
 }
 
-/* NAME = formula */
-static void print_definition(const struct section *s, const char *kind, const char *number, struct program *symbols,
-                             const char *name, const char *formula)
-{
-    struct tex t = {NULL, 0};
-    typeset_symbol(&t, name);
-    tex_add(&t, " &= ");
-    add_formula(&t, symbols, formula);
-    print_record(s->id, kind, number, name, t.text);
-    tex_clear(&t);
-}
-
 /* "left SIGN right" with an alignment mark; the sign is the first of = > >= < in it. */
 static void print_comparison(const struct section *s, const char *kind, const char *number, struct program *symbols,
-                             const char *text)
+                             const char *name, const char *text)
 {
     const size_t left = strcspn(text, "=<>");
     const size_t sign = strspn(text + left, "=<>");
@@ -52,9 +40,18 @@ static void print_comparison(const struct section *s, const char *kind, const ch
     add_formula(&t, symbols, copy);
     tex_add(&t, " &%s ", sign == 2 ? "\\ge" : (const char[]){text[left], '\0'});
     add_formula(&t, symbols, copy + left + sign);
-    print_record(s->id, kind, number, "", t.text);
+    print_record(s->id, kind, number, name, t.text);
     tex_clear(&t);
     free(copy);
+}
+
+static void print_definition(const struct section *s, const char *kind, const char *number, struct program *symbols,
+                             const char *name, const char *formula)
+{
+    struct tex t = {NULL, 0};
+    tex_add(&t, "%s = %s", name, formula);
+    print_comparison(s, kind, number, symbols, name, t.text);
+    tex_clear(&t);
 }
 
 static void typeset_formulas(const struct section *s, const char *kind, struct program *symbols, const struct formulas *f)
@@ -82,17 +79,14 @@ static void typeset_section(const struct section *s)
 {
     struct program symbols;
     symbols_init(&symbols, s);
-    print_record(s->id, "title", "", "", s->title);
-    for (int i = 0; i < s->numbers; i++)
-        print_record(s->id, "number", s->equations[i], "", "");
     for (int i = 0; i < s->relation_count; i++)
-        print_comparison(s, "relation", s->relations[i].equation, &symbols, s->relations[i].text);
+        print_comparison(s, "relation", s->relations[i].equation, &symbols, "", s->relations[i].text);
     if (s->method == METHOD_FORMULA) {
         typeset_formulas(s, "output", &symbols, &s->corrected);
         for (int i = 0; i < s->corrected.lets; i++)
             print_definition(s, "let", "", &symbols, s->corrected.let[2 * i], s->corrected.let[2 * i + 1]);
         for (int i = 0; i < s->corrected.count; i++)
-            print_comparison(s, "domain", "", &symbols, s->corrected.conditions[i].text);
+            print_comparison(s, "domain", "", &symbols, "", s->corrected.conditions[i].text);
     }
     if (s->differs) {
         typeset_formulas(s, "printed", &symbols, &s->printed);
@@ -226,13 +220,8 @@ static void print_symbols(const struct sheet *sheet)
 int command_typeset(const struct arguments *a)
 {
     const struct sheet *sheet = &a->paper->sheet;
-    const struct section *one = a->word_count > 0 ? section_argument(sheet, a->words[0]) : NULL;
-    if (a->word_count > 0 && one == NULL)
-        return EXIT_USAGE;
-    if (one == NULL)
-        print_symbols(sheet);
+    print_symbols(sheet);
     for (int i = 0; i < sheet->section_count; i++)
-        if (one == NULL || one == &sheet->sections[i])
-            typeset_section(&sheet->sections[i]);
+        typeset_section(&sheet->sections[i]);
     return EXIT_DONE;
 }

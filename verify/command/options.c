@@ -46,7 +46,7 @@ const struct subcommand subcommands[] = {
     {"conform", command_conform, {"-- CLIENT [ARG ...]", "--answers FILE [ID]", "--questions", "--kills"}, 2,
      "Is an implementation right, in whatever language: asks a client, or reads a file of its answers, and says what is wrong, "
      "by how much, and which known mistake it looks like. verify/PROTOCOL.md is what a client has to do."},
-    {"typeset", command_typeset, {"[ID]"}, 1,
+    {"typeset", command_typeset, {""}, 0,
      "The formulas as LaTeX for the literate edition, a record a line, its fields between tabs: section, kind, equation "
      "number, name, text."},
     {"help", command_help, {"[SUBCOMMAND]"}, 1,
@@ -168,7 +168,7 @@ const struct example examples[] = {
     {"conform --answers answers.txt --only algebra", "and its answers"},
     {"conform --answers answers.csv -o report.json eq07", "answers to one operation as CSV, and a report"},
     {"conform --kills --only eq21", "what the golden vectors are there for"},
-    {"typeset eq18", "one equation as LaTeX"},
+    {"typeset", "all formulas as LaTeX"},
     {"help trajectory", "all about a subcommand"},
     {"help --completion >~/.local/share/bash-completion/completions/coulomb-tether",
      "completion for one user; make install has it for all"},
