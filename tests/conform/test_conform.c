@@ -42,11 +42,27 @@ static void assert_says(const char *text)
 #define LATER(motion) motion "-paper-43200," motion "-rates-43200," motion "-other-orbit-7200"
 #define THREE "--only eq07,eq09,eq44 --timeout 1 -- FAULTY "
 
-static const struct {
+/* A run with its exit status, and what it says: texts, | between them, and none of those after a ! */
+struct oracle_run {
     const char *arguments;
     int status;
     const char *says;
-} faults[] = {
+};
+
+static void assert_run(const struct oracle_run *r)
+{
+    const int status = conform(r->arguments);
+    char says[400], *rest = NULL;
+    ck_assert_msg(status == r->status, "%s: exit %d\n%s", r->arguments, status, said);
+    snprintf(says, sizeof says, "%s", r->says);
+    for (char *text = strtok_r(says, "|", &rest); text != NULL; text = strtok_r(NULL, "|", &rest))
+        if (*text != '!')
+            assert_says(text);
+        else
+            ck_assert_msg(strstr(said, text + 1) == NULL, "%s: says '%s'\n%s", r->arguments, text + 1, said);
+}
+
+static const struct oracle_run faults[] = {
     {THREE "none", 0, " 0 failed"},
     {THREE "crlf", 0, " 0 failed"},
     {THREE "wrong", 1, " wrong\n"},
@@ -88,9 +104,7 @@ static const struct {
 
 EACH(a_fault_has_its_own_outcome, COUNT(faults))
 {
-    const int status = conform(faults[_i].arguments);
-    ck_assert_msg(status == faults[_i].status, "%s: exit %d\n%s", faults[_i].arguments, status, said);
-    assert_says(faults[_i].says);
+    assert_run(&faults[_i]);
 }
 
 /* All golden vectors, and random ones of every level. */
@@ -125,100 +139,50 @@ TEST(much_in_flight_both_ways_does_not_deadlock)
 CASE(diagnosis, NULL, NULL)
 
 /* Those of a whole client: tests/conform/test_outcomes.c has those of a line and of a formula. */
-static const struct {
-    const char *operation, *fault, *says;
-} people[] = {
-    {"eq44", "ends-in-the-middle", "\nthe client ended after 5 of 33 answers\n"},
-    {"eq43", "value", "  looks like not all inputs outside the domain are refused\n"},
-    {"eq41roots", "units", "  looks like in units of Omega: a factor Omega is missing\n"},
-    {"eq41roots", "conjugates", "  looks like conjugates are missing: the imaginary parts have lost their signs\n"},
-    {TWO_TIMES("flow_linear"), "euler", "  looks like Euler's method with steps of 10 s\n"},
-    {TWO_TIMES("rk4_linear"), "euler", "  looks like Euler's method with steps of 1 h\n"},
-    {LATER("flow_linear"), "long-step", "  looks like the classical Runge-Kutta method with steps of 300 s\n"},
-    {LATER("rk4_linear"), "long-step", "  looks like the classical Runge-Kutta method with steps of 2 h\n"},
-    {TWO_TIMES("flow_linear"), "coupling", "  looks like -2 Omega/L_ref dL_dot in psi_ddot with the other sign\n"},
+#define REFUSED "  looks like not all inputs outside the domain are refused\n"
+#define ALL_SAY(words) "sh -c 'while read o id in; do echo $id " words "; done'"
+static const struct oracle_run diagnoses[] = {
+    {"--only eq44 -- FAULTY ends-in-the-middle", 1, "\nthe client ended after 5 of 33 answers\n"},
+    {"--only eq43 -- FAULTY value", 1, REFUSED},
+    {"--only eq41roots -- FAULTY units", 1, "  looks like in units of Omega: a factor Omega is missing\n"},
+    {"--only eq41roots -- FAULTY conjugates", 1, "  looks like conjugates are missing: the imaginary parts have lost their signs\n"},
+    {"--only " TWO_TIMES("flow_linear") " -- FAULTY euler", 1, "  looks like Euler's method with steps of 10 s\n"},
+    {"--only " TWO_TIMES("rk4_linear") " -- FAULTY euler", 1, "  looks like Euler's method with steps of 1 h\n"},
+    {"--only " LATER("flow_linear") " -- FAULTY long-step", 1, "  looks like the classical Runge-Kutta method with steps of 300 s\n"},
+    {"--only " LATER("rk4_linear") " -- FAULTY long-step", 1, "  looks like the classical Runge-Kutta method with steps of 2 h\n"},
+    {"--only " TWO_TIMES("flow_linear") " -- FAULTY coupling", 1, "  looks like -2 Omega/L_ref dL_dot in psi_ddot with the other sign\n"},
+    /* what passes contradicts: the print's absolute value, a verdict at its edge, the first ten that are right, one n, Euler's method */
+    {"--only eq21 -- FAULTY zero-charge", 1, "eq21: 4 a value where invalid is due\n|" REFUSED},
+    {"--only eq42 -- FAULTY at-least", 1, "eq42: 2 wrong\n|!looks like"},
+    {"--only eq38 -- FAULTY printed", 1, "eq38: 7 wrong\n|!looks like"},
+    {"--only eq44-paper,eq44-large-Omega -- FAULTY n-8", 1, "eq44: 2 wrong\n|!looks like"},
+    {"--only " TWO_TIMES("flow_linear") " -- sh -c 'for i in 1 2; do read -r q; echo \"$q\"; done | \"$0\" none; exec \"$0\" euler' FAULTY", 1, " wrong|!looks like"},
+    /* refused are none of two; of one nothing is told, nor where a value inside is refused, as by answers to the question before */
+    {"--only eq44-nan-n -- " ALL_SAY("1"), 1, "eq44: 1 |!looks like"},
+    {"--only eq44-nan-n,eq44-nan-Omega -- " ALL_SAY("1"), 1, REFUSED},
+    {"--only eq44-paper,eq44-nan-n,eq44-nan-Omega -- " ALL_SAY("`test $id = eq44-paper && echo invalid || echo 1`"), 1, "eq44: 1 |!looks like"},
+    /* nan for `invalid`, in whichever output, always */
+    {"--only eq02 -- " ALL_SAY("1 1 1 1 1 1 1 1 1"), 1, REFUSED},
+    {"--only eq02 -- " ALL_SAY("1 1 nan 1 1 1 1 1 1"), 1, "\n  looks like nan where `invalid` is due\n"},
+    {"--only eq44-nan-n,eq44-nan-Omega -- sh -c 'read o id in; echo $id nan; read o id in; echo $id 1'", 1, "eq44: 2 |!looks like nan"},
+    /* what is like nothing known, and one vector alone, are not guessed at: no guess is better than a false one */
+    {"--only eq44-random-1,eq44-random-2 -- FAULTY n-7.5", 1, "eq44: 2 wrong\n|!looks like"},
+    {"--only flow_linear-rates-100,flow_linear-n-100-100 -- FAULTY zeros", 1, " wrong|!looks like"},
+    {"--only rk4_nonlinear-paper-100,rk4_nonlinear-paper-43200,rk4_nonlinear-moving-100 -- FAULTY off", 1, " wrong|!looks like"},
+    {"--only eq38-paper -- FAULTY printed-38", 1, "eq38: 1 wrong\n|!looks like"},
+    {"--only eq38-paper,eq38-nan-GM -- " ALL_SAY("1.2630391377545192e-4"), 1, "eq38: 1 wrong, 1 a value where invalid is due\n|!looks like"},
 };
 
-EACH(a_mistake_of_a_client_is_told_in_words, COUNT(people))
+EACH(a_mistake_of_a_client_is_told_in_words, COUNT(diagnoses))
 {
-    char line[300];
-    snprintf(line, sizeof line, "--only %s -- FAULTY %s", people[_i].operation, people[_i].fault);
-    ck_assert_int_eq(conform(line), 1);
-    assert_says(people[_i].says);
+    assert_run(&diagnoses[_i]);
 }
 
-/* What passes contradicts what the failing vectors alone look like; failures that are expected speak as well. */
-TEST(a_mistake_explains_what_passes)
+/* Failures that are expected speak as well. */
+TEST(a_mistake_explains_what_is_expected)
 {
-    ck_assert_int_eq(conform("--only eq21 -- FAULTY zero-charge"), 1);
-    assert_says("eq21: 4 a value where invalid is due\n");
-    assert_says("  looks like not all inputs outside the domain are refused\n"); /* and not like the print's absolute value */
-    ck_assert_int_eq(conform("--only eq42 -- FAULTY at-least"), 1);
-    assert_says("eq42: 2 wrong\n");
-    ck_assert_ptr_null(strstr(said, "looks like"));
-    ck_assert_int_eq(conform("--only eq38 -- FAULTY printed"), 1); /* the first ten are right */
-    ck_assert_ptr_null(strstr(said, "looks like"));
-    ck_assert_int_eq(conform("--only eq44-paper,eq44-large-Omega -- FAULTY n-8"), 1); /* of one n */
-    assert_says("eq44: 2 wrong\n");
-    ck_assert_ptr_null(strstr(said, "looks like"));
     ck_assert_int_eq(system("cut -d, -f1 data/golden/eq44.csv | grep -v -e '^id' -e paper -e large-Omega >\"$CT_BUILD/tests/most\""), 0);
-    ck_assert_int_eq(conform("--only eq44 --expect \"$CT_BUILD/tests/most\" -- FAULTY n-8"), 1);
-    assert_says(" of them as expected\n");
-    assert_says("  looks like n + 1 in place of n\n");
-}
-
-/* A client that follows the first two vectors rightly: Euler's method would not. */
-TEST(a_motion_that_passes_refutes_a_hypothesis)
-{
-    ck_assert_int_eq(conform("--only " TWO_TIMES("flow_linear") " -- sh -c 'for i in 1 2; do read -r q; echo \"$q\"; done | "
-                             "\"$0\" none; exec \"$0\" euler' FAULTY"), 1);
-    ck_assert_ptr_null(strstr(said, "looks like"));
-}
-
-/* Refused are none of two; of one nothing is told, nor where a value inside is refused, as by answers to the question before. */
-EACH(a_missing_check_of_the_domain_is_told_from_two_vectors, 3)
-{
-    static const char *const said_of[] = {"eq44-nan-n", "eq44-nan-n,eq44-nan-Omega", "eq44-paper,eq44-nan-n,eq44-nan-Omega"};
-    char line[300];
-    snprintf(line, sizeof line, "--only %s -- sh -c 'while read o id in; do test $id = eq44-paper && echo $id invalid || echo $id 1; done'", said_of[_i]);
-    ck_assert_int_eq(conform(line), 1);
-    ck_assert((strstr(said, "looks like not all inputs outside the domain are refused\n") != NULL) == (_i == 1));
-}
-
-/* However many fail before, and whichever output it is. */
-TEST(nan_for_invalid_is_told_of_nan)
-{
-    ck_assert_int_eq(conform("--only eq02 -- sh -c 'while read o id in; do echo $id 1 1 1 1 1 1 1 1 1; done'"), 1);
-    assert_says("\n  looks like not all inputs outside the domain are refused\n");
-    ck_assert_int_eq(conform("--only eq02 -- sh -c 'while read o id in; do echo $id 1 1 nan 1 1 1 1 1 1; done'"), 1);
-    assert_says("\n  looks like nan where `invalid` is due\n");
-    ck_assert_int_eq(conform("--only eq44-nan-n,eq44-nan-Omega -- sh -c 'read o id in; echo $id nan; read o id in; echo $id 1'"), 1);
-    ck_assert_ptr_null(strstr(said, "looks like nan"));
-}
-
-/* 6.0770e-4 and 2.6523e-3: six decimals are right within half of the last one, and no more. */
-EACH(fixed_decimals_are_right_ones, 2)
-{
-    ck_assert_int_eq(conform(_i ? "--only eq44-random-1,eq44-random-2 -- sh -c 'read o id in; echo $id 0.000609; read o id in; echo $id 0.002652'"
-                                : "--only eq44-random-1,eq44-random-2 -- sh -c 'read o id in; echo $id 0.000608; read o id in; echo $id 0.002652'"), 1);
-    ck_assert((strstr(said, "looks like written with 6 decimals") != NULL) == (_i == 0));
-}
-
-/* n - 7.5 for n - 9 is like nothing known, and no guess is better than a false one; nor is anything told from one vector. */
-TEST(what_is_like_nothing_known_is_not_guessed)
-{
-    ck_assert_int_eq(conform("--only eq44-random-1,eq44-random-2 -- FAULTY n-7.5"), 1);
-    ck_assert_ptr_null(strstr(said, "looks like"));
-    ck_assert_int_eq(conform("--only flow_linear-rates-100,flow_linear-n-100-100 -- FAULTY zeros"), 1);
-    ck_assert_ptr_null(strstr(said, "looks like"));
-    ck_assert_int_eq(conform("--only rk4_nonlinear-paper-100,rk4_nonlinear-paper-43200,rk4_nonlinear-moving-100 -- FAULTY off"), 1);
-    ck_assert_ptr_null(strstr(said, "looks like"));
-    ck_assert_int_eq(conform("--only eq38-paper -- FAULTY printed-38"), 1);
-    assert_says("eq38: 1 wrong\n");
-    ck_assert_ptr_null(strstr(said, "looks like"));
-    ck_assert_int_eq(conform("--only eq38-paper,eq38-nan-GM -- sh -c 'while read o id in; do echo $id 1.2630391377545192e-4; done'"), 1); /* as printed */
-    assert_says("eq38: 1 wrong, 1 a value where invalid is due\n");
-    ck_assert_ptr_null(strstr(said, "looks like"));
+    assert_run(&(struct oracle_run){"--only eq44 --expect \"$CT_BUILD/tests/most\" -- FAULTY n-8", 1, " of them as expected\n|  looks like n + 1 in place of n\n"});
 }
 
 /* ---- what is asked, shown and expected ---- */
@@ -245,19 +209,11 @@ TEST(all_that_there_is_is_asked)
     ck_assert_int_eq(system("sed -s 1d data/golden/*.csv | cut -d, -f1 | sort | cmp - \"$CT_BUILD/tests/asked\""), 0);
 }
 
-TEST(vectors_are_asked_one_by_one)
+/* What is named by its level as well is asked whole, and once. */
+TEST(levels_are_asked_with_operations)
 {
-    ck_assert_int_eq(conform("--only eq44-boundary,eq44-paper,eq44-boundary,eq43 -- FAULTY none"), 0);
-    assert_says("eq43                  31       31 ");
-    assert_says("eq44                   2        2 ");
-    ck_assert_int_eq(conform("--only method,eq44,eq44-paper,roots --questions | cut -d- -f1 | sort -u"), 0); /* all of what is named whole */
+    ck_assert_int_eq(conform("--only method,eq44,eq44-paper,roots --questions | cut -d- -f1 | sort -u"), 0);
     ck_assert_str_eq(said, "eq41roots eq41roots\neq44 eq44\nrk4_linear rk4_linear\nrk4_nonlinear rk4_nonlinear\n");
-    ck_assert_int_eq(conform("--only eq44,eq44-paper -- FAULTY none"), 0);
-    assert_says("\n33 vectors: 33 passed, ");
-    ck_assert_int_eq(conform("--only eq44-7-3,eq44-7-outside-0 --random 17 --seed 7 -- FAULTY none"), 0);
-    assert_says("\n2 vectors: 2 passed, ");
-    ck_assert_int_eq(conform("--only eq44-paper -- sh -c 'read q; echo eq44-boundary 0; cat >/dev/null'"), 1); /* it is not asked */
-    assert_says("  1 wrong id, ");
 }
 
 /* Such a line is cut for reports: within its blanks, its id, or its answer. */
@@ -277,55 +233,29 @@ TEST(blanks_before_an_answer_do_not_push_it_out_of_its_room)
     }
 }
 
-/* Of each motion, and of one that says otherwise. */
-EACH(digits_are_due, 5)
-{
-    static const struct {
-        const char *motion, *options, *due;
-    } motions[] = {{"flow_linear", "", ", 9 are due"}, {"flow_nonlinear", "", ", 9 are due"}, {"rk4_linear", "", ", 11 are due"},
-                   {"rk4_nonlinear", "--digits flow_linear=7", ", 11 are due"}, {"flow_linear", "--digits flow_linear=7", ", 7 are due"}};
-    char arguments[200];
-    snprintf(arguments, sizeof arguments, "%s --only %s-paper-100 -- sh -c 'read o id in; echo $id 1 1 1 1 1 1'", motions[_i].options, motions[_i].motion);
-    ck_assert_int_eq(conform(arguments), 1);
-    assert_says(motions[_i].due);
-}
+/* Of each motion what is due, of one that says otherwise that; every failing vector, seven of eq38's after the tenth question; digits by time. */
+#define ONES ALL_SAY("1 1 1 1 1 1")
+static const struct oracle_run shown[] = {
+    {"--only flow_linear-paper-100 -- " ONES, 1, ", 9 are due"},
+    {"--only flow_nonlinear-paper-100 -- " ONES, 1, ", 9 are due"},
+    {"--only rk4_linear-paper-100 -- " ONES, 1, ", 11 are due"},
+    {"--digits flow_linear=7 --only rk4_nonlinear-paper-100 -- " ONES, 1, ", 11 are due"},
+    {"--digits flow_linear=7 --only flow_linear-paper-100 -- " ONES, 1, ", 7 are due"},
+    {"--only eq38 --all -- FAULTY printed | grep -c ': wrong, E = '", 0, "7\n"},
+    {"--only eq38 -- FAULTY printed | grep -c ': wrong, E = '", 0, "1\n"},
+    {"--only flow_linear-rates-100,flow_linear-rates-43200,rk4_linear-rates-100,eq43-paper --all -- FAULTY none", 0,
+     "\ndigits by time in s\n  flow_linear-rates                         100: |\n  rk4_linear-rates                          100: "},
+    {"--only flow_linear-paper-0,flow_linear-paper--7200 --all -- " ONES, 1, "\n  flow_linear-paper                         0: 0.0  -7200: 0.0\n"},
+    {"--only flow_linear-paper-0,flow_linear-paper-100 --all -- " ALL_SAY("nan 1 1 1 1 1"), 1, " NaN|!digits by time"},
+    {"--only eq44-boundary,eq44-paper,eq44-boundary,eq43 -- FAULTY none", 0, "eq43                  31       31 |eq44                   2        2 "},
+    {"--only eq44,eq44-paper -- FAULTY none", 0, "\n33 vectors: 33 passed, "},
+    {"--only eq44-7-3,eq44-7-outside-0 --random 17 --seed 7 -- FAULTY none", 0, "\n2 vectors: 2 passed, "},
+    {"--only eq44-paper -- sh -c 'read q; echo eq44-boundary 0; cat >/dev/null'", 1, "  1 wrong id, "}, /* it is not asked */
+};
 
-TEST(digits_are_declared_once)
+EACH(what_is_asked_for_is_shown, COUNT(shown))
 {
-    ck_assert_int_eq(conform("--digits flow_linear=9 --digits flow_nonlinear=8 --digits flow_linear=8 -- FAULTY none"), 2);
-    assert_says("--digits: expected flow_linear once, got 'flow_linear=9' and 'flow_linear=8'\n");
-}
-
-/* Seven of eq38's vectors come after the tenth question and lie inside the domain; --all shows them all, else there is one. */
-TEST(every_failing_vector_is_shown)
-{
-    int shown = 0;
-    ck_assert_int_eq(conform("--only eq38 --all -- FAULTY printed"), 1);
-    for (const char *at = said; (at = strstr(at, ": wrong, E = ")) != NULL; at++)
-        shown++;
-    ck_assert_int_eq(shown, 7);
-    ck_assert_int_eq(conform("--only eq38 -- FAULTY printed"), 1);
-    ck_assert_ptr_eq(strstr(strstr(said, ": wrong, E = ") + 1, ": wrong, E = "), NULL);
-}
-
-/* How good an integrator is: a line a scenario. */
-TEST(digits_are_shown_by_time)
-{
-    ck_assert_int_eq(conform("--only flow_linear-rates-100,flow_linear-rates-43200,rk4_linear-rates-100,eq43-paper --all -- FAULTY none"), 0);
-    assert_says("\ndigits by time in s\n  flow_linear-rates                         100: ");
-    assert_says("  43200: ");
-    assert_says("\n  rk4_linear-rates                          100: ");
-}
-
-/* What is no number has no digits, and a time keeps its sign. */
-TEST(digits_are_shown_of_numbers_alone)
-{
-    ck_assert_int_eq(conform("--only flow_linear-paper-0,flow_linear-paper--7200 --all -- sh -c 'for i in 1 2; do read o id in; "
-                             "echo $id 1 1 1 1 1 1; done'"), 1);
-    assert_says("\n  flow_linear-paper                         0: 0.0  -7200: 0.0\n");
-    ck_assert_int_eq(conform("--only flow_linear-paper-0,flow_linear-paper-100 --all -- sh -c 'for i in 1 2; do read o id in; "
-                             "echo $id nan 1 1 1 1 1; done'"), 1);
-    ck_assert_ptr_null(strstr(said, "digits by time"));
+    assert_run(&shown[_i]);
 }
 
 TEST(expected_failures_are_none_and_what_passes_is_said)
@@ -426,6 +356,8 @@ static const struct {
     {"--digits eq1=9 -- FAULTY", "did you mean 'eq01'"},
     {"--digits=flow_linear=x -- FAULTY", "from 1 to 30"},
     {"--digits=flow_linear=15", "expected -- CLIENT"},
+    {"--digits flow_linear=9 --digits flow_nonlinear=8 --digits flow_linear=8 -- FAULTY none",
+     "--digits: expected flow_linear once, got 'flow_linear=9' and 'flow_linear=8'\n"},
     {"--digits", "--digits"},
     {"x=1 -- FAULTY", "unexpected argument 'x=1'"},
     {"eq07 -- FAULTY", "unexpected argument 'eq07'"},
@@ -457,14 +389,6 @@ EACH(wrong_usage_is_one_line_and_exit_2, COUNT(mistakes))
 }
 
 /* ---- files ---- */
-
-EACH(golden_files_are_right_answers, 6)
-{
-    static const char *const files[] = {"eq02", "eq07", "eq27", "eq41roots", "eq42", "flow_linear"};
-    char arguments[100];
-    snprintf(arguments, sizeof arguments, "--answers data/golden/%s.csv %s", files[_i], files[_i]);
-    ck_assert_msg(conform(arguments) == 0, "%s", said);
-}
 
 TEST(answers_in_a_file_may_stand_in_any_order)
 {
