@@ -33,23 +33,19 @@ static int take_digits(struct choice *c, const struct arguments *a)
 {
     const char *text;
     for (int k = 0; (text = option_next(a, "--digits", &k)) != NULL;) {
-        const char *equals = strchr(text, '=');
-        char id[40], *end;
-        if (equals == NULL)
-            return usage_error(EXIT_USAGE, "--digits: expected ID=DIGITS, got '%.40s'", text);
-        snprintf(id, sizeof id, "%.*s", (int)(equals - text), text);
+        char id[40];
+        int digits = 0, length = 0;
+        if (sscanf(text, "%39[^=]=%3d%n", id, &digits, &length) != 2 || text[length] != '\0' || digits < 1 || digits > 30)
+            return usage_error(EXIT_USAGE, "--digits: expected ID=DIGITS, an integer from 1 to 30, got '%.40s'", text);
         const struct section *s = section_argument(c->sheet, id);
         if (s == NULL)
             return EXIT_USAGE;
         double *given = &c->digits[s - c->sheet->sections];
-        const long digits = strtol(equals + 1, &end, 10);
         if (!is_motion(s))
             return usage_error(EXIT_USAGE, "--digits: expected a motion, %s is judged by E", id);
-        if (end == equals + 1 || *end != '\0' || digits < 1 || digits > 30)
-            return usage_error(EXIT_USAGE, "--digits: expected an integer from 1 to 30, got '%.40s'", equals + 1);
         if (*given > 0.0)
             return usage_error(EXIT_USAGE, "--digits: expected %s once, got '%s=%g' and '%.40s'", id, id, *given, text);
-        *given = (double)digits;
+        *given = digits;
     }
     for (int i = 0; i < c->sheet->section_count; i++)
         if (!(c->digits[i] > 0.0))

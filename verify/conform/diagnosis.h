@@ -8,6 +8,9 @@
 
 #include "conform/conform.h"
 
+/* What a line that is no answer looks like, as it is shown, printable; "" where there is nothing to add to the outcome. */
+void line_hint(const struct sheet *sheet, const char *line, enum outcome outcome, char *hint, size_t size);
+
 /*
  * Into the summary of a test set: "as printed; or ...", what explains all its failures that were kept. Takes a second of
  * processor time, or little more; what has not been tried by then is left.

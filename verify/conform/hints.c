@@ -1,12 +1,10 @@
-#include "conform/hints.h"
+#include "conform/diagnosis.h"
 
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-
-#include "conform/conform.h"
 
 enum { WORD = 80 };
 

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "conform/diagnosis.h"
-#include "conform/hints.h"
 #include "text/decimal.h"
 #include "text/json.h"
 #include "text/progress.h"
