@@ -10,7 +10,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "conform/report.h"
 
 static char said[1 << 20]; /* both outputs of the program's last run */
 
@@ -52,7 +51,7 @@ struct oracle_run {
 static void assert_run(const struct oracle_run *r)
 {
     const int status = conform(r->arguments);
-    char says[400], *rest = NULL;
+    char says[1000], *rest = NULL;
     ck_assert_msg(status == r->status, "%s: exit %d\n%s", r->arguments, status, said);
     snprintf(says, sizeof says, "%s", r->says);
     for (char *text = strtok_r(says, "|", &rest); text != NULL; text = strtok_r(NULL, "|", &rest))
@@ -486,52 +485,45 @@ TEST(a_diagnosis_ends)
     ck_assert(time(NULL) - before < 30); /* ten minutes without a limit */
 }
 
-static const char *file_text(const char *name)
-{
-    static char text[1 << 16];
-    char path[512];
-    snprintf(path, sizeof path, "%s/tests/%s", getenv("CT_BUILD"), name);
-    FILE *file = fopen(path, "r");
-    ck_assert_ptr_nonnull(file);
-    text[fread(text, 1, sizeof text - 1, file)] = '\0';
-    fclose(file);
-    return text;
-}
+/* Reports, written and read again. */
+#define WRITES(name, options, client) options " --report \"$CT_BUILD/tests/" name "\" -- " client " >/dev/null; s=$?; cat \"$CT_BUILD/tests/" name "\"; exit $s"
+#define COMPLAINS(words, fault) "sh -c '" words " >&2; exec \"$0\" " fault "' FAULTY 2>/dev/null"
+static const struct oracle_run written[] = {
+    {WRITES("r.xml", "--only eq38,eq07", "FAULTY printed"), 1, "<testsuite name=\"eq38\" tests=\"27\" failures=\"17\" errors=\"0\" skipped=\"0\"|"
+     "name=\"eq38-random-9\"><failure message=\"wrong\">  eq38-random-9: wrong, E = |name=\"eq07-paper\"></testcase>|"
+     "looks like the paper's misprint: Kepler|has already.\n</failure></testcase>|name=\"lines\"></testcase>"},
+    {WRITES("r.json", "--only eq38,eq07", "FAULTY printed"), 1, "\"vectors\": 78, \"passed\": 61, \"failed\": 17, \"expected\": 0, \"skipped\": 0, |"
+     "\"id\": \"eq38\", \"level\": \"algebra\", \"vectors\": 27, \"passed\": 10, \"failed\": 17, |\"diagnosis\": \"the paper's misprint: Kepler|"
+     "\"id\": \"eq38-random-9\", \"operation\": \"eq38\", \"outcome\": \"wrong\", \"E\": \"2.2e+15\", |\"expected\": {\"Omega\": \"1.2994298160714638761e-05\"}, |"
+     "\"id\": \"eq07-paper\", \"operation\": \"eq07\", \"outcome\": \"right\", |\"outcomes\": {\"wrong\": 17}"},
+    {WRITES("r.json", "--only eq38,eq07", "FAULTY malformed"), 1,
+     "\"line\": {\"outcome\": \"malformed\", \"text\": \"eq07-random-7 1.5 oops\", \"hint\": \"'oops' is no number\"}"},
+    {WRITES("r.json", "--only eq38,eq07", "FAULTY wrong-id"), 1, "\"lines\": [{\"count\": 68, \"first\": 11, \"outcome\": \"wrong id\", "},
+    {WRITES("r.json", "--only eq38,eq07", "FAULTY exit-3"), 1, "\"ended\": \"ended with exit status 3 after 78 of 78 answers\""},
+    {WRITES("r.json", "--only eq37", "FAULTY cross"), 0, "\"E\": \"2.2e-01\", \"strict_E\": \"inf\""},
+    {WRITES("r.json", "--only eq38", COMPLAINS("echo \"a <word>\"", "none")), 0, "\"errors\": \"a <word>\\n\""},
+    {WRITES("r.xml", "--only eq38,eq07", "FAULTY wrong-id"), 1,
+     "<testcase classname=\"client\" name=\"lines\"><failure message=\"lines that answer nothing, or an end that is none\">\nlines that answer nothing: 68\n"},
+    {WRITES("r.xml", "--only eq38,eq07", "FAULTY exit-3"), 1, "name=\"lines\"><failure |\nthe client ended with exit status 3 "},
+    {"--only eq07 --report /nowhere/report.json -- FAULTY none", 1, "/nowhere/report.json: No such file"},
+    /* of standard error the last 2000 bytes, in however many pieces they come; a zero byte hides nothing, and nothing breaks a report */
+    {WRITES("r.json", "--only eq38", COMPLAINS("{ echo one; sleep 0.1; echo two; }", "none")), 0, "\"errors\": \"one\\ntwo\\n\""},
+    {"--only eq38 --report \"$CT_BUILD/tests/r.json\" -- " COMPLAINS("{ printf %3000s; sleep 0.1; echo end; }", "none")
+     " >/dev/null; sed -n 's/.*\"errors\": \"\\( *end\\\\n\\)\".*/\\1/p' \"$CT_BUILD/tests/r.json\" | wc -c", 0, "2002\n"},
+    {WRITES("r.json", "--only eq38", COMPLAINS("printf \"before\\000after\"", "none")), 0, "\"errors\": \"before\\u0001after\""},
+    {WRITES("r.xml", "--only eq07,eq38", COMPLAINS("printf \"<>&\\042\\047\\134\\001\\n\"", "skip")), 1,
+     "&#60;&#62;&#38;&#34;'\\?\n|name=\"eq07-paper\"><skipped message=\"skipped\"/></testcase>"},
+    {WRITES("r.json", "--only eq07,eq38", COMPLAINS("printf \"<>&\\042\\047\\134\\001\\n\"", "skip")), 1, "<>&\\\"'\\\\\\u0001\\n"},
+    /* a report is of the kind that its name ends with: a dot-file's name is all ending */
+    {WRITES(".xml", "--only eq07", "FAULTY none"), 0, "<?xml "},
+    {WRITES(".json", "--only eq07", "FAULTY none"), 0, "{\n  \"client\""},
+    {WRITES("a-name-of-a-report-that-is-longer-than-most-names-are.xml.json", "--only eq07", "FAULTY none"), 0, "{\n  \"client\""},
+    {"--only eq07 --report a.xml/b -- FAULTY none", 2, ".xml or .json"},
+};
 
-TEST(reports_for_machines_say_the_same)
+EACH(reports_for_machines_say_the_same, COUNT(written))
 {
-    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.xml\" -- FAULTY printed"), 1);
-    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "<testsuite name=\"eq38\" tests=\"27\" failures=\"17\" errors=\"0\" skipped=\"0\""));
-    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "looks like the paper's misprint: Kepler's third law has no factor of 3 there; the 3 of Eq. (39) is the one that Eq. (37) has already.\n</failure></testcase>"));
-    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- "
-                             "sh -c 'echo \"a <word>\" >&2; exec \"$0\" printed' FAULTY"), 1);
-    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"diagnosis\": \"the paper's misprint: Kepler"));
-    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"errors\": \"a <word>\\n\""));
-    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- FAULTY malformed"), 1);
-    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"line\": {\"outcome\": \"malformed\", \"text\": \"eq07-random-7 1.5 oops\", "
-                                                           "\"hint\": \"'oops' is no number\"}"));
-    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.json\" -- FAULTY wrong-id"), 1);
-    ck_assert_ptr_nonnull(strstr(file_text("report.json"), "\"lines\": [{\"count\": 68, \"first\": 11, \"outcome\": \"wrong id\", "));
-    ck_assert_int_eq(conform("--only eq38,eq07 --report \"$CT_BUILD/tests/report.xml\" -- FAULTY wrong-id"), 1);
-    ck_assert_ptr_nonnull(strstr(file_text("report.xml"), "<testcase classname=\"client\" name=\"lines\"><failure message=\"lines that answer "
-                                                          "nothing, or an end that is none\">\nlines that answer nothing: 68\n"));
-    ck_assert_int_eq(conform("--only eq07 --report /nowhere/report.json -- FAULTY none"), 1);
-    assert_says("/nowhere/report.json: No such file");
-}
-
-/* In however many pieces it comes, its last 2000 bytes. */
-TEST(the_end_of_standard_error_is_kept)
-{
-    ck_assert_int_eq(conform("--only eq38 --report \"$CT_BUILD/tests/pieces.json\" -- "
-                             "sh -c 'echo one >&2; sleep 0.1; echo two >&2; exec \"$0\" none' FAULTY"), 0);
-    ck_assert_ptr_nonnull(strstr(file_text("pieces.json"), "\"errors\": \"one\\ntwo\\n\""));
-    ck_assert_int_eq(conform("--only eq38 --report \"$CT_BUILD/tests/pieces.json\" -- "
-                             "sh -c 'printf %3000s >&2; sleep 0.1; echo end >&2; exec \"$0\" none' FAULTY"), 0);
-    const char *end = strstr(file_text("pieces.json"), "\"errors\": \"");
-    ck_assert_ptr_nonnull(end);
-    end += strlen("\"errors\": \"");
-    ck_assert_uint_eq(strspn(end, " "), 2000 - strlen("end\n"));
-    ck_assert_int_eq(strncmp(end + strspn(end, " "), "end\\n\"", 6), 0);
+    assert_run(&written[_i]);
 }
 
 /* A full disk, and a name that is taken by a folder: no report, and nothing of it left. */
@@ -553,21 +545,6 @@ TEST(a_report_overwrites_nothing_but_itself)
                             "--report $r -- \"$CT_BUILD/tests/faulty\" none >/dev/null || exit 1; done && test -L r.xml && "
                             "cmp r.xml b && test -L r.xml.tmp && test \"$(cat a r.json.tmp r.xml.tmp)\" = \"$(printf 'mine\\nmine\\nmine')\" && "
                             "test \"$(ls | wc -l)\" = 6"), 0);
-}
-
-/* A dot-file's name is all ending. */
-TEST(a_report_is_of_the_kind_that_its_name_ends_with)
-{
-    ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/.xml\" -- FAULTY none"), 0);
-    ck_assert_int_eq(strncmp(file_text(".xml"), "<?xml ", 6), 0);
-    ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/.json\" -- FAULTY none"), 0);
-    ck_assert_int_eq(strncmp(file_text(".json"), "{", 1), 0);
-    ck_assert_int_eq(conform("--only eq07 --report \"$CT_BUILD/tests/a-name-of-a-report-that-is-longer-than-most-names-are.json\" -- FAULTY none"), 0);
-    ck_assert_int_eq(strncmp(file_text("a-name-of-a-report-that-is-longer-than-most-names-are.json"), "{", 1), 0);
-    ck_assert_int_eq(report_format("a.xml.json"), REPORT_JSON);
-    ck_assert_int_eq(report_format("a.json.xml"), REPORT_XML);
-    ck_assert_int_eq(report_format("a.xml/b"), REPORT_NONE);
-    ck_assert_int_eq(report_format("json"), REPORT_NONE);
 }
 
 /* ---- time ---- */
@@ -600,26 +577,6 @@ TEST(who_answers_now_and_then_has_time)
     ck_assert_int_eq(conform("--only eq38 --timeout 2 -- sh -c 'head -n 5 >/dev/null; for i in 1 2 3 4 5; do sleep 0.5; "
                              "echo eq38-random-$i skip it; done; cat >/dev/null'"), 1);
     ck_assert_ptr_null(strstr(said, "time-out"));
-}
-
-TEST(a_zero_byte_hides_nothing_of_standard_error)
-{
-    ck_assert_int_eq(conform("--only eq38 --report \"$CT_BUILD/tests/zero.json\" -- "
-                             "sh -c 'printf \"before\\000after\" >&2; exec \"$0\" none' FAULTY"), 0);
-    ck_assert_ptr_nonnull(strstr(file_text("zero.json"), "\"errors\": \"before\\u0001after\""));
-}
-
-EACH(what_a_client_says_breaks_no_report, 2)
-{
-    static const char *const clients[] = {"report.xml", "report.json"};
-    static const char *const escaped[] = {"&#60;&#62;&#38;&#34;'\\?\n", "<>&\\\"'\\\\\\u0001\\n"};
-    char line[400];
-    snprintf(line, sizeof line, "--only eq07,eq38 --report \"$CT_BUILD/tests/%s\" -- sh -c "
-             "'printf \"<>&\\042\\047\\134\\001\\n\" >&2; exec \"$0\" skip' FAULTY", clients[_i]);
-    ck_assert_msg(conform(line) == 1, "%s", said);
-    ck_assert_msg(strstr(file_text(clients[_i]), escaped[_i]) != NULL, "%s", file_text(clients[_i]));
-    if (_i == 0)
-        ck_assert_ptr_nonnull(strstr(file_text(clients[_i]), "name=\"eq07-paper\"><skipped message=\"skipped\"/></testcase>"));
 }
 
 /* Each pipe to the client takes two descriptors, and some more the program: with fewer it says so. */
