@@ -275,7 +275,7 @@ def all_checks():
     program, golden = 'build/coulomb-tether', sorted(file.stem for file in (ROOT / 'data/golden').glob('*.csv'))
     commands = [*(f'vectors {g} --golden' for g in golden), *(f'conform --kills --only {g}' for g in golden),
                 *(f'figure {f} --rk4 100' for f in ('5a', '5b', '6', '7a', '7b')), 'figure 4', 'table1', 'verify derivations',
-                'verify claims --csv', 'verify errors', *(f'study {s}' for s in ('balance', 'basin', 'convergence', 'forced', 'pitch', 'sampling', 'saturation', 'tolerance'))]
+                'verify claims --json', 'verify errors', *(f'study {s}' for s in ('balance', 'basin', 'convergence', 'forced', 'pitch', 'sampling', 'saturation', 'tolerance'))]
     yield from (Check(command, [program, *command.split()], prints=True) for command in commands)
     yield Check('sheet-check', ['build/sheet-check', *SHEETS])
     for script in ('command/test_wrong.sh', 'conform/test_clients.sh', 'project/test_gate.sh'):

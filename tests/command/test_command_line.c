@@ -258,8 +258,7 @@ static const struct {
     {"conform --timeout 5 --kills", 2, "--timeout does nothing here, it goes with a client after --"},
     {"verify errors --count 100000001", 2, "--count"},
     {"verify errors --count 99999999999999999999", 2, "--count"},
-    {"verify --csv", 2, "--csv"},
-    {"verify claims --json --csv", 2, "--json"},
+    {"verify errors --json --markdown", 2, "--json"},
     {"verify errors --count 0", 2, "--count"},
 };
 

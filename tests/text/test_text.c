@@ -84,27 +84,6 @@ TEST(csv_columns_are_found_from_the_end)
     fclose(in);
 }
 
-TEST(csv_that_is_written_is_read_again)
-{
-    static const char *const cells[] = {"plain", "", "a, \"b\"", "c\nd", "\""};
-    struct message why;
-    char *text;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    csv_row(out, cells, 5);
-    fclose(out);
-    ck_assert_str_eq(text, "plain,,\"a, \"\"b\"\"\",\"c\nd\",\"\"\"\"\n");
-    FILE *in = fmemopen(text, size, "r");
-    struct csv c = csv_on(in, "f.csv", 100);
-    ck_assert_int_eq(csv_next(&c, &why), CSV_ROW);
-    ck_assert_int_eq(c.count, 5);
-    for (int i = 0; i < 5; i++)
-        ck_assert_str_eq(c.cells[i], cells[i]);
-    csv_clear(&c);
-    fclose(in);
-    free(text);
-}
-
 /* ---- JSON ---- */
 
 TEST(json_puts_commas_and_lines_where_they_belong)

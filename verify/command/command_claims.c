@@ -6,7 +6,6 @@
 
 #include "claims/verdicts.h"
 #include "command/command.h"
-#include "text/csv.h"
 #include "text/json.h"
 
 struct printer {
@@ -61,18 +60,13 @@ static void print_assertions(const struct statement *s)
 static void print_row(void *context, const struct verdict_row *r)
 {
     struct printer *p = context;
-    const char *verdict = verdict_names[r->verdict], *how = how_names[r->how];
-    const char *claim = text_of(&r->claim.plain), *evidence = text_of(&r->evidence.plain);
-    if (p->format == FORMAT_TABLE)
-        printf("%-22s %-20s %-10s %s\n    %s\n    %s\n", r->id, verdict, how, r->where, claim, evidence);
-    if (p->format == FORMAT_TABLE && r->open.text[0] != '\0')
-        print_assertions(r->statement);
     if (p->format == FORMAT_JSON)
         print_json(p->json, r);
-    if (p->format == FORMAT_CSV) {
-        const char *const fields[] = {r->id, r->where, r->kind, claim, verdict, how, evidence};
-        csv_row(stdout, fields, 7);
-    }
+    else
+        printf("%-22s %-20s %-10s %s\n    %s\n    %s\n", r->id, verdict_names[r->verdict], how_names[r->how], r->where,
+               text_of(&r->claim.plain), text_of(&r->evidence.plain));
+    if (p->format == FORMAT_TABLE && r->open.text[0] != '\0')
+        print_assertions(r->statement);
     if (r->open.text[0] != '\0') {
         fflush(stdout);
         fprintf(stderr, "coulomb-tether: %s\n", r->open.text);
@@ -87,8 +81,6 @@ bool verify_claims(struct verification *v)
     struct printer p = {.json = &v->json, .format = format};
     if (format == FORMAT_JSON)
         json_open(p.json, "claims", '[');
-    if (format == FORMAT_CSV)
-        puts("id,where,kind,claim,verdict,how,evidence");
     bool decided = verdict_rows(&v->steps, &v->claims, v->only, print_row, &p);
     if (format == FORMAT_JSON) {
         json_line(p.json, -1);

@@ -24,7 +24,7 @@ static bool asked_for(const struct verification *v, const char *part)
 
 static int read_request(const struct arguments *a, struct verification *v)
 {
-    static const char *const formats[] = {[FORMAT_JSON] = "--json", [FORMAT_CSV] = "--csv", [FORMAT_MARKDOWN] = "--markdown"};
+    static const char *const formats[] = {[FORMAT_JSON] = "--json", [FORMAT_MARKDOWN] = "--markdown"};
     uint64_t count = COUNT_UNLESS_GIVEN;
     int given = 0;
     *v = (struct verification){.sheet = &a->paper->sheet, .json = json_on(stdout),
@@ -36,7 +36,7 @@ static int read_request(const struct arguments *a, struct verification *v)
             given++;
         }
     if (given > 1)
-        return usage_error(EXIT_USAGE, "--json, --csv, --markdown: expected one of them");
+        return usage_error(EXIT_USAGE, "--json, --markdown: expected one of them");
     if (v->only != NULL && asked_for(v, "errors"))
         return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", v->only);
     const int status = option_number(a, "--count", 1, MOST_COUNT, &count);

@@ -7,7 +7,7 @@
 #include "text/json.h"
 
 /* Markdown is README's, for the errors alone. */
-enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN };
+enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_MARKDOWN };
 
 /* What was asked for. */
 struct verification {

@@ -85,7 +85,6 @@ const struct option options[] = {
     {"--rk4", "H", "s", NULL, "figure", MOTIONS, false,
      "further columns: the classical Runge-Kutta method in steps of H, a divisor of 100, free of rounding"},
     /* proofs */
-    {"--csv", NULL, NULL, NULL, "verify", "claims", false, "the verdicts as CSV"},
     {"--markdown", NULL, NULL, NULL, "verify", "errors", false, "a table in Markdown"},
     {"--count", "N", NULL, "1000", "verify", "errors|", false, "random inputs of each operation"},
     /* vectors */
@@ -151,7 +150,7 @@ const struct example examples[] = {
     {"design n=12 m2=50 --exact --digits 12 --json", "what one decides with, for another gain and a lighter second craft"},
     {"verify", "all the proofs; exit status 0 says that they hold"},
     {"verify claims n12-optimal", "one claim, its verdict and the evidence"},
-    {"verify claims --csv >verdicts.csv", "all of them"},
+    {"verify claims --json >verdicts.json", "all of them"},
     {"verify errors --count 10000 --markdown", "the reference library's largest errors"},
     {"study forced >forced.csv", "six days of motion beside the closed forms"},
     {"vectors eq07 --count 1000 --seed 1 --inputs hex", "a thousand certified vectors"},

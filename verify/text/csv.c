@@ -4,18 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void csv_row(FILE *file, const char *const *cells, int count)
-{
-    for (int i = 0; i < count; i++) {
-        const char *mark = strpbrk(cells[i], ",\"\r\n") != NULL ? "\"" : "";
-        fprintf(file, "%s%s", i > 0 ? "," : "", mark);
-        for (const char *c = cells[i]; *c != '\0'; c++)
-            fprintf(file, *c == '"' ? "\"%c" : "%c", *c);
-        fputs(mark, file);
-    }
-    fputc('\n', file);
-}
-
 struct csv csv_on(FILE *file, const char *name, size_t longest)
 {
     return (struct csv){.file = file, .name = name, .longest = longest, .next = 1};

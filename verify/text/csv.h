@@ -1,4 +1,4 @@
-/* CSV, RFC 4180, as it is written here; and read as spreadsheets and data frames write it. */
+/* CSV, RFC 4180, as spreadsheets and data frames write it. */
 #ifndef CT_CSV_H
 #define CT_CSV_H
 
@@ -6,9 +6,6 @@
 #include <stdio.h>
 
 #include "text/message.h"
-
-/* A row and LF; what has a comma, a quotation mark or a line break in it is quoted. */
-void csv_row(FILE *file, const char *const *cells, int count);
 
 /*
  * Rows one after another, empty lines left out: LF or CRLF at their ends, a byte order mark before the first; commas,
