@@ -49,70 +49,57 @@ EACH(symbols_carry_index_and_accent, 20)
     tex_clear(&t);
 }
 
-EACH(brackets_stand_where_they_are_needed, 13)
-{
-    static const struct pair pairs[] = {
-        {"L*(m1 + m2)", "L(m_{1} + m_{2})"},
-        {"L + (m1 + m2)", "L + m_{1} + m_{2}"},
-        {"L - (m1 - m2)", "L - (m_{1} - m_{2})"},
-        {"L - (-m1)", "L - (-m_{1})"},
-        {"L + (-m1)", "L + (-m_{1})"},
-        {"-(m1 + m2)", "-(m_{1} + m_{2})"},
-        {"-m1*m2", "-m_{1}m_{2}"},
-        {"L*(-m1)", "L(-m_{1})"},
-        {"(m1*m2)^2", "(m_{1}m_{2})^{2}"},
-        {"m1*m2^-3", "m_{1}m_{2}^{-3}"},
-        {"(L^2)^3", "(L^{2})^{3}"},
-        {"dL^2", "(\\delta L)^{2}"},
-        {"L*2*3", "L\\cdot 2\\cdot 3"}};
-    assert_typeset(&pairs[_i]);
-}
+static const struct pair formulas[] = {
+    /* brackets stand where they are needed */
+    {"L*(m1 + m2)", "L(m_{1} + m_{2})"},
+    {"L + (m1 + m2)", "L + m_{1} + m_{2}"},
+    {"L - (m1 - m2)", "L - (m_{1} - m_{2})"},
+    {"L - (-m1)", "L - (-m_{1})"},
+    {"L + (-m1)", "L + (-m_{1})"},
+    {"-(m1 + m2)", "-(m_{1} + m_{2})"},
+    {"-m1*m2", "-m_{1}m_{2}"},
+    {"L*(-m1)", "L(-m_{1})"},
+    {"(m1*m2)^2", "(m_{1}m_{2})^{2}"},
+    {"m1*m2^-3", "m_{1}m_{2}^{-3}"},
+    {"(L^2)^3", "(L^{2})^{3}"},
+    {"dL^2", "(\\delta L)^{2}"},
+    {"L*2*3", "L\\cdot 2\\cdot 3"},
+    /* a word among factors stands apart from them */
+    {"2*margin1*L", "2\\,\\mathrm{margin}_{1}\\,L"},
+    {"margin1*(L + h)", "\\mathrm{margin}_{1}\\,(L + h)"},
+    {"margin1*sin(psi)/m1", "\\frac{\\mathrm{margin}_{1}\\sin \\psi }{m_{1}}"},
+    {"L*2*margin1", "L\\cdot 2\\,\\mathrm{margin}_{1}"},
+    /* each division is a line */
+    {"m1/m2", "\\frac{m_{1}}{m_{2}}"},
+    {"(m1 + m2)/m2", "\\frac{m_{1} + m_{2}}{m_{2}}"},
+    {"m1*(L + h)/(m1 + m2)", "\\frac{m_{1}(L + h)}{m_{1} + m_{2}}"},
+    {"k_c/m1*(x1 - x2)/L^3*Q", "\\frac{k_{c}}{m_{1}}\\frac{x_{1} - x_{2}}{L^{3}}Q"},
+    {"m1/m2/L", "\\frac{m_{1}}{m_{2}L}"},
+    {"m1/(m2/L)", "\\frac{m_{1}}{\\frac{m_{2}}{L}}"},
+    {"-m1/m2*x1", "-\\frac{m_{1}}{m_{2}}x_{1}"},
+    {"L*(m1/m2)", "\\frac{Lm_{1}}{m_{2}}"},
+    {"(m1/m2)^2", "\\left(\\frac{m_{1}}{m_{2}}\\right)^{2}"},
+    {"m1/m2*(x1 + x2)", "\\frac{m_{1}}{m_{2}}(x_{1} + x_{2})"},
+    {"0.5*L", "\\frac{1}{2}L"},
+    {"sin(psi)/m1", "\\frac{\\sin \\psi }{m_{1}}"},
+    /* functions have their own notation */
+    {"cos(theta)*sin(psi)", "\\cos \\theta \\sin \\psi "},
+    {"-sin(theta)*psi_dot", "-\\sin \\theta \\,\\dot \\psi "},
+    {"sin(2*psi)", "\\sin (2\\psi )"},
+    {"cos(psi)^2", "(\\cos \\psi )^{2}"},
+    {"sqrt(m1/m2)", "\\sqrt{\\frac{m_{1}}{m_{2}}}"},
+    {"sqrt((m1 + m2)^2)", "|m_{1} + m_{2}|"},
+    {"exp(-L/lambda_d)/L", "\\frac{e^{-L/\\lambda _{d}}}{L}"},
+    {"exp(-L/(m1*m2))", "e^{-L/(m_{1}m_{2})}"},
+    {"L*log(L)", "L\\ln L"},
+    {"log(L/L_ref)", "\\ln \\left(\\frac{L}{L_{\\mathrm{ref}}}\\right)"},
+    {"atan2(-z1, x1)", "\\operatorname{atan2}\\left(-z_{1},\\, x_{1}\\right)"},
+    {"positive(C1 - 9)", "[C_{1} - 9 > 0]"},
+};
 
-/* A word among factors stands apart from them. */
-EACH(words_stand_apart, 4)
+EACH(formula_is_set_as_by_hand, COUNT(formulas))
 {
-    static const struct pair pairs[] = {
-        {"2*margin1*L", "2\\,\\mathrm{margin}_{1}\\,L"},
-        {"margin1*(L + h)", "\\mathrm{margin}_{1}\\,(L + h)"},
-        {"margin1*sin(psi)/m1", "\\frac{\\mathrm{margin}_{1}\\sin \\psi }{m_{1}}"},
-        {"L*2*margin1", "L\\cdot 2\\,\\mathrm{margin}_{1}"}};
-    assert_typeset(&pairs[_i]);
-}
-
-EACH(each_division_is_a_line, 12)
-{
-    static const struct pair pairs[] = {
-        {"m1/m2", "\\frac{m_{1}}{m_{2}}"},
-        {"(m1 + m2)/m2", "\\frac{m_{1} + m_{2}}{m_{2}}"},
-        {"m1*(L + h)/(m1 + m2)", "\\frac{m_{1}(L + h)}{m_{1} + m_{2}}"},
-        {"k_c/m1*(x1 - x2)/L^3*Q", "\\frac{k_{c}}{m_{1}}\\frac{x_{1} - x_{2}}{L^{3}}Q"},
-        {"m1/m2/L", "\\frac{m_{1}}{m_{2}L}"},
-        {"m1/(m2/L)", "\\frac{m_{1}}{\\frac{m_{2}}{L}}"},
-        {"-m1/m2*x1", "-\\frac{m_{1}}{m_{2}}x_{1}"},
-        {"L*(m1/m2)", "\\frac{Lm_{1}}{m_{2}}"},
-        {"(m1/m2)^2", "\\left(\\frac{m_{1}}{m_{2}}\\right)^{2}"},
-        {"m1/m2*(x1 + x2)", "\\frac{m_{1}}{m_{2}}(x_{1} + x_{2})"},
-        {"0.5*L", "\\frac{1}{2}L"},
-        {"sin(psi)/m1", "\\frac{\\sin \\psi }{m_{1}}"}};
-    assert_typeset(&pairs[_i]);
-}
-
-EACH(functions_have_their_own_notation, 12)
-{
-    static const struct pair pairs[] = {
-        {"cos(theta)*sin(psi)", "\\cos \\theta \\sin \\psi "},
-        {"-sin(theta)*psi_dot", "-\\sin \\theta \\,\\dot \\psi "},
-        {"sin(2*psi)", "\\sin (2\\psi )"},
-        {"cos(psi)^2", "(\\cos \\psi )^{2}"},
-        {"sqrt(m1/m2)", "\\sqrt{\\frac{m_{1}}{m_{2}}}"},
-        {"sqrt((m1 + m2)^2)", "|m_{1} + m_{2}|"},
-        {"exp(-L/lambda_d)/L", "\\frac{e^{-L/\\lambda _{d}}}{L}"},
-        {"exp(-L/(m1*m2))", "e^{-L/(m_{1}m_{2})}"},
-        {"L*log(L)", "L\\ln L"},
-        {"log(L/L_ref)", "\\ln \\left(\\frac{L}{L_{\\mathrm{ref}}}\\right)"},
-        {"atan2(-z1, x1)", "\\operatorname{atan2}\\left(-z_{1},\\, x_{1}\\right)"},
-        {"positive(C1 - 9)", "[C_{1} - 9 > 0]"}};
-    assert_typeset(&pairs[_i]);
+    assert_typeset(&formulas[_i]);
 }
 
 /* As many factors as one writes, each in its place. */

@@ -187,6 +187,7 @@ static const struct {
     {"a + c", "a + c", ENDS "    show: [\"eq1.f(a = b, c = p) = given.g(a = b, c = p)\"]", ""},
     {"a*b", "a*b", ENDS "    show: [\"eq1.f(b = 2) = given.g(b = 2)\", eq1.f = given.g]", "could be left out"},
     {"a*b", "a*b", ENDS "    show: [eq1.f = given.g, \"eq1.f(b = 2) = given.g(b = 2)\"]", "could be left out"},
+    {"a*b", "a*b", ENDS "    show: [eq1.f = given.g, eq1.f^2 = a^2*b^2]", "eq1.f^2 = a^2*b^2 could be left out"}, /* it breaks with the other alone */
     /* (W6) */
     {"a", "a", "    from: [\"1\", given]\n    to: [\"1\"]\n    show: [eq1.f = given.g]", "f is in from already"},
     {"a*open", "a*(a + b)", "    from: [eq1.open, given]\n    to: [\"1\"]\n    show: [eq1.f = given.g, eq1.open = given.g/a]", ""},

@@ -29,7 +29,7 @@ static void open_fixture(struct fixture *f, const char *Omega, const char *C1, c
     f->roots = _acb_vec_init(4);
 }
 
-static void close_fixture(struct fixture *f)
+static void fixture_clear(struct fixture *f)
 {
     fmpq_clear(f->Omega);
     fmpq_clear(f->C1);
@@ -84,7 +84,7 @@ static const struct {
 
 EACH(eq41_roots_agree_with_mpmath, COUNT(known))
 {
-    struct fixture f;
+    OWNED(fixture) f;
     SCOPE(arb, expected);
     SCOPE(mag, difference, unit);
     open_fixture(&f, known[_i].Omega, known[_i].C1, known[_i].C2);
@@ -99,7 +99,6 @@ EACH(eq41_roots_agree_with_mpmath, COUNT(known))
         arb_get_mag(difference, expected);
         ck_assert_msg(mag_cmp(difference, unit) <= 0, "part %d", k);
     }
-    close_fixture(&f);
 }
 
 /* Exactly known parts, as fractions; NULL is an irrational one. */
@@ -185,7 +184,7 @@ static void check_promises(const struct fixture *f, slong prec)
 /* A zero part is an exact zero, for no decimal of an enclosure around zero can be decided; what is rational is told to be. */
 EACH(eq41_exact_cases_have_the_coefficients_and_exact_parts, COUNT(exact))
 {
-    struct fixture f;
+    OWNED(fixture) f;
     SCOPE(fmpq, value, expected);
     open_fixture(&f, exact[_i].Omega, exact[_i].C1, exact[_i].C2);
     for (slong prec = 2; prec < 3000; prec *= 5) {
@@ -204,13 +203,12 @@ EACH(eq41_exact_cases_have_the_coefficients_and_exact_parts, COUNT(exact))
             ck_assert_msg(!rational || (fmpq_set_str(expected, known_value, 10) == 0 && fmpq_equal(value, expected)), "part %d", k);
         }
     }
-    close_fixture(&f);
 }
 
 /* Small fractions of every sign: real and complex roots, stable and unstable. */
 TEST(eq41_grid_has_the_coefficients)
 {
-    struct fixture f;
+    OWNED(fixture) f;
     open_fixture(&f, "3/7", "0", "0");
     for (int c1 = -30; c1 <= 30; c1 += 3) {
         for (int c2 = -30; c2 <= 30; c2 += 3) {
@@ -221,7 +219,6 @@ TEST(eq41_grid_has_the_coefficients)
             check_promises(&f, 64);
         }
     }
-    close_fixture(&f);
 }
 
 /* Nearly multiple, nearly equal real parts, tiny, huge: what makes isolation hard. */
@@ -254,30 +251,28 @@ static const struct {
 
 EACH(eq41_hard_cases_have_the_coefficients, COUNT(hard))
 {
-    struct fixture f;
+    OWNED(fixture) f;
     open_fixture(&f, hard[_i].Omega, hard[_i].C1, hard[_i].C2);
     ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 53));
     check_coefficients(&f, 1000);
     check_promises(&f, 53);
-    close_fixture(&f);
 }
 
 /* No double can hold these coefficients, so the iteration in double starts nothing. */
 TEST(eq41_roots_beyond_the_range_of_double)
 {
-    struct fixture f;
+    OWNED(fixture) f;
     open_fixture(&f, "1", "0", "0");
     fmpz_ui_pow_ui(fmpq_numref(f.C1), 10, 400);
     fmpz_ui_pow_ui(fmpq_numref(f.C2), 10, 350);
     ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 53));
     check_coefficients(&f, 4000);
-    close_fixture(&f);
 }
 
 /* (42): all real parts negative exactly when C1 > 9 Omega^2 and C2 > 0. */
 TEST(eq42_tells_the_sign_of_the_greatest_real_part)
 {
-    struct fixture f;
+    OWNED(fixture) f;
     open_fixture(&f, "1/3", "0", "0");
     for (int c1 = -1; c1 <= 1; c1++) {
         for (int c2 = -1; c2 <= 1; c2++) {
@@ -290,17 +285,15 @@ TEST(eq42_tells_the_sign_of_the_greatest_real_part)
             ck_assert_int_eq(stable, c1 > 0 && c2 > 0);
         }
     }
-    close_fixture(&f);
 }
 
 TEST(eq41_refuses_a_rate_that_is_not_positive)
 {
-    struct fixture f;
+    OWNED(fixture) f;
     open_fixture(&f, "0", "10", "2");
     ck_assert(!roots41(f.roots, f.Omega, f.C1, f.C2, 64));
     fmpq_set_si(f.Omega, -1, 1);
     ck_assert(!roots41(f.roots, f.Omega, f.C1, f.C2, 64));
-    close_fixture(&f);
 }
 
 /*
@@ -309,7 +302,7 @@ TEST(eq41_refuses_a_rate_that_is_not_positive)
  */
 TEST(eq41_rational_part_is_not_taken_for_its_neighbour)
 {
-    struct fixture f;
+    OWNED(fixture) f;
     SCOPE(fmpq, value);
     open_fixture(&f, "1",
                  "2178187514374146658552225676244405744032183114752112835750523001723681549/"
@@ -320,7 +313,6 @@ TEST(eq41_rational_part_is_not_taken_for_its_neighbour)
     for (int k = 0; k < 4; k++)
         rational += roots41_rational(value, k, true, f.Omega, f.C1, f.C2);
     ck_assert_int_eq(rational, 2);
-    close_fixture(&f);
 }
 
 /* (44) at n = 12: c2 = 2 sqrt(3), no fraction. mpmath, as above. */
@@ -349,7 +341,7 @@ TEST(eq44_gains_have_certified_roots)
 /* (P1) Each enclosure holds the root of every polynomial in the balls: here of the one with exact gains. */
 TEST(eq41_wide_gains_enclose_exact_roots)
 {
-    struct fixture f;
+    OWNED(fixture) f;
     VECTOR(acb, roots, 4);
     SCOPE(arb, c1, c2);
     open_fixture(&f, "1", "3", "1");
@@ -361,7 +353,6 @@ TEST(eq41_wide_gains_enclose_exact_roots)
     ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 64));
     for (int k = 0; k < 4; k++)
         ck_assert(acb_contains(roots + k, f.roots + k));
-    close_fixture(&f);
 }
 
 /* (P1) where a gain or the rate is no binary fraction. */
@@ -370,7 +361,7 @@ TEST(eq41_enclosures_hold_what_more_bits_tell)
     static const char *const thirds[] = {"1/3", "2/3", "10/3", "22/7", "1/11", "17/9", "-5/7", "8/13", "31/30", "100/99"};
     for (int i = 0; i < 4*COUNT(thirds); i++)
         for (slong prec = 20; prec < 90; prec += 23) {
-            struct fixture f;
+            OWNED(fixture) f;
             VECTOR(acb, roots, 4);
             open_fixture(&f, i % 4 == 2 ? thirds[i / 4] : "1", i % 4 == 1 ? thirds[i / 4] : "12", i % 4 == 0 ? thirds[i / 4] : i % 4 == 3 ? "7" : "3");
             if (i % 4 == 2)
@@ -379,7 +370,6 @@ TEST(eq41_enclosures_hold_what_more_bits_tell)
             ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 400));
             for (int k = 0; k < 4; k++)
                 ck_assert_msg(acb_contains(roots + k, f.roots + k), "%s, %ld bits, root %d", thirds[i / 4], (long)prec, k);
-            close_fixture(&f);
         }
 }
 
