@@ -615,6 +615,14 @@ TEST(given_root_is_taken)
     arithmetic_symbolic.apply(OPERATOR_LOG, &u, &u, NULL, 0, 1); /* the ninth */
     ck_assert_int_eq(u.fault, SYMBOLIC_TRANSCENDENTAL);
     ck_assert(!symbolic_get_polynomial(f, &u));
+    fmpq_one(number);
+    arithmetic_symbolic.set_rational(&z, number, 1);
+    fmpq_zero(number);
+    arithmetic_symbolic.set_rational(&w, number, 1);
+    arithmetic_symbolic.apply(OPERATOR_DIVIDE, &z, &z, &w, 0, 1);
+    ck_assert(z.large); /* 1 over zero */
+    arithmetic_symbolic.apply(OPERATOR_DIVIDE, &z, &u, &w, 0, 1);
+    ck_assert(!z.large); /* what has no value over it */
     arithmetic_symbolic.clear(&u);
     arithmetic_symbolic.clear(&z);
     arithmetic_symbolic.clear(&w);

@@ -34,8 +34,8 @@ static const struct {
     const char *id, *evidence;
 } misprints[] = {
     {"kepler", "motion.F(m = m1, a = rate(rate(X))) = m1*gravity.a_x(GM = Omega^2*R_c^3/3): the sides differ by "
-     "(2*Omega^2*m1*R_c*t_phi^2-2*Omega^2*m1*R_c)/(3*t_phi^2+3); -3/5 is not -1/5 where Omega = 1, m1 = 1, "
-     "R_c = 1, tan(phi/2) = 1/2"},
+     "(2*Omega^2*m1*R_c*t_phi^2-2*Omega^2*m1*R_c)/(3*t_phi^2+3); 3/5 is not 1/5 where Omega = 1, m1 = 1, "
+     "R_c = 1, tan(phi/2) = 2"},
     {"charges", "left(20) = right(20): the sides differ by -2*s^2; -1 is not 1 where s = 1"},
     {"inertia", "H_1 = eq30.I_11@printed*w_1 + eq30.I_12@printed*w_2 + eq30.I_13@printed*w_3: the sides differ by "
      "(m1*x2*y2*w_2+m1*x2*z2*w_3-m1*y2^2*w_1-m1*z2^2*w_1-m2*x2*y2*w_2-m2*x2*z2*w_3+...8 terms); 182 is not "

@@ -95,29 +95,19 @@ static int signs_of(struct run *r, int i)
 
 /* ---- values ---- */
 
-/*
- * What a variable is at a point: a prime, the larger the earlier it is known, or for an example a small number, 1 if it can be;
- * of half an angle the cotangent.
- */
-static slong number_at_point(const struct run *r, slong variable, bool angle)
-{
-    const slong place = variable < r->variables ? r->variables - variable : variable + 1;
-    return r->example < 0 ? (slong)n_nth_prime((ulong)place + 2) : 1 + angle + r->example * (2 * variable + 1) % 5;
-}
-
+/* At a point each variable is a prime of its own, the larger the earlier it is known; of an angle it is the tangent of the half. */
 static void set_input(struct run *r, struct symbolic *z, int i)
 {
     const struct node *n = &r->t->program.nodes[i];
     const bool own = i < r->t->program.inputs;
     const slong variable = own ? r->variable[i] : r->variables + n->exponent;
-    const bool angle = own ? r->t->variables[i].angle : fmpq_is_one(&n->number);
-    SCOPE(fmpq, point);
-    const slong number = r->at_point ? number_at_point(r, variable, angle) : 1;
-    fmpq_set_si(point, angle ? 1 : number, angle ? (ulong)number : 1);
-    if (angle)
-        symbolic_set_angle(z, variable, r->at_point ? point : NULL);
+    SCOPE(fmpq, prime);
+    const fmpq *point = r->at_point ? prime : NULL;
+    fmpq_set_ui(prime, n_nth_prime((ulong)(variable < r->variables ? r->variables - variable : variable + 1) + 2), 1);
+    if (own ? r->t->variables[i].angle : fmpq_is_one(&n->number))
+        symbolic_set_angle(z, variable, point);
     else
-        symbolic_set_variable(z, variable, own ? r->t->variables[i].power : 0, r->at_point ? point : NULL);
+        symbolic_set_variable(z, variable, own ? r->t->variables[i].power : 0, point);
 }
 
 static const struct symbolic *value_of(struct run *r, int i)
@@ -156,7 +146,7 @@ void run_extend(struct run *r)
 void run_begin(struct run *r, const struct identities *t, slong terms, enum manner manner, slong more)
 {
     slong functions = 0;
-    *r = (struct run){.t = t, .terms = terms, .at_point = manner == RUN_AT_POINT, .example = -1};
+    *r = (struct run){.t = t, .terms = terms, .at_point = manner == RUN_AT_POINT};
     r->variable = xrealloc(NULL, (size_t)t->program.inputs + 1, sizeof *r->variable);
     for (int i = 0; i < t->program.count; i++) {
         if (i < t->program.inputs)
@@ -245,13 +235,6 @@ enum result run_compare(struct run *r, int left, int right)
 
 enum { SHOWN_TERMS = 6, EXAMPLES = 5 };
 
-static void print_terms(struct tex *out, const fmpz_mpoly_struct *f, const char **names)
-{
-    char *text = fmpz_mpoly_get_str_pretty(f, names, symbolic_context());
-    tex_add(out, "%s", text);
-    flint_free(text);
-}
-
 /* The leading terms of a polynomial, in the names of the inputs; an angle is known by t, the tangent of its half. */
 static void print_polynomial(struct tex *out, const struct run *r, const fmpz_mpoly_t f)
 {
@@ -267,60 +250,67 @@ static void print_polynomial(struct tex *out, const struct run *r, const fmpz_mp
         texts[k] = names[k];
     }
     head.length = FLINT_MIN(head.length, SHOWN_TERMS);
-    print_terms(out, &head, texts);
+    char *text = fmpz_mpoly_get_str_pretty(&head, texts, symbolic_context());
+    tex_add(out, "%s", text);
+    flint_free(text);
     free(names);
     free(texts);
 }
 
-static bool is_integral(const fmpz_mpoly_q_struct *x)
+/* At integers for the variables; false where it has no value there. */
+static bool value_at(fmpq_t q, const fmpz_mpoly_q_struct *x, fmpz *const *at)
 {
-    return fmpz_mpoly_is_one(fmpz_mpoly_q_denref(x), symbolic_context());
+    fmpz_mpoly_evaluate_all_fmpz(fmpq_numref(q), fmpz_mpoly_q_numref(x), at, symbolic_context());
+    fmpz_mpoly_evaluate_all_fmpz(fmpq_denref(q), fmpz_mpoly_q_denref(x), at, symbolic_context());
+    const bool finite = !fmpz_is_zero(fmpq_denref(q));
+    if (finite)
+        fmpq_canonicalise(q);
+    else
+        fmpq_zero(q);
+    return finite;
 }
 
-/* Of a coefficient that is a number. */
-static void print_value(struct tex *out, const fmpz_mpoly_q_struct *x)
+static void print_number(struct tex *out, const char *before, const fmpq_t q)
 {
-    print_terms(out, fmpz_mpoly_q_numref(x), NULL);
-    if (!is_integral(x)) {
-        tex_add(out, "/");
-        print_terms(out, fmpz_mpoly_q_denref(x), NULL);
-    }
+    char *digits = fmpq_get_str(NULL, 10, q);
+    tex_add(out, "%s%s", before, digits);
+    flint_free(digits);
 }
 
-/* "; LEFT is not RIGHT where NAME = ...", at the first point where the coefficients of epsilon^power differ. */
-static void print_example(struct tex *out, struct run *r, const struct equality *e, slong power)
+/* "; LEFT is not RIGHT where NAME = ...", at the first point with small numbers where two coefficients differ. */
+static void print_example(struct tex *out, const struct run *r, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y)
 {
     const slong all = fmpz_mpoly_ctx_nvars(symbolic_context());
     int *used = xrealloc(NULL, 2 * (size_t)all, sizeof *used);
+    fmpz *values = _fmpz_vec_init(all), **at = xrealloc(NULL, (size_t)all, sizeof *at);
+    SCOPE(fmpq, left, right);
+    const char *separator = " where ";
     bool found = false;
-    fmpz_mpoly_q_used_vars(used, value_of(r, e->left)->a + power, symbolic_context());
-    fmpz_mpoly_q_used_vars(used + all, value_of(r, e->right)->a + power, symbolic_context());
-    for (int example = 0; example < EXAMPLES && !found; example++) {
-        struct run at;
-        struct finding f;
-        bool zero;
-        run_begin(&at, r->t, r->terms, RUN_AT_POINT, 0);
-        at.example = example;
-        found = compare_nodes(&at, e->left, e->right, &zero, &f) == IDENTITY_DIFFERS && f.power == power;
-        if (found) {
-            tex_add(out, "; ");
-            print_value(out, value_of(&at, e->left)->a + power);
-            tex_add(out, " is not ");
-            print_value(out, value_of(&at, e->right)->a + power);
-        }
-        const char *separator = " where ";
-        for (int i = 0; i < r->t->program.inputs && found; i++) {
-            const struct variable *v = &r->t->variables[i];
-            const slong k = r->variable[i];
-            if (k < 0 || !(used[k] || used[all + k]))
-                continue;
-            tex_add(out, v->angle ? "%stan(%s/2) = 1/%ld" : "%s%s = %ld", separator, r->t->program.names[i].text,
-                    (long)number_at_point(&at, k, v->angle));
-            tex_add(out, v->power > 0 ? " epsilon" : "");
-            separator = ", ";
-        }
-        run_end(&at);
+    fmpz_mpoly_q_used_vars(used, x, symbolic_context());
+    fmpz_mpoly_q_used_vars(used + all, y, symbolic_context());
+    for (slong k = 0; k < all; k++)
+        at[k] = values + k;
+    for (slong example = 0; example < EXAMPLES && !found; example++) {
+        for (int i = 0; i < r->t->program.inputs; i++)
+            if (r->variable[i] >= 0)
+                fmpz_set_si(values + r->variable[i], 1 + r->t->variables[i].angle + example * (2 * r->variable[i] + 1) % 5);
+        found = value_at(left, x, at) && value_at(right, y, at) && !fmpq_equal(left, right);
     }
+    if (found) {
+        print_number(out, "; ", left);
+        print_number(out, " is not ", right);
+    }
+    for (int i = 0; i < r->t->program.inputs && found; i++) {
+        const struct variable *v = &r->t->variables[i];
+        const slong k = r->variable[i];
+        if (k < 0 || !(used[k] || used[all + k]))
+            continue;
+        tex_add(out, v->angle ? "%stan(%s/2) = %ld%s" : "%s%s = %ld%s", separator, r->t->program.names[i].text, (long)fmpz_get_si(at[k]),
+                v->power > 0 ? " epsilon" : "");
+        separator = ", ";
+    }
+    _fmpz_vec_clear(values, all);
+    free(at);
     free(used);
 }
 
@@ -337,7 +327,7 @@ static void print_difference(struct tex *out, const struct run *r, const fmpz_mp
     print_polynomial(&over, r, fmpz_mpoly_q_numref(difference));
     print_polynomial(&under, r, fmpz_mpoly_q_denref(difference));
     tex_add(out, length > SHOWN_TERMS ? "(%s+...%ld terms)" : length > 1 ? "(%s)" : "%s", over.text, (long)length);
-    if (!is_integral(difference))
+    if (!fmpz_mpoly_is_one(fmpz_mpoly_q_denref(difference), ctx))
         tex_add(out, "/(%s%s)", under.text, fmpz_mpoly_length(fmpz_mpoly_q_denref(difference), ctx) > SHOWN_TERMS ? "+..." : "");
     typeset_inline(&tex, over.text, over.length);
     tex_add(&tex, length > SHOWN_TERMS ? " + \\dots" : "");
@@ -361,8 +351,9 @@ static char *tell_difference(struct run *r, const struct equality *e, const stru
         tex_add(&out, "the coefficients of epsilon^%ld differ by ", (long)f->power);
     else
         tex_add(&out, "the sides differ by ");
-    print_difference(&out, r, value_of(r, e->left)->a + f->power, value_of(r, e->right)->a + f->power, p);
-    print_example(&out, r, e, f->power);
+    const fmpz_mpoly_q_struct *x = value_of(r, e->left)->a + f->power, *y = value_of(r, e->right)->a + f->power;
+    print_difference(&out, r, x, y, p);
+    print_example(&out, r, x, y);
     return out.text;
 }
 

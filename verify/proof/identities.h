@@ -141,8 +141,7 @@ struct run {
     int count;         /* of nodes                                    */
     slong *variable;   /* of an input; -1 where nothing rests on it   */
     slong variables, terms;
-    bool at_point;     /* every variable has a number for its value   */
-    slong example;     /* which of the points with small numbers; -1: with primes, where nothing happens to vanish */
+    bool at_point;     /* every variable is a prime, where nothing happens to vanish */
 };
 
 enum manner { RUN_STRICT, RUN_LOOSE, RUN_AT_POINT }; /* strict and loose: see symbolic.h; at a point it is loose, too */

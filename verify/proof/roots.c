@@ -172,20 +172,13 @@ static void exact_roots(qqbar_ptr z, const fmpq_poly_t p)
         }
 }
 
-/* Equal roots get equal enclosures. */
+/* What is real, or imaginary, is an exact zero in the other part; equal roots have equal enclosures. */
 static void enclose_exact_roots(acb_ptr roots, const fmpq_poly_t p, slong prec)
 {
     VECTOR(qqbar, z, DEGREE);
     exact_roots(z, p);
-    for (int k = 0; k < DEGREE; k++) {
+    for (int k = 0; k < DEGREE; k++)
         qqbar_get_acb(roots + k, z + k, prec);
-        if (qqbar_sgn_re(z + k) == 0)
-            arb_zero(acb_realref(roots + k));
-        if (qqbar_sgn_im(z + k) == 0)
-            arb_zero(acb_imagref(roots + k));
-        if (k > 0 && qqbar_equal(z + k, z + k - 1))
-            acb_set(roots + k, roots + k - 1);
-    }
 }
 
 /* ---- the interface ---------------------------------------------------- */
