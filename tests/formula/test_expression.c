@@ -564,68 +564,62 @@ EACH(normal_form_is_zero_or_refused, COUNT(forms))
     ck_assert(x->fault != SYMBOLIC_FINE || fmpz_mpoly_q_is_zero(x->a, symbolic_context()));
 }
 
-/* A root is the one that was given, of either sign; and the same unknown stands for the same function's value. */
-TEST(given_root_is_taken)
+/* In x and the angle a, whose half has the tangent x, with room for two functions and -x for a root. */
+static const struct {
+    const char *formula;
+    enum symbolic_fault fault;
+    bool zero;
+} functions[] = {
+    {"sqrt(x^2) + x", SYMBOLIC_FINE, true}, /* a root is the one that was given, of either sign */
+    {"sqrt(x) - sqrt(x)", SYMBOLIC_FINE, true}, /* the same unknown is the same function's value */
+    {"sqrt(x) - exp(x)", SYMBOLIC_FINE, false},
+    {"sin(x + a) - sin(x + a)", SYMBOLIC_FINE, true}, /* of an angle with a number on top */
+    {"sin(x + a) - sin(x - a)", SYMBOLIC_FINE, false}, /* the opposite angle has the same cosine */
+    {"cos(atan2(x, 1)) - cos(atan2(x, 2))", SYMBOLIC_FINE, false},
+    {"cos(atan2(1, x)) - cos(atan2(2, x))", SYMBOLIC_FINE, false},
+    {"atan2(x, 1)", SYMBOLIC_ANGLE_AS_NUMBER, false},
+    {"exp(x) + exp(2*x) + exp(3*x)", SYMBOLIC_TRANSCENDENTAL, false},
+};
+
+EACH(function_without_value_is_an_unknown, COUNT(functions))
 {
-    struct symbolic u, z, w;
-    SCOPE(fmpq, number);
-    SCOPE(fmpq_poly, f);
     symbolic_end();
-    symbolic_begin(1, 8);
-    arithmetic_symbolic.init(&u, 1);
-    arithmetic_symbolic.init(&z, 1);
-    arithmetic_symbolic.init(&w, 1);
-    symbolic_set_variable(&u, 0, 0, NULL);
-    arithmetic_symbolic.apply(OPERATOR_NEGATE, &w, &u, NULL, 0, 1);
-    symbolic_root(&w, true);
-    arithmetic_symbolic.apply(OPERATOR_MULTIPLY, &z, &u, &u, 0, 1);
-    arithmetic_symbolic.apply(OPERATOR_SQRT, &z, &z, NULL, 0, 1);
-    ck_assert(fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
-    ck_assert(symbolic_root_used(0));
-    arithmetic_symbolic.apply(OPERATOR_SQRT, &z, &u, NULL, 0, 1);
-    arithmetic_symbolic.apply(OPERATOR_SQRT, &w, &u, NULL, 0, 1);
-    ck_assert(fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
-    arithmetic_symbolic.apply(OPERATOR_EXP, &w, &u, NULL, 0, 1);
-    ck_assert(!fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
-    symbolic_set_angle(&z, 0, NULL); /* an angle with a number on top, whose sine is a further unknown, twice the same */
-    arithmetic_symbolic.apply(OPERATOR_ADD, &u, &u, &z, 0, 1);
-    arithmetic_symbolic.apply(OPERATOR_SIN, &z, &u, NULL, 0, 1);
-    arithmetic_symbolic.apply(OPERATOR_SIN, &w, &u, NULL, 0, 1);
-    ck_assert(fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
-    symbolic_set_angle(&w, 0, NULL); /* the opposite angle has the same cosine, and another unknown */
-    arithmetic_symbolic.apply(OPERATOR_SUBTRACT, &u, &u, &w, 0, 1);
-    arithmetic_symbolic.apply(OPERATOR_SUBTRACT, &w, &u, &w, 0, 1);
-    arithmetic_symbolic.apply(OPERATOR_SIN, &w, &w, NULL, 0, 1);
-    ck_assert(!fmpz_mpoly_q_equal(z.a, w.a, symbolic_context()));
-    symbolic_set_variable(&u, 0, 0, NULL);
-    for (int swapped = 0; swapped < 2; swapped++) {
-        for (int i = 0; i < 2; i++) { /* the angles of (1, u) and (2, u), or of (u, 1) and (u, 2), by their cosines */
-            struct symbolic *angle = i ? &w : &z;
-            fmpq_set_si(number, i + 1, 1);
-            arithmetic_symbolic.set_rational(angle, number, 1);
-            arithmetic_symbolic.apply(OPERATOR_ATAN2, angle, swapped ? angle : &u, swapped ? &u : angle, 0, 1);
-        }
-        ck_assert(z.fault == SYMBOLIC_FINE && z.angle && w.angle);
-        ck_assert(!fmpz_mpoly_q_equal(z.a + 1, w.a + 1, symbolic_context()));
+    symbolic_begin(1, 2);
+    OWNED(running) r;
+    open_running(&r, functions[_i].formula, &arithmetic_symbolic, 1);
+    set_variables(&r, 1);
+    arithmetic_symbolic.apply(OPERATOR_NEGATE, machine_value(&r.m, 1), machine_value(&r.m, 0), NULL, 0, 1);
+    symbolic_root(machine_value(&r.m, 1), true);
+    symbolic_set_angle(machine_value(&r.m, 2), 0, NULL);
+    const struct symbolic *x = result_of(&r);
+    ck_assert_int_eq(state(x), functions[_i].fault);
+    ck_assert_int_eq(fmpz_mpoly_q_is_zero(x->a, symbolic_context()), functions[_i].zero || x->fault != SYMBOLIC_FINE || x->angle);
+    ck_assert_int_eq(symbolic_root_used(0), _i == 0);
+}
+
+/* A polynomial of x has a degree; what is none has not, nor what has no value, or is no number. */
+EACH(polynomial_is_got, 5)
+{
+    static const struct {
+        const char *formula;
+        slong degree;
+    } cases[] = {{"x/2 + x^3", 3}, {"1/x", -1}, {"a", -1}, {"log(x)", -1}, {"1/(x - x)", -1}};
+    symbolic_end();
+    symbolic_begin(1, 0);
+    OWNED(running) r;
+    SCOPE(fmpq_poly, f);
+    open_running(&r, cases[_i].formula, &arithmetic_symbolic, 1);
+    set_variables(&r, 1);
+    const struct symbolic *x = result_of(&r);
+    ck_assert_int_eq(symbolic_get_polynomial(f, x), cases[_i].degree >= 0);
+    ck_assert_int_eq(fmpq_poly_degree(f), cases[_i].degree);
+    ck_assert_int_eq(x->large, _i == 4);
+    if (_i == 4) { /* and what has no value over zero is not large, where it was before */
+        struct symbolic *over = machine_value(&r.m, 1);
+        over->fault = SYMBOLIC_TRANSCENDENTAL;
+        arithmetic_symbolic.apply(OPERATOR_DIVIDE, machine_value(&r.m, r.node), over, machine_value(&r.m, 0), 0, 1);
+        ck_assert(!x->large);
     }
-    ck_assert(!symbolic_get_polynomial(f, &w));
-    ck_assert(symbolic_get_polynomial(f, &u) && fmpq_poly_degree(f) == 1);
-    arithmetic_symbolic.apply(OPERATOR_POWER, &z, &u, NULL, -1, 1);
-    ck_assert(z.fault == SYMBOLIC_FINE && !symbolic_get_polynomial(f, &z));
-    arithmetic_symbolic.apply(OPERATOR_LOG, &u, &u, NULL, 0, 1); /* the ninth */
-    ck_assert_int_eq(u.fault, SYMBOLIC_TRANSCENDENTAL);
-    ck_assert(!symbolic_get_polynomial(f, &u));
-    fmpq_one(number);
-    arithmetic_symbolic.set_rational(&z, number, 1);
-    fmpq_zero(number);
-    arithmetic_symbolic.set_rational(&w, number, 1);
-    arithmetic_symbolic.apply(OPERATOR_DIVIDE, &z, &z, &w, 0, 1);
-    ck_assert(z.large); /* 1 over zero */
-    arithmetic_symbolic.apply(OPERATOR_DIVIDE, &z, &u, &w, 0, 1);
-    ck_assert(!z.large); /* what has no value over it */
-    arithmetic_symbolic.clear(&u);
-    arithmetic_symbolic.clear(&z);
-    arithmetic_symbolic.clear(&w);
 }
 
 /* The processor's time, and what a test adds to it. */
