@@ -645,7 +645,7 @@ TEST(time_is_bounded)
     passed = 4 * CLOCKS_PER_SEC;
     ck_assert_int_eq(state(result_of(&r)), SYMBOLIC_TOO_LARGE);
     passed = 0;
-    ck_assert_msg(strncmp(symbolic_fault_size(), "seconds: ", 9) == 0, "%s", symbolic_fault_size());
+    ck_assert_ptr_nonnull(strstr(symbolic_fault_text(SYMBOLIC_TOO_LARGE), "too large to normalise, seconds: "));
     symbolic_set_angle(machine_value(&r.m, 0), 0, NULL); /* nor is a sum of angles known */
     arithmetic_symbolic.apply(OPERATOR_ADD, machine_value(&r.m, 1), machine_value(&r.m, 0), machine_value(&r.m, 0), 0, 1);
     ck_assert_int_eq(state(machine_value(&r.m, 1)), SYMBOLIC_TOO_LARGE);

@@ -37,7 +37,7 @@ static struct symbolic_field {
     bool strict[MOST_ROOTS], used[MOST_ROOTS];
     int root_count, kept_roots;
     clock_t start;
-    char size[80];
+    char size[80]; /* what is too large in it */
 } *field;
 
 #define CTX field->ctx
@@ -114,11 +114,6 @@ const fmpz_mpoly_ctx_struct *symbolic_context(void)
     return CTX;
 }
 
-const char *symbolic_fault_size(void)
-{
-    return field->size;
-}
-
 const char *symbolic_fault_text(enum symbolic_fault fault)
 {
     static const char *const texts[] = {
@@ -130,9 +125,8 @@ const char *symbolic_fault_text(enum symbolic_fault fault)
         [SYMBOLIC_NUMBER_AS_ANGLE] = "the sine or cosine of a number that is no angle",
         [SYMBOLIC_ANGLE_AS_NUMBER] = "a finite angle outside sine and cosine",
         [SYMBOLIC_TRANSCENDENTAL] = "a value that is no rational series, or whose sign is not known",
-        [SYMBOLIC_TOO_LARGE] = "too large to normalise",
     };
-    return texts[fault];
+    return fault == SYMBOLIC_TOO_LARGE ? field->size : texts[fault];
 }
 
 /* ---- rational functions, within bounds ---- */
@@ -174,7 +168,7 @@ static bool may_combine(const quotient *x, const quotient *y)
     for (size_t i = 0; i < sizeof bounds / sizeof *bounds && !field->large; i++)
         if (!(bounds[i].size <= bounds[i].most)) {
             field->large = true;
-            snprintf(field->size, sizeof field->size, "%s: %.3g", bounds[i].what, bounds[i].size);
+            snprintf(field->size, sizeof field->size, "too large to normalise, %s: %.3g", bounds[i].what, bounds[i].size);
         }
     return !field->large;
 }

@@ -62,8 +62,7 @@ bool symbolic_is_square(const fmpz_mpoly_t f); /* false too where that would tak
 /* A polynomial in the one variable. False where it is none; zero then. */
 bool symbolic_get_polynomial(fmpq_poly_t f, const struct symbolic *x);
 
-/* What was too large, or the root that was not given: the end of the last fault's story. */
+/* In words; of what is too large, what of the last. */
 const char *symbolic_fault_text(enum symbolic_fault fault);
-const char *symbolic_fault_size(void);
 
 #endif

@@ -70,7 +70,6 @@ struct written_step {
 
 static const struct field step_fields[] = {
     FIELD("title", struct written_step, s.title, FIELD_TEXT, .expected = "a text"),
-    FIELD("note", struct written_step, s.note, FIELD_TEXT),
     FIELD("where", struct written_step, s.where, FIELD_TEXT),
     FIELD("from", struct written_step, s.from, FIELD_TEXTS, .most = MOST_EQUATIONS, .may_be_empty = true,
           .count = offsetof(struct written_step, s.from_count), .expected = "a list of equation numbers"),
@@ -79,7 +78,7 @@ static const struct field step_fields[] = {
     FIELD("also", struct written_step, also, FIELD_MAP),
     FIELD("printed", struct written_step, printed, FIELD_NODE),
     FIELD("lines", struct written_step, s.line_map, FIELD_MAP),
-    {.key = "remainders"}, {.key = "show"}, {.key = "let"}, IDENTITIES_FIELDS, {.key = NULL}};
+    {.key = "note"}, {.key = "remainders"}, {.key = "show"}, {.key = "let"}, IDENTITIES_FIELDS, {.key = NULL}};
 
 /* Of what is printed instead. */
 static const struct field variant_fields[] = {{.key = "let"}, {.key = "square roots"}, {.key = "show"}, {.key = NULL}};

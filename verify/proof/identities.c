@@ -343,8 +343,7 @@ static char *tell_difference(struct run *r, const struct equality *e, const stru
     struct tex out = {NULL, 0};
     tex_add(&out, "%s: ", e->text);
     if (f->fault != SYMBOLIC_FINE) {
-        const bool large = f->fault == SYMBOLIC_TOO_LARGE;
-        tex_add(&out, "no value, %s%s%s", symbolic_fault_text(f->fault), large ? ", " : "", large ? symbolic_fault_size() : "");
+        tex_add(&out, "no value, %s", symbolic_fault_text(f->fault));
         return out.text;
     }
     if (r->terms > 1)
