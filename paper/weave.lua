@@ -169,7 +169,7 @@ end
 sign = sign + (lpeg.B(S ' (') + -lpeg.B(1)) * (P '-' * (real + #(letter + ' '))) / formula
 local number = C(P '-'^-1 * real) * 'e' * C(S '+-'^-1 * digit^1) / function(...) return formula(scientific(...)) end
                + P '^' * C(P '-'^-1 * digit^1) / '$^{%1}$'
-local dollars = '$' * C((1 - P '$')^0) * '$' / formula + P '~' / '\u{a0}' + P '\\textmu{}' / 'µ' + P '\\' * 1
+local dollars = '$' * C((1 - P '$')^0) * '$' / formula + P 'uC' / 'µC'
 local function marked(shortest)
   local function named(text)
     if symbol[text] and text ~= 'stable' and #text >= shortest then return formula(symbol[text]) end

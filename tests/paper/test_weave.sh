@@ -77,6 +77,7 @@ weaver() {
 <<verdict equation-7>> => \\emph{Evidence (exact):} proved by reference\\_charge.
 <<verdict product-negative>> => \\(Q_{\\mathrm{ref}} + \\delta Q < 0\\) exactly where
 <<verdict coulomb-constant>> => is \\(8.9875518\\cdot 10^{9}\\)~N m\\(^{2}\\)/C\\(^{2}\\) (CODATA
+<<verdict real-parts-vanish>> => for \\(n\\) \\(\\to\\) 9 both
 <<findings refuted>> => None.
 <<findings qualified>> => \\claim{n12-optimal}
 ![At \$n=12\$.](plot:4) => \\plot{4}\\def\\thefigure{4}

@@ -29,27 +29,6 @@ void written_clear(struct written *w)
     tex_clear(&w->latex);
 }
 
-/* Plain words and units as LaTeX: m^2 is raised, uC has its micro. What follows them is a mark, or the end. */
-static void latex_words(struct tex *t, const char *at, size_t length)
-{
-    for (size_t i = 0; i < length; i++) {
-        const size_t digits = at[i] == '^' ? strspn(at + i + 1, "-0123456789") : 0;
-        if (digits > 0)
-            tex_add(t, "$^{%.*s}$", (int)digits, at + i + 1);
-        else if (strncmp(at + i, "uC", 2) == 0)
-            tex_add(t, "\\textmu{}");
-        else if (strchr("%&#_", at[i]) != NULL)
-            tex_add(t, "\\%c", at[i]);
-        else if (strchr("<>", at[i]) != NULL)
-            tex_add(t, "$%c$", at[i]);
-        else if (strchr("^~\\", at[i]) != NULL)
-            tex_add(t, at[i] == '~' ? "\\textasciitilde{}" : at[i] == '^' ? "\\textasciicircum{}" : "\\textbackslash{}");
-        else
-            tex_add(t, "%c", at[i]);
-        i += digits;
-    }
-}
-
 void write_part(struct written *w, const struct marked_part *part)
 {
     tex_add(&w->plain, "%.*s", (int)part->length, part->at);
@@ -58,7 +37,7 @@ void write_part(struct written *w, const struct marked_part *part)
         typeset_inline(&w->latex, part->at, part->length);
         tex_add(&w->latex, "$");
     } else
-        latex_words(&w->latex, part->at, part->length);
+        tex_add(&w->latex, "%.*s", (int)part->length, part->at);
 }
 
 void write_decimal(struct written *w, const char *decimal, const char *unit)
@@ -74,8 +53,7 @@ void write_decimal(struct written *w, const char *decimal, const char *unit)
     tex_add(&w->latex, "$");
     if (unit != NULL) {
         tex_add(&w->plain, " %s", unit);
-        tex_add(&w->latex, "~");
-        latex_words(&w->latex, unit, strlen(unit));
+        tex_add(&w->latex, "\xc2\xa0%s", unit); /* a blank at which no line ends */
     }
 }
 

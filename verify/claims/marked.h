@@ -1,5 +1,5 @@
 /*
- * Text with marked mathematics, $...$, and marked numbers, {...}: taken apart, and written out as plain text and as LaTeX.
+ * Text with marked mathematics, $...$, and marked numbers, {...}: taken apart, and written out plainly, and with its mathematics as LaTeX.
  */
 #ifndef CT_MARKED_H
 #define CT_MARKED_H
