@@ -262,73 +262,6 @@ EACH(what_is_asked_for_is_shown, COUNT(shown))
     assert_run(&shown[_i]);
 }
 
-TEST(expected_failures_are_none_and_what_passes_is_said)
-{
-    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\"; printf '# known\\neq38-random-10 the 3\\n\\n  eq38-paper\\neq07-paper\\n' >expect"), 0);
-    ck_assert_int_eq(conform("--only eq38 --expect \"$CT_BUILD/tests/expect\" --report \"$CT_BUILD/tests/expect.json\" -- FAULTY printed"), 1);
-    ck_assert_int_eq(system("grep -q '\"expected_to_fail\": true' \"$CT_BUILD/tests/expect.json\""), 0);
-    assert_says("eq38                  27       20       6 ");
-    assert_says(", 1 failed as expected\n");
-    assert_says("\neq38-paper was expected to fail, and passes\n");
-    assert_says("eq38: 7 wrong; 1 of them as expected\n");
-    ck_assert_int_eq(conform("--only eq38-random-10,eq38-paper --all --report \"$CT_BUILD/tests/expect.xml\" --expect \"$CT_BUILD/tests/expect\" "
-                             "-- sh -c 'for i in 1 2; do read o id in; echo $id 1; done'"), 0);
-    assert_says("eq38-random-10: wrong, E = ");
-    assert_says(", at most 8 passes, as expected\n");
-    ck_assert_int_eq(system("grep -q '<skipped message=\"fails as expected\"/>' \"$CT_BUILD/tests/expect.xml\""), 0);
-    ck_assert_int_eq(conform("--expect \"$CT_BUILD/tests/expect\" -- true"), 1);
-    ck_assert_int_eq(system("echo eq38-papers >>\"$CT_BUILD/tests/expect\""), 0);
-    ck_assert_int_eq(conform("--expect \"$CT_BUILD/tests/expect\" -- FAULTY none"), 2);
-    assert_says("expect: line 6: unknown vector 'eq38-papers'\n");
-    ck_assert_int_eq(conform("--only eq07 --expect \"$CT_BUILD/tests/expect\" -- FAULTY none"), 2); /* none that is left out either */
-    assert_says("expect: line 6: unknown vector 'eq38-papers'\n");
-    for (int i = 0; i < 3; i++) {
-        static const char *const none[] = {"eq99-paper", "eq01-paper", "paper"};
-        char line[200];
-        snprintf(line, sizeof line, "echo %s >\"$CT_BUILD/tests/expect\"", none[i]);
-        ck_assert_int_eq(system(line), 0);
-        ck_assert_int_eq(conform("--only eq07 --expect \"$CT_BUILD/tests/expect\" -- FAULTY none"), 2);
-        assert_says("expect: line 1: unknown vector '");
-    }
-    ck_assert_int_eq(conform("--expect \"$CT_BUILD\" -- FAULTY none"), 1);
-    assert_says("Is a directory");
-    ck_assert_int_eq(conform("--expect /nowhere -- FAULTY none"), 1);
-    ck_assert_int_eq(system("printf 'eq38-paper%300s\\neq38-random-10\\neq07-paper%400s' why why >\"$CT_BUILD/tests/expect\""), 0);
-    ck_assert_int_eq(conform("--expect \"$CT_BUILD/tests/expect\" -- true"), 1); /* the rest of a long line names nothing */
-}
-
-/* The questions go somewhere else, and what came of them there comes back. */
-TEST(questions_are_taken_away_and_a_transcript_brought_back)
-{
-    ck_assert_int_eq(conform("--questions --only eq07,eq41roots --random 20 --seed 3 >\"$CT_BUILD/tests/questions\""), 0);
-    ck_assert_int_eq(system("\"$CT_BUILD/tests/faulty\" <\"$CT_BUILD/tests/questions\" >\"$CT_BUILD/tests/transcript\""), 0);
-    ck_assert_int_eq(conform("--only eq07,eq41roots --random 20 --seed 3 --answers \"$CT_BUILD/tests/transcript\""), 0);
-    assert_says(" 0 failed, 0 skipped\n");
-    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && { printf '\\357\\273\\277'; cat transcript; } >marked"), 0);
-    ck_assert_int_eq(conform("--only eq07,eq41roots --random 20 --seed 3 --answers \"$CT_BUILD/tests/marked\""), 0);
-    ck_assert_int_eq(system("yes | head -c 100000 >\"$CT_BUILD/tests/transcript\""), 0);
-    ck_assert_int_eq(conform("--answers \"$CT_BUILD/tests/transcript\""), 1);
-    ck_assert_int_eq(conform("--answers data"), 1);
-    assert_says("data: Is a directory");
-}
-
-/* What a pipe brings is read once: with an operation a table, else a transcript. */
-TEST(answers_come_through_a_pipe_as_well)
-{
-    ck_assert_int_eq(conform("eq07 --answers /dev/stdin <data/golden/eq07.csv"), 0);
-    ck_assert_int_eq(system("cat data/golden/eq07.csv | \"$CT_PROGRAM\" conform eq07 --answers /dev/stdin >/dev/null"), 0);
-    ck_assert_int_eq(system("\"$CT_PROGRAM\" conform --questions --only roots,eq07 | \"$CT_BUILD/tests/faulty\" | "
-                            "\"$CT_PROGRAM\" conform --only roots,eq07 --answers /dev/stdin >/dev/null"), 0);
-    static const char *const tables[] = {"s/x/x/", "s/,/;/g", "1s/id/\"id\"/", "1s/^/\\xef\\xbb\\xbf/"};
-    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) { /* of which the operation would be known from the second line */
-        char line[400];
-        snprintf(line, sizeof line, "sed '%s' data/golden/eq07.csv | { said=$(\"$CT_PROGRAM\" conform --answers /dev/stdin 2>&1); [ $? = 2 ] && "
-                 "[ \"$said\" = \"coulomb-tether: /dev/stdin: a table of no known operation, or through a pipe: "
-                 "expected the operation's id after it\" ]; }", tables[i]);
-        ck_assert_msg(system(line) == 0, "%s", tables[i]);
-    }
-}
-
 /* ---- wrong usage ---- */
 
 static const struct {
@@ -397,6 +330,10 @@ EACH(wrong_usage_is_one_line_and_exit_2, COUNT(mistakes))
 /* A table that a command writes, and what is said of it; of whose answers it has, by its vectors' names, where no id follows. */
 #define TABLE(command) "--answers \"$(f=$CT_BUILD/tests/table.csv; { " command "; } >\"$f\"; echo \"$f\")\""
 #define EQ07 "awk -F, '{if (NR > 1) print \"\\\"\" $7 \"\\\",\" $1; else print \"Q_ref,id\"}' data/golden/eq07.csv | "
+#define EQ07_ROOTS "--only eq07,eq41roots --random 20 --seed 3"
+#define QUESTIONS "\"$CT_PROGRAM\" conform --questions " EQ07_ROOTS " "
+#define PIPED(change) "--help >/dev/null; sed '" change "' data/golden/eq07.csv | \"$CT_PROGRAM\" conform "
+#define NO_TABLE "coulomb-tether: /dev/stdin: a table of no known operation, or through a pipe: expected the operation's id after it\n"
 static const struct oracle_run tables[] = {
     {TABLE(EQ07 "sort -r") " eq07", 0, "eq07                  51       51 "}, /* rows and columns in any order */
     {TABLE(EQ07 "sed /eq07-paper/d; echo 1,stranger; " EQ07 "sed -n 3p") " eq07", 1,
@@ -424,6 +361,17 @@ static const struct oracle_run tables[] = {
     {TABLE("printf 'id,C2,C2\\neq44-paper,1,5\\n'"), 2, "table.csv: line 1: expected id and every output of eq44 in one column each, found 2 of 'C2'\n"},
     {"--answers data eq07", 1, "data: Is a directory\n"},
     {"--answers data/nothing.csv eq07", 1, "data/nothing.csv: No such file or directory\n"},
+    /* a transcript of all operations, perhaps behind an editor's byte order mark; what comes through a pipe is read once, a table with its operation */
+    {TABLE(QUESTIONS "| \"$CT_BUILD/tests/faulty\"") " " EQ07_ROOTS, 0, " 0 failed, 0 skipped\n"},
+    {TABLE("printf '\\357\\273\\277'; " QUESTIONS "| \"$CT_BUILD/tests/faulty\"") " " EQ07_ROOTS, 0, " 0 failed, 0 skipped\n"},
+    {TABLE("yes | head -c 100000"), 1, "expected answers, found lines that answer nothing\n"},
+    {"eq07 --answers /dev/stdin <data/golden/eq07.csv", 0, " 0 failed"},
+    {PIPED("s/x/x/") "eq07 --answers /dev/stdin", 0, " 0 failed"},
+    {"--questions " EQ07_ROOTS " | \"$CT_BUILD/tests/faulty\" | \"$CT_PROGRAM\" conform " EQ07_ROOTS " --answers /dev/stdin", 0, " 0 failed, 0 skipped\n"},
+    {PIPED("s/x/x/") "--answers /dev/stdin", 2, NO_TABLE}, /* the operation would be known from the second line */
+    {PIPED("s/,/;/g") "--answers /dev/stdin", 2, NO_TABLE},
+    {PIPED("1s/id/\"id\"/") "--answers /dev/stdin", 2, NO_TABLE},
+    {PIPED("1s/^/\\xef\\xbb\\xbf/") "--answers /dev/stdin", 2, NO_TABLE},
 };
 
 EACH(tables_are_read_as_they_are_written, COUNT(tables))
@@ -447,6 +395,8 @@ TEST(a_diagnosis_ends)
 /* Reports, written and read again. */
 #define WRITES(name, options, client) options " --report \"$CT_BUILD/tests/" name "\" -- " client " >/dev/null; s=$?; cat \"$CT_BUILD/tests/" name "\"; exit $s"
 #define COMPLAINS(words, fault) "sh -c '" words " >&2; exec \"$0\" " fault "' FAULTY 2>/dev/null"
+#define EXPECT(lines) "--expect \"$(f=$CT_BUILD/tests/expect; printf '" lines "' why why >\"$f\"; echo \"$f\")\""
+#define KNOWN "# known\\neq38-random-10 the 3\\n\\n  eq38-paper\\neq07-paper\\n"
 static const struct oracle_run written[] = {
     {WRITES("r.xml", "--only eq38,eq07", "FAULTY printed"), 1, "<testsuite name=\"eq38\" tests=\"27\" failures=\"17\" errors=\"0\" skipped=\"0\"|"
      "name=\"eq38-random-9\"><failure message=\"wrong\">  eq38-random-9: wrong, E = |name=\"eq07-paper\"></testcase>|"
@@ -478,9 +428,24 @@ static const struct oracle_run written[] = {
     {WRITES(".json", "--only eq07", "FAULTY none"), 0, "{\n  \"client\""},
     {WRITES("a-name-of-a-report-that-is-longer-than-most-names-are.xml.json", "--only eq07", "FAULTY none"), 0, "{\n  \"client\""},
     {"--only eq07 --report a.xml/b -- FAULTY none", 2, ".xml or .json"},
+    /* expected failures are none; what passes is said; no name that no vector has, none that is left out either; the rest of a long line is none */
+    {WRITES("r.json", "--only eq38 " EXPECT(KNOWN), "FAULTY printed") "; cat \"$CT_BUILD/tests/r.json\"", 1, "\"expected_to_fail\": true"},
+    {"--only eq38 " EXPECT(KNOWN) " -- FAULTY printed", 1, "eq38                  27       20       6 |, 1 failed as expected\n|"
+     "\neq38-paper was expected to fail, and passes\n|eq38: 7 wrong; 1 of them as expected\n"},
+    {"--only eq38-random-10,eq38-paper --all " EXPECT(KNOWN) " -- " ALL_SAY("1"), 0, "eq38-random-10: wrong, E = |, at most 8 passes, as expected\n"},
+    {WRITES("r.xml", "--only eq38-random-10,eq38-paper " EXPECT(KNOWN), ALL_SAY("1")), 0, "<skipped message=\"fails as expected\"/>"},
+    {EXPECT(KNOWN) " -- true", 1, "0 passed"},
+    {EXPECT(KNOWN "eq38-papers\\n") " -- FAULTY none", 2, "expect: line 6: unknown vector 'eq38-papers'\n"},
+    {"--only eq07 " EXPECT(KNOWN "eq38-papers\\n") " -- FAULTY none", 2, "expect: line 6: unknown vector 'eq38-papers'\n"},
+    {"--only eq07 " EXPECT("eq99-paper") " -- FAULTY none", 2, "expect: line 1: unknown vector '"},
+    {"--only eq07 " EXPECT("eq01-paper") " -- FAULTY none", 2, "expect: line 1: unknown vector '"},
+    {"--only eq07 " EXPECT("paper") " -- FAULTY none", 2, "expect: line 1: unknown vector '"},
+    {"--expect \"$CT_BUILD\" -- FAULTY none", 1, "Is a directory"},
+    {"--expect /nowhere -- FAULTY none", 1, "/nowhere: No such file"},
+    {EXPECT("eq38-paper%300s\\neq38-random-10\\neq07-paper%400s") " -- true", 1, "0 passed"},
 };
 
-EACH(reports_for_machines_say_the_same, COUNT(written))
+EACH(reports_say_the_same_and_what_is_expected, COUNT(written))
 {
     assert_run(&written[_i]);
 }
