@@ -376,7 +376,7 @@ function block.step(id)
   local how = s.order and 'to order ' .. s.order or 'exactly'
   local text = ('$\\vdash$ `%s`: %s. %s. *Proved %s, for %s.*'):format(id, prose(s.title), leads, how, prose(s.domain))
   text = text .. (web and details('the algebra, line by line', algebra(s.lines)) or algebra(s.lines))
-  if s.printed then text = text .. '\n\nAs printed it fails: the sides differ by a multiple of ' .. formula(s.printed.difference) .. '.' end
+  if s.printed then text = text .. '\n\nAs printed the sides differ: ' .. prose(s.printed.evidence:match '; (.*)') .. '.' end
   if s.dropped then
     text = text .. '\n\nCertified: ' .. with_units(s.dropped:gsub('([%w_]+) %-(%d[%d.e+-]*) %.%.%. %2', '|%1| <= %2')) .. '.'
   end

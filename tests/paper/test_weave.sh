@@ -69,7 +69,7 @@ weaver() {
 <<function rk4_linear>> => int ct_linear_runge_kutta(
 <<helper arm>> => return p.m2 / (p.m1 + p.m2) * L;
 <<step reference_charge>> => \\hyperref[eq:6a]{(6a)}, \\hyperref[eq:6b]{(6b)} \\(\\;\\rightarrow\\;\\) \\hyperref[eq:7]{(7)}. \\emph{Proved exactly, for \\(\\Omega\\)
-<<step kepler>> => As printed it fails: the sides differ by a multiple of \\(2
+<<step kepler>> => As printed the sides differ: 3/5 is not 1/5 where \\(\\Omega\\) = 1
 <<step hill>> => \\(\\;\\rightarrow\\;\\) \\hyperref[eq:2]{(2)}~\\(\\ddot x_{1}\\)
 <<step separation>> => \\derive{
 <<step linearised_hill>> => Certified: (40a) drops at most

@@ -61,8 +61,6 @@ TEST(every_step_holds_and_misprints_are_these)
         ck_assert_int_lt(found, COUNT(misprints));
         ck_assert_str_eq(p.steps[i].id, misprints[found].id);
         ck_assert_str_eq(printed->evidence, misprints[found].evidence);
-        ck_assert_ptr_nonnull(printed->difference);
-        ck_assert_int_eq(strstr(printed->difference, "\\dots") != NULL, strstr(misprints[found].evidence, " terms)") != NULL);
         found++;
     }
     ck_assert_int_eq(found, COUNT(misprints));
@@ -251,7 +249,6 @@ EACH(prover_finds, COUNT(findings))
     ck_assert_msg(p.result == findings[_i].result, "%s", p.evidence ? p.evidence : "holds");
     const char *begin = findings[_i].evidence;
     ck_assert_msg(strncmp(p.evidence ? p.evidence : "", begin, strlen(begin)) == 0, "%s", p.evidence);
-    ck_assert(p.result == IDENTITY_DIFFERS ? p.difference != NULL : p.difference == NULL);
     proof_clear(&p);
     derivations_clear(&d);
 }

@@ -111,7 +111,7 @@ static void json_identities(struct json *j, const char *key, const struct identi
     for (int i = 0; i < t->shown_count; i++)
         json_string(j, NULL, t->shown[i].text);
     json_close(j);
-    json_strings(j, "finding", results[p->result], "evidence", p->evidence, "difference", p->difference);
+    json_strings(j, "finding", results[p->result], "evidence", p->evidence);
     json_close(j);
 }
 

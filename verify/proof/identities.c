@@ -316,10 +316,10 @@ static void print_example(struct tex *out, const struct run *r, const fmpz_mpoly
 
 /* The difference of two coefficients, not zero. */
 static void print_difference(struct tex *out, const struct run *r, const fmpz_mpoly_q_struct *x,
-                             const fmpz_mpoly_q_struct *y, struct proof *p)
+                             const fmpz_mpoly_q_struct *y)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    struct tex over = {NULL, 0}, under = {NULL, 0}, tex = {NULL, 0};
+    struct tex over = {NULL, 0}, under = {NULL, 0};
     fmpz_mpoly_q_t difference;
     fmpz_mpoly_q_init(difference, ctx);
     fmpz_mpoly_q_sub(difference, x, y, ctx);
@@ -329,16 +329,13 @@ static void print_difference(struct tex *out, const struct run *r, const fmpz_mp
     tex_add(out, length > SHOWN_TERMS ? "(%s+...%ld terms)" : length > 1 ? "(%s)" : "%s", over.text, (long)length);
     if (!fmpz_mpoly_is_one(fmpz_mpoly_q_denref(difference), ctx))
         tex_add(out, "/(%s%s)", under.text, fmpz_mpoly_length(fmpz_mpoly_q_denref(difference), ctx) > SHOWN_TERMS ? "+..." : "");
-    typeset_inline(&tex, over.text, over.length);
-    tex_add(&tex, length > SHOWN_TERMS ? " + \\dots" : "");
-    p->difference = tex.text;
     tex_clear(&over);
     tex_clear(&under);
     fmpz_mpoly_q_clear(difference, ctx);
 }
 
 /* How the sides of an equality differ, or why they have no value. */
-static char *tell_difference(struct run *r, const struct equality *e, const struct finding *f, struct proof *p)
+static char *tell_difference(struct run *r, const struct equality *e, const struct finding *f)
 {
     struct tex out = {NULL, 0};
     tex_add(&out, "%s: ", e->text);
@@ -351,7 +348,7 @@ static char *tell_difference(struct run *r, const struct equality *e, const stru
     else
         tex_add(&out, "the sides differ by ");
     const fmpz_mpoly_q_struct *x = value_of(r, e->left)->a + f->power, *y = value_of(r, e->right)->a + f->power;
-    print_difference(&out, r, x, y, p);
+    print_difference(&out, r, x, y);
     print_example(&out, r, x, y);
     return out.text;
 }
@@ -394,7 +391,7 @@ static void prove_to(const struct identities *t, slong terms, bool further, bool
             p->result = result;
             p->at = e->at;
             p->offset = e->offset;
-            p->evidence = tell_difference(&r, e, &f, p);
+            p->evidence = tell_difference(&r, e, &f);
         }
     }
     for (int i = 0; i < t->root_count && !t->shared && !further; i++)
@@ -415,7 +412,6 @@ void identities_prove(const struct identities *t, struct proof *p)
 void proof_clear(struct proof *p)
 {
     free(p->evidence);
-    free(p->difference);
 }
 
 /* ---- where they hold ---- */

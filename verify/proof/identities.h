@@ -122,7 +122,6 @@ struct proof {
     char *evidence;          /* NULL where all hold; else what does not, and one point as an example  */
     const struct yaml *at;   /* where that stands */
     size_t offset;
-    char *difference;        /* the numerator's leading terms as TeX, of what differs; NULL: nothing  */
 };
 
 void identities_prove(const struct identities *t, struct proof *p);
