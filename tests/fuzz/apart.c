@@ -17,8 +17,7 @@
 /* NOLINTBEGIN(bugprone-reserved-identifier): names that the linker asks for */
 FILE *__real_fopen(const char *name, const char *mode);
 bool __real_vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint64_t count);
-enum flow_status __real_flow_linear(const struct flow_parameters *p, arb_srcptr initial, const fmpq *times, slong count,
-                                    slong prec, flow_receiver *receive, void *context, double *reached);
+enum flow_status __real_flow_linear(struct flow_request *r);
 
 static bool apart;
 static const char *file_bytes;
@@ -135,43 +134,20 @@ bool __wrap_roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong p
 }
 
 /* Motions of a few rows and steps alone. */
-enum flow_status __wrap_flow_linear(const struct flow_parameters *p, arb_srcptr initial, const fmpq *times, slong count,
-                                    slong prec, flow_receiver *receive, void *context, double *reached)
+enum flow_status __wrap_flow_linear(struct flow_request *r)
 {
-    *reached = 0.0;
-    return count > 10 || prec > 10000 ? FLOW_STALLED
-                                      : __real_flow_linear(p, initial, times, count, prec, receive, context, reached);
+    return r->count > 10 || r->prec > 10000 ? FLOW_STALLED : __real_flow_linear(r);
 }
 
-enum flow_status __wrap_flow_nonlinear(const struct flow_parameters *p, arb_srcptr initial, const fmpq *times,
-                                       slong count, slong digits, slong prec, flow_receiver *receive, void *context,
-                                       double *reached)
+enum flow_status __wrap_flow_nonlinear(struct flow_request *r)
 {
-    (void)p;
-    (void)initial;
-    (void)times;
-    (void)count;
-    (void)digits;
-    (void)prec;
-    (void)receive;
-    (void)context;
-    *reached = 0.0;
+    r->reached = 0.0;
     return FLOW_STALLED;
 }
 
-enum flow_status __wrap_rk4(bool nonlinear, const struct flow_parameters *p, arb_srcptr initial, const fmpq_t h, const fmpq *times,
-                            slong count, slong prec, flow_receiver *receive, void *context, double *reached)
+enum flow_status __wrap_rk4(struct flow_request *r)
 {
-    (void)nonlinear;
-    (void)p;
-    (void)initial;
-    (void)h;
-    (void)times;
-    (void)count;
-    (void)prec;
-    (void)receive;
-    (void)context;
-    *reached = 0.0;
+    r->reached = 0.0;
     return FLOW_STALLED;
 }
 /* NOLINTEND(bugprone-reserved-identifier) */
