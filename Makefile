@@ -179,10 +179,11 @@ endef
 
 LINK = $(call say,LINK)$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -o $@.tmp $(filter %.o,$^) $(filter %.a,$^) $(1) $(VERIFY_LIBS)$(newline)@mv $@.tmp $@
 
-$(PROGRAM): $(BUILD)/verify/command/main.o $(EMBED) $(ENGINE) $(LIBRARY)
-	$(call LINK)
-
-$(BUILD)/sheet-check: $(BUILD)/verify/command/sheet_check.o $(ENGINE) $(LIBRARY)
+$(PROGRAM): $(BUILD)/verify/command/main.o $(EMBED)
+$(BUILD)/sheet-check: $(BUILD)/verify/command/sheet_check.o
+$(FAULTY): $(BUILD)/tests/faulty.o
+$(BUILD)/tests/bench/bench: $(BUILD)/tests/bench/bench.o $(BUILD)/tests/paper.o $(EMBED)
+$(PROGRAM) $(BUILD)/sheet-check $(FAULTY) $(BUILD)/tests/bench/bench: $(ENGINE) $(LIBRARY)
 	$(call LINK)
 
 # The program as a function, apart from what it must not do (tests/fuzz/apart.c).
@@ -197,9 +198,6 @@ $(RUN) $(ALONE): $(BUILD)/tests/run.o $(BUILD)/tests/paper.o $(EMBED) $(ENGINE) 
 	$(if $(filter %corpora,$@),$(if $(call linker_takes,--wrap=x),$(call LINK,$(CHECK_LIBS) $(APART:%=-Wl$(comma)--wrap=%)), \
 	  @echo 'left out: $@: the linker knows no --wrap'),$(call LINK,$(CHECK_LIBS)))
 
-$(FAULTY): $(BUILD)/tests/faulty.o $(ENGINE) $(LIBRARY)
-	$(call LINK)
-
 # Without CFLAGS: its allocations are counted, those of a sanitizer or of coverage are none of them.
 $(FAULTS): tests/faults.c
 	@mkdir -p $(@D)$(call say,CC,$<)
@@ -208,10 +206,9 @@ $(FAULTS): tests/faults.c
 
 ### Fuzzing
 CORPORA := $(notdir $(wildcard tests/fuzz/corpus/*))
-FUZZERS := $(CORPORA:%=$(BUILD)/tests/fuzz/%)
 SECONDS_EACH ?= 60
 
-$(FUZZERS): $(BUILD)/tests/fuzz/libfuzzer.o $(TARGETS) $(BUILD)/tests/paper.o $(EMBED) $(ENGINE) $(LIBRARY)
+$(CORPORA:%=$(BUILD)/tests/fuzz/%): $(BUILD)/tests/fuzz/libfuzzer.o $(TARGETS) $(BUILD)/tests/paper.o $(EMBED) $(ENGINE) $(LIBRARY)
 	$(call LINK,-fsanitize=fuzzer $(APART:%=-Wl$(comma)--wrap=%))
 
 # float-cast-overflow is none of `undefined`, yet undefined.
@@ -219,10 +216,8 @@ SANITIZE := -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=address
 
 ## fuzz: each target of tests/fuzz/ for SECONDS_EACH seconds, with clang's libFuzzer and sanitizers
 fuzz:
-	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang CFLAGS='-O1 -g -fsanitize=fuzzer-no-link $(SANITIZE)' fuzzers
+	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang CFLAGS='-O1 -g -fsanitize=fuzzer-no-link $(SANITIZE)' $(CORPORA:%=$(BUILD)/fuzz/tests/fuzz/%)
 	tests/fuzz/fuzz.sh $(BUILD)/fuzz/tests/fuzz $(SECONDS_EACH) $(CORPORA)
-
-fuzzers: $(FUZZERS)
 
 ### Checking
 ## check: every test, on all processors; the last line is "N passed, N failed"; ONLY='test_flow test_wrong' some of them
@@ -281,9 +276,7 @@ $(BUILD)/lint/%.tidied: %.c .clang-tidy $(wildcard ref/*.h verify/*/*.h tests/*.
 
 ## analyze: gcc's -fanalyzer over ref/ and verify/, without findings
 analyze:
-	$(MAKE) BUILD=$(BUILD)/analyze CC=gcc CFLAGS='-O2 -g -fanalyzer -Werror' analyzed
-
-analyzed: $(call objects,$(wildcard ref/*.c verify/*/*.c))
+	$(MAKE) BUILD=$(BUILD)/analyze CC=gcc CFLAGS='-O2 -g -fanalyzer -Werror' $(patsubst %.c,$(BUILD)/analyze/%.o,$(wildcard ref/*.c verify/*/*.c))
 
 ## verify: every proof, every verdict, and ref's measured error
 verify: $(PROGRAM)
@@ -299,25 +292,23 @@ data: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/rando
 	@printf 'wrote %s\n' $(TABLES) $(STUDIES) $(VERDICTS) '$(DATA)/golden/ ($(words $(GOLDEN)) files)' $(DATA)/datapackage.json
 	@$(PROGRAM) table1
 
-$(DATA)/table1.csv: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) table1 --csv)
-
+# What the program prints, with which arguments.
+$(DATA)/table1.csv: printed = table1 --csv
 # Beside the motion itself stands what the paper's own method makes of it: Runge-Kutta, 100 s a step.
-$(DATA)/figure%.csv: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) figure $* $(if $(filter-out 4,$*),--rk4 100))
-
-$(STUDIES): $(DATA)/%.csv: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) study $*)
+$(DATA)/figure%.csv: printed = figure $(@F:figure%.csv=%) $(if $(filter-out figure4.csv,$(@F)),--rk4 100)
+$(STUDIES) $(BUILD)/damped.csv: printed = study $(basename $(@F))
+$(GOLDEN): printed = vectors $(basename $(@F)) --golden
+# Which golden vector tells which mistake from the truth. Fails where one tells none, or a mistake survives all.
+$(DATA)/kills.csv: printed = conform --kills
+$(VERIFIED): printed = verify $(basename $(@F)) --json
+$(BUILD)/equations.json: printed = equations --json
+# What the edition draws of a set of motions.
+$(BUILD)/set.csv: printed = trajectory nonlinear dL=0.1+-0.02 psi=0.01+-0.001 --set --every 3600 --until 259200 --digits 8
+$(TABLES) $(STUDIES) $(GOLDEN) $(DATA)/kills.csv $(EVIDENCE) $(BUILD)/damped.csv $(BUILD)/set.csv: $(PROGRAM)
+	$(call PRINTED,$(PROGRAM) $(printed))
 
 $(VERDICTS): $(BUILD)/claims.json paper/read.awk paper/claims.awk
 	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/claims.awk $<)
-
-$(DATA)/golden/%.csv: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) vectors $* --golden)
-
-# Which golden vector tells which mistake from the truth. Fails where one tells none, or a mistake survives all.
-$(DATA)/kills.csv: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) conform --kills)
 
 # What another implementation of the generator can be compared with: the first vectors of seed 1, but of motions. A thousand
 # of each operation are made here; the rows of a million take minutes each: they are copied, and `make million` checks them.
@@ -338,9 +329,7 @@ million: $(PROGRAM)
 
 # Written by hand, should a vector ever prove wrong.
 $(DATA)/errata.csv:
-	@mkdir -p $(@D)
-	cp data/errata.csv $@.tmp
-	@mv $@.tmp $@
+	$(call PRINTED,cat data/errata.csv)
 
 # Of the words of paper/package.json, of the sheet's and a design's.
 $(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/random.csv $(DATA)/errata.csv $(BUILD)/equations.json paper/read.awk paper/package.awk paper/package.json
@@ -364,9 +353,6 @@ $(FIGURES): $(wildcard paper/figures/*.gp) $(TABLES) $(STUDIES) $(VERDICTS)
 bench: $(BUILD)/tests/bench/bench
 	$(PYTHON) tests/bench/bench.py $< $(BUILD)/bench.tmp
 	@mv $(BUILD)/bench.tmp $(BUILD)/bench.md
-
-$(BUILD)/tests/bench/bench: $(BUILD)/tests/bench/bench.o $(BUILD)/tests/paper.o $(EMBED) $(ENGINE) $(LIBRARY)
-	$(call LINK)
 
 ## readme: README's tables, made anew; that of speed where make bench has been run
 readme: $(PROGRAM) $(BUILD)/claims.json
@@ -435,23 +421,10 @@ $(SITE)/vectors.js: $(TURNED) $(TABLES)
 	  echo '}; const certified = {'; $(call CERTIFIED,4,1-2,1); $(call CERTIFIED,5a,1-4,18); $(call CERTIFIED,6,1-4,18); $(call CERTIFIED,7a,1-2,18); echo '};'; } \
 	  | sed -E 's/([0-9]\.[0-9]{16})[0-9]+/\1/g')
 
-$(VERIFIED): $(BUILD)/%.json: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) verify $* --json)
-
-$(BUILD)/equations.json: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) equations --json)
-
 # What is missing is told before the long work.
 $(EDITION)/tools.found: paper/typeset.sh
 	@paper/typeset.sh
 	@mkdir -p $(@D) && touch $@
-
-# What the edition draws of pitch under a length that moves, and of a set of motions.
-$(BUILD)/damped.csv: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) study damped)
-
-$(BUILD)/set.csv: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) trajectory nonlinear dL=0.1+-0.02 psi=0.01+-0.001 --set --every 3600 --until 259200 --digits 8)
 
 # gnuplot names its pictures as it is told to, and so is told without a folder.
 $(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(DRAWN_FROM) | $(EDITION)/tools.found
@@ -481,16 +454,13 @@ CI_PACKAGES    = clang libclang-rt-dev? clang-tidy cppcheck valgrind strace loca
   octave gfortran nodejs pandoc chromium python3-pandas python3-yaml ruby libyaml-libyaml-perl node-yaml r-cran-yaml
 
 ## deps: install what building and checking need, where apt-get is at hand; name it elsewhere
-deps:
-	@.ci/packages.sh $(BUILD_PACKAGES) $(CHECK_PACKAGES)
-
+deps: wanted = $(BUILD_PACKAGES) $(CHECK_PACKAGES)
 ## deps-paper: install what the literate edition needs beyond that
-deps-paper:
-	@.ci/packages.sh $(PAPER_PACKAGES)
-
+deps-paper: wanted = $(PAPER_PACKAGES)
 ## deps-ci: install what .ci/run needs beyond that
-deps-ci:
-	@.ci/packages.sh $(CI_PACKAGES)
+deps-ci: wanted = $(CI_PACKAGES)
+deps deps-paper deps-ci:
+	@.ci/packages.sh $(wanted)
 
 ### Installing
 # Any name may stand in prefix and DESTDIR: a word of the shell; a value in a .pc file, for sed.
@@ -559,6 +529,6 @@ help:
 	@sed -n 's/^## \([a-z-]*\): /\1 /p' Makefile | while read -r target text; do \
 	  printf '%-11s %s\n' "$$target" "$$text"; done
 
-.PHONY: all check suites bench reproduce gate extend coverage mcdc mutants faults $(INJECTIONS) fuzz fuzzers lint analyze analyzed \
+.PHONY: all check suites bench reproduce gate extend coverage mcdc mutants faults $(INJECTIONS) fuzz lint analyze \
   verify errors readme data million figures pictures paper site deps deps-paper deps-ci install uninstall dist clean distclean help
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/*/*/*/*.d)
