@@ -62,6 +62,8 @@ static const struct {
     /* I1: signs */
     {NULL, "a: dL < L_ref", FOUND_TRUE, EXACT},
     {NULL, "a: dL > L_ref", FOUND_FALSE, EXACT},
+    {NULL, "a: Omega < dL", FOUND_TRUE, EXACT},
+    {NULL, "a: dL > Omega", FOUND_TRUE, EXACT},
     /* a bound that is a number is within ten, at one turn at least */
     {NULL, "a: dL < 0.99", FOUND_TRUE, EXACT},
     {NULL, "a: dL < 1.01", FOUND_LOOSE, EXACT},
@@ -131,6 +133,8 @@ static const struct {
     {"free: [u, v], system: {u: v, v: dQ}, at: {dQ: 0}", "a: {rank: 1, observe: v}", FOUND_TRUE, EXACT},
     {"free: [u, v], system: {u: v, v: dQ}, at: {dQ: 0}", "a: {rank: 2, observe: u}", FOUND_TRUE, EXACT},
     {"free: [u, v], system: {u: v, v: -L*u}", "a: {rank: 2}", UNDECIDED, EXACT}, /* L has no value */
+    {"free: [u], system: {Omega: u, u: -Omega}", "a: {rank: 2}", FOUND_TRUE, EXACT}, /* the sheet's first quantity */
+    {"free: [u, v], system: {u: v, v: 3*Omega}", "a: {rank: 2, control: Omega}", FOUND_TRUE, EXACT},
     /* steps */
     {NULL, "a: {step: kepler}", FOUND_TRUE, EXACT},
     {NULL, "a: {step: [kepler, static_places]}", FOUND_TRUE, EXACT},
@@ -306,7 +310,7 @@ static const struct {
     {"9.99 | 2", "10", EXACT},             {"sqrt(99.99) | 3", "10.0", EXACT},
     {"1.51e12*sqrt(1) | 2 up", "1.6e+12", EXACT}, {"dL - 1/10 | 2 up", "0", EXACT},
     {"L | 2 up", NULL, EXACT}, {"12/17 | exact", "12/17", EXACT},
-    {"1/3 | 60", "0.333333333333333333333333333333333333333333333333333333333333", EXACT},
+    {"Omega | 5", "7.2915e-05", EXACT}, {"1/3 | 60", "0.333333333333333333333333333333333333333333333333333333333333", EXACT},
 };
 
 EACH(numbers_have_proved_digits_or_none, COUNT(numbers))
@@ -455,6 +459,10 @@ static const struct {
     {"a: dL > 0", "a: {claim: d}", "t:7:16: expected a claim that stands before"},
     {"a: dL > 0", "a: {claim: c}", "t:7:16: expected a claim that stands before"},
     {"a: dL > 0", "a: {compute: nothing}", "t:7:18: unknown computation"},
+    {"a: dL > 0", "a: nothing > dL", "t:7:8: unknown symbol 'nothing'"},
+    {"a: dL > 0", "a: {show: dL > x, at: {x: [y, 1]}}", "t:7:32: unknown symbol 'y'"},
+    {"a: dL > 0", "a: {show: dL > x, at: {x: y +- 1}}", "t:7:31: unknown symbol 'y'"},
+    {"a: dL > 0", "a: {show: dL > x, at: {x: 1 +- y}}", "t:7:36: unknown symbol 'y'"},
     {"a: dL > 0", "a: {compute: [linear_10]}", "t:7:18: unknown computation"},
     {PROVE "\n    b: dL < 1/2", "  prove:\n    r: {root: y^2 - 2, on: {y: [1, 2]}}\n    a: {show: dL > 0, at: {x: r}}\n    b: dL < 1/2",
      "t:7:8: c stands without 'r'"}, /* x, and with it r, is in no formula */
