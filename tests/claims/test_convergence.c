@@ -471,7 +471,7 @@ static void give_two(struct computed *c)
 /* One of each list, found again as the same; a ball is handed over as it is, and once asked for is there. */
 TEST(computations_are_found_by_name)
 {
-    static const char *const names[] = {"linear_steps", "escaping_12", "guaranteed", "forced_response", "linear_43200s", "slow_law"};
+    static const char *const names[] = {"linear_steps", "escaping_12", "of_gains", "damped", "linear_43200s", "slow_law"};
     struct computations all = {.steps = steps()};
     SCOPE(arb, x);
     for (int i = 0; i < COUNT(names); i++) {

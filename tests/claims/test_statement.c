@@ -79,12 +79,16 @@ static const struct {
     {NULL, "a: exp(dL) > 11/10", FOUND_TRUE, CERTIFIED},
     {NULL, "a: {show: exp(x) > 1, at: {x: 1/10^60}}", FOUND_TRUE, CERTIFIED}, /* of 200 bits */
     {NULL, "a: L > 0", UNDECIDED, CERTIFIED}, /* L has no value */
+    {NULL, "a: L + m1 > 0", UNDECIDED, CERTIFIED}, /* nor beside what has one, before it and after it */
+    {NULL, "a: L + dL > 0", UNDECIDED, CERTIFIED},
+    {NULL, "a: L + Omega > 0", UNDECIDED, CERTIFIED},
     {"at: {x: 1 +- 1/10}", "a: x > 0", FOUND_TRUE, CERTIFIED},
     {"at: {x: 1 +- 1/10}", "a: x > 1", UNDECIDED, CERTIFIED},
     {"at: {y: 2, x: y^2}", "a: {show: x > 4, at: {y: 3}}", FOUND_TRUE, EXACT}, /* its own y, and x by it */
     {"at: {n: 12}", "a: n > 11", FOUND_TRUE, EXACT}, /* not the sheet's 10 */
     {NULL, "a: {show: n < m, at: {n: [1, 2], m: [2, 3]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {show: y > 1, on: {x: [2, 3]}, at: {y: x}}", UNDECIDED, CERTIFIED}, /* what moves has no value */
+    {NULL, "a: {show: y > 0, on: {n: [-1, 1]}, at: {y: n}}", UNDECIDED, CERTIFIED}, /* not the sheet's either */
     /* I2: signs on intervals */
     {NULL, "a: {show: x^2 - x + 0.2501 > 0, on: {x: [0, 1]}}", FOUND_TRUE, CERTIFIED}, /* least 0.0001 */
     {NULL, "a: {show: x^2 - x + 0.25 > 0, on: {x: [0, 1]}}", UNDECIDED, CERTIFIED},    /* touches zero */
@@ -119,6 +123,7 @@ static const struct {
     {NULL, "a: {roots: 5, on: {x: [-9]}, count: 0}", FOUND_TRUE, EXACT},
     {NULL, "a: {roots: x^2 - m, on: {x: [-9]}, count: 2, at: {m: [1, 5]}}", FOUND_TRUE, EXACT},
     {NULL, "a: {roots: x - y, on: {x: [-1]}, count: 1, at: {y: x}}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: n - y, on: {n: [0]}, count: 1, at: {y: n}}", UNDECIDED, EXACT},
     {NULL, "a: {roots: x - n, on: {x: [0]}, count: 1, at: {n: 3 +- 1}}", UNDECIDED, EXACT},
     {NULL, "a: {roots: exp(x), on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
     {NULL, "a: {roots: 1/x, on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
@@ -194,6 +199,7 @@ static const struct {
     {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    t: {root: t - r, on: {t: [1, 2]}}\n    a: t > 1", HOLDS, true, ""}, /* of t */
     {"[dL, b]", "dL: m1 > 0\n    b: dL > 0", HOLDS, true, ""}, /* an entry that is no number hides none of the sheet */
     {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    rr: {root: r + 1 - y, on: {y: [2, 3]}}\n    a: rr > 2", HOLDS, true, ""}, /* no other's beginning */
+    {"a", "n: {root: y^2 - 2, on: {y: [1, 2]}}\n    a: n < 2", HOLDS, true, ""}, /* not the sheet's 10 */
     {"[a, returns]", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 < 0", HOLDS, true, ""},
     {"[a, returns]", "a: dL > 0\n    start: {compute: escaping_10}\n    returns: start.at_dL_0 > 0", VERDICT_NONE, false, "'returns' is false"},
 };

@@ -13,30 +13,35 @@
 
 enum { SAMPLING_BITS = 192 };
 
-/* By (44) where c2 is 0. */
 static const struct {
-    const char *name;
-    ulong c1, c2;
-} sampled_gains[] = {{"10", 10, 0}, {"12", 12, 0}, {"best", 12, 4}};
-enum { SAMPLED_GAINS = 3 };
+    const char *name, *n, *c2;
+} sampled_gains[] = {{"10", "10", NULL}, {"118", "11.8", NULL}, {"12", "12", NULL}, {"best", "12", "4"}};
+enum { SAMPLED_GAINS = sizeof sampled_gains / sizeof *sampled_gains };
 
-static void set_gains(arb_t c1, arb_t c2, int k)
+/* How long the law may be held, how late it may act; |A|, |B| of the closed form and the slow law's coefficients; what the energy guarantees. */
+static void of_gains(struct computed *c)
 {
-    arb_set_ui(c1, sampled_gains[k].c1);
-    arb_sqrt_ui(c2, 4 * (sampled_gains[k].c1 - 9), SAMPLING_BITS);
-    if (sampled_gains[k].c2 != 0)
-        arb_set_ui(c2, sampled_gains[k].c2);
-}
-
-static void sampling(struct computed *c)
-{
-    SCOPE(arb, c1, c2, limit);
+    VECTOR(arb, values, GUARANTEES);
+    SCOPE(arb, c1, c2, x);
     for (int k = 0; k < SAMPLED_GAINS; k++) {
-        set_gains(c1, c2, k);
-        largest_hold(limit, c1, c2, SAMPLING_BITS);
-        give(c, true, limit, "hold_%s", sampled_gains[k].name);
-        largest_delay(limit, c1, c2, SAMPLING_BITS);
-        give(c, true, limit, "delay_%s", sampled_gains[k].name);
+        const char *name = sampled_gains[k].name;
+        struct second_order o;
+        set_gains(c1, c2, sampled_gains[k].n, sampled_gains[k].c2, SAMPLING_BITS);
+        largest_hold(x, c1, c2, SAMPLING_BITS);
+        give(c, true, x, "hold_%s", name);
+        largest_delay(x, c1, c2, SAMPLING_BITS);
+        give(c, true, x, "delay_%s", name);
+        second_order_init(&o, c->steps, c1, c2, NULL, SAMPLING_BITS);
+        arb_hypot(x, second_order_get(&o, "A_re"), second_order_get(&o, "A_im"), SAMPLING_BITS);
+        give(c, true, x, "A_%s", name);
+        arb_hypot(x, second_order_get(&o, "B_re"), second_order_get(&o, "B_im"), SAMPLING_BITS);
+        give(c, true, x, "B_%s", name);
+        give(c, true, second_order_get(&o, "decay"), "decay_%s", name);
+        give(c, true, second_order_get(&o, "shift"), "shift_%s", name);
+        second_order_clear(&o);
+        const bool found = guarantees_enclose(values, c1, NULL, SAMPLING_BITS);
+        for (int i = 0; i < GUARANTEES; i++)
+            give(c, found, values + i, "%s_%s", guarantees[i].name, name);
     }
 }
 
@@ -50,7 +55,7 @@ static void held_motion(struct computed *c)
     VECTOR(arb, states, FLOW_STATE * HOLDS);
     SCOPE(fmpq, T);
     SCOPE(arb, c1, c2, eta, rate, charge, across);
-    set_gains(c1, c2, 0);
+    set_gains(c1, c2, "10", NULL, BITS);
     unit_parameters(&p, c1, c2);
     for (int i = 0; i < FLOW_HALF; i++)
         sheet_value(start + i, c->steps->sheet, names[i], BITS);
@@ -78,18 +83,17 @@ static void held_motion(struct computed *c)
 static void damped(struct computed *c)
 {
     enum { HOURS = 480, DIGITS = 5 };
-    static const char *const C2[SAMPLED_GAINS] = {NULL, NULL, "2.9166e-4"}; /* 4 Omega */
     SCOPE(arb, c1, c2, a, amplitude, law, gap, tau, charge);
     SCOPE(arb, swing, shift, product, sigma);
     SCOPE(acb, S);
     sheet_value(a, c->steps->sheet, "theta", SAMPLING_BITS);
     arb_set_ui(swing, 1);
     arb_div_ui(swing, swing, 100, SAMPLING_BITS);
-    for (int k = 0; k < SAMPLED_GAINS; k += 2) {
+    for (int k = 0; k < SAMPLED_GAINS; k += SAMPLED_GAINS - 1) {
         struct second_order o;
         struct trajectory t;
-        const struct simulation s = {.steps = c->steps, .digits = DIGITS, .n = k > 0 ? "12" : "10", .C2 = C2[k]};
-        set_gains(c1, c2, k);
+        const struct simulation s = {.steps = c->steps, .digits = DIGITS, .n = sampled_gains[k].n, .C2 = k > 0 ? "2.9166e-4" : NULL}; /* 4 Omega */
+        set_gains(c1, c2, sampled_gains[k].n, sampled_gains[k].c2, SAMPLING_BITS);
         quadrature_reference(S, c1, c2, swing, a, SAMPLING_BITS);
         const bool proved = slow_run(&t, &o, s, c1, c2, S, a, HOUR, HOUR, HOURS * HOUR);
         arb_zero(gap);
@@ -120,41 +124,6 @@ static void damped(struct computed *c)
     }
 }
 
-/* |A|, |B| of the closed form, and the coefficients of the slow law, for the gains (43), (44) of some n; n = 11.8 as 118. */
-static void forced_response(struct computed *c)
-{
-    static const char *const gains[] = {"10", "11.8", "12"}, *const names[] = {"10", "118", "12"};
-    SCOPE(arb, size);
-    for (int i = 0; i < 3; i++) {
-        struct second_order o;
-        struct trajectory t;
-        const bool ready = trajectory_run(&t, &(struct simulation){.steps = c->steps, .n = gains[i]}, 0, 1, 0);
-        second_order_init(&o, c->steps, t.c1, t.c2, NULL, SAMPLING_BITS);
-        arb_hypot(size, second_order_get(&o, "A_re"), second_order_get(&o, "A_im"), SAMPLING_BITS);
-        give(c, ready, size, "length_%s", names[i]);
-        arb_hypot(size, second_order_get(&o, "B_re"), second_order_get(&o, "B_im"), SAMPLING_BITS);
-        give(c, ready, size, "yaw_%s", names[i]);
-        give(c, ready, second_order_get(&o, "decay"), "decay_%s", names[i]);
-        give(c, ready, second_order_get(&o, "shift"), "shift_%s", names[i]);
-        second_order_clear(&o);
-        trajectory_clear(&t);
-    }
-}
-
-/* The numbers of guarantee.h at n = 10 and 12. */
-static void give_guarantees(struct computed *c)
-{
-    VECTOR(arb, values, GUARANTEES);
-    SCOPE(arb, n);
-    for (int gain = 10; gain <= 12; gain += 2) {
-        arb_set_si(n, gain);
-        const bool found = guarantees_enclose(values, n, NULL, SAMPLING_BITS);
-        for (int i = 0; i < GUARANTEES; i++)
-            give(c, found, values + i, "%s_%d", guarantees[i].name, gain);
-    }
-}
-
 const struct computation computations_sampling[] = {
-    {"guaranteed", give_guarantees, NULL}, {"sampling", sampling, NULL}, {"held_motion", held_motion, NULL}, {"damped", damped, NULL},
-    {"forced_response", forced_response, NULL}, {NULL, NULL, NULL},
+    {"of_gains", of_gains, NULL}, {"held_motion", held_motion, NULL}, {"damped", damped, NULL}, {NULL, NULL, NULL},
 };

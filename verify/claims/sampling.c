@@ -3,6 +3,16 @@
 #include "claims/curve.h"
 #include "text/scope.h"
 
+void set_gains(arb_t c1, arb_t c2, const char *n, const char *c2_over_Omega, slong prec)
+{
+    arb_set_str(c1, n, prec);
+    arb_sub_ui(c2, c1, 9, prec);
+    arb_sqrt(c2, c2, prec);
+    arb_mul_2exp_si(c2, c2, 1);
+    if (c2_over_Omega != NULL)
+        arb_set_str(c2, c2_over_Omega, prec);
+}
+
 /* ---- the law held ---- */
 
 /* The polynomial of v, over (1 - T v/2)^4 and positive factors: see sampling.h. S = sinh(a h)/h, R = sin(b h)/h, h = T/2. */

@@ -22,6 +22,9 @@
 
 #include "motion/flow.h"
 
+/* c1 by (43), c2 by (44), or as it is said. */
+void set_gains(arb_t c1, arb_t c2, const char *n, const char *c2_over_Omega, slong prec);
+
 /* The model comes to rest for every T in (0, limit), and not at the limit; indeterminate where prec does not suffice. */
 void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec);
 

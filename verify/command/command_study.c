@@ -130,8 +130,7 @@ static bool print_pitch(const struct study_table *table, const struct derivation
     struct second_order o, o_free;
     SCOPE(arb, a, c1, c2, swing, tau, law, shift);
     SCOPE(acb, S);
-    arb_set_ui(c1, 10);
-    arb_set_ui(c2, 2);
+    set_gains(c1, c2, "10", NULL, STUDY_BITS);
     arb_set_str(swing, "0.01", STUDY_BITS);
     arb_set_str(a, damped ? "0.01" : "0.2", STUDY_BITS);
     quadrature_reference(S, c1, c2, swing, a, STUDY_BITS);
@@ -170,12 +169,7 @@ enum { STUDY_GAINS = sizeof study_gains / sizeof *study_gains };
 /* And printed, as the first fields of a row. */
 static bool set_study_gains(arb_t c1, arb_t c2, int gain)
 {
-    arb_set_str(c1, study_gains[gain].c1, STUDY_BITS);
-    arb_sub_ui(c2, c1, 9, STUDY_BITS);
-    arb_sqrt(c2, c2, STUDY_BITS);
-    arb_mul_2exp_si(c2, c2, 1);
-    if (study_gains[gain].c2 != NULL)
-        arb_set_str(c2, study_gains[gain].c2, STUDY_BITS);
+    set_gains(c1, c2, study_gains[gain].c1, study_gains[gain].c2, STUDY_BITS);
     printf("%s", study_gains[gain].c1);
     return print_number(c2, STUDY_DIGITS);
 }
