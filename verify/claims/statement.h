@@ -51,7 +51,6 @@ struct assertion {
     enum assertion_kind kind;
     int sign;                     /* of left - right: -1, 0, 1                          */
     const struct identities *identity; /* an equality for all values; NULL: it is none  */
-    bool algebra;                 /* ... with nothing of the sheet in it                */
     struct formula formula;       /* left - right; whose roots                          */
     int right;                    /* node of it                                         */
     bool loose;                   /* right is a number alone, yet at no turn within ten of left */

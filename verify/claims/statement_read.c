@@ -254,6 +254,7 @@ static bool read_difference(struct claim_reading *r, struct assertion *a, const 
 /* An equality for all values, or a list of them. */
 static bool read_identity(struct claim_reading *r, struct assertion *a, const struct yaml *node)
 {
+    const bool algebra = own(r, "algebra") != NULL; /* it rests on no formula of the sheet, and says so */
     if (own(r, "at") != NULL || own(r, "on") != NULL)
         return entry_error(r, node, "expected no at and no on beside equalities for all values");
     for (int i = 0; text_at(node, i) != NULL; i++)
@@ -262,7 +263,7 @@ static bool read_identity(struct claim_reading *r, struct assertion *a, const st
     if (!identities_close(r->formulas, &r->scope))
         return false;
     a->identity = r->formulas;
-    const struct equality *empty = a->algebra ? NULL : identities_tautology(r->formulas);
+    const struct equality *empty = algebra ? NULL : identities_tautology(r->formulas);
     return empty == NULL || node_error(empty->at, 0, "it holds whatever the sheet says, expected {algebra: left = right} for what is "
                                                      "algebra alone");
 }
@@ -279,14 +280,9 @@ static bool read_show(struct claim_reading *r, struct assertion *a, const struct
         return false;
     if (same_text(show->text, sign, sign + 1)) /* but for blanks */
         return entry_error(r, show, "both sides are the same, expected what could be otherwise");
-    return a->sign == 0 && (own(r, "at") == NULL || a->variable != NULL) ? read_identity(r, a, show) : read_difference(r, a, show, sign);
-}
-
-/* What rests on no formula of the sheet, and says so. */
-static bool read_algebra(struct claim_reading *r, struct assertion *a, const struct yaml *value)
-{
-    a->algebra = true;
-    return read_show(r, a, value) && (a->identity != NULL || entry_error(r, value, "expected equalities for all values"));
+    if (a->sign == 0 && (own(r, "at") == NULL || a->variable != NULL))
+        return read_identity(r, a, show);
+    return (own(r, "algebra") == NULL || entry_error(r, show, "expected equalities for all values")) && read_difference(r, a, show, sign);
 }
 
 static bool read_count(struct claim_reading *r, const struct yaml *node, long *count)
@@ -370,7 +366,7 @@ static const struct form {
     const struct field *keys;
 } forms[] = {
     {"show", ASSERT_SHOW, read_show, KEYS({.key = "show"}, {.key = "on"}, FORMULA_FIELDS)},
-    {"algebra", ASSERT_SHOW, read_algebra, KEYS({.key = "algebra"}, FORMULA_FIELDS)},
+    {"algebra", ASSERT_SHOW, read_show, KEYS({.key = "algebra"}, FORMULA_FIELDS)},
     {"root", ASSERT_ROOT, read_root, KEYS({.key = "root"}, {.key = "on"}, FORMULA_FIELDS)},
     {"roots", ASSERT_ROOTS, read_root, KEYS({.key = "roots"}, {.key = "on"}, {.key = "count"}, FORMULA_FIELDS)},
     {"rank", ASSERT_RANK, read_rank,

@@ -166,22 +166,15 @@ static const struct {
 };
 enum { STUDY_GAINS = sizeof study_gains / sizeof *study_gains };
 
-/* And printed, as the first fields of a row. */
-static bool set_study_gains(arb_t c1, arb_t c2, int gain)
+/* Of guarantees; without a first, how long the law may be held, and how late it may act. */
+static bool print_gains(const struct study_table *t, const struct derivations *steps)
 {
-    set_gains(c1, c2, study_gains[gain].c1, study_gains[gain].c2, STUDY_BITS);
-    printf("%s", study_gains[gain].c1);
-    return print_number(c2, STUDY_DIGITS);
-}
-
-static bool print_guarantees(const struct study_table *t, const struct derivations *steps)
-{
-    const int first = guarantee_find(t->first), end = t->end != NULL ? guarantee_find(t->end) : GUARANTEES;
+    const int first = t->first != NULL ? guarantee_find(t->first) : GUARANTEES, end = t->end != NULL ? guarantee_find(t->end) : GUARANTEES;
     bool proved = true;
     VECTOR(arb, values, GUARANTEES);
     SCOPE(arb, c1, c2, y);
     (void)steps;
-    fputs(t->charges[0] != NULL ? "c1,c2,charge" : "c1,c2", stdout);
+    fputs(t->charges[0] != NULL ? "c1,c2,charge" : t->first != NULL ? "c1,c2" : "c1,c2,hold,delay", stdout);
     for (int i = first; i < end; i++)
         if (guarantees[i].meaning != NULL)
             printf(",%s", guarantees[i].name);
@@ -189,36 +182,26 @@ static bool print_guarantees(const struct study_table *t, const struct derivatio
     for (int k = 0; k == 0 || t->charges[k] != NULL; k++)
         for (int gain = 0; gain < STUDY_GAINS; gain++) {
             const char *charge = t->charges[k];
-            proved = set_study_gains(c1, c2, gain) && proved;
+            set_gains(c1, c2, study_gains[gain].c1, study_gains[gain].c2, STUDY_BITS);
+            printf("%s", study_gains[gain].c1);
+            proved = print_number(c2, STUDY_DIGITS) && proved;
             if (charge != NULL) {
                 printf(",%s", charge);
                 arb_set_str(y, charge, STUDY_BITS);
                 arb_sqr(y, y, STUDY_BITS);
                 arb_root_ui(y, y, 3, STUDY_BITS);
             }
-            proved = guarantees_enclose(values, c1, charge != NULL ? y : NULL, STUDY_BITS) && proved;
+            if (t->first == NULL) {
+                largest_hold(values, c1, c2, STUDY_BITS);
+                largest_delay(values + 1, c1, c2, STUDY_BITS);
+                proved = print_number(values, ROW_DIGITS) && print_number(values + 1, ROW_DIGITS) && proved;
+            } else
+                proved = guarantees_enclose(values, c1, charge != NULL ? y : NULL, STUDY_BITS) && proved;
             for (int i = first; i < end; i++)
                 if (guarantees[i].meaning != NULL)
                     proved = print_number(values + i, ROW_DIGITS) && proved;
             end_row(proved);
         }
-    return proved;
-}
-
-/* How long the law may be held, and how late it may act. */
-static bool print_sampling(const struct study_table *t, const struct derivations *steps)
-{
-    bool proved = true;
-    SCOPE(arb, c1, c2, limit);
-    (void)t;
-    (void)steps;
-    for (int gain = 0; gain < STUDY_GAINS; gain++) {
-        proved = set_study_gains(c1, c2, gain) && proved;
-        largest_hold(limit, c1, c2, STUDY_BITS);
-        proved = print_number(limit, ROW_DIGITS) && proved;
-        largest_delay(limit, c1, c2, STUDY_BITS);
-        proved = end_row(print_number(limit, ROW_DIGITS) && proved);
-    }
     return proved;
 }
 
@@ -265,11 +248,11 @@ static const struct study_table study_tables[] = {
     {"forced", "t,psi,dL,psi_linear,dL_linear,psi_forced,dL_forced", print_forced, NULL, NULL, {NULL}},
     {"pitch", "t,theta,amplitude,amplitude_law", print_pitch, NULL, NULL, {NULL}},
     {"damped", "t,amplitude,amplitude_law,amplitude_undamped", print_pitch, NULL, NULL, {NULL}},
-    {"basin", NULL, print_guarantees, "equilibrium", "deficit", {NULL}},
-    {"saturation", NULL, print_guarantees, "outer", "q_max", {"1.02", "1.05", "1.1", "1.2", "1.5", "2"}},
-    {"tolerance", NULL, print_guarantees, "deficit", NULL, {NULL}},
+    {"basin", NULL, print_gains, "equilibrium", "deficit", {NULL}},
+    {"saturation", NULL, print_gains, "outer", "q_max", {"1.02", "1.05", "1.1", "1.2", "1.5", "2"}},
+    {"tolerance", NULL, print_gains, "deficit", NULL, {NULL}},
     {"balance", "c1,rest,force,push", print_balance, NULL, NULL, {NULL}},
-    {"sampling", "c1,c2,hold,delay", print_sampling, NULL, NULL, {NULL}},
+    {"sampling", NULL, print_gains, NULL, NULL, {NULL}},
 };
 
 int command_study(const struct arguments *a)
