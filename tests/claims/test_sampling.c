@@ -257,48 +257,6 @@ EACH(a_held_law_is_followed_from_all_of_a_box, 16)
         ck_assert(arb_contains(all + i, states + i));
 }
 
-/* Of one of a, tau, the swing, c1 and c2 as a ball: what comes of its corner lies in what comes of it. */
-static void assert_corner_of(int which)
-{
-    enum { IN = 5, OUT = FLOW_STATE + 8 };
-    static const double corner[IN] = {0.02, 3, 0.01, 10, 2};
-    VECTOR(arb, in, IN);
-    VECTOR(arb, out, 2 * OUT);
-    SCOPE(arb, away);
-    SCOPE(acb, S);
-    for (int box = 0; box < 2; box++) {
-        struct second_order o;
-        struct moved_loop loop;
-        arb_ptr x = out + box * OUT;
-        for (int i = 0; i < IN; i++)
-            arb_set_d(in + i, corner[i]);
-        arb_set_d(away, which % 2 ? 1e-9 : -1e-9);
-        if (box == 1) {
-            arb_add(in + which / 2, in + which / 2, away, BITS);
-            mag_set_d(arb_radref(in + which / 2), 1.001e-9);
-        }
-        quadrature_reference(S, in + 3, in + 4, in + 2, in, BITS);
-        second_order_init(&o, steps(), in + 3, in + 4, S, BITS);
-        second_order_after(x, &o, in, in + 1);
-        moved_loop_init(&loop, in + 3, S, BITS);
-        _arb_vec_set(x + FLOW_STATE, loop.constants, 3);
-        moved_reference(x + FLOW_STATE + 3, S, x, BITS);
-        acb_get_real(x + FLOW_STATE + 4, S);
-        acb_get_imag(x + FLOW_STATE + 5, S);
-        slow_law(x + FLOW_STATE + 6, x + FLOW_STATE + 7, &o, in, in + 1);
-        moved_loop_clear(&loop);
-        second_order_clear(&o);
-    }
-    for (int i = 0; i < OUT; i++)
-        ck_assert_msg(arb_contains(out + OUT + i, out + i), "%d", i);
-}
-
-TEST(closed_forms_of_balls_hold_those_of_their_corners)
-{
-    for (int i = 0; i < 10; i++)
-        assert_corner_of(i);
-}
-
 TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
 {
     struct second_order o;

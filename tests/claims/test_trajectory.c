@@ -67,34 +67,6 @@ EACH(trajectories_agree_with_the_equations_in_the_angles, COUNT(rows))
     trajectory_clear(&t);
 }
 
-/* Nothing in these samples knows the masses: (3) closed by (7) and (18) has none in the angles and the distance. */
-TEST(trajectories_are_the_same_for_all_masses)
-{
-    struct trajectory equal, unequal;
-    ck_assert(trajectory_run(&equal, &(struct simulation){.steps = steps(), .nonlinear = true}, DAY, DAY, 3 * DAY));
-    ck_assert(trajectory_run(&unequal, &(struct simulation){.steps = steps(), .nonlinear = true, .m1 = "3", .m2 = "3000"}, DAY, DAY, 3 * DAY));
-    for (slong k = 0; k < 3; k++)
-        for (int i = 0; i < COORDINATES; i++)
-            ck_assert(arb_overlaps(trajectory_sample(&equal, k) + i, trajectory_sample(&unequal, k) + i));
-    trajectory_clear(&unequal);
-    trajectory_clear(&equal);
-}
-
-/* A sample is where a start from it begins: angles to place and back. */
-TEST(eq10_trajectories_start_where_another_ends)
-{
-    struct trajectory whole, half, rest;
-    ck_assert(trajectory_run(&whole, &(struct simulation){.steps = steps(), .nonlinear = true}, 0, DAY, DAY));
-    ck_assert(trajectory_run(&half, &(struct simulation){.steps = steps(), .nonlinear = true}, 0, DAY / 4, DAY / 4));
-    const struct simulation from = {.steps = steps(), .nonlinear = true, .start = trajectory_sample(&half, 1)};
-    ck_assert(trajectory_run(&rest, &from, 0, 3 * DAY / 4, 3 * DAY / 4));
-    for (int i = 0; i < COORDINATES; i++)
-        ck_assert(arb_overlaps(trajectory_sample(&whole, 1) + i, trajectory_sample(&rest, 1) + i));
-    trajectory_clear(&rest);
-    trajectory_clear(&half);
-    trajectory_clear(&whole);
-}
-
 /* A start of balls: all that is said of it holds of the motion from its corner. */
 EACH(samples_hold_the_corner_of_their_start, 2)
 {
@@ -143,80 +115,4 @@ EACH(energy_falls_by_what_the_gain_takes, 2)
     /* 720 intervals of 7.3e-4 rad: the rule errs by some 1e-6 of the whole */
     ck_assert_double_eq_tol(arf_get_d(arb_midref(x), ARF_RND_NEAR) / lost, 1, 1e-5);
     trajectory_clear(&t);
-}
-
-/* The samples of later times keep the bounds of an early one, and their differences those of the derivatives. */
-EACH(bounds_hold_for_what_follows, 2)
-{
-    struct trajectory t;
-    struct bounds b;
-    VECTOR(arb, x, 2);
-    bounds_init(&b);
-    ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = _i != 0}, 0, 600, 2 * DAY));
-    for (slong from = 0; from < 3; from++) {
-        ck_assert(trajectory_bounds(&b, &t, 40 * from));
-        for (int i = 0; i < COORDINATES; i++)
-            for (slong k = 40 * from; k + 2 < t.count; k++) {
-                arb_srcptr now = trajectory_sample(&t, k) + i, next = trajectory_sample(&t, k + 1) + i, last = trajectory_sample(&t, k + 2) + i;
-                arb_abs(x, now);
-                ck_assert_msg(!arb_gt(x, b.of[i]), "coordinate %d, sample %ld", i, (long)k);
-                arb_add(x, now, last, t.prec); /* |f0 - 2 f1 + f2| <= tau^2 max |f''| */
-                arb_submul_ui(x, next, 2, t.prec);
-                arb_abs(x, x);
-                bound_between_samples(x + 1, &t, &b, i);
-                arb_mul_2exp_si(x + 1, x + 1, 3);
-                ck_assert_msg(arb_le(x, x + 1), "second difference of %d, sample %ld", i, (long)k);
-            }
-    }
-    bounds_clear(&b);
-    trajectory_clear(&t);
-}
-
-/* With n = 10 the hill of E is at dL = 1.0728 m, (sqrt(93) - 3)/6 = 1.10728: beyond, E holds nothing. */
-TEST(bounds_are_refused_beyond_the_hill)
-{
-    static const struct {
-        const char *dL;
-        bool bounded;
-    } starts[] = {{"0", true}, {"0.9", true}, {"1.08", false}, {"3", false}, {"-3", false}};
-    struct bounds b;
-    bounds_init(&b);
-    for (size_t i = 0; i < sizeof starts / sizeof starts[0]; i++) {
-        struct trajectory t;
-        const struct simulation s = {.steps = steps(), .nonlinear = true, .psi = "0", .theta = "0", .dL = starts[i].dL};
-        ck_assert(trajectory_run(&t, &s, 0, 1, 0));
-        ck_assert_int_eq(trajectory_bounds(&b, &t, 0), starts[i].bounded);
-        trajectory_clear(&t);
-    }
-    bounds_clear(&b);
-}
-
-/* The linear dL is last above 1/100 of the start at 43.25 h, psi at 29.17 h: samples of the linear flow, 100 s apart. */
-TEST(settling_is_found_between_samples)
-{
-    struct trajectory t;
-    SCOPE(arb, hours, limit);
-    ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = false}, 0, 200, 3 * DAY));
-    arb_set_d(limit, 1e-4);
-    ck_assert(settles(hours, &t, ETA, limit));
-    ck_assert(is_above(hours, 43.15) && is_below(hours, 43.36));
-    ck_assert(settles(hours, &t, PSI, limit));
-    ck_assert(is_above(hours, 29.05) && is_below(hours, 29.28));
-    arb_set_d(limit, 1e-9); /* not within three days */
-    ck_assert(!settles(hours, &t, ETA, limit));
-    arb_set_d(limit, 1); /* it was never above */
-    ck_assert(!settles(hours, &t, ETA, limit));
-    trajectory_clear(&t);
-}
-
-/* Next to rest on the other side, with as little energy: psi stays near pi, not near 0. */
-TEST(nothing_is_bounded_where_the_pair_has_turned_over)
-{
-    struct trajectory t;
-    struct bounds b;
-    bounds_init(&b);
-    ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = true, .psi = "3.14"}, 0, 100, 1000));
-    ck_assert(!trajectory_bounds(&b, &t, 0));
-    trajectory_clear(&t);
-    bounds_clear(&b);
 }
