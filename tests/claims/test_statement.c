@@ -224,6 +224,13 @@ EACH(a_verdict_by_itself_wants_all, 3)
     assert_ruled(text, _i == 1 ? VERDICT_NONE : HOLDS, _i != 1, _i == 1 ? "'b' is false" : "");
 }
 
+TEST(what_is_not_so_is_told_before_a_number_without_digits)
+{
+    char text[4096];
+    write_claim(text, "a", NULL, "a: dL < 0", "{L | 3}");
+    assert_ruled(text, VERDICT_NONE, false, "t:7:8: c comes out as 'undecided'");
+}
+
 TEST(a_number_needs_nothing_proved)
 {
     assert_ruled("c:\n  where: here\n  kind: beyond\n  claim: it\n  verdict: not decidable\n  why: so\n  evidence: it is {dL | 2}\n",

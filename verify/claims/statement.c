@@ -84,7 +84,7 @@ static int first_failed(struct statements *all, struct statement *s, const struc
             continue;
         assertion_find(all, s, a);
         *how = FLINT_MAX(*how, a->how);
-        if (a->truth != (c->wanted[i] > 0 ? FOUND_TRUE : FOUND_FALSE))
+        if (a->truth != (c->wanted[i] == 1 ? FOUND_TRUE : FOUND_FALSE))
             return i;
     }
     return -1;
