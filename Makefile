@@ -260,7 +260,7 @@ mcdc:
 
 ## mutants: wrong programs, one point away from the right one, and whether the tests notice; SAMPLE=200 SEED=... a sample; KIND=soundness
 mutants:
-	@export PYTHONDONTWRITEBYTECODE=1; $(PYTHON) coverage/mutants.py --self-test && CC='$(CC)' $(PYTHON) coverage/mutants.py $(BUILD)/mutants \
+	@unset MAKEFLAGS MFLAGS MAKELEVEL CT_MAKE; PYTHONDONTWRITEBYTECODE=1 CC='$(CC)' $(PYTHON) coverage/mutants.py $(BUILD)/mutants \
 	  $(foreach option,KIND SAMPLE SEED ONLY BUDGET,$(addprefix --$(shell echo $(option) | tr A-Z a-z) ,$($(option)))) $(if $(README),--readme)
 
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar), and what SCOPE initialises in symbolic.c for unset.

@@ -1,47 +1,39 @@
 /*
- * mutants.c   in every program of the tree that mutants.py makes: which mutant it is, what of it was reached, and how far it may go
+ * mutants.c   in every program that mutants.py makes: which mutant it is, what of it was reached, and the sheets that it reads
  */
-#define _GNU_SOURCE
 #include <fcntl.h>
-#include <signal.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "sheet/paper.h"
 
-enum { MOST_FUNCTIONS = 8192, MOST_BYTES = 1 << 22 };
+enum { MOST_MUTANTS = 1 << 17 };
 
-static unsigned char nowhere[MOST_FUNCTIONS];
+int mutant_; /* 0: the program as it is */
+static unsigned char nowhere[MOST_MUTANTS];
 unsigned char *mutant_reached_ = nowhere;
-int mutant_; /* none: the program as it is */
+
+static void *mapped(const char *name, size_t length, int protection)
+{
+    const int file = open(name, protection == PROT_READ ? O_RDONLY : O_RDWR);
+    void *bytes = mmap(NULL, length, protection, MAP_SHARED, file, 0); /* so that what dies or forks leaves its traces too */
+    close(file);
+    return bytes;
+}
 
 __attribute__((constructor)) static void begin(void)
 {
-    const char *mutant = getenv("MUTANT"), *seconds = getenv("MUTANT_SECONDS"), *reached = getenv("MUTANT_REACHED");
-    if (mutant != NULL)
-        mutant_ = atoi(mutant);
-    if (seconds != NULL) {
-        const rlim_t most = (rlim_t)atoi(seconds);
-        setrlimit(RLIMIT_CPU, &(struct rlimit){most, most + 2});
-        setrlimit(RLIMIT_AS, &(struct rlimit){3u << 30, 3u << 30});
-        setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
-    }
-    if (reached != NULL) { /* shared: what dies or forks leaves its traces too */
-        const int file = open(reached, O_RDWR | O_CLOEXEC);
-        void *shared = mmap(NULL, MOST_FUNCTIONS, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-        if (shared != MAP_FAILED)
-            mutant_reached_ = shared;
-        close(file);
-    }
+    const char *mutant = getenv("MUTANT"), *reached = getenv("MUTANT_REACHED");
+    mutant_ = mutant != NULL ? atoi(mutant) : 0;
+    if (reached != NULL)
+        mutant_reached_ = mapped(reached, MOST_MUTANTS, PROT_READ | PROT_WRITE);
 }
 
 /* The first assertion that fails decides. */
-void __wrap__ck_assert_failed(const char *file, int line, const char *expression, const char *message, ...)
+void __wrap__ck_assert_failed(void)
 {
-    fprintf(stderr, "%s:%d: %s %s\n", file, line, expression, message != NULL ? message : "");
     _exit(1);
 }
 
@@ -54,28 +46,18 @@ int __wrap_kill(pid_t process, int signal)
     return __real_kill(process, signal);
 }
 
-static struct source read_sheet(const char *folder, struct source right)
-{
-    static char text[3][MOST_BYTES];
-    static int sheets;
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", folder, right.name);
-    FILE *file = fopen(path, "r");
-    if (file == NULL)
-        return right;
-    char *to = text[sheets++ % 3];
-    const size_t length = fread(to, 1, MOST_BYTES, file);
-    fclose(file);
-    return (struct source){right.name, to, length};
-}
-
-/* The sheets of the folder that the environment names, instead of those that were compiled in. */
-__attribute__((weak)) struct sources __real_embedded_sources(void); /* not every program has sheets */
+/* The sheets of the folder that a program runs in, instead of those that were compiled in. Not every program has some. */
+__attribute__((weak)) struct sources __real_embedded_sources(void);
 struct sources __wrap_embedded_sources(void)
 {
-    const struct sources right = __real_embedded_sources();
-    const char *folder = getenv("MUTANT_SHEETS");
-    if (folder == NULL)
-        return right;
-    return (struct sources){read_sheet(folder, right.equations), read_sheet(folder, right.derivations), read_sheet(folder, right.claims), right.motions};
+    static struct sources s;
+    struct source *const sheets[] = {&s.equations, &s.derivations, &s.claims};
+    struct stat file;
+    if (s.equations.text != NULL) /* mapped once */
+        return s;
+    s = __real_embedded_sources();
+    for (int i = 0; i < 3; i++)
+        if (stat(sheets[i]->name, &file) == 0)
+            *sheets[i] = (struct source){sheets[i]->name, mapped(sheets[i]->name, (size_t)file.st_size, PROT_READ), (size_t)file.st_size};
+    return s;
 }
