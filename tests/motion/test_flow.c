@@ -688,6 +688,7 @@ EACH(F7_constants_of_another_law_are_balls, 2)
     OWNED(scenario) box = plain_scenario(10, 1), one = plain_scenario(10, 1);
     const double y = _i == 0 ? 1 : 0, width = _i == 0 ? 0 : 0x1p-4;
     VECTOR(arb, c, 1);
+    VECTOR(arb, last, 4); /* y of each corner: what c is makes a difference */
     const struct flow_steps how = {.step = 0x1p-8, .system = &law, .constants = c};
     for (int t = 0, more = 0; t < JET_TERMS; t++) {
         if (t > 0 && closed_loop.terms[t].to != V && closed_loop.terms[t - 1].to == V)
@@ -709,6 +710,8 @@ EACH(F7_constants_of_another_law_are_balls, 2)
         ck_assert_int_eq(truth.rows, ROWS);
         for (slong k = 0; k < ROWS * FLOW_STATE; k += FLOW_STATE)
             assert_holds(all.states + k, truth.states + k);
+        arb_set(last + corner, truth.states + FLOW_STATE * (ROWS - 1) + Y);
+        ck_assert(corner < 2 || !arb_overlaps(last + corner, last + corner - 2));
     }
 }
 

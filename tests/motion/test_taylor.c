@@ -231,6 +231,16 @@ RANGE(T8_a_column_has_the_change_of_the_second_factor, FIRST_ORDER, LAST_ORDER +
     assert_rest_of(&c, A_LITTLE_MORE);
 }
 
+/* x dx + dx x, polynomials of degree below n: no tails */
+RANGE(T8_a_column_has_both_products_of_a_square, 2, LAST_ORDER)
+{
+    const slong n = _i;
+    const struct known_case c = {.a = X, .b = X, .order = n, .h = SHORT, .of_column = true,
+                                 .start = {[X] = 1, [U] = 1, [V] = n > 2, [W] = n > 3},
+                                 .column = {[X] = 1, [U] = 1, [V] = n > 2, [W] = n > 3}};
+    assert_rest_of(&c, A_LITTLE_MORE);
+}
+
 /* Tails alone: the product of s^n and s^n, one of which is the column's */
 RANGE(T8_a_column_has_the_products_of_tails, 1, 4)
 {
