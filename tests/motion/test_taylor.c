@@ -502,7 +502,7 @@ static void jet_of_exact(struct jet *jet, const struct exact_motion *e, slong or
     }
 }
 
-/* In 32 bits, in falling precision, and where copies of 128 bits take over, the balls hold the fractions. */
+/* In 32 bits, and in falling precision, the balls hold the fractions. */
 EACH(T13_coefficients_in_balls_hold_the_exact_ones, CLOSED_LOOPS)
 {
     static const struct {
@@ -726,7 +726,7 @@ TEST(a_column_along_the_motion_is_its_derivative)
         }
 }
 
-/* Falling precision and two-limb copies give the same series, as sharp as the fall says. */
+/* Falling precision gives the same series, as sharp as the fall says. */
 TEST(coefficients_may_be_computed_to_falling_precision)
 {
     OWNED(jet) full, falling;

@@ -115,16 +115,6 @@ bool operation_valid(struct operation *o, const struct input *inputs)
 
 /* ---- enclosures ---- */
 
-static void enclose_roots(const struct input *inputs, slong prec, arb_ptr outputs)
-{
-    VECTOR(acb, roots, 4);
-    roots41(roots, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec);
-    for (slong i = 0; i < 4; i++) {
-        arb_swap(outputs + 2 * i, acb_realref(roots + i));
-        arb_swap(outputs + 2 * i + 1, acb_imagref(roots + i));
-    }
-}
-
 static int take_state(void *context, slong k, const fmpq_t t, arb_srcptr state)
 {
     (void)k;
@@ -175,7 +165,7 @@ enum operation_status operation_follow(struct operation *o, const struct input *
                                        arb_ptr outputs)
 {
     if (o->section->method == METHOD_ROOTS) {
-        enclose_roots(inputs, prec, outputs);
+        roots41((acb_ptr)outputs, &inputs[0].value, &inputs[1].value, &inputs[2].value, prec); /* a complex ball is two real ones */
         return OPERATION_PROVED;
     }
     if (o->section->method != METHOD_FORMULA)

@@ -120,31 +120,24 @@ void scenario_initial(arb_ptr initial, const struct scenario *s, const struct fl
 
 /* ---- charges along a motion: Eqs. (13), (7), (18), (21) ---- */
 
-/* Eq. (14), of Omega k_c m1 m2 Q and the state, names the distance and its rate on its way. */
-static void distance_and_rate(arb_t L, arb_t L_dot, const struct sheet *sheet, const struct flow_parameters *p,
-                              arb_srcptr state, slong prec)
+void charges_of_state(arb_ptr q, arb_t product, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state,
+                      slong prec)
 {
+    /* Eq. (14), of Omega k_c m1 m2 Q and the state, names the distance and its rate on its way. */
     const struct program *program = &section_find(sheet, "eq14")->corrected.program;
     OWNED(machine) m;
+    VECTOR(arb, in, 8);
+    VECTOR(arb, Q, 2);
     machine_init(&m, program, &arithmetic_ball, prec);
     for (int i = 0; i < 4; i++)
         arb_set(machine_value(&m, i), p->Omega + i);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set(machine_value(&m, 5 + i), state + i);
     machine_run(&m);
-    arb_set(L, machine_value(&m, program_find(program, "L")));
-    arb_set(L_dot, machine_value(&m, program_find(program, "L_dot")));
-}
-
-void charges_of_state(arb_ptr q, arb_t product, const struct sheet *sheet, const struct flow_parameters *p, arb_srcptr state,
-                      slong prec)
-{
-    VECTOR(arb, in, 8);
-    VECTOR(arb, Q, 2);
     section_enclose(section_find(sheet, "eq07"), p->Omega, prec, Q); /* Omega k_c m1 m2 L_ref */
-    _arb_vec_set(in, p->k_c, 6);                                     /* k_c m1 m2 L_ref C1 C2 */
-    distance_and_rate(in + 6, in + 7, sheet, p, state, prec);
-    arb_sub(in + 6, in + 6, p->L_ref, prec);
+    _arb_vec_set(in, p->k_c, 6);                                     /* k_c m1 m2 L_ref C1 C2, dL and dL_dot */
+    arb_sub(in + 6, machine_value(&m, program_find(program, "L")), p->L_ref, prec);
+    arb_set(in + 7, machine_value(&m, program_find(program, "L_dot")));
     section_enclose(section_find(sheet, "eq18"), in, prec, Q + 1);
     arb_add(product, Q, Q + 1, prec);
     section_enclose(section_find(sheet, "eq21"), Q, prec, q);

@@ -107,13 +107,13 @@ void jet_start_column_q(struct jet *column, const struct jet *jet, slong prec)
  * Theorem (a series in balls, or in models). The coefficients of every motion that starts in the balls given, with parameters in
  * theirs, lie in the balls here: (T13) arb_dot and arb_div_ui enclose their exact results, in however few bits; of models see model.c.
  *
- * The rates' coefficients from `first` to `last` - 1, and the states' above them; of z itself, or of z as a column of jet: a term
- * a b of the rates has the derivative a db + da b.
+ * The rates' coefficients, and the states' above them; of z itself, or of z as a column of jet: a term a b of the rates has the
+ * derivative a db + da b.
  */
-static void extend_series(struct jet *z, const struct jet *jet, slong first, slong last, slong prec, double fall)
+void jet_extend(struct jet *z, const struct jet *jet, slong prec, double fall)
 {
     const struct system *system = jet->system;
-    for (slong k = first; k < last; k++) {
+    for (slong k = 0; k < z->order; k++) {
         slong bits = FLINT_MAX(prec - (slong)(fall * (double)k), 32);
         for (int t = 0; t < system->count; t++) {
             const struct term *f = system->terms + t;
@@ -130,29 +130,6 @@ static void extend_series(struct jet *z, const struct jet *jet, slong first, slo
             else
                 arb_div_ui(z->c[v] + k + 1, z->c[v] + k + 1, (ulong)(k + 1), bits);
     }
-}
-
-/*
- * Two limbs are twice as fast in arb_dot as three or more. So from where 120 bits are enough, work goes on
- * with copies of 128.
- */
-void jet_extend(struct jet *z, const struct jet *jet, slong prec, double fall)
-{
-    slong split = 0;
-    while (split < z->order && (z->space != NULL || prec <= 128 || prec - (slong)(fall * (double)split) > 120))
-        split++;
-    extend_series(z, jet, 0, split, prec, fall);
-    if (split == z->order)
-        return;
-    struct jet copy; /* more than 128 bits are those of a path, no column */
-    jet_init(&copy, z->system, z->order, NULL);
-    for (int v = 0; v < z->system->all; v++)
-        _arb_vec_set_round(copy.c[v], z->c[v], split + 1, 128);
-    extend_series(&copy, &copy, split, z->order, prec, fall);
-    for (int v = 0; v < z->system->series; v++)
-        for (slong k = split + (v < z->system->states); k <= z->order; k++)
-            arb_swap(z->c[v] + k, copy.c[v] + k);
-    jet_clear(&copy);
 }
 
 void jet_size(mag_t size, const struct jet *jet, int v, slong k)
