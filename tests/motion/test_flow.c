@@ -218,22 +218,6 @@ static void pair_state(const struct scenario *s, double y[])
         y[i] = number(s->start + i) / (i < 3 ? 1 : number(s->p.Omega));
 }
 
-static void assert_agrees_with_rk8pd(const struct scenario *s, double seconds, double tolerance)
-{
-    struct pair p = pair_of(s);
-    double y[FLOW_STATE], tau = 0;
-    pair_state(s, y);
-    gsl_odeiv2_system system = {pair_rates, NULL, FLOW_STATE, &p};
-    gsl_odeiv2_driver *driver =
-        gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14 * p.L_ref, 1e-14);
-    ck_assert_int_eq(gsl_odeiv2_driver_apply(driver, &tau, p.Omega * seconds, y), GSL_SUCCESS);
-    gsl_odeiv2_driver_free(driver);
-    OWNED(run) r = run_to(s, NONLINEAR, (slong)seconds);
-    ck_assert_int_eq(r.status, FLOW_DONE);
-    for (int i = 0; i < FLOW_STATE; i++)
-        ck_assert_double_eq_tol(number(r.states + i) / (i < 3 ? 1 : p.Omega), y[i], tolerance * p.L_ref);
-}
-
 /* ---- the linear flow ---- */
 
 /*
@@ -353,26 +337,21 @@ TEST(eq03_flow_of_the_paper)
 }
 
 /* rk8pd's local error of 1e-14 in some thousand steps of a motion that does not diverge */
-TEST(eq03_flow_of_unequal_craft_agrees_with_rk8pd)
-{
-    OWNED(scenario) s = scenario_of(0x1p-14, 120, 410, 23, 12, 4);
-    start_at_angles(&s, 0.3, -0.4, 2);
-    assert_agrees_with_rk8pd(&s, 3 * DAY, 1e-10);
-}
-
 TEST(eq03_flow_at_large_angles_agrees_with_rk8pd)
 {
     OWNED(scenario) s = scenario_of(7.2915e-5, 1, 1000, 10, 10, 2);
     start_at_angles(&s, 1.2, 0.9, -3);
-    assert_agrees_with_rk8pd(&s, DAY, 1e-10);
-}
-
-/* ... and a motion that does: errors grow like exp(3 tau) until the craft part after two days */
-TEST(eq03_flow_that_grows_agrees_with_rk8pd)
-{
-    OWNED(scenario) s = scenario_of(7.2915e-5, 150, 150, 10, 8, 1);
-    start_at_angles(&s, 0.01, 0.01, 0.1);
-    assert_agrees_with_rk8pd(&s, 2 * DAY, 1e-7);
+    struct pair p = pair_of(&s);
+    double y[FLOW_STATE], tau = 0;
+    pair_state(&s, y);
+    gsl_odeiv2_system system = {pair_rates, NULL, FLOW_STATE, &p};
+    gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14 * p.L_ref, 1e-14);
+    ck_assert_int_eq(gsl_odeiv2_driver_apply(driver, &tau, p.Omega * DAY, y), GSL_SUCCESS);
+    gsl_odeiv2_driver_free(driver);
+    OWNED(run) r = run_to(&s, NONLINEAR, DAY);
+    ck_assert_int_eq(r.status, FLOW_DONE);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_double_eq_tol(number(r.states + i) / (i < 3 ? 1 : p.Omega), y[i], 1e-10 * p.L_ref);
 }
 
 TEST(eq03_flow_returns)
@@ -388,57 +367,13 @@ TEST(eq03_flow_returns)
     ck_assert_double_eq(back.reached, -DAY);
 }
 
-/* Two precisions are two integrations: other orders, other steps. */
-TEST(eq03_flow_at_two_precisions_overlaps)
-{
-    OWNED(scenario) s = paper_nonlinear();
-    OWNED(run) fine = run_to(&s, NONLINEAR, 5 * DAY);
-    s.prec = 120;
-    OWNED(run) coarse = run_to(&s, NONLINEAR, 5 * DAY);
-    assert_holds(coarse.states, fine.states);
-    assert_sharp(coarse.states, 75);
-}
-
-/* At 48 bits what a step leaves out outweighs its rounding: without its remainder the fine states would stand outside. */
-TEST(what_steps_leave_out_is_in_the_enclosure)
-{
-    enum { ROWS = 60 };
-    slong times[ROWS];
-    for (slong k = 0; k < ROWS; k++)
-        times[k] = 250 * (k + 1);
-    OWNED(scenario) s = paper();
-    start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
-    OWNED(run) fine = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
-    s.prec = 48;
-    OWNED(run) coarse = run_through(&s, NONLINEAR, times, ROWS, 6, 0, 0);
-    ck_assert_int_eq(coarse.rows, ROWS);
-    for (slong k = 0; k < ROWS; k++)
-        assert_holds(coarse.states + k * FLOW_STATE, fine.states + k * FLOW_STATE);
-}
-
-TEST(dense_output_is_the_flow)
-{
-    enum { ROWS = 40 };
-    slong times[ROWS];
-    for (slong k = 0; k < ROWS; k++)
-        times[k] = 1000 * k;
-    OWNED(scenario) s = paper_nonlinear();
-    OWNED(run) dense = run_through(&s, NONLINEAR, times, ROWS, 17, 0, 0);
-    ck_assert_int_eq(dense.rows, ROWS);
-    assert_same(dense.states, s.start); /* at 0 the initial state itself */
-    for (slong k = 1; k < ROWS; k += 6) {
-        OWNED(run) one = run_to(&s, NONLINEAR, times[k]);
-        assert_overlap(one.states, dense.states + k * FLOW_STATE);
-    }
-}
-
 /* ---- the nonlinear flow, exact cases ---- */
 
 TEST(eq05_static_formation_stays_exactly)
 {
     OWNED(scenario) s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
     start_at(&s, 6, 0, 0, 0, 0, 0); /* m2 L_ref / (m1 + m2) */
-    OWNED(run) r = run_to(&s, NONLINEAR, 30 * DAY);
+    OWNED(run) r = run_to(&s, NONLINEAR, 5 * DAY);
     assert_same(r.states, s.start);
 }
 
@@ -446,25 +381,12 @@ TEST(eq03_plane_motion_stays_in_the_plane)
 {
     OWNED(scenario) s = paper();
     start_at_angles(&s, 0.5, 0, 0.1);
-    OWNED(run) r = run_to(&s, NONLINEAR, 5 * DAY);
+    OWNED(run) r = run_to(&s, NONLINEAR, DAY);
     ck_assert(arb_is_zero(r.states + 2) && arb_is_zero(r.states + 5));
     assert_sharp(r.states, 200);
 }
 
 /* ---- enclosures ---- */
-
-TEST(five_days_at_50_digits_end_within_1e_49)
-{
-    OWNED(scenario) s = paper_nonlinear();
-    slong t = 5 * DAY;
-    s.prec = flow_precision(50, 7.2915e-5 * (double)t);
-    OWNED(run) r = run_through(&s, NONLINEAR, &t, 1, 50, 0, 0);
-    SCOPE(mag, bound);
-    mag_set_d(bound, 1e-49);
-    ck_assert_int_eq(r.status, FLOW_DONE);
-    for (int i = 0; i < FLOW_STATE; i++)
-        ck_assert_int_le(mag_cmp(arb_radref(r.states + i), bound), 0);
-}
 
 /* Wide initial balls, and a gain that is not known: what they hold, the enclosure holds, corners included. */
 TEST(an_enclosure_holds_the_motions_from_a_box)
@@ -477,10 +399,10 @@ TEST(an_enclosure_holds_the_motions_from_a_box)
     for (int i = 0; i < FLOW_STATE; i++)
         mag_set_d(arb_radref(box.start + i), i < 3 ? 1e-5 : 1e-9);
     mag_set_d(arb_radref(box.p.C1), 1e-13);
-    const slong t = DAY;
+    const slong t = DAY / 2;
     OWNED(run) all = run_through(&box, NONLINEAR, &t, 1, 2, 0, 0);
     ck_assert_int_eq(all.status, FLOW_DONE);
-    for (int corner = 0; corner < CORNERS; corner += 3) {
+    for (int corner = 0; corner < CORNERS; corner += 5) {
         OWNED(scenario) one = paper();
         one.prec = 100;
         for (int i = 0; i < FLOW_STATE; i++)
@@ -496,7 +418,7 @@ EACH(motions_that_grow_and_stiff_gains_are_followed, 2)
 {
     OWNED(scenario) s = scenario_of(7.2915e-5, 150, 150, 10, _i == 0 ? 10 : 1e6, _i == 0 ? -0.5 : 2000);
     start_at_angles(&s, 0.01, 0.01, 0.1);
-    OWNED(run) r = run_to(&s, NONLINEAR, _i == 0 ? 5 * DAY : 4000);
+    OWNED(run) r = run_to(&s, NONLINEAR, _i == 0 ? 2 * DAY : 500);
     ck_assert_int_eq(r.status, FLOW_DONE);
     assert_sharp(r.states, 150);
 }
@@ -922,7 +844,7 @@ TEST(a_near_miss_is_followed_through)
 {
     OWNED(scenario) s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 0.5, 0, 5, 0, 0, 0);
-    OWNED(run) r = run_to(&s, NONLINEAR, DAY / 4);
+    OWNED(run) r = run_to(&s, NONLINEAR, 12000); /* after 9,500 s they would have met */
     ck_assert_int_eq(r.status, FLOW_DONE);
 }
 
@@ -1086,13 +1008,13 @@ TEST(rk4_reports_an_enclosure_past_use)
 
 /* ---- working precisions ---- */
 
-/* At the precision that is foretold, every coordinate has its digits: five days, n = 10 and n = 40. */
+/* At the precision that is foretold, every coordinate has its digits: two days, n = 10 and n = 40. */
 EACH(foretold_precision_is_enough, 8)
 {
     static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
     const enum method m = methods[_i / 2];
-    const double n = _i % 2 == 0 ? 10 : 40, radians = 7.2915e-5 * 5 * DAY;
-    const slong digits = 40, t = 5 * DAY;
+    const double n = _i % 2 == 0 ? 10 : 40, radians = 7.2915e-5 * 2 * DAY;
+    const slong digits = 40, t = 2 * DAY;
     OWNED(scenario) s = scenario_of(7.2915e-5, 150, 150, 10, n, 2 * sqrt(n - 9));
     s.prec = m == LINEAR || m == NONLINEAR ? flow_precision(digits, radians) : rk4_precision(digits, radians);
     if (m == LINEAR || m == RK4_LINEAR)

@@ -38,7 +38,7 @@ enum {
     SET_ORDER = 14,           /* of the states' series, and ... */
     DERIVATIVE_ORDER = 8, /* ... of the derivatives' */
     MOST_SET_HALVINGS = 6,    /* of a step before it is given up */
-    MOST_ROUNDS = 20000,
+    MOST_ROUNDS = 10000,
     BITS = 64
 };
 
