@@ -43,17 +43,6 @@ TEST(eq40_flow_at_zero_is_the_initial_state)
     assert_close(s.dL_dot, -6, 2);
 }
 
-TEST(eq40_flow_pitch_is_an_oscillator_of_twice_the_orbit_rate)
-{
-    const struct ct_tether_state start = {.psi = -0.3, .theta = 0.2, .theta_dot = -0.7};
-    const double t = 5;
-    struct ct_tether_state s;
-
-    ck_assert_int_eq(ct_linear_flow(unit, (struct ct_gains){-1, -0.5}, start, fine, 1, &t, &s), CT_OK);
-    ck_assert_double_eq_tol(s.theta, 0.2 * cos(10) - 0.35 * sin(10), 1e-12); /* some tens of steps of 1e-13 */
-    ck_assert_double_eq_tol(s.theta_dot, -0.4 * sin(10) - 0.7 * cos(10), 1e-12);
-}
-
 TEST(eq40_flow_along_an_eigenvector_grows_exponentially)
 {
     const double t[] = {1, 10, -1};
@@ -232,43 +221,6 @@ TEST(eq03_flow_rests_where_eq05_says)
     ck_assert_double_eq(s.z1, 0);
 }
 
-/* Without gains the charges stay, and energy and Hill's potentials with them. Everything per kilogram of craft 1. */
-static double jacobi_integral(struct ct_params p, struct ct_hill_state s)
-{
-    const double r = sqrt(s.x1 * s.x1 + s.y1 * s.y1 + s.z1 * s.z1), share = p.m2 / (p.m1 + p.m2);
-    const double Q = ct_reference_charge_product(p, p.L_ref);
-
-    return (s.x1_dot * s.x1_dot + s.y1_dot * s.y1_dot + s.z1_dot * s.z1_dot) / 2 +
-           p.Omega * p.Omega * (s.z1 * s.z1 - 3 * s.x1 * s.x1) / 2 + p.k_c / p.m1 * Q * share * share / r;
-}
-
-TEST(eq03_flow_without_gains_conserves_the_jacobi_integral)
-{
-    const struct ct_hill_state start = {14, -9, 6, 2e-4, 5e-4, -3e-4};
-    const double t = 40000;
-    struct ct_hill_state s;
-
-    ck_assert_int_eq(ct_nonlinear_flow(unequal, (struct ct_gains){0, 0}, start, fine, 1, &t, &s), CT_OK);
-    ck_assert_double_gt(fabs(s.x1 - start.x1), 1); /* it did go somewhere */
-    assert_close(jacobi_integral(unequal, s), jacobi_integral(unequal, start), 1e-10 * 0x1p53); /* hundreds of steps */
-}
-
-/* A ten-thousandth of the paper's errors: what the linear model leaves out is as much smaller as their square. */
-TEST(eq03_flow_of_small_errors_is_that_of_eq40)
-{
-    const double e = 1e-6, t = 20000;
-    const struct ct_tether_state start = {.psi = e, .theta = -2 * e, .dL = 23 * e, .psi_dot = 3 * e * unequal.Omega};
-    struct ct_tether_state tether;
-    struct ct_hill_state s;
-
-    ck_assert_int_eq(ct_linear_flow(unequal, unequal_gains, start, fine, 1, &t, &tether), CT_OK);
-    ck_assert_int_eq(ct_nonlinear_flow(unequal, unequal_gains, in_hill_frame(unequal, start), fine, 1, &t, &s), CT_OK);
-    const struct ct_spherical c = ct_spherical_coordinates(unequal, (struct ct_vector){s.x1, s.y1, s.z1});
-    ck_assert_double_eq_tol(c.psi, tether.psi, 100 * e * e); /* second-order terms with coefficients of about ten */
-    ck_assert_double_eq_tol(c.theta, tether.theta, 100 * e * e);
-    ck_assert_double_eq_tol(c.L - unequal.L_ref, tether.dL, 100 * 23 * e * e);
-}
-
 /* On the orbit normal only the attraction and the tide act, and both draw the craft together. */
 TEST(eq03_flow_reports_a_collision)
 {
@@ -320,31 +272,6 @@ TEST(eq40_runge_kutta_step_is_the_classical_one)
     assert_close(s[1].psi, 1.10517083333333333, 16); /* about four roundings a stage */
     assert_close(s[1].dL, -8 * 1.10517083333333333, 16);
     assert_close(s[1].psi_dot, 1.10517083333333333, 16);
-}
-
-/* Pitch alone: the step multiplies theta + i theta_dot/(2 Omega) by the same polynomial in -2i Omega h. */
-TEST(eq40_runge_kutta_of_the_pitch_oscillator)
-{
-    const struct ct_tether_state start = {.theta = 1};
-    const double t = 0.25; /* 2 Omega h = 1/2 */
-    struct ct_tether_state s;
-
-    ck_assert_int_eq(ct_linear_runge_kutta(unit, growing, start, 0.25, 1, &t, &s), CT_OK);
-    assert_close(s.theta, 1 - 1.0 / 8 + 1.0 / 384, 8);
-    assert_close(s.theta_dot, 2 * (-1.0 / 2 + 1.0 / 48), 8);
-}
-
-TEST(eq40_runge_kutta_is_of_fourth_order)
-{
-    const double t = 6400;
-    struct ct_tether_state exact = linear(t), coarse, half;
-
-    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 200, 1, &t, &coarse), CT_OK);
-    ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 1, &t, &half), CT_OK);
-    /* the next order is Omega h = 0.015 of this one, times coefficients of about one */
-    ck_assert_double_eq_tol((coarse.psi - exact.psi) / (half.psi - exact.psi), 16, 1);
-    ck_assert_double_eq_tol((coarse.theta - exact.theta) / (half.theta - exact.theta), 16, 1);
-    ck_assert_double_eq_tol((coarse.dL - exact.dL) / (half.dL - exact.dL), 16, 1);
 }
 
 TEST(eq40_runge_kutta_reports_overflow)

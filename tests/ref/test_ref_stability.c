@@ -131,30 +131,6 @@ TEST(eq41_root_at_zero_on_the_stability_boundary_is_exact)
     ck_assert_double_lt(root[2].re, 0);
 }
 
-TEST(eq41_roots_scale_with_the_orbit_rate)
-{
-    struct ct_root slow[4], fast[4];
-
-    ck_assert_int_eq(ct_characteristic_roots(7e-5, (struct ct_gains){5e-8, -2e-5}, slow), CT_OK);
-    ck_assert_int_eq(ct_characteristic_roots(16 * 7e-5, (struct ct_gains){256 * 5e-8, 16 * -2e-5}, fast), CT_OK);
-    for (int k = 0; k < 4; k++) {
-        ck_assert_double_eq(fast[k].re, 16 * slow[k].re);
-        ck_assert_double_eq(fast[k].im, 16 * slow[k].im);
-    }
-}
-
-EACH(eq41_roots_ascend, 20)
-{
-    struct ct_root root[4];
-
-    ck_assert_int_eq(ct_characteristic_roots(Omega, gains(2.0 * _i - 9, 0.5), root), CT_OK);
-    for (int k = 1; k < 4; k++) {
-        ck_assert_double_le(root[k - 1].re, root[k].re);
-        if (root[k - 1].re == root[k].re)
-            ck_assert_double_le(root[k - 1].im, root[k].im);
-    }
-}
-
 static size_t roots(const double x[], double y[])
 {
     struct ct_root root[4];
@@ -266,4 +242,3 @@ RANGE(eq44_damps_critically, 1, 17)
 
     assert_close(C2 * C2, 4 * ct_routh_margins(Omega, g).margin1, 4); /* a root and its square */
 }
-
