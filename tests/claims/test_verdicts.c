@@ -36,7 +36,7 @@ static const struct {
     {"cosines-cited", "(9)"},
     {"masses-cancel", "neither masses nor k_c"},
     {"zero-charge-orbit", "7.6284 and 5.2658 after a quarter"}, /* cosh(sqrt(3)*pi/2), */
-    {"zero-charge-orbit", "26626 and 37.712 after an orbit"}, /* sqrt(1 + 144*pi**2) */
+    {"zero-charge-orbit", "26626 and 37.712 after a whole one"}, /* sqrt(1 + 144*pi**2) */
     {"constant-charge-separates", "61.361 m after 12 h and 399.65 m"}, /* below */
     {"tension-compression", "q1 q2 = -4"}, /* -|5 - 1| */
     {"other-rests", "11.072751 m (n = 10), 13.027756 m (n = 12)"}, /* 10*r2(10), 10*r2(12) */
