@@ -601,17 +601,16 @@ static void assert_inside(struct test_run *e, uint64_t position, char *const *ou
 
 static void assert_outside(struct test_run *e, uint64_t position)
 {
-    const int count = e->comparators[0].operation->section->output_count;
-    char zeros[2 * MOST_OUTPUTS + 8] = "", nans[4 * MOST_OUTPUTS + 8] = "";
-    for (int k = 0; k < count; k++) {
-        snprintf(zeros + strlen(zeros), sizeof zeros - strlen(zeros), "%s0", k ? " " : "");
-        snprintf(nans + strlen(nans), sizeof nans - strlen(nans), "%snan", k ? " " : "");
-    }
+    static const char *const values[] = {"0", "nan", "inf", "-1e999", "1"};
     assert_found(e, position, "invalid", OUTCOME_RIGHT);
-    assert_found(e, position, zeros, OUTCOME_VALUE);
-    assert_found(e, position, nans, OUTCOME_VALUE);
-    snprintf(zeros + strlen(zeros), sizeof zeros - strlen(zeros), " 0");
-    assert_found(e, position, zeros, OUTCOME_COUNT);
+    for (int w = 0; w < COUNT(values); w++) {
+        char words[8 * MOST_OUTPUTS] = "";
+        for (int k = 0; k < e->comparators[0].operation->section->output_count; k++)
+            add_text(words, sizeof words, " ", values[w]);
+        assert_found(e, position, words, OUTCOME_VALUE);
+        add_text(words, sizeof words, " ", values[w]);
+        assert_found(e, position, words, OUTCOME_COUNT);
+    }
     assert_found(e, position, "invalid inputs", OUTCOME_MALFORMED);
     assert_found(e, position, "skip", OUTCOME_SKIPPED);
 }

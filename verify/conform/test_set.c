@@ -139,7 +139,7 @@ void test_vector_make(struct test_vector *vector, const struct test_sets *sets, 
 static bool read_rounded(arb_t y, const char *decimal)
 {
     SCOPE(mag, half);
-    const bool is_one = *decimal != '\0' && arb_set_str(y, decimal, 256) == 0;
+    const bool is_one = arb_set_str(y, decimal, 256) == 0;
     arb_get_mag(half, y);
     mag_mul_2exp_si(half, half, -130);
     arb_add_error_mag(y, half);
