@@ -234,7 +234,7 @@ static const struct oracle_run shown[] = {
     {"--only eq44-boundary,eq44-random-1,eq44-random-2 -- " ALL_SAY("1"), 1, "3 wrong\n  eq44-random-1: wrong"},
     {"--only eq44-boundary,eq44-random-2 -- sh -c 'read o id in; echo $id 1; read o id in; echo $id x'", 1, "malformed\n  eq44-boundary: wrong"},
     {"--only eq44-boundary,eq44-random-2 -- sh -c 'read o id in; read o id in; echo $id x; cat >/dev/null'", 1, "1 missing\n  eq44-random-2: malformed"},
-    {"--only eq44-random-1,eq44-random-2 -- sh -c 'read o id in; echo $id oops; read o id in; echo $id 1 2'", 1, "first malformed: eq44-random-1 oops\n"},
+    {"--only eq44-random-1,eq44-random-2,eq44-random-3 -- sh -c 'for a in nan oops 1\\ 2; do read o id in; echo $id $a; done'", 1, "first malformed: eq44-random-2 oops\n"},
     /* a line is cut for reports: within its blanks, its id, or its answer */
     {"--only eq38-paper -- " BLANKS("395"), 1, "got        oops\n"},
     {"--only eq38-paper -- " BLANKS("399"), 1, "got        oops\n"},

@@ -5,7 +5,7 @@
 #include "tests/run.h"
 #include "tests/paper.h"
 
-#include <limits.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -1128,6 +1128,29 @@ EACH(a_kind_of_mistake_fits_every_vector, KINDS)
     assert_kind(&v, due);
     v.count = 1; /* of one vector nothing is told */
     assert_kind(&v, "");
+}
+
+/*
+ * Of (32), where S = 3 I: twice the value is told by vectors; I (1 + 2^-48), where E = K, by none, which no bound decides; I itself does no
+ * harm; and without mistakes the random vectors pin nothing.
+ */
+EACH(the_kill_table_is_complete, 4)
+{
+    static const char *const formulas[] = {"2*I", "I*(1 + 2^-48)", "I + 0", NULL};
+    struct sheet alone = *sheet();
+    struct section s = *section_find(sheet(), "eq32");
+    struct known_mistake m = {.name = "somebody's", .changes = {{PLACE_OUTPUT, "I", formulas[_i]}}, .count = 1};
+    s.mistakes = &m;
+    s.mistake_count = formulas[_i] != NULL;
+    s.sheet = &alone;
+    alone.mistake_count = formulas[_i] != NULL ? alone.mistake_count : 0;
+    fflush(stdout);
+    const int ends[] = {dup(STDOUT_FILENO), dup(STDERR_FILENO)}, nowhere = open("/dev/null", O_WRONLY);
+    ck_assert(dup2(nowhere, STDOUT_FILENO) >= 0 && dup2(nowhere, STDERR_FILENO) >= 0 && close(nowhere) == 0);
+    const bool fine = kills_print(&s, 9);
+    fflush(stdout);
+    ck_assert(dup2(ends[0], STDOUT_FILENO) >= 0 && dup2(ends[1], STDERR_FILENO) >= 0 && close(ends[0]) == 0 && close(ends[1]) == 0);
+    ck_assert(fine == (_i % 2 == 0));
 }
 
 /* A line that is no answer, and a skip, have nothing against a mistake that explains all the others. */
