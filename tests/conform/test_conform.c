@@ -387,7 +387,8 @@ TEST(a_diagnosis_ends)
 static const struct oracle_run written[] = {
     {WRITES("r.xml", "--only eq38,eq07", "FAULTY printed"), 1, "<testsuite name=\"eq38\" tests=\"27\" failures=\"17\" errors=\"0\" skipped=\"0\"|"
      "name=\"eq38-random-9\"><failure message=\"wrong\">  eq38-random-9: wrong, E = |name=\"eq07-paper\"></testcase>|"
-     "looks like the paper's misprint: Kepler|has already.\n</failure></testcase>|name=\"lines\"></testcase>"},
+     "looks like the paper's misprint: Kepler|has already.\n</failure></testcase>|"
+     "</testcase>\n</testsuite>\n<testsuite name=\"eq38\"|</testcase>\n</testsuite>\n<testsuite name=\"client\"|name=\"lines\"></testcase>"},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY printed"), 1, "\"vectors\": 78, \"passed\": 61, \"failed\": 17, \"expected\": 0, \"skipped\": 0, |"
      "\"id\": \"eq38\", \"level\": \"algebra\", \"vectors\": 27, \"passed\": 10, \"failed\": 17, |\"diagnosis\": \"the paper's misprint: Kepler|"
      "\"id\": \"eq38-random-9\", \"operation\": \"eq38\", \"outcome\": \"wrong\", \"E\": \"2.2e+15\", |\"expected\": {\"Omega\": \"1.2994298160714638761e-05\"}, |"
@@ -396,6 +397,7 @@ static const struct oracle_run written[] = {
      "\"line\": {\"outcome\": \"malformed\", \"text\": \"eq07-random-7 1.5 oops\", \"hint\": \"'oops' is no number\"}"},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY wrong-id"), 1, "\"lines\": [{\"count\": 68, \"first\": 11, \"outcome\": \"wrong id\", "},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY exit-3"), 1, "\"ended\": \"ended with exit status 3 after 78 of 78 answers\""},
+    {WRITES("r.json", "--only eq38", "FAULTY crash"), 1, "\"outcomes\": {\"missing\": 16, \"crash\": 1}"},
     {WRITES("r.json", "--only eq37", "FAULTY cross"), 0, "\"E\": \"2.2e-01\", \"strict_E\": \"inf\""},
     {WRITES("r.json", "--only eq38", COMPLAINS("echo \"a <word>\"", "none")), 0, "\"errors\": \"a <word>\\n\""},
     {WRITES("r.xml", "--only eq38,eq07", "FAULTY wrong-id"), 1,
