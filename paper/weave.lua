@@ -89,26 +89,22 @@ end
 -- Of the sections that have a number one is named for it alone; (6) stands where (6a) does.
 local sections, section_of, symbol, labels = by_id(json 'equations.json'), {}, {}, {}
 for _, s in ipairs(sections) do
-  s.numbers, s.names, s.rows = pandoc.List(s.equations), {}, {}
+  s.numbers, s.names = pandoc.List(s.equations), {}
+  for _, quantities in ipairs {s.inputs, s.outputs} do
+    for _, quantity in ipairs(quantities) do symbol[quantity.name] = quantity.tex end
+  end
   for _, number in ipairs(s.id:match '^eq%d+$' and s.numbers or {}) do
     for _, name in ipairs {number, number:match '^(%d+)a$'} do
       section_of[name], labels['eq:' .. name], s.names[#s.names + 1] = s.id, {text = '', page = 'equations.html'}, name
     end
   end
 end
-
--- Its formulas as `coulomb-tether typeset` prints them: ID, KIND, NUMBER, NAME, TEX by tabs.
-for id, kind, number, name, tex in run 'typeset':gmatch '([^\t]*)\t([^\t]*)\t([^\t]*)\t([^\t]*)\t([^\n]*)\n' do
-  if kind == 'symbol' then symbol[name] = tex
-  elseif kind == 'note' or kind == 'reason' then sections[id][kind] = tex
-  else table.insert(sections[id].rows, {kind = kind, number = number, name = name, tex = tex}) end
-end
 for name in ('pi lambda mu phi kappa epsilon rho omega cos sin tan'):gmatch '%a+' do symbol[name] = '\\' .. name end
 
 -- A formula for a section of the sheet that has none.
 local function define(s, tex)
-  if #s.rows > 0 and not s.defined then stop("'%s' has its formula in the sheet", s.id) end
-  s.defined, s.rows = true, {{kind = 'relation', number = span_of(s.numbers), name = '', tex = tex}}
+  if #s.display > 0 and not s.defined then stop("'%s' has its formula in the sheet", s.id) end
+  s.defined, s.display = true, {{kind = 'relation', equation = span_of(s.numbers), defines = '', tex = tex}}
 end
 
 -- Chapters, figures of ours and references are numbered as they come; those without a number are the last chapters.
@@ -219,12 +215,12 @@ end
 -- aside. Lines that stand alone are aligned at their signs; groups have their own alignment and are centred.
 local function equation(s, kinds, named, suffix, place)
   local only, has, taken, lines, aligned = {}, {}, {}, {}, not web
-  for _, row in ipairs(s.rows) do has[row.name], taken[row.kind == 'relation' and row.number] = true, true end
+  for _, row in ipairs(s.display) do has[row.defines], taken[row.kind == 'relation' and row.equation] = true, true end
   for name in named:gmatch '%S+' do only[name] = the('output or named subexpression', has, name) end
   local free = span_of(s.numbers:filter(function(number) return not taken[number] end))
-  for _, row in ipairs(s.rows) do
-    if kinds:find(row.kind, 1, true) and (not next(only) or row.name == '' and row.kind ~= 'domain' or only[row.name]) then
-      local tag, last = not aside[row.kind] and (row.number ~= '' and row.number or free) or nil, lines[#lines] or {}
+  for _, row in ipairs(s.display) do
+    if kinds:find(row.kind, 1, true) and (not next(only) or row.defines == '' and row.kind ~= 'domain' or only[row.defines]) then
+      local tag, last = not aside[row.kind] and (row.equation ~= '' and row.equation or free) or nil, lines[#lines] or {}
       if last.kind ~= row.kind or last.tag ~= tag then
         last = {kind = row.kind, tag = tag}
         lines[#lines + 1] = last
@@ -352,7 +348,7 @@ function block.equation(text)
   local id, named = text:match '^(%S+) ?(.*)$'
   local s, tex = the('equation', sections, id), named:match '^= (.+)$'
   if tex then define(s, tex) end
-  if #s.rows == 0 then stop("'%s' has no formula in the sheet", id) end
+  if #s.display == 0 then stop("'%s' has no formula in the sheet", id) end
   return equation(s, FORMULAS, tex and '' or named, qualified(id), targets(s))
 end
 
@@ -365,7 +361,7 @@ end
 
 block['function'] = function(id)
   local s = the('equation', sections, id)
-  return (#s.rows == 0 and raw(targets(s)) or '') .. listing(gate[id]['function'])
+  return (#s.display == 0 and raw(targets(s)) or '') .. listing(gate[id]['function'])
 end
 block.helper = listing
 
@@ -401,7 +397,9 @@ function block.symbols()
   local rows = {}
   for names, rest in read 'paper/equations.yaml':match '\nquantities:\n(.-)\n%a':gmatch '  ([^:\n]+): (%b{})' do
     local unit, meaning = rest:match 'unit: "?([^,"]*)', rest:match 'meaning: "?(.-)"?}$'
-    names = names:gsub(' ', ', '):gsub('"?([%w_]+)"?', function(name) return formula(symbol[name]) end)
+    names = names:gsub(' ', ', '):gsub('"?([%w_]+)"?', function(name)
+      return formula(symbol[name] or '\\dot ' .. symbol[name:gsub('_dot', '', 1)])  -- a rate that no section computes
+    end)
     rows[#rows + 1] = ('| %s | %s | %s |'):format(names, unit == '-' and '' or typeset(unit), prose(meaning))
   end
   return table.concat(rows, '\n')

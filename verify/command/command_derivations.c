@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "command/command.h"
+#include "command/latex.h"
 #include "text/json.h"
 
 /* NAME = VALUE, or NAME LOW ... HIGH: the states that a bound is proved on. */

@@ -5,7 +5,7 @@
 
 #include "claims/verdicts.h"
 #include "command/command.h"
-#include "text/json.h"
+#include "command/latex.h"
 
 static void print_quantities(const char *heading, const struct quantity *const *quantities, int count)
 {
@@ -61,9 +61,13 @@ static void print_section(const struct derivations *p, const struct section *s)
 static void json_quantities(struct json *j, const char *key, const struct quantity *const *quantities, int count)
 {
     json_open(j, key, '[');
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
+        struct tex t = {NULL, 0};
+        typeset_symbol(&t, quantities[i]->name);
         json_record(j, NULL, "name", quantities[i]->name, "unit", quantities[i]->unit,
-                    "domain", domain_names[quantities[i]->domain], "meaning", quantities[i]->meaning);
+                    "domain", domain_names[quantities[i]->domain], "meaning", quantities[i]->meaning, "tex", t.text);
+        tex_clear(&t);
+    }
     json_close(j);
 }
 
@@ -90,7 +94,7 @@ static void json_section(struct json *j, const struct derivations *p, const stru
     json_open(j, NULL, '{');
     json_string(j, "id", s->id);
     json_texts(j, "equations", s->equations, s->numbers);
-    json_string(j, "title", s->title);
+    json_strings(j, "title", s->title, "note", s->note, "reason", s->reason);
     json_truth(j, "computes", s->method != METHOD_NONE);
     json_quantities(j, "inputs", s->inputs, s->input_count);
     json_quantities(j, "outputs", s->outputs, s->output_count);
@@ -98,6 +102,7 @@ static void json_section(struct json *j, const struct derivations *p, const stru
         json_formulas(j, "formula", s, &s->corrected);
     if (s->differs)
         json_formulas(j, "printed", s, &s->printed);
+    json_display(j, s);
     json_open(j, "verdicts", '{');
     print_verdicts(j, p, s);
     json_close(j);

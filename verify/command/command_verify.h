@@ -3,7 +3,6 @@
 #define CT_COMMAND_VERIFY_H
 
 #include "claims/statement.h"
-#include "formula/typeset.h"
 #include "text/json.h"
 
 /* Markdown is README's, for the errors alone. */
@@ -23,8 +22,5 @@ struct verification {
 bool verify_derivations(struct verification *v);
 bool verify_claims(struct verification *v);
 bool verify_errors(struct verification *v);
-
-/* A side of an equality of a step, as LaTeX: its references too, as eq14.L_dot, rate(x1), left(6a). */
-void typeset_side(struct tex *t, const struct sheet *sheet, const struct identities *names, const char *text);
 
 #endif

@@ -46,9 +46,6 @@ const struct subcommand subcommands[] = {
     {"conform", command_conform, {"-- CLIENT [ARG ...]", "--answers FILE [ID]", "--questions", "--kills"}, 2,
      "Is an implementation right, in whatever language: asks a client, or reads a file of its answers, and says what is wrong, "
      "by how much, and which known mistake it looks like. verify/PROTOCOL.md is what a client has to do."},
-    {"typeset", command_typeset, {""}, 0,
-     "The formulas as LaTeX for the literate edition, a record a line, its fields between tabs: section, kind, equation "
-     "number, name, text."},
     {"help", command_help, {"[SUBCOMMAND]"}, 1,
      "The subcommands, or all about one: its words, its options with their units and defaults, and examples. SUBCOMMAND --help "
      "and SUBCOMMAND -h say the same."},
@@ -69,7 +66,7 @@ const struct option options[] = {
     {"--json", NULL, NULL, NULL, "equations verify design", NULL, false, "JSON in place of text for reading"},
     {"--json", NULL, NULL, NULL, "eval", "ID", false, "JSON in place of text for reading"},
     {"--csv", NULL, NULL, NULL, "table1", NULL, false, "CSV in place of text for reading"},
-    {"-o", "FILE", NULL, NULL, "equations eval table1 figure trajectory verify study design vectors typeset", NULL, false,
+    {"-o", "FILE", NULL, NULL, "equations eval table1 figure trajectory verify study design vectors", NULL, false,
      "in place of standard output a file, which is there whole or not at all"},
     /* motions */
     {"--at", "T,...", "s", NULL, "trajectory", NULL, false,
@@ -167,7 +164,6 @@ const struct example examples[] = {
     {"conform --answers answers.txt --only algebra", "and its answers"},
     {"conform --answers answers.csv -o report.json eq07", "answers to one operation as CSV, and a report"},
     {"conform --kills --only eq21", "what the golden vectors are there for"},
-    {"typeset", "all formulas as LaTeX"},
     {"help trajectory", "all about a subcommand"},
     {"help --completion >~/.local/share/bash-completion/completions/coulomb-tether",
      "completion for one user; make install has it for all"},

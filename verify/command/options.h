@@ -54,7 +54,6 @@ int command_verify(const struct arguments *a);
 int command_vectors(const struct arguments *a);
 int command_conform(const struct arguments *a);
 int command_study(const struct arguments *a);
-int command_typeset(const struct arguments *a);
 int command_help(const struct arguments *a);
 
 #endif

@@ -1,19 +1,7 @@
-/*
- * coulomb-tether typeset: the sheet's formulas as LaTeX, for the weaver of the literate edition.
- *
- * A record a line, of five fields separated by tabs: section, kind, equation number, name, text; what there is
- * not is empty. Kinds: symbol (of a quantity, in section -); note, reason; relation, output, printed,
- * let and domain, in which & stands before the sign.
- */
-#include <stdio.h>
+#include "command/latex.h"
+
 #include <stdlib.h>
 #include <string.h>
-
-#include "command/command_verify.h"
-
-#include "command/command.h"
-#include "formula/typeset.h"
-#include "proof/derivation.h"
 
 /* One side of something: a formula that was understood when the sheet was read. */
 static void add_formula(struct tex *t, struct program *symbols, const char *text)
@@ -23,14 +11,9 @@ static void add_formula(struct tex *t, struct program *symbols, const char *text
     typeset_formula(t, symbols, program_parse(symbols, text, &where, &why));
 }
 
-static void print_record(const char *id, const char *kind, const char *number, const char *name, const char *text)
-{
-    printf("%s\t%s\t%s\t%s\t%s\n", id, kind, number, name, text);
-}
-
 /* "left SIGN right" with an alignment mark; the sign is the first of = > >= < in it. */
-static void print_comparison(const struct section *s, const char *kind, const char *number, struct program *symbols,
-                             const char *name, const char *text)
+static void json_comparison(struct json *j, const char *kind, const char *number, struct program *symbols, const char *name,
+                            const char *text)
 {
     const size_t left = strcspn(text, "=<>");
     const size_t sign = strspn(text + left, "=<>");
@@ -40,26 +23,27 @@ static void print_comparison(const struct section *s, const char *kind, const ch
     add_formula(&t, symbols, copy);
     tex_add(&t, " &%s ", sign == 2 ? "\\ge" : (const char[]){text[left], '\0'});
     add_formula(&t, symbols, copy + left + sign);
-    print_record(s->id, kind, number, name, t.text);
+    json_record(j, NULL, "kind", kind, "equation", number, "defines", name, "tex", t.text);
     tex_clear(&t);
     free(copy);
 }
 
-static void print_definition(const struct section *s, const char *kind, const char *number, struct program *symbols,
-                             const char *name, const char *formula)
+static void json_definition(struct json *j, const char *kind, const char *number, struct program *symbols, const char *name,
+                            const char *formula)
 {
     struct tex t = {NULL, 0};
     tex_add(&t, "%s = %s", name, formula);
-    print_comparison(s, kind, number, symbols, name, t.text);
+    json_comparison(j, kind, number, symbols, name, t.text);
     tex_clear(&t);
 }
 
-static void typeset_formulas(const struct section *s, const char *kind, struct program *symbols, const struct formulas *f)
+static void json_outputs(struct json *j, const struct section *s, const char *kind, struct program *symbols,
+                         const struct formulas *f)
 {
     for (int i = 0; i < s->output_count; i++) {
         bool alone;
         const char *number = output_equation(s, i, &alone);
-        print_definition(s, kind, alone ? number : "", symbols, s->outputs[i]->name, f->text[i]);
+        json_definition(j, kind, alone ? number : "", symbols, s->outputs[i]->name, f->text[i]);
     }
 }
 
@@ -75,25 +59,23 @@ static void symbols_init(struct program *symbols, const struct section *s)
             program_input(symbols, own[k]->let[2 * i]);
 }
 
-static void typeset_section(const struct section *s)
+void json_display(struct json *j, const struct section *s)
 {
     struct program symbols;
     symbols_init(&symbols, s);
+    json_open(j, "display", '[');
     for (int i = 0; i < s->relation_count; i++)
-        print_comparison(s, "relation", s->relations[i].equation, &symbols, "", s->relations[i].text);
+        json_comparison(j, "relation", s->relations[i].equation, &symbols, "", s->relations[i].text);
     if (s->method == METHOD_FORMULA) {
-        typeset_formulas(s, "output", &symbols, &s->corrected);
+        json_outputs(j, s, "output", &symbols, &s->corrected);
         for (int i = 0; i < s->corrected.lets; i++)
-            print_definition(s, "let", "", &symbols, s->corrected.let[2 * i], s->corrected.let[2 * i + 1]);
+            json_definition(j, "let", "", &symbols, s->corrected.let[2 * i], s->corrected.let[2 * i + 1]);
         for (int i = 0; i < s->corrected.count; i++)
-            print_comparison(s, "domain", "", &symbols, "", s->corrected.conditions[i].text);
+            json_comparison(j, "domain", "", &symbols, "", s->corrected.conditions[i].text);
     }
-    if (s->differs) {
-        typeset_formulas(s, "printed", &symbols, &s->printed);
-        print_record(s->id, "reason", "", "", s->reason);
-    }
-    if (s->note != NULL)
-        print_record(s->id, "note", "", "", s->note);
+    if (s->differs)
+        json_outputs(j, s, "printed", &symbols, &s->printed);
+    json_close(j);
     program_clear(&symbols);
 }
 
@@ -205,23 +187,4 @@ void typeset_side(struct tex *t, const struct sheet *sheet, const struct identit
         program_input(&symbols, names->program.names[i].text);
     typeset_formula(t, &symbols, program_parse_with(&symbols, text, set_reference, &context, &where, &why));
     program_clear(&symbols);
-}
-
-static void print_symbols(const struct sheet *sheet)
-{
-    for (int i = 0; i < sheet->quantity_count; i++) {
-        struct tex t = {NULL, 0};
-        typeset_symbol(&t, sheet->quantities[i].name);
-        print_record("-", "symbol", "", sheet->quantities[i].name, t.text);
-        tex_clear(&t);
-    }
-}
-
-int command_typeset(const struct arguments *a)
-{
-    const struct sheet *sheet = &a->paper->sheet;
-    print_symbols(sheet);
-    for (int i = 0; i < sheet->section_count; i++)
-        typeset_section(&sheet->sections[i]);
-    return EXIT_DONE;
 }
