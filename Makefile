@@ -252,7 +252,7 @@ INJECTIONS := $(patsubst tests/faults/%.sh,faults-%,$(filter-out %/harness.sh %/
 faults: $(INJECTIONS)
 
 $(INJECTIONS): faults-%: tests/faults/%.sh all $(FAULTY) $(FAULTS)
-	@CT_BUILD=$$(cd $(BUILD) && pwd) && export CT_BUILD && BUILD='$(BUILD)' CT_PROGRAM=$$CT_BUILD/coulomb-tether $<
+	@BUILD='$(BUILD)' $<
 
 ## mcdc: condition coverage (MC/DC) of ref/, where the compiler can count it: gcc from version 14 on
 mcdc:
