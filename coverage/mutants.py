@@ -294,11 +294,11 @@ def summary(chosen, known, listing, everything):
         for rows, row in (by_part, f'`{part}`{of}'), (by_what, m.what + of):
             rows.setdefault(row, collections.Counter()).update(['made', verdict] + ['time'] * by.endswith('(time)'))
         if verdict in ('survived', 'killed'):
-            verdicts[m.group, m.kind].append((verdict, m))
+            verdicts[m.group, m.kind if everything else 'sample'].append((verdict, m))
     tables = table('part', by_part) + '\n' + table('what is changed', by_what)
     print(tables)
-    for of, those in verdicts.items():
-        least = (VERIFY_LEAST if of == ('verify/', 'tokens') else 1) if everything else SAMPLE_LEAST if of[0] in COUNTED else 1
+    for (group, kind), those in verdicts.items():
+        least = VERIFY_LEAST if (group, kind) == ('verify/', 'tokens') else SAMPLE_LEAST if kind == 'sample' and group in COUNTED else 1
         survivors = [m for verdict, m in those if verdict == 'survived']
         enough = len(survivors) <= (1 - least) * len(those)
         for m in survivors:
