@@ -41,29 +41,36 @@ static const char sheet_text[] =
     "K: {bound: 8, reason: all may}\n"
     "mistakes: {none: {inputs: {a: 2*a}}}\n";
 
+/* With a formula of eq1, principles and properties, and steps; false, and `why`, where they are refused. */
+static bool open_with(struct sheet *s, struct derivations *d, const char *formula, const char *definitions, const char *steps, struct message *why)
+{
+    static char sheet_of[3000], text[3000];
+    snprintf(sheet_of, sizeof sheet_of, sheet_text, formula);
+    ck_assert_msg(sheet_read(s, sheet_of, strlen(sheet_of), "s", why) == 0, "%s", why->text);
+    snprintf(text, sizeof text, "%s\nsteps:\n%s\n", definitions, steps);
+    return derivations_read(d, s, text, strlen(text), "t", why) == 0;
+}
+
 /* With the formula of eq1 and that of `given`: what is wrong with the step, "" where nothing is, and how many alterations were tried. */
 static int bind_step(const char *formula, const char *given, const char *step, char said[600])
 {
-    static char sheet_of[3000], text[3000];
+    char definitions[600], one[2000];
     struct sheet s;
     struct derivations d;
     struct message why = {""};
-    snprintf(sheet_of, sizeof sheet_of, sheet_text, formula);
-    ck_assert_msg(sheet_read(&s, sheet_of, strlen(sheet_of), "s", &why) == 0, "%s", why.text);
-    snprintf(text, sizeof text,
-             "principles: {given: {text: a, inputs: [a, b, c, p, psi, theta], outputs: {g: \"%s\"}}, further: {text: b, inputs: [a], outputs: {g: 5*a}}}\n"
-             "properties: {shape: {text: c, inputs: [a], outputs: {k: 7*a}}}\nsteps:\n  one:\n    title: one\n%s\n", given, step);
-    said[0] = '\0';
     int mutants = 0;
-    if (derivations_read(&d, &s, text, strlen(text), "t", &why) != 0) {
+    snprintf(definitions, sizeof definitions,
+             "principles: {given: {text: a, inputs: [a, b, c, p, psi, theta], outputs: {g: \"%s\"}}, further: {text: b, inputs: [a], outputs: {g: 5*a}}}\n"
+             "properties: {shape: {text: c, inputs: [a], outputs: {k: 7*a}}}", given);
+    snprintf(one, sizeof one, "  one:\n    title: one\n%s", step);
+    if (!open_with(&s, &d, formula, definitions, one, &why)) {
         snprintf(said, 600, "%s", why.text);
     } else {
-        struct step *one = &d.steps[0];
-        const bool bound = step_is_bound(&d, one);
-        ck_assert_msg(step_holds(one), "%s", one->proof.evidence != NULL ? one->proof.evidence : one->line_proof.evidence);
-        snprintf(said, 600, "%s", one->binding.fault.text);
+        const bool bound = step_is_bound(&d, d.steps);
+        ck_assert_msg(step_holds(d.steps), "%s", d.steps->proof.evidence != NULL ? d.steps->proof.evidence : d.steps->line_proof.evidence);
+        snprintf(said, 600, "%s", d.steps->binding.fault.text);
         ck_assert(bound == (said[0] == '\0'));
-        mutants = one->binding.mutants;
+        mutants = d.steps->binding.mutants;
         derivations_clear(&d);
     }
     sheet_clear(&s);
@@ -130,6 +137,7 @@ static const struct {
     {"a*b", "a*b", "    from: [given]\n    to: [\"1\", \"2a\"]\n    show: [eq1.f = given.g]\n    lines: {so: eq2.f = a + a}", "f stands in no equality"},
     {"a + b*positive(theta)", "a", WHERE "    show: [eq1.f(theta = -1) = given.g]", "f may be altered (a left factor or term dropped)"},
     {"2*a", "3*a", WHERE "    show: [(eq1.f - 2*a)*(eq1.f - 3*a) = 0, given.g = 3*a]", "f may be altered (a number or exponent)"},
+    {"a*open", "a*(b + c)", WHERE "    show: [\"eq1.f(open = b + c) = given.g\"]", "f may be altered (a sign)"}, /* of what is bound to something else */
     /* to the order that is compared */
     {"b + a*c", "b + a", ENDS "    small: [a]\n    order: 0\n    show: [eq1.f = given.g]", "f may be altered (a right factor or term dropped)"},
     {"b + a*a", "b", ENDS "    small: [a]\n    order: 1\n    show: [eq1.f = given.g]", "f may be altered (a sign)"},
@@ -213,12 +221,9 @@ EACH(unbound_step_is_refused, COUNT(refused))
 
 static void open_small(struct sheet *s, struct derivations *d, const char *steps)
 {
-    static char sheet_of[3000], text[3000];
     struct message why = {""};
-    snprintf(sheet_of, sizeof sheet_of, sheet_text, "a*open");
-    snprintf(text, sizeof text, "principles: {given: {text: a, inputs: [a, b, c], outputs: {g: a + b + c}}}\nproperties: {}\nsteps:\n%s", steps);
-    ck_assert_msg(sheet_read(s, sheet_of, strlen(sheet_of), "s", &why) == 0, "%s", why.text);
-    ck_assert_msg(derivations_read(d, s, text, strlen(text), "t", &why) == 0, "%s", why.text);
+    ck_assert_msg(open_with(s, d, "a*open", "principles: {given: {text: a, inputs: [a, b, c], outputs: {g: a + b + c}}}\nproperties: {}", steps, &why),
+                  "%s", why.text);
 }
 
 /* All that was proved of a step counts; of what is printed instead, that it differs. */

@@ -199,15 +199,6 @@ EACH(what_is_written_is_read_or_the_mistake_told_with_its_place, COUNT(files))
 
 /* ---- what the steps say ---- */
 
-static const struct remainder *each_remainder(const struct derivations *d, int index)
-{
-    for (int i = 0; i < d->step_count; i++)
-        for (int k = 0; k < d->steps[i].remainder_count; k++)
-            if (index-- == 0)
-                return &d->steps[i].remainders[k];
-    return NULL;
-}
-
 /* The largest |formula| of those where each input stands at its low end, halfway or at its high end, by MPFR. */
 static double largest_value(const struct remainder *r)
 {
@@ -245,27 +236,28 @@ TEST(what_is_dropped_stays_below_its_bound_and_above_half_of_it)
     static const char *const equations[] = {"15", "17", "39", "40a", "40b", "40c"};
     struct derivations d;
     struct remainder_proof proof;
-    const struct remainder *r;
     int count = 0, unequal = 0;
     unsigned found = 0;
     open_steps(&d);
-    for (; (r = each_remainder(&d, count)) != NULL; count++) {
-        const double bound = fmpq_get_d(r->bound), most = largest_value(r);
-        struct remainder tight = *r;
-        ck_assert_msg(most <= bound && most >= bound / 2, "(%s): %g of %s", r->equation, most, r->at_most);
-        remainder_prove(r, &proof);
-        ck_assert_int_eq(proof.state, REMAINDER_PROVED);
-        fmpq_init(tight.bound);
-        fmpq_set_si(tight.bound, (slong)(0.99 * most * 0x1p80), 1);
-        fmpq_div_2exp(tight.bound, tight.bound, 80);
-        remainder_prove(&tight, &proof);
-        ck_assert_msg(proof.state == REMAINDER_EXCEEDED, "(%s): state %d", r->equation, proof.state);
-        fmpq_clear(tight.bound);
-        for (int k = 0; k < COUNT(equations); k++)
-            found |= (strcmp(r->equation, equations[k]) == 0 ? 1u : 0u) << k;
-        const int m1 = program_find(&r->program, "m1"), m2 = program_find(&r->program, "m2");
-        unequal += m1 >= 0 && m2 >= 0 && !fmpq_equal(r->low + m1, r->low + m2);
-    }
+    for (int i = 0; i < d.step_count; i++)
+        for (int k = 0; k < d.steps[i].remainder_count; k++, count++) {
+            const struct remainder *r = &d.steps[i].remainders[k];
+            const double bound = fmpq_get_d(r->bound), most = largest_value(r);
+            struct remainder tight = *r;
+            ck_assert_msg(most <= bound && most >= bound / 2, "(%s): %g of %s", r->equation, most, r->at_most);
+            remainder_prove(r, &proof);
+            ck_assert_int_eq(proof.state, REMAINDER_PROVED);
+            fmpq_init(tight.bound);
+            fmpq_set_si(tight.bound, (slong)(0.99 * most * 0x1p80), 1);
+            fmpq_div_2exp(tight.bound, tight.bound, 80);
+            remainder_prove(&tight, &proof);
+            ck_assert_msg(proof.state == REMAINDER_EXCEEDED, "(%s): state %d", r->equation, proof.state);
+            fmpq_clear(tight.bound);
+            for (int e = 0; e < COUNT(equations); e++)
+                found |= (strcmp(r->equation, equations[e]) == 0 ? 1u : 0u) << e;
+            const int m1 = program_find(&r->program, "m1"), m2 = program_find(&r->program, "m2");
+            unequal += m1 >= 0 && m2 >= 0 && !fmpq_equal(r->low + m1, r->low + m2);
+        }
     ck_assert_int_ge(count, 8);
     ck_assert_uint_eq(found, (1u << COUNT(equations)) - 1);
     ck_assert_int_ge(unequal, 2);
