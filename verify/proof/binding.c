@@ -26,14 +26,9 @@ const char *output_equation(const struct section *s, int output, bool *alone)
         if (!taken)
             own[count++] = s->equations[i];
     }
-    *alone = count == s->output_count;
+    if (alone != NULL)
+        *alone = count == s->output_count;
     return s->numbers == 0 ? NULL : count > 0 ? own[output % count] : s->equations[output % s->numbers];
-}
-
-static const char *equation_of(const struct section *s, int output)
-{
-    bool alone;
-    return output_equation(s, output, &alone);
 }
 
 /* "eq10lin", "eq02.x1_ddot", the id of a definition: the section, and what stands after the point, NULL: nothing. */
@@ -49,7 +44,7 @@ static const struct section *section_of_entry(const struct derivations *d, const
 static void add_outputs(const struct section *s, const char *number, const char *name, struct entry_part *parts, int *count)
 {
     for (int i = 0; i < s->output_count && s->method == METHOD_FORMULA && *count < MOST_PARTS; i++) {
-        const char *equation = equation_of(s, i);
+        const char *equation = output_equation(s, i, NULL);
         const bool of_number = number == NULL || is_part_of_number(number, equation);
         if (of_number && (name == NULL || strcmp(name, s->outputs[i]->name) == 0))
             parts[(*count)++] = (struct entry_part){s, &s->corrected, s->corrected.outputs[i], s->outputs[i]->name, equation};
@@ -65,7 +60,7 @@ int entry_parts(const struct derivations *d, const char *entry, struct entry_par
         add_outputs(section, NULL, name, parts, &count);
         const int node = count == 0 && name != NULL ? program_find(&section->corrected.program, name) : -1;
         if (node >= section->corrected.program.inputs)
-            parts[count++] = (struct entry_part){section, &section->corrected, node, name, equation_of(section, 0)};
+            parts[count++] = (struct entry_part){section, &section->corrected, node, name, output_equation(section, 0, NULL)};
         return count;
     }
     for (int i = 0; i < d->sheet->section_count; i++) {

@@ -64,7 +64,7 @@ struct entry_part {
     const char *name, *equation; /* name: of a side, the relation's text; equation: its number; NULL of a definition */
 };
 
-/* The number of an output: those that no relation has are dealt out in turn; *alone: it is this output's and no other's. */
+/* The number of an output: those that no relation has are dealt out in turn; *alone (not NULL): it is this output's and no other's. */
 const char *output_equation(const struct section *s, int output, bool *alone);
 
 enum { MOST_PARTS = 64 };

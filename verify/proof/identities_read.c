@@ -365,30 +365,22 @@ const struct section *section_or_definition(const struct sheet *sheet, const str
     return definition != NULL ? definition : section_find(sheet, id);
 }
 
-/* A name with a point in it, as further names may have: passed if it is one; -1. */
-static int find_dotted(struct parser *p, const char *id)
-{
-    char whole[2 * LONGEST_NAME + 2];
-    const size_t length = 1 + strspn(p->at + 1, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
-    snprintf(whole, sizeof whole, "%.63s%.*s", id, (int)FLINT_MIN(length, LONGEST_NAME), p->at);
-    const int node = program_find(p->program, whole);
-    p->at += node >= 0 ? length : 0;
-    return node;
-}
-
 static int read_output(struct parser *p, const char *id)
 {
     const struct reading *r = p->context;
     struct use u = {.section = section_or_definition(r->scope->sheet, r->scope->definitions, id)};
-    char name[LONGEST_NAME + 1];
-    const int dotted = u.section == NULL ? find_dotted(p, id) : -1;
-    if (dotted >= 0)
-        return dotted;
-    if (u.section == NULL || u.section->method != METHOD_FORMULA)
-        return unknown_in_formula(p, id, "section", "one of the sheet that has formulas, as eq10");
-    p->at++;
+    char name[LONGEST_NAME + 1], whole[2 * LONGEST_NAME + 2];
+    const char *point = p->at++;
     if (!parse_word(p, name))
         return -1;
+    snprintf(whole, sizeof whole, "%s.%s", id, name); /* as further names may be */
+    const int further = u.section == NULL ? program_find(p->program, whole) : -1;
+    if (further >= 0)
+        return further;
+    if (u.section == NULL || u.section->method != METHOD_FORMULA) {
+        p->at = point;
+        return unknown_in_formula(p, id, "section", "one of the sheet that has formulas, as eq10");
+    }
     const char *behind = p->at;
     u.formulas = read_variant(p, u.section);
     if (u.formulas == NULL)
