@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "tests/run.h"
+#include "formula/expression.h"
 #include "proof/roots.h"
 #include "text/scope.h"
 
@@ -267,6 +268,41 @@ TEST(eq41_roots_beyond_the_range_of_double)
     fmpz_ui_pow_ui(fmpq_numref(f.C2), 10, 350);
     ck_assert(roots41(f.roots, f.Omega, f.C1, f.C2, 53));
     check_coefficients(&f, 4000);
+}
+
+/*
+ * A pair and a real root, r = -3/10, whose real parts differ by less than balls are tried with: algebraic numbers tell. Of
+ * (s - m)(s - r)(s^2 - 2 r s + q) the first coefficient is 3 c2, and m is as above.
+ */
+TEST(eq41_real_parts_that_balls_do_not_tell_apart)
+{
+    static const char *const lines[][2] = {
+        {"r", "-3/10"}, {"m", "(6 - sqrt(36 - 12*r^2*(3 + r^2)*(1 + r^2)))/(2*r*(3 + r^2))"}, {"c2", "-3*r - m"},
+        {"q", "-(3*c2 + 2*r^2*m)/(m + r)"}, {"c1", "2 + q + r*m + 2*r*(r + m)"}};
+    OWNED(fixture) f;
+    struct program p;
+    struct machine m;
+    struct message why;
+    size_t where;
+    open_fixture(&f, "1", "0", "0");
+    program_init(&p);
+    for (int i = 0; i < COUNT(lines); i++)
+        program_name(&p, program_parse(&p, lines[i][1], &where, &why), lines[i][0]);
+    machine_init(&m, &p, &arithmetic_ball, 4000);
+    machine_run(&m);
+    arf_get_fmpq(f.C1, arb_midref((arb_ptr)machine_value(&m, program_find(&p, "c1"))));
+    arf_get_fmpq(f.C2, arb_midref((arb_ptr)machine_value(&m, program_find(&p, "c2"))));
+    machine_clear(&m);
+    program_clear(&p);
+    for (int mirrored = 0; mirrored < 2; mirrored++) { /* the other pair of places; the parts' order is seen where they have bits enough */
+        VECTOR(acb, roots, 4);
+        ck_assert(roots41(roots, f.Omega, f.C1, f.C2, 53) && roots41(f.roots, f.Omega, f.C1, f.C2, 5000));
+        check_coefficients(&f, 6000);
+        check_promises(&f, 5000);
+        for (int k = 0; k < 4; k++)
+            ck_assert_msg(acb_contains(roots + k, f.roots + k), "%d", k);
+        fmpq_neg(f.C2, f.C2);
+    }
 }
 
 /* (42): all real parts negative exactly when C1 > 9 Omega^2 and C2 > 0. */

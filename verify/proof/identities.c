@@ -299,15 +299,15 @@ static void print_example(struct tex *out, const struct run *r, const fmpz_mpoly
     if (found) {
         print_number(out, "; ", left);
         print_number(out, " is not ", right);
-    }
-    for (int i = 0; i < r->t->program.inputs && found; i++) {
-        const struct variable *v = &r->t->variables[i];
-        const slong k = r->variable[i];
-        if (k < 0 || !(used[k] || used[all + k]))
-            continue;
-        tex_add(out, v->angle ? "%stan(%s/2) = %ld%s" : "%s%s = %ld%s", separator, r->t->program.names[i].text, (long)fmpz_get_si(at[k]),
-                v->power > 0 ? " epsilon" : "");
-        separator = ", ";
+        for (int i = 0; i < r->t->program.inputs; i++) {
+            const struct variable *v = &r->t->variables[i];
+            const slong k = r->variable[i];
+            if (k < 0 || !(used[k] || used[all + k]))
+                continue;
+            tex_add(out, v->angle ? "%stan(%s/2) = %ld%s" : "%s%s = %ld%s", separator, r->t->program.names[i].text,
+                    (long)fmpz_get_si(at[k]), v->power > 0 ? " epsilon" : "");
+            separator = ", ";
+        }
     }
     _fmpz_vec_clear(values, all);
     free(at);
