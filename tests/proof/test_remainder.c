@@ -1,5 +1,5 @@
 /*
- * verify/proof/remainder.h: what the steps say is dropped is bounded, and not by much more than it becomes; bounds that are
+ * What the steps say is dropped is bounded, and not by much more than it becomes; bounds that are
  * too small or too wide, and formulas that cannot be bounded, are told.
  */
 #include "tests/run.h"
@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "proof/derivation.h"
-#include "proof/remainder.h"
 #include "text/scope.h"
 
 /* ---- formulas whose maximum is known ---- */

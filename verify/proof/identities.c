@@ -258,7 +258,7 @@ static void print_polynomial(struct tex *out, const struct run *r, const fmpz_mp
 }
 
 /* At integers for the variables; false where it has no value there. */
-static bool value_at(fmpq_t q, const fmpz_mpoly_q_struct *x, fmpz *const *at)
+static bool quotient_at(fmpq_t q, const fmpz_mpoly_q_struct *x, fmpz *const *at)
 {
     fmpz_mpoly_evaluate_all_fmpz(fmpq_numref(q), fmpz_mpoly_q_numref(x), at, symbolic_context());
     fmpz_mpoly_evaluate_all_fmpz(fmpq_denref(q), fmpz_mpoly_q_denref(x), at, symbolic_context());
@@ -270,7 +270,7 @@ static bool value_at(fmpq_t q, const fmpz_mpoly_q_struct *x, fmpz *const *at)
     return finite;
 }
 
-static void print_number(struct tex *out, const char *before, const fmpq_t q)
+static void print_rational(struct tex *out, const char *before, const fmpq_t q)
 {
     char *digits = fmpq_get_str(NULL, 10, q);
     tex_add(out, "%s%s", before, digits);
@@ -294,11 +294,11 @@ static void print_example(struct tex *out, const struct run *r, const fmpz_mpoly
         for (int i = 0; i < r->t->program.inputs; i++)
             if (r->variable[i] >= 0)
                 fmpz_set_si(values + r->variable[i], 1 + r->t->variables[i].angle + example * (2 * r->variable[i] + 1) % 5);
-        found = value_at(left, x, at) && value_at(right, y, at) && !fmpq_equal(left, right);
+        found = quotient_at(left, x, at) && quotient_at(right, y, at) && !fmpq_equal(left, right);
     }
     if (found) {
-        print_number(out, "; ", left);
-        print_number(out, " is not ", right);
+        print_rational(out, "; ", left);
+        print_rational(out, " is not ", right);
         for (int i = 0; i < r->t->program.inputs; i++) {
             const struct variable *v = &r->t->variables[i];
             const slong k = r->variable[i];

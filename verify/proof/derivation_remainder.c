@@ -1,10 +1,9 @@
 /* The remainders of a derivation step: what an equation drops, on which states, and how large that may be. */
-#include "proof/remainder.h"
+#include "proof/derivation.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "proof/derivation.h"
 #include "text/decimal.h"
 #include "text/scope.h"
 
