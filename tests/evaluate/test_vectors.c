@@ -477,6 +477,39 @@ TEST(an_equilibrium_is_exact)
     }
 }
 
+/* Of every motion the paper's case, and the last golden vector that is inside, to ten digits of what data/golden has to forty. */
+EACH(motions_are_those_of_the_golden_vectors, 2 * sheet()->section_count)
+{
+    const struct section *s = operation_at(_i / 2);
+    struct message why;
+    char path[64], *outputs[MOST_OUTPUTS];
+    double values[MOST_INPUTS], due[MOST_OUTPUTS];
+    if (s->method < METHOD_FLOW_LINEAR)
+        return;
+    snprintf(path, sizeof path, "data/golden/%s.csv", s->id);
+    FILE *file = fopen(path, "r");
+    struct csv c = csv_on(file, path, 100000);
+    ck_assert_int_eq(csv_next(&c, &why), CSV_ROW);
+    for (int rows = 0; csv_next(&c, &why) == CSV_ROW && (_i % 2 == 1 || rows == 0);)
+        if (*c.cells[1 + s->input_count] != '\0') {
+            for (int i = 0; i < s->input_count; i++)
+                values[i] = strtod(c.cells[1 + i], NULL);
+            for (int i = 0; i < s->output_count; i++)
+                due[i] = strtod(c.cells[1 + s->input_count + i], NULL);
+            rows++;
+        }
+    csv_clear(&c);
+    fclose(file);
+    INPUTS(inputs);
+    OPERATION(o, s);
+    ck_assert(inputs_of_values(s, values, inputs));
+    ck_assert_msg(operation_digits(&o, inputs, 11, outputs) == OPERATION_PROVED, "%s", o.why.text);
+    for (int i = 0; i < s->output_count; i++) {
+        ck_assert_double_le(fabs(strtod(outputs[i], NULL) - due[i]), 1e-10 * fabs(due[i]));
+        free(outputs[i]);
+    }
+}
+
 /* A time of the clock that has not come changes no enclosure by more than its width; one that is over ends the motion. */
 EACH(a_motion_is_given_up_when_its_time_is_over, sheet()->section_count)
 {

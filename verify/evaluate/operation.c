@@ -133,10 +133,9 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
     FLOW_PARAMETERS(p);
     VECTOR(arb, initial, FLOW_STATE);
     const int parameters = linear ? 4 : 7; /* before t, which the initial state follows */
-    for (int i = 0; i < parameters; i++) /* of the linear model all but k_c m1 m2 */
-        arb_set_fmpq(p.Omega + (linear && i > 0 ? i + 3 : i), &inputs[i].value, prec);
-    for (int i = 0; i < FLOW_STATE; i++)
-        arb_set_fmpq(initial + i, &inputs[parameters + 1 + i].value, prec);
+    for (int i = 0; i < parameters + FLOW_STATE; i++) /* of the linear model all but k_c m1 m2 */
+        arb_set_fmpq(i >= parameters ? initial + i - parameters : p.Omega + (linear && i > 0 ? i + 3 : i),
+                     &inputs[i < parameters ? i : i + 1].value, prec);
     struct flow_request r = {&p, initial, t, 1, digits, prec, take_state, outputs, !linear, h, NULL, o->until, 0};
     const enum flow_status status = flow_run(&r);
     if (!linear && is_static(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"), input_named(o, inputs, "L_ref"), &inputs[parameters + 1]))
