@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "motion/model.h"
+#include "motion/taylor.h"
 #include "text/scope.h"
 
 enum { PREC = 320, POINTS = 9 };
@@ -247,6 +247,23 @@ EACH(M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests, COUNT(rests))
         model_range(a, &z);
         ck_assert(arb_contains(a, rest)); /* though no coefficient is left */
     }
+}
+
+/* 1 + e +- 1/4 is as large as 9/4: what bounds a series of models holds for all unknowns. */
+TEST(a_coefficient_of_models_is_as_large_as_any_of_them)
+{
+    OWNED(space) s;
+    OWNED(jet) jet;
+    SCOPE(arb, one);
+    SCOPE(mag, size, quarter);
+    space_init(&s, 1, 1);
+    jet_init(&jet, &closed_loop, 1, &s);
+    arb_one(one);
+    mag_set_d(quarter, 0.25);
+    model_set_variable(jet.m[2] + 1, one, one, 0);
+    model_widen(jet.m[2] + 1, quarter);
+    jet_size(size, &jet, 2, 1);
+    ck_assert_double_ge(mag_get_d(size), 2.25);
 }
 
 /* A third is no binary64, and a linear model of what is not linear is off by that. */
