@@ -39,14 +39,12 @@ static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simu
         }
     scenario_parameters(p, &scenario, prec);
     scenario_initial(initial, &scenario, p, s->nonlinear, prec);
-    for (int i = 0; i < FLOW_STATE && s->start != NULL; i++) {
-        arb_set(initial + i, s->start + i);
-        if (i >= PSI_DOT)
-            arb_mul(initial + i, initial + i, p->Omega, prec);
-        if (i % 3 == ETA)
-            arb_mul(initial + i, initial + i, p->L_ref, prec);
-    }
-    if (s->nonlinear && s->start != NULL)
+    if (s->start == NULL)
+        return;
+    flow_units(initial, false, p, prec);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_mul(initial + i, initial + i, s->start + i, prec);
+    if (s->nonlinear)
         state_from_angles(initial, s->steps->sheet, p, prec);
 }
 

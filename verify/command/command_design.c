@@ -242,34 +242,28 @@ static int read_design(struct design *d, const struct arguments *a)
 
 /* ---- print ---- */
 
-static void print_design(const struct design *d, slong digits, bool as_json)
+static void print_design(const struct design *d)
 {
-    struct json j = json_on(stdout);
-    if (as_json) {
-        json_open(&j, NULL, '{');
-        json_value(&j, "digits", "%ld", (long)digits);
-        json_open(&j, "outputs", '[');
-    }
     for (int i = 0; i < d->count; i++) {
         const struct design_number *z = &d->numbers[i];
-        if (as_json) {
-            json_open(&j, NULL, '{');
-            json_string(&j, "group", z->group);
-            json_string(&j, "name", z->name);
-            json_string(&j, "value", z->digits);
-            json_string(&j, "unit", z->unit);
-            json_string(&j, "meaning", z->meaning);
-            json_close(&j);
-            continue;
-        }
         if (i == 0 || z->group != z[-1].group)
             printf("# %s\n", z->group);
         printf("%s = %s %s%s%s\n", z->name, z->digits, z->unit, *z->meaning ? "  # " : "", z->meaning);
     }
-    if (as_json) {
-        json_close(&j);
-        json_close(&j);
+}
+
+static void print_design_json(const struct design *d, long digits)
+{
+    struct json j = json_on(stdout);
+    json_open(&j, NULL, '{');
+    json_value(&j, "digits", "%ld", digits);
+    json_open(&j, "outputs", '[');
+    for (int i = 0; i < d->count; i++) {
+        const struct design_number *z = &d->numbers[i];
+        json_record(&j, NULL, "group", z->group, "name", z->name, "value", z->digits, "unit", z->unit, "meaning", z->meaning);
     }
+    json_close(&j);
+    json_close(&j);
 }
 
 int command_design(const struct arguments *a)
@@ -285,7 +279,7 @@ int command_design(const struct arguments *a)
     if (status == EXIT_DONE)
         status = find_digits(&d, digits);
     if (status == EXIT_DONE)
-        print_design(&d, digits, option_given(a, "--json"));
+        option_given(a, "--json") ? print_design_json(&d, digits) : print_design(&d);
     for (int i = 0; i < d.count; i++)
         free(d.numbers[i].digits);
     identities_clear(&d.formulas);
