@@ -141,8 +141,8 @@ void statement_evidence(const struct statement *s, struct written *w);
 
 enum truth truth_both(enum truth a, enum truth b);
 
-/* Whether an equation number is one of a section's. */
-bool has_equation(const struct section *s, const char *equation);
+/* The first section of an equation number; NULL: there is none. */
+const struct section *section_with(const struct sheet *sheet, const char *equation);
 
 /* What a formula's names stand for. */
 struct bindings {

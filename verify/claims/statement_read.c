@@ -569,23 +569,20 @@ static const struct field statement_fields[] = {
     FIELD("verdict", struct statement, verdict, FIELD_NODE),
     {.key = NULL}};
 
-bool has_equation(const struct section *s, const char *equation)
+const struct section *section_with(const struct sheet *sheet, const char *equation)
 {
-    for (int i = 0; i < s->numbers; i++)
-        if (strcmp(s->equations[i], equation) == 0)
-            return true;
-    return false;
+    for (int i = 0; i < sheet->section_count; i++)
+        for (int k = 0; k < sheet->sections[i].numbers; k++)
+            if (strcmp(sheet->sections[i].equations[k], equation) == 0)
+                return &sheet->sections[i];
+    return NULL;
 }
 
 static bool check_equations(const struct sheet *sheet, const struct yaml *list)
 {
-    for (int k = 0; list != NULL && k < list->count; k++) {
-        bool known = false;
-        for (int i = 0; i < sheet->section_count; i++)
-            known = known || has_equation(&sheet->sections[i], list->items[k].text);
-        if (!known)
+    for (int k = 0; list != NULL && k < list->count; k++)
+        if (section_with(sheet, list->items[k].text) == NULL)
             return node_error(&list->items[k], 0, "unknown '%s', expected an equation number", list->items[k].text);
-    }
     return true;
 }
 

@@ -224,12 +224,9 @@ static void equation_rows(struct giving *g)
     for (int i = 0; i < sheet->section_count; i++) {
         const struct section *s = &sheet->sections[i];
         for (int k = 0; k < s->numbers; k++) {
-            bool earlier = false;
-            for (int j = 0; j < i; j++)
-                earlier = earlier || has_equation(&sheet->sections[j], s->equations[k]);
             char id[32], where[32];
             snprintf(id, sizeof id, "equation-%s", s->equations[k]);
-            if (earlier || !wanted(g, id))
+            if (section_with(sheet, s->equations[k]) != s || !wanted(g, id))
                 continue;
             snprintf(where, sizeof where, "Eq. (%s)", s->equations[k]);
             struct verdict_row row = {.id = id, .where = where, .kind = s->kind};
