@@ -65,7 +65,7 @@ static bool bound(arb_t x, const struct request *r)
     return reach_from(x, r->of, r->which, r->from);
 }
 
-static bool value_at(arb_t x, const struct request *r)
+static bool value_of_sample(arb_t x, const struct request *r)
 {
     trajectory_value(x, r->of, r->from, r->which);
     return true;
@@ -151,7 +151,7 @@ static const struct measure {
     {"sup_", supremum, PRODUCT, true, false, false},     {"ever_", ever, PLACE_Z, true, false, false},
     {"bound_", bound, PLACE_Z, true, false, false},      {"peak_", peak, PHASE, true, false, false},
     {"low_", least, PHASE, true, false, false},        {"high_", largest, PHASE, true, false, false},
-    {"at_", value_at, PHASE, true, false, false},      {"energy_of_", energy, PSI, false, false, false},
+    {"at_", value_of_sample, PHASE, true, false, false},      {"energy_of_", energy, PSI, false, false, false},
     {"exit_", exit_of, PLACE_Z, false, false, true},     {"settled_", settled, PLACE_Z, false, false, true},
     {"gap_", peak, PHASE, true, true, false},          {"between_", supremum, PRODUCT, true, true, false},
     {"part_", part, PLACE_Z, false, true, false},        {"changes_", sign_changes, PLACE_Z, false, false, false},

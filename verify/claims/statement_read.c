@@ -38,7 +38,7 @@ static bool entry_error(const struct claim_reading *r, const struct yaml *node, 
 }
 
 /* Of a scalar; else nothing. */
-static const char *text_of(const struct yaml *node)
+static const char *scalar_of(const struct yaml *node)
 {
     return node != NULL && node->text != NULL ? node->text : "";
 }
@@ -93,7 +93,7 @@ static void collect_names(struct claim_reading *r, const struct yaml *statement)
     add_keys(r, under(under(statement, "given"), "at"));
     for (int i = 0; prove != NULL && i < prove->count; i++) {
         const struct yaml *entry = &prove->items[i];
-        struct computed *c = computed_find(&r->all->computed, text_of(under(entry, "compute")));
+        struct computed *c = computed_find(&r->all->computed, scalar_of(under(entry, "compute")));
         add_keys(r, under(entry, "at"));
         add_keys(r, under(entry, "on"));
         if (under(entry, "root") != NULL)
@@ -288,7 +288,7 @@ static bool read_show(struct claim_reading *r, struct assertion *a, const struct
 static bool read_count(struct claim_reading *r, const struct yaml *node, long *count)
 {
     char after;
-    return (sscanf(text_of(node), "%ld%c", count, &after) == 1 && *count >= 0) || entry_error(r, node, "expected a count: 0, 1, 2 ...");
+    return (sscanf(scalar_of(node), "%ld%c", count, &after) == 1 && *count >= 0) || entry_error(r, node, "expected a count: 0, 1, 2 ...");
 }
 
 /* The one root between two bounds, or how many there are above one. */
@@ -322,10 +322,10 @@ static bool read_rank(struct claim_reading *r, struct assertion *a, const struct
         if (!read_formula(r, &f, rate))
             return false;
         l->rates[i] = f.node;
-        if (strcmp(text_of(observe), rate->key) == 0)
+        if (strcmp(scalar_of(observe), rate->key) == 0)
             l->observe = i;
     }
-    l->control = program_find(l->of, text_of(control));
+    l->control = program_find(l->of, scalar_of(control));
     if ((control != NULL && l->control < 0) || (observe != NULL && l->observe < 0))
         return entry_error(r, control != NULL ? control : observe, "expected control: a quantity, or observe: a state");
     return true;
@@ -350,7 +350,7 @@ static bool read_cited(struct claim_reading *r, struct assertion *a, const struc
 
 static bool read_compute(struct claim_reading *r, struct assertion *a, const struct yaml *value)
 {
-    a->computed = computed_find(&r->all->computed, text_of(value));
+    a->computed = computed_find(&r->all->computed, scalar_of(value));
     return a->computed != NULL || entry_error(r, value, "unknown computation, expected one of verify/claims/");
 }
 

@@ -23,7 +23,7 @@ struct study_table {
 };
 
 /* A field after another; empty for NULL. */
-static bool print_number(const arb_t x, slong digits)
+static bool print_field(const arb_t x, slong digits)
 {
     char *text = x != NULL ? decimal_of_ball(x, digits) : NULL;
     printf(",%s", text != NULL ? text : "");
@@ -48,9 +48,9 @@ static bool print_variable(const struct convergence *c, int variable)
         const int at = row * STUDIED + variable;
         char *parameter = decimal_of_rational(c->parameters + row, PARAMETER_DIGITS);
         printf("%s,%s,%s", s->name, variable_names[s->which[variable]], parameter);
-        decided = print_number(c->differences + at, STUDY_DIGITS) && decided;
-        decided = print_number(row > 0 ? c->orders + at : NULL, STUDY_DIGITS) && decided;
-        decided = print_number(c->constants + at, STUDY_DIGITS) && decided;
+        decided = print_field(c->differences + at, STUDY_DIGITS) && decided;
+        decided = print_field(row > 0 ? c->orders + at : NULL, STUDY_DIGITS) && decided;
+        decided = print_field(c->constants + at, STUDY_DIGITS) && decided;
         puts(",certified");
         free(parameter);
     }
@@ -79,7 +79,7 @@ static bool print_error(const arb_t eta, const struct trajectory *t)
 {
     SCOPE(arb, dL);
     arb_mul(dL, eta, t->L_ref, STUDY_BITS);
-    return print_number(dL, ROW_DIGITS);
+    return print_field(dL, ROW_DIGITS);
 }
 
 /* The simulation over six days, nonlinear and linear, and what the pitch of the moment leaves of psi and dL. */
@@ -101,7 +101,7 @@ static bool print_forced(const struct study_table *table, const struct derivatio
         second_order_at(forced, &o, samples[0] + THETA, z);
         printf("%ld", (long)k * STEP);
         for (int i = 0; i < 3; i++)
-            proved = print_number(samples[i] + PSI, ROW_DIGITS) && print_error(samples[i] + ETA, &motion) && proved;
+            proved = print_field(samples[i] + PSI, ROW_DIGITS) && print_error(samples[i] + ETA, &motion) && proved;
         end_row(proved);
     }
     second_order_clear(&o);
@@ -114,7 +114,7 @@ static bool print_amplitude(const struct trajectory *t, slong k)
 {
     SCOPE(arb, amplitude);
     trajectory_value(amplitude, t, k, AMPLITUDE);
-    return print_number(amplitude, ROW_DIGITS);
+    return print_field(amplitude, ROW_DIGITS);
 }
 
 /*
@@ -139,11 +139,11 @@ static bool print_pitch(const struct study_table *table, const struct derivation
     for (slong k = 0; k < t.count && proved; k++) {
         printf("%ld", (long)k * step);
         if (!damped)
-            proved = print_number(trajectory_sample(&t, k) + THETA, ROW_DIGITS);
+            proved = print_field(trajectory_sample(&t, k) + THETA, ROW_DIGITS);
         arb_mul_si(tau, t.Omega, k * step, STUDY_BITS);
         slow_law(law, shift, &o, a, tau);
         arb_mul(law, law, a, STUDY_BITS);
-        proved = print_amplitude(&t, k) && print_number(law, ROW_DIGITS) && proved;
+        proved = print_amplitude(&t, k) && print_field(law, ROW_DIGITS) && proved;
         if (damped)
             proved = print_amplitude(&free, k) && proved;
         end_row(proved);
@@ -184,7 +184,7 @@ static bool print_gains(const struct study_table *t, const struct derivations *s
             const char *charge = t->charges[k];
             set_gains(c1, c2, study_gains[gain].c1, study_gains[gain].c2, STUDY_BITS);
             printf("%s", study_gains[gain].c1);
-            proved = print_number(c2, STUDY_DIGITS) && proved;
+            proved = print_field(c2, STUDY_DIGITS) && proved;
             if (charge != NULL) {
                 printf(",%s", charge);
                 arb_set_str(y, charge, STUDY_BITS);
@@ -194,12 +194,12 @@ static bool print_gains(const struct study_table *t, const struct derivations *s
             if (t->first == NULL) {
                 largest_hold(values, c1, c2, STUDY_BITS);
                 largest_delay(values + 1, c1, c2, STUDY_BITS);
-                proved = print_number(values, ROW_DIGITS) && print_number(values + 1, ROW_DIGITS) && proved;
+                proved = print_field(values, ROW_DIGITS) && print_field(values + 1, ROW_DIGITS) && proved;
             } else
                 proved = guarantees_enclose(values, c1, charge != NULL ? y : NULL, STUDY_BITS) && proved;
             for (int i = first; i < end; i++)
                 if (guarantees[i].meaning != NULL)
-                    proved = print_number(values + i, ROW_DIGITS) && proved;
+                    proved = print_field(values + i, ROW_DIGITS) && proved;
             end_row(proved);
         }
     return proved;
