@@ -315,22 +315,24 @@ static void print_example(struct tex *out, const struct run *r, const fmpz_mpoly
 }
 
 /* The difference of two coefficients, not zero. */
-static void print_difference(struct tex *out, const struct run *r, const fmpz_mpoly_q_struct *x,
-                             const fmpz_mpoly_q_struct *y)
+static void print_difference(struct tex *out, const struct run *r, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    struct tex over = {NULL, 0}, under = {NULL, 0};
     fmpz_mpoly_q_t difference;
     fmpz_mpoly_q_init(difference, ctx);
     fmpz_mpoly_q_sub(difference, x, y, ctx);
-    const slong length = fmpz_mpoly_length(fmpz_mpoly_q_numref(difference), ctx);
-    print_polynomial(&over, r, fmpz_mpoly_q_numref(difference));
-    print_polynomial(&under, r, fmpz_mpoly_q_denref(difference));
-    tex_add(out, length > SHOWN_TERMS ? "(%s+...%ld terms)" : length > 1 ? "(%s)" : "%s", over.text, (long)length);
-    if (!fmpz_mpoly_is_one(fmpz_mpoly_q_denref(difference), ctx))
-        tex_add(out, "/(%s%s)", under.text, fmpz_mpoly_length(fmpz_mpoly_q_denref(difference), ctx) > SHOWN_TERMS ? "+..." : "");
-    tex_clear(&over);
-    tex_clear(&under);
+    const fmpz_mpoly_struct *over = fmpz_mpoly_q_numref(difference), *under = fmpz_mpoly_q_denref(difference);
+    const slong length = fmpz_mpoly_length(over, ctx);
+    tex_add(out, "%s", length > 1 ? "(" : "");
+    print_polynomial(out, r, over);
+    if (length > SHOWN_TERMS)
+        tex_add(out, "+...%ld terms", (long)length);
+    tex_add(out, "%s", length > 1 ? ")" : "");
+    if (!fmpz_mpoly_is_one(under, ctx)) {
+        tex_add(out, "/(");
+        print_polynomial(out, r, under);
+        tex_add(out, "%s", fmpz_mpoly_length(under, ctx) > SHOWN_TERMS ? "+...)" : ")");
+    }
     fmpz_mpoly_q_clear(difference, ctx);
 }
 
