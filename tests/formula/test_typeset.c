@@ -102,25 +102,6 @@ EACH(formula_is_set_as_by_hand, COUNT(formulas))
     assert_typeset(&formulas[_i]);
 }
 
-/* As many factors as one writes, each in its place. */
-TEST(products_are_as_long_as_one_writes_them)
-{
-    struct tex formula = {NULL, 0}, expected = {NULL, 0};
-    tex_add(&formula, "L");
-    tex_add(&expected, "L");
-    for (int i = 1; i < 500; i++) {
-        tex_add(&formula, i < 250 ? "*m%d" : "/m%d", 1 + i % 2);
-        tex_add(&expected, i == 250 ? "}{m_{%d}" : "m_{%d}", 1 + i % 2);
-    }
-    struct tex fraction = {NULL, 0};
-    tex_add(&fraction, "\\frac{%s}", expected.text);
-    const struct pair pair = {formula.text, fraction.text};
-    assert_typeset(&pair);
-    tex_clear(&formula);
-    tex_clear(&expected);
-    tex_clear(&fraction);
-}
-
 /* Mathematics within a sentence: each token by itself, and at the text's end. */
 EACH(sentences_are_set_token_by_token, 27)
 {

@@ -5,17 +5,14 @@
 #include "tests/run.h"
 #include "tests/paper.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 
 #include "proof/derivation.h"
-#include "formula/symbolic.h"
 #include "motion/taylor.h"
 #include "text/scope.h"
-
 
 /* ---- the paper's steps ---- */
 
@@ -704,19 +701,6 @@ EACH(mistake_is_told_with_its_place, COUNT(mistakes))
     snprintf(place, sizeof place, "t.yaml:%s", mistakes[_i].place);
     ck_assert_msg(strncmp(why.text, place, strlen(place)) == 0, "'%s' is not at %s", why.text, place);
     ck_assert_msg(strstr(why.text, mistakes[_i].expected) != NULL, "'%s' has no '%s'", why.text, mistakes[_i].expected);
-}
-
-/* Wherever the file ends too early, it is read or refused in words, never worse. */
-TEST(cut_file_is_read_or_refused)
-{
-    for (size_t length = 0; length < strlen(good); length++) {
-        struct derivations d;
-        struct message why = {""};
-        if (derivations_read(&d, sheet(), good, length, "t.yaml", &why) == 0)
-            derivations_clear(&d);
-        else
-            ck_assert_msg(strncmp(why.text, "t.yaml:", 7) == 0, "%s", why.text);
-    }
 }
 
 /* ---- the command ---- */
