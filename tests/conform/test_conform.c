@@ -392,9 +392,14 @@ static const struct oracle_run written[] = {
     {WRITES("r.json", "--only eq38,eq07", "FAULTY printed"), 1, "\"vectors\": 78, \"passed\": 61, \"failed\": 17, \"expected\": 0, \"skipped\": 0, |"
      "\"id\": \"eq38\", \"level\": \"algebra\", \"vectors\": 27, \"passed\": 10, \"failed\": 17, |\"diagnosis\": \"the paper's misprint: Kepler|"
      "\"id\": \"eq38-random-9\", \"operation\": \"eq38\", \"outcome\": \"wrong\", \"E\": \"2.2e+15\", |\"expected\": {\"Omega\": \"1.2994298160714638761e-05\"}, |"
-     "\"id\": \"eq07-paper\", \"operation\": \"eq07\", \"outcome\": \"right\", |\"outcomes\": {\"wrong\": 17}"},
+     "\"id\": \"eq07-paper\", \"operation\": \"eq07\", \"outcome\": \"right\", |\"outcomes\": {\"wrong\": 17}|"
+     "\"id\": \"eq38-nan-GM\", \"operation\": \"eq38\", \"outcome\": \"right\", \"inputs\": "},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY malformed"), 1,
-     "\"line\": {\"outcome\": \"malformed\", \"text\": \"eq07-random-7 1.5 oops\", \"hint\": \"'oops' is no number\"}"},
+     "\"line\": {\"outcome\": \"malformed\", \"text\": \"eq07-random-7 1.5 oops\", \"hint\": \"'oops' is no number\"}|"
+     "\"outcome\": \"malformed\", \"inputs\": "},
+    {WRITES("r.json", "--only flow_linear-paper-100,flow_linear-paper-0", ALL_SAY("`test $id = flow_linear-paper-0 && echo 1` nan 1 1 1 1")), 1,
+     "\"outcome\": \"wrong count\", \"inputs\": "},
+    {WRITES("r.json", "--only flow_linear-paper-100", ALL_SAY("1 1 1 1 1 1")), 1, "\"outcome\": \"wrong\", \"digits\": \"0.0\", \"inputs\": "},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY wrong-id"), 1, "\"lines\": [{\"count\": 68, \"first\": 11, \"outcome\": \"wrong id\", "},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY exit-3"), 1, "\"ended\": \"ended with exit status 3 after 78 of 78 answers\""},
     {WRITES("r.json", "--only eq38", "FAULTY crash"), 1, "\"outcomes\": {\"missing\": 16, \"crash\": 1}"},
