@@ -391,7 +391,7 @@ static const struct oracle_run written[] = {
      "</testcase>\n</testsuite>\n<testsuite name=\"eq38\"|</testcase>\n</testsuite>\n<testsuite name=\"client\"|name=\"lines\"></testcase>"},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY printed"), 1, "\"vectors\": 78, \"passed\": 61, \"failed\": 17, \"expected\": 0, \"skipped\": 0, |"
      "\"id\": \"eq38\", \"level\": \"algebra\", \"vectors\": 27, \"passed\": 10, \"failed\": 17, |\"diagnosis\": \"the paper's misprint: Kepler|"
-     "\"id\": \"eq38-random-9\", \"operation\": \"eq38\", \"outcome\": \"wrong\", \"E\": \"2.2e+15\", |\"expected\": {\"Omega\": \"1.2994298160714638761e-05\"}, |"
+     "\"id\": \"eq38-random-9\", \"operation\": \"eq38\", \"outcome\": \"wrong\", \"E\": \"2.2e+15\", |\"R_c\": \"87708441.19820815\"}, \"expected\": {\"Omega\": \"1.2994298160714638761e-05\"}, |"
      "\"id\": \"eq07-paper\", \"operation\": \"eq07\", \"outcome\": \"right\", |\"outcomes\": {\"wrong\": 17}|"
      "\"id\": \"eq38-nan-GM\", \"operation\": \"eq38\", \"outcome\": \"right\", \"inputs\": "},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY malformed"), 1,
@@ -403,7 +403,7 @@ static const struct oracle_run written[] = {
     {WRITES("r.json", "--only eq38,eq07", "FAULTY wrong-id"), 1, "\"lines\": [{\"count\": 68, \"first\": 11, \"outcome\": \"wrong id\", "},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY exit-3"), 1, "\"ended\": \"ended with exit status 3 after 78 of 78 answers\""},
     {WRITES("r.json", "--only eq38", "FAULTY crash"), 1, "\"outcomes\": {\"missing\": 16, \"crash\": 1}"},
-    {WRITES("r.json", "--only eq37", "FAULTY cross"), 0, "\"E\": \"2.2e-01\", \"strict_E\": \"inf\""},
+    {WRITES("r.json", "--only eq37", "FAULTY cross"), 0, "\"E\": \"2.2e-01\", \"strict_E\": \"inf\"|, \"L_G3\": \"1.7316332501930193480e-09\"}, "},
     {WRITES("r.json", "--only eq38", COMPLAINS("echo \"a <word>\"", "none")), 0, "\"errors\": \"a <word>\\n\""},
     {WRITES("r.xml", "--only eq38,eq07", "FAULTY wrong-id"), 1,
      "<testcase classname=\"client\" name=\"lines\"><failure message=\"lines that answer nothing, or an end that is none\">\nlines that answer nothing: 68\n"},

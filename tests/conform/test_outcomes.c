@@ -1092,7 +1092,7 @@ static void answered_so(struct evidence *v, struct record *records, struct opera
     INPUTS(inputs);
     VECTOR(arb, y, MOST_OUTPUTS);
     machine_init(&wrong.machine, &a.formulas.program, &arithmetic_ball, 128);
-    *v = (struct evidence){.section = o->section, .operation = o, .until = clock() + 60 * CLOCKS_PER_SEC, .count = 12};
+    *v = (struct evidence){.section = o->section, .until = clock() + 60 * CLOCKS_PER_SEC, .count = 12};
     for (int f = 0; f < v->count; f++) {
         sample(o, 3, (uint64_t)f, v->x[f], inputs);
         operation_enclose(o, inputs, 128, y);
@@ -1112,7 +1112,7 @@ static void answered_so(struct evidence *v, struct record *records, struct opera
 EACH(a_kind_of_mistake_fits_every_vector, KINDS)
 {
     static struct evidence v;
-    static struct record records[MOST_EVIDENCE];
+    static struct record records[MOST_KEPT];
     const struct section *s = section_find(sheet(), computed[_i].section);
     const char *due = computed[_i].diagnosis;
     OPERATION(o, s);

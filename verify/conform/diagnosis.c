@@ -208,7 +208,8 @@ static void try_factor(const struct patient *p, const bool *wrong, const char *f
 static void try_input(const struct patient *p, const char *input, const char *formula, const char *other)
 {
     char name[2 * LONGEST_GUESS];
-    const struct known_mistake m = {.name = name, .changes = {{PLACE_INPUT, input, formula}, {PLACE_INPUT, other, input}}, .count = 1 + (other != NULL)};
+    const struct known_mistake m = {.name = name, .count = other != NULL ? 2 : 1,
+                                    .changes = {{PLACE_INPUT, input, formula}, {PLACE_INPUT, other, input}}};
     if (other != NULL)
         snprintf(name, sizeof name, "the inputs %s and %s exchanged", input, other);
     else
@@ -216,12 +217,13 @@ static void try_input(const struct patient *p, const char *input, const char *fo
     try_mistake(p, &m, "");
 }
 
-/* What the masses make, or a power of an input, in the outputs that are wrong; one input off by one, or with such a factor; two exchanged. */
+/* What the masses make, or a power of an input, in what is wrong; one input off by one, or with such a factor; two exchanged. */
 static void try_names(const struct patient *p, const bool *wrong)
 {
     enum { POWERS = 3 };
     static const char *const masses[] = {"m1*m2/(m1 + m2)", "m1/(m1 + m2)", "m2/(m1 + m2)", "m1/m2"};
-    static const char *const after[] = {"", "^2", "^3", " + 1", " - 1", "*m1*m2/(m1 + m2)", "*(m1*m2/(m1 + m2))^2", "/(m1*m2/(m1 + m2))", "/(m1*m2/(m1 + m2))^2"};
+    static const char *const after[] = {"", "^2", "^3", " + 1", " - 1", "*m1*m2/(m1 + m2)", "*(m1*m2/(m1 + m2))^2", "/(m1*m2/(m1 + m2))",
+                                        "/(m1*m2/(m1 + m2))^2"};
     const struct section *s = p->section;
     const char *text = p->t->diagnosis;
     char formula[LONGEST_GUESS];
@@ -249,7 +251,7 @@ static void gather(struct evidence *v, const struct test_run *e, int set, clock_
     const struct section *s = o->section;
     TEST_VECTOR(q);
     VECTOR(arb, exact, MOST_OUTPUTS);
-    *v = (struct evidence){.section = s, .operation = o, .until = until, .digits = e->comparators[set].digits};
+    *v = (struct evidence){.section = s, .until = until, .digits = e->comparators[set].digits};
     o->until = until;
     for (int i = 0; i < t->kept_count && clock() < until; i++) {
         const struct record *r = &t->kept[i];

@@ -81,7 +81,8 @@ void line_hint(const struct sheet *sheet, const char *line, enum outcome outcome
 {
     static const char *const plain[OUTCOMES] = {
         [OUTCOME_TRUNCATED] = "the last line has no LF", [OUTCOME_TOO_LONG] = "it has more than 65536 bytes",
-        [OUTCOME_LATE] = "its turn is over: answers come in the order of the questions, one each", [OUTCOME_EARLY] = "its question had not been asked"};
+        [OUTCOME_LATE] = "its turn is over: answers come in the order of the questions, one each",
+        [OUTCOME_EARLY] = "its question had not been asked"};
     char copy[LONGEST_SHOWN], *rest = NULL, *odd = NULL;
     int count = 0;
     snprintf(copy, sizeof copy, "%s", line);

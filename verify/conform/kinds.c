@@ -4,9 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "evaluate/domain.h"
-#include "text/scope.h"
-
 static const double PI = 3.14159265358979323846;
 
 bool is_same(double a, double b)

@@ -7,17 +7,14 @@
 
 #include "conform/conform.h"
 
-enum { MOST_EVIDENCE = MOST_KEPT };
-
 /* The failing vectors of a summary that were answered in numbers, and those that pass: all as binary64, the truth too. */
 struct evidence {
     const struct section *section;
-    struct operation *operation;
     clock_t until;               /* of processor time, when no more is tried */
     double digits;               /* that a motion is due                     */
     int count;
-    const struct record *records[MOST_EVIDENCE];
-    double x[MOST_EVIDENCE][MOST_INPUTS], y[MOST_EVIDENCE][MOST_OUTPUTS], exact[MOST_EVIDENCE][MOST_OUTPUTS];
+    const struct record *records[MOST_KEPT];
+    double x[MOST_KEPT][MOST_INPUTS], y[MOST_KEPT][MOST_OUTPUTS], exact[MOST_KEPT][MOST_OUTPUTS];
 };
 
 /* Equal but for so little that no mistake of a formula makes it; and whether an output is so in every vector. */
