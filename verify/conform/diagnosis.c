@@ -283,7 +283,7 @@ static void diagnose_kind(const struct patient *p, int set)
         .name = "in units of Omega: a factor Omega is missing",
         .changes = {{PLACE_INPUT, "Omega", "1"}, {PLACE_INPUT, "C1", "C1/Omega^2"}, {PLACE_INPUT, "C2", "C2/Omega"}}, .count = 3};
     struct evidence *v = xrealloc(NULL, 1, sizeof *v);
-    bool wrong[MOST_OUTPUTS];
+    bool wrong[MOST_OUTPUTS] = {false};
     gather(v, p->e, set, p->until);
     for (int k = 0; k < p->section->output_count; k++)
         wrong[k] = !is_always(v, k, is_same);
