@@ -25,6 +25,23 @@ static const struct {
     {15, 4.898979485566356, 0, 0}, {40, 11.135528725660043, 0, 0}, {9.01, 5, 0, 0}, {30, 12, 0, 0},
 };
 
+TEST(eq43_eq44_gains_are_those_of_n)
+{
+    SCOPE(arb, c1, c2);
+    SCOPE(fmpq, c);
+    for (slong bits = 20; bits <= 64; bits += 11) {
+        set_gains(c1, c2, "9.7", NULL, bits);
+        fmpq_set_si(c, 97, 10);
+        ck_assert(arb_contains_fmpq(c1, c));
+        arb_sqr(c2, c2, BITS); /* 4 (n - 9) */
+        fmpq_set_si(c, 14, 5);
+        ck_assert(arb_contains_fmpq(c2, c) && arb_rel_accuracy_bits(c2) > bits - 10);
+        set_gains(c1, c2, "12", "3.7", bits);
+        fmpq_set_si(c, 37, 10);
+        ck_assert(arb_equal_si(c1, 12) && arb_contains_fmpq(c2, c));
+    }
+}
+
 /* The largest |multiplier| where the law is held for T: of E + F K, (E, F; 0, 1) = exp((A, B; 0, 0) T). */
 static void largest_multiplier(arb_t size, const arb_t T, double c1, double c2)
 {
