@@ -253,9 +253,9 @@ end
 local LONGEST_KEPT = 26
 local function code(text, path)
   if web then return ('\n\n```{.%s}\n%s\n```\n\n'):format(path and 'c title="' .. path .. '"' or 'terminal', text) end
-  local kept = select(2, text:gsub('\n', '')) < LONGEST_KEPT and 'keep' or 'torn'
-  local kind = path and 'code' or 'terminal'
-  return raw(('\\begin{%s}\n\\begin{%s}%s\n%s\\end{%s}\n\\end{%s}'):format(kept, kind, path and '{' .. path .. '}' or '', text, kind, kept))
+  local kind, title = path and 'code' or 'terminal', path and '{' .. path .. '}' or ''
+  local listed = raw(('\\begin{%s}%s\n%s\\end{%s}'):format(kind, title, text, kind))
+  return select(2, text:gsub('\n', '')) < LONGEST_KEPT and box('keep', listed) or listed
 end
 -- A function of ref/ by its name, as it stands there.
 local function listing(name)
@@ -422,22 +422,17 @@ function block.places()
     local g, q = gate[s.id], qualified(s.id)
     add('\n\n## [¶](#%s){.permalink} (%s) %s%s {#%s}\n\n', s.id, span_of(s.numbers), prose(s.title), q and ', ' .. q or '', s.id)
     add('%s%s%s%s', raw(targets(s), 'html'), equation(s, FORMULAS, '', q), prose(s.note or ''), s.reason and block.printed(s.id) or '')
-    local said = {}  -- once where (2a), (2b) and (2c) have the same
+    local last = {}  -- once where (2a), (2b) and (2c) have the same
     for _, number in ipairs(s.names) do
-      local v = verdicts['equation-' .. number]
-      local same = v and v.verdict .. v.claim .. (v.why or '') .. v.evidence
-      if v and not said[same] then add('%s', verdict_of(v)) end
-      said[same or ''] = true
+      local v = verdicts['equation-' .. number] or last
+      if v.claim ~= last.claim or v.evidence ~= last.evidence then add('%s', verdict_of(v)) end
+      last = v
     end
     local from, to, by = pandoc.List(), pandoc.List(), {}
+    local function here(entry) return (section_of[entry] or entry:match '^[^.]*') == s.id end
     for _, step in ipairs(steps) do
-      local function at(side)
-        for _, entry in ipairs(step[side]) do
-          if (section_of[entry] or entry:match '^[^.]*') == s.id then return true end
-        end
-      end
-      if at 'from' then to:extend(step.to) end
-      if at 'to' then
+      if pandoc.List(step.from):find_if(here) then to:extend(step.to) end
+      if pandoc.List(step.to):find_if(here) then
         from:extend(step.from)
         by[#by + 1] = ('[`%s`](%s#step-%s)'):format(step.id, page_of_step[step.id], step.id)
       end
@@ -556,9 +551,8 @@ function Reader(sources)
     -- In MathML upright letters are text, or each would be one of its own; and a product has its space anyway.
     Math = web and function(el) el.text = el.text:gsub('\\mathrm(%b{})', '{\\text%1}'):gsub('\\,', ' ') return el end,
     Div = not web and function(el)
-      el.content:insert(1, pandoc.RawBlock('latex', '\\begin{' .. el.classes[1] .. '}'))
-      el.content:insert(pandoc.RawBlock('latex', '\\end{' .. el.classes[1] .. '}'))
-      return el.content
+      local function mark(name) return pandoc.RawBlock('latex', '\\' .. name .. '{' .. el.classes[1] .. '}') end
+      return pandoc.List {mark 'begin'} .. el.content .. {mark 'end'}
     end,
   }
 end
