@@ -228,6 +228,8 @@ static const struct {
     {"1 + *2", 4, "expected a number, a symbol or '(', found '*'"},
     {"(1 + 2", 6, "expected ')' or an operator, the formula ends here"},
     {"1 + 2)", 5, "expected an operator or the end of the formula, found ')'"},
+    {"(x", 2, "expected ')' or an operator, the formula ends here"}, /* the first node of all */
+    {"x y", 2, "expected an operator or the end of the formula, found 'y'"},
     {"1 2", 2, "expected an operator or the end of the formula, found '2'"},
     {"2x", 1, "expected an operator or the end of the formula, found 'x'"},
     {"1.2.3", 0, "expected a decimal number, found '1'"},
