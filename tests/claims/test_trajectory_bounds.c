@@ -235,6 +235,17 @@ TEST(B3_places_have_all_products_of_derivatives)
 
 /* ---- samples ---- */
 
+TEST(values_of_the_sheet_are_in_their_balls)
+{
+    SCOPE(arb, x);
+    SCOPE(fmpq, Omega);
+    ck_assert_int_eq(fmpq_set_str(Omega, "72915/1000000000", 10), 0);
+    for (slong bits = 10; bits < 40; bits += 7) {
+        sheet_value(x, sheet(), "Omega", bits);
+        ck_assert(arb_contains_fmpq(x, Omega) && arb_rel_accuracy_bits(x) > bits - 4);
+    }
+}
+
 /* What is to be said of a sample, written anew: L_ref = 10 m, an arm of 5 m, c1 = 10 and c2 = 2 */
 static void truth_of_sample(arb_ptr x, arb_srcptr e, bool nonlinear)
 {
