@@ -32,24 +32,18 @@ static void add_words(struct verdict_row *row, const char *format, ...)
 
 /* ---- each equation as printed ---- */
 
-/* The paper's case, with some inputs replaced. */
-struct instance {
-    const char *name;
-    const char *texts[MOST_INPUTS]; /* NULL: as in the paper's case */
-};
-
-/* All outputs to six digits; false outside the domain. */
-static bool values(char **texts, const struct section *s, bool as_printed, const struct instance *instance)
+/* All outputs to six digits, of the paper's case with some inputs replaced (NULL: as they are there); false outside the domain. */
+static bool values(char **outputs, const struct section *s, bool as_printed, const char *const *replaced)
 {
     struct operation o;
     struct input *inputs = inputs_new(s->input_count);
     operation_init(&o, s, as_printed);
     for (int i = 0; i < s->input_count; i++) {
         const struct quantity *q = s->inputs[i];
-        const char *text = instance->texts[i] ? instance->texts[i] : q->value ? q->value : q->example;
+        const char *text = replaced[i] ? replaced[i] : q->value ? q->value : q->example;
         literal_read(&inputs[i].value, text, true);
     }
-    bool fine = operation_digits(&o, inputs, 6, texts) == OPERATION_PROVED;
+    bool fine = operation_digits(&o, inputs, 6, outputs) == OPERATION_PROVED;
     operation_clear(&o);
     inputs_free(inputs, s->input_count);
     return fine;
@@ -58,13 +52,13 @@ static bool values(char **texts, const struct section *s, bool as_printed, const
 /* "; CASE: NAME = corrected, as printed ..." for the outputs that differ. What there is to say of one case. */
 enum difference { NONE, OUTSIDE, INSIDE };
 
-static enum difference compare_prints(struct verdict_row *row, const struct section *s, const struct instance *instance)
+static enum difference compare_prints(struct verdict_row *row, const struct section *s, const char *name, const char *const *replaced)
 {
     char *right[MOST_OUTPUTS] = {NULL}, *printed[MOST_OUTPUTS] = {NULL};
     enum difference difference = NONE;
-    const bool inside = values(right, s, false, instance);
-    if (values(printed, s, true, instance)) {
-        add_words(row, "; %s:", instance->name);
+    const bool inside = values(right, s, false, replaced);
+    if (values(printed, s, true, replaced)) {
+        add_words(row, "; %s:", name);
         for (int i = 0; i < s->output_count; i++)
             if (!inside || strcmp(right[i], printed[i]) != 0) {
                 add_words(row, "%s $%s$ = ", difference == NONE ? "" : ",", s->outputs[i]->name);
@@ -89,25 +83,23 @@ static enum difference compare_prints(struct verdict_row *row, const struct sect
 /* In the paper's case, for unequal masses, and where only the print has a value. */
 static enum difference compare_instances(struct verdict_row *row, const struct section *s)
 {
-    struct instance paper = {.name = "the paper's case"}, unequal = {.name = "$m1 = 100$ kg, $m2 = 300$ kg"};
-    const int m1 = input_place(s, "m1"), m2 = input_place(s, "m2");
-    enum difference differs = compare_prints(row, s, &paper);
-    if (m1 >= 0 && m2 >= 0) {
-        unequal.texts[m1] = "100";
-        unequal.texts[m2] = "300";
-        const enum difference further = compare_prints(row, s, &unequal);
+    const char *paper[MOST_INPUTS] = {NULL}, *unequal[MOST_INPUTS] = {NULL};
+    const int m1 = input_place(s, "m1"); /* m2 stands with it */
+    enum difference differs = compare_prints(row, s, "the paper's case", paper);
+    if (m1 >= 0) {
+        unequal[m1] = "100";
+        unequal[input_place(s, "m2")] = "300";
+        const enum difference further = compare_prints(row, s, "$m1 = 100$ kg, $m2 = 300$ kg", unequal);
         differs = FLINT_MAX(differs, further);
     }
     for (int k = 0; k < s->special_count && differs == NONE; k++) {
+        const char *const *special = s->specials[k].texts;
         char name[80] = "";
-        struct instance special = {.name = name};
-        memcpy(special.texts, s->specials[k].texts, sizeof special.texts);
         for (int i = 0; i < s->input_count; i++)
-            if (special.texts[i] != NULL)
-                snprintf(name + strlen(name), sizeof name - strlen(name), "%s$%s = %s$", *name ? ", " : "",
-                         s->inputs[i]->name, special.texts[i]);
+            if (special[i] != NULL)
+                snprintf(name + strlen(name), sizeof name - strlen(name), "%s$%s = %s$", *name ? ", " : "", s->inputs[i]->name, special[i]);
         if (strcmp(s->specials[k].flags, "invalid") == 0)
-            differs = compare_prints(row, s, &special);
+            differs = compare_prints(row, s, name, special);
     }
     return differs;
 }
