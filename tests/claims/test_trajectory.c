@@ -116,3 +116,21 @@ EACH(energy_falls_by_what_the_gain_takes, 2)
     ck_assert_double_eq_tol(arf_get_d(arb_midref(x), ARF_RND_NEAR) / lost, 1, 1e-5);
     trajectory_clear(&t);
 }
+
+/* One step of the method turns pitch by the terms of exp(i x) up to x^4, x = 2 Omega h: an hour's is 0.524988. */
+TEST(steps_are_as_long_as_they_are_said)
+{
+    struct trajectory t;
+    SCOPE(arb, x, sum);
+    ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .rk4 = HOUR}, 0, HOUR, HOUR));
+    arb_mul_ui(x, t.Omega, 2 * HOUR, t.prec);
+    arb_sqr(x, x, t.prec);
+    arb_div_si(sum, x, -12, t.prec); /* 1 - x^2/2 (1 - x^2/12) */
+    arb_add_ui(sum, sum, 1, t.prec);
+    arb_mul(sum, sum, x, t.prec);
+    arb_div_si(sum, sum, -2, t.prec);
+    arb_add_ui(sum, sum, 1, t.prec);
+    arb_mul(sum, sum, trajectory_sample(&t, 0) + THETA, t.prec);
+    ck_assert(arb_overlaps(sum, trajectory_sample(&t, 1) + THETA) && arb_rel_accuracy_bits(sum) > 60);
+    trajectory_clear(&t);
+}

@@ -482,6 +482,8 @@ EACH(B4_both_sides_confine, 2)
     arb_set_d(trajectory_sample(&t, 0) + ETA, _i == 0 ? 0.1 : -0.1);
     ck_assert(trajectory_bounds(&b, &t, 0));
     ck_assert(arb_is_finite(b.of[ETA]) && !is_below(b.of[ETA], 0.1));
+    arb_zero(trajectory_sample(&t, 0) + ETA); /* at rest too */
+    ck_assert(trajectory_bounds(&b, &t, 0) && is_below(b.of[ETA], 1e-9));
     t.bounded = false; /* of another law, say */
     ck_assert(!trajectory_bounds(&b, &t, 0));
 }
