@@ -3,6 +3,7 @@
  * exponential of the model with its charge held, and the zeros of the characteristic function counted by how often its
  * values turn around 0. Motions are followed by the classical Runge-Kutta method in double, by (3) and the law as they are said.
  */
+#include "claims/claim.h"
 #include "claims/sampling.h"
 #include "claims/second_order.h"
 #include "claims/trajectory.h"
@@ -322,4 +323,38 @@ TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
     trajectory_clear(&t);
     moved_loop_clear(&loop);
     second_order_clear(&o);
+}
+
+/* ---- the numbers that claims are given ---- */
+
+static const struct {
+    const char *computation, *names[14];
+} computed[] = {
+    {"of_gains", {"hold_10", "hold_118", "delay_12", "delay_best", "A_10", "A_best", "B_10", "B_best", "decay_12", "shift_118", "level_10", "level_best", NULL}},
+    {"held_motion", {"hold", "length_30", "length_60", "length_90", "yaw_30", "yaw_60", "yaw_90", NULL}},
+    {"damped", {"amplitude_10", "law_10", "gap_10", "charge_10", "amplitude_best", "law_best", "gap_best", "charge_best", NULL}},
+};
+
+/* They are there, and balls; the last samples of a damped motion are among those that its largest gap and charge are of. */
+EACH(numbers_of_claims_are_balls, COUNT(computed))
+{
+    struct computations all = {.steps = steps()};
+    struct computed *c = computed_find(&all, computed[_i].computation);
+    SCOPE(arb, x, y, z);
+    for (int i = 0; computed[_i].names[i] != NULL; i++)
+        computed_ask(c, computed[_i].names[i]);
+    for (int i = 0; computed[_i].names[i] != NULL; i++) {
+        computed_number(c, computed[_i].names[i], x);
+        ck_assert_msg(arb_is_finite(x) && !arb_is_exact(x) && arb_rel_accuracy_bits(x) > 8, "%s", computed[_i].names[i]);
+    }
+    if (_i == 2) {
+        computed_number(c, "amplitude_best", x);
+        computed_number(c, "law_best", y);
+        arb_sub(x, x, y, BITS);
+        arb_div(x, x, y, BITS);
+        arb_abs(x, x);
+        computed_number(c, "gap_best", z);
+        ck_assert(arb_le(x, z) || arb_overlaps(x, z));
+    }
+    computations_clear(&all);
 }
