@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -402,6 +403,7 @@ static const struct oracle_run written[] = {
     {WRITES("r.json", "--only flow_linear-paper-100", ALL_SAY("1 1 1 1 1 1")), 1, "\"outcome\": \"wrong\", \"digits\": \"0.0\", \"inputs\": "},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY wrong-id"), 1, "\"lines\": [{\"count\": 68, \"first\": 11, \"outcome\": \"wrong id\", "},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY exit-3"), 1, "\"ended\": \"ended with exit status 3 after 78 of 78 answers\""},
+    {WRITES("r.json", "--only eq38", "FAULTY too-long"), 1, "\"lines\": [{\"count\": 1, \"first\": 11, \"outcome\": \"too long\", "},
     {WRITES("r.json", "--only eq38", "FAULTY crash"), 1, "\"outcomes\": {\"missing\": 16, \"crash\": 1}"},
     {WRITES("r.json", "--only eq37", "FAULTY cross"), 0, "\"E\": \"2.2e-01\", \"strict_E\": \"inf\"|, \"L_G3\": \"1.7316332501930193480e-09\"}, "},
     {WRITES("r.json", "--only eq38", COMPLAINS("echo \"a <word>\"", "none")), 0, "\"errors\": \"a <word>\\n\""},
@@ -473,6 +475,11 @@ static const struct oracle_run slow[] = {
     {"--only eq38 --timeout 0.3 -- sh -c 'exec yes >&2' 2>/dev/null", 1, " 1 time-out\n"},
     {"--only eq38 --timeout 1 -- sh -c 'sleep 60 & exec \"$0\" none' FAULTY", 0, " 0 failed"},
     {"--only eq38 --timeout 1 -- cat /dev/zero", 1, "1 too long"},
+    /* nobody reads what it complains of for longer than that; questions are taken, and nothing answered before the last */
+    {"--only eq38 --timeout 2 -- sh -c 'head -c 200000 /dev/zero >&2; exec \"$0\"' FAULTY 2>&1 >\"$CT_BUILD/tests/blocked\" | "
+     "{ sleep 3; cat >/dev/null; cat \"$CT_BUILD/tests/blocked\"; }", 0, " 0 failed"},
+    {"--only eq07 --random 5000 --seed 1 --timeout 2 -- sh -c 'f=$CT_BUILD/tests/taken; rm -f \"$f\"; for i in 1 2 3 4; do head -c 100000 >>\"$f\"; sleep 0.8; done; "
+     "cat >>\"$f\"; exec \"$0\" <\"$f\"' FAULTY", 0, " 0 failed"},
     /* an answer every half second of two is in time, though all of them take longer */
     {"--only eq38 --timeout 2 -- sh -c 'head -n 5 >/dev/null; for i in 1 2 3 4 5; do sleep 0.5; echo eq38-random-$i skip it; done; cat >/dev/null'", 1, "!time-out"},
 };
@@ -499,9 +506,13 @@ TEST(a_client_is_not_started_without_descriptors)
     }
 }
 
-/* No descriptor and no signal of ours, in a process group of its own. */
+/* No descriptor and no signal of ours, the mask that we have from others, in a process group of its own. */
 TEST(a_client_starts_as_from_a_shell)
 {
+    sigset_t mask;
+    sigemptyset(&mask);
+    sigaddset(&mask, SIGUSR1);
+    sigprocmask(SIG_BLOCK, &mask, NULL);
     ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -f group && echo '{ ls /proc/self/fd; grep -E \"^Sig(Blk|Ign)\" /proc/self/status; } >\"$1\"; "
                             "test \"$(cut -d\" \" -f5 /proc/$$/stat)\" = $$ && : >group; exec \"$2\"' >starts && sh starts direct true && rm -f group && "
                             "\"$CT_PROGRAM\" conform --only eq38 -- sh starts client ./faulty >/dev/null && cmp direct client && ls group >/dev/null"), 0);
@@ -528,9 +539,9 @@ static void nap(void)
     nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
 }
 
-EACH(an_interrupt_leaves_no_process_behind, 3)
+EACH(an_interrupt_leaves_no_process_behind, 4)
 {
-    static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
+    static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
     char client[512], pids[512];
     const char *program = getenv("CT_PROGRAM");
     long process = 0, child = 0;
@@ -542,6 +553,7 @@ EACH(an_interrupt_leaves_no_process_behind, 3)
     const pid_t oracle = fork();
     ck_assert_int_ge(oracle, 0);
     if (oracle == 0) {
+        setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
         signal(interrupts[_i], SIG_DFL); /* which nohup, and a shell for what runs in the background, let it ignore */
         ck_assert_ptr_nonnull(freopen("/dev/null", "w", stdout));
         execl(program, "coulomb-tether", "conform", "--only", "eq07", "--", client, "hang", pids, (char *)NULL);

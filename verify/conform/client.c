@@ -63,7 +63,7 @@ static int spawn(struct client *c, char *const *arguments, int in, int out, int 
         sigemptyset(&pipe_signal);
         sigaddset(&pipe_signal, SIGPIPE);
         if ((why = posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF)) == 0 &&
-            (why = posix_spawnattr_setpgroup(&how, 0)) == 0 && (why = posix_spawnattr_setsigmask(&how, &c->signals)) == 0 &&
+            (why = posix_spawnattr_setsigmask(&how, &c->signals)) == 0 &&
             (why = posix_spawnattr_setsigdefault(&how, &pipe_signal)) == 0 &&
             (why = posix_spawn_file_actions_adddup2(&streams, in, 0)) == 0 &&
             (why = posix_spawn_file_actions_adddup2(&streams, out, 1)) == 0 &&
@@ -80,7 +80,7 @@ int client_start(struct client *c, char *const *arguments)
     int in[2] = {-1, -1}, out[2] = {-1, -1}, errors[2] = {-1, -1}, why = 0;
     static bool at_exit;
     sigset_t blocked;
-    *c = (struct client){.pid = -1};
+    *c = (struct client){0};
     sigemptyset(&blocked);
     for (int i = 0; i < INTERRUPTS; i++)
         sigaddset(&blocked, interrupts[i]);
