@@ -44,14 +44,6 @@ static const struct {
 
 enum { DECLARATIONS = sizeof declarations / sizeof *declarations };
 
-static int find_input(const struct program *p, const char *name)
-{
-    for (int i = 0; i < p->inputs; i++)
-        if (strcmp(p->names[i].text, name) == 0)
-            return i;
-    return -1;
-}
-
 bool is_free_name(const struct identities *t, const char *name)
 {
     const int node = program_find(&t->program, name);
@@ -71,7 +63,7 @@ static bool declare_name(struct identities *t, int list, const struct yaml *item
 {
     const struct variable as = declarations[list].as;
     const char *name = item->text;
-    int input = find_input(&t->program, name);
+    int input = program_find(&t->program, name);
     if (input >= 0 && list == 0)
         return node_error(item, 0, "'%s' is known already, expected a new name", name);
     if (input < 0 && as.power > 0)
@@ -108,7 +100,7 @@ static bool read_declarations(struct identities *t, const struct scope *s)
                 return false;
     }
     for (int i = 0; i < s->name_count; i++)
-        if (find_input(&t->program, s->names[i]) < 0)
+        if (program_find(&t->program, s->names[i]) < 0)
             add_variable(t, s->names[i], SIGN_ANY);
     return true;
 }
@@ -552,7 +544,7 @@ static bool all_needed(const struct identities *t, const struct scope *s)
         const struct yaml *names = scope_given(s, declarations[i].key);
         for (int k = 0; names != NULL && k < names->count; k++) {
             const struct yaml *item = &names->items[k];
-            if (!t->needed[find_input(p, item->text)])
+            if (!t->needed[program_find(p, item->text)])
                 return node_error(item, 0, "nothing shown rests on '%s'", item->text);
         }
     }
