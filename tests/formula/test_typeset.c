@@ -30,7 +30,7 @@ static void assert_typeset(const struct pair *pair)
     program_clear(&p);
 }
 
-EACH(symbols_carry_index_and_accent, 20)
+EACH(symbols_carry_index_and_accent, 21)
 {
     static const struct pair pairs[] = {
         {"Omega", "\\Omega "},          {"k_c", "k_{c}"},
@@ -41,7 +41,7 @@ EACH(symbols_carry_index_and_accent, 20)
         {"R_c1", "R_{c1}"},             {"L_G1", "L_{G1}"},
         {"C1", "C_{1}"},                {"margin1", "\\mathrm{margin}_{1}"},
         {"I_dot_11", "\\dot I_{11}"},   {"x_part", "x_{\\mathrm{part}}"},
-        {"Abc", "\\mathrm{Abc}"},        {"epsilon", "\\mathrm{epsilon}"},
+        {"eta", "\\eta "}, {"Abc", "\\mathrm{Abc}"},        {"epsilon", "\\mathrm{epsilon}"},
         {"x_dots", "x_{\\mathrm{dots}}"}, {"x_ddots", "x_{\\mathrm{ddots}}"}};
     struct tex t = {NULL, 0};
     typeset_symbol(&t, pairs[_i].given);
@@ -64,6 +64,10 @@ static const struct pair formulas[] = {
     {"(L^2)^3", "(L^{2})^{3}"},
     {"dL^2", "(\\delta L)^{2}"},
     {"L*2*3", "L\\cdot 2\\cdot 3"},
+    {"12*L", "12L"},
+    {"L + Omega", "L + \\Omega "}, /* the first of all names */
+    {"GM^2", "{GM}^{2}"},
+    {"-L^2", "-L^{2}"},
     /* a word among factors stands apart from them */
     {"2*margin1*L", "2\\,\\mathrm{margin}_{1}\\,L"},
     {"margin1*(L + h)", "\\mathrm{margin}_{1}\\,(L + h)"},
@@ -89,6 +93,8 @@ static const struct pair formulas[] = {
     {"cos(psi)^2", "(\\cos \\psi )^{2}"},
     {"sqrt(m1/m2)", "\\sqrt{\\frac{m_{1}}{m_{2}}}"},
     {"sqrt((m1 + m2)^2)", "|m_{1} + m_{2}|"},
+    {"sqrt(L^3)", "\\sqrt{L^{3}}"},
+    {"atan2(z1, -x1)", "\\operatorname{atan2}\\left(z_{1},\\, -x_{1}\\right)"},
     {"exp(-L/lambda_d)/L", "\\frac{e^{-L/\\lambda _{d}}}{L}"},
     {"exp(-L/(m1*m2))", "e^{-L/(m_{1}m_{2})}"},
     {"L*log(L)", "L\\ln L"},
@@ -103,12 +109,13 @@ EACH(formula_is_set_as_by_hand, COUNT(formulas))
 }
 
 /* Mathematics within a sentence: each token by itself, and at the text's end. */
-EACH(sentences_are_set_token_by_token, 27)
+EACH(sentences_are_set_token_by_token, 28)
 {
     static const struct pair pairs[] = {
         {"12", "12"},
         {"1.5", "1.5"},
         {"at 2.", "\\mathrm{at}\\,2."},
+        {"a ~ b", "a \\sim  b"},
         {"1.2e-13", "1.2\\cdot 10^{-13}"},
         {"3e+10", "3\\cdot 10^{10}"},
         {"2e", "2e"},

@@ -42,11 +42,16 @@ static bool is_greek(const char *word, int length)
     return false;
 }
 
+/* dL, dQ */
+static bool is_variation(const char *name)
+{
+    return name[0] == 'd' && isupper((unsigned char)name[1]);
+}
+
 /* The letters of a name, before any index and accent. */
 static void add_letters(struct tex *t, const char *letters, int length, const char *accent)
 {
-    const bool variation = letters[0] == 'd' && isupper((unsigned char)letters[1]);
-    if (variation) { /* dL, dQ */
+    if (is_variation(letters)) {
         tex_add(t, "\\delta ");
         letters++;
         length--;
@@ -265,7 +270,7 @@ static void write_call(const struct writer *w, const char *name, int argument)
 static void write_power(const struct writer *w, const struct node *n)
 {
     const char *name = w->program->nodes[n->left].op == OPERATOR_INPUT ? input_name(w->program, n->left) : "";
-    if (*name == 'd' && isupper((unsigned char)name[1])) /* (\delta L)^2 */
+    if (is_variation(name)) /* (\delta L)^2 */
         write_brackets(w, n->left, "(", ")");
     else
         write_node(w, n->left, ATOM);
@@ -296,10 +301,14 @@ static void write_around(const struct writer *w, const struct node *n)
     tex_add(w->tex, "%s", operators[n->op].after);
 }
 
+static bool is_square(const struct node *n)
+{
+    return n->op == OPERATOR_POWER && n->exponent == 2;
+}
+
 static void write_operator(const struct writer *w, int node)
 {
     const struct node *n = &w->program->nodes[node];
-    const struct node *argument = n->left >= 0 ? &w->program->nodes[n->left] : n;
     if (n->op == OPERATOR_INPUT && *input_name(w->program, node) == '{')
         tex_add(w->tex, "%s", input_name(w->program, node));
     else if (n->op == OPERATOR_INPUT)
@@ -314,8 +323,8 @@ static void write_operator(const struct writer *w, int node)
         write_call(w, operators[n->op].function, n->left);
     else if (n->op == OPERATOR_POSITIVE) /* Iverson's bracket: 1 where it holds, else 0 */
         write_brackets(w, n->left, "[", " > 0]");
-    else if (n->op == OPERATOR_SQRT && argument->op == OPERATOR_POWER && argument->exponent == 2) /* the absolute value */
-        write_brackets(w, argument->left, "|", "|");
+    else if (n->op == OPERATOR_SQRT && is_square(&w->program->nodes[n->left])) /* the absolute value */
+        write_brackets(w, w->program->nodes[n->left].left, "|", "|");
     else
         write_around(w, n);
 }
@@ -359,9 +368,7 @@ static size_t word_length(const char *text)
 
 static const char *inline_number(struct tex *t, const char *at)
 {
-    size_t length = strspn(at, "0123456789");
-    if (at[length] == '.')
-        length += strspn(at + length + 1, "0123456789") > 0 ? 1 + strspn(at + length + 1, "0123456789") : 0;
+    const size_t length = strspn(at, "0123456789"); /* a point stands for itself, between two of them */
     tex_add(t, "%.*s", (int)length, at);
     at += length;
     if (*at == 'e' && strspn(at + 1, "+-0123456789") > 0) {
