@@ -2,7 +2,6 @@
  * Exact numbers: what is decided of a formula, by identities of the school book, and what has to stay undecided. Each
  * irrational number is held against a ball of the same formula.
  */
-#include <check.h>
 #include <string.h>
 
 #include "tests/run.h"

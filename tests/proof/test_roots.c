@@ -5,8 +5,6 @@
  *     mpmath.mp.dps = 60
  *     mpmath.polyroots([1, c2, c1 - 2, 3*c2, 3*(c1 - 9)], maxsteps=2000, extraprec=400)
  */
-#include <check.h>
-#include <math.h>
 
 #include "tests/run.h"
 #include "formula/expression.h"
