@@ -33,7 +33,7 @@ each 'vectors eq14 --count 3 --seed 1'
 each 'vectors eq41roots --golden'
 each 'conform --answers data/golden/eq09.csv eq09'
 each 'conform --kills --only eq30'
-each typeset
+each 'equations eq30 --json'
 
 # The client has been started, and hangs: it has to go with the program.
 oracle() {

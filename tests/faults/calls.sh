@@ -78,7 +78,6 @@ for error in ENOSPC EIO; do
     each write $error -P "$work/out" -- vectors eq03 --golden
     each write $error -P "$work/out" -- vectors eq14 --count 30 --seed 1
     each write $error -P "$work/out" -- conform --kills --only eq30
-    each write $error -P "$work/out" -- typeset
 done
 on=''
 

@@ -25,7 +25,7 @@ else
     each 'verify errors --count 1'
     each 'vectors eq14 --count 3 --seed 1'
     each 'conform --answers data/golden/eq09.csv eq09'
-    each typeset
+    each 'equations eq30 --json'
 fi
 
 # ---- output ----
@@ -39,7 +39,7 @@ refuses() { # COMMAND...: with exit status 1 and one line
 : >"$work/expected"
 to_full_disk() { "$program" "$@" >/dev/full; }
 without_output() { "$program" "$@" >&-; }
-for command in --version 'equations eq30' table1 'vectors eq41roots --golden' typeset; do
+for command in --version 'equations eq30' table1 'vectors eq41roots --golden' 'equations --json'; do
     # shellcheck disable=SC2086
     check "$command to a full disk" refuses to_full_disk $command
 done
