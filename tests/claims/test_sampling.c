@@ -330,7 +330,7 @@ TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
 static const struct {
     const char *computation, *names[14];
 } computed[] = {
-    {"of_gains", {"hold_10", "hold_118", "delay_12", "delay_best", "A_10", "A_best", "B_10", "B_best", "decay_12", "shift_118", "level_10", "level_best", NULL}},
+    {"of_gains", {"hold_10", "hold_118", "delay_12", "delay_best", "A_10", "A_best", "B_10", "B_best", "decay_12", "shift_118", "level_10", "along_step_best", NULL}},
     {"held_motion", {"hold", "length_30", "length_60", "length_90", "yaw_30", "yaw_60", "yaw_90", NULL}},
     {"damped", {"amplitude_10", "law_10", "gap_10", "charge_10", "amplitude_best", "law_best", "gap_best", "charge_best", NULL}},
 };

@@ -531,6 +531,23 @@ TEST(B7_what_rises_between_samples_has_not_settled)
     ck_assert(arb_contains_si(hours, 0) && arb_contains(hours, limit) && is_below(hours, 1.2));
 }
 
+/* Of two exits the last counts; what was never above has none. */
+TEST(B7_the_last_exit_counts)
+{
+    enum { COUNT = 6 };
+    static const double theta[COUNT] = {3, 0, 3, 0, 0, 0};
+    OWNED(trajectory) t;
+    SCOPE(arb, hours, limit);
+    trajectory_of(&t, false, COUNT, 1 << 12, 10, 2);
+    for (slong k = 0; k < COUNT; k++)
+        arb_set_d(trajectory_sample(&t, k) + THETA, theta[k]);
+    arb_set_d(limit, 1);
+    ck_assert(settles(hours, &t, THETA, limit));
+    ck_assert(is_above(hours, 2 * 1.13) && is_below(hours, 3 * 1.14)); /* samples are 1.138 h apart */
+    arb_set_d(limit, 5);
+    ck_assert(!settles(hours, &t, THETA, limit));
+}
+
 /*
  * Pitch of amplitude 1, never below 0.99 between its samples, for 256 of them, and none from there on: bounds of the later ones are not
  * those of the earlier. And where a late sample leaves open whether it is below, no earlier one settles anything.
