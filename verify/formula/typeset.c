@@ -301,11 +301,6 @@ static void write_around(const struct writer *w, const struct node *n)
     tex_add(w->tex, "%s", operators[n->op].after);
 }
 
-static bool is_square(const struct node *n)
-{
-    return n->op == OPERATOR_POWER && n->exponent == 2;
-}
-
 static void write_operator(const struct writer *w, int node)
 {
     const struct node *n = &w->program->nodes[node];
@@ -323,7 +318,7 @@ static void write_operator(const struct writer *w, int node)
         write_call(w, operators[n->op].function, n->left);
     else if (n->op == OPERATOR_POSITIVE) /* Iverson's bracket: 1 where it holds, else 0 */
         write_brackets(w, n->left, "[", " > 0]");
-    else if (n->op == OPERATOR_SQRT && is_square(&w->program->nodes[n->left])) /* the absolute value */
+    else if (n->op == OPERATOR_SQRT && w->program->nodes[n->left].exponent == 2) /* the absolute value: nothing but a power has one */
         write_brackets(w, w->program->nodes[n->left].left, "|", "|");
     else
         write_around(w, n);
