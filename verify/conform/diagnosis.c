@@ -340,10 +340,10 @@ static bool mistake_told(struct kills *k, int i, bool inside)
         return false;
     const slong digits = is_motion(s) ? (slong)j->digits + 8 : 60;
     const slong prec = operation_precision(&x->o, inputs, digits);
-    if (operation_follow(&x->o, inputs, digits, prec, j->y) != OPERATION_PROVED || !_arb_vec_is_finite(j->y, s->output_count))
+    if (operation_follow(&x->o, inputs, digits, prec, j->y) != OPERATION_PROVED)
         return true;
     const enum outcome outcome = compare_answer(j, k->inputs, &score);
-    j->followed = is_motion(s) && outcome != OUTCOME_SKIPPED; /* the next mutant is held against the same motion */
+    j->followed = outcome != OUTCOME_SKIPPED; /* the next mutant is held against the same motion */
     for (int n = 0; n < s->output_count; n++)
         x->differs = x->differs || !arb_overlaps(j->exact + n, j->y + n);
     return outcome == OUTCOME_WRONG;
