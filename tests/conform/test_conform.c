@@ -478,11 +478,11 @@ static const struct oracle_run slow[] = {
     {"--only eq38 --timeout 1 -- cat /dev/zero", 1, "1 too long"},
     /* nobody reads what it complains of for longer than that; questions are taken, and nothing answered before the last */
     {"--only eq38 --timeout 2 -- sh -c 'head -c 200000 /dev/zero >&2; exec \"$0\"' FAULTY 2>&1 >\"$CT_BUILD/tests/blocked\" | "
-     "{ sleep 3; cat >/dev/null; cat \"$CT_BUILD/tests/blocked\"; }", 0, " 0 failed"},
+     "{ sleep 3; wc -c; cat \"$CT_BUILD/tests/blocked\"; }", 0, "200000\n| 0 failed"},
     {"--only eq07 --random 5000 --seed 1 --timeout 2 -- sh -c 'f=$CT_BUILD/tests/taken; rm -f \"$f\"; for i in 1 2 3 4; do head -c 100000 >>\"$f\"; sleep 0.8; done; "
      "cat >>\"$f\"; exec \"$0\" <\"$f\"' FAULTY", 0, " 0 failed"},
-    /* an answer every half second of two is in time, though all of them take longer */
-    {"--only eq38 --timeout 2 -- sh -c 'head -n 5 >/dev/null; for i in 1 2 3 4 5; do sleep 0.5; echo eq38-random-$i skip it; done; cat >/dev/null'", 1, "!time-out"},
+    /* an answer every third of a second is in time, though all of them take longer than one */
+    {"--only eq38 --timeout 1 -- sh -c 'head -n 8 >/dev/null; for i in 1 2 3 4 5 6 7 8; do sleep 0.3; echo eq38-random-$i skip it; done; cat >/dev/null'", 1, "!time-out"},
 };
 
 EACH(time_is_up_by_the_clock, COUNT(slow))
@@ -569,12 +569,21 @@ EACH(an_interrupt_leaves_no_process_behind, 4)
         nap();
     }
     ck_assert(runs(process) && runs(child));
+    const time_t before = time(NULL);
     kill(oracle, interrupts[_i]);
     ck_assert_int_eq(waitpid(oracle, &status, 0), oracle);
     ck_assert(WIFSIGNALED(status) && WTERMSIG(status) == interrupts[_i]);
+    ck_assert_int_lt(time(NULL) - before, 30); /* and not after the client's minute of silence */
     for (int i = 0; i < 500 && (runs(process) || runs(child)); i++)
         nap();
     ck_assert(!runs(process) && !runs(child));
+}
+
+/* Nor while nobody reads what the client complains of. */
+TEST(an_interrupt_waits_for_no_reader)
+{
+    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -f ended && { \"$CT_PROGRAM\" conform --only eq38 -- sh -c 'kill -TERM $PPID; exec yes >&2' "
+                            "2>&1 >/dev/null; : >ended; } | { sleep 3; test -f ended; }"), 0);
 }
 
 /* What is ignored, as in the background, interrupts nothing: the client ends by itself and is judged. */
