@@ -135,13 +135,13 @@ bool vector_read(const struct section *s, const char *const *texts, struct input
     return numbers;
 }
 
-/* numbers: the inputs are numbers, read from those literals. */
-static bool print_certified(struct operation *o, const char *id, const char *const *texts, const struct input *inputs,
-                            bool numbers, const char *flags, enum input_form form)
+bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags, enum input_form form)
 {
     const struct section *s = o->section;
     char *outputs[MOST_OUTPUTS] = {NULL}, *S[MOST_OUTPUTS] = {NULL};
     const char *flag = "";
+    INPUTS(inputs);
+    const bool numbers = vector_read(s, texts, inputs);
     const enum operation_status status = numbers ? operation_digits(o, inputs, VECTOR_DIGITS, outputs) : OPERATION_INVALID;
     bool fine = status != OPERATION_UNDECIDED;
     if (status == OPERATION_INVALID) {
@@ -160,14 +160,6 @@ static bool print_certified(struct operation *o, const char *id, const char *con
     return fine;
 }
 
-bool vector_print(struct operation *o, const char *id, const char *const *texts, const char *flags,
-                  enum input_form form)
-{
-    INPUTS(inputs);
-    const bool numbers = vector_read(o->section, texts, inputs);
-    return print_certified(o, id, texts, inputs, numbers, flags, form);
-}
-
 bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint64_t count, enum input_form form)
 {
     OPERATION(o, s);
@@ -184,7 +176,7 @@ bool vectors_random(const struct section *s, uint64_t seed, uint64_t first, uint
         for (int i = 0; i < s->input_count; i++)
             decimal_shortest(decimals[i], values[i]);
         snprintf(id, sizeof id, "%s-%" PRIu64 "-%" PRIu64, s->id, seed, k);
-        fine = print_certified(&o, id, texts, inputs, true, "", form);
+        fine = vector_print(&o, id, texts, "", form);
         progress_show(&progress, k - first + 1, count);
     }
     progress_end(&progress);

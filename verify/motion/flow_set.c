@@ -438,6 +438,7 @@ enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong cou
 
 void flow_set_init(struct flow_set *s, int variables, int degree)
 {
+    *s = (struct flow_set){.most_pieces = 1, .threads = (int)FLINT_MAX(1, FLINT_MIN(MOST_THREADS, sysconf(_SC_NPROCESSORS_ONLN)))};
     space_init(&s->space, variables, degree);
     space_init(&s->linear, variables, 1);
     for (int i = 0; i < SET_MODELS; i++)
@@ -445,10 +446,6 @@ void flow_set_init(struct flow_set *s, int variables, int degree)
     arb_init(s->Omega);
     arb_init(s->unit);
     arb_init(s->charge);
-    s->most_pieces = 1;
-    s->charged = false;
-    s->threads = (int)FLINT_MAX(1, FLINT_MIN(MOST_THREADS, sysconf(_SC_NPROCESSORS_ONLN)));
-    s->how = (struct flow_steps){.order = 0};
 }
 
 void flow_set_clear(struct flow_set *s)

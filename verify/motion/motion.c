@@ -153,6 +153,7 @@ struct pass {
     slong done;       /* rows that the receiver has               */
     bool is_static, undecided, stopped;
     bool outside;     /* Q_ref + dQ >= 0 at the row after those      */
+    double reached;
     row_receiver *receive; /* NULL: nobody is told, it is only asked how far the charges go */
     void *context;
 };
@@ -227,7 +228,7 @@ static bool starts_static(const struct scenario *s)
 }
 
 /* Passes at rising precision until every row is proved, or nothing more can be. */
-static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count, double *reached)
+static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count)
 {
     const struct motion *m = p->motion;
     const double Omega = fmpq_get_d(&m->scenario->value[SET_Omega].value);
@@ -243,7 +244,7 @@ static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count,
         p->undecided = false;
         struct flow_request r = {&p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p, m->nonlinear, m->h, NULL, 0, 0};
         status = flow_run(&r);
-        *reached = r.reached;
+        p->reached = r.reached;
         p->prec *= 2;
     } while ((p->undecided || status == FLOW_WIDE) && p->prec <= p->most);
     flow_parameters_clear(&p->parameters);
@@ -258,9 +259,8 @@ static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count,
 static void say_crossing(const struct pass *found, const fmpq *given, struct message *why)
 {
     struct motion m = *found->motion;
-    SCOPE(fmpq, before, after);
+    SCOPE(fmpq, before, after, tenth);
     VECTOR(fmpq, times, 11);
-    SCOPE(fmpq, tenth);
     fmpq_set(after, given + found->done);
     if (found->done == 0) {
         message_set(why, "Q_ref + dQ >= 0 at t = %.9g s: Eq. (21) has no charges there", fmpq_get_d(after));
@@ -270,14 +270,12 @@ static void say_crossing(const struct pass *found, const fmpq *given, struct mes
     m.digits = 9; /* a millionth of a step and some to spare */
     for (int cut = 0; cut < 6; cut++) {
         struct pass p = {.motion = &m, .is_static = found->is_static};
-        double reached;
-        for (int i = 0; i <= 10; i++) {
-            fmpq_sub(times + i, after, before);
-            fmpq_set_si(tenth, i, 10);
-            fmpq_mul(times + i, times + i, tenth);
-            fmpq_add(times + i, times + i, before);
-        }
-        run_pass(&p, times, 11, &reached);
+        fmpq_sub(tenth, after, before);
+        fmpq_div_fmpz(tenth, tenth, (fmpz[]){10});
+        fmpq_set(times, before);
+        for (int i = 1; i <= 10; i++)
+            fmpq_add(times + i, times + i - 1, tenth);
+        run_pass(&p, times, 11);
         if (!p.outside || p.done == 0)
             break;
         fmpq_set(before, times + p.done - 1);
@@ -291,10 +289,9 @@ int motion_rows(const struct motion *m, const fmpq *times, slong count, row_rece
                 void *context, struct message *why)
 {
     struct pass p = {.motion = m, .is_static = starts_static(m->scenario), .receive = receive, .context = context};
-    double reached = 0.0;
     if (m->most_pieces > 0)
         return motion_set_rows(m, times, count, receive, context, why);
-    enum flow_status status = run_pass(&p, times, count, &reached);
+    enum flow_status status = run_pass(&p, times, count);
     if (p.outside)
         say_crossing(&p, times, why);
     else if (p.undecided)
@@ -302,6 +299,6 @@ int motion_rows(const struct motion *m, const fmpq *times, slong count, row_rece
     else if (status == FLOW_DONE || p.stopped)
         return 0;
     else
-        message_set(why, "%s, last proved time %.9g s", flow_status_text(status), reached);
+        message_set(why, "%s, last proved time %.9g s", flow_status_text(status), p.reached);
     return -1;
 }
