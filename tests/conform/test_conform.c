@@ -86,6 +86,7 @@ static const struct oracle_run faults[] = {
     {THREE "crash", 1, " 1 crash\n"},
     {THREE "exit-3", 1, "\nthe client ended with exit status 3 after 111 of 111 answers\n"},
     {"--only eq38 -- sh -c '\"$0\"; kill -SEGV $$' FAULTY", 1, "\nthe client ended with signal 11 after 27 of 27 answers\n"},
+    {"--only eq07 --random 5000 --seed 1 -- sh -c 'exec <&-; sleep 0.2'", 1, "\nthe client ended after 0 of 5364 answers\n"}, /* it listens no more */
     {THREE "truncated", 1, "\nthe client ended after 10 of 111 answers\n"},
     {THREE "truncated", 1, "  first truncated: eq07-random-7 -1.3\n    the last line has no LF\n"},
     {THREE "malformed", 1, "  first malformed: eq07-random-7 1.5 oops\n    'oops' is no number\n"},
@@ -415,7 +416,7 @@ static const struct oracle_run written[] = {
     {WRITES("r.json", "--only eq38", COMPLAINS("{ echo one; sleep 0.1; echo two; }", "none")), 0, "\"errors\": \"one\\ntwo\\n\""},
     {"--only eq38 --report \"$CT_BUILD/tests/r.json\" -- " COMPLAINS("{ printf %3000s; sleep 0.1; echo end; }", "none")
      " >/dev/null; sed -n 's/.*\"errors\": \"\\( *end\\\\n\\)\".*/\\1/p' \"$CT_BUILD/tests/r.json\" | wc -c", 0, "2002\n"},
-    {WRITES("r.json", "--only eq38", COMPLAINS("printf \"before\\000after\"", "none")), 0, "\"errors\": \"before\\u0001after\""},
+    {WRITES("r.json", "--only eq38", COMPLAINS("printf \"before\\000after\\000\"", "none")), 0, "\"errors\": \"before\\u0001after\\u0001\""},
     {WRITES("r.xml", "--only eq07,eq38", COMPLAINS("printf \"<>&\\042\\047\\134\\001\\n\"", "skip")), 1,
      "&#60;&#62;&#38;&#34;'\\?\n|name=\"eq07-paper\"><skipped message=\"skipped\"/></testcase>"},
     {WRITES("r.json", "--only eq07,eq38", COMPLAINS("printf \"<>&\\042\\047\\134\\001\\n\"", "skip")), 1, "<>&\\\"'\\\\\\u0001\\n|\"passed\": 0, \"failed\": 0, \"expected\": 0, \"skipped\": 78, "},
