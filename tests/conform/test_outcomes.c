@@ -1131,19 +1131,20 @@ EACH(a_kind_of_mistake_fits_every_vector, KINDS)
 }
 
 /*
- * Of (32), where S = 3 I: twice the value is told by vectors; I (1 + 2^-48), where E = K, by none, which no bound decides; I itself does no
- * harm; and without mistakes the random vectors pin nothing.
+ * Of (32), where S = 3 I: twice the value is told by every vector, and so is, as the last one, three times; I (1 + 2^-48), where E = K, by
+ * none, which no bound decides; I itself does no harm; and without mistakes the random vectors pin nothing.
  */
 EACH(the_kill_table_is_complete, 4)
 {
-    static const char *const formulas[] = {"2*I", "I*(1 + 2^-48)", "I + 0", NULL};
+    static const char *const formulas[] = {"3*I", "I*(1 + 2^-48)", "I + 0", NULL};
     struct sheet alone = *sheet();
     struct section s = *section_find(sheet(), "eq32");
-    struct known_mistake m = {.name = "somebody's", .changes = {{PLACE_OUTPUT, "I", formulas[_i]}}, .count = 1};
-    s.mistakes = &m;
-    s.mistake_count = formulas[_i] != NULL;
+    struct known_mistake own = {.name = "twice", .changes = {{PLACE_OUTPUT, "I", "2*I"}}, .count = 1};
+    struct known_mistake last = {.name = "somebody's", .changes = {{PLACE_OUTPUT, "I", formulas[_i]}}, .count = 1};
+    s.mistakes = &own;
+    alone.mistakes = &last;
     s.sheet = &alone;
-    alone.mistake_count = formulas[_i] != NULL ? alone.mistake_count : 0;
+    s.mistake_count = alone.mistake_count = formulas[_i] != NULL;
     fflush(stdout);
     const int ends[] = {dup(STDOUT_FILENO), dup(STDERR_FILENO)}, nowhere = open("/dev/null", O_WRONLY);
     ck_assert(dup2(nowhere, STDOUT_FILENO) >= 0 && dup2(nowhere, STDERR_FILENO) >= 0 && close(nowhere) == 0);
