@@ -346,6 +346,8 @@ EACH(numbers_of_claims_are_balls, COUNT(computed))
     for (int i = 0; computed[_i].names[i] != NULL; i++) {
         computed_number(c, computed[_i].names[i], x);
         ck_assert_msg(arb_is_finite(x) && !arb_is_exact(x) && arb_rel_accuracy_bits(x) > 8, "%s", computed[_i].names[i]);
+        if (_i == 2 && computed[_i].names[i][0] != 'l') /* of motions of 5 digits, as of 40 to 60 bits near the start; the law has more */
+            ck_assert_msg(arb_rel_accuracy_bits(x) < 70, "%s", computed[_i].names[i]);
     }
     if (_i == 2) {
         computed_number(c, "amplitude_best", x);
