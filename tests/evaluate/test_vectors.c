@@ -274,6 +274,21 @@ TEST(four_shards_are_one_run)
     free(whole);
 }
 
+/* Header, numbers, sensitivities and flags, to the byte: of a formula, of roots and of a motion, inside and outside. */
+EACH(golden_vectors_are_printed_as_the_files_have_them, 4)
+{
+    static const char *const ids[] = {"eq02", "eq21", "eq41roots", "flow_linear"};
+    static char due[1 << 20];
+    char arguments[64], path[64];
+    snprintf(arguments, sizeof arguments, "%s --golden", ids[_i]);
+    snprintf(path, sizeof path, "data/golden/%s.csv", ids[_i]);
+    FILE *file = fopen(path, "r");
+    ck_assert_ptr_nonnull(file);
+    due[fread(due, 1, sizeof due - 1, file)] = '\0';
+    fclose(file);
+    ck_assert_str_eq(printed(arguments), due);
+}
+
 TEST(a_seed_has_64_bits)
 {
     ck_assert_ptr_nonnull(strstr(printed("eq43 --count 1 --seed 18446744073709551615"), "\neq43-18446744073709551615-0,"));
