@@ -580,13 +580,6 @@ EACH(an_interrupt_leaves_no_process_behind, 4)
     ck_assert(!runs(process) && !runs(child));
 }
 
-/* Nor while nobody reads what the client complains of. */
-TEST(an_interrupt_waits_for_no_reader)
-{
-    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -f ended && { \"$CT_PROGRAM\" conform --only eq38 -- sh -c 'kill -TERM $PPID; exec yes >&2' "
-                            "2>&1 >/dev/null; : >ended; } | { sleep 3; test -f ended; }"), 0);
-}
-
 /* What is ignored, as in the background, interrupts nothing: the client ends by itself and is judged. */
 TEST(an_interrupt_that_is_ignored_does_nothing)
 {
