@@ -728,6 +728,8 @@ EACH(F8_each_of_the_three_bounds_is_proved, 9)
         proved++;
     }
     ck_assert_int_gt(proved, 0);
+    const double halved = expansion_prove(&e, &set, 1, 32); /* what was proved, and no more */
+    ck_assert(halved > 0 && halved < 1 && ldexp(1, (int)lround(log2(halved))) == halved);
 }
 
 /* A gain of anything to 1e300 bears no step of 2^-37 radians: no row, not even one that soon. */
