@@ -498,14 +498,15 @@ EACH(motions_are_those_of_the_golden_vectors, 2 * sheet()->section_count)
     const struct section *s = operation_at(_i / 2);
     struct message why;
     char path[64], *outputs[MOST_OUTPUTS];
-    double values[MOST_INPUTS], due[MOST_OUTPUTS];
+    double values[MOST_INPUTS] = {0}, due[MOST_OUTPUTS] = {0};
+    int rows = 0;
     if (s->method < METHOD_FLOW_LINEAR)
         return;
     snprintf(path, sizeof path, "data/golden/%s.csv", s->id);
     FILE *file = fopen(path, "r");
     struct csv c = csv_on(file, path, 100000);
     ck_assert_int_eq(csv_next(&c, &why), CSV_ROW);
-    for (int rows = 0; csv_next(&c, &why) == CSV_ROW && (_i % 2 == 1 || rows == 0);)
+    while (csv_next(&c, &why) == CSV_ROW && (_i % 2 == 1 || rows == 0))
         if (*c.cells[1 + s->input_count] != '\0') {
             for (int i = 0; i < s->input_count; i++)
                 values[i] = strtod(c.cells[1 + i], NULL);
@@ -513,6 +514,7 @@ EACH(motions_are_those_of_the_golden_vectors, 2 * sheet()->section_count)
                 due[i] = strtod(c.cells[1 + s->input_count + i], NULL);
             rows++;
         }
+    ck_assert_int_gt(rows, 0);
     csv_clear(&c);
     fclose(file);
     INPUTS(inputs);
