@@ -194,6 +194,8 @@ static const struct {
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r < 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a", "r: {root: 3/2 - y, on: {y: [1, 2]}}\n    a: r > 3/2", VERDICT_NONE, false, "'a' is found neither true nor false"},
     {"a", "run: {compute: escaping_10}\n    a: run.at_nowhere_0 < 0", VERDICT_NONE, false, "t:8:8: c comes out as 'undecided', its evidence is written for 'holds': 'a' is found neither"},
+    {"a, refuted: not a", "a: L > 0", VERDICT_NONE, false, "'a' is found neither true nor false"}, /* nor is what is undecided refuted */
+    {"a, refuted: not a", "a: dL < 2", VERDICT_NONE, false, "'a' is true by a bound that is not within ten"},
     {"a, refuted: not a", "a: dL < 0", REFUTED, false, "t:7:8: c comes out as 'refuted', its evidence is written for 'holds': 'a' is false"},
     {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    a: {show: x > 1, at: {x: r}}", HOLDS, true, ""}, /* r serves a by way of x, */
     {"a", "r: {root: y^2 - 2, on: {y: [1, 2]}}\n    t: {root: t - r, on: {t: [1, 2]}}\n    a: t > 1", HOLDS, true, ""}, /* of t */
@@ -563,6 +565,7 @@ static enum verdict verdict_on(const struct section *s, const char *equation, st
     struct verdict_row row = {.id = s->id};
     verdict_on_equation(&row, &proofs, claims, s, equation);
     ck_assert(row.verdict == VERDICT_NONE || (row.why.plain.length > 0) == (row.verdict < HOLDS));
+    ck_assert_int_eq(row.how, claims != NULL && strcmp(equation, "7") == 0 ? CERTIFIED : EXACT); /* by one of the claims on it */
     verdict_row_clear(&row);
     return row.verdict;
 }
@@ -657,8 +660,8 @@ TEST(an_equation_is_as_weak_as_the_weakest_claim_on_it)
         int length = 0;
         for (int k = 0; k < 2; k++)
             length += snprintf(text + length, sizeof text - (size_t)length, "%c:\n  where: here\n  kind: beyond\n  claim: it is so\n  why: so\n"
-                               "  equations: ['7']\n  verdict: %s\n  prove: {a: dL > 0}\n  evidence: so\n", 'c' + k,
-                               k == 0 ? claims[i].first : claims[i].second);
+                               "  equations: ['7']\n  verdict: %s\n  prove: {a: %s > 0}\n  evidence: so\n", 'c' + k,
+                               k == 0 ? claims[i].first : claims[i].second, k == (int)i % 2 ? "exp(dL) - 1" : "dL");
         read_claim(&s, text);
         ck_assert_int_eq(verdict_on(section_find(proofs.sheet, "eq07"), "7", &s), claims[i].verdict);
         ck_assert_int_eq(verdict_on(section_find(proofs.sheet, "eq18"), "18", &s), HOLDS);
