@@ -361,7 +361,8 @@ EACH(what_is_not_proved_is_not_given, COUNT(measured))
     SCOPE(arb, x);
     computed_ask(c, measured[_i].name);
     computed_number(c, measured[_i].name, x);
-    ck_assert_int_eq(arb_is_finite(x) && !arb_is_exact(x), measured[_i].given);
+    ck_assert_int_eq(arb_is_finite(x), measured[_i].given);
+    ck_assert(!arb_is_exact(x));
     computed_number(c, "at_theta", x);
     ck_assert(!arb_is_finite(x)); /* not asked for before it ran */
     computed_free(c);

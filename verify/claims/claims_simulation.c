@@ -24,21 +24,23 @@ struct request {
 
 /* ---- measures: false where nothing is proved ---- */
 
-/* What the energy at a sample allows from then on, for ever. */
-static bool reach_from(arb_t x, const struct trajectory *t, int which, slong k)
+/* What the energy at a sample allows from then on, for ever; no number where that is nothing. */
+static void reach_from(arb_t x, const struct trajectory *t, int which, slong k)
 {
     OWNED(bounds) b;
     bounds_init(&b);
-    const bool bounded = trajectory_bounds(&b, t, k);
-    arb_set(x, b.of[which]);
-    return bounded;
+    if (trajectory_bounds(&b, t, k))
+        arb_set(x, b.of[which]);
+    else
+        arb_indeterminate(x);
 }
 
 /* Whether the last sample's energy allows no more than a limit. */
 static bool stays_below(const arb_t limit, const struct request *r)
 {
     SCOPE(arb, after);
-    return reach_from(after, r->of, r->which, r->of->count - 1) && arb_lt(after, limit);
+    reach_from(after, r->of, r->which, r->of->count - 1);
+    return arb_lt(after, limit);
 }
 
 /* The largest size or, beside another motion, difference, on samples, ... */
@@ -62,7 +64,8 @@ static bool ever(arb_t x, const struct request *r)
 
 static bool bound(arb_t x, const struct request *r)
 {
-    return reach_from(x, r->of, r->which, r->from);
+    reach_from(x, r->of, r->which, r->from);
+    return true;
 }
 
 static bool value_of_sample(arb_t x, const struct request *r)
@@ -118,14 +121,13 @@ static bool settled(arb_t hours, const struct request *r)
 static bool part(arb_t x, const struct request *r)
 {
     SCOPE(arb, left, y);
-    bool bounded = true;
-    for (slong k = r->from; k <= r->to && bounded; k++) {
-        bounded = reach_from(left, r->beside, r->which, k);
+    for (slong k = r->from; k <= r->to; k++) {
+        reach_from(left, r->beside, r->which, k);
         trajectory_peak(y, r->of, r->beside, r->which, k, k);
         arb_div(y, y, left, MEASURE_BITS);
         arb_max(x, x, y, MEASURE_BITS);
     }
-    return bounded;
+    return true;
 }
 
 /* The changes of sign that samples prove at least; of a rate, the turning points. */
