@@ -276,7 +276,7 @@ EACH(E1_and_E2_a_root_is_a_ball, 8)
  */
 #define RESIDUAL(d) (4 * (d) * (d) / 154 * 0x1p53)
 
-EACH(E5_a_double_root_is_judged_by_its_residual, 7)
+EACH(E5_a_double_root_is_judged_by_its_residual, 8)
 {
     static const struct {
         double y[8]; /* the last two: 0 for the root itself */
@@ -285,6 +285,7 @@ EACH(E5_a_double_root_is_judged_by_its_residual, 7)
         {{-1, 0, -1, 0}, 0, 1},
         {{-1 - 0x1p-24, 0, -1 + 0x1p-24, 0}, RESIDUAL(0x1p-24), RESIDUAL(0x1p-24)},
         {{-1, 0x1p-24, -1, -0x1p-24}, RESIDUAL(0x1p-24), RESIDUAL(0x1p-24)},
+        {{-1 - 0x1p-24, -0x1p-24, -1 + 0x1p-24, 0x1p-24}, 2 * RESIDUAL(0x1p-24), 2 * RESIDUAL(0x1p-24)}, /* p = 8 i d^2 */
         {{-1 - 0x1p-20, 0, -1 + 0x1p-20, 0}, RESIDUAL(0x1p-20), RESIDUAL(0x1p-20)},
         {{-0.75, 1, -1, 0}, 1e12, INFINITY},
         {{-0.75, 1.9843134832984430, -1, 0}, INFINITY, INFINITY}, /* the simple root in its place */

@@ -45,6 +45,7 @@ static const struct box boxes[] = {
     {{{SET_psi_dot, "1e-6", "1e-7"}, {SET_theta_dot, "-1e-6", "1e-7"}, {SET_dL_dot, "1e-5", "1e-6"}, {SET_m2, "100", "2"},
       {SET_L_ref, "10", "0.01"}}, 21600, 40, 1.5},
     {{{SET_C1, "6e-8", "1e-9"}, {SET_C2, "1.5e-4", "1e-6"}}, -20000, 12, 1.6},
+    {{{SET_psi, "0.1", "0"}, {SET_dL, "0.5", "0"}, {SET_m1, "150", "75"}}, 5000, 12, 2.5},
     {{PLACE("0", "0")}, 259200, 1, HUGE_VAL},
 };
 
@@ -523,6 +524,23 @@ TEST(the_rows_of_a_set_are_the_same_whoever_follows_its_pieces)
     for (slong i = 0; i < alone.count * SET_BOUNDS; i++)
         ck_assert(arb_equal(rows + i, others + i));
     ck_assert_int_eq(flow_set(&set, times, ROWS, stop_at, &second, &reached), FLOW_STOPPED);
+}
+
+/* Two halves, of which the lower takes the shorter steps and is lost first */
+TEST(a_set_is_proved_as_far_as_both_its_halves)
+{
+    double reached[3];
+    SCOPE(fmpq, time);
+    fmpq_set_si(time, 100, 1);
+    for (int half = -1; half <= 1; half++) {
+        OWNED(flow_set) set;
+        start_term(&set, COUNT(terms) - 2);
+        set.most_pieces = half == 0 ? 2 : 1;
+        for (int v = 0; v < SET_MODELS && half != 0; v++)
+            model_halve(&set.model[v], 0, half);
+        ck_assert_int_eq(flow_set(&set, time, 1, NULL, NULL, &reached[1 + half]), FLOW_WIDE);
+    }
+    ck_assert_msg(reached[1] <= reached[0] && reached[0] < reached[2], "%g of %g and %g", reached[1], reached[0], reached[2]);
 }
 
 /* 2^-16 radians a step, of series that cost little, are too short for a radian. */
