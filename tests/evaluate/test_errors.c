@@ -174,6 +174,17 @@ EACH(E6_mpfr_is_inside_for_every_output, sheet()->section_count)
     }
 }
 
+/* Where MPFR has no numbers so large all that (7) divides is infinite, and its value NaN: outside, of each input. */
+TEST(E6_every_input_counts)
+{
+    const mpfr_exp_t most = mpfr_get_emax();
+    struct measured m;
+    mpfr_set_emax(-1000);
+    measure_errors(&m, section_find(sheet(), "eq07"), 5, 1);
+    mpfr_set_emax(most);
+    ck_assert_int_eq(m.outside, 5);
+}
+
 /* (15) where (7) holds the craft at rest: of what is left S is 2^50 times, and so are MPFR's roundings. Inside, for S is in the room. */
 TEST(E6_the_room_of_mpfr_has_S)
 {

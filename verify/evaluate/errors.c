@@ -288,7 +288,7 @@ bool mpfr_inside(const struct operation *o, const struct input *inputs, arb_srcp
         arb_add(room, room, S + i, TRUTH_BITS);
         arb_mul_2exp_si(room, room, 16 - 2 * TRUTH_BITS); /* 2^16 roundings: far more than a formula has */
         arb_add_error(value, room);
-        inside = inside && arb_overlaps(value, exact + i);
+        inside = inside && arf_is_finite(arb_midref(value)) && arb_overlaps(value, exact + i); /* a ball of NaN overlaps all */
     }
     return inside;
 }
