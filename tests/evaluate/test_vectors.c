@@ -393,10 +393,12 @@ TEST(the_longest_input_has_all_its_digits)
     ck_assert(strtod(text, NULL) == 2.2250738585072009e-308);
 }
 
-TEST(a_subexpression_out_of_range_is_flagged)
+/* m1 m2/(m1 + m2) L^2 of (32): m1 m2 is 1e-400, or 1e-160, inside the range if not far; or all is 1e310, and no part of it. */
+EACH(a_subexpression_out_of_range_is_flagged, 3)
 {
-    const struct section *s = section_find(sheet(), "eq32"); /* m1 m2/(m1 + m2) L^2 */
-    const char *texts[] = {"1e-200", "1e-200", "1e100"};
+    static const char *const flagged[][4] = {{"1e-200", "1e-200", "1e100", ",range here\n"}, {"1e-80", "1e-80", "1e80", ",here\n"},
+                                             {"2e10", "2e10", "1e150", ",range here\n"}};
+    const struct section *s = section_find(sheet(), "eq32");
     char line[200];
     FILE *file = tmpfile();
     ck_assert_ptr_nonnull(file);
@@ -404,7 +406,7 @@ TEST(a_subexpression_out_of_range_is_flagged)
     fflush(stdout);
     int kept = dup(1);
     dup2(fileno(file), 1);
-    bool fine = vector_print(&o, "x", texts, "here", INPUTS_SHORTEST);
+    bool fine = vector_print(&o, "x", flagged[_i], "here", INPUTS_SHORTEST);
     fflush(stdout);
     dup2(kept, 1);
     close(kept);
@@ -412,7 +414,7 @@ TEST(a_subexpression_out_of_range_is_flagged)
     ck_assert(fine);
     ck_assert_ptr_nonnull(fgets(line, sizeof line, file));
     fclose(file);
-    ck_assert_ptr_nonnull(strstr(line, ",range here\n"));
+    ck_assert_ptr_nonnull(strstr(line, flagged[_i][3]));
 }
 
 /* Omega^2 of (43), and n times that, at the least and the greatest normal numbers, 2^-1022 and 2^1024 (of floats 2^-126 and 2^128), and beside them. */

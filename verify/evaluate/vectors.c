@@ -139,14 +139,12 @@ bool vector_print(struct operation *o, const char *id, const char *const *texts,
 {
     const struct section *s = o->section;
     char *outputs[MOST_OUTPUTS] = {NULL}, *S[MOST_OUTPUTS] = {NULL};
-    const char *flag = "";
     INPUTS(inputs);
     const bool numbers = vector_read(s, texts, inputs);
     const enum operation_status status = numbers ? operation_digits(o, inputs, VECTOR_DIGITS, outputs) : OPERATION_INVALID;
+    const char *flag = status == OPERATION_INVALID ? "invalid" : "";
     bool fine = status != OPERATION_UNDECIDED;
-    if (status == OPERATION_INVALID) {
-        flag = "invalid";
-    } else if (fine && operation_has_sensitivity(s)) {
+    if (status == OPERATION_PROVED && operation_has_sensitivity(s)) {
         fine = sensitivity_texts(o, inputs, S);
         if (leaves_range(&o->machine, WELL_WITHIN) && vector_leaves_range(o, inputs, BINARY64))
             flag = "range";
