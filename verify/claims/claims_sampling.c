@@ -76,7 +76,7 @@ static void damped(struct computed *c)
 {
     enum { HOURS = 480, DIGITS = 5 };
     SCOPE(arb, c1, c2, a, amplitude, law, gap, tau, charge);
-    SCOPE(arb, swing, shift, product, sigma);
+    SCOPE(arb, swing, shift, product, sigma, third);
     SCOPE(acb, S);
     sheet_value(a, c->steps->sheet, "theta", SAMPLING_BITS);
     arb_set_ui(swing, 1);
@@ -88,6 +88,7 @@ static void damped(struct computed *c)
         set_gains(c1, c2, sampled_gains[k].n, sampled_gains[k].c2, SAMPLING_BITS);
         quadrature_reference(S, c1, c2, swing, a, SAMPLING_BITS);
         const bool proved = slow_run(&t, &o, s, c1, c2, S, a, HOUR, HOUR, HOURS * HOUR);
+        arb_div_ui(third, c1, 3, SAMPLING_BITS);
         arb_zero(gap);
         arb_zero(charge);
         for (slong i = 0; i < t.count; i++) {
@@ -101,9 +102,7 @@ static void damped(struct computed *c)
             arb_max(gap, gap, tau, SAMPLING_BITS);
             trajectory_value(product, &t, i, PRODUCT);
             moved_reference(sigma, S, trajectory_sample(&t, i), SAMPLING_BITS);
-            arb_mul(sigma, sigma, c1, SAMPLING_BITS);
-            arb_div_ui(sigma, sigma, 3, SAMPLING_BITS);
-            arb_sub(product, product, sigma, SAMPLING_BITS);
+            arb_submul(product, sigma, third, SAMPLING_BITS);
             arb_abs(product, product);
             arb_max(charge, charge, product, SAMPLING_BITS);
         }
