@@ -1296,6 +1296,7 @@ TEST(golden_motions_are_held_against_what_data_has)
     } cases[] = {{NULL, NULL, 0, OUTCOME_RIGHT},         {"", NULL, 0, OUTCOME_RIGHT}, {motions, NULL, 0, OUTCOME_RIGHT},
                  {text, NULL, 0, OUTCOME_RIGHT},         {text, outputs + 8, '0', OUTCOME_WRONG}, /* the eighth digit of x1 */
                  {text, outputs, 'x', OUTCOME_RIGHT}, {text, outputs, '5', OUTCOME_WRONG}, /* no number is no truth */
+                 {text, strchr(outputs, ',') + 1, 'x', OUTCOME_RIGHT},
                  {text, t, '2', OUTCOME_RIGHT} /* with that digit still, and of another time */};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         if (cases[i].at != NULL)
