@@ -194,7 +194,7 @@ static bool send_questions(struct client *c, struct test_run *run, struct outgoi
     return sent > 0;
 }
 
-/* Takes what there is; *enough when nobody wants to hear more of it, *answered when a line ended in it. */
+/* Takes what there is, and says whether there may be more; *enough when nobody wants to hear more of it, *answered when a line ended in it. */
 static bool hear_answers(struct client *c, struct test_run *run, bool *enough, bool *answered)
 {
     char bytes[ANSWERS];
@@ -207,7 +207,7 @@ static bool hear_answers(struct client *c, struct test_run *run, bool *enough, b
     } else if (!is_passing(errno)) { /* LCOV_EXCL_LINE: a failing system call, make faults */
         c->why = errno;              /* LCOV_EXCL_LINE: a failing system call, make faults */
     }
-    return got > 0;
+    return got > 0 || (got < 0 && errno == EINTR);
 }
 
 /* What an ended client has left in its pipe, which somebody else may still hold open. */
