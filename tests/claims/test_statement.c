@@ -444,6 +444,7 @@ static const struct {
     {"a: dL > 0", "a: {show: eq05.x1 - eq05.x2 = L, on: {x: [0, 1]}}", "t:7:15: expected no at and no on"},
     {"a: dL > 0", "a: {show: x = 1, on: {x: [0, 1]}, at: {m: 1}}", "t:7:15: expected no at and no on"},
     {"a: dL > 0", "a: {show: [eq05.x1 - eq05.x2 = L], at: {x: 1}}", "t:7:15: expected no at and no on"},
+    {"a: dL > 0", "a: {algebra: u + 1 = 1 + u, free: [u, u_dot], rates: {u: v}}", "unknown symbol 'v', expected name: its rate"},
     {"a: dL > 0", "a: []", "t:7:8: expected equalities"},
     {"a: dL > 0", "a: {show: []}", "t:7:15: expected equalities"},
     {"a: dL > 0", "a: {algebra: []}", "t:7:18: expected equalities"},
