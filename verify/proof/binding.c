@@ -45,7 +45,7 @@ static void add_outputs(const struct section *s, const char *number, const char 
 {
     for (int i = 0; i < s->output_count && s->method == METHOD_FORMULA && *count < MOST_PARTS; i++) {
         const char *equation = output_equation(s, i, NULL);
-        const bool of_number = number == NULL || is_part_of_number(number, equation);
+        const bool of_number = number == NULL || (equation != NULL && is_part_of_number(number, equation));
         if (of_number && (name == NULL || strcmp(name, s->outputs[i]->name) == 0))
             parts[(*count)++] = (struct entry_part){s, &s->corrected, s->corrected.outputs[i], s->outputs[i]->name, equation};
     }
