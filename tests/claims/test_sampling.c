@@ -153,6 +153,25 @@ EACH(H3_D3_limits_of_few_bits_hold_those_of_many, COUNT(gains))
     ck_assert_int_ge(found, COUNT(few));
 }
 
+/* One gain of an interval after the other: the limits at its ends lie in that of all of it. */
+EACH(H3_D3_limits_of_an_interval_hold_those_of_its_ends, 2 * COUNT(gains) + 2)
+{
+    SCOPE(arb, whole, exact);
+    VECTOR(arb, c, 2);
+    const bool last = _i / 2 == COUNT(gains); /* gains of which the crossing hardly rests on c2 */
+    const double of[] = {last ? 1000 : gains[_i / 2].c1, last ? 0.5 : gains[_i / 2].c2}, off = ldexp(of[_i % 2], -20);
+    for (int k = 0; k < 2; k++)
+        arb_set_d(c + k, of[k]);
+    mag_set_d(arb_radref(c + _i % 2), 1.001 * off);
+    largest_delay(whole, c, c + 1, BITS);
+    ck_assert(arb_is_finite(whole));
+    for (int end = -1; end <= 1; end += 2) {
+        arb_set_d(c + _i % 2, of[_i % 2] + end * off);
+        largest_delay(exact, c, c + 1, BITS);
+        ck_assert(arb_contains(whole, exact));
+    }
+}
+
 TEST(H3_D3_what_few_bits_do_not_prove_stays_open)
 {
     SCOPE(arb, c1, c2, longest);
