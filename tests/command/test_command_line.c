@@ -707,11 +707,13 @@ EACH(verify_prints_tables, 5)
 
 CASE(command_line, NULL, NULL)
 
-EACH(a_full_disk_is_said_and_exits_1, 9)
+/* However much it is; a file is named as it was given. */
+EACH(a_full_disk_is_said_and_exits_1, 14)
 {
     static const char *const asks[] = {"table1", "figure 4", "equations", "trajectory linear",
                                        "eval eq38 GM=8 R_c=2", "--help", "vectors eq43 --golden",
-                                       "verify derivations kepler", "eval -"};
+                                       "verify derivations kepler", "eval -", "conform --questions", "vectors eq02 --golden -o /dev/full",
+                                       "equations --json -o /dev/full", "table1 -o /dev/full", "conform --questions -o /dev/full"};
     int full = open("/dev/full", O_WRONLY);
     ck_assert_int_ge(full, 0);
     input = "eq43 a 1 1\neq43 b 1 1\n";
@@ -719,7 +721,8 @@ EACH(a_full_disk_is_said_and_exits_1, 9)
     input = NULL;
     close(full);
     ck_assert_int_eq(lines(errors), 1);
-    ck_assert_ptr_nonnull(strstr(errors, "standard output"));
+    ck_assert_str_eq(errors, strstr(asks[_i], " -o ") ? "coulomb-tether: /dev/full: No space left on device\n"
+                                                      : "coulomb-tether: standard output: No space left on device\n");
 }
 
 /* What is printed elsewhere, byte for byte, and nothing of it here; a device is written as it is. */

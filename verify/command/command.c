@@ -9,6 +9,7 @@
 
 #include "text/decimal.h"
 #include "text/scope.h"
+#include "text/whole_file.h"
 
 int usage_error(int status, const char *format, ...)
 {
@@ -351,9 +352,8 @@ void print_list(const char *const *texts, int count, int width)
 
 int output_finished(void)
 {
-    if (fflush(stdout) == 0 && !ferror(stdout))
-        return EXIT_DONE;
-    if (errno == EPIPE) /* the reader has seen enough */
+    const int why = stream_error(stdout);
+    if (why == EPIPE) /* the reader has seen enough */
         return EXIT_FAILED_CHECK;
-    return usage_error(EXIT_FAILED_CHECK, "standard output: %s", strerror(errno));
+    return why == 0 ? EXIT_DONE : usage_error(EXIT_FAILED_CHECK, "standard output: %s", strerror(why));
 }

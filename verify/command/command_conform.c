@@ -14,6 +14,7 @@
 #include "conform/diagnosis.h"
 #include "conform/report.h"
 #include "text/csv.h"
+#include "text/whole_file.h"
 
 /* Digits that a motion has to reach unless --digits says otherwise; PROTOCOL.md has the reasons. */
 static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;
@@ -196,13 +197,14 @@ static int print_report(struct test_run *e, const struct arguments *a, const cha
     const struct totals sum = report_totals(e, -1);
     const char *name = report_name(a);
     const struct report r = {e, client, errors, (double)clock() / CLOCKS_PER_SEC, option_given(a, "--all")};
-    if (e->journal != NULL && (fflush(e->journal) != 0 || ferror(e->journal)))
-        return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only on a full disk */
+    int why = e->journal != NULL ? stream_error(e->journal) : 0;
+    if (why != 0)
+        return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(why)); /* LCOV_EXCL_LINE: only on a full disk */
     report_text(&r, stdout);
     int status = output_finished();
     if (e->journal_error != 0)
         return usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(e->journal_error)); /* LCOV_EXCL_LINE: only on a failing disk */
-    const int why = name != NULL ? report_write(&r, name) : 0;
+    why = name != NULL ? report_write(&r, name) : 0;
     if (why != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
     if (sum.failed + sum.passed + sum.expected == 0)

@@ -38,7 +38,7 @@ static int run_into(const struct arguments *a, const char *name)
         struct whole_file f = whole_file_open(name);
         while (f.file != NULL && (size = fread(bytes, 1, sizeof bytes, kept)) > 0)
             fwrite(bytes, 1, size, f.file);
-        why = whole_file_close(&f, !ferror(kept));
+        why = whole_file_close(&f, ferror(kept) ? EIO : 0);
     }
     if (kept != NULL)
         fclose(kept);

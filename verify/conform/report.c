@@ -575,6 +575,5 @@ int report_write(const struct report *r, const char *name)
         test_run_rewind(r->run);
         (report_format(name) == REPORT_XML ? write_xml : write_json)(r, f.file);
     }
-    const int why = whole_file_close(&f, r->run->journal_error == 0);
-    return r->run->journal_error != 0 ? r->run->journal_error : why;
+    return whole_file_close(&f, r->run->journal_error);
 }

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -16,6 +17,15 @@ static bool is_standard_output(const struct stat *there)
     struct stat out;
     return (fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) != O_RDONLY && fstat(STDOUT_FILENO, &out) == 0 &&
            out.st_dev == there->st_dev && out.st_ino == there->st_ino;
+}
+
+int stream_error(FILE *file)
+{
+    const bool failed = ferror(file) != 0;
+    bool fine = fflush(file) == 0;
+    if (fine && failed) /* some write before, whose errno is gone: another one says it */
+        fine = fputc('\n', file) != EOF && fflush(file) == 0;
+    return !fine ? errno : failed ? EIO : 0;
 }
 
 struct whole_file whole_file_open(const char *name)
@@ -51,16 +61,15 @@ struct whole_file whole_file_open(const char *name)
     return f;
 }
 
-int whole_file_close(struct whole_file *f, bool fine)
+int whole_file_close(struct whole_file *f, int why)
 {
-    errno = 0;
     if (f->file != NULL) {
-        const bool written = !ferror(f->file) && fine;
-        if (fclose(f->file) != 0 || !written || (f->unfinished != NULL && rename(f->unfinished, f->name) != 0)) {
-            f->why = errno != 0 ? errno : EIO;
-            if (f->unfinished != NULL)
-                remove(f->unfinished);
-        }
+        f->why = why != 0 ? why : stream_error(f->file);
+        const bool closed = fclose(f->file) == 0;
+        if (f->why == 0 && (!closed || (f->unfinished != NULL && rename(f->unfinished, f->name) != 0)))
+            f->why = errno;
+        if (f->why != 0 && f->unfinished != NULL)
+            remove(f->unfinished);
     }
     free(f->unfinished);
     free(f->name);

@@ -5,7 +5,6 @@
 #ifndef CT_WHOLE_FILE_H
 #define CT_WHOLE_FILE_H
 
-#include <stdbool.h>
 #include <stdio.h>
 
 struct whole_file {
@@ -14,10 +13,13 @@ struct whole_file {
     int why;                 /* the errno of its opening */
 };
 
+/* Everything written to it is out: 0, or the errno that says why not. */
+int stream_error(FILE *file);
+
 /* A new file beside that name, and never one that is there: that is somebody else's, or leads elsewhere. */
 struct whole_file whole_file_open(const char *name);
 
-/* Under its name now where it is fine and every write was; else nothing is left of it. 0, or the errno that says why. */
-int whole_file_close(struct whole_file *f, bool fine);
+/* Under its name now where every write was fine, and `why` is 0; else nothing is left of it. 0, or the errno that says why. */
+int whole_file_close(struct whole_file *f, int why);
 
 #endif
