@@ -14,7 +14,7 @@
 
 extern char **environ;
 
-enum { QUESTIONS = 1 << 16, ANSWERS = 1 << 12 }; /* a pipe that polls as ready takes 4096 bytes at once */
+enum { PIPEFUL = 1 << 16, ANSWERS = 1 << 12 }; /* what a pipe holds; and what one that polls as ready takes at once */
 
 static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 enum { INTERRUPTS = sizeof interrupts / sizeof *interrupts };
@@ -125,7 +125,7 @@ static double pass_on(const struct client *c, const char *bytes, size_t size)
     double blocked = 0.0;
     while (size > 0 && !is_interrupted(c)) {
         const int ready = poll(&end, 1, SLICE);
-        const ssize_t step = ready == 0 ? 0 : write(2, bytes, size);
+        const ssize_t step = ready == 0 ? 0 : write(2, bytes, size < ANSWERS ? size : ANSWERS);
         if (step < 0)
             break;
         blocked += ready == 0 ? 1e-3 * SLICE : 0.0;
@@ -138,23 +138,20 @@ static double pass_on(const struct client *c, const char *bytes, size_t size)
 /* Standard error: on to ours, its last part kept as text. Seconds in which ours was not read. */
 static double hear_errors(struct client *c)
 {
-    char bytes[ANSWERS];
-    double blocked = 0.0;
-    for (int pipeful = 0; pipeful < 16; pipeful++) {
-        ssize_t got = read(c->errors, bytes, sizeof bytes);
-        if (got == 0 || (got < 0 && !is_passing(errno)))
-            close_end(&c->errors);
-        if (got <= 0)
-            return blocked;
-        blocked += pass_on(c, bytes, (size_t)got);
-        for (ssize_t i = 0; i < got; i++)
-            bytes[i] = bytes[i] == '\0' ? '\1' : bytes[i]; /* which would end the text; neither is printable */
-        const size_t size = (size_t)got > CLIENT_TAIL ? CLIENT_TAIL : (size_t)got;
-        const size_t keep = c->tail_length + size > CLIENT_TAIL ? CLIENT_TAIL - size : c->tail_length;
-        memmove(c->tail, c->tail + c->tail_length - keep, keep);
-        memcpy(c->tail + keep, bytes + got - size, size);
-        c->tail_length = keep + size;
-    }
+    static char bytes[PIPEFUL];
+    const ssize_t got = read(c->errors, bytes, sizeof bytes);
+    if (got == 0 || (got < 0 && !is_passing(errno)))
+        close_end(&c->errors);
+    if (got <= 0)
+        return 0.0;
+    const double blocked = pass_on(c, bytes, (size_t)got);
+    for (ssize_t i = 0; i < got; i++)
+        bytes[i] = bytes[i] == '\0' ? '\1' : bytes[i]; /* which would end the text; neither is printable */
+    const size_t size = (size_t)got > CLIENT_TAIL ? CLIENT_TAIL : (size_t)got;
+    const size_t keep = c->tail_length + size > CLIENT_TAIL ? CLIENT_TAIL - size : c->tail_length;
+    memmove(c->tail, c->tail + c->tail_length - keep, keep);
+    memcpy(c->tail + keep, bytes + got - size, size);
+    c->tail_length = keep + size;
     return blocked;
 }
 
@@ -173,7 +170,7 @@ static bool has_ended(const struct client *c)
 
 /* Questions on their way: bytes begin ... end - 1 of the room. */
 struct outgoing {
-    char room[QUESTIONS];
+    char room[PIPEFUL];
     size_t begin, end;
 };
 
