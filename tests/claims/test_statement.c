@@ -128,7 +128,7 @@ static const struct {
     {NULL, "a: {roots: exp(x), on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
     {NULL, "a: {roots: 1/x, on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
     {NULL, "a: {roots: sqrt(x) + 1, on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
-    {NULL, "a: {roots: x^-2, on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
+    {NULL, "a: {roots: 1/x^2, on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
     {NULL, "a: {roots: x - 1, on: {x: [sqrt(2)]}, count: 0}", UNDECIDED, EXACT},
     {NULL, "a: {roots: x - x, on: {x: [0]}, count: 0}", UNDECIDED, EXACT},
     /* I5: matrices */

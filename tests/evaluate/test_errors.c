@@ -116,12 +116,20 @@ TEST(E3_a_weight_that_may_be_zero_has_no_upper_bound)
     mag_set_d(arb_radref(exact), 0.5); /* y* in [-1/2, 1/2]: E at least 1/2 of 2^53/2.5 */
     E = error_in_roundings(y, exact, S, BINARY64);
     ck_assert(E.lower <= 0.5 / 2.5 * 0x1p53 && E.upper >= 1.5 / 2 * 0x1p53 && isfinite(E.upper));
+    for (int no_number = 0; no_number < 3; no_number++) {
+        arf_nan(y);
+        if (no_number > 0)
+            (no_number == 1 ? arf_pos_inf : arf_neg_inf)(y);
+        E = error_in_roundings(y, exact, S, BINARY64);
+        ck_assert(isinf(E.lower) && isinf(E.upper));
+    }
+    arf_one(y);
     arb_pos_inf(S);
     E = error_in_roundings(y, exact, S, BINARY64);
     ck_assert(isinf(E.lower) && isinf(E.upper));
-    arf_nan(y);
+    arb_add_si(exact, exact, 1, PREC); /* y* in [1/2, 3/2] may be y, where E is 0 whatever S */
     E = error_in_roundings(y, exact, S, BINARY64);
-    ck_assert(isinf(E.lower) && isinf(E.upper));
+    ck_assert(isinf(E.upper) && E.lower == 0);
 }
 
 /* eq04 has three outputs: whichever is off by eight, ten and twelve roundings, the worst of them counts, and is named; of equals the first. */

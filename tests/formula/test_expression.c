@@ -138,7 +138,6 @@ static const struct {
     {"--3", "3", 1},
     {"-2^2", "-4", 1},            /* the power binds closer than the sign */
     {"(-2)^2", "4", 1},
-    {"2^-2", "1/4", 1},
     {"2*3^2", "18", 1},
     {"0^0", "1", 1},
     {"1.5e1 - .5 + 5.", "39/2", 1},
@@ -157,7 +156,6 @@ static const struct {
     {"1/0", "division by what is zero at epsilon = 0", 1},
     {"0/0", "division by what is zero at epsilon = 0", 1},
     {"1/0 + 1", "division by what is zero at epsilon = 0", 1},
-    {"0^-1", "division by what is zero at epsilon = 0", 1},
     {"atan2(0, 0)", "division by what is zero at epsilon = 0", 1},
     {"sqrt(2)", "the square root of no square of a rational function", 1},
     {"1/sqrt(2)", "the square root of no square of a rational function", 1},
@@ -171,7 +169,7 @@ static const struct {
     {"exp(1)", "a value that is no rational series, or whose sign is not known", 1},
     {"positive(1)", "a value that is no rational series, or whose sign is not known", 1},
     {"1/(1 - e)", "1 1 1 1", 4},
-    {"(1 + e)^-2", "1 -2 3 -4", 4},
+    {"1/(1 + e)^2", "1 -2 3 -4", 4},
     {"e/(1/e)", "0 0 1 0", 4},                 /* 1/e is large: e times e */
     {"1/(1/(e + e^2))", "0 1 1 0", 4},
     {"exp(e)", "1 1 1/2 1/6", 4},
@@ -235,8 +233,9 @@ static const struct {
     {"1.2.3", 0, "expected a decimal number, found '1'"},
     {"1e", 0, "expected a decimal number, found '1'"},
     {"2^0.5", 3, "expected an operator or the end of the formula, found '.'"},
-    {"2^n", 2, "expected an integer exponent of at most three digits, found 'n'"},
-    {"2^1000", 2, "expected an integer exponent of at most three digits, found '1'"},
+    {"2^n", 2, "expected an exponent of at most three digits, found 'n'"},
+    {"2^1000", 2, "expected an exponent of at most three digits, found '1'"},
+    {"2^-2", 2, "expected an exponent of at most three digits, found '-'"},
     {"1 + bcdfgh", 4, "unknown symbol 'bcdfgh', expected an input or a named subexpression"},
     {"1 + xx", 4, "unknown symbol 'xx', expected an input or a named subexpression (did you mean 'x'?)"},
     {"sin 1", 4, "expected '(', found '1'"},
@@ -299,9 +298,9 @@ TEST(copy_is_independent_and_later_names_shadow)
 
 /* Every operator, alone and composed; the rates are those of set_inputs: x 1, y -2, a 7. */
 static const char *const differentiable[] = {
-    "-x", "x + y", "x - y", "x*y", "x/y", "y/x", "x^3", "x^-2", "x^0", "x^1", "sqrt(x)", "sqrt(x^3)",
+    "-x", "x + y", "x - y", "x*y", "x/y", "y/x", "x^3", "1/x^2", "x^0", "x^1", "sqrt(x)", "sqrt(x^3)",
     "sin(a)", "cos(a)", "exp(x - 9/4)", "sqrt(x)^3*cos(a)/(y + sin(a)) - exp(y - 5/3)^2",
-    "(x + y)*(x - y)/(x^2 + y^2)", "((x/y)^2 - 1/x)^-3", "cos(a + a)*sin(a - a + a)", "7", "x - x", "atan2(y, x)",
+    "(x + y)*(x - y)/(x^2 + y^2)", "1/((x/y)^2 - 1/x)^3", "cos(a + a)*sin(a - a + a)", "7", "x - x", "atan2(y, x)",
 };
 
 /* Numbers for the rates of the first inputs, appended: program_derivative() by them, all run at set_inputs(). */
@@ -424,7 +423,7 @@ TEST(inlined_program_takes_the_place_of_its_inputs)
  * Each function's ball has (1) its rounding, (2) what its arguments' radii make of it. Of thin arguments at 20 bits it holds what
  * 300 bits say, and no binary number of 20 bits is that; of wide ones what 300 bits say at their corners. MPFR says the same.
  */
-static const char *const of_balls[] = {"-x/3", "x + y/3", "x - y/3", "x*y/3", "x/y", "x^3/3", "x^-1", "x^-2", "x^0/3", "sqrt(x)", "sin(x)", "sin(x)*sin(x)/3",
+static const char *const of_balls[] = {"-x/3", "x + y/3", "x - y/3", "x*y/3", "x/y", "x^3/3", "1/x", "x^2/3", "x^0/3", "sqrt(x)", "sin(x)", "sin(x)*sin(x)/3",
                                        "cos(x)", "exp(x)", "log(x)", "atan2(y, x)", "atan2(-y, x)", "atan2(y, -x)", "atan2(y - 3, x)"};
 
 EACH(ball_of_each_function_has_rounding_and_radius, 2*COUNT(of_balls))
@@ -466,7 +465,6 @@ static const struct {
     {"y/x", INFINITY, INFINITY, 1, NAN},
     {"atan2(y, x)", -1, 0, 0, 0x1.921fb54442d18p+1}, /* the nearest double of pi */
     {"atan2(y, x)", 2, 0, 0, 0},
-    {"x^-1", 4, 0, 1, 0.25},
     {"y^0", 4, 0, 0, 1},
 };
 
@@ -578,7 +576,7 @@ EACH(function_without_value_is_an_unknown, COUNT(functions))
     open_running(&r, functions[_i].formula, &arithmetic_symbolic, 1);
     set_variables(&r, 1);
     arithmetic_symbolic.apply(OPERATOR_NEGATE, machine_value(&r.m, 1), machine_value(&r.m, 0), NULL, 0, 1);
-    symbolic_root(machine_value(&r.m, 1), true);
+    symbolic_root(machine_value(&r.m, 1));
     symbolic_set_angle(machine_value(&r.m, 2), 0, NULL);
     const struct symbolic *x = result_of(&r);
     ck_assert_int_eq(state(x), functions[_i].fault);

@@ -148,7 +148,7 @@ static const struct {
     {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 + y1^2", "20:26: ", "expected ')' or an operator, the formula ends here"},
     {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 + y1^2))", "20:27: ", "expected an operator or the end of the formula, found ')'"},
     {"sqrt(x1^2 + y1^2)", "sqrt(x1^2 ++ y1^2)", "20:21: ", "expected a number, a symbol or '(', found '+'"},
-    {"sqrt(x1^2 + y1^2)", "sqrt(x1^k + y1^2)", "20:18: ", "expected an integer exponent"},
+    {"sqrt(x1^2 + y1^2)", "sqrt(x1^k + y1^2)", "20:18: ", "expected an exponent"},
     {"sqrt(x1^2 + y1^2)", "[x1, y1]", "20:10: ", "expected a formula"},
     {"L: Omega*r\n", "L: Omega*R\n", "22:16: ", "unknown symbol 'R'"},
     {"L: Omega*r\n", "L: \"Omega*R\"\n", "22:17: ", "unknown symbol 'R'"},

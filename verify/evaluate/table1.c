@@ -1,5 +1,6 @@
 #include "evaluate/table1.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,11 +8,11 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-/* Significant digits of a printed number: those of its mantissa, leading zeros apart. */
+/* Significant digits of a printed number: those of its mantissa, leading zeros apart, before any e. */
 static long printed_digits(const char *printed)
 {
     long digits = 0;
-    for (const char *at = printed + strcspn(printed, "123456789"); *at != '\0' && *at != 'e'; at++)
+    for (const char *at = printed + strcspn(printed, "123456789"); isdigit((unsigned char)*at) || *at == '.'; at++)
         digits += *at != '.';
     return digits;
 }

@@ -24,7 +24,7 @@ enum operator
     OPERATOR_SUBTRACT,
     OPERATOR_MULTIPLY,
     OPERATOR_DIVIDE,
-    OPERATOR_POWER, /* to an integer */
+    OPERATOR_POWER, /* to 0, 1, 2 ... */
     OPERATOR_SQRT,
     OPERATOR_SIN,
     OPERATOR_COS,

@@ -1,8 +1,6 @@
 /* Rigorous enclosures: every result contains the exact one, whatever the inputs inside theirs. */
 #include "formula/arithmetic.h"
 
-#include <stdlib.h>
-
 static void ball_init(void *x, slong prec)
 {
     (void)prec;
@@ -70,14 +68,6 @@ static void ball_positive(arb_t z, const arb_t x, slong prec)
         arb_indeterminate(z);
 }
 
-/* The reciprocal of a wide ball, and a square, are sharper than products of it. */
-static void ball_power(arb_t z, const arb_t x, slong exponent, slong prec)
-{
-    if (exponent < 0)
-        arb_inv(z, x, prec);
-    arb_pow_ui(z, exponent < 0 ? z : x, (ulong)labs(exponent), prec);
-}
-
 static void (*const unary[])(arb_t, const arb_t, slong) = {
     [OPERATOR_NEGATE] = ball_negate, [OPERATOR_SQRT] = arb_sqrt, [OPERATOR_SIN] = arb_sin,           [OPERATOR_COS] = arb_cos,
     [OPERATOR_EXP] = arb_exp,        [OPERATOR_LOG] = arb_log,   [OPERATOR_POSITIVE] = ball_positive,
@@ -90,7 +80,7 @@ static void (*const binary[OPERATOR_POSITIVE + 1])(arb_t, const arb_t, const arb
 static void ball_apply(enum operator op, void *z, const void *x, const void *y, slong exponent, slong prec)
 {
     if (op == OPERATOR_POWER)
-        ball_power(z, x, exponent, prec);
+        arb_pow_ui(z, x, (ulong)exponent, prec); /* the square of a wide ball is sharper than a product */
     else if (binary[op] != NULL)
         binary[op](z, x, y, prec);
     else

@@ -256,14 +256,13 @@ static int parse_power(struct parser *s)
     int base = parse_primary(s);
     if (base < 0 || !parse_symbol(s, '^'))
         return base;
-    bool negative = parse_symbol(s, '-');
     skip_blanks(s);
     size_t n = strspn(s->at, "0123456789");
     if (n == 0 || n > 3)
-        return parse_refuse(s, "an integer exponent of at most three digits");
+        return parse_refuse(s, "an exponent of at most three digits");
     slong exponent = strtol(s->at, NULL, 10);
     s->at += n;
-    return program_append(s->program, OPERATOR_POWER, base, -1, negative ? -exponent : exponent);
+    return program_append(s->program, OPERATOR_POWER, base, -1, exponent);
 }
 
 static int parse_sign(struct parser *s)

@@ -34,7 +34,7 @@ static struct symbolic_field {
     bool large;
     struct opaque *opaque;
     quotient roots[MOST_ROOTS];
-    bool strict[MOST_ROOTS], used[MOST_ROOTS];
+    bool used[MOST_ROOTS];
     int root_count, kept_roots;
     clock_t start;
     char size[80]; /* what is too large in it */
@@ -121,7 +121,6 @@ const char *symbolic_fault_text(enum symbolic_fault fault)
         [SYMBOLIC_POLE] = "division by what is zero at epsilon = 0",
         [SYMBOLIC_NO_SQUARE] = "the square root of no square of a rational function",
         [SYMBOLIC_UNKNOWN_ROOT] = "a square root that is none of the step's square roots, up to its sign",
-        [SYMBOLIC_ZERO_ROOT] = "a series of a square root that may be zero",
         [SYMBOLIC_NUMBER_AS_ANGLE] = "the sine or cosine of a number that is no angle",
         [SYMBOLIC_ANGLE_AS_NUMBER] = "a finite angle outside sine and cosine",
         [SYMBOLIC_TRANSCENDENTAL] = "a value that is no rational series, or whose sign is not known",
@@ -200,12 +199,6 @@ static void divide(quotient *z, const quotient *x, const quotient *y)
         fmpz_mpoly_q_div(z, x, y, CTX);
 }
 
-bool symbolic_is_square(const fmpz_mpoly_t f)
-{
-    const double terms = (double)fmpz_mpoly_length(f, CTX);
-    return terms * terms <= MOST_TERMS && fmpz_mpoly_is_square(f, CTX);
-}
-
 /* ---- series: z is zero before, and is not x or y ---- */
 
 static void quotient_product(quotient *z, const quotient *x, const quotient *y, slong terms)
@@ -233,21 +226,13 @@ static void exchange(quotient *x, quotient *y, slong terms)
 
 static void power(quotient *z, const quotient *x, slong exponent, slong terms)
 {
-    const slong size = FLINT_ABS(exponent);
-    VECTOR(quotient, positive, terms);
     fmpz_mpoly_q_one(z, CTX);
-    for (slong bit = (slong)FLINT_BIT_COUNT(size); bit-- > 0;)
-        for (int with_x = 0; with_x <= (size >> bit & 1) && !field->large; with_x++) {
+    for (slong bit = (slong)FLINT_BIT_COUNT(exponent); bit-- > 0;)
+        for (int with_x = 0; with_x <= (exponent >> bit & 1) && !field->large; with_x++) {
             VECTOR(quotient, next, terms);
             quotient_product(next, z, with_x ? x : z, terms);
             exchange(z, next, terms);
         }
-    if (exponent < 0 && !field->large) {
-        VECTOR(quotient, one, terms);
-        fmpz_mpoly_q_one(one, CTX);
-        exchange(z, positive, terms);
-        ratio(z, one, positive, terms);
-    }
 }
 
 /* ---- numbers ---- */
@@ -389,11 +374,10 @@ static void stand_for(struct symbolic *z, enum symbolic_fault fault, enum operat
         symbolic_set_variable(z, field->variables + i, 0, NULL);
 }
 
-void symbolic_root(const struct symbolic *x, bool strict)
+void symbolic_root(const struct symbolic *x)
 {
     quotient_init(&field->roots[field->root_count]);
     fmpz_mpoly_q_set(&field->roots[field->root_count], x->a, CTX);
-    field->strict[field->root_count] = strict;
     field->used[field->root_count++] = false;
 }
 
@@ -402,8 +386,8 @@ bool symbolic_root_used(int i)
     return field->used[i];
 }
 
-/* Which of the roots has this square; a constant has its own. Its fault, and *strict: the root is above zero. */
-static enum symbolic_fault find_root(quotient *root, const quotient *square, bool *strict)
+/* Which of the roots has this square; a constant has its own, the one that may be zero. Its fault. */
+static enum symbolic_fault find_root(quotient *root, const quotient *square)
 {
     SCOPE(quotient, other);
     if (!may_combine(square, square))
@@ -411,14 +395,12 @@ static enum symbolic_fault find_root(quotient *root, const quotient *square, boo
     if (!fmpz_mpoly_sqrt(fmpz_mpoly_q_numref(root), fmpz_mpoly_q_numref(square), CTX) ||
         !fmpz_mpoly_sqrt(fmpz_mpoly_q_denref(root), fmpz_mpoly_q_denref(square), CTX))
         return SYMBOLIC_NO_SQUARE;
-    *strict = !is_zero(square);
     if (fmpz_mpoly_q_is_fmpq(root, CTX)) /* FLINT takes the positive one of a number's */
         return SYMBOLIC_FINE;
     fmpz_mpoly_q_neg(other, root, CTX);
     for (int i = 0; i < field->root_count; i++)
         if (fmpz_mpoly_q_equal(root, &field->roots[i], CTX) || fmpz_mpoly_q_equal(other, &field->roots[i], CTX)) {
             fmpz_mpoly_q_set(root, &field->roots[i], CTX);
-            *strict = field->strict[i];
             field->used[i] = true;
             return SYMBOLIC_FINE;
         }
@@ -429,10 +411,9 @@ static enum symbolic_fault find_root(quotient *root, const quotient *square, boo
 static void square_root(struct symbolic *z, const struct symbolic *x)
 {
     VECTOR(quotient, r, x->terms);
-    bool strict = false;
-    enum symbolic_fault fault = find_root(r, x->a, &strict);
-    if (fault == SYMBOLIC_FINE && x->terms > 1 && !strict) /* zero to this order is not enough: that of epsilon^2 is epsilon */
-        fault = is_zero(r) ? SYMBOLIC_NO_SQUARE : SYMBOLIC_ZERO_ROOT;
+    enum symbolic_fault fault = find_root(r, x->a);
+    if (fault == SYMBOLIC_FINE && x->terms > 1 && is_zero(r)) /* zero to this order is not enough: that of epsilon^2 is epsilon */
+        fault = SYMBOLIC_NO_SQUARE;
     if (fault != SYMBOLIC_FINE) {
         stand_for(z, fault, OPERATOR_SQRT, x, x);
         return;
@@ -476,14 +457,13 @@ static void exponential(struct symbolic *z, const struct symbolic *x)
 /* The angle of a point off the origin: of constants in epsilon. */
 static void arc_tangent(struct symbolic *z, const struct symbolic *y, const struct symbolic *x)
 {
-    bool strict = false;
     VECTOR(quotient, none, x->terms);
     SCOPE(quotient, square, r, c, s);
     add_product(square, x->a, x->a, 1, 1);
     add_product(square, y->a, y->a, 1, 1);
-    enum symbolic_fault fault = x->terms > 1 ? SYMBOLIC_TRANSCENDENTAL : find_root(r, square, &strict);
-    if (fault == SYMBOLIC_FINE && !strict)
-        fault = is_zero(r) ? SYMBOLIC_POLE : SYMBOLIC_ZERO_ROOT;
+    enum symbolic_fault fault = x->terms > 1 ? SYMBOLIC_TRANSCENDENTAL : find_root(r, square);
+    if (fault == SYMBOLIC_FINE && is_zero(r))
+        fault = SYMBOLIC_POLE;
     if (fault != SYMBOLIC_FINE) {
         stand_for(z, fault, OPERATOR_ATAN2, y, x);
         return;
@@ -555,9 +535,6 @@ static void apply_fine(enum operator op, struct symbolic *z, const struct symbol
         take(z, a);
     } else if (op == OPERATOR_DIVIDE) {
         quotient_of(z, x, y);
-    } else if (exponent < 0 && is_zero(x->a)) { /* a power: nothing else has one */
-        z->large = false;
-        z->fault = SYMBOLIC_POLE;
     } else if (op == OPERATOR_POWER) {
         power(a, x->a, exponent, z->terms);
         take(z, a);

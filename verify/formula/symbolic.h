@@ -19,7 +19,6 @@ enum symbolic_fault {
     SYMBOLIC_POLE,            /* division by zero, or by what is zero at epsilon = 0       */
     SYMBOLIC_NO_SQUARE,       /* the square root of no square of a rational function       */
     SYMBOLIC_UNKNOWN_ROOT,    /* ... of a square whose positive root was not given         */
-    SYMBOLIC_ZERO_ROOT,       /* a series of a root that may be zero                       */
     SYMBOLIC_NUMBER_AS_ANGLE, /* sine or cosine of a finite number                         */
     SYMBOLIC_ANGLE_AS_NUMBER, /* arithmetic with a finite angle                            */
     SYMBOLIC_TRANSCENDENTAL,  /* a value that is no rational series, or of unknown sign    */
@@ -53,11 +52,9 @@ const fmpz_mpoly_ctx_struct *symbolic_context(void);
 void symbolic_set_variable(struct symbolic *z, slong variable, slong power, const fmpq *point);
 void symbolic_set_angle(struct symbolic *z, slong variable, const fmpq *point);
 
-/* What x is at epsilon = 0 is a square root from now on; strict: it is above zero, else not below it. */
-void symbolic_root(const struct symbolic *x, bool strict);
+/* What x is at epsilon = 0, which is above zero, is a square root from now on. */
+void symbolic_root(const struct symbolic *x);
 bool symbolic_root_used(int i);
-
-bool symbolic_is_square(const fmpz_mpoly_t f); /* false too where that would take too long to find out */
 
 /* A polynomial in the one variable. False where it is none; zero then. */
 bool symbolic_get_polynomial(fmpq_poly_t f, const struct symbolic *x);

@@ -46,7 +46,7 @@ static int signs_power(int a, slong exponent)
     return exponent == 0 ? SIGN_POSITIVE : exponent % 2 ? a : square;
 }
 
-/* Of a polynomial: the signs of its terms, or those of a square. What stands for a function has any; at a point nothing else does. */
+/* Of a polynomial: the signs of its terms. What stands for a function has any; at a point nothing else does. */
 static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
@@ -66,7 +66,7 @@ static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
         sum = combine(sum, term, true);
     }
     free(signs);
-    return sum == SIGN_ANY && symbolic_is_square(f) ? SIGN_ZERO | SIGN_POSITIVE : sum;
+    return sum;
 }
 
 static int signs_of(struct run *r, int i);
@@ -199,11 +199,10 @@ struct finding {
 bool run_root(struct run *r, int node)
 {
     const struct symbolic *x = value_of(r, node);
-    const int s = fault_of(x) == SYMBOLIC_FINE ? signs_of(r, node) : SIGN_ANY;
-    const bool is_root = !(s & SIGN_NEGATIVE) && s != SIGN_ZERO;
-    if (is_root)
-        symbolic_root(x, s == SIGN_POSITIVE);
-    return is_root;
+    const bool positive = fault_of(x) == SYMBOLIC_FINE && signs_of(r, node) == SIGN_POSITIVE;
+    if (positive)
+        symbolic_root(x);
+    return positive;
 }
 
 /* Of two nodes; *zero: both vanish, to this order. */
