@@ -71,6 +71,7 @@ stops 'unreadable claims' 's/^  evidence:/  avidence:/' 1 'coulomb-tether: paper
 check 'unreadable claims' one_line
 stops 'unreadable claims, one asked for' 's/^  evidence:/  avidence:/' 1 'coulomb-tether: paper/claims.yaml:' verify claims routh
 stops 'a step of another name' 's/^  pitch_law:/  pitch_low:/' 1 "no derivation step 'pitch_law'" study forced
+stops 'a step of another name' 's/^  pitch_law:/  pitch_low:/' 1 "no derivation step 'pitch_law'" design
 
 # ---- what is wrong ----
 

@@ -16,7 +16,7 @@ static const struct {
 } sampled_gains[] = {{"10", "10", NULL}, {"118", "11.8", NULL}, {"12", "12", NULL}, {"best", "12", "4"}};
 enum { SAMPLED_GAINS = sizeof sampled_gains / sizeof *sampled_gains };
 
-/* How long the law may be held, how late it may act; |A|, |B| of the closed form and the slow law's coefficients; what the energy guarantees. */
+/* |A|, |B| of the closed form and the slow law's coefficients; what one decides with. */
 static void of_gains(struct computed *c)
 {
     VECTOR(arb, values, GUARANTEES);
@@ -25,10 +25,6 @@ static void of_gains(struct computed *c)
         const char *name = sampled_gains[k].name;
         struct second_order o;
         set_gains(c1, c2, sampled_gains[k].n, sampled_gains[k].c2, SAMPLING_BITS);
-        largest_hold(x, c1, c2, SAMPLING_BITS);
-        give(c, true, x, "hold_%s", name);
-        largest_delay(x, c1, c2, SAMPLING_BITS);
-        give(c, true, x, "delay_%s", name);
         second_order_init(&o, c->steps, c1, c2, NULL, SAMPLING_BITS);
         arb_hypot(x, second_order_get(&o, "A_re"), second_order_get(&o, "A_im"), SAMPLING_BITS);
         give(c, true, x, "A_%s", name);
@@ -37,7 +33,7 @@ static void of_gains(struct computed *c)
         give(c, true, second_order_get(&o, "decay"), "decay_%s", name);
         give(c, true, second_order_get(&o, "shift"), "shift_%s", name);
         second_order_clear(&o);
-        const bool found = guarantees_enclose(values, c1, NULL, SAMPLING_BITS);
+        const bool found = guarantees_enclose(values, c->steps, c1, c2, NULL, SAMPLING_BITS);
         for (int i = 0; i < GUARANTEES; i++)
             give(c, found, values + i, "%s_%s", guarantees[i].name, name);
     }

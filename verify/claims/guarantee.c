@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "claims/curve.h"
+#include "claims/sampling.h"
 #include "text/scope.h"
 
 /* U where the charges follow the command, where they have reached their bound (r > bound), and both; U' of the first. */
@@ -24,8 +25,17 @@
  * Why there is one root: E on the radius falls from r = 0 to 1, and rises to `outer`; the most of E in a box rises with the
  * box; `saddle` rises with the length that can be held. The error by which a step lifts E at r = 1 to that of the saddle at
  * r moves the difference by U(1) - U(r), by 1 - r; U'' falls, and is 3 + n - 9 at r = 1.
+ *
+ * Late by d, the roots are those of lambda^4 - 2 lambda^2 - 27 + (c1 + c2 lambda)(lambda^2 + 3) exp(-d lambda). In the right
+ * half plane they are bounded, so they get there over the axis: at lambda = i w, with x = w^2,
+ * (x^2 + 2 x - 27)^2 = (c1^2 + c2^2 x)(3 - x)^2 and exp(-i d w) = -(x^2 + 2 x - 27)/((c1 + i c2 w)(3 - x)). The left side is less
+ * than the other at 0, more at 3, less where x^2 + 2 x = 27, more at (c1 + c2)^2: all four x are real, and three positive. Then d w is
+ * atan(c2 w/c1), of the middle one half a turn more. As atan(c2 w/c1)/w falls with w, the largest x has the least d.
  */
 const struct guarantee guarantees[] = {
+    {"hold", 0, -1, "s", "the law may be held for any time below this one", {0}, NO_ROOT},
+    {"delay", 0, -1, "s", "the law may act late by any time below this one", {"atan2(c2*sqrt(x), n)/sqrt(x)"},
+     "(x^2 + 2*x - 27)^2 - (n^2 + c2^2*x)*(3 - x)^2", "2*sqrt(7) - 1", "(n + c2)^2"},
     {"equilibrium", 1, 0, "m", "other equilibrium on the radius", {"(sqrt(12*n - 27) - 3)/6"}, NO_ROOT},
     {"outer", 1, 0, "m", "length that the pair never passes from within the separatrix level",
      {"equilibrium", "y"}, NO_ROOT},
@@ -87,7 +97,7 @@ int guarantee_find(const char *name)
 
 /* ---- the table's formulas in balls ---- */
 
-enum { GIVEN_N, GIVEN_Y, UNKNOWN_X, FIRST_NUMBER }; /* inputs: these, then each number */
+enum { GIVEN_N, GIVEN_C2, GIVEN_Y, UNKNOWN_X, FIRST_NUMBER }; /* inputs: these, then each number */
 
 /* Nodes of a number's formulas, -1 where it has none. */
 struct formula_nodes {
@@ -139,10 +149,11 @@ static void guarantee_root(arb_t x, struct formula_nodes *of)
     narrow_root(x, curve_series, &of->root, m->prec);
 }
 
-bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits)
+bool guarantees_enclose(arb_ptr values, const struct derivations *steps, const arb_t n, const arb_t c2, const arb_t y, slong bits)
 {
     struct program p;
     struct machine m;
+    static const char *const given[] = {"n", "c2", "y", "x"};
     struct formula_nodes nodes[GUARANTEES];
     SCOPE(arb, least);
     arb_set_ui(least, 9);
@@ -153,9 +164,8 @@ bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits
     if (y != NULL && !arb_gt(y, least))
         return false;
     program_init(&p);
-    program_input(&p, "n");
-    program_input(&p, "y");
-    program_input(&p, "x");
+    for (int i = 0; i < FIRST_NUMBER; i++)
+        program_input(&p, given[i]);
     for (int i = 0; i < GUARANTEES; i++)
         program_input(&p, guarantees[i].name);
     for (int i = 0; i < GUARANTEES; i++) {
@@ -168,7 +178,10 @@ bool guarantees_enclose(arb_ptr values, const arb_t n, const arb_t y, slong bits
     }
     machine_init(&m, &p, &arithmetic_ball, bits);
     arb_set(machine_value(&m, GIVEN_N), n);
+    arb_set(machine_value(&m, GIVEN_C2), c2);
     arb_set(machine_value(&m, GIVEN_Y), y != NULL ? y : n); /* no length is longer than n */
+    if (steps != NULL)
+        largest_hold(values + guarantee_find("hold"), steps, n, c2, bits);
     for (int i = 0; i < GUARANTEES; i++) {
         if (guarantees[i].root != NULL) {
             guarantee_root(values + i, &nodes[i]);

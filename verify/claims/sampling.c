@@ -13,31 +13,11 @@ void set_gains(arb_t c1, arb_t c2, const char *n, const char *c2_over_Omega, slo
         arb_set_str(c2, c2_over_Omega, prec);
 }
 
-/* ---- the law held ---- */
+/* ---- the law held: the property held_law of derivations.yaml ---- */
 
-/* The polynomial of v, over (1 - T v/2)^4 and positive factors: see sampling.h. S = sinh(a h)/h, R = sin(b h)/h, h = T/2. */
-static const char *const hold_inputs[] = {"h", "S", "C", "R", "D", "c1", "c2"};
-static const char *const hold_lines[][2] = {
-    {"a", "sqrt(2*sqrt(7) + 1)"},
-    {"b", "sqrt(2*sqrt(7) - 1)"},
-    {"A", "(a^2 + 3)/(a^2*(a^2 + b^2))"}, /* of the step response -1/9 + A cosh(a t) + B cos(b t) of the length */
-    {"B", "(3 - b^2)/(b^2*(a^2 + b^2))"},
-    {"A_1", "A*C*(c1*C - c2*a*h*S)"},
-    {"A_0", "A*S*(c2*a*C - c1*h*S)"},
-    {"B_1", "B*D*(c1*D + c2*b*h*R)"},
-    {"B_0", "-B*R*(c2*b*D - c1*h*R)"},
-    {"r_4", "(1 - c1/9)*C^2*D^2 + A_1*D^2 + B_1*C^2"},
-    {"r_3", "A_0*D^2 + B_0*C^2"},
-    {"r_2", "(1 - c1/9)*(C^2*R^2 - S^2*D^2) + A_1*R^2 - B_1*S^2"},
-    {"r_1", "A_0*R^2 - B_0*S^2"},
-    {"r_0", "(c1/9 - 1)*S^2*R^2"},
-    {"met", "r_4*(r_1*r_2*r_3 - r_0*r_3^2 - r_4*r_1^2)"},
-};
-enum { HOLD_INPUTS = sizeof hold_inputs / sizeof *hold_inputs, HOLD_LINES = sizeof hold_lines / sizeof *hold_lines };
-
-/* The derivatives of the first inputs by h. */
-static const char *const hold_rates[] = {"1", "(a*C - S)/h", "a*h*S", "(b*D - R)/h", "-b*h*R"};
-enum { HOLD_MOVING = sizeof hold_rates / sizeof *hold_rates };
+/* The derivatives by h of its first inputs, h itself and S C R D. */
+static const char *const held_rates[] = {"1", "(a*C - S)/h", "a*h*S", "(b*D - R)/h", "-b*h*R"};
+enum { HELD_MOVING = sizeof held_rates / sizeof *held_rates };
 
 struct held_law {
     struct program program;
@@ -45,25 +25,19 @@ struct held_law {
     int met, slope;
 };
 
-static void held_law_init(struct held_law *l, const arb_t c1, const arb_t c2, slong prec)
+static void held_law_init(struct held_law *l, const struct derivations *steps, const arb_t c1, const arb_t c2, slong prec)
 {
-    int rate[HOLD_INPUTS] = {-1, -1, -1, -1, -1, -1, -1}, node = 0;
+    int rate[HELD_MOVING];
     struct message why;
     size_t where;
-    program_init(&l->program);
-    for (int i = 0; i < HOLD_INPUTS; i++)
-        program_input(&l->program, hold_inputs[i]);
-    for (int i = 0; i < HOLD_LINES; i++) {
-        node = program_parse(&l->program, hold_lines[i][1], &where, &why);
-        program_name(&l->program, node, hold_lines[i][0]);
-    }
-    l->met = node;
-    for (int i = 0; i < HOLD_MOVING; i++)
-        rate[i] = program_parse(&l->program, hold_rates[i], &where, &why);
-    l->slope = program_derivative(&l->program, l->met, rate, HOLD_INPUTS);
+    program_copy(&l->program, &definition_find(&steps->definitions, "held_law")->corrected.program);
+    for (int i = 0; i < HELD_MOVING; i++)
+        rate[i] = program_parse(&l->program, held_rates[i], &where, &why);
+    l->met = program_find(&l->program, "met");
+    l->slope = program_derivative(&l->program, l->met, rate, HELD_MOVING);
     machine_init(&l->machine, &l->program, &arithmetic_ball, prec);
-    arb_set(machine_value(&l->machine, HOLD_INPUTS - 2), c1);
-    arb_set(machine_value(&l->machine, HOLD_INPUTS - 1), c2);
+    arb_set(machine_value(&l->machine, program_find(&l->program, "c1")), c1);
+    arb_set(machine_value(&l->machine, program_find(&l->program, "c2")), c2);
 }
 
 static void held_law_clear(struct held_law *l)
@@ -74,13 +48,13 @@ static void held_law_clear(struct held_law *l)
 
 static arb_srcptr held_law_at(struct held_law *l, const arb_t T, int node, slong prec)
 {
-    arb_ptr value[HOLD_MOVING];
+    arb_ptr value[HELD_MOVING];
     SCOPE(acb, angle, z);
-    for (int i = 0; i < HOLD_MOVING; i++)
+    for (int i = 0; i < HELD_MOVING; i++)
         value[i] = machine_value(&l->machine, i);
     arb_mul_2exp_si(value[0], T, -1);
     for (int i = 0; i < 2; i++) { /* i a h, and b h */
-        const int frequency = program_find(&l->program, hold_lines[i][0]);
+        const int frequency = program_find(&l->program, i == 0 ? "a" : "b");
         machine_run_to(&l->machine, frequency);
         acb_zero(angle);
         arb_mul(i == 0 ? acb_imagref(angle) : acb_realref(angle), value[0], machine_value(&l->machine, frequency), prec);
@@ -112,14 +86,14 @@ static int circle_met(arb_ptr out, const arb_t T, void *law, slong order, slong 
     return 0;
 }
 
-void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
+void largest_hold(arb_t limit, const struct derivations *steps, const arb_t c1, const arb_t c2, slong prec)
 {
     enum { DEEPEST = 60, EVALUATIONS = 2000, LONGEST = 3 }; /* below 2 pi/b, where z = 1 is met */
     struct held_law law;
     arf_interval_t all;
     arf_interval_ptr blocks;
     int *flags;
-    held_law_init(&law, c1, c2, prec);
+    held_law_init(&law, steps, c1, c2, prec);
     arf_interval_init(all);
     arf_set_si(&all->b, LONGEST);
     const slong found = arb_calc_isolate_roots(&blocks, &flags, circle_met, &law, all, DEEPEST, EVALUATIONS, 1, prec);
@@ -134,50 +108,7 @@ void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
     held_law_clear(&law);
 }
 
-/* ---- the law late ---- */
-
-void largest_delay(arb_t limit, const arb_t c1, const arb_t c2, slong prec)
-{
-    /* of x^k, times 1, c1^2 and c2^2 */
-    enum { CROSSINGS = 4 };
-    static const slong coefficients[CROSSINGS + 1][3] = {{729, -9, 0}, {-108, 6, -9}, {-50, -1, 6}, {4, 0, -1}, {1, 0, 0}};
-    SCOPE(acb_poly, p);
-    VECTOR(acb, roots, CROSSINGS);
-    VECTOR(arb, squares, 2);
-    SCOPE(acb, a);
-    SCOPE(arb, w);
-    arb_sqr(squares, c1, prec);
-    arb_sqr(squares + 1, c2, prec);
-    for (int k = CROSSINGS; k >= 0; k--) {
-        arb_set_si(acb_realref(a), coefficients[k][0]);
-        for (int j = 0; j < 2; j++)
-            arb_addmul_si(acb_realref(a), squares + j, coefficients[k][j + 1], prec);
-        acb_poly_set_coeff_acb(p, k, a);
-    }
-    const slong isolated = acb_poly_find_roots(roots, p, NULL, 0, prec);
-    for (int k = 0; k < CROSSINGS; k++)
-        arb_max(w, w, acb_realref(roots + k), prec);
-    arb_sqrt(w, w, prec);
-    arb_mul(limit, c2, w, prec);
-    arb_atan2(limit, limit, c1, prec);
-    arb_div(limit, limit, w, prec);
-    if (isolated < CROSSINGS)
-        arb_indeterminate(limit);
-}
-
 /* ---- the nonlinear motion, the law held ---- */
-
-void unit_parameters(struct flow_parameters *p, const arb_t c1, const arb_t c2)
-{
-    flow_parameters_init(p);
-    arb_one(p->Omega);
-    arb_one(p->k_c);
-    arb_one(p->m1);
-    arb_one(p->m2);
-    arb_set_ui(p->L_ref, 2);
-    arb_set(p->C1, c1);
-    arb_set(p->C2, c2);
-}
 
 void commanded(arb_t eta, arb_t rate, arb_t charge, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec)
 {
@@ -203,10 +134,12 @@ static int take_held(void *context, slong k, const fmpq_t t, arb_srcptr state)
 enum flow_status hold_follow(arb_ptr states, arb_srcptr start, const arb_t c1, const arb_t c2, const fmpq_t T, slong count,
                              slong digits, slong prec)
 {
-    struct flow_parameters p;
     enum flow_status status = FLOW_DONE;
+    FLOW_PARAMETERS(p); /* no feedback between samples */
     SCOPE(arb, eta, rate, charge);
-    unit_parameters(&p, eta, eta); /* no feedback between samples */
+    arb_ptr const ones[] = {p.Omega, p.k_c, p.m1, p.m2};
+    for (int i = 0; i < 4; i++)
+        arb_one(ones[i]);
     for (slong k = 0; k < count && status == FLOW_DONE; k++) {
         arb_srcptr state = k == 0 ? start : states + FLOW_STATE * (k - 1);
         commanded(eta, rate, charge, state, c1, c2, prec);
@@ -215,6 +148,5 @@ enum flow_status hold_follow(arb_ptr states, arb_srcptr start, const arb_t c1, c
         arb_mul_2exp_si(p.L_ref, charge, 1);
         status = flow_run(&(struct flow_request){&p, state, T, 1, digits, prec, take_held, states + FLOW_STATE * k, true, NULL, NULL, 0, 0});
     }
-    flow_parameters_clear(&p);
     return status;
 }

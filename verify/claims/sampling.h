@@ -10,29 +10,18 @@
  *
  * The terms of this, with a test named for each in tests/claims/test_sampling.c: (H1) before the limit nothing is met, (H2) at it a
  * multiplier leaves the disk, (H3) for all gains of the balls, or the limit is open; (D1) to (D3) of a delay in their place.
- *
- * Late by d, the roots are those of lambda^4 - 2 lambda^2 - 27 + (c1 + c2 lambda)(lambda^2 + 3) exp(-d lambda). In the right
- * half plane they are bounded, so they get there over the axis: at lambda = i w, with x = w^2,
- * (x^2 + 2 x - 27)^2 = (c1^2 + c2^2 x)(3 - x)^2 and exp(-i d w) = -(x^2 + 2 x - 27)/((c1 + i c2 w)(3 - x)). The left side is less
- * than the other at 0, more at 3, less where x^2 + 2 x = 27, more far off: all four x are real, and three positive. Then d w is
- * atan(c2 w/c1), of the middle one half a turn more. As atan(c2 w/c1)/w falls with w, the largest x has the least d.
  */
 #ifndef CT_SAMPLING_H
 #define CT_SAMPLING_H
 
 #include "motion/flow.h"
+#include "proof/derivation.h"
 
 /* c1 by (43), c2 by (44), or as it is said. */
 void set_gains(arb_t c1, arb_t c2, const char *n, const char *c2_over_Omega, slong prec);
 
 /* The model comes to rest for every T in (0, limit), and not at the limit; indeterminate where prec does not suffice. */
-void largest_hold(arb_t limit, const arb_t c1, const arb_t c2, slong prec);
-
-/* The same for every d in [0, limit). */
-void largest_delay(arb_t limit, const arb_t c1, const arb_t c2, slong prec);
-
-/* Parameters of a pair in radians of orbit and units of the arm of craft 1, r_ref = 1; to be cleared. */
-void unit_parameters(struct flow_parameters *p, const arb_t c1, const arb_t c2);
+void largest_hold(arb_t limit, const struct derivations *steps, const arb_t c1, const arb_t c2, slong prec);
 
 /* r - 1 and r' of craft 1, and the charge product over Q_ref less 1 that (18) commands there. */
 void commanded(arb_t eta, arb_t rate, arb_t charge, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec);

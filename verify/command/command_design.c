@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "claims/guarantee.h"
-#include "claims/sampling.h"
 #include "command/command.h"
 #include "motion/motion.h"
 #include "proof/identities.h"
@@ -52,8 +51,8 @@ static const struct design_row design_rows[] = {
 };
 enum { DESIGN_ROWS = sizeof design_rows / sizeof *design_rows };
 
-/* What they start from beside the sheet's quantities: in radians of orbit the largest T and d; 1/lambda_d; and what the energy guarantees. */
-enum { HOLD, DELAY, INVERSE_DEBYE, GUARANTEED, DESIGN_INPUTS = GUARANTEED + GUARANTEES };
+/* What they start from beside the sheet's quantities: 1/lambda_d, and what is guaranteed, in radians of orbit and L_ref. */
+enum { INVERSE_DEBYE, GUARANTEED, DESIGN_INPUTS = GUARANTEED + GUARANTEES };
 
 struct design_number {
     const char *group, *name, *unit, *meaning;
@@ -62,6 +61,7 @@ struct design_number {
 };
 
 struct design {
+    struct derivations steps;
     struct scenario scenario;
     struct input lambda_d;
     struct identities formulas;
@@ -84,7 +84,7 @@ static void add_number(struct design *d, const struct scope *scope, const char *
 static void design_formulas(struct design *d)
 {
     static const struct definitions none;
-    const char *names[DESIGN_INPUTS] = {"hold", "delay", "inverse_debye"}, *group = "";
+    const char *names[DESIGN_INPUTS] = {"inverse_debye"}, *group = "";
     const struct scope scope = {.sheet = d->scenario.sheet, .definitions = &none, .names = names, .name_count = DESIGN_INPUTS};
     for (int i = 0; i < GUARANTEES; i++)
         names[GUARANTEED + i] = guarantees[i].name;
@@ -95,7 +95,7 @@ static void design_formulas(struct design *d)
         add_number(d, &scope, group, r->name, r->unit, r->meaning, r->formula);
     }
     group = "basin of rest at L_ref, by the energy of the nonlinear model without screening";
-    for (int i = 0; i < GUARANTEES; i++) {
+    for (int i = guarantee_find("equilibrium"); i < GUARANTEES; i++) {
         const struct guarantee *g = &guarantees[i];
         char formula[64];
         snprintf(formula, sizeof formula, "%s*L_ref^%d*Omega^%d", g->name, g->lengths, g->rates);
@@ -120,7 +120,7 @@ static bool enclose_root_parts(acb_ptr roots, const struct scenario *s, const ar
     return isolated;
 }
 
-static void enclose_inputs(struct machine *m, const struct scenario *s, const struct input *lambda_d, slong prec)
+static void enclose_inputs(struct machine *m, const struct scenario *s, const struct derivations *steps, const struct input *lambda_d, slong prec)
 {
     static const char *const names[] = {"Omega", "L_ref", "C1", "C2", "k_c", "m1", "m2"};
     static const char *const root_names[][2] = {{"re1", "im1"}, {"re2", "im2"}, {"re3", "im3"}, {"re4", "im4"}};
@@ -141,13 +141,11 @@ static void enclose_inputs(struct machine *m, const struct scenario *s, const st
         acb_get_real(machine_value(m, program_find(m->program, root_names[i][0])), roots + i);
         acb_get_imag(machine_value(m, program_find(m->program, root_names[i][1])), roots + i);
     }
-    largest_hold(machine_value(m, first + HOLD), c1, c2, prec);
-    largest_delay(machine_value(m, first + DELAY), c1, c2, prec);
     if (!lambda_d->infinite) {
         arb_set_fmpq(machine_value(m, first + INVERSE_DEBYE), &lambda_d->value, prec);
         arb_inv(machine_value(m, first + INVERSE_DEBYE), machine_value(m, first + INVERSE_DEBYE), prec);
     }
-    guarantees_enclose(guaranteed, c1, NULL, prec);
+    guarantees_enclose(guaranteed, steps, c1, c2, NULL, prec);
     for (int i = 0; i < GUARANTEES; i++)
         arb_set(machine_value(m, first + GUARANTEED + i), guaranteed + i);
 }
@@ -162,7 +160,7 @@ static int find_digits(struct design *d, slong digits)
         struct machine m;
         SCOPE(arb, z);
         machine_init(&m, &d->formulas.program, &arithmetic_ball, prec);
-        enclose_inputs(&m, &d->scenario, &d->lambda_d, prec);
+        enclose_inputs(&m, &d->scenario, &d->steps, &d->lambda_d, prec);
         machine_run(&m);
         rests = !arb_is_positive(machine_value(&m, program_find(&d->formulas.program, "spare")));
         for (int i = 0; i < d->count; i++)
@@ -269,9 +267,12 @@ static void print_design_json(const struct design *d, long digits)
 int command_design(const struct arguments *a)
 {
     struct design d = {.lambda_d.infinite = true};
+    struct message why;
     long digits;
     if (option_digits(a, 8, &digits) != EXIT_DONE)
         return EXIT_USAGE;
+    if (derivations_open(&d.steps, a->paper, &why) != 0)
+        return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     scenario_init(&d.scenario, &a->paper->sheet, option_given(a, "--exact"));
     fmpq_init(&d.lambda_d.value);
     design_formulas(&d);
@@ -285,5 +286,6 @@ int command_design(const struct arguments *a)
     identities_clear(&d.formulas);
     fmpq_clear(&d.lambda_d.value);
     scenario_clear(&d.scenario);
+    derivations_clear(&d.steps);
     return status;
 }

@@ -166,15 +166,13 @@ static const struct {
 };
 enum { STUDY_GAINS = sizeof study_gains / sizeof *study_gains };
 
-/* Of guarantees; without a first, how long the law may be held, and how late it may act. */
 static bool print_gains(const struct study_table *t, const struct derivations *steps)
 {
-    const int first = t->first != NULL ? guarantee_find(t->first) : GUARANTEES, end = t->end != NULL ? guarantee_find(t->end) : GUARANTEES;
+    const int first = guarantee_find(t->first), end = t->end != NULL ? guarantee_find(t->end) : GUARANTEES;
     bool proved = true;
     VECTOR(arb, values, GUARANTEES);
     SCOPE(arb, c1, c2, y);
-    (void)steps;
-    fputs(t->charges[0] != NULL ? "c1,c2,charge" : t->first != NULL ? "c1,c2" : "c1,c2,hold,delay", stdout);
+    fputs(t->charges[0] != NULL ? "c1,c2,charge" : "c1,c2", stdout);
     for (int i = first; i < end; i++)
         if (guarantees[i].meaning != NULL)
             printf(",%s", guarantees[i].name);
@@ -191,12 +189,7 @@ static bool print_gains(const struct study_table *t, const struct derivations *s
                 arb_sqr(y, y, STUDY_BITS);
                 arb_root_ui(y, y, 3, STUDY_BITS);
             }
-            if (t->first == NULL) {
-                largest_hold(values, c1, c2, STUDY_BITS);
-                largest_delay(values + 1, c1, c2, STUDY_BITS);
-                proved = print_field(values, ROW_DIGITS) && print_field(values + 1, ROW_DIGITS) && proved;
-            } else
-                proved = guarantees_enclose(values, c1, charge != NULL ? y : NULL, STUDY_BITS) && proved;
+            proved = guarantees_enclose(values, first == 0 ? steps : NULL, c1, c2, charge != NULL ? y : NULL, STUDY_BITS) && proved;
             for (int i = first; i < end; i++)
                 if (guarantees[i].meaning != NULL)
                     proved = print_field(values + i, ROW_DIGITS) && proved;
@@ -252,7 +245,7 @@ static const struct study_table study_tables[] = {
     {"saturation", NULL, print_gains, "outer", "q_max", {"1.02", "1.05", "1.1", "1.2", "1.5", "2"}},
     {"tolerance", NULL, print_gains, "deficit", NULL, {NULL}},
     {"balance", "c1,rest,force,push", print_balance, NULL, NULL, {NULL}},
-    {"sampling", NULL, print_gains, NULL, NULL, {NULL}},
+    {"sampling", NULL, print_gains, "hold", "equilibrium", {NULL}},
 };
 
 int command_study(const struct arguments *a)
