@@ -660,8 +660,9 @@ TEST(an_equation_is_as_weak_as_the_weakest_claim_on_it)
         struct statements s;
         int length = 0;
         for (int k = 0; k < 2; k++)
-            length += snprintf(text + length, sizeof text - (size_t)length, "%c:\n  where: here\n  kind: beyond\n  claim: it is so\n  why: so\n"
+            length += snprintf(text + length, sizeof text - (size_t)length, "%c:\n  where: here\n  kind: beyond\n  claim: it is so\n%s"
                                "  equations: ['7']\n  verdict: %s\n  prove: {a: %s > 0}\n  evidence: so\n", 'c' + k,
+                               k == 0 && *claims[i].first == '{' ? "" : "  why: so\n",
                                k == 0 ? claims[i].first : claims[i].second, k == (int)i % 2 ? "exp(dL) - 1" : "dL");
         read_claim(&s, text);
         ck_assert_int_eq(verdict_on(section_find(proofs.sheet, "eq07"), "7", &s), claims[i].verdict);

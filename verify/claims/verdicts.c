@@ -142,7 +142,7 @@ static void add_claims(struct verdict_row *row, struct statements *claims, const
                 continue;
             statement_decide(claims, s, &ruling);
             add_words(row, "; claim %s: %s", s->id, verdict_names[ruling.verdict]);
-            if (s->why != NULL)
+            if (s->why != NULL && ruling.verdict < HOLDS)
                 add_reason(row, s->why);
             row->verdict = FLINT_MIN(row->verdict, ruling.verdict);
             row->how = FLINT_MAX(row->how, ruling.how);
