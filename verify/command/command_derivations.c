@@ -65,7 +65,7 @@ static void print_step(const struct step *s)
         printf("  exact  ");
     else
         printf("  order %d", s->corrected.order);
-    printf("  for %s%s%s\n", domain, s->where ? "; " : "", s->where ? s->where : "");
+    printf("  for %s\n", domain);
     free(domain);
     print_fault(&s->proof);
     print_fault(&s->line_proof);
@@ -152,8 +152,7 @@ static void json_step(struct json *j, const struct step *s, const struct sheet *
     json_texts(j, "to", s->to, s->to_count);
     if (s->corrected.order >= 0)
         json_value(j, "order", "%d", s->corrected.order);
-    json_strings(j, "domain", domain, "where", s->where, "unbound",
-                 s->binding.fault.text[0] != '\0' ? s->binding.fault.text : NULL);
+    json_strings(j, "domain", domain, "unbound", s->binding.fault.text[0] != '\0' ? s->binding.fault.text : NULL);
     free(domain);
     json_dropped(j, s);
     json_identities(j, "step", &s->corrected, &s->proof);

@@ -1,4 +1,5 @@
 /* What binds a step to the equations that it leads from and to: tried, by altering their formulas. */
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +13,7 @@
 static bool is_part_of_number(const char *entry, const char *equation)
 {
     const size_t length = strlen(entry);
-    return strncmp(entry, equation, length) == 0 && (equation[length] < '0' || equation[length] > '9');
+    return strncmp(entry, equation, length) == 0 && !isdigit((unsigned char)equation[length]);
 }
 
 const char *output_equation(const struct section *s, int output, bool *alone)
@@ -391,12 +392,8 @@ static bool all_used(struct table *table)
 static bool is_named(const struct table *table, const struct use *u)
 {
     const struct step *s = table->s;
-    const struct yaml *also = under(s->node, "also");
     for (int i = 0; i < s->from_count + s->to_count; i++)
         if (entry_concerns(table->d, i < s->from_count ? s->from[i] : s->to[i - s->from_count], u))
-            return true;
-    for (int i = 0; also != NULL && i < also->count; i++)
-        if (entry_concerns(table->d, also->items[i].key, u))
             return true;
     return false;
 }
@@ -407,17 +404,7 @@ static bool nothing_beyond(struct table *table)
     for (int i = 0; i < t->use_count + lines->use_count; i++) {
         const struct use *u = i < t->use_count ? &t->uses[i] : &lines->uses[i - t->use_count];
         if (!is_named(table, u))
-            return BINDING_FAULT(table, table->s->node, 0, "it rests on %s, which neither from nor to names, nor also with a reason",
-                          u->section->id);
-    }
-    const struct yaml *also = under(table->s->node, "also");
-    for (int i = 0; also != NULL && i < also->count; i++) {
-        const char *entry = also->items[i].key;
-        bool used = false;
-        for (int k = 0; k < t->use_count; k++)
-            used = used || entry_concerns(table->d, entry, &t->uses[k]);
-        if (!used)
-            return BINDING_FAULT(table, &also->items[i], AT_KEY, "'%s' is not used", entry);
+            return BINDING_FAULT(table, table->s->node, 0, "it rests on %s, which neither from nor to names", u->section->id);
     }
     return true;
 }
@@ -463,16 +450,15 @@ static bool fills_open_set(const struct identities *t, const struct use *u)
     return fills;
 }
 
-/* An output is shown for all values of its inputs, not for some alone; or the step says where. */
+/* An output is shown for all values of its inputs, not for some alone. */
 static bool is_general(struct table *table, int to, const struct entry_part *part)
 {
     const struct identities *t = &table->s->corrected;
-    bool general = table->s->where != NULL;
+    bool general = false;
     for (int i = 0; i < t->use_count && !general; i++)
         general = t->uses[i].formulas == part->formulas && t->uses[i].part == part->node && fills_open_set(t, &t->uses[i]);
     return general || BINDING_FAULT(table, item(table, "to", to), 0,
-                             "%s is shown for some values of its inputs alone, expected free ones, or 'where' to say which",
-                             part->name);
+                                    "%s is shown for some values of its inputs alone, expected free ones", part->name);
 }
 
 /* ---- to ---- */
@@ -542,7 +528,7 @@ static bool part_is_bound(struct table *table, int to, const struct entry_part *
     if (!side && !breaks_by(table, (struct target){.change = CHANGE_RESULT, .part = part}) && part->equation != NULL &&
         !is_equivalent(p, part->node, CHANGE_RESULT, part->node))
         return BINDING_FAULT(table, item(table, "to", to), 0, "%s may have the other sign and every equality holds still", part->name);
-    return part->equation == NULL || ((side || is_general(table, to, part)) && all_changes_tell(table, to, p, part->node, part));
+    return part->equation == NULL || (all_changes_tell(table, to, p, part->node, part) && (side || is_general(table, to, part)));
 }
 
 /* What a step starts from it cannot lead to. */

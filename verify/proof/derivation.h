@@ -52,7 +52,6 @@ struct binding {
 
 struct step {
     const char *id, *title;
-    const char *where; /* of special values alone: which; NULL: of all */
     const char *from[MOST_EQUATIONS], *to[MOST_EQUATIONS]; /* see the head of derivations.yaml */
     int from_count, to_count;
     const struct yaml *node;

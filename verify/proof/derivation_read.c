@@ -63,22 +63,14 @@ static bool read_definition(struct derivations *d, const struct yaml *n)
 
 /* ---- steps ---- */
 
-struct written_step {
-    struct step s;
-    const struct yaml *also, *printed;
-};
-
 static const struct field step_fields[] = {
-    FIELD("title", struct written_step, s.title, FIELD_TEXT, .expected = "a text"),
-    FIELD("where", struct written_step, s.where, FIELD_TEXT),
-    FIELD("from", struct written_step, s.from, FIELD_TEXTS, .most = MOST_EQUATIONS, .may_be_empty = true,
-          .count = offsetof(struct written_step, s.from_count), .expected = "a list of equation numbers"),
-    FIELD("to", struct written_step, s.to, FIELD_TEXTS, .most = MOST_EQUATIONS, .may_be_empty = true,
-          .count = offsetof(struct written_step, s.to_count), .expected = "a list of equation numbers"),
-    FIELD("also", struct written_step, also, FIELD_MAP),
-    FIELD("printed", struct written_step, printed, FIELD_NODE),
-    FIELD("lines", struct written_step, s.line_map, FIELD_MAP),
-    {.key = "note"}, {.key = "remainders"}, {.key = "show"}, {.key = "let"}, IDENTITIES_FIELDS, {.key = NULL}};
+    FIELD("title", struct step, title, FIELD_TEXT, .expected = "a text"),
+    FIELD("from", struct step, from, FIELD_TEXTS, .most = MOST_EQUATIONS, .may_be_empty = true,
+          .count = offsetof(struct step, from_count), .expected = "a list of equation numbers"),
+    FIELD("to", struct step, to, FIELD_TEXTS, .most = MOST_EQUATIONS, .may_be_empty = true,
+          .count = offsetof(struct step, to_count), .expected = "a list of equation numbers"),
+    FIELD("lines", struct step, line_map, FIELD_MAP),
+    {.key = "note"}, {.key = "printed"}, {.key = "remainders"}, {.key = "show"}, {.key = "let"}, IDENTITIES_FIELDS, {.key = NULL}};
 
 /* Of what is printed instead. */
 static const struct field variant_fields[] = {{.key = "let"}, {.key = "square roots"}, {.key = "show"}, {.key = NULL}};
@@ -154,20 +146,17 @@ static bool read_lines(struct step *s, struct scope scope)
 
 static bool read_step(struct derivations *d, const struct yaml *n)
 {
-    struct written_step w = {.s = {.id = n->key, .node = n}};
-    if (!fields_read(n, step_fields, &w))
-        return false;
+    const struct yaml *printed = under(n, "printed");
     struct step *s = APPENDED(d->steps, d->step_count);
-    *s = w.s;
+    *s = (struct step){.id = n->key, .node = n, .differs = printed != NULL};
     struct scope scope = {.sheet = d->sheet, .definitions = &d->definitions, .given = n};
-    if (!check_ends(d, under(n, "from"), false) || !check_ends(d, under(n, "to"), true) ||
+    if (!fields_read(n, step_fields, s) || !check_ends(d, under(n, "from"), false) || !check_ends(d, under(n, "to"), true) ||
         !read_identities(&s->corrected, &scope) || !step_read_remainders(d, s, &scope) ||
         !read_lines(s, scope))
         return false;
-    scope.given = w.printed;
+    scope.given = printed;
     scope.shared = n;
-    s->differs = w.printed != NULL;
-    return !s->differs || (fields_read(w.printed, variant_fields, s) && read_identities(&s->printed, &scope));
+    return !s->differs || (fields_read(printed, variant_fields, s) && read_identities(&s->printed, &scope));
 }
 
 struct written_derivations {
