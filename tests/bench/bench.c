@@ -37,38 +37,6 @@ static double seconds(void)
 
 /* ---- the nonlinear motion of the simulation ---- */
 
-static void table_value(arb_t x, const char *name, slong prec)
-{
-    fmpq_t q;
-    fmpq_init(q);
-    literal_read(q, quantity_find(sheet(), name)->value, true);
-    arb_set_fmpq(x, q, prec);
-    fmpq_clear(q);
-}
-
-static void simulation(struct flow_parameters *p, arb_ptr start, slong prec)
-{
-    static const char *const names[] = {"m1", "m2", "L_ref", "psi", "theta"};
-    arb_ptr in = _arb_vec_init(5);
-    arb_t dL;
-    arb_init(dL);
-    table_value(p->Omega, "Omega", prec);
-    table_value(p->L_ref, "L_ref", prec);
-    table_value(p->k_c, "k_c", prec);
-    table_value(p->m1, "m1", prec);
-    table_value(p->m2, "m2", prec);
-    arb_mul_2exp_si(p->C2, p->Omega, 1); /* n = 10 */
-    arb_sqr(p->C1, p->Omega, prec);
-    arb_mul_ui(p->C1, p->C1, 10, prec);
-    for (int i = 0; i < 5; i++)
-        table_value(in + i, names[i], prec);
-    table_value(dL, "dL", prec);
-    arb_add(in + 2, in + 2, dL, prec);
-    section_enclose(section_find(sheet(), "eq10"), in, prec, start);
-    _arb_vec_clear(in, 5);
-    arb_clear(dL);
-}
-
 static int keep(void *context, slong k, const fmpq_t t, arb_srcptr state)
 {
     (void)k;
@@ -87,13 +55,9 @@ static enum flow_status unproved(struct flow_request *r)
 {
     const slong prec = r->prec, bits = prec - 12, order = (slong)(0.5 * log(2) * (double)bits) + 4;
     const double end = 7.2915e-5 * fmpq_get_d(r->times);
-    struct expansion e;
-    arb_t c1, c2, h, unit;
-    arb_ptr state = _arb_vec_init(FLOW_STATE);
-    arb_init(c1);
-    arb_init(c2);
-    arb_init(h);
-    arb_init(unit);
+    OWNED(expansion) e;
+    SCOPE(arb, c1, c2, h, unit);
+    VECTOR(arb, state, FLOW_STATE);
     expansion_init(&e, &closed_loop, order, 1, NULL, NULL);
     flow_gains(c1, c2, r->p, prec);
     jet_constants(&e.path, c1, c2);
@@ -110,12 +74,6 @@ static enum flow_status unproved(struct flow_request *r)
         r->reached += step;
     }
     r->receive(r->context, r->count - 1, r->times, state);
-    expansion_clear(&e);
-    _arb_vec_clear(state, FLOW_STATE);
-    arb_clear(c1);
-    arb_clear(c2);
-    arb_clear(h);
-    arb_clear(unit);
     return FLOW_DONE;
 }
 
@@ -123,12 +81,14 @@ static void bench_flow(flow_function *flow, long digits, double days)
 {
     const double Omega = 7.2915e-5; /* Table 1 */
     const slong prec = flow_precision(digits, Omega * 86400 * days) - NOT_NEEDED;
-    struct flow_parameters p;
-    arb_ptr state = _arb_vec_init(FLOW_STATE);
-    fmpq *t = _fmpq_vec_init(1);
+    OWNED(scenario) s;
+    FLOW_PARAMETERS(p);
+    VECTOR(arb, state, FLOW_STATE);
+    SCOPE(fmpq, t);
     double radius = -HUGE_VAL; /* log2 of m, and of m/s in units of Omega */
-    flow_parameters_init(&p);
-    simulation(&p, state, prec);
+    scenario_init(&s, sheet(), true);
+    scenario_parameters(&p, &s, prec);
+    scenario_initial(state, &s, &p, true, prec);
     fmpq_set_si(t, (slong)(86400 * days), 1);
     double start = seconds();
     enum flow_status status = flow(&(struct flow_request){&p, state, t, 1, digits, prec, keep, state, true, NULL, NULL, 0, 0});
@@ -139,9 +99,6 @@ static void bench_flow(flow_function *flow, long digits, double days)
         printf("%.9f %.3f\n", taken, radius * log10(2) - 1); /* L_ref = 10 m */
     else
         fprintf(stderr, "bench: %s\n", flow_status_text(status));
-    _arb_vec_clear(state, FLOW_STATE);
-    _fmpq_vec_clear(t, 1);
-    flow_parameters_clear(&p);
 }
 
 /* ---- the pair in the inverse-square field ---- */
@@ -286,7 +243,7 @@ static void picard_move(struct two_body *b, const arb_t tau, slong prec)
 /* Half a day from the paper's attitude at rest, L_ref/R_c = 10^-4 */
 static void bench_inverse_square(bool certified, long prec, double days)
 {
-    struct two_body b;
+    OWNED(two_body) b;
     SCOPE(arb, tau);
     two_body_init(&b);
     arb_set_d(b.smallness, 1e-4);
@@ -306,7 +263,6 @@ static void bench_inverse_square(bool certified, long prec, double days)
     else
         picard_move(&b, tau, prec);
     printf("%.9f\n", proved ? seconds() - start : NAN);
-    two_body_clear(&b);
 }
 
 /* ---- sets of motions ---- */
@@ -332,12 +288,12 @@ static int keep_set(void *context, slong k, const fmpq_t t, char *const *numbers
 static void bench_set(double cm, double percent, long motions)
 {
     static const double start[] = {5.05, 0.0505, -0.0505, 0, 0, 0};
-    struct scenario s;
+    OWNED(scenario) s;
     struct message why;
     struct filled bounds, filled;
     double factor = 0;
-    fmpq *t = _fmpq_vec_init(1);
-    arb_ptr state = _arb_vec_init(FLOW_STATE);
+    SCOPE(fmpq, t);
+    VECTOR(arb, state, FLOW_STATE);
     fmpq_set_si(t, 259200, 1);
     scenario_init(&s, sheet(), true);
     for (int v = 0; v < FLOW_STATE; v++) {
@@ -358,8 +314,7 @@ static void bench_set(double cm, double percent, long motions)
     const int failed = motion_rows(&m, t, 1, keep_set, &bounds, &why);
     const double taken = seconds() - begin;
     for (long k = 0; k < motions && !failed; k++) {
-        struct flow_parameters p;
-        flow_parameters_init(&p);
+        FLOW_PARAMETERS(p);
         scenario_parameters(&p, &s, 128);
         for (int v = 0; v <= FLOW_STATE; v++) { /* the corners, then anywhere */
             const double share = k < 128 ? (double)((k >> v) & 1) * 2 - 1 : 2 * fmod((double)(7 * k + v) * 0.6180339887498949, 1) - 1;
@@ -375,7 +330,6 @@ static void bench_set(double cm, double percent, long motions)
             filled.low[v] = fmin(filled.low[v], x);
             filled.high[v] = fmax(filled.high[v], x);
         }
-        flow_parameters_clear(&p);
     }
     for (int v = 0; v < FLOW_STATE && motions > 0; v++)
         factor = fmax(factor, (bounds.high[v] - bounds.low[v]) / (filled.high[v] - filled.low[v]));
@@ -383,9 +337,6 @@ static void bench_set(double cm, double percent, long motions)
         fprintf(stderr, "bench: %s\n", why.text);
     else
         printf("%.9f %.3f\n", taken, factor);
-    _fmpq_vec_clear(t, 1);
-    _arb_vec_clear(state, FLOW_STATE);
-    scenario_clear(&s);
 }
 
 /* ---- a formula, and the roots ---- */
@@ -395,39 +346,27 @@ static void bench_scalar(long digits, long count)
 {
     static const double values[] = {7.2915e-5, 8.99e9, 150, 150, 10}; /* Omega k_c m1 m2 L */
     const slong prec = (slong)(digits * log2(10)) + 16;
-    struct operation o;
-    struct input *inputs = inputs_new(5);
-    arb_t Q_ref;
-    arf_t x;
-    arb_init(Q_ref);
-    arf_init(x);
+    OWNED(operation) o;
+    INPUTS(inputs);
+    SCOPE(arb, Q_ref);
     operation_init(&o, section_find(sheet(), "eq07"), false);
     double start = seconds();
     for (long k = 0; k < count; k++) {
-        for (int i = 0; i < 5; i++) {
-            arf_set_d(x, values[i]);
-            arf_get_fmpq(&inputs[i].value, x);
-        }
+        for (int i = 0; i < 5; i++)
+            fmpq_set_double(&inputs[i].value, values[i]);
         operation_enclose(&o, inputs, prec, Q_ref);
     }
     double taken = (seconds() - start) / (double)count;
     if (arb_rel_accuracy_bits(Q_ref) < (slong)(digits * log2(10)))
         taken = NAN;
     printf("%.12f\n", taken);
-    operation_clear(&o);
-    inputs_free(inputs, 5);
-    arb_clear(Q_ref);
-    arf_clear(x);
 }
 
 static void bench_roots(long digits, long count)
 {
     const slong prec = (slong)(digits * log2(10)) + 1;
-    acb_ptr roots = _acb_vec_init(4);
-    fmpq_t Omega, C1, C2;
-    fmpq_init(Omega);
-    fmpq_init(C1);
-    fmpq_init(C2);
+    VECTOR(acb, roots, 4);
+    SCOPE(fmpq, Omega, C1, C2);
     fmpq_set_si(Omega, 1, 1);
     fmpq_set_si(C1, 10, 1);
     fmpq_set_si(C2, 2, 1);
@@ -436,10 +375,6 @@ static void bench_roots(long digits, long count)
     for (long k = 0; k < count; k++)
         found = roots41(roots, Omega, C1, C2, prec) && found;
     printf("%.12f\n", found ? (seconds() - start) / (double)count : NAN);
-    _acb_vec_clear(roots, 4);
-    fmpq_clear(Omega);
-    fmpq_clear(C1);
-    fmpq_clear(C2);
 }
 
 int main(int count, char **arguments)
