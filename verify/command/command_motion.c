@@ -16,10 +16,7 @@ enum { MOST_ROWS = 1000000 };
 
 void times_clear(struct times *times)
 {
-    for (slong i = 0; i < times->count; i++)
-        free(times->texts[i]);
     _fmpq_vec_clear(times->t, times->count);
-    free(times->texts);
 }
 
 static double nearest_binary64(const fmpq_t t)
@@ -50,22 +47,19 @@ static char *time_text(const fmpq_t t, bool exact)
 
 static int times_at(struct times *times, const char *list, bool exact)
 {
-    char *copy = text_copy(list), *rest = NULL;
+    char *copy = text_copy(list), *next = copy;
     int status = EXIT_DONE;
-    size_t most = strlen(list) / 2 + 2;
-    times->t = _fmpq_vec_init((slong)most);
-    times->texts = xrealloc(NULL, most, sizeof *times->texts);
-    if (strstr(list, ",,") || *list == ',' || list[strlen(list) - 1] == ',')
-        status = usage_error(EXIT_USAGE, "--at: expected times between the commas, got '%.40s'", list);
-    for (char *text = strtok_r(copy, ",", &rest); text && status == EXIT_DONE;
-         text = strtok_r(NULL, ",", &rest)) {
+    times->t = _fmpq_vec_init((slong)strlen(list) / 2 + 2);
+    while (next != NULL && status == EXIT_DONE) {
+        const char *text = next;
         fmpq *t = times->t + times->count;
+        next = strchr(text, ',');
+        if (next != NULL)
+            *next++ = '\0';
         status = finite_argument(t, "--at", text, exact);
-        if (status != EXIT_DONE)
-            break;
-        times->texts[times->count++] = exact ? text_copy(text) : time_text(t, false);
-        if (times->count > 1 && (fmpq_cmp(t - 1, t) == 0 || (fmpq_sgn(t - 1) != 0 && fmpq_sgn(t - 1) != fmpq_sgn(t)) ||
-                                 (fmpq_cmp(t - 1, t) < 0) != (fmpq_sgn(t) > 0)))
+        if (status == EXIT_DONE && times->count++ > 0 &&
+            (fmpq_cmp(t - 1, t) == 0 || (fmpq_sgn(t - 1) != 0 && fmpq_sgn(t - 1) != fmpq_sgn(t)) ||
+             (fmpq_cmp(t - 1, t) < 0) != (fmpq_sgn(t) > 0)))
             status = usage_error(EXIT_USAGE, "--at: expected times of one sign, each further from 0 than the last");
     }
     free(copy);
@@ -95,14 +89,12 @@ int times_every(struct times *times, const char *every, const char *until, bool 
     const slong last = fmpz_get_si(whole);
     times->count = labs(last) + 1;
     times->t = _fmpq_vec_init(times->count);
-    times->texts = xrealloc(NULL, (size_t)times->count, sizeof *times->texts);
     for (slong i = 0; i < times->count; i++) {
         fmpq *t = times->t + i;
         fmpq_set_si(rows, last < 0 ? -i : i, 1);
         fmpq_mul(t, step, rows);
         if (!exact)
             fmpq_set_double(t, nearest_binary64(t));
-        times->texts[i] = time_text(t, exact);
     }
     return EXIT_DONE;
 }
@@ -179,35 +171,28 @@ int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
                                              : usage_error(EXIT_FAILED_CHECK, "%s", why.text);
 }
 
-/* NAME=VALUE+-RADIUS into the scenario's values and radii. */
+/* NAME=VALUE+-RADIUS into the scenario's values and radii; what is read as NAME=VALUE ends at the sign. */
 static int read_set(struct scenario *s, const struct arguments *a)
 {
-    struct arguments plain = *a;
+    const char *radius[SCENARIO_VALUES] = {NULL};
     struct message why;
-    int status = EXIT_DONE;
-    plain.assignments = xrealloc(NULL, (size_t)a->assignment_count + 1, sizeof *plain.assignments);
     for (int k = 0; k < a->assignment_count; k++) {
-        const char *end = strstr(a->assignments[k], "+-");
-        plain.assignments[k] = text_copy(a->assignments[k]);
-        if (end != NULL)
-            plain.assignments[k][end - a->assignments[k]] = '\0';
+        char *text = a->assignments[k], *sign = strstr(text, "+-");
+        for (int i = 0; i < SCENARIO_VALUES && sign != NULL; i++)
+            if (strncmp(scenario_names[i], text, strcspn(text, "=")) == 0 && scenario_names[i][strcspn(text, "=")] == '\0')
+                radius[i] = sign + 2;
+        if (sign != NULL)
+            *sign = '\0';
     }
-    status = read_scenario(s, &plain, true);
-    for (int k = 0; k < a->assignment_count; k++) {
-        const char *end = strstr(a->assignments[k], "+-");
-        const size_t length = strcspn(a->assignments[k], "=");
-        for (int i = 0; i < SCENARIO_VALUES && status == EXIT_DONE && end != NULL; i++) {
-            const char *name = scenario_names[i];
-            if (strlen(name) != length || strncmp(name, a->assignments[k], length) != 0)
-                continue;
-            status = may_have_radius((enum scenario_name)i) ? finite_argument(s->radius + i, name, end + 2, s->exact)
+    int status = read_scenario(s, a, true);
+    for (int i = 0; i < SCENARIO_VALUES && status == EXIT_DONE; i++) {
+        const char *name = scenario_names[i];
+        if (radius[i] != NULL)
+            status = may_have_radius((enum scenario_name)i) ? finite_argument(s->radius + i, name, radius[i], s->exact)
                                                              : usage_error(EXIT_USAGE, "%s: expected without +-", name);
-            if (status == EXIT_DONE && fmpq_sgn(s->radius + i) < 0)
-                status = usage_error(EXIT_FAILED_CHECK, "%s: expected a number >= 0 after +-, got '%.40s'", name, end + 2);
-        }
-        free(plain.assignments[k]);
+        if (status == EXIT_DONE && fmpq_sgn(s->radius + i) < 0)
+            status = usage_error(EXIT_FAILED_CHECK, "%s: expected a number >= 0 after +-, got '%.40s'", name, radius[i]);
     }
-    free(plain.assignments);
     if (status == EXIT_DONE && !scenario_valid(s, true, &why))
         status = usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     return status;
@@ -225,9 +210,9 @@ static int refuse_radius(const struct arguments *a)
 
 struct row_printer {
     FILE *out;
-    const struct times *times;
+    slong rows;
     int first, count;   /* which numbers of a row */
-    bool bare;          /* rows without a time    */
+    bool bare, exact;   /* rows without a time; a time is the decimal itself */
     const char *beside; /* what stands beside the rows that are left, a line each; NULL: nothing */
     struct progress progress;
 };
@@ -235,10 +220,11 @@ struct row_printer {
 static int print_motion_row(void *context, slong k, const fmpq_t t, char *const *numbers)
 {
     struct row_printer *p = context;
-    (void)t;
+    char *time = time_text(t, p->exact);
     if (!p->bare)
-        fputs(p->times->texts[k], p->out);
-    progress_show(&p->progress, (uint64_t)k + 1, (uint64_t)p->times->count);
+        fputs(time, p->out);
+    free(time);
+    progress_show(&p->progress, (uint64_t)k + 1, (uint64_t)p->rows);
     for (int i = p->first; i < p->first + p->count; i++)
         fprintf(p->out, ",%s", numbers[i]);
     if (p->beside != NULL) {
@@ -253,7 +239,7 @@ static int print_motion_row(void *context, slong k, const fmpq_t t, char *const 
 int print_motion(FILE *out, const struct motion *m, const struct times *times, int first, int count, bool bare, const char *beside)
 {
     struct message why;
-    struct row_printer p = {out, times, first, count, bare, beside, progress_begin(m->most_pieces == 0)};
+    struct row_printer p = {out, times->count, first, count, bare, m->scenario->exact, beside, progress_begin(m->most_pieces == 0)};
     const int failed = motion_rows(m, times->t, times->count, print_motion_row, &p, &why);
     progress_end(&p.progress);
     return failed && !ferror(out) ? usage_error(EXIT_FAILED_CHECK, "%s", why.text) : EXIT_DONE;
@@ -268,9 +254,11 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
         status = usage_error(EXIT_FAILED_CHECK, "--rk4: expected a step > 0, got '%.40s'", text);
     for (slong i = 0; i < times->count && status == EXIT_DONE; i++) {
         fmpq_div(steps, times->t + i, h);
+        char *time = time_text(times->t + i, exact);
         if (fmpq_sgn(steps) < 0 || !fmpz_is_one(fmpq_denref(steps)))
             status = usage_error(EXIT_FAILED_CHECK, "--rk4: expected times >= 0 that are multiples of %s, got %s%s",
-                                 text, times->texts[i], exact ? "" : " (as binary64; --exact takes decimals as such)");
+                                 text, time, exact ? "" : " (as binary64; --exact takes decimals as such)");
+        free(time);
     }
     return status;
 }

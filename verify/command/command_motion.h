@@ -9,7 +9,6 @@
 
 struct times {
     fmpq *t;
-    char **texts; /* as they are printed */
     slong count;
 };
 
