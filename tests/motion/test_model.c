@@ -53,14 +53,21 @@ static void assert_holds(const struct model *x, const arb_t truth, int point, do
     ck_assert_double_le(x->rest, most);
 }
 
+/* Those coefficients, the first of all, and the others 0 */
+static void set_model(struct model *x, int count, const double c[], double rest)
+{
+    memset(x->c, 0, (size_t)x->space->size * sizeof *x->c);
+    memcpy(x->c, c, (size_t)count * sizeof *c);
+    model_scale(x, 1); /* finds its norms */
+    x->rest = rest;
+}
+
 static void random_model(struct model *x, const struct space *s, int seed, double rest)
 {
-    SCOPE(arb, zero);
     model_init(x, s);
-    model_set_ball(x, zero);
     for (int b = 0; b < s->size; b++)
         x->c[b] = number(seed + 3 * b);
-    model_scale(x, 1); /* finds its norms */
+    model_scale(x, 1);
     x->rest = rest;
 }
 
@@ -175,6 +182,42 @@ TEST(M1_as_many_roundings_as_there_are_sums)
     }
 }
 
+/*
+ * A product of models of degree 3, of which twenty pairs make e_1 ... e_6: 1, and nineteen 2^-53, each of which is lost beside it.
+ * Nothing is cut off, and all other coefficients are exact.
+ */
+TEST(M1_as_many_roundings_as_pairs_make_a_monomial)
+{
+    enum { VARIABLES = 6, ALL_ONE = 3 /* number of the point where every unknown is 1 */ };
+    OWNED(space) s;
+    SCOPE(arb, truth, b);
+    space_init(&s, VARIABLES, VARIABLES);
+    MODEL(x, &s);
+    MODEL(y, &s);
+    MODEL(z, &s);
+    int first = 0, last = 0; /* e_1 e_2 e_3 and e_4 e_5 e_6 */
+    for (int c = s.first[3]; c < s.first[4]; c++) {
+        bool square = false;
+        for (int i = 0; i < VARIABLES; i++)
+            square = square || s.exponent[c * VARIABLES + i] > 1;
+        if (square)
+            continue;
+        x.c[c] = 0x1p-26;
+        y.c[c] = 0x1p-27;
+        first = first == 0 ? c : first;
+        last = c;
+    }
+    x.c[first] = y.c[last] = 1;
+    model_scale(&x, 1);
+    model_scale(&y, 1);
+    x.rest = y.rest = 0;
+    model_dot(&z, false, 1, &x, &y, 1);
+    value_at(truth, &x, ALL_ONE);
+    value_at(b, &y, ALL_ONE);
+    arb_mul(truth, truth, b, PREC);
+    assert_holds(&z, truth, ALL_ONE, 2e-14);
+}
+
 /* One coefficient with all its bits, by a third; and as the only term of a series: nothing else is rounded. */
 EACH(M1_a_scaled_number_and_a_term_of_a_series_are_rounded, 20)
 {
@@ -217,25 +260,16 @@ static const struct {
 EACH(M2_to_M7_a_rest_has_what_is_cut_off_and_all_rests, COUNT(rests))
 {
     OWNED(space) s;
-    OWNED(model) x, y, z;
     SCOPE(arb, truth, a, b, rest);
     space_init(&s, 1, 2);
-    random_model(&x, &s, 0, 0);
-    random_model(&y, &s, 0, 0);
-    random_model(&z, &s, 0, 0);
+    MODEL(x, &s);
+    MODEL(y, &s);
+    MODEL(z, &s);
     for (int k = 0; k < 200; k++) {
         const double scale = 1 + fabs(number(k)); /* any bits */
-        memset(x.c, 0, 3 * sizeof *x.c);
-        memset(y.c, 0, 3 * sizeof *y.c);
-        memset(z.c, 0, 3 * sizeof *z.c);
-        x.c[2] = rests[_i].x * scale;
-        y.c[2] = rests[_i].y * scale;
-        model_scale(&x, 1);
-        model_scale(&y, 1);
-        model_scale(&z, 1);
-        x.rest = rests[_i].rest_x * scale;
-        y.rest = rests[_i].rest_y * scale;
-        z.rest = rests[_i].rest_z * scale;
+        set_model(&x, 3, (double[]){0, 0, rests[_i].x * scale}, rests[_i].rest_x * scale);
+        set_model(&y, 3, (double[]){0, 0, rests[_i].y * scale}, rests[_i].rest_y * scale);
+        set_model(&z, 1, (double[]){0}, rests[_i].rest_z * scale);
         arb_set_d(truth, z.rest);
         arb_set_d(a, x.c[2] + x.rest); /* one of them is 0 */
         arb_set_d(b, y.c[2] + y.rest);
@@ -286,13 +320,11 @@ TEST(M8_numbers_and_models_that_do_not_fit_leave_a_rest)
         arb_add(truth, truth, third, PREC);
         assert_holds(&x, truth, point, 2e-16);
     }
-    for (int b = 0; b < s.size; b++)
-        x.c[b] = number(b);
-    model_scale(&x, 1);
-    x.rest = 0.25;
-    model_set(&cut, &x);
+    OWNED(model) all;
+    random_model(&all, &s, 0, 0.25);
+    model_set(&cut, &all);
     for (int point = 0; point < POINTS; point++) {
-        value_at(truth, &x, point);
+        value_at(truth, &all, point);
         mag_set_d(arb_radref(truth), 0.25);
         assert_holds(&cut, truth, point, 10);
     }
@@ -303,19 +335,13 @@ RANGE(M9_roots_sines_and_cosines_hold, 1, 7)
 {
     static const double most[] = {10, 1, 0.1, 0.1, 0.02, 0.02, 0.02};
     OWNED(space) s;
-    OWNED(model) x, root, sine, cosine;
     SCOPE(arb, value, truth, other);
     space_init(&s, 2, _i);
-    random_model(&x, &s, 0, 0);
-    model_init(&root, &s);
-    model_init(&sine, &s);
-    model_init(&cosine, &s);
-    memset(x.c, 0, (size_t)s.size * sizeof *x.c);
-    x.c[0] = 2;
-    x.c[1] = 0.5;
-    x.c[2] = -0.25;
-    model_scale(&x, 1);
-    x.rest = 1e-3;
+    MODEL(x, &s);
+    MODEL(root, &s);
+    MODEL(sine, &s);
+    MODEL(cosine, &s);
+    set_model(&x, 3, (double[]){2, 0.5, -0.25}, 1e-3);
     model_inverse_root(&root, &x);
     model_sine(&sine, &x, 0);
     model_sine(&cosine, &x, 1);
@@ -330,8 +356,7 @@ RANGE(M9_roots_sines_and_cosines_hold, 1, 7)
             assert_holds(&sine, truth, point, most[_i]);
             assert_holds(&cosine, other, point, most[_i]);
         }
-    x.c[0] = 0.5; /* down to -0.25 */
-    model_scale(&x, 1);
+    set_model(&x, 3, (double[]){0.5, 0.5, -0.25}, 1e-3); /* down to -0.25 */
     model_inverse_root(&root, &x);
     ck_assert(isinf(root.rest));
 }
@@ -432,9 +457,7 @@ EACH(halves_ranges_and_sums_hold, 10)
     }
     for (int k = 0; k < 3; k++)
         model_clear(&sum[k]);
-    memset(x.c, 0, (size_t)s.size * sizeof *x.c);
-    x.c[s.product[1][1]] = 1; /* e_1^2 lies in [0, 1] */
-    model_scale(&x, 1);
+    set_model(&x, 4, (double[]){0, 0, 0, 1}, 0); /* e_1^2 lies in [0, 1] */
     model_range(range, &x);
     arb_set_si(truth, -1);
     ck_assert(!arb_contains(range, truth));
