@@ -431,6 +431,7 @@ static const struct oracle_run written[] = {
     {"--only eq38 " EXPECT(KNOWN) " -- FAULTY printed", 1, "eq38                  27       20       6 |, 1 failed as expected\n|"
      "\neq38-paper was expected to fail, and passes\n|eq38: 7 wrong; 1 of them as expected\n"},
     {"--only eq38-random-10,eq38-paper --all " EXPECT(KNOWN) " -- " ALL_SAY("1"), 0, "eq38-random-10: wrong, E = |, at most 8 passes, as expected\n"},
+    {"--only eq38-paper,eq38-random-9 " EXPECT(KNOWN) " -- " ALL_SAY("1"), 1, "1 of them as expected\n  eq38-random-9: wrong|!eq38-paper:"},
     {"--only eq38-random-10,eq38-paper " EXPECT(KNOWN) " -- " ALL_SAY("`test $id = eq38-paper && echo skip || echo 1`"), 0, "1 skipped|!and passes"},
     {WRITES("r.xml", "--only eq38-random-10,eq38-paper " EXPECT(KNOWN), ALL_SAY("1")), 0, "<skipped message=\"fails as expected\"/>"},
     {EXPECT(KNOWN) " -- true", 1, "0 passed"},

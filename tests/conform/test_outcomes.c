@@ -10,8 +10,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include "conform/client.h"
 #include "conform/conform.h"
 #include "conform/diagnosis.h"
 #include "evaluate/domain.h"
@@ -934,6 +936,20 @@ TEST(so_many_lines_out_of_place_are_heard)
     close_run(many);
 }
 
+/* A client that has ended, and left a pipe full of lines that answer nothing: no more of them are heard than make it hopeless. */
+TEST(an_ended_client_is_heard_until_it_is_hopeless)
+{
+    char *flood[] = {"sh", "-c", "head -c 60000 /dev/zero | tr '\\0' '\\n'", NULL};
+    struct client c;
+    siginfo_t info;
+    RUN e = eq43();
+    ck_assert_int_eq(client_start(&c, flood), 0);
+    ck_assert_int_eq(waitid(P_PID, (id_t)c.pid, &info, WEXITED | WNOWAIT), 0);
+    ck_assert_int_eq(client_converse(&c, e, 60), ENDING_STOPPED);
+    ck_assert_int_eq(client_close(&c), 0);
+    ck_assert_uint_eq(stray_count(e), 3 * 4096); /* a read of 4096 bytes, and 10000 are too many */
+}
+
 /* Of two that are exact the first, of E and of digits; none whose E lies between two binary64, of which one is K. */
 TEST(the_first_of_the_worst_answers_is_named)
 {
@@ -1295,9 +1311,9 @@ TEST(golden_motions_are_held_against_what_data_has)
         enum outcome due;
     } cases[] = {{NULL, NULL, 0, OUTCOME_RIGHT},         {"", NULL, 0, OUTCOME_RIGHT}, {motions, NULL, 0, OUTCOME_RIGHT},
                  {text, NULL, 0, OUTCOME_RIGHT},         {text, outputs + 8, '0', OUTCOME_WRONG}, /* the eighth digit of x1 */
-                 {text, outputs, 'x', OUTCOME_RIGHT}, {text, outputs, '5', OUTCOME_WRONG}, /* no number is no truth */
-                 {text, strchr(outputs, ',') + 1, 'x', OUTCOME_RIGHT},
-                 {text, t, '2', OUTCOME_RIGHT} /* with that digit still, and of another time */};
+                 {text, t, '2', OUTCOME_RIGHT},          {text, t, '1', OUTCOME_WRONG}, /* with that digit still, and of another time */
+                 {text, outputs, 'x', OUTCOME_RIGHT},    {text, outputs, '5', OUTCOME_WRONG}, /* no number is no truth */
+                 {text, strchr(outputs, ',') + 1, 'x', OUTCOME_RIGHT}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         if (cases[i].at != NULL)
             *cases[i].at = cases[i].digit;

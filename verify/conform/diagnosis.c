@@ -99,15 +99,14 @@ static bool explains(struct mutant *x, const struct test_run *e, const struct re
     struct score score;
     const struct input *inputs = q->numbers ? inputs_of(x, q->inputs) : NULL;
     const bool inside = inputs != NULL && operation_valid(&x->o, inputs);
-    const bool right_answer = f->outcome == OUTCOME_RIGHT, refused = f->outcome == OUTCOME_INVALID || (right_answer && !f->has_values);
-    if (refused || !inside)
-        return refused && !inside;
+    if (!f->has_values || !inside) /* `invalid` was said, or is due */
+        return !f->has_values && !inside;
     OWNED(comparator) j;
     comparator_init(&j, &x->o, e->significand, digits);
     j.once = true; /* what is to explain the answer cannot need more than the truth */
     for (int i = 0; i < x->o.section->output_count; i++)
         arb_set_d(j.y + i, f->values[i]);
-    if (right_answer)
+    if (f->outcome == OUTCOME_RIGHT)
         return compare_answer(&j, inputs, &score) != OUTCOME_WRONG;
     if (f->outcome == OUTCOME_WRONG || f->outcome == OUTCOME_VALUE)
         return compare_answer(&j, inputs, &score) == OUTCOME_RIGHT;
