@@ -92,6 +92,7 @@ static const struct oracle_run faults[] = {
     {THREE "malformed", 1, "  first malformed: eq07-random-7 1.5 oops\n    'oops' is no number\n"},
     {THREE "wrong-id", 1, "  101 wrong id, the first is line 11: somebody "},
     {THREE "flood", 1, "\nthe client was stopped for so many lines that answer nothing after 0 of 111 answers\n"},
+    {"--only eq38 -- yes", 1, "\nthe client was stopped for so many lines that answer nothing after 0 of 27 answers\n"},
     {THREE "skip", 1, "every vector was skipped\n"},
     {"--only eq38 -- sh -c 'printf %150s; echo \"eq38-paper skip it\"; cat >/dev/null'", 1, "  26        1\n"},
     {"--only eq38 -- sh -c 'printf \"eq38-paper\\\\t\\\\033[1m\\\\n\"; cat >/dev/null'", 1, "got        ?[1m\n"},
@@ -484,6 +485,8 @@ static const struct oracle_run slow[] = {
      "{ sleep 3; wc -c; cat \"$CT_BUILD/tests/blocked\"; }", 0, "200000\n| 0 failed"},
     {"--only eq07 --random 5000 --seed 1 --timeout 2 -- sh -c 'f=$CT_BUILD/tests/taken; rm -f \"$f\"; for i in 1 2 3 4; do head -c 100000 >>\"$f\"; sleep 0.8; done; "
      "cat >>\"$f\"; exec \"$0\" <\"$f\"' FAULTY", 0, " 0 failed"},
+    /* somebody else's child is not waited for */
+    {"--help >/dev/null; sleep 9 >/dev/null 2>&1 & exec \"$CT_PROGRAM\" conform -- /nowhere/client", 2, "/nowhere/client': No such file"},
     /* an answer every third of a second is in time, though all of them take longer than one */
     {"--only eq38 --timeout 1 -- sh -c 'head -n 8 >/dev/null; for i in 1 2 3 4 5 6 7 8; do sleep 0.3; echo eq38-random-$i skip it; done; cat >/dev/null'", 1, "!time-out"},
 };

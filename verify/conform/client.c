@@ -207,25 +207,18 @@ static bool hear_answers(struct client *c, struct test_run *run, bool *enough, b
     return got > 0 || errno == EINTR; /* an end that is closed is heard no more */
 }
 
-/* What an ended client has left in its pipe, which somebody else may still hold open. */
-static void hear_the_rest(struct client *c, struct test_run *run, bool *enough)
-{
-    bool answered;
-    while (c->from >= 0 && !*enough && c->why == 0 && hear_answers(c, run, enough, &answered))
-        ;
-    hear_errors(c);
-}
-
 enum ending client_converse(struct client *c, struct test_run *run, double timeout)
 {
     struct outgoing o = {.begin = 0, .end = 0};
     struct progress progress = progress_begin(false);
     double moved = clock_seconds(); /* since when only the client could have done something, and did not */
-    bool enough = false, ended = false;
+    bool enough = false, ended = false, answered;
     while (!ended && clock_seconds() - moved < timeout && !enough && c->why == 0 && !is_interrupted(c)) {
+        ended = has_ended(c); /* all that it has said is there, then */
         struct pollfd ends[] = {{c->to, POLLOUT, 0}, {c->from, POLLIN, 0}, {c->errors, POLLIN, 0}};
-        const int slice = c->from >= 0 ? 100 : 10; /* ms until the next look for an interrupt or the end */
-        bool taken = false, answered = false;
+        const int slice = ended ? 0 : 10; /* ms until the next look for an interrupt or the end */
+        bool taken = false;
+        answered = false;
         if (poll(ends, 3, slice) < 0 && !is_passing(errno))
             c->why = errno; /* LCOV_EXCL_LINE: a failing system call, make faults */
         if (ends[0].revents != 0)
@@ -237,13 +230,10 @@ enum ending client_converse(struct client *c, struct test_run *run, double timeo
         if (taken || answered)
             moved = clock_seconds();
         progress_show(&progress, run->next, run->sets.total);
-        ended = has_ended(c);
     }
     progress_end(&progress);
-    if (ended)
-        hear_the_rest(c, run, &enough);
-    else
-        hear_errors(c);
+    while (c->from >= 0 && !enough && c->why == 0 && hear_answers(c, run, &enough, &answered)) /* which somebody else may hold open */
+        ;
     return is_interrupted(c) ? ENDING_INTERRUPTED
            : c->why != 0     ? ENDING_BROKEN
            : enough          ? ENDING_STOPPED
