@@ -1152,7 +1152,7 @@ EACH(a_kind_of_mistake_fits_every_vector, KINDS)
  */
 EACH(the_kill_table_is_complete, 4)
 {
-    static const char *const formulas[] = {"3*I", "I*(1 + 2^-48)", "I + 0", NULL};
+    static const char *const formulas[] = {"3*I", "I*(1 + 1/2^48)", "I + 0", NULL};
     struct sheet alone = *sheet();
     struct section s = *section_find(sheet(), "eq32");
     struct known_mistake own = {.name = "twice", .changes = {{PLACE_OUTPUT, "I", "2*I"}}, .count = 1};
