@@ -16,13 +16,22 @@ enum { MEASURE_BITS = 128 };
 
 /* What a name asks for. */
 struct request {
+    const struct measure *measure;
     const struct trajectory *of, *beside; /* beside NULL: none */
     int which;
     long numbers[2];                      /* the hours, or the part of an exit; -1: none */
     slong from, to;                       /* samples */
 };
 
-/* ---- measures: false where nothing is proved ---- */
+/* Of variables up to the last that it can be of, in their units or not; beside another motion; asked for a part of the start. */
+struct measure {
+    const char *name;
+    bool (*of)(arb_t x, const struct request *r); /* false where nothing is proved */
+    int last;
+    bool in_units, compares, of_part;
+    bool for_ever;                                      /* what it finds, or that part, is not exceeded after the last sample */
+    void (*pick)(arb_t, const arb_t, const arb_t, slong); /* of two values */
+};
 
 /* What the energy at a sample allows from then on, for ever; no number where that is nothing. */
 static void reach_from(arb_t x, const struct trajectory *t, int which, slong k)
@@ -35,10 +44,12 @@ static void reach_from(arb_t x, const struct trajectory *t, int which, slong k)
         arb_indeterminate(x);
 }
 
-/* Whether the last sample's energy allows no more than a limit. */
+/* Whether the last sample's energy allows no more than a limit, where that is asked. */
 static bool stays_below(const arb_t limit, const struct request *r)
 {
     SCOPE(arb, after);
+    if (!r->measure->for_ever)
+        return true;
     reach_from(after, r->of, r->which, r->of->count - 1);
     return arb_lt(after, limit);
 }
@@ -50,21 +61,26 @@ static bool peak(arb_t x, const struct request *r)
     return true;
 }
 
-/* ... between them too, ... */
+/* ... and between them too. */
 static bool supremum(arb_t x, const struct request *r)
 {
-    return trajectory_supremum(x, r->of, r->beside, r->which, r->from, r->to);
-}
-
-/* ... and from the first on for ever. */
-static bool ever(arb_t x, const struct request *r)
-{
-    return supremum(x, r) && stays_below(x, r);
+    return trajectory_supremum(x, r->of, r->beside, r->which, r->from, r->to) && stays_below(x, r);
 }
 
 static bool bound(arb_t x, const struct request *r)
 {
     reach_from(x, r->of, r->which, r->from);
+    return true;
+}
+
+/* The one that is picked of all values on samples. */
+static bool picked(arb_t x, const struct request *r)
+{
+    SCOPE(arb, value);
+    for (slong k = r->from; k <= r->to; k++) {
+        trajectory_value(value, r->of, k, r->which);
+        r->measure->pick(x, k == r->from ? value : x, value, MEASURE_BITS);
+    }
     return true;
 }
 
@@ -74,47 +90,18 @@ static bool value_of_sample(arb_t x, const struct request *r)
     return true;
 }
 
-/* The least or the largest value on samples. */
-static bool extreme(arb_t x, const struct request *r, void (*of)(arb_t, const arb_t, const arb_t, slong))
-{
-    SCOPE(arb, value);
-    for (slong k = r->from; k <= r->to; k++) {
-        trajectory_value(value, r->of, k, r->which);
-        of(x, k == r->from ? value : x, value, MEASURE_BITS);
-    }
-    return true;
-}
-
-static bool least(arb_t x, const struct request *r)
-{
-    return extreme(x, r, arb_min);
-}
-
-static bool largest(arb_t x, const struct request *r)
-{
-    return extreme(x, r, arb_max);
-}
-
 static bool energy(arb_t x, const struct request *r)
 {
     trajectory_energy(x, r->of, r->from);
     return true;
 }
 
-/* In hours, when it is below a part of its start until the last sample; ... */
+/* In hours, when it is below a part of its start until the last sample. */
 static bool exit_of(arb_t hours, const struct request *r)
 {
     SCOPE(arb, limit);
     arb_div_si(limit, trajectory_sample(r->of, 0) + r->which, r->numbers[0], MEASURE_BITS);
-    return trajectory_exit(hours, r->of, r->which, limit);
-}
-
-/* ... and for ever, by the energy of the last sample. */
-static bool settled(arb_t hours, const struct request *r)
-{
-    SCOPE(arb, limit);
-    arb_div_si(limit, trajectory_sample(r->of, 0) + r->which, r->numbers[0], MEASURE_BITS);
-    return exit_of(hours, r) && stays_below(limit, r);
+    return trajectory_exit(hours, r->of, r->which, limit) && stays_below(limit, r);
 }
 
 /* The largest difference on samples as a part of what the linear motion beside may still reach. */
@@ -143,25 +130,26 @@ static bool sign_changes(arb_t x, const struct request *r)
     return true;
 }
 
-/* Of variables up to the last that it can be of, in their units or not; beside another motion; asked for a part of the start. */
-static const struct measure {
-    const char *name;
-    bool (*of)(arb_t x, const struct request *r);
-    int last;
-    bool in_units, compares, of_part;
-} measures[] = {
-    {"sup_", supremum, PRODUCT, true, false, false},     {"ever_", ever, PLACE_Z, true, false, false},
-    {"bound_", bound, PLACE_Z, true, false, false},      {"peak_", peak, PHASE, true, false, false},
-    {"low_", least, PHASE, true, false, false},        {"high_", largest, PHASE, true, false, false},
-    {"at_", value_of_sample, PHASE, true, false, false},      {"energy_of_", energy, PSI, false, false, false},
-    {"exit_", exit_of, PLACE_Z, false, false, true},     {"settled_", settled, PLACE_Z, false, false, true},
-    {"gap_", peak, PHASE, true, true, false},          {"between_", supremum, PRODUCT, true, true, false},
-    {"part_", part, PLACE_Z, false, true, false},        {"changes_", sign_changes, PLACE_Z, false, false, false},
-    {NULL, NULL, 0, false, false, false},
+static const struct measure measures[] = {
+    {"sup_", supremum, PRODUCT, .in_units = true},
+    {"ever_", supremum, PLACE_Z, .in_units = true, .for_ever = true},
+    {"bound_", bound, PLACE_Z, .in_units = true},
+    {"peak_", peak, PHASE, .in_units = true},
+    {"low_", picked, PHASE, .in_units = true, .pick = arb_min},
+    {"high_", picked, PHASE, .in_units = true, .pick = arb_max},
+    {"at_", value_of_sample, PHASE, .in_units = true},
+    {"energy_of_", energy, PSI, .in_units = false},
+    {"exit_", exit_of, PLACE_Z, .of_part = true},
+    {"settled_", exit_of, PLACE_Z, .of_part = true, .for_ever = true},
+    {"gap_", peak, PHASE, .in_units = true, .compares = true},
+    {"between_", supremum, PRODUCT, .in_units = true, .compares = true},
+    {"part_", part, PLACE_Z, .compares = true},
+    {"changes_", sign_changes, PLACE_Z, .in_units = false},
+    {.name = NULL},
 };
 
-/* What a name asks for, the numbers in it as written; NULL: nothing that there is. */
-static const struct measure *read_name(struct request *r, const char *name)
+/* What a name asks for, the numbers in it as written; false: nothing that there is. */
+static bool read_name(struct request *r, const char *name)
 {
     static const char *const forms[] = {"%s%s", "%s%s_%ld", "%s%s_%ld_%ld"};
     char again[128];
@@ -173,19 +161,20 @@ static const struct measure *read_name(struct request *r, const char *name)
                 continue;
             const int count = sscanf(name + length, "_%9ld_%9ld", &r->numbers[0], &r->numbers[1]);
             snprintf(again, sizeof again, forms[FLINT_MAX(count, 0)], m->name, variable, r->numbers[0], r->numbers[1]);
+            r->measure = m;
             if (strcmp(name, again) == 0)
-                return r->beside != NULL || !m->compares ? m : NULL;
+                return r->beside != NULL || !m->compares;
         }
-    return NULL;
+    return false;
 }
 
 static void give_measure(struct computed *c, const struct trajectory *t, const struct trajectory *beside, const char *name)
 {
     struct request r = {.of = t, .beside = beside, .numbers = {-1, -1}, .to = t->count - 1};
-    const struct measure *m = read_name(&r, name);
     SCOPE(arb, x, unit);
-    if (m == NULL)
+    if (!read_name(&r, name))
         return;
+    const struct measure *m = r.measure;
     if (!m->compares)
         r.beside = NULL;
     if (r.numbers[0] >= 0 && !m->of_part)

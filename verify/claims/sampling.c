@@ -110,43 +110,36 @@ void largest_hold(arb_t limit, const struct derivations *steps, const arb_t c1, 
 
 /* ---- the nonlinear motion, the law held ---- */
 
-void commanded(arb_t eta, arb_t rate, arb_t charge, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec)
+/* (7): Q goes like the cube of the length that it holds, in units of which the motion is that without feedback. */
+bool hold_follow(arb_ptr samples, const struct derivations *steps, const arb_t c1, const arb_t c2, long T, slong count, slong digits)
 {
-    SCOPE(arb, r);
-    arb_dot(r, NULL, 0, state, 1, state, 1, FLOW_HALF, prec);
-    arb_sqrt(r, r, prec);
-    arb_sub_ui(eta, r, 1, prec);
-    arb_dot(rate, NULL, 0, state, 1, state + FLOW_HALF, 1, FLOW_HALF, prec);
-    arb_div(rate, rate, r, prec);
-    arb_mul(charge, c1, eta, prec);
-    arb_addmul(charge, c2, rate, prec);
-    arb_div_ui(charge, charge, 3, prec);
-}
-
-static int take_held(void *context, slong k, const fmpq_t t, arb_srcptr state)
-{
-    (void)k;
-    (void)t;
-    _arb_vec_set(context, state, FLOW_STATE);
-    return 0;
-}
-
-enum flow_status hold_follow(arb_ptr states, arb_srcptr start, const arb_t c1, const arb_t c2, const fmpq_t T, slong count,
-                             slong digits, slong prec)
-{
-    enum flow_status status = FLOW_DONE;
-    FLOW_PARAMETERS(p); /* no feedback between samples */
-    SCOPE(arb, eta, rate, charge);
-    arb_ptr const ones[] = {p.Omega, p.k_c, p.m1, p.m2};
-    for (int i = 0; i < 4; i++)
-        arb_one(ones[i]);
-    for (slong k = 0; k < count && status == FLOW_DONE; k++) {
-        arb_srcptr state = k == 0 ? start : states + FLOW_STATE * (k - 1);
-        commanded(eta, rate, charge, state, c1, c2, prec);
-        arb_add_ui(charge, charge, 1, prec);
-        arb_root_ui(charge, charge, 3, prec); /* (7): Q goes like the cube of the length that it holds */
-        arb_mul_2exp_si(p.L_ref, charge, 1);
-        status = flow_run(&(struct flow_request){&p, state, T, 1, digits, prec, take_held, states + FLOW_STATE * k, true, NULL, NULL, 0, 0});
+    enum { BITS = 512 };
+    bool proved = true;
+    SCOPE(arb, held);
+    for (slong k = 0; k < count && proved; k++) {
+        arb_ptr sample = samples + COORDINATES * k;
+        struct trajectory t;
+        VECTOR(arb, start, FLOW_STATE);
+        arb_mul(held, c1, sample + ETA, BITS);
+        arb_addmul(held, c2, sample + ETA_DOT, BITS);
+        arb_div_ui(held, held, 3, BITS);
+        arb_add_ui(held, held, 1, BITS);
+        arb_root_ui(held, held, 3, BITS);
+        _arb_vec_set(start, sample, FLOW_STATE);
+        arb_add_ui(start + ETA, sample + ETA, 1, BITS);
+        arb_div(start + ETA, start + ETA, held, BITS);
+        arb_sub_ui(start + ETA, start + ETA, 1, BITS);
+        arb_div(start + ETA_DOT, sample + ETA_DOT, held, BITS);
+        proved = trajectory_run(&t, &(struct simulation){.steps = steps, .nonlinear = true, .digits = digits + count - k, .C1 = "0", .C2 = "0",
+                                                         .start = start}, T, 1, T);
+        sample += COORDINATES;
+        _arb_vec_set(sample, trajectory_sample(&t, 0), COORDINATES);
+        arb_add_ui(sample + ETA, sample + ETA, 1, BITS);
+        _arb_vec_scalar_mul(sample + PLACE_X, sample + PLACE_X, 3, held, BITS);
+        arb_mul(sample + ETA, sample + ETA, held, BITS);
+        arb_mul(sample + ETA_DOT, sample + ETA_DOT, held, BITS);
+        arb_sub_ui(sample + ETA, sample + ETA, 1, BITS);
+        trajectory_clear(&t);
     }
-    return status;
+    return proved;
 }

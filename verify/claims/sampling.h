@@ -14,8 +14,7 @@
 #ifndef CT_SAMPLING_H
 #define CT_SAMPLING_H
 
-#include "motion/flow.h"
-#include "proof/derivation.h"
+#include "claims/trajectory.h"
 
 /* c1 by (43), c2 by (44), or as it is said. */
 void set_gains(arb_t c1, arb_t c2, const char *n, const char *c2_over_Omega, slong prec);
@@ -23,15 +22,10 @@ void set_gains(arb_t c1, arb_t c2, const char *n, const char *c2_over_Omega, slo
 /* The model comes to rest for every T in (0, limit), and not at the limit; indeterminate where prec does not suffice. */
 void largest_hold(arb_t limit, const struct derivations *steps, const arb_t c1, const arb_t c2, slong prec);
 
-/* r - 1 and r' of craft 1, and the charge product over Q_ref less 1 that (18) commands there. */
-void commanded(arb_t eta, arb_t rate, arb_t charge, arb_srcptr state, const arb_t c1, const arb_t c2, slong prec);
-
 /*
- * The nonlinear motion with the law held for T again and again, from a state in these units: after each T the state,
- * FLOW_STATE numbers each time. Under a held charge the pair moves as without feedback about the length which that
- * charge holds.
+ * The nonlinear motion with the law held for T seconds again and again: from a sample `count` more, T apart, proved to `digits` at the
+ * last, each to one more than the next. False where one is not proved.
  */
-enum flow_status hold_follow(arb_ptr states, arb_srcptr start, const arb_t c1, const arb_t c2, const fmpq_t T, slong count,
-                             slong digits, slong prec);
+bool hold_follow(arb_ptr samples, const struct derivations *steps, const arb_t c1, const arb_t c2, long T, slong count, slong digits);
 
 #endif
