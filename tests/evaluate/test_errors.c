@@ -431,6 +431,32 @@ EACH(E7_enclosures_of_few_bits_hold_outputs_and_S, sheet()->section_count)
     }
 }
 
+/*
+ * At the double next to a quarter turn the sine in (9) has a slope of 6.1e-17, of which balls of few bits hold zero too; (44) has none
+ * at n = 9, and S is infinite.
+ */
+TEST(E7_a_slope_next_to_zero_counts_and_a_pole)
+{
+    const struct section *s = section_find(sheet(), "eq09"), *pole = section_find(sheet(), "eq44");
+    VECTOR(arb, truth, MOST_OUTPUTS);
+    VECTOR(arb, S, MOST_OUTPUTS);
+    INPUTS(inputs);
+    OPERATION(o, s);
+    OPERATION(at_pole, pole);
+    ck_assert(inputs_of_values(s, (const double[]){0x1.921fb54442d18p+0, 0}, inputs)); /* psi theta */
+    difference_S(&o, inputs, truth);
+    for (slong prec = 20; prec <= BINARY64; prec++)
+        for (int i = 0; i < s->output_count; i++) {
+            operation_sensitivity(&o, inputs, prec, S);
+            ck_assert_msg(arb_contains_arf(S + i, arb_midref(truth + i)), "%ld bits of S %d", prec, i);
+            operation_sensitivity_exact(&o, inputs, prec, i, S + i);
+            ck_assert_msg(arb_contains_arf(S + i, arb_midref(truth + i)), "%ld bits of S %d by exact derivatives", prec, i);
+        }
+    ck_assert(inputs_of_values(pole, (const double[]){1, 9}, inputs)); /* Omega n */
+    operation_sensitivity_exact(&at_pole, inputs, BINARY64, 0, S);
+    ck_assert(arf_is_pos_inf(arb_midref(S)));
+}
+
 /* Thirds have no enclosure without a radius: a motion that ends where it begins holds them, each of its start. */
 EACH(E7_a_motion_of_no_time_holds_its_start, sheet()->section_count)
 {
