@@ -204,7 +204,7 @@ static const struct {
      IDENTITY_UNDECIDED, "psi = psi: no value, a finite angle outside sine and cosine"},
     {"    angles: [psi, theta]\n    show: [L + psi = L + theta]", IDENTITY_UNDECIDED, "L + psi = L + theta: no value, a finite angle outside sine and cosine"},
     {"    show: [1/(L - L) = 2/(L - L)]", IDENTITY_UNDECIDED, "1/(L - L) = 2/(L - L): no value"},
-    {"    show: [1/(L - m1) = 2/(L - m1)]", IDENTITY_DIFFERS, "1/(L - m1) = 2/(L - m1): the sides differ by 1/(m1-L); 1/2 is not 1 where m1 = 2, L = 4"}, /* not where both are 1 */
+    {"    show: [1/(L - m1) = -1/(L - m1)]", IDENTITY_DIFFERS, "1/(L - m1) = -1/(L - m1): the sides differ by -2/(m1-L); 1/2 is not -1/2 where m1 = 2, L = 4"}, /* not where both are 1 */
     {"    show: [h = 2*h]", IDENTITY_DIFFERS, "h = 2*h: "}, /* the sheet's last */
     {"    show: [1/(L - L) = 1]", IDENTITY_UNDECIDED, "1/(L - L) = 1: no value, division by what is zero at epsilon = 0"},
     {"    positive: [k]\n    small: [k]\n    order: 1\n    let:\n      lambda_d: 1/k\n"

@@ -261,11 +261,10 @@ static bool quotient_at(fmpq_t q, const fmpz_mpoly_q_struct *x, fmpz *const *at)
 {
     fmpz_mpoly_evaluate_all_fmpz(fmpq_numref(q), fmpz_mpoly_q_numref(x), at, symbolic_context());
     fmpz_mpoly_evaluate_all_fmpz(fmpq_denref(q), fmpz_mpoly_q_denref(x), at, symbolic_context());
-    const bool finite = !fmpz_is_zero(fmpq_denref(q));
-    if (!finite)
-        fmpz_one(fmpq_denref(q));
+    if (fmpz_is_zero(fmpq_denref(q)))
+        return false;
     fmpq_canonicalise(q);
-    return finite;
+    return true;
 }
 
 static void print_rational(struct tex *out, const char *before, const fmpq_t q)
