@@ -405,17 +405,9 @@ int identities_text(struct identities *t, const struct scope *s, const struct ya
     return program_read(&t->program, node, text, shift, read_reference, &r);
 }
 
-/* Only then is a place in the text a place in the file. */
-static bool on_one_line(const struct yaml *node, const char *expected)
-{
-    if (node->text == NULL || node->at.line != node->last_line)
-        return node_error(node, 0, "expected %s, on one line", expected);
-    return true;
-}
-
 int identities_formula(struct identities *t, const struct scope *s, const struct yaml *node)
 {
-    return on_one_line(node, "a formula") ? identities_text(t, s, node, node->text, 0) : -1;
+    return is_text(node, "a formula") ? identities_text(t, s, node, node->text, 0) : -1;
 }
 
 const char *side_end(const char *text, const char *signs)
@@ -449,7 +441,7 @@ static char *text_part(const char *from, const char *end)
 bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node)
 {
     int left = -1;
-    if (!on_one_line(node, "left = right"))
+    if (!is_text(node, "left = right"))
         return false;
     if (*side_end(node->text, "=") == '\0')
         return node_error(node, 0, "expected left = right");
