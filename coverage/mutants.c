@@ -15,26 +15,24 @@ int mutant_; /* 0: the program as it is */
 static unsigned char nowhere[MOST_MUTANTS];
 unsigned char *mutant_reached_ = nowhere;
 
-static void *mapped(const char *name, size_t length, int protection)
+/* So that what dies or forks leaves its traces, too. */
+static void *mapped(const char *name, int opened, int protection, size_t *length)
 {
-    const int file = open(name, protection == PROT_READ ? O_RDONLY : O_RDWR);
-    void *bytes = mmap(NULL, length, protection, MAP_SHARED, file, 0); /* so that what dies or forks leaves its traces too */
-    close(file);
-    return bytes;
+    const int file = open(name, opened);
+    struct stat about;
+    if (file < 0 || fstat(file, &about) != 0)
+        return NULL;
+    *length = (size_t)about.st_size;
+    return mmap(NULL, *length, protection, MAP_SHARED, file, 0);
 }
 
 __attribute__((constructor)) static void begin(void)
 {
     const char *mutant = getenv("MUTANT"), *reached = getenv("MUTANT_REACHED");
+    size_t length;
     mutant_ = mutant != NULL ? atoi(mutant) : 0;
     if (reached != NULL)
-        mutant_reached_ = mapped(reached, MOST_MUTANTS, PROT_READ | PROT_WRITE);
-}
-
-/* The first assertion that fails decides. */
-void __wrap__ck_assert_failed(void)
-{
-    _exit(1);
+        mutant_reached_ = mapped(reached, O_RDWR, PROT_READ | PROT_WRITE, &length);
 }
 
 /* A mutant that lost the process it asks for would end all of the user's: it is noticed by that. */
@@ -52,12 +50,14 @@ struct sources __wrap_embedded_sources(void)
 {
     static struct sources s;
     struct source *const sheets[] = {&s.equations, &s.derivations, &s.claims};
-    struct stat file;
     if (s.equations.text != NULL) /* mapped once */
         return s;
     s = __real_embedded_sources();
-    for (int i = 0; i < 3; i++)
-        if (stat(sheets[i]->name, &file) == 0)
-            *sheets[i] = (struct source){sheets[i]->name, mapped(sheets[i]->name, (size_t)file.st_size, PROT_READ), (size_t)file.st_size};
+    for (int i = 0; i < 3; i++) {
+        size_t length;
+        const char *text = mapped(sheets[i]->name, O_RDONLY, PROT_READ, &length);
+        if (text != NULL)
+            *sheets[i] = (struct source){sheets[i]->name, text, length};
+    }
     return s;
 }

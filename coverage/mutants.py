@@ -11,7 +11,6 @@ goes on, a kill stands, a survivor is asked again once anything in the project h
 import argparse
 import collections
 import concurrent.futures
-import contextlib
 import csv
 import hashlib
 import math
@@ -30,9 +29,8 @@ ROOT = pathlib.Path.cwd()
 LISTED, README = ROOT / 'coverage/survivors.csv', ROOT / 'coverage/README.md'
 KINDS = ('tokens', 'soundness')
 SHEETS = ('paper/equations.yaml', 'paper/derivations.yaml', 'paper/claims.yaml')
-VERIFY_SAMPLE, VERIFY_SEED, VERIFY_LEAST = 250, 1, 0.9  # of the tokens of verify/, which are too many; and how many must be noticed
-SAMPLE_LEAST = 0.5  # a sample is so small that it may show 60 % where 80 % are noticed
-COUNTED = ('verify/', *SHEETS[1:])  # in a sample: not all that is equivalent there is listed
+STRICT = ('ref/', SHEETS[0])  # all that is equivalent there is listed, so that of a sample too nothing may survive
+TOO_MANY, OF_THEM = ('verify/', 'tokens'), 250  # are sampled always
 FILES = [str(file.relative_to(ROOT)) for folder in ('', 'coverage', 'data', 'paper', 'ref', 'tests', 'verify')
          for file in sorted((ROOT / folder).glob('**/*' if folder else '*')) if file.is_file()]
 WORLD = hashlib.sha256(b''.join((ROOT / file).read_bytes() for file in FILES if not file.startswith('coverage/'))).hexdigest()[:20]
@@ -45,9 +43,8 @@ class Mutant:
         self.file, self.kind, self.right, self.start, self.end, self.by, self.what = file, kind, right, start, end, by, what
         self.number = self.function = 0
         first, last = right.rfind('\n', 0, start) + 1, right.find('\n', end)
-        diff = f'{right[first:start]}[-{right[start:end]}-]{{+{by}+}}{right[end:last]}'
-        self.shown = ' '.join(diff.split())
-        self.name, self.group = (file, self.shown), file if file in SHEETS else file.split('/')[0] + '/'
+        self.shown = ' '.join(f'{right[first:start]}[-{right[start:end]}-]{{+{by}+}}{right[end:last]}'.split())
+        self.name, self.group = (file, self.shown), (file if file in SHEETS else file.split('/')[0] + '/', kind)
 
     def __str__(self):
         line = self.right.count('\n', 0, self.start) + 1
@@ -72,30 +69,30 @@ def all_mutants(only):
 
 # ---- one program of them all ----
 
-FUNCTION = re.compile(r'^(?P<sign>[a-z_][^\n;{}#=]*(?:\n[ \t][^\n;{}=]*)*\))\n\{\n(?P<body>(?:(?!\}).*\n)*)^\}\n', re.M)
+FUNCTION = re.compile(r'^(?P<type>[a-z_][^\n;{}#=(]*?)(?P<name>\w+)\((?P<parameters>[^\n;{}#=]*(?:\n[ \t][^\n;{}=]*)*)\)\n\{\n'
+                      r'(?P<body>(?:(?!\}).*\n)*)^\}\n', re.M)
 
 
 def schemata(file, text, chosen):
     """The text of a file in which each function that has mutants calls the one that is chosen."""
     def of_all(f):
-        sign, body, begin = f['sign'], f['body'], f.start('body')
+        name, parameters, body, begin = f['name'], f['parameters'], f['body'], f.start('body')
         mine = [m for m in chosen if begin <= m.start and m.end <= f.end('body')]
-        before, name, parameters = re.fullmatch(r'(.*?)(\w+)\((.*)\)', sign, re.S).groups()
         if not mine or '...' in parameters:
             return f[0]
         plain = re.sub(r'\(\s*\*\s*(?:const\s+)?(\w+)\)(?:\([^()]*\))?', r'\1', parameters)  # without those of a parameter
         arguments = ', '.join(p for p in re.findall(r'(\w+)\s*(?:\[[^\]]*\]\s*)*(?:,|$)', plain) if p != 'void')
-        copies, cases = '', ''
-        for m in [None, *mine]:
+        kept, result = re.sub(r'\b(static|extern|inline)\b\s*', '', f['type']), '' if f['type'].endswith('void ') else 'return '
+        copies = cases = ''
+        for m in [*mine, None]:
             tag, label = (f'm{m.number}', f'case {m.number}') if m else ('right', 'default')
             changed = body[:m.start - begin] + m.by + body[m.end - begin:] if m else body
-            kept, call = re.sub(r'\b(static|extern|inline)\b\s*', '', before), f'{name}__{tag}({arguments});'
             copies += f'#line 1 "{tag}"\nstatic {kept}{name}__{tag}({parameters})\n{{\n{changed}}}\n'
-            cases += f'    {label}: {call} return;\n' if re.search(r'\bvoid\s*$', before) else f'    {label}: return {call}\n'
+            cases += f'    {label}: {result}{name}__{tag}({arguments}); {"" if result else "return;"}\n'
         for m in mine:
             m.function = mine[0].number
+        sign, following = f'{f["type"]}{name}({parameters})', text.count('\n', 0, f.end()) + 1
         chooser = f'{sign}\n{{\n    mutant_reached_[{mine[0].number}] = 1;\n    switch (mutant_) {{\n{cases}    }}\n}}\n'
-        following = text.count('\n', 0, f.end()) + 1
         return f'{sign};\n{copies}{chooser}#line {following} "{file}"\n'
     return f'extern int mutant_; extern unsigned char *mutant_reached_;\n#line 1 "{file}"\n' + FUNCTION.sub(of_all, text)
 
@@ -113,10 +110,10 @@ def all_in_one(place, chosen):
         (place / file).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(ROOT / file, place / file)
     shutil.copy2(ROOT / 'coverage/mutants.c', place / 'ref/')
-    verdicts, made = {}, False
+    verdicts, made, files = {}, False, {m.file: m.right for m in chosen}
     while not made:
-        for file in {m.file for m in chosen}:
-            text = schemata(file, (ROOT / file).read_text(), [m for m in chosen if m.file == file and m.number not in verdicts])
+        for file, right in files.items():
+            text = schemata(file, right, [m for m in chosen if m.file == file and m.number not in verdicts])
             if text != (place / file).read_text():
                 (place / file).write_text(text)
         said, made = make(place)
@@ -128,12 +125,11 @@ def all_in_one(place, chosen):
         verdicts |= refused
     for file in place.glob('build/[rv]e*/**/*.o'):
         command = ['objdump', '-dr', '--no-addresses', '--no-show-raw-insn', file]
-        shown = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
-        code = {(name, tag): body.replace(f'{name}__{tag}', name)
-                for name, tag, body in re.findall(r'^<(\w+)__(m\d+|right)>:\n((?:.+\n)*)', shown.stdout, re.M)}
-        same = [tag for (name, tag), body in code.items() if tag != 'right' and body == code.get((name, 'right'))]
-        verdicts |= {int(tag[1:]): 'same code' for tag in same}
-    for file in {m.file for m in chosen}:  # as people have them, and older than what is made of them
+        shown = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
+        found = re.findall(r'^<(\w+)__(?:m(\d+)|right)>:\n((?:.+\n)*)', shown, re.M)
+        code = {(name, number): re.sub(rf'{name}__(m\d+|right)', name, body) for name, number, body in found}
+        verdicts |= {int(n): 'same code' for (name, n), body in code.items() if n and body == code.get((name, ''))}
+    for file in files:  # as people have them, and older than what is made of them
         shutil.copy2(ROOT / file, place / file)
     return verdicts
 
@@ -162,14 +158,14 @@ class Check:
             return (output.read(), process.returncode), used.ru_utime + used.ru_stime
 
     def learn(self):
-        """What the right program makes of it, and what it reaches."""
+        """What the right program makes of it, what it costs, and what it reaches."""
         reached = WORKER.place / 'reached'
-        for _ in range(2):  # on a machine that is busy one may end before its time
-            reached.write_bytes(bytes(1 << 17))
-            self.right, self.cost = self.run(300, MUTANT_REACHED=str(reached))
-            if self.right[1] == 0:
-                break
+        reached.write_bytes(bytes(1 << 17))
+        self.right, self.cost = self.run(300, MUTANT_REACHED=str(reached))
         self.reached = {number for number, hit in enumerate(reached.read_bytes()) if hit}
+        if self.right[1] != 0:
+            print(f'mutants: {self.name} does not pass the program as it is, and is left out', file=sys.stderr)
+        return self.right[1] == 0
 
 
 def all_checks():
@@ -207,15 +203,15 @@ class Judge:
         for check in sorted((c for c in self.checks if not mutant.function or function in c.reached), key=dear):
             if spent and spent + check.cost > self.budget:
                 continue
-            limit = math.ceil(2 + 5 * check.cost)
-            found, cost = check.run(limit, MUTANT=str(mutant.number))
+            found, _ = check.run(math.ceil(2 + 5 * check.cost), MUTANT=str(mutant.number))
             if found != check.right:
                 self.noticed.update([(mutant.file, function, check), (mutant.file, check)])
-                return 'killed', check.name + ' (time)' * (cost >= limit or found[1] == signal.SIGKILL)
+                return 'killed', check.name
             spent += check.cost
         return 'survived', f'{spent:.1f} s'
 
     def verdict(self, mutant):
+        """Of what is in no function, or in a sheet, the wrong file stands there for the time."""
         if mutant.function:
             return mutant, *self.ask(mutant)
         path = WORKER.place / mutant.file
@@ -227,102 +223,79 @@ class Judge:
         return mutant, *verdict
 
 
-def judged(asked, places, budget):
+def judged(asked, base, workers, budget):
     """Mutants with their verdicts, and by what."""
-    of_c = [m for m in asked if m.file not in SHEETS]
+    of_c, places = [m for m in asked if m.file not in SHEETS], [base / str(n) for n in range(workers)]
     for number, m in enumerate(of_c, 1):
         m.number = number
-    shutil.rmtree(places[0].parent, ignore_errors=True)
+    shutil.rmtree(base, ignore_errors=True)
     verdicts = all_in_one(places[0], of_c)
     yield from ((m, verdicts[m.number], 'compiler') for m in of_c if m.number in verdicts)
     for place in places[1:]:
         shutil.copytree(places[0], place)
-    pool = concurrent.futures.ThreadPoolExecutor(len(places), initializer=lambda: setattr(WORKER, 'place', places.pop()))
+    pool = concurrent.futures.ThreadPoolExecutor(workers, initializer=lambda: setattr(WORKER, 'place', places.pop()))
     checks = list(all_checks())
-    list(pool.map(Check.learn, checks))
-    for check in checks:
-        if check.right[1] != 0:
-            print(f'mutants: {check.name} does not pass the program as it is, and is left out', file=sys.stderr)
-    judge = Judge([check for check in checks if check.right[1] == 0], budget)
+    judge = Judge([check for check, passes in zip(checks, pool.map(Check.learn, checks)) if passes], budget)
     left = sorted((m for m in asked if m.number not in verdicts), key=lambda m: m.number and not m.function)
     yield from pool.map(judge.verdict, left)  # what is compiled by itself comes last
 
 
 # ---- many of them ----
 
-def listed():
-    """How often each mutant is listed with a reason; the line number is for the reader, for lines move."""
-    with LISTED.open(newline='') as file:
-        return collections.Counter((row['file'], row['mutant']) for row in csv.DictReader(file) if row['reason'])
-
-
 def choose(everything, sample, seed, listing):
-    """All but of the tokens of verify/, which are sampled; or of each part a share of a sample of what is not listed."""
-    groups = collections.defaultdict(list)
+    """All, but of too many; or a sample of what is not listed, as much of each part."""
+    groups, chosen = collections.defaultdict(list), []
     for m in everything:
-        groups[m.group, m.kind].append(m)
-    for (group, kind), of in groups.items():
-        count = len(of)
-        if sample:
-            of = [m for m in of if m.name not in listing]
-            count = math.ceil(sample * (0.3 if group in ('ref/', *SHEETS[:2]) else 0.1))
-        elif (group, kind) == ('verify/', 'tokens'):
-            count, seed = VERIFY_SAMPLE, VERIFY_SEED
+        if not sample or m.name not in listing:
+            groups[m.group].append(m)
+    for group, of in groups.items():
+        count = math.ceil(sample / len(groups)) or (OF_THEM if group == TOO_MANY else len(of))
         # A change elsewhere leaves them drawn: the lot of each is its own.
-        lots = sorted(of, key=lambda m: hashlib.sha256(f'{seed}\0{m.file}\0{m.shown}'.encode()).digest())
-        yield from sorted(lots[:count], key=lambda m: (m.file, m.start))
+        of.sort(key=lambda m: hashlib.sha256(f'{seed}\0{m.file}\0{m.shown}'.encode()).digest())
+        chosen += sorted(of[:count], key=lambda m: (m.file, m.start))
+    return chosen
 
 
 def table(title, rows):
     """A row of Markdown for each name, and their sum."""
-    lines = [f'| {title} | made | viable | killed | of these by time | equivalent | survived | score |', '|---|' + '---|' * 7]
+    lines = [f'| {title} | made | viable | killed | equivalent | survived | score |', '|---|' + '---|' * 6]
     for name, c in [*rows.items(), *([('all', sum(rows.values(), collections.Counter()))] if len(rows) > 1 else [])]:
         judged = c['killed'] + c['survived']
         score = math.floor(1000 * c['killed'] / judged) / 10 if judged else 100.0
-        equivalent = c['listed'] + c['same code']
-        cells = name, c['made'], c['made'] - c['not viable'], c['killed'], c['time'], equivalent, c['survived'], f'{score} %'
+        cells = name, c['made'], c['made'] - c['not viable'], c['killed'], c['listed'] + c['same code'], c['survived'], f'{score} %'
         lines.append(f"| {' | '.join(map(str, cells))} |")
     return '\n'.join(lines) + '\n'
 
 
 def summary(chosen, known, listing, everything):
-    """The tables, what is wrong, and the status; of a sample `everything` is empty."""
-    stale, by_part, by_what, verdicts, status = collections.Counter(listing), {}, {}, collections.defaultdict(list), 0
+    """The tables, and what is wrong, a line each; of a sample `everything` is empty."""
+    stale, by_part, by_what, verdicts, wrong = collections.Counter(listing), {}, {}, collections.defaultdict(list), []
     for m in chosen:
-        verdict, by = known[m.key]
+        verdict = known[m.key]
         if verdict == 'survived' and stale[m.name] > 0:
             stale[m.name] -= 1
             verdict = 'listed'
-        part, of = (m.file, '') if m.file in SHEETS else ('/'.join(m.file.split('/')[:-1]) + '/', f', {m.kind}')
+        part, of = (m.file, '') if m.file in SHEETS else (m.file.rpartition('/')[0] + '/', f', {m.kind}')
         for rows, row in (by_part, f'`{part}`{of}'), (by_what, m.what + of):
-            rows.setdefault(row, collections.Counter()).update(['made', verdict] + ['time'] * by.endswith('(time)'))
-        if verdict in ('survived', 'killed'):
-            verdicts[m.group, m.kind if everything else 'sample'].append((verdict, m))
-    tables = table('part', by_part) + '\n' + table('what is changed', by_what)
-    print(tables)
-    for (group, kind), those in verdicts.items():
-        least = VERIFY_LEAST if (group, kind) == ('verify/', 'tokens') else SAMPLE_LEAST if kind == 'sample' and group in COUNTED else 1
+            rows.setdefault(row, collections.Counter()).update(['made', verdict])
+        verdicts[m.group].append((verdict, m))
+    for group, those in verdicts.items():
         survivors = [m for verdict, m in those if verdict == 'survived']
-        enough = len(survivors) <= (1 - least) * len(those)
-        for m in survivors:
-            print(f"survives{'' if enough else ', and is not in coverage/survivors.csv'}: {m}")
-        status |= not enough
+        strict = group[0] in STRICT or everything and group != TOO_MANY
+        if len(survivors) > (0 if strict else 2 + 0.1 * len(those)):
+            wrong += [f'survives, and is not in coverage/survivors.csv: {m}' for m in survivors]
     asked, there, files = {m.name for m in chosen}, {m.name for m in everything}, {m.file for m in chosen}
-    for name, number in stale.items():
-        if everything and number > 0 and (name in asked or name not in there and name[0] in files):
-            print(f'is in coverage/survivors.csv, and does not survive: {name[0]}: {name[1]}')
-            status = 1
-    return status, tables
+    wrong += [f'is in coverage/survivors.csv, and does not survive: {file}: {shown}' for (file, shown), left in stale.items()
+              if everything and left > 0 and ((file, shown) in asked or (file, shown) not in there and file in files)]
+    return table('part', by_part) + '\n' + table('what is changed', by_what), wrong
 
 
 def self_test():
-    """A survivor that is not listed fails the run, and so does a listed one that does not survive."""
+    """A survivor that is not listed is wrong, and so is a listed one that does not survive."""
     one, other = chosen = [Mutant('ref/f.c', 'tokens', 'a + b\n', 2, 3, by, 'operator') for by in '-*']
-    known = {one.key: ('survived', ''), other.key: ('killed', 'x')}
-    with contextlib.redirect_stdout(None):
-        listings = [collections.Counter(names) for names in ([], [one.name], [one.name, other.name])]
-        status = [summary(chosen, known, listing, chosen)[0] for listing in listings]
-    assert status == [1, 0, 1], status
+    known = {one.key: 'survived', other.key: 'killed'}
+    counts = [len(summary(chosen, known, names, chosen)[1]) for names in ([], [one.name], [one.name, other.name])]
+    assert counts == [1, 0, 1], counts
 
 
 def main():
@@ -334,30 +307,31 @@ def main():
     for name, default in {'sample': 0, 'seed': '1', 'only': '', 'budget': 60.0, 'workers': os.cpu_count() or 1}.items():
         parser.add_argument(f'--{name}', type=type(default), default=default)
     arguments = parser.parse_args()
-    wraps = ' '.join(f'-Wl,--wrap={name}' for name in ('_ck_assert_failed', 'kill', 'embedded_sources'))
+    wraps = ' '.join(f'-Wl,--wrap={name}' for name in ('kill', 'embedded_sources'))
     os.environ.update(BUILD='build', CPPFLAGS='-Iverify -I.', CFLAGS='-O1 -fno-inline', LDFLAGS=wraps, CK_FORK='no', LC_ALL='C')
 
-    base, listing, known = arguments.build.resolve(), listed(), {}
+    with LISTED.open(newline='') as file:  # line numbers there are for the reader: lines move
+        listing = [(row['file'], row['mutant']) for row in csv.DictReader(file) if row['reason']]
     everything = all_mutants(arguments.only)
-    of_kind = [m for m in everything if arguments.kind in (None, m.kind)]
-    chosen = list(choose(of_kind, arguments.sample, arguments.seed, listing))
-    places = [base / 'places' / str(n) for n in range(arguments.workers)]
+    chosen = choose([m for m in everything if arguments.kind in (None, m.kind)], arguments.sample, arguments.seed, set(listing))
+    base = arguments.build.resolve()
     base.mkdir(parents=True, exist_ok=True)
     with (base / 'results.csv').open('a+', newline='') as file:
         file.seek(0)
-        known = {key: (verdict, by) for key, verdict, by, world in csv.reader(file) if verdict != 'survived' or world == WORLD}
+        known = {key: verdict for key, verdict, by, world in csv.reader(file) if verdict != 'survived' or world == WORLD}
         asked = [m for m in chosen if m.key not in known]
-        for m, verdict, by in judged(asked, places, arguments.budget) if asked else ():
-            known[m.key] = (verdict, by)
+        for m, verdict, by in judged(asked, base / 'places', arguments.workers, arguments.budget) if asked else ():
+            known[m.key] = verdict
             csv.writer(file).writerow([m.key, verdict, by, WORLD])
             file.flush()
             if verdict == 'survived' and m.name not in listing:
                 print(f'survived {by}: {m}', flush=True)
-    status, tables = summary(chosen, known, listing, [] if arguments.sample else everything)
+    tables, wrong = summary(chosen, known, listing, [] if arguments.sample else everything)
+    print(tables, *wrong, sep='\n')
     if arguments.readme:
         written = re.sub(r'(?<=<!-- mutants -->\n).*(?=<!-- end -->)', lambda _: tables, README.read_text(), flags=re.S)
         README.write_text(written)
-    return status
+    return len(wrong) > 0
 
 
 if __name__ == '__main__':

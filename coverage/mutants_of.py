@@ -9,7 +9,6 @@ Of C, soundness alone: what makes a bound too narrow or a proof none, at every p
 Of YAML: every word, number and operator outside comments and prose, one at a time; of the steps also an equality left out or made
 a tautology, an entry of from or to left out.
 """
-import itertools
 import re
 
 import yaml
@@ -35,24 +34,27 @@ sqrt exp; atan2 sin; from to; value example; rate sin; inf 1; eq10 eq10lin; eq11
 
 # ---- C ----
 
-TOKEN = re.compile(r"""(?P<blank>\s+|/\*.*?\*/|//[^\n]*|^[ \t]*\#[ \t]*(?!define)(?:[^\n]|\\\n)*)
-    |(?P<define>^[ \t]*\#[ \t]*define[ \t]+\w+(?:\([^)]*\))?)
-    |(?P<text>"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*')
-    |(?P<number>0[xX][0-9a-fA-F.]+(?:[pP][+-]?\d+)?[uUlL]*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?[uUlLfF]*)
-    |(?P<name>[A-Za-z_]\w*)
-    |(?P<mark><<=|>>=|\.\.\.|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|.)""", re.X | re.S | re.M)
-LEVELS = '* / %; + -; << >>; < > <= >=; == !=; &; ^; |; &&; ||'.split(';')
-PRECEDENCE = {word: 10 - level for level, words in enumerate(LEVELS) for word in words.split()}
+# What is no code: texts, comments, of a #define its head, other directives. Then brackets that hold none, and what stands for them.
+HIDDEN = re.compile(r'''"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'|/\*.*?\*/|//[^\n]*|\\\n
+    |(?<=^\#)define[ ]\w+(?:\([^)]*\))?|^\#(?!define)(?:[^\n]|\\\n)*''', re.X | re.S | re.M)
+INNERMOST, OUTSIDE = re.compile(r'\([^][(){}]*\)|\[[^][(){}]*\]|\{[^][(){}]*\}'), str.maketrans('()[]{}', '⟨⟩⟦⟧⦃⦄')
+NUMBER = r'(?<![\w.])(?:0[xX][0-9a-fA-F.]+(?:[pP][+-]?\d+)?[uUlL]*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?[uUlLfF]*)'
+# In the project's style an operator between two operands has blanks on either side, another none behind it.
+BETWEEN = r'(?<=\s)(?:&&|\|\||<<|>>|[<>=!]=|[-+*/%&|^<>])(?=\s)'
+DECLARATION = r'''(?:const|static|inline|struct|enum|union|double|int|char|bool|void|unsigned|long|signed|float|size_t|complex|FILE
+    |extern|typedef|uint64_t|ulong|slong)\b[^=;]*|(?!(?:return|goto)\b)[A-Za-z_]\w*\s+\*?\s*[A-Za-z_][^=;]*'''
+STATEMENT = re.compile(rf'''(?:\b(?:else|do)\b|\bdefault:|\bcase\b[^:]*:|\b(?:if|for|while|switch)[ ]⟨·*⟩|⦃·*⦄|\s)*+
+    (?:(?P<declared>{DECLARATION})[^;]*;|(?P<simple>[^;]+;)|;)''', re.X)
+LEVELS = [words.split() for words in '* / %; + -; << >>; < > <= >=; == !=; &; ^; |; &&; ||'.split(';')] + [[]]
+LEVEL = {word: level for level, words in enumerate(LEVELS) for word in words}
+# Where an operand ends: at what is in no expression, or at an operator of this level, or one that binds less.
+ENDS = [re.compile(r'[,;?:]|\breturn\b|(?<=\s)(?:(?:<<|>>|[-+*/%&|])?=' + ''.join('|' + re.escape(w) for words in LEVELS[level:] for w in words)
+                   + r')(?=\s)') for level in range(len(LEVELS))]
 OPERATOR = {words.split()[0]: words.split()[1:] for words in """+ -; - +; * /; / *; % /; && ||; || &&; & |; | &; << >>; >> <<;
 < <= >=; <= < >; > >= <=; >= > <; == !=; != ==; += -=; -= +=; *= /=; /= *=; ++ --; -- ++; |= &=; &= |=""".split(';')}
-COMPARISONS, LOGICAL, DROPPED = {'<', '>', '<=', '>='}, {'&&', '||'}, {'+', '-', '*', '/', '%', '&&', '||'}
-ENDS = {'=', '+=', '-=', '*=', '/=', '%=', '|=', '&=', '<<=', '>>=', ',', ';', '?', ':', 'return'}  # an expression
-OPEN, CLOSE = {'(', '[', '{'}, {')', ']', '}'}
-LEADING = {'if', 'for', 'while', 'switch', 'else', 'do', 'case', 'default'}
-CONTROL = LEADING | {'return', 'sizeof', 'goto'}
-TYPES = {'const', 'static', 'inline', 'struct', 'enum', 'union', 'double', 'int', 'char', 'bool', 'void', 'unsigned', 'long',
-         'signed', 'float', 'size_t', 'complex', 'FILE', 'extern', 'typedef', 'uint64_t', 'ulong', 'slong'}
-TRANSPARENT = {'sqrt', 'exp', 'sin', 'cos', 'fabs', 'cabs'}
+# What may have a sign; what is no arithmetic, and what may be made true.
+VALUE = re.compile(r'(?:\breturn\b|(?<=\s)=(?=\s)|[?:{,])\s*(?!(?:0|NAN|true|false|return)\b(?!\.))(?=\w|\.\d)')
+COMPARED, BOUNDED = re.compile(r'\s(?:[<>]=?|[=!]=|&&|\|\||\?)\s'), re.compile(r'\s(?:[<>]=?|&&?|<<|>>)\s')
 ORDERLESS = re.compile('POSITIVE|FINITE|sum|dot|hypot|sizeof')
 COMMUTATIVE = re.compile('(arb|acb|arf|mag|fmpq|fmpz|mpfr|nmod)(_poly|_mat)?_(add|f?max|min|(?<!mat_)mul(low)?)')  # (z, x, y, ...)
 
@@ -66,7 +68,6 @@ ARF_RND_CEIL:ARF_RND_FLOOR ARF_RND_FLOOR:ARF_RND_CEIL MPFR_RNDU:MPFR_RNDD MPFR_R
 ADDS = re.compile(r'\w*(?:add|max|union|error|absolute)\w*')
 BALL = re.compile(r'arb_(?!get|is|init|clear|swap|const|mat|poly|zero|one|set_(?:d|[su]i|arf)$)\w+')
 NUMERIC = re.compile(r'(?:arb|acb|arf|mag|fmpq|fmpz|mpfr)_(?!dot)\w+')
-MOST_FACTOR = 16  # what is larger are bits
 # Functions that decide how sharp a bound is, never whether it holds: directions of a set, lengths of steps, which set to split.
 # And such as make room.
 GUIDES = re.compile(r'project|orthonormalise|choose_basis|expansion_position|(?:set_)?step_length|is_steady|steepest|is_loose|'
@@ -78,195 +79,139 @@ WORDS = re.compile(r"""verify/conform/(?:(?:hints|kinds|kinds_of_motion)\.c:\w+|
         write_failure))""", re.X)
 
 
-class C:
-    """The tokens of a text, their brackets, which of them may be mutated, and the simple statements as (first, last)."""
+def constants(word):
+    whole = re.fullmatch(r'(\d+)([uUlL]*)', word)
+    if whole:
+        value, suffix = int(whole[1]), whole[2]
+        return f'{value + 1}{suffix}', f'{value - 1}{suffix}' if value else '-1'
+    return (f'(2 * {word})', f'({word} / 2)') if re.match('[0xX.]*[1-9a-fA-F]', word) else ('1.0',)
 
-    def __init__(self, text):
-        marks = [m for m in TOKEN.finditer(text) if m.lastgroup != 'blank']
-        self.text, self.count, outside = text, len(marks), [''] * 3
-        self.words, self.kinds = [m.group() for m in marks] + outside, [m.lastgroup for m in marks] + outside
-        self.starts, self.ends = [m.start() for m in marks], [m.end() for m in marks]
-        self.partner, self.around, self.live, stack, macro_end = {}, [], [], [-1], 0
-        self.blocks, self.structures = set(), set()  # braces around statements, and around members
-        for i, word in enumerate(self.words[:-3]):
-            if word in CLOSE and len(stack) > 1:
-                self.partner[i] = stack.pop()
-                self.partner[self.partner[i]] = i
-            braces = [k for k in stack[1:] if self.words[k] == '{']
-            self.around.append(stack[-1])
-            self.live.append(self.starts[i] < macro_end or braces != [] and braces[0] not in self.structures)
-            if word in OPEN:
-                stack.append(i)
-                if {'struct', 'union'} & set(self.words[i - 2:i]):
-                    self.structures.add(i)
-            elif word == ';':
-                self.blocks.update(set(braces) - self.structures)
-            elif self.kinds[i] == 'define':
-                macro_end = re.compile(r'(?<!\\)\n').search(text, self.ends[i]).start()
-        self.simple = [statement for statement in self.statements() if not self.declares(*statement)]
 
-    def statements(self):
-        """Simple statements and declarations, as (first, last)."""
-        label = False
-        for i, word in enumerate(self.words[:-3]):
-            before, opening = self.words[i - 1], self.partner.get(i - 1)
-            begins = before in ('{', ';', 'else', 'do') or before == ':' and label or before == '}' and opening in self.blocks or \
-                before == ')' and self.words[opening - 1] in LEADING
-            label = word in ('case', 'default') or label and before != ':'
-            if begins and self.around[i] in self.blocks and word not in LEADING | CLOSE | {'{', ';'}:
-                yield i, next(k for k in range(i, self.count) if self.words[k] == ';' and self.around[k] == self.around[i])
+# What is found, what stands there instead, and what that is called.
+TOKENS = [
+    (NUMBER, constants, 'constant'),
+    (rf"\b(?!\d)(?:{'|'.join(SIBLING)})\b", lambda word: [SIBLING[word]], 'name'),
+    (r'\b(?:sqrt|exp|sin|cos|fabs|cabs)(?=⟨)', lambda word: [''], 'name'),
+    (r'!(?!=)|(?<!-)(?<!\d[eEpP])-(?![-=>\s])', lambda word: [''], 'sign'),
+    (rf'{BETWEEN}|\+\+|--|[-+*/|&]=', lambda word: OPERATOR.get(word, []), 'operator'),
+]
+SOUNDNESS = [
+    (rf"\b(?:{'|'.join(LOOSER)})\b", lambda word: [LOOSER[word]], 'bound exchanged'),
+    (r'!(?=[A-Za-z_])', lambda word: ['false && !'], 'condition left out'),
+    (r'\bif ⟨·*⟩\s*return\b[^;]*;', lambda word: [';'], 'early return'),
+]
+COMPARISON = re.compile(r'(?<=\s)[<>]=?(?=\s)')
+COMPARISONS = [(r'(?<=\s)[<>]=?(?=\s)(?!\s+[A-Z_]+\b)', lambda word: OPERATOR[word][:1], 'comparison loosened')]  # capitals: an index
+LISTED = [(r'(?:(?<=[^=!<>]= )|(?<== [-{]))[1-9]\d*\b(?!\.)', lambda word: [f'(2 * {word})'], 'constant')]
+FACTORS = [(r'(?<![\w.+-])(?<![+-]\s)(?:\d|1[0-5])\b(?!\.)', constants, 'constant')]  # what is larger are bits
 
-    def declares(self, first, last):
-        """Whether it is a declaration: what stands before its '=' is no expression."""
-        word, following = self.words[first], first + 1 + (self.words[first + 1] == '*')
-        if word in TYPES or self.kinds[first] == 'name' and word not in CONTROL and self.kinds[following] == 'name':
-            for k in itertools.takewhile(lambda k: self.words[k] != '=', range(first, last)):
-                self.live[k] = 'soundness'
-            return True
-        return False
 
-    def is_list(self, i):
-        """Whether the bracket i is a brace around a list of values."""
-        return self.words[i] == '{' and i not in self.blocks | self.structures
+class Bracket:
+    """level[start:end], what stands between two brackets or in a macro, all that is deeper being filled; and who calls it."""
 
-    def source(self, first, last):
-        return self.text[self.starts[first]:self.ends[last]]
+    def __init__(self, source, code, level, start, end):
+        self.source, self.code, self.level, self.start, self.end, self.opening = source, code, level, start, end, level[start - 1]
+        self.caller = re.search(r'(\w*)\s*$', level[max(0, start - 80):start - 1])[1] if self.opening == '(' else ''
+        self.is_list = self.opening == '{' and ';' not in code[start:end]
 
-    def replace(self, first, last, by, what):
-        return self.starts[first], self.ends[last], by, what
+    def found(self, pattern):
+        return re.compile(pattern).finditer(self.level, self.start, self.end)
 
-    def operand_before(self, i):
-        """Whether token i - 1 ends an operand, so that an operator at i is binary."""
-        if self.kinds[i - 1] == 'name':
-            return self.words[i - 1] not in CONTROL | TYPES and self.words[i - 2] not in ('struct', 'enum')
-        if self.words[i - 1] == ')':  # the end of a cast: a type in parentheses
-            return self.words[self.partner[i - 1] + 1] not in TYPES
-        return self.kinds[i - 1] in ('number', 'text') or self.words[i - 1] == ']'
+    def rewritten(self, rows):
+        return ((*m.span(), other, what) for pattern, others, what in rows for m in self.found(pattern) for other in others(m[0]))
 
-    def operand(self, i, step, least=0):
-        """The last token of the operand behind operator i or (step -1) before it; what is in it binds more than `least`."""
-        k = i + step
-        while 0 <= k < self.count:
-            word = self.words[k]
-            if word in (OPEN if step > 0 else CLOSE):
-                k = self.partner.get(k, k)
-            elif word in OPEN | CLOSE | ENDS or PRECEDENCE.get(word, 99) < least + (step > 0) and self.operand_before(k):
-                break
-            k += step
-        return k - step
+    def after(self, at, level=-1):
+        """Where the operand ends that begins at `at`, of an operator of this level; or the expression."""
+        end = next((m.start() for m in ENDS[level].finditer(self.level, at, self.end)), self.end)
+        return len(self.level[:end].rstrip())
 
-    def parts(self, opening):
-        """What stands between the commas of a bracket, as (first, last); nothing where it is no list."""
-        inside = [k for k in range(opening + 1, self.partner[opening]) if self.around[k] == opening and self.words[k] in ',;']
-        commas = [opening, *inside, self.partner[opening]]
-        if ';' in [self.words[k] for k in inside]:
-            return []
-        return [(a + 1, b - 1) for a, b in zip(commas, commas[1:]) if a + 1 < commas[-1]]
-
-    def tokens(self):
-        for first, last in self.simple:
-            yield self.replace(first, last, ';', 'statement')
-        for i in (i for i in range(self.count) if self.live[i] is True):
-            word, start, end = self.words[i], self.starts[i], self.ends[i]
-            if self.kinds[i] == 'number':
-                yield from self.constants(i)
-            elif word in SIBLING:
-                yield start, end, SIBLING[word], 'name'
-            if word in TRANSPARENT and self.words[i + 1] == '(':
-                yield start, end, '', 'name'
-            if word in ('(', '{'):
-                yield from self.exchanges(i)
-            if word == '[' and self.operand_before(i) and self.partner[i] - i > 1 + (self.kinds[i + 1] == 'number'):
-                closing = self.starts[self.partner[i]]
-                yield from ((closing, closing, change, 'index') for change in (' + 1', ' - 1'))
-            if word == '!' or word == '-' and not self.operand_before(i):
-                yield start, end, '', 'sign'
-            elif word in OPERATOR and (word not in PRECEDENCE or self.operand_before(i)):
-                yield from ((start, end, other, 'operator') for other in OPERATOR[word])
-                yield from self.drops(i)
-            if word in ('return', '=', '?', ':') or word in '{,' and self.is_list(i if word == '{' else self.around[i]):
-                yield from self.signs(i + 1)
-
-    def signs(self, i):
-        """An arithmetic expression that has no sign gets one."""
-        words = {self.words[k] for k in range(i, self.operand(i - 1, 1) + 1)}
-        if self.kinds[i] in ('name', 'number') and self.words[i] not in ('0', 'NAN', 'true', 'false') and \
-                words and not words & (COMPARISONS | LOGICAL | {'==', '!=', '?'}):
-            yield self.starts[i], self.starts[i], '-', 'sign'
-
-    def constants(self, i):
-        word, whole = self.words[i], re.fullmatch(r'(\d+)([uUlL]*)', self.words[i])
-        if whole:
-            value, suffix = int(whole[1]), whole[2]
-            others = f'{value + 1}{suffix}', f'{value - 1}{suffix}' if value else '-1'
-        else:
-            others = (f'(2 * {word})', f'({word} / 2)') if re.match('[0xX.]*[1-9a-fA-F]', word) else ('1.0',)
-        yield from (self.replace(i, i, other, 'constant') for other in others)
-
-    def exchanges(self, i):
-        """Neighbours in a list exchanged; in a set that must all be within its bounds, each left out."""
-        called, parts = self.words[i - 1], self.parts(i)
-        if called in ('POSITIVE', 'FINITE') and len(parts) > 1:
-            yield from (self.replace(first - (k > 0), last + (k == 0), '', 'argument') for k, (first, last) in enumerate(parts))
-        for k, ((a, b), (c, d)) in enumerate(zip(parts, parts[1:])):
-            one, other = self.source(a, b), self.source(c, d)
-            orderless = ORDERLESS.fullmatch(called) or k == 1 and COMMUTATIVE.fullmatch(called)
-            if one != other and self.words[a] != '.' and not orderless:
-                yield self.replace(a, d, f'{other}, {one}', 'argument')
-
-    def drops(self, i):
+    def drops(self, words):
         """An operator left out with its right operand, or with its left one."""
-        word = self.words[i]
-        if word in DROPPED:
-            what = 'condition left out' if word in LOGICAL else 'term left out'
-            yield self.replace(i, self.operand(i, 1, PRECEDENCE[word]), '', what)
-            if word not in '/%':
-                yield self.replace(self.operand(i, -1, PRECEDENCE[word]), i, '-' if word == '-' else '', what)
+        for m in self.found(BETWEEN):
+            word, what = m[0], 'condition left out' if m[0] in ('&&', '||') else 'term left out'
+            if word in words:
+                yield m.start(), self.after(m.end(), LEVEL[word]), '', what
+            if word in words and word not in '/%':
+                begin = max([e.end() for e in ENDS[LEVEL[word] + 1].finditer(self.level, self.start, m.start())], default=self.start)
+                yield m.end() - len(self.level[begin:m.end()].lstrip()), m.end(), '-' if word == '-' else '', what
 
-    def soundness(self, path):
-        """An error not added, a radius cleared, a bound exchanged or off by one, a proof or a refusal not asked for."""
-        names = {i: self.words[self.partner[i - 1] - 1] for i in self.partner if self.words[i] == '{' and self.words[i - 1] == ')'}
-        spared = {k for i, name in names.items() if GUIDES.fullmatch(name) or WORDS.fullmatch(f'{path}:{name}')
-                  for k in range(i, self.partner[i])}
-        for first, last in self.simple:
-            if ADDS.fullmatch(self.words[first]) and first not in spared:
-                yield self.replace(first, last, ';', 'error not added')
-            if BALL.fullmatch(self.words[first]) and first not in spared:
-                ball = self.source(*self.parts(first + 1)[0])
-                yield self.replace(first, last, f'{{ {self.source(first, last)} mag_zero(arb_radref({ball})); }}', 'radius cleared')
-        for i in (i for i in range(self.count) if self.live[i] and i not in spared):
-            word, before, around = self.words[i], self.words[i - 1], self.around[i]
-            caller = self.words[around - 1] if self.words[around] == '(' else ''
-            if word in LOOSER:
-                yield self.replace(i, i, LOOSER[word], 'bound exchanged')
-            elif word.isdigit() and NUMERIC.fullmatch(caller) and int(word) < MOST_FACTOR and before not in ('+', '-'):
-                yield from self.constants(i)
-            elif word.isdigit() and self.is_list(around) and '=' in (before, self.words[i - 2]):
-                yield self.replace(i, i, f'(2 * {word})', 'constant')
-            elif word in COMPARISONS and self.operand_before(i) and caller != 'for' and \
-                    not re.fullmatch('[A-Z_]+', self.words[i + 1]):  # by which an index is classified
-                yield self.replace(i, i, OPERATOR[word][0], 'comparison loosened')
-            elif word == '&&' or word == '||' and caller in CONTROL or \
-                    word in ('+', '-') and self.operand_before(i) and not re.match('[a-z_]', caller):
-                yield from self.drops(i)
-            elif word == '!' and self.kinds[i + 1] == 'name':
-                yield self.replace(i, i, 'false && !', 'condition left out')
-            elif word in ('return', '='):
-                last = self.operand(i, 1)
-                if any(self.words[k][0] in '&<>' and self.operand_before(k) for k in range(i + 1, last + 1)):
-                    yield self.replace(i + 1, last, f'({self.source(i + 1, last)}) || true', 'always true')
-            elif word == 'for':
-                yield from self.shorter(i + 1)
-            elif word == 'if' and self.words[self.partner[i + 1] + 1] == 'return':
-                yield self.replace(i, self.words.index(';', i), ';', 'early return')
+    def signs(self, begin):
+        """An arithmetic expression that has no sign gets one."""
+        for m in VALUE.finditer(self.level, begin, self.end):
+            if (m[0][0] not in '{,' or self.is_list) and not COMPARED.search(self.code, m.end(), self.after(m.end())):
+                yield m.end(), m.end(), '-', 'sign'
 
-    def shorter(self, opening):
-        """A loop that takes a turn less."""
-        first = self.words.index(';', opening)
-        for i in [k for k in range(first, self.words.index(';', first + 1)) if self.words[k] in COMPARISONS][:1]:
-            last, sign = self.operand(i, 1, PRECEDENCE['&&']), self.words[i]
-            end = self.source(i + 1, last) + {'<': ' - 1', '>': ' + 1'}.get(sign, '')
-            yield self.replace(i, last, f'{sign[0]} {end}', 'loop a turn short')
+    def exchanges(self):
+        """Neighbours in a list exchanged; in a set that must all be within its bounds, each left out."""
+        parts = [m.span() for m in self.found(r'[^\s,](?:[^,]*[^\s,])?')]
+        if self.caller in ('POSITIVE', 'FINITE') and len(parts) > 1:
+            yield parts[0][0], self.level.index(',', parts[0][1]) + 1, '', 'argument'
+            yield from ((self.level.rindex(',', 0, first), last, '', 'argument') for first, last in parts[1:])
+        for k, ((a, b), (c, d)) in enumerate(zip(parts, parts[1:])):
+            one, other = self.source[a:b], self.source[c:d]
+            orderless = ORDERLESS.fullmatch(self.caller) or k == 1 and COMMUTATIVE.fullmatch(self.caller)
+            if one != other and one[0] != '.' and not orderless:
+                yield a, d, f'{other}, {one}', 'argument'
+
+    def tokens(self, live):
+        """Each token that may be changed, one at a time; what is added before or after a value; what is left out."""
+        inside = self.start - 1 in live
+        yield from self.rewritten(TOKENS)
+        yield from self.drops(['+', '-', '*', '/', '%', '&&', '||'])
+        yield from self.signs(self.start - (inside and self.is_list))
+        if inside and self.opening in '({' and ';' not in self.level[self.start:self.end]:
+            yield from self.exchanges()
+        if self.opening == '[' and self.level[self.start - 2] not in ' \n({' and not re.fullmatch(r'\d*', self.level[self.start:self.end]):
+            yield from ((self.end, self.end, change, 'index') for change in (' + 1', ' - 1'))
+
+    def soundness(self, live):
+        """A bound exchanged or off by one, a proof or a refusal not asked for."""
+        loop, asked = self.caller == 'for', self.caller in ('if', 'while', 'for', 'switch', 'return', 'sizeof')
+        yield from self.rewritten(SOUNDNESS + (not loop) * COMPARISONS + self.is_list * LISTED + bool(NUMERIC.fullmatch(self.caller)) * FACTORS)
+        yield from self.drops(['&&', *asked * ['||'], *(not re.match('[a-z_]', self.caller)) * ['+', '-']])
+        if loop and self.start in live:
+            first = self.level.index(';', self.start)
+            for m in [*COMPARISON.finditer(self.level, first, self.level.index(';', first + 1))][:1]:
+                end = self.after(m.end(), LEVEL['&&'])
+                less = {'<': ' - 1', '>': ' + 1'}.get(m[0], '')
+                yield m.start(), end, f'{m[0][0]}{self.source[m.end():end]}{less}', 'loop a turn short'
+        for m in self.found(r'(?:\breturn|(?<=\s)=)\s+'):
+            end = self.after(m.end())
+            if BOUNDED.search(self.code, m.end(), end):
+                yield m.end(), end, f'({self.source[m.end():end]}) || true', 'always true'
+
+
+def c_mutants(path, source, kind):
+    level = code = HIDDEN.sub(lambda m: f'"{(len(m[0]) - 2) * "·"}"' if m[0][0] in '"\'' else len(m[0]) * ' ', source)
+    brackets = []
+    while spans := [m.span() for m in INNERMOST.finditer(level)]:
+        brackets += [Bracket(source, code, level, start + 1, end - 1) for start, end in spans]
+        level = INNERMOST.sub(lambda m: (m[0][0] + (len(m[0]) - 2) * '·' + m[0][-1]).translate(OUTSIDE), level)
+    macros = [m.span() for m in re.finditer('(?<=^#).*', level, re.M)]
+    brackets += [Bracket(source, code, level, *span) for span in macros]
+    bodies = [m.span() for m in re.finditer('⦃·*⦄', level) if not re.search(r'\b(?:struct|union)(?: \w+)?\s$', level[:m.start()])]
+    live = {k for first, last in macros + bodies for k in range(first + 1, last)}  # where something may be changed
+    for m in re.finditer(r'(\w+)⟨·*⟩\n(⦃·*⦄)', level) if kind == 'soundness' else ():
+        if GUIDES.fullmatch(m[1]) or WORDS.fullmatch(f'{path}:{m[1]}'):
+            live -= set(range(*m.span(2)))
+    statements = [m for b in brackets if b.opening == '{' and not b.is_list and b.start in live for m in b.found(STATEMENT)]
+    for m in statements if kind == 'tokens' else ():
+        if m['declared']:
+            declarator = re.compile('[^=]*').match(code, m.start('declared'), m.end() - 1)
+            live -= set(range(*declarator.span()))
+
+    for b in brackets:
+        yield from (found for found in getattr(b, kind)(live) if found[0] in live)
+    for span, text in ((m.span('simple'), m['simple']) for m in statements if m['simple']):
+        word = re.match(r'\w*', text)[0]
+        if kind == 'tokens':
+            yield *span, ';', 'statement'
+        elif ADDS.fullmatch(word):
+            yield *span, ';', 'error not added'
+        if kind == 'soundness' and BALL.fullmatch(word):
+            call = next(b for b in brackets if b.start == span[0] + len(word) + 1)
+            ball = source[call.start:next(call.found('[^,]*')).end()]
+            yield *span, f'{{ {source[slice(*span)]} mag_zero(arb_radref({ball})); }}', 'radius cleared'
 
 
 # ---- YAML ----
@@ -326,6 +271,6 @@ def mutants(path, text, kind):
     if path.endswith('.yaml'):
         found = [*yaml_mutants(text), *(step_mutants(text) if 'derivations' in path else ())]
     else:
-        found = C(text).soundness(path) if kind == 'soundness' else C(text).tokens()
+        found = c_mutants(path, text, kind)
     once = {mutant[:3]: mutant for mutant in sorted(found, reverse=True)}
     return [mutant for mutant in reversed(once.values()) if text[mutant[0]:mutant[1]] != mutant[2]]
