@@ -432,13 +432,12 @@ $(EDITION)/plot-%.tex: paper/figures/plot-%.gp paper/figures/plot-style.gp $(DRA
 	cd $(@D) && LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; build='$(abspath $(BUILD))'; name='$*'" '$(abspath paper/figures/plot-style.gp)' '$(abspath $<)'
 
 # For the web gnuplot sets the labels itself, where a letter takes one byte and not a drawing.
-$(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: paper/figures/plot-%.gp paper/figures/plot-style.gp paper/figures/plain.sed paper/figures/slim.sed paper/figures/slim.awk $(DRAWN_FROM)
+$(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: paper/figures/plot-%.gp paper/figures/plot-style.gp paper/figures/plain.sed paper/figures/slim.sed $(DRAWN_FROM)
 	@mkdir -p $(@D)
 	sed -E -f paper/figures/plain.sed paper/figures/plot-style.gp $< >$@.gp.tmp
 	LC_ALL=C.UTF-8 gnuplot -e "data='$(abspath $(DATA))'; build='$(abspath $(BUILD))'; picture='$@.drawn.tmp'" $@.gp.tmp
-	LC_ALL=C awk -f paper/figures/slim.awk $@.drawn.tmp >$@.slim.tmp
-	$(call PRINTED,sed -E -z -f paper/figures/slim.sed $@.slim.tmp)
-	@rm $@.gp.tmp $@.drawn.tmp $@.slim.tmp
+	$(call PRINTED,sed -E -z -f paper/figures/slim.sed $@.drawn.tmp)
+	@rm $@.gp.tmp $@.drawn.tmp
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
 $(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(CHAPTERS) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \

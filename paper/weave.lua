@@ -4,9 +4,8 @@
 -- From the environment: CT_PROGRAM, CT_DATA, CT_BUILD; for the web CT_PAGE, the page's name.
 -- A line by itself:
 --   <<equation ID [NAME ...]>>   the formula from the sheet as parsed, under its number; of several those named
---   <<equation ID = TEX>>        the same for a section of the sheet that has no formula
 --   <<printed ID [NAME ...]>>    what the paper has instead, and why it cannot be
---   <<function ID>>              the function of ref/ that carries the equation's number;  <<helper NAME>>  another one
+--   <<function ID>>              the function of ref/ that carries the equation's number, or one by its name
 --   <<step ID>>                  a derivation step, its algebra, where it holds, and what is dropped
 --   <<verdict ID>>               a verdict;  <<findings VERDICT>>  a table of those that have it, and why
 --   <<run ARGUMENT ...>>         a command of the program, and what it prints
@@ -101,11 +100,8 @@ for _, s in ipairs(sections) do
 end
 for name in ('pi lambda mu phi kappa epsilon rho omega cos sin tan'):gmatch '%a+' do symbol[name] = '\\' .. name end
 
--- A formula for a section of the sheet that has none.
-local function define(s, tex)
-  if #s.display > 0 and not s.defined then stop("'%s' has its formula in the sheet", s.id) end
-  s.defined, s.display = true, {{kind = 'relation', equation = span_of(s.numbers), defines = '', tex = tex}}
-end
+-- (1) is no formula of the sheet: vectors are none of its quantities.
+sections.eq01.display = {{kind = 'relation', equation = '1', defines = '', tex = '\\boldsymbol\\rho = (x,\\; y,\\; z)'}}
 
 -- Chapters, figures of ours and references are numbered as they come; those without a number are the last chapters.
 local pages, page_of_step, letters, cited = {}, {}, 0, 0
@@ -125,9 +121,6 @@ for path in output_of 'ls paper/[0-9]*.md':gmatch '%S+' do
     label(reference, '[' .. cited .. ']')
   end
   for step in text:gmatch '\n<<step ([%w_]+)>>' do page_of_step[step] = file end
-  for section, tex in text:gmatch '\n<<equation (%w+) = ([^\n]*)>>' do
-    define(the('equation', sections, section), tex)
-  end
 end
 
 -- What is referred to has its number after it.
@@ -346,10 +339,9 @@ local block = {}
 local FORMULAS = 'relation output let domain'
 function block.equation(text)
   local id, named = text:match '^(%S+) ?(.*)$'
-  local s, tex = the('equation', sections, id), named:match '^= (.+)$'
-  if tex then define(s, tex) end
+  local s = the('equation', sections, id)
   if #s.display == 0 then stop("'%s' has no formula in the sheet", id) end
-  return equation(s, FORMULAS, tex and '' or named, qualified(id), targets(s))
+  return equation(s, FORMULAS, named, qualified(id), targets(s))
 end
 
 function block.printed(text)
@@ -359,11 +351,10 @@ function block.printed(text)
   return '\n\n**As printed.** ' .. prose(s.reason) .. equation(s, 'printed', named, 'as printed')
 end
 
-block['function'] = function(id)
-  local s = the('equation', sections, id)
-  return (#s.display == 0 and raw(targets(s)) or '') .. listing(gate[id]['function'])
+block['function'] = function(name)
+  local s = sections[name]
+  return (s and #s.display == 0 and raw(targets(s)) or '') .. listing(s and gate[name]['function'] or name)
 end
-block.helper = listing
 
 function block.step(id)
   local s = the('derivation step', steps, id)

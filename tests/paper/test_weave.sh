@@ -63,11 +63,11 @@ weaver() {
 <<equation eq03 x1_ddot>> => \\tag{3a}
 <<equation eq02>> => \\tag{2a--2c}
 <<equation eq10lin>> => \\tag{10, small angles}
-<<equation eq01 = x = y>> => x = y\\tag{1}
+<<equation eq01>> => (x,\\; y,\\; z)\\tag{1}
 <<printed eq38>> => \\Omega  &= \\sqrt{\\frac{3{GM}}{R_{c}^{3}}}\\tag{38, as printed}
 <<function eq43>> => return POSITIVE(Omega, n) ? n * Omega * Omega : NAN;
 <<function rk4_linear>> => int ct_linear_runge_kutta(
-<<helper arm>> => return p.m2 / (p.m1 + p.m2) * L;
+<<function arm>> => return p.m2 / (p.m1 + p.m2) * L;
 <<step reference_charge>> => \\hyperref[eq:6a]{(6a)}, \\hyperref[eq:6b]{(6b)} \\(\\;\\rightarrow\\;\\) \\hyperref[eq:7]{(7)}. \\emph{Proved exactly, for \\(\\Omega\\)
 <<step kepler>> => As printed the sides differ: 3/5 is not 1/5 where \\(\\Omega\\) = 1
 <<step hill>> => \\(\\;\\rightarrow\\;\\) \\hyperref[eq:2]{(2)}~\\(\\ddot x_{1}\\)
@@ -133,11 +133,10 @@ In a line, <<number table1.csv => '<<' without its '>>' on the same line
 <<equation eq06>> => unknown equation 'eq06'
 <<equation eq07 x1>> => unknown output or named subexpression 'x1'
 <<equation flow_linear>> => 'flow_linear' has no formula in the sheet
-<<equation eq07 = x>> => 'eq07' has its formula in the sheet
 <<printed eq07>> => 'eq07' is printed as the sheet has it
-<<function eq99>> => unknown equation 'eq99'
+<<function eq99>> => unknown function 'eq99'
 <<function eq20>> => unknown function '(definition)'
-<<helper leg>> => unknown function 'leg'
+<<function leg>> => unknown function 'leg'
 <<step keppler>> => unknown derivation step 'keppler'
 <<verdict equation-99>> => unknown verdict 'equation-99'
 <<findings believed>> => unknown verdict 'believed'
