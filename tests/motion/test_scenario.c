@@ -153,65 +153,82 @@ static int count_row(void *context, slong k, const fmpq_t t, char *const *number
     return r->count == r->stop_after;
 }
 
+/* The rows of a scenario: from the paper's with what is given, every so many seconds */
+struct asked {
+    struct scenario s;
+    struct message why;
+    struct rows rows;
+    struct motion motion;
+};
+
+static void asked_clear(struct asked *a)
+{
+    scenario_clear(&a->s);
+}
+
+static void asked_init(struct asked *a, struct motion motion)
+{
+    *a = (struct asked){.motion = motion};
+    scenario_init(&a->s, sheet(), false);
+    a->motion.scenario = &a->s;
+}
+#define ASKED(a, ...) OWNED(asked) a; asked_init(&a, (struct motion){__VA_ARGS__})
+
+static int ask(struct asked *a, slong count, slong seconds)
+{
+    VECTOR(fmpq, times, count);
+    for (slong k = 0; k < count; k++)
+        fmpq_set_si(times + k, seconds * (count > 1 ? k : 1), 1);
+    a->rows.count = 0;
+    return motion_rows(&a->motion, times, count, count_row, &a->rows, &a->why);
+}
+
 /* No gains, and 1e-18 m from rest: after 17 radians that is e^2.5 each, 62 of the first 60 bits to spare, and what has been handed
    on is not handed on again. */
 TEST(rows_that_take_more_bits_come_once)
 {
     enum { ROWS = 14 };
-    OWNED(scenario) s;
-    struct message why;
-    struct rows r = {0};
-    VECTOR(fmpq, times, ROWS);
-    scenario_init(&s, sheet(), false);
-    for (int k = 0; k < ROWS; k++)
-        fmpq_set_si(times + k, 20000 * k, 1);
+    ASKED(a, .nonlinear = true, .digits = 8);
     for (int i = SET_psi; i <= SET_dL_dot; i++)
-        give(&s, (enum scenario_name)i, 0, 1);
-    give(&s, SET_dL, 1, 1000000000000000000);
-    give(&s, SET_C1, 0, 1);
-    give(&s, SET_C2, 0, 1);
-    const struct motion m = {.scenario = &s, .nonlinear = true, .digits = 8};
-    ck_assert_msg(motion_rows(&m, times, ROWS, count_row, &r, &why) == 0, "%s", why.text);
-    ck_assert_int_eq(r.count, ROWS);
-    r = (struct rows){.stop_after = 3};
-    ck_assert_int_eq(motion_rows(&m, times, ROWS, count_row, &r, &why), 0);
-    ck_assert_int_eq(r.count, 3);
+        give(&a.s, (enum scenario_name)i, 0, 1);
+    give(&a.s, SET_dL, 1, 1000000000000000000);
+    give(&a.s, SET_C1, 0, 1);
+    give(&a.s, SET_C2, 0, 1);
+    ck_assert_msg(ask(&a, ROWS, 20000) == 0, "%s", a.why.text);
+    ck_assert_int_eq(a.rows.count, ROWS);
+    a.rows.stop_after = 3;
+    ck_assert_int_eq(ask(&a, ROWS, 20000), 0);
+    ck_assert_int_eq(a.rows.count, 3);
 }
 
 /* Omega = 1/32: all is exact. At rest Q = -3 Omega^2 L^3 m1 m2/(k_c (m1 + m2)), q1 its root: 3/8 C, and of small angles x1 = L m2/(m1 + m2) */
 TEST(a_row_is_in_the_unit_that_is_asked_for)
 {
-    OWNED(scenario) s;
-    struct message why;
-    struct rows r = {0};
-    VECTOR(fmpq, time, 1);
-    scenario_init(&s, sheet(), false);
-    give(&s, SET_Omega, 1, 32);
-    give(&s, SET_k_c, 1, 3);
-    give(&s, SET_m1, 1, 1);
-    give(&s, SET_m2, 1, 1);
-    give(&s, SET_L_ref, 4, 1);
+    ASKED(a, .nonlinear = true, .charges = true, .digits = 6);
+    char (*row)[40] = a.rows.first;
+    give(&a.s, SET_Omega, 1, 32);
+    give(&a.s, SET_k_c, 1, 3);
+    give(&a.s, SET_m1, 1, 1);
+    give(&a.s, SET_m2, 1, 1);
+    give(&a.s, SET_L_ref, 4, 1);
     for (int i = SET_psi; i <= SET_dL_dot; i++)
-        give(&s, (enum scenario_name)i, 0, 1);
-    struct motion m = {.scenario = &s, .nonlinear = true, .charges = true, .digits = 6};
-    ck_assert_msg(motion_rows(&m, time, 1, count_row, &r, &why) == 0, "%s", why.text);
-    ck_assert_double_eq_tol(strtod(r.first[FLOW_STATE], NULL), 0.530330, 1e-6); /* sqrt(9/32) */
-    ck_assert_double_eq_tol(strtod(r.first[FLOW_STATE + 1], NULL), -0.530330, 1e-6);
-    r.count = 0;
-    m.microcoulomb = true;
-    ck_assert_int_eq(motion_rows(&m, time, 1, count_row, &r, &why), 0);
-    ck_assert_double_eq_tol(strtod(r.first[FLOW_STATE], NULL), 530330, 1);
-    ck_assert_double_eq_tol(strtod(r.first[FLOW_STATE + 1], NULL), -530330, 1);
-    r.count = 0;
-    m = (struct motion){.scenario = &s, .small_angles = true, .digits = 6};
-    give(&s, SET_psi, 1, 4);
-    give(&s, SET_theta, 1, 8);
-    give(&s, SET_dL, 4, 1);
-    give(&s, SET_m1, 3, 1);
-    ck_assert_int_eq(motion_rows(&m, time, 1, count_row, &r, &why), 0);
-    ck_assert_double_eq(strtod(r.first[0], NULL), 2);
-    ck_assert_double_eq(strtod(r.first[1], NULL), 0.5);
-    ck_assert_double_eq(strtod(r.first[2], NULL), -0.25);
+        give(&a.s, (enum scenario_name)i, 0, 1);
+    for (int micro = 0; micro < 2; micro++) {
+        const double q = micro ? 530330 : 0.530330; /* sqrt(9/32) */
+        a.motion.microcoulomb = micro;
+        ck_assert_msg(ask(&a, 1, 0) == 0, "%s", a.why.text);
+        ck_assert_double_eq_tol(strtod(row[FLOW_STATE], NULL), q, 2e-6 * q);
+        ck_assert_double_eq_tol(strtod(row[FLOW_STATE + 1], NULL), -q, 2e-6 * q);
+    }
+    a.motion = (struct motion){.scenario = &a.s, .small_angles = true, .digits = 6};
+    give(&a.s, SET_psi, 1, 4);
+    give(&a.s, SET_theta, 1, 8);
+    give(&a.s, SET_dL, 4, 1);
+    give(&a.s, SET_m1, 3, 1);
+    ck_assert_int_eq(ask(&a, 1, 0), 0);
+    ck_assert_double_eq(strtod(row[0], NULL), 2);
+    ck_assert_double_eq(strtod(row[1], NULL), 0.5);
+    ck_assert_double_eq(strtod(row[2], NULL), -0.25);
 }
 
 /* 2 kg and 1 kg at 3 m: craft 1 rests 1 m from the centre of mass, on either side, and where nothing else is displaced. */
@@ -234,19 +251,13 @@ EACH(only_the_static_formation_stays, 2 * (1 + FLOW_STATE))
 {
     const int displaced = _i / 2;
     const bool angles = _i % 2;
-    OWNED(scenario) s;
-    struct message why;
-    struct rows r = {0};
-    VECTOR(fmpq, time, 1);
-    scenario_init(&s, sheet(), false);
+    ASKED(a, .nonlinear = true, .digits = 3);
     for (int i = 0; i < FLOW_STATE; i++)
-        give(&s, (enum scenario_name)((angles ? SET_psi : SET_x1) + i), (i == displaced ? 3 : 0) + (i == 0 && !angles ? 10 << 20 : 0), 3 << 20);
-    give(&s, SET_m1, 100, 1);
-    give(&s, SET_m2, 50, 1);
-    fmpq_set_si(time, 1000, 1);
-    const struct motion m = {.scenario = &s, .nonlinear = true, .digits = 3};
-    ck_assert_msg(motion_rows(&m, time, 1, count_row, &r, &why) == 0, "%s", why.text);
-    ck_assert_int_eq(strcmp(r.first[FLOW_HALF + 1], "0") == 0, displaced == FLOW_STATE); /* y1_dot, which none of them begins with but psi_dot and itself */
+        give(&a.s, (enum scenario_name)((angles ? SET_psi : SET_x1) + i), (i == displaced ? 3 : 0) + (i == 0 && !angles ? 10 << 20 : 0), 3 << 20);
+    give(&a.s, SET_m1, 100, 1);
+    give(&a.s, SET_m2, 50, 1);
+    ck_assert_msg(ask(&a, 1, 1000) == 0, "%s", a.why.text);
+    ck_assert_int_eq(strcmp(a.rows.first[FLOW_HALF + 1], "0") == 0, displaced == FLOW_STATE); /* y1_dot, which none of them begins with but psi_dot and itself */
 }
 
 /* ---- where rows end ---- */
@@ -254,25 +265,17 @@ EACH(only_the_static_formation_stays, 2 * (1 + FLOW_STATE))
 /* Hardly damped and moving inwards: Q_ref + dQ = 0 where dL is -3 Omega^2 L_ref/C1 and C2 little; from one row to the next in tenths */
 TEST(charges_end_within_a_millionth_of_a_step)
 {
-    enum { ROWS = 7 };
-    OWNED(scenario) s;
-    struct message why;
-    struct rows r = {0};
     double after, before;
-    VECTOR(fmpq, times, ROWS);
-    scenario_init(&s, sheet(), false);
-    for (int k = 0; k < ROWS; k++)
-        fmpq_set_si(times + k, 100 * k, 1);
-    give(&s, SET_C1, 53165972, 1000000000000000);
-    give(&s, SET_C2, 1, 1000000000);
-    give(&s, SET_psi, 0, 1);
-    give(&s, SET_theta, 0, 1);
-    give(&s, SET_dL, -29, 10);
-    give(&s, SET_dL_dot, -3, 10000);
-    const struct motion m = {.scenario = &s, .nonlinear = true, .charges = true, .digits = 6};
-    ck_assert_int_eq(motion_rows(&m, times, ROWS, count_row, &r, &why), -1);
-    ck_assert_int_eq(r.count, 4);
-    ck_assert_int_eq(sscanf(why.text, "Q_ref + dQ >= 0 from t = %lf s, proved < 0 at t = %lf s", &after, &before), 2);
+    ASKED(a, .nonlinear = true, .charges = true, .digits = 6);
+    give(&a.s, SET_C1, 53165972, 1000000000000000);
+    give(&a.s, SET_C2, 1, 1000000000);
+    give(&a.s, SET_psi, 0, 1);
+    give(&a.s, SET_theta, 0, 1);
+    give(&a.s, SET_dL, -29, 10);
+    give(&a.s, SET_dL_dot, -3, 10000);
+    ck_assert_int_eq(ask(&a, 7, 100), -1);
+    ck_assert_int_eq(a.rows.count, 4);
+    ck_assert_int_eq(sscanf(a.why.text, "Q_ref + dQ >= 0 from t = %lf s, proved < 0 at t = %lf s", &after, &before), 2);
     ck_assert_double_eq_tol(after, 355.77, 0.01);
     ck_assert_double_eq_tol(after - before, 1e-4, 1.5e-6); /* nine digits of each are told */
 }
@@ -280,36 +283,25 @@ TEST(charges_end_within_a_millionth_of_a_step)
 /* Kepler's fall: the craft meet after 0.58 radians, and nothing is said of what follows. */
 TEST(a_motion_that_is_not_followed_to_its_end_is_no_success)
 {
-    OWNED(scenario) s;
-    struct message why;
-    struct rows r = {0};
-    VECTOR(fmpq, time, 1);
-    scenario_init(&s, sheet(), false);
+    ASKED(a, .nonlinear = true, .digits = 4);
     for (int i = 0; i < SCENARIO_VALUES; i++)
         if (i != SET_n && (i < SET_psi || i > SET_dL_dot))
-            give(&s, (enum scenario_name)i, i < SET_n || i == SET_z1, 1);
-    give(&s, SET_L_ref, 2, 1);
-    fmpq_one(time);
-    const struct motion m = {.scenario = &s, .nonlinear = true, .digits = 4};
-    ck_assert_int_eq(motion_rows(&m, time, 1, count_row, &r, &why), -1);
-    ck_assert_msg(strstr(why.text, "closer than L_ref/128") != NULL, "%s", why.text);
-    ck_assert_int_eq(r.count, 0);
+            give(&a.s, (enum scenario_name)i, i < SET_n || i == SET_z1, 1);
+    give(&a.s, SET_L_ref, 2, 1);
+    ck_assert_int_eq(ask(&a, 1, 1), -1);
+    ck_assert_msg(strstr(a.why.text, "closer than L_ref/128") != NULL, "%s", a.why.text);
+    ck_assert_int_eq(a.rows.count, 0);
 }
 
 /* y1 = (1/3) 12 m 0.3125 = 1.25 m, a tie of two digits that an enclosure of 1/3 leaves undecided */
 TEST(digits_that_no_bits_decide_are_given_up)
 {
-    OWNED(scenario) s;
-    struct message why;
-    struct rows r = {0};
-    VECTOR(fmpq, time, 1);
-    scenario_init(&s, sheet(), false);
-    give(&s, SET_m1, 100, 1);
-    give(&s, SET_m2, 50, 1);
-    give(&s, SET_dL, 2, 1);
-    give(&s, SET_psi, 5, 16);
-    const struct motion m = {.scenario = &s, .small_angles = true, .digits = 2};
-    ck_assert_int_eq(motion_rows(&m, time, 1, count_row, &r, &why), -1);
-    ck_assert_ptr_nonnull(strstr(why.text, "bits do not decide every digit of row 1"));
-    ck_assert_int_eq(r.count, 0);
+    ASKED(a, .small_angles = true, .digits = 2);
+    give(&a.s, SET_m1, 100, 1);
+    give(&a.s, SET_m2, 50, 1);
+    give(&a.s, SET_dL, 2, 1);
+    give(&a.s, SET_psi, 5, 16);
+    ck_assert_int_eq(ask(&a, 1, 0), -1);
+    ck_assert_ptr_nonnull(strstr(a.why.text, "bits do not decide every digit of row 1"));
+    ck_assert_int_eq(a.rows.count, 0);
 }

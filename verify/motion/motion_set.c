@@ -7,7 +7,7 @@
 #include "text/decimal.h"
 #include "text/scope.h"
 
-enum { SET_BITS = 128, SET_DEGREE = 6, FEW = 6 }; /* of the models, of up to so many unknowns; of more the cost forbids it */
+enum { SET_BITS = 128 };
 
 /* Omega and n enter by roots and as the unit of time. */
 bool may_have_radius(enum scenario_name name)
@@ -142,7 +142,7 @@ static void models_of(struct flow_set *set, const struct scenario *s)
         model_clear(&m[i]);
 }
 
-/* Whether the box is so wide, against the distance, that one degree more is worth its cost */
+/* Whether the box is so wide, against the distance, that one degree more is worth its cost; of many unknowns that forbids more */
 static bool is_wide(const struct scenario *s)
 {
     static const enum scenario_name places[] = {SET_x1, SET_y1, SET_z1, SET_dL};
@@ -186,8 +186,7 @@ int motion_set_rows(const struct motion *m, const fmpq *times, slong count, row_
     struct set_rows rows = {receive, context, m->digits};
     OWNED(flow_set) set;
     double reached;
-    const int degree = unknowns <= FEW + 1 ? SET_DEGREE : unknowns == FEW + 2 ? SET_DEGREE - 1 : SET_DEGREE - 3;
-    flow_set_init(&set, unknowns, degree + (unknowns <= FEW + 1 && is_wide(s)));
+    flow_set_init(&set, unknowns, unknowns > 8 ? 3 : unknowns > 7 ? 5 : is_wide(s) ? 7 : 6);
     set.most_pieces = m->most_pieces;
     set.charged = true;
     models_of(&set, s);
