@@ -358,7 +358,9 @@ bench: $(BUILD)/tests/bench/bench
 readme: $(PROGRAM) $(BUILD)/claims.json
 	{ echo '```'; $(PROGRAM) table1; echo '```'; } >$(BUILD)/table1.md
 	LC_ALL=C awk -f paper/read.awk -f paper/claims.awk -v markdown=1 $(BUILD)/claims.json >$(BUILD)/findings.md
-	$(PROGRAM) verify errors --count 100000 --markdown >$(BUILD)/errors.md
+	$(PROGRAM) verify errors --count 100000 >$(BUILD)/errors.txt
+	awk 'NF == 0 { exit } { printf "| %s | %s | %s |\n%s", $$1, $$2, NR == 1 ? "E at most" : $$3, NR == 1 ? "|---|---|---|\n" : "" }' \
+	  $(BUILD)/errors.txt >$(BUILD)/errors.md
 	awk -v folder='$(BUILD)' -f paper/readme.awk README.md >$(BUILD)/README.tmp
 	@mv $(BUILD)/README.tmp README.md
 
@@ -468,10 +470,9 @@ into     = $(call word_of,$(DESTDIR)$(1))
 blank   := $() $()
 pc_value = $(subst $(blank),\\ ,$(1))
 
-# The program's tables of options are its manual and its completion.
-$(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash: $(PROGRAM)
-	@$(PROGRAM) help $(if $(filter %.1,$@),--mdoc,--completion) >$@.tmp
-	@mv $@.tmp $@
+# The program's tables of options are its manual.
+$(BUILD)/coulomb-tether.1: $(PROGRAM)
+	$(call PRINTED,$(PROGRAM) help --mdoc)
 
 # The loader finds a new library after ldconfig, in the folders that it searches; elsewhere it has to be told.
 tell_loader = PATH=$$PATH:/sbin:/usr/sbin; \
@@ -483,7 +484,7 @@ $(BUILD)/coulombtether.h $(BUILD)/coulombtether.3: ref/describe.awk $(wildcard r
 	$(call PRINTED,awk -f ref/describe.awk -v form=$(if $(filter %.h,$@),header,manual) -v version=$(VERSION) $(filter %.c %.h,$^))
 
 ## install: library, header, pkg-config file, program, manual pages and completion, below prefix (and DESTDIR)
-install: all $(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash $(BUILD)/coulombtether.h $(BUILD)/coulombtether.3
+install: all $(BUILD)/coulomb-tether.1 $(BUILD)/coulombtether.h $(BUILD)/coulombtether.3
 	@sed $(foreach name,prefix exec_prefix libdir includedir,-e $(call word_of,s|@$(name)@|$(call pc_value,$($(name)))|)) \
 	  -e 's|@version@|$(VERSION)|' -e "$$([ -e $(SHARED) ] || echo s/Requires.private/Requires/)" ref/coulombtether.pc.in >$(BUILD)/coulombtether.pc
 	$(INSTALL) -d $(call into,$(bindir)) $(call into,$(libdir)) $(call into,$(pkgconfigdir)) $(call into,$(includedir)) $(call into,$(mandir)/man1) \
@@ -497,7 +498,7 @@ install: all $(BUILD)/coulomb-tether.1 $(BUILD)/coulomb-tether.bash $(BUILD)/cou
 	$(INSTALL) -m 644 $(BUILD)/coulombtether.h $(call into,$(includedir)/)
 	$(INSTALL) -m 644 $(BUILD)/coulomb-tether.1 $(call into,$(mandir)/man1/)
 	$(INSTALL) -m 644 $(BUILD)/coulombtether.3 $(call into,$(mandir)/man3/)
-	$(INSTALL) -m 644 $(BUILD)/coulomb-tether.bash $(call into,$(completiondir)/coulomb-tether)
+	$(INSTALL) -m 644 verify/command/completion.bash $(call into,$(completiondir)/coulomb-tether)
 	@$(if $(DESTDIR),:,$(tell_loader))
 
 ## uninstall: take all of that away again

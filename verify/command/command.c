@@ -133,7 +133,8 @@ static int out_of_place(const struct arguments *a, const struct option *o)
                        word_in(o->with, "|", "") ? " or no word" : "");
 }
 
-bool is_choice(const char *word)
+/* Whether a word of a way stands for itself. */
+static bool is_choice(const char *word)
 {
     return (*word >= 'a' && *word <= 'z') || (*word >= '0' && *word <= '9');
 }

@@ -40,9 +40,6 @@ int usage_error(int status, const char *format, ...);
 /* Wrong usage: what is unknown, its name, the known one that is near, or (NULL: none is) what lists all. */
 int unknown_name(const char *what, const char *name, const char *near, const char *see);
 
-/* Whether a word of a way stands for itself: it begins with a small letter or a digit. */
-bool is_choice(const char *word);
-
 /* Reads what follows the subcommand, against the tables of options.h: EXIT_DONE or EXIT_USAGE. */
 int arguments_read(struct arguments *a, const struct paper *paper, const struct subcommand *s, int count, char **texts);
 void arguments_clear(struct arguments *a);

@@ -9,8 +9,7 @@
 #include "text/json.h"
 
 struct printer {
-    struct json *json;
-    enum format format;
+    struct json *json; /* NULL: text */
     int rows, verdicts[VERDICTS];
 };
 
@@ -60,12 +59,12 @@ static void print_assertions(const struct statement *s)
 static void print_row(void *context, const struct verdict_row *r)
 {
     struct printer *p = context;
-    if (p->format == FORMAT_JSON)
+    if (p->json != NULL)
         print_json(p->json, r);
     else
         printf("%-22s %-20s %-10s %s\n    %s\n    %s\n", r->id, verdict_names[r->verdict], how_names[r->how], r->where,
                text_of(&r->claim.plain), text_of(&r->evidence.plain));
-    if (p->format == FORMAT_TABLE && r->open.text[0] != '\0')
+    if (p->json == NULL && r->open.text[0] != '\0')
         print_assertions(r->statement);
     if (r->open.text[0] != '\0') {
         fflush(stdout);
@@ -77,16 +76,15 @@ static void print_row(void *context, const struct verdict_row *r)
 
 bool verify_claims(struct verification *v)
 {
-    const enum format format = v->format;
-    struct printer p = {.json = &v->json, .format = format};
-    if (format == FORMAT_JSON)
+    struct printer p = {.json = v->json};
+    if (p.json != NULL)
         json_open(p.json, "claims", '[');
     bool decided = verdict_rows(&v->steps, &v->claims, v->only, print_row, &p);
-    if (format == FORMAT_JSON) {
+    if (p.json != NULL) {
         json_line(p.json, -1);
         json_close(p.json);
     }
-    if (format == FORMAT_TABLE && v->only == NULL) {
+    if (p.json == NULL && v->only == NULL) {
         const char *before = ":";
         printf("%d verdicts", p.rows);
         for (int k = VERDICTS - 1; k >= 0; k--)

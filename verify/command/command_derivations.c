@@ -197,8 +197,8 @@ bool verify_derivations(struct verification *v)
         mutants += steps[i].binding.mutants;
     }
     const bool fine = holding == count && (v->only != NULL || gap == NULL);
-    if (v->format == FORMAT_JSON) {
-        json_proofs(&v->json, v->sheet, steps, count, fine);
+    if (v->json != NULL) {
+        json_proofs(v->json, v->sheet, steps, count, fine);
         tell_broken(d, steps, count, v->only == NULL ? gap : NULL);
         return fine;
     }

@@ -15,15 +15,12 @@ enum { SEED = 1, PASS = 8 }; /* E beyond 8 is no rounding of a formula of the sh
 bool verify_errors(struct verification *v)
 {
     const struct sheet *sheet = v->sheet;
-    const enum format format = v->format;
     const long inputs = v->count;
-    struct json *j = &v->json;
+    struct json *j = v->json;
     bool fine = true;
-    if (format == FORMAT_JSON)
+    if (j != NULL)
         json_open(j, "errors", '[');
-    if (format == FORMAT_MARKDOWN)
-        puts("| operation | inputs | E at most |\n|---|---|---|");
-    if (format == FORMAT_TABLE)
+    else
         printf("%-10s %8s %10s  %s\n", "operation", "inputs", "E <=", "MPFR value in the enclosure");
     for (int i = 0; i < sheet->section_count; i++) {
         const struct section *s = &sheet->sections[i];
@@ -39,7 +36,7 @@ bool verify_errors(struct verification *v)
         measure_errors(&m, s, inputs, SEED);
         decimal_bound(text, m.worst); /* the same wherever libm rounds a little differently */
         fine = fine && m.worst <= PASS && m.outside == 0;
-        if (format == FORMAT_JSON) {
+        if (j != NULL) {
             json_open(j, NULL, '{');
             json_string(j, "id", s->id);
             json_value(j, "inputs", "%ld", inputs);
@@ -48,17 +45,14 @@ bool verify_errors(struct verification *v)
             json_value(j, "outside", "%ld", m.outside);
             json_close(j);
             json_line(j, 1);
-        } else if (format == FORMAT_MARKDOWN)
-            printf("| %s | %ld | %s |\n", s->id, inputs, text);
-        else
+        } else
             printf("%-10s %8ld %10s  %s\n", s->id, inputs, text,
                    s->method != METHOD_FORMULA ? "-" : m.outside == 0 ? "always" : "NO");
     }
-    if (format == FORMAT_JSON) {
+    if (j != NULL) {
         json_line(j, -1);
         json_close(j);
-    }
-    if (format == FORMAT_TABLE)
+    } else
         printf("\nE = |y - y*| / (2^-53 (|y*| + S)), S = sum |x dy/dx| over the inputs x: the error in roundings of result and inputs,\n"
                "its largest of all outputs of the reference library on the inputs, rounded up; at most %d passes. In the enclosure:\n"
                "whether the sheet's formula in MPFR lies in the ball that the error is measured from; - of roots, which no formula gives.\n",

@@ -24,19 +24,10 @@ static bool asked_for(const struct verification *v, const char *part)
 
 static int read_request(const struct arguments *a, struct verification *v)
 {
-    static const char *const formats[] = {[FORMAT_JSON] = "--json", [FORMAT_MARKDOWN] = "--markdown"};
     uint64_t count = COUNT_UNLESS_GIVEN;
-    int given = 0;
-    *v = (struct verification){.sheet = &a->paper->sheet, .json = json_on(stdout),
+    *v = (struct verification){.sheet = &a->paper->sheet,
                                .part = a->word_count > 0 ? a->words[0] : NULL,
                                .only = a->word_count > 1 ? a->words[1] : NULL};
-    for (int i = FORMAT_JSON; i <= FORMAT_MARKDOWN; i++)
-        if (option_given(a, formats[i])) {
-            v->format = (enum format)i;
-            given++;
-        }
-    if (given > 1)
-        return usage_error(EXIT_USAGE, "--json, --markdown: expected one of them");
     if (v->only != NULL && asked_for(v, "errors"))
         return usage_error(EXIT_USAGE, "verify: unexpected argument '%s'", v->only);
     const int status = option_number(a, "--count", 1, MOST_COUNT, &count);
@@ -65,13 +56,13 @@ static int verify(struct verification *v)
     int status = check_asked_name(v);
     if (status != EXIT_DONE)
         return status;
-    if (v->format == FORMAT_JSON)
-        json_open(&v->json, NULL, '{');
+    if (v->json != NULL)
+        json_open(v->json, NULL, '{');
     for (int i = 0; i < PARTS_OF_VERIFY; i++)
         if (asked_for(v, parts[i].name) && !parts[i].verify(v))
             status = REPORTED_CHECK;
-    if (v->format == FORMAT_JSON)
-        json_close(&v->json);
+    if (v->json != NULL)
+        json_close(v->json);
     return status;
 }
 
@@ -79,7 +70,9 @@ int command_verify(const struct arguments *a)
 {
     struct verification v;
     struct message why;
+    struct json json = json_on(stdout);
     int status = read_request(a, &v);
+    v.json = option_given(a, "--json") ? &json : NULL;
     if (status != EXIT_DONE)
         return status;
     if (derivations_open(&v.steps, a->paper, &why) != 0)

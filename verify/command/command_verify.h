@@ -5,15 +5,11 @@
 #include "claims/statement.h"
 #include "text/json.h"
 
-/* Markdown is README's, for the errors alone. */
-enum format { FORMAT_TABLE, FORMAT_JSON, FORMAT_MARKDOWN };
-
 /* What was asked for. */
 struct verification {
     const struct sheet *sheet;
     const char *part, *only; /* a part, and of it a step or a claim by its id; NULL: all */
-    enum format format;
-    struct json json; /* an object, of which each part is a member */
+    struct json *json; /* an object, of which each part is a member; NULL: text for reading */
     long count;       /* of the inputs that errors are measured on */
     struct derivations steps;
     struct statements claims; /* where they are asked for */

@@ -262,83 +262,6 @@ static void print_manual(const struct sheet *sheet)
          "CSV is as in RFC 4180, with one header row and lines that end in LF.");
 }
 
-/* ---- completion ---- */
-
-/* Words that may follow: of an argument or a way that stand for themselves, "linear|nonlinear"; nothing of others. */
-static void print_choices(const char *text)
-{
-    for (const char *at = text; *at != '\0';) {
-        const size_t length = strcspn(at, "| ");
-        if (is_choice(at))
-            printf(" %.*s", (int)length, at);
-        at += length;
-        at += strspn(at, "| ");
-    }
-}
-
-static void print_ids(const struct sheet *sheet, bool operations)
-{
-    for (int i = 0; i < sheet->section_count; i++)
-        if (!operations || sheet->sections[i].method != METHOD_NONE)
-            printf(" %s", sheet->sections[i].id);
-}
-
-/* What may stand anywhere after a subcommand. */
-static void print_completed_words(const struct sheet *sheet, const struct subcommand *s)
-{
-    printf("    %s) list='--help", s->name);
-    for (const struct option *o = options; o->name != NULL; o++)
-        if (option_belongs(o, s))
-            printf(" %s", o->name);
-    for (int i = 0; s->ways[i] != NULL; i++)
-        print_choices(s->ways[i]);
-    if (s->words == 1 && s->ways[0] != NULL && strstr(s->ways[0], "ID") != NULL)
-        print_ids(sheet, s->run == command_eval || s->run == command_vectors);
-    for (int i = 0; name_taken(s, i) != NULL; i++)
-        printf(" %s=", name_taken(s, i));
-    for (const struct subcommand *other = subcommands; other->name != NULL && s->run == command_help; other++)
-        printf(" %s", other->name);
-    puts("' ;;");
-}
-
-static void print_completion(const struct sheet *sheet)
-{
-    puts("# Completion of coulomb-tether in bash, made by: coulomb-tether help --completion\n"
-         "_coulomb_tether()\n{\n"
-         "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} list=\n"
-         "    [ \"$word\" = = ] && word=\n"
-         "    case ${COMP_CWORD}:${COMP_WORDS[1]}:$before in");
-    fputs("    1:*) list='--help --version", stdout);
-    for (const struct subcommand *s = subcommands; s->name != NULL; s++)
-        printf(" %s", s->name);
-    puts("' ;;");
-    for (const struct subcommand *s = subcommands; s->name != NULL; s++)
-        for (const struct option *o = options; o->name != NULL; o++)
-            if (o->argument != NULL && option_belongs(o, s)) {
-                printf("    *:%s:%s) list='", s->name, o->name);
-                print_choices(o->argument);
-                if (strcmp(o->argument, "ID,...") == 0)
-                    print_ids(sheet, true);
-                puts(strcmp(o->argument, "FILE") == 0 ? "'; compopt -o default ;;" : "' ;;");
-            }
-    puts("    *) case ${COMP_WORDS[1]} in");
-    for (const struct subcommand *s = subcommands; s->name != NULL; s++)
-        print_completed_words(sheet, s);
-    puts("    esac\n    case ${COMP_WORDS[1]}:${COMP_WORDS[2]} in");
-    for (int i = 0; i < sheet->section_count; i++) {
-        const struct section *s = &sheet->sections[i];
-        printf("    eval:%s) list=\"--help --digits --exact --as-printed --table1 --json", s->id);
-        for (int k = 0; k < s->input_count; k++)
-            printf(" %s=", s->inputs[k]->name);
-        puts("\" ;;");
-    }
-    puts("    esac ;;\n    esac\n"
-         "    COMPREPLY=($(compgen -W \"$list\" -- \"$word\"))\n"
-         "    [[ ${COMPREPLY[0]} == *= ]] && compopt -o nospace\n"
-         "    return 0\n}\n"
-         "complete -F _coulomb_tether coulomb-tether");
-}
-
 int unknown_subcommand(const char *name)
 {
     const char *known[32] = {"--help", "--version"};
@@ -356,11 +279,9 @@ int command_help(const struct arguments *a)
     if (a->word_count > 0 && s == NULL)
         return unknown_subcommand(a->words[0]);
     if (a->given_count + a->word_count > 1)
-        return usage_error(EXIT_USAGE, "help: expected a subcommand, --mdoc or --completion");
+        return usage_error(EXIT_USAGE, "help: expected a subcommand or --mdoc");
     if (option_given(a, "--mdoc"))
         print_manual(sheet);
-    else if (option_given(a, "--completion"))
-        print_completion(sheet);
     else
         help_print(sheet, s);
     return EXIT_DONE;

@@ -1,4 +1,4 @@
-/* The tables of options.h as text: for a reader of --help, for the manual page, and for completion in bash. */
+/* The tables of options.h as text: for a reader of --help, and for the manual page. */
 #ifndef CT_HELP_H
 #define CT_HELP_H
 

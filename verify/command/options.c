@@ -82,7 +82,6 @@ const struct option options[] = {
     {"--rk4", "H", "s", NULL, "figure", MOTIONS, false,
      "further columns: the classical Runge-Kutta method in steps of H, a divisor of 100, free of rounding"},
     /* proofs */
-    {"--markdown", NULL, NULL, NULL, "verify", "errors", false, "a table in Markdown"},
     {"--count", "N", NULL, "1000", "verify", "errors|", false, "random inputs of each operation"},
     /* vectors */
     {"--count", "N", NULL, NULL, "vectors", NULL, false, "how many random vectors"},
@@ -120,7 +119,6 @@ const struct option options[] = {
      "no client: which golden vector tells which known mistake from the truth, as CSV"},
     /* for packagers */
     {"--mdoc", NULL, NULL, NULL, "help", NULL, false, "the manual page's sections of subcommands, options and examples"},
-    {"--completion", NULL, NULL, NULL, "help", NULL, false, "a script that completes command lines in bash"},
     {.name = NULL},
 };
 
@@ -148,7 +146,7 @@ const struct example examples[] = {
     {"verify", "all the proofs; exit status 0 says that they hold"},
     {"verify claims n12-optimal", "one claim, its verdict and the evidence"},
     {"verify claims --json >verdicts.json", "all of them"},
-    {"verify errors --count 10000 --markdown", "the reference library's largest errors"},
+    {"verify errors --count 10000", "the reference library's largest errors"},
     {"study forced >forced.csv", "six days of motion beside the closed forms"},
     {"vectors eq07 --count 1000 --seed 1 --inputs hex", "a thousand certified vectors"},
     {"vectors eq03 --count 80000 --seed 1 --shard 3/8", "the third of eight parts, made apart and joined by cat"},
@@ -165,8 +163,6 @@ const struct example examples[] = {
     {"conform --answers answers.csv -o report.json eq07", "answers to one operation as CSV, and a report"},
     {"conform --kills --only eq21", "what the golden vectors are there for"},
     {"help trajectory", "all about a subcommand"},
-    {"help --completion >~/.local/share/bash-completion/completions/coulomb-tether",
-     "completion for one user; make install has it for all"},
     {"help --mdoc", "what the manual page is made of"},
     {.line = NULL},
 };
