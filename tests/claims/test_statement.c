@@ -527,6 +527,7 @@ static const struct {
     {"  evidence: >-\n    so it is\n", "", "missing evidence"},
     {"  prove:\n    a: dL > 0\n    b: dL < 1/2", "  prove: [a]", "t:6:10: expected a mapping"},
     {"a: dL > 0", "a: [dL > 0]", "t:7:9: expected left = right"},
+    {"a: dL > 0", "a: [dM = 1, eq05.x1 = 1]", "t:7:9: unknown symbol 'dM'"},
     {"a: dL > 0", "a: {root: [1], on: {x: [0, 1]}}", "t:7:15: expected a formula"},
     {"a: dL > 0", "a: {show: dL > 0, at: [1]}", "t:7:27: expected a mapping"},
     {"a: dL > 0", "a: {show: dL > x, at: {x: []}}", "t:7:31: expected a value, or several"},

@@ -257,10 +257,10 @@ static bool read_identity(struct claim_reading *r, struct assertion *a, const st
     const bool algebra = own(r, "algebra") != NULL; /* it rests on no formula of the sheet, and says so */
     if (own(r, "at") != NULL || own(r, "on") != NULL)
         return entry_error(r, node, "expected no at and no on beside equalities for all values");
-    bool fine = true;
-    for (int i = 0; fine && text_at(node, i) != NULL; i++)
-        fine = identities_show(r->formulas, &r->scope, text_at(node, i));
-    if (!fine || !identities_close(r->formulas, &r->scope))
+    for (int i = 0; text_at(node, i) != NULL; i++)
+        if (!identities_show(r->formulas, &r->scope, text_at(node, i)))
+            return false;
+    if (!identities_close(r->formulas, &r->scope))
         return false;
     a->identity = r->formulas;
     const struct equality *empty = algebra ? NULL : identities_tautology(r->formulas);
