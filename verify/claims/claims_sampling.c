@@ -42,15 +42,14 @@ static void of_gains(struct computed *c)
 /* The paper's start with its gains, the law held for 0.2077 rad: |dL|/L_ref and yaw after 30, 60 and 90 holds. */
 static void held_motion(struct computed *c)
 {
-    enum { SHOWN = 30, HOLDS = 90, DIGITS = 10, SECONDS = 2848 };
-    struct trajectory t;
+    enum { SHOWN = 30, HOLDS = 90, DIGITS = 10, SECONDS = 2848, BITS = 512 };
     VECTOR(arb, samples, COORDINATES * (HOLDS + 1));
     SCOPE(arb, c1, c2, x);
     set_gains(c1, c2, "10", NULL, SAMPLING_BITS);
-    const bool starts = trajectory_run(&t, &(struct simulation){.steps = c->steps, .nonlinear = true, .digits = DIGITS + HOLDS}, 0, 1, 0);
-    _arb_vec_set(samples, trajectory_sample(&t, 0), COORDINATES);
-    const bool proved = starts && hold_follow(samples, c->steps, c1, c2, SECONDS, HOLDS, DIGITS);
-    arb_mul_si(x, t.Omega, SECONDS, SAMPLING_BITS);
+    start_of_sheet(samples, c->steps->sheet, BITS);
+    const bool proved = hold_follow(samples, c->steps, c1, c2, SECONDS, HOLDS, DIGITS);
+    sheet_value(x, c->steps->sheet, "Omega", SAMPLING_BITS);
+    arb_mul_si(x, x, SECONDS, SAMPLING_BITS);
     give(c, proved, x, "hold");
     for (int k = SHOWN; k <= HOLDS; k += SHOWN) {
         arb_abs(x, samples + COORDINATES * k + ETA);
@@ -58,7 +57,6 @@ static void held_motion(struct computed *c)
         arb_abs(x, samples + COORDINATES * k + PSI);
         give(c, proved, x, "yaw_%d", k);
     }
-    trajectory_clear(&t);
 }
 
 /* From the paper's pitch with a swing of 1/100 at the start, for 20 days, hourly; and the averaged law's amplitude. */

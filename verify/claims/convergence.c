@@ -39,13 +39,12 @@ static bool compare_motions(arb_ptr d, const struct study *study, const struct s
 static bool from_linear(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t scale)
 {
     VECTOR(arb, start, FLOW_STATE);
-    SCOPE(arb, L_ref, factor);
+    SCOPE(arb, factor);
     struct simulation linear = {.steps = steps, .start = start}, nonlinear = {.steps = steps, .start = start, .nonlinear = true};
-    sheet_value(L_ref, steps->sheet, "L_ref", PREC);
+    start_of_sheet(start, steps->sheet, PREC);
     for (int i = PSI; i <= ETA; i++)
-        if (!study->pitch_alone || i == THETA)
-            sheet_value(start + i, steps->sheet, variable_names[i], PREC);
-    arb_div(start + ETA, start + ETA, L_ref, PREC);
+        if (study->pitch_alone && i != THETA)
+            arb_zero(start + i);
     arb_set_fmpq(factor, scale, PREC);
     _arb_vec_scalar_mul(start, start, FLOW_STATE, factor, PREC);
     return compare_motions(d, study, &nonlinear, &linear);

@@ -24,6 +24,15 @@ void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec)
     arb_set_fmpq(x, value, prec);
 }
 
+void start_of_sheet(arb_ptr sample, const struct sheet *s, slong prec)
+{
+    SCOPE(arb, L_ref);
+    for (int i = PSI; i <= ETA; i++)
+        sheet_value(sample + i, s, variable_names[i], prec);
+    sheet_value(L_ref, s, "L_ref", prec);
+    arb_div(sample + ETA, sample + ETA, L_ref, prec);
+}
+
 /* The paper's scenario with the simulation's values, or with its state to start from. */
 static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simulation *s, slong prec)
 {

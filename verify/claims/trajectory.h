@@ -54,6 +54,9 @@ enum { TRAJECTORY_DIGITS = 20, HOUR = 3600, DAY = 24 * HOUR };
 /* The value that the paper's simulation gives a quantity: Table 1 and the initial conditions. */
 void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec);
 
+/* psi, theta and eta of its start, which has no rates. */
+void start_of_sheet(arb_ptr sample, const struct sheet *s, slong prec);
+
 /* Samples at first, first + step, ... last, whole seconds; false when the flow ended before. */
 bool trajectory_run(struct trajectory *t, const struct simulation *s, long first, long step, long last);
 void trajectory_clear(struct trajectory *t);
