@@ -334,9 +334,9 @@ $(DATA)/errata.csv:
 # Of the words of paper/package.json, of the sheet's and a design's.
 $(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/random.csv $(DATA)/errata.csv $(BUILD)/equations.json paper/read.awk paper/package.awk paper/package.json
 	@$(PROGRAM) design n=12 --json >$@.design.tmp
-	@$(SHA256) $(sort $(filter $(DATA)/%,$^)) >$@.sums.tmp
-	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=$(VERSION) paper/package.json \
-	  $(BUILD)/equations.json $@.design.tmp $@.sums.tmp $(sort $(filter $(DATA)/%,$^)))
+	@{ wc -c $(sort $(filter $(DATA)/%,$^)); $(SHA256) $(sort $(filter $(DATA)/%,$^)); } >$@.sums.tmp
+	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=$(VERSION) paper/package.json $(BUILD)/equations.json \
+	  $@.design.tmp $@.sums.tmp)
 	@rm $@.design.tmp $@.sums.tmp
 
 ## figures: the figures, as SVG and PNG, in build/figures/

@@ -28,7 +28,7 @@ from mutants_of import mutants
 ROOT = pathlib.Path.cwd()
 LISTED, README = ROOT / 'coverage/survivors.csv', ROOT / 'coverage/README.md'
 KINDS = ('tokens', 'soundness')
-SHEETS = ('paper/equations.yaml', 'paper/derivations.yaml', 'paper/claims.yaml')
+PROGRAM, SHEETS = 'build/coulomb-tether', ('paper/equations.yaml', 'paper/derivations.yaml', 'paper/claims.yaml')
 STRICT = ('ref/', SHEETS[0])  # all that is equivalent there is listed, so that of a sample too nothing may survive
 TOO_MANY, OF_THEM = ('verify/', 'tokens'), 250  # are sampled always
 FILES = [str(file.relative_to(ROOT)) for folder in ('', 'coverage', 'data', 'paper', 'ref', 'tests', 'verify')
@@ -142,8 +142,8 @@ WORKER = threading.local()  # its place: a copy of what was made
 class Check:
     """A test by its name, or a command of which every byte counts."""
 
-    def __init__(self, name, *command, room=''):
-        self.name, self.command, self.room, self.prints = name, command, room, command[0].endswith('/coulomb-tether')
+    def __init__(self, command, room=''):
+        self.name, self.command, self.room, self.prints = command, command.split(), room, command.startswith(PROGRAM)
 
     def run(self, seconds, **environment):
         """What it printed and how it ended; and its processor time."""
@@ -171,19 +171,15 @@ class Check:
 def all_checks():
     golden = sorted(file.stem for file in (ROOT / 'data/golden').glob('*.csv'))
     studies = 'balance basin convergence forced pitch sampling saturation tolerance'.split()
-    commands = ['table1', 'figure 4', *(f'figure {f} --rk4 100' for f in ('5a', '5b', '6', '7a', '7b')),
-                *(f'study {s}' for s in studies), *(f'vectors {g} --golden' for g in golden),
-                *(f'conform --kills --only {g}' for g in golden), 'verify errors', 'verify derivations', 'verify claims --json']
-    yield from (Check(command, 'build/coulomb-tether', *command.split()) for command in commands)
-    yield Check('sheet-check', 'build/sheet-check', *SHEETS)
-    for script in ('command/test_wrong.sh', 'conform/test_clients.sh', 'project/test_gate.sh'):
-        yield Check(script, f'tests/{script}')
+    prints = ['table1', 'figure 4', *(f'figure {f} --rk4 100' for f in ('5a', '5b', '6', '7a', '7b')),
+              *(f'study {s}' for s in studies), *(f'vectors {g} --golden' for g in golden),
+              *(f'conform --kills --only {g}' for g in golden), 'verify errors', 'verify derivations', 'verify claims --json']
+    scripts = ['tests/command/test_wrong.sh', 'tests/conform/test_clients.sh', 'tests/project/test_gate.sh']
+    alone = ['build/tests/test_ref_gsl', 'build/tests/test_corpora']
+    yield from map(Check, [*(f'{PROGRAM} {arguments}' for arguments in prints), f"build/sheet-check {' '.join(SHEETS)}", *scripts, *alone])
     for file in sorted((ROOT / 'tests').glob('*/test_*.c')):
-        if file.stem in ('test_ref_gsl', 'test_corpora'):
-            yield Check(file.stem, f'build/tests/{file.stem}')
-        else:
-            for name in re.findall(r'^(?:TEST|EACH|RANGE)\((\w+)[,)]', file.read_text(), re.M):
-                yield Check(name, 'build/tests/run', name, room=file.parent.name)
+        for name in re.findall(r'^(?:TEST|EACH|RANGE)\((\w+)[,)]', file.read_text(), re.M) if f'build/tests/{file.stem}' not in alone else ():
+            yield Check(f'build/tests/run {name}', file.parent.name)
 
 
 class Judge:

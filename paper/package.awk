@@ -1,7 +1,7 @@
 # data/datapackage.json (Frictionless Data, tabular data package) of the words of paper/package.json, the quantities and titles of
 # the sheet, the meanings of a design, and the first lines, sizes and sums of the files:
-#     awk -f paper/read.awk -f paper/package.awk -v version=VERSION paper/package.json EQUATIONS DESIGN SUMS FILE...
-# where EQUATIONS, DESIGN and SUMS are what `equations --json`, `design n=12 --json` and sha256sum FILE... print.
+#     awk -f paper/read.awk -f paper/package.awk -v version=VERSION paper/package.json EQUATIONS DESIGN SUMS
+# where EQUATIONS, DESIGN and SUMS are what `equations --json`, `design n=12 --json` and of the files wc -c and sha256sum print.
 
 function pair(key, value) { return value == "" ? "" : ", \"" key "\": \"" value "\"" }
 
@@ -20,8 +20,8 @@ function print_resource(file, separator,    path, name, k, count, column) {
     path = name = substr(file, match(file, /(golden\/)?[^\/]*$/))
     sub(/\..*/, "", name)
     sub(/\//, "-", name)
-    if (!(name in title) || !(file in head)) {
-        print "package: " file ": " (file in head ? "has no title in paper/package.json" : "expected a header line") >"/dev/stderr"
+    if (!(name in title) || head[file] == "") {
+        print "package: " file ": " (head[file] == "" ? "expected a header line" : "has no title in paper/package.json") >"/dev/stderr"
         exit 1
     }
     printf "%s  {\"name\": \"%s\", \"path\": \"%s\", \"profile\": \"tabular-data-resource\",\n   \"title\": \"%s\",\n", separator, name,
@@ -35,18 +35,16 @@ function print_resource(file, separator,    path, name, k, count, column) {
     printf "]}}"
 }
 
-FILENAME in hash {
-    bytes[FILENAME] += length($0) + 1
-    if (FNR == 1)
-        head[FILENAME] = $0
-    next
-}
-
 FNR == 1 { input++ }
 
+# A file's size comes before its sum.
 input == 4 {
-    file[++files] = substr($0, index($0, "  ") + 2)
-    hash[file[files]] = $1
+    if ($2 in bytes) {
+        file[++files] = $2
+        hash[$2] = $1
+        getline head[$2] <$2
+    } else
+        bytes[$2] = $1
     next
 }
 

@@ -18,9 +18,9 @@ check 'descriptions' awk '/"type": / && !/"description": / { print; bad = 1 } EN
 "$CT_PROGRAM" design n=12 --json >"$work/design"
 echo id >"$work/other.csv"
 makes_no_package_of() { # FILE MESSAGE
-    echo "abc  $1" >"$work/sums"
+    printf '%s\n' "12 $1" "abc  $1" >"$work/sums"
     ! LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=1 paper/package.json "$CT_BUILD/equations.json" "$work/design" "$work/sums" \
-        "$1" >"$work/json" 2>"$work/said" && grep -F "$1" "$work/said" | grep -F "$2" && [ "$(tail -n 1 "$work/json")" != ' ]}' ]
+        >"$work/json" 2>"$work/said" && grep -F "$1" "$work/said" | grep -F "$2" && [ "$(tail -n 1 "$work/json")" != ' ]}' ]
 }
 check 'no file' makes_no_package_of "$work/none.csv" none
 : >"$work/table1.csv"
