@@ -5,7 +5,7 @@
 -- A line by itself:
 --   <<equation ID [NAME ...]>>   the formula from the sheet as parsed, under its number; of several those named
 --   <<printed ID [NAME ...]>>    what the paper has instead, and why it cannot be
---   <<function ID>>              the function of ref/ that carries the equation's number, or one by its name
+--   <<function ID>>              the function of ref/ that carries the equation's number;  <<helper NAME>>  another one
 --   <<step ID>>                  a derivation step, its algebra, where it holds, and what is dropped
 --   <<verdict ID>>               a verdict;  <<findings VERDICT>>  a table of those that have it, and why
 --   <<run ARGUMENT ...>>         a command of the program, and what it prints
@@ -351,10 +351,11 @@ function block.printed(text)
   return '\n\n**As printed.** ' .. prose(s.reason) .. equation(s, 'printed', named, 'as printed')
 end
 
-block['function'] = function(name)
-  local s = sections[name]
-  return (s and #s.display == 0 and raw(targets(s)) or '') .. listing(s and gate[name]['function'] or name)
+block['function'] = function(id)
+  local s = the('equation', sections, id)
+  return (#s.display == 0 and raw(targets(s)) or '') .. listing(gate[id]['function'])
 end
+block.helper = listing
 
 function block.step(id)
   local s = the('derivation step', steps, id)

@@ -67,7 +67,7 @@ weaver() {
 <<printed eq38>> => \\Omega  &= \\sqrt{\\frac{3{GM}}{R_{c}^{3}}}\\tag{38, as printed}
 <<function eq43>> => return POSITIVE(Omega, n) ? n * Omega * Omega : NAN;
 <<function rk4_linear>> => int ct_linear_runge_kutta(
-<<function arm>> => return p.m2 / (p.m1 + p.m2) * L;
+<<helper arm>> => return p.m2 / (p.m1 + p.m2) * L;
 <<step reference_charge>> => \\hyperref[eq:6a]{(6a)}, \\hyperref[eq:6b]{(6b)} \\(\\;\\rightarrow\\;\\) \\hyperref[eq:7]{(7)}. \\emph{Proved exactly, for \\(\\Omega\\)
 <<step kepler>> => As printed the sides differ: 3/5 is not 1/5 where \\(\\Omega\\) = 1
 <<step hill>> => \\(\\;\\rightarrow\\;\\) \\hyperref[eq:2]{(2)}~\\(\\ddot x_{1}\\)
@@ -134,9 +134,9 @@ In a line, <<number table1.csv => '<<' without its '>>' on the same line
 <<equation eq07 x1>> => unknown output or named subexpression 'x1'
 <<equation flow_linear>> => 'flow_linear' has no formula in the sheet
 <<printed eq07>> => 'eq07' is printed as the sheet has it
-<<function eq99>> => unknown function 'eq99'
+<<function eq99>> => unknown equation 'eq99'
 <<function eq20>> => unknown function '(definition)'
-<<function leg>> => unknown function 'leg'
+<<helper leg>> => unknown function 'leg'
 <<step keppler>> => unknown derivation step 'keppler'
 <<verdict equation-99>> => unknown verdict 'equation-99'
 <<findings believed>> => unknown verdict 'believed'
