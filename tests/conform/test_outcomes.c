@@ -461,18 +461,40 @@ TEST(eq41roots_residual_of_a_double_root_is_within_K_roundings)
     ck_assert_int_eq(judged("eq41roots", inputs, outer, BINARY64), OUTCOME_WRONG);
 }
 
+/* In whatever order, each of them once. */
+EACH(eq41roots_are_a_set, 2)
+{
+    static const struct {
+        int order[8];
+        enum outcome outcome;
+    } cases[] = {{{6, 7, 4, 5, 2, 3, 0, 1}, OUTCOME_RIGHT}, {{2, 3, 0, 1, 4, 5, 6, 7}, OUTCOME_RIGHT}, {{0, 1, 0, 1, 4, 5, 6, 7}, OUTCOME_WRONG},
+                 {{4, 1, 2, 3, 0, 5, 6, 7}, OUTCOME_WRONG},  {{1, 0, 2, 3, 4, 5, 6, 7}, OUTCOME_WRONG}};
+    RUN e = run_of(section_find(sheet(), "eq41roots"), RANDOM, BINARY64);
+    const uint64_t p = _i == 0 ? 0 : (uint64_t)e->sets.all[0].golden_count;
+    char *outputs[MOST_OUTPUTS] = {NULL}, *moved[MOST_OUTPUTS];
+    TEST_VECTOR(q);
+    test_vector_make(&q, &e->sets, p);
+    ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+    for (int k = 0; k < COUNT(cases); k++) {
+        for (int i = 0; i < 8; i++)
+            moved[i] = outputs[cases[k].order[i]];
+        assert_found(e, p, right_but(moved, 8, -1, ""), cases[k].outcome);
+    }
+    free_all(outputs, 8);
+}
+
 /* ---- what passes: digits ---- */
 
-/* Where the coordinate that is off by the last digit due is moved so much, of the largest one: see PROTOCOL. */
-EACH(a_motion_passes_with_the_digits_due_and_no_fewer, 4)
+/* Where the coordinate that is off by the last digit due is moved so much, of the largest one: see PROTOCOL. Of golden vectors, and of random ones. */
+EACH(a_motion_passes_with_the_digits_due_and_no_fewer, 8)
 {
     static const char *const motions[] = {"flow_linear", "flow_nonlinear", "rk4_linear", "rk4_nonlinear"};
-    const struct section *s = section_find(sheet(), motions[_i]);
+    static const char *const golden[] = {"flow_linear-rates-100", "flow_nonlinear-moving-100", "rk4_linear-rates-100", "rk4_nonlinear-moving-100"};
+    const struct section *s = section_find(sheet(), motions[_i % 4]);
     const bool linear = _i % 2 == 0;
-    RUN e = run_of(s, 0, BINARY64);
+    RUN e = run_of(s, 1, BINARY64);
     struct operation *o = e->comparators[0].operation;
-    const uint64_t p = test_sets_find(&e->sets, _i < 2 ? linear ? "flow_linear-rates-100" : "flow_nonlinear-moving-100"
-                                                            : linear ? "rk4_linear-rates-100" : "rk4_nonlinear-moving-100");
+    const uint64_t p = _i < 4 ? test_sets_find(&e->sets, golden[_i]) : (uint64_t)e->sets.all[0].golden_count;
     char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
     double scale = 0, unit[6];
     TEST_VECTOR(q);
@@ -481,8 +503,9 @@ EACH(a_motion_passes_with_the_digits_due_and_no_fewer, 4)
     assert_found(e, p, right_but(outputs, 6, -1, ""), OUTCOME_RIGHT);
     ck_assert_double_ge(e->summaries[0].digits, e->comparators[0].digits + 4); /* how much better than declared is seen */
     const struct input *initial = q.inputs + (linear ? 5 : 8);
-    for (int i = 0; i < 6; i++) { /* L_ref = 10 m, Omega = 7.2915e-5 rad/s in these; angles are numbers already */
-        unit[i] = (linear && i % 3 < 2 ? 1 : 10) * (i < 3 ? 1 : 7.2915e-5);
+    const double L_ref = fmpq_get_d(&q.inputs[input_place(s, "L_ref")].value), Omega = fmpq_get_d(&q.inputs[input_place(s, "Omega")].value);
+    for (int i = 0; i < 6; i++) { /* angles are numbers already */
+        unit[i] = (linear && i % 3 < 2 ? 1 : L_ref) * (i < 3 ? 1 : Omega);
         scale = fmax(scale, fmax(fabs(strtod(outputs[i], NULL)), fabs(fmpq_get_d(&initial[i].value))) / unit[i]);
     }
     for (int i = 0; i < 24; i++) {
@@ -617,7 +640,6 @@ static void assert_outside(struct test_run *e, uint64_t position)
     assert_found(e, position, "skip", OUTCOME_SKIPPED);
 }
 
-/* Random motions may have no end: their questions inside are not answered with numbers here. */
 EACH(a_line_has_the_outcome_that_it_says, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
@@ -627,7 +649,7 @@ EACH(a_line_has_the_outcome_that_it_says, sheet()->section_count)
     RUN e = run_of(s, RANDOM, BINARY64);
     const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
     TEST_VECTOR(q);
-    for (int random = 0; random < (is_motion(s) ? 1 : 2); random++) {
+    for (int random = 0; random < 2; random++) {
         const uint64_t p = question_that(e, random ? golden : 0, true);
         test_vector_make(&q, &e->sets, p);
         ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
@@ -862,16 +884,15 @@ TEST(a_number_beyond_1e308_is_one_at_113_bits)
     assert_found(e, 0, "1e400", OUTCOME_INFINITE);
 }
 
-TEST(the_last_line_has_an_end)
+EACH(the_last_line_has_an_end, 4)
 {
-    for (int ended = 0; ended < 2; ended++) {
-        RUN e = eq43();
-        const uint64_t *counts = said(e, ended ? "eq43-paper skip\n" : "eq43-paper skip");
-        test_run_end(e, OUTCOME_MISSING);
-        ck_assert_uint_eq(counts[OUTCOME_SKIPPED], (uint64_t)ended);
-        ck_assert_uint_eq(counts[OUTCOME_TRUNCATED], 1 - (uint64_t)ended);
-        ck_assert_uint_eq(counts[OUTCOME_MISSING], e->sets.total - 1);
-    }
+    static const char *const last[] = {"eq43-paper skip", "eq43-paper skip\n", "eq43-1-47 skip", "eq43-1-47 skip\n"};
+    RUN e = eq43();
+    const uint64_t *counts = said(e, last[_i]);
+    test_run_end(e, OUTCOME_MISSING);
+    ck_assert_uint_eq(counts[OUTCOME_SKIPPED], (uint64_t)(_i % 2));
+    ck_assert_uint_eq(counts[OUTCOME_TRUNCATED], (uint64_t)(1 - _i % 2));
+    ck_assert_uint_eq(counts[OUTCOME_MISSING], e->sets.total - 1);
 }
 
 /* A line more, of whatever operation, has its room. */
@@ -901,23 +922,25 @@ TEST(an_answer_is_due_once_its_question_is_sent)
 {
     RUN e = eq43();
     e->asked = 2;
-    said(e, "eq43-random-2 skip\n");
-    ck_assert_uint_eq(e->strays[OUTCOME_EARLY].count, 1);
+    said(e, "eq43-random-2 skip\neq43-1-0 skip\n");
+    ck_assert_uint_eq(e->strays[OUTCOME_EARLY].count, 2);
     ck_assert_ptr_nonnull(strstr(report_of(e), "eq43-random-2 skip\n    its question had not been asked\n"));
     said(e, "eq43-random-1 skip\neq43-paper skip\neq43-random-1 skip\n");
     ck_assert_uint_eq(e->summaries[0].counts[OUTCOME_SKIPPED], 1);
     ck_assert_uint_eq(e->strays[OUTCOME_LATE].count, 2);
 }
 
-/* Whatever ended the client, the first vector without an answer and all after it fail. */
-EACH(what_is_not_answered_fails, 3)
+/* Whatever ended the client, the first vector without an answer and all after it fail: after the first golden one, and the first random one. */
+EACH(what_is_not_answered_fails, 6)
 {
     static const enum outcome ends[] = {OUTCOME_MISSING, OUTCOME_TIMEOUT, OUTCOME_CRASH};
     RUN e = eq43();
-    said(e, "eq43-paper 5.316597225e-8\n");
-    test_run_end(e, ends[_i]);
-    ck_assert_uint_eq(e->summaries[0].counts[ends[_i]], _i == 0 ? e->sets.total - 1 : 1);
-    ck_assert_uint_eq(summary_failed(&e->summaries[0]), e->sets.total - 1);
+    const uint64_t left = _i < 3 ? e->sets.total - 1 : RANDOM - 1 + test_set_defects(&e->sets.all[0]);
+    e->next = e->sets.total - left - 1;
+    said(e, _i < 3 ? "eq43-paper skip\n" : "eq43-1-0 skip\n");
+    test_run_end(e, ends[_i % 3]);
+    ck_assert_uint_eq(e->summaries[0].counts[ends[_i % 3]], _i % 3 == 0 ? left : 1);
+    ck_assert_uint_eq(summary_failed(&e->summaries[0]), left);
 }
 
 /* As many as there are questions twice, and 10000 at least. */
