@@ -273,7 +273,7 @@ static const struct {
     {"--only eq4-boundary -- FAULTY", "unknown operation 'eq4'"},
     {"--random 5 -- FAULTY", "--seed"},
     {"--random some --seed 1 -- FAULTY", "--random"},
-    {"--random 100000001 --seed 1 -- FAULTY", "at most 100000000"},
+    {"--random 100000001 --seed 1 -- FAULTY", "from 0 to 100000000"},
     {"--timeout 0 -- FAULTY", "--timeout"},
     {"--inputs octal -- FAULTY", "expected shortest, exact or hex, got 'octal'"},
     {"--digits eq07=9 -- FAULTY", "judged by E"},

@@ -31,12 +31,11 @@ enum { RANDOM = 48, MANY = 100000, BITS = 256, DIGITS = 40, LONG = 4096 };
 static struct test_run *run_of(const struct section *s, uint64_t random, int significand)
 {
     struct test_run *e = calloc(1, sizeof *e);
-    const double digits = s->method >= METHOD_RK4_LINEAR ? 11 : 9;
     ck_assert_ptr_nonnull(e);
     e->significand = significand;
     e->sets.seed = 1;
-    test_sets_add(&e->sets, s, random, significand, false);
-    test_run_begin(e, &digits);
+    test_sets_add(&e->sets, s, random, significand, false)->digits = s->method >= METHOD_RK4_LINEAR ? 11 : 9;
+    test_run_begin(e);
     e->asked = e->sets.total;
     return e;
 }

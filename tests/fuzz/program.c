@@ -84,7 +84,6 @@ void protocol(const char *bytes, size_t size)
 {
     static const char *const ids[] = {"eq07", "eq21", "eq30", "eq41roots", "eq42"};
     static const int significands[] = {BINARY32, BINARY64, BINARY128, BINARY64};
-    const double digits[] = {9, 9, 9, 9, 9};
     static struct test_run e; /* 100 kB */
     char room[1 << 14], *text = NULL;
     const unsigned first = size > 0 ? (unsigned char)bytes[0] : 0;
@@ -97,7 +96,7 @@ void protocol(const char *bytes, size_t size)
     for (size_t i = 0; i < sizeof ids / sizeof *ids; i++)
         if (first >> i & 1)
             test_sets_add(&e.sets, section_find(sheet(), ids[i]), 2, e.significand, false);
-    test_run_begin(&e, digits);
+    test_run_begin(&e);
     if (first & 128)
         test_run_ask(&e, room, sizeof room);
     const size_t half = size / 2;

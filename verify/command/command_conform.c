@@ -21,16 +21,24 @@ static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;
 
 enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered is counted one by one */
 
-/* What is asked for: a number a section of the sheet. */
-struct choice {
-    const struct sheet *sheet;
-    enum asked { NOTHING, SOME_VECTORS, ALL_VECTORS } *chosen;
-    const char *only; /* as --only has it; NULL: it is not given */
-    double *digits;
-};
+/* The first --digits about an operation, ID=D; NULL: there is none. */
+static const char *digits_given(const struct arguments *a, const char *id)
+{
+    const size_t length = strlen(id);
+    const char *text = NULL;
+    for (int k = 0; (text = option_next(a, "--digits", &k)) != NULL && !(strncmp(text, id, length) == 0 && text[length] == '=');)
+        ;
+    return text;
+}
 
-/* Those of --digits, once a motion. */
-static int take_digits(struct choice *c, const struct arguments *a)
+/* Those that a motion has to reach. */
+static double digits_due(const struct arguments *a, const struct section *s)
+{
+    const char *text = digits_given(a, s->id);
+    return text != NULL ? strtod(strchr(text, '=') + 1, NULL) : s->method >= METHOD_RK4_LINEAR ? METHOD_DIGITS : FLOW_DIGITS;
+}
+
+static int check_digits(const struct arguments *a)
 {
     const char *text;
     for (int k = 0; (text = option_next(a, "--digits", &k)) != NULL;) {
@@ -38,78 +46,87 @@ static int take_digits(struct choice *c, const struct arguments *a)
         int digits = 0, length = 0;
         if (sscanf(text, "%39[^=]=%3d%n", id, &digits, &length) != 2 || text[length] != '\0' || digits < 1 || digits > 30)
             return usage_error(EXIT_USAGE, "--digits: expected ID=DIGITS, an integer from 1 to 30, got '%.40s'", text);
-        const struct section *s = section_argument(c->sheet, id);
+        const struct section *s = section_argument(&a->paper->sheet, id);
         if (s == NULL)
             return EXIT_USAGE;
-        double *given = &c->digits[s - c->sheet->sections];
         if (!is_motion(s))
             return usage_error(EXIT_USAGE, "--digits: expected a motion, %s is judged by E", id);
-        if (*given > 0.0)
-            return usage_error(EXIT_USAGE, "--digits: expected %s once, got '%s=%g' and '%.40s'", id, id, *given, text);
-        *given = digits;
+        if (digits_given(a, id) != text)
+            return usage_error(EXIT_USAGE, "--digits: expected %s once, got '%.40s' and '%.40s'", id, digits_given(a, id), text);
     }
-    for (int i = 0; i < c->sheet->section_count; i++)
-        if (!(c->digits[i] > 0.0))
-            c->digits[i] = c->sheet->sections[i].method >= METHOD_RK4_LINEAR ? METHOD_DIGITS : FLOW_DIGITS;
     return EXIT_DONE;
 }
 
-/* What a word of --only asks of a section: by its level, its id, or a vector's name, which goes on after a hyphen. */
-static enum asked asked_by(const char *word, const struct section *s)
+enum { LONGEST_WORD = LONGEST_ID + 1 };
+enum asked { NOTHING, SOME_VECTORS, ALL_VECTORS };
+
+/* The next of words with commas between them, from *at on; false after the last. */
+static bool next_word(const char **at, char word[LONGEST_WORD + 1])
+{
+    *at += strspn(*at, ",");
+    const size_t length = strcspn(*at, ",");
+    snprintf(word, LONGEST_WORD + 1, "%.*s", (int)length, *at);
+    *at += length;
+    return length > 0;
+}
+
+/* What such words ask of a section: by its level, its id, or a vector's name, which goes on after a hyphen. Without words, all. */
+static enum asked asked_of(const char *only, const struct section *s)
 {
     const size_t length = strlen(s->id);
-    if (s->method == METHOD_NONE)
-        return NOTHING;
-    if (strcmp(word, s->id) == 0 || strcmp(word, level_names[level_of(s)]) == 0)
-        return ALL_VECTORS;
-    return strncmp(word, s->id, length) == 0 && word[length] == '-' ? SOME_VECTORS : NOTHING;
+    char word[LONGEST_WORD + 1];
+    enum asked most = only == NULL ? ALL_VECTORS : NOTHING;
+    while (only != NULL && most < ALL_VECTORS && next_word(&only, word))
+        if (strcmp(word, s->id) == 0 || strcmp(word, level_names[level_of(s)]) == 0)
+            most = ALL_VECTORS;
+        else if (strncmp(word, s->id, length) == 0 && word[length] == '-')
+            most = SOME_VECTORS;
+    return s->method == METHOD_NONE ? NOTHING : most;
 }
 
-/* ID,... of --only, levels and vectors among them; every operation without it. */
-static int take_only(struct choice *c, const char *only)
+static int check_only(const struct sheet *sheet, const char *only)
 {
-    int status = only == NULL ? EXIT_DONE : EXIT_USAGE;
-    c->only = only;
-    for (int i = 0; i < c->sheet->section_count; i++)
-        c->chosen[i] = only == NULL && c->sheet->sections[i].method != METHOD_NONE ? ALL_VECTORS : NOTHING;
-    char *words = text_copy(only != NULL ? only : ""), *rest = NULL, *word = strtok_r(words, ",", &rest);
-    if (only != NULL && word == NULL)
-        usage_error(EXIT_USAGE, "--only: expected operations, levels or vectors, ID,...");
-    for (; word != NULL; word = status == EXIT_DONE ? strtok_r(NULL, ",", &rest) : NULL) {
-        status = EXIT_USAGE;
-        for (int i = 0; i < c->sheet->section_count; i++) {
-            const enum asked asked = asked_by(word, &c->sheet->sections[i]);
-            c->chosen[i] = asked > c->chosen[i] ? asked : c->chosen[i];
-            status = asked != NOTHING ? EXIT_DONE : status;
-        }
+    char word[LONGEST_WORD + 1];
+    if (only != NULL && only[strspn(only, ",")] == '\0')
+        return usage_error(EXIT_USAGE, "--only: expected operations, levels or vectors, ID,...");
+    while (only != NULL && next_word(&only, word)) {
+        int i = 0;
+        while (i < sheet->section_count && asked_of(word, &sheet->sections[i]) == NOTHING)
+            i++;
+        if (i < sheet->section_count)
+            continue;
         word[strcspn(word, "-")] = '\0';
-        if (status != EXIT_DONE && section_argument(c->sheet, word) != NULL)
+        if (section_argument(sheet, word) != NULL)
             usage_error(EXIT_USAGE, "%s is a definition, it computes nothing", word);
+        return EXIT_USAGE;
     }
-    free(words);
-    return status;
+    return EXIT_DONE;
 }
 
-/* The vectors that --only names of the set that was added last. */
-static int take_vectors(struct test_run *e, const struct choice *c)
+/* A set of a section's vectors, or of those that --only names. */
+static int take_set(struct test_run *e, const struct arguments *a, const char *only, const struct section *s, uint64_t random)
 {
-    const struct test_set *set = &e->sets.all[e->sets.count - 1];
-    char *words = text_copy(c->only), *rest = NULL;
-    int status = EXIT_DONE;
-    for (char *word = strtok_r(words, ",", &rest); word && status == EXIT_DONE; word = strtok_r(NULL, ",", &rest))
-        if (asked_by(word, set->operation.section) == SOME_VECTORS && !test_sets_want(&e->sets, word))
-            status = unknown_name("--only: unknown vector", word, NEAREST(word, set->golden, set->golden_count, id), "conform --questions");
-    free(words);
-    return status;
+    char word[LONGEST_WORD + 1];
+    const enum asked asked = asked_of(only, s);
+    if (asked == NOTHING)
+        return EXIT_DONE;
+    struct test_set *set = test_sets_add(&e->sets, s, is_motion(s) && only == NULL ? 0 : random, e->significand, e->range || e->any_order);
+    if (set == NULL)
+        return EXIT_FAILED_CHECK;
+    set->digits = digits_due(a, s);
+    while (asked == SOME_VECTORS && next_word(&only, word))
+        if (asked_of(word, s) == SOME_VECTORS && !test_sets_want(&e->sets, word))
+            return unknown_name("--only: unknown vector", word, NEAREST(word, set->golden, set->golden_count, id), "conform --questions");
+    return EXIT_DONE;
 }
 
 /* Whether there is a vector of that name, which --only may leave out. */
-static bool is_vector(const struct test_run *e, const struct choice *c, const char *id, uint64_t random)
+static bool is_vector(const struct test_run *e, const struct sheet *sheet, const char *id, uint64_t random)
 {
     struct test_sets sets = {.seed = e->sets.seed};
     char operation[40];
     snprintf(operation, sizeof operation, "%.*s", (int)strcspn(id, "-"), id);
-    const struct section *s = section_find(c->sheet, operation);
+    const struct section *s = section_find(sheet, operation);
     const bool found = s != NULL && s->method != METHOD_NONE && test_sets_add(&sets, s, random, e->significand, true) != NULL &&
                        test_sets_find(&sets, id) != UINT64_MAX;
     test_sets_clear(&sets);
@@ -117,7 +134,7 @@ static bool is_vector(const struct test_run *e, const struct choice *c, const ch
 }
 
 /* A vector a line of those that may fail, # before what is said of them. */
-static int take_expectations(struct test_run *e, const struct choice *c, const char *name, uint64_t random)
+static int take_expectations(struct test_run *e, const struct sheet *sheet, const char *name, uint64_t random)
 {
     char line[256];
     int status = EXIT_DONE;
@@ -133,7 +150,7 @@ static int take_expectations(struct test_run *e, const struct choice *c, const c
             continue;
         message_printable(id);
         const uint64_t position = test_sets_find(&e->sets, id);
-        if (position == UINT64_MAX && !is_vector(e, c, id, random))
+        if (position == UINT64_MAX && !is_vector(e, sheet, id, random))
             status = usage_error(EXIT_USAGE, "%s: line %d: unknown vector '%.95s'", name, number, id);
         if (position == UINT64_MAX)
             continue;
@@ -153,39 +170,28 @@ static const char *report_name(const struct arguments *a)
 }
 
 /* The questions; random ones about motions, which may have no end, only where they are asked for by name. */
-static int take_questions(struct test_run *e, const struct arguments *a, const struct choice *c)
+static int take_questions(struct test_run *e, const struct arguments *a, const char *only)
 {
+    const struct sheet *sheet = &a->paper->sheet;
     uint64_t random = 0, significand = BINARY64;
     int status;
-    if ((status = option_number(a, "--random", 0, UINT64_MAX, &random)) != EXIT_DONE ||
+    if ((status = option_number(a, "--random", 0, MOST_RANDOM, &random)) != EXIT_DONE ||
         (status = option_number(a, "--seed", 0, UINT64_MAX, &e->sets.seed)) != EXIT_DONE ||
         (status = option_number(a, "--significand", 0, UINT64_MAX, &significand)) != EXIT_DONE ||
         (status = option_inputs(a, &e->sets.form)) != EXIT_DONE)
         return status;
     if (option_given(a, "--random") != option_given(a, "--seed"))
         return usage_error(EXIT_USAGE, "conform: expected --random N and --seed S together");
-    if (random > MOST_RANDOM)
-        return usage_error(EXIT_USAGE, "--random: expected at most %d vectors an operation", MOST_RANDOM);
     if (significand != BINARY32 && significand != BINARY64 && significand != BINARY128)
         return usage_error(EXIT_USAGE, "--significand: expected 24, 53 or 113");
     e->sets.motions = a->paper->motions.text;
     e->significand = (int)significand;
     e->range = option_given(a, "--range");
-    double *digits = xrealloc(NULL, (size_t)c->sheet->section_count, sizeof *digits);
-    for (int i = 0; i < c->sheet->section_count && status == EXIT_DONE; i++) {
-        const struct section *s = &c->sheet->sections[i];
-        if (c->chosen[i] == NOTHING)
-            continue;
-        digits[e->sets.count] = c->digits[i];
-        if (!test_sets_add(&e->sets, s, is_motion(s) && c->only == NULL ? 0 : random, e->significand, e->range || e->any_order))
-            status = EXIT_FAILED_CHECK;
-        else if (c->chosen[i] == SOME_VECTORS)
-            status = take_vectors(e, c);
-    }
-    test_run_begin(e, digits);
-    free(digits);
+    for (int i = 0; i < sheet->section_count && status == EXIT_DONE; i++)
+        status = take_set(e, a, only, &sheet->sections[i], random);
+    test_run_begin(e);
     if (status == EXIT_DONE && option_given(a, "--expect"))
-        status = take_expectations(e, c, option_value(a, "--expect"), random);
+        status = take_expectations(e, sheet, option_value(a, "--expect"), random);
     if (status == EXIT_DONE && (option_given(a, "--all") || report_name(a) != NULL) && (e->journal = tmpfile()) == NULL)
         status = usage_error(EXIT_FAILED_CHECK, "a temporary file: %s", strerror(errno)); /* LCOV_EXCL_LINE: only without a place for one */
     return status;
@@ -379,21 +385,23 @@ static const struct section *section_of_file(const struct sheet *sheet, FILE *fi
 }
 
 /* Of one operation as CSV, which the word or the file names, or else of all that are asked. */
-static int read_answers(struct test_run *e, const struct arguments *a, struct choice *c)
+static int read_answers(struct test_run *e, const struct arguments *a)
 {
+    const struct sheet *sheet = &a->paper->sheet;
     const char *name = option_value(a, "--answers");
     FILE *file = fopen(name, "r");
     if (file == NULL)
         return usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(errno));
-    const struct section *s = a->word_count == 1 ? section_argument(c->sheet, a->words[0]) : section_of_file(c->sheet, file, name);
+    const struct section *s = a->word_count == 1 ? section_argument(sheet, a->words[0]) : section_of_file(sheet, file, name);
     int status = a->word_count == 1 && s == NULL ? EXIT_USAGE : EXIT_DONE;
     if (s != NULL && (option_given(a, "--only") || option_given(a, "--random")))
         status = usage_error(EXIT_USAGE, "--answers: expected without --only and --random, the file has the answers of %s", s->id);
     e->any_order = s != NULL;
+    const char *only = s != NULL ? s->id : option_value(a, "--only");
     if (status == EXIT_DONE)
-        status = take_only(c, s != NULL ? s->id : option_value(a, "--only"));
+        status = check_only(sheet, only);
     if (status == EXIT_DONE)
-        status = take_questions(e, a, c);
+        status = take_questions(e, a, only);
     e->asked = e->sets.total;
     if (status == EXIT_DONE && s != NULL) {
         OWNED(csv) csv = csv_on(file, name, LONGEST_LINE);
@@ -420,18 +428,24 @@ static int print_questions(struct test_run *e)
 
 /* ---- the command ---- */
 
-static int print_all_kills(const struct choice *c)
+static int print_all_kills(const struct arguments *a, const char *only)
 {
+    const struct sheet *sheet = &a->paper->sheet;
     bool fine = true;
     puts("id,mistakes");
-    for (int i = 0; i < c->sheet->section_count; i++)
-        if (c->chosen[i])
-            fine = kills_print(&c->sheet->sections[i], c->digits[i]) && fine;
+    for (int i = 0; i < sheet->section_count; i++)
+        if (asked_of(only, &sheet->sections[i]) != NOTHING)
+            fine = kills_print(&sheet->sections[i], digits_due(a, &sheet->sections[i])) && fine;
     return fine ? EXIT_DONE : EXIT_FAILED_CHECK;
 }
 
-static int conform(const struct arguments *a, struct choice *c)
+int command_conform(const struct arguments *a)
 {
+    const char *only = option_value(a, "--only");
+    if (check_digits(a) != EXIT_DONE)
+        return EXIT_USAGE;
+    if (a->client != NULL && *a->client == NULL)
+        return usage_error(EXIT_USAGE, "conform: expected a client after --");
     const bool file = option_given(a, "--answers"), kills = option_given(a, "--kills"), questions = option_given(a, "--questions");
     if (!file && a->word_count > 0)
         return usage_error(EXIT_USAGE, "conform: unexpected argument '%s', a client stands after --, did you mean conform -- %s%s%s?", a->words[0],
@@ -445,12 +459,12 @@ static int conform(const struct arguments *a, struct choice *c)
         return usage_error(EXIT_USAGE, "-o: expected without --report, it is the same");
     if (name != NULL && !kills && !questions && report_format(name) == REPORT_NONE)
         return usage_error(EXIT_USAGE, "%s: expected a file .xml or .json, got '%.100s'", option_given(a, "-o") ? "-o" : "--report", name);
-    int status = file ? EXIT_DONE : take_only(c, option_value(a, "--only"));
+    int status = file ? EXIT_DONE : check_only(&a->paper->sheet, only);
     if (status != EXIT_DONE || kills)
-        return status != EXIT_DONE ? status : print_all_kills(c);
+        return status != EXIT_DONE ? status : print_all_kills(a, only);
     struct test_run *e = xrealloc(NULL, 1, sizeof *e);
     memset(e, 0, sizeof *e);
-    status = file ? read_answers(e, a, c) : take_questions(e, a, c);
+    status = file ? read_answers(e, a) : take_questions(e, a, only);
     if (status == EXIT_DONE && questions)
         status = print_questions(e);
     if (status == EXIT_DONE && a->client != NULL)
@@ -458,23 +472,5 @@ static int conform(const struct arguments *a, struct choice *c)
     if (e->summaries != NULL)
         test_run_clear(e);
     free(e);
-    return status;
-}
-
-int command_conform(const struct arguments *a)
-{
-    const struct sheet *sheet = &a->paper->sheet;
-    const size_t sections = (size_t)sheet->section_count;
-    struct choice c = {.sheet = sheet,
-                       .chosen = xrealloc(NULL, sections, sizeof *c.chosen),
-                       .digits = xrealloc(NULL, sections, sizeof *c.digits)};
-    memset(c.digits, 0, sections * sizeof *c.digits);
-    int status = take_digits(&c, a);
-    if (status == EXIT_DONE && a->client != NULL && *a->client == NULL)
-        status = usage_error(EXIT_USAGE, "conform: expected a client after --");
-    if (status == EXIT_DONE)
-        status = conform(a, &c);
-    free(c.chosen);
-    free(c.digits);
     return status;
 }

@@ -310,7 +310,7 @@ size_t test_run_ask(void *run, char *room, size_t size)
     return used;
 }
 
-void test_run_begin(struct test_run *e, const double *digits)
+void test_run_begin(struct test_run *e)
 {
     const int count = e->sets.count;
     e->comparators = xrealloc(NULL, (size_t)count, sizeof *e->comparators);
@@ -321,7 +321,7 @@ void test_run_begin(struct test_run *e, const double *digits)
     }
     for (int k = 0; k < count; k++) {
         e->summaries[k] = (struct summary){.digits = INFINITY, .worst = UINT64_MAX, .ease = INT_MAX};
-        comparator_init(&e->comparators[k], &e->sets.all[k].operation, e->significand, digits[k]);
+        comparator_init(&e->comparators[k], &e->sets.all[k].operation, e->significand, e->sets.all[k].digits);
     }
     test_vector_init(&e->asking);
     test_vector_init(&e->heard_of);

@@ -79,8 +79,8 @@ struct test_run {
     char ended[100];                /* how the client ended, where that was no end of a client */
 };
 
-/* All questions are in; digits[k] is what test set k declares. */
-void test_run_begin(struct test_run *e, const double *digits);
+/* All questions are in. */
+void test_run_begin(struct test_run *e);
 void test_run_clear(struct test_run *e);
 
 /* The lines of the next questions, as many as the room takes; 0 when all are asked. */

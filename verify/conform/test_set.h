@@ -26,6 +26,7 @@ struct test_set {
     struct operation operation;
     struct golden_vector *golden;
     int golden_count;
+    double digits;                /* that a motion has to reach */
     uint64_t random, first;       /* how many random ones inside the domain; the position of the first of all */
     uint64_t *wanted, want_count; /* these alone, by their places among all; NULL: all                        */
 };
