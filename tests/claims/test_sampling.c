@@ -283,7 +283,7 @@ TEST(a_held_law_moves_the_pair_as_the_reference_says)
         for (int i = 0; i < 3; i++) /* a step errs by 0.0025^5, and grows with e^2.5 a radian where it is held */
             ck_assert_double_eq_tol(s[i], middle(samples + COORDINATES * k + PLACE_X + i), 1e-9);
     }
-    mag_set_d(arb_radref(samples + ETA), 0.5); /* from a box that no hold is proved of nothing is */
+    mag_set_d(arb_radref(samples + PSI), 0.5); /* from a box that the first hold is not proved of no further one is */
     ck_assert(!hold_follow(samples, steps(), c1, c2, SECONDS, 2, 10));
 }
 

@@ -42,6 +42,30 @@ int sign_of_ball(const arb_t z)
     return arb_is_positive(z) ? 1 : arb_is_negative(z) ? -1 : 0;
 }
 
+slong isolate_roots(arb_t first, arb_calc_func_t f, void *of, const arb_t low, const arb_t high, slong most, slong prec)
+{
+    enum { DEEPEST = 60, EVALUATIONS = 20000 };
+    arf_interval_t all;
+    arf_interval_ptr blocks;
+    int *flags;
+    arf_interval_init(all);
+    arb_get_lbound_arf(&all->a, low, prec);
+    arb_get_ubound_arf(&all->b, high, prec);
+    const slong found = arb_calc_isolate_roots(&blocks, &flags, f, of, all, DEEPEST, EVALUATIONS, most, prec);
+    slong count = found;
+    arb_indeterminate(first);
+    for (slong i = 0; i < found; i++) {
+        if (flags[i] != 1)
+            count = -1;
+        else if (i == 0)
+            arf_interval_get_arb(first, blocks, prec);
+    }
+    _arf_interval_vec_clear(blocks, found);
+    flint_free(flags);
+    arf_interval_clear(all);
+    return count;
+}
+
 /*
  * Theorem. The root lies in m - f(m)/f'(X) if it lies in X, m in X (the mean value theorem); and beyond m, if f has the sign there
  * that it has at the lower end, before m, if it has the other. (N1) f(m), (N2) f'(X) with their radii, (N3) the side of m.

@@ -67,44 +67,26 @@ static arb_srcptr held_law_at(struct held_law *l, const arb_t T, int node, slong
     return machine_value(&l->machine, node);
 }
 
-/* For arb_calc: the value, by itself and by the mean value theorem, where there is a derivative; and the derivative. */
+/* For arb_calc: the value and the derivative. */
 static int circle_met(arb_ptr out, const arb_t T, void *law, slong order, slong prec)
 {
     struct held_law *l = law;
-    SCOPE(arb, middle, slope, away);
     arb_set(out, held_law_at(l, T, l->met, prec));
-    arb_mul_2exp_si(slope, held_law_at(l, T, l->slope, prec), -1);
     if (order > 1)
-        arb_set(out + 1, slope);
-    if (arb_is_finite(slope)) {
-        arb_get_mid_arb(middle, T);
-        arb_sub(away, T, middle, prec);
-        arb_mul(slope, slope, away, prec);
-        arb_add(slope, slope, held_law_at(l, middle, l->met, prec), prec);
-        arb_intersection(out, out, slope, prec);
-    }
+        arb_mul_2exp_si(out + 1, held_law_at(l, T, l->slope, prec), -1);
     return 0;
 }
 
 void largest_hold(arb_t limit, const struct derivations *steps, const arb_t c1, const arb_t c2, slong prec)
 {
-    enum { DEEPEST = 60, EVALUATIONS = 2000, LONGEST = 3 }; /* below 2 pi/b, where z = 1 is met */
+    enum { LONGEST = 3 }; /* below 2 pi/b, where z = 1 is met */
     struct held_law law;
-    arf_interval_t all;
-    arf_interval_ptr blocks;
-    int *flags;
+    SCOPE(arb, none, longest);
     held_law_init(&law, steps, c1, c2, prec);
-    arf_interval_init(all);
-    arf_set_si(&all->b, LONGEST);
-    const slong found = arb_calc_isolate_roots(&blocks, &flags, circle_met, &law, all, DEEPEST, EVALUATIONS, 1, prec);
-    arb_indeterminate(limit);
-    if (found > 0 && flags[0] == 1) {
-        arf_interval_get_arb(limit, blocks, prec);
+    arb_set_ui(longest, LONGEST);
+    isolate_roots(limit, circle_met, &law, none, longest, 1, prec);
+    if (arb_is_finite(limit))
         narrow_root(limit, circle_met, &law, prec);
-    }
-    _arf_interval_vec_clear(blocks, found);
-    flint_free(flags);
-    arf_interval_clear(all);
     held_law_clear(&law);
 }
 

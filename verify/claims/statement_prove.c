@@ -5,7 +5,7 @@
  * the rows of tests/claims/test_statement.c that name them, and by those of narrow_root (curve.c):
  *   (I1) a sign is that of the exact number, or of a ball without 0                                (sign_at)
  *   (I2) between bounds it is the same on parts that leave nothing out, the bounds' radii included (sign_between)
- *   (I3) a root is the only one: all other parts have a sign, its own a slope; bounds as before (isolate_between)
+ *   (I3) a root is the only one: all other parts have a sign, its own a slope; bounds as before (isolate_roots, curve.c)
  *   (I4) a count is of different roots above low, by Sturm's chain of the square-free part         (roots_beyond)
  *   (I5) a rank is that of all rates by all states, and by the control                             (rank_found)
  *   (I6) of several values, conditions, citations each has to be so                                (truth_both)
@@ -18,7 +18,7 @@
 #include "formula/symbolic.h"
 #include "text/scope.h"
 
-enum { PROVING_BITS = 128, MOST_PROVING_BITS = 1024, DEEPEST_BISECTION = 16, DEEPEST_ISOLATION = 32 };
+enum { PROVING_BITS = 128, MOST_PROVING_BITS = 1024, DEEPEST_BISECTION = 16, ROOTS = 10 };
 
 static struct bindings bindings_of(struct statements *all, struct statement *s, struct assertion *a)
 {
@@ -34,17 +34,15 @@ struct graph {
     struct curve curve;
 };
 
-static bool graph_init(struct graph *g, const struct formula *f, const char *variable, const struct bindings *b)
+static void graph_init(struct graph *g, const struct formula *f, const char *variable, const struct bindings *b)
 {
     struct bindings moving = *b;
     program_copy(&g->program, f->program);
-    g->curve = (struct curve){&g->machine, program_find(&g->program, variable), f->node, f->node};
-    if (g->curve.x >= 0)
-        g->curve.slope = program_slope(&g->program, f->node, g->curve.x);
+    g->curve = (struct curve){&g->machine, program_find(&g->program, variable), f->node, -1};
+    g->curve.slope = program_slope(&g->program, f->node, g->curve.x);
     moving.moving = variable;
     machine_init(&g->machine, &g->program, &arithmetic_ball, b->bits);
     machine_bind(&g->machine, f->node, true, &moving); /* the slope needs nothing more */
-    return g->curve.x >= 0;
 }
 
 /* The bounds between which an unknown moves; false: none, or reversed. */
@@ -74,30 +72,6 @@ static bool sign_between(struct curve *c, const arb_t low, const arb_t high, int
 
 /* ---- roots ---- */
 
-/* The number of roots between low and high, or -1 where it stays open; `one` is about the last of them. */
-static slong isolate_between(arb_t one, struct curve *c, const arb_t low, const arb_t high)
-{
-    enum { EVALUATIONS = 20000, ROOTS = 10 };
-    arf_interval_t block;
-    arf_interval_ptr blocks = NULL;
-    int *flags = NULL;
-    arf_interval_init(block);
-    arb_get_lbound_arf(&block->a, low, PROVING_BITS);
-    arb_get_ubound_arf(&block->b, high, PROVING_BITS);
-    const slong found = arb_calc_isolate_roots(&blocks, &flags, curve_series, c, block, DEEPEST_ISOLATION, EVALUATIONS, ROOTS, PROVING_BITS);
-    slong count = found;
-    for (slong i = 0; i < found; i++) {
-        if (flags[i] != 1)
-            count = -1;
-        arf_interval_get_arb(one, blocks + i, PROVING_BITS);
-        arf_interval_clear(blocks + i);
-    }
-    flint_free(blocks);
-    flint_free(flags);
-    arf_interval_clear(block);
-    return count;
-}
-
 /* The coefficients of a polynomial in one unknown whose other names have exact values; false: the formula is none. */
 static bool polynomial_of(fmpq_poly_t f, const struct formula *formula, const char *variable, const struct bindings *at)
 {
@@ -126,7 +100,8 @@ slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slon
     b.how = of->how;
     const bool bounded = bounds_enclose(low, high, a, &b);
     b.bits = 2 * bits;
-    const slong count = graph_init(&g, &a->formula, a->variable, &b) && bounded ? isolate_between(one, &g.curve, low, high) : -1;
+    graph_init(&g, &a->formula, a->variable, &b);
+    const slong count = bounded ? isolate_roots(one, curve_series, &g.curve, low, high, ROOTS, PROVING_BITS) : -1;
     arb_indeterminate(z);
     if (count == 1) {
         narrow_root(one, curve_series, &g.curve, 2 * bits);
@@ -183,7 +158,8 @@ static enum truth sign_on(const struct assertion *a, const struct bindings *b)
     struct graph g;
     SCOPE(arb, low, high);
     const bool bounded = bounds_enclose(low, high, a, b);
-    if (graph_init(&g, &a->formula, a->variable, b) && bounded) {
+    graph_init(&g, &a->formula, a->variable, b);
+    if (bounded) {
         if (sign_of_ball(curve_at(&g.curve, low)) == -sign || sign_of_ball(curve_at(&g.curve, high)) == -sign)
             truth = FOUND_FALSE;
         else if (sign_between(&g.curve, low, high, sign, DEEPEST_BISECTION))
