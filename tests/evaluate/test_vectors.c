@@ -203,9 +203,10 @@ EACH(a_defect_is_refused_by_a_text_of_the_sheet, sheet()->section_count)
 /*
  * Outputs in one digit, at a tie or beside it, which enclosures of 1/3 never tell, and of what is irrational only with many bits: x2 of
  * (5) is -4.5/3, L_ddot of (15) 6 - 1/2 and 6 - 6, Omega of (38) sqrt(6.25 +- 2^-200). At C1 = 9 Omega^2, C2 = 0 (41) is
- * s^2 (s^2 + 7 Omega^2), and Omega 2.5/sqrt(7), but for 2^-200, a little more.
+ * s^2 (s^2 + 7 Omega^2), and Omega 2.5/sqrt(7), but for 2^-200, a little more. At C1 = 8 Omega^2, C2 = Omega it is
+ * (s + Omega) (s^3 + 6 Omega^2 s - 3 Omega^3): of four roots the first is a tie, and rational alone.
  */
-EACH(digits_are_decided_at_a_tie_and_beside_it, 6)
+EACH(digits_are_decided_at_a_tie_and_beside_it, 7)
 {
     static const struct {
         const char *id;
@@ -214,7 +215,8 @@ EACH(digits_are_decided_at_a_tie_and_beside_it, 6)
         const char *outputs[8];
     } cases[] = {{"eq05", {1, 2, 4.5}, 0, {"3e+00", "-2e+00"}},           {"eq15", {1, 1, 3, 3, 2, 0, -3}, 0, {"6e+00"}},
                  {"eq15", {1, 1, 3, 3, 2, 0, -36}, 0, {"0"}},             {"eq38", {6.25, 1}, 1, {"3e+00"}},
-                 {"eq38", {6.25, 1}, -1, {"2e+00"}},                      {"eq41roots", {1, 9, 0}, 0, {"0", "-3e+00", "0", "0", "0", "0", "0", "3e+00"}}};
+                 {"eq38", {6.25, 1}, -1, {"2e+00"}},                      {"eq41roots", {1, 9, 0}, 1, {"0", "-3e+00", "0", "0", "0", "0", "0", "3e+00"}},
+                 {"eq41roots", {2.5, 50, 2.5}, 0, {"-2e+00", "0", "-6e-01", "-6e+00", "-6e-01", "6e+00", "1e+00", "0"}}};
     const struct section *s = section_find(sheet(), cases[_i].id);
     INPUTS(inputs);
     char *outputs[MOST_OUTPUTS];
@@ -225,7 +227,7 @@ EACH(digits_are_decided_at_a_tie_and_beside_it, 6)
     fmpq_set_si(step, cases[_i].moved, 1);
     fmpq_div_2exp(step, step, 200);
     fmpq_add(&inputs[0].value, &inputs[0].value, step);
-    if (s->method == METHOD_ROOTS) { /* 2.5/sqrt(7) = sqrt(6.25/7) in units of 2^-200, the next of them, and C1 */
+    if (s->method == METHOD_ROOTS && cases[_i].moved != 0) { /* 2.5/sqrt(7) = sqrt(6.25/7) in units of 2^-200, the next of them, and C1 */
         fmpz_one_2exp(root, 398);
         fmpz_mul_ui(root, root, 25);
         fmpz_fdiv_q_ui(root, root, 7);
