@@ -27,6 +27,12 @@ const struct sheet *sheet(void)
     return &whole_paper()->sheet;
 }
 
+/* Before the tests, each of which is a process of its own. */
+__attribute__((constructor)) static void read_once(void)
+{
+    sheet();
+}
+
 void open_steps(struct derivations *d)
 {
     struct message why;
