@@ -51,8 +51,8 @@ static int take(void *context, slong k, const fmpq_t t, arb_srcptr state)
     return 0;
 }
 
-/* Omega, L_ref, C1, C2, of the nonlinear model k_c, m1, m2 as well, and the state; one step of a second. */
-static void one_step(arb_ptr out, bool nonlinear, arb_srcptr in, slong prec)
+/* Omega, L_ref, C1, C2, of the nonlinear model k_c, m1, m2 as well, and the state; a second of the motion, or one step of it. */
+static void one_second(arb_ptr out, bool nonlinear, bool step, arb_srcptr in, slong prec)
 {
     FLOW_PARAMETERS(p);
     SCOPE(fmpq, second);
@@ -61,18 +61,23 @@ static void one_step(arb_ptr out, bool nonlinear, arb_srcptr in, slong prec)
     for (int i = 0; i < parameters; i++)
         arb_set(all[i], in + i);
     fmpq_one(second);
-    ck_assert_int_eq(flow_run(&(struct flow_request){&p, in + parameters, second, 1, 17, prec, take, out, nonlinear, second, NULL, 0, 0}),
-                     FLOW_DONE);
+    struct flow_request r = {&p, in + parameters, second, 1, 17, prec, take, out, nonlinear, step ? second : NULL, NULL, 0, 0};
+    ck_assert_int_eq(flow_run(&r), FLOW_DONE);
 }
 
 static void steps_of_the_method(arb_ptr out, arb_srcptr in, slong prec)
 {
-    one_step(out, true, in, prec);
+    one_second(out, true, true, in, prec);
 }
 
 static void steps_of_the_linear_method(arb_ptr out, arb_srcptr in, slong prec)
 {
-    one_step(out, false, in, prec);
+    one_second(out, false, true, in, prec);
+}
+
+static void linear_motions(arb_ptr out, arb_srcptr in, slong prec)
+{
+    one_second(out, false, false, in, prec);
 }
 
 /* (7), (18), (13), (14) and (21); in: as for a step */
@@ -86,22 +91,26 @@ static void charges_of_a_state(arb_ptr out, arb_srcptr in, slong prec)
 }
 
 static const struct {
+    const char *terms;
     moved *move;
     int inputs, outputs;
     double in[MOST];
 } moves[] = {
-    {pair_in_the_inverse_square_field, 18, 12,
+    {"B1 to B3", pair_in_the_inverse_square_field, 18, 12,
      {0.125, 10, 2, 0.25, 0.75, 0.5, 0.25, 0.125, -0.5, -0.125, -0.25, 0.0625, -0.0625, 0.125, 0.03125, -0.0625, -0.125, 0x1p-5}},
     /* p steers alone: places near (1, 0, 0)/s, where it is large, and a step as long as is proved there */
-    {pair_in_the_inverse_square_field, 18, 12,
+    {"B1 to B3", pair_in_the_inverse_square_field, 18, 12,
      {0.5, 0.125, 0.125, 0.5, 0.5, -0.875, 0.5, 0.25, 0.75, -0.75, -0.5, 0.0625, -0.0625, 0.125, 0.03125, -0.0625, -0.125, 0.1875}},
-    {steps_of_the_method, 13, 6, {1, 2, 10, 8, 1, 1, 1, 1, 0.5, 0.25, 0.5, -0.25, 0.125}}, /* (R1), (R2) */
-    {steps_of_the_method, 13, 6, {0x1p-4, 2, 2, 0x1p-7, 1, 1, 1, 0.75, 0.5, 0.4375, 0, 0, 0}}, /* r near 1, where c1 (r - 1) alone varies */
-    {steps_of_the_method, 13, 6, {1, 2, 0.125, 0.125, 1, 1, 1, 0.25, 0.25, 0.125, 0.5, -0.25, 0.125}},
-    {steps_of_the_method, 13, 6, {4, 25, 512, 16, 1, 3, 2, 0.5, 0.25, 100, 0.5, -0.25, 400}}, /* (R3) */
-    {steps_of_the_linear_method, 10, 6, {8, 2, 640, 16, 0.5, 0.25, 0.125, 4, -2, 1}},
-    {charges_of_a_state, 13, 3, {0.0625, 10, 0.03125, 0.125, 8e9, 150, 100, 4, 0.5, 0.25, 0x1p-6, -0x1p-7, 0x1p-6}},
-    {coordinates_of_angles, 9, 6, {150, 100, 25, 0.5, 0.25, 1, 0x1p-12, -0x1p-13, 0x1p-6}},
+    {"R1 to R3", steps_of_the_method, 13, 6, {1, 2, 10, 8, 1, 1, 1, 1, 0.5, 0.25, 0.5, -0.25, 0.125}},
+    {"R1 to R3", steps_of_the_method, 13, 6, {0x1p-4, 2, 2, 0x1p-7, 1, 1, 1, 0.75, 0.5, 0.4375, 0, 0, 0}}, /* r near 1, where c1 (r - 1) alone varies */
+    {"R1 to R3", steps_of_the_method, 13, 6, {1, 2, 0.125, 0.125, 1, 1, 1, 0.25, 0.25, 0.125, 0.5, -0.25, 0.125}},
+    {"R1 to R3", steps_of_the_method, 13, 6, {4, 25, 512, 16, 1, 3, 2, 0.5, 0.25, 100, 0.5, -0.25, 400}},
+    {"R1 to R3, linear", steps_of_the_linear_method, 10, 6, {8, 2, 640, 16, 0.5, 0.25, 0.125, 4, -2, 1}},
+    {"A1, A2", linear_motions, 10, 6, {1, 8, 10, 3, 0.5, 0.25, 1, 0.25, -0.25, 1}},
+    /* pitch from its rate alone at its peak theta'/(2 Omega), where it does not depend on Omega t but on the unit of its rate */
+    {"A1, A2", linear_motions, 10, 6, {0x1.921fb54442d18p-1, 8, 10, 3, 0.5, 0, 1, 0.25, -0.25, 1}},
+    {"charges", charges_of_a_state, 13, 3, {0.0625, 10, 0.03125, 0.125, 8e9, 150, 100, 4, 0.5, 0.25, 0x1p-6, -0x1p-7, 0x1p-6}},
+    {"(10)", coordinates_of_angles, 9, 6, {150, 100, 25, 0.5, 0.25, 1, 0x1p-12, -0x1p-13, 0x1p-6}},
 };
 
 RANGE(both_ends_of_every_ball_are_held, 0, COUNT(moves) * MOST)
@@ -121,6 +130,6 @@ RANGE(both_ends_of_every_ball_are_held, 0, COUNT(moves) * MOST)
         arb_set_d(in + wide, moves[move].in[wide] + side * radius);
         moves[move].move(end, in, ENDS_PREC);
         for (int i = 0; i < moves[move].outputs; i++)
-            ck_assert_msg(arb_contains(held + i, end + i), "move %d, input %d, output %d", move, wide, i);
+            ck_assert_msg(arb_contains(held + i, end + i), "%s: row %d, input %d, output %d", moves[move].terms, move, wide, i);
     }
 }

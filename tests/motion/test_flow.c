@@ -3,33 +3,35 @@
  * is in test_taylor.c and test_lohner.c.
  */
 #include "tests/run.h"
+#include "tests/paper.h"
 
 #include "coulombtether.h"
 #include "motion/expansion.h"
+#include "motion/motion.h"
 #include "text/scope.h"
 
 CASE(all, NULL, flint_cleanup)
 
 enum { DAY = 86400, PREC = 256, MOST_TIMES = 64 };
 
-/* ---- scenarios: parameters, and a state to start from ---- */
+/* ---- pairs: parameters, and a state to start from ---- */
 
-struct scenario {
+struct pair {
     struct flow_parameters p;
     arb_ptr start;
     slong prec;
 };
 
-static void scenario_clear(struct scenario *s)
+static void pair_clear(struct pair *s)
 {
     flow_parameters_clear(&s->p);
     _arb_vec_clear(s->start, FLOW_STATE);
 }
 
 /* Gains c1 Omega^2 and c2 Omega; at rest at the origin. */
-static struct scenario scenario_of(double Omega, double m1, double m2, double L_ref, double c1, double c2)
+static struct pair pair_of(double Omega, double m1, double m2, double L_ref, double c1, double c2)
 {
-    struct scenario s = {.prec = PREC, .start = _arb_vec_init(FLOW_STATE)};
+    struct pair s = {.prec = PREC, .start = _arb_vec_init(FLOW_STATE)};
     const double given[] = {Omega, 8.99e9, m1, m2, L_ref, c1, c2};
     flow_parameters_init(&s.p);
     for (int i = 0; i < COUNT(given); i++)
@@ -40,42 +42,28 @@ static struct scenario scenario_of(double Omega, double m1, double m2, double L_
     return s;
 }
 
-static struct scenario paper(void)
+static struct pair paper(void)
 {
-    return scenario_of(7.2915e-5, 150, 150, 10, 10, 2);
+    return pair_of(7.2915e-5, 150, 150, 10, 10, 2);
 }
 
-static void start_at(struct scenario *s, double a, double b, double c, double a_dot, double b_dot, double c_dot)
+static void start_at(struct pair *s, double a, double b, double c, double a_dot, double b_dot, double c_dot)
 {
     const double given[FLOW_STATE] = {a, b, c, a_dot, b_dot, c_dot};
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_d(s->start + i, given[i]);
 }
 
-/* Eq. (10), exact: craft 1 at rest in the frame at these angles and this distance. */
-static void start_at_angles(struct scenario *s, double psi, double theta, double dL)
+/* At rest in the frame at these angles and this distance */
+static void start_at_angles(struct pair *s, double psi, double theta, double dL)
 {
-    SCOPE(arb, r, sine, cosine);
-    arb_set_d(r, dL);
-    arb_add(r, r, s->p.L_ref, s->prec);
-    arb_mul(r, r, s->p.m2, s->prec);
-    arb_add(sine, s->p.m1, s->p.m2, s->prec);
-    arb_div(r, r, sine, s->prec);
-    _arb_vec_zero(s->start, FLOW_STATE);
-    arb_set_d(cosine, theta);
-    arb_sin_cos(sine, cosine, cosine, s->prec);
-    arb_mul(s->start + 2, r, sine, s->prec);
-    arb_neg(s->start + 2, s->start + 2);
-    arb_mul(r, r, cosine, s->prec);
-    arb_set_d(cosine, psi);
-    arb_sin_cos(sine, cosine, cosine, s->prec);
-    arb_mul(s->start + 1, r, sine, s->prec);
-    arb_mul(s->start, r, cosine, s->prec);
+    start_at(s, psi, theta, dL, 0, 0, 0);
+    state_from_angles(s->start, sheet(), &s->p, s->prec);
 }
 
-static struct scenario paper_nonlinear(void)
+static struct pair paper_nonlinear(void)
 {
-    struct scenario s = paper();
+    struct pair s = paper();
     start_at_angles(&s, 0.01, 0.01, 0.1);
     return s;
 }
@@ -96,25 +84,25 @@ static int keep(void *context, slong k, const fmpq_t t, arb_srcptr state)
     return record->rows == record->stop_after;
 }
 
-enum method { LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR };
+enum way { LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR };
 
-struct run {
+struct found {
     enum flow_status status;
     double reached;
     arb_ptr states;
     slong rows;
 };
 
-static void run_clear(struct run *r)
+static void found_clear(struct found *r)
 {
     _arb_vec_clear(r->states, MOST_TIMES * FLOW_STATE);
 }
 
 /* At `count` times in seconds; h is for Runge and Kutta. */
-static struct run run_through(const struct scenario *s, enum method method, const slong *seconds, slong count,
+static struct found run_through(const struct pair *s, enum way method, const slong *seconds, slong count,
                               slong digits, slong h, slong stop_after)
 {
-    struct run r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
+    struct found r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
     struct record record = {r.states, 0, stop_after};
     VECTOR(fmpq, times, count);
     SCOPE(fmpq, step);
@@ -129,7 +117,7 @@ static struct run run_through(const struct scenario *s, enum method method, cons
     return r;
 }
 
-static struct run run_to(const struct scenario *s, enum method method, slong seconds)
+static struct found run_to(const struct pair *s, enum way method, slong seconds)
 {
     return run_through(s, method, &seconds, 1, 17, 100, 0);
 }
@@ -180,25 +168,25 @@ static double number(const arb_t x)
 
 /* ---- ref/, which shares no line with the flows ---- */
 
-static struct ct_params params_of(const struct scenario *s)
+static struct ct_params params_of(const struct pair *s)
 {
     return (struct ct_params){.Omega = number(s->p.Omega), .k_c = number(s->p.k_c), .m1 = number(s->p.m1), .m2 = number(s->p.m2),
                               .L_ref = number(s->p.L_ref)};
 }
 
-static struct ct_gains gains_of(const struct scenario *s)
+static struct ct_gains gains_of(const struct pair *s)
 {
     return (struct ct_gains){number(s->p.C1), number(s->p.C2)};
 }
 
-static struct ct_hill_state start_of(const struct scenario *s)
+static struct ct_hill_state start_of(const struct pair *s)
 {
     return (struct ct_hill_state){number(s->start), number(s->start + 1), number(s->start + 2), number(s->start + 3),
                                   number(s->start + 4), number(s->start + 5)};
 }
 
 /* To a share of L_ref, and of Omega L_ref */
-static void assert_near(arb_srcptr state, struct ct_hill_state of_ref, const struct scenario *s, double share)
+static void assert_near(arb_srcptr state, struct ct_hill_state of_ref, const struct pair *s, double share)
 {
     const double expected[] = {of_ref.x1, of_ref.y1, of_ref.z1, of_ref.x1_dot, of_ref.y1_dot, of_ref.z1_dot};
     for (int i = 0; i < FLOW_STATE; i++)
@@ -213,9 +201,9 @@ static void assert_near(arb_srcptr state, struct ct_hill_state of_ref, const str
  */
 TEST(eq40_flow_follows_an_exact_mode)
 {
-    OWNED(scenario) s = scenario_of(0x1p-14, 150, 150, 8, 10, 3);
+    OWNED(pair) s = pair_of(0x1p-14, 150, 150, 8, 10, 3);
     start_at(&s, 0.5, 0.25, 8, -0x1p-15, 0, -0x1p-11);
-    OWNED(run) r = run_to(&s, LINEAR, 5 * DAY);
+    OWNED(found) r = run_to(&s, LINEAR, 5 * DAY);
     SCOPE(arb, tau, factor);
     arb_mul_si(tau, s.p.Omega, -5 * DAY, PREC);
     arb_exp(factor, tau, PREC);
@@ -228,61 +216,18 @@ TEST(eq40_flow_follows_an_exact_mode)
     assert_sharp(r.states, 180); /* exp(-26) takes 38 bits of 256, the exponential some more */
 }
 
-/* A ball among C1, C2, Omega, L_ref, m1, m2 and the state holds both of its ends at time t, in steps of h. */
-static void assert_ball_holds_its_ends(enum method method, int which, const double start[FLOW_STATE], slong t, slong h)
-{
-    OWNED(scenario) wide = scenario_of(0x1p-14, 150, 120, 8, 10, 3), end = scenario_of(0x1p-14, 150, 120, 8, 10, 3);
-    start_at(&wide, start[0], start[1], start[2], start[3], start[4], start[5]);
-    start_at(&end, start[0], start[1], start[2], start[3], start[4], start[5]);
-    arb_ptr all[] = {wide.p.C1, wide.p.C2, wide.p.Omega, wide.p.L_ref, wide.p.m1, wide.p.m2};
-    arb_ptr one[] = {end.p.C1, end.p.C2, end.p.Omega, end.p.L_ref, end.p.m1, end.p.m2};
-    arb_ptr ball = which < 6 ? all[which] : wide.start + which - 6, member = which < 6 ? one[which] : end.start + which - 6;
-    SCOPE(arb, centre);
-    arb_set(centre, ball);
-    mag_set_d(arb_radref(ball), fabs(number(ball)) * 0x1p-24);
-    wide.prec = 60 + 10 * (which % 3);
-    OWNED(run) r = run_through(&wide, method, &t, 1, 17, h, 0);
-    ck_assert_int_eq(r.status, FLOW_DONE);
-    for (int side = -1; side <= 1; side += 2) {
-        arb_mul_2exp_si(member, centre, -24);
-        arb_mul_si(member, member, side, PREC);
-        arb_add(member, member, centre, PREC);
-        OWNED(run) truth = run_through(&end, method, &t, 1, 17, h, 0);
-        assert_holds(r.states, truth.states);
-    }
-}
-
-/*
- * Every number that is not known is a ball: gains, Omega, L_ref and state, one at a time, hold both of their ends; and Omega
- * where pitch, from its rate alone, is at its peak theta'/(2 Omega): there it does not depend on Omega t.
- */
-EACH(eq40_flow_holds_both_ends_of_every_ball, 7 + FLOW_STATE)
-{
-    const bool peak = _i == 6 + FLOW_STATE;
-    const double start[] = {0.5, peak ? 0 : 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14};
-    assert_ball_holds_its_ends(LINEAR, peak ? 2 : _i, start, peak ? 12868 : 1 << 14, 1); /* pi/4 radians, or one */
-}
-
-/* And so do Runge and Kutta's steps, two of an eighth of a radian; a mass on its own has its part in the nonlinear model alone. */
-EACH(rk4_holds_both_ends_of_every_ball, 2 * (6 + FLOW_STATE))
-{
-    const double angles[] = {0.5, 0.25, 1, 0x1p-16, -0x1p-16, 0x1p-14}, places[] = {4, 1, 0.5, 0x1p-12, -0x1p-12, 0x1p-14};
-    const bool linear = _i < 6 + FLOW_STATE;
-    assert_ball_holds_its_ends(linear ? RK4_LINEAR : RK4_NONLINEAR, _i % (6 + FLOW_STATE), linear ? angles : places, 1 << 12, 1 << 11);
-}
-
 /* There and back; what decays forward grows backward. */
 EACH(a_motion_returns, 2)
 {
-    const enum method m = _i == 0 ? LINEAR : NONLINEAR;
-    OWNED(scenario) s = paper_nonlinear();
+    const enum way m = _i == 0 ? LINEAR : NONLINEAR;
+    OWNED(pair) s = paper_nonlinear();
     if (m == LINEAR)
         start_at(&s, 0.01, -0.02, 0.1, 1e-6, 2e-6, -3e-6);
-    OWNED(run) there = run_to(&s, m, DAY);
+    OWNED(found) there = run_to(&s, m, DAY);
     VECTOR(arb, start, FLOW_STATE);
     _arb_vec_set(start, s.start, FLOW_STATE);
     _arb_vec_set(s.start, there.states, FLOW_STATE);
-    OWNED(run) back = run_to(&s, m, -DAY);
+    OWNED(found) back = run_to(&s, m, -DAY);
     assert_holds(back.states, start);
     assert_sharp(back.states, 150);
     ck_assert_double_eq(back.reached, -DAY);
@@ -306,8 +251,8 @@ TEST(eq03_flow_of_the_paper)
         "-0.000000031711580383845685955411698211653547390313061381107 +/- 1e-51",
         "0.0000000027597638630855129232732471038931165846453228454936 +/- 1e-51",
         "0.00000045779311177627257314565526507035347304561916236798 +/- 1e-51"};
-    OWNED(scenario) s = paper_nonlinear();
-    OWNED(run) r = run_to(&s, NONLINEAR, 2 * DAY);
+    OWNED(pair) s = paper_nonlinear();
+    OWNED(found) r = run_to(&s, NONLINEAR, 2 * DAY);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_str(s.start + i, expected[i], PREC);
     assert_overlap(r.states, s.start);
@@ -317,12 +262,12 @@ TEST(eq03_flow_of_the_paper)
 /* A local error of 1e-14 in some thousand steps of a motion that does not diverge */
 TEST(eq03_flow_at_large_angles_agrees_with_ref)
 {
-    OWNED(scenario) s = scenario_of(7.2915e-5, 1, 1000, 10, 10, 2);
+    OWNED(pair) s = pair_of(7.2915e-5, 1, 1000, 10, 10, 2);
     const double t = DAY;
     struct ct_hill_state of_ref;
     start_at_angles(&s, 1.2, 0.9, -3);
     ck_assert_int_eq(ct_nonlinear_flow(params_of(&s), gains_of(&s), start_of(&s), 1e-14, 1, &t, &of_ref), CT_OK);
-    OWNED(run) r = run_to(&s, NONLINEAR, DAY);
+    OWNED(found) r = run_to(&s, NONLINEAR, DAY);
     ck_assert_int_eq(r.status, FLOW_DONE);
     assert_near(r.states, of_ref, &s, 1e-10);
 }
@@ -333,13 +278,13 @@ TEST(eq03_flow_at_large_angles_agrees_with_ref)
 EACH(what_is_zero_stays_zero, 3)
 {
     static const struct {
-        enum method method;
+        enum way method;
         double start[3];
         int zero[2]; /* coordinates, and their rates */
     } all[] = {{LINEAR, {0, 1, 0}, {0, 2}}, {LINEAR, {1, 0, 0}, {1, 1}}, {NONLINEAR, {4, 2, 0}, {2, 2}}};
-    OWNED(scenario) s = paper();
+    OWNED(pair) s = paper();
     start_at(&s, all[_i].start[0], all[_i].start[1], all[_i].start[2], 0, 0, 0);
-    OWNED(run) r = run_to(&s, all[_i].method, DAY);
+    OWNED(found) r = run_to(&s, all[_i].method, DAY);
     for (int k = 0; k < 2; k++)
         ck_assert(arb_is_zero(r.states + all[_i].zero[k]) && arb_is_zero(r.states + FLOW_HALF + all[_i].zero[k]));
     assert_sharp(r.states, 180);
@@ -347,9 +292,9 @@ EACH(what_is_zero_stays_zero, 3)
 
 EACH(eq05_static_formation_stays_exactly, 2)
 {
-    OWNED(scenario) s = scenario_of(7.2915e-5, 100, 150, 10, 10, 2);
+    OWNED(pair) s = pair_of(7.2915e-5, 100, 150, 10, 10, 2);
     start_at(&s, 6, 0, 0, 0, 0, 0); /* m2 L_ref / (m1 + m2) */
-    OWNED(run) r = run_to(&s, _i == 0 ? NONLINEAR : RK4_NONLINEAR, DAY);
+    OWNED(found) r = run_to(&s, _i == 0 ? NONLINEAR : RK4_NONLINEAR, DAY);
     assert_same(r.states, s.start);
 }
 
@@ -359,7 +304,7 @@ EACH(eq05_static_formation_stays_exactly, 2)
 TEST(an_enclosure_holds_the_motions_from_a_box)
 {
     enum { CORNERS = 1 << FLOW_STATE };
-    OWNED(scenario) s = paper(), box = paper();
+    OWNED(pair) s = paper(), box = paper();
     box.prec = 100;
     start_at_angles(&s, 0.05, 0.05, 0.1);
     start_at_angles(&box, 0.05, 0.05, 0.1);
@@ -367,15 +312,15 @@ TEST(an_enclosure_holds_the_motions_from_a_box)
         mag_set_d(arb_radref(box.start + i), i < 3 ? 1e-5 : 1e-9);
     mag_set_d(arb_radref(box.p.C1), 1e-13);
     const slong t = DAY / 2;
-    OWNED(run) all = run_through(&box, NONLINEAR, &t, 1, 2, 0, 0);
+    OWNED(found) all = run_through(&box, NONLINEAR, &t, 1, 2, 0, 0);
     ck_assert_int_eq(all.status, FLOW_DONE);
     for (int corner = 0; corner < CORNERS; corner += 5) {
-        OWNED(scenario) one = paper();
+        OWNED(pair) one = paper();
         one.prec = 100;
         for (int i = 0; i < FLOW_STATE; i++)
             arb_set_d(one.start + i, number(s.start + i) + (corner >> i & 1 ? 1 : -1) * (i < 3 ? .99e-5 : .99e-9));
         arb_set_d(one.p.C1, number(s.p.C1) + (corner & 1 ? .99e-13 : -.99e-13));
-        OWNED(run) r = run_to(&one, NONLINEAR, t);
+        OWNED(found) r = run_to(&one, NONLINEAR, t);
         assert_holds(all.states, r.states);
     }
     assert_sharp(all.states, 5); /* the box itself grows by the motion, a hundredfold at the most */
@@ -383,9 +328,9 @@ TEST(an_enclosure_holds_the_motions_from_a_box)
 
 EACH(motions_that_grow_and_stiff_gains_are_followed, 2)
 {
-    OWNED(scenario) s = scenario_of(7.2915e-5, 150, 150, 10, _i == 0 ? 10 : 1e6, _i == 0 ? -0.5 : 2000);
+    OWNED(pair) s = pair_of(7.2915e-5, 150, 150, 10, _i == 0 ? 10 : 1e6, _i == 0 ? -0.5 : 2000);
     start_at_angles(&s, 0.01, 0.01, 0.1);
-    OWNED(run) r = run_to(&s, NONLINEAR, _i == 0 ? 2 * DAY : 500);
+    OWNED(found) r = run_to(&s, NONLINEAR, _i == 0 ? 2 * DAY : 500);
     ck_assert_int_eq(r.status, FLOW_DONE);
     assert_sharp(r.states, 150);
 }
@@ -395,15 +340,15 @@ EACH(motions_that_grow_and_stiff_gains_are_followed, 2)
 /* One radian of orbit is 2^14 s; no gains but those given; equal craft, r_ref = 4 m. */
 enum { RADIAN_LOG2 = 14, ROWS = 8, R_REF = 4 };
 
-static struct scenario plain_scenario(double c1, double c2)
+static struct pair plain_pair(double c1, double c2)
 {
-    struct scenario s = scenario_of(0x1p-14, 150, 150, 2 * R_REF, c1, c2);
+    struct pair s = pair_of(0x1p-14, 150, 150, 2 * R_REF, c1, c2);
     s.prec = 128; /* of what is true; what is tested has less */
     return s;
 }
 
 /* By steps of that kind; digits 0: no set is too wide */
-static enum flow_status follow_by(const struct flow_steps *how, const struct scenario *s, const fmpq *times, slong count,
+static enum flow_status follow_by(const struct flow_steps *how, const struct pair *s, const fmpq *times, slong count,
                                   struct record *record, double *reached)
 {
     struct flow_request r = {&s->p, s->start, times, count, 0, s->prec, keep, record, true, NULL, how, 0, 0};
@@ -413,9 +358,9 @@ static enum flow_status follow_by(const struct flow_steps *how, const struct sce
 }
 
 /* `ROWS` rows, the last of them at that many radians, by steps of that kind */
-static struct run run_steps(const struct scenario *s, const struct flow_steps *how, double radians)
+static struct found run_steps(const struct pair *s, const struct flow_steps *how, double radians)
 {
-    struct run r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
+    struct found r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
     struct record record = {r.states, 0, 0};
     VECTOR(fmpq, times, ROWS);
     for (slong k = 0; k < ROWS; k++)
@@ -426,10 +371,10 @@ static struct run run_steps(const struct scenario *s, const struct flow_steps *h
 }
 
 /* What the flow itself makes of it in 128 bits and more than 40 terms, all of whose rows lie in those of `wide` */
-static void assert_rows_hold(const struct run *wide, const struct scenario *one, double radians, const char *term)
+static void assert_rows_hold(const struct found *wide, const struct pair *one, double radians, const char *term)
 {
     static const struct flow_steps own;
-    OWNED(run) truth = run_steps(one, &own, radians);
+    OWNED(found) truth = run_steps(one, &own, radians);
     ck_assert_int_eq(wide->status, FLOW_DONE);
     ck_assert_int_eq(wide->rows, ROWS);
     ck_assert_int_eq(truth.rows, ROWS);
@@ -439,7 +384,7 @@ static void assert_rows_hold(const struct run *wide, const struct scenario *one,
 
 enum { UNKNOWN = FLOW_STATE + 4 }; /* the state, c1, c2, and the relative widths of L_ref and m1 */
 
-static void set_unknown(struct scenario *s, const double centre[FLOW_STATE], const double c[2], const double radius[UNKNOWN], int corner)
+static void set_unknown(struct pair *s, const double centre[FLOW_STATE], const double c[2], const double radius[UNKNOWN], int corner)
 {
     const double sign = corner < 0 ? 0 : 1; /* at the corner of that number, or all of the box */
     double at[UNKNOWN];
@@ -464,12 +409,12 @@ static void set_unknown(struct scenario *s, const double centre[FLOW_STATE], con
 /* Orders 2 to 6, from a point, in 60 bits: what a series leaves out is a million times what is rounded. */
 RANGE(F1_the_path_has_a_remainder, 2, 7)
 {
-    OWNED(scenario) s = plain_scenario(10, 1), fine = plain_scenario(10, 1);
+    OWNED(pair) s = plain_pair(10, 1), fine = plain_pair(10, 1);
     const struct flow_steps how = {.order = _i, .step = 0x1p-5};
     start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
     start_at(&fine, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
     s.prec = 60;
-    OWNED(run) one = run_steps(&s, &how, 0x1p-5), many = run_steps(&s, &how, 0x1p-2);
+    OWNED(found) one = run_steps(&s, &how, 0x1p-5), many = run_steps(&s, &how, 0x1p-2);
     assert_rows_hold(&one, &fine, 0x1p-5, "one step");
     assert_rows_hold(&many, &fine, 0x1p-2, "eight");
 }
@@ -527,10 +472,10 @@ EACH(F2_to_F7_rows_of_a_box_hold_those_of_its_corners, COUNT(boxes))
 {
     const double *const radius = boxes[_i].radius, end = ldexp(1, -boxes[_i].end);
     const struct flow_steps how = {.derivative_order = boxes[_i].derivative_order, .step = ldexp(1, -boxes[_i].step)};
-    OWNED(scenario) box = plain_scenario(0, 0), one = plain_scenario(0, 0);
+    OWNED(pair) box = plain_pair(0, 0), one = plain_pair(0, 0);
     set_unknown(&box, boxes[_i].centre, boxes[_i].gains, radius, -1);
     box.prec = 60;
-    OWNED(run) all = run_steps(&box, &how, end);
+    OWNED(found) all = run_steps(&box, &how, end);
     for (int corner = 0; corner < 1 << UNKNOWN; corner++) {
         bool other = true;
         for (int i = 0; i < UNKNOWN; i++)
@@ -548,7 +493,7 @@ EACH(F7_constants_of_another_law_are_balls, 2)
     enum { V = 4, Y = 1, OWN = JET_ALL };
     struct term terms[JET_TERMS + 1];
     const struct system law = {JET_STATES, JET_SERIES, JET_ALL + 1, JET_TERMS + 1, terms};
-    OWNED(scenario) box = plain_scenario(10, 1), one = plain_scenario(10, 1);
+    OWNED(pair) box = plain_pair(10, 1), one = plain_pair(10, 1);
     const double y = _i == 0 ? 1 : 0, width = _i == 0 ? 0 : 0x1p-4;
     VECTOR(arb, c, 1);
     VECTOR(arb, last, 4); /* y of each corner: what c is makes a difference */
@@ -563,12 +508,12 @@ EACH(F7_constants_of_another_law_are_balls, 2)
     arb_one(c);
     mag_set_d(arb_radref(c), 0.5);
     box.prec = 60;
-    OWNED(run) all = run_steps(&box, &how, 0x1p-8);
+    OWNED(found) all = run_steps(&box, &how, 0x1p-8);
     for (int corner = 0; corner < 4; corner++) {
         start_at(&one, R_REF, y + (corner & 1 ? width : -width), 0, 0, 0, 0);
         arb_set_d(c, corner & 2 ? 1.5 : 0.5);
         mag_zero(arb_radref(c));
-        OWNED(run) truth = run_steps(&one, &(struct flow_steps){.system = &law, .constants = c}, 0x1p-8);
+        OWNED(found) truth = run_steps(&one, &(struct flow_steps){.system = &law, .constants = c}, 0x1p-8);
         ck_assert_int_eq(all.rows, ROWS);
         ck_assert_int_eq(truth.rows, ROWS);
         for (slong k = 0; k < ROWS * FLOW_STATE; k += FLOW_STATE)
@@ -586,7 +531,7 @@ EACH(F9_a_row_is_within_its_step_for_certain, 2)
 {
     const double h = 0x1p-8, share = _i == 0 ? 0.2 : 0.25, middle = _i == 0 ? 1.2 : 0.99;
     const struct flow_steps how = {.order = 2, .step = h};
-    OWNED(scenario) s = plain_scenario(0, 0), fine = plain_scenario(0, 0);
+    OWNED(pair) s = plain_pair(0, 0), fine = plain_pair(0, 0);
     SCOPE(fmpq, t);
     double reached;
     fmpq_set_si(t, (slong)(middle * h * 0x1p24), 1 << 10);
@@ -651,7 +596,7 @@ EACH(F8_each_of_the_three_bounds_is_proved, 18)
 /* A gain of anything to 1e300 bears no step of 2^-37 radians: no row, not even one that soon. */
 TEST(F8_what_no_halving_proves_is_no_step)
 {
-    OWNED(scenario) s = plain_scenario(10, 1);
+    OWNED(pair) s = plain_pair(10, 1);
     const struct flow_steps how = {.step = 0x1p-5};
     double reached;
     SCOPE(fmpq, t);
@@ -666,7 +611,7 @@ TEST(F8_what_no_halving_proves_is_no_step)
 /* Steps are a fraction of 2^-5 radians; whatever Omega is in its ball, no more of them than were proved have been reached. */
 EACH(what_is_reached_is_rounded_towards_the_start, 4)
 {
-    OWNED(scenario) s = scenario_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
+    OWNED(pair) s = pair_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
     const struct flow_steps how = {.step = 0x1p-5};
     SCOPE(fmpq, t, reached, Omega);
     double seconds;
@@ -695,10 +640,10 @@ EACH(what_is_reached_is_rounded_towards_the_start, 4)
 /* Of either: the method's steps lose ten bits a radian, 128 last for two days. */
 EACH(an_enclosure_past_use_is_reported, 2)
 {
-    OWNED(scenario) s = paper_nonlinear();
+    OWNED(pair) s = paper_nonlinear();
     const slong times[] = {DAY, 5 * DAY};
     s.prec = _i == 0 ? 186 : 128;
-    OWNED(run) r = run_through(&s, _i == 0 ? NONLINEAR : RK4_NONLINEAR, times, 2, 50, 100, 0);
+    OWNED(found) r = run_through(&s, _i == 0 ? NONLINEAR : RK4_NONLINEAR, times, 2, 50, 100, 0);
     ck_assert_int_eq(r.status, FLOW_WIDE);
     ck_assert_int_eq(r.rows, 1);
     ck_assert_double_gt(r.reached, DAY);
@@ -708,16 +653,16 @@ EACH(an_enclosure_past_use_is_reported, 2)
 /* Omega t known to half a radian: no step holds all of that. And no exponential one of all gains. */
 TEST(a_vague_time_is_reported)
 {
-    OWNED(scenario) s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
+    OWNED(pair) s = pair_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 6, 0, 0, 0, 0, 0);
     mag_set_d(arb_radref(s.p.Omega), 0x1p-17);
-    struct run r = run_to(&s, NONLINEAR, 1 << 16);
+    struct found r = run_to(&s, NONLINEAR, 1 << 16);
     ck_assert_int_eq(r.status, FLOW_WIDE);
-    run_clear(&r);
+    found_clear(&r);
     mag_set_d(arb_radref(s.p.C1), 1e300);
     r = run_to(&s, LINEAR, 100);
     ck_assert_int_eq(r.status, FLOW_WIDE);
-    run_clear(&r);
+    found_clear(&r);
 }
 
 /*
@@ -728,9 +673,9 @@ TEST(a_vague_time_is_reported)
 TEST(craft_too_close_to_follow_are_reported_with_the_time)
 {
     const double fall = 0.57976169347716177911871646922770217;
-    OWNED(scenario) s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
+    OWNED(pair) s = pair_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 0, 0, 5, 0, 0, 0);
-    OWNED(run) r = run_to(&s, NONLINEAR, DAY);
+    OWNED(found) r = run_to(&s, NONLINEAR, DAY);
     ck_assert_int_eq(r.status, FLOW_CLOSE);
     ck_assert_int_eq(r.rows, 0);
     ck_assert_double_lt(r.reached, fall * 0x1p14);
@@ -744,7 +689,7 @@ EACH(short_steps_are_given_up_near_the_centre_alone, 3)
         double x, width;
         enum flow_status status;
     } all[] = {{0.005, 0, FLOW_CLOSE}, {0.03, 0, FLOW_DONE}, {0.0065, 0.0026, FLOW_DONE}};
-    OWNED(scenario) s = plain_scenario(10, 1);
+    OWNED(pair) s = plain_pair(10, 1);
     const struct flow_steps how = {.step = 0x1p-33};
     SCOPE(fmpq, t);
     VECTOR(arb, state, FLOW_STATE);
@@ -761,18 +706,18 @@ EACH(short_steps_are_given_up_near_the_centre_alone, 3)
 /* Without attraction enough to meet, craft that nearly do are followed through. */
 TEST(a_near_miss_is_followed_through)
 {
-    OWNED(scenario) s = scenario_of(0x1p-14, 150, 150, 10, 0, 0);
+    OWNED(pair) s = pair_of(0x1p-14, 150, 150, 10, 0, 0);
     start_at(&s, 0.5, 0, 5, 0, 0, 0);
-    OWNED(run) r = run_to(&s, NONLINEAR, 12000); /* after 9,500 s they would have met */
+    OWNED(found) r = run_to(&s, NONLINEAR, 12000); /* after 9,500 s they would have met */
     ck_assert_int_eq(r.status, FLOW_DONE);
 }
 
 EACH(a_receiver_stops_a_flow, 4)
 {
-    static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
+    static const enum way methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
     const slong times[] = {0, 100, 200, 300};
-    OWNED(scenario) s = paper_nonlinear();
-    OWNED(run) r = run_through(&s, methods[_i], times, 4, 17, 100, 2);
+    OWNED(pair) s = paper_nonlinear();
+    OWNED(found) r = run_through(&s, methods[_i], times, 4, 17, 100, 2);
     ck_assert_int_eq(r.status, FLOW_STOPPED);
     ck_assert_int_eq(r.rows, 2);
     ck_assert_double_eq(r.reached, 100);
@@ -795,14 +740,14 @@ EACH(any_coordinate_makes_an_enclosure_wide, FLOW_STATE)
 /* Where the craft may be in one place, a parameter may be 0, or is anything, there is no row of anything. */
 EACH(of_what_may_be_anything_there_is_no_row, 6)
 {
-    OWNED(scenario) s = paper_nonlinear();
+    OWNED(pair) s = paper_nonlinear();
     arb_ptr value[] = {s.p.Omega, s.p.L_ref, s.p.C1, s.start + 5, s.p.m2, s.start};
     for (int m = LINEAR; m <= RK4_NONLINEAR; m++)
         if (_i < 4 || m % 2 == 1) {
             SCOPE(arb, kept);
             arb_set(kept, value[_i]);
             mag_set_d(arb_radref(value[_i]), _i == 2 || _i == 3 ? INFINITY : 2 * fabs(number(kept)));
-            OWNED(run) r = run_to(&s, (enum method)m, 100);
+            OWNED(found) r = run_to(&s, (enum way)m, 100);
             ck_assert_int_eq(r.status, FLOW_WIDE);
             ck_assert_int_eq(r.rows, 0);
             arb_set(value[_i], kept);
@@ -814,9 +759,9 @@ EACH(at_time_zero_the_state_is_the_initial_one, 4)
 {
     const slong count = 1 + _i / 2;
     static const slong times[MOST_TIMES];
-    OWNED(scenario) s = paper_nonlinear();
+    OWNED(pair) s = paper_nonlinear();
     mag_set_d(arb_radref(s.start), 0x1p-20);
-    OWNED(run) r = run_through(&s, _i % 2 == 0 ? NONLINEAR : LINEAR, times, count, 17, 0, 0);
+    OWNED(found) r = run_through(&s, _i % 2 == 0 ? NONLINEAR : LINEAR, times, count, 17, 0, 0);
     ck_assert_int_eq(r.status, FLOW_DONE);
     ck_assert_int_eq(r.rows, count);
     for (int k = 0; k < count; k++)
@@ -827,12 +772,12 @@ EACH(at_time_zero_the_state_is_the_initial_one, 4)
 EACH(beyond_reach_no_motion_starts, 6)
 {
     static const struct {
-        enum method method;
+        enum way method;
         slong t, h;
     } beyond[] = {{LINEAR, 14000000000, 0}, {NONLINEAR, 14000000000, 0}, {NONLINEAR, -14000000000, 0},
                   {RK4_LINEAR, 140000000, 1000}, {RK4_NONLINEAR, 140000000, 1000}, {RK4_LINEAR, 10000001, 1}};
-    OWNED(scenario) s = paper_nonlinear();
-    OWNED(run) r = run_through(&s, beyond[_i].method, &beyond[_i].t, 1, 17, beyond[_i].h, 0);
+    OWNED(pair) s = paper_nonlinear();
+    OWNED(found) r = run_through(&s, beyond[_i].method, &beyond[_i].t, 1, 17, beyond[_i].h, 0);
     ck_assert_int_eq(r.status, FLOW_STALLED);
     ck_assert_int_eq(r.rows, 0);
     ck_assert_int_le(flow_precision(17, INFINITY), 200000);
@@ -847,7 +792,7 @@ TEST(rk4_step_of_the_linear_model_is_its_polynomial)
     static const int rates[FLOW_STATE][FLOW_STATE] = {{0, 0, 0, 1, 0, 0},  {0, 0, 0, 0, 1, 0},  {0, 0, 0, 0, 0, 1},
                                                       {-3, 0, 0, 0, 0, -2}, {0, -4, 0, 0, 0, 0}, {0, 0, -1, 2, 0, -3}};
     static const int start[FLOW_STATE] = {1, 2, -3, 4, -5, 6};
-    OWNED(scenario) s = scenario_of(1, 150, 150, 1, 10, 3);
+    OWNED(pair) s = pair_of(1, 150, 150, 1, 10, 3);
     MATRIX(fmpq, Z, FLOW_STATE, FLOW_STATE);
     MATRIX(fmpq, y, FLOW_STATE, 1);
     MATRIX(fmpq, sum, FLOW_STATE, 1);
@@ -867,7 +812,7 @@ TEST(rk4_step_of_the_linear_model_is_its_polynomial)
         fmpz_clear(divisor);
     }
     const slong t = 1;
-    OWNED(run) r = run_through(&s, RK4_LINEAR, &t, 1, 17, 1, 0);
+    OWNED(found) r = run_through(&s, RK4_LINEAR, &t, 1, 17, 1, 0);
     for (int i = 0; i < FLOW_STATE; i++)
         ck_assert(arb_contains_fmpq(r.states + i, fmpq_mat_entry(sum, i, 0)));
     assert_sharp(r.states, 240);
@@ -877,21 +822,21 @@ TEST(rk4_step_of_the_linear_model_is_its_polynomial)
 TEST(rk4_steps_of_the_nonlinear_model_are_an_implementers)
 {
     enum { STEPS = 100, H = 100 };
-    OWNED(scenario) s = scenario_of(7.2915e-5, 120, 410, 23, 12, 4);
+    OWNED(pair) s = pair_of(7.2915e-5, 120, 410, 23, 12, 4);
     const double t = STEPS * H;
     struct ct_hill_state of_ref;
     start_at_angles(&s, 0.3, -0.4, 2);
     ck_assert_int_eq(ct_nonlinear_runge_kutta(params_of(&s), gains_of(&s), start_of(&s), H, 1, &t, &of_ref), CT_OK);
-    OWNED(run) r = run_to(&s, RK4_NONLINEAR, STEPS * H);
+    OWNED(found) r = run_to(&s, RK4_NONLINEAR, STEPS * H);
     assert_near(r.states, of_ref, &s, 1e-12);
 }
 
 EACH(rk4_takes_whole_steps_forward, 3)
 {
     static const slong wrong[][2] = {{100, 150}, {100, -100}, {200, 100}};
-    OWNED(scenario) s = paper_nonlinear();
+    OWNED(pair) s = paper_nonlinear();
     for (int m = RK4_LINEAR; m <= RK4_NONLINEAR; m++) {
-        OWNED(run) r = run_through(&s, (enum method)m, wrong[_i], 2, 17, 100, 0);
+        OWNED(found) r = run_through(&s, (enum way)m, wrong[_i], 2, 17, 100, 0);
         ck_assert_int_eq(r.status, FLOW_DOMAIN);
         ck_assert_int_eq(r.rows, 1);
     }
@@ -902,17 +847,17 @@ EACH(rk4_takes_whole_steps_forward, 3)
 /* At the precision that is foretold, every coordinate has its digits: two days, n = 10 and n = 40. */
 EACH(foretold_precision_is_enough, 8)
 {
-    static const enum method methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
-    const enum method m = methods[_i / 2];
+    static const enum way methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
+    const enum way m = methods[_i / 2];
     const double n = _i % 2 == 0 ? 10 : 40, radians = 7.2915e-5 * 2 * DAY;
     const slong digits = 40, t = 2 * DAY;
-    OWNED(scenario) s = scenario_of(7.2915e-5, 150, 150, 10, n, 2 * sqrt(n - 9));
+    OWNED(pair) s = pair_of(7.2915e-5, 150, 150, 10, n, 2 * sqrt(n - 9));
     s.prec = m == LINEAR || m == NONLINEAR ? flow_precision(digits, radians) : rk4_precision(digits, radians);
     if (m == LINEAR || m == RK4_LINEAR)
         start_at(&s, 0.01, 0.01, 0.1, 0, 0, 0);
     else
         start_at_angles(&s, 0.01, 0.01, 0.1);
-    OWNED(run) r = run_through(&s, m, &t, 1, digits, 100, 0);
+    OWNED(found) r = run_through(&s, m, &t, 1, digits, 100, 0);
     ck_assert_int_eq(r.status, FLOW_DONE);
     for (int i = 0; i < FLOW_STATE; i++)
         ck_assert_double_gt((double)arb_rel_accuracy_bits(r.states + i), log2(10) * (double)digits + 1);

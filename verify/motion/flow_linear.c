@@ -9,7 +9,7 @@
  * Theorem (the linear motion in balls). The state at t lies in the balls for all initial states and parameters in theirs:
  *   (A1) arb_mat_exp encloses exp of all matrices in tau A, tau = Omega t a ball; of A the entries c1 and c2 are balls  (set_rates)
  *   (A2) the units of angles' rates and of lengths, on the way in and out                                              (flow_units)
- * In eq40_flow_holds_both_ends_of_every_ball (tests/motion/test_flow.c) each ball of what goes in is the widest in turn.
+ * In tests/motion/test_balls.c each ball of what goes in is the widest in turn.
  */
 #include "motion/flow.h"
 
