@@ -74,7 +74,7 @@ GUIDES = re.compile(r'project|orthonormalise|choose_basis|expansion_position|(?:
                     r'width|is_wide|\w+_(?:init|clear)')
 # Those that choose what is said about a failure, never whether it is one: outcomes, counts and exit status are settled before.
 WORDS = re.compile(r"""verify/conform/(?:(?:hints|kinds|kinds_of_motion)\.c:\w+|conform\.c:(?:ease_of|keep_record)|
-    diagnosis\.c:(?:failures|is_domain_alone|explains_all|try_\w+|gather|diagnose_kind|diagnose)|
+    diagnosis\.c:(?:failures|is_domain_alone|explains(?:_all)?|try_\w+|gather|diagnose_kind|diagnose)|
     report\.c:(?:\w+_text|hint_of|summary_digits|first_wrong_digit|root_distance|match_roots|is_judged|digits_by_time|put_xml|
         write_failure))""", re.X)
 

@@ -87,8 +87,6 @@ static bool is_longer(const struct section *s, const struct input *inputs, doubl
 
 /* ---- diagnosis ---- */
 
-enum { MOST_ALIKE = 2 }; /* failing motions of one time that are followed */
-
 /* Seconds of processor time for an operation: for the known mistakes, and with what they leave for all. */
 static const double PATIENCE_FOR_KNOWN = 0.7, PATIENCE = 1.0;
 
@@ -245,6 +243,7 @@ static void try_names(const struct patient *p, const bool *wrong)
 /* What failed in numbers, with the truth, then what passed, of which the answer is as good; of a motion what is soon computed. */
 static void gather(struct evidence *v, const struct test_run *e, int set, clock_t until)
 {
+    enum { MOST_ALIKE = 2 }; /* failing motions of one time that are followed */
     const struct summary *t = &e->summaries[set];
     struct operation *o = e->comparators[set].operation;
     const struct section *s = o->section;

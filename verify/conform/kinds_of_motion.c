@@ -9,7 +9,7 @@
  * Both motions in binary64, integrated as others do it, with one step, perhaps with the other sign of one term: where that makes
  * of the vectors what was answered, right or wrong, the mistake has its name.
  */
-enum { TERMS = 6, MOST_FOLLOWED = 50000 };
+enum { TERMS = 6 };
 
 static const char *const coupling_terms[2][TERMS] = {
     {"the radial Coriolis term 2 Omega y1_dot", "3 Omega^2 x1", "the along-track Coriolis term -2 Omega x1_dot", "-Omega^2 z1",
@@ -102,6 +102,7 @@ static bool ends_there(const struct evidence *v, int f, const struct hypothesis 
 /* Every vector that takes few enough steps; failing ones of two times among them, for one time tells no step. */
 static bool fits_all(const struct evidence *v, const struct hypothesis *p)
 {
+    enum { MOST_FOLLOWED = 50000 };
     const int at = p->linear ? 4 : 7;
     double first = 0.0;
     bool two = false;

@@ -12,7 +12,7 @@
 #include "text/progress.h"
 #include "text/whole_file.h"
 
-enum { SHOWN_DIGITS = 20, LONGEST_NUMBER = 40 };
+enum { SHOWN_DIGITS = 20 };
 
 const char *const level_names[LEVELS] = {"algebra", "roots", "flows", "method"};
 
@@ -70,10 +70,10 @@ static const char *error_text(double E)
 /* Digits, rounded down to one after the point; until the next ones are asked for. */
 static const char *digits_text(double digits)
 {
-    static char text[LONGEST_NUMBER];
+    static char text[40];
     if (digits == INFINITY)
         return "exact";
-    snprintf(text, LONGEST_NUMBER, "%.1f", floor(10.0 * fmax(digits, 0.0)) / 10.0);
+    snprintf(text, sizeof text, "%.1f", floor(10.0 * fmax(digits, 0.0)) / 10.0);
     return text;
 }
 
