@@ -25,26 +25,20 @@ void vectors_header(const struct section *s)
     puts(",flags");
 }
 
-/* Whether something in the machine is neither zero nor in a normal range, of binary64 2^-1022 to just below 2^1024. */
-static bool leaves_range(const struct machine *m, slong exponent)
-{
-    bool leaves = false;
-    for (int i = 0; i < m->program->count && !leaves; i++) {
-        arb_srcptr x = machine_value(m, i);
-        if (!arb_contains_zero(x) && arb_is_finite(x)) /* zero: what underflows to it is seen in its operands; infinity: an input may be */
-            leaves = arf_cmpabs_2exp_si(arb_midref(x), 2 - exponent) < 0 || arf_cmpabs_2exp_si(arb_midref(x), exponent) >= 0;
-    }
-    return leaves;
-}
-
 bool vector_leaves_range(struct operation *o, const struct input *inputs, int significand)
 {
-    const slong exponent = significand == BINARY32 ? 128 : significand == BINARY64 ? 1024 : 16384;
+    const slong exponent = significand == BINARY32 ? 128 : significand == BINARY64 ? 1024 : 16384; /* from 2^(2 - exponent) to below 2^exponent */
+    bool leaves = false;
     VECTOR(arb, outputs, MOST_OUTPUTS);
     if (o->section->method != METHOD_FORMULA) /* no other has subexpressions */
         return false;
     operation_enclose(o, inputs, 256, outputs);
-    return leaves_range(&o->machine, exponent);
+    for (int i = 0; i < o->formulas->program.count && !leaves; i++) {
+        arb_srcptr x = machine_value(&o->machine, i);
+        if (!arb_contains_zero(x) && arb_is_finite(x)) /* zero: what underflows to it is seen in its operands; infinity: an input may be */
+            leaves = arf_cmpabs_2exp_si(arb_midref(x), 2 - exponent) < 0 || arf_cmpabs_2exp_si(arb_midref(x), exponent) >= 0;
+    }
+    return leaves;
 }
 
 /* Digits of S, or "INF"; NULL while undecided. */
@@ -55,7 +49,6 @@ static char *sensitivity_text(const arb_t S)
 }
 
 enum { QUICK_BITS = 128 }; /* two limbs: enough nearly always */
-enum { WELL_WITHIN = 500 }; /* a power of two, so far from the range's ends that no cancellation reaches them */
 
 static bool sensitivity_texts(struct operation *o, const struct input *inputs, char **texts)
 {
@@ -146,7 +139,7 @@ bool vector_print(struct operation *o, const char *id, const char *const *texts,
     bool fine = status != OPERATION_UNDECIDED;
     if (status == OPERATION_PROVED && operation_has_sensitivity(s)) {
         fine = sensitivity_texts(o, inputs, S);
-        if (leaves_range(&o->machine, WELL_WITHIN) && vector_leaves_range(o, inputs, BINARY64))
+        if (vector_leaves_range(o, inputs, BINARY64))
             flag = "range";
     }
     if (fine)
