@@ -470,9 +470,11 @@ into     = $(call word_of,$(DESTDIR)$(1))
 blank   := $() $()
 pc_value = $(subst $(blank),\\ ,$(1))
 
-# The program's tables of options are its manual.
-$(BUILD)/coulomb-tether.1: $(PROGRAM)
-	$(call PRINTED,$(PROGRAM) help --mdoc)
+# What help says is the manual page.
+$(BUILD)/coulomb-tether.1: verify/command/manual.awk $(PROGRAM)
+	@$(PROGRAM) help >$@.help
+	@sed -n 's/^coulomb-tether \([a-z][a-z0-9]*\).*/\1/p' $@.help | uniq | while read -r s; do echo "@ $$s"; $(PROGRAM) help $$s; done >>$@.help
+	$(call PRINTED,awk -f $< $@.help)
 
 # The loader finds a new library after ldconfig, in the folders that it searches; elsewhere it has to be told.
 tell_loader = PATH=$$PATH:/sbin:/usr/sbin; \

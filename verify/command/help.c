@@ -75,9 +75,7 @@ static const char *const exit_statuses[EXIT_STATUSES] = {
     "Wrong usage: an argument is unknown, missing, repeated, malformed, or does nothing here.",
 };
 
-/* ---- for a reader, and in mdoc for the manual page ---- */
-
-static bool manual; /* which of the two is printed */
+/* ---- for a reader ---- */
 
 /* Words of a text from a column on, broken before WIDTH; what a no-break space joins stays on one line. */
 enum { NO_BREAK = '\1' };
@@ -97,58 +95,12 @@ static void print_wrapped(const char *text, int column)
     putchar('\n');
 }
 
-/* A dash of an option is a minus, a backslash and a quote have names. No text begins with a dot, which would begin a macro. */
-static void print_mdoc(const char *text)
-{
-    bool option = false; /* which is not hyphenated, and of which the dashes are minuses */
-    for (const char *at = text; *at != '\0'; at++) {
-        if (at == text || at[-1] == ' ') {
-            option = at[*at == '['] == '-';
-            fputs(option ? "\\%" : "", stdout);
-        }
-        if ((*at == '-' && option) || *at == NO_BREAK)
-            printf("\\%c", *at == '-' ? '-' : ' ');
-        else if (*at == '\\' || *at == '"')
-            fputs(*at == '"' ? "\\(dq" : "\\e", stdout);
-        else
-            putchar(*at);
-    }
-    putchar('\n');
-}
-
-static void print_paragraph(const char *text, int column)
-{
-    if (manual)
-        print_mdoc(text);
-    else
-        print_wrapped(text, column);
-}
-
-static void begin_items(const char *heading)
-{
-    if (manual)
-        puts(".Pp\n.Bl -tag -width Ds -compact");
-    else
-        printf("\n%s:\n", heading);
-}
-
 static void print_item(const char *name, const char *text, int column)
 {
-    if (manual) {
-        fputs(".It Li ", stdout);
-        print_mdoc(name);
-    } else {
-        printf("  %-*s", column - 2, name);
-        if ((int)strlen(name) > column - 3)
-            printf("\n%*s", column, "");
-    }
-    print_paragraph(text, column);
-}
-
-static void end_items(void)
-{
-    if (manual)
-        puts(".El");
+    printf("  %-*s", column - 2, name);
+    if ((int)strlen(name) > column - 4) /* two blanks end a name */
+        printf("\n%*s", column, "");
+    print_wrapped(text, column);
 }
 
 static void print_usage(const struct subcommand *s)
@@ -160,22 +112,23 @@ static void print_usage(const struct subcommand *s)
             if (stands_beside(o, s, s->ways[i]))
                 length += snprintf(line + length, sizeof line - (size_t)length, o->argument ? " [%s%c%s]" : " [%s]", o->name,
                                    NO_BREAK, o->argument);
-        fputs(manual ? ".Nm\n" : "coulomb-tether ", stdout);
-        print_paragraph(line, 15);
+        printf("coulomb-tether ");
+        print_wrapped(line, 15);
     }
 }
 
 static void print_options(const struct subcommand *s)
 {
     char name[64], text[512];
-    begin_items("Options");
+    const char *heading = "\nOptions:\n";
     for (const struct option *o = options; o->name != NULL; o++)
         if (option_belongs(o, s)) {
+            printf("%s", heading);
+            heading = "";
             snprintf(name, sizeof name, "%s%s%s", o->name, o->argument ? " " : "", o->argument ? o->argument : "");
             item_text(text, o->does, o->unit, o->otherwise);
             print_item(name, text, COLUMN);
         }
-    end_items();
 }
 
 static void print_names(const struct sheet *sheet, const struct subcommand *s)
@@ -183,38 +136,27 @@ static void print_names(const struct sheet *sheet, const struct subcommand *s)
     char text[512];
     if (name_taken(s, 0) == NULL)
         return;
-    begin_items("Names");
+    puts("\nNames:");
     for (int i = 0; name_taken(s, i) != NULL; i++) {
         const struct quantity *q = quantity_find(sheet, name_taken(s, i));
         item_text(text, q->meaning, q->unit, value_unless_given(q));
         print_item(q->name, text, COLUMN);
     }
-    end_items();
-    print_paragraph(names_rule, 0);
+    print_wrapped(names_rule, 0);
     if (s->run != command_design)
-        print_paragraph(motions_rule, 0);
+        print_wrapped(motions_rule, 0);
 }
 
-/* Of a subcommand; NULL: all. */
 static void print_examples(const struct subcommand *s)
 {
     char line[512];
-    begin_items("Examples");
+    puts("\nExamples:");
     for (const struct example *e = examples; e->line != NULL; e++) {
         const size_t length = strcspn(e->line, " ");
         snprintf(line, sizeof line, "coulomb-tether %s", e->line);
-        if (s == NULL || (strncmp(e->line, s->name, length) == 0 && s->name[length] == '\0'))
+        if (strncmp(e->line, s->name, length) == 0 && s->name[length] == '\0')
             print_item(line, e->shows, EXAMPLE);
     }
-    end_items();
-}
-
-static void print_exit_statuses(void)
-{
-    begin_items("Exit status");
-    for (int i = 0; i < EXIT_STATUSES; i++)
-        print_item((const char[]){(char)('0' + i), '\0'}, exit_statuses[i], INDENT);
-    end_items();
 }
 
 void help_print(const struct sheet *sheet, const struct subcommand *s)
@@ -222,44 +164,25 @@ void help_print(const struct sheet *sheet, const struct subcommand *s)
     if (s != NULL) {
         print_usage(s);
         putchar('\n');
-        print_paragraph(s->does, 0);
+        print_wrapped(s->does, 0);
         print_options(s);
         print_names(sheet, s);
         print_examples(s);
         return;
     }
-    print_paragraph(about, 0);
+    print_wrapped(about, 0);
     putchar('\n');
     for (s = subcommands; s->name != NULL; s++) {
         print_usage(s);
         printf("%*s", INDENT, "");
-        print_paragraph(s->does, INDENT);
+        print_wrapped(s->does, INDENT);
     }
     puts("coulomb-tether --help | -h | help SUBCOMMAND | SUBCOMMAND --help | --version | -V");
-    print_exit_statuses();
-}
-
-static void print_manual(const struct sheet *sheet)
-{
-    manual = true;
-    puts(".Dd November 28, 2026\n.Dt COULOMB-TETHER 1\n.Os\n.Sh NAME\n.Nm coulomb-tether\n"
-         ".Nd the equations of a Coulomb tether formation, evaluated and checked\n.Sh SYNOPSIS");
-    for (const struct subcommand *s = subcommands; s->name != NULL; s++)
-        print_usage(s);
-    puts(".Nm\n\\-\\-version | \\-V\n.Sh DESCRIPTION");
-    print_paragraph(about, 0);
-    for (const struct subcommand *s = subcommands; s->name != NULL; s++) {
-        printf(".Ss %s\n", s->name);
-        print_paragraph(s->does, 0);
-        print_options(s);
-        print_names(sheet, s);
+    puts("\nExit status:");
+    for (int i = 0; i < EXIT_STATUSES; i++) {
+        printf("  %d ", i);
+        print_wrapped(exit_statuses[i], INDENT);
     }
-    puts(".Sh EXIT STATUS");
-    print_exit_statuses();
-    puts(".Sh EXAMPLES");
-    print_examples(NULL);
-    puts(".Sh SEE ALSO\n.Xr dot 1 ,\n.Xr gnuplot 1 ,\n.Xr sha256sum 1\n.Sh STANDARDS\n"
-         "CSV is as in RFC 4180, with one header row and lines that end in LF.");
 }
 
 int unknown_subcommand(const char *name)
@@ -274,15 +197,9 @@ int unknown_subcommand(const char *name)
 
 int command_help(const struct arguments *a)
 {
-    const struct sheet *sheet = &a->paper->sheet;
     const struct subcommand *s = a->word_count > 0 ? subcommand_find(a->words[0]) : NULL;
     if (a->word_count > 0 && s == NULL)
         return unknown_subcommand(a->words[0]);
-    if (a->given_count + a->word_count > 1)
-        return usage_error(EXIT_USAGE, "help: expected a subcommand or --mdoc");
-    if (option_given(a, "--mdoc"))
-        print_manual(sheet);
-    else
-        help_print(sheet, s);
+    help_print(&a->paper->sheet, s);
     return EXIT_DONE;
 }

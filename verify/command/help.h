@@ -1,4 +1,4 @@
-/* The tables of options.h as text: for a reader of --help, and for the manual page. */
+/* The tables of options.h as text, of which manual.awk and completion.bash make theirs. */
 #ifndef CT_HELP_H
 #define CT_HELP_H
 

@@ -117,8 +117,6 @@ const struct option options[] = {
      "no client: the lines that it would be asked, for one that cannot be started here; --answers takes what it writes"},
     {"--kills", NULL, NULL, NULL, "conform", NULL, false,
      "no client: which golden vector tells which known mistake from the truth, as CSV"},
-    /* for packagers */
-    {"--mdoc", NULL, NULL, NULL, "help", NULL, false, "the manual page's sections of subcommands, options and examples"},
     {.name = NULL},
 };
 
@@ -163,7 +161,6 @@ const struct example examples[] = {
     {"conform --answers answers.csv -o report.json eq07", "answers to one operation as CSV, and a report"},
     {"conform --kills --only eq21", "what the golden vectors are there for"},
     {"help trajectory", "all about a subcommand"},
-    {"help --mdoc", "what the manual page is made of"},
     {.line = NULL},
 };
 

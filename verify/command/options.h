@@ -1,5 +1,5 @@
 /*
- * The subcommands and their options, declared once: parsing, --help and the manual page follow from these tables.
+ * The subcommands and their options, declared once: parsing and --help follow from these tables.
  */
 #ifndef CT_OPTIONS_H
 #define CT_OPTIONS_H
