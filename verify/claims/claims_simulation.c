@@ -231,16 +231,12 @@ const struct computation computations_simulation[] = {
 
     {"pitched_beside", run_simulation, SAMPLED({PITCHED}, 0, 200, 3 * DAY, &linear)},
     {"planar_beside", run_simulation, SAMPLED({PLANAR}, 0, 200, 3 * DAY, &linear_planar)},
-    {"pitch", run_simulation, SAMPLED({PITCHED}, 0, 300, 3 * DAY, &linear)},
 
-    {"pitched", run_simulation, SAMPLED({PITCHED}, 0, 50, 3 * DAY, NULL)},
-    {"planar", run_simulation, SAMPLED({PLANAR}, 0, 50, 3 * DAY, NULL)},
-    {"pitched_at_12", run_simulation, SAMPLED({PITCHED, .n = "12"}, 0, 50, 3 * DAY, NULL)},
     {"unequal", run_simulation, SAMPLED({PITCHED, .m1 = "10", .m2 = "1000"}, 2 * DAY, 50, 3 * DAY, NULL)},
 
     {"pitched_10", run_simulation, SAMPLED({PITCHED}, 0, 60, 8 * DAY, NULL)},
     {"pitched_12", run_simulation, SAMPLED({PITCHED, .n = "12"}, 0, 60, 8 * DAY, NULL)},
-    {"planar_10", run_simulation, SAMPLED({PLANAR}, 0, 240, 4 * DAY, NULL)},
+    {"planar_10", run_simulation, SAMPLED({PLANAR}, 0, 60, 4 * DAY, NULL)},
     {"linear_days", run_simulation, SAMPLED({LINEAR}, 69 * HOUR, 600, 8 * DAY, NULL)},
     {"pitched_day8", run_simulation, SAMPLED({PITCHED}, 189 * HOUR, 10, 8 * DAY, NULL)},
     {"planar_day8", run_simulation, SAMPLED({PLANAR}, 189 * HOUR, 50, 8 * DAY, NULL)},
