@@ -361,20 +361,7 @@ EACH(a_use_prints_exactly_this, COUNT(uses))
     ck_assert_str_eq(errors, "");
 }
 
-TEST(table1_rounds_in_every_row)
-{
-    ck_assert_int_eq(run("table1 --csv"), 0);
-    ck_assert_int_eq(lines(output), 7);
-    ck_assert_ptr_nonnull(strstr(output, "name,printed,computed,unit,rounds\n"));
-    ck_assert_ptr_nonnull(strstr(output, "Q_ref,-1.3306e-1,-1.33062778"));
-    ck_assert_ptr_null(strstr(output, ",no\n"));
-}
-
-CASE(long_work, NULL, NULL) /* under valgrind it takes too long */
-
 /* Answers in the order of the questions, the last without an end of its line; up to the first line that is none. */
-CASE(command_line, NULL, NULL)
-
 EACH(question_lines_are_answered_up_to_the_first_that_is_none, 16)
 {
     static const struct {
@@ -608,30 +595,7 @@ EACH(bash_completes_what_help_has, 18)
     ck_assert_str_eq(line, lines_of[_i].offers);
 }
 
-TEST(equations_lists_every_section_and_shows_one)
-{
-    ck_assert_int_eq(run("equations"), 0);
-    ck_assert_ptr_nonnull(strstr(output, "flow_nonlinear"));
-    ck_assert_int_eq(run("equations eq30"), 0);
-    ck_assert_ptr_nonnull(strstr(output, "printed"));
-    ck_assert_ptr_nonnull(strstr(output, "\n  given    m1         kg         > 0        mass of craft 1\n"));
-    ck_assert_ptr_nonnull(strstr(output, "\n  returns  I_11 "));
-    ck_assert_ptr_nonnull(strstr(output, "\n  formula  I_11 = "));
-    ck_assert_int_eq(run("equations eq30 --json"), 0);
-    ck_assert_ptr_nonnull(strstr(output, "\"printed\": {\"let\": {}, \"outputs\": {\"I_11\": "));
-    ck_assert_int_eq(run("equations eq02"), 0);
-    ck_assert_ptr_nonnull(strstr(output, "  let      r_12 = sqrt((x1 - x2)^2"));
-    ck_assert_ptr_nonnull(strstr(output, "  domain   (x1 - x2)^2"));
-    ck_assert_ptr_nonnull(strstr(output, "  note     "));
-    ck_assert_int_eq(run("equations eq05"), 0);
-    ck_assert_ptr_nonnull(strstr(output, "  relation (5a) m1*x1 + m2*x2 = 0\n           (5b) x1 - x2 = L\n"));
-    ck_assert_int_eq(run("equations rk4_linear"), 0);
-    ck_assert_ptr_nonnull(strstr(output, "\n  domain   t >= 0\n           t/h an integer\n"));
-    ck_assert_int_eq(run("equations --json"), 0);
-    ck_assert_int_eq(output[0], '[');
-}
-
-CASE(long_work, NULL, NULL)
+CASE(long_work, NULL, NULL) /* under valgrind it takes too long */
 
 EACH(verify_speaks_json_of_every_part, 3)
 {
@@ -702,16 +666,6 @@ EACH(design_speaks_json_of_all_that_it_prints, 3)
     ck_assert_int_eq(numbers, 0);
     ck_assert_int_eq(strncmp(output, "{\"digits\": ", 11), 0);
     ck_assert_str_eq(output + strlen(output) - 4, "}]}\n");
-}
-
-EACH(verify_prints_tables, 4)
-{
-    static const char *const lines_of[] = {"verify claims n12-optimal", "verify claims equation-38", "verify claims table1-Q_ref",
-                                           "verify errors --count 2"};
-    static const char *const says[] = {"n12-optimal            qualified", "equation-38            holds as corrected",
-                                       "table1-Q_ref           holds", "\nE = |y - y*| / (2^-53 (|y*| + S))"};
-    ck_assert_int_eq(run(lines_of[_i]), 0);
-    ck_assert_ptr_nonnull(strstr(output, says[_i]));
 }
 
 CASE(command_line, NULL, NULL)
@@ -794,15 +748,6 @@ TEST(o_writes_where_a_name_leads)
                             "\"$CT_PROGRAM\" table1 -o /dev/fd/1 | cmp - due"), 0);
 }
 
-TEST(help_says_units_and_defaults_of_what_design_takes)
-{
-    ck_assert_int_eq(run("help design"), 0);
-    ck_assert_ptr_nonnull(strstr(output, "\n  L_ref                 "));
-    ck_assert_ptr_nonnull(strstr(output, " [m, unless given: inf]\n"));
-    ck_assert_ptr_null(strstr(output, "psi_dot"));
-    ck_assert_ptr_nonnull(strstr(output, "limits too"));
-}
-
 TEST(help_says_what_each_study_is)
 {
     char words[200], due[60];
@@ -840,58 +785,75 @@ TEST(a_closed_pipe_ends_quietly_with_1)
     ck_assert_str_eq(errors, "");
 }
 
-TEST(rows_proved_before_the_charge_law_ends_are_kept)
+/* How many lines a use prints (0: however many), what stands in them, and not where it follows a !, and in its one line of errors. */
+struct usage {
+    const char *line;
+    int status, lines;
+    const char *prints[5], *says;
+};
+
+static void assert_use(const struct usage *u)
 {
-    /* hardly damped, and moving inwards towards the law's edge: dL = -3 Omega^2 L_ref/C1 = -3 m */
-    ck_assert_int_eq(run("trajectory nonlinear C1=5.3165972e-8 C2=1e-9 psi=0 theta=0 dL=-2.9 dL_dot=-3e-4"), 1);
-    ck_assert_int_ge(lines(output), 2);
-    ck_assert_ptr_nonnull(strstr(errors, "Q_ref + dQ >= 0 from t = 355.77"));
-    ck_assert_int_eq(lines(errors), 1);
-    /* so does the first motion of a set: 1 mm is passed in 4 s */
-    ck_assert_int_eq(run("trajectory nonlinear C1=5.3165972e-8 C2=1e-9 psi=0 theta=0 dL=-2.9+-1e-3 dL_dot=-3e-4 --set --every 10"), 1);
-    ck_assert_int_eq(lines(output), 2 + 35);
-    ck_assert_str_eq(errors, "coulomb-tether: Q_ref + dQ may be >= 0 in the set, where Eq. (21) has no charges, last proved time 350 s\n");
-    ck_assert_int_eq(run("trajectory nonlinear C1=1e300+-1 --set --every 3600"), 1); /* more than binary64 has, in units of Omega */
-    ck_assert_int_eq(lines(output), 1);
-    ck_assert_int_eq(run("trajectory nonlinear dL=-4+-0.01 --set"), 1); /* before any row */
-    ck_assert_int_eq(lines(output), 1);
-    ck_assert_ptr_nonnull(strstr(errors, "has no charges, last proved time 0 s\n"));
+    ck_assert_msg(run(u->line) == u->status, "%s: %s", u->line, errors);
+    if (u->lines > 0)
+        ck_assert_msg(lines(output) == u->lines, "%s: %d lines", u->line, lines(output));
+    for (int i = 0; i < 5 && u->prints[i] != NULL; i++)
+        ck_assert_msg((strstr(output, u->prints[i] + (*u->prints[i] == '!')) == NULL) == (*u->prints[i] == '!'), "%s: %s", u->line, u->prints[i]);
+    ck_assert_msg(strstr(errors, u->says ? u->says : "") != NULL && lines(errors) == (u->says != NULL), "%s: %s", u->line, errors);
 }
 
-EACH(what_ends_a_motion_is_said_behind_the_rows_proved, 4)
+#define FALLING "trajectory nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 y1=0 x1_dot=0 y1_dot=0 z1_dot=0 "
+#define HARDLY_DAMPED "trajectory nonlinear C1=5.3165972e-8 C2=1e-9 psi=0 theta=0 dL_dot=-3e-4 "
+static const struct usage quick[] = {
+    {"table1 --csv", 0, 7, {"name,printed,computed,unit,rounds\n", "Q_ref,-1.3306e-1,-1.33062778", "!,no\n"}, NULL},
+    {"equations", 0, 0, {"flow_nonlinear"}, NULL},
+    {"equations eq30", 0, 0, {"printed", "\n  given    m1         kg         > 0        mass of craft 1\n", "\n  returns  I_11 ", "\n  formula  I_11 = "}, NULL},
+    {"equations eq30 --json", 0, 0, {"\"printed\": {\"let\": {}, \"outputs\": {\"I_11\": "}, NULL},
+    {"equations eq02", 0, 0, {"  let      r_12 = sqrt((x1 - x2)^2", "  domain   (x1 - x2)^2", "  note     "}, NULL},
+    {"equations eq05", 0, 0, {"  relation (5a) m1*x1 + m2*x2 = 0\n           (5b) x1 - x2 = L\n"}, NULL},
+    {"equations rk4_linear", 0, 0, {"\n  domain   t >= 0\n           t/h an integer\n"}, NULL},
+    {"equations --json", 0, 0, {"[{\"id\": "}, NULL},
+    {"help design", 0, 0, {"\n  L_ref                 ", " [m, unless given: inf]\n", "!psi_dot", "limits too"}, NULL},
+    /* hardly damped, and moving inwards towards the law's edge: dL = -3 Omega^2 L_ref/C1 = -3 m; of a set the first: 1 mm is passed in 4 s */
+    {HARDLY_DAMPED "dL=-2.9", 1, 5, {NULL}, "Q_ref + dQ >= 0 from t = 355.77"},
+    {HARDLY_DAMPED "dL=-2.9+-1e-3 --set --every 10", 1, 2 + 35, {NULL},
+     "coulomb-tether: Q_ref + dQ may be >= 0 in the set, where Eq. (21) has no charges, last proved time 350 s\n"},
+    {"trajectory nonlinear C1=1e300+-1 --set --every 3600", 1, 1, {NULL}, ""}, /* more than binary64 has, in units of Omega */
+    {"trajectory nonlinear dL=-4+-0.01 --set", 1, 1, {NULL}, "has no charges, last proved time 0 s\n"}, /* before any row */
+    {"trajectory nonlinear dL=-4", 1, 1, {NULL}, "Q_ref + dQ >= 0 at t = 0 s"},
+    /* Kepler's fall along the orbit normal, and the tide beside it: after 0.58 s the craft are at one place; from 1 % nearer, what was
+       split included, after 0.57 s at the earliest */
+    {FALLING "x1=0 z1=1 --every 0.25 --until 10 --digits 4", 1, 4, {NULL},
+     "the craft come closer than L_ref/128, nothing is proved beyond, last proved time 0.579"},
+    {FALLING "x1=0 z1=1+-0.01 --set --every 0.25 --until 10 --digits 4", 1, 4, {NULL}, "the enclosure grew past use, last proved time 0.5"},
+    /* y1 = 0.3125 (1/3) 12 m = 1.25 m, a tie that an enclosure of 1/3 leaves undecided */
+    {"figure 5b m1=100 m2=50 dL=2 psi=0.3125 --digits 2", 1, 1, {NULL}, "bits do not decide every digit of row 1"},
+};
+
+EACH(a_use_prints_these_among_others, COUNT(quick))
 {
-    static const struct {
-        const char *line;
-        int lines;
-        const char *says;
-    } ends[] = {
-        {"trajectory nonlinear dL=-4", 1, "Q_ref + dQ >= 0 at t = 0 s"},
-        /* Kepler's fall along the orbit normal, and the tide beside it: after 0.58 s the craft are at one place */
-        {"trajectory nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 x1=0 y1=0 z1=1 x1_dot=0 y1_dot=0 z1_dot=0 "
-         "--every 0.25 --until 10 --digits 4", 4, "the craft come closer than L_ref/128, nothing is proved beyond, last proved time 0.579"},
-        /* and from 1 % nearer, what was split included: after 0.57 s at the earliest */
-        {"trajectory nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 x1=0 y1=0 z1=1+-0.01 x1_dot=0 y1_dot=0 z1_dot=0 --set "
-         "--every 0.25 --until 10 --digits 4", 4, "the enclosure grew past use, last proved time 0.5"},
-        /* y1 = 0.3125 (1/3) 12 m = 1.25 m, a tie that an enclosure of 1/3 leaves undecided */
-        {"figure 5b m1=100 m2=50 dL=2 psi=0.3125 --digits 2", 1, "bits do not decide every digit of row 1"},
-    };
-    ck_assert_int_eq(run(ends[_i].line), 1);
-    ck_assert_int_eq(lines(output), ends[_i].lines);
-    ck_assert_msg(strstr(errors, ends[_i].says) != NULL, "%s", errors);
-    ck_assert_int_eq(lines(errors), 1);
+    assert_use(&quick[_i]);
 }
 
-/* At rest without a spring, C1 = 9 Omega^2; but 0.1 and 0.09 are no binary fractions, and so the zeros around which
-   the enclosures shrink are never known to be such. */
 CASE(long_work, NULL, NULL)
 
-TEST(what_no_number_of_bits_decides_is_said)
+static const struct usage slow[] = {
+    {"verify claims n12-optimal", 0, 0, {"n12-optimal            qualified"}, NULL},
+    {"verify claims equation-38", 0, 0, {"equation-38            holds as corrected"}, NULL},
+    {"verify claims table1-Q_ref", 0, 0, {"table1-Q_ref           holds"}, NULL},
+    {"verify errors --count 2", 0, 0, {"\nE = |y - y*| / (2^-53 (|y*| + S))"}, NULL},
+    /* At rest without a spring, C1 = 9 Omega^2; but 0.1 and 0.09 are no binary fractions, and so the zeros around which the enclosures
+       shrink are never known to be such. */
+    {"eval flow_linear Omega=0.1 L_ref=1 C1=0.09 C2=0.1 t=1 psi_0=0 theta_0=0 dL_0=1 psi_dot_0=0 theta_dot_0=0 dL_dot_0=0 --exact --digits 3", 1, 0,
+     {"!="}, "bits do not decide every digit"},
+    {"vectors flow_nonlinear --count 5 --seed 5", 1, 4, {NULL}, "the craft come closer than L_ref/128"}, /* the fourth falls together */
+    /* The craft fall past each other, very close: more bits are taken when the first rows are out already. */
+    {FALLING "x1=0.05 z1=1 --every 1 --until 3 --digits 3", 0, 5, {"\n3,"}, NULL},
+};
+
+EACH(a_long_use_prints_these_among_others, COUNT(slow))
 {
-    ck_assert_int_eq(run("eval flow_linear Omega=0.1 L_ref=1 C1=0.09 C2=0.1 t=1 psi_0=0 theta_0=0 dL_0=1 psi_dot_0=0 theta_dot_0=0 "
-                         "dL_dot_0=0 --exact --digits 3"), 1);
-    ck_assert_ptr_nonnull(strstr(errors, "bits do not decide every digit"));
-    ck_assert_int_eq(lines(errors), 1);
-    ck_assert_str_eq(output, "");
+    assert_use(&slow[_i]);
 }
 
 /* The same number in each form. */
@@ -904,23 +866,6 @@ TEST(inputs_of_random_vectors_are_written_as_asked)
     const char *exact = strchr(strstr(output, "eq44-1-0,") + 9, ',') + 1;
     ck_assert(strtod(exact, NULL) == n);
     ck_assert_uint_gt(strcspn(exact, ","), 40); /* of a binary64 all decimals, where the shortest have 17 at most */
-}
-
-TEST(random_vectors_end_before_one_that_cannot_be_certified)
-{
-    ck_assert_int_eq(run("vectors flow_nonlinear --count 5 --seed 5"), 1); /* the fourth falls together */
-    ck_assert_int_eq(lines(output), 4);
-    ck_assert_ptr_nonnull(strstr(errors, "the craft come closer than L_ref/128"));
-    ck_assert_int_eq(lines(errors), 1);
-}
-
-/* The craft fall past each other, very close: more bits are taken when the first rows are out already. */
-TEST(rows_are_printed_once_however_many_bits_they_take)
-{
-    ck_assert_int_eq(run("trajectory nonlinear Omega=1 k_c=1 m1=1 m2=1 L_ref=2 C1=0 C2=0 x1=0.05 y1=0 z1=1 "
-                         "x1_dot=0 y1_dot=0 z1_dot=0 --every 1 --until 3 --digits 3"), 0);
-    ck_assert_int_eq(lines(output), 5);
-    ck_assert_ptr_nonnull(strstr(output, "\n3,"));
 }
 
 /* The program on a terminal of its own, its standard output elsewhere: what the terminal shows. */
