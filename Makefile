@@ -23,27 +23,29 @@ CFLAGS     ?= -O2 -g1
 INSTALL    ?= install
 PKG_CONFIG ?= pkg-config
 PYTHON     ?= /usr/bin/python3
-SHA256     := $(shell if command -v sha256sum >/dev/null 2>&1; then echo sha256sum; else echo shasum -a 256; fi)
+# What is found out by starting a program is found out where it is needed, and once: most makes compile nothing.
+once = $(eval $(1) := $(2))$($(1))
+SHA256 = $(call once,SHA256,$(shell if command -v sha256sum >/dev/null 2>&1; then echo sha256sum; else echo shasum -a 256; fi))
 
-# A product and a sum fused into one rounding would differ from machine to machine: no contraction.
-STANDARD := -std=c11 -Wall -Wextra -Wpedantic -ffp-contract=off -D_POSIX_C_SOURCE=200809L
-# Of i386's two arithmetics the one that rounds to binary64 at every step.
-ifeq ($(shell echo __FLT_EVAL_METHOD__ | $(CC) -std=c11 $(CFLAGS) -E -P - 2>/dev/null),2)
-STANDARD += -msse2 -mfpmath=sse
-endif
+# A product and a sum fused into one rounding would differ from machine to machine: no contraction. Of i386's two arithmetics the
+# one that rounds to binary64 at every step.
+STANDARD = -std=c11 -Wall -Wextra -Wpedantic -ffp-contract=off -D_POSIX_C_SOURCE=200809L $(if $(filter 2,$(EVALUATION)),-msse2 -mfpmath=sse)
+EVALUATION = $(call once,EVALUATION,$(shell echo __FLT_EVAL_METHOD__ | $(CC) -std=c11 $(CFLAGS) -E -P - 2>/dev/null))
 
-package      = $(shell $(PKG_CONFIG) $(1) 2>/dev/null)
-GSL_CFLAGS   := $(call package,--cflags gsl)
-GSL_LIBS     := $(call package,--libs gsl)
-YAML_CFLAGS  := $(call package,--cflags yaml-0.1)
-YAML_LIBS    := $(call package,--libs yaml-0.1)
-CHECK_CFLAGS := $(call package,--cflags check)
-CHECK_LIBS   := $(call package,--libs check)
+package      = $(call once,$(1),$(shell $(PKG_CONFIG) $(2) 2>/dev/null))
+GSL_CFLAGS   = $(call package,GSL_CFLAGS,--cflags gsl)
+GSL_LIBS     = $(call package,GSL_LIBS,--libs gsl)
+YAML_CFLAGS  = $(call package,YAML_CFLAGS,--cflags yaml-0.1)
+YAML_LIBS    = $(call package,YAML_LIBS,--libs yaml-0.1)
+CHECK_CFLAGS = $(call package,CHECK_CFLAGS,--cflags check)
+CHECK_LIBS   = $(call package,CHECK_LIBS,--libs check)
 # FLINT 3 contains Arb, Calcium and Antic, and has a .pc file. Before it they were four libraries, and none had one.
-FLINT_CFLAGS := $(call package,--cflags flint)
-FLINT_LIBS   := $(or $(call package,--libs flint),-lcalcium -lantic -lflint-arb -lflint)
+FLINT_CFLAGS = $(call package,FLINT_CFLAGS,--cflags flint)
+FLINT_PC     = $(call package,FLINT_PC,--libs flint)
+FLINT_LIBS   = $(or $(FLINT_PC),-lcalcium -lantic -lflint-arb -lflint)
 
-VERIFY_CFLAGS = -Iverify -Iref $(GSL_CFLAGS) $(FLINT_CFLAGS) $(YAML_CFLAGS) -DCT_VERSION='"$(VERSION)"' \
+# The rooms work in FLINT: what the compiler could win there with -O2 is less than what it takes. A caller's flags hold everywhere.
+VERIFY_CFLAGS = $(if $(filter file,$(origin CFLAGS)),-O1) -Iverify -Iref $(GSL_CFLAGS) $(FLINT_CFLAGS) $(YAML_CFLAGS) -DCT_VERSION='"$(VERSION)"' \
   -DCT_SHEET_PATH='"paper/equations.yaml"' -DCT_DERIVATIONS_PATH='"paper/derivations.yaml"' \
   -DCT_CLAIMS_PATH='"paper/claims.yaml"' -DCT_GOLDEN_PATH='"data/golden"'
 VERIFY_LIBS   = $(FLINT_LIBS) -lmpfr -lgmp $(YAML_LIBS) $(GSL_LIBS) -lm
@@ -110,7 +112,7 @@ FIGURES := $(foreach kind,svg png,$(patsubst %,$(BUILD)/figures/%.$(kind),$(DRAW
 all: $(LIBRARY) $(SHARED) $(PROGRAM)
 
 ### Compiling
-COMPILE = @mkdir -p $(@D)$(call say,CC,$<)$(newline)$(Q)$(CC) $(STANDARD) $(CPPFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
+COMPILE = $(if $(wildcard $(@D)),,@mkdir -p $(@D)$(newline))$(call say,CC,$<)$(Q)$(CC) $(STANDARD) $(CPPFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
 define newline
 
 

@@ -168,14 +168,13 @@ static int check_word(const struct arguments *a)
     return unknown_name(what, word, nearest_name(word, known, (size_t)count, sizeof *known), "");
 }
 
-int arguments_read(struct arguments *a, const struct paper *paper, const struct subcommand *s, int count, char **texts)
+int arguments_read(struct arguments *a, int count, char **texts)
 {
     int status = EXIT_DONE;
-    *a = (struct arguments){.paper = paper, .subcommand = s};
     a->assignments = xrealloc(NULL, (size_t)count + 1, sizeof *a->assignments);
     a->given = xrealloc(NULL, (size_t)count + 1, sizeof *a->given);
     for (int i = 0; i < count && a->client == NULL && status == EXIT_DONE; i++) {
-        if (strcmp(texts[i], "--") == 0 && has_way(s, "-- "))
+        if (strcmp(texts[i], "--") == 0 && has_way(a->subcommand, "-- "))
             a->client = texts + i + 1;
         else
             status = take_argument(a, count, texts, &i);

@@ -40,8 +40,8 @@ int usage_error(int status, const char *format, ...);
 /* Wrong usage: what is unknown, its name, the known one that is near, or (NULL: none is) what lists all. */
 int unknown_name(const char *what, const char *name, const char *near, const char *see);
 
-/* Reads what follows the subcommand, against the tables of options.h: EXIT_DONE or EXIT_USAGE. */
-int arguments_read(struct arguments *a, const struct paper *paper, const struct subcommand *s, int count, char **texts);
+/* Reads what follows a->subcommand, against the tables of options.h, with no sheet yet: EXIT_DONE or EXIT_USAGE. */
+int arguments_read(struct arguments *a, int count, char **texts);
 void arguments_clear(struct arguments *a);
 bool option_given(const struct arguments *a, const char *name);
 const char *option_value(const struct arguments *a, const char *name); /* NULL: not given */

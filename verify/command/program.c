@@ -46,29 +46,41 @@ static int run_into(const struct arguments *a, const char *name)
     return why == 0 ? status : usage_error(EXIT_FAILED_CHECK, "%s: %s", name, strerror(why));
 }
 
-static int run_subcommand(const struct paper *paper, int count, char **texts)
+/* Of the sheet, once the line asks for nothing that cannot be. */
+static int run_on(const struct sources *sources, struct arguments *a, bool help)
+{
+    struct paper paper;
+    struct message why;
+    const char *file = option_value(a, "-o");
+    int status = EXIT_DONE;
+    if (paper_open(&paper, sources, &why) != 0)
+        return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
+    a->paper = &paper;
+    if (help)
+        help_print(&paper.sheet, a->subcommand);
+    else /* with a client or answers of one it names the report, which has a form of its own */
+        status = file == NULL || a->client != NULL || option_given(a, "--answers") ? a->subcommand->run(a) : run_into(a, file);
+    paper_close(&paper);
+    return status;
+}
+
+static int run_subcommand(const struct sources *sources, int count, char **texts)
 {
     if (count < 2)
         return usage_error(EXIT_USAGE, "expected a subcommand, see coulomb-tether --help");
-    const struct subcommand *s = subcommand_find(texts[1]);
+    struct arguments a = {.subcommand = subcommand_find(texts[1])};
     bool help = asks_help(texts[1]);
     if (strcmp(texts[1], "--version") == 0 || strcmp(texts[1], "-V") == 0) {
         puts("coulomb-tether " CT_VERSION);
         return EXIT_DONE;
     }
-    if (s == NULL && !help)
+    if (a.subcommand == NULL && !help)
         return unknown_subcommand(texts[1]);
-    for (int i = 2; i < count && s != NULL && strcmp(texts[i], "--") != 0; i++)
+    for (int i = 2; i < count && a.subcommand != NULL && strcmp(texts[i], "--") != 0; i++)
         help = help || asks_help(texts[i]);
-    if (help) {
-        help_print(&paper->sheet, s);
-        return EXIT_DONE;
-    }
-    struct arguments a;
-    int status = arguments_read(&a, paper, s, count - 2, texts + 2);
-    const char *file = option_value(&a, "-o");
-    if (status == EXIT_DONE) /* with a client or answers of one it names the report, which has a form of its own */
-        status = file == NULL || a.client != NULL || option_given(&a, "--answers") ? s->run(&a) : run_into(&a, file);
+    int status = help ? EXIT_DONE : arguments_read(&a, count - 2, texts + 2);
+    if (status == EXIT_DONE)
+        status = run_on(sources, &a, help);
     arguments_clear(&a);
     return status == REPORTED_CHECK ? EXIT_FAILED_CHECK : status;
 }
@@ -132,19 +144,14 @@ static bool guard_streams(void)
 
 int program_run(const struct sources *sources, int count, char **arguments)
 {
-    struct paper paper;
-    struct message why;
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error like others */
     signal(SIGCHLD, SIG_DFL); /* ignored, it would take away how a client ended */
     guard_memory();
     if (!guard_streams())
         return usage_error(EXIT_FAILED_CHECK, "/dev/null: %s", strerror(errno)); /* LCOV_EXCL_LINE: the same */
-    if (paper_open(&paper, sources, &why) != 0)
-        return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-    int status = run_subcommand(&paper, count, arguments);
+    int status = run_subcommand(sources, count, arguments);
     if (status == EXIT_DONE)
         status = output_finished();
-    paper_close(&paper);
     flint_cleanup();
     mpfr_free_cache();
     return status;
