@@ -20,10 +20,12 @@ static void *mapped(const char *name, int opened, int protection, size_t *length
 {
     const int file = open(name, opened);
     struct stat about;
-    if (file < 0 || fstat(file, &about) != 0)
+    if (fstat(file, &about) != 0)
         return NULL;
     *length = (size_t)about.st_size;
-    return mmap(NULL, *length, protection, MAP_SHARED, file, 0);
+    void *bytes = mmap(NULL, *length, protection, MAP_SHARED, file, 0);
+    close(file);
+    return bytes;
 }
 
 __attribute__((constructor)) static void begin(void)
@@ -33,15 +35,6 @@ __attribute__((constructor)) static void begin(void)
     mutant_ = mutant != NULL ? atoi(mutant) : 0;
     if (reached != NULL)
         mutant_reached_ = mapped(reached, O_RDWR, PROT_READ | PROT_WRITE, &length);
-}
-
-/* A mutant that lost the process it asks for would end all of the user's: it is noticed by that. */
-int __real_kill(pid_t, int);
-int __wrap_kill(pid_t process, int signal)
-{
-    if (process >= -1 && process <= 1)
-        _exit(99);
-    return __real_kill(process, signal);
 }
 
 /* The sheets of the folder that a program runs in, instead of those that were compiled in. Not every program has some. */

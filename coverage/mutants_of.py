@@ -11,8 +11,6 @@ a tautology, an entry of from or to left out.
 """
 import re
 
-import yaml
-
 
 def siblings(families):
     """For each name one that is mistaken for it: the next of its family."""
@@ -45,11 +43,11 @@ DECLARATION = r'''(?:const|static|inline|struct|enum|union|double|int|char|bool|
     |extern|typedef|uint64_t|ulong|slong)\b[^=;]*|(?!(?:return|goto)\b)[A-Za-z_]\w*\s+\*?\s*[A-Za-z_][^=;]*'''
 STATEMENT = re.compile(rf'''(?:\b(?:else|do)\b|\bdefault:|\bcase\b[^:]*:|\b(?:if|for|while|switch)[ ]⟨·*⟩|⦃·*⦄|\s)*+
     (?:(?P<declared>{DECLARATION})[^;]*;|(?P<simple>[^;]+;)|;)''', re.X)
-LEVELS = [words.split() for words in '* / %; + -; << >>; < > <= >=; == !=; &; ^; |; &&; ||'.split(';')] + [[]]
+LEVELS = [words.split() for words in '* / %; + -; << >>; < > <= >=; == !=; &; ^; |; &&; ||'.split(';')]
 LEVEL = {word: level for level, words in enumerate(LEVELS) for word in words}
 # Where an operand ends: at what is in no expression, or at an operator of this level, or one that binds less.
-ENDS = [re.compile(r'[,;?:]|\breturn\b|(?<=\s)(?:(?:<<|>>|[-+*/%&|])?=' + ''.join('|' + re.escape(w) for words in LEVELS[level:] for w in words)
-                   + r')(?=\s)') for level in range(len(LEVELS))]
+ENDS = [re.compile(rf'[,;?:]|\breturn\b|(?<=\s)(?:{"|".join(["(?:<<|>>|[-+*/%&|])?=", *map(re.escape, sum(LEVELS[level:], []))])})(?=\s)')
+        for level in range(len(LEVELS) + 1)]
 OPERATOR = {words.split()[0]: words.split()[1:] for words in """+ -; - +; * /; / *; % /; && ||; || &&; & |; | &; << >>; >> <<;
 < <= >=; <= < >; > >= <=; >= > <; == !=; != ==; += -=; -= +=; *= /=; /= *=; ++ --; -- ++; |= &=; &= |=""".split(';')}
 # What may have a sign; what is no arithmetic, and what may be made true.
@@ -132,7 +130,8 @@ class Bracket:
             if word in words:
                 yield m.start(), self.after(m.end(), LEVEL[word]), '', what
             if word in words and word not in '/%':
-                begin = max([e.end() for e in ENDS[LEVEL[word] + 1].finditer(self.level, self.start, m.start())], default=self.start)
+                ends = ENDS[LEVEL[word] + 1].finditer(self.level, self.start, m.start())
+                begin = max((end.end() for end in ends), default=self.start)
                 yield m.end() - len(self.level[begin:m.end()].lstrip()), m.end(), '-' if word == '-' else '', what
 
     def signs(self, begin):
@@ -158,16 +157,18 @@ class Bracket:
         inside = self.start - 1 in live
         yield from self.rewritten(TOKENS)
         yield from self.drops(['+', '-', '*', '/', '%', '&&', '||'])
-        yield from self.signs(self.start - (inside and self.is_list))
-        if inside and self.opening in '({' and ';' not in self.level[self.start:self.end]:
+        yield from self.signs(self.start - 1 if inside and self.is_list else self.start)
+        inner = self.level[self.start:self.end]
+        if inside and self.opening in '({' and ';' not in inner:
             yield from self.exchanges()
-        if self.opening == '[' and self.level[self.start - 2] not in ' \n({' and not re.fullmatch(r'\d*', self.level[self.start:self.end]):
+        if self.opening == '[' and self.level[self.start - 2] not in ' \n({' and not re.fullmatch(r'\d*', inner):
             yield from ((self.end, self.end, change, 'index') for change in (' + 1', ' - 1'))
 
     def soundness(self, live):
         """A bound exchanged or off by one, a proof or a refusal not asked for."""
         loop, asked = self.caller == 'for', self.caller in ('if', 'while', 'for', 'switch', 'return', 'sizeof')
-        yield from self.rewritten(SOUNDNESS + (not loop) * COMPARISONS + self.is_list * LISTED + bool(NUMERIC.fullmatch(self.caller)) * FACTORS)
+        factors = FACTORS if NUMERIC.fullmatch(self.caller) else []
+        yield from self.rewritten(SOUNDNESS + (not loop) * COMPARISONS + self.is_list * LISTED + factors)
         yield from self.drops(['&&', *asked * ['||'], *(not re.match('[a-z_]', self.caller)) * ['+', '-']])
         if loop and self.start in live:
             first = self.level.index(';', self.start)
@@ -182,6 +183,7 @@ class Bracket:
 
 
 def c_mutants(path, source, kind):
+    """Of its brackets, from the innermost on; and of its simple statements."""
     level = code = HIDDEN.sub(lambda m: f'"{(len(m[0]) - 2) * "·"}"' if m[0][0] in '"\'' else len(m[0]) * ' ', source)
     brackets = []
     while spans := [m.span() for m in INNERMOST.finditer(level)]:
@@ -189,7 +191,8 @@ def c_mutants(path, source, kind):
         level = INNERMOST.sub(lambda m: (m[0][0] + (len(m[0]) - 2) * '·' + m[0][-1]).translate(OUTSIDE), level)
     macros = [m.span() for m in re.finditer('(?<=^#).*', level, re.M)]
     brackets += [Bracket(source, code, level, *span) for span in macros]
-    bodies = [m.span() for m in re.finditer('⦃·*⦄', level) if not re.search(r'\b(?:struct|union)(?: \w+)?\s$', level[:m.start()])]
+    structure = re.compile(r'\b(?:struct|union)(?: \w+)?\s$')
+    bodies = [m.span() for m in re.finditer('⦃·*⦄', level) if not structure.search(level[:m.start()])]
     live = {k for first, last in macros + bodies for k in range(first + 1, last)}  # where something may be changed
     for m in re.finditer(r'(\w+)⟨·*⟩\n(⦃·*⦄)', level) if kind == 'soundness' else ():
         if GUIDES.fullmatch(m[1]) or WORDS.fullmatch(f'{path}:{m[1]}'):
@@ -216,38 +219,30 @@ def c_mutants(path, source, kind):
 
 # ---- YAML ----
 
-PROSE = ('title', 'note', 'text', 'meaning', 'reason', 'why', 'claim', 'where')
+# What is no formula: comments, the marks of lists and texts; prose, in a block and in a line; in lines, how one comes to them.
+PROSE = '(?:title|note|text|meaning|reason|why|claim|where)'
+HIDDEN_YAML = re.compile(rf"""(?<!\S)\#.*|^[ ]*(?:-[ ])+|[>|]$|(?P<block>^(?P<indent>[ ]*){PROSE}:).*(?:\n(?P=indent)[ ]+\S.*)*
+    |(?P<flow>(?<=[{{ ]){PROSE}:[ ])(?:"(?:[^"\\]|\\.)*"|\[[^]]*\]|[^,}}\n]*)""", re.X | re.M)
+LINES = re.compile(r'^    lines:\n(?:      .*\n)+', re.M)
 WORD = re.compile(r'[A-Za-z_][\w.]*(?:-[A-Za-z_]\w*)*|\d+(?:\.\d+)?(?:[eE][+-]?\d+)?[a-z]?(?![\w.])|<=|>=|[-+*/^<>=@]')
 YAML_OPERATOR = {'+': '-', '-': '+', '*': '/', '/': '*', '^': '*', '<': '>', '>': '<', '<=': '<', '>=': '>', '=': '-', '@': ''}
 
 
-def yaml_texts(node, keys=True):
-    """Where the keys stand, and the texts that are no prose."""
-    if isinstance(node, yaml.ScalarNode):
-        yield node.start_mark.index + (node.style in ('>', '|')), node.end_mark.index
-    elif isinstance(node, yaml.SequenceNode):
-        for value in node.value:
-            yield from yaml_texts(value)
-    else:
-        for key, value in node.value:
-            yield from yaml_texts(key) if keys else ()
-            yield from yaml_texts(value, key.value != 'lines') if key.value not in PROSE else ()  # whose keys say how it is reckoned
-
-
 def yaml_mutants(text):
-    headings = [m.span() for m in re.finditer(r'^  ?[\w" ]+:', text, re.M)]
-    for start, end in yaml_texts(yaml.compose(text, yaml.CSafeLoader)):
-        begin = max((first for first, last in headings if last <= start), default=0)
-        section = text[begin:min((first for first, _ in headings if first >= start), default=len(text))]
-        lists = ' '.join(re.findall(r'(?:inputs|free|angles|positive): \[(.*?)\]', section, re.S))
-        names = list(dict.fromkeys(re.findall(r'\w+', lists) + re.findall(r'^      (\w+): ', section, re.M)))
-        for m in WORD.finditer(text, start, end):
+    headings = [0, *(m.start() for m in re.finditer(r'^  ?[\w" ]+:', text, re.M))]
+    shown = HIDDEN_YAML.sub(lambda m: (m['block'] or m['flow'] or '').ljust(len(m[0])), text)
+    shown = LINES.sub(lambda m: re.sub(r'^      (?:"[^"\n]*"|[^:\n]*)', lambda key: ' ' * len(key[0]), m[0], flags=re.M), shown)
+    for before, begin, end in zip([0, *headings], headings, [*headings[1:], len(text)]):
+        for m in WORD.finditer(shown, begin, end):
+            section = text[before if m.end() <= text.index(':', begin) else begin:end]
+            lists = ' '.join(re.findall(r'(?:inputs|free|angles|positive): \[(.*?)\]', section, re.S))
+            names = list(dict.fromkeys(re.findall(r'\w+', lists) + re.findall(r'^      (\w+): ', section, re.M)))
             word, (of, dot, name) = m[0], m[0].rpartition('.')
             if word[0].isdigit():  # another last digit
                 whole, last, rest = re.fullmatch(r'([\d.]*)(\d)(\D.*)?', word).groups('')
                 yield *m.span(), whole + (str((int(last) + 1) % 10) if last != '9' or '.' in whole else '8') + rest, 'number'
             elif word in YAML_OPERATOR:
-                unary = word in '+-' and text[start:m.start()].strip()[-1:] in ('', *'(=:{[,"^*/')
+                unary = word in '+-' and shown[shown.rfind('\n', 0, m.start()) + 1:m.start()].strip()[-1:] in ('', *'(=:{[,"^*/')
                 yield *m.span(), '' if unary else YAML_OPERATOR[word], 'operator'
             elif name in YAML_SIBLING:
                 yield *m.span(), of + dot + YAML_SIBLING[name], 'name'
