@@ -5,10 +5,13 @@ mutants(path, text, kind) yields (start, end, replacement, what): text[start:end
 Of C: every operator, sign, constant, comparison, argument, term, index and statement inside braces, one at a time; a
 name that has a sibling (m1 and m2, x, y and z) is exchanged for it. Not mutated, for no program is wrong by it: comments,
 #include, members of structures, sizes of arrays (an array may be longer), the order of arguments where it does not count.
-Of C, soundness alone: what makes a bound too narrow or a proof none, at every place where it can be done.
+Of C, soundness alone: what makes a bound too narrow or a proof none, at every place where it can be done, but for the functions
+of spared.csv.
 Of YAML: every word, number and operator outside comments and prose, one at a time; of the steps also an equality left out or made
 a tautology, an entry of from or to left out.
 """
+import csv
+import pathlib
 import re
 
 
@@ -66,15 +69,8 @@ ARF_RND_CEIL:ARF_RND_FLOOR ARF_RND_FLOOR:ARF_RND_CEIL MPFR_RNDU:MPFR_RNDD MPFR_R
 ADDS = re.compile(r'\w*(?:add|max|union|error|absolute)\w*')
 BALL = re.compile(r'arb_(?!get|is|init|clear|swap|const|mat|poly|zero|one|set_(?:d|[su]i|arf)$)\w+')
 NUMERIC = re.compile(r'(?:arb|acb|arf|mag|fmpq|fmpz|mpfr)_(?!dot)\w+')
-# Functions that decide how sharp a bound is, never whether it holds: directions of a set, lengths of steps, which set to split.
-# And such as make room.
-GUIDES = re.compile(r'project|orthonormalise|choose_basis|expansion_position|(?:set_)?step_length|is_steady|steepest|is_loose|'
-                    r'width|is_wide|\w+_(?:init|clear)')
-# Those that choose what is said about a failure, never whether it is one: outcomes, counts and exit status are settled before.
-WORDS = re.compile(r"""verify/conform/(?:(?:hints|kinds|kinds_of_motion)\.c:\w+|conform\.c:(?:ease_of|keep_record)|
-    diagnosis\.c:(?:failures|is_domain_alone|explains(?:_all)?|try_\w+|gather|diagnose_kind|diagnose)|
-    report\.c:(?:\w+_text|hint_of|summary_digits|first_wrong_digit|root_distance|match_roots|is_judged|digits_by_time|put_xml|
-        write_failure))""", re.X)
+with pathlib.Path(__file__).with_name('spared.csv').open(newline='') as spared:
+    SPARED = [(row['file'], re.compile('|'.join(row['functions'].split()))) for row in csv.DictReader(spared)]
 
 
 def constants(word):
@@ -195,7 +191,7 @@ def c_mutants(path, source, kind):
     bodies = [m.span() for m in re.finditer('⦃·*⦄', level) if not structure.search(level[:m.start()])]
     live = {k for first, last in macros + bodies for k in range(first + 1, last)}  # where something may be changed
     for m in re.finditer(r'(\w+)⟨·*⟩\n(⦃·*⦄)', level) if kind == 'soundness' else ():
-        if GUIDES.fullmatch(m[1]) or WORDS.fullmatch(f'{path}:{m[1]}'):
+        if any(path.startswith(file) and functions.fullmatch(m[1]) for file, functions in SPARED):
             live -= set(range(*m.span(2)))
     statements = [m for b in brackets if b.opening == '{' and not b.is_list and b.start in live for m in b.found(STATEMENT)]
     for m in statements if kind == 'tokens' else ():
