@@ -237,6 +237,7 @@ TEST(B3_places_have_all_products_of_derivatives)
 
 TEST(values_of_the_sheet_are_in_their_balls)
 {
+    VECTOR(arb, start, 3);
     SCOPE(arb, x);
     SCOPE(fmpq, Omega);
     ck_assert_int_eq(fmpq_set_str(Omega, "72915/1000000000", 10), 0);
@@ -244,6 +245,10 @@ TEST(values_of_the_sheet_are_in_their_balls)
         sheet_value(x, sheet(), "Omega", bits);
         ck_assert(arb_contains_fmpq(x, Omega) && arb_rel_accuracy_bits(x) > bits - 4);
     }
+    fmpq_set_si(Omega, 1, 100); /* 0.01 rad, 0.01 rad, 0.1 m of 10 m */
+    start_of_sheet(start, sheet(), 30);
+    for (int i = PSI; i <= ETA; i++)
+        ck_assert(arb_contains_fmpq(start + i, Omega) && arb_rel_accuracy_bits(start + i) > 20);
 }
 
 /* What is to be said of a sample, written anew: L_ref = 10 m, an arm of 5 m, c1 = 10 and c2 = 2 */
