@@ -265,7 +265,7 @@ static int run_client(struct test_run *e, const struct arguments *a, char **clie
         return usage_error(status_of_start(why), here ? "client '%s': %s, did you mean './%s'?" : "client '%s': %s", client[0], strerror(why), client[0]);
     const enum ending ending = client_converse(&c, e, timeout);
     const int status = client_close(&c); /* an interrupt ends the program here */
-    if (ending == ENDING_BROKEN) /* LCOV_EXCL_BR_LINE: a failing system call, make faults */
+    if (c.why != 0) /* LCOV_EXCL_BR_LINE: a failing system call, make faults */
         return usage_error(EXIT_FAILED_CHECK, "client '%s': %s", client[0], strerror(c.why)); /* LCOV_EXCL_LINE: the same */
     const int concluded = conclude(e, ending, status, client[0], timeout);
     c.tail[c.tail_length] = '\0';

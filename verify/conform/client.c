@@ -234,11 +234,7 @@ enum ending client_converse(struct client *c, struct test_run *run, double timeo
     progress_end(&progress);
     while (c->from >= 0 && !enough && c->why == 0 && hear_answers(c, run, &enough, &answered)) /* which somebody else may hold open */
         ;
-    return is_interrupted(c) ? ENDING_INTERRUPTED
-           : c->why != 0     ? ENDING_BROKEN
-           : enough          ? ENDING_STOPPED
-           : ended           ? ENDING_EXIT
-                             : ENDING_TIMEOUT;
+    return enough ? ENDING_STOPPED : ended ? ENDING_EXIT : ENDING_TIMEOUT;
 }
 
 int client_close(struct client *c)

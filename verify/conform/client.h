@@ -21,10 +21,10 @@ struct client {
     sigset_t signals;            /* the mask to return to: an interrupt waits until the client is closed */
     char tail[CLIENT_TAIL + 1];  /* the last of its standard error */
     size_t tail_length;
-    int why;                     /* the errno that broke the conversation on our side */
+    int why;                     /* the errno that broke the conversation on our side; 0: none did */
 };
 
-enum ending { ENDING_EXIT, ENDING_TIMEOUT, ENDING_STOPPED, ENDING_INTERRUPTED, ENDING_BROKEN };
+enum ending { ENDING_EXIT, ENDING_TIMEOUT, ENDING_STOPPED };
 
 /* 0, or the errno that says why there is none. */
 int client_start(struct client *c, char *const *arguments);
