@@ -13,10 +13,6 @@
 
 enum { PREC = 192 };
 
-static void close_all(void)
-{
-    flint_cleanup();
-}
 
 /* x holds the number of that text within the tolerance */
 static void assert_number(const arb_t x, const char *text, double tolerance)
@@ -41,7 +37,7 @@ static struct second_order response(slong c1, slong c2)
     return o;
 }
 
-CASE(convergence, NULL, close_all)
+CASE(convergence, NULL, flint_cleanup)
 
 /* n = 10: k = 2592*2/27977, s = -9/2*701/27977, N = 131^2 + 104^2 = 27977; a halves when 2 k a^2 tau = 3. */
 TEST(slow_law_halves_pitch)

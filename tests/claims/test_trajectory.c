@@ -16,12 +16,6 @@
 #include "tests/paper.h"
 #include "sheet/sheet.h"
 
-
-static void close_all(void)
-{
-    flint_cleanup();
-}
-
 /* ---- trajectories ---- */
 
 /* The decimal, correctly rounded, lies within its last digit of x. */
@@ -54,7 +48,7 @@ static const struct {
       "-1.1486353536523273143e-7", "-0.0019971490571237121188", "-7.8508583102803106936e-8"}},
 };
 
-CASE(trajectory, NULL, close_all)
+CASE(trajectory, NULL, flint_cleanup)
 
 EACH(trajectories_agree_with_the_equations_in_the_angles, COUNT(rows))
 {
@@ -65,32 +59,6 @@ EACH(trajectories_agree_with_the_equations_in_the_angles, COUNT(rows))
     for (int i = 0; i < FLOW_STATE; i++)
         assert_ball(trajectory_sample(&t, 1) + i, rows[_i].row[i]);
     trajectory_clear(&t);
-}
-
-/* A start of balls: all that is said of it holds of the motion from its corner. */
-EACH(samples_hold_the_corner_of_their_start, 2)
-{
-    struct trajectory point, box;
-    VECTOR(arb, start, COORDINATES);
-    VECTOR(arb, x, 2);
-    struct simulation s = {.steps = steps(), .nonlinear = _i != 0, .start = start, .digits = 16};
-    for (int i = 0; i < FLOW_STATE; i++)
-        arb_set_d(start + i, 0.01 + 0.001 * i);
-    ck_assert(trajectory_run(&point, &s, 0, 3600, 7200));
-    s.digits = 3;
-    for (int i = 0; i < FLOW_STATE; i++) {
-        arb_set_d(start + i, 0.01 + 0.001 * i - 1e-9);
-        mag_set_d(arb_radref(start + i), 1.001e-9);
-    }
-    ck_assert(trajectory_run(&box, &s, 0, 3600, 7200));
-    for (int k = 0; k < 3; k++)
-        for (int which = 0; which < VARIABLES; which++) {
-            trajectory_value(x, &point, k, which);
-            trajectory_value(x + 1, &box, k, which);
-            ck_assert_msg(arb_contains(x + 1, x), "%s, sample %d", variable_names[which], k);
-        }
-    trajectory_clear(&point);
-    trajectory_clear(&box);
 }
 
 /* E falls from sample to sample, and by what C2 takes: -c2 (l'/l)^2, or -c2 eta'^2, by the trapezoidal rule. */
