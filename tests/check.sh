@@ -22,11 +22,12 @@ limit=
 if timeout --foreground 1 true 2>/dev/null; then limit='timeout --foreground 600'; fi
 
 run_one() { # FILE
-    name=$(basename "$1" | sed 's/\.[a-z]*$//')
+    name=${1##*/}
+    name=${name%.*}
     log=$records/$name.log
     status=0
     case $1 in
-        *.sh) set -- "$1" ;;
+        *.sh) ;;
         */test_corpora.c | */test_ref_gsl.c)
             set -- "$records/$name"
             if [ ! -x "$1" ]; then # by make, and said there
@@ -38,10 +39,11 @@ run_one() { # FILE
     run() { CK_FORK=$1 && shift && export CK_FORK && CK_TAP_LOG_FILE_NAME=$records/$name.tap $limit "$@" >"$log" 2>&1 </dev/null; }
     # All tests of a suite in one process; where that dies it has failed, and which test it was is seen with a process for each.
     run "${CK_FORK-no}" "$@" || status=$?
-    case $1-$(sed -n "$numbers" "$log") in *.sh-* | *-?*) ;; *) run yes "$@" || : ;; esac
+    totals=$(sed -n "$numbers" "$log")
+    case ${totals:+said}$1 in said* | *.sh) ;; *) run yes "$@" || :; totals=$(sed -n "$numbers" "$log") ;; esac
 
-    # shellcheck disable=SC2046
-    set -- $(sed -n "$numbers" "$log" | tail -n 1)
+    # shellcheck disable=SC2086
+    set -- $totals
     if [ $# -ne 3 ] || [ "$1" -eq 0 ]; then
         verdict="no result (exit status $status)"; passed=0 failed=1
     else

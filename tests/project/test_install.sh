@@ -70,7 +70,7 @@ for place in here 'over there'; do
     mkdir -p "$work/$place" && cp -R Makefile ref verify paper "$work/$place"
 done
 # With flags of its own: what counts coverage writes down where.
-builds_in() { (cd "$1" && make --silent BUILD=build DATA=data CFLAGS='-O2 -g' LDFLAGS= build/libcoulombtether.a); }
+builds_in() { (cd "$1" && make --silent BUILD=build DATA=data CFLAGS='-O0 -g' LDFLAGS= build/libcoulombtether.a); }
 check library_builds_here          builds_in "$work/here"
 check library_builds_over_there    builds_in "$work/over there"
 check library_is_the_same          cmp "$work/here/build/libcoulombtether.a" "$work/over there/build/libcoulombtether.a"
