@@ -39,21 +39,6 @@ TEST(eq21_rejects_like_charges)
     ck_assert_double_nan(q.q2);
 }
 
-static size_t eq21(const double x[], double y[])
-{
-    struct ct_charge_pair q;
-    const int status = ct_charges(x[0], x[1], &q);
-
-    ck_assert_int_eq(status, isnan(q.q1) ? CT_DOMAIN : CT_OK);
-    memcpy(y, &q, sizeof q);
-    return 2;
-}
-
-TEST(eq21_rejects_each_input_outside_its_domain)
-{
-    assert_rejects_outside(eq21, "rr", (const double[]){-3, 2});
-}
-
 TEST(eq21_charges_at_rest_are_a_third_of_a_microcoulomb)
 {
     const struct ct_hill_state rest = {.x1 = 5};

@@ -28,8 +28,10 @@ EACH(each_input_outside_its_domain_gives_no_number, sheet()->section_count)
     struct input *inputs = inputs_new(asked->input_count);
     operation_init(&o, asked, false);
     sample(&o, 1, 0, inside, inputs);
-    if (t >= 0) /* a short way, on which no craft meet */
-        inside[t] = h >= 0 ? inside[h] : 1;
+    if (t >= 0) /* a short way, on which no craft meet, and whole steps of -1 s would lead nowhere */
+        inside[t] = 1;
+    if (h >= 0)
+        inside[h] = 1;
     for (int i = 0; i < asked->input_count; i++)
         domain[i] = letters[asked->inputs[i]->domain];
     assert_rejects_outside(outputs_of_ref, domain, inside);

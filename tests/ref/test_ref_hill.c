@@ -47,27 +47,6 @@ TEST(eq02_rejects_two_craft_in_one_place)
     ck_assert_int_eq(ct_formation_acceleration(1, 1, 1, 3, last_two, a), CT_DOMAIN);
 }
 
-static size_t eq02(const double x[], double y[])
-{
-    const struct ct_craft craft[2] = {
-        {x[3], x[4], {x[5], x[6], x[7]}, {x[8], x[9], x[10]}},
-        {x[11], x[12], {x[13], x[14], x[15]}, {x[16], x[17], x[18]}},
-    };
-    struct ct_vector a[2];
-    const int status = ct_formation_acceleration(x[0], x[1], x[2], 2, craft, a);
-
-    ck_assert_int_eq(status, isnan(a[0].x) ? CT_DOMAIN : CT_OK);
-    memcpy(y, a, sizeof a);
-    return 6;
-}
-
-TEST(eq02_rejects_each_input_outside_its_domain)
-{
-    const double inside[] = {1, 1, 1, 5, -6, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14};
-
-    assert_rejects_outside(eq02, "++i+rrrrrrr+rrrrrrr", inside);
-}
-
 TEST(eq03_opposite_charges_attract)
 {
     const struct ct_hill_state s = {0, -4, 0, 0, 0, 0};

@@ -136,26 +136,9 @@ TEST(eq40_flow_gives_up_after_many_steps)
     ck_assert_double_nan(s.psi);
 }
 
-static size_t linear_flow(const double x[], double y[])
+EACH(eq40_flow_rejects_tolerances_beyond_double, 3)
 {
-    const struct ct_params p = {x[0], NAN, NAN, NAN, x[1]};
-    const struct ct_tether_state start = {x[4], x[5], x[6], x[7], x[8], x[9]};
-    struct ct_tether_state s;
-    const int status = ct_linear_flow(p, (struct ct_gains){x[2], x[3]}, start, x[10], 1, &x[11], &s);
-
-    ck_assert_int_eq(status, isnan(s.psi) ? CT_DOMAIN : CT_OK);
-    memcpy(y, &s, sizeof s);
-    return 6;
-}
-
-TEST(eq40_flow_rejects_each_input_outside_its_domain)
-{
-    assert_rejects_outside(linear_flow, "++rrrrrrrr+r", (const double[]){1, 2, -3, 4, -5, 6, -7, 8, -9, 10, 1e-9, -0.5});
-}
-
-EACH(eq40_flow_rejects_tolerances_beyond_double, 2)
-{
-    const double t = 1, tolerance[] = {1e-16, 1};
+    const double t = 1, tolerance[] = {1e-16, 1, NAN};
     struct ct_tether_state s;
 
     ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, tolerance[_i], 1, &t, &s), CT_DOMAIN);
@@ -178,6 +161,7 @@ TEST(eq40_flow_outside_its_domain_leaves_no_state_unset)
     ck_assert_int_eq(ct_linear_flow(paper, paper_gains, paper_start, 1, 3, t, s), CT_DOMAIN);
     for (int i = 0; i < 3; i++)
         ck_assert_double_nan(s[i].theta);
+    ck_assert_int_eq(ct_linear_flow(paper, paper_gains, (struct ct_tether_state){.theta_dot = INFINITY}, fine, 1, t, s), CT_DOMAIN);
 }
 
 static struct ct_hill_state in_hill_frame(struct ct_params p, struct ct_tether_state s)
@@ -232,24 +216,6 @@ TEST(eq03_flow_reports_a_collision)
     ck_assert_double_lt(s[0].z1, 10);
     ck_assert_double_nan(s[1].z1);
     ck_assert_double_nan(s[1].x1_dot);
-}
-
-static size_t nonlinear_flow(const double x[], double y[])
-{
-    const struct ct_params p = {x[0], x[1], x[2], x[3], x[4]};
-    const struct ct_hill_state start = {x[7], x[8], x[9], x[10], x[11], x[12]};
-    struct ct_hill_state s;
-    const int status = ct_nonlinear_flow(p, (struct ct_gains){x[5], x[6]}, start, x[13], 1, &x[14], &s);
-
-    ck_assert_int_eq(status, isnan(s.x1) ? CT_DOMAIN : CT_OK);
-    memcpy(y, &s, sizeof s);
-    return 6;
-}
-
-TEST(eq03_flow_rejects_each_input_outside_its_domain)
-{
-    assert_rejects_outside(nonlinear_flow, "+++++rrrrrrrr+r",
-                           (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 12, -13, 1e-9, 0.01});
 }
 
 TEST(eq03_flow_rejects_the_origin)
@@ -328,24 +294,6 @@ TEST(eq40_runge_kutta_compares_each_time_with_the_last)
     ck_assert_int_eq(ct_linear_runge_kutta(paper, paper_gains, paper_start, 100, 3, around + 1, s), CT_OK);
 }
 
-static size_t linear_runge_kutta(const double x[], double y[])
-{
-    const struct ct_params p = {x[0], NAN, NAN, NAN, x[1]};
-    const struct ct_tether_state start = {x[4], x[5], x[6], x[7], x[8], x[9]};
-    const double t = 3;
-    struct ct_tether_state s;
-    const int status = ct_linear_runge_kutta(p, (struct ct_gains){x[2], x[3]}, start, x[10], 1, &t, &s);
-
-    ck_assert_int_eq(status, isnan(s.psi) ? CT_DOMAIN : CT_OK);
-    memcpy(y, &s, sizeof s);
-    return 6;
-}
-
-TEST(eq40_runge_kutta_rejects_each_input_outside_its_domain)
-{
-    assert_rejects_outside(linear_runge_kutta, "++rrrrrrrr+", (const double[]){1, 2, -3, 4, -5, 6, -7, 8, -9, 10, 1.5});
-}
-
 /* Half a step at -2 m/s takes craft 1 from 1 m into the origin, where (3) has no value. */
 TEST(eq03_runge_kutta_reports_craft_in_one_point)
 {
@@ -356,25 +304,6 @@ TEST(eq03_runge_kutta_reports_craft_in_one_point)
 
     ck_assert_int_eq(ct_nonlinear_runge_kutta(p, (struct ct_gains){0, 0}, start, 1, 1, &t, &s), CT_CONVERGENCE);
     ck_assert_double_nan(s.z1);
-}
-
-static size_t nonlinear_runge_kutta(const double x[], double y[])
-{
-    const struct ct_params p = {x[0], x[1], x[2], x[3], x[4]};
-    const struct ct_hill_state start = {x[7], x[8], x[9], x[10], x[11], x[12]};
-    const double t = 0.03;
-    struct ct_hill_state s;
-    const int status = ct_nonlinear_runge_kutta(p, (struct ct_gains){x[5], x[6]}, start, x[13], 1, &t, &s);
-
-    ck_assert_int_eq(status, isnan(s.x1) ? CT_DOMAIN : CT_OK);
-    memcpy(y, &s, sizeof s);
-    return 6;
-}
-
-TEST(eq03_runge_kutta_rejects_each_input_outside_its_domain)
-{
-    assert_rejects_outside(nonlinear_runge_kutta, "+++++rrrrrrrr+",
-                           (const double[]){1, 2, 3, 4, 5, 6, -7, 8, -9, 10, -11, 12, -13, 0.015});
 }
 
 /* ---- N craft ---- */

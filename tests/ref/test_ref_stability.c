@@ -131,21 +131,6 @@ TEST(eq41_root_at_zero_on_the_stability_boundary_is_exact)
     ck_assert_double_lt(root[2].re, 0);
 }
 
-static size_t roots(const double x[], double y[])
-{
-    struct ct_root root[4];
-    const int status = ct_characteristic_roots(x[0], (struct ct_gains){x[1], x[2]}, root);
-
-    ck_assert_int_eq(status, isnan(root[0].re) ? CT_DOMAIN : CT_OK);
-    memcpy(y, root, sizeof root);
-    return 8;
-}
-
-TEST(eq41_roots_reject_each_input_outside_its_domain)
-{
-    assert_rejects_outside(roots, "+rr", (const double[]){1, -2, 3});
-}
-
 TEST(eq41_roots_reject_gains_beyond_double_in_units_of_Omega)
 {
     struct ct_root root[4];
