@@ -462,16 +462,6 @@ TEST(a_report_is_there_whole_or_not_at_all)
     ck_assert_int_ne(system("cd \"$CT_BUILD/tests\" && ls taken.xml*tmp 2>/dev/null | grep ."), 0);
 }
 
-/* What lies beside it, a link or somebody's file of the like name, stays what it is; a link under its name leads to it. */
-TEST(a_report_overwrites_nothing_but_itself)
-{
-    ck_assert_int_eq(system("cd \"$CT_BUILD/tests\" && rm -rf mine && mkdir mine && cd mine && echo mine >a && echo mine >r.json.tmp && "
-                            "ln -s a r.xml.tmp && touch b && ln -s b r.xml && for r in r.json r.xml; do \"$CT_PROGRAM\" conform --only eq07 "
-                            "--report $r -- \"$CT_BUILD/tests/faulty\" none >/dev/null || exit 1; done && test -L r.xml && "
-                            "cmp r.xml b && test -L r.xml.tmp && test \"$(cat a r.json.tmp r.xml.tmp)\" = \"$(printf 'mine\\nmine\\nmine')\" && "
-                            "test \"$(ls | wc -l)\" = 6"), 0);
-}
-
 /* ---- time ---- */
 
 /* A second is the limit at most; each of these moves bytes all the time, or has somebody else do so, and answers nothing. */
