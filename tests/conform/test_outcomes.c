@@ -460,6 +460,26 @@ TEST(eq41roots_residual_of_a_double_root_is_within_K_roundings)
     ck_assert_int_eq(judged("eq41roots", inputs, outer, BINARY64), OUTCOME_WRONG);
 }
 
+/* sin^2 + cos^2 - 1 for a formula: whatever balls say, it is zero, no rounding moves it, and nothing else is right. */
+EACH(what_is_exactly_zero_has_no_roundings, 2)
+{
+    const struct section *s = section_find(sheet(), "eq43");
+    const struct known_mistake zero = {.name = "zero", .changes = {{PLACE_OUTPUT, "C1", "sin(n)^2 + cos(n)^2 - 1"}}, .count = 1};
+    struct score score;
+    struct message why;
+    OWNED(mutation) a;
+    OWNED(comparator) j;
+    INPUTS(inputs);
+    ck_assert(mutation_init(&a, sheet(), s, &zero, true, &why));
+    struct operation o = {.section = s, .formulas = &a.formulas};
+    machine_init(&o.machine, &a.formulas.program, &arithmetic_ball, 128);
+    ck_assert(vector_read(s, (const char *const[]){"1", "10"}, inputs));
+    comparator_init(&j, &o, BINARY64, 9);
+    arb_set_d(j.y, _i == 0 ? 0.0 : 1e-300);
+    ck_assert_int_eq(compare_answer(&j, inputs, &score), _i == 0 ? OUTCOME_RIGHT : OUTCOME_WRONG);
+    operation_clear(&o);
+}
+
 /* In whatever order, each of them once. */
 EACH(eq41roots_are_a_set, 2)
 {
