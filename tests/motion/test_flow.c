@@ -70,27 +70,13 @@ static struct pair paper_nonlinear(void)
 
 /* ---- running a flow ---- */
 
-struct record {
-    arb_ptr states;
-    slong rows, stop_after; /* 0: never */
-};
-
-static int keep(void *context, slong k, const fmpq_t t, arb_srcptr state)
-{
-    struct record *record = context;
-    (void)t;
-    _arb_vec_set(record->states + k * FLOW_STATE, state, FLOW_STATE);
-    record->rows++;
-    return record->rows == record->stop_after;
-}
-
 enum way { LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR };
 
 struct found {
+    arb_ptr states;
+    slong rows, stop_after; /* 0: never */
     enum flow_status status;
     double reached;
-    arb_ptr states;
-    slong rows;
 };
 
 static void found_clear(struct found *r)
@@ -98,28 +84,42 @@ static void found_clear(struct found *r)
     _arb_vec_clear(r->states, MOST_TIMES * FLOW_STATE);
 }
 
-/* At `count` times in seconds; h is for Runge and Kutta. */
-static struct found run_through(const struct pair *s, enum way method, const slong *seconds, slong count,
-                              slong digits, slong h, slong stop_after)
+static int keep(void *context, slong k, const fmpq_t t, arb_srcptr state)
 {
-    struct found r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
-    struct record record = {r.states, 0, stop_after};
-    VECTOR(fmpq, times, count);
+    struct found *r = context;
+    (void)t;
+    _arb_vec_set(r->states + k * FLOW_STATE, state, FLOW_STATE);
+    r->rows++;
+    return r->rows == r->stop_after;
+}
+
+/* h is for Runge and Kutta; digits 0: no set is too wide. */
+static struct found follow(const struct pair *s, enum way way, const fmpq *times, slong count, slong digits, slong h, slong stop_after,
+                           const struct flow_steps *how)
+{
+    struct found r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE), .stop_after = stop_after};
     SCOPE(fmpq, step);
     fmpq_set_si(step, h, 1);
-    for (slong k = 0; k < count; k++)
-        fmpq_set_si(times + k, seconds[k], 1);
-    struct flow_request request = {&s->p, s->start, times, count, digits, s->prec, keep, &record, method % 2 == 1,
-                                   method >= RK4_LINEAR ? step : NULL, NULL, 0, 0};
+    struct flow_request request = {&s->p, s->start, times, count, digits, s->prec, keep, &r, way % 2 == 1,
+                                   way >= RK4_LINEAR ? step : NULL, how, 0, 0};
     r.status = flow_run(&request);
     r.reached = request.reached;
-    r.rows = record.rows;
     return r;
 }
 
-static struct found run_to(const struct pair *s, enum way method, slong seconds)
+/* At `count` times in seconds */
+static struct found run_through(const struct pair *s, enum way way, const slong *seconds, slong count, slong digits, slong h,
+                                slong stop_after)
 {
-    return run_through(s, method, &seconds, 1, 17, 100, 0);
+    VECTOR(fmpq, times, count);
+    for (slong k = 0; k < count; k++)
+        fmpq_set_si(times + k, seconds[k], 1);
+    return follow(s, way, times, count, digits, h, stop_after, NULL);
+}
+
+static struct found run_to(const struct pair *s, enum way way, slong seconds)
+{
+    return run_through(s, way, &seconds, 1, 17, 100, 0);
 }
 
 /* ---- comparing ---- */
@@ -347,27 +347,19 @@ static struct pair plain_pair(double c1, double c2)
     return s;
 }
 
-/* By steps of that kind; digits 0: no set is too wide */
-static enum flow_status follow_by(const struct flow_steps *how, const struct pair *s, const fmpq *times, slong count,
-                                  struct record *record, double *reached)
+/* By steps of that kind */
+static struct found follow_by(const struct flow_steps *how, const struct pair *s, const fmpq *times, slong count)
 {
-    struct flow_request r = {&s->p, s->start, times, count, 0, s->prec, keep, record, true, NULL, how, 0, 0};
-    const enum flow_status status = flow_run(&r);
-    *reached = r.reached;
-    return status;
+    return follow(s, NONLINEAR, times, count, 0, 0, 0, how);
 }
 
 /* `ROWS` rows, the last of them at that many radians, by steps of that kind */
 static struct found run_steps(const struct pair *s, const struct flow_steps *how, double radians)
 {
-    struct found r = {.states = _arb_vec_init(MOST_TIMES * FLOW_STATE)};
-    struct record record = {r.states, 0, 0};
     VECTOR(fmpq, times, ROWS);
     for (slong k = 0; k < ROWS; k++)
         fmpq_set_si(times + k, (slong)ldexp(radians, RADIAN_LOG2 + 16) * (k + 1) / ROWS, 1 << 16);
-    r.status = follow_by(how, s, times, ROWS, &record, &r.reached);
-    r.rows = record.rows;
-    return r;
+    return follow_by(how, s, times, ROWS);
 }
 
 /* What the flow itself makes of it in 128 bits and more than 40 terms, all of whose rows lie in those of `wide` */
@@ -533,19 +525,15 @@ EACH(F9_a_row_is_within_its_step_for_certain, 2)
     const struct flow_steps how = {.order = 2, .step = h};
     OWNED(pair) s = plain_pair(0, 0), fine = plain_pair(0, 0);
     SCOPE(fmpq, t);
-    double reached;
     fmpq_set_si(t, (slong)(middle * h * 0x1p24), 1 << 10);
     start_at(&s, 4.5, 0, 0, 0, 0, 0);
     start_at(&fine, 4.5, 0, 0, 0, 0, 0);
     mag_set_d(arb_radref(s.p.Omega), share * 0x1p-14);
     arb_set_d(fine.p.Omega, 0x1p-14 * (1 + share));
     s.prec = 60;
-    VECTOR(arb, vague, FLOW_STATE);
-    VECTOR(arb, end, FLOW_STATE);
-    struct record of_vague = {vague, 0, 0}, of_end = {end, 0, 0};
-    ck_assert_int_eq(follow_by(&how, &s, t, 1, &of_vague, &reached), FLOW_DONE);
-    ck_assert_int_eq(follow_by(NULL, &fine, t, 1, &of_end, &reached), FLOW_DONE);
-    assert_holds(vague, end);
+    OWNED(found) vague = follow_by(&how, &s, t, 1), end = follow_by(NULL, &fine, t, 1);
+    ck_assert(vague.status == FLOW_DONE && end.status == FLOW_DONE);
+    assert_holds(vague.states, end.states);
 }
 
 /*
@@ -598,14 +586,14 @@ TEST(F8_what_no_halving_proves_is_no_step)
 {
     OWNED(pair) s = plain_pair(10, 1);
     const struct flow_steps how = {.step = 0x1p-5};
-    double reached;
     SCOPE(fmpq, t);
     fmpq_set_si(t, 1, 1);
     fmpq_div_2exp(t, t, 60);
     start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
     mag_set_d(arb_radref(s.p.C1), 1e300);
     s.prec = 60;
-    ck_assert_int_eq(follow_by(&how, &s, t, 1, NULL, &reached), FLOW_WIDE);
+    OWNED(found) r = follow_by(&how, &s, t, 1);
+    ck_assert(r.status == FLOW_WIDE && r.rows == 0);
 }
 
 /* Steps are a fraction of 2^-5 radians; whatever Omega is in its ball, no more of them than were proved have been reached. */
@@ -614,7 +602,6 @@ EACH(what_is_reached_is_rounded_towards_the_start, 4)
     OWNED(pair) s = pair_of(7.2915e-5 * (1 + 0.037 * _i), 150, 150, 2 * R_REF, 8, -1);
     const struct flow_steps how = {.step = 0x1p-5};
     SCOPE(fmpq, t, reached, Omega);
-    double seconds;
     SCOPE(arf, x);
     fmpq_set_si(t, DAY, 1);
     start_at(&s, 4.5, 0.5, -0.25, 0, 0, 0);
@@ -622,8 +609,9 @@ EACH(what_is_reached_is_rounded_towards_the_start, 4)
     for (int i = 0; i < 3; i++)
         mag_set_d(arb_radref(s.start + i), 0x1p-5);
     s.prec = 60;
-    ck_assert_int_eq(follow_by(&how, &s, t, 1, NULL, &seconds), FLOW_WIDE);
-    arf_set_d(x, seconds);
+    OWNED(found) r = follow_by(&how, &s, t, 1);
+    ck_assert_int_eq(r.status, FLOW_WIDE);
+    arf_set_d(x, r.reached);
     arf_get_fmpq(reached, x);
     arb_get_ubound_arf(x, s.p.Omega, 128);
     arf_get_fmpq(Omega, x);
@@ -692,15 +680,13 @@ EACH(short_steps_are_given_up_near_the_centre_alone, 3)
     OWNED(pair) s = plain_pair(10, 1);
     const struct flow_steps how = {.step = 0x1p-33};
     SCOPE(fmpq, t);
-    VECTOR(arb, state, FLOW_STATE);
-    struct record record = {state, 0, 0};
-    double reached;
     fmpq_set_si(t, 1, 1L << 30);
     start_at(&s, all[_i].x * R_REF, 0, 0, 0, 0, 0);
     mag_set_d(arb_radref(s.start), all[_i].width * R_REF);
     s.prec = 60;
-    ck_assert_int_eq(follow_by(&how, &s, t, 1, &record, &reached), all[_i].status);
-    ck_assert_int_eq(record.rows, all[_i].status == FLOW_DONE);
+    OWNED(found) r = follow_by(&how, &s, t, 1);
+    ck_assert_int_eq(r.status, all[_i].status);
+    ck_assert_int_eq(r.rows, all[_i].status == FLOW_DONE);
 }
 
 /* Without attraction enough to meet, craft that nearly do are followed through. */
