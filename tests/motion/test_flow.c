@@ -536,6 +536,18 @@ EACH(F9_a_row_is_within_its_step_for_certain, 2)
     assert_holds(vague.states, end.states);
 }
 
+/* Steps of 53 bits, whose sum is no binary64 */
+TEST(F9_a_step_starts_where_the_last_one_ended)
+{
+    OWNED(pair) s = plain_pair(10, 1);
+    const struct flow_steps how = {.step = 0x1.0000000000001p-5}, own = {0};
+    start_at(&s, 4.5, 0.5, -0.25, 0x1p-14, 0, 0);
+    OWNED(found) odd = run_steps(&s, &how, 0x1p-2), other = run_steps(&s, &own, 0x1p-2);
+    ck_assert(odd.rows == ROWS && other.rows == ROWS);
+    for (int k = 0; k < ROWS; k++)
+        assert_overlap(odd.states + k * FLOW_STATE, other.states + k * FLOW_STATE);
+}
+
 /*
  * Of every step that is proved, up to the longest, each of the three bounds is: the path's, the hull's, and that of what they spread.
  * And of q' = q^2, on which no direction of the set depends: there the hull alone, or the path, is what bears no longer step.

@@ -51,7 +51,7 @@ static const double LONGEST = 0.25; /* step, radians: at rest the series propose
 struct piece {
     struct model model[SET_MODELS];
     struct lohner rest; /* its centre is 0                             */
-    double now;         /* radians of orbit, exact                     */
+    arf_t now;          /* radians of orbit, exact                     */
     slong k;            /* rows that hold it                           */
     int split;          /* the unknown that it is to be halved along: -1 for none */
     enum flow_status status; /* FLOW_DONE while all is well            */
@@ -81,6 +81,7 @@ static void piece_init(struct piece *p, const struct model *model)
     }
     lohner_init(&p->rest);
     lohner_from_box(&p->rest, off);
+    arf_init(p->now);
 }
 
 static void piece_clear(struct piece *p)
@@ -88,6 +89,7 @@ static void piece_clear(struct piece *p)
     for (int v = 0; v < SET_MODELS; v++)
         model_clear(&p->model[v]);
     lohner_clear(&p->rest);
+    arf_clear(p->now);
 }
 
 /* The upper half of p, which becomes the lower one; either has all that p is off */
@@ -97,7 +99,7 @@ static void piece_split(struct piece *upper, struct piece *p)
     memcpy(upper->rest.basis, p->rest.basis, sizeof p->rest.basis);
     for (int j = 0; j < FLOW_STATE; j++)
         mag_set(upper->rest.radius + j, p->rest.radius + j);
-    upper->now = p->now;
+    arf_set(upper->now, p->now);
     upper->k = p->k;
     for (int v = 0; v < SET_MODELS; v++) {
         model_halve(&upper->model[v], p->split, 1);
@@ -216,7 +218,7 @@ static bool advance_models(struct follower *f, struct piece *p, double step, mag
         f->end[v].rest = 0; /* it is in the error */
         model_set(&p->model[v], &f->end[v]);
     }
-    p->now += f->direction * step;
+    arf_add(p->now, p->now, arb_midref(h), ARF_PREC_EXACT, ARF_RND_DOWN);
     return expansion_move(&p->rest, nothing, &f->of, h, error);
 }
 
@@ -326,14 +328,12 @@ static void follow_piece(struct work *w, struct follower *f, struct piece *p)
 {
     VECTOR(mag, error, FLOW_STATE);
     SCOPE(arb, s);
-    SCOPE(arf, now);
-    arf_set_d(now, p->now);
     expand_models(f, p);
     const double step = expansion_prove(&f->of, &p->rest, set_step_length(f, p), MOST_SET_HALVINGS);
     find_end(f, error, step);
     if (w->count < w->set->most_pieces && (!(step > 0) || is_loose(f, p)) && (p->split = steepest(p)) >= 0)
         return;
-    for (; p->k < w->limit && time_within(s, w->times + p->k, w->set->Omega, now, step, 2 * BITS); p->k++)
+    for (; p->k < w->limit && time_within(s, w->times + p->k, w->set->Omega, p->now, step, 2 * BITS); p->k++)
         if ((p->status = widen_row(w, f, p, s, step)) != FLOW_DONE)
             return;
     if (!(step > 0 && advance_models(f, p, step, error)))
@@ -366,7 +366,7 @@ static void end_round(struct work *w)
             w->status = p->status;
             w->limit = p->k;
         }
-        w->now = fmin(w->now, fabs(p->now));
+        w->now = fmin(w->now, fabs(arf_get_d(p->now, ARF_RND_DOWN)));
         w->proved = FLINT_MIN(w->proved, p->k);
     }
 }
