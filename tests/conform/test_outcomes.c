@@ -1330,6 +1330,14 @@ TEST(a_motion_that_cannot_be_followed_is_not_judged)
     ck_assert_int_eq(judged("flow_nonlinear", texts, zeros, BINARY64), OUTCOME_SKIPPED);
 }
 
+/* The craft fall past each other, very close: the first bits do not follow them, and more do. */
+TEST(a_motion_is_followed_with_as_many_bits_as_it_takes)
+{
+    static const char *const texts[] = {"1", "1", "1", "1", "2", "0", "0", "3", "0.08", "0", "1", "0", "0", "0"};
+    static const char *const zeros[] = {"0", "0", "0", "0", "0", "0"};
+    ck_assert_int_eq(judged("flow_nonlinear", texts, zeros, BINARY64), OUTCOME_WRONG);
+}
+
 /* What data/golden says of a motion is the truth that an answer is held against, where it has a row of the same inputs. */
 TEST(golden_motions_are_held_against_what_data_has)
 {
