@@ -95,7 +95,8 @@ SOUNDNESS = [
     (r'\bif ⟨·*⟩\s*return\b[^;]*;', lambda word: [';'], 'early return'),
 ]
 COMPARISON = re.compile(r'(?<=\s)[<>]=?(?=\s)')
-COMPARISONS = [(r'(?<=\s)[<>]=?(?=\s)(?!\s+[A-Z_]+\b)', lambda word: OPERATOR[word][:1], 'comparison loosened')]  # capitals: an index
+# Elsewhere than in the head of a loop, and not by which an index is classified; in a list of values; as an argument in a calculation.
+COMPARISONS = [(r'(?<=\s)[<>]=?(?=\s)(?!\s+[A-Z_]+\b)', lambda word: OPERATOR[word][:1], 'comparison loosened')]
 LISTED = [(r'(?:(?<=[^=!<>]= )|(?<== [-{]))[1-9]\d*\b(?!\.)', lambda word: [f'(2 * {word})'], 'constant')]
 FACTORS = [(r'(?<![\w.+-])(?<![+-]\s)(?:\d|1[0-5])\b(?!\.)', constants, 'constant')]  # what is larger are bits
 
