@@ -113,10 +113,24 @@ static const char *right_but(char *const *outputs, int count, int output, const 
     return words;
 }
 
-static void free_all(char **texts, int count)
+/* What is right, each output in so many digits. */
+struct truth {
+    char *of[MOST_OUTPUTS];
+};
+
+static void truth_clear(struct truth *t)
 {
-    for (int i = 0; i < count; i++)
-        free(texts[i]);
+    for (int i = 0; i < MOST_OUTPUTS; i++)
+        free(t->of[i]);
+}
+
+static struct truth truth_at(struct test_run *e, uint64_t position)
+{
+    struct truth t = {{NULL}};
+    TEST_VECTOR(q);
+    test_vector_make(&q, &e->sets, position);
+    ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, t.of), OPERATION_PROVED);
+    return t;
 }
 
 /* The first question from a position on that lies inside the domain, or outside. */
@@ -229,7 +243,8 @@ static void assert_limits(struct test_run *e, uint64_t position)
     const int count = o->section->output_count;
     VECTOR(arb, exact, count);
     VECTOR(arb, S, count);
-    char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
+    OWNED(truth) truth = truth_at(e, position);
+    char **outputs = truth.of, text[40];
     SCOPE(arb, limit, weight);
     const bool roots = o->section->method == METHOD_ROOTS;
     TEST_VECTOR(q);
@@ -238,7 +253,6 @@ static void assert_limits(struct test_run *e, uint64_t position)
     operation_enclose(o, q.inputs, BITS, exact);
     if (!roots)
         raise_to_vectors(S, exact, o, q.inputs);
-    ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
     assert_found(e, position, right_but(outputs, count, -1, ""), OUTCOME_RIGHT);
     for (int i = 0; i < 2 * count; i++) {
         const int k = i / 2, sign = i % 2 ? 1 : -1;
@@ -257,7 +271,6 @@ static void assert_limits(struct test_run *e, uint64_t position)
         snprintf(text, sizeof text, "%.17g", outer);
         assert_found(e, position, right_but(outputs, count, k, text), OUTCOME_WRONG);
     }
-    free_all(outputs, count);
 }
 
 EACH(each_output_passes_up_to_K_and_no_further, sheet()->section_count)
@@ -334,15 +347,6 @@ static enum outcome judged(const char *operation, const char *const *inputs, con
     for (int i = 0; i < k.operation.section->output_count; i++)
         arb_set_d(k.comparator.y + i, strtod(answers[i], NULL));
     return judgement_end(&k);
-}
-
-/* The truth of an operation, in so many digits; to be freed. */
-static void truth_of(char **outputs, const char *operation, const char *const *inputs)
-{
-    struct judgement k;
-    judgement_begin(&k, operation, inputs, BINARY64, 9);
-    ck_assert_int_eq(operation_digits(&k.operation, k.inputs, DIGITS, outputs), OPERATION_PROVED);
-    judgement_end(&k);
 }
 
 /* I = m1 m2 L^2/(m1 + m2) = 192/193, S = 3 I. */
@@ -490,16 +494,13 @@ EACH(eq41roots_are_a_set, 2)
                  {{4, 1, 2, 3, 0, 5, 6, 7}, OUTCOME_WRONG},  {{1, 0, 2, 3, 4, 5, 6, 7}, OUTCOME_WRONG}};
     RUN e = run_of(section_find(sheet(), "eq41roots"), RANDOM, BINARY64);
     const uint64_t p = _i == 0 ? 0 : (uint64_t)e->sets.all[0].golden_count;
-    char *outputs[MOST_OUTPUTS] = {NULL}, *moved[MOST_OUTPUTS];
-    TEST_VECTOR(q);
-    test_vector_make(&q, &e->sets, p);
-    ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
+    OWNED(truth) truth = truth_at(e, p);
+    char *moved[MOST_OUTPUTS];
     for (int k = 0; k < COUNT(cases); k++) {
         for (int i = 0; i < 8; i++)
-            moved[i] = outputs[cases[k].order[i]];
+            moved[i] = truth.of[cases[k].order[i]];
         assert_found(e, p, right_but(moved, 8, -1, ""), cases[k].outcome);
     }
-    free_all(outputs, 8);
 }
 
 /* ---- what passes: digits ---- */
@@ -512,13 +513,12 @@ EACH(a_motion_passes_with_the_digits_due_and_no_fewer, 8)
     const struct section *s = section_find(sheet(), motions[_i % 4]);
     const bool linear = _i % 2 == 0;
     RUN e = run_of(s, 1, BINARY64);
-    struct operation *o = e->comparators[0].operation;
     const uint64_t p = _i < 4 ? test_sets_find(&e->sets, golden[_i]) : (uint64_t)e->sets.all[0].golden_count;
-    char *outputs[MOST_OUTPUTS] = {NULL}, text[40];
+    OWNED(truth) truth = truth_at(e, p);
+    char **outputs = truth.of, text[40];
     double scale = 0, unit[6];
     TEST_VECTOR(q);
     test_vector_make(&q, &e->sets, p);
-    ck_assert_int_eq(operation_digits(o, q.inputs, DIGITS, outputs), OPERATION_PROVED);
     assert_found(e, p, right_but(outputs, 6, -1, ""), OUTCOME_RIGHT);
     ck_assert_double_ge(e->summaries[0].digits, e->comparators[0].digits + 4); /* how much better than declared is seen */
     const struct input *initial = q.inputs + (linear ? 5 : 8);
@@ -537,7 +537,6 @@ EACH(a_motion_passes_with_the_digits_due_and_no_fewer, 8)
         assert_found(e, p, right_but(outputs, 6, k, "1e100"), OUTCOME_WRONG);
         assert_found(e, p, right_but(outputs, 6, k, "-1.7e308"), OUTCOME_WRONG);
     }
-    free_all(outputs, 6);
 }
 
 /*
@@ -589,21 +588,20 @@ EACH(a_motion_that_dies_away_is_judged_by_what_there_was, 4)
 {
     static const char *const texts[] = {"7.2915e-5", "10", "5.316597225e-8", "1.4583e-4", "432000", "0.1", "0", "0", "0", "0", "0"};
     static const char *const off[] = {"0.999e-10", "1.001e-10", "0.999e-31", "1.001e-31"};
-    char *outputs[MOST_OUTPUTS] = {NULL};
+    OWNED(truth) truth = {{NULL}};
     struct judgement k;
     SCOPE(arb, more);
-    truth_of(outputs, "flow_linear", texts);
-    ck_assert_double_lt(fabs(strtod(outputs[0], NULL)), 1e-6);
     judgement_begin(&k, "flow_linear", texts, BINARY128, _i < 2 ? 9 : 30);
+    ck_assert_int_eq(operation_digits(&k.operation, k.inputs, DIGITS, truth.of), OPERATION_PROVED);
+    ck_assert_double_lt(fabs(strtod(truth.of[0], NULL)), 1e-6);
     for (int i = 0; i < 6; i++) {
-        arb_set_str(k.comparator.y + i, outputs[i], BITS);
+        arb_set_str(k.comparator.y + i, truth.of[i], BITS);
         mag_zero(arb_radref(k.comparator.y + i));
     }
     arb_set_str(more, off[_i], BITS);
     arb_add(k.comparator.y, k.comparator.y, more, BITS);
     mag_zero(arb_radref(k.comparator.y));
     ck_assert_int_eq(judgement_end(&k), _i % 2 ? OUTCOME_WRONG : OUTCOME_RIGHT);
-    free_all(outputs, 6);
 }
 
 /* ---- outcomes of a line ---- */
@@ -662,19 +660,14 @@ static void assert_outside(struct test_run *e, uint64_t position)
 EACH(a_line_has_the_outcome_that_it_says, sheet()->section_count)
 {
     const struct section *s = &sheet()->sections[_i];
-    char *outputs[MOST_OUTPUTS] = {NULL};
     if (s->method == METHOD_NONE)
         return;
     RUN e = run_of(s, RANDOM, BINARY64);
     const uint64_t golden = (uint64_t)e->sets.all[0].golden_count;
-    TEST_VECTOR(q);
     for (int random = 0; random < 2; random++) {
         const uint64_t p = question_that(e, random ? golden : 0, true);
-        test_vector_make(&q, &e->sets, p);
-        ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
-        assert_inside(e, p, outputs);
-        free_all(outputs, s->output_count);
-        memset(outputs, 0, sizeof outputs);
+        OWNED(truth) truth = truth_at(e, p);
+        assert_inside(e, p, truth.of);
     }
     assert_found(e, golden, "invalid", OUTCOME_INVALID);
     assert_found(e, golden + RANDOM - 1, "invalid", OUTCOME_INVALID);
@@ -700,7 +693,6 @@ EACH(random_questions_are_those_of_the_seed, sheet()->section_count)
     TEST_VECTOR(q);
     for (uint64_t n = 0; n <= RANDOM; n++) {
         const uint64_t k = n < RANDOM ? n : MANY - 1;
-        char *outputs[MOST_OUTPUTS] = {NULL};
         test_vector_make(&q, &e->sets, golden + k);
         sample(e->comparators[0].operation, 1, k, values, inputs);
         snprintf(id, sizeof id, "%s-1-%d", s->id, (int)k);
@@ -709,9 +701,8 @@ EACH(random_questions_are_those_of_the_seed, sheet()->section_count)
         ck_assert(operation_valid(e->comparators[0].operation, q.inputs));
         if (is_motion(s))
             continue;
-        ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
-        assert_found(e, golden + k, right_but(outputs, s->output_count, -1, ""), OUTCOME_RIGHT);
-        free_all(outputs, s->output_count);
+        OWNED(truth) truth = truth_at(e, golden + k);
+        assert_found(e, golden + k, right_but(truth.of, s->output_count, -1, ""), OUTCOME_RIGHT);
     }
 }
 
@@ -751,15 +742,13 @@ EACH(what_leaves_the_clients_range_is_skipped_and_nothing_else, 4)
     int left = 0;
     TEST_VECTOR(q);
     for (uint64_t p = golden; p < golden + RANDOM; p++) {
-        char *outputs[MOST_OUTPUTS] = {NULL};
+        OWNED(truth) truth = truth_at(e, p);
         test_vector_make(&q, &e->sets, p);
         const bool leaves = vector_leaves_range(e->comparators[0].operation, q.inputs, significand);
-        ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
-        assert_found(e, p, right_but(outputs, s->output_count, -1, ""), leaves ? OUTCOME_SKIPPED : OUTCOME_RIGHT);
+        assert_found(e, p, right_but(truth.of, s->output_count, -1, ""), leaves ? OUTCOME_SKIPPED : OUTCOME_RIGHT);
         e->range = true; /* on request it is judged */
-        assert_found(e, p, right_but(outputs, s->output_count, -1, ""), OUTCOME_RIGHT);
+        assert_found(e, p, right_but(truth.of, s->output_count, -1, ""), OUTCOME_RIGHT);
         e->range = false;
-        free_all(outputs, s->output_count);
         left += leaves;
     }
     ck_assert((left > 0) == (_i == 1)); /* R_c^5 of eq37 */
@@ -928,13 +917,10 @@ TEST(questions_are_sent_where_the_longest_has_room)
 TEST(an_answer_is_the_nearest_binary64)
 {
     RUN e = eq43();
-    char *outputs[MOST_OUTPUTS] = {NULL};
-    TEST_VECTOR(q);
-    test_vector_make(&q, &e->sets, test_sets_find(&e->sets, "eq43-random-2"));
-    ck_assert_int_eq(operation_digits(e->comparators[0].operation, q.inputs, DIGITS, outputs), OPERATION_PROVED);
-    answer(e, test_sets_find(&e->sets, "eq43-random-2"), outputs[0]);
+    const uint64_t position = test_sets_find(&e->sets, "eq43-random-2");
+    OWNED(truth) truth = truth_at(e, position);
+    answer(e, position, truth.of[0]);
     ck_assert_double_gt(e->summaries[0].worst_E, 1e-3);
-    free_all(outputs, 1);
 }
 
 TEST(an_answer_is_due_once_its_question_is_sent)
