@@ -1,6 +1,6 @@
 /*
- * The law (18) acting on a sample, or late: how long it may be held, how late it may act, before the linear model
- * (17), (40) no longer comes to rest. Units: radians of orbit, L_ref; c1 = C1/Omega^2 > 9, c2 = C2/Omega > 0.
+ * The law (18) acting on a sample: how long it may be held before the linear model (17), (40) no longer comes to rest;
+ * and the nonlinear motion. Units: radians of orbit, L_ref; c1 = C1/Omega^2 > 9, c2 = C2/Omega > 0.
  *
  * Held for T, the state goes from one sample to the next by a matrix with four eigenvalues z, its multipliers. By
  * z = (1 + T v/2)/(1 - T v/2) the unit disk is the left half plane of v, and their polynomial one of v with
@@ -8,8 +8,9 @@
  * (z = -1) or r_1 r_2 r_3 = r_0 r_3^2 + r_4 r_1^2 (a pair, by Orlando's formula), and from T = 0 to the first such T all
  * lie inside. Without the law the model has the roots +-a, +-i b, a^2 = 2 sqrt(7) + 1, b^2 = 2 sqrt(7) - 1.
  *
- * The terms of this, with a test named for each in tests/claims/test_sampling.c: (H1) before the limit nothing is met, (H2) at it a
- * multiplier leaves the disk, (H3) for all gains of the balls, or the limit is open; (D1) to (D3) of a delay in their place.
+ * The terms of this, with a test named for each in tests/claims/test_sampling.c: (H1) before the limit nothing is met,
+ * (H2) at it a multiplier leaves the disk, (H3) for all gains of the balls, or the limit is open; (D1) to (D3) of a delay
+ * (guarantee.c) in their place.
  */
 #ifndef CT_SAMPLING_H
 #define CT_SAMPLING_H
