@@ -56,19 +56,21 @@ static enum difference compare_prints(struct verdict_row *row, const struct sect
 {
     char *right[MOST_OUTPUTS] = {NULL}, *printed[MOST_OUTPUTS] = {NULL};
     enum difference difference = NONE;
-    const bool inside = values(right, s, false, replaced), prints = values(printed, s, true, replaced);
+    const bool inside = values(right, s, false, replaced);
+    if (values(printed, s, true, replaced))
+        for (int i = 0; i < s->output_count; i++)
+            if (!inside || strcmp(right[i], printed[i]) != 0) {
+                add_words(row, difference == NONE ? "; %s:" : ",", name);
+                add_words(row, " $%s$ = ", s->outputs[i]->name);
+                if (inside)
+                    write_decimal(&row->evidence, right[i], NULL);
+                else
+                    add_words(row, "none");
+                add_words(row, ", as printed ");
+                write_decimal(&row->evidence, printed[i], NULL);
+                difference = inside ? INSIDE : OUTSIDE;
+            }
     for (int i = 0; i < s->output_count; i++) {
-        if (prints && (!inside || strcmp(right[i], printed[i]) != 0)) {
-            add_words(row, difference == NONE ? "; %s:" : ",", name);
-            add_words(row, " $%s$ = ", s->outputs[i]->name);
-            if (inside)
-                write_decimal(&row->evidence, right[i], NULL);
-            else
-                add_words(row, "none");
-            add_words(row, ", as printed ");
-            write_decimal(&row->evidence, printed[i], NULL);
-            difference = inside ? INSIDE : OUTSIDE;
-        }
         free(right[i]);
         free(printed[i]);
     }
