@@ -47,19 +47,19 @@ static int run_into(const struct arguments *a, const char *name)
 }
 
 /* Of the sheet, once the line asks for nothing that cannot be. */
-static int run_on(const struct sources *sources, struct arguments *a, bool help)
+static int run_on(const struct sources *sources, struct arguments a, bool help)
 {
     struct paper paper;
     struct message why;
-    const char *file = option_value(a, "-o");
+    const char *file = option_value(&a, "-o");
     int status = EXIT_DONE;
     if (paper_open(&paper, sources, &why) != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-    a->paper = &paper;
+    a.paper = &paper;
     if (help)
-        help_print(&paper.sheet, a->subcommand);
+        help_print(&paper.sheet, a.subcommand);
     else /* with a client or answers of one it names the report, which has a form of its own */
-        status = file == NULL || a->client != NULL || option_given(a, "--answers") ? a->subcommand->run(a) : run_into(a, file);
+        status = file == NULL || a.client != NULL || option_given(&a, "--answers") ? a.subcommand->run(&a) : run_into(&a, file);
     paper_close(&paper);
     return status;
 }
@@ -80,7 +80,7 @@ static int run_subcommand(const struct sources *sources, int count, char **texts
         help = help || asks_help(texts[i]);
     int status = help ? EXIT_DONE : arguments_read(&a, count - 2, texts + 2);
     if (status == EXIT_DONE)
-        status = run_on(sources, &a, help);
+        status = run_on(sources, a, help);
     arguments_clear(&a);
     return status == REPORTED_CHECK ? EXIT_FAILED_CHECK : status;
 }
