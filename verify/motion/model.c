@@ -42,14 +42,6 @@ static void *zeros(int count, size_t size)
 
 /* ---- monomials ---- */
 
-int space_degree(const struct space *s, int monomial)
-{
-    int d = 0;
-    while (s->first[d + 1] <= monomial)
-        d++;
-    return d;
-}
-
 /* The monomial of that degree with those exponents: each degree's stand from e_1^d down */
 static int find_monomial(const struct space *s, int degree, const unsigned char *exponent)
 {
@@ -93,13 +85,15 @@ void space_init(struct space *s, int variables, int degree)
         next_degree(s, d);
     s->product = zeros(s->size, sizeof *s->product);
     unsigned char *sum = zeros(n + 1, 1);
-    for (int a = 0; a < s->size; a++) {
-        const int most = s->first[s->degree - space_degree(s, a) + 1];
+    for (int a = 0, degree_a = 0; a < s->size; a++) {
+        degree_a += a == s->first[degree_a + 1];
+        const int most = s->first[s->degree - degree_a + 1];
         s->product[a] = zeros(most, sizeof **s->product);
-        for (int b = 0; b < most; b++) {
+        for (int b = 0, degree_b = 0; b < most; b++) {
+            degree_b += b == s->first[degree_b + 1];
             for (int i = 0; i < n; i++)
                 sum[i] = s->exponent[a * n + i] + s->exponent[b * n + i];
-            s->product[a][b] = find_monomial(s, space_degree(s, a) + space_degree(s, b), sum);
+            s->product[a][b] = find_monomial(s, degree_a + degree_b, sum);
         }
     }
     free(sum);

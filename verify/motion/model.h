@@ -21,7 +21,6 @@ struct space {
 
 void space_init(struct space *s, int variables, int degree);
 void space_clear(struct space *s);
-int space_degree(const struct space *s, int monomial);
 
 /* { sum c_b b + d : |d| <= rest }; norm[k] is the sum of the |c_b| of degree k, rounded */
 struct model {
