@@ -42,7 +42,7 @@ int sign_of_ball(const arb_t z)
     return arb_is_positive(z) ? 1 : arb_is_negative(z) ? -1 : 0;
 }
 
-slong isolate_roots(arb_t first, arb_calc_func_t f, void *of, const arb_t low, const arb_t high, slong most, slong prec)
+slong roots_between(arb_t first, arb_calc_func_t f, void *of, const arb_t low, const arb_t high, slong most, slong prec)
 {
     enum { DEEPEST = 60, EVALUATIONS = 20000 };
     arf_interval_t all;

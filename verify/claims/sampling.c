@@ -84,7 +84,7 @@ void largest_hold(arb_t limit, const struct derivations *steps, const arb_t c1, 
     SCOPE(arb, none, longest);
     held_law_init(&law, steps, c1, c2, prec);
     arb_set_ui(longest, LONGEST);
-    isolate_roots(limit, circle_met, &law, none, longest, 1, prec);
+    roots_between(limit, circle_met, &law, none, longest, 1, prec);
     if (arb_is_finite(limit))
         narrow_root(limit, circle_met, &law, prec);
     held_law_clear(&law);

@@ -5,7 +5,7 @@
  * the rows of tests/claims/test_statement.c that name them, and by those of narrow_root (curve.c):
  *   (I1) a sign is that of the exact number, or of a ball without 0                                (sign_at)
  *   (I2) between bounds it is the same on parts that leave nothing out, the bounds' radii included (sign_between)
- *   (I3) a root is the only one: all other parts have a sign, its own a slope; bounds as before (isolate_roots, curve.c)
+ *   (I3) a root is the only one: all other parts have a sign, its own a slope; bounds as before (roots_between, curve.c)
  *   (I4) a count is of different roots above low, by Sturm's chain of the square-free part         (roots_beyond)
  *   (I5) a rank is that of all rates by all states, and by the control                             (rank_found)
  *   (I6) of several values, conditions, citations each has to be so                                (truth_both)
@@ -101,7 +101,7 @@ slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slon
     const bool bounded = bounds_enclose(low, high, a, &b);
     b.bits = 2 * bits;
     graph_init(&g, &a->formula, a->variable, &b);
-    const slong count = bounded ? isolate_roots(one, curve_series, &g.curve, low, high, ROOTS, PROVING_BITS) : -1;
+    const slong count = bounded ? roots_between(one, curve_series, &g.curve, low, high, ROOTS, PROVING_BITS) : -1;
     arb_indeterminate(z);
     if (count == 1) {
         narrow_root(one, curve_series, &g.curve, 2 * bits);
