@@ -7,9 +7,7 @@
 #include "tests/paper.h"
 #include "claims/convergence.h"
 #include "claims/second_order.h"
-#include "claims/claim.h"
 #include "motion/two_body.h"
-#include "proof/derivation.h"
 
 enum { PREC = 192 };
 

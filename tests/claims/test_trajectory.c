@@ -14,7 +14,6 @@
 #include "tests/claims/balls.h"
 #include "tests/run.h"
 #include "tests/paper.h"
-#include "sheet/sheet.h"
 
 /* ---- trajectories ---- */
 
