@@ -280,6 +280,20 @@ TEST(charges_end_within_a_millionth_of_a_step)
     ck_assert_double_eq_tol(after - before, 1e-4, 1.5e-6); /* nine digits of each are told */
 }
 
+/* Omega = 1, dL = -3 L_ref/n: Q_ref + dQ is 0, exactly, and that is not below 0. */
+TEST(charges_of_no_product_are_none)
+{
+    ASKED(a, .nonlinear = true, .charges = true, .digits = 6);
+    for (int i = SET_m1; i <= SET_dL_dot; i++)
+        give(&a.s, (enum scenario_name)i, i < SET_psi && i != SET_C2, 1);
+    give(&a.s, SET_L_ref, 10, 1);
+    give(&a.s, SET_C1, 10, 1);
+    give(&a.s, SET_dL, -3, 1);
+    ck_assert_int_eq(ask(&a, 1, 0), -1);
+    ck_assert_msg(strstr(a.why.text, "Q_ref + dQ >= 0 at t = 0 s") != NULL, "%s", a.why.text);
+    ck_assert_int_eq(a.rows.count, 0);
+}
+
 /* Kepler's fall: the craft meet after 0.58 radians, and nothing is said of what follows. */
 TEST(a_motion_that_is_not_followed_to_its_end_is_no_success)
 {
