@@ -67,13 +67,25 @@ static arb_srcptr held_law_at(struct held_law *l, const arb_t T, int node, slong
     return machine_value(&l->machine, node);
 }
 
-/* For arb_calc: the value and the derivative. */
+/*
+ * For arb_calc: the value, by itself and by the mean value theorem, where there is a derivative; and the derivative. Of strong gains
+ * the value by itself is too wide to isolate anything.
+ */
 static int circle_met(arb_ptr out, const arb_t T, void *law, slong order, slong prec)
 {
     struct held_law *l = law;
+    SCOPE(arb, middle, slope, away);
     arb_set(out, held_law_at(l, T, l->met, prec));
+    arb_mul_2exp_si(slope, held_law_at(l, T, l->slope, prec), -1);
     if (order > 1)
-        arb_mul_2exp_si(out + 1, held_law_at(l, T, l->slope, prec), -1);
+        arb_set(out + 1, slope);
+    if (arb_is_finite(slope)) {
+        arb_get_mid_arb(middle, T);
+        arb_sub(away, T, middle, prec);
+        arb_mul(slope, slope, away, prec);
+        arb_add(slope, slope, held_law_at(l, middle, l->met, prec), prec);
+        arb_intersection(out, out, slope, prec);
+    }
     return 0;
 }
 
