@@ -189,6 +189,10 @@ TEST(H3_what_few_bits_do_not_prove_stays_open)
     mag_set_ui(arb_radref(c1), 1);
     largest(longest, "hold", c1, c2, BITS);
     ck_assert(!arb_is_finite(longest));
+    arb_set_ui(c1, 100000); /* of gains as strong as these it is found all the same */
+    arb_set_ui(c2, 632);
+    largest(longest, "hold", c1, c2, BITS);
+    ck_assert_int_ge(arb_rel_accuracy_bits(longest), BITS / 2);
 }
 
 /* ---- motions: x y z and rates, in radians of orbit and units of the arm ---- */
