@@ -108,8 +108,14 @@ TEST(parameters_are_the_exact_values_in_balls)
     ck_assert(mag_cmp_2exp_si(arb_radref(p.C1), 0) < 0); /* known at all */
     give(&s, SET_C1, 1, 7);
     give(&s, SET_C2, 2, 7);
-    scenario_parameters(&p, &s, BITS);
-    ck_assert(arb_contains_fmpq(p.C1, &s.value[SET_C1].value) && arb_contains_fmpq(p.C2, &s.value[SET_C2].value));
+    for (int given = 1; given < 4; given++) { /* one of them, the other by n, or both */
+        s.given[SET_C1] = given & 1;
+        s.given[SET_C2] = given & 2;
+        scenario_parameters(&p, &s, BITS);
+        arb_sqr(square, p.C2, 64);
+        ck_assert(arb_contains_fmpq(p.C1, given & 1 ? &s.value[SET_C1].value : exact));
+        ck_assert(given & 2 ? arb_contains_fmpq(p.C2, &s.value[SET_C2].value) : arb_contains_fmpq(square, half));
+    }
 }
 
 /* Of either model, by either kind of start: each number at its own place, in its ball */
