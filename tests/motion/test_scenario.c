@@ -78,6 +78,15 @@ TEST(a_box_is_refused_where_some_of_it_is_outside)
     ck_assert(!scenario_valid(&s, true, &why) && strstr(why.text, "box") == NULL);
     fmpq_one(s.radius + SET_z1_dot);
     ck_assert(!scenario_valid(&s, true, &why) && strstr(why.text, "in all of the box") != NULL);
+    give(&s, SET_m1, 1, 1);
+    fmpq_one(s.radius + SET_m1); /* a mass, and a place, within 1 of 1 may be 0 */
+    ck_assert(!scenario_valid(&s, true, &why));
+    fmpq_zero(s.radius + SET_m1);
+    for (int i = SET_x1; i <= SET_z1; i++)
+        give(&s, (enum scenario_name)i, i == SET_x1, 1);
+    ck_assert(scenario_valid(&s, true, &why));
+    fmpq_one(s.radius + SET_x1);
+    ck_assert(!scenario_valid(&s, true, &why));
 }
 
 /* ---- what is derived ---- */
