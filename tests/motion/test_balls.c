@@ -102,7 +102,8 @@ static const struct {
     {"B1 to B3", pair_in_the_inverse_square_field, 18, 12,
      {0.5, 0.125, 0.125, 0.5, 0.5, -0.875, 0.5, 0.25, 0.75, -0.75, -0.5, 0.0625, -0.0625, 0.125, 0.03125, -0.0625, -0.125, 0.1875}},
     {"R1 to R3", steps_of_the_method, 13, 6, {1, 2, 10, 8, 1, 1, 1, 1, 0.5, 0.25, 0.5, -0.25, 0.125}},
-    {"R1 to R3", steps_of_the_method, 13, 6, {0x1p-4, 2, 2, 0x1p-7, 1, 1, 1, 0.75, 0.5, 0.4375, 0, 0, 0}}, /* r near 1, where c1 (r - 1) alone varies */
+    /* r near 1, where c1 (r - 1) alone varies */
+    {"R1 to R3", steps_of_the_method, 13, 6, {0x1p-4, 2, 2, 0x1p-7, 1, 1, 1, 0.75, 0.5, 0.4375, 0, 0, 0}},
     {"R1 to R3", steps_of_the_method, 13, 6, {1, 2, 0.125, 0.125, 1, 1, 1, 0.25, 0.25, 0.125, 0.5, -0.25, 0.125}},
     {"R1 to R3", steps_of_the_method, 13, 6, {4, 25, 512, 16, 1, 3, 2, 0.5, 0.25, 100, 0.5, -0.25, 400}},
     {"R1 to R3, linear", steps_of_the_linear_method, 10, 6, {8, 2, 640, 16, 0.5, 0.25, 0.125, 4, -2, 1}},

@@ -371,7 +371,8 @@ static void assert_rows_hold(const struct found *wide, const struct pair *one, d
     ck_assert_int_eq(wide->rows, ROWS);
     ck_assert_int_eq(truth.rows, ROWS);
     for (slong i = 0; i < ROWS * FLOW_STATE; i++)
-        ck_assert_msg(arb_contains(wide->states + i, truth.states + i), "%s: row %d, coordinate %d", term, (int)i / FLOW_STATE, (int)i % FLOW_STATE);
+        ck_assert_msg(arb_contains(wide->states + i, truth.states + i), "%s: row %d, coordinate %d", term, (int)i / FLOW_STATE,
+                      (int)i % FLOW_STATE);
 }
 
 enum { UNKNOWN = FLOW_STATE + 4 }; /* the state, c1, c2, and the relative widths of L_ref and m1 */
