@@ -443,6 +443,17 @@ EACH(the_normal_range_is_that_of_the_format, 12)
     ck_assert_msg(leaves == edges[_i].leaves, "%s", edges[_i].Omega);
 }
 
+/* Of quadruple precision the least is 2^-16382, which no power of binary64 reaches: exp(-11355) in (2) is 2^-16381.8, exp(-11355.5) 2^-16382.5. */
+EACH(the_normal_range_of_quadruple_precision_is_its_own, 2)
+{
+    double values[MOST_INPUTS] = {1, 1e10, 1, 1, 1e9, 0, 0, 0, 0, 0, 0, 1, 1e9, _i == 0 ? 11355 : 11355.5, 0, 0, 0, 0, 0, 1, 0, 5000};
+    const struct section *s = section_find(sheet(), "eq02");
+    INPUTS(inputs);
+    OPERATION(o, s);
+    ck_assert(inputs_of_values(s, values, inputs) && operation_valid(&o, inputs));
+    ck_assert_int_eq(vector_leaves_range(&o, inputs, BINARY128), _i);
+}
+
 /* ---- golden files ---- */
 
 /* The next line has that id, those inputs as they are written, and ends with those flags. Nothing is computed. */
