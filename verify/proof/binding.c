@@ -76,11 +76,6 @@ int entry_parts(const struct derivations *d, const char *entry, struct entry_par
     return count;
 }
 
-bool same_part(const struct entry_part *a, const struct entry_part *b)
-{
-    return a->formulas == b->formulas && a->node == b->node;
-}
-
 bool entry_concerns(const struct derivations *d, const char *entry, const struct use *u)
 {
     struct entry_part parts[MOST_PARTS];

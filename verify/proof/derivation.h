@@ -103,8 +103,6 @@ const char *output_equation(const struct section *s, int output, bool *alone);
 enum { MOST_PARTS = 64 };
 int entry_parts(const struct derivations *d, const char *entry, struct entry_part *parts);
 
-bool same_part(const struct entry_part *a, const struct entry_part *b);
-
 /* Whether the entry stands for what a formula takes of the sheet, or for something that rests on it. */
 bool entry_concerns(const struct derivations *d, const char *entry, const struct use *u);
 

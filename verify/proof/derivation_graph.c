@@ -16,7 +16,7 @@ static bool is_reached(const struct derivations *d, struct ground *g, int count,
     bool all = true;
     for (int i = 0; i < count; i++)
         for (int k = 0; k < most; k++)
-            if (same_part(&g[i].part, &parts[k])) {
+            if (g[i].part.formulas == parts[k].formulas && g[i].part.node == parts[k].node) {
                 all = all && g[i].reached;
                 g[i].reached = g[i].reached || from_now_on;
             }

@@ -189,7 +189,7 @@ bool is_text(const struct yaml *n, const char *expected)
     return n->text != NULL || node_error(n, 0, "expected %s", expected);
 }
 
-bool is_sequence(const struct yaml *n)
+static bool is_sequence(const struct yaml *n)
 {
     return (n->text == NULL && !n->mapping) || node_error(n, 0, "expected a list");
 }

@@ -47,7 +47,6 @@ bool node_message(struct message *m, const struct yaml *at, size_t offset, const
 #define node_error(at, ...) node_message((at)->tree->why, at, __VA_ARGS__)
 
 bool is_map(const struct yaml *n);
-bool is_sequence(const struct yaml *n);
 bool is_text(const struct yaml *n, const char *expected);
 
 /* Texts alone, `most` at most. */
