@@ -189,6 +189,7 @@ static const struct {
     {"    show: [positive(L) = 1, positive(-L) = 0, positive(L - L) = 0, positive(x1^2 + 1) = 1, positive(-x1^2) = 0]", IDENTITY_HOLDS, ""},
     {"    show: [positive(I) = 1]", IDENTITY_UNDECIDED, "positive(I) = 1: no value"},
     {"    show: [positive(x1) = 0]", IDENTITY_UNDECIDED, "positive(x1) = 0: no value"},
+    {"    show: [positive(L - m1) = 0]", IDENTITY_UNDECIDED, "positive(L - m1) = 0: no value"}, /* of either sign */
     {"    quarter turns: [psi]\n    square roots: [cos(psi)]\n    show: [sqrt(cos(psi)^2) = cos(psi)]", IDENTITY_HOLDS, ""},
     {"    small: [theta]\n    order: 1\n    show: [theta*theta = 2*theta*theta]",
      IDENTITY_UNDECIDED, "theta*theta = 2*theta*theta: both sides vanish to this order: nothing is shown"},
