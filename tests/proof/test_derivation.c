@@ -186,6 +186,7 @@ static const struct {
     {"    show: [positive(1/(L - L)) = 0]", IDENTITY_UNDECIDED, "positive(1/(L - L)) = 0: no value"},
     {"    angles: [psi, theta]\n    show: [positive(psi + theta) = 0]", IDENTITY_UNDECIDED, "positive(psi + theta) = 0: no value"},
     {"    angles: [psi, theta]\n    square roots: [psi + theta]\n    show: [psi + theta = psi]", IDENTITY_UNDECIDED, "square root psi + theta is not proved"},
+    {"    angles: [psi]\n    square roots: [psi + L]\n    show: [sqrt(L^2) = L]", IDENTITY_UNDECIDED, "square root psi + L is not proved"},
     {"    show: [positive(L) = 1, positive(-L) = 0, positive(L - L) = 0, positive(x1^2 + 1) = 1, positive(-x1^2) = 0]", IDENTITY_HOLDS, ""},
     {"    show: [positive(I) = 1]", IDENTITY_UNDECIDED, "positive(I) = 1: no value"},
     {"    show: [positive(x1) = 0]", IDENTITY_UNDECIDED, "positive(x1) = 0: no value"},
