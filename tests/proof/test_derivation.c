@@ -172,8 +172,8 @@ static const struct {
     {"    angles: [psi]\n    small: [dL]\n    order: 1\n    square roots: [L]\n"
      "    show: [\"cos(atan2(L*sin(psi) + dL, L*cos(psi))) = cos(psi)\"]",
      IDENTITY_UNDECIDED, "cos(atan2(L*sin(psi) + dL, L*cos(psi))) = cos(psi): no value, a value that is no rational series"},
-    {"    angles: [L]\n    square roots: [sin(L)/(1 + cos(L))]\n    show: [sqrt((sin(L)/(1 + cos(L)))^2) = sin(L)/(1 + cos(L))]", /* a tangent, of any sign */
-     IDENTITY_UNDECIDED, "square root sin(L)/(1 + cos(L)) is not proved to be positive"},
+    {"    angles: [L]\n    square roots: [1 + sin(L)/(1 + cos(L))]\n    show: [sqrt((1 + sin(L)/(1 + cos(L)))^2) = 1 + sin(L)/(1 + cos(L))]", /* a tangent has any sign */
+     IDENTITY_UNDECIDED, "square root 1 + sin(L)/(1 + cos(L)) is not proved to be positive"},
     {"    show: [0 = 1/(L - L)]", IDENTITY_UNDECIDED, "0 = 1/(L - L): no value, division by what is zero at epsilon = 0"},
     /* positive() jumps where a small quantity starts from */
     {"    positive: [k]\n    small: [k]\n    order: 1\n    show: [positive(k) = 0]",
