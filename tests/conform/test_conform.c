@@ -406,6 +406,9 @@ static const struct oracle_run written[] = {
     {WRITES("r.json", "--only eq38,eq07", "FAULTY wrong-id"), 1, "\"lines\": [{\"count\": 68, \"first\": 11, \"outcome\": \"wrong id\", "},
     {WRITES("r.json", "--only eq38,eq07", "FAULTY exit-3"), 1, "\"ended\": \"ended with exit status 3 after 78 of 78 answers\""},
     {WRITES("r.json", "--only eq38", "FAULTY too-long"), 1, "\"lines\": [{\"count\": 1, \"first\": 11, \"outcome\": \"too long\", "},
+    /* what a client that has left was never asked is missing too */
+    {"--only eq43 --random 5000 --seed 1 --report \"$CT_BUILD/tests/r.json\" -- true >/dev/null; grep -o '\"missing\": [0-9]*' \"$CT_BUILD/tests/r.json\"", 0,
+     "\"missing\": 5344\n"},
     {WRITES("r.json", "--only eq38", "FAULTY crash"), 1, "\"outcomes\": {\"missing\": 16, \"crash\": 1}"},
     {WRITES("r.json", "--only eq37", "FAULTY cross"), 0, "\"E\": \"2.2e-01\", \"strict_E\": \"inf\"|, \"L_G3\": \"1.7316332501930193480e-09\"}, "},
     {WRITES("r.json", "--only eq38", COMPLAINS("echo \"a <word>\"", "none")), 0, "\"errors\": \"a <word>\\n\""},

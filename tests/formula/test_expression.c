@@ -487,6 +487,19 @@ EACH(ball_of_a_special_argument_is_the_function_there, COUNT(special))
     ck_assert_double_eq(mpfr_get_d(result_of(&rounded), MPFR_RNDN), special[_i].value);
 }
 
+/* Where x has either sign, and y is 0 exactly, the angle of (x, y) is 0 or pi. */
+TEST(ball_of_an_angle_has_both_sides_of_its_jump)
+{
+    OWNED(running) r;
+    SCOPE(arb, pi);
+    open_running(&r, "atan2(y, x)", &arithmetic_ball, 64);
+    arb_set_d(machine_value(&r.m, 0), 0.25);
+    mag_set_d(arb_radref((arb_ptr)machine_value(&r.m, 0)), 0.75);
+    arb_srcptr angle = result_of(&r);
+    arb_const_pi(pi, 300);
+    ck_assert(arb_contains_si(angle, 0) && arb_contains(angle, pi));
+}
+
 /* Its jump apart, positive() has slope 0; so has x^0, at 0 too. And the normal forms have no logarithm. */
 EACH(slopes_by_x_in_balls, 4)
 {
