@@ -42,16 +42,16 @@ int sign_of_ball(const arb_t z)
     return arb_is_positive(z) ? 1 : arb_is_negative(z) ? -1 : 0;
 }
 
-slong roots_between(arb_t first, arb_calc_func_t f, void *of, const arb_t low, const arb_t high, slong most, slong prec)
+slong roots_between(arb_t first, arb_calc_func_t f, void *of, const arb_t low, const arb_t high, slong most, slong evaluations, slong prec)
 {
-    enum { DEEPEST = 60, EVALUATIONS = 20000 };
+    enum { DEEPEST = 60 };
     arf_interval_t all;
     arf_interval_ptr blocks;
     int *flags;
     arf_interval_init(all);
     arb_get_lbound_arf(&all->a, low, prec);
     arb_get_ubound_arf(&all->b, high, prec);
-    const slong found = arb_calc_isolate_roots(&blocks, &flags, f, of, all, DEEPEST, EVALUATIONS, most, prec);
+    const slong found = arb_calc_isolate_roots(&blocks, &flags, f, of, all, DEEPEST, evaluations, most, prec);
     slong count = found;
     arb_indeterminate(first);
     for (slong i = 0; i < found; i++) {

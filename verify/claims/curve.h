@@ -22,10 +22,10 @@ int curve_series(arb_ptr out, const arb_t x, void *curve, slong order, slong pre
 int sign_of_ball(const arb_t z);
 
 /*
- * The number of roots between low and high, as far as `most`; -1 where that stays open. `first` holds the first of them alone, or is
- * indeterminate where what lies before is not known.
+ * The number of roots between low and high, as far as `most`; -1 where so many evaluations leave that open. `first` holds the first of
+ * them alone, or is indeterminate where what lies before is not known.
  */
-slong roots_between(arb_t first, arb_calc_func_t f, void *of, const arb_t low, const arb_t high, slong most, slong prec);
+slong roots_between(arb_t first, arb_calc_func_t f, void *of, const arb_t low, const arb_t high, slong most, slong evaluations, slong prec);
 
 /*
  * Narrows an interval that holds one root, at whose lower end f has a certain sign and none further on up to the root, as far

@@ -91,12 +91,12 @@ static int circle_met(arb_ptr out, const arb_t T, void *law, slong order, slong 
 
 void largest_hold(arb_t limit, const struct derivations *steps, const arb_t c1, const arb_t c2, slong prec)
 {
-    enum { LONGEST = 3 }; /* below 2 pi/b, where z = 1 is met */
+    enum { LONGEST = 3, EVALUATIONS = 2000 }; /* below 2 pi/b, where z = 1 is met */
     struct held_law law;
     SCOPE(arb, none, longest);
     held_law_init(&law, steps, c1, c2, prec);
     arb_set_ui(longest, LONGEST);
-    roots_between(limit, circle_met, &law, none, longest, 1, prec);
+    roots_between(limit, circle_met, &law, none, longest, 1, EVALUATIONS, prec);
     if (arb_is_finite(limit))
         narrow_root(limit, circle_met, &law, prec);
     held_law_clear(&law);

@@ -19,6 +19,7 @@
 #include "text/scope.h"
 
 enum { PROVING_BITS = 128, MOST_PROVING_BITS = 1024, DEEPEST_BISECTION = 16, ROOTS = 10 };
+enum { EVALUATIONS = 20000 };
 
 static struct bindings bindings_of(struct statements *all, struct statement *s, struct assertion *a)
 {
@@ -101,7 +102,7 @@ slong root_enclose(arb_t z, struct assertion *a, const struct bindings *of, slon
     const bool bounded = bounds_enclose(low, high, a, &b);
     b.bits = 2 * bits;
     graph_init(&g, &a->formula, a->variable, &b);
-    const slong count = bounded ? roots_between(one, curve_series, &g.curve, low, high, ROOTS, PROVING_BITS) : -1;
+    const slong count = bounded ? roots_between(one, curve_series, &g.curve, low, high, ROOTS, EVALUATIONS, PROVING_BITS) : -1;
     arb_indeterminate(z);
     if (count == 1) {
         narrow_root(one, curve_series, &g.curve, 2 * bits);
