@@ -156,7 +156,7 @@ static bool read_step(struct derivations *d, const struct yaml *n)
         return false;
     scope.given = printed;
     scope.shared = n;
-    return !s->differs || (fields_read(printed, variant_fields, s) && read_identities(&s->printed, &scope));
+    return printed == NULL || (fields_read(printed, variant_fields, s) && read_identities(&s->printed, &scope));
 }
 
 struct written_derivations {
