@@ -61,7 +61,6 @@ static void map_init(struct map *m, double radius)
     arb_mat_init(m->derivative, N, N);
     m->error = _mag_vec_init(N);
 }
-#define MAP(m, radius) OWNED(map) m; map_init(&m, radius)
 
 static void map_clear(struct map *m)
 {
@@ -149,7 +148,8 @@ static const double ROUNDED = 1 + 0x1p-20; /* mag_t has thirty bits, of which su
 
 EACH(L1_every_direction_moves, MAPS)
 {
-    MAP(m, 0.3);
+    OWNED(map) m;
+    map_init(&m, 0.3);
     turn(m.derivative, _i);
     for (int i = 0; i < N; i++) /* sheared too */
         arb_mul_2exp_si(arb_mat_entry(m.derivative, i, _i % N), arb_mat_entry(m.derivative, i, _i % N), 3);
@@ -160,7 +160,8 @@ EACH(L1_every_direction_moves, MAPS)
 RANGE(L1_the_part_of_every_unknown_moves, 1, 12)
 {
     arb_mat_struct part[12];
-    MAP(m, 0);
+    OWNED(map) m;
+    map_init(&m, 0);
     for (int i = 0; i <= _i; i++) {
         arb_mat_init(part + i, N, N);
         if (i == 0 || i == _i)
@@ -178,7 +179,8 @@ RANGE(L1_the_part_of_every_unknown_moves, 1, 12)
 /* A diagonal map leaves the axes: the inverse is exact, the product is rounded to a few bits. */
 EACH(L2_the_product_is_rounded, MAPS)
 {
-    MAP(m, 1);
+    OWNED(map) m;
+    map_init(&m, 1);
     for (int i = 0; i < N; i++)
         arb_set_d(arb_mat_entry(m.derivative, i, i), 1 + 0.4 * fabs(scattered(_i * N + i)));
     ck_assert(move_and_compare(&m, 3, 1.5));
@@ -187,7 +189,8 @@ EACH(L2_the_product_is_rounded, MAPS)
 /* The derivative is a ball, as wide as it is large. */
 EACH(L2_the_derivative_is_a_ball, MAPS)
 {
-    MAP(m, 1);
+    OWNED(map) m;
+    map_init(&m, 1);
     turn(m.derivative, _i);
     for (int i = 0; i < N; i++)
         for (int j = 0; j < N; j++)
@@ -198,7 +201,8 @@ EACH(L2_the_derivative_is_a_ball, MAPS)
 /* From a point: all there is comes from the image's radius, or from the error. */
 static void assert_loose(int number, bool error, slong prec, double at_most)
 {
-    MAP(m, 0.25); /* which decides the basis; then it is a point */
+    OWNED(map) m;
+    map_init(&m, 0.25); /* which decides the basis; then it is a point */
     turn(m.derivative, number);
     for (int i = 0; i < N; i++) {
         arb_set_d(m.image + i, scattered(i));
@@ -223,7 +227,8 @@ EACH(L4_the_map_has_an_error, MAPS)
 /* Along the axes nothing else is rounded than their sum, whose last bits a mag_t cannot hold. */
 EACH(L3_L4_radius_and_error_add_up, MAPS)
 {
-    MAP(m, 0);
+    OWNED(map) m;
+    map_init(&m, 0);
     arb_mat_one(m.derivative);
     for (int i = 0; i < N; i++) {
         mag_set_d(arb_radref(m.image + i), 1 + fabs(scattered(_i * N + i)));
@@ -245,7 +250,8 @@ EACH(L8_a_basis_whose_inverse_is_not_found_is_no_set, MAPS)
 
 EACH(L8_a_reach_that_is_not_finite_is_no_set, N)
 {
-    MAP(m, 1);
+    OWNED(map) m;
+    map_init(&m, 1);
     arb_mat_one(m.derivative);
     mag_inf(m.error + _i);
     ck_assert(!lohner_move(&m.set, m.image, m.derivative, 1, m.error, LOHNER_BITS));
@@ -273,7 +279,8 @@ TEST(L6_a_set_has_the_radii_of_its_box)
 /* One direction alone, whose entries no mag_t can hold: rounded down, they would fall short. */
 EACH(L7_a_box_has_all_of_its_set, 2 * N)
 {
-    MAP(m, 0);
+    OWNED(map) m;
+    map_init(&m, 0);
     SCOPE(fmpq, need, have, entry);
     VECTOR(arb, box, N);
     for (int i = 0; i < N; i++) {
@@ -305,7 +312,8 @@ static double number(const arb_t x)
 /* A thousand turns by one radian in each plane (i, i + 3): boxes would grow by 1.38 a turn, to 1e140. */
 TEST(a_set_turns_without_growing)
 {
-    MAP(m, 0);
+    OWNED(map) m;
+    map_init(&m, 0);
     VECTOR(arb, box, N);
     MATRIX(arb, turn, N, N);
     SCOPE(arb, angle);
@@ -336,7 +344,8 @@ TEST(a_set_turns_without_growing)
 
 TEST(a_set_under_a_singular_map_stays_bounded)
 {
-    MAP(m, 0);
+    OWNED(map) m;
+    map_init(&m, 0);
     VECTOR(arb, box, N);
     arb_one(arb_mat_entry(m.derivative, 3, 1)); /* all but the second direction vanish */
     for (int i = 0; i < N; i++)
