@@ -199,6 +199,16 @@ static size_t hill_to_tether(const double x[], double y[])
     return 6;
 }
 
+/* However near to the z axis: 1/4 m is half of 1/2 m, 9 1/2 m less than the paper's 10 m. */
+TEST(eq10_inverse_knows_a_short_pair)
+{
+    const struct ct_params table1 = CT_TABLE1;
+    const struct ct_tether_state s = ct_tether_state_of_hill(table1, (struct ct_hill_state){.x1 = 0.25});
+
+    ck_assert_double_eq(s.psi, 0);
+    ck_assert_double_eq(s.dL, -9.5);
+}
+
 EACH(eq10_state_and_its_inverse_make_a_round_trip, ATTITUDES)
 {
     const double dL = 0.25, psi_dot = -3e-5, theta_dot = 2e-5, dL_dot = 4e-4, masses[] = {unequal.m1, unequal.m2, unequal.L_ref};

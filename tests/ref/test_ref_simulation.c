@@ -350,6 +350,20 @@ TEST(eq02_flow_of_one_is_the_free_motion)
     ck_assert_double_eq_tol(moved.velocity.x, 1.5 * sin(5), 1e-11);
 }
 
+/* Of three: back at t = 0 each is where it was, to the bit. */
+TEST(eq02_flow_of_three_begins_anew_on_its_way_back)
+{
+    const struct ct_craft craft[] = {{1, 2, {1, 2, 3}, {4, 5, 6}}, {2, -1, {-7, 8, -9}, {1, -2, 3}}, {3, 1, {10, -11, 12}, {-3, 2, 1}}};
+    const double t[] = {0.1, 0};
+    struct ct_craft moved[6];
+
+    ck_assert_int_eq(ct_formation_flow(0.5, 1, 1, 3, craft, 1e-9, 2, t, moved), CT_OK);
+    for (int j = 0; j < 3; j++) {
+        ck_assert_mem_eq(&moved[3 + j].position, &craft[j].position, sizeof craft[j].position);
+        ck_assert_double_eq_tol(moved[3 + j].velocity.z, craft[j].velocity.z, 1e-15); /* over Omega and times Omega */
+    }
+}
+
 TEST(eq02_flow_reports_a_collision_and_keeps_what_does_not_move)
 {
     const struct ct_craft craft[] = {{1, 2, {0, 0, 1}, {0, 0, 0}}, {3, -4, {0, 0, -1}, {0, 0, 0}}};
