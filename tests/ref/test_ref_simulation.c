@@ -306,6 +306,17 @@ TEST(eq03_runge_kutta_reports_craft_in_one_point)
     ck_assert_double_nan(s.z1);
 }
 
+TEST(eq03_eq40_runge_kutta_say_what_is_outside)
+{
+    const struct ct_params p = {1, 1, 1, 1, -1};
+    const double t = 1;
+    struct ct_tether_state linear;
+    struct ct_hill_state nonlinear;
+
+    ck_assert_int_eq(ct_linear_runge_kutta(p, (struct ct_gains){1, 1}, (struct ct_tether_state){.dL = 1}, 1, 1, &t, &linear), CT_DOMAIN);
+    ck_assert_int_eq(ct_nonlinear_runge_kutta(p, (struct ct_gains){1, 1}, (struct ct_hill_state){.x1 = 1}, 1, 1, &t, &nonlinear), CT_DOMAIN);
+}
+
 /* ---- N craft ---- */
 
 /* Two craft that keep the charges of rest move as (3) has it with both gains 0; both craft, and in times back and forth. */
@@ -340,14 +351,16 @@ TEST(eq02_flow_of_two_is_that_of_eq03)
 TEST(eq02_flow_of_one_is_the_free_motion)
 {
     const struct ct_craft craft = {1, 5, {1, 0, 1}, {0, 0, 0}};
-    const double t = 10;
     struct ct_craft moved;
 
-    ck_assert_int_eq(ct_formation_flow(0.5, 1, 1, 1, &craft, fine, 1, &t, &moved), CT_OK);
-    ck_assert_double_eq_tol(moved.position.x, 4 - 3 * cos(5), 1e-11); /* along-track error of some tens of steps */
-    ck_assert_double_eq_tol(moved.position.y, 6 * (sin(5) - 5), 1e-11);
-    ck_assert_double_eq_tol(moved.position.z, cos(5), 1e-11);
-    ck_assert_double_eq_tol(moved.velocity.x, 1.5 * sin(5), 1e-11);
+    for (int way = -1; way <= 1; way += 2) {
+        const double t = 10 * way;
+        ck_assert_int_eq(ct_formation_flow(0.5, 1, 1, 1, &craft, fine, 1, &t, &moved), CT_OK);
+        ck_assert_double_eq_tol(moved.position.x, 4 - 3 * cos(5), 1e-11); /* along-track error of some tens of steps */
+        ck_assert_double_eq_tol(moved.position.y, 6 * way * (sin(5) - 5), 1e-11);
+        ck_assert_double_eq_tol(moved.position.z, cos(5), 1e-11);
+        ck_assert_double_eq_tol(moved.velocity.x, 1.5 * way * sin(5), 1e-11);
+    }
 }
 
 /* Of three: back at t = 0 each is where it was, to the bit. */
