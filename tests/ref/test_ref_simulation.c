@@ -372,7 +372,9 @@ TEST(eq02_flow_of_three_begins_anew_on_its_way_back)
 
     ck_assert_int_eq(ct_formation_flow(0.5, 1, 1, 3, craft, 1e-9, 2, t, moved), CT_OK);
     for (int j = 0; j < 3; j++) {
-        ck_assert_mem_eq(&moved[3 + j].position, &craft[j].position, sizeof craft[j].position);
+        ck_assert_double_eq(moved[3 + j].position.x, craft[j].position.x);
+        ck_assert_double_eq(moved[3 + j].position.y, craft[j].position.y);
+        ck_assert_double_eq(moved[3 + j].position.z, craft[j].position.z);
         ck_assert_double_eq_tol(moved[3 + j].velocity.z, craft[j].velocity.z, 1e-15); /* over Omega and times Omega */
     }
 }
