@@ -1,6 +1,7 @@
 /*
- * What one decides with: how long the law may be held and how late it may act (sampling.h); and what the energy of the nonlinear
- * closed loop, (3) with (7) and (18), guarantees, for any masses and gains C1 > 9 Omega^2, C2 > 0: the basin of rest at L_ref, the largest boxes in it, and the errors that stay which the pair bears.
+ * What one decides with: how long the law may be held and how late it may act (sampling.h); and what the energy of the
+ * nonlinear closed loop, (3) with (7) and (18), guarantees, for any masses and gains C1 > 9 Omega^2, C2 > 0: the basin
+ * of rest at L_ref, the largest boxes in it, and the errors that stay which the pair bears.
  *
  * Units: time in 1/Omega, lengths in L_ref, n = C1/Omega^2, c2 = C2/Omega. The law commands the charge product Q_ref s/3,
  * s = 3 + n (r - 1) + C2/Omega r'; what the pair carries is Q_ref f(s)/3, where f(s) is s itself, or s held to charges of at
@@ -40,9 +41,10 @@ extern const struct guarantee guarantees[];
 enum { GUARANTEES = 35 };
 
 /*
- * All of them, into GUARANTEES balls, for every n, c2 and y of these balls. n > 9; c2 > 0; y > 1, the longest length that the charges
- * can hold, q_max = y^(3/2) q_ref by (7), NULL where they have no bound: of the basin alone, the tolerances are those
- * without a bound. Of `steps` is the held law; NULL: how long it may be held is left open. What stays open is an indeterminate ball; false where n or y may lie outside the domain.
+ * All of them, into GUARANTEES balls, for every n, c2 and y of these balls. n > 9; c2 > 0; y > 1, the longest length
+ * that the charges can hold, q_max = y^(3/2) q_ref by (7), NULL where they have no bound: of the basin alone, the
+ * tolerances are those without a bound. Of `steps` is the held law; NULL: how long it may be held is left open. What
+ * stays open is an indeterminate ball; false where n or y may lie outside the domain.
  */
 bool guarantees_enclose(arb_ptr values, const struct derivations *steps, const arb_t n, const arb_t c2, const arb_t y, slong bits);
 
