@@ -265,6 +265,10 @@ TEST(outside_the_domain_nothing_is_said)
     arb_set_ui(n, 10);
     arb_one(y);
     ck_assert(!guarantees_enclose(values, NULL, n, n, y, PREC) && !arb_is_finite(values));
+    arb_zero(y);
+    ck_assert(!guarantees_enclose(values, NULL, n, y, NULL, PREC) && !arb_is_finite(values));
+    arb_add_error_2exp_si(y, 0); /* which gains of either sign are in */
+    ck_assert(!guarantees_enclose(values, NULL, n, y, NULL, PREC) && !arb_is_finite(values));
     ck_assert_int_eq(guarantee_find("nothing"), -1);
     ck_assert_int_eq(guarantee_find(guarantees[GUARANTEES - 1].name), GUARANTEES - 1);
     ck_assert_ptr_null(guarantees[GUARANTEES].name);

@@ -158,7 +158,7 @@ bool guarantees_enclose(arb_ptr values, const struct derivations *steps, const a
     SCOPE(arb, least);
     arb_set_ui(least, 9);
     _arb_vec_indeterminate(values, GUARANTEES);
-    if (!arb_gt(n, least))
+    if (!arb_gt(n, least) || !arb_is_positive(c2))
         return false;
     arb_one(least);
     if (y != NULL && !arb_gt(y, least))

@@ -44,7 +44,7 @@ enum { GUARANTEES = 35 };
  * All of them, into GUARANTEES balls, for every n, c2 and y of these balls. n > 9; c2 > 0; y > 1, the longest length
  * that the charges can hold, q_max = y^(3/2) q_ref by (7), NULL where they have no bound: of the basin alone, the
  * tolerances are those without a bound. Of `steps` is the held law; NULL: how long it may be held is left open. What
- * stays open is an indeterminate ball; false where n or y may lie outside the domain.
+ * stays open is an indeterminate ball; false where n, c2 or y may lie outside the domain.
  */
 bool guarantees_enclose(arb_ptr values, const struct derivations *steps, const arb_t n, const arb_t c2, const arb_t y, slong bits);
 
