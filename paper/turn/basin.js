@@ -38,7 +38,7 @@ const landscape = (n, upright) => {
   return { V, end, level, x: [-wide, wide], y: [centre - wide, centre + wide], shapes: [
     ['basin', turned(basin.flatMap(([x, s]) => [[x, s - h / 2], [x, s + h / 2], null]))],
     ...[-2, -1, 1, 2, 4, 7, 12, 20].map((k) => ['contour', turned(contour(xs, ss, values, level + k * step))]),
-    ['rim', turned(contour(xs, ss, values, level))],
+    ['separatrix', turned(contour(xs, ss, values, level))],
   ] };
 };
 let known = { key: '' };
@@ -59,8 +59,8 @@ const drawBasin = (state, [x, s]) => {
   ]);
   const energy = known.V(x, s), inside = n > 9 && energy < known.level && hypot(x, s) < known.end;
   const last = states.at(-1), L = hypot(...last.slice(0, 3)) / arm, lost = states.length <= SAMPLES || L > 2 * max(known.end, 1);
-  place('turn-fate').textContent = `Start: ${x.toFixed(3)} along the radius, ${s.toFixed(3)} ${upright ? 'across' : 'along'} the track; `
-    + `energy ${energy.toFixed(5)}, rim ${known.level.toFixed(5)}: ${inside ? 'inside the rim' : n > 9 ? 'outside the rim' : 'no rim, since n ≤ 9'}. `
+  place('turn-end').textContent = `Start: ${x.toFixed(3)} along the radius, ${s.toFixed(3)} ${upright ? 'across' : 'along'} the track; `
+    + `energy ${energy.toFixed(5)}, separatrix level ${known.level.toFixed(5)}: ${inside ? 'inside the basin' : n > 9 ? 'outside the basin' : 'no basin, since n ≤ 9'}. `
     + `After three days ${lost ? 'the pair is lost' : `the length is ${L.toFixed(3)} L_ref, ${last[0] > 0 ? 'craft 1 above' : 'craft 1 below'}`}.`;
   return back;
 };

@@ -166,10 +166,10 @@ const checkFigures = async () => {
   await moves('moved by the keys', async () => {
     for (const type of ['keyDown', 'keyUp']) await send('Input.dispatchKeyEvent', { type, key: 'ArrowUp', code: 'ArrowUp', windowsVirtualKeyCode: 38 });
   });
-  // Inside the rim a start comes back, far above it the pair is lost.
-  for (const [x, fate] of [[1.05, /inside the rim.*craft 1 above/], [1.5, /outside the rim.*lost/]]) {
+  // Inside the basin a start comes back, far above it the pair is lost.
+  for (const [x, end] of [[1.05, /inside the basin.*craft 1 above/], [1.5, /outside the basin.*lost/]]) {
     await open(`turn.html#x=${x}&s=0`, 1280);
-    expect(fate.test(await said('turn-fate')), `from ${x} above: ${await said('turn-fate')}`);
+    expect(end.test(await said('turn-end')), `from ${x} above: ${await said('turn-end')}`);
   }
   expect(messages.length === 0, `turn.html: ${messages}`);
   console.log(`${pairs.length} live curves lie within a pixel of the certified ones`);
