@@ -22,7 +22,7 @@ CC         ?= cc
 CFLAGS     ?= -O2 -g1
 INSTALL    ?= install
 PKG_CONFIG ?= pkg-config
-PYTHON     ?= /usr/bin/python3
+export PYTHON ?= $(or $(wildcard /usr/bin/python3),python3)
 # What is found out by starting a program is found out where it is needed, and once: most makes compile nothing.
 once = $(eval $(1) := $(2))$($(1))
 SHA256 = $(call once,SHA256,$(shell if command -v sha256sum >/dev/null 2>&1; then echo sha256sum; else echo shasum -a 256; fi))
@@ -309,8 +309,8 @@ $(BUILD)/set.csv: printed = trajectory nonlinear dL=0.1+-0.02 psi=0.01+-0.001 --
 $(TABLES) $(STUDIES) $(GOLDEN) $(DATA)/kills.csv $(EVIDENCE) $(BUILD)/damped.csv $(BUILD)/set.csv: $(PROGRAM)
 	$(call PRINTED,$(PROGRAM) $(printed))
 
-$(VERDICTS): $(BUILD)/claims.json paper/read.awk paper/claims.awk
-	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/claims.awk $<)
+$(VERDICTS): $(BUILD)/claims.json paper/claims.py
+	$(call PRINTED,$(PYTHON) paper/claims.py csv <$<)
 
 # What another implementation of the generator can be compared with: the first vectors of seed 1, but of motions. A thousand
 # of each operation are made here; the rows of a million take minutes each: they are copied, and `make million` checks them.
@@ -334,12 +334,9 @@ $(DATA)/errata.csv:
 	$(call PRINTED,cat data/errata.csv)
 
 # Of the words of paper/package.json, of the sheet's and a design's.
-$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/random.csv $(DATA)/errata.csv $(BUILD)/equations.json paper/read.awk paper/package.awk paper/package.json
-	@$(PROGRAM) design n=12 --json >$@.design.tmp
-	@{ wc -c $(sort $(filter $(DATA)/%,$^)); $(SHA256) $(sort $(filter $(DATA)/%,$^)); } >$@.sums.tmp
-	$(call PRINTED,LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=$(VERSION) paper/package.json $(BUILD)/equations.json \
-	  $@.design.tmp $@.sums.tmp)
-	@rm $@.design.tmp $@.sums.tmp
+$(DATA)/datapackage.json: $(TABLES) $(STUDIES) $(VERDICTS) $(GOLDEN) $(DATA)/kills.csv $(DATA)/random.csv $(DATA)/errata.csv $(BUILD)/equations.json paper/package.py paper/package.json
+	$(call PRINTED,$(PROGRAM) design n=12 --json | $(PYTHON) paper/package.py $(VERSION) paper/package.json $(BUILD)/equations.json \
+	  $(sort $(filter $(DATA)/%,$^)))
 
 ## figures: the figures, as SVG and PNG, in build/figures/
 figures: $(FIGURES)
@@ -359,7 +356,7 @@ bench: $(BUILD)/tests/bench/bench
 ## readme: README's tables, made anew; that of speed where make bench has been run
 readme: $(PROGRAM) $(BUILD)/claims.json
 	{ echo '```'; $(PROGRAM) table1; echo '```'; } >$(BUILD)/table1.md
-	LC_ALL=C awk -f paper/read.awk -f paper/claims.awk -v markdown=1 $(BUILD)/claims.json >$(BUILD)/findings.md
+	$(PYTHON) paper/claims.py markdown <$(BUILD)/claims.json >$(BUILD)/findings.md
 	$(PROGRAM) verify errors --count 100000 >$(BUILD)/errors.txt
 	awk 'NF == 0 { exit } { printf "| %s | %s | %s |\n%s", $$1, $$2, NR == 1 ? "E at most" : $$3, NR == 1 ? "|---|---|---|\n" : "" }' \
 	  $(BUILD)/errors.txt >$(BUILD)/errors.md
@@ -450,10 +447,10 @@ $(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(CHAPTERS) $(wildcard 
 	@BUILD='$(BUILD)' DATA='$(DATA)' tests/project/gate.sh >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
 
 ### Packages
-BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libcalcium-dev? libantic-dev? libyaml-dev
+BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libcalcium-dev? libantic-dev? libyaml-dev python3
 CHECK_PACKAGES = check lcov gnuplot-nox graphviz
 PAPER_PACKAGES = gnuplot-nox graphviz pandoc texlive-latex-base texlive-latex-recommended lmodern
-CI_PACKAGES    = clang libclang-rt-dev? clang-tidy cppcheck valgrind strace locales debootstrap parallel python3 python3-mpmath python3-gmpy2 \
+CI_PACKAGES    = clang libclang-rt-dev? clang-tidy cppcheck valgrind strace locales debootstrap parallel python3-mpmath python3-gmpy2 \
   octave gfortran nodejs pandoc chromium python3-pandas python3-yaml ruby libyaml-libyaml-perl node-yaml r-cran-yaml
 
 ## deps: install what building and checking need, where apt-get is at hand; name it elsewhere

@@ -3,6 +3,7 @@
 set -u
 unset MAKEFLAGS MAKELEVEL
 export BUILD="${BUILD:-build}"
+export PYTHON="${PYTHON:-python3}"
 export CT_BUILD="${CT_BUILD:-$(cd "$BUILD" && pwd)}"
 export CT_PROGRAM="${CT_PROGRAM:-$CT_BUILD/coulomb-tether}"
 work=$(mktemp -d) || exit 1

@@ -125,7 +125,7 @@ for claim in equation-43 simulation-gains figure-6 coulomb-constant charges-oppo
     check "$claim" grep -qe "$claim is undecided" -e "$claim comes out as" -e "$claim: the digits of" -e "\"verdict\": \"undecided\"" "$work/said"
 done
 check 'a title with a quotation mark' ends 0 "$wrong" verify claims equation-38 --json
-awk -f paper/read.awk -f paper/claims.awk "$work/said" >"$work/said.csv" && mv "$work/said.csv" "$work/said"
+"$PYTHON" paper/claims.py csv <"$work/said" >"$work/said.csv" && mv "$work/said.csv" "$work/said"
 check 'a quotation mark in CSV' says 'Kepler""s third'
 
 stops 'a step that is wrong' 's/dL_dot - 3\*Omega^2\*psi$/dL_dot - 4*Omega^2*psi/' 1 'BROKEN: paper/derivations.yaml:' verify derivations attitude

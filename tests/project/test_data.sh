@@ -12,15 +12,13 @@ done
 check 'names of columns' awk -F , 'FNR == 1 { for (i = 1; i <= NF; i++) if (seen[FILENAME, $i]++) { print FILENAME, $i; bad = 1 } }
     END { exit bad }' data/*.csv data/golden/*.csv
 check 'descriptions' awk '/"type": / && !/"description": / { print; bad = 1 } END { exit bad }' data/datapackage.json
-# From a file that is not there, or empty, or has no title, and from none, no package is made, and one line says why.
-"$CT_PROGRAM" design n=12 --json >"$work/design"
+# From a file that is not there, or empty, or has no title no package is made, and one line says why.
 echo id >"$work/other.csv"
 makes_no_package_of() { # FILE MESSAGE
-    printf '%s\n' "12 $1" "abc  $1" >"$work/sums"
-    ! LC_ALL=C awk -f paper/read.awk -f paper/package.awk -v version=1 paper/package.json "$CT_BUILD/equations.json" "$work/design" "$work/sums" \
-        >"$work/json" 2>"$work/said" && grep -F "$1" "$work/said" | grep -F "$2" && [ "$(tail -n 1 "$work/json")" != ' ]}' ]
+    ! "$CT_PROGRAM" design n=12 --json | "$PYTHON" paper/package.py 1 paper/package.json "$CT_BUILD/equations.json" "$1" >"$work/json" 2>"$work/said" &&
+        [ "$(cat "$work/said")" = "package: $1: $2" ] && [ "$(tail -n 1 "$work/json")" != ' ]}' ]
 }
-check 'no file' makes_no_package_of "$work/none.csv" none
+check 'no file' makes_no_package_of "$work/none.csv" 'expected a header line'
 : >"$work/table1.csv"
 check 'an empty file' makes_no_package_of "$work/table1.csv" 'expected a header line'
 check 'a file without a title' makes_no_package_of "$work/other.csv" 'has no title in paper/package.json'
@@ -32,7 +30,7 @@ fi
 
 # README's Table 1 and findings are those of the program.
 { echo '```'; "$CT_PROGRAM" table1; echo '```'; } >"$work/table1.md"
-LC_ALL=C awk -f paper/read.awk -f paper/claims.awk -v markdown=1 "$CT_BUILD/claims.json" >"$work/findings.md"
+"$PYTHON" paper/claims.py markdown <"$CT_BUILD/claims.json" >"$work/findings.md"
 awk -v folder="$work" -f paper/readme.awk README.md >"$work/README.new"
 check README cmp "$work/README.new" README.md
 finish

@@ -1,0 +1,51 @@
+"""data/datapackage.json (Frictionless Data, tabular data package) of the words of paper/package.json, the quantities and titles of
+the sheet, the meanings of a design, and the files:
+    coulomb-tether design n=12 --json | package.py VERSION paper/package.json build/equations.json FILE..."""
+import hashlib
+import json
+import os
+import re
+import sys
+
+version, words, sheet, *paths = sys.argv[1:]
+words, sheet, design = json.load(open(words)), json.load(open(sheet)), json.load(sys.stdin)
+
+# What paper/package.json says of a column goes before the sheet, and this before a design. That is in SI, data/ in units of L_ref and Omega.
+of_rest = {"m": "L_ref", "rad/s": "Omega", "m/s": "Omega L_ref", "m/s^2": "Omega^2 L_ref"}
+columns = {q["name"]: {"unit": of_rest.get(q["unit"]), "meaning": q["meaning"]} for q in design["outputs"]}
+columns.update((q["name"], q) for section in reversed(sheet) for q in reversed(section["inputs"] + section["outputs"]))
+columns.update(words["columns"])
+titles = words["files"] | {"golden-" + section["id"]: section["title"] for section in sheet}
+
+
+def field(name):
+    base, before, after = name, "", ""
+    if base.startswith("S_"):
+        base, before = base[2:], "sensitivity of this to its inputs' last digits, sum |x dX/dx|: "
+    for suffix, meaning in words["suffixes"].items():
+        if base.endswith(suffix):
+            base, after = base[: -len(suffix)], ", " + meaning
+    column = columns.get(base, {"type": "string"})
+    description = column.get("meaning") and before + column["meaning"] + after
+    known = {"name": name, "type": column.get("type", "number"), "unit": column.get("unit"), "description": description}
+    return "    " + json.dumps({key: value for key, value in known.items() if value})
+
+
+def resource(path):
+    content = open(path, "rb").read() if os.path.exists(path) else b""
+    path_there = re.search(r"(golden/)?[^/]*$", path)[0]
+    name = path_there.split(".")[0].replace("/", "-")
+    if not content or name not in titles:
+        sys.exit(f"package: {path}: " + ("has no title in paper/package.json" if content else "expected a header line"))
+    described = [
+        {"name": name, "path": path_there, "profile": "tabular-data-resource"},
+        {"title": titles[name]},
+        {"format": "csv", "mediatype": "text/csv", "encoding": "utf-8", "bytes": len(content), "hash": "sha256:" + hashlib.sha256(content).hexdigest()},
+    ]
+    lines = ",\n   ".join(json.dumps(part)[1:-1] for part in described)
+    fields = ",\n".join(map(field, content.decode().split("\n", 1)[0].split(",")))
+    return f'  {{{lines},\n   "schema": {{"missingValues": [""], "fields": [\n{fields}]}}}}'
+
+
+head = ",\n ".join(json.dumps({key: value})[1:-1] for key, value in (words["package"] | {"version": version}).items())
+print(f'{{{head},\n "resources": [\n' + ",\n".join(map(resource, paths)) + "\n ]}")
