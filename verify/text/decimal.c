@@ -1,6 +1,6 @@
 /*
- * Numbers as text: integers of so many digits, which rationals are rounded to exactly, and balls at both ends; of numbers that are
- * binary themselves MPFR does so. strtod rounds correctly, too. No locale but C's takes part: the program sets none.
+ * Numbers as text: rationals are rounded as integers of so many digits, exactly, binary numbers and the ends of balls by MPFR, and
+ * strtod rounds correctly, too. No locale but C's takes part: the program sets none.
  */
 #include "text/decimal.h"
 
@@ -19,6 +19,17 @@ static const slong LARGEST_EXPONENT = 5000, MOST_DIGITS = 10000;
 /* Of the exponent of 2 of a ball: as a decimal's it has fifteen digits. */
 enum { EXPONENT_BITS = FLINT_BITS - 14 };
 
+/* x base^k */
+static void scale(fmpq_t x, ulong base, slong k)
+{
+    SCOPE(fmpz, power);
+    fmpz_ui_pow_ui(power, base, (ulong)labs(k));
+    if (k < 0)
+        fmpq_div_fmpz(x, x, power);
+    else
+        fmpq_mul_fmpz(x, x, power);
+}
+
 /* ---- reading ---------------------------------------------------------- */
 
 /* The literal's own value; strtod() has found it well formed and finite in syntax. False where it is too large to be told. */
@@ -29,7 +40,7 @@ static bool own_value(fmpq_t value, const char *text)
     slong exponent = text[length] != '\0' ? strtol(text + length + 1, NULL, 10) : 0, fraction = 0; /* saturated far outside */
     char *digits = text_copy(text), *end = digits;
     bool point = false;
-    SCOPE(fmpz, mantissa, power);
+    SCOPE(fmpz, mantissa);
     for (size_t i = 0; i < length; i++) {
         if (strchr("+.xX", text[i]) == NULL) {
             *end++ = text[i];
@@ -46,12 +57,7 @@ static bool own_value(fmpq_t value, const char *text)
     if (exponent < -LARGEST_EXPONENT || exponent > LARGEST_EXPONENT || fraction > MOST_DIGITS ||
         (slong)fmpz_bits(mantissa) > 4 * MOST_DIGITS)
         return false;
-    exponent -= hexadecimal ? 4 * fraction : fraction;
-    fmpz_ui_pow_ui(power, hexadecimal ? 2 : 10, (ulong)labs(exponent));
-    if (exponent < 0)
-        fmpq_div_fmpz(value, value, power);
-    else
-        fmpq_mul_fmpz(value, value, power);
+    scale(value, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 * fraction : fraction));
     return true;
 }
 
@@ -102,90 +108,29 @@ static void write_scientific(char *text, const char *digits, slong exponent)
     }
 }
 
-/* |x| 10^(digits - 1 - exponent) as an integer, the nearest one, ties to even; false where not all of an enclosure rounds alike. */
-typedef bool rounder(fmpz_t n, const void *x, slong digits, slong exponent);
-
-/* From the exponent of the first digit, or one that is too low. */
-static char *scientific(rounder *round, const void *x, bool negative, slong digits, slong exponent)
-{
-    SCOPE(fmpz, n);
-    char *significand = NULL, *text = NULL;
-    bool decided, fits;
-    do {
-        flint_free(significand);
-        decided = round(n, x, digits, exponent);
-        significand = fmpz_get_str(NULL, 10, n);
-        fits = (slong)strlen(significand) <= digits; /* not where |x| rounds to the next power of ten, either */
-        exponent += !fits;
-    } while (!fits);
-    if (decided) {
-        text = xrealloc(NULL, (size_t)digits + BESIDE_DIGITS, 1);
-        text[0] = '-';
-        write_scientific(text + negative, significand, exponent);
-    }
-    flint_free(significand);
-    return text;
-}
-
-static bool round_rational(fmpz_t n, const void *x, slong digits, slong exponent)
-{
-    const slong k = digits - 1 - exponent;
-    SCOPE(fmpz, p, q, power, remainder);
-    fmpz_ui_pow_ui(power, 10, (ulong)labs(k));
-    fmpz_abs(p, fmpq_numref((const fmpq *)x));
-    fmpz_set(q, fmpq_denref((const fmpq *)x));
-    fmpz_mul(k < 0 ? q : p, k < 0 ? q : p, power);
-    fmpz_ndiv_qr(n, remainder, p, q); /* of a tie the one nearer zero */
-    fmpz_mul_2exp(remainder, remainder, 1);
-    if (fmpz_cmpabs(remainder, q) == 0 && fmpz_is_odd(n))
-        fmpz_add_ui(n, n, 1);
-    return true;
-}
-
 char *decimal_of_rational(const fmpq_t x, slong digits)
 {
     /* 10^(above - 2) <= |p|, |q| < 10^below */
     const slong above = (slong)fmpz_sizeinbase(fmpq_numref(x), 10), below = (slong)fmpz_sizeinbase(fmpq_denref(x), 10);
-    return fmpq_is_zero(x) ? text_copy("0") : scientific(round_rational, x, fmpq_sgn(x) < 0, digits, above - 2 - below);
-}
-
-/*
- * Theorem. n is the integer nearest to |x| 10^k, ties to even, for every x of the ball. It rests on these, each with a test of its name
- * in tests/text/test_decimal.c: (D1) the ball's radius; (D2) the roundings of 10^k and of the product or quotient, to prec bits;
- * (D3) ends rounded outward, of which both round to n, and so does all between them; (D4) a tie, of which nothing is rounded.
- */
-static bool round_ball(fmpz_t n, const void *x, slong digits, slong exponent)
-{
-    const slong k = digits - 1 - exponent;
-    /* A tie is exact in these: it has the digits' bits and one of a half, and 5^k is a factor of it, or one of x. */
-    const slong prec = FLINT_MAX(10 * digits / 3, arf_bits(arb_midref((arb_srcptr)x))) + 64;
-    SCOPE(arb, y);
-    SCOPE(arf, end);
-    SCOPE(fmpz, other);
-    arb_ui_pow_ui(y, 10, (ulong)labs(k), prec);
-    if (k < 0)
-        arb_div(y, x, y, prec);
-    else
-        arb_mul(y, x, y, prec);
-    arb_abs(y, y); /* the end nearer zero first, of which the exponent is the lower one */
-    arb_get_lbound_arf(end, y, prec);
-    arf_get_fmpz(n, end, ARF_RND_NEAR);
-    arb_get_ubound_arf(end, y, prec);
-    arf_get_fmpz(other, end, ARF_RND_NEAR);
-    return fmpz_equal(n, other);
-}
-
-char *decimal_of_ball(const arb_t x, slong digits)
-{
-    const double log10_2 = 0.30102999566398119521; /* OEIS A007524 */
-    SCOPE(mag, least);
-    arb_get_mag_lower(least, x);
-    if (arb_is_zero(x))
+    slong first = above - 2 - below; /* the exponent of the first digit, or one that is too low */
+    SCOPE(fmpz, n, remainder, limit);
+    SCOPE(fmpq, scaled);
+    if (fmpq_is_zero(x))
         return text_copy("0");
-    if (mag_is_zero(least) || fmpz_bits(MAG_EXPREF(least)) > EXPONENT_BITS) /* as the exponent of an infinity is */
-        return NULL;
-    const double binary = fmpz_get_d(MAG_EXPREF(least)) - 1; /* |x| >= 2^binary; of the product the margin covers the rounding */
-    return scientific(round_ball, x, arf_sgn(arb_midref(x)) < 0, digits, (slong)floor(binary * log10_2 - fabs(binary) * DBL_EPSILON));
+    fmpz_ui_pow_ui(limit, 10, (ulong)digits);
+    for (;; first++) {
+        fmpq_set(scaled, x);
+        scale(scaled, 10, digits - 1 - first);
+        fmpz_ndiv_qr(n, remainder, fmpq_numref(scaled), fmpq_denref(scaled)); /* of a tie the one nearer zero */
+        if (fmpz_equal_ui(fmpq_denref(scaled), 2) && fmpz_is_odd(n))
+            fmpz_add_si(n, n, fmpq_sgn(x));
+        if (fmpz_cmpabs(n, limit) < 0) /* not where x rounds to the next power of ten, either */
+            break;
+    }
+    char *text = xrealloc(NULL, (size_t)digits + BESIDE_DIGITS, 1), *significand = fmpz_get_str(NULL, 10, n);
+    write_scientific(text, significand, first);
+    flint_free(significand);
+    return text;
 }
 
 /* x in so many digits, rounded that way. */
@@ -200,14 +145,41 @@ static void write_rounded(char *text, mpfr_srcptr x, slong digits, mpfr_rnd_t wa
     mpfr_free_str(significand);
 }
 
-char *decimal_of_end(const arb_t x, slong digits, bool upper)
+/* The lower or upper end of a ball, outward to prec bits, in so many digits, rounded that way. */
+static char *rounded_end(const arb_t x, slong prec, bool upper, slong digits, mpfr_rnd_t way)
 {
     mpfr_t low, high;
     char *text = xrealloc(NULL, (size_t)digits + BESIDE_DIGITS, 1);
-    mpfr_inits2(64, low, high, (mpfr_ptr)NULL);
+    mpfr_inits2(prec, low, high, (mpfr_ptr)NULL);
     arb_get_interval_mpfr(low, high, x);
-    write_rounded(text, upper ? high : low, digits, upper ? MPFR_RNDU : MPFR_RNDD);
+    write_rounded(text, upper ? high : low, digits, way);
     mpfr_clears(low, high, (mpfr_ptr)NULL);
+    return text;
+}
+
+char *decimal_of_end(const arb_t x, slong digits, bool upper)
+{
+    return rounded_end(x, 64, upper, digits, upper ? MPFR_RNDU : MPFR_RNDD);
+}
+
+/*
+ * Theorem. The text is x to the nearest, ties to even, for every x of the ball. It rests on these, each with a test of its name in
+ * tests/text/test_decimal.c: (D1) the ball's radius: where both ends round alike, so does all between them; (D2) the ends' own
+ * rounding, outward; (D3) a tie, of which nothing is rounded before.
+ */
+char *decimal_of_ball(const arb_t x, slong digits)
+{
+    const slong prec = FLINT_MAX(10 * digits / 3, arf_bits(arb_midref(x))) + 64; /* of a number without radius all of its own */
+    if (arb_is_zero(x))
+        return text_copy("0");
+    if (!arb_is_finite(x) || arb_contains_zero(x) || fmpz_bits(ARF_EXPREF(arb_midref(x))) > EXPONENT_BITS)
+        return NULL;
+    char *text = rounded_end(x, prec, false, digits, MPFR_RNDN), *upper = rounded_end(x, prec, true, digits, MPFR_RNDN);
+    if (strcmp(text, upper) != 0) {
+        free(text);
+        text = NULL;
+    }
+    free(upper);
     return text;
 }
 
