@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <yaml.h>
 
 enum { DEEPEST = 32 };
 
@@ -18,17 +17,17 @@ static bool is_white(char c)
 }
 
 /* Where a scalar's character at `offset` stands. One of several lines is folded: blanks differ there, and nothing else. */
-static struct mark place_in_text(const struct yaml *n, size_t offset)
+static yaml_mark_t place_in_text(const struct yaml *n, size_t offset)
 {
-    struct mark place = n->at;
-    if (n->text == NULL || offset == 0 || place.line == n->last_line) {
-        place.column += offset + (n->text != NULL && !n->plain && offset > 0); /* the quotation mark */
+    yaml_mark_t place = n->node->start_mark;
+    bool header = n->text != NULL && n->node->data.scalar.style != YAML_PLAIN_SCALAR_STYLE; /* the quotation mark, or > and - */
+    if (n->text == NULL || offset == 0 || place.line == n->node->end_mark.line) {
+        place.column += offset + (header && offset > 0);
         return place;
     }
     size_t ahead = 0; /* characters that are no blanks */
     for (size_t i = 0; i < offset && n->text[i] != '\0'; i++)
         ahead += !is_white(n->text[i]);
-    bool header = !n->plain; /* the quotation mark, or > and - */
     for (const char *c = n->tree->source + place.index; c < n->tree->source_end; c++) {
         header = header && strchr("\"'>|-+", *c) != NULL;
         if (!header && !is_white(*c) && ahead-- == 0)
@@ -43,7 +42,7 @@ bool node_message(struct message *m, const struct yaml *at, size_t offset, const
 {
     char text[384];
     va_list arguments;
-    const struct mark place = offset == AT_KEY ? at->key_at : place_in_text(at, offset);
+    const yaml_mark_t place = offset == AT_KEY ? at->key_node->start_mark : place_in_text(at, offset);
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
@@ -53,100 +52,90 @@ bool node_message(struct message *m, const struct yaml *at, size_t offset, const
 
 /* ---- reading ---- */
 
-struct loading {
-    yaml_parser_t parser;
-    yaml_event_t event; /* the one that is being read */
-    struct tree *tree;
-};
-
-static struct mark place_of(yaml_mark_t mark)
+/* The node of that number; an alias has that of a node which was met before. */
+static bool document_node(struct yaml *n, int number, const yaml_node_t **node)
 {
-    return (struct mark){mark.line, mark.column, mark.index};
+    *node = yaml_document_get_node(&n->tree->document, number);
+    return number == ++n->tree->met;
 }
 
-static bool next_event(struct loading *l)
+static bool load_key(const struct yaml *mapping, struct yaml *item, int number)
 {
-    yaml_event_delete(&l->event);
-    if (yaml_parser_parse(&l->parser, &l->event))
-        return true;
-    if (l->parser.problem == NULL) /* everything but exhausted memory libyaml gives a name */
-        out_of_memory();
-    const yaml_mark_t at = l->parser.problem_mark;
-    message_set(l->tree->why, "%s:%zu:%zu: expected YAML: %s", l->tree->file, at.line + 1, at.column + 1, l->parser.problem);
-    return false;
-}
-
-/* The key of an item, and the event after it. */
-static bool load_key(struct loading *l, const struct yaml *mapping, struct yaml *item)
-{
-    item->key_at = place_of(l->event.start_mark);
-    if (l->event.type != YAML_SCALAR_EVENT)
+    if (!document_node(item, number, &item->key_node))
+        return node_error(item, AT_KEY, "expected no alias of this");
+    if (item->key_node->type != YAML_SCALAR_NODE)
         return node_error(item, AT_KEY, "expected a plain key");
-    const char *key = (const char *)l->event.data.scalar.value;
+    const char *key = (const char *)item->key_node->data.scalar.value;
     if (under(mapping, key) != NULL)
         return node_error(item, AT_KEY, "duplicate '%s', expected each key once", key);
-    item->key = text_copy(key);
-    item->key_quoted = l->event.data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
-    return next_event(l);
+    item->key = key;
+    return true;
 }
 
-/* The node that begins with the event. */
-static bool load_node(struct loading *l, struct yaml *n, int depth)
+static bool load_node(struct yaml *n, int number, int depth)
 {
-    const yaml_event_type_t type = l->event.type;
-    n->at = place_of(l->event.start_mark);
-    n->last_line = l->event.end_mark.line;
-    if (type == YAML_SCALAR_EVENT) {
-        n->text = text_copy((const char *)l->event.data.scalar.value);
-        n->plain = l->event.data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
+    if (!document_node(n, number, &n->node))
+        return node_error(n, 0, "expected no alias of this");
+    const yaml_node_t *node = n->node;
+    if (node->type == YAML_SCALAR_NODE) {
+        n->text = (const char *)node->data.scalar.value;
         return true;
     }
-    if (type == YAML_ALIAS_EVENT || depth == DEEPEST)
-        return node_error(n, 0, "expected %s", depth == DEEPEST ? "less in each other" : "no alias");
-    n->mapping = type == YAML_MAPPING_START_EVENT;
-    while (next_event(l)) {
-        if (l->event.type == YAML_MAPPING_END_EVENT || l->event.type == YAML_SEQUENCE_END_EVENT)
-            return true;
+    if (depth == DEEPEST)
+        return node_error(n, 0, "expected less in each other");
+    n->mapping = node->type == YAML_MAPPING_NODE;
+    const yaml_node_pair_t *pairs = node->data.mapping.pairs.start;
+    const ptrdiff_t count = n->mapping ? node->data.mapping.pairs.top - pairs
+                                       : node->data.sequence.items.top - node->data.sequence.items.start;
+    bool fine = true;
+    for (ptrdiff_t i = 0; i < count && fine; i++) {
         struct yaml item = {.tree = n->tree};
-        bool fine = !n->mapping || load_key(l, n, &item);
-        fine = fine && load_node(l, &item, depth + 1);
+        fine = (!n->mapping || load_key(n, &item, pairs[i].key)) &&
+               load_node(&item, n->mapping ? pairs[i].value : node->data.sequence.items.start[i], depth + 1);
         *APPENDED(n->items, n->count) = item;
-        if (!fine)
-            return false;
     }
+    return fine;
+}
+
+/* The next document, or one without nodes: there is none. False where it is no YAML, and `why` says where. */
+static bool next_document(const struct tree *tree, yaml_parser_t *parser, yaml_document_t *document)
+{
+    if (yaml_parser_load(parser, document))
+        return true;
+    if (parser->problem == NULL) /* everything but exhausted memory libyaml gives a name */
+        out_of_memory();
+    const yaml_mark_t at = parser->problem_mark;
+    message_set(tree->why, "%s:%zu:%zu: expected YAML: %s", tree->file, at.line + 1, at.column + 1, parser->problem);
     return false;
 }
 
 /* One document and nothing after it. */
-static bool load_document(struct loading *l)
+static bool load_document(struct tree *tree, yaml_parser_t *parser)
 {
-    const struct tree *tree = l->tree;
-    if (!next_event(l) || !next_event(l)) /* the stream's begin, the document's */
+    yaml_document_t next;
+    if (!next_document(tree, parser, &tree->document))
         return false;
-    if (l->event.type == YAML_STREAM_END_EVENT) {
+    if (yaml_document_get_root_node(&tree->document) == NULL) {
         message_set(tree->why, "%s:1:1: expected a mapping, the file is empty", tree->file);
         return false;
     }
-    if (!next_event(l) || !load_node(l, &l->tree->root, 0) || !next_event(l))
-        return false;
-    const size_t end = l->event.end_mark.line + 1;
-    if (next_event(l) && l->event.type == YAML_STREAM_END_EVENT)
-        return true;
-    message_set(tree->why, "%s:%zu:1: expected one document, another follows", tree->file, end);
-    return false;
+    const bool alone = next_document(tree, parser, &next) && yaml_document_get_root_node(&next) == NULL;
+    yaml_document_delete(&next);
+    if (!alone)
+        message_set(tree->why, "%s:%zu:1: expected one document, another follows", tree->file, tree->document.end_mark.line + 1);
+    return alone;
 }
 
 struct tree *tree_open(const char *text, size_t length, const char *file, struct message *why)
 {
     struct tree *tree = xrealloc(NULL, 1, sizeof *tree);
-    struct loading l = {.tree = tree};
+    yaml_parser_t parser;
     *tree = (struct tree){.file = file, .source = text, .source_end = text + length, .why = why, .root.tree = tree};
-    if (!yaml_parser_initialize(&l.parser))
+    if (!yaml_parser_initialize(&parser))
         out_of_memory();
-    yaml_parser_set_input_string(&l.parser, (const unsigned char *)text, length);
-    const bool fine = load_document(&l);
-    yaml_event_delete(&l.event);
-    yaml_parser_delete(&l.parser);
+    yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
+    const bool fine = load_document(tree, &parser) && load_node(&tree->root, 1, 0);
+    yaml_parser_delete(&parser);
     if (fine)
         return tree;
     tree_close(tree);
@@ -158,14 +147,14 @@ static void clear_node(struct yaml *n)
     for (int i = 0; i < n->count; i++)
         clear_node(&n->items[i]);
     free(n->items);
-    free((char *)n->text);
-    free((char *)n->key);
 }
 
 void tree_close(struct tree *tree)
 {
-    if (tree != NULL)
-        clear_node(&tree->root);
+    if (tree == NULL)
+        return;
+    clear_node(&tree->root);
+    yaml_document_delete(&tree->document);
     free(tree);
 }
 

@@ -4,12 +4,9 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <yaml.h>
 
 #include "text/message.h"
-
-struct mark {
-    size_t line, column, index; /* from 0 */
-};
 
 /* A scalar, a list or a mapping. Aliases are refused, and so are keys that are no scalars, or stand twice. */
 struct yaml {
@@ -17,15 +14,16 @@ struct yaml {
     const char *text;    /* of a scalar; NULL of anything else                              */
     struct yaml *items;
     int count;
-    bool mapping, plain, key_quoted; /* plain: without quotation marks, and not folded */
-    struct mark at, key_at;
-    size_t last_line;
-    const struct tree *tree;
+    bool mapping;
+    const yaml_node_t *node, *key_node; /* where both stand in the document */
+    struct tree *tree;
 };
 
 struct tree {
     const char *file, *source, *source_end; /* the source is needed as long as mistakes are told */
     struct message *why;
+    yaml_document_t document;
+    int met; /* of its nodes, which are numbered in their order */
     struct yaml root;
 };
 
