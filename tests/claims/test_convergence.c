@@ -31,7 +31,7 @@ static struct second_order response(slong c1, slong c2)
     SCOPE(arb, a, b);
     arb_set_si(a, c1);
     arb_set_si(b, c2);
-    second_order_init(&o, steps(), a, b, NULL, PREC);
+    second_order_init(&o, steps(), a, b, PREC);
     return o;
 }
 

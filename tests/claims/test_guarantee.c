@@ -289,43 +289,38 @@ TEST(outside_the_domain_nothing_is_said)
 
 /* What there is of gains, and what is made of it. */
 enum { GAIN_1, GAIN_2, AWAY, LATE, SWING, BOUND, GIVEN };
-enum { NUMBERS = GUARANTEES + 27 };
+enum { NUMBERS = GUARANTEES + 2 * 9 + 11 };
 
 /* The guarantees; what the law makes of a pitch of 1/8 + away after 3 + late. */
 static void of_gains(arb_ptr z, arb_srcptr in, bool bounded, slong prec)
 {
-    static const char *const names[] = {"A_re", "A_im", "B_re", "decay", "shift"};
+    static const char *const names[] = {"A_re", "A_im", "B_re", "decay", "shift", "S_re", "S_im"};
     struct second_order o;
     struct moved_loop loop;
     VECTOR(arb, turned, FLOW_STATE);
-    SCOPE(acb, S);
     SCOPE(arb, a, tau);
     guarantees_enclose(z, steps(), in + GAIN_1, in + GAIN_2, bounded ? in + BOUND : NULL, prec);
     z += GUARANTEES;
     arb_set_d(a, 0.125);
     arb_add(a, a, in + AWAY, prec);
     arb_add_ui(tau, in + LATE, 3, prec);
-    quadrature_reference(S, in + GAIN_1, in + GAIN_2, in + SWING, a, prec);
-    acb_get_real(z + 7, S);
-    acb_get_imag(z + 8, S);
-    second_order_init(&o, steps(), in + GAIN_1, in + GAIN_2, S, prec); /* which says all of S */
-    second_order_after(z + 9, &o, a, tau);
-    moved_reference(z + 15, S, z + 9, prec);
-    moved_loop_init(&loop, in + GAIN_1, S, prec);
-    _arb_vec_set(z + 18, loop.constants, 3);
+    second_order_init(&o, steps(), in + GAIN_1, in + GAIN_2, prec);
+    for (int swings = 0; swings < 2; swings++, z += COUNT(names) + 2) {
+        for (int i = 0; i < COUNT(names); i++)
+            arb_set(z + i, second_order_get(&o, names[i]));
+        slow_law(z + COUNT(names), z + COUNT(names) + 1, &o, a, tau);
+        second_order_swing(&o, in + SWING, a); /* which says all of S */
+    }
+    second_order_after(z, &o, a, tau);
+    moved_reference(z + 6, &o, z);
+    moved_loop_init(&loop, &o);
+    _arb_vec_set(z + 7, loop.constants, 3);
     moved_loop_clear(&loop);
-    slow_law(z + 16, z + 17, &o, a, tau);
-    for (int i = 0; i < 5; i++)
-        arb_set(z + i, second_order_get(&o, names[i]));
+    arb_one(second_order_get(&o, "S_re")); /* the same whatever the start: what pitch alone makes of it */
+    arb_zero(second_order_get(&o, "S_im"));
+    arb_set(turned + THETA, z + THETA);
+    moved_reference(z + 10, &o, turned);
     second_order_clear(&o);
-    second_order_init(&o, steps(), in + GAIN_1, in + GAIN_2, NULL, prec); /* and of the law as it is */
-    for (int i = 0; i < 5; i++)
-        arb_set(z + 21 + i, second_order_get(&o, names[i]));
-    slow_law(z + 5, z + 6, &o, a, tau);
-    second_order_clear(&o);
-    acb_one(S); /* the same whatever the start: what pitch alone makes of it */
-    arb_set(turned + THETA, z + 9 + THETA);
-    moved_reference(z + 26, S, turned, prec);
 }
 
 static void set_given(arb_ptr in, int gains)

@@ -25,7 +25,7 @@ static void of_gains(struct computed *c)
         const char *name = sampled_gains[k].name;
         struct second_order o;
         set_gains(c1, c2, sampled_gains[k].n, sampled_gains[k].c2, SAMPLING_BITS);
-        second_order_init(&o, c->steps, c1, c2, NULL, SAMPLING_BITS);
+        second_order_init(&o, c->steps, c1, c2, SAMPLING_BITS);
         arb_hypot(x, second_order_get(&o, "A_re"), second_order_get(&o, "A_im"), SAMPLING_BITS);
         give(c, true, x, "A_%s", name);
         arb_hypot(x, second_order_get(&o, "B_re"), second_order_get(&o, "B_im"), SAMPLING_BITS);
@@ -46,7 +46,10 @@ static void held_motion(struct computed *c)
     VECTOR(arb, samples, COORDINATES * (HOLDS + 1));
     SCOPE(arb, c1, c2, x);
     set_gains(c1, c2, "10", NULL, SAMPLING_BITS);
-    start_of_sheet(samples, c->steps->sheet, BITS);
+    sheet_value(x, c->steps->sheet, "L_ref", BITS);
+    for (int i = PSI; i <= ETA; i++)
+        sheet_value(samples + i, c->steps->sheet, variable_names[i], BITS);
+    arb_div(samples + ETA, samples + ETA, x, BITS);
     const bool proved = hold_follow(samples, c->steps, c1, c2, SECONDS, HOLDS, DIGITS);
     sheet_value(x, c->steps->sheet, "Omega", SAMPLING_BITS);
     arb_mul_si(x, x, SECONDS, SAMPLING_BITS);
@@ -63,43 +66,30 @@ static void held_motion(struct computed *c)
 static void damped(struct computed *c)
 {
     enum { HOURS = 480, DIGITS = 5 };
-    SCOPE(arb, c1, c2, a, amplitude, law, gap, tau, charge);
-    SCOPE(arb, swing, shift, product, sigma, third);
-    SCOPE(acb, S);
-    sheet_value(a, c->steps->sheet, "theta", SAMPLING_BITS);
-    arb_set_ui(swing, 1);
-    arb_div_ui(swing, swing, 100, SAMPLING_BITS);
+    SCOPE(arb, amplitude, law, gap, charge);
     for (int k = 0; k < SAMPLED_GAINS; k += SAMPLED_GAINS - 1) {
-        struct second_order o;
+        const char *name = sampled_gains[k].name;
         struct trajectory t;
-        const struct simulation s = {.steps = c->steps, .digits = DIGITS, .n = sampled_gains[k].n, .C2 = k > 0 ? "2.9166e-4" : NULL}; /* 4 Omega */
-        set_gains(c1, c2, sampled_gains[k].n, sampled_gains[k].c2, SAMPLING_BITS);
-        quadrature_reference(S, c1, c2, swing, a, SAMPLING_BITS);
-        const bool proved = slow_run(&t, &o, s, c1, c2, S, a, HOUR, HOUR, HOURS * HOUR);
-        arb_div_ui(third, c1, 3, SAMPLING_BITS);
+        const bool proved = trajectory_run(&t, &(struct simulation){.steps = c->steps, .nonlinear = true, .digits = DIGITS, .forced = true,
+                                                                    .swing = "0.01", .n = sampled_gains[k].n,
+                                                                    .C2 = k > 0 ? "2.9166e-4" : NULL /* 4 Omega */},
+                                           HOUR, HOUR, HOURS * HOUR);
         arb_zero(gap);
-        arb_zero(charge);
         for (slong i = 0; i < t.count; i++) {
+            SCOPE(arb, off);
             trajectory_value(amplitude, &t, i, AMPLITUDE);
-            arb_mul_si(tau, t.Omega, (i + 1) * HOUR, SAMPLING_BITS);
-            slow_law(law, shift, &o, a, tau);
-            arb_mul(law, law, a, SAMPLING_BITS);
-            arb_sub(tau, amplitude, law, SAMPLING_BITS);
-            arb_div(tau, tau, law, SAMPLING_BITS);
-            arb_abs(tau, tau);
-            arb_max(gap, gap, tau, SAMPLING_BITS);
-            trajectory_value(product, &t, i, PRODUCT);
-            moved_reference(sigma, S, trajectory_sample(&t, i), SAMPLING_BITS);
-            arb_submul(product, sigma, third, SAMPLING_BITS);
-            arb_abs(product, product);
-            arb_max(charge, charge, product, SAMPLING_BITS);
+            trajectory_slow_law(law, &t, i);
+            arb_div(off, amplitude, law, SAMPLING_BITS);
+            arb_sub_ui(off, off, 1, SAMPLING_BITS);
+            arb_abs(off, off);
+            arb_max(gap, gap, off, SAMPLING_BITS);
         }
-        give(c, proved, amplitude, "amplitude_%s", sampled_gains[k].name);
-        give(c, proved, law, "law_%s", sampled_gains[k].name);
-        give(c, proved, gap, "gap_%s", sampled_gains[k].name);
-        give(c, proved, charge, "charge_%s", sampled_gains[k].name);
+        trajectory_peak(charge, &t, NULL, PRODUCT, 0, t.count - 1);
+        give(c, proved, amplitude, "amplitude_%s", name);
+        give(c, proved, law, "law_%s", name);
+        give(c, proved, gap, "gap_%s", name);
+        give(c, proved, charge, "charge_%s", name);
         trajectory_clear(&t);
-        second_order_clear(&o);
     }
 }
 

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "claims/claim.h"
-#include "claims/second_order.h"
 #include "motion/two_body.h"
 #include "text/scope.h"
 
@@ -12,7 +11,7 @@ enum { PREC = 192, SLOW_DIGITS = 5 }; /* what the slow law leaves is of the orde
 
 /* ---- motions ----------------------------------------------------------- */
 
-/* The largest |a - b| of the study's variables on the samples, in SI. */
+/* The largest |a - b| of the study's variables on the samples, in SI; of an amplitude, as a part of the first. */
 static void differences(arb_ptr d, const struct study *study, const struct trajectory *a, const struct trajectory *b)
 {
     SCOPE(arb, unit);
@@ -20,15 +19,19 @@ static void differences(arb_ptr d, const struct study *study, const struct traje
         trajectory_peak(d + i, a, b, study->which[i], 0, a->count - 1);
         trajectory_unit(unit, a, study->which[i]);
         arb_mul(d + i, d + i, unit, PREC);
+        if (study->which[i] == AMPLITUDE) {
+            trajectory_value(unit, b, 0, AMPLITUDE);
+            arb_div(d + i, d + i, unit, PREC);
+        }
     }
 }
 
-static bool compare_motions(arb_ptr d, const struct study *study, const struct simulation *one, const struct simulation *other)
+static bool compare_motions(arb_ptr d, const struct study *study, const struct simulation *one, const struct simulation *other, long seconds)
 {
-    const long first = study->every > 0 ? 0 : study->seconds, step = study->every > 0 ? study->every : 1;
+    const long first = study->every > 0 ? 0 : seconds, step = study->every > 0 ? study->every : 1;
     struct trajectory a, b;
-    bool proved = trajectory_run(&a, one, first, step, study->seconds);
-    proved = trajectory_run(&b, other, first, step, study->seconds) && proved;
+    bool proved = trajectory_run(&a, one, first, step, seconds);
+    proved = trajectory_run(&b, other, first, step, seconds) && proved;
     differences(d, study, &a, &b);
     trajectory_clear(&a);
     trajectory_clear(&b);
@@ -38,16 +41,10 @@ static bool compare_motions(arb_ptr d, const struct study *study, const struct s
 /* The nonlinear motion against the linear; the parameter scales the initial disturbance. */
 static bool from_linear(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t scale)
 {
-    VECTOR(arb, start, FLOW_STATE);
-    SCOPE(arb, factor);
-    struct simulation linear = {.steps = steps, .start = start}, nonlinear = {.steps = steps, .start = start, .nonlinear = true};
-    start_of_sheet(start, steps->sheet, PREC);
-    for (int i = PSI; i <= ETA; i++)
-        if (study->pitch_alone && i != THETA)
-            arb_zero(start + i);
-    arb_set_fmpq(factor, scale, PREC);
-    _arb_vec_scalar_mul(start, start, FLOW_STATE, factor, PREC);
-    return compare_motions(d, study, &nonlinear, &linear);
+    const char *others = study->pitch_alone ? "0" : NULL;
+    struct simulation linear = {.steps = steps, .scale = scale, .psi = others, .dL = others}, nonlinear = linear;
+    nonlinear.nonlinear = true;
+    return compare_motions(d, study, &nonlinear, &linear, study->seconds);
 }
 
 /* The classical Runge-Kutta method against the motion; the parameter is its step in s. */
@@ -55,42 +52,24 @@ static bool from_steps(arb_ptr d, const struct derivations *steps, const struct 
 {
     struct simulation exact = {.steps = steps, .nonlinear = study->nonlinear}, stepped = exact;
     stepped.rk4 = (long)fmpq_get_d(h);
-    return compare_motions(d, study, &stepped, &exact);
+    return compare_motions(d, study, &stepped, &exact, study->seconds);
 }
 
-/* ---- the closed forms of second_order.h -------------------------------- */
-
 /*
- * The motion less the closed form, both having z = a at the start, after a fixed time, or after 1/a^2 radians, to the second (then of
- * the amplitude, relatively); the parameter is a.
+ * The motion against the closed form that it starts on, with a pitch of a rad, after a fixed time, or after 1/a^2 radians, to the
+ * second; the parameter is a.
  */
 static bool from_forced(arb_ptr d, const struct derivations *steps, const struct study *study, const fmpq_t a)
 {
     const bool slow = study->seconds == 0;
-    const struct flow_steps cheap = {.derivative_order = 8};
-    struct simulation s = {.steps = steps, .nonlinear = true, .n = study->n, .digits = slow ? SLOW_DIGITS : TRAJECTORY_DIGITS, .by = &cheap};
-    struct trajectory motion, closed;
-    struct second_order o;
-    SCOPE(arb, amplitude, tau);
-    bool proved = trajectory_run(&closed, &s, 0, 1, 0); /* for the gains and Omega */
-    arb_ptr z = trajectory_sample(&closed, 0);
-    const double size = fmpq_get_d(a), Omega = arf_get_d(arb_midref(closed.Omega), ARF_RND_NEAR);
-    const long seconds = slow ? (long)(1 / (size * size * Omega)) : study->seconds;
-    second_order_init(&o, steps, closed.c1, closed.c2, NULL, PREC);
-    arb_set_fmpq(amplitude, a, PREC);
-    second_order_after(z, &o, amplitude, tau);
-    s.start = z;
-    proved = trajectory_run(&motion, &s, seconds, 1, seconds) && proved;
-    arb_mul_si(tau, closed.Omega, seconds, PREC);
-    second_order_after(z, &o, amplitude, tau);
-    second_order_clear(&o);
-    differences(d, study, &motion, &closed);
-    trajectory_value(amplitude, &closed, 0, AMPLITUDE);
-    if (slow)
-        arb_div(d, d, amplitude, PREC);
-    trajectory_clear(&motion);
-    trajectory_clear(&closed);
-    return proved;
+    struct simulation motion = {.steps = steps, .nonlinear = true, .forced = true, .n = study->n, .theta = "1", .scale = a,
+                                .digits = slow ? SLOW_DIGITS : TRAJECTORY_DIGITS};
+    struct simulation closed = motion;
+    SCOPE(arb, Omega);
+    closed.closed_form = true;
+    sheet_value(Omega, steps->sheet, "Omega", PREC);
+    const double size = fmpq_get_d(a), rate = size * size * arf_get_d(arb_midref(Omega), ARF_RND_NEAR);
+    return compare_motions(d, study, &motion, &closed, slow ? (long)(1 / rate) : study->seconds);
 }
 
 /* ---- Hill's equations against the inverse square ----------------------- */
@@ -115,7 +94,7 @@ static void observe_pair(arb_ptr sample, const struct two_body *b)
     VECTOR(arb, d, AXES);
     _arb_vec_scalar_div(sample + PLACE_X, b->place, AXES, b->mass + 1, PREC);
     _arb_vec_sub(d, b->place, b->place + AXES, AXES, PREC);
-    angle_series(sample + PSI, sample + THETA, sample + ETA, d, d + 1, d + 2, 1, PREC);
+    angle_series(sample + PSI, d, 1, PREC);
 }
 
 /* The parameter is L_ref/R_c. */
@@ -145,7 +124,6 @@ static bool from_inverse_square(arb_ptr d, const struct derivations *steps, cons
 #define OF_PAIR {PLACE_X, PLACE_Y, PLACE_Z, PSI, THETA, ETA}, 6
 #define OF_ANGLES {PSI, THETA, ETA}, 3
 #define OF_PITCH {AMPLITUDE, PHASE}, 2
-
 
 /* After half a day and two days; the Runge-Kutta method where no error is near one of its zeros. */
 const struct study studies[] = {

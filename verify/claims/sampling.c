@@ -104,35 +104,18 @@ void largest_hold(arb_t limit, const struct derivations *steps, const arb_t c1, 
 
 /* ---- the nonlinear motion, the law held ---- */
 
-/* (7): Q goes like the cube of the length that it holds, in units of which the motion is that without feedback. */
 bool hold_follow(arb_ptr samples, const struct derivations *steps, const arb_t c1, const arb_t c2, long T, slong count, slong digits)
 {
     enum { BITS = 512 };
     bool proved = true;
     SCOPE(arb, held);
-    for (slong k = 0; k < count && proved; k++) {
-        arb_ptr sample = samples + COORDINATES * k;
+    for (slong k = 0; k < count && proved; k++, samples += COORDINATES) {
         struct trajectory t;
-        VECTOR(arb, start, FLOW_STATE);
-        arb_mul(held, c1, sample + ETA, BITS);
-        arb_addmul(held, c2, sample + ETA_DOT, BITS);
-        arb_div_ui(held, held, 3, BITS);
+        commanded(held, c1, c2, samples + ETA, samples + ETA_DOT, BITS);
         arb_add_ui(held, held, 1, BITS);
-        arb_root_ui(held, held, 3, BITS);
-        _arb_vec_set(start, sample, FLOW_STATE);
-        arb_add_ui(start + ETA, sample + ETA, 1, BITS);
-        arb_div(start + ETA, start + ETA, held, BITS);
-        arb_sub_ui(start + ETA, start + ETA, 1, BITS);
-        arb_div(start + ETA_DOT, sample + ETA_DOT, held, BITS);
         proved = trajectory_run(&t, &(struct simulation){.steps = steps, .nonlinear = true, .digits = digits + count - k, .C1 = "0", .C2 = "0",
-                                                         .start = start}, T, 1, T);
-        sample += COORDINATES;
-        _arb_vec_set(sample, trajectory_sample(&t, 0), COORDINATES);
-        arb_add_ui(sample + ETA, sample + ETA, 1, BITS);
-        _arb_vec_scalar_mul(sample + PLACE_X, sample + PLACE_X, 3, held, BITS);
-        arb_mul(sample + ETA, sample + ETA, held, BITS);
-        arb_mul(sample + ETA_DOT, sample + ETA_DOT, held, BITS);
-        arb_sub_ui(sample + ETA, sample + ETA, 1, BITS);
+                                                         .start = samples, .held = held}, T, 1, T);
+        _arb_vec_set(samples + COORDINATES, trajectory_sample(&t, 0), COORDINATES);
         trajectory_clear(&t);
     }
     return proved;

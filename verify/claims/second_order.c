@@ -10,8 +10,7 @@ arb_ptr second_order_get(const struct second_order *o, const char *name)
     return machine_value(&o->machine, program_find(o->machine.program, name));
 }
 
-void second_order_init(struct second_order *o, const struct derivations *d, const arb_t c1, const arb_t c2, const acb_t S,
-                       slong prec)
+void second_order_init(struct second_order *o, const struct derivations *d, const arb_t c1, const arb_t c2, slong prec)
 {
     static const char *const units[] = {"Omega", "L_ref", "m1", "m2", "k_c"};
     machine_init(&o->machine, &step_named(d, "pitch_law")->corrected.program, &arithmetic_ball, prec);
@@ -19,10 +18,6 @@ void second_order_init(struct second_order *o, const struct derivations *d, cons
         arb_one(second_order_get(o, units[i]));
     arb_set(second_order_get(o, "c1"), c1);
     arb_set(second_order_get(o, "c2"), c2);
-    if (S != NULL) {
-        acb_get_real(second_order_get(o, "S_re"), S);
-        acb_get_imag(second_order_get(o, "S_im"), S);
-    }
     machine_run(&o->machine);
 }
 
@@ -73,19 +68,23 @@ void second_order_after(arb_ptr sample, struct second_order *o, const arb_t a, c
 /* ---- a reference length that moves with pitch ---- */
 
 /* By B = i (8 A - 2)/13 the step's B says c1 S = 36/13 + A (c1 + 4 i c2 - 261/13). */
-void quadrature_reference(acb_t S, const arb_t c1, const arb_t c2, const arb_t swing, const arb_t a, slong prec)
+void second_order_swing(struct second_order *o, const arb_t swing, const arb_t a)
 {
+    const slong prec = o->machine.prec;
+    arb_ptr S_re = second_order_get(o, "S_re"), S_im = second_order_get(o, "S_im");
     SCOPE(arb, part);
-    arb_mul_ui(acb_realref(S), c2, 4 * 13, prec);
-    arb_neg(acb_realref(S), acb_realref(S));
-    arb_mul_ui(acb_imagref(S), c1, 13, prec);
-    arb_sub_ui(acb_imagref(S), acb_imagref(S), 261, prec);
     arb_sqr(part, a, prec);
     arb_div(part, swing, part, prec);
-    acb_mul_arb(S, S, part, prec);
-    arb_add_ui(acb_realref(S), acb_realref(S), 36, prec);
-    arb_mul_ui(part, c1, 13, prec);
-    acb_div_arb(S, S, part, prec);
+    arb_mul_si(S_re, second_order_get(o, "c2"), -4 * 13, prec);
+    arb_mul(S_re, S_re, part, prec);
+    arb_add_ui(S_re, S_re, 36, prec);
+    arb_mul_ui(S_im, second_order_get(o, "c1"), 13, prec);
+    arb_sub_ui(S_im, S_im, 261, prec);
+    arb_mul(S_im, S_im, part, prec);
+    arb_mul_ui(part, second_order_get(o, "c1"), 13, prec);
+    arb_div(S_re, S_re, part, prec);
+    arb_div(S_im, S_im, part, prec);
+    machine_run(&o->machine);
 }
 
 /* Of the closed loop (taylor.h) z, w, q, A and R; further series, F = c1 sigma; constants, c1 S_im, c1 S_re, c1 S_re/4. */
@@ -125,13 +124,13 @@ static struct system pitch_loop(struct term *terms)
     return (struct system){JET_STATES, LAW_SERIES, LAW_ALL, count, terms};
 }
 
-void moved_loop_init(struct moved_loop *l, const arb_t c1, const acb_t S, slong prec)
+void moved_loop_init(struct moved_loop *l, const struct second_order *o)
 {
+    arb_srcptr c1 = second_order_get(o, "c1");
     l->system = pitch_loop(l->terms);
     l->constants = _arb_vec_init(3);
-    l->steps = (struct flow_steps){.system = &l->system, .constants = l->constants, .derivative_order = 8};
-    arb_mul(l->constants, acb_imagref(S), c1, prec);
-    arb_mul(l->constants + 1, acb_realref(S), c1, prec);
+    arb_mul(l->constants, second_order_get(o, "S_im"), c1, o->machine.prec);
+    arb_mul(l->constants + 1, second_order_get(o, "S_re"), c1, o->machine.prec);
     arb_mul_2exp_si(l->constants + 2, l->constants + 1, -2);
 }
 
@@ -141,9 +140,11 @@ void moved_loop_clear(struct moved_loop *l)
 }
 
 /* Re(S z^2), z = sin(theta) - i sin(theta)'/2 */
-void moved_reference(arb_t sigma, const acb_t S, arb_srcptr sample, slong prec)
+void moved_reference(arb_t sigma, const struct second_order *o, arb_srcptr sample)
 {
-    SCOPE(acb, z);
+    const slong prec = o->machine.prec;
+    SCOPE(acb, z, S);
+    acb_set_arb_arb(S, second_order_get(o, "S_re"), second_order_get(o, "S_im"));
     arb_sin_cos(acb_realref(z), acb_imagref(z), sample + THETA, prec);
     arb_mul(acb_imagref(z), acb_imagref(z), sample + THETA_DOT, prec);
     acb_conj(z, z);
@@ -151,24 +152,4 @@ void moved_reference(arb_t sigma, const acb_t S, arb_srcptr sample, slong prec)
     acb_sqr(z, z, prec);
     acb_mul(z, z, S, prec);
     acb_get_real(sigma, z);
-}
-
-bool slow_run(struct trajectory *t, struct second_order *o, struct simulation s, const arb_t c1, const arb_t c2, const acb_t S,
-              const arb_t a, long first, long step, long last)
-{
-    enum { BITS = 192 };
-    VECTOR(arb, start, COORDINATES);
-    SCOPE(arb, tau);
-    struct moved_loop loop;
-    second_order_init(o, s.steps, c1, c2, S, BITS);
-    second_order_after(start, o, a, tau);
-    s.nonlinear = true;
-    s.start = start;
-    if (S == NULL)
-        return trajectory_run(t, &s, first, step, last);
-    moved_loop_init(&loop, c1, S, BITS);
-    s.by = &loop.steps;
-    const bool proved = trajectory_run(t, &s, first, step, last);
-    moved_loop_clear(&loop);
-    return proved;
 }

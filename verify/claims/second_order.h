@@ -31,19 +31,22 @@
 #ifndef CT_SECOND_ORDER_H
 #define CT_SECOND_ORDER_H
 
-#include "claims/trajectory.h"
+#include "motion/flow.h"
 #include "motion/taylor.h"
+#include "proof/derivation.h"
 
 struct second_order {
     struct machine machine; /* of the step, in balls, in radians of orbit and units of L_ref */
 };
 
-/* `d` has the step. S NULL: 0, the law (18) as it is. */
-void second_order_init(struct second_order *o, const struct derivations *d, const arb_t c1, const arb_t c2, const acb_t S,
-                       slong prec);
+/* `d` has the step. S is 0, the law (18) as it is. */
+void second_order_init(struct second_order *o, const struct derivations *d, const arb_t c1, const arb_t c2, slong prec);
 void second_order_clear(struct second_order *o);
 
-/* By name: B_re B_im A_re A_im T_re T_im, and k and s as decay and shift. */
+/* The S by which the length swings in quadrature alone, A = i swing/a^2. */
+void second_order_swing(struct second_order *o, const arb_t swing, const arb_t a);
+
+/* By name: B_re B_im A_re A_im T_re T_im, S_re S_im, c1 c2, and k and s as decay and shift. */
 arb_ptr second_order_get(const struct second_order *o, const char *name);
 
 /* psi theta dL and their rates at z, the first six numbers of a sample; */
@@ -55,27 +58,16 @@ void second_order_after(arb_ptr sample, struct second_order *o, const arb_t a, c
 /* a(tau)/a(0) and phi(tau) - phi(0): (1 + 2 k a^2 tau)^(-1/2), s/(2 k) log(1 + 2 k a^2 tau) */
 void slow_law(arb_t ratio, arb_t shift, const struct second_order *o, const arb_t a, const arb_t tau);
 
-/* The S by which the length swings in quadrature alone, A = i swing/a^2. */
-void quadrature_reference(acb_t S, const arb_t c1, const arb_t c2, const arb_t swing, const arb_t a, slong prec);
-
-/*
- * A nonlinear simulation started on the closed form with a pitch of a rad, by the law that S says, and what goes with it; c1 and c2
- * are the gains that it has, S NULL the law (18) as it is.
- */
-bool slow_run(struct trajectory *t, struct second_order *o, struct simulation s, const arb_t c1, const arb_t c2, const acb_t S,
-              const arb_t a, long first, long step, long last);
-
 /* The nonlinear closed loop with the reference length so. */
 struct moved_loop {
     struct term terms[JET_MOST];
     struct system system;
     arb_ptr constants;
-    struct flow_steps steps;
 };
-void moved_loop_init(struct moved_loop *l, const arb_t c1, const acb_t S, slong prec);
+void moved_loop_init(struct moved_loop *l, const struct second_order *o);
 void moved_loop_clear(struct moved_loop *l);
 
 /* sigma of a sample, sin(theta) in place of theta, as the loop has it. */
-void moved_reference(arb_t sigma, const acb_t S, arb_srcptr sample, slong prec);
+void moved_reference(arb_t sigma, const struct second_order *o, arb_srcptr sample);
 
 #endif

@@ -12,7 +12,8 @@ enum { X, Y, Z, U, V, W };
 
 enum {
     SLICES = 24,     /* of a box of states by length: the forces nearly cancel, which one box would not see */
-    BOUND_BITS = 64  /* of bounds on derivatives */
+    BOUND_BITS = 64, /* of bounds on derivatives */
+    CONSTANTS = 6    /* c1, c2, Omega, L_ref, arm, amplitude */
 };
 
 /* ---- the simulation ---- */
@@ -24,60 +25,95 @@ void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec)
     arb_set_fmpq(x, value, prec);
 }
 
-void start_of_sheet(arb_ptr sample, const struct sheet *s, slong prec)
+void trajectory_init(struct trajectory *t)
 {
-    SCOPE(arb, L_ref);
-    for (int i = PSI; i <= ETA; i++)
-        sheet_value(sample + i, s, variable_names[i], prec);
-    sheet_value(L_ref, s, "L_ref", prec);
-    arb_div(sample + ETA, sample + ETA, L_ref, prec);
+    t->c1 = _arb_vec_init(CONSTANTS + COORDINATES * t->count);
+    t->c2 = t->c1 + 1;
+    t->Omega = t->c1 + 2;
+    t->L_ref = t->c1 + 3;
+    t->arm = t->c1 + 4;
+    t->amplitude = t->c1 + 5;
+    t->samples = t->c1 + CONSTANTS;
+}
+
+void trajectory_clear(struct trajectory *t)
+{
+    _arb_vec_clear(t->c1, CONSTANTS + COORDINATES * t->count);
+    second_order_clear(&t->closed);
+}
+
+/* What its samples are measured in, and the closed form. */
+static void set_constants(struct trajectory *t, const struct flow_parameters *p, const fmpq_t theta, const char *swing)
+{
+    SCOPE(arb, x);
+    flow_gains(t->c1, t->c2, p, t->prec);
+    arb_set(t->Omega, p->Omega);
+    arb_set(t->L_ref, p->L_ref);
+    arb_add(t->arm, p->m1, p->m2, t->prec);
+    arb_div(t->arm, p->m2, t->arm, t->prec);
+    arb_mul(t->arm, t->arm, p->L_ref, t->prec);
+    arb_set_fmpq(t->amplitude, theta, t->prec);
+    second_order_init(&t->closed, t->steps, t->c1, t->c2, t->prec);
+    if (swing == NULL)
+        return;
+    arb_set_str(x, swing, t->prec);
+    second_order_swing(&t->closed, x, t->amplitude);
 }
 
 /* The paper's scenario with the simulation's values, or with its state to start from. */
-static void set_up(struct flow_parameters *p, arb_ptr initial, const struct simulation *s, slong prec)
+static void set_up(struct flow_parameters *p, arb_ptr initial, struct trajectory *t, const struct simulation *s)
 {
     const char *const texts[SCENARIO_VALUES] = {[SET_n] = s->n,   [SET_psi] = s->psi, [SET_theta] = s->theta,
                                                 [SET_dL] = s->dL, [SET_C1] = s->C1,   [SET_C2] = s->C2,
                                                 [SET_m1] = s->m1, [SET_m2] = s->m2};
     OWNED(scenario) scenario;
+    VECTOR(arb, forced, FLOW_STATE);
+    SCOPE(arb, now);
     scenario_init(&scenario, s->steps->sheet, true);
     for (int i = 0; i < SCENARIO_VALUES; i++)
         if (texts[i] != NULL) {
             literal_read(&scenario.value[i].value, texts[i], true);
             scenario.given[i] = true;
         }
-    scenario_parameters(p, &scenario, prec);
-    scenario_initial(initial, &scenario, p, s->nonlinear, prec);
-    if (s->start == NULL)
+    for (int i = SET_psi; i <= SET_dL && s->scale != NULL; i++)
+        fmpq_mul(&scenario.value[i].value, &scenario.value[i].value, s->scale);
+    scenario_parameters(p, &scenario, t->prec);
+    scenario_initial(initial, &scenario, p, s->nonlinear, t->prec);
+    set_constants(t, p, &scenario.value[SET_theta].value, s->swing);
+    arb_srcptr start = s->start;
+    if (s->forced) {
+        second_order_after(forced, &t->closed, t->amplitude, now);
+        start = forced;
+    }
+    if (start == NULL)
         return;
-    flow_units(initial, false, p, prec);
+    flow_units(initial, false, p, t->prec);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_mul(initial + i, initial + i, s->start + i, prec);
+        arb_mul(initial + i, initial + i, start + i, t->prec);
     if (s->nonlinear)
-        state_from_angles(initial, s->steps->sheet, p, prec);
+        state_from_angles(initial, s->steps->sheet, p, t->prec);
 }
 
 /* ---- samples ---- */
 
-void angle_series(arb_ptr psi, arb_ptr theta, arb_ptr eta, arb_srcptr x, arb_srcptr y, arb_srcptr z, slong n, slong prec)
+void angle_series(arb_ptr angles, arb_srcptr place, slong n, slong prec)
 {
-    arb_srcptr const place[] = {x, y, z};
+    arb_srcptr x = place, y = place + n, z = place + 2 * n;
+    arb_ptr psi = angles, theta = angles + n, eta = angles + 2 * n;
     VECTOR(arb, l, n);
     VECTOR(arb, part, n);
-    VECTOR(arb, sum, n);
     for (int i = 0; i < 3; i++) {
-        _arb_poly_mullow(part, place[i], n, place[i], n, n, prec);
-        _arb_vec_add(sum, sum, part, n, prec);
+        _arb_poly_mullow(part, place + i * n, n, place + i * n, n, n, prec);
+        _arb_vec_add(l, l, part, n, prec);
     }
-    _arb_poly_sqrt_series(l, sum, n, n, prec);
+    _arb_poly_sqrt_series(eta, l, n, n, prec);
+    _arb_poly_div_series(part, z, n, eta, n, n, prec);
+    _arb_poly_asin_series(theta, part, n, n, prec);
+    _arb_vec_neg(theta, theta, n);
+    arb_sub_ui(eta, eta, 1, prec);
     _arb_poly_div_series(part, y, n, x, n, n, prec);
     _arb_poly_atan_series(psi, part, n, n, prec);
     arb_atan2(psi, y, x, prec); /* on either side */
-    _arb_poly_div_series(part, z, n, l, n, n, prec);
-    _arb_poly_asin_series(theta, part, n, n, prec);
-    _arb_vec_neg(theta, theta, n);
-    _arb_vec_set(eta, l, n);
-    arb_sub_ui(eta, eta, 1, prec);
 }
 
 /* From place and velocity in units of the arm and of Omega. */
@@ -85,15 +121,11 @@ static void to_angles(arb_ptr sample, arb_srcptr state, slong prec)
 {
     VECTOR(arb, moving, FLOW_STATE); /* each place, and its rate after it */
     VECTOR(arb, angles, FLOW_STATE);
-    for (int i = 0; i < FLOW_HALF; i++) {
-        arb_set(moving + 2 * i, state + i);
-        arb_set(moving + 2 * i + 1, state + i + FLOW_HALF);
-    }
-    angle_series(angles, angles + 2, angles + 4, moving, moving + 2, moving + 4, 2, prec);
-    for (int i = 0; i < FLOW_HALF; i++) {
-        arb_set(sample + i, angles + 2 * i);
-        arb_set(sample + i + FLOW_HALF, angles + 2 * i + 1);
-    }
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set(moving + 2 * (i % 3) + i / 3, state + i);
+    angle_series(angles, moving, 2, prec);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_set(sample + i, angles + 2 * (i % 3) + i / 3);
 }
 
 static int take_sample(void *context, slong k, const fmpq_t time, arb_srcptr state)
@@ -124,28 +156,6 @@ static int take_sample(void *context, slong k, const fmpq_t time, arb_srcptr sta
     return 0;
 }
 
-static void trajectory_init(struct trajectory *t, const struct flow_parameters *p)
-{
-    arb_ptr values[] = {t->c1, t->c2, t->Omega, t->L_ref, t->arm};
-    for (int i = 0; i < 5; i++)
-        arb_init(values[i]);
-    arb_set(t->Omega, p->Omega);
-    arb_set(t->L_ref, p->L_ref);
-    flow_gains(t->c1, t->c2, p, t->prec);
-    arb_add(t->arm, p->m1, p->m2, t->prec);
-    arb_div(t->arm, p->m2, t->arm, t->prec);
-    arb_mul(t->arm, t->arm, p->L_ref, t->prec);
-    t->samples = _arb_vec_init(COORDINATES * t->count);
-}
-
-void trajectory_clear(struct trajectory *t)
-{
-    arb_ptr values[] = {t->c1, t->c2, t->Omega, t->L_ref, t->arm};
-    _arb_vec_clear(t->samples, COORDINATES * t->count);
-    for (int i = 0; i < 5; i++)
-        arb_clear(values[i]);
-}
-
 arb_ptr trajectory_sample(const struct trajectory *t, slong k)
 {
     return t->samples + COORDINATES * k;
@@ -154,13 +164,22 @@ arb_ptr trajectory_sample(const struct trajectory *t, slong k)
 const char *const variable_names[] = {"psi", "theta", "dL", "psi_dot", "theta_dot", "dL_dot", "x1", "y1", "z1",
                                       "product", "amplitude", "phase"};
 
+void commanded(arb_t product, const arb_t c1, const arb_t c2, const arb_t eta, const arb_t eta_dot, slong prec)
+{
+    arb_mul(product, c1, eta, prec);
+    arb_addmul(product, c2, eta_dot, prec);
+    arb_div_ui(product, product, 3, prec);
+}
+
 void trajectory_value(arb_t x, const struct trajectory *t, slong k, int which)
 {
     arb_srcptr sample = trajectory_sample(t, k);
+    SCOPE(arb, eta);
     if (which == PRODUCT) {
-        arb_mul(x, t->c1, sample + ETA, t->prec);
-        arb_addmul(x, t->c2, sample + ETA_DOT, t->prec);
-        arb_div_ui(x, x, 3, t->prec);
+        if (t->other_law)
+            moved_reference(eta, &t->closed, sample);
+        arb_sub(eta, sample + ETA, eta, t->prec);
+        commanded(x, t->c1, t->c2, eta, sample + ETA_DOT, t->prec);
     } else if (which == AMPLITUDE || which == PHASE) {
         SCOPE(acb, z);
         arb_set(acb_realref(z), sample + THETA);
@@ -169,6 +188,20 @@ void trajectory_value(arb_t x, const struct trajectory *t, slong k, int which)
         (which == AMPLITUDE ? acb_abs : acb_arg)(x, z, t->prec);
     } else
         arb_set(x, sample + which);
+}
+
+/* Radians of orbit since the start. */
+static void time_of_sample(arb_t tau, const struct trajectory *t, slong k)
+{
+    arb_mul_si(tau, t->Omega, t->first + k * t->step, t->prec);
+}
+
+void trajectory_slow_law(arb_t amplitude, const struct trajectory *t, slong k)
+{
+    SCOPE(arb, tau, shift);
+    time_of_sample(tau, t, k);
+    slow_law(amplitude, shift, &t->closed, t->amplitude, tau);
+    arb_mul(amplitude, amplitude, t->amplitude, t->prec);
 }
 
 void trajectory_unit(arb_t unit, const struct trajectory *t, int which)
@@ -182,28 +215,43 @@ void trajectory_unit(arb_t unit, const struct trajectory *t, int which)
         arb_set(unit, t->arm);
 }
 
+/* Those of the closed form. */
+static void sample_closed_form(struct trajectory *t)
+{
+    SCOPE(arb, tau);
+    for (slong k = 0; k < t->count; k++) {
+        time_of_sample(tau, t, k);
+        second_order_after(trajectory_sample(t, k), &t->closed, t->amplitude, tau);
+    }
+}
+
 bool trajectory_run(struct trajectory *t, const struct simulation *s, long first, long step, long last)
 {
+    enum { FORCED_ORDER = 8 }; /* of derivatives: what is forced has no coordinate far from rest */
     const double radians = 7.3e-5 * (double)last; /* Omega, about */
     const slong digits = s->digits > 0 ? s->digits : TRAJECTORY_DIGITS;
     FLOW_PARAMETERS(p);
     SCOPE(fmpq, h);
-    t->steps = s->steps;
-    t->nonlinear = s->nonlinear;
-    t->bounded = s->by == NULL;
-    t->first = first;
-    t->step = step;
-    t->count = (last - first) / step + 1;
-    t->prec = s->rk4 ? rk4_precision(digits, radians) : flow_precision(digits, radians);
+    OWNED(moved_loop) moved;
+    *t = (struct trajectory){.steps = s->steps, .nonlinear = s->nonlinear, .other_law = s->swing != NULL || s->held != NULL,
+                             .prec = s->rk4 ? rk4_precision(digits, radians) : flow_precision(digits, radians),
+                             .count = (last - first) / step + 1, .first = first, .step = step};
     VECTOR(arb, initial, FLOW_STATE);
     VECTOR(fmpq, times, t->count);
-    set_up(&p, initial, s, t->prec);
-    trajectory_init(t, &p);
+    trajectory_init(t);
+    set_up(&p, initial, t, s);
+    moved_loop_init(&moved, &t->closed);
     for (slong k = 0; k < t->count; k++)
         fmpq_set_si(times + k, first + k * step, 1);
     fmpq_set_si(h, s->rk4, 1);
+    if (s->closed_form) {
+        sample_closed_form(t);
+        return true;
+    }
+    const struct flow_steps how = {.derivative_order = s->forced ? FORCED_ORDER : 0, .system = s->swing != NULL ? &moved.system : NULL,
+                                   .constants = moved.constants, .held = s->held};
     return flow_run(&(struct flow_request){&p, initial, times, t->count, digits, t->prec, take_sample, t, s->nonlinear,
-                                           s->rk4 ? h : NULL, s->by, 0, 0}) == FLOW_DONE;
+                                           s->rk4 ? h : NULL, &how, 0, 0}) == FLOW_DONE;
 }
 
 /*
@@ -376,22 +424,11 @@ static void set_bounds(arb_ptr bound, arb_srcptr series, slong prec)
     }
 }
 
-/* Taylor series of the motion from any state of the box, and of psi, theta and eta along it. */
-static void nonlinear_bounds(struct bounds *b, const struct jet *jet, slong prec)
-{
-    const slong n = DERIVATIVES;
-    VECTOR(arb, angles, 3 * n);
-    angle_series(angles, angles + n, angles + 2 * n, jet->c[X], jet->c[Y], jet->c[Z], n, prec);
-    for (int i = X; i <= Z; i++) {
-        set_bounds(b->of[PLACE_X + i], jet->c[i], prec);
-        set_bounds(b->of[PSI + i], angles + i * n, prec);
-    }
-}
-
 bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
 {
-    bool bounded = t->bounded;
+    bool bounded = !t->other_law;
     SCOPE(arb, E, eta);
+    VECTOR(arb, angles, 3 * DERIVATIVES);
     _arb_vec_zero(b->all, BOUNDED * DERIVATIVES);
     trajectory_energy(E, t, k);
     if (t->nonlinear) {
@@ -402,7 +439,11 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
         for (slong i = 0; i < SLICES; i++) {
             energy_box(&jet, E, eta, i, BOUND_BITS);
             jet_extend(&jet, &jet, BOUND_BITS, 0);
-            nonlinear_bounds(b, &jet, BOUND_BITS);
+            angle_series(angles, jet.c[X], DERIVATIVES, BOUND_BITS); /* y and z stand after x */
+            for (int c = 0; c < 3; c++) {
+                set_bounds(b->of[PSI + c], angles + c * DERIVATIVES, BOUND_BITS);
+                set_bounds(b->of[PLACE_X + c], jet.c[X + c], BOUND_BITS);
+            }
         }
     } else {
         linear_bounds(b, t, E, k);
@@ -413,11 +454,9 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
 void bound_between_samples(arb_t excess, const struct trajectory *t, const struct bounds *b, int which)
 {
     SCOPE(arb, curvature);
-    if (which == PRODUCT) {
-        arb_mul(curvature, t->c1, b->of[ETA] + 2, t->prec);
-        arb_addmul(curvature, t->c2, b->of[ETA_DOT] + 2, t->prec);
-        arb_div_ui(curvature, curvature, 3, t->prec);
-    } else
+    if (which == PRODUCT)
+        commanded(curvature, t->c1, t->c2, b->of[ETA] + 2, b->of[ETA_DOT] + 2, t->prec);
+    else
         arb_set(curvature, b->of[which] + 2);
     arb_mul_si(excess, t->Omega, t->step, t->prec);
     arb_sqr(excess, excess, t->prec);

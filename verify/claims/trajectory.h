@@ -8,8 +8,7 @@
 #ifndef CT_TRAJECTORY_H
 #define CT_TRAJECTORY_H
 
-#include "motion/flow.h"
-#include "proof/derivation.h"
+#include "claims/second_order.h"
 
 enum { ETA = DL, ETA_DOT = DL_DOT, PLACE_X, PLACE_Y, PLACE_Z, COORDINATES }; /* and PSI, THETA and their rates of flow.h */
 
@@ -28,8 +27,12 @@ struct simulation {
     slong digits;                     /* that the samples are proved to; 0: TRAJECTORY_DIGITS. Fewer run faster. */
     const char *n, *psi, *theta, *dL; /* exact decimals, SI */
     const char *m1, *m2, *C1, *C2;
+    const fmpq *scale;                /* of psi, theta and dL at the start */
+    bool forced;                      /* starts on the closed form of second_order.h, theta being its amplitude */
+    bool closed_form;                 /* and is that form */
+    const char *swing;                /* forced, by the law whose length swings so much, in L_ref */
     arb_srcptr start;                 /* a sample to start from instead of the angles */
-    const struct flow_steps *by;      /* of a nonlinear motion: by another law; no bounds are proved of it */
+    arb_srcptr held;                  /* of a nonlinear motion: Q/Q_ref, held, in place of the law; C1, C2 are 0 */
 };
 
 /* Sampled from first to last, each `step` seconds; and another, to compare it with, NULL: none. */
@@ -41,12 +44,14 @@ struct sampled {
 
 struct trajectory {
     const struct derivations *steps;
-    bool nonlinear, bounded;          /* bounded: by (18); of other laws no bounds are proved */
+    bool nonlinear, other_law;        /* than (18), of which no bounds are proved */
     slong prec, count;
     long first, step;                 /* s: of the samples */
-    arb_t c1, c2;                     /* C1/Omega^2, C2/Omega */
-    arb_t Omega, L_ref, arm;          /* rad/s, m, m */
+    arb_ptr c1, c2;                   /* C1/Omega^2, C2/Omega */
+    arb_ptr Omega, L_ref, arm;        /* rad/s, m, m */
+    arb_ptr amplitude;                /* of pitch at the start, rad */
     arb_ptr samples;
+    struct second_order closed;       /* the closed form of these gains and this law */
 };
 
 enum { TRAJECTORY_DIGITS = 20, HOUR = 3600, DAY = 24 * HOUR };
@@ -54,20 +59,24 @@ enum { TRAJECTORY_DIGITS = 20, HOUR = 3600, DAY = 24 * HOUR };
 /* The value that the paper's simulation gives a quantity: Table 1 and the initial conditions. */
 void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec);
 
-/* psi, theta and eta of its start, which has no rates. */
-void start_of_sheet(arb_ptr sample, const struct sheet *s, slong prec);
-
 /* Samples at first, first + step, ... last, whole seconds; false when the flow ended before. */
 bool trajectory_run(struct trajectory *t, const struct simulation *s, long first, long step, long last);
+void trajectory_init(struct trajectory *t); /* of `count` samples; all its numbers are 0 */
 void trajectory_clear(struct trajectory *t);
 arb_ptr trajectory_sample(const struct trajectory *t, slong k);
 
-/* From n Taylor coefficients of a place, in units of L_ref, those of psi, theta and eta. */
-void angle_series(arb_ptr psi, arb_ptr theta, arb_ptr eta, arb_srcptr x, arb_srcptr y, arb_srcptr z, slong n, slong prec);
+/* From n Taylor coefficients of each of x y z, in units of L_ref, those of psi, theta and eta. */
+void angle_series(arb_ptr angles, arb_srcptr place, slong n, slong prec);
+
+/* dQ/Q_ref that the law (18) commands: (c1 eta + c2 eta')/3 */
+void commanded(arb_t product, const arb_t c1, const arb_t c2, const arb_t eta, const arb_t eta_dot, slong prec);
 
 /* One of the variables at a sample, and what one of it is in SI. */
 void trajectory_value(arb_t x, const struct trajectory *t, slong k, int which);
 void trajectory_unit(arb_t unit, const struct trajectory *t, int which);
+
+/* The amplitude of pitch at a sample by the slow law of second_order.h. */
+void trajectory_slow_law(arb_t amplitude, const struct trajectory *t, slong k);
 
 /* The largest |variable| on these samples, ends included; or difference from that of a motion beside it, NULL: none. */
 void trajectory_peak(arb_t peak, const struct trajectory *t, const struct trajectory *beside, int which, slong from, slong to);

@@ -93,7 +93,7 @@ static bool print_forced(const struct study_table *table, const struct derivatio
     (void)table;
     bool proved = trajectory_run(&motion, &(struct simulation){.steps = steps, .nonlinear = true}, 0, STEP, LAST);
     proved = trajectory_run(&linear, &(struct simulation){.steps = steps, .nonlinear = false}, 0, STEP, LAST) && proved;
-    second_order_init(&o, steps, motion.c1, motion.c2, NULL, STUDY_BITS);
+    second_order_init(&o, steps, motion.c1, motion.c2, STUDY_BITS);
     for (slong k = 0; k < motion.count && proved; k++) {
         arb_srcptr samples[] = {trajectory_sample(&motion, k), trajectory_sample(&linear, k), forced};
         arb_mul_2exp_si(z, samples[0] + THETA_DOT, -1);
@@ -125,33 +125,24 @@ static bool print_pitch(const struct study_table *table, const struct derivation
 {
     const bool damped = strcmp(table->name, "damped") == 0;
     const long step = damped ? 4 * HOUR : HOUR, last = damped ? 20 * DAY : 30 * DAY;
-    const struct simulation s = {.steps = steps};
-    struct trajectory t, free;
-    struct second_order o, o_free;
-    SCOPE(arb, a, c1, c2, swing, tau, law, shift);
-    SCOPE(acb, S);
-    set_gains(c1, c2, "10", NULL, STUDY_BITS);
-    arb_set_str(swing, "0.01", STUDY_BITS);
-    arb_set_str(a, damped ? "0.01" : "0.2", STUDY_BITS);
-    quadrature_reference(S, c1, c2, swing, a, STUDY_BITS);
-    bool proved = slow_run(&t, &o, s, c1, c2, damped ? S : NULL, a, 0, step, last);
-    proved = slow_run(&free, &o_free, s, c1, c2, NULL, a, 0, step, damped ? last : 0) && proved;
+    struct simulation free = {.steps = steps, .nonlinear = true, .forced = true, .theta = damped ? NULL : "0.2"}, s = free;
+    struct trajectory t, beside;
+    SCOPE(arb, law);
+    s.swing = damped ? "0.01" : NULL;
+    bool proved = trajectory_run(&t, &s, 0, step, last);
+    proved = trajectory_run(&beside, &free, 0, step, damped ? last : 0) && proved;
     for (slong k = 0; k < t.count && proved; k++) {
         printf("%ld", (long)k * step);
         if (!damped)
             proved = print_field(trajectory_sample(&t, k) + THETA, ROW_DIGITS);
-        arb_mul_si(tau, t.Omega, k * step, STUDY_BITS);
-        slow_law(law, shift, &o, a, tau);
-        arb_mul(law, law, a, STUDY_BITS);
+        trajectory_slow_law(law, &t, k);
         proved = print_amplitude(&t, k) && print_field(law, ROW_DIGITS) && proved;
         if (damped)
-            proved = print_amplitude(&free, k) && proved;
+            proved = print_amplitude(&beside, k) && proved;
         end_row(proved);
     }
-    second_order_clear(&o);
-    second_order_clear(&o_free);
     trajectory_clear(&t);
-    trajectory_clear(&free);
+    trajectory_clear(&beside);
     return proved;
 }
 

@@ -56,6 +56,7 @@ struct flow_steps {
     double step;                   /* radians, proposed at every step in place of what the series propose */
     const struct system *system;   /* in place of the closed loop: its states, other series, and after its constants ... */
     arb_srcptr constants;          /* ... these */
+    arb_srcptr held;               /* charges held, their product being so many Q_ref, and gains of 0 */
 };
 
 /*

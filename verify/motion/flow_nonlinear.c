@@ -88,6 +88,8 @@ static void set_problem(struct flow *f)
     const int first = system->series + closed_loop.all - closed_loop.series;
     for (int v = first; v < system->all; v++)
         arb_set(f->series.path.c[v], f->how.constants + v - first);
+    if (f->how.held != NULL)
+        arb_mul_ui(f->series.path.c[first - 1], f->how.held, 3, f->prec); /* the last of the closed loop's: 3 at rest */
     for (int v = system->series; v < system->all; v++)
         arb_set(f->series.hull.c[v], f->series.path.c[v]);
 }
